@@ -1,0 +1,30 @@
+//> status-head
+// status.h - an answer that says why not.
+//
+// Book: chapter 0.  A programmer's misuse of the library stops at an assert.
+// Bad input (a file, a mesh, an option) is nobody's crash: the function that
+// meets it leaves nothing half built and returns one sentence that says what
+// is wrong, where, and why.
+
+#ifndef TUMBLE_STATUS_H
+#define TUMBLE_STATUS_H
+
+// ok is 1 or 0; why is one sentence without a full stop, empty when ok.
+typedef struct {
+    int  ok;
+    char why[200];
+} status;
+
+status status_ok(void);
+
+// Fails, with the sentence that printf would make of the arguments, cut to fit.
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2)))
+#endif
+status status_fail(const char *format, ...);
+
+// The status of an allocation that was refused.
+status status_out_of_memory(void);
+
+#endif
+//<

@@ -1,0 +1,99 @@
+//> vec3-head
+// vec3.h - three numbers that add, scale and measure.
+//
+// Book: chapter 0.  The functions stand in the header, inline, because every
+// loop of the library is made of them and none of them is longer than a line.
+// Only + - * / and sqrt: IEEE 754 rounds these alike everywhere, so the same
+// scene gives the same bits on every machine.
+
+#ifndef TUMBLE_VEC3_H
+#define TUMBLE_VEC3_H
+
+#include <math.h>
+
+// One name for the number type, so that a reader may try float.
+typedef double real;
+
+typedef struct {
+    real x, y, z;
+} vec3;
+//<
+
+//> vec3-add
+static inline vec3 vec3_make(real x, real y, real z)
+{
+    return (vec3){ x, y, z };
+}
+
+static inline vec3 vec3_add(vec3 a, vec3 b)
+{
+    return (vec3){ a.x + b.x, a.y + b.y, a.z + b.z };
+}
+
+static inline vec3 vec3_sub(vec3 a, vec3 b)
+{
+    return (vec3){ a.x - b.x, a.y - b.y, a.z - b.z };
+}
+
+static inline vec3 vec3_scale(real s, vec3 a)
+{
+    return (vec3){ s * a.x, s * a.y, s * a.z };
+}
+
+// a + s b: a step of length s along b.
+static inline vec3 vec3_add_scaled(vec3 a, real s, vec3 b)
+{
+    return (vec3){ a.x + s * b.x, a.y + s * b.y, a.z + s * b.z };
+}
+//<
+
+//> vec3-products
+static inline real vec3_dot(vec3 a, vec3 b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+// Perpendicular to both, by the right-hand rule; as long as the area of their
+// parallelogram.
+static inline vec3 vec3_cross(vec3 a, vec3 b)
+{
+    return (vec3){ a.y * b.z - a.z * b.y,
+                   a.z * b.x - a.x * b.z,
+                   a.x * b.y - a.y * b.x };
+}
+//<
+
+//> vec3-length
+static inline real vec3_length_squared(vec3 a)
+{
+    return vec3_dot(a, a);
+}
+
+static inline real vec3_length(vec3 a)
+{
+    return sqrt(vec3_dot(a, a));
+}
+
+static inline real vec3_distance(vec3 a, vec3 b)
+{
+    return vec3_length(vec3_sub(a, b));
+}
+
+// The unit vector along a; the zero vector, which has no direction, stays zero.
+static inline vec3 vec3_unit(vec3 a)
+{
+    real length = vec3_length(a);
+    return length > 0 ? vec3_scale(1 / length, a) : a;
+}
+//<
+
+//> vec3-finite
+// 1 if no component is infinite or NaN.  x - x is 0 for every finite x, and
+// NaN for the others.
+static inline int vec3_is_finite(vec3 a)
+{
+    return a.x - a.x == 0 && a.y - a.y == 0 && a.z - a.z == 0;
+}
+
+#endif
+//<

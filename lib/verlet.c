@@ -1,0 +1,147 @@
+//> verlet-pool
+// verlet.c - particles, and the step that moves them.
+//
+// Paper: section 3.1, Eq. 1.  Book: chapter 1.
+
+#include "verlet.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+void pool_init(particle_pool *pool)
+{
+    *pool = (particle_pool){ .at = NULL, .count = 0, .capacity = 0 };
+}
+
+status pool_reserve(particle_pool *pool, int capacity)
+{
+    if (capacity <= pool->capacity) return status_ok();
+
+    particle *at = realloc(pool->at, (size_t)capacity * sizeof *at);
+    if (!at) return status_out_of_memory();
+    pool->at = at;
+    pool->capacity = capacity;
+    return status_ok();
+}
+
+int pool_add(particle_pool *pool, particle p)
+{
+    assert(pool->count < pool->capacity);
+    pool->at[pool->count] = p;
+    return pool->count++;
+}
+
+void pool_free(particle_pool *pool)
+{
+    free(pool->at);
+    pool_init(pool);
+}
+//<
+
+//> verlet-start
+// Taylor, one step back from the start:
+//     x(-dt) = x0 - v0 dt + a0 dt^2 / 2 - ...
+// The first step then gives 2 x0 - x(-dt) + a0 dt^2 = x0 + v0 dt + a0 dt^2 / 2,
+// which is Taylor, one step forward.
+particle particle_start(vec3 x0, vec3 v0, vec3 a0, real inverse_mass, real dt)
+{
+    assert(dt > 0 && inverse_mass >= 0);
+    assert(vec3_is_finite(x0) && vec3_is_finite(v0) && vec3_is_finite(a0));
+
+    particle p = { x0, x0, inverse_mass };
+    if (inverse_mass == 0) return p;
+
+    vec3 last_move = vec3_add_scaled(vec3_scale(dt, v0), -dt * dt / 2, a0);
+    p.previous = vec3_sub(x0, last_move);
+    return p;
+}
+//<
+
+//> verlet-step
+// Gravity pulls all alike; a force, the heavy less.
+static vec3 acceleration_of(vec3 gravity, real inverse_mass,
+                            const vec3 *force, int i)
+{
+    if (!force) return gravity;
+    assert(vec3_is_finite(force[i]));
+    return vec3_add_scaled(gravity, inverse_mass, force[i]);
+}
+
+// x' = x + carry (x - x_previous) + square a.
+// A nailed particle does not move, and forgets that it ever did.
+static void advance(particle *p, int n, vec3 gravity, const vec3 *force,
+                    real carry, real square)
+{
+    for (int i = 0; i < n; i++) {
+        vec3 here = p[i].position;
+        vec3 move = { 0, 0, 0 };
+        if (p[i].inverse_mass > 0) {
+            vec3 a = acceleration_of(gravity, p[i].inverse_mass, force, i);
+            vec3 last_move = vec3_sub(here, p[i].previous);
+            move = vec3_add_scaled(vec3_scale(carry, last_move), square, a);
+        }
+        p[i].position = vec3_add(here, move);
+        p[i].previous = here;
+    }
+}
+
+// Paper: 2 x - x_previous + a dt^2; here: x + ((x - x_previous) + a dt^2),
+// because the last move, carried on, is what a change of dt must scale.
+void verlet_step(particle *p, int n, vec3 gravity, const vec3 *force, real dt)
+{
+    assert(n >= 0 && dt > 0 && vec3_is_finite(gravity));
+    advance(p, n, gravity, force, 1, dt * dt);
+}
+//<
+
+//> verlet-changed
+// Taylor about x, forward by dt and backward by dt_before:
+//     x'         = x + v dt        + a dt^2 / 2
+//     x_previous = x - v dt_before + a dt_before^2 / 2
+// The second gives
+//     v dt = ((x - x_previous) + a dt_before^2 / 2) dt / dt_before,
+// and put into the first,
+//     x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
+void verlet_step_changed(particle *p, int n, vec3 gravity, const vec3 *force,
+                         real dt_before, real dt)
+{
+    assert(n >= 0 && dt_before > 0 && dt > 0 && vec3_is_finite(gravity));
+    advance(p, n, gravity, force, dt / dt_before, dt * (dt_before + dt) / 2);
+}
+
+vec3 verlet_velocity(const particle *p, vec3 acceleration, real dt)
+{
+    assert(dt > 0);
+    if (p->inverse_mass == 0) return (vec3){ 0, 0, 0 };
+
+    vec3 last_move = vec3_sub(p->position, p->previous);
+    return vec3_add_scaled(vec3_scale(1 / dt, last_move), dt / 2,
+                           acceleration);
+}
+//<
+
+//> euler-steps
+void euler_step_explicit(euler_particle *p, int n, vec3 gravity,
+                         const vec3 *force, real dt)
+{
+    assert(n >= 0 && dt > 0 && vec3_is_finite(gravity));
+    for (int i = 0; i < n; i++) {
+        if (p[i].inverse_mass == 0) continue;
+        vec3 a = acceleration_of(gravity, p[i].inverse_mass, force, i);
+        p[i].position = vec3_add_scaled(p[i].position, dt, p[i].velocity);
+        p[i].velocity = vec3_add_scaled(p[i].velocity, dt, a);
+    }
+}
+
+void euler_step_symplectic(euler_particle *p, int n, vec3 gravity,
+                           const vec3 *force, real dt)
+{
+    assert(n >= 0 && dt > 0 && vec3_is_finite(gravity));
+    for (int i = 0; i < n; i++) {
+        if (p[i].inverse_mass == 0) continue;
+        vec3 a = acceleration_of(gravity, p[i].inverse_mass, force, i);
+        p[i].velocity = vec3_add_scaled(p[i].velocity, dt, a);
+        p[i].position = vec3_add_scaled(p[i].position, dt, p[i].velocity);
+    }
+}
+//<

@@ -1,0 +1,98 @@
+# weave.awk - writes the book: the chapters, with the code that they explain.
+#
+#   awk -f weave.awk lib/*.h lib/*.c chapters/[0-9]*.md > book.md
+#
+# In lib/ a region lies between a line "//> name" and a line "//<"; in a
+# chapter the line "@@ name" stands for it.  Whatever would let the book and
+# the code drift apart is an error: file, line, a sentence, and no book.
+
+function fail(file, line, sentence) {
+    printf "%s:%d: %s\n", file, line, sentence > "/dev/stderr"
+    failures++
+}
+
+# GitHub's anchor of a heading: small letters, digits, - and _; blanks become
+# hyphens; the second of one name ends in -1.  (\342.. opens UTF-8's dashes.)
+function anchor(heading) {
+    heading = tolower(heading)
+    gsub(/\342[\200-\277][\200-\277]/, "", heading)
+    gsub(/[^a-z0-9 _\200-\377-]/, "", heading)
+    gsub(/ /, "-", heading)
+    return heading (seen[heading]++ ? "-" seen[heading] - 1 : "")
+}
+# A region under its caption.
+function weave(name,    i, first, last) {
+    first = from[name] + 1; last = to[name] - 1
+    if (first == last) print_later("[" home[name] ", line " first "](" home[name] "#L" first ")")
+    else print_later("[" home[name] ", lines " first " to " last "](" home[name] "#L" first "-L" last ")")
+    print_later("\n```c")
+    for (i = first; i <= last; i++) print_later(text[home[name], i])
+    print_later("```")
+}
+function print_later(line) { book[++lines] = line }
+function end_of_file() {
+    if (open != "") fail(home[open], from[open], "region " open " is never closed")
+    if (fence) fail(file, fence, "this ``` block is never closed")
+    open = ""; fence = 0
+}
+
+FNR == 1 { end_of_file(); file = FILENAME; is_code = file ~ /\.[ch]$/ }
+
+# --- lib/: remember every line, and where each region lies ---
+is_code { text[file, FNR] = $0 }
+is_code && /^\/\/> [a-z0-9-]+$/ {
+    if (open != "") fail(file, FNR, "region " $2 " opens inside region " open)
+    open = $2
+    if (open in home) {
+        fail(file, FNR, "region " open " already stands in " home[open] ", line " from[open])
+        open = open "-again"
+    } else region[++regions] = open
+    home[open] = file; from[open] = FNR
+    next
+}
+is_code && /^\/\/<$/ {
+    if (open == "") fail(file, FNR, "this closes no region")
+    else if (FNR == from[open] + 1) fail(file, FNR, "region " open " is empty")
+    to[open] = FNR; open = ""
+    next
+}
+is_code && /^[ \t]*\/\/[<>]/ { fail(file, FNR, "a marker is //> name or //<, alone and at the margin"); next }
+is_code && open == "" && /[^ \t]/ { fail(file, FNR, "this line is in no region") }
+is_code { next }
+# --- chapters/: copy, but for regions, links and headings ---
+/^```/ { fence = fence ? 0 : FNR }
+fence || /^```/ { print_later($0); next }
+/^@@/ {
+    if (NF != 2 || $1 != "@@") fail(file, FNR, "a region is pulled in by @@ name, and nothing more")
+    else if (!($2 in home)) fail(file, FNR, "there is no region " $2)
+    else if ($2 in used) fail(file, FNR, "region " $2 " is already pulled in by " used[$2])
+    else { used[$2] = file ", line " FNR; weave($2) }
+    next
+}
+/\]\((figures|lib|tests|exercises)\// {
+    fail(file, FNR, "a chapter links from its own folder: write ../figures/, ../lib/")
+}
+/^# / {
+    top = anchor(substr($0, 3)); chapter[substr(file, 10)] = top       # after "chapters/"
+    toc[++entries] = "- **[" substr($0, 3) "](#" top ")**"; gap = "  \n  "
+}
+/^## /  { toc[entries] = toc[entries] gap "[" substr($0, 4) "](#" anchor(substr($0, 4)) ")"; gap = " · " }
+/^###+ / { heading = $0; sub(/^#+ /, "", heading); anchor(heading) }
+{ gsub(/\]\(\.\.\//, "]("); print_later($0) }
+
+END {
+    end_of_file()
+    for (i = 1; i <= regions; i++) if (!(region[i] in used))
+        fail(home[region[i]], from[region[i]], "region " region[i] " is in no chapter")
+    for (i = 1; i <= lines; i++)        # a link to a chapter's file is one to its title
+        while (match(book[i], /\]\([0-9][0-9]-[a-z0-9_-]*\.md\)/)) {
+            name = substr(book[i], RSTART + 2, RLENGTH - 3)
+            if (!(name in chapter)) fail("chapters", 0, "there is no chapter " name)
+            book[i] = substr(book[i], 1, RSTART + 1) "#" chapter[name] substr(book[i], RSTART + RLENGTH - 1)
+        }
+    if (failures) exit 1
+    print "<!-- Woven by `make book` from chapters/ and lib/: edit those, not this. -->"
+    print "\n# tumble: a world of particles and sticks\n"
+    for (i = 1; i <= entries; i++) print toc[i] (i < entries ? "" : "\n")
+    for (i = 1; i <= lines; i++) print book[i]
+}

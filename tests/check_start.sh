@@ -1,0 +1,26 @@
+# check_start.sh - does the first program of chapter 00 do what the page says?
+# Takes the program, the commands and the output from the page itself.
+
+page=$(pwd)/chapters/00-vec3.md
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+cp -R Makefile lib "$tree" && cd "$tree" && mkdir build || exit 1
+
+# block LANGUAGE: the first block in it under "Your first program".
+block() {
+    awk -v opens="\`\`\`$1" '/^## /{ here = /first program/ }
+        /^```/ { if (inside) exit; if (here && $0 == opens) { inside = 1; next } }
+        inside' "$page"
+}
+block c > build/first.c
+block text > wanted
+block sh > commands
+[ -s build/first.c ] && [ -s wanted ] && [ -s commands ] ||
+    { echo "check_start: chapter 00 has no first program"; exit 1; }
+
+# A make that called us must not hand down its own BUILD; -O0 is soon built.
+unset MAKEFLAGS MFLAGS
+CFLAGS=-O0 sh -e commands > said 2>&1 || { cat said; echo "check_start: the commands of chapter 00 fail"; exit 1; }
+tail -n "$(wc -l < wanted)" said > got
+cmp -s wanted got || { diff wanted got; echo "check_start: the output is not the page's"; exit 1; }
+echo "chapter 00's first program: built, run, and as the page says"

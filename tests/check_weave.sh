@@ -1,0 +1,109 @@
+# check_weave.sh - does the weave refuse what would let book and code drift?
+# Each test builds a small tree with one fault, and wants the sentence for it.
+# The same for check-book.awk, which reads a finished book.
+
+export LC_ALL=C
+root=$(pwd)
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+tests=0 failed=0
+
+# A sound tree: two regions, two chapters.
+sound() {
+    rm -rf "$tree"; mkdir -p "$tree/lib" "$tree/chapters" "$tree/figures"; cd "$tree" || exit 1
+    printf '//> head\n#include "a.h"\n//<\n\n//> body\nint a(void)\n{\n\n    return 1;\n}\n//<\n' > lib/a.c
+    printf '//> one-line\nint a(void);\n//<\n' > lib/a.h
+    printf '# 01. A\n\n## The code\n\n@@ head\n\nThen:\n\n@@ one-line\n' > chapters/01-a.md
+    printf '# 02. B\n\n## The code\n\n![p](../figures/p.png) [A](01-a.md)\n\n@@ body\n\n```\n@@ no region\n```\n' > chapters/02-b.md
+    echo picture > figures/p.png
+}
+weave() { $awk -f "$root/chapters/weave.awk" lib/*.h lib/*.c chapters/[0-9]*.md; }
+check() { $awk -f "$root/chapters/check-book.awk" lib/*.h lib/*.c book.md; }
+
+verdict() {     # NAME, and whether it went well
+    tests=$((tests + 1))
+    [ "$2" = yes ] || { failed=$((failed + 1)); echo "$awk: $1: FAILED"; cat said; }
+}
+# refuses NAME COMMAND SENTENCE: it fails, prints no book, and says SENTENCE.
+refuses() {
+    if $2 > printed 2> said || [ -s printed ] || ! grep -qF -- "$3" said
+    then verdict "$1" no; else verdict "$1" yes; fi
+}
+# accepts NAME COMMAND
+accepts() {
+    if "$2" > printed 2> said && ! [ -s said ]; then verdict "$1" yes; else verdict "$1" no; fi
+}
+
+all() {
+    sound; accepts "a sound tree is woven" weave
+    cp printed book.md; accepts "a sound book is true" check
+    grep -qF '[lib/a.c, lines 6 to 10](lib/a.c#L6-L10)' book.md &&
+    grep -qF '[lib/a.h, line 2](lib/a.h#L2)' book.md &&
+    verdict "captions name file and lines" yes || verdict "captions name file and lines" no
+    grep -qF '[The code](#the-code-1)' book.md && grep -qF '[A](#01-a)' book.md && grep -qF '](figures/p.png)' book.md &&
+    verdict "links are the book's" yes || verdict "links are the book's" no
+    if grep -q '//[<>]' book.md; then verdict "markers are not shown" no; else verdict "markers are not shown" yes; fi
+
+    # --- the weave ---
+    sound; printf '\n@@ gone\n' >> chapters/01-a.md
+    refuses "unknown region" weave 'chapters/01-a.md:11: there is no region gone'
+    sound; printf '\n@@ head\n' >> chapters/02-b.md
+    refuses "region used twice" weave 'chapters/02-b.md:13: region head is already pulled in by chapters/01-a.md, line 5'
+    sound; sed -i.old '/@@ head/d' chapters/01-a.md
+    refuses "region in no chapter" weave 'lib/a.c:1: region head is in no chapter'
+    sound; echo 'int b;' >> lib/a.c
+    refuses "line in no region" weave 'lib/a.c:12: this line is in no region'
+    sound; sed -i.old '$d' lib/a.c
+    refuses "unclosed region" weave 'lib/a.c:5: region body is never closed'
+    sound; sed -i.old '$d' lib/a.h
+    refuses "region unclosed at the end of a file" weave 'lib/a.h:1: region one-line is never closed'
+    sound; sed -i.old 's|^{|//> inner|' lib/a.c
+    refuses "nested region" weave 'lib/a.c:7: region inner opens inside region body'
+    sound; sed -i.old 's|//> one-line|//> body|; ' lib/a.h
+    refuses "two regions of one name" weave 'lib/a.c:5: region body already stands in lib/a.h, line 1'
+    sound; echo '//<' >> lib/a.c
+    refuses "a close that closes nothing" weave 'lib/a.c:12: this closes no region'
+    sound; sed -i.old '/include/d' lib/a.c
+    refuses "empty region" weave 'lib/a.c:2: region head is empty'
+    sound; sed -i.old 's|^{|  //> Inner|' lib/a.c
+    refuses "malformed marker" weave 'lib/a.c:7: a marker is //> name or //<'
+    sound; sed -i.old 's|@@ head|@@ head and more|' chapters/01-a.md
+    refuses "malformed code line" weave 'chapters/01-a.md:5: a region is pulled in by @@ name'
+    sound; echo '```' >> chapters/01-a.md
+    refuses "unclosed block" weave 'chapters/01-a.md:10: this ``` block is never closed'
+    sound; echo '![p](figures/p.png)' >> chapters/01-a.md
+    refuses "link that breaks in chapters/" weave 'chapters/01-a.md:10: a chapter links from its own folder'
+    sound; echo '[C](03-c.md)' >> chapters/01-a.md
+    refuses "link to no chapter" weave 'there is no chapter 03-c.md'
+
+    # --- the finished book ---
+    sound; weave > book.md; sed -i.old 's/return 1/return 2/' book.md
+    refuses "changed code" check 'this is not line 9 of lib/a.c'
+    sound; weave > book.md; sed -i.old 's/return 1/return 2/' lib/a.c
+    refuses "changed library" check 'this is not line 9 of lib/a.c'
+    sound; weave > book.md; echo 'int b;' >> lib/a.c
+    refuses "line not in the book" check 'lib/a.c:12: this line is not in the book'
+    sound; weave > book.md; grep -v 'a.h' book.md > b; mv b book.md
+    refuses "lost caption" check 'lib/a.h:2: this line is not in the book'
+    sound; weave > book.md; tail -n 20 book.md > b; cat b >> book.md
+    refuses "code shown twice" check 'was shown before'
+    sound; weave > book.md; sed -i.old 's/#L6-L10/#L6-L11/' book.md
+    refuses "wrong link in a caption" check 'the caption and its link disagree'
+    sound; weave > book.md; sed -i.old 's/lines 6 to 10/lines 6 to 9/; s/#L6-L10/#L6-L9/' book.md
+    refuses "block longer than claimed" check 'here the block of code should close'
+    sound; weave > book.md; rm figures/p.png
+    refuses "lost picture" check 'there is no file figures/p.png'
+    sound; weave > book.md; sed -i.old 's/^## The code/## Code/' book.md
+    refuses "lost heading" check 'no heading has the anchor #the-code'
+    sound; rm -f book.md; : > book.md
+    refuses "empty book" check 'there is no book'
+    cd "$root" || exit 1
+}
+
+awks=
+for awk in awk mawk gawk; do
+    command -v $awk > /dev/null || continue
+    awks="$awks $awk"; all
+done
+echo "weave and check-book: $tests trials ($awks ), $failed failed"
+[ $failed -eq 0 ]

@@ -1,0 +1,54 @@
+# deps.sh - looks for what a command needs and installs what is missing.
+# Called by make deps, make deps-book, make deps-dev, with that name.
+# It looks for the thing itself, not for a package of a name, so that it is
+# content on any system that has it.
+
+missing=
+
+# need PACKAGE COMMAND...: the package is missing if the command fails.
+need() {
+    package=$1; shift
+    "$@" > /dev/null 2>&1 || missing="$missing $package"
+}
+header() { echo "#include <$1>" | ${CC:-cc} -E -x c - ; }
+font() { [ -e /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf ] ||
+         fc-list | grep -q 'DejaVu Sans'; }
+
+command -v "${CC:-cc}" > /dev/null || {
+    echo "There is no C compiler named ${CC:-cc}: install gcc or clang first." >&2
+    exit 1
+}
+
+case $1 in
+deps)
+    need check header check.h
+    need gnuplot-nox command -v gnuplot
+    need fonts-dejavu-core font
+    need libpng-dev header png.h
+    need mawk command -v awk ;;
+deps-book)
+    need pandoc command -v pandoc ;;
+deps-dev)
+    need clang command -v clang
+    need valgrind command -v valgrind ;;
+esac
+
+[ -n "$missing" ] || { echo "$1: nothing is missing"; exit 0; }
+echo "$1: missing:$missing (names of Debian and Ubuntu)"
+
+command -v apt-get > /dev/null || {
+    echo "There is no apt-get here: install these with your own packages." >&2
+    exit 1
+}
+sudo=
+if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo > /dev/null || {
+        echo "You are not root and there is no sudo; as root, run:" \
+             "apt-get install$missing" >&2
+        exit 1
+    }
+    sudo=sudo
+fi
+$sudo apt-get update -q &&
+$sudo env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends $missing

@@ -1,0 +1,596 @@
+//> support-scan
+#include "gjk.h"
+
+#include <assert.h>
+#include <float.h>
+
+// Support looks at every point of a set up to this size, and climbs from
+// neighbour to neighbour in a larger one.  (Measured: see chapter 4.)
+enum { SCAN_AT_MOST = 48 };
+
+static inline int scan(point_set p, vec3 d)
+{
+    // Distances along d are measured from the first point, not from the
+    // world's origin: a body a thousand kilometres out loses no digit.
+    vec3 base = p.at[0];
+    real best = 0, sum = 0;
+    int furthest = 0;
+    for (int i = 0; i < p.count; i++) {
+        real along = vec3_dot(d, vec3_sub(p.at[i], base));
+        // Two selections rather than a branch, which nobody could foretell.
+        furthest = along > best ? i : furthest;
+        best = along > best ? along : best;
+        sum += along;
+    }
+    // One NaN or infinity among the points has made the sum another.
+    return sum - sum == 0 ? furthest : -1;
+}
+
+int support_scan(point_set p, vec3 d)
+{
+    assert(p.count >= 1);
+    return scan(p, d);
+}
+//<
+
+//> support-climb
+// 1 if no neighbour of v is clearly higher or lower than v along d.
+static int is_level(point_set p, vec3 d, int v)
+{
+    const real slope = 0x1p-30;
+    real steepest = slope * slope * vec3_length_squared(d);
+    for (int k = p.ring_start[v]; k < p.ring_start[v + 1]; k++) {
+        vec3 edge = vec3_sub(p.at[p.ring[k]], p.at[v]);
+        real rise = vec3_dot(d, edge);
+        if (rise * rise > steepest * vec3_length_squared(edge)) return 0;
+    }
+    return 1;
+}
+
+int support_climb(point_set p, vec3 d, int from)
+{
+    assert(p.ring && p.ring_start && from >= 0 && from < p.count);
+    vec3 base = p.at[0];
+    int here = from;
+    real best = vec3_dot(d, vec3_sub(p.at[here], base));
+    // Each move gains height, so no vertex is met twice.
+    for (int moves = 0; moves < p.count; moves++) {
+        int stand = here;
+        for (int k = p.ring_start[stand]; k < p.ring_start[stand + 1]; k++) {
+            real along = vec3_dot(d, vec3_sub(p.at[p.ring[k]], base));
+            if (along > best) {
+                best = along;
+                here = p.ring[k];
+            }
+        }
+        if (here == stand) break;
+    }
+    // No neighbour is higher.  At a corner of a convex mesh that is the top.
+    // Amid a flat side it may be the bottom as well: then all are level.
+    return is_level(p, d, here) ? scan(p, d) : here;
+}
+//<
+
+//> support-point
+static inline int support(point_set p, vec3 d, int from)
+{
+    return p.ring && p.count > SCAN_AT_MOST ? support_climb(p, d, from)
+                                            : scan(p, d);
+}
+
+int support_point(point_set p, vec3 d, int from)
+{
+    return support(p, d, from);
+}
+//<
+
+//> gjk-exact-sums
+// Knuth's sum and Dekker's product (1971): what rounding drops is a double too,
+// and can be had by taking the result apart again.
+rounded exact_sum(real a, real b)
+{
+    real sum = a + b, b_there = sum - a, a_there = sum - b_there;
+    return (rounded){ sum, (a - a_there) + (b - b_there) };
+}
+
+// A factor of 53 bits is cut in two of 26, whose products are exact.
+rounded exact_product(real a, real b)
+{
+    real product = a * b, cut_a = 0x8000001p0 * a, cut_b = 0x8000001p0 * b;
+    real ah = cut_a - (cut_a - a), al = a - ah;
+    real bh = cut_b - (cut_b - b), bl = b - bh;
+    return (rounded){ product,
+                  al * bl - (((product - ah * bh) - al * bh) - ah * bl) };
+}
+
+// Exact where the result has at most 106 bits; else to about that many of the
+// larger product.
+rounded exact_minor(real a, real b, real c, real d)
+{
+    rounded ab = exact_product(a, b), cd = exact_product(c, d);
+    rounded high = exact_sum(ab.high, -cd.high);
+    return exact_sum(high.high, (high.low + ab.low) - cd.low);
+}
+
+// The cross product e x f, rounded once at the end: for vectors so nearly
+// parallel that the products cancel.
+static vec3 cross_of_parallels(vec3 e, vec3 f)
+{
+    return (vec3){ exact_minor(e.y, f.z, e.z, f.y).high,
+                   exact_minor(e.z, f.x, e.x, f.z).high,
+                   exact_minor(e.x, f.y, e.y, f.x).high };
+}
+//<
+
+//> gjk-triangle-weights
+static const real thin = 0x1p-10;   // squared sine of an angle
+
+// The normal e x f of a triangle with these two edges.
+static vec3 triangle_normal(vec3 e, vec3 f)
+{
+    vec3 n = vec3_cross(e, f);
+    real nn = vec3_length_squared(n);
+    if (nn >= thin * vec3_length_squared(e) * vec3_length_squared(f)) return n;
+    return cross_of_parallels(e, f);
+}
+
+// From r = x - p[0] = weight[1] e + weight[2] f follow, by a cross product with
+// f and one with e,  r x f = weight[1] n  and  e x r = weight[2] n.
+// In a thin triangle the first solution is rough: what it leaves of r is solved
+// for once more.
+void triangle_weights(vec3 p0, vec3 p1, vec3 p2, vec3 x, real weight[3])
+{
+    vec3 e = vec3_sub(p1, p0), f = vec3_sub(p2, p0), r = vec3_sub(x, p0);
+    vec3 n = triangle_normal(e, f);
+    real nn = vec3_length_squared(n), share = nn > 0 ? 1 / nn : 0;
+    weight[1] = weight[2] = 0;
+    for (int round = 0; round < 2; round++) {
+        real we = vec3_dot(n, vec3_cross(r, f)) * share;
+        real wf = vec3_dot(n, vec3_cross(e, r)) * share;
+        weight[1] += we;
+        weight[2] += wf;
+        r = vec3_add_scaled(vec3_add_scaled(r, -we, e), -wf, f);
+    }
+    weight[0] = 1 - weight[1] - weight[2];
+    real sum = 0;
+    for (int c = 0; c < 3; c++) {
+        weight[c] = weight[c] > 0 ? weight[c] : 0;
+        sum += weight[c];
+    }
+    for (int c = 0; c < 3; c++) weight[c] /= sum;
+}
+//<
+
+//> gjk-polytope
+// A point of A - B and the vertices whose difference it is.
+typedef struct {
+    vec3 at;
+    int  a, b;
+} corner;
+
+// The simplex while we search: its corners, the weights of the point of it
+// that is nearest the origin, and that point.
+typedef struct {
+    int    count;
+    corner of[4];
+    real   weight[4];
+    vec3   nearest;
+} search;
+
+// The two bodies, and the power of two that brings A - B to a size whose sixth
+// power neither overflows nor underflows.
+typedef struct {
+    point_set a, b;
+    real scale;
+    int  measured;      // scale comes from the size: 1 is only a first guess
+    real far;           // largest squared length of a corner met so far
+} pair;
+
+static corner corner_make(pair *p, int a, int b)
+{
+    vec3 at = vec3_scale(p->scale, vec3_sub(p->a.at[a], p->b.at[b]));
+    real squared = vec3_length_squared(at);
+    if (!(squared <= p->far)) p->far = squared;
+    return (corner){ at, a, b };
+}
+
+// 1 if the squares of lengths are of a size to compute with.  NaN is not.
+static int pair_in_range(const pair *p)
+{
+    return p->far <= 0x1p160 && (p->measured || p->far >= 0x1p-160);
+}
+//<
+
+//> gjk-segment
+// The point of the segment p, q nearest the origin.  Its weights go to *wp and
+// *wq; a corner that does not bear it gets 0.
+static vec3 nearest_of_segment(vec3 p, vec3 q, real *wp, real *wq)
+{
+    vec3 e = vec3_sub(q, p);
+    real ahead = -vec3_dot(p, e), behind = vec3_dot(q, e);
+    *wp = 1;
+    *wq = 0;
+    if (!(ahead > 0)) return p;
+    *wp = 0;
+    *wq = 1;
+    if (!(behind > 0)) return q;
+    real whole = vec3_length_squared(e);
+    *wp = behind / whole;
+    *wq = ahead / whole;
+    // Start from the nearer end: less is cancelled.  What rounding left along
+    // the segment is taken off again, so that near the origin the answer is
+    // perpendicular to it and not only close to the foot.
+    vec3 v = ahead < behind ? vec3_add_scaled(p, *wq, e)
+                            : vec3_add_scaled(q, -*wp, e);
+    return vec3_add_scaled(v, -vec3_dot(v, e) / whole, e);
+}
+//<
+
+//> gjk-edges
+// The nearest point on those edges of a triangle that face a corner whose area
+// is not positive; all three if `all`.
+static vec3 nearest_of_edges(const corner *of, const int at[3],
+                             const real area[3], int all, real weight[4])
+{
+    vec3 best = of[at[0]].at;
+    real least = HUGE_VAL;
+    for (int e = 0; e < 3; e++) {
+        if (area[e] > 0 && !all) continue;
+        int j = at[(e + 1) % 3], k = at[(e + 2) % 3];
+        real wj, wk;
+        vec3 v = nearest_of_segment(of[j].at, of[k].at, &wj, &wk);
+        real vv = vec3_length_squared(v);
+        if (vv >= least) continue;
+        least = vv;
+        best = v;
+        weight[at[e]] = 0;
+        weight[j] = wj;
+        weight[k] = wk;
+    }
+    return best;
+}
+//<
+
+//> gjk-triangle
+// The point of the triangle i, j, k nearest the origin.  With the normal n the
+// weights of the origin's foot on the plane are areas:
+//   n . ((p_j - p_i) x (0 - p_i)) = weight of k times |n|^2, and so on round.
+// If all are positive the foot is the answer (the areas stand for the weights
+// until the end).  If not, the answer lies on an edge opposite a corner whose
+// area is not positive.
+static vec3 nearest_of_triangle(const corner *of, int i, int j, int k,
+                                real weight[4])
+{
+    vec3 ij = vec3_sub(of[j].at, of[i].at), ik = vec3_sub(of[k].at, of[i].at);
+    vec3 jk = vec3_sub(of[k].at, of[j].at);
+    vec3 n = triangle_normal(ij, ik);
+    real area[3] = { vec3_dot(n, vec3_cross(of[j].at, jk)),
+                     vec3_dot(n, vec3_cross(ik, of[i].at)),
+                     vec3_dot(n, vec3_cross(of[i].at, ij)) };
+    real nn = vec3_length_squared(n);
+    weight[0] = weight[1] = weight[2] = weight[3] = 0;
+    if (area[0] > 0 && area[1] > 0 && area[2] > 0 && nn > 0) {
+        weight[i] = area[0];
+        weight[j] = area[1];
+        weight[k] = area[2];
+        return vec3_scale(vec3_dot(n, of[i].at) / nn, n);
+    }
+    int at[3] = { i, j, k };
+    return nearest_of_edges(of, at, area, !(nn > 0), weight);
+}
+//<
+
+//> gjk-inside
+// 1 if six times the volume v, made of edges with these squared lengths, is so
+// large that rounding cannot have made it.
+static int volume_is_sure(real v, real aa, real bb, real cc)
+{
+    const real rounding = 16 * DBL_EPSILON;
+    return v > 0 && v * v > rounding * rounding * aa * bb * cc;
+}
+
+// volume[c] becomes the volume with corner c replaced by the origin: c's weight
+// times the whole volume.  1 if all are surely positive: the origin is inside.
+static int volumes_of_tetrahedron(const corner of[4], real volume[4])
+{
+    vec3 p0 = of[0].at, p1 = of[1].at;
+    vec3 e1 = vec3_sub(p1, p0), e2 = vec3_sub(of[2].at, p0);
+    vec3 e3 = vec3_sub(of[3].at, p0);
+    vec3 f2 = vec3_sub(of[2].at, p1), f3 = vec3_sub(of[3].at, p1);
+    vec3 n = vec3_cross(e2, e3);
+    real side = vec3_dot(e1, n) < 0 ? -1 : 1;
+    volume[0] = side * vec3_dot(p1, vec3_cross(f2, f3));
+    volume[1] = -side * vec3_dot(p0, n);
+    volume[2] = -side * vec3_dot(p0, vec3_cross(e3, e1));
+    volume[3] = -side * vec3_dot(p0, vec3_cross(e1, e2));
+    if (!(volume[0] > 0 && volume[1] > 0 && volume[2] > 0 && volume[3] > 0))
+        return 0;
+    real a0 = vec3_length_squared(p0), a1 = vec3_length_squared(e1);
+    real a2 = vec3_length_squared(e2), a3 = vec3_length_squared(e3);
+    real b1 = vec3_length_squared(p1), b2 = vec3_length_squared(f2);
+    real b3 = vec3_length_squared(f3);
+    return volume_is_sure(volume[0], b1, b2, b3)
+        && volume_is_sure(volume[1], a0, a2, a3)
+        && volume_is_sure(volume[2], a0, a3, a1)
+        && volume_is_sure(volume[3], a0, a1, a2);
+}
+//<
+
+//> gjk-tetrahedron
+// The point of the tetrahedron nearest the origin: the origin itself, or a
+// point of a face opposite a corner whose volume is not positive.  All positive
+// but not surely: the tetrahedron is so flat that every face is tried.
+static vec3 nearest_of_tetrahedron(const corner of[4], real weight[4])
+{
+    static const int face[4][3] = { {1,2,3}, {0,2,3}, {0,1,3}, {0,1,2} };
+    real volume[4];
+    if (volumes_of_tetrahedron(of, volume)) {
+        real sum = volume[0] + volume[1] + volume[2] + volume[3];
+        for (int c = 0; c < 4; c++) weight[c] = volume[c] / sum;
+        return (vec3){ 0, 0, 0 };
+    }
+    int flat = volume[0] > 0 && volume[1] > 0 && volume[2] > 0 && volume[3] > 0;
+    vec3 best = of[0].at;
+    real least = HUGE_VAL;
+    for (int c = 0; c < 4; c++) {
+        real w[4];
+        if (volume[c] > 0 && !flat) continue;
+        vec3 v = nearest_of_triangle(of, face[c][0], face[c][1], face[c][2], w);
+        real vv = vec3_length_squared(v);
+        if (vv >= least) continue;
+        least = vv;
+        best = v;
+        for (int k = 0; k < 4; k++) weight[k] = w[k];
+    }
+    return best;
+}
+//<
+
+//> gjk-reduce
+// The point of this simplex nearest the origin goes to *s, with those of the
+// corners that bear it.
+static void search_reduce(search *s, const corner *of, int count)
+{
+    real w[4] = { 1, 0, 0, 0 };
+    switch (count) {
+    case 1:  s->nearest = of[0].at; break;
+    case 2:  s->nearest = nearest_of_segment(of[0].at, of[1].at, &w[0], &w[1]);
+             break;
+    case 3:  s->nearest = nearest_of_triangle(of, 0, 1, 2, w); break;
+    default: s->nearest = nearest_of_tetrahedron(of, w); break;
+    }
+    s->count = 0;
+    for (int c = 0; c < count; c++) {
+        if (!(w[c] > 0)) continue;
+        s->of[s->count] = of[c];
+        s->weight[s->count++] = w[c];
+    }
+}
+
+// 1 if the nearest point is the origin, as far as rounding can tell: nearer
+// than a few units in the last place of the furthest corner.
+static int search_holds_origin(const search *s, const pair *p)
+{
+    const real rounding = 4 * DBL_EPSILON;
+    return s->count == 4
+        || vec3_length_squared(s->nearest) <= rounding * rounding * p->far;
+}
+
+static int search_has(const search *s, int a, int b)
+{
+    for (int c = 0; c < s->count; c++)
+        if (s->of[c].a == a && s->of[c].b == b) return 1;
+    return 0;
+}
+//<
+
+//> gjk-measure
+// The largest coordinate of p, seen from `base`; NaN or infinite if one is.
+static real set_extent(point_set p, vec3 base)
+{
+    real extent = 0, poison = 0;
+    for (int i = 0; i < p.count; i++) {
+        vec3 r = vec3_sub(p.at[i], base);
+        real x = fabs(r.x), y = fabs(r.y), z = fabs(r.z);
+        extent = x > extent ? x : extent;
+        extent = y > extent ? y : extent;
+        extent = z > extent ? z : extent;
+        poison += (x - x) + (y - y) + (z - z);
+    }
+    return extent + poison;
+}
+
+// Finds the scale, for bodies so large or small that squares of squares leave
+// the range of doubles.  0 if a coordinate is not finite.
+static int pair_measure(pair *p)
+{
+    real ea = set_extent(p->a, p->a.at[0]), eb = set_extent(p->b, p->a.at[0]);
+    real extent = ea > eb ? ea : eb;
+    if (!(ea < HUGE_VAL && eb < HUGE_VAL)) return 0;
+    for (int k = 0; k < 40 && extent * p->scale > 0x1p64; k++)
+        p->scale *= 0x1p-32;
+    for (int k = 0; k < 40 && extent > 0 && extent * p->scale < 0x1p-64; k++)
+        p->scale *= 0x1p32;
+    p->measured = 1;
+    p->far = 0;
+    return 1;
+}
+//<
+
+//> gjk-begin
+// A first guess at the point of A - B nearest the origin, when nothing is
+// known: the furthest from the middle of three points of A towards the middle
+// of three of B.
+static corner corner_first(pair *p)
+{
+    const vec3 *a = p->a.at, *b = p->b.at;
+    int na = p->a.count, nb = p->b.count;
+    vec3 in_a = vec3_add(a[0], vec3_add(a[na / 3], a[2 * na / 3]));
+    vec3 in_b = vec3_add(b[0], vec3_add(b[nb / 3], b[2 * nb / 3]));
+    vec3 d = vec3_sub(in_b, in_a);
+    int i = support(p->a, d, 0), j = support(p->b, vec3_scale(-1, d), 0);
+    return i < 0 || j < 0 ? corner_make(p, 0, 0) : corner_make(p, i, j);
+}
+
+// The simplex to start from: the carried one, with its points where they are
+// now, or one point of A - B.
+static void search_begin(search *s, pair *p, const simplex *carried)
+{
+    int count = carried ? carried->count : 0;
+    corner of[4];
+    assert(count >= 0 && count <= 4);
+    for (int c = 0; c < count; c++) {
+        assert(carried->a[c] >= 0 && carried->a[c] < p->a.count);
+        assert(carried->b[c] >= 0 && carried->b[c] < p->b.count);
+        of[c] = corner_make(p, carried->a[c], carried->b[c]);
+    }
+    if (count == 0) of[count++] = corner_first(p);
+    search_reduce(s, of, count);
+}
+//<
+
+//> gjk-last-plane
+// Near touch v is short and its direction rough.  The plane of three corners
+// has a better one.  Looks for such a plane with all of A - B beyond it.
+static int some_plane_parts(pair *p, const corner *of, int count)
+{
+    for (int skip = count == 4 ? 0 : 3; skip < 4 && count > 2; skip++) {
+        const corner *x = &of[skip == 0], *y = &of[1 + (skip <= 1)];
+        const corner *z = &of[2 + (skip <= 2)];
+        vec3 n = cross_of_parallels(vec3_sub(y->at, x->at),
+                                    vec3_sub(z->at, x->at));
+        if (vec3_dot(n, x->at) < 0) n = vec3_scale(-1, n);
+        int a = support(p->a, vec3_scale(-1, n), x->a);
+        int b = support(p->b, n, x->b);
+        if (vec3_dot(n, corner_make(p, a, b).at) > 0) return 1;
+    }
+    return 0;
+}
+//<
+
+//> gjk-loop
+// What ends a search: v is at most gap / |v| longer than the distance.
+typedef struct {
+    real bound;         // of gap / |v|^2
+    real margin;        // scaled
+    int  cap;
+} limits;
+
+// One iteration: asks for the point w furthest towards the origin, and moves on
+// to the nearest point of the simplex with w.  1: go on, from *next.  0: over,
+// with *s the result and r->status the reason.
+static int search_step(pair *p, limits until, search *s, search *next,
+                       gjk_result *r)
+{
+    const corner *last = &s->of[s->count - 1];
+    vec3 v = s->nearest;
+    real vv = vec3_length_squared(v);
+    int a = support(p->a, vec3_scale(-1, v), last->a);
+    int b = support(p->b, v, last->b);
+    r->iterations++;
+    r->status = GJK_NOT_FINITE;
+    if (a < 0 || b < 0) return 0;
+    corner w = corner_make(p, a, b);
+    if (!pair_in_range(p)) return 0;
+
+    // The plane through w with normal v has all of A - B beyond it.
+    real vw = vec3_dot(v, w.at);
+    r->status = GJK_BEYOND;
+    r->distance = vw;
+    if (vw > 0 && vw * vw > until.margin * until.margin * vv) return 0;
+    // No plane that parts them will be found: too near to tell.
+    r->status = vw > 0 ? GJK_APART : GJK_OVERLAP;
+    if (vv - vw <= until.bound * vv || search_has(s, a, b)) return 0;
+    s->of[s->count] = w;
+    search_reduce(next, s->of, s->count + 1);
+    if (next->count == 4 || vec3_length_squared(next->nearest) < vv) return 1;
+    // Rounding has eaten the rest of the way.
+    if (vw <= 0 && some_plane_parts(p, s->of, s->count + 1))
+        r->status = GJK_APART;
+    return 0;
+}
+//<
+
+//> gjk-answer
+static void answer(const pair *p, search *s, gjk_result *r)
+{
+    // The areas of a triangle will do to choose; here they become weights.
+    if (s->count == 3)
+        triangle_weights(s->of[0].at, s->of[1].at, s->of[2].at, s->nearest,
+                         s->weight);
+    real back = 1 / p->scale;
+    vec3 a0 = p->a.at[s->of[0].a], b0 = p->b.at[s->of[0].b];
+    vec3 from_a0 = { 0, 0, 0 }, from_b0 = { 0, 0, 0 };
+    r->last.count = s->count;
+    for (int c = 0; c < s->count; c++) {
+        int a = s->of[c].a, b = s->of[c].b;
+        real weight = s->weight[c];
+        r->last.a[c] = a;
+        r->last.b[c] = b;
+        r->last.weight[c] = weight;
+        // Weighted from the first vertex on, so that nothing is lost far out.
+        from_a0 = vec3_add_scaled(from_a0, weight, vec3_sub(p->a.at[a], a0));
+        from_b0 = vec3_add_scaled(from_b0, weight, vec3_sub(p->b.at[b], b0));
+    }
+    r->on_a = vec3_add(a0, from_a0);
+    r->on_b = vec3_add(b0, from_b0);
+    r->axis = vec3_scale(back, s->nearest);
+    real length = vec3_length(s->nearest);
+    if (r->status == GJK_OVERLAP) {
+        r->distance = 0;
+        r->axis = (vec3){ 0, 0, 0 };
+    } else if (r->status == GJK_BEYOND) {
+        r->distance = back * (r->distance / length);
+    } else {
+        r->distance = back * length;
+    }
+}
+//<
+
+//> gjk-run
+static gjk_result distance_at_scale(pair *p, gjk_options options,
+                                    const simplex *carried)
+{
+    gjk_result r = { .status = GJK_NOT_FINITE };
+    limits until = { options.relative_error, options.margin * p->scale,
+                     options.cap };
+    if (until.bound < DBL_EPSILON) until.bound = DBL_EPSILON;
+    search two_of[2], *s = &two_of[0], *next = &two_of[1];
+    search_begin(s, p, carried);
+    r.iterations = !carried || carried->count == 0;
+    if (!pair_in_range(p)) return r;
+    for (;;) {
+        r.status = GJK_OVERLAP;
+        if (search_holds_origin(s, p)) break;
+        r.status = GJK_CAPPED;
+        if (r.iterations >= until.cap) break;
+        if (!search_step(p, until, s, next, &r)) break;
+        search *spare = s;
+        s = next;
+        next = spare;
+    }
+    if (r.status != GJK_NOT_FINITE) answer(p, s, &r);
+    return r;
+}
+//<
+
+//> gjk-distance
+gjk_options gjk_options_default(void)
+{
+    return (gjk_options){ .relative_error = 0, .margin = HUGE_VAL, .cap = 64 };
+}
+
+gjk_result gjk_distance(point_set a, point_set b, gjk_options options,
+                        simplex *carried)
+{
+    assert(a.count >= 1 && b.count >= 1);
+    assert(options.relative_error >= 0 && options.margin >= 0);
+    pair p = { .a = a, .b = b, .scale = 1 };
+    gjk_result r = distance_at_scale(&p, options, carried);
+    // Out of range: bodies of strange size, or coordinates that are no numbers.
+    if (r.status == GJK_NOT_FINITE && pair_measure(&p))
+        r = distance_at_scale(&p, options, carried);
+    if (carried && r.last.count > 0) *carried = r.last;
+    return r;
+}
+//<

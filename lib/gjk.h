@@ -1,0 +1,91 @@
+//> gjk-head
+// gjk.h - how far apart are two convex bodies?
+//
+// Paper: section 5.1, Eqs 2 to 7; the variant of van den Bergen (1999) with the
+// signed volumes of Montanari et al. (2017).  Book: chapter 4.
+// Units: metres, in the frame of the points (the world's).
+
+#ifndef TUMBLE_GJK_H
+#define TUMBLE_GJK_H
+
+#include "vec3.h"
+
+// The convex hull of points.  ring_start and ring list the mesh neighbours of
+// each point (see shape); NULL: unknown, and support scans.
+typedef struct {
+    const vec3 *at;
+    int count;                  // >= 1
+    const int *ring_start, *ring;
+} point_set;
+
+// Up to four points of A - B, each the difference of a vertex of A and one of
+// B, and the weights (>= 0, sum 1) that make the point nearest the origin.
+typedef struct {
+    int  count;                 // 0: none yet
+    int  a[4], b[4];            // vertices of A and of B
+    real weight[4];
+} simplex;
+
+typedef enum {
+    GJK_APART,          // distance and witness points are exact to the bound
+    GJK_BEYOND,         // further apart than the margin; distance is a lower
+                        // bound, axis separates, no witness points
+    GJK_OVERLAP,        // the simplex holds the origin, or the origin lies so
+                        // near it that rounding cannot tell: ask hit_face
+    GJK_NOT_FINITE,     // a coordinate is NaN or infinite
+    GJK_CAPPED          // ran into the iteration cap: the best so far
+} gjk_status;
+
+typedef struct {
+    real relative_error; // of the distance, >= 0; 0 asks for all that rounding
+                         // gives
+    real margin;         // m: stop once the distance is known to exceed it
+    int  cap;            // iterations
+} gjk_options;
+
+typedef struct {
+    gjk_status status;
+    real    distance;   // m, 0 when they overlap
+    vec3    axis;       // m, from B to A: on_a - on_b, the point of A - B
+                        // nearest the origin; a separating axis when apart
+    vec3    on_a, on_b; // m, witness points
+    simplex last;       // the final simplex
+    int     iterations; // support points asked for
+} gjk_result;
+//<
+
+//> gjk-exact
+// A result rounded, and what rounding dropped: high + low is (more) exact.
+typedef struct {
+    real high, low;
+} rounded;
+
+rounded exact_sum(real a, real b);  // a + b, exactly
+rounded exact_product(real a, real b);  // a b, exactly
+rounded exact_minor(real a, real b, real c, real d);  // a b - c d
+
+// The weights (>= 0, sum 1) of a triangle's corners that make x, a point of it.
+void triangle_weights(vec3 p0, vec3 p1, vec3 p2, vec3 x, real weight[3]);
+//<
+
+//> gjk-declare
+// Exact to rounding, no margin (infinite), cap 64.
+gjk_options gjk_options_default(void);
+
+// The vertex of p furthest along d; of equals the lowest index (scan), or the
+// one where climbing from vertex `from` ends.  Climbing needs p.ring.  A scan
+// that meets a coordinate that is not finite answers -1.
+int support_scan(point_set p, vec3 d);
+int support_climb(point_set p, vec3 d, int from);
+
+// Climbs if p has a ring and so many points that it pays; scans otherwise.
+int support_point(point_set p, vec3 d, int from);
+
+// Distance of the hulls of a and b.  carried holds the final simplex of an
+// earlier call for the same pair (count = 0: none) and receives this one's:
+// while the bodies move little, the search starts where it ended.  NULL: none.
+gjk_result gjk_distance(point_set a, point_set b, gjk_options options,
+                        simplex *carried);
+
+#endif
+//<

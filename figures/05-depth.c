@@ -1,0 +1,232 @@
+// 05-depth.c - how deep, and what it costs: trying many directions, trying all
+// that can count, and the expanding polytope.
+//
+// index 0: directions tried, ns, mean relative error of the depth
+// index 1: ns of hit_face_find alone, its mean difference from the slow way, ns
+//          with gjk before it, ns of the slow way, largest difference
+// index 2: gap, ns of gjk cold, of gjk and hit face cold, carried; iterations
+// Columns are separated by spaces.
+
+#define _POSIX_C_SOURCE 200809L
+
+#include "04-pairs.h"
+#include "hit_face.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { PASSES = 6, SOME = 2000 };
+
+static pair_at_gap pair[PAIRS];
+static simplex last[PAIRS];
+static real truth[PAIRS];
+
+static real width(const icosahedron *a, const icosahedron *b, vec3 n)
+{
+    real high = -HUGE_VAL, low = HUGE_VAL;
+    for (int i = 0; i < CORNERS; i++) {
+        real x = vec3_dot(n, a->at[i]), y = vec3_dot(n, b->at[i]);
+        high = x > high ? x : high;
+        low = y < low ? y : low;
+    }
+    return high - low;
+}
+
+// The edges and faces of an icosahedron, once: they are its nearest vertices.
+static int edge[30][2], face[20][3], edges, faces;
+
+static void find_features(void)
+{
+    icosahedron body = icosahedron_turned((vec3){ 1, 0, 0 }, 0);
+    static int joined[CORNERS][CORNERS];
+    for (int i = 0; i < CORNERS; i++)
+        for (int j = i + 1; j < CORNERS; j++) {
+            if (vec3_distance(body.at[i], body.at[j]) > 0.6) continue;
+            joined[i][j] = 1;
+            edge[edges][0] = i;
+            edge[edges++][1] = j;
+        }
+    for (int i = 0; i < CORNERS; i++)
+        for (int j = i + 1; j < CORNERS; j++)
+            for (int k = j + 1; k < CORNERS; k++)
+                if (joined[i][j] && joined[j][k] && joined[i][k]) {
+                    face[faces][0] = i;
+                    face[faces][1] = j;
+                    face[faces++][2] = k;
+                }
+}
+
+static real try(const icosahedron *a, const icosahedron *b, vec3 n, real best)
+{
+    real length = vec3_length(n);
+    if (!(length > 0)) return best;
+    n = vec3_scale(1 / length, n);
+    real up = width(a, b, n), down = width(a, b, vec3_scale(-1, n));
+    if (up < best) best = up;
+    return down < best ? down : best;
+}
+
+// Every face normal and every crossing of edges: 40 + 900 directions.
+static real every_direction(const icosahedron *a, const icosahedron *b)
+{
+    real best = HUGE_VAL;
+    for (int body = 0; body < 2; body++)
+        for (int f = 0; f < faces; f++) {
+            const vec3 *at = body ? b->at : a->at;
+            vec3 e = vec3_sub(at[face[f][1]], at[face[f][0]]);
+            vec3 g = vec3_sub(at[face[f][2]], at[face[f][0]]);
+            best = try(a, b, vec3_cross(e, g), best);
+        }
+    for (int i = 0; i < edges; i++)
+        for (int j = 0; j < edges; j++) {
+            vec3 e = vec3_sub(a->at[edge[i][1]], a->at[edge[i][0]]);
+            vec3 g = vec3_sub(b->at[edge[j][1]], b->at[edge[j][0]]);
+            best = try(a, b, vec3_cross(e, g), best);
+        }
+    return best;
+}
+
+// n directions spread over the sphere, on a spiral.
+static void by_directions(void)
+{
+    static vec3 way[16384];
+    printf("# directions ns error\n");
+    for (int n = 16; n <= 4096; n *= 4) {
+        for (int k = 0; k < n; k++) {
+            real z = 1 - (2 * k + 1) / (real)n, turn = 2.399963229728653 * k;
+            real r = sqrt(1 - z * z);
+            way[k] = (vec3){ r * cos(turn), r * sin(turn), z };
+        }
+        int count = n > 1000 ? SOME / 10 : SOME;
+        double error = 0, start = now();
+        static real depth[SOME];
+        for (int i = 0; i < count; i++) {
+            depth[i] = HUGE_VAL;
+            for (int k = 0; k < n; k++) {
+                real w = width(&pair[i].a, &pair[i].b, way[k]);
+                depth[i] = w < depth[i] ? w : depth[i];
+            }
+        }
+        double ns = (now() - start) / count;
+        for (int i = 0; i < count; i++)
+            error += fabs(depth[i] - truth[i]) / truth[i] / count;
+        printf("%d %.0f %.3g\n", n, ns, error);
+    }
+    printf("\n\n");
+}
+
+// ns a query of what = 0: gjk; 1: gjk and hit face; 2: hit face alone; for the
+// moved pairs with the carried simplex if `moved`.
+static double run(int what, int moved, hit_scratch *scratch, double *error,
+                  double *iterations)
+{
+    static stopwatch w;
+    stopwatch_reset(&w);
+    for (int pass = 0; pass < PASSES; pass++) {
+        *error = *iterations = 0;
+        for (int block = 0; block < PAIRS / BLOCK; block++) {
+            static simplex s[BLOCK];
+            static real depth[BLOCK];
+            int first = block * BLOCK;
+            for (int k = 0; k < BLOCK; k++) s[k] = last[first + k];
+            double start = now();
+            for (int k = 0; k < BLOCK; k++) {
+                const pair_at_gap *p = &pair[first + k];
+                point_set a = points_of(moved ? &p->moved_a : &p->a);
+                point_set b = points_of(moved ? &p->moved_b : &p->b);
+                if (!moved && what < 2) s[k].count = 0;
+                gjk_result g = { .status = GJK_OVERLAP };
+                if (what < 2)
+                    g = gjk_distance(a, b, gjk_options_default(), &s[k]);
+                depth[k] = -g.distance;
+                if (what == 0 || g.status != GJK_OVERLAP) continue;
+                hit_result r = hit_face_find(a, b, &s[k], scratch);
+                depth[k] = r.depth;
+                *iterations += r.iterations;
+            }
+            stopwatch_note(&w, block, now() - start);
+            for (int k = 0; k < BLOCK && !moved; k++)
+                *error += fabs(depth[k] - truth[first + k])
+                        / truth[first + k] / PAIRS;
+        }
+        *iterations /= PAIRS;
+    }
+    return stopwatch_mean(&w);
+}
+
+// Moves B along the normal until they are so deep.
+static void settle(pair_at_gap *p, real depth, hit_scratch *scratch)
+{
+    for (int tries = 0; tries < 60; tries++) {
+        simplex s = ask_pair(&p->a, &p->b).last;
+        hit_result r = hit_face_find(points_of(&p->a), points_of(&p->b), &s,
+                                     scratch);
+        if (fabs(r.depth - depth) < 1e-9) break;
+        shift(&p->b, vec3_scale(depth - r.depth, r.normal));
+    }
+    nudge(p);
+}
+
+static void prepare(real gap, hit_scratch *scratch)
+{
+    make_pairs(pair, PAIRS, gap);
+    for (int i = 0; i < PAIRS; i++) {
+        settle(&pair[i], -gap, scratch);
+        last[i] = gjk_distance(points_of(&pair[i].a), points_of(&pair[i].b),
+                               gjk_options_default(), NULL).last;
+    }
+}
+
+// Against the clock and the slow way; the truth of the rest is hit_face's own,
+// which agrees with the slow way on the first SOME pairs.
+static void by_way(hit_scratch *scratch)
+{
+    double error = 0, worst = 0, n, start = now();
+    static real slow[SOME];
+    for (int i = 0; i < SOME; i++)
+        slow[i] = every_direction(&pair[i].a, &pair[i].b);
+    double slow_ns = (now() - start) / SOME;
+    for (int i = 0; i < SOME; i++) {
+        real e = fabs(truth[i] - slow[i]) / slow[i];
+        error += e / SOME;
+        worst = e > worst ? e : worst;
+    }
+    double e, alone = run(2, 0, scratch, &e, &n);
+    double both = run(1, 0, scratch, &e, &n);
+    printf("# hit_ns error gjk_and_hit_ns every_direction_ns worst_error\n"
+           "%.0f %.3g %.0f %.0f %.3g\n\n\n", alone, error, both, slow_ns,
+           worst);
+}
+
+static void by_gap(hit_scratch *scratch)
+{
+    const real gap[] = { -1e-5, -0.005, -0.02, -0.1, -0.3 };
+    printf("# gap gjk_ns both_ns carried_ns hit_iterations\n");
+    for (int g = 0; g < 5; g++) {
+        double e, n, m;
+        prepare(gap[g], scratch);
+        for (int i = 0; i < PAIRS; i++) truth[i] = 1;
+        double gjk = run(0, 0, scratch, &e, &m);
+        double both = run(1, 0, scratch, &e, &n);
+        printf("%g %.0f %.0f %.0f %.2f\n", gap[g], gjk, both,
+               run(1, 1, scratch, &e, &m), n);
+    }
+}
+
+int main(void)
+{
+    hit_scratch *scratch = hit_scratch_new();
+    if (!scratch) return 1;
+    find_features();
+    printf("# 05-depth: %d pairs of icosahedra of circumradius 0.5 m, 10 cm"
+           " deep\n# compiler %s, flags %s\n", (int)PAIRS, __VERSION__, FLAGS);
+    prepare(-0.1, scratch);
+    for (int i = 0; i < PAIRS; i++)
+        truth[i] = hit_face_find(points_of(&pair[i].a), points_of(&pair[i].b),
+                                 &last[i], scratch).depth;
+    by_directions();
+    by_way(scratch);
+    by_gap(scratch);
+    hit_scratch_free(scratch);
+    return 0;
+}

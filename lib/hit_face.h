@@ -1,0 +1,62 @@
+//> hit-face-head
+// hit_face.h - two bodies overlap: which way out, and who touched whom?
+//
+// Paper: section 5.1, the hit face: the face of A - B nearest the origin,
+// found by van den Bergen's expanding polytope.  Book: chapter 5.
+
+#ifndef TUMBLE_HIT_FACE_H
+#define TUMBLE_HIT_FACE_H
+
+#include "gjk.h"
+
+typedef enum {
+    TOUCH_VERTEX_FACE,  // a vertex of A against a face of B
+    TOUCH_FACE_VERTEX,  // a face of A against a vertex of B
+    TOUCH_EDGE_EDGE
+} touch_kind;
+
+typedef enum {
+    HIT_FOUND,
+    HIT_APART,          // the origin is outside A - B
+    HIT_NOT_FINITE,
+    HIT_CAPPED,         // polytope full: depth is an upper bound, still usable
+    HIT_FLAT            // A - B has no volume (two flat sets in one plane):
+                        // depth 0 along its normal
+} hit_status;
+
+// A point of a feature: a vertex (count 1), a point of an edge (2) or of a
+// face (3), as a weighted mean of vertices.  Weights >= 0, sum 1.
+typedef struct {
+    int  count;
+    int  vertex[3];
+    real weight[3];
+} feature_point;
+
+typedef struct {
+    hit_status status;
+    touch_kind kind;
+    real depth;         // m, >= 0: the least move that parts them
+    vec3 normal;        // unit, from B to A: A moves out along it by depth
+    vec3 on_a, on_b;    // m, the points that the move brings together:
+                        // on_b - on_a = depth * normal
+    feature_point a, b; // on_a and on_b in terms of vertices; equal vertices
+                        // merged
+    int  corner_a[3], corner_b[3]; // the corners of the hit face: pairs (a, b)
+    int  iterations;
+} hit_result;
+
+// Memory for the polytope: one for each thread that asks.
+typedef struct hit_scratch hit_scratch;
+//<
+
+//> hit-face-declare
+hit_scratch *hit_scratch_new(void);     // NULL if memory is refused
+void         hit_scratch_free(hit_scratch *scratch);
+
+// The hit face of overlapping hulls a and b.  start is the final simplex of
+// gjk_distance for the pair (any count 1 to 4).
+hit_result hit_face_find(point_set a, point_set b, const simplex *start,
+                         hit_scratch *scratch);
+
+#endif
+//<

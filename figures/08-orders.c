@@ -1,0 +1,177 @@
+// 08-orders.c - a vertex of a body is displaced: how many relaxations, looks
+// and nanoseconds until every stick is within a tolerance, in five orders?
+
+#define _POSIX_C_SOURCE 200809L
+
+#include "ordering.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#ifndef FLAGS
+#define FLAGS "unknown"
+#endif
+
+enum { CORNERS = 162, STICKS = 600, BLOWS = 24, ORDERS = 5, STEPS = 11,
+       MAX_SWEEPS = 20000 };
+static const char *const NAME[ORDERS] = { "listed", "breadth", "repeated",
+                                          "work list", "largest" };
+// A fifth of the radius: a bad blow, no vertex through its neighbours' plane.
+static const real BLOW = 0.2;
+
+typedef struct {
+    int particles, sticks;
+    particle p[CORNERS];
+    stick s[STICKS];
+    stick_lists plain, repeated;
+    order_scratch *scratch;
+} solid;
+
+typedef struct {
+    double relaxed, tested, us;
+} cost;
+
+static real seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (real)t.tv_sec + 1e-9 * (real)t.tv_nsec;
+}
+
+static real any(void)
+{
+    static unsigned long long seed = 1;
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (real)(seed >> 11) / 9007199254740992.0 * 2 - 1;
+}
+
+static void add_corner(solid *b, vec3 v)
+{
+    v = vec3_unit(v);
+    for (int i = 0; i < b->particles; i++)
+        if (vec3_distance(b->p[i].position, v) < 1e-6) return;
+    b->p[b->particles++] = (particle){ v, v, 1 };
+}
+
+// The corners of an icosahedron, and `depth` times the middles of all edges,
+// blown up to the sphere.
+static void corners(solid *b, int depth)
+{
+    const real golden = (1 + sqrt(5)) / 2;
+    for (int i = 0; i < 4; i++) {
+        real u = i & 1 ? 1 : -1, v = i & 2 ? golden : -golden;
+        add_corner(b, vec3_make(0, u, v));
+        add_corner(b, vec3_make(u, v, 0));
+        add_corner(b, vec3_make(v, 0, u));
+    }
+    real reach = 1.1;   // longest edge of an icosahedron: 1.05
+    for (; depth > 0; depth--, reach *= 0.58) {
+        int n = b->particles;
+        for (int i = 0; i < n; i++)
+            for (int j = i + 1; j < n; j++) {
+                vec3 u = b->p[i].position, v = b->p[j].position;
+                if (vec3_distance(u, v) < reach) add_corner(b, vec3_add(u, v));
+            }
+    }
+}
+
+// Sticks along the edges (all pairs nearer than reach) and through the middle.
+static int solid_make(solid *b, int depth)
+{
+    *b = (solid){ .particles = 0 };
+    corners(b, depth);
+    real reach = depth == 0 ? 1.1 : 0.36;
+    for (int i = 0; i < b->particles; i++)
+        for (int j = i + 1; j < b->particles; j++) {
+            real d = vec3_distance(b->p[i].position, b->p[j].position);
+            if (d > reach && d < 1.999999) continue;
+            if (b->sticks == STICKS) return 0;
+            b->s[b->sticks++] = (stick){ i, j, d, 1, STICK_EXACT };
+        }
+    b->scratch = order_scratch_new(b->sticks);
+    return b->scratch &&
+           stick_lists_build(&b->plain, b->s, b->sticks, b->particles, 0).ok &&
+           stick_lists_build(&b->repeated, b->s, b->sticks, b->particles,
+                             1).ok;
+}
+
+static void solid_free(solid *b)
+{
+    stick_lists_free(&b->plain);
+    stick_lists_free(&b->repeated);
+    order_scratch_free(b->scratch);
+}
+
+// The mean over all blows; the time is the least of `again` runs of each.
+static cost measure(const solid *b, order_kind kind, real tolerance,
+                    const int *who, const vec3 *blow, int again)
+{
+    static particle p[CORNERS];
+    cost sum = { 0, 0, 0 };
+    relax_options o = relax_options_default();
+    o.dead_band = 1;
+    o.tolerance = tolerance;
+    for (int k = 0; k < BLOWS; k++) {
+        real best = 1e9;
+        relax_result r = { .worst = 0 };
+        for (int t = 0; t < again; t++) {
+            for (int i = 0; i < b->particles; i++) p[i] = b->p[i];
+            vec3 *x = &p[who[k]].position;
+            *x = vec3_add_scaled(*x, BLOW, blow[k]);
+            real start = seconds();
+            r = sticks_relax_ordered(kind, kind == ORDER_REPEATED
+                                     ? &b->repeated : &b->plain, b->s,
+                                     b->sticks, p, b->particles, who[k],
+                                     MAX_SWEEPS, o, b->scratch);
+            real took = seconds() - start;
+            if (took < best) best = took;
+        }
+        if (!(r.worst <= tolerance)) fprintf(stderr, "did not converge\n");
+        sum.relaxed += r.relaxed;
+        sum.tested += r.tested;
+        sum.us += best * 1e6;
+    }
+    return (cost){ sum.relaxed / BLOWS, sum.tested / BLOWS, sum.us / BLOWS };
+}
+
+static void table(const char *title, solid *b, int again)
+{
+    static const real TO[STEPS] = { 1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4,
+                                    3e-5, 1e-5, 3e-6, 1e-6 };
+    int who[BLOWS];
+    vec3 blow[BLOWS];
+    for (int k = 0; k < BLOWS; k++) {
+        real x = any(), y = any();
+        blow[k] = vec3_unit(vec3_make(x, y, any()));
+        who[k] = k * b->particles / BLOWS;
+    }
+    printf("\n\n# %s: %d particles, %d sticks\n# tolerance", title,
+           b->particles, b->sticks);
+    for (int i = 0; i < ORDERS; i++)
+        printf(" | %s: relaxed tested us", NAME[i]);
+    printf("\n");
+    for (int t = 0; t < STEPS; t++) {
+        printf("%g", TO[t]);
+        for (int i = 0; i < ORDERS; i++) {
+            int few = i == ORDER_LARGEST ? 1 + again / 25 : 5;
+            int runs = TO[t] >= 1e-3 ? again : few;
+            cost c = measure(b, (order_kind)i, TO[t], who, blow, runs);
+            printf("  %.1f %.1f %.3g", c.relaxed, c.tested, c.us);
+        }
+        printf("\n");
+    }
+}
+
+int main(void)
+{
+    static solid small, large;
+    if (!solid_make(&small, 0) || !solid_make(&large, 2)) return 1;
+    printf("# one vertex displaced by %g of the radius; mean of %d blows\n"
+           "# %s, %s\n", BLOW, BLOWS, __VERSION__, FLAGS);
+    table("icosahedron", &small, 100);
+    table("sphere of 162 vertices", &large, 8);
+    solid_free(&small);
+    solid_free(&large);
+    return 0;
+}

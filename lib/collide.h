@@ -1,0 +1,68 @@
+//> collide-head
+// collide.h - from two bodies that are near to the contacts between them.
+//
+// Paper: sections 5.1 and 6.1.  Book: chapter 9.
+// Units: metres, in the world's frame.  Normals point from B to A.
+
+#ifndef TUMBLE_COLLIDE_H
+#define TUMBLE_COLLIDE_H
+
+#include "body.h"
+#include "response.h"
+
+// A body as the queries see it.
+typedef struct {
+    const shape *plan;
+    int  first;         // its first particle in the pool
+    const vec3 *at;     // [plan->particles] where they are
+    real mass;          // kg; HUGE_VAL: immovable
+} collider;
+
+// A half-space that bodies stay out of: x . normal >= offset.
+typedef struct {
+    vec3 normal;        // unit, into the free side
+    real offset;        // m
+} plane;
+
+// m, how far x is in front of the plane.
+static inline real plane_height(plane p, vec3 x)
+{
+    return vec3_dot(x, p.normal) - p.offset;
+}
+
+enum { PAIR_CONTACTS = 8 };     // the most that two rigid bodies can have
+//<
+
+//> collide-declare
+// The contacts of rigid bodies a and b that are nearer than margin (m), in
+// out; returns their number.  The first is the nearest (or deepest) pair of
+// points.  With manifold, the corners of either that stand over a face of the
+// other follow.  carried: see gjk_distance.
+int collide_rigid(const collider *a, const collider *b, real margin,
+                  int manifold, simplex *carried, hit_scratch *scratch,
+                  contact out[PAIR_CONTACTS]);
+
+// The particles of a nearer to plane p than margin + thickness, at most
+// capacity; returns how many there are.  The contacts keep them thickness away.
+int collide_plane(const collider *a, plane p, real margin, real thickness,
+                  contact *out, int capacity);
+
+// The planes of a rigid body's faces, looking outwards, coplanar faces once:
+// at most plan->mesh.faces of them in out, the first face of each in face.
+// Returns their number.
+int hull_planes(const shape *plan, const vec3 *at, plane *out, int *face);
+
+// Which of these planes is x furthest in front of, or least far behind?
+int hull_ahead(vec3 x, const plane *planes, int count);
+
+// Is particle i of a nearer than reach (m) to the convex body b, whose planes
+// are given?  Then c is the contact between them (b's feature empty when b is
+// immovable) and the result is 1.  Inside, the way out is the nearest face's.
+int collide_point(const collider *a, int i, const collider *b,
+                  const plane *planes, const int *face, int count,
+                  real reach, contact *c);
+//<
+
+//> collide-end
+#endif
+//<

@@ -1,0 +1,313 @@
+//> soft-stale
+#include "soft.h"
+
+static int body_is_still(const world *w, int b)
+{
+    return body_is_nailed(&w->body[b]) || w->rest.asleep[b];
+}
+
+// The squares of how far (m) a particle of b is from where it was listed, and of
+// how far it went in the last substep: the largest of each.
+static void measure_moves(const world *w, const body *b, real *moved,
+                          real *step)
+{
+    int end = b->first + b->plan->particles;
+    for (int i = b->first; i < end; i++) {
+        const particle *p = &w->pool.at[i];
+        real d = vec3_length_squared(vec3_sub(p->position, w->of.listed[i]));
+        real u = vec3_length_squared(vec3_sub(p->position, p->previous));
+        // A NaN enters, and nothing replaces it.
+        if (d > *moved || d != d) *moved = d;
+        if (u > *step || u != u) *step = u;
+    }
+}
+
+// Two particles, each moved by half the margin, may have closed it.  Before
+// that the lists are good; and for as many substeps more as it would take at
+// twice the speed of the fastest, but at most 8, for speeds change.
+static int lists_are_good(world *w)
+{
+    real moved = 0, step = 0, half = w->list_margin / 2;
+    if (w->trusted < 0) return 0;
+    if (w->trusted > 0) {
+        w->trusted--;
+        return 1;
+    }
+    for (int b = 0; b < w->bodies; b++)
+        if (!body_is_still(w, b))
+            measure_moves(w, &w->body[b], &moved, &step);
+    real left = half - sqrt(moved), pace = 2 * sqrt(step);
+    if (!(left > 0)) return 0;
+    w->trusted = left >= 8 * pace ? 8 : (int)(left / pace);
+    return 1;
+}
+//<
+
+//> soft-near
+// The pairs of a traversal that found room; the others are counted.
+static int room_for(world *w, int found, int room)
+{
+    if (found <= room) return found;
+    w->report.dropped += found - room;
+    return room;
+}
+
+// Leaves are single particles, in the order of the body's.
+static void add_near(world *w, const body *a, const body *b, tree_result found)
+{
+    int pairs = room_for(w, found.pairs, w->leaf_capacity);
+    pairs = room_for(w, pairs, w->near_capacity - w->nears);
+    for (int k = 0; k < pairs; k++)
+        w->near[w->nears++] = (sphere_contact){
+            a->first + w->leaf_pair[k].a, b->first + w->leaf_pair[k].b,
+            a->thickness + b->thickness };
+}
+
+// A sheet against itself.  What stood nearer than one and a half diameters when
+// the sheet was flat is left out: sticks hold those apart.
+static void list_self(world *w, body *a)
+{
+    vec3 *at = w->of.at + a->first;
+    add_near(w, a, a, sphere_tree_self(&a->tree, at, w->list_margin, 1.5,
+                                       w->leaf_pair, w->leaf_capacity));
+}
+
+static void list_soft_pair(world *w, body *a, body *b)
+{
+    add_near(w, a, b, sphere_tree_pairs(
+        &a->tree, w->of.at + a->first, &b->tree, w->of.at + b->first,
+        w->list_margin, w->leaf_pair, w->leaf_capacity));
+}
+//<
+
+//> soft-points
+// The planes of a rigid body, made anew whenever it may have moved.
+static void look_at_hull(world *w, int b)
+{
+    body *rigid = &w->body[b];
+    if (w->hull_of == b && body_is_nailed(rigid)) return;
+    world_look(w, rigid);
+    w->hulls = hull_planes(rigid->plan, w->of.at + rigid->first,
+                           w->hull, w->hull_face);
+    w->hull_of = b;
+}
+
+// The particles of a that are near the rigid body b: inside its sphere, or not
+// far outside, and not far in front of any of its planes.
+static void list_points(world *w, int a, int b)
+{
+    body *soft = &w->body[a], *rigid = &w->body[b];
+    real reach = soft->thickness + rigid->thickness + w->list_margin;
+    sphere ball = sphere_tree_root(&rigid->tree, w->of.at + rigid->first);
+    ball.radius += reach;
+    int is_ready = 0;
+    for (int i = soft->first; i < soft->first + soft->plan->particles; i++) {
+        vec3 x = w->of.at[i];
+        vec3 d = vec3_sub(x, ball.center);
+        if (vec3_length_squared(d) > ball.radius * ball.radius) continue;
+        if (!is_ready) look_at_hull(w, b);
+        is_ready = 1;
+        int ahead = hull_ahead(x, w->hull, w->hulls);
+        if (plane_height(w->hull[ahead], x) > reach) continue;
+        if (room_for(w, 1, w->point_capacity - w->points) == 1)
+            w->point[w->points++] = (point_pair){ i, a, b, ahead };
+    }
+}
+//<
+
+//> soft-refresh
+static void list_pair(world *w, int a, int b)
+{
+    int soft_a = body_is_soft(&w->body[a]), soft_b = body_is_soft(&w->body[b]);
+    if (body_is_still(w, a) && body_is_still(w, b)) return;
+    if (soft_a && soft_b)  list_soft_pair(w, &w->body[a], &w->body[b]);
+    else if (soft_a)       list_points(w, a, b);
+    else if (soft_b)       list_points(w, b, a);
+}
+
+void soft_refresh(world *w)
+{
+    if (lists_are_good(w)) return;
+    w->nears = w->points = w->trusted = 0;
+    w->report.rebuilt++;
+    for (int b = 0; b < w->bodies; b++) {
+        body *now = &w->body[b];
+        world_look(w, now);
+        sphere_tree_refresh(&now->tree, w->of.at + now->first);
+        for (int i = 0; i < now->plan->particles; i++)
+            w->of.listed[now->first + i] = w->of.at[now->first + i];
+    }
+    for (int a = 0; a < w->bodies; a++) {
+        if (body_is_soft(&w->body[a]) && !body_is_still(w, a))
+            list_self(w, &w->body[a]);
+        for (int b = a + 1; b < w->bodies; b++) list_pair(w, a, b);
+    }
+}
+//<
+
+//> soft-separate
+// Sticks give nothing of a push back to the rest of a cloth, as they do in a
+// rigid body: no gain.
+static response_options soft_response(const world *w)
+{
+    response_options o = w->options.response;
+    o.gain = 1;
+    return o;
+}
+
+// One plane that the particle is clear of is enough to know that it does not
+// touch: most often the one that it was in front of when it was listed.
+static int separate_point(world *w, point_pair pair, response_options how)
+{
+    const body *soft = &w->body[pair.soft], *rigid = &w->body[pair.rigid];
+    vec3 x = w->pool.at[pair.particle].position;
+    real apart = soft->thickness + rigid->thickness;
+    if (plane_height(w->hull[pair.ahead], x) > apart) return 0;
+
+    collider a = world_collider(w, soft), b = world_collider(w, rigid);
+    contact c;
+    w->of.at[pair.particle] = x;
+    if (!collide_point(&a, pair.particle - soft->first, &b, w->hull,
+                       w->hull_face, w->hulls, apart, &c)) return 0;
+    c.thickness = apart;
+    return contact_separate(&c, w->pool.at, how) > 0;
+}
+
+void soft_separate(world *w)
+{
+    response_options how = soft_response(w);
+    int touching = 0;
+    for (int k = 0; k < w->nears; k++)
+        if (sphere_contact_overlaps(&w->near[k], w->pool.at))
+            touching += sphere_contact_separate(w->near[k], w->pool.at,
+                                                how) > 0;
+    for (int k = 0; k < w->points; k++) {
+        if (k == 0 || w->point[k].rigid != w->point[k - 1].rigid)
+            look_at_hull(w, w->point[k].rigid);
+        touching += separate_point(w, w->point[k], how);
+    }
+    w->report.near = w->nears + w->points;
+    w->report.touching = touching;
+}
+//<
+
+//> soft-leaves
+// A leaf's particles as numbers of the pool.
+static int leaf_in_pool(const body *b, int leaf, int out[3])
+{
+    const leaf_feature *f = &b->tree.leaf[leaf];
+    for (int k = 0; k < f->count; k++) out[k] = b->first + f->vertex[k];
+    return f->count;
+}
+
+// The smallest ball around a leaf as its particles stand now: the ones before
+// it may have pushed them.
+static sphere leaf_ball(const world *w, const int *number, int n)
+{
+    vec3 at[3];
+    int index[3] = { 0, 1, 2 }, support[4], supports;
+    real weight[4];
+    for (int k = 0; k < n; k++) at[k] = w->pool.at[number[k]].position;
+    return sphere_of_points(at, index, n, support, weight, &supports);
+}
+
+static void part_leaves(world *w, const body *a, const body *b, int pairs)
+{
+    for (int k = 0; k < pairs; k++) {
+        int fa[3], fb[3];
+        int na = leaf_in_pool(a, w->leaf_pair[k].a, fa);
+        int nb = leaf_in_pool(b, w->leaf_pair[k].b, fb);
+        sphere sa = leaf_ball(w, fa, na), sb = leaf_ball(w, fb, nb);
+        if (leaves_separate(fa, na, sa.center, sa.radius,
+                            fb, nb, sb.center, sb.radius, w->pool.at) > 0)
+            w->report.touching++;
+    }
+}
+//<
+
+//> soft-leaf-in-hull
+// Fig. 6: the centre of a leaf inside a rigid body is moved, with the leaf, and
+// the surface point nearest to it.
+static void part_leaf_from_hull(world *w, const body *soft, int leaf, int b)
+{
+    const body *rigid = &w->body[b];
+    int f[3];
+    int n = leaf_in_pool(soft, leaf, f);
+    vec3 center = leaf_ball(w, f, n).center;
+    collider a = { .at = &center, .mass = soft->mass };
+    collider hull = world_collider(w, rigid);
+    contact c;
+    if (!collide_point(&a, 0, &hull, w->hull, w->hull_face, w->hulls, 0, &c))
+        return;
+    vec3 on_b = c.b.count > 0 ? feature_now(c.b, w->pool.at) : c.fixed;
+    deformable_separate(f, n, center, c.b, on_b, w->pool.at,
+                        w->options.response);
+    w->report.touching++;
+}
+
+static void part_from_hull(world *w, body *soft, int b)
+{
+    body *rigid = &w->body[b];
+    tree_result found = sphere_tree_pairs(
+        &soft->tree, w->of.at + soft->first, &rigid->tree,
+        w->of.at + rigid->first, 0, w->leaf_pair, w->leaf_capacity);
+    int pairs = room_for(w, found.pairs, w->leaf_capacity);
+    look_at_hull(w, b);
+    for (int k = 0; k < pairs; k++) {
+        int seen = 0;
+        for (int j = 0; j < k && !seen; j++)
+            seen = w->leaf_pair[j].a == w->leaf_pair[k].a;
+        if (!seen) part_leaf_from_hull(w, soft, w->leaf_pair[k].a, b);
+    }
+}
+//<
+
+//> soft-separate-leaves
+static void look_again(world *w, body *b)
+{
+    world_look(w, b);
+    sphere_tree_refresh(&b->tree, w->of.at + b->first);
+}
+
+// Which leaves of a sheet count as neighbours the paper leaves open.  Without
+// those alone that share a vertex, the first fold throws the cloth to infinity:
+// here the rule is the same as for balls.
+static void part_self(world *w, body *a)
+{
+    tree_result found = sphere_tree_self(
+        &a->tree, w->of.at + a->first, 0, 1.5,
+        w->leaf_pair, w->leaf_capacity);
+    part_leaves(w, a, a, room_for(w, found.pairs, w->leaf_capacity));
+}
+
+static void part_pair(world *w, int a, int b)
+{
+    body *soft = &w->body[a], *other = &w->body[b];
+    if (!body_is_soft(soft)) {
+        if (body_is_soft(other)) part_pair(w, b, a);
+        return;
+    }
+    look_again(w, soft);
+    look_again(w, other);
+    if (!body_is_soft(other)) {
+        part_from_hull(w, soft, b);
+        return;
+    }
+    tree_result found = sphere_tree_pairs(
+        &soft->tree, w->of.at + soft->first, &other->tree,
+        w->of.at + other->first, 0, w->leaf_pair, w->leaf_capacity);
+    part_leaves(w, soft, other, room_for(w, found.pairs, w->leaf_capacity));
+}
+
+void soft_separate_leaves(world *w)
+{
+    w->report.touching = 0;
+    for (int a = 0; a < w->bodies; a++) {
+        if (body_is_soft(&w->body[a])) {
+            look_again(w, &w->body[a]);
+            part_self(w, &w->body[a]);
+        }
+        for (int b = a + 1; b < w->bodies; b++) part_pair(w, a, b);
+    }
+}
+//<

@@ -1,0 +1,29 @@
+//> soft-head
+// soft.h - what deformable bodies touch: themselves, each other, rigid bodies.
+//
+// Paper: section 5.2 and the end of 6.1.  Book: chapter 9.
+//
+// The trees are asked which particles are near each other, the planes of rigid
+// bodies which are near them; the answer, with a margin, is good until something
+// has moved by half of it (the neighbour list of Verlet 1967).  In between, a
+// substep only looks down the lists.
+
+#ifndef TUMBLE_SOFT_H
+#define TUMBLE_SOFT_H
+
+#include "world.h"
+//<
+
+//> soft-declare
+// Makes the lists of near particles anew, if one may have come near unlisted.
+void soft_refresh(world *w);
+
+// Parts what touches: pairs of particles, then particles and rigid bodies.
+void soft_separate(world *w);
+
+// The paper's way, without lists: whole leaves of the trees are pushed apart,
+// and leaves whose centre is inside a rigid body are pushed by Fig. 6.
+void soft_separate_leaves(world *w);
+
+#endif
+//<

@@ -1,0 +1,462 @@
+//> step-time
+#include "step.h"
+#include "soft.h"
+
+#include <assert.h>
+#include <stddef.h>
+
+static real clock_now(const world *w)
+{
+    return w->options.clock ? w->options.clock() : 0;
+}
+
+// Books the time since *since to a stage, and starts the next.
+static void lap(world *w, int stage, real *since)
+{
+    real now = clock_now(w);
+    w->report.time[stage] += now - *since;
+    *since = now;
+}
+
+static int moves(const world *w, int b)
+{
+    return !body_is_nailed(&w->body[b]) && !w->rest.asleep[b];
+}
+//<
+
+//> step-integrate
+static void integrate(world *w, real h)
+{
+    for (int b = 0; b < w->bodies; b++)
+        if (moves(w, b))
+            verlet_step(w->pool.at + w->body[b].first,
+                        w->body[b].plan->particles, w->options.gravity,
+                        NULL, h);
+}
+//<
+
+//> step-reach
+// How far body b may still go in this frame, in which it has just made the
+// first of n substeps: n - 1 more like the fastest of its particles', and what
+// gravity adds.  A hundredth of its radius covers what impacts add.
+static void look_ahead(world *w, body *b, int is_moving)
+{
+    int n = w->options.substeps;
+    real fastest = 0;
+    b->reach = 0;
+    if (!is_moving || !w->options.look_ahead) return;
+    for (int i = b->first; i < b->first + b->plan->particles; i++) {
+        const particle *p = &w->pool.at[i];
+        real u = vec3_length_squared(vec3_sub(p->position, p->previous));
+        if (u > fastest) fastest = u;
+    }
+    real dt = w->options.dt;
+    b->reach = (n - 1) * sqrt(fastest)
+        + vec3_length(w->options.gravity) * dt * dt / 2
+        + b->plan->radius / 100;
+}
+
+static void look_at_rigid(world *w)
+{
+    for (int k = 0; k < w->bodies; k++) {
+        body *b = &w->body[k];
+        if (body_is_soft(b)) continue;
+        if (moves(w, k)) {
+            world_look(w, b);
+            sphere_tree_refresh(&b->tree, w->of.at + b->first);
+        }
+        w->ball[k] = sphere_tree_root(&b->tree, w->of.at + b->first);
+        look_ahead(w, b, moves(w, k));
+    }
+}
+//<
+
+//> step-pairs
+// Appends pair (a, b) with what the last frame's query of it left.  Both lists
+// are sorted, so one finger moves along the old one.
+static void add_pair(world *w, int a, int b, int *old)
+{
+    const body_pair *was = w->old_pair;
+    if (w->pairs == w->pair_capacity) {
+        w->report.dropped++;
+        return;
+    }
+    while (*old < w->old_pairs && (was[*old].a < a
+           || (was[*old].a == a && was[*old].b < b))) (*old)++;
+    int known = *old < w->old_pairs && was[*old].a == a && was[*old].b == b;
+    body_pair *pair = &w->pair[w->pairs++];
+    if (known) *pair = was[*old];
+    else       *pair = (body_pair){ .a = a, .b = b };
+}
+
+static int spheres_meet(sphere a, sphere b, real margin)
+{
+    vec3 d = vec3_sub(a.center, b.center);
+    real r = a.radius + b.radius + margin;
+    return vec3_length_squared(d) <= r * r;
+}
+
+// All pairs of rigid bodies whose spheres come within reach of each other.
+// Paper: section 5 tests every pair; so do we.
+static void find_pairs(world *w)
+{
+    int old = 0;
+    w->pairs = 0;
+    for (int a = 0; a < w->bodies; a++) {
+        if (body_is_soft(&w->body[a])) continue;
+        int a_moves = moves(w, a);
+        for (int b = a + 1; b < w->bodies; b++)
+            if (spheres_meet(w->ball[a], w->ball[b],
+                             w->body[a].reach + w->body[b].reach)
+                && !body_is_soft(&w->body[b]) && (a_moves || moves(w, b)))
+                add_pair(w, a, b, &old);
+    }
+}
+
+static void swap_pair_lists(world *w)
+{
+    body_pair *last = w->old_pair;
+    w->old_pair = w->pair;
+    w->old_pairs = w->pairs;
+    w->pair = last;
+}
+//<
+
+//> step-spread
+// A body that is hit may go as far as what hits it.  So whoever is near a faster
+// body looks as far ahead as that one does; twice, for a blow that is passed on.
+static void spread_reach(world *w)
+{
+    for (int k = 0; k < 2 * w->pairs; k++) {
+        const body_pair *pair = &w->pair[k % w->pairs];
+        real *a = &w->body[pair->a].reach, *b = &w->body[pair->b].reach;
+        real far = fmax(*a, *b);
+        if (moves(w, pair->a)) *a = far;
+        if (moves(w, pair->b)) *b = far;
+    }
+}
+//<
+
+//> step-wake
+// Slow enough to rest: less than a twelfth of the speed, sqrt(2 g r), that a
+// fall through its own radius gives.
+static real rest_speed(const world *w, const body *b)
+{
+    return sqrt(2 * vec3_length(w->options.gravity) * b->plan->radius) / 12;
+}
+
+static void rouse(world *w, int b)
+{
+    rest_wake(&w->rest, b);
+    for (int k = 0; k < w->bodies; k++) {
+        const body *x = &w->body[k];
+        if (w->rest.asleep[k]) continue;
+        for (int i = x->first; i < x->first + x->plan->particles; i++)
+            w->pool.at[i].inverse_mass = w->of.inverse_mass[i];
+    }
+}
+
+// Body a comes near body b: if one of them sleeps and the other is faster than
+// the speed of rest, the sleeper wakes, in time to take its part of the blow.
+static int wake_sleeper(world *w, int a, int b)
+{
+    int sleeper = w->rest.asleep[a] ? a : b, other = a + b - sleeper;
+    if (!w->rest.asleep[sleeper] || w->rest.asleep[other]) return 0;
+    if (body_is_nailed(&w->body[sleeper])) return 0;
+    if (body_is_nailed(&w->body[other]) || w->rest.calm[other] > 0) return 0;
+    rouse(w, sleeper);
+    return 1;
+}
+
+static int wake_sleepers(world *w)
+{
+    int woken = 0;
+    for (int k = 0; k < w->pairs; k++)
+        woken |= wake_sleeper(w, w->pair[k].a, w->pair[k].b);
+    return woken;
+}
+
+// A deformable body wakes, and rests with, whatever its sphere meets.
+static void join_soft(world *w)
+{
+    for (int a = 0; a < w->bodies; a++) {
+        body *soft = &w->body[a];
+        if (!body_is_soft(soft)) continue;
+        sphere ball = sphere_tree_root(&soft->tree, w->of.at + soft->first);
+        for (int b = 0; b < w->bodies; b++) {
+            body *x = &w->body[b];
+            if (b == a || body_is_nailed(x)) continue;
+            sphere other = sphere_tree_root(&x->tree, w->of.at + x->first);
+            if (!spheres_meet(ball, other, 2 * w->list_margin)) continue;
+            wake_sleeper(w, a, b);
+            rest_touch(&w->rest, a, b);
+        }
+    }
+}
+//<
+
+//> step-contacts
+// m/s, > 0 while the features approach each other.
+static real approach_speed(const contact *c, const particle *p, real h)
+{
+    vec3 now = feature_now(c->a, p), was = feature_before(c->a, p);
+    vec3 move = vec3_sub(now, was);
+    if (c->b.count > 0)
+        move = vec3_sub(move, vec3_sub(feature_now(c->b, p),
+                                       feature_before(c->b, p)));
+    return -vec3_dot(move, c->normal) / h;
+}
+
+static void keep_contacts(world *w, const contact *found, int n, int a, int b)
+{
+    real h = w->options.dt / w->options.substeps;
+    for (int k = 0; k < n; k++) {
+        if (w->contacts == w->contact_capacity) {
+            w->report.dropped += n - k;
+            return;
+        }
+        w->between[w->contacts][0] = a;
+        w->between[w->contacts][1] = b;
+        w->contact[w->contacts] = found[k];
+        w->contact[w->contacts].approach =
+            approach_speed(&found[k], w->pool.at, h);
+        w->contacts++;
+    }
+}
+
+static int query_pair(world *w, body_pair *pair, real margin)
+{
+    contact found[PAIR_CONTACTS];
+    collider a = world_collider(w, &w->body[pair->a]);
+    collider b = world_collider(w, &w->body[pair->b]);
+    real apart = w->body[pair->a].thickness + w->body[pair->b].thickness;
+    int n = collide_rigid(&a, &b, margin + apart, w->options.manifold,
+                          &pair->carried, w->hit, found);
+    for (int k = 0; k < n; k++) found[k].thickness = apart;
+    keep_contacts(w, found, n, pair->a, pair->b);
+    return n;
+}
+
+// Once a frame: the contacts of every pair that may touch before its end.  Those
+// of two bodies that pass each other quickly, by more than a tenth of a radius,
+// change within a frame: they come last, to be replaced.
+static void query_pairs(world *w, int quick)
+{
+    for (int k = 0; k < w->pairs; k++) {
+        body_pair *pair = &w->pair[k];
+        const body *a = &w->body[pair->a], *b = &w->body[pair->b];
+        real reach = a->reach + b->reach;
+        int is_quick = reach > 0.1 * fmin(a->plan->radius, b->plan->radius);
+        if (is_quick != quick) continue;
+        int n = query_pair(w, pair, reach);
+        pair->quick = is_quick && n > 0;
+    }
+}
+
+// Every second substep: what the quick pairs touch now replaces what they
+// touched.
+enum { QUICK_EVERY = 2 };
+
+static void query_quick_pairs(world *w)
+{
+    w->contacts = w->lasting;
+    for (int k = 0; k < w->pairs; k++) {
+        body_pair *pair = &w->pair[k];
+        if (!pair->quick) continue;
+        body *a = &w->body[pair->a], *b = &w->body[pair->b];
+        world_look(w, a);
+        world_look(w, b);
+        query_pair(w, pair, QUICK_EVERY * (a->reach + b->reach)
+                            / w->options.substeps);
+    }
+}
+
+// Every body that moves against every plane that its sphere comes near.
+static void query_planes(world *w)
+{
+    for (int k = 0; k < w->bodies; k++) {
+        body *b = &w->body[k];
+        if (!moves(w, k)) continue;
+        if (body_is_soft(b)) look_ahead(w, b, 1);
+        world_look(w, b);
+        collider c = world_collider(w, b);
+        for (int p = 0; p < w->planes; p++) {
+            int room = w->contact_capacity - w->contacts;
+            contact *out = &w->contact[w->contacts];
+            int n = collide_plane(&c, w->plane[p], b->reach, b->thickness,
+                                  out, room);
+            if (n > room) w->report.dropped += n - room;
+            keep_contacts(w, out, n < room ? n : room, k, -1);
+        }
+    }
+}
+
+static void find_contacts(world *w, real *since)
+{
+    look_at_rigid(w);
+    find_pairs(w);
+    if (wake_sleepers(w)) {
+        look_at_rigid(w);
+        find_pairs(w);
+    }
+    if (w->options.look_ahead) {
+        spread_reach(w);
+        find_pairs(w);
+    }
+    lap(w, STAGE_PAIRS, since);
+    w->contacts = 0;
+    query_pairs(w, 0);
+    query_planes(w);
+    w->lasting = w->contacts;
+    query_pairs(w, 1);
+    w->report.pairs = w->pairs;
+    lap(w, STAGE_QUERY, since);
+}
+//<
+
+//> step-separate
+static void separate(world *w)
+{
+    for (int k = 0; k < w->contacts; k++) {
+        int a = w->between[k][0], b = w->between[k][1];
+        w->contact[k].pushed = 0;
+        if (contact_separate(&w->contact[k], w->pool.at,
+                             w->options.response) == 0) continue;
+        w->collided[a] = 1;
+        if (b < 0) continue;
+        w->collided[b] = 1;
+        if (!body_is_nailed(&w->body[a]) && !body_is_nailed(&w->body[b]))
+            rest_touch(&w->rest, a, b);
+    }
+    if (w->softs == 0) return;
+    if (w->options.leaves == LEAVES_FACE) soft_separate_leaves(w);
+    else                                  soft_separate(w);
+}
+//<
+
+//> step-relax
+static const stick_lists *lists_of(const world *w, const shape *s)
+{
+    int k = 0;
+    while (w->plan[k].shape != s) k++;
+    return &w->plan[k].lists;
+}
+
+// Paper: section 6.2: a rigid body that collided is relaxed from the particle
+// that separation moved most; every other body in the order of its plan.
+static relax_result relax_body(world *w, const body *b, int is_ordered)
+{
+    const shape *s = b->plan;
+    const world_options *o = &w->options;
+    particle *p = w->pool.at + b->first;
+    vec3 *before = w->of.before + b->first;
+    if (!is_ordered)
+        return sticks_relax(s->stick, s->sticks, p, s->particles, o->sweeps,
+                            o->relax, before);
+    int from = most_moved(p, before, s->particles);
+    return sticks_relax_ordered(o->order, lists_of(w, s), s->stick, s->sticks,
+                                p, s->particles, from, o->sweeps, o->relax,
+                                w->orders);
+}
+
+static void relax(world *w)
+{
+    for (int b = 0; b < w->bodies; b++) {
+        if (!moves(w, b)) continue;
+        int is_ordered = w->options.order != ORDER_LISTED && w->collided[b]
+                         && !body_is_soft(&w->body[b]);
+        relax_result r = relax_body(w, &w->body[b], is_ordered);
+        w->report.tested += r.tested;
+        w->report.relaxed += r.relaxed;
+        w->report.fell_back += r.fell_back;
+        w->collided[b] = 0;
+    }
+}
+
+static void remember(world *w, vec3 *where)
+{
+    for (int i = 0; i < w->pool.count; i++) where[i] = w->pool.at[i].position;
+}
+//<
+
+//> step-rest
+static void bounce(world *w, real h)
+{
+    for (int k = 0; k < w->contacts; k++) {
+        contact *c = &w->contact[k];
+        if (!(c->pushed > 0)) continue;
+        contact_bounce(c, w->pool.at, w->options.response, h);
+        c->approach = 0;
+    }
+}
+
+// Did every particle of b go slower than the speed of rest over the frame?
+static int went_slow(const world *w, const body *b)
+{
+    real far = rest_speed(w, b) * w->options.dt;
+    for (int i = b->first; i < b->first + b->plan->particles; i++) {
+        vec3 d = vec3_sub(w->pool.at[i].position, w->of.start[i]);
+        if (!(vec3_length_squared(d) <= far * far)) return 0;
+    }
+    return 1;
+}
+
+// Whoever falls asleep is nailed where it lies.
+static void put_to_bed(world *w, const body *b)
+{
+    for (int i = b->first; i < b->first + b->plan->particles; i++) {
+        particle *p = &w->pool.at[i];
+        p->inverse_mass = 0;
+        p->previous = p->position;
+    }
+}
+
+// Bodies that pushed each other in this frame and lay still for half a second
+// fall asleep together.
+static void rest(world *w)
+{
+    for (int b = 0; b < w->bodies; b++)
+        w->slow[b] = (char)(!moves(w, b) || went_slow(w, &w->body[b]));
+    rest_end(&w->rest, w->slow, w->options.dt, 0.5);
+    w->report.asleep = 0;
+    for (int b = 0; b < w->bodies; b++) {
+        if (!w->rest.asleep[b] || body_is_nailed(&w->body[b])) continue;
+        put_to_bed(w, &w->body[b]);
+        w->report.asleep++;
+    }
+}
+//<
+
+//> step
+void world_step(world *w)
+{
+    assert(w->ready);
+    const world_options *o = &w->options;
+    real h = o->dt / o->substeps, since = clock_now(w);
+    w->report = (step_report){ .pairs = 0 };
+    remember(w, w->of.start);
+    rest_begin(&w->rest);
+    if (w->softs > 0) join_soft(w);
+
+    for (int k = 0; k < o->substeps; k++) {
+        integrate(w, h);
+        lap(w, STAGE_INTEGRATE, &since);
+        if (k == 0) find_contacts(w, &since);
+        else if (k % QUICK_EVERY == 0) query_quick_pairs(w);
+        lap(w, STAGE_QUERY, &since);
+        if (w->softs > 0 && o->leaves == LEAVES_VERTEX) soft_refresh(w);
+        lap(w, STAGE_PAIRS, &since);
+        if (o->order != ORDER_LISTED) remember(w, w->of.before);
+        separate(w);
+        lap(w, STAGE_SEPARATE, &since);
+        relax(w);
+        if (o->response.restitution > 0) bounce(w, h);
+        lap(w, STAGE_RELAX, &since);
+    }
+    swap_pair_lists(w);
+    if (o->resting) rest(w);
+    w->time += o->dt;
+    w->report.contacts = w->contacts;
+    lap(w, STAGE_REST, &since);
+}
+//<

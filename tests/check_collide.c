@@ -1,0 +1,831 @@
+// check_collide.c - which contacts do two bodies have?  Book: chapter 9.
+
+#include <check.h>
+#include <float.h>
+#include <stdlib.h>
+
+#include "collide.h"
+
+// Bodies of size 1 near the origin; a corner is turned, a foot is a mean of
+// three: a few dozen roundings.
+#define ROUNDING 1e-13
+// The closed forms against the searches of GJK, which stop at their own bound.
+#define ORACLE 1e-11
+// Where body A and body B begin in the pool: not 0, so that a feature that
+// forgets to count in the pool is seen.
+enum { FIRST_A = 7, FIRST_B = 40, POOL = 100 };
+
+static const vec3 UP = { 0, 1, 0 };
+
+// Numbers in [-1, 1) from a linear congruence; the same on every machine.
+static unsigned long long seed;
+
+static real any(void)
+{
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (real)(seed >> 11) / 4503599627370496.0 - 1;
+}
+
+static vec3 any_vec3(real size)
+{
+    real x = any(), y = any();
+    return vec3_scale(size, vec3_make(x, y, any()));
+}
+
+// --- bodies that stand somewhere -----------------------------------------------
+
+typedef struct {
+    vec3 x, y, z;
+} axes;
+
+static const axes UPRIGHT = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+
+// Axes of which y is this direction.
+static axes axes_up(vec3 y)
+{
+    axes f = { .y = vec3_unit(y) };
+    vec3 other = fabs(f.y.x) < 0.7 ? vec3_make(1, 0, 0) : vec3_make(0, 0, 1);
+    f.x = vec3_unit(vec3_cross(other, f.y));
+    f.z = vec3_cross(f.x, f.y);
+    return f;
+}
+
+static axes any_axes(void)
+{
+    axes f = axes_up(any_vec3(1));
+    real by = any() * 3, c = cos(by), s = sin(by);
+    vec3 x = vec3_add(vec3_scale(c, f.x), vec3_scale(s, f.z));
+    return (axes){ x, f.y, vec3_cross(x, f.y) };
+}
+
+static vec3 turned(axes f, vec3 r)
+{
+    return vec3_add(vec3_scale(r.x, f.x),
+           vec3_add(vec3_scale(r.y, f.y), vec3_scale(r.z, f.z)));
+}
+
+static particle pool[POOL];
+static vec3 place[POOL];
+static hit_scratch *scratch;
+
+// Puts body `first` there: in the pool, and where the queries look.
+static collider stand(const shape *s, int first, real mass, axes f, vec3 at)
+{
+    for (int i = 0; i < s->particles; i++) {
+        vec3 x = vec3_add(at, turned(f, s->at[i]));
+        place[first + i] = x;
+        pool[first + i] = (particle){ x, x, mass < HUGE_VAL ? 1 : 0 };
+    }
+    return (collider){ s, first, place + first, mass };
+}
+
+static shape cube, slab, ball;
+
+static void set_up(void)
+{
+    seed = 9;
+    ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 1).ok);
+    ck_assert(shape_box(&slab, vec3_make(4, 1, 4), 1).ok);
+    ck_assert(shape_icosahedron(&ball, 0.5, 1).ok);
+    scratch = hit_scratch_new();
+    ck_assert_ptr_nonnull(scratch);
+}
+
+static void tear_down(void)
+{
+    hit_scratch_free(scratch);
+    shape_free(&cube);
+    shape_free(&slab);
+    shape_free(&ball);
+}
+
+static int touch(collider a, collider b, real margin, int manifold,
+                 contact out[PAIR_CONTACTS])
+{
+    simplex fresh = { .count = 0 };
+    return collide_rigid(&a, &b, margin, manifold, &fresh, scratch, out);
+}
+
+static point_set points_of(collider c)
+{
+    return (point_set){ c.at, c.plan->particles, NULL, NULL };
+}
+
+static real gap_of(const contact *c)
+{
+    return contact_gap(c, pool);
+}
+
+static vec3 point_on_b(const contact *c)
+{
+    return c->b.count > 0 ? feature_now(c->b, pool) : c->fixed;
+}
+
+static void near_vec3(vec3 got, vec3 wanted, real error)
+{
+    ck_assert_msg(vec3_distance(got, wanted) <= error,
+                  "got (%g, %g, %g), wanted (%g, %g, %g)",
+                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
+}
+
+// Everything that a contact promises wherever it comes from.
+static void is_sound(const contact *c, collider a, collider b)
+{
+    ck_assert(fabs(vec3_length(c->normal) - 1) <= ROUNDING);
+    ck_assert_int_ge(c->a.count, 1);
+    const feature_point *side[2] = { &c->a, &c->b };
+    const collider *body[2] = { &a, &b };
+    for (int k = 0; k < 2; k++) {
+        real sum = 0;
+        for (int i = 0; i < side[k]->count; i++) {
+            ck_assert(side[k]->weight[i] >= 0 && side[k]->weight[i] <= 1 + ROUNDING);
+            ck_assert_int_ge(side[k]->vertex[i], body[k]->first);
+            ck_assert_int_lt(side[k]->vertex[i],
+                             body[k]->first + body[k]->plan->particles);
+            sum += side[k]->weight[i];
+        }
+        if (side[k]->count > 0) ck_assert(fabs(sum - 1) <= ROUNDING);
+    }
+    ck_assert(c->pushed == 0 && c->thickness == 0);
+    ck_assert(c->mass_a == a.mass && c->mass_b == b.mass);
+}
+
+// --- the nearest points ----------------------------------------------------------
+
+// A cube that stands on a corner: its diagonal is upright.
+static axes on_a_corner(void)
+{
+    axes f = axes_up(vec3_make(1, 1, 1));
+    // The turn that takes (1, 1, 1) to y is the inverse of the one that takes y
+    // there.
+    return (axes){ { f.x.x, f.y.x, f.z.x }, { f.x.y, f.y.y, f.z.y },
+                   { f.x.z, f.y.z, f.z.z } };
+}
+
+// Rejects: the feature of A and B exchanged; a face's point that is not under
+// the corner; vertices that count from the body instead of the pool.
+START_TEST(corner_over_a_face_is_one_vertex_against_a_point_of_the_face)
+{
+    // Half the diagonal of the cube is sqrt(3) / 2; the slab's top is y = 0.5.
+    real height = 0.5 + 0.05 + sqrt(3) / 2;
+    collider a = stand(&cube, FIRST_A, 1, on_a_corner(),
+                       vec3_make(0.3, height, -0.2));
+    collider b = stand(&slab, FIRST_B, 2, UPRIGHT, vec3_make(0, 0, 0));
+    contact c[PAIR_CONTACTS];
+    ck_assert_int_eq(touch(a, b, 0.1, 1, c), 1);
+    is_sound(&c[0], a, b);
+    near_vec3(c[0].normal, UP, ORACLE);
+    ck_assert_int_eq(c[0].a.count, 1);
+    near_vec3(feature_now(c[0].a, pool), vec3_make(0.3, 0.55, -0.2), ORACLE);
+    near_vec3(point_on_b(&c[0]), vec3_make(0.3, 0.5, -0.2), ORACLE);
+    ck_assert(fabs(gap_of(&c[0]) - 0.05) <= ORACLE);
+}
+END_TEST
+
+// Rejects: a manifold that invents corners where two edges cross; normal of the
+// wrong sign.
+START_TEST(crossed_edges_touch_in_their_middles)
+{
+    const real h = sqrt(0.5);
+    axes about_x = { { 1, 0, 0 }, { 0, h, h }, { 0, -h, h } };
+    axes about_z = { { h, h, 0 }, { -h, h, 0 }, { 0, 0, 1 } };
+    collider b = stand(&cube, FIRST_B, 1, about_z, vec3_make(0, 0, 0));
+    real gap[] = { 0.03, -0.03 };
+    for (int k = 0; k < 2; k++) {
+        collider a = stand(&cube, FIRST_A, 1, about_x,
+                           vec3_make(0, 2 * h + gap[k], 0));
+        contact c[PAIR_CONTACTS];
+        ck_assert_int_eq(touch(a, b, 0.1, 1, c), 1);
+        is_sound(&c[0], a, b);
+        near_vec3(c[0].normal, UP, ORACLE);
+        ck_assert_int_eq(c[0].a.count, 2);
+        ck_assert_int_eq(c[0].b.count, 2);
+        near_vec3(point_on_b(&c[0]), vec3_make(0, h, 0), ORACLE);
+        near_vec3(feature_now(c[0].a, pool), vec3_make(0, h + gap[k], 0),
+                  ORACLE);
+    }
+}
+END_TEST
+
+// The least distance that parts a from b along n, by all pairs of corners.
+static real parting(collider a, collider b, vec3 n)
+{
+    real least_a = DBL_MAX, most_b = -DBL_MAX;
+    for (int i = 0; i < a.plan->particles; i++)
+        least_a = fmin(least_a, vec3_dot(a.at[i], n));
+    for (int i = 0; i < b.plan->particles; i++)
+        most_b = fmax(most_b, vec3_dot(b.at[i], n));
+    return most_b - least_a;
+}
+
+// Rejects: a normal from A to B; a point of the wrong body; weights of the
+// simplex that belong to other vertices; a gap that is not the distance, or not
+// the depth.
+START_TEST(first_contact_is_the_distance_or_the_depth)
+{
+    int apart = 0, overlapping = 0;
+    for (int k = 0; k < 3000; k++) {
+        collider a = stand(k % 2 ? &ball : &cube, FIRST_A, 1, any_axes(),
+                           any_vec3(0.8));
+        collider b = stand(k % 3 ? &cube : &ball, FIRST_B, 3, any_axes(),
+                           vec3_make(0, 0, 0));
+        gjk_result g = gjk_distance(points_of(a), points_of(b),
+                                    gjk_options_default(), NULL);
+        contact c[PAIR_CONTACTS];
+        int n = touch(a, b, 0.5, 0, c);
+        if (g.status == GJK_APART && g.distance > 0.5) {
+            ck_assert_int_eq(n, 0);
+            continue;
+        }
+        ck_assert_int_eq(n, 1);
+        is_sound(&c[0], a, b);
+        // What the contact says is -gap, and it parts the bodies: no corner of
+        // A is left below any of B.
+        ck_assert(fabs(parting(a, b, c[0].normal) + gap_of(&c[0])) <= ORACLE);
+        if (g.status == GJK_APART) {
+            apart++;
+            ck_assert(fabs(gap_of(&c[0]) - g.distance) <= ORACLE);
+        } else {
+            overlapping++;
+            ck_assert(gap_of(&c[0]) <= ORACLE);
+        }
+    }
+    ck_assert_int_gt(apart, 300);
+    ck_assert_int_gt(overlapping, 300);
+}
+END_TEST
+
+// Rejects: a margin that is compared the wrong way round, or added twice.
+START_TEST(margin_is_where_contacts_begin)
+{
+    collider b = stand(&slab, FIRST_B, HUGE_VAL, UPRIGHT, vec3_make(0, 0, 0));
+    contact c[PAIR_CONTACTS];
+    for (int k = 0; k < 2; k++) {
+        axes f = k ? on_a_corner() : UPRIGHT;
+        real low = k ? sqrt(3) / 2 : 0.5;
+        collider a = stand(&cube, FIRST_A, 1, f,
+                           vec3_make(0.1, 0.5 + low + 0.0999, 0.2));
+        ck_assert_int_ge(touch(a, b, 0.1, 1, c), 1);
+        a = stand(&cube, FIRST_A, 1, f,
+                  vec3_make(0.1, 0.5 + low + 0.1001, 0.2));
+        ck_assert_int_eq(touch(a, b, 0.1, 1, c), 0);
+        ck_assert_int_eq(touch(a, b, 0, 1, c), 0);
+    }
+}
+END_TEST
+
+// Rejects: NaN that becomes a contact, and from there a position.
+START_TEST(bodies_that_are_not_finite_have_no_contact)
+{
+    const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
+    for (int k = 0; k < 3; k++) {
+        collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0, 0.9, 0));
+        collider b = stand(&cube, FIRST_B, 1, UPRIGHT, vec3_make(0, 0, 0));
+        place[FIRST_A + 3].y = bad[k];
+        contact c[PAIR_CONTACTS];
+        ck_assert_int_eq(touch(a, b, 0.1, 1, c), 0);
+        ck_assert_int_eq(touch(b, a, 0.1, 1, c), 0);
+    }
+}
+END_TEST
+
+// --- who is A --------------------------------------------------------------------
+
+// Rejects: an immovable A, of which contact_separate would push the wrong side;
+// a feature of an immovable body; a normal that is not turned with the swap.
+START_TEST(immovable_body_is_always_b)
+{
+    collider still = stand(&slab, FIRST_B, HUGE_VAL, UPRIGHT,
+                           vec3_make(0, 0, 0));
+    collider free_ = stand(&cube, FIRST_A, 1, UPRIGHT,
+                           vec3_make(0.2, 0.99, 0.1));
+    for (int k = 0; k < 2; k++) {
+        contact c[PAIR_CONTACTS];
+        int n = k ? touch(still, free_, 0.1, 1, c)
+                  : touch(free_, still, 0.1, 1, c);
+        ck_assert_int_ge(n, 4);
+        for (int i = 0; i < n; i++) {
+            is_sound(&c[i], free_, still);
+            ck_assert_int_eq(c[i].b.count, 0);
+            near_vec3(c[i].normal, UP, ORACLE);
+            ck_assert(fabs(c[i].fixed.y - 0.5) <= ORACLE);
+            ck_assert(fabs(gap_of(&c[i]) + 0.01) <= ORACLE);
+        }
+    }
+}
+END_TEST
+
+// Rejects: a contact that nobody can mend.
+START_TEST(two_immovable_bodies_never_touch)
+{
+    collider a = stand(&cube, FIRST_A, HUGE_VAL, UPRIGHT, vec3_make(0, 0, 0));
+    collider b = stand(&cube, FIRST_B, HUGE_VAL, UPRIGHT, vec3_make(0, 0.5, 0));
+    contact c[PAIR_CONTACTS];
+    ck_assert_int_eq(touch(a, b, 1, 1, c), 0);
+}
+END_TEST
+
+// --- the manifold ------------------------------------------------------------------
+
+// Does one of the contacts push corner i of A alone (side 0), or of B (1)?
+static const contact *with_corner(const contact *c, int n, int side, int i)
+{
+    for (int k = 0; k < n; k++) {
+        const feature_point *f = side ? &c[k].b : &c[k].a;
+        if (f->count == 1 && f->vertex[0] == i) return &c[k];
+    }
+    return NULL;
+}
+
+// Rejects: one point that lets the body tip; corners of the far face; a corner's
+// foot in the wrong triangle; a corner twice, which doubles its push.
+START_TEST(face_on_a_face_stands_on_its_four_corners)
+{
+    for (int k = 0; k < 50; k++) {
+        axes f = any_axes();
+        real gap = 0.04 * any();
+        collider b = stand(&slab, FIRST_B, 5, f, any_vec3(2));
+        vec3 middle = vec3_add(vec3_scale(0.125, vec3_add(
+            vec3_add(vec3_add(b.at[0], b.at[1]), vec3_add(b.at[2], b.at[3])),
+            vec3_add(vec3_add(b.at[4], b.at[5]), vec3_add(b.at[6], b.at[7])))),
+            turned(f, vec3_make(any(), 1 + gap, any())));
+        collider a = stand(&cube, FIRST_A, 1, f, middle);
+        contact c[PAIR_CONTACTS];
+        int n = touch(a, b, 0.05, 1, c);
+        ck_assert_int_ge(n, 4);
+        ck_assert_int_le(n, 5);
+        for (int i = 0; i < n; i++) {
+            is_sound(&c[i], a, b);
+            near_vec3(c[i].normal, f.y, ORACLE);
+            ck_assert(fabs(gap_of(&c[i]) - gap) <= ORACLE);
+        }
+        for (int i = 0; i < 8; i++) {
+            const contact *at = with_corner(c, n, 0, FIRST_A + i);
+            // Bit 1 of a corner's number: the upper ones.
+            if (i & 2) { ck_assert_ptr_null(at); continue; }
+            ck_assert_ptr_nonnull(at);
+            near_vec3(point_on_b(at),
+                      vec3_add_scaled(a.at[i], -gap, f.y), ORACLE);
+        }
+    }
+}
+END_TEST
+
+// Rejects: corners of B that are forgotten, or whose normal or sign is A's.
+START_TEST(corners_of_the_lower_body_carry_a_wide_one)
+{
+    collider b = stand(&cube, FIRST_B, 1, UPRIGHT, vec3_make(0.3, 0, 0.4));
+    collider a = stand(&slab, FIRST_A, 5, UPRIGHT, vec3_make(0, 1.01, 0));
+    contact c[PAIR_CONTACTS];
+    int n = touch(a, b, 0.05, 1, c);
+    ck_assert_int_ge(n, 4);
+    ck_assert_int_le(n, 5);
+    for (int i = 0; i < 8; i++) {
+        const contact *at = with_corner(c, n, 1, FIRST_B + i);
+        if (!(i & 2)) { ck_assert_ptr_null(at); continue; }
+        ck_assert_ptr_nonnull(at);
+        is_sound(at, a, b);
+        near_vec3(at->normal, UP, ORACLE);
+        near_vec3(feature_now(at->a, pool),
+                  vec3_add_scaled(b.at[i], 0.01, UP), ORACLE);
+    }
+}
+END_TEST
+
+// Rejects: corners that stand beside the other face and not over it.
+START_TEST(shifted_boxes_share_one_corner_each)
+{
+    collider b = stand(&cube, FIRST_B, 1, UPRIGHT, vec3_make(0, 0, 0));
+    collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0.4, 0.99, 0.3));
+    contact c[PAIR_CONTACTS];
+    int n = touch(a, b, 0.05, 1, c);
+    int corners_a = 0, corners_b = 0;
+    for (int i = 0; i < n; i++) {
+        is_sound(&c[i], a, b);
+        ck_assert(fabs(gap_of(&c[i]) + 0.01) <= ORACLE);
+        vec3 x = point_on_b(&c[i]);
+        ck_assert(x.x >= -0.1 - ORACLE && x.x <= 0.5 + ORACLE);
+        ck_assert(x.z >= -0.2 - ORACLE && x.z <= 0.5 + ORACLE);
+    }
+    for (int i = 0; i < 8; i++) {
+        corners_a += with_corner(c, n, 0, FIRST_A + i) != NULL;
+        corners_b += with_corner(c, n, 1, FIRST_B + i) != NULL;
+    }
+    // A's lowest corner with x, z least (number 0); B's with all most (7).
+    ck_assert_int_eq(corners_a, 1);
+    ck_assert_int_eq(corners_b, 1);
+    ck_assert_ptr_nonnull(with_corner(c, n, 0, FIRST_A + 0));
+    ck_assert_ptr_nonnull(with_corner(c, n, 1, FIRST_B + 7));
+}
+END_TEST
+
+// Rejects: a buffer overrun where two equal faces give 4 + 4 corners and one;
+// a vertex that two contacts push.
+START_TEST(manifold_keeps_to_its_room_and_pushes_no_vertex_twice)
+{
+    for (int k = 0; k < 400; k++) {
+        axes f = k % 2 ? any_axes() : UPRIGHT;
+        vec3 off = k % 4 < 2 ? vec3_make(0, 0, 0) : any_vec3(0.01);
+        collider b = stand(&cube, FIRST_B, 1, f, vec3_make(0, 0, 0));
+        collider a = stand(&cube, FIRST_A, 1, f,
+            turned(f, vec3_add(vec3_make(0, 0.99, 0), off)));
+        contact c[PAIR_CONTACTS + 1];
+        c[PAIR_CONTACTS].pushed = -7;
+        int n = touch(a, b, 0.05, 1, c);
+        ck_assert_int_ge(n, 1);
+        ck_assert_int_le(n, PAIR_CONTACTS);
+        ck_assert(c[PAIR_CONTACTS].pushed == -7);
+        for (int i = 0; i < n; i++) {
+            is_sound(&c[i], a, b);
+            for (int j = 0; j < i; j++) {
+                if (c[i].a.count == 1 && c[j].a.count == 1)
+                    ck_assert_int_ne(c[i].a.vertex[0], c[j].a.vertex[0]);
+                if (c[i].b.count == 1 && c[j].b.count == 1)
+                    ck_assert_int_ne(c[i].b.vertex[0], c[j].b.vertex[0]);
+            }
+        }
+    }
+}
+END_TEST
+
+// Rejects: a manifold that puts the deepest point elsewhere than first.
+START_TEST(manifold_begins_with_what_one_contact_would_be)
+{
+    for (int k = 0; k < 300; k++) {
+        collider a = stand(&ball, FIRST_A, 1, any_axes(), any_vec3(0.7));
+        collider b = stand(&cube, FIRST_B, 1, any_axes(), vec3_make(0, 0, 0));
+        contact one[PAIR_CONTACTS], all[PAIR_CONTACTS];
+        int n = touch(a, b, 0.1, 0, one), m = touch(a, b, 0.1, 1, all);
+        ck_assert_int_eq(n, m > 0);
+        for (int i = 0; i < m; i++) {
+            is_sound(&all[i], a, b);
+            ck_assert(gap_of(&all[i]) >= gap_of(&one[0]) - ORACLE);
+            ck_assert(gap_of(&all[i]) <= 0.1 + ORACLE);
+        }
+        if (n) ck_assert(gap_of(&all[0]) == gap_of(&one[0]));
+    }
+}
+END_TEST
+
+// --- planes ------------------------------------------------------------------------
+
+// Rejects: margin without thickness; a contact without the thickness that it is
+// to keep; a fixed point that is not on the plane.
+START_TEST(plane_meets_what_is_nearer_than_margin_and_thickness)
+{
+    const plane floor_ = { { 0, 1, 0 }, 2 };
+    const real h = 0.5;
+    collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0, 2.7 + h, 0));
+    contact c[8];
+    // The lower four corners are 0.7 above the plane.
+    ck_assert_int_eq(collide_plane(&a, floor_, 0.5, 0.19, c, 8), 0);
+    ck_assert_int_eq(collide_plane(&a, floor_, 0.5, 0.21, c, 8), 4);
+    for (int i = 0; i < 4; i++) {
+        ck_assert_int_eq(c[i].a.count, 1);
+        ck_assert_int_eq(c[i].b.count, 0);
+        ck_assert(c[i].a.weight[0] == 1);
+        vec3 corner = feature_now(c[i].a, pool);
+        ck_assert(fabs(corner.y - 2.7) <= ROUNDING);
+        near_vec3(c[i].fixed, vec3_make(corner.x, 2, corner.z), ROUNDING);
+        near_vec3(c[i].normal, UP, 0);
+        ck_assert(c[i].thickness == 0.21);
+        ck_assert(fabs(gap_of(&c[i]) - 0.49) <= ROUNDING);
+        ck_assert(c[i].mass_a == 1 && c[i].mass_b == HUGE_VAL);
+    }
+    ck_assert_int_eq(collide_plane(&a, floor_, 2, 0, c, 8), 8);
+}
+END_TEST
+
+// Rejects: a write past the buffer; a count that hides what found no room.
+START_TEST(plane_counts_what_finds_no_room)
+{
+    const plane floor_ = { { 0, 1, 0 }, 2 };
+    collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0, 2, 0));
+    contact c[4];
+    c[3].pushed = -7;
+    ck_assert_int_eq(collide_plane(&a, floor_, 0, 0, c, 3), 4);
+    ck_assert(c[3].pushed == -7);
+    ck_assert_int_eq(collide_plane(&a, floor_, 0, 0, NULL, 0), 4);
+}
+END_TEST
+
+// Rejects: a height that is measured from the origin, or along y.
+START_TEST(slanted_plane_pushes_along_its_normal)
+{
+    const plane wall = { { 0.6, 0.8, 0 }, -1 };
+    collider a = stand(&cube, FIRST_A, 1, UPRIGHT,
+                       vec3_scale(-1.6, wall.normal));
+    contact c[8];
+    int n = collide_plane(&a, wall, 0, 0, c, 8);
+    ck_assert_int_eq(n, 6);
+    for (int i = 0; i < n; i++) {
+        ck_assert(fabs(vec3_dot(c[i].fixed, wall.normal) + 1) <= ROUNDING);
+        vec3 x = feature_now(c[i].a, pool);
+        ck_assert(vec3_length(vec3_cross(vec3_sub(x, c[i].fixed),
+                                         wall.normal)) <= ROUNDING);
+        ck_assert(gap_of(&c[i]) <= 0);
+    }
+}
+END_TEST
+
+// --- the planes of a hull ------------------------------------------------------------
+
+// Rejects: two planes for one side; normals inwards; a plane that some corner is
+// in front of; the second face of a side instead of the first.
+START_TEST(cube_has_six_planes_and_icosahedron_twenty)
+{
+    plane p[20];
+    int face[20];
+    const shape *s[2] = { &cube, &ball };
+    for (int k = 0; k < 200; k++) {
+        const shape *now = s[k % 2];
+        collider a = stand(now, FIRST_A, 1, any_axes(), any_vec3(5));
+        int n = hull_planes(now, a.at, p, face);
+        ck_assert_int_eq(n, k % 2 ? 20 : 6);
+        for (int i = 0; i < n; i++) {
+            ck_assert(fabs(vec3_length(p[i].normal) - 1) <= ROUNDING);
+            const int *v = &now->face[3 * face[i]];
+            real on = 0;
+            for (int j = 0; j < now->particles; j++) {
+                real up = vec3_dot(a.at[j], p[i].normal) - p[i].offset;
+                ck_assert(up <= ORACLE);
+                on = fmin(on, up);
+            }
+            ck_assert(on < -0.5);
+            for (int j = 0; j < 3; j++)
+                ck_assert(fabs(vec3_dot(a.at[v[j]], p[i].normal)
+                               - p[i].offset) <= ORACLE);
+            if (i > 0) ck_assert_int_gt(face[i], face[i - 1]);
+        }
+        ck_assert_int_eq(face[0], 0);
+    }
+}
+END_TEST
+
+// --- a particle at a convex body -----------------------------------------------------
+
+// The hull under test, and the question.
+static plane hull[20];
+static int hull_face[20], hull_count;
+
+static collider stand_hull(const shape *s, real mass, axes f, vec3 at)
+{
+    collider b = stand(s, FIRST_B, mass, f, at);
+    hull_count = hull_planes(s, b.at, hull, hull_face);
+    return b;
+}
+
+// A single particle as a body of its own: number `FIRST_A + 2` of the pool.
+static int ask(collider b, vec3 x, real reach, contact *c)
+{
+    vec3 *at = place + FIRST_A;
+    at[2] = x;
+    pool[FIRST_A + 2] = (particle){ x, x, 1 };
+    collider a = { &cube, FIRST_A, at, 1 };
+    return collide_point(&a, 2, &b, hull, hull_face, hull_count, reach, c);
+}
+
+static void is_sound_point(const contact *c, collider b)
+{
+    collider a = { &cube, FIRST_A, place + FIRST_A, 1 };
+    is_sound(c, a, b);
+    ck_assert_int_eq(c->a.count, 1);
+    ck_assert_int_eq(c->a.vertex[0], FIRST_A + 2);
+    ck_assert_int_eq(c->b.count > 0, b.mass < HUGE_VAL);
+    if (c->b.count > 0)
+        near_vec3(feature_now(c->b, pool), c->fixed, ORACLE);
+}
+
+static const real MASS[2] = { 2, HUGE_VAL };
+
+// Rejects: the way out through the face that is furthest; a gap that is not
+// minus the depth.
+START_TEST(particle_inside_leaves_by_the_nearest_face)
+{
+    for (int m = 0; m < 2; m++) {
+        collider b = stand_hull(&cube, MASS[m], UPRIGHT, vec3_make(0, 0, 0));
+        contact c;
+        ck_assert_int_eq(ask(b, vec3_make(0.1, 0.45, -0.2), 0, &c), 1);
+        is_sound_point(&c, b);
+        near_vec3(c.normal, UP, ROUNDING);
+        near_vec3(c.fixed, vec3_make(0.1, 0.5, -0.2), ROUNDING);
+        ck_assert(fabs(gap_of(&c) + 0.05) <= ROUNDING);
+        ck_assert_int_eq(ask(b, vec3_make(0.2, 0.1, -0.3), 0, &c), 1);
+        near_vec3(c.normal, vec3_make(0, 0, -1), ROUNDING);
+        ck_assert(fabs(gap_of(&c) + 0.2) <= ROUNDING);
+    }
+}
+END_TEST
+
+// Rejects: reach compared with the depth; a particle beyond reach that counts.
+START_TEST(particle_over_a_face_stands_on_its_foot)
+{
+    for (int m = 0; m < 2; m++) {
+        collider b = stand_hull(&cube, MASS[m], UPRIGHT, vec3_make(0, 0, 0));
+        contact c;
+        vec3 x = vec3_make(-0.3, 0.2, 0.6);
+        ck_assert_int_eq(ask(b, x, 0.09, &c), 0);
+        ck_assert_int_eq(ask(b, x, 0, &c), 0);
+        ck_assert_int_eq(ask(b, x, 0.11, &c), 1);
+        is_sound_point(&c, b);
+        near_vec3(c.normal, vec3_make(0, 0, 1), ROUNDING);
+        near_vec3(c.fixed, vec3_make(-0.3, 0.2, 0.5), ROUNDING);
+        ck_assert(fabs(gap_of(&c) - 0.1) <= ROUNDING);
+    }
+}
+END_TEST
+
+// Rejects: the plane's height taken for the distance, which is longer here: the
+// particle at (0.3, 0.4) off the edge is 0.5 away, and 0.4 over a plane.
+START_TEST(particle_over_an_edge_is_pushed_away_from_the_edge)
+{
+    for (int m = 0; m < 2; m++) {
+        collider b = stand_hull(&cube, MASS[m], UPRIGHT, vec3_make(0, 0, 0));
+        contact c;
+        vec3 x = vec3_make(0.8, 0.9, 0.1);
+        ck_assert_int_eq(ask(b, x, 0.49, &c), 0);
+        ck_assert_int_eq(ask(b, x, 0.51, &c), 1);
+        is_sound_point(&c, b);
+        near_vec3(c.normal, vec3_make(0.6, 0.8, 0), ORACLE);
+        near_vec3(c.fixed, vec3_make(0.5, 0.5, 0.1), ORACLE);
+        ck_assert(fabs(gap_of(&c) - 0.5) <= ORACLE);
+    }
+}
+END_TEST
+
+// Rejects: an edge's line that is taken beyond its end.
+START_TEST(particle_over_a_corner_is_pushed_away_from_the_corner)
+{
+    for (int m = 0; m < 2; m++) {
+        collider b = stand_hull(&cube, MASS[m], UPRIGHT, vec3_make(0, 0, 0));
+        contact c;
+        // Off the corner by (2, 3, 6) tenths: 0.7 away.
+        vec3 x = vec3_make(0.7, -0.8, 1.1);
+        ck_assert_int_eq(ask(b, x, 0.69, &c), 0);
+        ck_assert_int_eq(ask(b, x, 0.71, &c), 1);
+        is_sound_point(&c, b);
+        near_vec3(c.normal, vec3_scale(1 / 0.7, vec3_make(0.2, -0.3, 0.6)),
+                  ORACLE);
+        near_vec3(c.fixed, vec3_make(0.5, -0.5, 0.5), ORACLE);
+    }
+}
+END_TEST
+
+// Rejects: an answer of collide_point that is not the distance; the closed form
+// used where it does not hold (blunt edges: x in front of three planes).
+START_TEST(particle_finds_what_the_search_finds)
+{
+    int faces = 0, edges = 0, insides = 0;
+    for (int k = 0; k < 6000; k++) {
+        const shape *s = k % 2 ? &ball : k % 4 ? &slab : &cube;
+        collider b = stand_hull(s, MASS[k % 3 == 0], any_axes(), any_vec3(1));
+        vec3 x = any_vec3(2.5);
+        point_set point = { &x, 1, NULL, NULL };
+        gjk_result g = gjk_distance(point, points_of(b), gjk_options_default(),
+                                    NULL);
+        real reach = 0.6;
+        contact c;
+        int near = ask(b, x, reach, &c);
+        if (g.status == GJK_APART) {
+            ck_assert_int_eq(near, g.distance <= reach);
+            if (!near) continue;
+            is_sound_point(&c, b);
+            ck_assert(fabs(gap_of(&c) - g.distance) <= ORACLE);
+            near_vec3(c.fixed, g.on_b, ORACLE);
+            int front = 0;
+            for (int i = 0; i < hull_count; i++)
+                front += vec3_dot(x, hull[i].normal) > hull[i].offset;
+            faces += front == 1;
+            edges += front > 1;
+            continue;
+        }
+        ck_assert_int_eq(near, 1);
+        is_sound_point(&c, b);
+        real depth = DBL_MAX;
+        for (int i = 0; i < hull_count; i++)
+            depth = fmin(depth, hull[i].offset - vec3_dot(x, hull[i].normal));
+        ck_assert(fabs(gap_of(&c) + depth) <= ORACLE);
+        insides++;
+    }
+    ck_assert_int_gt(faces, 50);
+    ck_assert_int_gt(edges, 150);
+    ck_assert_int_gt(insides, 100);
+}
+END_TEST
+
+// Rejects: a foot on the line between two triangles, which rounding leaves
+// outside both, that becomes a corner of the face far away: the push would act
+// there.
+START_TEST(particle_over_a_diagonal_pushes_the_diagonal)
+{
+    for (int k = 0; k < 2000; k++) {
+        const shape *s = k % 2 ? &ball : &cube;
+        collider b = stand_hull(s, 2, any_axes(), any_vec3(1));
+        const int *v = &s->face[3 * (k % s->mesh.faces)];
+        int side = k % 3;
+        real u = (any() + 1) / 2;
+        vec3 p = b.at[v[side]], q = b.at[v[(side + 1) % 3]];
+        vec3 x = vec3_add(vec3_scale(u, p), vec3_scale(1 - u, q));
+        plane face;
+        vec3 m = vec3_unit(vec3_cross(vec3_sub(b.at[v[1]], b.at[v[0]]),
+                                      vec3_sub(b.at[v[2]], b.at[v[0]])));
+        face = (plane){ m, vec3_dot(m, b.at[v[0]]) };
+        contact c;
+        int near = ask(b, vec3_add_scaled(x, k % 5 ? -0.01 : 0.01, face.normal),
+                       0.1, &c);
+        ck_assert_int_eq(near, 1);
+        is_sound_point(&c, b);
+    }
+}
+END_TEST
+
+// A body is never quite its plan: sticks leave a strain.  Then the two faces of
+// a side have a plane each, and one of them reaches over the other.
+// Rejects: the face under a particle looked for among the later faces only.
+START_TEST(particle_over_a_strained_face_pushes_what_is_under_it)
+{
+    const real STRAIN = 1e-4;
+    for (int k = 0; k < 2000; k++) {
+        collider b = stand(&cube, FIRST_B, 2, any_axes(), any_vec3(1));
+        for (int i = 0; i < 8; i++) {
+            place[FIRST_B + i] = vec3_add(place[FIRST_B + i],
+                                          any_vec3(STRAIN));
+            pool[FIRST_B + i].position = place[FIRST_B + i];
+        }
+        hull_count = hull_planes(&cube, b.at, hull, hull_face);
+        const int *v = &cube.face[3 * (k % 12)];
+        real u = (any() + 1) / 2, w = (any() + 1) / 2 * (1 - u);
+        vec3 x = vec3_add(vec3_scale(1 - u - w, b.at[v[0]]),
+                 vec3_add(vec3_scale(u, b.at[v[1]]),
+                          vec3_scale(w, b.at[v[2]])));
+        contact c;
+        ck_assert_int_eq(ask(b, x, 0.01, &c), 1);
+        ck_assert_int_eq(c.a.vertex[0], FIRST_A + 2);
+        vec3 under = feature_now(c.b, pool);
+        ck_assert_msg(vec3_distance(under, x) <= 10 * STRAIN,
+                      "pushes a point %g m away", vec3_distance(under, x));
+    }
+}
+END_TEST
+
+// Rejects: NaN that passes every comparison and becomes a contact.
+START_TEST(particle_that_is_not_finite_touches_nothing)
+{
+    const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
+    for (int m = 0; m < 2; m++)
+        for (int k = 0; k < 9; k++) {
+            collider b = stand_hull(&cube, MASS[m], UPRIGHT,
+                                    vec3_make(0, 0, 0));
+            real x[3] = { 0.1, 0.2, 0.3 };
+            x[k / 3] = bad[k % 3];
+            contact c;
+            ck_assert_int_eq(ask(b, vec3_make(x[0], x[1], x[2]), 1, &c), 0);
+        }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    const TTest *const test[] = {
+        corner_over_a_face_is_one_vertex_against_a_point_of_the_face,
+        crossed_edges_touch_in_their_middles,
+        first_contact_is_the_distance_or_the_depth,
+        margin_is_where_contacts_begin,
+        bodies_that_are_not_finite_have_no_contact,
+        immovable_body_is_always_b,
+        two_immovable_bodies_never_touch,
+        face_on_a_face_stands_on_its_four_corners,
+        corners_of_the_lower_body_carry_a_wide_one,
+        shifted_boxes_share_one_corner_each,
+        manifold_keeps_to_its_room_and_pushes_no_vertex_twice,
+        manifold_begins_with_what_one_contact_would_be,
+        plane_meets_what_is_nearer_than_margin_and_thickness,
+        plane_counts_what_finds_no_room,
+        slanted_plane_pushes_along_its_normal,
+        cube_has_six_planes_and_icosahedron_twenty,
+        particle_inside_leaves_by_the_nearest_face,
+        particle_over_a_face_stands_on_its_foot,
+        particle_over_an_edge_is_pushed_away_from_the_edge,
+        particle_over_a_corner_is_pushed_away_from_the_corner,
+        particle_finds_what_the_search_finds,
+        particle_over_a_diagonal_pushes_the_diagonal,
+        particle_over_a_strained_face_pushes_what_is_under_it,
+        particle_that_is_not_finite_touches_nothing,
+    };
+    Suite *s = suite_create("collide");
+    TCase *t = tcase_create("collide");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
+        tcase_add_test(t, test[i]);
+    suite_add_tcase(s, t);
+    return s;
+}
+
+int main(void)
+{
+    SRunner *runner = srunner_create(suite());
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

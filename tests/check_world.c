@@ -1,0 +1,632 @@
+// check_world.c - does a world start as it was told to?  Book: chapter 9.
+
+#include <check.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "world.h"
+
+// A position is a sum of four products, its previous one of two more.
+#define ROUNDING 1e-14
+
+// --- memory that can be counted and refused --------------------------------------
+
+// On glibc every allocation of the program comes here; the sanitizers have a
+// malloc of their own.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SANITIZED 1
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(SANITIZED)
+#define COUNTS_MEMORY 1
+#endif
+
+#ifdef COUNTS_MEMORY
+static int  refuse_after = INT_MAX;     // so many allocations are granted
+static long held;                       // blocks that are not freed yet
+
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t n, size_t size);
+void *__libc_realloc(void *p, size_t size);
+void  __libc_free(void *p);
+
+static int is_granted(void)
+{
+    if (refuse_after == INT_MAX) return 1;
+    return refuse_after > 0 ? refuse_after-- : 0;
+}
+
+static void *counted(void *p)
+{
+    held += p != NULL;
+    return p;
+}
+
+void *malloc(size_t size)
+{
+    return is_granted() ? counted(__libc_malloc(size)) : NULL;
+}
+
+void *calloc(size_t n, size_t size)
+{
+    return is_granted() ? counted(__libc_calloc(n, size)) : NULL;
+}
+
+void *realloc(void *p, size_t size)
+{
+    if (!is_granted()) return NULL;
+    void *q = __libc_realloc(p, size);
+    held += p == NULL && q != NULL;
+    return q;
+}
+
+void free(void *p)
+{
+    held -= p != NULL;
+    __libc_free(p);
+}
+#endif
+
+// --- a world and its shapes --------------------------------------------------------
+
+static world w;
+static shape box, ball, cloth, rope;
+
+static void set_up(void)
+{
+    ck_assert(shape_box(&box, vec3_make(1, 2, 3), 6).ok);
+    ck_assert(shape_icosahedron(&ball, 0.5, 2).ok);
+    ck_assert(shape_cloth(&cloth, 5, 4, 2, 1.5, 1, 0.2).ok);
+    ck_assert(shape_rope(&rope, 7, 3.5, 0.4).ok);
+    ck_assert(world_init(&w, world_options_default()).ok);
+}
+
+static void tear_down(void)
+{
+    world_free(&w);
+    shape_free(&box);
+    shape_free(&ball);
+    shape_free(&cloth);
+    shape_free(&rope);
+}
+
+static void add(const shape *s, placement where)
+{
+    status done = world_add(&w, s, where, NULL);
+    ck_assert_msg(done.ok, "%s", done.why);
+}
+
+static void near_vec3(vec3 got, vec3 wanted, real error)
+{
+    ck_assert_msg(vec3_distance(got, wanted) <= error,
+                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
+                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
+}
+
+// A third of a turn about (1, 1, 1), then some: no axis is its own.
+static placement slanted(void)
+{
+    placement p = placement_at(vec3_make(3, -2, 5));
+    p.x = vec3_make(0.6, 0, 0.8);
+    p.y = vec3_make(-0.48, 0.8, 0.36);
+    p.z = vec3_make(-0.64, -0.6, 0.48);
+    return p;
+}
+
+// --- options --------------------------------------------------------------------------
+
+// One option, made bad or extreme.
+typedef struct {
+    const char *name;
+    real least, most;
+} range;
+
+static const range RANGE[] = {
+    { "dt", 1e-9, 1 }, { "substeps", 1, 10000 }, { "sweeps", 1, 10000 },
+    { "tolerance", 0, 1 }, { "gain", 0, 12 }, { "friction", 0, 1000 },
+    { "restitution", 0, 1 }, { "skin", 0, 1 },
+};
+enum { RANGES = sizeof RANGE / sizeof *RANGE };
+
+// Returns 0 if the option is an integer and cannot be that number.
+static int set_option(world_options *o, int k, real value)
+{
+    switch (k) {
+    case 0: o->dt = value; return 1;
+    case 1: o->substeps = (int)value; return value - value == 0;
+    case 2: o->sweeps = (int)value; return value - value == 0;
+    case 3: o->relax.tolerance = value; return 1;
+    case 4: o->response.gain = value; return 1;
+    case 5: o->response.friction = value; return 1;
+    case 6: o->response.restitution = value; return 1;
+    default: o->skin = value; return 1;
+    }
+}
+
+static void refused(world_options o, const char *name)
+{
+    world bad;
+    status done = world_init(&bad, o);
+    ck_assert_msg(!done.ok, "%s was not refused", name);
+    ck_assert_msg(strncmp(done.why, name, strlen(name)) == 0,
+                  "the sentence is: %s", done.why);
+    world_free(&bad);
+}
+
+// Rejects: a range that is open at one end; NaN, which is neither below the
+// least nor above the most; a sentence that names another option.
+START_TEST(options_out_of_range_are_refused_by_name)
+{
+    for (int k = 0; k < RANGES; k++) {
+        real step = k == 1 || k == 2 ? 1 : 1e-6 * RANGE[k].most;
+        real low = k == 0 ? 0 : RANGE[k].least - step;
+        const real bad[] = { low, -HUGE_VAL, RANGE[k].most + step, HUGE_VAL,
+                             (real)NAN };
+        for (int i = 0; i < 5; i++) {
+            world_options o = world_options_default();
+            if (k == 1 || k == 2)
+                if (!(bad[i] - bad[i] == 0)) continue;
+            set_option(&o, k, bad[i]);
+            refused(o, RANGE[k].name);
+        }
+    }
+    const real bad[] = { HUGE_VAL, -HUGE_VAL, (real)NAN };
+    for (int i = 0; i < 3; i++) {
+        world_options o = world_options_default();
+        o.gravity.z = bad[i];
+        refused(o, "gravity");
+    }
+}
+END_TEST
+
+// Rejects: a limit that is itself refused.
+START_TEST(limits_of_the_options_are_allowed)
+{
+    for (int k = 0; k < RANGES; k++)
+        for (int side = 0; side < 2; side++) {
+            world_options o = world_options_default();
+            set_option(&o, k, side ? RANGE[k].most : RANGE[k].least);
+            world fine;
+            status done = world_init(&fine, o);
+            ck_assert_msg(done.ok, "%s", done.why);
+            world_free(&fine);
+        }
+}
+END_TEST
+
+// Rejects: a default that is the paper's; an "as printed" that is not.
+START_TEST(default_and_paper_differ_as_documented)
+{
+    world_options ours = world_options_default();
+    world_options paper = world_options_paper();
+    world other;
+    ck_assert(world_init(&other, ours).ok);
+    world_free(&other);
+    ck_assert(world_init(&other, paper).ok);
+    world_free(&other);
+
+    // Both animate the same film.
+    ck_assert(ours.dt == paper.dt && ours.dt == 1.0 / 60);
+    near_vec3(ours.gravity, paper.gravity, 0);
+    near_vec3(ours.gravity, vec3_make(0, -9.81, 0), 0);
+    ck_assert(ours.clock == NULL && paper.clock == NULL);
+
+    // As printed: one step and separation, the lists of section 6.2, sticks
+    // within 1 % left alone, Eqs 10 and 11.
+    ck_assert_int_eq(paper.substeps, 1);
+    ck_assert_int_eq(paper.order, ORDER_REPEATED);
+    ck_assert(paper.relax.tolerance == 0.01 && paper.relax.dead_band == 1);
+    ck_assert_int_eq(paper.relax.root, ROOT_APPROXIMATE);
+    ck_assert_int_eq(paper.relax.gradient, GRADIENT_NEW);
+    ck_assert_int_eq(paper.response.share, SHARE_PRINTED);
+    ck_assert(paper.response.gain == 1 && paper.skin == 0);
+    ck_assert_int_eq(paper.leaves, LEAVES_FACE);
+    ck_assert(!paper.look_ahead && !paper.manifold && !paper.resting);
+
+    ck_assert_int_gt(ours.substeps, 1);
+    ck_assert(ours.relax.dead_band == 0 && ours.relax.tolerance < 0.01);
+    ck_assert_int_eq(ours.response.share, SHARE_MASS);
+    ck_assert_int_eq(ours.response.push, PUSH_OUT);
+    ck_assert_int_eq(ours.leaves, LEAVES_VERTEX);
+    ck_assert(ours.look_ahead && ours.manifold && ours.resting);
+}
+END_TEST
+
+// --- bodies ---------------------------------------------------------------------------
+
+// Rejects: axes taken as rows; a plan that is not turned about its middle.
+START_TEST(particles_stand_where_the_axes_say)
+{
+    placement p = slanted();
+    add(&ball, placement_at(vec3_make(0, 0, 0)));
+    add(&box, p);
+    const body *b = &w.body[1];
+    ck_assert_int_eq(b->first, ball.particles);
+    for (int i = 0; i < box.particles; i++) {
+        vec3 r = box.at[i], x = w.pool.at[b->first + i].position;
+        vec3 d = vec3_sub(x, p.position);
+        ck_assert(fabs(vec3_dot(d, p.x) - r.x) <= ROUNDING * 10);
+        ck_assert(fabs(vec3_dot(d, p.y) - r.y) <= ROUNDING * 10);
+        ck_assert(fabs(vec3_dot(d, p.z) - r.z) <= ROUNDING * 10);
+    }
+}
+END_TEST
+
+// Rejects: the velocity over a frame instead of a substep; a spin of the wrong
+// sense; a start that forgets half a step of gravity.
+START_TEST(particles_start_with_velocity_and_spin)
+{
+    placement p = slanted();
+    p.velocity = vec3_make(1, 2, 3);
+    p.spin = vec3_make(0, 0, 4);
+    add(&box, p);
+    real h = w.options.dt / w.options.substeps;
+    for (int i = 0; i < box.particles; i++) {
+        const particle *x = &w.pool.at[i];
+        vec3 r = vec3_sub(x->position, p.position);
+        vec3 v = vec3_make(1 - 4 * r.y, 2 + 4 * r.x, 3);
+        vec3 was = vec3_add_scaled(x->position, -h, v);
+        was = vec3_add_scaled(was, h * h / 2, w.options.gravity);
+        near_vec3(x->previous, was, ROUNDING);
+    }
+}
+END_TEST
+
+// Rejects: a total mass on every particle; inverse masses not inverted.
+START_TEST(masses_are_those_of_the_plan)
+{
+    add(&box, placement_at(vec3_make(0, 0, 0)));
+    add(&cloth, placement_at(vec3_make(0, 5, 0)));
+    ck_assert(fabs(w.body[0].mass - 6) <= ROUNDING * 6);
+    ck_assert(fabs(w.body[1].mass - 1) <= ROUNDING);
+    for (int i = 0; i < box.particles; i++)
+        ck_assert(w.pool.at[i].inverse_mass == 1 / box.mass[i]);
+    for (int i = 0; i < cloth.particles; i++)
+        ck_assert(w.pool.at[box.particles + i].inverse_mass
+                  == 1 / cloth.mass[i]);
+    ck_assert_int_eq(w.softs, 1);
+    ck_assert(!body_is_soft(&w.body[0]) && body_is_soft(&w.body[1]));
+}
+END_TEST
+
+// Rejects: a nailed body that drifts because it was told a velocity; one with a
+// finite mass, which a push would be shared with.
+START_TEST(nailed_body_is_immovable_and_at_rest)
+{
+    placement p = slanted();
+    p.velocity = vec3_make(9, 9, 9);
+    p.spin = vec3_make(9, 9, 9);
+    p.nailed = 1;
+    add(&box, p);
+    ck_assert(w.body[0].mass == HUGE_VAL && body_is_nailed(&w.body[0]));
+    for (int i = 0; i < box.particles; i++) {
+        ck_assert(w.pool.at[i].inverse_mass == 0);
+        near_vec3(w.pool.at[i].previous, w.pool.at[i].position, 0);
+    }
+}
+END_TEST
+
+// Rejects: a nail in the pool's particle of that number instead of the body's;
+// one that keeps the particle's velocity.
+START_TEST(nail_holds_one_particle_of_its_body)
+{
+    placement p = placement_at(vec3_make(0, 1, 0));
+    p.velocity = vec3_make(0, 0, 1);
+    add(&ball, p);
+    add(&rope, p);
+    world_nail(&w, 1, 2);
+    for (int i = 0; i < w.pool.count; i++) {
+        const particle *x = &w.pool.at[i];
+        int nailed = i == ball.particles + 2;
+        ck_assert_int_eq(x->inverse_mass == 0, nailed);
+        ck_assert_int_eq(vec3_distance(x->position, x->previous) == 0, nailed);
+    }
+    ck_assert(!body_is_nailed(&w.body[1]));
+    ck_assert(world_begin(&w).ok);
+    ck_assert(w.of.inverse_mass[ball.particles + 2] == 0);
+    ck_assert(w.of.inverse_mass[ball.particles + 1] > 0);
+}
+END_TEST
+
+static void misplaced(placement p, const char *what)
+{
+    int bodies = w.bodies, count = w.pool.count, number = -7;
+    status done = world_add(&w, &box, p, &number);
+    ck_assert_msg(!done.ok, "%s was accepted", what);
+    ck_assert(strstr(done.why, "body 1") && strstr(done.why, "perpendicular"));
+    ck_assert(w.bodies == bodies && w.pool.count == count && number == -7);
+}
+
+// Rejects: axes of which one is never measured; a left-handed body, which is
+// its mirror image; NaN, which no comparison finds.
+START_TEST(placement_must_be_finite_and_orthonormal)
+{
+    add(&ball, placement_at(vec3_make(0, 0, 0)));
+    const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
+    for (int k = 0; k < 18; k++)
+        for (int i = 0; i < 3; i++) {
+            placement p = placement_at(vec3_make(0, 0, 0));
+            vec3 *v[6] = { &p.position, &p.x, &p.y, &p.z, &p.velocity,
+                           &p.spin };
+            real *at[3] = { &v[k / 3]->x, &v[k / 3]->y, &v[k / 3]->z };
+            *at[k % 3] = bad[i];
+            misplaced(p, "a number that is not finite");
+        }
+    for (int k = 1; k < 8; k++)
+        for (int i = 0; i < 2; i++) {
+            real s = i ? 2 : 0.999;
+            placement p = slanted();
+            if (k & 1) p.x = vec3_scale(s, p.x);
+            if (k & 2) p.y = vec3_scale(s, p.y);
+            if (k & 4) p.z = vec3_scale(s, p.z);
+            misplaced(p, "an axis that is no unit");
+        }
+    placement p = slanted();
+    p.z = vec3_scale(-1, p.z);
+    misplaced(p, "a left-handed frame");
+    p = slanted();
+    p.y = vec3_unit(vec3_add_scaled(p.y, 0.01, p.x));
+    misplaced(p, "an oblique frame");
+    p = (placement){ .position = { 0, 0, 0 } };
+    misplaced(p, "no frame");
+    add(&box, slanted());
+}
+END_TEST
+
+// Rejects: an array that forgets its bodies when it grows; a plan counted once
+// for every body.
+START_TEST(many_bodies_share_their_plans)
+{
+    enum { MANY = 100 };
+    for (int k = 0; k < MANY; k++) {
+        int number = -1;
+        const shape *s = k % 3 ? &ball : &box;
+        ck_assert(world_add(&w, s, placement_at(vec3_make(k, 0, 0)),
+                            &number).ok);
+        ck_assert_int_eq(number, k);
+    }
+    ck_assert_int_eq(w.bodies, MANY);
+    ck_assert_int_eq(w.plans, 2);
+    int first = 0;
+    for (int k = 0; k < MANY; k++) {
+        const body *b = &w.body[k];
+        ck_assert_ptr_eq(b->plan, k % 3 ? &ball : &box);
+        ck_assert_int_eq(b->first, first);
+        near_vec3(w.pool.at[first].position,
+                  vec3_add(b->plan->at[0], vec3_make(k, 0, 0)), 0);
+        first += b->plan->particles;
+    }
+    ck_assert_int_eq(w.pool.count, first);
+}
+END_TEST
+
+// --- planes ---------------------------------------------------------------------------
+
+// Rejects: a normal that is left as long as it was given, or an offset that is
+// not shortened with it.
+START_TEST(planes_are_kept_with_unit_normals)
+{
+    ck_assert(world_add_plane(&w, vec3_make(0, 5, 0), 10).ok);
+    ck_assert(world_add_plane(&w, vec3_make(3, 0, -4), -5).ok);
+    ck_assert_int_eq(w.planes, 2);
+    near_vec3(w.plane[0].normal, vec3_make(0, 1, 0), ROUNDING);
+    ck_assert(fabs(w.plane[0].offset - 2) <= ROUNDING);
+    near_vec3(w.plane[1].normal, vec3_make(0.6, 0, -0.8), ROUNDING);
+    ck_assert(fabs(w.plane[1].offset + 1) <= ROUNDING);
+}
+END_TEST
+
+// Rejects: a seventh plane that is written over what follows.
+START_TEST(world_has_room_for_six_planes)
+{
+    for (int k = 0; k < 6; k++)
+        ck_assert(world_add_plane(&w, vec3_make(0, 1, 0), -k).ok);
+    status done = world_add_plane(&w, vec3_make(1, 0, 0), 0);
+    ck_assert(!done.ok && strstr(done.why, "6 planes"));
+    ck_assert_int_eq(w.planes, 6);
+}
+END_TEST
+
+// Rejects: a normal without direction; one so long that its length overflows
+// and leaves none; an offset that is not finite.
+START_TEST(plane_without_a_finite_normal_and_offset_is_refused)
+{
+    const struct { vec3 normal; real offset; } bad[] = {
+        { { 0, 0, 0 }, 0 }, { { (real)NAN, 1, 0 }, 0 },
+        { { 0, HUGE_VAL, 0 }, 0 }, { { 0, 1, 0 }, (real)NAN },
+        { { 0, 1, 0 }, HUGE_VAL }, { { 0, 1, 0 }, -HUGE_VAL },
+        { { 0, 1e200, 0 }, 1 }, { { 0, 1e-10, 0 }, 1e300 },
+    };
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+        status done = world_add_plane(&w, bad[k].normal, bad[k].offset);
+        ck_assert_msg(!done.ok, "plane %d was accepted", (int)k);
+        ck_assert(done.why[0] != 0);
+        ck_assert_int_eq(w.planes, 0);
+    }
+}
+END_TEST
+
+// --- begin, look, free -------------------------------------------------------------------
+
+// Rejects: tables in the wrong order; a tree that stands where the plan does,
+// at the origin: what is nailed is never looked at again, so that everything
+// would fall through it.
+START_TEST(world_begins_with_everything_in_its_place)
+{
+    placement nailed = slanted();
+    nailed.nailed = 1;
+    add(&box, nailed);
+    add(&ball, placement_at(vec3_make(0, 9, 0)));
+    add(&cloth, placement_at(vec3_make(8, 9, 0)));
+    ck_assert(world_begin(&w).ok);
+    ck_assert(w.ready);
+    for (int i = 0; i < w.pool.count; i++) {
+        near_vec3(w.of.at[i], w.pool.at[i].position, 0);
+        ck_assert(w.of.inverse_mass[i] == w.pool.at[i].inverse_mass);
+    }
+    for (int b = 0; b < w.bodies; b++) {
+        body *now = &w.body[b];
+        sphere s = sphere_tree_root(&now->tree, w.of.at + now->first);
+        for (int i = 0; i < now->plan->particles; i++)
+            ck_assert(vec3_distance(s.center, w.of.at[now->first + i])
+                      <= s.radius + now->thickness + ROUNDING * 10);
+        ck_assert(s.radius <= 2 * now->plan->radius + now->thickness);
+    }
+}
+END_TEST
+
+// Rejects: balls around the corners of rigid bodies, which have a skin of their
+// own measure; leaves of the other kind.
+START_TEST(thickness_is_the_skin_of_a_body_or_the_radius_of_its_particles)
+{
+    for (int kind = 0; kind < 2; kind++) {
+        world_free(&w);
+        world_options o = world_options_default();
+        o.skin = 0.25;
+        o.leaves = kind ? LEAVES_FACE : LEAVES_VERTEX;
+        ck_assert(world_init(&w, o).ok);
+        add(&box, placement_at(vec3_make(0, 0, 0)));
+        add(&cloth, placement_at(vec3_make(0, 3, 0)));
+        add(&rope, placement_at(vec3_make(0, 6, 0)));
+        ck_assert(w.body[0].thickness == 0.25 * box.radius);
+        ck_assert_int_eq(w.body[0].tree.leaves, 12);
+        if (kind) {
+            ck_assert(w.body[1].thickness == 0 && w.body[2].thickness == 0);
+            ck_assert_int_eq(w.body[1].tree.leaves, cloth.mesh.faces);
+            ck_assert_int_eq(w.body[2].tree.leaves, rope.sticks);
+        } else {
+            // Two sheets of spacing s must keep more than s apart.
+            ck_assert(w.body[1].thickness > cloth.spacing / 2);
+            ck_assert(w.body[2].thickness > rope.spacing / 2);
+            ck_assert_int_eq(w.body[1].tree.leaves, cloth.particles);
+            ck_assert_int_eq(w.body[2].tree.leaves, rope.particles);
+        }
+    }
+}
+END_TEST
+
+// Rejects: a look at all bodies, or at the wrong range.
+START_TEST(look_copies_where_one_body_is)
+{
+    add(&box, placement_at(vec3_make(0, 0, 0)));
+    add(&ball, placement_at(vec3_make(0, 5, 0)));
+    add(&box, placement_at(vec3_make(0, 9, 0)));
+    ck_assert(world_begin(&w).ok);
+    for (int i = 0; i < w.pool.count; i++) w.pool.at[i].position.z += 1;
+    world_look(&w, &w.body[1]);
+    collider c = world_collider(&w, &w.body[1]);
+    ck_assert_ptr_eq(c.plan, &ball);
+    ck_assert_int_eq(c.first, box.particles);
+    ck_assert(c.mass == w.body[1].mass);
+    ck_assert_ptr_eq(c.at, w.of.at + box.particles);
+    for (int i = 0; i < w.pool.count; i++) {
+        real behind = w.pool.at[i].position.z - w.of.at[i].z;
+        int seen = i >= c.first && i < c.first + ball.particles;
+        ck_assert(behind == (seen ? 0 : 1));
+    }
+}
+END_TEST
+
+// Rejects: sizes of nothing taken for a failure.
+START_TEST(empty_world_begins)
+{
+    status done = world_begin(&w);
+    ck_assert_msg(done.ok, "%s", done.why);
+}
+END_TEST
+
+// Rejects: a free of what was never there, or twice.
+START_TEST(world_may_be_freed_at_any_time)
+{
+    world_free(&w);
+    world_free(&w);
+    ck_assert(world_init(&w, world_options_default()).ok);
+    add(&box, placement_at(vec3_make(0, 0, 0)));
+    world_free(&w);
+    ck_assert_int_eq(w.bodies, 0);
+    ck_assert_int_eq(w.pool.count, 0);
+    ck_assert(world_init(&w, world_options_paper()).ok);
+    add(&cloth, placement_at(vec3_make(0, 0, 0)));
+    ck_assert(world_begin(&w).ok);
+    world_free(&w);
+}
+END_TEST
+
+#ifdef COUNTS_MEMORY
+// A world of every part there is.
+static status build(const world_options *o)
+{
+    status done = world_init(&w, *o);
+    const shape *s[] = { &box, &ball, &cloth, &rope, &box };
+    for (int k = 0; k < 5 && done.ok; k++)
+        done = world_add(&w, s[k], placement_at(vec3_make(0, 4 * k, 0)), NULL);
+    if (done.ok) done = world_add_plane(&w, vec3_make(0, 1, 0), -9);
+    if (done.ok) done = world_begin(&w);
+    return done;
+}
+
+// Rejects: a malloc whose answer nobody looks at; a half-built world of which
+// something is lost.
+START_TEST(every_refusal_of_memory_is_told_and_leaves_nothing)
+{
+    const world_options way[] = { world_options_default(),
+                                  world_options_paper() };
+    world_free(&w);
+    for (int k = 0; k < 2; k++) {
+        int n = 0, ok = 0;
+        for (; n < 1000 && !ok; n++) {
+            long before = held;
+            refuse_after = n;
+            status done = build(&way[k]);
+            refuse_after = INT_MAX;
+            ok = done.ok;
+            if (!ok) ck_assert_str_eq(done.why, "out of memory");
+            world_free(&w);
+            ck_assert_int_eq(held, before);
+        }
+        ck_assert(ok);
+        ck_assert_int_gt(n, 30);
+    }
+}
+END_TEST
+#endif
+
+int main(void)
+{
+    const TTest *const test[] = {
+        options_out_of_range_are_refused_by_name,
+        limits_of_the_options_are_allowed,
+        default_and_paper_differ_as_documented,
+        particles_stand_where_the_axes_say,
+        particles_start_with_velocity_and_spin,
+        masses_are_those_of_the_plan,
+        nailed_body_is_immovable_and_at_rest,
+        nail_holds_one_particle_of_its_body,
+        placement_must_be_finite_and_orthonormal,
+        many_bodies_share_their_plans,
+        planes_are_kept_with_unit_normals,
+        world_has_room_for_six_planes,
+        plane_without_a_finite_normal_and_offset_is_refused,
+        world_begins_with_everything_in_its_place,
+        thickness_is_the_skin_of_a_body_or_the_radius_of_its_particles,
+        look_copies_where_one_body_is,
+        empty_world_begins,
+        world_may_be_freed_at_any_time,
+#ifdef COUNTS_MEMORY
+        every_refusal_of_memory_is_told_and_leaves_nothing,
+#endif
+    };
+    Suite *s = suite_create("world");
+    TCase *t = tcase_create("world");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
+        tcase_add_test(t, test[i]);
+    suite_add_tcase(s, t);
+    SRunner *runner = srunner_create(s);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

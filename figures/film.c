@@ -1,0 +1,311 @@
+// film.c - cameras, colours and moments for the three scenes.
+
+#define _POSIX_C_SOURCE 200809L
+
+#include "film.h"
+#include "output.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+// ---- Cameras ---------------------------------------------------------------
+
+// For each scene: where the camera stands as seen from the target, the target
+// and the half width and half height (m) that must be in the picture, and the
+// first moments (s) of a strip.  Of the room all is in units of its side.
+typedef struct {
+    vec3 from, target;
+    real half_width, half_height;
+    vec3 lamp;
+    real moment[STRIP_PANELS - 1];
+} view;
+
+static const view views[SCENES] = {
+    { { 0.42, 0.32, 1 }, { -0.01, 0.42, 0 }, 0.79, 0.73, { 0.3, 1, 0.55 },
+      { 0, 0.5 } },
+    { { 0.55, 0.55, 1 }, { 0, 0.5, 0 }, 1.42, 0.9, { -0.45, 1, 0.5 },
+      { 0.1, 0.4 } },
+    { { 0.4, 0.28, 1 }, { 0.07, 1.0, 0 }, 1.5, 0.95, { -0.35, 1, 0.6 },
+      { 0.2, 0.7 } },
+};
+
+static const real ANGLE = 28;       // degrees, from lower to upper edge
+
+// Steps back until both half sides are inside the picture.
+static void point_camera(painter *p, const scene *s, real aspect)
+{
+    const view *v = &views[s->kind];
+    real unit = s->kind == SCENE_ROOM ? s->size : 1;
+    real half = tan(ANGLE / 2 * 3.14159265358979 / 180);
+    real away = fmax(v->half_height, v->half_width / aspect) / half;
+    vec3 target = vec3_scale(unit, v->target);
+    vec3 eye = vec3_add_scaled(target, unit * away, vec3_unit(v->from));
+    painter_look(p, eye, target, ANGLE);
+    painter_floor(p, vec3_make(0, 0, 0), unit * (0.8 * away + 2),
+                  s->kind == SCENE_ROOM ? 0.5 : 0.25);
+    p->lamp = vec3_unit(v->lamp);
+}
+
+// ---- Bodies ----------------------------------------------------------------
+
+// Okabe and Ito's colours, which everyone can tell apart, a little softened.
+static const unsigned thrown[] = {
+    0xe69f00, 0x56b4e9, 0x009e73, 0xefdc4a, 0x0072b2, 0xd55e00, 0xcc79a7
+};
+
+// A body's vertices and, from its plan, its faces.  NULL: no memory.
+static vec3 *body_places(const world *w, const body *b)
+{
+    vec3 *at = malloc((size_t)b->plan->particles * sizeof *at);
+    for (int i = 0; at && i < b->plan->particles; i++)
+        at[i] = w->pool.at[b->first + i].position;
+    return at;
+}
+
+static status paint_rigid(painter *p, const body *b, const vec3 *at, int number)
+{
+    int colours = (int)(sizeof thrown / sizeof thrown[0]);
+    colour c = colour_hex(thrown[number % colours]);
+    if (body_is_nailed(b)) c = colour_hex(0x8794a3);
+    painted_mesh m = { .vertices = b->plan->particles, .at = at,
+                       .faces = b->plan->mesh.faces, .face = b->plan->face,
+                       .front = { c, c }, .back = { c, c },
+                       .creases = 1, .casts = 1, .gloss = 0.3 };
+    return painter_mesh(p, &m);
+}
+
+// The weave: bands of cells along x and along z in the cloth's own frame, 13
+// each way; where two dark ones cross, the cloth is darkest.
+static void weave(const shape *s, real *tint)
+{
+    const int bands = 13;
+    vec3 first = s->at[0], last = s->at[s->particles - 1];
+    int cells = (int)((last.x - first.x) / s->spacing + 0.5);
+    int wide = (cells + bands / 2) / bands;
+    if (wide < 1) wide = 1;
+    for (int f = 0; f < s->mesh.faces; f++) {
+        vec3 corner = s->at[s->face[3 * f]];
+        for (int k = 1; k < 3; k++) {
+            vec3 at = s->at[s->face[3 * f + k]];
+            corner = vec3_make(fmin(corner.x, at.x), 0, fmin(corner.z, at.z));
+        }
+        int i = (int)((corner.x - first.x) / s->spacing + 0.5);
+        int j = (int)((corner.z - first.z) / s->spacing + 0.5);
+        tint[f] = 0.5 * (i / wide % 2) + 0.5 * (j / wide % 2);
+    }
+}
+
+static status paint_cloth(painter *p, const body *b, const vec3 *at,
+                          scene_kind kind)
+{
+    static const unsigned skins[2][4] = {
+        { 0xbf3f2b, 0xe9a075, 0xcfa980, 0xead3b4 },
+        { 0x0f5f9e, 0x86c0e6, 0x9db4c8, 0xd9e4ee },
+    };
+    const unsigned *skin = skins[kind == SCENE_CLOTH_ON_ROPE];
+    const shape *s = b->plan;
+    real *tint = malloc((size_t)s->mesh.faces * sizeof *tint);
+    if (!tint) return status_out_of_memory();
+    weave(s, tint);
+    painted_mesh m = { .vertices = s->particles, .at = at,
+        .faces = s->mesh.faces, .face = s->face, .tint = tint,
+        .front = { colour_hex(skin[0]), colour_hex(skin[1]) },
+        .back = { colour_hex(skin[2]), colour_hex(skin[3]) },
+        .smooth = 1, .casts = 1, .gloss = 0.04 };
+    status done = painter_mesh(p, &m);
+    free(tint);
+    return done;
+}
+
+static status paint_rope(painter *p, const body *b, const vec3 *at)
+{
+    const colour light = colour_hex(0xead5a8), dark = colour_hex(0xb28b4f);
+    const colour nail = colour_hex(0x4a525d);
+    int last = b->plan->particles - 1;
+    real radius = 0.75 * b->thickness > 0.02 ? 0.75 * b->thickness : 0.02;
+    status done = painter_rope(p, at, last + 1, radius, light, dark);
+    if (done.ok) done = painter_ball(p, at[0], 1.7 * radius, nail);
+    if (done.ok) done = painter_ball(p, at[last], 1.7 * radius, nail);
+    return done;
+}
+
+static status paint_body(painter *p, const scene *s, int number)
+{
+    const body *b = &s->world.body[number];
+    vec3 *at = body_places(&s->world, b);
+    if (!at) return status_out_of_memory();
+    status done = status_ok();
+    switch (b->plan->kind) {
+    case SHAPE_RIGID: done = paint_rigid(p, b, at, number); break;
+    case SHAPE_CLOTH: done = paint_cloth(p, b, at, s->kind); break;
+    case SHAPE_ROPE:  done = paint_rope(p, b, at); break;
+    }
+    free(at);
+    return done;
+}
+
+// ---- The room --------------------------------------------------------------
+
+// Corner i of the room: its bits choose the sides along x, y and z.
+static vec3 room_corner(real side, int i)
+{
+    return vec3_make(i & 1 ? side / 2 : -side / 2, i & 2 ? side : 0,
+                     i & 4 ? side / 2 : -side / 2);
+}
+
+// Four walls, each seen from the inside only: the near ones are not in the way.
+static status paint_walls(painter *p, real side)
+{
+    static const int face[] = {
+        0, 1, 2,  1, 3, 2,   4, 6, 5,  5, 6, 7,     // z low, z high
+        0, 2, 4,  2, 6, 4,   1, 5, 3,  3, 5, 7      // x low, x high
+    };
+    // Whiter than white, for the light that walls throw at each other.
+    const colour c = vec3_scale(1.12, colour_hex(0xfdfaf6));
+    vec3 at[8];
+    for (int i = 0; i < 8; i++) at[i] = room_corner(side, i);
+    painted_mesh m = { .vertices = 8, .at = at, .faces = 8, .face = face,
+                       .front = { c, c }, .back = { c, c }, .see_through = 1 };
+    return painter_mesh(p, &m);
+}
+
+static status paint_edges(painter *p, real side)
+{
+    const colour c = colour_hex(0x98a1ab);
+    status done = status_ok();
+    for (int i = 0; i < 8; i++)
+        for (int bit = 1; bit < 8 && done.ok; bit *= 2)
+            if (!(i & bit))
+                done = painter_line(p, room_corner(side, i),
+                                    room_corner(side, i | bit), 0.0025, c);
+    return done;
+}
+
+status film_paint(const scene *s, int lamps, picture *out,
+                  int left, int top, int width, int height)
+{
+    painter p;
+    painter_init(&p);
+    p.lamps = lamps;
+    point_camera(&p, s, (real)width / height);
+    status done = status_ok();
+    if (s->kind == SCENE_ROOM) {
+        done = paint_walls(&p, s->size);
+        if (done.ok) done = paint_edges(&p, s->size);
+    }
+    for (int b = 0; b < s->world.bodies && done.ok; b++)
+        done = paint_body(&p, s, b);
+    if (done.ok) done = painter_paint(&p, out, left, top, width, height);
+    painter_free(&p);
+    return done;
+}
+
+// ---- Strips and frames -----------------------------------------------------
+
+enum { PANEL_WIDTH = 528, PANEL_HEIGHT = 480, GUTTER = 8, STRIP_LAMPS = 8,
+       FRAME_WIDTH = 960, FRAME_HEIGHT = 540, FRAME_LAMPS = 3 };
+
+strip strip_begin(scene_kind kind, long steps, real dt)
+{
+    strip t = { .taken = 0 };
+    const real *moment = views[kind].moment;
+    // A run too short for these moments has them closer together.
+    real whole = (real)steps * dt, last = moment[STRIP_PANELS - 2];
+    real scale = whole / (1.5 * last);
+    if (scale > 1) scale = 1;
+    for (int k = 0; k + 1 < STRIP_PANELS; k++)
+        t.step[k] = (long)(scale * moment[k] / dt + 0.5);
+    t.step[STRIP_PANELS - 1] = steps;
+    return t;
+}
+
+void strip_free(strip *t)
+{
+    for (int k = 0; k < t->taken; k++) picture_free(&t->panel[k]);
+    t->taken = 0;
+}
+
+static void caption(picture *p, real seconds)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.2f s", seconds);
+    picture_text(p, 14, p->height - 14.0, 12, colour_hex(0x4a4f57), text);
+}
+
+status strip_look(strip *t, const scene *s, long step)
+{
+    while (t->taken < STRIP_PANELS && t->step[t->taken] <= step) {
+        picture *p = &t->panel[t->taken];
+        status done = picture_init(p, PANEL_WIDTH, PANEL_HEIGHT,
+                                   colour_hex(0xffffff));
+        if (!done.ok) return done;
+        t->taken++;
+        done = film_paint(s, STRIP_LAMPS, p, 0, 0, PANEL_WIDTH, PANEL_HEIGHT);
+        if (!done.ok) return done;
+        caption(p, s->world.time);
+    }
+    return status_ok();
+}
+
+status strip_write(const strip *t, const char *path)
+{
+    if (t->taken == 0) return status_ok();
+    picture all;
+    status done = picture_init(&all, t->taken * (PANEL_WIDTH + GUTTER) - GUTTER,
+                               PANEL_HEIGHT, colour_hex(0xffffff));
+    if (!done.ok) return done;
+    for (int k = 0; k < t->taken; k++)
+        picture_copy(&all, k * (PANEL_WIDTH + GUTTER), 0, &t->panel[k]);
+    done = picture_write(&all, path);
+    picture_free(&all);
+    return done;
+}
+
+// folder/frame-00000.png, to be freed.  NULL: no memory.
+static char *frame_name(const char *folder, long number)
+{
+    size_t room = strlen(folder) + 40;
+    char *name = malloc(room);
+    if (name) snprintf(name, room, "%s/frame-%05ld.png", folder, number);
+    return name;
+}
+
+status frame_write(const scene *s, const char *folder, long number)
+{
+    picture p;
+    status done = picture_init(&p, FRAME_WIDTH, FRAME_HEIGHT,
+                               colour_hex(0xffffff));
+    if (!done.ok) return done;
+    char *name = frame_name(folder, number);
+    if (!name) done = status_out_of_memory();
+    if (done.ok)
+        done = film_paint(s, FRAME_LAMPS, &p, 0, 0, FRAME_WIDTH, FRAME_HEIGHT);
+    if (done.ok) caption(&p, s->world.time);
+    if (done.ok) done = picture_write(&p, name);
+    free(name);
+    picture_free(&p);
+    return done;
+}
+
+status frame_folder(const char *folder, int *made)
+{
+    struct stat there;
+    *made = 0;
+    if (stat(folder, &there) != 0) {
+        if (mkdir(folder, 0777) != 0)
+            return status_fail("%.120s: cannot make this folder: %s", folder,
+                               strerror(errno));
+        *made = 1;
+        return status_ok();
+    }
+    if (!S_ISDIR(there.st_mode))
+        return status_fail("%.120s: is not a folder", folder);
+    char *name = frame_name(folder, 0);
+    if (!name) return status_out_of_memory();
+    status done = output_check(name);
+    free(name);
+    return done;
+}

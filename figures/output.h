@@ -1,0 +1,35 @@
+// output.h - a file that appears whole, or not at all.
+//
+// What is written goes to path.part first and takes its place by a rename.
+// Something that is not a plain file (/dev/stdout, a pipe) has no place to be
+// renamed to: it is written to directly.
+
+#ifndef TUMBLE_OUTPUT_H
+#define TUMBLE_OUTPUT_H
+
+#include "status.h"
+
+#include <stdio.h>
+
+typedef struct {
+    FILE *file;         // NULL: not open
+    char *path, *part;  // part = NULL: written to directly
+} output;
+
+// Opens path.part.  Fails, leaving *o empty, with a sentence that names path:
+// a missing folder, a folder in the file's place, no right to write.
+status output_open(output *o, const char *path);
+
+// Hands on what was written so far.  Fails with a sentence that names the file.
+status output_flush(output *o);
+
+// Everything is on the disk and in its place; or, with a sentence, nothing is.
+status output_commit(output *o);
+
+// Takes back what was written.
+void output_cancel(output *o);
+
+// Could output_open(path) succeed?  Leaves no trace.
+status output_check(const char *path);
+
+#endif

@@ -1,0 +1,408 @@
+// options.c - a table of options, and what reads and prints it.
+
+#include "options.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---- The table -------------------------------------------------------------
+
+typedef enum {
+    KIND_FLAG,          // int, no value
+    KIND_COUNT,         // int
+    KIND_REAL,          // real; 1/60 is understood
+    KIND_SEED,          // unsigned long long
+    KIND_PATH           // const char *
+} option_kind;
+
+enum {
+    FOR_ROOM = 1 << SCENE_ROOM,
+    FOR_CLOTH = 1 << SCENE_CLOTH_ON_CUBE | 1 << SCENE_CLOTH_ON_ROPE,
+    FOR_ALL = FOR_ROOM | FOR_CLOTH,
+    FOR_NONE = 0        // asks for words, not for a scene
+};
+
+typedef struct {
+    const char *name;
+    option_kind kind;
+    const char *value;  // how the help calls it
+    real   least, most;
+    int    scenes;      // that it means something to
+    size_t at;          // where it goes
+    const char *help;
+} option;
+
+static const option options[] = {
+    { "--bodies", KIND_COUNT, "N", 1, 20000, FOR_ROOM,
+      offsetof(settings, bodies), "bodies thrown into the room" },
+    { "--mesh", KIND_PATH, "FILE.obj", 0, 0, FOR_ROOM,
+      offsetof(settings, mesh), "throw your own convex body, not icosahedra" },
+    { "--cloth", KIND_COUNT, "N", 2, 512, FOR_CLOTH,
+      offsetof(settings, cloth), "particles along a side of the cloth" },
+    { "--seed", KIND_SEED, "N", 0, 0, FOR_ROOM,
+      offsetof(settings, seed), "another number, another throw" },
+    { "--seconds", KIND_REAL, "S", 0, 100000, FOR_ALL,
+      offsetof(settings, seconds), "how long the scene is followed" },
+    { "--dt", KIND_REAL, "S", 1e-9, 1, FOR_ALL,
+      offsetof(settings, dt), "seconds in a step, such as 1/60" },
+    { "--substeps", KIND_COUNT, "N", 1, 10000, FOR_ALL,
+      offsetof(settings, substeps), "integrations in a step" },
+    { "--sweeps", KIND_COUNT, "N", 1, 10000, FOR_ALL,
+      offsetof(settings, sweeps), "sweeps over the sticks in a substep" },
+    { "--tolerance", KIND_REAL, "T", 0, 1, FOR_ALL,
+      offsetof(settings, tolerance), "strain that counts as none" },
+    { "--paper", KIND_FLAG, "", 0, 0, FOR_ALL,
+      offsetof(settings, paper), "the paper's way, as printed" },
+    { "--film", KIND_PATH, "FILE.png", 0, 0, FOR_ALL,
+      offsetof(settings, film), "draw a strip of three pictures" },
+    { "--frames", KIND_PATH, "DIR", 0, 0, FOR_ALL,
+      offsetof(settings, frames), "draw DIR/frame-00000.png and so on, 30 a "
+                                  "second" },
+    { "--csv", KIND_PATH, "FILE", 0, 0, FOR_ALL,
+      offsetof(settings, csv), "write a row of measures for every step" },
+    { "--bits", KIND_FLAG, "", 0, 0, FOR_ALL,
+      offsetof(settings, bits), "print a hash of where everything ends" },
+    { "--list", KIND_FLAG, "", 0, 0, FOR_NONE,
+      offsetof(settings, list), "name the scenes and the options" },
+    { "--help", KIND_FLAG, "", 0, 0, FOR_NONE,
+      offsetof(settings, help), "print this" },
+    { "--version", KIND_FLAG, "", 0, 0, FOR_NONE,
+      offsetof(settings, version), "print the version" },
+};
+
+enum { OPTIONS = sizeof options / sizeof options[0] };
+
+static const struct {
+    const char *help;
+    real seconds;
+} scenes[SCENES] = {
+    { "rigid bodies are thrown into a cubic room", 10 },
+    { "a cloth falls onto a cube", 5 },
+    { "a cloth falls onto a rope that hangs by its ends", 5 },
+};
+
+// ---- Names -----------------------------------------------------------------
+
+static int least_of(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+// How many letters must be put in, left out or changed to make a of b
+// (Levenshtein), row by row; 99 for names that are too long to be a slip.
+static int misspelt_by(const char *a, const char *b)
+{
+    enum { LONGEST = 32 };
+    int row[LONGEST + 1], n = (int)strlen(b);
+    if (n > LONGEST || strlen(a) > LONGEST) return 99;
+    for (int j = 0; j <= n; j++) row[j] = j;
+    for (int i = 0; a[i]; i++) {
+        int corner = row[0];
+        row[0] = i + 1;
+        for (int j = 0; j < n; j++) {
+            int changed = corner + (a[i] != b[j]);
+            corner = row[j + 1];
+            row[j + 1] = least_of(changed, 1 + least_of(row[j], corner));
+        }
+    }
+    return row[n];
+}
+
+// The name nearest to a misspelt one, if it is near at all.
+static const char *nearest_name(const char *given, const char *(*name)(int),
+                                int names)
+{
+    int best = 4;
+    const char *found = NULL;
+    for (int i = 0; i < names; i++) {
+        int d = misspelt_by(given, name(i));
+        if (d >= best || d >= (int)strlen(given)) continue;
+        best = d;
+        found = name(i);
+    }
+    return found;
+}
+
+static const char *option_name(int i)
+{
+    return options[i].name;
+}
+
+static const char *scene_number_name(int i)
+{
+    return scene_name((scene_kind)i);
+}
+
+static status unknown_option(const char *given)
+{
+    const char *meant = nearest_name(given, option_name, OPTIONS);
+    return status_fail("there is no option %.80s%s%s%s", given,
+                       meant ? "; did you mean " : " (see tumble --list)",
+                       meant ? meant : "", meant ? "?" : "");
+}
+
+static status unknown_scene(const char *given)
+{
+    const char *meant = nearest_name(given, scene_number_name, SCENES);
+    if (meant)
+        return status_fail("there is no scene \"%.80s\"; did you mean %s?",
+                           given, meant);
+    return status_fail("there is no scene \"%.80s\"; there are %s, %s and %s",
+                       given, scene_name(SCENE_ROOM),
+                       scene_name(SCENE_CLOTH_ON_CUBE),
+                       scene_name(SCENE_CLOTH_ON_ROPE));
+}
+
+// ---- Values ----------------------------------------------------------------
+
+static status out_of_range(const option *o, const char *text)
+{
+    return status_fail("%s %.40s: must lie between %g and %g", o->name, text,
+                       o->least, o->most);
+}
+
+static status read_count(const option *o, const char *text, int *value)
+{
+    char *end;
+    errno = 0;
+    long n = strtol(text, &end, 10);
+    if (end == text || *end || isspace((unsigned char)*text))
+        return status_fail("%s %.40s: not a whole number", o->name, text);
+    if (errno || (real)n < o->least || (real)n > o->most)
+        return out_of_range(o, text);
+    *value = (int)n;
+    return status_ok();
+}
+
+static status read_seed(const option *o, const char *text,
+                        unsigned long long *value)
+{
+    char *end;
+    errno = 0;
+    unsigned long long n = strtoull(text, &end, 10);
+    // strtoull takes -1 for the largest number there is.
+    if (!isdigit((unsigned char)*text) || *end)
+        return status_fail("%s %.40s: not a whole number of at least 0",
+                           o->name, text);
+    if (errno)
+        return status_fail("%s %.40s: larger than 2^64 - 1", o->name, text);
+    *value = n;
+    return status_ok();
+}
+
+// A decimal number, or two with a slash between them.
+static status read_real(const option *o, const char *text, real *value)
+{
+    char *end;
+    real x = strtod(text, &end), below = 1;
+    int sound = end != text && !isspace((unsigned char)*text);
+    if (sound && *end == '/') {
+        const char *rest = end + 1;
+        below = strtod(rest, &end);
+        sound = isdigit((unsigned char)*rest) || *rest == '.';
+    }
+    if (!sound || *end)
+        return status_fail("%s %.40s: not a number", o->name, text);
+    x /= below;
+    if (!(x - x == 0))
+        return status_fail("%s %.40s: not a finite number", o->name, text);
+    if (x < o->least || x > o->most) return out_of_range(o, text);
+    *value = x;
+    return status_ok();
+}
+
+static status read_path(const option *o, const char *text, const char **value)
+{
+    if (!*text) return status_fail("%s: the name is empty", o->name);
+    *value = text;
+    return status_ok();
+}
+
+static status read_value(const option *o, const char *text, settings *s)
+{
+    void *field = (char *)s + o->at;
+    switch (o->kind) {
+    case KIND_FLAG:  *(int *)field = 1; return status_ok();
+    case KIND_COUNT: return read_count(o, text, field);
+    case KIND_REAL:  return read_real(o, text, field);
+    case KIND_SEED:  return read_seed(o, text, field);
+    case KIND_PATH:  return read_path(o, text, field);
+    }
+    return status_ok();
+}
+
+// ---- The command line ------------------------------------------------------
+
+static settings settings_default(void)
+{
+    scene_options o = scene_options_default();
+    return (settings){ .scene = SCENES, .bodies = o.bodies, .cloth = o.cloth,
+                       .seed = o.seed, .seconds = -1, .tolerance = -1,
+                       .dt = 1.0 / 60 };
+}
+
+// Finds --name in "--name" or "--name=value"; -1: there is none.
+static int find_option(const char *text)
+{
+    size_t n = strcspn(text, "=");
+    for (int i = 0; i < OPTIONS; i++)
+        if (strlen(options[i].name) == n && !strncmp(options[i].name, text, n))
+            return i;
+    return -1;
+}
+
+// Reads the option that stands at argument[*i], and its value if it has one.
+static status read_option(settings *s, int arguments, char *const *argument,
+                          int *i)
+{
+    const char *text = argument[*i], *value = strchr(text, '=');
+    int k = find_option(text);
+    if (k < 0) return unknown_option(text);
+    const option *o = &options[k];
+    s->given |= 1u << k;
+    if (value) value++;
+    if (o->kind == KIND_FLAG)
+        return value ? status_fail("%s takes no value", o->name)
+                     : read_value(o, NULL, s);
+    // The next word is the value, unless it is itself an option.
+    if (!value && *i + 1 < arguments && strncmp(argument[*i + 1], "--", 2))
+        value = argument[++*i];
+    if (!value)
+        return status_fail("%s needs a value: %s %s", o->name, o->name,
+                           o->value);
+    return read_value(o, value, s);
+}
+
+static status read_scene(settings *s, const char *text)
+{
+    for (int k = 0; k < SCENES; k++) {
+        if (strcmp(text, scene_name((scene_kind)k))) continue;
+        if (s->scene != SCENES)
+            return status_fail("two scenes are named, %s and %s; one at a time",
+                               scene_name(s->scene), text);
+        s->scene = (scene_kind)k;
+        return status_ok();
+    }
+    return unknown_scene(text);
+}
+
+// What no single word can tell.
+static status check_together(const settings *s)
+{
+    if (s->scene == SCENES)
+        return status_fail("no scene is named; there are %s, %s and %s",
+                           scene_name(SCENE_ROOM),
+                           scene_name(SCENE_CLOTH_ON_CUBE),
+                           scene_name(SCENE_CLOTH_ON_ROPE));
+    if (s->film && s->csv && !strcmp(s->film, s->csv))
+        return status_fail("--film and --csv name the same file, %.100s",
+                           s->film);
+    if (s->seconds / s->dt > 1e7)
+        return status_fail("--seconds %g in steps of --dt %g would be %.3g "
+                           "steps; the most is 1e7", s->seconds, s->dt,
+                           s->seconds / s->dt);
+    return status_ok();
+}
+
+status settings_read(settings *s, int arguments, char *const *argument)
+{
+    status done = status_ok();
+    *s = settings_default();
+    for (int i = 1; i < arguments && done.ok; i++)
+        done = argument[i][0] == '-'
+            ? read_option(s, arguments, argument, &i)
+            : read_scene(s, argument[i]);
+    if (!done.ok || s->help || s->list || s->version) return done;
+    if (s->scene != SCENES && s->seconds < 0)
+        s->seconds = scenes[s->scene].seconds;
+    return check_together(s);
+}
+
+scene_options settings_scene(const settings *s)
+{
+    return (scene_options){ .bodies = s->bodies, .cloth = s->cloth,
+                            .seed = s->seed, .mesh = s->mesh };
+}
+
+world_options settings_world(const settings *s)
+{
+    world_options o = s->paper ? world_options_paper()
+                               : scene_world_options(s->scene);
+    o.dt = s->dt;
+    if (s->substeps > 0) o.substeps = s->substeps;
+    if (s->sweeps > 0) o.sweeps = s->sweeps;
+    if (s->tolerance >= 0) o.relax.tolerance = s->tolerance;
+    return o;
+}
+
+long settings_steps(const settings *s)
+{
+    // A whole number of steps but for rounding is that number.
+    return (long)ceil(s->seconds / s->dt * (1 - 1e-12));
+}
+
+// ---- Words -----------------------------------------------------------------
+
+void settings_print_notes(const settings *s, FILE *out)
+{
+    for (int k = 0; k < OPTIONS; k++)
+        if (s->given & 1u << k && !(options[k].scenes & 1 << s->scene))
+            fprintf(out, "tumble: %s means nothing to the scene %s\n",
+                    options[k].name, scene_name(s->scene));
+}
+
+static void print_scenes(FILE *out)
+{
+    for (int k = 0; k < SCENES; k++)
+        fprintf(out, "  %-22s %s (%g s)\n", scene_name((scene_kind)k),
+                scenes[k].help, scenes[k].seconds);
+}
+
+// What holds where nothing else is said.
+static void print_default(FILE *out, const option *o)
+{
+    settings s = settings_default();
+    const void *field = (const char *)&s + o->at;
+    if (o->kind == KIND_COUNT && *(const int *)field > 0)
+        fprintf(out, " (%d)", *(const int *)field);
+    if (o->kind == KIND_SEED)
+        fprintf(out, " (%llu)", *(const unsigned long long *)field);
+    if (o->at == offsetof(settings, dt)) fprintf(out, " (1/60)");
+}
+
+static void print_options(FILE *out)
+{
+    for (int k = 0; k < OPTIONS; k++) {
+        const option *o = &options[k];
+        int width = fprintf(out, "  %s %s", o->name, o->value);
+        fprintf(out, "%*s%s", width < 25 ? 25 - width : 1, "", o->help);
+        if (o->scenes == FOR_ROOM) fprintf(out, "; room only");
+        if (o->scenes == FOR_CLOTH) fprintf(out, "; cloth only");
+        print_default(out, o);
+        fprintf(out, "\n");
+    }
+}
+
+void settings_print_list(FILE *out)
+{
+    fprintf(out, "scenes\n");
+    print_scenes(out);
+    fprintf(out, "options\n");
+    print_options(out);
+}
+
+void settings_print_help(FILE *out)
+{
+    fprintf(out,
+        "tumble SCENE [options]\n\n"
+        "Animates a scene with particles and sticks, and prints how large the\n"
+        "errors were and how long it took.\n\n");
+    settings_print_list(out);
+    fprintf(out,
+        "\nCtrl-C stops after the current step and keeps what is finished.\n"
+        "Exit status: 0 done, 1 failed, 2 the command line is wrong,\n"
+        "130 Ctrl-C, 143 terminated.\n");
+}

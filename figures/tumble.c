@@ -1,0 +1,362 @@
+// tumble.c - the command: runs a scene, draws it, measures it.
+//
+// Exit status: 0 done, 1 failed, 2 the command line is wrong, 128 + the
+// signal's number if Ctrl-C or a termination ended it.
+
+#define _POSIX_C_SOURCE 200809L
+
+#include "film.h"
+#include "options.h"
+#include "output.h"
+#include "step.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#ifndef FLAGS
+#define FLAGS "unknown"
+#endif
+
+#define TUMBLE_VERSION "1.0"
+
+enum { EXIT_WRONG_USE = 2, EXIT_SIGNAL = 128 };
+
+// ---- The clock and the signals ---------------------------------------------
+
+static real clock_seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (real)t.tv_sec + 1e-9 * (real)t.tv_nsec;
+}
+
+// The signal that asked us to stop; 0: none did.
+static volatile sig_atomic_t stop_signal = 0;
+
+static void on_signal(int number)
+{
+    stop_signal = number;
+}
+
+static void catch_signals(void)
+{
+    struct sigaction act = { .sa_handler = on_signal, .sa_flags = SA_RESTART };
+    sigemptyset(&act.sa_mask);
+    sigaction(SIGINT, &act, NULL);
+    sigaction(SIGTERM, &act, NULL);
+}
+
+// ---- A run -----------------------------------------------------------------
+
+// The largest value met, and when.
+typedef struct {
+    real value, time;           // time in s
+} peak;
+
+typedef struct {
+    settings set;
+    scene    scene;
+    long     steps, done;       // wanted; finished
+    output   csv;
+    strip    strip;
+    int      folder_made;       // the folder of frames is ours
+    long     frames, frame_every;
+    real    *step_time;         // [steps] s
+    real     stage_time[STAGES];
+    real     began, told;       // s, by the clock: the run, the last progress
+    peak     strain, penetration, kinetic, momentum;
+    measures last;              // of the last step that was finite
+    int      lost;              // the motion grew beyond all numbers
+} run;
+
+static void raise_peak(peak *p, real value, real time)
+{
+    if (!(value <= p->value)) *p = (peak){ value, time };
+}
+
+// s, of the scene's own time.
+static real time_done(const run *r)
+{
+    return (real)r->done * r->set.dt;
+}
+
+static status check_outputs(run *r)
+{
+    status done = status_ok();
+    if (r->set.film) done = output_check(r->set.film);
+    if (done.ok && r->set.csv) done = output_check(r->set.csv);
+    if (done.ok && r->set.frames)
+        done = frame_folder(r->set.frames, &r->folder_made);
+    return done;
+}
+
+static status write_csv_head(run *r)
+{
+    if (!r->csv.file) return status_ok();
+    fprintf(r->csv.file, "time_s,strain,penetration_m,kinetic_J,"
+                         "momentum_kg_m_s,contacts,relaxations,step_s\n");
+    return output_flush(&r->csv);
+}
+
+// Everything that can go wrong before the first step goes wrong here.
+static status run_begin(run *r)
+{
+    status done = check_outputs(r);
+    if (!done.ok) return done;
+    world_options how = settings_world(&r->set);
+    how.clock = clock_seconds;
+    r->steps = settings_steps(&r->set);
+    done = scene_build(&r->scene, r->set.scene, settings_scene(&r->set), how);
+    if (!done.ok) return done;
+    r->step_time = malloc((size_t)(r->steps + 1) * sizeof *r->step_time);
+    if (!r->step_time) return status_out_of_memory();
+    if (r->set.csv) done = output_open(&r->csv, r->set.csv);
+    if (done.ok) done = write_csv_head(r);
+    r->strip = strip_begin(r->set.scene, r->steps, r->set.dt);
+    r->frame_every = (long)(1 / (30 * r->set.dt) + 0.5);
+    if (r->frame_every < 1) r->frame_every = 1;
+    r->began = r->told = clock_seconds();
+    return done;
+}
+
+static void run_free(run *r)
+{
+    output_cancel(&r->csv);
+    // A folder that we made for nothing goes again; one with frames stays.
+    if (r->folder_made && r->frames == 0) rmdir(r->set.frames);
+    strip_free(&r->strip);
+    scene_free(&r->scene);
+    free(r->step_time);
+}
+
+// ---- Steps -----------------------------------------------------------------
+
+// The pictures that are due.
+static status take_pictures(run *r)
+{
+    status done = status_ok();
+    if (r->set.film) done = strip_look(&r->strip, &r->scene, r->done);
+    if (!done.ok || !r->set.frames || r->done % r->frame_every) return done;
+    done = frame_write(&r->scene, r->set.frames, r->frames);
+    if (done.ok) r->frames++;
+    return done;
+}
+
+static status write_csv_row(run *r)
+{
+    if (!r->csv.file) return status_ok();
+    const world *w = &r->scene.world;
+    const measures *m = &r->last;
+    int touching = w->report.contacts + w->report.touching;
+    fprintf(r->csv.file, "%.9g,%.6g,%.6g,%.9g,%.9g,%d,%ld,%.6g\n", w->time,
+            m->strain, m->penetration, m->kinetic, vec3_length(m->momentum),
+            touching, w->report.relaxed, r->step_time[r->done - 1]);
+    return output_flush(&r->csv);
+}
+
+// Measures the world, unless it has grown beyond all numbers.
+static void measure_run(run *r)
+{
+    real now = r->scene.world.time;
+    measures m = world_measure(&r->scene.world);
+    real sum = m.strain + m.penetration + m.kinetic + vec3_length(m.momentum);
+    r->lost = !(sum - sum == 0);
+    if (r->lost) return;
+    r->last = m;
+    raise_peak(&r->strain, m.strain, now);
+    raise_peak(&r->penetration, m.penetration, now);
+    raise_peak(&r->kinetic, m.kinetic, now);
+    raise_peak(&r->momentum, vec3_length(m.momentum), now);
+}
+
+static status step_run(run *r)
+{
+    real start = clock_seconds();
+    world_step(&r->scene.world);
+    real taken = clock_seconds() - start;
+    measure_run(r);
+    // A step that ended in no number at all counts as not taken.
+    if (r->lost) return status_ok();
+    r->step_time[r->done++] = taken;
+    for (int k = 0; k < STAGES; k++)
+        r->stage_time[k] += r->scene.world.report.time[k];
+    status done = write_csv_row(r);
+    if (done.ok) done = take_pictures(r);
+    return done;
+}
+
+// A line that says how far we are, five times a second, where somebody looks.
+static void tell_progress(run *r, int to_terminal)
+{
+    real now = clock_seconds();
+    if (!to_terminal || now - r->told < 0.2) return;
+    r->told = now;
+    real share = (real)r->done / (real)r->steps;
+    fprintf(stderr, "\r%s: %5.1f %%, at %.2f s of %g s, %.0f s left\033[K",
+            scene_name(r->set.scene), 100 * share, time_done(r),
+            r->set.seconds, (now - r->began) * (1 - share) / share);
+}
+
+static status run_steps(run *r)
+{
+    int to_terminal = isatty(STDERR_FILENO);
+    measure_run(r);
+    status done = take_pictures(r);
+    while (done.ok && r->done < r->steps && !r->lost && !stop_signal) {
+        done = step_run(r);
+        tell_progress(r, to_terminal);
+    }
+    if (to_terminal && r->told > r->began) fprintf(stderr, "\r\033[K");
+    return done;
+}
+
+// ---- The closing table -----------------------------------------------------
+
+static int compare_real(const void *a, const void *b)
+{
+    real x = *(const real *)a, y = *(const real *)b;
+    return (x > y) - (x < y);
+}
+
+static void print_title(const run *r)
+{
+    const world_options *o = &r->scene.world.options;
+    printf("%s: ", scene_name(r->set.scene));
+    if (r->set.scene == SCENE_ROOM)
+        printf("%d bod%s%s%s", r->set.bodies, r->set.bodies == 1 ? "y" : "ies",
+               r->set.mesh ? " of " : "", r->set.mesh ? r->set.mesh : "");
+    else
+        printf("a cloth of %d x %d", r->set.cloth, r->set.cloth);
+    printf(", %.4g s in %ld steps of %.4g s, %d substep%s, %s%d sweep%s%s\n",
+           time_done(r), r->done, o->dt, o->substeps,
+           o->substeps == 1 ? "" : "s", r->set.paper ? "at most " : "",
+           o->sweeps, o->sweeps == 1 ? "" : "s",
+           r->set.paper ? ", the paper's way" : "");
+}
+
+static void print_errors(const run *r)
+{
+    printf("error\n");
+    printf("  largest strain       %10.3g      at %.3g s\n", r->strain.value,
+           r->strain.time);
+    printf("  largest penetration  %10.3g m    at %.3g s", r->penetration.value,
+           r->penetration.time);
+    if (r->scene.body_radius > 0)
+        printf(", %.2g %% of a body's radius",
+               100 * r->penetration.value / r->scene.body_radius);
+    printf("\n  kinetic energy       %10.3g J    at the end, most %.3g J at "
+           "%.3g s\n", r->last.kinetic, r->kinetic.value, r->kinetic.time);
+    printf("  momentum             %10.3g kg m/s at the end, "
+           "most %.3g kg m/s\n",
+           vec3_length(r->last.momentum), r->momentum.value);
+}
+
+static void print_times(run *r)
+{
+    static const char *const stage[STAGES] = {
+        "integrate", "find pairs", "query", "separate", "relax", "rest"
+    };
+    if (r->done == 0) return;
+    qsort(r->step_time, (size_t)r->done, sizeof *r->step_time, compare_real);
+    real sum = 0;
+    for (long i = 0; i < r->done; i++) sum += r->step_time[i];
+    printf("time\n");
+    printf("  a step, median       %10.3g ms   worst %.3g ms\n",
+           1e3 * r->step_time[r->done / 2], 1e3 * r->step_time[r->done - 1]);
+    for (int k = 0; k < STAGES; k++)
+        printf("    %-18s %10.3g ms   %4.1f %%\n", stage[k],
+               1e3 * r->stage_time[k] / (real)r->done,
+               sum > 0 ? 100 * r->stage_time[k] / sum : 0);
+    printf("  all steps            %10.3g s    with measuring and drawing "
+           "%.3g s\n", sum, clock_seconds() - r->began);
+}
+
+static void print_files(const run *r)
+{
+    if (r->set.film && r->strip.taken > 0)
+        printf("wrote %s: %d picture%s\n", r->set.film, r->strip.taken,
+               r->strip.taken == 1 ? "" : "s");
+    if (r->frames > 0)
+        printf("wrote %s/frame-00000.png and on: %ld picture%s\n",
+               r->set.frames, r->frames, r->frames == 1 ? "" : "s");
+    if (r->set.csv)
+        printf("wrote %s: %ld row%s\n", r->set.csv, r->done,
+               r->done == 1 ? "" : "s");
+}
+
+// ---- The whole -------------------------------------------------------------
+
+static int complain(status s, int code)
+{
+    fprintf(stderr, "tumble: %s\n", s.why);
+    return code;
+}
+
+// Nobody has seen what the standard output did not take.
+static int close_output(int code)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout)) return code;
+    return complain(status_fail("cannot write to the standard output: %s",
+                                strerror(errno)), EXIT_FAILURE);
+}
+
+// Puts the files in their places and prints the table.
+static status run_finish(run *r)
+{
+    status done = status_ok();
+    if (r->set.film) done = strip_write(&r->strip, r->set.film);
+    if (done.ok && r->csv.file) done = output_commit(&r->csv);
+    if (!done.ok) return done;
+    print_title(r);
+    print_errors(r);
+    print_times(r);
+    if (r->set.bits) printf("bits %016llx\n", world_hash(&r->scene.world));
+    print_files(r);
+    return done;
+}
+
+// Why a run that did not fail ended early, if it did; its exit status.
+static int tell_end(const run *r)
+{
+    if (r->lost) {
+        fprintf(stderr, "tumble: the motion grew beyond all numbers in step "
+                "%ld of %ld; a smaller --dt or more --substeps may hold it; "
+                "what was finished is kept\n", r->done + 1, r->steps);
+        return EXIT_FAILURE;
+    }
+    if (r->done == r->steps) return EXIT_SUCCESS;
+    fprintf(stderr, "tumble: stopped after step %ld of %ld; what was finished "
+            "is kept\n", r->done, r->steps);
+    return EXIT_SIGNAL + stop_signal;
+}
+
+static int run_scene(const settings *set)
+{
+    run r = { .set = *set };
+    settings_print_notes(set, stderr);
+    catch_signals();
+    status done = run_begin(&r);
+    if (done.ok) done = run_steps(&r);
+    if (done.ok) done = run_finish(&r);
+    int code = done.ok ? tell_end(&r) : complain(done, EXIT_FAILURE);
+    run_free(&r);
+    return code;
+}
+
+int main(int arguments, char **argument)
+{
+    settings set;
+    status done = settings_read(&set, arguments, argument);
+    if (!done.ok) return complain(done, EXIT_WRONG_USE);
+    int code = EXIT_SUCCESS;
+    if (set.help) settings_print_help(stdout);
+    else if (set.list) settings_print_list(stdout);
+    else if (set.version)
+        printf("tumble %s (%s, %s)\n", TUMBLE_VERSION, __VERSION__, FLAGS);
+    else code = run_scene(&set);
+    return close_output(code);
+}

@@ -1,0 +1,269 @@
+# check_command.sh - runs the command `tumble` over good and bad command lines
+# and looks at what it says, its exit status, and the files that it leaves.
+# The command is $1, or $TUMBLE, or build/tumble.
+
+tumble=${1:-${TUMBLE:-build/tumble}}
+case $tumble in /*) ;; *) tumble=$PWD/$tumble ;; esac
+data=$(cd "$(dirname "$0")" && pwd)/data
+[ -x "$tumble" ] || { echo "check_command: there is no $tumble" >&2; exit 1; }
+
+checks=0 failures=0
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder" "$folder.out" "$folder.err"' EXIT
+cd "$folder" || exit 1
+
+# verdict NAME WHY: counts a check; it failed if WHY is not empty.
+verdict() {
+    checks=$((checks + 1))
+    [ -z "$2" ] && return
+    failures=$((failures + 1))
+    echo "check_command: $1: $2"
+}
+
+# run ARGUMENTS: the exit status is in $code, what it wrote in $out and $err,
+# which lie outside the folder that is searched for left-over files.
+out=$folder.out err=$folder.err
+run() {
+    "$tumble" "$@" > "$out" 2> "$err" < /dev/null
+    code=$?
+}
+
+# refuses STATUS WORDS ARGUMENTS: ends with that status and one line on stderr
+# that has these words, prints nothing else, and leaves no file.
+# Rejects: a crash (139), a second sentence, half a file.
+refuses() {
+    want=$1 words=$2 why=
+    shift 2
+    before=$(ls -A)
+    run "$@"
+    [ $code -eq "$want" ] || why="exit status $code, not $want"
+    [ "$(wc -l < "$err")" -eq 1 ] || why="not one line on stderr: $(cat "$err")"
+    grep -q -- "$words" "$err" || why="says \"$(cat "$err")\", not \"$words\""
+    [ -s "$out" ] && why="prints on stdout"
+    [ "$(ls -A)" = "$before" ] || why="leaves $(ls -A | tr '\n' ' ')"
+    verdict "tumble $*" "$why"
+}
+
+# accepts WORDS ARGUMENTS: ends well, silent on stderr, with these words.
+accepts() {
+    words=$1 why=
+    shift
+    run "$@"
+    [ $code -eq 0 ] || why="exit status $code: $(cat "$err")"
+    [ -s "$err" ] && why="says \"$(cat "$err")\""
+    grep -q -- "$words" "$out" || why="does not print \"$words\""
+    verdict "tumble $*" "$why"
+}
+
+# --- The command line is wrong: 2 ---------------------------------------------
+refuses 2 'no scene is named' 
+refuses 2 'no scene is named'               --bodies 3
+refuses 2 'did you mean room'               rom
+refuses 2 'there is no scene "beach"'       beach
+refuses 2 'there is no scene ""'            ''
+refuses 2 'two scenes are named'            room cloth-on-cube
+refuses 2 'no option --bodys; did you mean --bodies' room --bodys 3
+refuses 2 'no option -x'                    room -x
+refuses 2 'no option --'                    room --
+refuses 2 'no option --frobnicate'          --frobnicate
+refuses 2 '--paper takes no value'          room --paper=1
+for option in bodies cloth seconds dt substeps sweeps tolerance seed mesh \
+              film frames csv; do
+    refuses 2 "--$option needs a value"     room --$option
+    refuses 2 "--$option needs a value"     room --$option --bits
+done
+refuses 2 '--film: the name is empty'       room --film ''
+refuses 2 '--csv: the name is empty'        room --csv=
+for option in bodies cloth substeps sweeps; do
+    for number in ten 3x 1.5 1e3 '' ' 3' nan 0x10; do
+        refuses 2 "--$option .*not a whole number" room --$option="$number"
+    done
+    for number in 0 -1 1000000 99999999999999999999 -99999999999999999999; do
+        refuses 2 "--$option $number: must lie between" room --$option=$number
+    done
+done
+for option in seconds dt tolerance; do
+    for number in ten 3x '' ' 3' 1/x 1//2 1/-2 1/2/3; do
+        refuses 2 "--$option .*not a number" room --$option="$number"
+    done
+    for number in nan NaN -nan inf -inf infinity 1e999 1/0 0/0; do
+        refuses 2 "--$option $number: not a finite" room --$option=$number
+    done
+    for number in -1 -1e-9 1e6; do
+        refuses 2 "--$option $number: must lie between" room --$option=$number
+    done
+done
+refuses 2 '--dt 0: must lie between'        room --dt 0
+refuses 2 '--dt 1.01: must lie between'     room --dt 1.01
+refuses 2 'the most is 1e7'                 room --dt 1e-9 --seconds 10
+for number in -1 ten 1.5 '' +1 ' 1'; do
+    refuses 2 '--seed .*not a whole number' room --seed="$number"
+done
+refuses 2 'larger than 2^64'                room --seed 18446744073709551616
+refuses 2 'name the same file'              room --film x --csv x
+
+# --- Files that cannot be: 1, before the first step ---------------------------
+# 100000 s would take hours: who answers at once has not begun.
+long='--seconds 100000'
+mkdir folder
+echo old > plain
+: > folder/inside
+refuses 1 'none/x.png: cannot write: No such'   room $long --film none/x.png
+refuses 1 'none/x.csv: cannot write: No such'   room $long --csv none/x.csv
+refuses 1 'folder: cannot write: it is a folder' room $long --film folder
+refuses 1 'folder: cannot write: it is a folder' room $long --csv folder
+refuses 1 'plain/x.csv: cannot write: Not a dir' room $long --csv plain/x.csv
+refuses 1 'none/x: cannot make this folder'     room $long --frames none/x
+refuses 1 'plain: is not a folder'              room $long --frames plain
+refuses 1 'none.obj: cannot be opened'          room $long --mesh none.obj
+refuses 1 'folder'                              room $long --mesh folder
+# A folder made for the frames goes again if the scene cannot be built.
+refuses 1 'none.obj'   room $long --mesh none.obj --frames made
+refuses 1 'none.obj'   room $long --mesh none.obj --csv plain
+verdict 'a refused run leaves the old file' \
+    "$([ "$(cat plain)" = old ] || echo it is gone)"
+if [ "$(id -u)" -ne 0 ]; then
+    mkdir locked && chmod 500 locked
+    refuses 1 'locked/x.png: cannot write: Perm' room $long --film locked/x.png
+    refuses 1 'cannot write: Perm'               room $long --frames locked
+    : > readonly && chmod 400 readonly
+    refuses 1 'readonly: cannot write: Perm'     room $long --csv readonly
+fi
+if [ -c /dev/full ]; then
+    brief='--seconds 0.05 --bodies 2'
+    refuses 1 '/dev/full: cannot write: No space' room $brief --csv /dev/full
+    refuses 1 '/dev/full: cannot write: No space' \
+        room --seconds 0 --film /dev/full
+    "$tumble" room $brief > /dev/full 2> "$err"
+    code=$?
+    verdict 'a full disk behind stdout' "$([ $code -eq 1 ] &&
+        grep -q 'standard output' "$err" || echo "exit status $code")"
+fi
+
+# A disk that fills up while rows are written: the file may grow to 1024 bytes.
+if (trap '' XFSZ; ulimit -f 2) 2> /dev/null; then
+    full() { (trap '' XFSZ; ulimit -f 2; exec "$real" "$@"); }
+    real=$tumble tumble=full
+    refuses 1 'big.csv: cannot write: File too large' \
+        room --bodies 2 --seconds 5 --csv big.csv
+    refuses 1 'big.png: cannot write: File too large' \
+        room --bodies 2 --seconds 0 --csv small.csv --film big.png
+    tumble=$real
+fi
+
+# --- Meshes -------------------------------------------------------------------
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n' > corners
+cp corners good.obj
+printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >> good.obj
+accepts '1 body of good.obj' room --mesh good.obj --bodies 1 --seconds 0.1
+{ cat corners; printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\n'; } > open.obj
+{ echo v 0 nan 0; cat good.obj; } > nan.obj
+{ cat corners; printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 9\n'; } > range.obj
+: > empty.obj
+for mesh in open nan range empty; do
+    refuses 1 "$mesh.obj" room $long --mesh $mesh.obj
+done
+# The meshes of check_obj: these are convex, in every other one is a fault.
+for mesh in "$data"/*.obj; do
+    [ -f "$mesh" ] || continue
+    case $(basename "$mesh") in
+    cube.obj | tetrahedron.obj | octahedron-inwards.obj)
+        accepts '1 body' room --bodies 1 --seconds 0.1 --mesh "$mesh" ;;
+    *) refuses 1 "$(basename "$mesh")" room $long --mesh "$mesh" ;;
+    esac
+done
+
+# --- What it does well --------------------------------------------------------
+accepts 'cloth-on-rope'     --list
+accepts '--substeps N'      --list
+accepts 'Exit status'       --help
+accepts '^tumble [0-9]'     --version
+accepts 'largest strain'    room --bodies 2 --seconds 0.1
+accepts 'largest strain'    room --seconds 0
+accepts 'a cloth of 8 x 8'  cloth-on-cube --cloth 8 --seconds 0.1 --substeps 2
+accepts 'a cloth of 8 x 8'  cloth-on-rope --cloth=8 --seconds=0.1
+accepts "the paper's way"   room --bodies 3 --seconds 0.1 --paper
+accepts ' 6 steps of'       room --bodies 2 --seconds 0.1 --dt 1/60
+accepts ' 100 steps of'     room --bodies 2 --seconds 1 --dt 0.01
+
+# Every option of the table is in the help.
+run --list
+for option in bodies cloth seconds dt substeps sweeps tolerance paper seed \
+              mesh film frames csv help list version bits; do
+    verdict "--list names --$option" \
+        "$(grep -q -- "^  --$option " "$out" || echo it does not)"
+done
+
+# The same seed gives the same bits, another seed others.
+bits() {
+    "$tumble" room --bodies 4 --seconds 0.5 --bits "$@" | sed -n 's/^bits //p'
+}
+first=$(bits --seed 7)
+verdict 'bits are 16 hexadecimal digits' \
+    "$(echo "$first" | grep -q '^[0-9a-f]\{16\}$' || echo "they are $first")"
+verdict 'the same seed, the same bits' \
+    "$([ "$first" = "$(bits --seed 7)" ] || echo they differ)"
+verdict 'another seed, other bits' \
+    "$([ "$first" != "$(bits --seed 8)" ] || echo they are the same)"
+
+verdict 'drawing and measuring leave the bits alone' \
+    "$([ "$first" = "$(bits --seed 7 --csv r.csv --film film.png)" ] ||
+        echo they do not)"
+
+# A row for every step, over an old file; a strip; frames 30 a second.
+echo old > rows.csv
+accepts 'wrote rows.csv: 30 rows' room --bodies 2 --seconds 0.5 --csv rows.csv
+verdict 'a head and 30 rows of 8 numbers' "$(awk -F, 'NF != 8 { bad = 1 }
+    NR > 1 && $0 ~ /nan|inf|[g-z]/ { bad = 1 }
+    END { if (bad || NR != 31) print NR " lines" }' rows.csv)"
+accepts '2 pictures' cloth-on-rope --cloth 6 --seconds 0.05 --frames made
+for picture in film.png made/frame-00000.png made/frame-00001.png; do
+    verdict "$picture is a PNG" \
+        "$(head -c 8 $picture | od -An -tx1 |
+            grep -q '89 50 4e 47 0d 0a 1a 0a' || echo it is not)"
+done
+verdict 'nothing half written is left' "$(ls -A . made | grep part)"
+
+# An option that the scene has no use for is said, not obeyed.
+run cloth-on-cube --cloth 4 --seconds 0.05 --bodies 9
+verdict 'an idle option is named' "$([ $code -eq 0 ] &&
+    grep -q -- '--bodies means nothing' "$err" || echo "exit status $code")"
+
+# --- Ctrl-C -------------------------------------------------------------------
+# interrupts SIGNAL STATUS OPTIONS: stops, keeps the rows and pictures, says so.
+# A shell starts what is in the background deaf to INT, so env opens its ears.
+interrupts() {
+    rm -f stop.csv stop.png
+    signal=$1 want=$2
+    shift 2
+    env --default-signal=INT "$tumble" room --bodies 3 --seconds 90000 \
+        --csv stop.csv "$@" > "$out" 2> "$err" &
+    child=$!
+    # Rows show that it runs; until then they are in stop.csv.part.
+    tries=0
+    until [ "$(cat stop.csv.part 2> /dev/null | wc -l)" -gt 20 ]; do
+        tries=$((tries + 1))
+        [ $tries -lt 200 ] || break
+        sleep 0.1
+    done
+    kill -"$signal" $child
+    wait $child
+    code=$? why=
+    [ $code -eq "$want" ] || why="exit status $code, not $want"
+    grep -q 'stopped after step' "$err" || why="says \"$(cat "$err")\""
+    grep -q 'largest strain' "$out" || why='prints no table'
+    [ "$(tail -c 1 stop.csv | od -An -c | tr -d ' ')" = '\n' ] ||
+        why='the last row is cut'
+    [ $# -eq 0 ] || [ "$(head -c 4 stop.png | tail -c 3)" = PNG ] ||
+        why='there is no strip'
+    [ -z "$(ls -A | grep part)" ] || why='something half written is left'
+    verdict "stopped by $signal" "$why"
+}
+if env --default-signal=INT true 2> /dev/null; then
+    interrupts INT 130 --film stop.png
+fi
+interrupts TERM 143
+
+echo "$(((checks - failures) * 100 / checks))%: Checks: $checks," \
+     "Failures: $failures, Errors: 0"
+[ $failures -eq 0 ]

@@ -23,7 +23,7 @@ static double float_spacing(float x)
 
 static double double_spacing(double x)
 {
-    return nextafter(x, INFINITY) - x;
+    return nextafter(x, HUGE_VAL) - x;
 }
 
 // Tries each power of two: does x move when g dt^2 is added to it?

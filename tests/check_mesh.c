@@ -1,45 +1,13 @@
 // check_mesh.c - tests of lib/mesh.c: half-edges, their validator, convexity.
-//
-// Link with -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc to run the tests
-// that refuse memory; without it they pass without looking.
 
 #include "mesh.h"
+#include "scarce.h"
 
 #include <check.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-// Every allocation of the program comes here when it is linked with --wrap.
-static int mallocs_left = INT_MAX;
-extern void *__real_malloc(size_t size) __attribute__((weak));
-extern void *__real_calloc(size_t n, size_t size) __attribute__((weak));
-extern void *__real_realloc(void *p, size_t size) __attribute__((weak));
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t n, size_t size);
-void *__wrap_realloc(void *p, size_t size);
-
-static int malloc_allowed(void)
-{
-    if (mallocs_left == INT_MAX) return 1;
-    return mallocs_left > 0 ? mallocs_left-- : 0;
-}
-
-void *__wrap_malloc(size_t size)
-{
-    return malloc_allowed() ? __real_malloc(size) : NULL;
-}
-
-void *__wrap_calloc(size_t n, size_t size)
-{
-    return malloc_allowed() ? __real_calloc(n, size) : NULL;
-}
-
-void *__wrap_realloc(void *p, size_t size)
-{
-    return malloc_allowed() ? __real_realloc(p, size) : NULL;
-}
 
 #define COUNT(list) ((int)(sizeof (list) / sizeof (list)[0]))
 
@@ -357,7 +325,6 @@ END_TEST
 // Rejects: a leak, or a half-built mesh, when any one allocation is refused.
 START_TEST(refused_memory_leaves_nothing)
 {
-    if (!__real_malloc) return;
     int refused = 0;
     for (int n = 0; n < 20; n++) {
         mesh m;

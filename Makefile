@@ -1,0 +1,240 @@
+# Makefile - every command of tumble; bare `make` prints them.
+# A line that opens with #: is a line of that help.
+
+# The book's order, chapter/module.  A module may use only modules to its left:
+# its tests are linked with those and no others, so a wrong arrow cannot link.
+LINE := 00/vec3 00/status 01/verlet 02/constraint 03/mesh 03/body 03/obj 04/gjk 05/hit_face 06/sphere_tree 07/response 08/ordering 09/collide 09/rest 09/world 09/soft 09/step 09/measure 09/scene
+
+# --- The compiler -------------------------------------------------------------
+# May be set by hand: make test CC=clang CFLAGS=-O0 BUILD=build/clang
+BUILD  := build
+CFLAGS ?= -O3 -g
+ifdef NATIVE
+CFLAGS += -march=native
+endif
+# The same bits everywhere: no fused multiply-add, no fast math, plain C11.
+EXACT    := -std=c11 -ffp-contract=off -fno-math-errno -fno-trapping-math
+WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow \
+  -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wpointer-arith -Wcast-qual \
+  -Wwrite-strings -Wundef -Wnull-dereference -Wformat=2 -Wimplicit-fallthrough
+COMPILE   = $(CC) $(EXACT) $(CFLAGS) $(WARNINGS)
+CHECK_LIBS ?= -lcheck -lsubunit -lm -lrt -lpthread
+Q     := $(if $(V),,@)
+AGAIN := $(MAKE) --no-print-directory
+
+# --- What there is ------------------------------------------------------------
+MODULES  := $(notdir $(LINE))
+CHAPTERS := $(sort $(patsubst %/,%,$(dir $(LINE))))
+# Tests in the book's order, then those that belong to no module.
+TESTS    := $(basename $(notdir $(wildcard $(MODULES:%=tests/check_%.c))))
+TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/check_*.c))))
+FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*.c)))
+PAINTER  := $(filter-out figures/tumble.c,$(wildcard figures/[a-z]*.c))
+CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
+
+# UPTO_gjk: the objects of the line up to gjk.  UPTO_04: up to the last module
+# of chapter 04.  At the end ALL is the whole library.
+ALL :=
+define module
+ALL += $(patsubst %.c,$(BUILD)/%.o,$(wildcard lib/$(notdir $1).c))
+UPTO_$(notdir $1) := $$(ALL)
+UPTO_$(patsubst %/,%,$(dir $1)) := $$(ALL)
+TESTS_$(patsubst %/,%,$(dir $1)) += $(filter check_$(notdir $1),$(TESTS))
+endef
+$(foreach m,$(LINE),$(eval $(call module,$m)))
+
+# What the commands `make 04` and `make figure-04` need.
+define chapter
+FIGURES_$1 := $(filter $1-%,$(FIGURES))
+$1: $(UPTO_$1) $(TESTS_$1:%=$(BUILD)/tests/%)
+$1 figure-$1: $(patsubst %,$(BUILD)/figures/%,$(filter $1-%,$(FIGURES)))
+endef
+
+.DEFAULT_GOAL := help
+.SECONDEXPANSION:
+.SECONDARY:
+.DELETE_ON_ERROR:
+.PHONY: help deps deps-book deps-dev demo test checks objects book html library \
+  figures coverage bits sanitize valgrind strict clean FORCE $(CHAPTERS) \
+  $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
+$(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
+
+#:
+#: Begin here
+#:   make deps       install what is missing (Check, gnuplot, a font, libpng)
+#:   make demo       run the three scenes, draw them, print a table
+#:   make test       build and run every test, and check the book
+help:
+	@b=; r=; if [ -t 1 ]; then b=$$(printf '\033[1m'); r=$$(printf '\033[0m'); fi; \
+	sed -n "s/^#: \([A-Z][a-z ]*\)$$/$$b\1$$r/p; t; s/^#: \{0,1\}//p" Makefile
+
+deps deps-book deps-dev:
+	@CC='$(CC)' sh tests/deps.sh $@
+
+demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
+	$(Q)mkdir -p $(BUILD)/demo
+	$(Q)for scene in room cloth-on-cube cloth-on-rope; do \
+	  $(BUILD)/tumble $$scene --film $(BUILD)/demo/$$scene.png || exit 1; done
+	$(Q)$(foreach f,$(FIGURES_09),$(call draw,$f,$(BUILD)/demo) &&) true
+	@echo "The pictures and charts are in $(BUILD)/demo:" && ls $(BUILD)/demo/*.png
+
+# Every test runs, even if another one fails or does not build.
+test:
+	@unbuilt=; $(MAKE) -k --no-print-directory checks || unbuilt=1; \
+	UNBUILT=$$unbuilt sh tests/run.sh $(CHECKS) $(wildcard tests/check_*.sh)
+
+#:
+#: Read and learn
+#:   make 04         chapter 04 alone (there are 00 to 09): the library up to it
+#:                   and nothing above, its tests, its figures in build/figures
+#:   make book       weave chapters/ and lib/ into book.md
+#:   make html       build/book.html (needs pandoc: make deps-book)
+#:   make library    build/libtumble.a
+$(CHAPTERS):
+	$(Q)sh tests/run.sh $(TESTS_$@:%=$(BUILD)/tests/%)
+	$(Q)$(foreach f,$(FIGURES_$@),$(call draw,$f,$(BUILD)/figures) &&) true
+
+book:
+	$(Q)mkdir -p $(BUILD)
+	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*.h lib/*.c chapters/[0-9]*.md > $(BUILD)/book.md
+	$(Q)cp $(BUILD)/book.md book.md
+	@echo "book.md: $$(wc -l < book.md) lines"
+
+html:
+	$(Q)mkdir -p $(BUILD)
+	$(Q)sh chapters/html.sh $(BUILD)/book.html
+
+library: $(BUILD)/libtumble.a
+
+#:
+#: Exercises
+#:   make exercise            which there are, and how far you are
+#:   make exercise 01/step    begin it; after that, judge what you wrote
+#:   make hint 01/step        the next of its three hints
+#:   make solution 01/step    the book's answer (asks first)
+#:   make reset 01/step       begin again (what you had is kept)
+#:   make check-exercises     is every exercise sound, and the runner?
+READER := exercise hint solution reset
+WHICH  := $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
+.PHONY: $(READER) check-exercises
+$(READER):
+	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh $@ $(WHICH)
+check-exercises:
+	@CC='$(CC)' BUILD='$(BUILD)' sh tests/check_exercises.sh
+
+# To make, what is named after the command is a goal: one with nothing to do.
+ifneq ($(and $(WHICH),$(filter $(READER),$(MAKECMDGOALS))),)
+.PHONY: $(WHICH)
+$(WHICH):
+	@:
+endif
+
+#:
+#: Measure
+#:   make figures    run every figure's program, renew its data and its picture
+#:   make figure-08  the same for the figures of chapter 08
+#:   make coverage   which lines of lib/ do the tests run?
+#:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
+figures: $(FIGURES:%=$(BUILD)/figures/%)
+	$(Q)$(foreach f,$(FIGURES),$(call draw,$f,figures) &&) true
+$(CHAPTERS:%=figure-%):
+	$(Q)$(foreach f,$(FIGURES_$(@:figure-%=%)),$(call draw,$f,figures) &&) true
+$(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%
+	$(Q)$(call draw,$*,figures)
+
+coverage:
+	$(Q)rm -rf $(BUILD)/coverage
+	$(Q)$(AGAIN) checks library BUILD=$(BUILD)/coverage CFLAGS='-O0 -g --coverage'
+	$(Q)sh tests/run.sh $(TESTS:%=$(BUILD)/coverage/tests/%)
+	$(Q)gcov -n $(BUILD)/coverage/*/*.gcno 2>/dev/null | awk -f tests/coverage.awk
+
+bits:
+	$(Q)sh tests/bits.sh '$(AGAIN)' $(BUILD)/bits
+
+#:
+#: Be strict
+#:   make sanitize   the tests under the address and undefined sanitizers
+#:   make valgrind   the tests under valgrind
+#:   make strict     every warning of gcc and of clang is an error
+#:   make clean      remove build/
+#:
+#: make deps-book adds pandoc; make deps-dev adds clang and valgrind.
+#: NATIVE=1 builds for this very machine.  V=1 shows the commands.
+sanitize:
+	$(Q)$(AGAIN) checks BUILD=$(BUILD)/sanitize \
+	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
+	$(Q)CK_TIMEOUT_MULTIPLIER=5 sh tests/run.sh $(TESTS:%=$(BUILD)/sanitize/tests/%)
+
+valgrind: checks
+	$(Q)CK_TIMEOUT_MULTIPLIER=20 RUN='valgrind -q --leak-check=full --error-exitcode=3' \
+	  sh tests/run.sh $(CHECKS)
+
+strict:
+	$(Q)$(AGAIN) -k objects CC=gcc BUILD=$(BUILD)/strict-gcc \
+	  CFLAGS='-O2 -Werror -Wlogical-op -Wduplicated-cond -Wduplicated-branches'
+	$(Q)$(AGAIN) -k objects CC=clang BUILD=$(BUILD)/strict-clang CFLAGS='-O2 -Werror'
+	@echo "strict: gcc and clang have nothing to say"
+
+clean:
+	$(Q)rm -rf build
+
+# --- How things are made --------------------------------------------------------
+checks: $(CHECKS) $(BUILD)/tumble
+objects: $(patsubst %.c,$(BUILD)/%.o,$(wildcard lib/*.c tests/*.c figures/*.c))
+
+# A figure with a .gp prints data, which gnuplot draws; one without paints its
+# own picture, whose name is its argument.
+draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/$1.gp),\
+  $(BUILD)/figures/$1 > $2/$1.csv.new && mv $2/$1.csv.new $2/$1.csv && \
+  LC_ALL=C.UTF-8 gnuplot -e "csv='$2/$1.csv'; png='$2/$1.png'" figures/$1.gp,\
+  $(BUILD)/figures/$1 $2/$1.png)
+
+# These three refuse memory to what they test, one allocation after another.
+SCARCE := $(addprefix $(BUILD)/tests/check_,mesh body obj)
+$(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc
+$(SCARCE): $(BUILD)/tests/scarce.o
+
+# This one looks at pictures.
+$(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
+$(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
+
+# These two ask the slow oracle.
+$(addprefix $(BUILD)/tests/check_,gjk hit_face): $(BUILD)/tests/oracle.o
+
+# A test sees the line up to its module; a test of no module sees all of it.
+$(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES)),$$(UPTO_$$*),$(ALL))
+	$(call link,$(CHECK_LIBS))
+
+# A figure sees the line up to its chapter, and what it asks of the painter.
+$(BUILD)/figures/%: $(BUILD)/figures/%.o $$(UPTO_$$(firstword $$(subst -, ,$$*))) $(BUILD)/libpainter.a
+	$(call link,-lpng -lm)
+
+$(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a
+	$(call link,-lpng -lm)
+
+$(BUILD)/bits: $(BUILD)/tests/bits.o $(ALL)
+	$(call link,-lm)
+
+define link
+	@echo "  link  $@"
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $1 -o $@
+endef
+
+$(BUILD)/libtumble.a: $(ALL)
+$(BUILD)/libpainter.a: $(PAINTER:%.c=$(BUILD)/%.o)
+$(BUILD)/lib%.a:
+	@echo "  pack  $@"
+	$(Q)rm -f $@ && $(AR) rcs $@ $^
+
+# -MMD writes beside each object which headers it read.
+$(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
+$(BUILD)/%.o: %.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	@echo "  cc    $<"
+	$(Q)$(COMPILE) -Ilib -Itests -Ifigures $(CPPFLAGS) -MMD -MP -c $< -o $@
+-include $(wildcard $(BUILD)/*/*.d)
+
+# Changes when the compiler or its flags do, and then everything is rebuilt.
+$(BUILD)/flags: FORCE
+	@mkdir -p $(@D)
+	@echo '$(COMPILE)' | cmp -s - $@ || echo '$(COMPILE)' > $@

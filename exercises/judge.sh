@@ -1,0 +1,119 @@
+# judge.sh - what run.sh and check.sh share: an exercise, its parts, its verdict.
+# Run from the project's root.  CC, BUILD, CHECK_LIBS: as in the Makefile.
+
+exercises=${EXERCISES:-exercises}
+build=${BUILD:-build}/exercises
+cc=${CC:-cc}
+check_libs=${CHECK_LIBS:--lcheck -lsubunit -lm -lrt -lpthread}
+sanitize='-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer'
+seconds=${JUDGE_SECONDS:-5}   # of computing, for one test
+warnings='-Wall -Wextra -Wconversion -Wshadow -Wno-unused-parameter -Wno-unused-function -Wno-unused-const-variable'
+exact=$(sed -n 's/^EXACT *:= *//p' Makefile)
+line=$(sed -n 's/^LINE *:= *//p' Makefile)
+
+# Every exercise, NN/name, chapter by chapter: first what the chapter builds
+# (`module`), then what goes on from there.
+names() {
+    for file in "$exercises"/[0-9][0-9]-*/exercise; do
+        [ -f "$file" ] || continue
+        folder=${file%/exercise} folder=${folder##*/}
+        grep -q '^module' "$file" && kind=1 || kind=2
+        echo "${folder%%-*} $kind ${folder#*-}"
+    done | sort | while read -r chapter kind title; do echo "$chapter/$title"; done
+}
+
+# load NN/name: reads the file `exercise`.  One of `module` (its module of lib/ is
+# rebuilt, and judged by the module's tests) and `after` (a new thing, which may
+# use the line up to that module); the functions that the reader writes; and the
+# tests that a reader should hear of first.
+load() {
+    name=$1
+    dir=$exercises/${1%%/*}-${1#*/}
+    out=$build/${1%%/*}-${1#*/}
+    module='' after='' empty='' remove='' first=''
+    [ -f "$dir/exercise" ] || return 1
+    while read -r word rest; do
+        case $word in
+        module) module=$rest ;;
+        after)  after=$rest ;;
+        empty)  empty="$empty $rest" ;;
+        remove) remove="$remove $rest" ;;
+        first)  first="$first $rest" ;;
+        *) echo "$dir/exercise: what is $word?" >&2; return 1 ;;
+        esac
+    done < "$dir/exercise"
+    case " $line " in
+    *"/${module:-$after} "*) ;;
+    *) echo "$dir/exercise: there is no module ${module:-$after}" >&2; return 1 ;;
+    esac
+    mine=$dir/mine.c
+    if [ -n "$module" ]
+    then solution=lib/$module.c tests=tests/check_$module.c
+    else solution=$dir/solution.c tests=$dir/check.c
+    fi
+    objects=
+    mkdir -p "$out"
+}
+
+# stub SOURCE: the source with the reader's functions emptied.
+stub() { awk -v empty="$empty" -v remove="$remove" -f exercises/cut.awk "$1"; }
+
+# What the reader's object is linked with: the line to the left of it, and the
+# tests with what they include.
+library_parts() {
+    for entry in $line; do
+        part=${entry#*/}
+        [ "$part" = "$module" ] && break
+        [ -f "lib/$part.c" ] && echo "$build/lib/$part.o"
+        [ "$part" = "$after" ] && break
+    done
+    echo "$build/exercises/judge.o"
+}
+test_parts() {
+    echo "$build/${tests%.c}.o"
+    for header in $(sed -n 's/^#include "\(.*\)\.h"/\1/p' "$tests"); do
+        [ -f "tests/$header.c" ] && echo "$build/tests/$header.o"
+    done
+}
+
+# prepare LIBRARY_PARTS TEST_PARTS: builds those, with the Makefile's own rules, if
+# they are not up to date.
+prepare() {
+    flags="-O1 -g $sanitize"
+    # shellcheck disable=SC2086
+    MAKEFLAGS='' make -s -j2 CC="$cc" BUILD="$build" CFLAGS="$flags" $1 > /dev/null &&
+    MAKEFLAGS='' make -s -j2 CC="$cc" BUILD="$build" CFLAGS="$flags" \
+        CPPFLAGS='-D_XOPEN_SOURCE=700 -include exercises/judge.h' $2 > /dev/null
+}
+
+# compile FILE: to $out/mine.o.  Not optimised: the optimiser would take away a
+# write that nobody reads before the sanitizers see where it goes.
+# shellcheck disable=SC2086
+compile() { $cc $exact -O0 -g $sanitize $warnings -Ilib -I"$dir" -c "$1" -o "$out/mine.o"; }
+
+# judge FILE [TEST]: what was compiled of FILE, against all tests or against one.
+# Returns what tell.awk does, and says what it says.
+judge() {
+    if [ -z "$objects" ]; then
+        objects="$(test_parts) $(library_parts)"
+        # Some tests refuse memory to what they test (tests/scarce.c).
+        for object in $(test_parts); do
+            source=${object#"$build/"}
+            grep -q __wrap_malloc "${source%.o}.c" &&
+                objects="$objects -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc"
+        done
+    fi
+    # shellcheck disable=SC2086
+    $cc $sanitize "$out/mine.o" $objects $check_libs -o "$out/judge" || return 2
+    rm -f "$out/tap" "$out/stop"
+    : > "$out/said"
+    (
+        ulimit -f 20000         # 10 MB, for code that prints without end
+        ONLY=$2 JUDGE_STOP=$out/stop JUDGE_SECONDS=$seconds \
+        CK_FORK=yes CK_TIMEOUT_MULTIPLIER=15 CK_TAP_LOG_FILE_NAME=$out/tap \
+        ASAN_OPTIONS=print_legend=0:$ASAN_OPTIONS \
+        "$out/judge" > "$out/summary" 2> "$out/said" < /dev/null
+    )
+    awk -v name="$name" -v mine="${1##*/}" -v seconds="$seconds" -v early="$first" \
+        -f exercises/tell.awk "$tests" "$out/said" "$out/tap"
+}

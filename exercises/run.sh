@@ -1,0 +1,96 @@
+# run.sh - the reader's commands, one exercise at a time.
+#
+#   sh exercises/run.sh exercise [NN/name]    begin it, or judge what is written
+#   sh exercises/run.sh hint NN/name          the next of three hints
+#   sh exercises/run.sh solution NN/name      asks, then shows it
+#   sh exercises/run.sh reset NN/name         begin again; the old file is kept
+#
+# What is the reader's in exercises/NN-name/: mine.c, mine.old.c, mine.hints (how
+# many were shown), mine.passed (there if mine.c passed when it was last judged).
+
+. exercises/judge.sh
+
+list() {
+    for each in $(names); do
+        load "$each" || exit 1
+        mark=' '
+        [ -f "$mine" ] && mark=-
+        [ -f "$dir/mine.passed" ] && mark=x
+        title=$(sed -n '1s/^# [^:]*: //p' "$dir/README.md")
+        printf '  [%s] %-14s %s\n' "$mark" "$each" "$title"
+    done
+    echo "[x] passed, [-] begun.  Begin one:  make exercise 01/step"
+}
+
+begin() {
+    stub "$solution" > "$mine.new" && mv "$mine.new" "$mine" || exit 1
+    cat "$dir/README.md"
+    echo
+    echo "---"
+    echo "Your file is $mine.  Write what is yours to write there, and then"
+    echo "  make exercise $name    judges it"
+    echo "  make hint $name        gives the next of three hints"
+}
+
+exercise() {
+    [ -f "$mine" ] || { begin; return 0; }
+    rm -f "$dir/mine.passed"
+    prepare "$(library_parts)" "$(test_parts)" || { echo "$name: the tests could not be built, see above" >&2; return 1; }
+    compile "$mine" || { echo; echo "$name: $mine does not compile: begin with the first error above."; return 1; }
+    judge "$mine"
+    case $? in
+    0)  : > "$dir/mine.passed"
+        echo "Compare with the book's answer:  make solution $name"
+        return 0 ;;
+    1)  echo; echo "  Change $mine, and run this again.  If you are stuck:  make hint $name" ;;
+    2)  tail -n 20 "$out/said" ;;
+    esac
+    return 1
+}
+
+hint() {
+    shown=$(cat "$dir/mine.hints" 2> /dev/null || echo 0)
+    next=$((shown + 1))
+    if [ $next -gt 3 ]; then
+        echo "There are three hints; here they are again, and then there is only: make solution $name"
+        cat "$dir/hints"
+        return 0
+    fi
+    echo "Hint $next of 3:"
+    awk -v want=$next '/^[0-9]+\. / { n = $1 + 0 } n == want' "$dir/hints"
+    echo $next > "$dir/mine.hints"
+}
+
+solution() {
+    shown=$(cat "$dir/mine.hints" 2> /dev/null || echo 0)
+    printf 'Show the solution of %s?  You have read %d of 3 hints.  [y/N] ' "$name" "$shown"
+    read -r answer || echo
+    case $answer in
+    [yY]*) echo; awk -v show=1 -v empty="$empty" -v remove="$remove" -f exercises/cut.awk "$solution" ;;
+    *) echo "Not shown." ;;
+    esac
+}
+
+reset() {
+    rm -f "$dir/mine.hints" "$dir/mine.passed"
+    if [ -f "$mine" ] && ! stub "$solution" | cmp -s - "$mine"; then
+        mv "$mine" "$dir/mine.old.c"
+        echo "What you had is in $dir/mine.old.c."
+    fi
+    stub "$solution" > "$mine" || exit 1
+    echo "$mine is as it was at the beginning."
+}
+
+command=$1
+case $command in
+exercise|hint|solution|reset) ;;
+*) echo "run.sh: exercise, hint, solution or reset?" >&2; exit 2 ;;
+esac
+[ $# -le 2 ] || { echo "One exercise at a time." >&2; exit 2; }
+if [ $# -eq 1 ]; then
+    [ "$command" = exercise ] || echo "Of which exercise?  For example:  make $command 01/step"
+    list
+    exit 0
+fi
+load "$2" || { echo "There is no exercise $2.  There are:"; list; exit 1; } >&2
+$command

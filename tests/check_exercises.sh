@@ -1,0 +1,224 @@
+# check_exercises.sh - is every exercise sound (exercises/check.sh), and are the
+# checker and the reader's runner to be trusted?  They are shown exercises that are
+# broken on purpose, and code with the accidents that befall a reader; each trial
+# wants its sentence.
+
+export LC_ALL=C
+tree=$(mktemp -d)
+sh exercises/check.sh > "$tree/sound" 2>&1 &
+real=$!
+trap 'kill $real 2> /dev/null; rm -rf "$tree"' EXIT
+
+EXERCISES=$tree; export EXERCISES
+BUILD=$tree/build; export BUILD
+JUDGE_SECONDS=1; export JUDGE_SECONDS
+dir=$tree/99-sum
+trials=0 failed=0
+
+# A sound exercise: add up n numbers.
+sound() {
+    rm -rf "$dir"; mkdir -p "$dir"
+    printf 'after  vec3\nempty  sum\n' > "$dir/exercise"
+    printf '# 99/sum: adding up\n\n' > "$dir/README.md"
+    for i in 1 2 3 4 5 6 7 8; do echo "Write sum, which adds up numbers."; done >> "$dir/README.md"
+    printf '1. Begin at zero, and go on.\n2. Take one number after another.\n3. Stop when you have had n.\n' > "$dir/hints"
+    printf '#include "vec3.h"\n\nreal sum(const real *x, int n);\n' > "$dir/sum.h"
+    cat > "$dir/solution.c" <<'END'
+#include "sum.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+int spare = 1;
+
+real sum(const real *x, int n)
+{
+    real all = 0;
+    spare = 1;
+    for (int i = 0; i < n; i++) all += x[i];
+    return all;
+}
+END
+    cat > "$dir/check.c" <<'END'
+#include "sum.h"
+#include <check.h>
+static const real some[3] = { 1, 2, 3 };
+START_TEST(three_numbers_add_up)
+{
+    // Rejects: a difference.
+    real got = sum(some, 3);
+    ck_assert_msg(got == 6, "got %g, wanted 6", got);
+}
+END_TEST
+START_TEST(no_number_is_zero)
+{
+    ck_assert(sum(some, 0) == 0);
+}
+END_TEST
+int main(void)
+{
+    Suite *s = suite_create("sum");
+    TCase *t = tcase_create("sum");
+    tcase_add_test(t, three_numbers_add_up);
+    tcase_add_test(t, no_number_is_zero);
+    suite_add_tcase(s, t);
+    SRunner *r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}
+END
+    cat > "$dir/wrong" <<'END'
+wrong  a difference
+test   three_numbers_add_up
+-      for (int i = 0; i < n; i++) all += x[i];
++      for (int i = 0; i < n; i++) all -= x[i];
+wrong  one past the end
+test   three_numbers_add_up
+-      for (int i = 0; i < n; i++) all += x[i];
++      for (int i = 0; i <= n; i++) all += x[i];
+wrong  it begins at one
+test   no_number_is_zero
+-      real all = 0;
++      real all = 1;
+END
+}
+
+verdict() {     # NAME, and whether it went well
+    trials=$((trials + 1))
+    [ "$2" = yes ] || { failed=$((failed + 1)); echo "exercises: $1: FAILED"; cat "$tree/said"; }
+}
+# accepts NAME: the checker finds nothing.
+accepts() {
+    if sh exercises/check.sh 99/sum > "$tree/said" 2>&1; then verdict "$1" yes; else verdict "$1" no; fi
+}
+# refuses NAME SENTENCE: the checker fails, and says so.
+refuses() {
+    if sh exercises/check.sh 99/sum > "$tree/said" 2>&1 || ! grep -qF -- "$2" "$tree/said"
+    then verdict "$1" no; else verdict "$1" yes; fi
+}
+change() { sed "$2" "$dir/$1" > "$dir/new" && mv "$dir/new" "$dir/$1"; }
+
+# tells NAME SENTENCE LINE: a reader's sum, with this line in the place of its loop.
+tells() {
+    sed "s|^    for (int i = 0.*|    $3|" "$dir/solution.c" > "$dir/mine.c"
+    if sh exercises/run.sh exercise 99/sum > "$tree/said" 2>&1 || ! grep -qF -- "$2" "$tree/said"
+    then verdict "$1" no; else verdict "$1" yes; fi
+}
+# also NAME SENTENCE: it said this, too.
+also() { if grep -qF -- "$2" "$tree/said"; then verdict "$1" yes; else verdict "$1" no; fi; }
+# answers NAME SENTENCE COMMAND...: the runner is content, and says so.
+answers() {
+    name=$1 sentence=$2; shift 2
+    if echo "$reply" | sh exercises/run.sh "$@" > "$tree/said" 2>&1 && grep -qF -- "$sentence" "$tree/said"
+    then verdict "$name" yes; else verdict "$name" no; fi
+}
+
+# ---- the checker
+
+sound; accepts "a sound exercise is sound"
+accepts "and is not tried again"
+also "and that is said" 'as before'
+sound; change wrong 's/i <= n/n > i/'
+refuses "a wrong variant that is right" 'wrong 2 (one past the end) is not rejected by three_numbers_add_up'
+sound; change wrong '/one past/,/it begins/s/three_numbers_add_up/no_such_test/'
+refuses "a test that is not there" 'wrong 2 (one past the end) names the test no_such_test'
+sound; change wrong '1,4s/three_numbers_add_up/no_number_is_zero/'
+refuses "rejected, but by another test" 'wrong 1 (a difference) is not rejected by no_number_is_zero'
+sound; change solution.c 's/real all = 0/real all = 0.0/'
+refuses "a solution that has moved away" 'wrong 3 (it begins at one) changes lines that stand there 0 times'
+sound; echo 'real all = 0;' >> "$dir/solution.c"
+refuses "a line that stands there twice" 'changes lines that stand there 2 times'
+sound; change wrong 's/^-      real all = 0;/-  int spare = 1;/; s/^+      real all = 1;/+  int spare = 2;/'
+refuses "a change of what is not the reader's" "wrong 3 (it begins at one) changes what is not the reader's to write"
+sound; change wrong 's/all -= x/all -= y/'
+refuses "a wrong variant that does not compile" 'wrong 1 (a difference) does not compile'
+sound; change wrong '9,$d'
+refuses "two wrong variants" 'there are 2 wrong variants'
+sound; change wrong '1s/wrong/wrnog/'
+refuses "a list of wrong variants that cannot be read" 'wrong:1: a line begins with'
+sound; change hints '$d'
+refuses "two hints" 'hints are not three'
+sound; change hints 's/^2.*/2. /'
+refuses "an empty hint" 'hints are not three'
+sound; change README.md 1d
+refuses "a task without its title" "README.md does not begin with '# 99/sum: title'"
+sound; change README.md '3,$d'
+refuses "a title without its task" 'README.md does not tell the task'
+sound; : > "$dir/notes.txt"
+refuses "a stray file" 'notes.txt is a stray file'
+sound; change exercise 's/sum/summ/'
+refuses "a function that is not there" 'the function summ stands there 0 times'
+sound; change check.c 's/got == 6/got < 7/'
+refuses "a stub that is the solution" 'the stub passes'
+sound; change solution.c 's/all += x/all += 2 * x/'; change wrong 's/all += x/all += 2 * x/'
+refuses "a solution that does not pass" 'the solution does not pass'
+sound; change solution.c 's/^    spare/    unknown/'
+refuses "a solution that does not compile" 'the solution does not compile'
+sound; change sum.h '1d'
+refuses "a stub that does not compile" 'the stub does not compile'
+sound; change check.c '/tcase_add_test/d'
+refuses "tests that do not run" 'no test has run'
+sound; change check.c 's/suite_create/suite_made/'
+refuses "tests that do not build" 'no test has run'
+sound; echo 'first  no_such_test' >> "$dir/exercise"
+refuses "a first test that is not there" 'first names the test no_such_test'
+sound; change exercise 's/vec3/vec4/'
+refuses "a module that is not there" 'there is no module vec4'
+sound; rm "$dir/exercise"
+refuses "an exercise that is not there" 'there is no such exercise'
+
+# ---- the reader's runner, and the accidents of code
+
+sound
+reply=
+answers "it begins with the task"        'Write sum, which adds up' exercise 99/sum
+answers "it hands out an empty function" 'as it was at the beginning' reset 99/sum
+if grep -q 'Yours to write' "$dir/mine.c" && ! grep -q 'all +=' "$dir/mine.c"
+then verdict "the answer is not in it" yes; else verdict "the answer is not in it" no; fi
+answers "the first hint"           'Begin at zero' hint 99/sum
+answers "the second hint"          'Take one number' hint 99/sum
+answers "the third hint"           'Stop when' hint 99/sum
+answers "no fourth hint"           'There are three hints' hint 99/sum
+answers "the solution is kept back" 'Not shown' solution 99/sum
+reply=y
+answers "the solution is shown"    'all += x[i]' solution 99/sum
+tells "a wrong answer"     'got -6, wanted 6'              'for (int i = 0; i < n; i++) all -= x[i];'
+also "what the test rejects" 'Rejects: a difference.'
+also "where it stands"     '99-sum/check.c, line 4'
+tells "no number"          'nan is no number'              'all = 0 / (all - n * all);'
+tells "a null pointer"     'Your code follows a null pointer (a segmentation fault): mine.c, line 13' 'x = NULL; all = x[0];'
+tells "a segfault"         'Your code follows a pointer that leads nowhere (a segmentation fault)' 'x += 1ll << 44; all = x[n];'
+tells "an endless loop"    'Your code does not end (stopped after 1 seconds of computing)' 'while (spare) all += x[0];'
+also "the tests after it"  '1 more were not tried'
+tells "a leak"             'Your code does not free all that it allocates (a leak of 7 bytes): mine.c' 'for (int i = 0; i < n; i++) all += x[i]; char *volatile lost = malloc(7); lost = NULL;'
+tells "an exit"            'Your code ends the whole program (exit)' 'exit(spare - 1);'
+tells "an overrun"         'Your code reads outside an array' 'for (int i = 0; i <= n; i++) all += x[i];'
+# clang knows the line only with llvm-symbolizer, which may not be there.
+if ${CC:-cc} --version | grep -q clang && ! command -v llvm-symbolizer > /dev/null
+then :; else also "where it reads" 'outside an array: mine.c, line 13'; fi
+tells "an overrun by writing" 'Your code writes outside an array' 'char *volatile p = malloc(3); p[n] = 1; free(p);'
+tells "an overrun that the compiler sees" 'Your code reaches outside an array' 'volatile char p[3]; p[n] = 1; all = p[0];'
+tells "memory given back"  'Your code reads memory that it has given back' 'char *p = malloc(4); free(p); all = p[n];'
+tells "a double free"      'Your code frees the same memory twice' 'char *volatile p = malloc(4); free(p); free(p);'
+tells "a recursion"        'Your code calls itself without end' 'all = x[0] + sum(x, n + 1) + spare;'
+tells "an overflow"        'Your code does what C leaves undefined: signed integer overflow' 'all = 2147483647 + n + spare;'
+tells "an assertion"       'Your code breaks a rule that is asserted, n == 7' 'assert(n == 7);'
+tells "what was printed"   'here I am, n is 3'             'printf("here I am, n is %d\\\\n", n);'
+tells "a syntax error"     'mine.c does not compile'       'all += ;'
+tells "a printout without end" 'Your code prints without end' 'while (spare) puts("again and again and again and again and again and again and again");'
+echo 'first  no_number_is_zero' >> "$dir/exercise"
+tells "the test to hear of first" 'The others: three_numbers_add_up' 'all = 7;'
+cp "$dir/solution.c" "$dir/mine.c"
+answers "a right answer"   'all 2 tests pass'              exercise 99/sum
+answers "the list"         '[x] 99/sum'                    exercise
+answers "a new beginning"  'mine.old.c'                    reset 99/sum
+if cmp -s "$dir/solution.c" "$dir/mine.old.c"; then verdict "nothing is lost" yes; else verdict "nothing is lost" no; fi
+
+wait $real
+sound=$?
+cat "$tree/sound"
+echo "exercises: $trials trials of the runner, $failed failed"
+[ $sound -eq 0 ] && [ $failed -eq 0 ]

@@ -81,7 +81,7 @@ demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
 # Every test runs, even if another one fails or does not build.
 test:
 	@unbuilt=; $(MAKE) -k --no-print-directory checks || unbuilt=1; \
-	UNBUILT=$$unbuilt sh tests/run.sh $(CHECKS) $(wildcard tests/check_*.sh)
+	BUILD='$(BUILD)' UNBUILT=$$unbuilt sh tests/run.sh $(CHECKS) $(wildcard tests/check_*.sh)
 
 #:
 #: Read and learn
@@ -149,7 +149,7 @@ coverage:
 	$(Q)gcov -n $(BUILD)/coverage/*/*.gcno 2>/dev/null | awk -f tests/coverage.awk
 
 bits:
-	$(Q)sh tests/bits.sh '$(AGAIN)' $(BUILD)/bits
+	$(Q)sh tests/bits.sh '$(AGAIN)' $(BUILD)/compare
 
 #:
 #: Be strict
@@ -179,7 +179,7 @@ clean:
 	$(Q)rm -rf build
 
 # --- How things are made --------------------------------------------------------
-checks: $(CHECKS) $(BUILD)/tumble
+checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits
 objects: $(patsubst %.c,$(BUILD)/%.o,$(wildcard lib/*.c tests/*.c figures/*.c))
 
 # A figure with a .gp prints data, which gnuplot draws; one without paints its

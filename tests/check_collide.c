@@ -32,7 +32,7 @@ static vec3 any_vec3(real size)
     return vec3_scale(size, vec3_make(x, y, any()));
 }
 
-// --- bodies that stand somewhere -----------------------------------------------
+// --- bodies that stand somewhere ---------------------------------------------
 
 typedef struct {
     vec3 x, y, z;
@@ -138,7 +138,8 @@ static void is_sound(const contact *c, collider a, collider b)
     for (int k = 0; k < 2; k++) {
         real sum = 0;
         for (int i = 0; i < side[k]->count; i++) {
-            ck_assert(side[k]->weight[i] >= 0 && side[k]->weight[i] <= 1 + ROUNDING);
+            ck_assert(side[k]->weight[i] >= 0);
+            ck_assert(side[k]->weight[i] <= 1 + ROUNDING);
             ck_assert_int_ge(side[k]->vertex[i], body[k]->first);
             ck_assert_int_lt(side[k]->vertex[i],
                              body[k]->first + body[k]->plan->particles);
@@ -150,7 +151,7 @@ static void is_sound(const contact *c, collider a, collider b)
     ck_assert(c->mass_a == a.mass && c->mass_b == b.mass);
 }
 
-// --- the nearest points ----------------------------------------------------------
+// --- the nearest points ------------------------------------------------------
 
 // A cube that stands on a corner: its diagonal is upright.
 static axes on_a_corner(void)
@@ -289,7 +290,7 @@ START_TEST(bodies_that_are_not_finite_have_no_contact)
 }
 END_TEST
 
-// --- who is A --------------------------------------------------------------------
+// --- who is A ----------------------------------------------------------------
 
 // Rejects: an immovable A, of which contact_separate would push the wrong side;
 // a feature of an immovable body; a normal that is not turned with the swap.
@@ -325,7 +326,7 @@ START_TEST(two_immovable_bodies_never_touch)
 }
 END_TEST
 
-// --- the manifold ------------------------------------------------------------------
+// --- the manifold ------------------------------------------------------------
 
 // Does one of the contacts push corner i of A alone (side 0), or of B (1)?
 static const contact *with_corner(const contact *c, int n, int side, int i)
@@ -337,8 +338,8 @@ static const contact *with_corner(const contact *c, int n, int side, int i)
     return NULL;
 }
 
-// Rejects: one point that lets the body tip; corners of the far face; a corner's
-// foot in the wrong triangle; a corner twice, which doubles its push.
+// Rejects: one point that lets the body tip; corners of the far face; a
+// corner's foot in the wrong triangle; a corner twice, which doubles its push.
 START_TEST(face_on_a_face_stands_on_its_four_corners)
 {
     for (int k = 0; k < 50; k++) {
@@ -467,7 +468,7 @@ START_TEST(manifold_begins_with_what_one_contact_would_be)
 }
 END_TEST
 
-// --- planes ------------------------------------------------------------------------
+// --- planes ------------------------------------------------------------------
 
 // Rejects: margin without thickness; a contact without the thickness that it is
 // to keep; a fixed point that is not on the plane.
@@ -528,10 +529,10 @@ START_TEST(slanted_plane_pushes_along_its_normal)
 }
 END_TEST
 
-// --- the planes of a hull ------------------------------------------------------------
+// --- the planes of a hull ----------------------------------------------------
 
-// Rejects: two planes for one side; normals inwards; a plane that some corner is
-// in front of; the second face of a side instead of the first.
+// Rejects: two planes for one side; normals inwards; a plane that some corner
+// is in front of; the second face of a side instead of the first.
 START_TEST(cube_has_six_planes_and_icosahedron_twenty)
 {
     plane p[20];
@@ -562,7 +563,28 @@ START_TEST(cube_has_six_planes_and_icosahedron_twenty)
 }
 END_TEST
 
-// --- a particle at a convex body -----------------------------------------------------
+// Rejects: the first plane that x is in front of; the nearest plane for one
+// that is behind all; ties that go to the last.
+START_TEST(plane_ahead_is_the_one_furthest_behind)
+{
+    plane p[6];
+    int face[6];
+    collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0, 0, 0));
+    int n = hull_planes(&cube, a.at, p, face);
+    for (int k = 0; k < 500; k++) {
+        vec3 x = any_vec3(k % 2 ? 2 : 0.4);
+        int ahead = hull_ahead(x, p, n);
+        for (int i = 0; i < n; i++) {
+            real up = plane_height(p[i], x);
+            ck_assert(up == vec3_dot(x, p[i].normal) - p[i].offset);
+            ck_assert(up <= plane_height(p[ahead], x));
+        }
+    }
+    ck_assert_int_eq(hull_ahead(vec3_make(0, 0, 0), p, n), 0);
+}
+END_TEST
+
+// --- a particle at a convex body ---------------------------------------------
 
 // The hull under test, and the question.
 static plane hull[20];
@@ -803,6 +825,7 @@ static Suite *suite(void)
         plane_counts_what_finds_no_room,
         slanted_plane_pushes_along_its_normal,
         cube_has_six_planes_and_icosahedron_twenty,
+        plane_ahead_is_the_one_furthest_behind,
         particle_inside_leaves_by_the_nearest_face,
         particle_over_a_face_stands_on_its_foot,
         particle_over_an_edge_is_pushed_away_from_the_edge,

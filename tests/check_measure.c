@@ -80,7 +80,7 @@ static void near_vec3(vec3 got, vec3 wanted, real error)
                   got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
-// --- strain -------------------------------------------------------------------------
+// --- strain ------------------------------------------------------------------
 
 // Rejects: a strain, or a penetration, that is there from the start.
 START_TEST(world_as_planned_has_nothing_to_report)
@@ -98,8 +98,8 @@ START_TEST(world_as_planned_has_nothing_to_report)
 }
 END_TEST
 
-// Rejects: a length error for a strain; a stretch that counts and a squeeze that
-// does not.
+// Rejects: a length error for a strain; a stretch that counts and a squeeze
+// that does not.
 START_TEST(stretched_stick_shows_its_strain)
 {
     int b = add_at(&stick_, 0, 0, 0);
@@ -115,8 +115,8 @@ START_TEST(stretched_stick_shows_its_strain)
 }
 END_TEST
 
-// Rejects: the mean for the largest, or the last; a root mean square over bodies
-// instead of sticks.
+// Rejects: the mean for the largest, or the last; a root mean square over
+// bodies instead of sticks.
 START_TEST(strain_is_the_largest_and_rms_the_mean_over_all_sticks)
 {
     int a = add_at(&stick_, 0, 0, 0), b = add_at(&stick_, 0, 3, 0);
@@ -175,7 +175,7 @@ START_TEST(nailed_bodies_have_no_strain)
 }
 END_TEST
 
-// --- penetration -----------------------------------------------------------------------
+// --- penetration -------------------------------------------------------------
 
 // Rejects: half the depth, as each goes half the way; the depth along the line
 // of centres; positions of the last look.
@@ -251,11 +251,11 @@ START_TEST(cloth_particle_in_a_cube_is_as_deep_as_its_way_out)
 }
 END_TEST
 
-// --- motion -----------------------------------------------------------------------------
+// --- motion ------------------------------------------------------------------
 
-// A body thrown and spinning.  With T = h / 2 half a substep ago, every particle
-// has v = v0 + spin x r, for the world begins exactly there: its mean velocity
-// over the last step is v0 + spin x r - g h / 2.
+// A body thrown and spinning.  With T = h / 2 half a substep ago, every
+// particle has v = v0 + spin x r, for the world begins exactly there: its mean
+// velocity over the last step is v0 + spin x r - g h / 2.
 // Rejects: momentum without masses; an angular momentum about the body; a
 // velocity over a frame.
 START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
@@ -288,8 +288,8 @@ START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
 }
 END_TEST
 
-// Rejects: an angular momentum about a place that the body has left; a spin that
-// the sticks brake (GRADIENT_NEW's: 0.1 % in this half second).
+// Rejects: an angular momentum about a place that the body has left; a spin
+// that the sticks brake (GRADIENT_NEW's: 0.1 % in this half second).
 START_TEST(flight_without_gravity_keeps_momentum_and_energy)
 {
     world_free(&w);
@@ -312,8 +312,8 @@ START_TEST(flight_without_gravity_keeps_momentum_and_energy)
 }
 END_TEST
 
-// Rejects: a sleeper, nailed while it sleeps, that is weightless to the measure;
-// a nailed particle that has a weight.
+// Rejects: a sleeper, nailed while it sleeps, that is weightless to the
+// measure; a nailed particle that has a weight.
 START_TEST(potential_counts_what_can_fall)
 {
     int a = add_at(&cube, 0, 2, 0);
@@ -349,7 +349,7 @@ START_TEST(what_is_not_finite_is_shown)
 }
 END_TEST
 
-// --- nothing is changed -------------------------------------------------------------------
+// --- nothing is changed ------------------------------------------------------
 
 // Rejects: a measure that moves something, or spoils what a step remembers.
 START_TEST(measuring_changes_no_bit_of_the_motion)

@@ -27,7 +27,8 @@ static void tear_down(void)
     rest_free(&rest);
 }
 
-// n frames in which the pairs of `touching` (closed by a negative number) touch.
+// n frames in which the pairs of `touching` (closed by a negative number)
+// touch.
 static void frames(int n, const int *touching)
 {
     for (int k = 0; k < n; k++) {

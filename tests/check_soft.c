@@ -78,7 +78,7 @@ static real any(void)
     return (real)(seed >> 11) / 4503599627370496.0 - 1;
 }
 
-// --- the slow oracle ---------------------------------------------------------------
+// --- the slow oracle ---------------------------------------------------------
 
 static char listed[MOST][MOST];     // pair of particles, either order
 static char pointed[MOST][MOST];    // particle and rigid body
@@ -177,7 +177,7 @@ static int points_are_listed(real margin)
     return found;
 }
 
-// --- at rest ------------------------------------------------------------------------
+// --- at rest -----------------------------------------------------------------
 
 static int same_places(const vec3 *was)
 {
@@ -282,7 +282,7 @@ START_TEST(fold_that_is_wide_enough_touches_nothing)
 }
 END_TEST
 
-// --- the lists ------------------------------------------------------------------------
+// --- the lists ---------------------------------------------------------------
 
 // A heap: two cloths and a rope crumpled around two boxes.
 static void make_heap(real size)
@@ -396,7 +396,7 @@ START_TEST(what_finds_no_room_is_counted)
 }
 END_TEST
 
-// --- nothing is missed ------------------------------------------------------------------
+// --- nothing is missed -------------------------------------------------------
 
 static void substep(real h)
 {
@@ -456,7 +456,7 @@ START_TEST(nothing_is_missed_while_a_cloth_falls)
 }
 END_TEST
 
-// --- the pushes ---------------------------------------------------------------------------
+// --- the pushes --------------------------------------------------------------
 
 // Two links of 1 kg a particle, crossed in one pair of ends, `gap` apart.
 static void cross_links(real gap)
@@ -605,7 +605,7 @@ START_TEST(lists_leave_out_what_sleeps_or_is_nailed)
 }
 END_TEST
 
-// --- the paper's way -----------------------------------------------------------------------
+// --- the paper's way ---------------------------------------------------------
 
 // Eq. 11: two leaves, here links of length 1 crossed in their middles, part
 // until their balls touch: each goes half the overlap, whatever its mass.

@@ -10,7 +10,7 @@
 // A position is a sum of four products, its previous one of two more.
 #define ROUNDING 1e-14
 
-// --- memory that can be counted and refused --------------------------------------
+// --- memory that can be counted and refused ----------------------------------
 
 // On glibc every allocation of the program comes here; the sanitizers have a
 // malloc of their own.
@@ -67,9 +67,19 @@ void free(void *p)
     held -= p != NULL;
     __libc_free(p);
 }
+
+// Under valgrind its own malloc stands before ours.
+static int counts_now(void)
+{
+    refuse_after = 0;
+    void *volatile p = malloc(1);
+    refuse_after = INT_MAX;
+    free(p);
+    return p == NULL;
+}
 #endif
 
-// --- a world and its shapes --------------------------------------------------------
+// --- a world and its shapes --------------------------------------------------
 
 static world w;
 static shape box, ball, cloth, rope;
@@ -115,7 +125,7 @@ static placement slanted(void)
     return p;
 }
 
-// --- options --------------------------------------------------------------------------
+// --- options -----------------------------------------------------------------
 
 // One option, made bad or extreme.
 typedef struct {
@@ -234,7 +244,7 @@ START_TEST(default_and_paper_differ_as_documented)
 }
 END_TEST
 
-// --- bodies ---------------------------------------------------------------------------
+// --- bodies ------------------------------------------------------------------
 
 // Rejects: axes taken as rows; a plan that is not turned about its middle.
 START_TEST(particles_stand_where_the_axes_say)
@@ -402,7 +412,7 @@ START_TEST(many_bodies_share_their_plans)
 }
 END_TEST
 
-// --- planes ---------------------------------------------------------------------------
+// --- planes ------------------------------------------------------------------
 
 // Rejects: a normal that is left as long as it was given, or an offset that is
 // not shortened with it.
@@ -448,7 +458,7 @@ START_TEST(plane_without_a_finite_normal_and_offset_is_refused)
 }
 END_TEST
 
-// --- begin, look, free -------------------------------------------------------------------
+// --- begin, look, free -------------------------------------------------------
 
 // Rejects: tables in the wrong order; a tree that stands where the plan does,
 // at the origin: what is nailed is never looked at again, so that everything
@@ -573,6 +583,7 @@ START_TEST(every_refusal_of_memory_is_told_and_leaves_nothing)
 {
     const world_options way[] = { world_options_default(),
                                   world_options_paper() };
+    if (!counts_now()) return;
     world_free(&w);
     for (int k = 0; k < 2; k++) {
         int n = 0, ok = 0;

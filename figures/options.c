@@ -55,7 +55,7 @@ static const option options[] = {
     { "--tolerance", KIND_REAL, "T", 0, 1, FOR_ALL,
       offsetof(settings, tolerance), "strain that counts as none" },
     { "--paper", KIND_FLAG, "", 0, 0, FOR_ALL,
-      offsetof(settings, paper), "the paper's way, as printed" },
+      offsetof(settings, paper), "the paper's own way, misprints apart" },
     { "--film", KIND_PATH, "FILE.png", 0, 0, FOR_ALL,
       offsetof(settings, film), "draw a strip of three pictures" },
     { "--frames", KIND_PATH, "DIR", 0, 0, FOR_ALL,

@@ -39,24 +39,27 @@ static feature_point feature_of_simplex(const int *vertex, const real *weight,
 //<
 
 //> collide-new
-// A contact with nothing pushed yet.  A side that is immovable has no feature,
-// only the point where it stands.
+// A contact with nothing pushed yet.
 static void contact_between(contact *c, const collider *a,
                             const feature_point *fa, const collider *b,
                             const feature_point *fb, vec3 on_b, vec3 normal)
 {
     c->a = *fa;
     feature_to_pool(&c->a, a->first);
-    c->b.count = 0;
-    if (b->mass < HUGE_VAL) {
-        c->b = *fb;
-        feature_to_pool(&c->b, b->first);
-    }
+    c->b = *fb;
+    feature_to_pool(&c->b, b->first);
     c->fixed = on_b;
     c->normal = normal;
     c->thickness = c->pushed = c->approach = 0;
     c->mass_a = a->mass;
     c->mass_b = b->mass;
+}
+
+// An immovable side needs no feature, only the point where it stands.
+static void forget_immovable(contact *c, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (!(c[i].mass_b < HUGE_VAL)) c[i].b.count = 0;
 }
 //<
 
@@ -118,14 +121,17 @@ static int weights_over(vec3 x, vec3 u, vec3 v, vec3 w, real weight[3])
     return weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0;
 }
 
-// Does face f of body b look along d, to within about 8 degrees?
+// Does face f of body b look along d (unit), to within 8 degrees?  A body that
+// rests on its face, strained or rocking a little, still stands on all of its
+// corners; one that leans more stands on an edge.
 static int face_looks(const collider *b, int f, vec3 d)
 {
+    const real cosine_squared = 0.98;
     const int *v = &b->plan->face[3 * f];
     vec3 m = vec3_cross(vec3_sub(b->at[v[1]], b->at[v[0]]),
                         vec3_sub(b->at[v[2]], b->at[v[0]]));
     real along = vec3_dot(m, d);
-    return along > 0 && along * along >= 0.98 * vec3_dot(m, m);
+    return along > 0 && along * along >= cosine_squared * vec3_dot(m, m);
 }
 //<
 
@@ -156,19 +162,35 @@ static int corners_over_face(const collider *over, const collider *under, int f,
     return n;
 }
 
+// The corners of `over` above every face of `under` that looks towards it.
+// Such a face leans by 8 degrees at most, and is 2 radii wide, so none of its
+// corners is lower than top, the body's height that way, by more than
+// 2 sin 8 = 0.28 radii: that rules most faces out for one product.
+static int corners_over(const collider *over, const collider *under,
+                        vec3 normal, real sign, real top, real margin,
+                        contact *out, int n)
+{
+    const shape *plan = under->plan;
+    vec3 up = vec3_scale(sign, normal);
+    real least = top - 0.3 * plan->radius;
+    for (int f = 0; f < plan->mesh.faces; f++)
+        if (vec3_dot(under->at[plan->face[3 * f]], up) >= least
+            && face_looks(under, f, up))
+            n = corners_over_face(over, under, f, normal, sign, margin, out, n);
+    return n;
+}
+
 // Adds the corners of each body over the faces of the other that look along the
 // normal: a face on a face touches in more than one point.
-static int add_corners(const collider *a, const collider *b, vec3 normal,
-                       real margin, contact *out, int n)
+static int add_corners(const collider *a, const collider *b,
+                       const nearest_points *near, real margin,
+                       contact *out, int n)
 {
-    for (int f = 0; f < b->plan->mesh.faces; f++)
-        if (face_looks(b, f, normal))
-            n = corners_over_face(a, b, f, normal, 1, margin, out, n);
-    vec3 down = vec3_scale(-1, normal);
-    for (int f = 0; f < a->plan->mesh.faces; f++)
-        if (face_looks(a, f, down))
-            n = corners_over_face(b, a, f, normal, -1, margin, out, n);
-    return n;
+    vec3 normal = near->normal;
+    n = corners_over(a, b, normal, 1, vec3_dot(near->on_b, normal), margin,
+                     out, n);
+    return corners_over(b, a, normal, -1, -vec3_dot(near->on_a, normal),
+                        margin, out, n);
 }
 //<
 
@@ -208,8 +230,11 @@ int collide_rigid(const collider *a, const collider *b, real margin,
     nearest_points n = find_nearest(a, b, margin, carried, scratch);
     if (!n.near) return 0;
     contact_between(&out[0], a, &n.a, b, &n.b, n.on_b, n.normal);
-    if (!manifold) return 1;
-    return drop_doubles(out, add_corners(a, b, n.normal, margin, out, 1));
+    int count = 1;
+    if (manifold)
+        count = drop_doubles(out, add_corners(a, b, &n, margin, out, 1));
+    forget_immovable(out, count);
+    return count;
 }
 //<
 
@@ -234,12 +259,15 @@ int collide_plane(const collider *a, plane p, real margin, real thickness,
 //<
 
 //> hull-planes
-// The same plane up to rounding: equal normals, and no corner of the face off
-// it by more than a billionth of the body.
-static int same_plane(plane p, plane q, real size)
+// Does face v lie in plane p, up to rounding?  It looks the same way, and no
+// corner of it is off the plane by more than a billionth of the body's size.
+static int lies_in_plane(const int *v, vec3 normal, const vec3 *at, plane p,
+                         real size)
 {
-    return vec3_dot(p.normal, q.normal) > 1 - 1e-9
-        && fabs(p.offset - q.offset) <= 1e-9 * size;
+    if (!(vec3_dot(p.normal, normal) > 0)) return 0;
+    for (int k = 0; k < 3; k++)
+        if (!(fabs(plane_height(p, at[v[k]])) <= 1e-9 * size)) return 0;
+    return 1;
 }
 
 int hull_planes(const shape *plan, const vec3 *at, plane *out, int *face)
@@ -251,7 +279,7 @@ int hull_planes(const shape *plan, const vec3 *at, plane *out, int *face)
                                       vec3_sub(at[v[2]], at[v[0]])));
         plane p = { m, vec3_dot(m, at[v[0]]) };
         int k = 0;
-        while (k < n && !same_plane(out[k], p, plan->radius)) k++;
+        while (k < n && !lies_in_plane(v, m, at, out[k], plan->radius)) k++;
         if (k < n) continue;
         out[n] = p;
         face[n++] = f;
@@ -305,7 +333,7 @@ static feature_point face_under(vec3 x, const collider *b, int f, vec3 normal)
 }
 
 // Outside a convex body, over no face: an edge or a corner is nearest.  If x is
-// in front of just two planes n1, n2, at heights d1, d2, the point nearest to it
+// in front of just two planes n1, n2, at heights d1, d2, the point nearest it
 // on the line where they meet is y = x - s1 n1 - s2 n2 with n1.y, n2.y in their
 // planes:  s1 + c s2 = d1,  c s1 + s2 = d2,  c = n1.n2.  It is the nearest of
 // the whole body if s1, s2 >= 0 and y is in the body.  1 if so.
@@ -330,6 +358,17 @@ static int nearest_on_edge(vec3 x, const plane *p, int count, real slack,
     return inside_planes(*y, p, count, slack);
 }
 
+// The contact of particle i of a with point on_b of b.
+static int particle_contact(contact *c, const collider *a, int i,
+                            const collider *b, const feature_point *fb,
+                            vec3 on_b, vec3 normal)
+{
+    feature_point self = corner(i);
+    contact_between(c, a, &self, b, fb, on_b, normal);
+    forget_immovable(c, 1);
+    return 1;
+}
+
 // In every other case the query of two bodies finds the nearest point, one of
 // them being a point.
 static int collide_point_edge(const collider *a, int i, const collider *b,
@@ -340,12 +379,10 @@ static int collide_point_edge(const collider *a, int i, const collider *b,
     options.margin = reach;
     gjk_result g = gjk_distance(point, collider_points(b), options, NULL);
     if (g.status != GJK_APART || g.distance > reach) return 0;
-    feature_point self = corner(i);
     feature_point other = feature_of_simplex(g.last.b, g.last.weight,
                                              g.last.count);
-    contact_between(c, a, &self, b, &other, g.on_b,
-                    vec3_scale(1 / g.distance, g.axis));
-    return 1;
+    return particle_contact(c, a, i, b, &other, g.on_b,
+                            vec3_scale(1 / g.distance, g.axis));
 }
 //<
 
@@ -362,9 +399,9 @@ static int collide_point_outside(const collider *a, int i, const collider *b,
     vec3 out = vec3_sub(x, y);
     real distance = vec3_length(out);
     if (!(distance > 0) || distance > reach) return 0;
-    feature_point self = corner(i);
-    contact_between(c, a, &self, b, &self, y, vec3_scale(1 / distance, out));
-    return 1;
+    feature_point none = { .count = 0 };
+    return particle_contact(c, a, i, b, &none, y,
+                            vec3_scale(1 / distance, out));
 }
 
 int collide_point(const collider *a, int i, const collider *b,
@@ -380,10 +417,9 @@ int collide_point(const collider *a, int i, const collider *b,
     if (up > 0 && !inside_planes(foot, planes, count, 1e-12 * b->plan->radius))
         return collide_point_outside(a, i, b, planes, count, reach, c);
 
-    feature_point self = corner(i), under = self;
+    feature_point under = { .count = 0 };
     if (b->mass < HUGE_VAL)
         under = face_under(x, b, face[k], planes[k].normal);
-    contact_between(c, a, &self, b, &under, foot, planes[k].normal);
-    return 1;
+    return particle_contact(c, a, i, b, &under, foot, planes[k].normal);
 }
 //<

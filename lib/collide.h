@@ -18,7 +18,7 @@ typedef struct {
     real mass;          // kg; HUGE_VAL: immovable
 } collider;
 
-// A half-space that bodies stay out of: x . normal >= offset.
+// Bodies stay out of the half-space behind it: x . normal >= offset.
 typedef struct {
     vec3 normal;        // unit, into the free side
     real offset;        // m
@@ -34,30 +34,42 @@ enum { PAIR_CONTACTS = 8 };     // the most that two rigid bodies can have
 //<
 
 //> collide-declare
-// The contacts of rigid bodies a and b that are nearer than margin (m), in
-// out; returns their number.  The first is the nearest (or deepest) pair of
-// points.  With manifold, the corners of either that stand over a face of the
-// other follow.  carried: see gjk_distance.
+// The contacts of rigid bodies a and b that are nearer than margin (m, >= 0),
+// in out; returns their number, at most PAIR_CONTACTS.  The first is the
+// nearest (or deepest) pair of points.  With manifold, the corners of either
+// that stand over a face of the other follow, those of the lowest numbers.
+// An immovable body is B, whichever was given first; two of them touch nowhere.
+// Normals point from B to A; thickness and approach are 0, for the caller to
+// set.  carried: see gjk_distance; keep one for the pair (a, b) in this order.
+// Bodies that are not finite have no contacts.
 int collide_rigid(const collider *a, const collider *b, real margin,
                   int manifold, simplex *carried, hit_scratch *scratch,
                   contact out[PAIR_CONTACTS]);
 
-// The particles of a nearer to plane p than margin + thickness, at most
-// capacity; returns how many there are.  The contacts keep them thickness away.
+// The particles of a nearer to plane p than margin + thickness (m): writes at
+// most capacity contacts, returns how many there are.  A particle is A, the
+// plane B, immovable: the normal is the plane's, into the free side.  The
+// contacts keep particles thickness away.
 int collide_plane(const collider *a, plane p, real margin, real thickness,
                   contact *out, int capacity);
 
 // The planes of a rigid body's faces, looking outwards, coplanar faces once:
 // at most plan->mesh.faces of them in out, the first face of each in face.
-// Returns their number.
+// Returns their number, which may change with the body's strain: the triangles
+// of a side are coplanar to a billionth of the body's size, or are counted
+// apart.
 int hull_planes(const shape *plan, const vec3 *at, plane *out, int *face);
 
-// Which of these planes is x furthest in front of, or least far behind?
+// Which of these planes is x furthest in front of, or least far behind?  Of
+// equals the first; 0 where x is not finite.
 int hull_ahead(vec3 x, const plane *planes, int count);
 
-// Is particle i of a nearer than reach (m) to the convex body b, whose planes
-// are given?  Then c is the contact between them (b's feature empty when b is
-// immovable) and the result is 1.  Inside, the way out is the nearest face's.
+// Is particle i of a nearer than reach (m, >= 0) to the convex body b, whose
+// planes (of hull_planes, at b->at) are given?  Then c is the contact between
+// them (b's feature empty when b is immovable) and the result is 1.  The normal
+// points out of b; inside, the way out is the nearest face's.  thickness is 0,
+// for the caller to set.  A particle that is not finite touches nothing.
+// Requires count > 0.
 int collide_point(const collider *a, int i, const collider *b,
                   const plane *planes, const int *face, int count,
                   real reach, contact *c);

@@ -61,7 +61,8 @@ static void measure_planes(const world *w, const body *b, measures *m)
                       - vec3_dot(w->of.at[i], w->plane[p].normal));
 }
 
-// The depth of the hit face; bodies that are apart add nothing.
+// The depth of the hit face; bodies that are apart add nothing, and those that
+// are nowhere a depth that is no number.
 static void measure_rigid_pair(world *w, body *a, body *b, measures *m)
 {
     collider x = world_collider(w, a), y = world_collider(w, b);
@@ -71,6 +72,7 @@ static void measure_rigid_pair(world *w, body *a, body *b, measures *m)
                     b->plan->ring };
     if (body_is_nailed(a) && body_is_nailed(b)) return;
     gjk_result g = gjk_distance(p, q, gjk_options_default(), NULL);
+    if (g.status == GJK_NOT_FINITE) deepen(m, (real)NAN);
     if (g.status == GJK_OVERLAP)
         deepen(m, hit_face_find(p, q, &g.last, w->hit).depth);
 }
@@ -105,10 +107,7 @@ static void measure_pair(world *w, body *a, body *b, measures *m)
 measures world_measure(world *w)
 {
     measures m = { .strain = 0 };
-    for (int b = 0; b < w->bodies; b++) {
-        world_look(w, &w->body[b]);
-        sphere_tree_refresh(&w->body[b].tree, w->of.at + w->body[b].first);
-    }
+    for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);
     measure_strain(w, &m);
     measure_motion(w, &m);
     for (int a = 0; a < w->bodies; a++) {

@@ -14,7 +14,8 @@
 typedef struct {
     int  bodies;
     int  *parent;       // [bodies] union-find over the contacts of a frame
-    int  *island;       // [bodies] the island it fell asleep with
+    int  *island;       // [bodies] the island it fell asleep with, by the body
+                        // that stood for it; means nothing while awake
     real *calm;         // [bodies] s since it last moved faster than allowed
     char *asleep;       // [bodies]
     char *restless;     // [bodies] of the body that stands for an island: one
@@ -23,8 +24,9 @@ typedef struct {
 //<
 
 //> rest-declare
+// Everybody awake.  Fails, leaving *r empty, if memory is refused.
 status rest_init(rest_state *r, int bodies);
-void   rest_free(rest_state *r);
+void   rest_free(rest_state *r);        // an empty or zeroed one is fine
 
 // A new frame: every body an island of its own, but sleepers stay with those
 // that they fell asleep with.
@@ -38,7 +40,8 @@ void rest_touch(rest_state *r, int a, int b);
 // have been calm for `patience` (s).
 void rest_end(rest_state *r, const char *slow, real dt, real patience);
 
-// Wakes body b and all that fell asleep with it.
+// Wakes body b and all that fell asleep with it.  Nothing happens if it is
+// awake.  The islands of this frame stay as they are.
 void rest_wake(rest_state *r, int b);
 //<
 

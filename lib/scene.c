@@ -2,6 +2,7 @@
 #include "scene.h"
 #include "obj.h"
 
+#include <assert.h>
 #include <stddef.h>
 
 const char *scene_name(scene_kind kind)
@@ -56,8 +57,8 @@ static vec3 random_vector(unsigned long long *state, real most)
 }
 
 // A uniform orientation: a point of the unit ball in four dimensions, by
-// rejection (an eighth of the cube is left out at each try, so 64 tries fail
-// once in 10^10), made a unit quaternion, made three axes.
+// rejection (it fills 31 % of its cube, so 64 tries fail once in 10^10), made a
+// unit quaternion, made three axes.
 static void random_axes(unsigned long long *state, placement *where)
 {
     real w = 1, x = 0, y = 0, z = 0, norm = 0;
@@ -134,10 +135,11 @@ static placement random_throw(const scene *s, int k, int cells,
 // would overlap in it: then the room is as wide as the grid needs.
 static status build_room(scene *s, scene_options what)
 {
+    const real icosahedron = 0.317, filled = 0.15;  // m^3; of the room
     int cells = grid_cells(what.bodies);
     unsigned long long seed = what.seed;
     s->body_radius = 0.5;
-    s->size = cube_root(0.317 * what.bodies / 0.15);
+    s->size = cube_root(icosahedron * what.bodies / filled);
     if (s->size < 2 * s->body_radius * cells)
         s->size = 2 * s->body_radius * cells;
     status done = what.mesh
@@ -264,6 +266,7 @@ status scene_build(scene *s, scene_kind kind, scene_options what,
     static status (*const build[SCENES])(scene *, scene_options) = {
         build_room, build_cloth_on_cube, build_cloth_on_rope
     };
+    assert(kind >= 0 && kind < SCENES);
     *s = (scene){ .kind = kind };
     status done = check_scene(what);
     if (done.ok) done = world_init(&s->world, how);

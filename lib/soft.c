@@ -6,8 +6,8 @@ static int body_is_still(const world *w, int b)
     return body_is_nailed(&w->body[b]) || w->rest.asleep[b];
 }
 
-// The squares of how far (m) a particle of b is from where it was listed, and of
-// how far it went in the last substep: the largest of each.
+// The squares of how far (m) a particle of b is from where it was listed, and
+// of how far it went in the last substep: the largest of each.
 static void measure_moves(const world *w, const body *b, real *moved,
                           real *step)
 {
@@ -25,6 +25,8 @@ static void measure_moves(const world *w, const body *b, real *moved,
 // Two particles, each moved by half the margin, may have closed it.  Before
 // that the lists are good; and for as many substeps more as it would take at
 // twice the speed of the fastest, but at most 8, for speeds change.
+enum { TRUST_MOST = 8 };
+
 static int lists_are_good(world *w)
 {
     real moved = 0, step = 0, half = w->list_margin / 2;
@@ -38,7 +40,8 @@ static int lists_are_good(world *w)
             measure_moves(w, &w->body[b], &moved, &step);
     real left = half - sqrt(moved), pace = 2 * sqrt(step);
     if (!(left > 0)) return 0;
-    w->trusted = left >= 8 * pace ? 8 : (int)(left / pace);
+    w->trusted = left >= TRUST_MOST * pace ? TRUST_MOST
+                                          : (int)(left / pace);
     return 1;
 }
 //<
@@ -63,13 +66,18 @@ static void add_near(world *w, const body *a, const body *b, tree_result found)
             a->thickness + b->thickness };
 }
 
-// A sheet against itself.  What stood nearer than one and a half diameters when
-// the sheet was flat is left out: sticks hold those apart.
+// What stood nearer than one and a half diameters when the sheet was flat does
+// not collide: sticks hold it apart.  In a square grid these are the eight
+// particles around one, at 1 and 1.41 spacings (0.91 and 1.29 diameters); the
+// next stand at 2 (1.82).
+static const real NEIGHBOURS = 1.5;
+
+// A sheet against itself.
 static void list_self(world *w, body *a)
 {
-    vec3 *at = w->of.at + a->first;
-    add_near(w, a, a, sphere_tree_self(&a->tree, at, w->list_margin, 1.5,
-                                       w->leaf_pair, w->leaf_capacity));
+    add_near(w, a, a, sphere_tree_self(
+        &a->tree, w->of.at + a->first, w->list_margin, NEIGHBOURS,
+        w->leaf_pair, w->leaf_capacity));
 }
 
 static void list_soft_pair(world *w, body *a, body *b)
@@ -132,8 +140,7 @@ void soft_refresh(world *w)
     w->report.rebuilt++;
     for (int b = 0; b < w->bodies; b++) {
         body *now = &w->body[b];
-        world_look(w, now);
-        sphere_tree_refresh(&now->tree, w->of.at + now->first);
+        world_look_again(w, now);
         for (int i = 0; i < now->plan->particles; i++)
             w->of.listed[now->first + i] = w->of.at[now->first + i];
     }
@@ -156,13 +163,16 @@ static response_options soft_response(const world *w)
 }
 
 // One plane that the particle is clear of is enough to know that it does not
-// touch: most often the one that it was in front of when it was listed.
+// touch: most often the one that it was in front of when it was listed.  (There
+// may be fewer by now: strain parts the planes of two triangles of one side,
+// and lets them meet again.)
 static int separate_point(world *w, point_pair pair, response_options how)
 {
     const body *soft = &w->body[pair.soft], *rigid = &w->body[pair.rigid];
     vec3 x = w->pool.at[pair.particle].position;
     real apart = soft->thickness + rigid->thickness;
-    if (plane_height(w->hull[pair.ahead], x) > apart) return 0;
+    if (pair.ahead < w->hulls
+        && plane_height(w->hull[pair.ahead], x) > apart) return 0;
 
     collider a = world_collider(w, soft), b = world_collider(w, rigid);
     contact c;
@@ -245,6 +255,9 @@ static void part_leaf_from_hull(world *w, const body *soft, int leaf, int b)
     w->report.touching++;
 }
 
+// A leaf may be near several faces of the hull, but is pushed once.  What
+// leaf_met remembers from an earlier traversal does no harm: the place is
+// looked up before it is believed.
 static void part_from_hull(world *w, body *soft, int b)
 {
     body *rigid = &w->body[b];
@@ -254,28 +267,22 @@ static void part_from_hull(world *w, body *soft, int b)
     int pairs = room_for(w, found.pairs, w->leaf_capacity);
     look_at_hull(w, b);
     for (int k = 0; k < pairs; k++) {
-        int seen = 0;
-        for (int j = 0; j < k && !seen; j++)
-            seen = w->leaf_pair[j].a == w->leaf_pair[k].a;
-        if (!seen) part_leaf_from_hull(w, soft, w->leaf_pair[k].a, b);
+        int leaf = w->leaf_pair[k].a, *met = &w->leaf_met[leaf];
+        if (*met < k && w->leaf_pair[*met].a == leaf) continue;
+        *met = k;
+        part_leaf_from_hull(w, soft, leaf, b);
     }
 }
 //<
 
 //> soft-separate-leaves
-static void look_again(world *w, body *b)
-{
-    world_look(w, b);
-    sphere_tree_refresh(&b->tree, w->of.at + b->first);
-}
-
 // Which leaves of a sheet count as neighbours the paper leaves open.  Without
 // those alone that share a vertex, the first fold throws the cloth to infinity:
 // here the rule is the same as for balls.
 static void part_self(world *w, body *a)
 {
     tree_result found = sphere_tree_self(
-        &a->tree, w->of.at + a->first, 0, 1.5,
+        &a->tree, w->of.at + a->first, 0, NEIGHBOURS,
         w->leaf_pair, w->leaf_capacity);
     part_leaves(w, a, a, room_for(w, found.pairs, w->leaf_capacity));
 }
@@ -287,8 +294,8 @@ static void part_pair(world *w, int a, int b)
         if (body_is_soft(other)) part_pair(w, b, a);
         return;
     }
-    look_again(w, soft);
-    look_again(w, other);
+    world_look_again(w, soft);
+    world_look_again(w, other);
     if (!body_is_soft(other)) {
         part_from_hull(w, soft, b);
         return;
@@ -304,7 +311,7 @@ void soft_separate_leaves(world *w)
     w->report.touching = 0;
     for (int a = 0; a < w->bodies; a++) {
         if (body_is_soft(&w->body[a])) {
-            look_again(w, &w->body[a]);
+            world_look_again(w, &w->body[a]);
             part_self(w, &w->body[a]);
         }
         for (int b = a + 1; b < w->bodies; b++) part_pair(w, a, b);

@@ -4,9 +4,9 @@
 // Paper: section 5.2 and the end of 6.1.  Book: chapter 9.
 //
 // The trees are asked which particles are near each other, the planes of rigid
-// bodies which are near them; the answer, with a margin, is good until something
-// has moved by half of it (the neighbour list of Verlet 1967).  In between, a
-// substep only looks down the lists.
+// bodies which are near them; the answer, with a margin, is good until
+// something has moved by half of it (the neighbour list of Verlet 1967).  In
+// between, a substep only looks down the lists.
 
 #ifndef TUMBLE_SOFT_H
 #define TUMBLE_SOFT_H
@@ -15,10 +15,13 @@
 //<
 
 //> soft-declare
-// Makes the lists of near particles anew, if one may have come near unlisted.
+// Makes the lists of near particles anew, if one may have come near unlisted:
+// once a substep, before soft_separate.  Pairs that neither move are left out,
+// so w->trusted must be -1 after someone woke.
 void soft_refresh(world *w);
 
 // Parts what touches: pairs of particles, then particles and rigid bodies.
+// Counts in the report what was watched, and what was pushed.
 void soft_separate(world *w);
 
 // The paper's way, without lists: whole leaves of the trees are pushed apart,

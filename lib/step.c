@@ -61,10 +61,7 @@ static void look_at_rigid(world *w)
     for (int k = 0; k < w->bodies; k++) {
         body *b = &w->body[k];
         if (body_is_soft(b)) continue;
-        if (moves(w, k)) {
-            world_look(w, b);
-            sphere_tree_refresh(&b->tree, w->of.at + b->first);
-        }
+        if (moves(w, k)) world_look_again(w, b);
         w->ball[k] = sphere_tree_root(&b->tree, w->of.at + b->first);
         look_ahead(w, b, moves(w, k));
     }
@@ -73,20 +70,18 @@ static void look_at_rigid(world *w)
 
 //> step-pairs
 // Appends pair (a, b) with what the last frame's query of it left.  Both lists
-// are sorted, so one finger moves along the old one.
-static void add_pair(world *w, int a, int b, int *old)
+// are sorted, so one finger moves along the old one.  0 if there is no room.
+static int add_pair(world *w, int a, int b, int *old)
 {
     const body_pair *was = w->old_pair;
-    if (w->pairs == w->pair_capacity) {
-        w->report.dropped++;
-        return;
-    }
+    if (w->pairs == w->pair_capacity) return 0;
     while (*old < w->old_pairs && (was[*old].a < a
            || (was[*old].a == a && was[*old].b < b))) (*old)++;
     int known = *old < w->old_pairs && was[*old].a == a && was[*old].b == b;
     body_pair *pair = &w->pair[w->pairs++];
     if (known) *pair = was[*old];
     else       *pair = (body_pair){ .a = a, .b = b };
+    return 1;
 }
 
 static int spheres_meet(sphere a, sphere b, real margin)
@@ -97,10 +92,10 @@ static int spheres_meet(sphere a, sphere b, real margin)
 }
 
 // All pairs of rigid bodies whose spheres come within reach of each other.
-// Paper: section 5 tests every pair; so do we.
-static void find_pairs(world *w)
+// Returns how many found no room.  Paper: section 5 tests every pair; so do we.
+static int find_pairs(world *w)
 {
-    int old = 0;
+    int old = 0, lost = 0;
     w->pairs = 0;
     for (int a = 0; a < w->bodies; a++) {
         if (body_is_soft(&w->body[a])) continue;
@@ -109,8 +104,9 @@ static void find_pairs(world *w)
             if (spheres_meet(w->ball[a], w->ball[b],
                              w->body[a].reach + w->body[b].reach)
                 && !body_is_soft(&w->body[b]) && (a_moves || moves(w, b)))
-                add_pair(w, a, b, &old);
+                lost += !add_pair(w, a, b, &old);
     }
+    return lost;
 }
 
 static void swap_pair_lists(world *w)
@@ -123,28 +119,33 @@ static void swap_pair_lists(world *w)
 //<
 
 //> step-spread
-// A body that is hit may go as far as what hits it.  So whoever is near a faster
-// body looks as far ahead as that one does; twice, for a blow that is passed on.
+// A body that is hit may go as far as what hits it.  So whoever is near a
+// faster body looks as far ahead as that one does; twice, for a blow that is
+// passed on.
 static void spread_reach(world *w)
 {
-    for (int k = 0; k < 2 * w->pairs; k++) {
-        const body_pair *pair = &w->pair[k % w->pairs];
-        real *a = &w->body[pair->a].reach, *b = &w->body[pair->b].reach;
-        real far = fmax(*a, *b);
-        if (moves(w, pair->a)) *a = far;
-        if (moves(w, pair->b)) *b = far;
+    for (int round = 0; round < 2; round++) {
+        for (int b = 0; b < w->bodies; b++) w->spread[b] = w->body[b].reach;
+        for (int k = 0; k < w->pairs; k++) {
+            int a = w->pair[k].a, b = w->pair[k].b;
+            real far = fmax(w->spread[a], w->spread[b]);
+            if (moves(w, a)) w->body[a].reach = fmax(w->body[a].reach, far);
+            if (moves(w, b)) w->body[b].reach = fmax(w->body[b].reach, far);
+        }
     }
 }
 //<
 
 //> step-wake
-// Slow enough to rest: less than a twelfth of the speed, sqrt(2 g r), that a
-// fall through its own radius gives.
+// Slow enough to rest: less than a twelfth of the speed, sqrt(2 g s), that a
+// fall through its shortest stick gives.
 static real rest_speed(const world *w, const body *b)
 {
-    return sqrt(2 * vec3_length(w->options.gravity) * b->plan->radius) / 12;
+    return sqrt(2 * vec3_length(w->options.gravity) * b->plan->spacing) / 12;
 }
 
+// Wakes b and all that sleep with it.  The near lists leave out what slept, so
+// they are made anew.
 static void rouse(world *w, int b)
 {
     rest_wake(&w->rest, b);
@@ -154,6 +155,7 @@ static void rouse(world *w, int b)
         for (int i = x->first; i < x->first + x->plan->particles; i++)
             w->pool.at[i].inverse_mass = w->of.inverse_mass[i];
     }
+    w->trusted = -1;
 }
 
 // Body a comes near body b: if one of them sleeps and the other is faster than
@@ -176,12 +178,15 @@ static int wake_sleepers(world *w)
     return woken;
 }
 
-// A deformable body wakes, and rests with, whatever its sphere meets.
+// A deformable body wakes, and rests with, whatever its sphere meets, with
+// twice the margin of the near lists for what this frame will bring.
 static void join_soft(world *w)
 {
+    for (int b = 0; b < w->bodies; b++)
+        if (moves(w, b)) world_look_again(w, &w->body[b]);
     for (int a = 0; a < w->bodies; a++) {
         body *soft = &w->body[a];
-        if (!body_is_soft(soft)) continue;
+        if (!body_is_soft(soft) || body_is_nailed(soft)) continue;
         sphere ball = sphere_tree_root(&soft->tree, w->of.at + soft->first);
         for (int b = 0; b < w->bodies; b++) {
             body *x = &w->body[b];
@@ -237,9 +242,9 @@ static int query_pair(world *w, body_pair *pair, real margin)
     return n;
 }
 
-// Once a frame: the contacts of every pair that may touch before its end.  Those
-// of two bodies that pass each other quickly, by more than a tenth of a radius,
-// change within a frame: they come last, to be replaced.
+// Once a frame: the contacts of every pair that may touch before its end.
+// Those of two bodies that pass each other quickly, by more than a tenth of a
+// radius, change within a frame: they come last, to be replaced.
 static void query_pairs(world *w, int quick)
 {
     for (int k = 0; k < w->pairs; k++) {
@@ -271,14 +276,20 @@ static void query_quick_pairs(world *w)
     }
 }
 
-// Every body that moves against every plane that its sphere comes near.
+//<
+
+//> step-find
+// Every particle that moves against every plane.  (What is rigid was looked at
+// when its pairs were found.)
 static void query_planes(world *w)
 {
     for (int k = 0; k < w->bodies; k++) {
         body *b = &w->body[k];
         if (!moves(w, k)) continue;
-        if (body_is_soft(b)) look_ahead(w, b, 1);
-        world_look(w, b);
+        if (body_is_soft(b)) {
+            look_ahead(w, b, 1);
+            world_look(w, b);
+        }
         collider c = world_collider(w, b);
         for (int p = 0; p < w->planes; p++) {
             int room = w->contact_capacity - w->contacts;
@@ -294,15 +305,16 @@ static void query_planes(world *w)
 static void find_contacts(world *w, real *since)
 {
     look_at_rigid(w);
-    find_pairs(w);
+    int lost = find_pairs(w);
     if (wake_sleepers(w)) {
         look_at_rigid(w);
-        find_pairs(w);
+        lost = find_pairs(w);
     }
     if (w->options.look_ahead) {
         spread_reach(w);
-        find_pairs(w);
+        lost = find_pairs(w);
     }
+    w->report.dropped += lost;
     lap(w, STAGE_PAIRS, since);
     w->contacts = 0;
     query_pairs(w, 0);
@@ -362,14 +374,15 @@ static relax_result relax_body(world *w, const body *b, int is_ordered)
 static void relax(world *w)
 {
     for (int b = 0; b < w->bodies; b++) {
+        int collided = w->collided[b];
+        w->collided[b] = 0;
         if (!moves(w, b)) continue;
-        int is_ordered = w->options.order != ORDER_LISTED && w->collided[b]
+        int is_ordered = w->options.order != ORDER_LISTED && collided
                          && !body_is_soft(&w->body[b]);
         relax_result r = relax_body(w, &w->body[b], is_ordered);
         w->report.tested += r.tested;
         w->report.relaxed += r.relaxed;
         w->report.fell_back += r.fell_back;
-        w->collided[b] = 0;
     }
 }
 
@@ -401,23 +414,38 @@ static int went_slow(const world *w, const body *b)
     return 1;
 }
 
-// Whoever falls asleep is nailed where it lies.
-static void put_to_bed(world *w, const body *b)
+// Whoever sleeps is nailed where it lies, and seen there: the other stages only
+// look at what moves.
+static void put_to_bed(world *w, body *b)
 {
     for (int i = b->first; i < b->first + b->plan->particles; i++) {
         particle *p = &w->pool.at[i];
         p->inverse_mass = 0;
         p->previous = p->position;
     }
+    world_look_again(w, b);
 }
 
-// Bodies that pushed each other in this frame and lay still for half a second
-// fall asleep together.
+// s, how long an island must lie still: half a second, but longer where gravity
+// is weak or a body large.  Whoever is thrown straight up is slower than the
+// speed of rest, v, for 2 v / g about the top, and nobody is to sleep there:
+// twice that.
+static real patience(const world *w)
+{
+    real most = 0.5, gravity = vec3_length(w->options.gravity);
+    for (int b = 0; b < w->bodies && gravity > 0; b++)
+        if (moves(w, b))
+            most = fmax(most, 2 * 2 * rest_speed(w, &w->body[b]) / gravity);
+    return most;
+}
+
+// Bodies that pushed each other in this frame, and lay still for as long as
+// patience asks, fall asleep together.
 static void rest(world *w)
 {
     for (int b = 0; b < w->bodies; b++)
         w->slow[b] = (char)(!moves(w, b) || went_slow(w, &w->body[b]));
-    rest_end(&w->rest, w->slow, w->options.dt, 0.5);
+    rest_end(&w->rest, w->slow, w->options.dt, patience(w));
     w->report.asleep = 0;
     for (int b = 0; b < w->bodies; b++) {
         if (!w->rest.asleep[b] || body_is_nailed(&w->body[b])) continue;

@@ -8,7 +8,10 @@
 
 #include "world.h"
 
-// One frame of options.dt.  Requires world_begin.  Allocates nothing.
+// One frame of options.dt: every body moves, is parted from what it met, and is
+// relaxed; what it did is in w->report.  Requires world_begin.  Allocates
+// nothing and never fails: a body whose numbers are lost touches nothing, and
+// w->report.dropped counts what found no room.
 void world_step(world *w);
 
 #endif

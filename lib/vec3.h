@@ -40,7 +40,7 @@ static inline vec3 vec3_scale(real s, vec3 a)
     return (vec3){ s * a.x, s * a.y, s * a.z };
 }
 
-// a + s b: a step of length s along b.
+// a + s b: from a, s times b.
 static inline vec3 vec3_add_scaled(vec3 a, real s, vec3 b)
 {
     return (vec3){ a.x + s * b.x, a.y + s * b.y, a.z + s * b.z };

@@ -18,11 +18,15 @@ typedef enum {
     LEAVES_FACE         // its triangles or links (the paper)
 } leaves_kind;
 
-// Every difference between the paper's way and ours is one of these.
+// Every difference between the paper's way and ours is one of these.  dt and
+// substeps stay as they are once a body is in: where a particle was is where it
+// was dt / substeps ago.
 typedef struct {
-    real dt;            // s, a frame: one call of world_step
-    int  substeps;      // a frame is this many integrations (paper: 1)
-    int  sweeps;        // over a body's sticks in a substep, at most
+    real dt;            // s, a frame: one call of world_step; to 1
+    int  substeps;      // a frame is this many integrations (paper: 1); 1 to
+                        // 10000
+    int  sweeps;        // over a body's sticks in a substep, at most; 1 to
+                        // 10000
     vec3 gravity;       // m/s^2
     relax_options    relax;
     order_kind       order;     // of sticks, in rigid bodies that collided
@@ -136,6 +140,8 @@ typedef struct {
     int  points, point_capacity;
     leaf_pair *leaf_pair;               // room for a traversal
     int  leaf_capacity;
+    int *leaf_met;      // [leaves of the largest tree] where in leaf_pair a
+                        // leaf of the first tree was last met
     int  trusted;       // the near lists are good for as many substeps more;
                         // -1: there are none yet
     real list_margin;   // m, how much further than touching they look
@@ -143,9 +149,11 @@ typedef struct {
     plane *hull;        // the planes of body hull_of
     int  *hull_face, hulls, hull_of;
 
-    char *slow;         // [bodies] slow enough to rest, so far in this frame
-    char *collided;     // [bodies] in this substep
+    char *slow;         // [bodies] slow enough to rest, in this frame
+    char *collided;     // [bodies] rigid ones that were pushed in this substep,
+                        // by each other or by planes
     sphere *ball;       // [bodies] around each rigid body, this frame
+    real *spread;       // [bodies] m, their reach before it was spread
     rest_state  rest;
     step_report report;
 } world;
@@ -162,21 +170,28 @@ world_options world_options_paper(void);
 // Upright, at rest, free.
 placement placement_at(vec3 position);
 
-// An empty world.  Fails, with the option's name, if one is out of range.
+// An empty world.  Fails, with the option's name, if one is out of range: *w is
+// empty then, too, and owns nothing.
 status world_init(world *w, world_options options);
-void   world_free(world *w);
+void   world_free(world *w);    // at any time after world_init, or zeroed
 
-// Adds a body to plan s, which must outlive the world; its number in *number
-// (which may be NULL).  Before world_begin.  Fails: not finite, no memory.
+// Adds a body to plan s, which must outlive the world and stay where it is; its
+// number in *number (which may be NULL).  Before world_begin.  Fails, adding
+// nothing: a placement that is not finite, or whose axes are not perpendicular
+// units; no memory.
 status world_add(world *w, const shape *s, placement where, int *number);
 
-// Adds a half-space that bodies stay out of; at most 6.
+// Adds a half-space that bodies stay out of, x . normal < offset; at most 6.
+// The normal points to the free side; it need not be a unit vector (offset is
+// in m times its length).  Before world_begin.  Fails, adding nothing: a
+// seventh plane, a normal without direction, numbers that are not finite.
 status world_add_plane(world *w, vec3 normal, real offset);
 
 // Nails particle i of body b where it is.  Before world_begin.
 void   world_nail(world *w, int b, int i);
 
-// Sizes everything that a step needs.  Fails only for want of memory.
+// Sizes everything that a step needs.  Once, after all is in.  Fails only for
+// want of memory: then world_free is all that may follow.
 status world_begin(world *w);
 
 // Body b as the queries see it: its places as of the last world_look.
@@ -185,7 +200,13 @@ collider world_collider(const world *w, const body *b);
 // Copies where the particles of body b are for the queries.
 void   world_look(world *w, const body *b);
 
-static inline int body_is_nailed(const body *b) { return !(b->mass < HUGE_VAL); }
+// The same, and brings the body's tree up to date.
+void   world_look_again(world *w, body *b);
+
+static inline int body_is_nailed(const body *b)
+{
+    return !(b->mass < HUGE_VAL);
+}
 static inline int body_is_soft(const body *b)
 {
     return b->plan->kind != SHAPE_RIGID;

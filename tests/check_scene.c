@@ -374,6 +374,28 @@ START_TEST(same_seed_gives_the_same_bits_and_another_seed_others)
 }
 END_TEST
 
+// Rejects: a measure that moves what it measures, be it only what a sleeper is
+// seen to be.  (The room of 20 falls asleep before the end.)
+START_TEST(measuring_changes_no_bit)
+{
+    unsigned long long hash[2];
+    for (int measured = 0; measured < 2; measured++) {
+        scene_options what = scene_options_default();
+        what.bodies = 20;
+        ck_assert(scene_build(&s, SCENE_ROOM, what,
+                              scene_world_options(SCENE_ROOM)).ok);
+        for (int f = 0; f < 480; f++) {
+            world_step(&s.world);
+            if (measured) world_measure(&s.world);
+        }
+        ck_assert_int_gt(s.world.report.asleep, 0);
+        hash[measured] = world_hash(&s.world);
+        scene_free(&s);
+    }
+    ck_assert(hash[0] == hash[1]);
+}
+END_TEST
+
 // --- the cloths --------------------------------------------------------------
 
 // Rejects: a sheet that stretches, or falls through the cube; one that passes
@@ -687,6 +709,7 @@ int main(void)
         room_starts_with_everybody_apart,
         room_is_as_documented,
         same_seed_gives_the_same_bits_and_another_seed_others,
+        measuring_changes_no_bit,
         cloth_comes_to_lie_on_the_cube,
         cloth_comes_to_hang_on_the_rope,
         cloth_and_cube_are_as_documented,

@@ -18,7 +18,7 @@ set title "How deep?  Three ways to ask two icosahedra" font "DejaVu Sans,26" of
 unset key
 set label 1 "the best of 16 ... 4096 directions" at 1600,3 textcolor rgb "#d55e00" font "DejaVu Sans Bold,24"
 set label 2 "GJK, then the hit face" at 1300,1.2e-16 textcolor rgb "#0072b2" font "DejaVu Sans Bold,24"
-set label 3 "all 940 directions\nthat can count" at 24000,1e-12 textcolor rgb "#009e73" font "DejaVu Sans Bold,24"
+set label 3 "all 245 directions\nthat can count" at 24000,1e-12 textcolor rgb "#009e73" font "DejaVu Sans Bold,24"
 plot csv index 0 using 2:3 with linespoints pt 7 ps 1.2 lc rgb "#d55e00" lw 1.5, \
      csv index 1 using 3:2 with points pt 7 ps 2.2 lc rgb "#0072b2", \
      csv index 1 using 4:2 with points pt 7 ps 2.2 lc rgb "#009e73"

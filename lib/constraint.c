@@ -219,6 +219,28 @@ relax_result sticks_relax(const stick *s, int n, particle *p,
 }
 //<
 
+//> sticks-sweep-speeds
+// Each end has gone u = position - previous in the last step.  Along the stick,
+// d, the ends part by e = (u_b - u_a) . d / d . d; to take it away, a must have
+// gone w_a e d / (w_a + w_b) further, and b as much less by its own weight.
+static void stick_slow(stick s, particle *a, particle *b)
+{
+    vec3 along = vec3_sub(b->position, a->position);
+    vec3 gone = vec3_sub(along, vec3_sub(b->previous, a->previous));
+    real bottom = vec3_length_squared(along)
+                * (a->inverse_mass + b->inverse_mass);
+    if (s.kind != STICK_EXACT || s.stiffness < 1 || !(bottom > 0)) return;
+    real e = vec3_dot(gone, along) / bottom;
+    a->previous = vec3_add_scaled(a->previous, -a->inverse_mass * e, along);
+    b->previous = vec3_add_scaled(b->previous, b->inverse_mass * e, along);
+}
+
+void sticks_sweep_speeds(const stick *s, int n, particle *p)
+{
+    for (int i = 0; i < n; i++) stick_slow(s[i], &p[s[i].a], &p[s[i].b]);
+}
+//<
+
 //> sticks-interleave
 // Round after round takes every stick that shares no particle with another
 // taken in the round.  That is the greedy colouring: each stick gets the first

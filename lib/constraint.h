@@ -95,6 +95,12 @@ relax_result sticks_relax(const stick *s, int n, particle *p,
                           int particle_count, int max_sweeps,
                           relax_options options, vec3 *scratch);
 
+// Makes n sticks keep the length that they have: takes from their ends the part
+// of their speeds that would change it, each end in proportion to its inverse
+// mass, by moving `previous` alone.  One sweep; linear and angular momentum
+// stay.  Soft and one-sided sticks, and those without length, are left out.
+void sticks_sweep_speeds(const stick *s, int n, particle *p);
+
 // Reorders n sticks so that neighbours in the list share no particle where that
 // can be had (a greedy colouring): a processor then works on several at once.
 // Stable within a colour, so the result is the same everywhere.

@@ -201,20 +201,23 @@ static void join_soft(world *w)
 //<
 
 //> step-contacts
-// m/s, > 0 while the features approach each other.
-static real approach_speed(const contact *c, const particle *p, real h)
+// m/s, the speed at which the features meet, if that makes a blow: four times
+// the speed at which body b may rest, or more.  Slower ones are the unrest of a
+// pile, and 0.
+static real blow_speed(const world *w, const contact *c, const body *b)
 {
-    vec3 now = feature_now(c->a, p), was = feature_before(c->a, p);
-    vec3 move = vec3_sub(now, was);
+    const particle *p = w->pool.at;
+    real h = w->options.dt / w->options.substeps;
+    vec3 move = vec3_sub(feature_now(c->a, p), feature_before(c->a, p));
     if (c->b.count > 0)
         move = vec3_sub(move, vec3_sub(feature_now(c->b, p),
                                        feature_before(c->b, p)));
-    return -vec3_dot(move, c->normal) / h;
+    real speed = -vec3_dot(move, c->normal) / h;
+    return speed > 4 * rest_speed(w, b) ? speed : 0;
 }
 
 static void keep_contacts(world *w, const contact *found, int n, int a, int b)
 {
-    real h = w->options.dt / w->options.substeps;
     for (int k = 0; k < n; k++) {
         if (w->contacts == w->contact_capacity) {
             w->report.dropped += n - k;
@@ -224,7 +227,7 @@ static void keep_contacts(world *w, const contact *found, int n, int a, int b)
         w->between[w->contacts][1] = b;
         w->contact[w->contacts] = found[k];
         w->contact[w->contacts].approach =
-            approach_speed(&found[k], w->pool.at, h);
+            blow_speed(w, &found[k], &w->body[a]);
         w->contacts++;
     }
 }
@@ -392,17 +395,43 @@ static void remember(world *w, vec3 *where)
 }
 //<
 
-//> step-rest
-static void bounce(world *w, real h)
+//> step-bounce
+static void slow_sticks(world *w, int b)
 {
-    for (int k = 0; k < w->contacts; k++) {
-        contact *c = &w->contact[k];
-        if (!(c->pushed > 0)) continue;
-        contact_bounce(c, w->pool.at, w->options.response, h);
-        c->approach = 0;
-    }
+    if (b < 0 || !moves(w, b)) return;
+    const shape *plan = w->body[b].plan;
+    sticks_sweep_speeds(plan->stick, plan->sticks,
+                        w->pool.at + w->body[b].first);
 }
 
+// Did this contact, in this substep, part bodies that met in a blow?
+static int is_blow(const contact *c)
+{
+    return c->pushed > 0 && c->approach > 0;
+}
+
+// A push moves places, and so gives a speed as well that nobody asked for.
+// After a blow the features part at restitution times the speed at which they
+// met: contact_bounce gives that speed to the features alone, and the sticks
+// spread it over the bodies; in turn, until both agree.
+static void bounce(world *w, real h)
+{
+    enum { ROUNDS = 40 };
+    int blows = 0;
+    for (int k = 0; k < w->contacts; k++) blows += is_blow(&w->contact[k]);
+    for (int round = 0; blows > 0 && round < ROUNDS; round++)
+        for (int k = 0; k < w->contacts; k++) {
+            if (!is_blow(&w->contact[k])) continue;
+            contact_bounce(&w->contact[k], w->pool.at, w->options.response, h);
+            slow_sticks(w, w->between[k][0]);
+            slow_sticks(w, w->between[k][1]);
+        }
+    for (int k = 0; blows > 0 && k < w->contacts; k++)
+        if (is_blow(&w->contact[k])) w->contact[k].approach = 0;
+}
+//<
+
+//> step-rest
 // Did every particle of b go slower than the speed of rest over the frame?
 static int went_slow(const world *w, const body *b)
 {
@@ -478,7 +507,7 @@ void world_step(world *w)
         separate(w);
         lap(w, STAGE_SEPARATE, &since);
         relax(w);
-        if (o->response.restitution > 0) bounce(w, h);
+        if (o->blows) bounce(w, h);
         lap(w, STAGE_RELAX, &since);
     }
     swap_pair_lists(w);

@@ -12,7 +12,7 @@ world_options world_options_default(void)
         .relax = { ROOT_EXACT, GRADIENT_OLD, 0.001, 0 }, .order = ORDER_LISTED,
         .response = response_options_default(),
         .leaves = LEAVES_VERTEX,
-        .look_ahead = 1, .skin = 0.005, .manifold = 1, .resting = 1,
+        .look_ahead = 1, .skin = 0.005, .manifold = 1, .blows = 1, .resting = 1,
     };
     o.response.gain = 3;
     return o;

@@ -37,6 +37,8 @@ typedef struct {
     real skin;          // of a rigid body's radius: its contacts keep that far
                         // off, so that bodies at rest do not overlap
     int  manifold;      // 1: several contacts a pair of rigid bodies
+    int  blows;         // 1: after a blow bodies part at restitution times the
+                        // speed at which they met; 0: at what the pushes gave
     int  resting;       // 1: bodies that lie still fall asleep
     real (*clock)(void);// s; times the stages; NULL: nothing is timed
 } world_options;

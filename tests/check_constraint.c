@@ -728,6 +728,38 @@ static void gains_nothing(const particle *before, const particle *after, int n)
     near(vec3_length(torque), 0, ROUNDING, "angular momentum");
 }
 
+// Rejects: a share by mass instead of by inverse mass; a move of positions; the
+// part across the stick taken too.
+START_TEST(speeds_that_would_change_a_length_are_taken_by_mass)
+{
+    // b runs away from a along the stick at 4 m/step, and aside at 2; a weighs
+    // three times as much, so a takes 1 of the 4 along, and b gives up 3.
+    particle p[2] = { { { 0, 0, 0 }, { 0, 0, 0 }, 1 },
+                      { { 1, 0, 0 }, { -3, -2, 0 }, 3 } };
+    stick s = { 0, 1, 1, 1, STICK_EXACT };
+    sticks_sweep_speeds(&s, 1, p);
+    ck_assert(p[0].position.x == 0 && p[1].position.x == 1);
+    ck_assert_double_eq_tol(p[0].position.x - p[0].previous.x, 1, 1e-15);
+    ck_assert_double_eq_tol(p[1].position.x - p[1].previous.x, 1, 1e-15);
+    ck_assert(p[1].previous.y == -2 && p[0].previous.y == 0);
+
+    // Soft, one-sided, without length, nailed at both ends: left alone.
+    const particle was[2] = { { { 0, 0, 0 }, { 0, 0, 0 }, 1 },
+                              { { 1, 0, 0 }, { -3, -2, 0 }, 3 } };
+    for (int k = 0; k < 4; k++) {
+        particle q[2] = { was[0], was[1] };
+        stick t = s;
+        if (k == 0) t.stiffness = 0.5;
+        if (k == 1) t.kind = STICK_AT_MOST;
+        if (k == 2) q[1].position = q[0].position;
+        if (k == 3) q[0].inverse_mass = q[1].inverse_mass = 0;
+        sticks_sweep_speeds(&t, 1, q);
+        ck_assert(q[0].previous.x == 0 && q[1].previous.x == -3);
+    }
+}
+END_TEST
+
+// Rejects: an angle held the wrong way round.
 START_TEST(elbow_takes_its_angle)
 {
     // Rejects: a gradient of the wrong sign or length, a corner that stays.
@@ -970,6 +1002,7 @@ static TCase *sweep_tests(void)
 static TCase *shape_tests(void)
 {
     TCase *t = tcase_create("angle and bend");
+    tcase_add_test(t, speeds_that_would_change_a_length_are_taken_by_mass);
     tcase_add_test(t, elbow_takes_its_angle);
     tcase_add_test(t, angle_is_quadratic_near_its_goal);
     tcase_add_test(t, straight_elbow_has_no_side_to_turn_to);

@@ -1,5 +1,8 @@
 // 03-fold.c - a cube of 12 sticks folds up; one of 18 + 4 stands.  Both fall
 // on the floor, seen at three moments.  03-fold FILE.png
+//
+// Prints, for those moments, the largest strain of a stick and the height of
+// the highest corner.
 
 #include "body.h"
 #include "painter.h"
@@ -83,6 +86,17 @@ static void step(cube *c)
     hold(c);
 }
 
+static void print_cube(const cube *c, real time)
+{
+    real strain = 0, height = 0;
+    for (int k = 0; k < c->sticks; k++)
+        strain = fmax(strain, stick_strain(c->stick[k], c->at));
+    for (int k = 0; k < CORNERS; k++)
+        height = fmax(height, c->at[k].position.y);
+    printf("# %2d sticks, %.2f s: largest strain %.1e, highest corner %.2f m\n",
+           c->sticks, time, strain, height);
+}
+
 static status add_cube(painter *p, const cube *c, const colour tone[3])
 {
     status done = status_ok();
@@ -137,6 +151,7 @@ static status paint_strip(picture *out)
             for (int i = 0; i < CUBES; i++) step(&c[i]);
         for (int i = 0; i < CUBES && done.ok; i++) {
             int left = k * (WIDTH + GAP), top = i * (HEIGHT + GAP);
+            print_cube(&c[i], moment[k] * DT);
             done = paint(&c[i], out, left, top);
             label(out, left, top, c[i].sticks, k);
         }

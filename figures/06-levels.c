@@ -75,7 +75,7 @@ static status drape(subject *s)
     return status_ok();
 }
 
-// ---- An egg -----------------------------------------------------------------
+// ---- An egg ----------------------------------------------------------------
 
 static int middle_of(subject *s, int a, int b)
 {
@@ -159,8 +159,8 @@ static status paint_patch(painter *p, const subject *s, int node, colour c)
     colour pale = colour_mix(c, colour_hex(0xffffff), 0.25);
     painted_mesh m = { .vertices = s->vertices, .at = s->at, .faces = faces,
                        .face = face, .front = { c, c }, .back = { pale, pale },
-                       .creases = !s->is_cloth, .casts = 1, .smooth = s->is_cloth,
-                       .gloss = 0.1 };
+                       .smooth = s->is_cloth, .creases = !s->is_cloth,
+                       .casts = 1, .gloss = 0.1 };
     return painter_mesh(p, &m);
 }
 
@@ -282,12 +282,14 @@ int main(int arguments, char **argument)
         fprintf(stderr, "usage: 06-levels FILE.png\n");
         return 2;
     }
-    static subject cloth = { .eye = { 2.1, 2.1, 6.3 }, .target = { 0.1, 0.06, 0 },
+    static subject cloth = { .eye = { 2.1, 2.1, 6.3 },
+                             .target = { 0.1, 0.06, 0 },
                              .lamp = { -0.4, 1, 0.5 }, .floor = -1.35,
                              .is_cloth = 1, .name = "cloth" };
-    static subject body = { .eye = { 1.8, 1.6, 4.6 }, .target = { 0, -0.1, 0 },
-                             .lamp = { -0.4, 1, 0.5 }, .floor = -1.1,
-                             .name = "egg" };
+    static subject body = { .eye = { 1.8, 1.6, 4.6 },
+                            .target = { 0, -0.1, 0 },
+                            .lamp = { -0.4, 1, 0.5 }, .floor = -1.1,
+                            .name = "egg" };
     picture p;
     status done = picture_init(&p, PANELS * (WIDTH + GAP) - GAP,
                                2 * HEIGHT + GAP, colour_hex(0xffffff));

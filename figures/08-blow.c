@@ -76,7 +76,7 @@ static void print_sticks(const lattice *l, int order, int look)
     printf("# x y to_x to_y strain worst off\n");
     for (int k = 0; k < l->sticks; k++) {
         vec3 a = l->p[l->s[k].a].position, b = l->p[l->s[k].b].position;
-        printf("%.5f %.5f %.5f %.5f %.6f %.6f %d\n", a.x, a.y, b.x, b.y,
+        printf("%.3f %.3f %.3f %.3f %.5f %.5f %d\n", a.x, a.y, b.x, b.y,
                vec3_distance(a, b) / l->s[k].rest_length - 1, worst, off);
     }
 }

@@ -88,7 +88,8 @@ static nearest_points find_nearest(const collider *a, const collider *b,
     gjk_result g = gjk_distance(pa, pb, options, carried);
     nearest_points n = { .near = 0 };
 
-    if (g.status == GJK_APART && g.distance <= margin) {
+    int apart = g.status == GJK_APART || g.status == GJK_CAPPED;
+    if (apart && g.distance > 0 && g.distance <= margin) {
         n = (nearest_points){ 1, vec3_scale(1 / g.distance, g.axis),
             g.on_a, g.on_b,
             feature_of_simplex(g.last.a, g.last.weight, g.last.count),

@@ -189,9 +189,9 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/$1.gp),\
   LC_ALL=C.UTF-8 gnuplot -e "csv='$2/$1.csv'; png='$2/$1.png'" figures/$1.gp,\
   $(BUILD)/figures/$1 $2/$1.png)
 
-# These three refuse memory to what they test, one allocation after another.
-SCARCE := $(addprefix $(BUILD)/tests/check_,mesh body obj)
-$(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc
+# These count the memory of what they test, and refuse it.
+SCARCE := $(addprefix $(BUILD)/tests/check_,mesh body obj world step scene)
+$(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
 # This one looks at pictures.

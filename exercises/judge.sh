@@ -100,7 +100,7 @@ judge() {
         for object in $(test_parts); do
             source=${object#"$build/"}
             grep -q __wrap_malloc "${source%.o}.c" &&
-                objects="$objects -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc"
+                objects="$objects -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free"
         done
     fi
     # shellcheck disable=SC2086

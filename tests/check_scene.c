@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scarce.h"
 #include "scene.h"
 #include "step.h"
 
@@ -22,76 +23,6 @@
 // ... and of the cloths, 20 x 20.
 #define CLOTH_STRAIN 0.05
 #define CLOTH_DEPTH  0.01       // of the cube's side
-
-// --- memory that can be counted and refused ----------------------------------
-
-// On glibc every allocation of the program comes here; the sanitizers have a
-// malloc of their own.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SANITIZED 1
-#endif
-#endif
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(SANITIZED)
-#define COUNTS_MEMORY 1
-#endif
-
-static long held;               // blocks that are not freed yet
-
-#ifdef COUNTS_MEMORY
-static int refuse_after = INT_MAX;  // so many allocations are granted
-
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t n, size_t size);
-void *__libc_realloc(void *p, size_t size);
-void  __libc_free(void *p);
-
-static int is_granted(void)
-{
-    if (refuse_after == INT_MAX) return 1;
-    return refuse_after > 0 ? refuse_after-- : 0;
-}
-
-static void *counted(void *p)
-{
-    held += p != NULL;
-    return p;
-}
-
-void *malloc(size_t size)
-{
-    return is_granted() ? counted(__libc_malloc(size)) : NULL;
-}
-
-void *calloc(size_t n, size_t size)
-{
-    return is_granted() ? counted(__libc_calloc(n, size)) : NULL;
-}
-
-void *realloc(void *p, size_t size)
-{
-    if (!is_granted()) return NULL;
-    void *q = __libc_realloc(p, size);
-    held += p == NULL && q != NULL;
-    return q;
-}
-
-void free(void *p)
-{
-    held -= p != NULL;
-    __libc_free(p);
-}
-
-// Under valgrind its own malloc stands before ours.
-static int counts_now(void)
-{
-    refuse_after = 0;
-    void *volatile p = malloc(1);
-    refuse_after = INT_MAX;
-    free(p);
-    return p == NULL;
-}
-#endif
 
 // --- scenes ------------------------------------------------------------------
 
@@ -597,8 +528,9 @@ END_TEST
 static void is_refused(scene_kind kind, scene_options what, world_options how,
                        const char *word)
 {
-    long before = held;
+    long before = blocks_held;
     status done = scene_build(&s, kind, what, how);
+    long after = blocks_held;
     ck_assert_msg(!done.ok, "built in spite of its %s", word);
     ck_assert_msg(strstr(done.why, word) != NULL, "the sentence is: %s",
                   done.why);
@@ -607,7 +539,7 @@ static void is_refused(scene_kind kind, scene_options what, world_options how,
     ck_assert_ptr_null(s.world.pool.at);
     ck_assert_ptr_null(s.plan[0].at);
     ck_assert_ptr_null(s.plan[1].at);
-    ck_assert_int_eq(held, before);
+    ck_assert_int_eq(after, before);
     scene_free(&s);
 }
 
@@ -673,34 +605,33 @@ START_TEST(scenes_have_names)
 }
 END_TEST
 
-#ifdef COUNTS_MEMORY
 // Rejects: a malloc whose answer nobody looks at; a half-built scene of which
 // something is lost.
 START_TEST(every_refusal_of_memory_is_told_and_leaves_nothing)
 {
-    if (!counts_now()) return;
     for (int kind = 0; kind < SCENES; kind++) {
         scene_options what = scene_options_default();
         what.bodies = what.cloth = 4;
         world_options how = scene_world_options((scene_kind)kind);
         int n = 0, ok = 0;
         for (; n < 2000 && !ok; n++) {
-            long before = held;
-            refuse_after = n;
+            long before = blocks_held;
+            mallocs_left = n;
             status done = scene_build(&s, (scene_kind)kind, what, how);
-            refuse_after = INT_MAX;
+            mallocs_left = INT_MAX;
             ok = done.ok;
-            if (!ok) ck_assert_str_eq(done.why, "out of memory");
-            if (!ok) ck_assert_int_eq(held, before);
+            long refused = blocks_held;
             scene_free(&s);
-            ck_assert_int_eq(held, before);
+            long after = blocks_held;
+            if (!ok) ck_assert_str_eq(done.why, "out of memory");
+            if (!ok) ck_assert_int_eq(refused, before);
+            ck_assert_int_eq(after, before);
         }
         ck_assert(ok);
         ck_assert_int_gt(n, 30);
     }
 }
 END_TEST
-#endif
 
 int main(void)
 {
@@ -719,9 +650,7 @@ int main(void)
         missing_or_bad_mesh_is_refused_with_a_sentence,
         smallest_scenes_can_be_built,
         scenes_have_names,
-#ifdef COUNTS_MEMORY
         every_refusal_of_memory_is_told_and_leaves_nothing,
-#endif
     };
     Suite *suite = suite_create("scene");
     TCase *t = tcase_create("scene");

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scarce.h"
 #include "step.h"
 
 // A second is 480 sums of positions near 10; each one's rounding goes on as a
@@ -12,45 +13,6 @@
 #define FALL_ROUNDING 1e-9
 // Momentum: every push is a pair of products that cancel but for rounding.
 #define MOMENTUM 1e-12
-
-// --- memory that can be counted ----------------------------------------------
-
-// On glibc every allocation of the program comes here; the sanitizers have a
-// malloc of their own.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SANITIZED 1
-#endif
-#endif
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(SANITIZED)
-#define COUNTS_MEMORY 1
-#endif
-
-#ifdef COUNTS_MEMORY
-static long allocations;
-
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t n, size_t size);
-void *__libc_realloc(void *p, size_t size);
-
-void *malloc(size_t size)
-{
-    allocations++;
-    return __libc_malloc(size);
-}
-
-void *calloc(size_t n, size_t size)
-{
-    allocations++;
-    return __libc_calloc(n, size);
-}
-
-void *realloc(void *p, size_t size)
-{
-    allocations++;
-    return __libc_realloc(p, size);
-}
-#endif
 
 // --- a world -----------------------------------------------------------------
 
@@ -671,7 +633,6 @@ START_TEST(nothing_finds_no_room)
 }
 END_TEST
 
-#ifdef COUNTS_MEMORY
 // Rejects: memory taken, or given back, while the film runs.
 START_TEST(step_allocates_nothing)
 {
@@ -687,16 +648,13 @@ START_TEST(step_allocates_nothing)
         add_at(&rope, 0, 3.3, 0);
         add_floor();
         ready();
-        long before = allocations;
+        long before = mallocs_made;
         for (int f = 0; f < 90; f++) world_step(&w);
-        ck_assert_int_eq(allocations, before);
-        // The building was counted; under valgrind its malloc stands before
-        // ours, and nothing is.
-        if (before > 0) ck_assert_int_gt(before, 20);
+        ck_assert_int_eq(mallocs_made, before);
+        ck_assert_int_gt(before, 20);   // the building was counted
     }
 }
 END_TEST
-#endif
 
 static real ticks;
 
@@ -809,9 +767,7 @@ int main(void)
         deformable_sleepers_wake_too,
         everything_stays_above_a_plane,
         nothing_finds_no_room,
-#ifdef COUNTS_MEMORY
         step_allocates_nothing,
-#endif
         stages_add_up_to_the_frame,
         lost_number_stays_in_its_body,
         same_world_takes_the_same_steps,

@@ -5,79 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scarce.h"
 #include "world.h"
 
 // A position is a sum of four products, its previous one of two more.
 #define ROUNDING 1e-14
-
-// --- memory that can be counted and refused ----------------------------------
-
-// On glibc every allocation of the program comes here; the sanitizers have a
-// malloc of their own.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SANITIZED 1
-#endif
-#endif
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(SANITIZED)
-#define COUNTS_MEMORY 1
-#endif
-
-#ifdef COUNTS_MEMORY
-static int  refuse_after = INT_MAX;     // so many allocations are granted
-static long held;                       // blocks that are not freed yet
-
-void *__libc_malloc(size_t size);
-void *__libc_calloc(size_t n, size_t size);
-void *__libc_realloc(void *p, size_t size);
-void  __libc_free(void *p);
-
-static int is_granted(void)
-{
-    if (refuse_after == INT_MAX) return 1;
-    return refuse_after > 0 ? refuse_after-- : 0;
-}
-
-static void *counted(void *p)
-{
-    held += p != NULL;
-    return p;
-}
-
-void *malloc(size_t size)
-{
-    return is_granted() ? counted(__libc_malloc(size)) : NULL;
-}
-
-void *calloc(size_t n, size_t size)
-{
-    return is_granted() ? counted(__libc_calloc(n, size)) : NULL;
-}
-
-void *realloc(void *p, size_t size)
-{
-    if (!is_granted()) return NULL;
-    void *q = __libc_realloc(p, size);
-    held += p == NULL && q != NULL;
-    return q;
-}
-
-void free(void *p)
-{
-    held -= p != NULL;
-    __libc_free(p);
-}
-
-// Under valgrind its own malloc stands before ours.
-static int counts_now(void)
-{
-    refuse_after = 0;
-    void *volatile p = malloc(1);
-    refuse_after = INT_MAX;
-    free(p);
-    return p == NULL;
-}
-#endif
 
 // --- a world and its shapes --------------------------------------------------
 
@@ -564,7 +496,6 @@ START_TEST(world_may_be_freed_at_any_time)
 }
 END_TEST
 
-#ifdef COUNTS_MEMORY
 // A world of every part there is.
 static status build(const world_options *o)
 {
@@ -583,26 +514,25 @@ START_TEST(every_refusal_of_memory_is_told_and_leaves_nothing)
 {
     const world_options way[] = { world_options_default(),
                                   world_options_paper() };
-    if (!counts_now()) return;
     world_free(&w);
     for (int k = 0; k < 2; k++) {
         int n = 0, ok = 0;
         for (; n < 1000 && !ok; n++) {
-            long before = held;
-            refuse_after = n;
+            long before = blocks_held;
+            mallocs_left = n;
             status done = build(&way[k]);
-            refuse_after = INT_MAX;
+            mallocs_left = INT_MAX;
             ok = done.ok;
-            if (!ok) ck_assert_str_eq(done.why, "out of memory");
             world_free(&w);
-            ck_assert_int_eq(held, before);
+            long after = blocks_held;
+            if (!ok) ck_assert_str_eq(done.why, "out of memory");
+            ck_assert_int_eq(after, before);
         }
         ck_assert(ok);
         ck_assert_int_gt(n, 30);
     }
 }
 END_TEST
-#endif
 
 int main(void)
 {
@@ -625,9 +555,7 @@ int main(void)
         look_copies_where_one_body_is,
         empty_world_begins,
         world_may_be_freed_at_any_time,
-#ifdef COUNTS_MEMORY
         every_refusal_of_memory_is_told_and_leaves_nothing,
-#endif
     };
     Suite *s = suite_create("world");
     TCase *t = tcase_create("world");

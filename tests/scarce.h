@@ -1,14 +1,17 @@
-// scarce.h - memory that runs out, for tests of what happens then.
+// scarce.h - memory that is counted and runs out, for tests of what happens then.
 //
-// Linked with -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc (see the Makefile),
-// a program asks here for all its memory.
+// A program that is linked with scarce.c and
+// -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free (the Makefile names
+// them) asks here for all its memory.
 
 #ifndef TUMBLE_SCARCE_H
 #define TUMBLE_SCARCE_H
 
 #include <limits.h>
 
-// How many more allocations are granted; INT_MAX: all.
-extern int mallocs_left;
+extern int  mallocs_left;   // allocations still granted; INT_MAX: all
+extern long mallocs_made;   // asked for so far
+extern long blocks_held;    // granted and not freed yet; look at it before you
+                            // assert: Check frees what was not asked for here
 
 #endif

@@ -18,7 +18,7 @@ do for [k = 0:3] {
     stats csv index k using ($3 == last[k + 1] ? strain($5) : NaN) nooutput
     end[k + 1] = STATS_max
 }
-# Two names that would cover each other part by this much (characters).
+# A name moves by this much (characters) out of the way of each other name.
 apart(a, b) = abs(log10(a / b)) < 0.16 ? (a > b ? 0.55 : -0.55) : 0
 
 set logscale y 10
@@ -43,10 +43,11 @@ set ytics ("20" 20, "60" 60, "100" 100, "200" 200, "500" 500, "1,000" 1000, "2,0
 set label 9 "real time at 60 Hz" at 19,70 textcolor rgb grey font "DejaVu Sans,19"
 set arrow 1 from 18.5,60 to 52,60 nohead lc rgb grey lw 0.8 dt 3
 do for [k = 1:4] {
-    o = (k + 1) % 4 + 1         # the same way in the other scene
     name = k < 3 ? "on the cube" : "on the rope"
+    shift = 0
+    do for [o = 1:4] { if (o != k) { shift = shift + apart(fps[k], fps[o]) } }
     set label k name at last[k] + 1, fps[k] \
-        offset 0, apart(fps[k], fps[o]) textcolor rgb (k % 2 ? ours : paper)
+        offset 0, shift textcolor rgb (k % 2 ? ours : paper)
 }
 set label 11 "the paper’s way: dashed" at graph 0.97,0.95 right textcolor rgb paper
 set label 12 "ours: solid" at graph 0.97,0.895 right textcolor rgb ours font "DejaVu Sans Bold,22"
@@ -62,10 +63,11 @@ set title "Error: largest strain in 5 s" offset 0,-0.3
 set yrange [0.5:*]
 set ytics ("1 %%" 1, "2 %%" 2, "5 %%" 5, "10 %%" 10, "100 %%" 100, "1,000 %%" 1000, "≥ 10,000 %%" most)
 do for [k = 1:4] {
-    o = (k + 1) % 4 + 1
     name = k < 3 ? "on the cube" : "on the rope"
+    shift = 0
+    do for [o = 1:4] { if (o != k) { shift = shift + apart(end[k], end[o]) } }
     set label k name at last[k] + 1, end[k] \
-        offset 0, apart(end[k], end[o]) textcolor rgb (k % 2 ? ours : paper)
+        offset 0, shift textcolor rgb (k % 2 ? ours : paper)
 }
 plot csv index 1 using 3:(strain($5)) with linespoints pt 4 ps 1.1 lc rgb paper lw 1.6 dt (8,5), \
      csv index 3 using 3:(strain($5)) with linespoints pt 6 ps 1.1 lc rgb paper lw 1.6 dt (8,5), \

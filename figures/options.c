@@ -350,8 +350,8 @@ void settings_print_notes(const settings *s, FILE *out)
 {
     for (int k = 0; k < OPTIONS; k++)
         if (s->given & 1u << k && !(options[k].scenes & 1 << s->scene))
-            fprintf(out, "tumble: %s means nothing to the scene %s\n",
-                    options[k].name, scene_name(s->scene));
+            fprintf(out, "tumble: %s means nothing to the scene %s, and is "
+                    "ignored\n", options[k].name, scene_name(s->scene));
 }
 
 static void print_scenes(FILE *out)

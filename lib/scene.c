@@ -164,14 +164,17 @@ static placement cloth_at(vec3 position)
     return where;
 }
 
+// Over something that is so high, by 0.1 m; a coarse cloth, whose particles are
+// thick, by so much that it does not touch yet.
 static status add_cloth(scene *s, int n, real height)
 {
     // Hard diagonals, the paper's, lock a sheet that is solved well.
     int is_paper = s->world.options.leaves == LEAVES_FACE;
     status done = shape_cloth(&s->plan[0], n, n, 2, 2, 1, is_paper ? 1 : 0.2);
     if (!done.ok) return done;
+    real over = fmax(0.1, 0.7 * s->plan[0].spacing);
     return world_add(&s->world, &s->plan[0],
-                     cloth_at(vec3_make(0, height, 0)), NULL);
+                     cloth_at(vec3_make(0, height + over, 0)), NULL);
 }
 
 static status build_cloth_on_cube(scene *s, scene_options what)
@@ -182,7 +185,7 @@ static status build_cloth_on_cube(scene *s, scene_options what)
     placement cube = placement_at(vec3_make(0, s->size / 2, 0));
     cube.nailed = 1;
     if (done.ok) done = world_add(&s->world, &s->plan[1], cube, NULL);
-    if (done.ok) done = add_cloth(s, what.cloth, s->size + 0.1);
+    if (done.ok) done = add_cloth(s, what.cloth, s->size);
     return done;
 }
 //<
@@ -244,7 +247,7 @@ static status build_cloth_on_rope(scene *s, scene_options what)
                                   placement_at(vec3_make(0, height, 0)), &rope);
     if (!done.ok) return done;
     hang(&s->world, rope, vec3_make(-span / 2, height, 0), span);
-    return add_cloth(s, what.cloth, height + 0.1);
+    return add_cloth(s, what.cloth, height);
 }
 //<
 

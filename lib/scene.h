@@ -50,7 +50,8 @@ world_options scene_world_options(scene_kind kind);
 //   jittered grid, in random orientation, velocity and spin uniform in +-5
 //   (m/s, rad/s) a component.
 // cloth-on-cube: n x n particles, 2 m x 2 m, 1 kg, turned by 20 degrees about
-//   y, 0.1 m over a nailed cube of side 0.8 m that stands on y = 0.
+//   y, 0.1 m over a nailed cube of side 0.8 m that stands on y = 0 (0.7 of its
+//   spacing, if that is more).
 // cloth-on-rope: the same cloth, 0.1 m over the ends of a rope that hangs, at
 //   rest, from two nails 2.6 m apart and 1.5 m high: 50 links, 3 m, 0.5 kg.
 // Fails with a sentence (option out of range, mesh file, memory), leaving *s

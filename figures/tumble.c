@@ -1,7 +1,7 @@
 // tumble.c - the command: runs a scene, draws it, measures it.
 //
 // Exit status: 0 done, 1 failed, 2 the command line is wrong, 128 + the
-// signal's number if Ctrl-C or a termination ended it.
+// signal's number if Ctrl-C, a termination or a closed terminal ended it.
 
 #define _POSIX_C_SOURCE 200809L
 
@@ -48,6 +48,7 @@ static void catch_signals(void)
     sigemptyset(&act.sa_mask);
     sigaction(SIGINT, &act, NULL);
     sigaction(SIGTERM, &act, NULL);
+    sigaction(SIGHUP, &act, NULL);
 }
 
 // ---- A run -----------------------------------------------------------------

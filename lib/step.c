@@ -413,7 +413,7 @@ static int is_blow(const contact *c)
 // A push moves places, and so gives a speed as well that nobody asked for.
 // After a blow the features part at restitution times the speed at which they
 // met: contact_bounce gives that speed to the features alone, and the sticks
-// spread it over the bodies; in turn, until both agree.
+// spread it over the bodies: in turn, so often that both nearly agree.
 static void bounce(world *w, real h)
 {
     enum { ROUNDS = 40 };

@@ -46,14 +46,6 @@ static unsigned long long digest(unsigned long long h, gjk_result r)
     return h + (unsigned long long)r.status;
 }
 
-static body cube(real x, real y, real z)
-{
-    body b;
-    body_box(&b, (vec3){ -0.5, -0.5, -0.5 }, (vec3){ 0.5, 0.5, 0.5 });
-    body_move(&b, (vec3){ x, y, z });
-    return b;
-}
-
 // ---- answers that can be had by hand
 
 START_TEST(two_points_are_as_far_as_they_are)
@@ -97,8 +89,9 @@ END_TEST
 // Two unit cubes, one moved along 1, 2 and 3 axes: face, edge, vertex apart.
 START_TEST(boxes_face_edge_and_vertex_apart)
 {
-    body a = cube(0, 0, 0), f = cube(2, 0.25, 0.125), e = cube(2, 2, 0.25);
-    body v = cube(2, -2, 2);
+    body a = body_cube(0, 0, 0), f = body_cube(2, 0.25, 0.125),
+         e = body_cube(2, 2, 0.25);
+    body v = body_cube(2, -2, 2);
     same_bits(ask(&a, &f).distance, 1);
     near(ask(&a, &e).distance, sqrt(2.0), rounding);
     near(ask(&a, &v).distance, sqrt(3.0), rounding);
@@ -108,8 +101,9 @@ END_TEST
 
 START_TEST(exact_touch_is_overlap)
 {
-    body a = cube(0, 0, 0), f = cube(1, 0.25, 0.125), e = cube(1, 1, 0.25);
-    body v = cube(-1, 1, 1);
+    body a = body_cube(0, 0, 0), f = body_cube(1, 0.25, 0.125),
+         e = body_cube(1, 1, 0.25);
+    body v = body_cube(-1, 1, 1);
     ck_assert_int_eq(ask(&a, &f).status, GJK_OVERLAP);
     ck_assert_int_eq(ask(&a, &e).status, GJK_OVERLAP);
     ck_assert_int_eq(ask(&a, &v).status, GJK_OVERLAP);
@@ -118,7 +112,7 @@ END_TEST
 
 START_TEST(identical_and_concentric_cubes_overlap)
 {
-    body a = cube(0.1, 0.2, 0.3), b = a, c = cube(0, 0, 0), small = c;
+    body a = body_cube(0.1, 0.2, 0.3), b = a, c = body_cube(0, 0, 0), small = c;
     body_scale(&small, 1e-4);
     ck_assert_int_eq(ask(&a, &b).status, GJK_OVERLAP);
     ck_assert_int_eq(ask(&c, &small).status, GJK_OVERLAP);
@@ -128,7 +122,7 @@ END_TEST
 
 START_TEST(a_point_is_inside_or_outside_a_cube)
 {
-    body c = cube(0, 0, 0);
+    body c = body_cube(0, 0, 0);
     vec3 in = { 0.49, -0.3, 0.2 }, out = { 0.3, 0.2, 0.75 };
     point_set p = { &in, 1, NULL, NULL }, q = { &out, 1, NULL, NULL };
     gjk_options o = gjk_options_default();
@@ -155,7 +149,7 @@ END_TEST
 // Rejects: supports and witnesses measured from the world's origin.
 START_TEST(far_from_the_origin_nothing_more_is_lost)
 {
-    body a = cube(0, 0, 0), b = cube(1.75, 1.5, 1.25);
+    body a = body_cube(0, 0, 0), b = body_cube(1.75, 1.5, 1.25);
     gjk_result home = ask(&a, &b);
     vec3 far = { 16777216, -8388608, 16777216 };     // 2^24: moves exactly
     body_move(&a, far);
@@ -226,18 +220,6 @@ END_TEST
 
 // ---- against every feature pair
 
-static void make_one(body *b, int kind, unsigned long long *seed)
-{
-    switch (kind) {
-    case 0: *b = cube(0, 0, 0); break;
-    case 1: body_icosahedron(b, 0.6); break;
-    case 2: body_random(b, 4 + (int)(5 * random_unit(seed)), seed); break;
-    case 3: body_square(b); break;
-    default: body_random(b, 1 + (int)(3 * random_unit(seed)), seed); break;
-    }
-    body_turn(b, seed);
-}
-
 static const int pairs_tried = 1500;
 
 START_TEST(random_pairs_agree_with_every_feature_pair)
@@ -246,8 +228,8 @@ START_TEST(random_pairs_agree_with_every_feature_pair)
     int apart = 0;
     for (int n = 0; n < pairs_tried; n++) {
         body a, b;
-        make_one(&a, n % 5, &seed);
-        make_one(&b, n / 5 % 5, &seed);
+        body_any(&a, n % 5, &seed);
+        body_any(&b, n / 5 % 5, &seed);
         if (a.count * b.count > 100) continue;       // the oracle is slow
         body_move(&b, random_vector(&seed, 0, 3));
         gjk_result r = ask(&a, &b);
@@ -269,8 +251,8 @@ START_TEST(the_gap_is_a_certificate)
     int apart = 0;
     for (int n = 0; n < 4000; n++) {
         body a, b;
-        make_one(&a, n % 5, &seed);
-        make_one(&b, n / 5 % 5, &seed);
+        body_any(&a, n % 5, &seed);
+        body_any(&b, n / 5 % 5, &seed);
         body_move(&b, random_vector(&seed, 0, 2.5));
         gjk_result r = ask(&a, &b);
         ck_assert(r.status == GJK_APART || r.status == GJK_OVERLAP);
@@ -300,8 +282,8 @@ START_TEST(swapped_bodies_give_the_mirror_image)
     unsigned long long seed = 31;
     for (int n = 0; n < 500; n++) {
         body a, b;
-        make_one(&a, n % 5, &seed);
-        make_one(&b, n / 5 % 5, &seed);
+        body_any(&a, n % 5, &seed);
+        body_any(&b, n / 5 % 5, &seed);
         body_move(&b, vec3_scale(2.5, random_direction(&seed)));
         gjk_result r = ask(&a, &b), s = ask(&b, &a);
         near(r.distance, s.distance, rounding);
@@ -318,8 +300,8 @@ START_TEST(carried_equals_cold)
     long cold_asked = 0, carried_asked = 0;
     for (int n = 0; n < 500; n++) {
         body a, b;
-        make_one(&a, n % 3, &seed);
-        make_one(&b, n / 3 % 3, &seed);
+        body_any(&a, n % 3, &seed);
+        body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0.5, 2));
         simplex carried = { .count = 0 };
         vec3 drift = vec3_scale(0.0025, random_direction(&seed));
@@ -346,8 +328,8 @@ START_TEST(a_stale_simplex_does_no_harm)
     unsigned long long seed = 5;
     for (int n = 0; n < 1000; n++) {
         body a, b;
-        make_one(&a, n % 3, &seed);
-        make_one(&b, n / 3 % 3, &seed);
+        body_any(&a, n % 3, &seed);
+        body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0, 2));
         simplex stale = { .count = 1 + n % 4 };
         for (int c = 0; c < stale.count; c++) {
@@ -374,8 +356,8 @@ START_TEST(beyond_the_margin_it_stops_early_with_a_true_bound)
     o.margin = 0.1;
     for (int n = 0; n < 1000; n++) {
         body a, b;
-        make_one(&a, n % 3, &seed);
-        make_one(&b, n / 3 % 3, &seed);
+        body_any(&a, n % 3, &seed);
+        body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0, 2.5));
         gjk_result full = ask(&a, &b);
         gjk_result r = gjk_distance(body_points(&a), body_points(&b), o, NULL);
@@ -403,8 +385,8 @@ START_TEST(the_relative_error_is_kept)
     unsigned long long seed = 17;
     for (int n = 0; n < 800; n++) {
         body a, b;
-        make_one(&a, n % 3, &seed);
-        make_one(&b, n / 3 % 3, &seed);
+        body_any(&a, n % 3, &seed);
+        body_any(&b, n / 3 % 3, &seed);
         body_move(&b, vec3_scale(2.5, random_direction(&seed)));
         gjk_options o = gjk_options_default();
         o.relative_error = bound[n % 4];
@@ -447,8 +429,8 @@ START_TEST(sixty_four_is_never_reached)
     unsigned long long seed = 19;
     for (int n = 0; n < 4000; n++) {
         body a, b;
-        make_one(&a, n % 5, &seed);
-        make_one(&b, n / 5 % 5, &seed);
+        body_any(&a, n % 5, &seed);
+        body_any(&b, n / 5 % 5, &seed);
         // Within a few rounding errors of touching, on either side.
         body_move(&b, vec3_scale(2.5, random_direction(&seed)));
         for (int k = 0; k < 4; k++)
@@ -465,7 +447,7 @@ END_TEST
 
 START_TEST(support_is_the_furthest_and_the_lowest_of_equals)
 {
-    body c = cube(0, 0, 0);
+    body c = body_cube(0, 0, 0);
     point_set p = body_points(&c);
     ck_assert_int_eq(support_scan(p, (vec3){ 1, 1, 1 }), 7);
     ck_assert_int_eq(support_scan(p, (vec3){ -1, -1, -1 }), 0);
@@ -561,7 +543,8 @@ START_TEST(what_is_not_finite_gets_a_status)
         for (int kind = 0; kind < 3; kind++)
             for (int i = 0; i < 8; i++)
                 for (int axis = 0; axis < 3; axis++) {
-                    body a = cube(0, 0, 0), b = cube(0.2 + 2 * apart, 0.1, 0.3);
+                    body a = body_cube(0, 0, 0);
+                    body b = body_cube(0.2 + 2 * apart, 0.1, 0.3);
                     real *x = axis == 0 ? &b.at[i].x
                             : axis == 1 ? &b.at[i].y : &b.at[i].z;
                     *x = poison[kind];
@@ -585,8 +568,8 @@ START_TEST(the_same_bits_everywhere)
     unsigned long long seed = 41, h = 0;
     for (int n = 0; n < 3000; n++) {
         body a, b;
-        make_one(&a, n % 5, &seed);
-        make_one(&b, n / 5 % 5, &seed);
+        body_any(&a, n % 5, &seed);
+        body_any(&b, n / 5 % 5, &seed);
         body_move(&b, random_vector(&seed, 0, 2));
         h = digest(h, ask(&a, &b));
     }

@@ -41,14 +41,6 @@ static void same_bits(real got, real wanted)
                   got, wanted);
 }
 
-static body cube(real x, real y, real z)
-{
-    body b;
-    body_box(&b, (vec3){ -0.5, -0.5, -0.5 }, (vec3){ 0.5, 0.5, 0.5 });
-    body_move(&b, (vec3){ x, y, z });
-    return b;
-}
-
 static vec3 sum_of(const body *b, const feature_point *f)
 {
     vec3 sum = { 0, 0, 0 };
@@ -96,7 +88,7 @@ static void check_answer(const body *a, const body *b, hit_result r, real size)
 // Rejects: a normal from A to B, a depth along the wrong axis.
 START_TEST(a_cube_pushed_in_comes_out_the_short_way)
 {
-    body a = cube(0, 0, 0), b = cube(0.75, 0.125, -0.25);
+    body a = body_cube(0, 0, 0), b = body_cube(0.75, 0.125, -0.25);
     hit_result r = hit(&a, &b);
     ck_assert_int_eq(r.status, HIT_FOUND);
     same_bits(r.depth, 0.25);
@@ -131,8 +123,9 @@ END_TEST
 
 START_TEST(touching_is_depth_zero_with_a_proper_normal)
 {
-    body a = cube(0, 0, 0), f = cube(1, 0.25, 0.125), e = cube(1, 1, 0.25);
-    body v = cube(-1, 1, 1);
+    body a = body_cube(0, 0, 0), f = body_cube(1, 0.25, 0.125),
+         e = body_cube(1, 1, 0.25);
+    body v = body_cube(-1, 1, 1);
     hit_result r = hit(&a, &f);
     ck_assert_int_eq(r.status, HIT_FOUND);
     same_bits(r.depth, 0);
@@ -150,7 +143,7 @@ END_TEST
 // Rejects: an expansion that a flat side or a tie leads astray.
 START_TEST(identical_and_concentric_cubes)
 {
-    body a = cube(0, 0, 0), small = a, turned = a;
+    body a = body_cube(0, 0, 0), small = a, turned = a;
     unsigned long long seed = 9;
     same_bits(hit(&a, &a).depth, 1);
     body_scale(&small, 0.25);
@@ -170,7 +163,7 @@ START_TEST(stacked_cubes_at_every_depth)
 {
     for (int k = 0; k <= 50; k++) {
         real depth = k == 0 ? 0 : 1 / (real)(1ULL << k);
-        body a = cube(0, 0, 0), b = cube(0, 1 - depth, 0);
+        body a = body_cube(0, 0, 0), b = body_cube(0, 1 - depth, 0);
         hit_result r = hit(&a, &b);
         ck_assert_int_eq(r.status, HIT_FOUND);
         near(r.depth, depth, 2e-15);
@@ -182,7 +175,7 @@ END_TEST
 
 START_TEST(a_vertex_a_face_and_two_edges_are_named)
 {
-    body floor, corner, up = cube(0, 0, 0), down;
+    body floor, corner, up = body_cube(0, 0, 0), down;
     body_box(&floor, (vec3){ -2, -2, -1 }, (vec3){ 2, 2, 0 });
     corner = up;
     // A cube on its corner: its diagonal along z, the lowest vertex 0.1 deep.
@@ -223,25 +216,14 @@ END_TEST
 
 // ---- against every direction
 
-static void make_one(body *b, int kind, unsigned long long *seed)
-{
-    switch (kind) {
-    case 0: *b = cube(0, 0, 0); break;
-    case 1: body_icosahedron(b, 0.6); break;
-    case 2: body_random(b, 4 + (int)(5 * random_unit(seed)), seed); break;
-    default: body_square(b); break;
-    }
-    body_turn(b, seed);
-}
-
 START_TEST(random_pairs_agree_with_every_direction)
 {
     unsigned long long seed = 2005;
     int found = 0;
     for (int n = 0; n < 1200; n++) {
         body a, b;
-        make_one(&a, n % 4, &seed);
-        make_one(&b, n / 4 % 4, &seed);
+        body_any(&a, n % 4, &seed);
+        body_any(&b, n / 4 % 4, &seed);
         if (a.count * b.count > 100) continue;      // the oracle is slow
         body_move(&b, random_vector(&seed, 0, 0.9));
         hit_result r = hit(&a, &b);
@@ -264,7 +246,7 @@ START_TEST(equal_bodies_side_by_side)
     unsigned long long seed = 51;
     for (int n = 0; n < 600; n++) {
         body a, b;
-        make_one(&a, n % 3 == 1 ? 2 : n % 3, &seed);
+        body_any(&a, n % 3 == 1 ? 2 : n % 3, &seed);
         if (n % 3 == 2)
             body_scale(&a, 1e-3 + random_unit(&seed));
         b = a;
@@ -311,8 +293,8 @@ START_TEST(any_start_will_do)
     unsigned long long seed = 21;
     for (int n = 0; n < 600; n++) {
         body a, b;
-        make_one(&a, n % 3, &seed);
-        make_one(&b, n / 3 % 3, &seed);
+        body_any(&a, n % 3, &seed);
+        body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0, 0.8));
         hit_result best = hit(&a, &b);
         simplex start = { .count = n % 5 };
@@ -377,7 +359,7 @@ END_TEST
 
 START_TEST(far_from_the_origin_nothing_more_is_lost)
 {
-    body a = cube(0, 0, 0), b = cube(0.75, 0.5, 0.25);
+    body a = body_cube(0, 0, 0), b = body_cube(0.75, 0.5, 0.25);
     hit_result home = hit(&a, &b);
     vec3 far = { 16777216, -8388608, 16777216 };
     body_move(&a, far);
@@ -449,7 +431,7 @@ END_TEST
 
 START_TEST(a_point_inside_a_cube)
 {
-    body c = cube(0, 0, 0);
+    body c = body_cube(0, 0, 0);
     vec3 in = { 0.375, -0.25, 0.125 };
     point_set p = { &in, 1, NULL, NULL };
     simplex none = { .count = 0 };
@@ -463,7 +445,7 @@ END_TEST
 
 START_TEST(what_is_apart_is_called_apart)
 {
-    body a = cube(0, 0, 0), b = cube(1.25, 1.25, 0.25);
+    body a = body_cube(0, 0, 0), b = body_cube(1.25, 1.25, 0.25);
     ck_assert_int_eq(hit(&a, &b).status, HIT_APART);
     body s, t;
     body_square(&s);
@@ -521,7 +503,7 @@ START_TEST(what_is_not_finite_gets_a_status)
     simplex none = { .count = 0 };
     for (int kind = 0; kind < 3; kind++)
         for (int i = 0; i < 8; i++) {
-            body a = cube(0, 0, 0), b = cube(0.2, 0.1, 0.3);
+            body a = body_cube(0, 0, 0), b = body_cube(0.2, 0.1, 0.3);
             b.at[i].y = poison[kind];
             point_set pa = body_points(&a), pb = body_points(&b);
             hit_result r = hit_face_find(pa, pb, &none, scratch);
@@ -542,8 +524,8 @@ START_TEST(the_same_bits_everywhere)
     unsigned long long seed = 41, h = 0;
     for (int n = 0; n < 2000; n++) {
         body a, b;
-        make_one(&a, n % 4, &seed);
-        make_one(&b, n / 4 % 4, &seed);
+        body_any(&a, n % 4, &seed);
+        body_any(&b, n / 4 % 4, &seed);
         body_move(&b, random_vector(&seed, 0, 1));
         hit_result r = hit(&a, &b);
         const real part[] = { r.depth, r.normal.x, r.normal.y, r.normal.z,

@@ -302,6 +302,26 @@ void body_turn(body *b, unsigned long long *state)
     }
 }
 
+body body_cube(real x, real y, real z)
+{
+    body b;
+    body_box(&b, (vec3){ -0.5, -0.5, -0.5 }, (vec3){ 0.5, 0.5, 0.5 });
+    body_move(&b, (vec3){ x, y, z });
+    return b;
+}
+
+void body_any(body *b, int kind, unsigned long long *state)
+{
+    switch (kind) {
+    case 0: *b = body_cube(0, 0, 0); break;
+    case 1: body_icosahedron(b, 0.6); break;
+    case 2: body_random(b, 4 + (int)(5 * random_unit(state)), state); break;
+    case 3: body_square(b); break;
+    default: body_random(b, 1 + (int)(3 * random_unit(state)), state); break;
+    }
+    body_turn(b, state);
+}
+
 void body_move(body *b, vec3 by)
 {
     for (int i = 0; i < b->count; i++) b->at[i] = vec3_add(b->at[i], by);

@@ -50,6 +50,7 @@ vec3   random_vector(unsigned long long *state, real least, real most);
 
 point_set body_points(const body *b);
 void body_box(body *b, vec3 low, vec3 high);
+body body_cube(real x, real y, real z);     // of side 1, its middle there
 void body_icosahedron(body *b, real radius);
 // 42, 162 or 642 points (level 1, 2, 3) on a sphere, with their ring.
 void body_icosphere(body *b, int level, real radius);
@@ -57,6 +58,9 @@ void body_random(body *b, int count, unsigned long long *state);
 // A square of side 1 in the plane z = 0.
 void body_square(body *b);
 void body_turn(body *b, unsigned long long *state);     // any rotation
+// Turned anyhow, kind 0: a cube; 1: an icosahedron; 2: a few points; 3: a
+// square; 4: at most three points.
+void body_any(body *b, int kind, unsigned long long *state);
 void body_move(body *b, vec3 by);
 void body_scale(body *b, real by);
 

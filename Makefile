@@ -3,7 +3,7 @@
 
 # The book's order, chapter/module.  A module may use only modules to its left:
 # its tests are linked with those and no others, so a wrong arrow cannot link.
-LINE := 00/vec3 00/status 01/verlet 02/constraint 03/mesh 03/body 03/obj 04/gjk 05/hit_face 06/sphere_tree 07/response 08/ordering 09/collide 09/rest 09/world 09/soft 09/step 09/measure 09/scene
+LINE := 00/vec3 00/status 01/verlet 02/constraint 03/mesh 03/body 03/obj 04/gjk 05/hit_face 06/sphere_tree 07/response 08/ordering 10/manifold 14/swept 09/collide 11/line 12/four 12/push 13/broad 09/rest 09/world 09/ledger 09/rigid 09/soft 09/step 09/measure 09/scene
 
 # --- The compiler -------------------------------------------------------------
 # May be set by hand: make test CC=clang CFLAGS=-O0 BUILD=build/clang
@@ -24,13 +24,15 @@ AGAIN := $(MAKE) --no-print-directory
 
 # --- What there is ------------------------------------------------------------
 MODULES  := $(notdir $(LINE))
-CHAPTERS := $(sort $(patsubst %/,%,$(dir $(LINE))))
+# 15 has no module of its own: it is about the hard cases.
+CHAPTERS := $(sort $(patsubst %/,%,$(dir $(LINE))) 15)
 # Tests in the book's order, then those that belong to no module.
 TESTS    := $(basename $(notdir $(wildcard $(MODULES:%=tests/check_%.c))))
 TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/check_*.c))))
 FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*.c)))
 PAINTER  := $(filter-out figures/tumble.c,$(wildcard figures/[a-z]*.c))
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
+FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz_*.c)))
 
 # UPTO_gjk: the objects of the line up to gjk.  UPTO_04: up to the last module
 # of chapter 04.  At the end ALL is the whole library.
@@ -42,6 +44,9 @@ UPTO_$(patsubst %/,%,$(dir $1)) := $$(ALL)
 TESTS_$(patsubst %/,%,$(dir $1)) += $(filter check_$(notdir $1),$(TESTS))
 endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
+TESTS_15 := check_hard
+# The later chapters' figures ask what their module does to the whole.
+FLOOR = $(if $(filter 0%,$1),$(UPTO_$1),$(ALL))
 
 # What the commands `make 04` and `make figure-04` need.
 define chapter
@@ -55,7 +60,7 @@ endef
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: help deps deps-book deps-dev demo test checks objects book html library \
-  figures coverage bits sanitize valgrind strict clean FORCE $(CHAPTERS) \
+  figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
   $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
 
@@ -85,9 +90,9 @@ test:
 
 #:
 #: Read and learn
-#:   make 04         chapter 04 alone (there are 00 to 09): the library up to it
+#:   make 04         chapter 04 alone (there are 00 to 15): the library up to it
 #:                   and nothing above, its tests, its figures in build/figures
-#:   make book       weave chapters/ and lib/ into book.md
+#:   make book       weave chapters/, lib/ and the slow oracle into book.md
 #:   make html       build/book.html (needs pandoc: make deps-book)
 #:   make library    build/libtumble.a
 $(CHAPTERS):
@@ -96,7 +101,8 @@ $(CHAPTERS):
 
 book:
 	$(Q)mkdir -p $(BUILD)
-	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*.h lib/*.c chapters/[0-9]*.md > $(BUILD)/book.md
+	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*.h lib/*.c \
+	  tests/oracle.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
 	$(Q)cp $(BUILD)/book.md book.md
 	@echo "book.md: $$(wc -l < book.md) lines"
 
@@ -133,7 +139,9 @@ endif
 #: Measure
 #:   make figures    run every figure's program, renew its data and its picture
 #:   make figure-08  the same for the figures of chapter 08
-#:   make coverage   which lines of lib/ do the tests run?
+#:   make coverage   which lines of lib/ do the tests run, which branches both ways?
+#:   make hard       run the hard cases, each beside its target: figures/hard.csv
+#:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
 #:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
 figures: $(FIGURES:%=$(BUILD)/figures/%)
 	$(Q)$(foreach f,$(FIGURES),$(call draw,$f,figures) &&) true
@@ -142,11 +150,21 @@ $(CHAPTERS:%=figure-%):
 $(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%
 	$(Q)$(call draw,$*,figures)
 
+hard: $(BUILD)/hard
+	$(Q)$(BUILD)/hard --csv figures/hard.csv
+
+SOAK_STEPS ?= 1000000
+.PHONY: soak
+soak: $(BUILD)/soak
+	$(Q)$(BUILD)/soak $(SOAK_STEPS)
+
+# Without asserts: what no program may do is a branch that no test can take.
 coverage:
 	$(Q)rm -rf $(BUILD)/coverage
-	$(Q)$(AGAIN) checks library BUILD=$(BUILD)/coverage CFLAGS='-O0 -g --coverage'
+	$(Q)$(AGAIN) checks library BUILD=$(BUILD)/coverage \
+	  CFLAGS='-O0 -g --coverage -DNDEBUG'
 	$(Q)sh tests/run.sh $(TESTS:%=$(BUILD)/coverage/tests/%)
-	$(Q)gcov -n $(BUILD)/coverage/*/*.gcno 2>/dev/null | awk -f tests/coverage.awk
+	$(Q)gcov -b -n $(BUILD)/coverage/*/*.gcno 2>/dev/null | awk -f tests/coverage.awk
 
 bits:
 	$(Q)sh tests/bits.sh '$(AGAIN)' $(BUILD)/compare
@@ -155,11 +173,13 @@ bits:
 #: Be strict
 #:   make sanitize   the tests under the address and undefined sanitizers
 #:   make valgrind   the tests under valgrind
+#:   make fuzz       any bytes for obj, gjk, hit_face and the options, 60 s each
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
-#: make deps-book adds pandoc; make deps-dev adds clang and valgrind.
+#: make deps-book adds pandoc; make deps-dev adds clang, its fuzzer and valgrind.
 #: NATIVE=1 builds for this very machine.  V=1 shows the commands.
+#: FUZZ_SECONDS=600 fuzzes for longer.
 sanitize:
 	$(Q)$(AGAIN) checks BUILD=$(BUILD)/sanitize \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
@@ -168,6 +188,12 @@ sanitize:
 valgrind: checks
 	$(Q)CK_TIMEOUT_MULTIPLIER=20 RUN='valgrind -q --leak-check=full --error-exitcode=3' \
 	  sh tests/run.sh $(CHECKS)
+
+FUZZ_SECONDS ?= 60
+fuzz:
+	$(Q)$(AGAIN) fuzzers CC=clang BUILD=$(BUILD)/fuzz \
+	  CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all'
+	$(Q)sh tests/fuzz.sh $(BUILD)/fuzz $(FUZZ_SECONDS) $(FUZZERS)
 
 strict:
 	$(Q)$(AGAIN) -k objects CC=gcc BUILD=$(BUILD)/strict-gcc \
@@ -180,6 +206,7 @@ clean:
 
 # --- How things are made --------------------------------------------------------
 checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits
+fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 objects: $(patsubst %.c,$(BUILD)/%.o,$(wildcard lib/*.c tests/*.c figures/*.c))
 
 # A figure with a .gp prints data, which gnuplot draws; one without paints its
@@ -190,7 +217,8 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/$1.gp),\
   $(BUILD)/figures/$1 $2/$1.png)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,mesh body obj world step scene)
+SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body obj \
+  hit_face sphere_tree ordering line four broad rest world step scene)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -198,15 +226,36 @@ $(SCARCE): $(BUILD)/tests/scarce.o
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
-# These two ask the slow oracle.
-$(addprefix $(BUILD)/tests/check_,gjk hit_face): $(BUILD)/tests/oracle.o
+# These ask the slow oracle about bodies made for the purpose.
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face swept) $(BUILD)/figures/05-slow
+$(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
+
+# The hard cases: a program that runs them all, and the tests of the fast ones.
+HARD := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/hard_*.c)) \
+  $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
+$(BUILD)/tests/hard.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
+$(BUILD)/tests/check_hard: $(HARD)
+$(BUILD)/hard: $(BUILD)/tests/hard.o $(HARD) $(ALL)
+	$(call link,-lm)
+$(BUILD)/soak: $(BUILD)/tests/soak.o $(ALL)
+	$(call link,-lm)
 
 # A test sees the line up to its module; a test of no module sees all of it.
 $(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES)),$$(UPTO_$$*),$(ALL))
 	$(call link,$(CHECK_LIBS))
 
-# A figure sees the line up to its chapter, and what it asks of the painter.
-$(BUILD)/figures/%: $(BUILD)/figures/%.o $$(UPTO_$$(firstword $$(subst -, ,$$*))) $(BUILD)/libpainter.a
+# So does a fuzzer, which is called by libFuzzer.  Two have a file system of
+# their own, two make bodies and look at the answers from outside.
+$(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_%.o $$(if $$(filter $$*,$(MODULES)),$$(UPTO_$$*),$(ALL) $(BUILD)/libpainter.a)
+	$(call link,-fsanitize=fuzzer -lm)
+$(addprefix $(BUILD)/tests/fuzz_,obj options): LDFLAGS += -Wl,--wrap=fopen
+$(addprefix $(BUILD)/tests/fuzz_,gjk hit_face): \
+  $(addprefix $(BUILD)/tests/,sets.o oracle.o bodies.o)
+
+# A figure sees the line up to its chapter, and what it asks of the painter;
+# those of chapter 15 draw what the hard cases measure.
+$(patsubst %,$(BUILD)/figures/%,$(filter 15-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
+$(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, ,$$*))) $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
 
 $(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a

@@ -1,11 +1,12 @@
 # check-book.awk - does the book tell the truth about the code?
 #
-#   awk -f check-book.awk lib/*.h lib/*.c book.md
+#   awk -f check-book.awk lib/*.h lib/*.c tests/oracle.[hc] book.md
 #
-# Knows nothing of how the book is made: it reads the finished book beside
-# lib/.  A caption claims that the block below it is such lines of such a
-# file; every claim must hold, and every line of lib/ that is not blank and
-# not a marker must be claimed exactly once.  Every link must lead somewhere.
+# Knows nothing of how the book is made: it reads the finished book beside the
+# code.  A caption claims that the block below it is such lines of such a file;
+# every claim must hold, and every line of code that is not blank and not a
+# marker must be claimed exactly once.  The name of a CSV, alone on a line,
+# claims that the table below it is that file.  Every link must lead somewhere.
 
 function fail(file, line, sentence) {
     printf "%s:%d: %s\n", file, line, sentence > "/dev/stderr"
@@ -22,6 +23,18 @@ function slug(heading,    i, c, s) {
         s = s c
     }
     return s
+}
+
+# The next row of the table's file; blank if there is none.
+function next_row(    line) {
+    do if ((getline line < csv) <= 0) return ""
+    while (line ~ /^#/)
+    gsub(/"/, "", line)
+    return line
+}
+function end_table() {
+    if (next_row() != "") fail(book, FNR, "here a row of " csv " is missing")
+    close(csv); csv = ""
 }
 
 FILENAME != "book.md" && FILENAME !~ /\/book\.md$/ {
@@ -53,6 +66,15 @@ caption && inside { if ($0 != "```") fail(book, FNR, "here the block of code sho
 /^```/ { fence = !fence }
 fence || /^```/ { next }
 
+# The name of a CSV: its head two lines below, a rule, its rows.
+csv && FNR > table + 1 && !/^\|/ { end_table() }
+csv && FNR > table + 1 && FNR != table + 3 {
+    line = $0; gsub(/^\| | \|$/, "", line); gsub(/ \| /, ",", line)
+    if (line != next_row()) fail(book, FNR, "this is not what " csv " says now")
+    next
+}
+!csv && /^\[[^]]*\.csv\]\([^)]*\)$/ { csv = substr($0, 2); sub(/\].*/, "", csv); table = FNR }
+
 /^#+ / {
     heading = $0; sub(/^#+ /, "", heading); heading = slug(heading)
     anchors[times[heading]++ ? heading "-" times[heading] - 1 : heading] = 1
@@ -69,6 +91,7 @@ fence || /^```/ { next }
 END {
     if (book == "") { fail("book.md", 0, "there is no book"); exit 1 }
     if (caption || fence) fail(book, FNR, "the book ends inside a block")
+    if (csv) end_table()
     for (f = 1; f <= file_count; f++) for (i = 1; i <= length_of[files[f]]; i++) {
         line = lib[files[f], i]
         if (line ~ /[^ \t]/ && line !~ /^\/\/[<>]/) {
@@ -84,5 +107,5 @@ END {
         if (!folder) close(link)
     }
     if (failures) exit 1
-    printf "book.md shows each of the %d lines of lib/ once; its %d links lead somewhere\n", code_lines, link_count
+    printf "book.md shows each of the %d lines of code once; its %d links lead somewhere\n", code_lines, link_count
 }

@@ -10,7 +10,7 @@ embed=--embed-resources         # pandoc 3; before it:
 pandoc --help | grep -q -e "$embed" || embed=--self-contained
 
 export LC_ALL=C
-awk -f chapters/weave.awk lib/*.h lib/*.c chapters/[0-9]*.md > "$page.md" &&
+awk -f chapters/weave.awk lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md > "$page.md" &&
 awk -f chapters/html.awk "$page.md" > "$page.in" &&
 pandoc -f gfm+tex_math_dollars+attributes+footnotes -t html5 \
     --standalone $embed --toc --toc-depth=2 --mathml \

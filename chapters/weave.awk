@@ -1,10 +1,11 @@
 # weave.awk - writes the book: the chapters, with the code that they explain.
 #
-#   awk -f weave.awk lib/*.h lib/*.c chapters/[0-9]*.md > book.md
+#   awk -f weave.awk lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md > book.md
 #
-# In lib/ a region lies between a line "//> name" and a line "//<"; in a
-# chapter the line "@@ name" stands for it.  Whatever would let the book and
-# the code drift apart is an error: file, line, a sentence, and no book.
+# In the code a region lies between a line "//> name" and a line "//<"; in a
+# chapter the line "@@ name" stands for it, and "%% figures/name.csv" for a
+# table of that file.  Whatever would let the book and the code drift apart is
+# an error: file, line, a sentence, and no book.
 
 function fail(file, line, sentence) {
     printf "%s:%d: %s\n", file, line, sentence > "/dev/stderr"
@@ -29,6 +30,33 @@ function weave(name,    i, first, last) {
     for (i = first; i <= last; i++) print_later(text[home[name], i])
     print_later("```")
 }
+# A CSV under its caption, as a table: its first row is the head, and lines that
+# open with # are left out.
+function tabulate(csv,    got, line, at, rows, head) {
+    print_later("[" csv "](" csv ")\n")
+    while ((got = (getline line < csv)) > 0) {
+        at++
+        if (line ~ /^#/) continue
+        line = row(line)
+        if (!cells) fail(csv, at, "a cell may hold no \" and no |, and a comma only in quotes")
+        else if (rows && cells != head) fail(csv, at, "this row has " cells " cells, the head has " head)
+        print_later(line)
+        if (!rows++) { head = cells; gsub(/[^|]+/, "---", line); print_later(line) }
+    }
+    close(csv)
+    if (got < 0) fail(file, FNR, "there is no file " csv)
+    else if (!rows) fail(file, FNR, "there is no table in " csv)
+}
+# a,b becomes | a | b |, and its cells are counted: 0 if that cannot be done.
+function row(line,    cell, out) {
+    cells = 0; out = "|"; line = line ","
+    while (match(line, /^("[^"|]*"|[^",|]*),/)) {
+        cell = substr(line, 1, RLENGTH - 1); line = substr(line, RLENGTH + 1)
+        gsub(/"/, "", cell); out = out " " cell " |"; cells++
+    }
+    if (line != "") cells = 0
+    return out
+}
 function print_later(line) { book[++lines] = line }
 function end_of_file() {
     if (open != "") fail(home[open], from[open], "region " open " is never closed")
@@ -38,7 +66,7 @@ function end_of_file() {
 
 FNR == 1 { end_of_file(); file = FILENAME; is_code = file ~ /\.[ch]$/ }
 
-# --- lib/: remember every line, and where each region lies ---
+# --- code: remember every line, and where each region lies ---
 is_code { text[file, FNR] = $0 }
 is_code && /^\/\/> [a-z0-9-]+$/ {
     if (open != "") fail(file, FNR, "region " $2 " opens inside region " open)
@@ -69,6 +97,11 @@ fence || /^```/ { print_later($0); next }
     else { used[$2] = file ", line " FNR; weave($2) }
     next
 }
+/^%%/ {
+    if (NF == 2 && $1 == "%%" && $2 ~ /\.csv$/) tabulate($2)
+    else fail(file, FNR, "a table is pulled in by %% figures/name.csv, and nothing more")
+    next
+}
 /\]\((figures|lib|tests|exercises)\// {
     fail(file, FNR, "a chapter links from its own folder: write ../figures/, ../lib/")
 }
@@ -91,7 +124,7 @@ END {
             book[i] = substr(book[i], 1, RSTART + 1) "#" chapter[name] substr(book[i], RSTART + RLENGTH - 1)
         }
     if (failures) exit 1
-    print "<!-- Woven by `make book` from chapters/ and lib/: edit those, not this. -->"
+    print "<!-- Woven by `make book` from chapters/, lib/ and tests/: edit those, not this. -->"
     print "\n# tumble: a world of particles and sticks\n"
     for (i = 1; i <= entries; i++) print toc[i] (i < entries ? "" : "\n")
     for (i = 1; i <= lines; i++) print book[i]

@@ -248,6 +248,11 @@ void sticks_sweep_speeds(const stick *s, int n, particle *p)
 // At most n rounds: each takes one stick at least.
 status sticks_interleave(stick *s, int n, int particle_count)
 {
+    for (int i = 0; i < n; i++)
+        if (s[i].a < 0 || s[i].a >= particle_count
+            || s[i].b < 0 || s[i].b >= particle_count)
+            return status_fail("stick %d joins particles %d and %d, of %d", i,
+                               s[i].a, s[i].b, particle_count);
     if (n < 2) return status_ok();
     stick *sorted = malloc((size_t)n * sizeof *sorted);
     int *taken_in = calloc((size_t)particle_count, sizeof *taken_in);

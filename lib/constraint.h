@@ -104,7 +104,8 @@ void sticks_sweep_speeds(const stick *s, int n, particle *p);
 // Reorders n sticks so that neighbours in the list share no particle where that
 // can be had (a greedy colouring): a processor then works on several at once.
 // Stable within a colour, so the result is the same everywhere.
-// Fails only for want of memory, and then leaves the order as it was.
+// Fails, and leaves the order as it was, if a stick has no such ends or memory
+// is refused.
 status sticks_interleave(stick *s, int n, int particle_count);
 //<
 

@@ -54,7 +54,7 @@ int support_climb(point_set p, vec3 d, int from)
     int here = from;
     real best = vec3_dot(d, vec3_sub(p.at[here], base));
     // Each move gains height, so no vertex is met twice.
-    for (int moves = 0; moves < p.count; moves++) {
+    for (int moves = 1; moves < p.count; moves++) {
         int stand = here;
         for (int k = p.ring_start[stand]; k < p.ring_start[stand + 1]; k++) {
             real along = vec3_dot(d, vec3_sub(p.at[p.ring[k]], base));
@@ -138,9 +138,8 @@ static vec3 triangle_normal(vec3 e, vec3 f)
 // f and one with e,  r x f = weight[1] n  and  e x r = weight[2] n.
 // In a thin triangle the first solution is rough: what it leaves of r is solved
 // for once more.
-void triangle_weights(vec3 p0, vec3 p1, vec3 p2, vec3 x, real weight[3])
+static void weights_in_plane(vec3 e, vec3 f, vec3 r, real weight[3])
 {
-    vec3 e = vec3_sub(p1, p0), f = vec3_sub(p2, p0), r = vec3_sub(x, p0);
     vec3 n = triangle_normal(e, f);
     real nn = vec3_length_squared(n), share = nn > 0 ? 1 / nn : 0;
     weight[1] = weight[2] = 0;
@@ -159,6 +158,65 @@ void triangle_weights(vec3 p0, vec3 p1, vec3 p2, vec3 x, real weight[3])
     }
     for (int c = 0; c < 3; c++) weight[c] /= sum;
 }
+
+// The weights that make the point of the side from 0 to e which is nearest r.
+static void weights_on_side(vec3 e, vec3 r, real weight[3])
+{
+    real part = vec3_dot(r, e) / vec3_length_squared(e);
+    part = part > 0 ? part : 0;
+    part = part < 1 ? part : 1;
+    weight[0] = 1 - part;
+    weight[1] = part;
+    weight[2] = 0;
+}
+//<
+
+//> gjk-weights
+// A triangle whose height is less than a thousandth of its longest side.
+static int is_thin(const vec3 p[3])
+{
+    vec3 e = vec3_sub(p[1], p[0]), f = vec3_sub(p[2], p[0]);
+    real ee = vec3_length_squared(e), ff = vec3_length_squared(f);
+    real gg = vec3_length_squared(vec3_sub(f, e));
+    real longest = ee > ff ? ee : ff;
+    longest = gg > longest ? gg : longest;
+    return vec3_length_squared(triangle_normal(e, f))
+        <= 0x1p-20 * longest * longest;
+}
+
+// The weights as seen from corner c, in the plane, or on the side that begins
+// there.  Returns the square of what they miss x by: NaN if there are none.
+static real weights_from(const vec3 p[3], int c, vec3 x, int on_side,
+                         real weight[3])
+{
+    int next = (c + 1) % 3, last = (c + 2) % 3;
+    vec3 e = vec3_sub(p[next], p[c]), f = vec3_sub(p[last], p[c]);
+    vec3 r = vec3_sub(x, p[c]);
+    real w[3];
+    if (on_side) weights_on_side(e, r, w);
+    else weights_in_plane(e, f, r, w);
+    weight[c] = w[0];
+    weight[next] = w[1];
+    weight[last] = w[2];
+    r = vec3_add_scaled(vec3_add_scaled(r, -w[1], e), -w[2], f);
+    return vec3_length_squared(r);
+}
+
+// In a thin triangle a foot that rounding has put beside it makes weights that
+// are wrong and large.  Of all that the corners and the sides say, those are
+// taken that miss x by least.
+void triangle_weights(vec3 p0, vec3 p1, vec3 p2, vec3 x, real weight[3])
+{
+    const vec3 p[3] = { p0, p1, p2 };
+    real least = weights_from(p, 0, x, 0, weight);
+    if (least == least && !is_thin(p)) return;
+    for (int way = 1; way < 6; way++) {
+        real w[3], missed = weights_from(p, way / 2, x, way % 2, w);
+        if (!(missed < least || least != least)) continue;
+        least = missed;
+        for (int c = 0; c < 3; c++) weight[c] = w[c];
+    }
+}
 //<
 
 //> gjk-polytope
@@ -175,6 +233,7 @@ typedef struct {
     corner of[4];
     real   weight[4];
     vec3   nearest;
+    int    stalls;      // steps so far that have gained nothing
 } search;
 
 // The two bodies, and the power of two that brings A - B to a size whose sixth
@@ -190,7 +249,8 @@ static corner corner_make(pair *p, int a, int b)
 {
     vec3 at = vec3_scale(p->scale, vec3_sub(p->a.at[a], p->b.at[b]));
     real squared = vec3_length_squared(at);
-    if (!(squared <= p->far)) p->far = squared;
+    // Once not a number, never a number again.
+    if (squared > p->far || squared != squared) p->far = squared;
     return (corner){ at, a, b };
 }
 
@@ -257,7 +317,8 @@ static vec3 nearest_of_edges(const corner *of, const int at[3],
 //   n . ((p_j - p_i) x (0 - p_i)) = weight of k times |n|^2, and so on round.
 // If all are positive the foot is the answer (the areas stand for the weights
 // until the end).  If not, the answer lies on an edge opposite a corner whose
-// area is not positive.
+// area is not positive.  If they do not add up to the whole, |n|^2, they are
+// rounding: the triangle is lower than that, and its edges say as much.
 static vec3 nearest_of_triangle(const corner *of, int i, int j, int k,
                                 real weight[4])
 {
@@ -267,26 +328,27 @@ static vec3 nearest_of_triangle(const corner *of, int i, int j, int k,
     real area[3] = { vec3_dot(n, vec3_cross(of[j].at, jk)),
                      vec3_dot(n, vec3_cross(ik, of[i].at)),
                      vec3_dot(n, vec3_cross(of[i].at, ij)) };
-    real nn = vec3_length_squared(n);
+    real nn = vec3_length_squared(n), sum = area[0] + area[1] + area[2];
+    int sound = fabs(sum - nn) < nn / 16;
     weight[0] = weight[1] = weight[2] = weight[3] = 0;
-    if (area[0] > 0 && area[1] > 0 && area[2] > 0 && nn > 0) {
+    if (area[0] > 0 && area[1] > 0 && area[2] > 0 && sound) {
         weight[i] = area[0];
         weight[j] = area[1];
         weight[k] = area[2];
         return vec3_scale(vec3_dot(n, of[i].at) / nn, n);
     }
     int at[3] = { i, j, k };
-    return nearest_of_edges(of, at, area, !(nn > 0), weight);
+    return nearest_of_edges(of, at, area, !sound, weight);
 }
 //<
 
 //> gjk-inside
-// 1 if six times the volume v, made of edges with these squared lengths, is so
-// large that rounding cannot have made it.
+// 1 if six times the volume v > 0, made of edges with these squared lengths, is
+// so large that rounding cannot have made it.
 static int volume_is_sure(real v, real aa, real bb, real cc)
 {
     const real rounding = 16 * DBL_EPSILON;
-    return v > 0 && v * v > rounding * rounding * aa * bb * cc;
+    return v * v > rounding * rounding * aa * bb * cc;
 }
 
 // volume[c] becomes the volume with corner c replaced by the origin: c's weight
@@ -401,23 +463,41 @@ static real set_extent(point_set p, vec3 base)
 }
 
 // Finds the scale, for bodies so large or small that squares of squares leave
-// the range of doubles.  0 if a coordinate is not finite.
+// the range of doubles.  0 if a coordinate is not finite, or a distance could
+// be none.
 static int pair_measure(pair *p)
 {
     real ea = set_extent(p->a, p->a.at[0]), eb = set_extent(p->b, p->a.at[0]);
     real extent = ea > eb ? ea : eb;
-    if (!(ea < HUGE_VAL && eb < HUGE_VAL)) return 0;
-    for (int k = 0; k < 40 && extent * p->scale > 0x1p64; k++)
+    if (!(ea <= 0x1p1020 && eb <= 0x1p1020)) return 0;
+    // The largest double needs 30 steps; the smallest would need 32, but 31 do,
+    // and the scale is still a number.
+    for (int k = 0; k < 30 && extent * p->scale > 0x1p64; k++)
         p->scale *= 0x1p-32;
-    for (int k = 0; k < 40 && extent > 0 && extent * p->scale < 0x1p-64; k++)
+    for (int k = 0; k < 31 && extent > 0 && extent * p->scale < 0x1p-64; k++)
         p->scale *= 0x1p32;
     p->measured = 1;
-    p->far = 0;
+    // What is nearer than 2^-100 of the extent is touching, for smaller numbers
+    // would not bear to be scaled: see search_holds_origin.
+    p->far = 0x1p-50 * extent * p->scale * (0x1p-50 * extent * p->scale);
     return 1;
 }
 //<
 
 //> gjk-begin
+// The vertex of A furthest along d, and that of B furthest against it; -1 where
+// a coordinate is not finite.  d is of scaled lengths, the vertices are not:
+// scaled once more, its products with them are numbers, too.
+static inline int support_of_a(const pair *p, vec3 d, int from)
+{
+    return support(p->a, vec3_scale(p->scale, d), from);
+}
+
+static inline int support_of_b(const pair *p, vec3 d, int from)
+{
+    return support(p->b, vec3_scale(-p->scale, d), from);
+}
+
 // A first guess at the point of A - B nearest the origin, when nothing is
 // known: the furthest from the middle of three points of A towards the middle
 // of three of B.
@@ -427,8 +507,8 @@ static corner corner_first(pair *p)
     int na = p->a.count, nb = p->b.count;
     vec3 in_a = vec3_add(a[0], vec3_add(a[na / 3], a[2 * na / 3]));
     vec3 in_b = vec3_add(b[0], vec3_add(b[nb / 3], b[2 * nb / 3]));
-    vec3 d = vec3_sub(in_b, in_a);
-    int i = support(p->a, d, 0), j = support(p->b, vec3_scale(-1, d), 0);
+    vec3 d = vec3_scale(p->scale, vec3_sub(in_b, in_a));
+    int i = support_of_a(p, d, 0), j = support_of_b(p, d, 0);
     return i < 0 || j < 0 ? corner_make(p, 0, 0) : corner_make(p, i, j);
 }
 
@@ -451,8 +531,9 @@ static void search_begin(search *s, pair *p, const simplex *carried)
 
 //> gjk-last-plane
 // Near touch v is short and its direction rough.  The plane of three corners
-// has a better one.  Looks for such a plane with all of A - B beyond it.
-static int some_plane_parts(pair *p, const corner *of, int count)
+// has a better one.  Looks for such a plane with all of A - B beyond it, and
+// away from the origin, where *normal then points.
+static int some_plane_parts(pair *p, const corner *of, int count, vec3 *normal)
 {
     for (int skip = count == 4 ? 0 : 3; skip < 4 && count > 2; skip++) {
         const corner *x = &of[skip == 0], *y = &of[1 + (skip <= 1)];
@@ -460,11 +541,29 @@ static int some_plane_parts(pair *p, const corner *of, int count)
         vec3 n = cross_of_parallels(vec3_sub(y->at, x->at),
                                     vec3_sub(z->at, x->at));
         if (vec3_dot(n, x->at) < 0) n = vec3_scale(-1, n);
-        int a = support(p->a, vec3_scale(-1, n), x->a);
-        int b = support(p->b, n, x->b);
+        vec3 back = vec3_scale(-1, n);
+        int a = support_of_a(p, back, x->a), b = support_of_b(p, back, x->b);
+        // A vertex so far behind that its height overflows: nothing is shown.
+        if (a < 0 || b < 0) return 0;
+        *normal = n;
         if (vec3_dot(n, corner_make(p, a, b).at) > 0) return 1;
     }
     return 0;
+}
+//<
+
+//> gjk-stall
+// A new corner of little weight may shorten v by less than rounding does, and
+// still be on the way: one behind it is nearer by far.  So it is as long as v
+// is clearly longer than the bound, v . w / |v|, and has not grown by more than
+// rounding.  A few such steps are given a chance.
+enum { STALLS_AT_MOST = 8 };
+
+static int is_stall(const pair *p, real vv, real vw, real longer)
+{
+    const real rounding = 16 * DBL_EPSILON;
+    real slip = rounding * sqrt(p->far), length = sqrt(vv);
+    return vv - vw > 16 * slip * length && sqrt(longer) <= length + slip;
 }
 //<
 
@@ -483,10 +582,9 @@ static int search_step(pair *p, limits until, search *s, search *next,
                        gjk_result *r)
 {
     const corner *last = &s->of[s->count - 1];
-    vec3 v = s->nearest;
+    vec3 v = s->nearest, back = vec3_scale(-1, v);
     real vv = vec3_length_squared(v);
-    int a = support(p->a, vec3_scale(-1, v), last->a);
-    int b = support(p->b, v, last->b);
+    int a = support_of_a(p, back, last->a), b = support_of_b(p, back, last->b);
     r->iterations++;
     r->status = GJK_NOT_FINITE;
     if (a < 0 || b < 0) return 0;
@@ -503,21 +601,40 @@ static int search_step(pair *p, limits until, search *s, search *next,
     if (vv - vw <= until.bound * vv || search_has(s, a, b)) return 0;
     s->of[s->count] = w;
     search_reduce(next, s->of, s->count + 1);
-    if (next->count == 4 || vec3_length_squared(next->nearest) < vv) return 1;
+    real shorter = vec3_length_squared(next->nearest);
+    next->stalls = s->stalls;
+    if (next->count == 4 || shorter < vv) return 1;
+    next->stalls++;
+    if (s->stalls < STALLS_AT_MOST && is_stall(p, vv, vw, shorter)) return 1;
     // Rounding has eaten the rest of the way.
-    if (vw <= 0 && some_plane_parts(p, s->of, s->count + 1))
+    if (vw <= 0 && some_plane_parts(p, s->of, s->count + 1, &r->axis))
         r->status = GJK_APART;
     return 0;
+}
+//<
+
+//> gjk-weigh
+// What did to choose becomes weights: the areas of a triangle, and the two
+// parts of a segment, which add up to 1 unless it is so short and so far off
+// that the distance has rounded them.
+static void search_weigh(search *s)
+{
+    if (s->count == 3)
+        triangle_weights(s->of[0].at, s->of[1].at, s->of[2].at, s->nearest,
+                         s->weight);
+    if (s->count == 2
+        && fabs(s->weight[0] + s->weight[1] - 1) > 16 * DBL_EPSILON) {
+        real sum = s->weight[0] + s->weight[1];
+        s->weight[0] /= sum;
+        s->weight[1] /= sum;
+    }
 }
 //<
 
 //> gjk-answer
 static void answer(const pair *p, search *s, gjk_result *r)
 {
-    // The areas of a triangle will do to choose; here they become weights.
-    if (s->count == 3)
-        triangle_weights(s->of[0].at, s->of[1].at, s->of[2].at, s->nearest,
-                         s->weight);
+    search_weigh(s);
     real back = 1 / p->scale;
     vec3 a0 = p->a.at[s->of[0].a], b0 = p->b.at[s->of[0].b];
     vec3 from_a0 = { 0, 0, 0 }, from_b0 = { 0, 0, 0 };
@@ -534,8 +651,11 @@ static void answer(const pair *p, search *s, gjk_result *r)
     }
     r->on_a = vec3_add(a0, from_a0);
     r->on_b = vec3_add(b0, from_b0);
-    r->axis = vec3_scale(back, s->nearest);
-    real length = vec3_length(s->nearest);
+    // Along v; or, as long, along the normal of a plane that parts where v, so
+    // short that its direction is rounding, does not.
+    real length = vec3_length(s->nearest), normal = vec3_length(r->axis);
+    r->axis = normal > 0 ? vec3_scale(back * (length / normal), r->axis)
+                         : vec3_scale(back, s->nearest);
     if (r->status == GJK_OVERLAP) {
         r->distance = 0;
         r->axis = (vec3){ 0, 0, 0 };
@@ -557,6 +677,7 @@ static gjk_result distance_at_scale(pair *p, gjk_options options,
     if (until.bound < DBL_EPSILON) until.bound = DBL_EPSILON;
     search two_of[2], *s = &two_of[0], *next = &two_of[1];
     search_begin(s, p, carried);
+    s->stalls = 0;
     r.iterations = !carried || carried->count == 0;
     if (!pair_in_range(p)) return r;
     for (;;) {
@@ -569,7 +690,9 @@ static gjk_result distance_at_scale(pair *p, gjk_options options,
         s = next;
         next = spare;
     }
-    if (r.status != GJK_NOT_FINITE) answer(p, s, &r);
+    // What is not finite may be met late: what was found until then goes.
+    if (r.status == GJK_NOT_FINITE) r.distance = 0;
+    else answer(p, s, &r);
     return r;
 }
 //<
@@ -584,7 +707,8 @@ gjk_result gjk_distance(point_set a, point_set b, gjk_options options,
                         simplex *carried)
 {
     assert(a.count >= 1 && b.count >= 1);
-    assert(options.relative_error >= 0 && options.margin >= 0);
+    assert(options.relative_error >= 0 && options.relative_error < 1);
+    assert(options.margin >= 0 && options.cap >= 1);
     pair p = { .a = a, .b = b, .scale = 1 };
     gjk_result r = distance_at_scale(&p, options, carried);
     // Out of range: bodies of strange size, or coordinates that are no numbers.

@@ -32,15 +32,16 @@ typedef enum {
                         // bound, axis separates, no witness points
     GJK_OVERLAP,        // the simplex holds the origin, or the origin lies so
                         // near it that rounding cannot tell: ask hit_face
-    GJK_NOT_FINITE,     // a coordinate is NaN or infinite
+    GJK_NOT_FINITE,     // a coordinate is NaN, infinite or beyond 2^1020 m; the
+                        // numbers are all 0
     GJK_CAPPED          // ran into the iteration cap: the best so far
 } gjk_status;
 
 typedef struct {
-    real relative_error; // of the distance, >= 0; 0 asks for all that rounding
-                         // gives
-    real margin;         // m: stop once the distance is known to exceed it
-    int  cap;            // iterations
+    real relative_error; // of the distance, >= 0 and < 1; 0 asks for all that
+                         // rounding gives
+    real margin;         // m, >= 0: stop once the distance surely exceeds it
+    int  cap;            // iterations, >= 1
 } gjk_options;
 
 typedef struct {
@@ -48,7 +49,7 @@ typedef struct {
     real    distance;   // m, 0 when they overlap
     vec3    axis;       // m, from B to A: on_a - on_b, the point of A - B
                         // nearest the origin; a separating axis when apart
-    vec3    on_a, on_b; // m, witness points
+    vec3    on_a, on_b; // m, witness points; a point of each when they overlap
     simplex last;       // the final simplex
     int     iterations; // support points asked for
 } gjk_result;

@@ -5,7 +5,9 @@
 #include <float.h>
 #include <stdlib.h>
 
-enum { POINTS_AT_MOST = 512, FACES_AT_MOST = 2 * POINTS_AT_MOST };
+// A closed polytope of n points has 2 n - 4 triangles (Euler), and while a
+// point is put on it a fan of at most n more: no face ever wants for a slot.
+enum { POINTS_AT_MOST = 512, FACES_AT_MOST = 3 * POINTS_AT_MOST };
 
 // A point of A - B and the vertices whose difference it is.
 typedef struct {
@@ -98,11 +100,12 @@ static peak peak_make(const hit_scratch *h, int a, int b)
     return (peak){ at, a, b };
 }
 
-// The point of A - B furthest along n.
+// The point of A - B furthest along n.  n is scaled as A - B is: so its
+// products with the vertices, and their sums, are numbers.
 static peak peak_along(const hit_scratch *h, vec3 n, peak near)
 {
-    int a = support_point(h->a, n, near.a);
-    int b = support_point(h->b, vec3_scale(-1, n), near.b);
+    int a = support_point(h->a, vec3_scale(h->scale, n), near.a);
+    int b = support_point(h->b, vec3_scale(-h->scale, n), near.b);
     return peak_make(h, a, b);
 }
 //<
@@ -133,7 +136,8 @@ static real largest(vec3 v)
 }
 
 // The power of two that brings the largest coordinate of A - B into 1/2 .. 1.
-// 0 if a coordinate is not finite; 1 if all of A - B is one point.
+// 0 if a coordinate is not finite, or so large that differences are not; 1 if
+// all of A - B is one point.
 static real scale_for(point_set a, point_set b)
 {
     vec3 low_a, high_a, low_b, high_b;
@@ -143,7 +147,7 @@ static real scale_for(point_set a, point_set b)
     real x = largest(vec3_sub(high_a, low_b));
     real y = largest(vec3_sub(high_b, low_a));
     real reach = (x > y ? x : y) + poison;
-    if (!(reach < HUGE_VAL)) return 0;
+    if (!(reach <= 0x1p1020)) return 0;
     if (!(reach > 0)) return 1;
     static const real step[] = { 0x1p512, 0x1p256, 0x1p128, 0x1p64, 0x1p32,
                                  0x1p16, 0x1p8, 0x1p4, 0x1p2, 0x1p1 };
@@ -202,11 +206,12 @@ static int face_side(const hit_scratch *h, const face *f, vec3 x)
     return exact_sign(n, d);
 }
 
-// A slot for a face; -1 if the polytope is full.
+// A slot for a face.
 static int face_take(hit_scratch *h)
 {
     if (h->unused > 0) return h->unused_face[--h->unused];
-    return h->faces < FACES_AT_MOST ? h->faces++ : -1;
+    assert(h->faces < FACES_AT_MOST);
+    return h->faces++;
 }
 //<
 
@@ -236,12 +241,11 @@ static int mark_front(hit_scratch *h, int f, int number)
 
 //> hit-face-raise
 // A new face from the edge u, v (beyond which lies face `old`) to the point
-// `number`.  Returns its place, -1 if the polytope is full.
-static int raise_face(hit_scratch *h, int u, int v, int number, int old,
-                      int front)
+// `number`.
+static void raise_face(hit_scratch *h, int u, int v, int number, int old,
+                       int front)
 {
     int made = face_take(h);
-    if (made < 0) return -1;
     face *f = &h->face[made], *beyond = &h->face[old];
     f->corner[0] = u;
     f->corner[1] = v;
@@ -251,25 +255,23 @@ static int raise_face(hit_scratch *h, int u, int v, int number, int old,
         if (beyond->across[j] == front) beyond->across[j] = made;
     face_measure(h, f, &h->height[made]);
     h->fan[u] = made;
-    return made;
 }
 //<
 
 //> hit-face-expand
 // Puts the point `number` on the polytope, whose face f it sees: the faces that
-// it sees go, and a fan from their rim to the point comes.  0 if full.
-static int polytope_expand(hit_scratch *h, int f, int number)
+// it sees go, and a fan from their rim to the point comes.
+static void polytope_expand(hit_scratch *h, int f, int number)
 {
-    int seen = mark_front(h, f, number), first = -1, last = -1;
+    int seen = mark_front(h, f, number), rim = 0, u = -1;
     for (int s = 0; s < seen; s++) {
         int g = h->front[s];
         for (int i = 0; i < 3; i++) {
             int old = h->face[g].across[i];
             if (h->face[old].asked == 2 * number + 1) continue;
-            int u = h->face[g].corner[i], v = h->face[g].corner[(i + 1) % 3];
-            last = raise_face(h, u, v, number, old, g);
-            if (last < 0) return 0;
-            if (first < 0) first = u;
+            u = h->face[g].corner[i];
+            raise_face(h, u, h->face[g].corner[(i + 1) % 3], number, old, g);
+            rim++;
         }
     }
     for (int s = 0; s < seen; s++) {
@@ -278,14 +280,12 @@ static int polytope_expand(hit_scratch *h, int f, int number)
     }
     // The rim is one ring of edges: each new face's neighbour starts where its
     // own edge ends.
-    int u = first, rim = 0;
-    do {
+    for (; rim > 0; rim--) {
         int made = h->fan[u], v = h->face[made].corner[1], after = h->fan[v];
         h->face[made].across[1] = after;
         h->face[after].across[2] = made;
         u = v;
-    } while (u != first && ++rim < FACES_AT_MOST);
-    return 1;
+    }
 }
 //<
 
@@ -311,11 +311,10 @@ static vec3 axis_across(vec3 v)
     return y <= z ? (vec3){ 0, 1, 0 } : (vec3){ 0, 0, 1 };
 }
 
-// Any unit vector perpendicular to v; along z if v has no direction.
+// Any unit vector perpendicular to v, which has a direction.
 static vec3 unit_across(vec3 v)
 {
-    vec3 n = vec3_unit(vec3_cross(v, axis_across(v)));
-    return vec3_length_squared(n) > 0 ? n : (vec3){ 0, 0, 1 };
+    return vec3_unit(vec3_cross(v, axis_across(v)));
 }
 //<
 
@@ -381,8 +380,13 @@ static int tetrahedron_find(const hit_scratch *h, const simplex *start,
     *normal = (vec3){ 0, 0, 1 };
     if (is_point(p[0], p[1])) return 1;
 
-    vec3 e = vec3_sub(p[1].at, p[0].at);
     if (n < 3 || is_line(p[0], p[1], p[2])) p[2] = peak_off_line(h, p[0], p[1]);
+    // The start's corners may lie too near to each other to show the line.
+    if (is_line(p[0], p[1], p[2])) {
+        p[1] = peak_off_point(h, p[0]);
+        p[2] = peak_off_line(h, p[0], p[1]);
+    }
+    vec3 e = vec3_sub(p[1].at, p[0].at);
     *normal = unit_across(e);
     if (is_line(p[0], p[1], p[2])) return 2;
 
@@ -573,14 +577,31 @@ static hit_result answer_flat(const hit_scratch *h, const simplex *start,
 //<
 
 //> hit-face-answer
-// The answer from the lowest face, once no point lies beyond it.
+// The point that these weights of the corners of f make, less x.
+static vec3 face_miss(const hit_scratch *h, const face *f, vec3 x,
+                      const real weight[3])
+{
+    vec3 miss = vec3_scale(-1, x);
+    for (int i = 0; i < 3; i++)
+        miss = vec3_add_scaled(miss, weight[i], h->point[f->corner[i]].at);
+    return miss;
+}
+
+// The answer from the lowest face, once no point lies beyond it.  Of an A - B
+// that is all but flat, the origin may lie in the plane and beside the face:
+// nothing of A - B is there.
 static hit_result answer_face(hit_scratch *h, int f, hit_result r, real upper)
 {
+    const real beside = 0x1p-20;
     real weight[3];
     face_measure_exactly(h, &h->face[f], &h->height[f]);
     vec3 out = vec3_unit(h->face[f].normal);
+    vec3 foot = vec3_scale(h->height[f], out);
     real height = h->height[f] > 0 ? h->height[f] : 0;
-    int g = walk_to_foot(h, f, vec3_scale(h->height[f], out), weight);
+    int g = walk_to_foot(h, f, foot, weight);
+    vec3 miss = face_miss(h, &h->face[g], foot, weight);
+    if (r.status == HIT_FOUND && vec3_length(miss) > beside)
+        r.status = HIT_APART;
     for (int i = 0; i < 3; i++) {
         r.corner_a[i] = h->point[h->face[g].corner[i]].a;
         r.corner_b[i] = h->point[h->face[g].corner[i]].b;
@@ -626,8 +647,7 @@ hit_result hit_face_find(point_set a, point_set b, const simplex *start,
         r.status = HIT_CAPPED;
         if (h->points == POINTS_AT_MOST) return answer_face(h, f, r, upper);
         h->point[h->points] = w;
-        if (!polytope_expand(h, f, h->points++))
-            return answer_face(h, f, r, upper);
+        polytope_expand(h, f, h->points++);
     }
 }
 //<

@@ -18,7 +18,8 @@ typedef enum {
 typedef enum {
     HIT_FOUND,
     HIT_APART,          // the origin is outside A - B
-    HIT_NOT_FINITE,
+    HIT_NOT_FINITE,     // a coordinate is NaN, infinite or beyond 2^1020 m; the
+                        // numbers are all 0
     HIT_CAPPED,         // polytope full: depth is an upper bound, still usable
     HIT_FLAT            // A - B has no volume (two flat sets in one plane):
                         // depth 0 along its normal

@@ -162,23 +162,22 @@ static void link_rims(mesh *m)
             m->half[h].next = m->vertex_half[mesh_target(m, h)];
 }
 
-// One turn around a vertex meets every half-edge that leaves it, or there is
-// a second fan that the turn cannot reach.
+// One turn around a vertex meets every half-edge that leaves it, or it is back
+// too early: there is a second fan that the turn cannot reach.
 static status check_fans(const mesh *m, int *leaving)
 {
     memset(leaving, 0, ((size_t)m->vertices + 1) * sizeof *leaving);
     for (int h = 0; h < 2 * m->edges; h++) leaving[m->half[h].origin]++;
 
     for (int v = 0; v < m->vertices; v++) {
-        int start = m->vertex_half[v], h = start, met = 0;
-        if (start < 0) continue;
-        do {
+        int start = m->vertex_half[v], h = start;
+        for (int met = 1; met < leaving[v]; met++) {
             h = mesh_around(m, h);
-            met++;
-        } while (h != start && met < leaving[v]);
-        if (met < leaving[v])
-            return status_fail("two fans of triangles meet in vertex %d and "
-                               "nowhere else: the surface is pinched there", v);
+            if (h == start)
+                return status_fail("two fans of triangles meet in vertex %d "
+                                   "and nowhere else: the surface is pinched "
+                                   "there", v);
+        }
     }
     return status_ok();
 }
@@ -394,27 +393,27 @@ static status validate_vertex_half(const mesh *m, int v, int leaving)
 
 // Turns once around v: all half-edges that leave it, each once, no two to the
 // same neighbour, none on the rim but the first.  met_from[w] = v marks the
-// neighbours met.
+// neighbours met.  (The last step leads back: of faces the next is one to one,
+// and a rim could only lead to another, which is refused.)
 static status validate_turn(const mesh *m, int v, int leaving, int *met_from)
 {
-    int start = m->vertex_half[v], h = start, met = 0;
-    if (start < 0) return status_ok();
-    do {
+    int start = m->vertex_half[v], h = start;
+    for (int met = 0; met < leaving; met++) {
+        if (met > 0 && h == start)
+            return status_fail("%d half-edges leave vertex %d, but a turn "
+                               "around it does not meet each of them once",
+                               leaving, v);
         int to = mesh_target(m, h);
         if (met_from[to] == v)
             return status_fail("two edges join vertex %d and vertex %d", v, to);
-        if (h != start && m->half[h].face < 0)
+        if (met > 0 && m->half[h].face < 0)
             return m->half[start].face < 0
                 ? status_fail("two rims pass through vertex %d", v)
                 : status_fail("vertex %d is on a rim, but its half-edge %d is "
                               "not the one on it", v, start);
         met_from[to] = v;
         h = mesh_around(m, h);
-        met++;
-    } while (h != start && met < leaving);
-    if (h != start || met != leaving)
-        return status_fail("%d half-edges leave vertex %d, but a turn around "
-                           "it does not meet each of them once", leaving, v);
+    }
     return status_ok();
 }
 //<

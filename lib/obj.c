@@ -419,30 +419,31 @@ static void turn_outwards(obj_file *o)
 //<
 
 //> obj-translate
-// If text begins with kind and a number below count: that number, and *after is
-// what follows it; else -1.
-static int names(const char *text, const char *kind, int count,
-                 const char **after)
+// If text begins with kind and a number, that number, and *after is what
+// follows it; else -1.
+static int names(const char *text, const char *kind, const char **after)
 {
     size_t length = strlen(kind);
     if (strncmp(text, kind, length) != 0 || !is_digit(text[length])) return -1;
     int number = 0;
-    for (*after = text + length; is_digit(**after) && number < count; ++*after)
+    for (*after = text + length; is_digit(**after); ++*after)
         number = 10 * number + (**after - '0');
-    return number < count ? number : -1;
+    return number;
 }
 
 // A complaint about the mesh speaks of `triangle 7` and `vertex 12`; whoever
 // wrote the file knows lines.  The triangle becomes the face of its line, the
-// vertex that of its own.
+// vertex that of its own.  `vertex 7` may grow to three times its length, and
+// to 29 characters: four times the room holds a sentence full of them.
 static status translate(const obj_file *o, status s)
 {
-    char why[2 * sizeof s.why] = "";
+    char why[4 * sizeof s.why] = "";
     size_t length = 0;
-    for (const char *c = s.why; *c && length + 1 < sizeof why; ) {
+    for (const char *c = s.why; *c; ) {
         const char *after = c + 1;
-        int t = names(c, "triangle ", o->triangles, &after);
-        int v = t < 0 ? names(c, "vertex ", o->vertices, &after) : -1;
+        int t = names(c, "triangle ", &after);
+        int v = t < 0 ? names(c, "vertex ", &after) : -1;
+        assert(t < o->triangles && v < o->vertices);
         size_t room = sizeof why - length;
         int put = t >= 0 ? snprintf(why + length, room, "the face of line %d",
                                     o->triangle_line[t])
@@ -450,7 +451,7 @@ static status translate(const obj_file *o, status s)
                                     o->vertex_line[v])
                          : snprintf(why + length, room, "%c", *c);
         length += (size_t)put;
-        c = t >= 0 || v >= 0 ? after : c + 1;
+        c = after;
     }
     return status_fail("%s: %s", o->name, why);
 }

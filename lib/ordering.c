@@ -7,88 +7,136 @@
 
 // The constraint graph: particles are its corners, sticks its edges.  away[i]
 // is the number of sticks on the shortest path from v to particle i, -1 while
-// none is known; each round of the loop walks one stick further.
+// none is known; each round of the loop walks one stick further, and looks only
+// at sticks that wait to be reached.
 // A stick with an end at v has distance 1, its neighbours 2, and so on; one
 // that no path reaches is put behind the last.  Returns the largest of the
 // distances that are reached.
 static int stick_distances(const stick *s, int sticks, int particles, int v,
-                           int *away, int *distance)
+                           int *away, int *waiting, int *distance)
 {
     for (int i = 0; i < particles; i++) away[i] = i == v ? 0 : -1;
-    for (int k = 0; k < sticks; k++) distance[k] = 0;
-    int largest = 0, grew = 1;
+    for (int k = 0; k < sticks; k++) waiting[k] = k;
+    int largest = 0, left = sticks, grew = 1;
     while (grew) {
-        grew = 0;
-        for (int k = 0; k < sticks; k++) {
-            int *a = &away[s[k].a], *b = &away[s[k].b];
-            if (distance[k] || (*a != largest && *b != largest)) continue;
+        int kept = 0;
+        for (int i = 0; i < left; i++) {
+            int k = waiting[i], *a = &away[s[k].a], *b = &away[s[k].b];
+            if (*a != largest && *b != largest) {
+                waiting[kept++] = k;
+                continue;
+            }
             distance[k] = largest + 1;
             if (*a < 0) *a = largest + 1;
             if (*b < 0) *b = largest + 1;
-            grew = 1;
         }
+        grew = kept < left;
+        left = kept;
         largest += grew;
     }
-    for (int k = 0; k < sticks; k++)
-        if (!distance[k]) distance[k] = largest + 1;
+    for (int i = 0; i < left; i++) distance[waiting[i]] = largest + 1;
     return largest;
 }
 //<
 
 //> ordering-list
-// Does a stick of distance k stand in round r of n?  Near sticks in every
-// round, the next in every second, those behind in every fourth: n, n/2, n/4
-// times, rounded down.  Whoever has had no turn by then has one in the last.
+// Near sticks stand in every round, the next in every second, those behind in
+// every fourth: of n rounds a stick of distance k has n / 2^(k-1), cut down.
+// Whoever has none by then has one turn in the last.
+static int rounds_between(int k, int n)
+{
+    int every = 1;
+    for (int i = 1; i < k && every <= n; i++) every *= 2;
+    return every;
+}
+
+static int turns_of(int k, int n)
+{
+    int every = rounds_between(k, n);
+    return every <= n ? n / every : 1;
+}
+
 // Paper: leaves open how the repeats follow each other; here: interleaved,
 // because a stick that has just been relaxed has nothing left to mend.
 static int has_turn(int k, int r, int n)
 {
-    int every = 1;
-    for (int i = 1; i < k && every <= n; i++) every *= 2;
+    int every = rounds_between(k, n);
     return every <= n ? r % every == 0 : r == n;
 }
 
-// Writes one particle's list to out (NULL: only counts), and returns its
-// length.  Without repeats there is one round, and every stick in it.
-static long long list_write(const int *distance, int sticks, int n,
-                            int repeated, int *out)
+static long long list_length(const int *distance, int sticks, int rounds)
 {
     long long length = 0;
-    int rounds = repeated && n > 1 ? n : 1;
+    for (int i = 0; i < sticks; i++) length += turns_of(distance[i], rounds);
+    return length;
+}
+
+// Writes one particle's list to out; n is the largest distance that is reached.
+static void list_write(const int *distance, int sticks, int n, int rounds,
+                       int *out)
+{
     for (int r = 1; r <= rounds; r++)
         for (int k = 1; k <= n + 1; k++) {
             if (!has_turn(k, r, rounds)) continue;
-            for (int i = 0; i < sticks; i++) {
-                if (distance[i] != k) continue;
-                if (out) out[length] = i;
-                length++;
-            }
+            for (int i = 0; i < sticks; i++)
+                if (distance[i] == k) *out++ = i;
         }
-    return length;
+}
+//<
+
+//> stick-lists-fill
+// So many numbers have bytes that can be numbered by an int.
+enum { LISTS_AT_MOST = INT_MAX / (int)sizeof(int) };
+
+static status lists_too_long(int sticks, int particles)
+{
+    return status_fail("%d particles with %d sticks make lists too long to "
+                       "number", particles, sticks);
+}
+
+// Without repeats there is one round, and every stick in it.
+static int rounds_of(int n, int repeated)
+{
+    return repeated && n > 1 ? n : 1;
+}
+
+// All lists one behind the other: counted first, then written.
+static status lists_fill(stick_lists *l, const stick *s, int sticks,
+                         int repeated, int *away, int *waiting, int *distance)
+{
+    long long total = 0;
+    for (int v = 0; v < l->particles; v++) {
+        int n = stick_distances(s, sticks, l->particles, v, away, waiting,
+                                distance);
+        l->start[v] = (int)total;
+        total += list_length(distance, sticks, rounds_of(n, repeated));
+        if (total > LISTS_AT_MOST) return lists_too_long(sticks, l->particles);
+    }
+    l->start[l->particles] = (int)total;
+    l->stick = malloc(((size_t)total + 1) * sizeof *l->stick);
+    if (!l->stick) return status_out_of_memory();
+    for (int v = 0; v < l->particles; v++) {
+        int n = stick_distances(s, sticks, l->particles, v, away, waiting,
+                                distance);
+        list_write(distance, sticks, n, rounds_of(n, repeated),
+                   l->stick + l->start[v]);
+    }
+    return status_ok();
 }
 //<
 
 //> stick-lists-build
-// All lists one behind the other: counted first, then written.
-static status lists_fill(stick_lists *l, const stick *s, int sticks,
-                         int particles, int repeated, int *away, int *distance)
+static status check_lists(const stick *s, int sticks, int particles)
 {
-    long long total = 0;
-    for (int v = 0; v < particles; v++) {
-        int n = stick_distances(s, sticks, particles, v, away, distance);
-        l->start[v] = (int)total;
-        total += list_write(distance, sticks, n, repeated, NULL);
-        if (total > INT_MAX)
-            return status_fail("%d particles with %d sticks make lists too "
-                               "long to number", particles, sticks);
-    }
-    l->start[particles] = (int)total;
-    l->stick = malloc(((size_t)total + 1) * sizeof *l->stick);
-    if (!l->stick) return status_out_of_memory();
-    for (int v = 0; v < particles; v++) {
-        int n = stick_distances(s, sticks, particles, v, away, distance);
-        list_write(distance, sticks, n, repeated, l->stick + l->start[v]);
-    }
+    // Every stick stands in every list, once at least.
+    if (particles >= LISTS_AT_MOST
+        || (long long)particles * sticks > LISTS_AT_MOST)
+        return lists_too_long(sticks, particles);
+    for (int k = 0; k < sticks; k++)
+        if (s[k].a < 0 || s[k].a >= particles
+            || s[k].b < 0 || s[k].b >= particles)
+            return status_fail("stick %d joins particles %d and %d, of %d", k,
+                               s[k].a, s[k].b, particles);
     return status_ok();
 }
 
@@ -96,22 +144,22 @@ status stick_lists_build(stick_lists *l, const stick *s, int sticks,
                          int particles, int repeated)
 {
     assert(sticks >= 0 && particles >= 0);
-    *l = (stick_lists){ .particles = particles };
-    for (int k = 0; k < sticks; k++)
-        if (s[k].a < 0 || s[k].a >= particles ||
-            s[k].b < 0 || s[k].b >= particles) {
-            l->particles = 0;
-            return status_fail("stick %d joins particles %d and %d, of %d", k,
-                               s[k].a, s[k].b, particles);
-        }
-    size_t points = (size_t)particles + 1;
+    *l = (stick_lists){ 0 };
+    status result = check_lists(s, sticks, particles);
+    if (!result.ok) return result;
+
+    size_t points = (size_t)particles + 1, n = (size_t)sticks + 1;
     int *away = malloc(points * sizeof *away);
-    int *distance = malloc(((size_t)sticks + 1) * sizeof *distance);
+    int *waiting = malloc(n * sizeof *waiting);
+    int *distance = malloc(n * sizeof *distance);
     l->start = malloc(points * sizeof *l->start);
-    status result = status_out_of_memory();
-    if (away && distance && l->start)
-        result = lists_fill(l, s, sticks, particles, repeated, away, distance);
+    l->particles = particles;
+    if (away && waiting && distance && l->start)
+        result = lists_fill(l, s, sticks, repeated, away, waiting, distance);
+    else
+        result = status_out_of_memory();
     free(away);
+    free(waiting);
     free(distance);
     if (!result.ok) stick_lists_free(l);
     return result;
@@ -153,7 +201,7 @@ struct order_scratch {
 
 order_scratch *order_scratch_new(int sticks)
 {
-    assert(sticks >= 0 && sticks < INT_MAX / 4);
+    assert(sticks >= 0 && sticks <= INT_MAX / 32);
     order_scratch *o = calloc(1, sizeof *o);
     if (!o) return NULL;
     o->sticks = sticks;

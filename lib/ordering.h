@@ -33,7 +33,8 @@ typedef struct {
 // largest distance: neighbours n times, theirs n/2 times.  The repeats stand in
 // n rounds, distance 1 in every round, 2 in every second, 3 in every fourth: a
 // stick relaxed twice in a row would gain nothing.
-// Fails, leaving *l empty, if memory is refused or a stick has no such ends.
+// Fails, leaving *l empty, if a stick has no such ends, the lists would hold
+// more numbers than fit in INT_MAX bytes, or memory is refused.
 // The lists hold particles * sticks numbers or more: meant for rigid bodies.
 status stick_lists_build(stick_lists *l, const stick *s, int sticks,
                          int particles, int repeated);

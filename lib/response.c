@@ -116,7 +116,7 @@ static real part_of_a(const contact *c, share_rule rule, int a_moves,
     real ratio = rule == SHARE_PRINTED ? c->mass_b / c->mass_a
                                        : c->mass_a / c->mass_b;
     real part = 1 / (1 + ratio);
-    return part >= 0 && part <= 1 ? part : (real)0.5;
+    return part >= 0 ? part : (real)0.5;     // infinite / infinite
 }
 
 // A's point by part * move along the normal, B's by the rest the other way.
@@ -188,6 +188,8 @@ real contact_separate(contact *c, particle *p, response_options options)
         vec3 s = sliding(&a, &b, c->normal);
         real part = braked_part(options.friction, depth, s);
         push = vec3_add_scaled(push, -part * mass, s);
+        // The push times the mean slide: s before, (1 - part) s after.
+        c->worn -= part * (1 - part / 2) * mass * vec3_length_squared(s);
     }
     if (a.inverse_mass > 0) push_now(&c->a, p, push);
     if (b.inverse_mass > 0) push_now(&c->b, p, vec3_scale(-1, push));

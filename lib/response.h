@@ -48,6 +48,8 @@ typedef struct {
                         // HUGE_VAL: immovable under these two rules
     real pushed;        // m, sum of the overlaps that this contact has pushed
                         // apart since it began, without gain
+    real worn;          // kg m^2, friction's work since then, times the square
+                        // of a step
     real approach;      // m/s, > 0: speed of approach when it began
 } contact;
 

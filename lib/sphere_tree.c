@@ -377,10 +377,13 @@ static status check_build(const vec3 *at, const leaf_feature *leaf, int n,
         if (leaf[i].count < 1 || leaf[i].count > 3)
             return status_fail("leaf %d has %d vertices, not 1 to 3", i,
                                leaf[i].count);
-        for (int j = 0; j < leaf[i].count; j++)
-            if (!vec3_is_finite(at[leaf[i].vertex[j]]))
-                return status_fail("vertex %d of leaf %d is not finite",
-                                   leaf[i].vertex[j], i);
+        for (int j = 0; j < leaf[i].count; j++) {
+            int v = leaf[i].vertex[j];
+            if (v < 0)
+                return status_fail("vertex %d of leaf %d does not exist", v, i);
+            if (!vec3_is_finite(at[v]))
+                return status_fail("vertex %d of leaf %d is not finite", v, i);
+        }
     }
     return status_ok();
 }

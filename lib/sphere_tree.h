@@ -85,7 +85,8 @@ sphere sphere_of_spheres(sphere a, sphere b);
 // slack (a fraction, e.g. 0.01) widens wrapped balls so that they still enclose
 // a body that is stretched by no more than this in any direction.
 // Fails, leaving *t empty: n < 1 or > 2^30, a leaf without 1 to 3 vertices, a
-// vertex that is not finite, a bad thickness or slack, or no memory.
+// negative vertex or one that is not finite, a bad thickness or slack, or no
+// memory.
 status sphere_tree_build(sphere_tree *t, tree_kind kind, const vec3 *at,
                          const leaf_feature *leaf, int n, real thickness,
                          real slack);

@@ -6,7 +6,11 @@
 #include "verlet.h"
 
 #include <assert.h>
+#include <limits.h>
 #include <stdlib.h>
+
+// Their bytes can be numbered by an int.
+enum { MOST_PARTICLES = INT_MAX / (int)sizeof(particle) };
 
 void pool_init(particle_pool *pool)
 {
@@ -16,6 +20,9 @@ void pool_init(particle_pool *pool)
 status pool_reserve(particle_pool *pool, int capacity)
 {
     if (capacity <= pool->capacity) return status_ok();
+    if (capacity > MOST_PARTICLES)
+        return status_fail("a pool of %d particles is too large: the most are "
+                           "%d", capacity, MOST_PARTICLES);
 
     particle *at = realloc(pool->at, (size_t)capacity * sizeof *at);
     if (!at) return status_out_of_memory();

@@ -26,7 +26,9 @@ typedef struct {
 
 //> pool-declare
 void   pool_init(particle_pool *pool);                 // empty, owns nothing
-status pool_reserve(particle_pool *pool, int capacity);// room for that many
+// Room for that many.  Fails, and leaves the pool as it was, if they are more
+// than fit in INT_MAX bytes or memory is refused.
+status pool_reserve(particle_pool *pool, int capacity);
 // Appends p and returns its index.  Requires: count < capacity.
 int    pool_add(particle_pool *pool, particle p);
 void   pool_free(particle_pool *pool);

@@ -1,8 +1,10 @@
 // check_constraint.c - tests of chapter 2.  Each names the mistake it rejects.
 
 #include "constraint.h"
+#include "scarce.h"
 
 #include <check.h>
+#include <limits.h>
 #include <string.h>
 
 // Room for the rounding of a few sums near 1, each 1.1e-16.
@@ -704,6 +706,46 @@ START_TEST(star_cannot_be_had_apart)
 }
 END_TEST
 
+START_TEST(stick_without_ends_is_refused)
+{
+    // Rejects: an index that is trusted, and written to.
+    const int wrong[4][2] = { { -1, 0 }, { 3, 0 }, { 0, -1 }, { 0, 3 } };
+    for (int k = 0; k < 4; k++) {
+        stick s[3] = { bar(0, 1, 1), bar(0, 2, 1), bar(1, 2, 1) };
+        s[1].a = wrong[k][0];
+        s[1].b = wrong[k][1];
+        status r = sticks_interleave(s, 3, 3);
+        ck_assert(!r.ok && strstr(r.why, "stick 1 joins particles"));
+        ck_assert_int_eq(s[1].a, wrong[k][0]);      // nothing has moved
+        ck_assert_int_eq(s[2].b, 2);
+    }
+    stick alone = bar(0, 5, 1);
+    ck_assert(!sticks_interleave(&alone, 1, 2).ok);
+}
+END_TEST
+
+START_TEST(refused_memory_leaves_the_order)
+{
+    stick rope[4], s[4];
+    for (int i = 0; i < 4; i++) rope[i] = bar(i, i + 1, 1);
+    int n = 0;
+    for (; n < 5; n++) {
+        memcpy(s, rope, sizeof s);
+        long held = blocks_held;
+        mallocs_left = n;
+        status r = sticks_interleave(s, 4, 5);
+        mallocs_left = INT_MAX;
+        held = blocks_held - held;
+        ck_assert_int_eq(held, 0);
+        if (r.ok) break;
+        ck_assert_str_eq(r.why, "out of memory");
+        for (int i = 0; i < 4; i++) ck_assert_int_eq(s[i].a, i);
+    }
+    ck_assert_int_eq(n, 2);
+    ck_assert_int_eq(s[1].a, 2);
+}
+END_TEST
+
 // ---- The angle
 
 static real cosine_at(const particle *p, int a, int corner, int b)
@@ -809,6 +851,10 @@ START_TEST(straight_elbow_has_no_side_to_turn_to)
     for (int i = 0; i < 3; i++)
         ck_assert(vec3_distance(p[i].position, p[i].previous) < 2);
     p[0] = p[1];
+    r = angle_relax(c, p);
+    ck_assert(r.moved == 0 && r.error == 0);
+    // The other arm without length.
+    c = (angle){ 2, 1, 0, 0, 1 };
     r = angle_relax(c, p);
     ck_assert(r.moved == 0 && r.error == 0);
     p[0].position.x = not_a_number;
@@ -923,8 +969,22 @@ START_TEST(bend_without_a_crossing_is_refused)
     ck_assert(!bend_make(&b, where, p, 1).ok);
     where[1] = 0;
     ck_assert(!bend_make(&b, where, p, 1).ok && b.at[0] == 7);
-    p[3].position.x = not_a_number;
-    s = bend_make(&b, where, p, 1);
+    // Rejects: a look at one of the four, or none at their differences.
+    particle near_by[4] = { at(0, 0, 0, 1), at(2, 0, 0, 1),
+                            at(1, -1, 0, 1), at(1, 1, 0, 1) };
+    const int whole[4] = { 0, 1, 2, 3 };
+    for (int i = 0; i < 4; i++) {
+        particle q[4];
+        memcpy(q, near_by, sizeof q);
+        ck_assert(bend_make(&b, whole, q, 1).ok);
+        b.at[0] = 7;
+        q[i].position.z = i % 2 ? not_a_number : HUGE_VAL;
+        s = bend_make(&b, whole, q, 1);
+        ck_assert(!s.ok && strstr(s.why, "finite") && b.at[0] == 7);
+    }
+    for (int i = 0; i < 4; i++)
+        near_by[i].position.z = i < 2 ? 1e308 : -1e308;
+    s = bend_make(&b, whole, near_by, 1);
     ck_assert(!s.ok && strstr(s.why, "finite") && b.at[0] == 7);
 }
 END_TEST
@@ -996,6 +1056,8 @@ static TCase *sweep_tests(void)
     tcase_add_test(t, rope_falls_into_even_and_odd);
     tcase_add_test(t, icosahedron_falls_into_few_groups);
     tcase_add_test(t, star_cannot_be_had_apart);
+    tcase_add_test(t, stick_without_ends_is_refused);
+    tcase_add_test(t, refused_memory_leaves_the_order);
     return t;
 }
 

@@ -1,5 +1,6 @@
 // check_gjk.c - tests of lib/gjk: distances, bounds, and the hard cases.
 
+#include "bodies.h"
 #include "oracle.h"
 
 #include <check.h>
@@ -162,11 +163,12 @@ START_TEST(far_from_the_origin_nothing_more_is_lost)
 END_TEST
 
 // Rejects: every absolute tolerance.  A power of two scales without rounding,
-// so the answer must scale bit by bit; 2^-400 m needs the second attempt.
+// so the answer must scale bit by bit; 2^-400 m needs the second attempt, and
+// the last two have directions whose products with the vertices overflow.
 START_TEST(size_does_not_matter)
 {
     const real scale[] = { 0x1p-20, 0x1p20, 0x1p-100, 0x1p100, 0x1p-400,
-                           0x1p500 };
+                           0x1p500, 0x1p-900, 0x1p990 };
     unsigned long long seed = 11;
     for (int n = 0; n < 200; n++) {
         body a, b;
@@ -174,7 +176,7 @@ START_TEST(size_does_not_matter)
         body_random(&b, 6, &seed);
         body_move(&b, random_vector(&seed, 0, 2));
         gjk_result one = ask(&a, &b);
-        for (int s = 0; s < 6; s++) {
+        for (int s = 0; s < 8; s++) {
             body c = a, d = b;
             body_scale(&c, scale[s]);
             body_scale(&d, scale[s]);
@@ -557,6 +559,278 @@ START_TEST(what_is_not_finite_gets_a_status)
 }
 END_TEST
 
+// ---- what the fuzzer found
+
+// Rejects: directions whose products with the vertices overflow or vanish.
+START_TEST(the_ends_of_the_range_of_numbers_are_served)
+{
+    // Steps of the smallest double: cubes of 16 steps, 3 apart.
+    body a = body_cube(0, 0, 0), b = body_cube(1.1875, 0, 0);
+    body_scale(&a, 0x1p-1070);
+    body_scale(&b, 0x1p-1070);
+    gjk_result r = ask(&a, &b);
+    ck_assert_int_eq(r.status, GJK_APART);
+    same_bits(r.distance, 0x1p-1070 * 0.1875);
+
+    a = body_cube(0, 0, 0), b = body_cube(1.25, 0, 0);
+    body_scale(&a, 0x1p1015);
+    body_scale(&b, 0x1p1015);
+    same_bits(ask(&a, &b).distance, 0x1p1013);
+    body_scale(&b, 64);     // beyond 2^1020: the distance may be no number
+    r = ask(&a, &b);
+    ck_assert_int_eq(r.status, GJK_NOT_FINITE);
+    same_bits(r.distance, 0);
+}
+END_TEST
+
+// Rejects: the bound of the step before, given out with the status.
+START_TEST(what_is_met_late_leaves_no_number)
+{
+    const real end = 0x1.fffffffffffffp1023;
+    vec3 at[3] = { { 1, 0, 0 }, { 0.5, 1, 0 }, { 1, -end, 0 } };
+    vec3 o = { 0, 0, 0 };
+    point_set a = { at, 3, NULL, NULL }, b = { &o, 1, NULL, NULL };
+    simplex carried = { .count = 1, .weight = { 1 } };
+    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
+    ck_assert_int_eq(r.status, GJK_NOT_FINITE);
+    ck_assert_int_gt(r.iterations, 1);
+    same_bits(r.distance, 0);
+    same_bits(r.axis.x, 0);
+    ck_assert_int_eq(r.last.count, 0);
+}
+END_TEST
+
+// Rejects: "the largest so far", which forgets a NaN: then no weight need be
+// positive, and the simplex has no corner.
+START_TEST(a_bad_corner_among_carried_ones_is_not_forgotten)
+{
+    const real poison[3] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
+    for (int n = 0; n < 4 * 4 * 27; n++) {
+        vec3 at[4] = { { 1, 0, 0 }, { 1, 1, 0 }, { 2, 0, 1 }, { 1, 2, 2 } };
+        vec3 o = { 0, 0, 0 };
+        int bad = n % 4, first = n / 4 % 4;
+        at[bad] = (vec3){ 0, 0, poison[n / 16 % 3] };
+        at[(bad + 1) % 4] = (vec3){ poison[n / 48 % 3], poison[n / 144 % 3],
+                                    1 };
+        point_set a = { at, 4, NULL, NULL }, b = { &o, 1, NULL, NULL };
+        for (int count = 1; count <= 4; count++) {
+            simplex carried = { .count = count };
+            for (int c = 0; c < count; c++) carried.a[c] = (first + c) % 4;
+            gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
+            ck_assert_int_eq(r.status, GJK_NOT_FINITE);
+            ck_assert_int_eq(r.last.count, 0);
+        }
+    }
+}
+END_TEST
+
+// From a corner of usual size the next is one whose square is no number.
+START_TEST(a_far_corner_may_come_second)
+{
+    vec3 at[2] = { { 1, 0, 0 }, { -0x1p600, 0x1p600, 0 } }, o = { 0, 0, 0 };
+    point_set a = { at, 2, NULL, NULL }, b = { &o, 1, NULL, NULL };
+    simplex carried = { .count = 1 };
+    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
+    ck_assert(r.status == GJK_APART || r.status == GJK_OVERLAP);
+    ck_assert(r.distance <= 1);
+}
+END_TEST
+
+// Three corners in line but for rounding have no plane.  Rejects: a foot on it,
+// 25 m from all of them, and so a distance of 2e-13 m.
+START_TEST(a_triangle_without_a_plane_has_no_foot)
+{
+    vec3 p[2] = { { 4.9999999999994689, 4.999999999999428, 4.9999999999993872 },
+                  { 4.9999999999995914, 4.9999999999995506,
+                    4.9999999999995097 } };
+    vec3 q[2] = { { -32, -32, -32 },
+                  { -9.25, -9.2499999999999236, -9.2499999999998472 } };
+    point_set a = { p, 2, NULL, NULL }, b = { q, 2, NULL, NULL };
+    simplex carried = { .count = 3, .a = { 0, 1, 0 }, .b = { 0, 1, 1 } };
+    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
+    ck_assert_int_eq(r.status, GJK_APART);
+    near(r.distance, vec3_distance(p[0], q[1]), 1e-11);
+    near(vec3_distance(r.on_a, r.on_b), r.distance, 1e-11);
+}
+END_TEST
+
+// A square of 7e-9 m over one of 28 m.  Rejects: an end as soon as a step gains
+// nothing, with a sixth of the distance to go.
+START_TEST(a_step_that_gains_nothing_may_be_on_the_way)
+{
+    vec3 large[4] = {
+        { -19.161808558681052, -13.456259470345898, -31.06182769103108 },
+        { -47.801560216008681, -22.335465632163135, -25.298710272142699 },
+        { -16.198439769908259, -41.664534353753808, -38.701289713774244 },
+        { -44.838191427235891, -50.543740515571045, -32.93817229488586 } };
+    vec3 small[4];
+    for (int i = 0; i < 4; i++)
+        small[i] = (vec3){ i & 1 ? -31.999999989437708 : -31.999999996479236,
+                           i & 2 ? -31.999999989437708 : -31.999999996479236,
+                           -32 };
+    point_set a = { large, 4, NULL, NULL }, b = { small, 4, NULL, NULL };
+    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
+    ck_assert_int_eq(r.status, GJK_APART);
+    near(r.distance, (real)oracle_distance(a, b), 1e-14 * 28);
+    ck_assert_int_le(r.iterations, 20);
+}
+END_TEST
+
+// Two thin bodies as near as rounding can tell.  Rejects: steps that gain and
+// lose by turns, until the cap.
+START_TEST(steps_that_gain_nothing_are_counted)
+{
+    vec3 p[2] = { { -32, -32.000000000000902, -32.000000000000639 },
+                  { -32.000000000000774, -32.000000000001116,
+                    -32.000000000000838 } };
+    vec3 q[4] = {
+        { -44.370739812370473, -20.597419159857139, -16.869040126990139 },
+        { -18.71552942578051, -13.895287853877079, -34.782488035676685 },
+        { -45.284470574220769, -50.10471214612447, -29.217511964324334 },
+        { -19.629260187630809, -43.40258084014441, -47.13095987301088 } };
+    point_set a = { p, 2, NULL, NULL }, b = { q, 4, NULL, NULL };
+    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
+    ck_assert(r.status == GJK_APART || r.status == GJK_OVERLAP);
+    ck_assert_int_le(r.iterations, 20);
+    ck_assert(r.distance < 1e-14 * 32);
+}
+END_TEST
+
+// Bodies that are apart by a few roundings, and v has no direction to speak of.
+// Rejects: v for the axis all the same, which put two fifths of B before A.
+START_TEST(the_axis_parts_what_is_apart)
+{
+    vec3 p = { 0x1.66p+5, 0x1.6600000000036p+5, 0x1.6600000000041p+5 };
+    vec3 q[5] = {
+        { 0x1.6600000000077p+5, 0x1.66000000000adp+5, 0x1.66000000000e3p+5 },
+        { 48, 48, 48 }, { 48, 0x1.66p+5, 0x1.6600000000036p+5 },
+        { 0x1.660000000006cp+5, 0x1.6600000000019p+5, -8 }, { -8, -8, -8 } };
+    point_set a = { &p, 1, NULL, NULL }, b = { q, 5, NULL, NULL };
+    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
+    ck_assert_int_eq(r.status, GJK_APART);
+    ck_assert(r.distance > 0 && r.distance < 1e-14 * 52.75);
+    near(vec3_length(r.axis), r.distance, 1e-27);
+    // How far B reaches over A along the axis.
+    ck_assert((real)oracle_width(b, a, r.axis) < 1e-14 * 52.75);
+}
+END_TEST
+
+// 1e33 m off, where a body reaches to 1e209 m: touching, for any purpose.
+// Rejects: a direction scaled until nothing is left of it.
+START_TEST(what_vanishes_beside_the_body_touches)
+{
+    vec3 p = { -31.5, -31.5, -37.25 };
+    vec3 q[3] = { { -37.25, -9.25e32, -9.25e32 },
+                  { -9.25e32, -9.25e32, 2.75e209 }, { -64, -64, -64 } };
+    point_set a = { &p, 1, NULL, NULL }, b = { q, 3, NULL, NULL };
+    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
+    ck_assert_int_eq(r.status, GJK_OVERLAP);
+    same_bits(r.distance, 0);
+}
+END_TEST
+
+// A vertex at the end of all numbers.  Rejects: its height over a plane, no
+// number, taken for no vertex: -1.
+START_TEST(a_height_that_is_no_number_shows_nothing)
+{
+    const real end = 0x1.fffffffffffffp1023;
+    vec3 p[3] = { { -9.5, -9.5, -9.5 }, { -9.5, end, -9.5 },
+                  { -9.5, 30.25, -26.5 } };
+    vec3 q[6] = { { -26.5, -9.5, -9.5 }, { -9.5, -9.5, -9.4999999999999183 },
+                  { -9.25, -9.2499999999999236, -9.2499999999998472 },
+                  { -9.2499999999995843, -32, -32 }, { -32, -32, -32 },
+                  { -32, -31.999999999999737, -31.999999999999474 } };
+    point_set a = { p, 3, NULL, NULL }, b = { q, 6, NULL, NULL };
+    simplex carried = { .count = 1, .b = { 1 } };
+    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
+    ck_assert(r.distance <= 1e-13);
+    carried = (simplex){ .count = 1, .a = { 1 } };
+    r = gjk_distance(b, a, gjk_options_default(), &carried);
+    ck_assert(r.distance <= 1e-13);
+}
+END_TEST
+
+// Rejects: parts of a segment, rounded by its distance, taken for weights.
+START_TEST(weights_add_up_however_far_a_short_segment_is)
+{
+    vec3 p[2] = { { -31.999999992958472, -32.000001168489177,
+                    -32.000001895007117 },
+                  { -32.000001895007117, -31.999999992958472,
+                    -32.000001168489177 } };
+    vec3 q = { -64, -64, -64 };
+    point_set a = { p, 2, NULL, NULL }, b = { &q, 1, NULL, NULL };
+    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
+    ck_assert_int_eq(r.last.count, 2);
+    near(r.last.weight[0] + r.last.weight[1], 1, 1e-15);
+}
+END_TEST
+
+// The point that these weights make of the corners is x, or as near to it as
+// the triangle's longest side has it, and they are weights.
+static void check_weights(const vec3 p[3], vec3 x, real tolerance)
+{
+    real w[3];
+    triangle_weights(p[0], p[1], p[2], x, w);
+    ck_assert(w[0] >= 0 && w[1] >= 0 && w[2] >= 0);
+    near(w[0] + w[1] + w[2], 1, 1e-15);
+    vec3 made = vec3_add_scaled(vec3_scale(w[0], p[0]), w[1], p[1]);
+    near(vec3_distance(vec3_add_scaled(made, w[2], p[2]), x), 0, tolerance);
+}
+
+// Triangles of every thinness down to none.  Rejects: a plane that rounding
+// made, and weights cut off at 0 that were both wrong and large.
+START_TEST(weights_make_the_point_however_thin_the_triangle)
+{
+    unsigned long long seed = 71;
+    // Just not thin enough for its side, a triangle loses 2^10 roundings, of
+    // coordinates up to 5.
+    for (int n = 0; n < 6000; n++) {
+        vec3 u = random_direction(&seed), side = random_direction(&seed);
+        real thin = n % 60 < 50 ? ldexp(1, -(n % 60)) : 0;
+        vec3 p[3], far = random_vector(&seed, 0, 4);
+        int first = n / 60 % 3;
+        p[first] = far;                                     // a needle ...
+        p[(first + 1) % 3] = vec3_add_scaled(far, thin, side);
+        p[(first + 2) % 3] = vec3_add(far, u);
+        if (n / 180 % 2)                                    // or a sliver
+            p[(first + 1) % 3] = vec3_add_scaled(
+                vec3_add_scaled(far, 0.4, u), thin, side);
+        real v = random_unit(&seed), w = random_unit(&seed);
+        if (v + w > 1) { v = 1 - v; w = 1 - w; }
+        if (n % 7 == 0) w = 0;                              // on a side
+        vec3 x = vec3_add_scaled(p[0], v, vec3_sub(p[1], p[0]));
+        x = vec3_add_scaled(x, w, vec3_sub(p[2], p[0]));
+        check_weights(p, x, 0x1p12 * rounding);
+    }
+    // One point, three times; and edges whose fourth powers are 0.
+    vec3 p[3] = { { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } };
+    check_weights(p, p[0], 0);
+    for (real size = 1e-70; size > 1e-110; size /= 10) {
+        vec3 tiny[3] = { { 0, 0, 0 }, { size, 0, 0 }, { 0, 2 * size, 0 } };
+        check_weights(tiny, (vec3){ 0, size, 0 }, size);
+    }
+}
+END_TEST
+
+// A mesh of which every vertex but one has a higher neighbour: each is met.
+START_TEST(climbing_may_visit_every_vertex)
+{
+    enum { N = 60 };
+    vec3 at[N];
+    int start[N + 1], ring[2 * N], filled = 0;
+    for (int i = 0; i < N; i++) {
+        at[i] = (vec3){ i, i * i, 0 };
+        start[i] = filled;
+        if (i > 0) ring[filled++] = i - 1;
+        if (i + 1 < N) ring[filled++] = i + 1;
+    }
+    start[N] = filled;
+    point_set p = { at, N, start, ring };
+    ck_assert_int_eq(support_climb(p, (vec3){ 1, 0, 0 }, 0), N - 1);
+    ck_assert_int_eq(support_climb(p, (vec3){ -1, 0, 0 }, N - 1), 0);
+}
+END_TEST
+
 // ---- the same bits
 
 // The number was printed by this test itself; gcc and clang agree on it at -O0,
@@ -607,6 +881,19 @@ int main(void)
     tcase_add_test(t, climbing_crosses_plateaus);
     tcase_add_test(t, a_ring_changes_nothing_but_the_time);
     tcase_add_test(t, what_is_not_finite_gets_a_status);
+    tcase_add_test(t, the_ends_of_the_range_of_numbers_are_served);
+    tcase_add_test(t, what_is_met_late_leaves_no_number);
+    tcase_add_test(t, a_bad_corner_among_carried_ones_is_not_forgotten);
+    tcase_add_test(t, a_far_corner_may_come_second);
+    tcase_add_test(t, a_triangle_without_a_plane_has_no_foot);
+    tcase_add_test(t, a_step_that_gains_nothing_may_be_on_the_way);
+    tcase_add_test(t, steps_that_gain_nothing_are_counted);
+    tcase_add_test(t, the_axis_parts_what_is_apart);
+    tcase_add_test(t, what_vanishes_beside_the_body_touches);
+    tcase_add_test(t, a_height_that_is_no_number_shows_nothing);
+    tcase_add_test(t, weights_add_up_however_far_a_short_segment_is);
+    tcase_add_test(t, weights_make_the_point_however_thin_the_triangle);
+    tcase_add_test(t, climbing_may_visit_every_vertex);
     tcase_add_test(t, the_same_bits_everywhere);
     suite_add_tcase(suite, t);
     SRunner *runner = srunner_create(suite);

@@ -1,9 +1,12 @@
 // check_hit_face.c - tests of lib/hit_face: depth, normal, points, features.
 
+#include "bodies.h"
 #include "hit_face.h"
 #include "oracle.h"
+#include "scarce.h"
 
 #include <check.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -374,7 +377,8 @@ END_TEST
 // Rejects: every absolute tolerance.
 START_TEST(size_does_not_matter)
 {
-    const real scale[] = { 0x1p-20, 0x1p20, 0x1p-100, 0x1p100 };
+    const real scale[] = { 0x1p-20, 0x1p20, 0x1p-100, 0x1p100, 0x1p-900,
+                           0x1p990 };
     unsigned long long seed = 11;
     for (int n = 0; n < 100; n++) {
         body a, b;
@@ -382,7 +386,7 @@ START_TEST(size_does_not_matter)
         body_random(&b, 6, &seed);
         body_move(&b, random_vector(&seed, 0, 0.5));
         hit_result one = hit(&a, &b);
-        for (int s = 0; s < 4; s++) {
+        for (int s = 0; s < 6; s++) {
             body c = a, d = b;
             body_scale(&c, scale[s]);
             body_scale(&d, scale[s]);
@@ -515,6 +519,131 @@ START_TEST(what_is_not_finite_gets_a_status)
 }
 END_TEST
 
+// ---- what the fuzzer found
+
+// Rejects: sums of coordinates that overflow, and no vertex, -1, for the
+// furthest.
+START_TEST(what_is_beyond_all_sums_gets_a_status)
+{
+    body a = body_cube(0, 0, 0), b = body_cube(0.25, 0, 0);
+    body_scale(&a, 0x1p1015);
+    body_scale(&b, 0x1p1015);
+    same_bits(hit(&a, &b).depth, 0.75 * 0x1p1015);
+    simplex none = { .count = 0 };
+    body_scale(&a, 64);
+    hit_result r = hit_face_find(body_points(&a), body_points(&b), &none,
+                                 scratch);
+    ck_assert_int_eq(r.status, HIT_NOT_FINITE);
+    same_bits(r.depth, 0);
+}
+END_TEST
+
+// A - B has next to no volume, and the origin lies in its plane, beside it.
+// Rejects: a depth of 0, because no vertex is beyond that plane.
+START_TEST(thin_bodies_side_by_side_are_apart)
+{
+    unsigned long long seed = 51;
+    for (int n = 0; n < 1000; n++) {
+        // Flat but for a few dozen steps of the grid, and 2 to 3 sides apart.
+        body a, b;
+        body_square(&a);
+        for (int i = 0; i < 4; i++) a.at[i].z = ldexp(random_unit(&seed), -42);
+        body_turn(&a, &seed);
+        b = a;
+        vec3 across = vec3_sub(a.at[1], a.at[0]);
+        body_move(&b, vec3_scale(2 + random_unit(&seed), across));
+        simplex start = { .count = n % 5 };
+        for (int c = 0; c < start.count; c++) {
+            start.a[c] = c;
+            start.b[c] = 3 - c;
+            start.weight[c] = 1 / (real)start.count;
+        }
+        hit_result r = hit_face_find(body_points(&a), body_points(&b), &start,
+                                     scratch);
+        ck_assert_int_eq(r.status, HIT_APART);
+    }
+}
+END_TEST
+
+// Rejects: a normal across a short edge where A - B is a long line.
+START_TEST(the_normal_stands_on_the_line)
+{
+    vec3 p = { -11.25, -11.25, -11.249999999999922 };
+    vec3 q[3] = { { -11.250000000000352, -11.250000000000075,
+                    -11.249999999999691 },
+                  { -11.25, -11.249999999999616, -11.249999999999321 },
+                  { -64, -64, -64 } };
+    point_set a = { &p, 1, NULL, NULL }, b = { q, 3, NULL, NULL };
+    simplex start = { .count = 2, .b = { 1, 0 }, .weight = { 0.25, 0.75 } };
+    hit_result r = hit_face_find(a, b, &start, scratch);
+    ck_assert_int_eq(r.status, HIT_FLAT);
+    near(vec3_dot(r.normal, vec3_unit(vec3_sub(q[2], q[0]))), 0, rounding);
+    near((real)oracle_width(a, b, r.normal), 0, rounding * 64);
+}
+END_TEST
+
+// Two bodies that touch in a corner of a needle of a face.  Rejects: points of
+// it that are 1e-3 m apart, for want of a plane to weigh them in.
+START_TEST(points_on_a_needle_meet)
+{
+    vec3 p[8] = { { -23.75, -23.75, -23.75 },
+                  { -23.749999999999766, -51.25, -63.25 }, { -64, -64, -64 },
+                  { -64.000000000000767, -64.000000000001521,
+                    -64.000000000002274 },
+                  { -64.000000000003041, -64.000000000003809,
+                    -64.000000000004562 } };
+    vec3 q[5] = { { -64.000000000005315, -64.000000000006082,
+                    -64.00000000000685 },
+                  { -64.000000000007603, -64.000000000008356,
+                    -64.000000000009123 },
+                  { -64.000000000009891, -64.000000000010644,
+                    -64.000000000011397 },
+                  { -64.000000000012164, -64.000000000012932,
+                    -64.000000000013557 }, { -64, -64, -64 } };
+    point_set a = { p, 5, NULL, NULL }, b = { q, 5, NULL, NULL };
+    simplex start = gjk_distance(a, b, gjk_options_default(), NULL).last;
+    hit_result r = hit_face_find(a, b, &start, scratch);
+    ck_assert(r.status == HIT_FOUND || r.status == HIT_FLAT);
+    near(r.depth, 0, 1e-12);
+    near(vec3_distance(r.on_a, r.on_b), 0, 1e-11);
+}
+END_TEST
+
+// A simplex that says nothing, or too much: without corners, of four, or with
+// weights that are all 0.
+START_TEST(flat_sets_take_any_start)
+{
+    body a, b;
+    body_square(&a);
+    b = a;
+    body_move(&b, (vec3){ 0.25, 0.125, 0 });
+    for (int count = 0; count <= 4; count++)
+        for (int kind = 0; kind < 2; kind++) {
+            simplex start = { .count = count, .a = { 3, 2, 1, 0 },
+                              .b = { 0, 1, 2, 3 } };
+            for (int c = 0; c < count; c++)
+                start.weight[c] = kind ? 1 / (real)count : 0;
+            hit_result r = hit_face_find(body_points(&a), body_points(&b),
+                                         &start, scratch);
+            ck_assert(r.status == HIT_FLAT || r.status == HIT_APART);
+            near(fabs(r.normal.z), 1, rounding);
+            same_bits(r.depth, 0);
+            check_feature(&a, &r.a, r.on_a, rounding);
+            check_feature(&b, &r.b, r.on_b, rounding);
+        }
+}
+END_TEST
+
+START_TEST(refused_memory_leaves_no_scratch)
+{
+    mallocs_left = 0;
+    hit_scratch *none = hit_scratch_new();
+    mallocs_left = INT_MAX;
+    ck_assert_ptr_null(none);
+    hit_scratch_free(none);
+}
+END_TEST
+
 // The number was printed by this test itself; gcc and clang agree on it at -O0,
 // -O2 and -O3.  A change of it is a change of answers.
 static const unsigned long long known_digest = 0x3c916a8df864be18ULL;
@@ -566,6 +695,12 @@ int main(void)
     tcase_add_test(t, balls_scanned_and_climbed);
     tcase_add_test(t, a_full_polytope_still_answers);
     tcase_add_test(t, what_is_not_finite_gets_a_status);
+    tcase_add_test(t, what_is_beyond_all_sums_gets_a_status);
+    tcase_add_test(t, thin_bodies_side_by_side_are_apart);
+    tcase_add_test(t, the_normal_stands_on_the_line);
+    tcase_add_test(t, points_on_a_needle_meet);
+    tcase_add_test(t, flat_sets_take_any_start);
+    tcase_add_test(t, refused_memory_leaves_no_scratch);
     tcase_add_test(t, the_same_bits_everywhere);
     suite_add_tcase(suite, t);
     SRunner *runner = srunner_create(suite);

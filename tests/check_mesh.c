@@ -339,10 +339,15 @@ START_TEST(refused_memory_leaves_nothing)
     ck_assert_int_eq(refused, 7);
 
     mesh m = build(8, CUBE, 12);
-    mallocs_left = 1;
-    status s = mesh_validate(&m);
-    mallocs_left = INT_MAX;
-    expect_why(s, "out of memory");
+    for (int n = 0; n < 2; n++) {
+        long held = blocks_held;
+        mallocs_left = n;
+        status s = mesh_validate(&m);
+        mallocs_left = INT_MAX;
+        held = blocks_held - held;
+        expect_why(s, "out of memory");
+        ck_assert_int_eq(held, 0);
+    }
     mesh_free(&m);
 }
 END_TEST
@@ -356,6 +361,9 @@ START_TEST(validator_names_bad_indices)
     m.half[5].origin = 4;
     expect_why(mesh_validate(&m),
                "half-edge 5 leaves vertex 4, which does not exist");
+    m.half[5].origin = -1;
+    expect_why(mesh_validate(&m),
+               "half-edge 5 leaves vertex -1, which does not exist");
     m.half[5] = kept;
     m.half[5].next = 12;
     expect_why(mesh_validate(&m),
@@ -433,6 +441,9 @@ START_TEST(validator_names_bad_faces)
     m.face_half[2] = 12;
     expect_why(mesh_validate(&m),
                "face 2 begins with half-edge 12, which does not exist");
+    m.face_half[2] = -1;
+    expect_why(mesh_validate(&m),
+               "face 2 begins with half-edge -1, which does not exist");
     m.face_half[2] = m.face_half[1];
     char why[120];
     snprintf(why, sizeof why, "face 2 begins with half-edge %d, which borders "
@@ -515,11 +526,22 @@ START_TEST(validator_names_bad_counts)
     mesh m = { .vertices = -1 };
     expect_why(mesh_validate(&m),
                "the mesh counts -1 vertices, 0 edges and 0 faces");
+    // Rejects: a count of faces or edges that nobody looks at.
+    m = (mesh){ .edges = -1 };
+    expect_why(mesh_validate(&m),
+               "the mesh counts 0 vertices, -1 edges and 0 faces");
+    m = (mesh){ .faces = -1 };
+    expect_why(mesh_validate(&m),
+               "the mesh counts 0 vertices, 0 edges and -1 faces");
     m = (mesh){ .edges = INT_MAX };
     ck_assert(!mesh_validate(&m).ok);
+    const char *hollow = "the mesh counts elements that it does not hold";
     m = (mesh){ .vertices = 3 };
-    expect_why(mesh_validate(&m),
-               "the mesh counts elements that it does not hold");
+    expect_why(mesh_validate(&m), hollow);
+    m = (mesh){ .edges = 3 };
+    expect_why(mesh_validate(&m), hollow);
+    m = (mesh){ .faces = 3 };
+    expect_why(mesh_validate(&m), hollow);
 }
 END_TEST
 

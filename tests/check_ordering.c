@@ -1,10 +1,12 @@
 // check_ordering.c - which stick first?  Book: chapter 8.
 
 #include <check.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "ordering.h"
+#include "scarce.h"
 
 // A body relaxed to this strain has its lengths to nine figures.
 static const real FINE = 1e-9;
@@ -210,6 +212,79 @@ START_TEST(stick_without_ends_is_refused)
     ck_assert_int_eq(l.particles, 0);
     s[1].b = -1;
     ck_assert(!stick_lists_build(&l, s, 2, 3, 0).ok);
+    s[1] = between(3, 1);
+    ck_assert(!stick_lists_build(&l, s, 2, 3, 0).ok);
+    s[1].a = -1;
+    ck_assert(!stick_lists_build(&l, s, 2, 3, 0).ok);
+}
+END_TEST
+
+static void expect_too_long(const stick *s, int sticks, int particles,
+                            int repeated)
+{
+    stick_lists l;
+    status r = stick_lists_build(&l, s, sticks, particles, repeated);
+    ck_assert(!r.ok && strstr(r.why, "lists too long to number") != NULL);
+    ck_assert(!l.start && !l.stick && l.particles == 0);
+}
+
+// Rejects: a number of bytes that overflows, found out by writing there.
+START_TEST(lists_too_long_to_number_are_refused)
+{
+    stick one = between(0, 1);
+    expect_too_long(&one, 1, INT_MAX, 0);
+    expect_too_long(&one, 0, INT_MAX, 0);
+    expect_too_long(&one, 1, INT_MAX / 4 + 1, 0);
+    stick three[3] = { one, one, one };
+    expect_too_long(three, 3, INT_MAX / 8, 0);
+
+    // Of a bundle with a tail of 3,000 sticks every stick stands 3,000 times in
+    // the lists of the two particles that it joins.
+    enum { BUNDLE = 100000, TAIL = 3000 };
+    stick *s = malloc((BUNDLE + TAIL) * sizeof *s);
+    ck_assert_ptr_nonnull(s);
+    for (int k = 0; k < BUNDLE; k++) s[k] = between(0, 1);
+    for (int k = 0; k < TAIL; k++) s[BUNDLE + k] = between(1 + k, 2 + k);
+    expect_too_long(s, BUNDLE + TAIL, TAIL + 2, 1);
+    free(s);
+}
+END_TEST
+
+// Rejects: a leak, or half a list, when any one allocation is refused.
+START_TEST(refused_memory_leaves_no_lists)
+{
+    stick s[7];
+    figure_7(s);
+    int n = 0;
+    for (; n < 20; n++) {
+        stick_lists l;
+        long held = blocks_held;
+        mallocs_left = n;
+        status r = stick_lists_build(&l, s, 7, 5, 1);
+        mallocs_left = INT_MAX;
+        if (r.ok) { stick_lists_free(&l); break; }
+        held = blocks_held - held;
+        ck_assert_str_eq(r.why, "out of memory");
+        ck_assert(!l.start && !l.stick && l.particles == 0);
+        ck_assert_int_eq(held, 0);
+    }
+    ck_assert_int_eq(n, 5);
+}
+END_TEST
+
+START_TEST(refused_memory_leaves_no_scratch)
+{
+    int n = 0;
+    for (; n < 20; n++) {
+        long held = blocks_held;
+        mallocs_left = n;
+        order_scratch *o = order_scratch_new(36);
+        mallocs_left = INT_MAX;
+        if (o) { order_scratch_free(o); break; }
+        held = blocks_held - held;
+        ck_assert_int_eq(held, 0);
+    }
+    ck_assert_int_eq(n, 5);
 }
 END_TEST
 
@@ -568,6 +643,9 @@ int main(void)
     tcase_add_test(t, every_list_holds_every_stick);
     tcase_add_test(t, sticks_without_a_path_stand_last);
     tcase_add_test(t, stick_without_ends_is_refused);
+    tcase_add_test(t, lists_too_long_to_number_are_refused);
+    tcase_add_test(t, refused_memory_leaves_no_lists);
+    tcase_add_test(t, refused_memory_leaves_no_scratch);
     tcase_add_test(t, most_moved_is_the_first_of_the_furthest);
     suite_add_tcase(s, t);
 

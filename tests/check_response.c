@@ -584,6 +584,13 @@ START_TEST(bounce_is_for_contacts_that_pushed)
     contact_separate(&c, p, o);
     contact_bounce(&c, p, o, 0.01);
     ck_assert_double_eq_tol(p[0].position.y - p[0].previous.y, 0.02, ROUNDING);
+
+    // Rejects: a division by the weight of two nails.
+    c = two_points(p, 0, 0, 0.1);
+    c.pushed = c.approach = 1;
+    particle before[2] = { p[0], p[1] };
+    contact_bounce(&c, p, o, 0.01);
+    ck_assert(memcmp(before, p, sizeof before) == 0);
 }
 END_TEST
 
@@ -640,6 +647,33 @@ START_TEST(particles_brake_and_nailed_ones_stay)
 }
 END_TEST
 
+// Without friction what slid goes on sliding.
+START_TEST(smooth_particles_are_not_braked)
+{
+    particle p[2] = { at_rest(vec3_make(0, 0.9, 0), 2),
+                      at_rest(vec3_make(0, 0, 0), 0) };
+    p[0].previous = vec3_make(-1, 0.9, 0);
+    sphere_contact c = { 0, 1, 1 };
+    sphere_contact_separate(c, p, smooth(SHARE_MASS));
+    ck_assert_double_eq_tol(p[0].position.y, 1, ROUNDING);
+    ck_assert(p[0].position.x == 0);
+}
+END_TEST
+
+// A distance whose square is more than that of the particles, and whose root is
+// not.  Rejects: a push of 0, that is counted.
+START_TEST(particles_that_only_rounding_overlaps_are_left)
+{
+    real x = 0x1.b15dbeb10ff4p-2, y = 0x1.04d10d670c943p-1;
+    particle p[2] = { at_rest(vec3_make(x, y, 0), 1),
+                      at_rest(vec3_make(0, 0, 0), 1) };
+    sphere_contact c = { 0, 1, 0x1.5315179e3d8f4p-1 };
+    ck_assert(sphere_contact_overlaps(&c, p));
+    ck_assert(sphere_contact_separate(c, p, response_options_default()) == 0);
+    ck_assert(p[0].position.x == x && p[1].position.x == 0);
+}
+END_TEST
+
 // Eq. 11: radii 1 and 0.5, centres 1 apart: d = 0.5 along x.
 // Rejects: the sign of d, d in the place of d / 2, a pushed nail.
 START_TEST(leaves_part_as_in_equation_11)
@@ -654,6 +688,9 @@ START_TEST(leaves_part_as_in_equation_11)
     ck_assert(p[2].position.x == 0.25 && p[3].position.x == 0.25);
     cb.x = 1.5;
     ck_assert(leaves_separate(fa, 2, ca, 1, fb, 2, cb, 0.5, p) == 0);
+    ck_assert(p[0].position.x == -0.25);
+    // A sphere without end has no way out of it.
+    ck_assert(leaves_separate(fa, 2, ca, HUGE_VAL, fb, 2, cb, 0.5, p) == 0);
     ck_assert(p[0].position.x == -0.25);
 }
 END_TEST
@@ -850,6 +887,8 @@ int main(void)
     tcase_add_test(t, particles_part_to_their_distance_by_mass);
     tcase_add_test(t, coincident_particles_and_leaves_are_left);
     tcase_add_test(t, particles_brake_and_nailed_ones_stay);
+    tcase_add_test(t, smooth_particles_are_not_braked);
+    tcase_add_test(t, particles_that_only_rounding_overlaps_are_left);
     tcase_add_test(t, leaves_part_as_in_equation_11);
     tcase_add_test(t, printed_push_goes_deeper_and_ours_comes_out);
     tcase_add_test(t, surface_feature_moves_to_the_midpoint);

@@ -1,7 +1,9 @@
 // check_sphere_tree.c - does the tree hold everything, and miss nothing?
+#include "scarce.h"
 #include "sphere_tree.h"
 
 #include <check.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -288,6 +290,20 @@ START_TEST(ball_of_a_bad_point_says_so)
             ck_assert(b.radius != b.radius && b.center.x != b.center.x);
             ck_assert_int_eq(supports, 0);
         }
+}
+END_TEST
+
+// Rejects: the square of the distance for the distance: a ball of two points,
+// of radius 0, because no centre was found.
+START_TEST(ball_of_points_beyond_all_numbers_is_infinite)
+{
+    vec3 at[3] = { { -1e200, 0, 0 }, { 1e200, 0, 0 }, { 0, 1e200, 1 } };
+    int index[3], support[4], supports;
+    real weight[4];
+    count_up(index, 3);
+    sphere b = sphere_of_points(at, index, 3, support, weight, &supports);
+    ck_assert(vec3_is_finite(b.center) && b.radius == HUGE_VAL);
+    ck_assert(supports == 1 && weight[0] == 1);
 }
 END_TEST
 
@@ -988,9 +1004,15 @@ START_TEST(bad_input_is_refused_with_a_sentence)
     assert_refused(at, good, -5, 0, 0, "leaves");
     assert_refused(at, none, 1, 0, 0, "leaf 0");
     assert_refused(at, four, 1, 0, 0, "leaf 0");
+    leaf_feature less[2] = { { 1, { 0 } }, { 3, { 0, 1, -1 } } };
+    assert_refused(at, good, (1 << 30) + 1, 0, 0, "leaves");
+    assert_refused(at, good, INT_MAX, 0, 0, "leaves");
     assert_refused(at, nan, 2, 0, 0, "vertex 2 of leaf 1");
+    assert_refused(at, less, 2, 0, 0, "vertex -1 of leaf 1");
     assert_refused(at, good, 2, -1, 0, "thickness");
     assert_refused(at, good, 2, (real)NAN, 0, "thickness");
+    assert_refused(at, good, 2, (real)INFINITY, 0, "thickness");
+    assert_refused(at, good, 2, 0, (real)NAN, "slack");
     assert_refused(at, good, 2, 0, (real)INFINITY, "slack");
     assert_refused(at, good, 2, 0, -0.1, "slack");
 }
@@ -1022,6 +1044,49 @@ START_TEST(a_bad_point_is_met_by_everything)
 }
 END_TEST
 
+// Rejects: a leak, or half a tree, when any one allocation is refused.
+START_TEST(refused_memory_leaves_nothing)
+{
+    vec3 at[2] = { { 0, 0, 0 }, { 1, 0, 0 } };
+    leaf_feature leaf[2] = { { 1, { 0 } }, { 2, { 0, 1 } } };
+    int n = 0;
+    for (; n < 20; n++) {
+        sphere_tree t;
+        long held = blocks_held;
+        mallocs_left = n;
+        status s = sphere_tree_build(&t, TREE_WRAPPED, at, leaf, 2, 0, 0);
+        mallocs_left = INT_MAX;
+        if (s.ok) { sphere_tree_free(&t); break; }
+        held = blocks_held - held;
+        ck_assert_str_eq(s.why, "out of memory");
+        ck_assert(!t.node && !t.leaf && !t.rest && !t.leaves && !t.nodes);
+        ck_assert_int_eq(held, 0);
+    }
+    ck_assert_int_eq(n, 5);
+}
+END_TEST
+
+// Rejects: a count of refreshes that overflows, or nodes that then stay where
+// they were.
+START_TEST(refreshes_are_counted_round)
+{
+    vec3 at[2] = { { 0, 0, 0 }, { 1, 0, 0 } };
+    leaf_feature leaf[2] = { { 1, { 0 } }, { 1, { 1 } } };
+    sphere_tree t;
+    ck_assert(sphere_tree_build(&t, TREE_WRAPPED, at, leaf, 2, 0, 0).ok);
+    t.stamp = INT_MAX - 1;
+    for (int k = 1; k <= 3; k++) {
+        at[0].y = at[1].y = k;
+        sphere_tree_refresh(&t, at);
+        ck_assert(t.stamp >= 0);
+        sphere root = sphere_tree_root(&t, at);
+        ck_assert(root.center.x == 0.5 && root.center.y == k);
+    }
+    ck_assert_int_eq(t.stamp, 1);
+    sphere_tree_free(&t);
+}
+END_TEST
+
 int main(void)
 {
     Suite *s = suite_create("sphere_tree");
@@ -1034,6 +1099,7 @@ int main(void)
     tcase_add_test(t, ball_of_a_smaller_body_is_smaller_to_the_bit);
     tcase_add_test(t, ball_of_few_points_is_known);
     tcase_add_test(t, ball_of_a_bad_point_says_so);
+    tcase_add_test(t, ball_of_points_beyond_all_numbers_is_infinite);
     tcase_add_test(t, ball_of_two_balls_spans_both);
     tcase_add_test(t, a_ball_inside_another_changes_nothing);
     tcase_add_test(t, tree_is_a_tree);
@@ -1057,6 +1123,8 @@ int main(void)
     tcase_add_test(t, touching_spheres_are_not_a_pair);
     tcase_add_test(t, bad_input_is_refused_with_a_sentence);
     tcase_add_test(t, a_bad_point_is_met_by_everything);
+    tcase_add_test(t, refused_memory_leaves_nothing);
+    tcase_add_test(t, refreshes_are_counted_round);
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

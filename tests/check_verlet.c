@@ -1,9 +1,12 @@
 // check_verlet.c - tests of chapter 1.  Each names the mistake it rejects.
 
+#include "scarce.h"
 #include "verlet.h"
 
 #include <check.h>
+#include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 
 // Room for the rounding of some thousand sums near 1, each 1.1e-16.
 static const real ROUNDING = 1e-12;
@@ -60,6 +63,48 @@ START_TEST(empty_pool_owns_nothing)
     ck_assert(pool_reserve(&pool, 0).ok);
     ck_assert(pool.at == NULL);
     pool_free(&pool);
+}
+END_TEST
+
+START_TEST(pool_too_large_to_number_is_refused)
+{
+    // Rejects: a product of sizes that overflows, where a size has 32 bits.
+    particle_pool pool;
+    pool_init(&pool);
+    ck_assert(pool_reserve(&pool, 4).ok);
+    pool_add(&pool, (particle){ { 1, 2, 3 }, { 4, 5, 6 }, 7 });
+    status s = pool_reserve(&pool, INT_MAX);
+    ck_assert(!s.ok && strstr(s.why, "2147483647 particles is too large"));
+    ck_assert(pool.count == 1 && pool.capacity == 4);
+    same(pool.at[0].previous, (vec3){ 4, 5, 6 });
+    // Less than nothing is there already.
+    ck_assert(pool_reserve(&pool, -3).ok && pool.capacity == 4);
+    pool_free(&pool);
+}
+END_TEST
+
+START_TEST(refused_memory_leaves_the_pool)
+{
+    // Rejects: the old particles lost or leaked when there is no room for more.
+    particle_pool pool;
+    pool_init(&pool);
+    for (int room = 0; room < 2; room++) {
+        long held = blocks_held;
+        mallocs_left = 0;
+        status s = pool_reserve(&pool, 4 + room);
+        mallocs_left = INT_MAX;
+        held = blocks_held - held;
+        ck_assert_str_eq(s.why, "out of memory");
+        ck_assert_int_eq(held, 0);
+        ck_assert(pool.count == room && pool.capacity == 4 * room);
+        ck_assert(pool_reserve(&pool, 4).ok);
+        if (!room) pool_add(&pool, (particle){ { 1, 2, 3 }, { 4, 5, 6 }, 7 });
+    }
+    same(pool.at[0].position, (vec3){ 1, 2, 3 });
+    long held = blocks_held;
+    pool_free(&pool);
+    held -= blocks_held;
+    ck_assert_int_eq(held, 1);
 }
 END_TEST
 
@@ -444,6 +489,8 @@ int main(void)
     suite_add_tcase(s, t);
     tcase_add_test(t, pool_keeps_what_is_added);
     tcase_add_test(t, empty_pool_owns_nothing);
+    tcase_add_test(t, pool_too_large_to_number_is_refused);
+    tcase_add_test(t, refused_memory_leaves_the_pool);
     tcase_add_test(t, parabola_is_exact_to_the_last_bit);
     tcase_add_test(t, parabola_is_exact_to_rounding);
     tcase_add_test(t, force_and_gravity_add_up);

@@ -8,17 +8,19 @@ tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 tests=0 failed=0
 
-# A sound tree: two regions, two chapters.
+# A sound tree: four regions, a table, two chapters.
 sound() {
-    rm -rf "$tree"; mkdir -p "$tree/lib" "$tree/chapters" "$tree/figures"; cd "$tree" || exit 1
+    rm -rf "$tree"; mkdir -p "$tree/lib" "$tree/tests" "$tree/chapters" "$tree/figures"; cd "$tree" || exit 1
     printf '//> head\n#include "a.h"\n//<\n\n//> body\nint a(void)\n{\n\n    return 1;\n}\n//<\n' > lib/a.c
     printf '//> one-line\nint a(void);\n//<\n' > lib/a.h
     printf '# 01. A\n\n## The code\n\n@@ head\n\nThen:\n\n@@ one-line\n' > chapters/01-a.md
-    printf '# 02. B\n\n## The code\n\n![p](../figures/p.png) [A](01-a.md)\n\n@@ body\n\n```\n@@ no region\n```\n' > chapters/02-b.md
+    printf '//> slow\nint slow(void);\n//<\n' > tests/oracle.c
+    printf '# made by hand\ncase,what\n# in between\n1,"strain, mean"\n2,\n' > figures/t.csv
+    printf '# 02. B\n\n## The code\n\n![p](../figures/p.png) [A](01-a.md)\n\n@@ slow\n\n%%%% figures/t.csv\n\n@@ body\n\n```\n@@ no region\n```\n' > chapters/02-b.md
     echo picture > figures/p.png
 }
-weave() { $awk -f "$root/chapters/weave.awk" lib/*.h lib/*.c chapters/[0-9]*.md; }
-check() { $awk -f "$root/chapters/check-book.awk" lib/*.h lib/*.c book.md; }
+weave() { $awk -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md; }
+check() { $awk -f "$root/chapters/check-book.awk" lib/*.h lib/*.c tests/oracle.[hc] book.md; }
 
 verdict() {     # NAME, and whether it went well
     tests=$((tests + 1))
@@ -42,13 +44,16 @@ all() {
     verdict "captions name file and lines" yes || verdict "captions name file and lines" no
     grep -qF '[The code](#the-code-1)' book.md && grep -qF '[A](#01-a)' book.md && grep -qF '](figures/p.png)' book.md &&
     verdict "links are the book's" yes || verdict "links are the book's" no
+    printf '%s\n' '[figures/t.csv](figures/t.csv)' '' '| case | what |' '|---|---|' '| 1 | strain, mean |' '| 2 |  |' '' > wanted
+    $awk '/^.figures.t.csv/ { left = 7 } left-- > 0' book.md > told
+    cmp -s wanted told && verdict "a table is the CSV's" yes || verdict "a table is the CSV's" no
     if grep -q '//[<>]' book.md; then verdict "markers are not shown" no; else verdict "markers are not shown" yes; fi
 
     # --- the weave ---
     sound; printf '\n@@ gone\n' >> chapters/01-a.md
     refuses "unknown region" weave 'chapters/01-a.md:11: there is no region gone'
     sound; printf '\n@@ head\n' >> chapters/02-b.md
-    refuses "region used twice" weave 'chapters/02-b.md:13: region head is already pulled in by chapters/01-a.md, line 5'
+    refuses "region used twice" weave 'chapters/02-b.md:17: region head is already pulled in by chapters/01-a.md, line 5'
     sound; sed -i.old '/@@ head/d' chapters/01-a.md
     refuses "region in no chapter" weave 'lib/a.c:1: region head is in no chapter'
     sound; echo 'int b;' >> lib/a.c
@@ -76,6 +81,21 @@ all() {
     sound; echo '[C](03-c.md)' >> chapters/01-a.md
     refuses "link to no chapter" weave 'there is no chapter 03-c.md'
 
+    sound; echo 'int b;' >> tests/oracle.c
+    refuses "line of the oracle in no region" weave 'tests/oracle.c:4: this line is in no region'
+    sound; sed -i.old '/@@ slow/d' chapters/02-b.md
+    refuses "region of the oracle in no chapter" weave 'tests/oracle.c:1: region slow is in no chapter'
+    sound; echo '%% figures/u.csv' >> chapters/01-a.md
+    refuses "lost table" weave 'chapters/01-a.md:10: there is no file figures/u.csv'
+    sound; echo '%% figures/t.csv and more' >> chapters/01-a.md
+    refuses "malformed table line" weave 'chapters/01-a.md:10: a table is pulled in by %% figures/name.csv'
+    sound; echo '# nothing' > figures/t.csv
+    refuses "empty table" weave 'chapters/02-b.md:9: there is no table in figures/t.csv'
+    sound; echo '3,4,5' >> figures/t.csv
+    refuses "ragged table" weave 'figures/t.csv:6: this row has 3 cells, the head has 2'
+    sound; echo '3,a|b' >> figures/t.csv
+    refuses "a cell that would end itself" weave 'figures/t.csv:6: a cell may hold no "'
+
     # --- the finished book ---
     sound; weave > book.md; sed -i.old 's/return 1/return 2/' book.md
     refuses "changed code" check 'this is not line 9 of lib/a.c'
@@ -91,6 +111,16 @@ all() {
     refuses "wrong link in a caption" check 'the caption and its link disagree'
     sound; weave > book.md; sed -i.old 's/lines 6 to 10/lines 6 to 9/; s/#L6-L10/#L6-L9/' book.md
     refuses "block longer than claimed" check 'here the block of code should close'
+    sound; weave > book.md; sed -i.old 's/mean/rms/' figures/t.csv
+    refuses "table older than its CSV" check 'book.md:43: this is not what figures/t.csv says now'
+    sound; weave > book.md; echo '3,4' >> figures/t.csv
+    refuses "row missing in a table" check 'book.md:45: here a row of figures/t.csv is missing'
+    sound; weave > book.md; sed -i.old '$d' figures/t.csv
+    refuses "row too many in a table" check 'book.md:44: this is not what figures/t.csv says now'
+    sound; weave > book.md; rm figures/t.csv
+    refuses "lost CSV" check 'there is no file figures/t.csv'
+    sound; weave > book.md; echo 'int b;' >> tests/oracle.c
+    refuses "line of the oracle not in the book" check 'tests/oracle.c:4: this line is not in the book'
     sound; weave > book.md; rm figures/p.png
     refuses "lost picture" check 'there is no file figures/p.png'
     sound; weave > book.md; sed -i.old 's/^## The code/## Code/' book.md

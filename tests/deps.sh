@@ -10,6 +10,10 @@ need() {
     package=$1; shift
     "$@" > /dev/null 2>&1 || missing="$missing $package"
 }
+fuzzer() { # clang's own library: does a program link with it?
+    empty='int LLVMFuzzerTestOneInput(const char *d, long n) { return d && n < 0; }'
+    echo "$empty" | clang -fsanitize=fuzzer -x c - -o /dev/null
+}
 header() { echo "#include <$1>" | ${CC:-cc} -E -x c - ; }
 font() { [ -e /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf ] ||
          fc-list | grep -q 'DejaVu Sans'; }
@@ -30,6 +34,7 @@ deps-book)
     need pandoc command -v pandoc ;;
 deps-dev)
     need clang command -v clang
+    need libclang-rt-14-dev fuzzer
     need valgrind command -v valgrind ;;
 esac
 

@@ -1,22 +1,23 @@
+//> oracle-vectors
 // oracle.c - see oracle.h.
 
 #include "oracle.h"
-
-#include <stdio.h>
-#include <string.h>
 
 typedef long double wide;
 typedef struct { wide x, y, z; } vec;
 
 static const wide endless = (wide)HUGE_VAL;
 
-static vec vec_of(vec3 a, vec3 base)
+// A double fits into a long double whole: nothing is rounded.
+static vec widened(vec3 a)
 {
-    return (vec){ (wide)a.x - (wide)base.x, (wide)a.y - (wide)base.y,
-                  (wide)a.z - (wide)base.z };
+    return (vec){ (wide)a.x, (wide)a.y, (wide)a.z };
 }
 
+static vec point(point_set p, int i) { return widened(p.at[i]); }
+
 static vec minus(vec a, vec b) { return (vec){ a.x-b.x, a.y-b.y, a.z-b.z }; }
+static vec times(wide t, vec a) { return (vec){ t*a.x, t*a.y, t*a.z }; }
 static wide dot(vec a, vec b) { return a.x*b.x + a.y*b.y + a.z*b.z; }
 
 static vec cross(vec a, vec b)
@@ -24,343 +25,154 @@ static vec cross(vec a, vec b)
     return (vec){ a.y*b.z - a.z*b.y, a.z*b.x - a.x*b.z, a.x*b.y - a.y*b.x };
 }
 
-static vec along(vec a, wide t, vec d)
-{
-    return (vec){ a.x + t*d.x, a.y + t*d.y, a.z + t*d.z };
-}
-
+static wide lesser(wide s, wide t) { return s < t ? s : t; }
 static wide clamp(wide t) { return t < 0 ? 0 : t > 1 ? 1 : t; }
+//<
 
-// Squared distance of p from the segment a, b.
-static wide from_segment(vec p, vec a, vec b)
+//> oracle-vertex-edge
+// Squared distance of p from the segment a, b (which may be one point).
+static wide vertex_edge(vec p, vec a, vec b)
 {
-    vec e = minus(b, a);
-    wide ee = dot(e, e), t = ee > 0 ? clamp(dot(minus(p, a), e) / ee) : 0;
-    vec d = minus(p, along(a, t, e));
+    vec e = minus(b, a), g = minus(p, a);
+    wide ee = dot(e, e), t = ee > 0 ? clamp(dot(g, e) / ee) : 0;
+    vec d = minus(g, times(t, e));
     return dot(d, d);
 }
+//<
 
-// Squared distance of p's foot on the triangle's plane; infinite if the foot is
-// outside (the edges are tried with all segments).
-static wide from_face(vec p, vec a, vec b, vec c)
+//> oracle-edge-edge
+// Squared distance of two segments: of an end from the other segment, or of the
+// point a + s e where the two lines are nearest.  That point is measured like
+// any other: an s that rounding has spoilt, because the segments are nearly
+// parallel, may give too much, and never too little.
+static wide edge_edge(vec a, vec b, vec c, vec d)
 {
-    vec n = cross(minus(b, a), minus(c, a));
-    wide nn = dot(n, n), h = dot(minus(p, a), n);
-    if (!(nn > 0)) return endless;
-    if (dot(n, cross(minus(b, a), minus(p, a))) < 0) return endless;
-    if (dot(n, cross(minus(c, b), minus(p, b))) < 0) return endless;
-    if (dot(n, cross(minus(a, c), minus(p, c))) < 0) return endless;
-    return h * h / nn;
+    vec e = minus(b, a), f = minus(d, c), g = minus(c, a), n = cross(e, f);
+    wide nn = dot(n, n), s = nn > 0 ? clamp(dot(cross(g, f), n) / nn) : 0;
+    wide ends = lesser(lesser(vertex_edge(a, c, d), vertex_edge(b, c, d)),
+                       lesser(vertex_edge(c, a, b), vertex_edge(d, a, b)));
+    // All from a, so that bodies far from the origin lose nothing.
+    return lesser(ends, vertex_edge(times(s, e), g, minus(d, a)));
 }
+//<
 
-// Squared distance of two segments: the common perpendicular if both its ends
-// are inside, else the ends.
-static wide between_segments(vec a, vec b, vec c, vec d)
+//> oracle-vertex-face
+// Squared distance of p from the triangle a, b, c, if the foot of p on its
+// plane, a + u e + v f, lies inside.  If not, an edge is nearer.
+static wide vertex_face(vec p, vec a, vec b, vec c)
 {
-    vec e = minus(b, a), f = minus(d, c), n = cross(e, f);
-    wide nn = dot(n, n), best = from_segment(a, c, d), o;
-    if ((o = from_segment(b, c, d)) < best) best = o;
-    if ((o = from_segment(c, a, b)) < best) best = o;
-    if ((o = from_segment(d, a, b)) < best) best = o;
-    if (!(nn > 0)) return best;
-    vec g = minus(c, a);
-    wide s = dot(cross(g, f), n) / nn, t = dot(cross(g, e), n) / nn;
-    if (s < 0 || s > 1 || t < 0 || t > 1) return best;
-    o = dot(g, n) * dot(g, n) / nn;
-    return o < best ? o : best;
+    vec e = minus(b, a), f = minus(c, a), g = minus(p, a), n = cross(e, f);
+    wide nn = dot(n, n);
+    if (!(nn > 0)) return endless;          // a segment: tried as one
+    wide u = dot(cross(g, f), n) / nn, v = dot(cross(e, g), n) / nn;
+    if (u < 0 || v < 0 || u + v > 1) return endless;
+    vec d = minus(minus(g, times(u, e)), times(v, f));
+    return dot(d, d);
 }
+//<
 
-// Vertices of b against triangles of a.
-static wide vertex_face(point_set a, point_set b, vec3 base)
+//> oracle-distance
+// The vertices of b against all triangles that the points of a span.
+static wide vertices_faces(point_set b, point_set a)
 {
     wide best = endless;
     for (int i = 0; i < a.count; i++)
         for (int j = i + 1; j < a.count; j++)
             for (int k = j + 1; k < a.count; k++)
-                for (int v = 0; v < b.count; v++) {
-                    wide d = from_face(vec_of(b.at[v], base),
-                                       vec_of(a.at[i], base),
-                                       vec_of(a.at[j], base),
-                                       vec_of(a.at[k], base));
-                    if (d < best) best = d;
-                }
+                for (int v = 0; v < b.count; v++)
+                    best = lesser(best, vertex_face(point(b, v), point(a, i),
+                                                    point(a, j), point(a, k)));
+    return best;
+}
+
+// All segments of a against all of b.  One of no length, i == j, is a point.
+static wide edges_edges(point_set a, point_set b)
+{
+    wide best = endless;
+    for (int i = 0; i < a.count; i++)
+        for (int j = i; j < a.count; j++)
+            for (int k = 0; k < b.count; k++)
+                for (int l = k; l < b.count; l++)
+                    best = lesser(best, edge_edge(point(a, i), point(a, j),
+                                                  point(b, k), point(b, l)));
     return best;
 }
 
 long double oracle_distance(point_set a, point_set b)
 {
-    vec3 base = a.at[0];
-    wide best = vertex_face(a, b, base), other = vertex_face(b, a, base);
-    if (other < best) best = other;
-    // A single point is a segment of no length: i == j, k == l.
-    for (int i = 0; i < a.count; i++)
-        for (int j = i; j < a.count; j++)
-            for (int k = 0; k < b.count; k++)
-                for (int l = k; l < b.count; l++) {
-                    wide d = between_segments(vec_of(a.at[i], base),
-                                              vec_of(a.at[j], base),
-                                              vec_of(b.at[k], base),
-                                              vec_of(b.at[l], base));
-                    if (d < best) best = d;
-                }
-    return sqrtl(best);
+    wide faces = lesser(vertices_faces(a, b), vertices_faces(b, a));
+    return sqrtl(lesser(faces, edges_edges(a, b)));
+}
+//<
+
+//> oracle-width
+// How far p reaches along n, measured from the point `from`.
+static wide reach(point_set p, vec from, vec n)
+{
+    wide most = -endless;
+    for (int i = 0; i < p.count; i++) {
+        wide here = dot(n, minus(point(p, i), from));
+        if (here > most) most = here;
+    }
+    return most;
 }
 
-// The width of A - B along n, and against it: the lesser; infinite if n = 0.
-static wide width_both(point_set a, point_set b, vec3 base, vec n)
+// How far A - B reaches along n: A's furthest along n, less B's least, which is
+// B's furthest the other way.  A direction of no length
+// tells nothing.
+static wide width(point_set a, point_set b, vec n)
 {
-    wide a_high = -endless, a_low = endless;
-    wide b_high = -endless, b_low = endless;
     wide length = sqrtl(dot(n, n));
     if (!(length > 0)) return endless;
-    for (int i = 0; i < a.count; i++) {
-        wide h = dot(n, vec_of(a.at[i], base));
-        a_high = h > a_high ? h : a_high;
-        a_low = h < a_low ? h : a_low;
-    }
-    for (int i = 0; i < b.count; i++) {
-        wide h = dot(n, vec_of(b.at[i], base));
-        b_high = h > b_high ? h : b_high;
-        b_low = h < b_low ? h : b_low;
-    }
-    wide up = a_high - b_low, down = b_high - a_low;
-    return (up < down ? up : down) / length;
+    vec from = point(a, 0);
+    return (reach(a, from, n) + reach(b, from, times(-1, n))) / length;
 }
 
 long double oracle_width(point_set a, point_set b, vec3 n)
 {
-    vec3 base = a.at[0];
-    wide high = -endless, low = endless;
-    vec d = vec_of(n, (vec3){ 0, 0, 0 });
-    for (int i = 0; i < a.count; i++) {
-        wide h = dot(d, vec_of(a.at[i], base));
-        high = h > high ? h : high;
-    }
-    for (int i = 0; i < b.count; i++) {
-        wide h = dot(d, vec_of(b.at[i], base));
-        low = h < low ? h : low;
-    }
-    return (high - low) / sqrtl(dot(d, d));
+    return width(a, b, widened(n));
+}
+//<
+
+//> oracle-depth
+// A direction is tried both ways.
+static wide width_both(point_set a, point_set b, vec n)
+{
+    return lesser(width(a, b, n), width(a, b, times(-1, n)));
 }
 
-// Over the normals of the triangles of p.
-static wide width_of_faces(point_set a, point_set b, point_set p, vec3 base)
+// Over the normals of all triangles that the points of p span.
+static wide width_faces(point_set a, point_set b, point_set p)
 {
     wide best = endless;
     for (int i = 0; i < p.count; i++)
         for (int j = i + 1; j < p.count; j++)
             for (int k = j + 1; k < p.count; k++) {
-                vec e = vec_of(p.at[j], p.at[i]), f = vec_of(p.at[k], p.at[i]);
-                wide w = width_both(a, b, base, cross(e, f));
-                if (w < best) best = w;
+                vec e = minus(point(p, j), point(p, i));
+                vec f = minus(point(p, k), point(p, i));
+                best = lesser(best, width_both(a, b, cross(e, f)));
             }
+    return best;
+}
+
+// Over all that is perpendicular to a segment of a and to one of b.
+static wide width_edges(point_set a, point_set b)
+{
+    wide best = endless;
+    for (int i = 0; i < a.count; i++)
+        for (int j = i + 1; j < a.count; j++)
+            for (int k = 0; k < b.count; k++)
+                for (int l = k + 1; l < b.count; l++) {
+                    vec e = minus(point(a, j), point(a, i));
+                    vec f = minus(point(b, l), point(b, k));
+                    best = lesser(best, width_both(a, b, cross(e, f)));
+                }
     return best;
 }
 
 long double oracle_depth(point_set a, point_set b)
 {
-    vec3 base = a.at[0];
-    wide best = width_of_faces(a, b, a, base);
-    wide other = width_of_faces(a, b, b, base);
-    if (other < best) best = other;
-    for (int i = 0; i < a.count; i++)
-        for (int j = i + 1; j < a.count; j++)
-            for (int k = 0; k < b.count; k++)
-                for (int l = k + 1; l < b.count; l++) {
-                    vec e = vec_of(a.at[j], a.at[i]);
-                    vec f = vec_of(b.at[l], b.at[k]);
-                    wide w = width_both(a, b, base, cross(e, f));
-                    if (w < best) best = w;
-                }
-    return best;
+    wide faces = lesser(width_faces(a, b, a), width_faces(a, b, b));
+    return lesser(faces, width_edges(a, b));
 }
-
-double random_unit(unsigned long long *state)
-{
-    *state = *state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (double)(*state >> 11) * 0x1p-53;
-}
-
-vec3 random_direction(unsigned long long *state)
-{
-    for (int tries = 0; tries < 100; tries++) {
-        // One by one: C leaves the order within an expression open.
-        vec3 v;
-        v.x = 2 * random_unit(state) - 1;
-        v.y = 2 * random_unit(state) - 1;
-        v.z = 2 * random_unit(state) - 1;
-        real l = vec3_length(v);
-        if (l > 0.1 && l <= 1) return vec3_scale(1 / l, v);
-    }
-    return (vec3){ 1, 0, 0 };
-}
-
-vec3 random_vector(unsigned long long *state, real least, real most)
-{
-    real length = least + (most - least) * random_unit(state);
-    return vec3_scale(length, random_direction(state));
-}
-
-point_set body_points(const body *b)
-{
-    point_set p = { b->at, b->count, NULL, NULL };
-    if (b->has_ring) {
-        p.ring_start = b->ring_start;
-        p.ring = b->ring;
-    }
-    return p;
-}
-
-void body_box(body *b, vec3 low, vec3 high)
-{
-    b->count = 8;
-    b->has_ring = 0;
-    for (int i = 0; i < 8; i++)
-        b->at[i] = (vec3){ i & 1 ? high.x : low.x, i & 2 ? high.y : low.y,
-                           i & 4 ? high.z : low.z };
-}
-
-void body_icosahedron(body *b, real radius)
-{
-    const real golden = (1 + sqrt(5.0)) / 2;
-    b->count = 0;
-    b->has_ring = 0;
-    for (int s = -1; s < 2; s += 2)
-        for (int t = -1; t < 2; t += 2) {
-            vec3 v = { 0, s, t * golden };
-            real k = radius / vec3_length(v);
-            b->at[b->count++] = vec3_scale(k, v);
-            b->at[b->count++] = vec3_scale(k, (vec3){ v.y, v.z, v.x });
-            b->at[b->count++] = vec3_scale(k, (vec3){ v.z, v.x, v.y });
-        }
-}
-
-static void ring_add(int list[6], int *count, int vertex)
-{
-    for (int k = 0; k < *count; k++)
-        if (list[k] == vertex) return;
-    list[(*count)++] = vertex;
-}
-
-// Points nearer than the limit are neighbours: on an icosphere the edges are of
-// nearly one length, and diagonals much longer.
-static void ring_by_distance(body *b, real limit)
-{
-    int filled = 0;
-    b->has_ring = 1;
-    for (int i = 0; i < b->count; i++) {
-        int list[6], found = 0;
-        b->ring_start[i] = filled;
-        for (int j = 0; j < b->count; j++)
-            if (j != i && found < 6
-                && vec3_distance(b->at[i], b->at[j]) < limit)
-                ring_add(list, &found, j);
-        for (int k = 0; k < found; k++) b->ring[filled++] = list[k];
-    }
-    b->ring_start[b->count] = filled;
-}
-
-void body_icosphere(body *b, int level, real radius)
-{
-    // Halve the edges of the coarser ball; its neighbours are those nearer than
-    // 1.4 of the shortest edge that its level has.
-    static const real edge[4] = { 1.06, 0.63, 0.33, 0.166 };
-    body_icosahedron(b, 1);
-    for (int l = 0; l < level; l++) {
-        int old = b->count;
-        for (int i = 0; i < old; i++)
-            for (int j = i + 1; j < old; j++)
-                if (vec3_distance(b->at[i], b->at[j]) < edge[l])
-                    b->at[b->count++] = vec3_unit(vec3_add(b->at[i], b->at[j]));
-    }
-    ring_by_distance(b, edge[level]);
-    body_scale(b, radius);
-}
-
-void body_random(body *b, int count, unsigned long long *state)
-{
-    b->count = count;
-    b->has_ring = 0;
-    for (int i = 0; i < count; i++) b->at[i] = random_vector(state, 0.3, 1);
-}
-
-void body_square(body *b)
-{
-    b->count = 4;
-    b->has_ring = 0;
-    for (int i = 0; i < 4; i++)
-        b->at[i] = (vec3){ i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, 0 };
-}
-
-void body_turn(body *b, unsigned long long *state)
-{
-    vec3 u = random_direction(state), across = random_direction(state);
-    vec3 v = vec3_unit(vec3_cross(u, across)), w = vec3_cross(u, v);
-    for (int i = 0; i < b->count; i++) {
-        vec3 p = b->at[i];
-        b->at[i] = (vec3){ vec3_dot(u, p), vec3_dot(v, p), vec3_dot(w, p) };
-    }
-}
-
-body body_cube(real x, real y, real z)
-{
-    body b;
-    body_box(&b, (vec3){ -0.5, -0.5, -0.5 }, (vec3){ 0.5, 0.5, 0.5 });
-    body_move(&b, (vec3){ x, y, z });
-    return b;
-}
-
-void body_any(body *b, int kind, unsigned long long *state)
-{
-    switch (kind) {
-    case 0: *b = body_cube(0, 0, 0); break;
-    case 1: body_icosahedron(b, 0.6); break;
-    case 2: body_random(b, 4 + (int)(5 * random_unit(state)), state); break;
-    case 3: body_square(b); break;
-    default: body_random(b, 1 + (int)(3 * random_unit(state)), state); break;
-    }
-    body_turn(b, state);
-}
-
-void body_move(body *b, vec3 by)
-{
-    for (int i = 0; i < b->count; i++) b->at[i] = vec3_add(b->at[i], by);
-}
-
-void body_scale(body *b, real by)
-{
-    for (int i = 0; i < b->count; i++) b->at[i] = vec3_scale(by, b->at[i]);
-}
-
-static int body_read(FILE *file, body *b)
-{
-    b->has_ring = 0;
-    if (fscanf(file, "%d", &b->count) != 1) return -1;
-    if (b->count < 1 || b->count > BODY_POINTS) return -1;
-    for (int i = 0; i < b->count; i++)
-        if (fscanf(file, "%lf %lf %lf", &b->at[i].x, &b->at[i].y,
-                   &b->at[i].z) != 3)
-            return -1;
-    return 1;
-}
-
-int pair_read(void *stream, pair_known *p)
-{
-    FILE *file = stream;
-    char word[40];
-    while (fscanf(file, "%39s", word) == 1) {
-        // A comment goes to the end of its line.
-        if (word[0] == '#') {
-            int c;
-            while ((c = fgetc(file)) != EOF && c != '\n') continue;
-            continue;
-        }
-        if (strcmp(word, "pair") != 0) return -1;
-        if (fscanf(file, "%39s %c %lf %3s %d %lf", p->family, &p->kind,
-                   &p->value, p->feature, &p->unique, &p->gap) != 6)
-            return -1;
-        return body_read(file, &p->a) == 1 && body_read(file, &p->b) == 1
-             ? 1 : -1;
-    }
-    return 0;
-}
+//<

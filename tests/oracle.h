@@ -1,70 +1,30 @@
-// oracle.h - slow answers that leave nothing to think about, for the tests of
-// chapters 4 and 5, and the bodies that they are asked about.
+//> oracle-head
+// oracle.h - slow answers that leave nothing to think about: the distance of
+// two convex bodies, and how deep they are in each other.
 //
-// Every feature is tried with every other, in long double.  None of it shares a
-// line with lib/.
+// Every feature of the one is tried with every feature of the other, in long
+// double.  The tests of chapters 4 and 5 compare the quick answers with these.
+// Takes from lib/ the types of its questions, and none of its functions.
+// Book: chapters 4 and 5, the slow way.
 
 #ifndef TUMBLE_ORACLE_H
 #define TUMBLE_ORACLE_H
 
 #include "gjk.h"
 
-enum { BODY_POINTS = 642, BODY_RING = 6 * BODY_POINTS };
-
-// A convex body with room for the largest icosphere.
-typedef struct {
-    int  count;
-    vec3 at[BODY_POINTS];
-    int  has_ring;
-    int  ring_start[BODY_POINTS + 1], ring[BODY_RING];
-} body;
-
-// A pair with its exact answer, as stored in tests/data/pairs.txt.
-typedef struct {
-    char   family[40];
-    char   kind;            // S apart, T touching, P overlapping
-    double value;           // m, distance or depth
-    char   feature[4];      // of A, then of B; -- if hard to tell
-    int    unique;          // one facet of A - B alone attains the depth
-    double gap;             // relative lead of that facet over the next
-    body   a, b;
-} pair_known;
-
-// The least over all vertex-triangle and segment-segment pairs of the points.
-// For bodies that are apart.
+// m, of bodies that are apart; of others it means nothing.
 long double oracle_distance(point_set a, point_set b);
+//<
 
-// The least width of A - B from the origin, over the normals of all triangles
-// of points and the crossings of all segments: the depth, or minus a lower
-// bound of the distance.  Needs an A - B that has a volume.
-long double oracle_depth(point_set a, point_set b);
-
-// The largest distance of a point of A, less the least of B, along n.
+//> oracle-declare-depth
+// m, how far A - B reaches from the origin along n (any length but 0): A must
+// move by so much against n until all of it lies behind all of B.
 long double oracle_width(point_set a, point_set b, vec3 n);
 
-// Random numbers, the same on every machine: uniform in [0, 1); a unit vector;
-// a vector with its length between two numbers.
-double random_unit(unsigned long long *state);
-vec3   random_direction(unsigned long long *state);
-vec3   random_vector(unsigned long long *state, real least, real most);
-
-point_set body_points(const body *b);
-void body_box(body *b, vec3 low, vec3 high);
-body body_cube(real x, real y, real z);     // of side 1, its middle there
-void body_icosahedron(body *b, real radius);
-// 42, 162 or 642 points (level 1, 2, 3) on a sphere, with their ring.
-void body_icosphere(body *b, int level, real radius);
-void body_random(body *b, int count, unsigned long long *state);
-// A square of side 1 in the plane z = 0.
-void body_square(body *b);
-void body_turn(body *b, unsigned long long *state);     // any rotation
-// Turned anyhow, kind 0: a cube; 1: an icosahedron; 2: a few points; 3: a
-// square; 4: at most three points.
-void body_any(body *b, int kind, unsigned long long *state);
-void body_move(body *b, vec3 by);
-void body_scale(body *b, real by);
-
-// Reads the next pair of an open file.  1: read; 0: at the end; -1: damaged.
-int pair_read(void *file, pair_known *p);
+// m, the least move that parts them; of bodies that are apart, minus a lower
+// bound of their distance.  Infinite if A - B has no area, and 0 or less if it
+// lies in one plane.
+long double oracle_depth(point_set a, point_set b);
 
 #endif
+//<

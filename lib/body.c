@@ -113,6 +113,19 @@ static void measure_radius(shape *s)
     s->radius = sqrt(farthest);
 }
 
+// The origin of a convex body lies behind all of its faces, and so far behind
+// the nearest.
+static void measure_inner(shape *s)
+{
+    s->inner = s->kind == SHAPE_RIGID ? s->radius : 0;
+    for (int f = 0; f < s->mesh.faces && s->kind == SHAPE_RIGID; f++) {
+        const int *v = &s->face[3 * f];
+        vec3 m = vec3_unit(vec3_cross(vec3_sub(s->at[v[1]], s->at[v[0]]),
+                                      vec3_sub(s->at[v[2]], s->at[v[0]])));
+        s->inner = fmax(fmin(s->inner, vec3_dot(m, s->at[v[0]])), 0);
+    }
+}
+
 static void measure_spacing(shape *s)
 {
     s->spacing = s->stick[0].rest_length;
@@ -131,16 +144,16 @@ static status shape_finish(shape *s, status so_far)
         return so_far;
     }
     measure_radius(s);
+    measure_inner(s);
     measure_spacing(s);
     return so_far;
 }
 
-// The same for a body whose sticks are in no good order yet.
-static status shape_finish_interleaved(shape *s, status so_far)
+// The same for a body that has its sticks, in no good order yet.
+static status shape_finish_interleaved(shape *s)
 {
-    if (so_far.ok)
-        so_far = sticks_interleave(s->stick, s->sticks, s->particles);
-    return shape_finish(s, so_far);
+    return shape_finish(s, sticks_interleave(s->stick, s->sticks,
+                                             s->particles));
 }
 
 void shape_free(shape *s)
@@ -187,7 +200,7 @@ status shape_box(shape *s, vec3 sides, real mass)
 
     add_edge_sticks(s);
     for (int k = 0; k < 4; k++) add_stick_between(s, k, 7 - k);
-    return shape_finish_interleaved(s, r);
+    return shape_finish_interleaved(s);
 }
 //<
 
@@ -233,7 +246,7 @@ status shape_icosahedron(shape *s, real radius, real mass)
     add_edge_sticks(s);
     for (int k = 0; k < 12; k++)
         if (k < (k ^ 3)) add_stick_between(s, k, k ^ 3);
-    return shape_finish_interleaved(s, r);
+    return shape_finish_interleaved(s);
 }
 //<
 
@@ -287,7 +300,8 @@ static int has_flat_tetrahedra(const shape *s, int v)
     return 1;
 }
 
-// The vertex farthest below the plane of v's first face; the lowest index wins.
+// The vertex farthest below the plane of v's first face, of which there is one
+// in every convex body; the lowest index wins.
 static int farthest_below(const shape *s, int v)
 {
     vec3 normal = face_direction(s, s->mesh.half[s->mesh.vertex_half[v]].face);
@@ -316,7 +330,7 @@ static void add_cross_sticks(shape *s)
     for (int v = 1; v < s->particles; v++) {
         if (!has_flat_tetrahedra(s, v)) continue;
         int far = farthest_below(s, v);
-        int joined = far == v || far == 0 || are_neighbours(s, v, far);
+        int joined = far == 0 || are_neighbours(s, v, far);
         for (int k = first; k < s->sticks; k++)
             if (s->stick[k].a == far && s->stick[k].b == v) joined = 1;
         if (!joined) add_stick_between(s, v, far);
@@ -352,7 +366,7 @@ status shape_convex(shape *s, int vertices, const vec3 *at,
     add_edge_sticks(s);
     add_fan_sticks(s);
     add_cross_sticks(s);
-    return shape_finish_interleaved(s, r);
+    return shape_finish_interleaved(s);
 }
 //<
 
@@ -371,7 +385,11 @@ status shape_rope(shape *s, int n, real length, real mass)
     for (int k = 0; k <= n; k++)
         s->at[k] = vec3_make(length * (2 * k - n) / (2 * n), 0, 0);
     for (int k = 0; k < n; k++) add_stick(s, k, k + 1, length / n, 1);
-    return shape_finish_interleaved(s, r);
+    s->strand[0] = (strands){ .lines = 1, .particles = n + 1, .across = n + 1,
+                              .along = 1, .rest_length = length / n };
+    s->directions = 1;
+    s->on_strands = n;
+    return shape_finish_interleaved(s);
 }
 //<
 
@@ -415,6 +433,21 @@ static void add_cloth_sticks(shape *s, int columns, int rows,
     for (int odd = 0; odd < 2; odd++)
         add_run(s, (cloth_run){ columns, rows, odd, odd, 2, 2, -1, 1,
                                 across, diagonal });
+}
+//<
+
+//> body-cloth-strands
+// The columns, along z, and the rows, along x: what the first four runs hold.
+static void add_cloth_strands(shape *s, int columns, int rows,
+                              real dx, real dz)
+{
+    s->strand[0] = (strands){ .lines = columns, .particles = rows, .across = 1,
+                              .along = columns, .rest_length = dz };
+    s->strand[1] = (strands){ .lines = rows, .particles = columns,
+                              .across = columns, .along = 1,
+                              .rest_length = dx };
+    s->directions = 2;
+    s->on_strands = columns * (rows - 1) + rows * (columns - 1);
 }
 //<
 
@@ -485,6 +518,7 @@ status shape_cloth(shape *s, int columns, int rows, real width, real depth,
                 vec3_make(width * (2 * i - across) / (2 * across), 0,
                           depth * (2 * j - along) / (2 * along));
     add_cloth_sticks(s, columns, rows, width / across, depth / along, diagonal);
+    add_cloth_strands(s, columns, rows, width / across, depth / along);
     return shape_finish(s, r);
 }
 //<
@@ -492,12 +526,12 @@ status shape_cloth(shape *s, int columns, int rows, real width, real depth,
 //> body-rigidity-matrix
 // One row a stick, three columns a particle.  A stick from a to b along the
 // unit vector u keeps its length under velocities v if u . (v_b - v_a) = 0:
-// its row holds -u at a and u at b.  NULL if memory is refused.
+// its row holds -u at a and u at b.  NULL if memory is refused, or the size of
+// the matrix is no number.
 static real *rigidity_matrix(const shape *s)
 {
     size_t columns = 3 * (size_t)s->particles;
-    if (columns == 0 || s->sticks == 0
-        || (size_t)s->sticks > SIZE_MAX / sizeof(real) / columns) return NULL;
+    if (columns > SIZE_MAX / sizeof(real) / (size_t)s->sticks) return NULL;
     real *matrix = calloc((size_t)s->sticks * columns, sizeof *matrix);
     if (!matrix) return NULL;
 

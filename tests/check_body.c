@@ -37,6 +37,7 @@ static void expect_empty(const shape *s)
     ck_assert(s->particles == 0 && s->sticks == 0 && s->mesh.edges == 0);
     ck_assert(!s->at && !s->mass && !s->stick && !s->face && !s->ring_start);
     ck_assert(!s->ring && !s->mesh.half && s->radius == empty.radius);
+    ck_assert(s->directions == 0 && s->on_strands == 0);
 }
 
 // ------------------------------------------------ what holds for every shape
@@ -94,6 +95,39 @@ static void expect_good_mesh(const shape *s)
     }
 }
 
+static int has_stick(const shape *s, int a, int b)
+{
+    for (int k = 0; k < s->sticks; k++)
+        if ((s->stick[k].a == a && s->stick[k].b == b) ||
+            (s->stick[k].a == b && s->stick[k].b == a)) return 1;
+    return 0;
+}
+
+// Every link of the strands is a stick, as long as it says, and no stick is
+// counted that is none of theirs.
+static void expect_good_strands(const shape *s)
+{
+    int links = 0, highest = 0;
+    for (int d = 0; d < s->directions; d++) {
+        strands t = s->strand[d];
+        ck_assert(t.lines >= 1 && t.particles >= 2);
+        ck_assert_int_eq(t.lines * t.particles, s->particles);
+        for (int l = 0; l < t.lines; l++)
+            for (int k = 0; k + 1 < t.particles; k++, links++) {
+                int a = l * t.across + k * t.along, b = a + t.along;
+                if (b > highest) highest = b;
+                ck_assert(a >= 0 && b < s->particles);
+                expect_near(vec3_distance(s->at[a], s->at[b]), t.rest_length,
+                            ROUNDING * s->radius / t.rest_length);
+                if (s->sticks < 2000) ck_assert(has_stick(s, a, b));
+            }
+    }
+    ck_assert_int_eq(links, s->on_strands);
+    ck_assert_int_eq(highest, s->directions > 0 ? s->particles - 1 : 0);
+    ck_assert_int_eq(s->directions, s->kind == SHAPE_ROPE ? 1
+                                    : s->kind == SHAPE_CLOTH ? 2 : 0);
+}
+
 static void expect_sound(const shape *s, real mass)
 {
     real farthest = 0;
@@ -104,17 +138,10 @@ static void expect_sound(const shape *s, real mass)
     ck_assert(s->radius == farthest);
     expect_equal_masses(s, mass);
     expect_good_sticks(s);
+    expect_good_strands(s);
     if (s->kind != SHAPE_ROPE) expect_good_mesh(s);
     if (s->kind == SHAPE_RIGID)
         expect_ok(mesh_check_convex(&s->mesh, s->at));
-}
-
-static int has_stick(const shape *s, int a, int b)
-{
-    for (int k = 0; k < s->sticks; k++)
-        if ((s->stick[k].a == a && s->stick[k].b == b) ||
-            (s->stick[k].a == b && s->stick[k].b == a)) return 1;
-    return 0;
 }
 
 // Moments of x^2, y^2 and z^2 over particles: sum m x^2.
@@ -665,6 +692,8 @@ START_TEST(cloth_has_its_counts)
         expect_sound(&s, 1);
         ck_assert_int_eq(s.kind, SHAPE_CLOTH);
         ck_assert_int_eq(s.particles, c * r);
+        ck_assert_int_eq(s.strand[0].lines, c);     // columns, then rows
+        ck_assert_int_eq(s.strand[1].lines, r);
         ck_assert_int_eq(s.mesh.faces, 2 * cells);
         ck_assert_int_eq(s.sticks, c * (r - 1) + r * (c - 1) + cells);
         ck_assert_int_eq(s.sticks, s.mesh.edges);
@@ -718,6 +747,7 @@ START_TEST(cloth_diagonals_alternate_and_come_last)
         int apart = abs(s.stick[k].a - s.stick[k].b);
         int straight = apart == 1 || apart == C;
         ck_assert_int_eq(straight, k < structural);
+        ck_assert_int_eq(straight, k < s.on_strands);
         ck_assert(s.stick[k].stiffness == (straight ? 1 : 0.25));
     }
     shape_free(&s);
@@ -947,6 +977,51 @@ START_TEST(refused_memory_leaves_nothing)
     mallocs_left = INT_MAX;
     ck_assert_int_eq(rank, -1);
     shape_free(&s);
+    // Rejects: a number of bytes that overflows.
+    s = (shape){ .particles = INT_MAX, .sticks = INT_MAX };
+    ck_assert_int_eq(shape_rank(&s), -1);
+}
+END_TEST
+
+// Rejects: a body that passes for convex and is of no size to compute with.
+START_TEST(radius_out_of_range_is_refused)
+{
+    static const int t[4][3] =
+        { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } };
+    const real size[2] = { 1e-40, 1e40 };
+    for (int k = 0; k < 2; k++) {
+        shape s;
+        vec3 at[4] = { { 0, 0, 0 }, { size[k], 0, 0 }, { 0, size[k], 0 },
+                       { 0, 0, size[k] } };
+        status r = shape_convex(&s, 4, at, 4, t, 1);
+        ck_assert_msg(!r.ok && strstr(r.why, "the radius is "), "%s", r.why);
+        expect_empty(&s);
+    }
+}
+END_TEST
+
+// Rejects: an index or a count that is trusted.
+START_TEST(convex_bodies_take_no_index_on_trust)
+{
+    static const vec3 at[4] =
+        { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    int t[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } };
+    const int (*triangle)[3] = (const int (*)[3])t;
+    const int wrong[4] = { -1, 4, INT_MAX, INT_MIN };
+    shape s;
+    for (int k = 0; k < 4; k++) {
+        t[2][1] = wrong[k];
+        status r = shape_convex(&s, 4, at, 4, triangle, 1);
+        ck_assert_msg(!r.ok && strstr(r.why, "triangle 2 uses vertex"), "%s",
+                      r.why);
+        expect_empty(&s);
+    }
+    t[2][1] = 3;
+    ck_assert(!shape_convex(&s, 4, at, INT_MAX, triangle, 1).ok);
+    ck_assert(!shape_convex(&s, 4, at, -1, triangle, 1).ok);
+    ck_assert(!shape_convex(&s, INT_MAX, at, 4, triangle, 1).ok);
+    ck_assert(!shape_convex(&s, 3, at, 4, triangle, 1).ok);
+    expect_empty(&s);
 }
 END_TEST
 
@@ -978,7 +1053,8 @@ int main(void)
         numbers_that_are_none_are_refused, counts_out_of_range_are_refused,
         stiffness_of_diagonals_lies_above_0_and_at_most_1,
         box_without_thickness_is_refused, freeing_nothing_is_harmless,
-        refused_memory_leaves_nothing
+        refused_memory_leaves_nothing, radius_out_of_range_is_refused,
+        convex_bodies_take_no_index_on_trust
     };
     Suite *suite = suite_create("body");
     TCase *all = tcase_create("all");

@@ -1,0 +1,766 @@
+//> manifold-view
+#include "manifold.h"
+
+#include <assert.h>
+
+// Both bodies as seen along the normal: x and y lie across it, z along it.
+typedef struct {
+    vec3 x, y, z;       // unit, a right-handed frame
+    vec3 origin;        // m, in the world: where B is nearest
+    real slack;         // m, what rounding may move: nearer counts as touching
+} view;
+
+static vec3 seen(const view *w, vec3 p)
+{
+    vec3 r = vec3_sub(p, w->origin);
+    return vec3_make(vec3_dot(r, w->x), vec3_dot(r, w->y), vec3_dot(r, w->z));
+}
+
+vec3 feature_place(const feature_point *f, const vec3 *at)
+{
+    vec3 first = at[f->vertex[0]], sum = first;
+    for (int k = 1; k < f->count; k++)
+        sum = vec3_add_scaled(sum, f->weight[k],
+                              vec3_sub(at[f->vertex[k]], first));
+    return sum;
+}
+
+// A coordinate is known to 2^-53 of its distance from the world's origin, and
+// what is computed here to a few 2^-53 of the larger body.
+static view view_along(vec3 normal, vec3 origin, real size)
+{
+    vec3 across = fabs(normal.x) < 0.6 ? vec3_make(1, 0, 0)
+                                       : vec3_make(0, 1, 0);
+    view w = { .z = normal, .origin = origin };
+    w.x = vec3_unit(vec3_cross(across, normal));
+    w.y = vec3_cross(normal, w.x);
+    w.slack = 0x1p-30 * size
+            + 0x1p-48 * (fabs(origin.x) + fabs(origin.y) + fabs(origin.z));
+    return w;
+}
+//<
+
+//> manifold-patch
+enum { PATCH_CORNERS = 32 };    // a rounder side is drawn with so many
+
+// What one body turns towards the other: a vertex, an edge, or some faces, of
+// which the convex polygon that they cover is kept.
+typedef struct {
+    const shape *plan;
+    const vec3  *at;
+    vec3 ahead;         // unit, towards the other body
+    real turn;          // 1 if corners run counter-clockwise in the view, -1
+    int  tip;           // the vertex where the body is nearest
+    int  half, face;    // from it, into a face of the patch; -1: no face
+    int  end;           // where an edge leads from it; -1: no edge
+    int  count;         // corners
+    int  vertex[PATCH_CORNERS];
+    vec3 corner[PATCH_CORNERS];     // m, as seen
+    vec3 inward[PATCH_CORNERS];     // unit, x and y: from edge k, which goes
+                                    // from corner k to the next, inwards
+} patch;
+
+static int next_corner(const patch *p, int k)
+{
+    return k + 1 < p->count ? k + 1 : 0;
+}
+
+// v x w, of their x and y.
+static real cross2(vec3 v, vec3 w)
+{
+    return v.x * w.y - v.y * w.x;
+}
+
+static real dot2(vec3 v, vec3 w)
+{
+    return v.x * w.x + v.y * w.y;
+}
+//<
+
+//> manifold-look
+// A body that rests on its face, strained or rocking a little, still stands on
+// all of its corners; one that leans more stands on an edge.
+static const real COSINE_SQUARED = 0.98, SINE_SQUARED = 0.02;
+
+// The square of a face's normal, and of its part along d (0 if it looks away):
+// their ratio is the cosine of the angle between the two, squared.
+typedef struct {
+    real whole, along;
+} look;
+
+static look face_look(const shape *s, const vec3 *at, int f, vec3 d)
+{
+    const int *v = &s->face[3 * f];
+    vec3 m = vec3_cross(vec3_sub(at[v[1]], at[v[0]]),
+                        vec3_sub(at[v[2]], at[v[0]]));
+    real along = vec3_dot(m, d);
+    return (look){ vec3_dot(m, m), along > 0 ? along * along : 0 };
+}
+
+int face_looks(const shape *s, const vec3 *at, int f, vec3 d)
+{
+    look l = face_look(s, at, f, d);
+    return l.along > 0 && l.along >= COSINE_SQUARED * l.whole;
+}
+
+// Does the face to the left of half-edge h belong to the patch?
+static int belongs(const patch *p, int h)
+{
+    int f = p->plan->mesh.half[h].face;
+    return f >= 0 && face_looks(p->plan, p->at, f, p->ahead);
+}
+//<
+
+//> manifold-corners
+// How far corner k stands out from the line between its neighbours: the height
+// of a triangle is twice its area over its base.  Both squared, with the sign
+// of the area (< 0: the corner turns inwards).
+static real stands_out(const patch *p, int k, real *base_squared)
+{
+    vec3 before = p->corner[k > 0 ? k - 1 : p->count - 1];
+    vec3 base = vec3_sub(p->corner[next_corner(p, k)], before);
+    real area = -p->turn * cross2(base, vec3_sub(p->corner[k], before));
+    *base_squared = dot2(base, base);
+    return area * fabs(area);
+}
+
+// Of the corners first to last the one that stands out least.
+static int flattest(const patch *p, int first, int last)
+{
+    int best = first;
+    real least = HUGE_VAL;
+    for (int k = first; k <= last; k++) {
+        real base, area = stands_out(p, k, &base);
+        real height = base > 0 ? area / base : 0;
+        if (height < least) { least = height; best = k; }
+    }
+    return best;
+}
+
+static int has_flat_corner(const patch *p, real slack)
+{
+    for (int k = 0; k < p->count; k++) {
+        real base, area = stands_out(p, k, &base);
+        if (area <= slack * slack * base) return 1;
+    }
+    return 0;
+}
+//<
+
+//> manifold-add
+static void patch_drop(patch *p, int k)
+{
+    p->count--;
+    for (; k < p->count; k++) {
+        p->vertex[k] = p->vertex[k + 1];
+        p->corner[k] = p->corner[k + 1];
+    }
+}
+
+// One corner more.  If there is no room, the flattest of those between the
+// first and the last makes some.
+static void patch_add(patch *p, int vertex, const view *w)
+{
+    if (p->count == PATCH_CORNERS)
+        patch_drop(p, flattest(p, 1, p->count - 2));
+    p->vertex[p->count] = vertex;
+    p->corner[p->count++] = seen(w, p->at[vertex]);
+}
+
+// Leaves only corners that stand out, and finds the edges' inward normals.
+static void patch_close(patch *p, const view *w)
+{
+    while (p->count > 2 && has_flat_corner(p, w->slack))
+        patch_drop(p, flattest(p, 0, p->count - 1));
+    for (int k = 0; k < p->count; k++) {
+        vec3 e = vec3_sub(p->corner[next_corner(p, k)], p->corner[k]);
+        real length = sqrt(dot2(e, e)), s = length > 0 ? p->turn / length : 0;
+        p->inward[k] = vec3_make(-s * e.y, s * e.x, 0);
+    }
+}
+//<
+
+//> manifold-rim
+// A half-edge of the patch's rim: its left face belongs to the patch, the right
+// one does not.  h leaves some vertex of the patch, with a face of it on its
+// left.  We turn clockwise from face to face.  If the patch goes all around the
+// vertex, we go on from the neighbour furthest in x, and again, until there is
+// nothing further: so there is a rim.  -1 if rounding says otherwise.
+static int rim_find(const patch *p, const view *w, int h)
+{
+    const mesh *m = &p->plan->mesh;
+    for (int step = 0; step < p->plan->particles; step++) {
+        int start = h, best = -1;
+        real most = vec3_dot(p->at[m->half[h].origin], w->x);
+        do {
+            if (!belongs(p, mesh_twin(h))) return h;
+            real x = vec3_dot(p->at[m->half[mesh_twin(h)].origin], w->x);
+            if (x > most) { most = x; best = h; }
+            h = m->half[mesh_twin(h)].next;
+        } while (h != start);
+        if (best < 0) break;
+        h = mesh_twin(best);
+    }
+    return -1;
+}
+
+// Once along the rim.  A half-edge on it gives a corner, and leads to the next
+// one of its face; from one inside we step over to the face beyond.
+static void rim_walk(patch *p, const view *w, int start)
+{
+    const mesh *m = &p->plan->mesh;
+    int h = start;
+    for (int step = 0; step < 2 * m->edges; step++) {
+        if (belongs(p, mesh_twin(h))) {
+            h = m->half[mesh_twin(h)].next;
+        } else {
+            patch_add(p, m->half[h].origin, w);
+            h = m->half[h].next;
+        }
+        if (h == start) return;
+    }
+}
+
+// Once along the rim of the patch, from half-edge h of one of its faces.
+static void patch_walk(patch *p, const view *w, int h)
+{
+    int start = rim_find(p, w, h);
+    if (start >= 0) rim_walk(p, w, start);
+}
+//<
+
+//> manifold-edge
+// The end of the edge that goes from vertex `from` to `to`, and straight on
+// over further vertices, to within half a degree (sine squared 1e-4).
+static int edge_end(const patch *p, int from, int to)
+{
+    const shape *s = p->plan;
+    vec3 d = vec3_sub(p->at[to], p->at[from]);
+    for (int step = 0, k = s->ring_start[to]; step < s->particles
+                       && k < s->ring_start[to + 1]; k++) {
+        vec3 e = vec3_sub(p->at[s->ring[k]], p->at[to]);
+        vec3 off = vec3_cross(d, e);
+        if (!(vec3_dot(d, e) > 0 && vec3_dot(off, off)
+              <= 1e-4 * vec3_dot(d, d) * vec3_dot(e, e))) continue;
+        to = s->ring[k];
+        k = s->ring_start[to] - 1;
+        step++;
+    }
+    return to;
+}
+//<
+
+//> manifold-ahead
+// Of the faces at vertex v, the one that looks ahead best, as the half-edge of
+// it that leaves v; -1: none looks ahead.
+static int face_ahead(const patch *p, int v)
+{
+    const mesh *m = &p->plan->mesh;
+    int start = m->vertex_half[v], h = start, best = -1;
+    look most = { 1, COSINE_SQUARED };
+    if (start < 0) return -1;
+    do {
+        int f = m->half[h].face;
+        look l = { 0, 0 };
+        if (f >= 0) l = face_look(p->plan, p->at, f, p->ahead);
+        if (l.along * most.whole > most.along * l.whole) {
+            most = l;
+            best = h;
+        }
+        h = m->half[mesh_twin(h)].next;
+    } while (h != start);
+    return best;
+}
+
+// Of the edges at vertex v, the one that lies flattest across the normal, if it
+// leans by less than 8 degrees, as the vertex that it leads to; -1: none.
+static int edge_across(const patch *p, int v)
+{
+    const shape *s = p->plan;
+    real least = SINE_SQUARED;
+    int best = -1;
+    for (int k = s->ring_start[v]; k < s->ring_start[v + 1]; k++) {
+        vec3 e = vec3_sub(p->at[s->ring[k]], p->at[v]);
+        real up = vec3_dot(e, p->ahead), lean = up * up / vec3_dot(e, e);
+        if (lean < least) { least = lean; best = s->ring[k]; }
+    }
+    return best;
+}
+//<
+
+//> manifold-find-patch
+// The vertex that carries most of f: none lies nearer the other body.
+static int main_vertex(const feature_point *f)
+{
+    int best = 0;
+    for (int k = 1; k < f->count; k++)
+        if (f->weight[k] > f->weight[best]) best = k;
+    return f->vertex[best];
+}
+
+// What does the body turn towards the other where it is nearest?  turn: -1 for
+// A, whose faces look away from the viewer, 1 for B.  Returns 0 for no more
+// than a vertex.
+static int patch_begin(patch *p, const shape *s, const vec3 *at, real turn,
+                       const view *w, const feature_point *nearest)
+{
+    p->plan = s;
+    p->at = at;
+    p->ahead = vec3_scale(turn, w->z);
+    p->turn = turn;
+    p->count = 0;
+    p->tip = main_vertex(nearest);
+    p->half = face_ahead(p, p->tip);
+    p->face = p->half < 0 ? -1 : s->mesh.half[p->half].face;
+    p->end = p->half < 0 ? edge_across(p, p->tip) : -1;
+    return p->half >= 0 || p->end >= 0;
+}
+
+// Its corners.
+static void patch_draw(patch *p, const view *w)
+{
+    if (p->half >= 0) {
+        patch_walk(p, w, p->half);
+    } else {
+        patch_add(p, edge_end(p, p->end, p->tip), w);
+        patch_add(p, edge_end(p, p->tip, p->end), w);
+    }
+    patch_close(p, w);
+}
+//<
+
+//> manifold-foot
+// A face, and where a point lies in it, as seen.
+typedef struct {
+    int  face;
+    int  least;         // of its vertices, the one with the least weight
+    int  outside;       // 1: the point is beyond the edge across from it
+    real area;          // m^2, twice; has the sign of the patch's turn, or the
+                        // face looks away
+    real weight[3];
+    real z;             // m, of the point
+} footing;
+
+// With the corners at e0, e1, e2 from the point, the weight of each is the area
+// that the other two span with the point: e1 x e2, e2 x e0, e0 x e1, over the
+// sum of all three.  A point that rounding may have put outside is not, or the
+// search would go on to a face that is seen from its edge, and has no weights.
+static void footing_in(footing *g, const patch *p, const view *w, int f,
+                       vec3 point)
+{
+    const int *v = &p->plan->face[3 * f];
+    vec3 e0 = vec3_sub(seen(w, p->at[v[0]]), point);
+    vec3 e1 = vec3_sub(seen(w, p->at[v[1]]), point);
+    vec3 e2 = vec3_sub(seen(w, p->at[v[2]]), point);
+    real a0 = cross2(e1, e2), a1 = cross2(e2, e0), a2 = cross2(e0, e1);
+    real area = a0 + a1 + a2, s = 1 / area;
+    real w0 = s * a0, w1 = s * a1, w2 = s * a2, least = w0 < w1 ? w0 : w1;
+    int k = w2 < least ? 2 : w1 < w0;
+    vec3 side = k == 0 ? vec3_sub(e2, e1)
+              : k == 1 ? vec3_sub(e0, e2) : vec3_sub(e1, e0);
+    real off = -p->turn * (k == 0 ? a0 : k == 1 ? a1 : a2);
+    real may = 4 * w->slack;
+    g->face = f;
+    g->least = k;
+    g->outside = off > 0 && off * off > may * may * dot2(side, side);
+    g->area = area;
+    g->weight[0] = w0;
+    g->weight[1] = w1;
+    g->weight[2] = w2;
+    g->z = point.z + (w0 * e0.z + w1 * e1.z + w2 * e2.z);
+}
+//<
+
+//> manifold-foot-find
+// The face on the other side of the edge across from vertex k of face f.
+static int face_across(const patch *p, int f, int k)
+{
+    const mesh *m = &p->plan->mesh;
+    int h = m->face_half[f];
+    for (int i = (k + 1) % 3; i > 0; i--) h = m->half[h].next;
+    return m->half[mesh_twin(h)].face;
+}
+
+// The face of the body that lies under (or over) the point.  From face f of
+// the patch we cross the edge that the point is furthest outside of, until it
+// is outside of none, or there is nothing but the body's back beyond.
+static footing footing_find(const patch *p, const view *w, int f, vec3 point)
+{
+    footing g, beyond;
+    footing_in(&g, p, w, f, point);
+    for (int step = 0; step < p->plan->mesh.faces; step++) {
+        if (!g.outside) break;
+        f = face_across(p, g.face, g.least);
+        if (f < 0) break;
+        footing_in(&beyond, p, w, f, point);
+        if (!(beyond.area * p->turn > 0)) break;
+        g = beyond;
+    }
+    return g;
+}
+//<
+
+//> manifold-feature
+// Corner k of the patch.
+static feature_point at_corner(const patch *p, int k)
+{
+    return (feature_point){ 1, { p->vertex[k] }, { 1 } };
+}
+
+// The point at part t of the way from one vertex to another.
+static feature_point between(int from, int to, real t)
+{
+    if (t == 0) return (feature_point){ 1, { from }, { 1 } };
+    if (t == 1) return (feature_point){ 1, { to }, { 1 } };
+    return (feature_point){ 2, { from, to }, { 1 - t, t } };
+}
+
+// The same on edge k of the patch.
+static feature_point at_edge(const patch *p, int k, real t)
+{
+    return between(p->vertex[k], p->vertex[next_corner(p, k)], t);
+}
+
+// Its height.
+static real edge_z(const patch *p, int k, real t)
+{
+    real from = p->corner[k].z, to = p->corner[next_corner(p, k)].z;
+    return from + t * (to - from);
+}
+
+// Which part of the way is nearest to the point, 0 to 1?
+static real part_between(vec3 from, vec3 to, vec3 point)
+{
+    vec3 e = vec3_sub(to, from);
+    real t = dot2(vec3_sub(point, from), e) / dot2(e, e);
+    return t > 0 ? (t < 1 ? t : 1) : 0;
+}
+//<
+
+//> manifold-foot-feature
+// A point just outside face f, across from its vertex k, is drawn in to the
+// edge there.
+static void at_rim(feature_point *f, const patch *p, const view *w, int face,
+                   int k, vec3 point, real *z)
+{
+    const int *v = &p->plan->face[3 * face];
+    int from = v[(k + 1) % 3], to = v[(k + 2) % 3];
+    vec3 x = seen(w, p->at[from]), y = seen(w, p->at[to]);
+    real t = part_between(x, y, point);
+    *f = between(from, to, t);
+    *z = x.z + t * (y.z - x.z);
+}
+
+// The point of the patch, a polygon or an edge, across from a point over it,
+// and its height.  face: where to begin the search; where it ended.
+static void at_foot(feature_point *f, const patch *p, const view *w,
+                    vec3 point, int *face, real *z)
+{
+    if (p->face < 0) {
+        real t = part_between(p->corner[0], p->corner[1], point);
+        *z = edge_z(p, 0, t);
+        *f = at_edge(p, 0, t);
+        return;
+    }
+    footing g = footing_find(p, w, *face, point);
+    const int *v = &p->plan->face[3 * g.face];
+    *face = g.face;
+    *z = g.z;
+    if (g.weight[g.least] > 0)
+        *f = (feature_point){ 3, { v[0], v[1], v[2] },
+                              { g.weight[0], g.weight[1], g.weight[2] } };
+    else
+        at_rim(f, p, w, g.face, g.least, point, z);
+}
+//<
+
+//> manifold-meet
+// Two convex polygons of n and m corners overlap in one of at most n + m, but
+// where rounding cannot tell, corners are kept twice.
+enum { MOST_MEETINGS = 4 * PATCH_CORNERS };
+
+// The corners of the overlap.
+typedef struct {
+    real  margin;               // m, what is further apart does not count
+    real  same;                 // m, corners nearer to each other are one
+    int   count;
+    touch of[MOST_MEETINGS];
+    vec3  at[MOST_MEETINGS];    // m, x and y: as seen
+} meetings;
+
+// Has this corner been met already, or one so near that it is the same?
+static int is_known(const meetings *m, vec3 at)
+{
+    for (int k = 0; k < m->count; k++) {
+        vec3 d = vec3_sub(m->at[k], at);
+        if (dot2(d, d) <= m->same * m->same) return 1;
+    }
+    return m->count == MOST_MEETINGS;
+}
+
+static void meet(meetings *m, const feature_point *a, const feature_point *b,
+                 real gap, vec3 at)
+{
+    if (!(gap <= m->margin)) return;
+    m->at[m->count] = at;
+    m->of[m->count++] = (touch){ *a, *b, gap };
+}
+//<
+
+//> manifold-inside
+// inside[i][j]: m, how far corner i of p lies inwards of edge j of q.
+typedef real depths[PATCH_CORNERS][PATCH_CORNERS];
+
+static void measure_depths(const patch *p, const patch *q, depths inside)
+{
+    for (int i = 0; i < p->count; i++)
+        for (int j = 0; j < q->count; j++)
+            inside[i][j] = dot2(vec3_sub(p->corner[i], q->corner[j]),
+                                q->inward[j]);
+}
+
+// Does corner i of p lie in q?  An edge has no inside, but two ends.
+static int lies_in(const patch *p, int i, const patch *q, depths inside,
+                   real slack)
+{
+    int outside = 0;
+    for (int j = 0; j < q->count; j++) outside |= !(inside[i][j] >= -slack);
+    if (outside || q->count > 2) return !outside;
+    vec3 from = vec3_sub(p->corner[i], q->corner[0]);
+    vec3 e = vec3_sub(q->corner[1], q->corner[0]);
+    real length = sqrt(dot2(e, e)), way = dot2(from, e);
+    return way >= -slack * length && way <= (length + slack) * length;
+}
+//<
+
+//> manifold-clip
+// The corner of q that lies here, or -1.
+static int corner_here(const patch *q, vec3 point, real slack)
+{
+    for (int j = 0; j < q->count; j++) {
+        vec3 d = vec3_sub(q->corner[j], point);
+        if (dot2(d, d) <= slack * slack) return j;
+    }
+    return -1;
+}
+
+// The corners of p that lie in q.  sign: 1 if p is A, -1 if it is B.
+static void meet_corners(const patch *p, const patch *q, depths inside,
+                         real sign, const view *w, meetings *m)
+{
+    int face = q->face;
+    for (int i = 0; i < p->count; i++) {
+        if (!lies_in(p, i, q, inside, w->slack)
+            || is_known(m, p->corner[i])) continue;
+        real z;
+        feature_point self = at_corner(p, i), foot;
+        int j = corner_here(q, p->corner[i], w->slack);
+        if (j >= 0) {
+            foot = at_corner(q, j);
+            z = q->corner[j].z;
+        } else {
+            at_foot(&foot, q, w, p->corner[i], &face, &z);
+        }
+        real gap = sign * (p->corner[i].z - z);
+        meet(m, sign > 0 ? &self : &foot, sign > 0 ? &foot : &self, gap,
+             p->corner[i]);
+    }
+}
+//<
+
+//> manifold-cross
+// One in front, the other behind, and neither on the line?  (| and & do not
+// branch: half of the answers are yes, and nobody can foresee which.)
+static int parted(real u, real v, real slack)
+{
+    return ((u > slack) & (v < -slack)) | ((u < -slack) & (v > slack));
+}
+
+// The crossings of an edge of p and one of q: both ends of each lie on either
+// side of the other.  An end that lies on the other's line is no crossing, but
+// a corner in (or out of) the other patch.
+static void meet_crossings(const patch *p, const patch *q, depths p_in_q,
+                           depths q_in_p, real slack, meetings *m)
+{
+    // The two edges of a patch that is an edge are one.
+    int n = p->count > 2 ? p->count : 1, o = q->count > 2 ? q->count : 1;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < o; j++) {
+            real u = p_in_q[i][j], u1 = p_in_q[next_corner(p, i)][j];
+            real v = q_in_p[j][i], v1 = q_in_p[next_corner(q, j)][i];
+            if (!(parted(u, u1, slack) & parted(v, v1, slack))) continue;
+            real s = u / (u - u1), t = v / (v - v1);
+            vec3 e = vec3_sub(p->corner[next_corner(p, i)], p->corner[i]);
+            vec3 x = vec3_add_scaled(p->corner[i], s, e);
+            if (is_known(m, x)) continue;
+            feature_point a = at_edge(p, i, s), b = at_edge(q, j, t);
+            meet(m, &a, &b, edge_z(p, i, s) - edge_z(q, j, t), x);
+        }
+}
+
+// The corners of the overlap of two patches, of which one at least is a
+// polygon: the paper's three cases.
+static void meet_polygons(const patch *p, const patch *q, const view *w,
+                          meetings *m)
+{
+    depths p_in_q, q_in_p;
+    measure_depths(p, q, p_in_q);
+    measure_depths(q, p, q_in_p);
+    meet_corners(p, q, p_in_q, 1, w, m);
+    meet_corners(q, p, q_in_p, -1, w, m);
+    meet_crossings(p, q, p_in_q, q_in_p, w->slack, m);
+}
+//<
+
+//> manifold-edges
+// Two edges side by side, within half a degree: each end that has the other
+// edge beside it.  Edges that cross have one point, and it is known.
+static void meet_edges(const patch *p, const patch *q, meetings *m)
+{
+    vec3 e = vec3_sub(p->corner[1], p->corner[0]);
+    vec3 g = vec3_sub(q->corner[1], q->corner[0]);
+    real off = cross2(e, g), ee = dot2(e, e), gg = dot2(g, g);
+    if (!(off * off <= 1e-4 * ee * gg)) return;
+    for (int i = 0; i < 4; i++) {
+        const patch *of = i < 2 ? p : q, *beside = i < 2 ? q : p;
+        vec3 point = of->corner[i % 2];
+        real t = part_between(beside->corner[0], beside->corner[1], point);
+        // Beyond the other's end, unless the ends are side by side.
+        vec3 past = vec3_sub(point, beside->corner[t > 0]);
+        if (!(t > 0 && t < 1)
+            && !(fabs(dot2(past, e)) <= m->same * sqrt(ee))) continue;
+        if (is_known(m, point)) continue;
+        feature_point self = at_corner(of, i % 2), foot = at_edge(beside, 0, t);
+        real gap = point.z - edge_z(beside, 0, t);
+        if (i < 2) meet(m, &self, &foot, gap, point);
+        else       meet(m, &foot, &self, -gap, point);
+    }
+}
+//<
+
+//> manifold-furthest
+// Of equals, up to rounding, the first wins.
+static int beats(real x, real best)
+{
+    return x > best * (1 + 0x1p-20);
+}
+
+// The corner furthest from point p; -1: none further than m->same.
+static int furthest_from(const meetings *m, vec3 p)
+{
+    int best = -1;
+    real most = m->same * m->same;
+    for (int k = 0; k < m->count; k++) {
+        vec3 d = vec3_sub(m->at[k], p);
+        real far = dot2(d, d);
+        if (beats(far, most)) { most = far; best = k; }
+    }
+    return best;
+}
+
+// The corner furthest from the line through p and q; -1: none further than
+// m->same.  (The cross product is the distance, times the length of e.)
+static int furthest_beside(const meetings *m, vec3 p, vec3 q)
+{
+    vec3 e = vec3_sub(q, p);
+    real most = m->same * sqrt(dot2(e, e));
+    int best = -1;
+    for (int k = 0; k < m->count; k++) {
+        real off = fabs(cross2(e, vec3_sub(m->at[k], p)));
+        if (beats(off, most)) { most = off; best = k; }
+    }
+    return best;
+}
+
+// The corner that adds most to triangle t, beyond one of its sides; -1: none
+// adds anything.
+static int furthest_out(const meetings *m, const vec3 t[3])
+{
+    vec3 e = vec3_sub(t[1], t[0]), f = vec3_sub(t[2], t[1]);
+    vec3 g = vec3_sub(t[0], t[2]);
+    real turn = cross2(e, f) > 0 ? -1 : 1;
+    real most = m->same * sqrt(dot2(e, e) + dot2(f, f));
+    int best = -1;
+    for (int k = 0; k < m->count; k++) {
+        real beyond_e = turn * cross2(e, vec3_sub(m->at[k], t[0]));
+        real beyond_f = turn * cross2(f, vec3_sub(m->at[k], t[1]));
+        real beyond_g = turn * cross2(g, vec3_sub(m->at[k], t[2]));
+        real out = beyond_e > beyond_f ? beyond_e : beyond_f;
+        out = beyond_g > out ? beyond_g : out;
+        if (beats(out, most)) { most = out; best = k; }
+    }
+    return best;
+}
+//<
+
+//> manifold-choose
+// out[0] is chosen, and stands at `first`.  Then come the corner furthest from
+// it; the one furthest from the line of the two; and the one that adds most to
+// the triangle of the three.
+static int choose_widest(const meetings *m, vec3 first, touch *out)
+{
+    vec3 t[3] = { first };
+    int k = furthest_from(m, first);
+    if (k < 0) return 1;
+    out[1] = m->of[k];
+    t[1] = m->at[k];
+    if ((k = furthest_beside(m, t[0], t[1])) < 0) return 2;
+    out[2] = m->of[k];
+    t[2] = m->at[k];
+    if ((k = furthest_out(m, t)) < 0) return 3;
+    out[3] = m->of[k];
+    return 4;
+}
+
+// The touches from at least two corners.
+static int choose(const meetings *m, const touch *nearest, real slack,
+                  touch out[MANIFOLD_TOUCHES])
+{
+    int deepest = 0, n = 1;
+    real reach = 0;
+    for (int k = 0; k < m->count; k++) {
+        if (m->of[k].gap < m->of[deepest].gap - slack) deepest = k;
+        real far = dot2(m->at[k], m->at[k]);
+        reach = far > reach ? far : reach;
+    }
+    // A patch that bulges: the view's origin is where the bodies are nearest.
+    real bulge = m->of[deepest].gap - nearest->gap;
+    out[0] = *nearest;
+    if (bulge > 0 && bulge * bulge > 1e-4 * reach)
+        return choose_widest(m, vec3_make(0, 0, 0), out);
+    out[0] = m->of[deepest];
+    if (m->count > MANIFOLD_TOUCHES)
+        return choose_widest(m, m->at[deepest], out);
+    for (int k = 0; k < m->count; k++)
+        if (k != deepest) out[n++] = m->of[k];
+    return n;
+}
+//<
+
+//> manifold-find
+int manifold_find(const shape *a, const vec3 *at_a,
+                  const shape *b, const vec3 *at_b, vec3 normal,
+                  touch nearest, real margin, touch out[MANIFOLD_TOUCHES])
+{
+    assert(nearest.a.count > 0 && nearest.b.count > 0);
+    view w = view_along(normal, feature_place(&nearest.b, at_b),
+                        fmax(a->radius, b->radius));
+    patch p, q;
+    meetings m;
+    out[0] = nearest;
+
+    // A vertex touches in one point, whatever it stands on.
+    if (!patch_begin(&p, a, at_a, -1, &w, &nearest.a)
+        || !patch_begin(&q, b, at_b, 1, &w, &nearest.b)) return 1;
+    patch_draw(&p, &w);
+    patch_draw(&q, &w);
+    if (p.count < 2 || q.count < 2) return 1;
+
+    m.margin = margin;
+    m.same = 64 * w.slack;
+    m.count = 0;
+    if (p.count == 2 && q.count == 2) meet_edges(&p, &q, &m);
+    else                              meet_polygons(&p, &q, &w, &m);
+    return m.count < 2 ? 1 : choose(&m, &nearest, w.slack, out);
+}
+//<

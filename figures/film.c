@@ -60,8 +60,7 @@ static const unsigned thrown[] = {
 static vec3 *body_places(const world *w, const body *b)
 {
     vec3 *at = malloc((size_t)b->plan->particles * sizeof *at);
-    for (int i = 0; at && i < b->plan->particles; i++)
-        at[i] = w->pool.at[b->first + i].position;
+    if (at) world_vertices(w, b, at);
     return at;
 }
 

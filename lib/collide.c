@@ -1,5 +1,6 @@
 //> collide-feature
 #include "collide.h"
+#include "manifold.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -44,15 +45,10 @@ static void contact_between(contact *c, const collider *a,
                             const feature_point *fa, const collider *b,
                             const feature_point *fb, vec3 on_b, vec3 normal)
 {
-    c->a = *fa;
+    *c = (contact){ .a = *fa, .b = *fb, .fixed = on_b, .normal = normal,
+                    .mass_a = a->mass, .mass_b = b->mass };
     feature_to_pool(&c->a, a->first);
-    c->b = *fb;
     feature_to_pool(&c->b, b->first);
-    c->fixed = on_b;
-    c->normal = normal;
-    c->thickness = c->pushed = c->approach = 0;
-    c->mass_a = a->mass;
-    c->mass_b = b->mass;
 }
 
 // An immovable side needs no feature, only the point where it stands.
@@ -103,119 +99,27 @@ static nearest_points find_nearest(const collider *a, const collider *b,
 }
 //<
 
-//> collide-over
-// The point of triangle (u, v, w) straight under x along the face's normal, as
-// weights; 0 if it lies outside the triangle.
-//
-// With e1 = v - u, e2 = w - u, m = e1 x e2 the weights of the foot of x are
-//   b2 = ((x - u) x e2) . m / m.m,  b3 = (e1 x (x - u)) . m / m.m,
-//   b1 = 1 - b2 - b3.
-static int weights_over(vec3 x, vec3 u, vec3 v, vec3 w, real weight[3])
-{
-    vec3 e1 = vec3_sub(v, u), e2 = vec3_sub(w, u), d = vec3_sub(x, u);
-    vec3 m = vec3_cross(e1, e2);
-    real mm = vec3_dot(m, m);
-    if (!(mm > 0)) return 0;
-    weight[1] = vec3_dot(vec3_cross(d, e2), m) / mm;
-    weight[2] = vec3_dot(vec3_cross(e1, d), m) / mm;
-    weight[0] = 1 - weight[1] - weight[2];
-    return weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0;
-}
-
-// Does face f of body b look along d (unit), to within 8 degrees?  A body that
-// rests on its face, strained or rocking a little, still stands on all of its
-// corners; one that leans more stands on an edge.
-static int face_looks(const collider *b, int f, vec3 d)
-{
-    const real cosine_squared = 0.98;
-    const int *v = &b->plan->face[3 * f];
-    vec3 m = vec3_cross(vec3_sub(b->at[v[1]], b->at[v[0]]),
-                        vec3_sub(b->at[v[2]], b->at[v[0]]));
-    real along = vec3_dot(m, d);
-    return along > 0 && along * along >= cosine_squared * vec3_dot(m, m);
-}
-//<
-
 //> collide-manifold
-// The corners of `over` that stand above face f of `under`, nearer than margin,
-// as contacts appended to out[n ..].  sign is +1 if `over` is A, and the normal
-// points from `under` to it; -1 if it is B.  Returns the new number.
-static int corners_over_face(const collider *over, const collider *under, int f,
-                             vec3 normal, real sign, real margin,
-                             contact *out, int n)
+// The contacts of all touches of two bodies near each other.
+static int contacts_of_touches(const collider *a, const collider *b,
+                               const nearest_points *near, real margin,
+                               contact *out)
 {
-    const int *v = &under->plan->face[3 * f];
-    feature_point face = { 3, { v[0], v[1], v[2] }, { 0, 0, 0 } };
-    for (int i = 0; i < over->plan->particles && n < PAIR_CONTACTS; i++) {
-        vec3 x = over->at[i];
-        if (!weights_over(x, under->at[v[0]], under->at[v[1]],
-                          under->at[v[2]], face.weight)) continue;
-        vec3 foot = vec3_add(vec3_scale(face.weight[0], under->at[v[0]]),
-                    vec3_add(vec3_scale(face.weight[1], under->at[v[1]]),
-                             vec3_scale(face.weight[2], under->at[v[2]])));
-        if (sign * vec3_dot(vec3_sub(x, foot), normal) > margin) continue;
-        feature_point self = corner(i);
-        if (sign > 0)
-            contact_between(&out[n++], over, &self, under, &face, foot, normal);
-        else
-            contact_between(&out[n++], under, &face, over, &self, x, normal);
-    }
+    touch nearest = { near->a, near->b,
+                      vec3_dot(vec3_sub(near->on_a, near->on_b),
+                               near->normal) };
+    _Static_assert((int)MANIFOLD_TOUCHES <= (int)PAIR_CONTACTS, "room");
+    touch found[MANIFOLD_TOUCHES];
+    int n = manifold_find(a->plan, a->at, b->plan, b->at, near->normal,
+                          nearest, margin, found);
+    for (int k = 0; k < n; k++)
+        contact_between(&out[k], a, &found[k].a, b, &found[k].b,
+                        feature_place(&found[k].b, b->at), near->normal);
     return n;
-}
-
-// The corners of `over` above every face of `under` that looks towards it.
-// Such a face leans by 8 degrees at most, and is 2 radii wide, so none of its
-// corners is lower than top, the body's height that way, by more than
-// 2 sin 8 = 0.28 radii: that rules most faces out for one product.
-static int corners_over(const collider *over, const collider *under,
-                        vec3 normal, real sign, real top, real margin,
-                        contact *out, int n)
-{
-    const shape *plan = under->plan;
-    vec3 up = vec3_scale(sign, normal);
-    real least = top - 0.3 * plan->radius;
-    for (int f = 0; f < plan->mesh.faces; f++)
-        if (vec3_dot(under->at[plan->face[3 * f]], up) >= least
-            && face_looks(under, f, up))
-            n = corners_over_face(over, under, f, normal, sign, margin, out, n);
-    return n;
-}
-
-// Adds the corners of each body over the faces of the other that look along the
-// normal: a face on a face touches in more than one point.
-static int add_corners(const collider *a, const collider *b,
-                       const nearest_points *near, real margin,
-                       contact *out, int n)
-{
-    vec3 normal = near->normal;
-    n = corners_over(a, b, normal, 1, vec3_dot(near->on_b, normal), margin,
-                     out, n);
-    return corners_over(b, a, normal, -1, -vec3_dot(near->on_a, normal),
-                        margin, out, n);
 }
 //<
 
 //> collide-rigid
-// Two corners of the same vertex would push it twice.
-static int same_corner(const contact *c, const contact *d)
-{
-    return (c->a.count == 1 && d->a.count == 1
-            && c->a.vertex[0] == d->a.vertex[0])
-        || (c->b.count == 1 && d->b.count == 1
-            && c->b.vertex[0] == d->b.vertex[0]);
-}
-
-static int drop_doubles(contact *c, int n)
-{
-    int kept = 0;
-    for (int i = 0; i < n; i++) {
-        int j = 0;
-        while (j < kept && !same_corner(&c[j], &c[i])) j++;
-        if (j == kept) c[kept++] = c[i];
-    }
-    return kept;
-}
-
 int collide_rigid(const collider *a, const collider *b, real margin,
                   int manifold, simplex *carried, hit_scratch *scratch,
                   contact out[PAIR_CONTACTS])
@@ -229,13 +133,40 @@ int collide_rigid(const collider *a, const collider *b, real margin,
         b = swap;
     }
     nearest_points n = find_nearest(a, b, margin, carried, scratch);
+    int count = n.near;
     if (!n.near) return 0;
-    contact_between(&out[0], a, &n.a, b, &n.b, n.on_b, n.normal);
-    int count = 1;
     if (manifold)
-        count = drop_doubles(out, add_corners(a, b, &n, margin, out, 1));
+        count = contacts_of_touches(a, b, &n, margin, out);
+    else
+        contact_between(&out[0], a, &n.a, b, &n.b, n.on_b, n.normal);
     forget_immovable(out, count);
     return count;
+}
+//<
+
+//> collide-swept
+swept_status collide_swept(const collider *a, const collider *b, vec3 way,
+                           real apart, vec3 *scratch, contact *c)
+{
+    if (!(a->mass < HUGE_VAL)) {
+        if (!(b->mass < HUGE_VAL)) return SWEPT_PASSES;
+        const collider *swap = a;
+        a = b;
+        b = swap;
+        way = vec3_scale(-1, way);
+    }
+    real near = 0.001 * fmin(a->plan->radius, b->plan->radius);
+    swept_result s = swept_first_touch(collider_points(a), way,
+                                       collider_points(b), apart, near,
+                                       scratch);
+    if (s.status != SWEPT_TOUCHES) return s.status;
+    feature_point fa = feature_of_simplex(s.last.a, s.last.weight,
+                                          s.last.count);
+    feature_point fb = feature_of_simplex(s.last.b, s.last.weight,
+                                          s.last.count);
+    contact_between(c, a, &fa, b, &fb, s.on_b, s.normal);
+    forget_immovable(c, 1);
+    return s.status;
 }
 //<
 
@@ -302,6 +233,26 @@ int hull_ahead(vec3 x, const plane *p, int count)
 }
 //<
 
+//> collide-over
+// The point of triangle (u, v, w) straight under x along the face's normal, as
+// weights; 0 if it lies outside the triangle.
+//
+// With e1 = v - u, e2 = w - u, m = e1 x e2 the weights of the foot of x are
+//   b2 = ((x - u) x e2) . m / m.m,  b3 = (e1 x (x - u)) . m / m.m,
+//   b1 = 1 - b2 - b3.
+static int weights_over(vec3 x, vec3 u, vec3 v, vec3 w, real weight[3])
+{
+    vec3 e1 = vec3_sub(v, u), e2 = vec3_sub(w, u), d = vec3_sub(x, u);
+    vec3 m = vec3_cross(e1, e2);
+    real mm = vec3_dot(m, m);
+    if (!(mm > 0)) return 0;
+    weight[1] = vec3_dot(vec3_cross(d, e2), m) / mm;
+    weight[2] = vec3_dot(vec3_cross(e1, d), m) / mm;
+    weight[0] = 1 - weight[1] - weight[2];
+    return weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0;
+}
+//<
+
 //> collide-point
 static int inside_planes(vec3 x, const plane *p, int count, real slack)
 {
@@ -322,7 +273,7 @@ static feature_point face_under(vec3 x, const collider *b, int f, vec3 normal)
         const int *u = &b->plan->face[3 * g];
         feature_point here = { 3, { u[0], u[1], u[2] }, { 1, 0, 0 } };
         const real *w = here.weight;
-        if (!face_looks(b, g, normal)) continue;
+        if (!face_looks(b->plan, b->at, g, normal)) continue;
         if (weights_over(x, b->at[u[0]], b->at[u[1]], b->at[u[2]],
                          here.weight)) return here;
         real least = fmin(w[0], fmin(w[1], w[2]));

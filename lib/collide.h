@@ -9,6 +9,7 @@
 
 #include "body.h"
 #include "response.h"
+#include "swept.h"
 
 // A body as the queries see it.
 typedef struct {
@@ -30,14 +31,15 @@ static inline real plane_height(plane p, vec3 x)
     return vec3_dot(x, p.normal) - p.offset;
 }
 
-enum { PAIR_CONTACTS = 8 };     // the most that two rigid bodies can have
+enum { PAIR_CONTACTS = 4 };     // the most that two rigid bodies can have
 //<
 
 //> collide-declare
 // The contacts of rigid bodies a and b that are nearer than margin (m, >= 0),
-// in out; returns their number, at most PAIR_CONTACTS.  The first is the
-// nearest (or deepest) pair of points.  With manifold, the corners of either
-// that stand over a face of the other follow, those of the lowest numbers.
+// in out; returns their number, at most PAIR_CONTACTS.  Without manifold it is
+// the nearest (or deepest) pair of points.  With manifold it is what
+// manifold_find makes of that pair: where faces or edges lie along each other,
+// corners of what they share, the deepest first; else the pair alone.
 // An immovable body is B, whichever was given first; two of them touch nowhere.
 // Normals point from B to A; thickness and approach are 0, for the caller to
 // set.  carried: see gjk_distance; keep one for the pair (a, b) in this order.
@@ -45,6 +47,15 @@ enum { PAIR_CONTACTS = 8 };     // the most that two rigid bodies can have
 int collide_rigid(const collider *a, const collider *b, real margin,
                   int manifold, simplex *carried, hit_scratch *scratch,
                   contact out[PAIR_CONTACTS]);
+
+// The contact of rigid bodies a and b where they first come as near as `apart`
+// (m, >= 0), while a goes straight by `way` (m) as seen from b: made now, to be
+// kept until then.  *c holds it if the result is SWEPT_TOUCHES; else it says
+// what became of them, and *c is as it was.  The time is known to a thousandth
+// of the smaller body.  scratch: room for the vertices of both.  The rest as
+// for collide_rigid.
+swept_status collide_swept(const collider *a, const collider *b, vec3 way,
+                           real apart, vec3 *scratch, contact *c);
 
 // The particles of a nearer to plane p than margin + thickness (m): writes at
 // most capacity contacts, returns how many there are.  A particle is A, the

@@ -8,12 +8,14 @@ static void measure_strain(const world *w, measures *m)
     real sum = 0;
     long count = 0;
     for (int b = 0; b < w->bodies; b++) {
-        const shape *s = w->body[b].plan;
-        const particle *p = w->pool.at + w->body[b].first;
-        if (body_is_nailed(&w->body[b])) continue;
-        for (int k = 0; k < s->sticks; k++) {
-            real strain = stick_strain(s->stick[k], p);
-            int is_soft = s->stick[k].stiffness < 1;
+        const body *x = &w->body[b];
+        const particle *p = w->pool.at + x->first;
+        const stick *s = x->four ? x->four->stick : x->plan->stick;
+        int sticks = x->four ? FOUR_STICKS : x->plan->sticks;
+        if (body_is_nailed(x)) continue;
+        for (int k = 0; k < sticks; k++) {
+            real strain = stick_strain(s[k], p);
+            int is_soft = s[k].stiffness < 1;
             real *worst = is_soft ? &m->shear : &m->strain;
             if (!(strain <= *worst)) *worst = strain;
             if (is_soft) continue;
@@ -30,7 +32,7 @@ static void measure_strain(const world *w, measures *m)
 // ago; its angular momentum is taken about the place that it had then.
 static void measure_motion(const world *w, measures *m)
 {
-    real h = w->options.dt / w->options.substeps;
+    real h = w->age;
     for (int i = 0; i < w->pool.count; i++) {
         const particle *p = &w->pool.at[i];
         if (w->of.inverse_mass[i] == 0) continue;
@@ -56,7 +58,7 @@ static void measure_planes(const world *w, const body *b, measures *m)
 {
     if (body_is_nailed(b)) return;
     for (int p = 0; p < w->planes; p++)
-        for (int i = b->first; i < b->first + b->plan->particles; i++)
+        for (int i = b->corner; i < b->corner + b->plan->particles; i++)
             deepen(m, w->plane[p].offset
                       - vec3_dot(w->of.at[i], w->plane[p].normal));
 }
@@ -94,8 +96,8 @@ static void measure_points(world *w, body *soft, body *rigid, measures *m)
 
 static void measure_pair(world *w, body *a, body *b, measures *m)
 {
-    sphere x = sphere_tree_root(&a->tree, w->of.at + a->first);
-    sphere y = sphere_tree_root(&b->tree, w->of.at + b->first);
+    sphere x = sphere_tree_root(&a->tree, w->of.at + a->corner);
+    sphere y = sphere_tree_root(&b->tree, w->of.at + b->corner);
     if (vec3_distance(x.center, y.center) > x.radius + y.radius) return;
     if (!body_is_soft(a) && !body_is_soft(b)) measure_rigid_pair(w, a, b, m);
     if (body_is_soft(a) && !body_is_soft(b))  measure_points(w, a, b, m);

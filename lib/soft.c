@@ -1,4 +1,5 @@
 //> soft-stale
+#include "rigid.h"
 #include "soft.h"
 
 static int body_is_still(const world *w, int b)
@@ -11,7 +12,7 @@ static int body_is_still(const world *w, int b)
 static void measure_moves(const world *w, const body *b, real *moved,
                           real *step)
 {
-    int end = b->first + b->plan->particles;
+    int end = b->first + body_particles(b);
     for (int i = b->first; i < end; i++) {
         const particle *p = &w->pool.at[i];
         real d = vec3_length_squared(vec3_sub(p->position, w->of.listed[i]));
@@ -66,17 +67,17 @@ static void add_near(world *w, const body *a, const body *b, tree_result found)
             a->thickness + b->thickness };
 }
 
-// What stood nearer than one and a half diameters when the sheet was flat does
-// not collide: sticks hold it apart.  In a square grid these are the eight
-// particles around one, at 1 and 1.41 spacings (0.91 and 1.29 diameters); the
-// next stand at 2 (1.82).
-static const real NEIGHBOURS = 1.5;
+// The ends of a link do not collide, the stick holds them apart: in a square
+// grid they stand at 0.91 diameters.  Those of a cell's diagonals, at 1.29, do:
+// only one of the two has a stick, which is soft, and a crease can shear the
+// cell until the ends of the other meet, and the triangles around them cross.
+static const real LINKED = 1.2;
 
 // A sheet against itself.
 static void list_self(world *w, body *a)
 {
     add_near(w, a, a, sphere_tree_self(
-        &a->tree, w->of.at + a->first, w->list_margin, NEIGHBOURS,
+        &a->tree, w->of.at + a->first, w->list_margin, LINKED,
         w->leaf_pair, w->leaf_capacity));
 }
 
@@ -95,7 +96,7 @@ static void look_at_hull(world *w, int b)
     body *rigid = &w->body[b];
     if (w->hull_of == b && body_is_nailed(rigid)) return;
     world_look(w, rigid);
-    w->hulls = hull_planes(rigid->plan, w->of.at + rigid->first,
+    w->hulls = hull_planes(rigid->plan, w->of.at + rigid->corner,
                            w->hull, w->hull_face);
     w->hull_of = b;
 }
@@ -106,7 +107,7 @@ static void list_points(world *w, int a, int b)
 {
     body *soft = &w->body[a], *rigid = &w->body[b];
     real reach = soft->thickness + rigid->thickness + w->list_margin;
-    sphere ball = sphere_tree_root(&rigid->tree, w->of.at + rigid->first);
+    sphere ball = sphere_tree_root(&rigid->tree, w->of.at + rigid->corner);
     ball.radius += reach;
     int is_ready = 0;
     for (int i = soft->first; i < soft->first + soft->plan->particles; i++) {
@@ -141,8 +142,8 @@ void soft_refresh(world *w)
     for (int b = 0; b < w->bodies; b++) {
         body *now = &w->body[b];
         world_look_again(w, now);
-        for (int i = 0; i < now->plan->particles; i++)
-            w->of.listed[now->first + i] = w->of.at[now->first + i];
+        for (int i = now->first; i < now->first + body_particles(now); i++)
+            w->of.listed[i] = w->pool.at[i].position;
     }
     for (int a = 0; a < w->bodies; a++) {
         if (body_is_soft(&w->body[a]) && !body_is_still(w, a))
@@ -162,15 +163,69 @@ static response_options soft_response(const world *w)
     return o;
 }
 
+// Four particles answer a push as the solid would.
+static void push_apart(world *w, point_pair pair, const contact *c)
+{
+    push_options how = { .friction = w->options.response.friction,
+                         .mend = 1, .mend_speed = HUGE_VAL };
+    push x = rigid_push(w, c, pair.soft, pair.rigid);
+    x.most = HUGE_VAL;
+    push_mend(&x, w->pool.at, how);
+    push_solve(&x, w->pool.at, how);
+}
+//<
+
+//> soft-whole
+// A particle at x that weighs what the cloth weighs, and moves as its centre
+// of mass does; nailed, if any of it is.
+static particle whole_cloth(const world *w, const body *soft, vec3 x)
+{
+    particle whole = { .position = x, .previous = x };
+    vec3 sum = { 0, 0, 0 };
+    for (int i = soft->first; i < soft->first + soft->plan->particles; i++) {
+        const particle *p = &w->pool.at[i];
+        if (p->inverse_mass == 0) return whole;
+        vec3 step = vec3_sub(p->position, p->previous);
+        sum = vec3_add_scaled(sum, 1 / p->inverse_mass, step);
+    }
+    whole.inverse_mass = 1 / soft->mass;
+    whole.previous = vec3_add_scaled(x, -whole.inverse_mass, sum);
+    return whole;
+}
+
+// For a moment the whole cloth stands in the particle's place; how far that is
+// pushed, the cloth goes.
+static void push_whole(world *w, point_pair pair, const contact *c)
+{
+    const body *soft = &w->body[pair.soft];
+    particle *p = &w->pool.at[pair.particle], was = *p;
+    particle before = whole_cloth(w, soft, p->position);
+    *p = before;
+    push_apart(w, pair, c);
+    vec3 now = vec3_sub(p->position, before.position);
+    vec3 then = vec3_sub(p->previous, before.previous);
+    *p = was;
+    if (before.inverse_mass == 0) return;
+    for (int i = soft->first; i < soft->first + soft->plan->particles; i++) {
+        p = &w->pool.at[i];
+        p->position = vec3_add(p->position, now);
+        p->previous = vec3_add(p->previous, then);
+    }
+}
+//<
+
+//> soft-separate-point
+typedef void (*pusher)(world *w, point_pair pair, const contact *c);
+
 // One plane that the particle is clear of is enough to know that it does not
 // touch: most often the one that it was in front of when it was listed.  (There
 // may be fewer by now: strain parts the planes of two triangles of one side,
 // and lets them meet again.)
-static int separate_point(world *w, point_pair pair, response_options how)
+static int separate_point(world *w, point_pair pair, real apart,
+                          pusher by, response_options how)
 {
     const body *soft = &w->body[pair.soft], *rigid = &w->body[pair.rigid];
     vec3 x = w->pool.at[pair.particle].position;
-    real apart = soft->thickness + rigid->thickness;
     if (pair.ahead < w->hulls
         && plane_height(w->hull[pair.ahead], x) > apart) return 0;
 
@@ -180,7 +235,29 @@ static int separate_point(world *w, point_pair pair, response_options how)
     if (!collide_point(&a, pair.particle - soft->first, &b, w->hull,
                        w->hull_face, w->hulls, apart, &c)) return 0;
     c.thickness = apart;
-    return contact_separate(&c, w->pool.at, how) > 0;
+    if (c.b.count == 0 || !rigid->four)
+        return contact_separate(&c, w->pool.at, how) > 0;
+    by(w, pair, &c);
+    return 1;
+}
+//<
+
+//> soft-separate-all
+// All points, to this share of what keeps them apart.  Returns how many
+// touched.
+static int separate_points(world *w, real share, pusher by)
+{
+    response_options how = soft_response(w);
+    int touching = 0;
+    for (int k = 0; k < w->points; k++) {
+        const body *soft = &w->body[w->point[k].soft];
+        const body *rigid = &w->body[w->point[k].rigid];
+        if (k == 0 || w->point[k].rigid != w->point[k - 1].rigid)
+            look_at_hull(w, w->point[k].rigid);
+        real apart = share * (soft->thickness + rigid->thickness);
+        touching += separate_point(w, w->point[k], apart, by, how);
+    }
+    return touching;
 }
 
 void soft_separate(world *w)
@@ -191,13 +268,17 @@ void soft_separate(world *w)
         if (sphere_contact_overlaps(&w->near[k], w->pool.at))
             touching += sphere_contact_separate(w->near[k], w->pool.at,
                                                 how) > 0;
-    for (int k = 0; k < w->points; k++) {
-        if (k == 0 || w->point[k].rigid != w->point[k - 1].rigid)
-            look_at_hull(w, w->point[k].rigid);
-        touching += separate_point(w, w->point[k], how);
-    }
+    touching += separate_points(w, 1, push_apart);
     w->report.near = w->nears + w->points;
     w->report.touching = touching;
+}
+
+// In a cloth that lies on a nailed body this finds nobody.  But particles that a
+// bullet drives before it are pulled back by their sticks, and through it: they
+// are light, and make way.  What stops it is all that the sticks hold together.
+void soft_hold(world *w)
+{
+    separate_points(w, 0.5, push_whole);
 }
 //<
 
@@ -263,7 +344,7 @@ static void part_from_hull(world *w, body *soft, int b)
     body *rigid = &w->body[b];
     tree_result found = sphere_tree_pairs(
         &soft->tree, w->of.at + soft->first, &rigid->tree,
-        w->of.at + rigid->first, 0, w->leaf_pair, w->leaf_capacity);
+        w->of.at + rigid->corner, 0, w->leaf_pair, w->leaf_capacity);
     int pairs = room_for(w, found.pairs, w->leaf_capacity);
     look_at_hull(w, b);
     for (int k = 0; k < pairs; k++) {
@@ -278,7 +359,10 @@ static void part_from_hull(world *w, body *soft, int b)
 //> soft-separate-leaves
 // Which leaves of a sheet count as neighbours the paper leaves open.  Without
 // those alone that share a vertex, the first fold throws the cloth to infinity:
-// here the rule is the same as for balls.
+// here it is what stood nearer than one and a half times both radii when the
+// sheet was flat.
+static const real NEIGHBOURS = 1.5;
+
 static void part_self(world *w, body *a)
 {
     tree_result found = sphere_tree_self(

@@ -24,6 +24,12 @@ void soft_refresh(world *w);
 // Counts in the report what was watched, and what was pushed.
 void soft_separate(world *w);
 
+// After relaxing: particles that the sticks have pulled nearer to a rigid body
+// than half of what keeps them apart are held there.  What moves and has four
+// particles is held by the deformable body as a whole, with all of its mass, or
+// by its nails: linear momentum is kept, angular momentum is not.
+void soft_hold(world *w);
+
 // The paper's way, without lists: whole leaves of the trees are pushed apart,
 // and leaves whose centre is inside a rigid body are pushed by Fig. 6.
 void soft_separate_leaves(world *w);

@@ -7,10 +7,12 @@
 #ifndef TUMBLE_WORLD_H
 #define TUMBLE_WORLD_H
 
+#include "broad.h"
 #include "collide.h"
+#include "line.h"
 #include "ordering.h"
+#include "push.h"
 #include "rest.h"
-#include "sphere_tree.h"
 
 // What the leaves of a deformable body's tree enclose.
 typedef enum {
@@ -18,20 +20,48 @@ typedef enum {
     LEAVES_FACE         // its triangles or links (the paper)
 } leaves_kind;
 
-// Every difference between the paper's way and ours is one of these.  dt and
-// substeps stay as they are once a body is in: where a particle was is where it
-// was dt / substeps ago.
+// What a rigid body is made of.
+typedef enum {
+    BODY_VERTICES,      // a particle at every vertex, and sticks (the paper)
+    BODY_FOUR           // four particles that have the solid's inertia; its
+                        // contacts remember what they push
+} body_kind;
+
+// How pairs of rigid bodies are found.
+typedef enum {
+    PAIRS_ALL,          // every pair is looked at (the paper)
+    PAIRS_SORTED        // sweep and prune
+} pairs_kind;
+
+// Every difference between the paper's way and ours is one of these.
 typedef struct {
     real dt;            // s, a frame: one call of world_step; to 1
-    int  substeps;      // a frame is this many integrations (paper: 1); 1 to
-                        // 10000
-    int  sweeps;        // over a body's sticks in a substep, at most; 1 to
-                        // 10000
+    int  substeps;      // a frame is this many integrations (paper: 1), or
+    int  most_substeps; // more, up to this, if it takes more for what is about
+                        // to touch something to go no further than its own
+                        // radius in one; both 1 to 10000
+    int  sweeps;        // over a body's sticks, or a cloth's columns and rows,
+                        // in a substep, at most; 1 to 10000
     vec3 gravity;       // m/s^2
     relax_options    relax;
     order_kind       order;     // of sticks, in rigid bodies that collided
     response_options response;
     leaves_kind      leaves;
+    body_kind        model;     // of rigid bodies
+    pairs_kind       pairs;
+    int  passes;        // BODY_FOUR: over all contacts in a substep, at most,
+                        // in pairs, forward and backward; 1 to 1000
+    real content;       // of the smallest rigid body's radius: a pass that
+                        // changes no gap by more is the last
+    int  memory;        // BODY_FOUR: 1: a contact begins with what it pushed
+                        // in the last frame; 0: with nothing
+    real mend;          // BODY_FOUR: share of an old overlap that a substep
+                        // pushes out; 0 to 1
+    real mend_speed;    // m/s, the most at which it does
+    int  lines;         // 1: ropes, and columns and rows of cloths, are solved
+                        // as lines; 0: stick by stick
+    int  swept;         // 1: rigid bodies that pass each other by more than an
+                        // inner radius are asked when they first touch
     int  look_ahead;    // 1: contacts are found before they are needed, and
                         // kept for a frame; 0: only overlaps are contacts
     real skin;          // of a rigid body's radius: its contacts keep that far
@@ -40,6 +70,7 @@ typedef struct {
     int  blows;         // 1: after a blow bodies part at restitution times the
                         // speed at which they met; 0: at what the pushes gave
     int  resting;       // 1: bodies that lie still fall asleep
+    int  ledger;        // 1: who gave and took energy is booked
     real (*clock)(void);// s; times the stages; NULL: nothing is timed
 } world_options;
 //<
@@ -48,21 +79,27 @@ typedef struct {
 // A body: a range of the pool, built to a plan that it may share.
 typedef struct {
     const shape *plan;
-    int  first;         // its particles: first .. first + plan->particles - 1
+    const four  *four;  // its four particles; NULL: one at every vertex
+    int  first;         // its particles: first .. first + body_particles - 1
+    int  corner;        // its vertices in the table `of.at`; = first where they
+                        // are the particles
     real mass;          // kg; HUGE_VAL: nailed as a whole
     real thickness;     // m, its contacts keep that far off: the radius of the
                         // particles of a deformable body, a rigid one's skin
     sphere_tree tree;
-    real reach;         // m, how far it may move in the rest of this frame
+    vec3 way;           // m, its centre's in a frame, as fast as it is now
+    real turn;          // m, what its vertices may go beside that
+    real reach;         // m, how far it may move in a frame; or what hits it
 } body;
 
-// How a body enters the world: the axes of its own frame, position of its
-// centre of mass, velocity and spin about it.
+// How a body enters the world: its plan's own frame, and how it moves.  (The
+// plan's origin is the mean of its vertices; the centre of mass of BODY_FOUR is
+// that of the solid, which need not be there.)
 typedef struct {
-    vec3 position;      // m
+    vec3 position;      // m, of the plan's origin
     vec3 x, y, z;       // unit, perpendicular to each other, right-handed
-    vec3 velocity;      // m/s
-    vec3 spin;          // rad/s
+    vec3 velocity;      // m/s, of the centre of mass
+    vec3 spin;          // rad/s, about it
     int  nailed;        // 1: it never moves
 } placement;
 //<
@@ -74,8 +111,10 @@ enum { STAGE_INTEGRATE, STAGE_PAIRS, STAGE_QUERY, STAGE_SEPARATE, STAGE_RELAX,
 // What the last step did.
 typedef struct {
     real time[STAGES];  // s
+    int  substeps;
     int  pairs;         // of rigid bodies whose spheres met
     int  contacts;      // of rigid bodies and planes, at the end of the frame
+    int  pushing;       // of those of BODY_FOUR, how many pushed in the end
     int  near;          // pairs of particles, and of particle and body, watched
     int  touching;      // of those, how many were pushed in the last substep
     int  rebuilt;       // how often that list was made
@@ -85,6 +124,19 @@ typedef struct {
     int  asleep;        // bodies
     int  dropped;       // contacts or pairs that found no room: should be 0
 } step_report;
+//<
+
+//> ledger-struct
+// Whom energy and momentum may come from, and go to.  Friction between the
+// particles of deformable bodies is booked under contacts.
+enum { LEDGER_INTEGRATE, LEDGER_CONTACTS, LEDGER_FRICTION, LEDGER_STICKS,
+       LEDGER_REST, LEDGERS };
+
+typedef struct {
+    real energy;        // J
+    vec3 momentum;      // kg m/s
+    vec3 angular;       // kg m^2/s, about the origin
+} ledger_entry;
 //<
 
 //> world-struct
@@ -103,12 +155,16 @@ typedef struct {
 typedef struct {
     const shape *shape;
     stick_lists lists;  // empty unless the order needs them
-} plan_order;
+    four *four;         // NULL unless rigid, and the model is BODY_FOUR
+    line_scratch *line; // NULL unless deformable, and solved as lines
+} plan_entry;
 
-// The particles' places that a frame remembers beside the pool.
+// The places that a frame remembers beside the pool.
 typedef struct {
-    vec3 *at;           // where they are, for the queries
-    vec3 *start;        // at the start of the frame
+    vec3 *at;           // of particles, then of the vertices that ride on four
+                        // of them, for the queries
+    vec3 *found;        // of particles, when this frame's contacts were found
+    vec3 *lain;         // when their body was last seen to move
     vec3 *before;       // before separation; scratch of the solver
     vec3 *listed;       // when the near lists were made
     real *inverse_mass; // 1/kg, when awake
@@ -120,21 +176,32 @@ typedef struct {
     int  bodies, planes, plans, softs;  // softs: deformable bodies
     body *body;
     plane plane[6];
-    plan_order *plan;   // [plans] one for each shape in use
+    plan_entry *plan;   // [plans] one for each shape in use
     real time;          // s
+    real age;           // s, a particle was at `previous` so long ago
     int  ready;         // world_begin has sized everything below
 
     particle_tables of; // [particles]
     hit_scratch   *hit;
+    vec3          *swept;               // room for the vertices of two bodies
     order_scratch *orders;
 
+    real least_radius;  // m, of the rigid bodies; HUGE_VAL: none
+    broad broad;
+    int  (*met)[2];     // pairs whose balls meet
     body_pair *pair, *old_pair;         // sorted; this frame's, the last one's
     int  pairs, old_pairs, pair_capacity;
     contact *contact;                   // of rigid bodies and planes
     int  (*between)[2];                 // their bodies; -1: a plane
     int  contacts, contact_capacity;
     int  lasting;       // the first of them are good for the whole frame, the
-                        // others, of quick pairs, for two substeps
+                        // others, of quick pairs, for a substep
+
+    push *push;                         // of bodies of four particles
+    int  (*pushed)[2];                  // their bodies; bodies + k: plane k
+    push_memory *memory;                // of the last frame's, in their order
+    int  pushes, push_capacity, lasting_pushes;
+    int  memories, lasting_memories;    // the first: of contacts that lasted
 
     sphere_contact *near;               // pairs of deformable particles
     int  nears, near_capacity;
@@ -151,19 +218,27 @@ typedef struct {
     plane *hull;        // the planes of body hull_of
     int  *hull_face, hulls, hull_of;
 
-    char *slow;         // [bodies] slow enough to rest, in this frame
+    char *moves;        // [bodies] neither nailed nor asleep, at the start of
+                        // the frame
+    char *still;        // [bodies] did not move, in this frame
     char *collided;     // [bodies] rigid ones that were pushed in this substep,
                         // by each other or by planes
     sphere *ball;       // [bodies] around each rigid body, this frame
     real *spread;       // [bodies] m, their reach before it was spread
     rest_state  rest;
     step_report report;
+    ledger_entry ledger[LEDGERS];       // since the start, or ledger_clear
+    ledger_entry ledger_now;            // what there is, as of the last entry
 } world;
 //<
 
 //> world-declare
 // Our best: substeps, contacts before sticks, looking ahead, manifolds, rest.
 world_options world_options_default(void);
+
+// The best with a particle at every vertex: more substeps, pushes of three
+// times the overlap, no memory.
+world_options world_options_vertices(void);
 
 // The paper's way: one step, one separation, Eq. 10 as printed, whole leaves
 // apart by Eq. 11, ordered lists, 1 %.  (PUSH_PRINTED is left to be chosen.)
@@ -189,7 +264,8 @@ status world_add(world *w, const shape *s, placement where, int *number);
 // seventh plane, a normal without direction, numbers that are not finite.
 status world_add_plane(world *w, vec3 normal, real offset);
 
-// Nails particle i of body b where it is.  Before world_begin.
+// Nails particle i of body b where it is, which is not one of four.  Before
+// world_begin.
 void   world_nail(world *w, int b, int i);
 
 // Sizes everything that a step needs.  Once, after all is in.  Fails only for
@@ -205,6 +281,19 @@ void   world_look(world *w, const body *b);
 // The same, and brings the body's tree up to date.
 void   world_look_again(world *w, body *b);
 
+// Neither nailed nor asleep.
+static inline int body_moves(const world *w, int b)
+{
+    return w->body[b].mass < HUGE_VAL && !w->rest.asleep[b];
+}
+
+// Where the vertices of body b are, now.
+void   world_vertices(const world *w, const body *b, vec3 *at);
+
+static inline int body_particles(const body *b)
+{
+    return b->four ? FOUR : b->plan->particles;
+}
 static inline int body_is_nailed(const body *b)
 {
     return !(b->mass < HUGE_VAL);
@@ -213,7 +302,6 @@ static inline int body_is_soft(const body *b)
 {
     return b->plan->kind != SHAPE_RIGID;
 }
-
 //<
 
 //> world-end-of-header

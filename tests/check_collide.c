@@ -9,6 +9,9 @@
 // Bodies of size 1 near the origin; a corner is turned, a foot is a mean of
 // three: a few dozen roundings.
 #define ROUNDING 1e-13
+// Corners nearer than a billionth of the bodies are one; the manifold takes the
+// first.
+#define SLACK 2e-9
 // The closed forms against the searches of GJK, which stop at their own bound.
 #define ORACLE 1e-11
 // Where body A and body B begin in the pool: not 0, so that a feature that
@@ -79,7 +82,18 @@ static collider stand(const shape *s, int first, real mass, axes f, vec3 at)
     return (collider){ s, first, place + first, mass };
 }
 
-static shape cube, slab, ball;
+// A prism, with an edge of 45 degrees along z (top and slope) and an end that
+// leans outward by 45 (the edge of top and end is blunt).
+static const vec3 WEDGE[6] = {
+    { 0, 0, -1 }, { -1, 0, -1 }, { -1, -1, -1 },
+    { 0, 0, 1 }, { -1, 0, 1 }, { -1, -1, 2 },
+};
+static const int WEDGE_FACE[8][3] = {
+    { 0, 2, 1 }, { 3, 4, 5 }, { 0, 1, 4 }, { 0, 4, 3 },
+    { 1, 2, 5 }, { 1, 5, 4 }, { 0, 3, 5 }, { 0, 5, 2 },
+};
+
+static shape cube, slab, ball, wedge;
 
 static void set_up(void)
 {
@@ -87,6 +101,7 @@ static void set_up(void)
     ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 1).ok);
     ck_assert(shape_box(&slab, vec3_make(4, 1, 4), 1).ok);
     ck_assert(shape_icosahedron(&ball, 0.5, 1).ok);
+    ck_assert(shape_convex(&wedge, 6, WEDGE, 8, WEDGE_FACE, 1).ok);
     scratch = hit_scratch_new();
     ck_assert_ptr_nonnull(scratch);
 }
@@ -97,6 +112,7 @@ static void tear_down(void)
     shape_free(&cube);
     shape_free(&slab);
     shape_free(&ball);
+    shape_free(&wedge);
 }
 
 static int touch(collider a, collider b, real margin, int manifold,
@@ -149,6 +165,27 @@ static void is_sound(const contact *c, collider a, collider b)
     }
     ck_assert(c->pushed == 0 && c->thickness == 0);
     ck_assert(c->mass_a == a.mass && c->mass_b == b.mass);
+}
+
+// The hull under test, and the question.
+static plane hull[20];
+static int hull_face[20], hull_count;
+
+static collider stand_hull(const shape *s, real mass, axes f, vec3 at)
+{
+    collider b = stand(s, FIRST_B, mass, f, at);
+    hull_count = hull_planes(s, b.at, hull, hull_face);
+    return b;
+}
+
+// A single particle as a body of its own: number `FIRST_A + 2` of the pool.
+static int ask(collider b, vec3 x, real reach, contact *c)
+{
+    vec3 *at = place + FIRST_A;
+    at[2] = x;
+    pool[FIRST_A + 2] = (particle){ x, x, 1 };
+    collider a = { &cube, FIRST_A, at, 1 };
+    return collide_point(&a, 2, &b, hull, hull_face, hull_count, reach, c);
 }
 
 // --- the nearest points ------------------------------------------------------
@@ -277,6 +314,40 @@ START_TEST(margin_is_where_contacts_begin)
 }
 END_TEST
 
+// The search may have ended before it knows that the margin is passed.
+// Rejects: whatever it found then taken for a contact.
+START_TEST(margin_counts_to_the_last_digit)
+{
+    int inside = 0, beyond = 0;
+    for (int k = 0; k < 3000; k++) {
+        vec3 spot = vec3_scale(1.5, vec3_unit(any_vec3(1)));
+        collider b = stand_hull(&ball, 1, any_axes(), vec3_make(0, 0, 0));
+        collider a = stand(&cube, FIRST_A, 1, any_axes(), spot);
+        gjk_result g = gjk_distance(points_of(a), points_of(b),
+                                    gjk_options_default(), NULL);
+        if (g.status != GJK_APART) continue;
+        const real margin[] = { nextafter(g.distance, 0), g.distance,
+                                nextafter(g.distance, 9) };
+        contact c[PAIR_CONTACTS];
+        for (int i = 0; i < 3; i++) {
+            int n = touch(a, b, margin[i], 0, c);
+            inside += n;
+            beyond += !n;
+            // Another way to the end may find another last digit.
+            if (n) ck_assert(fabs(gap_of(&c[0]) - margin[i]) <= ORACLE);
+        }
+        point_set point = { &spot, 1, NULL, NULL };
+        g = gjk_distance(point, points_of(b), gjk_options_default(), NULL);
+        for (int i = -1; i < 2; i++) {
+            real reach = g.distance + i * DBL_EPSILON * g.distance;
+            int n = ask(b, spot, reach, c);
+            if (n) ck_assert(fabs(gap_of(&c[0]) - reach) <= ORACLE);
+        }
+    }
+    ck_assert(inside > 1000 && beyond > 1000);
+}
+END_TEST
+
 // Rejects: NaN that becomes a contact, and from there a position.
 START_TEST(bodies_that_are_not_finite_have_no_contact)
 {
@@ -328,6 +399,167 @@ START_TEST(two_immovable_bodies_never_touch)
 }
 END_TEST
 
+// --- who cannot be told apart ------------------------------------------------
+
+// What is left of two cubes that were pressed flat into one plane overlaps, and
+// has no way out.
+// Rejects: a contact along no normal.
+START_TEST(bodies_pressed_flat_into_one_plane_have_no_contact)
+{
+    collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0.2, 0, 0.1));
+    collider b = stand(&cube, FIRST_B, 1, UPRIGHT, vec3_make(0, 0, 0));
+    for (int i = 0; i < 8; i++)
+        place[FIRST_A + i].y = place[FIRST_B + i].y = 0;
+    contact c[PAIR_CONTACTS];
+    ck_assert_int_eq(touch(a, b, 0.1, 1, c), 0);
+    ck_assert_int_eq(touch(a, b, 0.1, 0, c), 0);
+}
+END_TEST
+
+enum { FINE = 642 };            // vertices of a ball of 1280 faces
+static vec3 fine_at[FINE];
+static int fine_face[1280][3];
+
+// The vertex between p and q on the unit ball: new, or there already.
+static int vertex_between(int p, int q, int *count)
+{
+    vec3 x = vec3_unit(vec3_add(fine_at[p], fine_at[q]));
+    for (int i = 0; i < *count; i++)
+        if (vec3_distance(fine_at[i], x) < 1e-6) return i;
+    fine_at[*count] = x;
+    return (*count)++;
+}
+
+static int fine_faces;
+
+static void add_face(int p, int q, int r)
+{
+    const int v[3] = { p, q, r };
+    for (int i = 0; i < 3; i++) fine_face[fine_faces][i] = v[i];
+    fine_faces++;
+}
+
+// Cuts face f into four: the middle one takes its place.
+static void cut_face(int f, int *vertices)
+{
+    int v[3], m[3];
+    for (int k = 0; k < 3; k++) v[k] = fine_face[f][k];
+    for (int k = 0; k < 3; k++)
+        m[k] = vertex_between(v[k], v[(k + 1) % 3], vertices);
+    for (int k = 0; k < 3; k++) add_face(v[k], m[k], m[(k + 2) % 3]);
+    for (int k = 0; k < 3; k++) fine_face[f][k] = m[k];
+}
+
+// An icosahedron, each face of which is cut three times.
+static void make_fine_ball(shape *s)
+{
+    int vertices = ball.particles;
+    fine_faces = 0;
+    for (int i = 0; i < vertices; i++) fine_at[i] = vec3_unit(ball.at[i]);
+    for (int f = 0; f < ball.mesh.faces; f++)
+        add_face(ball.face[3 * f], ball.face[3 * f + 1], ball.face[3 * f + 2]);
+    for (int round = 0; round < 3; round++)
+        for (int f = fine_faces - 1; f >= 0; f--) cut_face(f, &vertices);
+    ck_assert_int_eq(vertices, FINE);
+    ck_assert_int_eq(fine_faces, 1280);
+    status done = shape_convex(s, vertices, fine_at, fine_faces,
+                               (const int (*)[3])fine_face, 1);
+    ck_assert_msg(done.ok, "%s", done.why);
+}
+
+// Two balls at one place: every face is nearly the nearest, and the polytope is
+// full before the best is found.
+// Rejects: a query that ran into its cap and is thrown away.  The balls would
+// stay in each other for good.
+START_TEST(balls_in_one_place_are_parted_all_the_same)
+{
+    shape fine;
+    make_fine_ball(&fine);
+    collider a = { &fine, 0, fine.at, 1 }, b = { &fine, FINE, fine.at, 1 };
+    simplex fresh = { .count = 0 };
+    point_set p = { fine.at, FINE, fine.ring_start, fine.ring };
+    gjk_result g = gjk_distance(p, p, gjk_options_default(), NULL);
+    ck_assert_int_eq(hit_face_find(p, p, &g.last, scratch).status, HIT_CAPPED);
+    contact c[PAIR_CONTACTS];
+    ck_assert_int_eq(collide_rigid(&a, &b, 0, 0, &fresh, scratch, c), 1);
+    vec3 on_a = { 0, 0, 0 }, on_b = { 0, 0, 0 };
+    for (int i = 0; i < c[0].a.count; i++)
+        on_a = vec3_add_scaled(on_a, c[0].a.weight[i],
+                               fine.at[c[0].a.vertex[i]]);
+    for (int i = 0; i < c[0].b.count; i++)
+        on_b = vec3_add_scaled(on_b, c[0].b.weight[i],
+                               fine.at[c[0].b.vertex[i] - FINE]);
+    real gap = vec3_dot(vec3_sub(on_a, on_b), c[0].normal);
+    // The least way out is through two faces.  A full polytope's last face
+    // lies under them: the contact parts the balls to a hundredth.
+    real least = 2 * fine.inner;
+    ck_assert_msg(-gap > 0.99 * least && -gap < 1.001 * least,
+                  "gap %g, the least way out %g", gap, least);
+    shape_free(&fine);
+}
+END_TEST
+
+// --- on their way ------------------------------------------------------------
+
+static swept_status sweep(collider a, collider b, vec3 way, real apart,
+                          contact *c)
+{
+    static vec3 room[POOL];
+    return collide_swept(&a, &b, way, apart, room, c);
+}
+
+// A cube comes corner down from above, and will be far below.
+// Rejects: a contact of where they are, or would be, instead of where they
+// first meet; features of the wrong body; a way that is not turned round when
+// the immovable one comes first.
+START_TEST(cube_on_its_way_touches_where_it_first_will)
+{
+    const real high = 3, mass[] = { 2, HUGE_VAL };
+    for (int k = 0; k < 4; k++) {
+        collider b = stand(&slab, FIRST_B, mass[k / 2], UPRIGHT,
+                           vec3_make(0, -0.5, 0));
+        collider a = stand(&cube, FIRST_A, 1, on_a_corner(),
+                           vec3_make(0.1, high + sqrt(0.75), 0.2));
+        const vec3 way = { 0.5, -100, 0 };
+        contact c;
+        // The slab comes up to the cube as the cube to it.
+        int swap = k % 2;
+        ck_assert_int_eq(swap ? sweep(b, a, vec3_scale(-1, way), 0.01, &c)
+                              : sweep(a, b, way, 0.01, &c), SWEPT_TOUCHES);
+        int turned_round = swap && b.mass < HUGE_VAL;
+        near_vec3(c.normal, turned_round ? vec3_scale(-1, UP) : UP, 1e-6);
+        const feature_point *corner = turned_round ? &c.b : &c.a;
+        const feature_point *face = turned_round ? &c.a : &c.b;
+        ck_assert_int_eq(corner->count, 1);
+        near_vec3(feature_now(*corner, pool), vec3_make(0.1, high, 0.2), 1e-9);
+        // 3 m of the 100 are 3 % of what it goes aside, to 1e-3 of a radius.
+        real aside = 0.1 + 0.5 * (high - 0.01) / 100;
+        vec3 met = turned_round ? feature_now(*face, pool) : point_on_b(&c);
+        near_vec3(met, vec3_make(aside, 0, 0.2), 1e-3);
+        ck_assert_int_eq(face->count > 0, b.mass < HUGE_VAL);
+        ck_assert(c.pushed == 0 && c.thickness == 0);
+    }
+}
+END_TEST
+
+// Rejects: a contact with what is passed; one that is written all the same; one
+// that nobody can mend.
+START_TEST(who_passes_or_overlaps_has_no_contact_on_its_way)
+{
+    collider b = stand(&slab, FIRST_B, 1, UPRIGHT, vec3_make(0, -0.5, 0));
+    collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0, 3, 0));
+    contact kept = { .mass_a = 7 }, c = kept;
+    ck_assert_int_eq(sweep(a, b, vec3_make(100, -10, 0), 0, &c), SWEPT_PASSES);
+    ck_assert_int_eq(sweep(a, b, UP, 0, &c), SWEPT_PASSES);
+    ck_assert_int_eq(sweep(b, b, UP, 0, &c), SWEPT_OVERLAP);
+    ck_assert_int_eq(sweep(a, b, vec3_make(0, (real)NAN, 0), 0, &c),
+                     SWEPT_NOT_FINITE);
+    a.mass = b.mass = HUGE_VAL;
+    ck_assert_int_eq(sweep(a, b, vec3_make(0, -100, 0), 0, &c), SWEPT_PASSES);
+    ck_assert(c.mass_a == kept.mass_a && c.a.count == 0);
+}
+END_TEST
+
 // --- the manifold ------------------------------------------------------------
 
 // Does one of the contacts push corner i of A alone (side 0), or of B (1)?
@@ -355,8 +587,7 @@ START_TEST(face_on_a_face_stands_on_its_four_corners)
         collider a = stand(&cube, FIRST_A, 1, f, middle);
         contact c[PAIR_CONTACTS];
         int n = touch(a, b, 0.05, 1, c);
-        ck_assert_int_ge(n, 4);
-        ck_assert_int_le(n, 5);
+        ck_assert_int_eq(n, 4);
         for (int i = 0; i < n; i++) {
             is_sound(&c[i], a, b);
             near_vec3(c[i].normal, f.y, ORACLE);
@@ -381,8 +612,7 @@ START_TEST(corners_of_the_lower_body_carry_a_wide_one)
     collider a = stand(&slab, FIRST_A, 5, UPRIGHT, vec3_make(0, 1.01, 0));
     contact c[PAIR_CONTACTS];
     int n = touch(a, b, 0.05, 1, c);
-    ck_assert_int_ge(n, 4);
-    ck_assert_int_le(n, 5);
+    ck_assert_int_eq(n, 4);
     for (int i = 0; i < 8; i++) {
         const contact *at = with_corner(c, n, 1, FIRST_B + i);
         if (!(i & 2)) { ck_assert_ptr_null(at); continue; }
@@ -395,8 +625,9 @@ START_TEST(corners_of_the_lower_body_carry_a_wide_one)
 }
 END_TEST
 
-// Rejects: corners that stand beside the other face and not over it.
-START_TEST(shifted_boxes_share_one_corner_each)
+// Rejects: corners that stand beside the other face and not over it; edges
+// that cross, left out.
+START_TEST(shifted_boxes_share_one_corner_each_and_two_crossings)
 {
     collider b = stand(&cube, FIRST_B, 1, UPRIGHT, vec3_make(0, 0, 0));
     collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0.4, 0.99, 0.3));
@@ -419,11 +650,12 @@ START_TEST(shifted_boxes_share_one_corner_each)
     ck_assert_int_eq(corners_b, 1);
     ck_assert_ptr_nonnull(with_corner(c, n, 0, FIRST_A + 0));
     ck_assert_ptr_nonnull(with_corner(c, n, 1, FIRST_B + 7));
+    ck_assert_int_eq(n, 4);
 }
 END_TEST
 
-// Rejects: a buffer overrun where two equal faces give 4 + 4 corners and one;
-// a vertex that two contacts push.
+// Rejects: a buffer overrun where two equal faces have 4 + 4 corners; a vertex
+// that two contacts push; a corner lost where vertices lie on vertices.
 START_TEST(manifold_keeps_to_its_room_and_pushes_no_vertex_twice)
 {
     for (int k = 0; k < 400; k++) {
@@ -435,8 +667,7 @@ START_TEST(manifold_keeps_to_its_room_and_pushes_no_vertex_twice)
         contact c[PAIR_CONTACTS + 1];
         c[PAIR_CONTACTS].pushed = -7;
         int n = touch(a, b, 0.05, 1, c);
-        ck_assert_int_ge(n, 1);
-        ck_assert_int_le(n, PAIR_CONTACTS);
+        ck_assert_int_eq(n, 4);
         ck_assert(c[PAIR_CONTACTS].pushed == -7);
         for (int i = 0; i < n; i++) {
             is_sound(&c[i], a, b);
@@ -451,23 +682,29 @@ START_TEST(manifold_keeps_to_its_room_and_pushes_no_vertex_twice)
 }
 END_TEST
 
-// Rejects: a manifold that puts the deepest point elsewhere than first.
+// Rejects: a manifold that puts the deepest point elsewhere than first; a touch
+// whose point on B is not where its feature is.
 START_TEST(manifold_begins_with_what_one_contact_would_be)
 {
-    for (int k = 0; k < 300; k++) {
+    int many = 0;
+    for (int k = 0; k < 1000; k++) {
         vec3 spot = any_vec3(0.7);
-        collider a = stand(&ball, FIRST_A, 1, any_axes(), spot);
+        collider a = stand(k % 2 ? &ball : &cube, FIRST_A, 1, any_axes(), spot);
         collider b = stand(&cube, FIRST_B, 1, any_axes(), vec3_make(0, 0, 0));
         contact one[PAIR_CONTACTS], all[PAIR_CONTACTS];
         int n = touch(a, b, 0.1, 0, one), m = touch(a, b, 0.1, 1, all);
         ck_assert_int_eq(n, m > 0);
         for (int i = 0; i < m; i++) {
             is_sound(&all[i], a, b);
+            near_vec3(all[i].normal, one[0].normal, 0);
+            near_vec3(all[i].fixed, feature_now(all[i].b, pool), ROUNDING);
             ck_assert(gap_of(&all[i]) >= gap_of(&one[0]) - ORACLE);
             ck_assert(gap_of(&all[i]) <= 0.1 + ORACLE);
         }
-        if (n) ck_assert(gap_of(&all[0]) == gap_of(&one[0]));
+        if (n) ck_assert(fabs(gap_of(&all[0]) - gap_of(&one[0])) <= SLACK);
+        many += m > 1;
     }
+    ck_assert_int_gt(many, 200);
 }
 END_TEST
 
@@ -590,27 +827,6 @@ END_TEST
 
 // --- a particle at a convex body ---------------------------------------------
 
-// The hull under test, and the question.
-static plane hull[20];
-static int hull_face[20], hull_count;
-
-static collider stand_hull(const shape *s, real mass, axes f, vec3 at)
-{
-    collider b = stand(s, FIRST_B, mass, f, at);
-    hull_count = hull_planes(s, b.at, hull, hull_face);
-    return b;
-}
-
-// A single particle as a body of its own: number `FIRST_A + 2` of the pool.
-static int ask(collider b, vec3 x, real reach, contact *c)
-{
-    vec3 *at = place + FIRST_A;
-    at[2] = x;
-    pool[FIRST_A + 2] = (particle){ x, x, 1 };
-    collider a = { &cube, FIRST_A, at, 1 };
-    return collide_point(&a, 2, &b, hull, hull_face, hull_count, reach, c);
-}
-
 static void is_sound_point(const contact *c, collider b)
 {
     collider a = { &cube, FIRST_A, place + FIRST_A, 1 };
@@ -698,15 +914,18 @@ START_TEST(particle_over_a_corner_is_pushed_away_from_the_corner)
 END_TEST
 
 // Rejects: an answer of collide_point that is not the distance; the closed form
-// used where it does not hold (blunt edges: x in front of three planes).
+// used where it does not hold (blunt edges: x in front of three planes; a sharp
+// edge: over one face alone, but beside it; an edge between the two planes that
+// are in front, of which x is over neither end).
 START_TEST(particle_finds_what_the_search_finds)
 {
+    const shape *const solid[] = { &cube, &ball, &slab, &wedge };
     int faces = 0, edges = 0, insides = 0;
-    for (int k = 0; k < 6000; k++) {
-        const shape *s = k % 2 ? &ball : k % 4 ? &slab : &cube;
+    for (int k = 0; k < 20000; k++) {
+        const shape *s = solid[k % 4];
         vec3 spot = any_vec3(1);
         collider b = stand_hull(s, MASS[k % 3 == 0], any_axes(), spot);
-        vec3 x = any_vec3(2.5);
+        vec3 x = vec3_add(spot, any_vec3(s == &slab ? 2.5 : 1.5));
         point_set point = { &x, 1, NULL, NULL };
         gjk_result g = gjk_distance(point, points_of(b), gjk_options_default(),
                                     NULL);
@@ -797,6 +1016,40 @@ START_TEST(particle_over_a_strained_face_pushes_what_is_under_it)
 }
 END_TEST
 
+// Two faces of a side that is strained outwards are an edge so blunt that the
+// two planes tell nothing of where it runs.
+// Rejects: the closed form of an edge divided by almost nothing.
+START_TEST(particle_over_the_fold_of_a_strained_side_finds_the_fold)
+{
+    for (int k = 0; k < 2000; k++) {
+        vec3 spot = any_vec3(1);
+        collider b = stand(&cube, FIRST_B, MASS[k % 2], any_axes(), spot);
+        const int *v = &cube.face[3 * (k % 12)];
+        int side = k % 3;
+        vec3 p = b.at[v[side]], q = b.at[v[(side + 1) % 3]];
+        vec3 up = vec3_unit(vec3_sub(vec3_scale(0.5, vec3_add(p, q)), spot));
+        // Both ends of the fold, or of the edge, are drawn outwards.
+        for (int i = 0; i < 2; i++) {
+            int corner = FIRST_B + v[(side + i) % 3];
+            place[corner] = vec3_add_scaled(place[corner], 1e-5, up);
+            pool[corner].position = place[corner];
+        }
+        hull_count = hull_planes(&cube, b.at, hull, hull_face);
+        real u = (any() + 1) / 2;
+        vec3 x = vec3_add(vec3_scale(u, p), vec3_scale(1 - u, q));
+        x = vec3_add_scaled(x, 0.05, up);
+        point_set point = { &x, 1, NULL, NULL };
+        gjk_result g = gjk_distance(point, points_of(b), gjk_options_default(),
+                                    NULL);
+        contact c;
+        ck_assert_int_eq(ask(b, x, 0.1, &c), 1);
+        is_sound_point(&c, b);
+        ck_assert(fabs(gap_of(&c) - g.distance) <= ORACLE);
+        near_vec3(c.fixed, g.on_b, 1e-9);
+    }
+}
+END_TEST
+
 // Rejects: NaN that passes every comparison and becomes a contact.
 START_TEST(particle_that_is_not_finite_touches_nothing)
 {
@@ -820,12 +1073,17 @@ static Suite *suite(void)
         crossed_edges_touch_in_their_middles,
         first_contact_is_the_distance_or_the_depth,
         margin_is_where_contacts_begin,
+        margin_counts_to_the_last_digit,
         bodies_that_are_not_finite_have_no_contact,
         immovable_body_is_always_b,
         two_immovable_bodies_never_touch,
+        bodies_pressed_flat_into_one_plane_have_no_contact,
+        balls_in_one_place_are_parted_all_the_same,
+        cube_on_its_way_touches_where_it_first_will,
+        who_passes_or_overlaps_has_no_contact_on_its_way,
         face_on_a_face_stands_on_its_four_corners,
         corners_of_the_lower_body_carry_a_wide_one,
-        shifted_boxes_share_one_corner_each,
+        shifted_boxes_share_one_corner_each_and_two_crossings,
         manifold_keeps_to_its_room_and_pushes_no_vertex_twice,
         manifold_begins_with_what_one_contact_would_be,
         plane_meets_what_is_nearer_than_margin_and_thickness,
@@ -840,6 +1098,7 @@ static Suite *suite(void)
         particle_finds_what_the_search_finds,
         particle_over_a_diagonal_pushes_the_diagonal,
         particle_over_a_strained_face_pushes_what_is_under_it,
+        particle_over_the_fold_of_a_strained_side_finds_the_fold,
         particle_that_is_not_finite_touches_nothing,
     };
     Suite *s = suite_create("collide");

@@ -20,6 +20,21 @@ static void begin(world_options o)
     ck_assert(world_init(&w, o).ok);
 }
 
+// What is said of rigid bodies is tested twice: with four particles a body, and
+// with one at every vertex.
+enum { MODELS = 2 };
+
+static world_options ours(int model)
+{
+    return model ? world_options_vertices() : world_options_default();
+}
+
+static void again(world_options o)
+{
+    world_free(&w);
+    begin(o);
+}
+
 static void set_up(void)
 {
     ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 8).ok);
@@ -85,6 +100,7 @@ static void near_vec3(vec3 got, vec3 wanted, real error)
 // Rejects: a strain, or a penetration, that is there from the start.
 START_TEST(world_as_planned_has_nothing_to_report)
 {
+    again(ours(_i));
     add_at(&cube, 0, 0, 0);
     add_at(&cloth, 0, 5, 0);
     add_at(&stick_, 0, 9, 0);
@@ -119,6 +135,7 @@ END_TEST
 // bodies instead of sticks.
 START_TEST(strain_is_the_largest_and_rms_the_mean_over_all_sticks)
 {
+    again(ours(_i));
     int a = add_at(&stick_, 0, 0, 0), b = add_at(&stick_, 0, 3, 0);
     add_at(&cube, 0, 9, 0);
     ready();
@@ -126,7 +143,7 @@ START_TEST(strain_is_the_largest_and_rms_the_mean_over_all_sticks)
     particle_of(b, 1)->position.x -= 0.08;
     measures m = world_measure(&w);
     near_real(m.strain, 0.04, ROUNDING);
-    real sticks = 2 + cube.sticks;
+    real sticks = 2 + (_i ? cube.sticks : FOUR_STICKS);
     near_real(m.strain_rms, sqrt((0.03 * 0.03 + 0.04 * 0.04) / sticks),
               ROUNDING);
 }
@@ -164,9 +181,27 @@ START_TEST(soft_diagonals_count_as_shear)
 }
 END_TEST
 
+// Rejects: the plan's sticks taken for those of the four particles.
+START_TEST(strain_of_a_body_is_that_of_its_own_sticks)
+{
+    again(ours(_i));
+    int b = add_at(&cube, 0, 0, 0);
+    ready();
+    for (int i = 0; i < body_particles(&w.body[b]); i++) {
+        vec3 *x = &particle_of(b, i)->position;
+        *x = vec3_scale(1.03, *x);
+    }
+    measures m = world_measure(&w);
+    near_real(m.strain, 0.03, ROUNDING);
+    near_real(m.strain_rms, 0.03, ROUNDING);
+    ck_assert(m.shear == 0);
+}
+END_TEST
+
 // Rejects: the strain of what nobody can mend.
 START_TEST(nailed_bodies_have_no_strain)
 {
+    again(ours(_i));
     int b = add(&cube, nailed_at(0, 0, 0));
     ready();
     particle_of(b, 3)->position.x += 0.1;
@@ -182,6 +217,7 @@ END_TEST
 START_TEST(cubes_that_overlap_by_a_tenth_are_a_tenth_deep)
 {
     for (int k = 0; k < 4; k++) {
+        again(ours(_i));
         vec3 at = vec3_make(4, 3, 2), by = vec3_make(0.3, 0.9, -0.2);
         placement a = placement_at(at);
         a.nailed = k == 1;
@@ -192,12 +228,11 @@ START_TEST(cubes_that_overlap_by_a_tenth_are_a_tenth_deep)
         ready();
         near_real(world_measure(&w).penetration, 0.1, ROUNDING);
         // Pulled apart after the look: measured as it stands now.
-        for (int i = 0; i < 8; i++) particle_of(second, i)->position.y += 0.06;
+        int n = body_particles(&w.body[second]);
+        for (int i = 0; i < n; i++) particle_of(second, i)->position.y += 0.06;
         near_real(world_measure(&w).penetration, 0.04, ROUNDING);
-        for (int i = 0; i < 8; i++) particle_of(second, i)->position.y += 0.06;
+        for (int i = 0; i < n; i++) particle_of(second, i)->position.y += 0.06;
         ck_assert(world_measure(&w).penetration == 0);
-        world_free(&w);
-        begin(world_options_default());
     }
 }
 END_TEST
@@ -205,6 +240,7 @@ END_TEST
 // Rejects: a pair that can do nothing about it.
 START_TEST(two_nailed_bodies_may_overlap)
 {
+    again(ours(_i));
     add(&cube, nailed_at(0, 0, 0));
     add(&cube, nailed_at(0.5, 0, 0));
     ready();
@@ -215,6 +251,7 @@ END_TEST
 // Rejects: planes that only rigid bodies meet; a depth along y.
 START_TEST(penetration_of_a_plane_is_that_of_the_deepest_particle)
 {
+    again(ours(_i));
     add_at(&cube, 0, 0, 0);
     int b = add_at(&stick_, 0, 5, 0);
     add(&ball, nailed_at(-9, -9, 0));
@@ -232,6 +269,7 @@ END_TEST
 START_TEST(cloth_particle_in_a_cube_is_as_deep_as_its_way_out)
 {
     for (int k = 0; k < 4; k++) {
+        again(ours(_i));
         placement stand = placement_at(vec3_make(1, 2, 3));
         stand.nailed = k & 1;
         int c = 0, s = 1;
@@ -245,8 +283,6 @@ START_TEST(cloth_particle_in_a_cube_is_as_deep_as_its_way_out)
         particle_of(s, 12)->position = vec3_make(1.51, 2.1, 3.2);
         ck_assert(world_measure(&w).penetration == 0);
         ck_assert_int_ne(c, s);
-        world_free(&w);
-        begin(world_options_default());
     }
 }
 END_TEST
@@ -260,6 +296,7 @@ END_TEST
 // velocity over a frame.
 START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
 {
+    again(ours(_i));
     const vec3 at = { 1, 2, 3 }, v0 = { 4, -5, 6 }, spin = { 0.5, 1, -2 };
     placement p = placement_at(at);
     p.velocity = v0;
@@ -276,15 +313,38 @@ START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
 
     real kinetic = 0;
     vec3 angular = { 0, 0, 0 };
-    for (int i = 0; i < ball.particles; i++) {
-        vec3 r = ball.at[i], u = vec3_add(v, vec3_cross(spin, r));
-        kinetic += mass / 12 / 2 * vec3_length_squared(u);
+    const four *f = w.body[0].four;
+    int n = f ? FOUR : ball.particles;
+    for (int i = 0; i < n; i++) {
+        vec3 r = f ? f->at[i] : ball.at[i];
+        vec3 u = vec3_add(v, vec3_cross(spin, r));
+        kinetic += mass / n / 2 * vec3_length_squared(u);
         // Half a substep ago, as far as the step's chord tells.
         vec3 x = vec3_add_scaled(vec3_add(at, r), -h / 2, u);
-        angular = vec3_add_scaled(angular, mass / 12, vec3_cross(x, u));
+        angular = vec3_add_scaled(angular, mass / n, vec3_cross(x, u));
     }
     near_real(m.kinetic, kinetic, 1000 * SPEED_ROUNDING);
     near_vec3(m.angular, angular, 1000 * SPEED_ROUNDING);
+}
+END_TEST
+
+// A solid icosahedron of radius R and mass M has the inertia M a^2 phi^2 / 10
+// about every axis, where a^2 = 4 R^2 / (1 + phi^2).
+// Rejects: a body whose inertia is its corners' (2.3 times as much).
+START_TEST(spinning_ball_has_the_energy_of_the_solid)
+{
+    placement p = placement_at(vec3_make(0, 0, 0));
+    p.spin = vec3_make(1, -2, 2);
+    world_options o = world_options_default();
+    o.gravity = vec3_make(0, 0, 0);
+    again(o);
+    add(&ball, p);
+    ready();
+    real phi2 = (3 + sqrt(5.0)) / 2, edge2 = 4 * 0.25 / (1 + phi2);
+    real inertia = 3 * edge2 * phi2 / 10;
+    measures m = world_measure(&w);
+    near_real(m.kinetic, inertia * 9 / 2, 1e-11);
+    near_vec3(m.angular, vec3_scale(inertia, p.spin), 1e-11);
 }
 END_TEST
 
@@ -292,10 +352,9 @@ END_TEST
 // that the sticks brake (GRADIENT_NEW's: 0.1 % in this half second).
 START_TEST(flight_without_gravity_keeps_momentum_and_energy)
 {
-    world_free(&w);
-    world_options o = world_options_default();
+    world_options o = ours(_i);
     o.gravity = vec3_make(0, 0, 0);
-    begin(o);
+    again(o);
     placement p = placement_at(vec3_make(0, 0, 0));
     p.velocity = vec3_make(3, 2, 1);
     p.spin = vec3_make(1, 2, -1);
@@ -316,6 +375,7 @@ END_TEST
 // measure; a nailed particle that has a weight.
 START_TEST(potential_counts_what_can_fall)
 {
+    again(ours(_i));
     int a = add_at(&cube, 0, 2, 0);
     int b = add_at(&stick_, 0, 5, 0);
     add(&cube, nailed_at(7, 7, 7));
@@ -323,7 +383,8 @@ START_TEST(potential_counts_what_can_fall)
     ready();
     real wanted = 9.81 * (8 * 2 + 0.25 * 5);
     near_real(world_measure(&w).potential, wanted, 1e-11);
-    for (int i = 0; i < 8; i++) particle_of(a, i)->inverse_mass = 0;
+    for (int i = 0; i < body_particles(&w.body[a]); i++)
+        particle_of(a, i)->inverse_mass = 0;
     near_real(world_measure(&w).potential, wanted, 1e-11);
 }
 END_TEST
@@ -331,7 +392,8 @@ END_TEST
 // Rejects: a measure that says that all is well when a number is lost.
 START_TEST(what_is_not_finite_is_shown)
 {
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < (_i ? 8 : FOUR); i++) {
+        again(ours(_i));
         int b = add_at(&cube, 0, 1, 0);
         add_at(&ball, 0, 5, 0);
         ck_assert(world_add_plane(&w, vec3_make(0, 1, 0), 0).ok);
@@ -343,8 +405,6 @@ START_TEST(what_is_not_finite_is_shown)
         ck_assert_msg(!(m.penetration < HUGE_VAL), "particle %d: penetration "
                       "%g", i, m.penetration);
         ck_assert(!(m.kinetic < HUGE_VAL) && !vec3_is_finite(m.momentum));
-        world_free(&w);
-        begin(world_options_default());
     }
 }
 END_TEST
@@ -356,8 +416,7 @@ START_TEST(measuring_changes_no_bit_of_the_motion)
 {
     unsigned long long hash[2];
     for (int k = 0; k < 2; k++) {
-        world_free(&w);
-        begin(world_options_default());
+        again(ours(_i));
         add(&cube, nailed_at(0, 0, 0));
         add_at(&ball, 0.2, 1.1, 0.1);
         add_at(&cube, 0.3, 2.2, -0.1);
@@ -424,11 +483,17 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
-        world_as_planned_has_nothing_to_report,
+    const TTest *const once[] = {
         stretched_stick_shows_its_strain,
-        strain_is_the_largest_and_rms_the_mean_over_all_sticks,
         soft_diagonals_count_as_shear,
+        spinning_ball_has_the_energy_of_the_solid,
+        hash_changes_with_a_single_bit,
+        hash_is_fnv_1a,
+    };
+    const TTest *const both[] = {
+        world_as_planned_has_nothing_to_report,
+        strain_is_the_largest_and_rms_the_mean_over_all_sticks,
+        strain_of_a_body_is_that_of_its_own_sticks,
         nailed_bodies_have_no_strain,
         cubes_that_overlap_by_a_tenth_are_a_tenth_deep,
         two_nailed_bodies_may_overlap,
@@ -439,14 +504,14 @@ int main(void)
         potential_counts_what_can_fall,
         what_is_not_finite_is_shown,
         measuring_changes_no_bit_of_the_motion,
-        hash_changes_with_a_single_bit,
-        hash_is_fnv_1a,
     };
     Suite *s = suite_create("measure");
     TCase *t = tcase_create("measure");
     tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
+    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
+        tcase_add_test(t, once[i]);
+    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
+        tcase_add_loop_test(t, both[i], 0, MODELS);
     suite_add_tcase(s, t);
     SRunner *runner = srunner_create(s);
     srunner_run_all(runner, CK_NORMAL);

@@ -1,9 +1,11 @@
 // check_rest.c - who sleeps with whom, and who wakes whom?  Book: chapter 9.
 
 #include <check.h>
+#include <limits.h>
 #include <stdlib.h>
 
 #include "rest.h"
+#include "scarce.h"
 
 // A power of two: its sums have no rounding, so that a body is calm for exactly
 // 0.5 s after eight frames.
@@ -279,6 +281,26 @@ START_TEST(no_bodies_are_no_trouble)
 }
 END_TEST
 
+// Rejects: a leak, or half a state, when any one allocation is refused.
+START_TEST(refused_memory_leaves_nothing)
+{
+    int n = 0;
+    for (; n < 20; n++) {
+        long held = blocks_held;
+        mallocs_left = n;
+        status s = rest_init(&rest, 3);
+        mallocs_left = INT_MAX;
+        if (s.ok) break;
+        held = blocks_held - held;
+        ck_assert_str_eq(s.why, "out of memory");
+        ck_assert(!rest.parent && !rest.island && !rest.calm && !rest.asleep
+                  && !rest.restless && rest.bodies == 0);
+        ck_assert_int_eq(held, 0);
+    }
+    ck_assert_int_eq(n, 5);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const test[] = {
@@ -295,6 +317,7 @@ int main(void)
         islands_that_form_later_do_not_share_a_name,
         islands_are_what_can_be_reached,
         no_bodies_are_no_trouble,
+        refused_memory_leaves_nothing,
     };
     Suite *s = suite_create("rest");
     TCase *t = tcase_create("rest");

@@ -25,6 +25,21 @@ static void set_up(void)
     ck_assert(world_init(&w, world_options_default()).ok);
 }
 
+// The tests of what any body promises are run twice: with four particles a
+// rigid body, and with one at every vertex.
+enum { MODELS = 2 };
+
+static world_options ours(int model)
+{
+    return model ? world_options_vertices() : world_options_default();
+}
+
+static void again(world_options o)
+{
+    world_free(&w);
+    ck_assert(world_init(&w, o).ok);
+}
+
 static void tear_down(void)
 {
     world_free(&w);
@@ -47,6 +62,17 @@ static void near_vec3(vec3 got, vec3 wanted, real error)
                   got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
+enum { MOST = 100 };
+
+// Where vertex i of body b is: a particle, or carried by four.
+static vec3 vertex_of(int b, int i)
+{
+    static vec3 at[MOST];
+    ck_assert_int_le(w.body[b].plan->particles, MOST);
+    world_vertices(&w, &w.body[b], at);
+    return at[i];
+}
+
 // A third of a turn about (1, 1, 1), then some: no axis is its own.
 static placement slanted(void)
 {
@@ -65,26 +91,51 @@ typedef struct {
     real least, most;
 } range;
 
+// The whole numbers first, then the choices by name, then the rest.
 static const range RANGE[] = {
-    { "dt", 1e-9, 1 }, { "substeps", 1, 10000 }, { "sweeps", 1, 10000 },
-    { "tolerance", 0, 1 }, { "gain", 0, 12 }, { "friction", 0, 1000 },
-    { "restitution", 0, 1 }, { "skin", 0, 1 },
+    { "substeps", 1, 10000 }, { "most_substeps", 1, 10000 },
+    { "sweeps", 1, 10000 }, { "passes", 1, 1000 },
+    { "root", 0, ROOT_APPROXIMATE }, { "gradient", 0, GRADIENT_OLD },
+    { "order", 0, ORDER_LARGEST }, { "share", 0, SHARE_PRINTED },
+    { "push", 0, PUSH_PRINTED }, { "leaves", 0, LEAVES_FACE },
+    { "model", 0, BODY_FOUR }, { "pairs", 0, PAIRS_SORTED },
+    { "dt", 1e-9, 1 }, { "tolerance", 0, 1 }, { "gain", 0, 12 },
+    { "friction", 0, 1000 }, { "restitution", 0, 1 }, { "skin", 0, 1 },
+    { "content", 0, 1 }, { "mend", 0, 1 }, { "mend_speed", 0, 1e9 },
 };
-enum { RANGES = sizeof RANGE / sizeof *RANGE };
+enum { RANGES = sizeof RANGE / sizeof *RANGE, WHOLE = 4, CHOICES = 8,
+       INTEGERS = WHOLE + CHOICES };
 
-// Returns 0 if the option is an integer and cannot be that number.
-static int set_option(world_options *o, int k, real value)
+static int is_integer(int k)
+{
+    return k < INTEGERS;
+}
+
+static void set_choice(world_options *o, int k, int value)
 {
     switch (k) {
-    case 0: o->dt = value; return 1;
-    case 1: o->substeps = (int)value; return value - value == 0;
-    case 2: o->sweeps = (int)value; return value - value == 0;
-    case 3: o->relax.tolerance = value; return 1;
-    case 4: o->response.gain = value; return 1;
-    case 5: o->response.friction = value; return 1;
-    case 6: o->response.restitution = value; return 1;
-    default: o->skin = value; return 1;
+    case 0: o->relax.root = (root_kind)value; break;
+    case 1: o->relax.gradient = (gradient_kind)value; break;
+    case 2: o->order = (order_kind)value; break;
+    case 3: o->response.share = (share_rule)value; break;
+    case 4: o->response.push = (push_rule)value; break;
+    case 5: o->leaves = (leaves_kind)value; break;
+    case 6: o->model = (body_kind)value; break;
+    case 7: o->pairs = (pairs_kind)value; break;
+    default: ck_abort();
     }
+}
+
+static void set_option(world_options *o, int k, real value)
+{
+    int *const whole[] = { &o->substeps, &o->most_substeps, &o->sweeps,
+        &o->passes };
+    real *const number[] = { &o->dt, &o->relax.tolerance, &o->response.gain,
+        &o->response.friction, &o->response.restitution, &o->skin, &o->content,
+        &o->mend, &o->mend_speed };
+    if (k < WHOLE)           *whole[k] = (int)value;
+    else if (is_integer(k))  set_choice(o, k - WHOLE, (int)value);
+    else                     *number[k - INTEGERS] = value;
 }
 
 static void refused(world_options o, const char *name)
@@ -92,24 +143,27 @@ static void refused(world_options o, const char *name)
     world bad;
     status done = world_init(&bad, o);
     ck_assert_msg(!done.ok, "%s was not refused", name);
-    ck_assert_msg(strncmp(done.why, name, strlen(name)) == 0,
-                  "the sentence is: %s", done.why);
+    size_t n = strlen(name);
+    ck_assert_msg(strncmp(done.why, name, n) == 0
+                  && strncmp(done.why + n, " is ", 4) == 0,
+                  "%s: the sentence is: %s", name, done.why);
     world_free(&bad);
 }
 
 // Rejects: a range that is open at one end; NaN, which is neither below the
-// least nor above the most; a sentence that names another option.
+// least nor above the most; a choice that no enum has, taken for another one; a
+// sentence that names another option.
 START_TEST(options_out_of_range_are_refused_by_name)
 {
     for (int k = 0; k < RANGES; k++) {
-        real step = k == 1 || k == 2 ? 1 : 1e-6 * RANGE[k].most;
-        real low = k == 0 ? 0 : RANGE[k].least - step;
+        real step = is_integer(k) ? 1 : 1e-6 * RANGE[k].most;
+        int is_dt = k == INTEGERS;
+        real low = is_dt ? 0 : RANGE[k].least - step;
         const real bad[] = { low, -HUGE_VAL, RANGE[k].most + step, HUGE_VAL,
                              (real)NAN };
         for (int i = 0; i < 5; i++) {
             world_options o = world_options_default();
-            if (k == 1 || k == 2)
-                if (!(bad[i] - bad[i] == 0)) continue;
+            if (is_integer(k) && !(bad[i] - bad[i] == 0)) continue;
             set_option(&o, k, bad[i]);
             refused(o, RANGE[k].name);
         }
@@ -157,7 +211,7 @@ START_TEST(default_and_paper_differ_as_documented)
 
     // As printed: one step and separation, the lists of section 6.2, sticks
     // within 1 % left alone, Eqs 10 and 11.
-    ck_assert_int_eq(paper.substeps, 1);
+    ck_assert(paper.substeps == 1 && paper.most_substeps == 1);
     ck_assert_int_eq(paper.order, ORDER_REPEATED);
     ck_assert(paper.relax.tolerance == 0.01 && paper.relax.dead_band == 1);
     ck_assert_int_eq(paper.relax.root, ROOT_APPROXIMATE);
@@ -166,29 +220,55 @@ START_TEST(default_and_paper_differ_as_documented)
     ck_assert(paper.response.gain == 1 && paper.skin == 0);
     ck_assert_int_eq(paper.leaves, LEAVES_FACE);
     ck_assert(!paper.look_ahead && !paper.manifold && !paper.resting);
+    ck_assert_int_eq(paper.model, BODY_VERTICES);
+    ck_assert_int_eq(paper.pairs, PAIRS_ALL);
+    ck_assert(!paper.lines && !paper.memory && !paper.blows && !paper.swept);
 
     ck_assert_int_gt(ours.substeps, 1);
+    ck_assert_int_gt(ours.most_substeps, ours.substeps);
     ck_assert(ours.relax.dead_band == 0 && ours.relax.tolerance < 0.01);
     ck_assert_int_eq(ours.response.share, SHARE_MASS);
     ck_assert_int_eq(ours.response.push, PUSH_OUT);
     ck_assert_int_eq(ours.leaves, LEAVES_VERTEX);
     ck_assert(ours.look_ahead && ours.manifold && ours.resting);
+    ck_assert_int_eq(ours.model, BODY_FOUR);
+    ck_assert_int_eq(ours.pairs, PAIRS_SORTED);
+    ck_assert(ours.lines && ours.memory && ours.mend > 0 && ours.swept);
+    ck_assert(!ours.ledger && !paper.ledger);
+}
+END_TEST
+
+// Rejects: a best way of particles at every vertex that is not one.
+START_TEST(vertices_are_the_default_but_for_rigid_bodies)
+{
+    world_options ours = world_options_default();
+    world_options old = world_options_vertices();
+    ck_assert_int_eq(old.model, BODY_VERTICES);
+    ck_assert(old.dt == ours.dt && old.substeps >= ours.substeps);
+    ck_assert(old.response.gain > 1 && old.look_ahead && old.manifold);
+    ck_assert_int_eq(old.leaves, ours.leaves);
+    ck_assert_int_eq(old.relax.gradient, ours.relax.gradient);
+    world other;
+    ck_assert(world_init(&other, old).ok);
+    world_free(&other);
 }
 END_TEST
 
 // --- bodies ------------------------------------------------------------------
 
-// Rejects: axes taken as rows; a plan that is not turned about its middle.
-START_TEST(particles_stand_where_the_axes_say)
+// Rejects: axes taken as rows; a plan that is not turned about its middle;
+// vertices that do not ride with the four particles.
+START_TEST(vertices_stand_where_the_axes_say)
 {
     placement p = slanted();
+    again(ours(_i));
     add(&ball, placement_at(vec3_make(0, 0, 0)));
     add(&box, p);
     const body *b = &w.body[1];
-    ck_assert_int_eq(b->first, ball.particles);
+    ck_assert_int_eq(b->first, _i ? ball.particles : FOUR);
+    ck_assert_int_eq(body_particles(b), _i ? box.particles : FOUR);
     for (int i = 0; i < box.particles; i++) {
-        vec3 r = box.at[i], x = w.pool.at[b->first + i].position;
-        vec3 d = vec3_sub(x, p.position);
+        vec3 r = box.at[i], d = vec3_sub(vertex_of(1, i), p.position);
         ck_assert(fabs(vec3_dot(d, p.x) - r.x) <= ROUNDING * 10);
         ck_assert(fabs(vec3_dot(d, p.y) - r.y) <= ROUNDING * 10);
         ck_assert(fabs(vec3_dot(d, p.z) - r.z) <= ROUNDING * 10);
@@ -203,9 +283,10 @@ START_TEST(particles_start_with_velocity_and_spin)
     placement p = slanted();
     p.velocity = vec3_make(1, 2, 3);
     p.spin = vec3_make(0, 0, 4);
+    again(ours(_i));
     add(&box, p);
     real h = w.options.dt / w.options.substeps;
-    for (int i = 0; i < box.particles; i++) {
+    for (int i = 0; i < body_particles(&w.body[0]); i++) {
         const particle *x = &w.pool.at[i];
         vec3 r = vec3_sub(x->position, p.position);
         vec3 v = vec3_make(1 - 4 * r.y, 2 + 4 * r.x, 3);
@@ -216,20 +297,72 @@ START_TEST(particles_start_with_velocity_and_spin)
 }
 END_TEST
 
+// A pyramid 4 m high: the mean of its corners is 0.8 m above its base, the
+// centre of its solid 1 m.  Thrown with a spin, its momentum is that of this
+// centre, its angular momentum that of the solid about it.
+// Rejects: a spin about the corners' mean, which would throw the solid aside; a
+// spin of the corners' inertia.
+START_TEST(lopsided_body_spins_about_the_centre_of_its_solid)
+{
+    const vec3 at[5] = { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 0, 1 }, { -1, 0, 1 },
+                         { 0, 4, 0 } };
+    const int face[6][3] = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 4, 1 }, { 1, 4, 2 },
+                             { 2, 4, 3 }, { 3, 4, 0 } };
+    shape pyramid;
+    ck_assert(shape_convex(&pyramid, 5, at, 6, face, 12).ok);
+    placement p = slanted();
+    p.velocity = vec3_make(1, 2, 3);
+    p.spin = vec3_add(vec3_scale(2, p.x), vec3_add(vec3_scale(-3, p.y),
+                                                   vec3_scale(4, p.z)));
+    world_options o = world_options_default();
+    o.gravity = vec3_make(0, 0, 0);
+    again(o);
+    add(&pyramid, p);
+    real h = o.dt / o.substeps;
+    vec3 sum = { 0, 0, 0 }, center = { 0, 0, 0 }, turning = { 0, 0, 0 };
+    for (int k = 0; k < FOUR; k++) {
+        const particle *x = &w.pool.at[k];
+        ck_assert(fabs(1 / x->inverse_mass - 3) <= 3 * ROUNDING);
+        center = vec3_add_scaled(center, 0.25, x->position);
+        sum = vec3_add_scaled(sum, 3 / h, vec3_sub(x->position, x->previous));
+    }
+    for (int k = 0; k < FOUR; k++) {
+        const particle *x = &w.pool.at[k];
+        vec3 r = vec3_sub(x->position, center);
+        vec3 v = vec3_scale(1 / h, vec3_sub(x->position, x->previous));
+        turning = vec3_add_scaled(turning, 3, vec3_cross(r, v));
+    }
+    near_vec3(sum, vec3_scale(12, p.velocity), 1e-10);
+    near_vec3(center, vec3_add_scaled(p.position, 0.2, p.y), 10 * ROUNDING);
+    // The mean of x^2 and z^2 is 2^2 / 20, that of y^2 3 * 4^2 / 80.
+    const real across = 0.2, up = 0.6;
+    vec3 l = { 12 * (up + across) * 2, 12 * (across + across) * -3,
+               12 * (across + up) * 4 };
+    vec3 wanted = vec3_add(vec3_scale(l.x, p.x), vec3_add(
+        vec3_scale(l.y, p.y), vec3_scale(l.z, p.z)));
+    near_vec3(turning, wanted, 1e-10);
+    world_free(&w);
+    shape_free(&pyramid);
+}
+END_TEST
+
 // Rejects: a total mass on every particle; inverse masses not inverted.
 START_TEST(masses_are_those_of_the_plan)
 {
+    again(ours(_i));
     add(&box, placement_at(vec3_make(0, 0, 0)));
     add(&cloth, placement_at(vec3_make(0, 5, 0)));
     ck_assert(fabs(w.body[0].mass - 6) <= ROUNDING * 6);
     ck_assert(fabs(w.body[1].mass - 1) <= ROUNDING);
-    for (int i = 0; i < box.particles; i++)
-        ck_assert(w.pool.at[i].inverse_mass == 1 / box.mass[i]);
+    int n = body_particles(&w.body[0]);
+    for (int i = 0; i < n; i++)
+        ck_assert(w.pool.at[i].inverse_mass == (_i ? 1 / box.mass[i]
+                                                   : 4 / 6.0));
     for (int i = 0; i < cloth.particles; i++)
-        ck_assert(w.pool.at[box.particles + i].inverse_mass
-                  == 1 / cloth.mass[i]);
+        ck_assert(w.pool.at[n + i].inverse_mass == 1 / cloth.mass[i]);
     ck_assert_int_eq(w.softs, 1);
     ck_assert(!body_is_soft(&w.body[0]) && body_is_soft(&w.body[1]));
+    ck_assert(w.body[1].four == NULL && (w.body[0].four == NULL) == _i);
 }
 END_TEST
 
@@ -241,9 +374,10 @@ START_TEST(nailed_body_is_immovable_and_at_rest)
     p.velocity = vec3_make(9, 9, 9);
     p.spin = vec3_make(9, 9, 9);
     p.nailed = 1;
+    again(ours(_i));
     add(&box, p);
     ck_assert(w.body[0].mass == HUGE_VAL && body_is_nailed(&w.body[0]));
-    for (int i = 0; i < box.particles; i++) {
+    for (int i = 0; i < body_particles(&w.body[0]); i++) {
         ck_assert(w.pool.at[i].inverse_mass == 0);
         near_vec3(w.pool.at[i].previous, w.pool.at[i].position, 0);
     }
@@ -256,19 +390,40 @@ START_TEST(nail_holds_one_particle_of_its_body)
 {
     placement p = placement_at(vec3_make(0, 1, 0));
     p.velocity = vec3_make(0, 0, 1);
+    again(ours(_i));
     add(&ball, p);
     add(&rope, p);
     world_nail(&w, 1, 2);
+    int first = w.body[1].first;
     for (int i = 0; i < w.pool.count; i++) {
         const particle *x = &w.pool.at[i];
-        int nailed = i == ball.particles + 2;
+        int nailed = i == first + 2;
         ck_assert_int_eq(x->inverse_mass == 0, nailed);
         ck_assert_int_eq(vec3_distance(x->position, x->previous) == 0, nailed);
     }
     ck_assert(!body_is_nailed(&w.body[1]));
     ck_assert(world_begin(&w).ok);
-    ck_assert(w.of.inverse_mass[ball.particles + 2] == 0);
-    ck_assert(w.of.inverse_mass[ball.particles + 1] > 0);
+    ck_assert(w.of.inverse_mass[first + 2] == 0);
+    ck_assert(w.of.inverse_mass[first + 1] > 0);
+}
+END_TEST
+
+// Rejects: a body of no volume that gets four particles all the same; a plan
+// that is entered although it was refused.
+START_TEST(body_too_thin_for_four_particles_is_refused)
+{
+    shape sheet;
+    ck_assert(shape_box(&sheet, vec3_make(1, 1, 1), 1).ok);
+    for (int i = 0; i < sheet.particles; i++) sheet.at[i].y = 0;
+    add(&ball, placement_at(vec3_make(0, 0, 0)));
+    int number = -7;
+    status done = world_add(&w, &sheet, placement_at(vec3_make(0, 5, 0)),
+                            &number);
+    ck_assert(!done.ok && strstr(done.why, "too thin"));
+    ck_assert(w.bodies == 1 && w.plans == 1 && number == -7);
+    ck_assert_int_eq(w.pool.count, FOUR);
+    world_free(&w);
+    shape_free(&sheet);
 }
 END_TEST
 
@@ -311,6 +466,8 @@ START_TEST(placement_must_be_finite_and_orthonormal)
     p = slanted();
     p.y = vec3_unit(vec3_add_scaled(p.y, 0.01, p.x));
     misplaced(p, "an oblique frame");
+    p.z = vec3_cross(p.x, p.y);
+    misplaced(p, "an oblique frame whose z is across");
     p = (placement){ .position = { 0, 0, 0 } };
     misplaced(p, "no frame");
     add(&box, slanted());
@@ -322,6 +479,7 @@ END_TEST
 START_TEST(many_bodies_share_their_plans)
 {
     enum { MANY = 100 };
+    again(ours(_i));
     for (int k = 0; k < MANY; k++) {
         int number = -1;
         const shape *s = k % 3 ? &ball : &box;
@@ -336,9 +494,11 @@ START_TEST(many_bodies_share_their_plans)
         const body *b = &w.body[k];
         ck_assert_ptr_eq(b->plan, k % 3 ? &ball : &box);
         ck_assert_int_eq(b->first, first);
-        near_vec3(w.pool.at[first].position,
-                  vec3_add(b->plan->at[0], vec3_make(k, 0, 0)), 0);
-        first += b->plan->particles;
+        ck_assert_ptr_eq(b->four, w.body[k % 3 ? 1 : 0].four);
+        near_vec3(vertex_of(k, 0),
+                  vec3_add(b->plan->at[0], vec3_make(k, 0, 0)),
+                  _i ? 0 : ROUNDING * (k + 10));
+        first += body_particles(b);
     }
     ck_assert_int_eq(w.pool.count, first);
 }
@@ -399,6 +559,7 @@ START_TEST(world_begins_with_everything_in_its_place)
 {
     placement nailed = slanted();
     nailed.nailed = 1;
+    again(ours(_i));
     add(&box, nailed);
     add(&ball, placement_at(vec3_make(0, 9, 0)));
     add(&cloth, placement_at(vec3_make(8, 9, 0)));
@@ -410,10 +571,15 @@ START_TEST(world_begins_with_everything_in_its_place)
     }
     for (int b = 0; b < w.bodies; b++) {
         body *now = &w.body[b];
-        sphere s = sphere_tree_root(&now->tree, w.of.at + now->first);
-        for (int i = 0; i < now->plan->particles; i++)
-            ck_assert(vec3_distance(s.center, w.of.at[now->first + i])
+        // Vertices that are no particles have places of their own.
+        if (now->four) ck_assert_int_ge(now->corner, w.pool.count);
+        else           ck_assert_int_eq(now->corner, now->first);
+        sphere s = sphere_tree_root(&now->tree, w.of.at + now->corner);
+        for (int i = 0; i < now->plan->particles; i++) {
+            near_vec3(w.of.at[now->corner + i], vertex_of(b, i), 0);
+            ck_assert(vec3_distance(s.center, w.of.at[now->corner + i])
                       <= s.radius + now->thickness + ROUNDING * 10);
+        }
         ck_assert(s.radius <= 2 * now->plan->radius + now->thickness);
     }
 }
@@ -449,9 +615,11 @@ START_TEST(thickness_is_the_skin_of_a_body_or_the_radius_of_its_particles)
 }
 END_TEST
 
-// Rejects: a look at all bodies, or at the wrong range.
+// Rejects: a look at all bodies, or at the wrong range; vertices that are
+// looked for among the particles of another body.
 START_TEST(look_copies_where_one_body_is)
 {
+    again(ours(_i));
     add(&box, placement_at(vec3_make(0, 0, 0)));
     add(&ball, placement_at(vec3_make(0, 5, 0)));
     add(&box, placement_at(vec3_make(0, 9, 0)));
@@ -460,14 +628,37 @@ START_TEST(look_copies_where_one_body_is)
     world_look(&w, &w.body[1]);
     collider c = world_collider(&w, &w.body[1]);
     ck_assert_ptr_eq(c.plan, &ball);
-    ck_assert_int_eq(c.first, box.particles);
+    ck_assert_int_eq(c.first, _i ? box.particles : 0);
     ck_assert(c.mass == w.body[1].mass);
-    ck_assert_ptr_eq(c.at, w.of.at + box.particles);
+    ck_assert_ptr_eq(c.at, w.of.at + w.body[1].corner);
+    for (int b = 0; b < w.bodies; b++)
+        for (int i = 0; i < w.body[b].plan->particles; i++) {
+            real behind = vertex_of(b, i).z - w.of.at[w.body[b].corner + i].z;
+            ck_assert(fabs(behind - (b != 1)) <= ROUNDING);
+        }
+}
+END_TEST
+
+// Rejects: vertices of the plan instead of those that the particles carry; a
+// range of another body.
+START_TEST(vertices_ride_on_the_particles)
+{
+    again(ours(_i));
+    add(&ball, placement_at(vec3_make(0, 0, 0)));
+    add(&box, placement_at(vec3_make(0, 5, 0)));
+    add(&rope, placement_at(vec3_make(0, 9, 0)));
+    // A quarter of a turn about y, and away: from (x, y, z) to (z, y, -x).
     for (int i = 0; i < w.pool.count; i++) {
-        real behind = w.pool.at[i].position.z - w.of.at[i].z;
-        int seen = i >= c.first && i < c.first + ball.particles;
-        ck_assert(behind == (seen ? 0 : 1));
+        vec3 x = w.pool.at[i].position;
+        w.pool.at[i].position = vec3_make(x.z + 7, x.y, -x.x);
     }
+    for (int b = 0; b < 3; b++)
+        for (int i = 0; i < w.body[b].plan->particles; i++) {
+            vec3 x = w.body[b].plan->at[i];
+            real up = b == 0 ? 0 : b == 1 ? 5 : 9;
+            near_vec3(vertex_of(b, i), vec3_make(x.z + 7, x.y + up, -x.x),
+                      ROUNDING * 10);
+        }
 }
 END_TEST
 
@@ -513,9 +704,10 @@ static status build(const world_options *o)
 START_TEST(every_refusal_of_memory_is_told_and_leaves_nothing)
 {
     const world_options way[] = { world_options_default(),
+                                  world_options_vertices(),
                                   world_options_paper() };
     world_free(&w);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         int n = 0, ok = 0;
         for (; n < 1000 && !ok; n++) {
             long before = blocks_held;
@@ -536,32 +728,40 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const once[] = {
         options_out_of_range_are_refused_by_name,
         limits_of_the_options_are_allowed,
         default_and_paper_differ_as_documented,
-        particles_stand_where_the_axes_say,
-        particles_start_with_velocity_and_spin,
-        masses_are_those_of_the_plan,
-        nailed_body_is_immovable_and_at_rest,
-        nail_holds_one_particle_of_its_body,
+        vertices_are_the_default_but_for_rigid_bodies,
+        lopsided_body_spins_about_the_centre_of_its_solid,
+        body_too_thin_for_four_particles_is_refused,
         placement_must_be_finite_and_orthonormal,
-        many_bodies_share_their_plans,
         planes_are_kept_with_unit_normals,
         world_has_room_for_six_planes,
         plane_without_a_finite_normal_and_offset_is_refused,
-        world_begins_with_everything_in_its_place,
         thickness_is_the_skin_of_a_body_or_the_radius_of_its_particles,
-        look_copies_where_one_body_is,
         empty_world_begins,
         world_may_be_freed_at_any_time,
         every_refusal_of_memory_is_told_and_leaves_nothing,
     };
+    const TTest *const both[] = {
+        vertices_stand_where_the_axes_say,
+        particles_start_with_velocity_and_spin,
+        masses_are_those_of_the_plan,
+        nailed_body_is_immovable_and_at_rest,
+        nail_holds_one_particle_of_its_body,
+        many_bodies_share_their_plans,
+        world_begins_with_everything_in_its_place,
+        look_copies_where_one_body_is,
+        vertices_ride_on_the_particles,
+    };
     Suite *s = suite_create("world");
     TCase *t = tcase_create("world");
     tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
+    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
+        tcase_add_test(t, once[i]);
+    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
+        tcase_add_loop_test(t, both[i], 0, MODELS);
     suite_add_tcase(s, t);
     SRunner *runner = srunner_create(s);
     srunner_run_all(runner, CK_NORMAL);

@@ -1,0 +1,351 @@
+//> four-solid
+#include "four.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+// The alternate corners of a cube: sum t = 0, sum t t^T = 4 times the unit
+// matrix.
+static const real T[FOUR][3] = {
+    { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }
+};
+
+// What a solid has: volume (m^3), and the means of x and of x x^T over it.
+typedef struct {
+    real volume;
+    vec3 center;
+    real spread[3][3];      // m^2, about the centre
+} solid;
+
+static void add_outer(real m[3][3], real s, vec3 a)
+{
+    const real x[3] = { a.x, a.y, a.z };
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) m[i][j] += s * x[i] * x[j];
+}
+
+// The solid is cut into tetrahedra from the origin, one under each face, with
+// the sign of the side that it looks to.  Over a tetrahedron (0, a, b, c) of
+// volume v the mean of x is S / 4, S = a + b + c, and the mean of x x^T is
+// (S S^T + a a^T + b b^T + c c^T) / 20.
+static solid solid_of(const shape *s)
+{
+    solid q = { .volume = 0 };
+    for (int f = 0; f < s->mesh.faces; f++) {
+        const int *v = &s->face[3 * f];
+        vec3 a = s->at[v[0]], b = s->at[v[1]], c = s->at[v[2]];
+        vec3 sum = vec3_add(a, vec3_add(b, c));
+        real volume = vec3_dot(a, vec3_cross(b, c)) / 6;
+        q.volume += volume;
+        q.center = vec3_add_scaled(q.center, volume / 4, sum);
+        add_outer(q.spread, volume / 20, sum);
+        add_outer(q.spread, volume / 20, a);
+        add_outer(q.spread, volume / 20, b);
+        add_outer(q.spread, volume / 20, c);
+    }
+    q.center = vec3_scale(1 / q.volume, q.center);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) q.spread[i][j] /= q.volume;
+    add_outer(q.spread, -1, q.center);
+    return q;
+}
+//<
+
+//> four-root
+// spread = L L^T, L lower triangular (Cholesky).  0 if the solid is flat: a
+// pivot below a billionth of a billionth of the largest spread is rounding's.
+static int root_of(real spread[3][3], real root[3][3])
+{
+    real most = fmax(spread[0][0], fmax(spread[1][1], spread[2][2]));
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j <= i; j++) {
+            real left = spread[i][j];
+            for (int k = 0; k < j; k++) left -= root[i][k] * root[j][k];
+            if (i != j) {
+                root[i][j] = left / root[j][j];
+            } else {
+                if (!(left > 1e-14 * most)) return 0;
+                root[i][i] = sqrt(left);
+            }
+        }
+    return 1;
+}
+
+// y with L y = x.
+static vec3 undo_root(real root[3][3], vec3 x)
+{
+    vec3 y;
+    y.x = x.x / root[0][0];
+    y.y = (x.y - root[1][0] * y.x) / root[1][1];
+    y.z = (x.z - root[2][0] * y.x - root[2][1] * y.y) / root[2][2];
+    return y;
+}
+//<
+
+//> four-matrix
+// Entry (s, u) of J J^T: the row of stick (a, b) holds -o at a and o at b,
+// o = x_b - x_a, so that two sticks meet in o . o' where they share a particle,
+// with a minus sign where one begins and the other ends there.
+static real row_product(const stick *s, const stick *u, const vec3 *at)
+{
+    vec3 o = vec3_sub(at[s->b], at[s->a]), q = vec3_sub(at[u->b], at[u->a]);
+    int shared = (s->a == u->a) + (s->b == u->b)
+               - (s->a == u->b) - (s->b == u->a);
+    return shared * vec3_dot(o, q);
+}
+
+// Gauss and Jordan: matrix and identity side by side, the largest pivot of each
+// column.  There is one: J J^T is positive definite where the four do not lie
+// in a plane, and root_of has refused what rounding could take for flat.
+static void invert(real m[FOUR_STICKS][2 * FOUR_STICKS])
+{
+    for (int c = 0; c < FOUR_STICKS; c++) {
+        int best = c;
+        for (int r = c + 1; r < FOUR_STICKS; r++)
+            if (fabs(m[r][c]) > fabs(m[best][c])) best = r;
+        for (int k = 0; k < 2 * FOUR_STICKS; k++) {
+            real kept = m[c][k];
+            m[c][k] = m[best][k];
+            m[best][k] = kept;
+        }
+        real pivot = m[c][c];
+        for (int k = 0; k < 2 * FOUR_STICKS; k++) m[c][k] /= pivot;
+        for (int r = 0; r < FOUR_STICKS; r++) {
+            real share = m[r][c];
+            if (r == c || share == 0) continue;
+            for (int k = 0; k < 2 * FOUR_STICKS; k++)
+                m[r][k] -= share * m[c][k];
+        }
+    }
+}
+
+static void invert_sticks(four *f)
+{
+    real m[FOUR_STICKS][2 * FOUR_STICKS] = { { 0 } };
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        for (int u = 0; u < FOUR_STICKS; u++)
+            m[s][u] = row_product(&f->stick[s], &f->stick[u], f->at);
+        m[s][FOUR_STICKS + s] = 1;
+    }
+    invert(m);
+    for (int s = 0; s < FOUR_STICKS; s++)
+        for (int u = 0; u < FOUR_STICKS; u++)
+            f->inverse[s][u] = m[s][FOUR_STICKS + u];
+}
+//<
+
+//> four-build
+static void place_four(four *f, const shape *s, const solid *q,
+                       real root[3][3])
+{
+    real mass = 0;
+    int stick_count = 0;
+    for (int i = 0; i < s->particles; i++) mass += s->mass[i];
+    f->mass = mass / FOUR;
+    f->center = q->center;
+    for (int k = 0; k < FOUR; k++) {
+        vec3 r = { root[0][0] * T[k][0],
+                   root[1][0] * T[k][0] + root[1][1] * T[k][1],
+                   root[2][0] * T[k][0] + root[2][1] * T[k][1]
+                   + root[2][2] * T[k][2] };
+        f->at[k] = vec3_add(q->center, r);
+        f->radius = fmax(f->radius, vec3_length(r));
+    }
+    for (int a = 0; a < FOUR; a++)
+        for (int b = a + 1; b < FOUR; b++)
+            f->stick[stick_count++] = (stick){ a, b,
+                vec3_distance(f->at[a], f->at[b]), 1, STICK_EXACT };
+}
+
+// p = sum a_k x_k with sum a_k = 1: with x_k = c + L t_k and y = L^-1 (p - c),
+// a_k = (1 + t_k . y) / 4, because sum a_k t_k = (sum t_k t_k^T / 4) y = y.
+static void weigh(vec3 y, real weight[FOUR])
+{
+    for (int k = 0; k < FOUR; k++)
+        weight[k] = (1 + T[k][0] * y.x + T[k][1] * y.y + T[k][2] * y.z) / FOUR;
+}
+
+void four_free(four *f)
+{
+    free(f->weight);
+    *f = (four){ .weight = NULL };
+}
+
+status four_build(four *f, const shape *s)
+{
+    assert(s->kind == SHAPE_RIGID && s->particles > 0);
+    *f = (four){ .weight = NULL };
+    solid q = solid_of(s);
+    real root[3][3] = { { 0 } };
+    if (!(q.volume > 0) || !root_of(q.spread, root))
+        return status_fail("a body of %d vertices is too thin to be solid",
+                           s->particles);
+    place_four(f, s, &q, root);
+    invert_sticks(f);
+    f->weight = malloc((size_t)s->particles * sizeof *f->weight);
+    if (!f->weight) {
+        four_free(f);
+        return status_out_of_memory();
+    }
+    for (int v = 0; v < s->particles; v++) {
+        vec3 r = vec3_sub(s->at[v], f->center);
+        weigh(undo_root(root, r), f->weight[v]);
+        f->reach = fmax(f->reach, vec3_length(r));
+    }
+    return status_ok();
+}
+//<
+
+//> four-ride
+void four_ride(const four *f, const particle *p, vec3 *at, int n)
+{
+    for (int v = 0; v < n; v++) {
+        const real *a = f->weight[v];
+        vec3 x = vec3_scale(a[0], p[0].position);
+        for (int k = 1; k < FOUR; k++)
+            x = vec3_add_scaled(x, a[k], p[k].position);
+        at[v] = x;
+    }
+}
+
+int four_is_mirrored(const four *f, const particle *p)
+{
+    vec3 a = vec3_sub(p[1].position, p[0].position);
+    vec3 b = vec3_sub(p[2].position, p[0].position);
+    vec3 c = vec3_sub(p[3].position, p[0].position);
+    vec3 u = vec3_sub(f->at[1], f->at[0]), v = vec3_sub(f->at[2], f->at[0]);
+    vec3 w = vec3_sub(f->at[3], f->at[0]);
+    real now = vec3_dot(a, vec3_cross(b, c));
+    real rest = vec3_dot(u, vec3_cross(v, w));
+    return (now > 0) != (rest > 0);
+}
+//<
+
+//> four-solve
+// mu = (J J^T)^-1 c.
+static void solve_sticks(const four *f, const real c[FOUR_STICKS],
+                         real mu[FOUR_STICKS])
+{
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        real sum = 0;
+        for (int u = 0; u < FOUR_STICKS; u++) sum += f->inverse[s][u] * c[u];
+        mu[s] = sum;
+    }
+}
+
+// How far each stick is off, as (d^2 - L^2) / 2; returns the worst, relative to
+// its length: (d^2 - L^2) / (2 L^2).  HUGE_VAL for NaN.
+static real stick_errors(const four *f, const particle *p,
+                         real c[FOUR_STICKS])
+{
+    real worst = 0;
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        const stick *u = &f->stick[s];
+        vec3 d = vec3_sub(p[u->b].position, p[u->a].position);
+        real rest2 = u->rest_length * u->rest_length;
+        c[s] = (vec3_length_squared(d) - rest2) / 2;
+        real error = fabs(c[s]) / rest2;
+        if (!(error <= worst)) worst = error >= 0 ? error : HUGE_VAL;
+    }
+    return worst;
+}
+//<
+
+//> four-relax
+// One Newton step: x_k -= sum_s J_sk mu_s, J at o.  All four have one mass, so
+// it falls out.
+static void newton_step(const four *f, particle *p, const vec3 o[FOUR],
+                        const real c[FOUR_STICKS])
+{
+    real mu[FOUR_STICKS];
+    solve_sticks(f, c, mu);
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        int a = f->stick[s].a, b = f->stick[s].b;
+        vec3 move = vec3_scale(mu[s], vec3_sub(o[b], o[a]));
+        p[a].position = vec3_add(p[a].position, move);
+        p[b].position = vec3_sub(p[b].position, move);
+    }
+}
+
+// Sticks off by more, relative to their lengths, make a body bent: Newton may
+// lose its way, or find the mirror image.
+static const real BENT = 0.05;
+
+// The last resort: stick by stick along the sticks as they lie; and where that
+// ends in the mirror, or nowhere, the body goes on as it lay a step ago,
+// without turning.
+static relax_result relax_bent(const four *f, particle *p,
+                               relax_options options)
+{
+    enum { SWEEPS = 60 };
+    vec3 mean = { 0, 0, 0 };
+    for (int k = 0; k < FOUR; k++)
+        mean = vec3_add_scaled(mean, 1.0 / FOUR,
+                               vec3_sub(p[k].position, p[k].previous));
+    options.gradient = GRADIENT_NEW;
+    relax_result r = sticks_relax(f->stick, FOUR_STICKS, p, FOUR, SWEEPS,
+                                  options, NULL);
+    r.fell_back = 1;
+    if (r.worst <= 0.01 && !four_is_mirrored(f, p)) return r;
+    for (int k = 0; k < FOUR && vec3_is_finite(mean); k++)
+        p[k].position = vec3_add(p[k].previous, mean);
+    return r;
+}
+
+relax_result four_relax(const four *f, particle *p, int steps,
+                        relax_options options)
+{
+    relax_result r = { .sweeps = 0 };
+    real c[FOUR_STICKS], first = 0;
+    vec3 o[FOUR], kept[FOUR];
+    if (p[0].inverse_mass == 0) return r;
+    for (int k = 0; k < FOUR; k++) {
+        kept[k] = p[k].position;
+        o[k] = options.gradient == GRADIENT_OLD ? p[k].previous : kept[k];
+    }
+    while (r.sweeps < steps) {
+        r.worst = stick_errors(f, p, c);
+        r.tested += FOUR_STICKS;
+        if (r.sweeps == 0) first = r.worst;
+        if (r.worst <= options.tolerance || !(r.worst < HUGE_VAL)) break;
+        newton_step(f, p, o, c);
+        r.relaxed += FOUR_STICKS;
+        r.sweeps++;
+    }
+    // A body that was hardly bent is straight now: one step squares the error.
+    if (first > BENT || !(r.worst <= BENT)) r.worst = stick_errors(f, p, c);
+    if (r.worst <= fmax(BENT, options.tolerance) && !four_is_mirrored(f, p))
+        return r;
+    for (int k = 0; k < FOUR; k++) p[k].position = kept[k];
+    return relax_bent(f, p, options);
+}
+//<
+
+//> four-answer
+// The point p = sum a_k x_k is pushed by d: the particles would go a_k w d, and
+// the sticks take back what would change their lengths, J^T mu w with
+//     J J^T mu = J (a d),   (J a d)_s = (a_q - a_p) (o_s . d).
+// What is left, w (a_k d - sum_s J_sk mu_s), is the least move, weighed by
+// mass, that a rigid body can make: the textbook's answer to a blow.
+real four_answer(const four *f, const vec3 at[FOUR], real inverse_mass,
+                 const real weight[FOUR], vec3 d, vec3 answer[FOUR])
+{
+    real c[FOUR_STICKS], mu[FOUR_STICKS], along = 0, w = inverse_mass;
+    vec3 o[FOUR_STICKS];
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        int a = f->stick[s].a, b = f->stick[s].b;
+        o[s] = vec3_sub(at[b], at[a]);
+        c[s] = (weight[b] - weight[a]) * vec3_dot(o[s], d);
+    }
+    solve_sticks(f, c, mu);
+    for (int k = 0; k < FOUR; k++) answer[k] = vec3_scale(w * weight[k], d);
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        int a = f->stick[s].a, b = f->stick[s].b;
+        answer[a] = vec3_add_scaled(answer[a], w * mu[s], o[s]);
+        answer[b] = vec3_add_scaled(answer[b], -w * mu[s], o[s]);
+    }
+    for (int k = 0; k < FOUR; k++)
+        along += weight[k] * vec3_dot(answer[k], d);
+    return along;
+}
+//<

@@ -1,0 +1,328 @@
+// check_ledger.c - do the books say who gave and who took?  Book: chapter 9.
+//
+// (Whether they balance over whole frames is asked in check_step.c: the step
+// stands to the right of the ledger.)
+
+#include <check.h>
+#include <string.h>
+
+#include "ledger.h"
+
+// Sums over a few dozen particles, of numbers up to a thousand.
+#define ROUNDING 1e-11
+// J of some hundred: a substep a hundred times shorter makes a hundred times as
+// much of the rounding of a place.
+#define CHANGING 1e-8
+
+static const vec3 ZERO = { 0, 0, 0 };
+
+static world w;
+static shape box, ball, rope;
+
+// The tests of what any body promises are run twice: with four particles a
+// rigid body, and with one at every vertex.
+enum { MODELS = 2 };
+
+static world_options ours(int model)
+{
+    world_options o = model ? world_options_vertices()
+                            : world_options_default();
+    o.ledger = 1;
+    return o;
+}
+
+static void begin(world_options o)
+{
+    world_free(&w);
+    ck_assert(world_init(&w, o).ok);
+}
+
+static void set_up(void)
+{
+    ck_assert(shape_box(&box, vec3_make(1, 2, 3), 6).ok);
+    ck_assert(shape_icosahedron(&ball, 0.5, 2).ok);
+    ck_assert(shape_rope(&rope, 1, 2, 3).ok);
+}
+
+static void tear_down(void)
+{
+    world_free(&w);
+    shape_free(&box);
+    shape_free(&ball);
+    shape_free(&rope);
+}
+
+static placement thrown(vec3 at, vec3 velocity, vec3 spin)
+{
+    placement p = placement_at(at);
+    p.velocity = velocity;
+    p.spin = spin;
+    return p;
+}
+
+static void add(const shape *s, placement where)
+{
+    ck_assert(world_add(&w, s, where, NULL).ok);
+}
+
+static void near_real(real got, real wanted, real error)
+{
+    ck_assert_msg(fabs(got - wanted) <= error, "got %.17g, wanted %.17g",
+                  got, wanted);
+}
+
+static void near_vec3(vec3 got, vec3 wanted, real error)
+{
+    ck_assert_msg(vec3_distance(got, wanted) <= error,
+                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
+                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
+}
+
+// J/kg, what a particle under gravity has above the middle of its two places,
+// which lies (g h^2)/8 under the parabola of its fall.
+static real above_middle(void)
+{
+    return 9.81 * 9.81 * w.age * w.age / 8;
+}
+
+// Two particles of 1.5 kg: what each has, half a substep ago.
+// Rejects: velocities over a frame; a lever arm or a height of another moment;
+// a mass that is not there, or that of the wrong particle.
+START_TEST(total_is_the_sum_over_particles)
+{
+    begin(ours(0));
+    add(&rope, placement_at(ZERO));
+    ck_assert(world_begin(&w).ok);
+    real h = w.age = 0.01;
+    const vec3 x[2] = { { 1, 2, 3 }, { -4, 5, 6 } };
+    const vec3 v[2] = { { 0.5, -1, 2 }, { 3, 1, -2 } };
+    vec3 linear = ZERO, angular = ZERO;
+    real energy = 0;
+    for (int i = 0; i < 2; i++) {
+        w.pool.at[i].position = vec3_add_scaled(x[i], h / 2, v[i]);
+        w.pool.at[i].previous = vec3_add_scaled(x[i], -h / 2, v[i]);
+        linear = vec3_add_scaled(linear, 1.5, v[i]);
+        angular = vec3_add_scaled(angular, 1.5, vec3_cross(x[i], v[i]));
+        energy += 1.5 * (vec3_length_squared(v[i]) / 2 + 9.81 * x[i].y
+                         + above_middle());
+    }
+    ledger_entry sum = ledger_total(&w);
+    near_real(sum.energy, energy, ROUNDING);
+    near_vec3(sum.momentum, linear, ROUNDING);
+    near_vec3(sum.angular, angular, ROUNDING);
+}
+END_TEST
+
+// Rejects: a sleeper that takes its energy out of the books; nails that have
+// weight.
+START_TEST(total_counts_sleepers_and_no_nails)
+{
+    begin(ours(_i));
+    placement nailed = placement_at(vec3_make(0, 9, 0));
+    nailed.nailed = 1;
+    add(&box, nailed);
+    add(&ball, placement_at(vec3_make(0, 5, 0)));
+    add(&rope, placement_at(vec3_make(0, 3, 0)));
+    world_nail(&w, 2, 1);
+    ck_assert(world_begin(&w).ok);
+    for (int i = 0; i < w.pool.count; i++)
+        w.pool.at[i].previous = w.pool.at[i].position;
+    real wanted = 9.81 * (2 * 5 + 1.5 * 3) + 3.5 * above_middle();
+    near_real(ledger_total(&w).energy, wanted, ROUNDING);
+    // Asleep, it is nailed for the time being.
+    for (int i = 0; i < body_particles(&w.body[1]); i++)
+        w.pool.at[w.body[1].first + i].inverse_mass = 0;
+    near_real(ledger_total(&w).energy, wanted, ROUNDING);
+}
+END_TEST
+
+// Verlet under gravity keeps the energy of this moment to the last digit, and
+// gives M g h of momentum, and the torque of the weights where they stand.
+// Rejects: a height of the substep's end, which would find an energy of order
+// h; gravity that is booked elsewhere.
+START_TEST(free_fall_books_no_energy_and_gravitys_momentum)
+{
+    begin(ours(_i));
+    add(&box, thrown(vec3_make(1, 2, 3), vec3_make(4, 5, -6),
+                     vec3_make(1, -2, 3)));
+    add(&ball, thrown(vec3_make(-3, 2, 1), vec3_make(0, 9, 1),
+                      vec3_make(-5, 0, 2)));
+    add(&rope, thrown(vec3_make(0, 7, 0), vec3_make(2, 0, 0), ZERO));
+    ck_assert(world_begin(&w).ok);
+    real h = w.age, mass = 6 + 2 + 3;
+    vec3 torque = ZERO;
+    ledger_open(&w);
+    enum { STEPS = 300 };
+    for (int n = 0; n < STEPS; n++) {
+        for (int i = 0; i < w.pool.count; i++)
+            torque = vec3_add_scaled(torque, h / w.pool.at[i].inverse_mass,
+                                     vec3_cross(w.pool.at[i].position,
+                                                w.options.gravity));
+        verlet_step(w.pool.at, w.pool.count, w.options.gravity, NULL, h);
+        ledger_book(&w, LEDGER_INTEGRATE);
+    }
+    const ledger_entry *booked = &w.ledger[LEDGER_INTEGRATE];
+    near_real(booked->energy, 0, 100 * ROUNDING);
+    near_vec3(booked->momentum, vec3_scale(mass * h * STEPS, w.options.gravity),
+              100 * ROUNDING);
+    near_vec3(booked->angular, torque, 1000 * ROUNDING);
+    for (int who = 1; who < LEDGERS; who++)
+        ck_assert(w.ledger[who].energy == 0
+                  && vec3_length(w.ledger[who].momentum) == 0);
+}
+END_TEST
+
+// Rejects: a height under the parabola, which depends on the substep: every
+// change of it would give or take (g h)^2/8 a kilogram.
+START_TEST(fall_in_substeps_of_changing_length_books_no_energy)
+{
+    const real share[] = { 1, 0.5, 3, 0.01, 10, 1 };
+    begin(ours(_i));
+    add(&box, thrown(vec3_make(1, 2, 3), vec3_make(4, 5, -6), ZERO));
+    add(&rope, thrown(vec3_make(0, 7, 0), vec3_make(2, 0, 0), ZERO));
+    ck_assert(world_begin(&w).ok);
+    real h = w.age;
+    ledger_open(&w);
+    for (int n = 0; n < 60; n++) {
+        real next = h * share[n % 6];
+        verlet_step_changed(w.pool.at, w.pool.count, w.options.gravity, NULL,
+                            w.age, next);
+        w.age = next;
+        ledger_book(&w, LEDGER_INTEGRATE);
+        near_real(w.ledger[LEDGER_INTEGRATE].energy, 0, CHANGING);
+    }
+}
+END_TEST
+
+// Sticks along the old places are forces between pairs: they book no momentum
+// and no angular momentum, but what energy they take.
+START_TEST(relaxing_books_energy_alone)
+{
+    begin(ours(0));
+    add(&box, thrown(ZERO, vec3_make(1, 2, 3), vec3_make(9, -20, 15)));
+    ck_assert(world_begin(&w).ok);
+    real h = w.age;
+    for (int n = 0; n < 60; n++) {
+        verlet_step(w.pool.at, w.pool.count, w.options.gravity, NULL, h);
+        ledger_open(&w);
+        four_relax(w.body[0].four, w.pool.at, 6, w.options.relax);
+        ledger_book(&w, LEDGER_STICKS);
+    }
+    ck_assert(w.ledger[LEDGER_STICKS].energy != 0);
+    near_vec3(w.ledger[LEDGER_STICKS].momentum, ZERO, 100 * ROUNDING);
+    near_vec3(w.ledger[LEDGER_STICKS].angular, ZERO, 100 * ROUNDING);
+}
+END_TEST
+
+static void push_up(real by)
+{
+    for (int i = 0; i < w.pool.count; i++) w.pool.at[i].position.y += by;
+}
+
+// Rejects: an entry in place of a sum; one under the wrong name; what was done
+// between two steps blamed on the first who books.
+START_TEST(books_add_up_under_their_names)
+{
+    begin(ours(_i));
+    add(&ball, placement_at(ZERO));
+    ck_assert(world_begin(&w).ok);
+    ledger_open(&w);
+    ledger_entry a = ledger_total(&w);
+    push_up(0.01);
+    ledger_book(&w, LEDGER_CONTACTS);
+    ledger_entry b = ledger_total(&w);
+    push_up(-0.03);
+    ledger_book(&w, LEDGER_STICKS);
+    ledger_entry c = ledger_total(&w);
+    push_up(0.005);
+    ledger_book(&w, LEDGER_CONTACTS);
+    ledger_entry d = ledger_total(&w);
+    near_real(w.ledger[LEDGER_CONTACTS].energy,
+              b.energy - a.energy + d.energy - c.energy, ROUNDING);
+    near_real(w.ledger[LEDGER_STICKS].energy, c.energy - b.energy, ROUNDING);
+    near_vec3(w.ledger[LEDGER_STICKS].momentum,
+              vec3_sub(c.momentum, b.momentum), ROUNDING);
+    push_up(7);
+    ledger_open(&w);
+    ledger_book(&w, LEDGER_REST);
+    ck_assert(w.ledger[LEDGER_REST].energy == 0);
+    ck_assert(w.ledger[LEDGER_INTEGRATE].energy == 0);
+}
+END_TEST
+
+// Rejects: friction that is booked twice; momentum that moves with it.
+START_TEST(friction_is_taken_out_of_the_contacts)
+{
+    begin(ours(0));
+    add(&ball, placement_at(ZERO));
+    ck_assert(world_begin(&w).ok);
+    ledger_open(&w);
+    push_up(0.01);
+    ledger_book(&w, LEDGER_CONTACTS);
+    ledger_entry before = w.ledger[LEDGER_CONTACTS];
+    ledger_friction(&w, -3);
+    ledger_friction(&w, -0.5);
+    near_real(w.ledger[LEDGER_FRICTION].energy, -3.5, 0);
+    near_real(w.ledger[LEDGER_CONTACTS].energy, before.energy + 3.5, ROUNDING);
+    near_vec3(w.ledger[LEDGER_CONTACTS].momentum, before.momentum, 0);
+    near_vec3(w.ledger[LEDGER_FRICTION].momentum, ZERO, 0);
+}
+END_TEST
+
+// Rejects: a ledger that counts unasked; an account that is not emptied.
+START_TEST(ledger_that_is_off_or_cleared_holds_nothing)
+{
+    static const ledger_entry none[LEDGERS];
+    for (int on = 0; on < 2; on++) {
+        world_options o = ours(_i);
+        o.ledger = on;
+        begin(o);
+        add(&ball, placement_at(ZERO));
+        ck_assert(world_begin(&w).ok);
+        ledger_open(&w);
+        push_up(0.01);
+        for (int who = 0; who < LEDGERS; who++) {
+            ledger_book(&w, who);
+            push_up(0.02);
+        }
+        ledger_friction(&w, 4);
+        ck_assert_int_eq(memcmp(w.ledger, none, sizeof none) == 0, !on);
+        ck_assert_int_eq(w.ledger_now.energy == 0, !on);
+        ledger_clear(&w);
+        for (int who = 0; who < LEDGERS; who++) {
+            ck_assert(w.ledger[who].energy == 0);
+            near_vec3(w.ledger[who].momentum, ZERO, 0);
+            near_vec3(w.ledger[who].angular, ZERO, 0);
+        }
+    }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const once[] = {
+        total_is_the_sum_over_particles,
+        relaxing_books_energy_alone,
+        friction_is_taken_out_of_the_contacts,
+    };
+    const TTest *const both[] = {
+        total_counts_sleepers_and_no_nails,
+        free_fall_books_no_energy_and_gravitys_momentum,
+        fall_in_substeps_of_changing_length_books_no_energy,
+        books_add_up_under_their_names,
+        ledger_that_is_off_or_cleared_holds_nothing,
+    };
+    Suite *s = suite_create("ledger");
+    TCase *t = tcase_create("ledger");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
+        tcase_add_test(t, once[i]);
+    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
+        tcase_add_loop_test(t, both[i], 0, MODELS);
+    suite_add_tcase(s, t);
+    SRunner *runner = srunner_create(s);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

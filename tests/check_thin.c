@@ -1,0 +1,345 @@
+// check_thin.c - bullets, plates and cloth in the whole system.  Book: chapter
+// 14.
+
+#include <check.h>
+#include <stdlib.h>
+
+#include "ledger.h"
+#include "step.h"
+
+// Sums over some hundred substeps, of metres.
+#define ROUNDING 1e-9
+
+static const vec3 ZERO = { 0, 0, 0 };
+
+static world w;
+static shape plate, bullet, cloth;
+
+static void set_up(void)
+{
+    ck_assert(shape_box(&plate, vec3_make(1, 0.01, 1), 1).ok);
+    ck_assert(shape_icosahedron(&bullet, 0.05, 0.05).ok);
+    ck_assert(shape_cloth(&cloth, 21, 21, 1, 1, 0.2, 0.2).ok);
+}
+
+static void tear_down(void)
+{
+    world_free(&w);
+    shape_free(&plate);
+    shape_free(&bullet);
+    shape_free(&cloth);
+}
+
+static void begin(world_options o)
+{
+    world_free(&w);
+    ck_assert(world_init(&w, o).ok);
+}
+
+static world_options weightless(void)
+{
+    world_options o = world_options_default();
+    o.gravity = ZERO;
+    return o;
+}
+
+static void add(const shape *s, vec3 at, vec3 velocity, int nailed)
+{
+    placement p = placement_at(at);
+    p.velocity = velocity;
+    p.nailed = nailed;
+    ck_assert(world_add(&w, s, p, NULL).ok);
+}
+
+static vec3 middle(int b)
+{
+    const body *x = &w.body[b];
+    vec3 sum = ZERO;
+    for (int i = 0; i < FOUR; i++)
+        sum = vec3_add_scaled(sum, 0.25, w.pool.at[x->first + i].position);
+    return sum;
+}
+
+static vec3 speed(int b)
+{
+    const body *x = &w.body[b];
+    vec3 sum = ZERO;
+    for (int i = 0; i < FOUR; i++) {
+        const particle *p = &w.pool.at[x->first + i];
+        sum = vec3_add_scaled(sum, 0.25 / w.age,
+                              vec3_sub(p->position, p->previous));
+    }
+    return sum;
+}
+
+// A bullet at v, `away` m over the middle of a nailed plate.
+static void shoot_down(world_options o, real away, vec3 v)
+{
+    begin(o);
+    add(&plate, ZERO, ZERO, 1);
+    add(&bullet, vec3_make(0, away, 0), v, 0);
+    ck_assert(world_begin(&w).ok);
+}
+
+// 100 m/s are 5/3 m a frame, which is 42 inner radii (0.0397 m), and a
+// hundredth of the radius for what impacts add.
+// Rejects: substeps for whoever is fast, if nobody is there to be hit; a speed
+// limit by the outer radius (34), or by the plate's (334).
+START_TEST(substeps_are_made_for_who_is_about_to_touch)
+{
+    const vec3 down = { 0, -100, 0 }, along = { 100, 0, 0 };
+    shoot_down(weightless(), 1, down);
+    world_step(&w);
+    int want = (int)((100.0 / 60 + 0.0005) / bullet.inner) + 1;
+    ck_assert_int_eq(w.report.substeps, want);
+    ck_assert_int_eq(want, 42);
+    shoot_down(weightless(), 3, down);          // not in this frame
+    world_step(&w);
+    ck_assert_int_eq(w.report.substeps, 4);
+    shoot_down(weightless(), 1, along);         // over it
+    world_step(&w);
+    ck_assert_int_eq(w.report.substeps, 4);
+}
+END_TEST
+
+// Rejects: a cap that is not kept; an option that cannot be switched off.
+START_TEST(substeps_stay_within_their_bounds)
+{
+    world_options o = weightless();
+    o.most_substeps = 10;
+    shoot_down(o, 1, vec3_make(0, -100, 0));
+    world_step(&w);
+    ck_assert_int_eq(w.report.substeps, 10);
+    o.swept = 0;
+    shoot_down(o, 1, vec3_make(0, -100, 0));
+    world_step(&w);
+    ck_assert_int_eq(w.report.substeps, 4);
+}
+END_TEST
+
+// A cloth asks for as many as the bullet needs for quarters of its radius.
+START_TEST(what_meets_a_cloth_goes_slower_still)
+{
+    begin(weightless());
+    add(&cloth, ZERO, ZERO, 0);
+    add(&bullet, vec3_make(0, 1, 0), vec3_make(0, -100, 0), 0);
+    ck_assert(world_begin(&w).ok);
+    world_step(&w);
+    int want = (int)((100.0 / 60 + 0.0005) / (bullet.inner / 4)) + 1;
+    ck_assert_int_eq(w.report.substeps, want);
+}
+END_TEST
+
+// While a bullet strikes, everybody has other substeps.  A ball that falls far
+// away shall not feel it.
+// Rejects: a speed kept as a length, which the next substep takes for another
+// speed; gravity of another substep's length.
+START_TEST(other_substeps_change_no_parabola)
+{
+    world_options o = world_options_default();
+    begin(o);
+    add(&plate, ZERO, ZERO, 1);
+    add(&bullet, vec3_make(0, 1, 0), vec3_make(0, -100, 0), 0);
+    add(&bullet, vec3_make(50, 0, 0), vec3_make(1, 2, 3), 0);
+    ck_assert(world_begin(&w).ok);
+    int most = 0;
+    for (int f = 1; f <= 30; f++) {
+        world_step(&w);
+        real t = f / 60.0;
+        vec3 x = middle(2);
+        if (w.report.substeps > most) most = w.report.substeps;
+        ck_assert(fabs(x.x - (50 + t)) < ROUNDING);
+        ck_assert(fabs(x.y - (2 * t - 9.81 * t * t / 2)) < ROUNDING);
+        ck_assert(fabs(x.z - 3 * t) < ROUNDING);
+    }
+    ck_assert_int_gt(most, 40);
+}
+END_TEST
+
+// Rejects: books that do not know how long the last substep was.
+START_TEST(books_balance_over_other_substeps)
+{
+    world_options o = world_options_default();
+    o.ledger = 1;
+    shoot_down(o, 1, vec3_make(3, -100, 0));
+    ledger_entry was = ledger_total(&w);
+    for (int f = 0; f < 10; f++) {
+        world_step(&w);
+        ck_assert(fabs(w.ledger[LEDGER_INTEGRATE].energy) < 1e-9);
+    }
+    ledger_entry now = ledger_total(&w);
+    real sum = 0;
+    for (int who = 0; who < LEDGERS; who++) sum += w.ledger[who].energy;
+    // J; the bullet had 250 of them, and a substep in a thousand of a second
+    // makes a rounding of places a thousand times as much of a speed.
+    ck_assert(fabs(now.energy - was.energy - sum) < 1e-9);
+    ck_assert(w.ledger[LEDGER_CONTACTS].energy < -100);
+}
+END_TEST
+
+// 0.2 m from the rim, on a way that passes it by 2 cm.
+// Rejects: a plane that has no rim.
+START_TEST(bullet_that_passes_the_rim_feels_nothing)
+{
+    const vec3 v = { 0, -300, 0 };
+    begin(weightless());
+    add(&plate, ZERO, ZERO, 1);
+    add(&bullet, vec3_make(0.57, 2, 0), v, 0);
+    ck_assert(world_begin(&w).ok);
+    for (int f = 0; f < 3; f++) world_step(&w);
+    ck_assert(vec3_distance(speed(1), v) < 1e-9);
+    ck_assert(vec3_distance(middle(1), vec3_make(0.57, 2 - 15, 0)) < 1e-9);
+}
+END_TEST
+
+// Rejects: a plate that is passed where the frame ends behind it; a companion
+// contact on the wrong side; a bullet that is thrown back by more than it had.
+START_TEST(bullet_stops_at_a_plate_however_fast)
+{
+    for (real v = 5; v < 3000; v *= 1.5) {
+        shoot_down(weightless(), 1.7, vec3_make(v / 10, -v, 0));
+        for (int f = 0; f < 30 + (int)(120 / v); f++) world_step(&w);
+        ck_assert_msg(middle(1).y > 0, "%g m/s", v);
+        ck_assert_msg(vec3_length(speed(1)) < 1.06 * v, "%g m/s", v);
+        ck_assert_int_eq(w.report.dropped, 0);
+    }
+}
+END_TEST
+
+// A bullet that is thrown at a free plate gives it what it loses.
+START_TEST(bullet_and_plate_keep_their_momentum)
+{
+    begin(weightless());
+    add(&plate, ZERO, ZERO, 0);
+    add(&bullet, vec3_make(0.2, 1, 0.1), vec3_make(0, -200, 0), 0);
+    ck_assert(world_begin(&w).ok);
+    for (int f = 0; f < 20; f++) world_step(&w);
+    vec3 sum = vec3_add_scaled(speed(0), 0.05, speed(1));
+    ck_assert(vec3_distance(sum, vec3_make(0, -10, 0)) < 1e-9);
+    ck_assert(speed(0).y < -1);
+}
+END_TEST
+
+static void nail_corners(int cells)
+{
+    for (int k = 0; k < 4; k++)
+        world_nail(&w, 0, (k & 1 ? cells : 0)
+                          + (k & 2 ? cells * (cells + 1) : 0));
+}
+
+// Rejects: particles that make way one by one, for each weighs a thousandth of
+// what they are to stop.
+START_TEST(heavy_bullet_stops_at_a_light_cloth)
+{
+    shape heavy;
+    ck_assert(shape_icosahedron(&heavy, 0.05, 5).ok);
+    for (real v = 20; v < 100; v *= 2) {
+        begin(weightless());
+        add(&cloth, ZERO, ZERO, 0);
+        add(&heavy, vec3_make(0.06, 1.1, 0.04), vec3_make(0, -v, 0), 0);
+        nail_corners(20);
+        ck_assert(world_begin(&w).ok);
+        for (int f = 0; f < 20; f++) world_step(&w);
+        ck_assert_msg(middle(1).y > -0.3, "%g m/s", v);
+    }
+    world_free(&w);
+    shape_free(&heavy);
+}
+END_TEST
+
+// A cube of 10 kg in a cloth of 0.2 kg that hangs by its corners.  Rejects: a
+// cloth that gives the cube the speed of its particles as if they were nailed.
+START_TEST(hammock_holds_what_weighs_fifty_times_as_much)
+{
+    shape cube;
+    ck_assert(shape_box(&cube, vec3_make(0.2, 0.2, 0.2), 10).ok);
+    begin(world_options_default());
+    add(&cloth, ZERO, ZERO, 0);
+    add(&cube, vec3_make(0, 0.2, 0), ZERO, 0);
+    nail_corners(20);
+    ck_assert(world_begin(&w).ok);
+    for (int f = 0; f < 180; f++) {
+        world_step(&w);
+        ck_assert(middle(1).y > -0.15 && middle(1).y < 0.2);
+    }
+    ck_assert(vec3_length(speed(1)) < 0.3);
+    world_free(&w);
+    shape_free(&cube);
+}
+END_TEST
+
+// Thrown at each other with v (m/s) in all, the cloth with `share` of it.
+static void meet_a_free_cloth(const shape *heavy, real v, real share)
+{
+    begin(weightless());
+    add(&cloth, ZERO, vec3_make(0, share * v, 0), 0);
+    add(heavy, vec3_make(0.06, 0.3, 0.04), vec3_make(0, (share - 1) * v, 0), 0);
+    ck_assert(world_begin(&w).ok);
+    vec3 before = vec3_make(0, 0.2 * share * v + 0.5 * (share - 1) * v, 0);
+    for (int f = 0; f < 4; f++) world_step(&w);
+    vec3 sum = vec3_scale(0.5, speed(1));
+    for (int i = 0; i < 21 * 21; i++) {
+        const particle *p = &w.pool.at[i];
+        vec3 step = vec3_sub(p->position, p->previous);
+        sum = vec3_add_scaled(sum, 1 / (p->inverse_mass * w.age), step);
+    }
+    ck_assert(vec3_distance(sum, before) < ROUNDING);
+}
+
+// They end as one, more or less.  Rejects: a cloth that is pushed at one
+// particle only, or is asked without regard to how it flies.
+START_TEST(bullet_and_free_cloth_keep_their_momentum)
+{
+    shape heavy;
+    ck_assert(shape_icosahedron(&heavy, 0.05, 0.5).ok);
+    for (real share = -2; share <= 2; share += 1) {
+        meet_a_free_cloth(&heavy, 20, share);
+        real faster = speed(1).y - (share - 1) * 20, as_one = 20 * 0.2 / 0.7;
+        ck_assert_msg(fabs(faster / as_one - 1) < 0.15, "by %g m/s", faster);
+    }
+    world_free(&w);
+    shape_free(&heavy);
+}
+END_TEST
+
+// The paper's way looks at the end of the frame only, and loses it.
+START_TEST(paper_loses_the_bullet)
+{
+    world_options o = world_options_paper();
+    o.gravity = ZERO;
+    shoot_down(o, 1, vec3_make(0, -100, 0));
+    for (int f = 0; f < 3; f++) world_step(&w);
+    ck_assert_int_eq(w.report.substeps, 1);
+    ck_assert(middle(1).y < -1);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *s = suite_create("thin");
+    TCase *t = tcase_create("thin things");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    tcase_add_test(t, substeps_are_made_for_who_is_about_to_touch);
+    tcase_add_test(t, substeps_stay_within_their_bounds);
+    tcase_add_test(t, what_meets_a_cloth_goes_slower_still);
+    tcase_add_test(t, other_substeps_change_no_parabola);
+    tcase_add_test(t, books_balance_over_other_substeps);
+    tcase_add_test(t, bullet_that_passes_the_rim_feels_nothing);
+    tcase_add_test(t, bullet_stops_at_a_plate_however_fast);
+    tcase_add_test(t, bullet_and_plate_keep_their_momentum);
+    tcase_add_test(t, heavy_bullet_stops_at_a_light_cloth);
+    tcase_add_test(t, hammock_holds_what_weighs_fifty_times_as_much);
+    tcase_add_test(t, bullet_and_free_cloth_keep_their_momentum);
+    tcase_add_test(t, paper_loses_the_bullet);
+    suite_add_tcase(s, t);
+    return s;
+}
+
+int main(void)
+{
+    SRunner *runner = srunner_create(suite());
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

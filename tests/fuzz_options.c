@@ -1,0 +1,139 @@
+// fuzz_options.c - the command line, and the options of worlds and scenes, from
+// any bytes.  See fuzz.h.
+//
+// The first byte says which: words for settings_read, one a line; or a world's
+// options with numbers put into them wherever.  What is accepted is built, if
+// it is small, and takes a step.
+
+#define _POSIX_C_SOURCE 200809L
+
+#include "fuzz.h"
+#include "options.h"
+#include "step.h"
+
+static FILE *nowhere;
+
+// A file that --mesh may name.  Every other cannot be opened: a fuzzer has no
+// business among the reader's own.
+FILE *__real_fopen(const char *path, const char *mode);
+FILE *__wrap_fopen(const char *path, const char *mode);
+
+FILE *__wrap_fopen(const char *path, const char *mode)
+{
+    static const char tetrahedron[] =
+        "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\n"
+        "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n";
+    if (strcmp(path, "a.obj") == 0)
+        return fmemopen((void *)(uintptr_t)tetrahedron,
+                        sizeof tetrahedron - 1, mode);
+    size_t length = strlen(path);
+    int is_mesh = length < 4 || strcmp(path + length - 4, ".obj") == 0;
+    return is_mesh ? NULL : __real_fopen(path, mode);
+}
+
+static void check_refused(status r)
+{
+    MUST(r.why[0] && memchr(r.why, 0, sizeof r.why), "no sentence");
+}
+
+// Every position of a world that was built is a number.
+static void check_places(const world *w)
+{
+    for (int i = 0; i < w->pool.count; i++)
+        MUST(vec3_is_finite(w->pool.at[i].position)
+             && vec3_is_finite(w->pool.at[i].previous), "particle %d", i);
+}
+
+// Builds what is small, and lets it take a step.
+static void build(scene_kind kind, scene_options what, world_options how)
+{
+    scene s;
+    if (what.bodies > 12 || what.cloth > 8) return;
+    memset(&s, 0x55, sizeof s);
+    status r = scene_build(&s, kind, what, how);
+    if (!r.ok) {
+        check_refused(r);
+        MUST(s.world.pool.count == 0 && !s.world.pool.at && !s.world.body,
+             "something is left");
+    } else {
+        check_places(&s.world);
+        if (how.substeps <= 4 && how.sweeps <= 4) world_step(&s.world);
+    }
+    scene_free(&s);
+}
+
+// What was accepted is within its range.
+static void check_settings(const settings *s)
+{
+    MUST(s->bodies >= 1 && s->bodies <= 20000, "%d bodies", s->bodies);
+    MUST(s->cloth >= 2 && s->cloth <= 512, "a cloth of %d", s->cloth);
+    MUST(s->substeps >= 0 && s->substeps <= 10000, "%d", s->substeps);
+    MUST(s->sweeps >= 0 && s->sweeps <= 10000, "%d", s->sweeps);
+    MUST(s->dt >= 1e-9 && s->dt <= 1, "dt %g", s->dt);
+    MUST(s->tolerance <= 1, "tolerance %g", s->tolerance);
+}
+
+static void read_words(bytes *in)
+{
+    enum { WORDS = 64, LETTERS = 4096 };
+    static char text[LETTERS];
+    char *argument[WORDS] = { text };
+    int arguments = 1;
+    size_t length = in->left < LETTERS - 2 ? in->left : LETTERS - 2;
+    text[0] = 0;
+    memcpy(text + 1, in->at, length);
+    text[length + 1] = 0;
+    for (char *c = text + 1; *c && arguments < WORDS; ) {
+        argument[arguments++] = c;
+        c += strcspn(c, "\n");
+        if (*c) *c++ = 0;
+    }
+
+    settings s;
+    memset(&s, 0x55, sizeof s);
+    status r = settings_read(&s, arguments, argument);
+    if (!r.ok) { check_refused(r); return; }
+    check_settings(&s);
+    if (s.help) settings_print_help(nowhere);
+    if (s.list) settings_print_list(nowhere);
+    if (s.help || s.list || s.version) return;
+    MUST(s.scene >= 0 && s.scene < SCENES, "scene %d", (int)s.scene);
+    long steps = settings_steps(&s);
+    MUST(steps >= 0 && steps <= 10000000, "%ld steps", steps);
+    settings_print_notes(&s, nowhere);
+    build(s.scene, settings_scene(&s), settings_world(&s));
+}
+
+// Numbers, and bytes as they come, over any part of the options.
+static void read_numbers(bytes *in)
+{
+    scene_kind kind = (scene_kind)take_count(in, 0, SCENES - 1);
+    scene_options what = { .bodies = take_count(in, 0, 13),
+                           .cloth = take_count(in, 1, 9),
+                           .seed = (unsigned)take_byte(in),
+                           .mesh = take_byte(in) % 4 ? NULL : "a.obj" };
+    world_options how = take_byte(in) & 1 ? world_options_paper()
+                                          : scene_world_options(kind);
+    how.substeps = take_count(in, 0, 5);
+    how.sweeps = take_count(in, 0, 5);
+    for (int n = take_count(in, 0, 8); n > 0; n--) {
+        size_t at = (size_t)take_byte(in) * 4;
+        int whole = take_count(in, -2, 4);
+        real x = take_real(in);
+        size_t size = take_byte(in) & 1 ? sizeof whole : sizeof x;
+        if (at + size > sizeof how) continue;
+        const void *from = size == sizeof x ? (void *)&x : (void *)&whole;
+        memcpy((char *)&how + at, from, size);
+    }
+    how.clock = NULL;
+    build(kind, what, how);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    bytes in = { .at = data, .left = size };
+    if (!nowhere) nowhere = fopen("/dev/null", "w");
+    if (take_byte(&in) & 1) read_numbers(&in);
+    else read_words(&in);
+    return 0;
+}

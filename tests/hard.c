@@ -1,0 +1,151 @@
+// hard.c - runs the hard cases: one line each, and a count.
+//
+//   hard                  all of them
+//   hard 3 17             some
+//   hard --fast           the short forms, those that make test runs
+//   hard --parts          every number of a case, and its notes, under its line
+//   hard --csv FILE       writes every number to FILE as well
+//
+// Ends with 0 if all hold, 1 if some fall short, 2 if it was not understood.
+
+#include "hard.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#ifndef FLAGS
+#define FLAGS "unknown"
+#endif
+
+typedef struct {
+    int fast, parts, some;
+    int chosen[HARD_LAST + 1];
+    const char *csv;
+} options;
+
+static int refuse(const char *what, const char *word)
+{
+    fprintf(stderr, "hard: %s %s\n"
+            "usage: hard [--fast] [--parts] [--csv FILE] [NUMBER ...]\n",
+            what, word);
+    return 0;
+}
+
+static int choose(options *o, const char *word)
+{
+    char *end;
+    long number = strtol(word, &end, 10);
+    if (*end != '\0' || number < 1 || number > HARD_LAST)
+        return refuse("there is no case", word);
+    if (!hard_find((int)number)) return refuse("not built yet: case", word);
+    o->chosen[number] = o->some = 1;
+    return 1;
+}
+
+static int read_options(options *o, int count, char **word)
+{
+    for (int i = 1; i < count; i++) {
+        if (strcmp(word[i], "--fast") == 0)       o->fast = 1;
+        else if (strcmp(word[i], "--parts") == 0) o->parts = 1;
+        else if (strcmp(word[i], "--csv") == 0) {
+            if (++i == count) return refuse("--csv wants", "a file");
+            o->csv = word[i];
+        } else if (!choose(o, word[i])) return 0;
+    }
+    return 1;
+}
+
+static const char *verdict(const hard_part *p)
+{
+    return hard_holds(p) ? "holds" : "FALLS SHORT";
+}
+
+static void print_line(const hard_case *c, const hard_report *r,
+                       double seconds, int parts)
+{
+    const hard_part *w = hard_worst(r);
+    printf("%2d  %-31s %-44s %9.2e %9.2e %-5s %6.2f s  %s\n", c->number,
+           c->name, w->what, w->error, w->target, w->unit, seconds, verdict(w));
+    for (int i = 0; parts && i < r->parts; i++) {
+        const hard_part *p = &r->part[i];
+        printf("    %-31s %-44s %9.2e %9.2e %-5s %8s  %s\n", "", p->what,
+               p->error, p->target, p->unit, "", verdict(p));
+    }
+    for (int i = 0; parts && i < r->notes; i++)
+        printf("    - %s\n", r->note[i]);
+    fflush(stdout);
+}
+
+// The lines of the table; below them, as comments, every number and note.
+static void write_csv(FILE *file, const hard_case *c, const hard_report *r,
+                      double seconds)
+{
+    const hard_part *w = hard_worst(r);
+    fprintf(file, "%d,\"%s\",\"%s\",%.2g %s,%.2g %s,%.1f,%s\n", c->number,
+            c->name, w->what, w->error, w->unit, w->target, w->unit, seconds,
+            verdict(w));
+    for (int i = 0; i < r->parts; i++) {
+        const hard_part *p = &r->part[i];
+        fprintf(file, "# %d: %s: %.6g %s, target %.6g, %s\n", c->number,
+                p->what, p->error, p->unit, p->target, verdict(p));
+    }
+    for (int i = 0; i < r->notes; i++)
+        fprintf(file, "# %d: %s\n", c->number, r->note[i]);
+}
+
+static int run_case(const hard_case *c, const options *o, FILE *csv)
+{
+    hard_report *r = calloc(1, sizeof *r);
+    if (!r) {
+        fprintf(stderr, "hard: there is no memory for case %d\n", c->number);
+        return 0;
+    }
+    clock_t start = clock();
+    c->run(r, o->fast);
+    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    print_line(c, r, seconds, o->parts);
+    if (csv) write_csv(csv, c, r, seconds);
+    int holds = hard_holds(hard_worst(r));
+    free(r);
+    return holds;
+}
+
+static int run_all(const options *o, FILE *csv)
+{
+    int run = 0, hold = 0;
+    printf("    %-31s %-44s %9s %9s\n", "case", "measured (the worst)", "error",
+           "target");
+    for (int number = 1; number <= HARD_LAST; number++) {
+        const hard_case *c = hard_find(number);
+        if (!c || (o->some && !o->chosen[number])) continue;
+        if (o->fast && !c->fast) continue;
+        run++;
+        hold += run_case(c, o, csv);
+    }
+    printf("%d of %d hold\n", hold, run);
+    return hold == run;
+}
+
+int main(int count, char **word)
+{
+    options o = { 0 };
+    if (!read_options(&o, count, word)) return 2;
+    FILE *csv = o.csv ? fopen(o.csv, "w") : NULL;
+    if (o.csv && !csv) {
+        fprintf(stderr, "hard: cannot write %s\n", o.csv);
+        return 2;
+    }
+    if (csv)
+        fprintf(csv, "# The hard cases: of each the worst number beside its "
+                "target\n# compiler: %s; flags: %s\n"
+                "number,case,measured,error,target,seconds,verdict\n",
+                __VERSION__, FLAGS);
+    int all = run_all(&o, csv);
+    if (csv && fclose(csv) != 0) {
+        fprintf(stderr, "hard: cannot write %s\n", o.csv);
+        return 2;
+    }
+    return all ? 0 : 1;
+}

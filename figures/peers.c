@@ -78,8 +78,7 @@ static const char *verdict(const row *r)
         return r->is_quoted ? "not measured here" : "";
     int is_slow = (r->ratio > 0 && !(r->ours <= r->ratio * r->theirs))
                || (r->most > 0 && !(r->ours <= r->most));
-    return is_slow && r->is_wrong ? "falls short, and wrong"
-         : is_slow ? "falls short" : r->is_wrong ? "wrong" : "holds";
+    return is_slow || r->is_wrong ? "falls short" : "holds";
 }
 
 static void print_target(const row *r, char *to)

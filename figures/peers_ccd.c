@@ -3,7 +3,7 @@
 // Its settings are those of CCD_INIT, but for the cap of its loops, which is
 // none there.  Support looks at all points, like ours for so few.  This file is
 // compiled with -O2, like libccd itself: with -O3 gcc makes branches of the two
-// selections in support, and libccd takes half as long again.
+// selections in support, and libccd would be the slower for it.
 
 #include "peers_others.h"
 

@@ -118,6 +118,7 @@ static void look_at_walls(const corners at, real side, outcome *o)
 {
     for (int i = 0; i < CORNERS; i++) {
         vec3 p = at[i];
+        if (!vec3_is_finite(p)) o->depth = HUGE_VAL;
         real out = fmax(fabs(p.x), fabs(p.z)) - side / 2;
         o->depth = fmax(o->depth, fmax(out, fmax(-p.y, p.y - side)));
     }

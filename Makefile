@@ -144,10 +144,10 @@ endif
 #:   make figure-08  the same for the figures of chapter 08
 #:   make coverage   which lines of lib/ do the tests run, which branches both ways?
 #:   make hard       run the hard cases, each beside its target: figures/hard.csv
-#:   make peers      the same work by us and by libccd and ODE (make deps-peers
-#:                   installs them), each with its errors: figures/peers.csv
 #:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
 #:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
+#:   make peers      the same work by us and by libccd and ODE (make deps-peers
+#:                   installs them), each with its errors: figures/peers.csv
 figures: $(FIGURES:%=$(BUILD)/figures/%)
 	$(Q)$(foreach f,$(FIGURES),$(call draw,$f,figures) &&) true
 $(CHAPTERS:%=figure-%):
@@ -157,6 +157,11 @@ $(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%
 
 hard: $(BUILD)/hard
 	$(Q)$(BUILD)/hard --csv figures/hard.csv
+
+SOAK_STEPS ?= 1000000
+.PHONY: soak
+soak: $(BUILD)/soak
+	$(Q)$(BUILD)/soak $(SOAK_STEPS)
 
 # Are the others' headers there?
 peers_here = printf '\043include <%s>\n' ccd/ccd.h ode/ode.h | \
@@ -168,11 +173,6 @@ peers:
 	$(Q)$(AGAIN) $(BUILD)/peers
 	$(Q)$(BUILD)/peers > figures/peers.csv.new
 	$(Q)mv figures/peers.csv.new figures/peers.csv
-
-SOAK_STEPS ?= 1000000
-.PHONY: soak
-soak: $(BUILD)/soak
-	$(Q)$(BUILD)/soak $(SOAK_STEPS)
 
 # Without asserts: what no program may do is a branch that no test can take.
 coverage:

@@ -30,7 +30,10 @@ CHAPTERS := $(sort $(patsubst %/,%,$(dir $(LINE))) 15)
 TESTS    := $(basename $(notdir $(wildcard $(MODULES:%=tests/check_%.c))))
 TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/check_*.c))))
 FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*.c)))
-PAINTER  := $(filter-out figures/tumble.c,$(wildcard figures/[a-z]*.c))
+PEERS    := $(wildcard figures/peers*.c)
+# These two, and nothing else, need libccd and ODE.
+THEIRS   := figures/peers_ccd.c figures/peers_ode.c
+PAINTER  := $(filter-out figures/tumble.c $(PEERS),$(wildcard figures/[a-z]*.c))
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
 FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz_*.c)))
 
@@ -59,7 +62,7 @@ endef
 .SECONDEXPANSION:
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help deps deps-book deps-dev demo test checks objects book html library \
+.PHONY: help deps deps-book deps-dev deps-peers demo test checks objects book html library \
   figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
   $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
@@ -73,7 +76,7 @@ help:
 	@b=; r=; if [ -t 1 ]; then b=$$(printf '\033[1m'); r=$$(printf '\033[0m'); fi; \
 	sed -n "s/^#: \([A-Z][a-z ]*\)$$/$$b\1$$r/p; t; s/^#: \{0,1\}//p" Makefile
 
-deps deps-book deps-dev:
+deps deps-book deps-dev deps-peers:
 	@CC='$(CC)' sh tests/deps.sh $@
 
 demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
@@ -161,6 +164,8 @@ endif
 #:   make hard       run the hard cases, each beside its target: figures/hard.csv
 #:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
 #:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
+#:   make peers      the same work by us and by libccd and ODE (make deps-peers
+#:                   installs them), each with its errors: figures/peers.csv
 figures: $(FIGURES:%=$(BUILD)/figures/%)
 	$(Q)$(foreach f,$(FIGURES),$(call draw,$f,figures) &&) true
 $(CHAPTERS:%=figure-%):
@@ -175,6 +180,17 @@ SOAK_STEPS ?= 1000000
 .PHONY: soak
 soak: $(BUILD)/soak
 	$(Q)$(BUILD)/soak $(SOAK_STEPS)
+
+# Are the others' headers there?
+peers_here = printf '\043include <%s>\n' ccd/ccd.h ode/ode.h | \
+  $(CC) -E -x c - > /dev/null 2>&1
+.PHONY: peers theirs
+peers:
+	@$(peers_here) || { echo "make peers measures libccd and ODE, which are not\
+	 installed: make deps-peers installs them." >&2; exit 1; }
+	$(Q)$(AGAIN) $(BUILD)/peers
+	$(Q)$(BUILD)/peers > figures/peers.csv.new
+	$(Q)mv figures/peers.csv.new figures/peers.csv
 
 # Without asserts: what no program may do is a branch that no test can take.
 coverage:
@@ -217,6 +233,8 @@ strict:
 	$(Q)$(AGAIN) -k objects CC=gcc BUILD=$(BUILD)/strict-gcc \
 	  CFLAGS='-O2 -Werror -Wlogical-op -Wduplicated-cond -Wduplicated-branches'
 	$(Q)$(AGAIN) -k objects CC=clang BUILD=$(BUILD)/strict-clang CFLAGS='-O2 -Werror'
+	$(Q)! $(peers_here) || $(AGAIN) -k theirs BUILD=$(BUILD)/strict-theirs \
+	  CFLAGS='-O2 -Werror'
 	@echo "strict: gcc and clang have nothing to say"
 
 clean:
@@ -225,7 +243,9 @@ clean:
 # --- How things are made --------------------------------------------------------
 checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
-objects: $(patsubst %.c,$(BUILD)/%.o,$(wildcard lib/*.c tests/*.c figures/*.c))
+objects: $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(THEIRS),\
+  $(wildcard lib/*.c tests/*.c figures/*.c)))
+theirs: $(THEIRS:%.c=$(BUILD)/%.o)
 
 # A figure with a .gp prints data, which gnuplot draws; one without paints its
 # own picture, whose name is its argument.
@@ -278,6 +298,12 @@ $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, 
 
 $(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
+
+# libccd and ODE are what their packages built, with -O2.
+$(BUILD)/figures/peers_ccd.o: CFLAGS += -O2
+$(BUILD)/peers: $(PEERS:%.c=$(BUILD)/%.o) $(BUILD)/figures/clock.o \
+  $(addprefix $(BUILD)/tests/,oracle.o bodies.o hard_set.o) $(ALL)
+	$(call link,-lode -lccd -lm)
 
 $(BUILD)/bits: $(BUILD)/tests/bits.o $(ALL)
 	$(call link,-lm)

@@ -1,5 +1,5 @@
 # deps.sh - looks for what a command needs and installs what is missing.
-# Called by make deps, make deps-book, make deps-dev, with that name.
+# Called by make deps, deps-book, deps-dev, deps-peers, with that name.
 # It looks for the thing itself, not for a package of a name, so that it is
 # content on any system that has it.
 
@@ -36,6 +36,9 @@ deps-dev)
     need clang command -v clang
     need libclang-rt-14-dev fuzzer
     need valgrind command -v valgrind ;;
+deps-peers)
+    need libccd-dev header ccd/ccd.h
+    need libode-dev header ode/ode.h ;;
 esac
 
 [ -n "$missing" ] || { echo "$1: nothing is missing"; exit 0; }

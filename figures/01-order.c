@@ -3,12 +3,10 @@
 // (After whole orbits the errors of first order of the symplectic step cancel:
 // it would look better than it is.)
 
-#define _POSIX_C_SOURCE 200809L
-
+#include "clock.h"
 #include "verlet.h"
 
 #include <stdio.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -69,13 +67,6 @@ static real planet_energy(const planet *s, method m, real dt)
     return vec3_dot(v, v) / 2 - 1 / vec3_length(x);
 }
 
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 // Where the planet is an orbit and a quarter after its start.  Kepler: at the
 // time t the angle E of the ellipse has E - 0.3 sin E = t; Newton finds it.
 static vec3 kepler(void)
@@ -94,13 +85,13 @@ static real orbit(method m, int per_orbit, double *took)
     *took = 1e9;
     for (int k = 0; k < 5; k++) {
         planet s = planet_start(m, dt);
-        double begin = seconds();
+        double begin = clock_seconds();
         int rounds = 1 + 20000 / steps;
         for (int j = 0; j < rounds; j++) {
             s = planet_start(m, dt);
             for (int i = 0; i < steps; i++) planet_step(&s, m, dt);
         }
-        double t = (seconds() - begin) / rounds;
+        double t = (clock_seconds() - begin) / rounds;
         if (t < *took) *took = t;
         error = vec3_distance(planet_at(&s, m), kepler());
     }

@@ -3,12 +3,10 @@
 // against the cost, for the three ways, and for many sweeps against many small
 // steps.
 
-#define _POSIX_C_SOURCE 200809L
-
+#include "clock.h"
 #include "constraint.h"
 
 #include <stdio.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -70,13 +68,6 @@ static void look(const rope *r, real dt, outcome *o)
     }
 }
 
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static outcome run(int swing, real end_mass, int k, int sweeps, int substeps)
 {
     real dt = 1.0 / 60 / substeps;
@@ -84,14 +75,14 @@ static outcome run(int swing, real end_mass, int k, int sweeps, int substeps)
     rope r = rope_start(swing, end_mass, dt);
     outcome out = { 0, 0, 1e9 };
     for (int frame = 0; frame < FRAMES; frame++) {
-        double begin = seconds();
+        double begin = clock_seconds();
         for (int j = 0; j < substeps; j++) {
             verlet_step(r.p, LINKS + 1, GRAVITY, NULL, dt);
             for (int i = 0; i < sweeps; i++)
                 sticks_sweep(r.s, LINKS, r.p, o);
         }
         // The fastest of all frames: the others were interrupted.
-        out.seconds = fmin(out.seconds, seconds() - begin);
+        out.seconds = fmin(out.seconds, clock_seconds() - begin);
         if (frame >= FRAMES - LAST) look(&r, dt, &out);
     }
     return out;

@@ -2,12 +2,10 @@
 // stick waits for the one before it, and interleaved, where none does; beside a
 // bare loop that can do nothing but the exact root.
 
-#define _POSIX_C_SOURCE 200809L
-
+#include "clock.h"
 #include "constraint.h"
 
 #include <stdio.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -43,13 +41,6 @@ static void rope(particle *p)
     }
 }
 
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static relax_options options_of(int way)
 {
     relax_options o = relax_options_default();
@@ -65,11 +56,11 @@ static double cost(int way, const stick *s, particle *p)
     double best = 1e9;
     for (int k = 0; k < ROUNDS; k++) {
         rope(p);
-        double begin = seconds();
+        double begin = clock_seconds();
         for (int i = 0; i < SWEEPS; i++)
             if (way == 0) bare_sweep(s, LINKS, p);
             else          sticks_sweep(s, LINKS, p, o);
-        best = fmin(best, (seconds() - begin) * 1e9 / (SWEEPS * LINKS));
+        best = fmin(best, (clock_seconds() - begin) * 1e9 / (SWEEPS * LINKS));
     }
     return best;
 }

@@ -5,14 +5,12 @@
 // the sticks as they lie after 3 s (to be drawn), the rank as sticks are added,
 // and the time of a step against the error of the shape.
 
-#define _POSIX_C_SOURCE 200809L
-
 #include "body.h"
+#include "clock.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -21,13 +19,6 @@
 enum { STEPS = 180, CUBES = 5, ROUNDS = 40, MOST = 28 };
 static const real DT = 1.0 / 60;
 static const int STICKS[CUBES] = { 12, 16, 18, 22, 28 };
-
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 // How many coordinates the ends of a stick differ in: 1 an edge, 2 a diagonal
 // of a side, 3 a main diagonal.
@@ -173,9 +164,9 @@ static void print_errors(const vec3 *at)
             double best = 1;
             for (int round = 0; round < ROUNDS; round++) {
                 start(p, at);
-                double before = seconds();
+                double before = clock_seconds();
                 for (int k = 0; k < STEPS; k++) step(p, s, n, sweeps);
-                double took = seconds() - before;
+                double took = clock_seconds() - before;
                 if (took < best) best = took;
             }
             printf("%d %d %.1f %.3e\n", n, sweeps, best / STEPS * 1e9, error);

@@ -6,8 +6,6 @@
 //          without and with a ring
 // Columns are separated by spaces.
 
-#define _POSIX_C_SOURCE 200809L
-
 #include "04-pairs.h"
 
 #include <stdio.h>

@@ -7,9 +7,10 @@
 #ifndef FIGURE_PAIRS_H
 #define FIGURE_PAIRS_H
 
+#include "clock.h"
 #include "gjk.h"
 
-#include <time.h>
+#include <stddef.h>
 
 enum { PAIRS = 20000, BLOCK = 500, CORNERS = 12 };
 
@@ -124,11 +125,9 @@ static void make_pairs(pair_at_gap *pair, int n, real gap)
     }
 }
 
-static double now(void)
+static double now(void)                 // ns
 {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
+    return 1e9 * clock_seconds();
 }
 
 // Nanoseconds of one query: every block of pairs at its quickest pass.

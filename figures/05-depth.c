@@ -7,8 +7,6 @@
 // index 2: gap, ns of gjk cold, of gjk and hit face cold, carried; iterations
 // Columns are separated by spaces.
 
-#define _POSIX_C_SOURCE 200809L
-
 #include "04-pairs.h"
 #include "hit_face.h"
 

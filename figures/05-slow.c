@@ -5,14 +5,12 @@
 // Columns: points of a body; ns of one answer, slow and quick, of the distance
 // and of the depth; the largest relative difference of the answers.
 
-#define _POSIX_C_SOURCE 200809L
-
 #include "bodies.h"
+#include "clock.h"
 #include "hit_face.h"
 #include "oracle.h"
 
 #include <stdio.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -56,11 +54,9 @@ static void make_pairs(int overlap, unsigned long long *seed)
     }
 }
 
-static double now(void)
+static double now(void)                 // ns
 {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
+    return 1e9 * clock_seconds();
 }
 
 // ns a pair, every block of pairs at its quickest pass.

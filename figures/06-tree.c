@@ -2,15 +2,13 @@
 // none, wrapped balls beside layered ones, and what the terms of
 // T = Nv Cv + Np Cp + Nu Cu cost.
 
-#define _POSIX_C_SOURCE 200809L
-
 #include "body.h"
+#include "clock.h"
 #include "gjk.h"
 #include "sphere_tree.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -24,13 +22,6 @@ static void must(int good, const char *what)
     if (good) return;
     fprintf(stderr, "06-tree: %s\n", what);
     exit(1);
-}
-
-static double now(void)                 // s of processor time
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static unsigned long long seed = 1;
@@ -140,14 +131,14 @@ typedef struct {
 static timing time_tree(cloth *c)
 {
     timing best = { 1e9, 1e9, { 0, 0, 0 } };
-    double stop = now() + 0.12;
-    while (now() < stop) {
-        double start = now();
+    double stop = clock_seconds() + 0.12;
+    while (clock_seconds() < stop) {
+        double start = clock_seconds();
         sphere_tree_refresh(&c->tree, c->at);
-        double middle = now();
+        double middle = clock_seconds();
         best.result = sphere_tree_self(&c->tree, c->at, 0.4 * c->h, 1.4, found,
                                        ROOM);
-        double end = now();
+        double end = clock_seconds();
         best.refit = fmin(best.refit, 1e3 * (middle - start));
         best.walk  = fmin(best.walk, 1e3 * (end - middle));
     }
@@ -179,14 +170,14 @@ static void print_times(void)
         cloth c = cloth_make(n, 0, 0.55, TREE_LAYERED);
         cloth_move(&c, 2, 1.2 * c.h);
         sphere_tree_refresh(&c.tree, c.at);
-        double best = 1e9, stop = now() + 0.05;
+        double best = 1e9, stop = clock_seconds() + 0.05;
         int pairs = 0;
         do {
-            double start = now();
+            double start = clock_seconds();
             pairs = all_pairs(&c.tree, 0.4 * c.h, 1.4);
-            double ms = 1e3 * (now() - start);
+            double ms = 1e3 * (clock_seconds() - start);
             if (ms < best) best = ms;
-        } while (now() < stop);
+        } while (clock_seconds() < stop);
         printf("%d %.4f %d %.2f\n", c.leaves, best, pairs,
                1e6 * best / (0.5 * c.leaves * (c.leaves - 1)));
         cloth_free(&c);
@@ -294,10 +285,10 @@ static void print_model(void)
         for (int run = 0; run < 600; run++) {
             sphere_tree_refresh(&a.tree, a.at);
             sphere_tree_refresh(&b.tree, b.at);
-            double start = now();
+            double start = clock_seconds();
             r = sphere_tree_pairs(&a.tree, a.at, &b.tree, b.at, 0.02 * k,
                                   found, ROOM);
-            double time = 1e3 * (now() - start);
+            double time = 1e3 * (clock_seconds() - start);
             if (time < ms[k]) ms[k] = time;
         }
         n[k][0] = r.visited;
@@ -333,7 +324,7 @@ static void print_roots(void)
     for (int i = 0; i < b.plan.particles; i++) b.at[i].y += 9;
     sphere_tree_refresh(&b.tree, b.at);
     int runs = 4000000, pairs = 0;
-    double start = now();
+    double start = clock_seconds();
     for (int i = 0; i < runs; i++) {
         real r = sphere_tree_root(&a.tree, a.at).radius
                + sphere_tree_root(&b.tree, b.at).radius;
@@ -341,20 +332,20 @@ static void print_roots(void)
                           b.tree.node[b.tree.nodes - 1].ball.center);
         pairs += vec3_length_squared(d) < r * r;
     }
-    double roots = 1e9 * (now() - start) / runs;
-    start = now();
+    double roots = 1e9 * (clock_seconds() - start) / runs;
+    start = clock_seconds();
     for (int i = 0; i < runs; i++)
         pairs += sphere_tree_pairs(&a.tree, a.at, &b.tree, b.at, 0, NULL,
                                    0).pairs;
-    double pair = 1e9 * (now() - start) / runs;
-    start = now();
+    double pair = 1e9 * (clock_seconds() - start) / runs;
+    start = clock_seconds();
     for (int i = 0; i < runs; i++) {
         sphere_tree_refresh(&a.tree, a.at);
         pairs += sphere_tree_root(&a.tree, a.at).radius < 0;
     }
     printf("# two bodies apart (ns): roots compared, sphere_tree_pairs, "
            "refresh and root\n%.2f %.2f %.2f %d\n\n\n", roots, pair,
-           1e9 * (now() - start) / runs, pairs);
+           1e9 * (clock_seconds() - start) / runs, pairs);
     cloth_free(&a);
     cloth_free(&b);
 }
@@ -379,10 +370,10 @@ static void print_balls(void)
                 at[i] = vec3_make(x, y, z);
                 index[i] = i;
             }
-            double start = now();
+            double start = clock_seconds();
             sum += sphere_of_points(at, index, n, support, weight,
                                     &supports).radius;
-            time += now() - start;
+            time += clock_seconds() - start;
         }
         printf("%d %.3f %.2f\n", n, 1e6 * time / runs, 1e9 * time / runs / n);
     }

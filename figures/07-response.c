@@ -2,14 +2,12 @@
 // how much work, by each way of sharing the push; and what the sharing does to
 // momentum as one body grows heavier.
 
-#define _POSIX_C_SOURCE 200809L
-
 #include "body.h"
+#include "clock.h"
 #include "response.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -23,13 +21,6 @@ typedef struct {
     particle p[BOTH];
     contact  c;
 } pair;
-
-static real seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (real)t.tv_sec + 1e-9 * (real)t.tv_nsec;
-}
 
 static real any(void)
 {
@@ -133,10 +124,10 @@ static void curve(const char *title, const pair *all, const shape *s,
         real best = 1e9;
         for (int again = 0; again < REPEAT; again++) {
             for (int k = 0; k < PAIRS; k++) copy[k] = all[k];
-            real start = seconds();
+            real start = clock_seconds();
             for (int k = 0; k < PAIRS; k++)
                 work(&copy[k], s, o, passes, once);
-            real took = seconds() - start;
+            real took = clock_seconds() - start;
             if (took < best) best = took;
         }
         for (int k = 0; k < PAIRS; k++) rest[k] = left(&copy[k], s);
@@ -197,11 +188,11 @@ static void time_one(const pair *all)
             }
             o.gain = 1e-9;
             o.friction = 1e-9;
-            real start = seconds();
+            real start = clock_seconds();
             for (int r = 0; r < ROUNDS; r++)
                 for (int k = 0; k < PAIRS; k++)
                     contact_separate(&copy[k].c, copy[k].p, o);
-            real took = (seconds() - start) / ((real)ROUNDS * PAIRS);
+            real took = (clock_seconds() - start) / ((real)ROUNDS * PAIRS);
             if (took < best[apart]) best[apart] = took;
         }
     printf("# contact_separate: %.1f ns with push and friction, %.1f ns "

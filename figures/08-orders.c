@@ -1,13 +1,11 @@
 // 08-orders.c - a vertex of a body is displaced: how many relaxations, looks
 // and nanoseconds until every stick is within a tolerance, in five orders?
 
-#define _POSIX_C_SOURCE 200809L
-
+#include "clock.h"
 #include "ordering.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -31,13 +29,6 @@ typedef struct {
 typedef struct {
     double relaxed, tested, us;
 } cost;
-
-static real seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (real)t.tv_sec + 1e-9 * (real)t.tv_nsec;
-}
 
 static real any(void)
 {
@@ -119,12 +110,12 @@ static cost measure(const solid *b, order_kind kind, real tolerance,
             for (int i = 0; i < b->particles; i++) p[i] = b->p[i];
             vec3 *x = &p[who[k]].position;
             *x = vec3_add_scaled(*x, BLOW, blow[k]);
-            real start = seconds();
+            real start = clock_seconds();
             r = sticks_relax_ordered(kind, kind == ORDER_REPEATED
                                      ? &b->repeated : &b->plain, b->s,
                                      b->sticks, p, b->particles, who[k],
                                      MAX_SWEEPS, o, b->scratch);
-            real took = seconds() - start;
+            real took = clock_seconds() - start;
             if (took < best) best = took;
         }
         if (!(r.worst <= tolerance)) fprintf(stderr, "did not converge\n");

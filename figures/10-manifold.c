@@ -3,13 +3,11 @@
 // along the normal, with the corners of what they share; and what it costs to
 // find them.
 
-#define _POSIX_C_SOURCE 200809L
-
+#include "clock.h"
 #include "gjk.h"
 #include "manifold.h"
 
 #include <stdio.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -17,13 +15,6 @@
 
 enum { CORNERS = 8, MOST = 12, FRAMES = 180, SUBSTEPS = 8, PASSES = 2 };
 static const real DT = 1.0 / 60;
-
-static real seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (real)t.tv_sec + 1e-9 * (real)t.tv_nsec;
-}
 
 static real any(void)
 {
@@ -290,7 +281,7 @@ static pair any_pair(const shape *s, int kind, hit_scratch *scratch)
 static real block_seconds(const shape *s, const pair *p, int gjk, int *count)
 {
     touch found[MANIFOLD_TOUCHES];
-    real start = seconds();
+    real start = clock_seconds();
     for (int k = 0; k < BLOCK; k++) {
         point_set a = { p[k].a, s->particles, NULL, NULL };
         point_set b = { p[k].b, s->particles, NULL, NULL };
@@ -301,7 +292,7 @@ static real block_seconds(const shape *s, const pair *p, int gjk, int *count)
             *count += manifold_find(s, p[k].a, s, p[k].b, p[k].q.normal,
                                     p[k].q.nearest, 0.05, found);
     }
-    return seconds() - start;
+    return clock_seconds() - start;
 }
 
 // The mean over blocks of pairs, of each the best of many rounds: the machine

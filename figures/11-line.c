@@ -4,13 +4,11 @@
 // touched: how much a zigzag has grown after 200 steps.  In the head: how long
 // one link takes, in a cloth and in a rope.
 
-#define _POSIX_C_SOURCE 200809L
-
+#include "clock.h"
 #include "line.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -18,13 +16,6 @@
 
 enum { LINKS = 50, FRAMES = 300, LAST = 60, REPEAT = 30, CLOTH = 40 };
 static const vec3 GRAVITY = { 0, -9.81, 0 };
-
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static _Noreturn void give_up(void)
 {
@@ -97,9 +88,9 @@ static outcome run(real end_mass, recipe way)
     outcome out = { 0, 1e9 };
     rope_hang(&r, end_mass);
     for (int f = 0; f < FRAMES; f++) {
-        double begin = seconds();
+        double begin = clock_seconds();
         frame(&r, way);
-        out.seconds = fmin(out.seconds, seconds() - begin);
+        out.seconds = fmin(out.seconds, clock_seconds() - begin);
         for (int k = 0; k < LINKS && f >= FRAMES - LAST; k++)
             out.strain = fmax(out.strain,
                               stick_strain(r.plan.stick[k], r.p));
@@ -165,13 +156,13 @@ static double time_links(const shape *s, particle *p, int line,
     double best = 1e9;
     const int rounds = 2000000 / REPEAT / s->on_strands + 1;
     for (int k = 0; k < REPEAT; k++) {
-        double begin = seconds();
+        double begin = clock_seconds();
         for (int i = 0; i < rounds; i++) {
             if (!line) sticks_sweep(s->stick, s->on_strands, p, o);
             for (int d = 0; d < s->directions && line; d++)
                 line_solve(&s->strand[d], p, 1, o, scratch);
         }
-        best = fmin(best, seconds() - begin);
+        best = fmin(best, clock_seconds() - begin);
     }
     return best / rounds / s->on_strands;
 }

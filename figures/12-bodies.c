@@ -3,38 +3,16 @@
 // vertices and for bodies of four.  And ten cubes, one on the other, that may
 // not sleep: how far do they drift?
 
-#define _POSIX_C_SOURCE 200809L
-
+#include "clock.h"
 #include "scene.h"
 #include "step.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
 #endif
-
-// Other programs share the machine: their time is not ours.
-static real cpu_seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (real)t.tv_sec + 1e-9 * (real)t.tv_nsec;
-}
-
-static int compare_real(const void *a, const void *b)
-{
-    real x = *(const real *)a, y = *(const real *)b;
-    return (x > y) - (x < y);
-}
-
-static real median(real *x, int n)
-{
-    qsort(x, (size_t)n, sizeof *x, compare_real);
-    return x[n / 2];
-}
 
 // --- the room ----------------------------------------------------------------
 
@@ -56,16 +34,16 @@ static outcome room(world_options how, unsigned long long seed)
     how.resting = 0;
     if (!scene_build(&s, SCENE_ROOM, what, how).ok) exit(1);
     for (int k = 0; k < STEPS; k++) {
-        real start = cpu_seconds();
+        real start = clock_seconds();
         world_step(&s.world);
-        taken[k] = 1e3 * (cpu_seconds() - start);
+        taken[k] = 1e3 * (clock_seconds() - start);
         if (k % LOOK != 0) continue;
         measures m = world_measure(&s.world);
         r.overlap = fmax(r.overlap, 100 * m.penetration / s.body_radius);
         r.strain = fmax(r.strain, 100 * m.strain);
         if (k >= STEPS - LAST) r.left += m.kinetic * LOOK / LAST;
     }
-    r.ms = median(taken, STEPS);
+    r.ms = clock_median(taken, STEPS);
     scene_free(&s);
     return r;
 }
@@ -81,8 +59,9 @@ static void rung(int number, world_options how)
         left[k] = r.left;
         strain[k] = r.strain;
     }
-    printf("%d %.4f %.4g %.4g %.3g\n", number, median(ms, SEEDS),
-           median(overlap, SEEDS), median(left, SEEDS), median(strain, SEEDS));
+    printf("%d %.4f %.4g %.4g %.3g\n", number, clock_median(ms, SEEDS),
+           clock_median(overlap, SEEDS), clock_median(left, SEEDS),
+           clock_median(strain, SEEDS));
 }
 
 static void ladder(void)

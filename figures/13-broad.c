@@ -3,13 +3,11 @@
 // the two finds and the other does not; and what a thousand bodies cost that do
 // not fill a room.
 
-#define _POSIX_C_SOURCE 200809L
-
 #include "broad.h"
+#include "clock.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -30,13 +28,6 @@ typedef struct {
     real sorted, all;
     long pairs, wrong, tests, shifts;
 } cost;
-
-static real seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (real)t.tv_sec + 1e-9 * (real)t.tv_nsec;
-}
 
 // In -1 .. 1.
 static real any(void)
@@ -119,15 +110,15 @@ static cost frame(int scenes, int n)
 {
     static int found[MOST];
     cost c = { 0 };
-    real start = seconds();
+    real start = clock_seconds();
     for (int k = 0; k < scenes; k++)
         found[k] = broad_pairs(&state[k], ball + k * n, moves + k * n, sorted,
                                CAPACITY);
-    real middle = seconds();
+    real middle = clock_seconds();
     for (int k = 0; k < scenes; k++)
         broad_pairs_all(ball + k * n, moves + k * n, n, all, CAPACITY);
     c.sorted = (middle - start) / scenes * 1e6;
-    c.all = (seconds() - middle) / scenes * 1e6;
+    c.all = (clock_seconds() - middle) / scenes * 1e6;
     for (int k = 0; k < scenes; k++) check(k, n, scenes, found[k], &c);
     return c;
 }

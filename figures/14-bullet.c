@@ -11,13 +11,11 @@
 // index 3: distances asked for in such a frame by swept, shots
 // Columns are separated by spaces.
 
-#define _POSIX_C_SOURCE 200809L
-
+#include "clock.h"
 #include "hit_face.h"
 #include "swept.h"
 
 #include <stdio.h>
-#include <time.h>
 
 #ifndef FLAGS
 #define FLAGS "unknown"
@@ -42,13 +40,6 @@ static const point_set plate = { plate_at, PLATE, NULL, NULL };
 static hit_scratch *scratch;
 static real inner;          // m, radius of the largest ball inside the ball
 static int never_seen;
-
-static real seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (real)t.tv_sec + 1e-9 * (real)t.tv_nsec;
-}
 
 // ---- the shots
 
@@ -271,11 +262,11 @@ static void times(real speed)
     find_meetings(speed);
     for (int k = 0; k < PASSES * WAYS; k++) {
         means by = (means)(k % WAYS);
-        real start = seconds();
+        real start = clock_seconds();
         for (int i = 0; i < SHOTS; i++)
             caught += frame(by, &hits[i], meeting[i],
                             way_of(&hits[i], speed)) == STOPPED;
-        real took = (seconds() - start) / SHOTS;
+        real took = (clock_seconds() - start) / SHOTS;
         best[by] = took < best[by] ? took : best[by];
     }
     printf("%.4g", speed);

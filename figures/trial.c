@@ -1,27 +1,11 @@
 // trial.c - runs a scene for a figure.
 
-#define _POSIX_C_SOURCE 200809L
-
 #include "trial.h"
+#include "clock.h"
 #include "step.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
-
-// Other programs share the machine: their time is not ours.
-static real cpu_seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (real)t.tv_sec + 1e-9 * (real)t.tv_nsec;
-}
-
-static int compare_real(const void *a, const void *b)
-{
-    real x = *(const real *)a, y = *(const real *)b;
-    return (x > y) - (x < y);
-}
 
 static void raise(real *most, real value)
 {
@@ -31,9 +15,9 @@ static void raise(real *most, real value)
 static void trial_steps(world *w, int steps, real *taken, trial *out)
 {
     for (int k = 0; k < steps; k++) {
-        real start = cpu_seconds();
+        real start = clock_seconds();
         world_step(w);
-        taken[k] = cpu_seconds() - start;
+        taken[k] = clock_seconds() - start;
         measures m = world_measure(w);
         if (!(m.kinetic - m.kinetic == 0)) break;
         raise(&out->strain, m.strain);
@@ -56,8 +40,7 @@ status trial_run(scene_kind kind, scene_options what, world_options how,
     if (taken) trial_steps(&s.world, steps, taken, out);
     else       done = status_out_of_memory();
     if (out->steps > 0) {
-        qsort(taken, (size_t)out->steps, sizeof *taken, compare_real);
-        out->ms = 1e3 * taken[out->steps / 2];
+        out->ms = 1e3 * clock_median(taken, out->steps);
         out->relaxed /= out->steps;
         out->tested /= out->steps;
     }

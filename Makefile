@@ -45,6 +45,7 @@ TESTS_$(patsubst %/,%,$(dir $1)) += $(filter check_$(notdir $1),$(TESTS))
 endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
 TESTS_15 := check_hard
+TESTS_16 := check_clock
 # The later chapters' figures ask what their module does to the whole.
 FLOOR = $(if $(filter 0%,$1),$(UPTO_$1),$(ALL))
 
@@ -176,7 +177,8 @@ hard: $(BUILD)/hard
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
 SPEED := 16-verlet 16-constraint 16-body 16-gjk 05-depth 16-hit_face \
-  16-sphere_tree 07-response 08-orders 09-bodies 09-cloth 09-order 12-bodies 16-world
+  06-tree 16-sphere_tree 07-response 08-orders 09-bodies 09-cloth 09-order \
+  12-bodies 16-world
 .PHONY: speed profile
 speed: $(SPEED:%=$(BUILD)/figures/%)
 	$(Q)$(foreach f,$(SPEED),$(call draw,$f,figures) &&) true
@@ -261,6 +263,9 @@ $(SCARCE): $(BUILD)/tests/scarce.o
 # This one looks at pictures.
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
+
+# This one looks at how the figures of chapter 16 count time.
+$(BUILD)/tests/check_clock: $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
 ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face swept) $(BUILD)/figures/05-slow

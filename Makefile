@@ -24,8 +24,8 @@ AGAIN := $(MAKE) --no-print-directory
 
 # --- What there is ------------------------------------------------------------
 MODULES  := $(notdir $(LINE))
-# 15 has no module of its own: it is about the hard cases.
-CHAPTERS := $(sort $(patsubst %/,%,$(dir $(LINE))) 15)
+# Two have no module of their own: 15 is about the hard cases, 16 about speed.
+CHAPTERS := $(sort $(patsubst %/,%,$(dir $(LINE))) 15 16)
 # Tests in the book's order, then those that belong to no module.
 TESTS    := $(basename $(notdir $(wildcard $(MODULES:%=tests/check_%.c))))
 TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/check_*.c))))
@@ -48,6 +48,7 @@ TESTS_$(patsubst %/,%,$(dir $1)) += $(filter check_$(notdir $1),$(TESTS))
 endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
 TESTS_15 := check_hard
+TESTS_16 := check_clock
 # The later chapters' figures ask what their module does to the whole.
 FLOOR = $(if $(filter 0%,$1),$(UPTO_$1),$(ALL))
 
@@ -93,7 +94,7 @@ test:
 
 #:
 #: Read and learn
-#:   make 04         chapter 04 alone (there are 00 to 15): the library up to it
+#:   make 04         chapter 04 alone (there are 00 to 16): the library up to it
 #:                   and nothing above, its tests, its figures in build/figures
 #:   make book       weave chapters/, lib/ and the slow oracle into book.md
 #:   make html       build/book.html (needs pandoc: make deps-book)
@@ -162,6 +163,8 @@ endif
 #:   make figure-08  the same for the figures of chapter 08
 #:   make coverage   which lines of lib/ do the tests run, which branches both ways?
 #:   make hard       run the hard cases, each beside its target: figures/hard.csv
+#:   make speed      time against error, module by module: figures/speed.csv
+#:   make profile    where a step's time goes, in the three scenes
 #:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
 #:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
 #:   make peers      the same work by us and by libccd and ODE (make deps-peers
@@ -175,6 +178,23 @@ $(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%
 
 hard: $(BUILD)/hard
 	$(Q)$(BUILD)/hard --csv figures/hard.csv
+
+# The figures that set time against error, in the book's order; others do it in
+# passing.  What they say in a line is gathered in a table.
+SPEED := 16-verlet 16-constraint 16-body 16-gjk 05-depth 16-hit_face \
+  06-tree 16-sphere_tree 07-response 08-orders 09-bodies 09-cloth 09-order \
+  12-bodies 16-world
+.PHONY: speed profile
+speed: $(SPEED:%=$(BUILD)/figures/%)
+	$(Q)$(foreach f,$(SPEED),$(call draw,$f,figures) &&) true
+	$(Q)awk -f figures/table.awk -v csv=figures/speed.csv \
+	  -v machine=figures/machine.csv \
+	  -v head='module,what,at this error,best,beside,takes times as long' \
+	  $(SPEED:%=figures/%.csv)
+profile: $(BUILD)/figures/16-profile
+	$(Q)$(call draw,16-profile,figures)
+	$(Q)awk -f figures/table.awk -v csv=figures/profile.csv \
+	  -v head='stage,room,cloth on a cube,cloth on a rope' figures/16-profile.csv
 
 SOAK_STEPS ?= 1000000
 .PHONY: soak
@@ -263,6 +283,9 @@ $(SCARCE): $(BUILD)/tests/scarce.o
 # This one looks at pictures.
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
+
+# This one looks at how the figures of chapter 16 count time.
+$(BUILD)/tests/check_clock: $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
 ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face swept) $(BUILD)/figures/05-slow

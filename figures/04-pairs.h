@@ -102,7 +102,7 @@ static void nudge(pair_at_gap *pair)
 
 // Pairs at this distance (m); a negative one: brought to a gap of a micrometre,
 // and then pushed in by so much along the axis.
-static void make_pairs(pair_at_gap *pair, int n, real gap)
+static inline void make_pairs(pair_at_gap *pair, int n, real gap)
 {
     real wanted = gap > 1e-6 ? gap : 1e-6;
     for (int i = 0; i < n; i++) {
@@ -125,7 +125,7 @@ static void make_pairs(pair_at_gap *pair, int n, real gap)
     }
 }
 
-static double now(void)                 // ns
+static inline double now(void)                 // ns
 {
     return 1e9 * clock_seconds();
 }
@@ -133,17 +133,17 @@ static double now(void)                 // ns
 // Nanoseconds of one query: every block of pairs at its quickest pass.
 typedef struct { double best[PAIRS / BLOCK]; } stopwatch;
 
-static void stopwatch_reset(stopwatch *w)
+static inline void stopwatch_reset(stopwatch *w)
 {
     for (int k = 0; k < PAIRS / BLOCK; k++) w->best[k] = HUGE_VAL;
 }
 
-static void stopwatch_note(stopwatch *w, int block, double ns)
+static inline void stopwatch_note(stopwatch *w, int block, double ns)
 {
     if (ns < w->best[block]) w->best[block] = ns;
 }
 
-static double stopwatch_mean(const stopwatch *w)
+static inline double stopwatch_mean(const stopwatch *w)
 {
     double sum = 0;
     for (int k = 0; k < PAIRS / BLOCK; k++) sum += w->best[k];

@@ -114,9 +114,12 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void curve(const char *title, const pair *all, const shape *s,
+// Returns the time in which less than a hundredth is left, us; HUGE_VAL: never.
+static real curve(const char *title, const pair *all, const shape *s,
                   response_options o, int once)
 {
+    real us[7], median[7];
+    int n = 0;
     static pair copy[PAIRS];
     static real rest[PAIRS];
     printf("\n\n# %s\n# passes us_a_pair median worst\n", title);
@@ -132,9 +135,12 @@ static void curve(const char *title, const pair *all, const shape *s,
         }
         for (int k = 0; k < PAIRS; k++) rest[k] = left(&copy[k], s);
         qsort(rest, PAIRS, sizeof *rest, compare);
+        us[n] = best / PAIRS * 1e6;
+        median[n++] = rest[PAIRS / 2];
         printf("%d %.4g %.4g %.4g\n", passes, best / PAIRS * 1e6,
                rest[PAIRS / 2], rest[PAIRS - 1]);
     }
+    return clock_at_error(us, median, n, 0.01);
 }
 
 // |sum m dx| / (mass of the light body * overlap), the median over the pairs,
@@ -216,14 +222,18 @@ int main(void)
     response_options o = response_options_default();
     o.friction = 0;
     o.share = SHARE_BODY;
-    curve("the paper: push once, then sweep", all, &s, o, 1);
+    real once = curve("the paper: push once, then sweep", all, &s, o, 1);
     curve("push by bodies, every pass", all, &s, o, 0);
     o.share = SHARE_MASS;
-    curve("push by mass, every pass", all, &s, o, 0);
+    real mass = curve("push by mass, every pass", all, &s, o, 0);
     o.gain = 2;
     curve("push by mass, gain 2", all, &s, o, 0);
     o.gain = 4;
-    curve("push by mass, gain 4", all, &s, o, 0);
+    real gain = curve("push by mass, gain 4", all, &s, o, 0);
+    clock_print_row("response", "icosahedra parted", "1 % left",
+                    "interleaved with gain 4", "interleaved", mass / gain);
+    clock_print_row("response", "icosahedra parted", "1 % left",
+                    "interleaved with gain 4", "pushed once", once / gain);
 
     printf("\n\n# B heavier: momentum made from nothing (light mass * overlap)"
            "\n# ratio printed body mass  heavy's way: printed body mass\n");

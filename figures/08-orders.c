@@ -126,8 +126,23 @@ static cost measure(const solid *b, order_kind kind, real tolerance,
     return (cost){ sum.relaxed / BLOWS, sum.tested / BLOWS, sum.us / BLOWS };
 }
 
+// Which order is the quickest at this tolerance, and how much longer the
+// listed one takes.
+static void print_row(const char *title, real tolerance, const cost *c)
+{
+    int best = 0;
+    char at[32];
+    for (int i = 1; i < ORDERS; i++)
+        if (c[i].us < c[best].us) best = i;
+    snprintf(at, sizeof at, "strain %g", tolerance);
+    clock_print_row("ordering", title, at, NAME[best],
+                    best ? NAME[0] : NAME[2],
+                    c[best ? 0 : 2].us / c[best].us);
+}
+
 static void table(const char *title, solid *b, int again)
 {
+    cost all[ORDERS];
     static const real TO[STEPS] = { 1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4,
                                     3e-5, 1e-5, 3e-6, 1e-6 };
     int who[BLOWS];
@@ -149,8 +164,10 @@ static void table(const char *title, solid *b, int again)
             int runs = TO[t] >= 1e-3 ? again : few;
             cost c = measure(b, (order_kind)i, TO[t], who, blow, runs);
             printf("  %.1f %.1f %.3g", c.relaxed, c.tested, c.us);
+            all[i] = c;
         }
         printf("\n");
+        if (t % 4 == 2) print_row(title, TO[t], all);
     }
 }
 

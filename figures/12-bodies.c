@@ -49,7 +49,7 @@ static outcome room(world_options how, unsigned long long seed)
 }
 
 // The median of five throws.
-static void rung(int number, world_options how)
+static outcome rung(int number, world_options how)
 {
     real ms[SEEDS], overlap[SEEDS], left[SEEDS], strain[SEEDS];
     for (int k = 0; k < SEEDS; k++) {
@@ -62,10 +62,23 @@ static void rung(int number, world_options how)
     printf("%d %.4f %.4g %.4g %.3g\n", number, clock_median(ms, SEEDS),
            clock_median(overlap, SEEDS), clock_median(left, SEEDS),
            clock_median(strain, SEEDS));
+    return (outcome){ ms[SEEDS / 2], overlap[SEEDS / 2], 0, 0 };
+}
+
+static real ms_at_1(const outcome *r, int n)
+{
+    real ms[8], overlap[8];
+    for (int k = 0; k < n; k++) {
+        ms[k] = r[k].ms;
+        overlap[k] = r[k].overlap;
+    }
+    return clock_at_error(ms, overlap, n, 1);
 }
 
 static void ladder(void)
 {
+    outcome vertices[5], fours[4];
+    int rungs = 0;
     printf("\n\n# the paper's way: substeps, ms a step, deepest overlap (%% of "
            "a radius), joules left, strain (%%)\n");
     rung(1, world_options_paper());
@@ -73,7 +86,7 @@ static void ladder(void)
     for (int n = 1; n <= 16; n *= 2) {
         world_options how = world_options_vertices();
         how.substeps = n;
-        rung(n, how);
+        vertices[rungs++] = rung(n, how);
     }
     printf("\n\n# four particles, 4 substeps: passes, ...\n");
     for (int n = 2; n <= 8; n *= 2) {
@@ -85,8 +98,11 @@ static void ladder(void)
     for (int n = 1; n <= 8; n *= 2) {
         world_options how = world_options_default();
         how.substeps = n;
-        rung(n, how);
+        fours[rungs++ - 5] = rung(n, how);
     }
+    clock_print_row("world", "room of 50 by substeps", "overlap 1 % of a radius",
+                    "four particles", "a particle a vertex",
+                    ms_at_1(vertices, 5) / ms_at_1(fours, 4));
 }
 
 // --- ten cubes ---------------------------------------------------------------

@@ -47,18 +47,38 @@ static long times_of(const race *r, int way)
     return times;
 }
 
+// Another order for every round: nothing that comes and goes regularly is to
+// meet the same way each time.
+static void shuffle(int *order, int n, unsigned long long *seed)
+{
+    for (int k = n - 1; k > 0; k--) {
+        *seed = *seed * 6364136223846793005ULL + 1442695040888963407ULL;
+        int j = (int)((*seed >> 33) % (unsigned long long)(k + 1));
+        int kept = order[k];
+        order[k] = order[j];
+        order[j] = kept;
+    }
+}
+
 void clock_race(race r, lap *out)
 {
     assert(r.ways >= 1 && r.ways <= CLOCK_WAYS);
     assert(r.rounds >= 1 && r.rounds <= CLOCK_ROUNDS);
     static real took[CLOCK_WAYS][CLOCK_ROUNDS];
+    unsigned long long seed = 1;
     long times[CLOCK_WAYS];
-    for (int way = 0; way < r.ways; way++) times[way] = times_of(&r, way);
-    for (int round = 0; round < r.rounds; round++)
+    int order[CLOCK_WAYS];
+    for (int way = 0; way < r.ways; way++) {
+        times[way] = times_of(&r, way);
+        order[way] = way;
+    }
+    for (int round = 0; round < r.rounds; round++) {
+        shuffle(order, r.ways, &seed);
         for (int k = 0; k < r.ways; k++) {
-            int way = round % 2 ? r.ways - 1 - k : k;
+            int way = order[k];
             took[way][round] = run(&r, way, times[way]) / (real)times[way];
         }
+    }
     // The first way last: the others still need its rounds in their order.
     for (int way = r.ways - 1; way >= 0; way--) {
         real ratio[CLOCK_ROUNDS];
@@ -83,7 +103,14 @@ real clock_at_error(const real *seconds, const real *error, int n,
     return best;
 }
 
-// ---- Telling -----------------------------------------------------------------
+// ---- Telling ---------------------------------------------------------------
+
+// Clang's version says its name, gcc's does not.
+#ifdef __clang__
+#define COMPILER __VERSION__
+#else
+#define COMPILER "gcc " __VERSION__
+#endif
 
 // As the system names it; "unknown" where it does not.
 static void processor(char *name, int room)
@@ -105,8 +132,8 @@ void clock_print_head(const char *what, const char *flags)
 {
     char name[128];
     processor(name, sizeof name);
-    printf("# %s\n# compiler: %s; flags: %s; processor: %s\n", what,
-           __VERSION__, flags, name);
+    printf("# %s\n# compiler: %s; flags: %s; processor: %s\n", what, COMPILER,
+           flags, name);
 }
 
 void clock_print_row(const char *module, const char *what, const char *error,

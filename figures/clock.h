@@ -32,7 +32,8 @@ typedef struct {
     real ratio;         // to the first way, the median over the rounds
 } lap;
 
-// Runs every way once, to warm up, and then in turns, there and back again.
+// Runs every way, to warm up, and then in rounds: all of them in each, in an
+// order that changes.
 void clock_race(race r, lap *out);
 
 // s, by which a curve of n points (time, error) comes down to an error: on

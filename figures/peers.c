@@ -87,15 +87,21 @@ static void print_target(const row *r, char *to)
     else if (r->most > 0) snprintf(to, TEXT, "%.3g %s", r->most, r->unit);
 }
 
+// With three digits, and never as 1e+03.
+static void print_time(real t, const row *r, const char *beside, char *to)
+{
+    snprintf(to, TEXT, t < 1000 ? "%.3g %s%s" : "%.0f %s%s", t, r->unit,
+             beside);
+}
+
 static line line_of(const row *r)
 {
     line l = { { "" } };
     snprintf(l.cell[0], TEXT, "%s", r->what);
     snprintf(l.cell[1], TEXT, "%s", r->against);
-    snprintf(l.cell[2], TEXT, "%.3g %s", r->ours, r->unit);
+    print_time(r->ours, r, "", l.cell[2]);
     if (r->theirs > 0) {
-        snprintf(l.cell[3], TEXT, "%.3g %s%s", r->theirs, r->unit,
-                 r->is_quoted ? " (quoted)" : "");
+        print_time(r->theirs, r, r->is_quoted ? " (quoted)" : "", l.cell[3]);
         if (!r->is_quoted)
             snprintf(l.cell[4], TEXT, "%.3g x", r->ours / r->theirs);
     }

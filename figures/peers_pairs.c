@@ -204,7 +204,7 @@ static judged judge_distances(const couple *pair, const real *ours)
 
 static void write_judged(char *to, judged j, const char *unit)
 {
-    snprintf(to, TEXT, "%d of %d wrong; largest %.1e%s", j.wrong, j.asked,
+    snprintf(to, TEXT, "%d of %d wrong; largest %.2g%s", j.wrong, j.asked,
              j.worst, unit);
 }
 

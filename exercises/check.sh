@@ -139,10 +139,12 @@ mkdir -p "$build"
 [ $# -gt 0 ] || set -- $(names)
 [ $# -gt 0 ] || { echo "there is no exercise to check"; exit 1; }
 prepare_all "$@"
-half 0 "$*" > "$build/half" 2>&1 &
+said=$build/half.$$     # of this run alone: there may be another beside it
+half 0 "$*" > "$said" 2>&1 &
 half 1 "$*"
 one=$?
 wait $!
 two=$?
-cat "$build/half"
+cat "$said"
+rm -f "$said"
 [ $one -eq 0 ] && [ $two -eq 0 ]

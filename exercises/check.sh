@@ -25,6 +25,10 @@ check_files() {
     for test in $first; do
         grep -q "^START_TEST($test)" "$tests" || fault "first names the test $test, which is not in $tests"
     done
+    for chapter in "$chapters/${name%%/*}"-*.md; do
+        [ ! -f "$chapter" ] || [ -n "$(told "$name")" ] ||
+            fault "$chapter does not tell of it:  make exercise $name"
+    done
     head -n 1 "$dir/README.md" 2> /dev/null | grep -q "^# $name: ." ||
         fault "README.md does not begin with '# $name: title'"
     [ "$(wc -w < "$dir/README.md")" -ge 40 ] || fault "README.md does not tell the task"
@@ -139,10 +143,12 @@ mkdir -p "$build"
 [ $# -gt 0 ] || set -- $(names)
 [ $# -gt 0 ] || { echo "there is no exercise to check"; exit 1; }
 prepare_all "$@"
-half 0 "$*" > "$build/half" 2>&1 &
+said=$build/half.$$     # of this run alone: there may be another beside it
+half 0 "$*" > "$said" 2>&1 &
 half 1 "$*"
 one=$?
 wait $!
 two=$?
-cat "$build/half"
+cat "$said"
+rm -f "$said"
 [ $one -eq 0 ] && [ $two -eq 0 ]

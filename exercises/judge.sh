@@ -2,6 +2,7 @@
 # Run from the project's root.  CC, BUILD, CHECK_LIBS: as in the Makefile.
 
 exercises=${EXERCISES:-exercises}
+chapters=${CHAPTERS:-chapters}
 build=${BUILD:-build}/exercises
 cc=${CC:-cc}
 check_libs=${CHECK_LIBS:--lcheck -lsubunit -lm -lrt -lpthread}
@@ -11,15 +12,23 @@ warnings='-Wall -Wextra -Wconversion -Wshadow -Wno-unused-parameter -Wno-unused-
 exact=$(sed -n 's/^EXACT *:= *//p' Makefile)
 line=$(sed -n 's/^LINE *:= *//p' Makefile)
 
-# Every exercise, NN/name, chapter by chapter: first what the chapter builds
-# (`module`), then what goes on from there.
+# The line of the chapter that tells of exercise NN/name; nothing if none does.
+told() {
+    for chapter in "$chapters/${1%%/*}"-*.md; do
+        [ -f "$chapter" ] && grep -n "make exercise $1\`" "$chapter" | sed 's/:.*//; q'
+    done
+}
+
+# Every exercise, NN/name, in the order in which the chapters tell of them: from
+# the easy to the hard.
 names() {
     for file in "$exercises"/[0-9][0-9]-*/exercise; do
         [ -f "$file" ] || continue
         folder=${file%/exercise} folder=${folder##*/}
-        grep -q '^module' "$file" && kind=1 || kind=2
-        echo "${folder%%-*} $kind ${folder#*-}"
-    done | sort | while read -r chapter kind title; do echo "$chapter/$title"; done
+        name=${folder%%-*}/${folder#*-}
+        place=$(told "$name")
+        echo "${folder%%-*} ${place:-99999} $name"
+    done | sort -k 1,1 -k 2,2n -k 3 | sed 's/.* //'
 }
 
 # load NN/name: reads the file `exercise`.  One of `module` (its module of lib/ is
@@ -108,7 +117,7 @@ judge() {
     rm -f "$out/tap" "$out/stop"
     : > "$out/said"
     (
-        ulimit -f 200000        # 100 MB, for code that prints without end
+        ulimit -f 40000         # 20 MB, for code that prints without end
         ONLY=$2 JUDGE_STOP=$out/stop JUDGE_SECONDS=$seconds \
         CK_FORK=yes CK_TIMEOUT_MULTIPLIER=15 CK_TAP_LOG_FILE_NAME=$out/tap \
         ASAN_OPTIONS=print_legend=0:$ASAN_OPTIONS \

@@ -10,6 +10,7 @@ real=$!
 trap 'kill $real 2> /dev/null; rm -rf "$tree"' EXIT
 
 EXERCISES=$tree; export EXERCISES
+CHAPTERS=$tree; export CHAPTERS
 BUILD=$tree/build; export BUILD
 JUDGE_SECONDS=1; export JUDGE_SECONDS
 dir=$tree/99-sum
@@ -147,6 +148,10 @@ sound; change README.md 1d
 refuses "a task without its title" "README.md does not begin with '# 99/sum: title'"
 sound; change README.md '3,$d'
 refuses "a title without its task" 'README.md does not tell the task'
+sound; echo '# 99. Sums' > "$tree/99-sum.md"
+refuses "an exercise that its chapter does not tell of" '99-sum.md does not tell of it'
+# shellcheck disable=SC2016
+echo 'Try `make exercise 99/sum`.' > "$tree/99-sum.md"; accepts "one that it tells of"; rm "$tree/99-sum.md"
 sound; : > "$dir/notes.txt"
 refuses "a stray file" 'notes.txt is a stray file'
 sound; change exercise 's/sum/summ/'

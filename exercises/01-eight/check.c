@@ -41,7 +41,7 @@ START_TEST(two_bodies_attract_by_the_square_of_their_distance)
     // Rejects: a push, a direction that is not of length 1, one mass only.
     particle p[2] = { at(1, 1, 1), at(4, 5, 1) };
     real mass[2] = { 2, 5 };
-    vec3 force[2];
+    vec3 force[2] = { { 0, 0, 0 } };
     attract(p, mass, 2, 10, force);
     near_vector(force[0], (vec3){ 2.4, 3.2, 0 }, ROUNDING, "on the first",
                 "G m m' / d^2 is 4 N, towards the other.");
@@ -71,7 +71,7 @@ START_TEST(bodies_in_one_place_do_not_attract)
     // Rejects: 0 / 0; and also to forget the third for it.
     particle p[3] = { at(1, 2, 3), at(1, 2, 3), at(1, 2, 5) };
     real mass[3] = { 1, 1, 1 };
-    vec3 force[3];
+    vec3 force[3] = { { 0, 0, 0 } };
     attract(p, mass, 3, 4, force);
     near_vector(force[0], (vec3){ 0, 0, 1 }, ROUNDING, "on the first", "");
     near_vector(force[1], (vec3){ 0, 0, 1 }, ROUNDING, "on the second", "");
@@ -86,7 +86,7 @@ START_TEST(action_is_reaction_among_many)
     particle p[6] = { at(1, 0, 0), at(0, 1, 0), at(-1, 0, 0), at(0, -1, 0),
                       at(0, 0, 0), at(0, 0, 100) };
     real mass[6] = { 1, 1, 1, 1, 8, 1000 };
-    vec3 force[6], sum = { 0, 0, 0 };
+    vec3 force[6] = { { 0, 0, 0 } }, sum = { 0, 0, 0 };
     attract(p, mass, 5, 1, force);
     near_vector(force[4], (vec3){ 0, 0, 0 }, 10 * ROUNDING, "in the middle",
                 "Four equal pulls, from four sides.");
@@ -115,7 +115,7 @@ END_TEST
 // One step, with the forces of the moment.
 static void step(particle *p, const real *mass, int n, real dt)
 {
-    vec3 force[3];
+    vec3 force[3] = { { 0, 0, 0 } };
     attract(p, mass, n, 1, force);
     verlet_step(p, n, (vec3){ 0, 0, 0 }, force, dt);
 }
@@ -173,7 +173,7 @@ START_TEST(three_bodies_dance_on_a_figure_eight)
     vec3 v0[3] = { half, half, v };
     real mass[3] = { 1, 1, 1 }, dt = T / 3000;
     particle p[3];
-    vec3 force[3];
+    vec3 force[3] = { { 0, 0, 0 } };
     for (int i = 0; i < 3; i++) p[i] = (particle){ x0[i], x0[i], 1 };
     attract(p, mass, 3, 1, force);
     for (int i = 0; i < 3; i++)

@@ -32,9 +32,9 @@ void jacobi_sweep(const stick *s, int n, particle *p, int particles,
         p[i].position = vec3_add(p[i].position, move[i]);
 }
 
-// With rho = cos t, sqrt(1 - rho^2) is sin t.
 real over_best(int n)
 {
+    // With rho = cos t, sqrt(1 - rho^2) is sin t.
     const real pi = 3.14159265358979323846;
     return 2 / (1 + sin(pi / (n + 1)));
 }

@@ -8,6 +8,18 @@
 // Moving a by -k w_a n_a and b by -k w_b ratio n_b, n the unit vectors away
 // from the wheels, takes k (w_a + ratio^2 w_b) from C.  An end at its wheel has
 // n = 0, and no part in it.
+static int pull_both(particle *a, particle *b, real C, vec3 grad_a, vec3 grad_b)
+{
+    real bottom = a->inverse_mass * vec3_length_squared(grad_a)
+                + b->inverse_mass * vec3_length_squared(grad_b);
+    if (!(bottom > 0)) return 0;
+
+    real k = C / bottom;
+    a->position = vec3_add_scaled(a->position, -k * a->inverse_mass, grad_a);
+    b->position = vec3_add_scaled(b->position, -k * b->inverse_mass, grad_b);
+    return 1;
+}
+
 stick_result pulley_relax(pulley r, particle *p)
 {
     assert(r.a != r.b && r.ratio > 0);
@@ -20,12 +32,5 @@ stick_result pulley_relax(pulley r, particle *p)
 
     vec3 grad_a = vec3_unit(along_a);
     vec3 grad_b = vec3_scale(r.ratio, vec3_unit(along_b));
-    real bottom = a->inverse_mass * vec3_length_squared(grad_a)
-                + b->inverse_mass * vec3_length_squared(grad_b);
-    if (!(bottom > 0)) return (stick_result){ C, 0 };
-
-    real k = C / bottom;
-    a->position = vec3_add_scaled(a->position, -k * a->inverse_mass, grad_a);
-    b->position = vec3_add_scaled(b->position, -k * b->inverse_mass, grad_b);
-    return (stick_result){ C, 1 };
+    return (stick_result){ C, pull_both(a, b, C, grad_a, grad_b) };
 }

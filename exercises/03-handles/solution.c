@@ -10,7 +10,6 @@ static int *marks(int n)
     return calloc((size_t)(n > 0 ? n : 1), sizeof(int));
 }
 
-// Every ring is counted at the first of its half-edges, and marked to its end.
 int count_rims(const mesh *m)
 {
     int *seen = marks(2 * m->edges), rims = 0;
@@ -39,7 +38,6 @@ static int list_neighbours(const mesh *m, int v, int *seen, int *list,
     return listed;
 }
 
-// All that a vertex can reach is one piece.
 int count_pieces(const mesh *m)
 {
     int *seen = marks(m->vertices), *list = marks(m->vertices), pieces = 0;
@@ -58,11 +56,18 @@ int count_pieces(const mesh *m)
     return result;
 }
 
-// V - E + F = 2 pieces - 2 handles - rims, the lone vertices left out.
+// A vertex alone adds 1 to Euler's number, and is no surface.
+static int euler_of_surface(const mesh *m)
+{
+    int alone = 0;
+    for (int v = 0; v < m->vertices; v++) alone += m->vertex_half[v] < 0;
+    return mesh_euler(m) - alone;
+}
+
 int count_handles(const mesh *m)
 {
-    int pieces = count_pieces(m), rims = count_rims(m), alone = 0;
+    int pieces = count_pieces(m), rims = count_rims(m);
     if (pieces < 0 || rims < 0) return -1;
-    for (int v = 0; v < m->vertices; v++) alone += m->vertex_half[v] < 0;
-    return (2 * pieces - rims - (mesh_euler(m) - alone)) / 2;
+    // V - E + F = 2 pieces - 2 handles - rims.
+    return (2 * pieces - rims - euler_of_surface(m)) / 2;
 }

@@ -25,12 +25,13 @@ static vec3 random_vec3(void)
     return (vec3){ x, y, random_real() };
 }
 
-static void expect(const char *what, const slabs *s, int k, real low, real high)
+static void expect(const char *what, const slabs *s, int k, real low,
+                   real high)
 {
     ck_assert_msg(fabs(s->low[k] - low) <= ROUNDING
                   && fabs(s->high[k] - high) <= ROUNDING,
-                  "%s, along (%g, %g, %g): got %.15g to %.15g, wanted %.15g to "
-                  "%.15g", what, SLAB[k].x, SLAB[k].y, SLAB[k].z, s->low[k],
+                  "%s, along (%g, %g, %g): got a slab from %.15g to %.15g, "
+                  "wanted %.15g to %.15g", what, SLAB[k].x, SLAB[k].y, SLAB[k].z, s->low[k],
                   s->high[k], low, high);
 }
 
@@ -38,10 +39,13 @@ static void expect_meet(const char *what, const slabs *a, const slabs *b,
                         real margin, int meet)
 {
     int ab = slabs_meet(a, b, margin), ba = slabs_meet(b, a, margin);
-    ck_assert_msg(ab == meet, "%s, margin %g: got %d, wanted %d", what, margin,
-                  ab, meet);
-    ck_assert_msg(ba == meet, "%s, exchanged, margin %g: got %d, wanted %d",
-                  what, margin, ba, meet);
+    ck_assert_msg(ab == meet, "%s, margin %g m: they %s, and should%s.  One "
+                  "direction that parts them is enough, and along a diagonal a "
+                  "metre counts sqrt(3) times", what, margin,
+                  ab ? "meet" : "do not meet", meet ? "" : " not");
+    ck_assert_msg(ba == meet, "%s, exchanged, margin %g m: they %s, and "
+                  "should%s: which is the first must not matter", what, margin,
+                  ba ? "meet" : "do not meet", meet ? "" : " not");
 }
 
 START_TEST(points_lie_between_their_slabs)

@@ -56,16 +56,22 @@ static void check_feature(const body *b, const feature_point *f, vec3 on,
                           real tolerance)
 {
     real sum = 0;
-    ck_assert(f->count >= 1 && f->count <= 3);
+    ck_assert_msg(f->count >= 1 && f->count <= 3, "a feature has %d vertices, "
+                  "wanted 1 to 3", f->count);
     for (int k = 0; k < f->count; k++) {
         ck_assert(f->weight[k] >= 0);
-        for (int l = 0; l < k; l++)         // merged
-            ck_assert(vec3_distance(b->at[f->vertex[k]],
-                                    b->at[f->vertex[l]]) > 0);
+        for (int l = 0; l < k; l++)
+            ck_assert_msg(vec3_distance(b->at[f->vertex[k]],
+                                        b->at[f->vertex[l]]) > 0,
+                          "two vertices of a feature are at one place, and are "
+                          "not merged");
         sum += f->weight[k];
     }
-    near(sum, 1, rounding);
-    near(vec3_distance(sum_of(b, f), on), 0, tolerance);
+    ck_assert_msg(fabs(sum - 1) <= rounding, "the weights of a feature of %d "
+                  "add up to %.17g, wanted 1", f->count, sum);
+    real off = vec3_distance(sum_of(b, f), on);
+    ck_assert_msg(off <= tolerance, "a feature's point is %g m from where its "
+                  "weights put it", off);
 }
 
 // Everything that must hold of an answer, without a reference: the normal is a
@@ -76,8 +82,9 @@ static void check_answer(const body *a, const body *b, hit_result r, real size)
     vec3 gap = vec3_sub(r.on_b, r.on_a);
     near(vec3_length(r.normal), 1, rounding);
     ck_assert(r.depth >= 0);
-    near(vec3_distance(gap, vec3_scale(r.depth, r.normal)), 0,
-         rounding * size);
+    real off = vec3_distance(gap, vec3_scale(r.depth, r.normal));
+    ck_assert_msg(off <= rounding * size, "on_b - on_a is to be depth times "
+                  "normal, and is off by %g m", off);
     check_feature(a, &r.a, r.on_a, rounding * size);
     check_feature(b, &r.b, r.on_b, rounding * size);
     if (r.status == HIT_FOUND)

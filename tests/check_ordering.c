@@ -105,9 +105,13 @@ static relax_options to(real tolerance, int dead_band)
 
 static void assert_list(const stick_lists *l, int v, const int *wanted, int n)
 {
-    ck_assert_int_eq(l->start[v + 1] - l->start[v], n);
+    int length = l->start[v + 1] - l->start[v];
+    ck_assert_msg(length == n, "the list of particle %d has %d entries, wanted "
+                  "%d", v, length, n);
     for (int i = 0; i < n; i++)
-        ck_assert_int_eq(l->stick[l->start[v] + i], wanted[i]);
+        ck_assert_msg(l->stick[l->start[v] + i] == wanted[i], "entry %d in the "
+                      "list of particle %d: got stick %d, wanted %d", i, v,
+                      l->stick[l->start[v] + i], wanted[i]);
 }
 
 // The paper: <c1 c5 | c2 c6 c7 c4 | c3>.  Its order within a distance is free;
@@ -151,7 +155,10 @@ START_TEST(repeats_halve_with_distance)
     int times[8] = { 0 };
     const int wanted[8] = { 8, 4, 2, 1, 1, 1, 1, 1 };
     for (int i = l.start[0]; i < l.start[1]; i++) times[l.stick[i]]++;
-    for (int k = 0; k < 8; k++) ck_assert_int_eq(times[k], wanted[k]);
+    for (int k = 0; k < 8; k++)
+        ck_assert_msg(times[k] == wanted[k], "of 8 sticks, the one of distance "
+                      "%d stands in the list %d times, wanted %d", k + 1,
+                      times[k], wanted[k]);
     // From the middle, n = 4, both halves count.
     ck_assert_int_eq(l.start[5] - l.start[4], 2 * (4 + 2 + 1 + 1));
     stick_lists_free(&l);
@@ -288,6 +295,14 @@ START_TEST(refused_memory_leaves_no_scratch)
 }
 END_TEST
 
+static void expect_most(const particle *p, const vec3 *before, int n,
+                        int wanted, const char *when)
+{
+    int got = most_moved(p, before, n);
+    ck_assert_msg(got == wanted, "%s: got particle %d, wanted %d", when, got,
+                  wanted);
+}
+
 // Rejects: the last of equals, a distance in place of a comparison.
 START_TEST(most_moved_is_the_first_of_the_furthest)
 {
@@ -297,12 +312,12 @@ START_TEST(most_moved_is_the_first_of_the_furthest)
         p[i] = at(i, 0, 0, 1);
         before[i] = p[i].position;
     }
-    ck_assert_int_eq(most_moved(p, before, 4), -1);
-    ck_assert_int_eq(most_moved(p, before, 0), -1);
+    expect_most(p, before, 4, -1, "none has moved");
+    expect_most(p, before, 0, -1, "there are no particles");
     p[3].position.y = -1;
-    ck_assert_int_eq(most_moved(p, before, 4), 3);
+    expect_most(p, before, 4, 3, "the last has moved");
     p[1].position.z = 1;
-    ck_assert_int_eq(most_moved(p, before, 4), 1);
+    expect_most(p, before, 4, 1, "1 and 3 have moved equally far");
 }
 END_TEST
 
@@ -449,7 +464,8 @@ START_TEST(largest_comes_first)
     p[3].position.x = 1.3;
     p[5].position.x = 1.3;
     relax_result r = relax(ORDER_LARGEST, s, 3, p, 6, 0, 1, to(0.2, 1));
-    ck_assert_int_eq(r.relaxed, 2);
+    ck_assert_msg(r.relaxed == 2, "strains 0.1, 0.3 and 0.3, tolerance 0.2: got "
+                  "%d relaxations, wanted 2", r.relaxed);
     ck_assert_int_eq(r.tested, 3);
     ck_assert(p[1].position.x == 1.1);
     ck_assert_double_eq_tol(r.worst, 0.1, 1e-12);
@@ -459,7 +475,9 @@ START_TEST(largest_comes_first)
     for (int i = 0; i < 3; i++) p[i] = at(1.3 * i, 0, 0, 1);
     r = relax(ORDER_LARGEST, row, 2, p, 3, -1, 1, to(1e-6, 1));
     ck_assert_int_eq(r.relaxed, 2);
-    ck_assert_double_eq_tol(p[1].position.x, 1.375, 1e-12);
+    ck_assert_msg(fabs(p[1].position.x - 1.375) <= 1e-12, "two sticks in a row, "
+                  "equally wrong: the middle is at x = %g, wanted 1.375 (the "
+                  "first of equals comes first)", p[1].position.x);
 }
 END_TEST
 

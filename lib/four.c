@@ -321,31 +321,79 @@ relax_result four_relax(const four *f, particle *p, int steps,
 }
 //<
 
-//> four-answer
-// The point p = sum a_k x_k is pushed by d: the particles would go a_k w d, and
-// the sticks take back what would change their lengths, J^T mu w with
-//     J J^T mu = J (a d),   (J a d)_s = (a_q - a_p) (o_s . d).
-// What is left, w (a_k d - sum_s J_sk mu_s), is the least move, weighed by
-// mass, that a rigid body can make: the textbook's answer to a blow.
-real four_answer(const four *f, const vec3 at[FOUR], real inverse_mass,
-                 const real weight[FOUR], vec3 d, vec3 answer[FOUR])
+//> four-ways
+// The particles as they lie about their middle, turned about an axis: e x r.
+// No stick o changes its length by that: o . (e x o) = 0.
+static void turn_about(vec3 e, const vec3 r[FOUR], vec3 turn[FOUR])
 {
-    real c[FOUR_STICKS], mu[FOUR_STICKS], along = 0, w = inverse_mass;
-    vec3 o[FOUR_STICKS];
-    for (int s = 0; s < FOUR_STICKS; s++) {
-        int a = f->stick[s].a, b = f->stick[s].b;
-        o[s] = vec3_sub(at[b], at[a]);
-        c[s] = (weight[b] - weight[a]) * vec3_dot(o[s], d);
-    }
-    solve_sticks(f, c, mu);
-    for (int k = 0; k < FOUR; k++) answer[k] = vec3_scale(w * weight[k], d);
-    for (int s = 0; s < FOUR_STICKS; s++) {
-        int a = f->stick[s].a, b = f->stick[s].b;
-        answer[a] = vec3_add_scaled(answer[a], w * mu[s], o[s]);
-        answer[b] = vec3_add_scaled(answer[b], -w * mu[s], o[s]);
-    }
+    for (int k = 0; k < FOUR; k++) turn[k] = vec3_cross(e, r[k]);
+}
+
+static real dot_of_moves(const vec3 a[FOUR], const vec3 b[FOUR])
+{
+    real sum = 0;
+    for (int k = 0; k < FOUR; k++) sum += vec3_dot(a[k], b[k]);
+    return sum;
+}
+
+static void take_from(vec3 move[FOUR], real s, const vec3 other[FOUR])
+{
     for (int k = 0; k < FOUR; k++)
-        along += weight[k] * vec3_dot(answer[k], d);
-    return along;
+        move[k] = vec3_add_scaled(move[k], -s, other[k]);
+}
+
+// Turns about x, y and z, each freed of what the ones before it have of it
+// (Gram and Schmidt).  They are perpendicular to the three straight ways as
+// they are, for the r add up to nothing.  With one mass 1 / w for all four, a
+// way of unit length times sqrt(w) is as long as it must be.
+void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w)
+{
+    static const vec3 axis[TURNS] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    vec3 r[FOUR], middle = { 0, 0, 0 };
+    real root = sqrt(inverse_mass);
+    w->along = root / 2;
+    for (int k = 0; k < FOUR; k++)
+        middle = vec3_add_scaled(middle, 1.0 / FOUR, at[k]);
+    for (int k = 0; k < FOUR; k++) r[k] = vec3_sub(at[k], middle);
+    for (int t = 0; t < TURNS; t++) {
+        turn_about(axis[t], r, w->turn[t]);
+        for (int u = 0; u < t; u++)
+            take_from(w->turn[t], dot_of_moves(w->turn[t], w->turn[u]),
+                      w->turn[u]);
+        real length = sqrt(dot_of_moves(w->turn[t], w->turn[t]));
+        real scale = length > 0 ? 1 / length : 0;
+        for (int k = 0; k < FOUR; k++)
+            w->turn[t][k] = vec3_scale(scale, w->turn[t][k]);
+    }
+    for (int t = 0; t < TURNS; t++)
+        for (int k = 0; k < FOUR; k++)
+            w->turn[t][k] = vec3_scale(root, w->turn[t][k]);
+}
+//<
+
+//> four-row
+void four_row(const four_ways *w, const real share[FOUR], vec3 d,
+              real row[WAYS])
+{
+    row[0] = w->along * d.x;
+    row[1] = w->along * d.y;
+    row[2] = w->along * d.z;
+    for (int t = 0; t < TURNS; t++) {
+        vec3 move = vec3_scale(share[0], w->turn[t][0]);
+        for (int k = 1; k < FOUR; k++)
+            move = vec3_add_scaled(move, share[k], w->turn[t][k]);
+        row[3 + t] = vec3_dot(move, d);
+    }
+}
+
+void four_move(const four_ways *w, const real along[WAYS], vec3 move[FOUR])
+{
+    vec3 all = vec3_scale(w->along,
+                          vec3_make(along[0], along[1], along[2]));
+    for (int k = 0; k < FOUR; k++) {
+        move[k] = all;
+        for (int t = 0; t < TURNS; t++)
+            move[k] = vec3_add_scaled(move[k], along[3 + t], w->turn[t][k]);
+    }
 }
 //<

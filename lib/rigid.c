@@ -204,15 +204,16 @@ static void keep_contact(world *w, const contact *found, int a, int b)
 // means of the four particles: so it is one of those, too.
 static push_side side_of(const world *w, int number, const feature_point *f)
 {
-    push_side s = { .count = 0 };
+    push_side s = { .count = 0, .body = -1 };
     if (number < 0 || f->count == 0) return s;
     const body *b = &w->body[number];
     if (!b->four) {
-        s = (push_side){ .first = f->vertex[0], .count = 1, .share = { 1 } };
+        s = (push_side){ .first = f->vertex[0], .count = 1, .body = -1,
+                         .share = { 1 } };
         return s;
     }
-    s.plan = b->four;
-    s.at = w->of.found + b->first;
+    s.ways = &w->ways[number];
+    s.body = number;
     s.first = b->first;
     s.count = FOUR;
     for (int v = 0; v < f->count; v++)
@@ -304,6 +305,8 @@ static void keep_push(world *w, push x, int a, int b)
         w->report.dropped++;
         return;
     }
+    real reach = w->body[a].reach + (b < w->bodies ? w->body[b].reach : 0);
+    x.near = w->options.look_ahead ? 2 * reach / w->report.substeps : HUGE_VAL;
     w->pushed[w->pushes][0] = a;
     w->pushed[w->pushes][1] = b;
     w->push[w->pushes++] = x;
@@ -365,12 +368,13 @@ static int query_swept(world *w, const body *a, const body *b, real share,
 
 //> rigid-guard
 // The middle of the body's corners, as a point that rides on its particles.
-static void ride_in_the_middle(push_side *s, int corners)
+static void ride_in_the_middle(push_side *s, const body *b)
 {
+    int corners = b->plan->particles;
     for (int k = 0; k < FOUR; k++) s->share[k] = 0;
     for (int v = 0; v < corners; v++)
         for (int k = 0; k < FOUR; k++)
-            s->share[k] += s->plan->weight[v][k] / corners;
+            s->share[k] += b->four->weight[v][k] / corners;
 }
 
 // The touch of a bullet stops a point of it.  The rest would turn about that
@@ -381,13 +385,13 @@ static void keep_guard(world *w, const contact *touch, int a, int b)
 {
     int swap = body_is_nailed(&w->body[a]);
     int first = swap ? b : a, second = swap ? a : b;
-    const shape *x = w->body[first].plan, *y = w->body[second].plan;
+    const body *x = &w->body[first], *y = &w->body[second];
     push guard = rigid_push(w, touch, first, second);
-    push_side *small = x->radius < y->radius ? &guard.a : &guard.b;
-    const shape *plan = x->radius < y->radius ? x : y;
+    int is_a = x->plan->radius < y->plan->radius;
+    push_side *small = is_a ? &guard.a : &guard.b;
     if (small->count != FOUR) return;
-    ride_in_the_middle(small, plan->particles);
-    guard.thickness += plan->inner;
+    ride_in_the_middle(small, is_a ? x : y);
+    guard.thickness += (is_a ? x : y)->plan->inner;
     keep_push(w, guard, a, b);
 }
 //<
@@ -523,8 +527,7 @@ void rigid_find_contacts(world *w)
     int old[2] = { 0, w->lasting_memories };
     int quick[2] = { 0, w->lasting_memories };
     w->contacts = w->pushes = 0;
-    for (int i = 0; i < w->pool.count; i++)
-        w->of.found[i] = w->pool.at[i].position;
+    world_find_ways(w);
     query_planes(w, old);
     query_pairs(w, 0, old);
     w->lasting = w->contacts;
@@ -609,58 +612,44 @@ static void book_friction(world *w, real h)
     for (int k = 0; k < w->contacts; k++) worn += w->contact[k].worn;
     ledger_friction(w, worn / (h * h));
 }
-
-// What is mended between bodies is mended against the planes, which come first
-// in the table, after that: else those that lie in each other press one another
-// through a wall.
-static void begin_again(world *w, push_options how, real h)
-{
-    particle *p = w->pool.at;
-    for (int k = 0; k < w->pushes; k++) {
-        if (w->options.ledger) push_book_again(&w->push[k], p);
-        push_again(&w->push[k], p);
-    }
-    for (int k = 0; k < w->pushes; k++) push_limit(&w->push[k], p, how, h);
-    for (int k = w->pushes - 1; k >= 0; k--) push_mend(&w->push[k], p, how);
-}
 //<
 
 //> rigid-solve
 // One pass forward, one backward, for only both together converge without
 // swinging.  Returns the largest change of a gap (m).
-static real pass_twice(world *w, push_options how)
+static real pass_twice(push_pile *s, push_options how)
 {
-    real most = 0;
-    for (int k = 0; k < w->pushes; k++)
-        most = fmax(most, push_solve(&w->push[k], w->pool.at, how));
-    for (int k = w->pushes - 1; k >= 0; k--)
-        most = fmax(most, push_solve(&w->push[k], w->pool.at, how));
-    return most;
+    real forward = pile_pass(s, 1, how);
+    return fmax(forward, pile_pass(s, -1, how));
 }
 
 // Passes shrink what is wrong in a stack of n by 1 - 1/n^2 a time, with m under
 // M by 1 - m/M.  With Nesterov's momentum these are 1 - 1/n and 1 - sqrt(m/M):
 // each pair begins a little further on than the last one ended, by more and
 // more, until that leads back: then it begins anew (O'Donoghue, Candes 2015).
-static real lean_on(world *w, real pace)
+static real lean_on(push_pile *s, real pace)
 {
-    real leads_on = 0;
-    for (int k = 0; k < w->pushes; k++) leads_on += push_leads_on(&w->push[k]);
-    if (leads_on < 0) pace = 1;
+    if (pile_leads_on(s) < 0) pace = 1;
     real next = (1 + sqrt(1 + 4 * pace * pace)) / 2;
-    for (int k = 0; k < w->pushes; k++)
-        push_lean(&w->push[k], w->pool.at, (pace - 1) / next);
+    pile_lean(s, (pace - 1) / next);
     return next;
 }
 
-static void solve_all(world *w, push_options how)
+static void solve_all(world *w, push_options how, real h)
 {
+    push_pile s = { w->push, w->pushes, w->drift, w->bodies, w->near_push, 0 };
     real enough = w->options.content * w->least_radius, pace = 1;
-    for (int k = 0; k < w->pushes; k++) push_mark(&w->push[k]);
+    pile_begin(&s, w->pool.at, how, h);
+    if (s.nears == 0) return;
+    pile_mark(&s);
     for (int pass = 0; pass < w->options.passes; pass += 2) {
-        if (pass > 0) pace = lean_on(w, pace);
-        if (!(pass_twice(w, how) > enough)) break;
+        if (pass > 0) pace = lean_on(&s, pace);
+        if (!(pass_twice(&s, how) > enough)) break;
     }
+    for (int b = 0; b < w->bodies; b++)
+        if (w->body[b].four && body_moves(w, b))
+            drift_apply(&w->drift[b], &w->ways[b],
+                        w->pool.at + w->body[b].first);
 }
 
 void rigid_separate(world *w, real h)
@@ -668,8 +657,7 @@ void rigid_separate(world *w, real h)
     push_options how = options_of(w, h);
     separate_contacts(w);
     strike_all(w, how, h);
-    begin_again(w, how, h);
-    solve_all(w, how);
+    if (w->pushes > 0) solve_all(w, how, h);
     book_friction(w, h);
 }
 //<

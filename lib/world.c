@@ -376,16 +376,15 @@ static int size_particles(particle_tables *t, const particle_pool *pool,
 {
     size_t n = at_least_one(pool->count);
     t->at     = malloc(at_least_one(vertices) * sizeof *t->at);
-    t->found  = malloc(n * sizeof *t->found);
     t->lain   = malloc(n * sizeof *t->lain);
     t->before = malloc(n * sizeof *t->before);
     t->listed = malloc(n * sizeof *t->listed);
     t->inverse_mass = malloc(n * sizeof *t->inverse_mass);
-    if (!t->at || !t->found || !t->lain || !t->before || !t->listed
+    if (!t->at || !t->lain || !t->before || !t->listed
         || !t->inverse_mass) return 0;
     for (int i = 0; i < pool->count; i++) {
         vec3 x = pool->at[i].position;
-        t->at[i] = t->found[i] = t->lain[i] = t->listed[i] = x;
+        t->at[i] = t->lain[i] = t->listed[i] = x;
         t->inverse_mass[i] = pool->at[i].inverse_mass;
     }
     return 1;
@@ -409,6 +408,9 @@ static int size_buffers(world *w)
     w->push      = malloc(pushes * sizeof *w->push);
     w->pushed    = malloc(pushes * sizeof *w->pushed);
     w->memory    = malloc(pushes * sizeof *w->memory);
+    w->near_push = malloc(pushes * sizeof *w->near_push);
+    w->ways      = calloc(at_least_one(w->bodies), sizeof *w->ways);
+    w->drift     = calloc(at_least_one(w->bodies), sizeof *w->drift);
     w->met       = malloc(pairs * sizeof *w->met);
     w->moves     = calloc(at_least_one(w->bodies), 1);
     w->pair      = malloc(pairs * sizeof *w->pair);
@@ -429,7 +431,8 @@ static int size_buffers(world *w)
     w->hit       = hit_scratch_new();
     w->swept     = malloc(at_least_one(2 * vertices) * sizeof *w->swept);
     w->orders    = order_scratch_new(sticks);
-    return w->push && w->pushed && w->memory && w->met && w->moves
+    return w->push && w->pushed && w->memory && w->near_push && w->ways
+        && w->drift && w->met && w->moves
         && w->pair && w->old_pair && w->contact && w->between && w->near
         && w->point && w->leaf_pair && w->leaf_met && w->hull && w->hull_face
         && w->still && w->collided && w->ball && w->spread && w->hit
@@ -472,6 +475,7 @@ status world_begin(world *w)
         return status_out_of_memory();
     // The trees were built to the plans; now they stand where the bodies do.
     for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);
+    world_find_ways(w);
     status done = build_lists(w);
     if (done.ok) done = rest_init(&w->rest, w->bodies);
     if (done.ok) done = broad_init(&w->broad, w->bodies);
@@ -490,11 +494,12 @@ void world_free(world *w)
         if (w->plan[k].four) four_free(w->plan[k].four);
         free(w->plan[k].four);
     }
-    void *owned[] = { w->body, w->plan, w->of.at, w->of.found, w->of.lain,
+    void *owned[] = { w->body, w->plan, w->of.at, w->of.lain,
         w->of.before, w->of.listed, w->of.inverse_mass, w->push, w->pushed,
-        w->memory, w->met, w->moves, w->pair, w->old_pair, w->contact,
-        w->between, w->near, w->point, w->leaf_pair, w->leaf_met, w->hull,
-        w->hull_face, w->still, w->collided, w->ball, w->spread, w->swept };
+        w->memory, w->near_push, w->ways, w->drift, w->met, w->moves, w->pair,
+        w->old_pair, w->contact, w->between, w->near, w->point, w->leaf_pair,
+        w->leaf_met, w->hull, w->hull_face, w->still, w->collided, w->ball,
+        w->spread, w->swept };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pool_free(&w->pool);
     hit_scratch_free(w->hit);
@@ -533,5 +538,17 @@ void world_look_again(world *w, body *b)
 {
     world_look(w, b);
     sphere_tree_refresh(&b->tree, w->of.at + b->corner);
+}
+
+void world_find_ways(world *w)
+{
+    for (int k = 0; k < w->bodies; k++) {
+        const body *b = &w->body[k];
+        const particle *p = w->pool.at + b->first;
+        vec3 at[FOUR];
+        if (!b->four) continue;
+        for (int i = 0; i < FOUR; i++) at[i] = p[i].position;
+        four_find_ways(at, p->inverse_mass, &w->ways[k]);
+    }
 }
 //<

@@ -163,7 +163,6 @@ typedef struct {
 typedef struct {
     vec3 *at;           // of particles, then of the vertices that ride on four
                         // of them, for the queries
-    vec3 *found;        // of particles, when this frame's contacts were found
     vec3 *lain;         // when their body was last seen to move
     vec3 *before;       // before separation; scratch of the solver
     vec3 *listed;       // when the near lists were made
@@ -199,6 +198,10 @@ typedef struct {
 
     push *push;                         // of bodies of four particles
     int  (*pushed)[2];                  // their bodies; bodies + k: plane k
+    int  *near_push;                    // room for the numbers of some
+    four_ways  *ways;                   // [bodies] of four, when this frame's
+                                        // contacts were found
+    push_drift *drift;                  // [bodies] their pushes, in a substep
     push_memory *memory;                // of the last frame's, in their order
     int  pushes, push_capacity, lasting_pushes;
     int  memories, lasting_memories;    // the first: of contacts that lasted
@@ -280,6 +283,9 @@ void   world_look(world *w, const body *b);
 
 // The same, and brings the body's tree up to date.
 void   world_look_again(world *w, body *b);
+
+// How each body of four particles can move, as it lies now.
+void   world_find_ways(world *w);
 
 // Neither nailed nor asleep.
 static inline int body_moves(const world *w, int b)

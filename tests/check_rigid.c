@@ -223,7 +223,7 @@ START_TEST(push_has_the_points_of_its_contact)
         near_vec3(point_of(&p.a), feature_of(a, &x.a), ROUNDING * 10);
         near_vec3(point_of(&p.b), feature_of(rigid, &x.b), ROUNDING * 10);
         near_vec3(p.along[NORMAL], x.normal, 0);
-        ck_assert(p.thickness == x.thickness && p.a.plan == w.body[a].four);
+        ck_assert(p.thickness == x.thickness && p.a.ways == &w.ways[a]);
         for (int d = 0; d < DIRECTIONS; d++) ck_assert(p.pushed[d] == 0);
         ck_assert(!p.ready && p.worn == 0);
         // A plane is nobody: its point is fixed.
@@ -234,7 +234,7 @@ START_TEST(push_has_the_points_of_its_contact)
         // A deformable body touches with one particle, numbered in the pool.
         x.a = (feature_point){ 1, { w.body[r].first + n % 6 }, { 1 } };
         p = rigid_push(&w, &x, r, a);
-        ck_assert(p.a.count == 1 && p.a.plan == NULL && p.a.share[0] == 1);
+        ck_assert(p.a.count == 1 && p.a.ways == NULL && p.a.share[0] == 1);
         ck_assert_int_eq(p.a.first, w.body[r].first + n % 6);
     }
 }

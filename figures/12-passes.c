@@ -116,7 +116,7 @@ static real lean(stack *s, real pace)
 {
     if (pile_leads_on(&s->pile) < 0) pace = 1;
     real next = (1 + sqrt(1 + 4 * pace * pace)) / 2;
-    pile_lean(&s->pile, (pace - 1) / next);
+    pile_lean(&s->pile, (pace - 1) / next, s->how);
     return next;
 }
 
@@ -152,7 +152,7 @@ static void passes(stack *s, way how, int count, real *left)
     for (int n = 0; n < count; n++) {
         int back = n % 2 == 1 && how != FORWARD;
         if (how == MOMENTUM && n % 2 == 0 && n > 0) pace = lean(s, pace);
-        pile_pass(&s->pile, back ? -1 : 1, s->how);
+        pile_pass(&s->pile, back ? -1 : 1, 0, s->how);
         if (left) left[n] = wanted(s);
     }
 }

@@ -23,14 +23,20 @@ typedef struct {
     real  radius;           // m, their largest distance from the centre
     real  reach;            // m, the vertices' largest distance from it
     stick stick[FOUR_STICKS];               // every pair
+    real  square[FOUR_STICKS];              // m^2, of their lengths
+    real  per_square[FOUR_STICKS];          // 1/m^2
+    int   turns_right;      // 1, 2 and 3 at rest, as seen from 0
     real  inverse[FOUR_STICKS][FOUR_STICKS]; // of J J^T at rest, 1/m^4
     real (*weight)[FOUR];   // [shape->particles] their sum is 1
+    real  middle[FOUR];     // the weights of the mean of all vertices
+    real  swing;            // when no particle goes further than 1 m no vertex
+                            // goes further than this
 } four;
 //<
 
 //> four-ways-head
-// How four particles can move while their sticks hold: all alike along x, y and
-// z, and in three turns.  Every way is as long as 1 m kg^(1/2) (the sum of mass
+// How four particles can move while their sticks hold: all alike along x, y
+// and z, and in three turns.  Every way is as long as 1 m kg^(1/2) (the sum of mass
 // times move squared is 1), and perpendicular to the others.
 enum { TURNS = 3, WAYS = 3 + TURNS };
 
@@ -63,10 +69,10 @@ relax_result four_relax(const four *f, particle *p, int steps,
 // None for a nailed body: all zero.
 void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w);
 
-// How far the point with these shares goes along the unit vector d when the
-// body goes 1 m kg^(1/2) along each way.
-void four_row(const four_ways *w, const real share[FOUR], vec3 d,
-              real row[WAYS]);
+// How far the point with these shares goes along each of three directions d
+// when the body goes 1 m kg^(1/2) along each way.
+void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
+               real row[3][WAYS]);
 
 // Where the particles go, when the body goes so far along each way: move, m.
 void four_move(const four_ways *w, const real along[WAYS], vec3 move[FOUR]);

@@ -55,16 +55,18 @@ static inline real row_dot(const real row[WAYS], const real way[WAYS])
 // The rows of one side.  A single particle goes along x, y and z only.
 static void side_rows(push *c, const push_side *s, int side, const particle *p)
 {
-    real root = s->ways ? 0 : sqrt(p[s->first].inverse_mass);
-    for (int d = 0; d < DIRECTIONS; d++) {
-        real *row = c->row[side][d];
-        vec3 along = vec3_scale(side ? -1 : 1, c->along[d]);
-        if (s->ways) {
-            four_row(s->ways, s->share, along, row);
-        } else {
-            row[0] = root * along.x;
-            row[1] = root * along.y;
-            row[2] = root * along.z;
+    vec3 along[DIRECTIONS];
+    for (int d = 0; d < DIRECTIONS; d++)
+        along[d] = vec3_scale(side ? -1 : 1, c->along[d]);
+    if (s->ways) {
+        four_rows(s->ways, s->share, along, c->row[side]);
+    } else {
+        real root = sqrt(p[s->first].inverse_mass);
+        for (int d = 0; d < DIRECTIONS; d++) {
+            real *row = c->row[side][d];
+            row[0] = root * along[d].x;
+            row[1] = root * along[d].y;
+            row[2] = root * along[d].z;
             row[3] = row[4] = row[5] = 0;
         }
     }
@@ -249,7 +251,7 @@ static inline void part(push *c, const real apart[DIRECTIONS], real before,
         l[NORMAL] = c->pushed[NORMAL] - was;
         brake(c, apart, options, l);
     }
-    wear(c, apart, l);
+    if (options.book) wear(c, apart, l);
 }
 //<
 
@@ -274,7 +276,7 @@ static void move_side(const push_side *s, particle *p, const push_drift *d)
 static void push_alone(push *c, particle *p, const real l[DIRECTIONS],
                        int both)
 {
-    push_drift a = { { 0 }, { 0 } }, b = a;
+    push_drift a = { { 0 }, { 0 }, 0 }, b = a;
     if (both) push_by(c, l, a.mended, b.mended);
     else      push_by(c, l, a.pushed, b.pushed);
     move_side(&c->a, p, &a);
@@ -347,7 +349,7 @@ static void strike(push *c, particle *p, push_options options)
     c->pushed[NORMAL] = fmax(0, was + want / c->weight[NORMAL]);
     l[NORMAL] = c->pushed[NORMAL] - was;
     brake(c, c->apart, options, l);
-    wear(c, c->apart, l);
+    if (options.book) wear(c, c->apart, l);
     push_alone(c, p, l, 0);
 }
 
@@ -387,10 +389,17 @@ int push_blow(push *c, int n, particle *p, push_options options, real slowest)
 //<
 
 //> push-pile-begin
-// The drifts of a contact's two bodies.  (Of B's that does not move nobody asks.)
+// The drifts of a contact's bodies.  (For that of a plane nobody asks.)
 static inline push_drift *drift_of(const push_pile *s, const push_side *side)
 {
     return &s->drift[side->body >= 0 ? side->body : 0];
+}
+
+// How many more substeps go by before the gap may be as narrow as `near`?
+static int substeps_away(const push *c)
+{
+    real n = 2 * (c->apart[NORMAL] - c->near) / c->near;
+    return n < 100 ? (int)n : 100;
 }
 
 // Whoever pushed in the last substep, or may come to touch in this one.
@@ -400,51 +409,59 @@ static void find_near(push_pile *s, const particle *p, push_options options,
     s->nears = 0;
     for (int k = 0; k < s->pushes; k++) {
         push *c = &s->push[k];
+        if (c->far > 0) {
+            c->far--;
+            continue;
+        }
         look(c, p);
+        if (!(c->pushed[NORMAL] > 0) && !(c->apart[NORMAL] <= c->near)) {
+            if (c->apart[NORMAL] > c->near) c->far = substeps_away(c);
+            continue;
+        }
         c->most = c->before + options.mend_speed * h;
-        if (!(c->pushed[NORMAL] > 0) && !(c->apart[NORMAL] <= c->near)) continue;
+        c->solved = -1;
         if (make_ready(c, p)) s->near[s->nears++] = k;
     }
 }
 
-static void push_again(push_pile *s, push *c)
+static void push_again(push_pile *s, push *c, push_options options)
 {
     real *a = drift_of(s, &c->a)->pushed, *b = drift_of(s, &c->b)->pushed;
     real apart[DIRECTIONS];
     if (!(c->pushed[NORMAL] > 0)) return;
-    for (int d = 0; d < DIRECTIONS; d++)
-        apart[d] = c->apart[d] + parted(c, d, a, b);
-    wear(c, apart, c->pushed);
+    if (options.book) {
+        for (int d = 0; d < DIRECTIONS; d++)
+            apart[d] = c->apart[d] + parted(c, d, a, b);
+        wear(c, apart, c->pushed);
+    }
     push_by(c, c->pushed, a, b);
 }
 
-// 1 if anything was mended.
-static int mend(push_pile *s, push *c, push_options options)
+// 1 if anything was mended; `others` tells whether any was before.
+static int mend(push_pile *s, push *c, push_options options, int others)
 {
-    const real *a = drift_of(s, &c->a)->pushed, *b = drift_of(s, &c->b)->pushed;
-    real *up_a = drift_of(s, &c->a)->mended, *up_b = drift_of(s, &c->b)->mended;
-    real l[DIRECTIONS] = { 0 }, both = parted(c, NORMAL, up_a, up_b);
+    push_drift *a = drift_of(s, &c->a), *b = drift_of(s, &c->b);
+    real l[DIRECTIONS] = { 0 }, both = 0, let_be = -options.slop * c->thickness;
+    if (others) both = parted(c, NORMAL, a->mended, b->mended);
     real before = c->before + both;
-    real now = c->apart[NORMAL] + both + parted(c, NORMAL, a, b);
+    if (before >= let_be) return 0;
+    real now = c->apart[NORMAL] + both
+             + parted(c, NORMAL, a->pushed, b->pushed);
     real up = mended(c, now, before, options);
     if (!(up > 0)) return 0;
     l[NORMAL] = up / c->weight[NORMAL];
-    push_by(c, l, up_a, up_b);
+    push_by(c, l, a->mended, b->mended);
     return 1;
 }
 
 // What is mended between bodies is mended against the planes, which come first
 // in the table, after that: else those that lie in each other press one another
 // through a wall.
-void pile_begin(push_pile *s, const particle *p, push_options options, real h)
+static void mend_all(push_pile *s, push_options options)
 {
     int is_mended = 0;
-    for (int b = 0; b < s->bodies; b++)
-        s->drift[b] = (push_drift){ { 0 }, { 0 } };
-    find_near(s, p, options, h);
-    for (int i = 0; i < s->nears; i++) push_again(s, &s->push[s->near[i]]);
     for (int i = s->nears - 1; i >= 0; i--)
-        is_mended |= mend(s, &s->push[s->near[i]], options);
+        is_mended |= mend(s, &s->push[s->near[i]], options, is_mended);
     for (int i = 0; i < s->nears && is_mended; i++) {
         push *c = &s->push[s->near[i]];
         real both = parted(c, NORMAL, drift_of(s, &c->a)->mended,
@@ -453,24 +470,60 @@ void pile_begin(push_pile *s, const particle *p, push_options options, real h)
         c->apart[NORMAL] += both;
     }
 }
+
+void pile_begin(push_pile *s, const particle *p, push_options options, real h)
+{
+    for (int b = 0; b < s->bodies; b++)
+        s->drift[b] = (push_drift){ { 0 }, { 0 }, 0 };
+    find_near(s, p, options, h);
+    for (int i = 0; i < s->nears; i++)
+        push_again(s, &s->push[s->near[i]], options);
+    mend_all(s, options);
+}
 //<
 
 //> push-pile-pass
-real pile_pass(push_pile *s, int step, push_options options)
+// m, how far the push l parts the points, in all directions.
+static inline real stir(const push *c, const real l[DIRECTIONS])
+{
+    return fabs(l[NORMAL]) * c->weight[NORMAL]
+         + fabs(l[ACROSS]) * c->weight[ACROSS]
+         + fabs(l[ASIDE]) * c->weight[ASIDE];
+}
+
+// Solves contact c of the pile.  Whoever finds its bodies where it left them,
+// but for `enough`, has nothing to do.
+static inline real solve(push_pile *s, push *c, real enough,
+                         push_options options)
+{
+    push_drift *a = drift_of(s, &c->a), *b = drift_of(s, &c->b);
+    real apart[DIRECTIONS], l[DIRECTIONS];
+    int is_pair = c->b.count > 0;
+    real stirred = a->stirred + (is_pair ? b->stirred : 0);
+    if (c->solved >= 0 && stirred - c->solved <= enough) return 0;
+    c->solved = stirred;
+    apart[NORMAL] = c->apart[NORMAL] + parted(c, NORMAL, a->pushed, b->pushed);
+    if (c->pushed[NORMAL] == 0 && !(apart[NORMAL] < 0)) return 0;
+    for (int d = ACROSS; d < DIRECTIONS; d++)
+        apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
+    part(c, apart, c->before, options, l);
+    push_by(c, l, a->pushed, b->pushed);
+    real change = stir(c, l);
+    a->stirred += change;
+    c->solved += change;
+    if (is_pair) {
+        b->stirred += change;
+        c->solved += change;
+    }
+    return fabs(l[NORMAL]) * c->weight[NORMAL];
+}
+
+real pile_pass(push_pile *s, int step, real enough, push_options options)
 {
     real most = 0;
     for (int i = step > 0 ? 0 : s->nears - 1; i >= 0 && i < s->nears;
          i += step) {
-        push *c = &s->push[s->near[i]];
-        real *a = drift_of(s, &c->a)->pushed, *b = drift_of(s, &c->b)->pushed;
-        real apart[DIRECTIONS], l[DIRECTIONS];
-        apart[NORMAL] = c->apart[NORMAL] + parted(c, NORMAL, a, b);
-        if (c->pushed[NORMAL] == 0 && !(apart[NORMAL] < 0)) continue;
-        for (int d = ACROSS; d < DIRECTIONS; d++)
-            apart[d] = c->apart[d] + parted(c, d, a, b);
-        part(c, apart, c->before, options, l);
-        push_by(c, l, a, b);
-        real change = fabs(l[NORMAL]) * c->weight[NORMAL];
+        real change = solve(s, &s->push[s->near[i]], enough, options);
         most = change > most ? change : most;
     }
     return most;
@@ -499,7 +552,7 @@ real pile_leads_on(const push_pile *s)
     return sum;
 }
 
-static void lean(push_pile *s, push *c, real share)
+static void lean(push_pile *s, push *c, real share, push_options options)
 {
     real *a = drift_of(s, &c->a)->pushed, *b = drift_of(s, &c->b)->pushed;
     real l[DIRECTIONS], apart[DIRECTIONS], size = 0;
@@ -510,10 +563,12 @@ static void lean(push_pile *s, push *c, real share)
     }
     l[NORMAL] = fmax(l[NORMAL], -c->pushed[NORMAL]);
     if (size > 0) {
-        for (int d = 0; d < DIRECTIONS; d++)
+        for (int d = 0; d < DIRECTIONS && options.book; d++)
             apart[d] = c->apart[d] + parted(c, d, a, b);
-        wear(c, apart, l);
+        if (options.book) wear(c, apart, l);
         push_by(c, l, a, b);
+        drift_of(s, &c->a)->stirred += stir(c, l);
+        if (c->b.count > 0) drift_of(s, &c->b)->stirred += stir(c, l);
     }
     for (int i = 0; i < DIRECTIONS; i++) {
         c->pushed[i] += l[i];
@@ -521,9 +576,10 @@ static void lean(push_pile *s, push *c, real share)
     }
 }
 
-void pile_lean(push_pile *s, real share)
+void pile_lean(push_pile *s, real share, push_options options)
 {
-    for (int i = 0; i < s->nears; i++) lean(s, &s->push[s->near[i]], share);
+    for (int i = 0; i < s->nears; i++)
+        lean(s, &s->push[s->near[i]], share, options);
 }
 //<
 

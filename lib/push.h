@@ -19,6 +19,7 @@ typedef struct {
     real mend_speed;    // m/s, and the most at which it does
     vec3 fall;          // m, g h^2: what gravity adds to a move in a substep
     real slop;          // of a contact's thickness: an overlap that is let be
+    int  book;          // 1: friction's work is kept in `worn`
 } push_options;
 
 // One side of a contact: a point that rides on particles.
@@ -52,6 +53,8 @@ typedef struct {
     real last[DIRECTIONS];  // and after the two before them
     real apart[DIRECTIONS]; // m, before pushes: the gap, and how far the points
                             // have slid across it in this substep
+    real solved;            // m, how much its bodies had been stirred then;
+                            // < 0: not yet, in this substep
     real before;            // m, the gap when the substep began
     real worn;              // kg m^2, friction's work in this substep, times
                             // its square
@@ -63,7 +66,9 @@ typedef struct {
     vec3 fixed;             // m
     vec3 along[DIRECTIONS]; // unit; the normal from B to A
     real thickness;         // m, gap that is kept
-    real near;              // m, a gap that is wider stays one in this substep
+    real near;              // m, a gap that is wider stays one in this substep;
+                            // in one it shrinks by no more than half of that
+    int  far;               // substeps for which it will surely be wider
     real most;              // m, the gap that mending may bring, at most
     real closing;           // m, in a blow: how much nearer they come in a
                             // substep, at the moment when they touch
@@ -119,6 +124,7 @@ int push_blow(push *c, int n, particle *p, push_options options, real slowest);
 typedef struct {
     real pushed[WAYS];      // m kg^(1/2), in this substep
     real mended[WAYS];      // and without making speed
+    real stirred;           // m, by how much its contacts have been parted
 } push_drift;
 
 typedef struct {
@@ -137,9 +143,10 @@ typedef struct {
 // same from one substep to the next; then mends, the last contact first.
 void pile_begin(push_pile *s, const particle *p, push_options options, real h);
 
-// One pass over all, forward (step 1) or backward (-1): push_solve for each.
-// Returns the largest change of a gap (m).
-real pile_pass(push_pile *s, int step, push_options options);
+// One pass over all, forward (step 1) or backward (-1): push_solve for each,
+// but for those whose bodies have not been stirred by more than `enough` (m)
+// since they were solved.  Returns the largest change of a gap (m).
+real pile_pass(push_pile *s, int step, real enough, push_options options);
 
 // Momentum between passes (Nesterov 1983): from where the last two passes led,
 // on by a share of the way from where those before them had led.
@@ -147,7 +154,7 @@ void pile_mark(push_pile *s);                   // before the first pass
 // Does that lead on, the way that the last two passes took?  Energy-like
 // (kg m^2); negative if not.
 real pile_leads_on(const push_pile *s);
-void pile_lean(push_pile *s, real share);
+void pile_lean(push_pile *s, real share, push_options options);
 
 // A body's four particles go where it was pushed.
 void drift_apply(const push_drift *d, const four_ways *ways, particle *p);

@@ -47,9 +47,10 @@ static vec3 any_unit(void)
 enum { MOST = 64 };
 
 static const vec3 UP = { 0, 1, 0 }, ZERO = { 0, 0, 0 };
-static const push_options SMOOTH = { .mend = 0.2, .mend_speed = 3 };
+static const push_options SMOOTH = { .mend = 0.2, .mend_speed = 3,
+                                     .book = 1 };
 static const push_options ROUGH = { .friction = 0.5, .mend = 0.2,
-                                    .mend_speed = 3 };
+                                    .mend_speed = 3, .book = 1 };
 
 static particle p[MOST];
 static vec3 found[MOST];        // where they were, for the ways
@@ -157,7 +158,7 @@ static push_pile pile_of(push *c)
     static int near;
     near = c->a.body = 0;
     c->b.body = 1;
-    drift[0] = drift[1] = (push_drift){ { 0 }, { 0 } };
+    drift[0] = drift[1] = (push_drift){ { 0 }, { 0 }, 0 };
     return (push_pile){ c, 1, drift, 2, &near, 1 };
 }
 
@@ -177,7 +178,7 @@ static void apply(const push_side *s, const push_drift *d)
 static void push_again(push *c)
 {
     push_pile s = pile_of(c);
-    pile_begin(&s, p, (push_options){ .mend = 0 }, H);
+    pile_begin(&s, p, (push_options){ .book = 1 }, H);
     if (s.nears == 0) return;
     apply(&c->a, &s.drift[0]);
     apply(&c->b, &s.drift[1]);
@@ -198,8 +199,8 @@ static real push_leads_on(push *c)
 static void push_lean(push *c, real share)
 {
     push_pile s = pile_of(c);
-    push_limit(c, p, (push_options){ .mend = 0 }, H);
-    pile_lean(&s, share);
+    push_limit(c, p, (push_options){ .book = 1 }, H);
+    pile_lean(&s, share, ROUGH);
     apply(&c->a, &s.drift[0]);
     apply(&c->b, &s.drift[1]);
 }
@@ -548,11 +549,12 @@ START_TEST(answers_are_made_for_where_the_contacts_were_found)
             ck_assert(again.skew[d] == c.skew[d]);
         }
         four_ways w;
-        real row[WAYS], sum = 0;
+        real rows[DIRECTIONS][WAYS], sum = 0;
         for (int k = 0; k < 2; k++) {
             const push_side *side = k ? &c.b : &c.a;
             four_find_ways(found + side->first, 1 / plan.mass, &w);
-            four_row(&w, side->share, c.along[NORMAL], row);
+            four_rows(&w, side->share, c.along, rows);
+            const real *row = rows[NORMAL];
             for (int i = 0; i < WAYS; i++) sum += row[i] * row[i];
         }
         is_near(c.weight[NORMAL], sum, ROUNDING);
@@ -658,7 +660,7 @@ END_TEST
 // one; an old push that is forgotten, or counted twice.
 START_TEST(hold_finds_the_push_in_all_three_directions_at_once)
 {
-    const push_options rough = { .friction = 1 };
+    const push_options rough = { .friction = 1, .book = 1 };
     for (int n = 0; n < 500; n++) {
         push c = two_boxes(0, 0, 0);
         push back = contact_of(c.b, c.a, c.along[NORMAL], 0);
@@ -685,7 +687,7 @@ END_TEST
 // Rejects: a volume of nothing but rounding that is divided by.
 START_TEST(lever_too_long_to_hold_throws_nobody)
 {
-    const push_options rough = { .friction = 1 };
+    const push_options rough = { .friction = 1, .book = 1 };
     for (int n = 0; n < 200; n++) {
         count = 0;
         axes m = any_axes();
@@ -759,7 +761,7 @@ END_TEST
 // Rejects: friction at one side alone; friction without a push.
 START_TEST(friction_between_bodies_keeps_their_momentum)
 {
-    const push_options rough = { .friction = 0.3 };
+    const push_options rough = { .friction = 0.3, .book = 1 };
     for (int n = 0; n < 500; n++) {
         push c = two_boxes(0, 0.0625, 0.25);
         vec3 linear = momentum(), angular = turning();
@@ -1236,7 +1238,7 @@ END_TEST
 
 static push_options bouncing(real restitution)
 {
-    return (push_options){ .restitution = restitution };
+    return (push_options){ .restitution = restitution, .book = 1 };
 }
 
 // Of the contact's points, towards each other, in this substep.

@@ -26,7 +26,7 @@ typedef struct {
     four_ways ways[CUBES];
     push push[CONTACTS];
     push_drift drift[CUBES];
-    int near[CONTACTS];
+    push_near near[CONTACTS];
     push_pile pile;
     push_options how;
 } stack;
@@ -148,7 +148,6 @@ static real wanted(const stack *now)
 static void passes(stack *s, way how, int count, real *left)
 {
     real pace = 1;
-    pile_mark(&s->pile);
     for (int n = 0; n < count; n++) {
         int back = n % 2 == 1 && how != FORWARD;
         if (how == MOMENTUM && n % 2 == 0 && n > 0) pace = lean(s, pace);

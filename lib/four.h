@@ -36,8 +36,8 @@ typedef struct {
 
 //> four-ways-head
 // How four particles can move while their sticks hold: all alike along x, y
-// and z, and in three turns.  Every way is as long as 1 m kg^(1/2) (the sum of mass
-// times move squared is 1), and perpendicular to the others.
+// and z, and in three turns.  Every way is as long as 1 m kg^(1/2) (the sum of
+// mass times move squared is 1), and perpendicular to the others.
 enum { TURNS = 3, WAYS = 3 + TURNS };
 
 typedef struct {
@@ -65,8 +65,8 @@ void four_ride(const four *f, const particle *p, vec3 *at, int n);
 relax_result four_relax(const four *f, particle *p, int steps,
                         relax_options options);
 
-// The ways of four particles, of `inverse_mass` (1/kg) each, that stand at `at`.
-// None for a nailed body: all zero.
+// The ways of four particles, of `inverse_mass` (1/kg) each, that stand at
+// `at`.  None for a nailed body: all zero.
 void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w);
 
 // How far the point with these shares goes along each of three directions d

@@ -388,11 +388,11 @@ int push_blow(push *c, int n, particle *p, push_options options, real slowest)
 }
 //<
 
-//> push-pile-begin
+//> push-pile-near
 // The drifts of a contact's bodies.  (For that of a plane nobody asks.)
-static inline push_drift *drift_of(const push_pile *s, const push_side *side)
+static inline push_drift *drift_of(const push_pile *s, int body)
 {
-    return &s->drift[side->body >= 0 ? side->body : 0];
+    return &s->drift[body >= 0 ? body : 0];
 }
 
 // How many more substeps go by before the gap may be as narrow as `near`?
@@ -402,32 +402,24 @@ static int substeps_away(const push *c)
     return n < 100 ? (int)n : 100;
 }
 
-// Whoever pushed in the last substep, or may come to touch in this one.
-static void find_near(push_pile *s, const particle *p, push_options options,
-                      real h)
+// 1 if the contact pushed in the last substep, or may come to touch in this.
+static int is_near(push *c, const particle *p)
 {
-    s->nears = 0;
-    for (int k = 0; k < s->pushes; k++) {
-        push *c = &s->push[k];
-        if (c->far > 0) {
-            c->far--;
-            continue;
-        }
-        look(c, p);
-        if (!(c->pushed[NORMAL] > 0) && !(c->apart[NORMAL] <= c->near)) {
-            if (c->apart[NORMAL] > c->near) c->far = substeps_away(c);
-            continue;
-        }
-        c->most = c->before + options.mend_speed * h;
-        c->solved = -1;
-        if (make_ready(c, p)) s->near[s->nears++] = k;
+    if (c->far > 0) {
+        c->far--;
+        return 0;
     }
+    look(c, p);
+    if (c->pushed[NORMAL] > 0 || c->apart[NORMAL] <= c->near)
+        return make_ready(c, p);
+    if (c->apart[NORMAL] > c->near) c->far = substeps_away(c);
+    return 0;
 }
 
 static void push_again(push_pile *s, push *c, push_options options)
 {
-    real *a = drift_of(s, &c->a)->pushed, *b = drift_of(s, &c->b)->pushed;
-    real apart[DIRECTIONS];
+    real *a = drift_of(s, c->a.body)->pushed;
+    real *b = drift_of(s, c->b.body)->pushed, apart[DIRECTIONS];
     if (!(c->pushed[NORMAL] > 0)) return;
     if (options.book) {
         for (int d = 0; d < DIRECTIONS; d++)
@@ -436,11 +428,13 @@ static void push_again(push_pile *s, push *c, push_options options)
     }
     push_by(c, c->pushed, a, b);
 }
+//<
 
+//> push-pile-mend
 // 1 if anything was mended; `others` tells whether any was before.
 static int mend(push_pile *s, push *c, push_options options, int others)
 {
-    push_drift *a = drift_of(s, &c->a), *b = drift_of(s, &c->b);
+    push_drift *a = drift_of(s, c->a.body), *b = drift_of(s, c->b.body);
     real l[DIRECTIONS] = { 0 }, both = 0, let_be = -options.slop * c->thickness;
     if (others) both = parted(c, NORMAL, a->mended, b->mended);
     real before = c->before + both;
@@ -461,24 +455,38 @@ static void mend_all(push_pile *s, push_options options)
 {
     int is_mended = 0;
     for (int i = s->nears - 1; i >= 0; i--)
-        is_mended |= mend(s, &s->push[s->near[i]], options, is_mended);
+        is_mended |= mend(s, &s->push[s->near[i].push], options, is_mended);
     for (int i = 0; i < s->nears && is_mended; i++) {
-        push *c = &s->push[s->near[i]];
-        real both = parted(c, NORMAL, drift_of(s, &c->a)->mended,
-                           drift_of(s, &c->b)->mended);
+        push *c = &s->push[s->near[i].push];
+        real both = parted(c, NORMAL, drift_of(s, c->a.body)->mended,
+                           drift_of(s, c->b.body)->mended);
         c->before += both;
         c->apart[NORMAL] += both;
     }
 }
+//<
 
+//> push-pile-begin
+// All that is done with a push once a substep is done at one sight of it: a
+// thousand bodies have more pushes than the nearest memory holds.
 void pile_begin(push_pile *s, const particle *p, push_options options, real h)
 {
+    int overlaps = 0;
     for (int b = 0; b < s->bodies; b++)
         s->drift[b] = (push_drift){ { 0 }, { 0 }, 0 };
-    find_near(s, p, options, h);
-    for (int i = 0; i < s->nears; i++)
-        push_again(s, &s->push[s->near[i]], options);
-    mend_all(s, options);
+    s->nears = 0;
+    for (int k = 0; k < s->pushes; k++) {
+        push *c = &s->push[k];
+        if (!is_near(c, p)) continue;
+        c->most = c->before + options.mend_speed * h;
+        overlaps |= c->before < -options.slop * c->thickness;
+        for (int d = 0; d < DIRECTIONS; d++)
+            c->from[d] = c->last[d] = c->pushed[d];
+        push_again(s, c, options);
+        s->near[s->nears++] = (push_near){ k, c->a.body,
+            c->b.count > 0 ? c->b.body : -1, 0, -1, 0 };
+    }
+    if (overlaps) mend_all(s, options);
 }
 //<
 
@@ -491,17 +499,27 @@ static inline real stir(const push *c, const real l[DIRECTIONS])
          + fabs(l[ASIDE]) * c->weight[ASIDE];
 }
 
-// Solves contact c of the pile.  Whoever finds its bodies where it left them,
+// Where do the last two passes lead, as seen from the two before them?
+static inline real leading_on(const push *c)
+{
+    real sum = 0;
+    for (int d = 0; d < DIRECTIONS; d++)
+        sum += c->weight[d] * (c->pushed[d] - c->from[d])
+                            * (c->pushed[d] - c->last[d]);
+    return sum;
+}
+
+// Solves a contact of the pile.  Whoever finds its bodies where it left them,
 // but for `enough`, has nothing to do.
-static inline real solve(push_pile *s, push *c, real enough,
+static inline real solve(push_pile *s, push_near *n, real enough,
                          push_options options)
 {
-    push_drift *a = drift_of(s, &c->a), *b = drift_of(s, &c->b);
+    push_drift *a = &s->drift[n->a], *b = drift_of(s, n->b);
+    real stirred = a->stirred + (n->b >= 0 ? b->stirred : 0);
+    if (n->solved >= 0 && stirred - n->solved <= enough) return 0;
+    push *c = &s->push[n->push];
     real apart[DIRECTIONS], l[DIRECTIONS];
-    int is_pair = c->b.count > 0;
-    real stirred = a->stirred + (is_pair ? b->stirred : 0);
-    if (c->solved >= 0 && stirred - c->solved <= enough) return 0;
-    c->solved = stirred;
+    n->solved = stirred;
     apart[NORMAL] = c->apart[NORMAL] + parted(c, NORMAL, a->pushed, b->pushed);
     if (c->pushed[NORMAL] == 0 && !(apart[NORMAL] < 0)) return 0;
     for (int d = ACROSS; d < DIRECTIONS; d++)
@@ -510,11 +528,10 @@ static inline real solve(push_pile *s, push *c, real enough,
     push_by(c, l, a->pushed, b->pushed);
     real change = stir(c, l);
     a->stirred += change;
-    c->solved += change;
-    if (is_pair) {
-        b->stirred += change;
-        c->solved += change;
-    }
+    if (n->b >= 0) b->stirred += change;
+    n->solved += n->b >= 0 ? 2 * change : change;
+    n->leans = 1;
+    n->leads_on = leading_on(c);
     return fabs(l[NORMAL]) * c->weight[NORMAL];
 }
 
@@ -523,7 +540,7 @@ real pile_pass(push_pile *s, int step, real enough, push_options options)
     real most = 0;
     for (int i = step > 0 ? 0 : s->nears - 1; i >= 0 && i < s->nears;
          i += step) {
-        real change = solve(s, &s->push[s->near[i]], enough, options);
+        real change = solve(s, &s->near[i], enough, options);
         most = change > most ? change : most;
     }
     return most;
@@ -531,30 +548,17 @@ real pile_pass(push_pile *s, int step, real enough, push_options options)
 //<
 
 //> push-pile-lean
-void pile_mark(push_pile *s)
-{
-    for (int i = 0; i < s->nears; i++) {
-        push *c = &s->push[s->near[i]];
-        for (int d = 0; d < DIRECTIONS; d++)
-            c->from[d] = c->last[d] = c->pushed[d];
-    }
-}
-
 real pile_leads_on(const push_pile *s)
 {
     real sum = 0;
-    for (int i = 0; i < s->nears; i++) {
-        const push *c = &s->push[s->near[i]];
-        for (int d = 0; d < DIRECTIONS; d++)
-            sum += c->weight[d] * (c->pushed[d] - c->from[d])
-                                * (c->pushed[d] - c->last[d]);
-    }
+    for (int i = 0; i < s->nears; i++) sum += s->near[i].leads_on;
     return sum;
 }
 
-static void lean(push_pile *s, push *c, real share, push_options options)
+static void lean(push_pile *s, push_near *n, real share, push_options options)
 {
-    real *a = drift_of(s, &c->a)->pushed, *b = drift_of(s, &c->b)->pushed;
+    push *c = &s->push[n->push];
+    push_drift *a = drift_of(s, n->a), *b = drift_of(s, n->b);
     real l[DIRECTIONS], apart[DIRECTIONS], size = 0;
     for (int i = 0; i < DIRECTIONS; i++) {
         l[i] = share * (c->pushed[i] - c->last[i]);
@@ -562,13 +566,16 @@ static void lean(push_pile *s, push *c, real share, push_options options)
         size += fabs(l[i]);
     }
     l[NORMAL] = fmax(l[NORMAL], -c->pushed[NORMAL]);
-    if (size > 0) {
+    n->leans = size > 0;
+    n->leads_on = 0;
+    if (n->leans) {
         for (int d = 0; d < DIRECTIONS && options.book; d++)
-            apart[d] = c->apart[d] + parted(c, d, a, b);
+            apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
         if (options.book) wear(c, apart, l);
-        push_by(c, l, a, b);
-        drift_of(s, &c->a)->stirred += stir(c, l);
-        if (c->b.count > 0) drift_of(s, &c->b)->stirred += stir(c, l);
+        push_by(c, l, a->pushed, b->pushed);
+        real change = stir(c, l);
+        a->stirred += change;
+        if (n->b >= 0) b->stirred += change;
     }
     for (int i = 0; i < DIRECTIONS; i++) {
         c->pushed[i] += l[i];
@@ -579,7 +586,7 @@ static void lean(push_pile *s, push *c, real share, push_options options)
 void pile_lean(push_pile *s, real share, push_options options)
 {
     for (int i = 0; i < s->nears; i++)
-        lean(s, &s->push[s->near[i]], share, options);
+        if (s->near[i].leans) lean(s, &s->near[i], share, options);
 }
 //<
 

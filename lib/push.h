@@ -53,8 +53,6 @@ typedef struct {
     real last[DIRECTIONS];  // and after the two before them
     real apart[DIRECTIONS]; // m, before pushes: the gap, and how far the points
                             // have slid across it in this substep
-    real solved;            // m, how much its bodies had been stirred then;
-                            // < 0: not yet, in this substep
     real before;            // m, the gap when the substep began
     real worn;              // kg m^2, friction's work in this substep, times
                             // its square
@@ -127,13 +125,24 @@ typedef struct {
     real stirred;           // m, by how much its contacts have been parted
 } push_drift;
 
+// A contact that may touch in this substep: all that tells whether it has to be
+// looked at.  A pass that leaves out most of them hardly reads any push.
+typedef struct {
+    int  push;              // its number
+    int  a, b;              // its bodies; -1: none that moves
+    int  leans;             // it has changed since momentum was last given
+    real solved;            // m, how much its bodies had been stirred when it
+                            // was solved; < 0: not yet
+    real leads_on;          // kg m^2, see pile_leads_on
+} push_near;
+
 typedef struct {
     push *push;
     int   pushes;
     push_drift *drift;      // [bodies]
     int   bodies;
-    int  *near;             // room for the numbers of all pushes: of those that
-    int   nears;            // may touch in this substep
+    push_near *near;        // room for all pushes
+    int   nears;
 } push_pile;
 //<
 
@@ -150,7 +159,6 @@ real pile_pass(push_pile *s, int step, real enough, push_options options);
 
 // Momentum between passes (Nesterov 1983): from where the last two passes led,
 // on by a share of the way from where those before them had led.
-void pile_mark(push_pile *s);                   // before the first pass
 // Does that lead on, the way that the last two passes took?  Energy-like
 // (kg m^2); negative if not.
 real pile_leads_on(const push_pile *s);

@@ -140,8 +140,9 @@ static void look_at_rigid(world *w)
         int moves = body_moves(w, k), changed = moves != w->moves[k];
         w->moves[k] = (char)moves;
         // Deformable bodies have lists of their own.
-        w->ball[k] = (sphere){ { 0, 0, 0 }, -1 };
-        if (body_is_soft(b)) continue;
+        if (body_is_soft(b)) w->ball[k] = (sphere){ { 0, 0, 0 }, -1 };
+        if (body_is_soft(b) || (!moves && !changed && w->ball[k].radius > 0))
+            continue;
         if (changed || (moves && !lies_where_seen(w, b))) look_anew(w, b);
         w->ball[k] = ball_of(w, b);
         if (moves && !w->fresh[k] && w->options.look_ahead)
@@ -942,7 +943,6 @@ static void solve_all(world *w, push_options how, real h)
     real enough = w->options.content * w->least_radius, pace = 1;
     pile_begin(&s, w->pool.at, how, h);
     if (s.nears == 0) return;
-    pile_mark(&s);
     for (int pass = 0; pass < w->options.passes; pass += 2) {
         if (pass > 0) pace = lean_on(&s, pace, how);
         if (!(pass_twice(&s, enough, how) > enough)) break;

@@ -212,7 +212,7 @@ typedef struct {
                                         // frame's, the last one's
     int  (*pushed)[2], (*old_pushed)[2];// their bodies; bodies + k: plane k
     push_run *wall;                     // [bodies] those with the planes
-    int  *near_push;                    // room for the numbers of some
+    push_near *near_push;               // those that may touch, in a substep
     four_ways  *ways;                   // [bodies] of four, when this frame's
                                         // contacts were found
     push_drift *drift;                  // [bodies] their pushes, in a substep

@@ -155,8 +155,9 @@ static push at_plane(push_side a, vec3 on_plane, vec3 normal, real thickness)
 static push_pile pile_of(push *c)
 {
     static push_drift drift[2];
-    static int near;
-    near = c->a.body = 0;
+    static push_near near;
+    near = (push_near){ 0, 0, 1, 1, -1, 0 };
+    c->a.body = 0;
     c->b.body = 1;
     drift[0] = drift[1] = (push_drift){ { 0 }, { 0 }, 0 };
     return (push_pile){ c, 1, drift, 2, &near, 1 };
@@ -186,14 +187,17 @@ static void push_again(push *c)
 
 static void push_mark(push *c)
 {
-    push_pile s = pile_of(c);
-    pile_mark(&s);
+    for (int d = 0; d < DIRECTIONS; d++)
+        c->from[d] = c->last[d] = c->pushed[d];
 }
 
-static real push_leads_on(push *c)
+static real push_leads_on(const push *c)
 {
-    push_pile s = pile_of(c);
-    return pile_leads_on(&s);
+    real sum = 0;
+    for (int d = 0; d < DIRECTIONS; d++)
+        sum += c->weight[d] * (c->pushed[d] - c->from[d])
+                            * (c->pushed[d] - c->last[d]);
+    return sum;
 }
 
 static void push_lean(push *c, real share)

@@ -110,7 +110,8 @@ static int lies_where_seen(const world *w, const body *b)
     return most <= far * far;
 }
 
-// The ball around a rigid body.
+// The ball around a rigid body.  Sticks of four particles are never off by more
+// than a hundredth.
 static sphere ball_of(const world *w, body *b)
 {
     const particle *p = w->pool.at + b->first;
@@ -118,7 +119,7 @@ static sphere ball_of(const world *w, body *b)
     if (!b->four) return sphere_tree_root(&b->tree, w->of.at + b->corner);
     for (int k = 0; k < FOUR; k++)
         sum = vec3_add_scaled(sum, 1.0 / FOUR, p[k].position);
-    return (sphere){ sum, 1.05 * b->four->reach + b->thickness };
+    return (sphere){ sum, 1.02 * b->four->reach };
 }
 
 // Where it is now, and how it can move.
@@ -175,8 +176,8 @@ static int list_pairs(world *w)
     int old = 0, room = w->pair_capacity, found;
     for (int b = 0; b < w->bodies; b++)
         if (!body_is_soft(&w->body[b])) {
-            w->listed[b] = w->body[b].reach + 4 * w->options.stay
-                                              * w->body[b].plan->radius;
+            w->listed[b] = w->body[b].reach + w->body[b].thickness
+                         + 4 * w->options.stay * w->body[b].plan->radius;
             w->ball[b].radius += w->listed[b];
         }
     found = w->options.pairs == PAIRS_ALL
@@ -259,7 +260,7 @@ static int list_is_good(world *w)
         const body *x = &w->body[b];
         if (w->fresh[b] || body_is_soft(x)) return 0;
         real slack = 2 * w->options.stay * x->plan->radius;
-        if (!(x->reach + slack <= w->listed[b])) return 0;
+        if (!(x->reach + x->thickness + slack <= w->listed[b])) return 0;
     }
     return w->options.look_ahead && w->options.stay > 0;
 }
@@ -620,16 +621,26 @@ static int query_nearest(world *w, body_pair *pair, real margin,
                          w->hit, found);
 }
 
+// Are the balls around two bodies, now, further apart than the margin?
+static int balls_are_apart(const world *w, body *a, body *b, real margin)
+{
+    if (!a->four || !b->four) return 0;
+    sphere x = ball_of(w, a), y = ball_of(w, b);
+    real near = x.radius + y.radius + margin;
+    return vec3_length_squared(vec3_sub(x.center, y.center)) > near * near;
+}
+
 // The contacts of a pair in the next share of the frame, and those that are no
 // more than a slack (m) further.
 static void query_pair(world *w, body_pair *pair, real share, real slack,
                        int old[2])
 {
     contact found[PAIR_CONTACTS];
-    const body *a = &w->body[pair->a], *b = &w->body[pair->b];
+    body *a = &w->body[pair->a], *b = &w->body[pair->b];
     real apart = a->thickness + b->thickness;
     real margin = share * (a->reach + b->reach) + apart + slack;
     int n = -1, is_bullet = passes_far(w, a, b, share);
+    if (!is_bullet && balls_are_apart(w, a, b, margin)) return;
     look_now(w, pair->a);
     look_now(w, pair->b);
     if (is_bullet) n = query_swept(w, a, b, share, apart, found);
@@ -664,7 +675,8 @@ static int quick_every(const world *w)
 // By more than a tenth of a radius in a frame?
 static int is_quick(const body *a, const body *b)
 {
-    return a->reach + b->reach > 0.1 * fmin(a->plan->radius, b->plan->radius);
+    real far = vec3_distance(a->way, b->way) + a->turn + b->turn;
+    return far > 0.1 * fmin(a->plan->radius, b->plan->radius);
 }
 
 // m, so near that they may touch within the frame.

@@ -12,8 +12,8 @@
 #endif
 
 // How the passes of a substep go.
-typedef enum { FORWARD, BOTH, MOMENTUM, WAYS } way;
-static const char *const NAME[WAYS] = {
+typedef enum { FORWARD, BOTH, MOMENTUM, HOWS } way;
+static const char *const NAME[HOWS] = {
     "forward only", "forward and backward", "with momentum"
 };
 
@@ -23,8 +23,11 @@ static const real H = 1.0 / 240, G = 9.81;
 typedef struct {
     int cubes, pushes;
     particle p[CUBES * FOUR];
-    vec3 found[CUBES * FOUR];
+    four_ways ways[CUBES];
     push push[CONTACTS];
+    push_drift drift[CUBES];
+    push_near near[CONTACTS];
+    push_pile pile;
     push_options how;
 } stack;
 
@@ -33,8 +36,8 @@ static four plan;
 
 static push_side side_of(const stack *s, int b, int v)
 {
-    push_side x = { .plan = &plan, .at = s->found + FOUR * b,
-                    .first = FOUR * b, .count = FOUR };
+    push_side x = { .ways = &s->ways[b], .first = FOUR * b, .count = FOUR,
+                    .body = b };
     for (int k = 0; k < FOUR; k++) x.share[k] = plan.weight[v][k];
     return x;
 }
@@ -50,11 +53,17 @@ static void find(stack *s)
     static const int low[CORNERS] = { 0, 1, 4, 5 };
     static const int high[CORNERS] = { 2, 3, 6, 7 };
     int known = s->pushes > 0, i = 0;
-    for (int k = 0; k < FOUR * s->cubes; k++) s->found[k] = s->p[k].position;
+    for (int b = 0; b < s->cubes; b++) {
+        const particle *p = s->p + FOUR * b;
+        vec3 at[FOUR];
+        for (int k = 0; k < FOUR; k++) at[k] = p[k].position;
+        four_find_ways(at, p->inverse_mass, &s->ways[b]);
+    }
     for (int b = 0; b < s->cubes; b++)
         for (int k = 0; k < CORNERS; k++, i++) {
             push_memory old = push_remember(&s->push[i], b, b - 1, H);
-            push x = { .thickness = b > 0 ? 2 * skin() : skin() };
+            push x = { .thickness = b > 0 ? 2 * skin() : skin(),
+                       .near = HUGE_VAL };
             x.a = side_of(s, b, low[k]);
             if (b > 0) x.b = side_of(s, b - 1, high[k]);
             x.fixed = vec3_make(cube.at[low[k]].x, 0, cube.at[low[k]].z);
@@ -90,22 +99,36 @@ static void fall(stack *s)
 
 // --- passes ------------------------------------------------------------------
 
+// What is pushed once more, and mended.
+static void begin(stack *s)
+{
+    s->pile = (push_pile){ s->push, s->pushes, s->drift, s->cubes, s->near, 0 };
+    pile_begin(&s->pile, s->p, s->how, H);
+}
+
+static void end(stack *s)
+{
+    for (int b = 0; b < s->cubes; b++)
+        drift_apply(&s->drift[b], &s->ways[b], s->p + FOUR * b);
+}
+
 static real lean(stack *s, real pace)
 {
-    real leads_on = 0;
-    for (int k = 0; k < s->pushes; k++) leads_on += push_leads_on(&s->push[k]);
-    if (leads_on < 0) pace = 1;
+    if (pile_leads_on(&s->pile) < 0) pace = 1;
     real next = (1 + sqrt(1 + 4 * pace * pace)) / 2;
-    for (int k = 0; k < s->pushes; k++)
-        push_lean(&s->push[k], s->p, (pace - 1) / next);
+    pile_lean(&s->pile, (pace - 1) / next, s->how);
     return next;
 }
 
 // The largest change of a gap (m) that is still wanted, from when the substep
 // began.
-static real wanted(const stack *s)
+static real wanted(const stack *now)
 {
+    static stack copy;
+    stack *s = &copy;
     real most = 0;
+    *s = *now;
+    end(s);
     for (int i = 0; i < s->pushes; i++) {
         const push *c = &s->push[i];
         real gap = 0;
@@ -125,12 +148,10 @@ static real wanted(const stack *s)
 static void passes(stack *s, way how, int count, real *left)
 {
     real pace = 1;
-    for (int k = 0; k < s->pushes; k++) push_mark(&s->push[k]);
     for (int n = 0; n < count; n++) {
         int back = n % 2 == 1 && how != FORWARD;
         if (how == MOMENTUM && n % 2 == 0 && n > 0) pace = lean(s, pace);
-        for (int k = 0; k < s->pushes; k++)
-            push_solve(&s->push[back ? s->pushes - 1 - k : k], s->p, s->how);
+        pile_pass(&s->pile, back ? -1 : 1, 0, s->how);
         if (left) left[n] = wanted(s);
     }
 }
@@ -139,10 +160,11 @@ static void passes(stack *s, way how, int count, real *left)
 
 static void cold(stack *s)
 {
-    static real left[WAYS][COLD];
-    for (way w = 0; w < WAYS; w++) {
+    static real left[HOWS][COLD];
+    for (way w = 0; w < HOWS; w++) {
         build(s, CUBES, 0.05);
         fall(s);
+        begin(s);
         passes(s, w, COLD, left[w]);
     }
     printf("\n\n# %d cubes, one substep, cold: passes, what is left of "
@@ -159,12 +181,9 @@ static void substep(stack *s, way how, int count)
 {
     const relax_options relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 };
     fall(s);
-    for (int k = 0; k < s->pushes; k++) push_again(&s->push[k], s->p);
-    for (int k = 0; k < s->pushes; k++)
-        push_limit(&s->push[k], s->p, s->how, H);
-    for (int k = 0; k < s->pushes; k++)
-        push_mend(&s->push[k], s->p, s->how);
+    begin(s);
     passes(s, how, count, NULL);
+    end(s);
     for (int b = 0; b < s->cubes; b++)
         four_relax(&plan, s->p + FOUR * b, 6, relax);
 }
@@ -198,7 +217,7 @@ int main(void)
     printf("# stacks of cubes of 1 m, substeps of 1/240 s\n"
            "# compiler: %s\n# flags: %s\n", __VERSION__, FLAGS);
     cold(&s);
-    for (way w = 0; w < WAYS; w++) {
+    for (way w = 0; w < HOWS; w++) {
         printf("\n\n# %d cubes, 10 s, with memory, %s: passes, drift in mm a "
                "cube\n", CUBES, NAME[w]);
         for (int n = w == FORWARD ? 1 : 2; n <= 32; n *= 2)

@@ -135,6 +135,13 @@ static void invert_sticks(four *f)
 //<
 
 //> four-build
+// Does 1, 2, 3 turn right, as seen from 0?
+static int turns_right(vec3 x0, vec3 x1, vec3 x2, vec3 x3)
+{
+    vec3 a = vec3_sub(x1, x0), b = vec3_sub(x2, x0), c = vec3_sub(x3, x0);
+    return vec3_dot(a, vec3_cross(b, c)) > 0;
+}
+
 static void place_four(four *f, const shape *s, const solid *q,
                        real root[3][3])
 {
@@ -155,6 +162,11 @@ static void place_four(four *f, const shape *s, const solid *q,
         for (int b = a + 1; b < FOUR; b++)
             f->stick[stick_count++] = (stick){ a, b,
                 vec3_distance(f->at[a], f->at[b]), 1, STICK_EXACT };
+    for (int k = 0; k < FOUR_STICKS; k++) {
+        f->square[k] = f->stick[k].rest_length * f->stick[k].rest_length;
+        f->per_square[k] = 1 / f->square[k];
+    }
+    f->turns_right = turns_right(f->at[0], f->at[1], f->at[2], f->at[3]);
 }
 
 // p = sum a_k x_k with sum a_k = 1: with x_k = c + L t_k and y = L^-1 (p - c),
@@ -189,8 +201,14 @@ status four_build(four *f, const shape *s)
     }
     for (int v = 0; v < s->particles; v++) {
         vec3 r = vec3_sub(s->at[v], f->center);
-        weigh(undo_root(root, r), f->weight[v]);
+        real *a = f->weight[v], sum = 0;
+        weigh(undo_root(root, r), a);
         f->reach = fmax(f->reach, vec3_length(r));
+        for (int k = 0; k < FOUR; k++) {
+            f->middle[k] += a[k] / s->particles;
+            sum += fabs(a[k]);
+        }
+        f->swing = fmax(f->swing, sum);
     }
     return status_ok();
 }
@@ -210,14 +228,8 @@ void four_ride(const four *f, const particle *p, vec3 *at, int n)
 
 int four_is_mirrored(const four *f, const particle *p)
 {
-    vec3 a = vec3_sub(p[1].position, p[0].position);
-    vec3 b = vec3_sub(p[2].position, p[0].position);
-    vec3 c = vec3_sub(p[3].position, p[0].position);
-    vec3 u = vec3_sub(f->at[1], f->at[0]), v = vec3_sub(f->at[2], f->at[0]);
-    vec3 w = vec3_sub(f->at[3], f->at[0]);
-    real now = vec3_dot(a, vec3_cross(b, c));
-    real rest = vec3_dot(u, vec3_cross(v, w));
-    return (now > 0) != (rest > 0);
+    return turns_right(p[0].position, p[1].position, p[2].position,
+                       p[3].position) != f->turns_right;
 }
 //<
 
@@ -233,6 +245,11 @@ static void solve_sticks(const four *f, const real c[FOUR_STICKS],
     }
 }
 
+// The ends of each stick: every pair.
+static const int END[FOUR_STICKS][2] = {
+    { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 }
+};
+
 // How far each stick is off, as (d^2 - L^2) / 2; returns the worst, relative to
 // its length: (d^2 - L^2) / (2 L^2).  HUGE_VAL for NaN.
 static real stick_errors(const four *f, const particle *p,
@@ -240,11 +257,9 @@ static real stick_errors(const four *f, const particle *p,
 {
     real worst = 0;
     for (int s = 0; s < FOUR_STICKS; s++) {
-        const stick *u = &f->stick[s];
-        vec3 d = vec3_sub(p[u->b].position, p[u->a].position);
-        real rest2 = u->rest_length * u->rest_length;
-        c[s] = (vec3_length_squared(d) - rest2) / 2;
-        real error = fabs(c[s]) / rest2;
+        vec3 d = vec3_sub(p[END[s][1]].position, p[END[s][0]].position);
+        c[s] = (vec3_length_squared(d) - f->square[s]) / 2;
+        real error = fabs(c[s]) * f->per_square[s];
         if (!(error <= worst)) worst = error >= 0 ? error : HUGE_VAL;
     }
     return worst;
@@ -260,7 +275,7 @@ static void newton_step(const four *f, particle *p, const vec3 o[FOUR],
     real mu[FOUR_STICKS];
     solve_sticks(f, c, mu);
     for (int s = 0; s < FOUR_STICKS; s++) {
-        int a = f->stick[s].a, b = f->stick[s].b;
+        int a = END[s][0], b = END[s][1];
         vec3 move = vec3_scale(mu[s], vec3_sub(o[b], o[a]));
         p[a].position = vec3_add(p[a].position, move);
         p[b].position = vec3_sub(p[b].position, move);
@@ -299,14 +314,17 @@ relax_result four_relax(const four *f, particle *p, int steps,
     real c[FOUR_STICKS], first = 0;
     vec3 o[FOUR], kept[FOUR];
     if (p[0].inverse_mass == 0) return r;
-    for (int k = 0; k < FOUR; k++) {
+    r.worst = first = stick_errors(f, p, c);
+    r.tested += FOUR_STICKS;
+    for (int k = 0; k < FOUR && !(first <= options.tolerance); k++) {
         kept[k] = p[k].position;
         o[k] = options.gradient == GRADIENT_OLD ? p[k].previous : kept[k];
     }
     while (r.sweeps < steps) {
-        r.worst = stick_errors(f, p, c);
-        r.tested += FOUR_STICKS;
-        if (r.sweeps == 0) first = r.worst;
+        if (r.sweeps > 0) {
+            r.worst = stick_errors(f, p, c);
+            r.tested += FOUR_STICKS;
+        }
         if (r.worst <= options.tolerance || !(r.worst < HUGE_VAL)) break;
         newton_step(f, p, o, c);
         r.relaxed += FOUR_STICKS;
@@ -316,36 +334,86 @@ relax_result four_relax(const four *f, particle *p, int steps,
     if (first > BENT || !(r.worst <= BENT)) r.worst = stick_errors(f, p, c);
     if (r.worst <= fmax(BENT, options.tolerance) && !four_is_mirrored(f, p))
         return r;
-    for (int k = 0; k < FOUR; k++) p[k].position = kept[k];
+    for (int k = 0; k < FOUR && r.sweeps > 0; k++) p[k].position = kept[k];
     return relax_bent(f, p, options);
 }
 //<
 
-//> four-answer
-// The point p = sum a_k x_k is pushed by d: the particles would go a_k w d, and
-// the sticks take back what would change their lengths, J^T mu w with
-//     J J^T mu = J (a d),   (J a d)_s = (a_q - a_p) (o_s . d).
-// What is left, w (a_k d - sum_s J_sk mu_s), is the least move, weighed by
-// mass, that a rigid body can make: the textbook's answer to a blow.
-real four_answer(const four *f, const vec3 at[FOUR], real inverse_mass,
-                 const real weight[FOUR], vec3 d, vec3 answer[FOUR])
+//> four-ways
+// The particles as they lie about their middle, turned about an axis: e x r.
+// No stick o changes its length by that: o . (e x o) = 0.
+static void turn_about(vec3 e, const vec3 r[FOUR], vec3 turn[FOUR])
 {
-    real c[FOUR_STICKS], mu[FOUR_STICKS], along = 0, w = inverse_mass;
-    vec3 o[FOUR_STICKS];
-    for (int s = 0; s < FOUR_STICKS; s++) {
-        int a = f->stick[s].a, b = f->stick[s].b;
-        o[s] = vec3_sub(at[b], at[a]);
-        c[s] = (weight[b] - weight[a]) * vec3_dot(o[s], d);
-    }
-    solve_sticks(f, c, mu);
-    for (int k = 0; k < FOUR; k++) answer[k] = vec3_scale(w * weight[k], d);
-    for (int s = 0; s < FOUR_STICKS; s++) {
-        int a = f->stick[s].a, b = f->stick[s].b;
-        answer[a] = vec3_add_scaled(answer[a], w * mu[s], o[s]);
-        answer[b] = vec3_add_scaled(answer[b], -w * mu[s], o[s]);
-    }
+    for (int k = 0; k < FOUR; k++) turn[k] = vec3_cross(e, r[k]);
+}
+
+static real dot_of_moves(const vec3 a[FOUR], const vec3 b[FOUR])
+{
+    real sum = 0;
+    for (int k = 0; k < FOUR; k++) sum += vec3_dot(a[k], b[k]);
+    return sum;
+}
+
+static void take_from(vec3 move[FOUR], real s, const vec3 other[FOUR])
+{
     for (int k = 0; k < FOUR; k++)
-        along += weight[k] * vec3_dot(answer[k], d);
-    return along;
+        move[k] = vec3_add_scaled(move[k], -s, other[k]);
+}
+
+// Turns about x, y and z, each freed of what the ones before it have of it
+// (Gram and Schmidt).  They are perpendicular to the three straight ways as
+// they are, for the r add up to nothing.  With one mass 1 / w for all four, a
+// way of unit length times sqrt(w) is as long as it must be.
+void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w)
+{
+    static const vec3 axis[TURNS] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    vec3 r[FOUR], middle = { 0, 0, 0 };
+    real root = sqrt(inverse_mass);
+    w->along = root / 2;
+    for (int k = 0; k < FOUR; k++)
+        middle = vec3_add_scaled(middle, 1.0 / FOUR, at[k]);
+    for (int k = 0; k < FOUR; k++) r[k] = vec3_sub(at[k], middle);
+    for (int t = 0; t < TURNS; t++) {
+        turn_about(axis[t], r, w->turn[t]);
+        for (int u = 0; u < t; u++)
+            take_from(w->turn[t], dot_of_moves(w->turn[t], w->turn[u]),
+                      w->turn[u]);
+        real length = sqrt(dot_of_moves(w->turn[t], w->turn[t]));
+        real scale = length > 0 ? 1 / length : 0;
+        for (int k = 0; k < FOUR; k++)
+            w->turn[t][k] = vec3_scale(scale, w->turn[t][k]);
+    }
+    for (int t = 0; t < TURNS; t++)
+        for (int k = 0; k < FOUR; k++)
+            w->turn[t][k] = vec3_scale(root, w->turn[t][k]);
+}
+//<
+
+//> four-rows
+void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
+               real row[3][WAYS])
+{
+    for (int i = 0; i < 3; i++) {
+        row[i][0] = w->along * d[i].x;
+        row[i][1] = w->along * d[i].y;
+        row[i][2] = w->along * d[i].z;
+    }
+    for (int t = 0; t < TURNS; t++) {
+        vec3 move = vec3_scale(share[0], w->turn[t][0]);
+        for (int k = 1; k < FOUR; k++)
+            move = vec3_add_scaled(move, share[k], w->turn[t][k]);
+        for (int i = 0; i < 3; i++) row[i][3 + t] = vec3_dot(move, d[i]);
+    }
+}
+
+void four_move(const four_ways *w, const real along[WAYS], vec3 move[FOUR])
+{
+    vec3 all = vec3_scale(w->along,
+                          vec3_make(along[0], along[1], along[2]));
+    for (int k = 0; k < FOUR; k++) {
+        move[k] = all;
+        for (int t = 0; t < TURNS; t++)
+            move[k] = vec3_add_scaled(move[k], along[3 + t], w->turn[t][k]);
+    }
 }
 //<

@@ -22,10 +22,28 @@ typedef struct four {
     real  mass;             // kg, of each of the four
     real  radius;           // m, their largest distance from the centre
     real  reach;            // m, the vertices' largest distance from it
-    struct stick stick[FOUR_STICKS];         // every pair
+    struct stick stick[FOUR_STICKS];        // every pair
+    real  square[FOUR_STICKS];              // m^2, of their lengths
+    real  per_square[FOUR_STICKS];          // 1/m^2
+    int   turns_right;      // 1, 2 and 3 at rest, as seen from 0
     real  inverse[FOUR_STICKS][FOUR_STICKS]; // of J J^T at rest, 1/m^4
     real (*weight)[FOUR];   // [shape->particles] their sum is 1
+    real  middle[FOUR];     // the weights of the mean of all vertices
+    real  swing;            // when no particle goes further than 1 m no vertex
+                            // goes further than this
 } four;
+//<
+
+//> four-ways-head
+// How four particles can move while their sticks hold: all alike along x, y
+// and z, and in three turns.  Every way is as long as 1 m kg^(1/2) (the sum of
+// mass times move squared is 1), and perpendicular to the others.
+enum { TURNS = 3, WAYS = 3 + TURNS };
+
+typedef struct {
+    real along;             // m, how far all four go along an axis
+    vec3 turn[TURNS][FOUR]; // m, how each goes in a turn
+} four_ways;
 //<
 
 //> four-declare
@@ -47,13 +65,17 @@ void four_ride(const four *f, const particle *p, vec3 *at, int n);
 relax_result four_relax(const four *f, particle *p, int steps,
                         relax_options options);
 
-// How the particles, of `inverse_mass` (1/kg) each, standing at `at`, move when
-// the point with these weights is pushed by 1 kg m along the unit vector d,
-// while the sticks hold: answer[k], m/(kg m).  Returns how far the point itself
-// goes along d: its inverse mass, 1/kg, which is that of a rigid body,
-// 1/M + (r x d) . I^-1 (r x d), without a tensor.  All zero for a nailed body.
-real four_answer(const four *f, const vec3 at[FOUR], real inverse_mass,
-                 const real weight[FOUR], vec3 d, vec3 answer[FOUR]);
+// The ways of four particles, of `inverse_mass` (1/kg) each, that stand at
+// `at`.  None for a nailed body: all zero.
+void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w);
+
+// How far the point with these shares goes along each of three directions d
+// when the body goes 1 m kg^(1/2) along each way.
+void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
+               real row[3][WAYS]);
+
+// Where the particles go, when the body goes so far along each way: move, m.
+void four_move(const four_ways *w, const real along[WAYS], vec3 move[FOUR]);
 
 // Do the particles stand as in a mirror?  (No stick can tell.)
 int four_is_mirrored(const four *f, const particle *p);

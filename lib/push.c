@@ -4,10 +4,10 @@
 // How the points stand to each other now, and when the substep began.
 typedef struct {
     vec3 now, before;       // m, pA - pB
-} apart;
+} distance;
 
 static inline void add_side(const push_side *s, const particle *p, real sign,
-                            apart *d)
+                            distance *d)
 {
     p += s->first;
     for (int k = 0; k < s->count; k++) {
@@ -17,9 +17,10 @@ static inline void add_side(const push_side *s, const particle *p, real sign,
     }
 }
 
-static inline apart points_apart(const push *c, const particle *p)
+// Reads off the particles how far the points are apart.
+static inline void look(push *c, const particle *p)
 {
-    apart d = { { 0, 0, 0 }, { 0, 0, 0 } };
+    distance d = { { 0, 0, 0 }, { 0, 0, 0 } };
     add_side(&c->a, p, 1, &d);
     if (c->b.count > 0) {
         add_side(&c->b, p, -1, &d);
@@ -27,41 +28,15 @@ static inline apart points_apart(const push *c, const particle *p)
         d.now = vec3_sub(d.now, c->fixed);
         d.before = vec3_sub(d.before, c->fixed);
     }
-    return d;
+    vec3 slid = vec3_sub(d.now, d.before);
+    c->before = vec3_dot(d.before, c->along[NORMAL]) - c->thickness;
+    c->apart[NORMAL] = vec3_dot(d.now, c->along[NORMAL]) - c->thickness;
+    c->apart[ACROSS] = vec3_dot(slid, c->along[ACROSS]);
+    c->apart[ASIDE] = vec3_dot(slid, c->along[ASIDE]);
 }
 //<
 
-//> push-move
-static inline vec3 answer_to(const push_side *s, int k,
-                             const real l[DIRECTIONS])
-{
-    vec3 x = vec3_scale(l[NORMAL], s->answer[NORMAL][k]);
-    x = vec3_add_scaled(x, l[ACROSS], s->answer[ACROSS][k]);
-    return vec3_add_scaled(x, l[ASIDE], s->answer[ASIDE][k]);
-}
-
-// Pushes A by l, B by -l.  Moves where the particles are; with both, where they
-// were as well.
-static inline void push_side_by(const push_side *s, particle *p, real sign,
-                                const real l[DIRECTIONS], int both)
-{
-    p += s->first;
-    for (int k = 0; k < s->count; k++) {
-        vec3 x = answer_to(s, k, l);
-        p[k].position = vec3_add_scaled(p[k].position, sign, x);
-        if (both) p[k].previous = vec3_add_scaled(p[k].previous, sign, x);
-    }
-}
-
-static inline void push_by(const push *c, particle *p,
-                           const real l[DIRECTIONS], int both)
-{
-    push_side_by(&c->a, p, 1, l, both);
-    push_side_by(&c->b, p, -1, l, both);
-}
-//<
-
-//> push-answers
+//> push-rows
 void push_directions(push *c, vec3 n)
 {
     real x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
@@ -71,41 +46,92 @@ void push_directions(push *c, vec3 n)
     c->along[ASIDE] = vec3_cross(n, c->along[ACROSS]);
 }
 
-// How one side answers pushes along the three directions: adds how far its
-// point goes to the contact's weights.
-static void answer_side(push *c, push_side *s, const particle *p)
+static inline real row_dot(const real row[WAYS], const real way[WAYS])
 {
-    if (s->count == 0) return;
-    p += s->first;
-    for (int d = 0; d < DIRECTIONS; d++) {
-        if (s->plan) {
-            c->weight[d] += four_answer(s->plan, s->at, p->inverse_mass,
-                                        s->share, c->along[d],
-                                        s->answer[d]);
-        } else {
-            s->answer[d][0] = vec3_scale(p->inverse_mass, c->along[d]);
-            c->weight[d] += p->inverse_mass;
-        }
-    }
-    for (int k = 0; k < s->count; k++) {
-        for (int d = ACROSS; d < DIRECTIONS; d++)
-            c->skew[d] += s->share[k] * vec3_dot(s->answer[NORMAL][k],
-                                                 c->along[d]);
-        c->skew[NORMAL] += s->share[k] * vec3_dot(s->answer[ACROSS][k],
-                                                  c->along[ASIDE]);
-    }
+    return row[0] * way[0] + row[2] * way[2] + row[4] * way[4]
+        + (row[1] * way[1] + row[3] * way[3] + row[5] * way[5]);
 }
 
-// Made when the contact is first needed: most never are.
-static int make_ready(push *c, const particle *p)
+// The rows of one side.  A single particle goes along x, y and z only.
+static void side_rows(push *c, const push_side *s, int side, const particle *p)
+{
+    vec3 along[DIRECTIONS];
+    for (int d = 0; d < DIRECTIONS; d++)
+        along[d] = vec3_scale(side ? -1 : 1, c->along[d]);
+    if (s->ways) {
+        four_rows(s->ways, s->share, along, c->row[side]);
+    } else {
+        real root = sqrt(p[s->first].inverse_mass);
+        for (int d = 0; d < DIRECTIONS; d++) {
+            real *row = c->row[side][d];
+            row[0] = root * along[d].x;
+            row[1] = root * along[d].y;
+            row[2] = root * along[d].z;
+            row[3] = row[4] = row[5] = 0;
+        }
+    }
+    for (int d = 0; d < DIRECTIONS; d++)
+        c->weight[d] += row_dot(c->row[side][d], c->row[side][d]);
+    c->skew[ACROSS] += row_dot(c->row[side][NORMAL], c->row[side][ACROSS]);
+    c->skew[ASIDE] += row_dot(c->row[side][NORMAL], c->row[side][ASIDE]);
+    c->skew[NORMAL] += row_dot(c->row[side][ACROSS], c->row[side][ASIDE]);
+}
+//<
+
+//> push-undo
+// The pushes l that undo the gap and both slides b at once:
+//     | w0 s1 s2 |
+//     | s1 w1 s0 | l = -b,   by Cramer's rule: undo is the inverse.
+//     | s2 s0 w2 |
+static void find_undo(push *c)
+{
+    const real *w = c->weight, *s = c->skew;
+    vec3 p = { w[0], s[1], s[2] }, q = { s[1], w[1], s[0] };
+    vec3 r = { s[2], s[0], w[2] }, qr = vec3_cross(q, r);
+    real volume = vec3_dot(p, qr);
+    c->holds = volume > 1e-9 * w[0] * w[1] * w[2];
+    if (!c->holds) return;
+    c->undo[0] = vec3_scale(1 / volume, qr);
+    c->undo[1] = vec3_scale(1 / volume, vec3_cross(r, p));
+    c->undo[2] = vec3_scale(1 / volume, vec3_cross(p, q));
+}
+
+// Made when the contact is first needed: many never are.
+static inline int make_ready(push *c, const particle *p)
 {
     if (!c->ready) {
         for (int d = 0; d < DIRECTIONS; d++) c->weight[d] = c->skew[d] = 0;
-        answer_side(c, &c->a, p);
-        answer_side(c, &c->b, p);
+        side_rows(c, &c->a, 0, p);
+        if (c->b.count > 0) side_rows(c, &c->b, 1, p);
+        find_undo(c);
         c->ready = 1;
     }
     return c->weight[NORMAL] > 0;
+}
+//<
+
+//> push-along
+// How far bodies A and B, pushed so far along their ways, part the points.
+static inline real parted(const push *c, int d, const real *a, const real *b)
+{
+    real part = row_dot(c->row[0][d], a);
+    return c->b.count > 0 ? part + row_dot(c->row[1][d], b) : part;
+}
+
+static inline void go(real way[WAYS], real (*const row)[WAYS],
+                      const real l[DIRECTIONS])
+{
+    for (int k = 0; k < WAYS; k++)
+        way[k] += l[NORMAL] * row[NORMAL][k] + l[ACROSS] * row[ACROSS][k]
+                + l[ASIDE] * row[ASIDE][k];
+}
+
+// Pushes A by l, B by -l.
+static inline void push_by(push *c, const real l[DIRECTIONS],
+                           real *a, real *b)
+{
+    go(a, c->row[0], l);
+    if (c->b.count > 0) go(b, c->row[1], l);
 }
 //<
 
@@ -132,41 +158,25 @@ void push_recall(push *c, const push_memory *m, real h)
 }
 //<
 
-//> push-again
-void push_again(push *c, particle *p)
-{
-    if (c->pushed[NORMAL] > 0 && make_ready(c, p)) push_by(c, p, c->pushed, 0);
-}
-//<
-
 //> push-wear
 // The work of a push is the push times the mean of the slides before and after
-// it: friction's share of what l will do.
-static void wear(push *c, const apart *d, const real l[DIRECTIONS])
+// it: friction's share of what l will do, to points that have slid so far.
+static inline void wear(push *c, const real apart[DIRECTIONS],
+                        const real l[DIRECTIONS])
 {
-    vec3 slid = vec3_sub(d->now, d->before);
-    for (int i = ACROSS; i < DIRECTIONS; i++) {
-        real other = l[ACROSS + ASIDE - i];
-        real slide = vec3_dot(slid, c->along[i]) + c->skew[i] * l[NORMAL];
-        real half = (c->weight[i] * l[i] + c->skew[NORMAL] * other) / 2;
-        c->worn += l[i] * (slide + half);
-    }
-}
-
-void push_book_again(push *c, const particle *p)
-{
-    if (!(c->pushed[NORMAL] > 0) || !make_ready(c, p)) return;
-    apart d = points_apart(c, p);
-    wear(c, &d, c->pushed);
+    real across = apart[ACROSS] + c->skew[ACROSS] * l[NORMAL]
+        + (c->weight[ACROSS] * l[ACROSS] + c->skew[NORMAL] * l[ASIDE]) / 2;
+    real aside = apart[ASIDE] + c->skew[ASIDE] * l[NORMAL]
+        + (c->weight[ASIDE] * l[ASIDE] + c->skew[NORMAL] * l[ACROSS]) / 2;
+    c->worn += l[ACROSS] * across + l[ASIDE] * aside;
 }
 //<
 
 //> push-mend
 void push_limit(push *c, const particle *p, push_options options, real h)
 {
-    real gap = vec3_dot(points_apart(c, p).before, c->along[NORMAL])
-             - c->thickness;
-    c->most = gap + options.mend_speed * h;
+    look(c, p);
+    c->most = c->before + options.mend_speed * h;
 }
 
 // What is mended of an overlap.  One that goes by itself, for the points part,
@@ -174,23 +184,11 @@ void push_limit(push *c, const particle *p, push_options options, real h)
 // nothing, the next contact's mending would leave a gap, into which the body
 // falls within one substep.  Mending would make speed after all, and a pile
 // never come to rest.
-static real mended(const push *c, const apart *d, push_options options)
+static inline real mended(const push *c, real now, real before,
+                          push_options options)
 {
-    real before = vec3_dot(d->before, c->along[NORMAL]) - c->thickness;
-    real now = vec3_dot(d->now, c->along[NORMAL]) - c->thickness;
     real depth = -fmax(before, now) - options.slop * c->thickness;
     return fmax(fmin(options.mend * depth, c->most - before), 0);
-}
-
-// A push l moves the points by weight * l.
-void push_mend(push *c, particle *p, push_options options)
-{
-    real l[DIRECTIONS] = { 0 };
-    apart d = points_apart(c, p);
-    real up = mended(c, &d, options);
-    if (!(up > 0) || !make_ready(c, p)) return;
-    l[NORMAL] = up / c->weight[NORMAL];
-    push_by(c, p, l, 1);
 }
 //<
 
@@ -199,14 +197,13 @@ void push_mend(push *c, particle *p, push_options options)
 // Each direction is asked to undo what the points have slid in this substep,
 // and will by the push l[NORMAL]; then both are shortened alike until they lie
 // within the cone.
-static void brake(push *c, const apart *d, push_options options,
-                  real l[DIRECTIONS])
+static inline void brake(push *c, const real apart[DIRECTIONS],
+                         push_options options, real l[DIRECTIONS])
 {
     real across[DIRECTIONS] = { 0 }, size2 = 0;
     real limit = options.friction * c->pushed[NORMAL];
-    vec3 slid = vec3_sub(d->now, d->before);
     for (int i = ACROSS; i < DIRECTIONS; i++) {
-        real slide = vec3_dot(slid, c->along[i]) + c->skew[i] * l[NORMAL];
+        real slide = apart[i] + c->skew[i] * l[NORMAL];
         across[i] = c->pushed[i] - slide / c->weight[i];
         size2 += across[i] * across[i];
     }
@@ -219,26 +216,19 @@ static void brake(push *c, const apart *d, push_options options,
 //<
 
 //> push-stick
-// The push that undoes all three at once, gap and slides b:
-//     | w0 s1 s2 |
-//     | s1 w1 s0 | l = -b,   by Cramer's rule.
-//     | s2 s0 w2 |
-// 0 if it would pull, or leaves Coulomb's cone.  (One direction after the other
-// would do in the end, but in another order backward than forward: what passes
-// gain they lose again.)
-static int hold(push *c, const real b[DIRECTIONS], real friction,
-                real l[DIRECTIONS])
+// The push that undoes all three at once.  0 if it would pull, or leaves
+// Coulomb's cone.  (One direction after the other would do in the end, but in
+// another order backward than forward: what passes gain they lose again.)
+static inline int hold(push *c, const real b[DIRECTIONS], real friction,
+                       real l[DIRECTIONS])
 {
-    const real *w = c->weight, *s = c->skew;
-    vec3 p = { w[0], s[1], s[2] }, q = { s[1], w[1], s[0] };
-    vec3 r = { s[2], s[0], w[2] }, x = { -b[0], -b[1], -b[2] };
-    vec3 qr = vec3_cross(q, r), rp = vec3_cross(r, p), pq = vec3_cross(p, q);
-    real volume = vec3_dot(p, qr), in[DIRECTIONS];
-    if (!(volume > 1e-9 * w[0] * w[1] * w[2])) return 0;
-    l[0] = vec3_dot(x, qr) / volume;
-    l[1] = vec3_dot(x, rp) / volume;
-    l[2] = vec3_dot(x, pq) / volume;
-    for (int i = 0; i < DIRECTIONS; i++) in[i] = c->pushed[i] + l[i];
+    vec3 lack = { -b[0], -b[1], -b[2] };
+    real in[DIRECTIONS];
+    if (!c->holds) return 0;
+    for (int i = 0; i < DIRECTIONS; i++) {
+        l[i] = vec3_dot(c->undo[i], lack);
+        in[i] = c->pushed[i] + l[i];
+    }
     real most = friction * in[NORMAL];
     if (!(in[NORMAL] > 0 && in[ACROSS] * in[ACROSS] + in[ASIDE] * in[ASIDE]
                             <= most * most)) return 0;
@@ -248,62 +238,71 @@ static int hold(push *c, const real b[DIRECTIONS], real friction,
 //<
 
 //> push-solve
-real push_solve(push *c, particle *p, push_options options)
+// The points are `apart` now (a gap, two slides) and were `before` when the
+// substep began: what parts them, in l.
+static inline void part(push *c, const real apart[DIRECTIONS], real before,
+                        push_options options, real l[DIRECTIONS])
 {
-    apart d = points_apart(c, p);
-    real gap = vec3_dot(d.now, c->along[NORMAL]) - c->thickness;
-    if (c->pushed[NORMAL] == 0 && !(gap < 0)) return 0;
-    if (!make_ready(c, p)) return 0;
-
-    real before = vec3_dot(d.before, c->along[NORMAL]) - c->thickness;
-    vec3 slid = vec3_sub(d.now, d.before);
-    real l[DIRECTIONS], b[DIRECTIONS] = { gap - fmin(before, 0),
-        vec3_dot(slid, c->along[ACROSS]), vec3_dot(slid, c->along[ASIDE]) };
+    real b[DIRECTIONS] = { apart[NORMAL] - fmin(before, 0),
+                           apart[ACROSS], apart[ASIDE] };
     if (!hold(c, b, options.friction, l)) {
         real was = c->pushed[NORMAL];
         c->pushed[NORMAL] = fmax(was - b[NORMAL] / c->weight[NORMAL], 0);
         l[NORMAL] = c->pushed[NORMAL] - was;
-        brake(c, &d, options, l);
+        brake(c, apart, options, l);
     }
-    wear(c, &d, l);
-    push_by(c, p, l, 0);
-    return fabs(l[NORMAL]) * c->weight[NORMAL];
+    if (options.book) wear(c, apart, l);
 }
 //<
 
-//> push-lean
-void push_mark(push *c)
+//> push-alone
+// One contact by itself: what moves its bodies moves their particles at once.
+static void move_side(const push_side *s, particle *p, const push_drift *d)
 {
-    for (int i = 0; i < DIRECTIONS; i++) c->from[i] = c->last[i] = c->pushed[i];
+    p += s->first;
+    if (s->count == 0) return;
+    if (s->ways) {
+        drift_apply(d, s->ways, p);
+        return;
+    }
+    real root = sqrt(p->inverse_mass);
+    vec3 now = { d->pushed[0], d->pushed[1], d->pushed[2] };
+    vec3 both = { d->mended[0], d->mended[1], d->mended[2] };
+    p->position = vec3_add_scaled(p->position, root, vec3_add(now, both));
+    p->previous = vec3_add_scaled(p->previous, root, both);
 }
 
-real push_leads_on(const push *c)
+// Moves where the particles are; with both, where they were as well.
+static void push_alone(push *c, particle *p, const real l[DIRECTIONS],
+                       int both)
 {
-    real sum = 0;
-    for (int i = 0; i < DIRECTIONS; i++)
-        sum += c->weight[i] * (c->pushed[i] - c->from[i])
-                            * (c->pushed[i] - c->last[i]);
-    return sum;
+    push_drift a = { { 0 }, { 0 }, 0 }, b = a;
+    if (both) push_by(c, l, a.mended, b.mended);
+    else      push_by(c, l, a.pushed, b.pushed);
+    move_side(&c->a, p, &a);
+    move_side(&c->b, p, &b);
 }
 
-void push_lean(push *c, particle *p, real share)
+// A push l moves the points by weight * l.
+void push_mend(push *c, particle *p, push_options options)
 {
-    real l[DIRECTIONS], size = 0;
-    for (int i = 0; i < DIRECTIONS; i++) {
-        l[i] = share * (c->pushed[i] - c->last[i]);
-        c->last[i] = c->pushed[i];
-        size += fabs(l[i]);
-    }
-    l[NORMAL] = fmax(l[NORMAL], -c->pushed[NORMAL]);
-    if (size > 0) {
-        apart d = points_apart(c, p);
-        wear(c, &d, l);
-        push_by(c, p, l, 0);
-    }
-    for (int i = 0; i < DIRECTIONS; i++) {
-        c->pushed[i] += l[i];
-        c->from[i] = c->pushed[i];
-    }
+    real l[DIRECTIONS] = { 0 };
+    look(c, p);
+    real up = mended(c, c->apart[NORMAL], c->before, options);
+    if (!(up > 0) || !make_ready(c, p)) return;
+    l[NORMAL] = up / c->weight[NORMAL];
+    push_alone(c, p, l, 1);
+}
+
+real push_solve(push *c, particle *p, push_options options)
+{
+    real l[DIRECTIONS];
+    look(c, p);
+    if (c->pushed[NORMAL] == 0 && !(c->apart[NORMAL] < 0)) return 0;
+    if (!make_ready(c, p)) return 0;
+    part(c, c->apart, c->before, options, l);
+    push_alone(c, p, l, 0);
+    return fabs(l[NORMAL]) * c->weight[NORMAL];
 }
 //<
 
@@ -326,9 +325,8 @@ static int falls(const push_side *s, const particle *p)
 // is not to decide which corners of a face do.
 static void foresee(push *c, const particle *p, push_options options)
 {
-    apart d = points_apart(c, p);
-    real gap = vec3_dot(d.before, c->along[NORMAL]) - c->thickness;
-    real s = vec3_dot(vec3_sub(d.before, d.now), c->along[NORMAL]);
+    look(c, p);
+    real gap = c->before, s = gap - c->apart[NORMAL];
     real a = (falls(&c->b, p) - falls(&c->a, p))
            * vec3_dot(options.fall, c->along[NORMAL]);
     c->closing = c->share = 0;
@@ -345,15 +343,14 @@ static void foresee(push *c, const particle *p, push_options options)
 // they touch, which is so much in the middle of the substep.
 static void strike(push *c, particle *p, push_options options)
 {
-    apart d = points_apart(c, p);
-    real closing = vec3_dot(vec3_sub(d.before, d.now), c->along[NORMAL]);
+    look(c, p);
     real l[DIRECTIONS] = { 0 }, was = c->pushed[NORMAL];
-    real want = closing + c->parting;
+    real want = c->before - c->apart[NORMAL] + c->parting;
     c->pushed[NORMAL] = fmax(0, was + want / c->weight[NORMAL]);
     l[NORMAL] = c->pushed[NORMAL] - was;
-    brake(c, &d, options, l);
-    wear(c, &d, l);
-    push_by(c, p, l, 0);
+    brake(c, c->apart, options, l);
+    if (options.book) wear(c, c->apart, l);
+    push_alone(c, p, l, 0);
 }
 
 // What the blow moves, it moves for the rest of the substep only: the share
@@ -362,7 +359,7 @@ static void settle_blow(push *c, particle *p)
 {
     real l[DIRECTIONS];
     for (int d = 0; d < DIRECTIONS; d++) l[d] = -c->share * c->pushed[d];
-    push_by(c, p, l, 1);
+    push_alone(c, p, l, 1);
 }
 
 static void forget(push *c)
@@ -388,5 +385,220 @@ int push_blow(push *c, int n, particle *p, push_options options, real slowest)
         forget(&c[i]);
     }
     return 1;
+}
+//<
+
+//> push-pile-near
+// The drifts of a contact's bodies.  (For that of a plane nobody asks.)
+static inline push_drift *drift_of(const push_pile *s, int body)
+{
+    return &s->drift[body >= 0 ? body : 0];
+}
+
+// How many more substeps go by before the gap may be as narrow as `near`?
+static int substeps_away(const push *c)
+{
+    real n = 2 * (c->apart[NORMAL] - c->near) / c->near;
+    return n < 100 ? (int)n : 100;
+}
+
+// 1 if the contact pushed in the last substep, or may come to touch in this.
+static int is_near(push *c, const particle *p)
+{
+    if (c->far > 0) {
+        c->far--;
+        return 0;
+    }
+    look(c, p);
+    if (c->pushed[NORMAL] > 0 || c->apart[NORMAL] <= c->near)
+        return make_ready(c, p);
+    if (c->apart[NORMAL] > c->near) c->far = substeps_away(c);
+    return 0;
+}
+
+static void push_again(push_pile *s, push *c, push_options options)
+{
+    real *a = drift_of(s, c->a.body)->pushed;
+    real *b = drift_of(s, c->b.body)->pushed, apart[DIRECTIONS];
+    if (!(c->pushed[NORMAL] > 0)) return;
+    if (options.book) {
+        for (int d = 0; d < DIRECTIONS; d++)
+            apart[d] = c->apart[d] + parted(c, d, a, b);
+        wear(c, apart, c->pushed);
+    }
+    push_by(c, c->pushed, a, b);
+}
+//<
+
+//> push-pile-mend
+// 1 if anything was mended; `others` tells whether any was before.
+static int mend(push_pile *s, push *c, push_options options, int others)
+{
+    push_drift *a = drift_of(s, c->a.body), *b = drift_of(s, c->b.body);
+    real l[DIRECTIONS] = { 0 }, both = 0, let_be = -options.slop * c->thickness;
+    if (others) both = parted(c, NORMAL, a->mended, b->mended);
+    real before = c->before + both;
+    if (before >= let_be) return 0;
+    real now = c->apart[NORMAL] + both
+             + parted(c, NORMAL, a->pushed, b->pushed);
+    real up = mended(c, now, before, options);
+    if (!(up > 0)) return 0;
+    l[NORMAL] = up / c->weight[NORMAL];
+    push_by(c, l, a->mended, b->mended);
+    return 1;
+}
+
+// What is mended between bodies is mended against the planes, which come first
+// in the table, after that: else those that lie in each other press one another
+// through a wall.
+static void mend_all(push_pile *s, push_options options)
+{
+    int is_mended = 0;
+    for (int i = s->nears - 1; i >= 0; i--)
+        is_mended |= mend(s, &s->push[s->near[i].push], options, is_mended);
+    for (int i = 0; i < s->nears && is_mended; i++) {
+        push *c = &s->push[s->near[i].push];
+        real both = parted(c, NORMAL, drift_of(s, c->a.body)->mended,
+                           drift_of(s, c->b.body)->mended);
+        c->before += both;
+        c->apart[NORMAL] += both;
+    }
+}
+//<
+
+//> push-pile-begin
+// All that is done with a push once a substep is done at one sight of it: a
+// thousand bodies have more pushes than the nearest memory holds.
+void pile_begin(push_pile *s, const particle *p, push_options options, real h)
+{
+    int overlaps = 0;
+    for (int b = 0; b < s->bodies; b++)
+        s->drift[b] = (push_drift){ { 0 }, { 0 }, 0 };
+    s->nears = 0;
+    for (int k = 0; k < s->pushes; k++) {
+        push *c = &s->push[k];
+        if (!is_near(c, p)) continue;
+        c->most = c->before + options.mend_speed * h;
+        overlaps |= c->before < -options.slop * c->thickness;
+        for (int d = 0; d < DIRECTIONS; d++)
+            c->from[d] = c->last[d] = c->pushed[d];
+        push_again(s, c, options);
+        s->near[s->nears++] = (push_near){ k, c->a.body,
+            c->b.count > 0 ? c->b.body : -1, 0, -1, 0 };
+    }
+    if (overlaps) mend_all(s, options);
+}
+//<
+
+//> push-pile-pass
+// m, how far the push l parts the points, in all directions.
+static inline real stir(const push *c, const real l[DIRECTIONS])
+{
+    return fabs(l[NORMAL]) * c->weight[NORMAL]
+         + fabs(l[ACROSS]) * c->weight[ACROSS]
+         + fabs(l[ASIDE]) * c->weight[ASIDE];
+}
+
+// Where do the last two passes lead, as seen from the two before them?
+static inline real leading_on(const push *c)
+{
+    real sum = 0;
+    for (int d = 0; d < DIRECTIONS; d++)
+        sum += c->weight[d] * (c->pushed[d] - c->from[d])
+                            * (c->pushed[d] - c->last[d]);
+    return sum;
+}
+
+// Solves a contact of the pile.  Whoever finds its bodies where it left them,
+// but for `enough`, has nothing to do.
+static inline real solve(push_pile *s, push_near *n, real enough,
+                         push_options options)
+{
+    push_drift *a = &s->drift[n->a], *b = drift_of(s, n->b);
+    real stirred = a->stirred + (n->b >= 0 ? b->stirred : 0);
+    if (n->solved >= 0 && stirred - n->solved <= enough) return 0;
+    push *c = &s->push[n->push];
+    real apart[DIRECTIONS], l[DIRECTIONS];
+    n->solved = stirred;
+    apart[NORMAL] = c->apart[NORMAL] + parted(c, NORMAL, a->pushed, b->pushed);
+    if (c->pushed[NORMAL] == 0 && !(apart[NORMAL] < 0)) return 0;
+    for (int d = ACROSS; d < DIRECTIONS; d++)
+        apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
+    part(c, apart, c->before, options, l);
+    push_by(c, l, a->pushed, b->pushed);
+    real change = stir(c, l);
+    a->stirred += change;
+    if (n->b >= 0) b->stirred += change;
+    n->solved += n->b >= 0 ? 2 * change : change;
+    n->leans = 1;
+    n->leads_on = leading_on(c);
+    return fabs(l[NORMAL]) * c->weight[NORMAL];
+}
+
+real pile_pass(push_pile *s, int step, real enough, push_options options)
+{
+    real most = 0;
+    for (int i = step > 0 ? 0 : s->nears - 1; i >= 0 && i < s->nears;
+         i += step) {
+        real change = solve(s, &s->near[i], enough, options);
+        most = change > most ? change : most;
+    }
+    return most;
+}
+//<
+
+//> push-pile-lean
+real pile_leads_on(const push_pile *s)
+{
+    real sum = 0;
+    for (int i = 0; i < s->nears; i++) sum += s->near[i].leads_on;
+    return sum;
+}
+
+static void lean(push_pile *s, push_near *n, real share, push_options options)
+{
+    push *c = &s->push[n->push];
+    push_drift *a = drift_of(s, n->a), *b = drift_of(s, n->b);
+    real l[DIRECTIONS], apart[DIRECTIONS], size = 0;
+    for (int i = 0; i < DIRECTIONS; i++) {
+        l[i] = share * (c->pushed[i] - c->last[i]);
+        c->last[i] = c->pushed[i];
+        size += fabs(l[i]);
+    }
+    l[NORMAL] = fmax(l[NORMAL], -c->pushed[NORMAL]);
+    n->leans = size > 0;
+    n->leads_on = 0;
+    if (n->leans) {
+        for (int d = 0; d < DIRECTIONS && options.book; d++)
+            apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
+        if (options.book) wear(c, apart, l);
+        push_by(c, l, a->pushed, b->pushed);
+        real change = stir(c, l);
+        a->stirred += change;
+        if (n->b >= 0) b->stirred += change;
+    }
+    for (int i = 0; i < DIRECTIONS; i++) {
+        c->pushed[i] += l[i];
+        c->from[i] = c->pushed[i];
+    }
+}
+
+void pile_lean(push_pile *s, real share, push_options options)
+{
+    for (int i = 0; i < s->nears; i++)
+        if (s->near[i].leans) lean(s, &s->near[i], share, options);
+}
+//<
+
+//> push-pile-apply
+void drift_apply(const push_drift *d, const four_ways *ways, particle *p)
+{
+    vec3 now[FOUR], both[FOUR];
+    four_move(ways, d->pushed, now);
+    four_move(ways, d->mended, both);
+    for (int k = 0; k < FOUR; k++) {
+        p[k].position = vec3_add(p[k].position, vec3_add(now[k], both[k]));
+        p[k].previous = vec3_add(p[k].previous, both[k]);
+    }
 }
 //<

@@ -19,47 +19,59 @@ typedef struct {
     real mend_speed;    // m/s, and the most at which it does
     vec3 fall;          // m, g h^2: what gravity adds to a move in a substep
     real slop;          // of a contact's thickness: an overlap that is let be
+    int  book;          // 1: friction's work is kept in `worn`
 } push_options;
 
 // One side of a contact: a point that rides on particles.
 typedef struct {
-    const four *plan;   // NULL: a single particle
-    const vec3 *at;     // [FOUR] where the four were when the frame's contacts
-                        // were found
-    int  first;         // in the pool
-    int  count;         // FOUR, or 1; 0: immovable, the point is `fixed`
-    real share[FOUR];   // the point is sum share_k x_k
-    vec3 answer[3][FOUR]; // m/(kg m), how the particles answer a unit push
-                        // along each direction
+    const four_ways *ways;  // of the four, where they were when the frame's
+                            // contacts were found; NULL: a single particle
+    int  first;             // in the pool
+    int  count;             // FOUR, or 1; 0: immovable, the point is `fixed`
+    int  body;              // its number in a pile; -1: none that moves
+    real share[FOUR];       // the point is sum share_k x_k
 } push_side;
 
 // Directions: the normal, and two across it.
 enum { NORMAL, ACROSS, ASIDE, DIRECTIONS };
 
-// A contact, for a frame: normal, points and answers stay as they were made.
-// All answers of a frame are made for the same places: only then is the table
-// of what each push does to each gap symmetric, and the passes over them
-// converge.
+// A contact, for a frame: normal, points and rows stay as they were made.  All
+// rows of a frame are made for the same places: only then is the table of what
+// each push does to each gap symmetric, and the passes over them converge.
 typedef struct push {
-    push_side a, b;
-    vec3 fixed;             // m
-    vec3 along[DIRECTIONS]; // unit; the normal from B to A
-    real thickness;         // m, gap that is kept
+    // What passes look at.
+    real row[2][DIRECTIONS][WAYS];  // kg^(-1/2), how far the points part along
+                            // each direction as A, or B, goes along each way;
+                            // and how far a unit push moves the body along it
+    vec3 undo[DIRECTIONS];  // kg, which pushes part the points along each
     real weight[DIRECTIONS];// 1/kg, how far a unit push parts the points
     real skew[DIRECTIONS];  // 1/kg, how far one along the normal moves them
                             // across it; skew[NORMAL]: one across moves them
                             // aside
     real pushed[DIRECTIONS];// kg m, in this substep; kept from one to the next
+    real from[DIRECTIONS];  // kg m, pushed when the last two passes began,
+    real last[DIRECTIONS];  // and after the two before them
+    real apart[DIRECTIONS]; // m, before pushes: the gap, and how far the points
+                            // have slid across it in this substep
+    real before;            // m, the gap when the substep began
     real worn;              // kg m^2, friction's work in this substep, times
                             // its square
-    int  ready;             // weights and answers have been made
+    int  ready;             // rows and weights have been made
+    int  holds;             // and so has `undo`
+
+    // What is looked at once a substep, or less.
+    push_side a, b;
+    vec3 fixed;             // m
+    vec3 along[DIRECTIONS]; // unit; the normal from B to A
+    real thickness;         // m, gap that is kept
+    real near;              // m, a gap that is wider stays one in this substep;
+                            // in one it shrinks by no more than half of that
+    int  far;               // substeps for which it will surely be wider
+    real most;              // m, the gap that mending may bring, at most
     real closing;           // m, in a blow: how much nearer they come in a
                             // substep, at the moment when they touch
     real share;             // when that is, as a part of the substep
     real parting;           // m, by how much they part in a substep then
-    real most;              // m, the gap that mending may bring, at most
-    real from[DIRECTIONS];  // kg m, pushed when the last two passes began,
-    real last[DIRECTIONS];  // and after the two before them
 } push;
 //<
 
@@ -84,14 +96,6 @@ void push_recall(push *c, const push_memory *m, real h);
 // The directions across n (unit): fixed by n alone.
 void push_directions(push *c, vec3 n);
 
-// Applies what was pushed in the last substep (or frame) once more: what holds
-// a pile up is nearly the same from one substep to the next.  Once a substep,
-// before push_solve.
-void push_again(push *c, particle *p);
-
-// For the ledger: adds to c->worn what friction will do in push_again.
-void push_book_again(push *c, const particle *p);
-
 // Mends: a share of an overlap that was there when the substep of h (s) began
 // is taken back by moving where the particles are and where they were alike: no
 // speed comes of it.  push_limit, of all contacts before push_mend moves one,
@@ -106,18 +110,62 @@ void push_mend(push *c, particle *p, push_options options);
 // the gap that it made (m, >= 0 in size), to tell when all are content.
 real push_solve(push *c, particle *p, push_options options);
 
-// Momentum between passes (Nesterov 1983): from where the last two passes led,
-// on by a share of the way from where those before them had led.
-void push_mark(push *c);                        // before the first pass
-// Does that lead on, the way that the last two passes took?  Energy-like
-// (kg m^2); the sum over all contacts is negative if not.
-real push_leads_on(const push *c);
-void push_lean(push *c, particle *p, real share);
-
 // The blow: n contacts of one pair of bodies, which met faster than `slowest`
 // (m in a substep), part at restitution times their speed; the moment of
 // touching within the substep counts.  Returns 1 if there was a blow.
 int push_blow(push *c, int n, particle *p, push_options options, real slowest);
+//<
+
+//> push-pile-head
+// Many contacts at once.  While they are solved no particle moves: a body is
+// where it is, and so far pushed along each of its ways.
+typedef struct {
+    real pushed[WAYS];      // m kg^(1/2), in this substep
+    real mended[WAYS];      // and without making speed
+    real stirred;           // m, by how much its contacts have been parted
+} push_drift;
+
+// A contact that may touch in this substep: all that tells whether it has to be
+// looked at.  A pass that leaves out most of them hardly reads any push.
+typedef struct {
+    int  push;              // its number
+    int  a, b;              // its bodies; -1: none that moves
+    int  leans;             // it has changed since momentum was last given
+    real solved;            // m, how much its bodies had been stirred when it
+                            // was solved; < 0: not yet
+    real leads_on;          // kg m^2, see pile_leads_on
+} push_near;
+
+typedef struct {
+    struct push *push;
+    int   pushes;
+    push_drift *drift;      // [bodies]
+    int   bodies;
+    push_near *near;        // room for all pushes
+    int   nears;
+} push_pile;
+//<
+
+//> push-pile-declare
+// A substep of h (s) begins: finds who is near, and applies what each pushed in
+// the last substep (or frame) once more, for what holds a pile up is nearly the
+// same from one substep to the next; then mends, the last contact first.
+void pile_begin(push_pile *s, const particle *p, push_options options, real h);
+
+// One pass over all, forward (step 1) or backward (-1): push_solve for each,
+// but for those whose bodies have not been stirred by more than `enough` (m)
+// since they were solved.  Returns the largest change of a gap (m).
+real pile_pass(push_pile *s, int step, real enough, push_options options);
+
+// Momentum between passes (Nesterov 1983): from where the last two passes led,
+// on by a share of the way from where those before them had led.
+// Does that lead on, the way that the last two passes took?  Energy-like
+// (kg m^2); negative if not.
+real pile_leads_on(const push_pile *s);
+void pile_lean(push_pile *s, real share, push_options options);
+
+// A body's four particles go where it was pushed.
+void drift_apply(const push_drift *d, const four_ways *ways, particle *p);
 //<
 
 //> push-end

@@ -171,7 +171,7 @@ static void rest(world *w)
     w->report.asleep = 0;
     for (int b = 0; b < w->bodies; b++) {
         if (!w->rest.asleep[b] || body_is_nailed(&w->body[b])) continue;
-        put_to_bed(w, &w->body[b]);
+        if (w->moves[b]) put_to_bed(w, &w->body[b]);
         w->report.asleep++;
     }
 }

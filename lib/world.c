@@ -14,7 +14,8 @@ world_options world_options_default(void)
         .leaves = LEAVES_VERTEX, .model = BODY_FOUR, .pairs = PAIRS_SORTED,
         .passes = 4, .content = 1e-7, .memory = 1,
         .mend = 0.2, .mend_speed = 2.5, .lines = 1,
-        .swept = 1, .look_ahead = 1, .skin = 0.005, .manifold = 1, .blows = 1,
+        .swept = 1, .look_ahead = 1, .skin = 0.005, .stay = 0.001,
+        .manifold = 1, .blows = 1,
         .resting = 1,
     };
     return o;
@@ -70,6 +71,7 @@ static status check_options(const world_options *o)
         { "mend_speed",  o->mend_speed,           0, 1e9 },
         { "skin",        o->skin,                 0, 1 },
         // 12 mends at once where sticks leave a twelfth of a push.
+        { "stay",        o->stay,                 0, 0.01 },
         { "gain",        o->response.gain,        0, 12 },
         { "friction",    o->response.friction,    0, 1000 },
         { "restitution", o->response.restitution, 0, 1 },
@@ -376,16 +378,16 @@ static int size_particles(particle_tables *t, const particle_pool *pool,
 {
     size_t n = at_least_one(pool->count);
     t->at     = malloc(at_least_one(vertices) * sizeof *t->at);
-    t->found  = malloc(n * sizeof *t->found);
+    t->seen   = malloc(n * sizeof *t->seen);
     t->lain   = malloc(n * sizeof *t->lain);
     t->before = malloc(n * sizeof *t->before);
     t->listed = malloc(n * sizeof *t->listed);
     t->inverse_mass = malloc(n * sizeof *t->inverse_mass);
-    if (!t->at || !t->found || !t->lain || !t->before || !t->listed
+    if (!t->at || !t->seen || !t->lain || !t->before || !t->listed
         || !t->inverse_mass) return 0;
     for (int i = 0; i < pool->count; i++) {
         vec3 x = pool->at[i].position;
-        t->at[i] = t->found[i] = t->lain[i] = t->listed[i] = x;
+        t->at[i] = t->seen[i] = t->lain[i] = t->listed[i] = x;
         t->inverse_mass[i] = pool->at[i].inverse_mass;
     }
     return 1;
@@ -408,7 +410,16 @@ static int size_buffers(world *w)
     size_t pushes = at_least_one(w->push_capacity);
     w->push      = malloc(pushes * sizeof *w->push);
     w->pushed    = malloc(pushes * sizeof *w->pushed);
+    w->old_push  = malloc(pushes * sizeof *w->old_push);
+    w->old_pushed = malloc(pushes * sizeof *w->old_pushed);
+    w->wall      = calloc(at_least_one(w->bodies), sizeof *w->wall);
+    w->fresh     = calloc(at_least_one(w->bodies), 1);
+    w->looked    = calloc(at_least_one(w->bodies), 1);
+    w->listed    = calloc(at_least_one(w->bodies), sizeof *w->listed);
     w->memory    = malloc(pushes * sizeof *w->memory);
+    w->near_push = malloc(pushes * sizeof *w->near_push);
+    w->ways      = calloc(at_least_one(w->bodies), sizeof *w->ways);
+    w->drift     = calloc(at_least_one(w->bodies), sizeof *w->drift);
     w->met       = malloc(pairs * sizeof *w->met);
     w->moves     = calloc(at_least_one(w->bodies), 1);
     w->pair      = malloc(pairs * sizeof *w->pair);
@@ -429,7 +440,10 @@ static int size_buffers(world *w)
     w->hit       = hit_scratch_new();
     w->swept     = malloc(at_least_one(2 * vertices) * sizeof *w->swept);
     w->orders    = order_scratch_new(sticks);
-    return w->push && w->pushed && w->memory && w->met && w->moves
+    return w->push && w->pushed && w->old_push && w->old_pushed && w->wall
+        && w->fresh && w->looked && w->listed && w->memory && w->near_push
+        && w->ways
+        && w->drift && w->met && w->moves
         && w->pair && w->old_pair && w->contact && w->between && w->near
         && w->point && w->leaf_pair && w->leaf_met && w->hull && w->hull_face
         && w->still && w->collided && w->ball && w->spread && w->hit
@@ -472,6 +486,7 @@ status world_begin(world *w)
         return status_out_of_memory();
     // The trees were built to the plans; now they stand where the bodies do.
     for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);
+    for (int b = 0; b < w->bodies; b++) world_find_ways(w, &w->body[b]);
     status done = build_lists(w);
     if (done.ok) done = rest_init(&w->rest, w->bodies);
     if (done.ok) done = broad_init(&w->broad, w->bodies);
@@ -490,11 +505,13 @@ void world_free(world *w)
         if (w->plan[k].four) four_free(w->plan[k].four);
         free(w->plan[k].four);
     }
-    void *owned[] = { w->body, w->plan, w->of.at, w->of.found, w->of.lain,
+    void *owned[] = { w->body, w->plan, w->of.at, w->of.seen, w->of.lain,
         w->of.before, w->of.listed, w->of.inverse_mass, w->push, w->pushed,
-        w->memory, w->met, w->moves, w->pair, w->old_pair, w->contact,
-        w->between, w->near, w->point, w->leaf_pair, w->leaf_met, w->hull,
-        w->hull_face, w->still, w->collided, w->ball, w->spread, w->swept };
+        w->old_push, w->old_pushed, w->wall, w->fresh, w->looked, w->listed,
+        w->memory, w->near_push, w->ways, w->drift, w->met, w->moves, w->pair,
+        w->old_pair, w->contact, w->between, w->near, w->point, w->leaf_pair,
+        w->leaf_met, w->hull, w->hull_face, w->still, w->collided, w->ball,
+        w->spread, w->swept };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pool_free(&w->pool);
     hit_scratch_free(w->hit);
@@ -533,5 +550,14 @@ void world_look_again(world *w, body *b)
 {
     world_look(w, b);
     sphere_tree_refresh(&b->tree, w->of.at + b->corner);
+}
+
+void world_find_ways(world *w, const body *b)
+{
+    const particle *p = w->pool.at + b->first;
+    vec3 at[FOUR];
+    if (!b->four) return;
+    for (int i = 0; i < FOUR; i++) at[i] = p[i].position;
+    four_find_ways(at, p->inverse_mass, &w->ways[b - w->body]);
 }
 //<

@@ -66,6 +66,9 @@ typedef struct {
                         // kept for a frame; 0: only overlaps are contacts
     real skin;          // of a rigid body's radius: its contacts keep that far
                         // off, so that bodies at rest do not overlap
+    real stay;          // of a rigid body's radius: one of four particles that
+                        // lies no further from where its contacts were found
+                        // keeps them; 0: they are found in every frame
     int  manifold;      // 1: several contacts a pair of rigid bodies
     int  blows;         // 1: after a blow bodies part at restitution times the
                         // speed at which they met; 0: at what the pushes gave
@@ -140,10 +143,18 @@ typedef struct {
 //<
 
 //> world-struct
+// Some pushes of a frame, one after the other.
+typedef struct {
+    int  first, count;
+    real margin;        // m, all that are nearer are there; 0: none are, or
+                        // they are good for a substep only
+} push_run;
+
 typedef struct {
     int a, b;           // rigid bodies, a < b
     int quick;          // they pass each other too quickly for contacts to last
     simplex carried;
+    push_run run;       // what this frame, or the last one, found
 } body_pair;
 
 typedef struct {
@@ -163,7 +174,7 @@ typedef struct {
 typedef struct {
     vec3 *at;           // of particles, then of the vertices that ride on four
                         // of them, for the queries
-    vec3 *found;        // of particles, when this frame's contacts were found
+    vec3 *seen;         // when their body's contacts were found
     vec3 *lain;         // when their body was last seen to move
     vec3 *before;       // before separation; scratch of the solver
     vec3 *listed;       // when the near lists were made
@@ -197,8 +208,14 @@ typedef struct world {
     int  lasting;       // the first of them are good for the whole frame, the
                         // others, of quick pairs, for a substep
 
-    struct push *push;                  // of bodies of four particles
-    int  (*pushed)[2];                  // their bodies; bodies + k: plane k
+    struct push *push, *old_push;       // of bodies of four particles; this
+                                        // frame's, the last one's
+    int  (*pushed)[2], (*old_pushed)[2];// their bodies; bodies + k: plane k
+    push_run *wall;                     // [bodies] those with the planes
+    push_near *near_push;               // those that may touch, in a substep
+    four_ways  *ways;                   // [bodies] of four, when this frame's
+                                        // contacts were found
+    push_drift *drift;                  // [bodies] their pushes, in a substep
     push_memory *memory;                // of the last frame's, in their order
     int  pushes, push_capacity, lasting_pushes;
     int  memories, lasting_memories;    // the first: of contacts that lasted
@@ -220,11 +237,14 @@ typedef struct world {
 
     char *moves;        // [bodies] neither nailed nor asleep, at the start of
                         // the frame
+    char *fresh;        // [bodies] its contacts are found anew in this frame
+    char *looked;       // [bodies] its vertices are where it is now
     char *still;        // [bodies] did not move, in this frame
     char *collided;     // [bodies] rigid ones that were pushed in this substep,
                         // by each other or by planes
     sphere *ball;       // [bodies] around each rigid body, this frame
     real *spread;       // [bodies] m, their reach before it was spread
+    real *listed;       // [bodies] m, their reach when pairs were listed
     rest_state  rest;
     step_report report;
     ledger_entry ledger[LEDGERS];       // since the start, or ledger_clear
@@ -280,6 +300,9 @@ void   world_look(world *w, const body *b);
 
 // The same, and brings the body's tree up to date.
 void   world_look_again(world *w, body *b);
+
+// How body b, of four particles, can move as it lies now.
+void   world_find_ways(world *w, const body *b);
 
 // Neither nailed nor asleep.
 static inline int body_moves(const world *w, int b)

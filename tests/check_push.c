@@ -47,12 +47,14 @@ static vec3 any_unit(void)
 enum { MOST = 64 };
 
 static const vec3 UP = { 0, 1, 0 }, ZERO = { 0, 0, 0 };
-static const push_options SMOOTH = { .mend = 0.2, .mend_speed = 3 };
+static const push_options SMOOTH = { .mend = 0.2, .mend_speed = 3,
+                                     .book = 1 };
 static const push_options ROUGH = { .friction = 0.5, .mend = 0.2,
-                                    .mend_speed = 3 };
+                                    .mend_speed = 3, .book = 1 };
 
 static particle p[MOST];
-static vec3 found[MOST];        // where they were, for the answers
+static vec3 found[MOST];        // where they were, for the ways
+static four_ways ways[MOST];    // of the body that begins with each
 static int count;
 static shape box;
 static four plan;
@@ -121,8 +123,8 @@ static push_side of_particle(int i)
 // The point r of the box's own frame.
 static push_side of_box(int first, vec3 r)
 {
-    push_side s = { .plan = &plan, .first = first, .count = FOUR,
-                    .at = found + first };
+    push_side s = { .ways = &ways[first], .first = first, .count = FOUR };
+    four_find_ways(found + first, p[first].inverse_mass, &ways[first]);
     // The corner 0 is at (-, -, -), 1, 2 and 4 one side further along x, y, z.
     vec3 low = box.at[0];
     real x = (r.x - low.x) / (box.at[1].x - low.x);
@@ -147,6 +149,64 @@ static push at_plane(push_side a, vec3 on_plane, vec3 normal, real thickness)
     push c = contact_of(a, (push_side){ .count = 0 }, normal, thickness);
     c.fixed = on_plane;
     return c;
+}
+
+// A pile of this contact alone.
+static push_pile pile_of(push *c)
+{
+    static push_drift drift[2];
+    static push_near near;
+    near = (push_near){ 0, 0, 1, 1, -1, 0 };
+    c->a.body = 0;
+    c->b.body = 1;
+    drift[0] = drift[1] = (push_drift){ { 0 }, { 0 }, 0 };
+    return (push_pile){ c, 1, drift, 2, &near, 1 };
+}
+
+static void apply(const push_side *s, const push_drift *d)
+{
+    particle *x = &p[s->first];
+    if (s->count == 0) return;
+    if (s->ways) {
+        drift_apply(d, s->ways, x);
+        return;
+    }
+    vec3 way = { d->pushed[0], d->pushed[1], d->pushed[2] };
+    x->position = vec3_add_scaled(x->position, sqrt(x->inverse_mass), way);
+}
+
+// The contact pushes once more what it has pushed.
+static void push_again(push *c)
+{
+    push_pile s = pile_of(c);
+    pile_begin(&s, p, (push_options){ .book = 1 }, H);
+    if (s.nears == 0) return;
+    apply(&c->a, &s.drift[0]);
+    apply(&c->b, &s.drift[1]);
+}
+
+static void push_mark(push *c)
+{
+    for (int d = 0; d < DIRECTIONS; d++)
+        c->from[d] = c->last[d] = c->pushed[d];
+}
+
+static real push_leads_on(const push *c)
+{
+    real sum = 0;
+    for (int d = 0; d < DIRECTIONS; d++)
+        sum += c->weight[d] * (c->pushed[d] - c->from[d])
+                            * (c->pushed[d] - c->last[d]);
+    return sum;
+}
+
+static void push_lean(push *c, real share)
+{
+    push_pile s = pile_of(c);
+    push_limit(c, p, (push_options){ .book = 1 }, H);
+    pile_lean(&s, share, ROUGH);
+    apply(&c->a, &s.drift[0]);
+    apply(&c->b, &s.drift[1]);
 }
 
 static vec3 point_of(const push_side *s, int before)
@@ -293,7 +353,7 @@ START_TEST(what_does_not_touch_is_left)
     keep();
     for (int k = 0; k < 4; k++) {
         ck_assert(push_solve(&c[k], p, SMOOTH) == 0);
-        push_again(&c[k], p);
+        push_again(&c[k]);
         push_limit(&c[k], p, SMOOTH, H);
         push_mend(&c[k], p, SMOOTH);
         for (int d = 0; d < DIRECTIONS; d++) ck_assert(c[k].pushed[d] == 0);
@@ -379,7 +439,7 @@ START_TEST(push_is_never_a_pull)
     int i = add(vec3_make(0, 0.5, 0), vec3_make(0, -0.5, 0), 2);
     push c = at_plane(of_particle(i), ZERO, UP, 0);
     c.pushed[NORMAL] = 3;
-    push_again(&c, p);
+    push_again(&c);
     is_near(p[i].position.y, 1, ROUNDING);
     is_near(push_solve(&c, p, SMOOTH), 1, ROUNDING);
     is_near(p[i].position.y, 0, ROUNDING);
@@ -388,22 +448,21 @@ START_TEST(push_is_never_a_pull)
     i = add(vec3_make(0, 0, 0), vec3_make(0, 0.5, 0), 2);
     c = at_plane(of_particle(i), ZERO, UP, 0);
     c.pushed[NORMAL] = 3;
-    push_again(&c, p);
+    push_again(&c);
     is_near(p[i].position.y, 2, ROUNDING);
     push_solve(&c, p, SMOOTH);
     is_near(p[i].position.y, 0.5, ROUNDING);
     ck_assert(c.pushed[NORMAL] == 0);
     keep();
-    push_again(&c, p);
+    push_again(&c);
     // What is left of a turned memory rubs only where it pushes.
     c.pushed[ACROSS] = 1;
-    push_again(&c, p);
-    push_book_again(&c, p);
+    push_again(&c);
     ck_assert(nothing_moved() && c.worn == 0);
     c.pushed[ACROSS] = 0;
     for (int n = 0; n < 1000; n++) {
         p[i].position.y += any() / 4;
-        push_again(&c, p);
+        push_again(&c);
         push_solve(&c, p, SMOOTH);
         ck_assert(c.pushed[NORMAL] >= 0);
     }
@@ -425,12 +484,11 @@ START_TEST(two_immovable_sides_are_left)
     keep();
     for (int k = 0; k < 3; k++) {
         c[k].pushed[NORMAL] = 1;
-        push_again(&c[k], p);
+        push_again(&c[k]);
         push_limit(&c[k], p, rough, H);
         push_mend(&c[k], p, rough);
         ck_assert(push_solve(&c[k], p, rough) == 0);
         ck_assert_int_eq(push_blow(&c[k], 1, p, rough, 0), 0);
-        push_book_again(&c[k], p);
         ck_assert(c[k].worn == 0);
     }
     ck_assert(nothing_moved());
@@ -489,21 +547,25 @@ START_TEST(answers_are_made_for_where_the_contacts_were_found)
         for (int i = 0; i < count; i++)
             p[i].position = vec3_add_scaled(p[i].position, 0.1, any_vec3());
         again.pushed[NORMAL] = 1;
-        push_again(&again, p);
+        push_again(&again);
         for (int d = 0; d < DIRECTIONS; d++) {
             ck_assert(again.weight[d] == c.weight[d]);
             ck_assert(again.skew[d] == c.skew[d]);
         }
-        vec3 answer[FOUR];
-        real sum = four_answer(&plan, found, 1 / plan.mass, c.a.share,
-                               c.along[NORMAL], answer)
-                 + four_answer(&plan, found + FOUR, 1 / plan.mass, c.b.share,
-                               c.along[NORMAL], answer);
+        four_ways w;
+        real rows[DIRECTIONS][WAYS], sum = 0;
+        for (int k = 0; k < 2; k++) {
+            const push_side *side = k ? &c.b : &c.a;
+            four_find_ways(found + side->first, 1 / plan.mass, &w);
+            four_rows(&w, side->share, c.along, rows);
+            const real *row = rows[NORMAL];
+            for (int i = 0; i < WAYS; i++) sum += row[i] * row[i];
+        }
         is_near(c.weight[NORMAL], sum, ROUNDING);
         // Made once: a contact is that of its frame.
         push kept_answers = c;
-        for (int i = 0; i < count; i++) found[i] = any_vec3();
-        push_again(&c, p);
+        for (int k = 0; k < FOUR; k++) ways[0].turn[0][k] = any_vec3();
+        push_again(&c);
         push_solve(&c, p, SMOOTH);
         for (int d = 0; d < DIRECTIONS; d++)
             ck_assert(c.weight[d] == kept_answers.weight[d]);
@@ -529,7 +591,7 @@ START_TEST(pushes_act_on_each_other_alike)
                 p[i].position = vec3_add_scaled(p[i].position, 0.2, any_vec3());
             real before = gap_of(&c[1 - k], 0);
             c[k].pushed[NORMAL] = 1;
-            push_again(&c[k], p);
+            push_again(&c[k]);
             moved[k] = gap_of(&c[1 - k], 0) - before;
         }
         is_near(moved[0], moved[1], ROUNDING * 10);
@@ -564,7 +626,7 @@ static void unit_push(push *c, int i, real parted[DIRECTIONS])
     // Only what pushes is pushed again: a push along the normal goes with it,
     // and is taken back.
     one.pushed[NORMAL] = 1;
-    push_again(&one, p);
+    push_again(&one);
     vec3 went = vec3_sub(apart(c, 0), before);
     *c = one;
     for (int d = 0; d < DIRECTIONS; d++)
@@ -602,7 +664,7 @@ END_TEST
 // one; an old push that is forgotten, or counted twice.
 START_TEST(hold_finds_the_push_in_all_three_directions_at_once)
 {
-    const push_options rough = { .friction = 1 };
+    const push_options rough = { .friction = 1, .book = 1 };
     for (int n = 0; n < 500; n++) {
         push c = two_boxes(0, 0, 0);
         push back = contact_of(c.b, c.a, c.along[NORMAL], 0);
@@ -610,10 +672,10 @@ START_TEST(hold_finds_the_push_in_all_three_directions_at_once)
         back.pushed[NORMAL] = deep;
         for (int d = ACROSS; d < DIRECTIONS; d++)
             back.pushed[d] = between(-most, most);
-        push_again(&back, p);
+        push_again(&back);
         for (int d = 0; n % 2 && d < DIRECTIONS; d++)
             c.pushed[d] = between(0, 0.1);
-        push_again(&c, p);
+        push_again(&c);
 
         ck_assert(push_solve(&c, p, rough) > 0);
         is_near_vec3(pushed_by(&c), pushed_by(&back), ROUNDING);
@@ -629,7 +691,7 @@ END_TEST
 // Rejects: a volume of nothing but rounding that is divided by.
 START_TEST(lever_too_long_to_hold_throws_nobody)
 {
-    const push_options rough = { .friction = 1 };
+    const push_options rough = { .friction = 1, .book = 1 };
     for (int n = 0; n < 200; n++) {
         count = 0;
         axes m = any_axes();
@@ -703,7 +765,7 @@ END_TEST
 // Rejects: friction at one side alone; friction without a push.
 START_TEST(friction_between_bodies_keeps_their_momentum)
 {
-    const push_options rough = { .friction = 0.3 };
+    const push_options rough = { .friction = 0.3, .book = 1 };
     for (int n = 0; n < 500; n++) {
         push c = two_boxes(0, 0.0625, 0.25);
         vec3 linear = momentum(), angular = turning();
@@ -742,7 +804,7 @@ static void mend(push *c, int n, push_options how)
 static void substep(push *c, int n, vec3 gravity, push_options how, int pairs)
 {
     verlet_step(p, count, gravity, NULL, H);
-    for (int k = 0; k < n; k++) push_again(&c[k], p);
+    for (int k = 0; k < n; k++) push_again(&c[k]);
     mend(c, n, how);
     for (int k = 0; k < pairs; k++) pass_twice(c, n, how);
 }
@@ -911,7 +973,7 @@ START_TEST(memory_leaves_a_block_at_rest_nothing_to_do)
         for (int n = 0; n < 2000; n++)
             substep(c, 4, rule[r].gravity, how, rule[r].pairs);
         verlet_step(p, count, rule[r].gravity, NULL, H);
-        for (int k = 0; k < 4; k++) push_again(&c[k], p);
+        for (int k = 0; k < 4; k++) push_again(&c[k]);
         vec3 sum = ZERO;
         for (int k = 0; k < 4; k++) {
             real left = push_solve(&c[k], p, how);
@@ -1006,13 +1068,13 @@ START_TEST(memory_carries_the_same_weight_in_longer_substeps)
         forget(&c);
         push_recall(&c, &m, h);
         verlet_step(p, count, vec3_scale(-10, UP), NULL, h);
-        push_again(&c, p);
+        push_again(&c);
         is_near_vec3(p[0].position, ZERO, ROUNDING);
     }
 }
 END_TEST
 
-// For the ledger, push_again does what push_book_again has said.
+// For the ledger.
 // Rejects: the slide before the push alone; the sideways answer of the push
 // along the normal, or of one across along the other, left out.
 START_TEST(work_of_the_memory_is_booked)
@@ -1024,13 +1086,11 @@ START_TEST(work_of_the_memory_is_booked)
             c.pushed[d] = between(-0.05, 0.05);
         real had = energy();
         vec3 d = vec3_sub(apart(&c, 0), apart(&c, 1));
-        push_book_again(&c, p);
-        real worn = c.worn, normal = c.pushed[NORMAL]
+        push_again(&c);
+        real normal = c.pushed[NORMAL]
             * (vec3_dot(d, c.along[NORMAL])
                + c.weight[NORMAL] * c.pushed[NORMAL] / 2);
-        push_again(&c, p);
-        is_near(energy() - had, normal + worn, ROUNDING);
-        ck_assert(c.worn == worn);
+        is_near(energy() - had, normal + c.worn, ROUNDING);
     }
 }
 END_TEST
@@ -1055,19 +1115,19 @@ START_TEST(lean_goes_on_by_its_share_of_the_last_change)
         add(ZERO, freely, 2);
         push c = at_plane(of_particle(0), ZERO, UP, 0);
         for (int d = 0; d < DIRECTIONS; d++) c.pushed[d] = between(0, 1);
-        push_again(&c, p);
+        push_again(&c);
         push_mark(&c);
         ck_assert(push_leads_on(&c) == 0);
         // Nothing has changed yet: there is nothing to go on with.
         keep();
-        push_lean(&c, p, 0.5);
+        push_lean(&c, 0.5);
         ck_assert(nothing_moved());
 
         real was[DIRECTIONS], is[DIRECTIONS], share = between(0, 1);
         for (int d = 0; d < DIRECTIONS; d++) was[d] = c.pushed[d];
         push_solve(&c, p, ROUGH);
         for (int d = 0; d < DIRECTIONS; d++) is[d] = c.pushed[d];
-        push_lean(&c, p, share);
+        push_lean(&c, share);
         for (int d = 0; d < DIRECTIONS; d++)
             is_near(c.pushed[d], is[d] + share * (is[d] - was[d]), ROUNDING);
         is_carried(&c, freely, 2);
@@ -1075,7 +1135,7 @@ START_TEST(lean_goes_on_by_its_share_of_the_last_change)
         // The next one counts from what was pushed before this lean.
         push_solve(&c, p, ROUGH);
         for (int d = 0; d < DIRECTIONS; d++) was[d] = c.pushed[d];
-        push_lean(&c, p, share);
+        push_lean(&c, share);
         for (int d = 0; d < DIRECTIONS; d++)
             is_near(c.pushed[d], was[d] + share * (was[d] - is[d]), ROUNDING);
         is_carried(&c, freely, 2);
@@ -1091,12 +1151,12 @@ START_TEST(lean_is_never_a_pull)
     add(ZERO, freely, 2);
     push c = at_plane(of_particle(0), ZERO, UP, 0);
     c.pushed[NORMAL] = 3;
-    push_again(&c, p);
+    push_again(&c);
     push_mark(&c);
     // 3 kg m were too many by 2; as many again would be a pull.
     push_solve(&c, p, SMOOTH);
     is_near(c.pushed[NORMAL], 1, ROUNDING);
-    push_lean(&c, p, 1);
+    push_lean(&c, 1);
     ck_assert(c.pushed[NORMAL] == 0);
     is_carried(&c, freely, 2);
     push_solve(&c, p, SMOOTH);
@@ -1150,7 +1210,7 @@ static int pairs_of_passes(push *c, int n, int with_momentum)
         if (leads_on < 0) pace = 1;
         real next = (1 + sqrt(1 + 4 * pace * pace)) / 2;
         for (int k = 0; with_momentum && k < n; k++)
-            push_lean(&c[k], p, (pace - 1) / next);
+            push_lean(&c[k], (pace - 1) / next);
         pace = next;
     }
     return pairs;
@@ -1182,7 +1242,7 @@ END_TEST
 
 static push_options bouncing(real restitution)
 {
-    return (push_options){ .restitution = restitution };
+    return (push_options){ .restitution = restitution, .book = 1 };
 }
 
 // Of the contact's points, towards each other, in this substep.
@@ -1540,7 +1600,7 @@ START_TEST(lost_numbers_do_no_harm)
                                  .mend = 0.2, .mend_speed = 3 };
     push c = two_boxes(0, 0.1, 0.1);
     p[2].position.x = (real)NAN;
-    push_again(&c, p);
+    push_again(&c);
     push_limit(&c, p, rough, H);
     push_mend(&c, p, rough);
     push_solve(&c, p, rough);

@@ -870,7 +870,7 @@ START_TEST(memory_carries_a_stack)
     ck_assert_msg(sunk[1] < skin && sunk[1] > -skin, "sunk by %g m", sunk[1]);
     ck_assert_msg(sunk[0] > 20 * skin, "%g m without", sunk[0]);
     vec3 top = middle(BOXES - 1);
-    ck_assert_msg(hypot(top.x, top.z) < skin, "it leans by (%g, %g)", top.x,
+    ck_assert_msg(hypot(top.x, top.z) < 2 * skin, "it leans by (%g, %g)", top.x,
                   top.z);
 }
 END_TEST
@@ -960,7 +960,7 @@ START_TEST(passes_carry_the_heavy_on_the_light)
     real once = pressed(1, 0), often = pressed(60, 0);
     ck_assert_msg(once > 0.9 && fabs(often) < 0.02, "%g m after one pass, %g m "
                   "after sixty", once, often);
-    ck_assert(pressed(60, 1) == once);
+    ck_assert(pressed(60, 1) == pressed(1, 1));
 }
 END_TEST
 

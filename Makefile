@@ -95,6 +95,7 @@ test:
 #:   make book       weave chapters/, lib/ and the slow oracle into book.md
 #:   make html       build/book.html (needs pandoc: make deps-book)
 #:   make library    build/libtumble.a
+#:   make install    the library, its headers and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS):
 	$(Q)sh tests/run.sh $(TESTS_$@:%=$(BUILD)/tests/%)
 	$(Q)$(foreach f,$(FIGURES_$@),$(call draw,$f,$(BUILD)/figures) &&) true
@@ -111,6 +112,23 @@ html:
 	$(Q)sh chapters/html.sh $(BUILD)/book.html
 
 library: $(BUILD)/libtumble.a
+
+# One header that brings them all, for C and for C++.
+PREFIX ?= /usr/local
+INCLUDE = $(DESTDIR)$(PREFIX)/include/tumble
+.PHONY: install
+install: $(BUILD)/libtumble.a
+	$(Q)install -d '$(DESTDIR)$(PREFIX)/lib/pkgconfig' '$(INCLUDE)'
+	$(Q)install -m 644 $(BUILD)/libtumble.a '$(DESTDIR)$(PREFIX)/lib'
+	$(Q)install -m 644 lib/*.h '$(INCLUDE)'
+	$(Q){ printf '#ifdef __cplusplus\nextern "C" {\n#endif\n'; \
+	  printf '#include "%s"\n' $(notdir $(wildcard lib/*.h)); \
+	  printf '#ifdef __cplusplus\n}\n#endif\n'; } > '$(INCLUDE)/tumble.h'
+	$(Q)printf '%s\n' 'prefix=$(PREFIX)' 'Name: tumble' 'Version: 1.0' \
+	  'Description: rigid and deformable bodies of particles and sticks' \
+	  'Cflags: -I$${prefix}/include/tumble' 'Libs: -L$${prefix}/lib -ltumble -lm' \
+	  > '$(DESTDIR)$(PREFIX)/lib/pkgconfig/tumble.pc'
+	@echo "installed: $(PREFIX)/lib/libtumble.a, include/tumble/tumble.h, tumble.pc"
 
 #:
 #: Exercises

@@ -3,9 +3,10 @@
 #   awk -f weave.awk lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md > book.md
 #
 # In the code a region lies between a line "//> name" and a line "//<"; in a
-# chapter the line "@@ name" stands for it, and "%% figures/name.csv" for a
-# table of that file.  Whatever would let the book and the code drift apart is
-# an error: file, line, a sentence, and no book.
+# chapter the line "@@ name" stands for it, "%% figures/name.csv" for a table of
+# that file, and "%% functions" for an index of all that the headers of lib/
+# declare.  Whatever would let the book and the code drift apart is an error:
+# file, line, a sentence, and no book.
 
 function fail(file, line, sentence) {
     printf "%s:%d: %s\n", file, line, sentence > "/dev/stderr"
@@ -57,6 +58,20 @@ function row(line,    cell, out) {
     if (line != "") cells = 0
     return out
 }
+# A paragraph for each header, in the order of the alphabet: its functions, and
+# the chapter that they are explained in.
+function list_functions(    i, header, paragraph, name) {
+    for (i = 1; i <= functions; i++) {
+        if (place[i] != header) {
+            if (header) print_later(paragraph "\n")
+            header = place[i]; name = header
+            gsub(/.*\/|\.h$/, "", name)
+            paragraph = "**" name "**, [chapter " substr(told[inside[i]], 1, 2) "](" told[inside[i]] "):"
+        } else paragraph = paragraph ","
+        paragraph = paragraph " [`" declared[i] "`](" header "#L" at_line[i] ")"
+    }
+    if (header) print_later(paragraph)
+}
 function print_later(line) { book[++lines] = line }
 function end_of_file() {
     if (open != "") fail(home[open], from[open], "region " open " is never closed")
@@ -86,6 +101,11 @@ is_code && /^\/\/<$/ {
 }
 is_code && /^[ \t]*\/\/[<>]/ { fail(file, FNR, "a marker is //> name or //<, alone and at the margin"); next }
 is_code && open == "" && /[^ \t]/ { fail(file, FNR, "this line is in no region") }
+# What a header declares begins at the margin, with its type.
+is_code && file ~ /^lib\/.*\.h$/ && /^[a-z][a-z0-9_ ]*[ *][a-z0-9_]+\(/ && !/^typedef/ {
+    declared[++functions] = $0; place[functions] = file; at_line[functions] = FNR; inside[functions] = open
+    sub(/\(.*/, "", declared[functions]); sub(/.*[ *]/, "", declared[functions])
+}
 is_code { next }
 # --- chapters/: copy, but for regions, links and headings ---
 /^```/ { fence = fence ? 0 : FNR }
@@ -94,11 +114,12 @@ fence || /^```/ { print_later($0); next }
     if (NF != 2 || $1 != "@@") fail(file, FNR, "a region is pulled in by @@ name, and nothing more")
     else if (!($2 in home)) fail(file, FNR, "there is no region " $2)
     else if ($2 in used) fail(file, FNR, "region " $2 " is already pulled in by " used[$2])
-    else { used[$2] = file ", line " FNR; weave($2) }
+    else { used[$2] = file ", line " FNR; told[$2] = substr(file, 10); weave($2) }
     next
 }
 /^%%/ {
-    if (NF == 2 && $1 == "%%" && $2 ~ /\.csv$/) tabulate($2)
+    if (NF == 2 && $1 == "%%" && $2 == "functions") list_functions()
+    else if (NF == 2 && $1 == "%%" && $2 ~ /\.csv$/) tabulate($2)
     else fail(file, FNR, "a table is pulled in by %% figures/name.csv, and nothing more")
     next
 }

@@ -26,17 +26,17 @@ typedef struct {
 } strands;
 
 // The particles of a shape are the vertices of its mesh.
-typedef struct {
+typedef struct shape {
     shape_kind kind;
     int    particles;
     vec3  *at;          // [particles] m, at rest
     real  *mass;        // [particles] kg
     int    sticks;
-    stick *stick;       // [sticks]
+    struct stick *stick; // [sticks]
     strands strand[2];  // a rope: itself; a cloth: its columns, its rows
     int    directions;  // of them, 0 to 2
     int    on_strands;  // the first of the sticks are the strands' links
-    mesh   mesh;        // no vertex, edge or face for a rope
+    struct mesh mesh;   // no vertex, edge or face for a rope
     int   *face;        // [mesh.faces * 3] vertices of each face, for loops
     int   *ring_start;  // [particles + 1] the mesh neighbours of vertex v are
     int   *ring;        //   ring[ring_start[v]] .. ring[ring_start[v + 1] - 1]

@@ -12,7 +12,7 @@
 
 // The bodies in the order of their balls' left ends, kept from call to call:
 // bodies move little in a frame, and an order that was right is nearly right.
-typedef struct {
+typedef struct broad {
     int   bodies;
     int  *order;        // [bodies] by low, equal ones by number
     real *low, *high;   // [bodies] m, ends of each ball along x

@@ -20,7 +20,7 @@ typedef struct {
 } collider;
 
 // Bodies stay out of the half-space behind it: x . normal >= offset.
-typedef struct {
+typedef struct plane {
     vec3 normal;        // unit, into the free side
     real offset;        // m
 } plane;

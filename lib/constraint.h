@@ -16,7 +16,7 @@ typedef enum {
 } stick_kind;
 
 // a and b count from the first particle of the body that owns the stick.
-typedef struct {
+typedef struct stick {
     int  a, b;
     real rest_length;  // m, > 0
     real stiffness;    // share of its error that one relaxation corrects: 1 for

@@ -16,13 +16,13 @@ enum { FOUR = 4, FOUR_STICKS = 6 };
 
 // The plan of a body of four particles.  The vertices of the mesh ride on them:
 // vertex v is the weighted mean of the four, by fixed weights.
-typedef struct {
+typedef struct four {
     vec3  at[FOUR];         // m, at rest, in the frame of the shape
     vec3  center;           // m, the solid's centre of mass, in that frame
     real  mass;             // kg, of each of the four
     real  radius;           // m, their largest distance from the centre
     real  reach;            // m, the vertices' largest distance from it
-    stick stick[FOUR_STICKS];               // every pair
+    struct stick stick[FOUR_STICKS];         // every pair
     real  inverse[FOUR_STICKS][FOUR_STICKS]; // of J J^T at rest, 1/m^4
     real (*weight)[FOUR];   // [shape->particles] their sum is 1
 } four;

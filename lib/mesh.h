@@ -19,7 +19,7 @@ typedef struct {
     int face;           // the face on its left; -1: none
 } half_edge;
 
-typedef struct {
+typedef struct mesh {
     int vertices, edges, faces;  // 2 * edges half-edges
     half_edge *half;             // [2 * edges]
     int *vertex_half;            // [vertices] one that leaves it, on the rim if

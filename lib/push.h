@@ -40,7 +40,7 @@ enum { NORMAL, ACROSS, ASIDE, DIRECTIONS };
 // All answers of a frame are made for the same places: only then is the table
 // of what each push does to each gap symmetric, and the passes over them
 // converge.
-typedef struct {
+typedef struct push {
     push_side a, b;
     vec3 fixed;             // m
     vec3 along[DIRECTIONS]; // unit; the normal from B to A

@@ -39,7 +39,7 @@ typedef struct {
 
 // Two points that must not pass each other along a normal that stays fixed
 // while the contact lives (a frame).  Particles are numbered in the pool.
-typedef struct {
+typedef struct contact {
     feature_point a, b; // b.count = 0: B is immovable, its point is `fixed`
     vec3 fixed;         // m
     vec3 normal;        // unit, from B to A

@@ -26,7 +26,7 @@ typedef struct {
 // moved: the bodies point to the shapes.
 typedef struct {
     scene_kind kind;
-    world world;
+    struct world world;
     shape plan[2];      // what moves; what it falls on
     real  size;         // m, side of the room or the cube, span of the rope
     real  body_radius;  // m, of a thrown body; what penetration is measured by

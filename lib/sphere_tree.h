@@ -53,7 +53,7 @@ typedef struct {
     int stamp;          // counts refreshes
 } sphere_tree;
 
-typedef struct {
+typedef struct leaf_pair {
     int a, b;           // leaf numbers
 } leaf_pair;
 

@@ -77,9 +77,9 @@ typedef struct {
 
 //> body-struct
 // A body: a range of the pool, built to a plan that it may share.
-typedef struct {
+typedef struct body {
     const shape *plan;
-    const four  *four;  // its four particles; NULL: one at every vertex
+    const struct four  *four; // its four particles; NULL: one at every vertex
     int  first;         // its particles: first .. first + body_particles - 1
     int  corner;        // its vertices in the table `of.at`; = first where they
                         // are the particles
@@ -153,9 +153,9 @@ typedef struct {
 } point_pair;
 
 typedef struct {
-    const shape *shape;
+    const struct shape *shape;
     stick_lists lists;  // empty unless the order needs them
-    four *four;         // NULL unless rigid, and the model is BODY_FOUR
+    struct four *four;  // NULL unless rigid, and the model is BODY_FOUR
     line_scratch *line; // NULL unless deformable, and solved as lines
 } plan_entry;
 
@@ -170,12 +170,12 @@ typedef struct {
     real *inverse_mass; // 1/kg, when awake
 } particle_tables;
 
-typedef struct {
+typedef struct world {
     world_options options;
     particle_pool pool;
     int  bodies, planes, plans, softs;  // softs: deformable bodies
-    body *body;
-    plane plane[6];
+    struct body *body;
+    struct plane plane[6];
     plan_entry *plan;   // [plans] one for each shape in use
     real time;          // s
     real age;           // s, a particle was at `previous` so long ago
@@ -187,17 +187,17 @@ typedef struct {
     order_scratch *orders;
 
     real least_radius;  // m, of the rigid bodies; HUGE_VAL: none
-    broad broad;
+    struct broad broad;
     int  (*met)[2];     // pairs whose balls meet
     body_pair *pair, *old_pair;         // sorted; this frame's, the last one's
     int  pairs, old_pairs, pair_capacity;
-    contact *contact;                   // of rigid bodies and planes
+    struct contact *contact;            // of rigid bodies and planes
     int  (*between)[2];                 // their bodies; -1: a plane
     int  contacts, contact_capacity;
     int  lasting;       // the first of them are good for the whole frame, the
                         // others, of quick pairs, for a substep
 
-    push *push;                         // of bodies of four particles
+    struct push *push;                  // of bodies of four particles
     int  (*pushed)[2];                  // their bodies; bodies + k: plane k
     push_memory *memory;                // of the last frame's, in their order
     int  pushes, push_capacity, lasting_pushes;
@@ -207,7 +207,7 @@ typedef struct {
     int  nears, near_capacity;
     point_pair *point;                  // deformable particles at rigid bodies
     int  points, point_capacity;
-    leaf_pair *leaf_pair;               // room for a traversal
+    struct leaf_pair *leaf_pair;        // room for a traversal
     int  leaf_capacity;
     int *leaf_met;      // [leaves of the largest tree] where in leaf_pair a
                         // leaf of the first tree was last met
@@ -215,7 +215,7 @@ typedef struct {
                         // -1: there are none yet
     real list_margin;   // m, how much further than touching they look
 
-    plane *hull;        // the planes of body hull_of
+    struct plane *hull; // the planes of body hull_of
     int  *hull_face, hulls, hull_of;
 
     char *moves;        // [bodies] neither nailed nor asleep, at the start of

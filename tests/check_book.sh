@@ -1,6 +1,6 @@
 # check_book.sh - is book.md what make book would write, whichever awk writes
 # it, and does it show each line of lib/ and of the slow oracle once?
-# (chapters/check-book.awk)
+# (chapters/check-book.awk)  Does every test and function exist that it names?
 
 export LC_ALL=C
 fresh=$(mktemp)
@@ -15,5 +15,13 @@ for awk in awk mawk gawk; do
         failed=1
     }
     $awk -f chapters/check-book.awk lib/*.h lib/*.c tests/oracle.[hc] book.md || failed=1
+done
+
+# Names of three words and more, `like_this_one`; two words may be formulas.
+for name in $(grep -oh '`[a-z0-9]*_[a-z0-9]*_[a-z0-9_]*`' chapters/*.md README.md | tr -d '`' | sort -u); do
+    grep -rqw "$name" lib tests/*.[ch] figures/*.[ch] || {
+        echo "the book names $name, and nothing in the tree is called that"
+        failed=1
+    }
 done
 [ -z "$failed" ]

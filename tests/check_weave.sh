@@ -16,7 +16,7 @@ sound() {
     printf '# 01. A\n\n## The code\n\n@@ head\n\nThen:\n\n@@ one-line\n' > chapters/01-a.md
     printf '//> slow\nint slow(void);\n//<\n' > tests/oracle.c
     printf '# made by hand\ncase,what\n# in between\n1,"strain, mean"\n2,\n' > figures/t.csv
-    printf '# 02. B\n\n## The code\n\n![p](../figures/p.png) [A](01-a.md)\n\n@@ slow\n\n%%%% figures/t.csv\n\n@@ body\n\n```\n@@ no region\n```\n' > chapters/02-b.md
+    printf '# 02. B\n\n## The code\n\n![p](../figures/p.png) [A](01-a.md)\n\n@@ slow\n\n%%%% figures/t.csv\n\n@@ body\n\n%%%% functions\n\n```\n@@ no region\n```\n' > chapters/02-b.md
     echo picture > figures/p.png
 }
 weave() { $awk -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md; }
@@ -47,13 +47,15 @@ all() {
     printf '%s\n' '[figures/t.csv](figures/t.csv)' '' '| case | what |' '|---|---|' '| 1 | strain, mean |' '| 2 |  |' '' > wanted
     $awk '/^.figures.t.csv/ { left = 7 } left-- > 0' book.md > told
     cmp -s wanted told && verdict "a table is the CSV's" yes || verdict "a table is the CSV's" no
+    grep -qxF '**a**, [chapter 01](#01-a): [`a`](lib/a.h#L2)' book.md &&
+    verdict "functions are listed" yes || verdict "functions are listed" no
     if grep -q '//[<>]' book.md; then verdict "markers are not shown" no; else verdict "markers are not shown" yes; fi
 
     # --- the weave ---
     sound; printf '\n@@ gone\n' >> chapters/01-a.md
     refuses "unknown region" weave 'chapters/01-a.md:11: there is no region gone'
     sound; printf '\n@@ head\n' >> chapters/02-b.md
-    refuses "region used twice" weave 'chapters/02-b.md:17: region head is already pulled in by chapters/01-a.md, line 5'
+    refuses "region used twice" weave 'chapters/02-b.md:19: region head is already pulled in by chapters/01-a.md, line 5'
     sound; sed -i.old '/@@ head/d' chapters/01-a.md
     refuses "region in no chapter" weave 'lib/a.c:1: region head is in no chapter'
     sound; echo 'int b;' >> lib/a.c

@@ -56,9 +56,10 @@ static void clear(const rows *r)
     for (int i = 0; i < r->size; i++) v[i] = 0;
 }
 
-static void put(const rows *r, int particle, vec3 v)
+// v for particle i.
+static void put(const rows *r, int i, vec3 v)
 {
-    real *at = row_in_hand(r) + 3 * particle;
+    real *at = row_in_hand(r) + 3 * i;
     at[0] = v.x;
     at[1] = v.y;
     at[2] = v.z;

@@ -28,7 +28,8 @@ gilbert_result gilbert_distance(point_set a, point_set b, real relative_error,
     gilbert_result r = { .ok = 1, .most = vec3_length(v), .nearest = v };
     while (r.most > 0 && r.asked < cap) {
         r.asked++;
-        if (!difference(a, b, r.nearest, &w)) return (gilbert_result){ .ok = 0 };
+        if (!difference(a, b, r.nearest, &w))
+            return (gilbert_result){ .ok = 0 };
         // The plane through w has all of A - B beyond it.
         real along = vec3_dot(r.nearest, w) / r.most;
         if (along > r.least) r.least = along;

@@ -27,8 +27,8 @@ vec3 round_support(round_body r, vec3 d);
 
 // The gap, and where it is: on_a - on_b = gap * normal.  Where the cores
 // themselves overlap (status GJK_OVERLAP) there is no telling the way out: gap
-// is minus the sum of the radii, which the bodies overlap by at least, normal is
-// 0, and on_a and on_b are what GJK gives for the cores.  GJK_NOT_FINITE:
+// is minus the sum of the radii, which the bodies overlap by at least, normal
+// is 0, and on_a and on_b are what GJK gives for the cores.  GJK_NOT_FINITE:
 // everything is 0.
 round_result round_distance(round_body a, round_body b);
 

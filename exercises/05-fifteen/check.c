@@ -181,8 +181,8 @@ START_TEST(random_boxes_agree_with_the_hit_face)
         a.centre = vec3_add_scaled(a.centre, r.depth, r.normal);
         near(boxes_depth(&a, &b).depth, 0, "depth after moving A out by it");
     }
-    ck_assert_msg(edges > 100 && apart > 20, "%d by edges, %d apart: every kind "
-                  "is to be tried", edges, apart);
+    ck_assert_msg(edges > 100 && apart > 20, "%d by edges, %d apart: every "
+                  "kind is to be tried", edges, apart);
     hit_scratch_free(scratch);
 }
 END_TEST

@@ -115,7 +115,8 @@ END_TEST
 
 START_TEST(nailed_ball_is_a_wall)
 {
-    const real mass[3] = { 1, 1, 0 }, in[3] = { 2, 0, 0 }, out[3] = { -2, 0, 0 };
+    const real mass[3] = { 1, 1, 0 }, in[3] = { 2, 0, 0 };
+    const real out[3] = { -2, 0, 0 };
     row r = row_make(3, mass, in);
     cradle_bounce(r.p, 3, 1, PLENTY);
     expect(&r, out, "a ball, one at rest, a wall");
@@ -137,8 +138,8 @@ END_TEST
 START_TEST(tower_of_balls_throws_the_last)
 {
     // 1 kg, 1 g and a milligram fall onto a wall at 1 m/s, the heavy one ahead.
-    // It turns back first; the next meets it at 2 m/s, and leaves at 3; the last
-    // at 7.  Were the ratios of masses infinite: these lose 0.02.
+    // It turns back first; the next meets it at 2 m/s, and leaves at 3; the
+    // last at 7.  Were the ratios of masses infinite: these lose 0.02.
     const real mass[4] = { 0, 1, 1e-3, 1e-6 }, in[4] = { 0, -1, -1, -1 };
     row r = row_make(4, mass, in);
     cradle_bounce(r.p, 4, 1, PLENTY);

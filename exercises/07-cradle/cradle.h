@@ -9,10 +9,10 @@
 
 // Lets n balls in a row along x, each touching the next, bounce until no ball
 // runs into its neighbour, or cap bounces are over.  Pairs are asked from left
-// to right, again and again.  A pair that approaches at u parts at restitution *
-// u (0 to 1), by masses; at most 1e-12 of the first fastest speed is no approach.
-// Speeds are ways in the last step.  Moves nothing but previous.x.
-// Returns the number of bounces.
+// to right, again and again.  A pair that approaches at u parts at restitution
+// (0 to 1) * u, by masses; at most 1e-12 of the speed that was the fastest at
+// first is no approach.  Speeds are ways in the last step.  Moves nothing but
+// previous.x.  Returns the number of bounces.
 int cradle_bounce(particle *p, int n, real restitution, int cap);
 
 #endif

@@ -191,7 +191,8 @@ START_TEST(random_bodies_are_coloured_or_refuted)
         int n = 4 + k % 11;
         for (int i = 0; i < n; i++) {
             state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-            int a = (int)(state >> 40) % 12, b = (int)(state >> 20 & 0xfff) % 11;
+            int a = (int)(state >> 40) % 12;
+            int b = (int)(state >> 20 & 0xfff) % 11;
             s[i] = between(a, b < a ? b : b + 1);
         }
         answer r = ask(s, n, 12);

@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <float.h>
+#include <stddef.h>
 
 // Support looks at every point of a set up to this size, and climbs from
 // neighbour to neighbour in a larger one.  (Measured: see chapter 4.)
@@ -47,40 +48,125 @@ static int is_level(point_set p, vec3 d, int v)
     return 1;
 }
 
+// From vertex `stand`, at height *best along d, to its highest neighbour; to
+// itself, if that is not higher.
+static inline int climb_step(point_set p, vec3 d, int stand, real *best)
+{
+    vec3 base = p.at[0];
+    real highest = *best;
+    int here = stand;
+    for (int k = p.ring_start[stand]; k < p.ring_start[stand + 1]; k++) {
+        real along = vec3_dot(d, vec3_sub(p.at[p.ring[k]], base));
+        here = along > highest ? p.ring[k] : here;
+        highest = along > highest ? along : highest;
+    }
+    *best = highest;
+    return here;
+}
+
+// No neighbour of `here` is higher.  At a corner of a convex mesh that is the
+// top.  Amid a flat side it may be the bottom as well: then all are level.
+static int top_or_scan(point_set p, vec3 d, int here)
+{
+    return is_level(p, d, here) ? scan(p, d) : here;
+}
+
 int support_climb(point_set p, vec3 d, int from)
 {
     assert(p.ring && p.ring_start && from >= 0 && from < p.count);
-    vec3 base = p.at[0];
     int here = from;
-    real best = vec3_dot(d, vec3_sub(p.at[here], base));
+    real best = vec3_dot(d, vec3_sub(p.at[here], p.at[0]));
     // Each move gains height, so no vertex is met twice.
     for (int moves = 1; moves < p.count; moves++) {
         int stand = here;
-        for (int k = p.ring_start[stand]; k < p.ring_start[stand + 1]; k++) {
-            real along = vec3_dot(d, vec3_sub(p.at[p.ring[k]], base));
-            if (along > best) {
-                best = along;
-                here = p.ring[k];
-            }
-        }
+        here = climb_step(p, d, stand, &best);
         if (here == stand) break;
     }
-    // No neighbour is higher.  At a corner of a convex mesh that is the top.
-    // Amid a flat side it may be the bottom as well: then all are level.
-    return is_level(p, d, here) ? scan(p, d) : here;
+    return top_or_scan(p, d, here);
 }
 //<
 
 //> support-point
+static inline int climbs(point_set p)
+{
+    return p.ring && p.count > SCAN_AT_MOST;
+}
+
 static inline int support(point_set p, vec3 d, int from)
 {
-    return p.ring && p.count > SCAN_AT_MOST ? support_climb(p, d, from)
-                                            : scan(p, d);
+    return climbs(p) ? support_climb(p, d, from) : scan(p, d);
 }
 
 int support_point(point_set p, vec3 d, int from)
 {
     return support(p, d, from);
+}
+//<
+
+//> support-both
+// Vertices of A and of B: a corner of A - B.
+typedef struct {
+    int a, b;
+} two_vertices;
+
+// Two climbs abreast: while one waits for its vertices to come from memory, the
+// other goes on.
+static two_vertices climb_both(point_set a, point_set b, vec3 d,
+                               two_vertices from)
+{
+    vec3 back = vec3_scale(-1, d);
+    two_vertices here = from;
+    real best_a = vec3_dot(d, vec3_sub(a.at[from.a], a.at[0]));
+    real best_b = vec3_dot(back, vec3_sub(b.at[from.b], b.at[0]));
+    for (int moves = 2; moves < a.count + b.count; moves++) {
+        two_vertices stand = here;
+        here.a = climb_step(a, d, stand.a, &best_a);
+        here.b = climb_step(b, back, stand.b, &best_b);
+        if (here.a == stand.a && here.b == stand.b) break;
+    }
+    here.a = top_or_scan(a, d, here.a);
+    here.b = top_or_scan(b, back, here.b);
+    return here;
+}
+
+// The vertex of A furthest along d, and that of B furthest against it.
+static inline two_vertices support_both(point_set a, point_set b, vec3 d,
+                                        two_vertices from)
+{
+    if (climbs(a) && climbs(b)) return climb_both(a, b, d, from);
+    return (two_vertices){ support(a, d, from.a),
+                           support(b, vec3_scale(-1, d), from.b) };
+}
+//<
+
+//> support-gap
+// Only a number, no vertex: so there is little to choose, and the two least
+// heights, of A and of B turned round, do not wait for each other.
+real support_gap(point_set a, point_set b, vec3 n)
+{
+    vec3 a0 = a.at[0], b0 = b.at[0];
+    real least_a = 0, least_b = 0, sum_a = 0, sum_b = 0;
+    int both = a.count < b.count ? a.count : b.count, i = 0;
+    for (; i < both; i++) {
+        real up_a = vec3_dot(n, vec3_sub(a.at[i], a0));
+        real up_b = vec3_dot(n, vec3_sub(b0, b.at[i]));
+        least_a = up_a < least_a ? up_a : least_a;
+        least_b = up_b < least_b ? up_b : least_b;
+        sum_a += up_a;
+        sum_b += up_b;
+    }
+    for (int k = i; k < a.count; k++) {
+        real up = vec3_dot(n, vec3_sub(a.at[k], a0));
+        least_a = up < least_a ? up : least_a;
+        sum_a += up;
+    }
+    for (int k = i; k < b.count; k++) {
+        real up = vec3_dot(n, vec3_sub(b0, b.at[k]));
+        least_b = up < least_b ? up : least_b;
+        sum_b += up;
+    }
+    real poison = (sum_a - sum_a) + (sum_b - sum_b);
+    return vec3_dot(n, vec3_sub(a0, b0)) + least_a + least_b + poison;
 }
 //<
 
@@ -287,27 +373,33 @@ static vec3 nearest_of_segment(vec3 p, vec3 q, real *wp, real *wq)
 //<
 
 //> gjk-edges
+// The nearest point on one of several edges: so far on that from j to k.
+typedef struct {
+    vec3 at;
+    real squared, wj, wk;
+    int  j, k;
+} on_edge;
+
+static inline void edge_try(on_edge *best, const corner *of, int j, int k)
+{
+    real wj, wk;
+    vec3 v = nearest_of_segment(of[j].at, of[k].at, &wj, &wk);
+    real vv = vec3_length_squared(v);
+    if (vv < best->squared) *best = (on_edge){ v, vv, wj, wk, j, k };
+}
+
 // The nearest point on those edges of a triangle that face a corner whose area
 // is not positive; all three if `all`.
 static vec3 nearest_of_edges(const corner *of, const int at[3],
                              const real area[3], int all, real weight[4])
 {
-    vec3 best = of[at[0]].at;
-    real least = HUGE_VAL;
-    for (int e = 0; e < 3; e++) {
-        if (area[e] > 0 && !all) continue;
-        int j = at[(e + 1) % 3], k = at[(e + 2) % 3];
-        real wj, wk;
-        vec3 v = nearest_of_segment(of[j].at, of[k].at, &wj, &wk);
-        real vv = vec3_length_squared(v);
-        if (vv >= least) continue;
-        least = vv;
-        best = v;
-        weight[at[e]] = 0;
-        weight[j] = wj;
-        weight[k] = wk;
-    }
-    return best;
+    on_edge best = { of[at[0]].at, HUGE_VAL, 0, 0, at[0], at[0] };
+    if (all || !(area[0] > 0)) edge_try(&best, of, at[1], at[2]);
+    if (all || !(area[1] > 0)) edge_try(&best, of, at[2], at[0]);
+    if (all || !(area[2] > 0)) edge_try(&best, of, at[0], at[1]);
+    weight[best.j] = best.wj;
+    weight[best.k] = best.wk;
+    return best.at;
 }
 //<
 
@@ -421,12 +513,14 @@ static void search_reduce(search *s, const corner *of, int count)
     case 3:  s->nearest = nearest_of_triangle(of, 0, 1, 2, w); break;
     default: s->nearest = nearest_of_tetrahedron(of, w); break;
     }
-    s->count = 0;
+    int kept = 0;
     for (int c = 0; c < count; c++) {
-        if (!(w[c] > 0)) continue;
-        s->of[s->count] = of[c];
-        s->weight[s->count++] = w[c];
+        // Copied first, then kept or not: no branch that nobody can foretell.
+        s->of[kept] = of[c];
+        s->weight[kept] = w[c];
+        kept += w[c] > 0;
     }
+    s->count = kept;
 }
 
 // 1 if the nearest point is the origin, as far as rounding can tell: nearer
@@ -485,17 +579,13 @@ static int pair_measure(pair *p)
 //<
 
 //> gjk-begin
-// The vertex of A furthest along d, and that of B furthest against it; -1 where
-// a coordinate is not finite.  d is of scaled lengths, the vertices are not:
-// scaled once more, its products with them are numbers, too.
-static inline int support_of_a(const pair *p, vec3 d, int from)
+// The corner of A - B furthest along d; -1 where a coordinate is not finite.
+// d is of scaled lengths, the vertices are not: scaled once more, its products
+// with them are numbers, too.
+static inline two_vertices support_along(const pair *p, vec3 d, int a, int b)
 {
-    return support(p->a, vec3_scale(p->scale, d), from);
-}
-
-static inline int support_of_b(const pair *p, vec3 d, int from)
-{
-    return support(p->b, vec3_scale(-p->scale, d), from);
+    return support_both(p->a, p->b, vec3_scale(p->scale, d),
+                        (two_vertices){ a, b });
 }
 
 // A first guess at the point of A - B nearest the origin, when nothing is
@@ -508,21 +598,22 @@ static corner corner_first(pair *p)
     vec3 in_a = vec3_add(a[0], vec3_add(a[na / 3], a[2 * na / 3]));
     vec3 in_b = vec3_add(b[0], vec3_add(b[nb / 3], b[2 * nb / 3]));
     vec3 d = vec3_scale(p->scale, vec3_sub(in_b, in_a));
-    int i = support_of_a(p, d, 0), j = support_of_b(p, d, 0);
-    return i < 0 || j < 0 ? corner_make(p, 0, 0) : corner_make(p, i, j);
+    two_vertices w = support_along(p, d, 0, 0);
+    if (w.a < 0 || w.b < 0) return corner_make(p, 0, 0);
+    return corner_make(p, w.a, w.b);
 }
 
 // The simplex to start from: the carried one, with its points where they are
 // now, or one point of A - B.
-static void search_begin(search *s, pair *p, const simplex *carried)
+static void search_begin(search *s, pair *p, const simplex *start)
 {
-    int count = carried ? carried->count : 0;
+    int count = start ? start->count : 0;
     corner of[4];
     assert(count >= 0 && count <= 4);
     for (int c = 0; c < count; c++) {
-        assert(carried->a[c] >= 0 && carried->a[c] < p->a.count);
-        assert(carried->b[c] >= 0 && carried->b[c] < p->b.count);
-        of[c] = corner_make(p, carried->a[c], carried->b[c]);
+        assert(start->a[c] >= 0 && start->a[c] < p->a.count);
+        assert(start->b[c] >= 0 && start->b[c] < p->b.count);
+        of[c] = corner_make(p, start->a[c], start->b[c]);
     }
     if (count == 0) of[count++] = corner_first(p);
     search_reduce(s, of, count);
@@ -542,11 +633,11 @@ static int some_plane_parts(pair *p, const corner *of, int count, vec3 *normal)
                                     vec3_sub(z->at, x->at));
         if (vec3_dot(n, x->at) < 0) n = vec3_scale(-1, n);
         vec3 back = vec3_scale(-1, n);
-        int a = support_of_a(p, back, x->a), b = support_of_b(p, back, x->b);
+        two_vertices w = support_along(p, back, x->a, x->b);
         // A vertex so far behind that its height overflows: nothing is shown.
-        if (a < 0 || b < 0) return 0;
+        if (w.a < 0 || w.b < 0) return 0;
         *normal = n;
-        if (vec3_dot(n, corner_make(p, a, b).at) > 0) return 1;
+        if (vec3_dot(n, corner_make(p, w.a, w.b).at) > 0) return 1;
     }
     return 0;
 }
@@ -584,11 +675,11 @@ static int search_step(pair *p, limits until, search *s, search *next,
     const corner *last = &s->of[s->count - 1];
     vec3 v = s->nearest, back = vec3_scale(-1, v);
     real vv = vec3_length_squared(v);
-    int a = support_of_a(p, back, last->a), b = support_of_b(p, back, last->b);
+    two_vertices far = support_along(p, back, last->a, last->b);
     r->iterations++;
     r->status = GJK_NOT_FINITE;
-    if (a < 0 || b < 0) return 0;
-    corner w = corner_make(p, a, b);
+    if (far.a < 0 || far.b < 0) return 0;
+    corner w = corner_make(p, far.a, far.b);
     if (!pair_in_range(p)) return 0;
 
     // The plane through w with normal v has all of A - B beyond it.
@@ -598,7 +689,7 @@ static int search_step(pair *p, limits until, search *s, search *next,
     if (vw > 0 && vw * vw > until.margin * until.margin * vv) return 0;
     // No plane that parts them will be found: too near to tell.
     r->status = vw > 0 ? GJK_APART : GJK_OVERLAP;
-    if (vv - vw <= until.bound * vv || search_has(s, a, b)) return 0;
+    if (vv - vw <= until.bound * vv || search_has(s, w.a, w.b)) return 0;
     s->of[s->count] = w;
     search_reduce(next, s->of, s->count + 1);
     real shorter = vec3_length_squared(next->nearest);
@@ -613,13 +704,35 @@ static int search_step(pair *p, limits until, search *s, search *next,
 }
 //<
 
+//> gjk-areas
+// The area of a corner was made of products with a side and a corner, so it is
+// wrong by some roundings of |side| |corner| |n|.  Divided by |n|^2 that is
+// small where the triangle is well shaped, and not small for how far off it is.
+// Then the areas need only be divided by their sum.
+static int areas_are_weights(search *s)
+{
+    vec3 e = vec3_sub(s->of[1].at, s->of[0].at);
+    vec3 f = vec3_sub(s->of[2].at, s->of[0].at);
+    vec3 g = vec3_sub(s->of[2].at, s->of[1].at);
+    real ee = vec3_length_squared(e), ff = vec3_length_squared(f);
+    real gg = vec3_length_squared(g), sum = 0;
+    real longest = ee > ff ? ee : ff;
+    longest = gg > longest ? gg : longest;
+    for (int c = 0; c < 3; c++) sum += s->weight[c];
+    if (!(sum >= 0x1p-4 * longest * longest)) return 0;
+    if (!(longest >= 0x1p-4 * vec3_length_squared(s->of[0].at))) return 0;
+    for (int c = 0; c < 3; c++) s->weight[c] /= sum;
+    return 1;
+}
+//<
+
 //> gjk-weigh
 // What did to choose becomes weights: the areas of a triangle, and the two
 // parts of a segment, which add up to 1 unless it is so short and so far off
 // that the distance has rounded them.
 static void search_weigh(search *s)
 {
-    if (s->count == 3)
+    if (s->count == 3 && !areas_are_weights(s))
         triangle_weights(s->of[0].at, s->of[1].at, s->of[2].at, s->nearest,
                          s->weight);
     if (s->count == 2
@@ -661,6 +774,7 @@ static void answer(const pair *p, search *s, gjk_result *r)
         r->axis = (vec3){ 0, 0, 0 };
     } else if (r->status == GJK_BEYOND) {
         r->distance = back * (r->distance / length);
+        r->last.axis = vec3_scale(1 / length, s->nearest);
     } else {
         r->distance = back * length;
     }
@@ -668,32 +782,91 @@ static void answer(const pair *p, search *s, gjk_result *r)
 //<
 
 //> gjk-run
-static gjk_result distance_at_scale(pair *p, gjk_options options,
-                                    const simplex *carried)
+// From start (NULL: from nowhere).  *r is all 0 before.
+static void distance_at_scale(pair *p, gjk_options options,
+                              const simplex *start, gjk_result *r)
 {
-    gjk_result r = { .status = GJK_NOT_FINITE };
     limits until = { options.relative_error, options.margin * p->scale,
                      options.cap };
     if (until.bound < DBL_EPSILON) until.bound = DBL_EPSILON;
     search two_of[2], *s = &two_of[0], *next = &two_of[1];
-    search_begin(s, p, carried);
+    search_begin(s, p, start);
     s->stalls = 0;
-    r.iterations = !carried || carried->count == 0;
-    if (!pair_in_range(p)) return r;
+    r->iterations = !start;
+    r->status = GJK_NOT_FINITE;
+    if (!pair_in_range(p)) return;
     for (;;) {
-        r.status = GJK_OVERLAP;
+        r->status = GJK_OVERLAP;
         if (search_holds_origin(s, p)) break;
-        r.status = GJK_CAPPED;
-        if (r.iterations >= until.cap) break;
-        if (!search_step(p, until, s, next, &r)) break;
+        r->status = GJK_CAPPED;
+        if (r->iterations >= until.cap) break;
+        if (!search_step(p, until, s, next, r)) break;
         search *spare = s;
         s = next;
         next = spare;
     }
     // What is not finite may be met late: what was found until then goes.
-    if (r.status == GJK_NOT_FINITE) r.distance = 0;
-    else answer(p, s, &r);
-    return r;
+    if (r->status == GJK_NOT_FINITE) r->distance = 0;
+    else answer(p, s, r);
+}
+//<
+
+//> gjk-sketch
+// A large body is sketched by a few of its points, taken evenly.
+enum { SKETCH = 24 };
+
+static int sketch_stride(point_set p)
+{
+    return climbs(p) ? (p.count + SKETCH - 1) / SKETCH : 1;
+}
+
+static point_set sketch_of(point_set p, vec3 at[SKETCH])
+{
+    if (!climbs(p)) return p;
+    int stride = sketch_stride(p), n = 0;
+    for (int i = 0; i < p.count; i += stride) at[n++] = p.at[i];
+    return (point_set){ at, n, NULL, NULL };
+}
+
+// Where to begin when nothing is known of large bodies: with the simplex in
+// which the search between their sketches ends.  It is one of the bodies, too,
+// and near to their last one; there a climb is a step or two.
+static simplex sketch_simplex(const pair *p, gjk_options options)
+{
+    vec3 at_a[SKETCH], at_b[SKETCH];
+    pair rough = *p;
+    rough.a = sketch_of(p->a, at_a);
+    rough.b = sketch_of(p->b, at_b);
+    options.relative_error = 0x1p-4;
+    options.margin = HUGE_VAL;
+    gjk_result r = { .status = GJK_NOT_FINITE };
+    distance_at_scale(&rough, options, NULL, &r);
+    for (int c = 0; c < r.last.count; c++) {
+        r.last.a[c] *= sketch_stride(p->a);
+        r.last.b[c] *= sketch_stride(p->b);
+    }
+    return r.last;
+}
+//<
+
+//> gjk-beyond
+// Bodies that were beyond the margin mostly still are, and the axis that parted
+// them still does: then nothing else is asked.  (Of large bodies a climb from
+// the last corner answers sooner than this.)
+static int still_beyond(point_set a, point_set b, real margin,
+                        const simplex *carried, gjk_result *r)
+{
+    vec3 n = carried->axis;
+    if (!(vec3_length_squared(n) > 0 && margin < HUGE_VAL)) return 0;
+    if (climbs(a) || climbs(b)) return 0;
+    real gap = support_gap(a, b, n);
+    if (!(gap > margin && gap < HUGE_VAL)) return 0;
+    r->status = GJK_BEYOND;
+    r->distance = gap;
+    r->axis = vec3_scale(gap, n);
+    r->iterations = 1;
+    r->last = *carried;
+    return 1;
 }
 //<
 
@@ -709,11 +882,21 @@ gjk_result gjk_distance(point_set a, point_set b, gjk_options options,
     assert(a.count >= 1 && b.count >= 1);
     assert(options.relative_error >= 0 && options.relative_error < 1);
     assert(options.margin >= 0 && options.cap >= 1);
+    gjk_result r = { .status = GJK_NOT_FINITE };
+    if (carried && still_beyond(a, b, options.margin, carried, &r)) return r;
     pair p = { .a = a, .b = b, .scale = 1 };
-    gjk_result r = distance_at_scale(&p, options, carried);
+    simplex sketch;
+    const simplex *start = carried && carried->count > 0 ? carried : NULL;
+    if (!start && (climbs(a) || climbs(b))) {
+        sketch = sketch_simplex(&p, options);
+        if (sketch.count > 0) start = &sketch;
+    }
+    distance_at_scale(&p, options, start, &r);
     // Out of range: bodies of strange size, or coordinates that are no numbers.
-    if (r.status == GJK_NOT_FINITE && pair_measure(&p))
-        r = distance_at_scale(&p, options, carried);
+    if (r.status == GJK_NOT_FINITE && pair_measure(&p)) {
+        r = (gjk_result){ .status = GJK_NOT_FINITE };
+        distance_at_scale(&p, options, start, &r);
+    }
     if (carried && r.last.count > 0) *carried = r.last;
     return r;
 }

@@ -24,6 +24,8 @@ typedef struct {
     int  count;                 // 0: none yet
     int  a[4], b[4];            // vertices of A and of B
     real weight[4];
+    vec3 axis;                  // unit, from B to A: parted them beyond the
+                                // margin; 0: did not
 } simplex;
 
 typedef enum {
@@ -81,6 +83,10 @@ int support_climb(point_set p, vec3 d, int from);
 
 // Climbs if p has a ring and so many points that it pays; scans otherwise.
 int support_point(point_set p, vec3 d, int from);
+
+// m, the gap between A and B along the unit vector n, from B to A; < 0: they
+// overlap along it.  By a scan; not finite if a coordinate is not.
+real support_gap(point_set a, point_set b, vec3 n);
 
 // Distance of the hulls of a and b.  carried holds the final simplex of an
 // earlier call for the same pair (count = 0: none) and receives this one's:

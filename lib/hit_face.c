@@ -20,6 +20,7 @@ typedef struct {
     int  corner[3];
     int  across[3];     // the face beyond the edge corner[i], corner[i + 1]
     vec3 normal;        // outward, as long as twice the area
+    real shorten;       // normal times this is a unit vector
     real doubt;         // a smaller |normal . (x - corner)| has no sure sign
     int  asked;         // twice the number of the point that last looked at
                         // this face, plus 1 if it saw the front
@@ -111,22 +112,31 @@ static peak peak_along(const hit_scratch *h, vec3 n, peak near)
 //<
 
 //> hit-face-scale
-// The box of p; *poison becomes NaN if a coordinate is not finite.
+// The box of p; *poison becomes NaN if a coordinate is not finite.  Two points
+// at a time, so that two components share one instruction of the machine: the
+// odd slots are the second point's.
 static void box_of(point_set p, vec3 *low, vec3 *high, real *poison)
 {
-    vec3 l = p.at[0], u = l;
-    real sum = 0;
-    for (int i = 0; i < p.count; i++) {
-        vec3 x = p.at[i];
-        l = (vec3){ x.x < l.x ? x.x : l.x, x.y < l.y ? x.y : l.y,
-                    x.z < l.z ? x.z : l.z };
-        u = (vec3){ x.x > u.x ? x.x : u.x, x.y > u.y ? x.y : u.y,
-                    x.z > u.z ? x.z : u.z };
-        sum += (x.x - x.x) + (x.y - x.y) + (x.z - x.z);
+    real l[6], u[6], sum[6] = { 0 };
+    for (int c = 0; c < 6; c++)
+        l[c] = u[c] = c % 3 == 0 ? p.at[0].x : c % 3 == 1 ? p.at[0].y
+                                                          : p.at[0].z;
+    for (int i = p.count % 2; i < p.count; i += 2) {
+        const real x[6] = { p.at[i].x, p.at[i].y, p.at[i].z, p.at[i + 1].x,
+                            p.at[i + 1].y, p.at[i + 1].z };
+        for (int c = 0; c < 6; c++) {
+            l[c] = x[c] < l[c] ? x[c] : l[c];
+            u[c] = x[c] > u[c] ? x[c] : u[c];
+            sum[c] += x[c] - x[c];
+        }
     }
-    *low = l;
-    *high = u;
-    *poison += sum;
+    for (int c = 0; c < 3; c++) {
+        l[c] = l[c + 3] < l[c] ? l[c + 3] : l[c];
+        u[c] = u[c + 3] > u[c] ? u[c + 3] : u[c];
+        *poison += (sum[c] + sum[c + 3]) + (u[c] - u[c]);
+    }
+    *low = (vec3){ l[0], l[1], l[2] };
+    *high = (vec3){ u[0], u[1], u[2] };
 }
 
 static real largest(vec3 v)
@@ -151,7 +161,9 @@ static real scale_for(point_set a, point_set b)
     if (!(reach > 0)) return 1;
     static const real step[] = { 0x1p512, 0x1p256, 0x1p128, 0x1p64, 0x1p32,
                                  0x1p16, 0x1p8, 0x1p4, 0x1p2, 0x1p1 };
-    for (int k = 0; k < 10; k++) {
+    // Bodies of ordinary size need small steps only.
+    int ordinary = reach > 0x1p-8 && reach < 0x1p8;
+    for (int k = ordinary ? 6 : 0; k < 10; k++) {
         if (reach * scale * step[k] <= 1) scale *= step[k];
         if (reach * scale > step[k]) scale /= step[k];
     }
@@ -171,6 +183,7 @@ static void face_measure_exactly(const hit_scratch *h, face *f, real *height)
     rounded n[3];
     exact_cross(face_edge(h, f, 1), face_edge(h, f, 2), n);
     f->normal = (vec3){ n[0].high, n[1].high, n[2].high };
+    f->shorten = 1 / vec3_length(f->normal);
     *height = vec3_dot(f->normal, h->point[f->corner[0]].at)
             / vec3_length(f->normal);
 }
@@ -186,10 +199,9 @@ static void face_measure(const hit_scratch *h, face *f, real *height)
     f->asked = 0;
     f->doubt = 64 * DBL_EPSILON * (fabs(e.x) + fabs(e.y) + fabs(e.z))
                                 * (fabs(g.x) + fabs(g.y) + fabs(g.z));
-    if (nn < ee * gg * 0x1p-8)
-        face_measure_exactly(h, f, height);
-    else
-        *height = vec3_dot(f->normal, h->point[f->corner[0]].at) / sqrt(nn);
+    f->shorten = 1 / sqrt(nn);
+    *height = vec3_dot(f->normal, h->point[f->corner[0]].at) * f->shorten;
+    if (nn < ee * gg * 0x1p-8) face_measure_exactly(h, f, height);
 }
 //<
 
@@ -366,6 +378,18 @@ static int is_point(peak x, peak y)
 }
 //<
 
+//> hit-face-stout
+// A tetrahedron with so much room inside that rounding is no matter: mostly
+// gjk's is one.  *normal is that of the first three corners.
+static int is_stout(const peak p[4], vec3 *normal)
+{
+    vec3 e = vec3_sub(p[1].at, p[0].at), f = vec3_sub(p[2].at, p[0].at);
+    vec3 g = vec3_sub(p[3].at, p[0].at);
+    *normal = vec3_cross(e, f);
+    return fabs(vec3_dot(*normal, g)) > 0x1p-20;
+}
+//<
+
 //> hit-face-tetrahedron
 // Fills p with the corners of a tetrahedron in A - B, from the corners of the
 // simplex where they serve.  Returns how many could be had: 4, or one more than
@@ -375,6 +399,7 @@ static int tetrahedron_find(const hit_scratch *h, const simplex *start,
 {
     int n = start->count;
     for (int c = 0; c < n; c++) p[c] = peak_make(h, start->a[c], start->b[c]);
+    if (n == 4 && is_stout(p, normal)) return 4;
     if (n == 0) p[0] = peak_make(h, 0, 0);
     if (n < 2 || is_point(p[0], p[1])) p[1] = peak_off_point(h, p[0]);
     *normal = (vec3){ 0, 0, 1 };
@@ -456,6 +481,24 @@ static void foot_weights(const hit_scratch *h, const face *f, vec3 x,
     }
 }
 
+// The areas need only be divided by their sum if x lies in the triangle, and
+// that is well shaped: otherwise rounding has too large a share in them.
+static int areas_serve(const hit_scratch *h, const face *f, real weight[3])
+{
+    vec3 e = face_edge(h, f, 1), g = face_edge(h, f, 2), k = vec3_sub(g, e);
+    real ee = vec3_length_squared(e), gg = vec3_length_squared(g);
+    real kk = vec3_length_squared(k), longest = ee > gg ? ee : gg;
+    longest = kk > longest ? kk : longest;
+    if (!(weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0)) return 0;
+    if (!(vec3_length_squared(f->normal) >= 0x1p-4 * longest * longest))
+        return 0;
+    real share = 1 / (weight[0] + weight[1] + weight[2]);
+    for (int i = 0; i < 3; i++) weight[i] *= share;
+    return 1;
+}
+//<
+
+//> hit-face-walk
 // A side of A - B may be several triangles in one plane: walks from f to the
 // one that the foot x lies in.
 static int walk_to_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
@@ -472,6 +515,7 @@ static int walk_to_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
         f = g;
     }
     const int *corner = h->face[f].corner;
+    if (areas_serve(h, &h->face[f], weight)) return f;
     triangle_weights(h->point[corner[0]].at, h->point[corner[1]].at,
                      h->point[corner[2]].at, x, weight);
     return f;
@@ -491,8 +535,8 @@ static feature_point feature_merge(point_set p, const int *corner,
     feature_point f = { 0 };
     for (int i = 0; i < 3; i++) {
         int k = 0;
-        while (k < f.count && !same_place(p.at[f.vertex[k]], p.at[corner[i]]))
-            k++;
+        while (k < f.count && f.vertex[k] != corner[i]
+               && !same_place(p.at[f.vertex[k]], p.at[corner[i]])) k++;
         if (k == f.count) {
             f.vertex[f.count++] = corner[i];
             f.weight[k] = 0;
@@ -587,6 +631,19 @@ static vec3 face_miss(const hit_scratch *h, const face *f, vec3 x,
     return miss;
 }
 
+// The answer from face f, in whose plane the foot lies at these weights.
+static void answer_at(const hit_scratch *h, int f, real height, vec3 out,
+                      const real weight[3], hit_result *r)
+{
+    for (int i = 0; i < 3; i++) {
+        r->corner_a[i] = h->point[h->face[f].corner[i]].a;
+        r->corner_b[i] = h->point[h->face[f].corner[i]].b;
+    }
+    r->depth = height / h->scale;
+    r->normal = vec3_scale(-1, out);
+    answer_features(h, r, weight);
+}
+
 // The answer from the lowest face, once no point lies beyond it.  Of an A - B
 // that is all but flat, the origin may lie in the plane and beside the face:
 // nothing of A - B is there.
@@ -602,14 +659,8 @@ static hit_result answer_face(hit_scratch *h, int f, hit_result r, real upper)
     vec3 miss = face_miss(h, &h->face[g], foot, weight);
     if (r.status == HIT_FOUND && vec3_length(miss) > beside)
         r.status = HIT_APART;
-    for (int i = 0; i < 3; i++) {
-        r.corner_a[i] = h->point[h->face[g].corner[i]].a;
-        r.corner_b[i] = h->point[h->face[g].corner[i]].b;
-    }
     if (r.status == HIT_CAPPED) height = upper;
-    r.depth = height / h->scale;
-    r.normal = vec3_scale(-1, out);
-    answer_features(h, &r, weight);
+    answer_at(h, g, height, out, weight, &r);
     return r;
 }
 //<
@@ -634,7 +685,7 @@ hit_result hit_face_find(point_set a, point_set b, const simplex *start,
 
     for (;;) {
         int f = polytope_lowest(h);
-        vec3 out = vec3_unit(h->face[f].normal);
+        vec3 out = vec3_scale(h->face[f].shorten, h->face[f].normal);
         peak w = peak_along(h, out, h->point[h->face[f].corner[0]]);
         r.iterations++;
         real upper = vec3_dot(out, w.at);
@@ -649,5 +700,111 @@ hit_result hit_face_find(point_set a, point_set b, const simplex *start,
         h->point[h->points] = w;
         polytope_expand(h, f, h->points++);
     }
+}
+//<
+
+//> hit-face-remember
+void hit_face_remember(const hit_scratch *h, hit_memory *m)
+{
+    m->faces = 0;
+    if (h->points > HIT_MEMORY_POINTS) return;
+    m->scale = h->scale;
+    m->points = h->points;
+    for (int c = 0; c < h->points; c++) {
+        m->a[c] = h->point[c].a;
+        m->b[c] = h->point[c].b;
+    }
+    for (int f = 0; f < h->faces; f++) {
+        if (!(h->height[f] < HUGE_VAL)) continue;
+        for (int i = 0; i < 3; i++)
+            m->corner[m->faces][i] = (unsigned char)h->face[f].corner[i];
+        m->faces++;
+    }
+}
+//<
+
+//> hit-face-recall
+// The normal of face f, and the square of its plane's height over the origin.
+// 0 if the origin is not behind it, or the triangle is so thin that the normal
+// is rough.
+static int face_square(hit_scratch *h, face *f, real *square)
+{
+    vec3 p = h->point[f->corner[0]].at;
+    vec3 e = face_edge(h, f, 1), g = face_edge(h, f, 2);
+    f->normal = vec3_cross(e, g);
+    real nn = vec3_length_squared(f->normal), up = vec3_dot(f->normal, p);
+    real ee = vec3_length_squared(e), gg = vec3_length_squared(g);
+    *square = up * up / nn;
+    return up > 0 && nn >= 0x1p-8 * ee * gg;
+}
+
+// The polytope as remembered, with its points where they are now.  Returns the
+// face whose plane is lowest over the origin; -1: the origin is not behind all.
+static int polytope_recall(hit_scratch *h, const hit_memory *m)
+{
+    int lowest = -1, sound = 1;
+    real least = HUGE_VAL;
+    h->scale = m->scale;
+    h->points = m->points;
+    for (int c = 0; c < m->points; c++) {
+        assert(m->a[c] < h->a.count && m->b[c] < h->b.count);
+        h->point[c] = peak_make(h, m->a[c], m->b[c]);
+    }
+    for (int f = 0; f < m->faces; f++) {
+        for (int i = 0; i < 3; i++) h->face[f].corner[i] = m->corner[f][i];
+        sound &= face_square(h, &h->face[f], &h->height[f]);
+        lowest = h->height[f] < least ? f : lowest;
+        least = h->height[f] < least ? h->height[f] : least;
+    }
+    return sound ? lowest : -1;
+}
+//<
+
+//> hit-face-again
+// 1 if the foot x lies in face f, and not only before it: then with its weights.
+static int holds_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
+{
+    const int *corner = h->face[f].corner;
+    foot_weights(h, &h->face[f], x, weight);
+    if (!(weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0)) return 0;
+    if (!areas_serve(h, &h->face[f], weight))
+        triangle_weights(h->point[corner[0]].at, h->point[corner[1]].at,
+                         h->point[corner[2]].at, x, weight);
+    vec3 miss = face_miss(h, &h->face[f], x, weight);
+    return vec3_length_squared(miss) <= 0x1p-80;
+}
+
+// Of the faces as low as f the one that the foot x lies in; -1: none.
+static int face_of_foot(const hit_scratch *h, int f, int faces, vec3 x,
+                        real weight[3])
+{
+    if (holds_foot(h, f, x, weight)) return f;
+    real floor = h->height[f] * (1 + 0x1p-40);
+    for (int g = 0; g < faces; g++)
+        if (g != f && h->height[g] <= floor && holds_foot(h, g, x, weight))
+            return g;
+    return -1;
+}
+
+int hit_face_again(point_set a, point_set b, const hit_memory *m,
+                   hit_scratch *h, hit_result *r)
+{
+    if (m->faces == 0) return 0;
+    h->a = a;
+    h->b = b;
+    int f = polytope_recall(h, m);
+    if (f < 0) return 0;
+    vec3 out = vec3_unit(h->face[f].normal);
+    real height = vec3_dot(out, h->point[h->face[f].corner[0]].at), weight[3];
+    // Something lies beyond the lowest plane, or is not a number.
+    real upper = -h->scale * support_gap(a, b, vec3_scale(-1, out));
+    if (!(upper - height <= level)) return 0;
+    // The foot lies beside the triangles in that plane.
+    int g = face_of_foot(h, f, m->faces, vec3_scale(height, out), weight);
+    if (g < 0) return 0;
+    r->status = HIT_FOUND;
+    r->iterations = 1;
+    answer_at(h, g, height, out, weight, r);
+    return 1;
 }
 //<

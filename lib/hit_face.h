@@ -50,6 +50,19 @@ typedef struct {
 typedef struct hit_scratch hit_scratch;
 //<
 
+//> hit-face-memory
+// The polytope of an answer, by vertices: the proof that no way out is shorter.
+// Zeroed: none.
+enum { HIT_MEMORY_POINTS = 16, HIT_MEMORY_FACES = 2 * HIT_MEMORY_POINTS - 4 };
+
+typedef struct {
+    real scale;
+    int  points, faces;         // faces = 0: nothing remembered
+    int  a[HIT_MEMORY_POINTS], b[HIT_MEMORY_POINTS];
+    unsigned char corner[HIT_MEMORY_FACES][3];
+} hit_memory;
+//<
+
 //> hit-face-declare
 hit_scratch *hit_scratch_new(void);     // NULL if memory is refused
 void         hit_scratch_free(hit_scratch *scratch);
@@ -58,6 +71,17 @@ void         hit_scratch_free(hit_scratch *scratch);
 // gjk_distance for the pair (any count 1 to 4).
 hit_result hit_face_find(point_set a, point_set b, const simplex *start,
                          hit_scratch *scratch);
+
+// Keeps how the last hit_face_find with this scratch, which found the hit face,
+// knew that it had; nothing, if that took too many points.
+void hit_face_remember(const hit_scratch *scratch, hit_memory *memory);
+
+// The same pair later: does what is remembered prove an answer where the bodies
+// are now?  1: *r is the hit face, as hit_face_find would find it, up to
+// rounding and the choice among equals.  0: it does not; ask gjk_distance and
+// hit_face_find.  Needs no gjk first: the proof shows that they overlap.
+int hit_face_again(point_set a, point_set b, const hit_memory *memory,
+                   hit_scratch *scratch, hit_result *r);
 
 #endif
 //<

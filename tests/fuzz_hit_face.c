@@ -120,6 +120,19 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (s.fair && overlap && r.status == HIT_APART)
         MUST(width(&s, r.normal) >= -rounding * s.reach,
              "gjk says that they overlap");
+    // What it remembers is a proof.
+    if (r.status == HIT_FOUND) {
+        hit_memory memory;
+        hit_result again;
+        hit_face_remember(scratch, &memory);
+        if (hit_face_again(a, b, &memory, scratch, &again)) {
+            check_answer(&s, &again, other, 1);
+            if (s.fair)
+                MUST(fabsl((wide)again.depth - (wide)r.depth)
+                     <= rounding * s.reach,
+                     "the same depth");
+        }
+    }
     simplex start = { .count = take_count(&in, 0, 4) };
     for (int c = 0; c < start.count; c++) {
         start.a[c] = take_byte(&in) % s.a.count;

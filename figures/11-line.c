@@ -149,22 +149,24 @@ static void print_string(void)
     }
 }
 
-// Time (s) of one link of p's columns and rows; line: solved, or swept.
+// Time (s) of one link of p's columns and rows, of a substep of three rounds
+// (a rope has one): solved, or swept.
 static double time_links(const shape *s, particle *p, int line,
                          relax_options o, line_scratch *scratch)
 {
     double best = 1e9;
-    const int rounds = 2000000 / REPEAT / s->on_strands + 1;
+    const int rounds = s->directions > 1 ? 3 : 1;
+    const int turns = 2000000 / REPEAT / rounds / s->on_strands + 1;
     for (int k = 0; k < REPEAT; k++) {
         double begin = clock_seconds();
-        for (int i = 0; i < rounds; i++) {
-            if (!line) sticks_sweep(s->stick, s->on_strands, p, o);
-            for (int d = 0; d < s->directions && line; d++)
-                line_solve(&s->strand[d], p, 1, o, scratch);
+        for (int i = 0; i < turns; i++) {
+            for (int r = 0; r < rounds && !line; r++)
+                sticks_sweep(s->stick, s->on_strands, p, o);
+            if (line) lines_relax(s, p, rounds, o, scratch);
         }
         best = fmin(best, clock_seconds() - begin);
     }
-    return best / rounds / s->on_strands;
+    return best / turns / rounds / s->on_strands;
 }
 
 static void print_times(const char *name, shape s)

@@ -14,38 +14,58 @@
 // is alone, takes one lane.
 enum { LANES = 8 };
 
-// A row holds particle k of every lane, and the link from it to particle k + 1.
+// Many particles, each coordinate for itself.
+typedef struct {
+    real *x, *y, *z;    // m
+    real *weight;       // 1/kg, inverse mass
+} places;
+
+// A row of links holds that from particle k of every lane to particle k + 1.
 // A vector takes three fields.
 enum {
-    PLACE  = 0,         // m
-    PUSH   = 3,         // m, the line along which the link pushes its ends
-    WEIGHT = 6,         // 1/kg, inverse mass
-    SOLVED = 7,         // kg, g of the elimination; then the multiplier
-    SHARE  = 8,         // 1 / pivot; then h of the elimination
-    FIELDS = 9
-};
-
-// Row 0 holds no particle and no link: who asks for the link before the first
-// finds zeros.  Particle k is in row k + 1.
-struct line_scratch {
-    int  particles;     // of the longest line that fits
-    real row[];
+    PUSH   = 0,         // m, the line along which the link pushes its ends
+    SOLVED = 3,         // kg, g of the elimination; then the multiplier
+    SHARE  = 4,         // 1 / pivot; then h of the elimination
+    FIELDS = 5
 };
 //<
 
 //> line-scratch
+// Row 0 of the links, and of a block's particles, are zeros, for who asks for
+// the one before the first: link k and particle k are in row k + 1.
+struct line_scratch {
+    int    particles;   // of the longest line that fits
+    int    room;        // particles of the body
+    places now, before; // [room] at this step, and a step ago
+    places block;       // [(particles + 1) * LANES] of the lines in hand
+    real  *link;        // [(particles + 1) * LANES * FIELDS]
+    real   memory[];
+};
+
+static places cut(real **memory, size_t n)
+{
+    real *at = *memory;
+    *memory += 4 * n;
+    return (places){ at, at + n, at + 2 * n, at + 3 * n };
+}
+
 line_scratch *line_scratch_new(const shape *s)
 {
-    size_t longest = 0, most = 0;
-    for (int d = 0; d < s->directions; d++) {
-        size_t lanes = s->strand[d].lines == 1 ? 1 : LANES;
-        size_t rows = (size_t)s->strand[d].particles + 1;
-        if (rows > longest) longest = rows;
-        if (rows * lanes > most) most = rows * lanes;
-    }
-    line_scratch *scratch = malloc(sizeof *scratch
-                                   + most * FIELDS * sizeof(real));
-    if (scratch) scratch->particles = longest > 0 ? (int)longest - 1 : 0;
+    size_t room = s->directions > 0 ? (size_t)s->particles : 0, longest = 0;
+    for (int d = 0; d < s->directions; d++)
+        if ((size_t)s->strand[d].particles > longest)
+            longest = (size_t)s->strand[d].particles;
+    size_t rows = (longest + 1) * LANES;
+    line_scratch *scratch = malloc(sizeof *scratch + sizeof(real)
+                                   * (8 * room + (4 + FIELDS) * rows));
+    if (!scratch) return NULL;
+    real *memory = scratch->memory;
+    scratch->particles = (int)longest;
+    scratch->room      = (int)room;
+    scratch->now    = cut(&memory, room);
+    scratch->before = cut(&memory, room);
+    scratch->block  = cut(&memory, rows);
+    scratch->link   = memory;
     return scratch;
 }
 
@@ -55,8 +75,61 @@ void line_scratch_free(line_scratch *scratch)
 }
 //<
 
+//> line-gather
+static void gather(places to, const particle *p, int n)
+{
+    for (int i = 0; i < n; i++) {
+        to.x[i] = p[i].position.x;
+        to.y[i] = p[i].position.y;
+        to.z[i] = p[i].position.z;
+        to.weight[i] = p[i].inverse_mass;
+    }
+}
+
+static void gather_before(places to, const particle *p, int n)
+{
+    for (int i = 0; i < n; i++) {
+        to.x[i] = p[i].previous.x;
+        to.y[i] = p[i].previous.y;
+        to.z[i] = p[i].previous.z;
+    }
+}
+
+static void gather_all(line_scratch *scratch, const particle *p, int n,
+                       relax_options options)
+{
+    assert(options.tolerance >= 0 && n <= scratch->room);
+    gather(scratch->now, p, n);
+    if (options.gradient == GRADIENT_OLD) gather_before(scratch->before, p, n);
+}
+
+static void scatter(places from, particle *p, int n)
+{
+    for (int i = 0; i < n; i++)
+        p[i].position = (vec3){ from.x[i], from.y[i], from.z[i] };
+}
+
+static inline vec3 place_get(places from, int i)
+{
+    return (vec3){ from.x[i], from.y[i], from.z[i] };
+}
+
+static inline void place_set(places to, int i, vec3 x)
+{
+    to.x[i] = x.x;
+    to.y[i] = x.y;
+    to.z[i] = x.z;
+}
+
+// The same, from place i on.
+static inline places places_from(places p, int i)
+{
+    return (places){ p.x + i, p.y + i, p.z + i, p.weight + i };
+}
+//<
+
 //> line-lane
-// A vector in lane l of a row.
+// A vector in lane l of a row of links.
 static inline vec3 lane_get(const real *row, int field, int lanes, int l)
 {
     const real *at = row + field * lanes + l;
@@ -71,12 +144,10 @@ static inline void lane_set(real *row, int field, int lanes, int l, vec3 v)
     at[2 * lanes] = v.z;
 }
 
-// The link from the particle of one row to that of the next.
-static inline vec3 lane_link(const real *here, const real *after, int lanes,
-                             int l)
+// The link from particle l of `here`, a row, to the one `pitch` further on.
+static inline vec3 lane_link(places here, int pitch, int l)
 {
-    return vec3_sub(lane_get(after, PLACE, lanes, l),
-                    lane_get(here, PLACE, lanes, l));
+    return vec3_sub(place_get(here, l + pitch), place_get(here, l));
 }
 //<
 
@@ -85,8 +156,8 @@ static inline vec3 lane_link(const real *here, const real *after, int lanes,
 typedef struct {
     real worst[LANES];  // m^2, the largest |now - rest^2| / 2 before the step
     real sum[LANES];    // m^2, the sum of them
-    real far[LANES];    // m^2, the square of the largest move asked for
-    real lost[LANES];   // 0; NaN once a place is no number
+    real far[LANES];    // m^2, the sum of the squares of all moves; no number
+                        // once a place is none
 } tally;
 
 static inline void count_wrong(tally *t, int l, real wrong)
@@ -94,15 +165,6 @@ static inline void count_wrong(tally *t, int l, real wrong)
     real size = fabs(wrong);
     t->worst[l] = t->worst[l] > size ? t->worst[l] : size;
     t->sum[l] += size;
-}
-
-static inline void measure(const real *here, const real *after, int lanes,
-                           real rest, tally *t)
-{
-    for (int l = 0; l < lanes; l++) {
-        vec3 link = lane_link(here, after, lanes, l);
-        count_wrong(t, l, (vec3_length_squared(link) - rest * rest) / 2);
-    }
 }
 //<
 
@@ -117,20 +179,19 @@ static const real NOTHING = 1e-9;
 // A link without length, between two nails, or that the ones before it leave
 // no freedom has no pivot: its multiplier is 0.  A link shorter than
 // L / sqrt(3) asks for no more than twice its length.
-static inline void eliminate(real *restrict before, real *restrict here,
-                             const real *restrict after, int lanes, int old,
+static inline void eliminate(places at, int pitch, real *restrict before,
+                             real *restrict here, int lanes, int old,
                              real rest, tally *restrict t)
 {
     for (int l = 0; l < lanes; l++) {
-        vec3 link = lane_link(here, after, lanes, l);
+        vec3 link = lane_link(at, pitch, l);
         if (!old) lane_set(here, PUSH, lanes, l, link);
         vec3 push = old ? lane_get(here, PUSH, lanes, l) : link;
-        real weight = here[WEIGHT * lanes + l];
-        real both = weight + after[WEIGHT * lanes + l];
+        real weight = at.weight[l], both = weight + at.weight[l + pitch];
         real now = vec3_length_squared(link);
 
         real lower = -weight * vec3_dot(link, lane_get(before, PUSH, lanes, l));
-        real upper = old ? -weight * vec3_dot(lane_link(before, here, lanes, l),
+        real upper = old ? -weight * vec3_dot(lane_link(at, pitch, l - pitch),
                                               push)
                          : lower;
         real h = upper * before[SHARE * lanes + l];
@@ -150,42 +211,28 @@ static inline void eliminate(real *restrict before, real *restrict here,
 //<
 
 //> line-substitute
-// What link k + 1, `after`, and link k, `here`, ask of the particle between
-// them: w (multiplier_(k+1) push_(k+1) - multiplier_k push_k).
-static inline vec3 lane_move(const real *here, const real *after, int lanes,
-                             int l)
-{
-    real weight = after[WEIGHT * lanes + l];
-    vec3 d = vec3_scale(weight * after[SOLVED * lanes + l],
-                        lane_get(after, PUSH, lanes, l));
-    return vec3_add_scaled(d, -weight * here[SOLVED * lanes + l],
-                           lane_get(here, PUSH, lanes, l));
-}
-
-// Moves it by that share of what they ask.
-static inline void move(const real *restrict here, real *restrict after,
-                        int lanes, const real *restrict share)
-{
-    for (int l = 0; l < lanes; l++)
-        lane_set(after, PLACE, lanes, l,
-                 vec3_add_scaled(lane_get(after, PLACE, lanes, l), share[l],
-                                 lane_move(here, after, lanes, l)));
-}
-
-// Upwards: the multiplier of link k is g_k - h_k times that of link k + 1; then
-// the particle between them knows where to go.
-static inline void substitute(real *restrict here, real *restrict after,
-                              int lanes, tally *restrict t)
+// Upwards: the multiplier of link k, `here`, is g_k - h_k times that of link
+// k + 1, `after`.  Then the particle between them knows where to go, for link
+// k + 1 has left in `pull` what it asks:
+//     w (multiplier_(k+1) push_(k+1) - multiplier_k push_k).
+static inline void substitute(real *restrict x, real *restrict y,
+                              real *restrict z, const real *restrict weight,
+                              real *restrict here, const real *restrict after,
+                              int lanes, real *restrict pull,
+                              real *restrict far)
 {
     for (int l = 0; l < lanes; l++) {
-        here[SOLVED * lanes + l] -= here[SHARE * lanes + l]
-                                  * after[SOLVED * lanes + l];
-        vec3 d = lane_move(here, after, lanes, l);
-        real far = vec3_length_squared(d);
-        t->far[l] = t->far[l] > far ? t->far[l] : far;
-        vec3 x = vec3_add(lane_get(after, PLACE, lanes, l), d);
-        lane_set(after, PLACE, lanes, l, x);
-        t->lost[l] += 0 * (x.x + x.y + x.z);
+        real solved = here[SOLVED * lanes + l]
+                    - here[SHARE * lanes + l] * after[SOLVED * lanes + l];
+        here[SOLVED * lanes + l] = solved;
+        vec3 up = lane_get(pull, 0, lanes, l);
+        vec3 down = vec3_scale(solved, lane_get(here, PUSH, lanes, l));
+        vec3 d = vec3_scale(weight[l], vec3_sub(up, down));
+        lane_set(pull, 0, lanes, l, down);
+        far[l] += vec3_length_squared(d);
+        x[l] += d.x;
+        y[l] += d.y;
+        z[l] += d.z;
     }
 }
 //<
@@ -194,146 +241,224 @@ static inline void substitute(real *restrict here, real *restrict after,
 // Up to LANES neighbouring lines of a body, on their way through the solver.
 typedef struct {
     strands s;
-    int  lanes, used;           // 1 or LANES; of them, how many hold a line
-    particle *line[LANES];      // where the line of each lane begins
+    const line_scratch *scratch;
+    int  lanes;                 // 1 or LANES
+    int  start;                 // where in the body the line of lane 0 begins
     int  open[LANES];           // 1: not solved yet
-    real *row;
+    int  in_place;              // 1: solved where the body's places are
+    places at;                  // particle k of lane l is number k pitch + l
+    int  pitch;
     tally t;
     real first[LANES];          // m^2, t.worst before the first step
 } block;
 
-static inline real *row_at(const block *b, int lanes, int k)
+static inline real *row_at(const block *b, int k)
 {
-    return b->row + (size_t)(k + 1) * FIELDS * (size_t)lanes;
+    return b->scratch->link + (k + 1) * FIELDS * b->lanes;
 }
 
-// The lines from number first on.  Lanes beyond the last line hold it again:
-// what comes out there is not looked at.
-static void block_begin(block *b, particle *p, int first)
+// The lines from number first on.  Where fewer than LANES are left, it begins
+// with lines of the block before: what comes out there is not looked at.
+static void block_begin(block *b, int first)
 {
-    int left = b->s.lines - first;
-    b->used = left < b->lanes ? left : b->lanes;
-    for (int l = 0; l < b->lanes; l++) {
-        int line = first + (l < b->used ? l : b->used - 1);
-        b->line[l] = p + (size_t)line * (size_t)b->s.across;
-        b->open[l] = 1;
-    }
+    int last = b->s.lines - b->lanes, begin = first < last ? first : last;
+    b->start = begin * b->s.across;
+    for (int l = 0; l < b->lanes; l++) b->open[l] = begin + l >= first;
 }
 //<
 
 //> line-load
-static inline void load(block *b, int lanes, int old)
+// Neighbouring columns lie side by side in the body, and are solved where they
+// are.  Rows, and what must not be solved twice or may have to be taken back
+// (the old gradient), are copied.
+static int fits_in_place(const block *b, int old)
 {
-    int last = b->s.particles - 1;
-    size_t along = (size_t)b->s.along;
-    for (int f = 0; f < FIELDS * lanes; f++) b->row[f] = 0;
-    for (int k = 0; k <= last; k++) {
-        real *row = row_at(b, lanes, k);
-        for (int l = 0; l < lanes; l++) {
-            const particle *p = b->line[l] + (size_t)k * along;
-            lane_set(row, PLACE, lanes, l, p->position);
-            row[WEIGHT * lanes + l] = p->inverse_mass;
-            if (old && k < last)
-                lane_set(row, PUSH, lanes, l,
-                         vec3_sub(p[along].previous, p->previous));
+    int open = 0;
+    for (int l = 0; l < b->lanes; l++) open += b->open[l];
+    return !old && open == b->lanes && (b->lanes == 1 || b->s.across == 1);
+}
+
+// One particle of all lanes, and back.
+static inline void lanes_in(real *restrict to, const real *restrict from,
+                            int across)
+{
+    for (int l = 0; l < LANES; l++) to[l] = from[l * across];
+}
+
+static inline void lanes_out(real *restrict to, const real *restrict from,
+                             int across)
+{
+    for (int l = 0; l < LANES; l++) to[l * across] = from[l];
+}
+
+static void block_copy(block *b)
+{
+    places body = b->scratch->now, room = b->scratch->block;
+    int lanes = b->lanes, across = b->s.across;
+    for (int l = 0; l < lanes; l++) place_set(room, l, (vec3){ 0, 0, 0 });
+    b->pitch = lanes;
+    b->at = places_from(room, lanes);
+    for (int k = 0; k < b->s.particles; k++) {
+        places to = places_from(b->at, k * lanes);
+        places from = places_from(body, b->start + k * b->s.along);
+        if (lanes == 1) {
+            place_set(to, 0, place_get(from, 0));
+            to.weight[0] = from.weight[0];
+        } else {
+            lanes_in(to.x, from.x, across);
+            lanes_in(to.y, from.y, across);
+            lanes_in(to.z, from.z, across);
+            lanes_in(to.weight, from.weight, across);
         }
-    }
-    // No link leaves the last particle.
-    real *end = row_at(b, lanes, last);
-    for (int l = 0; l < lanes; l++) {
-        b->t.lost[l] = 0;
-        lane_set(end, PUSH, lanes, l, (vec3){ 0, 0, 0 });
-        end[SOLVED * lanes + l] = 0;
     }
 }
 
+static void block_load(block *b, int old)
+{
+    int links = b->s.particles - 1;
+    b->in_place = fits_in_place(b, old);
+    b->pitch = b->s.along;
+    b->at = places_from(b->scratch->now, b->start);
+    if (!b->in_place) block_copy(b);
+
+    // No link comes before the first, none after the last.
+    real *before = row_at(b, -1), *after = row_at(b, links);
+    for (int f = 0; f < FIELDS * b->lanes; f++) before[f] = after[f] = 0;
+    for (int k = 0; k < links && old; k++)
+        for (int l = 0; l < b->lanes; l++)
+            lane_set(row_at(b, k), PUSH, b->lanes, l,
+                     lane_link(b->scratch->before, b->s.along,
+                               b->start + l * b->s.across + k * b->s.along));
+}
+
+// The lanes that are solved go where they came from.
 static void block_store(const block *b, const int *solved)
 {
-    size_t along = (size_t)b->s.along;
+    int all = b->lanes == LANES;
+    if (b->in_place) return;
+    for (int l = 0; l < b->lanes; l++) all &= solved[l];
     for (int k = 0; k < b->s.particles; k++) {
-        const real *row = row_at(b, b->lanes, k);
-        for (int l = 0; l < b->used; l++)
+        places from = places_from(b->at, k * b->lanes);
+        places to = places_from(b->scratch->now, b->start + k * b->s.along);
+        for (int l = 0; l < b->lanes && !all; l++)
             if (solved[l])
-                b->line[l][(size_t)k * along].position =
-                    lane_get(row, PLACE, b->lanes, l);
+                place_set(to, l * b->s.across, place_get(from, l));
+        if (!all) continue;
+        lanes_out(to.x, from.x, b->s.across);
+        lanes_out(to.y, from.y, b->s.across);
+        lanes_out(to.z, from.z, b->s.across);
     }
 }
 //<
 
 //> line-sweeps
+// What these loops count stands in variables of their own, which can be nobody
+// else's: else a compiler would have to ask in every row.
+static inline void eliminate_lines(block *b, int lanes, int old)
+{
+    tally t = { .worst = { 0 } };
+    places at = b->at;
+    real *row = row_at(b, -1), rest = b->s.rest_length;
+    int pitch = b->pitch;
+    for (int k = 1; k < b->s.particles; k++) {
+        eliminate(at, pitch, row, row + FIELDS * lanes, lanes, old, rest, &t);
+        row += FIELDS * lanes;
+        at = places_from(at, pitch);
+    }
+    b->t = t;
+}
+
+// The last pair has no link above it: it moves particle 0.
+static inline void substitute_lines(block *b, int lanes)
+{
+    real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
+    int pitch = b->pitch;
+    for (int k = b->s.particles - 1; k >= 0; k--) {
+        places at = places_from(b->at, k * pitch);
+        real *row = b->scratch->link + k * FIELDS * lanes;
+        substitute(at.x, at.y, at.z, at.weight, row, row + FIELDS * lanes,
+                   lanes, pull, far);
+    }
+    for (int l = 0; l < lanes; l++) b->t.far[l] = far[l];
+}
+
 // One loop for each number of lanes and each gradient, so that no loop chooses
 // and the compiler knows how many numbers lie side by side.
 static void block_eliminate(block *b, int old)
 {
-    real *row = b->row, rest = b->s.rest_length;
-    enum { ONE = FIELDS, ALL = FIELDS * LANES };
-    for (int k = 1; k < b->s.particles; k++) {
-        if (b->lanes == 1 && old)
-            eliminate(row, row + ONE, row + 2 * ONE, 1, 1, rest, &b->t);
-        else if (b->lanes == 1)
-            eliminate(row, row + ONE, row + 2 * ONE, 1, 0, rest, &b->t);
-        else if (old)
-            eliminate(row, row + ALL, row + 2 * ALL, LANES, 1, rest, &b->t);
-        else
-            eliminate(row, row + ALL, row + 2 * ALL, LANES, 0, rest, &b->t);
-        row += FIELDS * b->lanes;
-    }
+    if (b->lanes == 1 && old) eliminate_lines(b, 1, 1);
+    else if (b->lanes == 1)   eliminate_lines(b, 1, 0);
+    else if (old)             eliminate_lines(b, LANES, 1);
+    else                      eliminate_lines(b, LANES, 0);
 }
 
-// The last pair has no link above it: it moves particle 0.
 static void block_substitute(block *b)
 {
-    for (int k = b->s.particles - 2; k >= -1; k--)
-        if (b->lanes == 1)
-            substitute(row_at(b, 1, k), row_at(b, 1, k + 1), 1, &b->t);
-        else
-            substitute(row_at(b, LANES, k), row_at(b, LANES, k + 1), LANES,
-                       &b->t);
+    if (b->lanes == 1) substitute_lines(b, 1);
+    else               substitute_lines(b, LANES);
 }
 
-static void block_move(block *b, const real *share)
+static void block_measure(block *b)
 {
-    for (int k = b->s.particles - 2; k >= -1; k--)
-        if (b->lanes == 1)
-            move(row_at(b, 1, k), row_at(b, 1, k + 1), 1, share);
-        else
-            move(row_at(b, LANES, k), row_at(b, LANES, k + 1), LANES, share);
+    tally t = { .worst = { 0 } };
+    real rest = b->s.rest_length;
+    for (int k = 0; k + 1 < b->s.particles; k++)
+        for (int l = 0; l < b->lanes; l++) {
+            vec3 link = lane_link(b->at, b->pitch, k * b->pitch + l);
+            count_wrong(&t, l, (vec3_length_squared(link) - rest * rest) / 2);
+        }
+    for (int l = 0; l < b->lanes; l++) b->t.worst[l] = t.worst[l];
 }
 //<
 
-//> line-newton
-static void clear(tally *t, int lanes)
-{
-    for (int l = 0; l < lanes; l++) t->worst[l] = t->sum[l] = t->far[l] = 0;
-}
-
+//> line-too-far
 // A line that is nearly straight between two nails hardly answers to its
 // multipliers, and they grow without bounds.  To mend all its errors one after
 // the other nobody need move farther than their sum; if somebody moved farther
 // than that and half a link, the whole line goes back, to the share of the way
 // that this allows: so every pull keeps its counterpart.
+static vec3 move_of(const block *b, int k, int l)
+{
+    const real *here = row_at(b, k - 1), *after = row_at(b, k);
+    int solved = SOLVED * b->lanes + l;
+    vec3 up = vec3_scale(after[solved], lane_get(after, PUSH, b->lanes, l));
+    vec3 down = vec3_scale(here[solved], lane_get(here, PUSH, b->lanes, l));
+    return vec3_scale(b->at.weight[k * b->pitch + l], vec3_sub(up, down));
+}
+
+static void hold_back(block *b, int l)
+{
+    real rest = b->s.rest_length, most = rest / 2 + b->t.sum[l] / rest, far = 0;
+    for (int k = 0; k < b->s.particles; k++)
+        far = fmax(far, vec3_length_squared(move_of(b, k, l)));
+    if (!(far > most * most)) return;
+    real back = most / sqrt(far) - 1;
+    for (int k = 0; k < b->s.particles; k++) {
+        int i = k * b->pitch + l;
+        place_set(b->at, i, vec3_add_scaled(place_get(b->at, i), back,
+                                            move_of(b, k, l)));
+    }
+}
+//<
+
+//> line-newton
+// Where all moves together are short, each is.
 static void block_step(block *b, int old)
 {
-    real back[LANES], rest = b->s.rest_length;
-    int any = 0;
-    clear(&b->t, b->lanes);
+    real rest = b->s.rest_length;
     block_eliminate(b, old);
     block_substitute(b);
     for (int l = 0; l < b->lanes; l++) {
         real most = rest / 2 + b->t.sum[l] / rest;
-        int is_far = b->t.far[l] > most * most;
-        back[l] = is_far ? most / sqrt(b->t.far[l]) - 1 : 0;
-        any |= is_far;
+        if (b->t.far[l] > most * most) hold_back(b, l);
     }
-    if (any) block_move(b, back);
 }
 
 // Newton steps for all lanes, from where the particles are.  Returns how many.
 static int block_newton(block *b, int old, int most, real tolerance)
 {
     real enough = tolerance * b->s.rest_length * b->s.rest_length;
-    if (b->lanes == 1) load(b, 1, old);
-    else               load(b, LANES, old);
+    block_load(b, old);
     for (int done = 1; ; done++) {
         block_step(b, old);
         real worst = 0;
@@ -344,6 +469,12 @@ static int block_newton(block *b, int old, int most, real tolerance)
         if (done == most || worst <= enough) return done;
     }
 }
+
+// A sum with a NaN in it, or out of all bounds.
+static int is_lost(const block *b, int l)
+{
+    return !(b->t.far[l] < HUGE_VAL);
+}
 //<
 
 //> line-settle
@@ -351,24 +482,12 @@ static int block_newton(block *b, int old, int most, real tolerance)
 // it did not work, unless what it leaves is rounding: in strain,
 static const real ROUNDING = 1e-9;
 
-static void block_measure(block *b)
-{
-    clear(&b->t, b->lanes);
-    for (int k = 0; k + 1 < b->s.particles; k++)
-        if (b->lanes == 1)
-            measure(row_at(b, 1, k), row_at(b, 1, k + 1), 1,
-                    b->s.rest_length, &b->t);
-        else
-            measure(row_at(b, LANES, k), row_at(b, LANES, k + 1), LANES,
-                    b->s.rest_length, &b->t);
-}
-
 static void block_judge(const block *b, real tolerance, int *solved)
 {
     real enough = fmax(tolerance, ROUNDING) * b->s.rest_length
                                             * b->s.rest_length;
-    for (int l = 0; l < b->used; l++)
-        solved[l] = b->t.lost[l] == 0
+    for (int l = 0; l < b->lanes; l++)
+        solved[l] = b->open[l] && !is_lost(b, l)
                  && b->t.worst[l] <= fmax(enough, b->first[l] / 8);
 }
 
@@ -379,7 +498,7 @@ static int block_close(block *b, const int *solved, const real *worst,
 {
     real rest = b->s.rest_length;
     int open = 0;
-    for (int l = 0; l < b->used; l++) {
+    for (int l = 0; l < b->lanes; l++) {
         if (solved[l]) {
             b->open[l] = 0;
             r->worst = fmax(r->worst, worst[l] / (rest * rest));
@@ -395,45 +514,86 @@ static int block_close(block *b, const int *solved, const real *worst,
 // Along the old links.  Returns how many lanes are open still.
 static int block_solve_old(block *b, int steps, real tolerance, line_result *r)
 {
-    int solved[LANES];
+    int solved[LANES], done = block_newton(b, 1, steps, tolerance);
     real worst[LANES];
-    int done = block_newton(b, 1, steps, tolerance);
-    for (int l = 0; l < b->used; l++) worst[l] = b->t.worst[l];
+    for (int l = 0; l < b->lanes; l++) worst[l] = b->t.worst[l];
     block_measure(b);
     block_judge(b, tolerance, solved);
     if (done > r->steps) r->steps = done;
     return block_close(b, solved, worst, r);
 }
 
-// The open lanes along the new ones.  A line whose numbers are lost, or get
-// lost, stays as it is.
-static void block_solve_new(block *b, int steps, real tolerance, line_result *r)
+// A line whose numbers are lost, or get lost, goes back to where it began.
+static void block_restore(block *b, int l, const particle *p)
 {
-    int solved[LANES];
-    int done = block_newton(b, 0, steps, tolerance);
-    for (int l = 0; l < b->used; l++)
-        solved[l] = b->open[l] && b->t.lost[l] == 0;
+    for (int k = 0; k < b->s.particles; k++) {
+        int i = b->start + l * b->s.across + k * b->s.along;
+        place_set(b->scratch->now, i, p[i].position);
+    }
+}
+
+// The open lanes along the new ones.
+static void block_solve_new(block *b, int steps, real tolerance,
+                            const particle *p, line_result *r)
+{
+    int solved[LANES], done = block_newton(b, 0, steps, tolerance);
+    for (int l = 0; l < b->lanes; l++) {
+        solved[l] = b->open[l] && !is_lost(b, l);
+        if (b->open[l] && !solved[l]) block_restore(b, l, p);
+    }
     if (done > r->steps) r->steps = done;
     if (block_close(b, solved, b->t.worst, r) > 0) r->worst = HUGE_VAL;
 }
 
+// All lines of one direction, from the places to the places; p is where they
+// were when the places were gathered.
+static void solve(const strands *s, const particle *p, int steps,
+                  relax_options options, const line_scratch *scratch,
+                  line_result *r)
+{
+    assert(s->particles <= scratch->particles);
+    block b = { .s = *s, .lanes = s->lines < LANES ? 1 : LANES,
+                .scratch = scratch };
+    for (int first = 0; first < s->lines; first += b.lanes) {
+        block_begin(&b, first);
+        if (options.gradient == GRADIENT_OLD) {
+            if (block_solve_old(&b, steps, options.tolerance, r) == 0) continue;
+            r->fell_back = 1;
+        }
+        block_solve_new(&b, steps, options.tolerance, p, r);
+    }
+}
+//<
+
+//> line-relax
 line_result line_solve(const strands *s, particle *p, int steps,
                        relax_options options, line_scratch *scratch)
 {
-    assert(steps >= 1 && options.tolerance >= 0);
-    assert(s->particles <= scratch->particles);
+    assert(steps >= 1);
     line_result r = { .worst = 0 };
-    block b = { .s = *s, .lanes = s->lines == 1 ? 1 : LANES,
-                .row = scratch->row };
-    for (int first = 0; first < s->lines; first += b.lanes) {
-        block_begin(&b, p, first);
-        if (options.gradient == GRADIENT_OLD) {
-            if (block_solve_old(&b, steps, options.tolerance, &r) == 0)
-                continue;
-            r.fell_back = 1;
-        }
-        block_solve_new(&b, steps, options.tolerance, &r);
-    }
+    int last = (s->lines - 1) * s->across + (s->particles - 1) * s->along;
+    gather_all(scratch, p, last + 1, options);
+    solve(s, p, steps, options, scratch, &r);
+    scatter(scratch->now, p, last + 1);
+    return r;
+}
+
+// What one direction of a cloth does the other half undoes: sweep after sweep.
+// A rope has only one.
+line_result lines_relax(const shape *s, particle *p, int sweeps,
+                        relax_options options, line_scratch *scratch)
+{
+    assert(sweeps >= 1);
+    line_result r = { .worst = 0 };
+    int most = s->directions > 1 ? sweeps : 1, done = 0;
+    gather_all(scratch, p, s->particles, options);
+    do {
+        r.worst = 0;
+        for (int d = 0; d < s->directions; d++)
+            solve(&s->strand[d], p, 1, options, scratch, &r);
+    } while (++done < most && !(r.worst <= options.tolerance));
+    scatter(scratch->now, p, s->particles);
+    r.steps = done;
     return r;
 }
 //<

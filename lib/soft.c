@@ -73,12 +73,22 @@ static void add_near(world *w, const body *a, const body *b, tree_result found)
 // cell until the ends of the other meet, and the triangles around them cross.
 static const real LINKED = 1.2;
 
-// A sheet against itself.
+// A body against itself: equal balls, which a grid sorts quickest.  Where one
+// is thrown far out of the others, the tree is asked.
 static void list_self(world *w, body *a)
 {
-    add_near(w, a, a, sphere_tree_self(
-        &a->tree, w->of.at + a->first, w->list_margin, LINKED,
-        w->leaf_pair, w->leaf_capacity));
+    const vec3 *at = w->of.at + a->first;
+    real touching = 2 * a->thickness;
+    int found = grid_pairs(&w->grid, at, a->plan->particles,
+                           touching + w->list_margin, a->plan->at,
+                           LINKED * touching, w->leaf_pair, w->leaf_capacity);
+    if (found < 0) {
+        sphere_tree_refresh(&a->tree, at);
+        add_near(w, a, a, sphere_tree_self(&a->tree, at, w->list_margin, LINKED,
+                                           w->leaf_pair, w->leaf_capacity));
+    } else {
+        add_near(w, a, a, (tree_result){ .pairs = found });
+    }
 }
 
 static void list_soft_pair(world *w, body *a, body *b)
@@ -141,7 +151,9 @@ void soft_refresh(world *w)
     w->report.rebuilt++;
     for (int b = 0; b < w->bodies; b++) {
         body *now = &w->body[b];
-        world_look_again(w, now);
+        // A grid needs no tree; another body does.
+        if (body_is_soft(now) && w->softs == 1) world_look(w, now);
+        else                                    world_look_again(w, now);
         for (int i = now->first; i < now->first + body_particles(now); i++)
             w->of.listed[i] = w->pool.at[i].position;
     }
@@ -214,24 +226,52 @@ static void push_whole(world *w, point_pair pair, const contact *c)
 }
 //<
 
+//> soft-push-off
+// A particle of the inverse mass w, `depth` too deep below a face of a nailed
+// body, where it slid by s in this step.  contact_separate for one particle.
+static vec3 push_off(real w, vec3 normal, real depth, vec3 s, real friction)
+{
+    real mass = 1 / w;
+    vec3 out = vec3_scale(depth * mass, normal);
+    s = vec3_add_scaled(s, -vec3_dot(s, normal), normal);
+    real slid2 = vec3_length_squared(s), limit = friction * depth;
+    real part = slid2 <= limit * limit ? limit > 0 : limit / sqrt(slid2);
+    return vec3_add_scaled(out, -part * mass, s);
+}
+
+// The commonest contact by far: over a face of a nailed body, or inside it, a
+// particle goes straight out, and nobody needs to know of it.  -1: it is over
+// no face; else as separate_point.
+static int separate_from_face(world *w, particle *p, real apart, real slack)
+{
+    vec3 x = p->position;
+    plane face = w->hull[hull_ahead(x, w->hull, w->hulls)];
+    real up = plane_height(face, x);
+    if (!(up <= apart)) return 0;
+    vec3 foot = vec3_add_scaled(x, -up, face.normal);
+    for (int k = 0; k < w->hulls && up > 0; k++)
+        if (plane_height(w->hull[k], foot) > slack) return -1;
+
+    vec3 over = vec3_sub(x, foot), gone = vec3_sub(p->previous, foot);
+    real depth = apart - vec3_dot(over, face.normal);
+    if (!(depth > 0) || p->inverse_mass == 0) return depth > 0;
+    vec3 out = push_off(p->inverse_mass, face.normal, depth,
+                        vec3_sub(over, gone), w->options.response.friction);
+    p->position = vec3_add_scaled(x, p->inverse_mass, out);
+    return 1;
+}
+//<
+
 //> soft-separate-point
 typedef void (*pusher)(world *w, point_pair pair, const contact *c);
 
-// One plane that the particle is clear of is enough to know that it does not
-// touch: most often the one that it was in front of when it was listed.  (There
-// may be fewer by now: strain parts the planes of two triangles of one side,
-// and lets them meet again.)
 static int separate_point(world *w, point_pair pair, real apart,
                           pusher by, response_options how)
 {
     const body *soft = &w->body[pair.soft], *rigid = &w->body[pair.rigid];
-    vec3 x = w->pool.at[pair.particle].position;
-    if (pair.ahead < w->hulls
-        && plane_height(w->hull[pair.ahead], x) > apart) return 0;
-
     collider a = world_collider(w, soft), b = world_collider(w, rigid);
     contact c;
-    w->of.at[pair.particle] = x;
+    w->of.at[pair.particle] = w->pool.at[pair.particle].position;
     if (!collide_point(&a, pair.particle - soft->first, &b, w->hull,
                        w->hull_face, w->hulls, apart, &c)) return 0;
     c.thickness = apart;
@@ -243,20 +283,40 @@ static int separate_point(world *w, point_pair pair, real apart,
 //<
 
 //> soft-separate-all
-// All points, to this share of what keeps them apart.  Returns how many
-// touched.
+// The points from number k on that are at the same rigid body, to this share of
+// what keeps them apart.  One plane that a particle is clear of is enough to
+// know that it does not touch: most often the one that it was in front of when
+// it was listed.  (There may be fewer by now: strain parts the planes of two
+// triangles of one side, and lets them meet again.)  *touching counts who
+// touched.  Returns the next number.
+static int separate_points_of(world *w, int k, real share, pusher by,
+                              int *touching)
+{
+    const body *rigid = &w->body[w->point[k].rigid];
+    response_options how = soft_response(w);
+    int number = w->point[k].rigid;
+    int is_nailed = body_is_nailed(rigid) && how.share == SHARE_MASS;
+    real slack = 1e-12 * rigid->plan->radius;
+    look_at_hull(w, number);
+    for (; k < w->points && w->point[k].rigid == number; k++) {
+        point_pair pair = w->point[k];
+        particle *p = &w->pool.at[pair.particle];
+        real apart = share * (w->body[pair.soft].thickness + rigid->thickness);
+        if (pair.ahead < w->hulls
+            && plane_height(w->hull[pair.ahead], p->position) > apart) continue;
+        int touched = is_nailed ? separate_from_face(w, p, apart, slack) : -1;
+        if (touched < 0) touched = separate_point(w, pair, apart, by, how);
+        *touching += touched;
+    }
+    return k;
+}
+
+// All points.  Returns how many touched.
 static int separate_points(world *w, real share, pusher by)
 {
-    response_options how = soft_response(w);
     int touching = 0;
-    for (int k = 0; k < w->points; k++) {
-        const body *soft = &w->body[w->point[k].soft];
-        const body *rigid = &w->body[w->point[k].rigid];
-        if (k == 0 || w->point[k].rigid != w->point[k - 1].rigid)
-            look_at_hull(w, w->point[k].rigid);
-        real apart = share * (soft->thickness + rigid->thickness);
-        touching += separate_point(w, w->point[k], apart, by, how);
-    }
+    for (int k = 0; k < w->points;)
+        k = separate_points_of(w, k, share, by, &touching);
     return touching;
 }
 

@@ -49,30 +49,20 @@ static const plan_entry *entry_of(const world *w, const shape *s)
     return &w->plan[k];
 }
 
-// Soft diagonals first, then the lines that must hold.  What one direction of
-// a cloth does the other half undoes: sweep after sweep.  A rope has only one.
+// Soft diagonals first, then the lines that must hold.
 static relax_result relax_lines(world *w, const body *b)
 {
     const shape *s = b->plan;
     particle *p = w->pool.at + b->first;
     relax_options o = w->options.relax;
-    int sweeps = s->directions > 1 ? w->options.sweeps : 1;
-    relax_result r = { .tested = s->sticks - s->on_strands };
-    if (s->on_strands < s->sticks)
-        sticks_sweep(s->stick + s->on_strands, s->sticks - s->on_strands, p, o);
-    for (int is_done = 0; !is_done && r.sweeps < sweeps; r.sweeps++) {
-        r.worst = 0;
-        for (int k = 0; k < s->directions; k++) {
-            line_result l = line_solve(&s->strand[k], p, 1, o,
-                                       entry_of(w, s)->line);
-            r.worst = fmax(r.worst, l.worst);
-            r.fell_back |= l.fell_back;
-        }
-        r.tested += s->on_strands;
-        is_done = r.worst <= o.tolerance;
-    }
-    r.relaxed = r.tested;
-    return r;
+    int others = s->sticks - s->on_strands;
+    if (others > 0) sticks_sweep(s->stick + s->on_strands, others, p, o);
+    line_result l = lines_relax(s, p, w->options.sweeps, o,
+                                entry_of(w, s)->line);
+    int tested = others + l.steps * s->on_strands;
+    return (relax_result){ .worst = l.worst, .tested = tested,
+                           .relaxed = tested, .sweeps = l.steps,
+                           .fell_back = l.fell_back };
 }
 
 // Paper: section 6.2: a rigid body that collided is relaxed from the particle

@@ -345,7 +345,7 @@ static void size_lists(world *w)
     for (int k = 0; k < w->plans; k++)
         if (w->plan[k].shape->kind == SHAPE_RIGID)
             w->least_radius = fmin(w->least_radius, w->plan[k].shape->radius);
-    // A wide margin makes long lists, a narrow one makes them often.  With 0.6
+    // A wide margin makes long lists, a narrow one makes them often.  With 0.75
     // of a spacing a flat cloth has the diagonals of its cells, and no more:
     // what stands at two spacings is further than the 1.1 of touching and the
     // margin.
@@ -353,7 +353,7 @@ static void size_lists(world *w)
     for (int b = 0; b < w->bodies; b++)
         if (body_is_soft(&w->body[b]))
             w->list_margin = fmin(w->list_margin,
-                                  0.6 * w->body[b].plan->spacing);
+                                  0.75 * w->body[b].plan->spacing);
 }
 
 static size_t at_least_one(int n)
@@ -462,6 +462,16 @@ static int size_lines(world *w)
     return 1;
 }
 
+// The near lists ask about one deformable body at a time.
+static status build_grid(world *w)
+{
+    int most = 0;
+    for (int b = 0; b < w->bodies; b++)
+        if (body_is_soft(&w->body[b]) && w->body[b].plan->particles > most)
+            most = w->body[b].plan->particles;
+    return grid_init(&w->grid, most);
+}
+
 // The lists of section 6.2, for the rigid plans alone: they grow as particles
 // times sticks, and only rigid bodies are relaxed by them.
 static status build_lists(world *w)
@@ -490,6 +500,7 @@ status world_begin(world *w)
     status done = build_lists(w);
     if (done.ok) done = rest_init(&w->rest, w->bodies);
     if (done.ok) done = broad_init(&w->broad, w->bodies);
+    if (done.ok) done = build_grid(w);
     w->ready = done.ok;
     return done;
 }
@@ -518,6 +529,7 @@ void world_free(world *w)
     order_scratch_free(w->orders);
     rest_free(&w->rest);
     broad_free(&w->broad);
+    grid_free(&w->grid);
     *w = (world){ .hull_of = -1 };
 }
 //<

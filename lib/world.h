@@ -9,6 +9,7 @@
 
 #include "broad.h"
 #include "collide.h"
+#include "grid.h"
 #include "line.h"
 #include "ordering.h"
 #include "push.h"
@@ -224,6 +225,7 @@ typedef struct world {
     int  nears, near_capacity;
     point_pair *point;                  // deformable particles at rigid bodies
     int  points, point_capacity;
+    struct grid grid;                   // for the largest deformable body
     struct leaf_pair *leaf_pair;        // room for a traversal
     int  leaf_capacity;
     int *leaf_met;      // [leaves of the largest tree] where in leaf_pair a

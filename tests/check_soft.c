@@ -4,6 +4,7 @@
 #include <check.h>
 #include <float.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "soft.h"
 
@@ -550,6 +551,53 @@ START_TEST(particle_leaves_a_nailed_box_by_its_thickness)
 }
 END_TEST
 
+// What is done over a face without a contact is, bit for bit, what the contact
+// does: beside, over and in the box, over its edges, with and without friction,
+// for particles of any mass, nailed ones, and those that are not finite.
+START_TEST(nailed_box_pushes_as_its_contacts_do)
+{
+    for (int k = 0; k < 400; k++) {
+        world_options o = ours(_i);
+        o.response.friction = k % 3 * 0.4;
+        again(o);
+        placement where = placement_at(vec3_make(0, 0, 0));
+        where.nailed = 1;
+        int b;
+        ck_assert(world_add(&w, &box, where, &b).ok);
+        int r = add_at(&rope, 0, 3, 0);
+        ready();
+        particle *p = particle_of(r, 5);
+        p->position = vec3_make(0.5 * any(), 0.5 * any(), 0.5 * any());
+        if (k == 7) p->position.y = (real)NAN;
+        p->previous = vec3_add_scaled(p->position, 0.02,
+                                      vec3_make(any(), any(), any()));
+        p->inverse_mass = k % 11 ? 1.5 + any() : 0;
+        particle q = *p;
+        w.trusted = -1;
+        soft_refresh(&w);
+        vec3 x = q.position;
+        collider of_rope = { .plan = &rope, .first = 0, .at = &x, .mass = 1 };
+        collider of_box = world_collider(&w, &w.body[b]);
+        world_look(&w, &w.body[b]);
+        plane hull[12];
+        int face[12], n = hull_planes(&box, of_box.at, hull, face);
+        real apart = w.body[r].thickness + w.body[b].thickness;
+        contact c;
+        response_options how = o.response;
+        how.gain = 1;
+        if (collide_point(&of_rope, 0, &of_box, hull, face, n, apart, &c)) {
+            c.thickness = apart;
+            c.a.vertex[0] = 0;
+            contact_separate(&c, &q, how);
+        }
+        soft_separate(&w);
+        ck_assert_msg(memcmp(p, &q, sizeof q) == 0, "trial %d: (%a, %a, %a), "
+                      "not (%a, %a, %a)", k, p->position.x, p->position.y,
+                      p->position.z, q.position.x, q.position.y, q.position.z);
+    }
+}
+END_TEST
+
 // Rejects: a movable box that is taken for a nailed one, or pushed at the wrong
 // corners.
 START_TEST(pushes_between_cloth_and_movable_box_keep_momentum)
@@ -753,6 +801,7 @@ int main(void)
         lists_hold_what_all_pairs_within_the_margin_hold,
         nothing_is_missed_while_a_cloth_falls,
         particle_leaves_a_nailed_box_by_its_thickness,
+        nailed_box_pushes_as_its_contacts_do,
         pushes_between_cloth_and_movable_box_keep_momentum,
         particle_meets_a_movable_box_where_it_is_now,
     };

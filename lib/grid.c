@@ -1,0 +1,180 @@
+//> grid-init
+#include "grid.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+// Cells for a point.  In a box around a cloth most cells are empty, and the
+// more so the finer it is.
+enum { CELLS_A_POINT = 16 };
+
+status grid_init(grid *g, int points)
+{
+    assert(points >= 0);
+    size_t n = (size_t)points, cells = CELLS_A_POINT * n + 1;
+    *g = (grid){ .points = points, .cells = CELLS_A_POINT * points + 1 };
+    g->start  = malloc((cells + 1) * sizeof *g->start);
+    g->cell   = malloc((n + 1) * sizeof *g->cell);
+    g->sorted = malloc((n + 1) * sizeof *g->sorted);
+    if (g->start && g->cell && g->sorted) return status_ok();
+    grid_free(g);
+    return status_out_of_memory();
+}
+
+void grid_free(grid *g)
+{
+    free(g->start);
+    free(g->cell);
+    free(g->sorted);
+    *g = (grid){ 0 };
+}
+//<
+
+//> grid-box
+// The box of all points, cut into nx * ny * nz cells with sides of `side`.
+typedef struct {
+    vec3 least;         // m
+    real side;          // m
+    int  nx, ny, nz;
+} cut;
+
+static vec3 lower(vec3 a, vec3 b)
+{
+    return (vec3){ a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y,
+                   a.z < b.z ? a.z : b.z };
+}
+
+// Cells as wide as the reach, or, if there are too many of them, a quarter
+// wider, and again, up to six times the reach.  0: that is not enough.
+static int cut_box(cut *c, const vec3 *at, int n, real reach, int cells)
+{
+    vec3 least = at[0], most = vec3_scale(-1, at[0]);
+    real sum = 0;
+    for (int i = 0; i < n; i++) {
+        least = lower(least, at[i]);
+        most = lower(most, vec3_scale(-1, at[i]));
+        sum += 0 * (at[i].x + at[i].y + at[i].z);
+    }
+    vec3 size = vec3_scale(-1, vec3_add(most, least));
+    for (real side = reach; sum == 0 && side < 6 * reach; side *= 1.25) {
+        real x = size.x / side, y = size.y / side, z = size.z / side;
+        if (!((x + 1) * (y + 1) * (z + 1) <= cells)) continue;
+        *c = (cut){ least, side, (int)x + 1, (int)y + 1, (int)z + 1 };
+        return 1;
+    }
+    return 0;
+}
+//<
+
+//> grid-sort
+// Rounding may put the outermost point beyond the last cell.
+static int cell_along(real x, real least, real side, int n)
+{
+    int k = (int)((x - least) / side);
+    return k < n ? k : n - 1;
+}
+
+// A counting sort: how many there are in each cell says where the next begins.
+// (While the points are placed, start[c] runs from the first of cell c to the
+// first of c + 1; it is shifted back by one in the end.)
+static void sort_points(grid *g, const cut *c, const vec3 *at, int n)
+{
+    int cells = c->nx * c->ny * c->nz;
+    for (int k = 0; k <= cells; k++) g->start[k] = 0;
+    for (int i = 0; i < n; i++) {
+        int x = cell_along(at[i].x, c->least.x, c->side, c->nx);
+        int y = cell_along(at[i].y, c->least.y, c->side, c->ny);
+        int z = cell_along(at[i].z, c->least.z, c->side, c->nz);
+        g->cell[i] = (z * c->ny + y) * c->nx + x;
+        g->start[g->cell[i] + 1]++;
+    }
+    for (int k = 0; k < cells; k++) g->start[k + 1] += g->start[k];
+    for (int i = 0; i < n; i++)
+        g->sorted[g->start[g->cell[i]]++] = (grid_point){ at[i], i };
+    for (int k = cells; k > 0; k--) g->start[k] = g->start[k - 1];
+    g->start[0] = 0;
+}
+//<
+
+//> grid-look
+typedef struct {
+    const grid *g;
+    cut  c;
+    real reach2, linked2;       // m^2
+    const vec3 *rest;
+    leaf_pair *out;
+    int found, capacity;
+} search;
+
+// Neither loop asks a question whose answer a processor would have to guess:
+// what may be wanted is written, and stays if the count moves over it.
+enum { LOOK = 32 };
+
+// Point p against at most LOOK others, from number k to end - 1.
+static inline void look_at_few(search *s, grid_point p, int k, int end)
+{
+    int near[LOOK], n = 0;
+    for (; k < end; k++) {
+        near[n] = s->g->sorted[k].number;
+        n += vec3_length_squared(vec3_sub(p.at, s->g->sorted[k].at))
+           < s->reach2;
+    }
+    vec3 rest = s->rest[p.number];
+    for (int i = 0; i < n; i++) {
+        int a = p.number < near[i] ? p.number : near[i];
+        int b = p.number < near[i] ? near[i] : p.number;
+        if (s->found < s->capacity) s->out[s->found] = (leaf_pair){ a, b };
+        s->found += vec3_length_squared(vec3_sub(rest, s->rest[near[i]]))
+                 >= s->linked2;
+    }
+}
+
+static inline void look(search *s, grid_point p, int k, int end)
+{
+    for (; k + LOOK < end; k += LOOK) look_at_few(s, p, k, k + LOOK);
+    look_at_few(s, p, k, end);
+}
+//<
+
+//> grid-pairs
+// Of the 26 cells around one, 13 come after it: the next one in its row, and
+// three in each of four rows.  Those of a row stand in one piece.
+static void look_around(search *s, int x, int y, int z)
+{
+    static const int row[4][2] = { { 1, 0 }, { -1, 1 }, { 0, 1 }, { 1, 1 } };
+    const int *start = s->g->start;
+    int nx = s->c.nx, here = (z * s->c.ny + y) * nx;
+    int left = x > 0 ? x - 1 : 0, right = x + 1 < nx ? x + 1 : x;
+    int begin[5], end[5], n = 0;
+    for (int r = 0; r < 4; r++) {
+        int v = y + row[r][0], w = z + row[r][1];
+        if (v < 0 || v >= s->c.ny || w >= s->c.nz) continue;
+        int there = (w * s->c.ny + v) * nx;
+        begin[n] = start[there + left];
+        end[n] = start[there + right + 1];
+        n += end[n] > begin[n];
+    }
+    for (int k = start[here + x]; k < start[here + x + 1]; k++) {
+        grid_point p = s->g->sorted[k];
+        look(s, p, k + 1, start[here + right + 1]);
+        for (int r = 0; r < n; r++) look(s, p, begin[r], end[r]);
+    }
+}
+
+int grid_pairs(grid *g, const vec3 *at, int n, real reach, const vec3 *rest,
+               real linked, leaf_pair *out, int capacity)
+{
+    assert(n <= g->points && reach > 0 && capacity >= 0);
+    search s = { .g = g, .reach2 = reach * reach, .linked2 = linked * linked,
+                 .rest = rest, .out = out, .capacity = capacity };
+    if (n == 0) return 0;
+    if (!cut_box(&s.c, at, n, reach, g->cells)) return -1;
+    sort_points(g, &s.c, at, n);
+    const int *start = g->start;
+    for (int z = 0; z < s.c.nz; z++)
+        for (int y = 0; y < s.c.ny; y++)
+            for (int x = 0; x < s.c.nx; x++, start++)
+                if (start[1] > start[0]) look_around(&s, x, y, z);
+    return s.found;
+}
+//<

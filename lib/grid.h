@@ -1,0 +1,41 @@
+//> grid-head
+// grid.h - which of many equal balls are near each other?  Sorted into cells.
+//
+// Paper: section 5.2 asks a tree.  Book: chapter 6.
+// Units: metres.
+
+#ifndef TUMBLE_GRID_H
+#define TUMBLE_GRID_H
+
+#include "sphere_tree.h"
+
+// A point, in the order of the cells.
+typedef struct {
+    vec3 at;
+    int  number;
+} grid_point;
+
+typedef struct grid {
+    int points, cells;  // for so many there is room
+    int *start;         // [cells + 1] the first point of each cell
+    int *cell;          // [points] where each point is
+    grid_point *sorted; // [points] by cell, then by number
+} grid;
+//<
+
+//> grid-declare
+// For that many points, >= 0.  Fails, leaving *g empty, if memory is refused.
+status grid_init(grid *g, int points);
+void   grid_free(grid *g);      // an empty or zeroed one is fine
+
+// The pairs of n points at `at` (n <= g->points) that are nearer than reach (m,
+// > 0), each once, a < b, in an order fixed by the places.  Left out are those
+// that stood nearer than linked (m) at rest, when the points were at `rest`.
+// Writes at most capacity of them to out, and returns how many there are; or
+// -1, where a tree does better: one point is so far from the others that the
+// cells would have to be wide, or is not finite.
+int grid_pairs(grid *g, const vec3 *at, int n, real reach, const vec3 *rest,
+               real linked, leaf_pair *out, int capacity);
+
+#endif
+//<

@@ -1,0 +1,191 @@
+// check_grid.c - does the grid find what all pairs find, and nothing else?
+#include "grid.h"
+#include "scarce.h"
+
+#include <check.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 24, N = SIDE * SIDE, MOST = 64 * N };
+
+static unsigned long long seed;
+
+static real dice(void)  // -1 to 1, the same on every machine
+{
+    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
+    return (real)(seed >> 11) / 4503599627370496.0 - 1;
+}
+
+static vec3 dice3(void)
+{
+    real x = dice(), y = dice(), z = dice();
+    return vec3_make(x, y, z);
+}
+
+static grid g;
+static vec3 at[N], rest[N];
+static leaf_pair found[MOST], wanted[MOST];
+
+static void lay_flat(void)
+{
+    for (int i = 0; i < N; i++)
+        at[i] = rest[i] = vec3_make(i % SIDE, 0, i / SIDE);
+}
+
+// All pairs, by a and then b.
+static int all_pairs(int n, real reach, real linked)
+{
+    int pairs = 0;
+    for (int a = 0; a < n; a++)
+        for (int b = a + 1; b < n; b++) {
+            vec3 d = vec3_sub(at[a], at[b]), r = vec3_sub(rest[a], rest[b]);
+            if (vec3_length_squared(d) < reach * reach
+                && vec3_length_squared(r) >= linked * linked)
+                wanted[pairs++] = (leaf_pair){ a, b };
+        }
+    return pairs;
+}
+
+static int by_number(const void *p, const void *q)
+{
+    const leaf_pair *x = p, *y = q;
+    return x->a != y->a ? (x->a > y->a) - (x->a < y->a)
+                        : (x->b > y->b) - (x->b < y->b);
+}
+
+static void expect_all_pairs(int n, real reach, real linked)
+{
+    int pairs = grid_pairs(&g, at, n, reach, rest, linked, found, MOST);
+    ck_assert_int_eq(pairs, all_pairs(n, reach, linked));
+    qsort(found, (size_t)pairs, sizeof *found, by_number);
+    for (int k = 0; k < pairs; k++)
+        ck_assert_msg(found[k].a == wanted[k].a && found[k].b == wanted[k].b,
+                      "pair %d is (%d, %d), not (%d, %d)", k, found[k].a,
+                      found[k].b, wanted[k].a, wanted[k].b);
+}
+
+// Sheets flat, crumpled, in a ball and in a line; few points and many; cells
+// with one of them and cells with hundreds.  Rejects: a cell that is left out,
+// a pair that comes twice, neighbours at rest, rows that go on around a corner.
+START_TEST(it_finds_what_all_pairs_find)
+{
+    static const int count[6] = { 1, 2, 3, 33, 200, N };
+    static const vec3 shape[5] = {
+        { 0, 0, 0 }, { 0.3, 0.3, 0.3 }, { 4, 4, 4 }, { 40, 40, 40 },
+        { 0, 90, 0 }
+    };
+    ck_assert(grid_init(&g, N).ok);
+    for (int k = 0; k < 6; k++)
+        for (int s = 0; s < 5; s++)
+            for (real reach = 0.7; reach < 4; reach *= 1.5) {
+                lay_flat();
+                for (int i = 0; i < N; i++) {
+                    vec3 d = dice3();
+                    if (s == 2 || s == 3) at[i] = (vec3){ 0, 0, 0 };
+                    if (s == 4) at[i].x = 0;
+                    at[i] = vec3_add(at[i], vec3_make(shape[s].x * d.x,
+                                                      shape[s].y * d.y,
+                                                      shape[s].z * d.z));
+                }
+                if (s == 2 && count[k] == N && reach > 2) continue; // too many
+                if (s == 3 && count[k] < N) continue;   // far apart: see below
+                expect_all_pairs(count[k], reach, 1.2);
+            }
+    grid_free(&g);
+}
+END_TEST
+
+// Rejects: cells counted in metres.
+START_TEST(size_and_place_do_not_matter)
+{
+    ck_assert(grid_init(&g, N).ok);
+    for (int power = -100; power <= 100; power += 50) {
+        real size = ldexp(1, power);
+        lay_flat();
+        for (int i = 0; i < N; i++) {
+            vec3 d = vec3_add(vec3_make(-7e5, 3e5, 9),
+                              vec3_scale(0.4, dice3()));
+            at[i] = vec3_scale(size, vec3_add(at[i], d));
+            rest[i] = vec3_scale(size, rest[i]);
+        }
+        expect_all_pairs(N, 1.7 * size, 1.2 * size);
+    }
+    grid_free(&g);
+}
+END_TEST
+
+// Rejects: an endless search for a width, a cell number out of an int, a NaN
+// that is sorted somewhere.
+START_TEST(who_is_far_away_is_left_to_a_tree)
+{
+    const real far[5] = { 1e6, -1e30, (real)INFINITY, -(real)INFINITY,
+                          (real)NAN };
+    ck_assert(grid_init(&g, N).ok);
+    for (int k = 0; k < 5; k++)
+        for (int axis = 0; axis < 3; axis++) {
+            lay_flat();
+            // In a line of points alone there may be room for it.
+            at[1].y = 9;
+            real *x = axis == 0 ? &at[77].x : axis == 1 ? &at[77].y : &at[77].z;
+            *x = far[k];
+            ck_assert_int_eq(grid_pairs(&g, at, N, 1.5, rest, 1.2, found, MOST),
+                             -1);
+            lay_flat();
+            expect_all_pairs(N, 1.5, 1.2);
+        }
+    grid_free(&g);
+}
+END_TEST
+
+// Rejects: a write beyond the capacity, a count of what was written only.
+START_TEST(what_finds_no_room_is_counted)
+{
+    ck_assert(grid_init(&g, N).ok);
+    lay_flat();
+    int all = grid_pairs(&g, at, N, 1.5, rest, 1.2, found, MOST);
+    ck_assert_int_eq(all, 2 * (SIDE - 1) * (SIDE - 1));
+    found[100] = (leaf_pair){ -7, -7 };
+    ck_assert_int_eq(grid_pairs(&g, at, N, 1.5, rest, 1.2, found, 100), all);
+    ck_assert_int_eq(found[100].a, -7);
+    ck_assert_int_eq(grid_pairs(&g, at, N, 1.5, rest, 1.2, NULL, 0), all);
+    ck_assert_int_eq(grid_pairs(&g, at, 0, 1.5, rest, 1.2, NULL, 0), 0);
+    grid_free(&g);
+}
+END_TEST
+
+// Rejects: a write through NULL when memory is refused; memory that is kept.
+START_TEST(refused_memory_leaves_it_empty)
+{
+    for (int allowed = 0; allowed < 3; allowed++) {
+        long held = blocks_held;
+        mallocs_left = allowed;
+        status s = grid_init(&g, N);
+        mallocs_left = INT_MAX;
+        long left = blocks_held - held;
+        ck_assert(!s.ok && g.start == NULL && g.points == 0);
+        ck_assert_int_eq(left, 0);
+        grid_free(&g);
+    }
+    ck_assert(grid_init(&g, 0).ok);
+    grid_free(&g);
+    grid_free(&g);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *s = suite_create("grid");
+    TCase *t = tcase_create("grid");
+    tcase_add_test(t, it_finds_what_all_pairs_find);
+    tcase_add_test(t, size_and_place_do_not_matter);
+    tcase_add_test(t, who_is_far_away_is_left_to_a_tree);
+    tcase_add_test(t, what_finds_no_room_is_counted);
+    tcase_add_test(t, refused_memory_leaves_it_empty);
+    suite_add_tcase(s, t);
+    SRunner *r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

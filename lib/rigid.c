@@ -806,8 +806,9 @@ static void query_planes(world *w, int old[2])
 static int all_stay(const world *w)
 {
     int found = 0;
-    if (w->age * w->report.substeps != w->options.dt || !w->options.memory
-        || w->pushes > w->lasting_pushes || w->softs > 0) return 0;
+    if (w->age != w->options.dt / w->report.substeps || !w->options.memory
+        || w->pushes > w->lasting_pushes || w->softs > 0 || w->contacts > 0)
+        return 0;
     for (int k = 0; k < w->bodies; k++) {
         const push_run *run = &w->wall[k];
         if (!w->moves[k]) continue;

@@ -393,6 +393,30 @@ static int size_particles(particle_tables *t, const particle_pool *pool,
     return 1;
 }
 
+// What bodies of four particles need.
+static int size_pushes(world *w)
+{
+    size_t bodies = at_least_one(w->bodies);
+    size_t pushes = at_least_one(w->push_capacity);
+    w->push      = malloc(pushes * sizeof *w->push);
+    w->pushed    = malloc(pushes * sizeof *w->pushed);
+    w->old_push  = malloc(pushes * sizeof *w->old_push);
+    w->old_pushed = malloc(pushes * sizeof *w->old_pushed);
+    w->memory    = malloc(pushes * sizeof *w->memory);
+    w->near_push = malloc(pushes * sizeof *w->near_push);
+    w->wall      = calloc(bodies, sizeof *w->wall);
+    w->ways      = calloc(bodies, sizeof *w->ways);
+    w->drift     = calloc(bodies, sizeof *w->drift);
+    w->fresh     = calloc(bodies, 1);
+    w->looked    = calloc(bodies, 1);
+    w->listed    = calloc(bodies, sizeof *w->listed);
+    return w->push && w->pushed && w->old_push && w->old_pushed && w->memory
+        && w->near_push && w->wall && w->ways && w->drift && w->fresh
+        && w->looked && w->listed;
+}
+//<
+
+//> world-size-buffers
 static int size_buffers(world *w)
 {
     int faces = 0, sticks = 0, leaves = 0, vertices = 0;
@@ -407,19 +431,6 @@ static int size_buffers(world *w)
         if (w->body[b].tree.leaves > leaves) leaves = w->body[b].tree.leaves;
     size_t pairs = at_least_one(w->pair_capacity);
     size_t contacts = at_least_one(w->contact_capacity);
-    size_t pushes = at_least_one(w->push_capacity);
-    w->push      = malloc(pushes * sizeof *w->push);
-    w->pushed    = malloc(pushes * sizeof *w->pushed);
-    w->old_push  = malloc(pushes * sizeof *w->old_push);
-    w->old_pushed = malloc(pushes * sizeof *w->old_pushed);
-    w->wall      = calloc(at_least_one(w->bodies), sizeof *w->wall);
-    w->fresh     = calloc(at_least_one(w->bodies), 1);
-    w->looked    = calloc(at_least_one(w->bodies), 1);
-    w->listed    = calloc(at_least_one(w->bodies), sizeof *w->listed);
-    w->memory    = malloc(pushes * sizeof *w->memory);
-    w->near_push = malloc(pushes * sizeof *w->near_push);
-    w->ways      = calloc(at_least_one(w->bodies), sizeof *w->ways);
-    w->drift     = calloc(at_least_one(w->bodies), sizeof *w->drift);
     w->met       = malloc(pairs * sizeof *w->met);
     w->moves     = calloc(at_least_one(w->bodies), 1);
     w->pair      = malloc(pairs * sizeof *w->pair);
@@ -440,10 +451,7 @@ static int size_buffers(world *w)
     w->hit       = hit_scratch_new();
     w->swept     = malloc(at_least_one(2 * vertices) * sizeof *w->swept);
     w->orders    = order_scratch_new(sticks);
-    return w->push && w->pushed && w->old_push && w->old_pushed && w->wall
-        && w->fresh && w->looked && w->listed && w->memory && w->near_push
-        && w->ways
-        && w->drift && w->met && w->moves
+    return w->met && w->moves
         && w->pair && w->old_pair && w->contact && w->between && w->near
         && w->point && w->leaf_pair && w->leaf_met && w->hull && w->hull_face
         && w->still && w->collided && w->ball && w->spread && w->hit
@@ -492,7 +500,7 @@ status world_begin(world *w)
     assert(!w->ready);
     size_lists(w);
     if (!size_particles(&w->of, &w->pool, place_vertices(w))
-        || !size_buffers(w) || !size_lines(w))
+        || !size_buffers(w) || !size_pushes(w) || !size_lines(w))
         return status_out_of_memory();
     // The trees were built to the plans; now they stand where the bodies do.
     for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);

@@ -709,6 +709,77 @@ START_TEST(new_contacts_begin_with_what_the_old_ones_pushed)
 }
 END_TEST
 
+// A pile of three lies still: its contacts of the last frame are those of this
+// one.  One box moves, a little or more.
+// Rejects: contacts that stay when their body has gone; the ones of a neighbour
+// that nobody touches thrown away with them; a push that is lost, or begins
+// anew; a list of pairs that misses whoever comes near.
+START_TEST(who_lies_where_he_lay_keeps_his_contacts)
+{
+    const struct { real by; int stays; } way[] = { { 0.0005, 1 }, { 0.01, 0 } };
+    for (int k = 0; k < 2; k++) {
+        begin(world_options_default());
+        w.options.resting = 0;
+        for (int b = 0; b < 3; b++) add_at(&box, 0, 0.505 + 1.01 * b, 0);
+        int far = add_at(&box, 5, 0.505, 0);
+        ck_assert(world_add_plane(&w, UP, 0).ok);
+        ready();
+        for (int f = 0; f < 120; f++) frame();
+        find();
+        int all = w.pushes;
+        vec3 was = w.push[0].along[ACROSS], at = point_of(&w.push[0].a);
+        real load = w.push[0].pushed[NORMAL];
+        ck_assert(load > 0);
+        for (int b = 0; b <= far; b++) ck_assert(!w.fresh[b]);
+        for (int i = 0; i < FOUR; i++) {
+            particle *x = &w.pool.at[w.body[0].first + i];
+            real by = way[k].by * box.radius;
+            x->position.x += by;
+            x->previous.x += by;
+        }
+        find();
+        ck_assert_int_eq(w.fresh[0], !way[k].stays);
+        ck_assert(!w.fresh[1] && !w.fresh[2] && !w.fresh[far]);
+        ck_assert_int_eq(w.pushes, all);
+        // Found anew, nobody has needed it yet.
+        for (int i = 0; i < all; i++) {
+            int moved = w.pushed[i][0] == 0 && !way[k].stays;
+            if (w.push[i].pushed[NORMAL] > 0)
+                ck_assert_int_eq(w.push[i].ready, !moved);
+        }
+        near_real(w.push[0].pushed[NORMAL], load, 1e-9 * load);
+        near_vec3(w.push[0].along[ACROSS], was, ROUNDING);
+        near_vec3(point_of(&w.push[0].a), at, 0.011 * box.radius);
+        ck_assert(is_listed(0, 1) && is_listed(1, 2) && !is_listed(0, 2));
+    }
+}
+END_TEST
+
+// Rejects: a gap, or a push, that is that of another frame.
+START_TEST(pile_stands_alike_whether_contacts_stay_or_not)
+{
+    vec3 top[2];
+    for (int k = 0; k < 2; k++) {
+        world_options o = world_options_default();
+        o.stay = k ? 0.001 : 0;
+        o.resting = 0;
+        begin(o);
+        for (int b = 0; b < 3; b++)
+            add_at(&box, 0.1 * b, 0.505 + 1.01 * b, -0.05 * b);
+        ck_assert(world_add_plane(&w, UP, 0).ok);
+        ready();
+        for (int f = 0; f < 240; f++) frame();
+        top[k] = w.pool.at[w.body[2].first].position;
+        real load = 0;
+        for (int i = 0; i < w.pushes && w.pushed[i][1] >= w.bodies; i++)
+            load += w.push[i].pushed[NORMAL];
+        real weight = 3 * w.body[0].mass * 9.81 * w.age * w.age;
+        near_real(load, weight, 1e-3 * weight);
+    }
+    near_vec3(top[0], top[1], 0.002);
+}
+END_TEST
+
 // Rejects: a memory that goes to a point far from its own, or to all of them.
 START_TEST(memory_goes_to_the_point_that_it_is_of)
 {
@@ -866,6 +937,8 @@ int main(void)
     const TTest *const once[] = {
         push_has_the_points_of_its_contact,
         new_contacts_begin_with_what_the_old_ones_pushed,
+        who_lies_where_he_lay_keeps_his_contacts,
+        pile_stands_alike_whether_contacts_stay_or_not,
         memory_goes_to_the_point_that_it_is_of,
         every_memory_is_handed_over_once,
     };

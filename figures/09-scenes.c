@@ -17,7 +17,7 @@ static status paint_scene(scene_kind kind, picture *out)
 {
     scene s;
     status done = scene_build(&s, kind, scene_options_default(),
-                              scene_world_options(kind));
+                              scene_world_options(kind, 40));
     if (!done.ok) return done;
     for (int k = 0; k < STRIP_PANELS && done.ok; k++) {
         while (s.world.time < moment[kind][k] - 1e-9) world_step(&s.world);

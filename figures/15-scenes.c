@@ -51,7 +51,7 @@ static status show_scene(scene_kind kind, box at, const char *title,
     scene_options what = scene_options_default();
     what.bodies = BODIES;
     what.cloth = CLOTH;
-    status done = scene_build(&s, kind, what, scene_world_options(kind));
+    status done = scene_build(&s, kind, what, scene_world_options(kind, CLOTH));
     if (!done.ok) return done;
     char below[100];
     measures m = run_scene(&s, SECONDS);

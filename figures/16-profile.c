@@ -26,7 +26,7 @@ static real median[SCENES][FRAMES][STAGES];
 static void run(scene_kind kind, int again)
 {
     scene s;
-    world_options how = scene_world_options(kind);
+    world_options how = scene_world_options(kind, 40);
     how.resting = 0;
     how.clock = clock_seconds;
     if (!scene_build(&s, kind, scene_options_default(), how).ok) exit(1);

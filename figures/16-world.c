@@ -71,7 +71,7 @@ static void print_rooms(void)
             what.bodies = BODIES[k];
             outcome r = run(SCENE_ROOM, what,
                             way ? world_options_paper()
-                                : scene_world_options(SCENE_ROOM), FRAMES);
+                                : scene_world_options(SCENE_ROOM, 0), FRAMES);
             ms[way][k] = r.ms;
             deep[way][k] = r.overlap;
             printf("%d %.4g %.4g %.3g\n", BODIES[k], r.ms, r.overlap, r.strain);
@@ -88,7 +88,7 @@ static void print_cloths(void)
 {
     real ms[CLOTHS];
     scene_options what = scene_options_default();
-    world_options how = scene_world_options(SCENE_CLOTH_ON_CUBE);
+    world_options how = scene_world_options(SCENE_CLOTH_ON_CUBE, 40);
     int usual = how.substeps;
     for (int k = 0; k < CLOTHS; k++) {
         what.cloth = CLOTH[k];

@@ -233,7 +233,7 @@ static void cloth_start(int frame)
     scene_free(&cloth);
     status done = scene_build(&cloth, SCENE_CLOTH_ON_CUBE,
                               scene_options_default(),
-                              scene_world_options(SCENE_CLOTH_ON_CUBE));
+                              scene_world_options(SCENE_CLOTH_ON_CUBE, 40));
     if (!done.ok) give_up(done.why);
 }
 

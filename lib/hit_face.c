@@ -761,7 +761,7 @@ static int polytope_recall(hit_scratch *h, const hit_memory *m)
 //<
 
 //> hit-face-again
-// 1 if the foot x lies in face f, and not only before it: then with its weights.
+// 1 if the foot x lies in face f, not only before it; and its weights.
 static int holds_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
 {
     const int *corner = h->face[f].corner;

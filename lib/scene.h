@@ -40,8 +40,9 @@ const char *scene_name(scene_kind kind);
 // 50 bodies, a cloth of 40, seed 1, no mesh.
 scene_options scene_options_default(void);
 
-// world_options_default, with the substeps that this scene needs.
-world_options scene_world_options(scene_kind kind);
+// world_options_default, with the substeps that this scene needs; a cloth of so
+// many particles along a side.
+world_options scene_world_options(scene_kind kind, int cloth);
 
 // Builds the scene, ready to step:
 // room: bodies of radius 0.5 m and 1 kg in a cube of side

@@ -333,9 +333,10 @@ void soft_separate(world *w)
     w->report.touching = touching;
 }
 
-// In a cloth that lies on a nailed body this finds nobody.  But particles that a
-// bullet drives before it are pulled back by their sticks, and through it: they
-// are light, and make way.  What stops it is all that the sticks hold together.
+// In a cloth that lies on a nailed body this finds nobody.  But particles that
+// a bullet drives before it are pulled back by their sticks, and through it:
+// they are light, and make way.  What stops it is all that the sticks hold
+// together.
 void soft_hold(world *w)
 {
     separate_points(w, 0.5, push_whole);

@@ -30,7 +30,7 @@ int main(void)
     int failed = 0;
     for (int k = 0; k < SCENES; k++) {
         scene_kind kind = (scene_kind)k;
-        failed |= film(kind, scene_world_options(kind), frames[k], "ours");
+        failed |= film(kind, scene_world_options(kind, 40), frames[k], "ours");
         failed |= film(kind, world_options_paper(), frames[k], "paper");
     }
     return failed;

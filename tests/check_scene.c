@@ -40,7 +40,7 @@ static void build_ours(scene_kind kind, int number, unsigned long long seed)
     if (kind == SCENE_ROOM) what.bodies = number;
     else                    what.cloth = number;
     what.seed = seed;
-    build(kind, what, scene_world_options(kind));
+    build(kind, what, scene_world_options(kind, what.cloth));
 }
 
 static const body *body_of(int b)
@@ -73,7 +73,7 @@ enum { MODELS = 2 };
 
 static world_options room_options(int model)
 {
-    return model ? world_options_vertices() : scene_world_options(SCENE_ROOM);
+    return model ? world_options_vertices() : scene_world_options(SCENE_ROOM, 0);
 }
 
 static void build_room(int bodies, unsigned long long seed, int model)
@@ -261,7 +261,7 @@ START_TEST(pile_that_is_awake_lies_still)
 {
     const real still = 1e-9;        // J; it has 1e-12
     scene_options what = scene_options_default();
-    world_options how = scene_world_options(SCENE_ROOM);
+    world_options how = scene_world_options(SCENE_ROOM, 0);
     what.bodies = 40;
     how.resting = 0;
     build(SCENE_ROOM, what, how);
@@ -339,7 +339,7 @@ static unsigned long long hash_after(scene_kind kind, int number,
     what.bodies = what.cloth = number;
     what.seed = seed;
     build(kind, what, is_paper ? world_options_paper()
-                               : scene_world_options(kind));
+                               : scene_world_options(kind, what.cloth));
     for (int f = 0; f < 30; f++) world_step(&s.world);
     unsigned long long hash = world_hash(&s.world);
     scene_free(&s);
@@ -614,7 +614,7 @@ START_TEST(bad_options_are_refused_with_a_sentence)
         is_refused(SCENE_CLOTH_ON_ROPE, what, world_options_paper(), "cloth");
     }
     for (int kind = 0; kind < SCENES; kind++) {
-        world_options how = scene_world_options((scene_kind)kind);
+        world_options how = scene_world_options((scene_kind)kind, 20);
         how.dt = (real)NAN;
         is_refused((scene_kind)kind, scene_options_default(), how, "dt");
     }
@@ -668,7 +668,7 @@ START_TEST(every_refusal_of_memory_is_told_and_leaves_nothing)
     for (int kind = 0; kind < SCENES; kind++) {
         scene_options what = scene_options_default();
         what.bodies = what.cloth = 4;
-        world_options how = scene_world_options((scene_kind)kind);
+        world_options how = scene_world_options((scene_kind)kind, 20);
         int n = 0, ok = 0;
         for (; n < 2000 && !ok; n++) {
             long before = blocks_held;

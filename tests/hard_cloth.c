@@ -323,7 +323,7 @@ static findings run_scene(hard_report *r, scene_kind kind, int n, effort e)
         scene s;
         scene_options what = scene_options_default();
         what.cloth = n;
-        status ok = scene_build(&s, kind, what, scene_world_options(kind));
+        status ok = scene_build(&s, kind, what, scene_world_options(kind, what.cloth));
         if (!hard_ok(r, ok)) return f;
         perturb(&s.world, 1, 100 + (unsigned long long)k);
         real half = kind == SCENE_CLOTH_ON_CUBE ? s.size / 2 : 0;
@@ -352,7 +352,7 @@ static void build_fold(setting *s, fold_kind kind, int n)
         where.x = vec3_make(0, 1, 0);
         where.y = vec3_make(-1, 0, 0);
     }
-    lay_table(s, scene_world_options(SCENE_CLOTH_ON_CUBE), sides, n, where);
+    lay_table(s, scene_world_options(SCENE_CLOTH_ON_CUBE, 40), sides, n, where);
     if (s->ok.ok && kind != FOLD_UPRIGHT)
         fold(&s->w, 1.5 * off_table(&s->w) + (kind == FOLD_LETTER ? 0 : 0.1),
              1.5 * apart(&s->w));
@@ -413,7 +413,7 @@ static void check_counting(hard_report *r, int n, int frames)
     scene_options what = scene_options_default();
     scene_kind kind = SCENE_CLOTH_ON_CUBE;
     what.cloth = n;
-    if (!hard_ok(r, scene_build(&s, kind, what, scene_world_options(kind))))
+    if (!hard_ok(r, scene_build(&s, kind, what, scene_world_options(kind, what.cloth))))
         return;
     s.world.near_capacity = 0;
     for (int k = 0; k < frames; k++) world_step(&s.world);
@@ -491,7 +491,7 @@ typedef struct {
 // One that lies on the table, or floats; in the axes' directions, or turned.
 static void build_flat(setting *s, int n, int lies, int is_turned)
 {
-    world_options o = scene_world_options(SCENE_CLOTH_ON_CUBE);
+    world_options o = scene_world_options(SCENE_CLOTH_ON_CUBE, 40);
     placement where = placement_at(vec3_make(0, 1, 0));
     o.resting = 0;
     if (is_turned) {

@@ -120,7 +120,7 @@ static void throw_all(world *w, real speed, unsigned long long seed)
 
 static void run_room(hard_report *r, room what, watched *o)
 {
-    world_options how = scene_world_options(SCENE_ROOM);
+    world_options how = scene_world_options(SCENE_ROOM, 0);
     scene_options of = scene_options_default();
     scene s;
     how.resting = what.resting;

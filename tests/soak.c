@@ -211,7 +211,7 @@ static void one_step(soak *k, long steps)
 
 static int start(soak *k)
 {
-    world_options how = scene_world_options(SCENE_ROOM);
+    world_options how = scene_world_options(SCENE_ROOM, 0);
     scene_options what = scene_options_default();
     *k = (soak){ .seed = 1 };
     what.bodies = BODIES;

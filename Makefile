@@ -348,7 +348,7 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	@echo "  cc    $<"
 	$(Q)$(COMPILE) -Ilib -Itests -Ifigures $(CPPFLAGS) -MMD -MP -c $< -o $@
--include $(wildcard $(BUILD)/*/*.d)
+-include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 
 # Changes when the compiler or its flags do, and then everything is rebuilt.
 $(BUILD)/flags: FORCE

@@ -156,6 +156,19 @@ static int contacts(void)
     return w.contacts + w.pushes;
 }
 
+// Did the two push each other in this frame?
+static int pushes(int a, int b)
+{
+    int sum = 0;
+    for (int k = 0; k < w.contacts; k++)
+        sum += w.between[k][0] == a && w.between[k][1] == b
+            && w.contact[k].pushed > 0;
+    for (int k = 0; k < w.pushes; k++)
+        sum += w.pushed[k][0] == a && w.pushed[k][1] == b
+            && w.push[k].pushed[NORMAL] > 0;
+    return sum > 0;
+}
+
 static void near_real(real got, real wanted, real error)
 {
     ck_assert_msg(fabs(got - wanted) <= error, "got %.17g, wanted %.17g",
@@ -856,7 +869,11 @@ START_TEST(bodies_that_push_each_other_are_one_island)
     int a = add_at(&box, 0, 0.52, 0), b = add_at(&box, 0, 1.56, 0);
     int c = add_at(&box, _i ? -1.5 : -1.02, 0.52, 0);
     ready();
-    for (int f = 0; f < 600; f++) frame();
+    // A stack of vertices does not stand for ever, and what lies on another
+    // does not push it in every frame.
+    int frames = _i ? 120 : 600;
+    for (int f = 0; f < frames || (f < frames + 60 && !pushes(a, b)); f++)
+        frame();
     // (Every frame looks a little beyond the skins.)
     if (_i == 0) ck_assert_int_ge(contacts(), 16);
     char still[4] = { 1, 1, 1, 1 };

@@ -14,8 +14,8 @@ set multiplot
 set bmargin 3.6
 set tmargin 3
 set logscale xy 10
-set xrange [0.25:0.75]
-set xtics (0.3, 0.4, 0.5, 0.6, 0.7)
+set xrange [0.09:0.7]
+set xtics (0.1, 0.2, 0.3, 0.4, 0.5)
 set xlabel "ms a step" textcolor rgb "#404040"
 
 # Nothing at all is drawn at the bottom.
@@ -28,10 +28,10 @@ none = 0.01
 shown(x) = x > none ? x : none
 set yrange [0.008:150]
 set ytics ("none" none, "0.1 %%" 0.1, "1 %%" 1, "10 %%" 10, "100 %%" 100)
-set label 1 "the paper’s way" at 0.3,60 textcolor rgb paper
-set label 2 "vertices,\nby substeps" at 0.47,1.6 textcolor rgb vertices
-set label 3 "four,\nby passes" at 0.262,0.04 textcolor rgb passes font bold
-set label 4 "four,\nby substeps" at 0.262,0.45 textcolor rgb steps
+set label 1 "the paper’s way" at 0.3,50 textcolor rgb paper
+set label 2 "vertices,\nby substeps" at 0.46,2 textcolor rgb vertices
+set label 3 "four,\nby passes" at 0.093,0.04 textcolor rgb passes font bold
+set label 4 "four,\nby substeps" at 0.13,7 textcolor rgb steps
 plot csv index 0 using 2:(shown($3)) with points pt 9 ps 2.2 lc rgb paper, \
      csv index 1 using 2:(shown($3)) with linespoints pt 6 ps 1.3 lc rgb vertices lw 1.6, \
      csv index 1 using 2:(shown($3)):1 every ::2 with labels font small textcolor rgb vertices offset 1.4,0.5, \
@@ -46,10 +46,10 @@ set title "Joules left after six seconds" offset 0,-0.3
 set yrange [3e-14:30]
 set format y "10^{%T}"
 set ytics ("10^{-12}" 1e-12, "10^{-9}" 1e-9, "10^{-6}" 1e-6, "0.001" 1e-3, "1" 1)
-set label 1 "the paper’s way" at 0.3,1.5 textcolor rgb paper
-set label 2 "vertices" at 0.5,0.3 textcolor rgb vertices
-set label 3 "four,\nby passes" at 0.45,2e-8 textcolor rgb passes font bold
-set label 4 "four,\nby substeps" at 0.375,1e-11 right textcolor rgb steps
+set label 1 "the paper’s way" at 0.1,1.5 textcolor rgb paper
+set label 2 "vertices" at 0.4,0.4 textcolor rgb vertices
+set label 3 "four,\nby passes" at 0.2,1e-10 textcolor rgb passes font bold
+set label 4 "four,\nby substeps" at 0.13,1e-6 textcolor rgb steps
 plot csv index 0 using 2:4 with points pt 9 ps 2.2 lc rgb paper, \
      csv index 1 using 2:4 with linespoints pt 6 ps 1.3 lc rgb vertices lw 1.6, \
      csv index 3 using 2:4 with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \

@@ -391,7 +391,7 @@ void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w)
 
 //> four-rows
 void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
-               real row[3][WAYS])
+               real row[3][FOUR_WAYS])
 {
     for (int i = 0; i < 3; i++) {
         row[i][0] = w->along * d[i].x;
@@ -406,7 +406,7 @@ void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
     }
 }
 
-void four_move(const four_ways *w, const real along[WAYS], vec3 move[FOUR])
+void four_move(const four_ways *w, const real along[FOUR_WAYS], vec3 move[FOUR])
 {
     vec3 all = vec3_scale(w->along,
                           vec3_make(along[0], along[1], along[2]));

@@ -38,7 +38,7 @@ typedef struct four {
 // How four particles can move while their sticks hold: all alike along x, y
 // and z, and in three turns.  Every way is as long as 1 m kg^(1/2) (the sum of
 // mass times move squared is 1), and perpendicular to the others.
-enum { TURNS = 3, WAYS = 3 + TURNS };
+enum { TURNS = 3, FOUR_WAYS = 3 + TURNS };
 
 typedef struct {
     real along;             // m, how far all four go along an axis
@@ -72,10 +72,11 @@ void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w);
 // How far the point with these shares goes along each of three directions d
 // when the body goes 1 m kg^(1/2) along each way.
 void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
-               real row[3][WAYS]);
+               real row[3][FOUR_WAYS]);
 
 // Where the particles go, when the body goes so far along each way: move, m.
-void four_move(const four_ways *w, const real along[WAYS], vec3 move[FOUR]);
+void four_move(const four_ways *w, const real along[FOUR_WAYS],
+               vec3 move[FOUR]);
 
 // Do the particles stand as in a mirror?  (No stick can tell.)
 int four_is_mirrored(const four *f, const particle *p);

@@ -46,7 +46,7 @@ void push_directions(push *c, vec3 n)
     c->along[ASIDE] = vec3_cross(n, c->along[ACROSS]);
 }
 
-static inline real row_dot(const real row[WAYS], const real way[WAYS])
+static inline real row_dot(const real row[FOUR_WAYS], const real way[FOUR_WAYS])
 {
     return row[0] * way[0] + row[2] * way[2] + row[4] * way[4]
         + (row[1] * way[1] + row[3] * way[3] + row[5] * way[5]);
@@ -118,10 +118,10 @@ static inline real parted(const push *c, int d, const real *a, const real *b)
     return c->b.count > 0 ? part + row_dot(c->row[1][d], b) : part;
 }
 
-static inline void go(real way[WAYS], real (*const row)[WAYS],
+static inline void go(real way[FOUR_WAYS], real (*const row)[FOUR_WAYS],
                       const real l[DIRECTIONS])
 {
-    for (int k = 0; k < WAYS; k++)
+    for (int k = 0; k < FOUR_WAYS; k++)
         way[k] += l[NORMAL] * row[NORMAL][k] + l[ACROSS] * row[ACROSS][k]
                 + l[ASIDE] * row[ASIDE][k];
 }

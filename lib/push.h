@@ -40,9 +40,9 @@ enum { NORMAL, ACROSS, ASIDE, DIRECTIONS };
 // each push does to each gap symmetric, and the passes over them converge.
 typedef struct push {
     // What passes look at.
-    real row[2][DIRECTIONS][WAYS];  // kg^(-1/2), how far the points part along
-                            // each direction as A, or B, goes along each way;
-                            // and how far a unit push moves the body along it
+    real row[2][DIRECTIONS][FOUR_WAYS]; // kg^(-1/2), how far the points part
+                            // along each direction as A, or B, goes along each
+                            // way; and how far a unit push moves the body so
     vec3 undo[DIRECTIONS];  // kg, which pushes part the points along each
     real weight[DIRECTIONS];// 1/kg, how far a unit push parts the points
     real skew[DIRECTIONS];  // 1/kg, how far one along the normal moves them
@@ -120,8 +120,8 @@ int push_blow(push *c, int n, particle *p, push_options options, real slowest);
 // Many contacts at once.  While they are solved no particle moves: a body is
 // where it is, and so far pushed along each of its ways.
 typedef struct {
-    real pushed[WAYS];      // m kg^(1/2), in this substep
-    real mended[WAYS];      // and without making speed
+    real pushed[FOUR_WAYS];      // m kg^(1/2), in this substep
+    real mended[FOUR_WAYS];      // and without making speed
     real stirred;           // m, by how much its contacts have been parted
 } push_drift;
 

@@ -378,12 +378,12 @@ static real ways_answer(const vec3 at[FOUR], real inverse_mass,
                         const real share[FOUR], vec3 d, vec3 answer[FOUR])
 {
     four_ways w;
-    real rows[3][WAYS], along = 0;
+    real rows[3][FOUR_WAYS], along = 0;
     four_find_ways(at, inverse_mass, &w);
     four_rows(&w, share, (const vec3[3]){ d, d, d }, rows);
     const real *row = rows[0];
     four_move(&w, row, answer);
-    for (int k = 0; k < WAYS; k++) along += row[k] * row[k];
+    for (int k = 0; k < FOUR_WAYS; k++) along += row[k] * row[k];
     return along;
 }
 

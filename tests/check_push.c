@@ -553,13 +553,13 @@ START_TEST(answers_are_made_for_where_the_contacts_were_found)
             ck_assert(again.skew[d] == c.skew[d]);
         }
         four_ways w;
-        real rows[DIRECTIONS][WAYS], sum = 0;
+        real rows[DIRECTIONS][FOUR_WAYS], sum = 0;
         for (int k = 0; k < 2; k++) {
             const push_side *side = k ? &c.b : &c.a;
             four_find_ways(found + side->first, 1 / plan.mass, &w);
             four_rows(&w, side->share, c.along, rows);
             const real *row = rows[NORMAL];
-            for (int i = 0; i < WAYS; i++) sum += row[i] * row[i];
+            for (int i = 0; i < FOUR_WAYS; i++) sum += row[i] * row[i];
         }
         is_near(c.weight[NORMAL], sum, ROUNDING);
         // Made once: a contact is that of its frame.

@@ -297,10 +297,28 @@ static void depth_cold(int block)
         out[OURS][i] = depth_of(&before[i], NULL);
 }
 
+static hit_memory remembered[BLOCK];
+
+// Untimed: what the hit face leaves behind.
+static void remember(int block)
+{
+    for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++) {
+        remembered[k].faces = 0;
+        if (depth_of(&before[i], NULL).depth > 0)
+            hit_face_remember(scratch, &remembered[k]);
+    }
+}
+
 static void depth_carried(int block)
 {
-    for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++)
-        out[OURS_CARRIED][i] = depth_of(&after[i], &carried[k]);
+    for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++) {
+        hit_result h;
+        point_set a = points_of(&after[i].a), b = points_of(&after[i].b);
+        out[OURS_CARRIED][i] = hit_face_again(a, b, &remembered[k],
+                                              scratch, &h)
+            ? (exit_found){ h.depth, vec3_scale(-1, h.normal) }
+            : depth_of(&after[i], NULL);
+    }
 }
 
 static void depth_gjk(int block)
@@ -373,7 +391,7 @@ static void add_cold(const char *what, const char *against, const real *ns,
 
 static void measure_overlapping(void)
 {
-    const way ways[DEPTHS] = { { NULL, depth_cold }, { carry, depth_carried },
+    const way ways[DEPTHS] = { { NULL, depth_cold }, { remember, depth_carried },
                                { NULL, depth_gjk }, { NULL, depth_mpr } };
     judged j[DEPTHS] = { { 0 } };
     real ns[DEPTHS];

@@ -771,6 +771,27 @@ START_TEST(who_lies_where_he_lay_keeps_his_contacts)
 }
 END_TEST
 
+// Two boxes lie still, and one of them is moved: the contacts of the other
+// would stay, but there is no room.  Rejects: a write past the end.
+START_TEST(contacts_that_stay_without_room_are_counted)
+{
+    begin(world_options_default());
+    w.options.resting = 0;
+    add_at(&box, 0, 0.505, 0);
+    add_at(&box, 5, 0.505, 0);
+    ck_assert(world_add_plane(&w, UP, 0).ok);
+    ready();
+    for (int f = 0; f < 120; f++) frame();
+    for (int i = 0; i < FOUR; i++)
+        w.pool.at[w.body[0].first + i].position.x += 0.01;
+    w.push_capacity = 6;
+    find();
+    ck_assert(w.fresh[0] && !w.fresh[1]);
+    ck_assert_int_eq(w.pushes, 4);
+    ck_assert_int_eq(w.report.dropped, 4);
+}
+END_TEST
+
 // Rejects: a gap, or a push, that is that of another frame.
 START_TEST(pile_stands_alike_whether_contacts_stay_or_not)
 {
@@ -960,6 +981,7 @@ int main(void)
         push_has_the_points_of_its_contact,
         new_contacts_begin_with_what_the_old_ones_pushed,
         who_lies_where_he_lay_keeps_his_contacts,
+        contacts_that_stay_without_room_are_counted,
         pile_stands_alike_whether_contacts_stay_or_not,
         memory_goes_to_the_point_that_it_is_of,
         every_memory_is_handed_over_once,

@@ -856,6 +856,8 @@ START_TEST(memory_carries_a_stack)
         world_options o = world_options_default();
         o.memory = memory;
         o.resting = 0;
+        // Contacts that stay let it lean by up to 1.2 skins.
+        o.stay = 0;
         again(o);
         for (int k = 0; k < BOXES; k++) add_at(&box, 0, 0.51 + 1.01 * k, 0);
         add_floor();
@@ -870,7 +872,7 @@ START_TEST(memory_carries_a_stack)
     ck_assert_msg(sunk[1] < skin && sunk[1] > -skin, "sunk by %g m", sunk[1]);
     ck_assert_msg(sunk[0] > 20 * skin, "%g m without", sunk[0]);
     vec3 top = middle(BOXES - 1);
-    ck_assert_msg(hypot(top.x, top.z) < 2 * skin, "it leans by (%g, %g)", top.x,
+    ck_assert_msg(hypot(top.x, top.z) < skin, "it leans by (%g, %g)", top.x,
                   top.z);
 }
 END_TEST

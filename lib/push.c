@@ -173,10 +173,15 @@ static inline void wear(push *c, const real apart[DIRECTIONS],
 //<
 
 //> push-mend
+static inline void limit_mending(push *c, push_options options, real h)
+{
+    c->most = c->before + options.mend_speed * h;
+}
+
 void push_limit(push *c, const particle *p, push_options options, real h)
 {
     look(c, p);
-    c->most = c->before + options.mend_speed * h;
+    limit_mending(c, options, h);
 }
 
 // What is mended of an overlap.  One that goes by itself, for the points part,
@@ -478,7 +483,7 @@ void pile_begin(push_pile *s, const particle *p, push_options options, real h)
     for (int k = 0; k < s->pushes; k++) {
         push *c = &s->push[k];
         if (!is_near(c, p)) continue;
-        c->most = c->before + options.mend_speed * h;
+        limit_mending(c, options, h);
         overlaps |= c->before < -options.slop * c->thickness;
         for (int d = 0; d < DIRECTIONS; d++)
             c->from[d] = c->last[d] = c->pushed[d];

@@ -181,7 +181,7 @@ static void push_apart(world *w, point_pair pair, const contact *c)
     push_options how = { .friction = w->options.response.friction,
                          .mend = 1, .mend_speed = HUGE_VAL };
     push x = rigid_push(w, c, pair.soft, pair.rigid);
-    x.most = HUGE_VAL;
+    push_limit(&x, w->pool.at, how, 1);
     push_mend(&x, w->pool.at, how);
     push_solve(&x, w->pool.at, how);
 }

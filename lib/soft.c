@@ -1,6 +1,6 @@
 //> soft-stale
-#include "rigid.h"
 #include "soft.h"
+#include "contacts.h"
 
 static int body_is_still(const world *w, int b)
 {
@@ -180,7 +180,7 @@ static void push_apart(world *w, point_pair pair, const contact *c)
 {
     push_options how = { .friction = w->options.response.friction,
                          .mend = 1, .mend_speed = HUGE_VAL };
-    push x = rigid_push(w, c, pair.soft, pair.rigid);
+    push x = contacts_push(w, c, pair.soft, pair.rigid);
     push_limit(&x, w->pool.at, how, 1);
     push_mend(&x, w->pool.at, how);
     push_solve(&x, w->pool.at, how);

@@ -1,8 +1,10 @@
 //> step-time
 #include "step.h"
 #include "ledger.h"
-#include "rigid.h"
+#include "narrow.h"
+#include "pairs.h"
 #include "soft.h"
+#include "solver.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -194,7 +196,7 @@ static void join_soft(world *w)
             if (b == a || body_is_nailed(x)) continue;
             sphere other = sphere_tree_root(&x->tree, w->of.at + x->corner);
             if (!spheres_meet(ball, other, 2 * w->list_margin)) continue;
-            rigid_wake(w, a, b);
+            pairs_wake(w, a, b);
             rest_touch(&w->rest, a, b);
         }
     }
@@ -235,13 +237,13 @@ static int choose_substeps(world *w)
 {
     int n = w->options.substeps;
     for (int k = 0; k < w->bodies; k++)
-        if (body_is_soft(&w->body[k])) rigid_look_ahead(w, &w->body[k]);
+        if (body_is_soft(&w->body[k])) pairs_look_ahead(w, &w->body[k]);
     for (int k = 0; k < w->bodies; k++)
         if (body_is_soft(&w->body[k]))
             n = larger(n, substeps_for_soft(w, &w->body[k]));
     for (int k = 0; k < w->pairs; k++) {
         const body *a = &w->body[w->pair[k].a], *b = &w->body[w->pair[k].b];
-        if (rigid_flies_into(w, a, b))
+        if (pairs_fly_into(w, a, b))
             n = larger(n, larger(substeps_for(w, a, 1),
                                  substeps_for(w, b, 1)));
     }
@@ -252,7 +254,7 @@ static int choose_substeps(world *w)
 //> step-substep
 static void separate(world *w, real h)
 {
-    rigid_separate(w, h);
+    solver_separate(w, h);
     if (w->softs == 0) return;
     if (w->options.leaves == LEAVES_FACE) soft_separate_leaves(w);
     else                                  soft_separate(w);
@@ -260,17 +262,17 @@ static void separate(world *w, real h)
 
 static void find(world *w, real *since)
 {
-    rigid_find_pairs(w);
+    pairs_find(w);
     lap(w, STAGE_PAIRS, since);
     if (w->options.look_ahead) w->report.substeps = choose_substeps(w);
-    rigid_find_contacts(w);
+    narrow_find(w);
     lap(w, STAGE_QUERY, since);
 }
 
 static void substep(world *w, int k, real h, real *since)
 {
     const world_options *o = &w->options;
-    if (k > 0) rigid_find_again(w, k);
+    if (k > 0) narrow_find_again(w, k);
     lap(w, STAGE_QUERY, since);
     integrate(w, h);
     ledger_book(w, LEDGER_INTEGRATE);
@@ -287,7 +289,7 @@ static void substep(world *w, int k, real h, real *since)
     relax(w);
     ledger_book(w, LEDGER_STICKS);
     if (w->softs > 0 && o->leaves == LEAVES_VERTEX) soft_hold(w);
-    if (o->blows) rigid_bounce(w, h);
+    if (o->blows) solver_bounce(w, h);
     ledger_book(w, LEDGER_CONTACTS);
     lap(w, STAGE_RELAX, since);
 }
@@ -306,7 +308,7 @@ void world_step(world *w)
     if (o->look_ahead) find(w, &since);
     real h = o->dt / w->report.substeps;
     for (int k = 0; k < w->report.substeps; k++) substep(w, k, h, &since);
-    rigid_remember(w);
+    solver_remember(w);
     if (o->resting) rest(w);
     ledger_book(w, LEDGER_REST);
     w->time += o->dt;

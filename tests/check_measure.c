@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "measure.h"
+#include "stage.h"
 #include "step.h"
 
 // Sums over a few dozen particles, each rounded; of numbers near 1.
@@ -12,28 +13,7 @@
 // Velocities are differences of positions near 1 over h = 1/480 s.
 #define SPEED_ROUNDING 1e-12
 
-static world w;
 static shape cube, cloth, ball, stick_;
-
-static void begin(world_options o)
-{
-    ck_assert(world_init(&w, o).ok);
-}
-
-// What is said of rigid bodies is tested twice: with four particles a body, and
-// with one at every vertex.
-enum { MODELS = 2 };
-
-static world_options ours(int model)
-{
-    return model ? world_options_vertices() : world_options_default();
-}
-
-static void again(world_options o)
-{
-    world_free(&w);
-    begin(o);
-}
 
 static void set_up(void)
 {
@@ -53,18 +33,6 @@ static void tear_down(void)
     shape_free(&stick_);
 }
 
-static int add(const shape *s, placement where)
-{
-    int number;
-    ck_assert(world_add(&w, s, where, &number).ok);
-    return number;
-}
-
-static int add_at(const shape *s, real x, real y, real z)
-{
-    return add(s, placement_at(vec3_make(x, y, z)));
-}
-
 static placement nailed_at(real x, real y, real z)
 {
     placement p = placement_at(vec3_make(x, y, z));
@@ -72,35 +40,12 @@ static placement nailed_at(real x, real y, real z)
     return p;
 }
 
-static void ready(void)
-{
-    ck_assert(world_begin(&w).ok);
-}
-
-static particle *particle_of(int b, int i)
-{
-    return &w.pool.at[w.body[b].first + i];
-}
-
-static void near_real(real got, real wanted, real error)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "got %.17g, wanted %.17g",
-                  got, wanted);
-}
-
-static void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
-}
-
 // --- strain ------------------------------------------------------------------
 
 // Rejects: a strain, or a penetration, that is there from the start.
 START_TEST(world_as_planned_has_nothing_to_report)
 {
-    again(ours(_i));
+    begin(ours(_i));
     add_at(&cube, 0, 0, 0);
     add_at(&cloth, 0, 5, 0);
     add_at(&stick_, 0, 9, 0);
@@ -135,7 +80,7 @@ END_TEST
 // bodies instead of sticks.
 START_TEST(strain_is_the_largest_and_rms_the_mean_over_all_sticks)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int a = add_at(&stick_, 0, 0, 0), b = add_at(&stick_, 0, 3, 0);
     add_at(&cube, 0, 9, 0);
     ready();
@@ -184,7 +129,7 @@ END_TEST
 // Rejects: the plan's sticks taken for those of the four particles.
 START_TEST(strain_of_a_body_is_that_of_its_own_sticks)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int b = add_at(&cube, 0, 0, 0);
     ready();
     for (int i = 0; i < body_particles(&w.body[b]); i++) {
@@ -201,7 +146,7 @@ END_TEST
 // Rejects: the strain of what nobody can mend.
 START_TEST(nailed_bodies_have_no_strain)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int b = add(&cube, nailed_at(0, 0, 0));
     ready();
     particle_of(b, 3)->position.x += 0.1;
@@ -217,7 +162,7 @@ END_TEST
 START_TEST(cubes_that_overlap_by_a_tenth_are_a_tenth_deep)
 {
     for (int k = 0; k < 4; k++) {
-        again(ours(_i));
+        begin(ours(_i));
         vec3 at = vec3_make(4, 3, 2), by = vec3_make(0.3, 0.9, -0.2);
         placement a = placement_at(at);
         a.nailed = k == 1;
@@ -240,7 +185,7 @@ END_TEST
 // Rejects: a pair that can do nothing about it.
 START_TEST(two_nailed_bodies_may_overlap)
 {
-    again(ours(_i));
+    begin(ours(_i));
     add(&cube, nailed_at(0, 0, 0));
     add(&cube, nailed_at(0.5, 0, 0));
     ready();
@@ -251,7 +196,7 @@ END_TEST
 // Rejects: planes that only rigid bodies meet; a depth along y.
 START_TEST(penetration_of_a_plane_is_that_of_the_deepest_particle)
 {
-    again(ours(_i));
+    begin(ours(_i));
     add_at(&cube, 0, 0, 0);
     int b = add_at(&stick_, 0, 5, 0);
     add(&ball, nailed_at(-9, -9, 0));
@@ -269,7 +214,7 @@ END_TEST
 START_TEST(cloth_particle_in_a_cube_is_as_deep_as_its_way_out)
 {
     for (int k = 0; k < 4; k++) {
-        again(ours(_i));
+        begin(ours(_i));
         placement stand = placement_at(vec3_make(1, 2, 3));
         stand.nailed = k & 1;
         int c = 0, s = 1;
@@ -296,7 +241,7 @@ END_TEST
 // velocity over a frame.
 START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
 {
-    again(ours(_i));
+    begin(ours(_i));
     const vec3 at = { 1, 2, 3 }, v0 = { 4, -5, 6 }, spin = { 0.5, 1, -2 };
     placement p = placement_at(at);
     p.velocity = v0;
@@ -337,7 +282,7 @@ START_TEST(spinning_ball_has_the_energy_of_the_solid)
     p.spin = vec3_make(1, -2, 2);
     world_options o = world_options_default();
     o.gravity = vec3_make(0, 0, 0);
-    again(o);
+    begin(o);
     add(&ball, p);
     ready();
     real phi2 = (3 + sqrt(5.0)) / 2, edge2 = 4 * 0.25 / (1 + phi2);
@@ -354,7 +299,7 @@ START_TEST(flight_without_gravity_keeps_momentum_and_energy)
 {
     world_options o = ours(_i);
     o.gravity = vec3_make(0, 0, 0);
-    again(o);
+    begin(o);
     placement p = placement_at(vec3_make(0, 0, 0));
     p.velocity = vec3_make(3, 2, 1);
     p.spin = vec3_make(1, 2, -1);
@@ -375,7 +320,7 @@ END_TEST
 // measure; a nailed particle that has a weight.
 START_TEST(potential_counts_what_can_fall)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int a = add_at(&cube, 0, 2, 0);
     int b = add_at(&stick_, 0, 5, 0);
     add(&cube, nailed_at(7, 7, 7));
@@ -393,7 +338,7 @@ END_TEST
 START_TEST(what_is_not_finite_is_shown)
 {
     for (int i = 0; i < (_i ? 8 : FOUR); i++) {
-        again(ours(_i));
+        begin(ours(_i));
         int b = add_at(&cube, 0, 1, 0);
         add_at(&ball, 0, 5, 0);
         ck_assert(world_add_plane(&w, vec3_make(0, 1, 0), 0).ok);
@@ -416,7 +361,7 @@ START_TEST(measuring_changes_no_bit_of_the_motion)
 {
     unsigned long long hash[2];
     for (int k = 0; k < 2; k++) {
-        again(ours(_i));
+        begin(ours(_i));
         add(&cube, nailed_at(0, 0, 0));
         add_at(&ball, 0.2, 1.1, 0.1);
         add_at(&cube, 0.3, 2.2, -0.1);

@@ -1197,7 +1197,7 @@ static void make_column(push *c, int n)
 }
 
 // Pairs of passes until no gap changes by more than a millionth of the way that
-// the column was pressed, with the momentum that lib/rigid.c gives, or without.
+// the column was pressed, with the momentum of lib/solver.c, or without.
 static int pairs_of_passes(push *c, int n, int with_momentum)
 {
     real pace = 1;

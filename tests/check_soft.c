@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "soft.h"
+#include "stage.h"
 
 // Two particles that are parted stand where a square root and a division put
 // them.
@@ -16,28 +17,7 @@
 
 enum { SIDE = 10, MOST = 700 };
 
-static world w;
 static shape cloth, rope, link_, box;
-
-static void begin(world_options o)
-{
-    ck_assert(world_init(&w, o).ok);
-}
-
-// What meets rigid bodies is tested twice: with four particles a body, and with
-// one at every vertex.
-enum { MODELS = 2 };
-
-static world_options ours(int model)
-{
-    return model ? world_options_vertices() : world_options_default();
-}
-
-static void again(world_options o)
-{
-    world_free(&w);
-    begin(o);
-}
 
 static void set_up(void)
 {
@@ -57,50 +37,9 @@ static void tear_down(void)
     shape_free(&box);
 }
 
-static int add(const shape *s, placement where)
-{
-    int number;
-    status done = world_add(&w, s, where, &number);
-    ck_assert_msg(done.ok, "%s", done.why);
-    return number;
-}
-
-static int add_at(const shape *s, real x, real y, real z)
-{
-    return add(s, placement_at(vec3_make(x, y, z)));
-}
-
-static void ready(void)
-{
-    ck_assert(world_begin(&w).ok);
-}
-
-static particle *particle_of(int b, int i)
-{
-    return &w.pool.at[w.body[b].first + i];
-}
-
-// Where vertex i of the box b is: a particle, or carried by four.
-static vec3 corner_of(int b, int i)
-{
-    vec3 at[8];
-    ck_assert_int_eq(w.body[b].plan->particles, 8);
-    world_vertices(&w, &w.body[b], at);
-    return at[i];
-}
-
 static void put(particle *p, vec3 x)
 {
     p->position = p->previous = x;
-}
-
-// Numbers in [-1, 1) from a linear congruence; the same on every machine.
-static unsigned long long seed = 3;
-
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
 }
 
 // --- the slow oracle ---------------------------------------------------------
@@ -336,7 +275,7 @@ START_TEST(lists_hold_what_all_pairs_within_the_margin_hold)
 {
     const real size[] = { 0.6, 0.8, 1.2, 2 };
     for (int k = 0; k < 12; k++) {
-        again(ours(_i));
+        begin(ours(_i));
         make_heap(size[k % 4]);
         soft_refresh(&w);
         ck_assert_int_eq(w.report.dropped, 0);
@@ -451,7 +390,7 @@ START_TEST(nothing_is_missed_while_a_cloth_falls)
 {
     world_options o = ours(_i);
     o.substeps = 20;
-    again(o);
+    begin(o);
     placement nailed = placement_at(vec3_make(0, 0, 0));
     nailed.nailed = 1;
     add(&box, nailed);
@@ -531,7 +470,7 @@ START_TEST(particle_leaves_a_nailed_box_by_its_thickness)
           { 0.25 + 0.6 * thick, 0, 0.25 + 0.8 * thick } },
     };
     for (int k = 0; k < 3; k++) {
-        again(ours(_i));
+        begin(ours(_i));
         placement nailed = placement_at(vec3_make(0, 0, 0));
         nailed.nailed = 1;
         int b = add(&box, nailed), r = add_at(&rope, 0, 3, 0);
@@ -546,7 +485,7 @@ START_TEST(particle_leaves_a_nailed_box_by_its_thickness)
                       "case %d: (%g, %g, %g)", k, x.x, x.y, x.z);
         ck_assert_int_eq(w.report.touching, 1);
         for (int i = 0; i < 8; i++)
-            ck_assert(vec3_distance(corner_of(b, i), box.at[i]) <= ROUNDING);
+            ck_assert(vec3_distance(vertex_of(b, i), box.at[i]) <= ROUNDING);
     }
 }
 END_TEST
@@ -559,7 +498,7 @@ START_TEST(nailed_box_pushes_as_its_contacts_do)
     for (int k = 0; k < 400; k++) {
         world_options o = ours(_i);
         o.response.friction = k % 3 * 0.4;
-        again(o);
+        begin(o);
         placement where = placement_at(vec3_make(0, 0, 0));
         where.nailed = 1;
         int b;
@@ -603,7 +542,7 @@ END_TEST
 START_TEST(pushes_between_cloth_and_movable_box_keep_momentum)
 {
     for (int k = 0; k < 50; k++) {
-        again(ours(_i));
+        begin(ours(_i));
         add_at(&box, 0, 0, 0);
         int s = add_at(&cloth, 0.3 * any(), 0.25, 0.3 * any());
         ready();
@@ -635,7 +574,7 @@ END_TEST
 // Rejects: the planes of a movable box as they stood in an earlier substep.
 START_TEST(particle_meets_a_movable_box_where_it_is_now)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, 3, 0);
     ready();
     real thick = w.body[r].thickness + w.body[b].thickness;
@@ -661,7 +600,7 @@ START_TEST(box_of_four_particles_gives_way_as_a_solid)
         world_options o = world_options_default();
         o.gravity = vec3_make(0, 0, 0);
         o.response.friction = 0;
-        again(o);
+        begin(o);
         int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, -3, 0);
         ready();
         real thick = w.body[r].thickness + w.body[b].thickness;

@@ -7,6 +7,7 @@
 
 #include "ledger.h"
 #include "scarce.h"
+#include "stage.h"
 #include "step.h"
 
 // A second is 480 sums of positions near 10; each one's rounding goes on as a
@@ -22,22 +23,7 @@
 
 // --- a world -----------------------------------------------------------------
 
-static const vec3 NOTHING = { 0, 0, 0 }, UP = { 0, 1, 0 };
-
-static world w;
 static shape box, low, ball, cloth, rope;
-
-static void begin(world_options o)
-{
-    status done = world_init(&w, o);
-    ck_assert_msg(done.ok, "%s", done.why);
-}
-
-static void again(world_options o)
-{
-    world_free(&w);
-    begin(o);
-}
 
 static void set_up(void)
 {
@@ -59,65 +45,11 @@ static void tear_down(void)
     shape_free(&rope);
 }
 
-static int add(const shape *s, placement where)
-{
-    int number;
-    status done = world_add(&w, s, where, &number);
-    ck_assert_msg(done.ok, "%s", done.why);
-    return number;
-}
-
-static int add_at(const shape *s, real x, real y, real z)
-{
-    return add(s, placement_at(vec3_make(x, y, z)));
-}
-
-static int add_thrown(const shape *s, vec3 at, vec3 velocity, vec3 spin)
-{
-    placement p = placement_at(at);
-    p.velocity = velocity;
-    p.spin = spin;
-    return add(s, p);
-}
-
-static int add_nailed(const shape *s, real x, real y, real z)
-{
-    placement p = placement_at(vec3_make(x, y, z));
-    p.nailed = 1;
-    return add(s, p);
-}
-
-static void add_floor(void)
-{
-    ck_assert(world_add_plane(&w, UP, 0).ok);
-}
-
-static void ready(void)
-{
-    ck_assert(world_begin(&w).ok);
-}
-
-static particle *particle_of(int b, int i)
-{
-    return &w.pool.at[w.body[b].first + i];
-}
-
-enum { MOST_VERTICES = 100 };
-
-// Where vertex i of body b is: a particle, or carried by four.
-static vec3 vertex_of(int b, int i)
-{
-    static vec3 at[MOST_VERTICES];
-    ck_assert_int_le(w.body[b].plan->particles, MOST_VERTICES);
-    world_vertices(&w, &w.body[b], at);
-    return at[i];
-}
-
 // The centre of mass: the particles of a body are equally heavy.
 static vec3 middle(int b)
 {
     int n = body_particles(&w.body[b]);
-    vec3 sum = NOTHING;
+    vec3 sum = ZERO;
     for (int i = 0; i < n; i++)
         sum = vec3_add(sum, particle_of(b, i)->position);
     return vec3_scale(1.0 / n, sum);
@@ -153,26 +85,17 @@ static int sleeps(int bodies, int most)
     return 0;
 }
 
-// The tests of what any rigid body promises are run twice: with four particles
-// a body, and with one at every vertex.
-enum { MODELS = 2 };
-
-static world_options ours(int model)
-{
-    return model ? world_options_vertices() : world_options_default();
-}
-
 static world_options without_gravity(int model)
 {
     world_options o = ours(model);
-    o.gravity = NOTHING;
+    o.gravity = ZERO;
     return o;
 }
 
 // The chapter's measures stand to the right of the step: here are their own.
 static vec3 momentum(void)
 {
-    vec3 sum = NOTHING;
+    vec3 sum = ZERO;
     for (int i = 0; i < w.pool.count; i++) {
         const particle *p = &w.pool.at[i];
         if (p->inverse_mass == 0) continue;
@@ -231,12 +154,12 @@ START_TEST(free_fall_is_a_parabola)
                                   world_options_paper() };
     const vec3 v = { 1, 4, -2 };
     for (int k = 0; k < 3; k++) {
-        again(way[k]);
+        begin(way[k]);
         const shape *s[] = { &box, &ball, &cloth, &rope };
         vec3 from[4];
         for (int b = 0; b < 4; b++) {
             from[b] = vec3_make(5 * b, 3, 0);
-            add_thrown(s[b], from[b], v, NOTHING);
+            add_thrown(s[b], from[b], v, ZERO);
         }
         ready();
         for (int f = 1; f <= 60; f++) {
@@ -263,7 +186,7 @@ END_TEST
 // Rejects: a body that is stepped although it is nailed, in any way at all.
 START_TEST(nailed_bodies_keep_every_bit)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int b = add_nailed(&low, 1, 2, 3);
     add_at(&ball, 1, 3, 3);
     add_at(&cloth, 1, 4, 3);
@@ -284,7 +207,7 @@ END_TEST
 // Two bodies without gravity, the second thrown at the first: their momentum.
 static void keeps_momentum(const shape *a, const shape *b, world_options o)
 {
-    again(o);
+    begin(o);
     add_at(a, 0, 0, 0);
     add_thrown(b, vec3_make(0.2, 2.1, 0.1), vec3_make(0.3, -6, -0.4),
                vec3_make(1, -2, 3));
@@ -326,11 +249,11 @@ START_TEST(blow_goes_through_a_row_in_one_frame)
 {
     const real speeds[] = { 2, 10, 20 };
     for (int k = 0; k < 3; k++) {
-        again(without_gravity(_i));
+        begin(without_gravity(_i));
         for (int b = 0; b < 4; b++)
             add_at(&box, 1.05 * b, 0.01 * b, 0.02 * b);
         add_thrown(&box, vec3_make(-1.05 - speeds[k] / 90, 0, 0),
-                   vec3_make(speeds[k], 0, 0), NOTHING);
+                   vec3_make(speeds[k], 0, 0), ZERO);
         ready();
         real deepest = 0;
         for (int f = 0; f < 40; f++) {
@@ -351,7 +274,7 @@ static real bounce_of(int model, real restitution)
 {
     world_options o = ours(model);
     o.response.restitution = restitution;
-    again(o);
+    begin(o);
     add_at(&box, 0, 1.5, 0);
     add_floor();
     ready();
@@ -396,7 +319,7 @@ START_TEST(bounce_of_four_particles_is_exact_in_any_substeps)
         world_options o = world_options_default();
         o.substeps = 1 << k / 2;
         o.response.restitution = k % 2 ? 1 : 0.5;
-        again(o);
+        begin(o);
         add_at(&box, 0, 1.5, 0);
         add_floor();
         ready();
@@ -418,9 +341,9 @@ static real parting_speed(int model, real restitution, int blows)
     o.response.restitution = restitution;
     o.blows = blows;
     o.passes = 20;
-    again(o);
-    add_thrown(&box, vec3_make(-1, 0, 0), vec3_make(2.5, 0, 0), NOTHING);
-    add_thrown(&box, vec3_make(1, 0, 0), vec3_make(-2.5, 0, 0), NOTHING);
+    begin(o);
+    add_thrown(&box, vec3_make(-1, 0, 0), vec3_make(2.5, 0, 0), ZERO);
+    add_thrown(&box, vec3_make(1, 0, 0), vec3_make(-2.5, 0, 0), ZERO);
     ready();
     frames(60);
     real a = middle(0).x, b = middle(1).x;
@@ -452,12 +375,12 @@ static void cradle(int row, int side)
 {
     world_options o = without_gravity(0);
     o.response.restitution = 1;
-    again(o);
+    begin(o);
     real apart = 1.001 + 2 * o.skin * box.radius;
     for (int b = 0; b < row; b++)
         add_at(&box, (b - (row - 1) / 2.0) * apart, 0, 0);
     add_thrown(&box, vec3_make(side * (row + 3) / 2.0 * apart, 0, 0),
-               vec3_make(-side * 5, 0, 0), NOTHING);
+               vec3_make(-side * 5, 0, 0), ZERO);
     ready();
     vec3 was[MOST];
     for (int f = 0; f < 60; f++) {
@@ -496,7 +419,7 @@ START_TEST(bouncing_box_may_stand)
     world_options o = world_options_default();
     o.response.restitution = 1;
     o.resting = 0;
-    again(o);
+    begin(o);
     add_at(&box, 0, 0.5 + 0.005 * box.radius, 0);
     add_floor();
     ready();
@@ -527,7 +450,7 @@ START_TEST(box_that_falls_flat_stays_flat)
     for (int k = 0; k < 8; k++) {
         world_options o = ours(_i);
         o.response.restitution = k % 2;
-        again(o);
+        begin(o);
         add_at(&low, 0, 1 + 0.013 * k, 0);
         add_floor();
         ready();
@@ -558,7 +481,7 @@ START_TEST(body_lands_on_a_nailed_one_wherever_it_stands)
     for (int k = 0; k < 9; k++) {
         vec3 x = at[k % 3];
         real height = from[k / 3];
-        again(ours(_i));
+        begin(ours(_i));
         add_nailed(&low, x.x, x.y, x.z);
         add_at(&box, x.x, x.y + 0.25 + 0.5 + height, x.z);
         ready();
@@ -576,7 +499,7 @@ END_TEST
 // by a bit, or costs a single look at a stick.
 START_TEST(dropped_box_comes_to_rest_and_sleeps_for_nothing)
 {
-    again(ours(_i));
+    begin(ours(_i));
     placement p = placement_at(vec3_make(0, 1.4, 0));
     p.x = vec3_make(0.6, 0, 0.8);
     p.y = vec3_make(-0.48, 0.8, 0.36);
@@ -618,7 +541,7 @@ START_TEST(nobody_sleeps_where_resting_is_off)
 {
     world_options o = ours(_i);
     o.resting = 0;
-    again(o);
+    begin(o);
     add_at(&box, 0, 0.5, 0);
     add_floor();
     ready();
@@ -632,7 +555,7 @@ END_TEST
 // its part of the blow; waking that reaches a box far away.
 START_TEST(second_box_thrown_at_a_sleeper_wakes_it)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int first = add_at(&box, 0, 0.51, 0), far = add_at(&box, 9, 0.51, 0);
     int shot = add_at(&box, 0, 500, 0);
     add_floor();
@@ -660,13 +583,13 @@ END_TEST
 // for its last restless body's neighbours.
 START_TEST(calm_neighbour_lets_a_sleeper_sleep)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int first = add_at(&box, 0, 0.51, 0), other = add_at(&box, 0, 500, 0);
     add_floor();
     ready();
     ck_assert(sleeps(1, 400));
     vec3 at = vec3_add(middle(first), vec3_make(1.01, 0, 0));
-    bring(other, at, NOTHING);
+    bring(other, at, ZERO);
     for (int f = 0; f < 20; f++) {
         w.rest.calm[other] = 0.1;
         frames(1);
@@ -681,7 +604,7 @@ START_TEST(bodies_at_rest_keep_their_skins_apart)
     world_options o = ours(_i);
     o.skin = 0.02;
     o.response.gain = 1;
-    again(o);
+    begin(o);
     add_nailed(&low, 0, -0.25, 0);
     add_at(&box, 0.1, 0.6, 0.05);
     ready();
@@ -700,7 +623,7 @@ START_TEST(sleepers_on_a_sleeper_wake_with_it)
     for (int k = 0; k < 4; k++) {
         world_options o = ours(_i);
         o.response.gain = 1 + k % 2;
-        again(o);
+        begin(o);
         int base = add_at(&low, 0, 0.26, 0);
         int upper = add_at(&box, 0.04 * k, 1.03, 0.02 * k);
         int shot = add_at(&box, 0, 500, 0);
@@ -715,7 +638,7 @@ START_TEST(sleepers_on_a_sleeper_wake_with_it)
         for (int f = 0; f < 60 && w.rest.asleep[base]; f++) frames(1);
         ck_assert(!w.rest.asleep[base]);
         ck_assert(!w.rest.asleep[upper]);
-        bring(base, vec3_make(50, 0.5, 0), NOTHING);
+        bring(base, vec3_make(50, 0.5, 0), ZERO);
         frames(60);
         ck_assert_msg(middle(upper).y < 0.8, "it hangs in the air at %g",
                       middle(upper).y);
@@ -728,7 +651,7 @@ END_TEST
 // is taken away.
 START_TEST(deformable_sleepers_wake_too)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int r = add_at(&rope, 0, 0.1, 0), c = add_at(&cloth, 0, 9000, 0);
     add_nailed(&box, -0.6, -0.5, 0);
     add_nailed(&box, 0.6, -0.5, 0);
@@ -757,7 +680,7 @@ static int island_of(int b)
 // goes on hanging when it wakes.
 START_TEST(cloth_is_of_the_island_of_what_it_lies_on)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int b = add_at(&box, 0, 0.52, 0), c = add_at(&cloth, 0, 1.1, 0);
     int far = add_at(&box, 9, 0.52, 0), nailed = add_nailed(&box, 0, 1.8, 0);
     add_floor();
@@ -772,7 +695,7 @@ END_TEST
 // Rejects: planes that cloth and rope do not meet, or without their thickness.
 START_TEST(everything_stays_above_a_plane)
 {
-    again(ours(_i));
+    begin(ours(_i));
     add_floor();
     const shape *s[] = { &box, &ball, &cloth, &rope };
     for (int b = 0; b < 4; b++) {
@@ -806,7 +729,7 @@ END_TEST
 // frames, and in *speed how fast it goes then.
 static real sunken(world_options o, real deep, int n, real *speed)
 {
-    again(o);
+    begin(o);
     add_at(&low, 0, 0.25 - deep, 0);
     add_floor();
     ready();
@@ -858,7 +781,7 @@ START_TEST(memory_carries_a_stack)
         o.resting = 0;
         // Contacts that stay let it lean by up to 1.2 skins.
         o.stay = 0;
-        again(o);
+        begin(o);
         for (int k = 0; k < BOXES; k++) add_at(&box, 0, 0.51 + 1.01 * k, 0);
         add_floor();
         ready();
@@ -884,7 +807,7 @@ START_TEST(stack_that_is_awake_lies_still)
     enum { BOXES = 10 };
     world_options o = world_options_default();
     o.resting = 0;
-    again(o);
+    begin(o);
     real skin = o.skin * box.radius;
     for (int k = 0; k < BOXES; k++)
         add_at(&box, 0, 0.5 + skin + k * (1 + 2 * skin), 0);
@@ -916,7 +839,7 @@ START_TEST(sorted_pairs_are_all_pairs)
     for (int k = 0; k < 2; k++) {
         world_options o = ours(_i);
         o.pairs = k ? PAIRS_SORTED : PAIRS_ALL;
-        again(o);
+        begin(o);
         for (int b = 0; b < 12; b++)
             add_thrown(b % 2 ? &ball : &box,
                        vec3_make(1.2 * (b % 3), 1 + 1.2 * (b / 3), 0.1 * b),
@@ -941,14 +864,14 @@ static real pressed(int passes, real content)
     o.passes = passes;
     o.content = content;
     o.memory = o.resting = 0;
-    again(o);
+    begin(o);
     add_at(&box, 0, 0.51, 0);
     add_at(&heavy, 0, 1.53, 0);
     add_floor();
     ready();
     frames(60);
     real deep = 1.5 - middle(1).y;
-    again(o);
+    begin(o);
     shape_free(&heavy);
     return deep;
 }
@@ -975,8 +898,8 @@ START_TEST(sweeps_straighten_what_turns_violently)
     for (int k = 0; k < 2; k++) {
         world_options o = without_gravity(0);
         o.sweeps = k ? 8 : 1;
-        again(o);
-        add_thrown(&low, NOTHING, NOTHING, vec3_make(20, 30, 90));
+        begin(o);
+        add_thrown(&low, ZERO, ZERO, vec3_make(20, 30, 90));
         ready();
         for (int f = 0; f < 60; f++) {
             frames(1);
@@ -1002,7 +925,7 @@ START_TEST(every_option_carries_a_box)
         o.memory = k >> 2 & 1;
         o.resting = k >> 3 & 1;
         o.relax.gradient = k >> 4 & 1 ? GRADIENT_NEW : GRADIENT_OLD;
-        again(o);
+        begin(o);
         add_nailed(&low, 0, -0.25, 0);
         add_at(&box, 0, 0.7, 0);
         ready();
@@ -1023,7 +946,7 @@ static real total_energy(void)
 // Do all accounts together say what has changed since `was`?
 static void books_balance(ledger_entry was, real error)
 {
-    ledger_entry now = ledger_total(&w), sum = { 0, NOTHING, NOTHING };
+    ledger_entry now = ledger_total(&w), sum = { 0, ZERO, ZERO };
     for (int k = 0; k < LEDGERS; k++) {
         sum.energy += w.ledger[k].energy;
         sum.momentum = vec3_add(sum.momentum, w.ledger[k].momentum);
@@ -1048,7 +971,7 @@ START_TEST(books_balance_whatever_happens)
     for (int k = 0; k < 6; k++) {
         world_options o = way[k % 3];
         o.ledger = 1;
-        again(o);
+        begin(o);
         if (k < 3) {
             for (int b = 0; b < 10; b++)
                 add_thrown(b % 2 ? &ball : &box,
@@ -1093,7 +1016,7 @@ START_TEST(ledger_changes_no_bit)
     for (int k = 0; k < 2; k++) {
         world_options o = ours(_i);
         o.ledger = k;
-        again(o);
+        begin(o);
         add_nailed(&low, 0, 0.25, 0);
         add_at(&box, 0.1, 1.2, 0);
         add_at(&ball, 0.3, 2.4, 0.1);
@@ -1122,8 +1045,8 @@ START_TEST(friction_takes_what_a_sliding_block_loses)
     o.skin = 0;
     // (Friction does not grow with the gain: with 3 it would be a third.)
     o.response.gain = 1;
-    again(o);
-    add_thrown(&low, vec3_make(0, 0.25, 0), vec3_make(3, 0, 0), NOTHING);
+    begin(o);
+    add_thrown(&low, vec3_make(0, 0.25, 0), vec3_make(3, 0, 0), ZERO);
     add_floor();
     ready();
     real from = middle(0).x, had = total_energy();
@@ -1151,7 +1074,7 @@ START_TEST(elastic_bounce_costs_nothing)
     o.ledger = 1;
     o.response.restitution = 1;
     o.response.friction = 0;
-    again(o);
+    begin(o);
     add_at(&box, 0, 1.5, 0);
     add_floor();
     ready();
@@ -1173,7 +1096,7 @@ START_TEST(rest_takes_what_was_left)
 {
     world_options o = ours(_i);
     o.ledger = 1;
-    again(o);
+    begin(o);
     add_at(&box, 0, 0.7, 0);
     add_floor();
     ready();
@@ -1195,7 +1118,7 @@ END_TEST
 // Rejects: lists that are too short for a heap, or for a single face on a face.
 START_TEST(nothing_finds_no_room)
 {
-    again(ours(_i));
+    begin(ours(_i));
     for (int k = 0; k < 30; k++)
         add_at(k % 2 ? &ball : &box, 1.3 * (k % 3), 1 + 1.1 * (k / 3),
                0.4 * (k % 2));
@@ -1209,7 +1132,7 @@ START_TEST(nothing_finds_no_room)
     ck_assert_int_gt(w.report.pairs, 20);
 
     for (int k = 0; k < 5; k++) {
-        again(ours(_i));
+        begin(ours(_i));
         add_nailed(&low, 0, -0.25, 0);
         add_at(&box, 0.03 * k, 0.52, 0.02 * k);
         ready();
@@ -1229,7 +1152,7 @@ START_TEST(step_allocates_nothing)
     way[3].order = ORDER_WORK_LIST;
     way[0].ledger = 1;
     for (int k = 0; k < 4; k++) {
-        again(way[k]);
+        begin(way[k]);
         add_nailed(&low, 0, 0.25, 0);
         add_at(&box, 0, 1.2, 0);
         add_at(&ball, 0.3, 2.4, 0.1);
@@ -1258,7 +1181,7 @@ START_TEST(stages_add_up_to_the_frame)
 {
     world_options o = world_options_default();
     o.clock = tick;
-    again(o);
+    begin(o);
     add_at(&box, 0, 0.6, 0);
     add_at(&cloth, 0, 1.2, 0);
     add_floor();
@@ -1274,7 +1197,7 @@ START_TEST(stages_add_up_to_the_frame)
         // The first look at the clock starts it.
         ck_assert(sum == ticks - 100 - 1);
     }
-    again(world_options_default());
+    begin(world_options_default());
     add_at(&box, 0, 0.6, 0);
     ready();
     frames(1);
@@ -1286,7 +1209,7 @@ END_TEST
 // loop over it.
 START_TEST(lost_number_stays_in_its_body)
 {
-    again(ours(_i));
+    begin(ours(_i));
     int bad = add_at(&ball, 0, 5, 0), good = add_at(&ball, 3, 0.6, 0);
     int sheet = add_at(&cloth, -4, 1, 0);
     add_floor();
@@ -1312,7 +1235,7 @@ START_TEST(same_world_takes_the_same_steps)
     for (int k = 0; k < 3; k++) {
         static particle first[MOST];
         for (int run = 0; run < 2; run++) {
-            again(way[k]);
+            begin(way[k]);
             void *litter = malloc(1000 + 5000 * (size_t)run);
             add_nailed(&low, 0, 0.25, 0);
             add_at(&box, 0.1, 1.2, 0);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "scarce.h"
+#include "stage.h"
 #include "world.h"
 
 // A position is a sum of four products, its previous one of two more.
@@ -13,7 +14,6 @@
 
 // --- a world and its shapes --------------------------------------------------
 
-static world w;
 static shape box, ball, cloth, rope;
 
 static void set_up(void)
@@ -25,21 +25,6 @@ static void set_up(void)
     ck_assert(world_init(&w, world_options_default()).ok);
 }
 
-// The tests of what any body promises are run twice: with four particles a
-// rigid body, and with one at every vertex.
-enum { MODELS = 2 };
-
-static world_options ours(int model)
-{
-    return model ? world_options_vertices() : world_options_default();
-}
-
-static void again(world_options o)
-{
-    world_free(&w);
-    ck_assert(world_init(&w, o).ok);
-}
-
 static void tear_down(void)
 {
     world_free(&w);
@@ -47,30 +32,6 @@ static void tear_down(void)
     shape_free(&ball);
     shape_free(&cloth);
     shape_free(&rope);
-}
-
-static void add(const shape *s, placement where)
-{
-    status done = world_add(&w, s, where, NULL);
-    ck_assert_msg(done.ok, "%s", done.why);
-}
-
-static void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
-}
-
-enum { MOST = 100 };
-
-// Where vertex i of body b is: a particle, or carried by four.
-static vec3 vertex_of(int b, int i)
-{
-    static vec3 at[MOST];
-    ck_assert_int_le(w.body[b].plan->particles, MOST);
-    world_vertices(&w, &w.body[b], at);
-    return at[i];
 }
 
 // A third of a turn about (1, 1, 1), then some: no axis is its own.
@@ -261,7 +222,7 @@ END_TEST
 START_TEST(vertices_stand_where_the_axes_say)
 {
     placement p = slanted();
-    again(ours(_i));
+    begin(ours(_i));
     add(&ball, placement_at(vec3_make(0, 0, 0)));
     add(&box, p);
     const body *b = &w.body[1];
@@ -283,7 +244,7 @@ START_TEST(particles_start_with_velocity_and_spin)
     placement p = slanted();
     p.velocity = vec3_make(1, 2, 3);
     p.spin = vec3_make(0, 0, 4);
-    again(ours(_i));
+    begin(ours(_i));
     add(&box, p);
     real h = w.options.dt / w.options.substeps;
     for (int i = 0; i < body_particles(&w.body[0]); i++) {
@@ -316,7 +277,7 @@ START_TEST(lopsided_body_spins_about_the_centre_of_its_solid)
                                                    vec3_scale(4, p.z)));
     world_options o = world_options_default();
     o.gravity = vec3_make(0, 0, 0);
-    again(o);
+    begin(o);
     add(&pyramid, p);
     real h = o.dt / o.substeps;
     vec3 sum = { 0, 0, 0 }, center = { 0, 0, 0 }, turning = { 0, 0, 0 };
@@ -349,7 +310,7 @@ END_TEST
 // Rejects: a total mass on every particle; inverse masses not inverted.
 START_TEST(masses_are_those_of_the_plan)
 {
-    again(ours(_i));
+    begin(ours(_i));
     add(&box, placement_at(vec3_make(0, 0, 0)));
     add(&cloth, placement_at(vec3_make(0, 5, 0)));
     ck_assert(fabs(w.body[0].mass - 6) <= ROUNDING * 6);
@@ -374,7 +335,7 @@ START_TEST(nailed_body_is_immovable_and_at_rest)
     p.velocity = vec3_make(9, 9, 9);
     p.spin = vec3_make(9, 9, 9);
     p.nailed = 1;
-    again(ours(_i));
+    begin(ours(_i));
     add(&box, p);
     ck_assert(w.body[0].mass == HUGE_VAL && body_is_nailed(&w.body[0]));
     for (int i = 0; i < body_particles(&w.body[0]); i++) {
@@ -390,7 +351,7 @@ START_TEST(nail_holds_one_particle_of_its_body)
 {
     placement p = placement_at(vec3_make(0, 1, 0));
     p.velocity = vec3_make(0, 0, 1);
-    again(ours(_i));
+    begin(ours(_i));
     add(&ball, p);
     add(&rope, p);
     world_nail(&w, 1, 2);
@@ -479,7 +440,7 @@ END_TEST
 START_TEST(many_bodies_share_their_plans)
 {
     enum { MANY = 100 };
-    again(ours(_i));
+    begin(ours(_i));
     for (int k = 0; k < MANY; k++) {
         int number = -1;
         const shape *s = k % 3 ? &ball : &box;
@@ -559,7 +520,7 @@ START_TEST(world_begins_with_everything_in_its_place)
 {
     placement nailed = slanted();
     nailed.nailed = 1;
-    again(ours(_i));
+    begin(ours(_i));
     add(&box, nailed);
     add(&ball, placement_at(vec3_make(0, 9, 0)));
     add(&cloth, placement_at(vec3_make(8, 9, 0)));
@@ -619,7 +580,7 @@ END_TEST
 // looked for among the particles of another body.
 START_TEST(look_copies_where_one_body_is)
 {
-    again(ours(_i));
+    begin(ours(_i));
     add(&box, placement_at(vec3_make(0, 0, 0)));
     add(&ball, placement_at(vec3_make(0, 5, 0)));
     add(&box, placement_at(vec3_make(0, 9, 0)));
@@ -643,7 +604,7 @@ END_TEST
 // range of another body.
 START_TEST(vertices_ride_on_the_particles)
 {
-    again(ours(_i));
+    begin(ours(_i));
     add(&ball, placement_at(vec3_make(0, 0, 0)));
     add(&box, placement_at(vec3_make(0, 5, 0)));
     add(&rope, placement_at(vec3_make(0, 9, 0)));

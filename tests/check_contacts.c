@@ -1,0 +1,228 @@
+// check_contacts.c - what of contacts is written down, and kept?  Chapter 12.
+
+#include <check.h>
+#include <stdlib.h>
+
+#include "contacts.h"
+#include "stage.h"
+
+// A few products of numbers near 1.
+#define ROUNDING 1e-13
+
+static shape box, slab, ball, rope;
+
+static void set_up(void)
+{
+    ck_assert(shape_box(&box, vec3_make(1, 1, 1), 1).ok);
+    ck_assert(shape_box(&slab, vec3_make(4, 0.5, 4), 8).ok);
+    ck_assert(shape_icosahedron(&ball, 0.5, 2).ok);
+    ck_assert(shape_rope(&rope, 5, 1, 1).ok);
+}
+
+static void tear_down(void)
+{
+    world_free(&w);
+    shape_free(&box);
+    shape_free(&slab);
+    shape_free(&ball);
+    shape_free(&rope);
+}
+
+static feature_point any_feature(int count, int vertices)
+{
+    feature_point f = { .count = count };
+    real sum = 0;
+    for (int v = 0; v < count; v++) {
+        f.vertex[v] = (int)((any() + 1) / 2 * (vertices / count))
+                    + v * (vertices / count);
+        f.weight[v] = 0.1 + (any() + 1) / 2;
+        sum += f.weight[v];
+    }
+    for (int v = 0; v < count; v++) f.weight[v] /= sum;
+    return f;
+}
+
+static vec3 feature_of(int b, const feature_point *f)
+{
+    vec3 at[MOST_VERTICES], sum = ZERO;
+    world_vertices(&w, &w.body[b], at);
+    for (int v = 0; v < f->count; v++)
+        sum = vec3_add_scaled(sum, f->weight[v], at[f->vertex[v]]);
+    return sum;
+}
+
+// Rejects: weights of one vertex where there are three; those of the other
+// body; the plan's place instead of the body's.
+START_TEST(push_has_the_points_of_its_contact)
+{
+    begin(world_options_default());
+    int a = add(&ball, anywhere(3, 5, 5)), b = add(&box, anywhere(3, 5, 5));
+    placement still = anywhere(3, 0, 0);
+    still.nailed = 1;
+    int c = add(&ball, still), r = add_at(&rope, 0, 9, 0);
+    ready();
+    for (int n = 0; n < 200; n++) {
+        int rigid = n % 2 ? b : c;
+        contact x = { .normal = any_unit(), .thickness = 0.1 + any() / 20,
+                      .fixed = any_vec3() };
+        x.a = any_feature(1 + n % 3, 12);
+        x.b = any_feature(1 + n / 3 % 3, n % 2 ? 8 : 12);
+        push p = contacts_push(&w, &x, a, rigid);
+        near_vec3(point_of(&p.a), feature_of(a, &x.a), ROUNDING * 10);
+        near_vec3(point_of(&p.b), feature_of(rigid, &x.b), ROUNDING * 10);
+        near_vec3(p.along[NORMAL], x.normal, 0);
+        ck_assert(p.thickness == x.thickness && p.a.ways == &w.ways[a]);
+        for (int d = 0; d < DIRECTIONS; d++) ck_assert(p.pushed[d] == 0);
+        ck_assert(!p.ready && p.worn == 0);
+        // A plane is nobody: its point is fixed.
+        x.b.count = 0;
+        p = contacts_push(&w, &x, a, -1);
+        ck_assert_int_eq(p.b.count, 0);
+        near_vec3(p.fixed, x.fixed, 0);
+        // A deformable body touches with one particle, numbered in the pool.
+        x.a = (feature_point){ 1, { w.body[r].first + n % 6 }, { 1 } };
+        p = contacts_push(&w, &x, r, a);
+        ck_assert(p.a.count == 1 && p.a.ways == NULL && p.a.share[0] == 1);
+        ck_assert_int_eq(p.a.first, w.body[r].first + n % 6);
+    }
+}
+END_TEST
+
+// Rejects: a speed that is the same for a grain and a house; the longest stick.
+START_TEST(blow_is_a_third_of_a_small_fall)
+{
+    begin(ours(_i));
+    int a = add_at(&box, 0, 0, 0), b = add_at(&slab, 0, 9, 0);
+    near_real(contacts_blow_speed(&w, &w.body[a]), sqrt(2 * 9.81) / 3,
+              ROUNDING);
+    near_real(contacts_blow_speed(&w, &w.body[b]), sqrt(9.81) / 3, ROUNDING);
+    w.options.gravity = ZERO;
+    ck_assert(contacts_blow_speed(&w, &w.body[a]) == 0);
+}
+END_TEST
+
+// A box on a nailed slab, above a plane; nothing is asked where they touch.
+static void stand(world_options o)
+{
+    begin(o);
+    add_nailed(&slab, 0, -0.25, 0);
+    add_at(&box, 0, 0.5, 0);
+    add_floor();
+    ready();
+    w.report = (step_report){ .substeps = o.substeps };
+    for (int b = 0; b < 2; b++)
+        if (w.body[b].four) world_find_ways(&w, &w.body[b]);
+}
+
+// Two contacts between corners of the slab and of the box.
+static const contact FOUND[2] = {
+    { .a = { 1, { 0 }, { 1 } }, .b = { 1, { 0 }, { 1 } }, .normal.y = 1 },
+    { .a = { 1, { 1 }, { 1 } }, .b = { 1, { 1 }, { 1 } }, .normal.y = 1 },
+};
+
+// Rejects: an immovable body that is A; a plane that is a body; a contact that
+// is lost without a word, or written past the end.
+START_TEST(contacts_are_written_down_with_the_immovable_as_b)
+{
+    int old[2] = { 0, 0 };
+    stand(ours(_i));
+    contacts_keep(&w, FOUND, 2, 0, 1, old);
+    contacts_keep(&w, FOUND, 1, 1, w.bodies, old);
+    ck_assert_int_eq(w.contacts + w.pushes, 3);
+    for (int k = 0; k < 3; k++) {
+        if (_i) {
+            ck_assert_int_eq(w.between[k][0], 1);
+            ck_assert_int_eq(w.between[k][1], k < 2 ? 0 : -1);
+            continue;
+        }
+        ck_assert_int_eq(w.pushed[k][0], k < 2 ? 0 : 1);
+        ck_assert_int_eq(w.pushed[k][1], k < 2 ? 1 : w.bodies);
+        ck_assert_int_eq(w.push[k].a.body, 1);
+        ck_assert_int_eq(w.push[k].b.body, k < 2 ? 0 : -1);
+    }
+    w.contact_capacity = w.push_capacity = 4;
+    contacts_keep(&w, FOUND, 2, 0, 1, old);
+    ck_assert_int_eq(w.contacts + w.pushes, 4);
+    ck_assert_int_eq(w.report.dropped, 1);
+}
+END_TEST
+
+// Rejects: contacts that stay where one of two moved, or the nearer the farther
+// they look; that have no margin at all.
+START_TEST(contacts_may_stay_until_their_slack_is_used_up)
+{
+    stand(world_options_default());
+    real slack = contacts_slack(&w, 0, 1), alone = contacts_slack(&w, 1, 2);
+    real stay = w.options.stay;
+    near_real(slack, 2 * stay * (slab.radius + box.radius), ROUNDING);
+    near_real(alone, 2 * stay * box.radius, ROUNDING);
+    push_run run = { 0, 2, 1 };
+    w.fresh[0] = w.fresh[1] = 0;
+    ck_assert(contacts_may_stay(&w, &run, 0, 1, 1 - 1.01 * slack));
+    ck_assert(!contacts_may_stay(&w, &run, 0, 1, 1 - 0.99 * slack));
+    ck_assert(contacts_may_stay(&w, &run, 1, 2, 1 - 1.01 * alone));
+    for (int b = 0; b < 2; b++) {
+        w.fresh[b] = 1;
+        ck_assert(!contacts_may_stay(&w, &run, 0, 1, 0));
+        w.fresh[b] = 0;
+    }
+    run.margin = 0;
+    ck_assert(!contacts_may_stay(&w, &run, 0, 1, -1));
+}
+END_TEST
+
+// Rejects: a push in metres of another substep; one that is kept where nothing
+// is to be remembered; a run that still points into the old list.
+START_TEST(contacts_that_stay_push_on_as_hard)
+{
+    for (int memory = 0; memory < 2; memory++) {
+        int old[2] = { 0, 0 };
+        world_options o = world_options_default();
+        o.memory = memory;
+        stand(o);
+        contacts_keep(&w, FOUND, 2, 0, 1, old);
+        for (int k = 0; k < 2; k++) {
+            w.old_push[5 + k] = w.push[k];
+            w.old_push[5 + k].pushed[NORMAL] = k + 1;
+            w.old_pushed[5 + k][0] = 0;
+            w.old_pushed[5 + k][1] = 1;
+        }
+        push_run run = { 5, 2, 1 };
+        w.age = 2 * o.dt / o.substeps;
+        contacts_stay(&w, &run, 0, 1);
+        ck_assert(run.first == 2 && run.count == 2 && w.pushes == 4);
+        for (int k = 0; k < 2; k++) {
+            near_real(w.push[2 + k].pushed[NORMAL], memory * (k + 1) / 4.0,
+                      ROUNDING);
+            near_vec3(point_of(&w.push[2 + k].a), point_of(&w.push[k].a), 0);
+            ck_assert(w.pushed[2 + k][0] == 0 && w.pushed[2 + k][1] == 1);
+        }
+    }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const once[] = {
+        push_has_the_points_of_its_contact,
+        contacts_may_stay_until_their_slack_is_used_up,
+        contacts_that_stay_push_on_as_hard,
+    };
+    const TTest *const both[] = {
+        blow_is_a_third_of_a_small_fall,
+        contacts_are_written_down_with_the_immovable_as_b,
+    };
+    Suite *s = suite_create("contacts");
+    TCase *t = tcase_create("contacts");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
+        tcase_add_test(t, once[i]);
+    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
+        tcase_add_loop_test(t, both[i], 0, MODELS);
+    suite_add_tcase(s, t);
+    SRunner *runner = srunner_create(s);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -1,0 +1,316 @@
+// check_narrow.c - where do rigid bodies touch?  Book: chapter 9.
+
+#include <check.h>
+#include <stdlib.h>
+
+#include "narrow.h"
+#include "pairs.h"
+#include "stage.h"
+
+// A few products of numbers near 1.
+#define ROUNDING 1e-13
+
+static shape box, slab, ball;
+
+static void set_up(void)
+{
+    ck_assert(shape_box(&box, vec3_make(1, 1, 1), 1).ok);
+    ck_assert(shape_box(&slab, vec3_make(4, 0.5, 4), 8).ok);
+    ck_assert(shape_icosahedron(&ball, 0.5, 2).ok);
+}
+
+static void tear_down(void)
+{
+    world_free(&w);
+    shape_free(&box);
+    shape_free(&slab);
+    shape_free(&ball);
+}
+
+// As the step begins a frame.
+static void find(void)
+{
+    w.report = (step_report){ .substeps = w.options.substeps };
+    rest_begin(&w.rest);
+    pairs_find(&w);
+    narrow_find(&w);
+}
+
+// Contacts of either kind.
+static int contacts(void)
+{
+    return w.contacts + w.pushes;
+}
+
+// Rejects: an immovable body that is A; contacts that keep no skin, or one skin
+// of two; a normal into the body.
+START_TEST(box_on_a_slab_touches_with_its_corners)
+{
+    for (int order = 0; order < 2; order++) {
+        begin(ours(_i));
+        int s = -1;
+        if (!order) s = add_nailed(&slab, 0, 0, 0);
+        int b = add_at(&box, 0.2, 0.76, 0.1);
+        if (order) s = add_nailed(&slab, 0, 0, 0);
+        ready();
+        find();
+        ck_assert_int_eq(contacts(), 4);
+        real skins = w.body[s].thickness + w.body[b].thickness;
+        for (int k = 0; k < 4; k++) {
+            if (_i) {
+                ck_assert(w.between[k][0] == b && w.between[k][1] == s);
+                near_vec3(w.contact[k].normal, UP, ROUNDING);
+                ck_assert(w.contact[k].thickness == skins);
+                near_real(contact_gap(&w.contact[k], w.pool.at), 0.01 - skins,
+                          ROUNDING);
+            } else {
+                const push *c = &w.push[k];
+                near_vec3(c->along[NORMAL], UP, ROUNDING);
+                ck_assert(c->thickness == skins);
+                ck_assert_int_eq(c->a.first, w.body[b].first);
+                vec3 on_b = c->b.count > 0 ? point_of(&c->b) : c->fixed;
+                near_vec3(vec3_sub(point_of(&c->a), on_b),
+                          vec3_make(0, 0.01, 0), ROUNDING * 10);
+            }
+        }
+    }
+}
+END_TEST
+
+// Rejects: planes that are met by particles that are no vertices; a corner that
+// will touch before the frame ends, left out; one far away, kept.
+START_TEST(corners_near_a_plane_are_contacts)
+{
+    begin(ours(_i));
+    placement p = placement_at(vec3_make(0, 0.75, 0));
+    p.velocity = vec3_make(0, -20, 0);
+    add(&box, p);
+    add_at(&box, 5, 2, 0);
+    ck_assert(world_add_plane(&w, UP, 0).ok);
+    ready();
+    find();
+    // 0.25 m high, it falls by a third of a metre in a frame.
+    ck_assert_int_eq(contacts(), 4);
+    for (int k = 0; k < 4; k++) {
+        if (_i) {
+            ck_assert(w.between[k][0] == 0 && w.between[k][1] == -1);
+            continue;
+        }
+        ck_assert(w.pushed[k][0] == 0 && w.pushed[k][1] == w.bodies);
+        near_real(point_of(&w.push[k].a).y, 0.25, ROUNDING);
+        ck_assert_int_eq(w.push[k].b.count, 0);
+    }
+}
+END_TEST
+
+// Rejects: a write past the end; contacts that are lost without a word.
+START_TEST(contacts_without_room_are_counted)
+{
+    world_options o = ours(_i);
+    o.stay = 0;
+    begin(o);
+    add_at(&box, 0, 0.5, 0);
+    add_at(&box, 0, 1.5, 0);
+    ck_assert(world_add_plane(&w, UP, 0).ok);
+    ready();
+    find();
+    int all = contacts();
+    ck_assert_int_eq(w.report.dropped, 0);
+    ck_assert_int_eq(all, 8);
+    for (int room = 0; room < all; room++) {
+        if (_i) w.contact_capacity = room;
+        else    w.push_capacity = room;
+        find();
+        ck_assert_int_eq(contacts(), room);
+        ck_assert_int_eq(w.report.dropped, all - room);
+    }
+    w.pair_capacity = 0;
+    find();
+    ck_assert_int_eq(w.pairs, 0);
+    ck_assert_int_ge(w.report.dropped, 1);
+}
+END_TEST
+
+// The small one shot at the slab, or the slab at the small one, nailed.
+static void shoot(int model, int at_small)
+{
+    world_options o = ours(model);
+    o.gravity = ZERO;
+    begin(o);
+    placement small = placement_at(vec3_make(0.2, 2, 0.1));
+    placement large = placement_at(ZERO);
+    small.nailed = at_small;
+    large.nailed = !at_small;
+    if (at_small) large.velocity = vec3_make(0, 300, 0);
+    else          small.velocity = vec3_make(0, -300, 0);
+    add(&ball, small);
+    add(&slab, large);
+    ready();
+    find();
+}
+
+// A bullet of 300 m/s, 5 m a frame, from 2 m above a slab: it has one contact,
+// there where it will touch.  Its middle keeps in front of the slab as well.
+// Rejects: a guard that stands at the slab's middle, or keeps no inner radius
+// away; a guard of what is nailed.
+START_TEST(bullet_has_a_touch_and_a_guard)
+{
+    shoot(_i, 0);
+    ck_assert_int_eq(contacts(), _i ? 1 : 2);
+    if (_i) {
+        near_vec3(w.contact[0].normal, UP, 1e-9);
+    } else {
+        const push *touch = &w.push[0], *guard = &w.push[1];
+        near_vec3(touch->along[NORMAL], UP, 1e-9);
+        near_vec3(guard->along[NORMAL], touch->along[NORMAL], 0);
+        near_vec3(guard->fixed, touch->fixed, 0);
+        real skins = w.body[0].thickness + w.body[1].thickness;
+        near_real(touch->thickness, skins, 0);
+        near_real(guard->thickness, skins + ball.inner, ROUNDING);
+        near_vec3(point_of(&guard->a), vec3_make(0.2, 2, 0.1), ROUNDING * 10);
+        ck_assert(point_of(&touch->a).y < 2 - ball.inner / 2);
+    }
+    shoot(_i, 1);
+    ck_assert_int_eq(contacts(), 1);
+}
+END_TEST
+
+// In the first of four substeps, in the second of eight.
+// Rejects: contacts that are kept where they change, or found anew in each of
+// many substeps; those of slow pairs and of planes thrown away with them.
+START_TEST(quick_pairs_are_looked_at_again)
+{
+    begin(ours(_i));
+    placement p = placement_at(vec3_make(0, 1.2, 0));
+    p.velocity = vec3_make(0, -25, 0);
+    p.spin = vec3_make(0, 0, 20);
+    add(&box, p);
+    add_nailed(&slab, 0, 0.25, 0);
+    int calm = add_at(&box, 5, -1.5, 0);
+    ck_assert(world_add_plane(&w, UP, -2).ok);
+    ready();
+    find();
+    ck_assert_int_gt(contacts(), 4);
+    vec3 point[MOST_VERTICES][2];
+    for (int k = 1; k < 3; k++) {
+        for (int again = 0; again < 2; again++) {
+            for (int i = 0; i < contacts(); i++)
+                point[i][again] = _i ? feature_now(w.contact[i].a, w.pool.at)
+                                     : point_of(&w.push[i].a);
+            if (again) break;
+            integrate();
+            relax();
+            for (int i = 0; i < contacts(); i++)
+                point[i][0] = _i ? feature_now(w.contact[i].a, w.pool.at)
+                                 : point_of(&w.push[i].a);
+            narrow_find_again(&w, k);
+        }
+        int calms = 0, changed = 0;
+        for (int i = 0; i < contacts(); i++) {
+            int who = _i ? w.between[i][0] : w.pushed[i][0];
+            real moved = vec3_distance(point[i][0], point[i][1]);
+            calms += who == calm;
+            if (who == calm) ck_assert(moved == 0);
+            else             changed |= moved > 0.01;
+        }
+        ck_assert_int_eq(calms, 4);
+        ck_assert_int_eq(changed, k == (_i == 0 ? 1 : 2));
+    }
+}
+END_TEST
+
+// --- memory ------------------------------------------------------------------
+
+// Rejects: a memory that goes to a point far from its own, or to all of them.
+START_TEST(memory_goes_to_the_point_that_it_is_of)
+{
+    world_options o = world_options_default();
+    o.stay = 0;
+    begin(o);
+    add_nailed(&slab, 0, -0.25, 0);
+    add_at(&box, 0.1, 0.505, 0.2);
+    ready();
+    for (int kept = 0; kept < 4; kept++) {
+        find();
+        ck_assert_int_eq(w.pushes, 4);
+        vec3 at = point_of(&w.push[kept].a);
+        w.memory[0] = push_remember(&w.push[kept], 0, 1, w.age);
+        w.memory[0].force = UP;
+        w.memories = 1;
+        find();
+        ck_assert_int_eq(w.pushes, 4);
+        for (int k = 0; k < 4; k++) {
+            int same = vec3_distance(point_of(&w.push[k].a), at) < 0.1;
+            near_real(w.push[k].pushed[NORMAL], same * w.age * w.age, ROUNDING);
+        }
+        // Another pair's, or a plane's, is nobody's here.
+        w.memory[0].b = 2;
+        w.memories = 1;
+        find();
+        for (int k = 0; k < 4; k++) ck_assert(w.push[k].pushed[NORMAL] == 0);
+    }
+}
+END_TEST
+
+// Four contacts leave what they pushed, as lasting ones or as those of a quick
+// pair; one is found again.
+// Rejects: a load that nobody bears, for its contact is gone; one that is taken
+// over twice; a run of memories that nobody looks into.
+START_TEST(every_memory_is_handed_over_once)
+{
+    world_options o = world_options_default();
+    o.stay = 0;
+    begin(o);
+    add_nailed(&slab, 0, -0.25, 0);
+    add_at(&box, 0.1, 0.505, 0.2);
+    ready();
+    for (int lasting = 0; lasting <= 4; lasting++) {
+        w.options.manifold = 1;
+        w.memories = w.lasting_memories = 0;
+        find();
+        ck_assert_int_eq(w.pushes, 4);
+        for (int k = 0; k < 4; k++) {
+            w.memory[k] = push_remember(&w.push[k], 0, 1, w.age);
+            w.memory[k].force = vec3_scale(k + 1, UP);
+        }
+        for (int manifold = 1; manifold >= 0; manifold--) {
+            w.options.manifold = manifold;
+            w.memories = 4;
+            w.lasting_memories = lasting;
+            find();
+            ck_assert_int_eq(w.pushes, manifold ? 4 : 1);
+            real sum = 0;
+            for (int k = 0; k < w.pushes; k++) sum += w.push[k].pushed[NORMAL];
+            near_real(sum, 10 * w.age * w.age, ROUNDING);
+        }
+    }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const once[] = {
+        memory_goes_to_the_point_that_it_is_of,
+        every_memory_is_handed_over_once,
+    };
+    const TTest *const both[] = {
+        box_on_a_slab_touches_with_its_corners,
+        corners_near_a_plane_are_contacts,
+        contacts_without_room_are_counted,
+        bullet_has_a_touch_and_a_guard,
+        quick_pairs_are_looked_at_again,
+    };
+    Suite *s = suite_create("narrow");
+    TCase *t = tcase_create("narrow");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
+        tcase_add_test(t, once[i]);
+    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
+        tcase_add_loop_test(t, both[i], 0, MODELS);
+    suite_add_tcase(s, t);
+    SRunner *runner = srunner_create(s);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -1,0 +1,162 @@
+// stage.h - a world, to be filled and looked at, for the tests that need one.
+//
+// Needs check.h before it.  A test's own bodies and frames are its own.
+
+#ifndef TUMBLE_STAGE_H
+#define TUMBLE_STAGE_H
+
+#include "world.h"
+
+static const vec3 ZERO = { 0, 0, 0 }, UP = { 0, 1, 0 };
+
+static world w;
+
+// What any rigid body does is tested twice: with four particles a body, and
+// with one at every vertex.
+enum { MODELS = 2 };
+
+static inline world_options ours(int model)
+{
+    return model ? world_options_vertices() : world_options_default();
+}
+
+static inline void begin(world_options o)
+{
+    world_free(&w);
+    status done = world_init(&w, o);
+    ck_assert_msg(done.ok, "%s", done.why);
+}
+
+static unsigned long long seed = 3;
+
+// Numbers in [-1, 1) from a linear congruence; the same on every machine.
+static inline real any(void)
+{
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (real)(seed >> 11) / 4503599627370496.0 - 1;
+}
+
+static inline vec3 any_vec3(void)
+{
+    real x = any(), y = any();
+    return vec3_make(x, y, any());
+}
+
+static inline vec3 any_unit(void)
+{
+    vec3 d = any_vec3();
+    real length = vec3_length(d);
+    return length > 0.1 && length < 1 ? vec3_scale(1 / length, d) : any_unit();
+}
+
+static inline int add(const shape *s, placement where)
+{
+    int number;
+    status done = world_add(&w, s, where, &number);
+    ck_assert_msg(done.ok, "%s", done.why);
+    return number;
+}
+
+static inline int add_at(const shape *s, real x, real y, real z)
+{
+    return add(s, placement_at(vec3_make(x, y, z)));
+}
+
+static inline int add_nailed(const shape *s, real x, real y, real z)
+{
+    placement p = placement_at(vec3_make(x, y, z));
+    p.nailed = 1;
+    return add(s, p);
+}
+
+static inline int add_thrown(const shape *s, vec3 at, vec3 velocity, vec3 spin)
+{
+    placement p = placement_at(at);
+    p.velocity = velocity;
+    p.spin = spin;
+    return add(s, p);
+}
+
+static inline placement anywhere(real far, real fast, real quick)
+{
+    placement p = placement_at(vec3_scale(far, any_vec3()));
+    p.x = any_unit();
+    p.y = vec3_unit(vec3_cross(p.x, any_unit()));
+    p.z = vec3_cross(p.x, p.y);
+    p.velocity = vec3_scale(fast, any_vec3());
+    p.spin = vec3_scale(quick, any_vec3());
+    return p;
+}
+
+static inline void add_floor(void)
+{
+    ck_assert(world_add_plane(&w, UP, 0).ok);
+}
+
+static inline void ready(void)
+{
+    ck_assert(world_begin(&w).ok);
+}
+
+static inline particle *particle_of(int b, int i)
+{
+    return &w.pool.at[w.body[b].first + i];
+}
+
+// As the step does, without its orders.
+static inline void integrate(void)
+{
+    real h = w.options.dt / w.options.substeps;
+    for (int b = 0; b < w.bodies; b++)
+        if (body_moves(&w, b))
+            verlet_step(w.pool.at + w.body[b].first,
+                        body_particles(&w.body[b]), w.options.gravity, NULL, h);
+}
+
+static inline void relax(void)
+{
+    for (int b = 0; b < w.bodies; b++) {
+        const body *x = &w.body[b];
+        particle *p = w.pool.at + x->first;
+        if (!body_moves(&w, b)) continue;
+        if (x->four) four_relax(x->four, p, 6, w.options.relax);
+        else sticks_relax(x->plan->stick, x->plan->sticks, p,
+                          x->plan->particles, 6, w.options.relax, w.of.before);
+    }
+}
+
+enum { MOST_VERTICES = 100 };
+
+// Where vertex i of body b is: a particle, or carried by four.
+static inline vec3 vertex_of(int b, int i)
+{
+    static vec3 at[MOST_VERTICES];
+    ck_assert_int_le(w.body[b].plan->particles, MOST_VERTICES);
+    world_vertices(&w, &w.body[b], at);
+    return at[i];
+}
+
+// Where a contact that remembers holds one of its two sides.
+static inline vec3 point_of(const push_side *s)
+{
+    vec3 sum = ZERO;
+    for (int k = 0; k < s->count; k++)
+        sum = vec3_add_scaled(sum, s->share[k],
+                              w.pool.at[s->first + k].position);
+    return sum;
+}
+
+static inline void near_real(real got, real wanted, real error)
+{
+    ck_assert_msg(fabs(got - wanted) <= error, "got %.17g, wanted %.17g",
+                  got, wanted);
+}
+
+static inline void near_vec3(vec3 got, vec3 wanted, real error)
+{
+    ck_assert_msg(vec3_distance(got, wanted) <= error,
+                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
+                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
+}
+
+#endif

@@ -63,7 +63,7 @@ endef
 .SECONDEXPANSION:
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help deps deps-book deps-dev deps-peers demo test checks objects book html library \
+.PHONY: help deps deps-book deps-dev deps-peers demo test checks objects book html pdf epub library \
   figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
   $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
@@ -97,7 +97,8 @@ test:
 #:   make 04         chapter 04 alone (there are 00 to 16): the library up to it
 #:                   and nothing above, its tests, its figures in build/figures
 #:   make book       weave chapters/, lib/ and the slow oracle into book.md
-#:   make html       build/book.html (needs pandoc: make deps-book)
+#:   make html       build/book.html, one page with all in it; make pdf and make
+#:                   epub: for paper and for e-readers (make deps-book)
 #:   make library    build/libtumble.a
 #:   make install    the library, its headers and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS):
@@ -111,9 +112,9 @@ book:
 	$(Q)cp $(BUILD)/book.md book.md
 	@echo "book.md: $$(wc -l < book.md) lines"
 
-html:
+html pdf epub:
 	$(Q)mkdir -p $(BUILD)
-	$(Q)sh chapters/html.sh $(BUILD)/book.html
+	$(Q)sh chapters/page.sh $@ $(BUILD)/book.$@
 
 library: $(BUILD)/libtumble.a
 

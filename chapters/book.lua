@@ -14,10 +14,25 @@ function Para(p)
   }
 end
 
--- The caption of a block of code: a class of its own.  The page has no lib/
--- beside it, so the link becomes a plain name.
+-- The caption of a block of code or a table: a class of its own.  The page has
+-- no tree beside it, so the link becomes a plain name.
 function Link(l)
-  if l.target:match('^lib/.*#L%d') then
+  if not l.target:match('^%a+:') and not l.target:match('^#') then
     return pandoc.Span(l.content, { class = 'place' })
   end
+end
+
+-- A comma or a bracket stays on the line of the formula or name it belongs to.
+function Inlines(list)
+  for i = #list - 1, 1, -1 do
+    local one, two = list[i], list[i + 1]
+    if (one.t == 'Math' or one.t == 'Code') and two.t == 'Str' and two.text:match('^[%p]') then
+      list[i] = pandoc.Span({ one, two }, { class = 'whole' })
+      list:remove(i + 1)
+    elseif one.t == 'Str' and one.text:match('%($') and (two.t == 'Math' or two.classes and two.classes[1] == 'whole') then
+      list[i] = pandoc.Span({ one, two }, { class = 'whole' })
+      list:remove(i + 1)
+    end
+  end
+  return list
 end

@@ -15,6 +15,7 @@ fuzzer() { # clang's own library: does a program link with it?
     echo "$empty" | clang -fsanitize=fuzzer -x c - -o /dev/null
 }
 header() { echo "#include <$1>" | ${CC:-cc} -E -x c - ; }
+browser() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
 font() { [ -e /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf ] ||
          fc-list | grep -q 'DejaVu Sans'; }
 
@@ -31,7 +32,8 @@ deps)
     need libpng-dev header png.h
     need mawk command -v awk ;;
 deps-book)
-    need pandoc command -v pandoc ;;
+    need pandoc command -v pandoc
+    need chromium browser ;;
 deps-dev)
     need clang command -v clang
     need libclang-rt-14-dev fuzzer

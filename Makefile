@@ -273,7 +273,7 @@ theirs: $(THEIRS:%.c=$(BUILD)/%.o)
 draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/$1.gp),\
   $(BUILD)/figures/$1 > $2/$1.csv.new && mv $2/$1.csv.new $2/$1.csv && \
   LC_ALL=C.UTF-8 gnuplot -e "csv='$2/$1.csv'; png='$2/$1.png'" figures/$1.gp,\
-  $(BUILD)/figures/$1 $2/$1.png)
+  $(BUILD)/figures/$1 $2/$1.png)$(if $(filter figures,$2), && sh figures/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body obj \

@@ -1,6 +1,7 @@
 # check_book.sh - is book.md what make book would write, whichever awk writes
 # it, and does it show each line of lib/ and of the slow oracle once?
 # (chapters/check-book.awk)  Does every test and function exist that it names?
+# Is every figure in it, and as its program would draw it today?
 
 export LC_ALL=C
 fresh=$(mktemp)
@@ -24,4 +25,5 @@ for name in $(grep -oh '`[a-z0-9]*_[a-z0-9]*_[a-z0-9_]*`' chapters/*.md README.m
         failed=1
     }
 done
+sh figures/stamp.sh || failed=1
 [ -z "$failed" ]

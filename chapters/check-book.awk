@@ -25,10 +25,11 @@ function slug(heading,    i, c, s) {
     return s
 }
 
-# The next row of the table's file; blank if there is none.
+# The next row of the table's file; blank if there is none.  Rows of a named
+# table open with "#name| ".
 function next_row(    line) {
     do if ((getline line < csv) <= 0) return ""
-    while (line ~ /^#/)
+    while (named ? !sub("^#" named "[|] ", "", line) : line ~ /^#/)
     gsub(/"/, "", line)
     return line
 }
@@ -66,14 +67,19 @@ caption && inside { if ($0 != "```") fail(book, FNR, "here the block of code sho
 /^```/ { fence = !fence }
 fence || /^```/ { next }
 
-# The name of a CSV: its head two lines below, a rule, its rows.
+# The name of a CSV, and of a table in it: its head two lines below, a rule, its
+# rows.
 csv && FNR > table + 1 && !/^\|/ { end_table() }
 csv && FNR > table + 1 && FNR != table + 3 {
     line = $0; gsub(/^\| | \|$/, "", line); gsub(/ \| /, ",", line)
     if (line != next_row()) fail(book, FNR, "this is not what " csv " says now")
     next
 }
-!csv && /^\[[^]]*\.csv\]\([^)]*\)$/ { csv = substr($0, 2); sub(/\].*/, "", csv); table = FNR }
+!csv && /^\[[^],]*\.csv(, [a-z]+)?\]\([^)]*\)$/ {
+    csv = substr($0, 2); sub(/\].*/, "", csv); table = FNR
+    named = csv; if (!sub(/.*, /, "", named)) named = ""
+    sub(/, .*/, "", csv)
+}
 
 /^#+ / {
     heading = $0; sub(/^#+ /, "", heading); heading = slug(heading)

@@ -4,8 +4,8 @@
 #
 # In the code a region lies between a line "//> name" and a line "//<"; in a
 # chapter the line "@@ name" stands for it, "%% figures/name.csv" for a table of
-# that file, and "%% functions" for an index of all that the headers of lib/
-# declare.  Whatever would let the book and the code drift apart is an error:
+# that file, "%% figures/name.csv rooms" for the table of its lines "#rooms| ",
+# and "%% functions" for an index of all that the headers of lib/ declare.  Whatever would let the book and the code drift apart is an error:
 # file, line, a sentence, and no book.
 
 function fail(file, line, sentence) {
@@ -31,13 +31,14 @@ function weave(name,    i, first, last) {
     for (i = first; i <= last; i++) print_later(text[home[name], i])
     print_later("```")
 }
-# A CSV under its caption, as a table: its first row is the head, and lines that
-# open with # are left out.
-function tabulate(csv,    got, line, at, rows, head) {
-    print_later("[" csv "](" csv ")\n")
+# A CSV under its caption, as a table: its first row is the head.  Lines that
+# open with # are left out, or of a named table all that do not open with its
+# name.
+function tabulate(csv, name,    got, line, at, rows, head) {
+    print_later("[" csv (name ? ", " name : "") "](" csv ")\n")
     while ((got = (getline line < csv)) > 0) {
         at++
-        if (line ~ /^#/) continue
+        if (name ? !sub("^#" name "[|] ", "", line) : line ~ /^#/) continue
         line = row(line)
         if (!cells) fail(csv, at, "a cell may hold no \" and no |, and a comma only in quotes")
         else if (rows && cells != head) fail(csv, at, "this row has " cells " cells, the head has " head)
@@ -46,7 +47,7 @@ function tabulate(csv,    got, line, at, rows, head) {
     }
     close(csv)
     if (got < 0) fail(file, FNR, "there is no file " csv)
-    else if (!rows) fail(file, FNR, "there is no table in " csv)
+    else if (!rows) fail(file, FNR, "there is no table " (name ? name " " : "") "in " csv)
 }
 # a,b becomes | a | b |, and its cells are counted: 0 if that cannot be done.
 function row(line,    cell, out) {
@@ -119,8 +120,8 @@ fence || /^```/ { print_later($0); next }
 }
 /^%%/ {
     if (NF == 2 && $1 == "%%" && $2 == "functions") list_functions()
-    else if (NF == 2 && $1 == "%%" && $2 ~ /\.csv$/) tabulate($2)
-    else fail(file, FNR, "a table is pulled in by %% figures/name.csv, and nothing more")
+    else if (NF <= 3 && $1 == "%%" && $2 ~ /\.csv$/ && $3 ~ /^[a-z]*$/) tabulate($2, $3)
+    else fail(file, FNR, "a table is pulled in by %% figures/name.csv, perhaps its name, and nothing more")
     next
 }
 /\]\((figures|lib|tests|exercises)\// {

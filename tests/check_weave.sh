@@ -91,6 +91,14 @@ all() {
     refuses "lost table" weave 'chapters/01-a.md:10: there is no file figures/u.csv'
     sound; echo '%% figures/t.csv and more' >> chapters/01-a.md
     refuses "malformed table line" weave 'chapters/01-a.md:10: a table is pulled in by %% figures/name.csv'
+    sound; printf '#two| a,b\n0 1\n#one| x\n#two| 1,2\n' > figures/u.csv; echo '%% figures/u.csv two' >> chapters/01-a.md; weave > book.md
+    printf '%s\n' '| a | b |' '|---|---|' '| 1 | 2 |' > wanted
+    grep -A 4 '^.figures/u.csv, two.(figures/u.csv)$' book.md | tail -n 3 | cmp -s - wanted &&
+    verdict "a named table is its own rows" yes || verdict "a named table is its own rows" no
+    sed -i.old 's/1,2/1,3/' figures/u.csv
+    refuses "named table older than its CSV" check 'this is not what figures/u.csv says now'
+    sound; echo '%% figures/t.csv lost' >> chapters/01-a.md
+    refuses "lost named table" weave 'chapters/01-a.md:10: there is no table lost in figures/t.csv'
     sound; echo '# nothing' > figures/t.csv
     refuses "empty table" weave 'chapters/02-b.md:9: there is no table in figures/t.csv'
     sound; echo '3,4,5' >> figures/t.csv

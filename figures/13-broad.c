@@ -193,6 +193,41 @@ static void print_curves(const cost *c)
            log(c[last].all / c[mid].all) / grown);
 }
 
+// In a cell: three digits, or whole.
+static void print_cell(real x)
+{
+    printf(x < 100 ? ",%.3g" : ",%.0f", x);
+}
+
+static int is_shown(int n)
+{
+    return n == 10 || n == 50 || n == 100 || n == 200 || n == 1000 || n == 10000;
+}
+
+// The book's tables: times of a few of the rooms, and what chapter 13's two
+// formulas say that a body compares and passes.
+static void print_tables(const cost *c, const cost *first)
+{
+    printf("#rooms| bodies,pairs a frame,\"every pair, µs\",\"sorted, µs\","
+           "\"the first call, µs\"\n"
+           "#formula| bodies,\"compared, by the formula\",measured,"
+           "\"passed, by the formula\",measured\n");
+    for (int k = 0; k < ROWS; k++) {
+        int n = number[k];
+        real each = (real)ROUNDS * frames_of(n) * scenes_of(n);
+        if (!is_shown(n)) continue;
+        real side = room(n).x, share = 1.2 / side;
+        printf("#rooms| %d", n);
+        print_cell((real)c[k].pairs / each);
+        print_cell(c[k].all);
+        print_cell(c[k].sorted);
+        print_cell(first[k].sorted);
+        printf("\n#formula| %d,%.1f,%.1f,%.2f,%.2f\n", n,
+               n * share * (1 - share / 2), (real)c[k].tests / each / n,
+               n * 5.0 / 60 / (3 * side), (real)c[k].shifts / each / n);
+    }
+}
+
 // Every number of bodies in each round, so that a minute in which the machine
 // was busy spoils no point.
 static void print_rooms(void)
@@ -217,6 +252,7 @@ static void print_rooms(void)
                (real)sum[k].shifts / each / n);
     }
     print_curves(sum);
+    print_tables(sum, first);
 }
 
 // A thousand, in a box of another shape.  large: one of them holds all others.
@@ -232,6 +268,11 @@ static void print_case(const char *name, vec3 box, int large, int awake)
     printf("\"%s\" %.4g %.4g %.4g %.1f %ld %.1f %.2f\n", name, c.sorted, c.all,
            first.sorted, (real)c.pairs / RUN, c.wrong,
            (real)c.tests / RUN / N, (real)c.shifts / RUN / N);
+    printf("#scenes| %s,%.1f,%.2f,%.0f", name, (real)c.tests / RUN / N,
+           (real)c.shifts / RUN / N, (real)c.pairs / RUN);
+    print_cell(c.all);
+    print_cell(c.sorted);
+    printf("\n");
 }
 
 int main(void)
@@ -243,7 +284,9 @@ int main(void)
     print_rooms();
 
     printf("\n\n# a thousand bodies\n"
-           "# name sorted_us all_us first_us pairs wrong compared passed\n");
+           "# name sorted_us all_us first_us pairs wrong compared passed\n"
+           "#scenes| scene,\"compared, a body\",\"passed, a body\",pairs,"
+           "\"every pair, µs\",\"sorted, µs\"\n");
     print_case("nobody awake", room(1000), 0, 0);
     print_case("one awake", room(1000), 0, 1);
     print_case("a row along x", vec3_make(1000, 1, 1), 0, 1000);

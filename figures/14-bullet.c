@@ -21,6 +21,8 @@
 #define FLAGS "unknown"
 #endif
 
+// The table of the book, at five of the speeds, opens its lines with "#shots| ".
+
 enum { SHOTS = 1000, BALL = 12, PLATE = 8, PASSES = 12, SPEEDS = 13 };
 static const real RADIUS = 0.05, FRAME = 1.0 / 60, TOLERANCE = 1e-9;
 
@@ -33,6 +35,14 @@ typedef struct {
 
 typedef enum { FLIES, STOPPED, THROUGH } outcome;
 typedef enum { BY_END, BY_SUBSTEPS, BY_LOOKING_AHEAD, BY_SWEEP, WAYS } means;
+
+// What is measured at one speed (m/s): shares of the shots, by each means; of
+// those through, the share never seen to overlap, looking at the end.
+typedef struct {
+    real speed, through[WAYS], pushed[WAYS], unseen;
+    real ns[WAYS];      // the frame in which a shot meets the plate
+    int  substeps;      // in that frame
+} series;
 
 static shot hits[SHOTS], misses[SHOTS];
 static vec3 plate_at[PLATE];
@@ -211,32 +221,19 @@ static outcome fly(means by, const shot *s, real speed)
     return FLIES;
 }
 
-static void shares(real speed)
+static void shares(series *s)
 {
-    real seen_by_end = 0;
-    printf("%.4g", speed);
     for (means by = BY_END; by < WAYS; by++) {
-        int through = 0;
+        int through = 0, pushed = 0;
         never_seen = 0;
         for (int k = 0; k < SHOTS; k++)
-            through += fly(by, &hits[k], speed) != STOPPED;
-        if (by == BY_END) seen_by_end = never_seen;
-        printf(" %.4g", (real)through / SHOTS);
-        if (by == BY_END) printf(" %.4g", seen_by_end / SHOTS);
-    }
-    printf("\n");
-}
-
-static void ghosts(real speed)
-{
-    printf("%.4g", speed);
-    for (means by = BY_END; by < WAYS; by++) {
-        int pushed = 0;
+            through += fly(by, &hits[k], s->speed) != STOPPED;
+        if (by == BY_END) s->unseen = (real)never_seen / SHOTS;
         for (int k = 0; k < SHOTS; k++)
-            pushed += fly(by, &misses[k], speed) != FLIES;
-        printf(" %.4g", (real)pushed / SHOTS);
+            pushed += fly(by, &misses[k], s->speed) != FLIES;
+        s->through[by] = (real)through / SHOTS;
+        s->pushed[by] = (real)pushed / SHOTS;
     }
-    printf("\n");
 }
 
 // ---- the time of the frame in which they meet
@@ -255,23 +252,20 @@ static void find_meetings(real speed)
 }
 
 // Of all ways in turn, so that a neighbour's noise meets them alike.
-static void times(real speed)
+static void times(series *s)
 {
-    real best[WAYS] = { 1, 1, 1, 1 };
     int caught = 0;
-    find_meetings(speed);
+    find_meetings(s->speed);
+    s->substeps = (int)ceil(s->speed * FRAME / inner);
     for (int k = 0; k < PASSES * WAYS; k++) {
         means by = (means)(k % WAYS);
         real start = clock_seconds();
         for (int i = 0; i < SHOTS; i++)
             caught += frame(by, &hits[i], meeting[i],
-                            way_of(&hits[i], speed)) == STOPPED;
-        real took = (clock_seconds() - start) / SHOTS;
-        best[by] = took < best[by] ? took : best[by];
+                            way_of(&hits[i], s->speed)) == STOPPED;
+        real took = (clock_seconds() - start) / SHOTS * 1e9;
+        if (k < WAYS || took < s->ns[by]) s->ns[by] = took;
     }
-    printf("%.4g", speed);
-    for (means by = BY_END; by < WAYS; by++) printf(" %.0f", best[by] * 1e9);
-    printf(" %d\n", (int)ceil(speed * FRAME / inner));
     // No compiler may guess that nobody asks.
     if (caught < 0) printf("# %d\n", caught);
 }
@@ -285,27 +279,78 @@ static void distances(real speed, int *asked)
     }
 }
 
-static void table(const char *title, void (*row)(real speed))
+// ---- what is printed
+
+static void print_through(const series *s)
+{
+    printf("%.4g %.4g %.4g %.4g %.4g %.4g\n", s->speed, s->through[BY_END],
+           s->unseen, s->through[BY_SUBSTEPS], s->through[BY_LOOKING_AHEAD],
+           s->through[BY_SWEEP]);
+}
+
+static void print_pushed(const series *s)
+{
+    printf("%.4g", s->speed);
+    for (means by = BY_END; by < WAYS; by++) printf(" %.4g", s->pushed[by]);
+    printf("\n");
+}
+
+static void print_times(const series *s)
+{
+    printf("%.4g", s->speed);
+    for (means by = BY_END; by < WAYS; by++) printf(" %.0f", s->ns[by]);
+    printf(" %d\n", s->substeps);
+}
+
+// A row of the book's table.
+static void print_shots(const series *s)
+{
+    printf("#shots| %.0f,%.1f,%.1f,%.3g,%d,%.3g\n", s->speed,
+           s->through[BY_END] * 100, s->pushed[BY_LOOKING_AHEAD] * 100,
+           s->ns[BY_SUBSTEPS] / 1000, s->substeps, s->ns[BY_SWEEP] / 1000);
+}
+
+static void print_block(const char *title, const series *s,
+                        void (*print)(const series *))
 {
     printf("%s\n", title);
-    for (int k = 0; k < SPEEDS; k++) row(pow(10, 0.25 * k));
+    for (int k = 0; k < SPEEDS; k++) print(&s[k]);
     printf("\n\n");
+}
+
+static void print_table(const series *s)
+{
+    printf("#shots| \"speed, m/s\",\"through, looking at the end, %%\","
+           "\"beside, but pushed, looking ahead, %%\",\"substeps, µs\","
+           "their number,\"swept, µs\"\n");
+    static const int shown[] = { 0, 4, 6, 8, 12 };
+    for (int k = 0; k < 5; k++) print_shots(&s[shown[k]]);
 }
 
 int main(void)
 {
+    static series s[SPEEDS];
     static int asked[SWEPT_CAP + 1];
     scratch = hit_scratch_new();
     if (!scratch) return 1;
     make_shots();
+    for (int k = 0; k < SPEEDS; k++) {
+        s[k].speed = pow(10, 0.25 * k);
+        shares(&s[k]);
+        times(&s[k]);
+        distances(s[k].speed, asked);
+    }
     printf("# %d shots of an icosahedron of radius %g m at a plate of 1 m x 1 m"
            " x 1 cm, frames of 1/60 s\n# and as many that pass it, 1 mm to"
            " 30 cm beside\n# %s, %s\n", SHOTS, RADIUS, __VERSION__, FLAGS);
-    table("# through: speed end (never seen) substeps ahead swept", shares);
-    table("# pushed beside: speed end substeps ahead swept", ghosts);
-    table("# ns: speed end substeps ahead swept, number of substeps", times);
+    print_table(s);
+    print_block("# through: speed end (never seen) substeps ahead swept", s,
+                print_through);
+    print_block("# pushed beside: speed end substeps ahead swept", s,
+                print_pushed);
+    print_block("# ns: speed end substeps ahead swept, number of substeps", s,
+                print_times);
     printf("# distances asked for, shots\n");
-    for (int k = 0; k < SPEEDS; k++) distances(pow(10, 0.25 * k), asked);
     for (int k = 0; k <= SWEPT_CAP; k++)
         if (asked[k]) printf("%d %d\n", k, asked[k]);
     hit_scratch_free(scratch);

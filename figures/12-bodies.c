@@ -62,7 +62,8 @@ static outcome rung(int number, world_options how)
     printf("%d %.4f %.4g %.4g %.3g\n", number, clock_median(ms, SEEDS),
            clock_median(overlap, SEEDS), clock_median(left, SEEDS),
            clock_median(strain, SEEDS));
-    return (outcome){ ms[SEEDS / 2], overlap[SEEDS / 2], 0, 0 };
+    return (outcome){ ms[SEEDS / 2], overlap[SEEDS / 2], left[SEEDS / 2],
+                      strain[SEEDS / 2] };
 }
 
 static real ms_at_1(const outcome *r, int n)
@@ -82,11 +83,14 @@ static void ladder(void)
     printf("\n\n# the paper's way: substeps, ms a step, deepest overlap (%% of "
            "a radius), joules left, strain (%%)\n");
     rung(1, world_options_paper());
-    printf("\n\n# vertices, gain 3: substeps, ...\n");
+    printf("\n\n# vertices, gain 3: substeps, ...\n"
+           "#vertices| substeps,\"deepest overlap, %% of a radius\","
+           "joules left after 6 s,ms a step\n");
     for (int n = 1; n <= 16; n *= 2) {
         world_options how = world_options_vertices();
         how.substeps = n;
-        vertices[rungs++] = rung(n, how);
+        outcome r = vertices[rungs++] = rung(n, how);
+        printf("#vertices| %d,%.2g,%.2f,%.2f\n", n, r.overlap, r.left, r.ms);
     }
     printf("\n\n# four particles, 4 substeps: passes, ...\n");
     for (int n = 2; n <= 8; n *= 2) {

@@ -38,6 +38,17 @@ function end_table() {
     close(csv); csv = ""
 }
 
+# A caption's names: each opens a function in these lines, or closes a type.
+function check_names(list, name, at, end,    n, word, i, k, found) {
+    n = split(list, word, ", ")
+    for (i = 1; i <= n; i++) {
+        found = 0
+        for (k = at; k <= end; k++)
+            if (lib[name, k] ~ "^[a-z].*[ *]" word[i] "[(]" || lib[name, k] ~ "^} " word[i] ";") found = 1
+        if (!found) fail(book, FNR, word[i] " is not in these lines of " name)
+    }
+}
+
 FILENAME != "book.md" && FILENAME !~ /\/book\.md$/ {
     lib[FILENAME, FNR] = $0; length_of[FILENAME] = FNR
     if (FNR == 1) files[++file_count] = FILENAME
@@ -54,6 +65,7 @@ FILENAME != "book.md" && FILENAME !~ /\/book\.md$/ {
     link = "(" name "#L" at (n > 2 ? "-L" end : "") ")"
     if (half[2] != link) fail(book, FNR, "the caption and its link disagree")
     if (!(name in length_of)) fail(book, FNR, "there is no file " name)
+    if (sub(/.*[0-9]: /, "", half[1])) check_names(half[1], name, at, end)
     caption = FNR; next
 }
 caption && FNR == caption + 2 { if ($0 != "```c") fail(book, FNR, "here a block of code should open"); inside = 1; next }

@@ -22,11 +22,27 @@ function anchor(heading) {
     gsub(/ /, "-", heading)
     return heading (seen[heading]++ ? "-" seen[heading] - 1 : "")
 }
+# What lines first to last of a file define or declare at the margin: functions,
+# or where there are none, types.
+function names_in(path, first, last,    i, line, functions, types) {
+    for (i = first; i <= last; i++) {
+        line = text[path, i]
+        if (line ~ /^[a-z][a-z0-9_ ]*[ *][a-z0-9_]+\(/ && line !~ /^typedef/) {
+            sub(/\(.*/, "", line); sub(/.*[ *]/, "", line)
+            functions = functions ", " line
+        } else if (line ~ /^} [a-z0-9_]+;/) {
+            gsub(/^} |;.*/, "", line)
+            types = types ", " line
+        }
+    }
+    return substr(functions ? functions : types, 3)
+}
 # A region under its caption.
-function weave(name,    i, first, last) {
+function weave(name,    i, first, last, names) {
     first = from[name] + 1; last = to[name] - 1
-    if (first == last) print_later("[" home[name] ", line " first "](" home[name] "#L" first ")")
-    else print_later("[" home[name] ", lines " first " to " last "](" home[name] "#L" first "-L" last ")")
+    names = names_in(home[name], first, last); if (names) names = ": " names
+    if (first == last) print_later("[" home[name] ", line " first names "](" home[name] "#L" first ")")
+    else print_later("[" home[name] ", lines " first " to " last names "](" home[name] "#L" first "-L" last ")")
     print_later("\n```c")
     for (i = first; i <= last; i++) print_later(text[home[name], i])
     print_later("```")

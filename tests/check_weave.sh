@@ -39,9 +39,9 @@ accepts() {
 all() {
     sound; accepts "a sound tree is woven" weave
     cp printed book.md; accepts "a sound book is true" check
-    grep -qF '[lib/a.c, lines 6 to 10](lib/a.c#L6-L10)' book.md &&
-    grep -qF '[lib/a.h, line 2](lib/a.h#L2)' book.md &&
-    verdict "captions name file and lines" yes || verdict "captions name file and lines" no
+    grep -qF '[lib/a.c, lines 6 to 10: a](lib/a.c#L6-L10)' book.md &&
+    grep -qF '[lib/a.h, line 2: a](lib/a.h#L2)' book.md &&
+    verdict "captions name file, lines and functions" yes || verdict "captions name file, lines and functions" no
     grep -qF '[The code](#the-code-1)' book.md && grep -qF '[A](#01-a)' book.md && grep -qF '](figures/p.png)' book.md &&
     verdict "links are the book's" yes || verdict "links are the book's" no
     printf '%s\n' '[figures/t.csv](figures/t.csv)' '' '| case | what |' '|---|---|' '| 1 | strain, mean |' '| 2 |  |' '' > wanted
@@ -119,6 +119,8 @@ all() {
     refuses "code shown twice" check 'was shown before'
     sound; weave > book.md; sed -i.old 's/#L6-L10/#L6-L11/' book.md
     refuses "wrong link in a caption" check 'the caption and its link disagree'
+    sound; weave > book.md; sed -i.old 's/to 10: a]/to 10: b]/' book.md
+    refuses "a function that is not there" check 'b is not in these lines of lib/a.c'
     sound; weave > book.md; sed -i.old 's/lines 6 to 10/lines 6 to 9/; s/#L6-L10/#L6-L9/' book.md
     refuses "block longer than claimed" check 'here the block of code should close'
     sound; weave > book.md; sed -i.old 's/mean/rms/' figures/t.csv

@@ -24,8 +24,8 @@ AGAIN := $(MAKE) --no-print-directory
 
 # --- What there is ------------------------------------------------------------
 MODULES  := $(notdir $(LINE))
-# Two have no module of their own: 15 is about the hard cases, 16 about speed.
-CHAPTERS := $(sort $(patsubst %/,%,$(dir $(LINE))) 15 16)
+# Some have no module of their own: 15 is about the hard cases, 16 about speed.
+CHAPTERS := $(patsubst chapters/%,%,$(foreach c,$(wildcard chapters/[0-9]*.md),$(firstword $(subst -, ,$c))))
 # Tests in the book's order, then those that belong to no module.
 TESTS    := $(basename $(notdir $(wildcard $(MODULES:%=tests/check_%.c))))
 TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/check_*.c))))
@@ -94,16 +94,18 @@ test:
 
 #:
 #: Read and learn
-#:   make 04         chapter 04 alone (there are 00 to 16): the library up to it
-#:                   and nothing above, its tests, its figures in build/figures
+#:   make 04         chapter 04 alone (there are 00 to 18): the library up to it
+#:                   and nothing above, its tests, its figures in build/figures,
+#:                   how its exercises stand, and what to read next
 #:   make book       weave chapters/, lib/ and the slow oracle into book.md
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make library    build/libtumble.a
 #:   make install    the library, its headers and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS):
-	$(Q)sh tests/run.sh $(TESTS_$@:%=$(BUILD)/tests/%)
+	$(Q)$(if $(TESTS_$@),sh tests/run.sh $(TESTS_$@:%=$(BUILD)/tests/%))
 	$(Q)$(foreach f,$(FIGURES_$@),$(call draw,$f,$(BUILD)/figures) &&) true
+	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh chapter $@
 
 book:
 	$(Q)mkdir -p $(BUILD)

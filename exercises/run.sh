@@ -4,20 +4,18 @@
 #   sh exercises/run.sh hint NN/name          the next of three hints
 #   sh exercises/run.sh solution NN/name      asks, then shows it
 #   sh exercises/run.sh reset NN/name         begin again; the old file is kept
+#   sh exercises/run.sh chapter NN            how its exercises stand, what is next
 #
 # What is the reader's in exercises/NN-name/: mine.c, mine.old.c, mine.hints (how
 # many were shown), mine.passed (there if mine.c passed when it was last judged).
 
 . exercises/judge.sh
+. exercises/follow.sh
 
 list() {
-    for each in $(names); do
-        load "$each" || exit 1
-        mark=' '
-        [ -f "$mine" ] && mark=-
-        [ -f "$dir/mine.passed" ] && mark=x
-        title=$(sed -n '1s/^# [^:]*: //p' "$dir/README.md")
-        printf '  [%s] %-14s %s\n' "$mark" "$each" "$title"
+    states | while read -r each how; do
+        case $how in passed) mark=x ;; begun) mark=- ;; *) mark=' ' ;; esac
+        printf '  [%s] %-14s %s\n' "$mark" "$each" "$(title_of "$each")"
     done
     echo "[x] passed, [-] begun.  Begin one:  make exercise 01/step"
 }
@@ -84,6 +82,7 @@ reset() {
 command=$1
 case $command in
 exercise|hint|solution|reset) ;;
+chapter) chapter "$2"; exit ;;
 *) echo "run.sh: exercise, hint, solution or reset?" >&2; exit 2 ;;
 esac
 [ $# -le 2 ] || { echo "One exercise at a time." >&2; exit 2; }

@@ -144,8 +144,9 @@ install: $(BUILD)/libtumble.a
 #:   make hint 01/step        the next of its three hints
 #:   make solution 01/step    the book's answer (asks first)
 #:   make reset 01/step       begin again (what you had is kept)
+#:   make progress            a bar for each chapter (exercises/progress.txt)
 #:   make check-exercises     is every exercise sound, and the runner?
-READER := exercise hint solution reset
+READER := exercise hint solution reset progress
 WHICH  := $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
 .PHONY: $(READER) check-exercises
 $(READER):

@@ -5,16 +5,17 @@
 #   sh exercises/run.sh solution NN/name      asks, then shows it
 #   sh exercises/run.sh reset NN/name         begin again; the old file is kept
 #   sh exercises/run.sh chapter NN            how its exercises stand, what is next
+#   sh exercises/run.sh progress              a bar for each chapter
 #
-# What is the reader's in exercises/NN-name/: mine.c, mine.old.c, mine.hints (how
-# many were shown), mine.passed (there if mine.c passed when it was last judged).
+# What is the reader's: in exercises/NN-name/ mine.c, mine.old.c and mine.hints (how
+# many were shown), and exercises/progress.txt (follow.sh).
 
 . exercises/judge.sh
 . exercises/follow.sh
 
 list() {
     states | while read -r each how; do
-        case $how in passed) mark=x ;; begun) mark=- ;; *) mark=' ' ;; esac
+        case $how in passed*) mark=x ;; begun) mark=- ;; *) mark=' ' ;; esac
         printf '  [%s] %-14s %s\n' "$mark" "$each" "$(title_of "$each")"
     done
     echo "[x] passed, [-] begun.  Begin one:  make exercise 01/step"
@@ -32,12 +33,11 @@ begin() {
 
 exercise() {
     [ -f "$mine" ] || { begin; return 0; }
-    rm -f "$dir/mine.passed"
     prepare "$(library_parts)" "$(test_parts)" || { echo "$name: the tests could not be built, see above" >&2; return 1; }
     compile "$mine" || { echo; echo "$name: $mine does not compile: begin with the first error above."; return 1; }
     judge "$mine"
     case $? in
-    0)  : > "$dir/mine.passed"
+    0)  write_passed "$name"
         echo "Compare with the book's answer:  make solution $name"
         return 0 ;;
     1)  echo; echo "  Change $mine, and run this again.  If you are stuck:  make hint $name" ;;
@@ -70,7 +70,8 @@ solution() {
 }
 
 reset() {
-    rm -f "$dir/mine.hints" "$dir/mine.passed"
+    rm -f "$dir/mine.hints"
+    forget_passed "$name"
     if [ -f "$mine" ] && ! stub "$solution" | cmp -s - "$mine"; then
         mv "$mine" "$dir/mine.old.c"
         echo "What you had is in $dir/mine.old.c."
@@ -83,6 +84,7 @@ command=$1
 case $command in
 exercise|hint|solution|reset) ;;
 chapter) chapter "$2"; exit ;;
+progress) bars; exit ;;
 *) echo "run.sh: exercise, hint, solution or reset?" >&2; exit 2 ;;
 esac
 [ $# -le 2 ] || { echo "One exercise at a time." >&2; exit 2; }

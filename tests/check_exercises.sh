@@ -219,7 +219,9 @@ tells "the test to hear of first" 'The others: three_numbers_add_up' 'all = 7;'
 cp "$dir/solution.c" "$dir/mine.c"
 answers "a right answer"   'all 2 tests pass'              exercise 99/sum
 answers "the list"         '[x] 99/sum'                    exercise
+if grep -q '^99/sum passed 2' "$tree/progress.txt"; then verdict "what passed is kept" yes; else verdict "what passed is kept" no; fi
 answers "a new beginning"  'mine.old.c'                    reset 99/sum
+if grep -q 'passed 2' "$tree/progress.txt"; then verdict "and begins again" no; else verdict "and begins again" yes; fi
 if cmp -s "$dir/solution.c" "$dir/mine.old.c"; then verdict "nothing is lost" yes; else verdict "nothing is lost" no; fi
 
 wait $real

@@ -25,7 +25,7 @@ course() {
     printf '# 03. The end\n' > "$CHAPTERS/03-end.md"
 }
 begin() { : > "$EXERCISES/$1/mine.c"; }
-pass() { begin "$1"; : > "$EXERCISES/$1/mine.passed"; }
+progress=$EXERCISES/progress.txt
 
 verdict() {     # NAME, and whether it went well
     trials=$((trials + 1))
@@ -45,23 +45,56 @@ run() { sh exercises/run.sh "$@"; }
 
 course
 says "a chapter names its file" "Chapter 01, Sums: $CHAPTERS/01-sums.md" run chapter 01
-also "an exercise not begun"    'not begun  01/sum         about sum'
+also "an exercise not begun"    'not begun         01/sum         about sum'
 also "read first, then write"   "Next: read $CHAPTERS/01-sums.md, and then  make exercise 01/sum"
 begin 01-more
-says "one that is begun"        'begun      01/more' run chapter 01
+says "one that is begun"        'begun             01/more' run chapter 01
 also "it is gone on with"       'Next: go on with  make exercise 01/more  (about more)'
-pass 01-more
-says "one that passed"          'passed     01/more' run chapter 01
+echo '01/more passed 2026-11-21' > "$progress"
+says "one that passed"          'passed 2026-11-21 01/more        about more' run chapter 01
 also "then the other"           'Next: make exercise 01/sum  (about sum)'
-pass 01-sum
+echo '01/sum passed 2026-11-22' >> "$progress"
 says "all passed: next chapter" "Next: chapter 02, Roots: read $CHAPTERS/02-roots.md, and  make 02" run chapter 01
-says "each chapter has its own" 'not begun  02/root' run chapter 02
+says "each chapter has its own" 'not begun         02/root' run chapter 02
 if grep -q '01/' "$tree/said"; then verdict "and no others" no; else verdict "and no others" yes; fi
 says "no exercises"             'It has no exercises.' run chapter 03
 also "the end"                  'This was the last chapter.'
 if run chapter 04 > "$tree/said" 2>&1; then verdict "no such chapter" no; else also "no such chapter" 'There is no chapter 04.'; fi
+
+# ---- progress.txt, and make progress
+
+course; begin 01-more
+says "no file yet"              '01 Sums                                  ----------..........  0 of 2' run progress
+also "one begun is gone on with" 'Next: go on with  make exercise 01/more'
+printf '# my own\n\n  01/sum\tpassed 2026-11-21   # hard\r\n01/more pased 2026-11-21\n02/roots passed 2026-11-21\n' > "$progress"
+says "one passed, one begun"    '01 Sums                                  ##########----------  1 of 2' run progress
+also "none of another chapter"  '02 Roots                                 ....................  0 of 1'
+also "a chapter without"        '03 The end                               no exercises'
+also "all chapters"             'all                                      ######-------.......  1 of 3'
+also "a line that is no line"   "$progress, line 4: this cannot be read, and is left as it is"
+also "no such exercise"         "$progress, line 5: there is no exercise 02/roots"
+if [ "$(grep -c ', line ' "$tree/said")" = 2 ]; then verdict "no other line is told" yes; else verdict "no other line is told" no; fi
+says "a list knows it, too"     '[x] 01/sum' run exercise
+
+# The runner writes it, and takes out what begins again.
+judged() { sh -c '. exercises/judge.sh; . exercises/follow.sh; $1 "$2"' sh "$@"; }
+printf '04/no passed 2026-11-21\nkeep me\n01/sum passed 2026-11-20\n02/root' > "$progress"
+judged write_passed 01/more
+judged write_passed 01/sum
+printf '04/no passed 2026-11-21\nkeep me\n01/sum passed 2026-11-20\n02/root\n01/more passed %s\n' "$(date +%Y-%m-%d)" > "$tree/said"
+if cmp -s "$progress" "$tree/said"; then verdict "what passes is added, once" yes; else verdict "what passes is added, once" no; fi
+judged forget_passed 01/sum
+sed '/01.sum/d' "$tree/said" > "$tree/less"
+if cmp -s "$progress" "$tree/less"; then verdict "what begins again is taken out" yes; else verdict "what begins again is taken out" no; fi
+rm "$progress"; judged write_passed 01/sum
+says "a new file says whose it is" 'This file is yours' cat "$progress"
+also "and what passed"          "01/sum passed $(date +%Y-%m-%d)"
+rm "$progress"; mkdir "$progress"
+says "a file that cannot be"    'that 01/sum passed is not kept' judged write_passed 01/sum
+
 unset EXERCISES CHAPTERS
 says "make ends with it"        'Chapter 17, What the paper got wrong: chapters/17-errata.md' make -s 17
+says "make progress"            '04 GJK ' make -s progress
 
 echo "the reader's way: $trials trials, $failed failed"
 [ $failed -eq 0 ]

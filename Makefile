@@ -8,6 +8,12 @@ LINE := 00/vec3 00/status 01/verlet 02/constraint 03/mesh 03/body 03/obj 04/gjk 
 # --- The compiler -------------------------------------------------------------
 # May be set by hand: make test CC=clang CFLAGS=-O0 BUILD=build/clang
 BUILD  := build
+# With modules of the reader's own (MINE=) nothing goes where ours is built.
+ifneq ($(MINE),)
+ifeq ($(findstring /swapped,$(BUILD)),)
+override BUILD := $(BUILD)/swapped
+endif
+endif
 CFLAGS ?= -O3 -g
 ifdef NATIVE
 CFLAGS += -march=native
@@ -52,10 +58,10 @@ TESTS_16 := check_clock
 # The later chapters' figures ask what their module does to the whole.
 FLOOR = $(if $(filter 0%,$1),$(UPTO_$1),$(ALL))
 
-# What the commands `make 04` and `make figure-04` need.
+# What the commands `make 04`, `make test-04` and `make figure-04` need.
 define chapter
 FIGURES_$1 := $(filter $1-%,$(FIGURES))
-$1: $(UPTO_$1) $(TESTS_$1:%=$(BUILD)/tests/%)
+test-$1: $(UPTO_$1) $(TESTS_$1:%=$(BUILD)/tests/%)
 $1 figure-$1: $(patsubst %,$(BUILD)/figures/%,$(filter $1-%,$(FIGURES)))
 endef
 
@@ -65,7 +71,7 @@ endef
 .DELETE_ON_ERROR:
 .PHONY: help deps deps-book deps-dev deps-peers demo test checks objects book html pdf epub library \
   figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
-  $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
+  $(CHAPTERS:%=test-%) $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
 
 #:
@@ -97,13 +103,15 @@ test:
 #:   make 04         chapter 04 alone (there are 00 to 18): the library up to it
 #:                   and nothing above, its tests, its figures in build/figures,
 #:                   how its exercises stand, and what to read next
+#:   make test-04    its tests alone
 #:   make book       weave chapters/, lib/ and the slow oracle into book.md
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make library    build/libtumble.a
 #:   make install    the library, its headers and tumble.pc (PREFIX=/usr/local)
-$(CHAPTERS):
-	$(Q)$(if $(TESTS_$@),sh tests/run.sh $(TESTS_$@:%=$(BUILD)/tests/%))
+$(CHAPTERS:%=test-%): test-%:
+	$(Q)$(if $(TESTS_$*),sh tests/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
+$(CHAPTERS): %: test-%
 	$(Q)$(foreach f,$(FIGURES_$@),$(call draw,$f,$(BUILD)/figures) &&) true
 	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh chapter $@
 
@@ -159,6 +167,31 @@ ifneq ($(and $(WHICH),$(filter $(READER),$(MAKECMDGOALS))),)
 .PHONY: $(WHICH)
 $(WHICH):
 	@:
+endif
+
+#:
+#: Swap in your own
+#:   make test-04 MINE=my/gjk.c    chapter 04's tests, with your gjk for ours
+#:   make demo MINE='my/gjk.c my/verlet.c'    the three scenes, with yours
+# The name of a file says which module it is.  It may stand anywhere.
+ifneq ($(MINE),)
+swapped = $(addprefix $(BUILD)/lib/,$(notdir $(1:.c=.o)))
+refuse = $(if $1,$(error $2))
+define swap
+$(call refuse,$(if $(wildcard $1),,x),$1: there is no such file)
+$(call refuse,$(wildcard $1/.),$1: this is a folder)
+$(call refuse,$(if $(filter $(call swapped,$1),$(ALL)),,x),$1: no module of \
+  lib/ has that name)
+$(call refuse,$(filter-out 1,$(words $(filter %/$(notdir $1),$(MINE:%=./%)))),\
+  $(MINE): two files for one module)
+$(foreach c,$(filter $(CHAPTERS),$(MAKECMDGOALS:test-%=%)),$(call \
+  refuse,$(if $(filter $(call swapped,$1),$(or $(UPTO_$c),$(ALL))),,x),$1: \
+  its module comes after chapter $c))
+$(call swapped,$1): $1 $(BUILD)/flags
+	$$(compile) || { echo "$1: does not compile; begin with the first error\
+	 above" >&2; exit 1; }
+endef
+$(foreach f,$(MINE),$(eval $(call swap,$f)))
 endif
 
 #:
@@ -347,14 +380,19 @@ $(BUILD)/lib%.a:
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
 # -MMD writes beside each object which headers it read.
-$(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
-$(BUILD)/%.o: %.c $(BUILD)/flags
+define compile
 	@mkdir -p $(@D)
 	@echo "  cc    $<"
 	$(Q)$(COMPILE) -Ilib -Itests -Ifigures $(CPPFLAGS) -MMD -MP -c $< -o $@
+endef
+$(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
+$(BUILD)/%.o: %.c $(BUILD)/flags
+	$(compile)
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 
-# Changes when the compiler or its flags do, and then everything is rebuilt.
+# Changes when the compiler, its flags or the reader's modules do, and then
+# everything is rebuilt.
 $(BUILD)/flags: FORCE
 	@mkdir -p $(@D)
-	@echo '$(COMPILE)' | cmp -s - $@ || echo '$(COMPILE)' > $@
+	@echo '$(strip $(COMPILE) $(MINE))' | cmp -s - $@ || \
+	  echo '$(strip $(COMPILE) $(MINE))' > $@

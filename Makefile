@@ -58,11 +58,17 @@ TESTS_16 := check_clock
 # The later chapters' figures ask what their module does to the whole.
 FLOOR = $(if $(filter 0%,$1),$(UPTO_$1),$(ALL))
 
+# After `watch`, a chapter says what to watch: it is no goal of its own.
+ifneq ($(filter watch,$(MAKECMDGOALS)),)
+WATCHED := $(filter $(CHAPTERS),$(MAKECMDGOALS))
+endif
+MADE := $(filter-out $(WATCHED),$(CHAPTERS))
+
 # What the commands `make 04`, `make test-04` and `make figure-04` need.
 define chapter
 FIGURES_$1 := $(filter $1-%,$(FIGURES))
 test-$1: $(UPTO_$1) $(TESTS_$1:%=$(BUILD)/tests/%)
-$1 figure-$1: $(patsubst %,$(BUILD)/figures/%,$(filter $1-%,$(FIGURES)))
+$(filter $1,$(MADE)) figure-$1: $(patsubst %,$(BUILD)/figures/%,$(filter $1-%,$(FIGURES)))
 endef
 
 .DEFAULT_GOAL := help
@@ -111,7 +117,7 @@ test:
 #:   make install    the library, its headers and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS:%=test-%): test-%:
 	$(Q)$(if $(TESTS_$*),sh tests/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
-$(CHAPTERS): %: test-%
+$(MADE): %: test-%
 	$(Q)$(foreach f,$(FIGURES_$@),$(call draw,$f,$(BUILD)/figures) &&) true
 	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh chapter $@
 
@@ -153,17 +159,22 @@ install: $(BUILD)/libtumble.a
 #:   make solution 01/step    the book's answer (asks first)
 #:   make reset 01/step       begin again (what you had is kept)
 #:   make progress            a bar for each chapter (exercises/progress.txt)
+#:   make watch 01/step       judge it again whenever you save it
+#:   make watch 01            the tests of chapter 01 whenever you save a file,
+#:                            and any exercise whose file you save
 #:   make check-exercises     is every exercise sound, and the runner?
 READER := exercise hint solution reset progress
-WHICH  := $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
-.PHONY: $(READER) check-exercises
+WHICH  := $(WATCHED) $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
+.PHONY: $(READER) watch check-exercises
 $(READER):
 	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh $@ $(WHICH)
+watch:
+	@AGAIN='$(AGAIN)' MINE='$(MINE)' exec sh exercises/watch.sh $(WHICH)
 check-exercises:
 	@CC='$(CC)' BUILD='$(BUILD)' sh tests/check_exercises.sh
 
 # To make, what is named after the command is a goal: one with nothing to do.
-ifneq ($(and $(WHICH),$(filter $(READER),$(MAKECMDGOALS))),)
+ifneq ($(and $(WHICH),$(filter $(READER) watch,$(MAKECMDGOALS))),)
 .PHONY: $(WHICH)
 $(WHICH):
 	@:

@@ -4,7 +4,8 @@
 export LC_ALL=C
 unset MAKEFLAGS MFLAGS      # a make that called us must not hand down its own
 tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
+watcher=
+trap '[ -z "$watcher" ] || kill -s TERM -- -$watcher 2> /dev/null; rm -rf "$tree"' EXIT
 EXERCISES=$tree/exercises; export EXERCISES
 CHAPTERS=$tree/chapters; export CHAPTERS
 BUILD=$tree/build; export BUILD
@@ -95,6 +96,58 @@ says "a file that cannot be"    'that 01/sum passed is not kept' judged write_pa
 unset EXERCISES CHAPTERS
 says "make ends with it"        'Chapter 17, What the paper got wrong: chapters/17-errata.md' make -s 17
 says "make progress"            '04 GJK ' make -s progress
+
+# ---- make watch: it runs, runs again when a file is saved, and ends with Ctrl-C.
+# A shell starts what is in the background deaf to INT: env opens its ears, and
+# setsid gives it a group of its own, as a terminal does.
+
+says_after() {  # NAME SENTENCE: in the end it says so.
+    tries=0
+    until grep -qF -- "$2" "$tree/said"; do
+        tries=$((tries + 1))
+        [ $tries -lt 300 ] || { verdict "$1" no; return; }
+        sleep 0.1
+    done
+    verdict "$1" yes
+}
+watch() {
+    : > "$tree/said"
+    setsid env --default-signal=INT make CFLAGS=-O0 BUILD="$tree/build" watch "$@" > "$tree/said" 2>&1 &
+    watcher=$!
+}
+interrupt() {   # NAME
+    kill -s INT -- -$watcher
+    wait $watcher
+    tries=0     # make does not always wait for its own
+    while kill -s 0 -- -$watcher 2> /dev/null && [ $tries -lt 50 ]; do tries=$((tries + 1)); sleep 0.1; done
+    if [ $tries -eq 50 ] || grep -q '\*\*\*' "$tree/said" || [ -n "$(ls "$TMPDIR")" ]
+    then verdict "$1" no; else verdict "$1" yes; fi
+}
+refuses() {     # NAME SENTENCE COMMAND...
+    name=$1 sentence=$2; shift 2
+    if "$@" > "$tree/said" 2>&1; then verdict "$name" no; else also "$name" "$sentence"; fi
+}
+if command -v setsid > /dev/null && env --default-signal=INT true 2> /dev/null; then
+    TMPDIR=$tree/temporary; export TMPDIR
+    mkdir "$TMPDIR"
+    cp lib/verlet.c "$tree/verlet.c"
+    mine=$tree/exercises/01-sum/mine.c
+    EXERCISES=$tree/exercises watch 01 MINE="$tree/verlet.c"
+    says_after "it begins at once"      'Watching; Ctrl-C ends it.'
+    also "with the tests"               'All passed: 1 programs'
+    sed 's|force, 1, dt \* dt|force, 1, -dt * dt|' lib/verlet.c > "$tree/verlet.c"
+    says_after "a save is seen"         'FAILED: check_verlet'
+    : > "$tree/said"
+    cp lib/verlet.c "$tree/verlet.c"
+    says_after "and the next one"       'All passed: 1 programs'
+    : > "$mine"
+    says_after "so is an exercise"      '01/sum: the tests could not be built'
+    sleep 1     # that failed, and is over
+    : > "$tree/said"
+    interrupt "Ctrl-C ends it"
+fi
+refuses "watch what?"     'Watch which chapter or exercise?' make -s watch
+refuses "no such one"     'There is no exercise 01/none'     make -s watch 01/none
 
 echo "the reader's way: $trials trials, $failed failed"
 [ $failed -eq 0 ]

@@ -39,7 +39,7 @@ FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*.c)))
 PEERS    := $(wildcard figures/peers*.c)
 # These two, and nothing else, need libccd and ODE.
 THEIRS   := figures/peers_ccd.c figures/peers_ode.c
-PAINTER  := $(filter-out figures/tumble.c $(PEERS),$(wildcard figures/[a-z]*.c))
+PAINTER  := $(filter-out figures/tumble.c figures/moving.c $(PEERS),$(wildcard figures/[a-z]*.c))
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
 FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz_*.c)))
 
@@ -209,6 +209,7 @@ endif
 #: Measure
 #:   make figures    run every figure's program, renew its data and its picture
 #:   make figure-08  the same for the figures of chapter 08
+#:   make moving     the moving picture of README (needs img2webp: make deps-book)
 #:   make coverage   which lines of lib/ do the tests run, which branches both ways?
 #:   make hard       run the hard cases, each beside its target: figures/hard.csv
 #:   make speed      time against error, module by module: figures/speed.csv
@@ -217,8 +218,12 @@ endif
 #:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
 #:   make peers      the same work by us and by libccd and ODE (make deps-peers
 #:                   installs them), each with its errors: figures/peers.csv
-figures: $(FIGURES:%=$(BUILD)/figures/%)
+figures: $(FIGURES:%=$(BUILD)/figures/%) moving
 	$(Q)$(foreach f,$(FIGURES),$(call draw,$f,figures) &&) true
+.PHONY: moving
+moving: $(BUILD)/figures/moving
+	@echo "  draw  figures/moving.webp"
+	$(Q)sh figures/moving.sh $< figures/moving.webp
 $(CHAPTERS:%=figure-%):
 	$(Q)$(foreach f,$(FIGURES_$(@:figure-%=%)),$(call draw,$f,figures) &&) true
 $(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%

@@ -1,5 +1,6 @@
-# check_readme.sh - do the links of README lead somewhere, and is every command there
-# that README, the exercises' page, a chapter or make's own help names?
+# check_readme.sh - do the links of README lead somewhere, is the moving picture
+# one, and is every command there that README, the exercises' page, a chapter or
+# make's own help names?
 
 unset MAKEFLAGS MFLAGS      # a make that called us must not hand down its own
 failed=
@@ -10,6 +11,11 @@ for link in $(grep -o '](\([^)]*\))' README.md | sed 's/^](//; s/)$//; s/#.*//' 
     links=$((links + 1))
     case $link in http*) ;; *) [ -e "$link" ] || fault "README.md links to $link, which is not there" ;; esac
 done
+
+# A WebP says so at its beginning, and in its first lines that it is animated.
+moving=figures/moving.webp
+head -c 64 $moving | tr -d '\0\n' | LC_ALL=C grep -aq 'RIFF.*WEBP.*ANIM' || fault "$moving does not move"
+[ "$(wc -c < $moving)" -lt 2000000 ] || fault "$moving has more than 2 MB"
 
 # Goals are the words after make, up to two blanks, that are no variables: in the
 # help, in blocks of commands, and between backticks.

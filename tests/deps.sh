@@ -33,7 +33,8 @@ deps)
     need mawk command -v awk ;;
 deps-book)
     need pandoc command -v pandoc
-    need chromium browser ;;
+    need chromium browser
+    need webp command -v img2webp ;;
 deps-dev)
     need clang command -v clang
     need libclang-rt-14-dev fuzzer

@@ -82,7 +82,8 @@ $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
 
 #:
 #: Begin here
-#:   make deps       install what is missing (Check, gnuplot, a font, libpng)
+#:   make deps       install what is missing (Check, gnuplot, a font, libpng,
+#:                   and aspell for the spelling of the book)
 #:   make demo       run the three scenes, draw them, print a table
 #:   make test       build and run every test, and check the book
 help:
@@ -284,7 +285,8 @@ bits:
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
-#: make deps-book adds pandoc; make deps-dev adds clang, its fuzzer and valgrind.
+#: make deps-book adds pandoc and img2webp; make deps-dev adds clang, its fuzzer
+#: and valgrind.
 #: NATIVE=1 builds for this very machine.  V=1 shows the commands.
 #: FUZZ_SECONDS=600 fuzzes for longer.
 sanitize:

@@ -2,6 +2,7 @@
 # it, and does it show each line of lib/ and of the slow oracle once?
 # (chapters/check-book.awk)  Does every test and function exist that it names?
 # Is every figure in it, and as its program would draw it today?
+# Are its words, the exercises' and README's spelt as a dictionary has them?
 
 export LC_ALL=C
 fresh=$(mktemp)
@@ -26,4 +27,15 @@ for name in $(grep -oh '`[a-z0-9]*_[a-z0-9]*_[a-z0-9_]*`' chapters/*.md README.m
     }
 done
 sh figures/stamp.sh || failed=1
+
+# The speller itself is shown a mistake first.
+echo "Wether \`wich\` is sayd in code or not." > "$fresh"
+said=$(sh chapters/spell.sh "$fresh")
+case $said in
+*"not checked"*) ;;
+*:1:*Wether*:1:*sayd*) ;;
+*) echo "the speller overlooks mistakes: $said"; failed=1 ;;
+esac
+sh chapters/spell.sh README.md chapters/[0-9]*.md exercises/README.md \
+    exercises/*/README.md exercises/*/hints || failed=1
 [ -z "$failed" ]

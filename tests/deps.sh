@@ -16,6 +16,7 @@ fuzzer() { # clang's own library: does a program link with it?
 }
 header() { echo "#include <$1>" | ${CC:-cc} -E -x c - ; }
 browser() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
+english() { aspell dump dicts | grep -x en_GB; }
 font() { [ -e /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf ] ||
          fc-list | grep -q 'DejaVu Sans'; }
 
@@ -30,7 +31,9 @@ deps)
     need gnuplot-nox command -v gnuplot
     need fonts-dejavu-core font
     need libpng-dev header png.h
-    need mawk command -v awk ;;
+    need mawk command -v awk
+    need aspell command -v aspell
+    need aspell-en english ;;
 deps-book)
     need pandoc command -v pandoc
     need chromium browser

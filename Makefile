@@ -103,7 +103,7 @@ demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
 # Every test runs, even if another one fails or does not build.
 test:
 	@unbuilt=; $(MAKE) -k --no-print-directory checks || unbuilt=1; \
-	BUILD='$(BUILD)' UNBUILT=$$unbuilt sh tests/run.sh $(CHECKS) $(wildcard tests/check_*.sh)
+	MINE= BUILD='$(BUILD)' UNBUILT=$$unbuilt sh tests/run.sh $(CHECKS) $(wildcard tests/check_*.sh)
 
 #:
 #: Read and learn
@@ -168,9 +168,10 @@ READER := exercise hint solution reset progress
 WHICH  := $(WATCHED) $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
 .PHONY: $(READER) watch check-exercises
 $(READER):
-	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh $@ $(WHICH)
+	@MINE= CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh $@ $(WHICH)
 watch:
-	@AGAIN='$(AGAIN)' MINE='$(MINE)' exec sh exercises/watch.sh $(WHICH)
+	@AGAIN='$(AGAIN)' MINE='$(MINE)' CC='$(CC)' BUILD='$(BUILD)' \
+	  exec sh exercises/watch.sh $(WHICH)
 check-exercises:
 	@CC='$(CC)' BUILD='$(BUILD)' sh tests/check_exercises.sh
 

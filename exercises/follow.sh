@@ -97,7 +97,8 @@ chapter() {
     next_of "$1" "$all"
 }
 
-# bar TITLE STATES: twenty signs, # for what passed and - for what is begun.
+# bar TITLE STATES: twenty signs, # for what passed (one at the least) and - for
+# what is begun.
 bar() {
     echo "$2" | awk -v title="$1" '
     NF { all++ }
@@ -105,7 +106,7 @@ bar() {
     $2 == "begun"  { begun++ }
     END {
         for (i = 1; i <= 20; i++)
-            line = line (i * all <= 20 * passed ? "#" : i * all <= 20 * (passed + begun) ? "-" : ".")
+            line = line (i * all <= 20 * passed || passed && i == 1 ? "#" : i * all <= 20 * (passed + begun) ? "-" : ".")
         if (all) printf "  %-40s %s %2d of %d\n", title, line, passed, all
         else printf "  %-40s no exercises\n", title
     }'

@@ -39,6 +39,7 @@ exercise() {
     case $? in
     0)  write_passed "$name"
         echo "Compare with the book's answer:  make solution $name"
+        next_of "${name%%/*}" "$(states)"
         return 0 ;;
     1)  echo; echo "  Change $mine, and run this again.  If you are stuck:  make hint $name" ;;
     2)  tail -n 20 "$out/said" ;;

@@ -7,7 +7,7 @@
 #                                    exercise whose mine.c was
 #   sh exercises/watch.sh 04/when    that exercise alone
 #
-# AGAIN: the make to run.  MINE: as in the Makefile.
+# AGAIN: the make to run.  MINE, CC, BUILD: as in the Makefile.
 
 exercises=${EXERCISES:-exercises}
 chapter=${1%%/*}
@@ -49,7 +49,10 @@ again() {
     echo
     echo "---- $(date +%H:%M:%S)  make $1"
     # shellcheck disable=SC2086
-    $AGAIN $1
+    case $1 in
+    exercise*) MINE='' sh exercises/run.sh $1 ;;
+    *)         $AGAIN $1 ;;
+    esac
 }
 
 case $1 in

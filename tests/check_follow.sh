@@ -67,7 +67,7 @@ if run chapter 04 > "$tree/said" 2>&1; then verdict "no such chapter" no; else a
 course; begin 01-more
 says "no file yet"              '01 Sums                                  ----------..........  0 of 2' run progress
 also "one begun is gone on with" 'Next: go on with  make exercise 01/more'
-printf '# my own\n\n  01/sum\tpassed 2026-11-21   # hard\r\n01/more pased 2026-11-21\n02/roots passed 2026-11-21\n' > "$progress"
+printf '# my own\n\n  01/sum\tpassed 2026-11-21\r\n01/more pased 2026-11-21\n02/roots passed 2026-11-21\n01/sum passed 2026-11-23  # again\n' > "$progress"
 says "one passed, one begun"    '01 Sums                                  ##########----------  1 of 2' run progress
 also "none of another chapter"  '02 Roots                                 ....................  0 of 1'
 also "a chapter without"        '03 The end                               no exercises'
@@ -75,6 +75,7 @@ also "all chapters"             'all                                      ######
 also "a line that is no line"   "$progress, line 4: this cannot be read, and is left as it is"
 also "no such exercise"         "$progress, line 5: there is no exercise 02/roots"
 if [ "$(grep -c ', line ' "$tree/said")" = 2 ]; then verdict "no other line is told" yes; else verdict "no other line is told" no; fi
+says "the first day counts"     'passed 2026-11-21 01/sum ' run chapter 01
 says "a list knows it, too"     '[x] 01/sum' run exercise
 
 # The runner writes it, and takes out what begins again.
@@ -135,6 +136,8 @@ if command -v setsid > /dev/null && env --default-signal=INT true 2> /dev/null; 
     EXERCISES=$tree/exercises watch 01 MINE="$tree/verlet.c"
     says_after "it begins at once"      'Watching; Ctrl-C ends it.'
     also "with the tests"               'All passed: 1 programs'
+    sleep 2.2
+    if [ "$(grep -c '^----' "$tree/said")" = 1 ]; then verdict "and waits" yes; else verdict "and waits" no; fi
     sed 's|force, 1, dt \* dt|force, 1, -dt * dt|' lib/verlet.c > "$tree/verlet.c"
     says_after "a save is seen"         'FAILED: check_verlet'
     : > "$tree/said"

@@ -15,3 +15,4 @@ mv "$last" "$frames/last.png"
 img2webp -loop 0 -kmin 0 -kmax 1 -lossy -q 75 -m 6 -d 40 "$frames"/frame-*.png \
     -d 1600 "$frames/last.png" -o "$2.part" > "$frames/said" 2>&1 &&
     mv "$2.part" "$2" || { cat "$frames/said"; exit 1; }
+[ "$2" != figures/moving.webp ] || sh figures/stamp.sh moving

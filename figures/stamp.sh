@@ -2,9 +2,10 @@
 # program and plot is kept in figures/made.txt.
 #   sh figures/stamp.sh 04-distance...   these have just been drawn
 #   sh figures/stamp.sh                  which are older than their program?
+# README's moving picture is one of them.
 
 made=figures/made.txt
-now() { cat figures/"$1".c $(ls figures/"$1".gp 2> /dev/null) | cksum; }
+now() { cat figures/"$1".c $(ls figures/"$1".gp figures/"$1".sh 2> /dev/null) | cksum; }
 
 for name in "$@"; do
     { grep -v "^$name " $made; echo "$name $(now "$name")"; } | LC_ALL=C sort > $made.new &&
@@ -13,14 +14,16 @@ done
 [ $# = 0 ] || exit 0
 
 failed=
-for program in figures/[0-9]*.c; do
+for program in figures/[0-9]*.c figures/moving.c; do
     name=$(basename "$program" .c)
-    grep -qx "$name $(now "$name")" $made && [ -s "figures/$name.png" ] || {
-        echo "figures/$name.png is older than its program: run make figure-$name"
+    picture=figures/$name.png command=figure-$name
+    [ "$name" != moving ] || picture=figures/moving.webp command=moving
+    grep -qx "$name $(now "$name")" $made && [ -s "$picture" ] || {
+        echo "$picture is older than its program: run make $command"
         failed=1
     }
-    grep -qF "figures/$name.png" chapters/*.md README.md || {
-        echo "figures/$name.png stands in no chapter"
+    grep -qF "$picture" chapters/*.md README.md || {
+        echo "$picture stands in no chapter"
         failed=1
     }
 done

@@ -3,8 +3,11 @@
 // each for balls of 12 to 642 corners.
 //
 // index 0: corners, ns of gjk and hit face, mean error beside the hull's own
-//          depth, beside that of true balls (shares of it), faces made
+//          depth, beside that of true balls (shares of it), points of A - B
+//          asked for
 // index 1 to 4: 12, 42, 162 and 642 corners; directions, ns, the same errors
+// index 5 to 8: the same corners; points of A - B asked for, and the share of
+//          queries that are not done by then
 
 #include "04-pairs.h"
 #include "ball.h"
@@ -15,7 +18,7 @@
 
 // (As many sizes as kinds of directions: the ways count in fours.)
 enum { QUERIES = 100, SIZES = 4, DIRECTIONS = SIZES, MOST = 1024, ROUNDS = 9,
-       WAYS = SIZES * (DIRECTIONS + 1) };
+       WAYS = SIZES * (DIRECTIONS + 1), ASKED = 25 };
 static const int COUNT[DIRECTIONS] = { 16, 64, 256, 1024 };
 // Of balls of 0.5 m.
 static const real DEPTH = 0.2;
@@ -26,7 +29,7 @@ typedef struct {
     vec3 way[DIRECTIONS][MOST];
     hit_scratch *scratch;
     real depth[WAYS][QUERIES];
-    real faces[SIZES];
+    int  asked[SIZES][QUERIES];     // points of A - B, by the hit face
 } zoo;
 
 // n directions spread over the sphere, on a spiral.
@@ -73,7 +76,7 @@ static real by_hit_face(zoo *z, int k, int q)
     gjk_result g = gjk_distance(a, b, gjk_options_default(), NULL);
     if (g.status != GJK_OVERLAP) return -g.distance;
     hit_result h = hit_face_find(a, b, &g.last, z->scratch);
-    z->faces[k] += h.iterations;
+    z->asked[k][q] = h.iterations;
     return h.depth;
 }
 
@@ -112,17 +115,36 @@ static real error_of(const zoo *z, int way, const real *truth)
     return sum;
 }
 
+// The share of queries that take more than n points.
+static real share_beyond(const zoo *z, int k, int n)
+{
+    int beyond = 0;
+    for (int q = 0; q < QUERIES; q++) beyond += z->asked[k][q] > n;
+    return (real)beyond / QUERIES;
+}
+
+static void print_shares(const zoo *z)
+{
+    for (int k = 0; k < SIZES; k++) {
+        printf("\n\n# %d corners\n# points not_done\n",
+               z->plan[k].particles);
+        for (int n = 0; n <= ASKED; n++)
+            printf("%d %.3g\n", n, share_beyond(z, k, n));
+    }
+}
+
 static void print_all(zoo *z)
 {
     lap l[WAYS];
     clock_race((race){ WAYS, ROUNDS, 0, work, z }, l);
-    printf("# corners ns error_of_hull error_of_ball faces\n");
+    printf("# corners ns error_of_hull error_of_ball points\n");
     for (int k = 0; k < SIZES; k++) {
-        z->faces[k] = 0;
+        real asked = 0;
         work(k, z);
+        for (int q = 0; q < QUERIES; q++) asked += z->asked[k][q];
         printf("%d %.4g 0 %.4g %.1f\n", z->plan[k].particles,
                1e9 * l[k].seconds / QUERIES, error_of(z, k, NULL),
-               z->faces[k] / QUERIES);
+               asked / QUERIES);
     }
     for (int k = 0; k < SIZES; k++) {
         printf("\n\n# %d corners\n# directions ns error_of_hull "
@@ -134,6 +156,7 @@ static void print_all(zoo *z)
                    error_of(z, way, z->depth[k]), error_of(z, way, NULL));
         }
     }
+    print_shares(z);
     int last = WAYS - 1;
     char at[32];
     snprintf(at, sizeof at, "%.0f %% of the depth",

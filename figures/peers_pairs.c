@@ -299,9 +299,10 @@ static void depth_cold(int block)
 
 static hit_memory remembered[BLOCK];
 
-// Untimed: what the hit face leaves behind.
+// Untimed: what the query before leaves behind.
 static void remember(int block)
 {
+    carry(block);
     for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++) {
         remembered[k].faces = 0;
         if (depth_of(&before[i], NULL).depth > 0)
@@ -317,7 +318,7 @@ static void depth_carried(int block)
         out[OURS_CARRIED][i] = hit_face_again(a, b, &remembered[k],
                                               scratch, &h)
             ? (exit_found){ h.depth, vec3_scale(-1, h.normal) }
-            : depth_of(&after[i], NULL);
+            : depth_of(&after[i], &carried[k]);
     }
 }
 

@@ -2,12 +2,10 @@
 #include "hit_face.h"
 
 #include <assert.h>
-#include <float.h>
 #include <stdlib.h>
 
-// A closed polytope of n points has 2 n - 4 triangles (Euler), and while a
-// point is put on it a fan of at most n more: no face ever wants for a slot.
-enum { POINTS_AT_MOST = 512, FACES_AT_MOST = 3 * POINTS_AT_MOST };
+// A closed polytope of n points has 2 n - 4 triangles (Euler).
+enum { POINTS_AT_MOST = 512, FACES_AT_MOST = 2 * POINTS_AT_MOST - 4 };
 
 // A point of A - B and the vertices whose difference it is.
 typedef struct {
@@ -15,29 +13,35 @@ typedef struct {
     int  a, b;
 } peak;
 
-// A triangle of the polytope, counter-clockwise from outside.
+// A small body, seen from its first vertex, by columns; a power of two.
+enum { COLUMN = 64 };
 typedef struct {
-    int  corner[3];
-    int  across[3];     // the face beyond the edge corner[i], corner[i + 1]
-    vec3 normal;        // outward, as long as twice the area
-    real shorten;       // normal times this is a unit vector
-    real doubt;         // a smaller |normal . (x - corner)| has no sure sign
-    int  asked;         // twice the number of the point that last looked at
-                        // this face, plus 1 if it saw the front
-} face;
+    int  count;         // 0: too large for it
+    real x[COLUMN], y[COLUMN], z[COLUMN];
+} columns;
 
 // The polytope: part of the hull of A - B, closed, and convex to the last bit.
 struct hit_scratch {
     point_set a, b;
+    columns column_a, column_b;
     real scale;         // lengths times this: |x|, |y|, |z| <= 1 in A - B
-    int  points, faces, unused;
+    int  points, faces;
     peak point[POINTS_AT_MOST];
-    face face[FACES_AT_MOST];
-    real height[FACES_AT_MOST];  // of its plane over the origin; no face here:
-                                 // infinite
-    int  unused_face[FACES_AT_MOST];
-    int  front[FACES_AT_MOST];   // the faces that a new point sees
-    int  fan[POINTS_AT_MOST];    // the new face whose edge starts at this point
+    // Of face f: its corners, counter-clockwise from outside; its plane, the
+    // points p with x p.x + y p.y + z p.z = offset; x, y, z is the outward
+    // normal, as long as twice the area.
+    int  corner[FACES_AT_MOST][3];
+    real x[FACES_AT_MOST], y[FACES_AT_MOST], z[FACES_AT_MOST];
+    real offset[FACES_AT_MOST];
+    real square[FACES_AT_MOST];     // of the plane's height over the origin,
+                                    // with the height's sign
+    // left[u][v]: the face with the edge from corner u to corner v.
+    unsigned short left[POINTS_AT_MOST][POINTS_AT_MOST];
+    // Of a new point: > 0 for the faces that it sees; their numbers; and the
+    // edges round them.
+    real side[FACES_AT_MOST];
+    int  seen[FACES_AT_MOST + 1];
+    int  rim_from[POINTS_AT_MOST + 1], rim_to[POINTS_AT_MOST + 1];
 };
 
 // Heights that differ by less are the same: four steps of the grid.
@@ -89,6 +93,25 @@ static int exact_sign(const rounded n[3], vec3 d)
         if (sum[i] > 0 || sum[i] < 0) return sum[i] > 0 ? 1 : -1;
     return 0;
 }
+
+//<
+
+//> hit-face-sign
+// The same, mostly sooner.  What rounding drops of n . d is added up beside it.
+// No part of n is above 8, none of d above 2: so these parts are below 2^-46,
+// and rounding, which takes 2^-53 of each, leaves an error below 2^-90.
+static int sign_along(const rounded n[3], vec3 d)
+{
+    rounded x = exact_product(n[0].high, d.x);
+    rounded y = exact_product(n[1].high, d.y);
+    rounded z = exact_product(n[2].high, d.z);
+    rounded xy = exact_sum(x.high, y.high), xyz = exact_sum(xy.high, z.high);
+    real dropped = (x.low + y.low + z.low) + (xy.low + xyz.low)
+                 + (n[0].low * d.x + n[1].low * d.y + n[2].low * d.z);
+    real along = xyz.high + dropped;
+    if (fabs(along) > 0x1p-90) return along > 0 ? 1 : -1;
+    return exact_sign(n, d);
+}
 //<
 
 //> hit-face-grid
@@ -101,59 +124,78 @@ static peak peak_make(const hit_scratch *h, int a, int b)
     return (peak){ at, a, b };
 }
 
+// The vertex furthest along (x, y, z); of equals the first.
+static int columns_furthest(const columns *c, real x, real y, real z)
+{
+    real best = 0;
+    int furthest = 0;
+    for (int i = 0; i < c->count; i++) {
+        real along = x * c->x[i] + y * c->y[i] + z * c->z[i];
+        furthest = along > best ? i : furthest;
+        best = along > best ? along : best;
+    }
+    return furthest;
+}
+
 // The point of A - B furthest along n.  n is scaled as A - B is: so its
 // products with the vertices, and their sums, are numbers.
-static peak peak_along(const hit_scratch *h, vec3 n, peak near)
+static inline peak peak_along(const hit_scratch *h, vec3 n, peak near)
 {
-    int a = support_point(h->a, vec3_scale(h->scale, n), near.a);
-    int b = support_point(h->b, vec3_scale(-h->scale, n), near.b);
+    vec3 d = vec3_scale(h->scale, n), back = vec3_scale(-1, d);
+    const columns *ca = &h->column_a, *cb = &h->column_b;
+    int a = ca->count ? columns_furthest(ca, d.x, d.y, d.z)
+                      : support_point(h->a, d, near.a);
+    int b = cb->count ? columns_furthest(cb, back.x, back.y, back.z)
+                      : support_point(h->b, back, near.b);
     return peak_make(h, a, b);
 }
 //<
 
-//> hit-face-scale
-// The box of p; *poison becomes NaN if a coordinate is not finite.  Two points
-// at a time, so that two components share one instruction of the machine: the
-// odd slots are the second point's.
-static void box_of(point_set p, vec3 *low, vec3 *high, real *poison)
+//> hit-face-columns
+// Writes p in columns, unless it is too large: then they come to hold anything.
+// Finds its box on the way; *poison becomes NaN if a coordinate is not finite.
+static void columns_fill(columns *c, point_set p, vec3 *low, vec3 *high,
+                         real *poison)
 {
-    real l[6], u[6], sum[6] = { 0 };
-    for (int c = 0; c < 6; c++)
-        l[c] = u[c] = c % 3 == 0 ? p.at[0].x : c % 3 == 1 ? p.at[0].y
-                                                          : p.at[0].z;
-    for (int i = p.count % 2; i < p.count; i += 2) {
-        const real x[6] = { p.at[i].x, p.at[i].y, p.at[i].z, p.at[i + 1].x,
-                            p.at[i + 1].y, p.at[i + 1].z };
-        for (int c = 0; c < 6; c++) {
-            l[c] = x[c] < l[c] ? x[c] : l[c];
-            u[c] = x[c] > u[c] ? x[c] : u[c];
-            sum[c] += x[c] - x[c];
-        }
+    vec3 base = p.at[0], l = { 0, 0, 0 }, u = { 0, 0, 0 };
+    real sum = 0;
+    for (int i = 0; i < p.count; i++) {
+        vec3 r = vec3_sub(p.at[i], base);
+        int k = i & (COLUMN - 1);
+        c->x[k] = r.x;
+        c->y[k] = r.y;
+        c->z[k] = r.z;
+        sum += (r.x + r.y) + r.z;
+        l.x = l.x < r.x ? l.x : r.x;
+        l.y = l.y < r.y ? l.y : r.y;
+        l.z = l.z < r.z ? l.z : r.z;
+        u.x = u.x > r.x ? u.x : r.x;
+        u.y = u.y > r.y ? u.y : r.y;
+        u.z = u.z > r.z ? u.z : r.z;
     }
-    for (int c = 0; c < 3; c++) {
-        l[c] = l[c + 3] < l[c] ? l[c + 3] : l[c];
-        u[c] = u[c + 3] > u[c] ? u[c + 3] : u[c];
-        *poison += (sum[c] + sum[c + 3]) + (u[c] - u[c]);
-    }
-    *low = (vec3){ l[0], l[1], l[2] };
-    *high = (vec3){ u[0], u[1], u[2] };
+    c->count = p.count <= COLUMN ? p.count : 0;
+    *low = vec3_add(base, l);
+    *high = vec3_add(base, u);
+    *poison += sum - sum;
 }
+//<
 
+//> hit-face-scale
 static real largest(vec3 v)
 {
     real m = v.x > v.y ? v.x : v.y;
     return v.z > m ? v.z : m;
 }
 
-// The power of two that brings the largest coordinate of A - B into 1/2 .. 1.
-// 0 if a coordinate is not finite, or so large that differences are not; 1 if
-// all of A - B is one point.
-static real scale_for(point_set a, point_set b)
+// Fills the columns.  Returns the power of two that brings the largest
+// coordinate of A - B into 1/2 .. 1; 0 if a coordinate is not finite, or so
+// large that differences are not; 1 if all of A - B is one point.
+static real scale_for(hit_scratch *h)
 {
     vec3 low_a, high_a, low_b, high_b;
     real poison = 0, scale = 1;
-    box_of(a, &low_a, &high_a, &poison);
-    box_of(b, &low_b, &high_b, &poison);
+    columns_fill(&h->column_a, h->a, &low_a, &high_a, &poison);
+    columns_fill(&h->column_b, h->b, &low_b, &high_b, &poison);
     real x = largest(vec3_sub(high_a, low_b));
     real y = largest(vec3_sub(high_b, low_a));
     real reach = (x > y ? x : y) + poison;
@@ -172,132 +214,166 @@ static real scale_for(point_set a, point_set b)
 //<
 
 //> hit-face-face
-static vec3 face_edge(const hit_scratch *h, const face *f, int i)
+static vec3 face_edge(const hit_scratch *h, int f, int i)
 {
-    return vec3_sub(h->point[f->corner[i]].at, h->point[f->corner[0]].at);
+    const int *corner = h->corner[f];
+    return vec3_sub(h->point[corner[i]].at, h->point[corner[0]].at);
 }
 
-// Normal and height, correctly rounded.
-static void face_measure_exactly(const hit_scratch *h, face *f, real *height)
+static vec3 face_normal(const hit_scratch *h, int f)
+{
+    return (vec3){ h->x[f], h->y[f], h->z[f] };
+}
+
+// Face f has the corner p and the normal n.
+static inline void face_set(hit_scratch *h, int f, vec3 p, vec3 n)
+{
+    real offset = vec3_dot(n, p);
+    h->x[f] = n.x;
+    h->y[f] = n.y;
+    h->z[f] = n.z;
+    h->offset[f] = offset;
+    h->square[f] = offset * fabs(offset) / vec3_length_squared(n);
+}
+
+// Its normal rounded once, and not in all the products that make it.
+static void face_measure_exactly(hit_scratch *h, int f)
 {
     rounded n[3];
     exact_cross(face_edge(h, f, 1), face_edge(h, f, 2), n);
-    f->normal = (vec3){ n[0].high, n[1].high, n[2].high };
-    f->shorten = 1 / vec3_length(f->normal);
-    *height = vec3_dot(f->normal, h->point[f->corner[0]].at)
-            / vec3_length(f->normal);
+    face_set(h, f, h->point[h->corner[f][0]].at,
+             (vec3){ n[0].high, n[1].high, n[2].high });
 }
 
-// Normal and height.  In a thin triangle the cross product cancels: there the
-// exact one is taken.
-static void face_measure(const hit_scratch *h, face *f, real *height)
+// The edges e and g, whose cross product is n, are nearly parallel: the squared
+// sine of their angle is less than that.
+static inline int is_thin(vec3 n, vec3 e, vec3 g, real sine)
 {
-    vec3 e = face_edge(h, f, 1), g = face_edge(h, f, 2);
-    real ee = vec3_length_squared(e), gg = vec3_length_squared(g);
-    f->normal = vec3_cross(e, g);
-    real nn = vec3_length_squared(f->normal);
-    f->asked = 0;
-    f->doubt = 64 * DBL_EPSILON * (fabs(e.x) + fabs(e.y) + fabs(e.z))
-                                * (fabs(g.x) + fabs(g.y) + fabs(g.z));
-    f->shorten = 1 / sqrt(nn);
-    *height = vec3_dot(f->normal, h->point[f->corner[0]].at) * f->shorten;
-    if (nn < ee * gg * 0x1p-8) face_measure_exactly(h, f, height);
+    return vec3_length_squared(n)
+         < sine * vec3_length_squared(e) * vec3_length_squared(g);
+}
+//<
+
+//> hit-face-put
+// Measures the face u, v, w, and keeps it in slot f.  In a thin triangle the
+// cross product cancels: there the exact one is taken.
+static inline void face_measure(hit_scratch *h, int f, int u, int v, int w)
+{
+    vec3 p = h->point[u].at;
+    vec3 e = vec3_sub(h->point[v].at, p), g = vec3_sub(h->point[w].at, p);
+    vec3 n = vec3_cross(e, g);
+    h->corner[f][0] = u;
+    h->corner[f][1] = v;
+    h->corner[f][2] = w;
+    face_set(h, f, p, n);
+    if (is_thin(n, e, g, 0x1p-8)) face_measure_exactly(h, f);
+}
+
+// The same, and joins it to its neighbours.
+static inline void face_put(hit_scratch *h, int f, int u, int v, int w)
+{
+    h->left[u][v] = h->left[v][w] = h->left[w][u] = (unsigned short)f;
+    face_measure(h, f, u, v, w);
 }
 //<
 
 //> hit-face-side
-// The side of the plane of f that x is on: 1 before it, 0 in it, -1 behind it.
-static int face_side(const hit_scratch *h, const face *f, vec3 x)
+// Coordinates are at most 1, edges 2, parts of a normal 8: then the rounding
+// errors of normal . x - offset add up to less than this, and what is smaller
+// has no sure sign.
+static const real doubt = 0x1p-44;
+
+static real over_plane(const hit_scratch *h, int f, vec3 x)
 {
-    vec3 d = vec3_sub(x, h->point[f->corner[0]].at);
-    real along = vec3_dot(f->normal, d);
-    if (along > f->doubt) return 1;
-    if (along < -f->doubt) return -1;
+    return h->x[f] * x.x + h->y[f] * x.y + h->z[f] * x.z - h->offset[f];
+}
+
+// The side of the plane of f that x, which is `over` it, is on: 1 before it, 0
+// in it, -1 behind it.
+static int face_side(const hit_scratch *h, int f, vec3 x, real over)
+{
+    if (over > doubt) return 1;
+    if (over < -doubt) return -1;
     rounded n[3];
     exact_cross(face_edge(h, f, 1), face_edge(h, f, 2), n);
-    return exact_sign(n, d);
-}
-
-// A slot for a face.
-static int face_take(hit_scratch *h)
-{
-    if (h->unused > 0) return h->unused_face[--h->unused];
-    assert(h->faces < FACES_AT_MOST);
-    return h->faces++;
+    return sign_along(n, vec3_sub(x, h->point[h->corner[f][0]].at));
 }
 //<
 
-//> hit-face-front
-// Marks the faces that `x` sees, from face f on, and lists them in front.  A
-// face that x lies in counts as seen: so no new triangle has an edge through x
-// in its own plane, and none is flat.  Returns their number.
-static int mark_front(hit_scratch *h, int f, int number)
+//> hit-face-seen
+// Lists the faces that x sees; returns their number.  A face that x lies in
+// counts as seen: so no new triangle has an edge through x in its own plane,
+// and none is flat.
+static int list_seen(hit_scratch *h, vec3 x)
 {
-    vec3 x = h->point[number].at;
-    int found = 0;
-    h->front[found++] = f;
-    h->face[f].asked = 2 * number + 1;
-    for (int next = 0; next < found; next++) {
+    int perhaps = 0, seen = 0;
+    for (int f = 0; f < h->faces; f++) h->side[f] = over_plane(h, f, x);
+    for (int f = 0; f < h->faces; f++) {
+        // Written first, then counted or not: no branch that nobody can
+        // foretell.
+        h->seen[perhaps] = f;
+        perhaps += h->side[f] >= -doubt;
+    }
+    for (int k = 0; k < perhaps; k++) {
+        int f = h->seen[k];
+        if (h->side[f] <= doubt)
+            h->side[f] = face_side(h, f, x, h->side[f]) < 0 ? -1 : 1;
+        h->seen[seen] = f;
+        seen += h->side[f] > 0;
+    }
+    return seen;
+}
+//<
+
+//> hit-face-rim
+// Lists the edges that have a face that is seen on their left, and one that is
+// not on their right; returns their number.
+static int list_rim(hit_scratch *h, int seen)
+{
+    int rim = 0;
+    for (int k = 0; k < seen; k++) {
+        const int *corner = h->corner[h->seen[k]];
         for (int i = 0; i < 3; i++) {
-            int g = h->face[h->front[next]].across[i];
-            face *other = &h->face[g];
-            if (other->asked >> 1 == number) continue;
-            int seen = face_side(h, other, x) >= 0;
-            other->asked = 2 * number + seen;
-            if (seen) h->front[found++] = g;
+            int u = corner[i], v = corner[(i + 1) % 3];
+            h->rim_from[rim] = u;
+            h->rim_to[rim] = v;
+            rim += !(h->side[h->left[v][u]] > 0);
         }
     }
-    return found;
+    return rim;
 }
-//<
 
-//> hit-face-raise
-// A new face from the edge u, v (beyond which lies face `old`) to the point
-// `number`.
-static void raise_face(hit_scratch *h, int u, int v, int number, int old,
-                       int front)
+// Face f is no more: the last one moves to its slot.
+static void face_drop(hit_scratch *h, int f)
 {
-    int made = face_take(h);
-    face *f = &h->face[made], *beyond = &h->face[old];
-    f->corner[0] = u;
-    f->corner[1] = v;
-    f->corner[2] = number;
-    f->across[0] = old;
-    for (int j = 0; j < 3; j++)
-        if (beyond->across[j] == front) beyond->across[j] = made;
-    face_measure(h, f, &h->height[made]);
-    h->fan[u] = made;
+    int last = --h->faces;
+    if (f == last) return;
+    const int *corner = h->corner[last];
+    for (int i = 0; i < 3; i++) {
+        h->left[corner[i]][corner[(i + 1) % 3]] = (unsigned short)f;
+        h->corner[f][i] = corner[i];
+    }
+    h->x[f] = h->x[last];
+    h->y[f] = h->y[last];
+    h->z[f] = h->z[last];
+    h->offset[f] = h->offset[last];
+    h->square[f] = h->square[last];
 }
 //<
 
 //> hit-face-expand
-// Puts the point `number` on the polytope, whose face f it sees: the faces that
-// it sees go, and a fan from their rim to the point comes.
-static void polytope_expand(hit_scratch *h, int f, int number)
+// Puts the point `number` on the polytope: the faces that it sees go, and a fan
+// from their rim to the point comes, first in their slots.  (Mostly it is the
+// larger by two; but a corner that only seen faces have goes, too.)
+static void polytope_expand(hit_scratch *h, int number)
 {
-    int seen = mark_front(h, f, number), rim = 0, u = -1;
-    for (int s = 0; s < seen; s++) {
-        int g = h->front[s];
-        for (int i = 0; i < 3; i++) {
-            int old = h->face[g].across[i];
-            if (h->face[old].asked == 2 * number + 1) continue;
-            u = h->face[g].corner[i];
-            raise_face(h, u, h->face[g].corner[(i + 1) % 3], number, old, g);
-            rim++;
-        }
+    int seen = list_seen(h, h->point[number].at), rim = list_rim(h, seen);
+    for (int k = 0; k < rim; k++) {
+        int f = k < seen ? h->seen[k] : h->faces++;
+        face_put(h, f, h->rim_from[k], h->rim_to[k], number);
     }
-    for (int s = 0; s < seen; s++) {
-        h->height[h->front[s]] = HUGE_VAL;
-        h->unused_face[h->unused++] = h->front[s];
-    }
-    // The rim is one ring of edges: each new face's neighbour starts where its
-    // own edge ends.
-    for (; rim > 0; rim--) {
-        int made = h->fan[u], v = h->face[made].corner[1], after = h->fan[v];
-        h->face[made].across[1] = after;
-        h->face[after].across[2] = made;
-        u = v;
-    }
+    // From the last on, so that none of them is moved.
+    while (seen > rim) face_drop(h, h->seen[--seen]);
 }
 //<
 
@@ -433,7 +509,6 @@ static int tetrahedron_find(const hit_scratch *h, const simplex *start,
 static void polytope_begin(hit_scratch *h, const peak p[4], vec3 normal)
 {
     static const int corner[4][3] = { {0,1,2}, {0,3,1}, {1,3,2}, {2,3,0} };
-    static const int across[4][3] = { {1,2,3}, {3,2,0}, {1,3,0}, {2,1,0} };
     // The face 0, 1, 2 must look away from corner 3.
     int turn = vec3_dot(normal, vec3_sub(p[3].at, p[0].at)) > 0;
     for (int c = 0; c < 4; c++) h->point[c] = p[c];
@@ -443,14 +518,8 @@ static void polytope_begin(hit_scratch *h, const peak p[4], vec3 normal)
     }
     h->points = 4;
     h->faces = 4;
-    h->unused = 0;
-    for (int f = 0; f < 4; f++) {
-        for (int i = 0; i < 3; i++) {
-            h->face[f].corner[i] = corner[f][i];
-            h->face[f].across[i] = across[f][i];
-        }
-        face_measure(h, &h->face[f], &h->height[f]);
-    }
+    for (int f = 0; f < 4; f++)
+        face_put(h, f, corner[f][0], corner[f][1], corner[f][2]);
 }
 
 // The face whose plane is lowest over the origin; the origin is outside the
@@ -458,10 +527,10 @@ static void polytope_begin(hit_scratch *h, const peak p[4], vec3 normal)
 static int polytope_lowest(const hit_scratch *h)
 {
     int lowest = 0;
-    real least = h->height[0];
+    real least = h->square[0];
     for (int f = 1; f < h->faces; f++) {
-        lowest = h->height[f] < least ? f : lowest;
-        least = h->height[f] < least ? h->height[f] : least;
+        lowest = h->square[f] < least ? f : lowest;
+        least = h->square[f] < least ? h->square[f] : least;
     }
     return lowest;
 }
@@ -470,27 +539,26 @@ static int polytope_lowest(const hit_scratch *h)
 //> hit-face-weights
 // The weights of the corners of f for the origin's foot x on its plane: areas,
 // as in chapter 4.
-static void foot_weights(const hit_scratch *h, const face *f, vec3 x,
-                         real weight[3])
+static void foot_weights(const hit_scratch *h, int f, vec3 x, real weight[3])
 {
     for (int i = 0; i < 3; i++) {
-        vec3 p = h->point[f->corner[(i + 1) % 3]].at;
-        vec3 q = h->point[f->corner[(i + 2) % 3]].at;
+        vec3 p = h->point[h->corner[f][(i + 1) % 3]].at;
+        vec3 q = h->point[h->corner[f][(i + 2) % 3]].at;
         vec3 cross = vec3_cross(vec3_sub(p, x), vec3_sub(q, p));
-        weight[i] = vec3_dot(f->normal, cross);
+        weight[i] = vec3_dot(face_normal(h, f), cross);
     }
 }
 
 // The areas need only be divided by their sum if x lies in the triangle, and
 // that is well shaped: otherwise rounding has too large a share in them.
-static int areas_serve(const hit_scratch *h, const face *f, real weight[3])
+static int areas_serve(const hit_scratch *h, int f, real weight[3])
 {
     vec3 e = face_edge(h, f, 1), g = face_edge(h, f, 2), k = vec3_sub(g, e);
     real ee = vec3_length_squared(e), gg = vec3_length_squared(g);
     real kk = vec3_length_squared(k), longest = ee > gg ? ee : gg;
     longest = kk > longest ? kk : longest;
     if (!(weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0)) return 0;
-    if (!(vec3_length_squared(f->normal) >= 0x1p-4 * longest * longest))
+    if (!(vec3_length_squared(face_normal(h, f)) >= 0x1p-4 * longest * longest))
         return 0;
     real share = 1 / (weight[0] + weight[1] + weight[2]);
     for (int i = 0; i < 3; i++) weight[i] *= share;
@@ -499,25 +567,33 @@ static int areas_serve(const hit_scratch *h, const face *f, real weight[3])
 //<
 
 //> hit-face-walk
+// The areas made weights.  Returns the square of what these miss x by: much if
+// it lies beside the face.
+static real weigh_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
+{
+    vec3 p[3], miss = vec3_scale(-1, x);
+    for (int i = 0; i < 3; i++) p[i] = h->point[h->corner[f][i]].at;
+    if (!areas_serve(h, f, weight))
+        triangle_weights(p[0], p[1], p[2], x, weight);
+    for (int i = 0; i < 3; i++) miss = vec3_add_scaled(miss, weight[i], p[i]);
+    return vec3_length_squared(miss);
+}
+
 // A side of A - B may be several triangles in one plane: walks from f to the
 // one that the foot x lies in.
 static int walk_to_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
 {
-    real floor = h->height[f] + 4 * level;
+    real floor = sqrt(fabs(h->square[f])) + 4 * level;
     for (int steps = 0; steps < 32; steps++) {
-        foot_weights(h, &h->face[f], x, weight);
-        int least = 0;
-        for (int i = 1; i < 3; i++)
-            if (weight[i] < weight[least]) least = i;
+        foot_weights(h, f, x, weight);
+        int least = weight[1] < weight[0];
+        least = weight[2] < weight[least] ? 2 : least;
         if (weight[least] >= 0) break;
-        int g = h->face[f].across[(least + 1) % 3];
-        if (!(h->height[g] <= floor)) break;
+        const int *corner = h->corner[f];
+        int g = h->left[corner[(least + 2) % 3]][corner[(least + 1) % 3]];
+        if (!(h->square[g] <= floor * floor)) break;
         f = g;
     }
-    const int *corner = h->face[f].corner;
-    if (areas_serve(h, &h->face[f], weight)) return f;
-    triangle_weights(h->point[corner[0]].at, h->point[corner[1]].at,
-                     h->point[corner[2]].at, x, weight);
     return f;
 }
 //<
@@ -621,51 +697,53 @@ static hit_result answer_flat(const hit_scratch *h, const simplex *start,
 //<
 
 //> hit-face-answer
-// The point that these weights of the corners of f make, less x.
-static vec3 face_miss(const hit_scratch *h, const face *f, vec3 x,
-                      const real weight[3])
-{
-    vec3 miss = vec3_scale(-1, x);
-    for (int i = 0; i < 3; i++)
-        miss = vec3_add_scaled(miss, weight[i], h->point[f->corner[i]].at);
-    return miss;
-}
-
 // The answer from face f, in whose plane the foot lies at these weights.
 static void answer_at(const hit_scratch *h, int f, real height, vec3 out,
                       const real weight[3], hit_result *r)
 {
     for (int i = 0; i < 3; i++) {
-        r->corner_a[i] = h->point[h->face[f].corner[i]].a;
-        r->corner_b[i] = h->point[h->face[f].corner[i]].b;
+        r->corner_a[i] = h->point[h->corner[f][i]].a;
+        r->corner_b[i] = h->point[h->corner[f][i]].b;
     }
     r->depth = height / h->scale;
     r->normal = vec3_scale(-1, out);
     answer_features(h, r, weight);
 }
 
-// The answer from the lowest face, once no point lies beyond it.  Of an A - B
+// The answer from the lowest face, once no point lies beyond it, or there is no
+// room for one; upper: how far A - B reaches along its normal.  Of an A - B
 // that is all but flat, the origin may lie in the plane and beside the face:
 // nothing of A - B is there.
-static hit_result answer_face(hit_scratch *h, int f, hit_result r, real upper)
+static void answer_face(hit_scratch *h, int f, real upper, hit_result *r)
 {
     const real beside = 0x1p-20;
     real weight[3];
-    face_measure_exactly(h, &h->face[f], &h->height[f]);
-    vec3 out = vec3_unit(h->face[f].normal);
-    vec3 foot = vec3_scale(h->height[f], out);
-    real height = h->height[f] > 0 ? h->height[f] : 0;
+    vec3 n = face_normal(h, f);
+    if (is_thin(n, face_edge(h, f, 1), face_edge(h, f, 2), 0x1p-4)) {
+        face_measure_exactly(h, f);
+        n = face_normal(h, f);
+    }
+    real shorten = 1 / vec3_length(n), height = shorten * h->offset[f];
+    vec3 out = vec3_scale(shorten, n), foot = vec3_scale(height, out);
     int g = walk_to_foot(h, f, foot, weight);
-    vec3 miss = face_miss(h, &h->face[g], foot, weight);
-    if (r.status == HIT_FOUND && vec3_length(miss) > beside)
-        r.status = HIT_APART;
-    if (r.status == HIT_CAPPED) height = upper;
-    answer_at(h, g, height, out, weight, &r);
-    return r;
+    real miss = weigh_foot(h, g, foot, weight);
+    if (r->status == HIT_FOUND && miss > beside * beside)
+        r->status = HIT_APART;
+    if (r->status == HIT_CAPPED) height = shorten * upper;
+    answer_at(h, g, height > 0 ? height : 0, out, weight, r);
 }
 //<
 
 //> hit-face-find
+// w is the point of A - B furthest along n, the normal of face f.  Does nothing
+// lie beyond?  Then the face belongs to A - B itself.
+static int is_outermost(const hit_scratch *h, int f, vec3 n, vec3 w)
+{
+    real over = over_plane(h, f, w);
+    return over * over <= level * level * vec3_length_squared(n)
+        || face_side(h, f, w, over) <= 0;
+}
+
 hit_result hit_face_find(point_set a, point_set b, const simplex *start,
                          hit_scratch *scratch)
 {
@@ -673,7 +751,7 @@ hit_result hit_face_find(point_set a, point_set b, const simplex *start,
     hit_scratch *h = scratch;
     h->a = a;
     h->b = b;
-    h->scale = scale_for(a, b);
+    h->scale = scale_for(h);
     hit_result r = { .status = HIT_NOT_FINITE };
     if (!(h->scale > 0)) return r;
 
@@ -685,20 +763,20 @@ hit_result hit_face_find(point_set a, point_set b, const simplex *start,
 
     for (;;) {
         int f = polytope_lowest(h);
-        vec3 out = vec3_scale(h->face[f].shorten, h->face[f].normal);
-        peak w = peak_along(h, out, h->point[h->face[f].corner[0]]);
+        vec3 n = face_normal(h, f);
+        peak w = peak_along(h, n, h->point[h->corner[f][0]]);
         r.iterations++;
-        real upper = vec3_dot(out, w.at);
-        // Nothing lies beyond: this face belongs to A - B itself.
-        if (upper - h->height[f] <= level
-            || face_side(h, &h->face[f], w.at) <= 0) {
-            r.status = h->height[f] < -4 * level ? HIT_APART : HIT_FOUND;
-            return answer_face(h, f, r, upper);
+        if (is_outermost(h, f, n, w.at))
+            r.status = h->square[f] < -16 * level * level ? HIT_APART
+                                                          : HIT_FOUND;
+        else if (h->points == POINTS_AT_MOST)
+            r.status = HIT_CAPPED;
+        if (r.status != HIT_NOT_FINITE) {
+            answer_face(h, f, vec3_dot(n, w.at), &r);
+            return r;
         }
-        r.status = HIT_CAPPED;
-        if (h->points == POINTS_AT_MOST) return answer_face(h, f, r, upper);
         h->point[h->points] = w;
-        polytope_expand(h, f, h->points++);
+        polytope_expand(h, h->points++);
     }
 }
 //<
@@ -710,53 +788,35 @@ void hit_face_remember(const hit_scratch *h, hit_memory *m)
     if (h->points > HIT_MEMORY_POINTS) return;
     m->scale = h->scale;
     m->points = h->points;
+    m->faces = h->faces;
     for (int c = 0; c < h->points; c++) {
         m->a[c] = h->point[c].a;
         m->b[c] = h->point[c].b;
     }
-    for (int f = 0; f < h->faces; f++) {
-        if (!(h->height[f] < HUGE_VAL)) continue;
+    for (int f = 0; f < h->faces; f++)
         for (int i = 0; i < 3; i++)
-            m->corner[m->faces][i] = (unsigned char)h->face[f].corner[i];
-        m->faces++;
-    }
+            m->corner[f][i] = (unsigned char)h->corner[f][i];
 }
 //<
 
 //> hit-face-recall
-// The normal of face f, and the square of its plane's height over the origin.
-// 0 if the origin is not behind it, or the triangle is so thin that the normal
-// is rough.
-static int face_square(hit_scratch *h, face *f, real *square)
-{
-    vec3 p = h->point[f->corner[0]].at;
-    vec3 e = face_edge(h, f, 1), g = face_edge(h, f, 2);
-    f->normal = vec3_cross(e, g);
-    real nn = vec3_length_squared(f->normal), up = vec3_dot(f->normal, p);
-    real ee = vec3_length_squared(e), gg = vec3_length_squared(g);
-    *square = up * up / nn;
-    return up > 0 && nn >= 0x1p-8 * ee * gg;
-}
-
-// The polytope as remembered, with its points where they are now.  Returns the
-// face whose plane is lowest over the origin; -1: the origin is not behind all.
+// The polytope as remembered, with its points where they are now: nobody knows
+// whether it is convex.  Returns 1 if the origin is behind every face.
 static int polytope_recall(hit_scratch *h, const hit_memory *m)
 {
-    int lowest = -1, sound = 1;
-    real least = HUGE_VAL;
+    int behind = 1;
     h->scale = m->scale;
     h->points = m->points;
+    h->faces = m->faces;
     for (int c = 0; c < m->points; c++) {
         assert(m->a[c] < h->a.count && m->b[c] < h->b.count);
         h->point[c] = peak_make(h, m->a[c], m->b[c]);
     }
     for (int f = 0; f < m->faces; f++) {
-        for (int i = 0; i < 3; i++) h->face[f].corner[i] = m->corner[f][i];
-        sound &= face_square(h, &h->face[f], &h->height[f]);
-        lowest = h->height[f] < least ? f : lowest;
-        least = h->height[f] < least ? h->height[f] : least;
+        face_measure(h, f, m->corner[f][0], m->corner[f][1], m->corner[f][2]);
+        behind &= h->square[f] > 0;
     }
-    return sound ? lowest : -1;
+    return behind;
 }
 //<
 
@@ -764,24 +824,18 @@ static int polytope_recall(hit_scratch *h, const hit_memory *m)
 // 1 if the foot x lies in face f, not only before it; and its weights.
 static int holds_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
 {
-    const int *corner = h->face[f].corner;
-    foot_weights(h, &h->face[f], x, weight);
-    if (!(weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0)) return 0;
-    if (!areas_serve(h, &h->face[f], weight))
-        triangle_weights(h->point[corner[0]].at, h->point[corner[1]].at,
-                         h->point[corner[2]].at, x, weight);
-    vec3 miss = face_miss(h, &h->face[f], x, weight);
-    return vec3_length_squared(miss) <= 0x1p-80;
+    foot_weights(h, f, x, weight);
+    return weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0
+        && weigh_foot(h, f, x, weight) <= 0x1p-80;
 }
 
 // Of the faces as low as f the one that the foot x lies in; -1: none.
-static int face_of_foot(const hit_scratch *h, int f, int faces, vec3 x,
-                        real weight[3])
+static int face_of_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
 {
     if (holds_foot(h, f, x, weight)) return f;
-    real floor = h->height[f] * (1 + 0x1p-40);
-    for (int g = 0; g < faces; g++)
-        if (g != f && h->height[g] <= floor && holds_foot(h, g, x, weight))
+    real floor = h->square[f] * (1 + 0x1p-40);
+    for (int g = 0; g < h->faces; g++)
+        if (g != f && h->square[g] <= floor && holds_foot(h, g, x, weight))
             return g;
     return -1;
 }
@@ -792,15 +846,16 @@ int hit_face_again(point_set a, point_set b, const hit_memory *m,
     if (m->faces == 0) return 0;
     h->a = a;
     h->b = b;
-    int f = polytope_recall(h, m);
-    if (f < 0) return 0;
-    vec3 out = vec3_unit(h->face[f].normal);
-    real height = vec3_dot(out, h->point[h->face[f].corner[0]].at), weight[3];
+    if (!polytope_recall(h, m)) return 0;
+    int f = polytope_lowest(h);
+    vec3 n = face_normal(h, f);
+    real shorten = 1 / vec3_length(n), height = shorten * h->offset[f];
+    vec3 out = vec3_scale(shorten, n);
     // Something lies beyond the lowest plane, or is not a number.
-    real upper = -h->scale * support_gap(a, b, vec3_scale(-1, out));
+    real upper = -h->scale * support_gap(a, b, vec3_scale(-1, out)), weight[3];
     if (!(upper - height <= level)) return 0;
     // The foot lies beside the triangles in that plane.
-    int g = face_of_foot(h, f, m->faces, vec3_scale(height, out), weight);
+    int g = face_of_foot(h, f, vec3_scale(height, out), weight);
     if (g < 0) return 0;
     r->status = HIT_FOUND;
     r->iterations = 1;

@@ -133,7 +133,7 @@ START_TEST(what_is_remembered_proves_or_declines)
         ck_assert(!hit_face_again(body_points(&a), body_points(&b), &memory,
                                   scratch, &none));
     }
-    ck_assert_msg(10 * proven > 8 * asked && far_proven > 100,
+    ck_assert_msg(20 * proven > 17 * asked && far_proven > 100,
                   "%d of %d, and %d far", proven, asked, far_proven);
 }
 END_TEST
@@ -558,6 +558,29 @@ START_TEST(balls_scanned_and_climbed)
 }
 END_TEST
 
+// Small bodies are written in columns, large ones not.  Rejects: a column too
+// many, or too few.
+START_TEST(repeated_vertices_change_nothing)
+{
+    unsigned long long seed = 71;
+    for (int n = 0; n < 200; n++) {
+        body a, b;
+        body_any(&a, n % 3, &seed);
+        body_any(&b, n / 3 % 3, &seed);
+        body_move(&b, random_vector(&seed, 0.1, 0.6));
+        hit_result once = hit(&a, &b);
+        a.has_ring = b.has_ring = 0;
+        for (int i = 0; a.count < 60 + n % 10; i++) a.at[a.count++] = a.at[i];
+        for (int i = 0; b.count < 62 + n % 7; i++) b.at[b.count++] = b.at[i];
+        hit_result again = hit(&a, &b);
+        ck_assert_int_eq(again.status, once.status);
+        if (once.status != HIT_FOUND) continue;
+        near(again.depth, once.depth, rounding);
+        check_answer(&a, &b, again, 1);
+    }
+}
+END_TEST
+
 // Two concentric balls of 642 points: every face is nearly the nearest, and the
 // polytope is full before the best is found.  The upper bound that comes out
 // parts them all the same, and is less than a thousandth too deep.
@@ -722,7 +745,7 @@ END_TEST
 
 // The number was printed by this test itself; gcc and clang agree on it at -O0,
 // -O2 and -O3.  A change of it is a change of answers.
-static const unsigned long long known_digest = 0x9c3ec8027f2eb1c8ULL;
+static const unsigned long long known_digest = 0x4fd7e4cef35d8b88ULL;
 
 START_TEST(the_same_bits_everywhere)
 {
@@ -771,6 +794,7 @@ int main(void)
     tcase_add_test(t, a_point_inside_a_cube);
     tcase_add_test(t, what_is_apart_is_called_apart);
     tcase_add_test(t, balls_scanned_and_climbed);
+    tcase_add_test(t, repeated_vertices_change_nothing);
     tcase_add_test(t, a_full_polytope_still_answers);
     tcase_add_test(t, what_is_not_finite_gets_a_status);
     tcase_add_test(t, what_is_beyond_all_sums_gets_a_status);

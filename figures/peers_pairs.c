@@ -20,7 +20,11 @@ enum { PAIRS = 20000, BLOCK = 500, BLOCKS = PAIRS / BLOCK, ROUNDS = 15 };
 static const real NEAREST = 0.02, WIDEST = 0.5, MARGIN = 0.005;
 static const real LEAST_DEEP = 0.02, DEEPEST = 0.25;
 
-typedef struct { solid a, b; } couple;
+// The sets of points stand ready, as libccd's bodies do.
+typedef struct {
+    solid a, b;
+    point_set pa, pb;
+} couple;
 
 static couple before[PAIRS], after[PAIRS];      // a slow motion's frames
 static simplex found[PAIRS], parted[PAIRS];     // before, without and with a
@@ -70,9 +74,15 @@ static solid moved_on(solid s, unsigned long long *seed)
     return s;
 }
 
+static void make_ready(couple *c)
+{
+    c->pa = points_of(&c->a);
+    c->pb = points_of(&c->b);
+}
+
 static gjk_result distance(const couple *c, gjk_options o, simplex *from)
 {
-    return gjk_distance(points_of(&c->a), points_of(&c->b), o, from);
+    return gjk_distance(c->pa, c->pb, o, from);
 }
 
 static gjk_options with_margin(void)
@@ -92,6 +102,7 @@ static couple pair_at(const shape *plan, real gap, unsigned long long *seed)
     couple c = { .a = solid_at(plan, turned_anyhow(origin, seed)) };
     vec3 course = any_direction(seed);
     c.b = solid_at(plan, turned_anyhow(vec3_scale(2, course), seed));
+    make_ready(&c);
     gjk_result r = distance(&c, gjk_options_default(), NULL);
     for (int tries = 0; tries < 60; tries++) {
         if (fabs(r.distance - wanted) < 1e-9) break;
@@ -113,6 +124,8 @@ static void make_pairs(real least, real most)
         before[i] = pair_at(&plan, gap, &seed);
         after[i].a = moved_on(before[i].a, &seed);
         after[i].b = moved_on(before[i].b, &seed);
+        make_ready(&before[i]);
+        make_ready(&after[i]);
         found[i].count = parted[i].count = 0;
         distance(&before[i], gjk_options_default(), &found[i]);
         distance(&before[i], with_margin(), &parted[i]);
@@ -284,10 +297,9 @@ static exit_found out[DEPTHS][PAIRS];
 
 static exit_found depth_of(const couple *c, simplex *from)
 {
-    point_set a = points_of(&c->a), b = points_of(&c->b);
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), from);
+    gjk_result r = distance(c, gjk_options_default(), from);
     if (r.status != GJK_OVERLAP) return (exit_found){ 0, { 0, 0, 0 } };
-    hit_result h = hit_face_find(a, b, &r.last, scratch);
+    hit_result h = hit_face_find(c->pa, c->pb, &r.last, scratch);
     return (exit_found){ h.depth, vec3_scale(-1, h.normal) };
 }
 
@@ -314,9 +326,8 @@ static void depth_carried(int block)
 {
     for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++) {
         hit_result h;
-        point_set a = points_of(&after[i].a), b = points_of(&after[i].b);
-        out[OURS_CARRIED][i] = hit_face_again(a, b, &remembered[k],
-                                              scratch, &h)
+        out[OURS_CARRIED][i] = hit_face_again(after[i].pa, after[i].pb,
+                                              &remembered[k], scratch, &h)
             ? (exit_found){ h.depth, vec3_scale(-1, h.normal) }
             : depth_of(&after[i], &carried[k]);
     }

@@ -9,14 +9,12 @@
 // neighbour to neighbour in a larger one.  (Measured: see chapter 4.)
 enum { SCAN_AT_MOST = 48 };
 
-static inline int scan(point_set p, vec3 d)
+// The point furthest along d; heights are measured from `base`.
+static inline int scan(point_set p, vec3 d, vec3 base)
 {
-    // Distances along d are measured from the first point, not from the
-    // world's origin: a body a thousand kilometres out loses no digit.
-    vec3 base = p.at[0];
-    real best = 0, sum = 0;
+    real best = vec3_dot(d, vec3_sub(p.at[0], base)), sum = best;
     int furthest = 0;
-    for (int i = 0; i < p.count; i++) {
+    for (int i = 1; i < p.count; i++) {
         real along = vec3_dot(d, vec3_sub(p.at[i], base));
         // Two selections rather than a branch, which nobody could foretell.
         furthest = along > best ? i : furthest;
@@ -27,10 +25,12 @@ static inline int scan(point_set p, vec3 d)
     return sum - sum == 0 ? furthest : -1;
 }
 
+// Measured from the first point, not from the world's origin, a body a thousand
+// kilometres out loses no digit.
 int support_scan(point_set p, vec3 d)
 {
     assert(p.count >= 1);
-    return scan(p, d);
+    return scan(p, d, p.at[0]);
 }
 //<
 
@@ -68,7 +68,7 @@ static inline int climb_step(point_set p, vec3 d, int stand, real *best)
 // top.  Amid a flat side it may be the bottom as well: then all are level.
 static int top_or_scan(point_set p, vec3 d, int here)
 {
-    return is_level(p, d, here) ? scan(p, d) : here;
+    return is_level(p, d, here) ? support_scan(p, d) : here;
 }
 
 int support_climb(point_set p, vec3 d, int from)
@@ -92,34 +92,29 @@ static inline int climbs(point_set p)
     return p.ring && p.count > SCAN_AT_MOST;
 }
 
-static inline int support(point_set p, vec3 d, int from)
-{
-    return climbs(p) ? support_climb(p, d, from) : scan(p, d);
-}
-
 int support_point(point_set p, vec3 d, int from)
 {
-    return support(p, d, from);
+    return climbs(p) ? support_climb(p, d, from) : support_scan(p, d);
 }
 //<
 
 //> support-both
-// Vertices of A and of B: a corner of A - B.
+// A corner of A - B: the difference of a vertex of A and one of B.
 typedef struct {
     int a, b;
-} two_vertices;
+} corner;
 
 // Two climbs abreast: while one waits for its vertices to come from memory, the
 // other goes on.
-static two_vertices climb_both(point_set a, point_set b, vec3 d,
-                               two_vertices from)
+static corner climb_both(point_set a, point_set b, vec3 d,
+                               corner from)
 {
     vec3 back = vec3_scale(-1, d);
-    two_vertices here = from;
+    corner here = from;
     real best_a = vec3_dot(d, vec3_sub(a.at[from.a], a.at[0]));
     real best_b = vec3_dot(back, vec3_sub(b.at[from.b], b.at[0]));
     for (int moves = 2; moves < a.count + b.count; moves++) {
-        two_vertices stand = here;
+        corner stand = here;
         here.a = climb_step(a, d, stand.a, &best_a);
         here.b = climb_step(b, back, stand.b, &best_b);
         if (here.a == stand.a && here.b == stand.b) break;
@@ -129,13 +124,19 @@ static two_vertices climb_both(point_set a, point_set b, vec3 d,
     return here;
 }
 
-// The vertex of A furthest along d, and that of B furthest against it.
-static inline two_vertices support_both(point_set a, point_set b, vec3 d,
-                                        two_vertices from)
+// The vertex of A furthest along d, and that of B furthest against it.  Of
+// bodies near the world's origin heights may be measured from there: that
+// saves a third of the work.
+static inline corner support_both(point_set a, point_set b, vec3 d,
+                                        corner from, int near_home)
 {
+    const vec3 home = { 0, 0, 0 };
+    vec3 back = vec3_scale(-1, d);
     if (climbs(a) && climbs(b)) return climb_both(a, b, d, from);
-    return (two_vertices){ support(a, d, from.a),
-                           support(b, vec3_scale(-1, d), from.b) };
+    if (near_home && !climbs(a) && !climbs(b))
+        return (corner){ scan(a, d, home), scan(b, back, home) };
+    return (corner){ support_point(a, d, from.a),
+                           support_point(b, back, from.b) };
 }
 //<
 
@@ -306,12 +307,6 @@ void triangle_weights(vec3 p0, vec3 p1, vec3 p2, vec3 x, real weight[3])
 //<
 
 //> gjk-polytope
-// A point of A - B and the vertices whose difference it is.
-typedef struct {
-    vec3 at;
-    int  a, b;
-} corner;
-
 // The simplex while we search: its corners, the weights of the point of it
 // that is nearest the origin, and that point.
 typedef struct {
@@ -329,15 +324,23 @@ typedef struct {
     real scale;
     int  measured;      // scale comes from the size: 1 is only a first guess
     real far;           // largest squared length of a corner met so far
+    int  near_home;     // the world's origin is no further away than 32 times
+                        // that corner: see support_both
 } pair;
 
-static corner corner_make(pair *p, int a, int b)
+static inline vec3 corner_at(const pair *p, corner c)
 {
-    vec3 at = vec3_scale(p->scale, vec3_sub(p->a.at[a], p->b.at[b]));
+    return vec3_scale(p->scale, vec3_sub(p->a.at[c.a], p->b.at[c.b]));
+}
+
+// A corner is met for the first time: is it the furthest so far?
+static inline vec3 corner_meet(pair *p, corner c)
+{
+    vec3 at = corner_at(p, c);
     real squared = vec3_length_squared(at);
     // Once not a number, never a number again.
-    if (squared > p->far || squared != squared) p->far = squared;
-    return (corner){ at, a, b };
+    p->far = (squared < p->far ? p->far : squared) + (p->far - p->far);
+    return at;
 }
 
 // 1 if the squares of lengths are of a size to compute with.  NaN is not.
@@ -380,20 +383,20 @@ typedef struct {
     int  j, k;
 } on_edge;
 
-static inline void edge_try(on_edge *best, const corner *of, int j, int k)
+static inline void edge_try(on_edge *best, const vec3 *of, int j, int k)
 {
     real wj, wk;
-    vec3 v = nearest_of_segment(of[j].at, of[k].at, &wj, &wk);
+    vec3 v = nearest_of_segment(of[j], of[k], &wj, &wk);
     real vv = vec3_length_squared(v);
     if (vv < best->squared) *best = (on_edge){ v, vv, wj, wk, j, k };
 }
 
 // The nearest point on those edges of a triangle that face a corner whose area
 // is not positive; all three if `all`.
-static vec3 nearest_of_edges(const corner *of, const int at[3],
+static vec3 nearest_of_edges(const vec3 *of, const int at[3],
                              const real area[3], int all, real weight[4])
 {
-    on_edge best = { of[at[0]].at, HUGE_VAL, 0, 0, at[0], at[0] };
+    on_edge best = { of[at[0]], HUGE_VAL, 0, 0, at[0], at[0] };
     if (all || !(area[0] > 0)) edge_try(&best, of, at[1], at[2]);
     if (all || !(area[1] > 0)) edge_try(&best, of, at[2], at[0]);
     if (all || !(area[2] > 0)) edge_try(&best, of, at[0], at[1]);
@@ -411,15 +414,15 @@ static vec3 nearest_of_edges(const corner *of, const int at[3],
 // until the end).  If not, the answer lies on an edge opposite a corner whose
 // area is not positive.  If they do not add up to the whole, |n|^2, they are
 // rounding: the triangle is lower than that, and its edges say as much.
-static vec3 nearest_of_triangle(const corner *of, int i, int j, int k,
+static vec3 nearest_of_triangle(const vec3 *of, int i, int j, int k,
                                 real weight[4])
 {
-    vec3 ij = vec3_sub(of[j].at, of[i].at), ik = vec3_sub(of[k].at, of[i].at);
-    vec3 jk = vec3_sub(of[k].at, of[j].at);
+    vec3 ij = vec3_sub(of[j], of[i]), ik = vec3_sub(of[k], of[i]);
+    vec3 jk = vec3_sub(of[k], of[j]);
     vec3 n = triangle_normal(ij, ik);
-    real area[3] = { vec3_dot(n, vec3_cross(of[j].at, jk)),
-                     vec3_dot(n, vec3_cross(ik, of[i].at)),
-                     vec3_dot(n, vec3_cross(of[i].at, ij)) };
+    real area[3] = { vec3_dot(n, vec3_cross(of[j], jk)),
+                     vec3_dot(n, vec3_cross(ik, of[i])),
+                     vec3_dot(n, vec3_cross(of[i], ij)) };
     real nn = vec3_length_squared(n), sum = area[0] + area[1] + area[2];
     int sound = fabs(sum - nn) < nn / 16;
     weight[0] = weight[1] = weight[2] = weight[3] = 0;
@@ -427,7 +430,7 @@ static vec3 nearest_of_triangle(const corner *of, int i, int j, int k,
         weight[i] = area[0];
         weight[j] = area[1];
         weight[k] = area[2];
-        return vec3_scale(vec3_dot(n, of[i].at) / nn, n);
+        return vec3_scale(vec3_dot(n, of[i]) / nn, n);
     }
     int at[3] = { i, j, k };
     return nearest_of_edges(of, at, area, !sound, weight);
@@ -445,12 +448,12 @@ static int volume_is_sure(real v, real aa, real bb, real cc)
 
 // volume[c] becomes the volume with corner c replaced by the origin: c's weight
 // times the whole volume.  1 if all are surely positive: the origin is inside.
-static int volumes_of_tetrahedron(const corner of[4], real volume[4])
+static int volumes_of_tetrahedron(const vec3 of[4], real volume[4])
 {
-    vec3 p0 = of[0].at, p1 = of[1].at;
-    vec3 e1 = vec3_sub(p1, p0), e2 = vec3_sub(of[2].at, p0);
-    vec3 e3 = vec3_sub(of[3].at, p0);
-    vec3 f2 = vec3_sub(of[2].at, p1), f3 = vec3_sub(of[3].at, p1);
+    vec3 p0 = of[0], p1 = of[1];
+    vec3 e1 = vec3_sub(p1, p0), e2 = vec3_sub(of[2], p0);
+    vec3 e3 = vec3_sub(of[3], p0);
+    vec3 f2 = vec3_sub(of[2], p1), f3 = vec3_sub(of[3], p1);
     vec3 n = vec3_cross(e2, e3);
     real side = vec3_dot(e1, n) < 0 ? -1 : 1;
     volume[0] = side * vec3_dot(p1, vec3_cross(f2, f3));
@@ -474,7 +477,7 @@ static int volumes_of_tetrahedron(const corner of[4], real volume[4])
 // The point of the tetrahedron nearest the origin: the origin itself, or a
 // point of a face opposite a corner whose volume is not positive.  All positive
 // but not surely: the tetrahedron is so flat that every face is tried.
-static vec3 nearest_of_tetrahedron(const corner of[4], real weight[4])
+static vec3 nearest_of_tetrahedron(const vec3 of[4], real weight[4])
 {
     static const int face[4][3] = { {1,2,3}, {0,2,3}, {0,1,3}, {0,1,2} };
     real volume[4];
@@ -484,7 +487,7 @@ static vec3 nearest_of_tetrahedron(const corner of[4], real weight[4])
         return (vec3){ 0, 0, 0 };
     }
     int flat = volume[0] > 0 && volume[1] > 0 && volume[2] > 0 && volume[3] > 0;
-    vec3 best = of[0].at;
+    vec3 best = of[0];
     real least = HUGE_VAL;
     for (int c = 0; c < 4; c++) {
         real w[4];
@@ -503,15 +506,16 @@ static vec3 nearest_of_tetrahedron(const corner of[4], real weight[4])
 //> gjk-reduce
 // The point of this simplex nearest the origin goes to *s, with those of the
 // corners that bear it.
-static void search_reduce(search *s, const corner *of, int count)
+static void search_reduce(search *s, const pair *p, const corner *of, int count)
 {
     real w[4] = { 1, 0, 0, 0 };
+    vec3 at[4];
+    for (int c = 0; c < count; c++) at[c] = corner_at(p, of[c]);
     switch (count) {
-    case 1:  s->nearest = of[0].at; break;
-    case 2:  s->nearest = nearest_of_segment(of[0].at, of[1].at, &w[0], &w[1]);
-             break;
-    case 3:  s->nearest = nearest_of_triangle(of, 0, 1, 2, w); break;
-    default: s->nearest = nearest_of_tetrahedron(of, w); break;
+    case 1:  s->nearest = at[0]; break;
+    case 2:  s->nearest = nearest_of_segment(at[0], at[1], &w[0], &w[1]); break;
+    case 3:  s->nearest = nearest_of_triangle(at, 0, 1, 2, w); break;
+    default: s->nearest = nearest_of_tetrahedron(at, w); break;
     }
     int kept = 0;
     for (int c = 0; c < count; c++) {
@@ -532,11 +536,168 @@ static int search_holds_origin(const search *s, const pair *p)
         || vec3_length_squared(s->nearest) <= rounding * rounding * p->far;
 }
 
-static int search_has(const search *s, int a, int b)
+static int search_has(const search *s, corner w)
 {
+    int has = 0;
     for (int c = 0; c < s->count; c++)
-        if (s->of[c].a == a && s->of[c].b == b) return 1;
-    return 0;
+        has |= (s->of[c].a == w.a) & (s->of[c].b == w.b);
+    return has;
+}
+//<
+
+//> gjk-fan
+// What a new corner o sees: the sides e[k] = p[k] - o to the corners that are
+// there already, and the faces that two of them span, each with its next.
+typedef struct {
+    vec3 o, e[3];
+    real ee[3], way[3];         // |e|^2; -o . e: how far along e the origin's
+                                // foot is, times |e|
+    real here[3], after[3];     // weights of the foot on face k: those of p[k]
+                                // and of the next, times `whole`
+    real whole[3];              // |e[k] x e[k + 1]|^2
+} fan;
+
+static inline void fan_side(fan *f, int k, vec3 p)
+{
+    f->e[k] = vec3_sub(p, f->o);
+    f->ee[k] = vec3_length_squared(f->e[k]);
+    f->way[k] = -vec3_dot(f->o, f->e[k]);
+}
+
+// The foot on the face of e and g is o + a e + b g, and what leads from it to
+// the origin is perpendicular to both:
+//   a |e|^2 + b e.g = way_e,   a e.g + b |g|^2 = way_g.
+// Cramer's rule gives a and b times |e|^2 |g|^2 - (e.g)^2 = |e x g|^2.  They
+// are left so: to choose, only their signs are needed, and no division.
+static inline void fan_face(fan *f, int k, int n)
+{
+    real eg = vec3_dot(f->e[k], f->e[n]);
+    f->here[k] = f->way[k] * f->ee[n] - f->way[n] * eg;
+    f->after[k] = f->way[n] * f->ee[k] - f->way[k] * eg;
+    f->whole[k] = f->ee[k] * f->ee[n] - eg * eg;
+}
+
+// 1 if the foot lies within face k; on side k between its ends.
+static inline int within_face(const fan *f, int k)
+{
+    return (f->here[k] > 0) & (f->after[k] > 0)
+         & (f->here[k] + f->after[k] < f->whole[k]);
+}
+
+static inline int within_side(const fan *f, int k)
+{
+    return (f->way[k] > 0) & (f->way[k] < f->ee[k]);
+}
+//<
+
+//> gjk-keep
+// The new simplex is w alone, w and another, or w and two that span its face k.
+// 0: rounding has a say in that.
+static int keep_corner(search *s, corner w, vec3 at)
+{
+    s->count = 1;
+    s->of[0] = w;
+    s->weight[0] = 1;
+    s->nearest = at;
+    return 1;
+}
+
+static int keep_side(search *s, const pair *p, corner other, corner w, vec3 at)
+{
+    s->count = 2;
+    s->of[0] = other;
+    s->of[1] = w;
+    s->nearest = nearest_of_segment(corner_at(p, other), at, &s->weight[0],
+                                    &s->weight[1]);
+    return s->weight[0] > 0 && s->weight[1] > 0;
+}
+
+static int keep_face(search *s, const fan *f, int k, int n, const corner *of,
+                     corner w)
+{
+    vec3 normal = vec3_cross(f->e[k], f->e[n]);
+    s->count = 3;
+    s->of[0] = of[k];
+    s->of[1] = of[n];
+    s->of[2] = w;
+    s->weight[0] = f->here[k];
+    s->weight[1] = f->after[k];
+    s->weight[2] = f->whole[k] - f->here[k] - f->after[k];
+    s->nearest = vec3_scale(vec3_dot(normal, f->o)
+                            / vec3_length_squared(normal), normal);
+    return f->whole[k] >= 0x1p-6 * f->ee[k] * f->ee[n];
+}
+//<
+
+//> gjk-grow-side
+// s is a side, and w a third corner.  The foot lies within their face; or
+// beyond one side of it, where the weight of the corner across is negative, and
+// that side bears the nearest point; or w alone does.  (Beyond the old side it
+// lies only if that was not chosen by a search, but is carried, or the first.)
+static int grow_side(search *next, const search *s, const pair *p, corner w,
+                     vec3 at)
+{
+    fan f;
+    f.o = at;
+    fan_side(&f, 0, corner_at(p, s->of[0]));
+    fan_side(&f, 1, corner_at(p, s->of[1]));
+    fan_face(&f, 0, 1);
+    real here = f.here[0], after = f.after[0];
+    if (within_face(&f, 0)) return keep_face(next, &f, 0, 1, s->of, w);
+    if ((after <= 0) & (f.way[0] > 0))
+        return keep_side(next, p, s->of[0], w, at);
+    if ((here <= 0) & (f.way[1] > 0))
+        return keep_side(next, p, s->of[1], w, at);
+    if ((here > 0) & (after > 0))
+        return keep_side(next, p, s->of[0], s->of[1], corner_at(p, s->of[1]));
+    return keep_corner(next, w, at);
+}
+//<
+
+//> gjk-grow-face
+// s is a face, and w a fourth corner.  Of the three faces at w those count that
+// the origin sees from outside.  A foot within one of them is the nearest
+// point; a foot on a side is, if it lies within neither of the faces there.  No
+// face seen: the origin is inside.
+static int grow_face(search *next, const search *s, const pair *p, corner w,
+                     vec3 at)
+{
+    static const int after[3] = { 1, 2, 0 }, before[3] = { 2, 0, 1 };
+    fan f;
+    int seen[3];
+    f.o = at;
+    for (int k = 0; k < 3; k++) fan_side(&f, k, corner_at(p, s->of[k]));
+    for (int k = 0; k < 3; k++) fan_face(&f, k, after[k]);
+    real volume = vec3_dot(vec3_cross(f.e[0], f.e[1]), f.e[2]);
+    for (int k = 0; k < 3; k++) {
+        vec3 normal = vec3_cross(f.e[k], f.e[after[k]]);
+        seen[k] = vec3_dot(normal, f.o) * volume >= 0;
+    }
+    if (!(seen[0] | seen[1] | seen[2])) return 0;
+    for (int k = 0; k < 3; k++)
+        if (seen[k] & within_face(&f, k))
+            return keep_face(next, &f, k, after[k], s->of, w);
+    for (int k = 0; k < 3; k++)
+        if (within_side(&f, k) & (f.after[k] <= 0) & (f.here[before[k]] <= 0))
+            return keep_side(next, p, s->of[k], w, at);
+    return keep_corner(next, w, at);
+}
+//<
+
+//> gjk-grow
+// s with the new corner w, which no other is before on the way to the origin:
+// so w has a share in the new nearest point.  What else has goes to *next.
+// 0: rounding may have a say, as in a flat simplex, or so near the origin that
+// v is small beside what it is made of; then search_reduce must be asked.
+static int search_grow(search *next, const search *s, const pair *p, corner w,
+                       vec3 at)
+{
+    int sure = 0;
+    if (s->count == 1) sure = keep_side(next, p, s->of[0], w, at);
+    if (s->count == 2) sure = grow_side(next, s, p, w, at);
+    if (s->count == 3) sure = grow_face(next, s, p, w, at);
+    if (s->count < 2 && !sure) sure = keep_corner(next, w, at);
+    return sure && vec3_length_squared(next->nearest) > 0x1p-40 * p->far;
 }
 //<
 
@@ -578,45 +739,126 @@ static int pair_measure(pair *p)
 }
 //<
 
+//> gjk-middle
+// A large body is sketched by some four dozen of its points, taken evenly.
+enum { SKETCH = 48 };
+
+static int sketch_stride(point_set p)
+{
+    return climbs(p) ? (p.count + SKETCH - 1) / SKETCH : 1;
+}
+
+// The mean of the points, or of the sketch.
+static vec3 middle_of(point_set p)
+{
+    vec3 sum = p.at[0];
+    int stride = sketch_stride(p), seen = 1;
+    for (int i = stride; i < p.count; i += stride, seen++)
+        sum = vec3_add(sum, p.at[i]);
+    return vec3_scale(1 / (real)seen, sum);
+}
+//<
+
+//> gjk-two
+// The two points of p furthest along d; the same twice, if there is but one.
+static void top_two(point_set p, vec3 d, int two[2])
+{
+    real best = vec3_dot(d, p.at[0]), next = -HUGE_VAL;
+    int first = 0, second = 0;
+    for (int i = 1; i < p.count; i++) {
+        real along = vec3_dot(d, p.at[i]);
+        // Who does not become the first may still become the second.
+        real less = along < best ? along : best;
+        int lower = along > best ? first : i;
+        first = along > best ? i : first;
+        best = along > best ? along : best;
+        second = less > next ? lower : second;
+        next = less > next ? less : next;
+    }
+    two[0] = first;
+    two[1] = second;
+}
+//<
+
+//> gjk-two-climbing
+// The same of a large body: a climb from the highest point of the sketch, and
+// the highest neighbour of where it ends.
+static void top_two_climbing(point_set p, vec3 d, int two[2])
+{
+    int stride = sketch_stride(p), from = 0;
+    real best = vec3_dot(d, p.at[0]), next = -HUGE_VAL;
+    for (int i = stride; i < p.count; i += stride) {
+        real along = vec3_dot(d, p.at[i]);
+        from = along > best ? i : from;
+        best = along > best ? along : best;
+    }
+    int top = support_climb(p, d, from);
+    // A coordinate that is not finite will be met again.
+    if (top < 0) top = 0;
+    two[0] = two[1] = top;
+    for (int k = p.ring_start[top]; k < p.ring_start[top + 1]; k++) {
+        real along = vec3_dot(d, p.at[p.ring[k]]);
+        two[1] = along > next ? p.ring[k] : two[1];
+        next = along > next ? along : next;
+    }
+}
+
+static void first_two(point_set p, vec3 d, int two[2])
+{
+    if (climbs(p)) top_two_climbing(p, d, two);
+    else top_two(p, d, two);
+}
+//<
+
 //> gjk-begin
 // The corner of A - B furthest along d; -1 where a coordinate is not finite.
 // d is of scaled lengths, the vertices are not: scaled once more, its products
 // with them are numbers, too.
-static inline two_vertices support_along(const pair *p, vec3 d, int a, int b)
+static inline corner support_along(const pair *p, vec3 d, corner from)
 {
-    return support_both(p->a, p->b, vec3_scale(p->scale, d),
-                        (two_vertices){ a, b });
+    return support_both(p->a, p->b, vec3_scale(p->scale, d), from,
+                        p->near_home);
 }
 
-// A first guess at the point of A - B nearest the origin, when nothing is
-// known: the furthest from the middle of three points of A towards the middle
-// of three of B.
-static corner corner_first(pair *p)
+// Corners to start from when nothing is known: as seen from middle to middle, A
+// has a first and a second vertex, and so has B.  Three of the four differences
+// are mostly near to what is sought.
+static int corners_first(const pair *p, corner *of)
 {
-    const vec3 *a = p->a.at, *b = p->b.at;
-    int na = p->a.count, nb = p->b.count;
-    vec3 in_a = vec3_add(a[0], vec3_add(a[na / 3], a[2 * na / 3]));
-    vec3 in_b = vec3_add(b[0], vec3_add(b[nb / 3], b[2 * nb / 3]));
-    vec3 d = vec3_scale(p->scale, vec3_sub(in_b, in_a));
-    two_vertices w = support_along(p, d, 0, 0);
-    if (w.a < 0 || w.b < 0) return corner_make(p, 0, 0);
-    return corner_make(p, w.a, w.b);
+    vec3 d = vec3_sub(middle_of(p->b), middle_of(p->a));
+    d = vec3_scale(p->scale, vec3_scale(p->scale, d));
+    int a[2], b[2];
+    first_two(p->a, d, a);
+    first_two(p->b, vec3_scale(-1, d), b);
+    of[0] = (corner){ a[1], b[0] };
+    of[1] = (corner){ a[0], b[1] };
+    of[2] = (corner){ a[0], b[0] };
+    return 3;
 }
 
 // The simplex to start from: the carried one, with its points where they are
-// now, or one point of A - B.
+// now, or the first corners.
 static void search_begin(search *s, pair *p, const simplex *start)
 {
     int count = start ? start->count : 0;
-    corner of[4];
+    search all;
     assert(count >= 0 && count <= 4);
     for (int c = 0; c < count; c++) {
         assert(start->a[c] >= 0 && start->a[c] < p->a.count);
         assert(start->b[c] >= 0 && start->b[c] < p->b.count);
-        of[c] = corner_make(p, start->a[c], start->b[c]);
+        all.of[c] = (corner){ start->a[c], start->b[c] };
     }
-    if (count == 0) of[count++] = corner_first(p);
-    search_reduce(s, of, count);
+    if (count == 0) count = corners_first(p, all.of);
+    vec3 at = { 0, 0, 0 };
+    for (int c = 0; c < count; c++) at = corner_meet(p, all.of[c]);
+    all.count = count - 1;
+    if (count == 4 || !search_grow(s, &all, p, all.of[count - 1], at))
+        search_reduce(s, p, all.of, count);
+    s->stalls = 0;
+    vec3 a = vec3_scale(p->scale, p->a.at[0]);
+    vec3 b = vec3_scale(p->scale, p->b.at[0]);
+    p->near_home = vec3_length_squared(a) + vec3_length_squared(b)
+                <= 0x1p10 * p->far;
 }
 //<
 
@@ -627,17 +869,16 @@ static void search_begin(search *s, pair *p, const simplex *start)
 static int some_plane_parts(pair *p, const corner *of, int count, vec3 *normal)
 {
     for (int skip = count == 4 ? 0 : 3; skip < 4 && count > 2; skip++) {
-        const corner *x = &of[skip == 0], *y = &of[1 + (skip <= 1)];
-        const corner *z = &of[2 + (skip <= 2)];
-        vec3 n = cross_of_parallels(vec3_sub(y->at, x->at),
-                                    vec3_sub(z->at, x->at));
-        if (vec3_dot(n, x->at) < 0) n = vec3_scale(-1, n);
-        vec3 back = vec3_scale(-1, n);
-        two_vertices w = support_along(p, back, x->a, x->b);
+        corner first = of[skip == 0];
+        vec3 x = corner_at(p, first), y = corner_at(p, of[1 + (skip <= 1)]);
+        vec3 z = corner_at(p, of[2 + (skip <= 2)]);
+        vec3 n = cross_of_parallels(vec3_sub(y, x), vec3_sub(z, x));
+        if (vec3_dot(n, x) < 0) n = vec3_scale(-1, n);
+        corner w = support_along(p, vec3_scale(-1, n), first);
         // A vertex so far behind that its height overflows: nothing is shown.
         if (w.a < 0 || w.b < 0) return 0;
         *normal = n;
-        if (vec3_dot(n, corner_make(p, w.a, w.b).at) > 0) return 1;
+        if (vec3_dot(n, corner_meet(p, w)) > 0) return 1;
     }
     return 0;
 }
@@ -658,6 +899,33 @@ static int is_stall(const pair *p, real vv, real vw, real longer)
 }
 //<
 
+//> gjk-careful-step
+// How it ended.
+typedef struct {
+    gjk_status status;
+    real lower;         // v . w, when beyond the margin
+    vec3 normal;        // of a plane that parts them where v does not; or 0
+    int  iterations;
+} ending;
+
+// The careful way on from s, where v . w is vw, to s with w.
+static int step_carefully(pair *p, search *s, search *next, corner w, real vw,
+                          ending *end)
+{
+    real vv = vec3_length_squared(s->nearest);
+    s->of[s->count] = w;
+    search_reduce(next, p, s->of, s->count + 1);
+    real shorter = vec3_length_squared(next->nearest);
+    if (next->count == 4 || shorter < vv) return 1;
+    next->stalls++;
+    if (s->stalls < STALLS_AT_MOST && is_stall(p, vv, vw, shorter)) return 1;
+    // Rounding has eaten the rest of the way.
+    if (vw <= 0 && some_plane_parts(p, s->of, s->count + 1, &end->normal))
+        end->status = GJK_APART;
+    return 0;
+}
+//<
+
 //> gjk-loop
 // What ends a search: v is at most gap / |v| longer than the distance.
 typedef struct {
@@ -668,39 +936,31 @@ typedef struct {
 
 // One iteration: asks for the point w furthest towards the origin, and moves on
 // to the nearest point of the simplex with w.  1: go on, from *next.  0: over,
-// with *s the result and r->status the reason.
-static int search_step(pair *p, limits until, search *s, search *next,
-                       gjk_result *r)
+// with *s the result and end->status the reason.
+static int search_step(pair *p, const limits *until, search *s, search *next,
+                       ending *end)
 {
-    const corner *last = &s->of[s->count - 1];
-    vec3 v = s->nearest, back = vec3_scale(-1, v);
+    vec3 v = s->nearest;
     real vv = vec3_length_squared(v);
-    two_vertices far = support_along(p, back, last->a, last->b);
-    r->iterations++;
-    r->status = GJK_NOT_FINITE;
-    if (far.a < 0 || far.b < 0) return 0;
-    corner w = corner_make(p, far.a, far.b);
+    corner w = support_along(p, vec3_scale(-1, v), s->of[s->count - 1]);
+    end->iterations++;
+    end->status = GJK_NOT_FINITE;
+    if (w.a < 0 || w.b < 0) return 0;
+    vec3 at = corner_meet(p, w);
     if (!pair_in_range(p)) return 0;
 
     // The plane through w with normal v has all of A - B beyond it.
-    real vw = vec3_dot(v, w.at);
-    r->status = GJK_BEYOND;
-    r->distance = vw;
-    if (vw > 0 && vw * vw > until.margin * until.margin * vv) return 0;
+    real vw = vec3_dot(v, at);
+    end->status = GJK_BEYOND;
+    end->lower = vw;
+    if (vw > 0 && vw * vw > until->margin * until->margin * vv) return 0;
     // No plane that parts them will be found: too near to tell.
-    r->status = vw > 0 ? GJK_APART : GJK_OVERLAP;
-    if (vv - vw <= until.bound * vv || search_has(s, w.a, w.b)) return 0;
-    s->of[s->count] = w;
-    search_reduce(next, s->of, s->count + 1);
-    real shorter = vec3_length_squared(next->nearest);
+    end->status = vw > 0 ? GJK_APART : GJK_OVERLAP;
+    if (vv - vw <= until->bound * vv || search_has(s, w)) return 0;
     next->stalls = s->stalls;
-    if (next->count == 4 || shorter < vv) return 1;
-    next->stalls++;
-    if (s->stalls < STALLS_AT_MOST && is_stall(p, vv, vw, shorter)) return 1;
-    // Rounding has eaten the rest of the way.
-    if (vw <= 0 && some_plane_parts(p, s->of, s->count + 1, &r->axis))
-        r->status = GJK_APART;
-    return 0;
+    if (search_grow(next, s, p, w, at)
+        && vec3_length_squared(next->nearest) < vv) return 1;
+    return step_carefully(p, s, next, w, vw, end);
 }
 //<
 
@@ -709,18 +969,17 @@ static int search_step(pair *p, limits until, search *s, search *next,
 // wrong by some roundings of |side| |corner| |n|.  Divided by |n|^2 that is
 // small where the triangle is well shaped, and not small for how far off it is.
 // Then the areas need only be divided by their sum.
-static int areas_are_weights(search *s)
+static int areas_are_weights(search *s, const vec3 at[3])
 {
-    vec3 e = vec3_sub(s->of[1].at, s->of[0].at);
-    vec3 f = vec3_sub(s->of[2].at, s->of[0].at);
-    vec3 g = vec3_sub(s->of[2].at, s->of[1].at);
+    vec3 e = vec3_sub(at[1], at[0]), f = vec3_sub(at[2], at[0]);
+    vec3 g = vec3_sub(at[2], at[1]);
     real ee = vec3_length_squared(e), ff = vec3_length_squared(f);
     real gg = vec3_length_squared(g), sum = 0;
     real longest = ee > ff ? ee : ff;
     longest = gg > longest ? gg : longest;
     for (int c = 0; c < 3; c++) sum += s->weight[c];
     if (!(sum >= 0x1p-4 * longest * longest)) return 0;
-    if (!(longest >= 0x1p-4 * vec3_length_squared(s->of[0].at))) return 0;
+    if (!(longest >= 0x1p-4 * vec3_length_squared(at[0]))) return 0;
     for (int c = 0; c < 3; c++) s->weight[c] /= sum;
     return 1;
 }
@@ -730,11 +989,14 @@ static int areas_are_weights(search *s)
 // What did to choose becomes weights: the areas of a triangle, and the two
 // parts of a segment, which add up to 1 unless it is so short and so far off
 // that the distance has rounded them.
-static void search_weigh(search *s)
+static void search_weigh(search *s, const pair *p)
 {
-    if (s->count == 3 && !areas_are_weights(s))
-        triangle_weights(s->of[0].at, s->of[1].at, s->of[2].at, s->nearest,
-                         s->weight);
+    if (s->count == 3) {
+        const vec3 at[3] = { corner_at(p, s->of[0]), corner_at(p, s->of[1]),
+                             corner_at(p, s->of[2]) };
+        if (!areas_are_weights(s, at))
+            triangle_weights(at[0], at[1], at[2], s->nearest, s->weight);
+    }
     if (s->count == 2
         && fabs(s->weight[0] + s->weight[1] - 1) > 16 * DBL_EPSILON) {
         real sum = s->weight[0] + s->weight[1];
@@ -744,129 +1006,137 @@ static void search_weigh(search *s)
 }
 //<
 
-//> gjk-answer
-static void answer(const pair *p, search *s, gjk_result *r)
-{
-    search_weigh(s);
-    real back = 1 / p->scale;
-    vec3 a0 = p->a.at[s->of[0].a], b0 = p->b.at[s->of[0].b];
-    vec3 from_a0 = { 0, 0, 0 }, from_b0 = { 0, 0, 0 };
-    r->last.count = s->count;
-    for (int c = 0; c < s->count; c++) {
-        int a = s->of[c].a, b = s->of[c].b;
-        real weight = s->weight[c];
-        r->last.a[c] = a;
-        r->last.b[c] = b;
-        r->last.weight[c] = weight;
-        // Weighted from the first vertex on, so that nothing is lost far out.
-        from_a0 = vec3_add_scaled(from_a0, weight, vec3_sub(p->a.at[a], a0));
-        from_b0 = vec3_add_scaled(from_b0, weight, vec3_sub(p->b.at[b], b0));
-    }
-    r->on_a = vec3_add(a0, from_a0);
-    r->on_b = vec3_add(b0, from_b0);
-    // Along v; or, as long, along the normal of a plane that parts where v, so
-    // short that its direction is rounding, does not.
-    real length = vec3_length(s->nearest), normal = vec3_length(r->axis);
-    r->axis = normal > 0 ? vec3_scale(back * (length / normal), r->axis)
-                         : vec3_scale(back, s->nearest);
-    if (r->status == GJK_OVERLAP) {
-        r->distance = 0;
-        r->axis = (vec3){ 0, 0, 0 };
-    } else if (r->status == GJK_BEYOND) {
-        r->distance = back * (r->distance / length);
-        r->last.axis = vec3_scale(1 / length, s->nearest);
-    } else {
-        r->distance = back * length;
-    }
-}
-//<
-
 //> gjk-run
-// From start (NULL: from nowhere).  *r is all 0 before.
-static void distance_at_scale(pair *p, gjk_options options,
-                              const simplex *start, gjk_result *r)
+// From start (NULL: from nowhere), in two simplices that take turns.  Returns
+// the one with which the search ended.
+static search *search_run(pair *p, gjk_options options, const simplex *start,
+                          search two_of[2], ending *end)
 {
     limits until = { options.relative_error, options.margin * p->scale,
                      options.cap };
     if (until.bound < DBL_EPSILON) until.bound = DBL_EPSILON;
-    search two_of[2], *s = &two_of[0], *next = &two_of[1];
+    search *s = &two_of[0], *next = &two_of[1];
     search_begin(s, p, start);
-    s->stalls = 0;
-    r->iterations = !start;
-    r->status = GJK_NOT_FINITE;
-    if (!pair_in_range(p)) return;
+    *end = (ending){ .status = GJK_NOT_FINITE, .iterations = !start };
+    if (!pair_in_range(p)) return s;
     for (;;) {
-        r->status = GJK_OVERLAP;
+        end->status = GJK_OVERLAP;
         if (search_holds_origin(s, p)) break;
-        r->status = GJK_CAPPED;
-        if (r->iterations >= until.cap) break;
-        if (!search_step(p, until, s, next, r)) break;
+        end->status = GJK_CAPPED;
+        if (end->iterations >= until.cap) break;
+        if (!search_step(p, &until, s, next, end)) break;
         search *spare = s;
         s = next;
         next = spare;
     }
-    // What is not finite may be met late: what was found until then goes.
-    if (r->status == GJK_NOT_FINITE) r->distance = 0;
-    else answer(p, s, r);
+    return s;
 }
 //<
 
-//> gjk-sketch
-// A large body is sketched by a few of its points, taken evenly.
-enum { SKETCH = 24 };
-
-static int sketch_stride(point_set p)
+//> gjk-points
+// The simplex as it is carried on, number by number: a copy as a whole would
+// have to wait until its parts, just written, have reached the memory.
+static inline void simplex_write(simplex *to, const search *s, vec3 axis)
 {
-    return climbs(p) ? (p.count + SKETCH - 1) / SKETCH : 1;
-}
-
-static point_set sketch_of(point_set p, vec3 at[SKETCH])
-{
-    if (!climbs(p)) return p;
-    int stride = sketch_stride(p), n = 0;
-    for (int i = 0; i < p.count; i += stride) at[n++] = p.at[i];
-    return (point_set){ at, n, NULL, NULL };
-}
-
-// Where to begin when nothing is known of large bodies: with the simplex in
-// which the search between their sketches ends.  It is one of the bodies, too,
-// and near to their last one; there a climb is a step or two.
-static simplex sketch_simplex(const pair *p, gjk_options options)
-{
-    vec3 at_a[SKETCH], at_b[SKETCH];
-    pair rough = *p;
-    rough.a = sketch_of(p->a, at_a);
-    rough.b = sketch_of(p->b, at_b);
-    options.relative_error = 0x1p-4;
-    options.margin = HUGE_VAL;
-    gjk_result r = { .status = GJK_NOT_FINITE };
-    distance_at_scale(&rough, options, NULL, &r);
-    for (int c = 0; c < r.last.count; c++) {
-        r.last.a[c] *= sketch_stride(p->a);
-        r.last.b[c] *= sketch_stride(p->b);
+    to->count = s->count;
+    for (int c = 0; c < 4; c++) {
+        int used = c < s->count;
+        to->a[c] = used ? s->of[c].a : 0;
+        to->b[c] = used ? s->of[c].b : 0;
+        to->weight[c] = used ? s->weight[c] : 0;
     }
-    return r.last;
+    to->axis.x = axis.x;
+    to->axis.y = axis.y;
+    to->axis.z = axis.z;
+}
+
+// The point of a body that these vertices and weights make.  Weighted from the
+// first vertex on, so that nothing is lost far out.
+static inline vec3 weighted(const vec3 *at, const int vertex[4],
+                            const real weight[4], int count)
+{
+    vec3 base = at[vertex[0]], from = { 0, 0, 0 };
+    for (int c = 1; c < count; c++)
+        from = vec3_add_scaled(from, weight[c], vec3_sub(at[vertex[c]], base));
+    return vec3_add(base, from);
+}
+//<
+
+//> gjk-answer
+static gjk_result answer(const pair *p, search *s, const ending *end,
+                         simplex *carried)
+{
+    const vec3 none = { 0, 0, 0 };
+    simplex last;
+    search_weigh(s, p);
+    simplex_write(&last, s, none);
+    vec3 on_a = weighted(p->a.at, last.a, last.weight, s->count);
+    vec3 on_b = weighted(p->b.at, last.b, last.weight, s->count);
+    real back = 1 / p->scale, length = vec3_length(s->nearest);
+    real distance = back * length;
+    vec3 axis = vec3_scale(back, s->nearest);
+    if (end->status == GJK_OVERLAP) {
+        distance = 0;
+        axis = none;
+    } else if (end->status == GJK_BEYOND) {
+        distance = back * (end->lower / length);
+        last.axis = vec3_scale(1 / length, s->nearest);
+    } else if (vec3_length_squared(end->normal) > 0) {
+        // As long as v, but along the normal of a plane that parts where v, so
+        // short that its direction is rounding, does not.
+        real shorten = length / vec3_length(end->normal);
+        axis = vec3_scale(back * shorten, end->normal);
+    }
+    if (carried) simplex_write(carried, s, last.axis);
+    return (gjk_result){ .status = end->status, .distance = distance,
+        .axis = axis, .on_a = on_a, .on_b = on_b, .last = last,
+        .iterations = end->iterations };
 }
 //<
 
 //> gjk-beyond
+// Only a number, no vertex: so there is little to choose.
+static inline real least_height(point_set p, vec3 n, real *poison)
+{
+    real least = HUGE_VAL, sum = 0;
+    for (int i = 0; i < p.count; i++) {
+        real up = vec3_dot(n, p.at[i]);
+        least = up < least ? up : least;
+        sum += up;
+    }
+    *poison += sum - sum;
+    return least;
+}
+
+// m, a bound of the gap along n: heights are measured from the world's origin,
+// and what that may cost, of a body far out, is taken off.
+static inline real gap_at_least(point_set a, point_set b, vec3 n)
+{
+    real poison = 0;
+    real gap = least_height(a, n, &poison)
+             + least_height(b, vec3_scale(-1, n), &poison);
+    vec3 a0 = a.at[0], b0 = b.at[0];
+    real far = fabs(a0.x) + fabs(a0.y) + fabs(a0.z)
+             + (fabs(b0.x) + fabs(b0.y) + fabs(b0.z));
+    return gap - 4 * DBL_EPSILON * far + poison;
+}
+
 // Bodies that were beyond the margin mostly still are, and the axis that parted
 // them still does: then nothing else is asked.  (Of large bodies a climb from
-// the last corner answers sooner than this.)
-static int still_beyond(point_set a, point_set b, real margin,
-                        const simplex *carried, gjk_result *r)
+// the last corner answers sooner than this.)  The gap, if it shows that; or 0.
+static inline real still_beyond(point_set a, point_set b, real margin, vec3 n)
 {
-    vec3 n = carried->axis;
     if (!(vec3_length_squared(n) > 0 && margin < HUGE_VAL)) return 0;
     if (climbs(a) || climbs(b)) return 0;
-    real gap = support_gap(a, b, n);
-    if (!(gap > margin && gap < HUGE_VAL)) return 0;
-    r->status = GJK_BEYOND;
-    r->distance = gap;
-    r->axis = vec3_scale(gap, n);
-    r->iterations = 1;
-    r->last = *carried;
-    return 1;
+    real gap = gap_at_least(a, b, n);
+    return gap > margin && gap < HUGE_VAL ? gap : 0;
+}
+
+static inline gjk_result answer_beyond(real gap, const simplex *carried)
+{
+    return (gjk_result){ .status = GJK_BEYOND, .distance = gap,
+        .axis = vec3_scale(gap, carried->axis), .on_a = { 0, 0, 0 },
+        .on_b = { 0, 0, 0 }, .last = *carried, .iterations = 1 };
 }
 //<
 
@@ -876,28 +1146,32 @@ gjk_options gjk_options_default(void)
     return (gjk_options){ .relative_error = 0, .margin = HUGE_VAL, .cap = 64 };
 }
 
+static gjk_result distance_of(point_set a, point_set b, gjk_options options,
+                              simplex *carried)
+{
+    pair p = { .a = a, .b = b, .scale = 1 };
+    search two_of[2];
+    ending end;
+    const simplex *start = carried && carried->count > 0 ? carried : NULL;
+    search *s = search_run(&p, options, start, two_of, &end);
+    if (end.status != GJK_NOT_FINITE) return answer(&p, s, &end, carried);
+    // Out of range: bodies of strange size, or coordinates that are no numbers.
+    if (pair_measure(&p)) s = search_run(&p, options, start, two_of, &end);
+    // What is not finite may be met late: what was found until then goes.
+    if (end.status != GJK_NOT_FINITE) return answer(&p, s, &end, carried);
+    return (gjk_result){ .status = end.status, .iterations = end.iterations };
+}
+
 gjk_result gjk_distance(point_set a, point_set b, gjk_options options,
                         simplex *carried)
 {
     assert(a.count >= 1 && b.count >= 1);
     assert(options.relative_error >= 0 && options.relative_error < 1);
     assert(options.margin >= 0 && options.cap >= 1);
-    gjk_result r = { .status = GJK_NOT_FINITE };
-    if (carried && still_beyond(a, b, options.margin, carried, &r)) return r;
-    pair p = { .a = a, .b = b, .scale = 1 };
-    simplex sketch;
-    const simplex *start = carried && carried->count > 0 ? carried : NULL;
-    if (!start && (climbs(a) || climbs(b))) {
-        sketch = sketch_simplex(&p, options);
-        if (sketch.count > 0) start = &sketch;
+    if (carried) {
+        real gap = still_beyond(a, b, options.margin, carried->axis);
+        if (gap > 0) return answer_beyond(gap, carried);
     }
-    distance_at_scale(&p, options, start, &r);
-    // Out of range: bodies of strange size, or coordinates that are no numbers.
-    if (r.status == GJK_NOT_FINITE && pair_measure(&p)) {
-        r = (gjk_result){ .status = GJK_NOT_FINITE };
-        distance_at_scale(&p, options, start, &r);
-    }
-    if (carried && r.last.count > 0) *carried = r.last;
-    return r;
+    return distance_of(a, b, options, carried);
 }
 //<

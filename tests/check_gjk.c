@@ -35,6 +35,17 @@ static void same_bits(real got, real wanted)
                   got, wanted);
 }
 
+static void same_simplex(const simplex *got, const simplex *wanted)
+{
+    ck_assert_int_eq(got->count, wanted->count);
+    for (int c = 0; c < 4; c++) {
+        ck_assert_int_eq(got->a[c], wanted->a[c]);
+        ck_assert_int_eq(got->b[c], wanted->b[c]);
+        same_bits(got->weight[c], wanted->weight[c]);
+    }
+    same_bits(got->axis.x, wanted->axis.x);
+}
+
 // One number that changes if any bit of an answer changes.
 static unsigned long long digest(unsigned long long h, gjk_result r)
 {
@@ -313,7 +324,7 @@ START_TEST(carried_equals_cold)
                                            gjk_options_default(), &carried);
             ck_assert_int_eq(warm.status, cold.status);
             near(warm.distance, cold.distance, rounding);
-            ck_assert_mem_eq(&carried, &warm.last, sizeof carried);
+            same_simplex(&carried, &warm.last);
             cold_asked += cold.iterations;
             if (frame > 0) carried_asked += warm.iterations;
             body_move(&b, drift);
@@ -354,8 +365,8 @@ START_TEST(an_axis_that_parted_answers_first)
             }
             ck_assert(r.distance > o.margin && r.distance <= truth + rounding);
             real gap = support_gap(body_points(&a), body_points(&b), was.axis);
-            if (vec3_length(was.axis) > 0 && gap > o.margin) {
-                same_bits(r.distance, gap);
+            if (vec3_length(was.axis) > 0 && gap > 1.001 * o.margin) {
+                near(r.distance, gap, 4 * rounding);
                 ck_assert_int_eq(r.iterations, 1);
             }
         }
@@ -368,12 +379,58 @@ START_TEST(an_axis_that_parted_answers_first)
 }
 END_TEST
 
-// Rejects: a sketch whose corners are not the body's; one that is taken for it.
+// Far out, heights along the axis are rough.  Rejects: a bound that does not
+// take that off, and so promises a micrometre too much.
+START_TEST(an_axis_promises_too_little_rather_than_too_much)
+{
+    unsigned long long seed = 59;
+    gjk_options o = gjk_options_default();
+    o.margin = 0.02;
+    for (int n = 0; n < 2000; n++) {
+        body a, b;
+        body_any(&a, n % 3, &seed);
+        body_any(&b, n / 3 % 3, &seed);
+        vec3 way = random_direction(&seed);
+        vec3 far = vec3_scale(ldexp(1, n % 40), random_direction(&seed));
+        body_move(&b, vec3_scale(2.5, way));
+        body_move(&a, far);
+        body_move(&b, far);
+        simplex carried = { .count = 0 };
+        gjk_distance(body_points(&a), body_points(&b), o, &carried);
+        gjk_result r = gjk_distance(body_points(&a), body_points(&b), o,
+                                    &carried);
+        real gap = support_gap(body_points(&a), body_points(&b), carried.axis);
+        ck_assert(r.status != GJK_BEYOND || r.distance <= gap + rounding);
+        if (n % 40 < 10) ck_assert_int_eq(r.status, GJK_BEYOND);
+    }
+}
+END_TEST
+
+// Rejects: a start that is no better than any corner (which takes 5).
+START_TEST(three_first_corners_are_mostly_near)
+{
+    unsigned long long seed = 61;
+    int asked = 0, pairs = 2000;
+    for (int n = 0; n < pairs; n++) {
+        body a, b;
+        body_icosahedron(&a, 0.5);
+        b = a;
+        body_turn(&a, &seed);
+        body_turn(&b, &seed);
+        body_move(&b, random_vector(&seed, 1.02, 1.5));
+        asked += ask(&a, &b).iterations;
+    }
+    ck_assert_int_lt(asked, 3 * pairs);
+}
+END_TEST
+
+// Rejects: a sketch that is taken for the body; a start from one that leaves
+// half of the way to the climbs (which took 7.5).
 START_TEST(large_bodies_are_sketched_first)
 {
     unsigned long long seed = 53;
-    long with = 0, without = 0;
-    for (int n = 0; n < 200; n++) {
+    int asked = 0, pairs = 200;
+    for (int n = 0; n < pairs; n++) {
         static body a, b;
         body_icosphere(&a, 2 + n % 2, 0.5);
         body_icosphere(&b, 2 + n / 2 % 2, 0.5);
@@ -386,10 +443,9 @@ START_TEST(large_bodies_are_sketched_first)
         gjk_result scanned = gjk_distance(pa, pb, gjk_options_default(), NULL);
         ck_assert_int_eq(climbed.status, scanned.status);
         near(climbed.distance, scanned.distance, rounding);
-        with += climbed.iterations;
-        without += scanned.iterations;
+        asked += climbed.iterations;
     }
-    ck_assert(with < without);
+    ck_assert_int_lt(asked, 6 * pairs);
 }
 END_TEST
 
@@ -480,7 +536,7 @@ START_TEST(the_cap_is_honoured)
     b = a;
     body_move(&b, (vec3){ 0.8, 0.7, 0.6 });
     gjk_result full = ask(&a, &b);
-    ck_assert_int_gt(full.iterations, 3);
+    ck_assert_int_gt(full.iterations, 2);
     real before = HUGE_VAL;
     for (int cap = 1; cap <= full.iterations; cap++) {
         gjk_options o = gjk_options_default();
@@ -905,7 +961,7 @@ END_TEST
 
 // The number was printed by this test itself; gcc and clang agree on it at -O0,
 // -O2 and -O3.  A change of it is a change of answers.
-static const unsigned long long known_digest = 0x98ef8714428edc57ULL;
+static const unsigned long long known_digest = 0x2f0ca092068b6ed1ULL;
 
 START_TEST(the_same_bits_everywhere)
 {
@@ -942,6 +998,8 @@ int main(void)
     tcase_add_test(t, swapped_bodies_give_the_mirror_image);
     tcase_add_test(t, carried_equals_cold);
     tcase_add_test(t, an_axis_that_parted_answers_first);
+    tcase_add_test(t, an_axis_promises_too_little_rather_than_too_much);
+    tcase_add_test(t, three_first_corners_are_mostly_near);
     tcase_add_test(t, large_bodies_are_sketched_first);
     tcase_add_test(t, a_stale_simplex_does_no_harm);
     tcase_add_test(t, beyond_the_margin_it_stops_early_with_a_true_bound);

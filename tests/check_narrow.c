@@ -183,7 +183,7 @@ START_TEST(quick_pairs_are_looked_at_again)
     begin(ours(_i));
     placement p = placement_at(vec3_make(0, 1.2, 0));
     p.velocity = vec3_make(0, -25, 0);
-    p.spin = vec3_make(0, 0, 20);
+    p.spin = vec3_make(3, 0, 20);
     add(&box, p);
     add_nailed(&slab, 0, 0.25, 0);
     int calm = add_at(&box, 5, -1.5, 0);

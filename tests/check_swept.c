@@ -739,7 +739,7 @@ END_TEST
 
 // The number was printed by this test itself; gcc and clang agree on it at -O0,
 // -O2 and -O3.  A change of it is a change of answers.
-static const unsigned long long known_digest = 0x1b29a24028978120ULL;
+static const unsigned long long known_digest = 0x38148aed9c56b59aULL;
 
 static unsigned long long digest(unsigned long long h, const swept_result *r)
 {

@@ -198,8 +198,8 @@ START_TEST(necklace_bears_its_jewel)
     lay(N, 0.05);
     for (int k = 0; k < N; k++) {
         int down = k % 12 < 6 ? k % 12 : 12 - k % 12;
-        real along = (k < 12 ? k : N - k) / 12.0;
-        ring[k].position = vec3_make(0.4 * along, -0.05 * sqrt(5 / 9.0) * down, 0);
+        real along = (k < 12 ? k : N - k) / 12.0, low = 0.05 * sqrt(5 / 9.0);
+        ring[k].position = vec3_make(0.4 * along, -low * down, 0);
         ring[k].previous = ring[k].position;
     }
     ring[0].inverse_mass = ring[12].inverse_mass = 0;

@@ -101,8 +101,8 @@ START_TEST(bumper_is_a_spring_and_a_damper)
         }
     }
     ck_assert_msg(off[0] < 1e-3, "at steps of h/4 it is off by %g m", off[0]);
-    ck_assert_msg(off[0] > 3 * off[1] && off[0] < 5 * off[1], "a quarter of the "
-                  "step should leave a quarter of the error: %g and %g m",
+    ck_assert_msg(off[0] > 3 * off[1] && off[0] < 5 * off[1], "a quarter of "
+                  "the step should leave a quarter of the error: %g and %g m",
                   off[0], off[1]);
 }
 END_TEST

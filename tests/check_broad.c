@@ -13,7 +13,7 @@ enum { MANY = 2000, MOST_PAIRS = MANY * (MANY - 1) / 2 };
 
 // A reader's code (exercises/judge.h) is slowed down by sanitizers.
 #ifdef TUMBLE_JUDGE_H
-enum { SMALL_SCENES = 1500, LARGE = 1000, FRAMES = 300 };
+enum { SMALL_SCENES = 1000, LARGE = 700, FRAMES = 200 };
 #else
 enum { SMALL_SCENES = 10000, LARGE = MANY, FRAMES = 600 };
 #endif

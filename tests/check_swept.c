@@ -20,7 +20,7 @@ static const real graze = 1e-9;
 
 // A reader's code (exercises/judge.h) is slowed down by sanitizers.
 #ifdef TUMBLE_JUDGE_H
-enum { WAYS = 20000 };
+enum { WAYS = 10000 };
 #else
 enum { WAYS = 100000 };
 #endif

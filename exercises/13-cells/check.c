@@ -152,7 +152,7 @@ END_TEST
 START_TEST(scenes_agree_with_all_pairs)
 {
     // Many on whole numbers, just within reach.
-    for (int round = 0; round < 1000; round++) {
+    for (int round = 0; round < 300; round++) {
         cells g = begin(any(MOST), 1 << any(10));
         real size = 1 + any(3), reach = size - (any(2) ? 0 : 0.5);
         for (int p = 0; p < g.points; p++)

@@ -142,7 +142,7 @@ START_TEST(random_curves_lose_no_root)
 {
     // Every change of sign between 500 places has its root, and no root is
     // where there is none.
-    for (int round = 0; round < 5000; round++) {
+    for (int round = 0; round < 2000; round++) {
         real c[4], root[3], before = 0;
         for (int k = 0; k < 4; k++) c[k] = random_real();
         c[0] *= 0.2;
@@ -275,7 +275,7 @@ START_TEST(random_meetings_are_not_missed)
 {
     // Wherever the volume changes its sign with the corner well inside.
     int seen = 0;
-    for (int round = 0; round < 3000; round++) {
+    for (int round = 0; round < 1500; round++) {
         meeting m;
         real before = 0, time = 2;
         for (int i = 0; i < 4; i++) {
@@ -300,7 +300,7 @@ START_TEST(random_meetings_are_not_missed)
         }
         seen += hit;
     }
-    ck_assert_msg(seen > 100, "%d hits: both kinds are to be tried", seen);
+    ck_assert_msg(seen > 50, "%d hits: both kinds are to be tried", seen);
 }
 END_TEST
 

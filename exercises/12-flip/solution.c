@@ -5,7 +5,7 @@
 // r, turned back by the spin during h (Rodrigues).
 static vec3 turned_back(vec3 r, vec3 spin, real h)
 {
-    real angle = -vec3_length(spin) * h, c = cos(angle), s = sin(angle);
+    real back = -vec3_length(spin) * h, c = cos(back), s = sin(back);
     vec3 axis = vec3_unit(spin);
     vec3 turned = vec3_add_scaled(vec3_scale(c, r), s, vec3_cross(axis, r));
     return vec3_add_scaled(turned, vec3_dot(axis, r) * (1 - c), axis);

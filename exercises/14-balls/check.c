@@ -133,8 +133,8 @@ START_TEST(digits_are_kept)
         real gap = ldexp(1, -power), t = 0;
         vec3 n = STILL, way = { 700, 300, 100 };
         flying_ball a = make(-2 - gap, 0, 1, way), b = make(0, 0, 1, STILL);
-        long double c = (4 + (long double)gap) * gap, w2 = vec3_dot(way, way);
-        long double q = 700 * (2 + (long double)gap);
+        long double g = (long double)gap, w2 = (long double)vec3_dot(way, way);
+        long double c = (4 + g) * g, q = 700 * (2 + g);
         long double wanted = c / (q + sqrtl(q * q - w2 * c));
         ck_assert(balls_touch(&a, &b, &t, &n));
         near(t / (real)wanted, 1, 1e-12, "time of a little gap, as a share");

@@ -7,42 +7,67 @@ static int body_is_still(const world *w, int b)
     return body_is_nailed(&w->body[b]) || w->rest.asleep[b];
 }
 
-// The squares of how far (m) a particle of b is from where it was listed, and
-// of how far it went in the last substep: the largest of each.
-static void measure_moves(const world *w, const body *b, real *moved,
-                          real *step)
+// What the moves of some particles since their listing have in common: they end
+// in a box, and none is longer than the longest.
+typedef struct {
+    vec3 least, most;   // m
+    real longest;       // m^2
+    real quickest;      // m^2, the longest of the last substep
+} moves;
+
+static inline real longer(real a, vec3 d)
 {
-    int end = b->first + body_particles(b);
-    for (int i = b->first; i < end; i++) {
-        const particle *p = &w->pool.at[i];
-        real d = vec3_length_squared(vec3_sub(p->position, w->of.listed[i]));
-        real u = vec3_length_squared(vec3_sub(p->position, p->previous));
-        // A NaN enters, and nothing replaces it.
-        if (d > *moved || d != d) *moved = d;
-        if (u > *step || u != u) *step = u;
-    }
+    real b = vec3_length_squared(d);
+    // A NaN enters, and nothing replaces it.
+    return b > a || b != b ? b : a;
 }
 
-// Two particles, each moved by half the margin, may have closed it.  Before
-// that the lists are good; and for as many substeps more as it would take at
-// twice the speed of the fastest, but at most 8, for speeds change.
+// The corners of a rigid body of four particles may be up to twice as far out as
+// these are.
+static void add_moves(moves *to, const world *w, const body *b)
+{
+    moves m = *to;
+    real share = b->four ? 2 : 1;
+    for (int i = b->first; i < b->first + body_particles(b); i++) {
+        const particle *p = &w->pool.at[i];
+        vec3 d = vec3_sub(p->position, w->of.listed[i]);
+        vec3 u = vec3_sub(p->position, p->previous);
+        d = vec3_scale(share, d);
+        m.least = (vec3){ d.x < m.least.x ? d.x : m.least.x,
+                          d.y < m.least.y ? d.y : m.least.y,
+                          d.z < m.least.z ? d.z : m.least.z };
+        m.most = (vec3){ d.x > m.most.x ? d.x : m.most.x,
+                         d.y > m.most.y ? d.y : m.most.y,
+                         d.z > m.most.z ? d.z : m.most.z };
+        m.longest = longer(m.longest, d);
+        m.quickest = longer(m.quickest, vec3_scale(share, u));
+    }
+    *to = m;
+}
+
+// Two whose moves differ by the margin may have closed it.  Before that the
+// lists are good; and for as many substeps more as it would take if any two went
+// against each other, at twice the speed of the fastest, but at most 8, for
+// speeds change.
 enum { TRUST_MOST = 8 };
 
 static int lists_are_good(world *w)
 {
-    real moved = 0, step = 0, half = w->list_margin / 2;
     if (w->trusted < 0) return 0;
     if (w->trusted > 0) {
         w->trusted--;
         return 1;
     }
+    // What stands still has moved by nothing, and that is in the box, too.
+    moves m = { .longest = 0 };
     for (int b = 0; b < w->bodies; b++)
-        if (!body_is_still(w, b))
-            measure_moves(w, &w->body[b], &moved, &step);
-    real left = half - sqrt(moved), pace = 2 * sqrt(step);
+        if (!body_is_still(w, b)) add_moves(&m, w, &w->body[b]);
+    real apart = vec3_distance(m.least, m.most), both = 2 * sqrt(m.longest);
+    real left = w->list_margin - (apart < both ? apart : both);
+    real pace = 4 * sqrt(m.quickest);
     if (!(left > 0)) return 0;
     w->trusted = left >= TRUST_MOST * pace ? TRUST_MOST
-                                          : (int)(left / pace);
+               : left > pace ? (int)(left / pace) : 0;
     return 1;
 }
 //<

@@ -5,8 +5,8 @@
 //
 // The trees are asked which particles are near each other, the planes of rigid
 // bodies which are near them; the answer, with a margin, is good until
-// something has moved by half of it (the neighbour list of Verlet 1967).  In
-// between, a substep only looks down the lists.
+// two have moved by it, one not as the other (the neighbour list of Verlet 1967).
+// In between, a substep only looks down the lists.
 
 #ifndef TUMBLE_SOFT_H
 #define TUMBLE_SOFT_H

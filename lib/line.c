@@ -363,8 +363,8 @@ static inline void eliminate_lines(block *b, int lanes, int old)
     real *row = row_at(b, -1), rest = b->s.rest_length;
     int pitch = b->pitch;
     for (int k = 1; k < b->s.particles; k++) {
-        eliminate(at, pitch, row, row + FIELDS * lanes, lanes, old, rest, b->more,
-                  &t);
+        eliminate(at, pitch, row, row + FIELDS * lanes, lanes, old, rest,
+                  b->more, &t);
         row += FIELDS * lanes;
         at = places_from(at, pitch);
     }
@@ -548,8 +548,8 @@ static void block_solve_new(block *b, int steps, real tolerance,
     if (block_close(b, solved, b->t.worst, r) > 0) r->worst = HUGE_VAL;
 }
 
-// All lines of the direction b.s, from the places to the places; p is where they
-// were when the places were gathered.
+// All lines of the direction b.s, from the places to the places; p is where
+// they were when the places were gathered.
 static void solve(block b, const particle *p, int steps, relax_options options,
                   line_result *r)
 {

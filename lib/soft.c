@@ -22,8 +22,8 @@ static inline real longer(real a, vec3 d)
     return b > a || b != b ? b : a;
 }
 
-// The corners of a rigid body of four particles may be up to twice as far out as
-// these are.
+// The corners of a rigid body of four particles may be up to twice as far out
+// as these are.
 static void add_moves(moves *to, const world *w, const body *b)
 {
     moves m = *to;
@@ -46,9 +46,9 @@ static void add_moves(moves *to, const world *w, const body *b)
 }
 
 // Two whose moves differ by the margin may have closed it.  Before that the
-// lists are good; and for as many substeps more as it would take if any two went
-// against each other, at twice the speed of the fastest, but at most 8, for
-// speeds change.
+// lists are good; and for as many substeps more as it would take if any two
+// went against each other, at twice the speed of the fastest, but at most 8,
+// for speeds change.
 enum { TRUST_MOST = 8 };
 
 static int lists_are_good(world *w)

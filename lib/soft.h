@@ -4,9 +4,9 @@
 // Paper: section 5.2 and the end of 6.1.  Book: chapter 9.
 //
 // The trees are asked which particles are near each other, the planes of rigid
-// bodies which are near them; the answer, with a margin, is good until
-// two have moved by it, one not as the other (the neighbour list of Verlet 1967).
-// In between, a substep only looks down the lists.
+// bodies which are near them; the answer, with a margin, is good until the
+// moves of two differ by it (the neighbour list of Verlet 1967).  In between, a
+// substep only looks down the lists.
 
 #ifndef TUMBLE_SOFT_H
 #define TUMBLE_SOFT_H

@@ -359,9 +359,10 @@ START_TEST(lines_side_by_side_are_solved_as_if_alone)
 END_TEST
 
 // Along the old links, or where there is one round alone, the same bits as
-// direction after direction, each from the particles and back to them.  Rejects:
-// places that are not brought back, sweeps that are not counted, a lost line
-// that takes others with it, a last round that asks for more than what is wrong.
+// direction after direction, each from the particles and back to them.
+// Rejects: places that are not brought back, sweeps that are not counted, a
+// lost line that takes others with it, a last round that asks for more than
+// what is wrong.
 START_TEST(relaxing_all_lines_is_solving_one_direction_after_the_other)
 {
     for (int round = 0; round < 8; round++) {
@@ -457,7 +458,8 @@ START_TEST(rounds_but_the_last_ask_for_more)
 END_TEST
 
 // A cloth falls, held at two corners, and swings: its largest strain in the
-// second second.  Ten substeps a frame, three rounds, all at once or each alone.
+// second second.  Ten substeps a frame, three rounds, all at once or each for
+// itself.
 static real hung_by_two_corners(int at_once)
 {
     const int n = 24, hertz = 600;

@@ -24,6 +24,10 @@ void soft_refresh(world *w);
 // Counts in the report what was watched, and what was pushed.
 void soft_separate(world *w);
 
+// m, how far off a rigid body the particles of a deformable one are kept: by
+// their thicknesses, and an eighth more if it is nailed.
+real soft_gap(const body *soft, const body *rigid);
+
 // After relaxing: particles that the sticks have pulled nearer to a rigid body
 // than half of what keeps them apart are held there.  What moves and has four
 // particles is held by the deformable body as a whole, with all of its mass, or

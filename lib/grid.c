@@ -16,9 +16,16 @@ status grid_init(grid *g, int points)
     g->start  = malloc((cells + 1) * sizeof *g->start);
     g->cell   = malloc((n + 1) * sizeof *g->cell);
     g->sorted = malloc((n + 1) * sizeof *g->sorted);
-    if (g->start && g->cell && g->sorted) return status_ok();
-    grid_free(g);
-    return status_out_of_memory();
+    real *real_room = malloc((4 * n + 1) * sizeof *real_room);
+    int *int_room = malloc((2 * n + 1) * sizeof *int_room);
+    g->crowd = (crowd){ real_room, NULL, NULL, NULL, int_room, NULL };
+    if (!g->start || !g->cell || !g->sorted || !real_room || !int_room) {
+        grid_free(g);
+        return status_out_of_memory();
+    }
+    g->crowd = (crowd){ real_room, real_room + n, real_room + 2 * n,
+                        real_room + 3 * n, int_room, int_room + n };
+    return status_ok();
 }
 
 void grid_free(grid *g)
@@ -26,6 +33,8 @@ void grid_free(grid *g)
     free(g->start);
     free(g->cell);
     free(g->sorted);
+    free(g->crowd.x);
+    free(g->crowd.number);
     *g = (grid){ 0 };
 }
 //<
@@ -98,7 +107,7 @@ static void sort_points(grid *g, const cut *c, const vec3 *at, int n)
 
 //> grid-look
 typedef struct {
-    const grid *g;
+    grid *g;
     cut  c;
     real reach2, linked2;       // m^2
     const vec3 *rest;
@@ -106,59 +115,72 @@ typedef struct {
     int found, capacity;
 } search;
 
-// Neither loop asks a question whose answer a processor would have to guess:
-// what may be wanted is written, and stays if the count moves over it.
-enum { LOOK = 32 };
-
-// Point p against at most LOOK others, from number k to end - 1.
-static inline void look_at_few(search *s, grid_point p, int k, int end)
+// What stands in a row of cells, copied behind the n that are there.
+static int crowd_add(crowd c, int n, const grid_point *from,
+                     const grid_point *end)
 {
-    int near[LOOK], n = 0;
-    for (; k < end; k++) {
-        near[n] = s->g->sorted[k].number;
-        n += vec3_length_squared(vec3_sub(p.at, s->g->sorted[k].at))
-           < s->reach2;
+    for (; from < end; from++, n++) {
+        c.x[n] = from->at.x;
+        c.y[n] = from->at.y;
+        c.z[n] = from->at.z;
+        c.number[n] = from->number;
     }
-    vec3 rest = s->rest[p.number];
-    for (int i = 0; i < n; i++) {
-        int a = p.number < near[i] ? p.number : near[i];
-        int b = p.number < near[i] ? near[i] : p.number;
-        if (s->found < s->capacity) s->out[s->found] = (leaf_pair){ a, b };
-        s->found += vec3_length_squared(vec3_sub(rest, s->rest[near[i]]))
-                 >= s->linked2;
+    return n;
+}
+
+// The squares of the distances of number i from those that come after it.
+static void measure(const real *restrict x, const real *restrict y,
+                    const real *restrict z, real *restrict d2, int i, int n)
+{
+    real x0 = x[i], y0 = y[i], z0 = z[i];
+    for (int k = i + 1; k < n; k++) {
+        real dx = x[k] - x0, dy = y[k] - y0, dz = z[k] - z0;
+        d2[k] = dx * dx + dy * dy + dz * dz;
     }
 }
 
-static inline void look(search *s, grid_point p, int k, int end)
+// Neither loop asks a question whose answer a processor would have to guess:
+// what may be wanted is written, and stays if the count moves over it.
+static void look(search *s, crowd c, int i, int n)
 {
-    for (; k + LOOK < end; k += LOOK) look_at_few(s, p, k, k + LOOK);
-    look_at_few(s, p, k, end);
+    int near = 0, p = c.number[i];
+    measure(c.x, c.y, c.z, c.d2, i, n);
+    for (int k = i + 1; k < n; k++) {
+        c.near[near] = c.number[k];
+        near += c.d2[k] < s->reach2;
+    }
+    vec3 rest = s->rest[p];
+    for (int k = 0; k < near; k++) {
+        int q = c.near[k], a = p < q ? p : q, b = p < q ? q : p;
+        if (s->found < s->capacity) s->out[s->found] = (leaf_pair){ a, b };
+        s->found += vec3_length_squared(vec3_sub(rest, s->rest[q]))
+                 >= s->linked2;
+    }
 }
 //<
 
 //> grid-pairs
 // Of the 26 cells around one, 13 come after it: the next one in its row, and
 // three in each of four rows.  Those of a row stand in one piece.
-static void look_around(search *s, int x, int y, int z)
+static void look_around(search *s, int cell)
 {
     static const int row[4][2] = { { 1, 0 }, { -1, 1 }, { 0, 1 }, { 1, 1 } };
     const int *start = s->g->start;
-    int nx = s->c.nx, here = (z * s->c.ny + y) * nx;
+    const grid_point *sorted = s->g->sorted;
+    int nx = s->c.nx, x = cell % nx, here = cell - x;
+    int y = cell / nx % s->c.ny, z = cell / nx / s->c.ny;
     int left = x > 0 ? x - 1 : 0, right = x + 1 < nx ? x + 1 : x;
-    int begin[5], end[5], n = 0;
+    int own = start[cell + 1] - start[cell];
+    int n = crowd_add(s->g->crowd, 0, sorted + start[cell],
+                      sorted + start[here + right + 1]);
     for (int r = 0; r < 4; r++) {
         int v = y + row[r][0], w = z + row[r][1];
         if (v < 0 || v >= s->c.ny || w >= s->c.nz) continue;
         int there = (w * s->c.ny + v) * nx;
-        begin[n] = start[there + left];
-        end[n] = start[there + right + 1];
-        n += end[n] > begin[n];
+        n = crowd_add(s->g->crowd, n, sorted + start[there + left],
+                      sorted + start[there + right + 1]);
     }
-    for (int k = start[here + x]; k < start[here + x + 1]; k++) {
-        grid_point p = s->g->sorted[k];
-        look(s, p, k + 1, start[here + right + 1]);
-        for (int r = 0; r < n; r++) look(s, p, begin[r], end[r]);
-    }
+    for (int i = 0; i < own; i++) look(s, s->g->crowd, i, n);
 }
 
 int grid_pairs(grid *g, const vec3 *at, int n, real reach, const vec3 *rest,
@@ -170,11 +192,11 @@ int grid_pairs(grid *g, const vec3 *at, int n, real reach, const vec3 *rest,
     if (n == 0) return 0;
     if (!cut_box(&s.c, at, n, reach, g->cells)) return -1;
     sort_points(g, &s.c, at, n);
-    const int *start = g->start;
-    for (int z = 0; z < s.c.nz; z++)
-        for (int y = 0; y < s.c.ny; y++)
-            for (int x = 0; x < s.c.nx; x++, start++)
-                if (start[1] > start[0]) look_around(&s, x, y, z);
+    for (int k = 0; k < n;) {
+        int cell = g->cell[g->sorted[k].number];
+        look_around(&s, cell);
+        k = g->start[cell + 1];
+    }
     return s.found;
 }
 //<

@@ -15,11 +15,20 @@ typedef struct {
     int  number;
 } grid_point;
 
+// A cell's points and those around it, while it is looked at.
+typedef struct crowd {
+    real *x, *y, *z;    // [points] m
+    real *d2;           // [points] m^2, squares of distances from one of them
+    int  *number;       // [points]
+    int  *near;         // [points] the numbers of those near that one
+} crowd;
+
 typedef struct grid {
     int points, cells;  // for so many there is room
     int *start;         // [cells + 1] the first point of each cell
     int *cell;          // [points] where each point is
     grid_point *sorted; // [points] by cell, then by number
+    struct crowd crowd;
 } grid;
 //<
 

@@ -177,11 +177,11 @@ static const real NOTHING = 1e-9;
 //     pivot_k = diagonal_k - lower_k h_(k-1)
 //     g_k     = (wrong_k - lower_k g_(k-1)) / pivot_k.
 // A link without length, between two nails, or that the ones before it leave
-// no freedom has no pivot: its multiplier is 0.  A link shorter than
+// no freedom has no pivot: its multiplier is 0.  A link shorter than about
 // L / sqrt(3) asks for no more than twice its length.
 static inline void eliminate(places at, int pitch, real *restrict before,
                              real *restrict here, int lanes, int old,
-                             real rest, tally *restrict t)
+                             real rest, real more, tally *restrict t)
 {
     for (int l = 0; l < lanes; l++) {
         vec3 link = lane_link(at, pitch, l);
@@ -203,7 +203,8 @@ static inline void eliminate(places at, int pitch, real *restrict before,
 
         real wrong = (now - rest * rest) / 2;
         count_wrong(t, l, wrong);
-        real asked = wrong > -now ? wrong : -now;
+        real asked = more * wrong;
+        asked = asked > -now ? asked : -now;
         here[SOLVED * lanes + l] =
             (asked - lower * before[SOLVED * lanes + l]) * inverse;
     }
@@ -242,6 +243,7 @@ static inline void substitute(real *restrict x, real *restrict y,
 typedef struct {
     strands s;
     const line_scratch *scratch;
+    real more;                  // what is asked for, in what is wrong
     int  lanes;                 // 1 or LANES
     int  start;                 // where in the body the line of lane 0 begins
     int  open[LANES];           // 1: not solved yet
@@ -361,7 +363,8 @@ static inline void eliminate_lines(block *b, int lanes, int old)
     real *row = row_at(b, -1), rest = b->s.rest_length;
     int pitch = b->pitch;
     for (int k = 1; k < b->s.particles; k++) {
-        eliminate(at, pitch, row, row + FIELDS * lanes, lanes, old, rest, &t);
+        eliminate(at, pitch, row, row + FIELDS * lanes, lanes, old, rest,
+                  b->more, &t);
         row += FIELDS * lanes;
         at = places_from(at, pitch);
     }
@@ -545,16 +548,14 @@ static void block_solve_new(block *b, int steps, real tolerance,
     if (block_close(b, solved, b->t.worst, r) > 0) r->worst = HUGE_VAL;
 }
 
-// All lines of one direction, from the places to the places; p is where they
-// were when the places were gathered.
-static void solve(const strands *s, const particle *p, int steps,
-                  relax_options options, const line_scratch *scratch,
+// All lines of the direction b.s, from the places to the places; p is where
+// they were when the places were gathered.
+static void solve(block b, const particle *p, int steps, relax_options options,
                   line_result *r)
 {
-    assert(s->particles <= scratch->particles);
-    block b = { .s = *s, .lanes = s->lines < LANES ? 1 : LANES,
-                .scratch = scratch };
-    for (int first = 0; first < s->lines; first += b.lanes) {
+    assert(b.s.particles <= b.scratch->particles);
+    b.lanes = b.s.lines < LANES ? 1 : LANES;
+    for (int first = 0; first < b.s.lines; first += b.lanes) {
         block_begin(&b, first);
         if (options.gradient == GRADIENT_OLD) {
             if (block_solve_old(&b, steps, options.tolerance, r) == 0) continue;
@@ -573,24 +574,31 @@ line_result line_solve(const strands *s, particle *p, int steps,
     line_result r = { .worst = 0 };
     int last = (s->lines - 1) * s->across + (s->particles - 1) * s->along;
     gather_all(scratch, p, last + 1, options);
-    solve(s, p, steps, options, scratch, &r);
+    solve((block){ .s = *s, .scratch = scratch, .more = 1 }, p, steps, options,
+          &r);
     scatter(scratch->now, p, last + 1);
     return r;
 }
 
 // What one direction of a cloth does the other half undoes: sweep after sweep.
-// A rope has only one.
+// All but the last ask for more than what is wrong.  (Along the old links it
+// would be taken for failure.)  A rope has only one direction, and no need.
+static const real MORE = 1.3;
+
 line_result lines_relax(const shape *s, particle *p, int sweeps,
                         relax_options options, line_scratch *scratch)
 {
     assert(sweeps >= 1);
     line_result r = { .worst = 0 };
     int most = s->directions > 1 ? sweeps : 1, done = 0;
+    int is_new = options.gradient == GRADIENT_NEW;
     gather_all(scratch, p, s->particles, options);
     do {
+        real more = is_new && done + 1 < most ? MORE : 1;
         r.worst = 0;
         for (int d = 0; d < s->directions; d++)
-            solve(&s->strand[d], p, 1, options, scratch, &r);
+            solve((block){ .s = s->strand[d], .scratch = scratch,
+                           .more = more }, p, 1, options, &r);
     } while (++done < most && !(r.worst <= options.tolerance));
     scatter(scratch->now, p, s->particles);
     r.steps = done;

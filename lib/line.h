@@ -47,8 +47,9 @@ line_result line_solve(const strands *s, particle *p, int steps,
 // All strands of a body, one direction after the other, one step each, until
 // none met an error above options.tolerance, but at most `sweeps` (>= 1) times.
 // The result: worst of the last sweep, sweeps in the place of steps.  As if by
-// line_solve for each direction, but the places are fetched and brought back
-// only once.  (A lost line goes back to where it was before them all.)
+// line_solve for each direction, but along the new gradient all sweeps but the
+// last ask for 1.3 times what is wrong, and the places are fetched and brought
+// back only once.  (A lost line goes back to where it was before them all.)
 line_result lines_relax(const shape *s, particle *p, int sweeps,
                         relax_options options, line_scratch *scratch);
 

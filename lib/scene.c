@@ -23,12 +23,12 @@ world_options scene_world_options(scene_kind kind, int cloth)
     world_options o = world_options_default();
     if (kind == SCENE_ROOM) return o;
     // Thin things need small steps, but columns and rows, solved in turn, need
-    // rounds more: with 40 particles a side, three in 14 substeps leave less
-    // strain than two in 30.  (With ten, contacts leave triangles in an edge of
-    // the cube.)  A finer cloth falls by more of its spacings in a
-    // substep, and wants as many more.  In small steps the lines may be solved
-    // along the links as they lie, and the diagonals do with the cheaper root.
-    o.substeps = cloth > 40 ? (14 * cloth + 39) / 40 : 14;
+    // rounds more: with 40 particles a side, three in nine substeps leave less
+    // strain than two in 30.  (With seven, triangles cut an edge of the cube.)
+    // A finer cloth falls by more of its spacings in a substep, and wants as
+    // many more.  In small steps the lines may be solved along the links as
+    // they lie, and the diagonals do with the cheaper root.
+    o.substeps = cloth > 40 ? (9 * cloth + 39) / 40 : 9;
     o.sweeps = 3;
     o.relax.gradient = GRADIENT_NEW;
     o.relax.root = ROOT_APPROXIMATE;

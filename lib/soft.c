@@ -7,42 +7,67 @@ static int body_is_still(const world *w, int b)
     return body_is_nailed(&w->body[b]) || w->rest.asleep[b];
 }
 
-// The squares of how far (m) a particle of b is from where it was listed, and
-// of how far it went in the last substep: the largest of each.
-static void measure_moves(const world *w, const body *b, real *moved,
-                          real *step)
+// What the moves of some particles since their listing have in common: they end
+// in a box, and none is longer than the longest.
+typedef struct {
+    vec3 least, most;   // m
+    real longest;       // m^2
+    real quickest;      // m^2, the longest of the last substep
+} moves;
+
+static inline real longer(real a, vec3 d)
 {
-    int end = b->first + body_particles(b);
-    for (int i = b->first; i < end; i++) {
-        const particle *p = &w->pool.at[i];
-        real d = vec3_length_squared(vec3_sub(p->position, w->of.listed[i]));
-        real u = vec3_length_squared(vec3_sub(p->position, p->previous));
-        // A NaN enters, and nothing replaces it.
-        if (d > *moved || d != d) *moved = d;
-        if (u > *step || u != u) *step = u;
-    }
+    real b = vec3_length_squared(d);
+    // A NaN enters, and nothing replaces it.
+    return b > a || b != b ? b : a;
 }
 
-// Two particles, each moved by half the margin, may have closed it.  Before
-// that the lists are good; and for as many substeps more as it would take at
-// twice the speed of the fastest, but at most 8, for speeds change.
+// The corners of a rigid body of four particles may be up to twice as far out
+// as these are.
+static void add_moves(moves *to, const world *w, const body *b)
+{
+    moves m = *to;
+    real share = b->four ? 2 : 1;
+    for (int i = b->first; i < b->first + body_particles(b); i++) {
+        const particle *p = &w->pool.at[i];
+        vec3 d = vec3_sub(p->position, w->of.listed[i]);
+        vec3 u = vec3_sub(p->position, p->previous);
+        d = vec3_scale(share, d);
+        m.least = (vec3){ d.x < m.least.x ? d.x : m.least.x,
+                          d.y < m.least.y ? d.y : m.least.y,
+                          d.z < m.least.z ? d.z : m.least.z };
+        m.most = (vec3){ d.x > m.most.x ? d.x : m.most.x,
+                         d.y > m.most.y ? d.y : m.most.y,
+                         d.z > m.most.z ? d.z : m.most.z };
+        m.longest = longer(m.longest, d);
+        m.quickest = longer(m.quickest, vec3_scale(share, u));
+    }
+    *to = m;
+}
+
+// Two whose moves differ by the margin may have closed it.  Before that the
+// lists are good; and for as many substeps more as it would take if any two
+// went against each other, at twice the speed of the fastest, but at most 8,
+// for speeds change.
 enum { TRUST_MOST = 8 };
 
 static int lists_are_good(world *w)
 {
-    real moved = 0, step = 0, half = w->list_margin / 2;
     if (w->trusted < 0) return 0;
     if (w->trusted > 0) {
         w->trusted--;
         return 1;
     }
+    // What stands still has moved by nothing, and that is in the box, too.
+    moves m = { .longest = 0 };
     for (int b = 0; b < w->bodies; b++)
-        if (!body_is_still(w, b))
-            measure_moves(w, &w->body[b], &moved, &step);
-    real left = half - sqrt(moved), pace = 2 * sqrt(step);
+        if (!body_is_still(w, b)) add_moves(&m, w, &w->body[b]);
+    real apart = vec3_distance(m.least, m.most), both = 2 * sqrt(m.longest);
+    real left = w->list_margin - (apart < both ? apart : both);
+    real pace = 4 * sqrt(m.quickest);
     if (!(left > 0)) return 0;
     w->trusted = left >= TRUST_MOST * pace ? TRUST_MOST
-                                          : (int)(left / pace);
+               : left > pace ? (int)(left / pace) : 0;
     return 1;
 }
 //<
@@ -111,12 +136,25 @@ static void look_at_hull(world *w, int b)
     w->hull_of = b;
 }
 
+// Between two particles on both sides of a right-angled edge, at the distance r
+// of it, a triangle's side cuts the corner: one as long as 2.83 r touches it.
+// The longest, the diagonal of a cell, would do with half a spacing, and we
+// have 0.55.  But the sticks come last, and pull them nearer: so an eighth
+// more, of what is nailed.  What is not makes way.
+static const real SPARE = 1.125;
+
+real soft_gap(const body *soft, const body *rigid)
+{
+    real touching = soft->thickness + rigid->thickness;
+    return body_is_nailed(rigid) ? SPARE * touching : touching;
+}
+
 // The particles of a that are near the rigid body b: inside its sphere, or not
 // far outside, and not far in front of any of its planes.
 static void list_points(world *w, int a, int b)
 {
     body *soft = &w->body[a], *rigid = &w->body[b];
-    real reach = soft->thickness + rigid->thickness + w->list_margin;
+    real reach = soft_gap(soft, rigid) + w->list_margin;
     sphere ball = sphere_tree_root(&rigid->tree, w->of.at + rigid->corner);
     ball.radius += reach;
     int is_ready = 0;
@@ -301,7 +339,7 @@ static int separate_points_of(world *w, int k, real share, pusher by,
     for (; k < w->points && w->point[k].rigid == number; k++) {
         point_pair pair = w->point[k];
         particle *p = &w->pool.at[pair.particle];
-        real apart = share * (w->body[pair.soft].thickness + rigid->thickness);
+        real apart = share * soft_gap(&w->body[pair.soft], rigid);
         if (pair.ahead < w->hulls
             && plane_height(w->hull[pair.ahead], p->position) > apart) continue;
         int touched = is_nailed ? separate_from_face(w, p, apart, slack) : -1;

@@ -4,9 +4,9 @@
 // Paper: section 5.2 and the end of 6.1.  Book: chapter 9.
 //
 // The trees are asked which particles are near each other, the planes of rigid
-// bodies which are near them; the answer, with a margin, is good until
-// something has moved by half of it (the neighbour list of Verlet 1967).  In
-// between, a substep only looks down the lists.
+// bodies which are near them; the answer, with a margin, is good until the
+// moves of two differ by it (the neighbour list of Verlet 1967).  In between, a
+// substep only looks down the lists.
 
 #ifndef TUMBLE_SOFT_H
 #define TUMBLE_SOFT_H
@@ -23,6 +23,10 @@ void soft_refresh(world *w);
 // Parts what touches: pairs of particles, then particles and rigid bodies.
 // Counts in the report what was watched, and what was pushed.
 void soft_separate(world *w);
+
+// m, how far off a rigid body the particles of a deformable one are kept: by
+// their thicknesses, and an eighth more if it is nailed.
+real soft_gap(const body *soft, const body *rigid);
 
 // After relaxing: particles that the sticks have pulled nearer to a rigid body
 // than half of what keeps them apart are held there.  What moves and has four

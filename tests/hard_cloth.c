@@ -6,6 +6,7 @@
 #include "hard.h"
 #include "hard_set.h"
 #include "scene.h"
+#include "soft.h"
 #include "step.h"
 
 #include <math.h>
@@ -259,7 +260,7 @@ static void lay_table(setting *s, world_options o, vec3 sides, int n,
 static real apart(const world *w)       { return 2 * w->body[1].thickness; }
 static real off_table(const world *w)
 {
-    return w->body[0].thickness + w->body[1].thickness;
+    return soft_gap(&w->body[1], &w->body[0]);
 }
 
 // Which part of a fold link i of a row is: 0, none; 1, going out; 2, back.

@@ -17,10 +17,10 @@ static const real RATIO = 5.0 / 13;
 static void expect(const char *what, vec3 a, vec3 b, real wanted)
 {
     real got = half_tangent(a, b), back = half_tangent(b, a);
-    ck_assert_msg(fabs(got - wanted) <= ROUNDING * wanted, "%s: got the tangent "
-                  "%.17g, wanted %.17g", what, got, wanted);
-    ck_assert_msg(fabs(back - wanted) <= ROUNDING * wanted, "%s, exchanged: got "
-                  "the tangent %.17g, wanted %.17g", what, back, wanted);
+    ck_assert_msg(fabs(got - wanted) <= ROUNDING * wanted, "%s: got the "
+                  "tangent %.17g, wanted %.17g", what, got, wanted);
+    ck_assert_msg(fabs(back - wanted) <= ROUNDING * wanted, "%s, exchanged: "
+                  "got the tangent %.17g, wanted %.17g", what, back, wanted);
 }
 
 // tan(t/2) from tan t: tan t / (1 + sqrt(1 + tan^2 t)).

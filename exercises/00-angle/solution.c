@@ -13,8 +13,8 @@ static vec3 remainder_of(vec3 b, vec3 a)
     return b;
 }
 
-// With c = |a| |b| cos t and s = |a| |b| sin t the tangent is s / (|a| |b| + c),
-// and (|a| |b| - c) / s as well: the one that adds is the good one.
+// With c = |a| |b| cos t and s = |a| |b| sin t the tangent is
+// s / (|a| |b| + c), and (|a| |b| - c) / s as well: the one that adds is good.
 real half_tangent(vec3 a, vec3 b)
 {
     real length_a = vec3_length(a), length_b = vec3_length(b);

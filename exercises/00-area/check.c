@@ -45,7 +45,8 @@ static const vec3 ELL[6] = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 },
 START_TEST(square_has_its_area_and_its_side)
 {
     // Rejects: the parallelogram instead of the triangle; the wrong side.
-    const vec3 floor[4] = { { 0, 0, 0 }, { 0, 0, 2 }, { 2, 0, 2 }, { 2, 0, 0 } };
+    const vec3 floor[4] = { { 0, 0, 0 }, { 0, 0, 2 }, { 2, 0, 2 },
+                            { 2, 0, 0 } };
     expect("a square of 2 m, seen from above, area", area_of(floor, 4),
            (vec3){ 0, 4, 0 }, ROUNDING);
     expect("its middle", center_of(floor, 4), (vec3){ 1, 0, 1 }, ROUNDING);
@@ -102,7 +103,8 @@ START_TEST(closed_body_has_no_area_in_all)
 {
     // A tetrahedron: what blows from everywhere does not move it.
     const vec3 at[4] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 2, 0 }, { 0, 1, 3 } };
-    const int face[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } };
+    const int face[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 },
+                             { 0, 3, 2 } };
     vec3 sum = { 0, 0, 0 };
     for (int f = 0; f < 4; f++) {
         vec3 t[3] = { at[face[f][0]], at[face[f][1]], at[face[f][2]] };

@@ -78,8 +78,8 @@ END_TEST
 
 START_TEST(last_bits_of_all_six_products_count)
 {
-    // Long numbers: a + t (b - a), with t a power of 2, is exactly in line; then
-    // one bit to either side.
+    // Long numbers: a + t (b - a), with t a power of 2, is exactly in line;
+    // then one bit to either side.
     for (int k = 0; k < 20000; k++) {
         real ax = (real)any(50), ay = (real)any(50);
         real ux = (real)any(40) * 4, uy = (real)any(40) * 4;

@@ -53,15 +53,16 @@ static int is_down(int b)
 START_TEST(least_spin_lifts_the_centre_over_the_edge)
 {
     // 0.6 m by 0.8 m: a diagonal of 1 m, a climb of 0.1 m; I = m / 3.
-    // Rejects: the inertia about the middle; the whole diagonal; half forgotten.
+    // Rejects: the inertia about the middle; the whole diagonal; half
+    // forgotten.
     real got = domino_least_spin(0.6, 0.8, 10), wanted = sqrt(6);
     ck_assert_msg(fabs(got - wanted) < ROUNDING, "60 cm by 80 cm, g = 10: got "
                   "%.15g rad/s, wanted %.15g", got, wanted);
     // The same, 5/2 times as large and on the moon: w^2 goes as g / length.
     got = domino_least_spin(1.5, 2, 1.6);
     wanted = sqrt(6 * 0.16 / 2.5);
-    ck_assert_msg(fabs(got - wanted) < ROUNDING, "on the moon: got %.15g rad/s, "
-                  "wanted %.15g", got, wanted);
+    ck_assert_msg(fabs(got - wanted) < ROUNDING, "on the moon: got %.15g "
+                  "rad/s, wanted %.15g", got, wanted);
 }
 END_TEST
 
@@ -89,8 +90,8 @@ START_TEST(row_stands_where_it_should)
             vec3 wanted = { b * 0.7 + (k & 1 ? 0.1 : -0.1),
                             above + (k & 2 ? 1 : 0), k & 4 ? 0.25 : -0.25 };
             ck_assert_msg(vec3_distance(at[k], wanted) < ROUNDING, "domino %d: "
-                          "vertex %d is at (%g, %g, %g), wanted (%g, %g, %g)", b,
-                          k, at[k].x, at[k].y, at[k].z, wanted.x, wanted.y,
+                          "vertex %d is at (%g, %g, %g), wanted (%g, %g, %g)",
+                          b, k, at[k].x, at[k].y, at[k].z, wanted.x, wanted.y,
                           wanted.z);
         }
         ck_assert_msg(domino_lean(&w, b) < ROUNDING, "upright, it leans by %g",
@@ -98,8 +99,8 @@ START_TEST(row_stands_where_it_should)
     }
     run(1);
     for (int b = 0; b < 3; b++)
-        ck_assert_msg(domino_lean(&w, b) < 1e-3, "left alone, domino %d leans by "
-                      "%g", b, domino_lean(&w, b));
+        ck_assert_msg(domino_lean(&w, b) < 1e-3, "left alone, domino %d leans "
+                      "by %g", b, domino_lean(&w, b));
 }
 END_TEST
 

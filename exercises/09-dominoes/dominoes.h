@@ -14,8 +14,8 @@ real domino_least_spin(real thickness, real height, real g);
 
 // Adds n dominoes to a world that has no bodies yet, built to plan s, a box of
 // these sides (m): thickness along x, height along y.  They stand on the floor
-// y = 0, one `gap` (m) behind the other, the first with its middle at x = 0, z =
-// 0; each as high over the floor as its skin keeps it: w->options.skin of the
+// y = 0, one `gap` (m) behind the other, the first at x = z = 0 (its middle);
+// each as high over the floor as its skin keeps it: w->options.skin of the
 // plan's radius.  All are at rest but the first, which turns about its lower
 // edge at +x with `spin` (rad/s), forwards if > 0.  Fails with the sentence of
 // world_add, and adds no more then.

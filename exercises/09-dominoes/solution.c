@@ -21,8 +21,9 @@ status domino_row(world *w, const shape *s, vec3 sides, int n, real gap,
         placement p = placement_at((vec3){ k * (sides.x + gap),
                                            sides.y / 2 + above, 0 });
         if (k == 0) {
+            vec3 from_edge = { -sides.x / 2, sides.y / 2, 0 };
             p.spin = (vec3){ 0, 0, -spin };
-            p.velocity = vec3_cross(p.spin, (vec3){ -sides.x / 2, sides.y / 2, 0 });
+            p.velocity = vec3_cross(p.spin, from_edge);
         }
         status r = world_add(w, s, p, NULL);
         if (!r.ok) return r;

@@ -7,8 +7,8 @@
 
 #include "body.h"
 
-// A point that rides on 1 to 4 particles: sum share_k x_k.  The shares add up to
-// 1; one may be negative, the point is then beyond the particles.
+// A point that rides on 1 to 4 particles: sum share_k x_k.  The shares add up
+// to 1; one may be negative, the point is then beyond the particles.
 typedef struct {
     int  count;
     int  at[4];         // in the pool; none twice, nor in the other end
@@ -26,10 +26,10 @@ typedef struct {
 // m, where the point is.
 vec3 end_place(const rod_end *e, const particle *p);
 
-// Gives the rod its length by the least move of the particles (each counted with
-// its mass).  Returns the error before: distance - length, m; 0 if a one-sided
-// rod is content.  Moves nothing if all are nailed, or if the points coincide
-// and the length is not 0: there is no direction.
+// Gives the rod its length by the least move of the particles (each counted
+// with its mass).  Returns the error before: distance - length, m; 0 if a
+// one-sided rod is content.  Moves nothing if all are nailed, or if the points
+// coincide and the length is not 0: there is no direction.
 real rod_relax(const rod *r, particle *p);
 
 // Relaxes n rods, one after the other, again and again, until in a whole pass

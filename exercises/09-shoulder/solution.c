@@ -10,8 +10,8 @@ vec3 end_place(const rod_end *e, const particle *p)
     return sum;
 }
 
-// 1/kg: how far the point goes for a unit pull, if each particle takes its share
-// of it, and gives its share to the point.
+// 1/kg: how far the point goes for a unit pull, if each particle takes its
+// share of it, and gives its share to the point.
 static real stiffness_of(const rod_end *e, const particle *p)
 {
     real sum = 0;

@@ -25,8 +25,8 @@ static whole ask(const particle *p, int n)
 
 static void expect(const char *what, real got, real wanted)
 {
-    ck_assert_msg(fabs(got - wanted) <= ROUNDING * (1 + fabs(wanted)), "%s: got "
-                  "%.15g, wanted %.15g", what, got, wanted);
+    ck_assert_msg(fabs(got - wanted) <= ROUNDING * (1 + fabs(wanted)), "%s: "
+                  "got %.15g, wanted %.15g", what, got, wanted);
 }
 
 static void expect3(const char *what, vec3 got, vec3 wanted)
@@ -41,7 +41,8 @@ static void expect3(const char *what, vec3 got, vec3 wanted)
 static particle moving(vec3 x, vec3 v, real mass)
 {
     return (particle){ vec3_add_scaled(x, dt / 2, v),
-                       vec3_add_scaled(x, -dt / 2, v), mass > 0 ? 1 / mass : 0 };
+                       vec3_add_scaled(x, -dt / 2, v),
+                       mass > 0 ? 1 / mass : 0 };
 }
 
 // Uniform in [-1, 1), the same on every machine.
@@ -144,9 +145,9 @@ START_TEST(crooked_body_turns_about_the_axis_it_is_given)
             mass += m[i];
             mean = vec3_add_scaled(mean, m[i], x[i]);
         }
+        mean = vec3_scale(1 / mass, mean);
         for (int i = 0; i < 5; i++)
-            p[i] = moving(x[i], vec3_cross(spin, vec3_sub(x[i], vec3_scale(1 / mass, mean))),
-                          m[i]);
+            p[i] = moving(x[i], vec3_cross(spin, vec3_sub(x[i], mean)), m[i]);
         whole w = ask(p, 5);
         ck_assert_msg(vec3_distance(w.spin, spin) < 1e-9, "body %d turns with "
                       "(%g, %g, %g), got (%g, %g, %g)", k, spin.x, spin.y,

@@ -22,8 +22,8 @@ static real energy_of(real mass, vec3 velocity)
     return mass * vec3_length_squared(velocity) / 2;
 }
 
-// Solves I s = L, where I has the columns a, b, c.  In a line I is i (1 - d d^T),
-// with i on the two axes across it and 0 on it: the trace is 2 i.
+// Solves I s = L, where I has the columns a, b, c.  In a line d, I is
+// i (1 - d d^T): i on the two axes across it, 0 on it, and the trace is 2 i.
 static vec3 turning(vec3 a, vec3 b, vec3 c, vec3 L)
 {
     real det = vec3_dot(a, vec3_cross(b, c)), trace = a.x + b.y + c.z;
@@ -57,9 +57,9 @@ whole whole_of(const particle *p, int n, real dt)
         vec3 u = vec3_sub(velocity_of(&p[i], dt), w.velocity);
         w.angular = vec3_add_scaled(w.angular, m, vec3_cross(r, u));
         real rr = vec3_length_squared(r);
-        a = vec3_add(a, vec3_scale(m, vec3_sub((vec3){ rr, 0, 0 }, vec3_scale(r.x, r))));
-        b = vec3_add(b, vec3_scale(m, vec3_sub((vec3){ 0, rr, 0 }, vec3_scale(r.y, r))));
-        c = vec3_add(c, vec3_scale(m, vec3_sub((vec3){ 0, 0, rr }, vec3_scale(r.z, r))));
+        a = vec3_add_scaled(vec3_add(a, (vec3){ m * rr, 0, 0 }), -m * r.x, r);
+        b = vec3_add_scaled(vec3_add(b, (vec3){ 0, m * rr, 0 }), -m * r.y, r);
+        c = vec3_add_scaled(vec3_add(c, (vec3){ 0, 0, m * rr }), -m * r.z, r);
     }
     w.spin = turning(a, b, c, w.angular);
     w.flight = energy_of(w.mass, w.velocity);

@@ -14,8 +14,8 @@ typedef struct {
     vec3 center;        // m, of mass
     vec3 velocity;      // m/s, of the centre of mass
     vec3 angular;       // kg m^2/s, angular momentum about the centre
-    vec3 spin;          // rad/s: a rigid body with these masses, at these places
-                        // and with this angular momentum, would turn so.  What
+    vec3 spin;          // rad/s: a rigid body with these masses, these places
+                        // and this angular momentum would turn so.  What
                         // stands in a line has none about that line
     real flight;        // J, of the mass, if it were all at the centre
     real turning;       // J, of that rigid body's turning about the centre

@@ -19,16 +19,17 @@ static real area(const polygon *p)
 
 static polygon box(real x, real y, real width, real height)
 {
-    return (polygon){ 4, { { x, y, 0 }, { x + width, y, 0 },
-                           { x + width, y + height, 0 }, { x, y + height, 0 } } };
+    real right = x + width, top = y + height;
+    return (polygon){ 4, { { x, y, 0 }, { right, y, 0 }, { right, top, 0 },
+                           { x, top, 0 } } };
 }
 
 static void expect(const char *what, const polygon *p, int count, real wanted)
 {
     ck_assert_msg(p->count == count, "%s: got %d corners, wanted %d", what,
                   p->count, count);
-    ck_assert_msg(fabs(area(p) - wanted) <= ROUNDING, "%s: got an area of %.15g "
-                  "m^2, wanted %.15g", what, area(p), wanted);
+    ck_assert_msg(fabs(area(p) - wanted) <= ROUNDING, "%s: got an area of "
+                  "%.15g m^2, wanted %.15g", what, area(p), wanted);
     for (int k = 0; k < p->count; k++)
         ck_assert_msg(vec3_distance(p->at[k], p->at[(k + 1) % p->count]) > 0,
                       "%s: corners %d and the next are at one place", what, k);
@@ -90,7 +91,8 @@ END_TEST
 START_TEST(what_overlaps_is_left)
 {
     // Rejects: one side of q left out, or only one asked.
-    polygon p = box(0, 0, 2, 2), q = box(1, 0.5, 3, 1), r = clip_polygon(&p, &q);
+    polygon p = box(0, 0, 2, 2), q = box(1, 0.5, 3, 1), r;
+    r = clip_polygon(&p, &q);
     expect("two boxes", &r, 4, 1);
     q = box(0.5, 0.5, 1, 1);
     r = clip_polygon(&p, &q);
@@ -159,8 +161,8 @@ START_TEST(two_halves_make_the_whole)
                       "triangle %d: its halves are %g and %g, the whole %g", k,
                       area(&left), area(&right), area(&p));
         polygon pq = clip_polygon(&p, &q), qp = clip_polygon(&q, &p);
-        ck_assert_msg(fabs(area(&pq) - area(&qp)) < 1e-9, "pair %d: p cut with q "
-                      "leaves %g, q cut with p %g", k, area(&pq), area(&qp));
+        ck_assert_msg(fabs(area(&pq) - area(&qp)) < 1e-9, "pair %d: p cut with "
+                      "q leaves %g, q cut with p %g", k, area(&pq), area(&qp));
         ck_assert(area(&pq) <= area(&p) + ROUNDING);
         ck_assert(area(&pq) >= -ROUNDING);
     }

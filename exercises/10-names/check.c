@@ -61,7 +61,8 @@ START_TEST(edges_are_known_by_both)
     // Rejects: an edge that is another when it is named from its other end;
     // vertices behind the count.
     touch s = { edge(3, 7, 0.5), edge(0, 1, 0.25), 0 };
-    expect("the same two", s, (touch){ edge(3, 7, 0.4), edge(0, 1, 0.3), 0 }, 1);
+    expect("the same two", s,
+           (touch){ edge(3, 7, 0.4), edge(0, 1, 0.3), 0 }, 1);
     expect("from their other ends", s,
            (touch){ edge(7, 3, 0.5), edge(1, 0, 0.75), 0 }, 1);
     expect("another edge of A", s,
@@ -108,10 +109,12 @@ static void carry(const touch *old, const real *pushed, int olds,
     free(begin);
 }
 
-static const touch OVER[4] = { { { 1, { 0 }, { 1 } }, { 1, { 9 }, { 1 } }, 0 },
-                               { { 1, { 1 }, { 1 } }, { 1, { 8 }, { 1 } }, 0 },
-                               { { 1, { 4 }, { 1 } }, { 1, { 7 }, { 1 } }, 0 },
-                               { { 1, { 5 }, { 1 } }, { 1, { 6 }, { 1 } }, 0 } };
+static const touch OVER[4] = {
+    { { 1, { 0 }, { 1 } }, { 1, { 9 }, { 1 } }, 0 },
+    { { 1, { 1 }, { 1 } }, { 1, { 8 }, { 1 } }, 0 },
+    { { 1, { 4 }, { 1 } }, { 1, { 7 }, { 1 } }, 0 },
+    { { 1, { 5 }, { 1 } }, { 1, { 6 }, { 1 } }, 0 },
+};
 static const real PUSHED[4] = { 1, 2, 3, 4 };
 
 START_TEST(another_order_changes_nothing)

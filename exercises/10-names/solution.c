@@ -8,7 +8,8 @@ static int same_corners(const feature_point *f, const feature_point *g)
     if (f->count != g->count) return 0;
     for (int i = 0; i < f->count; i++) {
         int found = 0;
-        for (int k = 0; k < g->count; k++) found |= f->vertex[i] == g->vertex[k];
+        for (int k = 0; k < g->count; k++)
+            found |= f->vertex[i] == g->vertex[k];
         if (!found) return 0;
     }
     return 1;

@@ -10,12 +10,15 @@ static vec3 at(real x, real y)
     return (vec3){ x, y, 0.3 };
 }
 
+// Check keeps a note of each ck_assert: among so many questions, it is only
+// called for a wrong answer.
 static void expect(const char *what, vec3 a, vec3 b, vec3 c, int wanted)
 {
     int got = side(a, b, c);
-    ck_assert_msg(got == wanted, "%s: of the line from (%a, %a) to (%a, %a), "
-                  "(%a, %a) is on side %d, wanted %d", what, a.x, a.y, b.x,
-                  b.y, c.x, c.y, got, wanted);
+    if (got != wanted)
+        ck_abort_msg("%s: of the line from (%a, %a) to (%a, %a), (%a, %a) is on "
+                     "side %d, wanted %d", what, a.x, a.y, b.x, b.y, c.x, c.y,
+                     got, wanted);
 }
 
 static int plainly(vec3 a, vec3 b, vec3 c)

@@ -39,7 +39,7 @@ START_TEST(end_is_the_mean_of_its_particles)
 {
     // Rejects: shares behind the count; a mean whatever the shares.
     particle p[3] = { at(0, 0, 0, 1), at(4, 0, 0, 2), at(0, 8, 4, 0) };
-    rod_end e = { 2, { 0, 1, -1, -1 }, { 0.75, 0.25, 9, 9 } };
+    rod_end e = { 2, { 0, 1, 2, 2 }, { 0.75, 0.25, 9, 9 } };
     expect("a quarter of the way", end_place(&e, p), 1, 0, 0);
     e = (rod_end){ 3, { 0, 1, 2, -1 }, { 0.25, 0.5, 0.25, 9 } };
     expect("in a triangle", end_place(&e, p), 2, 2, 1);

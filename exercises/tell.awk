@@ -30,8 +30,16 @@ file == 1 { next }
 
 # ---- what was said while each test ran
 
-file == 2 && $1 == "judge:" && $2 == "begin" { now = $3; begun[now] = ++ran; report = ""; next }
-file == 2 && $1 == "judge:" && $2 == "end" { ended[now] = 1; next }
+# (A test that runs in a loop begins and ends several times.)
+
+file == 2 && $1 == "judge:" && $2 == "begin" {
+    now = $3
+    if (!(now in begun)) begun[now] = ++ran
+    unended[now]++
+    report = ""
+    next
+}
+file == 2 && $1 == "judge:" && $2 == "end" { unended[now]--; next }
 file == 2 && $1 == "judge:" && $2 == "endless" { report = "endless"; fault[now] = "does not end (stopped after " seconds " seconds of computing)"; next }
 file == 2 && now == "" { next }
 
@@ -61,12 +69,15 @@ file == 2 {
     sub(/^[^:]*:[^:]*:/, "", text)
     test = text
     sub(/:.*/, "", test)
+    # Of several runs of a test, the first that did not pass is told of.
+    known = test in outcome && !outcome[test]
+    if (known) next
     outcome[test] = passed
     message[test] = substr(text, length(test) + 3)
     next
 }
 /^1\.\./ { next }
-{ message[test] = message[test] "\n" $0 }
+!known { message[test] = message[test] "\n" $0 }
 
 # ---- sentences
 
@@ -157,7 +168,7 @@ END {
     for (i = 1; i <= ran; i++) if (!(order[i] in taken)) queue[++queued] = order[i]
     for (i = 1; i <= ran; i++) {
         test = queue[i]
-        if (test in outcome && outcome[test] && ended[test] && !(test in fault)) good++
+        if (test in outcome && outcome[test] && !unended[test] && !(test in fault)) good++
         else if (first == "") first = test
         else others = others (others == "" ? "" : ", ") test
     }

@@ -214,6 +214,10 @@ tells "an assertion"       'Your code breaks a rule that is asserted, n == 7' 'a
 tells "what was printed"   'here I am, n is 3'             'printf("here I am, n is %d\\\\n", n);'
 tells "a syntax error"     'mine.c does not compile'       'all += ;'
 tells "a printout without end" 'Your code prints without end' 'while (spare) puts("again and again and again and again and again and again and again");'
+change check.c 's/tcase_add_test(t, no_number_is_zero)/tcase_add_loop_test(t, no_number_is_zero, 0, 3)/; s/sum(some, 0) == 0/sum(some, _i) < 6/'
+tells "a test in a loop, of which one run fails" '1 of 2 tests pass' 'for (int i = 0; i < n; i++) all += n == 1 ? 9 : x[i];'
+tells "and of which the last does not end" 'Your code does not end' 'if (n == 2) while (spare) all += x[0]; else for (int i = 0; i < n; i++) all += x[i];'
+sound
 echo 'first  no_number_is_zero' >> "$dir/exercise"
 tells "the test to hear of first" 'The others: three_numbers_add_up' 'all = 7;'
 cp "$dir/solution.c" "$dir/mine.c"

@@ -49,7 +49,7 @@ static push_side side_of(const world *w, int number, const feature_point *f)
         return s;
     }
     s.ways = &w->ways[number];
-    s.body = number;
+    if (w->moves[number]) s.body = number;
     s.first = b->first;
     s.count = FOUR;
     for (int v = 0; v < f->count; v++)

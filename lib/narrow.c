@@ -1,6 +1,7 @@
 //> narrow-swept
 #include "narrow.h"
 #include "contacts.h"
+#include "halves.h"
 #include "pairs.h"
 
 // How many contacts they have then, 0 or 1; -1: they cannot be told apart, and
@@ -149,6 +150,7 @@ void narrow_find_again(world *w, int substep)
         look_again(w, b);
         query_pair(w, pair, share, 0, old);
     }
+    halves_sort(w);
 }
 //<
 
@@ -238,11 +240,10 @@ static void swap_pushes(world *w)
     w->old_pushed = of;
 }
 
-void narrow_find(world *w)
+static void find_anew(world *w)
 {
     int old[2] = { 0, w->lasting_memories };
     int quick[2] = { 0, w->lasting_memories };
-    if (all_stay(w)) return;
     swap_pushes(w);
     w->contacts = w->pushes = 0;
     query_planes(w, old);
@@ -250,5 +251,11 @@ void narrow_find(world *w)
     w->lasting = w->contacts;
     w->lasting_pushes = w->pushes;
     query_pairs(w, 1, quick);
+}
+
+void narrow_find(world *w)
+{
+    if (!all_stay(w)) find_anew(w);
+    halves_sort(w);
 }
 //<

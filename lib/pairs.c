@@ -1,5 +1,6 @@
 //> pairs-reach
 #include "pairs.h"
+#include "halves.h"
 
 // m, what vertices may go beside what the fastest of them turns: what gravity
 // adds in a frame; and a hundredth of the radius for what impacts add.
@@ -293,6 +294,7 @@ void pairs_find(world *w)
         spread_reach(w);
         lost = list_pairs(w);
     }
+    halves_cut(w);
     w->report.dropped += lost;
     w->report.pairs = w->pairs;
 }

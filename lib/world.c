@@ -406,13 +406,16 @@ static int size_pushes(world *w)
     w->near_push = malloc(pushes * sizeof *w->near_push);
     w->wall      = calloc(bodies, sizeof *w->wall);
     w->ways      = calloc(bodies, sizeof *w->ways);
-    w->drift     = calloc(bodies, sizeof *w->drift);
+    w->drift     = calloc(bodies + PILE_PARTS, sizeof *w->drift);
+    w->in_parts  = malloc(pushes * sizeof *w->in_parts);
+    w->side      = calloc(bodies, 1);
+    w->sided     = malloc(bodies * sizeof *w->sided);
     w->fresh     = calloc(bodies, 1);
     w->looked    = calloc(bodies, 1);
     w->listed    = calloc(bodies, sizeof *w->listed);
     return w->push && w->pushed && w->old_push && w->old_pushed && w->memory
         && w->near_push && w->wall && w->ways && w->drift && w->fresh
-        && w->looked && w->listed;
+        && w->looked && w->listed && w->in_parts && w->side && w->sided;
 }
 //<
 
@@ -505,6 +508,8 @@ status world_begin(world *w)
     // The trees were built to the plans; now they stand where the bodies do.
     for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);
     for (int b = 0; b < w->bodies; b++) world_find_ways(w, &w->body[b]);
+    w->lefts = w->bodies;
+    for (int b = 0; b < w->bodies; b++) w->sided[b] = b;
     status done = build_lists(w);
     if (done.ok) done = rest_init(&w->rest, w->bodies);
     if (done.ok) done = broad_init(&w->broad, w->bodies);
@@ -527,7 +532,8 @@ void world_free(world *w)
     void *owned[] = { w->body, w->plan, w->of.at, w->of.seen, w->of.lain,
         w->of.before, w->of.listed, w->of.inverse_mass, w->push, w->pushed,
         w->old_push, w->old_pushed, w->wall, w->fresh, w->looked, w->listed,
-        w->memory, w->near_push, w->ways, w->drift, w->met, w->moves, w->pair,
+        w->memory, w->near_push, w->ways, w->drift, w->in_parts, w->side,
+        w->sided, w->met, w->moves, w->pair,
         w->old_pair, w->contact, w->between, w->near, w->point, w->leaf_pair,
         w->leaf_met, w->hull, w->hull_face, w->still, w->collided, w->ball,
         w->spread, w->swept };

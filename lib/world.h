@@ -76,6 +76,12 @@ typedef struct {
     int  resting;       // 1: bodies that lie still fall asleep
     int  ledger;        // 1: who gave and took energy is booked
     real (*clock)(void);// s; times the stages; NULL: nothing is timed
+    // Does work(data, 0) and work(data, 1), in any order or at once, and
+    // returns when both are done; NULL: one after the other.  The bits do not
+    // depend on it.
+    void (*both)(void *context, void (*work)(void *data, int half),
+                 void *data);
+    void *both_context;
 } world_options;
 //<
 
@@ -216,7 +222,13 @@ typedef struct world {
     push_near *near_push;               // those that may touch, in a substep
     four_ways  *ways;                   // [bodies] of four, when this frame's
                                         // contacts were found
-    push_drift *drift;                  // [bodies] their pushes, in a substep
+    push_drift *drift;                  // [bodies + PILE_PARTS] their pushes,
+                                        // in a substep
+    int *in_parts, part_end[PILE_PARTS];// the contacts in three parts: see
+                                        // push_pile
+    char *side;                         // [bodies] of the cut: 0, 1
+    int  *sided, lefts;                 // [bodies] those on side 0, then the
+                                        // others
     push_memory *memory;                // of the last frame's, in their order
     int  pushes, push_capacity, lasting_pushes;
     int  memories, lasting_memories;    // the first: of contacts that lasted

@@ -151,16 +151,17 @@ static push at_plane(push_side a, vec3 on_plane, vec3 normal, real thickness)
     return c;
 }
 
-// A pile of this contact alone.
+// A pile of this contact alone, on the left.
 static push_pile pile_of(push *c)
 {
-    static push_drift drift[2];
+    static const int first = 0;
+    static push_drift drift[2 + PILE_PARTS];
     static push_near near;
     near = (push_near){ 0, 0, 1, 1, -1, 0 };
     c->a.body = 0;
     c->b.body = 1;
     drift[0] = drift[1] = (push_drift){ { 0 }, { 0 }, 0 };
-    return (push_pile){ c, 1, drift, 2, &near, 1 };
+    return (push_pile){ c, &first, { 1, 1, 1 }, drift, 2, &near, { 1 } };
 }
 
 static void apply(const push_side *s, const push_drift *d)
@@ -179,8 +180,8 @@ static void apply(const push_side *s, const push_drift *d)
 static void push_again(push *c)
 {
     push_pile s = pile_of(c);
-    pile_begin(&s, p, (push_options){ .book = 1 }, H);
-    if (s.nears == 0) return;
+    pile_begin(&s, PILE_LEFT, p, (push_options){ .book = 1 }, H);
+    if (s.nears[PILE_LEFT] == 0) return;
     apply(&c->a, &s.drift[0]);
     apply(&c->b, &s.drift[1]);
 }
@@ -204,7 +205,7 @@ static void push_lean(push *c, real share)
 {
     push_pile s = pile_of(c);
     push_limit(c, p, (push_options){ .book = 1 }, H);
-    pile_lean(&s, share, ROUGH);
+    pile_lean(&s, PILE_LEFT, share, ROUGH);
     apply(&c->a, &s.drift[0]);
     apply(&c->b, &s.drift[1]);
 }

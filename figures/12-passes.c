@@ -62,7 +62,7 @@ static void find(stack *s)
     }
     for (int b = 0; b < s->cubes; b++)
         for (int k = 0; k < CORNERS; k++, i++) {
-            push_memory old = push_remember(&s->push[i], b, b - 1, H);
+            push_memory old = push_remember(&s->push[i], H);
             push x = { .thickness = b > 0 ? 2 * skin() : skin(),
                        .near = HUGE_VAL };
             x.a = side_of(s, b, low[k]);

@@ -79,9 +79,8 @@ const int *halves_bodies(const world *w, int side, int *n)
 
 //> halves-sort
 // Whoever does not move is on neither side, and is written by nobody.
-static int part_of(const world *w, const int pushed[2])
+int halves_part(const world *w, int a, int b)
 {
-    int a = pushed[0], b = pushed[1];
     if (b >= w->bodies || !w->moves[b]) return w->side[a];
     if (!w->moves[a] || w->side[a] == w->side[b]) return w->side[b];
     return PILE_ACROSS;
@@ -90,13 +89,16 @@ static int part_of(const world *w, const int pushed[2])
 void halves_sort(world *w)
 {
     int at[PILE_PARTS] = { 0 };
-    for (int k = 0; k < w->pushes; k++) at[part_of(w, w->pushed[k])]++;
+    for (int k = 0; k < w->pushes; k++)
+        at[halves_part(w, w->pushed[k][0], w->pushed[k][1])]++;
     for (int part = 0, sum = 0; part < PILE_PARTS; part++) {
         int n = at[part];
         at[part] = sum;
         w->part_end[part] = sum += n;
     }
-    for (int k = 0; k < w->pushes; k++)
-        w->in_parts[at[part_of(w, w->pushed[k])]++] = k;
+    for (int k = 0; k < w->pushes; k++) {
+        int part = halves_part(w, w->pushed[k][0], w->pushed[k][1]);
+        w->in_parts[at[part]++] = k;
+    }
 }
 //<

@@ -25,6 +25,10 @@ void halves_cut(world *w);
 // The bodies on one side, 0 or 1, of the cut; how many in *n.
 const int *halves_bodies(const world *w, int side, int *n);
 
+// In which part of a pile is a contact of bodies a and b, or of a with a plane
+// (b >= bodies)?
+int halves_part(const world *w, int a, int b);
+
 // Puts the contacts that remember in parts, for push_pile: those of the left
 // side alone, those of the right, and those across the cut.
 void halves_sort(world *w);

@@ -137,9 +137,9 @@ static inline void push_by(push *c, const real l[DIRECTIONS],
 
 //> push-remember-code
 // A force F moves what it pushes by F h^2 / m in a substep.
-push_memory push_remember(const push *c, int a, int b, real h)
+push_memory push_remember(const push *c, real h)
 {
-    push_memory m = { .a = a, .b = b };
+    push_memory m = { .share = { 0 } };
     for (int k = 0; k < FOUR; k++) m.share[k] = c->a.share[k];
     for (int i = 0; i < DIRECTIONS; i++)
         m.force = vec3_add_scaled(m.force, c->pushed[i] / (h * h),

@@ -78,14 +78,13 @@ typedef struct push {
 //> push-remember
 // What a contact leaves to that of the next frame.
 typedef struct {
-    int  a, b;              // the bodies
     real share[FOUR];       // of A: which point of it
     vec3 force;             // N, in the world's frame
 } push_memory;
 
 // What c pushed in a substep of h (s), as a force: the next substep may be of
 // another length.
-push_memory push_remember(const push *c, int a, int b, real h);
+push_memory push_remember(const push *c, real h);
 
 // Takes over what m remembers, for substeps of h (s), beside what c has taken
 // over from others.
@@ -156,16 +155,16 @@ typedef struct {
 //<
 
 //> push-pile-declare
-// A substep of h (s) begins, and no body has been pushed yet: finds who is near,
-// and applies what each pushed in the last substep (or frame) once more, for
-// what holds a pile up is nearly the same from one substep to the next.
-// Returns 1 if there is anything to mend.
+// A substep of h (s) begins, and no body has been pushed yet: finds who of a
+// part is near, and applies what each pushed in the last substep (or frame)
+// once more, for what holds a pile up is nearly the same from one substep to
+// the next.  Returns 1 if there may be anything to mend.
 int pile_begin(push_pile *s, int part, const particle *p, push_options options,
                real h);
 
-// Then mends, the last contact first, so those across before the others; `elsewhere`
-// tells whether anything of another part was.  Returns 1 if anything is now.
-// After all parts, pile_settle.
+// Then mends, the last contact first, so those across before the others;
+// `elsewhere` tells whether anything of another part was.  Returns 1 if
+// anything is now.  After all parts, if anything was, pile_settle.
 int  pile_mend(push_pile *s, int part, push_options options, int elsewhere);
 void pile_settle(push_pile *s, int part);
 

@@ -231,18 +231,16 @@ void solver_separate(world *w, real h)
 }
 //<
 
-//> solver-remember
-void solver_remember(world *w)
+//> solver-end
+void solver_end(world *w)
 {
-    for (int k = 0; k < w->pushes; k++)
-        if (w->push[k].pushed[NORMAL] > 0)
-            touch_again(w, w->pushed[k][0], w->pushed[k][1]);
-    w->memories = 0;
-    contacts_remember(w, 0, w->lasting_pushes);
-    w->lasting_memories = w->memories;
-    contacts_remember(w, w->lasting_pushes, w->pushes);
+    w->report.pushing = 0;
+    for (int k = 0; k < w->pushes; k++) {
+        if (!(w->push[k].pushed[NORMAL] > 0)) continue;
+        touch_again(w, w->pushed[k][0], w->pushed[k][1]);
+        w->report.pushing++;
+    }
     w->report.contacts = w->contacts + w->pushes;
-    w->report.pushing = w->memories;
 }
 //<
 

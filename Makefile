@@ -54,7 +54,7 @@ TESTS_$(patsubst %/,%,$(dir $1)) += $(filter check_$(notdir $1),$(TESTS))
 endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
 TESTS_15 := check_hard
-TESTS_16 := check_clock
+TESTS_16 := check_clock check_thread
 # The later chapters' figures ask what their module does to the whole.
 FLOOR = $(if $(filter 0%,$1),$(UPTO_$1),$(ALL))
 

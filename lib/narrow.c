@@ -11,13 +11,14 @@ typedef struct {
     int again;
 } asking;
 
-// The numbers k to end - 1, of n, are this half's.
-static void half_of(int n, int half, int *k, int *end)
-{
-    *k = half ? n / 2 : 0;
-    *end = half ? n : n / 2;
-}
+// Body or pair number k is this half's.  In turns, by so many: those that have
+// much to do stand together, for they were thrown together.
+enum { TURN = 16 };
 
+static int is_mine(int k, int half)
+{
+    return k / TURN % 2 == half;
+}
 //<
 
 //> narrow-quick
@@ -118,14 +119,15 @@ static void decide(void *data, int half)
     const asking *j = data;
     world *w = j->w;
     char *needs = w->needed[half];
-    int k, end;
     for (int b = 0; b < w->bodies; b++) needs[b] = 0;
-    for (half_of(w->bodies, half, &k, &end); k < end && !j->again; k++) {
+    for (int k = 0; k < w->bodies && !j->again; k++) {
+        if (!is_mine(k, half)) continue;
         decide_planes(w, k);
         if (w->wall[k].is.ask == ASK_NEAREST) needs[k] = 1;
     }
-    for (half_of(w->pairs, half, &k, &end); k < end; k++) {
+    for (int k = 0; k < w->pairs; k++) {
         body_pair *pair = &w->pair[k];
+        if (!is_mine(k, half)) continue;
         if (!j->again) decide_pair(j, pair);
         if (j->again ? !pair->quick : pair->is.ask < ASK_NEAREST) continue;
         needs[pair->a] = needs[pair->b] = 1;
@@ -146,10 +148,9 @@ static void look(void *data, int half)
 {
     const asking *j = data;
     world *w = j->w;
-    int k, end;
-    for (half_of(w->bodies, half, &k, &end); k < end; k++) {
+    for (int k = 0; k < w->bodies; k++) {
         int is_needed = w->needed[0][k] || w->needed[1][k];
-        if (!is_needed || w->looked[k]) continue;
+        if (!is_mine(k, half) || !is_needed || w->looked[k]) continue;
         if (j->again) look_ahead_again(w, &w->body[k]);
         world_look(w, &w->body[k]);
         w->looked[k] = 1;
@@ -223,12 +224,12 @@ static void query(void *data, int half)
 {
     const asking *j = data;
     world *w = j->w;
-    int k, end;
-    for (half_of(w->bodies, half, &k, &end); k < end && !j->again; k++)
-        if (w->wall[k].is.ask == ASK_NEAREST) query_planes(w, k);
-    for (half_of(w->pairs, half, &k, &end); k < end; k++) {
+    for (int k = 0; k < w->bodies && !j->again; k++)
+        if (is_mine(k, half) && w->wall[k].is.ask == ASK_NEAREST)
+            query_planes(w, k);
+    for (int k = 0; k < w->pairs; k++) {
         body_pair *pair = &w->pair[k];
-        if (j->again && !pair->quick) continue;
+        if (!is_mine(k, half) || (j->again && !pair->quick)) continue;
         if (j->again) decide_pair(j, pair);
         if (pair->is.ask >= ASK_NEAREST) query_pair(j, pair, half);
     }
@@ -240,11 +241,11 @@ static void write(void *data, int half)
 {
     const asking *j = data;
     world *w = j->w;
-    int k, end;
-    for (half_of(w->bodies, half, &k, &end); k < end && !j->again; k++)
-        contacts_write_planes(w, k);
-    for (half_of(w->pairs, half, &k, &end); k < end; k++)
-        if (!j->again || w->pair[k].quick) contacts_write_pair(w, &w->pair[k]);
+    for (int k = 0; k < w->bodies && !j->again; k++)
+        if (is_mine(k, half)) contacts_write_planes(w, k);
+    for (int k = 0; k < w->pairs; k++)
+        if (is_mine(k, half) && (!j->again || w->pair[k].quick))
+            contacts_write_pair(w, &w->pair[k]);
 }
 
 static void ask_all(world *w, int again)

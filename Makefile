@@ -3,7 +3,7 @@
 
 # The book's order, chapter/module.  A module may use only modules to its left:
 # its tests are linked with those and no others, so a wrong arrow cannot link.
-LINE := 00/vec3 00/status 01/verlet 02/constraint 03/mesh 03/body 03/obj 04/gjk 05/hit_face 06/sphere_tree 06/grid 07/response 08/ordering 10/manifold 14/swept 09/collide 11/line 12/four 12/push 13/broad 09/rest 09/world 09/ledger 09/pairs 12/contacts 09/narrow 09/solver 09/soft 09/step 09/measure 09/scene
+LINE := 00/vec3 00/status 01/verlet 02/constraint 03/mesh 03/body 03/obj 04/gjk 05/hit_face 06/sphere_tree 06/grid 07/response 08/ordering 10/manifold 14/swept 09/collide 11/line 12/four 12/push 13/broad 09/rest 09/world 13/halves 09/ledger 09/pairs 12/contacts 09/narrow 09/solver 09/soft 09/step 09/measure 09/scene
 
 # --- The compiler -------------------------------------------------------------
 # May be set by hand: make test CC=clang CFLAGS=-O0 BUILD=build/clang
@@ -54,7 +54,7 @@ TESTS_$(patsubst %/,%,$(dir $1)) += $(filter check_$(notdir $1),$(TESTS))
 endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
 TESTS_15 := check_hard
-TESTS_16 := check_clock
+TESTS_16 := check_clock check_thread
 # The later chapters' figures ask what their module does to the whole.
 FLOOR = $(if $(filter 0%,$1),$(UPTO_$1),$(ALL))
 
@@ -340,8 +340,9 @@ $(SCARCE): $(BUILD)/tests/scarce.o
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
-# This one looks at how the figures of chapter 16 count time.
-$(BUILD)/tests/check_clock: $(BUILD)/libpainter.a
+# These look at how the figures of chapter 16 count time, and at their second
+# thread.
+$(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
 ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face swept) $(BUILD)/figures/05-slow

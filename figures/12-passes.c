@@ -25,7 +25,8 @@ typedef struct {
     particle p[CUBES * FOUR];
     four_ways ways[CUBES];
     push push[CONTACTS];
-    push_drift drift[CUBES];
+    push_drift drift[CUBES + PILE_PARTS];
+    int order[CONTACTS];
     push_near near[CONTACTS];
     push_pile pile;
     push_options how;
@@ -61,7 +62,7 @@ static void find(stack *s)
     }
     for (int b = 0; b < s->cubes; b++)
         for (int k = 0; k < CORNERS; k++, i++) {
-            push_memory old = push_remember(&s->push[i], b, b - 1, H);
+            push_memory old = push_remember(&s->push[i], H);
             push x = { .thickness = b > 0 ? 2 * skin() : skin(),
                        .near = HUGE_VAL };
             x.a = side_of(s, b, low[k]);
@@ -102,8 +103,15 @@ static void fall(stack *s)
 // What is pushed once more, and mended.
 static void begin(stack *s)
 {
-    s->pile = (push_pile){ s->push, s->pushes, s->drift, s->cubes, s->near, 0 };
-    pile_begin(&s->pile, s->p, s->how, H);
+    int n = s->pushes;
+    for (int k = 0; k < n; k++) s->order[k] = k;
+    for (int b = 0; b < s->cubes; b++)
+        s->drift[b] = (push_drift){ { 0 }, { 0 }, 0 };
+    s->pile = (push_pile){ s->push, s->order, { n, n, n }, s->drift, s->cubes,
+                           s->near, { 0 } };
+    if (!pile_begin(&s->pile, PILE_LEFT, s->p, s->how, H)) return;
+    if (pile_mend(&s->pile, PILE_LEFT, s->how, 0))
+        pile_settle(&s->pile, PILE_LEFT);
 }
 
 static void end(stack *s)
@@ -114,9 +122,9 @@ static void end(stack *s)
 
 static real lean(stack *s, real pace)
 {
-    if (pile_leads_on(&s->pile) < 0) pace = 1;
+    if (pile_leads_on(&s->pile, PILE_LEFT) < 0) pace = 1;
     real next = (1 + sqrt(1 + 4 * pace * pace)) / 2;
-    pile_lean(&s->pile, (pace - 1) / next, s->how);
+    pile_lean(&s->pile, PILE_LEFT, (pace - 1) / next, s->how);
     return next;
 }
 
@@ -151,7 +159,7 @@ static void passes(stack *s, way how, int count, real *left)
     for (int n = 0; n < count; n++) {
         int back = n % 2 == 1 && how != FORWARD;
         if (how == MOMENTUM && n % 2 == 0 && n > 0) pace = lean(s, pace);
-        pile_pass(&s->pile, back ? -1 : 1, 0, s->how);
+        pile_pass(&s->pile, PILE_LEFT, back ? -1 : 1, 0, s->how);
         if (left) left[n] = wanted(s);
     }
 }

@@ -54,6 +54,8 @@ static const option options[] = {
       offsetof(settings, sweeps), "sweeps over the sticks in a substep" },
     { "--tolerance", KIND_REAL, "T", 0, 1, FOR_ALL,
       offsetof(settings, tolerance), "strain that counts as none" },
+    { "--threads", KIND_COUNT, "N", 1, 2, FOR_ROOM,
+      offsetof(settings, threads), "2: in two threads, with the same bits" },
     { "--paper", KIND_FLAG, "", 0, 0, FOR_ALL,
       offsetof(settings, paper), "the paper's own way, misprints apart" },
     { "--film", KIND_PATH, "FILE.png", 0, 0, FOR_ALL,
@@ -241,6 +243,7 @@ static settings settings_default(void)
     scene_options o = scene_options_default();
     return (settings){ .scene = SCENES, .bodies = o.bodies, .cloth = o.cloth,
                        .seed = o.seed, .seconds = -1, .tolerance = -1,
+                       .threads = 1,
                        .dt = 1.0 / 60 };
 }
 

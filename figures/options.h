@@ -17,6 +17,7 @@ typedef struct {
     int  substeps, sweeps;      // 0: as the scene needs
     real tolerance;             // strain; < 0: as the scene needs
     int  paper, bits;
+    int  threads;               // 1 or 2
     const char *mesh, *film, *frames, *csv;     // NULL: not asked for
     int  help, list, version;
     unsigned given;             // bit i: option i of the table was given

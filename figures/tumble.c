@@ -9,6 +9,7 @@
 #include "options.h"
 #include "output.h"
 #include "step.h"
+#include "thread.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -61,6 +62,7 @@ typedef struct {
 typedef struct {
     settings set;
     scene    scene;
+    thread  *second;            // NULL: there is one thread
     long     steps, done;       // wanted; finished
     output   csv;
     strip    strip;
@@ -110,6 +112,12 @@ static status run_begin(run *r)
     if (!done.ok) return done;
     world_options how = settings_world(&r->set);
     how.clock = clock_seconds;
+    if (r->set.threads > 1) {
+        r->second = thread_new();
+        if (!r->second) return status_fail("there is no second thread");
+        how.both = thread_both;
+        how.both_context = r->second;
+    }
     r->steps = settings_steps(&r->set);
     done = scene_build(&r->scene, r->set.scene, settings_scene(&r->set), how);
     if (!done.ok) return done;
@@ -131,6 +139,7 @@ static void run_free(run *r)
     if (r->folder_made && r->frames == 0) rmdir(r->set.frames);
     strip_free(&r->strip);
     scene_free(&r->scene);
+    thread_free(r->second);
     free(r->step_time);
 }
 

@@ -1,7 +1,6 @@
 //> contacts-blow
 #include "contacts.h"
-
-#include <stddef.h>
+#include "halves.h"
 
 real contacts_blow_speed(const world *w, const body *b)
 {
@@ -20,19 +19,6 @@ static real speed_of_blow(const world *w, const contact *c, const body *b)
     real speed = -vec3_dot(move, c->normal) / w->age;
     return speed > contacts_blow_speed(w, b) ? speed : 0;
 }
-
-static void keep_one(world *w, const contact *found, int a, int b)
-{
-    if (w->contacts == w->contact_capacity) {
-        w->report.dropped++;
-        return;
-    }
-    w->between[w->contacts][0] = a;
-    w->between[w->contacts][1] = b;
-    w->contact[w->contacts] = *found;
-    w->contact[w->contacts].approach = speed_of_blow(w, found, &w->body[a]);
-    w->contacts++;
-}
 //<
 
 //> contacts-push
@@ -49,7 +35,7 @@ static push_side side_of(const world *w, int number, const feature_point *f)
         return s;
     }
     s.ways = &w->ways[number];
-    s.body = number;
+    if (w->moves[number]) s.body = number;
     s.first = b->first;
     s.count = FOUR;
     for (int v = 0; v < f->count; v++)
@@ -79,26 +65,7 @@ push contacts_push(const world *w, const contact *c, int a, int b)
 }
 //<
 
-//> contacts-remember
-void contacts_remember(world *w, int from, int end)
-{
-    for (int k = from; k < end; k++)
-        if (w->push[k].pushed[NORMAL] > 0)
-            w->memory[w->memories++] = push_remember(&w->push[k],
-                w->pushed[k][0], w->pushed[k][1], w->age);
-}
-//<
-
 //> contacts-recall
-// The places of pushes and memories are sorted alike: bodies at planes first,
-// then pairs of bodies, in order.
-static int comes_before(const push_memory *m, int a, int b, int bodies)
-{
-    int was_plane = m->b >= bodies, is_plane = b >= bodies;
-    if (was_plane != is_plane) return was_plane > is_plane;
-    return m->a != a ? m->a < a : m->b < b;
-}
-
 // How far apart the points of two contacts lie, as the weights of A's particles
 // tell it.
 static real weights_apart(const push *c, const push_memory *m)
@@ -125,21 +92,18 @@ static push *nearest_to(const push_memory *m, push *c, int n)
     return best;
 }
 
-// Every old contact of bodies a and b hands what it pushed to the nearest of
-// their n new ones.  So no push is lost, and none is taken over twice: a load
-// that nobody bears throws the pile up, and it never comes to rest.
-// The memory has two runs, sorted each: of contacts that were good for a frame,
-// and of quick pairs.  `old` moves along in both as the pairs go by.
-static void recall(world *w, push *c, int n, int a, int b, int old[2])
+// Of the last frame's contacts `was` every one with b hands what it pushed to
+// the nearest of the n new ones.  So no push is lost, and none is taken over
+// twice: a load that nobody bears throws the pile up, and it never comes to
+// rest.
+static void recall(const world *w, push *c, int n, int b, push_run was)
 {
-    const push_memory *m = w->memory;
-    const int end[2] = { w->lasting_memories, w->memories };
     real h = w->options.dt / w->report.substeps;
-    for (int run = 0; run < 2 && n > 0; run++) {
-        int *k = &old[run];
-        while (*k < end[run] && comes_before(&m[*k], a, b, w->bodies)) (*k)++;
-        for (; *k < end[run] && m[*k].a == a && m[*k].b == b; (*k)++)
-            push_recall(nearest_to(&m[*k], c, n), &m[*k], h);
+    for (int k = was.first; k < was.first + was.count && n > 0; k++) {
+        const push *old = &w->old_push[k];
+        if (w->old_pushed[k][1] != b || !(old->pushed[NORMAL] > 0)) continue;
+        push_memory m = push_remember(old, w->age);
+        push_recall(nearest_to(&m, c, n), &m, h);
     }
 }
 //<
@@ -159,88 +123,85 @@ static real near_of(const world *w, int a, int b)
     if (!w->options.look_ahead) return HUGE_VAL;
     return 2 * (reach + contacts_slack(w, a, b)) / w->report.substeps;
 }
-
-// Room for one more contact of a and b; NULL: there is none.
-static push *next_push(world *w, int a, int b)
-{
-    if (w->pushes == w->push_capacity) {
-        w->report.dropped++;
-        return NULL;
-    }
-    push *x = &w->push[w->pushes];
-    w->pushed[w->pushes][0] = a;
-    w->pushed[w->pushes][1] = b;
-    w->pushes++;
-    return x;
-}
 //<
 
-//> contacts-keep
-// Contacts of bodies a < b, or of body a with plane b - bodies.  All have one
-// normal.
-static void keep_pushes(world *w, const contact *found, int n, int a, int b,
-                        int old[2])
+//> contacts-write
+// Who is A and who B: what is immovable is B.
+typedef struct {
+    int a, b;               // B: -1: a plane
+} sides;
+
+static sides sides_of(const world *w, int a, int b)
 {
-    int was = w->pushes, is_plane = b >= w->bodies;
-    // An immovable body is B.
-    int swap = body_is_nailed(&w->body[a]);
-    int first = swap ? b : a, second = is_plane ? -1 : swap ? a : b;
-    real near = near_of(w, a, b);
-    for (int k = 0; k < n; k++) {
-        push *x = next_push(w, a, b);
-        if (!x) continue;
-        begin_push(w, x, &found[k], first, second);
-        x->near = near;
-        if (k == 0) push_directions(x, found[0].normal);
-        for (int d = 0; k > 0 && d < DIRECTIONS; d++)
-            x->along[d] = x[-1].along[d];
-    }
-    if (w->options.memory)
-        recall(w, &w->push[was], w->pushes - was, a, b, old);
+    if (b >= w->bodies) return (sides){ a, -1 };
+    return body_is_nailed(&w->body[a]) ? (sides){ b, a } : (sides){ a, b };
 }
 
-void contacts_keep(world *w, const contact *found, int n, int a, int b,
-                   int old[2])
+// Contacts number first to first + n - 1, of a and b; all have one normal.
+static void write_pushes(world *w, int first, const contact *found, int n,
+                         int a, int b, push_run was)
 {
-    if (w->body[a].four) {
-        keep_pushes(w, found, n, a, b, old);
-        return;
+    push *x = &w->push[first];
+    sides of = sides_of(w, a, b);
+    real near = near_of(w, a, b);
+    for (int k = 0; k < n; k++) {
+        begin_push(w, &x[k], &found[k], of.a, of.b);
+        x[k].near = near;
+        if (k == 0) push_directions(x, found[0].normal);
+        for (int d = 0; k > 0 && d < DIRECTIONS; d++)
+            x[k].along[d] = x[0].along[d];
+        w->pushed[first + k][0] = a;
+        w->pushed[first + k][1] = b;
     }
-    // An immovable body is B.
-    int swap = body_is_nailed(&w->body[a]), is_plane = b >= w->bodies;
-    int first = swap ? b : a, second = is_plane ? -1 : swap ? a : b;
-    for (int k = 0; k < n; k++) keep_one(w, &found[k], first, second);
+    if (w->options.memory) recall(w, x, n, b, was);
+}
+
+static void write_contacts(world *w, int first, const contact *found, int n,
+                           int a, int b)
+{
+    sides of = sides_of(w, a, b);
+    for (int k = 0; k < n; k++) {
+        contact *x = &w->contact[first + k];
+        *x = found[k];
+        x->approach = speed_of_blow(w, x, &w->body[of.a]);
+        w->between[first + k][0] = of.a;
+        w->between[first + k][1] = of.b;
+    }
+}
+
+static void write_found(world *w, int first, const contact *found, int n,
+                        int a, int b, push_run was)
+{
+    if (w->body[a].four) write_pushes(w, first, found, n, a, b, was);
+    else                 write_contacts(w, first, found, n, a, b);
 }
 //<
 
 //> contacts-stay
-void contacts_stay(world *w, push_run *run, int a, int b)
-{
-    real h = w->options.dt / w->report.substeps, longer = h / w->age;
-    int from = run->first;
-    run->first = w->pushes;
-    if (w->pushes + run->count > w->push_capacity) {
-        w->report.dropped += run->count;
-        run->count = 0;
-    }
-    for (int k = 0; k < run->count; k++) {
-        push *x = &w->push[w->pushes];
-        int *bodies = w->pushed[w->pushes++];
-        *x = w->old_push[from + k];
-        bodies[0] = w->old_pushed[from + k][0];
-        bodies[1] = w->old_pushed[from + k][1];
-        x->near = near_of(w, a, b);
-        x->far = 0;
-        for (int d = 0; d < DIRECTIONS; d++)
-            x->pushed[d] *= w->options.memory ? longer * longer : 0;
-    }
-}
-
 int contacts_may_stay(const world *w, const push_run *run, int a, int b,
                       real margin)
 {
     return !w->fresh[a] && (b >= w->bodies || !w->fresh[b]) && run->margin > 0
         && margin + contacts_slack(w, a, b) <= run->margin;
+}
+
+// The last frame's contacts of a and b go on as they are, and begin with what
+// they pushed.
+static void write_same(world *w, const inquiry *is, int a, int b)
+{
+    real h = w->options.dt / w->report.substeps, longer = h / w->age;
+    real near = near_of(w, a, b);
+    for (int k = 0; k < is->run.count; k++) {
+        int to = is->run.first + k, from = is->was.first + k;
+        push *x = &w->push[to];
+        *x = w->old_push[from];
+        w->pushed[to][0] = w->old_pushed[from][0];
+        w->pushed[to][1] = w->old_pushed[from][1];
+        x->near = near;
+        x->far = 0;
+        for (int d = 0; d < DIRECTIONS; d++)
+            x->pushed[d] *= w->options.memory ? longer * longer : 0;
+    }
 }
 //<
 
@@ -255,23 +216,167 @@ static void ride_in_the_middle(push_side *s, const body *b)
             s->share[k] += b->four->weight[v][k] / corners;
 }
 
+static int is_smaller(const world *w, int a, int b)
+{
+    return w->body[a].plan->radius < w->body[b].plan->radius;
+}
+
+int contacts_have_guard(const world *w, int a, int b)
+{
+    sides of = sides_of(w, a, b);
+    int small = is_smaller(w, of.a, of.b) ? of.a : of.b;
+    return w->body[small].four && !body_is_nailed(&w->body[small]);
+}
+
 // The touch of a bullet stops a point of it.  The rest would turn about that
 // point, and be through before it is asked again.  But the ball inside the
 // smaller body never gets behind the plane of touch either: a second contact,
 // of its middle, keeps it in front.
-void contacts_guard(world *w, const contact *touch, int a, int b)
+static void write_guard(world *w, int place, const contact *touch, int a, int b)
 {
-    int swap = body_is_nailed(&w->body[a]);
-    int first = swap ? b : a, second = swap ? a : b;
-    const body *x = &w->body[first], *y = &w->body[second];
-    push guard = contacts_push(w, touch, first, second), *kept;
-    int is_a = x->plan->radius < y->plan->radius;
-    push_side *small = is_a ? &guard.a : &guard.b;
-    if (small->count != FOUR) return;
-    ride_in_the_middle(small, is_a ? x : y);
-    guard.thickness += (is_a ? x : y)->plan->inner;
-    guard.near = near_of(w, a, b);
-    kept = next_push(w, a, b);
-    if (kept) *kept = guard;
+    sides of = sides_of(w, a, b);
+    push *guard = &w->push[place];
+    int is_a = is_smaller(w, of.a, of.b);
+    const body *small = &w->body[is_a ? of.a : of.b];
+    *guard = contacts_push(w, touch, of.a, of.b);
+    ride_in_the_middle(is_a ? &guard->a : &guard->b, small);
+    guard->thickness += small->plan->inner;
+    guard->near = near_of(w, a, b);
+    w->pushed[place][0] = a;
+    w->pushed[place][1] = b;
+}
+//<
+
+//> contacts-found
+contact *contacts_of_planes(const world *w, int k)
+{
+    return w->found + w->planes * w->body[k].corner;
+}
+
+contact *contacts_of_pair(const world *w, const body_pair *pair)
+{
+    return w->found + w->planes * w->corners
+         + PAIR_CONTACTS * (pair - w->pair);
+}
+
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+void contacts_write_pair(world *w, const body_pair *x)
+{
+    const inquiry *is = &x->is;
+    const contact *found = contacts_of_pair(w, x);
+    int n = least(is->found, is->run.count);
+    if (is->ask == ASK_STAYS) {
+        write_same(w, is, x->a, x->b);
+        return;
+    }
+    write_found(w, is->run.first, found, n, x->a, x->b, is->was);
+    if (n < is->run.count)
+        write_guard(w, is->run.first + n, found, x->a, x->b);
+}
+
+void contacts_write_planes(world *w, int k)
+{
+    const inquiry *is = &w->wall[k].is;
+    const contact *found = contacts_of_planes(w, k);
+    if (is->ask == ASK_STAYS) write_same(w, is, k, w->bodies);
+    if (is->ask != ASK_NEAREST) return;
+    for (int p = 0, at = 0; p < w->planes; p++) {
+        int n = least(w->wall[k].at[p], is->run.count - at);
+        write_found(w, is->run.first + at, found + at, n, k, w->bodies + p,
+                    is->was);
+        at += n;
+    }
+}
+//<
+
+//> contacts-place
+// Where the next contact of each kind goes: of those that remember, the lasting
+// ones stand before those of quick pairs, and of either the parts of the pile
+// one after the other; and of those that forget.
+typedef struct {
+    int push[2][PILE_PARTS], contact[2];
+} places;
+
+static int *place_of(places *p, const world *w, int a, int b, int quick)
+{
+    return w->body[a].four ? &p->push[quick][halves_part(w, a, b)]
+                           : &p->contact[quick];
+}
+
+static int count_of(const inquiry *is)
+{
+    return is->ask == ASK_STAYS ? is->was.count : is->found + is->guard;
+}
+
+static void count_all(const world *w, int again, places *p)
+{
+    for (int k = 0; k < w->bodies && !again; k++)
+        if (w->moves[k])
+            *place_of(p, w, k, w->bodies, 0) += count_of(&w->wall[k].is);
+    for (int k = 0; k < w->pairs; k++) {
+        const body_pair *x = &w->pair[k];
+        if (!again || x->quick)
+            *place_of(p, w, x->a, x->b, x->quick) += count_of(&x->is);
+    }
+}
+
+// What begins at *end ends n later; returns where it begins.
+static int begins(int *end, int n)
+{
+    *end += n;
+    return *end - n;
+}
+
+// Counts become places: where those before them end.
+static void sum_up(places *p, world *w, int again)
+{
+    int pushes = again ? w->lasting_pushes : 0;
+    int contacts = again ? w->lasting : 0;
+    for (int quick = 0; quick < 2; quick++) {
+        if (quick && !again) {
+            w->lasting_pushes = least(pushes, w->push_capacity);
+            w->lasting = least(contacts, w->contact_capacity);
+        }
+        for (int part = 0; part < PILE_PARTS; part++)
+            p->push[quick][part] = begins(&pushes, p->push[quick][part]);
+        p->contact[quick] = begins(&contacts, p->contact[quick]);
+    }
+    w->pushes = least(pushes, w->push_capacity);
+    w->contacts = least(contacts, w->contact_capacity);
+}
+//<
+
+//> contacts-place-all
+// Contacts of a and b get their room.
+static void place(world *w, places *p, inquiry *is, int a, int b, int quick)
+{
+    int *next = place_of(p, w, a, b, quick), n = count_of(is);
+    int room = (w->body[a].four ? w->push_capacity : w->contact_capacity)
+             - *next;
+    int count = room > n ? n : room > 0 ? room : 0;
+    real margin = is->ask == ASK_STAYS ? is->was.margin : is->margin;
+    if (count < n || quick || !w->body[a].four) margin = 0;
+    is->run = (push_run){ *next, count, margin };
+    w->report.dropped += n - count;
+    *next += n;
+}
+
+void contacts_place(world *w, int again)
+{
+    places p = { .push = { { 0 } } };
+    count_all(w, again, &p);
+    sum_up(&p, w, again);
+    for (int k = 0; k < w->bodies && !again; k++) {
+        w->wall[k].is.run = (push_run){ 0, 0, 0 };
+        if (w->moves[k]) place(w, &p, &w->wall[k].is, k, w->bodies, 0);
+    }
+    for (int k = 0; k < w->pairs; k++) {
+        body_pair *x = &w->pair[k];
+        if (!again || x->quick) place(w, &p, &x->is, x->a, x->b, x->quick);
+    }
 }
 //<

@@ -27,17 +27,6 @@ real contacts_blow_speed(const world *w, const body *b);
 // deformable body is A, and touches with one particle.
 push contacts_push(const world *w, const contact *c, int a, int b);
 
-// Writes down the n contacts found between a and b, which have one normal.
-// What finds no room is counted in the report.  Contacts that remember begin
-// with what the last frame's pushed: `old` are two places in that memory, 0 and
-// w->lasting_memories before the first pair, that move on from pair to pair.
-void contacts_keep(world *w, const contact *found, int n, int a, int b,
-                   int old[2]);
-
-// A second contact of bodies of four particles, beside `touch`, that keeps the
-// ball inside the smaller one in front of the other.
-void contacts_guard(world *w, const contact *touch, int a, int b);
-
 // m, what a and b may have come nearer since their contacts were found, and
 // still be taken to lie where they lay.
 real contacts_slack(const world *w, int a, int b);
@@ -47,13 +36,24 @@ real contacts_slack(const world *w, int a, int b);
 int contacts_may_stay(const world *w, const push_run *run, int a, int b,
                       real margin);
 
-// Then these go on as they are, and begin with what they pushed in the last
-// frame, whose contacts are w->old_push.
-void contacts_stay(world *w, push_run *run, int a, int b);
+// What was found: room for the contacts of body k with the planes, plane after
+// plane, and for those of a pair.
+contact *contacts_of_planes(const world *w, int k);
+contact *contacts_of_pair(const world *w, const body_pair *pair);
 
-// Adds to the memory what pushes number `from` to `end` - 1 did in the last
-// substep.
-void contacts_remember(world *w, int from, int end);
+// May the pair have, beside what was found, a contact that keeps the ball
+// inside the smaller body in front of the other?  (Of four particles, moving.)
+int contacts_have_guard(const world *w, int a, int b);
+
+// Gives all that was found, or stays, its place: in what order does not depend
+// on who found it when.  `again`: quick pairs alone.  What finds no room is
+// counted in the report.
+void contacts_place(world *w, int again);
+
+// Writes them there.  Contacts that remember begin with what those of the last
+// frame pushed; those that stay go on as they are.
+void contacts_write_pair(world *w, const body_pair *pair);
+void contacts_write_planes(world *w, int k);
 //<
 
 //> contacts-end-of-header

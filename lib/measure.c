@@ -76,7 +76,7 @@ static void measure_rigid_pair(world *w, body *a, body *b, measures *m)
     gjk_result g = gjk_distance(p, q, gjk_options_default(), NULL);
     if (g.status == GJK_NOT_FINITE) deepen(m, (real)NAN);
     if (g.status == GJK_OVERLAP)
-        deepen(m, hit_face_find(p, q, &g.last, w->hit).depth);
+        deepen(m, hit_face_find(p, q, &g.last, w->hit[0]).depth);
 }
 
 // How deep the particles of a deformable body stand in a rigid one.

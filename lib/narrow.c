@@ -1,39 +1,65 @@
-//> narrow-swept
+//> narrow-asking
 #include "narrow.h"
 #include "contacts.h"
+#include "halves.h"
 #include "pairs.h"
 
-// How many contacts they have then, 0 or 1; -1: they cannot be told apart, and
-// are looked at where they are.
-static int query_swept(world *w, const body *a, const body *b, real share,
-                       real apart, contact *c)
+// What is asked: once a frame everything, and then, in some substeps again, the
+// quick pairs.
+typedef struct {
+    world *w;
+    int again;
+} asking;
+
+// Body or pair number k is this half's.  In turns, by so many: those that have
+// much to do stand together, for they were thrown together.
+enum { TURN = 16 };
+
+static int is_mine(int k, int half)
 {
-    collider ca = world_collider(w, a), cb = world_collider(w, b);
-    vec3 way = vec3_scale(share, vec3_sub(a->way, b->way));
-    switch (collide_swept(&ca, &cb, way, apart + share * (a->turn + b->turn),
-                          w->swept, c)) {
-    case SWEPT_PASSES:  return 0;
-    case SWEPT_TOUCHES: return 1;
-    default:            return -1;
-    }
+    return k / TURN % 2 == half;
 }
 //<
 
-//> narrow-query
-static void look_now(world *w, int k)
+//> narrow-quick
+// By more than a tenth of a radius in a frame?
+static int is_quick(const body *a, const body *b)
 {
-    if (w->looked[k]) return;
-    world_look(w, &w->body[k]);
-    w->looked[k] = 1;
+    real far = vec3_distance(a->way, b->way) + a->turn + b->turn;
+    return far > 0.1 * fmin(a->plan->radius, b->plan->radius);
 }
 
-static int query_nearest(world *w, body_pair *pair, real margin,
-                         contact found[PAIR_CONTACTS])
+// Every so many substeps what the quick pairs touch now replaces what they
+// touched, and takes over what that pushed.  In 1/120 s a body that spins comes
+// to touch with another corner, and sinks: of four substeps every second one is
+// not enough.
+static int quick_every(const world *w)
 {
-    collider a = world_collider(w, &w->body[pair->a]);
-    collider b = world_collider(w, &w->body[pair->b]);
-    return collide_rigid(&a, &b, margin, w->options.manifold, &pair->carried,
-                         w->hit, found);
+    return w->report.substeps > 4 ? 2 : 1;
+}
+
+// For how much of the frame are the contacts of this pair asked for?
+static real share_of(const asking *j, const body_pair *pair)
+{
+    const world *w = j->w;
+    const body *a = &w->body[pair->a], *b = &w->body[pair->b];
+    if (!pair->quick || (!j->again && pairs_pass_far(w, a, b, 1))) return 1;
+    return (real)quick_every(w) / w->report.substeps;
+}
+//<
+
+//> narrow-decide
+// m, so near that they may touch within a share of the frame.
+static real needed(const body *a, const body *b, real share)
+{
+    return share * (a->reach + b->reach) + a->thickness + b->thickness;
+}
+
+// m, how much further than that it is asked, so that the answer is good for
+// some frames.
+static real slack_of(const world *w, const body_pair *pair)
+{
+    return pair->quick ? 0 : 2 * contacts_slack(w, pair->a, pair->b);
 }
 
 // Are the balls around two bodies, now, further apart than the margin?
@@ -45,159 +71,192 @@ static int balls_are_apart(const world *w, body *a, body *b, real margin)
     return vec3_length_squared(vec3_sub(x.center, y.center)) > near * near;
 }
 
-// The contacts of a pair in the next share of the frame, and those that are no
-// more than a slack (m) further.
-static void query_pair(world *w, body_pair *pair, real share, real slack,
-                       int old[2])
+static int choose(const asking *j, const body_pair *pair)
 {
-    contact found[PAIR_CONTACTS];
+    const world *w = j->w;
     body *a = &w->body[pair->a], *b = &w->body[pair->b];
-    real apart = a->thickness + b->thickness;
-    real margin = share * (a->reach + b->reach) + apart + slack;
-    int n = -1, is_bullet = pairs_pass_far(w, a, b, share);
-    if (!is_bullet && balls_are_apart(w, a, b, margin)) return;
-    look_now(w, pair->a);
-    look_now(w, pair->b);
-    if (is_bullet) n = query_swept(w, a, b, share, apart, found);
-    if (n < 0) n = query_nearest(w, pair, margin, found);
-    for (int k = 0; k < n; k++) found[k].thickness = apart;
-    contacts_keep(w, found, n, pair->a, pair->b, old);
-    if (is_bullet && n > 0) contacts_guard(w, found, pair->a, pair->b);
-}
-//<
-
-//> narrow-every
-// Every so many substeps what the quick pairs touch now replaces what they
-// touched, and takes over what that pushed.  In 1/120 s a body that spins comes
-// to touch with another corner, and sinks: of four substeps every second one is
-// not enough.
-static int quick_every(const world *w)
-{
-    return w->report.substeps > 4 ? 2 : 1;
-}
-//<
-
-//> narrow-pairs
-// By more than a tenth of a radius in a frame?
-static int is_quick(const body *a, const body *b)
-{
-    real far = vec3_distance(a->way, b->way) + a->turn + b->turn;
-    return far > 0.1 * fmin(a->plan->radius, b->plan->radius);
+    real share = share_of(j, pair);
+    if (!pair->quick && contacts_may_stay(w, &pair->is.run, pair->a, pair->b,
+                                          needed(a, b, 1))) return ASK_STAYS;
+    if (pairs_pass_far(w, a, b, share)) return ASK_SWEPT;
+    if (balls_are_apart(w, a, b, needed(a, b, share) + slack_of(w, pair)))
+        return ASK_NOTHING;
+    return ASK_NEAREST;
 }
 
-// m, so near that they may touch within the frame.
-static real needed(const body *a, const body *b)
+static void decide_pair(const asking *j, body_pair *pair)
 {
-    return a->reach + b->reach + a->thickness + b->thickness;
+    const world *w = j->w;
+    const body *a = &w->body[pair->a], *b = &w->body[pair->b];
+    if (!j->again) pair->quick = is_quick(a, b);
+    pair->is.was = pair->is.run;
+    pair->is.found = pair->is.guard = 0;
+    pair->is.ask = choose(j, pair);
+    pair->is.margin = needed(a, b, 1) + slack_of(w, pair);
 }
 
-// Once a frame: the contacts of every pair that may touch before its end.
-// Those of two bodies that pass each other quickly change within a frame: they
-// come last, to be replaced.
-static void query_pairs(world *w, int quick, int old[2])
+static void decide_planes(world *w, int k)
 {
-    real share = quick ? (real)quick_every(w) / w->report.substeps : 1;
+    inquiry *is = &w->wall[k].is;
+    body *b = &w->body[k];
+    is->was = is->run;
+    is->found = 0;
+    is->ask = ASK_NOTHING;
+    is->margin = b->reach + 2 * contacts_slack(w, k, w->bodies);
+    if (!w->moves[k] || w->planes == 0) return;
+    if (body_is_soft(b)) {
+        // (What is rigid was looked at when its pairs were found.)
+        pairs_look_ahead(w, b);
+        w->looked[k] = 0;
+    }
+    is->ask = b->four && contacts_may_stay(w, &is->run, k, w->bodies, b->reach)
+            ? ASK_STAYS : ASK_NEAREST;
+}
+
+// Who is asked what, and who must be looked at for it.
+static void decide(void *data, int half)
+{
+    const asking *j = data;
+    world *w = j->w;
+    char *needs = w->needed[half];
+    for (int b = 0; b < w->bodies; b++) needs[b] = 0;
+    for (int k = 0; k < w->bodies && !j->again; k++) {
+        if (!is_mine(k, half)) continue;
+        decide_planes(w, k);
+        if (w->wall[k].is.ask == ASK_NEAREST) needs[k] = 1;
+    }
     for (int k = 0; k < w->pairs; k++) {
         body_pair *pair = &w->pair[k];
-        const body *a = &w->body[pair->a], *b = &w->body[pair->b];
-        real margin = needed(a, b);
-        if (is_quick(a, b) != quick) continue;
-        if (!quick
-            && contacts_may_stay(w, &pair->run, pair->a, pair->b, margin)) {
-            contacts_stay(w, &pair->run, pair->a, pair->b);
-            continue;
-        }
-        int first = w->pushes, dropped = w->report.dropped;
-        real slack = quick ? 0 : 2 * contacts_slack(w, pair->a, pair->b);
-        query_pair(w, pair, pairs_pass_far(w, a, b, 1) ? 1 : share, slack, old);
-        int is_whole = w->options.model == BODY_FOUR && !quick
-                       && dropped == w->report.dropped;
-        pair->run = (push_run){ first, w->pushes - first,
-                                is_whole ? margin + slack : 0 };
-        pair->quick = quick;
+        if (!is_mine(k, half)) continue;
+        if (!j->again) decide_pair(j, pair);
+        if (j->again ? !pair->quick : pair->is.ask < ASK_NEAREST) continue;
+        needs[pair->a] = needs[pair->b] = 1;
     }
 }
 //<
 
-//> narrow-again
+//> narrow-look
 // Blows may have turned its way; how far others may push it stays.
-static void look_again(world *w, body *b)
+static void look_ahead_again(const world *w, body *b)
 {
     real reach = b->reach;
-    int k = (int)(b - w->body);
-    if (!body_moves(w, k) || w->looked[k]) return;
     pairs_look_ahead(w, b);
     b->reach = reach;
-    look_now(w, k);
 }
 
-void narrow_find_again(world *w, int substep)
+static void look(void *data, int half)
 {
-    int every = quick_every(w), old[2] = { 0, 0 };
-    real share = (real)every / w->report.substeps;
-    if (substep % every != 0) return;
-    w->memories = w->lasting_memories = 0;
-    contacts_remember(w, w->lasting_pushes, w->pushes);
-    w->contacts = w->lasting;
-    w->pushes = w->lasting_pushes;
-    for (int b = 0; b < w->bodies; b++) w->looked[b] = !w->moves[b];
-    for (int k = 0; k < w->pairs; k++) {
-        body_pair *pair = &w->pair[k];
-        if (!pair->quick) continue;
-        body *a = &w->body[pair->a], *b = &w->body[pair->b];
-        look_again(w, a);
-        look_again(w, b);
-        query_pair(w, pair, share, 0, old);
+    const asking *j = data;
+    world *w = j->w;
+    for (int k = 0; k < w->bodies; k++) {
+        int is_needed = w->needed[0][k] || w->needed[1][k];
+        if (!is_mine(k, half) || !is_needed || w->looked[k]) continue;
+        if (j->again) look_ahead_again(w, &w->body[k]);
+        world_look(w, &w->body[k]);
+        w->looked[k] = 1;
     }
 }
 //<
 
-//> narrow-planes
-// Every particle or vertex that moves against plane p.
-static void query_plane(world *w, int k, int p, int old[2])
+//> narrow-swept
+// How many contacts they have then, 0 or 1; -1: they cannot be told apart, and
+// are looked at where they are.
+static int query_swept(const world *w, const body *a, const body *b, real share,
+                       int half, contact *c)
+{
+    collider ca = world_collider(w, a), cb = world_collider(w, b);
+    vec3 way = vec3_scale(share, vec3_sub(a->way, b->way));
+    real apart = a->thickness + b->thickness;
+    switch (collide_swept(&ca, &cb, way, apart + share * (a->turn + b->turn),
+                          w->swept[half], c)) {
+    case SWEPT_PASSES:  return 0;
+    case SWEPT_TOUCHES: return 1;
+    default:            return -1;
+    }
+}
+//<
+
+//> narrow-query
+static int query_nearest(const world *w, body_pair *pair, real margin, int half,
+                         contact found[PAIR_CONTACTS])
+{
+    collider a = world_collider(w, &w->body[pair->a]);
+    collider b = world_collider(w, &w->body[pair->b]);
+    return collide_rigid(&a, &b, margin, w->options.manifold, &pair->carried,
+                         w->hit[half], found);
+}
+
+static void query_pair(const asking *j, body_pair *pair, int half)
+{
+    const world *w = j->w;
+    const body *a = &w->body[pair->a], *b = &w->body[pair->b];
+    contact *found = contacts_of_pair(w, pair);
+    int n = -1, is_swept = pair->is.ask == ASK_SWEPT;
+    real share = share_of(j, pair);
+    if (is_swept) n = query_swept(w, a, b, share, half, found);
+    if (n < 0)
+        n = query_nearest(w, pair, needed(a, b, share) + slack_of(w, pair),
+                          half, found);
+    for (int k = 0; k < n; k++)
+        found[k].thickness = a->thickness + b->thickness;
+    pair->is.found = n;
+    pair->is.guard = is_swept && n > 0
+                     && contacts_have_guard(w, pair->a, pair->b);
+}
+
+// Every particle or vertex of body k against the planes.
+static void query_planes(world *w, int k)
 {
     const body *b = &w->body[k];
     collider c = world_collider(w, b);
-    int room = w->contact_capacity - w->contacts;
-    contact *out = &w->contact[w->contacts];
-    real margin = b->reach + 2 * contacts_slack(w, k, w->bodies);
-    int n = collide_plane(&c, w->plane[p], margin, b->thickness, out, room);
-    if (n > room) {
-        w->report.dropped += n - room;
-        n = room;
+    contact *found = contacts_of_planes(w, k);
+    int n = 0;
+    for (int p = 0; p < w->planes; p++) {
+        w->wall[k].at[p] = collide_plane(&c, w->plane[p], w->wall[k].is.margin,
+                                         b->thickness, found + n,
+                                         b->plan->particles);
+        n += w->wall[k].at[p];
     }
-    contacts_keep(w, out, n, k, w->bodies + p, old);
+    w->wall[k].is.found = n;
 }
 
-static void query_walls(world *w, int k, int old[2])
+static void query(void *data, int half)
 {
-    const body *b = &w->body[k];
-    push_run *run = &w->wall[k];
-    if (b->four && contacts_may_stay(w, run, k, w->bodies, b->reach)) {
-        contacts_stay(w, run, k, w->bodies);
-        return;
+    const asking *j = data;
+    world *w = j->w;
+    for (int k = 0; k < w->bodies && !j->again; k++)
+        if (is_mine(k, half) && w->wall[k].is.ask == ASK_NEAREST)
+            query_planes(w, k);
+    for (int k = 0; k < w->pairs; k++) {
+        body_pair *pair = &w->pair[k];
+        if (!is_mine(k, half) || (j->again && !pair->quick)) continue;
+        if (j->again) decide_pair(j, pair);
+        if (pair->is.ask >= ASK_NEAREST) query_pair(j, pair, half);
     }
-    int first = w->pushes, dropped = w->report.dropped;
-    look_now(w, k);
-    for (int p = 0; p < w->planes; p++) query_plane(w, k, p, old);
-    real margin = b->reach + 2 * contacts_slack(w, k, w->bodies);
-    *run = (push_run){ first, w->pushes - first,
-                       dropped == w->report.dropped ? margin : 0 };
+}
+//<
+
+//> narrow-ask
+static void write(void *data, int half)
+{
+    const asking *j = data;
+    world *w = j->w;
+    for (int k = 0; k < w->bodies && !j->again; k++)
+        if (is_mine(k, half)) contacts_write_planes(w, k);
+    for (int k = 0; k < w->pairs; k++)
+        if (is_mine(k, half) && (!j->again || w->pair[k].quick))
+            contacts_write_pair(w, &w->pair[k]);
 }
 
-// (What is rigid was looked at when its pairs were found.)
-static void query_planes(world *w, int old[2])
+static void ask_all(world *w, int again)
 {
-    for (int k = 0; k < w->bodies; k++) {
-        body *b = &w->body[k];
-        if (!w->moves[k]) continue;
-        if (body_is_soft(b) && w->planes > 0) {
-            pairs_look_ahead(w, b);
-            world_look(w, b);
-            w->looked[k] = 1;
-        }
-        query_walls(w, k, old);
-    }
+    asking j = { w, again };
+    halves_do(w, decide, &j);
+    halves_do(w, look, &j);
+    halves_do(w, query, &j);
+    contacts_place(w, again);
+    halves_do(w, write, &j);
+    halves_sort(w);
 }
 //<
 
@@ -211,7 +270,7 @@ static int all_stay(const world *w)
         || w->pushes > w->lasting_pushes || w->softs > 0 || w->contacts > 0)
         return 0;
     for (int k = 0; k < w->bodies; k++) {
-        const push_run *run = &w->wall[k];
+        const push_run *run = &w->wall[k].is.run;
         if (!w->moves[k]) continue;
         if (!contacts_may_stay(w, run, k, w->bodies, w->body[k].reach))
             return 0;
@@ -220,10 +279,10 @@ static int all_stay(const world *w)
     for (int k = 0; k < w->pairs; k++) {
         const body_pair *x = &w->pair[k];
         const body *a = &w->body[x->a], *b = &w->body[x->b];
-        if (is_quick(a, b)
-            || !contacts_may_stay(w, &x->run, x->a, x->b, needed(a, b)))
+        if (is_quick(a, b) || !contacts_may_stay(w, &x->is.run, x->a, x->b,
+                                                 needed(a, b, 1)))
             return 0;
-        found += x->run.count;
+        found += x->is.run.count;
     }
     return found == w->pushes;
 }
@@ -240,15 +299,40 @@ static void swap_pushes(world *w)
 
 void narrow_find(world *w)
 {
-    int old[2] = { 0, w->lasting_memories };
-    int quick[2] = { 0, w->lasting_memories };
-    if (all_stay(w)) return;
+    if (all_stay(w)) {
+        halves_sort(w);
+        return;
+    }
     swap_pushes(w);
-    w->contacts = w->pushes = 0;
-    query_planes(w, old);
-    query_pairs(w, 0, old);
-    w->lasting = w->contacts;
-    w->lasting_pushes = w->pushes;
-    query_pairs(w, 1, quick);
+    ask_all(w, 0);
+}
+//<
+
+//> narrow-again
+static int some_are_quick(const world *w)
+{
+    for (int k = 0; k < w->pairs; k++)
+        if (w->pair[k].quick) return 1;
+    return 0;
+}
+
+// What they have pushed, where that of the last frame stood, which nobody needs
+// any more.
+static void keep_quick(world *w)
+{
+    for (int k = w->lasting_pushes; k < w->pushes; k++) {
+        w->old_pushed[k][1] = w->pushed[k][1];
+        if (w->push[k].pushed[NORMAL] > 0) w->old_push[k] = w->push[k];
+        else                               w->old_push[k].pushed[NORMAL] = 0;
+    }
+}
+
+void narrow_find_again(world *w, int substep)
+{
+    if (substep % quick_every(w) != 0) return;
+    if (!some_are_quick(w)) return;
+    keep_quick(w);
+    for (int b = 0; b < w->bodies; b++) w->looked[b] = !w->moves[b];
+    ask_all(w, 1);
 }
 //<

@@ -1,5 +1,6 @@
 //> pairs-reach
 #include "pairs.h"
+#include "halves.h"
 
 // m, what vertices may go beside what the fastest of them turns: what gravity
 // adds in a frame; and a hundredth of the radius for what impacts add.
@@ -137,9 +138,13 @@ static void look_anew(world *w, body *b)
         w->of.seen[i] = w->pool.at[i].position;
 }
 
-static void look_at_rigid(world *w)
+static void look_at_side(void *data, int side)
 {
-    for (int k = 0; k < w->bodies; k++) {
+    world *w = data;
+    int n;
+    const int *mine = halves_bodies(w, side, &n);
+    for (int i = 0; i < n; i++) {
+        int k = mine[i];
         body *b = &w->body[k];
         int moves = body_moves(w, k), changed = moves != w->moves[k];
         w->moves[k] = (char)moves;
@@ -152,6 +157,11 @@ static void look_at_rigid(world *w)
         if (moves) look_ahead(w, b, w->fresh[k]);
         else       stand(b);
     }
+}
+
+static void look_at_rigid(world *w)
+{
+    halves_do(w, look_at_side, w);
 }
 //<
 
@@ -293,6 +303,7 @@ void pairs_find(world *w)
         spread_reach(w);
         lost = list_pairs(w);
     }
+    halves_cut(w);
     w->report.dropped += lost;
     w->report.pairs = w->pairs;
 }

@@ -137,9 +137,9 @@ static inline void push_by(push *c, const real l[DIRECTIONS],
 
 //> push-remember-code
 // A force F moves what it pushes by F h^2 / m in a substep.
-push_memory push_remember(const push *c, int a, int b, real h)
+push_memory push_remember(const push *c, real h)
 {
-    push_memory m = { .a = a, .b = b };
+    push_memory m = { .share = { 0 } };
     for (int k = 0; k < FOUR; k++) m.share[k] = c->a.share[k];
     for (int i = 0; i < DIRECTIONS; i++)
         m.force = vec3_add_scaled(m.force, c->pushed[i] / (h * h),
@@ -245,7 +245,7 @@ static inline int hold(push *c, const real b[DIRECTIONS], real friction,
 //> push-solve
 // The points are `apart` now (a gap, two slides) and were `before` when the
 // substep began: what parts them, in l.
-static inline void part(push *c, const real apart[DIRECTIONS], real before,
+static inline void find_push(push *c, const real apart[DIRECTIONS], real before,
                         push_options options, real l[DIRECTIONS])
 {
     real b[DIRECTIONS] = { apart[NORMAL] - fmin(before, 0),
@@ -305,7 +305,7 @@ real push_solve(push *c, particle *p, push_options options)
     look(c, p);
     if (c->pushed[NORMAL] == 0 && !(c->apart[NORMAL] < 0)) return 0;
     if (!make_ready(c, p)) return 0;
-    part(c, c->apart, c->before, options, l);
+    find_push(c, c->apart, c->before, options, l);
     push_alone(c, p, l, 0);
     return fabs(l[NORMAL]) * c->weight[NORMAL];
 }
@@ -394,10 +394,17 @@ int push_blow(push *c, int n, particle *p, push_options options, real slowest)
 //<
 
 //> push-pile-near
-// The drifts of a contact's bodies.  (For that of a plane nobody asks.)
-static inline push_drift *drift_of(const push_pile *s, int body)
+// The drift of a contact's body.  Nothing pushes one that does not move, but
+// its numbers are read, and written as they were: so each part has its own.
+static inline push_drift *drift_of(const push_pile *s, int part, int body)
 {
-    return &s->drift[body >= 0 ? body : 0];
+    return &s->drift[body >= 0 ? body : s->bodies + part];
+}
+
+// Where the near ones of a part stand.
+static inline push_near *nears_of(const push_pile *s, int part)
+{
+    return s->near + (part > 0 ? s->end[part - 1] : 0);
 }
 
 // How many more substeps go by before the gap may be as narrow as `near`?
@@ -421,10 +428,10 @@ static int is_near(push *c, const particle *p)
     return 0;
 }
 
-static void push_again(push_pile *s, push *c, push_options options)
+static void push_again(push_pile *s, int part, push *c, push_options options)
 {
-    real *a = drift_of(s, c->a.body)->pushed;
-    real *b = drift_of(s, c->b.body)->pushed, apart[DIRECTIONS];
+    real *a = drift_of(s, part, c->a.body)->pushed;
+    real *b = drift_of(s, part, c->b.body)->pushed, apart[DIRECTIONS];
     if (!(c->pushed[NORMAL] > 0)) return;
     if (options.book) {
         for (int d = 0; d < DIRECTIONS; d++)
@@ -437,9 +444,11 @@ static void push_again(push_pile *s, push *c, push_options options)
 
 //> push-pile-mend
 // 1 if anything was mended; `others` tells whether any was before.
-static int mend(push_pile *s, push *c, push_options options, int others)
+static int mend(push_pile *s, int part, push *c, push_options options,
+                int others)
 {
-    push_drift *a = drift_of(s, c->a.body), *b = drift_of(s, c->b.body);
+    push_drift *a = drift_of(s, part, c->a.body);
+    push_drift *b = drift_of(s, part, c->b.body);
     real l[DIRECTIONS] = { 0 }, both = 0, let_be = -options.slop * c->thickness;
     if (others) both = parted(c, NORMAL, a->mended, b->mended);
     real before = c->before + both;
@@ -456,15 +465,23 @@ static int mend(push_pile *s, push *c, push_options options, int others)
 // What is mended between bodies is mended against the planes, which come first
 // in the table, after that: else those that lie in each other press one another
 // through a wall.
-static void mend_all(push_pile *s, push_options options)
+int pile_mend(push_pile *s, int part, push_options options, int elsewhere)
 {
+    const push_near *n = nears_of(s, part);
     int is_mended = 0;
-    for (int i = s->nears - 1; i >= 0; i--)
-        is_mended |= mend(s, &s->push[s->near[i].push], options, is_mended);
-    for (int i = 0; i < s->nears && is_mended; i++) {
-        push *c = &s->push[s->near[i].push];
-        real both = parted(c, NORMAL, drift_of(s, c->a.body)->mended,
-                           drift_of(s, c->b.body)->mended);
+    for (int i = s->nears[part] - 1; i >= 0; i--)
+        is_mended |= mend(s, part, &s->push[n[i].push], options,
+                          elsewhere || is_mended);
+    return is_mended;
+}
+
+void pile_settle(push_pile *s, int part)
+{
+    const push_near *n = nears_of(s, part);
+    for (int i = 0; i < s->nears[part]; i++) {
+        push *c = &s->push[n[i].push];
+        real both = parted(c, NORMAL, drift_of(s, part, c->a.body)->mended,
+                           drift_of(s, part, c->b.body)->mended);
         c->before += both;
         c->apart[NORMAL] += both;
     }
@@ -474,24 +491,25 @@ static void mend_all(push_pile *s, push_options options)
 //> push-pile-begin
 // All that is done with a push once a substep is done at one sight of it: a
 // thousand bodies have more pushes than the nearest memory holds.
-void pile_begin(push_pile *s, const particle *p, push_options options, real h)
+int pile_begin(push_pile *s, int part, const particle *p, push_options options,
+               real h)
 {
-    int overlaps = 0;
-    for (int b = 0; b < s->bodies; b++)
-        s->drift[b] = (push_drift){ { 0 }, { 0 }, 0 };
-    s->nears = 0;
-    for (int k = 0; k < s->pushes; k++) {
-        push *c = &s->push[k];
+    int overlaps = 0, nears = 0;
+    push_near *near = nears_of(s, part);
+    s->drift[s->bodies + part] = (push_drift){ { 0 }, { 0 }, 0 };
+    for (int i = part > 0 ? s->end[part - 1] : 0; i < s->end[part]; i++) {
+        push *c = &s->push[s->order[i]];
         if (!is_near(c, p)) continue;
         limit_mending(c, options, h);
         overlaps |= c->before < -options.slop * c->thickness;
         for (int d = 0; d < DIRECTIONS; d++)
             c->from[d] = c->last[d] = c->pushed[d];
-        push_again(s, c, options);
-        s->near[s->nears++] = (push_near){ k, c->a.body,
+        push_again(s, part, c, options);
+        near[nears++] = (push_near){ s->order[i], c->a.body,
             c->b.count > 0 ? c->b.body : -1, 0, -1, 0 };
     }
-    if (overlaps) mend_all(s, options);
+    s->nears[part] = nears;
+    return overlaps;
 }
 //<
 
@@ -502,6 +520,17 @@ static inline real stir(const push *c, const real l[DIRECTIONS])
     return fabs(l[NORMAL]) * c->weight[NORMAL]
          + fabs(l[ACROSS]) * c->weight[ACROSS]
          + fabs(l[ASIDE]) * c->weight[ASIDE];
+}
+
+// Tells those that move; returns the sum of what they are told.
+static inline real stir_bodies(const push *c, const push_near *n,
+                               push_drift *a, push_drift *b,
+                               const real l[DIRECTIONS])
+{
+    real change = stir(c, l), sum = 0;
+    if (n->a >= 0) a->stirred += change, sum += change;
+    if (n->b >= 0) b->stirred += change, sum += change;
+    return sum;
 }
 
 // Where do the last two passes lead, as seen from the two before them?
@@ -516,11 +545,11 @@ static inline real leading_on(const push *c)
 
 // Solves a contact of the pile.  Whoever finds its bodies where it left them,
 // but for `enough`, has nothing to do.
-static inline real solve(push_pile *s, push_near *n, real enough,
+static inline real solve(push_pile *s, int part, push_near *n, real enough,
                          push_options options)
 {
-    push_drift *a = &s->drift[n->a], *b = drift_of(s, n->b);
-    real stirred = a->stirred + (n->b >= 0 ? b->stirred : 0);
+    push_drift *a = drift_of(s, part, n->a), *b = drift_of(s, part, n->b);
+    real stirred = a->stirred + b->stirred;
     if (n->solved >= 0 && stirred - n->solved <= enough) return 0;
     push *c = &s->push[n->push];
     real apart[DIRECTIONS], l[DIRECTIONS];
@@ -529,23 +558,22 @@ static inline real solve(push_pile *s, push_near *n, real enough,
     if (c->pushed[NORMAL] == 0 && !(apart[NORMAL] < 0)) return 0;
     for (int d = ACROSS; d < DIRECTIONS; d++)
         apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
-    part(c, apart, c->before, options, l);
+    find_push(c, apart, c->before, options, l);
     push_by(c, l, a->pushed, b->pushed);
-    real change = stir(c, l);
-    a->stirred += change;
-    if (n->b >= 0) b->stirred += change;
-    n->solved += n->b >= 0 ? 2 * change : change;
+    n->solved += stir_bodies(c, n, a, b, l);
     n->leans = 1;
     n->leads_on = leading_on(c);
     return fabs(l[NORMAL]) * c->weight[NORMAL];
 }
 
-real pile_pass(push_pile *s, int step, real enough, push_options options)
+real pile_pass(push_pile *s, int part, int step, real enough,
+               push_options options)
 {
+    push_near *near = nears_of(s, part);
+    int nears = s->nears[part];
     real most = 0;
-    for (int i = step > 0 ? 0 : s->nears - 1; i >= 0 && i < s->nears;
-         i += step) {
-        real change = solve(s, &s->near[i], enough, options);
+    for (int i = step > 0 ? 0 : nears - 1; i >= 0 && i < nears; i += step) {
+        real change = solve(s, part, &near[i], enough, options);
         most = change > most ? change : most;
     }
     return most;
@@ -553,17 +581,19 @@ real pile_pass(push_pile *s, int step, real enough, push_options options)
 //<
 
 //> push-pile-lean
-real pile_leads_on(const push_pile *s)
+real pile_leads_on(const push_pile *s, int part)
 {
+    const push_near *near = nears_of(s, part);
     real sum = 0;
-    for (int i = 0; i < s->nears; i++) sum += s->near[i].leads_on;
+    for (int i = 0; i < s->nears[part]; i++) sum += near[i].leads_on;
     return sum;
 }
 
-static void lean(push_pile *s, push_near *n, real share, push_options options)
+static void lean(push_pile *s, int part, push_near *n, real share,
+                 push_options options)
 {
     push *c = &s->push[n->push];
-    push_drift *a = drift_of(s, n->a), *b = drift_of(s, n->b);
+    push_drift *a = drift_of(s, part, n->a), *b = drift_of(s, part, n->b);
     real l[DIRECTIONS], apart[DIRECTIONS], size = 0;
     for (int i = 0; i < DIRECTIONS; i++) {
         l[i] = share * (c->pushed[i] - c->last[i]);
@@ -578,9 +608,7 @@ static void lean(push_pile *s, push_near *n, real share, push_options options)
             apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
         if (options.book) wear(c, apart, l);
         push_by(c, l, a->pushed, b->pushed);
-        real change = stir(c, l);
-        a->stirred += change;
-        if (n->b >= 0) b->stirred += change;
+        stir_bodies(c, n, a, b, l);
     }
     for (int i = 0; i < DIRECTIONS; i++) {
         c->pushed[i] += l[i];
@@ -588,10 +616,11 @@ static void lean(push_pile *s, push_near *n, real share, push_options options)
     }
 }
 
-void pile_lean(push_pile *s, real share, push_options options)
+void pile_lean(push_pile *s, int part, real share, push_options options)
 {
-    for (int i = 0; i < s->nears; i++)
-        if (s->near[i].leans) lean(s, &s->near[i], share, options);
+    push_near *near = nears_of(s, part);
+    for (int i = 0; i < s->nears[part]; i++)
+        if (near[i].leans) lean(s, part, &near[i], share, options);
 }
 //<
 

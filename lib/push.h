@@ -28,7 +28,7 @@ typedef struct {
                             // contacts were found; NULL: a single particle
     int  first;             // in the pool
     int  count;             // FOUR, or 1; 0: immovable, the point is `fixed`
-    int  body;              // its number in a pile; -1: none that moves
+    int  body;              // its number in a pile; -1: it does not move
     real share[FOUR];       // the point is sum share_k x_k
 } push_side;
 
@@ -78,14 +78,13 @@ typedef struct push {
 //> push-remember
 // What a contact leaves to that of the next frame.
 typedef struct {
-    int  a, b;              // the bodies
     real share[FOUR];       // of A: which point of it
     vec3 force;             // N, in the world's frame
 } push_memory;
 
 // What c pushed in a substep of h (s), as a force: the next substep may be of
 // another length.
-push_memory push_remember(const push *c, int a, int b, real h);
+push_memory push_remember(const push *c, real h);
 
 // Takes over what m remembers, for substeps of h (s), beside what c has taken
 // over from others.
@@ -119,6 +118,13 @@ int push_blow(push *c, int n, particle *p, push_options options, real slowest);
 //> push-pile-head
 // Many contacts at once.  While they are solved no particle moves: a body is
 // where it is, and so far pushed along each of its ways.
+//
+// They are in three parts: no body of one that is left is pushed by one that is
+// right.  So these two parts may be worked on at the same time, and the order
+// of the pushes that a body feels stays the same.  Those across come after both
+// of them, or before, and touch anybody.
+enum { PILE_LEFT, PILE_RIGHT, PILE_ACROSS, PILE_PARTS };
+
 typedef struct {
     real pushed[FOUR_WAYS];      // m kg^(1/2), in this substep
     real mended[FOUR_WAYS];      // and without making speed
@@ -129,7 +135,7 @@ typedef struct {
 // looked at.  A pass that leaves out most of them hardly reads any push.
 typedef struct {
     int  push;              // its number
-    int  a, b;              // its bodies; -1: none that moves
+    int  a, b;              // its bodies; -1: one that does not move
     int  leans;             // it has changed since momentum was last given
     real solved;            // m, how much its bodies had been stirred when it
                             // was solved; < 0: not yet
@@ -138,31 +144,42 @@ typedef struct {
 
 typedef struct {
     struct push *push;
-    int   pushes;
-    push_drift *drift;      // [bodies]
+    const int *order;       // numbers of pushes, part after part
+    int   end[PILE_PARTS];  // where they end there
+    push_drift *drift;      // [bodies + PILE_PARTS] the last: of who does not
+                            // move, as each part sees him
     int   bodies;
     push_near *near;        // room for all pushes
-    int   nears;
+    int   nears[PILE_PARTS];
 } push_pile;
 //<
 
 //> push-pile-declare
-// A substep of h (s) begins: finds who is near, and applies what each pushed in
-// the last substep (or frame) once more, for what holds a pile up is nearly the
-// same from one substep to the next; then mends, the last contact first.
-void pile_begin(push_pile *s, const particle *p, push_options options, real h);
+// A substep of h (s) begins, and no body has been pushed yet: finds who of a
+// part is near, and applies what each pushed in the last substep (or frame)
+// once more, for what holds a pile up is nearly the same from one substep to
+// the next.  Returns 1 if there may be anything to mend.
+int pile_begin(push_pile *s, int part, const particle *p, push_options options,
+               real h);
 
-// One pass over all, forward (step 1) or backward (-1): push_solve for each,
+// Then mends, the last contact first, so those across before the others;
+// `elsewhere` tells whether anything of another part was.  Returns 1 if
+// anything is now.  After all parts, if anything was, pile_settle.
+int  pile_mend(push_pile *s, int part, push_options options, int elsewhere);
+void pile_settle(push_pile *s, int part);
+
+// One pass over a part, forward (step 1) or backward (-1): push_solve for each,
 // but for those whose bodies have not been stirred by more than `enough` (m)
 // since they were solved.  Returns the largest change of a gap (m).
-real pile_pass(push_pile *s, int step, real enough, push_options options);
+real pile_pass(push_pile *s, int part, int step, real enough,
+               push_options options);
 
 // Momentum between passes (Nesterov 1983): from where the last two passes led,
 // on by a share of the way from where those before them had led.
 // Does that lead on, the way that the last two passes took?  Energy-like
-// (kg m^2); negative if not.
-real pile_leads_on(const push_pile *s);
-void pile_lean(push_pile *s, real share, push_options options);
+// (kg m^2); negative if not, summed over all parts.
+real pile_leads_on(const push_pile *s, int part);
+void pile_lean(push_pile *s, int part, real share, push_options options);
 
 // A body's four particles go where it was pushed.
 void drift_apply(const push_drift *d, const four_ways *ways, particle *p);

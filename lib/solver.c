@@ -1,7 +1,10 @@
 //> solver-forgetful
 #include "solver.h"
 #include "contacts.h"
+#include "halves.h"
 #include "ledger.h"
+
+#include <stddef.h>
 
 static void touch_again(world *w, int a, int b)
 {
@@ -59,41 +62,137 @@ static void strike_all(world *w, push_options how, real h)
 }
 //<
 
-//> solver-passes
-// One pass forward, one backward, for only both together converge without
-// swinging.  Returns the largest change of a gap (m).
-static real pass_twice(push_pile *s, real enough, push_options how)
+//> solver-parts
+// A substep's contacts, and what is done with all of them.
+typedef struct {
+    world *w;
+    push_pile pile;
+    push_options how;
+    real h, enough;
+    int  step;              // of the pass: 1 forward, -1 backward
+    real share;             // of the lean
+    int  overlaps[PILE_PARTS], mended[PILE_PARTS];
+    real change[PILE_PARTS], leads_on[PILE_PARTS];
+} pushing;
+
+// Both sides of the cut at once, then what lies across it; or that first.
+static void do_parts(pushing *s, void (*work)(void *s, int part), int step)
 {
-    real forward = pile_pass(s, 1, enough, how);
-    return fmax(forward, pile_pass(s, -1, enough, how));
+    if (step < 0) work(s, PILE_ACROSS);
+    halves_do(s->w, work, s);
+    if (step > 0) work(s, PILE_ACROSS);
+}
+
+static void begin_part(void *data, int part)
+{
+    pushing *s = data;
+    const world *w = s->w;
+    int n = 0;
+    const int *mine = part < PILE_ACROSS ? halves_bodies(w, part, &n) : NULL;
+    for (int i = 0; i < n; i++)
+        w->drift[mine[i]] = (push_drift){ { 0 }, { 0 }, 0 };
+    s->overlaps[part] = pile_begin(&s->pile, part, w->pool.at, s->how, s->h);
+}
+
+static void mend_part(void *data, int part)
+{
+    pushing *s = data;
+    int elsewhere = part != PILE_ACROSS && s->mended[PILE_ACROSS];
+    s->mended[part] = pile_mend(&s->pile, part, s->how, elsewhere);
+}
+
+static void settle_part(void *data, int part)
+{
+    pushing *s = data;
+    pile_settle(&s->pile, part);
+}
+
+static void pass_part(void *data, int part)
+{
+    pushing *s = data;
+    s->change[part] = pile_pass(&s->pile, part, s->step, s->enough, s->how);
+    if (s->step < 0) s->leads_on[part] = pile_leads_on(&s->pile, part);
+}
+
+static void lean_part(void *data, int part)
+{
+    pushing *s = data;
+    pile_lean(&s->pile, part, s->share, s->how);
+}
+
+static void apply_part(void *data, int part)
+{
+    const world *w = ((pushing *)data)->w;
+    int n;
+    const int *mine = halves_bodies(w, part, &n);
+    for (int i = 0; i < n; i++) {
+        int b = mine[i];
+        if (w->body[b].four && body_moves(w, b))
+            drift_apply(&w->drift[b], &w->ways[b],
+                        w->pool.at + w->body[b].first);
+    }
+}
+//<
+
+//> solver-passes
+// m, the largest change of a gap in a pass.
+static real pass(pushing *s, int step)
+{
+    const real *x = s->change;
+    s->step = step;
+    do_parts(s, pass_part, step);
+    return fmax(fmax(x[PILE_LEFT], x[PILE_RIGHT]), x[PILE_ACROSS]);
+}
+
+// One pass forward, one backward, for only both together converge without
+// swinging.
+static real pass_twice(pushing *s)
+{
+    real forward = pass(s, 1);
+    return fmax(forward, pass(s, -1));
 }
 
 // Passes shrink what is wrong in a stack of n by 1 - 1/n^2 a time, with m under
 // M by 1 - m/M.  With Nesterov's momentum these are 1 - 1/n and 1 - sqrt(m/M):
 // each pair begins a little further on than the last one ended, by more and
 // more, until that leads back: then it begins anew (O'Donoghue, Candes 2015).
-static real lean_on(push_pile *s, real pace, push_options how)
+static real lean_on(pushing *s, real pace)
 {
-    if (pile_leads_on(s) < 0) pace = 1;
+    const real *x = s->leads_on;
+    if (x[PILE_LEFT] + x[PILE_RIGHT] + x[PILE_ACROSS] < 0) pace = 1;
     real next = (1 + sqrt(1 + 4 * pace * pace)) / 2;
-    pile_lean(s, (pace - 1) / next, how);
+    s->share = (pace - 1) / next;
+    do_parts(s, lean_part, 1);
     return next;
+}
+
+static void mend_all(pushing *s)
+{
+    const int *x = s->overlaps, *y = s->mended;
+    if (!x[PILE_LEFT] && !x[PILE_RIGHT] && !x[PILE_ACROSS]) return;
+    do_parts(s, mend_part, -1);
+    if (y[PILE_LEFT] || y[PILE_RIGHT] || y[PILE_ACROSS])
+        do_parts(s, settle_part, 1);
 }
 
 static void solve_all(world *w, push_options how, real h)
 {
-    push_pile s = { w->push, w->pushes, w->drift, w->bodies, w->near_push, 0 };
-    real enough = w->options.content * w->least_radius, pace = 1;
-    pile_begin(&s, w->pool.at, how, h);
-    if (s.nears == 0) return;
-    for (int pass = 0; pass < w->options.passes; pass += 2) {
-        if (pass > 0) pace = lean_on(&s, pace, how);
-        if (!(pass_twice(&s, enough, how) > enough)) break;
+    pushing s = { .w = w, .how = how, .h = h,
+        .pile = { .push = w->push, .order = w->in_parts, .drift = w->drift,
+                  .bodies = w->bodies, .near = w->near_push },
+        .enough = w->options.content * w->least_radius };
+    real pace = 1;
+    for (int part = 0; part < PILE_PARTS; part++)
+        s.pile.end[part] = w->part_end[part];
+    do_parts(&s, begin_part, 1);
+    const int *n = s.pile.nears;
+    if (n[PILE_LEFT] + n[PILE_RIGHT] + n[PILE_ACROSS] == 0) return;
+    mend_all(&s);
+    for (int k = 0; k < w->options.passes; k += 2) {
+        if (k > 0) pace = lean_on(&s, pace);
+        if (!(pass_twice(&s) > s.enough)) break;
     }
-    for (int b = 0; b < w->bodies; b++)
-        if (w->body[b].four && body_moves(w, b))
-            drift_apply(&w->drift[b], &w->ways[b],
-                        w->pool.at + w->body[b].first);
+    halves_do(w, apply_part, &s);
 }
 //<
 
@@ -132,18 +231,16 @@ void solver_separate(world *w, real h)
 }
 //<
 
-//> solver-remember
-void solver_remember(world *w)
+//> solver-end
+void solver_end(world *w)
 {
-    for (int k = 0; k < w->pushes; k++)
-        if (w->push[k].pushed[NORMAL] > 0)
-            touch_again(w, w->pushed[k][0], w->pushed[k][1]);
-    w->memories = 0;
-    contacts_remember(w, 0, w->lasting_pushes);
-    w->lasting_memories = w->memories;
-    contacts_remember(w, w->lasting_pushes, w->pushes);
+    w->report.pushing = 0;
+    for (int k = 0; k < w->pushes; k++) {
+        if (!(w->push[k].pushed[NORMAL] > 0)) continue;
+        touch_again(w, w->pushed[k][0], w->pushed[k][1]);
+        w->report.pushing++;
+    }
     w->report.contacts = w->contacts + w->pushes;
-    w->report.pushing = w->memories;
 }
 //<
 

@@ -19,9 +19,8 @@ void solver_separate(world *w, real h);
 // care).
 void solver_bounce(world *w, real h);
 
-// The end of a frame: whoever pushed is joined, and what the contacts pushed is
-// left to the next.
-void solver_remember(world *w);
+// The end of a frame: who pushed each other is one island, and all is counted.
+void solver_end(world *w);
 
 #endif
 //<

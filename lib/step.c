@@ -1,5 +1,6 @@
 //> step-time
 #include "step.h"
+#include "halves.h"
 #include "ledger.h"
 #include "narrow.h"
 #include "pairs.h"
@@ -24,19 +25,36 @@ static void lap(world *w, int stage, real *since)
 //<
 
 //> step-integrate
+// What both halves of a stage are told: each does the bodies of its side.
+typedef struct {
+    world *w;
+    real h;
+    relax_result done[2];
+} stage;
+
 // The first substep of a frame may be longer or shorter than the last one.
-static void integrate(world *w, real h)
+static void integrate_side(void *data, int side)
 {
-    for (int k = 0; k < w->bodies; k++) {
-        const body *b = &w->body[k];
+    const stage *s = data;
+    const world *w = s->w;
+    int n;
+    const int *mine = halves_bodies(w, side, &n);
+    for (int i = 0; i < n; i++) {
+        const body *b = &w->body[mine[i]];
         particle *p = w->pool.at + b->first;
-        if (!body_moves(w, k)) continue;
-        if (w->age == h)
-            verlet_step(p, body_particles(b), w->options.gravity, NULL, h);
+        if (!body_moves(w, mine[i])) continue;
+        if (w->age == s->h)
+            verlet_step(p, body_particles(b), w->options.gravity, NULL, s->h);
         else
             verlet_step_changed(p, body_particles(b), w->options.gravity, NULL,
-                                w->age, h);
+                                w->age, s->h);
     }
+}
+
+static void integrate(world *w, real h)
+{
+    stage s = { .w = w, .h = h };
+    halves_do(w, integrate_side, &s);
     // The near lists counted on the pace that was.
     if (w->age != h && w->trusted > 0) w->trusted = 0;
     w->age = h;
@@ -86,19 +104,47 @@ static relax_result relax_body(world *w, const body *b, int is_ordered)
                                 o->relax, w->orders);
 }
 
+static void add_up(relax_result *sum, relax_result r)
+{
+    sum->tested += r.tested;
+    sum->relaxed += r.relaxed;
+    sum->fell_back += r.fell_back;
+}
+
+// Lines and ordered lists share their scratch, and wait.
+static int can_be_halved(const world *w, int b)
+{
+    return w->options.order == ORDER_LISTED && !body_is_soft(&w->body[b]);
+}
+
+static void relax_side(void *data, int side)
+{
+    stage *s = data;
+    world *w = s->w;
+    relax_result sum = { .tested = 0 };
+    int n;
+    const int *mine = halves_bodies(w, side, &n);
+    for (int i = 0; i < n; i++)
+        if (can_be_halved(w, mine[i]) && body_moves(w, mine[i]))
+            add_up(&sum, relax_body(w, &w->body[mine[i]], 0));
+    s->done[side] = sum;
+}
+
 static void relax(world *w)
 {
+    stage s = { .w = w };
+    halves_do(w, relax_side, &s);
     for (int b = 0; b < w->bodies; b++) {
-        int collided = w->collided[b];
-        w->collided[b] = 0;
-        if (!body_moves(w, b)) continue;
-        int is_ordered = w->options.order != ORDER_LISTED && collided
+        int is_ordered = w->options.order != ORDER_LISTED && w->collided[b]
                          && !body_is_soft(&w->body[b]);
-        relax_result r = relax_body(w, &w->body[b], is_ordered);
-        w->report.tested += r.tested;
-        w->report.relaxed += r.relaxed;
-        w->report.fell_back += r.fell_back;
+        w->collided[b] = 0;
+        if (can_be_halved(w, b) || !body_moves(w, b)) continue;
+        add_up(&s.done[0], relax_body(w, &w->body[b], is_ordered));
     }
+    add_up(&s.done[0], s.done[1]);
+    w->report.tested += s.done[0].tested;
+    w->report.relaxed += s.done[0].relaxed;
+    w->report.fell_back += s.done[0].fell_back;
 }
 
 static void remember(world *w, vec3 *where)
@@ -308,7 +354,7 @@ void world_step(world *w)
     if (o->look_ahead) find(w, &since);
     real h = o->dt / w->report.substeps;
     for (int k = 0; k < w->report.substeps; k++) substep(w, k, h, &since);
-    solver_remember(w);
+    solver_end(w);
     if (o->resting) rest(w);
     ledger_book(w, LEDGER_REST);
     w->time += o->dt;

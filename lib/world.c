@@ -402,17 +402,19 @@ static int size_pushes(world *w)
     w->pushed    = malloc(pushes * sizeof *w->pushed);
     w->old_push  = malloc(pushes * sizeof *w->old_push);
     w->old_pushed = malloc(pushes * sizeof *w->old_pushed);
-    w->memory    = malloc(pushes * sizeof *w->memory);
     w->near_push = malloc(pushes * sizeof *w->near_push);
     w->wall      = calloc(bodies, sizeof *w->wall);
     w->ways      = calloc(bodies, sizeof *w->ways);
-    w->drift     = calloc(bodies, sizeof *w->drift);
+    w->drift     = calloc(bodies + PILE_PARTS, sizeof *w->drift);
+    w->in_parts  = malloc(pushes * sizeof *w->in_parts);
+    w->side      = calloc(bodies, 1);
+    w->sided     = malloc(bodies * sizeof *w->sided);
     w->fresh     = calloc(bodies, 1);
     w->looked    = calloc(bodies, 1);
     w->listed    = calloc(bodies, sizeof *w->listed);
-    return w->push && w->pushed && w->old_push && w->old_pushed && w->memory
+    return w->push && w->pushed && w->old_push && w->old_pushed
         && w->near_push && w->wall && w->ways && w->drift && w->fresh
-        && w->looked && w->listed;
+        && w->looked && w->listed && w->in_parts && w->side && w->sided;
 }
 //<
 
@@ -448,14 +450,22 @@ static int size_buffers(world *w)
     w->collided  = calloc(at_least_one(w->bodies), 1);
     w->ball      = calloc(at_least_one(w->bodies), sizeof *w->ball);
     w->spread    = calloc(at_least_one(w->bodies), sizeof *w->spread);
-    w->hit       = hit_scratch_new();
-    w->swept     = malloc(at_least_one(2 * vertices) * sizeof *w->swept);
+    w->found     = malloc(at_least_one(w->planes * w->corners
+                                       + PAIR_CONTACTS * w->pair_capacity)
+                          * sizeof *w->found);
+    for (int half = 0; half < 2; half++) {
+        w->hit[half]    = hit_scratch_new();
+        w->swept[half]  = malloc(at_least_one(2 * vertices)
+                                 * sizeof *w->swept[half]);
+        w->needed[half] = malloc(at_least_one(w->bodies));
+        if (!w->hit[half] || !w->swept[half] || !w->needed[half]) return 0;
+    }
     w->orders    = order_scratch_new(sticks);
     return w->met && w->moves
         && w->pair && w->old_pair && w->contact && w->between && w->near
         && w->point && w->leaf_pair && w->leaf_met && w->hull && w->hull_face
-        && w->still && w->collided && w->ball && w->spread && w->hit
-        && w->swept && w->orders;
+        && w->still && w->collided && w->ball && w->spread && w->found
+        && w->orders;
 }
 //<
 
@@ -499,12 +509,15 @@ status world_begin(world *w)
 {
     assert(!w->ready);
     size_lists(w);
-    if (!size_particles(&w->of, &w->pool, place_vertices(w))
+    w->corners = place_vertices(w);
+    if (!size_particles(&w->of, &w->pool, w->corners)
         || !size_buffers(w) || !size_pushes(w) || !size_lines(w))
         return status_out_of_memory();
     // The trees were built to the plans; now they stand where the bodies do.
     for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);
     for (int b = 0; b < w->bodies; b++) world_find_ways(w, &w->body[b]);
+    w->lefts = w->bodies;
+    for (int b = 0; b < w->bodies; b++) w->sided[b] = b;
     status done = build_lists(w);
     if (done.ok) done = rest_init(&w->rest, w->bodies);
     if (done.ok) done = broad_init(&w->broad, w->bodies);
@@ -527,13 +540,16 @@ void world_free(world *w)
     void *owned[] = { w->body, w->plan, w->of.at, w->of.seen, w->of.lain,
         w->of.before, w->of.listed, w->of.inverse_mass, w->push, w->pushed,
         w->old_push, w->old_pushed, w->wall, w->fresh, w->looked, w->listed,
-        w->memory, w->near_push, w->ways, w->drift, w->met, w->moves, w->pair,
+        w->near_push, w->ways, w->drift, w->in_parts, w->side,
+        w->sided, w->met, w->moves, w->pair,
         w->old_pair, w->contact, w->between, w->near, w->point, w->leaf_pair,
         w->leaf_met, w->hull, w->hull_face, w->still, w->collided, w->ball,
-        w->spread, w->swept };
+        w->spread, w->found, w->swept[0], w->swept[1], w->needed[0],
+        w->needed[1] };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pool_free(&w->pool);
-    hit_scratch_free(w->hit);
+    hit_scratch_free(w->hit[0]);
+    hit_scratch_free(w->hit[1]);
     order_scratch_free(w->orders);
     rest_free(&w->rest);
     broad_free(&w->broad);

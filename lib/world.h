@@ -76,6 +76,12 @@ typedef struct {
     int  resting;       // 1: bodies that lie still fall asleep
     int  ledger;        // 1: who gave and took energy is booked
     real (*clock)(void);// s; times the stages; NULL: nothing is timed
+    // Does work(data, 0) and work(data, 1), in any order or at once, and
+    // returns when both are done; NULL: one after the other.  The bits do not
+    // depend on it.
+    void (*both)(void *context, void (*work)(void *data, int half),
+                 void *data);
+    void *both_context;
 } world_options;
 //<
 
@@ -151,12 +157,33 @@ typedef struct {
                         // they are good for a substep only
 } push_run;
 
+// Whom does it touch?  What is asked, and what is found.
+enum { ASK_NOTHING,     // it is too far away
+       ASK_STAYS,       // the contacts of the last frame go on
+       ASK_NEAREST,     // who is nearest?
+       ASK_SWEPT };     // when do they first touch?
+
+typedef struct {
+    int  ask;
+    int  found;         // contacts
+    int  guard;         // 1: and one beside them, contacts_have_guard
+    real margin;        // m, all that are nearer are found
+    push_run run, was;  // this frame's contacts; the last one's, in old_push
+} inquiry;
+
 typedef struct {
     int a, b;           // rigid bodies, a < b
     int quick;          // they pass each other too quickly for contacts to last
     simplex carried;
-    push_run run;       // what this frame, or the last one, found
+    inquiry is;
 } body_pair;
+
+enum { PLANES = 6 };
+
+typedef struct {
+    inquiry is;
+    int at[PLANES];     // how many were found at each
+} body_wall;
 
 typedef struct {
     int particle;       // of a deformable body, in the pool
@@ -187,15 +214,16 @@ typedef struct world {
     particle_pool pool;
     int  bodies, planes, plans, softs;  // softs: deformable bodies
     struct body *body;
-    struct plane plane[6];
+    struct plane plane[PLANES];
     plan_entry *plan;   // [plans] one for each shape in use
     real time;          // s
     real age;           // s, a particle was at `previous` so long ago
     int  ready;         // world_begin has sized everything below
 
     particle_tables of; // [particles]
-    hit_scratch   *hit;
-    vec3          *swept;               // room for the vertices of two bodies
+    hit_scratch   *hit[2];              // one for each half of the work
+    vec3          *swept[2];            // room for the vertices of two bodies
+    char          *needed[2];           // [bodies] must be looked at
     order_scratch *orders;
 
     real least_radius;  // m, of the rigid bodies; HUGE_VAL: none
@@ -206,20 +234,28 @@ typedef struct world {
     struct contact *contact;            // of rigid bodies and planes
     int  (*between)[2];                 // their bodies; -1: a plane
     int  contacts, contact_capacity;
+    struct contact *found;              // as they are found: every body has
+                                        // room for its own with the planes,
+                                        // every pair for PAIR_CONTACTS
+    int  corners;       // vertices in the table `of.at`
     int  lasting;       // the first of them are good for the whole frame, the
                         // others, of quick pairs, for a substep
 
     struct push *push, *old_push;       // of bodies of four particles; this
                                         // frame's, the last one's
     int  (*pushed)[2], (*old_pushed)[2];// their bodies; bodies + k: plane k
-    push_run *wall;                     // [bodies] those with the planes
+    body_wall *wall;                    // [bodies] those with the planes
     push_near *near_push;               // those that may touch, in a substep
     four_ways  *ways;                   // [bodies] of four, when this frame's
                                         // contacts were found
-    push_drift *drift;                  // [bodies] their pushes, in a substep
-    push_memory *memory;                // of the last frame's, in their order
+    push_drift *drift;                  // [bodies + PILE_PARTS] their pushes,
+                                        // in a substep
+    int *in_parts, part_end[PILE_PARTS];// the contacts in three parts: see
+                                        // push_pile
+    char *side;                         // [bodies] of the cut: 0, 1
+    int  *sided, lefts;                 // [bodies] those on side 0, then the
+                                        // others
     int  pushes, push_capacity, lasting_pushes;
-    int  memories, lasting_memories;    // the first: of contacts that lasted
 
     sphere_contact *near;               // pairs of deformable particles
     int  nears, near_capacity;

@@ -188,7 +188,7 @@ accepts ' 100 steps of'     room --bodies 2 --seconds 1 --dt 0.01
 
 # Every option of the table is in the help.
 run --list
-for option in bodies cloth seconds dt substeps sweeps tolerance paper seed \
+for option in bodies cloth seconds dt substeps sweeps tolerance paper seed threads \
               mesh film frames csv help list version bits; do
     verdict "--list names --$option" \
         "$(grep -q -- "^  --$option " "$out" || echo it does not)"
@@ -205,6 +205,11 @@ verdict 'the same seed, the same bits' \
     "$([ "$first" = "$(bits --seed 7)" ] || echo they differ)"
 verdict 'another seed, other bits' \
     "$([ "$first" != "$(bits --seed 8)" ] || echo they are the same)"
+
+# So many that two threads have something to share.
+many=$(bits --bodies 150 --seconds 0.3)
+verdict 'two threads, the same bits' \
+    "$([ "$many" = "$(bits --bodies 150 --seconds 0.3 --threads 2)" ] || echo they differ)"
 
 verdict 'drawing and measuring leave the bits alone' \
     "$([ "$first" = "$(bits --seed 7 --csv r.csv --film film.png)" ] ||

@@ -110,8 +110,7 @@ static void stand(world_options o)
     add_floor();
     ready();
     w.report = (step_report){ .substeps = o.substeps };
-    for (int b = 0; b < 2; b++)
-        if (w.body[b].four) world_find_ways(&w, &w.body[b]);
+    w.moves[1] = 1;
 }
 
 // Two contacts between corners of the slab and of the box.
@@ -120,30 +119,90 @@ static const contact FOUND[2] = {
     { .a = { 1, { 1 }, { 1 } }, .b = { 1, { 1 }, { 1 } }, .normal.y = 1 },
 };
 
-// Rejects: an immovable body that is A; a plane that is a body; a contact that
-// is lost without a word, or written past the end.
+// They have been found between box and slab, and one of the box's with the
+// plane.
+static void have_found(void)
+{
+    w.pairs = 1;
+    w.pair[0] = (body_pair){ .a = 0, .b = 1 };
+    w.pair[0].is = (inquiry){ .ask = ASK_NEAREST, .found = 2, .margin = 1 };
+    for (int k = 0; k < 2; k++) contacts_of_pair(&w, w.pair)[k] = FOUND[k];
+    w.wall[1].is = (inquiry){ .ask = ASK_NEAREST, .found = 1, .margin = 2 };
+    w.wall[1].at[0] = 1;
+    contacts_of_planes(&w, 1)[0] = FOUND[1];
+    contacts_of_planes(&w, 1)[0].b.count = 0;
+}
+
+static void write_down(int again)
+{
+    contacts_place(&w, again);
+    if (!again) contacts_write_planes(&w, 1);
+    contacts_write_pair(&w, w.pair);
+}
+
+static int all(void)
+{
+    return w.contacts + w.pushes;
+}
+
+// Rejects: an immovable body that is A; a plane that is a body; planes that
+// come after pairs.
 START_TEST(contacts_are_written_down_with_the_immovable_as_b)
 {
-    int old[2] = { 0, 0 };
     stand(ours(_i));
-    contacts_keep(&w, FOUND, 2, 0, 1, old);
-    contacts_keep(&w, FOUND, 1, 1, w.bodies, old);
-    ck_assert_int_eq(w.contacts + w.pushes, 3);
+    have_found();
+    write_down(0);
+    ck_assert_int_eq(all(), 3);
     for (int k = 0; k < 3; k++) {
         if (_i) {
             ck_assert_int_eq(w.between[k][0], 1);
-            ck_assert_int_eq(w.between[k][1], k < 2 ? 0 : -1);
+            ck_assert_int_eq(w.between[k][1], k > 0 ? 0 : -1);
             continue;
         }
-        ck_assert_int_eq(w.pushed[k][0], k < 2 ? 0 : 1);
-        ck_assert_int_eq(w.pushed[k][1], k < 2 ? 1 : w.bodies);
+        ck_assert_int_eq(w.pushed[k][0], k > 0 ? 0 : 1);
+        ck_assert_int_eq(w.pushed[k][1], k > 0 ? 1 : w.bodies);
         ck_assert_int_eq(w.push[k].a.body, 1);
-        ck_assert_int_eq(w.push[k].b.body, k < 2 ? 0 : -1);
+        ck_assert_int_eq(w.push[k].b.body, -1);
     }
-    w.contact_capacity = w.push_capacity = 4;
-    contacts_keep(&w, FOUND, 2, 0, 1, old);
-    ck_assert_int_eq(w.contacts + w.pushes, 4);
-    ck_assert_int_eq(w.report.dropped, 1);
+    const push_run *run = &w.pair[0].is.run;
+    ck_assert(run->first == 1 && run->count == 2);
+    ck_assert(run->margin == (_i ? 0 : 1));
+}
+END_TEST
+
+// Rejects: a write past the end; contacts that are lost without a word, or
+// taken for all that there are.
+START_TEST(contacts_get_the_room_there_is)
+{
+    for (int room = 0; room < 4; room++) {
+        stand(ours(_i));
+        have_found();
+        w.contact_capacity = w.push_capacity = room;
+        write_down(0);
+        ck_assert_int_eq(all(), room < 3 ? room : 3);
+        ck_assert_int_eq(w.report.dropped, 3 - all());
+        if (room < 3) ck_assert(w.pair[0].is.run.margin == 0);
+        ck_assert_int_eq(w.pair[0].is.run.count, room > 1 ? room - 1 : 0);
+    }
+}
+END_TEST
+
+// Rejects: quick pairs that stand before the lasting contacts, or throw them
+// away; that are good for another frame.
+START_TEST(contacts_of_quick_pairs_come_last_and_are_replaced)
+{
+    stand(ours(_i));
+    have_found();
+    w.pair[0].quick = 1;
+    write_down(0);
+    for (int found = 2; found >= 0; found--) {
+        ck_assert_int_eq(_i ? w.lasting : w.lasting_pushes, 1);
+        ck_assert_int_eq(all(), 1 + w.pair[0].is.found);
+        ck_assert(w.pair[0].is.run.margin == 0);
+        w.pair[0].is.found = found;
+        write_down(1);
+        ck_assert_int_eq(all(), 1 + found);
+    }
 }
 END_TEST
 
@@ -172,30 +231,33 @@ START_TEST(contacts_may_stay_until_their_slack_is_used_up)
 END_TEST
 
 // Rejects: a push in metres of another substep; one that is kept where nothing
-// is to be remembered; a run that still points into the old list.
+// is to be remembered; contacts whose places are those of the old list.
 START_TEST(contacts_that_stay_push_on_as_hard)
 {
     for (int memory = 0; memory < 2; memory++) {
-        int old[2] = { 0, 0 };
         world_options o = world_options_default();
         o.memory = memory;
         stand(o);
-        contacts_keep(&w, FOUND, 2, 0, 1, old);
+        have_found();
+        write_down(0);
+        inquiry *is = &w.pair[0].is;
         for (int k = 0; k < 2; k++) {
-            w.old_push[5 + k] = w.push[k];
+            w.old_push[5 + k] = w.push[1 + k];
             w.old_push[5 + k].pushed[NORMAL] = k + 1;
             w.old_pushed[5 + k][0] = 0;
             w.old_pushed[5 + k][1] = 1;
         }
-        push_run run = { 5, 2, 1 };
+        vec3 at[2] = { point_of(&w.push[1].a), point_of(&w.push[2].a) };
+        *is = (inquiry){ .ask = ASK_STAYS, .was = { 5, 2, 1 } };
         w.age = 2 * o.dt / o.substeps;
-        contacts_stay(&w, &run, 0, 1);
-        ck_assert(run.first == 2 && run.count == 2 && w.pushes == 4);
+        write_down(0);
+        ck_assert(is->run.first == 1 && is->run.count == 2 && w.pushes == 3);
+        ck_assert(is->run.margin == 1);
         for (int k = 0; k < 2; k++) {
-            near_real(w.push[2 + k].pushed[NORMAL], memory * (k + 1) / 4.0,
+            near_real(w.push[1 + k].pushed[NORMAL], memory * (k + 1) / 4.0,
                       ROUNDING);
-            near_vec3(point_of(&w.push[2 + k].a), point_of(&w.push[k].a), 0);
-            ck_assert(w.pushed[2 + k][0] == 0 && w.pushed[2 + k][1] == 1);
+            near_vec3(point_of(&w.push[1 + k].a), at[k], 0);
+            ck_assert(w.pushed[1 + k][0] == 0 && w.pushed[1 + k][1] == 1);
         }
     }
 }
@@ -211,6 +273,8 @@ int main(void)
     const TTest *const both[] = {
         blow_is_a_third_of_a_small_fall,
         contacts_are_written_down_with_the_immovable_as_b,
+        contacts_get_the_room_there_is,
+        contacts_of_quick_pairs_come_last_and_are_replaced,
     };
     Suite *s = suite_create("contacts");
     TCase *t = tcase_create("contacts");

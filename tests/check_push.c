@@ -151,16 +151,17 @@ static push at_plane(push_side a, vec3 on_plane, vec3 normal, real thickness)
     return c;
 }
 
-// A pile of this contact alone.
+// A pile of this contact alone, on the left.
 static push_pile pile_of(push *c)
 {
-    static push_drift drift[2];
+    static const int first = 0;
+    static push_drift drift[2 + PILE_PARTS];
     static push_near near;
     near = (push_near){ 0, 0, 1, 1, -1, 0 };
     c->a.body = 0;
     c->b.body = 1;
     drift[0] = drift[1] = (push_drift){ { 0 }, { 0 }, 0 };
-    return (push_pile){ c, 1, drift, 2, &near, 1 };
+    return (push_pile){ c, &first, { 1, 1, 1 }, drift, 2, &near, { 1 } };
 }
 
 static void apply(const push_side *s, const push_drift *d)
@@ -179,8 +180,8 @@ static void apply(const push_side *s, const push_drift *d)
 static void push_again(push *c)
 {
     push_pile s = pile_of(c);
-    pile_begin(&s, p, (push_options){ .book = 1 }, H);
-    if (s.nears == 0) return;
+    pile_begin(&s, PILE_LEFT, p, (push_options){ .book = 1 }, H);
+    if (s.nears[PILE_LEFT] == 0) return;
     apply(&c->a, &s.drift[0]);
     apply(&c->b, &s.drift[1]);
 }
@@ -204,7 +205,7 @@ static void push_lean(push *c, real share)
 {
     push_pile s = pile_of(c);
     push_limit(c, p, (push_options){ .book = 1 }, H);
-    pile_lean(&s, share, ROUGH);
+    pile_lean(&s, PILE_LEFT, share, ROUGH);
     apply(&c->a, &s.drift[0]);
     apply(&c->b, &s.drift[1]);
 }
@@ -1004,8 +1005,7 @@ START_TEST(memory_keeps_its_push_when_the_directions_turn)
         push c = two_boxes(0.1, 0.05, 0.1);
         for (int d = 0; d < DIRECTIONS; d++) c.pushed[d] = between(0.1, 1);
         vec3 was = pushed_by(&c);
-        push_memory m = push_remember(&c, 3, 8, H);
-        ck_assert(m.a == 3 && m.b == 8);
+        push_memory m = push_remember(&c, H);
         for (int k = 0; k < FOUR; k++) ck_assert(m.share[k] == c.a.share[k]);
         is_near_vec3(vec3_scale(H * H, m.force), was, ROUNDING);
 
@@ -1041,7 +1041,7 @@ START_TEST(memories_of_several_contacts_add_up)
     push c = two_boxes(0.1, 0.05, 0.1);
     for (int d = 0; d < DIRECTIONS; d++) c.pushed[d] = between(0.1, 1);
     vec3 was = pushed_by(&c);
-    push_memory m = push_remember(&c, 0, 1, H), n = m;
+    push_memory m = push_remember(&c, H), n = m;
     forget(&c);
     push_recall(&c, &m, H);
     push_recall(&c, &m, H);
@@ -1063,7 +1063,7 @@ START_TEST(memory_carries_the_same_weight_in_longer_substeps)
         add(ZERO, ZERO, 2);
         push c = at_plane(of_particle(0), ZERO, UP, 0);
         c.pushed[NORMAL] = 2 * 10 * H * H;
-        push_memory m = push_remember(&c, 0, 1, H);
+        push_memory m = push_remember(&c, H);
         is_near_vec3(m.force, vec3_scale(20, UP), ROUNDING);
         forget(&c);
         push_recall(&c, &m, h);
@@ -1606,7 +1606,7 @@ START_TEST(lost_numbers_do_no_harm)
     push_solve(&c, p, rough);
     push_blow(&c, 1, p, rough, 0.001);
     ck_assert(c.pushed[NORMAL] == 0);
-    push_memory m = push_remember(&c, 0, 1, H);
+    push_memory m = push_remember(&c, H);
     push_recall(&c, &m, H);
     ck_assert(c.pushed[NORMAL] == 0);
     for (int i = FOUR; i < 2 * FOUR; i++)

@@ -6,15 +6,22 @@ typedef struct {
     vec3 now, before;       // m, pA - pB
 } distance;
 
+static inline void add_particle(distance *d, real a, const particle *p)
+{
+    d->now = vec3_add_scaled(d->now, a, p->position);
+    d->before = vec3_add_scaled(d->before, a, p->previous);
+}
+
+// (A loop of known length is unrolled.)
 static inline void add_side(const push_side *s, const particle *p, real sign,
                             distance *d)
 {
     p += s->first;
-    for (int k = 0; k < s->count; k++) {
-        real a = sign * s->share[k];
-        d->now = vec3_add_scaled(d->now, a, p[k].position);
-        d->before = vec3_add_scaled(d->before, a, p[k].previous);
+    if (s->count == 1) {
+        add_particle(d, sign * s->share[0], p);
+        return;
     }
+    for (int k = 0; k < FOUR; k++) add_particle(d, sign * s->share[k], &p[k]);
 }
 
 // Reads off the particles how far the points are apart.
@@ -152,7 +159,7 @@ void push_recall(push *c, const push_memory *m, real h)
     real l[DIRECTIONS];
     for (int i = 0; i < DIRECTIONS; i++)
         l[i] = h * h * vec3_dot(m->force, c->along[i]);
-    c->pushed[NORMAL] += fmax(l[NORMAL], 0);
+    c->pushed[NORMAL] += real_max(l[NORMAL], 0);
     c->pushed[ACROSS] += l[ACROSS];
     c->pushed[ASIDE] += l[ASIDE];
 }
@@ -192,8 +199,8 @@ void push_limit(push *c, const particle *p, push_options options, real h)
 static inline real mended(const push *c, real now, real before,
                           push_options options)
 {
-    real depth = -fmax(before, now) - options.slop * c->thickness;
-    return fmax(fmin(options.mend * depth, c->most - before), 0);
+    real depth = -real_max(before, now) - options.slop * c->thickness;
+    return real_max(real_min(options.mend * depth, c->most - before), 0);
 }
 //<
 
@@ -248,11 +255,11 @@ static inline int hold(push *c, const real b[DIRECTIONS], real friction,
 static inline void find_push(push *c, const real apart[DIRECTIONS], real before,
                         push_options options, real l[DIRECTIONS])
 {
-    real b[DIRECTIONS] = { apart[NORMAL] - fmin(before, 0),
+    real b[DIRECTIONS] = { apart[NORMAL] - real_min(before, 0),
                            apart[ACROSS], apart[ASIDE] };
     if (!hold(c, b, options.friction, l)) {
         real was = c->pushed[NORMAL];
-        c->pushed[NORMAL] = fmax(was - b[NORMAL] / c->weight[NORMAL], 0);
+        c->pushed[NORMAL] = real_max(was - b[NORMAL] / c->weight[NORMAL], 0);
         l[NORMAL] = c->pushed[NORMAL] - was;
         brake(c, apart, options, l);
     }
@@ -281,7 +288,7 @@ static void move_side(const push_side *s, particle *p, const push_drift *d)
 static void push_alone(push *c, particle *p, const real l[DIRECTIONS],
                        int both)
 {
-    push_drift a = { { 0 }, { 0 }, 0 }, b = a;
+    push_drift a = { .is_mended = both }, b = a;
     if (both) push_by(c, l, a.mended, b.mended);
     else      push_by(c, l, a.pushed, b.pushed);
     move_side(&c->a, p, &a);
@@ -336,11 +343,11 @@ static void foresee(push *c, const particle *p, push_options options)
            * vec3_dot(options.fall, c->along[NORMAL]);
     c->closing = c->share = 0;
     if (!(s > 0 && gap < 1.001 * s) || !make_ready(c, p)) return;
-    real u = s - a / 2, high = fmax(gap, 0);
-    real root = sqrt(fmax(u * u + 2 * a * high, 0));
-    c->share = fmin(u > 0 ? 2 * high / (u + root) : (root - u) / a, 1);
+    real u = s - a / 2, high = real_max(gap, 0);
+    real root = sqrt(real_max(u * u + 2 * a * high, 0));
+    c->share = real_min(u > 0 ? 2 * high / (u + root) : (root - u) / a, 1);
     real more = (c->share - 0.5) * a;
-    c->closing = fmax(s + more, 0);
+    c->closing = real_max(s + more, 0);
     c->parting = options.restitution * c->closing + more;
 }
 
@@ -351,7 +358,7 @@ static void strike(push *c, particle *p, push_options options)
     look(c, p);
     real l[DIRECTIONS] = { 0 }, was = c->pushed[NORMAL];
     real want = c->before - c->apart[NORMAL] + c->parting;
-    c->pushed[NORMAL] = fmax(0, was + want / c->weight[NORMAL]);
+    c->pushed[NORMAL] = real_max(was + want / c->weight[NORMAL], 0);
     l[NORMAL] = c->pushed[NORMAL] - was;
     brake(c, c->apart, options, l);
     if (options.book) wear(c, c->apart, l);
@@ -443,35 +450,45 @@ static void push_again(push_pile *s, int part, push *c, push_options options)
 //<
 
 //> push-pile-mend
-// 1 if anything was mended; `others` tells whether any was before.
-static int mend(push_pile *s, int part, push *c, push_options options,
-                int others)
+// m, how far mending has parted the points.  Few bodies are mended at all.
+static inline real parted_by_mending(const push_pile *s, int part,
+                                     const push_near *n)
 {
-    push_drift *a = drift_of(s, part, c->a.body);
-    push_drift *b = drift_of(s, part, c->b.body);
-    real l[DIRECTIONS] = { 0 }, both = 0, let_be = -options.slop * c->thickness;
-    if (others) both = parted(c, NORMAL, a->mended, b->mended);
+    const push_drift *a = drift_of(s, part, n->a);
+    const push_drift *b = drift_of(s, part, n->b);
+    if (!a->is_mended && !b->is_mended) return 0;
+    return parted(&s->push[n->push], NORMAL, a->mended, b->mended);
+}
+
+// 1 if anything was mended.
+static int mend(push_pile *s, int part, const push_near *n,
+                push_options options)
+{
+    push *c = &s->push[n->push];
+    real both = parted_by_mending(s, part, n), l[DIRECTIONS] = { 0 };
     real before = c->before + both;
-    if (before >= let_be) return 0;
+    if (before >= -options.slop * c->thickness) return 0;
+    push_drift *a = drift_of(s, part, n->a), *b = drift_of(s, part, n->b);
     real now = c->apart[NORMAL] + both
              + parted(c, NORMAL, a->pushed, b->pushed);
     real up = mended(c, now, before, options);
     if (!(up > 0)) return 0;
     l[NORMAL] = up / c->weight[NORMAL];
     push_by(c, l, a->mended, b->mended);
+    a->is_mended = n->a >= 0;
+    b->is_mended = n->b >= 0;
     return 1;
 }
 
 // What is mended between bodies is mended against the planes, which come first
 // in the table, after that: else those that lie in each other press one another
 // through a wall.
-int pile_mend(push_pile *s, int part, push_options options, int elsewhere)
+int pile_mend(push_pile *s, int part, push_options options)
 {
     const push_near *n = nears_of(s, part);
     int is_mended = 0;
     for (int i = s->nears[part] - 1; i >= 0; i--)
-        is_mended |= mend(s, part, &s->push[n[i].push], options,
-                          elsewhere || is_mended);
+        is_mended |= mend(s, part, &n[i], options);
     return is_mended;
 }
 
@@ -479,11 +496,10 @@ void pile_settle(push_pile *s, int part)
 {
     const push_near *n = nears_of(s, part);
     for (int i = 0; i < s->nears[part]; i++) {
-        push *c = &s->push[n[i].push];
-        real both = parted(c, NORMAL, drift_of(s, part, c->a.body)->mended,
-                           drift_of(s, part, c->b.body)->mended);
-        c->before += both;
-        c->apart[NORMAL] += both;
+        real both = parted_by_mending(s, part, &n[i]);
+        if (both == 0) continue;
+        s->push[n[i].push].before += both;
+        s->push[n[i].push].apart[NORMAL] += both;
     }
 }
 //<
@@ -496,7 +512,7 @@ int pile_begin(push_pile *s, int part, const particle *p, push_options options,
 {
     int overlaps = 0, nears = 0;
     push_near *near = nears_of(s, part);
-    s->drift[s->bodies + part] = (push_drift){ { 0 }, { 0 }, 0 };
+    s->drift[s->bodies + part] = (push_drift){ .stirred = 0 };
     for (int i = part > 0 ? s->end[part - 1] : 0; i < s->end[part]; i++) {
         push *c = &s->push[s->order[i]];
         if (!is_near(c, p)) continue;
@@ -600,7 +616,7 @@ static void lean(push_pile *s, int part, push_near *n, real share,
         c->last[i] = c->pushed[i];
         size += fabs(l[i]);
     }
-    l[NORMAL] = fmax(l[NORMAL], -c->pushed[NORMAL]);
+    l[NORMAL] = real_max(l[NORMAL], -c->pushed[NORMAL]);
     n->leans = size > 0;
     n->leads_on = 0;
     if (n->leans) {
@@ -629,6 +645,11 @@ void drift_apply(const push_drift *d, const four_ways *ways, particle *p)
 {
     vec3 now[FOUR], both[FOUR];
     four_move(ways, d->pushed, now);
+    if (!d->is_mended) {
+        for (int k = 0; k < FOUR; k++)
+            p[k].position = vec3_add(p[k].position, now[k]);
+        return;
+    }
     four_move(ways, d->mended, both);
     for (int k = 0; k < FOUR; k++) {
         p[k].position = vec3_add(p[k].position, vec3_add(now[k], both[k]));

@@ -129,6 +129,7 @@ typedef struct {
     real pushed[FOUR_WAYS];      // m kg^(1/2), in this substep
     real mended[FOUR_WAYS];      // and without making speed
     real stirred;           // m, by how much its contacts have been parted
+    int  is_mended;         // 0: `mended` is zero
 } push_drift;
 
 // A contact that may touch in this substep: all that tells whether it has to be
@@ -162,10 +163,9 @@ typedef struct {
 int pile_begin(push_pile *s, int part, const particle *p, push_options options,
                real h);
 
-// Then mends, the last contact first, so those across before the others;
-// `elsewhere` tells whether anything of another part was.  Returns 1 if
-// anything is now.  After all parts, if anything was, pile_settle.
-int  pile_mend(push_pile *s, int part, push_options options, int elsewhere);
+// Then mends, the last contact first, so those across before the others.
+// Returns 1 if anything was mended.  After all parts, if anything was, pile_settle.
+int  pile_mend(push_pile *s, int part, push_options options);
 void pile_settle(push_pile *s, int part);
 
 // One pass over a part, forward (step 1) or backward (-1): push_solve for each,

@@ -160,7 +160,7 @@ static push_pile pile_of(push *c)
     near = (push_near){ 0, 0, 1, 1, -1, 0 };
     c->a.body = 0;
     c->b.body = 1;
-    drift[0] = drift[1] = (push_drift){ { 0 }, { 0 }, 0 };
+    drift[0] = drift[1] = (push_drift){ .stirred = 0 };
     return (push_pile){ c, &first, { 1, 1, 1 }, drift, 2, &near, { 1 } };
 }
 

@@ -109,7 +109,8 @@ static inline int make_ready(push *c, const particle *p)
     if (!c->ready) {
         for (int d = 0; d < DIRECTIONS; d++) c->weight[d] = c->skew[d] = 0;
         side_rows(c, &c->a, 0, p);
-        if (c->b.count > 0) side_rows(c, &c->b, 1, p);
+        c->moves_b = c->b.count > 0;
+        if (c->moves_b) side_rows(c, &c->b, 1, p);
         find_undo(c);
         c->ready = 1;
     }
@@ -122,7 +123,7 @@ static inline int make_ready(push *c, const particle *p)
 static inline real parted(const push *c, int d, const real *a, const real *b)
 {
     real part = row_dot(c->row[0][d], a);
-    return c->b.count > 0 ? part + row_dot(c->row[1][d], b) : part;
+    return c->moves_b ? part + row_dot(c->row[1][d], b) : part;
 }
 
 static inline void go(real way[FOUR_WAYS], real (*const row)[FOUR_WAYS],
@@ -138,7 +139,7 @@ static inline void push_by(push *c, const real l[DIRECTIONS],
                            real *a, real *b)
 {
     go(a, c->row[0], l);
-    if (c->b.count > 0) go(b, c->row[1], l);
+    if (c->moves_b) go(b, c->row[1], l);
 }
 //<
 
@@ -451,13 +452,10 @@ static void push_again(push_pile *s, int part, push *c, push_options options)
 
 //> push-pile-mend
 // m, how far mending has parted the points.  Few bodies are mended at all.
-static inline real parted_by_mending(const push_pile *s, int part,
-                                     const push_near *n)
+static inline real parted_by_mending(const push_pile *s, const push_near *n)
 {
-    const push_drift *a = drift_of(s, part, n->a);
-    const push_drift *b = drift_of(s, part, n->b);
-    if (!a->is_mended && !b->is_mended) return 0;
-    return parted(&s->push[n->push], NORMAL, a->mended, b->mended);
+    if (!n->a->is_mended && !n->b->is_mended) return 0;
+    return parted(&s->push[n->push], NORMAL, n->a->mended, n->b->mended);
 }
 
 // 1 if anything was mended.
@@ -465,18 +463,19 @@ static int mend(push_pile *s, int part, const push_near *n,
                 push_options options)
 {
     push *c = &s->push[n->push];
-    real both = parted_by_mending(s, part, n), l[DIRECTIONS] = { 0 };
+    real both = parted_by_mending(s, n), l[DIRECTIONS] = { 0 };
     real before = c->before + both;
     if (before >= -options.slop * c->thickness) return 0;
-    push_drift *a = drift_of(s, part, n->a), *b = drift_of(s, part, n->b);
+    const push_drift *none = drift_of(s, part, -1);
+    push_drift *a = n->a, *b = n->b;
     real now = c->apart[NORMAL] + both
              + parted(c, NORMAL, a->pushed, b->pushed);
     real up = mended(c, now, before, options);
     if (!(up > 0)) return 0;
     l[NORMAL] = up / c->weight[NORMAL];
     push_by(c, l, a->mended, b->mended);
-    a->is_mended = n->a >= 0;
-    b->is_mended = n->b >= 0;
+    a->is_mended = a != none;
+    b->is_mended = b != none;
     return 1;
 }
 
@@ -496,7 +495,7 @@ void pile_settle(push_pile *s, int part)
 {
     const push_near *n = nears_of(s, part);
     for (int i = 0; i < s->nears[part]; i++) {
-        real both = parted_by_mending(s, part, &n[i]);
+        real both = parted_by_mending(s, &n[i]);
         if (both == 0) continue;
         s->push[n[i].push].before += both;
         s->push[n[i].push].apart[NORMAL] += both;
@@ -521,8 +520,9 @@ int pile_begin(push_pile *s, int part, const particle *p, push_options options,
         for (int d = 0; d < DIRECTIONS; d++)
             c->from[d] = c->last[d] = c->pushed[d];
         push_again(s, part, c, options);
-        near[nears++] = (push_near){ s->order[i], c->a.body,
-            c->b.count > 0 ? c->b.body : -1, 0, -1, 0 };
+        near[nears++] = (push_near){ drift_of(s, part, c->a.body),
+            drift_of(s, part, c->b.count > 0 ? c->b.body : -1),
+            s->order[i], 0, -1, 0 };
     }
     s->nears[part] = nears;
     return overlaps;
@@ -539,13 +539,13 @@ static inline real stir(const push *c, const real l[DIRECTIONS])
 }
 
 // Tells those that move; returns the sum of what they are told.
-static inline real stir_bodies(const push *c, const push_near *n,
-                               push_drift *a, push_drift *b,
-                               const real l[DIRECTIONS])
+static inline real stir_bodies(const push_pile *s, int part, const push *c,
+                               const push_near *n, const real l[DIRECTIONS])
 {
+    const push_drift *none = drift_of(s, part, -1);
     real change = stir(c, l), sum = 0;
-    if (n->a >= 0) a->stirred += change, sum += change;
-    if (n->b >= 0) b->stirred += change, sum += change;
+    if (n->a != none) n->a->stirred += change, sum += change;
+    if (n->b != none) n->b->stirred += change, sum += change;
     return sum;
 }
 
@@ -564,7 +564,7 @@ static inline real leading_on(const push *c)
 static inline real solve(push_pile *s, int part, push_near *n, real enough,
                          push_options options)
 {
-    push_drift *a = drift_of(s, part, n->a), *b = drift_of(s, part, n->b);
+    push_drift *a = n->a, *b = n->b;
     real stirred = a->stirred + b->stirred;
     if (n->solved >= 0 && stirred - n->solved <= enough) return 0;
     push *c = &s->push[n->push];
@@ -576,7 +576,7 @@ static inline real solve(push_pile *s, int part, push_near *n, real enough,
         apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
     find_push(c, apart, c->before, options, l);
     push_by(c, l, a->pushed, b->pushed);
-    n->solved += stir_bodies(c, n, a, b, l);
+    n->solved += stir_bodies(s, part, c, n, l);
     n->leans = 1;
     n->leads_on = leading_on(c);
     return fabs(l[NORMAL]) * c->weight[NORMAL];
@@ -609,7 +609,7 @@ static void lean(push_pile *s, int part, push_near *n, real share,
                  push_options options)
 {
     push *c = &s->push[n->push];
-    push_drift *a = drift_of(s, part, n->a), *b = drift_of(s, part, n->b);
+    push_drift *a = n->a, *b = n->b;
     real l[DIRECTIONS], apart[DIRECTIONS], size = 0;
     for (int i = 0; i < DIRECTIONS; i++) {
         l[i] = share * (c->pushed[i] - c->last[i]);
@@ -624,7 +624,7 @@ static void lean(push_pile *s, int part, push_near *n, real share,
             apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
         if (options.book) wear(c, apart, l);
         push_by(c, l, a->pushed, b->pushed);
-        stir_bodies(c, n, a, b, l);
+        stir_bodies(s, part, c, n, l);
     }
     for (int i = 0; i < DIRECTIONS; i++) {
         c->pushed[i] += l[i];

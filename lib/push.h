@@ -58,6 +58,7 @@ typedef struct push {
                             // its square
     int  ready;             // rows and weights have been made
     int  holds;             // and so has `undo`
+    int  moves_b;           // side B has rows
 
     // What is looked at once a substep, or less.
     push_side a, b;
@@ -135,8 +136,9 @@ typedef struct {
 // A contact that may touch in this substep: all that tells whether it has to be
 // looked at.  A pass that leaves out most of them hardly reads any push.
 typedef struct {
+    push_drift *a, *b;      // its bodies'; the part's own for one that does not
+                            // move
     int  push;              // its number
-    int  a, b;              // its bodies; -1: one that does not move
     int  leans;             // it has changed since momentum was last given
     real solved;            // m, how much its bodies had been stirred when it
                             // was solved; < 0: not yet

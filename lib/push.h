@@ -166,7 +166,7 @@ int pile_begin(push_pile *s, int part, const particle *p, push_options options,
                real h);
 
 // Then mends, the last contact first, so those across before the others.
-// Returns 1 if anything was mended.  After all parts, if anything was, pile_settle.
+// Returns 1 if anything was mended: then, after all parts, pile_settle.
 int  pile_mend(push_pile *s, int part, push_options options);
 void pile_settle(push_pile *s, int part);
 

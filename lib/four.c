@@ -391,9 +391,9 @@ static void batch_give(const batch *t, int l, particle *p)
 //<
 
 //> four-batch-errors
-// stick_errors of each body.  Inner loops of known length are unrolled: the loop
-// over the bodies is the innermost that is left, and has no branch.  A NaN may
-// slip through `worst`; but a body with a NaN has no volume.
+// stick_errors of each body.  Inner loops of known length are unrolled: the
+// loop over the bodies is the innermost that is left, and has no branch.  A NaN
+// may slip through `worst`; but a body with a NaN has no volume.
 static void batch_errors(const four *restrict f, batch *restrict t)
 {
     for (int l = 0; l < LANES; l++) {

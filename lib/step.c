@@ -120,8 +120,8 @@ static int can_be_halved(const world *w, int b)
     return w->options.order == ORDER_LISTED && !body_is_soft(&w->body[b]);
 }
 
-// Where the particles of bodies list[0], list[1] ... begin, as long as these are
-// of the same four, and move; returns how many.
+// Where the particles of bodies list[0], list[1] ... begin, as long as these
+// are of the same four, and move; returns how many.
 enum { ALIKE = 32 };
 
 static int find_alike(const world *w, const int *list, int n, int first[ALIKE])

@@ -106,11 +106,11 @@ static void begin(stack *s)
     int n = s->pushes;
     for (int k = 0; k < n; k++) s->order[k] = k;
     for (int b = 0; b < s->cubes; b++)
-        s->drift[b] = (push_drift){ { 0 }, { 0 }, 0 };
+        s->drift[b] = (push_drift){ .stirred = 0 };
     s->pile = (push_pile){ s->push, s->order, { n, n, n }, s->drift, s->cubes,
                            s->near, { 0 } };
     if (!pile_begin(&s->pile, PILE_LEFT, s->p, s->how, H)) return;
-    if (pile_mend(&s->pile, PILE_LEFT, s->how, 0))
+    if (pile_mend(&s->pile, PILE_LEFT, s->how))
         pile_settle(&s->pile, PILE_LEFT);
 }
 

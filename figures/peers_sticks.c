@@ -105,6 +105,7 @@ static void measure_stick(void)
 // ---- One body of four ------------------------------------------------------
 
 static four body_of_four;
+static int first_of[BODIES];    // in the pool
 
 // Each of the four has gone its own way in a substep, as much as when a body
 // turns by a degree and has been pushed.
@@ -122,8 +123,7 @@ static void relax_fours(int piece)
 {
     relax_options o = world_options_default().relax;
     (void)piece;
-    for (int b = 0; b < BODIES; b++)
-        four_relax(&body_of_four, pool + b * FOUR, 1, o);
+    four_relax_all(&body_of_four, pool, first_of, BODIES, 1, o);
 }
 
 static void measure_four(void)
@@ -132,6 +132,7 @@ static void measure_four(void)
     real worst = 0;
     if (!four_build(&body_of_four, &icosahedron).ok)
         give_up("there is no memory for four particles");
+    for (int b = 0; b < BODIES; b++) first_of[b] = b * FOUR;
     real *time = time_in_turn(ways, 1, 1, ROUNDS);
     for (int b = 0; b < BODIES; b++)
         for (int k = 0; k < FOUR_STICKS; k++)

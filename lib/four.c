@@ -339,6 +339,189 @@ relax_result four_relax(const four *f, particle *p, int steps,
 }
 //<
 
+//> four-batch
+// Bodies of one plan side by side: numbers of one kind lie next to each other,
+// one for each body, so that a processor takes two or more at a time.
+enum { LANES = 4 };
+typedef real lane[LANES];
+
+// How far a body is: to be solved on, solved, or left to four_relax.
+enum { GOING, DONE, LEFT };
+
+typedef struct {
+    lane at[FOUR][3], old[FOUR][3];         // m
+    lane c[FOUR_STICKS];                    // m^2, see stick_errors
+    lane worst;                             // of the sticks' relative errors
+    lane volume;                            // m^3, sixfold; < 0: in a mirror
+    int  state[LANES];
+} batch;
+
+static void batch_take(const particle *restrict p, const int *restrict first,
+                       batch *restrict t)
+{
+    for (int l = 0; l < LANES; l++) {
+        const particle *of = p + first[l];
+        t->state[l] = of->inverse_mass > 0 ? GOING : LEFT;
+        for (int k = 0; k < FOUR; k++) {
+            t->at[k][0][l] = of[k].position.x;
+            t->at[k][1][l] = of[k].position.y;
+            t->at[k][2][l] = of[k].position.z;
+        }
+    }
+}
+
+static void batch_take_old(const particle *restrict p,
+                           const int *restrict first, batch *restrict t)
+{
+    for (int l = 0; l < LANES; l++)
+        for (int k = 0; k < FOUR; k++) {
+            vec3 old = p[first[l] + k].previous;
+            t->old[k][0][l] = old.x;
+            t->old[k][1][l] = old.y;
+            t->old[k][2][l] = old.z;
+        }
+}
+
+static void batch_give(const batch *t, int l, particle *p)
+{
+    for (int k = 0; k < FOUR; k++)
+        p[k].position = vec3_make(t->at[k][0][l], t->at[k][1][l],
+                                  t->at[k][2][l]);
+}
+//<
+
+//> four-batch-errors
+// stick_errors of each body.  Inner loops of known length are unrolled: the
+// loop over the bodies is the innermost that is left, and has no branch.  A NaN
+// may slip through `worst`; but a body with a NaN has no volume.
+static void batch_errors(const four *restrict f, batch *restrict t)
+{
+    for (int l = 0; l < LANES; l++) {
+        real worst = 0;
+        for (int s = 0; s < FOUR_STICKS; s++) {
+            const int a = END[s][0], b = END[s][1];
+            real x = t->at[b][0][l] - t->at[a][0][l];
+            real y = t->at[b][1][l] - t->at[a][1][l];
+            real z = t->at[b][2][l] - t->at[a][2][l];
+            real c = (x * x + y * y + z * z - f->square[s]) / 2;
+            real error = fabs(c) * f->per_square[s];
+            t->c[s][l] = c;
+            worst = error > worst ? error : worst;
+        }
+        t->worst[l] = worst;
+    }
+}
+
+// turns_right asks for its sign, which is that of T.
+static void batch_volumes(batch *t)
+{
+    for (int l = 0; l < LANES; l++) {
+        real r[FOUR][3];
+        for (int k = 1; k < FOUR; k++)
+            for (int i = 0; i < 3; i++)
+                r[k][i] = t->at[k][i][l] - t->at[0][i][l];
+        t->volume[l] = r[1][0] * (r[2][1] * r[3][2] - r[2][2] * r[3][1])
+                     + r[1][1] * (r[2][2] * r[3][0] - r[2][0] * r[3][2])
+                     + r[1][2] * (r[2][0] * r[3][1] - r[2][1] * r[3][0]);
+    }
+}
+//<
+
+//> four-batch-step
+// newton_step of each body.
+static void batch_step(const four *restrict f, batch *restrict t)
+{
+    for (int l = 0; l < LANES; l++) {
+        real mu[FOUR_STICKS];
+        for (int s = 0; s < FOUR_STICKS; s++) {
+            mu[s] = 0;
+            for (int u = 0; u < FOUR_STICKS; u++)
+                mu[s] += f->inverse[s][u] * t->c[u][l];
+        }
+        for (int i = 0; i < 3; i++) {
+            real x[FOUR], o[FOUR];
+            for (int k = 0; k < FOUR; k++) {
+                x[k] = t->at[k][i][l];
+                o[k] = t->old[k][i][l];
+            }
+            for (int s = 0; s < FOUR_STICKS; s++) {
+                real move = mu[s] * (o[END[s][1]] - o[END[s][0]]);
+                x[END[s][0]] += move;
+                x[END[s][1]] -= move;
+            }
+            for (int k = 0; k < FOUR; k++) t->at[k][i][l] = x[k];
+        }
+    }
+}
+//<
+
+//> four-batch-relax
+// After k steps: gives back whoever is content, or has had all steps.  Bent or
+// mirrored bodies, and what is no number, are left as they came.  Returns
+// whether anybody goes on.
+static int batch_sort(batch *t, particle *p, const int *first, int k,
+                      int steps, real tolerance, relax_result *all)
+{
+    int going = 0, has_volumes = 0;
+    for (int l = 0; l < LANES; l++) {
+        if (t->state[l] != GOING) continue;
+        if (t->worst[l] <= BENT && t->worst[l] > tolerance && k < steps) {
+            going = 1;
+            continue;
+        }
+        if (!has_volumes) batch_volumes(t);
+        has_volumes = 1;
+        t->state[l] = LEFT;
+        if (!(t->worst[l] <= BENT) || !(t->volume[l] < 0)) continue;
+        t->state[l] = DONE;
+        if (k > 0) batch_give(t, l, p + first[l]);
+        all->tested += FOUR_STICKS * (k < steps ? k + 1 : k);
+        all->relaxed += FOUR_STICKS * k;
+        all->sweeps = k > all->sweeps ? k : all->sweeps;
+        all->worst = fmax(all->worst, t->worst[l]);
+    }
+    return going;
+}
+
+static void add_result(relax_result *all, relax_result r)
+{
+    all->tested += r.tested;
+    all->relaxed += r.relaxed;
+    all->fell_back += r.fell_back;
+    all->sweeps = r.sweeps > all->sweeps ? r.sweeps : all->sweeps;
+    all->worst = fmax(all->worst, r.worst);
+}
+
+static void batch_relax(const four *f, particle *p, const int *first,
+                        int steps, relax_options o, relax_result *all)
+{
+    batch t;
+    batch_take(p, first, &t);
+    for (int k = 0; k <= steps; k++) {
+        if (k > 0) batch_step(f, &t);
+        if (k < steps) batch_errors(f, &t);
+        if (!batch_sort(&t, p, first, k, steps, o.tolerance, all)) break;
+        if (k == 0) batch_take_old(p, first, &t);
+    }
+    for (int l = 0; l < LANES; l++)
+        if (t.state[l] == LEFT)
+            add_result(all, four_relax(f, p + first[l], steps, o));
+}
+
+relax_result four_relax_all(const four *f, particle *p, const int *first,
+                            int bodies, int steps, relax_options options)
+{
+    relax_result all = { .worst = 0 };
+    int b = 0, is_old = options.gradient == GRADIENT_OLD;
+    assert(steps > 0);
+    for (; is_old && b + LANES <= bodies; b += LANES)
+        batch_relax(f, p, first + b, steps, options, &all);
+    for (; b < bodies; b++)
+        add_result(&all, four_relax(f, p + first[b], steps, options));
+    return all;
+}
+//<
+
 //> four-ways
 // The particles as they lie about their middle, turned about an axis: e x r.
 // No stick o changes its length by that: o . (e x o) = 0.

@@ -65,6 +65,12 @@ void four_ride(const four *f, const particle *p, vec3 *at, int n);
 relax_result four_relax(const four *f, particle *p, int steps,
                         relax_options options);
 
+// The same for several bodies, whose particles begin at p + first[0] and so on:
+// the same bits, in less time, for it takes some at once.  Counts are sums,
+// `worst` and `sweeps` the largest.  At least one step.
+relax_result four_relax_all(const four *f, particle *p, const int *first,
+                            int bodies, int steps, relax_options options);
+
 // The ways of four particles, of `inverse_mass` (1/kg) each, that stand at
 // `at`.  None for a nailed body: all zero.
 void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w);

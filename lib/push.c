@@ -6,15 +6,22 @@ typedef struct {
     vec3 now, before;       // m, pA - pB
 } distance;
 
+static inline void add_particle(distance *d, real a, const particle *p)
+{
+    d->now = vec3_add_scaled(d->now, a, p->position);
+    d->before = vec3_add_scaled(d->before, a, p->previous);
+}
+
+// (A loop of known length is unrolled.)
 static inline void add_side(const push_side *s, const particle *p, real sign,
                             distance *d)
 {
     p += s->first;
-    for (int k = 0; k < s->count; k++) {
-        real a = sign * s->share[k];
-        d->now = vec3_add_scaled(d->now, a, p[k].position);
-        d->before = vec3_add_scaled(d->before, a, p[k].previous);
+    if (s->count == 1) {
+        add_particle(d, sign * s->share[0], p);
+        return;
     }
+    for (int k = 0; k < FOUR; k++) add_particle(d, sign * s->share[k], &p[k]);
 }
 
 // Reads off the particles how far the points are apart.
@@ -102,7 +109,8 @@ static inline int make_ready(push *c, const particle *p)
     if (!c->ready) {
         for (int d = 0; d < DIRECTIONS; d++) c->weight[d] = c->skew[d] = 0;
         side_rows(c, &c->a, 0, p);
-        if (c->b.count > 0) side_rows(c, &c->b, 1, p);
+        c->moves_b = c->b.count > 0;
+        if (c->moves_b) side_rows(c, &c->b, 1, p);
         find_undo(c);
         c->ready = 1;
     }
@@ -115,7 +123,7 @@ static inline int make_ready(push *c, const particle *p)
 static inline real parted(const push *c, int d, const real *a, const real *b)
 {
     real part = row_dot(c->row[0][d], a);
-    return c->b.count > 0 ? part + row_dot(c->row[1][d], b) : part;
+    return c->moves_b ? part + row_dot(c->row[1][d], b) : part;
 }
 
 static inline void go(real way[FOUR_WAYS], real (*const row)[FOUR_WAYS],
@@ -131,7 +139,7 @@ static inline void push_by(push *c, const real l[DIRECTIONS],
                            real *a, real *b)
 {
     go(a, c->row[0], l);
-    if (c->b.count > 0) go(b, c->row[1], l);
+    if (c->moves_b) go(b, c->row[1], l);
 }
 //<
 
@@ -152,7 +160,7 @@ void push_recall(push *c, const push_memory *m, real h)
     real l[DIRECTIONS];
     for (int i = 0; i < DIRECTIONS; i++)
         l[i] = h * h * vec3_dot(m->force, c->along[i]);
-    c->pushed[NORMAL] += fmax(l[NORMAL], 0);
+    c->pushed[NORMAL] += real_max(l[NORMAL], 0);
     c->pushed[ACROSS] += l[ACROSS];
     c->pushed[ASIDE] += l[ASIDE];
 }
@@ -192,8 +200,8 @@ void push_limit(push *c, const particle *p, push_options options, real h)
 static inline real mended(const push *c, real now, real before,
                           push_options options)
 {
-    real depth = -fmax(before, now) - options.slop * c->thickness;
-    return fmax(fmin(options.mend * depth, c->most - before), 0);
+    real depth = -real_max(before, now) - options.slop * c->thickness;
+    return real_max(real_min(options.mend * depth, c->most - before), 0);
 }
 //<
 
@@ -248,11 +256,11 @@ static inline int hold(push *c, const real b[DIRECTIONS], real friction,
 static inline void find_push(push *c, const real apart[DIRECTIONS], real before,
                         push_options options, real l[DIRECTIONS])
 {
-    real b[DIRECTIONS] = { apart[NORMAL] - fmin(before, 0),
+    real b[DIRECTIONS] = { apart[NORMAL] - real_min(before, 0),
                            apart[ACROSS], apart[ASIDE] };
     if (!hold(c, b, options.friction, l)) {
         real was = c->pushed[NORMAL];
-        c->pushed[NORMAL] = fmax(was - b[NORMAL] / c->weight[NORMAL], 0);
+        c->pushed[NORMAL] = real_max(was - b[NORMAL] / c->weight[NORMAL], 0);
         l[NORMAL] = c->pushed[NORMAL] - was;
         brake(c, apart, options, l);
     }
@@ -281,7 +289,7 @@ static void move_side(const push_side *s, particle *p, const push_drift *d)
 static void push_alone(push *c, particle *p, const real l[DIRECTIONS],
                        int both)
 {
-    push_drift a = { { 0 }, { 0 }, 0 }, b = a;
+    push_drift a = { .is_mended = both }, b = a;
     if (both) push_by(c, l, a.mended, b.mended);
     else      push_by(c, l, a.pushed, b.pushed);
     move_side(&c->a, p, &a);
@@ -336,11 +344,11 @@ static void foresee(push *c, const particle *p, push_options options)
            * vec3_dot(options.fall, c->along[NORMAL]);
     c->closing = c->share = 0;
     if (!(s > 0 && gap < 1.001 * s) || !make_ready(c, p)) return;
-    real u = s - a / 2, high = fmax(gap, 0);
-    real root = sqrt(fmax(u * u + 2 * a * high, 0));
-    c->share = fmin(u > 0 ? 2 * high / (u + root) : (root - u) / a, 1);
+    real u = s - a / 2, high = real_max(gap, 0);
+    real root = sqrt(real_max(u * u + 2 * a * high, 0));
+    c->share = real_min(u > 0 ? 2 * high / (u + root) : (root - u) / a, 1);
     real more = (c->share - 0.5) * a;
-    c->closing = fmax(s + more, 0);
+    c->closing = real_max(s + more, 0);
     c->parting = options.restitution * c->closing + more;
 }
 
@@ -351,7 +359,7 @@ static void strike(push *c, particle *p, push_options options)
     look(c, p);
     real l[DIRECTIONS] = { 0 }, was = c->pushed[NORMAL];
     real want = c->before - c->apart[NORMAL] + c->parting;
-    c->pushed[NORMAL] = fmax(0, was + want / c->weight[NORMAL]);
+    c->pushed[NORMAL] = real_max(was + want / c->weight[NORMAL], 0);
     l[NORMAL] = c->pushed[NORMAL] - was;
     brake(c, c->apart, options, l);
     if (options.book) wear(c, c->apart, l);
@@ -443,35 +451,43 @@ static void push_again(push_pile *s, int part, push *c, push_options options)
 //<
 
 //> push-pile-mend
-// 1 if anything was mended; `others` tells whether any was before.
-static int mend(push_pile *s, int part, push *c, push_options options,
-                int others)
+// m, how far mending has parted the points.  Few bodies are mended at all.
+static inline real parted_by_mending(const push_pile *s, const push_near *n)
 {
-    push_drift *a = drift_of(s, part, c->a.body);
-    push_drift *b = drift_of(s, part, c->b.body);
-    real l[DIRECTIONS] = { 0 }, both = 0, let_be = -options.slop * c->thickness;
-    if (others) both = parted(c, NORMAL, a->mended, b->mended);
+    if (!n->a->is_mended && !n->b->is_mended) return 0;
+    return parted(&s->push[n->push], NORMAL, n->a->mended, n->b->mended);
+}
+
+// 1 if anything was mended.
+static int mend(push_pile *s, int part, const push_near *n,
+                push_options options)
+{
+    push *c = &s->push[n->push];
+    real both = parted_by_mending(s, n), l[DIRECTIONS] = { 0 };
     real before = c->before + both;
-    if (before >= let_be) return 0;
+    if (before >= -options.slop * c->thickness) return 0;
+    const push_drift *none = drift_of(s, part, -1);
+    push_drift *a = n->a, *b = n->b;
     real now = c->apart[NORMAL] + both
              + parted(c, NORMAL, a->pushed, b->pushed);
     real up = mended(c, now, before, options);
     if (!(up > 0)) return 0;
     l[NORMAL] = up / c->weight[NORMAL];
     push_by(c, l, a->mended, b->mended);
+    a->is_mended = a != none;
+    b->is_mended = b != none;
     return 1;
 }
 
 // What is mended between bodies is mended against the planes, which come first
 // in the table, after that: else those that lie in each other press one another
 // through a wall.
-int pile_mend(push_pile *s, int part, push_options options, int elsewhere)
+int pile_mend(push_pile *s, int part, push_options options)
 {
     const push_near *n = nears_of(s, part);
     int is_mended = 0;
     for (int i = s->nears[part] - 1; i >= 0; i--)
-        is_mended |= mend(s, part, &s->push[n[i].push], options,
-                          elsewhere || is_mended);
+        is_mended |= mend(s, part, &n[i], options);
     return is_mended;
 }
 
@@ -479,11 +495,10 @@ void pile_settle(push_pile *s, int part)
 {
     const push_near *n = nears_of(s, part);
     for (int i = 0; i < s->nears[part]; i++) {
-        push *c = &s->push[n[i].push];
-        real both = parted(c, NORMAL, drift_of(s, part, c->a.body)->mended,
-                           drift_of(s, part, c->b.body)->mended);
-        c->before += both;
-        c->apart[NORMAL] += both;
+        real both = parted_by_mending(s, &n[i]);
+        if (both == 0) continue;
+        s->push[n[i].push].before += both;
+        s->push[n[i].push].apart[NORMAL] += both;
     }
 }
 //<
@@ -496,7 +511,7 @@ int pile_begin(push_pile *s, int part, const particle *p, push_options options,
 {
     int overlaps = 0, nears = 0;
     push_near *near = nears_of(s, part);
-    s->drift[s->bodies + part] = (push_drift){ { 0 }, { 0 }, 0 };
+    s->drift[s->bodies + part] = (push_drift){ .stirred = 0 };
     for (int i = part > 0 ? s->end[part - 1] : 0; i < s->end[part]; i++) {
         push *c = &s->push[s->order[i]];
         if (!is_near(c, p)) continue;
@@ -505,8 +520,9 @@ int pile_begin(push_pile *s, int part, const particle *p, push_options options,
         for (int d = 0; d < DIRECTIONS; d++)
             c->from[d] = c->last[d] = c->pushed[d];
         push_again(s, part, c, options);
-        near[nears++] = (push_near){ s->order[i], c->a.body,
-            c->b.count > 0 ? c->b.body : -1, 0, -1, 0 };
+        near[nears++] = (push_near){ drift_of(s, part, c->a.body),
+            drift_of(s, part, c->b.count > 0 ? c->b.body : -1),
+            s->order[i], 0, -1, 0 };
     }
     s->nears[part] = nears;
     return overlaps;
@@ -523,13 +539,13 @@ static inline real stir(const push *c, const real l[DIRECTIONS])
 }
 
 // Tells those that move; returns the sum of what they are told.
-static inline real stir_bodies(const push *c, const push_near *n,
-                               push_drift *a, push_drift *b,
-                               const real l[DIRECTIONS])
+static inline real stir_bodies(const push_pile *s, int part, const push *c,
+                               const push_near *n, const real l[DIRECTIONS])
 {
+    const push_drift *none = drift_of(s, part, -1);
     real change = stir(c, l), sum = 0;
-    if (n->a >= 0) a->stirred += change, sum += change;
-    if (n->b >= 0) b->stirred += change, sum += change;
+    if (n->a != none) n->a->stirred += change, sum += change;
+    if (n->b != none) n->b->stirred += change, sum += change;
     return sum;
 }
 
@@ -548,7 +564,7 @@ static inline real leading_on(const push *c)
 static inline real solve(push_pile *s, int part, push_near *n, real enough,
                          push_options options)
 {
-    push_drift *a = drift_of(s, part, n->a), *b = drift_of(s, part, n->b);
+    push_drift *a = n->a, *b = n->b;
     real stirred = a->stirred + b->stirred;
     if (n->solved >= 0 && stirred - n->solved <= enough) return 0;
     push *c = &s->push[n->push];
@@ -560,7 +576,7 @@ static inline real solve(push_pile *s, int part, push_near *n, real enough,
         apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
     find_push(c, apart, c->before, options, l);
     push_by(c, l, a->pushed, b->pushed);
-    n->solved += stir_bodies(c, n, a, b, l);
+    n->solved += stir_bodies(s, part, c, n, l);
     n->leans = 1;
     n->leads_on = leading_on(c);
     return fabs(l[NORMAL]) * c->weight[NORMAL];
@@ -593,14 +609,14 @@ static void lean(push_pile *s, int part, push_near *n, real share,
                  push_options options)
 {
     push *c = &s->push[n->push];
-    push_drift *a = drift_of(s, part, n->a), *b = drift_of(s, part, n->b);
+    push_drift *a = n->a, *b = n->b;
     real l[DIRECTIONS], apart[DIRECTIONS], size = 0;
     for (int i = 0; i < DIRECTIONS; i++) {
         l[i] = share * (c->pushed[i] - c->last[i]);
         c->last[i] = c->pushed[i];
         size += fabs(l[i]);
     }
-    l[NORMAL] = fmax(l[NORMAL], -c->pushed[NORMAL]);
+    l[NORMAL] = real_max(l[NORMAL], -c->pushed[NORMAL]);
     n->leans = size > 0;
     n->leads_on = 0;
     if (n->leans) {
@@ -608,7 +624,7 @@ static void lean(push_pile *s, int part, push_near *n, real share,
             apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
         if (options.book) wear(c, apart, l);
         push_by(c, l, a->pushed, b->pushed);
-        stir_bodies(c, n, a, b, l);
+        stir_bodies(s, part, c, n, l);
     }
     for (int i = 0; i < DIRECTIONS; i++) {
         c->pushed[i] += l[i];
@@ -629,6 +645,11 @@ void drift_apply(const push_drift *d, const four_ways *ways, particle *p)
 {
     vec3 now[FOUR], both[FOUR];
     four_move(ways, d->pushed, now);
+    if (!d->is_mended) {
+        for (int k = 0; k < FOUR; k++)
+            p[k].position = vec3_add(p[k].position, now[k]);
+        return;
+    }
     four_move(ways, d->mended, both);
     for (int k = 0; k < FOUR; k++) {
         p[k].position = vec3_add(p[k].position, vec3_add(now[k], both[k]));

@@ -58,6 +58,7 @@ typedef struct push {
                             // its square
     int  ready;             // rows and weights have been made
     int  holds;             // and so has `undo`
+    int  moves_b;           // side B has rows
 
     // What is looked at once a substep, or less.
     push_side a, b;
@@ -129,13 +130,15 @@ typedef struct {
     real pushed[FOUR_WAYS];      // m kg^(1/2), in this substep
     real mended[FOUR_WAYS];      // and without making speed
     real stirred;           // m, by how much its contacts have been parted
+    int  is_mended;         // 0: `mended` is zero
 } push_drift;
 
 // A contact that may touch in this substep: all that tells whether it has to be
 // looked at.  A pass that leaves out most of them hardly reads any push.
 typedef struct {
+    push_drift *a, *b;      // its bodies'; the part's own for one that does not
+                            // move
     int  push;              // its number
-    int  a, b;              // its bodies; -1: one that does not move
     int  leans;             // it has changed since momentum was last given
     real solved;            // m, how much its bodies had been stirred when it
                             // was solved; < 0: not yet
@@ -162,10 +165,9 @@ typedef struct {
 int pile_begin(push_pile *s, int part, const particle *p, push_options options,
                real h);
 
-// Then mends, the last contact first, so those across before the others;
-// `elsewhere` tells whether anything of another part was.  Returns 1 if
-// anything is now.  After all parts, if anything was, pile_settle.
-int  pile_mend(push_pile *s, int part, push_options options, int elsewhere);
+// Then mends, the last contact first, so those across before the others.
+// Returns 1 if anything was mended: then, after all parts, pile_settle.
+int  pile_mend(push_pile *s, int part, push_options options);
 void pile_settle(push_pile *s, int part);
 
 // One pass over a part, forward (step 1) or backward (-1): push_solve for each,

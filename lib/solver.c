@@ -90,15 +90,14 @@ static void begin_part(void *data, int part)
     int n = 0;
     const int *mine = part < PILE_ACROSS ? halves_bodies(w, part, &n) : NULL;
     for (int i = 0; i < n; i++)
-        w->drift[mine[i]] = (push_drift){ { 0 }, { 0 }, 0 };
+        w->drift[mine[i]] = (push_drift){ .stirred = 0 };
     s->overlaps[part] = pile_begin(&s->pile, part, w->pool.at, s->how, s->h);
 }
 
 static void mend_part(void *data, int part)
 {
     pushing *s = data;
-    int elsewhere = part != PILE_ACROSS && s->mended[PILE_ACROSS];
-    s->mended[part] = pile_mend(&s->pile, part, s->how, elsewhere);
+    s->mended[part] = pile_mend(&s->pile, part, s->how);
 }
 
 static void settle_part(void *data, int part)

@@ -61,7 +61,7 @@ static void integrate(world *w, real h)
 }
 //<
 
-//> step-relax
+//> step-relax-lines
 static const plan_entry *entry_of(const world *w, const shape *s)
 {
     int k = 0;
@@ -85,6 +85,9 @@ static relax_result relax_lines(world *w, const body *b)
                            .fell_back = l.fell_back };
 }
 
+//<
+
+//> step-relax
 // Paper: section 6.2: a rigid body that collided is relaxed from the particle
 // that separation moved most; every other body in the order of its plan.
 static relax_result relax_body(world *w, const body *b, int is_ordered)
@@ -117,16 +120,41 @@ static int can_be_halved(const world *w, int b)
     return w->options.order == ORDER_LISTED && !body_is_soft(&w->body[b]);
 }
 
+// Where the particles of bodies list[0], list[1] ... begin, as long as these
+// are of the same four, and move; returns how many.
+enum { ALIKE = 32 };
+
+static int find_alike(const world *w, const int *list, int n, int first[ALIKE])
+{
+    int k = 0;
+    for (; k < n && k < ALIKE; k++) {
+        const body *b = &w->body[list[k]];
+        if (b->four != w->body[list[0]].four || !body_moves(w, list[k])) break;
+        first[k] = b->first;
+    }
+    return k;
+}
+
 static void relax_side(void *data, int side)
 {
     stage *s = data;
     world *w = s->w;
+    const world_options *o = &w->options;
     relax_result sum = { .tested = 0 };
-    int n;
+    int n, first[ALIKE];
     const int *mine = halves_bodies(w, side, &n);
-    for (int i = 0; i < n; i++)
-        if (can_be_halved(w, mine[i]) && body_moves(w, mine[i]))
-            add_up(&sum, relax_body(w, &w->body[mine[i]], 0));
+    for (int i = 0, k; i < n; i += k) {
+        const body *b = &w->body[mine[i]];
+        k = 1;
+        if (!can_be_halved(w, mine[i]) || !body_moves(w, mine[i])) continue;
+        if (b->four) {
+            k = find_alike(w, mine + i, n - i, first);
+            add_up(&sum, four_relax_all(b->four, w->pool.at, first, k,
+                                        o->sweeps, o->relax));
+        } else {
+            add_up(&sum, relax_body(w, b, 0));
+        }
+    }
     s->done[side] = sum;
 }
 

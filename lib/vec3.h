@@ -19,6 +19,19 @@ typedef struct {
 } vec3;
 //<
 
+//> real-max
+// The larger and the smaller of two; b if a is NaN.
+static inline real real_max(real a, real b)
+{
+    return a > b ? a : b;
+}
+
+static inline real real_min(real a, real b)
+{
+    return a < b ? a : b;
+}
+//<
+
 //> vec3-add
 static inline vec3 vec3_make(real x, real y, real z)
 {

@@ -157,10 +157,10 @@ static push_pile pile_of(push *c)
     static const int first = 0;
     static push_drift drift[2 + PILE_PARTS];
     static push_near near;
-    near = (push_near){ 0, 0, 1, 1, -1, 0 };
+    near = (push_near){ &drift[0], &drift[1], 0, 1, -1, 0 };
     c->a.body = 0;
     c->b.body = 1;
-    drift[0] = drift[1] = (push_drift){ { 0 }, { 0 }, 0 };
+    drift[0] = drift[1] = (push_drift){ .stirred = 0 };
     return (push_pile){ c, &first, { 1, 1, 1 }, drift, 2, &near, { 1 } };
 }
 

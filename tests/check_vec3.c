@@ -32,6 +32,16 @@ static vec3 next_vec3(unsigned *seed)
     return vec3_make(x, y, z);
 }
 
+// Rejects: the two exchanged; a NaN that passes where a bound comes second.
+START_TEST(larger_and_smaller_hold_the_bound_against_nan)
+{
+    ck_assert(real_max(1, 2) == 2 && real_max(2, 1) == 2);
+    ck_assert(real_min(1, 2) == 1 && real_min(2, 1) == 1);
+    ck_assert(real_max(-HUGE_VAL, -1) == -1 && real_min(HUGE_VAL, -1) == -1);
+    ck_assert(real_max((real)NAN, 0) == 0 && real_min((real)NAN, 0) == 0);
+}
+END_TEST
+
 // Rejects: two components swapped in the maker.
 START_TEST(maker_keeps_the_order_of_the_components)
 {
@@ -175,6 +185,7 @@ int main(void)
 {
     Suite *suite = suite_create("vec3");
     TCase *laws = tcase_create("laws");
+    tcase_add_test(laws, larger_and_smaller_hold_the_bound_against_nan);
     tcase_add_test(laws, maker_keeps_the_order_of_the_components);
     tcase_add_test(laws, sums_and_differences_go_component_by_component);
     tcase_add_test(laws, a_step_along_b_starts_at_a);

@@ -76,6 +76,8 @@ BEGIN {
 # The marks of the book's regions are nothing to the reader.
 /^\/\/[<>]/ { block_ends(); next }
 /^$/ && !brace { block_ends(); if (!show) say(""); next }
+# The file to fill in is the reader's own.
+FNR == 1 && !show { sub(/^\/\/ solution\.c /, "// mine.c ") }
 { held[++count] = $0; if (count == 1) start = FNR }
 /^\{$/ { brace = count }
 /^\}$/ { if (brace) block_ends() }

@@ -65,7 +65,6 @@ chapter_title() { sed -n '1s/^# [0-9]*\. //p' "$1"; }
 # next_of CHAPTER STATES: what to read or to write now, if it is that chapter
 # where the reader stands.
 next_of() {
-    file=$(chapter_file "$1")
     begun=$(echo "$2" | sed -n "s|^\($1/[^ ]*\) begun\$|\1|p" | head -n 1)
     open=$(echo "$2" | sed -n "s|^\($1/[^ ]*\) not begun\$|\1|p" | head -n 1)
     after=$(chapter_files | sed -n "\|/$1-|{ n; p; }")
@@ -74,10 +73,10 @@ next_of() {
     elif [ -n "$open" ] && echo "$2" | grep -q "^$1/.* passed"; then
         echo "Next: make exercise $open  ($(title_of "$open"))"
     elif [ -n "$open" ]; then
-        echo "Next: read $file, and then  make exercise $open  ($(title_of "$open"))"
+        echo "Next: read chapter $1 in book.md, and then  make exercise $open  ($(title_of "$open"))"
     elif [ -n "$after" ]; then
         number=${after##*/} number=${number%%-*}
-        echo "Next: chapter $number, $(chapter_title "$after"): read $after, and  make $number"
+        echo "Next: chapter $number, $(chapter_title "$after"): read it in book.md, and  make $number"
     else
         echo "Next: a scene of your own.  This was the last chapter."
     fi

@@ -56,7 +56,7 @@ hint() {
         return 0
     fi
     echo "Hint $next of 3:"
-    awk -v want=$next '/^[0-9]+\. / { n = $1 + 0 } n == want' "$dir/hints"
+    awk -v want=$next '/^[0-9]+\. / { n = $1 + 0; sub(/^[0-9]+\. /, "   ") } n == want' "$dir/hints"
     echo $next > "$dir/mine.hints"
 }
 

@@ -395,7 +395,9 @@ START_TEST(rank_does_not_depend_on_the_size)
 }
 END_TEST
 
-// A stick twice, a flat square, a straight line, nothing.
+// A stick twice, a flat square, nothing.
+// Rejects: the same sign at both ends of a row, a row counted that depends on
+// others, one stick too few.
 START_TEST(rank_counts_what_is_independent)
 {
     static const int twice[3][2] = { { 0, 1 }, { 0, 1 }, { 1, 0 } };

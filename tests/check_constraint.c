@@ -24,8 +24,8 @@ static void near(real got, real wanted, real slack, const char *what)
 static void same(vec3 got, vec3 wanted)
 {
     ck_assert_msg(got.x == wanted.x && got.y == wanted.y && got.z == wanted.z,
-                  "got (%a, %a, %a), wanted (%a, %a, %a)", got.x, got.y, got.z,
-                  wanted.x, wanted.y, wanted.z);
+                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
+                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
 static particle at(real x, real y, real z, real inverse_mass)

@@ -47,7 +47,7 @@ run() { sh exercises/run.sh "$@"; }
 course
 says "a chapter names its file" "Chapter 01, Sums: $CHAPTERS/01-sums.md" run chapter 01
 also "an exercise not begun"    'not begun         01/sum         about sum'
-also "read first, then write"   "Next: read $CHAPTERS/01-sums.md, and then  make exercise 01/sum"
+also "read first, then write"   "Next: read chapter 01 in book.md, and then  make exercise 01/sum"
 begin 01-more
 says "one that is begun"        'begun             01/more' run chapter 01
 also "it is gone on with"       'Next: go on with  make exercise 01/more  (about more)'
@@ -55,7 +55,7 @@ echo '01/more passed 2026-11-21' > "$progress"
 says "one that passed"          'passed 2026-11-21 01/more        about more' run chapter 01
 also "then the other"           'Next: make exercise 01/sum  (about sum)'
 echo '01/sum passed 2026-11-22' >> "$progress"
-says "all passed: next chapter" "Next: chapter 02, Roots: read $CHAPTERS/02-roots.md, and  make 02" run chapter 01
+says "all passed: next chapter" "Next: chapter 02, Roots: read it in book.md, and  make 02" run chapter 01
 says "each chapter has its own" 'not begun         02/root' run chapter 02
 if grep -q '01/' "$tree/said"; then verdict "and no others" no; else verdict "and no others" yes; fi
 says "no exercises"             'It has no exercises.' run chapter 03

@@ -58,8 +58,8 @@ static void near(real got, real wanted, real tolerance)
 
 static void same_bits(real got, real wanted)
 {
-    ck_assert_msg(memcmp(&got, &wanted, sizeof got) == 0, "got %a, wanted %a",
-                  got, wanted);
+    ck_assert_msg(memcmp(&got, &wanted, sizeof got) == 0,
+                  "got %.17g, wanted %.17g", got, wanted);
 }
 
 static body body_point(real x, real y, real z)

@@ -26,8 +26,8 @@ static void near(real got, real wanted, real slack, const char *what)
 static void same(vec3 got, vec3 wanted)
 {
     ck_assert_msg(got.x == wanted.x && got.y == wanted.y && got.z == wanted.z,
-                  "got (%a, %a, %a), wanted (%a, %a, %a)", got.x, got.y, got.z,
-                  wanted.x, wanted.y, wanted.z);
+                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
+                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
 // ---- The pool
@@ -118,7 +118,8 @@ static vec3 parabola(vec3 x0, vec3 v0, vec3 a, real t)
 START_TEST(parabola_is_exact_to_the_last_bit)
 {
     // Every number here is a sum of a few powers of 2, so nothing rounds.
-    // Rejects: a start without a0, a dt^2 / 2 in the step.
+    // Rejects: a start without a0, a dt^2 / 2 in the step, a last move with the
+    // wrong sign, a previous that stays behind.
     vec3 x0 = { 1, 2, 3 }, v0 = { 4, 5, -6 }, a = { 0.5, -9.8125, 0 };
     real dt = 1.0 / 64;
     particle p = particle_start(x0, v0, a, 2, dt);

@@ -72,10 +72,11 @@ END_TEST
 
 START_TEST(box_has_a_twelfth_of_its_sides_squared)
 {
-    // Rejects: a spread that is not taken back to the centre.
+    // Rejects: a centre or a spread as seen from a vertex, not taken back.
     solid s = box_at((vec3){ 2, 4, 6 }, (vec3){ 0, 0, 0 }, 0.5);
     near(s.mass, 24, ROUNDING, "mass", "48 m^3 of 0.5 kg/m^3.");
-    near_place(s.centre, (vec3){ 0, 0, 0 }, ROUNDING, "centre", "");
+    near_place(s.centre, (vec3){ 0, 0, 0 }, ROUNDING, "centre",
+               "The box stands about the origin.");
     near(s.xx, 24 * 4 / 12.0, 10 * ROUNDING, "xx", "m side^2 / 12.");
     near(s.yy, 24 * 16 / 12.0, 10 * ROUNDING, "yy", "m side^2 / 12.");
     near(s.zz, 24 * 36 / 12.0, 10 * ROUNDING, "zz", "m side^2 / 12.");

@@ -58,11 +58,11 @@ TESTS_16 := check_clock check_thread
 # The later chapters' figures ask what their module does to the whole.
 FLOOR = $(if $(filter 0%,$1),$(UPTO_$1),$(ALL))
 
-# After `watch`, a chapter says what to watch: it is no goal of its own.
-ifneq ($(filter watch,$(MAKECMDGOALS)),)
-WATCHED := $(filter $(CHAPTERS),$(MAKECMDGOALS))
+# After `watch` and `exercise` a chapter says of what: it is no goal of its own.
+ifneq ($(filter watch exercise,$(MAKECMDGOALS)),)
+NAMED := $(filter $(CHAPTERS),$(MAKECMDGOALS))
 endif
-MADE := $(filter-out $(WATCHED),$(CHAPTERS))
+MADE := $(filter-out $(NAMED),$(CHAPTERS))
 
 # What the commands `make 04`, `make test-04` and `make figure-04` need.
 define chapter
@@ -154,7 +154,7 @@ install: $(BUILD)/libtumble.a
 
 #:
 #: Exercises
-#:   make exercise            which there are, and how far you are
+#:   make exercise [01]       which there are (in a chapter), and how far you are
 #:   make exercise 01/step    begin it; after that, judge what you wrote
 #:   make hint 01/step        the next of its three hints
 #:   make solution 01/step    the book's answer (asks first)
@@ -165,7 +165,7 @@ install: $(BUILD)/libtumble.a
 #:                            and any exercise whose file you save
 #:   make check-exercises     is every exercise sound, and the runner?
 READER := exercise hint solution reset progress
-WHICH  := $(WATCHED) $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
+WHICH  := $(NAMED) $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
 .PHONY: $(READER) watch check-exercises
 $(READER):
 	@MINE= CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh $@ $(WHICH)

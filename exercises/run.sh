@@ -1,6 +1,7 @@
 # run.sh - the reader's commands, one exercise at a time.
 #
-#   sh exercises/run.sh exercise [NN/name]    begin it, or judge what is written
+#   sh exercises/run.sh exercise [NN]         which there are, in that chapter
+#   sh exercises/run.sh exercise NN/name      begin it, or judge what is written
 #   sh exercises/run.sh hint NN/name          the next of three hints
 #   sh exercises/run.sh solution NN/name      asks, then shows it
 #   sh exercises/run.sh reset NN/name         begin again; the old file is kept
@@ -13,8 +14,9 @@
 . exercises/judge.sh
 . exercises/follow.sh
 
+# list [NN]: those of a chapter, or all.
 list() {
-    states | while read -r each how; do
+    states | grep "^$1" | while read -r each how; do
         case $how in passed*) mark=x ;; begun) mark=- ;; *) mark=' ' ;; esac
         printf '  [%s] %-14s %s\n' "$mark" "$each" "$(title_of "$each")"
     done
@@ -94,5 +96,11 @@ if [ $# -eq 1 ]; then
     list
     exit 0
 fi
+case $command,$2 in
+exercise,[0-9][0-9])
+    names | grep -q "^$2/" || { echo "Chapter $2 has no exercises with tests."; exit 0; }
+    list "$2"
+    exit 0 ;;
+esac
 load "$2" || { echo "There is no exercise $2.  There are:"; list; exit 1; } >&2
 $command

@@ -77,6 +77,9 @@ also "no such exercise"         "$progress, line 5: there is no exercise 02/root
 if [ "$(grep -c ', line ' "$tree/said")" = 2 ]; then verdict "no other line is told" yes; else verdict "no other line is told" no; fi
 says "the first day counts"     'passed 2026-11-21 01/sum ' run chapter 01
 says "a list knows it, too"     '[x] 01/sum' run exercise
+says "a chapter's list"         '[ ] 02/root' run exercise 02
+if grep -q '01/sum ' "$tree/said"; then verdict "and no others in it" no; else verdict "and no others in it" yes; fi
+says "a chapter without any"    'Chapter 03 has no exercises with tests.' run exercise 03
 
 # The runner writes it, and takes out what begins again.
 judged() { sh -c '. exercises/judge.sh; . exercises/follow.sh; $1 "$2"' sh "$@"; }

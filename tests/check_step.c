@@ -774,12 +774,11 @@ END_TEST
 START_TEST(memory_carries_a_stack)
 {
     enum { BOXES = 8 };
-    real sunk[2], skin = 0;
+    real sunk[2], lean[2], skin = 0;
     for (int memory = 0; memory < 2; memory++) {
         world_options o = world_options_default();
         o.memory = memory;
         o.resting = 0;
-        // Contacts that stay let it lean by up to 1.2 skins.
         o.stay = 0;
         begin(o);
         for (int k = 0; k < BOXES; k++) add_at(&box, 0, 0.51 + 1.01 * k, 0);
@@ -790,14 +789,16 @@ START_TEST(memory_carries_a_stack)
         ck_assert_int_eq(w.report.pushing, 4 * BOXES);
         skin = w.body[0].thickness;
         real free = BOXES - 0.5 + (2 * BOXES - 1) * skin;
-        sunk[memory] = free - middle(BOXES - 1).y;
+        vec3 top = middle(BOXES - 1);
+        sunk[memory] = free - top.y;
+        lean[memory] = hypot(top.x, top.z);
     }
     ck_assert_msg(sunk[1] < skin && sunk[1] > -skin, "sunk by %g m", sunk[1]);
     ck_assert_msg(sunk[0] > 20 * skin, "%g m without", sunk[0]);
-    vec3 top = middle(BOXES - 1);
-    // Which way it leans, and how far, hangs on the last bits.
-    ck_assert_msg(hypot(top.x, top.z) < 1.5 * skin, "it leans by (%g, %g)",
-                  top.x, top.z);
+    // How far it leans hangs on the last bits: over starts that differ by 1e-7 m,
+    // 0.4 to 1.6 skins, and less later; without, 12 to 33, and it falls.
+    ck_assert_msg(lean[1] < 2 * skin, "it leans by %g m", lean[1]);
+    ck_assert_msg(lean[0] > 8 * skin, "%g m without", lean[0]);
 }
 END_TEST
 

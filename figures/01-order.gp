@@ -21,7 +21,7 @@ set ylabel "error of its place" textcolor rgb "#404040"
 set xrange [0.025:400]
 set yrange [1e-9:10]
 set xtics (0.1, 1, 10, 100)
-set label 1 "explicit Euler" at 220,2.4e-3 textcolor rgb "#d55e00"
+set label 1 "explicit Euler" at 370,2.4e-3 textcolor rgb "#d55e00"
 set label 2 "symplectic Euler\nand, in circles,\nVerlet with a\ncareless start" at 370,5e-5 textcolor rgb "#e69f00"
 set label 3 "Verlet" at 370,4.7e-9 textcolor rgb "#0072b2" font "DejaVu Sans Bold,24"
 set label 4 "slope −1" at 3.2,1.15e-2 textcolor rgb "#808080"

@@ -18,15 +18,15 @@
 void halves_do(const world *w, void (*work)(void *data, int half), void *data);
 
 // Cuts the world in two, across its longest side, so that half of the bodies
-// that move lie on either side.  After the balls have been looked at.  Few
-// bodies are not cut: all are left.
+// that move lie on either side.  Requires: w->ball is of this frame.  If few
+// move, nothing is cut: all are left.
 void halves_cut(world *w);
 
 // The bodies on one side, 0 or 1, of the cut; how many in *n.
 const int *halves_bodies(const world *w, int side, int *n);
 
-// In which part of a pile is a contact of bodies a and b, or of a with a plane
-// (b >= bodies)?
+// In which part of a pile (PILE_LEFT, PILE_RIGHT, PILE_ACROSS) is a contact of
+// bodies a and b, or of a with a plane (b >= bodies)?
 int halves_part(const world *w, int a, int b);
 
 // Puts the contacts that remember in parts, for push_pile: those of the left

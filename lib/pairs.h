@@ -17,7 +17,8 @@
 // all 0 unless options.look_ahead is set.
 void pairs_look_ahead(const world *w, body *b);
 
-// The ball around rigid body b, where it is now.
+// The ball around rigid body b, where it is now; if it is of vertices, where
+// world_look_again saw it last.
 sphere pairs_ball(const world *w, body *b);
 
 // Looks at every body, says who moves, and lists the pairs of rigid ones that

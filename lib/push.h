@@ -176,11 +176,12 @@ void pile_settle(push_pile *s, int part);
 real pile_pass(push_pile *s, int part, int step, real enough,
                push_options options);
 
+// Does momentum lead on, the way that the last two passes took?  Energy-like
+// (kg m^2); negative, summed over all parts, if not.
+real pile_leads_on(const push_pile *s, int part);
+
 // Momentum between passes (Nesterov 1983): from where the last two passes led,
 // on by a share of the way from where those before them had led.
-// Does that lead on, the way that the last two passes took?  Energy-like
-// (kg m^2); negative if not, summed over all parts.
-real pile_leads_on(const push_pile *s, int part);
 void pile_lean(push_pile *s, int part, real share, push_options options);
 
 // A body's four particles go where it was pushed.

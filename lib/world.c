@@ -70,8 +70,8 @@ static status check_options(const world_options *o)
         { "mend",        o->mend,                 0, 1 },
         { "mend_speed",  o->mend_speed,           0, 1e9 },
         { "skin",        o->skin,                 0, 1 },
-        // 12 mends at once where sticks leave a twelfth of a push.
         { "stay",        o->stay,                 0, 0.01 },
+        // 12 mends at once where sticks leave a twelfth of a push.
         { "gain",        o->response.gain,        0, 12 },
         { "friction",    o->response.friction,    0, 1000 },
         { "restitution", o->response.restitution, 0, 1 },
@@ -112,11 +112,10 @@ status world_init(world *w, world_options options)
 
 status world_add_plane(world *w, vec3 normal, real offset)
 {
-    const int most = (int)(sizeof w->plane / sizeof *w->plane);
     real length = vec3_length(normal);
     assert(!w->ready);
-    if (w->planes == most)
-        return status_fail("a world has room for %d planes", most);
+    if (w->planes == PLANES)
+        return status_fail("a world has room for %d planes", PLANES);
     real away = offset / length;
     if (!(length > 0) || !(length < HUGE_VAL) || !(away - away == 0))
         return status_fail("plane %d has no finite normal and offset",
@@ -393,6 +392,24 @@ static int size_particles(particle_tables *t, const particle_pool *pool,
     return 1;
 }
 
+static int size_bodies(world *w)
+{
+    size_t bodies = at_least_one(w->bodies);
+    w->moves    = calloc(bodies, 1);
+    w->still    = calloc(bodies, 1);
+    w->fresh    = calloc(bodies, 1);
+    w->looked   = calloc(bodies, 1);
+    w->collided = calloc(bodies, 1);
+    w->side     = calloc(bodies, 1);
+    w->sided    = malloc(bodies * sizeof *w->sided);
+    w->ball     = calloc(bodies, sizeof *w->ball);
+    w->spread   = calloc(bodies, sizeof *w->spread);
+    w->listed   = calloc(bodies, sizeof *w->listed);
+    w->wall     = calloc(bodies, sizeof *w->wall);
+    return w->moves && w->still && w->fresh && w->looked && w->collided
+        && w->side && w->sided && w->ball && w->spread && w->listed && w->wall;
+}
+
 // What bodies of four particles need.
 static int size_pushes(world *w)
 {
@@ -403,18 +420,11 @@ static int size_pushes(world *w)
     w->old_push  = malloc(pushes * sizeof *w->old_push);
     w->old_pushed = malloc(pushes * sizeof *w->old_pushed);
     w->near_push = malloc(pushes * sizeof *w->near_push);
-    w->wall      = calloc(bodies, sizeof *w->wall);
     w->ways      = calloc(bodies, sizeof *w->ways);
     w->drift     = calloc(bodies + PILE_PARTS, sizeof *w->drift);
     w->in_parts  = malloc(pushes * sizeof *w->in_parts);
-    w->side      = calloc(bodies, 1);
-    w->sided     = malloc(bodies * sizeof *w->sided);
-    w->fresh     = calloc(bodies, 1);
-    w->looked    = calloc(bodies, 1);
-    w->listed    = calloc(bodies, sizeof *w->listed);
     return w->push && w->pushed && w->old_push && w->old_pushed
-        && w->near_push && w->wall && w->ways && w->drift && w->fresh
-        && w->looked && w->listed && w->in_parts && w->side && w->sided;
+        && w->near_push && w->ways && w->drift && w->in_parts;
 }
 //<
 
@@ -434,7 +444,6 @@ static int size_buffers(world *w)
     size_t pairs = at_least_one(w->pair_capacity);
     size_t contacts = at_least_one(w->contact_capacity);
     w->met       = malloc(pairs * sizeof *w->met);
-    w->moves     = calloc(at_least_one(w->bodies), 1);
     w->pair      = malloc(pairs * sizeof *w->pair);
     w->old_pair  = malloc(pairs * sizeof *w->old_pair);
     w->contact   = malloc(contacts * sizeof *w->contact);
@@ -446,10 +455,6 @@ static int size_buffers(world *w)
     w->leaf_met  = calloc(at_least_one(leaves), sizeof *w->leaf_met);
     w->hull      = malloc(at_least_one(faces) * sizeof *w->hull);
     w->hull_face = malloc(at_least_one(faces) * sizeof *w->hull_face);
-    w->still      = calloc(at_least_one(w->bodies), 1);
-    w->collided  = calloc(at_least_one(w->bodies), 1);
-    w->ball      = calloc(at_least_one(w->bodies), sizeof *w->ball);
-    w->spread    = calloc(at_least_one(w->bodies), sizeof *w->spread);
     w->found     = malloc(at_least_one(w->planes * w->corners
                                        + PAIR_CONTACTS * w->pair_capacity)
                           * sizeof *w->found);
@@ -461,11 +466,9 @@ static int size_buffers(world *w)
         if (!w->hit[half] || !w->swept[half] || !w->needed[half]) return 0;
     }
     w->orders    = order_scratch_new(sticks);
-    return w->met && w->moves
-        && w->pair && w->old_pair && w->contact && w->between && w->near
-        && w->point && w->leaf_pair && w->leaf_met && w->hull && w->hull_face
-        && w->still && w->collided && w->ball && w->spread && w->found
-        && w->orders;
+    return w->met && w->pair && w->old_pair && w->contact && w->between
+        && w->near && w->point && w->leaf_pair && w->leaf_met && w->hull
+        && w->hull_face && w->found && w->orders;
 }
 //<
 
@@ -511,7 +514,8 @@ status world_begin(world *w)
     size_lists(w);
     w->corners = place_vertices(w);
     if (!size_particles(&w->of, &w->pool, w->corners)
-        || !size_buffers(w) || !size_pushes(w) || !size_lines(w))
+        || !size_bodies(w) || !size_buffers(w) || !size_pushes(w)
+        || !size_lines(w))
         return status_out_of_memory();
     // The trees were built to the plans; now they stand where the bodies do.
     for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);

@@ -150,7 +150,8 @@ typedef struct {
 //<
 
 //> world-struct
-// Some pushes of a frame, one after the other.
+// Some contacts of a frame, one after the other: of bodies of four particles in
+// `push`, of others in `contact`.
 typedef struct {
     int  first, count;
     real margin;        // m, all that are nearer are there; 0: none are, or
@@ -168,7 +169,8 @@ typedef struct {
     int  found;         // contacts
     int  guard;         // 1: and one beside them, contacts_have_guard
     real margin;        // m, all that are nearer are found
-    push_run run, was;  // this frame's contacts; the last one's, in old_push
+    push_run run, was;  // this frame's contacts; the last one's (pushes: in
+                        // old_push)
 } inquiry;
 
 typedef struct {
@@ -322,7 +324,7 @@ status world_add(world *w, const shape *s, placement where, int *number);
 // seventh plane, a normal without direction, numbers that are not finite.
 status world_add_plane(world *w, vec3 normal, real offset);
 
-// Nails particle i of body b where it is, which is not one of four.  Before
+// Nails particle i of body b, which is not of four, where it is.  Before
 // world_begin.
 void   world_nail(world *w, int b, int i);
 
@@ -333,13 +335,14 @@ status world_begin(world *w);
 // Body b as the queries see it: its places as of the last world_look.
 collider world_collider(const world *w, const body *b);
 
-// Copies where the particles of body b are for the queries.
+// Tells the queries where the vertices of body b are now.
 void   world_look(world *w, const body *b);
 
 // The same, and brings the body's tree up to date.
 void   world_look_again(world *w, body *b);
 
-// How body b, of four particles, can move as it lies now.
+// Finds how body b can move as it lies now, in w->ways; nothing, unless it is
+// of four particles.
 void   world_find_ways(world *w, const body *b);
 
 // Neither nailed nor asleep.
@@ -348,9 +351,10 @@ static inline int body_moves(const world *w, int b)
     return w->body[b].mass < HUGE_VAL && !w->rest.asleep[b];
 }
 
-// Where the vertices of body b are, now.
+// Writes to at where the vertices of body b are now: plan->particles of them.
 void   world_vertices(const world *w, const body *b, vec3 *at);
 
+// How many particles body b has in the pool: four, or one at every vertex.
 static inline int body_particles(const body *b)
 {
     return b->four ? FOUR : b->plan->particles;

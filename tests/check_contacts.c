@@ -3,30 +3,8 @@
 #include <check.h>
 #include <stdlib.h>
 
+#include "blocks.h"
 #include "contacts.h"
-#include "stage.h"
-
-// A few products of numbers near 1.
-#define ROUNDING 1e-13
-
-static shape box, slab, ball, rope;
-
-static void set_up(void)
-{
-    ck_assert(shape_box(&box, vec3_make(1, 1, 1), 1).ok);
-    ck_assert(shape_box(&slab, vec3_make(4, 0.5, 4), 8).ok);
-    ck_assert(shape_icosahedron(&ball, 0.5, 2).ok);
-    ck_assert(shape_rope(&rope, 5, 1, 1).ok);
-}
-
-static void tear_down(void)
-{
-    world_free(&w);
-    shape_free(&box);
-    shape_free(&slab);
-    shape_free(&ball);
-    shape_free(&rope);
-}
 
 static feature_point any_feature(int count, int vertices)
 {

@@ -3,43 +3,15 @@
 #include <check.h>
 #include <stdlib.h>
 
+#include "blocks.h"
 #include "narrow.h"
 #include "pairs.h"
-#include "stage.h"
 
-// A few products of numbers near 1.
-#define ROUNDING 1e-13
-
-static shape box, slab, ball;
-
-static void set_up(void)
-{
-    ck_assert(shape_box(&box, vec3_make(1, 1, 1), 1).ok);
-    ck_assert(shape_box(&slab, vec3_make(4, 0.5, 4), 8).ok);
-    ck_assert(shape_icosahedron(&ball, 0.5, 2).ok);
-}
-
-static void tear_down(void)
-{
-    world_free(&w);
-    shape_free(&box);
-    shape_free(&slab);
-    shape_free(&ball);
-}
-
-// As the step begins a frame.
 static void find(void)
 {
-    w.report = (step_report){ .substeps = w.options.substeps };
-    rest_begin(&w.rest);
+    begin_frame();
     pairs_find(&w);
     narrow_find(&w);
-}
-
-// Contacts of either kind.
-static int contacts(void)
-{
-    return w.contacts + w.pushes;
 }
 
 // Rejects: an immovable body that is A; contacts that keep no skin, or one skin

@@ -17,14 +17,15 @@ moving=figures/moving.webp
 head -c 64 $moving | tr -d '\0\n' | LC_ALL=C grep -aq 'RIFF.*WEBP.*ANIM' || fault "$moving does not move"
 [ "$(wc -c < $moving)" -lt 2000000 ] || fault "$moving has more than 2 MB"
 
-# Goals are the words after make, up to two blanks, that are no variables: in the
-# help, in blocks of commands, and between backticks.
+# Goals are the words after make, up to two blanks, that are no variables and no
+# files: in the help, in blocks of commands, and between backticks.  (Pages are
+# not for echo, which may take the \c of a formula for their end.)
 known=$(make -pn help 2> /dev/null | sed -n 's/^\([a-z0-9][a-z0-9_-]*\):.*/\1/p')
-pages=$(cat README.md exercises/README.md chapters/[0-9]*.md)
-goals=$({ make -s help | grep -o '^  make [a-z0-9][a-z0-9_ -]*'
-    echo "$pages" | awk '/^```/ { inside = !inside && /```sh$/ } inside' | grep -o '^make [a-z0-9][a-z0-9_ -]*'
-    echo "$pages" | grep -o '`make [a-z0-9][a-z0-9_ -]*'
-} | sed 's/^ *`*make //; s/  .*//' | tr ' ' '\n' | grep . | sort -u)
+pages() { cat README.md exercises/README.md chapters/[0-9]*.md; }
+goals=$({ make -s help | grep -o '^  make [a-z0-9][a-z0-9_ /-]*'
+    pages | awk '/^```/ { inside = !inside && /```sh$/ } inside' | grep -o '^make [a-z0-9][a-z0-9_ /-]*'
+    pages | grep -o '`make [a-z0-9][a-z0-9_ /-]*'
+} | sed 's/^ *`*make //; s/  .*//' | tr ' ' '\n' | grep . | grep -v / | sort -u)
 for goal in $goals; do
     echo "$known" | grep -qx "$goal" || fault "there is no command  make $goal"
 done

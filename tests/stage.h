@@ -103,6 +103,19 @@ static inline particle *particle_of(int b, int i)
     return &w.pool.at[w.body[b].first + i];
 }
 
+// As the step begins a frame.
+static inline void begin_frame(void)
+{
+    w.report = (step_report){ .substeps = w.options.substeps };
+    rest_begin(&w.rest);
+}
+
+// Contacts of either kind.
+static inline int contacts(void)
+{
+    return w.contacts + w.pushes;
+}
+
 // As the step does, without its orders.
 static inline void integrate(void)
 {

@@ -4,6 +4,8 @@
 // index 1: gap, ns and iterations cold, carried, carried with a margin of 2 cm
 // index 2: points, ns of one support by scan and by climb, and of a whole query
 //          without and with a ring
+// index 3: questions a cold search of two icosahedra asks, from any corner, from
+//          the corner from middle to middle, and as gjk_distance begins
 // Columns are separated by spaces.
 
 #include "04-pairs.h"
@@ -188,6 +190,33 @@ static void support_by_points(void)
     }
 }
 
+static vec3 middle(point_set p)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int i = 0; i < p.count; i++) sum = vec3_add(sum, p.at[i]);
+    return vec3_scale(1 / (real)p.count, sum);
+}
+
+// The corner from middle to middle costs a question, any other does not.
+static void questions_by_start(void)
+{
+    gjk_options o = gjk_options_default();
+    long any = 0, between = 0, three = 0;
+    for (int i = 0; i < PAIRS; i++) {
+        point_set a = points_of(&pair[i].a), b = points_of(&pair[i].b);
+        vec3 d = vec3_sub(middle(b), middle(a));
+        simplex first = { .count = 1, .weight = { 1 } }, facing = first;
+        facing.a[0] = support_scan(a, d);
+        facing.b[0] = support_scan(b, vec3_scale(-1, d));
+        any += gjk_distance(a, b, o, &first).iterations;
+        between += 1 + gjk_distance(a, b, o, &facing).iterations;
+        three += gjk_distance(a, b, o, NULL).iterations;
+    }
+    printf("\n\n# questions from_any_corner from_middle_to_middle as_we_begin\n"
+           "%.2f %.2f %.2f\n", (double)any / PAIRS, (double)between / PAIRS,
+           (double)three / PAIRS);
+}
+
 int main(void)
 {
     printf("# 04-distance: GJK on %d pairs of icosahedra of circumradius 0.5 m,"
@@ -197,5 +226,7 @@ int main(void)
     by_cap();
     by_gap();
     support_by_points();
+    prepare(0.05);
+    questions_by_start();
     return 0;
 }

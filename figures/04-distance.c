@@ -82,7 +82,9 @@ static void by_cap(void)
 static void by_gap(void)
 {
     const real gap[] = { 0.3, 0.05, 0.005, 1e-5, -0.005, -0.1 };
-    printf("# gap cold_ns iterations carried_ns iterations margin_ns\n");
+    printf("# gap cold_ns iterations carried_ns iterations margin_ns\n"
+           "#gaps| \"gap, m\",\"cold, ns\",support points,\"carried, ns\","
+           "support points\n");
     for (int g = 0; g < 6; g++) {
         gjk_options o = gjk_options_default(), near = o;
         double e, m, n;
@@ -91,6 +93,7 @@ static void by_gap(void)
         double cold = run(0, o, &e, &m), warm = run(1, o, &e, &n), j;
         printf("%g %.0f %.2f %.0f %.2f %.0f\n", gap[g], cold, m, warm, n,
                run(1, near, &e, &j));
+        printf("#gaps| %g,%.0f,%.1f,%.0f,%.2f\n", gap[g], cold, m, warm, n);
     }
     printf("\n\n");
 }
@@ -168,7 +171,9 @@ static void support_by_points(void)
     for (int i = 1; i < CALLS; i++)
         way[i] = vec3_unit(vec3_add_scaled(way[i - 1], 0.36,
                                            random_direction()));
-    printf("# points scan_ns climb_ns query_ns query_with_ring_ns\n");
+    printf("# points scan_ns climb_ns query_ns query_with_ring_ns\n"
+           "#points| points,\"one scan, ns\",\"one climb, ns\","
+           "\"a query without a ring, ns\",\"with a ring, ns\"\n");
     for (int level = 0; level <= 3; level++) {
         double scan = HUGE_VAL, climb = HUGE_VAL;
         ball_make(&b, level);
@@ -185,8 +190,11 @@ static void support_by_points(void)
             scan = fmin(scan, (middle - start) / CALLS);
             climb = fmin(climb, (end - middle) / CALLS);
         }
-        printf("%d %.0f %.0f %.0f %.0f\n", b.count, scan, climb,
-               query_ns(&b, 0), query_ns(&b, 1));
+        double scanned = query_ns(&b, 0), climbed = query_ns(&b, 1);
+        printf("%d %.0f %.0f %.0f %.0f\n", b.count, scan, climb, scanned,
+               climbed);
+        printf("#points| %d,%.0f,%.0f,%.0f,%.0f\n", b.count, scan, climb,
+               scanned, climbed);
     }
 }
 

@@ -261,7 +261,9 @@ static void by_gap(hit_scratch *scratch)
 {
     const real gap[] = { -1e-5, -0.005, -0.02, -0.1, -0.3 };
     printf("# gap gjk_ns both_ns carried_ns hit_iterations "
-           "remembered_ns\n");
+           "remembered_ns\n"
+           "#depths| \"depth, m\",\"GJK alone, ns\",\"GJK and hit face, ns\","
+           "\"both, carried, ns\",expansions,\"remembered, ns\"\n");
     for (int g = 0; g < 5; g++) {
         double e, n, m;
         prepare(gap[g], scratch);
@@ -269,8 +271,11 @@ static void by_gap(hit_scratch *scratch)
         double gjk = run(0, 0, scratch, &e, &m);
         double both = run(1, 0, scratch, &e, &n);
         double carried = run(1, 1, scratch, &e, &m);
+        double again = run(3, 1, scratch, &e, &m);
         printf("%g %.0f %.0f %.0f %.2f %.0f\n", gap[g], gjk, both, carried, n,
-               run(3, 1, scratch, &e, &m));
+               again);
+        printf("#depths| %g,%.0f,%.0f,%.0f,%.1f,%.0f\n", -gap[g], gjk, both,
+               carried, n, again);
     }
 }
 

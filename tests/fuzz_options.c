@@ -125,7 +125,8 @@ static void read_numbers(bytes *in)
         const void *from = size == sizeof x ? (void *)&x : (void *)&whole;
         memcpy((char *)&how + at, from, size);
     }
-    how.clock = NULL;
+    how.clock = NULL;       // no program is asked to call any bytes
+    how.both = NULL;
     build(kind, what, how);
 }
 

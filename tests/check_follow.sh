@@ -152,6 +152,11 @@ if command -v setsid > /dev/null && env --default-signal=INT true 2> /dev/null; 
     : > "$tree/said"
     interrupt "Ctrl-C ends it"
 fi
+refuses "one that is not there" 'There is no exercise 01/none' make exercise 01/none
+if grep -qF '***' "$tree/said"; then verdict "make adds no word" no; else verdict "make adds no word" yes; fi
+if make exercise 01/step 01/drag > "$tree/said" 2>&1; then verdict "two at a time" no; else also "two at a time" 'One exercise at a time.'; fi
+says "on paper nothing is run" 'exercises/run.sh reset' make -n reset 01/step
+says "what is well ends well"  '[ ] 01/step' make exercise 01
 refuses "watch what?"     'Watch which chapter or exercise?' make -s watch
 refuses "no such one"     'There is no exercise 01/none'     make -s watch 01/none
 

@@ -56,7 +56,8 @@ file == 2 && /: Assertion .* failed\.$/ && report == "" {
     fault[now] = assert_fault($0)
 }
 file == 2 {
-    if (report != "" && !(now in place)) find_place()
+    if (report == "endless") find_loop()
+    else if (report != "" && !(now in place)) find_place()
     if (report == "" && $0 != "" && $0 !~ /DEADLYSIGNAL|^=====/ && ++printed_lines[now] <= 20) printed[now] = printed[now] "      " $0 "\n"
     next
 }
@@ -114,12 +115,35 @@ function assert_fault(text,    what, where)
 }
 
 # The first line of the reader's own file in a report.
-function find_place(    text)
+function find_place(    line)
 {
-    if (!match($0, "(^|/)" mine_pattern ":[0-9]+")) return
+    line = line_in(mine_pattern)
+    if (line != "") place[now] = line
+}
+
+# The line of that file which is named here; nothing if none is.
+function line_in(file_pattern,    text)
+{
+    if (!match($0, "(^|/)" file_pattern ":[0-9]+")) return ""
     text = substr($0, RSTART, RLENGTH)
     sub(/.*:/, "", text)
-    place[now] = text
+    return text
+}
+
+# Where a test without end was stopped, and from where that was called: lines of
+# the reader's file, and at last the test's.  (The stack begins with the judge, and
+# goes on with Check behind the test.)
+function find_loop(    line)
+{
+    if (now in waits) return
+    if ((line = line_in(mine_pattern)) != "") {
+        if (!(now in place)) place[now] = line
+        else if (line != last_line && ++calls[now] <= 4) place[now] = place[now] ", called from line " line
+        last_line = line
+    } else if ((line = line_in(test_pattern)) != "") {
+        waits[now] = ARGV[1] ", line " line
+        if (now in place) place[now] = place[now] ", called from " waits[now]
+    }
 }
 
 # What is wrong with a test that did not pass.
@@ -134,6 +158,7 @@ function sentence(test,    m)
         gsub(/\n/, "\n  ", m)
         return m ((m ~ /[^a-z]-?nan[^a-z(]/) ? "\n  (nan is no number: 0 was divided by 0, or a root taken of less than 0.)" : "")
     }
+    if (!(test in place) && test in waits) return "The test " fault[test] ": what your code gives keeps it waiting, " waits[test] "."
     return "Your code " fault[test] (test in place ? ": " (test in file_of ? file_of[test] : mine) ", line " place[test] : "") "."
 }
 
@@ -155,7 +180,11 @@ function wrapped(text,    n, word, i, all, length_now)
     return " " all
 }
 
-BEGIN { mine_pattern = mine; gsub(/\./, "[.]", mine_pattern); if (!seconds) seconds = 5 }
+BEGIN {
+    mine_pattern = mine; gsub(/\./, "[.]", mine_pattern)
+    test_pattern = ARGV[1]; sub(/.*\//, "", test_pattern); gsub(/\./, "[.]", test_pattern)
+    if (!seconds) seconds = 5
+}
 
 END {
     if (!ran) {

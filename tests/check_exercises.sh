@@ -177,6 +177,10 @@ refuses "an exercise that is not there" 'there is no such exercise'
 
 # ---- the reader's runner, and the accidents of code
 
+# clang knows the lines only with llvm-symbolizer, which may not be there.
+lines=true
+if ${CC:-cc} --version | grep -q clang && ! command -v llvm-symbolizer > /dev/null; then lines=false; fi
+
 sound
 reply=
 answers "it begins with the task"        'Write sum, which adds up' exercise 99/sum
@@ -197,13 +201,18 @@ tells "no number"          'nan is no number'              'all = 0 / (all - n *
 tells "a null pointer"     'Your code follows a null pointer (a segmentation fault): mine.c, line 13' 'x = NULL; all = x[0];'
 tells "a segfault"         'Your code follows a pointer that leads nowhere (a segmentation fault)' 'x += 1ll << 44; all = x[n];'
 tells "an endless loop"    'Your code does not end (stopped after 1 seconds of computing)' 'while (spare) all += x[0];'
+if $lines; then also "where it turns" "mine.c, line 13, called from $dir/check.c, line 7."; fi
 also "the tests after it"  '1 more were not tried'
+tells "a loop that is called" 'Your code does not end' 'static int deep; if (deep++) while (spare) all += x[0];\n all = sum(x, n);'
+if $lines; then also "by whom" 'mine.c, line 13, called from line 14, called from'; fi
+change check.c 's/real got = sum(some, 3);/real got = sum(some, 3); while (got != 6) ;/'
+tells "a test that is kept waiting" 'The test does not end' 'all = 7;'
+if $lines; then also "by what" "what your code gives keeps it waiting, $dir/check.c, line 7."; fi
+sound
 tells "a leak"             'Your code does not free all that it allocates (a leak of 7 bytes): mine.c' 'for (int i = 0; i < n; i++) all += x[i]; char *volatile lost = malloc(7); lost = NULL;'
 tells "an exit"            'Your code ends the whole program (exit)' 'exit(spare - 1);'
 tells "an overrun"         'Your code reads outside an array' 'for (int i = 0; i <= n; i++) all += x[i];'
-# clang knows the line only with llvm-symbolizer, which may not be there.
-if ${CC:-cc} --version | grep -q clang && ! command -v llvm-symbolizer > /dev/null
-then :; else also "where it reads" 'outside an array: mine.c, line 13'; fi
+if $lines; then also "where it reads" 'outside an array: mine.c, line 13'; fi
 tells "an overrun by writing" 'Your code writes outside an array' 'char *volatile p = malloc(3); p[n] = 1; free(p);'
 tells "an overrun that the compiler sees" 'Your code reaches outside an array' 'volatile char p[3]; p[n] = 1; all = p[0];'
 tells "memory given back"  'Your code reads memory that it has given back' 'char *p = malloc(4); free(p); all = p[n];'

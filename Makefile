@@ -96,14 +96,16 @@ deps deps-book deps-dev deps-peers:
 demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
 	$(Q)mkdir -p $(BUILD)/demo
 	$(Q)for scene in room cloth-on-cube cloth-on-rope; do \
-	  $(BUILD)/tumble $$scene --film $(BUILD)/demo/$$scene.png || exit 1; done
+	  $(BUILD)/tumble $$scene --film $(BUILD)/demo/$$scene.png || { \
+	  $(if $(MINE),echo "The scene $$scene fails with $(MINE); what is not so says\
+	    make test MINE='$(MINE)'" >&2;) exit 1; }; done
 	$(Q)$(foreach f,$(FIGURES_09),$(call draw,$f,$(BUILD)/demo) &&) true
 	@echo "The pictures and charts are in $(BUILD)/demo:" && ls $(BUILD)/demo/*.png
 
 # Every test runs, even if another one fails or does not build.
 test:
 	@unbuilt=; $(MAKE) -k --no-print-directory checks || unbuilt=1; \
-	MINE= BUILD='$(BUILD)' UNBUILT=$$unbuilt sh tests/run.sh $(CHECKS) $(wildcard tests/check_*.sh)
+	MINE= YOURS='$(MINE)' BUILD='$(BUILD)' UNBUILT=$$unbuilt sh tests/run.sh $(CHECKS) $(wildcard tests/check_*.sh)
 
 #:
 #: Read and learn
@@ -117,7 +119,7 @@ test:
 #:   make library    build/libtumble.a
 #:   make install    the library, its headers and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS:%=test-%): test-%:
-	$(Q)$(if $(TESTS_$*),sh tests/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
+	$(Q)$(if $(TESTS_$*),YOURS='$(MINE)' sh tests/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
 $(MADE): %: test-%
 	$(Q)$(foreach f,$(FIGURES_$@),$(call draw,$f,$(BUILD)/figures) &&) true
 	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh chapter $@

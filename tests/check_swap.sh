@@ -29,12 +29,24 @@ wrong() { sed 's|force, 1, dt \* dt|force, 1, -dt * dt|' lib/verlet.c; }
 wrong > "$tree/b/verlet.c"
 sleep 0.01
 cp lib/verlet.c lib/constraint.c "$tree/a"
+# also NAME SENTENCE: it said this, too.
+also() { if grep -qF -- "$2" "$tree/said"; then verdict "$1" yes; else verdict "$1" no; fi; }
+
 refuses "a wrong module is seen"    'FAILED: check_verlet'  build test-01 MINE="$tree/b/verlet.c"
+also    "and how many tests"        "check_verlet: 13 of 26 tests pass with $tree/b/verlet.c.  These do not:"
+also    "which, and where"          "  force_and_gravity_add_up  (tests/check_verlet.c, line $(sed -n '/(force_and_gravity/=' tests/check_verlet.c))"
+also    "and what it wanted"        '  x: got -1.875, wanted 1.5'
+if grep -q ':F:\|Running suite' "$tree/said"; then verdict "and no line of Check's" no; else verdict "and no line of Check's" yes; fi
 says    "a right one passes"        'All passed: 1 programs' build test-01 MINE="$tree/a/verlet.c"
+also    "with its name"             "check_verlet: all 26 tests pass with $tree/a/verlet.c."
 refuses "the older one is seen"     'FAILED: check_verlet'  build test-01 MINE="$tree/b/verlet.c"
 wrong > "$tree/a/verlet.c"
 refuses "a change is seen"          'FAILED: check_verlet'  build test-01 MINE="$tree/a/verlet.c"
 if [ -e "$tree/build/lib" ]; then verdict "ours is not touched" no; else verdict "ours is not touched" yes; fi
+sed 's|^    advance(p, n, gravity, force, 1, dt|    abort();\n&|; 1i #include <stdlib.h>' lib/verlet.c > "$tree/b/verlet.c"
+refuses "one that stops"            'It stops the program: Aborted.' build test-01 MINE="$tree/b/verlet.c"
+refuses "stops the demo"            "The scene room fails with $tree/b/verlet.c" build demo MINE="$tree/b/verlet.c"
+wrong > "$tree/b/verlet.c"
 says    "without it, ours is back"  'All passed: 1 programs' build test-01
 says    "several files"             'All passed: 1 programs' build test-02 MINE="$tree/a/constraint.c lib/verlet.c"
 refuses "of two, the wrong one"     'FAILED: check_constraint' build test-02 MINE="$tree/a/constraint.c $tree/b/verlet.c"

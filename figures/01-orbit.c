@@ -3,6 +3,7 @@
 
 #include "verlet.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #ifndef FLAGS
@@ -26,13 +27,19 @@ int main(void)
     real dt = 2 * 3.14159265358979323846 / STEPS;
     euler_particle e = { x0, v0, 1 };
     particle p = particle_start(x0, v0, pull(x0), 1, dt);
+    real nearest = 1, furthest = 1, end = 1;
     for (int k = 0; k <= ORBITS * STEPS; k++) {
         printf("%.5f %.5f %.5f %.5f\n", e.position.x, e.position.y,
                p.position.x, p.position.y);
+        nearest = fmin(nearest, vec3_length(p.position));
+        furthest = fmax(furthest, vec3_length(p.position));
+        end = vec3_length(e.position);
         vec3 force = pull(e.position);
         euler_step_explicit(&e, 1, none, &force, dt);
         force = pull(p.position);
         verlet_step(&p, 1, none, &force, dt);
     }
+    printf("# Euler ends at %.2f radii; Verlet stays between %.4f and %.4f\n",
+           end, nearest, furthest);
     return 0;
 }

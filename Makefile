@@ -39,7 +39,7 @@ FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*.c)))
 PEERS    := $(wildcard figures/peers*.c)
 # These two, and nothing else, need libccd and ODE.
 THEIRS   := figures/peers_ccd.c figures/peers_ode.c
-PAINTER  := $(filter-out figures/tumble.c figures/moving.c $(PEERS),$(wildcard figures/[a-z]*.c))
+PAINTER  := $(filter-out figures/tumble.c figures/moving.c figures/shrink.c $(PEERS),$(wildcard figures/[a-z]*.c))
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
 FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz_*.c)))
 
@@ -237,6 +237,7 @@ figures: $(FIGURES:%=$(BUILD)/figures/%) moving
 moving: $(BUILD)/figures/moving
 	@echo "  draw  figures/moving.webp"
 	$(Q)sh figures/moving.sh $< figures/moving.webp
+figures $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%) speed profile: $(BUILD)/shrink
 $(CHAPTERS:%=figure-%):
 	$(Q)$(foreach f,$(FIGURES_$(@:figure-%=%)),$(call draw,$f,figures) &&) true
 $(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%
@@ -335,11 +336,12 @@ objects: $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(THEIRS),\
 theirs: $(THEIRS:%.c=$(BUILD)/%.o)
 
 # A figure with a .gp prints data, which gnuplot draws; one without paints its
-# own picture, whose name is its argument.
+# own picture, whose name is its argument.  The book's are shrunk.
 draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/$1.gp),\
   $(BUILD)/figures/$1 > $2/$1.csv.new && mv $2/$1.csv.new $2/$1.csv && \
   LC_ALL=C.UTF-8 gnuplot -e "csv='$2/$1.csv'; png='$2/$1.png'" figures/$1.gp,\
-  $(BUILD)/figures/$1 $2/$1.png)$(if $(filter figures,$2), && sh figures/stamp.sh $1)
+  $(BUILD)/figures/$1 $2/$1.png)$(if $(filter figures,$2), && \
+  $(BUILD)/shrink $2/$1.png && sh figures/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body obj \
@@ -385,6 +387,9 @@ $(addprefix $(BUILD)/tests/fuzz_,gjk hit_face): \
 # those of chapter 15 draw what the hard cases measure.
 $(patsubst %,$(BUILD)/figures/%,$(filter 15-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
 $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, ,$$*))) $(BUILD)/libpainter.a
+	$(call link,-lpng -lm)
+
+$(BUILD)/shrink: $(BUILD)/figures/shrink.o $(BUILD)/lib/status.o $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
 
 $(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a

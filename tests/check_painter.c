@@ -5,6 +5,7 @@
 #define _XOPEN_SOURCE 700
 
 #include "output.h"
+#include "pack.h"
 #include "painter.h"
 
 #include <check.h>
@@ -175,6 +176,65 @@ START_TEST(a_check_leaves_no_trace)
     ck_assert(!exists(in_folder("maybe")));
     ck_assert(!exists(in_folder("maybe.part")));
     ck_assert(!output_check(in_folder("none/maybe")).ok);
+}
+END_TEST
+
+// A chart: letters and bars on white.
+static void paint_packed(picture *p)
+{
+    ck_assert(picture_init(p, 300, 200, vec3_make(1, 1, 1)).ok);
+    for (int i = 0; i < 9; i++) {
+        picture_box(p, 20 + 30 * i, 150 - 9 * i, 20, 9 * i, colour_hex(0x0072b2));
+        picture_text(p, 20 + 30 * i, 180, 12, colour_hex(0xd55e00), "how");
+    }
+    ck_assert(picture_write(p, in_folder("pack.png")).ok);
+}
+
+static long bytes_in(const char *path)
+{
+    struct stat there;
+    return stat(path, &there) == 0 ? (long)there.st_size : -1;
+}
+
+// Rejects: a row less; red for blue; the way that is larger; growing again.
+START_TEST(a_packed_picture_has_the_same_points_in_fewer_bytes)
+{
+    picture p;
+    paint_packed(&p);
+    const char *path = in_folder("pack.png");
+    int width, height, again_width, again_height;
+    long before = bytes_in(path);
+    unsigned char *b = read_png(path, &width, &height);
+    status s = picture_pack(path);
+    ck_assert_msg(s.ok, "%s", s.why);
+    ck_assert_msg(bytes_in(path) < before, "%ld bytes, before %ld",
+                  bytes_in(path), before);
+    unsigned char *again = read_png(path, &again_width, &again_height);
+    ck_assert(again_width == width && again_height == height);
+    ck_assert(memcmp(b, again, (size_t)(3 * width * height)) == 0);
+    long packed = bytes_in(path);
+    ck_assert(picture_pack(path).ok && bytes_in(path) == packed);
+    free(b);
+    free(again);
+    picture_free(&p);
+}
+END_TEST
+
+// Rejects: bytes from nowhere where there is no picture, or half a one.
+START_TEST(what_is_no_picture_is_not_packed)
+{
+    picture p;
+    paint_packed(&p);
+    const char *path = in_folder("pack.png");
+    ck_assert(truncate(path, bytes_in(path) / 2) == 0);
+    long half = bytes_in(path);
+    status s = picture_pack(path);
+    ck_assert(!s.ok && strstr(s.why, "pack.png: "));
+    ck_assert_int_eq(bytes_in(path), half);
+    s = picture_pack(in_folder("none.png"));
+    ck_assert(!s.ok && strstr(s.why, "none.png: "));
+    ck_assert(!exists(in_folder("none.png")));
+    picture_free(&p);
 }
 END_TEST
 
@@ -703,6 +763,8 @@ static Suite *painter_suite(void)
     tcase_add_test(t, an_old_file_stays_until_the_new_one_is_whole);
     tcase_add_test(t, a_link_stays_a_link);
     tcase_add_test(t, a_check_leaves_no_trace);
+    tcase_add_test(t, a_packed_picture_has_the_same_points_in_fewer_bytes);
+    tcase_add_test(t, what_is_no_picture_is_not_packed);
     tcase_add_test(t, every_letter_is_drawn_and_no_two_alike);
     tcase_add_test(t, letters_are_cut_at_the_rim);
     tcase_add_test(t, text_is_as_wide_as_it_measures);
@@ -734,7 +796,8 @@ int main(void)
     srunner_run_all(runner, CK_NORMAL);
     int failed = srunner_ntests_failed(runner);
     srunner_free(runner);
-    const char *made[] = { "bytes.png", "odd.png", "old", "link", "target" };
+    const char *made[] = { "bytes.png", "odd.png", "old", "link", "target",
+                           "pack.png" };
     for (size_t i = 0; i < sizeof made / sizeof *made; i++)
         remove(in_folder(made[i]));
     rmdir(folder);

@@ -37,7 +37,7 @@ static int run_and_print(int k, int bodies, trial *t)
 // What an order does beside the listed one, over all sizes of the room.
 static void print_shares(int k, const trial *listed, const trial *t)
 {
-    real least = INFINITY, most = 0, relaxed = 0, tested = 0;
+    real least = HUGE_VAL, most = 0, relaxed = 0, tested = 0;
     for (int i = 0; i < SIZES; i++) {
         real share = t[i].relaxed / listed[i].relaxed;
         least = fmin(least, share);

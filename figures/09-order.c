@@ -61,7 +61,7 @@ int main(void)
             if (!run_and_print(k, 10 * (i + 1), &t[k][i])) return 1;
         printf("\n\n");
     }
-    printf("#shares| order,\"relaxed, from ten sizes\",\"relaxed, mean\","
+    printf("#shares| order,\"relaxed, least to most\",\"relaxed, mean\","
            "\"looked at, mean\"\n");
     for (int k = 1; k < ORDERS; k++) print_shares(k, t[0], t[k]);
     return 0;

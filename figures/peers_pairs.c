@@ -154,21 +154,24 @@ static void distance_cold(int block)
 {
     gjk_options o = gjk_options_default();
     for (int i = block * BLOCK; i < (block + 1) * BLOCK; i++)
-        told[COLD][i] = distance(&before[i], o, NULL).distance;
+        told[COLD][i] = gjk_distance(before[i].pa, before[i].pb, o,
+                                     NULL).distance;
 }
 
 static void distance_carried(int block)
 {
     gjk_options o = gjk_options_default();
     for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++)
-        told[WARM][i] = distance(&after[i], o, &carried[k]).distance;
+        told[WARM][i] = gjk_distance(after[i].pa, after[i].pb, o,
+                                     &carried[k]).distance;
 }
 
 static void margin_carried(int block)
 {
     gjk_options o = with_margin();
     for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++)
-        reached[i] = distance(&after[i], o, &carried[k]).status;
+        reached[i] = gjk_distance(after[i].pa, after[i].pb, o,
+                                  &carried[k]).status;
 }
 
 static void gjk_says(int block)

@@ -320,7 +320,7 @@ typedef struct {
 // The two bodies, and the power of two that brings A - B to a size whose sixth
 // power neither overflows nor underflows.
 typedef struct {
-    point_set a, b;
+    const point_set *a, *b;
     real scale;
     int  measured;      // scale comes from the size: 1 is only a first guess
     real far;           // largest squared length of a corner met so far
@@ -330,7 +330,7 @@ typedef struct {
 
 static inline vec3 corner_at(const pair *p, corner c)
 {
-    return vec3_scale(p->scale, vec3_sub(p->a.at[c.a], p->b.at[c.b]));
+    return vec3_scale(p->scale, vec3_sub(p->a->at[c.a], p->b->at[c.b]));
 }
 
 // A corner is met for the first time: is it the furthest so far?
@@ -722,7 +722,8 @@ static real set_extent(point_set p, vec3 base)
 // be none.
 static int pair_measure(pair *p)
 {
-    real ea = set_extent(p->a, p->a.at[0]), eb = set_extent(p->b, p->a.at[0]);
+    vec3 base = p->a->at[0];
+    real ea = set_extent(*p->a, base), eb = set_extent(*p->b, base);
     real extent = ea > eb ? ea : eb;
     if (!(ea <= 0x1p1020 && eb <= 0x1p1020)) return 0;
     // The largest double needs 30 steps; the smallest would need 32, but 31 do,
@@ -816,7 +817,7 @@ static void first_two(point_set p, vec3 d, int two[2])
 // with them are numbers, too.
 static inline corner support_along(const pair *p, vec3 d, corner from)
 {
-    return support_both(p->a, p->b, vec3_scale(p->scale, d), from,
+    return support_both(*p->a, *p->b, vec3_scale(p->scale, d), from,
                         p->near_home);
 }
 
@@ -825,11 +826,11 @@ static inline corner support_along(const pair *p, vec3 d, corner from)
 // are mostly near to what is sought.
 static int corners_first(const pair *p, corner *of)
 {
-    vec3 d = vec3_sub(middle_of(p->b), middle_of(p->a));
+    vec3 d = vec3_sub(middle_of(*p->b), middle_of(*p->a));
     d = vec3_scale(p->scale, vec3_scale(p->scale, d));
     int a[2], b[2];
-    first_two(p->a, d, a);
-    first_two(p->b, vec3_scale(-1, d), b);
+    first_two(*p->a, d, a);
+    first_two(*p->b, vec3_scale(-1, d), b);
     of[0] = (corner){ a[1], b[0] };
     of[1] = (corner){ a[0], b[1] };
     of[2] = (corner){ a[0], b[0] };
@@ -844,8 +845,8 @@ static void search_begin(search *s, pair *p, const simplex *start)
     search all;
     assert(count >= 0 && count <= 4);
     for (int c = 0; c < count; c++) {
-        assert(start->a[c] >= 0 && start->a[c] < p->a.count);
-        assert(start->b[c] >= 0 && start->b[c] < p->b.count);
+        assert(start->a[c] >= 0 && start->a[c] < p->a->count);
+        assert(start->b[c] >= 0 && start->b[c] < p->b->count);
         all.of[c] = (corner){ start->a[c], start->b[c] };
     }
     if (count == 0) count = corners_first(p, all.of);
@@ -855,8 +856,8 @@ static void search_begin(search *s, pair *p, const simplex *start)
     if (count == 4 || !search_grow(s, &all, p, all.of[count - 1], at))
         search_reduce(s, p, all.of, count);
     s->stalls = 0;
-    vec3 a = vec3_scale(p->scale, p->a.at[0]);
-    vec3 b = vec3_scale(p->scale, p->b.at[0]);
+    vec3 a = vec3_scale(p->scale, p->a->at[0]);
+    vec3 b = vec3_scale(p->scale, p->b->at[0]);
     p->near_home = vec3_length_squared(a) + vec3_length_squared(b)
                 <= 0x1p10 * p->far;
 }
@@ -1009,11 +1010,11 @@ static void search_weigh(search *s, const pair *p)
 //> gjk-run
 // From start (NULL: from nowhere), in two simplices that take turns.  Returns
 // the one with which the search ended.
-static search *search_run(pair *p, gjk_options options, const simplex *start,
-                          search two_of[2], ending *end)
+static search *search_run(pair *p, const gjk_options *options,
+                          const simplex *start, search two_of[2], ending *end)
 {
-    limits until = { options.relative_error, options.margin * p->scale,
-                     options.cap };
+    limits until = { options->relative_error, options->margin * p->scale,
+                     options->cap };
     if (until.bound < DBL_EPSILON) until.bound = DBL_EPSILON;
     search *s = &two_of[0], *next = &two_of[1];
     search_begin(s, p, start);
@@ -1052,8 +1053,8 @@ static inline void simplex_write(simplex *to, const search *s, vec3 axis)
 
 // The point of a body that these vertices and weights make.  Weighted from the
 // first vertex on, so that nothing is lost far out.
-static inline vec3 weighted(const vec3 *at, const int vertex[4],
-                            const real weight[4], int count)
+static inline vec3 weighted(const vec3 *at, const int *vertex,
+                            const real *weight, int count)
 {
     vec3 base = at[vertex[0]], from = { 0, 0, 0 };
     for (int c = 1; c < count; c++)
@@ -1070,8 +1071,8 @@ static gjk_result answer(const pair *p, search *s, const ending *end,
     simplex last;
     search_weigh(s, p);
     simplex_write(&last, s, none);
-    vec3 on_a = weighted(p->a.at, last.a, last.weight, s->count);
-    vec3 on_b = weighted(p->b.at, last.b, last.weight, s->count);
+    vec3 on_a = weighted(p->a->at, last.a, last.weight, s->count);
+    vec3 on_b = weighted(p->b->at, last.b, last.weight, s->count);
     real back = 1 / p->scale, length = vec3_length(s->nearest);
     real distance = back * length;
     vec3 axis = vec3_scale(back, s->nearest);
@@ -1094,28 +1095,40 @@ static gjk_result answer(const pair *p, search *s, const ending *end,
 }
 //<
 
-//> gjk-beyond
-// Only a number, no vertex: so there is little to choose.
-static inline real least_height(point_set p, vec3 n, real *poison)
+//> gjk-least
+// The least height of a point along n, measured from the world's origin; NaN
+// goes to *poison if one is not finite.  Only a number, no vertex: so there is
+// little to choose, and four heights need not wait for each other.
+static inline real least_height(const point_set *p, vec3 n, real *poison)
 {
+    const vec3 *at = p->at;
     real least = HUGE_VAL, sum = 0;
-    for (int i = 0; i < p.count; i++) {
-        real up = vec3_dot(n, p.at[i]);
-        least = up < least ? up : least;
+    int i = 0;
+    for (; i + 3 < p->count; i += 4) {
+        real h0 = vec3_dot(n, at[i]), h1 = vec3_dot(n, at[i + 1]);
+        real h2 = vec3_dot(n, at[i + 2]), h3 = vec3_dot(n, at[i + 3]);
+        least = real_min(least, real_min(real_min(h0, h1), real_min(h2, h3)));
+        sum += (h0 + h1) + (h2 + h3);
+    }
+    for (; i < p->count; i++) {
+        real up = vec3_dot(n, at[i]);
+        least = real_min(least, up);
         sum += up;
     }
     *poison += sum - sum;
     return least;
 }
+//<
 
+//> gjk-beyond
 // m, a bound of the gap along n: heights are measured from the world's origin,
 // and what that may cost, of a body far out, is taken off.
-static inline real gap_at_least(point_set a, point_set b, vec3 n)
+static inline real gap_at_least(const point_set *a, const point_set *b, vec3 n)
 {
     real poison = 0;
     real gap = least_height(a, n, &poison)
              + least_height(b, vec3_scale(-1, n), &poison);
-    vec3 a0 = a.at[0], b0 = b.at[0];
+    vec3 a0 = a->at[0], b0 = b->at[0];
     real far = fabs(a0.x) + fabs(a0.y) + fabs(a0.z)
              + (fabs(b0.x) + fabs(b0.y) + fabs(b0.z));
     return gap - 4 * DBL_EPSILON * far + poison;
@@ -1124,10 +1137,11 @@ static inline real gap_at_least(point_set a, point_set b, vec3 n)
 // Bodies that were beyond the margin mostly still are, and the axis that parted
 // them still does: then nothing else is asked.  (Of large bodies a climb from
 // the last corner answers sooner than this.)  The gap, if it shows that; or 0.
-static inline real still_beyond(point_set a, point_set b, real margin, vec3 n)
+static inline real still_beyond(const point_set *a, const point_set *b,
+                                real margin, vec3 n)
 {
     if (!(vec3_length_squared(n) > 0 && margin < HUGE_VAL)) return 0;
-    if (climbs(a) || climbs(b)) return 0;
+    if (climbs(*a) || climbs(*b)) return 0;
     real gap = gap_at_least(a, b, n);
     return gap > margin && gap < HUGE_VAL ? gap : 0;
 }
@@ -1140,14 +1154,140 @@ static inline gjk_result answer_beyond(real gap, const simplex *carried)
 }
 //<
 
+//> gjk-foot
+// The corners of a carried simplex where they are now, the point of it that is
+// nearest the origin, and the weights that make that point.
+typedef struct {
+    vec3 at[3], nearest;
+    real weight[3];
+    real far;           // largest squared length of a corner
+} foot;
+
+// 1: the nearest point lies well within the face of the three, and the face is
+// of good shape, so that the areas are weights: see areas_are_weights.
+static inline int foot_on_face(foot *f)
+{
+    fan n;
+    n.o = f->at[2];
+    fan_side(&n, 0, f->at[0]);
+    fan_side(&n, 1, f->at[1]);
+    fan_face(&n, 0, 1);
+    real w0 = n.here[0], w1 = n.after[0], w2 = n.whole[0] - w0 - w1;
+    real sum = w0 + w1 + w2, longest = real_max(n.ee[0], n.ee[1]);
+    longest = real_max(longest,
+                       vec3_length_squared(vec3_sub(f->at[1], f->at[0])));
+    int is_good = within_face(&n, 0) & (longest >= 0x1p-4 * f->far)
+                & (sum >= 0x1p-4 * longest * longest);
+    if (!is_good) return 0;
+    vec3 normal = vec3_cross(n.e[0], n.e[1]);
+    f->nearest = vec3_scale(vec3_dot(normal, n.o)
+                            / vec3_length_squared(normal), normal);
+    f->weight[0] = w0 / sum;
+    f->weight[1] = w1 / sum;
+    f->weight[2] = w2 / sum;
+    return 1;
+}
+
+// The same of a side, and of a corner alone.
+static inline int foot_on_side(foot *f)
+{
+    real *w = f->weight;
+    f->nearest = nearest_of_segment(f->at[0], f->at[1], &w[0], &w[1]);
+    w[2] = 0;
+    return (w[0] > 0) & (w[1] > 0)
+         & (fabs(w[0] + w[1] - 1) <= 16 * DBL_EPSILON);
+}
+
+static inline int foot_on_corner(foot *f)
+{
+    f->nearest = f->at[0];
+    f->weight[0] = 1;
+    f->weight[1] = f->weight[2] = 0;
+    return 1;
+}
+
+static inline int foot_find(foot *f, const point_set *a, const point_set *b,
+                            const simplex *s)
+{
+    f->far = 0;
+    for (int c = 0; c < s->count; c++) {
+        assert(s->a[c] >= 0 && s->a[c] < a->count);
+        assert(s->b[c] >= 0 && s->b[c] < b->count);
+        f->at[c] = vec3_sub(a->at[s->a[c]], b->at[s->b[c]]);
+        f->far = real_max(vec3_length_squared(f->at[c]), f->far);
+    }
+    if (s->count == 3) return foot_on_face(f);
+    if (s->count == 2) return foot_on_side(f);
+    return foot_on_corner(f);
+}
+//<
+
+//> gjk-still
+// 1 if no corner of A - B is lower along v than the lowest of the carried ones.
+// The carried heights are found among the others, made of the same numbers in
+// the same order: so they are compared bit by bit.
+static inline int is_lowest(const point_set *a, const point_set *b,
+                            const simplex *s, vec3 v)
+{
+    real poison = 0;
+    vec3 back = vec3_scale(-1, v);
+    real least_a = least_height(a, v, &poison);
+    real least_b = least_height(b, back, &poison);
+    int is_one = 0;
+    for (int c = 0; c < s->count; c++) {
+        real height_a = vec3_dot(v, a->at[s->a[c]]);
+        real height_b = vec3_dot(back, b->at[s->b[c]]);
+        is_one |= (height_a == least_a) & (height_b == least_b);
+    }
+    return is_one & (poison == 0);
+}
+
+// Mostly the corners of the last time still are those that matter.  1 if this
+// is certain, no rounding has a say in it, and the distance is not beyond the
+// margin; 0: ask the search.  *f is their foot.
+static inline int still_nearest(const point_set *a, const point_set *b,
+                                real margin, const simplex *s, foot *f)
+{
+    if (s->count < 1 || s->count > 3 || climbs(*a) || climbs(*b)) return 0;
+    if (!foot_find(f, a, b, s)) return 0;
+    real vv = vec3_length_squared(f->nearest);
+    real home = vec3_length_squared(a->at[0]) + vec3_length_squared(b->at[0]);
+    int in_range = (f->far <= 0x1p160) & (f->far >= 0x1p-160);
+    int is_plain = in_range & (vv > 0x1p-40 * f->far) & (vv <= margin * margin)
+                 & (home <= 0x1p10 * f->far);
+    return is_plain && is_lowest(a, b, s, f->nearest);
+}
+//<
+
+//> gjk-answer-again
+// All is named and written where it stays: what is copied waits until it has
+// reached the memory.
+static inline gjk_result answer_again(const point_set *a, const point_set *b,
+                                      const foot *f, simplex *s)
+{
+    const real *w = f->weight;
+    for (int c = 0; c < 3; c++) s->weight[c] = w[c];
+    s->axis.x = s->axis.y = s->axis.z = 0;
+    return (gjk_result){ .status = GJK_APART,
+        .distance = vec3_length(f->nearest), .axis = f->nearest,
+        .on_a = weighted(a->at, s->a, w, s->count),
+        .on_b = weighted(b->at, s->b, w, s->count),
+        .last = { .count = s->count,
+                  .a = { s->a[0], s->a[1], s->a[2], 0 },
+                  .b = { s->b[0], s->b[1], s->b[2], 0 },
+                  .weight = { w[0], w[1], w[2], 0 }, .axis = { 0, 0, 0 } },
+        .iterations = 1 };
+}
+//<
+
 //> gjk-distance
 gjk_options gjk_options_default(void)
 {
     return (gjk_options){ .relative_error = 0, .margin = HUGE_VAL, .cap = 64 };
 }
 
-static gjk_result distance_of(point_set a, point_set b, gjk_options options,
-                              simplex *carried)
+static gjk_result search_result(const point_set *a, const point_set *b,
+                                const gjk_options *options, simplex *carried)
 {
     pair p = { .a = a, .b = b, .scale = 1 };
     search two_of[2];
@@ -1162,6 +1302,15 @@ static gjk_result distance_of(point_set a, point_set b, gjk_options options,
     return (gjk_result){ .status = end.status, .iterations = end.iterations };
 }
 
+static gjk_result distance_of(const point_set *a, const point_set *b,
+                              const gjk_options *options, simplex *carried)
+{
+    foot f;
+    if (carried && still_nearest(a, b, options->margin, carried, &f))
+        return answer_again(a, b, &f, carried);
+    return search_result(a, b, options, carried);
+}
+
 gjk_result gjk_distance(point_set a, point_set b, gjk_options options,
                         simplex *carried)
 {
@@ -1169,9 +1318,9 @@ gjk_result gjk_distance(point_set a, point_set b, gjk_options options,
     assert(options.relative_error >= 0 && options.relative_error < 1);
     assert(options.margin >= 0 && options.cap >= 1);
     if (carried) {
-        real gap = still_beyond(a, b, options.margin, carried->axis);
+        real gap = still_beyond(&a, &b, options.margin, carried->axis);
         if (gap > 0) return answer_beyond(gap, carried);
     }
-    return distance_of(a, b, options, carried);
+    return distance_of(&a, &b, &options, carried);
 }
 //<

@@ -307,6 +307,8 @@ END_TEST
 
 // ---- the simplex that is carried on
 
+// The oracle of the short way is the search.  Rejects: corners that are believed
+// to be nearest without a look at the others; the weights of other corners.
 START_TEST(carried_equals_cold)
 {
     unsigned long long seed = 3;
@@ -324,6 +326,8 @@ START_TEST(carried_equals_cold)
                                            gjk_options_default(), &carried);
             ck_assert_int_eq(warm.status, cold.status);
             near(warm.distance, cold.distance, rounding);
+            vec3 between = vec3_sub(warm.on_a, warm.on_b);
+            near(vec3_distance(between, warm.axis), 0, rounding);
             same_simplex(&carried, &warm.last);
             cold_asked += cold.iterations;
             if (frame > 0) carried_asked += warm.iterations;
@@ -331,6 +335,53 @@ START_TEST(carried_equals_cold)
         }
     }
     ck_assert(3 * carried_asked < cold_asked);
+}
+END_TEST
+
+// Rejects: a short way that is taken where squares of squares leave the range.
+START_TEST(a_carried_simplex_serves_bodies_of_any_size)
+{
+    const real scale[] = { 0x1p-20, 0x1p20, 0x1p-100, 0x1p100, 0x1p-265,
+                           0x1p-400, 0x1p500 };
+    unsigned long long seed = 29;
+    for (int n = 0; n < 200; n++) {
+        body a, b;
+        body_random(&a, 8, &seed);
+        body_random(&b, 6, &seed);
+        body_move(&b, random_vector(&seed, 0, 2));
+        simplex last = ask(&a, &b).last;
+        body_move(&b, vec3_scale(0.0025, random_direction(&seed)));
+        gjk_result one = ask(&a, &b);
+        for (int s = 0; s < 7; s++) {
+            body c = a, d = b;
+            body_scale(&c, scale[s]);
+            body_scale(&d, scale[s]);
+            simplex carried = last;
+            gjk_result r = gjk_distance(body_points(&c), body_points(&d),
+                                        gjk_options_default(), &carried);
+            ck_assert_int_eq(r.status, one.status);
+            near(r.distance / scale[s], one.distance, rounding);
+        }
+    }
+}
+END_TEST
+
+// The second vertex is nearer than the carried one by 2^-28 m, which heights
+// from the world's origin cannot tell: they are sums of some 2^25.6 m.
+// Rejects: a short way that measures so wherever the bodies are.
+START_TEST(far_out_a_carried_corner_is_not_believed)
+{
+    const real f = 0x1p24, step = 0x1p-28;
+    vec3 away[] = { { f + 1, f + 1, f + 1 }, { f + 1, f + 1, f + 1 - step },
+                    { f + 2, f + 2, f + 2 }, { f + 2, f + 3, f + 2 } };
+    vec3 origin = { f, f, f }, home[4], none = { 0, 0, 0 };
+    for (int i = 0; i < 4; i++) home[i] = vec3_sub(away[i], origin);
+    point_set a = { away, 4, NULL, NULL }, b = { &origin, 1, NULL, NULL };
+    point_set c = { home, 4, NULL, NULL }, d = { &none, 1, NULL, NULL };
+    simplex carried = { .count = 1 };
+    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
+    gjk_result wanted = gjk_distance(c, d, gjk_options_default(), NULL);
+    same_bits(r.distance, wanted.distance);
 }
 END_TEST
 
@@ -361,6 +412,7 @@ START_TEST(an_axis_that_parted_answers_first)
             if (r.status != GJK_BEYOND) {
                 near(r.distance, truth, 4 * rounding);
                 ck_assert(truth <= o.margin);
+                same_bits(carried.axis.z, 0);   // nothing parted them
                 continue;
             }
             ck_assert(r.distance > o.margin && r.distance <= truth + rounding);
@@ -997,6 +1049,8 @@ int main(void)
     tcase_add_test(t, the_gap_is_a_certificate);
     tcase_add_test(t, swapped_bodies_give_the_mirror_image);
     tcase_add_test(t, carried_equals_cold);
+    tcase_add_test(t, a_carried_simplex_serves_bodies_of_any_size);
+    tcase_add_test(t, far_out_a_carried_corner_is_not_believed);
     tcase_add_test(t, an_axis_that_parted_answers_first);
     tcase_add_test(t, an_axis_promises_too_little_rather_than_too_much);
     tcase_add_test(t, three_first_corners_are_mostly_near);

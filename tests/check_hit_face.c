@@ -426,6 +426,30 @@ START_TEST(any_start_will_do)
 }
 END_TEST
 
+// Without a simplex the search begins on the side of the way out.  Rejects:
+// first corners on the far side, or a fourth that is not behind them.
+START_TEST(beginning_with_nothing_asks_no_more)
+{
+    const simplex none = { .count = 0 };
+    unsigned long long seed = 22;
+    int with = 0, without = 0;
+    for (int n = 0; n < 600; n++) {
+        body a, b;
+        body_icosahedron(&a, 0.5);
+        body_icosahedron(&b, 0.5);
+        body_turn(&a, &seed);
+        body_turn(&b, &seed);
+        body_move(&b, random_vector(&seed, 0.5, 0.8));
+        hit_result r = hit(&a, &b);
+        if (r.status != HIT_FOUND) continue;
+        with += r.iterations;
+        without += hit_face_find(body_points(&a), body_points(&b), &none,
+                                 scratch).iterations;
+    }
+    ck_assert_msg(without <= with, "%d, with gjk's %d", without, with);
+}
+END_TEST
+
 START_TEST(stored_pairs_have_their_exact_depth)
 {
     FILE *file = fopen(PAIRS, "r");
@@ -821,6 +845,7 @@ int main(void)
     tcase_add_test(t, equal_bodies_side_by_side);
     tcase_add_test(t, prisms_stand_on_prisms);
     tcase_add_test(t, any_start_will_do);
+    tcase_add_test(t, beginning_with_nothing_asks_no_more);
     tcase_add_test(t, stored_pairs_have_their_exact_depth);
     tcase_add_test(t, far_from_the_origin_nothing_more_is_lost);
     tcase_add_test(t, size_does_not_matter);

@@ -828,13 +828,11 @@ hit_result hit_face_find(point_set a, point_set b, const simplex *start,
 static void remember_face(const hit_scratch *h, int f, hit_memory *m)
 {
     int to = m->faces++;
-    for (; to > 0 && m->square[to - 1] > h->square[f]; to--) {
-        m->square[to] = m->square[to - 1];
-        for (int i = 0; i < 3; i++) m->corner[to][i] = m->corner[to - 1][i];
-    }
-    m->square[to] = h->square[f];
+    for (; to > 0 && m->face[to - 1].square > h->square[f]; to--)
+        m->face[to] = m->face[to - 1];
+    m->face[to].square = h->square[f];
     for (int i = 0; i < 3; i++)
-        m->corner[to][i] = (unsigned char)h->corner[f][i];
+        m->face[to].corner[i] = (unsigned char)h->corner[f][i];
 }
 
 void hit_face_remember(const hit_scratch *h, hit_memory *m)
@@ -844,9 +842,9 @@ void hit_face_remember(const hit_scratch *h, hit_memory *m)
     m->scale = h->scale;
     m->points = h->points;
     for (int c = 0; c < h->points; c++) {
-        m->a[c] = h->point[c].a;
-        m->b[c] = h->point[c].b;
-        m->at[c] = h->point[c].at;
+        m->point[c].at = h->point[c].at;
+        m->point[c].a = h->point[c].a;
+        m->point[c].b = h->point[c].b;
     }
     for (int f = 0; f < h->faces; f++) remember_face(h, f, m);
 }
@@ -861,10 +859,10 @@ static real points_recall(hit_scratch *h, const hit_memory *m)
     h->points = m->points;
     h->faces = 0;
     for (int c = 0; c < m->points; c++) {
-        int a = m->a[c], b = m->b[c];
+        int a = m->point[c].a, b = m->point[c].b;
         assert((a < h->a.count) & (b < h->b.count));
         vec3 at = vec3_scale(m->scale, vec3_sub(h->a.at[a], h->b.at[b]));
-        real moved = vec3_length_squared(vec3_sub(at, m->at[c]));
+        real moved = vec3_length_squared(vec3_sub(at, m->point[c].at));
         h->point[c] = (peak){ at, a, b };
         furthest = moved > furthest ? moved : furthest;
     }
@@ -879,9 +877,10 @@ static int lowest_recall(hit_scratch *h, const hit_memory *m, real moved)
 {
     int lowest = 0;
     real reach = HUGE_VAL;
-    while (h->faces < m->faces && !(m->square[h->faces] > reach * reach)) {
+    while (h->faces < m->faces
+           && !(m->face[h->faces].square > reach * reach)) {
         int f = h->faces++;
-        const unsigned char *corner = m->corner[f];
+        const unsigned char *corner = m->face[f].corner;
         face_measure(h, f, corner[0], corner[1], corner[2]);
         lowest = h->square[f] < h->square[lowest] ? f : lowest;
         reach = sqrt(fabs(h->square[lowest])) + moved;
@@ -896,7 +895,7 @@ static int polytope_recall(hit_scratch *h, const hit_memory *m)
     int behind = 1;
     h->faces = m->faces;
     for (int f = 0; f < m->faces; f++) {
-        const unsigned char *corner = m->corner[f];
+        const unsigned char *corner = m->face[f].corner;
         face_put(h, f, corner[0], corner[1], corner[2]);
         behind &= h->square[f] > 0;
     }
@@ -972,7 +971,7 @@ int hit_face_again(point_set a, point_set b, const hit_memory *m,
     h->b = b;
     real moved = points_recall(h, m);
     // A point may have come past the origin: no face is surely anything.
-    if (!(m->square[0] > moved * moved)) moved = HUGE_VAL;
+    if (!(m->face[0].square > moved * moved)) moved = HUGE_VAL;
     int shown = face_shows(h, lowest_recall(h, m, moved), &out, r);
     r->iterations = 1;
     if (shown == BEYOND && !polytope_recall(h, m)) return 0;

@@ -58,10 +58,14 @@ enum { HIT_MEMORY_POINTS = 16, HIT_MEMORY_FACES = 2 * HIT_MEMORY_POINTS - 4 };
 typedef struct {
     real scale;                 // lengths below are times this
     int  points, faces;         // faces = 0: nothing remembered
-    int  a[HIT_MEMORY_POINTS], b[HIT_MEMORY_POINTS];
-    vec3 at[HIT_MEMORY_POINTS]; // where the points of A - B were
-    unsigned char corner[HIT_MEMORY_FACES][3];
-    real square[HIT_MEMORY_FACES];  // of the faces' heights, which do not fall
+    struct {
+        vec3 at;                // of A - B: where it was
+        int  a, b;              // and which vertices' difference it is
+    } point[HIT_MEMORY_POINTS];
+    struct {
+        real square;            // of its height; they do not fall
+        unsigned char corner[3];
+    } face[HIT_MEMORY_FACES];
 } hit_memory;
 //<
 

@@ -4,8 +4,10 @@
 // index 0: directions tried, ns, mean relative error of the depth
 // index 1: ns of hit_face_find alone, its mean difference from the slow way, ns
 //          with gjk before it, ns of the slow way, largest difference
-// index 2: gap, ns of gjk cold, of gjk and hit face cold, carried; iterations;
-//          ns where the proof of the frame before is asked first
+// index 2, behind a line that counts the proofs of moved pairs:
+//          gap, ns of gjk cold, of gjk and hit face cold, carried; iterations;
+//          ns where the proof of the frame before is asked first; of the hit
+//          face that begins with nothing, and its iterations
 // Columns are separated by spaces.
 
 #include "04-pairs.h"
@@ -158,8 +160,9 @@ static void by_directions(void)
 }
 
 // ns a query of what = 0: gjk; 1: gjk and hit face; 2: hit face alone; 3: what
-// is remembered, and gjk and hit face where that proves nothing; for the moved
-// pairs with the carried simplex if `moved`.
+// is remembered, and gjk and hit face where that proves nothing; 4: hit face
+// alone, with an empty simplex; for the moved pairs with the carried simplex if
+// `moved`.
 static double run(int what, int moved, hit_scratch *scratch, double *error,
                   double *iterations)
 {
@@ -177,7 +180,7 @@ static double run(int what, int moved, hit_scratch *scratch, double *error,
                 const pair_at_gap *p = &pair[first + k];
                 point_set a = points_of(moved ? &p->moved_a : &p->a);
                 point_set b = points_of(moved ? &p->moved_b : &p->b);
-                if (!moved && what < 2) s[k].count = 0;
+                if (!moved && what != 2) s[k].count = 0;
                 gjk_result g = { .status = GJK_OVERLAP };
                 hit_result r = { .status = HIT_APART };
                 if (what == 3 && hit_face_again(a, b, &memory[first + k],
@@ -186,7 +189,7 @@ static double run(int what, int moved, hit_scratch *scratch, double *error,
                     *iterations += 1;
                     continue;
                 }
-                if (what != 2)
+                if (what != 2 && what != 4)
                     g = gjk_distance(a, b, gjk_options_default(), &s[k]);
                 depth[k] = -g.distance;
                 if (what == 0 || g.status != GJK_OVERLAP) continue;
@@ -257,25 +260,43 @@ static void by_way(hit_scratch *scratch)
                     "gjk and hit face", "all 245 directions", slow_ns / both);
 }
 
+// What is remembered of a pair is a proof when it has moved: as it is, with
+// some points more, or not.
+static void print_proofs(hit_scratch *scratch)
+{
+    int sum[3] = { 0, 0, 0 };
+    for (int i = 0; i < PAIRS; i++) {
+        hit_result r = { .iterations = 0 };
+        int proven = hit_face_again(points_of(&pair[i].moved_a),
+                                    points_of(&pair[i].moved_b), &memory[i],
+                                    scratch, &r);
+        sum[!proven ? 2 : r.iterations > 1]++;
+    }
+    printf("# remembered, of %d: proof %d, with points more %d, none %d\n",
+           (int)PAIRS, sum[0], sum[1], sum[2]);
+}
+
 static void by_gap(hit_scratch *scratch)
 {
     const real gap[] = { -1e-5, -0.005, -0.02, -0.1, -0.3 };
     printf("# gap gjk_ns both_ns carried_ns hit_iterations "
-           "remembered_ns\n"
+           "remembered_ns alone_ns alone_iterations\n"
            "#depths| \"depth, m\",\"GJK alone, ns\",\"GJK and hit face, ns\","
-           "\"both, carried, ns\",expansions,\"remembered, ns\"\n");
+           "expansions,\"hit face alone, ns\",\"both, carried, ns\","
+           "\"remembered, ns\"\n");
     for (int g = 0; g < 5; g++) {
-        double e, n, m;
+        double e, n, m, k;
         prepare(gap[g], scratch);
         for (int i = 0; i < PAIRS; i++) truth[i] = 1;
         double gjk = run(0, 0, scratch, &e, &m);
         double both = run(1, 0, scratch, &e, &n);
         double carried = run(1, 1, scratch, &e, &m);
         double again = run(3, 1, scratch, &e, &m);
-        printf("%g %.0f %.0f %.0f %.2f %.0f\n", gap[g], gjk, both, carried, n,
-               again);
-        printf("#depths| %g,%.0f,%.0f,%.0f,%.1f,%.0f\n", -gap[g], gjk, both,
-               carried, n, again);
+        double alone = run(4, 0, scratch, &e, &k);
+        printf("%g %.0f %.0f %.0f %.2f %.0f %.0f %.2f\n", gap[g], gjk, both,
+               carried, n, again, alone, k);
+        printf("#depths| %g,%.0f,%.0f,%.1f,%.0f,%.0f,%.0f\n", -gap[g], gjk,
+               both, n, alone, carried, again);
     }
 }
 
@@ -292,6 +313,7 @@ int main(void)
                                  &last[i], scratch).depth;
     by_directions();
     by_way(scratch);
+    print_proofs(scratch);
     by_gap(scratch);
     hit_scratch_free(scratch);
     return 0;

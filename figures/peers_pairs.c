@@ -318,18 +318,23 @@ typedef struct {
 enum { OURS, OURS_CARRIED, CCD_GJK, CCD_MPR, DEPTHS };
 static exit_found out[DEPTHS][PAIRS];
 
-static exit_found depth_of(const couple *c, simplex *from)
+// Asked like theirs: do they overlap, and how deep?
+static hit_result hit_of(const couple *c)
 {
-    gjk_result r = distance(c, gjk_options_default(), from);
-    if (r.status != GJK_OVERLAP) return (exit_found){ 0, { 0, 0, 0 } };
-    hit_result h = hit_face_find(c->pa, c->pb, &r.last, scratch);
+    const simplex none = { .count = 0 };
+    return hit_face_find(c->pa, c->pb, &none, scratch);
+}
+
+static exit_found exit_of(hit_result h)
+{
+    if (h.status != HIT_FOUND) return (exit_found){ 0, { 0, 0, 0 } };
     return (exit_found){ h.depth, vec3_scale(-1, h.normal) };
 }
 
 static void depth_cold(int block)
 {
     for (int i = block * BLOCK; i < (block + 1) * BLOCK; i++)
-        out[OURS][i] = depth_of(&before[i], NULL);
+        out[OURS][i] = exit_of(hit_of(&before[i]));
 }
 
 static hit_memory remembered[BLOCK];
@@ -342,10 +347,9 @@ static void carry(int block)
 // Untimed: what the query before leaves behind.
 static void remember(int block)
 {
-    carry(block);
     for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++) {
         remembered[k].faces = 0;
-        if (depth_of(&before[i], NULL).depth > 0)
+        if (hit_of(&before[i]).status == HIT_FOUND)
             hit_face_remember(scratch, &remembered[k]);
     }
 }
@@ -354,10 +358,9 @@ static void depth_carried(int block)
 {
     for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++) {
         hit_result h;
-        out[OURS_CARRIED][i] = hit_face_again(after[i].pa, after[i].pb,
-                                              &remembered[k], scratch, &h)
-            ? (exit_found){ h.depth, vec3_scale(-1, h.normal) }
-            : depth_of(&after[i], &carried[k]);
+        if (!hit_face_again(after[i].pa, after[i].pb, &remembered[k], scratch,
+                            &h)) h = hit_of(&after[i]);
+        out[OURS_CARRIED][i] = exit_of(h);
     }
 }
 

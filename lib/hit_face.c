@@ -25,6 +25,7 @@ struct hit_scratch {
     point_set a, b;
     columns column_a, column_b;
     real scale;         // lengths times this: |x|, |y|, |z| <= 1 in A - B
+    vec3 middle;        // m, twice that of the box round A - B
     int  points, faces;
     peak point[POINTS_AT_MOST];
     // Of face f: its corners, counter-clockwise from outside; its plane, the
@@ -93,7 +94,6 @@ static int exact_sign(const rounded n[3], vec3 d)
         if (sum[i] > 0 || sum[i] < 0) return sum[i] > 0 ? 1 : -1;
     return 0;
 }
-
 //<
 
 //> hit-face-sign
@@ -196,6 +196,7 @@ static real scale_for(hit_scratch *h)
     real poison = 0, scale = 1;
     columns_fill(&h->column_a, h->a, &low_a, &high_a, &poison);
     columns_fill(&h->column_b, h->b, &low_b, &high_b, &poison);
+    h->middle = vec3_add(vec3_sub(low_a, low_b), vec3_sub(high_a, high_b));
     real x = largest(vec3_sub(high_a, low_b));
     real y = largest(vec3_sub(high_b, low_a));
     real reach = (x > y ? x : y) + poison;
@@ -302,8 +303,8 @@ static int face_side(const hit_scratch *h, int f, vec3 x, real over)
 
 //> hit-face-seen
 // Lists the faces that x sees; returns their number.  A face that x lies in
-// counts as seen: so no new triangle has an edge through x in its own plane,
-// and none is flat.
+// counts as seen, as if x were a hair further out.  (As if it were a hair
+// further in would be as right, and leave more triangles: no test can tell.)
 static int list_seen(hit_scratch *h, vec3 x)
 {
     int perhaps = 0, seen = 0;
@@ -466,6 +467,46 @@ static int is_stout(const peak p[4], vec3 *normal)
 }
 //<
 
+//> hit-face-guess
+// The two points furthest along d; the same twice, if there is but one.
+static void columns_top_two(const columns *c, vec3 d, int two[2])
+{
+    real best = -HUGE_VAL, next = -HUGE_VAL;
+    int first = 0, second = 0;
+    for (int i = 0; i < c->count; i++) {
+        real along = d.x * c->x[i] + d.y * c->y[i] + d.z * c->z[i];
+        // Who does not become the first may still become the second.
+        real less = along < best ? along : best;
+        int lower = along > best ? first : i;
+        first = along > best ? i : first;
+        best = along > best ? along : best;
+        second = less > next ? lower : second;
+        next = less > next ? less : next;
+    }
+    two[0] = first;
+    two[1] = second;
+}
+
+// A tetrahedron of small bodies when there is no simplex.  Three corners as gjk
+// begins: as seen from middle to middle, A has a first and a second vertex, and
+// so has B.  The fourth is furthest from their plane, on the origin's side.
+static int tetrahedron_guess(const hit_scratch *h, peak p[4], vec3 *normal)
+{
+    if (h->column_a.count == 0 || h->column_b.count == 0) return 0;
+    int a[2], b[2];
+    vec3 d = vec3_scale(h->scale, h->middle);
+    columns_top_two(&h->column_a, vec3_scale(-1, d), a);
+    columns_top_two(&h->column_b, d, b);
+    p[0] = peak_make(h, a[0], b[0]);
+    p[1] = peak_make(h, a[1], b[0]);
+    p[2] = peak_make(h, a[0], b[1]);
+    vec3 n = vec3_cross(vec3_sub(p[1].at, p[0].at), vec3_sub(p[2].at, p[0].at));
+    if (vec3_dot(n, p[0].at) > 0) n = vec3_scale(-1, n);
+    p[3] = peak_along(h, n, p[0]);
+    return is_stout(p, normal);
+}
+//<
+
 //> hit-face-tetrahedron
 // Fills p with the corners of a tetrahedron in A - B, from the corners of the
 // simplex where they serve.  Returns how many could be had: 4, or one more than
@@ -474,6 +515,7 @@ static int tetrahedron_find(const hit_scratch *h, const simplex *start,
                             peak p[4], vec3 *normal)
 {
     int n = start->count;
+    if (n == 0 && tetrahedron_guess(h, p, normal)) return 4;
     for (int c = 0; c < n; c++) p[c] = peak_make(h, start->a[c], start->b[c]);
     if (n == 4 && is_stout(p, normal)) return 4;
     if (n == 0) p[0] = peak_make(h, 0, 0);
@@ -782,45 +824,86 @@ hit_result hit_face_find(point_set a, point_set b, const simplex *start,
 //<
 
 //> hit-face-remember
+// Puts face f among those that are remembered, the lower first.
+static void remember_face(const hit_scratch *h, int f, hit_memory *m)
+{
+    int to = m->faces++;
+    for (; to > 0 && m->face[to - 1].square > h->square[f]; to--)
+        m->face[to] = m->face[to - 1];
+    m->face[to].square = h->square[f];
+    for (int i = 0; i < 3; i++)
+        m->face[to].corner[i] = (unsigned char)h->corner[f][i];
+}
+
 void hit_face_remember(const hit_scratch *h, hit_memory *m)
 {
     m->faces = 0;
     if (h->points > HIT_MEMORY_POINTS) return;
     m->scale = h->scale;
     m->points = h->points;
-    m->faces = h->faces;
     for (int c = 0; c < h->points; c++) {
-        m->a[c] = h->point[c].a;
-        m->b[c] = h->point[c].b;
+        m->point[c].at = h->point[c].at;
+        m->point[c].a = h->point[c].a;
+        m->point[c].b = h->point[c].b;
     }
-    for (int f = 0; f < h->faces; f++)
-        for (int i = 0; i < 3; i++)
-            m->corner[f][i] = (unsigned char)h->corner[f][i];
+    for (int f = 0; f < h->faces; f++) remember_face(h, f, m);
 }
 //<
 
 //> hit-face-recall
-// The polytope as remembered, with its points where they are now: nobody knows
-// whether it is convex.  Returns 1 if the origin is behind every face.
+// The polytope's points, where they are now.  Returns how far any has moved.
+static real points_recall(hit_scratch *h, const hit_memory *m)
+{
+    real furthest = 0;
+    h->scale = m->scale;
+    h->points = m->points;
+    h->faces = 0;
+    for (int c = 0; c < m->points; c++) {
+        int a = m->point[c].a, b = m->point[c].b;
+        assert((a < h->a.count) & (b < h->b.count));
+        vec3 at = vec3_scale(m->scale, vec3_sub(h->a.at[a], h->b.at[b]));
+        real moved = vec3_length_squared(vec3_sub(at, m->point[c].at));
+        h->point[c] = (peak){ at, a, b };
+        furthest = moved > furthest ? moved : furthest;
+    }
+    return sqrt(furthest);
+}
+//<
+
+//> hit-face-recall-faces
+// Measures the first faces, until the others are surely higher than the lowest;
+// returns that.  No point has moved further than `moved`.
+static int lowest_recall(hit_scratch *h, const hit_memory *m, real moved)
+{
+    int lowest = 0;
+    real reach = HUGE_VAL;
+    while (h->faces < m->faces
+           && !(m->face[h->faces].square > reach * reach)) {
+        int f = h->faces++;
+        const unsigned char *corner = m->face[f].corner;
+        face_measure(h, f, corner[0], corner[1], corner[2]);
+        lowest = h->square[f] < h->square[lowest] ? f : lowest;
+        reach = sqrt(fabs(h->square[lowest])) + moved;
+    }
+    return lowest;
+}
+
+// All faces, each joined to its neighbours.  Returns 1 if the origin is behind
+// each of them.
 static int polytope_recall(hit_scratch *h, const hit_memory *m)
 {
     int behind = 1;
-    h->scale = m->scale;
-    h->points = m->points;
     h->faces = m->faces;
-    for (int c = 0; c < m->points; c++) {
-        assert(m->a[c] < h->a.count && m->b[c] < h->b.count);
-        h->point[c] = peak_make(h, m->a[c], m->b[c]);
-    }
     for (int f = 0; f < m->faces; f++) {
-        face_measure(h, f, m->corner[f][0], m->corner[f][1], m->corner[f][2]);
+        const unsigned char *corner = m->face[f].corner;
+        face_put(h, f, corner[0], corner[1], corner[2]);
         behind &= h->square[f] > 0;
     }
     return behind;
 }
 //<
 
-//> hit-face-again
+//> hit-face-foot
 // 1 if the foot x lies in face f, not only before it; and its weights.
 static int holds_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
 {
@@ -839,27 +922,63 @@ static int face_of_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
             return g;
     return -1;
 }
+//<
+
+//> hit-face-shows
+// What the lowest face shows.
+enum { PROVEN, BEYOND, NOTHING };
+
+// PROVEN: no point lies beyond f, and *r is the answer.  BEYOND: one does,
+// along *out.  NOTHING: f is not before the origin, or the foot is beside the
+// faces in its plane, or a coordinate is not a number.
+static int face_shows(const hit_scratch *h, int f, vec3 *out, hit_result *r)
+{
+    vec3 n = face_normal(h, f);
+    real weight[3];
+    real shorten = 1 / vec3_length(n), height = shorten * h->offset[f];
+    *out = vec3_scale(shorten, n);
+    real upper = -h->scale * support_gap(h->a, h->b, vec3_scale(-1, *out));
+    if (!(height > 0 && upper < HUGE_VAL)) return NOTHING;
+    if (upper - height > level) return BEYOND;
+    int g = face_of_foot(h, f, vec3_scale(height, *out), weight);
+    if (g < 0) return NOTHING;
+    r->status = HIT_FOUND;
+    answer_at(h, g, height, *out, weight, r);
+    return PROVEN;
+}
+//<
+
+//> hit-face-again
+// Puts the point furthest along out on the polytope.  0: there is none.
+static int polytope_raise(hit_scratch *h, vec3 out)
+{
+    vec3 d = vec3_scale(h->scale, out);
+    int a = support_point(h->a, d, h->point[0].a);
+    int b = support_point(h->b, vec3_scale(-1, d), h->point[0].b);
+    if (a < 0 || b < 0) return 0;
+    h->point[h->points] = peak_make(h, a, b);
+    polytope_expand(h, h->points++);
+    return 1;
+}
 
 int hit_face_again(point_set a, point_set b, const hit_memory *m,
                    hit_scratch *h, hit_result *r)
 {
+    enum { POINTS_MORE = 6 };
+    vec3 out;
     if (m->faces == 0) return 0;
     h->a = a;
     h->b = b;
-    if (!polytope_recall(h, m)) return 0;
-    int f = polytope_lowest(h);
-    vec3 n = face_normal(h, f);
-    real shorten = 1 / vec3_length(n), height = shorten * h->offset[f];
-    vec3 out = vec3_scale(shorten, n);
-    // Something lies beyond the lowest plane, or is not a number.
-    real upper = -h->scale * support_gap(a, b, vec3_scale(-1, out)), weight[3];
-    if (!(upper - height <= level)) return 0;
-    // The foot lies beside the triangles in that plane.
-    int g = face_of_foot(h, f, vec3_scale(height, out), weight);
-    if (g < 0) return 0;
-    r->status = HIT_FOUND;
+    real moved = points_recall(h, m);
+    // A point may have come past the origin: no face is surely anything.
+    if (!(m->face[0].square > moved * moved)) moved = HUGE_VAL;
+    int shown = face_shows(h, lowest_recall(h, m, moved), &out, r);
     r->iterations = 1;
-    answer_at(h, g, height, out, weight, r);
-    return 1;
+    if (shown == BEYOND && !polytope_recall(h, m)) return 0;
+    while (shown == BEYOND && r->iterations++ <= POINTS_MORE) {
+        if (!polytope_raise(h, out)) return 0;
+        shown = face_shows(h, polytope_lowest(h), &out, r);
+    }
+    return shown == PROVEN;
 }
 //<

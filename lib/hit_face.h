@@ -56,10 +56,16 @@ typedef struct hit_scratch hit_scratch;
 enum { HIT_MEMORY_POINTS = 16, HIT_MEMORY_FACES = 2 * HIT_MEMORY_POINTS - 4 };
 
 typedef struct {
-    real scale;
+    real scale;                 // lengths below are times this
     int  points, faces;         // faces = 0: nothing remembered
-    int  a[HIT_MEMORY_POINTS], b[HIT_MEMORY_POINTS];
-    unsigned char corner[HIT_MEMORY_FACES][3];
+    struct {
+        vec3 at;                // of A - B: where it was
+        int  a, b;              // and which vertices' difference it is
+    } point[HIT_MEMORY_POINTS];
+    struct {
+        real square;            // of its height; they do not fall
+        unsigned char corner[3];
+    } face[HIT_MEMORY_FACES];
 } hit_memory;
 //<
 
@@ -67,8 +73,9 @@ typedef struct {
 hit_scratch *hit_scratch_new(void);     // NULL if memory is refused
 void         hit_scratch_free(hit_scratch *scratch);
 
-// The hit face of overlapping hulls a and b.  start is the final simplex of
-// gjk_distance for the pair (any count 1 to 4).
+// The hit face of hulls a and b; HIT_APART if they do not overlap.  start is
+// the final simplex of gjk_distance for the pair; or empty (count 0), which for
+// small bodies costs less than to ask gjk before.
 hit_result hit_face_find(point_set a, point_set b, const simplex *start,
                          hit_scratch *scratch);
 
@@ -77,9 +84,9 @@ hit_result hit_face_find(point_set a, point_set b, const simplex *start,
 void hit_face_remember(const hit_scratch *scratch, hit_memory *memory);
 
 // The same pair later: does what is remembered prove an answer where the bodies
-// are now?  1: *r is the hit face, as hit_face_find would find it, up to
-// rounding and the choice among equals.  0: it does not; ask gjk_distance and
-// hit_face_find.  Needs no gjk first: the proof shows that they overlap.
+// are now, perhaps with a few points more?  1: *r is the hit face, as
+// hit_face_find would find it, up to rounding and the choice among equals.  0:
+// it does not; ask hit_face_find.  The proof shows that they overlap.
 int hit_face_again(point_set a, point_set b, const hit_memory *memory,
                    hit_scratch *scratch, hit_result *r);
 

@@ -877,6 +877,34 @@ START_TEST(steps_are_counted_and_capped)
 }
 END_TEST
 
+// Swollen by 6 %, more than counts as bent: (s^2 - 1) / 2 is 0.0618.  A step
+// leaves s - (s^2 - 1) / 2 = 0.9982, the next one 1 - 1.6e-6.
+// Rejects: a body judged by how it came, or by its last step alone; one that is
+// content, by a tolerance that is wide, mended as if it were bent.
+START_TEST(bent_body_is_judged_when_its_steps_are_done)
+{
+    const relax_options wide = { ROOT_EXACT, GRADIENT_OLD, 0.1, 0 };
+    const real left[3] = { 0.0618, 1.8e-3, 1.6e-6 };
+    expect_ok(four_build(&f, &solid[HOUSE].plan));
+    for (int steps = 0; steps < 3; steps++) {
+        particle p[FOUR];
+        stand(p);
+        vec3 middle = { 0, 0, 0 };
+        for (int k = 0; k < FOUR; k++)
+            middle = vec3_add_scaled(middle, 1.0 / FOUR, p[k].position);
+        for (int k = 0; k < FOUR; k++)
+            p[k].position = vec3_add_scaled(p[k].position, 0.06,
+                vec3_sub(p[k].position, middle));
+        relax_result r = steps == 0 ? four_relax(&f, p, 1, wide)
+                                    : four_relax(&f, p, steps, OLD);
+        ck_assert_int_eq(r.fell_back, 0);
+        ck_assert_int_eq(r.sweeps, steps);
+        ck_assert_msg(fabs(r.worst - left[steps]) <= 0.02 * left[steps],
+                      "%d steps leave %g", steps, r.worst);
+    }
+}
+END_TEST
+
 // --- violence ----------------------------------------------------------------
 
 enum { SCATTERED, CRUSHED, PRESSED, MIRRORED, PIERCED, FLUNG, TINY, WRECKS };
@@ -1075,6 +1103,7 @@ int main(void)
         nailed_body_is_not_relaxed,
         body_within_tolerance_keeps_every_bit,
         steps_are_counted_and_capped,
+        bent_body_is_judged_when_its_steps_are_done,
         lost_numbers_are_told_and_do_no_harm,
         bodies_relaxed_together_get_the_bits_of_each_alone,
         mirror_image_is_known,

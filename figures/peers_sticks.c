@@ -1,6 +1,5 @@
-// peers_sticks.c - what needs no peer: a stick, a body of four particles, a
-// rope; and the cloth, which no other C library has, beside what was measured
-// elsewhere.
+// peers_sticks.c - what needs no peer: the sticks of bodies of four, a rope; and
+// the cloth, which no other C library has, beside what was measured elsewhere.
 
 #include "peers.h"
 #include "four.h"
@@ -15,97 +14,23 @@
 
 enum { ROUNDS = 15 };
 
-// ---- One stick -------------------------------------------------------------
+// ---- The sticks of a room ----------------------------------------------------
 
-// As many icosahedra as a full room has, a particle at every vertex, off their
-// places by up to a hundredth of the radius.  Sticks of GROUP bodies stand in
-// one list, so ordered that neighbours share no particle.
-enum { CORNERS = 12, STICKS = 36, BODIES = 1000, GROUP = 8,
-       GROUPS = BODIES / GROUP, SWEEPS = 20 };
+// As many icosahedra as a full room has, each of four particles, relaxed as a
+// room relaxes them: along the old sticks, all six of a body at once, and
+// several bodies side by side.  Beside it the same sticks one after the other.
+enum { BODIES = 1000 };
 
 static shape icosahedron;
-static stick group[GROUP * STICKS];
-static particle pool[BODIES * CORNERS], start[BODIES * CORNERS];
+static four body_of_four;
+static particle pool[BODIES * FOUR];
+static int first_of[BODIES];    // in the pool
 
 static vec3 shaken(vec3 at, real most, unsigned long long *seed)
 {
     vec3 d = any_direction(seed);
     return vec3_add_scaled(at, most * any_share(seed), d);
 }
-
-static void place_bodies(void)
-{
-    unsigned long long seed = 3;
-    if (icosahedron.sticks != STICKS) give_up("not 36 sticks");
-    for (int i = 0; i < BODIES * CORNERS; i++) {
-        vec3 x = icosahedron.at[i % CORNERS];
-        start[i] = (particle){ shaken(x, 0.005, &seed), x, CORNERS };
-    }
-    for (int k = 0; k < GROUP * STICKS; k++) {
-        group[k] = icosahedron.stick[k % STICKS];
-        group[k].a += k / STICKS * CORNERS;
-        group[k].b += k / STICKS * CORNERS;
-    }
-    if (!sticks_interleave(group, GROUP * STICKS, GROUP * CORNERS).ok)
-        give_up("there is no memory for the sticks");
-}
-
-static void replace(int piece)
-{
-    (void)piece;
-    for (int i = 0; i < BODIES * CORNERS; i++) pool[i] = start[i];
-}
-
-static void sweep_bodies(int piece)
-{
-    (void)piece;
-    for (int b = 0; b < BODIES; b++)
-        sticks_sweep(icosahedron.stick, STICKS, pool + b * CORNERS,
-                     relax_options_default());
-}
-
-static void sweep_groups(int piece)
-{
-    (void)piece;
-    for (int g = 0; g < GROUPS; g++)
-        sticks_sweep(group, GROUP * STICKS, pool + g * GROUP * CORNERS,
-                     relax_options_default());
-}
-
-// What is left after some sweeps.
-static real strain_left(void (*sweep)(int))
-{
-    real worst = 0;
-    replace(0);
-    for (int k = 0; k < SWEEPS; k++) sweep(0);
-    for (int b = 0; b < BODIES; b++)
-        for (int k = 0; k < STICKS; k++)
-            worst = fmax(worst, stick_strain(icosahedron.stick[k],
-                                             pool + b * CORNERS));
-    return worst;
-}
-
-static void measure_stick(void)
-{
-    const way ways[2] = { { replace, sweep_groups },
-                          { replace, sweep_bodies } };
-    place_bodies();
-    real *time = time_in_turn(ways, 2, 1, ROUNDS);
-    row r = { .what = "one stick, across bodies", .unit = "ns", .most = 2,
-              .against = "ours, body after body",
-              .ours = 1e9 * time[0] / (BODIES * STICKS),
-              .theirs = 1e9 * time[1] / (BODIES * STICKS) };
-    snprintf(r.our_error, TEXT, "strain %.1e after %d sweeps",
-             strain_left(sweep_groups), (int)SWEEPS);
-    snprintf(r.their_error, TEXT, "strain %.1e", strain_left(sweep_bodies));
-    table_add(r);
-    free(time);
-}
-
-// ---- One body of four ------------------------------------------------------
-
-static four body_of_four;
-static int first_of[BODIES];    // in the pool
 
 // Each of the four has gone its own way in a substep, as much as when a body
 // turns by a degree and has been pushed.
@@ -126,21 +51,45 @@ static void relax_fours(int piece)
     four_relax_all(&body_of_four, pool, first_of, BODIES, 1, o);
 }
 
-static void measure_four(void)
+static void sweep_fours(int piece)
 {
-    const way ways[1] = { { place_fours, relax_fours } };
+    relax_options o = world_options_default().relax;
+    (void)piece;
+    for (int b = 0; b < BODIES; b++)
+        sticks_sweep(body_of_four.stick, FOUR_STICKS, pool + b * FOUR, o);
+}
+
+static real strain_left(void (*relax)(int))
+{
     real worst = 0;
-    if (!four_build(&body_of_four, &icosahedron).ok)
-        give_up("there is no memory for four particles");
-    for (int b = 0; b < BODIES; b++) first_of[b] = b * FOUR;
-    real *time = time_in_turn(ways, 1, 1, ROUNDS);
+    place_fours(0);
+    relax(0);
     for (int b = 0; b < BODIES; b++)
         for (int k = 0; k < FOUR_STICKS; k++)
             worst = fmax(worst, stick_strain(body_of_four.stick[k],
                                              pool + b * FOUR));
-    row r = { .what = "a body of four, its six sticks solved", .unit = "ns",
-              .against = "", .ours = 1e9 * time[0] / BODIES, .most = 15 };
-    snprintf(r.our_error, TEXT, "strain %.0e after one step", worst);
+    return worst;
+}
+
+static void measure_fours(void)
+{
+    const way ways[2] = { { place_fours, relax_fours },
+                          { place_fours, sweep_fours } };
+    if (!four_build(&body_of_four, &icosahedron).ok)
+        give_up("there is no memory for four particles");
+    for (int b = 0; b < BODIES; b++) first_of[b] = b * FOUR;
+    real *time = time_in_turn(ways, 2, 1, ROUNDS);
+    real solved = strain_left(relax_fours), swept = strain_left(sweep_fours);
+    row r = { .what = "one stick of the room, solved with its body",
+              .unit = "ns", .most = 2, .against = "ours, one by one",
+              .ours = 1e9 * time[0] / (BODIES * FOUR_STICKS),
+              .theirs = 1e9 * time[1] / (BODIES * FOUR_STICKS) };
+    snprintf(r.our_error, TEXT, "strain %.0e after one step", solved);
+    snprintf(r.their_error, TEXT, "strain %.0e after one sweep", swept);
+    table_add(r);
+    r = (row){ .what = "a body of four, its six sticks solved", .unit = "ns",
+               .against = "", .ours = 1e9 * time[0] / BODIES, .most = 15 };
+    snprintf(r.our_error, TEXT, "strain %.0e after one step", solved);
     table_add(r);
     free(time);
     four_free(&body_of_four);
@@ -287,8 +236,7 @@ void peers_sticks(void)
 {
     if (!shape_icosahedron(&icosahedron, 0.5, 1).ok)
         give_up("there is no memory for an icosahedron");
-    measure_stick();
-    measure_four();
+    measure_fours();
     measure_rope();
     measure_cloth();
     shape_free(&icosahedron);

@@ -70,9 +70,12 @@ static inline pull pull_old(stick s, const particle *a, const particle *b)
 //<
 
 //> stick-follow
-// The error that counts: a one-sided stick is content on its free side.
+// The error that counts: a one-sided stick is content on its free side.  Most
+// have no such side.  That is asked first: a sign of an error is as good as
+// tossed, and a processor that has guessed it wrong begins anew.
 static inline real error_counted(stick_kind kind, real error)
 {
+    if (kind == STICK_EXACT) return error;
     if (kind == STICK_AT_LEAST && error > 0) return 0;
     if (kind == STICK_AT_MOST && error < 0) return 0;
     return error;

@@ -2,11 +2,13 @@
 #include "four.h"
 
 #include <assert.h>
+#include <stddef.h>
 #include <stdlib.h>
 
 // The alternate corners of a cube: sum t = 0, sum t t^T = 4 times the unit
 // matrix.
-static const real T[FOUR][3] = {
+enum { AXES = FOUR_AXES };
+static const real T[FOUR][AXES] = {
     { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }
 };
 
@@ -70,67 +72,44 @@ static int root_of(real spread[3][3], real root[3][3])
         }
     return 1;
 }
-
-// y with L y = x.
-static vec3 undo_root(real root[3][3], vec3 x)
-{
-    vec3 y;
-    y.x = x.x / root[0][0];
-    y.y = (x.y - root[1][0] * y.x) / root[1][1];
-    y.z = (x.z - root[2][0] * y.x - root[2][1] * y.y) / root[2][2];
-    return y;
-}
 //<
 
-//> four-matrix
-// Entry (s, u) of J J^T: the row of stick (a, b) holds -o at a and o at b,
-// o = x_b - x_a, so that two sticks meet in o . o' where they share a particle,
-// with a minus sign where one begins and the other ends there.
-static real row_product(const stick *s, const stick *u, const vec3 *at)
+//> four-columns
+// The square of a cosine that rounding makes of a right angle.
+static const real UPRIGHT = 1e-30;
+
+// Turns the columns a and b of L in their plane until they are perpendicular;
+// 0 if they are.  With a' = cos a - sin b and b' = sin a + cos b,
+//     a' . b' = sin cos (a . a - b . b) + (cos^2 - sin^2) a . b,
+// which is 0 where the tangent t solves t^2 + 2 z t - 1 = 0, with
+// z = (b . b - a . a) / (2 a . b).  The lesser root turns by at most
+// 45 degrees.
+static int turn_columns(vec3 *a, vec3 *b)
 {
-    vec3 o = vec3_sub(at[s->b], at[s->a]), q = vec3_sub(at[u->b], at[u->a]);
-    int shared = (s->a == u->a) + (s->b == u->b)
-               - (s->a == u->b) - (s->b == u->a);
-    return shared * vec3_dot(o, q);
+    real aa = vec3_length_squared(*a), bb = vec3_length_squared(*b);
+    real ab = vec3_dot(*a, *b);
+    if (ab * ab <= UPRIGHT * aa * bb) return 0;
+    real z = (bb - aa) / (2 * ab);
+    real t = (z < 0 ? -1 : 1) / (fabs(z) + sqrt(1 + z * z));
+    real cosine = 1 / sqrt(1 + t * t);
+    vec3 kept = *a;
+    *a = vec3_scale(cosine, vec3_add_scaled(*a, -t, *b));
+    *b = vec3_scale(cosine, vec3_add_scaled(*b, t, kept));
+    return 1;
 }
 
-// Gauss and Jordan: matrix and identity side by side, the largest pivot of each
-// column.  There is one: J J^T is positive definite where the four do not lie
-// in a plane, and root_of has refused what rounding could take for flat.
-static void invert(real m[FOUR_STICKS][2 * FOUR_STICKS])
+// A root of the spread, L Q with Q a rotation, whose columns are perpendicular
+// (Jacobi's way).  A few rounds do: near the end each squares what is left.
+static void find_axes(real root[3][3], vec3 axis[AXES])
 {
-    for (int c = 0; c < FOUR_STICKS; c++) {
-        int best = c;
-        for (int r = c + 1; r < FOUR_STICKS; r++)
-            if (fabs(m[r][c]) > fabs(m[best][c])) best = r;
-        for (int k = 0; k < 2 * FOUR_STICKS; k++) {
-            real kept = m[c][k];
-            m[c][k] = m[best][k];
-            m[best][k] = kept;
-        }
-        real pivot = m[c][c];
-        for (int k = 0; k < 2 * FOUR_STICKS; k++) m[c][k] /= pivot;
-        for (int r = 0; r < FOUR_STICKS; r++) {
-            real share = m[r][c];
-            if (r == c || share == 0) continue;
-            for (int k = 0; k < 2 * FOUR_STICKS; k++)
-                m[r][k] -= share * m[c][k];
-        }
+    enum { ROUNDS = 30 };
+    for (int i = 0; i < AXES; i++)
+        axis[i] = vec3_make(root[0][i], root[1][i], root[2][i]);
+    for (int n = 0, turned = 1; n < ROUNDS && turned; n++) {
+        turned = turn_columns(&axis[0], &axis[1]);
+        turned |= turn_columns(&axis[0], &axis[2]);
+        turned |= turn_columns(&axis[1], &axis[2]);
     }
-}
-
-static void invert_sticks(four *f)
-{
-    real m[FOUR_STICKS][2 * FOUR_STICKS] = { { 0 } };
-    for (int s = 0; s < FOUR_STICKS; s++) {
-        for (int u = 0; u < FOUR_STICKS; u++)
-            m[s][u] = row_product(&f->stick[s], &f->stick[u], f->at);
-        m[s][FOUR_STICKS + s] = 1;
-    }
-    invert(m);
-    for (int s = 0; s < FOUR_STICKS; s++)
-        for (int u = 0; u < FOUR_STICKS; u++)
-            f->inverse[s][u] = m[s][FOUR_STICKS + u];
 }
 //<
 
@@ -142,8 +121,13 @@ static int turns_right(vec3 x0, vec3 x1, vec3 x2, vec3 x3)
     return vec3_dot(a, vec3_cross(b, c)) > 0;
 }
 
+// The pairs of the three axes, each with itself and with the others.
+static const int PAIR[FOUR_STICKS][2] = {
+    { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 0, 2 }, { 1, 2 }
+};
+
 static void place_four(four *f, const shape *s, const solid *q,
-                       real root[3][3])
+                       const vec3 axis[AXES])
 {
     real mass = 0;
     int stick_count = 0;
@@ -151,10 +135,9 @@ static void place_four(four *f, const shape *s, const solid *q,
     f->mass = mass / FOUR;
     f->center = q->center;
     for (int k = 0; k < FOUR; k++) {
-        vec3 r = { root[0][0] * T[k][0],
-                   root[1][0] * T[k][0] + root[1][1] * T[k][1],
-                   root[2][0] * T[k][0] + root[2][1] * T[k][1]
-                   + root[2][2] * T[k][2] };
+        vec3 r = { 0, 0, 0 };
+        for (int i = 0; i < AXES; i++)
+            r = vec3_add_scaled(r, T[k][i], axis[i]);
         f->at[k] = vec3_add(q->center, r);
         f->radius = fmax(f->radius, vec3_length(r));
     }
@@ -162,19 +145,25 @@ static void place_four(four *f, const shape *s, const solid *q,
         for (int b = a + 1; b < FOUR; b++)
             f->stick[stick_count++] = (stick){ a, b,
                 vec3_distance(f->at[a], f->at[b]), 1, STICK_EXACT };
-    for (int k = 0; k < FOUR_STICKS; k++) {
-        f->square[k] = f->stick[k].rest_length * f->stick[k].rest_length;
-        f->per_square[k] = 1 / f->square[k];
-    }
+    for (int i = 0; i < AXES; i++)
+        f->square[i] = vec3_length_squared(axis[i]);
+    for (int k = 0; k < FOUR_STICKS; k++)
+        f->per_sum[k] = 1 / (f->square[PAIR[k][0]] + f->square[PAIR[k][1]]);
     f->turns_right = turns_right(f->at[0], f->at[1], f->at[2], f->at[3]);
 }
 
-// p = sum a_k x_k with sum a_k = 1: with x_k = c + L t_k and y = L^-1 (p - c),
-// a_k = (1 + t_k . y) / 4, because sum a_k t_k = (sum t_k t_k^T / 4) y = y.
-static void weigh(vec3 y, real weight[FOUR])
+// p = sum a_k x_k with sum a_k = 1: with x_k = c + sum_i T_ki y_i and
+// p - c = sum_i u_i y_i it is a_k = (1 + sum_i T_ki u_i) / 4, because
+// sum_k a_k T_ki = u_i.  The y_i are perpendicular, so u_i is
+// (p - c) . y_i / y_i^2.
+static void weigh(const vec3 axis[AXES], vec3 r, real weight[FOUR])
 {
-    for (int k = 0; k < FOUR; k++)
-        weight[k] = (1 + T[k][0] * y.x + T[k][1] * y.y + T[k][2] * y.z) / FOUR;
+    for (int k = 0; k < FOUR; k++) weight[k] = 1;
+    for (int i = 0; i < AXES; i++) {
+        real u = vec3_dot(r, axis[i]) / vec3_length_squared(axis[i]);
+        for (int k = 0; k < FOUR; k++) weight[k] += T[k][i] * u;
+    }
+    for (int k = 0; k < FOUR; k++) weight[k] /= FOUR;
 }
 
 void four_free(four *f)
@@ -192,8 +181,9 @@ status four_build(four *f, const shape *s)
     if (!(q.volume > 0) || !root_of(q.spread, root))
         return status_fail("a body of %d vertices is too thin to be solid",
                            s->particles);
-    place_four(f, s, &q, root);
-    invert_sticks(f);
+    vec3 axis[AXES];
+    find_axes(root, axis);
+    place_four(f, s, &q, axis);
     f->weight = malloc((size_t)s->particles * sizeof *f->weight);
     if (!f->weight) {
         four_free(f);
@@ -202,7 +192,7 @@ status four_build(four *f, const shape *s)
     for (int v = 0; v < s->particles; v++) {
         vec3 r = vec3_sub(s->at[v], f->center);
         real *a = f->weight[v], sum = 0;
-        weigh(undo_root(root, r), a);
+        weigh(axis, r, a);
         f->reach = fmax(f->reach, vec3_length(r));
         for (int k = 0; k < FOUR; k++) {
             f->middle[k] += a[k] / s->particles;
@@ -233,55 +223,164 @@ int four_is_mirrored(const four *f, const particle *p)
 }
 //<
 
-//> four-solve
-// mu = (J J^T)^-1 c.
-static void solve_sticks(const four *f, const real c[FOUR_STICKS],
-                         real mu[FOUR_STICKS])
-{
-    for (int s = 0; s < FOUR_STICKS; s++) {
-        real sum = 0;
-        for (int u = 0; u < FOUR_STICKS; u++) sum += f->inverse[s][u] * c[u];
-        mu[s] = sum;
-    }
-}
+//> four-frame
+// Four particles are a middle and a frame of three vectors,
+//     x_k = middle + sum_i T_ki y_i,
+// and because sum_k T_ki = 0 and sum_k T_ki T_kj is 4 or 0, sums and
+// differences find both: 4 middle = sum_k x_k, 4 y_i = sum_k T_ki x_k.
+typedef struct {
+    vec3 middle, y[AXES];   // m, four times what it is
+} frame;
 
-// The ends of each stick: every pair.
-static const int END[FOUR_STICKS][2] = {
-    { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 }
-};
-
-// How far each stick is off, as (d^2 - L^2) / 2; returns the worst, relative to
-// its length: (d^2 - L^2) / (2 L^2).  HUGE_VAL for NaN.
-static real stick_errors(const four *f, const particle *p,
-                         real c[FOUR_STICKS])
+static inline frame frame_of(vec3 x0, vec3 x1, vec3 x2, vec3 x3)
 {
-    real worst = 0;
-    for (int s = 0; s < FOUR_STICKS; s++) {
-        vec3 d = vec3_sub(p[END[s][1]].position, p[END[s][0]].position);
-        c[s] = (vec3_length_squared(d) - f->square[s]) / 2;
-        real error = fabs(c[s]) * f->per_square[s];
-        if (!(error <= worst)) worst = error >= 0 ? error : HUGE_VAL;
-    }
-    return worst;
+    vec3 a = vec3_add(x0, x1), b = vec3_sub(x0, x1);
+    vec3 c = vec3_add(x2, x3), d = vec3_sub(x2, x3);
+    return (frame){ vec3_add(a, c),
+                    { vec3_sub(a, c), vec3_add(b, d), vec3_sub(b, d) } };
 }
 //<
 
-//> four-relax
-// One Newton step: x_k -= sum_s J_sk mu_s, J at o.  All four have one mass, so
-// it falls out.
-static void newton_step(const four *f, particle *p, const vec3 o[FOUR],
-                        const real c[FOUR_STICKS])
+//> four-batch
+// Bodies of one plan side by side: numbers of one kind lie next to each other,
+// one for each body, so that a processor takes two or more at a time.  There
+// are LANES bodies, or a single one: `lanes` is a constant wherever it is
+// given, so that a compiler makes a version of its own for each.
+enum { LANES = 4 };
+typedef real lane[LANES];
+
+typedef struct {
+    lane middle[AXES];          // m
+    lane now[AXES][AXES];       // m, the frame
+    lane old[AXES][AXES];       // m, four times that of a substep ago
+    lane at[FOUR][AXES];        // m, where the particles end
+    lane bend[FOUR_STICKS];     // K, for each of PAIR
+    lane worst;     // of the sticks' relative errors, as last measured
+    lane most;      // the largest that was measured
+    lane steps;     // done so far
+    lane volume;    // m^3, of the frame; < 0: in a mirror
+} batch;
+
+static inline void put(lane to[AXES], int l, vec3 a)
 {
-    real mu[FOUR_STICKS];
-    solve_sticks(f, c, mu);
-    for (int s = 0; s < FOUR_STICKS; s++) {
-        int a = END[s][0], b = END[s][1];
-        vec3 move = vec3_scale(mu[s], vec3_sub(o[b], o[a]));
-        p[a].position = vec3_add(p[a].position, move);
-        p[b].position = vec3_sub(p[b].position, move);
+    to[0][l] = a.x;
+    to[1][l] = a.y;
+    to[2][l] = a.z;
+}
+
+static inline void batch_take(const int lanes, const particle *restrict p,
+                              const ptrdiff_t *restrict first,
+                              batch *restrict t)
+{
+    for (int l = 0; l < lanes; l++) {
+        const ptrdiff_t k = first[l];
+        frame a = frame_of(p[k].position, p[k + 1].position,
+                           p[k + 2].position, p[k + 3].position);
+        put(t->middle, l, vec3_scale(1.0 / FOUR, a.middle));
+        for (int i = 0; i < AXES; i++)
+            put(t->now[i], l, vec3_scale(1.0 / FOUR, a.y[i]));
+        t->most[l] = t->steps[l] = 0;
     }
 }
 
+static inline void batch_take_old(const int lanes, const particle *restrict p,
+                                  const ptrdiff_t *restrict first,
+                                  batch *restrict t)
+{
+    for (int l = 0; l < lanes; l++) {
+        const ptrdiff_t k = first[l];
+        frame a = frame_of(p[k].previous, p[k + 1].previous,
+                           p[k + 2].previous, p[k + 3].previous);
+        for (int i = 0; i < AXES; i++) put(t->old[i], l, a.y[i]);
+    }
+}
+
+// The same, along the sticks as they lie.
+static inline void batch_keep_new(const int lanes, batch *t)
+{
+    for (int i = 0; i < AXES; i++)
+        for (int j = 0; j < AXES; j++)
+            for (int l = 0; l < lanes; l++)
+                t->old[i][j][l] = FOUR * t->now[i][j][l];
+}
+//<
+
+//> four-bend
+// g = A^T A - M, K = g_ij / (m_i + m_j), and the worst of the sticks: the two
+// between which the vectors i and j tell are off by
+//     (g_ii + g_jj) / (2 (m_i + m_j)) +- K_ij.
+// The larger of two is so put that a NaN in all of them comes out at the end.
+static inline void batch_bend(const int lanes, const four *restrict f,
+                              batch *restrict t)
+{
+    for (int l = 0; l < lanes; l++) {
+        real g[FOUR_STICKS], e[FOUR_STICKS];
+        for (int s = 0; s < FOUR_STICKS; s++) {
+            const int i = PAIR[s][0], j = PAIR[s][1];
+            g[s] = t->now[i][0][l] * t->now[j][0][l]
+                 + t->now[i][1][l] * t->now[j][1][l]
+                 + t->now[i][2][l] * t->now[j][2][l];
+            if (i == j) g[s] -= f->square[i];
+        }
+        for (int s = 0; s < FOUR_STICKS; s++) {
+            real k = g[s] * f->per_sum[s];
+            real both = g[PAIR[s][0]] + g[PAIR[s][1]];
+            e[s] = fabs(both) * (f->per_sum[s] / 2) + fabs(k);
+            t->bend[s][l] = k;
+        }
+        real worst = e[3] > e[4] ? e[3] : e[4], most = t->most[l];
+        worst = worst > e[5] ? worst : e[5];
+        t->worst[l] = worst;
+        t->most[l] = most > worst ? most : worst;
+    }
+}
+//<
+
+//> four-step
+// A -= B K, of each body that is not content.  For the others B is nothing,
+// also where their old places are no numbers.
+static inline void batch_step(const int lanes, batch *restrict t,
+                              real tolerance)
+{
+    for (int l = 0; l < lanes; l++) {
+        real k[FOUR_STICKS], go = t->worst[l] > tolerance ? 1.0 : 0.0;
+        for (int s = 0; s < FOUR_STICKS; s++) k[s] = t->bend[s][l] / FOUR;
+        t->steps[l] += go;
+        for (int i = 0; i < AXES; i++) {
+            real x = t->old[0][i][l], y = t->old[1][i][l];
+            real z = t->old[2][i][l];
+            x = go > 0 ? x : 0;
+            y = go > 0 ? y : 0;
+            z = go > 0 ? z : 0;
+            t->now[0][i][l] -= x * k[0] + y * k[3] + z * k[4];
+            t->now[1][i][l] -= x * k[3] + y * k[1] + z * k[5];
+            t->now[2][i][l] -= x * k[4] + y * k[5] + z * k[2];
+        }
+    }
+}
+
+// The particles of the frame, and its volume.
+static inline void batch_end(const int lanes, batch *restrict t)
+{
+    for (int l = 0; l < lanes; l++) {
+        real y[AXES][AXES];
+        for (int i = 0; i < AXES; i++) {
+            real c = t->middle[i][l], x = t->now[0][i][l];
+            real u = t->now[1][i][l], v = t->now[2][i][l];
+            t->at[0][i][l] = (c + x) + (u + v);
+            t->at[1][i][l] = (c + x) - (u + v);
+            t->at[2][i][l] = (c - x) + (u - v);
+            t->at[3][i][l] = (c - x) - (u - v);
+            y[0][i] = x, y[1][i] = u, y[2][i] = v;
+        }
+        t->volume[l] = y[0][0] * (y[1][1] * y[2][2] - y[1][2] * y[2][1])
+                     + y[0][1] * (y[1][2] * y[2][0] - y[1][0] * y[2][2])
+                     + y[0][2] * (y[1][0] * y[2][1] - y[1][1] * y[2][0]);
+    }
+}
+//<
+
+//> four-bent
 // Sticks off by more, relative to their lengths, make a body bent: Newton may
 // lose its way, or find the mirror image.
 static const real BENT = 0.05;
@@ -306,219 +405,100 @@ static relax_result relax_bent(const four *f, particle *p,
         p[k].position = vec3_add(p[k].previous, mean);
     return r;
 }
+//<
 
-relax_result four_relax(const four *f, particle *p, int steps,
-                        relax_options options)
+//> four-solve
+// NaN does not count: who has none goes on.
+static inline real largest(const int lanes, const lane a)
 {
-    relax_result r = { .sweeps = 0 };
-    real c[FOUR_STICKS], first = 0;
-    vec3 o[FOUR], kept[FOUR];
-    if (p[0].inverse_mass == 0) return r;
-    r.worst = first = stick_errors(f, p, c);
-    r.tested += FOUR_STICKS;
-    for (int k = 0; k < FOUR && !(first <= options.tolerance); k++) {
-        kept[k] = p[k].position;
-        o[k] = options.gradient == GRADIENT_OLD ? p[k].previous : kept[k];
+    real most = 0;
+    for (int l = 0; l < lanes; l++) most = a[l] > most ? a[l] : most;
+    return most;
+}
+
+// Up to so many steps.  After the last one nobody is measured again: a step
+// squares the error of a body that was hardly bent.
+static inline void batch_solve(const int lanes, const four *f,
+                               const particle *p, const ptrdiff_t *first,
+                               int steps, relax_options o, batch *t)
+{
+    batch_take(lanes, p, first, t);
+    for (int k = 0; k < steps; k++) {
+        batch_bend(lanes, f, t);
+        if (!(largest(lanes, t->worst) > o.tolerance)) break;
+        if (k == 0 && o.gradient == GRADIENT_OLD)
+            batch_take_old(lanes, p, first, t);
+        else if (k == 0)
+            batch_keep_new(lanes, t);
+        batch_step(lanes, t, o.tolerance);
     }
-    while (r.sweeps < steps) {
-        if (r.sweeps > 0) {
-            r.worst = stick_errors(f, p, c);
-            r.tested += FOUR_STICKS;
-        }
-        if (r.worst <= options.tolerance || !(r.worst < HUGE_VAL)) break;
-        newton_step(f, p, o, c);
-        r.relaxed += FOUR_STICKS;
-        r.sweeps++;
-    }
-    // A body that was hardly bent is straight now: one step squares the error.
-    if (first > BENT || !(r.worst <= BENT)) r.worst = stick_errors(f, p, c);
-    if (r.worst <= fmax(BENT, options.tolerance) && !four_is_mirrored(f, p))
-        return r;
-    for (int k = 0; k < FOUR && r.sweeps > 0; k++) p[k].position = kept[k];
-    return relax_bent(f, p, options);
+    batch_end(lanes, t);
 }
 //<
 
-//> four-batch
-// Bodies of one plan side by side: numbers of one kind lie next to each other,
-// one for each body, so that a processor takes two or more at a time.
-enum { LANES = 4 };
-typedef real lane[LANES];
-
-// How far a body is: to be solved on, solved, or left to four_relax.
-enum { GOING, DONE, LEFT };
-
-typedef struct {
-    lane at[FOUR][3], old[FOUR][3];         // m
-    lane c[FOUR_STICKS];                    // m^2, see stick_errors
-    lane worst;                             // of the sticks' relative errors
-    lane volume;                            // m^3, sixfold; < 0: in a mirror
-    int  state[LANES];
-} batch;
-
-static void batch_take(const particle *restrict p, const int *restrict first,
-                       batch *restrict t)
-{
-    for (int l = 0; l < LANES; l++) {
-        const particle *of = p + first[l];
-        t->state[l] = of->inverse_mass > 0 ? GOING : LEFT;
-        for (int k = 0; k < FOUR; k++) {
-            t->at[k][0][l] = of[k].position.x;
-            t->at[k][1][l] = of[k].position.y;
-            t->at[k][2][l] = of[k].position.z;
-        }
-    }
-}
-
-static void batch_take_old(const particle *restrict p,
-                           const int *restrict first, batch *restrict t)
-{
-    for (int l = 0; l < LANES; l++)
-        for (int k = 0; k < FOUR; k++) {
-            vec3 old = p[first[l] + k].previous;
-            t->old[k][0][l] = old.x;
-            t->old[k][1][l] = old.y;
-            t->old[k][2][l] = old.z;
-        }
-}
-
-static void batch_give(const batch *t, int l, particle *p)
-{
-    for (int k = 0; k < FOUR; k++)
-        p[k].position = vec3_make(t->at[k][0][l], t->at[k][1][l],
-                                  t->at[k][2][l]);
-}
-//<
-
-//> four-batch-errors
-// stick_errors of each body.  Inner loops of known length are unrolled: the
-// loop over the bodies is the innermost that is left, and has no branch.  A NaN
-// may slip through `worst`; but a body with a NaN has no volume.
-static void batch_errors(const four *restrict f, batch *restrict t)
-{
-    for (int l = 0; l < LANES; l++) {
-        real worst = 0;
-        for (int s = 0; s < FOUR_STICKS; s++) {
-            const int a = END[s][0], b = END[s][1];
-            real x = t->at[b][0][l] - t->at[a][0][l];
-            real y = t->at[b][1][l] - t->at[a][1][l];
-            real z = t->at[b][2][l] - t->at[a][2][l];
-            real c = (x * x + y * y + z * z - f->square[s]) / 2;
-            real error = fabs(c) * f->per_square[s];
-            t->c[s][l] = c;
-            worst = error > worst ? error : worst;
-        }
-        t->worst[l] = worst;
-    }
-}
-
-// turns_right asks for its sign, which is that of T.
-static void batch_volumes(batch *t)
-{
-    for (int l = 0; l < LANES; l++) {
-        real r[FOUR][3];
-        for (int k = 1; k < FOUR; k++)
-            for (int i = 0; i < 3; i++)
-                r[k][i] = t->at[k][i][l] - t->at[0][i][l];
-        t->volume[l] = r[1][0] * (r[2][1] * r[3][2] - r[2][2] * r[3][1])
-                     + r[1][1] * (r[2][2] * r[3][0] - r[2][0] * r[3][2])
-                     + r[1][2] * (r[2][0] * r[3][1] - r[2][1] * r[3][0]);
-    }
-}
-//<
-
-//> four-batch-step
-// newton_step of each body.
-static void batch_step(const four *restrict f, batch *restrict t)
-{
-    for (int l = 0; l < LANES; l++) {
-        real mu[FOUR_STICKS];
-        for (int s = 0; s < FOUR_STICKS; s++) {
-            mu[s] = 0;
-            for (int u = 0; u < FOUR_STICKS; u++)
-                mu[s] += f->inverse[s][u] * t->c[u][l];
-        }
-        for (int i = 0; i < 3; i++) {
-            real x[FOUR], o[FOUR];
-            for (int k = 0; k < FOUR; k++) {
-                x[k] = t->at[k][i][l];
-                o[k] = t->old[k][i][l];
-            }
-            for (int s = 0; s < FOUR_STICKS; s++) {
-                real move = mu[s] * (o[END[s][1]] - o[END[s][0]]);
-                x[END[s][0]] += move;
-                x[END[s][1]] -= move;
-            }
-            for (int k = 0; k < FOUR; k++) t->at[k][i][l] = x[k];
-        }
-    }
-}
-//<
-
-//> four-batch-relax
-// After k steps: gives back whoever is content, or has had all steps.  Bent or
-// mirrored bodies, and what is no number, are left as they came.  Returns
-// whether anybody goes on.
-static int batch_sort(batch *t, particle *p, const int *first, int k,
-                      int steps, real tolerance, relax_result *all)
-{
-    int going = 0, has_volumes = 0;
-    for (int l = 0; l < LANES; l++) {
-        if (t->state[l] != GOING) continue;
-        if (t->worst[l] <= BENT && t->worst[l] > tolerance && k < steps) {
-            going = 1;
-            continue;
-        }
-        if (!has_volumes) batch_volumes(t);
-        has_volumes = 1;
-        t->state[l] = LEFT;
-        if (!(t->worst[l] <= BENT) || !(t->volume[l] < 0)) continue;
-        t->state[l] = DONE;
-        if (k > 0) batch_give(t, l, p + first[l]);
-        all->tested += FOUR_STICKS * (k < steps ? k + 1 : k);
-        all->relaxed += FOUR_STICKS * k;
-        all->sweeps = k > all->sweeps ? k : all->sweeps;
-        all->worst = fmax(all->worst, t->worst[l]);
-    }
-    return going;
-}
-
+//> four-relax
 static void add_result(relax_result *all, relax_result r)
 {
     all->tested += r.tested;
     all->relaxed += r.relaxed;
     all->fell_back += r.fell_back;
     all->sweeps = r.sweeps > all->sweeps ? r.sweeps : all->sweeps;
-    all->worst = fmax(all->worst, r.worst);
+    all->worst = r.worst > all->worst ? r.worst : all->worst;
 }
 
-static void batch_relax(const four *f, particle *p, const int *first,
-                        int steps, relax_options o, relax_result *all)
+// The worst of body l, which was bent on the way, when all steps are done.
+static real measured_again(const four *f, const batch *t, int l)
 {
-    batch t;
-    batch_take(p, first, &t);
-    for (int k = 0; k <= steps; k++) {
-        if (k > 0) batch_step(f, &t);
-        if (k < steps) batch_errors(f, &t);
-        if (!batch_sort(&t, p, first, k, steps, o.tolerance, all)) break;
-        if (k == 0) batch_take_old(p, first, &t);
+    batch again = *t;
+    batch_bend(LANES, f, &again);
+    return again.worst[l];
+}
+
+// What became of body l, whose particles begin at p.
+static void batch_give(const four *f, const batch *t, int l, particle *p,
+                       int steps, relax_options o, relax_result *all)
+{
+    int done = (int)t->steps[l];
+    real worst = t->worst[l];
+    if (p->inverse_mass == 0) return;
+    if (!(t->most[l] <= BENT)) worst = measured_again(f, t, l);
+    if (!(worst <= BENT || worst <= o.tolerance) || !(t->volume[l] > 0)) {
+        add_result(all, relax_bent(f, p, o));
+        return;
     }
-    for (int l = 0; l < LANES; l++)
-        if (t.state[l] == LEFT)
-            add_result(all, four_relax(f, p + first[l], steps, o));
+    for (int k = 0; k < FOUR && done > 0; k++)
+        p[k].position = vec3_make(t->at[k][0][l], t->at[k][1][l],
+                                  t->at[k][2][l]);
+    add_result(all, (relax_result){ .worst = worst, .sweeps = done,
+        .tested = FOUR_STICKS * (done + (done < steps)),
+        .relaxed = FOUR_STICKS * done });
 }
 
 relax_result four_relax_all(const four *f, particle *p, const int *first,
                             int bodies, int steps, relax_options options)
 {
     relax_result all = { .worst = 0 };
-    int b = 0, is_old = options.gradient == GRADIENT_OLD;
     assert(steps > 0);
-    for (; is_old && b + LANES <= bodies; b += LANES)
-        batch_relax(f, p, first + b, steps, options, &all);
-    for (; b < bodies; b++)
-        add_result(&all, four_relax(f, p + first[b], steps, options));
+    for (int b = 0; b < bodies; b += LANES) {
+        // Lanes that are left over repeat the last body.
+        int n = bodies - b < LANES ? bodies - b : LANES;
+        ptrdiff_t of[LANES];
+        batch t;
+        for (int l = 0; l < LANES; l++)
+            of[l] = first[b + (l < n ? l : n - 1)];
+        if (n == 1) batch_solve(1, f, p, of, steps, options, &t);
+        else batch_solve(LANES, f, p, of, steps, options, &t);
+        for (int l = 0; l < n; l++)
+            batch_give(f, &t, l, p + of[l], steps, options, &all);
+    }
     return all;
+}
+
+relax_result four_relax(const four *f, particle *p, int steps,
+                        relax_options options)
+{
+    const int first = 0;
+    return four_relax_all(f, p, &first, 1, steps, options);
 }
 //<
 

@@ -12,7 +12,7 @@
 
 #include "body.h"
 
-enum { FOUR = 4, FOUR_STICKS = 6 };
+enum { FOUR = 4, FOUR_STICKS = 6, FOUR_AXES = 3 };
 
 // The plan of a body of four particles.  The vertices of the mesh ride on them:
 // vertex v is the weighted mean of the four, by fixed weights.
@@ -23,10 +23,9 @@ typedef struct four {
     real  radius;           // m, their largest distance from the centre
     real  reach;            // m, the vertices' largest distance from it
     struct stick stick[FOUR_STICKS];        // every pair
-    real  square[FOUR_STICKS];              // m^2, of their lengths
-    real  per_square[FOUR_STICKS];          // 1/m^2
+    real  square[FOUR_AXES];        // m^2, of the frame's vectors
+    real  per_sum[FOUR_STICKS];     // 1/m^2, of two of them: 00 11 22 01 02 12
     int   turns_right;      // 1, 2 and 3 at rest, as seen from 0
-    real  inverse[FOUR_STICKS][FOUR_STICKS]; // of J J^T at rest, 1/m^4
     real (*weight)[FOUR];   // [shape->particles] their sum is 1
     real  middle[FOUR];     // the weights of the mean of all vertices
     real  swing;            // when no particle goes further than 1 m no vertex
@@ -57,9 +56,9 @@ void   four_free(four *f);      // an empty or zeroed one is fine
 void four_ride(const four *f, const particle *p, vec3 *at, int n);
 
 // Brings the six sticks to their lengths at once: Newton's step for all of
-// them, until none is off by more than options.tolerance, at most `steps`
-// times.  The matrix that it needs is made of dot products of sticks, which are
-// the same however a rigid body is turned: it is inverted once, in the plan.
+// them, until none is off by more than options.tolerance, at most `steps` times
+// (at least 1).  Told as a frame of three vectors along the solid's axes, the
+// six can be solved one by one: there is no matrix to be inverted.
 // Gradients as options.gradient says; where this fails (violent turning), the
 // sticks are relaxed one by one (fell_back = 1).  Nailed bodies stay.
 relax_result four_relax(const four *f, particle *p, int steps,
@@ -67,7 +66,7 @@ relax_result four_relax(const four *f, particle *p, int steps,
 
 // The same for several bodies, whose particles begin at p + first[0] and so on:
 // the same bits, in less time, for it takes some at once.  Counts are sums,
-// `worst` and `sweeps` the largest.  At least one step.
+// `worst` and `sweeps` the largest.
 relax_result four_relax_all(const four *f, particle *p, const int *first,
                             int bodies, int steps, relax_options options);
 

@@ -150,8 +150,11 @@ static void print_string(void)
 }
 
 // Time (s) of one link of p's columns and rows, of a substep of three rounds
-// (a rope has one): solved, or swept.
-static double time_links(const shape *s, particle *p, int line,
+// (a rope has one): swept; solved; solved, and the particles fetched and
+// brought back for each direction of each round.
+typedef enum { SWEPT, SOLVED, FETCHED } link_way;
+
+static double time_links(const shape *s, particle *p, link_way how,
                          relax_options o, line_scratch *scratch)
 {
     double best = 1e9;
@@ -160,9 +163,12 @@ static double time_links(const shape *s, particle *p, int line,
     for (int k = 0; k < REPEAT; k++) {
         double begin = clock_seconds();
         for (int i = 0; i < turns; i++) {
-            for (int r = 0; r < rounds && !line; r++)
+            for (int r = 0; r < rounds && how == SWEPT; r++)
                 sticks_sweep(s->stick, s->on_strands, p, o);
-            if (line) lines_relax(s, p, rounds, o, scratch);
+            for (int r = 0; r < rounds && how == FETCHED; r++)
+                for (int d = 0; d < s->directions; d++)
+                    line_solve(&s->strand[d], p, 1, o, scratch);
+            if (how == SOLVED) lines_relax(s, p, rounds, o, scratch);
         }
         best = fmin(best, clock_seconds() - begin);
     }
@@ -179,15 +185,20 @@ static void print_times(const char *name, shape s)
         p[i].position.y += 1e-4 * (i % 7);
     }
     printf("# ns a link, %s:", name);
-    for (int k = 0; k < 5; k++) {
-        static const char *const way[5] = { "swept, exact root",
-            "approximate root", "old gradient", "line, new gradient",
-            "line, old gradient" };
-        relax_options o = along(k == 2 || k == 4 ? GRADIENT_OLD
-                                                 : GRADIENT_NEW);
+    const struct { const char *name; link_way how; gradient_kind along; } way[6] = {
+        { "swept, exact root", SWEPT, GRADIENT_NEW },
+        { "approximate root", SWEPT, GRADIENT_NEW },
+        { "old gradient", SWEPT, GRADIENT_OLD },
+        { "line, new gradient", SOLVED, GRADIENT_NEW },
+        { "fetched each time", FETCHED, GRADIENT_NEW },
+        { "line, old gradient", SOLVED, GRADIENT_OLD },
+    };
+    for (int k = 0; k < 6; k++) {
+        relax_options o = along(way[k].along);
         if (k == 1) o.root = ROOT_APPROXIMATE;
-        printf(" %s %.1f%s", way[k], 1e9 * time_links(&s, p, k > 2, o, scratch),
-               k < 4 ? "," : "\n");
+        printf(" %s %.1f%s", way[k].name,
+               1e9 * time_links(&s, p, way[k].how, o, scratch),
+               k < 5 ? "," : "\n");
     }
     line_scratch_free(scratch);
     free(p);

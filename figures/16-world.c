@@ -1,11 +1,13 @@
 // 16-world.c - how the whole grows: rooms of 10 to 10,000 bodies, our way and
 // (up to 3,000) the paper's, in their first second, and cloths of 20 to 160
-// particles a side on the cube, with half, once and twice their substeps, while
-// they fall.  Nobody sleeps.
+// particles a side that fall on the cube, all with 9, 18 and 36 substeps.
+// Nobody sleeps.
 //
 // index 0, 1: bodies, ms a step (median), deepest overlap (of a radius),
 //             largest strain; ours, the paper's
-// index 2 to 5: substeps, ms a step, largest strain, overlap (m); a size each
+// index 2 to 5: substeps, ms a step (median), largest strain, overlap (m),
+//             what touches, for a particle, ms a step of the fall before it
+//             touches, how often a step makes new lists; a size each
 // Columns are separated by spaces.
 
 #include "clock.h"
@@ -20,36 +22,39 @@
 #endif
 
 enum { FRAMES = 60, CLOTH_FRAMES = 40, LOOK = 10, SIZES = 7, CLOTHS = 4,
-       STEPS = 3 };
+       STEPS = 3, FALL = 6 };
 static const int BODIES[SIZES] = { 10, 30, 100, 300, 1000, 3000, 10000 };
 static const int CLOTH[CLOTHS] = { 20, 40, 80, 160 };
 
+// A scene that runs, and what was seen of it.
 typedef struct {
-    real ms, overlap, strain;
-    int  frames;
-} outcome;
-
-static outcome run(scene_kind kind, scene_options what, world_options how,
-                   int frames)
-{
-    static real took[FRAMES];
-    outcome r = { 0, 0, 0, frames };
     scene s;
+    real  took[FRAMES];         // ms
+    real  overlap, strain, touching, lists;
+    int   frames;
+} trip;
+
+static void start(trip *t, scene_kind kind, scene_options what,
+                  world_options how)
+{
+    *t = (trip){ .frames = 0 };
     how.resting = 0;
-    if (!scene_build(&s, kind, what, how).ok) exit(1);
-    for (int k = 0; k < frames; k++) {
-        real start = clock_seconds();
-        world_step(&s.world);
-        took[k] = 1e3 * (clock_seconds() - start);
-        if (k % LOOK != LOOK - 1) continue;
-        measures m = world_measure(&s.world);
-        r.overlap = fmax(r.overlap, m.penetration);
-        r.strain = fmax(r.strain, m.strain);
+    if (!scene_build(&t->s, kind, what, how).ok) exit(1);
+}
+
+// So many frames more, and a look at it.
+static void go_on(trip *t)
+{
+    for (int k = 0; k < LOOK; k++) {
+        real begin = clock_seconds();
+        world_step(&t->s.world);
+        t->took[t->frames++] = 1e3 * (clock_seconds() - begin);
+        t->touching += (real)t->s.world.report.touching;
+        t->lists += (real)t->s.world.report.rebuilt;
     }
-    r.ms = clock_median(took, frames);
-    if (kind == SCENE_ROOM) r.overlap /= s.body_radius;
-    scene_free(&s);
-    return r;
+    measures m = world_measure(&t->s.world);
+    t->overlap = fmax(t->overlap, m.penetration);
+    t->strain = fmax(t->strain, m.strain);
 }
 
 // How steeply time grows over the last two sizes, which are ten times apart.
@@ -69,12 +74,15 @@ static void print_rooms(void)
         int sizes = way ? SIZES - 1 : SIZES;
         for (int k = 0; k < sizes; k++) {
             what.bodies = BODIES[k];
-            outcome r = run(SCENE_ROOM, what,
-                            way ? world_options_paper()
-                                : scene_world_options(SCENE_ROOM, 0), FRAMES);
-            ms[way][k] = r.ms;
-            deep[way][k] = r.overlap;
-            printf("%d %.4g %.4g %.3g\n", BODIES[k], r.ms, r.overlap, r.strain);
+            static trip t;
+            start(&t, SCENE_ROOM, what, way ? world_options_paper()
+                  : scene_world_options(SCENE_ROOM, 0));
+            while (t.frames < FRAMES) go_on(&t);
+            ms[way][k] = clock_median(t.took, FRAMES);
+            deep[way][k] = t.overlap / t.s.body_radius;
+            printf("%d %.4g %.4g %.3g\n", BODIES[k], ms[way][k], deep[way][k],
+                   t.strain);
+            scene_free(&t.s);
         }
         printf("# grows as bodies^%.2f from %d on\n",
                slope(ms[way], sizes - 1), BODIES[sizes - 3]);
@@ -84,26 +92,55 @@ static void print_rooms(void)
                     deep[1][4] > 0.03 ? HUGE_VAL : ms[1][4] / ms[0][4]);
 }
 
-static void print_cloths(void)
+// The same numbers for all; with the last one the finest, too, holds its
+// strain.  With fewer it crumples, and has more to do than a cloth.
+static const int SUBSTEPS[STEPS] = { 9, 18, 36 };
+
+// All sizes take turns, so that all see the same of a machine whose pace
+// changes.
+static void run_cloths(trip *t, int substeps)
 {
-    real ms[CLOTHS];
     scene_options what = scene_options_default();
     world_options how = scene_world_options(SCENE_CLOTH_ON_CUBE, 40);
-    int usual = how.substeps;
+    how.substeps = substeps;
     for (int k = 0; k < CLOTHS; k++) {
         what.cloth = CLOTH[k];
-        printf("\n\n# cloth of %d x %d\n# substeps ms strain overlap\n",
-               CLOTH[k], CLOTH[k]);
-        for (int i = 0; i < STEPS; i++) {
-            how.substeps = (usual << i) / 2;
-            outcome r = run(SCENE_CLOTH_ON_CUBE, what, how, CLOTH_FRAMES);
-            printf("%d %.4g %.3g %.3g\n", how.substeps, r.ms, r.strain,
-                   r.overlap);
-            if (i == 1) ms[k] = r.ms;
-        }
+        start(&t[k], SCENE_CLOTH_ON_CUBE, what, how);
     }
-    printf("# %d substeps: grows as particles^%.2f from 40 on\n", usual,
-           log(ms[CLOTHS - 1] / ms[1]) / log(16));
+    for (int i = 0; i < CLOTH_FRAMES; i += LOOK)
+        for (int k = 0; k < CLOTHS; k++) go_on(&t[k]);
+    for (int k = 0; k < CLOTHS; k++) scene_free(&t[k].s);
+}
+
+// ms of all frames, or of those of the free fall.  The first one makes lists.
+static real time_of(const trip *t, int fall)
+{
+    real took[CLOTH_FRAMES];
+    int first = fall ? 1 : 0, n = fall ? FALL : CLOTH_FRAMES;
+    for (int i = 0; i < n; i++) took[i] = t->took[first + i];
+    return clock_median(took, n);
+}
+
+static void print_cloths(void)
+{
+    static trip t[STEPS][CLOTHS];
+    for (int i = 0; i < STEPS; i++) run_cloths(t[i], SUBSTEPS[i]);
+    for (int k = 0; k < CLOTHS; k++) {
+        printf("\n\n# cloth of %d x %d\n# substeps ms strain overlap touching "
+               "fall lists\n", CLOTH[k], CLOTH[k]);
+        for (int i = 0; i < STEPS; i++)
+            printf("%d %.4g %.3g %.3g %.3f %.4g %.1f\n", SUBSTEPS[i],
+                   time_of(&t[i][k], 0), t[i][k].strain, t[i][k].overlap,
+                   t[i][k].touching / (CLOTH[k] * CLOTH[k] * CLOTH_FRAMES),
+                   time_of(&t[i][k], 1), t[i][k].lists / CLOTH_FRAMES);
+    }
+    for (int i = 0; i < STEPS; i++) {
+        const trip *first = &t[i][1], *last = &t[i][CLOTHS - 1];
+        printf("# %d substeps: grows as particles^%.2f from 40 on, in free "
+               "fall as particles^%.2f\n", SUBSTEPS[i],
+               log(time_of(last, 0) / time_of(first, 0)) / log(16),
+               log(time_of(last, 1) / time_of(first, 1)) / log(16));
+    }
 }
 
 int main(void)

@@ -55,21 +55,21 @@ set title "Cloths on the cube: largest strain" offset 0,-0.3
 set xlabel "time of a step"
 set xrange [0.1:400]
 set xtics ("0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "100 ms" 100)
-set yrange [1e-4:5]
+set yrange [4e-5:5]
 set ytics ("0.01 %%" 1e-4, "0.1 %%" 1e-3, "1 %%" 1e-2, "10 %%" 1e-1, "100 %%" 1)
 plot for [k = 1:4] csv index k+1 using 2:3 with linespoints pt 7 ps 1.2 lc rgb size[k] lw 1.8, \
      for [k = 1:4] csv index k+1 using 2:3:1 with labels font small textcolor rgb size[k] offset 1.5,0.5, \
      for [k = 1:4] csv index k+1 using 2:3:(name[k]) every 1::0::0 with labels textcolor rgb size[k] offset -1,1.9
 
 set origin 0.5,0
-set title "Cloths: time of a step, usual substeps" offset 0,-0.3
+set title "Cloths: time of a step, 36 substeps" offset 0,-0.3
 set xlabel "particles"
 set xrange [300:40000]
 set xtics ("20²" 400, "40²" 1600, "80²" 6400, "160²" 25600)
 set yrange [0.1:400]
 set ytics ("0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "100 ms" 100)
-set label 3 "in proportion" at 1e4,3.5 left textcolor rgb grey font small
-plot 0.0005*x with lines lc rgb grey dt 3 lw 1, \
-     for [k = 1:4] csv index k+1 using ((10*2**k)**2):2 every 1::1::1 with points pt 7 ps 1.6 lc rgb size[k], \
+set label 3 "in proportion" at 9e3,13 left textcolor rgb grey font small
+plot 0.0025*x with lines lc rgb grey dt 3 lw 1, \
+     for [k = 1:4] csv index k+1 using ((10*2**k)**2):2 every 1::2::2 with points pt 7 ps 1.6 lc rgb size[k], \
      '+' using (NaN):(NaN) with points
 unset multiplot

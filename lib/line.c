@@ -7,6 +7,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 // So many lines are solved side by side.  Their numbers lie next to each other,
@@ -36,15 +37,27 @@ enum {
 struct line_scratch {
     int    particles;   // of the longest line that fits
     int    room;        // particles of the body
+    real   lightest;    // 1/kg, the largest inverse mass
     places now, before; // [room] at this step, and a step ago
     places block;       // [(particles + 1) * LANES] of the lines in hand
     real  *link;        // [(particles + 1) * LANES * FIELDS]
     real   memory[];
 };
 
+// Every array begins with a line of the cache, of LINE bytes: a vector that
+// lies across two of them is fetched twice.
+enum { LINE = 64, IN_LINE = LINE / sizeof(real) };
+
+static real *line_begin(real *memory)
+{
+    uintptr_t over = (uintptr_t)memory % LINE;
+    return over ? memory + (LINE - over) / sizeof(real) : memory;
+}
+
 static places cut(real **memory, size_t n)
 {
     real *at = *memory;
+    n = (n + IN_LINE - 1) / IN_LINE * IN_LINE;
     *memory += 4 * n;
     return (places){ at, at + n, at + 2 * n, at + 3 * n };
 }
@@ -57,9 +70,10 @@ line_scratch *line_scratch_new(const shape *s)
             longest = (size_t)s->strand[d].particles;
     size_t rows = (longest + 1) * LANES;
     line_scratch *scratch = malloc(sizeof *scratch + sizeof(real)
-                                   * (8 * room + (4 + FIELDS) * rows));
+                                   * (8 * room + (4 + FIELDS) * rows
+                                      + 13 * IN_LINE));
     if (!scratch) return NULL;
-    real *memory = scratch->memory;
+    real *memory = line_begin(scratch->memory);
     scratch->particles = (int)longest;
     scratch->room      = (int)room;
     scratch->now    = cut(&memory, room);
@@ -76,14 +90,18 @@ void line_scratch_free(line_scratch *scratch)
 //<
 
 //> line-gather
-static void gather(places to, const particle *p, int n)
+// Returns the largest weight.
+static real gather(places to, const particle *p, int n)
 {
+    real largest = 0;
     for (int i = 0; i < n; i++) {
         to.x[i] = p[i].position.x;
         to.y[i] = p[i].position.y;
         to.z[i] = p[i].position.z;
         to.weight[i] = p[i].inverse_mass;
+        largest = to.weight[i] > largest ? to.weight[i] : largest;
     }
+    return largest;
 }
 
 static void gather_before(places to, const particle *p, int n)
@@ -99,7 +117,7 @@ static void gather_all(line_scratch *scratch, const particle *p, int n,
                        relax_options options)
 {
     assert(options.tolerance >= 0 && n <= scratch->room);
-    gather(scratch->now, p, n);
+    scratch->lightest = gather(scratch->now, p, n);
     if (options.gradient == GRADIENT_OLD) gather_before(scratch->before, p, n);
 }
 
@@ -155,16 +173,25 @@ static inline vec3 lane_link(places here, int pitch, int l)
 // What the lanes of a block report.
 typedef struct {
     real worst[LANES];  // m^2, the largest |now - rest^2| / 2 before the step
-    real sum[LANES];    // m^2, the sum of them
-    real far[LANES];    // m^2, the sum of the squares of all moves; no number
+    real sum[LANES];    // m^2, the sum of them; of the old gradient only
+    real far[LANES];    // m^2, no less than the square of any move; no number
                         // once a place is none
 } tally;
 
-static inline void count_wrong(tally *t, int l, real wrong)
+// Twice what is wrong, for each link: halved in the end.
+static inline void count_wrong(tally *t, int l, real twice, int old)
 {
-    real size = fabs(wrong);
+    real size = fabs(twice);
     t->worst[l] = t->worst[l] > size ? t->worst[l] : size;
-    t->sum[l] += size;
+    if (old) t->sum[l] += size;
+}
+
+static void halve(tally *t, int lanes)
+{
+    for (int l = 0; l < lanes; l++) {
+        t->worst[l] /= 2;
+        t->sum[l] /= 2;
+    }
 }
 //<
 
@@ -172,16 +199,17 @@ static inline void count_wrong(tally *t, int l, real wrong)
 // A pivot below this share of its diagonal is what rounding left of nothing.
 static const real NOTHING = 1e-9;
 
-// Row k of the system, and Thomas's step with it (h and g as in the chapter):
+// Row k of the system, and Thomas's step with it (h and g as in the chapter,
+// but h and lower with the other sign, which spares turning them round):
 //     h_(k-1) = upper_(k-1) / pivot_(k-1)
 //     pivot_k = diagonal_k - lower_k h_(k-1)
-//     g_k     = (wrong_k - lower_k g_(k-1)) / pivot_k.
+//     g_k     = (wrong_k + lower_k g_(k-1)) / pivot_k.
 // A link without length, between two nails, or that the ones before it leave
 // no freedom has no pivot: its multiplier is 0.  A link shorter than about
 // L / sqrt(3) asks for no more than twice its length.
 static inline void eliminate(places at, int pitch, real *restrict before,
                              real *restrict here, int lanes, int old,
-                             real rest, real more, tally *restrict t)
+                             real rest2, real half, tally *restrict t)
 {
     for (int l = 0; l < lanes; l++) {
         vec3 link = lane_link(at, pitch, l);
@@ -190,47 +218,49 @@ static inline void eliminate(places at, int pitch, real *restrict before,
         real weight = at.weight[l], both = weight + at.weight[l + pitch];
         real now = vec3_length_squared(link);
 
-        real lower = -weight * vec3_dot(link, lane_get(before, PUSH, lanes, l));
-        real upper = old ? -weight * vec3_dot(lane_link(at, pitch, l - pitch),
-                                              push)
+        real lower = weight * vec3_dot(link, lane_get(before, PUSH, lanes, l));
+        real upper = old ? weight * vec3_dot(lane_link(at, pitch, l - pitch),
+                                             push)
                          : lower;
         real h = upper * before[SHARE * lanes + l];
         before[SHARE * lanes + l] = h;
-        real pivot = both * (old ? vec3_dot(link, push) : now) - lower * h;
-        real least = NOTHING * both * now;
-        real inverse = pivot > least ? 1 / (pivot > least ? pivot : 1) : 0;
+        real diagonal = both * (old ? vec3_dot(link, push) : now);
+        real pivot = diagonal - lower * h;
+        real least = NOTHING * (old ? both * now : diagonal);
+        real inverse = pivot > least ? 1 / pivot : 0;
         here[SHARE * lanes + l] = inverse;
 
-        real wrong = (now - rest * rest) / 2;
-        count_wrong(t, l, wrong);
-        real asked = more * wrong;
+        real twice = now - rest2, asked = half * twice;
+        count_wrong(t, l, twice, old);
         asked = asked > -now ? asked : -now;
-        here[SOLVED * lanes + l] =
-            (asked - lower * before[SOLVED * lanes + l]) * inverse;
+        asked += lower * before[SOLVED * lanes + l];
+        real solved = asked * inverse;
+        here[SOLVED * lanes + l] = solved;
+        if (!old) t->far[l] += asked * solved;
     }
 }
 //<
 
 //> line-substitute
-// Upwards: the multiplier of link k, `here`, is g_k - h_k times that of link
+// Upwards: the multiplier of link k, `here`, is g_k + h_k times that of link
 // k + 1, `after`.  Then the particle between them knows where to go, for link
 // k + 1 has left in `pull` what it asks:
 //     w (multiplier_(k+1) push_(k+1) - multiplier_k push_k).
 static inline void substitute(real *restrict x, real *restrict y,
                               real *restrict z, const real *restrict weight,
                               real *restrict here, const real *restrict after,
-                              int lanes, real *restrict pull,
+                              int lanes, int old, real *restrict pull,
                               real *restrict far)
 {
     for (int l = 0; l < lanes; l++) {
         real solved = here[SOLVED * lanes + l]
-                    - here[SHARE * lanes + l] * after[SOLVED * lanes + l];
+                    + here[SHARE * lanes + l] * after[SOLVED * lanes + l];
         here[SOLVED * lanes + l] = solved;
         vec3 up = lane_get(pull, 0, lanes, l);
         vec3 down = vec3_scale(solved, lane_get(here, PUSH, lanes, l));
         vec3 d = vec3_scale(weight[l], vec3_sub(up, down));
         lane_set(pull, 0, lanes, l, down);
-        far[l] += vec3_length_squared(d);
+        if (old) far[l] += vec3_length_squared(d);
         x[l] += d.x;
         y[l] += d.y;
         z[l] += d.z;
@@ -363,16 +393,18 @@ static inline void eliminate_lines(block *b, int lanes, int old)
     real *row = row_at(b, -1), rest = b->s.rest_length;
     int pitch = b->pitch;
     for (int k = 1; k < b->s.particles; k++) {
-        eliminate(at, pitch, row, row + FIELDS * lanes, lanes, old, rest,
-                  b->more, &t);
+        eliminate(at, pitch, row, row + FIELDS * lanes, lanes, old,
+                  rest * rest, b->more / 2, &t);
         row += FIELDS * lanes;
         at = places_from(at, pitch);
     }
+    halve(&t, lanes);
+    for (int l = 0; l < lanes; l++) t.far[l] *= b->scratch->lightest;
     b->t = t;
 }
 
 // The last pair has no link above it: it moves particle 0.
-static inline void substitute_lines(block *b, int lanes)
+static inline void substitute_lines(block *b, int lanes, int old)
 {
     real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
     int pitch = b->pitch;
@@ -380,9 +412,9 @@ static inline void substitute_lines(block *b, int lanes)
         places at = places_from(b->at, k * pitch);
         real *row = b->scratch->link + k * FIELDS * lanes;
         substitute(at.x, at.y, at.z, at.weight, row, row + FIELDS * lanes,
-                   lanes, pull, far);
+                   lanes, old, pull, far);
     }
-    for (int l = 0; l < lanes; l++) b->t.far[l] = far[l];
+    for (int l = 0; l < lanes && old; l++) b->t.far[l] = far[l];
 }
 
 // One loop for each number of lanes and each gradient, so that no loop chooses
@@ -395,10 +427,12 @@ static void block_eliminate(block *b, int old)
     else                      eliminate_lines(b, LANES, 0);
 }
 
-static void block_substitute(block *b)
+static void block_substitute(block *b, int old)
 {
-    if (b->lanes == 1) substitute_lines(b, 1);
-    else               substitute_lines(b, LANES);
+    if (b->lanes == 1 && old) substitute_lines(b, 1, 1);
+    else if (b->lanes == 1)   substitute_lines(b, 1, 0);
+    else if (old)             substitute_lines(b, LANES, 1);
+    else                      substitute_lines(b, LANES, 0);
 }
 
 static void block_measure(block *b)
@@ -408,8 +442,9 @@ static void block_measure(block *b)
     for (int k = 0; k + 1 < b->s.particles; k++)
         for (int l = 0; l < b->lanes; l++) {
             vec3 link = lane_link(b->at, b->pitch, k * b->pitch + l);
-            count_wrong(&t, l, (vec3_length_squared(link) - rest * rest) / 2);
+            count_wrong(&t, l, vec3_length_squared(link) - rest * rest, 0);
         }
+    halve(&t, b->lanes);
     for (int l = 0; l < b->lanes; l++) b->t.worst[l] = t.worst[l];
 }
 //<
@@ -429,9 +464,23 @@ static vec3 move_of(const block *b, int k, int l)
     return vec3_scale(b->at.weight[k * b->pitch + l], vec3_sub(up, down));
 }
 
-static void hold_back(block *b, int l)
+// m^2, the sum of what was wrong.  Along the new links nobody counted it: there
+// each has left what it was in the row.
+static real sum_of_wrong(const block *b, int l, int old)
 {
-    real rest = b->s.rest_length, most = rest / 2 + b->t.sum[l] / rest, far = 0;
+    real rest = b->s.rest_length, sum = 0;
+    if (old) return b->t.sum[l];
+    for (int k = 0; k + 1 < b->s.particles; k++) {
+        vec3 link = lane_get(row_at(b, k), PUSH, b->lanes, l);
+        sum += fabs(vec3_length_squared(link) - rest * rest) / 2;
+    }
+    return sum;
+}
+
+static void hold_back(block *b, int l, int old)
+{
+    real rest = b->s.rest_length, far = 0;
+    real most = rest / 2 + sum_of_wrong(b, l, old) / rest;
     for (int k = 0; k < b->s.particles; k++)
         far = fmax(far, vec3_length_squared(move_of(b, k, l)));
     if (!(far > most * most)) return;
@@ -450,11 +499,9 @@ static void block_step(block *b, int old)
 {
     real rest = b->s.rest_length;
     block_eliminate(b, old);
-    block_substitute(b);
-    for (int l = 0; l < b->lanes; l++) {
-        real most = rest / 2 + b->t.sum[l] / rest;
-        if (b->t.far[l] > most * most) hold_back(b, l);
-    }
+    block_substitute(b, old);
+    for (int l = 0; l < b->lanes; l++)
+        if (b->t.far[l] > rest * rest / 4) hold_back(b, l, old);
 }
 
 // Newton steps for all lanes, from where the particles are.  Returns how many.

@@ -277,18 +277,35 @@ static vec3 push_off(real w, vec3 normal, real depth, vec3 s, real friction)
     return vec3_add_scaled(out, -part * mass, s);
 }
 
+// Is the point of plane number k under x on the body?  Then no other plane is
+// as far under x: from there to x that one rises with all of the way, others
+// with a part of it, and they began no higher.
+static int stands_over(const world *w, vec3 x, int k, real slack)
+{
+    real up = plane_height(w->hull[k], x);
+    vec3 foot = vec3_add_scaled(x, -up, w->hull[k].normal);
+    for (int i = 0; i < w->hulls; i++)
+        if (plane_height(w->hull[i], foot) > slack) return 0;
+    return up > 0;
+}
+
 // The commonest contact by far: over a face of a nailed body, or inside it, a
-// particle goes straight out, and nobody needs to know of it.  -1: it is over
-// no face; else as separate_point.
-static int separate_from_face(world *w, particle *p, real apart, real slack)
+// particle goes straight out, and nobody needs to know of it.  Most often it is
+// the face that it was in front of when it was listed.  -1: it is over no face;
+// else as separate_point.
+static int separate_from_face(world *w, particle *p, int ahead, real apart,
+                              real slack)
 {
     vec3 x = p->position;
-    plane face = w->hull[hull_ahead(x, w->hull, w->hulls)];
+    if (ahead >= w->hulls || !stands_over(w, x, ahead, slack)) {
+        ahead = hull_ahead(x, w->hull, w->hulls);
+        real up = plane_height(w->hull[ahead], x);
+        if (!(up <= apart)) return 0;
+        if (up > 0 && !stands_over(w, x, ahead, slack)) return -1;
+    }
+    plane face = w->hull[ahead];
     real up = plane_height(face, x);
-    if (!(up <= apart)) return 0;
     vec3 foot = vec3_add_scaled(x, -up, face.normal);
-    for (int k = 0; k < w->hulls && up > 0; k++)
-        if (plane_height(w->hull[k], foot) > slack) return -1;
 
     vec3 over = vec3_sub(x, foot), gone = vec3_sub(p->previous, foot);
     real depth = apart - vec3_dot(over, face.normal);
@@ -321,7 +338,7 @@ static int separate_point(world *w, point_pair pair, real apart,
 //<
 
 //> soft-separate-all
-// The points from number k on that are at the same rigid body, to this share of
+// The points from number k on that are of the same two bodies, to this share of
 // what keeps them apart.  One plane that a particle is clear of is enough to
 // know that it does not touch: most often the one that it was in front of when
 // it was listed.  (There may be fewer by now: strain parts the planes of two
@@ -330,19 +347,21 @@ static int separate_point(world *w, point_pair pair, real apart,
 static int separate_points_of(world *w, int k, real share, pusher by,
                               int *touching)
 {
-    const body *rigid = &w->body[w->point[k].rigid];
+    point_pair first = w->point[k];
+    const body *soft = &w->body[first.soft], *rigid = &w->body[first.rigid];
     response_options how = soft_response(w);
-    int number = w->point[k].rigid;
     int is_nailed = body_is_nailed(rigid) && how.share == SHARE_MASS;
+    real apart = share * soft_gap(soft, rigid);
     real slack = 1e-12 * rigid->plan->radius;
-    look_at_hull(w, number);
-    for (; k < w->points && w->point[k].rigid == number; k++) {
+    look_at_hull(w, first.rigid);
+    for (; k < w->points; k++) {
         point_pair pair = w->point[k];
         particle *p = &w->pool.at[pair.particle];
-        real apart = share * soft_gap(&w->body[pair.soft], rigid);
+        if (pair.soft != first.soft || pair.rigid != first.rigid) break;
         if (pair.ahead < w->hulls
             && plane_height(w->hull[pair.ahead], p->position) > apart) continue;
-        int touched = is_nailed ? separate_from_face(w, p, apart, slack) : -1;
+        int touched = !is_nailed ? -1
+                    : separate_from_face(w, p, pair.ahead, apart, slack);
         if (touched < 0) touched = separate_point(w, pair, apart, by, how);
         *touching += touched;
     }

@@ -305,8 +305,8 @@ static int substeps_for_soft(world *w, body *soft)
     return n;
 }
 
-// Nobody goes further than a sixth of its inner radius in a substep: so many do,
-// within the bounds that the options set.  (Bodies of vertices push each other
+// Nobody goes further than a sixth of its inner radius in a substep: so many
+// do, within the bounds that the options set.  (Bodies of vertices push each other
 // for ever, and lines count on their substeps: both get all of them.)
 static int substeps_at_this_pace(const world *w)
 {

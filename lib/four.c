@@ -569,6 +569,36 @@ void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
     }
 }
 
+//<
+
+//> four-go
+// Even ways and odd ones are summed side by side: a processor adds and
+// multiplies two numbers at a time, if the compiler sees that they are two of a
+// kind, and that no result lies where a number is still to be read (restrict).
+void four_part(const real (*restrict row_a)[FOUR_WAYS],
+               const real (*restrict row_b)[FOUR_WAYS],
+               const real *restrict was, const real *restrict a,
+               const real *restrict b, real *restrict apart)
+{
+    real sum[3][2];
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 2; k++) {
+            const real *q = row_a[i] + k, *r = row_b[i] + k;
+            sum[i][k] = q[0] * a[k] + q[2] * a[k + 2] + q[4] * a[k + 4]
+                     + (r[0] * b[k] + r[2] * b[k + 2] + r[4] * b[k + 4]);
+        }
+    for (int i = 0; i < 3; i++) apart[i] = was[i] + (sum[i][0] + sum[i][1]);
+}
+
+void four_go(const real (*restrict row)[FOUR_WAYS], const real *restrict l,
+             real *restrict way)
+{
+    for (int k = 0; k < FOUR_WAYS; k++)
+        way[k] += l[0] * row[0][k] + l[1] * row[1][k] + l[2] * row[2][k];
+}
+//<
+
+//> four-move
 void four_move(const four_ways *w, const real along[FOUR_WAYS], vec3 move[FOUR])
 {
     vec3 all = vec3_scale(w->along,

@@ -70,6 +70,9 @@ relax_result four_relax(const four *f, particle *p, int steps,
 relax_result four_relax_all(const four *f, particle *p, const int *first,
                             int bodies, int steps, relax_options options);
 
+//<
+
+//> four-ways-declare
 // The ways of four particles, of `inverse_mass` (1/kg) each, that stand at
 // `at`.  None for a nailed body: all zero.
 void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w);
@@ -78,6 +81,18 @@ void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w);
 // when the body goes 1 m kg^(1/2) along each way.
 void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
                real row[3][FOUR_WAYS]);
+
+// How far apart two points are along each of three directions, when they were
+// `was`, and the bodies they ride on have gone by a and b along their ways:
+// rows as above, those of b for the opposite directions.
+void four_part(const real (*restrict row_a)[FOUR_WAYS],
+               const real (*restrict row_b)[FOUR_WAYS],
+               const real *restrict was, const real *restrict a,
+               const real *restrict b, real *restrict apart);
+
+// Pushes of l along the three directions (kg m) take the body along its ways.
+void four_go(const real (*restrict row)[FOUR_WAYS], const real *restrict l,
+             real *restrict way);
 
 // Where the particles go, when the body goes so far along each way: move, m.
 void four_move(const four_ways *w, const real along[FOUR_WAYS],

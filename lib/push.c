@@ -1,6 +1,8 @@
 //> push-points
 #include "push.h"
 
+#include <string.h>
+
 // How the points stand to each other now, and when the substep began.
 typedef struct {
     vec3 now, before;       // m, pA - pB
@@ -109,9 +111,12 @@ static inline int make_ready(push *c, const particle *p)
     if (!c->ready) {
         for (int d = 0; d < DIRECTIONS; d++) c->weight[d] = c->skew[d] = 0;
         side_rows(c, &c->a, 0, p);
-        c->moves_b = c->b.count > 0;
-        if (c->moves_b) side_rows(c, &c->b, 1, p);
+        if (c->b.count > 0) side_rows(c, &c->b, 1, p);
+        else                memset(c->row[1], 0, sizeof c->row[1]);
         find_undo(c);
+        c->length = sqrt(real_max(c->weight[NORMAL],
+                                  real_max(c->weight[ACROSS],
+                                           c->weight[ASIDE])));
         c->ready = 1;
     }
     return c->weight[NORMAL] > 0;
@@ -119,27 +124,25 @@ static inline int make_ready(push *c, const particle *p)
 //<
 
 //> push-along
-// How far bodies A and B, pushed so far along their ways, part the points.
+// How far bodies A and B, pushed so far along their ways, part the points, and
+// how far apart these are then.  (Rows of what does not move are zero.)
 static inline real parted(const push *c, int d, const real *a, const real *b)
 {
-    real part = row_dot(c->row[0][d], a);
-    return c->moves_b ? part + row_dot(c->row[1][d], b) : part;
+    return row_dot(c->row[0][d], a) + row_dot(c->row[1][d], b);
 }
 
-static inline void go(real way[FOUR_WAYS], real (*const row)[FOUR_WAYS],
-                      const real l[DIRECTIONS])
+static inline void find_apart(const push *c, const real *a, const real *b,
+                              real apart[DIRECTIONS])
 {
-    for (int k = 0; k < FOUR_WAYS; k++)
-        way[k] += l[NORMAL] * row[NORMAL][k] + l[ACROSS] * row[ACROSS][k]
-                + l[ASIDE] * row[ASIDE][k];
+    four_part(c->row[0], c->row[1], c->apart, a, b, apart);
 }
 
 // Pushes A by l, B by -l.
-static inline void push_by(push *c, const real l[DIRECTIONS],
+static inline void push_by(const push *c, const real l[DIRECTIONS],
                            real *a, real *b)
 {
-    go(a, c->row[0], l);
-    if (c->moves_b) go(b, c->row[1], l);
+    four_go(c->row[0], l, a);
+    if (c->b.count > 0) four_go(c->row[1], l, b);
 }
 //<
 
@@ -415,6 +418,26 @@ static inline push_near *nears_of(const push_pile *s, int part)
     return s->near + (part > 0 ? s->end[part - 1] : 0);
 }
 
+//<
+
+//> push-pile-stir
+// How far a push l takes its bodies along their ways at most, in m kg^(1/2): a
+// unit push takes them by the length of its rows, and that of A's and B's rows
+// together is the root of the weight.  Tells those that move; returns the sum
+// of what they are told.
+static inline real stir(const push_pile *s, int part, const push *c,
+                        const push_near *n, const real l[DIRECTIONS])
+{
+    const push_drift *none = drift_of(s, part, -1);
+    real way = c->length * (fabs(l[NORMAL]) + fabs(l[ACROSS]) + fabs(l[ASIDE]));
+    real sum = 0;
+    if (n->a != none) n->a->stirred += way, sum += way;
+    if (n->b != none) n->b->stirred += way, sum += way;
+    return sum;
+}
+//<
+
+//> push-pile-is-near
 // How many more substeps go by before the gap may be as narrow as `near`?
 static int substeps_away(const push *c)
 {
@@ -436,17 +459,17 @@ static int is_near(push *c, const particle *p)
     return 0;
 }
 
-static void push_again(push_pile *s, int part, push *c, push_options options)
+static void push_again(push_pile *s, int part, push *c, const push_near *n,
+                       push_options options)
 {
-    real *a = drift_of(s, part, c->a.body)->pushed;
-    real *b = drift_of(s, part, c->b.body)->pushed, apart[DIRECTIONS];
+    real *a = n->a->pushed, *b = n->b->pushed, apart[DIRECTIONS];
     if (!(c->pushed[NORMAL] > 0)) return;
     if (options.book) {
-        for (int d = 0; d < DIRECTIONS; d++)
-            apart[d] = c->apart[d] + parted(c, d, a, b);
+        find_apart(c, a, b, apart);
         wear(c, apart, c->pushed);
     }
     push_by(c, c->pushed, a, b);
+    stir(s, part, c, n, c->pushed);
 }
 //<
 
@@ -493,12 +516,13 @@ int pile_mend(push_pile *s, int part, push_options options)
 
 void pile_settle(push_pile *s, int part)
 {
-    const push_near *n = nears_of(s, part);
+    push_near *n = nears_of(s, part);
     for (int i = 0; i < s->nears[part]; i++) {
         real both = parted_by_mending(s, &n[i]);
         if (both == 0) continue;
         s->push[n[i].push].before += both;
         s->push[n[i].push].apart[NORMAL] += both;
+        n[i].room = -1;
     }
 }
 //<
@@ -519,10 +543,13 @@ int pile_begin(push_pile *s, int part, const particle *p, push_options options,
         overlaps |= c->before < -options.slop * c->thickness;
         for (int d = 0; d < DIRECTIONS; d++)
             c->from[d] = c->last[d] = c->pushed[d];
-        push_again(s, part, c, options);
-        near[nears++] = (push_near){ drift_of(s, part, c->a.body),
+        push_near *n = &near[nears++];
+        *n = (push_near){ drift_of(s, part, c->a.body),
             drift_of(s, part, c->b.count > 0 ? c->b.body : -1),
-            s->order[i], 0, -1, 0 };
+            s->order[i], 0, 0, -1, 0 };
+        if (c->pushed[NORMAL] == 0 && c->apart[NORMAL] > 0)
+            n->room = c->apart[NORMAL] / c->length;
+        push_again(s, part, c, n, options);
     }
     s->nears[part] = nears;
     return overlaps;
@@ -530,25 +557,6 @@ int pile_begin(push_pile *s, int part, const particle *p, push_options options,
 //<
 
 //> push-pile-pass
-// m, how far the push l parts the points, in all directions.
-static inline real stir(const push *c, const real l[DIRECTIONS])
-{
-    return fabs(l[NORMAL]) * c->weight[NORMAL]
-         + fabs(l[ACROSS]) * c->weight[ACROSS]
-         + fabs(l[ASIDE]) * c->weight[ASIDE];
-}
-
-// Tells those that move; returns the sum of what they are told.
-static inline real stir_bodies(const push_pile *s, int part, const push *c,
-                               const push_near *n, const real l[DIRECTIONS])
-{
-    const push_drift *none = drift_of(s, part, -1);
-    real change = stir(c, l), sum = 0;
-    if (n->a != none) n->a->stirred += change, sum += change;
-    if (n->b != none) n->b->stirred += change, sum += change;
-    return sum;
-}
-
 // Where do the last two passes lead, as seen from the two before them?
 static inline real leading_on(const push *c)
 {
@@ -560,23 +568,26 @@ static inline real leading_on(const push *c)
 }
 
 // Solves a contact of the pile.  Whoever finds its bodies where it left them,
-// but for `enough`, has nothing to do.
+// but for `enough`, has nothing to do; nor has one that is open, and stays it.
 static inline real solve(push_pile *s, int part, push_near *n, real enough,
                          push_options options)
 {
     push_drift *a = n->a, *b = n->b;
     real stirred = a->stirred + b->stirred;
-    if (n->solved >= 0 && stirred - n->solved <= enough) return 0;
+    if (stirred - n->solved <= n->room) return 0;
     push *c = &s->push[n->push];
     real apart[DIRECTIONS], l[DIRECTIONS];
     n->solved = stirred;
-    apart[NORMAL] = c->apart[NORMAL] + parted(c, NORMAL, a->pushed, b->pushed);
-    if (c->pushed[NORMAL] == 0 && !(apart[NORMAL] < 0)) return 0;
-    for (int d = ACROSS; d < DIRECTIONS; d++)
-        apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
+    n->room = enough / c->length;
+    if (c->pushed[NORMAL] == 0) {
+        real gap = c->apart[NORMAL] + parted(c, NORMAL, a->pushed, b->pushed);
+        if (gap > enough) n->room = gap / c->length;
+        if (!(gap < 0)) return 0;
+    }
+    find_apart(c, a->pushed, b->pushed, apart);
     find_push(c, apart, c->before, options, l);
     push_by(c, l, a->pushed, b->pushed);
-    n->solved += stir_bodies(s, part, c, n, l);
+    n->solved += stir(s, part, c, n, l);
     n->leans = 1;
     n->leads_on = leading_on(c);
     return fabs(l[NORMAL]) * c->weight[NORMAL];
@@ -620,11 +631,12 @@ static void lean(push_pile *s, int part, push_near *n, real share,
     n->leans = size > 0;
     n->leads_on = 0;
     if (n->leans) {
-        for (int d = 0; d < DIRECTIONS && options.book; d++)
-            apart[d] = c->apart[d] + parted(c, d, a->pushed, b->pushed);
-        if (options.book) wear(c, apart, l);
+        if (options.book) {
+            find_apart(c, a->pushed, b->pushed, apart);
+            wear(c, apart, l);
+        }
         push_by(c, l, a->pushed, b->pushed);
-        stir_bodies(s, part, c, n, l);
+        stir(s, part, c, n, l);
     }
     for (int i = 0; i < DIRECTIONS; i++) {
         c->pushed[i] += l[i];

@@ -42,7 +42,9 @@ typedef struct push {
     // What passes look at.
     real row[2][DIRECTIONS][FOUR_WAYS]; // kg^(-1/2), how far the points part
                             // along each direction as A, or B, goes along each
-                            // way; and how far a unit push moves the body so
+                            // way; and how far a unit push moves the body so;
+                            // 0 for what does not move
+    real length;            // kg^(-1/2), of the longest row, A's and B's as one
     vec3 undo[DIRECTIONS];  // kg, which pushes part the points along each
     real weight[DIRECTIONS];// 1/kg, how far a unit push parts the points
     real skew[DIRECTIONS];  // 1/kg, how far one along the normal moves them
@@ -58,7 +60,6 @@ typedef struct push {
                             // its square
     int  ready;             // rows and weights have been made
     int  holds;             // and so has `undo`
-    int  moves_b;           // side B has rows
 
     // What is looked at once a substep, or less.
     push_side a, b;
@@ -129,7 +130,8 @@ enum { PILE_LEFT, PILE_RIGHT, PILE_ACROSS, PILE_PARTS };
 typedef struct {
     real pushed[FOUR_WAYS];      // m kg^(1/2), in this substep
     real mended[FOUR_WAYS];      // and without making speed
-    real stirred;           // m, by how much its contacts have been parted
+    real stirred;           // m kg^(1/2), its contacts' pushes have taken it no
+                            // further along its ways, there and back
     int  is_mended;         // 0: `mended` is zero
 } push_drift;
 
@@ -140,8 +142,10 @@ typedef struct {
                             // move
     int  push;              // its number
     int  leans;             // it has changed since momentum was last given
-    real solved;            // m, how much its bodies had been stirred when it
-                            // was solved; < 0: not yet
+    real solved;            // m kg^(1/2), how much both its bodies had been
+                            // stirred when it was solved
+    real room;              // the same: as long as they are stirred by no more,
+                            // there is nothing to solve; < 0: there is
     real leads_on;          // kg m^2, see pile_leads_on
 } push_near;
 

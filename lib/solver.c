@@ -174,6 +174,15 @@ static void mend_all(pushing *s)
         do_parts(s, settle_part, 1);
 }
 
+// A frame of fewer substeps has as many passes in all: each gives what it has
+// saved, and only those that are needed are made.
+static int passes_of(const world *w)
+{
+    const world_options *o = &w->options;
+    int n = w->report.substeps;
+    return n < o->substeps ? (o->passes * o->substeps + n - 1) / n : o->passes;
+}
+
 static void solve_all(world *w, push_options how, real h)
 {
     pushing s = { .w = w, .how = how, .h = h,
@@ -187,7 +196,7 @@ static void solve_all(world *w, push_options how, real h)
     const int *n = s.pile.nears;
     if (n[PILE_LEFT] + n[PILE_RIGHT] + n[PILE_ACROSS] == 0) return;
     mend_all(&s);
-    for (int k = 0; k < w->options.passes; k += 2) {
+    for (int k = 0; k < passes_of(w); k += 2) {
         if (k > 0) pace = lean_on(&s, pace);
         if (!(pass_twice(&s) > s.enough)) break;
     }

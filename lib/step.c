@@ -305,11 +305,25 @@ static int substeps_for_soft(world *w, body *soft)
     return n;
 }
 
+// Nobody goes further than a sixth of its inner radius in a substep: so many
+// do, within the bounds that the options set.  (Bodies of vertices push each other
+// for ever, and lines count on their substeps: both get all of them.)
+static int substeps_at_this_pace(const world *w)
+{
+    int n = w->options.least_substeps, most = w->options.substeps;
+    for (int k = 0; k < w->bodies && n < most; k++) {
+        const body *b = &w->body[k];
+        if (body_is_nailed(b)) continue;
+        n = b->four ? larger(n, substeps_for(w, b, 1.0 / 6)) : most;
+    }
+    return n < most ? n : most;
+}
+
 // Paper: section 7 asks for very small steps where things are thin; here: as
 // small as it takes for what will, or may, touch something in this frame.
 static int choose_substeps(world *w)
 {
-    int n = w->options.substeps;
+    int n = substeps_at_this_pace(w);
     for (int k = 0; k < w->bodies; k++)
         if (body_is_soft(&w->body[k])) pairs_look_ahead(w, &w->body[k]);
     for (int k = 0; k < w->bodies; k++)

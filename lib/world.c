@@ -7,7 +7,8 @@
 world_options world_options_default(void)
 {
     world_options o = {
-        .dt = 1.0 / 60, .substeps = 4, .most_substeps = 1000, .sweeps = 6,
+        .dt = 1.0 / 60, .substeps = 4, .least_substeps = 2,
+        .most_substeps = 1000, .sweeps = 6,
         .gravity = { 0, -9.81, 0 },
         .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 }, .order = ORDER_LISTED,
         .response = response_options_default(),
@@ -34,7 +35,8 @@ world_options world_options_vertices(void)
 world_options world_options_paper(void)
 {
     world_options o = {
-        .dt = 1.0 / 60, .substeps = 1, .most_substeps = 1, .sweeps = 10,
+        .dt = 1.0 / 60, .substeps = 1, .least_substeps = 1,
+        .most_substeps = 1, .sweeps = 10,
         .gravity = { 0, -9.81, 0 },
         .relax = { ROOT_APPROXIMATE, GRADIENT_NEW, 0.01, 1 },
         .order = ORDER_REPEATED,
@@ -62,6 +64,7 @@ static status check_options(const world_options *o)
     struct { const char *name; real value, least, most; } rule[] = {
         { "dt",          o->dt,                   1e-9, 1 },
         { "substeps",    o->substeps,             1, 10000 },
+        { "least_substeps", o->least_substeps,    1, 10000 },
         { "most_substeps", o->most_substeps,      1, 10000 },
         { "sweeps",      o->sweeps,               1, 10000 },
         { "tolerance",   o->relax.tolerance,      0, 1 },

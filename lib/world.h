@@ -38,9 +38,11 @@ typedef enum {
 typedef struct {
     real dt;            // s, a frame: one call of world_step; to 1
     int  substeps;      // a frame is this many integrations (paper: 1), or
+    int  least_substeps;// BODY_FOUR: fewer, down to this, while nobody goes
+                        // further than a sixth of its radius in one, or
     int  most_substeps; // more, up to this, if it takes more for what is about
                         // to touch something to go no further than its own
-                        // radius in one; both 1 to 10000
+                        // radius in one; all 1 to 10000
     int  sweeps;        // over a body's sticks, or a cloth's columns and rows,
                         // in a substep, at most; 1 to 10000
     vec3 gravity;       // m/s^2

@@ -157,7 +157,7 @@ static push_pile pile_of(push *c)
     static const int first = 0;
     static push_drift drift[2 + PILE_PARTS];
     static push_near near;
-    near = (push_near){ &drift[0], &drift[1], 0, 1, -1, 0 };
+    near = (push_near){ &drift[0], &drift[1], 0, 1, 0, -1, 0 };
     c->a.body = 0;
     c->b.body = 1;
     drift[0] = drift[1] = (push_drift){ .stirred = 0 };
@@ -1592,6 +1592,47 @@ START_TEST(blow_goes_through_a_cradle_whatever_the_order)
 }
 END_TEST
 
+// A particle of 3 kg between a floor, in which it lies by `old`, and which once
+// took it up by `up`; and a ceiling that is 1 m over it.  Which comes first, as
+// in a pile that is passed backward.  Does the ceiling push?
+static int ceiling_pushes(real old, real up)
+{
+    static const int order[2] = { 1, 0 };
+    const push_options how = { .mend = 1, .mend_speed = 1000 };
+    push_drift drift[1 + PILE_PARTS];
+    push_near near[2];
+    count = 0;
+    int i = add(ZERO, ZERO, 3);
+    push c[2] = {
+        at_plane(of_particle(i), vec3_make(0, old, 0), UP, 0),
+        at_plane(of_particle(i), UP, vec3_scale(-1, UP), 0),
+    };
+    push_pile s = { c, order, { 2, 2, 2 }, drift, 1, near, { 0 } };
+    drift[0] = (push_drift){ .stirred = 0 };
+    c[0].pushed[NORMAL] = 3 * up;
+    for (int k = 0; k < 2; k++) {
+        c[k].near = HUGE_VAL;
+        c[k].a.body = 0;
+    }
+    if (pile_begin(&s, PILE_LEFT, p, how, H)
+        && pile_mend(&s, PILE_LEFT, how)) pile_settle(&s, PILE_LEFT);
+    pile_pass(&s, PILE_LEFT, 1, 0, how);
+    return c[1].pushed[NORMAL] > 0;
+}
+
+// A thousandth of the gap is no rounding.  (What the push takes up need not be
+// mended: both together are as far as it lay in the floor.)
+// Rejects: open contacts that nobody looks at, or with more room than they have;
+// mending, or what is pushed once more, that takes no room.
+START_TEST(open_contact_pushes_as_soon_as_its_room_is_used_up)
+{
+    ck_assert(ceiling_pushes(0, 1.001));
+    ck_assert(!ceiling_pushes(0, 0.999));
+    ck_assert(ceiling_pushes(1.001, 0.3));
+    ck_assert(!ceiling_pushes(0.999, 0.3));
+}
+END_TEST
+
 // Rejects: a crash, or an endless loop, over what is lost; a pushed NaN that is
 // remembered as a push.
 START_TEST(lost_numbers_do_no_harm)
@@ -1647,6 +1688,7 @@ int main(void)
         work_of_the_memory_is_booked,
         lean_goes_on_by_its_share_of_the_last_change,
         lean_is_never_a_pull,
+        open_contact_pushes_as_soon_as_its_room_is_used_up,
         momentum_knows_when_it_leads_back,
         momentum_saves_most_of_the_passes_over_a_column,
         particle_bounces_at_the_moment_of_touching,

@@ -54,7 +54,8 @@ typedef struct {
 
 // The whole numbers first, then the choices by name, then the rest.
 static const range RANGE[] = {
-    { "substeps", 1, 10000 }, { "most_substeps", 1, 10000 },
+    { "substeps", 1, 10000 }, { "least_substeps", 1, 10000 },
+    { "most_substeps", 1, 10000 },
     { "sweeps", 1, 10000 }, { "passes", 1, 1000 },
     { "root", 0, ROOT_APPROXIMATE }, { "gradient", 0, GRADIENT_OLD },
     { "order", 0, ORDER_LARGEST }, { "share", 0, SHARE_PRINTED },
@@ -64,7 +65,7 @@ static const range RANGE[] = {
     { "friction", 0, 1000 }, { "restitution", 0, 1 }, { "skin", 0, 1 },
     { "content", 0, 1 }, { "mend", 0, 1 }, { "mend_speed", 0, 1e9 },
 };
-enum { RANGES = sizeof RANGE / sizeof *RANGE, WHOLE = 4, CHOICES = 8,
+enum { RANGES = sizeof RANGE / sizeof *RANGE, WHOLE = 5, CHOICES = 8,
        INTEGERS = WHOLE + CHOICES };
 
 static int is_integer(int k)
@@ -89,8 +90,8 @@ static void set_choice(world_options *o, int k, int value)
 
 static void set_option(world_options *o, int k, real value)
 {
-    int *const whole[] = { &o->substeps, &o->most_substeps, &o->sweeps,
-        &o->passes };
+    int *const whole[] = { &o->substeps, &o->least_substeps,
+        &o->most_substeps, &o->sweeps, &o->passes };
     real *const number[] = { &o->dt, &o->relax.tolerance, &o->response.gain,
         &o->response.friction, &o->response.restitution, &o->skin, &o->content,
         &o->mend, &o->mend_speed };
@@ -173,6 +174,7 @@ START_TEST(default_and_paper_differ_as_documented)
     // As printed: one step and separation, the lists of section 6.2, sticks
     // within 1 % left alone, Eqs 10 and 11.
     ck_assert(paper.substeps == 1 && paper.most_substeps == 1);
+    ck_assert_int_eq(paper.least_substeps, 1);
     ck_assert_int_eq(paper.order, ORDER_REPEATED);
     ck_assert(paper.relax.tolerance == 0.01 && paper.relax.dead_band == 1);
     ck_assert_int_eq(paper.relax.root, ROOT_APPROXIMATE);
@@ -187,6 +189,7 @@ START_TEST(default_and_paper_differ_as_documented)
 
     ck_assert_int_gt(ours.substeps, 1);
     ck_assert_int_gt(ours.most_substeps, ours.substeps);
+    ck_assert_int_lt(ours.least_substeps, ours.substeps);
     ck_assert(ours.relax.dead_band == 0 && ours.relax.tolerance < 0.01);
     ck_assert_int_eq(ours.response.share, SHARE_MASS);
     ck_assert_int_eq(ours.response.push, PUSH_OUT);

@@ -9,17 +9,20 @@
 status broad_init(broad *s, int bodies)
 {
     assert(bodies >= 0);
-    size_t n = (size_t)bodies + 1;
+    size_t n = (size_t)bodies + 2, places = LANES_A_BODY * n;
     *s = (broad){ .bodies = bodies,
         .order = malloc(n * sizeof *s->order),
         .low   = malloc(n * sizeof *s->low),
         .high  = malloc(n * sizeof *s->high),
         .first = malloc(n * sizeof *s->first),
-        .start = malloc(n * sizeof *s->start),
-        .line  = malloc(n * sizeof *s->line),
-        .mover = malloc(n * sizeof *s->mover) };
-    if (!s->order || !s->low || !s->high || !s->first
-        || !s->start || !s->line || !s->mover) {
+        .reach = malloc(n * sizeof *s->reach),
+        .lane  = malloc(n * sizeof *s->lane),
+        .start = malloc(places * sizeof *s->start),
+        .line  = malloc(places * sizeof *s->line),
+        .who   = malloc(places * sizeof *s->who),
+        .mover = malloc(places * sizeof *s->mover) };
+    if (!s->order || !s->low || !s->high || !s->first || !s->reach || !s->lane
+        || !s->start || !s->line || !s->who || !s->mover) {
         broad_free(s);
         return status_out_of_memory();
     }
@@ -33,8 +36,11 @@ void broad_free(broad *s)
     free(s->low);
     free(s->high);
     free(s->first);
+    free(s->reach);
+    free(s->lane);
     free(s->start);
     free(s->line);
+    free(s->who);
     free(s->mover);
     *s = (broad){ .bodies = 0 };
 }
@@ -64,29 +70,39 @@ static int ball_is_empty(sphere ball)
 //<
 
 //> broad-ends
-// Where the shadows of the balls on the x axis begin and end.
+// Where the shadow of a ball on an axis (0: x) begins and ends.
 //
 // No pair may be lost that balls_meet would find.  With u = 2^-53, what one
 // operation rounds, balls that pass it overlap along x but for 3 u (ra + rb).
 // Each end here is wrong by at most 2.1 u (|x| + r).  So each is set further
 // out, by 8 u (|x| + r), which is more than both.
+typedef struct {
+    real low, high;         // m
+} shadow;
+
+static int ball_is_finite(sphere ball)
+{
+    return vec3_is_finite(ball.center) && ball.radius - ball.radius == 0;
+}
+
+static shadow shadow_of(sphere ball, int axis)
+{
+    vec3 c = ball.center;
+    real x = axis == 0 ? c.x : axis == 1 ? c.y : c.z, r = ball.radius;
+    real wider = 0x1p-50 * (fabs(x) + r);
+    return (shadow){ x - r - wider, x + r + wider };
+}
+
 static void find_ends(broad *s, const sphere *ball)
 {
     for (int b = 0; b < s->bodies; b++) {
-        real x = ball[b].center.x, r = ball[b].radius;
-        real wider = 0x1p-50 * (fabs(x) + r);
-        s->low[b]  = x - r - wider;
-        s->high[b] = x + r + wider;
+        shadow x = shadow_of(ball[b], 0);
         // A ball that is not finite may be anywhere.
-        if (!vec3_is_finite(ball[b].center) || !(r - r == 0)) {
-            s->low[b]  = -HUGE_VAL;
-            s->high[b] = HUGE_VAL;
-        }
+        if (!ball_is_finite(ball[b])) x = (shadow){ -HUGE_VAL, HUGE_VAL };
         // An empty one is nowhere, and waits at the end of the line.
-        if (ball_is_empty(ball[b])) {
-            s->low[b]  = HUGE_VAL;
-            s->high[b] = -HUGE_VAL;
-        }
+        if (ball_is_empty(ball[b]))   x = (shadow){ HUGE_VAL, -HUGE_VAL };
+        s->low[b]  = x.low;
+        s->high[b] = x.high;
     }
 }
 //<
@@ -128,20 +144,134 @@ static void sort_line(broad *s)
 }
 //<
 
+//> broad-lanes
+// The finite balls along an axis: from where to where, and how wide in all.
+typedef struct {
+    shadow all;
+    real   widths;          // m
+} spread;
+
+static void measure(const broad *s, const sphere *ball, spread along[2])
+{
+    for (int k = 0; k < 2; k++)
+        along[k] = (spread){ { HUGE_VAL, -HUGE_VAL }, 0 };
+    for (int b = 0; b < s->bodies; b++) {
+        if (ball_is_empty(ball[b]) || !ball_is_finite(ball[b])) continue;
+        for (int k = 0; k < 2; k++) {
+            shadow x = shadow_of(ball[b], 1 + k), *all = &along[k].all;
+            all->low = x.low < all->low ? x.low : all->low;
+            all->high = x.high > all->high ? x.high : all->high;
+            along[k].widths += x.high - x.low;
+        }
+    }
+}
+
+// As many as there is room for, each twice as wide as a ball is on average: it
+// stands in 1.5 of them then.
+static int lanes_along(const spread *along, int bodies)
+{
+    enum { BODIES_A_LANE = 8 };
+    real most = bodies / BODIES_A_LANE;
+    real lanes = (along->all.high - along->all.low) * bodies
+               / (2 * along->widths);
+    // (This may be no number, or too large for an int.)
+    return lanes > 1 ? (int)(lanes < most ? lanes : most) : 1;
+}
+
+// A larger x never has a lower lane, however that is rounded: so shadows that
+// overlap have a lane in common.
+static int lane_of(real x, real low, real per_metre, int lanes)
+{
+    real k = (x - low) * per_metre;
+    return k >= lanes ? lanes - 1 : k >= 1 ? (int)k : 0;
+}
+//<
+
+//> broad-divide
+// Into which lanes does each ball reach?  One that is not finite, into all.
+// Returns how many places they take together.
+static real find_reach(broad *s, const sphere *ball, const spread along[2])
+{
+    real per_metre[2], places = 0;
+    for (int k = 0; k < 2; k++)
+        per_metre[k] = s->lanes[k] / (along[k].all.high - along[k].all.low);
+    for (int b = 0; b < s->bodies; b++) {
+        lane_range *r = s->reach[b];
+        for (int k = 0; k < 2; k++) {
+            r[k] = (lane_range){ 0, s->lanes[k] - 1 };
+            if (s->lanes[k] == 1 || !ball_is_finite(ball[b])) continue;
+            real low = along[k].all.low;
+            shadow x = shadow_of(ball[b], 1 + k);
+            r[k].first = lane_of(x.low, low, per_metre[k], s->lanes[k]);
+            r[k].last = lane_of(x.high, low, per_metre[k], s->lanes[k]);
+        }
+        if (ball_is_empty(ball[b])) r[0].last = -1;
+        places += (r[0].last - r[0].first + 1.0)
+                * (r[1].last - r[1].first + 1.0);
+    }
+    return places;
+}
+
+// Where a few balls are much larger than the others, these reach into many
+// lanes.  Half as many, each way, then: in the end there is one, with room for
+// everybody.  (Few bodies walk down one line before lanes are laid out.)
+static void divide(broad *s, const sphere *ball)
+{
+    enum { FEW = 400 };
+    spread along[2] = { { { 0, 0 }, 0 } };
+    int n = s->bodies;
+    for (int k = 0; k < 2; k++) s->lanes[k] = 1;
+    if (n >= FEW) {
+        measure(s, ball, along);
+        for (int k = 0; k < 2; k++) s->lanes[k] = lanes_along(&along[k], n);
+    }
+    while ((real)s->lanes[0] * s->lanes[1] > n
+           || find_reach(s, ball, along) > (real)LANES_A_BODY * n)
+        for (int k = 0; k < 2; k++) s->lanes[k] = (s->lanes[k] + 1) / 2;
+}
+//<
+
 //> broad-line
-// Lays out the line as the sweep will walk it, and says for each place who is
-// the next to move.
+// How many stand in each lane, as of two further on; then where each lane, as
+// of one further on, begins.  Laying out moves that to its end, which is where
+// the next one begins.
+static void make_room(broad *s)
+{
+    int lanes = s->lanes[0] * s->lanes[1];
+    memset(s->lane, 0, ((size_t)lanes + 2) * sizeof *s->lane);
+    for (int b = 0; b < s->bodies; b++) {
+        const lane_range *r = s->reach[b];
+        for (int y = r[0].first; y <= r[0].last; y++)
+            for (int z = r[1].first; z <= r[1].last; z++)
+                s->lane[y * s->lanes[1] + z + 2]++;
+    }
+    for (int l = 0; l < lanes; l++) s->lane[l + 2] += s->lane[l + 1];
+    s->places = s->lane[lanes + 1];
+}
+
+static void stand_in(broad *s, int lane, int b, sphere ball)
+{
+    int at = s->lane[lane + 1]++;
+    s->start[at] = s->low[b];
+    s->line[at] = ball;
+    s->who[at] = b;
+}
+
+// Lays out the line, lane by lane as the sweep will walk it, and says for each
+// place which is the next of one that moves.
 static void lay_out(broad *s, const sphere *ball, const char *moves)
 {
-    int n = s->bodies;
-    while (n > 0 && ball_is_empty(ball[s->order[n - 1]])) n--;
-    s->in_line = s->mover[n] = n;
-    for (int k = n - 1; k >= 0; k--) {
+    make_room(s);
+    for (int k = 0; k < s->bodies; k++) {
         int b = s->order[k];
-        s->start[k] = s->low[b];
-        s->line[k]  = ball[b];
-        s->mover[k] = moves[b] ? k : s->mover[k + 1];
+        const lane_range *r = s->reach[b];
+        for (int y = r[0].first; y <= r[0].last; y++)
+            for (int z = r[1].first; z <= r[1].last; z++)
+                stand_in(s, y * s->lanes[1] + z, b, ball[b]);
     }
+    s->mover[s->places] = s->places;
+    for (int k = s->places - 1; k >= 0; k--)
+        s->mover[k] = moves[s->who[k]] ? k : s->mover[k + 1];
 }
 //<
 
@@ -160,10 +290,19 @@ static void add_pair(pair_list *out, int a, int b)
     out->found += out->found < INT_MAX;
 }
 
-// Lists the pair, and counts in first[a] the pairs (a, b).
-static void meet(broad *s, int me, int other, pair_list *out)
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+// Lists the pair, and counts in first[a] the pairs (a, b); but only in the
+// first of the lanes that both stand in.
+static void meet(broad *s, int lane, int me, int other, pair_list *out)
 {
     int a = me < other ? me : other, b = me < other ? other : me;
+    const lane_range *x = s->reach[a], *y = s->reach[b];
+    if (lane != larger(x[0].first, y[0].first) * s->lanes[1]
+                + larger(x[1].first, y[1].first)) return;
     s->first[a]++;
     add_pair(out, a, b);
 }
@@ -171,26 +310,32 @@ static void meet(broad *s, int me, int other, pair_list *out)
 // From each ball to the right, as far as balls begin before it ends: these
 // overlap it along x, and no others do.  One that stands still only looks at
 // those that move.  Stops when there are more pairs than room.
-static void sweep(broad *s, pair_list *out)
+static void sweep_lane(broad *s, int lane, pair_list *out)
 {
     const real *start = s->start;
-    int n = s->in_line;
-    memset(s->first, 0, ((size_t)s->bodies + 1) * sizeof *s->first);
-    for (int i = 0; i < n && out->found <= out->capacity; i++) {
-        int me = s->order[i];
+    int n = s->lane[lane + 1];
+    for (int i = s->lane[lane]; i < n && out->found <= out->capacity; i++) {
+        int me = s->who[i];
         real end = s->high[me];
         sphere ball = s->line[i];
         if (s->mover[i] == i) {
             for (int j = i + 1; j < n && start[j] <= end; j++)
                 if (balls_meet(ball, s->line[j]))
-                    meet(s, me, s->order[j], out);
+                    meet(s, lane, me, s->who[j], out);
         } else {
             for (int j = s->mover[i]; j < n && start[j] <= end;
                  j = s->mover[j + 1])
                 if (balls_meet(ball, s->line[j]))
-                    meet(s, me, s->order[j], out);
+                    meet(s, lane, me, s->who[j], out);
         }
     }
+}
+
+static void sweep(broad *s, pair_list *out)
+{
+    memset(s->first, 0, ((size_t)s->bodies + 1) * sizeof *s->first);
+    for (int l = 0; l < s->lanes[0] * s->lanes[1]; l++)
+        sweep_lane(s, l, out);
 }
 //<
 
@@ -272,6 +417,7 @@ int broad_pairs(broad *s, const sphere *ball, const char *moves,
 
     find_ends(s, ball);
     sort_line(s);
+    divide(s, ball);
     lay_out(s, ball, moves);
     sweep(s, &list);
     // Too many to be worth sorting, or to be kept: looking at every pair finds

@@ -12,17 +12,29 @@
 
 // The bodies in the order of their balls' left ends, kept from call to call:
 // bodies move little in a frame, and an order that was right is nearly right.
+// This line is divided in lanes that lie side by side along y and z: whoever
+// reaches into several stands in each of them.
+enum { LANES_A_BODY = 4 };      // on average, at most
+
+typedef struct {
+    int first, last;
+} lane_range;
+
 typedef struct broad {
     int   bodies;
     int  *order;        // [bodies] by low, equal ones by number
     real *low, *high;   // [bodies] m, ends of each ball along x
     int  *first;        // [bodies + 1] scratch of the sorting of pairs
 
-    // The same in that order, made anew by every call.
-    int     in_line;    // bodies whose balls are not empty
-    real   *start;      // [bodies] m, low
-    sphere *line;       // [bodies]
-    int    *mover;      // [bodies + 1] the next in line, from here on, that
+    // Made anew by every call.
+    int   lanes[2];     // along y, and along z
+    lane_range (*reach)[2];     // [bodies] into which lanes, along y and z
+    int  *lane;         // [bodies + 2] where the places of each lane begin
+    int   places;       // in all lanes
+    real   *start;      // [LANES_A_BODY * bodies] m, low
+    sphere *line;       // [same]
+    int    *who;        // [same] the body
+    int    *mover;      // [same + 1] the next place, from here on, of one that
                         // moves; then scratch, like first
 
     long shifts;        // places that bodies moved up in the last sorting

@@ -255,8 +255,7 @@ contact *contacts_of_planes(const world *w, int k)
 
 contact *contacts_of_pair(const world *w, const body_pair *pair)
 {
-    return w->found + w->planes * w->corners
-         + PAIR_CONTACTS * (pair - w->pair);
+    return w->found + w->planes * w->corners + pair->place;
 }
 
 static int least(int a, int b)

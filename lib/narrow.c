@@ -19,6 +19,13 @@ static int is_mine(int k, int half)
 {
     return k / TURN % 2 == half;
 }
+
+// How many of n are the first half's.
+static int firsts_of(int n)
+{
+    int rest = n % (2 * TURN);
+    return n / (2 * TURN) * TURN + (rest < TURN ? rest : TURN);
+}
 //<
 
 //> narrow-quick
@@ -182,8 +189,8 @@ static int query_nearest(const world *w, body_pair *pair, real margin, int half,
 {
     collider a = world_collider(w, &w->body[pair->a]);
     collider b = world_collider(w, &w->body[pair->b]);
-    return collide_rigid(&a, &b, margin, w->options.manifold, &pair->carried,
-                         w->hit[half], found);
+    return collide_rigid(&a, &b, margin, w->options.manifold,
+                         &w->carried[pair - w->pair], w->hit[half], found);
 }
 
 static void query_pair(const asking *j, body_pair *pair, int half)
@@ -220,10 +227,13 @@ static void query_planes(world *w, int k)
     w->wall[k].is.found = n;
 }
 
+// What a half finds stands one after the other: most pairs touch in one point,
+// and with room for PAIR_CONTACTS between them they would fill much more memory.
 static void query(void *data, int half)
 {
     const asking *j = data;
     world *w = j->w;
+    int place = half ? PAIR_CONTACTS * firsts_of(w->pairs) : 0;
     for (int k = 0; k < w->bodies && !j->again; k++)
         if (is_mine(k, half) && w->wall[k].is.ask == ASK_NEAREST)
             query_planes(w, k);
@@ -231,7 +241,9 @@ static void query(void *data, int half)
         body_pair *pair = &w->pair[k];
         if (!is_mine(k, half) || (j->again && !pair->quick)) continue;
         if (j->again) decide_pair(j, pair);
+        pair->place = place;
         if (pair->is.ask >= ASK_NEAREST) query_pair(j, pair, half);
+        place += pair->is.found;
     }
 }
 //<

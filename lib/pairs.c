@@ -175,8 +175,9 @@ static void add_pair(world *w, int a, int b, int *old)
            || (was[*old].a == a && was[*old].b < b))) (*old)++;
     int known = *old < w->old_pairs && was[*old].a == a && was[*old].b == b;
     body_pair *pair = &w->pair[w->pairs++];
-    if (known) *pair = was[*old];
-    else       *pair = (body_pair){ .a = a, .b = b };
+    simplex *carried = &w->carried[pair - w->pair];
+    *pair = known ? was[*old] : (body_pair){ .a = a, .b = b };
+    *carried = known ? w->old_carried[*old] : (simplex){ .count = 0 };
 }
 
 // All pairs of rigid bodies whose balls come within reach of each other: the
@@ -276,6 +277,9 @@ static void start_list(world *w)
     w->old_pair = w->pair;
     w->old_pairs = w->pairs;
     w->pair = last;
+    simplex *carried = w->old_carried;
+    w->old_carried = w->carried;
+    w->carried = carried;
 }
 
 // The list of the last frame, if it is good, and nobody wakes.

@@ -449,6 +449,8 @@ static int size_buffers(world *w)
     w->met       = malloc(pairs * sizeof *w->met);
     w->pair      = malloc(pairs * sizeof *w->pair);
     w->old_pair  = malloc(pairs * sizeof *w->old_pair);
+    w->carried   = malloc(pairs * sizeof *w->carried);
+    w->old_carried = malloc(pairs * sizeof *w->old_carried);
     w->contact   = malloc(contacts * sizeof *w->contact);
     w->between   = malloc(contacts * sizeof *w->between);
     w->near      = malloc(at_least_one(w->near_capacity) * sizeof *w->near);
@@ -469,9 +471,9 @@ static int size_buffers(world *w)
         if (!w->hit[half] || !w->swept[half] || !w->needed[half]) return 0;
     }
     w->orders    = order_scratch_new(sticks);
-    return w->met && w->pair && w->old_pair && w->contact && w->between
-        && w->near && w->point && w->leaf_pair && w->leaf_met && w->hull
-        && w->hull_face && w->found && w->orders;
+    return w->met && w->pair && w->old_pair && w->carried && w->old_carried
+        && w->contact && w->between && w->near && w->point && w->leaf_pair
+        && w->leaf_met && w->hull && w->hull_face && w->found && w->orders;
 }
 //<
 
@@ -549,7 +551,7 @@ void world_free(world *w)
         w->old_push, w->old_pushed, w->wall, w->fresh, w->looked, w->listed,
         w->near_push, w->ways, w->drift, w->in_parts, w->side,
         w->sided, w->met, w->moves, w->pair,
-        w->old_pair, w->contact, w->between, w->near, w->point, w->leaf_pair,
+        w->old_pair, w->carried, w->old_carried, w->contact, w->between, w->near, w->point, w->leaf_pair,
         w->leaf_met, w->hull, w->hull_face, w->still, w->collided, w->ball,
         w->spread, w->found, w->swept[0], w->swept[1], w->needed[0],
         w->needed[1] };

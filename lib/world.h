@@ -178,7 +178,7 @@ typedef struct {
 typedef struct {
     int a, b;           // rigid bodies, a < b
     int quick;          // they pass each other too quickly for contacts to last
-    simplex carried;
+    int place;          // of its contacts among those that were found
     inquiry is;
 } body_pair;
 
@@ -234,13 +234,17 @@ typedef struct world {
     struct broad broad;
     int  (*met)[2];     // pairs whose balls meet
     body_pair *pair, *old_pair;         // sorted; this frame's, the last one's
+    simplex *carried, *old_carried;     // what the last query of each left:
+                                        // beside the pairs, for these are gone
+                                        // through again and again
     int  pairs, old_pairs, pair_capacity;
     struct contact *contact;            // of rigid bodies and planes
     int  (*between)[2];                 // their bodies; -1: a plane
     int  contacts, contact_capacity;
     struct contact *found;              // as they are found: every body has
-                                        // room for its own with the planes,
-                                        // every pair for PAIR_CONTACTS
+                                        // room for its own with the planes;
+                                        // then those of each half's pairs, one
+                                        // after the other
     int  corners;       // vertices in the table `of.at`
     int  lasting;       // the first of them are good for the whole frame, the
                         // others, of quick pairs, for a substep

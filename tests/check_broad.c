@@ -538,6 +538,74 @@ START_TEST(history_leaves_no_trace)
 }
 END_TEST
 
+// --- lanes -------------------------------------------------------------------
+
+// How many comparisons a sweep makes, a body.
+static real compared(void)
+{
+    long tests = 0;
+    for (int l = 0; l < s.lanes[0] * s.lanes[1]; l++)
+        for (int i = s.lane[l]; i < s.lane[l + 1]; i++)
+            for (int j = i + 1; j < s.lane[l + 1]
+                                && s.start[j] <= s.high[s.who[i]]; j++) tests++;
+    return (real)tests / bodies;
+}
+
+// One line would make about 118 comparisons a body in the room, and 350 in the
+// tower; lanes of two widths see 4 widths squared of the room's 27 x 27.
+// Rejects: lanes along one axis only, or along x; lanes so narrow that everybody
+// stands in many.
+START_TEST(lanes_spare_comparisons_and_lose_nobody)
+{
+    begin_room(LARGE);
+    agreed(MOST_PAIRS);
+    ck_assert(s.lanes[0] > 3 && s.lanes[1] > 3);
+    ck_assert(s.places < 3 * LARGE && compared() < 20);
+    for (int b = 0; b < LARGE; b++)
+        ball[b].center = vec3_make(anywhere(0.1), b * 0.9, 0);
+    agreed(MOST_PAIRS);
+    ck_assert(s.lanes[0] > LARGE / 9 && s.lanes[1] == 1 && compared() < 20);
+}
+END_TEST
+
+// Pairs that touch along y or z as well as rounding lets them, a few metres and
+// 100,000 km from the origin.
+// Rejects: lanes that one of two that touch just does not reach into.
+START_TEST(rounded_lanes_lose_nobody)
+{
+    for (int round = 0; round < 8; round++) {
+        int axis = 1 + round % 2, touching = 0;
+        real far = round / 2 % 2 ? 0x1p27 : 0;
+        begin(LARGE);
+        for (int b = 0; b < LARGE; b += 2) {
+            ball[b] = ball[b + 1] = any_ball(200, 0);
+            ball[b].radius = anywhere(1) / 3;
+            ball[b + 1].radius = anywhere(1) / 3;
+            *part(&ball[b], axis) += far;
+            *part(&ball[b + 1], axis) = *part(&ball[b], axis)
+                                      + (ball[b].radius + ball[b + 1].radius);
+        }
+        touching = agreed(MOST_PAIRS);
+        ck_assert(s.lanes[axis - 1] > 9);
+        ck_assert_int_gt(touching, LARGE / 5);
+    }
+}
+END_TEST
+
+// In lanes as wide as most balls, each of the large ones would stand in 400.
+// Rejects: more places than there is room for; pairs of large balls, which have
+// many lanes in common, that are listed again and again.
+START_TEST(few_large_balls_leave_room_for_all)
+{
+    begin(LARGE);
+    for (int b = 0; b < LARGE; b++)
+        ball[b] = any_ball(400, b % 100 == 7 ? 50 : 0.5);
+    ck_assert_int_gt(agreed(MOST_PAIRS), LARGE / 20);
+    ck_assert_int_le(s.places, LANES_A_BODY * LARGE);
+    ck_assert_int_gt(s.lanes[0], 1);
+}
+END_TEST
+
 // --- memory ------------------------------------------------------------------
 
 // Rejects: a refusal that goes unnoticed, or leaves something half built.
@@ -557,8 +625,9 @@ START_TEST(refused_memory_leaves_nothing)
         if (!ok) ck_assert_str_eq(done.why, "out of memory");
         ck_assert(!t.bodies && !t.order && !t.low && !t.high && !t.first);
         ck_assert(!t.start && !t.line && !t.mover);
+        ck_assert(!t.reach && !t.lane && !t.who);
     }
-    ck_assert_int_eq(n, 8);
+    ck_assert_int_eq(n, 11);
     broad_free(&t);
 }
 END_TEST
@@ -599,6 +668,9 @@ int main(void)
         moving_scene_agrees_in_every_frame_and_is_nearly_sorted,
         line_that_turns_round_is_sorted_quickly,
         history_leaves_no_trace,
+        lanes_spare_comparisons_and_lose_nobody,
+        rounded_lanes_lose_nobody,
+        few_large_balls_leave_room_for_all,
         refused_memory_leaves_nothing,
         query_asks_for_no_memory,
     };

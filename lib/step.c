@@ -305,9 +305,9 @@ static int substeps_for_soft(world *w, body *soft)
     return n;
 }
 
-// Nobody goes further than a sixth of its inner radius in a substep: so many
-// do, within the bounds that the options set.  (Bodies of vertices push each other
-// for ever, and lines count on their substeps: both get all of them.)
+// So many substeps that nobody goes further than a sixth of its inner radius in
+// one, within the bounds that the options set.  (Bodies of vertices push each
+// other for ever, and lines count on their substeps: both get all of them.)
 static int substeps_at_this_pace(const world *w)
 {
     int n = w->options.least_substeps, most = w->options.substeps;

@@ -550,11 +550,11 @@ void world_free(world *w)
         w->of.before, w->of.listed, w->of.inverse_mass, w->push, w->pushed,
         w->old_push, w->old_pushed, w->wall, w->fresh, w->looked, w->listed,
         w->near_push, w->ways, w->drift, w->in_parts, w->side,
-        w->sided, w->met, w->moves, w->pair,
-        w->old_pair, w->carried, w->old_carried, w->contact, w->between, w->near, w->point, w->leaf_pair,
-        w->leaf_met, w->hull, w->hull_face, w->still, w->collided, w->ball,
-        w->spread, w->found, w->swept[0], w->swept[1], w->needed[0],
-        w->needed[1] };
+        w->sided, w->met, w->moves, w->pair, w->old_pair, w->carried,
+        w->old_carried, w->contact, w->between,
+        w->near, w->point, w->leaf_pair, w->leaf_met, w->hull, w->hull_face,
+        w->still, w->collided, w->ball, w->spread, w->found, w->swept[0],
+        w->swept[1], w->needed[0], w->needed[1] };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pool_free(&w->pool);
     hit_scratch_free(w->hit[0]);

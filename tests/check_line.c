@@ -938,6 +938,29 @@ START_TEST(size_and_mass_do_not_matter)
 }
 END_TEST
 
+// A rope too long by three tenths in each of its links: its ends have far to
+// go, farther than half a link, and Newton is right to send them.  Rejects: a
+// leash that leaves out the errors, or takes them from the old links, which
+// here were in order.
+START_TEST(leash_lets_go_as_far_as_the_errors_ask)
+{
+    for (int old = 0; old < 2; old++) {
+        lay_rope(20, 1);
+        real rest = plan.strand[0].rest_length, d = 1.3 * rest;
+        for (int i = 0; i <= 20; i++) {
+            p[i].previous = plan.at[i];
+            p[i].position = vec3_scale(1.3, plan.at[i]);
+        }
+        line_result r = solve(0, 1, along(old));
+        ck_assert_int_eq(r.fell_back, 0);
+        real heron = (d * d + rest * rest) / (2 * d);
+        expect_near(strain_of(&plan.strand[0]), heron / rest - 1, ROUNDING,
+                    "strain");
+        tear_down();
+    }
+}
+END_TEST
+
 // The rope between nails too far apart, which has to be held back.
 // Rejects: a leash that is measured in square metres.
 START_TEST(leash_is_as_long_as_the_line_is_large)
@@ -1051,6 +1074,7 @@ int main(void)
         old_gradient_that_gains_little_is_given_up,
         only_the_line_that_fails_falls_back, size_and_mass_do_not_matter,
         leash_is_as_long_as_the_line_is_large,
+        leash_lets_go_as_far_as_the_errors_ask,
         line_at_rest_but_for_rounding_is_content_at_any_size,
         shape_without_strands_has_an_empty_scratch,
         refused_scratch_is_none, solving_asks_for_no_memory

@@ -746,7 +746,7 @@ END_TEST
 
 // The number was printed by this test itself; gcc and clang agree on it at -O0,
 // -O2 and -O3.  A change of it is a change of answers.
-static const unsigned long long known_digest = 0x38148aed9c56b59aULL;
+static const unsigned long long known_digest = 0x5aa2255b1bde564aULL;
 
 static unsigned long long digest(unsigned long long h, const swept_result *r)
 {

@@ -258,16 +258,11 @@ contact *contacts_of_pair(const world *w, const body_pair *pair)
     return w->found + w->planes * w->corners + pair->place;
 }
 
-static int least(int a, int b)
-{
-    return a < b ? a : b;
-}
-
 void contacts_write_pair(world *w, const body_pair *x)
 {
     const inquiry *is = &x->is;
     const contact *found = contacts_of_pair(w, x);
-    int n = least(is->found, is->run.count);
+    int n = int_min(is->found, is->run.count);
     if (is->ask == ASK_STAYS) {
         write_same(w, is, x->a, x->b);
         return;
@@ -284,7 +279,7 @@ void contacts_write_planes(world *w, int k)
     if (is->ask == ASK_STAYS) write_same(w, is, k, w->bodies);
     if (is->ask != ASK_NEAREST) return;
     for (int p = 0, at = 0; p < w->planes; p++) {
-        int n = least(w->wall[k].at[p], is->run.count - at);
+        int n = int_min(w->wall[k].at[p], is->run.count - at);
         write_found(w, is->run.first + at, found + at, n, k, w->bodies + p,
                     is->was);
         at += n;
@@ -337,15 +332,15 @@ static void sum_up(places *p, world *w, int again)
     int contacts = again ? w->lasting : 0;
     for (int quick = 0; quick < 2; quick++) {
         if (quick && !again) {
-            w->lasting_pushes = least(pushes, w->push_capacity);
-            w->lasting = least(contacts, w->contact_capacity);
+            w->lasting_pushes = int_min(pushes, w->push_capacity);
+            w->lasting = int_min(contacts, w->contact_capacity);
         }
         for (int part = 0; part < PILE_PARTS; part++)
             p->push[quick][part] = begins(&pushes, p->push[quick][part]);
         p->contact[quick] = begins(&contacts, p->contact[quick]);
     }
-    w->pushes = least(pushes, w->push_capacity);
-    w->contacts = least(contacts, w->contact_capacity);
+    w->pushes = int_min(pushes, w->push_capacity);
+    w->contacts = int_min(contacts, w->contact_capacity);
 }
 //<
 

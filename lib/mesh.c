@@ -510,9 +510,6 @@ static status check_sphere_type(const mesh *m)
 //<
 
 //> mesh-convex-size
-static real smaller(real a, real b) { return a < b ? a : b; }
-static real larger(real a, real b) { return a > b ? a : b; }
-
 // The diagonal of the box around the vertices.  Squares of areas appear below:
 // the fourth power of the size must be a number, too.
 static status measure_size(const mesh *m, const vec3 *at, real *size)
@@ -521,10 +518,10 @@ static status measure_size(const mesh *m, const vec3 *at, real *size)
     for (int v = 0; v < m->vertices; v++) {
         if (!vec3_is_finite(at[v]))
             return status_fail("vertex %d is not at a finite place", v);
-        low  = vec3_make(smaller(low.x, at[v].x), smaller(low.y, at[v].y),
-                         smaller(low.z, at[v].z));
-        high = vec3_make(larger(high.x, at[v].x), larger(high.y, at[v].y),
-                         larger(high.z, at[v].z));
+        low  = vec3_make(real_min(low.x, at[v].x), real_min(low.y, at[v].y),
+                         real_min(low.z, at[v].z));
+        high = vec3_make(real_max(high.x, at[v].x), real_max(high.y, at[v].y),
+                         real_max(high.z, at[v].z));
     }
     *size = vec3_distance(high, low);
     if (!(*size > 1e-60 && *size < 1e60))
@@ -560,9 +557,9 @@ static status check_not_flat(const mesh *m, const vec3 *at, int f, real size)
 {
     int v[3];
     mesh_face(m, f, v);
-    real longest = larger(vec3_distance(at[v[0]], at[v[1]]),
-                          larger(vec3_distance(at[v[1]], at[v[2]]),
-                                 vec3_distance(at[v[2]], at[v[0]])));
+    real longest = real_max(vec3_distance(at[v[0]], at[v[1]]),
+                            real_max(vec3_distance(at[v[1]], at[v[2]]),
+                                     vec3_distance(at[v[2]], at[v[0]])));
     real twice_area = vec3_length(face_normal(at, v));
     if (!(twice_area > NOTHING * size * longest))
         return status_fail("triangle %d is flat: vertex %d, vertex %d and "

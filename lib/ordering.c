@@ -241,11 +241,6 @@ typedef struct {
     relax_result  result;
 } relaxation;
 
-static real larger(real a, real b)
-{
-    return b > a ? b : a;
-}
-
 // Looks at stick k, relaxes it if the options say so, and returns the strain
 // that it had (infinite if it is not a number).
 static real look(relaxation *r, int k)
@@ -271,7 +266,7 @@ static void measure_rest(relaxation *r)
 {
     real worst = 0;
     for (int k = 0; k < r->n; k++)
-        worst = larger(worst, stick_strain(r->s[k], r->p));
+        worst = real_max(stick_strain(r->s[k], r->p), worst);
     r->result.tested += r->n;
     r->result.worst = worst;
 }
@@ -284,7 +279,7 @@ static void relax_by_list(relaxation *r, const int *list, int entries)
         real worst = 0;
         int before = r->result.relaxed;
         for (int i = 0; i < entries && r->budget > 0; i++)
-            worst = larger(worst, look(r, list ? list[i] : i));
+            worst = real_max(look(r, list ? list[i] : i), worst);
         r->result.worst = worst;
         r->result.sweeps++;
         if (r->budget <= 0) break;
@@ -343,7 +338,7 @@ static void relax_by_work(relaxation *r, const int *list, order_scratch *o)
         return;
     }
     for (int k = 0; k < r->n; k++)
-        r->result.worst = larger(r->result.worst, o->strain[k]);
+        r->result.worst = real_max(o->strain[k], r->result.worst);
 }
 //<
 

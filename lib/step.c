@@ -244,11 +244,6 @@ static void rest(world *w)
 //<
 
 //> step-join
-static int larger(int a, int b)
-{
-    return a > b ? a : b;
-}
-
 static int spheres_meet(sphere a, sphere b, real margin)
 {
     real r = a.radius + b.radius + margin;
@@ -300,7 +295,7 @@ static int substeps_for_soft(world *w, body *soft)
         body *b = &w->body[k];
         sphere other = sphere_tree_root(&b->tree, w->of.at + b->corner);
         if (spheres_meet(ball, other, soft->reach + b->reach))
-            n = larger(n, substeps_for(w, b, body_is_soft(b) ? 1 : 0.25));
+            n = int_max(n, substeps_for(w, b, body_is_soft(b) ? 1 : 0.25));
     }
     return n;
 }
@@ -328,12 +323,12 @@ static int choose_substeps(world *w)
         if (body_is_soft(&w->body[k])) pairs_look_ahead(w, &w->body[k]);
     for (int k = 0; k < w->bodies; k++)
         if (body_is_soft(&w->body[k]))
-            n = larger(n, substeps_for_soft(w, &w->body[k]));
+            n = int_max(n, substeps_for_soft(w, &w->body[k]));
     for (int k = 0; k < w->pairs; k++) {
         const body *a = &w->body[w->pair[k].a], *b = &w->body[w->pair[k].b];
         if (pairs_fly_into(w, a, b))
-            n = larger(n, larger(substeps_for(w, a, 1),
-                                 substeps_for(w, b, 1)));
+            n = int_max(n, int_max(substeps_for(w, a, 1),
+                                   substeps_for(w, b, 1)));
     }
     return n;
 }

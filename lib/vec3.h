@@ -20,13 +20,24 @@ typedef struct {
 //<
 
 //> real-max
-// The larger and the smaller of two; b if a is NaN.
+// The larger and the smaller of two, of reals and of whole numbers; b if a is
+// NaN.
 static inline real real_max(real a, real b)
 {
     return a > b ? a : b;
 }
 
 static inline real real_min(real a, real b)
+{
+    return a < b ? a : b;
+}
+
+static inline int int_max(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static inline int int_min(int a, int b)
 {
     return a < b ? a : b;
 }

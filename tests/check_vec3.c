@@ -39,6 +39,8 @@ START_TEST(larger_and_smaller_hold_the_bound_against_nan)
     ck_assert(real_min(1, 2) == 1 && real_min(2, 1) == 1);
     ck_assert(real_max(-HUGE_VAL, -1) == -1 && real_min(HUGE_VAL, -1) == -1);
     ck_assert(real_max((real)NAN, 0) == 0 && real_min((real)NAN, 0) == 0);
+    ck_assert(int_max(1, 2) == 2 && int_max(2, 1) == 2);
+    ck_assert(int_min(1, 2) == 1 && int_min(2, 1) == 1);
 }
 END_TEST
 

@@ -290,19 +290,14 @@ static void add_pair(pair_list *out, int a, int b)
     out->found += out->found < INT_MAX;
 }
 
-static int larger(int a, int b)
-{
-    return a > b ? a : b;
-}
-
 // Lists the pair, and counts in first[a] the pairs (a, b); but only in the
 // first of the lanes that both stand in.
 static void meet(broad *s, int lane, int me, int other, pair_list *out)
 {
     int a = me < other ? me : other, b = me < other ? other : me;
     const lane_range *x = s->reach[a], *y = s->reach[b];
-    if (lane != larger(x[0].first, y[0].first) * s->lanes[1]
-                + larger(x[1].first, y[1].first)) return;
+    if (lane != int_max(x[0].first, y[0].first) * s->lanes[1]
+                + int_max(x[1].first, y[1].first)) return;
     s->first[a]++;
     add_pair(out, a, b);
 }

@@ -309,7 +309,7 @@ static int substeps_at_this_pace(const world *w)
     for (int k = 0; k < w->bodies && n < most; k++) {
         const body *b = &w->body[k];
         if (body_is_nailed(b)) continue;
-        n = b->four ? larger(n, substeps_for(w, b, 1.0 / 6)) : most;
+        n = b->four ? int_max(n, substeps_for(w, b, 1.0 / 6)) : most;
     }
     return n < most ? n : most;
 }

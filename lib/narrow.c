@@ -228,7 +228,7 @@ static void query_planes(world *w, int k)
 }
 
 // What a half finds stands one after the other: most pairs touch in one point,
-// and with room for PAIR_CONTACTS between them they would fill much more memory.
+// and with room for PAIR_CONTACTS each they would fill much more memory.
 static void query(void *data, int half)
 {
     const asking *j = data;

@@ -548,7 +548,8 @@ void world_free(world *w)
         w->old_push, w->old_pushed, w->wall, w->fresh, w->looked, w->listed,
         w->near_push, w->ways, w->drift, w->in_parts, w->side,
         w->sided, w->met, w->moves, w->pair,
-        w->old_pair, w->carried, w->old_carried, w->contact, w->between, w->near, w->point, w->leaf_pair,
+        w->old_pair, w->carried, w->old_carried, w->contact, w->between,
+        w->near, w->point, w->leaf_pair,
         w->leaf_met, w->hull, w->hull_face, w->still, w->collided, w->ball,
         w->spread, w->found, w->swept[0], w->swept[1], w->needed[0],
         w->needed[1] };

@@ -302,11 +302,11 @@ static void many_start(int piece)
 // further, and faster, and lie deeper.
 typedef struct {
     real pairs, contacts;
-} crowd;
+} sums;
 
-static crowd in_many, in_few;
+static sums in_many, in_few;
 
-static void step_in(world *w, crowd *sum)
+static void step_in(world *w, sums *sum)
 {
     for (int f = 0; f < STRIDE; f++) {
         world_step(w);
@@ -327,7 +327,7 @@ static void few_frames(int piece)
     step_in(&ours, &in_few);
 }
 
-static void write_crowd(char *to, const world *w, crowd sum)
+static void write_crowd(char *to, const world *w, sums sum)
 {
     real each = (real)LONG * w->bodies;
     snprintf(to, TEXT, "%.1f pairs and %.1f contacts a body; %d found no room",

@@ -553,8 +553,8 @@ static real compared(void)
 
 // One line would make about 118 comparisons a body in the room, and 350 in the
 // tower; lanes of two widths see 4 widths squared of the room's 27 x 27.
-// Rejects: lanes along one axis only, or along x; lanes so narrow that everybody
-// stands in many.
+// Rejects: lanes along one axis only, or along x; lanes so narrow
+// that everybody stands in many.
 START_TEST(lanes_spare_comparisons_and_lose_nobody)
 {
     begin_room(LARGE);

@@ -84,15 +84,13 @@ void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
 
 // How far apart two points are along each of three directions, when they were
 // `was`, and the bodies they ride on have gone by a and b along their ways:
-// rows as above, those of b for the opposite directions.
-void four_part(const real (*restrict row_a)[FOUR_WAYS],
-               const real (*restrict row_b)[FOUR_WAYS],
-               const real *restrict was, const real *restrict a,
-               const real *restrict b, real *restrict apart);
+// rows as above, those of b for the opposite directions.  `apart` is an array of
+// its own.
+void four_part(const real (*row_a)[FOUR_WAYS], const real (*row_b)[FOUR_WAYS],
+               const real *was, const real *a, const real *b, real *apart);
 
 // Pushes of l along the three directions (kg m) take the body along its ways.
-void four_go(const real (*restrict row)[FOUR_WAYS], const real *restrict l,
-             real *restrict way);
+void four_go(const real (*row)[FOUR_WAYS], const real *l, real *way);
 
 // Where the particles go, when the body goes so far along each way: move, m.
 void four_move(const four_ways *w, const real along[FOUR_WAYS],

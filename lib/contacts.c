@@ -34,8 +34,8 @@ static push_side side_of(const world *w, int number, const feature_point *f)
                          .share = { 1 } };
         return s;
     }
-    s.ways = &w->ways[number];
-    if (w->moves[number]) s.body = number;
+    s.ways = &w->pushes.ways[number];
+    if (w->flags.moves[number]) s.body = number;
     s.first = b->first;
     s.count = FOUR;
     for (int v = 0; v < f->count; v++)
@@ -96,12 +96,13 @@ static push *nearest_to(const push_memory *m, push *c, int n)
 // the nearest of the n new ones.  So no push is lost, and none is taken over
 // twice: a load that nobody bears throws the pile up, and it never comes to
 // rest.
-static void recall(const world *w, push *c, int n, int b, push_run was)
+static void recall(const world *w, push *c, int n, int b, contact_run was)
 {
     real h = w->options.dt / w->report.substeps;
     for (int k = was.first; k < was.first + was.count && n > 0; k++) {
-        const push *old = &w->old_push[k];
-        if (w->old_pushed[k][1] != b || !(old->pushed[NORMAL] > 0)) continue;
+        const push *old = &w->pushes.old[k];
+        if (w->pushes.old_between[k][1] != b || !(old->pushed[NORMAL] > 0))
+            continue;
         push_memory m = push_remember(old, w->age);
         push_recall(nearest_to(&m, c, n), &m, h);
     }
@@ -139,9 +140,9 @@ static sides sides_of(const world *w, int a, int b)
 
 // Contacts number first to first + n - 1, of a and b; all have one normal.
 static void write_pushes(world *w, int first, const contact *found, int n,
-                         int a, int b, push_run was)
+                         int a, int b, contact_run was)
 {
-    push *x = &w->push[first];
+    push *x = &w->pushes.at[first];
     sides of = sides_of(w, a, b);
     real near = near_of(w, a, b);
     for (int k = 0; k < n; k++) {
@@ -150,8 +151,8 @@ static void write_pushes(world *w, int first, const contact *found, int n,
         if (k == 0) push_directions(x, found[0].normal);
         for (int d = 0; k > 0 && d < DIRECTIONS; d++)
             x[k].along[d] = x[0].along[d];
-        w->pushed[first + k][0] = a;
-        w->pushed[first + k][1] = b;
+        w->pushes.between[first + k][0] = a;
+        w->pushes.between[first + k][1] = b;
     }
     if (w->options.memory) recall(w, x, n, b, was);
 }
@@ -161,16 +162,16 @@ static void write_contacts(world *w, int first, const contact *found, int n,
 {
     sides of = sides_of(w, a, b);
     for (int k = 0; k < n; k++) {
-        contact *x = &w->contact[first + k];
+        contact *x = &w->contacts.at[first + k];
         *x = found[k];
         x->approach = speed_of_blow(w, x, &w->body[of.a]);
-        w->between[first + k][0] = of.a;
-        w->between[first + k][1] = of.b;
+        w->contacts.between[first + k][0] = of.a;
+        w->contacts.between[first + k][1] = of.b;
     }
 }
 
 static void write_found(world *w, int first, const contact *found, int n,
-                        int a, int b, push_run was)
+                        int a, int b, contact_run was)
 {
     if (w->body[a].four) write_pushes(w, first, found, n, a, b, was);
     else                 write_contacts(w, first, found, n, a, b);
@@ -178,10 +179,11 @@ static void write_found(world *w, int first, const contact *found, int n,
 //<
 
 //> contacts-stay
-int contacts_may_stay(const world *w, const push_run *run, int a, int b,
+int contacts_may_stay(const world *w, const contact_run *run, int a, int b,
                       real margin)
 {
-    return !w->fresh[a] && (b >= w->bodies || !w->fresh[b]) && run->margin > 0
+    const char *fresh = w->flags.fresh;
+    return !fresh[a] && (b >= w->bodies || !fresh[b]) && run->margin > 0
         && margin + contacts_slack(w, a, b) <= run->margin;
 }
 
@@ -189,14 +191,15 @@ int contacts_may_stay(const world *w, const push_run *run, int a, int b,
 // they pushed.
 static void write_same(world *w, const inquiry *is, int a, int b)
 {
+    push_tables *t = &w->pushes;
     real h = w->options.dt / w->report.substeps, longer = h / w->age;
     real near = near_of(w, a, b);
     for (int k = 0; k < is->run.count; k++) {
         int to = is->run.first + k, from = is->was.first + k;
-        push *x = &w->push[to];
-        *x = w->old_push[from];
-        w->pushed[to][0] = w->old_pushed[from][0];
-        w->pushed[to][1] = w->old_pushed[from][1];
+        push *x = &t->at[to];
+        *x = t->old[from];
+        t->between[to][0] = t->old_between[from][0];
+        t->between[to][1] = t->old_between[from][1];
         x->near = near;
         x->far = 0;
         for (int d = 0; d < DIRECTIONS; d++)
@@ -235,27 +238,27 @@ int contacts_have_guard(const world *w, int a, int b)
 static void write_guard(world *w, int place, const contact *touch, int a, int b)
 {
     sides of = sides_of(w, a, b);
-    push *guard = &w->push[place];
+    push *guard = &w->pushes.at[place];
     int is_a = is_smaller(w, of.a, of.b);
     const body *small = &w->body[is_a ? of.a : of.b];
     *guard = contacts_push(w, touch, of.a, of.b);
     ride_in_the_middle(is_a ? &guard->a : &guard->b, small);
     guard->thickness += small->plan->inner;
     guard->near = near_of(w, a, b);
-    w->pushed[place][0] = a;
-    w->pushed[place][1] = b;
+    w->pushes.between[place][0] = a;
+    w->pushes.between[place][1] = b;
 }
 //<
 
 //> contacts-found
 contact *contacts_of_planes(const world *w, int k)
 {
-    return w->found + w->planes * w->body[k].corner;
+    return w->narrow.found + w->planes * w->body[k].corner;
 }
 
 contact *contacts_of_pair(const world *w, const body_pair *pair)
 {
-    return w->found + w->planes * w->corners + pair->place;
+    return w->narrow.found + w->planes * w->of.corners + pair->place;
 }
 
 void contacts_write_pair(world *w, const body_pair *x)
@@ -274,12 +277,12 @@ void contacts_write_pair(world *w, const body_pair *x)
 
 void contacts_write_planes(world *w, int k)
 {
-    const inquiry *is = &w->wall[k].is;
+    const inquiry *is = &w->narrow.wall[k].is;
     const contact *found = contacts_of_planes(w, k);
     if (is->ask == ASK_STAYS) write_same(w, is, k, w->bodies);
     if (is->ask != ASK_NEAREST) return;
     for (int p = 0, at = 0; p < w->planes; p++) {
-        int n = int_min(w->wall[k].at[p], is->run.count - at);
+        int n = int_min(w->narrow.wall[k].at[p], is->run.count - at);
         write_found(w, is->run.first + at, found + at, n, k, w->bodies + p,
                     is->was);
         at += n;
@@ -309,10 +312,10 @@ static int count_of(const inquiry *is)
 static void count_all(const world *w, int again, places *p)
 {
     for (int k = 0; k < w->bodies && !again; k++)
-        if (w->moves[k])
-            *place_of(p, w, k, w->bodies, 0) += count_of(&w->wall[k].is);
-    for (int k = 0; k < w->pairs; k++) {
-        const body_pair *x = &w->pair[k];
+        if (w->flags.moves[k])
+            *place_of(p, w, k, w->bodies, 0) += count_of(&w->narrow.wall[k].is);
+    for (int k = 0; k < w->pairs.count; k++) {
+        const body_pair *x = &w->pairs.at[k];
         if (!again || x->quick)
             *place_of(p, w, x->a, x->b, x->quick) += count_of(&x->is);
     }
@@ -328,19 +331,19 @@ static int begins(int *end, int n)
 // Counts become places: where those before them end.
 static void sum_up(places *p, world *w, int again)
 {
-    int pushes = again ? w->lasting_pushes : 0;
-    int contacts = again ? w->lasting : 0;
+    int pushes = again ? w->pushes.lasting : 0;
+    int contacts = again ? w->contacts.lasting : 0;
     for (int quick = 0; quick < 2; quick++) {
         if (quick && !again) {
-            w->lasting_pushes = int_min(pushes, w->push_capacity);
-            w->lasting = int_min(contacts, w->contact_capacity);
+            w->pushes.lasting = int_min(pushes, w->pushes.capacity);
+            w->contacts.lasting = int_min(contacts, w->contacts.capacity);
         }
         for (int part = 0; part < PILE_PARTS; part++)
             p->push[quick][part] = begins(&pushes, p->push[quick][part]);
         p->contact[quick] = begins(&contacts, p->contact[quick]);
     }
-    w->pushes = int_min(pushes, w->push_capacity);
-    w->contacts = int_min(contacts, w->contact_capacity);
+    w->pushes.count = int_min(pushes, w->pushes.capacity);
+    w->contacts.count = int_min(contacts, w->contacts.capacity);
 }
 //<
 
@@ -349,12 +352,12 @@ static void sum_up(places *p, world *w, int again)
 static void place(world *w, places *p, inquiry *is, int a, int b, int quick)
 {
     int *next = place_of(p, w, a, b, quick), n = count_of(is);
-    int room = (w->body[a].four ? w->push_capacity : w->contact_capacity)
+    int room = (w->body[a].four ? w->pushes.capacity : w->contacts.capacity)
              - *next;
     int count = room > n ? n : room > 0 ? room : 0;
     real margin = is->ask == ASK_STAYS ? is->was.margin : is->margin;
     if (count < n || quick || !w->body[a].four) margin = 0;
-    is->run = (push_run){ *next, count, margin };
+    is->run = (contact_run){ *next, count, margin };
     w->report.dropped += n - count;
     *next += n;
 }
@@ -365,11 +368,12 @@ void contacts_place(world *w, int again)
     count_all(w, again, &p);
     sum_up(&p, w, again);
     for (int k = 0; k < w->bodies && !again; k++) {
-        w->wall[k].is.run = (push_run){ 0, 0, 0 };
-        if (w->moves[k]) place(w, &p, &w->wall[k].is, k, w->bodies, 0);
+        inquiry *is = &w->narrow.wall[k].is;
+        is->run = (contact_run){ 0, 0, 0 };
+        if (w->flags.moves[k]) place(w, &p, is, k, w->bodies, 0);
     }
-    for (int k = 0; k < w->pairs; k++) {
-        body_pair *x = &w->pair[k];
+    for (int k = 0; k < w->pairs.count; k++) {
+        body_pair *x = &w->pairs.at[k];
         if (!again || x->quick) place(w, &p, &x->is, x->a, x->b, x->quick);
     }
 }

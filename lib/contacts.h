@@ -33,7 +33,7 @@ real contacts_slack(const world *w, int a, int b);
 
 // Did neither move since their contacts `run` were found, and is there nothing
 // new to be found within `margin` (m) of them?
-int contacts_may_stay(const world *w, const push_run *run, int a, int b,
+int contacts_may_stay(const world *w, const contact_run *run, int a, int b,
                       real margin);
 
 // What was found: room for the contacts of body k with the planes, plane after

@@ -29,8 +29,9 @@ static int ends_of(const world *w, int axis, real end[2])
     end[0] = HUGE_VAL;
     end[1] = -HUGE_VAL;
     for (int b = 0; b < w->bodies; b++) {
-        real x = along(w->ball[b].center, axis);
-        if (!w->moves[b] || w->ball[b].radius < 0 || !(x - x == 0)) continue;
+        sphere ball = w->pairs.ball[b];
+        real x = along(ball.center, axis);
+        if (!w->flags.moves[b] || ball.radius < 0 || !(x - x == 0)) continue;
         end[0] = fmin(end[0], x);
         end[1] = fmax(end[1], x);
         n++;
@@ -46,8 +47,8 @@ static real median(const world *w, int axis, int n, real end[2])
         real middle = (end[0] + end[1]) / 2;
         int below = 0;
         for (int b = 0; b < w->bodies; b++)
-            below += w->moves[b] && w->ball[b].radius >= 0
-                     && along(w->ball[b].center, axis) < middle;
+            below += w->flags.moves[b] && w->pairs.ball[b].radius >= 0
+                     && along(w->pairs.ball[b].center, axis) < middle;
         end[2 * below > n] = middle;
     }
     return end[0];
@@ -62,18 +63,19 @@ void halves_cut(world *w)
         if (end[k][1] - end[k][0] > end[axis][1] - end[axis][0]) axis = k;
     }
     if (n >= WORTH) cut = median(w, axis, n, end[axis]);
-    w->lefts = 0;
+    world_cut *t = &w->cut;
+    t->lefts = 0;
     for (int b = 0; b < w->bodies; b++) {
-        w->side[b] = along(w->ball[b].center, axis) >= cut;
-        if (w->side[b]) w->sided[w->bodies - ++rights] = b;
-        else            w->sided[w->lefts++] = b;
+        t->side[b] = along(w->pairs.ball[b].center, axis) >= cut;
+        if (t->side[b]) t->sided[w->bodies - ++rights] = b;
+        else            t->sided[t->lefts++] = b;
     }
 }
 
 const int *halves_bodies(const world *w, int side, int *n)
 {
-    *n = side ? w->bodies - w->lefts : w->lefts;
-    return side ? w->sided + w->lefts : w->sided;
+    *n = side ? w->bodies - w->cut.lefts : w->cut.lefts;
+    return side ? w->cut.sided + w->cut.lefts : w->cut.sided;
 }
 //<
 
@@ -81,24 +83,26 @@ const int *halves_bodies(const world *w, int side, int *n)
 // Whoever does not move is on neither side, and is written by nobody.
 int halves_part(const world *w, int a, int b)
 {
-    if (b >= w->bodies || !w->moves[b]) return w->side[a];
-    if (!w->moves[a] || w->side[a] == w->side[b]) return w->side[b];
+    const char *moves = w->flags.moves, *side = w->cut.side;
+    if (b >= w->bodies || !moves[b]) return side[a];
+    if (!moves[a] || side[a] == side[b]) return side[b];
     return PILE_ACROSS;
 }
 
 void halves_sort(world *w)
 {
+    push_tables *t = &w->pushes;
     int at[PILE_PARTS] = { 0 };
-    for (int k = 0; k < w->pushes; k++)
-        at[halves_part(w, w->pushed[k][0], w->pushed[k][1])]++;
+    for (int k = 0; k < t->count; k++)
+        at[halves_part(w, t->between[k][0], t->between[k][1])]++;
     for (int part = 0, sum = 0; part < PILE_PARTS; part++) {
         int n = at[part];
         at[part] = sum;
-        w->part_end[part] = sum += n;
+        t->end[part] = sum += n;
     }
-    for (int k = 0; k < w->pushes; k++) {
-        int part = halves_part(w, w->pushed[k][0], w->pushed[k][1]);
-        w->in_parts[at[part]++] = k;
+    for (int k = 0; k < t->count; k++) {
+        int part = halves_part(w, t->between[k][0], t->between[k][1]);
+        t->in_parts[at[part]++] = k;
     }
 }
 //<

@@ -18,8 +18,8 @@
 void halves_do(const world *w, void (*work)(void *data, int half), void *data);
 
 // Cuts the world in two, across its longest side, so that half of the bodies
-// that move lie on either side.  Requires: w->ball is of this frame.  If few
-// move, nothing is cut: all are left.
+// that move lie on either side.  Requires: w->pairs.ball is of this frame.  If
+// few move, nothing is cut: all are left.
 void halves_cut(world *w);
 
 // The bodies on one side, 0 or 1, of the cut; how many in *n.

@@ -76,18 +76,19 @@ static void measure_rigid_pair(world *w, body *a, body *b, measures *m)
     gjk_result g = gjk_distance(p, q, gjk_options_default(), NULL);
     if (g.status == GJK_NOT_FINITE) deepen(m, (real)NAN);
     if (g.status == GJK_OVERLAP)
-        deepen(m, hit_face_find(p, q, &g.last, w->hit[0]).depth);
+        deepen(m, hit_face_find(p, q, &g.last, w->narrow.hit[0]).depth);
 }
 
 // How deep the particles of a deformable body stand in a rigid one.
 static void measure_points(world *w, body *soft, body *rigid, measures *m)
 {
     collider a = world_collider(w, soft), b = world_collider(w, rigid);
-    int planes = hull_planes(rigid->plan, b.at, w->hull, w->hull_face);
-    w->hull_of = -1;
+    int planes = hull_planes(rigid->plan, b.at, w->hull.plane, w->hull.face);
+    w->hull.of = -1;
     for (int i = 0; i < soft->plan->particles; i++) {
         contact c;
-        if (!collide_point(&a, i, &b, w->hull, w->hull_face, planes, 0, &c))
+        if (!collide_point(&a, i, &b, w->hull.plane, w->hull.face, planes, 0,
+                           &c))
             continue;
         vec3 on_b = c.fixed;
         deepen(m, vec3_dot(vec3_sub(on_b, a.at[i]), c.normal));

@@ -104,17 +104,17 @@ static void decide_pair(const asking *j, body_pair *pair)
 
 static void decide_planes(world *w, int k)
 {
-    inquiry *is = &w->wall[k].is;
+    inquiry *is = &w->narrow.wall[k].is;
     body *b = &w->body[k];
     is->was = is->run;
     is->found = 0;
     is->ask = ASK_NOTHING;
     is->margin = b->reach + 2 * contacts_slack(w, k, w->bodies);
-    if (!w->moves[k] || w->planes == 0) return;
+    if (!w->flags.moves[k] || w->planes == 0) return;
     if (body_is_soft(b)) {
         // (What is rigid was looked at when its pairs were found.)
         pairs_look_ahead(w, b);
-        w->looked[k] = 0;
+        w->flags.looked[k] = 0;
     }
     is->ask = b->four && contacts_may_stay(w, &is->run, k, w->bodies, b->reach)
             ? ASK_STAYS : ASK_NEAREST;
@@ -125,15 +125,15 @@ static void decide(void *data, int half)
 {
     const asking *j = data;
     world *w = j->w;
-    char *needs = w->needed[half];
+    char *needs = w->narrow.needed[half];
     for (int b = 0; b < w->bodies; b++) needs[b] = 0;
     for (int k = 0; k < w->bodies && !j->again; k++) {
         if (!is_mine(k, half)) continue;
         decide_planes(w, k);
-        if (w->wall[k].is.ask == ASK_NEAREST) needs[k] = 1;
+        if (w->narrow.wall[k].is.ask == ASK_NEAREST) needs[k] = 1;
     }
-    for (int k = 0; k < w->pairs; k++) {
-        body_pair *pair = &w->pair[k];
+    for (int k = 0; k < w->pairs.count; k++) {
+        body_pair *pair = &w->pairs.at[k];
         if (!is_mine(k, half)) continue;
         if (!j->again) decide_pair(j, pair);
         if (j->again ? !pair->quick : pair->is.ask < ASK_NEAREST) continue;
@@ -156,11 +156,11 @@ static void look(void *data, int half)
     const asking *j = data;
     world *w = j->w;
     for (int k = 0; k < w->bodies; k++) {
-        int is_needed = w->needed[0][k] || w->needed[1][k];
-        if (!is_mine(k, half) || !is_needed || w->looked[k]) continue;
+        int is_needed = w->narrow.needed[0][k] || w->narrow.needed[1][k];
+        if (!is_mine(k, half) || !is_needed || w->flags.looked[k]) continue;
         if (j->again) look_ahead_again(w, &w->body[k]);
         world_look(w, &w->body[k]);
-        w->looked[k] = 1;
+        w->flags.looked[k] = 1;
     }
 }
 //<
@@ -175,7 +175,7 @@ static int query_swept(const world *w, const body *a, const body *b, real share,
     vec3 way = vec3_scale(share, vec3_sub(a->way, b->way));
     real apart = a->thickness + b->thickness;
     switch (collide_swept(&ca, &cb, way, apart + share * (a->turn + b->turn),
-                          w->swept[half], c)) {
+                          w->narrow.swept[half], c)) {
     case SWEPT_PASSES:  return 0;
     case SWEPT_TOUCHES: return 1;
     default:            return -1;
@@ -190,7 +190,8 @@ static int query_nearest(const world *w, body_pair *pair, real margin, int half,
     collider a = world_collider(w, &w->body[pair->a]);
     collider b = world_collider(w, &w->body[pair->b]);
     return collide_rigid(&a, &b, margin, w->options.manifold,
-                         &w->carried[pair - w->pair], w->hit[half], found);
+                         &w->pairs.carried[pair - w->pairs.at],
+                         w->narrow.hit[half], found);
 }
 
 static void query_pair(const asking *j, body_pair *pair, int half)
@@ -215,16 +216,17 @@ static void query_pair(const asking *j, body_pair *pair, int half)
 static void query_planes(world *w, int k)
 {
     const body *b = &w->body[k];
+    body_wall *wall = &w->narrow.wall[k];
     collider c = world_collider(w, b);
     contact *found = contacts_of_planes(w, k);
     int n = 0;
     for (int p = 0; p < w->planes; p++) {
-        w->wall[k].at[p] = collide_plane(&c, w->plane[p], w->wall[k].is.margin,
-                                         b->thickness, found + n,
-                                         b->plan->particles);
-        n += w->wall[k].at[p];
+        wall->at[p] = collide_plane(&c, w->plane[p], wall->is.margin,
+                                    b->thickness, found + n,
+                                    b->plan->particles);
+        n += wall->at[p];
     }
-    w->wall[k].is.found = n;
+    wall->is.found = n;
 }
 
 // What a half finds stands one after the other: most pairs touch in one point,
@@ -233,12 +235,12 @@ static void query(void *data, int half)
 {
     const asking *j = data;
     world *w = j->w;
-    int place = half ? PAIR_CONTACTS * firsts_of(w->pairs) : 0;
+    int place = half ? PAIR_CONTACTS * firsts_of(w->pairs.count) : 0;
     for (int k = 0; k < w->bodies && !j->again; k++)
-        if (is_mine(k, half) && w->wall[k].is.ask == ASK_NEAREST)
+        if (is_mine(k, half) && w->narrow.wall[k].is.ask == ASK_NEAREST)
             query_planes(w, k);
-    for (int k = 0; k < w->pairs; k++) {
-        body_pair *pair = &w->pair[k];
+    for (int k = 0; k < w->pairs.count; k++) {
+        body_pair *pair = &w->pairs.at[k];
         if (!is_mine(k, half) || (j->again && !pair->quick)) continue;
         if (j->again) decide_pair(j, pair);
         pair->place = place;
@@ -255,9 +257,9 @@ static void write(void *data, int half)
     world *w = j->w;
     for (int k = 0; k < w->bodies && !j->again; k++)
         if (is_mine(k, half)) contacts_write_planes(w, k);
-    for (int k = 0; k < w->pairs; k++)
-        if (is_mine(k, half) && (!j->again || w->pair[k].quick))
-            contacts_write_pair(w, &w->pair[k]);
+    for (int k = 0; k < w->pairs.count; k++)
+        if (is_mine(k, half) && (!j->again || w->pairs.at[k].quick))
+            contacts_write_pair(w, &w->pairs.at[k]);
 }
 
 static void ask_all(world *w, int again)
@@ -279,34 +281,35 @@ static int all_stay(const world *w)
 {
     int found = 0;
     if (w->age != w->options.dt / w->report.substeps || !w->options.memory
-        || w->pushes > w->lasting_pushes || w->softs > 0 || w->contacts > 0)
+        || w->pushes.count > w->pushes.lasting || w->softs > 0
+        || w->contacts.count > 0)
         return 0;
     for (int k = 0; k < w->bodies; k++) {
-        const push_run *run = &w->wall[k].is.run;
-        if (!w->moves[k]) continue;
+        const contact_run *run = &w->narrow.wall[k].is.run;
+        if (!w->flags.moves[k]) continue;
         if (!contacts_may_stay(w, run, k, w->bodies, w->body[k].reach))
             return 0;
         found += run->count;
     }
-    for (int k = 0; k < w->pairs; k++) {
-        const body_pair *x = &w->pair[k];
+    for (int k = 0; k < w->pairs.count; k++) {
+        const body_pair *x = &w->pairs.at[k];
         const body *a = &w->body[x->a], *b = &w->body[x->b];
         if (is_quick(a, b) || !contacts_may_stay(w, &x->is.run, x->a, x->b,
                                                  needed(a, b, 1)))
             return 0;
         found += x->is.run.count;
     }
-    return found == w->pushes;
+    return found == w->pushes.count;
 }
 
-static void swap_pushes(world *w)
+static void swap_pushes(push_tables *t)
 {
-    push *x = w->push;
-    int (*of)[2] = w->pushed;
-    w->push = w->old_push;
-    w->pushed = w->old_pushed;
-    w->old_push = x;
-    w->old_pushed = of;
+    push *x = t->at;
+    int (*of)[2] = t->between;
+    t->at = t->old;
+    t->between = t->old_between;
+    t->old = x;
+    t->old_between = of;
 }
 
 void narrow_find(world *w)
@@ -315,7 +318,7 @@ void narrow_find(world *w)
         halves_sort(w);
         return;
     }
-    swap_pushes(w);
+    swap_pushes(&w->pushes);
     ask_all(w, 0);
 }
 //<
@@ -323,19 +326,19 @@ void narrow_find(world *w)
 //> narrow-again
 static int some_are_quick(const world *w)
 {
-    for (int k = 0; k < w->pairs; k++)
-        if (w->pair[k].quick) return 1;
+    for (int k = 0; k < w->pairs.count; k++)
+        if (w->pairs.at[k].quick) return 1;
     return 0;
 }
 
 // What they have pushed, where that of the last frame stood, which nobody needs
 // any more.
-static void keep_quick(world *w)
+static void keep_quick(push_tables *t)
 {
-    for (int k = w->lasting_pushes; k < w->pushes; k++) {
-        w->old_pushed[k][1] = w->pushed[k][1];
-        if (w->push[k].pushed[NORMAL] > 0) w->old_push[k] = w->push[k];
-        else                               w->old_push[k].pushed[NORMAL] = 0;
+    for (int k = t->lasting; k < t->count; k++) {
+        t->old_between[k][1] = t->between[k][1];
+        if (t->at[k].pushed[NORMAL] > 0) t->old[k] = t->at[k];
+        else                             t->old[k].pushed[NORMAL] = 0;
     }
 }
 
@@ -343,8 +346,8 @@ void narrow_find_again(world *w, int substep)
 {
     if (substep % quick_every(w) != 0) return;
     if (!some_are_quick(w)) return;
-    keep_quick(w);
-    for (int b = 0; b < w->bodies; b++) w->looked[b] = !w->moves[b];
+    keep_quick(&w->pushes);
+    for (int b = 0; b < w->bodies; b++) w->flags.looked[b] = !w->flags.moves[b];
     ask_all(w, 1);
 }
 //<

@@ -130,7 +130,7 @@ sphere pairs_ball(const world *w, body *b)
 static void look_anew(world *w, body *b)
 {
     int k = (int)(b - w->body);
-    w->fresh[k] = w->looked[k] = 1;
+    w->flags.fresh[k] = w->flags.looked[k] = 1;
     if (!b->four || w->softs > 0) world_look_again(w, b);
     else                          world_look(w, b);
     world_find_ways(w, b);
@@ -146,15 +146,15 @@ static void look_at_side(void *data, int side)
     for (int i = 0; i < n; i++) {
         int k = mine[i];
         body *b = &w->body[k];
-        int moves = body_moves(w, k), changed = moves != w->moves[k];
-        w->moves[k] = (char)moves;
+        int moves = body_moves(w, k), changed = moves != w->flags.moves[k];
+        w->flags.moves[k] = (char)moves;
         // Deformable bodies have lists of their own.
-        if (body_is_soft(b)) w->ball[k] = (sphere){ { 0, 0, 0 }, -1 };
-        if (body_is_soft(b) || (!moves && !changed && w->ball[k].radius > 0))
-            continue;
+        if (body_is_soft(b)) w->pairs.ball[k] = (sphere){ { 0, 0, 0 }, -1 };
+        if (body_is_soft(b)
+            || (!moves && !changed && w->pairs.ball[k].radius > 0)) continue;
         if (changed || (moves && !lies_where_seen(w, b))) look_anew(w, b);
-        w->ball[k] = pairs_ball(w, b);
-        if (moves) look_ahead(w, b, w->fresh[k]);
+        w->pairs.ball[k] = pairs_ball(w, b);
+        if (moves) look_ahead(w, b, w->flags.fresh[k]);
         else       stand(b);
     }
 }
@@ -168,16 +168,16 @@ static void look_at_rigid(world *w)
 //> pairs-list
 // Appends pair (a, b) with what the last frame's query of it left.  Both lists
 // are sorted, so one finger moves along the old one.
-static void add_pair(world *w, int a, int b, int *old)
+static void add_pair(pair_tables *t, int a, int b, int *old)
 {
-    const body_pair *was = w->old_pair;
-    while (*old < w->old_pairs && (was[*old].a < a
+    const body_pair *was = t->old;
+    while (*old < t->old_count && (was[*old].a < a
            || (was[*old].a == a && was[*old].b < b))) (*old)++;
-    int known = *old < w->old_pairs && was[*old].a == a && was[*old].b == b;
-    body_pair *pair = &w->pair[w->pairs++];
-    simplex *carried = &w->carried[pair - w->pair];
+    int known = *old < t->old_count && was[*old].a == a && was[*old].b == b;
+    body_pair *pair = &t->at[t->count++];
+    simplex *carried = &t->carried[pair - t->at];
     *pair = known ? was[*old] : (body_pair){ .a = a, .b = b };
-    *carried = known ? w->old_carried[*old] : (simplex){ .count = 0 };
+    *carried = known ? t->old_carried[*old] : (simplex){ .count = 0 };
 }
 
 // All pairs of rigid bodies whose balls come within reach of each other: the
@@ -185,21 +185,22 @@ static void add_pair(world *w, int a, int b, int *old)
 // Paper: section 5 tests every pair; here: PAIRS_ALL.
 static int list_pairs(world *w)
 {
-    int old = 0, room = w->pair_capacity, found;
+    pair_tables *t = &w->pairs;
+    int old = 0, room = t->capacity, found;
     for (int b = 0; b < w->bodies; b++)
         if (!body_is_soft(&w->body[b])) {
-            w->listed[b] = w->body[b].reach + w->body[b].thickness
+            t->listed[b] = w->body[b].reach + w->body[b].thickness
                          + 4 * w->options.stay * w->body[b].plan->radius;
-            w->ball[b].radius += w->listed[b];
+            t->ball[b].radius += t->listed[b];
         }
     found = w->options.pairs == PAIRS_ALL
-        ? broad_pairs_all(w->ball, w->moves, w->bodies, w->met, room)
-        : broad_pairs(&w->broad, w->ball, w->moves, w->met, room);
+        ? broad_pairs_all(t->ball, w->flags.moves, w->bodies, t->met, room)
+        : broad_pairs(&t->broad, t->ball, w->flags.moves, t->met, room);
     for (int b = 0; b < w->bodies; b++)
-        if (!body_is_soft(&w->body[b])) w->ball[b].radius -= w->listed[b];
-    w->pairs = 0;
+        if (!body_is_soft(&w->body[b])) t->ball[b].radius -= t->listed[b];
+    t->count = 0;
     for (int k = 0; k < found && k < room; k++)
-        add_pair(w, w->met[k][0], w->met[k][1], &old);
+        add_pair(t, t->met[k][0], t->met[k][1], &old);
     return found > room ? found - room : 0;
 }
 //<
@@ -210,13 +211,15 @@ static int list_pairs(world *w)
 // passed on.
 static void spread_reach(world *w)
 {
+    const char *moves = w->flags.moves;
+    real *spread = w->pairs.spread;
     for (int round = 0; round < 2; round++) {
-        for (int b = 0; b < w->bodies; b++) w->spread[b] = w->body[b].reach;
-        for (int k = 0; k < w->pairs; k++) {
-            int a = w->pair[k].a, b = w->pair[k].b;
-            real far = fmax(w->spread[a], w->spread[b]);
-            if (w->moves[a]) w->body[a].reach = fmax(w->body[a].reach, far);
-            if (w->moves[b]) w->body[b].reach = fmax(w->body[b].reach, far);
+        for (int b = 0; b < w->bodies; b++) spread[b] = w->body[b].reach;
+        for (int k = 0; k < w->pairs.count; k++) {
+            int a = w->pairs.at[k].a, b = w->pairs.at[k].b;
+            real far = fmax(spread[a], spread[b]);
+            if (moves[a]) w->body[a].reach = fmax(w->body[a].reach, far);
+            if (moves[b]) w->body[b].reach = fmax(w->body[b].reach, far);
         }
     }
 }
@@ -234,7 +237,7 @@ static void rouse(world *w, int b)
         for (int i = x->first; i < x->first + body_particles(x); i++)
             w->pool.at[i].inverse_mass = w->of.inverse_mass[i];
     }
-    w->trusted = -1;
+    w->near.trusted = -1;
 }
 
 int pairs_wake(world *w, int a, int b)
@@ -250,8 +253,8 @@ int pairs_wake(world *w, int a, int b)
 static int wake_sleepers(world *w)
 {
     int woken = 0;
-    for (int k = 0; k < w->pairs; k++)
-        woken |= pairs_wake(w, w->pair[k].a, w->pair[k].b);
+    for (int k = 0; k < w->pairs.count; k++)
+        woken |= pairs_wake(w, w->pairs.at[k].a, w->pairs.at[k].b);
     return woken;
 }
 //<
@@ -263,23 +266,23 @@ static int list_is_good(world *w)
 {
     for (int b = 0; b < w->bodies; b++) {
         const body *x = &w->body[b];
-        if (w->fresh[b] || body_is_soft(x)) return 0;
+        if (w->flags.fresh[b] || body_is_soft(x)) return 0;
         real slack = 2 * w->options.stay * x->plan->radius;
-        if (!(x->reach + x->thickness + slack <= w->listed[b])) return 0;
+        if (!(x->reach + x->thickness + slack <= w->pairs.listed[b])) return 0;
     }
     return w->options.look_ahead && w->options.stay > 0;
 }
 
 // This frame's list becomes the last one's.
-static void start_list(world *w)
+static void start_list(pair_tables *t)
 {
-    body_pair *last = w->old_pair;
-    w->old_pair = w->pair;
-    w->old_pairs = w->pairs;
-    w->pair = last;
-    simplex *carried = w->old_carried;
-    w->old_carried = w->carried;
-    w->carried = carried;
+    body_pair *last = t->old;
+    t->old = t->at;
+    t->old_count = t->count;
+    t->at = last;
+    simplex *carried = t->old_carried;
+    t->old_carried = t->carried;
+    t->carried = carried;
 }
 
 // The list of the last frame, if it is good, and nobody wakes.
@@ -292,11 +295,12 @@ static int keep_list(world *w)
 
 void pairs_find(world *w)
 {
-    for (int b = 0; b < w->bodies; b++) w->fresh[b] = w->looked[b] = 0;
+    for (int b = 0; b < w->bodies; b++)
+        w->flags.fresh[b] = w->flags.looked[b] = 0;
     look_at_rigid(w);
-    w->report.pairs = w->pairs;
+    w->report.pairs = w->pairs.count;
     if (keep_list(w)) return;
-    start_list(w);
+    start_list(&w->pairs);
     look_at_rigid(w);
     int lost = list_pairs(w);
     if (wake_sleepers(w)) {
@@ -309,7 +313,7 @@ void pairs_find(world *w)
     }
     halves_cut(w);
     w->report.dropped += lost;
-    w->report.pairs = w->pairs;
+    w->report.pairs = w->pairs.count;
 }
 //<
 
@@ -327,7 +331,7 @@ int pairs_pass_far(const world *w, const body *a, const body *b, real share)
 int pairs_fly_into(const world *w, const body *a, const body *b)
 {
     if (!pairs_pass_far(w, a, b, 1)) return 0;
-    sphere sa = w->ball[a - w->body], sb = w->ball[b - w->body];
+    sphere sa = w->pairs.ball[a - w->body], sb = w->pairs.ball[b - w->body];
     vec3 d = vec3_sub(sa.center, sb.center), way = vec3_sub(a->way, b->way);
     real t = -vec3_dot(d, way) / vec3_length_squared(way);
     t = fmin(fmax(t, 0), 1);

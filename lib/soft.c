@@ -53,9 +53,9 @@ enum { TRUST_MOST = 8 };
 
 static int lists_are_good(world *w)
 {
-    if (w->trusted < 0) return 0;
-    if (w->trusted > 0) {
-        w->trusted--;
+    if (w->near.trusted < 0) return 0;
+    if (w->near.trusted > 0) {
+        w->near.trusted--;
         return 1;
     }
     // What stands still has moved by nothing, and that is in the box, too.
@@ -63,11 +63,11 @@ static int lists_are_good(world *w)
     for (int b = 0; b < w->bodies; b++)
         if (!body_is_still(w, b)) add_moves(&m, w, &w->body[b]);
     real apart = vec3_distance(m.least, m.most), both = 2 * sqrt(m.longest);
-    real left = w->list_margin - (apart < both ? apart : both);
+    real left = w->near.margin - (apart < both ? apart : both);
     real pace = 4 * sqrt(m.quickest);
     if (!(left > 0)) return 0;
-    w->trusted = left >= TRUST_MOST * pace ? TRUST_MOST
-               : left > pace ? (int)(left / pace) : 0;
+    w->near.trusted = left >= TRUST_MOST * pace ? TRUST_MOST
+                    : left > pace ? (int)(left / pace) : 0;
     return 1;
 }
 //<
@@ -84,11 +84,11 @@ static int room_for(world *w, int found, int room)
 // Leaves are single particles, in the order of the body's.
 static void add_near(world *w, const body *a, const body *b, tree_result found)
 {
-    int pairs = room_for(w, found.pairs, w->leaf_capacity);
-    pairs = room_for(w, pairs, w->near_capacity - w->nears);
+    int pairs = room_for(w, found.pairs, w->leaves.capacity);
+    pairs = room_for(w, pairs, w->near.pair_capacity - w->near.pairs);
     for (int k = 0; k < pairs; k++)
-        w->near[w->nears++] = (sphere_contact){
-            a->first + w->leaf_pair[k].a, b->first + w->leaf_pair[k].b,
+        w->near.pair[w->near.pairs++] = (sphere_contact){
+            a->first + w->leaves.pair[k].a, b->first + w->leaves.pair[k].b,
             a->thickness + b->thickness };
 }
 
@@ -104,13 +104,14 @@ static void list_self(world *w, body *a)
 {
     const vec3 *at = w->of.at + a->first;
     real touching = 2 * a->thickness;
-    int found = grid_pairs(&w->grid, at, a->plan->particles,
-                           touching + w->list_margin, a->plan->at,
-                           LINKED * touching, w->leaf_pair, w->leaf_capacity);
+    int found = grid_pairs(&w->near.grid, at, a->plan->particles,
+                           touching + w->near.margin, a->plan->at,
+                           LINKED * touching,
+                           w->leaves.pair, w->leaves.capacity);
     if (found < 0) {
         sphere_tree_refresh(&a->tree, at);
-        add_near(w, a, a, sphere_tree_self(&a->tree, at, w->list_margin, LINKED,
-                                           w->leaf_pair, w->leaf_capacity));
+        add_near(w, a, a, sphere_tree_self(&a->tree, at, w->near.margin, LINKED,
+                                           w->leaves.pair, w->leaves.capacity));
     } else {
         add_near(w, a, a, (tree_result){ .pairs = found });
     }
@@ -120,7 +121,7 @@ static void list_soft_pair(world *w, body *a, body *b)
 {
     add_near(w, a, b, sphere_tree_pairs(
         &a->tree, w->of.at + a->first, &b->tree, w->of.at + b->first,
-        w->list_margin, w->leaf_pair, w->leaf_capacity));
+        w->near.margin, w->leaves.pair, w->leaves.capacity));
 }
 //<
 
@@ -129,11 +130,11 @@ static void list_soft_pair(world *w, body *a, body *b)
 static void look_at_hull(world *w, int b)
 {
     body *rigid = &w->body[b];
-    if (w->hull_of == b && body_is_nailed(rigid)) return;
+    if (w->hull.of == b && body_is_nailed(rigid)) return;
     world_look(w, rigid);
-    w->hulls = hull_planes(rigid->plan, w->of.at + rigid->corner,
-                           w->hull, w->hull_face);
-    w->hull_of = b;
+    w->hull.planes = hull_planes(rigid->plan, w->of.at + rigid->corner,
+                                 w->hull.plane, w->hull.face);
+    w->hull.of = b;
 }
 
 // Between two particles on both sides of a right-angled edge, at the distance r
@@ -154,7 +155,7 @@ real soft_gap(const body *soft, const body *rigid)
 static void list_points(world *w, int a, int b)
 {
     body *soft = &w->body[a], *rigid = &w->body[b];
-    real reach = soft_gap(soft, rigid) + w->list_margin;
+    real reach = soft_gap(soft, rigid) + w->near.margin;
     sphere ball = sphere_tree_root(&rigid->tree, w->of.at + rigid->corner);
     ball.radius += reach;
     int is_ready = 0;
@@ -164,10 +165,10 @@ static void list_points(world *w, int a, int b)
         if (vec3_length_squared(d) > ball.radius * ball.radius) continue;
         if (!is_ready) look_at_hull(w, b);
         is_ready = 1;
-        int ahead = hull_ahead(x, w->hull, w->hulls);
-        if (plane_height(w->hull[ahead], x) > reach) continue;
-        if (room_for(w, 1, w->point_capacity - w->points) == 1)
-            w->point[w->points++] = (point_pair){ i, a, b, ahead };
+        int ahead = hull_ahead(x, w->hull.plane, w->hull.planes);
+        if (plane_height(w->hull.plane[ahead], x) > reach) continue;
+        if (room_for(w, 1, w->near.point_capacity - w->near.points) == 1)
+            w->near.point[w->near.points++] = (point_pair){ i, a, b, ahead };
     }
 }
 //<
@@ -185,7 +186,7 @@ static void list_pair(world *w, int a, int b)
 void soft_refresh(world *w)
 {
     if (lists_are_good(w)) return;
-    w->nears = w->points = w->trusted = 0;
+    w->near.pairs = w->near.points = w->near.trusted = 0;
     w->report.rebuilt++;
     for (int b = 0; b < w->bodies; b++) {
         body *now = &w->body[b];
@@ -282,10 +283,10 @@ static vec3 push_off(real w, vec3 normal, real depth, vec3 s, real friction)
 // with a part of it, and they began no higher.
 static int stands_over(const world *w, vec3 x, int k, real slack)
 {
-    real up = plane_height(w->hull[k], x);
-    vec3 foot = vec3_add_scaled(x, -up, w->hull[k].normal);
-    for (int i = 0; i < w->hulls; i++)
-        if (plane_height(w->hull[i], foot) > slack) return 0;
+    real up = plane_height(w->hull.plane[k], x);
+    vec3 foot = vec3_add_scaled(x, -up, w->hull.plane[k].normal);
+    for (int i = 0; i < w->hull.planes; i++)
+        if (plane_height(w->hull.plane[i], foot) > slack) return 0;
     return up > 0;
 }
 
@@ -297,13 +298,13 @@ static int separate_from_face(world *w, particle *p, int ahead, real apart,
                               real slack)
 {
     vec3 x = p->position;
-    if (ahead >= w->hulls || !stands_over(w, x, ahead, slack)) {
-        ahead = hull_ahead(x, w->hull, w->hulls);
-        real up = plane_height(w->hull[ahead], x);
+    if (ahead >= w->hull.planes || !stands_over(w, x, ahead, slack)) {
+        ahead = hull_ahead(x, w->hull.plane, w->hull.planes);
+        real up = plane_height(w->hull.plane[ahead], x);
         if (!(up <= apart)) return 0;
         if (up > 0 && !stands_over(w, x, ahead, slack)) return -1;
     }
-    plane face = w->hull[ahead];
+    plane face = w->hull.plane[ahead];
     real up = plane_height(face, x);
     vec3 foot = vec3_add_scaled(x, -up, face.normal);
 
@@ -327,8 +328,8 @@ static int separate_point(world *w, point_pair pair, real apart,
     collider a = world_collider(w, soft), b = world_collider(w, rigid);
     contact c;
     w->of.at[pair.particle] = w->pool.at[pair.particle].position;
-    if (!collide_point(&a, pair.particle - soft->first, &b, w->hull,
-                       w->hull_face, w->hulls, apart, &c)) return 0;
+    if (!collide_point(&a, pair.particle - soft->first, &b, w->hull.plane,
+                       w->hull.face, w->hull.planes, apart, &c)) return 0;
     c.thickness = apart;
     if (c.b.count == 0 || !rigid->four)
         return contact_separate(&c, w->pool.at, how) > 0;
@@ -347,19 +348,20 @@ static int separate_point(world *w, point_pair pair, real apart,
 static int separate_points_of(world *w, int k, real share, pusher by,
                               int *touching)
 {
-    point_pair first = w->point[k];
+    point_pair first = w->near.point[k];
     const body *soft = &w->body[first.soft], *rigid = &w->body[first.rigid];
     response_options how = soft_response(w);
     int is_nailed = body_is_nailed(rigid) && how.share == SHARE_MASS;
     real apart = share * soft_gap(soft, rigid);
     real slack = 1e-12 * rigid->plan->radius;
     look_at_hull(w, first.rigid);
-    for (; k < w->points; k++) {
-        point_pair pair = w->point[k];
+    for (; k < w->near.points; k++) {
+        point_pair pair = w->near.point[k];
         particle *p = &w->pool.at[pair.particle];
         if (pair.soft != first.soft || pair.rigid != first.rigid) break;
-        if (pair.ahead < w->hulls
-            && plane_height(w->hull[pair.ahead], p->position) > apart) continue;
+        if (pair.ahead < w->hull.planes
+            && plane_height(w->hull.plane[pair.ahead], p->position) > apart)
+            continue;
         int touched = !is_nailed ? -1
                     : separate_from_face(w, p, pair.ahead, apart, slack);
         if (touched < 0) touched = separate_point(w, pair, apart, by, how);
@@ -372,7 +374,7 @@ static int separate_points_of(world *w, int k, real share, pusher by,
 static int separate_points(world *w, real share, pusher by)
 {
     int touching = 0;
-    for (int k = 0; k < w->points;)
+    for (int k = 0; k < w->near.points;)
         k = separate_points_of(w, k, share, by, &touching);
     return touching;
 }
@@ -381,12 +383,12 @@ void soft_separate(world *w)
 {
     response_options how = soft_response(w);
     int touching = 0;
-    for (int k = 0; k < w->nears; k++)
-        if (sphere_contact_overlaps(&w->near[k], w->pool.at))
-            touching += sphere_contact_separate(w->near[k], w->pool.at,
+    for (int k = 0; k < w->near.pairs; k++)
+        if (sphere_contact_overlaps(&w->near.pair[k], w->pool.at))
+            touching += sphere_contact_separate(w->near.pair[k], w->pool.at,
                                                 how) > 0;
     touching += separate_points(w, 1, push_apart);
-    w->report.near = w->nears + w->points;
+    w->report.near = w->near.pairs + w->near.points;
     w->report.touching = touching;
 }
 
@@ -424,8 +426,8 @@ static void part_leaves(world *w, const body *a, const body *b, int pairs)
 {
     for (int k = 0; k < pairs; k++) {
         int fa[3], fb[3];
-        int na = leaf_in_pool(a, w->leaf_pair[k].a, fa);
-        int nb = leaf_in_pool(b, w->leaf_pair[k].b, fb);
+        int na = leaf_in_pool(a, w->leaves.pair[k].a, fa);
+        int nb = leaf_in_pool(b, w->leaves.pair[k].b, fb);
         sphere sa = leaf_ball(w, fa, na), sb = leaf_ball(w, fb, nb);
         if (leaves_separate(fa, na, sa.center, sa.radius,
                             fb, nb, sb.center, sb.radius, w->pool.at) > 0)
@@ -446,8 +448,8 @@ static void part_leaf_from_hull(world *w, const body *soft, int leaf, int b)
     collider a = { .at = &center, .mass = soft->mass };
     collider hull = world_collider(w, rigid);
     contact c;
-    if (!collide_point(&a, 0, &hull, w->hull, w->hull_face, w->hulls, 0, &c))
-        return;
+    if (!collide_point(&a, 0, &hull, w->hull.plane, w->hull.face,
+                       w->hull.planes, 0, &c)) return;
     vec3 on_b = c.b.count > 0 ? feature_now(c.b, w->pool.at) : c.fixed;
     deformable_separate(f, n, center, c.b, on_b, w->pool.at,
                         w->options.response);
@@ -455,19 +457,19 @@ static void part_leaf_from_hull(world *w, const body *soft, int leaf, int b)
 }
 
 // A leaf may be near several faces of the hull, but is pushed once.  What
-// leaf_met remembers from an earlier traversal does no harm: the place is
+// leaves.met remembers from an earlier traversal does no harm: the place is
 // looked up before it is believed.
 static void part_from_hull(world *w, body *soft, int b)
 {
     body *rigid = &w->body[b];
     tree_result found = sphere_tree_pairs(
         &soft->tree, w->of.at + soft->first, &rigid->tree,
-        w->of.at + rigid->corner, 0, w->leaf_pair, w->leaf_capacity);
-    int pairs = room_for(w, found.pairs, w->leaf_capacity);
+        w->of.at + rigid->corner, 0, w->leaves.pair, w->leaves.capacity);
+    int pairs = room_for(w, found.pairs, w->leaves.capacity);
     look_at_hull(w, b);
     for (int k = 0; k < pairs; k++) {
-        int leaf = w->leaf_pair[k].a, *met = &w->leaf_met[leaf];
-        if (*met < k && w->leaf_pair[*met].a == leaf) continue;
+        int leaf = w->leaves.pair[k].a, *met = &w->leaves.met[leaf];
+        if (*met < k && w->leaves.pair[*met].a == leaf) continue;
         *met = k;
         part_leaf_from_hull(w, soft, leaf, b);
     }
@@ -485,8 +487,8 @@ static void part_self(world *w, body *a)
 {
     tree_result found = sphere_tree_self(
         &a->tree, w->of.at + a->first, 0, NEIGHBOURS,
-        w->leaf_pair, w->leaf_capacity);
-    part_leaves(w, a, a, room_for(w, found.pairs, w->leaf_capacity));
+        w->leaves.pair, w->leaves.capacity);
+    part_leaves(w, a, a, room_for(w, found.pairs, w->leaves.capacity));
 }
 
 static void part_pair(world *w, int a, int b)
@@ -504,8 +506,8 @@ static void part_pair(world *w, int a, int b)
     }
     tree_result found = sphere_tree_pairs(
         &soft->tree, w->of.at + soft->first, &other->tree,
-        w->of.at + other->first, 0, w->leaf_pair, w->leaf_capacity);
-    part_leaves(w, soft, other, room_for(w, found.pairs, w->leaf_capacity));
+        w->of.at + other->first, 0, w->leaves.pair, w->leaves.capacity);
+    part_leaves(w, soft, other, room_for(w, found.pairs, w->leaves.capacity));
 }
 
 void soft_separate_leaves(world *w)

@@ -17,7 +17,7 @@
 //> soft-declare
 // Makes the lists of near particles anew, if one may have come near unlisted:
 // once a substep, before soft_separate.  Pairs that neither move are left out,
-// so w->trusted must be -1 after someone woke.
+// so w->near.trusted must be -1 after someone woke.
 void soft_refresh(world *w);
 
 // Parts what touches: pairs of particles, then particles and rigid bodies.

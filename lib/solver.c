@@ -8,43 +8,44 @@
 
 static void touch_again(world *w, int a, int b)
 {
-    w->collided[a] = 1;
+    w->flags.collided[a] = 1;
     if (b < 0 || b >= w->bodies) return;
-    w->collided[b] = 1;
+    w->flags.collided[b] = 1;
     if (!body_is_nailed(&w->body[a]) && !body_is_nailed(&w->body[b]))
         rest_touch(&w->rest, a, b);
 }
 
 static void separate_contacts(world *w)
 {
-    for (int k = 0; k < w->contacts; k++) {
-        w->contact[k].pushed = w->contact[k].worn = 0;
-        if (contact_separate(&w->contact[k], w->pool.at,
-                             w->options.response) > 0)
-            touch_again(w, w->between[k][0], w->between[k][1]);
+    const contact_tables *t = &w->contacts;
+    for (int k = 0; k < t->count; k++) {
+        t->at[k].pushed = t->at[k].worn = 0;
+        if (contact_separate(&t->at[k], w->pool.at, w->options.response) > 0)
+            touch_again(w, t->between[k][0], t->between[k][1]);
     }
 }
 //<
 
 //> solver-strike
 // How many contacts from k on, forward or backward, are of one pair.
-static int of_one_pair(const world *w, int k, int step)
+static int of_one_pair(const push_tables *t, int k, int step)
 {
     int n = 1;
-    for (int i = k + step; i >= 0 && i < w->pushes
-         && w->pushed[i][0] == w->pushed[k][0]
-         && w->pushed[i][1] == w->pushed[k][1]; i += step) n++;
+    for (int i = k + step; i >= 0 && i < t->count
+         && t->between[i][0] == t->between[k][0]
+         && t->between[i][1] == t->between[k][1]; i += step) n++;
     return n;
 }
 
 static int strike_in_turn(world *w, int step, push_options how, real h)
 {
+    const push_tables *t = &w->pushes;
     int again = 0;
-    for (int k = step > 0 ? 0 : w->pushes - 1, n; k >= 0 && k < w->pushes;
+    for (int k = step > 0 ? 0 : t->count - 1, n; k >= 0 && k < t->count;
          k += step * n) {
-        n = of_one_pair(w, k, step);
-        push *first = &w->push[step > 0 ? k : k - n + 1];
-        real slow = contacts_blow_speed(w, &w->body[w->pushed[k][0]]) * h;
+        n = of_one_pair(t, k, step);
+        push *first = &t->at[step > 0 ? k : k - n + 1];
+        real slow = contacts_blow_speed(w, &w->body[t->between[k][0]]) * h;
         again |= push_blow(first, n, w->pool.at, how, slow);
     }
     return again;
@@ -90,7 +91,7 @@ static void begin_part(void *data, int part)
     int n = 0;
     const int *mine = part < PILE_ACROSS ? halves_bodies(w, part, &n) : NULL;
     for (int i = 0; i < n; i++)
-        w->drift[mine[i]] = (push_drift){ .stirred = 0 };
+        w->pushes.drift[mine[i]] = (push_drift){ .stirred = 0 };
     s->overlaps[part] = pile_begin(&s->pile, part, w->pool.at, s->how, s->h);
 }
 
@@ -127,7 +128,7 @@ static void apply_part(void *data, int part)
     for (int i = 0; i < n; i++) {
         int b = mine[i];
         if (w->body[b].four && body_moves(w, b))
-            drift_apply(&w->drift[b], &w->ways[b],
+            drift_apply(&w->pushes.drift[b], &w->pushes.ways[b],
                         w->pool.at + w->body[b].first);
     }
 }
@@ -185,13 +186,14 @@ static int passes_of(const world *w)
 
 static void solve_all(world *w, push_options how, real h)
 {
+    const push_tables *t = &w->pushes;
     pushing s = { .w = w, .how = how, .h = h,
-        .pile = { .push = w->push, .order = w->in_parts, .drift = w->drift,
-                  .bodies = w->bodies, .near = w->near_push },
+        .pile = { .push = t->at, .order = t->in_parts, .drift = t->drift,
+                  .bodies = w->bodies, .near = t->near },
         .enough = w->options.content * w->least_radius };
     real pace = 1;
     for (int part = 0; part < PILE_PARTS; part++)
-        s.pile.end[part] = w->part_end[part];
+        s.pile.end[part] = t->end[part];
     do_parts(&s, begin_part, 1);
     const int *n = s.pile.nears;
     if (n[PILE_LEFT] + n[PILE_RIGHT] + n[PILE_ACROSS] == 0) return;
@@ -221,11 +223,11 @@ static void book_friction(world *w, real h)
 {
     real worn = 0;
     if (!w->options.ledger) return;
-    for (int k = 0; k < w->pushes; k++) {
-        worn += w->push[k].worn;
-        w->push[k].worn = 0;
+    for (int k = 0; k < w->pushes.count; k++) {
+        worn += w->pushes.at[k].worn;
+        w->pushes.at[k].worn = 0;
     }
-    for (int k = 0; k < w->contacts; k++) worn += w->contact[k].worn;
+    for (int k = 0; k < w->contacts.count; k++) worn += w->contacts.at[k].worn;
     ledger_friction(w, worn / (h * h));
 }
 
@@ -234,7 +236,7 @@ void solver_separate(world *w, real h)
     push_options how = options_of(w, h);
     separate_contacts(w);
     strike_all(w, how, h);
-    if (w->pushes > 0) solve_all(w, how, h);
+    if (w->pushes.count > 0) solve_all(w, how, h);
     book_friction(w, h);
 }
 //<
@@ -243,19 +245,19 @@ void solver_separate(world *w, real h)
 void solver_end(world *w)
 {
     w->report.pushing = 0;
-    for (int k = 0; k < w->pushes; k++) {
-        if (!(w->push[k].pushed[NORMAL] > 0)) continue;
-        touch_again(w, w->pushed[k][0], w->pushed[k][1]);
+    for (int k = 0; k < w->pushes.count; k++) {
+        if (!(w->pushes.at[k].pushed[NORMAL] > 0)) continue;
+        touch_again(w, w->pushes.between[k][0], w->pushes.between[k][1]);
         w->report.pushing++;
     }
-    w->report.contacts = w->contacts + w->pushes;
+    w->report.contacts = w->contacts.count + w->pushes.count;
 }
 //<
 
 //> solver-bounce
 static void slow_sticks(world *w, int b)
 {
-    if (b < 0 || !w->moves[b]) return;
+    if (b < 0 || !w->flags.moves[b]) return;
     const shape *plan = w->body[b].plan;
     sticks_sweep_speeds(plan->stick, plan->sticks,
                         w->pool.at + w->body[b].first);
@@ -274,16 +276,17 @@ static int is_blow(const contact *c)
 void solver_bounce(world *w, real h)
 {
     enum { ROUNDS = 40 };
+    const contact_tables *t = &w->contacts;
     int blows = 0;
-    for (int k = 0; k < w->contacts; k++) blows += is_blow(&w->contact[k]);
+    for (int k = 0; k < t->count; k++) blows += is_blow(&t->at[k]);
     for (int round = 0; blows > 0 && round < ROUNDS; round++)
-        for (int k = 0; k < w->contacts; k++) {
-            if (!is_blow(&w->contact[k])) continue;
-            contact_bounce(&w->contact[k], w->pool.at, w->options.response, h);
-            slow_sticks(w, w->between[k][0]);
-            slow_sticks(w, w->between[k][1]);
+        for (int k = 0; k < t->count; k++) {
+            if (!is_blow(&t->at[k])) continue;
+            contact_bounce(&t->at[k], w->pool.at, w->options.response, h);
+            slow_sticks(w, t->between[k][0]);
+            slow_sticks(w, t->between[k][1]);
         }
-    for (int k = 0; blows > 0 && k < w->contacts; k++)
-        if (is_blow(&w->contact[k])) w->contact[k].approach = 0;
+    for (int k = 0; blows > 0 && k < t->count; k++)
+        if (is_blow(&t->at[k])) t->at[k].approach = 0;
 }
 //<

@@ -56,7 +56,7 @@ static void integrate(world *w, real h)
     stage s = { .w = w, .h = h };
     halves_do(w, integrate_side, &s);
     // The near lists counted on the pace that was.
-    if (w->age != h && w->trusted > 0) w->trusted = 0;
+    if (w->age != h && w->near.trusted > 0) w->near.trusted = 0;
     w->age = h;
 }
 //<
@@ -163,9 +163,9 @@ static void relax(world *w)
     stage s = { .w = w };
     halves_do(w, relax_side, &s);
     for (int b = 0; b < w->bodies; b++) {
-        int is_ordered = w->options.order != ORDER_LISTED && w->collided[b]
-                         && !body_is_soft(&w->body[b]);
-        w->collided[b] = 0;
+        int is_ordered = w->options.order != ORDER_LISTED
+                         && w->flags.collided[b] && !body_is_soft(&w->body[b]);
+        w->flags.collided[b] = 0;
         if (can_be_halved(w, b) || !body_moves(w, b)) continue;
         add_up(&s.done[0], relax_body(w, &w->body[b], is_ordered));
     }
@@ -231,13 +231,14 @@ static real patience(const world *w)
 // patience asks, fall asleep together.
 static void rest(world *w)
 {
+    char *still = w->flags.still;
     for (int b = 0; b < w->bodies; b++)
-        w->still[b] = (char)(!body_moves(w, b) || lies_still(w, &w->body[b]));
-    rest_end(&w->rest, w->still, w->options.dt, patience(w));
+        still[b] = (char)(!body_moves(w, b) || lies_still(w, &w->body[b]));
+    rest_end(&w->rest, still, w->options.dt, patience(w));
     w->report.asleep = 0;
     for (int b = 0; b < w->bodies; b++) {
         if (!w->rest.asleep[b] || body_is_nailed(&w->body[b])) continue;
-        if (w->moves[b]) put_to_bed(w, &w->body[b]);
+        if (w->flags.moves[b]) put_to_bed(w, &w->body[b]);
         w->report.asleep++;
     }
 }
@@ -264,7 +265,7 @@ static void join_soft(world *w)
             body *x = &w->body[b];
             if (b == a || body_is_nailed(x)) continue;
             sphere other = sphere_tree_root(&x->tree, w->of.at + x->corner);
-            if (!spheres_meet(ball, other, 2 * w->list_margin)) continue;
+            if (!spheres_meet(ball, other, 2 * w->near.margin)) continue;
             pairs_wake(w, a, b);
             rest_touch(&w->rest, a, b);
         }
@@ -324,8 +325,9 @@ static int choose_substeps(world *w)
     for (int k = 0; k < w->bodies; k++)
         if (body_is_soft(&w->body[k]))
             n = int_max(n, substeps_for_soft(w, &w->body[k]));
-    for (int k = 0; k < w->pairs; k++) {
-        const body *a = &w->body[w->pair[k].a], *b = &w->body[w->pair[k].b];
+    for (int k = 0; k < w->pairs.count; k++) {
+        const body_pair *x = &w->pairs.at[k];
+        const body *a = &w->body[x->a], *b = &w->body[x->b];
         if (pairs_fly_into(w, a, b))
             n = int_max(n, int_max(substeps_for(w, a, 1),
                                    substeps_for(w, b, 1)));

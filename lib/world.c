@@ -107,7 +107,8 @@ placement placement_at(vec3 position)
 
 status world_init(world *w, world_options options)
 {
-    *w = (world){ .options = options, .hull_of = -1, .trusted = -1,
+    *w = (world){ .options = options, .near = { .trusted = -1 },
+                  .hull = { .of = -1 },
                   .age = options.dt / options.substeps };
     pool_init(&w->pool);
     return check_options(&options);
@@ -334,15 +335,14 @@ static void size_lists(world *w)
     }
     int all_pairs = rigid < 24 ? rigid * (rigid - 1) / 2 : 12 * rigid;
     int near_planes = w->planes > 3 && rigid >= 24 ? 3 : w->planes;
-    w->pair_capacity = all_pairs;
-    w->push_capacity = w->options.model != BODY_FOUR ? 0
+    w->pairs.capacity = all_pairs;
+    w->pushes.capacity = w->options.model != BODY_FOUR ? 0
         : (rigid < 24 ? PAIR_CONTACTS * all_pairs : 12 * rigid)
         + near_planes * corners;
-    w->contact_capacity = PAIR_CONTACTS * all_pairs
-                        + w->planes * w->pool.count;
-    w->near_capacity  = 24 * soft;
-    w->leaf_capacity  = 24 * soft;
-    w->point_capacity = 4 * soft;
+    w->contacts.capacity = PAIR_CONTACTS * all_pairs
+                         + w->planes * w->pool.count;
+    w->near.pair_capacity = w->leaves.capacity = 24 * soft;
+    w->near.point_capacity = 4 * soft;
     w->least_radius = HUGE_VAL;
     for (int k = 0; k < w->plans; k++)
         if (w->plan[k].shape->kind == SHAPE_RIGID)
@@ -351,10 +351,10 @@ static void size_lists(world *w)
     // of a spacing a flat cloth has the diagonals of its cells, and no more:
     // what stands at two spacings is further than the 1.1 of touching and the
     // margin.
-    w->list_margin = HUGE_VAL;
+    w->near.margin = HUGE_VAL;
     for (int b = 0; b < w->bodies; b++)
         if (body_is_soft(&w->body[b]))
-            w->list_margin = fmin(w->list_margin,
+            w->near.margin = fmin(w->near.margin,
                                   0.75 * w->body[b].plan->spacing);
 }
 
@@ -374,12 +374,13 @@ static int place_vertices(world *w)
     }
     return end;
 }
+//<
 
-static int size_particles(particle_tables *t, const particle_pool *pool,
-                          int vertices)
+//> world-size-bodies
+static int size_particles(particle_tables *t, const particle_pool *pool)
 {
     size_t n = at_least_one(pool->count);
-    t->at     = malloc(at_least_one(vertices) * sizeof *t->at);
+    t->at     = malloc(at_least_one(t->corners) * sizeof *t->at);
     t->seen   = malloc(n * sizeof *t->seen);
     t->lain   = malloc(n * sizeof *t->lain);
     t->before = malloc(n * sizeof *t->before);
@@ -395,85 +396,131 @@ static int size_particles(particle_tables *t, const particle_pool *pool,
     return 1;
 }
 
-static int size_bodies(world *w)
+static int size_flags(body_flags *t, int bodies)
 {
-    size_t bodies = at_least_one(w->bodies);
-    w->moves    = calloc(bodies, 1);
-    w->still    = calloc(bodies, 1);
-    w->fresh    = calloc(bodies, 1);
-    w->looked   = calloc(bodies, 1);
-    w->collided = calloc(bodies, 1);
-    w->side     = calloc(bodies, 1);
-    w->sided    = malloc(bodies * sizeof *w->sided);
-    w->ball     = calloc(bodies, sizeof *w->ball);
-    w->spread   = calloc(bodies, sizeof *w->spread);
-    w->listed   = calloc(bodies, sizeof *w->listed);
-    w->wall     = calloc(bodies, sizeof *w->wall);
-    return w->moves && w->still && w->fresh && w->looked && w->collided
-        && w->side && w->sided && w->ball && w->spread && w->listed && w->wall;
+    size_t n = at_least_one(bodies);
+    t->moves    = calloc(n, 1);
+    t->fresh    = calloc(n, 1);
+    t->looked   = calloc(n, 1);
+    t->collided = calloc(n, 1);
+    t->still    = calloc(n, 1);
+    return t->moves && t->fresh && t->looked && t->collided && t->still;
 }
 
-// What bodies of four particles need.
-static int size_pushes(world *w)
+// Before they are first cut, all are left.
+static int size_cut(world_cut *t, int bodies)
 {
-    size_t bodies = at_least_one(w->bodies);
-    size_t pushes = at_least_one(w->push_capacity);
-    w->push      = malloc(pushes * sizeof *w->push);
-    w->pushed    = malloc(pushes * sizeof *w->pushed);
-    w->old_push  = malloc(pushes * sizeof *w->old_push);
-    w->old_pushed = malloc(pushes * sizeof *w->old_pushed);
-    w->near_push = malloc(pushes * sizeof *w->near_push);
-    w->ways      = calloc(bodies, sizeof *w->ways);
-    w->drift     = calloc(bodies + PILE_PARTS, sizeof *w->drift);
-    w->in_parts  = malloc(pushes * sizeof *w->in_parts);
-    return w->push && w->pushed && w->old_push && w->old_pushed
-        && w->near_push && w->ways && w->drift && w->in_parts;
+    size_t n = at_least_one(bodies);
+    t->side  = calloc(n, 1);
+    t->sided = malloc(n * sizeof *t->sided);
+    if (!t->side || !t->sided) return 0;
+    t->lefts = bodies;
+    for (int b = 0; b < bodies; b++) t->sided[b] = b;
+    return 1;
 }
 //<
 
-//> world-size-buffers
-static int size_buffers(world *w)
+//> world-size-rigid
+static int size_pairs(pair_tables *t, int bodies)
+{
+    size_t n = at_least_one(bodies), pairs = at_least_one(t->capacity);
+    t->ball    = calloc(n, sizeof *t->ball);
+    t->spread  = calloc(n, sizeof *t->spread);
+    t->listed  = calloc(n, sizeof *t->listed);
+    t->met     = malloc(pairs * sizeof *t->met);
+    t->at      = malloc(pairs * sizeof *t->at);
+    t->old     = malloc(pairs * sizeof *t->old);
+    t->carried = malloc(pairs * sizeof *t->carried);
+    t->old_carried = malloc(pairs * sizeof *t->old_carried);
+    return t->ball && t->spread && t->listed && t->met && t->at && t->old
+        && t->carried && t->old_carried;
+}
+
+// The largest rigid body has so many vertices.
+static int size_narrow(narrow_tables *t, const world *w, int vertices)
+{
+    size_t n = at_least_one(w->bodies);
+    t->wall  = calloc(n, sizeof *t->wall);
+    t->found = malloc(at_least_one(w->planes * w->of.corners
+                                   + PAIR_CONTACTS * w->pairs.capacity)
+                      * sizeof *t->found);
+    for (int half = 0; half < 2; half++) {
+        t->hit[half]    = hit_scratch_new();
+        t->swept[half]  = malloc(at_least_one(2 * vertices)
+                                 * sizeof *t->swept[half]);
+        t->needed[half] = malloc(n);
+        if (!t->hit[half] || !t->swept[half] || !t->needed[half]) return 0;
+    }
+    return t->wall && t->found;
+}
+
+static int size_contacts(contact_tables *t)
+{
+    size_t n = at_least_one(t->capacity);
+    t->at      = malloc(n * sizeof *t->at);
+    t->between = malloc(n * sizeof *t->between);
+    return t->at && t->between;
+}
+
+// What bodies of four particles need.
+static int size_pushes(push_tables *t, int bodies)
+{
+    size_t n = at_least_one(t->capacity), moving = at_least_one(bodies);
+    t->at       = malloc(n * sizeof *t->at);
+    t->old      = malloc(n * sizeof *t->old);
+    t->between  = malloc(n * sizeof *t->between);
+    t->old_between = malloc(n * sizeof *t->old_between);
+    t->in_parts = malloc(n * sizeof *t->in_parts);
+    t->ways     = calloc(moving, sizeof *t->ways);
+    t->drift    = calloc(moving + PILE_PARTS, sizeof *t->drift);
+    t->near     = malloc(n * sizeof *t->near);
+    return t->at && t->old && t->between && t->old_between && t->in_parts
+        && t->ways && t->drift && t->near;
+}
+//<
+
+//> world-size-soft
+static int size_near(near_lists *t)
+{
+    t->pair  = malloc(at_least_one(t->pair_capacity) * sizeof *t->pair);
+    t->point = malloc(at_least_one(t->point_capacity) * sizeof *t->point);
+    return t->pair && t->point;
+}
+
+static int size_leaves(leaf_tables *t, int leaves)
+{
+    t->pair = malloc(at_least_one(t->capacity) * sizeof *t->pair);
+    t->met  = calloc(at_least_one(leaves), sizeof *t->met);
+    return t->pair && t->met;
+}
+
+static int size_hull(hull_tables *t, int faces)
+{
+    t->plane = malloc(at_least_one(faces) * sizeof *t->plane);
+    t->face  = malloc(at_least_one(faces) * sizeof *t->face);
+    return t->plane && t->face;
+}
+//<
+
+//> world-size-tables
+static int size_tables(world *w)
 {
     int faces = 0, sticks = 0, leaves = 0, vertices = 0;
     for (int k = 0; k < w->plans; k++) {
         const shape *s = w->plan[k].shape;
-        if (s->mesh.faces > faces) faces = s->mesh.faces;
-        if (s->sticks > sticks) sticks = s->sticks;
-        if (s->kind == SHAPE_RIGID && s->particles > vertices)
-            vertices = s->particles;
+        faces  = int_max(faces, s->mesh.faces);
+        sticks = int_max(sticks, s->sticks);
+        if (s->kind == SHAPE_RIGID) vertices = int_max(vertices, s->particles);
     }
     for (int b = 0; b < w->bodies; b++)
-        if (w->body[b].tree.leaves > leaves) leaves = w->body[b].tree.leaves;
-    size_t pairs = at_least_one(w->pair_capacity);
-    size_t contacts = at_least_one(w->contact_capacity);
-    w->met       = malloc(pairs * sizeof *w->met);
-    w->pair      = malloc(pairs * sizeof *w->pair);
-    w->old_pair  = malloc(pairs * sizeof *w->old_pair);
-    w->carried   = malloc(pairs * sizeof *w->carried);
-    w->old_carried = malloc(pairs * sizeof *w->old_carried);
-    w->contact   = malloc(contacts * sizeof *w->contact);
-    w->between   = malloc(contacts * sizeof *w->between);
-    w->near      = malloc(at_least_one(w->near_capacity) * sizeof *w->near);
-    w->point     = malloc(at_least_one(w->point_capacity) * sizeof *w->point);
-    w->leaf_pair = malloc(at_least_one(w->leaf_capacity)
-                          * sizeof *w->leaf_pair);
-    w->leaf_met  = calloc(at_least_one(leaves), sizeof *w->leaf_met);
-    w->hull      = malloc(at_least_one(faces) * sizeof *w->hull);
-    w->hull_face = malloc(at_least_one(faces) * sizeof *w->hull_face);
-    w->found     = malloc(at_least_one(w->planes * w->corners
-                                       + PAIR_CONTACTS * w->pair_capacity)
-                          * sizeof *w->found);
-    for (int half = 0; half < 2; half++) {
-        w->hit[half]    = hit_scratch_new();
-        w->swept[half]  = malloc(at_least_one(2 * vertices)
-                                 * sizeof *w->swept[half]);
-        w->needed[half] = malloc(at_least_one(w->bodies));
-        if (!w->hit[half] || !w->swept[half] || !w->needed[half]) return 0;
-    }
-    w->orders    = order_scratch_new(sticks);
-    return w->met && w->pair && w->old_pair && w->carried && w->old_carried
-        && w->contact && w->between && w->near && w->point && w->leaf_pair
-        && w->leaf_met && w->hull && w->hull_face && w->found && w->orders;
+        leaves = int_max(leaves, w->body[b].tree.leaves);
+    w->orders = order_scratch_new(sticks);
+    return w->orders
+        && size_particles(&w->of, &w->pool) && size_flags(&w->flags, w->bodies)
+        && size_pairs(&w->pairs, w->bodies) && size_cut(&w->cut, w->bodies)
+        && size_narrow(&w->narrow, w, vertices) && size_contacts(&w->contacts)
+        && size_pushes(&w->pushes, w->bodies) && size_near(&w->near)
+        && size_leaves(&w->leaves, leaves) && size_hull(&w->hull, faces);
 }
 //<
 
@@ -495,7 +542,7 @@ static status build_grid(world *w)
     for (int b = 0; b < w->bodies; b++)
         if (body_is_soft(&w->body[b]) && w->body[b].plan->particles > most)
             most = w->body[b].plan->particles;
-    return grid_init(&w->grid, most);
+    return grid_init(&w->near.grid, most);
 }
 
 // The lists of section 6.2, for the rigid plans alone: they grow as particles
@@ -517,19 +564,14 @@ status world_begin(world *w)
 {
     assert(!w->ready);
     size_lists(w);
-    w->corners = place_vertices(w);
-    if (!size_particles(&w->of, &w->pool, w->corners)
-        || !size_bodies(w) || !size_buffers(w) || !size_pushes(w)
-        || !size_lines(w))
-        return status_out_of_memory();
+    w->of.corners = place_vertices(w);
+    if (!size_tables(w) || !size_lines(w)) return status_out_of_memory();
     // The trees were built to the plans; now they stand where the bodies do.
     for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);
     for (int b = 0; b < w->bodies; b++) world_find_ways(w, &w->body[b]);
-    w->lefts = w->bodies;
-    for (int b = 0; b < w->bodies; b++) w->sided[b] = b;
     status done = build_lists(w);
     if (done.ok) done = rest_init(&w->rest, w->bodies);
-    if (done.ok) done = broad_init(&w->broad, w->bodies);
+    if (done.ok) done = broad_init(&w->pairs.broad, w->bodies);
     if (done.ok) done = build_grid(w);
     w->ready = done.ok;
     return done;
@@ -546,24 +588,30 @@ void world_free(world *w)
         if (w->plan[k].four) four_free(w->plan[k].four);
         free(w->plan[k].four);
     }
-    void *owned[] = { w->body, w->plan, w->of.at, w->of.seen, w->of.lain,
-        w->of.before, w->of.listed, w->of.inverse_mass, w->push, w->pushed,
-        w->old_push, w->old_pushed, w->wall, w->fresh, w->looked, w->listed,
-        w->near_push, w->ways, w->drift, w->in_parts, w->side,
-        w->sided, w->met, w->moves, w->pair, w->old_pair, w->carried,
-        w->old_carried, w->contact, w->between,
-        w->near, w->point, w->leaf_pair, w->leaf_met, w->hull, w->hull_face,
-        w->still, w->collided, w->ball, w->spread, w->found, w->swept[0],
-        w->swept[1], w->needed[0], w->needed[1] };
+    void *owned[] = { w->body, w->plan,
+        w->of.at, w->of.seen, w->of.lain, w->of.before, w->of.listed,
+        w->of.inverse_mass,
+        w->flags.moves, w->flags.fresh, w->flags.looked, w->flags.collided,
+        w->flags.still,
+        w->pairs.ball, w->pairs.spread, w->pairs.listed, w->pairs.met,
+        w->pairs.at, w->pairs.old, w->pairs.carried, w->pairs.old_carried,
+        w->cut.side, w->cut.sided,
+        w->narrow.wall, w->narrow.found, w->narrow.swept[0],
+        w->narrow.swept[1], w->narrow.needed[0], w->narrow.needed[1],
+        w->contacts.at, w->contacts.between,
+        w->pushes.at, w->pushes.old, w->pushes.between, w->pushes.old_between,
+        w->pushes.in_parts, w->pushes.ways, w->pushes.drift, w->pushes.near,
+        w->near.pair, w->near.point, w->leaves.pair, w->leaves.met,
+        w->hull.plane, w->hull.face };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pool_free(&w->pool);
-    hit_scratch_free(w->hit[0]);
-    hit_scratch_free(w->hit[1]);
+    hit_scratch_free(w->narrow.hit[0]);
+    hit_scratch_free(w->narrow.hit[1]);
     order_scratch_free(w->orders);
     rest_free(&w->rest);
-    broad_free(&w->broad);
-    grid_free(&w->grid);
-    *w = (world){ .hull_of = -1 };
+    broad_free(&w->pairs.broad);
+    grid_free(&w->near.grid);
+    *w = (world){ .hull = { .of = -1 } };
 }
 //<
 
@@ -603,6 +651,6 @@ void world_find_ways(world *w, const body *b)
     vec3 at[FOUR];
     if (!b->four) return;
     for (int i = 0; i < FOUR; i++) at[i] = p[i].position;
-    four_find_ways(at, p->inverse_mass, &w->ways[b - w->body]);
+    four_find_ways(at, p->inverse_mass, &w->pushes.ways[b - w->body]);
 }
 //<

@@ -151,14 +151,14 @@ typedef struct {
 } ledger_entry;
 //<
 
-//> world-struct
+//> world-entries
 // Some contacts of a frame, one after the other: of bodies of four particles in
-// `push`, of others in `contact`.
+// `pushes`, of others in `contacts`.
 typedef struct {
     int  first, count;
     real margin;        // m, all that are nearer are there; 0: none are, or
                         // they are good for a substep only
-} push_run;
+} contact_run;
 
 // Whom does it touch?  What is asked, and what is found.
 enum { ASK_NOTHING,     // it is too far away
@@ -171,8 +171,8 @@ typedef struct {
     int  found;         // contacts
     int  guard;         // 1: and one beside them, contacts_have_guard
     real margin;        // m, all that are nearer are found
-    push_run run, was;  // this frame's contacts; the last one's (pushes: in
-                        // old_push)
+    contact_run run, was;   // this frame's contacts; the last one's (pushes:
+                            // in pushes.old)
 } inquiry;
 
 typedef struct {
@@ -201,18 +201,126 @@ typedef struct {
     struct four *four;  // NULL unless rigid, and the model is BODY_FOUR
     line_scratch *line; // NULL unless deformable, and solved as lines
 } plan_entry;
+//<
 
-// The places that a frame remembers beside the pool.
+//> world-tables
+// The places that a frame remembers beside the pool, each table [particles].
+// Written by whoever looks at a body (`at`, world_look), and by those named.
 typedef struct {
     vec3 *at;           // of particles, then of the vertices that ride on four
                         // of them, for the queries
-    vec3 *seen;         // when their body's contacts were found
-    vec3 *lain;         // when their body was last seen to move
-    vec3 *before;       // before separation; scratch of the solver
-    vec3 *listed;       // when the near lists were made
+    int  corners;       // how many places those are in all
+    vec3 *seen;         // when their body's contacts were found (pairs.c)
+    vec3 *lain;         // when their body was last seen to move (step.c)
+    vec3 *before;       // before separation; scratch of step.c
+    vec3 *listed;       // when the near lists were made (soft.c)
     real *inverse_mass; // 1/kg, when awake
 } particle_tables;
 
+// What is true of a body, 0 or 1.  Written by pairs.c, at the start of a frame;
+// and by those named.
+typedef struct {
+    char *moves;        // [bodies] neither nailed nor asleep, at the start of
+                        // the frame
+    char *fresh;        // [bodies] its contacts are found anew in this frame
+    char *looked;       // [bodies] its vertices are where it is now (narrow.c)
+    char *collided;     // [bodies] rigid ones that were pushed in this substep,
+                        // by each other or by planes (solver.c)
+    char *still;        // [bodies] did not move, in this frame (step.c)
+} body_flags;
+//<
+
+//> world-tables-rigid
+// The broad phase, pairs of rigid bodies.  Written by pairs.c, once a frame.
+typedef struct {
+    sphere *ball;       // [bodies] around each rigid body, this frame
+    real *spread;       // [bodies] m, their reach before it was spread
+    real *listed;       // [bodies] m, their reach when pairs were listed
+    struct broad broad;
+    int  (*met)[2];     // pairs whose balls meet
+    body_pair *at, *old;                // sorted; this frame's, the last one's
+    simplex *carried, *old_carried;     // what the last query of each left:
+                                        // beside the pairs, for these are gone
+                                        // through again and again
+    int  count, old_count, capacity;
+} pair_tables;
+
+// The world in two halves.  Written by halves.c, when pairs have been listed.
+typedef struct {
+    char *side;         // [bodies] of the cut: 0, 1
+    int  *sided, lefts; // [bodies] those on side 0, so many; then the others
+} world_cut;
+
+// The narrow phase.  Written by narrow.c, once a frame; for quick pairs again.
+typedef struct {
+    body_wall *wall;    // [bodies] what is asked and found at the planes
+    contact *found;     // as they are found: every body has room for its own
+                        // with the planes; then those of each half's pairs, one
+                        // after the other
+    hit_scratch *hit[2];                // one for each half of the work
+    vec3 *swept[2];     // room for the vertices of two bodies
+    char *needed[2];    // [bodies] must be looked at
+} narrow_tables;
+
+// Contacts of rigid bodies and planes, of those that forget.  Written by
+// contacts.c after the narrow phase; solver.c pushes them in every substep.
+typedef struct {
+    contact *at;
+    int  (*between)[2]; // their bodies; -1: a plane
+    int  count, capacity;
+    int  lasting;       // the first of them are good for the whole frame, the
+                        // others, of quick pairs, for a substep
+} contact_tables;
+
+// The same of bodies of four particles, whose contacts remember.
+typedef struct {
+    struct push *at, *old;              // this frame's, the last one's
+    int  (*between)[2], (*old_between)[2];  // their bodies; bodies + k: plane k
+    int  count, capacity, lasting;
+    int  *in_parts, end[PILE_PARTS];    // their numbers in three parts: see
+                                        // push_pile (halves.c)
+    four_ways  *ways;   // [bodies] when this frame's contacts were found
+                        // (pairs.c)
+    push_drift *drift;  // [bodies + PILE_PARTS] how far they are pushed in a
+                        // substep (solver.c)
+    push_near  *near;   // those that may touch, in a substep (solver.c)
+} push_tables;
+//<
+
+//> world-tables-soft
+// Particles of deformable bodies near each other, and near rigid bodies.
+// Written by soft.c when the last lists are no longer good; it goes down these
+// in every substep.
+typedef struct {
+    sphere_contact *pair;               // of particles
+    int  pairs, pair_capacity;
+    point_pair *point;                  // particles at rigid bodies
+    int  points, point_capacity;
+    real margin;        // m, how much further than touching they look
+    int  trusted;       // they are good for as many substeps more; -1: there
+                        // are none yet
+    struct grid grid;   // for the largest deformable body
+} near_lists;
+
+// Room for a traversal of two trees; scratch of soft.c.
+typedef struct {
+    struct leaf_pair *pair;
+    int  capacity;
+    int  *met;          // [leaves of the largest tree] where in `pair` a leaf
+                        // of the first tree was last met
+} leaf_tables;
+
+// The planes of the rigid body that is asked about.  Written by soft.c, body
+// after body, in every substep.
+typedef struct {
+    struct plane *plane;
+    int  *face;         // the first of its plan in each plane
+    int  planes;
+    int  of;            // that body; -1: none
+} hull_tables;
+//<
+
+//> world-struct
 typedef struct world {
     world_options options;
     particle_pool pool;
@@ -223,78 +331,28 @@ typedef struct world {
     real time;          // s
     real age;           // s, a particle was at `previous` so long ago
     int  ready;         // world_begin has sized everything below
-
-    particle_tables of; // [particles]
-    hit_scratch   *hit[2];              // one for each half of the work
-    vec3          *swept[2];            // room for the vertices of two bodies
-    char          *needed[2];           // [bodies] must be looked at
-    order_scratch *orders;
-
     real least_radius;  // m, of the rigid bodies; HUGE_VAL: none
-    struct broad broad;
-    int  (*met)[2];     // pairs whose balls meet
-    body_pair *pair, *old_pair;         // sorted; this frame's, the last one's
-    simplex *carried, *old_carried;     // what the last query of each left:
-                                        // beside the pairs, for these are gone
-                                        // through again and again
-    int  pairs, old_pairs, pair_capacity;
-    struct contact *contact;            // of rigid bodies and planes
-    int  (*between)[2];                 // their bodies; -1: a plane
-    int  contacts, contact_capacity;
-    struct contact *found;              // as they are found: every body has
-                                        // room for its own with the planes;
-                                        // then those of each half's pairs, one
-                                        // after the other
-    int  corners;       // vertices in the table `of.at`
-    int  lasting;       // the first of them are good for the whole frame, the
-                        // others, of quick pairs, for a substep
 
-    struct push *push, *old_push;       // of bodies of four particles; this
-                                        // frame's, the last one's
-    int  (*pushed)[2], (*old_pushed)[2];// their bodies; bodies + k: plane k
-    body_wall *wall;                    // [bodies] those with the planes
-    push_near *near_push;               // those that may touch, in a substep
-    four_ways  *ways;                   // [bodies] of four, when this frame's
-                                        // contacts were found
-    push_drift *drift;                  // [bodies + PILE_PARTS] their pushes,
-                                        // in a substep
-    int *in_parts, part_end[PILE_PARTS];// the contacts in three parts: see
-                                        // push_pile
-    char *side;                         // [bodies] of the cut: 0, 1
-    int  *sided, lefts;                 // [bodies] those on side 0, then the
-                                        // others
-    int  pushes, push_capacity, lasting_pushes;
+    particle_tables of;
+    body_flags      flags;
 
-    sphere_contact *near;               // pairs of deformable particles
-    int  nears, near_capacity;
-    point_pair *point;                  // deformable particles at rigid bodies
-    int  points, point_capacity;
-    struct grid grid;                   // for the largest deformable body
-    struct leaf_pair *leaf_pair;        // room for a traversal
-    int  leaf_capacity;
-    int *leaf_met;      // [leaves of the largest tree] where in leaf_pair a
-                        // leaf of the first tree was last met
-    int  trusted;       // the near lists are good for as many substeps more;
-                        // -1: there are none yet
-    real list_margin;   // m, how much further than touching they look
+    // Rigid bodies, in the order of the stages.
+    pair_tables     pairs;
+    world_cut       cut;
+    narrow_tables   narrow;
+    contact_tables  contacts;
+    push_tables     pushes;
 
-    struct plane *hull; // the planes of body hull_of
-    int  *hull_face, hulls, hull_of;
+    // Deformable bodies.
+    near_lists      near;
+    leaf_tables     leaves;
+    hull_tables     hull;
 
-    char *moves;        // [bodies] neither nailed nor asleep, at the start of
-                        // the frame
-    char *fresh;        // [bodies] its contacts are found anew in this frame
-    char *looked;       // [bodies] its vertices are where it is now
-    char *still;        // [bodies] did not move, in this frame
-    char *collided;     // [bodies] rigid ones that were pushed in this substep,
-                        // by each other or by planes
-    sphere *ball;       // [bodies] around each rigid body, this frame
-    real *spread;       // [bodies] m, their reach before it was spread
-    real *listed;       // [bodies] m, their reach when pairs were listed
-    rest_state  rest;
-    step_report report;
-    ledger_entry ledger[LEDGERS];       // since the start, or ledger_clear
-    ledger_entry ledger_now;            // what there is, as of the last entry
+    order_scratch *orders;              // scratch of step.c
+    rest_state     rest;
+    step_report    report;
+    ledger_entry   ledger[LEDGERS];     // since the start, or ledger_clear
+    ledger_entry   ledger_now;          // what there is, as of the last entry
 } world;
 //<
 
@@ -347,8 +405,8 @@ void   world_look(world *w, const body *b);
 // The same, and brings the body's tree up to date.
 void   world_look_again(world *w, body *b);
 
-// Finds how body b can move as it lies now, in w->ways; nothing, unless it is
-// of four particles.
+// Finds how body b can move as it lies now, in w->pushes.ways; nothing, unless
+// it is of four particles.
 void   world_find_ways(world *w, const body *b);
 
 // Neither nailed nor asleep.

@@ -49,7 +49,7 @@ START_TEST(push_has_the_points_of_its_contact)
         near_vec3(point_of(&p.a), feature_of(a, &x.a), ROUNDING * 10);
         near_vec3(point_of(&p.b), feature_of(rigid, &x.b), ROUNDING * 10);
         near_vec3(p.along[NORMAL], x.normal, 0);
-        ck_assert(p.thickness == x.thickness && p.a.ways == &w.ways[a]);
+        ck_assert(p.thickness == x.thickness && p.a.ways == &w.pushes.ways[a]);
         for (int d = 0; d < DIRECTIONS; d++) ck_assert(p.pushed[d] == 0);
         ck_assert(!p.ready && p.worn == 0);
         // A plane is nobody: its point is fixed.
@@ -88,7 +88,7 @@ static void stand(world_options o)
     add_floor();
     ready();
     w.report = (step_report){ .substeps = o.substeps };
-    w.moves[1] = 1;
+    w.flags.moves[1] = 1;
 }
 
 // Two contacts between corners of the slab and of the box.
@@ -101,12 +101,13 @@ static const contact FOUND[2] = {
 // plane.
 static void have_found(void)
 {
-    w.pairs = 1;
-    w.pair[0] = (body_pair){ .a = 0, .b = 1 };
-    w.pair[0].is = (inquiry){ .ask = ASK_NEAREST, .found = 2, .margin = 1 };
-    for (int k = 0; k < 2; k++) contacts_of_pair(&w, w.pair)[k] = FOUND[k];
-    w.wall[1].is = (inquiry){ .ask = ASK_NEAREST, .found = 1, .margin = 2 };
-    w.wall[1].at[0] = 1;
+    w.pairs.count = 1;
+    w.pairs.at[0] = (body_pair){ .a = 0, .b = 1 };
+    w.pairs.at[0].is = (inquiry){ .ask = ASK_NEAREST, .found = 2, .margin = 1 };
+    for (int k = 0; k < 2; k++) contacts_of_pair(&w, w.pairs.at)[k] = FOUND[k];
+    w.narrow.wall[1].is = (inquiry){ .ask = ASK_NEAREST, .found = 1,
+                                     .margin = 2 };
+    w.narrow.wall[1].at[0] = 1;
     contacts_of_planes(&w, 1)[0] = FOUND[1];
     contacts_of_planes(&w, 1)[0].b.count = 0;
 }
@@ -115,12 +116,12 @@ static void write_down(int again)
 {
     contacts_place(&w, again);
     if (!again) contacts_write_planes(&w, 1);
-    contacts_write_pair(&w, w.pair);
+    contacts_write_pair(&w, w.pairs.at);
 }
 
 static int all(void)
 {
-    return w.contacts + w.pushes;
+    return w.contacts.count + w.pushes.count;
 }
 
 // Rejects: an immovable body that is A; a plane that is a body; planes that
@@ -133,16 +134,16 @@ START_TEST(contacts_are_written_down_with_the_immovable_as_b)
     ck_assert_int_eq(all(), 3);
     for (int k = 0; k < 3; k++) {
         if (_i) {
-            ck_assert_int_eq(w.between[k][0], 1);
-            ck_assert_int_eq(w.between[k][1], k > 0 ? 0 : -1);
+            ck_assert_int_eq(w.contacts.between[k][0], 1);
+            ck_assert_int_eq(w.contacts.between[k][1], k > 0 ? 0 : -1);
             continue;
         }
-        ck_assert_int_eq(w.pushed[k][0], k > 0 ? 0 : 1);
-        ck_assert_int_eq(w.pushed[k][1], k > 0 ? 1 : w.bodies);
-        ck_assert_int_eq(w.push[k].a.body, 1);
-        ck_assert_int_eq(w.push[k].b.body, -1);
+        ck_assert_int_eq(w.pushes.between[k][0], k > 0 ? 0 : 1);
+        ck_assert_int_eq(w.pushes.between[k][1], k > 0 ? 1 : w.bodies);
+        ck_assert_int_eq(w.pushes.at[k].a.body, 1);
+        ck_assert_int_eq(w.pushes.at[k].b.body, -1);
     }
-    const push_run *run = &w.pair[0].is.run;
+    const contact_run *run = &w.pairs.at[0].is.run;
     ck_assert(run->first == 1 && run->count == 2);
     ck_assert(run->margin == (_i ? 0 : 1));
 }
@@ -155,12 +156,12 @@ START_TEST(contacts_get_the_room_there_is)
     for (int room = 0; room < 4; room++) {
         stand(ours(_i));
         have_found();
-        w.contact_capacity = w.push_capacity = room;
+        w.contacts.capacity = w.pushes.capacity = room;
         write_down(0);
         ck_assert_int_eq(all(), room < 3 ? room : 3);
         ck_assert_int_eq(w.report.dropped, 3 - all());
-        if (room < 3) ck_assert(w.pair[0].is.run.margin == 0);
-        ck_assert_int_eq(w.pair[0].is.run.count, room > 1 ? room - 1 : 0);
+        if (room < 3) ck_assert(w.pairs.at[0].is.run.margin == 0);
+        ck_assert_int_eq(w.pairs.at[0].is.run.count, room > 1 ? room - 1 : 0);
     }
 }
 END_TEST
@@ -171,13 +172,13 @@ START_TEST(contacts_of_quick_pairs_come_last_and_are_replaced)
 {
     stand(ours(_i));
     have_found();
-    w.pair[0].quick = 1;
+    w.pairs.at[0].quick = 1;
     write_down(0);
     for (int found = 2; found >= 0; found--) {
-        ck_assert_int_eq(_i ? w.lasting : w.lasting_pushes, 1);
-        ck_assert_int_eq(all(), 1 + w.pair[0].is.found);
-        ck_assert(w.pair[0].is.run.margin == 0);
-        w.pair[0].is.found = found;
+        ck_assert_int_eq(_i ? w.contacts.lasting : w.pushes.lasting, 1);
+        ck_assert_int_eq(all(), 1 + w.pairs.at[0].is.found);
+        ck_assert(w.pairs.at[0].is.run.margin == 0);
+        w.pairs.at[0].is.found = found;
         write_down(1);
         ck_assert_int_eq(all(), 1 + found);
     }
@@ -193,15 +194,15 @@ START_TEST(contacts_may_stay_until_their_slack_is_used_up)
     real stay = w.options.stay;
     near_real(slack, 2 * stay * (slab.radius + box.radius), ROUNDING);
     near_real(alone, 2 * stay * box.radius, ROUNDING);
-    push_run run = { 0, 2, 1 };
-    w.fresh[0] = w.fresh[1] = 0;
+    contact_run run = { 0, 2, 1 };
+    w.flags.fresh[0] = w.flags.fresh[1] = 0;
     ck_assert(contacts_may_stay(&w, &run, 0, 1, 1 - 1.01 * slack));
     ck_assert(!contacts_may_stay(&w, &run, 0, 1, 1 - 0.99 * slack));
     ck_assert(contacts_may_stay(&w, &run, 1, 2, 1 - 1.01 * alone));
     for (int b = 0; b < 2; b++) {
-        w.fresh[b] = 1;
+        w.flags.fresh[b] = 1;
         ck_assert(!contacts_may_stay(&w, &run, 0, 1, 0));
-        w.fresh[b] = 0;
+        w.flags.fresh[b] = 0;
     }
     run.margin = 0;
     ck_assert(!contacts_may_stay(&w, &run, 0, 1, -1));
@@ -218,24 +219,27 @@ START_TEST(contacts_that_stay_push_on_as_hard)
         stand(o);
         have_found();
         write_down(0);
-        inquiry *is = &w.pair[0].is;
+        inquiry *is = &w.pairs.at[0].is;
         for (int k = 0; k < 2; k++) {
-            w.old_push[5 + k] = w.push[1 + k];
-            w.old_push[5 + k].pushed[NORMAL] = k + 1;
-            w.old_pushed[5 + k][0] = 0;
-            w.old_pushed[5 + k][1] = 1;
+            w.pushes.old[5 + k] = w.pushes.at[1 + k];
+            w.pushes.old[5 + k].pushed[NORMAL] = k + 1;
+            w.pushes.old_between[5 + k][0] = 0;
+            w.pushes.old_between[5 + k][1] = 1;
         }
-        vec3 at[2] = { point_of(&w.push[1].a), point_of(&w.push[2].a) };
+        vec3 at[2] = { point_of(&w.pushes.at[1].a),
+                       point_of(&w.pushes.at[2].a) };
         *is = (inquiry){ .ask = ASK_STAYS, .was = { 5, 2, 1 } };
         w.age = 2 * o.dt / o.substeps;
         write_down(0);
-        ck_assert(is->run.first == 1 && is->run.count == 2 && w.pushes == 3);
+        ck_assert(is->run.first == 1 && is->run.count == 2);
+        ck_assert(w.pushes.count == 3);
         ck_assert(is->run.margin == 1);
         for (int k = 0; k < 2; k++) {
-            near_real(w.push[1 + k].pushed[NORMAL], memory * (k + 1) / 4.0,
+            near_real(w.pushes.at[1 + k].pushed[NORMAL], memory * (k + 1) / 4.0,
                       ROUNDING);
-            near_vec3(point_of(&w.push[1 + k].a), at[k], 0);
-            ck_assert(w.pushed[1 + k][0] == 0 && w.pushed[1 + k][1] == 1);
+            near_vec3(point_of(&w.pushes.at[1 + k].a), at[k], 0);
+            ck_assert(w.pushes.between[1 + k][0] == 0);
+            ck_assert(w.pushes.between[1 + k][1] == 1);
         }
     }
 }

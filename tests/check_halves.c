@@ -31,9 +31,9 @@ static void scatter(int n, vec3 size)
     }
     ready();
     for (int b = 0; b < n; b++) {
-        w.moves[b] = 1;
-        w.ball[b].radius = 0.5;
-        w.ball[b].center = particle_of(b, 0)->position;
+        w.flags.moves[b] = 1;
+        w.pairs.ball[b].radius = 0.5;
+        w.pairs.ball[b].center = particle_of(b, 0)->position;
     }
 }
 
@@ -70,7 +70,7 @@ END_TEST
 
 static real along(int b, int axis)
 {
-    vec3 c = w.ball[b].center;
+    vec3 c = w.pairs.ball[b].center;
     return axis == 0 ? c.x : axis == 1 ? c.y : c.z;
 }
 
@@ -84,8 +84,8 @@ START_TEST(cut_has_half_of_those_that_move_on_either_side)
         // The right third sleeps.
         int moving = 0, seen[MANY] = { 0 }, count[2] = { 0 };
         for (int b = 0; b < MANY; b++) {
-            w.moves[b] = along(b, axis) < 3;
-            moving += w.moves[b];
+            w.flags.moves[b] = along(b, axis) < 3;
+            moving += w.flags.moves[b];
         }
         halves_cut(&w);
         real most = -HUGE_VAL, least = HUGE_VAL;
@@ -95,8 +95,8 @@ START_TEST(cut_has_half_of_those_that_move_on_either_side)
             for (int i = 0; i < n; i++) {
                 real x = along(of[i], axis);
                 seen[of[i]]++;
-                ck_assert_int_eq(w.side[of[i]], side);
-                count[side] += w.moves[of[i]];
+                ck_assert_int_eq(w.cut.side[of[i]], side);
+                count[side] += w.flags.moves[of[i]];
                 if (side) least = fmin(least, x);
                 else      most = fmax(most, x);
             }
@@ -115,15 +115,15 @@ START_TEST(few_bodies_are_left_whole_and_lost_ones_do_not_count)
 {
     scatter(100, vec3_make(9, 4, 4));
     halves_cut(&w);
-    for (int b = 0; b < 100; b++) ck_assert_int_eq(w.side[b], 0);
-    ck_assert_int_eq(w.lefts, 100);
+    for (int b = 0; b < 100; b++) ck_assert_int_eq(w.cut.side[b], 0);
+    ck_assert_int_eq(w.cut.lefts, 100);
     scatter(MANY, vec3_make(9, 4, 4));
-    w.ball[7].center.x = (real)NAN;
-    w.ball[8].center.x = HUGE_VAL;
-    w.ball[9] = (sphere){ { 1000, 0, 0 }, -1 };
+    w.pairs.ball[7].center.x = (real)NAN;
+    w.pairs.ball[8].center.x = HUGE_VAL;
+    w.pairs.ball[9] = (sphere){ { 1000, 0, 0 }, -1 };
     halves_cut(&w);
     int lefts = 0;
-    for (int b = 10; b < MANY; b++) lefts += !w.side[b];
+    for (int b = 10; b < MANY; b++) lefts += !w.cut.side[b];
     ck_assert_int_ge(lefts, (MANY - 10) / 2 - 6);
     ck_assert_int_le(lefts, (MANY - 10) / 2 + 6);
 }
@@ -131,9 +131,9 @@ END_TEST
 
 static void join(int a, int b)
 {
-    w.pushed[w.pushes][0] = a;
-    w.pushed[w.pushes][1] = b;
-    w.pushes++;
+    w.pushes.between[w.pushes.count][0] = a;
+    w.pushes.between[w.pushes.count][1] = b;
+    w.pushes.count++;
 }
 
 // Rejects: a body that both of two parts push; a contact that is in none, or in
@@ -141,38 +141,38 @@ static void join(int a, int b)
 START_TEST(no_body_is_pushed_by_left_and_right)
 {
     scatter(MANY, vec3_make(9, 4, 4));
-    for (int b = 0; b < MANY; b += 10) w.moves[b] = 0;
+    for (int b = 0; b < MANY; b += 10) w.flags.moves[b] = 0;
     halves_cut(&w);
     for (int k = 0; k < 1000; k++) {
         int a = (int)((any() + 1) / 2 * (MANY - 1)), b = a + 1 + k % 7;
-        if (!w.moves[a] && (b >= MANY || !w.moves[b])) continue;
+        if (!w.flags.moves[a] && (b >= MANY || !w.flags.moves[b])) continue;
         join(a, b < MANY ? b : MANY + k % 6);
     }
     halves_sort(&w);
     int part[MANY], seen[1000] = { 0 }, n[PILE_PARTS] = { 0 };
     for (int b = 0; b < MANY; b++) part[b] = -1;
-    ck_assert_int_eq(w.part_end[PILE_ACROSS], w.pushes);
+    ck_assert_int_eq(w.pushes.end[PILE_ACROSS], w.pushes.count);
     for (int p = 0, i = 0; p < PILE_PARTS; p++)
-        for (int last = -1; i < w.part_end[p]; i++) {
-            int k = w.in_parts[i];
+        for (int last = -1; i < w.pushes.end[p]; i++) {
+            int k = w.pushes.in_parts[i];
             ck_assert_int_gt(k, last);
             last = k;
             seen[k]++;
             n[p]++;
             for (int s = 0; s < 2 && p < PILE_ACROSS; s++) {
-                int b = w.pushed[k][s];
-                if (b >= MANY || !w.moves[b]) continue;
+                int b = w.pushes.between[k][s];
+                if (b >= MANY || !w.flags.moves[b]) continue;
                 ck_assert(part[b] < 0 || part[b] == p);
                 part[b] = p;
             }
         }
-    for (int k = 0; k < w.pushes; k++) ck_assert_int_eq(seen[k], 1);
+    for (int k = 0; k < w.pushes.count; k++) ck_assert_int_eq(seen[k], 1);
     ck_assert(n[PILE_LEFT] > 100 && n[PILE_RIGHT] > 100);
     // Those across are what must be: both move, on different sides.
-    for (int i = w.part_end[PILE_RIGHT]; i < w.pushes; i++) {
-        const int *of = w.pushed[w.in_parts[i]];
-        ck_assert(of[1] < MANY && w.moves[of[0]] && w.moves[of[1]]);
-        ck_assert_int_ne(w.side[of[0]], w.side[of[1]]);
+    for (int i = w.pushes.end[PILE_RIGHT]; i < w.pushes.count; i++) {
+        const int *of = w.pushes.between[w.pushes.in_parts[i]];
+        ck_assert(of[1] < MANY && w.flags.moves[of[0]] && w.flags.moves[of[1]]);
+        ck_assert_int_ne(w.cut.side[of[0]], w.cut.side[of[1]]);
     }
 }
 END_TEST

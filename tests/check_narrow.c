@@ -30,13 +30,14 @@ START_TEST(box_on_a_slab_touches_with_its_corners)
         real skins = w.body[s].thickness + w.body[b].thickness;
         for (int k = 0; k < 4; k++) {
             if (_i) {
-                ck_assert(w.between[k][0] == b && w.between[k][1] == s);
-                near_vec3(w.contact[k].normal, UP, ROUNDING);
-                ck_assert(w.contact[k].thickness == skins);
-                near_real(contact_gap(&w.contact[k], w.pool.at), 0.01 - skins,
-                          ROUNDING);
+                ck_assert(w.contacts.between[k][0] == b
+                          && w.contacts.between[k][1] == s);
+                near_vec3(w.contacts.at[k].normal, UP, ROUNDING);
+                ck_assert(w.contacts.at[k].thickness == skins);
+                near_real(contact_gap(&w.contacts.at[k], w.pool.at),
+                          0.01 - skins, ROUNDING);
             } else {
-                const push *c = &w.push[k];
+                const push *c = &w.pushes.at[k];
                 near_vec3(c->along[NORMAL], UP, ROUNDING);
                 ck_assert(c->thickness == skins);
                 ck_assert_int_eq(c->a.first, w.body[b].first);
@@ -65,12 +66,14 @@ START_TEST(corners_near_a_plane_are_contacts)
     ck_assert_int_eq(contacts(), 4);
     for (int k = 0; k < 4; k++) {
         if (_i) {
-            ck_assert(w.between[k][0] == 0 && w.between[k][1] == -1);
+            ck_assert(w.contacts.between[k][0] == 0
+                      && w.contacts.between[k][1] == -1);
             continue;
         }
-        ck_assert(w.pushed[k][0] == 0 && w.pushed[k][1] == w.bodies);
-        near_real(point_of(&w.push[k].a).y, 0.25, ROUNDING);
-        ck_assert_int_eq(w.push[k].b.count, 0);
+        ck_assert(w.pushes.between[k][0] == 0
+                  && w.pushes.between[k][1] == w.bodies);
+        near_real(point_of(&w.pushes.at[k].a).y, 0.25, ROUNDING);
+        ck_assert_int_eq(w.pushes.at[k].b.count, 0);
     }
 }
 END_TEST
@@ -90,15 +93,15 @@ START_TEST(contacts_without_room_are_counted)
     ck_assert_int_eq(w.report.dropped, 0);
     ck_assert_int_eq(all, 8);
     for (int room = 0; room < all; room++) {
-        if (_i) w.contact_capacity = room;
-        else    w.push_capacity = room;
+        if (_i) w.contacts.capacity = room;
+        else    w.pushes.capacity = room;
         find();
         ck_assert_int_eq(contacts(), room);
         ck_assert_int_eq(w.report.dropped, all - room);
     }
-    w.pair_capacity = 0;
+    w.pairs.capacity = 0;
     find();
-    ck_assert_int_eq(w.pairs, 0);
+    ck_assert_int_eq(w.pairs.count, 0);
     ck_assert_int_ge(w.report.dropped, 1);
 }
 END_TEST
@@ -130,9 +133,9 @@ START_TEST(bullet_has_a_touch_and_a_guard)
     shoot(_i, 0);
     ck_assert_int_eq(contacts(), _i ? 1 : 2);
     if (_i) {
-        near_vec3(w.contact[0].normal, UP, 1e-9);
+        near_vec3(w.contacts.at[0].normal, UP, 1e-9);
     } else {
-        const push *touch = &w.push[0], *guard = &w.push[1];
+        const push *touch = &w.pushes.at[0], *guard = &w.pushes.at[1];
         near_vec3(touch->along[NORMAL], UP, 1e-9);
         near_vec3(guard->along[NORMAL], touch->along[NORMAL], 0);
         near_vec3(guard->fixed, touch->fixed, 0);
@@ -167,19 +170,20 @@ START_TEST(quick_pairs_are_looked_at_again)
     for (int k = 1; k < 3; k++) {
         for (int again = 0; again < 2; again++) {
             for (int i = 0; i < contacts(); i++)
-                point[i][again] = _i ? feature_now(w.contact[i].a, w.pool.at)
-                                     : point_of(&w.push[i].a);
+                point[i][again] = _i
+                    ? feature_now(w.contacts.at[i].a, w.pool.at)
+                    : point_of(&w.pushes.at[i].a);
             if (again) break;
             integrate();
             relax();
             for (int i = 0; i < contacts(); i++)
-                point[i][0] = _i ? feature_now(w.contact[i].a, w.pool.at)
-                                 : point_of(&w.push[i].a);
+                point[i][0] = _i ? feature_now(w.contacts.at[i].a, w.pool.at)
+                                 : point_of(&w.pushes.at[i].a);
             narrow_find_again(&w, k);
         }
         int calms = 0, changed = 0;
         for (int i = 0; i < contacts(); i++) {
-            int who = _i ? w.between[i][0] : w.pushed[i][0];
+            int who = _i ? w.contacts.between[i][0] : w.pushes.between[i][0];
             real moved = vec3_distance(point[i][0], point[i][1]);
             calms += who == calm;
             if (who == calm) ck_assert(moved == 0);
@@ -204,19 +208,20 @@ START_TEST(memory_goes_to_the_point_that_it_is_of)
     ready();
     for (int kept = 0; kept < 4; kept++) {
         find();
-        ck_assert_int_eq(w.pushes, 4);
-        vec3 at = point_of(&w.push[kept].a);
-        for (int k = 0; k < 4; k++) w.push[k].pushed[NORMAL] = k == kept;
+        ck_assert_int_eq(w.pushes.count, 4);
+        vec3 at = point_of(&w.pushes.at[kept].a);
+        for (int k = 0; k < 4; k++) w.pushes.at[k].pushed[NORMAL] = k == kept;
         find();
-        ck_assert_int_eq(w.pushes, 4);
+        ck_assert_int_eq(w.pushes.count, 4);
         for (int k = 0; k < 4; k++) {
-            int same = vec3_distance(point_of(&w.push[k].a), at) < 0.1;
-            near_real(w.push[k].pushed[NORMAL], same, ROUNDING);
+            int same = vec3_distance(point_of(&w.pushes.at[k].a), at) < 0.1;
+            near_real(w.pushes.at[k].pushed[NORMAL], same, ROUNDING);
         }
         // That of another body, or of a plane, is nobody's here.
-        for (int k = 0; k < 4; k++) w.pushed[k][1] = 2;
+        for (int k = 0; k < 4; k++) w.pushes.between[k][1] = 2;
         find();
-        for (int k = 0; k < 4; k++) ck_assert(w.push[k].pushed[NORMAL] == 0);
+        for (int k = 0; k < 4; k++)
+            ck_assert(w.pushes.at[k].pushed[NORMAL] == 0);
     }
 }
 END_TEST
@@ -233,14 +238,15 @@ START_TEST(every_memory_is_handed_over_once)
     add_at(&box, 0.1, 0.505, 0.2);
     ready();
     find();
-    ck_assert_int_eq(w.pushes, 4);
-    for (int k = 0; k < 4; k++) w.push[k].pushed[NORMAL] = k + 1;
+    ck_assert_int_eq(w.pushes.count, 4);
+    for (int k = 0; k < 4; k++) w.pushes.at[k].pushed[NORMAL] = k + 1;
     for (int manifold = 1; manifold >= 0; manifold--) {
         w.options.manifold = manifold;
         find();
-        ck_assert_int_eq(w.pushes, manifold ? 4 : 1);
+        ck_assert_int_eq(w.pushes.count, manifold ? 4 : 1);
         real sum = 0;
-        for (int k = 0; k < w.pushes; k++) sum += w.push[k].pushed[NORMAL];
+        for (int k = 0; k < w.pushes.count; k++)
+            sum += w.pushes.at[k].pushed[NORMAL];
         near_real(sum, 10, ROUNDING * 10);
     }
 }

@@ -97,8 +97,8 @@ static real distance_of(int a, int b)
 
 static int is_listed(int a, int b)
 {
-    for (int k = 0; k < w.pairs; k++)
-        if (w.pair[k].a == a && w.pair[k].b == b) return 1;
+    for (int k = 0; k < w.pairs.count; k++)
+        if (w.pairs.at[k].a == a && w.pairs.at[k].b == b) return 1;
     return 0;
 }
 
@@ -120,12 +120,12 @@ START_TEST(whoever_meets_in_a_frame_was_listed_before)
         ready();
         find();
         ck_assert_int_eq(w.report.dropped, 0);
-        ck_assert_int_eq(w.report.pairs, w.pairs);
-        for (int k = 1; k < w.pairs; k++)
-            ck_assert(w.pair[k - 1].a < w.pair[k].a
-                      || (w.pair[k - 1].a == w.pair[k].a
-                          && w.pair[k - 1].b < w.pair[k].b));
-        listed += w.pairs;
+        ck_assert_int_eq(w.report.pairs, w.pairs.count);
+        for (int k = 1; k < w.pairs.count; k++)
+            ck_assert(w.pairs.at[k - 1].a < w.pairs.at[k].a
+                      || (w.pairs.at[k - 1].a == w.pairs.at[k].a
+                          && w.pairs.at[k - 1].b < w.pairs.at[k].b));
+        listed += w.pairs.count;
         vec3 from[BODIES][12], now[12];
         for (int b = 0; b < BODIES; b++)
             world_vertices(&w, &w.body[b], from[b]);
@@ -167,7 +167,7 @@ START_TEST(only_pairs_that_can_move_are_listed)
     find();
     ck_assert(!is_listed(a, b) && is_listed(b, c) && is_listed(c, d));
     ck_assert(!is_listed(d, far));
-    for (int k = 0; k < w.pairs; k++) ck_assert(w.pair[k].b != 4);
+    for (int k = 0; k < w.pairs.count; k++) ck_assert(w.pairs.at[k].b != 4);
     w.rest.asleep[c] = w.rest.asleep[d] = 1;
     w.rest.calm[far] = 1;
     find();
@@ -230,10 +230,10 @@ START_TEST(sleeper_wakes_for_the_quick_with_all_of_its_island)
     ck_assert_int_eq(pairs_wake(&w, quick, nailed), 0);
     ck_assert(w.rest.asleep[nailed]);
     ck_assert(w.rest.asleep[a] && w.rest.asleep[b]);
-    w.trusted = 5;
+    w.near.trusted = 5;
     ck_assert_int_eq(pairs_wake(&w, quick, b), 1);
     ck_assert(!w.rest.asleep[a] && !w.rest.asleep[b] && w.rest.asleep[other]);
-    ck_assert_int_eq(w.trusted, -1);
+    ck_assert_int_eq(w.near.trusted, -1);
     for (int i = 0; i < w.pool.count; i++) {
         int k = w.bodies - 1;
         while (w.body[k].first > i) k--;

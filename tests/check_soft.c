@@ -52,14 +52,14 @@ static void read_lists(void)
     ck_assert_int_le(w.pool.count, MOST);
     for (int i = 0; i < w.pool.count; i++)
         for (int j = 0; j < w.pool.count; j++) listed[i][j] = pointed[i][j] = 0;
-    for (int k = 0; k < w.nears; k++) {
-        sphere_contact c = w.near[k];
+    for (int k = 0; k < w.near.pairs; k++) {
+        sphere_contact c = w.near.pair[k];
         ck_assert_msg(!listed[c.a][c.b], "pair (%d, %d) is listed twice",
                       c.a, c.b);
         listed[c.a][c.b] = listed[c.b][c.a] = 1;
     }
-    for (int k = 0; k < w.points; k++) {
-        point_pair p = w.point[k];
+    for (int k = 0; k < w.near.points; k++) {
+        point_pair p = w.near.point[k];
         ck_assert_msg(!pointed[p.particle][p.rigid],
                       "particle %d is listed twice", p.particle);
         pointed[p.particle][p.rigid] = 1;
@@ -176,7 +176,7 @@ START_TEST(flat_cloth_at_rest_touches_nothing)
                 soft_refresh(&w);
                 // The ends of both diagonals of each cell are watched.
                 int diagonals = 2 * (columns - 1) * (rows - 1);
-                ck_assert_int_eq(w.nears, diagonals);
+                ck_assert_int_eq(w.near.pairs, diagonals);
                 soft_separate(&w);
                 ck_assert_int_eq(w.report.near, diagonals);
             }
@@ -240,7 +240,7 @@ START_TEST(fold_that_is_wide_enough_touches_nothing)
     fold(b, 1.11 * cloth.spacing);
     // Only the two middle columns are one spacing apart, and they are joined.
     soft_refresh(&w);
-    ck_assert_int_gt(w.nears, 0);
+    ck_assert_int_gt(w.near.pairs, 0);
     soft_separate(&w);
     ck_assert_int_eq(w.report.touching, 0);
 }
@@ -279,14 +279,14 @@ START_TEST(lists_hold_what_all_pairs_within_the_margin_hold)
         soft_refresh(&w);
         ck_assert_int_eq(w.report.dropped, 0);
         read_lists();
-        int pairs = pairs_are_listed(w.list_margin, 1);
-        int points = points_are_listed(w.list_margin);
-        ck_assert_int_eq(pairs, w.nears);
+        int pairs = pairs_are_listed(w.near.margin, 1);
+        int points = points_are_listed(w.near.margin);
+        ck_assert_int_eq(pairs, w.near.pairs);
         ck_assert_int_gt(pairs, 0);
-        ck_assert_int_ge(w.points, points);
+        ck_assert_int_ge(w.near.points, points);
         if (size[k % 4] < 1) ck_assert_int_gt(points, 10);
-        for (int i = 0; i < w.nears; i++) {
-            const sphere_contact *c = &w.near[i];
+        for (int i = 0; i < w.near.pairs; i++) {
+            const sphere_contact *c = &w.near.pair[i];
             real thick[2];
             const int end[2] = { c->a, c->b };
             for (int s = 0; s < 2; s++) {
@@ -310,8 +310,8 @@ static int lists_after(vec3 one, vec3 other)
     ready();
     soft_refresh(&w);
     particle *p = particle_of(b, 33), *q = particle_of(b, 44);
-    put(p, vec3_add_scaled(p->position, w.list_margin, one));
-    put(q, vec3_add_scaled(q->position, w.list_margin, other));
+    put(p, vec3_add_scaled(p->position, w.near.margin, one));
+    put(q, vec3_add_scaled(q->position, w.near.margin, other));
     soft_refresh(&w);
     return w.report.rebuilt;
 }
@@ -372,8 +372,8 @@ START_TEST(what_finds_no_room_is_counted)
         put(&w.pool.at[i], vec3_make(1e-4 * i, 0, 0));
     soft_refresh(&w);
     ck_assert_int_gt(w.report.dropped, 0);
-    ck_assert_int_le(w.nears, w.near_capacity);
-    ck_assert_int_le(w.points, w.point_capacity);
+    ck_assert_int_le(w.near.pairs, w.near.pair_capacity);
+    ck_assert_int_le(w.near.points, w.near.point_capacity);
 }
 END_TEST
 
@@ -423,8 +423,8 @@ START_TEST(nothing_is_missed_while_a_cloth_falls)
     const int substeps = 900;
     for (int k = 0; k < substeps; k++) {
         substep(o.dt / o.substeps);
-        pairs += w.nears;
-        points += w.points;
+        pairs += w.near.pairs;
+        points += w.near.points;
         if (w.report.touching > most) most = w.report.touching;
     }
     ck_assert_int_eq(w.report.dropped, 0);
@@ -457,7 +457,7 @@ START_TEST(particles_part_to_the_sum_of_their_radii)
 {
     cross_links(0.2);
     soft_refresh(&w);
-    ck_assert_int_eq(w.nears, 1);
+    ck_assert_int_eq(w.near.pairs, 1);
     soft_separate(&w);
     ck_assert_int_eq(w.report.near, 1);
     ck_assert_int_eq(w.report.touching, 1);
@@ -530,10 +530,11 @@ START_TEST(nailed_box_pushes_as_its_contacts_do)
                                       vec3_make(any(), any(), any()));
         p->inverse_mass = k % 11 ? 1.5 + any() : 0;
         particle q = *p;
-        w.trusted = -1;
+        w.near.trusted = -1;
         soft_refresh(&w);
         // Since it was listed it may have come round to any face.
-        for (int i = 0; i < w.points && k % 2; i++) w.point[i].ahead = k % 7;
+        for (int i = 0; i < w.near.points && k % 2; i++)
+            w.near.point[i].ahead = k % 7;
         vec3 x = q.position;
         collider of_rope = { .plan = &rope, .first = 0, .at = &x, .mass = 1 };
         collider of_box = world_collider(&w, &w.body[b]);
@@ -600,7 +601,7 @@ START_TEST(particle_meets_a_movable_box_where_it_is_now)
     real thick = w.body[r].thickness + w.body[b].thickness;
     put(particle_of(r, 5), vec3_make(0, 0.25 + 1.1 * thick, 0));
     soft_refresh(&w);
-    ck_assert_int_eq(w.points, 1);
+    ck_assert_int_eq(w.near.points, 1);
     soft_separate(&w);
     ck_assert_int_eq(w.report.touching, 0);
     for (int i = 0; i < body_particles(&w.body[b]); i++)
@@ -671,11 +672,11 @@ START_TEST(lists_leave_out_what_sleeps_or_is_nailed)
         if (sleepers > 1) w.rest.asleep[b] = 1;
         soft_refresh(&w);
         if (sleepers == 2) {
-            ck_assert_int_eq(w.nears, 0);
-            ck_assert_int_eq(w.points, 0);
+            ck_assert_int_eq(w.near.pairs, 0);
+            ck_assert_int_eq(w.near.points, 0);
         } else {
-            ck_assert_int_gt(w.nears, SIDE * SIDE / 2);
-            ck_assert_int_gt(w.points, 10);
+            ck_assert_int_gt(w.near.pairs, SIDE * SIDE / 2);
+            ck_assert_int_gt(w.near.points, 10);
         }
         world_free(&w);
         begin(world_options_default());

@@ -39,17 +39,19 @@ static int is_pair(const int of[2], int a, int b)
 static int pushes(int a, int b)
 {
     int sum = 0;
-    for (int k = 0; k < w.contacts; k++)
-        sum += is_pair(w.between[k], a, b) && w.contact[k].pushed > 0;
-    for (int k = 0; k < w.pushes; k++)
-        sum += is_pair(w.pushed[k], a, b) && w.push[k].pushed[NORMAL] > 0;
+    for (int k = 0; k < w.contacts.count; k++)
+        sum += is_pair(w.contacts.between[k], a, b)
+               && w.contacts.at[k].pushed > 0;
+    for (int k = 0; k < w.pushes.count; k++)
+        sum += is_pair(w.pushes.between[k], a, b)
+               && w.pushes.at[k].pushed[NORMAL] > 0;
     return sum > 0;
 }
 
 static int is_listed(int a, int b)
 {
-    for (int k = 0; k < w.pairs; k++)
-        if (w.pair[k].a == a && w.pair[k].b == b) return 1;
+    for (int k = 0; k < w.pairs.count; k++)
+        if (w.pairs.at[k].a == a && w.pairs.at[k].b == b) return 1;
     return 0;
 }
 
@@ -69,7 +71,7 @@ START_TEST(separated_box_stands_on_its_skin)
     ck_assert_msg(least > 0 && least < 1.5 * skin, "at %g, skin %g", least,
                   skin);
     ck_assert_int_gt(w.report.contacts, 3);
-    ck_assert(w.collided[b]);
+    ck_assert(w.flags.collided[b]);
 }
 END_TEST
 
@@ -88,7 +90,7 @@ START_TEST(bodies_that_push_each_other_are_one_island)
     int frames = _i ? 0 : 600, all = 0;
     for (int f = 0; f < 600 && (f < frames || !all); f++) {
         frame();
-        all = pushes(a, b) && w.collided[a] && w.collided[c];
+        all = pushes(a, b) && w.flags.collided[a] && w.flags.collided[c];
     }
     // (Every frame looks a little beyond the skins.)
     if (_i == 0) ck_assert_int_ge(contacts(), 16);
@@ -97,7 +99,8 @@ START_TEST(bodies_that_push_each_other_are_one_island)
     ck_assert(w.rest.asleep[a] && w.rest.asleep[b] && w.rest.asleep[c]);
     ck_assert_int_eq(w.rest.island[a], w.rest.island[b]);
     ck_assert_int_ne(w.rest.island[a], w.rest.island[c]);
-    ck_assert(w.collided[a] && w.collided[b] && w.collided[c]);
+    const char *hit = w.flags.collided;
+    ck_assert(hit[a] && hit[b] && hit[c]);
     ck_assert(body_is_nailed(&w.body[s]));
 }
 END_TEST
@@ -127,10 +130,12 @@ END_TEST
 static vec3 pushed_but_by(int b)
 {
     vec3 sum = ZERO;
-    for (int k = 0; k < w.pushes; k++) {
-        if (w.pushed[k][0] == b || w.pushed[k][1] == b) continue;
+    for (int k = 0; k < w.pushes.count; k++) {
+        if (w.pushes.between[k][0] == b || w.pushes.between[k][1] == b)
+            continue;
         for (int d = 0; d < DIRECTIONS; d++)
-            sum = vec3_add_scaled(sum, w.push[k].pushed[d], w.push[k].along[d]);
+            sum = vec3_add_scaled(sum, w.pushes.at[k].pushed[d],
+                                  w.pushes.at[k].along[d]);
     }
     return sum;
 }
@@ -151,8 +156,8 @@ START_TEST(new_contacts_begin_with_what_the_old_ones_pushed)
         ready();
         for (int f = 0; f < 200; f++) frame();
         int pushing = 0;
-        for (int k = 0; k < w.pushes; k++)
-            pushing += w.push[k].pushed[NORMAL] > 0;
+        for (int k = 0; k < w.pushes.count; k++)
+            pushing += w.pushes.at[k].pushed[NORMAL] > 0;
         ck_assert_int_eq(w.report.pushing, pushing);
         vec3 was = pushed_but_by(passing);
         ck_assert(was.y > 0);
@@ -186,11 +191,12 @@ START_TEST(who_lies_where_he_lay_keeps_his_contacts)
         ready();
         for (int f = 0; f < 120; f++) frame();
         find();
-        int all = w.pushes;
-        vec3 was = w.push[0].along[ACROSS], at = point_of(&w.push[0].a);
-        real load = w.push[0].pushed[NORMAL];
+        int all = w.pushes.count;
+        const push *one = &w.pushes.at[0];
+        vec3 was = one->along[ACROSS], at = point_of(&one->a);
+        real load = w.pushes.at[0].pushed[NORMAL];
         ck_assert(load > 0);
-        for (int b = 0; b <= far; b++) ck_assert(!w.fresh[b]);
+        for (int b = 0; b <= far; b++) ck_assert(!w.flags.fresh[b]);
         for (int i = 0; i < FOUR; i++) {
             particle *x = &w.pool.at[w.body[0].first + i];
             real by = way[k].by * box.radius;
@@ -198,18 +204,19 @@ START_TEST(who_lies_where_he_lay_keeps_his_contacts)
             x->previous.x += by;
         }
         find();
-        ck_assert_int_eq(w.fresh[0], !way[k].stays);
-        ck_assert(!w.fresh[1] && !w.fresh[2] && !w.fresh[far]);
-        ck_assert_int_eq(w.pushes, all);
+        ck_assert_int_eq(w.flags.fresh[0], !way[k].stays);
+        const char *fresh = w.flags.fresh;
+        ck_assert(!fresh[1] && !fresh[2] && !fresh[far]);
+        ck_assert_int_eq(w.pushes.count, all);
         // Found anew, nobody has needed it yet.
         for (int i = 0; i < all; i++) {
-            int moved = w.pushed[i][0] == 0 && !way[k].stays;
-            if (w.push[i].pushed[NORMAL] > 0)
-                ck_assert_int_eq(w.push[i].ready, !moved);
+            int moved = w.pushes.between[i][0] == 0 && !way[k].stays;
+            if (w.pushes.at[i].pushed[NORMAL] > 0)
+                ck_assert_int_eq(w.pushes.at[i].ready, !moved);
         }
-        near_real(w.push[0].pushed[NORMAL], load, 1e-9 * load);
-        near_vec3(w.push[0].along[ACROSS], was, ROUNDING);
-        near_vec3(point_of(&w.push[0].a), at, 0.011 * box.radius);
+        near_real(w.pushes.at[0].pushed[NORMAL], load, 1e-9 * load);
+        near_vec3(w.pushes.at[0].along[ACROSS], was, ROUNDING);
+        near_vec3(point_of(&w.pushes.at[0].a), at, 0.011 * box.radius);
         ck_assert(is_listed(0, 1) && is_listed(1, 2) && !is_listed(0, 2));
     }
 }
@@ -228,12 +235,12 @@ START_TEST(contacts_that_stay_without_room_are_counted)
     for (int f = 0; f < 120; f++) frame();
     for (int i = 0; i < FOUR; i++)
         w.pool.at[w.body[0].first + i].position.x += 0.01;
-    w.push_capacity = 6;
+    w.pushes.capacity = 6;
     find();
-    ck_assert(w.fresh[0] && !w.fresh[1]);
-    ck_assert_int_eq(w.pushes, 6);
+    ck_assert(w.flags.fresh[0] && !w.flags.fresh[1]);
+    ck_assert_int_eq(w.pushes.count, 6);
     ck_assert_int_eq(w.report.dropped, 2);
-    ck_assert(w.wall[1].is.run.margin == 0);
+    ck_assert(w.narrow.wall[1].is.run.margin == 0);
 }
 END_TEST
 
@@ -253,8 +260,9 @@ START_TEST(pile_stands_alike_whether_contacts_stay_or_not)
         for (int f = 0; f < 240; f++) frame();
         top[k] = w.pool.at[w.body[2].first].position;
         real load = 0;
-        for (int i = 0; i < w.pushes && w.pushed[i][1] >= w.bodies; i++)
-            load += w.push[i].pushed[NORMAL];
+        for (int i = 0; i < w.pushes.count
+                        && w.pushes.between[i][1] >= w.bodies; i++)
+            load += w.pushes.at[i].pushed[NORMAL];
         real weight = 3 * w.body[0].mass * 9.81 * w.age * w.age;
         near_real(load, weight, 1e-3 * weight);
     }

@@ -124,7 +124,7 @@ static real penetration(void)
                                         NULL);
             if (g.status == GJK_OVERLAP)
                 deepest = fmax(deepest, hit_face_find(q[0], q[1], &g.last,
-                                                      w.hit[0]).depth);
+                                                      w.narrow.hit[0]).depth);
         }
     return deepest;
 }

@@ -27,9 +27,9 @@ static unsigned long long bits_of(world_options how)
     what.bodies = BODIES;
     ck_assert(scene_build(&s, SCENE_ROOM, what, how).ok);
     for (int k = 0; k < FRAMES; k++) world_step(&s.world);
-    ck_assert_int_gt(s.world.part_end[PILE_LEFT], 100);
-    ck_assert_int_gt(s.world.part_end[PILE_ACROSS],
-                     s.world.part_end[PILE_RIGHT]);
+    ck_assert_int_gt(s.world.pushes.end[PILE_LEFT], 100);
+    ck_assert_int_gt(s.world.pushes.end[PILE_ACROSS],
+                     s.world.pushes.end[PILE_RIGHT]);
     unsigned long long bits = world_hash(&s.world);
     scene_free(&s);
     return bits;

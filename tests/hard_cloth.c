@@ -416,7 +416,7 @@ static void check_counting(hard_report *r, int n, int frames)
     what.cloth = n;
     if (!hard_ok(r, scene_build(&s, kind, what, scene_world_options(kind, what.cloth))))
         return;
-    s.world.near_capacity = 0;
+    s.world.near.pair_capacity = 0;
     for (int k = 0; k < frames; k++) world_step(&s.world);
     int patches = patches_make(&s.world, 1, sheet);
     int found = count_crossings(sheet, patches);
@@ -519,8 +519,8 @@ static stillness lie_still(world *w, int frames)
     for (int i = 0; i < n; i++) was[i] = w->pool.at[b->first + i].position;
     for (int f = 0; f < frames; f++) {
         world_step(w);
-        for (int k = 0; k < w->nears; k++)
-            s.touching += sphere_contact_overlaps(&w->near[k], w->pool.at);
+        for (int k = 0; k < w->near.pairs; k++)
+            s.touching += sphere_contact_overlaps(&w->near.pair[k], w->pool.at);
         for (int i = 0; i < n; i++)
             s.drift = hard_worse(s.drift, vec3_distance(
                 was[i], w->pool.at[b->first + i].position));

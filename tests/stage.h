@@ -113,7 +113,7 @@ static inline void begin_frame(void)
 // Contacts of either kind.
 static inline int contacts(void)
 {
-    return w.contacts + w.pushes;
+    return w.contacts.count + w.pushes.count;
 }
 
 // As the step does, without its orders.

@@ -3,7 +3,7 @@
 
 # The book's order, chapter/module.  A module may use only modules to its left:
 # its tests are linked with those and no others, so a wrong arrow cannot link.
-LINE := 00/vec3 00/status 01/verlet 02/constraint 03/mesh 03/body 03/obj 04/gjk 05/hit_face 06/sphere_tree 06/grid 07/response 08/ordering 10/manifold 14/swept 09/collide 11/line 12/four 12/push 13/broad 09/rest 09/world 13/halves 09/ledger 09/pairs 12/contacts 09/narrow 09/solver 09/soft 09/step 09/measure 09/scene
+LINE := 00/vec3 00/status 01/verlet 02/constraint 03/mesh 03/body 03/obj 04/support 04/exact 04/nearest 04/gjk 05/hit_face 06/sphere_tree 06/grid 07/response 08/ordering 10/manifold 14/swept 09/collide 11/line 12/four 12/push 13/broad 09/rest 09/world 13/halves 09/ledger 09/pairs 12/contacts 09/narrow 09/solver 09/soft 09/step 09/measure 09/scene
 
 # --- The compiler -------------------------------------------------------------
 # May be set by hand: make test CC=clang CFLAGS=-O0 BUILD=build/clang
@@ -360,6 +360,8 @@ $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 # These ask the slow oracle about bodies made for the purpose.
 ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face swept) $(BUILD)/figures/05-slow
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
+# These only make them.
+$(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o
 
 # The hard cases: a program that runs them all, and the tests of the fast ones.
 HARD := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/hard_*.c)) \

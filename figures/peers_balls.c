@@ -3,6 +3,7 @@
 
 #include "peers.h"
 #include "bodies.h"
+#include "gjk.h"
 
 #include <math.h>
 #include <stdio.h>

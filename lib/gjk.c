@@ -1,312 +1,16 @@
-//> support-scan
+//> gjk-polytope
 #include "gjk.h"
+
+#include "exact.h"
+#include "nearest.h"
 
 #include <assert.h>
 #include <float.h>
 #include <stddef.h>
 
-// Support looks at every point of a set up to this size, and climbs from
-// neighbour to neighbour in a larger one.  (Measured: see chapter 4.)
-enum { SCAN_AT_MOST = 48 };
-
-// The point furthest along d; heights are measured from `base`.
-static inline int scan(point_set p, vec3 d, vec3 base)
-{
-    real best = vec3_dot(d, vec3_sub(p.at[0], base)), sum = best;
-    int furthest = 0;
-    for (int i = 1; i < p.count; i++) {
-        real along = vec3_dot(d, vec3_sub(p.at[i], base));
-        // Two selections rather than a branch, which nobody could foretell.
-        furthest = along > best ? i : furthest;
-        best = along > best ? along : best;
-        sum += along;
-    }
-    // One NaN or infinity among the points has made the sum another.
-    return sum - sum == 0 ? furthest : -1;
-}
-
-// Measured from the first point, not from the world's origin, a body a thousand
-// kilometres out loses no digit.
-int support_scan(point_set p, vec3 d)
-{
-    assert(p.count >= 1);
-    return scan(p, d, p.at[0]);
-}
-//<
-
-//> support-climb
-// 1 if no neighbour of v is clearly higher or lower than v along d.
-static int is_level(point_set p, vec3 d, int v)
-{
-    const real slope = 0x1p-30;
-    real steepest = slope * slope * vec3_length_squared(d);
-    for (int k = p.ring_start[v]; k < p.ring_start[v + 1]; k++) {
-        vec3 edge = vec3_sub(p.at[p.ring[k]], p.at[v]);
-        real rise = vec3_dot(d, edge);
-        if (rise * rise > steepest * vec3_length_squared(edge)) return 0;
-    }
-    return 1;
-}
-
-// From vertex `stand`, at height *best along d, to its highest neighbour; to
-// itself, if that is not higher.
-static inline int climb_step(point_set p, vec3 d, int stand, real *best)
-{
-    vec3 base = p.at[0];
-    real highest = *best;
-    int here = stand;
-    for (int k = p.ring_start[stand]; k < p.ring_start[stand + 1]; k++) {
-        real along = vec3_dot(d, vec3_sub(p.at[p.ring[k]], base));
-        here = along > highest ? p.ring[k] : here;
-        highest = along > highest ? along : highest;
-    }
-    *best = highest;
-    return here;
-}
-
-// No neighbour of `here` is higher.  At a corner of a convex mesh that is the
-// top.  Amid a flat side it may be the bottom as well: then all are level.
-static int top_or_scan(point_set p, vec3 d, int here)
-{
-    return is_level(p, d, here) ? support_scan(p, d) : here;
-}
-
-int support_climb(point_set p, vec3 d, int from)
-{
-    assert(p.ring && p.ring_start && from >= 0 && from < p.count);
-    int here = from;
-    real best = vec3_dot(d, vec3_sub(p.at[here], p.at[0]));
-    // Each move gains height, so no vertex is met twice.
-    for (int moves = 1; moves < p.count; moves++) {
-        int stand = here;
-        here = climb_step(p, d, stand, &best);
-        if (here == stand) break;
-    }
-    return top_or_scan(p, d, here);
-}
-//<
-
-//> support-point
-static inline int climbs(point_set p)
-{
-    return p.ring && p.count > SCAN_AT_MOST;
-}
-
-int support_point(point_set p, vec3 d, int from)
-{
-    return climbs(p) ? support_climb(p, d, from) : support_scan(p, d);
-}
-//<
-
-//> support-both
 // A corner of A - B: the difference of a vertex of A and one of B.
-typedef struct {
-    int a, b;
-} corner;
+typedef vertex_pair corner;
 
-// Two climbs abreast: while one waits for its vertices to come from memory, the
-// other goes on.
-static corner climb_both(point_set a, point_set b, vec3 d,
-                               corner from)
-{
-    vec3 back = vec3_scale(-1, d);
-    corner here = from;
-    real best_a = vec3_dot(d, vec3_sub(a.at[from.a], a.at[0]));
-    real best_b = vec3_dot(back, vec3_sub(b.at[from.b], b.at[0]));
-    for (int moves = 2; moves < a.count + b.count; moves++) {
-        corner stand = here;
-        here.a = climb_step(a, d, stand.a, &best_a);
-        here.b = climb_step(b, back, stand.b, &best_b);
-        if (here.a == stand.a && here.b == stand.b) break;
-    }
-    here.a = top_or_scan(a, d, here.a);
-    here.b = top_or_scan(b, back, here.b);
-    return here;
-}
-
-// The vertex of A furthest along d, and that of B furthest against it.  Of
-// bodies near the world's origin heights may be measured from there: that
-// saves a third of the work.
-static inline corner support_both(point_set a, point_set b, vec3 d,
-                                        corner from, int near_home)
-{
-    const vec3 home = { 0, 0, 0 };
-    vec3 back = vec3_scale(-1, d);
-    if (climbs(a) && climbs(b)) return climb_both(a, b, d, from);
-    if (near_home && !climbs(a) && !climbs(b))
-        return (corner){ scan(a, d, home), scan(b, back, home) };
-    return (corner){ support_point(a, d, from.a),
-                           support_point(b, back, from.b) };
-}
-//<
-
-//> support-gap
-// Only a number, no vertex: so there is little to choose, and the two least
-// heights, of A and of B turned round, do not wait for each other.
-real support_gap(point_set a, point_set b, vec3 n)
-{
-    vec3 a0 = a.at[0], b0 = b.at[0];
-    real least_a = 0, least_b = 0, sum_a = 0, sum_b = 0;
-    int both = a.count < b.count ? a.count : b.count, i = 0;
-    for (; i < both; i++) {
-        real up_a = vec3_dot(n, vec3_sub(a.at[i], a0));
-        real up_b = vec3_dot(n, vec3_sub(b0, b.at[i]));
-        least_a = up_a < least_a ? up_a : least_a;
-        least_b = up_b < least_b ? up_b : least_b;
-        sum_a += up_a;
-        sum_b += up_b;
-    }
-    for (int k = i; k < a.count; k++) {
-        real up = vec3_dot(n, vec3_sub(a.at[k], a0));
-        least_a = up < least_a ? up : least_a;
-        sum_a += up;
-    }
-    for (int k = i; k < b.count; k++) {
-        real up = vec3_dot(n, vec3_sub(b0, b.at[k]));
-        least_b = up < least_b ? up : least_b;
-        sum_b += up;
-    }
-    real poison = (sum_a - sum_a) + (sum_b - sum_b);
-    return vec3_dot(n, vec3_sub(a0, b0)) + least_a + least_b + poison;
-}
-//<
-
-//> gjk-exact-sums
-// Knuth's sum and Dekker's product (1971): what rounding drops is a double too,
-// and can be had by taking the result apart again.
-rounded exact_sum(real a, real b)
-{
-    real sum = a + b, b_there = sum - a, a_there = sum - b_there;
-    return (rounded){ sum, (a - a_there) + (b - b_there) };
-}
-
-// A factor of 53 bits is cut in two of 26, whose products are exact.
-rounded exact_product(real a, real b)
-{
-    real product = a * b, cut_a = 0x8000001p0 * a, cut_b = 0x8000001p0 * b;
-    real ah = cut_a - (cut_a - a), al = a - ah;
-    real bh = cut_b - (cut_b - b), bl = b - bh;
-    return (rounded){ product,
-                  al * bl - (((product - ah * bh) - al * bh) - ah * bl) };
-}
-
-// Exact where the result has at most 106 bits; else to about that many of the
-// larger product.
-rounded exact_minor(real a, real b, real c, real d)
-{
-    rounded ab = exact_product(a, b), cd = exact_product(c, d);
-    rounded high = exact_sum(ab.high, -cd.high);
-    return exact_sum(high.high, (high.low + ab.low) - cd.low);
-}
-
-// The cross product e x f, rounded once at the end: for vectors so nearly
-// parallel that the products cancel.
-static vec3 cross_of_parallels(vec3 e, vec3 f)
-{
-    return (vec3){ exact_minor(e.y, f.z, e.z, f.y).high,
-                   exact_minor(e.z, f.x, e.x, f.z).high,
-                   exact_minor(e.x, f.y, e.y, f.x).high };
-}
-//<
-
-//> gjk-triangle-weights
-static const real thin = 0x1p-10;   // squared sine of an angle
-
-// The normal e x f of a triangle with these two edges.
-static vec3 triangle_normal(vec3 e, vec3 f)
-{
-    vec3 n = vec3_cross(e, f);
-    real nn = vec3_length_squared(n);
-    if (nn >= thin * vec3_length_squared(e) * vec3_length_squared(f)) return n;
-    return cross_of_parallels(e, f);
-}
-
-// From r = x - p[0] = weight[1] e + weight[2] f follow, by a cross product with
-// f and one with e,  r x f = weight[1] n  and  e x r = weight[2] n.
-// In a thin triangle the first solution is rough: what it leaves of r is solved
-// for once more.
-static void weights_in_plane(vec3 e, vec3 f, vec3 r, real weight[3])
-{
-    vec3 n = triangle_normal(e, f);
-    real nn = vec3_length_squared(n), share = nn > 0 ? 1 / nn : 0;
-    weight[1] = weight[2] = 0;
-    for (int round = 0; round < 2; round++) {
-        real we = vec3_dot(n, vec3_cross(r, f)) * share;
-        real wf = vec3_dot(n, vec3_cross(e, r)) * share;
-        weight[1] += we;
-        weight[2] += wf;
-        r = vec3_add_scaled(vec3_add_scaled(r, -we, e), -wf, f);
-    }
-    weight[0] = 1 - weight[1] - weight[2];
-    real sum = 0;
-    for (int c = 0; c < 3; c++) {
-        weight[c] = weight[c] > 0 ? weight[c] : 0;
-        sum += weight[c];
-    }
-    for (int c = 0; c < 3; c++) weight[c] /= sum;
-}
-
-// The weights that make the point of the side from 0 to e which is nearest r.
-static void weights_on_side(vec3 e, vec3 r, real weight[3])
-{
-    real part = vec3_dot(r, e) / vec3_length_squared(e);
-    part = part > 0 ? part : 0;
-    part = part < 1 ? part : 1;
-    weight[0] = 1 - part;
-    weight[1] = part;
-    weight[2] = 0;
-}
-//<
-
-//> gjk-weights
-// A triangle whose height is less than a thousandth of its longest side.
-static int is_thin(const vec3 p[3])
-{
-    vec3 e = vec3_sub(p[1], p[0]), f = vec3_sub(p[2], p[0]);
-    real ee = vec3_length_squared(e), ff = vec3_length_squared(f);
-    real gg = vec3_length_squared(vec3_sub(f, e));
-    real longest = ee > ff ? ee : ff;
-    longest = gg > longest ? gg : longest;
-    return vec3_length_squared(triangle_normal(e, f))
-        <= 0x1p-20 * longest * longest;
-}
-
-// The weights as seen from corner c, in the plane, or on the side that begins
-// there.  Returns the square of what they miss x by: NaN if there are none.
-static real weights_from(const vec3 p[3], int c, vec3 x, int on_side,
-                         real weight[3])
-{
-    int next = (c + 1) % 3, last = (c + 2) % 3;
-    vec3 e = vec3_sub(p[next], p[c]), f = vec3_sub(p[last], p[c]);
-    vec3 r = vec3_sub(x, p[c]);
-    real w[3];
-    if (on_side) weights_on_side(e, r, w);
-    else weights_in_plane(e, f, r, w);
-    weight[c] = w[0];
-    weight[next] = w[1];
-    weight[last] = w[2];
-    r = vec3_add_scaled(vec3_add_scaled(r, -w[1], e), -w[2], f);
-    return vec3_length_squared(r);
-}
-
-// In a thin triangle a foot that rounding has put beside it makes weights that
-// are wrong and large.  Of all that the corners and the sides say, those are
-// taken that miss x by least.
-void triangle_weights(vec3 p0, vec3 p1, vec3 p2, vec3 x, real weight[3])
-{
-    const vec3 p[3] = { p0, p1, p2 };
-    real least = weights_from(p, 0, x, 0, weight);
-    if (least == least && !is_thin(p)) return;
-    for (int way = 1; way < 6; way++) {
-        real w[3], missed = weights_from(p, way / 2, x, way % 2, w);
-        if (!(missed < least || least != least)) continue;
-        least = missed;
-        for (int c = 0; c < 3; c++) weight[c] = w[c];
-    }
-}
-//<
-
-//> gjk-polytope
 // The simplex while we search: its corners, the weights of the point of it
 // that is nearest the origin, and that point.
 typedef struct {
@@ -324,8 +28,8 @@ typedef struct {
     real scale;
     int  measured;      // scale comes from the size: 1 is only a first guess
     real far;           // largest squared length of a corner met so far
-    int  near_home;     // the world's origin is no further away than 32 times
-                        // that corner: see support_both
+    int  near_home;     // both are scanned, and the world's origin is no
+                        // further away than 32 times that corner
 } pair;
 
 static inline vec3 corner_at(const pair *p, corner c)
@@ -350,173 +54,15 @@ static int pair_in_range(const pair *p)
 }
 //<
 
-//> gjk-segment
-// The point of the segment p, q nearest the origin.  Its weights go to *wp and
-// *wq; a corner that does not bear it gets 0.
-static vec3 nearest_of_segment(vec3 p, vec3 q, real *wp, real *wq)
-{
-    vec3 e = vec3_sub(q, p);
-    real ahead = -vec3_dot(p, e), behind = vec3_dot(q, e);
-    *wp = 1;
-    *wq = 0;
-    if (!(ahead > 0)) return p;
-    *wp = 0;
-    *wq = 1;
-    if (!(behind > 0)) return q;
-    real whole = vec3_length_squared(e);
-    *wp = behind / whole;
-    *wq = ahead / whole;
-    // Start from the nearer end: less is cancelled.  What rounding left along
-    // the segment is taken off again, so that near the origin the answer is
-    // perpendicular to it and not only close to the foot.
-    vec3 v = ahead < behind ? vec3_add_scaled(p, *wq, e)
-                            : vec3_add_scaled(q, -*wp, e);
-    return vec3_add_scaled(v, -vec3_dot(v, e) / whole, e);
-}
-//<
-
-//> gjk-edges
-// The nearest point on one of several edges: so far on that from j to k.
-typedef struct {
-    vec3 at;
-    real squared, wj, wk;
-    int  j, k;
-} on_edge;
-
-static inline void edge_try(on_edge *best, const vec3 *of, int j, int k)
-{
-    real wj, wk;
-    vec3 v = nearest_of_segment(of[j], of[k], &wj, &wk);
-    real vv = vec3_length_squared(v);
-    if (vv < best->squared) *best = (on_edge){ v, vv, wj, wk, j, k };
-}
-
-// The nearest point on those edges of a triangle that face a corner whose area
-// is not positive; all three if `all`.
-static vec3 nearest_of_edges(const vec3 *of, const int at[3],
-                             const real area[3], int all, real weight[4])
-{
-    on_edge best = { of[at[0]], HUGE_VAL, 0, 0, at[0], at[0] };
-    if (all || !(area[0] > 0)) edge_try(&best, of, at[1], at[2]);
-    if (all || !(area[1] > 0)) edge_try(&best, of, at[2], at[0]);
-    if (all || !(area[2] > 0)) edge_try(&best, of, at[0], at[1]);
-    weight[best.j] = best.wj;
-    weight[best.k] = best.wk;
-    return best.at;
-}
-//<
-
-//> gjk-triangle
-// The point of the triangle i, j, k nearest the origin.  With the normal n the
-// weights of the origin's foot on the plane are areas:
-//   n . ((p_j - p_i) x (0 - p_i)) = weight of k times |n|^2, and so on round.
-// If all are positive the foot is the answer (the areas stand for the weights
-// until the end).  If not, the answer lies on an edge opposite a corner whose
-// area is not positive.  If they do not add up to the whole, |n|^2, they are
-// rounding: the triangle is lower than that, and its edges say as much.
-static vec3 nearest_of_triangle(const vec3 *of, int i, int j, int k,
-                                real weight[4])
-{
-    vec3 ij = vec3_sub(of[j], of[i]), ik = vec3_sub(of[k], of[i]);
-    vec3 jk = vec3_sub(of[k], of[j]);
-    vec3 n = triangle_normal(ij, ik);
-    real area[3] = { vec3_dot(n, vec3_cross(of[j], jk)),
-                     vec3_dot(n, vec3_cross(ik, of[i])),
-                     vec3_dot(n, vec3_cross(of[i], ij)) };
-    real nn = vec3_length_squared(n), sum = area[0] + area[1] + area[2];
-    int sound = fabs(sum - nn) < nn / 16;
-    weight[0] = weight[1] = weight[2] = weight[3] = 0;
-    if (area[0] > 0 && area[1] > 0 && area[2] > 0 && sound) {
-        weight[i] = area[0];
-        weight[j] = area[1];
-        weight[k] = area[2];
-        return vec3_scale(vec3_dot(n, of[i]) / nn, n);
-    }
-    int at[3] = { i, j, k };
-    return nearest_of_edges(of, at, area, !sound, weight);
-}
-//<
-
-//> gjk-inside
-// 1 if six times the volume v > 0, made of edges with these squared lengths, is
-// so large that rounding cannot have made it.
-static int volume_is_sure(real v, real aa, real bb, real cc)
-{
-    const real rounding = 16 * DBL_EPSILON;
-    return v * v > rounding * rounding * aa * bb * cc;
-}
-
-// volume[c] becomes the volume with corner c replaced by the origin: c's weight
-// times the whole volume.  1 if all are surely positive: the origin is inside.
-static int volumes_of_tetrahedron(const vec3 of[4], real volume[4])
-{
-    vec3 p0 = of[0], p1 = of[1];
-    vec3 e1 = vec3_sub(p1, p0), e2 = vec3_sub(of[2], p0);
-    vec3 e3 = vec3_sub(of[3], p0);
-    vec3 f2 = vec3_sub(of[2], p1), f3 = vec3_sub(of[3], p1);
-    vec3 n = vec3_cross(e2, e3);
-    real side = vec3_dot(e1, n) < 0 ? -1 : 1;
-    volume[0] = side * vec3_dot(p1, vec3_cross(f2, f3));
-    volume[1] = -side * vec3_dot(p0, n);
-    volume[2] = -side * vec3_dot(p0, vec3_cross(e3, e1));
-    volume[3] = -side * vec3_dot(p0, vec3_cross(e1, e2));
-    if (!(volume[0] > 0 && volume[1] > 0 && volume[2] > 0 && volume[3] > 0))
-        return 0;
-    real a0 = vec3_length_squared(p0), a1 = vec3_length_squared(e1);
-    real a2 = vec3_length_squared(e2), a3 = vec3_length_squared(e3);
-    real b1 = vec3_length_squared(p1), b2 = vec3_length_squared(f2);
-    real b3 = vec3_length_squared(f3);
-    return volume_is_sure(volume[0], b1, b2, b3)
-        && volume_is_sure(volume[1], a0, a2, a3)
-        && volume_is_sure(volume[2], a0, a3, a1)
-        && volume_is_sure(volume[3], a0, a1, a2);
-}
-//<
-
-//> gjk-tetrahedron
-// The point of the tetrahedron nearest the origin: the origin itself, or a
-// point of a face opposite a corner whose volume is not positive.  All positive
-// but not surely: the tetrahedron is so flat that every face is tried.
-static vec3 nearest_of_tetrahedron(const vec3 of[4], real weight[4])
-{
-    static const int face[4][3] = { {1,2,3}, {0,2,3}, {0,1,3}, {0,1,2} };
-    real volume[4];
-    if (volumes_of_tetrahedron(of, volume)) {
-        real sum = volume[0] + volume[1] + volume[2] + volume[3];
-        for (int c = 0; c < 4; c++) weight[c] = volume[c] / sum;
-        return (vec3){ 0, 0, 0 };
-    }
-    int flat = volume[0] > 0 && volume[1] > 0 && volume[2] > 0 && volume[3] > 0;
-    vec3 best = of[0];
-    real least = HUGE_VAL;
-    for (int c = 0; c < 4; c++) {
-        real w[4];
-        if (volume[c] > 0 && !flat) continue;
-        vec3 v = nearest_of_triangle(of, face[c][0], face[c][1], face[c][2], w);
-        real vv = vec3_length_squared(v);
-        if (vv >= least) continue;
-        least = vv;
-        best = v;
-        for (int k = 0; k < 4; k++) weight[k] = w[k];
-    }
-    return best;
-}
-//<
-
 //> gjk-reduce
 // The point of this simplex nearest the origin goes to *s, with those of the
 // corners that bear it.
 static void search_reduce(search *s, const pair *p, const corner *of, int count)
 {
-    real w[4] = { 1, 0, 0, 0 };
-    vec3 at[4];
-    for (int c = 0; c < count; c++) at[c] = corner_at(p, of[c]);
-    switch (count) {
-    case 1:  s->nearest = at[0]; break;
-    case 2:  s->nearest = nearest_of_segment(at[0], at[1], &w[0], &w[1]); break;
-    case 3:  s->nearest = nearest_of_triangle(at, 0, 1, 2, w); break;
-    default: s->nearest = nearest_of_tetrahedron(at, w); break;
-    }
+    real w[4];
+    vec3 at[4] = { corner_at(p, of[0]) };
+    for (int c = 1; c < count; c++) at[c] = corner_at(p, of[c]);
+    s->nearest = nearest_of_simplex(at, count, w);
     int kept = 0;
     for (int c = 0; c < count; c++) {
         // Copied first, then kept or not: no branch that nobody can foretell.
@@ -746,7 +292,7 @@ enum { SKETCH = 48 };
 
 static int sketch_stride(point_set p)
 {
-    return climbs(p) ? (p.count + SKETCH - 1) / SKETCH : 1;
+    return support_climbs(p) ? (p.count + SKETCH - 1) / SKETCH : 1;
 }
 
 // The mean of the points, or of the sketch.
@@ -806,7 +352,7 @@ static void top_two_climbing(point_set p, vec3 d, int two[2])
 
 static void first_two(point_set p, vec3 d, int two[2])
 {
-    if (climbs(p)) top_two_climbing(p, d, two);
+    if (support_climbs(p)) top_two_climbing(p, d, two);
     else top_two(p, d, two);
 }
 //<
@@ -817,7 +363,7 @@ static void first_two(point_set p, vec3 d, int two[2])
 // with them are numbers, too.
 static inline corner support_along(const pair *p, vec3 d, corner from)
 {
-    return support_both(*p->a, *p->b, vec3_scale(p->scale, d), from,
+    return support_both(p->a, p->b, vec3_scale(p->scale, d), from,
                         p->near_home);
 }
 
@@ -858,8 +404,8 @@ static void search_begin(search *s, pair *p, const simplex *start)
     s->stalls = 0;
     vec3 a = vec3_scale(p->scale, p->a->at[0]);
     vec3 b = vec3_scale(p->scale, p->b->at[0]);
-    p->near_home = vec3_length_squared(a) + vec3_length_squared(b)
-                <= 0x1p10 * p->far;
+    p->near_home = !support_climbs(*p->a) && !support_climbs(*p->b)
+        && vec3_length_squared(a) + vec3_length_squared(b) <= 0x1p10 * p->far;
 }
 //<
 
@@ -1141,7 +687,7 @@ static inline real still_beyond(const point_set *a, const point_set *b,
                                 real margin, vec3 n)
 {
     if (!(vec3_length_squared(n) > 0 && margin < HUGE_VAL)) return 0;
-    if (climbs(*a) || climbs(*b)) return 0;
+    if (support_climbs(*a) || support_climbs(*b)) return 0;
     real gap = gap_at_least(a, b, n);
     return gap > margin && gap < HUGE_VAL ? gap : 0;
 }
@@ -1248,7 +794,8 @@ static inline int is_lowest(const point_set *a, const point_set *b,
 static inline int still_nearest(const point_set *a, const point_set *b,
                                 real margin, const simplex *s, foot *f)
 {
-    if (s->count < 1 || s->count > 3 || climbs(*a) || climbs(*b)) return 0;
+    if (s->count < 1 || s->count > 3) return 0;
+    if (support_climbs(*a) || support_climbs(*b)) return 0;
     if (!foot_find(f, a, b, s)) return 0;
     real vv = vec3_length_squared(f->nearest);
     real home = vec3_length_squared(a->at[0]) + vec3_length_squared(b->at[0]);

@@ -8,15 +8,7 @@
 #ifndef TUMBLE_GJK_H
 #define TUMBLE_GJK_H
 
-#include "vec3.h"
-
-// The convex hull of points.  ring_start and ring list the mesh neighbours of
-// each point (see shape); NULL: unknown, and support scans.
-typedef struct {
-    const vec3 *at;
-    int count;                  // >= 1
-    const int *ring_start, *ring;
-} point_set;
+#include "support.h"
 
 // Up to four points of A - B, each the difference of a vertex of A and one of
 // B, and the weights (>= 0, sum 1) that make the point nearest the origin.
@@ -57,36 +49,9 @@ typedef struct {
 } gjk_result;
 //<
 
-//> gjk-exact
-// A result rounded, and what rounding dropped: high + low is (more) exact.
-typedef struct {
-    real high, low;
-} rounded;
-
-rounded exact_sum(real a, real b);  // a + b, exactly
-rounded exact_product(real a, real b);  // a b, exactly
-rounded exact_minor(real a, real b, real c, real d);  // a b - c d
-
-// The weights (>= 0, sum 1) of a triangle's corners that make x, a point of it.
-void triangle_weights(vec3 p0, vec3 p1, vec3 p2, vec3 x, real weight[3]);
-//<
-
 //> gjk-declare
 // Exact to rounding, no margin (infinite), cap 64.
 gjk_options gjk_options_default(void);
-
-// The vertex of p furthest along d; of equals the lowest index (scan), or the
-// one where climbing from vertex `from` ends.  Climbing needs p.ring.  A scan
-// that meets a coordinate that is not finite answers -1.
-int support_scan(point_set p, vec3 d);
-int support_climb(point_set p, vec3 d, int from);
-
-// Climbs if p has a ring and so many points that it pays; scans otherwise.
-int support_point(point_set p, vec3 d, int from);
-
-// m, the gap between A and B along the unit vector n, from B to A; < 0: they
-// overlap along it.  By a scan; not finite if a coordinate is not.
-real support_gap(point_set a, point_set b, vec3 n);
 
 // Distance of the hulls of a and b.  carried holds the final simplex of an
 // earlier call for the same pair (count = 0: none) and receives this one's:

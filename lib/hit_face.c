@@ -1,6 +1,9 @@
 //> hit-face-scratch
 #include "hit_face.h"
 
+#include "exact.h"
+#include "nearest.h"
+
 #include <assert.h>
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
 #ifndef TUMBLE_BODIES_H
 #define TUMBLE_BODIES_H
 
-#include "gjk.h"
+#include "support.h"
 
 enum { BODY_POINTS = 642, BODY_RING = 6 * BODY_POINTS };
 

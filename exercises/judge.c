@@ -74,7 +74,7 @@ void judge_trial(const char *name, void (*test)(int), int i)
     char begin[120];
     snprintf(begin, sizeof begin, "begin %s", name);
     say(begin);
-    limit_time(seconds ? atoi(seconds) : 5);
+    limit_time(seconds ? atoi(seconds) : 10);
     test(i);
     limit_time(0);
     say("end");

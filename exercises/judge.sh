@@ -7,7 +7,7 @@ build=${BUILD:-build}/exercises
 cc=${CC:-cc}
 check_libs=${CHECK_LIBS:--lcheck -lsubunit -lm -lrt -lpthread}
 sanitize='-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer'
-seconds=${JUDGE_SECONDS:-5}   # of computing, for one test
+seconds=${JUDGE_SECONDS:-10}   # of computing, for one test
 warnings='-Wall -Wextra -Wconversion -Wshadow -Wno-unused-parameter -Wno-unused-function -Wno-unused-const-variable'
 exact=$(sed -n 's/^EXACT *:= *//p' Makefile)
 line=$(sed -n 's/^LINE *:= *//p' Makefile)

@@ -339,11 +339,6 @@ static void depth_cold(int block)
 
 static hit_memory remembered[BLOCK];
 
-static void carry(int block)
-{
-    for (int k = 0; k < BLOCK; k++) carried[k] = found[block * BLOCK + k];
-}
-
 // Untimed: what the query before leaves behind.
 static void remember(int block)
 {

@@ -39,7 +39,7 @@ typedef struct {
     real dt;            // s, a frame: one call of world_step; to 1
     int  substeps;      // a frame is this many integrations (paper: 1), or
     int  least_substeps;// BODY_FOUR: fewer, down to this, while nobody goes
-                        // further than a sixth of its radius in one, or
+                        // further than a sixth of its inner radius, or
     int  most_substeps; // more, up to this, if it takes more for what is about
                         // to touch something to go no further than its own
                         // radius in one; all 1 to 10000

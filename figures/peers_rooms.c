@@ -414,9 +414,9 @@ void peers_rooms(void)
     against_ode(50, 5, 4, "room of 50, a step");
     against_ode(200, 3, 4, "room of 200, a step");
     against_ode(1000, 1, 4, "room of 1,000, a step");
-    against_ode(50, 5, 2, "room of 50, with 2 substeps for our 4");
-    against_ode(200, 3, 2, "room of 200, with 2 substeps");
-    against_ode(1000, 1, 2, "room of 1,000, with 2 substeps");
+    against_ode(50, 5, 2, "room of 50, 2 substeps all the time");
+    against_ode(200, 3, 2, "room of 200, the same");
+    against_ode(1000, 1, 2, "room of 1,000, the same");
     substeps = 4;
     against_fewer();
     against_awake();

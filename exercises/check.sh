@@ -21,6 +21,7 @@ check_files() {
         solution.c|check.c|*.h) [ -n "$after" ] || fault "$file is a stray file: the module is lib/$module.c" ;;
         *) fault "$file is a stray file" ;;
         esac
+        [ ! -f "lib/${file##*/}" ] || fault "$file has the name of a file of lib/"
     done
     for test in $first; do
         grep -q "^START_TEST($test)" "$tests" || fault "first names the test $test, which is not in $tests"

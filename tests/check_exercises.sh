@@ -154,6 +154,8 @@ refuses "an exercise that its chapter does not tell of" '99-sum.md does not tell
 echo 'Try `make exercise 99/sum`.' > "$tree/99-sum.md"; accepts "one that it tells of"; rm "$tree/99-sum.md"
 sound; : > "$dir/notes.txt"
 refuses "a stray file" 'notes.txt is a stray file'
+sound; : > "$dir/vec3.h"
+refuses "a header that hides one of the library" 'vec3.h has the name of a file of lib/'
 sound; change exercise 's/sum/summ/'
 refuses "a function that is not there" 'the function summ stands there 0 times'
 sound; change check.c 's/got == 6/got < 7/'

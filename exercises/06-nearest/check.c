@@ -1,6 +1,6 @@
 // check.c - tests of the exercise 06/nearest.
 
-#include "nearest.h"
+#include "nearest_leaf.h"
 
 #include <check.h>
 #include <stdio.h>

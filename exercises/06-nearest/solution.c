@@ -1,6 +1,6 @@
 // solution.c - branch and bound.
 
-#include "nearest.h"
+#include "nearest_leaf.h"
 
 enum { STACK_MAX = 64 };
 

@@ -1,7 +1,7 @@
-// nearest.h - the nearest leaf of a tree.
+// nearest_leaf.h - the nearest leaf of a tree.
 
-#ifndef TUMBLE_NEAREST_H
-#define TUMBLE_NEAREST_H
+#ifndef TUMBLE_NEAREST_LEAF_H
+#define TUMBLE_NEAREST_LEAF_H
 
 #include "sphere_tree.h"
 

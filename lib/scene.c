@@ -169,9 +169,7 @@ static placement cloth_at(vec3 position)
 // thick, by so much that it does not touch yet.
 static status add_cloth(scene *s, int n, real height)
 {
-    // Hard diagonals, the paper's, lock a sheet that is solved well.
-    int is_paper = s->world.options.leaves == LEAVES_FACE;
-    status done = shape_cloth(&s->plan[0], n, n, 2, 2, 1, is_paper ? 1 : 0.2);
+    status done = shape_cloth(&s->plan[0], n, n, 2, 2, 1, 0.2);
     if (!done.ok) return done;
     real over = fmax(0.1, 0.7 * s->plan[0].spacing);
     return world_add(&s->world, &s->plan[0],

@@ -705,7 +705,7 @@ int main(void)
         scenes_have_names,
         every_refusal_of_memory_is_told_and_leaves_nothing,
     };
-    const TTest *const both[] = {
+    const TTest *const tests[] = {
         room_starts_with_everybody_apart,
         room_is_as_documented,
         measuring_changes_no_bit,
@@ -716,8 +716,8 @@ int main(void)
     tcase_set_timeout(t, 60);
     for (size_t i = 0; i < sizeof test / sizeof *test; i++)
         tcase_add_test(t, test[i]);
-    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
-        tcase_add_loop_test(t, both[i], 0, MODELS);
+    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
+        tcase_add_test(t, tests[i]);
     // Three seeds; three scenes.
     tcase_add_loop_test(t, room_comes_to_rest_within_its_bounds, 0, 3 * MODELS);
     tcase_add_loop_test(t, paper_way_runs_all_three, 0, SCENES);

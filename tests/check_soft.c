@@ -274,7 +274,7 @@ START_TEST(lists_hold_what_all_pairs_within_the_margin_hold)
 {
     const real size[] = { 0.6, 0.8, 1.2, 2 };
     for (int k = 0; k < 12; k++) {
-        begin(ours(_i));
+        begin(world_options_default());
         make_heap(size[k % 4]);
         soft_refresh(&w);
         ck_assert_int_eq(w.report.dropped, 0);
@@ -405,7 +405,7 @@ static void substep(real h)
 // of reference, a body left out, or too much trust in slow bodies.
 START_TEST(nothing_is_missed_while_a_cloth_falls)
 {
-    world_options o = ours(_i);
+    world_options o = world_options_default();
     o.substeps = 20;
     begin(o);
     placement nailed = placement_at(vec3_make(0, 0, 0));
@@ -487,7 +487,7 @@ START_TEST(particle_leaves_a_nailed_box_by_its_thickness_and_an_eighth)
           { 0.25 + 0.6 * thick, 0, 0.25 + 0.8 * thick } },
     };
     for (int k = 0; k < 3; k++) {
-        begin(ours(_i));
+        begin(world_options_default());
         placement nailed = placement_at(vec3_make(0, 0, 0));
         nailed.nailed = 1;
         int b = add(&box, nailed), r = add_at(&rope, 0, 3, 0);
@@ -514,7 +514,7 @@ END_TEST
 START_TEST(nailed_box_pushes_as_its_contacts_do)
 {
     for (int k = 0; k < 400; k++) {
-        world_options o = ours(_i);
+        world_options o = world_options_default();
         o.response.friction = k % 3 * 0.4;
         begin(o);
         placement where = placement_at(vec3_make(0, 0, 0));
@@ -563,7 +563,7 @@ END_TEST
 START_TEST(pushes_between_cloth_and_movable_box_keep_momentum)
 {
     for (int k = 0; k < 50; k++) {
-        begin(ours(_i));
+        begin(world_options_default());
         add_at(&box, 0, 0, 0);
         int s = add_at(&cloth, 0.3 * any(), 0.25, 0.3 * any());
         ready();
@@ -595,7 +595,7 @@ END_TEST
 // Rejects: the planes of a movable box as they stood in an earlier substep.
 START_TEST(particle_meets_a_movable_box_where_it_is_now)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, 3, 0);
     ready();
     real thick = w.body[r].thickness + w.body[b].thickness;
@@ -744,7 +744,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const once[] = {
+    const TTest *const tests[] = {
         flat_cloth_at_rest_touches_nothing,
         folded_cloth_touches_itself,
         fold_that_is_wide_enough_touches_nothing,
@@ -756,8 +756,6 @@ int main(void)
         lists_leave_out_what_sleeps_or_is_nailed,
         leaves_part_until_their_balls_touch,
         leaf_inside_a_box_goes_half_the_way_of_fig_6,
-    };
-    const TTest *const both[] = {
         lists_hold_what_all_pairs_within_the_margin_hold,
         nothing_is_missed_while_a_cloth_falls,
         particle_leaves_a_nailed_box_by_its_thickness_and_an_eighth,
@@ -769,10 +767,8 @@ int main(void)
     TCase *t = tcase_create("soft");
     tcase_add_checked_fixture(t, set_up, tear_down);
     tcase_set_timeout(t, 20);
-    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
-        tcase_add_test(t, once[i]);
-    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
-        tcase_add_loop_test(t, both[i], 0, MODELS);
+    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
+        tcase_add_test(t, tests[i]);
     suite_add_tcase(s, t);
     SRunner *runner = srunner_create(s);
     srunner_run_all(runner, CK_NORMAL);

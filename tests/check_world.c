@@ -225,7 +225,7 @@ END_TEST
 START_TEST(vertices_stand_where_the_axes_say)
 {
     placement p = slanted();
-    begin(ours(_i));
+    begin(world_options_default());
     add(&ball, placement_at(vec3_make(0, 0, 0)));
     add(&box, p);
     const body *b = &w.body[1];
@@ -247,7 +247,7 @@ START_TEST(particles_start_with_velocity_and_spin)
     placement p = slanted();
     p.velocity = vec3_make(1, 2, 3);
     p.spin = vec3_make(0, 0, 4);
-    begin(ours(_i));
+    begin(world_options_default());
     add(&box, p);
     real h = w.options.dt / w.options.substeps;
     for (int i = 0; i < body_particles(&w.body[0]); i++) {
@@ -313,7 +313,7 @@ END_TEST
 // Rejects: a total mass on every particle; inverse masses not inverted.
 START_TEST(masses_are_those_of_the_plan)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     add(&box, placement_at(vec3_make(0, 0, 0)));
     add(&cloth, placement_at(vec3_make(0, 5, 0)));
     ck_assert(fabs(w.body[0].mass - 6) <= ROUNDING * 6);
@@ -338,7 +338,7 @@ START_TEST(nailed_body_is_immovable_and_at_rest)
     p.velocity = vec3_make(9, 9, 9);
     p.spin = vec3_make(9, 9, 9);
     p.nailed = 1;
-    begin(ours(_i));
+    begin(world_options_default());
     add(&box, p);
     ck_assert(w.body[0].mass == HUGE_VAL && body_is_nailed(&w.body[0]));
     for (int i = 0; i < body_particles(&w.body[0]); i++) {
@@ -354,7 +354,7 @@ START_TEST(nail_holds_one_particle_of_its_body)
 {
     placement p = placement_at(vec3_make(0, 1, 0));
     p.velocity = vec3_make(0, 0, 1);
-    begin(ours(_i));
+    begin(world_options_default());
     add(&ball, p);
     add(&rope, p);
     world_nail(&w, 1, 2);
@@ -443,7 +443,7 @@ END_TEST
 START_TEST(many_bodies_share_their_plans)
 {
     enum { MANY = 100 };
-    begin(ours(_i));
+    begin(world_options_default());
     for (int k = 0; k < MANY; k++) {
         int number = -1;
         const shape *s = k % 3 ? &ball : &box;
@@ -523,7 +523,7 @@ START_TEST(world_begins_with_everything_in_its_place)
 {
     placement nailed = slanted();
     nailed.nailed = 1;
-    begin(ours(_i));
+    begin(world_options_default());
     add(&box, nailed);
     add(&ball, placement_at(vec3_make(0, 9, 0)));
     add(&cloth, placement_at(vec3_make(8, 9, 0)));
@@ -583,7 +583,7 @@ END_TEST
 // looked for among the particles of another body.
 START_TEST(look_copies_where_one_body_is)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     add(&box, placement_at(vec3_make(0, 0, 0)));
     add(&ball, placement_at(vec3_make(0, 5, 0)));
     add(&box, placement_at(vec3_make(0, 9, 0)));
@@ -607,7 +607,7 @@ END_TEST
 // range of another body.
 START_TEST(vertices_ride_on_the_particles)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     add(&ball, placement_at(vec3_make(0, 0, 0)));
     add(&box, placement_at(vec3_make(0, 5, 0)));
     add(&rope, placement_at(vec3_make(0, 9, 0)));
@@ -692,7 +692,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const once[] = {
+    const TTest *const tests[] = {
         options_out_of_range_are_refused_by_name,
         limits_of_the_options_are_allowed,
         default_and_paper_differ_as_documented,
@@ -707,8 +707,6 @@ int main(void)
         empty_world_begins,
         world_may_be_freed_at_any_time,
         every_refusal_of_memory_is_told_and_leaves_nothing,
-    };
-    const TTest *const both[] = {
         vertices_stand_where_the_axes_say,
         particles_start_with_velocity_and_spin,
         masses_are_those_of_the_plan,
@@ -722,10 +720,8 @@ int main(void)
     Suite *s = suite_create("world");
     TCase *t = tcase_create("world");
     tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
-        tcase_add_test(t, once[i]);
-    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
-        tcase_add_loop_test(t, both[i], 0, MODELS);
+    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
+        tcase_add_test(t, tests[i]);
     suite_add_tcase(s, t);
     SRunner *runner = srunner_create(s);
     srunner_run_all(runner, CK_NORMAL);

@@ -29,7 +29,7 @@ goals() {
     */mine.c)       folder=${1%/mine.c} folder=${folder##*/}
                     echo "exercise ${folder%%-*}/${folder#*-}" ;;
     */mine.old.c)   ;;
-    figures/[0-9]*) case $1 in "figures/$chapter-"*) echo "$chapter" ;; esac ;;
+    figures/[0-9]*) case $1 in "figures/$chapter/"*) echo "$chapter" ;; esac ;;
     figures/*)      echo "$chapter" ;;
     "$exercises"/*) ;;
     *)              echo "test-$chapter" ;;

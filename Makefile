@@ -15,11 +15,11 @@ define ORDER
 04/support
 04/exact
 04/nearest
-04/gjk
-05/hit_face
+04/distance
+05/penetration
 06/sphere_tree
 06/grid
-07/response
+07/separation
 08/ordering
 10/manifold
 14/swept
@@ -39,7 +39,7 @@ define ORDER
 09/soft
 09/step
 09/measure
-09/scene
+09/world_scene
 endef
 LINE := $(strip $(ORDER))
 
@@ -81,7 +81,7 @@ PAINTER  := $(filter-out shrink.c tumble.c,$(notdir $(wildcard figures/draw/*.c 
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
 FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz/fuzz_*.c)))
 
-# UPTO_gjk: the objects of the line up to gjk.  UPTO_04: up to the last module
+# UPTO_mesh: the objects of the line up to mesh.  UPTO_04: up to the last module
 # of chapter 04.  At the end ALL is the whole library.
 ALL :=
 define module
@@ -234,7 +234,7 @@ endif
 #:
 #: Swap in your own
 #:   make test-04 MINE=my/gjk.c    chapter 04's tests, with your gjk for ours
-#:   make demo MINE='my/gjk.c my/verlet.c'    the three scenes, with yours
+#:   make demo MINE='my/distance.c my/verlet.c'    the three scenes, with yours
 # The name of a file says which module it is.  It may stand anywhere.
 ifneq ($(MINE),)
 swapped = $(addprefix $(BUILD)/lib/,$(notdir $(1:.c=.o)))
@@ -332,7 +332,7 @@ bits:
 #: Be strict
 #:   make sanitize   the tests under the address and undefined sanitizers
 #:   make valgrind   the tests under valgrind
-#:   make fuzz       any bytes for obj, gjk, hit_face and the options, 60 s each
+#:   make fuzz       any bytes for obj, the queries and the options, 60 s each
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
@@ -386,7 +386,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body obj \
-  hit_face sphere_tree grid ordering line four broad rest world step scene)
+  penetration sphere_tree grid ordering line four broad rest world step world_scene)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -399,7 +399,7 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
-ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face swept) $(BUILD)/figures/05/05-slow
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle distance penetration swept) $(BUILD)/figures/05/05-slow
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
 $(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o
@@ -423,7 +423,7 @@ $(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES))
 $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_%.o $$(if $$(filter $$*,$(MODULES)),$$(UPTO_$$*),$(ALL) $(BUILD)/libpainter.a)
 	$(call link,-fsanitize=fuzzer -lm)
 $(addprefix $(BUILD)/tests/fuzz_,obj options): LDFLAGS += -Wl,--wrap=fopen
-$(addprefix $(BUILD)/tests/fuzz_,gjk hit_face): \
+$(addprefix $(BUILD)/tests/fuzz_,distance penetration): \
   $(addprefix $(BUILD)/tests/,sets.o oracle.o bodies.o)
 
 # A figure sees the line up to its chapter, and what it asks of the painter;

@@ -99,7 +99,7 @@ START_TEST(the_distance_lies_between_the_bounds)
         vec3 at[8], bt[8];
         point_set a = cloud(at, (vec3){ 0, 0, 0 });
         point_set b = cloud(bt, vec3_scale(3, random_vec3()));
-        real true_one = gjk_distance(a, b, gjk_options_default(),
+        real true_one = distance_find(a, b, distance_options_default(),
                                      NULL).distance;
         gilbert_result r = gilbert_distance(a, b, 1e-3, 1 + k % 7);
         ck_assert_msg(r.ok && r.least >= 0, "least is %g", r.least);
@@ -188,7 +188,7 @@ START_TEST(yes_or_no_agrees_with_gjk)
         vec3 at[8], bt[8];
         point_set a = cloud(at, (vec3){ 0, 0, 0 });
         point_set b = cloud(bt, vec3_scale(4, random_vec3()));
-        real true_one = gjk_distance(a, b, gjk_options_default(),
+        real true_one = distance_find(a, b, distance_options_default(),
                                      NULL).distance;
         real margin = k % 2 ? 0.5 : 2;
         int wanted = true_one > margin;
@@ -225,7 +225,7 @@ START_TEST(it_gets_there_in_a_zigzag)
     vec3 at[8], bt[8];
     point_set a = box(at, (vec3){ -1, -2, -3 }, (vec3){ 1, 2, 3 });
     point_set b = box(bt, (vec3){ 3, -1, -2 }, (vec3){ 4, 1, 2 });
-    gjk_result g = gjk_distance(a, b, gjk_options_default(), NULL);
+    distance_result g = distance_find(a, b, distance_options_default(), NULL);
     gilbert_result r = gilbert_distance(a, b, 0.1, 100);
     near(r.most, 2, 0.21, "distance to 10 %");
     near(r.least, 2, 0.21, "lower bound to 10 %");

@@ -5,7 +5,7 @@
 #ifndef TUMBLE_GILBERT_H
 #define TUMBLE_GILBERT_H
 
-#include "gjk.h"
+#include "distance.h"
 
 typedef struct {
     int  ok;            // 0: a coordinate is not finite, and all numbers are 0

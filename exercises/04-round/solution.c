@@ -15,9 +15,9 @@ vec3 round_support(round_body r, vec3 d)
 // Two surfaces are nearer than their cores by both radii, along the same line.
 round_result round_distance(round_body a, round_body b)
 {
-    gjk_result core = gjk_distance(a.core, b.core, gjk_options_default(), NULL);
+    distance_result core = distance_find(a.core, b.core, distance_options_default(), NULL);
     round_result r = { .status = core.status };
-    if (core.status == GJK_NOT_FINITE) return r;
+    if (core.status == DISTANCE_NOT_FINITE) return r;
 
     r.gap = core.distance - (a.radius + b.radius);
     // Zero where the cores overlap: GJK's axis is zero there.

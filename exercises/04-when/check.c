@@ -241,13 +241,13 @@ START_TEST(nobody_has_touched_before)
             real time = end * m / 100;
             for (int i = 0; i < 6; i++)
                 later[i] = vec3_add_scaled(s[i], time, v);
-            gjk_result g = gjk_distance((point_set){ later, 6, NULL, NULL }, b,
-                                        gjk_options_default(), NULL);
+            distance_result g = distance_find((point_set){ later, 6, NULL, NULL }, b,
+                                        distance_options_default(), NULL);
             if (m == 100 && r.status == WHEN_MEET)
                 ck_assert_msg(g.distance <= 2 * WITHIN, "at the meeting they "
                               "are %g m apart", g.distance);
             else
-                ck_assert_msg(g.status == GJK_APART, "they overlap at %g s, and"
+                ck_assert_msg(g.status == DISTANCE_APART, "they overlap at %g s, and"
                               " are said to meet at %g s", time, end);
         }
     }

@@ -20,9 +20,9 @@ when_result when_meet(moving a, moving b, real horizon, real within, int cap,
     when_result r = { .status = WHEN_CAPPED };
     while (r.looks < cap) {
         r.looks++;
-        gjk_result g = gjk_distance(advanced(a.shape, u, r.time, room), b.shape,
-                                    gjk_options_default(), NULL);
-        if (g.status == GJK_NOT_FINITE)
+        distance_result g = distance_find(advanced(a.shape, u, r.time, room), b.shape,
+                                    distance_options_default(), NULL);
+        if (g.status == DISTANCE_NOT_FINITE)
             return (when_result){ .status = WHEN_NOT_FINITE, .looks = r.looks };
         if (g.distance > 0) r.normal = vec3_unit(g.axis);
         if (g.distance <= within) {

@@ -5,7 +5,7 @@
 #ifndef TUMBLE_WHEN_H
 #define TUMBLE_WHEN_H
 
-#include "gjk.h"
+#include "distance.h"
 
 typedef struct {
     point_set shape;    // where it is at time 0

@@ -6,7 +6,7 @@
 #ifndef TUMBLE_BALL_H
 #define TUMBLE_BALL_H
 
-#include "hit_face.h"
+#include "penetration.h"
 
 typedef struct {
     real gap;           // m, between the surfaces; < 0: they overlap

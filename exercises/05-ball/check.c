@@ -127,24 +127,24 @@ START_TEST(gjk_and_the_hit_face_agree)
         at[i] = (vec3){ i & 1 ? HALF.x : -HALF.x, i & 2 ? HALF.y : -HALF.y,
                         i & 4 ? HALF.z : -HALF.z };
     point_set box = { at, 8, NULL, NULL };
-    hit_scratch *scratch = hit_scratch_new();
+    penetration_scratch *scratch = penetration_scratch_new();
     ck_assert_ptr_nonnull(scratch);
     for (int k = 0; k < 1000; k++) {
         real x = 1.5 * random_real(), y = 3 * random_real();
         vec3 c = { x, y, 4 * random_real() };
         point_set point = { &c, 1, NULL, NULL };
-        gjk_result g = gjk_distance(point, box, gjk_options_default(), NULL);
+        distance_result g = distance_find(point, box, distance_options_default(), NULL);
         real gap = g.distance;
         vec3 normal = vec3_unit(g.axis), on = g.on_b;
-        if (g.status == GJK_OVERLAP) {
-            hit_result h = hit_face_find(point, box, &g.last, scratch);
+        if (g.status == DISTANCE_OVERLAP) {
+            penetration_result h = penetration_find(point, box, &g.last, scratch);
             gap = -h.depth;
             normal = h.normal;
             on = h.on_b;
         }
         expect(c, 0, gap, normal, on);
     }
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
 }
 END_TEST
 

@@ -8,10 +8,10 @@
 // A dozen roundings of numbers up to 10.
 static const real ROUNDING = 1e-13;
 
-static hit_scratch *scratch;
+static penetration_scratch *scratch;
 
-static void setup(void) { scratch = hit_scratch_new(); }
-static void teardown(void) { hit_scratch_free(scratch); }
+static void setup(void) { scratch = penetration_scratch_new(); }
+static void teardown(void) { penetration_scratch_free(scratch); }
 
 static void near(real got, real wanted, const char *what)
 {
@@ -92,7 +92,7 @@ END_TEST
 START_TEST(crossing_capsules_know_the_way)
 {
     // The segments meet: their difference is flat, and the way out leads out of
-    // its plane, along z.  Rejects: HIT_FLAT taken for a failure.
+    // its plane, along z.  Rejects: PENETRATION_FLAT taken for a failure.
     vec3 s[2] = { { -1, 0, 0 }, { 1, 0, 0 } };
     vec3 t[2] = { { 0, -1, 0 }, { 0, 1, 0 } };
     deep_contact c = ask(around(s, 2, 0.25), around(t, 2, 0.5));

@@ -5,7 +5,7 @@
 #ifndef TUMBLE_DEEP_H
 #define TUMBLE_DEEP_H
 
-#include "hit_face.h"
+#include "penetration.h"
 
 // All that is no further than radius from the hull of the core.  One point: a
 // ball.  Two: a capsule.  Eight corners: a box with round edges.
@@ -22,6 +22,6 @@ typedef struct {
 } deep_contact;
 
 deep_contact deep_contact_find(round_body a, round_body b,
-                               hit_scratch *scratch);
+                               penetration_scratch *scratch);
 
 #endif

@@ -158,17 +158,17 @@ END_TEST
 START_TEST(random_boxes_agree_with_the_hit_face)
 {
     // Rejects: cross products that are not normalised.
-    hit_scratch *scratch = hit_scratch_new();
+    penetration_scratch *scratch = penetration_scratch_new();
     ck_assert_ptr_nonnull(scratch);
     int edges = 0, apart = 0;
     for (int k = 0; k < 1000; k++) {
         box a = random_box(), b = random_box();
         vec3 p[8], q[8];
         point_set pa = corners(&a, p), pb = corners(&b, q);
-        gjk_result g = gjk_distance(pa, pb, gjk_options_default(), NULL);
+        distance_result g = distance_find(pa, pb, distance_options_default(), NULL);
         fifteen_result r = boxes_depth(&a, &b);
         near(vec3_length(r.normal), 1, "length of the normal");
-        if (g.status == GJK_APART) {
+        if (g.status == DISTANCE_APART) {
             apart++;
             ck_assert_msg(r.depth < 0 && -r.depth <= g.distance + ROUNDING,
                           "%g m apart, and the depth is %g", g.distance,
@@ -176,14 +176,14 @@ START_TEST(random_boxes_agree_with_the_hit_face)
             continue;
         }
         edges += r.direction >= 6;
-        hit_result h = hit_face_find(pa, pb, &g.last, scratch);
+        penetration_result h = penetration_find(pa, pb, &g.last, scratch);
         near(r.depth, h.depth, "depth, as the hit face has it");
         a.centre = vec3_add_scaled(a.centre, r.depth, r.normal);
         near(boxes_depth(&a, &b).depth, 0, "depth after moving A out by it");
     }
     ck_assert_msg(edges > 100 && apart > 20, "%d by edges, %d apart: every "
                   "kind is to be tried", edges, apart);
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
 }
 END_TEST
 

@@ -5,7 +5,7 @@
 #ifndef TUMBLE_TURN_H
 #define TUMBLE_TURN_H
 
-#include "gjk.h"
+#include "distance.h"
 
 // At time t its center has gone t way, and it has turned about the center by t
 // angle, by the right-hand rule about axis.

@@ -10,7 +10,7 @@
 // 5c + 4 x y: the corners of the simplex that GJK ended with, closed
 // Metres; columns are separated by spaces.
 
-#include "gjk.h"
+#include "distance.h"
 
 #include <stdio.h>
 
@@ -82,9 +82,9 @@ static void print_difference(point_set a, point_set b)
 
 static void print_answer(point_set a, point_set b)
 {
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
+    distance_result r = distance_find(a, b, distance_options_default(), NULL);
     printf("\n\n# %s, distance %.6f m, %d support points\n",
-           r.status == GJK_OVERLAP ? "overlap" : "apart", r.distance,
+           r.status == DISTANCE_OVERLAP ? "overlap" : "apart", r.distance,
            r.iterations);
     printf("%.6f %.6f %.6f %.6f %d\n", r.on_a.x, r.on_a.y, r.on_b.x, r.on_b.y,
            (int)r.status);

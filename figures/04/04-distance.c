@@ -5,10 +5,10 @@
 // index 2: points, ns of one support by scan and by climb, and of a whole query
 //          without and with a ring
 // index 3: questions a cold search of two icosahedra asks, from any corner, from
-//          the corner from middle to middle, and as gjk_distance begins
+//          the corner from middle to middle, and as distance_find begins
 // Columns are separated by spaces.
 
-#include "pairs.h"
+#include "query_pairs.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,30 +16,30 @@
 enum { CAPS = 12, PASSES = 8 };
 
 static pair_at_gap pair[PAIRS];
-static simplex carried[PAIRS];
+static distance_cache carried[PAIRS];
 static real truth[PAIRS], moved_truth[PAIRS];
 
-static gjk_result ask(int i, int moved, gjk_options o, simplex *s)
+static distance_result ask(int i, int moved, distance_options o, distance_cache *s)
 {
-    return gjk_distance(points_of(moved ? &pair[i].moved_a : &pair[i].a),
+    return distance_find(points_of(moved ? &pair[i].moved_a : &pair[i].a),
                         points_of(moved ? &pair[i].moved_b : &pair[i].b), o, s);
 }
 
 // ns, and the mean relative error and number of iterations.
-static double run(int moved, gjk_options o, double *error, double *iterations)
+static double run(int moved, distance_options o, double *error, double *iterations)
 {
     static stopwatch w;
     stopwatch_reset(&w);
     for (int pass = 0; pass < PASSES; pass++) {
         *error = *iterations = 0;
         for (int block = 0; block < PAIRS / BLOCK; block++) {
-            static simplex s[BLOCK];
+            static distance_cache s[BLOCK];
             static real distance[BLOCK];
             int first = block * BLOCK;
             for (int k = 0; k < BLOCK; k++) s[k] = carried[first + k];
             double start = now();
             for (int k = 0; k < BLOCK; k++) {
-                gjk_result r = ask(first + k, moved, o, moved ? &s[k] : NULL);
+                distance_result r = ask(first + k, moved, o, moved ? &s[k] : NULL);
                 distance[k] = r.distance;
                 *iterations += r.iterations;
             }
@@ -58,7 +58,7 @@ static double run(int moved, gjk_options o, double *error, double *iterations)
 static void prepare(real gap)
 {
     make_pairs(pair, PAIRS, gap);
-    gjk_options o = gjk_options_default();
+    distance_options o = distance_options_default();
     for (int i = 0; i < PAIRS; i++) {
         carried[i].count = 0;
         truth[i] = ask(i, 0, o, &carried[i]).distance;
@@ -70,7 +70,7 @@ static void by_cap(void)
 {
     printf("# cap cold_ns cold_error carried_ns carried_error\n");
     for (int cap = 1; cap <= CAPS; cap++) {
-        gjk_options o = gjk_options_default();
+        distance_options o = distance_options_default();
         double e, f, n;
         o.cap = cap;
         double cold = run(0, o, &e, &n), warm = run(1, o, &f, &n);
@@ -86,7 +86,7 @@ static void by_gap(void)
            "#gaps| \"gap, m\",\"cold, ns\",support points,\"carried, ns\","
            "support points\n");
     for (int g = 0; g < 6; g++) {
-        gjk_options o = gjk_options_default(), near = o;
+        distance_options o = distance_options_default(), near = o;
         double e, m, n;
         near.margin = 0.02;
         prepare(gap[g]);
@@ -153,7 +153,7 @@ static double query_ns(const ball *b, int climbing)
                 p.ring_start = q.ring_start = b->start;
                 p.ring = q.ring = b->ring;
             }
-            sum += gjk_distance(p, q, gjk_options_default(), NULL).distance;
+            sum += distance_find(p, q, distance_options_default(), NULL).distance;
         }
         best = fmin(best, (now() - start) / QUERIES);
     }
@@ -208,17 +208,17 @@ static vec3 middle(point_set p)
 // The corner from middle to middle costs a question, any other does not.
 static void questions_by_start(void)
 {
-    gjk_options o = gjk_options_default();
+    distance_options o = distance_options_default();
     long any = 0, between = 0, three = 0;
     for (int i = 0; i < PAIRS; i++) {
         point_set a = points_of(&pair[i].a), b = points_of(&pair[i].b);
         vec3 d = vec3_sub(middle(b), middle(a));
-        simplex first = { .count = 1, .weight = { 1 } }, facing = first;
+        distance_cache first = { .count = 1, .weight = { 1 } }, facing = first;
         facing.a[0] = support_scan(a, d);
         facing.b[0] = support_scan(b, vec3_scale(-1, d));
-        any += gjk_distance(a, b, o, &first).iterations;
-        between += 1 + gjk_distance(a, b, o, &facing).iterations;
-        three += gjk_distance(a, b, o, NULL).iterations;
+        any += distance_find(a, b, o, &first).iterations;
+        between += 1 + distance_find(a, b, o, &facing).iterations;
+        three += distance_find(a, b, o, NULL).iterations;
     }
     printf("\n\n# questions from_any_corner from_middle_to_middle as_we_begin\n"
            "%.2f %.2f %.2f\n", (double)any / PAIRS, (double)between / PAIRS,

@@ -2,7 +2,7 @@
 // that can count, and the expanding polytope.
 //
 // index 0: directions tried, ns, mean relative error of the depth
-// index 1: ns of hit_face_find alone, its mean difference from the slow way, ns
+// index 1: ns of penetration_find alone, its mean difference from the slow way, ns
 //          with gjk before it, ns of the slow way, largest difference
 // index 2, behind a line that counts the proofs of moved pairs:
 //          gap, ns of gjk cold, of gjk and hit face cold, carried; iterations;
@@ -10,8 +10,8 @@
 //          face that begins with nothing, and its iterations
 // Columns are separated by spaces.
 
-#include "pairs.h"
-#include "hit_face.h"
+#include "query_pairs.h"
+#include "penetration.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,8 +19,8 @@
 enum { PASSES = 10, SOME = 2000 };
 
 static pair_at_gap pair[PAIRS];
-static simplex last[PAIRS];
-static hit_memory memory[PAIRS];
+static distance_cache last[PAIRS];
+static penetration_memory memory[PAIRS];
 static real truth[PAIRS];
 
 // How far A - B reaches along n and along -n, whichever is less: one pass over
@@ -163,7 +163,7 @@ static void by_directions(void)
 // is remembered, and gjk and hit face where that proves nothing; 4: hit face
 // alone, with an empty simplex; for the moved pairs with the carried simplex if
 // `moved`.
-static double run(int what, int moved, hit_scratch *scratch, double *error,
+static double run(int what, int moved, penetration_scratch *scratch, double *error,
                   double *iterations)
 {
     static stopwatch w;
@@ -171,7 +171,7 @@ static double run(int what, int moved, hit_scratch *scratch, double *error,
     for (int pass = 0; pass < PASSES; pass++) {
         *error = *iterations = 0;
         for (int block = 0; block < PAIRS / BLOCK; block++) {
-            static simplex s[BLOCK];
+            static distance_cache s[BLOCK];
             static real depth[BLOCK];
             int first = block * BLOCK;
             for (int k = 0; k < BLOCK; k++) s[k] = last[first + k];
@@ -181,19 +181,19 @@ static double run(int what, int moved, hit_scratch *scratch, double *error,
                 point_set a = points_of(moved ? &p->moved_a : &p->a);
                 point_set b = points_of(moved ? &p->moved_b : &p->b);
                 if (!moved && what != 2) s[k].count = 0;
-                gjk_result g = { .status = GJK_OVERLAP };
-                hit_result r = { .status = HIT_APART };
-                if (what == 3 && hit_face_again(a, b, &memory[first + k],
+                distance_result g = { .status = DISTANCE_OVERLAP };
+                penetration_result r = { .status = PENETRATION_APART };
+                if (what == 3 && penetration_again(a, b, &memory[first + k],
                                                 scratch, &r)) {
                     depth[k] = r.depth;
                     *iterations += 1;
                     continue;
                 }
                 if (what != 2 && what != 4)
-                    g = gjk_distance(a, b, gjk_options_default(), &s[k]);
+                    g = distance_find(a, b, distance_options_default(), &s[k]);
                 depth[k] = -g.distance;
-                if (what == 0 || g.status != GJK_OVERLAP) continue;
-                r = hit_face_find(a, b, &s[k], scratch);
+                if (what == 0 || g.status != DISTANCE_OVERLAP) continue;
+                r = penetration_find(a, b, &s[k], scratch);
                 depth[k] = r.depth;
                 *iterations += r.iterations;
             }
@@ -208,11 +208,11 @@ static double run(int what, int moved, hit_scratch *scratch, double *error,
 }
 
 // Moves B along the normal until they are so deep.
-static void settle(pair_at_gap *p, real depth, hit_scratch *scratch)
+static void settle(pair_at_gap *p, real depth, penetration_scratch *scratch)
 {
     for (int tries = 0; tries < 60; tries++) {
-        simplex s = ask_pair(&p->a, &p->b).last;
-        hit_result r = hit_face_find(points_of(&p->a), points_of(&p->b), &s,
+        distance_cache s = ask_pair(&p->a, &p->b).last;
+        penetration_result r = penetration_find(points_of(&p->a), points_of(&p->b), &s,
                                      scratch);
         if (fabs(r.depth - depth) < 1e-9) break;
         shift(&p->b, vec3_scale(depth - r.depth, r.normal));
@@ -220,22 +220,22 @@ static void settle(pair_at_gap *p, real depth, hit_scratch *scratch)
     nudge(p);
 }
 
-static void prepare(real gap, hit_scratch *scratch)
+static void prepare(real gap, penetration_scratch *scratch)
 {
     make_pairs(pair, PAIRS, gap);
     for (int i = 0; i < PAIRS; i++) {
         settle(&pair[i], -gap, scratch);
         point_set a = points_of(&pair[i].a), b = points_of(&pair[i].b);
-        last[i] = gjk_distance(a, b, gjk_options_default(), NULL).last;
+        last[i] = distance_find(a, b, distance_options_default(), NULL).last;
         memory[i].faces = 0;
-        if (hit_face_find(a, b, &last[i], scratch).status == HIT_FOUND)
-            hit_face_remember(scratch, &memory[i]);
+        if (penetration_find(a, b, &last[i], scratch).status == PENETRATION_FOUND)
+            penetration_remember(scratch, &memory[i]);
     }
 }
 
 // Against the clock and the slow way; the truth of the rest is hit_face's own,
 // which agrees with the slow way on the first SOME pairs.
-static void by_way(hit_scratch *scratch)
+static void by_way(penetration_scratch *scratch)
 {
     double error = 0, worst = 0, n, slow_ns = HUGE_VAL;
     static real slow[SOME];
@@ -262,12 +262,12 @@ static void by_way(hit_scratch *scratch)
 
 // What is remembered of a pair is a proof when it has moved: as it is, with
 // some points more, or not.
-static void print_proofs(hit_scratch *scratch)
+static void print_proofs(penetration_scratch *scratch)
 {
     int sum[3] = { 0, 0, 0 };
     for (int i = 0; i < PAIRS; i++) {
-        hit_result r = { .iterations = 0 };
-        int proven = hit_face_again(points_of(&pair[i].moved_a),
+        penetration_result r = { .iterations = 0 };
+        int proven = penetration_again(points_of(&pair[i].moved_a),
                                     points_of(&pair[i].moved_b), &memory[i],
                                     scratch, &r);
         sum[!proven ? 2 : r.iterations > 1]++;
@@ -276,7 +276,7 @@ static void print_proofs(hit_scratch *scratch)
            (int)PAIRS, sum[0], sum[1], sum[2]);
 }
 
-static void by_gap(hit_scratch *scratch)
+static void by_gap(penetration_scratch *scratch)
 {
     const real gap[] = { -1e-5, -0.005, -0.02, -0.1, -0.3 };
     printf("# gap gjk_ns both_ns carried_ns hit_iterations "
@@ -302,19 +302,19 @@ static void by_gap(hit_scratch *scratch)
 
 int main(void)
 {
-    hit_scratch *scratch = hit_scratch_new();
+    penetration_scratch *scratch = penetration_scratch_new();
     if (!scratch) return 1;
     find_features();
     printf("# 05-depth: %d pairs of icosahedra of circumradius 0.5 m, 10 cm"
            " deep\n# compiler %s, flags %s\n", (int)PAIRS, __VERSION__, FLAGS);
     prepare(-0.1, scratch);
     for (int i = 0; i < PAIRS; i++)
-        truth[i] = hit_face_find(points_of(&pair[i].a), points_of(&pair[i].b),
+        truth[i] = penetration_find(points_of(&pair[i].a), points_of(&pair[i].b),
                                  &last[i], scratch).depth;
     by_directions();
     by_way(scratch);
     print_proofs(scratch);
     by_gap(scratch);
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
     return 0;
 }

@@ -7,7 +7,7 @@
 
 #include "bodies.h"
 #include "clock.h"
-#include "hit_face.h"
+#include "penetration.h"
 #include "oracle.h"
 
 #include <stdio.h>
@@ -23,7 +23,7 @@ enum { PAIRS = 5000, BLOCK = 500, PASSES = 10, SIZES = 6, MOST = 24 };
 static vec3 a[PAIRS][MOST], b[PAIRS][MOST];
 static int points;              // of each body
 static real quick[PAIRS];
-static hit_scratch *scratch;
+static penetration_scratch *scratch;
 
 // One answer about pair i; 0: by gjk, and hit_face too if the bodies overlap;
 // 1 and 2: the distance and the depth, the slow way.
@@ -33,9 +33,9 @@ static real answer(int way, int i)
     point_set pb = { b[i], points, NULL, NULL };
     if (way == 1) return (real)oracle_distance(pa, pb);
     if (way == 2) return (real)oracle_depth(pa, pb);
-    gjk_result r = gjk_distance(pa, pb, gjk_options_default(), NULL);
-    if (r.status != GJK_OVERLAP) return r.distance;
-    return hit_face_find(pa, pb, &r.last, scratch).depth;
+    distance_result r = distance_find(pa, pb, distance_options_default(), NULL);
+    if (r.status != DISTANCE_OVERLAP) return r.distance;
+    return penetration_find(pa, pb, &r.last, scratch).depth;
 }
 
 static void make_pairs(int overlap, unsigned long long *seed)
@@ -48,9 +48,9 @@ static void make_pairs(int overlap, unsigned long long *seed)
         }
         point_set pa = { a[i], points, NULL, NULL };
         point_set pb = { b[i], points, NULL, NULL };
-        gjk_result r = gjk_distance(pa, pb, gjk_options_default(), NULL);
+        distance_result r = distance_find(pa, pb, distance_options_default(), NULL);
         // Another pair if this one is not of the kind that was asked for.
-        i += r.status == (overlap ? GJK_OVERLAP : GJK_APART);
+        i += r.status == (overlap ? DISTANCE_OVERLAP : DISTANCE_APART);
     }
 }
 
@@ -95,7 +95,7 @@ int main(void)
 {
     static const int sizes[SIZES] = { 4, 6, 8, 12, 16, MOST };
     unsigned long long seed = 12;
-    scratch = hit_scratch_new();
+    scratch = penetration_scratch_new();
     if (!scratch) return 1;
     printf("# 05-slow: %d pairs of hulls of n points on a ball of radius 0.5 m;"
            " ns of one answer\n# compiler %s, flags %s\n"
@@ -112,6 +112,6 @@ int main(void)
         printf("%d,%.0f,%.0f,%.0f,%.0f,%.1e\n", points, ns[0], ns[1], ns[2],
                ns[3], worst);
     }
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
     return 0;
 }

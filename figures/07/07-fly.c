@@ -3,7 +3,7 @@
 
 #include "body.h"
 #include "painter.h"
-#include "response.h"
+#include "separation.h"
 
 #include <stdio.h>
 #include <stdlib.h>

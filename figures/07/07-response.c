@@ -1,10 +1,10 @@
-// 07-response.c - two icosahedra overlap by 2 cm: how much of it is left, after
+// 07-separation.c - two icosahedra overlap by 2 cm: how much of it is left, after
 // how much work, by each way of sharing the push; and what the sharing does to
 // momentum as one body grows heavier.
 
 #include "body.h"
 #include "clock.h"
-#include "response.h"
+#include "separation.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -52,30 +52,30 @@ static void put(const shape *s, vec3 centre, vec3 *at)
     }
 }
 
-static hit_result query(const vec3 *at, hit_scratch *scratch)
+static penetration_result query(const vec3 *at, penetration_scratch *scratch)
 {
     point_set a = { at, CORNERS, NULL, NULL };
     point_set b = { at + CORNERS, CORNERS, NULL, NULL };
-    simplex carried = { .count = 0 };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
-    if (r.status != GJK_OVERLAP) return (hit_result){ .status = HIT_APART };
-    return hit_face_find(a, b, &r.last, scratch);
+    distance_cache carried = { .count = 0 };
+    distance_result r = distance_find(a, b, distance_options_default(), &carried);
+    if (r.status != DISTANCE_OVERLAP) return (penetration_result){ .status = PENETRATION_APART };
+    return penetration_find(a, b, &r.last, scratch);
 }
 
 // Two at random, moved along the normal until they overlap by DEPTH.
-static pair make(const shape *s, hit_scratch *scratch)
+static pair make(const shape *s, penetration_scratch *scratch)
 {
     vec3 at[BOTH], zero = { 0, 0, 0 };
-    hit_result h;
+    penetration_result h;
     do {
         put(s, zero, at);
         put(s, vec3_scale(0.85, any_direction()), at + CORNERS);
         h = query(at, scratch);
-        if (h.status != HIT_FOUND) continue;
+        if (h.status != PENETRATION_FOUND) continue;
         for (int i = 0; i < CORNERS; i++)
             at[i] = vec3_add_scaled(at[i], h.depth - DEPTH, h.normal);
         h = query(at, scratch);
-    } while (h.status != HIT_FOUND || fabs(h.depth - DEPTH) > 1e-9);
+    } while (h.status != PENETRATION_FOUND || fabs(h.depth - DEPTH) > 1e-9);
 
     pair q = { .c = { .a = h.a, .b = h.b, .normal = h.normal,
                       .mass_a = 1, .mass_b = 1 } };
@@ -209,7 +209,7 @@ int main(void)
 {
     static pair all[PAIRS];
     shape s;
-    hit_scratch *scratch = hit_scratch_new();
+    penetration_scratch *scratch = penetration_scratch_new();
     if (!scratch || !shape_icosahedron(&s, RADIUS, 1).ok) return 1;
     for (int k = 0; k < PAIRS; k++) all[k] = make(&s, scratch);
 
@@ -245,7 +245,7 @@ int main(void)
         printf("%.5g %.3g %.3g %.3g  %.4g %.4g %.4g\n", ratio, error[0],
                error[1], error[2], part[0], part[1], part[2]);
     }
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
     shape_free(&s);
     return 0;
 }

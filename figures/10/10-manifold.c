@@ -4,7 +4,7 @@
 // find them.
 
 #include "clock.h"
-#include "gjk.h"
+#include "distance.h"
 #include "manifold.h"
 
 #include <stdio.h>
@@ -31,7 +31,7 @@ typedef struct {
     touch nearest;
 } query_result;
 
-static feature_point side_of(const simplex *s, const int *vertex)
+static feature_point side_of(const distance_cache *s, const int *vertex)
 {
     feature_point f = { .count = 0 };
     for (int i = 0; i < s->count; i++) {
@@ -48,20 +48,20 @@ static feature_point side_of(const simplex *s, const int *vertex)
 }
 
 static query_result query(const shape *a, const vec3 *at_a, const shape *b,
-                          const vec3 *at_b, real margin, hit_scratch *scratch)
+                          const vec3 *at_b, real margin, penetration_scratch *scratch)
 {
     point_set pa = { at_a, a->particles, NULL, NULL };
     point_set pb = { at_b, b->particles, NULL, NULL };
-    simplex none = { .count = 0 };
-    gjk_result g = gjk_distance(pa, pb, gjk_options_default(), &none);
-    if (g.status == GJK_APART && g.distance > margin)
+    distance_cache none = { .count = 0 };
+    distance_result g = distance_find(pa, pb, distance_options_default(), &none);
+    if (g.status == DISTANCE_APART && g.distance > margin)
         return (query_result){ .near = 0 };
-    if (g.status == GJK_APART)
+    if (g.status == DISTANCE_APART)
         return (query_result){ 1, vec3_scale(1 / g.distance, g.axis),
             { side_of(&g.last, g.last.a), side_of(&g.last, g.last.b),
               g.distance } };
-    hit_result h = hit_face_find(pa, pb, &g.last, scratch);
-    return (query_result){ h.status == HIT_FOUND, h.normal,
+    penetration_result h = penetration_find(pa, pb, &g.last, scratch);
+    return (query_result){ h.status == PENETRATION_FOUND, h.normal,
                            { h.a, h.b, -h.depth } };
 }
 
@@ -74,7 +74,7 @@ typedef struct {
 } stage;
 
 static int find_contacts(stage *s, const shape *box, const shape *table,
-                         int most, hit_scratch *scratch, contact *c)
+                         int most, penetration_scratch *scratch, contact *c)
 {
     touch found[MANIFOLD_TOUCHES];
     real margin = 0.02;
@@ -111,7 +111,7 @@ static real depth(const particle *p)
     return deepest;
 }
 
-static void drop(int most, hit_scratch *scratch)
+static void drop(int most, penetration_scratch *scratch)
 {
     shape box, table;
     stage s;
@@ -197,7 +197,7 @@ static void corners(const vec3 *a, const int *va, const vec3 *b, const int *vb)
         }
 }
 
-static void faces(hit_scratch *scratch)
+static void faces(penetration_scratch *scratch)
 {
     shape s;
     vec3 a[CORNERS], b[CORNERS];
@@ -246,7 +246,7 @@ static vec3 any_direction(void)
 }
 
 // kind 0: cubes stacked exactly; 1: turned about the normal; 2: anyhow.
-static pair any_pair(const shape *s, int kind, hit_scratch *scratch)
+static pair any_pair(const shape *s, int kind, penetration_scratch *scratch)
 {
     pair p;
     do {
@@ -286,7 +286,7 @@ static real block_seconds(const shape *s, const pair *p, int gjk, int *count)
         point_set a = { p[k].a, s->particles, NULL, NULL };
         point_set b = { p[k].b, s->particles, NULL, NULL };
         if (gjk)
-            *count += gjk_distance(a, b, gjk_options_default(),
+            *count += distance_find(a, b, distance_options_default(),
                                    NULL).last.count;
         else
             *count += manifold_find(s, p[k].a, s, p[k].b, p[k].q.normal,
@@ -298,7 +298,7 @@ static real block_seconds(const shape *s, const pair *p, int gjk, int *count)
 // The mean over blocks of pairs, of each the best of many rounds: the machine
 // has other things to do.
 static void cost(const char *what, const shape *s, int kind,
-                 hit_scratch *scratch)
+                 penetration_scratch *scratch)
 {
     static pair all[PAIRS];
     real sum[2] = { 0, 0 };
@@ -326,7 +326,7 @@ static void cost(const char *what, const shape *s, int kind,
 int main(void)
 {
     shape cube, ball;
-    hit_scratch *scratch = hit_scratch_new();
+    penetration_scratch *scratch = penetration_scratch_new();
     if (!scratch || !shape_box(&cube, vec3_make(1, 1, 1), 1).ok
         || !shape_icosahedron(&ball, 0.5, 1).ok) return 1;
     printf("# a box of 1 x 0.3 x 1 m set down on a table; %d substeps "
@@ -338,7 +338,7 @@ int main(void)
     drop(1, scratch);
     drop(MANIFOLD_TOUCHES, scratch);
     faces(scratch);
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
     shape_free(&cube);
     shape_free(&ball);
     return 0;

@@ -4,7 +4,7 @@
 // not sleep: how far do they drift?
 
 #include "clock.h"
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 
 #include <stdio.h>

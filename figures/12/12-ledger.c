@@ -2,7 +2,7 @@
 // accounts of the ledger, for the paper's way, bodies of vertices and of four.
 
 #include "ledger.h"
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 
 #include <stdio.h>

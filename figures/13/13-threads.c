@@ -10,7 +10,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "clock.h"
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 #include "thread.h"
 

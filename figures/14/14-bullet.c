@@ -12,7 +12,7 @@
 // Columns are separated by spaces.
 
 #include "clock.h"
-#include "hit_face.h"
+#include "penetration.h"
 #include "swept.h"
 
 #include <stdio.h>
@@ -47,7 +47,7 @@ typedef struct {
 static shot hits[SHOTS], misses[SHOTS];
 static vec3 plate_at[PLATE];
 static const point_set plate = { plate_at, PLATE, NULL, NULL };
-static hit_scratch *scratch;
+static penetration_scratch *scratch;
 static real inner;          // m, radius of the largest ball inside the ball
 static int never_seen;
 
@@ -109,7 +109,7 @@ static point_set placed(const shot *s, vec3 where, vec3 *at)
 static real distance(const shot *s, vec3 where)
 {
     vec3 at[BALL];
-    return gjk_distance(placed(s, where, at), plate, gjk_options_default(),
+    return distance_find(placed(s, where, at), plate, distance_options_default(),
                         NULL).distance;
 }
 
@@ -152,10 +152,10 @@ static outcome look(const shot *s, vec3 where)
 {
     vec3 at[BALL];
     point_set ball = placed(s, where, at);
-    gjk_result g = gjk_distance(ball, plate, gjk_options_default(), NULL);
-    if (g.status != GJK_OVERLAP) return FLIES;
-    hit_result h = hit_face_find(ball, plate, &g.last, scratch);
-    return h.status == HIT_FOUND && h.normal.z < -0.5 ? THROUGH : STOPPED;
+    distance_result g = distance_find(ball, plate, distance_options_default(), NULL);
+    if (g.status != DISTANCE_OVERLAP) return FLIES;
+    penetration_result h = penetration_find(ball, plate, &g.last, scratch);
+    return h.status == PENETRATION_FOUND && h.normal.z < -0.5 ? THROUGH : STOPPED;
 }
 
 static outcome by_substeps(const shot *s, vec3 from, vec3 way)
@@ -171,10 +171,10 @@ static outcome by_substeps(const shot *s, vec3 from, vec3 way)
 static outcome by_looking_ahead(const shot *s, vec3 from, vec3 way)
 {
     vec3 at[BALL];
-    gjk_options o = gjk_options_default();
+    distance_options o = distance_options_default();
     o.margin = vec3_length(way);
-    gjk_result g = gjk_distance(placed(s, from, at), plate, o, NULL);
-    if (g.status != GJK_APART || g.distance > o.margin) return FLIES;
+    distance_result g = distance_find(placed(s, from, at), plate, o, NULL);
+    if (g.status != DISTANCE_APART || g.distance > o.margin) return FLIES;
     vec3 n = vec3_scale(1 / g.distance, g.axis);
     return g.distance + vec3_dot(way, n) < 0 ? STOPPED : FLIES;
 }
@@ -331,7 +331,7 @@ int main(void)
 {
     static series s[SPEEDS];
     static int asked[SWEPT_CAP + 1];
-    scratch = hit_scratch_new();
+    scratch = penetration_scratch_new();
     if (!scratch) return 1;
     make_shots();
     for (int k = 0; k < SPEEDS; k++) {
@@ -353,6 +353,6 @@ int main(void)
     printf("# distances asked for, shots\n");
     for (int k = 0; k <= SWEPT_CAP; k++)
         if (asked[k]) printf("%d %d\n", k, asked[k]);
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
     return 0;
 }

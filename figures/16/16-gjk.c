@@ -1,4 +1,4 @@
-// 16-gjk.c - how exact, and how soon: gjk asked for less and less error, with
+// 16-distance.c - how exact, and how soon: gjk asked for less and less error, with
 // nothing to begin from and with what the last frame left; and the corners of a
 // body, looked at one after the other or by climbing from one to the next.
 //
@@ -6,7 +6,7 @@
 // index 1: corners, a query by scanning and by climbing: ns, largest relative
 //          difference of the distance
 
-#include "pairs.h"
+#include "query_pairs.h"
 #include "ball.h"
 
 #include <stdio.h>
@@ -17,15 +17,15 @@ static const real BOUND[BOUNDS] = { 0.9, 0.5, 0.25, 0.1, 0.03, 1e-2, 1e-3, 1e-4,
     1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 0 };
 
 static pair_at_gap pair[PAIRS];
-static simplex carried[PAIRS];
+static distance_cache carried[PAIRS];
 static real truth[2][PAIRS], answer[PAIRS];
 
-static gjk_result ask(int i, int moved, gjk_options o, simplex *last)
+static distance_result ask(int i, int moved, distance_options o, distance_cache *last)
 {
     const pair_at_gap *p = &pair[i];
-    return moved ? gjk_distance(points_of(&p->moved_a), points_of(&p->moved_b),
+    return moved ? distance_find(points_of(&p->moved_a), points_of(&p->moved_b),
                                 o, last)
-                 : gjk_distance(points_of(&p->a), points_of(&p->b), o, last);
+                 : distance_find(points_of(&p->a), points_of(&p->b), o, last);
 }
 
 // ---- tolerance -------------------------------------------------------------
@@ -33,12 +33,12 @@ static gjk_result ask(int i, int moved, gjk_options o, simplex *last)
 // All pairs, the first half of the ways cold, the other carried.
 static void work_bound(int way, void *with)
 {
-    gjk_options o = gjk_options_default();
+    distance_options o = distance_options_default();
     int moved = way >= BOUNDS;
     (void)with;
     o.relative_error = BOUND[way % BOUNDS];
     for (int i = 0; i < PAIRS; i++) {
-        simplex s = carried[i];
+        distance_cache s = carried[i];
         answer[i] = ask(i, moved, o, moved ? &s : NULL).distance;
     }
 }
@@ -61,8 +61,8 @@ static void print_bounds(void)
     make_pairs(pair, PAIRS, 0.05);
     for (int i = 0; i < PAIRS; i++) {
         carried[i].count = 0;
-        truth[0][i] = ask(i, 0, gjk_options_default(), &carried[i]).distance;
-        truth[1][i] = ask(i, 1, gjk_options_default(), NULL).distance;
+        truth[0][i] = ask(i, 0, distance_options_default(), &carried[i]).distance;
+        truth[1][i] = ask(i, 1, distance_options_default(), NULL).distance;
     }
     for (int way = 0; way < 2 * BOUNDS; way++) error[way] = mean_error(way);
     clock_race((race){ 2 * BOUNDS, ROUNDS, 0, work_bound, NULL }, l);
@@ -128,8 +128,8 @@ static void work_corners(int way, void *with)
     int k = way / 2, climb = way % 2;
     for (int q = 0; q < QUERIES; q++)
         z->distance[way][q] =
-            gjk_distance(points(z, k, q, 0, climb), points(z, k, q, 1, climb),
-                         gjk_options_default(), NULL).distance;
+            distance_find(points(z, k, q, 0, climb), points(z, k, q, 1, climb),
+                         distance_options_default(), NULL).distance;
 }
 
 static void print_corners(zoo *z)

@@ -1,4 +1,4 @@
-// 16-hit_face.c - how deep are two balls in each other, when a ball is the hull
+// 16-penetration.c - how deep are two balls in each other, when a ball is the hull
 // of its corners?  Trying directions, more and more of them, and the hit face,
 // each for balls of 12 to 642 corners.
 //
@@ -9,9 +9,9 @@
 // index 5 to 8: the same corners; points of A - B asked for, and the share of
 //          queries that are not done by then
 
-#include "pairs.h"
+#include "query_pairs.h"
 #include "ball.h"
-#include "hit_face.h"
+#include "penetration.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,7 +27,7 @@ typedef struct {
     shape plan[SIZES];
     vec3 at[SIZES][QUERIES][2][BALL_CORNERS];
     vec3 way[DIRECTIONS][MOST];
-    hit_scratch *scratch;
+    penetration_scratch *scratch;
     real depth[WAYS][QUERIES];
     int  asked[SIZES][QUERIES];     // points of A - B, by the hit face
 } zoo;
@@ -44,7 +44,7 @@ static void spread(vec3 *way, int n)
 
 static int zoo_make(zoo *z)
 {
-    z->scratch = hit_scratch_new();
+    z->scratch = penetration_scratch_new();
     if (!z->scratch) return 0;
     for (int k = 0; k < DIRECTIONS; k++) spread(z->way[k], COUNT[k]);
     for (int k = 0; k < SIZES; k++) {
@@ -73,9 +73,9 @@ static point_set points(const zoo *z, int k, int q, int side)
 static real by_hit_face(zoo *z, int k, int q)
 {
     point_set a = points(z, k, q, 0), b = points(z, k, q, 1);
-    gjk_result g = gjk_distance(a, b, gjk_options_default(), NULL);
-    if (g.status != GJK_OVERLAP) return -g.distance;
-    hit_result h = hit_face_find(a, b, &g.last, z->scratch);
+    distance_result g = distance_find(a, b, distance_options_default(), NULL);
+    if (g.status != DISTANCE_OVERLAP) return -g.distance;
+    penetration_result h = penetration_find(a, b, &g.last, z->scratch);
     z->asked[k][q] = h.iterations;
     return h.depth;
 }
@@ -172,6 +172,6 @@ int main(void)
     if (!zoo_make(&z)) return 1;
     print_all(&z);
     for (int k = 0; k < SIZES; k++) shape_free(&z.plan[k]);
-    hit_scratch_free(z.scratch);
+    penetration_scratch_free(z.scratch);
     return 0;
 }

@@ -5,7 +5,7 @@
 // Each run is repeated, and every frame counts with its median.
 
 #include "clock.h"
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 
 #include <stdio.h>

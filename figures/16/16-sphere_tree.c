@@ -13,7 +13,7 @@
 
 #include "ball.h"
 #include "clock.h"
-#include "gjk.h"
+#include "distance.h"
 #include "sphere_tree.h"
 
 #include <stdio.h>
@@ -53,7 +53,7 @@ static real faces_apart(const int *f, const vec3 *at_f, const int *g,
         y[i] = at_g[g[i]];
     }
     point_set a = { x, 3, NULL, NULL }, b = { y, 3, NULL, NULL };
-    return gjk_distance(a, b, gjk_options_default(), NULL).distance;
+    return distance_find(a, b, distance_options_default(), NULL).distance;
 }
 
 static void face_leaves(const shape *s, leaf_feature *leaf)

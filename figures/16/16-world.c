@@ -11,7 +11,7 @@
 // Columns are separated by spaces.
 
 #include "clock.h"
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 
 #include <stdio.h>

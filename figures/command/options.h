@@ -5,7 +5,7 @@
 #ifndef TUMBLE_OPTIONS_H
 #define TUMBLE_OPTIONS_H
 
-#include "scene.h"
+#include "world_scene.h"
 
 #include <stdio.h>
 

@@ -4,7 +4,7 @@
 #define TUMBLE_FILM_H
 
 #include "painter.h"
-#include "scene.h"
+#include "world_scene.h"
 
 // Paints the scene as it stands into that box of the picture, from where its
 // camera stands.  lamps: see painter.h.  Fails only for want of memory.

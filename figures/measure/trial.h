@@ -4,7 +4,7 @@
 #ifndef TUMBLE_TRIAL_H
 #define TUMBLE_TRIAL_H
 
-#include "scene.h"
+#include "world_scene.h"
 
 // Over all steps of a run.  A motion that grew beyond all numbers ends it.
 typedef struct {

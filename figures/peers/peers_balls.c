@@ -3,7 +3,7 @@
 
 #include "peers.h"
 #include "bodies.h"
-#include "gjk.h"
+#include "distance.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -35,7 +35,7 @@ static real distance(int i, const int *ring_start, const int *ring)
 {
     point_set p = { a[i], POINTS, ring_start, ring };
     point_set q = { b[i], POINTS, ring_start, ring };
-    return gjk_distance(p, q, gjk_options_default(), NULL).distance;
+    return distance_find(p, q, distance_options_default(), NULL).distance;
 }
 
 static void climb(int block)

@@ -4,9 +4,9 @@
 
 #include "peers.h"
 #include "peers_others.h"
-#include "gjk.h"
+#include "distance.h"
 #include "hard_set.h"
-#include "hit_face.h"
+#include "penetration.h"
 #include "oracle.h"
 
 #include <math.h>
@@ -27,10 +27,10 @@ typedef struct {
 } couple;
 
 static couple before[PAIRS], after[PAIRS];      // a slow motion's frames
-static simplex found[PAIRS], parted[PAIRS];     // before, without and with a
+static distance_cache found[PAIRS], parted[PAIRS];     // before, without and with a
                                                 // margin
-static simplex carried[BLOCK];
-static hit_scratch *scratch;
+static distance_cache carried[BLOCK];
+static penetration_scratch *scratch;
 
 static point_set points_of(const solid *s)
 {
@@ -80,14 +80,14 @@ static void make_ready(couple *c)
     c->pb = points_of(&c->b);
 }
 
-static gjk_result distance(const couple *c, gjk_options o, simplex *from)
+static distance_result distance(const couple *c, distance_options o, distance_cache *from)
 {
-    return gjk_distance(c->pa, c->pb, o, from);
+    return distance_find(c->pa, c->pb, o, from);
 }
 
-static gjk_options with_margin(void)
+static distance_options with_margin(void)
 {
-    gjk_options o = gjk_options_default();
+    distance_options o = distance_options_default();
     o.margin = MARGIN;
     return o;
 }
@@ -103,12 +103,12 @@ static couple pair_at(const shape *plan, real gap, unsigned long long *seed)
     vec3 course = any_direction(seed);
     c.b = solid_at(plan, turned_anyhow(vec3_scale(2, course), seed));
     make_ready(&c);
-    gjk_result r = distance(&c, gjk_options_default(), NULL);
+    distance_result r = distance(&c, distance_options_default(), NULL);
     for (int tries = 0; tries < 60; tries++) {
         if (fabs(r.distance - wanted) < 1e-9) break;
         real slope = -vec3_dot(r.axis, course) / r.distance;
         move(&c.b, vec3_scale((wanted - r.distance) / slope, course));
-        r = distance(&c, gjk_options_default(), NULL);
+        r = distance(&c, distance_options_default(), NULL);
     }
     if (gap < 0) move(&c.b, vec3_scale(-gap / r.distance, r.axis));
     return c;
@@ -127,7 +127,7 @@ static void make_pairs(real least, real most)
         make_ready(&before[i]);
         make_ready(&after[i]);
         found[i].count = parted[i].count = 0;
-        distance(&before[i], gjk_options_default(), &found[i]);
+        distance(&before[i], distance_options_default(), &found[i]);
         distance(&before[i], with_margin(), &parted[i]);
     }
     shape_free(&plan);
@@ -138,7 +138,7 @@ static void make_pairs(real least, real most)
 enum { COLD, WARM };
 static real told[2][PAIRS];     // our distances
 static int overlap[2][PAIRS];   // libccd's answers, by GJK and by MPR
-static gjk_status reached[PAIRS];
+static distance_status reached[PAIRS];
 
 // In a scene the bodies have just been moved, all their points written anew.  So
 // the pairs of a block are copied here before the clock starts, for us and for
@@ -174,24 +174,24 @@ static void put_parted(int block)
 // Asked without a function of ours between: it would copy the options.
 static void distance_cold(int block)
 {
-    gjk_options o = gjk_options_default();
+    distance_options o = distance_options_default();
     for (int k = 0, i = block * FEW; k < FEW; k++, i++)
-        told[COLD][i] = gjk_distance(now[k].pa, now[k].pb, o, NULL).distance;
+        told[COLD][i] = distance_find(now[k].pa, now[k].pb, o, NULL).distance;
 }
 
 static void distance_carried(int block)
 {
-    gjk_options o = gjk_options_default();
+    distance_options o = distance_options_default();
     for (int k = 0, i = block * FEW; k < FEW; k++, i++)
-        told[WARM][i] = gjk_distance(now[k].pa, now[k].pb, o,
+        told[WARM][i] = distance_find(now[k].pa, now[k].pb, o,
                                      &carried[k]).distance;
 }
 
 static void margin_carried(int block)
 {
-    gjk_options o = with_margin();
+    distance_options o = with_margin();
     for (int k = 0, i = block * FEW; k < FEW; k++, i++)
-        reached[i] = gjk_distance(now[k].pa, now[k].pb, o, &carried[k]).status;
+        reached[i] = distance_find(now[k].pa, now[k].pb, o, &carried[k]).status;
 }
 
 static void gjk_says(int block)
@@ -283,7 +283,7 @@ static void add_margin(real ours, real theirs, int which)
               .unit = "ns", .ours = ours, .theirs = theirs,
               .ratio = which == CCD_BY_GJK ? 0.1 : 0 };
     int within = 0;
-    for (int i = 0; i < PAIRS; i++) within += reached[i] != GJK_BEYOND;
+    for (int i = 0; i < PAIRS; i++) within += reached[i] != DISTANCE_BEYOND;
     r.is_wrong = within > 0;
     snprintf(r.our_error, TEXT, "%d of %d wrong", within, (int)PAIRS);
     write_overlaps(r.their_error, which, "");
@@ -319,15 +319,15 @@ enum { OURS, OURS_CARRIED, CCD_GJK, CCD_MPR, DEPTHS };
 static exit_found out[DEPTHS][PAIRS];
 
 // Asked like theirs: do they overlap, and how deep?
-static hit_result hit_of(const couple *c)
+static penetration_result hit_of(const couple *c)
 {
-    const simplex none = { .count = 0 };
-    return hit_face_find(c->pa, c->pb, &none, scratch);
+    const distance_cache none = { .count = 0 };
+    return penetration_find(c->pa, c->pb, &none, scratch);
 }
 
-static exit_found exit_of(hit_result h)
+static exit_found exit_of(penetration_result h)
 {
-    if (h.status != HIT_FOUND) return (exit_found){ 0, { 0, 0, 0 } };
+    if (h.status != PENETRATION_FOUND) return (exit_found){ 0, { 0, 0, 0 } };
     return (exit_found){ h.depth, vec3_scale(-1, h.normal) };
 }
 
@@ -337,23 +337,23 @@ static void depth_cold(int block)
         out[OURS][i] = exit_of(hit_of(&before[i]));
 }
 
-static hit_memory remembered[BLOCK];
+static penetration_memory remembered[BLOCK];
 
 // Untimed: what the query before leaves behind.
 static void remember(int block)
 {
     for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++) {
         remembered[k].faces = 0;
-        if (hit_of(&before[i]).status == HIT_FOUND)
-            hit_face_remember(scratch, &remembered[k]);
+        if (hit_of(&before[i]).status == PENETRATION_FOUND)
+            penetration_remember(scratch, &remembered[k]);
     }
 }
 
 static void depth_carried(int block)
 {
     for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++) {
-        hit_result h;
-        if (!hit_face_again(after[i].pa, after[i].pb, &remembered[k], scratch,
+        penetration_result h;
+        if (!penetration_again(after[i].pa, after[i].pb, &remembered[k], scratch,
                             &h)) h = hit_of(&after[i]);
         out[OURS_CARRIED][i] = exit_of(h);
     }
@@ -448,9 +448,9 @@ static void measure_overlapping(void)
 
 void peers_pairs(void)
 {
-    scratch = hit_scratch_new();
+    scratch = penetration_scratch_new();
     if (!scratch) give_up("there is no memory for hit_face");
     measure_apart();
     measure_overlapping();
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
 }

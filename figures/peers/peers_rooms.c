@@ -7,7 +7,7 @@
 #include "peers.h"
 #include "peers_others.h"
 #include "hard_set.h"
-#include "hit_face.h"
+#include "penetration.h"
 #include "oracle.h"
 #include "step.h"
 
@@ -19,7 +19,7 @@ enum { FRAMES = 600, PIECE = 10, PIECES = FRAMES / PIECE, MOST = 1000 };
 static const real DT = 1.0 / 60, RADIUS = 0.5;
 
 static shape icosahedron;
-static hit_scratch *scratch;
+static penetration_scratch *scratch;
 
 // ---- The scene -------------------------------------------------------------
 
@@ -135,9 +135,9 @@ static void copy_corners(corners to, const corners from)
 static void look_at_pair(const corners a, const corners b, outcome *o)
 {
     point_set p = { a, CORNERS, NULL, NULL }, q = { b, CORNERS, NULL, NULL };
-    gjk_result r = gjk_distance(p, q, gjk_options_default(), NULL);
-    if (r.status != GJK_OVERLAP) return;
-    real depth = hit_face_find(p, q, &r.last, scratch).depth;
+    distance_result r = distance_find(p, q, distance_options_default(), NULL);
+    if (r.status != DISTANCE_OVERLAP) return;
+    real depth = penetration_find(p, q, &r.last, scratch).depth;
     o->depth = fmax(o->depth, depth);
     if (depth <= o->pair_depth) return;
     o->pair_depth = depth;
@@ -408,7 +408,7 @@ static void against_awake(void)
 
 void peers_rooms(void)
 {
-    scratch = hit_scratch_new();
+    scratch = penetration_scratch_new();
     if (!scratch || !shape_icosahedron(&icosahedron, RADIUS, 1).ok)
         give_up("there is no memory for the room");
     against_ode(50, 5, 4, "room of 50, a step");
@@ -421,5 +421,5 @@ void peers_rooms(void)
     against_fewer();
     against_awake();
     shape_free(&icosahedron);
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
 }

@@ -5,7 +5,7 @@
 #include "four.h"
 #include "hard_set.h"
 #include "line.h"
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 
 #include <math.h>

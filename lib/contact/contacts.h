@@ -4,7 +4,7 @@
 // Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 12.
 //
 // Bodies with a particle at every vertex have contacts that forget
-// (response.h), those of four particles such as remember (push.h).  Both are
+// (separation.h), those of four particles such as remember (push.h).  Both are
 // found by narrow.h, and pushed in every substep by solver.h; here they are
 // written down, kept where nothing moved, and handed what the last frame's
 // pushed.

@@ -9,7 +9,7 @@
 #define TUMBLE_MANIFOLD_H
 
 #include "body.h"
-#include "response.h"
+#include "separation.h"
 
 enum { MANIFOLD_TOUCHES = 4 };
 

@@ -14,7 +14,7 @@ typedef struct {
     point_set a, b;         // the same, for gjk
     real near, aim;         // m: to come nearer than near is to touch; we aim
                             // at a little less
-    gjk_options options;
+    distance_options options;
 } sweep;
 
 // Copies p as seen from its first point.  Returns its largest coordinate; not
@@ -60,7 +60,7 @@ static int sweep_begin(sweep *s, point_set a, vec3 way, point_set b,
     if (!(tolerance >= least)) tolerance = least;
     s->near = apart + tolerance;
     s->aim = apart + tolerance / 2;
-    s->options = gjk_options_default();
+    s->options = distance_options_default();
     return reach < HUGE_VAL;
 }
 
@@ -99,18 +99,18 @@ static vec3 direction(vec3 a)
 static int sweep_step(sweep *s, swept_result *r)
 {
     sweep_place(s, r->time);
-    gjk_result g = gjk_distance(s->a, s->b, s->options, &r->last);
+    distance_result g = distance_find(s->a, s->b, s->options, &r->last);
     int first = r->iterations++ == 0;
     r->supports += g.iterations;
     r->on_a = g.on_a;
     r->on_b = g.on_b;
     r->status = SWEPT_NOT_FINITE;
-    if (g.status == GJK_NOT_FINITE) return 0;
+    if (g.status == DISTANCE_NOT_FINITE) return 0;
     r->status = SWEPT_CAPPED;
-    if (g.status == GJK_CAPPED) return 0;
+    if (g.status == DISTANCE_CAPPED) return 0;
 
     // Overlap, after they were apart, is rounding's: the last axis stands.
-    if (g.status != GJK_OVERLAP) r->normal = direction(g.axis);
+    if (g.status != DISTANCE_OVERLAP) r->normal = direction(g.axis);
     r->status = first ? SWEPT_OVERLAP : SWEPT_TOUCHES;
     if (!(g.distance > s->near)) return 0;
 

@@ -10,7 +10,7 @@
 #ifndef TUMBLE_SWEPT_H
 #define TUMBLE_SWEPT_H
 
-#include "gjk.h"
+#include "distance.h"
 
 typedef enum {
     SWEPT_PASSES,       // they stay further apart than `apart` all the way
@@ -29,7 +29,7 @@ typedef struct {
                         // bodies that pass: the last axis that parted them
     vec3 on_a, on_b;    // m, the nearest points at that time, A's where A then
                         // is; only of bodies that touch or overlap
-    simplex last;       // their vertices and weights
+    distance_cache last;       // their vertices and weights
     int  iterations;    // distances asked for
     int  supports;      // support points that these asked for
 } swept_result;

@@ -75,24 +75,24 @@ static point_set collider_points(const collider *c)
 // Where two bodies are nearest, or overlap least: GJK while they are apart, the
 // hit face when they overlap.
 static nearest_points find_nearest(const collider *a, const collider *b,
-                                   real margin, simplex *carried,
-                                   hit_scratch *scratch)
+                                   real margin, distance_cache *carried,
+                                   penetration_scratch *scratch)
 {
     point_set pa = collider_points(a), pb = collider_points(b);
-    gjk_options options = gjk_options_default();
+    distance_options options = distance_options_default();
     options.margin = margin;
-    gjk_result g = gjk_distance(pa, pb, options, carried);
+    distance_result g = distance_find(pa, pb, options, carried);
     nearest_points n = { .near = 0 };
 
-    int apart = g.status == GJK_APART || g.status == GJK_CAPPED;
+    int apart = g.status == DISTANCE_APART || g.status == DISTANCE_CAPPED;
     if (apart && g.distance > 0 && g.distance <= margin) {
         n = (nearest_points){ 1, vec3_scale(1 / g.distance, g.axis),
             g.on_a, g.on_b,
             feature_of_simplex(g.last.a, g.last.weight, g.last.count),
             feature_of_simplex(g.last.b, g.last.weight, g.last.count) };
-    } else if (g.status == GJK_OVERLAP) {
-        hit_result h = hit_face_find(pa, pb, &g.last, scratch);
-        if (h.status == HIT_FOUND || h.status == HIT_CAPPED)
+    } else if (g.status == DISTANCE_OVERLAP) {
+        penetration_result h = penetration_find(pa, pb, &g.last, scratch);
+        if (h.status == PENETRATION_FOUND || h.status == PENETRATION_CAPPED)
             n = (nearest_points){ 1, h.normal, h.on_a, h.on_b, h.a, h.b };
     }
     return n;
@@ -121,7 +121,7 @@ static int contacts_of_touches(const collider *a, const collider *b,
 
 //> collide-rigid
 int collide_rigid(const collider *a, const collider *b, real margin,
-                  int manifold, simplex *carried, hit_scratch *scratch,
+                  int manifold, distance_cache *carried, penetration_scratch *scratch,
                   contact out[PAIR_CONTACTS])
 {
     assert(margin >= 0);
@@ -327,10 +327,10 @@ static int collide_point_edge(const collider *a, int i, const collider *b,
                               real reach, contact *c)
 {
     point_set point = { &a->at[i], 1, NULL, NULL };
-    gjk_options options = gjk_options_default();
+    distance_options options = distance_options_default();
     options.margin = reach;
-    gjk_result g = gjk_distance(point, collider_points(b), options, NULL);
-    if (g.status != GJK_APART || g.distance > reach) return 0;
+    distance_result g = distance_find(point, collider_points(b), options, NULL);
+    if (g.status != DISTANCE_APART || g.distance > reach) return 0;
     feature_point other = feature_of_simplex(g.last.b, g.last.weight,
                                              g.last.count);
     return particle_contact(c, a, i, b, &other, g.on_b,

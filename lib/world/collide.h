@@ -8,7 +8,7 @@
 #define TUMBLE_COLLIDE_H
 
 #include "body.h"
-#include "response.h"
+#include "separation.h"
 #include "swept.h"
 
 // A body as the queries see it.
@@ -42,10 +42,10 @@ enum { PAIR_CONTACTS = 4 };     // the most that two rigid bodies can have
 // corners of what they share, the deepest first; else the pair alone.
 // An immovable body is B, whichever was given first; two of them touch nowhere.
 // Normals point from B to A; thickness and approach are 0, for the caller to
-// set.  carried: see gjk_distance; keep one for the pair (a, b) in this order.
+// set.  carried: see distance_find; keep one for the pair (a, b) in this order.
 // Bodies that are not finite have no contacts.
 int collide_rigid(const collider *a, const collider *b, real margin,
-                  int manifold, simplex *carried, hit_scratch *scratch,
+                  int manifold, distance_cache *carried, penetration_scratch *scratch,
                   contact out[PAIR_CONTACTS]);
 
 // The contact of rigid bodies a and b where they first come as near as `apart`

@@ -73,10 +73,10 @@ static void measure_rigid_pair(world *w, body *a, body *b, measures *m)
     point_set q = { y.at, b->plan->particles, b->plan->ring_start,
                     b->plan->ring };
     if (body_is_nailed(a) && body_is_nailed(b)) return;
-    gjk_result g = gjk_distance(p, q, gjk_options_default(), NULL);
-    if (g.status == GJK_NOT_FINITE) deepen(m, (real)NAN);
-    if (g.status == GJK_OVERLAP)
-        deepen(m, hit_face_find(p, q, &g.last, w->narrow.hit[0]).depth);
+    distance_result g = distance_find(p, q, distance_options_default(), NULL);
+    if (g.status == DISTANCE_NOT_FINITE) deepen(m, (real)NAN);
+    if (g.status == DISTANCE_OVERLAP)
+        deepen(m, penetration_find(p, q, &g.last, w->narrow.hit[0]).depth);
 }
 
 // How deep the particles of a deformable body stand in a rigid one.

@@ -445,7 +445,7 @@ static int size_narrow(narrow_tables *t, const world *w, int vertices)
                                    + PAIR_CONTACTS * w->pairs.capacity)
                       * sizeof *t->found);
     for (int half = 0; half < 2; half++) {
-        t->hit[half]    = hit_scratch_new();
+        t->hit[half]    = penetration_scratch_new();
         t->swept[half]  = malloc(at_least_one(2 * vertices)
                                  * sizeof *t->swept[half]);
         t->needed[half] = malloc(n);
@@ -605,8 +605,8 @@ void world_free(world *w)
         w->hull.plane, w->hull.face };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pool_free(&w->pool);
-    hit_scratch_free(w->narrow.hit[0]);
-    hit_scratch_free(w->narrow.hit[1]);
+    penetration_scratch_free(w->narrow.hit[0]);
+    penetration_scratch_free(w->narrow.hit[1]);
     order_scratch_free(w->orders);
     rest_free(&w->rest);
     broad_free(&w->pairs.broad);

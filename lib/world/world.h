@@ -239,7 +239,7 @@ typedef struct {
     struct broad broad;
     int  (*met)[2];     // pairs whose balls meet
     body_pair *at, *old;                // sorted; this frame's, the last one's
-    simplex *carried, *old_carried;     // what the last query of each left:
+    distance_cache *carried, *old_carried;     // what the last query of each left:
                                         // beside the pairs, for these are gone
                                         // through again and again
     int  count, old_count, capacity;
@@ -257,7 +257,7 @@ typedef struct {
     contact *found;     // as they are found: every body has room for its own
                         // with the planes; then those of each half's pairs, one
                         // after the other
-    hit_scratch *hit[2];                // one for each half of the work
+    penetration_scratch *hit[2];                // one for each half of the work
     vec3 *swept[2];     // room for the vertices of two bodies
     char *needed[2];    // [bodies] must be looked at
 } narrow_tables;

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 
 // Enough of them that their contacts come in parts (halves.h).

@@ -91,8 +91,8 @@ static real distance_of(int a, int b)
         world_vertices(&w, &w.body[who[k]], at[k]);
         q[k] = (point_set){ at[k], s->particles, s->ring_start, s->ring };
     }
-    gjk_result g = gjk_distance(q[0], q[1], gjk_options_default(), NULL);
-    return g.status == GJK_OVERLAP ? 0 : g.distance;
+    distance_result g = distance_find(q[0], q[1], distance_options_default(), NULL);
+    return g.status == DISTANCE_OVERLAP ? 0 : g.distance;
 }
 
 static int is_listed(int a, int b)

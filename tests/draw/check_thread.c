@@ -5,7 +5,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 #include "thread.h"
 

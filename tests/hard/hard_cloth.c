@@ -5,7 +5,7 @@
 
 #include "hard.h"
 #include "hard_set.h"
-#include "scene.h"
+#include "world_scene.h"
 #include "soft.h"
 #include "step.h"
 

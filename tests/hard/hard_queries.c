@@ -11,7 +11,7 @@
 
 #include "bodies.h"
 #include "hard.h"
-#include "hit_face.h"
+#include "penetration.h"
 #include "oracle.h"
 
 #include <math.h>
@@ -291,9 +291,9 @@ static void near_touch(body *a, body *b, dice *d)
 {
     two(a, b, d);
     body_move(b, vec3_scale(2.5, random_direction(d)));
-    gjk_result g = gjk_distance(body_points(a), body_points(b),
-                                gjk_options_default(), NULL);
-    if (g.status != GJK_APART) return;
+    distance_result g = distance_find(body_points(a), body_points(b),
+                                distance_options_default(), NULL);
+    if (g.status != DISTANCE_APART) return;
     real gap = power(d, -15, -3) * (pick(d, 2) ? 1 : -1);
     body_move(b, vec3_scale(1 - gap / g.distance, g.axis));
 }
@@ -388,7 +388,7 @@ typedef struct {
     const body *a, *b;
     point_set pa, pb;
     real size;              // m, of the larger body's box
-    gjk_result g;
+    distance_result g;
     int  share;             // 1: this pair is one that the oracle is asked
 } question;
 
@@ -419,7 +419,7 @@ static int agrees(wide error, wide truth, real size)
 // sum weight (a - b), exactly where the simplex says that it is.
 static wide simplex_length(const question *q)
 {
-    const simplex *s = &q->g.last;
+    const distance_cache *s = &q->g.last;
     wide x = 0, y = 0, z = 0, sum = 0;
     for (int k = 0; k < s->count; k++) {
         vec3 a = q->a->at[s->a[k]], b = q->b->at[s->b[k]];
@@ -493,7 +493,7 @@ static long oracle_work(const question *q)
 
 // The hit face's plane supports A - B, the points lie on both bodies, and the
 // oracle, where it is asked, finds no direction that is shorter.
-static int depth_holds(const question *q, const hit_result *h, tally *t)
+static int depth_holds(const question *q, const penetration_result *h, tally *t)
 {
     vec3 out = vec3_scale(-1, h->normal);
     wide said = (wide)h->depth, plane = oracle_width(q->pa, q->pb, out);
@@ -512,7 +512,7 @@ static int depth_holds(const question *q, const hit_result *h, tally *t)
 }
 
 // A - B lies within rounding of a plane through the origin.
-static int flat_holds(const question *q, const hit_result *h, tally *t)
+static int flat_holds(const question *q, const penetration_result *h, tally *t)
 {
     vec3 back = vec3_scale(-1, h->normal);
     wide up = oracle_width(q->pa, q->pb, h->normal);
@@ -521,9 +521,9 @@ static int flat_holds(const question *q, const hit_result *h, tally *t)
     return h->depth == 0 && agrees(up, 0, q->size) && agrees(down, 0, q->size);
 }
 
-static int overlap_holds(const question *q, hit_scratch *scratch, tally *t)
+static int overlap_holds(const question *q, penetration_scratch *scratch, tally *t)
 {
-    hit_result h = hit_face_find(q->pa, q->pb, &q->g.last, scratch);
+    penetration_result h = penetration_find(q->pa, q->pb, &q->g.last, scratch);
     if (q->a->count > SMALL || q->b->count > SMALL) {
         t->large++;
         t->large_over += h.iterations > 64;
@@ -532,31 +532,31 @@ static int overlap_holds(const question *q, hit_scratch *scratch, tally *t)
     t->not_finite += !(h.depth - h.depth == 0) || !vec3_is_finite(h.normal)
                   || !vec3_is_finite(h.on_a) || !vec3_is_finite(h.on_b);
     switch (h.status) {
-    case HIT_FOUND: return depth_holds(q, &h, t);
-    case HIT_FLAT:  return flat_holds(q, &h, t);
-    case HIT_APART:
+    case PENETRATION_FOUND: return depth_holds(q, &h, t);
+    case PENETRATION_FLAT:  return flat_holds(q, &h, t);
+    case PENETRATION_APART:
         // Apart by less than rounding: then the simplex all but holds it.
         t->touching++;
         return agrees(simplex_length(q), 0, q->size);
-    case HIT_CAPPED: t->capped++; return 0;
+    case PENETRATION_CAPPED: t->capped++; return 0;
     default: return 0;
     }
 }
 
 static void judge(const body *a, const body *b, int share,
-                  hit_scratch *scratch, const char *name, tally *t)
+                  penetration_scratch *scratch, const char *name, tally *t)
 {
     question q = { a, b, body_points(a), body_points(b), 0,
                    { .iterations = 0 }, share };
     q.size = fmax(largest_side(a), largest_side(b));
-    q.g = gjk_distance(q.pa, q.pb, gjk_options_default(), NULL);
+    q.g = distance_find(q.pa, q.pb, distance_options_default(), NULL);
     t->pairs++;
     if (q.g.iterations > t->gjk_most) t->gjk_most = q.g.iterations;
     t->not_finite += !(q.g.distance - q.g.distance == 0)
                   || !vec3_is_finite(q.g.axis);
-    t->capped += q.g.status == GJK_CAPPED;
-    int holds = q.g.status == GJK_APART ? apart_holds(&q, t)
-              : q.g.status == GJK_OVERLAP ? overlap_holds(&q, scratch, t) : 0;
+    t->capped += q.g.status == DISTANCE_CAPPED;
+    int holds = q.g.status == DISTANCE_APART ? apart_holds(&q, t)
+              : q.g.status == DISTANCE_OVERLAP ? overlap_holds(&q, scratch, t) : 0;
     if (holds) return;
     if (t->bad++ == 0) t->first_bad = name;
 }
@@ -564,20 +564,20 @@ static void judge(const body *a, const body *b, int share,
 // ---- 22 --------------------------------------------------------------------
 
 // The stored pairs: the sign, and the number, as the criterion says.
-static int stored_holds(const pair_known *p, hit_scratch *scratch)
+static int stored_holds(const pair_known *p, penetration_scratch *scratch)
 {
     point_set a = body_points(&p->a), b = body_points(&p->b);
-    gjk_result g = gjk_distance(a, b, gjk_options_default(), NULL);
+    distance_result g = distance_find(a, b, distance_options_default(), NULL);
     real size = fmax(largest_side(&p->a), largest_side(&p->b));
     real truth = p->kind == 'S' ? p->value : -p->value, said = g.distance;
-    if (g.status == GJK_OVERLAP)
-        said = -hit_face_find(a, b, &g.last, scratch).depth;
-    else if (g.status != GJK_APART) return 0;
+    if (g.status == DISTANCE_OVERLAP)
+        said = -penetration_find(a, b, &g.last, scratch).depth;
+    else if (g.status != DISTANCE_APART) return 0;
     if (fabs(truth) > 1e-12 * size && (said > 0) != (truth > 0)) return 0;
     return agrees((wide)said - (wide)truth, (wide)truth, size);
 }
 
-static void stored_pairs(hard_report *r, hit_scratch *scratch)
+static void stored_pairs(hard_report *r, penetration_scratch *scratch)
 {
     static pair_known p;
     FILE *file = fopen(PAIRS, "r");
@@ -591,7 +591,7 @@ static void stored_pairs(hard_report *r, hit_scratch *scratch)
              pairs);
 }
 
-static void random_pairs(tally *t, long pairs, int every, hit_scratch *scratch)
+static void random_pairs(tally *t, long pairs, int every, penetration_scratch *scratch)
 {
     static body a, b;
     for (long n = 0; n < pairs; n++) {
@@ -629,7 +629,7 @@ static void report_pairs(hard_report *r, const tally *t)
 static void pairs_of_bodies(hard_report *r, int fast)
 {
     tally t = { .pairs = 0 };
-    hit_scratch *scratch = hit_scratch_new();
+    penetration_scratch *scratch = penetration_scratch_new();
     if (!scratch) {
         hard_add(r, HUGE_VAL, 0, "", "no memory");
         return;
@@ -637,7 +637,7 @@ static void pairs_of_bodies(hard_report *r, int fast)
     stored_pairs(r, scratch);
     random_pairs(&t, fast ? 20000 : 1000000, fast ? 20 : 5, scratch);
     report_pairs(r, &t);
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
 }
 
 const hard_case hard_queries[] = {

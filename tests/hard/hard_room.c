@@ -1,7 +1,7 @@
 // hard_room.c - case 26: the room, from 50 to 1000 bodies, and thrown fast.
 
 #include "hard.h"
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gjk.h"
+#include "distance.h"
 #include "manifold.h"
 
 // Bodies of size 1 near the origin; a corner is seen, crossed, weighed: a few
@@ -120,7 +120,7 @@ static void make_grid(shape *s)
     ck_assert_msg(r.ok, "%s", r.why);
 }
 
-static hit_scratch *scratch;
+static penetration_scratch *scratch;
 static shape *const EVERY[] = {
     &cube, &plate, &card, &ball, &needle, &wedge, &coin, &grid, &dish
 };
@@ -139,13 +139,13 @@ static void set_up(void)
     make_grid(&grid);
     // Its top and bottom are cones of 5 degrees.
     column(&dish, 12, 0.5, 0.5, 0.2, 1, 0.5 * 0.0875);
-    scratch = hit_scratch_new();
+    scratch = penetration_scratch_new();
     ck_assert_ptr_nonnull(scratch);
 }
 
 static void tear_down(void)
 {
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
     for (int k = 0; k < SHAPES; k++) shape_free(EVERY[k]);
 }
 
@@ -226,7 +226,7 @@ typedef struct {
     touch of[MANIFOLD_TOUCHES + 1];     // one more, that stays as it was
 } answer;
 
-static feature_point side_of(const simplex *s, const int *vertex)
+static feature_point side_of(const distance_cache *s, const int *vertex)
 {
     feature_point f = { .count = 0 };
     for (int i = 0; i < s->count; i++) {
@@ -247,18 +247,18 @@ static int query(const standing *a, const standing *b, answer *r)
 {
     point_set pa = { a->at, a->plan->particles, NULL, NULL };
     point_set pb = { b->at, b->plan->particles, NULL, NULL };
-    simplex fresh = { .count = 0 };
-    gjk_result g = gjk_distance(pa, pb, gjk_options_default(), &fresh);
-    if (g.status == GJK_APART) {
+    distance_cache fresh = { .count = 0 };
+    distance_result g = distance_find(pa, pb, distance_options_default(), &fresh);
+    if (g.status == DISTANCE_APART) {
         r->normal = vec3_scale(1 / g.distance, g.axis);
         r->nearest = (touch){ side_of(&g.last, g.last.a),
                               side_of(&g.last, g.last.b), g.distance };
         return 1;
     }
-    hit_result h = hit_face_find(pa, pb, &g.last, scratch);
+    penetration_result h = penetration_find(pa, pb, &g.last, scratch);
     r->normal = h.normal;
     r->nearest = (touch){ h.a, h.b, -h.depth };
-    return h.status == HIT_FOUND;
+    return h.status == PENETRATION_FOUND;
 }
 
 static void find(const standing *a, const standing *b, real margin, answer *r)

@@ -60,14 +60,14 @@ says    "and runs it"               'verlet of my own' grep -q 'largest strain' 
 says    "the demo runs that"        "$tree/build/swapped/tumble \$scene" build -n demo MINE="$tree/a/verlet.c"
 
 # ---- what cannot stand in
-mkdir "$tree/a/gjk.c"
+mkdir "$tree/a/distance.c"
 : > "$tree/a/verlt.c"
 echo 'int x(' > "$tree/a/obj.c"
 refuses "no such file"      "$tree/a/gone.c: there is no such file"   build test-04 MINE="$tree/a/gone.c"
-refuses "a folder"          "$tree/a/gjk.c: this is a folder"         build test-04 MINE="$tree/a/gjk.c"
+refuses "a folder"          "$tree/a/distance.c: this is a folder"         build test-04 MINE="$tree/a/distance.c"
 refuses "no such module"    "$tree/a/verlt.c: no module of lib/ has that name" build test-04 MINE="$tree/a/verlt.c"
 refuses "two for one"       'two files for one module'                build test-04 MINE="$tree/a/verlet.c $tree/b/verlet.c"
-refuses "a later chapter's" "lib/query/gjk.c: its module comes after chapter 03" build test-03 MINE=lib/query/gjk.c
+refuses "a later chapter's" "lib/query/distance.c: its module comes after chapter 03" build test-03 MINE=lib/query/distance.c
 refuses "no C"              "$tree/a/obj.c: does not compile"         build test-03 MINE="$tree/a/obj.c"
 
 echo "modules swapped in: $trials trials, $failed failed"

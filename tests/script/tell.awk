@@ -2,7 +2,7 @@
 # it judged: a sentence for each test that fails, where it stands, and what it
 # wanted.
 #
-#   awk -v name=check_gjk -v yours='my/gjk.c' -f tell.awk OUTPUT
+#   awk -v name=check_distance -v yours='my/distance.c' -f tell.awk OUTPUT
 
 BEGIN { outcome = "^[^: ]+:[0-9]+:[FE]:[^:]*:[^:]*:[0-9]+: " }
 

@@ -10,7 +10,7 @@
 #ifndef TUMBLE_ORACLE_H
 #define TUMBLE_ORACLE_H
 
-#include "gjk.h"
+#include "distance.h"
 
 // m, of bodies that are apart; of others it means nothing.
 long double oracle_distance(point_set a, point_set b);

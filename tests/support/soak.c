@@ -8,7 +8,7 @@
 // Ends with 0 if all is well, 1 if not, 2 if it was not understood.
 
 #include "ledger.h"
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 
 #include <math.h>

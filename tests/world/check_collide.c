@@ -69,7 +69,7 @@ static vec3 turned(axes f, vec3 r)
 
 static particle pool[POOL];
 static vec3 place[POOL];
-static hit_scratch *scratch;
+static penetration_scratch *scratch;
 
 // Puts body `first` there: in the pool, and where the queries look.
 static collider stand(const shape *s, int first, real mass, axes f, vec3 at)
@@ -102,13 +102,13 @@ static void set_up(void)
     ck_assert(shape_box(&slab, vec3_make(4, 1, 4), 1).ok);
     ck_assert(shape_icosahedron(&ball, 0.5, 1).ok);
     ck_assert(shape_convex(&wedge, 6, WEDGE, 8, WEDGE_FACE, 1).ok);
-    scratch = hit_scratch_new();
+    scratch = penetration_scratch_new();
     ck_assert_ptr_nonnull(scratch);
 }
 
 static void tear_down(void)
 {
-    hit_scratch_free(scratch);
+    penetration_scratch_free(scratch);
     shape_free(&cube);
     shape_free(&slab);
     shape_free(&ball);
@@ -118,7 +118,7 @@ static void tear_down(void)
 static int touch(collider a, collider b, real margin, int manifold,
                  contact out[PAIR_CONTACTS])
 {
-    simplex fresh = { .count = 0 };
+    distance_cache fresh = { .count = 0 };
     return collide_rigid(&a, &b, margin, manifold, &fresh, scratch, out);
 }
 
@@ -269,11 +269,11 @@ START_TEST(first_contact_is_the_distance_or_the_depth)
                            spot);
         collider b = stand(k % 3 ? &cube : &ball, FIRST_B, 3, any_axes(),
                            vec3_make(0, 0, 0));
-        gjk_result g = gjk_distance(points_of(a), points_of(b),
-                                    gjk_options_default(), NULL);
+        distance_result g = distance_find(points_of(a), points_of(b),
+                                    distance_options_default(), NULL);
         contact c[PAIR_CONTACTS];
         int n = touch(a, b, 0.5, 0, c);
-        if (g.status == GJK_APART && g.distance > 0.5) {
+        if (g.status == DISTANCE_APART && g.distance > 0.5) {
             ck_assert_int_eq(n, 0);
             continue;
         }
@@ -282,7 +282,7 @@ START_TEST(first_contact_is_the_distance_or_the_depth)
         // What the contact says is -gap, and it parts the bodies: no corner of
         // A is left below any of B.
         ck_assert(fabs(parting(a, b, c[0].normal) + gap_of(&c[0])) <= ORACLE);
-        if (g.status == GJK_APART) {
+        if (g.status == DISTANCE_APART) {
             apart++;
             ck_assert(fabs(gap_of(&c[0]) - g.distance) <= ORACLE);
         } else {
@@ -323,9 +323,9 @@ START_TEST(margin_counts_to_the_last_digit)
         vec3 spot = vec3_scale(1.5, vec3_unit(any_vec3(1)));
         collider b = stand_hull(&ball, 1, any_axes(), vec3_make(0, 0, 0));
         collider a = stand(&cube, FIRST_A, 1, any_axes(), spot);
-        gjk_result g = gjk_distance(points_of(a), points_of(b),
-                                    gjk_options_default(), NULL);
-        if (g.status != GJK_APART) continue;
+        distance_result g = distance_find(points_of(a), points_of(b),
+                                    distance_options_default(), NULL);
+        if (g.status != DISTANCE_APART) continue;
         const real margin[] = { nextafter(g.distance, 0), g.distance,
                                 nextafter(g.distance, 9) };
         contact c[PAIR_CONTACTS];
@@ -337,7 +337,7 @@ START_TEST(margin_counts_to_the_last_digit)
             if (n) ck_assert(fabs(gap_of(&c[0]) - margin[i]) <= ORACLE);
         }
         point_set point = { &spot, 1, NULL, NULL };
-        g = gjk_distance(point, points_of(b), gjk_options_default(), NULL);
+        g = distance_find(point, points_of(b), distance_options_default(), NULL);
         for (int i = -1; i < 2; i++) {
             real reach = g.distance + i * DBL_EPSILON * g.distance;
             int n = ask(b, spot, reach, c);
@@ -476,10 +476,10 @@ START_TEST(balls_in_one_place_are_parted_all_the_same)
     shape fine;
     make_fine_ball(&fine);
     collider a = { &fine, 0, fine.at, 1 }, b = { &fine, FINE, fine.at, 1 };
-    simplex fresh = { .count = 0 };
+    distance_cache fresh = { .count = 0 };
     point_set p = { fine.at, FINE, fine.ring_start, fine.ring };
-    gjk_result g = gjk_distance(p, p, gjk_options_default(), NULL);
-    ck_assert_int_eq(hit_face_find(p, p, &g.last, scratch).status, HIT_CAPPED);
+    distance_result g = distance_find(p, p, distance_options_default(), NULL);
+    ck_assert_int_eq(penetration_find(p, p, &g.last, scratch).status, PENETRATION_CAPPED);
     contact c[PAIR_CONTACTS];
     ck_assert_int_eq(collide_rigid(&a, &b, 0, 0, &fresh, scratch, c), 1);
     vec3 on_a = { 0, 0, 0 }, on_b = { 0, 0, 0 };
@@ -927,12 +927,12 @@ START_TEST(particle_finds_what_the_search_finds)
         collider b = stand_hull(s, MASS[k % 3 == 0], any_axes(), spot);
         vec3 x = vec3_add(spot, any_vec3(s == &slab ? 2.5 : 1.5));
         point_set point = { &x, 1, NULL, NULL };
-        gjk_result g = gjk_distance(point, points_of(b), gjk_options_default(),
+        distance_result g = distance_find(point, points_of(b), distance_options_default(),
                                     NULL);
         real reach = 0.6;
         contact c;
         int near = ask(b, x, reach, &c);
-        if (g.status == GJK_APART) {
+        if (g.status == DISTANCE_APART) {
             ck_assert_int_eq(near, g.distance <= reach);
             if (!near) continue;
             is_sound_point(&c, b);
@@ -1039,7 +1039,7 @@ START_TEST(particle_over_the_fold_of_a_strained_side_finds_the_fold)
         vec3 x = vec3_add(vec3_scale(u, p), vec3_scale(1 - u, q));
         x = vec3_add_scaled(x, 0.05, up);
         point_set point = { &x, 1, NULL, NULL };
-        gjk_result g = gjk_distance(point, points_of(b), gjk_options_default(),
+        distance_result g = distance_find(point, points_of(b), distance_options_default(),
                                     NULL);
         contact c;
         ck_assert_int_eq(ask(b, x, 0.1, &c), 1);

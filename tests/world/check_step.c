@@ -120,10 +120,10 @@ static real penetration(void)
                 q[k] = (point_set){ at[k], s->particles, s->ring_start,
                                     s->ring };
             }
-            gjk_result g = gjk_distance(q[0], q[1], gjk_options_default(),
+            distance_result g = distance_find(q[0], q[1], distance_options_default(),
                                         NULL);
-            if (g.status == GJK_OVERLAP)
-                deepest = fmax(deepest, hit_face_find(q[0], q[1], &g.last,
+            if (g.status == DISTANCE_OVERLAP)
+                deepest = fmax(deepest, penetration_find(q[0], q[1], &g.last,
                                                       w.narrow.hit[0]).depth);
         }
     return deepest;

@@ -1,4 +1,4 @@
-// pairs.h - many distinct pairs of icosahedra at a chosen gap, and a clock;
+// query_pairs.h - many distinct pairs of icosahedra at a chosen gap, and a clock;
 // for the figures of chapters 4 and 5.
 //
 // 20,000 pairs, because a loop over few pairs teaches the branch predictor the
@@ -8,7 +8,7 @@
 #define FIGURE_PAIRS_H
 
 #include "clock.h"
-#include "gjk.h"
+#include "distance.h"
 
 #include <stddef.h>
 
@@ -72,9 +72,9 @@ static void shift(icosahedron *body, vec3 by)
     for (int i = 0; i < CORNERS; i++) body->at[i] = vec3_add(body->at[i], by);
 }
 
-static gjk_result ask_pair(const icosahedron *a, const icosahedron *b)
+static distance_result ask_pair(const icosahedron *a, const icosahedron *b)
 {
-    return gjk_distance(points_of(a), points_of(b), gjk_options_default(),
+    return distance_find(points_of(a), points_of(b), distance_options_default(),
                         NULL);
 }
 
@@ -111,7 +111,7 @@ static inline void make_pairs(pair_at_gap *pair, int n, real gap)
         axis = random_direction();
         pair[i].b = icosahedron_turned(axis, 6.28318530718 * random_unit());
         shift(&pair[i].b, vec3_scale(1.5, way));
-        gjk_result r = ask_pair(&pair[i].a, &pair[i].b);
+        distance_result r = ask_pair(&pair[i].a, &pair[i].b);
         for (int tries = 0; tries < 60; tries++) {
             if (fabs(r.distance - wanted) < 1e-9) break;
             // Newton towards A's middle: the distance falls, convex, along it.

@@ -1,4 +1,4 @@
-// check_gjk.c - tests of lib/gjk: distances, bounds, and the hard cases.
+// check_distance.c - tests of lib/query/distance: distances, bounds, and the hard cases.
 
 #include "bodies.h"
 #include "oracle.h"
@@ -17,9 +17,9 @@ static const real rounding = 5e-15;
 // The same where the reference, too, is rounded (long double may be double).
 static const real reference = 1e-13;
 
-static gjk_result ask(const body *a, const body *b)
+static distance_result ask(const body *a, const body *b)
 {
-    return gjk_distance(body_points(a), body_points(b), gjk_options_default(),
+    return distance_find(body_points(a), body_points(b), distance_options_default(),
                         NULL);
 }
 
@@ -35,7 +35,7 @@ static void same_bits(real got, real wanted)
                   "got %.17g, wanted %.17g", got, wanted);
 }
 
-static void same_simplex(const simplex *got, const simplex *wanted)
+static void same_simplex(const distance_cache *got, const distance_cache *wanted)
 {
     ck_assert_int_eq(got->count, wanted->count);
     for (int c = 0; c < 4; c++) {
@@ -47,7 +47,7 @@ static void same_simplex(const simplex *got, const simplex *wanted)
 }
 
 // One number that changes if any bit of an answer changes.
-static unsigned long long digest(unsigned long long h, gjk_result r)
+static unsigned long long digest(unsigned long long h, distance_result r)
 {
     const real part[] = { r.distance, r.axis.x, r.axis.y, r.axis.z, r.on_a.x,
                           r.on_a.y, r.on_a.z, r.on_b.x, r.on_b.y, r.on_b.z };
@@ -64,8 +64,8 @@ START_TEST(two_points_are_as_far_as_they_are)
 {
     vec3 p = { 1, 2, 3 }, q = { 4, 6, 3 };
     point_set a = { &p, 1, NULL, NULL }, b = { &q, 1, NULL, NULL };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
-    ck_assert_int_eq(r.status, GJK_APART);
+    distance_result r = distance_find(a, b, distance_options_default(), NULL);
+    ck_assert_int_eq(r.status, DISTANCE_APART);
     same_bits(r.distance, 5);
     same_bits(r.axis.x, -3);        // rejects: an axis from A to B
     same_bits(r.on_a.y, 2);
@@ -79,8 +79,8 @@ START_TEST(a_point_on_itself_overlaps)
 {
     vec3 p = { 1e7, -3, 0.1 };
     point_set a = { &p, 1, NULL, NULL };
-    gjk_result r = gjk_distance(a, a, gjk_options_default(), NULL);
-    ck_assert_int_eq(r.status, GJK_OVERLAP);
+    distance_result r = distance_find(a, a, distance_options_default(), NULL);
+    ck_assert_int_eq(r.status, DISTANCE_OVERLAP);
     same_bits(r.distance, 0);
     ck_assert_int_eq(r.last.count, 1);
 }
@@ -91,7 +91,7 @@ START_TEST(crossing_segments_are_their_gap_apart)
     vec3 s[2] = { { -1, 0, 0 }, { 1, 0, 0 } };
     vec3 t[2] = { { 0.5, -1, 0.25 }, { 0.5, 1, 0.25 } };
     point_set a = { s, 2, NULL, NULL }, b = { t, 2, NULL, NULL };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
+    distance_result r = distance_find(a, b, distance_options_default(), NULL);
     same_bits(r.distance, 0.25);
     near(r.on_a.x, 0.5, rounding);
     near(r.on_b.y, 0, rounding);
@@ -116,9 +116,9 @@ START_TEST(exact_touch_is_overlap)
     body a = body_cube(0, 0, 0), f = body_cube(1, 0.25, 0.125),
          e = body_cube(1, 1, 0.25);
     body v = body_cube(-1, 1, 1);
-    ck_assert_int_eq(ask(&a, &f).status, GJK_OVERLAP);
-    ck_assert_int_eq(ask(&a, &e).status, GJK_OVERLAP);
-    ck_assert_int_eq(ask(&a, &v).status, GJK_OVERLAP);
+    ck_assert_int_eq(ask(&a, &f).status, DISTANCE_OVERLAP);
+    ck_assert_int_eq(ask(&a, &e).status, DISTANCE_OVERLAP);
+    ck_assert_int_eq(ask(&a, &v).status, DISTANCE_OVERLAP);
 }
 END_TEST
 
@@ -126,9 +126,9 @@ START_TEST(identical_and_concentric_cubes_overlap)
 {
     body a = body_cube(0.1, 0.2, 0.3), b = a, c = body_cube(0, 0, 0), small = c;
     body_scale(&small, 1e-4);
-    ck_assert_int_eq(ask(&a, &b).status, GJK_OVERLAP);
-    ck_assert_int_eq(ask(&c, &small).status, GJK_OVERLAP);
-    ck_assert_int_eq(ask(&small, &c).status, GJK_OVERLAP);
+    ck_assert_int_eq(ask(&a, &b).status, DISTANCE_OVERLAP);
+    ck_assert_int_eq(ask(&c, &small).status, DISTANCE_OVERLAP);
+    ck_assert_int_eq(ask(&small, &c).status, DISTANCE_OVERLAP);
 }
 END_TEST
 
@@ -137,10 +137,10 @@ START_TEST(a_point_is_inside_or_outside_a_cube)
     body c = body_cube(0, 0, 0);
     vec3 in = { 0.49, -0.3, 0.2 }, out = { 0.3, 0.2, 0.75 };
     point_set p = { &in, 1, NULL, NULL }, q = { &out, 1, NULL, NULL };
-    gjk_options o = gjk_options_default();
-    ck_assert_int_eq(gjk_distance(p, body_points(&c), o, NULL).status,
-                     GJK_OVERLAP);
-    near(gjk_distance(q, body_points(&c), o, NULL).distance, 0.25, rounding);
+    distance_options o = distance_options_default();
+    ck_assert_int_eq(distance_find(p, body_points(&c), o, NULL).status,
+                     DISTANCE_OVERLAP);
+    near(distance_find(q, body_points(&c), o, NULL).distance, 0.25, rounding);
 }
 END_TEST
 
@@ -162,11 +162,11 @@ END_TEST
 START_TEST(far_from_the_origin_nothing_more_is_lost)
 {
     body a = body_cube(0, 0, 0), b = body_cube(1.75, 1.5, 1.25);
-    gjk_result home = ask(&a, &b);
+    distance_result home = ask(&a, &b);
     vec3 far = { 16777216, -8388608, 16777216 };     // 2^24: moves exactly
     body_move(&a, far);
     body_move(&b, far);
-    gjk_result away = ask(&a, &b);
+    distance_result away = ask(&a, &b);
     same_bits(away.distance, home.distance);
     same_bits(away.axis.x, home.axis.x);
     same_bits(away.on_a.y - far.y, home.on_a.y);
@@ -186,12 +186,12 @@ START_TEST(size_does_not_matter)
         body_random(&a, 8, &seed);
         body_random(&b, 6, &seed);
         body_move(&b, random_vector(&seed, 0, 2));
-        gjk_result one = ask(&a, &b);
+        distance_result one = ask(&a, &b);
         for (int s = 0; s < 8; s++) {
             body c = a, d = b;
             body_scale(&c, scale[s]);
             body_scale(&d, scale[s]);
-            gjk_result r = ask(&c, &d);
+            distance_result r = ask(&c, &d);
             ck_assert_int_eq(r.status, one.status);
             same_bits(r.distance, one.distance * scale[s]);
             same_bits(r.on_b.z, one.on_b.z * scale[s]);
@@ -214,16 +214,16 @@ START_TEST(stored_pairs_have_their_exact_distance)
             size = fmax(size, vec3_distance(p.a.at[0], p.a.at[i]));
         for (int i = 0; i < p.b.count; i++)
             size = fmax(size, vec3_distance(p.b.at[0], p.b.at[i]));
-        gjk_result r = ask(&p.a, &p.b);
+        distance_result r = ask(&p.a, &p.b);
         if (p.kind == 'P' && p.value > 1e-12 * size)
-            ck_assert_int_eq(r.status, GJK_OVERLAP);
+            ck_assert_int_eq(r.status, DISTANCE_OVERLAP);
         if (p.kind != 'S') continue;
         apart++;
         real error = fabs(r.distance - p.value);
         ck_assert_msg(error <= 1e-6 * p.value || error <= 1e-14 * size,
                       "%s: got %.17g, wanted %.17g", p.family, r.distance,
                       p.value);
-        if (p.value > 1e-12 * size) ck_assert_int_eq(r.status, GJK_APART);
+        if (p.value > 1e-12 * size) ck_assert_int_eq(r.status, DISTANCE_APART);
     }
     fclose(file);
     ck_assert_int_eq(read, 0);
@@ -245,8 +245,8 @@ START_TEST(random_pairs_agree_with_every_feature_pair)
         body_any(&b, n / 5 % 5, &seed);
         if (a.count * b.count > 100) continue;       // the oracle is slow
         body_move(&b, random_vector(&seed, 0, 3));
-        gjk_result r = ask(&a, &b);
-        if (r.status != GJK_APART) continue;
+        distance_result r = ask(&a, &b);
+        if (r.status != DISTANCE_APART) continue;
         apart++;
         real truth = (real)oracle_distance(body_points(&a), body_points(&b));
         near(r.distance, truth, reference);
@@ -267,8 +267,8 @@ START_TEST(the_gap_is_a_certificate)
         body_any(&a, n % 5, &seed);
         body_any(&b, n / 5 % 5, &seed);
         body_move(&b, random_vector(&seed, 0, 2.5));
-        gjk_result r = ask(&a, &b);
-        ck_assert(r.status == GJK_APART || r.status == GJK_OVERLAP);
+        distance_result r = ask(&a, &b);
+        ck_assert(r.status == DISTANCE_APART || r.status == DISTANCE_OVERLAP);
         vec3 v = r.axis, w = vec3_sub(r.on_a, r.on_b);
         real sum = 0;
         for (int c = 0; c < r.last.count; c++) {
@@ -278,8 +278,8 @@ START_TEST(the_gap_is_a_certificate)
         near(sum, 1, rounding);
         // A flat tetrahedron around the origin has rough weights.
         near(vec3_distance(v, w), 0,
-             r.status == GJK_APART ? rounding : 100 * rounding);
-        if (r.status != GJK_APART) continue;
+             r.status == DISTANCE_APART ? rounding : 100 * rounding);
+        if (r.status != DISTANCE_APART) continue;
         apart++;
         vec3 back = vec3_scale(-1, v);
         real lowest = -(real)oracle_width(body_points(&a), body_points(&b),
@@ -298,7 +298,7 @@ START_TEST(swapped_bodies_give_the_mirror_image)
         body_any(&a, n % 5, &seed);
         body_any(&b, n / 5 % 5, &seed);
         body_move(&b, vec3_scale(2.5, random_direction(&seed)));
-        gjk_result r = ask(&a, &b), s = ask(&b, &a);
+        distance_result r = ask(&a, &b), s = ask(&b, &a);
         near(r.distance, s.distance, rounding);
         near(vec3_length(vec3_add(r.axis, s.axis)), 0, 10 * rounding);
     }
@@ -318,12 +318,12 @@ START_TEST(carried_equals_cold)
         body_any(&a, n % 3, &seed);
         body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0.5, 2));
-        simplex carried = { .count = 0 };
+        distance_cache carried = { .count = 0 };
         vec3 drift = vec3_scale(0.0025, random_direction(&seed));
         for (int frame = 0; frame < 12; frame++) {
-            gjk_result cold = ask(&a, &b);
-            gjk_result warm = gjk_distance(body_points(&a), body_points(&b),
-                                           gjk_options_default(), &carried);
+            distance_result cold = ask(&a, &b);
+            distance_result warm = distance_find(body_points(&a), body_points(&b),
+                                           distance_options_default(), &carried);
             ck_assert_int_eq(warm.status, cold.status);
             near(warm.distance, cold.distance, rounding);
             vec3 between = vec3_sub(warm.on_a, warm.on_b);
@@ -349,16 +349,16 @@ START_TEST(a_carried_simplex_serves_bodies_of_any_size)
         body_random(&a, 8, &seed);
         body_random(&b, 6, &seed);
         body_move(&b, random_vector(&seed, 0, 2));
-        simplex last = ask(&a, &b).last;
+        distance_cache last = ask(&a, &b).last;
         body_move(&b, vec3_scale(0.0025, random_direction(&seed)));
-        gjk_result one = ask(&a, &b);
+        distance_result one = ask(&a, &b);
         for (int s = 0; s < 7; s++) {
             body c = a, d = b;
             body_scale(&c, scale[s]);
             body_scale(&d, scale[s]);
-            simplex carried = last;
-            gjk_result r = gjk_distance(body_points(&c), body_points(&d),
-                                        gjk_options_default(), &carried);
+            distance_cache carried = last;
+            distance_result r = distance_find(body_points(&c), body_points(&d),
+                                        distance_options_default(), &carried);
             ck_assert_int_eq(r.status, one.status);
             near(r.distance / scale[s], one.distance, rounding);
         }
@@ -378,9 +378,9 @@ START_TEST(far_out_a_carried_corner_is_not_believed)
     for (int i = 0; i < 4; i++) home[i] = vec3_sub(away[i], origin);
     point_set a = { away, 4, NULL, NULL }, b = { &origin, 1, NULL, NULL };
     point_set c = { home, 4, NULL, NULL }, d = { &none, 1, NULL, NULL };
-    simplex carried = { .count = 1 };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
-    gjk_result wanted = gjk_distance(c, d, gjk_options_default(), NULL);
+    distance_cache carried = { .count = 1 };
+    distance_result r = distance_find(a, b, distance_options_default(), &carried);
+    distance_result wanted = distance_find(c, d, distance_options_default(), NULL);
     same_bits(r.distance, wanted.distance);
 }
 END_TEST
@@ -390,7 +390,7 @@ END_TEST
 START_TEST(an_axis_that_parted_answers_first)
 {
     unsigned long long seed = 47;
-    gjk_options o = gjk_options_default();
+    distance_options o = distance_options_default();
     o.margin = 0.02;
     for (int n = 0; n < 500; n++) {
         body a, b;
@@ -398,18 +398,18 @@ START_TEST(an_axis_that_parted_answers_first)
         body_any(&b, n / 5 % 5, &seed);
         vec3 way = random_direction(&seed);
         body_move(&b, vec3_scale(3, way));
-        simplex carried = { .count = 0 };
-        gjk_result r = gjk_distance(body_points(&a), body_points(&b), o,
+        distance_cache carried = { .count = 0 };
+        distance_result r = distance_find(body_points(&a), body_points(&b), o,
                                     &carried);
-        ck_assert_int_eq(r.status, GJK_BEYOND);
+        ck_assert_int_eq(r.status, DISTANCE_BEYOND);
         near(vec3_length(carried.axis), 1, rounding);
         // Further and further in: until the axis no longer parts them.
         for (int step = 0; step < 12; step++) {
             body_move(&b, vec3_scale(-0.25, way));
             real truth = ask(&a, &b).distance;
-            simplex was = carried;
-            r = gjk_distance(body_points(&a), body_points(&b), o, &carried);
-            if (r.status != GJK_BEYOND) {
+            distance_cache was = carried;
+            r = distance_find(body_points(&a), body_points(&b), o, &carried);
+            if (r.status != DISTANCE_BEYOND) {
                 near(r.distance, truth, 4 * rounding);
                 ck_assert(truth <= o.margin);
                 same_bits(carried.axis.z, 0);   // nothing parted them
@@ -423,10 +423,10 @@ START_TEST(an_axis_that_parted_answers_first)
             }
         }
         body_move(&b, vec3_scale(3, way));
-        gjk_distance(body_points(&a), body_points(&b), o, &carried);
+        distance_find(body_points(&a), body_points(&b), o, &carried);
         a.at[a.count - 1].y = (real)NAN;
-        r = gjk_distance(body_points(&a), body_points(&b), o, &carried);
-        ck_assert_int_eq(r.status, GJK_NOT_FINITE);
+        r = distance_find(body_points(&a), body_points(&b), o, &carried);
+        ck_assert_int_eq(r.status, DISTANCE_NOT_FINITE);
     }
 }
 END_TEST
@@ -436,7 +436,7 @@ END_TEST
 START_TEST(an_axis_promises_too_little_rather_than_too_much)
 {
     unsigned long long seed = 59;
-    gjk_options o = gjk_options_default();
+    distance_options o = distance_options_default();
     o.margin = 0.02;
     for (int n = 0; n < 2000; n++) {
         body a, b;
@@ -447,13 +447,13 @@ START_TEST(an_axis_promises_too_little_rather_than_too_much)
         body_move(&b, vec3_scale(2.5, way));
         body_move(&a, far);
         body_move(&b, far);
-        simplex carried = { .count = 0 };
-        gjk_distance(body_points(&a), body_points(&b), o, &carried);
-        gjk_result r = gjk_distance(body_points(&a), body_points(&b), o,
+        distance_cache carried = { .count = 0 };
+        distance_find(body_points(&a), body_points(&b), o, &carried);
+        distance_result r = distance_find(body_points(&a), body_points(&b), o,
                                     &carried);
         real gap = support_gap(body_points(&a), body_points(&b), carried.axis);
-        ck_assert(r.status != GJK_BEYOND || r.distance <= gap + rounding);
-        if (n % 40 < 10) ck_assert_int_eq(r.status, GJK_BEYOND);
+        ck_assert(r.status != DISTANCE_BEYOND || r.distance <= gap + rounding);
+        if (n % 40 < 10) ck_assert_int_eq(r.status, DISTANCE_BEYOND);
     }
 }
 END_TEST
@@ -490,9 +490,9 @@ START_TEST(large_bodies_are_sketched_first)
         body_turn(&b, &seed);
         body_move(&b, random_vector(&seed, 0.9, 1.4));
         point_set pa = body_points(&a), pb = body_points(&b);
-        gjk_result climbed = gjk_distance(pa, pb, gjk_options_default(), NULL);
+        distance_result climbed = distance_find(pa, pb, distance_options_default(), NULL);
         pa.ring = pb.ring = NULL;
-        gjk_result scanned = gjk_distance(pa, pb, gjk_options_default(), NULL);
+        distance_result scanned = distance_find(pa, pb, distance_options_default(), NULL);
         ck_assert_int_eq(climbed.status, scanned.status);
         near(climbed.distance, scanned.distance, rounding);
         asked += climbed.iterations;
@@ -511,15 +511,15 @@ START_TEST(a_stale_simplex_does_no_harm)
         body_any(&a, n % 3, &seed);
         body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0, 2));
-        simplex stale = { .count = 1 + n % 4 };
+        distance_cache stale = { .count = 1 + n % 4 };
         for (int c = 0; c < stale.count; c++) {
             stale.a[c] = (int)(a.count * random_unit(&seed));
             stale.b[c] = (int)(b.count * random_unit(&seed));
             stale.weight[c] = 1;
         }
-        gjk_result cold = ask(&a, &b);
-        gjk_result warm = gjk_distance(body_points(&a), body_points(&b),
-                                       gjk_options_default(), &stale);
+        distance_result cold = ask(&a, &b);
+        distance_result warm = distance_find(body_points(&a), body_points(&b),
+                                       distance_options_default(), &stale);
         ck_assert_int_eq(warm.status, cold.status);
         near(warm.distance, cold.distance, rounding);
     }
@@ -532,22 +532,22 @@ START_TEST(beyond_the_margin_it_stops_early_with_a_true_bound)
 {
     unsigned long long seed = 13;
     int beyond = 0;
-    gjk_options o = gjk_options_default();
+    distance_options o = distance_options_default();
     o.margin = 0.1;
     for (int n = 0; n < 1000; n++) {
         body a, b;
         body_any(&a, n % 3, &seed);
         body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0, 2.5));
-        gjk_result full = ask(&a, &b);
-        gjk_result r = gjk_distance(body_points(&a), body_points(&b), o, NULL);
+        distance_result full = ask(&a, &b);
+        distance_result r = distance_find(body_points(&a), body_points(&b), o, NULL);
         if (full.distance < 0.1) {
             ck_assert_int_eq(r.status, full.status);
             near(r.distance, full.distance, rounding);
             continue;
         }
         beyond++;
-        ck_assert_int_eq(r.status, GJK_BEYOND);
+        ck_assert_int_eq(r.status, DISTANCE_BEYOND);
         ck_assert(r.distance > 0.1 && r.distance <= full.distance + rounding);
         ck_assert_int_le(r.iterations, full.iterations);
         // The axis parts them by at least that much.
@@ -568,11 +568,11 @@ START_TEST(the_relative_error_is_kept)
         body_any(&a, n % 3, &seed);
         body_any(&b, n / 3 % 3, &seed);
         body_move(&b, vec3_scale(2.5, random_direction(&seed)));
-        gjk_options o = gjk_options_default();
+        distance_options o = distance_options_default();
         o.relative_error = bound[n % 4];
-        gjk_result exact = ask(&a, &b);
-        gjk_result r = gjk_distance(body_points(&a), body_points(&b), o, NULL);
-        if (exact.status != GJK_APART) continue;
+        distance_result exact = ask(&a, &b);
+        distance_result r = distance_find(body_points(&a), body_points(&b), o, NULL);
+        if (exact.status != DISTANCE_APART) continue;
         ck_assert(r.distance >= exact.distance - rounding);
         ck_assert(r.distance - exact.distance
                   <= bound[n % 4] * r.distance + rounding);
@@ -587,18 +587,18 @@ START_TEST(the_cap_is_honoured)
     body_icosphere(&a, 2, 0.5);
     b = a;
     body_move(&b, (vec3){ 0.8, 0.7, 0.6 });
-    gjk_result full = ask(&a, &b);
+    distance_result full = ask(&a, &b);
     ck_assert_int_gt(full.iterations, 2);
     real before = HUGE_VAL;
     for (int cap = 1; cap <= full.iterations; cap++) {
-        gjk_options o = gjk_options_default();
+        distance_options o = distance_options_default();
         o.cap = cap;
-        gjk_result r = gjk_distance(body_points(&a), body_points(&b), o, NULL);
+        distance_result r = distance_find(body_points(&a), body_points(&b), o, NULL);
         ck_assert_int_le(r.iterations, cap);
         // What is so far: never worse with more, and a point of A - B.
         ck_assert(r.distance <= before && r.distance >= full.distance);
         near(vec3_distance(r.on_a, r.on_b), r.distance, rounding);
-        ck_assert(r.status == GJK_CAPPED || cap == full.iterations);
+        ck_assert(r.status == DISTANCE_CAPPED || cap == full.iterations);
         before = r.distance;
     }
 }
@@ -615,8 +615,8 @@ START_TEST(sixty_four_is_never_reached)
         body_move(&b, vec3_scale(2.5, random_direction(&seed)));
         for (int k = 0; k < 4; k++)
             body_move(&b, ask(&a, &b).axis);
-        gjk_result r = ask(&a, &b);
-        ck_assert(r.status == GJK_APART || r.status == GJK_OVERLAP);
+        distance_result r = ask(&a, &b);
+        ck_assert(r.status == DISTANCE_APART || r.status == DISTANCE_OVERLAP);
         ck_assert_int_le(r.iterations, 20);
         ck_assert(r.distance < 1e-14);
     }
@@ -633,9 +633,9 @@ START_TEST(a_ring_changes_nothing_but_the_time)
         body_turn(&a, &seed);
         body_turn(&b, &seed);
         body_move(&b, random_vector(&seed, 0.9, 1.2));
-        gjk_result climbed = ask(&a, &b);
+        distance_result climbed = ask(&a, &b);
         a.has_ring = b.has_ring = 0;
-        gjk_result scanned = ask(&a, &b);
+        distance_result scanned = ask(&a, &b);
         ck_assert_int_eq(climbed.status, scanned.status);
         near(climbed.distance, scanned.distance, rounding);
     }
@@ -656,9 +656,9 @@ START_TEST(what_is_not_finite_gets_a_status)
                     real *x = axis == 0 ? &b.at[i].x
                             : axis == 1 ? &b.at[i].y : &b.at[i].z;
                     *x = poison[kind];
-                    gjk_result r = ask(&a, &b), s = ask(&b, &a);
-                    ck_assert_int_eq(r.status, GJK_NOT_FINITE);
-                    ck_assert_int_eq(s.status, GJK_NOT_FINITE);
+                    distance_result r = ask(&a, &b), s = ask(&b, &a);
+                    ck_assert_int_eq(r.status, DISTANCE_NOT_FINITE);
+                    ck_assert_int_eq(s.status, DISTANCE_NOT_FINITE);
                     same_bits(r.distance, 0);
                     ck_assert_int_eq(r.last.count, 0);
                 }
@@ -674,8 +674,8 @@ START_TEST(the_ends_of_the_range_of_numbers_are_served)
     body a = body_cube(0, 0, 0), b = body_cube(1.1875, 0, 0);
     body_scale(&a, 0x1p-1070);
     body_scale(&b, 0x1p-1070);
-    gjk_result r = ask(&a, &b);
-    ck_assert_int_eq(r.status, GJK_APART);
+    distance_result r = ask(&a, &b);
+    ck_assert_int_eq(r.status, DISTANCE_APART);
     same_bits(r.distance, 0x1p-1070 * 0.1875);
 
     a = body_cube(0, 0, 0), b = body_cube(1.25, 0, 0);
@@ -684,7 +684,7 @@ START_TEST(the_ends_of_the_range_of_numbers_are_served)
     same_bits(ask(&a, &b).distance, 0x1p1013);
     body_scale(&b, 64);     // beyond 2^1020: the distance may be no number
     r = ask(&a, &b);
-    ck_assert_int_eq(r.status, GJK_NOT_FINITE);
+    ck_assert_int_eq(r.status, DISTANCE_NOT_FINITE);
     same_bits(r.distance, 0);
 }
 END_TEST
@@ -696,9 +696,9 @@ START_TEST(what_is_met_late_leaves_no_number)
     vec3 at[3] = { { 1, 0, 0 }, { 0.5, 1, 0 }, { 1, -end, 0 } };
     vec3 o = { 0, 0, 0 };
     point_set a = { at, 3, NULL, NULL }, b = { &o, 1, NULL, NULL };
-    simplex carried = { .count = 1, .weight = { 1 } };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
-    ck_assert_int_eq(r.status, GJK_NOT_FINITE);
+    distance_cache carried = { .count = 1, .weight = { 1 } };
+    distance_result r = distance_find(a, b, distance_options_default(), &carried);
+    ck_assert_int_eq(r.status, DISTANCE_NOT_FINITE);
     ck_assert_int_gt(r.iterations, 1);
     same_bits(r.distance, 0);
     same_bits(r.axis.x, 0);
@@ -720,10 +720,10 @@ START_TEST(a_bad_corner_among_carried_ones_is_not_forgotten)
                                     1 };
         point_set a = { at, 4, NULL, NULL }, b = { &o, 1, NULL, NULL };
         for (int count = 1; count <= 4; count++) {
-            simplex carried = { .count = count };
+            distance_cache carried = { .count = count };
             for (int c = 0; c < count; c++) carried.a[c] = (first + c) % 4;
-            gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
-            ck_assert_int_eq(r.status, GJK_NOT_FINITE);
+            distance_result r = distance_find(a, b, distance_options_default(), &carried);
+            ck_assert_int_eq(r.status, DISTANCE_NOT_FINITE);
             ck_assert_int_eq(r.last.count, 0);
         }
     }
@@ -735,9 +735,9 @@ START_TEST(a_far_corner_may_come_second)
 {
     vec3 at[2] = { { 1, 0, 0 }, { -0x1p600, 0x1p600, 0 } }, o = { 0, 0, 0 };
     point_set a = { at, 2, NULL, NULL }, b = { &o, 1, NULL, NULL };
-    simplex carried = { .count = 1 };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
-    ck_assert(r.status == GJK_APART || r.status == GJK_OVERLAP);
+    distance_cache carried = { .count = 1 };
+    distance_result r = distance_find(a, b, distance_options_default(), &carried);
+    ck_assert(r.status == DISTANCE_APART || r.status == DISTANCE_OVERLAP);
     ck_assert(r.distance <= 1);
 }
 END_TEST
@@ -752,9 +752,9 @@ START_TEST(a_triangle_without_a_plane_has_no_foot)
     vec3 q[2] = { { -32, -32, -32 },
                   { -9.25, -9.2499999999999236, -9.2499999999998472 } };
     point_set a = { p, 2, NULL, NULL }, b = { q, 2, NULL, NULL };
-    simplex carried = { .count = 3, .a = { 0, 1, 0 }, .b = { 0, 1, 1 } };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
-    ck_assert_int_eq(r.status, GJK_APART);
+    distance_cache carried = { .count = 3, .a = { 0, 1, 0 }, .b = { 0, 1, 1 } };
+    distance_result r = distance_find(a, b, distance_options_default(), &carried);
+    ck_assert_int_eq(r.status, DISTANCE_APART);
     near(r.distance, vec3_distance(p[0], q[1]), 1e-11);
     near(vec3_distance(r.on_a, r.on_b), r.distance, 1e-11);
 }
@@ -775,8 +775,8 @@ START_TEST(a_step_that_gains_nothing_may_be_on_the_way)
                            i & 2 ? -31.999999989437708 : -31.999999996479236,
                            -32 };
     point_set a = { large, 4, NULL, NULL }, b = { small, 4, NULL, NULL };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
-    ck_assert_int_eq(r.status, GJK_APART);
+    distance_result r = distance_find(a, b, distance_options_default(), NULL);
+    ck_assert_int_eq(r.status, DISTANCE_APART);
     near(r.distance, (real)oracle_distance(a, b), 1e-14 * 28);
     ck_assert_int_le(r.iterations, 20);
 }
@@ -795,8 +795,8 @@ START_TEST(steps_that_gain_nothing_are_counted)
         { -45.284470574220769, -50.10471214612447, -29.217511964324334 },
         { -19.629260187630809, -43.40258084014441, -47.13095987301088 } };
     point_set a = { p, 2, NULL, NULL }, b = { q, 4, NULL, NULL };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
-    ck_assert(r.status == GJK_APART || r.status == GJK_OVERLAP);
+    distance_result r = distance_find(a, b, distance_options_default(), NULL);
+    ck_assert(r.status == DISTANCE_APART || r.status == DISTANCE_OVERLAP);
     ck_assert_int_le(r.iterations, 20);
     ck_assert(r.distance < 1e-14 * 32);
 }
@@ -812,8 +812,8 @@ START_TEST(the_axis_parts_what_is_apart)
         { 48, 48, 48 }, { 48, 0x1.66p+5, 0x1.6600000000036p+5 },
         { 0x1.660000000006cp+5, 0x1.6600000000019p+5, -8 }, { -8, -8, -8 } };
     point_set a = { &p, 1, NULL, NULL }, b = { q, 5, NULL, NULL };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
-    ck_assert_int_eq(r.status, GJK_APART);
+    distance_result r = distance_find(a, b, distance_options_default(), NULL);
+    ck_assert_int_eq(r.status, DISTANCE_APART);
     ck_assert(r.distance > 0 && r.distance < 1e-14 * 52.75);
     near(vec3_length(r.axis), r.distance, 1e-27);
     // How far B reaches over A along the axis.
@@ -829,8 +829,8 @@ START_TEST(what_vanishes_beside_the_body_touches)
     vec3 q[3] = { { -37.25, -9.25e32, -9.25e32 },
                   { -9.25e32, -9.25e32, 2.75e209 }, { -64, -64, -64 } };
     point_set a = { &p, 1, NULL, NULL }, b = { q, 3, NULL, NULL };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
-    ck_assert_int_eq(r.status, GJK_OVERLAP);
+    distance_result r = distance_find(a, b, distance_options_default(), NULL);
+    ck_assert_int_eq(r.status, DISTANCE_OVERLAP);
     same_bits(r.distance, 0);
 }
 END_TEST
@@ -847,11 +847,11 @@ START_TEST(a_height_that_is_no_number_shows_nothing)
                   { -9.2499999999995843, -32, -32 }, { -32, -32, -32 },
                   { -32, -31.999999999999737, -31.999999999999474 } };
     point_set a = { p, 3, NULL, NULL }, b = { q, 6, NULL, NULL };
-    simplex carried = { .count = 1, .b = { 1 } };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), &carried);
+    distance_cache carried = { .count = 1, .b = { 1 } };
+    distance_result r = distance_find(a, b, distance_options_default(), &carried);
     ck_assert(r.distance <= 1e-13);
-    carried = (simplex){ .count = 1, .a = { 1 } };
-    r = gjk_distance(b, a, gjk_options_default(), &carried);
+    carried = (distance_cache){ .count = 1, .a = { 1 } };
+    r = distance_find(b, a, distance_options_default(), &carried);
     ck_assert(r.distance <= 1e-13);
 }
 END_TEST
@@ -865,7 +865,7 @@ START_TEST(weights_add_up_however_far_a_short_segment_is)
                     -32.000001168489177 } };
     vec3 q = { -64, -64, -64 };
     point_set a = { p, 2, NULL, NULL }, b = { &q, 1, NULL, NULL };
-    gjk_result r = gjk_distance(a, b, gjk_options_default(), NULL);
+    distance_result r = distance_find(a, b, distance_options_default(), NULL);
     ck_assert_int_eq(r.last.count, 2);
     near(r.last.weight[0] + r.last.weight[1], 1, 1e-15);
 }

@@ -1,5 +1,5 @@
-//> scene-options
-#include "scene.h"
+//> world-scene-options
+#include "world_scene.h"
 #include "obj.h"
 
 #include <assert.h>
@@ -36,7 +36,7 @@ world_options scene_world_options(scene_kind kind, int cloth)
 }
 //<
 
-//> scene-random
+//> world-scene-random
 // SplitMix64 (Steele, Lea, Flood 2014): every state gives a well-mixed number,
 // so any seed will do.
 static unsigned long long random_bits(unsigned long long *state)
@@ -83,7 +83,7 @@ static void random_axes(unsigned long long *state, placement *where)
 }
 //<
 
-//> scene-room
+//> world-scene-room
 // Of v >= 1, by Newton's method: from v, which is at least the root, it falls
 // to it by a third at most in each step, and stays there.
 static real cube_root(real v)
@@ -154,7 +154,7 @@ static status build_room(scene *s, scene_options what)
 }
 //<
 
-//> scene-cloth
+//> world-scene-cloth
 // The cloth turned by 20 degrees about y, its middle at this place.
 static placement cloth_at(vec3 position)
 {
@@ -191,7 +191,7 @@ static status build_cloth_on_cube(scene *s, scene_options what)
 }
 //<
 
-//> scene-hang
+//> world-scene-hang
 // Where a chain of n equal links of length l hangs between two nails at the
 // same height.  In a chain at rest every link bears the same horizontal pull H,
 // and a vertical one that grows by one particle's weight from link to link, in
@@ -237,7 +237,7 @@ static void hang(world *w, int b, vec3 from, real span)
 }
 //<
 
-//> scene-rope
+//> world-scene-rope
 static status build_cloth_on_rope(scene *s, scene_options what)
 {
     const real height = 1.5, span = 2.6;
@@ -252,8 +252,8 @@ static status build_cloth_on_rope(scene *s, scene_options what)
 }
 //<
 
-//> scene-build
-static status check_scene(scene_options what)
+//> world-scene-build
+static status check_world_scene(scene_options what)
 {
     if (what.bodies < 1 || what.bodies > 20000)
         return status_fail("bodies is %d; it must lie between 1 and 20000",
@@ -272,7 +272,7 @@ status scene_build(scene *s, scene_kind kind, scene_options what,
     };
     assert(kind >= 0 && kind < SCENES);
     *s = (scene){ .kind = kind };
-    status done = check_scene(what);
+    status done = check_world_scene(what);
     if (done.ok) done = world_init(&s->world, how);
     if (done.ok) done = build[kind](s, what);
     if (done.ok) done = world_begin(&s->world);

@@ -1,10 +1,10 @@
-//> scene-head
-// scene.h - the paper's three experiments.
+//> world-scene-head
+// world_scene.h - the paper's three experiments.
 //
 // Paper: section 7, Figure 8.  Book: chapter 9.
 
-#ifndef TUMBLE_SCENE_H
-#define TUMBLE_SCENE_H
+#ifndef TUMBLE_WORLD_SCENE_H
+#define TUMBLE_WORLD_SCENE_H
 
 #include "measure.h"
 
@@ -33,7 +33,7 @@ typedef struct {
 } scene;
 //<
 
-//> scene-declare
+//> world-scene-declare
 // As the command line spells it; "" if there is no such scene.
 const char *scene_name(scene_kind kind);
 
@@ -62,6 +62,6 @@ status scene_build(scene *s, scene_kind kind, scene_options what,
 void   scene_free(scene *s);
 //<
 
-//> scene-end-of-header
+//> world-scene-end-of-header
 #endif
 //<

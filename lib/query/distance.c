@@ -1,5 +1,5 @@
-//> gjk-polytope
-#include "gjk.h"
+//> distance-polytope
+#include "distance.h"
 
 #include "exact.h"
 #include "nearest.h"
@@ -54,7 +54,7 @@ static int pair_in_range(const pair *p)
 }
 //<
 
-//> gjk-reduce
+//> distance-reduce
 // The point of this simplex nearest the origin goes to *s, with those of the
 // corners that bear it.
 static void search_reduce(search *s, const pair *p, const corner *of, int count)
@@ -91,7 +91,7 @@ static int search_has(const search *s, corner w)
 }
 //<
 
-//> gjk-fan
+//> distance-fan
 // What a new corner o sees: the sides e[k] = p[k] - o to the corners that are
 // there already, and the faces that two of them span, each with its next.
 typedef struct {
@@ -136,7 +136,7 @@ static inline int within_side(const fan *f, int k)
 }
 //<
 
-//> gjk-keep
+//> distance-keep
 // The new simplex is w alone, w and another, or w and two that span its face k.
 // 0: rounding has a say in that.
 static int keep_corner(search *s, corner w, vec3 at)
@@ -175,7 +175,7 @@ static int keep_face(search *s, const fan *f, int k, int n, const corner *of,
 }
 //<
 
-//> gjk-grow-side
+//> distance-grow-side
 // s is a side, and w a third corner.  The foot lies within their face; or
 // beyond one side of it, where the weight of the corner across is negative, and
 // that side bears the nearest point; or w alone does.  (Beyond the old side it
@@ -200,7 +200,7 @@ static int grow_side(search *next, const search *s, const pair *p, corner w,
 }
 //<
 
-//> gjk-grow-face
+//> distance-grow-face
 // s is a face, and w a fourth corner.  Of the three faces at w those count that
 // the origin sees from outside.  A foot within one of them is the nearest
 // point; a foot on a side is, if it lies within neither of the faces there.  No
@@ -230,7 +230,7 @@ static int grow_face(search *next, const search *s, const pair *p, corner w,
 }
 //<
 
-//> gjk-grow
+//> distance-grow
 // s with the new corner w, which no other is before on the way to the origin:
 // so w has a share in the new nearest point.  What else has goes to *next.
 // 0: rounding may have a say, as in a flat simplex, or so near the origin that
@@ -247,7 +247,7 @@ static int search_grow(search *next, const search *s, const pair *p, corner w,
 }
 //<
 
-//> gjk-measure
+//> distance-measure
 // The largest coordinate of p, seen from `base`; NaN or infinite if one is.
 static real set_extent(point_set p, vec3 base)
 {
@@ -286,7 +286,7 @@ static int pair_measure(pair *p)
 }
 //<
 
-//> gjk-middle
+//> distance-middle
 // A large body is sketched by some four dozen of its points, taken evenly.
 enum { SKETCH = 48 };
 
@@ -306,7 +306,7 @@ static vec3 middle_of(point_set p)
 }
 //<
 
-//> gjk-two
+//> distance-two
 // The two points of p furthest along d; the same twice, if there is but one.
 static void top_two(point_set p, vec3 d, int two[2])
 {
@@ -327,7 +327,7 @@ static void top_two(point_set p, vec3 d, int two[2])
 }
 //<
 
-//> gjk-two-climbing
+//> distance-two-climbing
 // The same of a large body: a climb from the highest point of the sketch, and
 // the highest neighbour of where it ends.
 static void top_two_climbing(point_set p, vec3 d, int two[2])
@@ -357,7 +357,7 @@ static void first_two(point_set p, vec3 d, int two[2])
 }
 //<
 
-//> gjk-begin
+//> distance-begin
 // The corner of A - B furthest along d; -1 where a coordinate is not finite.
 // d is of scaled lengths, the vertices are not: scaled once more, its products
 // with them are numbers, too.
@@ -385,7 +385,7 @@ static int corners_first(const pair *p, corner *of)
 
 // The simplex to start from: the carried one, with its points where they are
 // now, or the first corners.
-static void search_begin(search *s, pair *p, const simplex *start)
+static void search_begin(search *s, pair *p, const distance_cache *start)
 {
     int count = start ? start->count : 0;
     search all;
@@ -409,7 +409,7 @@ static void search_begin(search *s, pair *p, const simplex *start)
 }
 //<
 
-//> gjk-last-plane
+//> distance-last-plane
 // Near touch v is short and its direction rough.  The plane of three corners
 // has a better one.  Looks for such a plane with all of A - B beyond it, and
 // away from the origin, where *normal then points.
@@ -431,7 +431,7 @@ static int some_plane_parts(pair *p, const corner *of, int count, vec3 *normal)
 }
 //<
 
-//> gjk-stall
+//> distance-stall
 // A new corner of little weight may shorten v by less than rounding does, and
 // still be on the way: one behind it is nearer by far.  So it is as long as v
 // is clearly longer than the bound, v . w / |v|, and has not grown by more than
@@ -446,10 +446,10 @@ static int is_stall(const pair *p, real vv, real vw, real longer)
 }
 //<
 
-//> gjk-careful-step
+//> distance-careful-step
 // How it ended.
 typedef struct {
-    gjk_status status;
+    distance_status status;
     real lower;         // v . w, when beyond the margin
     vec3 normal;        // of a plane that parts them where v does not; or 0
     int  iterations;
@@ -468,12 +468,12 @@ static int step_carefully(pair *p, search *s, search *next, corner w, real vw,
     if (s->stalls < STALLS_AT_MOST && is_stall(p, vv, vw, shorter)) return 1;
     // Rounding has eaten the rest of the way.
     if (vw <= 0 && some_plane_parts(p, s->of, s->count + 1, &end->normal))
-        end->status = GJK_APART;
+        end->status = DISTANCE_APART;
     return 0;
 }
 //<
 
-//> gjk-loop
+//> distance-loop
 // What ends a search: v is at most gap / |v| longer than the distance.
 typedef struct {
     real bound;         // of gap / |v|^2
@@ -491,18 +491,18 @@ static int search_step(pair *p, const limits *until, search *s, search *next,
     real vv = vec3_length_squared(v);
     corner w = support_along(p, vec3_scale(-1, v), s->of[s->count - 1]);
     end->iterations++;
-    end->status = GJK_NOT_FINITE;
+    end->status = DISTANCE_NOT_FINITE;
     if (w.a < 0 || w.b < 0) return 0;
     vec3 at = corner_meet(p, w);
     if (!pair_in_range(p)) return 0;
 
     // The plane through w with normal v has all of A - B beyond it.
     real vw = vec3_dot(v, at);
-    end->status = GJK_BEYOND;
+    end->status = DISTANCE_BEYOND;
     end->lower = vw;
     if (vw > 0 && vw * vw > until->margin * until->margin * vv) return 0;
     // No plane that parts them will be found: too near to tell.
-    end->status = vw > 0 ? GJK_APART : GJK_OVERLAP;
+    end->status = vw > 0 ? DISTANCE_APART : DISTANCE_OVERLAP;
     if (vv - vw <= until->bound * vv || search_has(s, w)) return 0;
     next->stalls = s->stalls;
     if (search_grow(next, s, p, w, at)
@@ -511,7 +511,7 @@ static int search_step(pair *p, const limits *until, search *s, search *next,
 }
 //<
 
-//> gjk-areas
+//> distance-areas
 // The area of a corner was made of products with a side and a corner, so it is
 // wrong by some roundings of |side| |corner| |n|.  Divided by |n|^2 that is
 // small where the triangle is well shaped, and not small for how far off it is.
@@ -532,7 +532,7 @@ static int areas_are_weights(search *s, const vec3 at[3])
 }
 //<
 
-//> gjk-weigh
+//> distance-weigh
 // What did to choose becomes weights: the areas of a triangle, and the two
 // parts of a segment, which add up to 1 unless it is so short and so far off
 // that the distance has rounded them.
@@ -553,23 +553,23 @@ static void search_weigh(search *s, const pair *p)
 }
 //<
 
-//> gjk-run
+//> distance-run
 // From start (NULL: from nowhere), in two simplices that take turns.  Returns
 // the one with which the search ended.
-static search *search_run(pair *p, const gjk_options *options,
-                          const simplex *start, search two_of[2], ending *end)
+static search *search_run(pair *p, const distance_options *options,
+                          const distance_cache *start, search two_of[2], ending *end)
 {
     limits until = { options->relative_error, options->margin * p->scale,
                      options->cap };
     if (until.bound < DBL_EPSILON) until.bound = DBL_EPSILON;
     search *s = &two_of[0], *next = &two_of[1];
     search_begin(s, p, start);
-    *end = (ending){ .status = GJK_NOT_FINITE, .iterations = !start };
+    *end = (ending){ .status = DISTANCE_NOT_FINITE, .iterations = !start };
     if (!pair_in_range(p)) return s;
     for (;;) {
-        end->status = GJK_OVERLAP;
+        end->status = DISTANCE_OVERLAP;
         if (search_holds_origin(s, p)) break;
-        end->status = GJK_CAPPED;
+        end->status = DISTANCE_CAPPED;
         if (end->iterations >= until.cap) break;
         if (!search_step(p, &until, s, next, end)) break;
         search *spare = s;
@@ -580,10 +580,10 @@ static search *search_run(pair *p, const gjk_options *options,
 }
 //<
 
-//> gjk-points
+//> distance-points
 // The simplex as it is carried on, number by number: a copy as a whole would
 // have to wait until its parts, just written, have reached the memory.
-static inline void simplex_write(simplex *to, const search *s, vec3 axis)
+static inline void simplex_write(distance_cache *to, const search *s, vec3 axis)
 {
     to->count = s->count;
     for (int c = 0; c < 4; c++) {
@@ -609,12 +609,12 @@ static inline vec3 weighted(const vec3 *at, const int *vertex,
 }
 //<
 
-//> gjk-answer
-static gjk_result answer(const pair *p, search *s, const ending *end,
-                         simplex *carried)
+//> distance-answer
+static distance_result answer(const pair *p, search *s, const ending *end,
+                         distance_cache *carried)
 {
     const vec3 none = { 0, 0, 0 };
-    simplex last;
+    distance_cache last;
     search_weigh(s, p);
     simplex_write(&last, s, none);
     vec3 on_a = weighted(p->a->at, last.a, last.weight, s->count);
@@ -622,10 +622,10 @@ static gjk_result answer(const pair *p, search *s, const ending *end,
     real back = 1 / p->scale, length = vec3_length(s->nearest);
     real distance = back * length;
     vec3 axis = vec3_scale(back, s->nearest);
-    if (end->status == GJK_OVERLAP) {
+    if (end->status == DISTANCE_OVERLAP) {
         distance = 0;
         axis = none;
-    } else if (end->status == GJK_BEYOND) {
+    } else if (end->status == DISTANCE_BEYOND) {
         distance = back * (end->lower / length);
         last.axis = vec3_scale(1 / length, s->nearest);
     } else if (vec3_length_squared(end->normal) > 0) {
@@ -635,13 +635,13 @@ static gjk_result answer(const pair *p, search *s, const ending *end,
         axis = vec3_scale(back * shorten, end->normal);
     }
     if (carried) simplex_write(carried, s, last.axis);
-    return (gjk_result){ .status = end->status, .distance = distance,
+    return (distance_result){ .status = end->status, .distance = distance,
         .axis = axis, .on_a = on_a, .on_b = on_b, .last = last,
         .iterations = end->iterations };
 }
 //<
 
-//> gjk-least
+//> distance-least
 // The least height of a point along n, measured from the world's origin; NaN
 // goes to *poison if one is not finite.  Only a number, no vertex: so there is
 // little to choose, and four heights need not wait for each other.
@@ -666,7 +666,7 @@ static inline real least_height(const point_set *p, vec3 n, real *poison)
 }
 //<
 
-//> gjk-beyond
+//> distance-beyond
 // m, a bound of the gap along n: heights are measured from the world's origin,
 // and what that may cost, of a body far out, is taken off.
 static inline real gap_at_least(const point_set *a, const point_set *b, vec3 n)
@@ -692,15 +692,15 @@ static inline real still_beyond(const point_set *a, const point_set *b,
     return gap > margin && gap < HUGE_VAL ? gap : 0;
 }
 
-static inline gjk_result answer_beyond(real gap, const simplex *carried)
+static inline distance_result answer_beyond(real gap, const distance_cache *carried)
 {
-    return (gjk_result){ .status = GJK_BEYOND, .distance = gap,
+    return (distance_result){ .status = DISTANCE_BEYOND, .distance = gap,
         .axis = vec3_scale(gap, carried->axis), .on_a = { 0, 0, 0 },
         .on_b = { 0, 0, 0 }, .last = *carried, .iterations = 1 };
 }
 //<
 
-//> gjk-foot
+//> distance-foot
 // The corners of a carried simplex where they are now, the point of it that is
 // nearest the origin, and the weights that make that point.
 typedef struct {
@@ -753,7 +753,7 @@ static inline int foot_on_corner(foot *f)
 }
 
 static inline int foot_find(foot *f, const point_set *a, const point_set *b,
-                            const simplex *s)
+                            const distance_cache *s)
 {
     f->far = 0;
     for (int c = 0; c < s->count; c++) {
@@ -768,12 +768,12 @@ static inline int foot_find(foot *f, const point_set *a, const point_set *b,
 }
 //<
 
-//> gjk-still
+//> distance-still
 // 1 if no corner of A - B is lower along v than the lowest of the carried ones.
 // The carried heights are found among the others, made of the same numbers in
 // the same order: so they are compared bit by bit.
 static inline int is_lowest(const point_set *a, const point_set *b,
-                            const simplex *s, vec3 v)
+                            const distance_cache *s, vec3 v)
 {
     real poison = 0;
     vec3 back = vec3_scale(-1, v);
@@ -792,7 +792,7 @@ static inline int is_lowest(const point_set *a, const point_set *b,
 // is certain, no rounding has a say in it, and the distance is not beyond the
 // margin; 0: ask the search.  *f is their foot.
 static inline int still_nearest(const point_set *a, const point_set *b,
-                                real margin, const simplex *s, foot *f)
+                                real margin, const distance_cache *s, foot *f)
 {
     if (s->count < 1 || s->count > 3) return 0;
     if (support_climbs(*a) || support_climbs(*b)) return 0;
@@ -806,16 +806,16 @@ static inline int still_nearest(const point_set *a, const point_set *b,
 }
 //<
 
-//> gjk-answer-again
+//> distance-answer-again
 // All is named and written where it stays: what is copied waits until it has
 // reached the memory.
-static inline gjk_result answer_again(const point_set *a, const point_set *b,
-                                      const foot *f, simplex *s)
+static inline distance_result answer_again(const point_set *a, const point_set *b,
+                                      const foot *f, distance_cache *s)
 {
     const real *w = f->weight;
     for (int c = 0; c < 3; c++) s->weight[c] = w[c];
     s->axis.x = s->axis.y = s->axis.z = 0;
-    return (gjk_result){ .status = GJK_APART,
+    return (distance_result){ .status = DISTANCE_APART,
         .distance = vec3_length(f->nearest), .axis = f->nearest,
         .on_a = weighted(a->at, s->a, w, s->count),
         .on_b = weighted(b->at, s->b, w, s->count),
@@ -827,30 +827,30 @@ static inline gjk_result answer_again(const point_set *a, const point_set *b,
 }
 //<
 
-//> gjk-distance
-gjk_options gjk_options_default(void)
+//> distance-distance
+distance_options distance_options_default(void)
 {
-    return (gjk_options){ .relative_error = 0, .margin = HUGE_VAL, .cap = 64 };
+    return (distance_options){ .relative_error = 0, .margin = HUGE_VAL, .cap = 64 };
 }
 
-static gjk_result search_result(const point_set *a, const point_set *b,
-                                const gjk_options *options, simplex *carried)
+static distance_result search_result(const point_set *a, const point_set *b,
+                                const distance_options *options, distance_cache *carried)
 {
     pair p = { .a = a, .b = b, .scale = 1 };
     search two_of[2];
     ending end;
-    const simplex *start = carried && carried->count > 0 ? carried : NULL;
+    const distance_cache *start = carried && carried->count > 0 ? carried : NULL;
     search *s = search_run(&p, options, start, two_of, &end);
-    if (end.status != GJK_NOT_FINITE) return answer(&p, s, &end, carried);
+    if (end.status != DISTANCE_NOT_FINITE) return answer(&p, s, &end, carried);
     // Out of range: bodies of strange size, or coordinates that are no numbers.
     if (pair_measure(&p)) s = search_run(&p, options, start, two_of, &end);
     // What is not finite may be met late: what was found until then goes.
-    if (end.status != GJK_NOT_FINITE) return answer(&p, s, &end, carried);
-    return (gjk_result){ .status = end.status, .iterations = end.iterations };
+    if (end.status != DISTANCE_NOT_FINITE) return answer(&p, s, &end, carried);
+    return (distance_result){ .status = end.status, .iterations = end.iterations };
 }
 
-static gjk_result distance_of(const point_set *a, const point_set *b,
-                              const gjk_options *options, simplex *carried)
+static distance_result distance_of(const point_set *a, const point_set *b,
+                              const distance_options *options, distance_cache *carried)
 {
     foot f;
     if (carried && still_nearest(a, b, options->margin, carried, &f))
@@ -858,8 +858,8 @@ static gjk_result distance_of(const point_set *a, const point_set *b,
     return search_result(a, b, options, carried);
 }
 
-gjk_result gjk_distance(point_set a, point_set b, gjk_options options,
-                        simplex *carried)
+distance_result distance_find(point_set a, point_set b, distance_options options,
+                        distance_cache *carried)
 {
     assert(a.count >= 1 && b.count >= 1);
     assert(options.relative_error >= 0 && options.relative_error < 1);

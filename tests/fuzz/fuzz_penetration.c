@@ -1,6 +1,6 @@
-// fuzz_hit_face.c - hit_face_find on two bodies made from bytes.  See fuzz.h.
+// fuzz_penetration.c - penetration_find on two bodies made from bytes.  See fuzz.h.
 
-#include "hit_face.h"
+#include "penetration.h"
 #include "sets.h"
 
 typedef long double wide;
@@ -8,7 +8,7 @@ typedef long double wide;
 // Of the reach of A - B: what a depth may be off.
 static const wide rounding = 1e-12L;
 
-static hit_scratch *scratch;
+static penetration_scratch *scratch;
 
 static void check_feature(const body *b, const feature_point *f)
 {
@@ -24,16 +24,16 @@ static void check_feature(const body *b, const feature_point *f)
 }
 
 // All that an answer says of itself, whatever the bodies.
-static void check_form(const sets *s, const hit_result *r)
+static void check_form(const sets *s, const penetration_result *r)
 {
-    MUST(r->status >= HIT_FOUND && r->status <= HIT_FLAT, "%d", r->status);
+    MUST(r->status >= PENETRATION_FOUND && r->status <= PENETRATION_FLAT, "%d", r->status);
     MUST(r->kind >= TOUCH_VERTEX_FACE && r->kind <= TOUCH_EDGE_EDGE, "%d",
          r->kind);
     MUST(r->iterations >= 0 && r->iterations <= 512, "%d", r->iterations);
     MUST(is_number(r->depth) && r->depth >= 0, "depth %g", r->depth);
     MUST(vec3_is_finite(r->normal), "normal");
     MUST(vec3_is_finite(r->on_a) && vec3_is_finite(r->on_b), "points");
-    if (r->status == HIT_NOT_FINITE) return;
+    if (r->status == PENETRATION_NOT_FINITE) return;
     MUST(fabs(vec3_length(r->normal) - 1) <= 1e-14, "normal of length %.17g",
          vec3_length(r->normal));
     check_feature(&s->a, &r->a);
@@ -59,7 +59,7 @@ static wide width(const sets *s, vec3 n)
 static const wide roughly = 1e-6L;
 
 // The points are depth apart along the normal.
-static void check_points(const sets *s, const hit_result *r)
+static void check_points(const sets *s, const penetration_result *r)
 {
     wide off = 16 * (roughly * s->reach + 1e-15L * s->place);
     wide d = (wide)r->depth;
@@ -71,22 +71,22 @@ static void check_points(const sets *s, const hit_result *r)
          "the points are not the depth %g apart along the normal", r->depth);
 }
 
-static void check_answer(const sets *s, const hit_result *r, vec3 other,
+static void check_answer(const sets *s, const penetration_result *r, vec3 other,
                          int overlap)
 {
     check_form(s, r);
     if (!s->fair) return;
     wide share = overlap ? rounding : roughly;
     wide off = rounding * s->reach, along = width(s, r->normal);
-    MUST(r->status != HIT_NOT_FINITE, "every coordinate is finite");
+    MUST(r->status != PENETRATION_NOT_FINITE, "every coordinate is finite");
 
     // The move parts them, and no other is shorter.
     wide depth = (wide)r->depth;
-    if (r->status == HIT_FOUND || r->status == HIT_CAPPED) {
+    if (r->status == PENETRATION_FOUND || r->status == PENETRATION_CAPPED) {
         MUST(along <= depth + off, "depth %Lg, width %Lg", depth, along);
         check_points(s, r);
     }
-    if (r->status == HIT_FOUND) {
+    if (r->status == PENETRATION_FOUND) {
         for (int k = 0; k < 6; k++) {
             wide way = k % 2 ? 1 : -1;
             vec3 axis = { k / 2 == 0, k / 2 == 1, k / 2 == 2 };
@@ -98,7 +98,7 @@ static void check_answer(const sets *s, const hit_result *r, vec3 other,
             MUST(width(s, other) >= depth - share * s->reach,
                  "depth %Lg is not the least, %Lg", depth, width(s, other));
     }
-    if (r->status == HIT_FLAT)
+    if (r->status == PENETRATION_FLAT)
         MUST(fabsl(along) <= off, "flat, but %Lg thick", along);
 }
 
@@ -106,26 +106,26 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static sets s;
     bytes in = { .at = data, .left = size };
-    if (!scratch) scratch = hit_scratch_new();
+    if (!scratch) scratch = penetration_scratch_new();
     sets_take(&s, &in);
     vec3 other = take_vec3(&in);
 
     // From where gjk ended, and from anywhere.
     point_set a = body_points(&s.a), b = body_points(&s.b);
-    gjk_result g = gjk_distance(a, b, gjk_options_default(), NULL);
-    hit_result r = hit_face_find(a, b, &g.last, scratch);
-    int overlap = g.status == GJK_OVERLAP;
+    distance_result g = distance_find(a, b, distance_options_default(), NULL);
+    penetration_result r = penetration_find(a, b, &g.last, scratch);
+    int overlap = g.status == DISTANCE_OVERLAP;
     check_answer(&s, &r, other, overlap);
     // What gjk could not part hit_face may, but only by rounding.
-    if (s.fair && overlap && r.status == HIT_APART)
+    if (s.fair && overlap && r.status == PENETRATION_APART)
         MUST(width(&s, r.normal) >= -rounding * s.reach,
              "gjk says that they overlap");
     // What it remembers is a proof.
-    if (r.status == HIT_FOUND) {
-        hit_memory memory;
-        hit_result again;
-        hit_face_remember(scratch, &memory);
-        if (hit_face_again(a, b, &memory, scratch, &again)) {
+    if (r.status == PENETRATION_FOUND) {
+        penetration_memory memory;
+        penetration_result again;
+        penetration_remember(scratch, &memory);
+        if (penetration_again(a, b, &memory, scratch, &again)) {
             check_answer(&s, &again, other, 1);
             if (s.fair)
                 MUST(fabsl((wide)again.depth - (wide)r.depth)
@@ -133,13 +133,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                      "the same depth");
         }
     }
-    simplex start = { .count = take_count(&in, 0, 4) };
+    distance_cache start = { .count = take_count(&in, 0, 4) };
     for (int c = 0; c < start.count; c++) {
         start.a[c] = take_byte(&in) % s.a.count;
         start.b[c] = take_byte(&in) % s.b.count;
         start.weight[c] = 1.0 / start.count;
     }
-    r = hit_face_find(a, b, &start, scratch);
+    r = penetration_find(a, b, &start, scratch);
     check_answer(&s, &r, other, overlap);
     return 0;
 }

@@ -1,5 +1,5 @@
-//> response-feature
-#include "response.h"
+//> separation-feature
+#include "separation.h"
 
 response_options response_options_default(void)
 {
@@ -60,7 +60,7 @@ real contact_gap(const contact *c, const particle *p)
 }
 //<
 
-//> response-push
+//> separation-push
 // push in kg m.  Nailed particles have w = 0.
 static void push_now(const feature_point *f, particle *p, vec3 push)
 {
@@ -81,7 +81,7 @@ static void push_before(const feature_point *f, particle *p, vec3 push)
 }
 //<
 
-//> response-carry
+//> separation-carry
 // Paper: Eqs 8 and 9.  Of all moves dx_i of the feature's particles with
 // sum a_i dx_i = move, the one with the least sum |dx_i|^2:
 //     dx_i = a_i / (sum a_j^2) move.
@@ -127,7 +127,7 @@ static void carry_both(const contact *c, particle *p, real part, real move)
 }
 //<
 
-//> response-friction
+//> separation-friction
 // How much of the sliding s (m, across the normal) friction may undo, 0 to 1.
 // Coulomb: |friction| <= mu |normal force|.  Both act through the same inverse
 // mass, over the same step, so in positions it reads: the sliding that is taken

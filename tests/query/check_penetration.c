@@ -1,7 +1,7 @@
-// check_hit_face.c - tests of lib/hit_face: depth, normal, points, features.
+// check_penetration.c - tests of lib/query/penetration: depth, normal, points, features.
 
 #include "bodies.h"
-#include "hit_face.h"
+#include "penetration.h"
 #include "oracle.h"
 #include "scarce.h"
 
@@ -20,16 +20,16 @@ static const real rounding = 1e-14;
 // The same where the reference, too, is rounded (long double may be double).
 static const real reference = 1e-13;
 
-static hit_scratch *scratch;
+static penetration_scratch *scratch;
 
-static void setup(void) { scratch = hit_scratch_new(); }
-static void teardown(void) { hit_scratch_free(scratch); }
+static void setup(void) { scratch = penetration_scratch_new(); }
+static void teardown(void) { penetration_scratch_free(scratch); }
 
-static hit_result hit(const body *a, const body *b)
+static penetration_result hit(const body *a, const body *b)
 {
     point_set pa = body_points(a), pb = body_points(b);
-    gjk_result g = gjk_distance(pa, pb, gjk_options_default(), NULL);
-    return hit_face_find(pa, pb, &g.last, scratch);
+    distance_result g = distance_find(pa, pb, distance_options_default(), NULL);
+    return penetration_find(pa, pb, &g.last, scratch);
 }
 
 static void near(real got, real wanted, real tolerance)
@@ -77,7 +77,7 @@ static void check_feature(const body *b, const feature_point *f, vec3 on,
 // Everything that must hold of an answer, without a reference: the normal is a
 // unit vector, the points differ by depth along it, and the width of A - B
 // along it is the depth.  size: m, of the coordinates.
-static void check_answer(const body *a, const body *b, hit_result r, real size)
+static void check_answer(const body *a, const body *b, penetration_result r, real size)
 {
     vec3 gap = vec3_sub(r.on_b, r.on_a);
     near(vec3_length(r.normal), 1, rounding);
@@ -87,7 +87,7 @@ static void check_answer(const body *a, const body *b, hit_result r, real size)
                   "normal, and is off by %g m", off);
     check_feature(a, &r.a, r.on_a, rounding * size);
     check_feature(b, &r.b, r.on_b, rounding * size);
-    if (r.status == HIT_FOUND)
+    if (r.status == PENETRATION_FOUND)
         near((real)oracle_width(body_points(a), body_points(b),
                                 vec3_scale(-1, r.normal)), r.depth,
              rounding * size);
@@ -107,32 +107,32 @@ START_TEST(what_is_remembered_proves_or_declines)
         body_any(&a, n % 3, &seed);
         body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0.1, 0.5));
-        hit_result r = hit(&a, &b);
-        if (r.status != HIT_FOUND || r.depth < 0.01) continue;
-        hit_memory memory;
-        hit_face_remember(scratch, &memory);
+        penetration_result r = hit(&a, &b);
+        if (r.status != PENETRATION_FOUND || r.depth < 0.01) continue;
+        penetration_memory memory;
+        penetration_remember(scratch, &memory);
         if (memory.faces == 0) continue;
         remembered++;
         // A hair at first, then so far that other faces are nearer, or none.
         for (int step = 0; step < 6; step++) {
             body_move(&b, random_vector(&seed, 0, step < 3 ? 1e-3 : 0.2));
             point_set pa = body_points(&a), pb = body_points(&b);
-            hit_result again;
-            int known = hit_face_again(pa, pb, &memory, scratch, &again);
+            penetration_result again;
+            int known = penetration_again(pa, pb, &memory, scratch, &again);
             proven += step < 3 && known;
             far_proven += step >= 3 && known;
             if (!known) continue;
-            ck_assert_int_eq(again.status, HIT_FOUND);
+            ck_assert_int_eq(again.status, PENETRATION_FOUND);
             check_answer(&a, &b, again, 1);
             near(again.depth, hit(&a, &b).depth, rounding);
         }
         body_move(&b, (vec3){ 4, 0, 0 });
-        hit_result none;
-        ck_assert(!hit_face_again(body_points(&a), body_points(&b), &memory,
+        penetration_result none;
+        ck_assert(!penetration_again(body_points(&a), body_points(&b), &memory,
                                   scratch, &none));
         body_move(&b, (vec3){ -4, 0, 0 });
         a.at[n % a.count].z = (real)NAN;
-        ck_assert(!hit_face_again(body_points(&a), body_points(&b), &memory,
+        ck_assert(!penetration_again(body_points(&a), body_points(&b), &memory,
                                   scratch, &none));
     }
     ck_assert_msg(100 * proven >= 99 * 3 * remembered
@@ -153,15 +153,15 @@ START_TEST(what_is_remembered_survives_any_turn)
         body_any(&a, n % 3, &seed);
         body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0.1, 0.7));
-        if (hit(&a, &b).status != HIT_FOUND) continue;
-        hit_memory memory;
-        hit_face_remember(scratch, &memory);
+        if (hit(&a, &b).status != PENETRATION_FOUND) continue;
+        penetration_memory memory;
+        penetration_remember(scratch, &memory);
         body_turn(&a, &seed);
         if (n % 2) body_turn(&b, &seed);
         body_move(&b, random_vector(&seed, 0, 0.7));
-        hit_result again;
+        penetration_result again;
         asked++;
-        if (!hit_face_again(body_points(&a), body_points(&b), &memory,
+        if (!penetration_again(body_points(&a), body_points(&b), &memory,
                             scratch, &again)) continue;
         proven++;
         near(again.depth, hit(&a, &b).depth, rounding);
@@ -178,12 +178,12 @@ START_TEST(what_is_remembered_of_equal_sides_is_not_mixed_up)
         body a = body_cube(0, 0, 0);
         if (n % 2) body_turn(&a, &seed);
         body b = a;
-        hit_result r = hit(&a, &b), again;
-        hit_memory memory;
-        hit_face_remember(scratch, &memory);
+        penetration_result r = hit(&a, &b), again;
+        penetration_memory memory;
+        penetration_remember(scratch, &memory);
         for (int turns = 0; turns < 4; turns++) {
             point_set pa = body_points(&a), pb = body_points(&b);
-            if (hit_face_again(pa, pb, &memory, scratch, &again)) {
+            if (penetration_again(pa, pb, &memory, scratch, &again)) {
                 check_answer(&a, &b, again, 1);
                 near(again.depth, r.depth, rounding);
             }
@@ -200,8 +200,8 @@ END_TEST
 START_TEST(a_cube_pushed_in_comes_out_the_short_way)
 {
     body a = body_cube(0, 0, 0), b = body_cube(0.75, 0.125, -0.25);
-    hit_result r = hit(&a, &b);
-    ck_assert_int_eq(r.status, HIT_FOUND);
+    penetration_result r = hit(&a, &b);
+    ck_assert_int_eq(r.status, PENETRATION_FOUND);
     same_bits(r.depth, 0.25);
     same_bits(r.normal.x, -1);
     check_answer(&a, &b, r, 1);
@@ -217,17 +217,17 @@ START_TEST(moved_by_the_depth_they_only_touch)
         body_icosahedron(&b, 0.7);
         body_turn(&b, &seed);
         body_move(&b, random_vector(&seed, 0, 0.8));
-        hit_result r = hit(&a, &b);
-        if (r.status != HIT_FOUND) continue;
+        penetration_result r = hit(&a, &b);
+        if (r.status != PENETRATION_FOUND) continue;
         body out = a, not_quite = a;
         body_move(&out, vec3_scale(1.001 * r.depth, r.normal));
         body_move(&not_quite, vec3_scale(0.999 * r.depth, r.normal));
-        gjk_options o = gjk_options_default();
+        distance_options o = distance_options_default();
         point_set pb = body_points(&b);
-        ck_assert_int_eq(gjk_distance(body_points(&out), pb, o, NULL).status,
-                         GJK_APART);
-        ck_assert_int_eq(gjk_distance(body_points(&not_quite), pb, o,
-                                      NULL).status, GJK_OVERLAP);
+        ck_assert_int_eq(distance_find(body_points(&out), pb, o, NULL).status,
+                         DISTANCE_APART);
+        ck_assert_int_eq(distance_find(body_points(&not_quite), pb, o,
+                                      NULL).status, DISTANCE_OVERLAP);
     }
 }
 END_TEST
@@ -237,14 +237,14 @@ START_TEST(touching_is_depth_zero_with_a_proper_normal)
     body a = body_cube(0, 0, 0), f = body_cube(1, 0.25, 0.125),
          e = body_cube(1, 1, 0.25);
     body v = body_cube(-1, 1, 1);
-    hit_result r = hit(&a, &f);
-    ck_assert_int_eq(r.status, HIT_FOUND);
+    penetration_result r = hit(&a, &f);
+    ck_assert_int_eq(r.status, PENETRATION_FOUND);
     same_bits(r.depth, 0);
     same_bits(r.normal.x, -1);
     const body *others[3] = { &f, &e, &v };
     for (int k = 0; k < 3; k++) {
         r = hit(&a, others[k]);
-        ck_assert_int_eq(r.status, HIT_FOUND);
+        ck_assert_int_eq(r.status, PENETRATION_FOUND);
         same_bits(r.depth, 0);
         check_answer(&a, others[k], r, 1);
     }
@@ -262,7 +262,7 @@ START_TEST(identical_and_concentric_cubes)
     same_bits(hit(&small, &a).depth, 0.625);
     for (int n = 0; n < 50; n++) {
         body_turn(&turned, &seed);
-        hit_result r = hit(&a, &turned);
+        penetration_result r = hit(&a, &turned);
         near(r.depth, (real)oracle_depth(body_points(&a),
                                          body_points(&turned)), reference);
         check_answer(&a, &turned, r, 1);
@@ -275,8 +275,8 @@ START_TEST(stacked_cubes_at_every_depth)
     for (int k = 0; k <= 50; k++) {
         real depth = k == 0 ? 0 : 1 / (real)(1ULL << k);
         body a = body_cube(0, 0, 0), b = body_cube(0, 1 - depth, 0);
-        hit_result r = hit(&a, &b);
-        ck_assert_int_eq(r.status, HIT_FOUND);
+        penetration_result r = hit(&a, &b);
+        ck_assert_int_eq(r.status, PENETRATION_FOUND);
         near(r.depth, depth, 2e-15);
         near(r.normal.y, -1, 1e-15);
         check_answer(&a, &b, r, 1);
@@ -297,7 +297,7 @@ START_TEST(a_vertex_a_face_and_two_edges_are_named)
         corner.at[i] = (vec3){ vec3_dot(x, p), vec3_dot(y, p),
                                vec3_dot(z, p) + sqrt(0.75) - 0.1 };
     }
-    hit_result r = hit(&corner, &floor);
+    penetration_result r = hit(&corner, &floor);
     ck_assert_int_eq(r.kind, TOUCH_VERTEX_FACE);
     ck_assert_int_eq(r.a.count, 1);
     ck_assert_int_eq(r.a.vertex[0], 0);
@@ -337,10 +337,10 @@ START_TEST(random_pairs_agree_with_every_direction)
         body_any(&b, n / 4 % 4, &seed);
         if (a.count * b.count > 100) continue;      // the oracle is slow
         body_move(&b, random_vector(&seed, 0, 0.9));
-        hit_result r = hit(&a, &b);
+        penetration_result r = hit(&a, &b);
         real truth = (real)oracle_depth(body_points(&a), body_points(&b));
-        ck_assert_int_eq(r.status, truth > 0 ? HIT_FOUND : HIT_APART);
-        if (r.status != HIT_FOUND) continue;
+        ck_assert_int_eq(r.status, truth > 0 ? PENETRATION_FOUND : PENETRATION_APART);
+        if (r.status != PENETRATION_FOUND) continue;
         found++;
         near(r.depth, truth, reference);
         check_answer(&a, &b, r, 1);
@@ -363,10 +363,10 @@ START_TEST(equal_bodies_side_by_side)
         b = a;
         if (n % 2) body_scale(&b, 1 + 1e-15 * (n % 7));
         body_move(&b, random_vector(&seed, 0, n % 5 ? 0.3 : 1e-12));
-        hit_result r = hit(&a, &b);
+        penetration_result r = hit(&a, &b);
         real truth = (real)oracle_depth(body_points(&a), body_points(&b));
         if (truth <= 0) continue;
-        ck_assert_int_eq(r.status, HIT_FOUND);
+        ck_assert_int_eq(r.status, PENETRATION_FOUND);
         near(r.depth, truth, reference);
         check_answer(&a, &b, r, 1);
     }
@@ -389,8 +389,8 @@ START_TEST(prisms_stand_on_prisms)
         unsigned long long same = seed;
         body_turn(&a, &seed);
         body_turn(&b, &same);
-        hit_result r = hit(&a, &b);
-        ck_assert_int_eq(r.status, HIT_FOUND);
+        penetration_result r = hit(&a, &b);
+        ck_assert_int_eq(r.status, PENETRATION_FOUND);
         // Heights that differ by four steps of the grid are the same: 2.8e-14 m
         // of an A - B that reaches to 8 m.
         near(r.depth, depth, 6 * rounding);
@@ -409,17 +409,17 @@ START_TEST(any_start_will_do)
         body_any(&a, n % 3, &seed);
         body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0, 0.8));
-        hit_result best = hit(&a, &b);
-        simplex start = { .count = n % 5 };
+        penetration_result best = hit(&a, &b);
+        distance_cache start = { .count = n % 5 };
         for (int c = 0; c < start.count; c++) {
             start.a[c] = (int)(a.count * random_unit(&seed));
             start.b[c] = (int)(b.count * random_unit(&seed));
             start.weight[c] = 1 / (real)start.count;
         }
-        hit_result r = hit_face_find(body_points(&a), body_points(&b), &start,
+        penetration_result r = penetration_find(body_points(&a), body_points(&b), &start,
                                      scratch);
         ck_assert_int_eq(r.status, best.status);
-        if (r.status != HIT_FOUND) continue;
+        if (r.status != PENETRATION_FOUND) continue;
         near(r.depth, best.depth, rounding);
         check_answer(&a, &b, r, 1);
     }
@@ -430,7 +430,7 @@ END_TEST
 // first corners on the far side, or a fourth that is not behind them.
 START_TEST(beginning_with_nothing_asks_no_more)
 {
-    const simplex none = { .count = 0 };
+    const distance_cache none = { .count = 0 };
     unsigned long long seed = 22;
     int with = 0, without = 0;
     for (int n = 0; n < 600; n++) {
@@ -440,10 +440,10 @@ START_TEST(beginning_with_nothing_asks_no_more)
         body_turn(&a, &seed);
         body_turn(&b, &seed);
         body_move(&b, random_vector(&seed, 0.5, 0.8));
-        hit_result r = hit(&a, &b);
-        if (r.status != HIT_FOUND) continue;
+        penetration_result r = hit(&a, &b);
+        if (r.status != PENETRATION_FOUND) continue;
         with += r.iterations;
-        without += hit_face_find(body_points(&a), body_points(&b), &none,
+        without += penetration_find(body_points(&a), body_points(&b), &none,
                                  scratch).iterations;
     }
     ck_assert_msg(without <= with, "%d, with gjk's %d", without, with);
@@ -463,10 +463,10 @@ START_TEST(stored_pairs_have_their_exact_depth)
             size = fmax(size, vec3_distance(p.a.at[0], p.a.at[i]));
         for (int i = 0; i < p.b.count; i++)
             size = fmax(size, vec3_distance(p.b.at[0], p.b.at[i]));
-        hit_result r = hit(&p.a, &p.b);
-        ck_assert(r.status != HIT_CAPPED && r.status != HIT_NOT_FINITE);
+        penetration_result r = hit(&p.a, &p.b);
+        ck_assert(r.status != PENETRATION_CAPPED && r.status != PENETRATION_NOT_FINITE);
         if (p.kind == 'S' && p.value > 1e-14 * size)
-            ck_assert_msg(r.status == HIT_APART, "%s: status %d", p.family,
+            ck_assert_msg(r.status == PENETRATION_APART, "%s: status %d", p.family,
                           (int)r.status);
         if (p.kind == 'S') continue;
         found++;
@@ -497,11 +497,11 @@ END_TEST
 START_TEST(far_from_the_origin_nothing_more_is_lost)
 {
     body a = body_cube(0, 0, 0), b = body_cube(0.75, 0.5, 0.25);
-    hit_result home = hit(&a, &b);
+    penetration_result home = hit(&a, &b);
     vec3 far = { 16777216, -8388608, 16777216 };
     body_move(&a, far);
     body_move(&b, far);
-    hit_result away = hit(&a, &b);
+    penetration_result away = hit(&a, &b);
     same_bits(away.depth, home.depth);
     same_bits(away.normal.x, home.normal.x);
     same_bits(away.on_a.z - far.z, home.on_a.z);
@@ -519,12 +519,12 @@ START_TEST(size_does_not_matter)
         body_random(&a, 8, &seed);
         body_random(&b, 6, &seed);
         body_move(&b, random_vector(&seed, 0, 0.5));
-        hit_result one = hit(&a, &b);
+        penetration_result one = hit(&a, &b);
         for (int s = 0; s < 6; s++) {
             body c = a, d = b;
             body_scale(&c, scale[s]);
             body_scale(&d, scale[s]);
-            hit_result r = hit(&c, &d);
+            penetration_result r = hit(&c, &d);
             ck_assert_int_eq(r.status, one.status);
             same_bits(r.depth, one.depth * scale[s]);
             same_bits(r.normal.y, one.normal.y);
@@ -542,8 +542,8 @@ START_TEST(flat_on_flat_is_flat)
         body_square(&a);
         b = a;
         body_move(&b, (vec3){ random_unit(&seed) - 0.5, 0.25, 0 });
-        hit_result r = hit(&a, &b);
-        ck_assert_int_eq(r.status, HIT_FLAT);
+        penetration_result r = hit(&a, &b);
+        ck_assert_int_eq(r.status, PENETRATION_FLAT);
         same_bits(r.depth, 0);
         near(fabs(r.normal.z), 1, rounding);
         near(vec3_distance(r.on_a, r.on_b), 0, rounding);
@@ -556,13 +556,13 @@ START_TEST(points_and_segments_are_flat)
 {
     vec3 s[2] = { { -1, 1, 0.5 }, { 1, 0, 0.5 } }, half = { 0, 0.5, 0.5 };
     point_set segment = { s, 2, NULL, NULL }, point = { &half, 1, NULL, NULL };
-    simplex start = { .count = 1, .weight = { 1 } };
-    hit_result r = hit_face_find(point, point, &start, scratch);
-    ck_assert_int_eq(r.status, HIT_FLAT);
+    distance_cache start = { .count = 1, .weight = { 1 } };
+    penetration_result r = penetration_find(point, point, &start, scratch);
+    ck_assert_int_eq(r.status, PENETRATION_FLAT);
     near(vec3_length(r.normal), 1, rounding);
-    start = gjk_distance(segment, point, gjk_options_default(), NULL).last;
-    r = hit_face_find(segment, point, &start, scratch);
-    ck_assert_int_eq(r.status, HIT_FLAT);
+    start = distance_find(segment, point, distance_options_default(), NULL).last;
+    r = penetration_find(segment, point, &start, scratch);
+    ck_assert_int_eq(r.status, PENETRATION_FLAT);
     near(vec3_dot(r.normal, vec3_sub(s[1], s[0])), 0, rounding);
 }
 END_TEST
@@ -572,8 +572,8 @@ START_TEST(a_point_inside_a_cube)
     body c = body_cube(0, 0, 0);
     vec3 in = { 0.375, -0.25, 0.125 };
     point_set p = { &in, 1, NULL, NULL };
-    simplex none = { .count = 0 };
-    hit_result r = hit_face_find(p, body_points(&c), &none, scratch);
+    distance_cache none = { .count = 0 };
+    penetration_result r = penetration_find(p, body_points(&c), &none, scratch);
     same_bits(r.depth, 0.125);
     same_bits(r.normal.x, 1);
     ck_assert_int_eq(r.kind, TOUCH_VERTEX_FACE);
@@ -584,15 +584,15 @@ END_TEST
 START_TEST(what_is_apart_is_called_apart)
 {
     body a = body_cube(0, 0, 0), b = body_cube(1.25, 1.25, 0.25);
-    ck_assert_int_eq(hit(&a, &b).status, HIT_APART);
+    ck_assert_int_eq(hit(&a, &b).status, PENETRATION_APART);
     body s, t;
     body_square(&s);
     t = s;
     body_move(&t, (vec3){ 0, 0, 0.125 });
-    ck_assert_int_eq(hit(&s, &t).status, HIT_APART);
+    ck_assert_int_eq(hit(&s, &t).status, PENETRATION_APART);
     t = s;
     body_move(&t, (vec3){ 1.125, 0, 0 });
-    ck_assert_int_eq(hit(&s, &t).status, HIT_APART);
+    ck_assert_int_eq(hit(&s, &t).status, PENETRATION_APART);
 }
 END_TEST
 
@@ -606,10 +606,10 @@ START_TEST(balls_scanned_and_climbed)
         b = a;
         body_turn(&b, &seed);
         body_move(&b, random_vector(&seed, 0.3, 0.9));
-        hit_result climbed = hit(&a, &b);
+        penetration_result climbed = hit(&a, &b);
         a.has_ring = b.has_ring = 0;
-        hit_result scanned = hit(&a, &b);
-        ck_assert_int_eq(climbed.status, HIT_FOUND);
+        penetration_result scanned = hit(&a, &b);
+        ck_assert_int_eq(climbed.status, PENETRATION_FOUND);
         near(climbed.depth, scanned.depth, rounding);
         check_answer(&a, &b, climbed, 1);
     }
@@ -626,13 +626,13 @@ START_TEST(repeated_vertices_change_nothing)
         body_any(&a, n % 3, &seed);
         body_any(&b, n / 3 % 3, &seed);
         body_move(&b, random_vector(&seed, 0.1, 0.6));
-        hit_result once = hit(&a, &b);
+        penetration_result once = hit(&a, &b);
         a.has_ring = b.has_ring = 0;
         for (int i = 0; a.count < 60 + n % 10; i++) a.at[a.count++] = a.at[i];
         for (int i = 0; b.count < 62 + n % 7; i++) b.at[b.count++] = b.at[i];
-        hit_result again = hit(&a, &b);
+        penetration_result again = hit(&a, &b);
         ck_assert_int_eq(again.status, once.status);
-        if (once.status != HIT_FOUND) continue;
+        if (once.status != PENETRATION_FOUND) continue;
         near(again.depth, once.depth, rounding);
         check_answer(&a, &b, again, 1);
     }
@@ -646,11 +646,11 @@ START_TEST(a_full_polytope_still_answers)
 {
     static body a;
     body_icosphere(&a, 2, 0.5);
-    hit_result r = hit(&a, &a);
-    ck_assert_int_eq(r.status, HIT_FOUND);      // of 162 points: it fits
+    penetration_result r = hit(&a, &a);
+    ck_assert_int_eq(r.status, PENETRATION_FOUND);      // of 162 points: it fits
     body_icosphere(&a, 3, 0.5);
     r = hit(&a, &a);
-    ck_assert_int_eq(r.status, HIT_CAPPED);
+    ck_assert_int_eq(r.status, PENETRATION_CAPPED);
     real width = (real)oracle_width(body_points(&a), body_points(&a),
                                     vec3_scale(-1, r.normal));
     near(width, r.depth, rounding);
@@ -661,16 +661,16 @@ END_TEST
 START_TEST(what_is_not_finite_gets_a_status)
 {
     const real poison[3] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
-    simplex none = { .count = 0 };
+    distance_cache none = { .count = 0 };
     for (int kind = 0; kind < 3; kind++)
         for (int i = 0; i < 8; i++) {
             body a = body_cube(0, 0, 0), b = body_cube(0.2, 0.1, 0.3);
             b.at[i].y = poison[kind];
             point_set pa = body_points(&a), pb = body_points(&b);
-            hit_result r = hit_face_find(pa, pb, &none, scratch);
-            ck_assert_int_eq(r.status, HIT_NOT_FINITE);
-            r = hit_face_find(pb, pa, &none, scratch);
-            ck_assert_int_eq(r.status, HIT_NOT_FINITE);
+            penetration_result r = penetration_find(pa, pb, &none, scratch);
+            ck_assert_int_eq(r.status, PENETRATION_NOT_FINITE);
+            r = penetration_find(pb, pa, &none, scratch);
+            ck_assert_int_eq(r.status, PENETRATION_NOT_FINITE);
             same_bits(r.depth, 0);
         }
 }
@@ -686,11 +686,11 @@ START_TEST(what_is_beyond_all_sums_gets_a_status)
     body_scale(&a, 0x1p1015);
     body_scale(&b, 0x1p1015);
     same_bits(hit(&a, &b).depth, 0.75 * 0x1p1015);
-    simplex none = { .count = 0 };
+    distance_cache none = { .count = 0 };
     body_scale(&a, 64);
-    hit_result r = hit_face_find(body_points(&a), body_points(&b), &none,
+    penetration_result r = penetration_find(body_points(&a), body_points(&b), &none,
                                  scratch);
-    ck_assert_int_eq(r.status, HIT_NOT_FINITE);
+    ck_assert_int_eq(r.status, PENETRATION_NOT_FINITE);
     same_bits(r.depth, 0);
 }
 END_TEST
@@ -709,15 +709,15 @@ START_TEST(thin_bodies_side_by_side_are_apart)
         b = a;
         vec3 across = vec3_sub(a.at[1], a.at[0]);
         body_move(&b, vec3_scale(2 + random_unit(&seed), across));
-        simplex start = { .count = n % 5 };
+        distance_cache start = { .count = n % 5 };
         for (int c = 0; c < start.count; c++) {
             start.a[c] = c;
             start.b[c] = 3 - c;
             start.weight[c] = 1 / (real)start.count;
         }
-        hit_result r = hit_face_find(body_points(&a), body_points(&b), &start,
+        penetration_result r = penetration_find(body_points(&a), body_points(&b), &start,
                                      scratch);
-        ck_assert_int_eq(r.status, HIT_APART);
+        ck_assert_int_eq(r.status, PENETRATION_APART);
     }
 }
 END_TEST
@@ -731,9 +731,9 @@ START_TEST(the_normal_stands_on_the_line)
                   { -11.25, -11.249999999999616, -11.249999999999321 },
                   { -64, -64, -64 } };
     point_set a = { &p, 1, NULL, NULL }, b = { q, 3, NULL, NULL };
-    simplex start = { .count = 2, .b = { 1, 0 }, .weight = { 0.25, 0.75 } };
-    hit_result r = hit_face_find(a, b, &start, scratch);
-    ck_assert_int_eq(r.status, HIT_FLAT);
+    distance_cache start = { .count = 2, .b = { 1, 0 }, .weight = { 0.25, 0.75 } };
+    penetration_result r = penetration_find(a, b, &start, scratch);
+    ck_assert_int_eq(r.status, PENETRATION_FLAT);
     near(vec3_dot(r.normal, vec3_unit(vec3_sub(q[2], q[0]))), 0, rounding);
     near((real)oracle_width(a, b, r.normal), 0, rounding * 64);
 }
@@ -758,9 +758,9 @@ START_TEST(points_on_a_needle_meet)
                   { -64.000000000012164, -64.000000000012932,
                     -64.000000000013557 }, { -64, -64, -64 } };
     point_set a = { p, 5, NULL, NULL }, b = { q, 5, NULL, NULL };
-    simplex start = gjk_distance(a, b, gjk_options_default(), NULL).last;
-    hit_result r = hit_face_find(a, b, &start, scratch);
-    ck_assert(r.status == HIT_FOUND || r.status == HIT_FLAT);
+    distance_cache start = distance_find(a, b, distance_options_default(), NULL).last;
+    penetration_result r = penetration_find(a, b, &start, scratch);
+    ck_assert(r.status == PENETRATION_FOUND || r.status == PENETRATION_FLAT);
     near(r.depth, 0, 1e-12);
     near(vec3_distance(r.on_a, r.on_b), 0, 1e-11);
 }
@@ -776,13 +776,13 @@ START_TEST(flat_sets_take_any_start)
     body_move(&b, (vec3){ 0.25, 0.125, 0 });
     for (int count = 0; count <= 4; count++)
         for (int kind = 0; kind < 2; kind++) {
-            simplex start = { .count = count, .a = { 3, 2, 1, 0 },
+            distance_cache start = { .count = count, .a = { 3, 2, 1, 0 },
                               .b = { 0, 1, 2, 3 } };
             for (int c = 0; c < count; c++)
                 start.weight[c] = kind ? 1 / (real)count : 0;
-            hit_result r = hit_face_find(body_points(&a), body_points(&b),
+            penetration_result r = penetration_find(body_points(&a), body_points(&b),
                                          &start, scratch);
-            ck_assert(r.status == HIT_FLAT || r.status == HIT_APART);
+            ck_assert(r.status == PENETRATION_FLAT || r.status == PENETRATION_APART);
             near(fabs(r.normal.z), 1, rounding);
             same_bits(r.depth, 0);
             check_feature(&a, &r.a, r.on_a, rounding);
@@ -794,10 +794,10 @@ END_TEST
 START_TEST(refused_memory_leaves_no_scratch)
 {
     mallocs_left = 0;
-    hit_scratch *none = hit_scratch_new();
+    penetration_scratch *none = penetration_scratch_new();
     mallocs_left = INT_MAX;
     ck_assert_ptr_null(none);
-    hit_scratch_free(none);
+    penetration_scratch_free(none);
 }
 END_TEST
 
@@ -813,7 +813,7 @@ START_TEST(the_same_bits_everywhere)
         body_any(&a, n % 4, &seed);
         body_any(&b, n / 4 % 4, &seed);
         body_move(&b, random_vector(&seed, 0, 1));
-        hit_result r = hit(&a, &b);
+        penetration_result r = hit(&a, &b);
         const real part[] = { r.depth, r.normal.x, r.normal.y, r.normal.z,
                               r.on_a.x, r.on_a.y, r.on_a.z, r.on_b.x };
         unsigned char bytes[sizeof part];

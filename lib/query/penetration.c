@@ -1,5 +1,5 @@
-//> hit-face-scratch
-#include "hit_face.h"
+//> penetration-scratch
+#include "penetration.h"
 
 #include "exact.h"
 #include "nearest.h"
@@ -24,7 +24,7 @@ typedef struct {
 } columns;
 
 // The polytope: part of the hull of A - B, closed, and convex to the last bit.
-struct hit_scratch {
+struct penetration_scratch {
     point_set a, b;
     columns column_a, column_b;
     real scale;         // lengths times this: |x|, |y|, |z| <= 1 in A - B
@@ -51,18 +51,18 @@ struct hit_scratch {
 // Heights that differ by less are the same: four steps of the grid.
 static const real level = 0x1p-48;
 
-hit_scratch *hit_scratch_new(void)
+penetration_scratch *penetration_scratch_new(void)
 {
-    return malloc(sizeof(hit_scratch));
+    return malloc(sizeof(penetration_scratch));
 }
 
-void hit_scratch_free(hit_scratch *scratch)
+void penetration_scratch_free(penetration_scratch *scratch)
 {
     free(scratch);
 }
 //<
 
-//> hit-face-exact
+//> penetration-exact
 // The cross product e x f of two edges on the grid, exactly.
 static void exact_cross(vec3 e, vec3 f, rounded n[3])
 {
@@ -99,7 +99,7 @@ static int exact_sign(const rounded n[3], vec3 d)
 }
 //<
 
-//> hit-face-sign
+//> penetration-sign
 // The same, mostly sooner.  What rounding drops of n . d is added up beside it.
 // No part of n is above 8, none of d above 2: so these parts are below 2^-46,
 // and rounding, which takes 2^-53 of each, leaves an error below 2^-90.
@@ -117,10 +117,10 @@ static int sign_along(const rounded n[3], vec3 d)
 }
 //<
 
-//> hit-face-grid
+//> penetration-grid
 // The point of A - B from these vertices, on the grid.  Next to 6 the doubles
 // are 2^-50 apart: adding 6 rounds to the grid, subtracting it is exact.
-static peak peak_make(const hit_scratch *h, int a, int b)
+static peak peak_make(const penetration_scratch *h, int a, int b)
 {
     vec3 d = vec3_scale(h->scale, vec3_sub(h->a.at[a], h->b.at[b]));
     vec3 at = { (d.x + 6) - 6, (d.y + 6) - 6, (d.z + 6) - 6 };
@@ -142,7 +142,7 @@ static int columns_furthest(const columns *c, real x, real y, real z)
 
 // The point of A - B furthest along n.  n is scaled as A - B is: so its
 // products with the vertices, and their sums, are numbers.
-static inline peak peak_along(const hit_scratch *h, vec3 n, peak near)
+static inline peak peak_along(const penetration_scratch *h, vec3 n, peak near)
 {
     vec3 d = vec3_scale(h->scale, n), back = vec3_scale(-1, d);
     const columns *ca = &h->column_a, *cb = &h->column_b;
@@ -154,7 +154,7 @@ static inline peak peak_along(const hit_scratch *h, vec3 n, peak near)
 }
 //<
 
-//> hit-face-columns
+//> penetration-columns
 // Writes p in columns, unless it is too large: then they come to hold anything.
 // Finds its box on the way; *poison becomes NaN if a coordinate is not finite.
 static void columns_fill(columns *c, point_set p, vec3 *low, vec3 *high,
@@ -183,7 +183,7 @@ static void columns_fill(columns *c, point_set p, vec3 *low, vec3 *high,
 }
 //<
 
-//> hit-face-scale
+//> penetration-scale
 static real largest(vec3 v)
 {
     real m = v.x > v.y ? v.x : v.y;
@@ -193,7 +193,7 @@ static real largest(vec3 v)
 // Fills the columns.  Returns the power of two that brings the largest
 // coordinate of A - B into 1/2 .. 1; 0 if a coordinate is not finite, or so
 // large that differences are not; 1 if all of A - B is one point.
-static real scale_for(hit_scratch *h)
+static real scale_for(penetration_scratch *h)
 {
     vec3 low_a, high_a, low_b, high_b;
     real poison = 0, scale = 1;
@@ -217,20 +217,20 @@ static real scale_for(hit_scratch *h)
 }
 //<
 
-//> hit-face-face
-static vec3 face_edge(const hit_scratch *h, int f, int i)
+//> penetration-face
+static vec3 face_edge(const penetration_scratch *h, int f, int i)
 {
     const int *corner = h->corner[f];
     return vec3_sub(h->point[corner[i]].at, h->point[corner[0]].at);
 }
 
-static vec3 face_normal(const hit_scratch *h, int f)
+static vec3 face_normal(const penetration_scratch *h, int f)
 {
     return (vec3){ h->x[f], h->y[f], h->z[f] };
 }
 
 // Face f has the corner p and the normal n.
-static inline void face_set(hit_scratch *h, int f, vec3 p, vec3 n)
+static inline void face_set(penetration_scratch *h, int f, vec3 p, vec3 n)
 {
     real offset = vec3_dot(n, p);
     h->x[f] = n.x;
@@ -241,7 +241,7 @@ static inline void face_set(hit_scratch *h, int f, vec3 p, vec3 n)
 }
 
 // Its normal rounded once, and not in all the products that make it.
-static void face_measure_exactly(hit_scratch *h, int f)
+static void face_measure_exactly(penetration_scratch *h, int f)
 {
     rounded n[3];
     exact_cross(face_edge(h, f, 1), face_edge(h, f, 2), n);
@@ -258,10 +258,10 @@ static inline int is_thin(vec3 n, vec3 e, vec3 g, real sine)
 }
 //<
 
-//> hit-face-put
+//> penetration-put
 // Measures the face u, v, w, and keeps it in slot f.  In a thin triangle the
 // cross product cancels: there the exact one is taken.
-static inline void face_measure(hit_scratch *h, int f, int u, int v, int w)
+static inline void face_measure(penetration_scratch *h, int f, int u, int v, int w)
 {
     vec3 p = h->point[u].at;
     vec3 e = vec3_sub(h->point[v].at, p), g = vec3_sub(h->point[w].at, p);
@@ -274,27 +274,27 @@ static inline void face_measure(hit_scratch *h, int f, int u, int v, int w)
 }
 
 // The same, and joins it to its neighbours.
-static inline void face_put(hit_scratch *h, int f, int u, int v, int w)
+static inline void face_put(penetration_scratch *h, int f, int u, int v, int w)
 {
     h->left[u][v] = h->left[v][w] = h->left[w][u] = (unsigned short)f;
     face_measure(h, f, u, v, w);
 }
 //<
 
-//> hit-face-side
+//> penetration-side
 // Coordinates are at most 1, edges 2, parts of a normal 8: then the rounding
 // errors of normal . x - offset add up to less than this, and what is smaller
 // has no sure sign.
 static const real doubt = 0x1p-44;
 
-static real over_plane(const hit_scratch *h, int f, vec3 x)
+static real over_plane(const penetration_scratch *h, int f, vec3 x)
 {
     return h->x[f] * x.x + h->y[f] * x.y + h->z[f] * x.z - h->offset[f];
 }
 
 // The side of the plane of f that x, which is `over` it, is on: 1 before it, 0
 // in it, -1 behind it.
-static int face_side(const hit_scratch *h, int f, vec3 x, real over)
+static int face_side(const penetration_scratch *h, int f, vec3 x, real over)
 {
     if (over > doubt) return 1;
     if (over < -doubt) return -1;
@@ -304,11 +304,11 @@ static int face_side(const hit_scratch *h, int f, vec3 x, real over)
 }
 //<
 
-//> hit-face-seen
+//> penetration-seen
 // Lists the faces that x sees; returns their number.  A face that x lies in
 // counts as seen, as if x were a hair further out.  (As if it were a hair
 // further in would be as right, and leave more triangles: no test can tell.)
-static int list_seen(hit_scratch *h, vec3 x)
+static int list_seen(penetration_scratch *h, vec3 x)
 {
     int perhaps = 0, seen = 0;
     for (int f = 0; f < h->faces; f++) h->side[f] = over_plane(h, f, x);
@@ -329,10 +329,10 @@ static int list_seen(hit_scratch *h, vec3 x)
 }
 //<
 
-//> hit-face-rim
+//> penetration-rim
 // Lists the edges that have a face that is seen on their left, and one that is
 // not on their right; returns their number.
-static int list_rim(hit_scratch *h, int seen)
+static int list_rim(penetration_scratch *h, int seen)
 {
     int rim = 0;
     for (int k = 0; k < seen; k++) {
@@ -348,7 +348,7 @@ static int list_rim(hit_scratch *h, int seen)
 }
 
 // Face f is no more: the last one moves to its slot.
-static void face_drop(hit_scratch *h, int f)
+static void face_drop(penetration_scratch *h, int f)
 {
     int last = --h->faces;
     if (f == last) return;
@@ -365,11 +365,11 @@ static void face_drop(hit_scratch *h, int f)
 }
 //<
 
-//> hit-face-expand
+//> penetration-expand
 // Puts the point `number` on the polytope: the faces that it sees go, and a fan
 // from their rim to the point comes, first in their slots.  (Mostly it is the
 // larger by two; but a corner that only seen faces have goes, too.)
-static void polytope_expand(hit_scratch *h, int number)
+static void polytope_expand(penetration_scratch *h, int number)
 {
     int seen = list_seen(h, h->point[number].at), rim = list_rim(h, seen);
     for (int k = 0; k < rim; k++) {
@@ -381,10 +381,10 @@ static void polytope_expand(hit_scratch *h, int number)
 }
 //<
 
-//> hit-face-flat
+//> penetration-flat
 // The point of A - B furthest from the plane through x with this normal, on
 // either side; its height over the plane in *height.
-static peak peak_off_plane(const hit_scratch *h, vec3 x, vec3 n, peak near,
+static peak peak_off_plane(const penetration_scratch *h, vec3 x, vec3 n, peak near,
                            real *height)
 {
     peak up = peak_along(h, n, near);
@@ -410,9 +410,9 @@ static vec3 unit_across(vec3 v)
 }
 //<
 
-//> hit-face-off
+//> penetration-off
 // The point of A - B furthest from x, along three axes.
-static peak peak_off_point(const hit_scratch *h, peak x)
+static peak peak_off_point(const penetration_scratch *h, peak x)
 {
     peak best = x;
     real furthest = 0;
@@ -430,7 +430,7 @@ static peak peak_off_point(const hit_scratch *h, peak x)
 }
 
 // The point of A - B furthest from the line x, y, along two normals of it.
-static peak peak_off_line(const hit_scratch *h, peak x, peak y)
+static peak peak_off_line(const penetration_scratch *h, peak x, peak y)
 {
     vec3 along = vec3_unit(vec3_sub(y.at, x.at));
     vec3 n = unit_across(along), m = vec3_cross(along, n);
@@ -441,7 +441,7 @@ static peak peak_off_line(const hit_scratch *h, peak x, peak y)
 }
 //<
 
-//> hit-face-small
+//> penetration-small
 // Twice the area of x, y, z is too small for a plane.
 static int is_line(peak x, peak y, peak z)
 {
@@ -458,7 +458,7 @@ static int is_point(peak x, peak y)
 }
 //<
 
-//> hit-face-stout
+//> penetration-stout
 // A tetrahedron with so much room inside that rounding is no matter: mostly
 // gjk's is one.  *normal is that of the first three corners.
 static int is_stout(const peak p[4], vec3 *normal)
@@ -470,7 +470,7 @@ static int is_stout(const peak p[4], vec3 *normal)
 }
 //<
 
-//> hit-face-guess
+//> penetration-guess
 // The two points furthest along d; the same twice, if there is but one.
 static void columns_top_two(const columns *c, vec3 d, int two[2])
 {
@@ -493,7 +493,7 @@ static void columns_top_two(const columns *c, vec3 d, int two[2])
 // A tetrahedron of small bodies when there is no simplex.  Three corners as gjk
 // begins: as seen from middle to middle, A has a first and a second vertex, and
 // so has B.  The fourth is furthest from their plane, on the origin's side.
-static int tetrahedron_guess(const hit_scratch *h, peak p[4], vec3 *normal)
+static int tetrahedron_guess(const penetration_scratch *h, peak p[4], vec3 *normal)
 {
     if (h->column_a.count == 0 || h->column_b.count == 0) return 0;
     int a[2], b[2];
@@ -510,11 +510,11 @@ static int tetrahedron_guess(const hit_scratch *h, peak p[4], vec3 *normal)
 }
 //<
 
-//> hit-face-tetrahedron
+//> penetration-tetrahedron
 // Fills p with the corners of a tetrahedron in A - B, from the corners of the
 // simplex where they serve.  Returns how many could be had: 4, or one more than
 // the dimension of A - B; then *normal is perpendicular to all of it.
-static int tetrahedron_find(const hit_scratch *h, const simplex *start,
+static int tetrahedron_find(const penetration_scratch *h, const distance_cache *start,
                             peak p[4], vec3 *normal)
 {
     int n = start->count;
@@ -549,9 +549,9 @@ static int tetrahedron_find(const hit_scratch *h, const simplex *start,
 }
 //<
 
-//> hit-face-begin
+//> penetration-begin
 // The polytope is this tetrahedron.
-static void polytope_begin(hit_scratch *h, const peak p[4], vec3 normal)
+static void polytope_begin(penetration_scratch *h, const peak p[4], vec3 normal)
 {
     static const int corner[4][3] = { {0,1,2}, {0,3,1}, {1,3,2}, {2,3,0} };
     // The face 0, 1, 2 must look away from corner 3.
@@ -569,7 +569,7 @@ static void polytope_begin(hit_scratch *h, const peak p[4], vec3 normal)
 
 // The face whose plane is lowest over the origin; the origin is outside the
 // polytope if that is below it.
-static int polytope_lowest(const hit_scratch *h)
+static int polytope_lowest(const penetration_scratch *h)
 {
     int lowest = 0;
     real least = h->square[0];
@@ -581,10 +581,10 @@ static int polytope_lowest(const hit_scratch *h)
 }
 //<
 
-//> hit-face-weights
+//> penetration-weights
 // The weights of the corners of f for the origin's foot x on its plane: areas,
 // as in chapter 4.
-static void foot_weights(const hit_scratch *h, int f, vec3 x, real weight[3])
+static void foot_weights(const penetration_scratch *h, int f, vec3 x, real weight[3])
 {
     for (int i = 0; i < 3; i++) {
         vec3 p = h->point[h->corner[f][(i + 1) % 3]].at;
@@ -596,7 +596,7 @@ static void foot_weights(const hit_scratch *h, int f, vec3 x, real weight[3])
 
 // The areas need only be divided by their sum if x lies in the triangle, and
 // that is well shaped: otherwise rounding has too large a share in them.
-static int areas_serve(const hit_scratch *h, int f, real weight[3])
+static int areas_serve(const penetration_scratch *h, int f, real weight[3])
 {
     vec3 e = face_edge(h, f, 1), g = face_edge(h, f, 2), k = vec3_sub(g, e);
     real ee = vec3_length_squared(e), gg = vec3_length_squared(g);
@@ -611,10 +611,10 @@ static int areas_serve(const hit_scratch *h, int f, real weight[3])
 }
 //<
 
-//> hit-face-walk
+//> penetration-walk
 // The areas made weights.  Returns the square of what these miss x by: much if
 // it lies beside the face.
-static real weigh_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
+static real weigh_foot(const penetration_scratch *h, int f, vec3 x, real weight[3])
 {
     vec3 p[3], miss = vec3_scale(-1, x);
     for (int i = 0; i < 3; i++) p[i] = h->point[h->corner[f][i]].at;
@@ -626,7 +626,7 @@ static real weigh_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
 
 // A side of A - B may be several triangles in one plane: walks from f to the
 // one that the foot x lies in.
-static int walk_to_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
+static int walk_to_foot(const penetration_scratch *h, int f, vec3 x, real weight[3])
 {
     real floor = sqrt(fabs(h->square[f])) + 4 * level;
     for (int steps = 0; steps < 32; steps++) {
@@ -643,7 +643,7 @@ static int walk_to_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
 }
 //<
 
-//> hit-face-feature
+//> penetration-feature
 static int same_place(vec3 a, vec3 b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z;
@@ -678,7 +678,7 @@ static vec3 feature_point_at(point_set p, const feature_point *f)
 }
 //<
 
-//> hit-face-kind
+//> penetration-kind
 // 0 a vertex, 1 an edge, 2 a face.  Three vertices that nearly lie in a line,
 // or of which two nearly coincide, are an edge: the triangle's height is
 // compared with its longest side.
@@ -703,9 +703,9 @@ static touch_kind touch_of(int dimension_a, int dimension_b)
 }
 //<
 
-//> hit-face-answer-flat
+//> penetration-answer-flat
 // Fills in corners, features, points and kind from three corners and weights.
-static void answer_features(const hit_scratch *h, hit_result *r,
+static void answer_features(const penetration_scratch *h, penetration_result *r,
                             const real weight[3])
 {
     r->a = feature_merge(h->a, r->corner_a, weight);
@@ -718,12 +718,12 @@ static void answer_features(const hit_scratch *h, hit_result *r,
 
 // A - B has no volume: the bodies touch at the simplex that they came with, if
 // that reaches the origin, and any move along the normal parts them.
-static hit_result answer_flat(const hit_scratch *h, const simplex *start,
+static penetration_result answer_flat(const penetration_scratch *h, const distance_cache *start,
                               vec3 normal)
 {
-    hit_result r = { .status = HIT_FLAT, .normal = normal };
-    simplex s = *start;
-    if (s.count == 0) s = (simplex){ .count = 1, .weight = { 1 } };
+    penetration_result r = { .status = PENETRATION_FLAT, .normal = normal };
+    distance_cache s = *start;
+    if (s.count == 0) s = (distance_cache){ .count = 1, .weight = { 1 } };
     real weight[3] = { 0, 0, 0 }, sum = 0;
     vec3 nearest = { 0, 0, 0 };
     for (int c = 0; c < s.count && c < 3; c++) sum += s.weight[c];
@@ -735,16 +735,16 @@ static hit_result answer_flat(const hit_scratch *h, const simplex *start,
         vec3 at = peak_make(h, s.a[c], s.b[c]).at;
         nearest = vec3_add_scaled(nearest, weight[i], at);
     }
-    if (vec3_length(nearest) > 8 * level) r.status = HIT_APART;
+    if (vec3_length(nearest) > 8 * level) r.status = PENETRATION_APART;
     answer_features(h, &r, weight);
     return r;
 }
 //<
 
-//> hit-face-answer
+//> penetration-answer
 // The answer from face f, in whose plane the foot lies at these weights.
-static void answer_at(const hit_scratch *h, int f, real height, vec3 out,
-                      const real weight[3], hit_result *r)
+static void answer_at(const penetration_scratch *h, int f, real height, vec3 out,
+                      const real weight[3], penetration_result *r)
 {
     for (int i = 0; i < 3; i++) {
         r->corner_a[i] = h->point[h->corner[f][i]].a;
@@ -759,7 +759,7 @@ static void answer_at(const hit_scratch *h, int f, real height, vec3 out,
 // room for one; upper: how far A - B reaches along its normal.  Of an A - B
 // that is all but flat, the origin may lie in the plane and beside the face:
 // nothing of A - B is there.
-static void answer_face(hit_scratch *h, int f, real upper, hit_result *r)
+static void answer_face(penetration_scratch *h, int f, real upper, penetration_result *r)
 {
     const real beside = 0x1p-20;
     real weight[3];
@@ -772,32 +772,32 @@ static void answer_face(hit_scratch *h, int f, real upper, hit_result *r)
     vec3 out = vec3_scale(shorten, n), foot = vec3_scale(height, out);
     int g = walk_to_foot(h, f, foot, weight);
     real miss = weigh_foot(h, g, foot, weight);
-    if (r->status == HIT_FOUND && miss > beside * beside)
-        r->status = HIT_APART;
-    if (r->status == HIT_CAPPED) height = shorten * upper;
+    if (r->status == PENETRATION_FOUND && miss > beside * beside)
+        r->status = PENETRATION_APART;
+    if (r->status == PENETRATION_CAPPED) height = shorten * upper;
     answer_at(h, g, height > 0 ? height : 0, out, weight, r);
 }
 //<
 
-//> hit-face-find
+//> penetration-find
 // w is the point of A - B furthest along n, the normal of face f.  Does nothing
 // lie beyond?  Then the face belongs to A - B itself.
-static int is_outermost(const hit_scratch *h, int f, vec3 n, vec3 w)
+static int is_outermost(const penetration_scratch *h, int f, vec3 n, vec3 w)
 {
     real over = over_plane(h, f, w);
     return over * over <= level * level * vec3_length_squared(n)
         || face_side(h, f, w, over) <= 0;
 }
 
-hit_result hit_face_find(point_set a, point_set b, const simplex *start,
-                         hit_scratch *scratch)
+penetration_result penetration_find(point_set a, point_set b, const distance_cache *start,
+                         penetration_scratch *scratch)
 {
     assert(scratch && start && start->count >= 0 && start->count <= 4);
-    hit_scratch *h = scratch;
+    penetration_scratch *h = scratch;
     h->a = a;
     h->b = b;
     h->scale = scale_for(h);
-    hit_result r = { .status = HIT_NOT_FINITE };
+    penetration_result r = { .status = PENETRATION_NOT_FINITE };
     if (!(h->scale > 0)) return r;
 
     peak p[4];
@@ -812,11 +812,11 @@ hit_result hit_face_find(point_set a, point_set b, const simplex *start,
         peak w = peak_along(h, n, h->point[h->corner[f][0]]);
         r.iterations++;
         if (is_outermost(h, f, n, w.at))
-            r.status = h->square[f] < -16 * level * level ? HIT_APART
-                                                          : HIT_FOUND;
+            r.status = h->square[f] < -16 * level * level ? PENETRATION_APART
+                                                          : PENETRATION_FOUND;
         else if (h->points == POINTS_AT_MOST)
-            r.status = HIT_CAPPED;
-        if (r.status != HIT_NOT_FINITE) {
+            r.status = PENETRATION_CAPPED;
+        if (r.status != PENETRATION_NOT_FINITE) {
             answer_face(h, f, vec3_dot(n, w.at), &r);
             return r;
         }
@@ -826,9 +826,9 @@ hit_result hit_face_find(point_set a, point_set b, const simplex *start,
 }
 //<
 
-//> hit-face-remember
+//> penetration-remember
 // Puts face f among those that are remembered, the lower first.
-static void remember_face(const hit_scratch *h, int f, hit_memory *m)
+static void remember_face(const penetration_scratch *h, int f, penetration_memory *m)
 {
     int to = m->faces++;
     for (; to > 0 && m->face[to - 1].square > h->square[f]; to--)
@@ -838,10 +838,10 @@ static void remember_face(const hit_scratch *h, int f, hit_memory *m)
         m->face[to].corner[i] = (unsigned char)h->corner[f][i];
 }
 
-void hit_face_remember(const hit_scratch *h, hit_memory *m)
+void penetration_remember(const penetration_scratch *h, penetration_memory *m)
 {
     m->faces = 0;
-    if (h->points > HIT_MEMORY_POINTS) return;
+    if (h->points > PENETRATION_MEMORY_POINTS) return;
     m->scale = h->scale;
     m->points = h->points;
     for (int c = 0; c < h->points; c++) {
@@ -853,9 +853,9 @@ void hit_face_remember(const hit_scratch *h, hit_memory *m)
 }
 //<
 
-//> hit-face-recall
+//> penetration-recall
 // The polytope's points, where they are now.  Returns how far any has moved.
-static real points_recall(hit_scratch *h, const hit_memory *m)
+static real points_recall(penetration_scratch *h, const penetration_memory *m)
 {
     real furthest = 0;
     h->scale = m->scale;
@@ -873,10 +873,10 @@ static real points_recall(hit_scratch *h, const hit_memory *m)
 }
 //<
 
-//> hit-face-recall-faces
+//> penetration-recall-faces
 // Measures the first faces, until the others are surely higher than the lowest;
 // returns that.  No point has moved further than `moved`.
-static int lowest_recall(hit_scratch *h, const hit_memory *m, real moved)
+static int lowest_recall(penetration_scratch *h, const penetration_memory *m, real moved)
 {
     int lowest = 0;
     real reach = HUGE_VAL;
@@ -893,7 +893,7 @@ static int lowest_recall(hit_scratch *h, const hit_memory *m, real moved)
 
 // All faces, each joined to its neighbours.  Returns 1 if the origin is behind
 // each of them.
-static int polytope_recall(hit_scratch *h, const hit_memory *m)
+static int polytope_recall(penetration_scratch *h, const penetration_memory *m)
 {
     int behind = 1;
     h->faces = m->faces;
@@ -906,9 +906,9 @@ static int polytope_recall(hit_scratch *h, const hit_memory *m)
 }
 //<
 
-//> hit-face-foot
+//> penetration-foot
 // 1 if the foot x lies in face f, not only before it; and its weights.
-static int holds_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
+static int holds_foot(const penetration_scratch *h, int f, vec3 x, real weight[3])
 {
     foot_weights(h, f, x, weight);
     return weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0
@@ -916,7 +916,7 @@ static int holds_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
 }
 
 // Of the faces as low as f the one that the foot x lies in; -1: none.
-static int face_of_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
+static int face_of_foot(const penetration_scratch *h, int f, vec3 x, real weight[3])
 {
     if (holds_foot(h, f, x, weight)) return f;
     real floor = h->square[f] * (1 + 0x1p-40);
@@ -927,14 +927,14 @@ static int face_of_foot(const hit_scratch *h, int f, vec3 x, real weight[3])
 }
 //<
 
-//> hit-face-shows
+//> penetration-shows
 // What the lowest face shows.
 enum { PROVEN, BEYOND, NOTHING };
 
 // PROVEN: no point lies beyond f, and *r is the answer.  BEYOND: one does,
 // along *out.  NOTHING: f is not before the origin, or the foot is beside the
 // faces in its plane, or a coordinate is not a number.
-static int face_shows(const hit_scratch *h, int f, vec3 *out, hit_result *r)
+static int face_shows(const penetration_scratch *h, int f, vec3 *out, penetration_result *r)
 {
     vec3 n = face_normal(h, f);
     real weight[3];
@@ -945,15 +945,15 @@ static int face_shows(const hit_scratch *h, int f, vec3 *out, hit_result *r)
     if (upper - height > level) return BEYOND;
     int g = face_of_foot(h, f, vec3_scale(height, *out), weight);
     if (g < 0) return NOTHING;
-    r->status = HIT_FOUND;
+    r->status = PENETRATION_FOUND;
     answer_at(h, g, height, *out, weight, r);
     return PROVEN;
 }
 //<
 
-//> hit-face-again
+//> penetration-again
 // Puts the point furthest along out on the polytope.  0: there is none.
-static int polytope_raise(hit_scratch *h, vec3 out)
+static int polytope_raise(penetration_scratch *h, vec3 out)
 {
     vec3 d = vec3_scale(h->scale, out);
     int a = support_point(h->a, d, h->point[0].a);
@@ -964,8 +964,8 @@ static int polytope_raise(hit_scratch *h, vec3 out)
     return 1;
 }
 
-int hit_face_again(point_set a, point_set b, const hit_memory *m,
-                   hit_scratch *h, hit_result *r)
+int penetration_again(point_set a, point_set b, const penetration_memory *m,
+                   penetration_scratch *h, penetration_result *r)
 {
     enum { POINTS_MORE = 6 };
     vec3 out;

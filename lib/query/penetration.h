@@ -1,13 +1,13 @@
-//> hit-face-head
-// hit_face.h - two bodies overlap: which way out, and who touched whom?
+//> penetration-head
+// penetration.h - two bodies overlap: which way out, and who touched whom?
 //
 // Paper: section 5.1, the hit face: the face of A - B nearest the origin,
 // found by van den Bergen's expanding polytope.  Book: chapter 5.
 
-#ifndef TUMBLE_HIT_FACE_H
-#define TUMBLE_HIT_FACE_H
+#ifndef TUMBLE_PENETRATION_H
+#define TUMBLE_PENETRATION_H
 
-#include "gjk.h"
+#include "distance.h"
 
 typedef enum {
     TOUCH_VERTEX_FACE,  // a vertex of A against a face of B
@@ -16,14 +16,14 @@ typedef enum {
 } touch_kind;
 
 typedef enum {
-    HIT_FOUND,
-    HIT_APART,          // the origin is outside A - B
-    HIT_NOT_FINITE,     // a coordinate is NaN, infinite or beyond 2^1020 m; the
+    PENETRATION_FOUND,
+    PENETRATION_APART,          // the origin is outside A - B
+    PENETRATION_NOT_FINITE,     // a coordinate is NaN, infinite or beyond 2^1020 m; the
                         // numbers are all 0
-    HIT_CAPPED,         // polytope full: depth is an upper bound, still usable
-    HIT_FLAT            // A - B has no volume (two flat sets in one plane):
+    PENETRATION_CAPPED,         // polytope full: depth is an upper bound, still usable
+    PENETRATION_FLAT            // A - B has no volume (two flat sets in one plane):
                         // depth 0 along its normal
-} hit_status;
+} penetration_status;
 
 // A point of a feature: a vertex (count 1), a point of an edge (2) or of a
 // face (3), as a weighted mean of vertices.  Weights >= 0, sum 1.
@@ -34,7 +34,7 @@ typedef struct {
 } feature_point;
 
 typedef struct {
-    hit_status status;
+    penetration_status status;
     touch_kind kind;
     real depth;         // m, >= 0: the least move that parts them
     vec3 normal;        // unit, from B to A: A moves out along it by depth
@@ -44,16 +44,16 @@ typedef struct {
                         // merged
     int  corner_a[3], corner_b[3]; // the corners of the hit face: pairs (a, b)
     int  iterations;
-} hit_result;
+} penetration_result;
 
 // Memory for the polytope: one for each thread that asks.
-typedef struct hit_scratch hit_scratch;
+typedef struct penetration_scratch penetration_scratch;
 //<
 
-//> hit-face-memory
+//> penetration-memory
 // The polytope of an answer, by vertices: the proof that no way out is shorter.
 // Zeroed: none.
-enum { HIT_MEMORY_POINTS = 16, HIT_MEMORY_FACES = 2 * HIT_MEMORY_POINTS - 4 };
+enum { PENETRATION_MEMORY_POINTS = 16, PENETRATION_MEMORY_FACES = 2 * PENETRATION_MEMORY_POINTS - 4 };
 
 typedef struct {
     real scale;                 // lengths below are times this
@@ -61,34 +61,34 @@ typedef struct {
     struct {
         vec3 at;                // of A - B: where it was
         int  a, b;              // and which vertices' difference it is
-    } point[HIT_MEMORY_POINTS];
+    } point[PENETRATION_MEMORY_POINTS];
     struct {
         real square;            // of its height; they do not fall
         unsigned char corner[3];
-    } face[HIT_MEMORY_FACES];
-} hit_memory;
+    } face[PENETRATION_MEMORY_FACES];
+} penetration_memory;
 //<
 
-//> hit-face-declare
-hit_scratch *hit_scratch_new(void);     // NULL if memory is refused
-void         hit_scratch_free(hit_scratch *scratch);
+//> penetration-declare
+penetration_scratch *penetration_scratch_new(void);     // NULL if memory is refused
+void         penetration_scratch_free(penetration_scratch *scratch);
 
-// The hit face of hulls a and b; HIT_APART if they do not overlap.  start is
-// the final simplex of gjk_distance for the pair; or empty (count 0), which for
+// The hit face of hulls a and b; PENETRATION_APART if they do not overlap.  start is
+// the final simplex of distance_find for the pair; or empty (count 0), which for
 // small bodies costs less than to ask gjk before.
-hit_result hit_face_find(point_set a, point_set b, const simplex *start,
-                         hit_scratch *scratch);
+penetration_result penetration_find(point_set a, point_set b, const distance_cache *start,
+                         penetration_scratch *scratch);
 
-// Keeps how the last hit_face_find with this scratch, which found the hit face,
+// Keeps how the last penetration_find with this scratch, which found the hit face,
 // knew that it had; nothing, if that took too many points.
-void hit_face_remember(const hit_scratch *scratch, hit_memory *memory);
+void penetration_remember(const penetration_scratch *scratch, penetration_memory *memory);
 
 // The same pair later: does what is remembered prove an answer where the bodies
 // are now, perhaps with a few points more?  1: *r is the hit face, as
-// hit_face_find would find it, up to rounding and the choice among equals.  0:
-// it does not; ask hit_face_find.  The proof shows that they overlap.
-int hit_face_again(point_set a, point_set b, const hit_memory *memory,
-                   hit_scratch *scratch, hit_result *r);
+// penetration_find would find it, up to rounding and the choice among equals.  0:
+// it does not; ask penetration_find.  The proof shows that they overlap.
+int penetration_again(point_set a, point_set b, const penetration_memory *memory,
+                   penetration_scratch *scratch, penetration_result *r);
 
 #endif
 //<

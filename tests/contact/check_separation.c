@@ -1,11 +1,11 @@
-// check_response.c - who moves, and how far.  Book: chapter 7.
+// check_separation.c - who moves, and how far.  Book: chapter 7.
 
 #include <check.h>
 #include <float.h>
 #include <stdlib.h>
 
 #include "constraint.h"
-#include "response.h"
+#include "separation.h"
 
 // A sum of a dozen products, each rounded once.
 #define ROUNDING 1e-14

@@ -1,14 +1,14 @@
-//> response-head
-// response.h - contacts, and the push that parts what overlaps.
+//> separation-head
+// separation.h - contacts, and the push that parts what overlaps.
 //
 // Paper: section 6.1, Eqs 8 to 11.  Book: chapter 7.
 // Units: metres, kilograms.  Every normal is a unit vector from B to A: A moves
 // along it, B against it.  gap < 0: overlap.
 
-#ifndef TUMBLE_RESPONSE_H
-#define TUMBLE_RESPONSE_H
+#ifndef TUMBLE_SEPARATION_H
+#define TUMBLE_SEPARATION_H
 
-#include "hit_face.h"
+#include "penetration.h"
 #include "verlet.h"
 
 // How a push is shared between the two sides.
@@ -61,7 +61,7 @@ typedef struct {
 } sphere_contact;
 //<
 
-//> response-declare
+//> separation-declare
 // SHARE_MASS, PUSH_OUT, gain 1, friction 0.5, restitution 0.
 response_options response_options_default(void);
 

@@ -1,4 +1,4 @@
-// check_scene.c - do the paper's three experiments hold together?
+// check_world_scene.c - do the paper's three experiments hold together?
 // Book: chapter 9.
 
 #define _POSIX_C_SOURCE 200809L     // mkstemp: a file to throw
@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "scarce.h"
-#include "scene.h"
+#include "world_scene.h"
 #include "step.h"
 
 // A chain of 50 links: fifty sums of numbers near 1.

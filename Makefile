@@ -12,34 +12,34 @@ define ORDER
 03/mesh
 03/body
 03/obj
-04/support
-04/exact
-04/nearest
-04/distance
-05/penetration
 06/sphere_tree
-06/grid
-07/separation
 08/ordering
-10/manifold
-14/swept
-09/collide
-11/line
-12/four
-12/push
-13/broad
-09/rest
-09/world
-13/halves
-09/ledger
-09/pairs
-12/contacts
-09/narrow
-09/solver
-09/soft
-09/step
-09/measure
-09/world_scene
+10/support
+10/exact
+10/nearest
+10/distance
+10/penetration
+11/separation
+11/manifold
+12/line
+13/four
+13/push
+14/broad
+14/grid
+15/swept
+16/collide
+16/rest
+16/world
+16/halves
+16/ledger
+16/pairs
+16/contacts
+16/narrow
+16/solver
+16/soft
+16/step
+16/measure
+16/world_scene
 endef
 LINE := $(strip $(ORDER))
 
@@ -68,7 +68,7 @@ AGAIN := $(MAKE) --no-print-directory
 
 # --- What there is ------------------------------------------------------------
 MODULES  := $(notdir $(LINE))
-# Some have no module of their own: 15 is about the hard cases, 16 about speed.
+# Some have no module of their own: 17 is about the hard cases, 18 about speed.
 CHAPTERS := $(patsubst chapters/%,%,$(foreach c,$(wildcard chapters/[0-9]*.md),$(firstword $(subst -, ,$c))))
 # Tests in the book's order, then those that belong to no module.
 TESTS    := $(basename $(notdir $(wildcard $(MODULES:%=tests/*/check_%.c))))
@@ -91,10 +91,10 @@ UPTO_$(patsubst %/,%,$(dir $1)) := $$(ALL)
 TESTS_$(patsubst %/,%,$(dir $1)) += $(filter check_$(notdir $1),$(TESTS))
 endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
-TESTS_15 := check_hard
-TESTS_16 := check_clock check_thread
+TESTS_17 := check_hard
+TESTS_18 := check_clock check_thread
 # The later chapters' figures ask what their module does to the whole.
-FLOOR = $(if $(filter 0%,$1),$(UPTO_$1),$(ALL))
+FLOOR = $(if $(filter 00 01 02 03,$1),$(UPTO_$1),$(ALL))
 
 # After `watch` and `exercise` a chapter says of what: it is no goal of its own.
 ifneq ($(filter watch exercise,$(MAKECMDGOALS)),)
@@ -147,7 +147,7 @@ test:
 
 #:
 #: Read and learn
-#:   make 04         chapter 04 alone (there are 00 to 18): the library up to it
+#:   make 04         chapter 04 alone (there are 00 to 20): the library up to it
 #:                   and nothing above, its tests, its figures in build/figures,
 #:                   how its exercises stand, and what to read next
 #:   make test-04    its tests alone
@@ -286,9 +286,9 @@ hard: $(BUILD)/hard
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
-SPEED := 16-verlet 16-constraint 16-body 16-gjk 05-depth 16-hit_face \
-  06-tree 16-sphere_tree 07-response 08-orders 09-bodies 09-cloth 09-order \
-  12-bodies 16-world
+SPEED := 18-verlet 18-constraint 18-body 18-gjk 10-depth 18-hit_face \
+  06-tree 18-sphere_tree 07-response 08-orders 09-bodies 09-cloth 09-order \
+  13-bodies 18-world
 .PHONY: speed profile
 speed: $(SPEED:%=$(BUILD)/figures/%)
 	$(Q)$(foreach f,$(SPEED),$(call draw,$f,$(call room,$f)) &&) true
@@ -296,10 +296,10 @@ speed: $(SPEED:%=$(BUILD)/figures/%)
 	  -v machine=figures/tables/machine.csv \
 	  -v head='module,what,at this error,best,beside,takes times as long' \
 	  $(foreach f,$(SPEED),$(call room,$f)/$f.csv)
-profile: $(BUILD)/figures/16/16-profile
-	$(Q)$(call draw,16-profile,figures/16)
+profile: $(BUILD)/figures/18-profile
+	$(Q)$(call draw,18-profile,figures/18)
 	$(Q)awk -f figures/draw/table.awk -v csv=figures/tables/profile.csv \
-	  -v head='stage,room,cloth on a cube,cloth on a rope' figures/16/16-profile.csv
+	  -v head='stage,room,cloth on a cube,cloth on a rope' figures/18/18-profile.csv
 
 SOAK_STEPS ?= 1000000
 .PHONY: soak
@@ -394,12 +394,12 @@ $(SCARCE): $(BUILD)/tests/scarce.o
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
-# These look at how the figures of chapter 16 count time, and at their second
+# These look at how the figures of chapter 18 count time, and at their second
 # thread.
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
-ASKS := $(addprefix $(BUILD)/tests/check_,oracle distance penetration swept) $(BUILD)/figures/05/05-slow
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle distance penetration swept) $(BUILD)/figures/10-slow
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
 $(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o
@@ -427,8 +427,8 @@ $(addprefix $(BUILD)/tests/fuzz_,distance penetration): \
   $(addprefix $(BUILD)/tests/,sets.o oracle.o bodies.o)
 
 # A figure sees the line up to its chapter, and what it asks of the painter;
-# those of chapter 15 draw what the hard cases measure.
-$(patsubst %,$(BUILD)/figures/%,$(filter 15-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
+# those of chapter 17 draw what the hard cases measure.
+$(patsubst %,$(BUILD)/figures/%,$(filter 17-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
 $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, ,$$*))) $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
 

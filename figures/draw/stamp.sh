@@ -1,6 +1,6 @@
 # stamp.sh - which programs drew the figures?  A checksum of each figure's
 # program and plot is kept in figures/tables/made.txt.
-#   sh figures/draw/stamp.sh 04-distance...   these have just been drawn
+#   sh figures/draw/stamp.sh 10-distance...   these have just been drawn
 #   sh figures/draw/stamp.sh                  which are older than their program?
 # README's moving picture is one of them.
 

@@ -2,7 +2,7 @@
 // broad.h - which bodies may meet?  Sorted, instead of every pair.
 //
 // Paper: section 5 tests every pair.  Sweep and prune after Baraff (1992).
-// Book: chapter 13.
+// Book: chapter 14.
 // Units: metres, in the world's frame.
 
 #ifndef TUMBLE_BROAD_H

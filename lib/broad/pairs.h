@@ -1,7 +1,7 @@
 //> pairs-head
 // pairs.h - which rigid bodies may meet in this frame?
 //
-// Paper: section 5.2 tests every pair of spheres.  Book: chapter 9.
+// Paper: section 5.2 tests every pair of spheres.  Book: chapter 16.
 //
 // Asked once a frame, before anybody moves: so they are looked at as far ahead
 // as they may get in it.  Whom they list, narrow.h asks where they touch.

@@ -1,7 +1,7 @@
 //> contacts-head
 // contacts.h - the contacts of a frame, and what they leave to the next.
 //
-// Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 12.
+// Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 13.
 //
 // Bodies with a particle at every vertex have contacts that forget
 // (separation.h), those of four particles such as remember (push.h).  Both are

@@ -3,7 +3,7 @@
 //
 // Paper: section 6.1 parts bodies once a step, and forgets.  Here: each contact
 // keeps the push that held its bodies apart, and begins with it the next time.
-// Book: chapter 12.
+// Book: chapter 13.
 // Units: metres, kilograms, seconds.  A push is in kg m: what it moves, times
 // the mass.  Normals point from B to A.
 

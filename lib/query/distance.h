@@ -2,7 +2,7 @@
 // distance.h - how far apart are two convex bodies?
 //
 // Paper: section 5.1, Eqs 2 to 7; the variant of van den Bergen (1999) with the
-// signed volumes of Montanari et al. (2017).  Book: chapter 4.
+// signed volumes of Montanari et al. (2017).  Book: chapter 10.
 // Units: metres, in the frame of the points (the world's).
 
 #ifndef TUMBLE_DISTANCE_H

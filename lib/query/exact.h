@@ -2,7 +2,7 @@
 // exact.h - sums and products that keep what rounding drops.
 //
 // Paper: nothing of the kind; near touch all that it computes is a small
-// difference of large numbers.  Source: Dekker (1971).  Book: chapter 4.
+// difference of large numbers.  Source: Dekker (1971).  Book: chapter 10.
 // Units: whatever goes in; powers of it come out.
 
 #ifndef TUMBLE_EXACT_H

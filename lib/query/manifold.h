@@ -2,7 +2,7 @@
 // manifold.h - where two bodies touch, when they touch in more than one point.
 //
 // Paper: section 5.1 treats one pair of features; two faces touch in a polygon.
-// Book: chapter 10.
+// Book: chapter 11.
 // Units: metres, in the world's frame.  The normal points from B to A.
 
 #ifndef TUMBLE_MANIFOLD_H

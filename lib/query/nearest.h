@@ -3,7 +3,7 @@
 // the origin, and with which weights do its corners make it?
 //
 // Paper: section 5.1 asks whether a simplex holds the origin; here: the signed
-// volumes of Montanari et al. (2017).  Book: chapter 4.
+// volumes of Montanari et al. (2017).  Book: chapter 10.
 // Units: any length; nothing depends on it.
 
 #ifndef TUMBLE_NEAREST_H

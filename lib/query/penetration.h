@@ -2,7 +2,7 @@
 // penetration.h - two bodies overlap: which way out, and who touched whom?
 //
 // Paper: section 5.1, the hit face: the face of A - B nearest the origin,
-// found by van den Bergen's expanding polytope.  Book: chapter 5.
+// found by van den Bergen's expanding polytope.  Book: chapter 10.
 
 #ifndef TUMBLE_PENETRATION_H
 #define TUMBLE_PENETRATION_H

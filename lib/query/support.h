@@ -1,7 +1,7 @@
 //> support-head
 // support.h - which point of a convex body is furthest along a direction?
 //
-// Paper: section 5.1, Eqs 5 and 6.  Book: chapter 4.
+// Paper: section 5.1, Eqs 5 and 6.  Book: chapter 10.
 // Units: metres, in the frame of the points (the world's).
 
 #ifndef TUMBLE_SUPPORT_H

@@ -4,7 +4,7 @@
 // Paper: section 7 asks for very small time steps when objects are thin; here:
 // conservative advancement (Mirtich 1996) on gjk, because the time of touch can
 // be had for two or three distances.
-// Book: chapter 14.
+// Book: chapter 15.
 // Units: metres; time as a share of the way, 0 to 1.
 
 #ifndef TUMBLE_SWEPT_H

@@ -4,7 +4,7 @@
 // Paper: section 4 puts a particle at every vertex, whose inertia is 2.3 to 5
 // times the solid's.  Here: Routh's four equal masses, with the mass, the
 // centre and the inertia of the solid (Laus and Selig 2020).
-// Book: chapter 12.
+// Book: chapter 13.
 // Units: metres, kilograms.
 
 #ifndef TUMBLE_FOUR_H

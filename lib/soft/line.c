@@ -1,7 +1,7 @@
 //> line-rows
 // line.c - ropes, and the columns and rows of a cloth, solved at one stroke.
 //
-// Paper: section 3.2.  Book: chapter 11.
+// Paper: section 3.2.  Book: chapter 12.
 
 #include "line.h"
 

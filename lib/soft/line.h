@@ -3,7 +3,7 @@
 //
 // Paper: section 3.2 relaxes them stick by stick.  Here: Newton's step for all
 // links of a line at once, a tridiagonal system (Thomas 1949).
-// Book: chapter 11.
+// Book: chapter 12.
 // Units: metres, inverse masses in 1/kg.
 
 #ifndef TUMBLE_LINE_H

@@ -1,7 +1,7 @@
 //> soft-head
 // soft.h - what deformable bodies touch: themselves, each other, rigid bodies.
 //
-// Paper: section 5.2 and the end of 6.1.  Book: chapter 9.
+// Paper: section 5.2 and the end of 6.1.  Book: chapter 16.
 //
 // The trees are asked which particles are near each other, the planes of rigid
 // bodies which are near them; the answer, with a margin, is good until the

@@ -1,7 +1,7 @@
 //> collide-head
 // collide.h - from two bodies that are near to the contacts between them.
 //
-// Paper: sections 5.1 and 6.1.  Book: chapter 9.
+// Paper: sections 5.1 and 6.1.  Book: chapter 16.
 // Units: metres, in the world's frame.  Normals point from B to A.
 
 #ifndef TUMBLE_COLLIDE_H

@@ -1,7 +1,7 @@
 //> narrow-head
 // narrow.h - where do rigid bodies touch each other, and planes?
 //
-// Paper: section 5.1.  Book: chapter 9.
+// Paper: section 5.1.  Book: chapter 16.
 //
 // The narrow phase, after the broad one of pairs.h: contacts are found once a
 // frame, as far ahead as bodies may get in it, and pushed in every substep.

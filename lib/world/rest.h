@@ -2,7 +2,7 @@
 // rest.h - bodies that lie still together may sleep together.
 //
 // Paper: section 8 mentions, and omits, how it spared stacked objects.
-// Book: chapter 9.
+// Book: chapter 16.
 
 #ifndef TUMBLE_REST_H
 #define TUMBLE_REST_H

@@ -1,7 +1,7 @@
 //> world-scene-head
 // world_scene.h - the paper's three experiments.
 //
-// Paper: section 7, Figure 8.  Book: chapter 9.
+// Paper: section 7, Figure 8.  Book: chapter 16.
 
 #ifndef TUMBLE_WORLD_SCENE_H
 #define TUMBLE_WORLD_SCENE_H

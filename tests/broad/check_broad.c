@@ -1,5 +1,5 @@
 // check_broad.c - are the sorted pairs those of every pair, whatever comes?
-// Book: chapter 13.
+// Book: chapter 14.
 
 #include <check.h>
 #include <limits.h>

@@ -1,4 +1,4 @@
-// check_halves.c - is a world cut in two halves that do not meet?  Chapter 13.
+// check_halves.c - is a world cut in two halves that do not meet?  Chapter 14.
 
 #include <check.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// check_contacts.c - what of contacts is written down, and kept?  Chapter 12.
+// check_contacts.c - what of contacts is written down, and kept?  Chapter 13.
 
 #include <check.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // check_push.c - do contacts push as much as they must, and remember it?
-// Book: chapter 12.
+// Book: chapter 13.
 
 #include <check.h>
 #include <string.h>

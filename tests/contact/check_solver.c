@@ -1,4 +1,4 @@
-// check_solver.c - are bodies parted, and do contacts last?  Chapters 9, 12.
+// check_solver.c - are bodies parted, and do contacts last?  Chapters 9, 13.
 
 #include <check.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// check_thread.c - does it matter who does the halves of a step?  Chapter 13.
+// check_thread.c - does it matter who does the halves of a step?  Chapter 14.
 //
 // The second thread is that of the figures: figures/measure/thread.c.
 

@@ -1,4 +1,4 @@
-// check_manifold.c - in which points do two bodies touch?  Book: chapter 10.
+// check_manifold.c - in which points do two bodies touch?  Book: chapter 11.
 
 #include <check.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// check_four.c - do four particles move as the solid would?  Book: chapter 12.
+// check_four.c - do four particles move as the solid would?  Book: chapter 13.
 
 #include <check.h>
 #include <limits.h>

@@ -1,9 +1,47 @@
 # Makefile - every command of tumble; bare `make` prints them.
 # A line that opens with #: is a line of that help.
 
-# The book's order, chapter/module.  A module may use only modules to its left:
-# its tests are linked with those and no others, so a wrong arrow cannot link.
-LINE := 00/vec3 00/status 01/verlet 02/constraint 03/mesh 03/body 03/obj 04/support 04/exact 04/nearest 04/gjk 05/hit_face 06/sphere_tree 06/grid 07/response 08/ordering 10/manifold 14/swept 09/collide 11/line 12/four 12/push 13/broad 09/rest 09/world 13/halves 09/ledger 09/pairs 12/contacts 09/narrow 09/solver 09/soft 09/step 09/measure 09/scene
+# The book's order, chapter/module, one a line.  A module may use only modules
+# above it: its tests are linked with those and no others, so a wrong arrow
+# cannot link.  A module's files stand in a folder of lib/; its name is its own.
+define ORDER
+00/vec3
+00/status
+01/verlet
+02/constraint
+03/mesh
+03/body
+03/obj
+06/sphere_tree
+08/ordering
+10/support
+10/exact
+10/nearest
+10/distance
+10/penetration
+11/separation
+11/manifold
+12/line
+13/four
+13/push
+14/broad
+14/grid
+15/swept
+16/collide
+16/rest
+16/world
+16/halves
+16/ledger
+16/pairs
+16/contacts
+16/narrow
+16/solver
+16/soft
+16/step
+16/measure
+16/world_scene
+endef
+LINE := $(strip $(ORDER))
 
 # --- The compiler -------------------------------------------------------------
 # May be set by hand: make test CC=clang CFLAGS=-O0 BUILD=build/clang
@@ -30,33 +68,33 @@ AGAIN := $(MAKE) --no-print-directory
 
 # --- What there is ------------------------------------------------------------
 MODULES  := $(notdir $(LINE))
-# Some have no module of their own: 15 is about the hard cases, 16 about speed.
+# Some have no module of their own: 17 is about the hard cases, 18 about speed.
 CHAPTERS := $(patsubst chapters/%,%,$(foreach c,$(wildcard chapters/[0-9]*.md),$(firstword $(subst -, ,$c))))
 # Tests in the book's order, then those that belong to no module.
-TESTS    := $(basename $(notdir $(wildcard $(MODULES:%=tests/check_%.c))))
-TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/check_*.c))))
-FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*.c)))
-PEERS    := $(wildcard figures/peers*.c)
+TESTS    := $(basename $(notdir $(wildcard $(MODULES:%=tests/*/check_%.c))))
+TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/*/check_*.c))))
+FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*/*.c)))
+PEERS    := $(notdir $(wildcard figures/peers/*.c))
 # These two, and nothing else, need libccd and ODE.
-THEIRS   := figures/peers_ccd.c figures/peers_ode.c
-PAINTER  := $(filter-out figures/tumble.c figures/moving.c figures/shrink.c $(PEERS),$(wildcard figures/[a-z]*.c))
+THEIRS   := peers_ccd.c peers_ode.c
+PAINTER  := $(filter-out shrink.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c)))
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
-FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz_*.c)))
+FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz/fuzz_*.c)))
 
-# UPTO_gjk: the objects of the line up to gjk.  UPTO_04: up to the last module
+# UPTO_mesh: the objects of the line up to mesh.  UPTO_04: up to the last module
 # of chapter 04.  At the end ALL is the whole library.
 ALL :=
 define module
-ALL += $(patsubst %.c,$(BUILD)/%.o,$(wildcard lib/$(notdir $1).c))
+ALL += $(patsubst %.c,$(BUILD)/lib/%.o,$(notdir $(wildcard lib/*/$(notdir $1).c)))
 UPTO_$(notdir $1) := $$(ALL)
 UPTO_$(patsubst %/,%,$(dir $1)) := $$(ALL)
 TESTS_$(patsubst %/,%,$(dir $1)) += $(filter check_$(notdir $1),$(TESTS))
 endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
-TESTS_15 := check_hard
-TESTS_16 := check_clock check_thread
+TESTS_17 := check_hard
+TESTS_18 := check_clock check_thread
 # The later chapters' figures ask what their module does to the whole.
-FLOOR = $(if $(filter 0%,$1),$(UPTO_$1),$(ALL))
+FLOOR = $(if $(filter 00 01 02 03,$1),$(UPTO_$1),$(ALL))
 
 # After `watch` and `exercise` a chapter says of what: it is no goal of its own.
 ifneq ($(filter watch exercise,$(MAKECMDGOALS)),)
@@ -91,7 +129,7 @@ help:
 	sed -n "s/^#: \([A-Z][a-z ]*\)$$/$$b\1$$r/p; t; s/^#: \{0,1\}//p" Makefile
 
 deps deps-book deps-dev deps-peers:
-	@CC='$(CC)' sh tests/deps.sh $@
+	@CC='$(CC)' sh tests/script/deps.sh $@
 
 demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
 	$(Q)mkdir -p $(BUILD)/demo
@@ -105,11 +143,11 @@ demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
 # Every test runs, even if another one fails or does not build.
 test:
 	@unbuilt=; $(MAKE) -k --no-print-directory checks || unbuilt=1; \
-	MINE= YOURS='$(MINE)' BUILD='$(BUILD)' UNBUILT=$$unbuilt sh tests/run.sh $(CHECKS) $(wildcard tests/check_*.sh)
+	MINE= YOURS='$(MINE)' BUILD='$(BUILD)' UNBUILT=$$unbuilt sh tests/script/run.sh $(CHECKS) $(wildcard tests/script/check_*.sh)
 
 #:
 #: Read and learn
-#:   make 04         chapter 04 alone (there are 00 to 18): the library up to it
+#:   make 04         chapter 04 alone (there are 00 to 20): the library up to it
 #:                   and nothing above, its tests, its figures in build/figures,
 #:                   how its exercises stand, and what to read next
 #:   make test-04    its tests alone
@@ -119,15 +157,15 @@ test:
 #:   make library    build/libtumble.a
 #:   make install    the library, its headers and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS:%=test-%): test-%:
-	$(Q)$(if $(TESTS_$*),YOURS='$(MINE)' sh tests/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
+	$(Q)$(if $(TESTS_$*),YOURS='$(MINE)' sh tests/script/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
 $(MADE): %: test-%
 	$(Q)$(foreach f,$(FIGURES_$@),$(call draw,$f,$(BUILD)/figures) &&) true
 	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh chapter $@
 
 book:
 	$(Q)mkdir -p $(BUILD)
-	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*.h lib/*.c \
-	  tests/oracle.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
+	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*/*.h lib/*/*.c \
+	  tests/support/oracle.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
 	$(Q)cp $(BUILD)/book.md book.md
 	@echo "book.md: $$(wc -l < book.md) lines"
 
@@ -144,9 +182,9 @@ INCLUDE = $(DESTDIR)$(PREFIX)/include/tumble
 install: $(BUILD)/libtumble.a
 	$(Q)install -d '$(DESTDIR)$(PREFIX)/lib/pkgconfig' '$(INCLUDE)'
 	$(Q)install -m 644 $(BUILD)/libtumble.a '$(DESTDIR)$(PREFIX)/lib'
-	$(Q)install -m 644 lib/*.h '$(INCLUDE)'
+	$(Q)install -m 644 lib/*/*.h '$(INCLUDE)'
 	$(Q){ printf '#ifdef __cplusplus\nextern "C" {\n#endif\n'; \
-	  printf '#include "%s"\n' $(notdir $(wildcard lib/*.h)); \
+	  printf '#include "%s"\n' $(notdir $(wildcard lib/*/*.h)); \
 	  printf '#ifdef __cplusplus\n}\n#endif\n'; } > '$(INCLUDE)/tumble.h'
 	$(Q)printf '%s\n' 'prefix=$(PREFIX)' 'Name: tumble' 'Version: 1.0' \
 	  'Description: rigid and deformable bodies of particles and sticks' \
@@ -184,7 +222,7 @@ watch:
 	@AGAIN='$(AGAIN)' MINE='$(MINE)' CC='$(CC)' BUILD='$(BUILD)' \
 	  exec sh exercises/watch.sh $(WHICH)
 check-exercises:
-	@CC='$(CC)' BUILD='$(BUILD)' sh tests/check_exercises.sh
+	@CC='$(CC)' BUILD='$(BUILD)' sh tests/script/check_exercises.sh
 
 # To make, what is named after the command is a goal: one with nothing to do.
 ifneq ($(and $(WHICH),$(filter $(READER) watch,$(MAKECMDGOALS))),)
@@ -196,7 +234,7 @@ endif
 #:
 #: Swap in your own
 #:   make test-04 MINE=my/gjk.c    chapter 04's tests, with your gjk for ours
-#:   make demo MINE='my/gjk.c my/verlet.c'    the three scenes, with yours
+#:   make demo MINE='my/distance.c my/verlet.c'    the three scenes, with yours
 # The name of a file says which module it is.  It may stand anywhere.
 ifneq ($(MINE),)
 swapped = $(addprefix $(BUILD)/lib/,$(notdir $(1:.c=.o)))
@@ -224,44 +262,44 @@ endif
 #:   make figure-08  the same for the figures of chapter 08
 #:   make moving     the moving picture of README (needs img2webp: make deps-book)
 #:   make coverage   which lines of lib/ do the tests run, which branches both ways?
-#:   make hard       run the hard cases, each beside its target: figures/hard.csv
-#:   make speed      time against error, module by module: figures/speed.csv
+#:   make hard       run the hard cases, each beside its target: figures/tables/hard.csv
+#:   make speed      time against error, module by module: figures/tables/speed.csv
 #:   make profile    where a step's time goes, in the three scenes
 #:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
 #:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
 #:   make peers      the same work by us and by libccd and ODE (make deps-peers
-#:                   installs them), each with its errors: figures/peers.csv
+#:                   installs them), each with its errors: figures/peers/peers.csv
 figures: $(FIGURES:%=$(BUILD)/figures/%) moving
-	$(Q)$(foreach f,$(FIGURES),$(call draw,$f,figures) &&) true
+	$(Q)$(foreach f,$(FIGURES),$(call draw,$f,$(call room,$f)) &&) true
 .PHONY: moving
 moving: $(BUILD)/figures/moving
-	@echo "  draw  figures/moving.webp"
-	$(Q)sh figures/moving.sh $< figures/moving.webp
+	@echo "  draw  figures/moving/moving.webp"
+	$(Q)sh figures/moving/moving.sh $< figures/moving/moving.webp
 figures $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%) speed profile: $(BUILD)/shrink
 $(CHAPTERS:%=figure-%):
-	$(Q)$(foreach f,$(FIGURES_$(@:figure-%=%)),$(call draw,$f,figures) &&) true
+	$(Q)$(foreach f,$(FIGURES_$(@:figure-%=%)),$(call draw,$f,$(call room,$f)) &&) true
 $(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%
-	$(Q)$(call draw,$*,figures)
+	$(Q)$(call draw,$*,$(call room,$*))
 
 hard: $(BUILD)/hard
-	$(Q)$(BUILD)/hard --csv figures/hard.csv
+	$(Q)$(BUILD)/hard --csv figures/tables/hard.csv
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
-SPEED := 16-verlet 16-constraint 16-body 16-gjk 05-depth 16-hit_face \
-  06-tree 16-sphere_tree 07-response 08-orders 09-bodies 09-cloth 09-order \
-  12-bodies 16-world
+SPEED := 18-verlet 18-constraint 18-body 18-gjk 10-depth 18-hit_face \
+  06-tree 18-sphere_tree 07-response 08-orders 09-bodies 09-cloth 09-order \
+  13-bodies 18-world
 .PHONY: speed profile
 speed: $(SPEED:%=$(BUILD)/figures/%)
-	$(Q)$(foreach f,$(SPEED),$(call draw,$f,figures) &&) true
-	$(Q)awk -f figures/table.awk -v csv=figures/speed.csv \
-	  -v machine=figures/machine.csv \
+	$(Q)$(foreach f,$(SPEED),$(call draw,$f,$(call room,$f)) &&) true
+	$(Q)awk -f figures/draw/table.awk -v csv=figures/tables/speed.csv \
+	  -v machine=figures/tables/machine.csv \
 	  -v head='module,what,at this error,best,beside,takes times as long' \
-	  $(SPEED:%=figures/%.csv)
-profile: $(BUILD)/figures/16-profile
-	$(Q)$(call draw,16-profile,figures)
-	$(Q)awk -f figures/table.awk -v csv=figures/profile.csv \
-	  -v head='stage,room,cloth on a cube,cloth on a rope' figures/16-profile.csv
+	  $(foreach f,$(SPEED),$(call room,$f)/$f.csv)
+profile: $(BUILD)/figures/18-profile
+	$(Q)$(call draw,18-profile,figures/18)
+	$(Q)awk -f figures/draw/table.awk -v csv=figures/tables/profile.csv \
+	  -v head='stage,room,cloth on a cube,cloth on a rope' figures/18/18-profile.csv
 
 SOAK_STEPS ?= 1000000
 .PHONY: soak
@@ -276,25 +314,25 @@ peers:
 	@$(peers_here) || { echo "make peers measures libccd and ODE, which are not\
 	 installed: make deps-peers installs them." >&2; exit 1; }
 	$(Q)$(AGAIN) $(BUILD)/peers
-	$(Q)$(BUILD)/peers > figures/peers.csv.new
-	$(Q)mv figures/peers.csv.new figures/peers.csv
+	$(Q)$(BUILD)/peers > figures/peers/peers.csv.new
+	$(Q)mv figures/peers/peers.csv.new figures/peers/peers.csv
 
 # Without asserts: what no program may do is a branch that no test can take.
 coverage:
 	$(Q)rm -rf $(BUILD)/coverage
 	$(Q)$(AGAIN) checks library BUILD=$(BUILD)/coverage \
 	  CFLAGS='-O0 -g --coverage -DNDEBUG'
-	$(Q)sh tests/run.sh $(TESTS:%=$(BUILD)/coverage/tests/%)
-	$(Q)gcov -b -n $(BUILD)/coverage/*/*.gcno 2>/dev/null | awk -f tests/coverage.awk
+	$(Q)sh tests/script/run.sh $(TESTS:%=$(BUILD)/coverage/tests/%)
+	$(Q)gcov -b -n $(BUILD)/coverage/*/*.gcno 2>/dev/null | awk -f tests/script/coverage.awk
 
 bits:
-	$(Q)sh tests/bits.sh '$(AGAIN)' $(BUILD)/compare
+	$(Q)sh tests/script/bits.sh '$(AGAIN)' $(BUILD)/compare
 
 #:
 #: Be strict
 #:   make sanitize   the tests under the address and undefined sanitizers
 #:   make valgrind   the tests under valgrind
-#:   make fuzz       any bytes for obj, gjk, hit_face and the options, 60 s each
+#:   make fuzz       any bytes for obj, the queries and the options, 60 s each
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
@@ -305,17 +343,17 @@ bits:
 sanitize:
 	$(Q)$(AGAIN) checks BUILD=$(BUILD)/sanitize \
 	  CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
-	$(Q)CK_TIMEOUT_MULTIPLIER=5 sh tests/run.sh $(TESTS:%=$(BUILD)/sanitize/tests/%)
+	$(Q)CK_TIMEOUT_MULTIPLIER=5 sh tests/script/run.sh $(TESTS:%=$(BUILD)/sanitize/tests/%)
 
 valgrind: checks
 	$(Q)CK_TIMEOUT_MULTIPLIER=20 RUN='valgrind -q --leak-check=full --error-exitcode=3' \
-	  sh tests/run.sh $(CHECKS)
+	  sh tests/script/run.sh $(CHECKS)
 
 FUZZ_SECONDS ?= 60
 fuzz:
 	$(Q)$(AGAIN) fuzzers CC=clang BUILD=$(BUILD)/fuzz \
 	  CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all'
-	$(Q)sh tests/fuzz.sh $(BUILD)/fuzz $(FUZZ_SECONDS) $(FUZZERS)
+	$(Q)sh tests/script/fuzz.sh $(BUILD)/fuzz $(FUZZ_SECONDS) $(FUZZERS)
 
 strict:
 	$(Q)$(AGAIN) -k objects CC=gcc BUILD=$(BUILD)/strict-gcc \
@@ -331,21 +369,24 @@ clean:
 # --- How things are made --------------------------------------------------------
 checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
-objects: $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(THEIRS),\
-  $(wildcard lib/*.c tests/*.c figures/*.c)))
-theirs: $(THEIRS:%.c=$(BUILD)/%.o)
+objects: $(ALL) \
+  $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/*/*.c))) \
+  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS),$(notdir $(wildcard figures/*/*.c))))
+theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o)
 
 # A figure with a .gp prints data, which gnuplot draws; one without paints its
 # own picture, whose name is its argument.  The book's are shrunk.
-draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/$1.gp),\
+# Where the book's figure 04-rules stands: figures/04.
+room = figures/$(firstword $(subst -, ,$1))
+draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/figures/$1 > $2/$1.csv.new && mv $2/$1.csv.new $2/$1.csv && \
-  LC_ALL=C.UTF-8 gnuplot -e "csv='$2/$1.csv'; png='$2/$1.png'" figures/$1.gp,\
-  $(BUILD)/figures/$1 $2/$1.png)$(if $(filter figures,$2), && \
-  $(BUILD)/shrink $2/$1.png && sh figures/stamp.sh $1)
+  LC_ALL=C.UTF-8 gnuplot -e "csv='$2/$1.csv'; png='$2/$1.png'" $(wildcard figures/*/$1.gp),\
+  $(BUILD)/figures/$1 $2/$1.png)$(if $(filter figures/%,$2), && \
+  $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body obj \
-  hit_face sphere_tree grid ordering line four broad rest world step scene)
+  penetration sphere_tree grid ordering line four broad rest world step world_scene)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -353,18 +394,18 @@ $(SCARCE): $(BUILD)/tests/scarce.o
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
-# These look at how the figures of chapter 16 count time, and at their second
+# These look at how the figures of chapter 18 count time, and at their second
 # thread.
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
-ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face swept) $(BUILD)/figures/05-slow
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle distance penetration swept) $(BUILD)/figures/10-slow
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
 $(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o
 
 # The hard cases: a program that runs them all, and the tests of the fast ones.
-HARD := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/hard_*.c)) \
+HARD := $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/hard/hard_*.c))) \
   $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 $(BUILD)/tests/hard.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 $(BUILD)/tests/check_hard: $(HARD)
@@ -382,12 +423,12 @@ $(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES))
 $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_%.o $$(if $$(filter $$*,$(MODULES)),$$(UPTO_$$*),$(ALL) $(BUILD)/libpainter.a)
 	$(call link,-fsanitize=fuzzer -lm)
 $(addprefix $(BUILD)/tests/fuzz_,obj options): LDFLAGS += -Wl,--wrap=fopen
-$(addprefix $(BUILD)/tests/fuzz_,gjk hit_face): \
+$(addprefix $(BUILD)/tests/fuzz_,distance penetration): \
   $(addprefix $(BUILD)/tests/,sets.o oracle.o bodies.o)
 
 # A figure sees the line up to its chapter, and what it asks of the painter;
-# those of chapter 15 draw what the hard cases measure.
-$(patsubst %,$(BUILD)/figures/%,$(filter 15-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
+# those of chapter 17 draw what the hard cases measure.
+$(patsubst %,$(BUILD)/figures/%,$(filter 17-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
 $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, ,$$*))) $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
 
@@ -399,7 +440,7 @@ $(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a
 
 # libccd and ODE are what their packages built, with -O2.
 $(BUILD)/figures/peers_ccd.o: CFLAGS += -O2
-$(BUILD)/peers: $(PEERS:%.c=$(BUILD)/%.o) $(BUILD)/figures/clock.o \
+$(BUILD)/peers: $(PEERS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/clock.o \
   $(addprefix $(BUILD)/tests/,oracle.o bodies.o hard_set.o) $(ALL)
 	$(call link,-lode -lccd -lm)
 
@@ -412,7 +453,7 @@ define link
 endef
 
 $(BUILD)/libtumble.a: $(ALL)
-$(BUILD)/libpainter.a: $(PAINTER:%.c=$(BUILD)/%.o)
+$(BUILD)/libpainter.a: $(PAINTER:%.c=$(BUILD)/figures/%.o)
 $(BUILD)/lib%.a:
 	@echo "  pack  $@"
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
@@ -421,11 +462,21 @@ $(BUILD)/lib%.a:
 define compile
 	@mkdir -p $(@D)
 	@echo "  cc    $<"
-	$(Q)$(COMPILE) -Ilib -Itests -Ifigures $(CPPFLAGS) -MMD -MP -c $< -o $@
+	$(Q)$(COMPILE) $(ROOMS) $(CPPFLAGS) -MMD -MP -c $< -o $@
 endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
+# Folders show what belongs together; what is built of them lies side by side.
+ROOMS := $(patsubst %,-I%,$(wildcard lib/* tests/support tests/hard tests/fuzz \
+  figures/draw figures/measure figures/command figures/peers))
+$(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
+	$(compile)
+$(BUILD)/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(BUILD)/flags
+	$(compile)
+$(BUILD)/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(BUILD)/flags
+	$(compile)
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	$(compile)
+$(BUILD)/%.d: ;
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 
 # Changes when the compiler, its flags or the reader's modules do, and then

@@ -18,10 +18,10 @@ check_files() {
     for file in "$dir"/* "$dir"/.[!.]*; do
         case ${file##*/} in
         README.md|exercise|hints|wrong|mine.*|"*"|".[!.]*") ;;
-        solution.c|check.c|*.h) [ -n "$after" ] || fault "$file is a stray file: the module is lib/$module.c" ;;
+        solution.c|check.c|*.h) [ -n "$after" ] || fault "$file is a stray file: the module is in lib/" ;;
         *) fault "$file is a stray file" ;;
         esac
-        [ ! -f "lib/${file##*/}" ] || fault "$file has the name of a file of lib/"
+        ! ls lib/*/"${file##*/}" > /dev/null 2>&1 || fault "$file has the name of a file of lib/"
     done
     for test in $first; do
         grep -q "^START_TEST($test)" "$tests" || fault "first names the test $test, which is not in $tests"
@@ -81,7 +81,7 @@ check_solution() {
 
 # Without the sanitizers: most mistakes need none, and they are most of the time.
 # shellcheck disable=SC2086
-compile_fast() { $cc $exact -O0 -w -Ilib -I"$dir" -c "$1" -o "$out/mine.o"; }
+compile_fast() { $cc $exact -O0 -w $rooms -I"$dir" -c "$1" -o "$out/mine.o"; }
 
 check_wrong() {
     seconds=2
@@ -105,8 +105,8 @@ check_wrong() {
 key() {
     {
         echo "$cc $exact"
-        cat "$dir"/[!m]* exercises/*.* lib/*.h "$tests" tests/[!c]*.[ch] "$solution"
-        for object in $(library_parts); do object=${object##*/}; cat "lib/${object%.o}.c"; done
+        cat "$dir"/[!m]* exercises/*.* lib/*/*.h "$tests" tests/*/[!c]*.[ch] "$solution"
+        for object in $(library_parts); do object=${object##*/}; cat lib/*/"${object%.o}.c"; done
     } 2> /dev/null | cksum
 }
 

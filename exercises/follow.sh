@@ -1,7 +1,7 @@
 # follow.sh - how far the reader is, and what to read next.  Part of run.sh.
 #
 # What passed stands in exercises/progress.txt, a line each, with the day:
-#   04/when passed 2026-11-21
+#   10/when passed 2026-11-21
 # The file is the reader's to edit.  What follows a # is a remark.
 
 progress=${PROGRESS:-$exercises/progress.txt}
@@ -15,7 +15,7 @@ passed() {
     { sub(/\r$/, ""); sub(/#.*/, "") }
     NF == 0 { next }
     NF != 3 || $2 != "passed" || $3 !~ "^" day "$" {
-        print file ", line " NR ": this cannot be read, and is left as it is; a line is like  04/when passed 2026-11-21" > "/dev/stderr"
+        print file ", line " NR ": this cannot be read, and is left as it is; a line is like  10/when passed 2026-11-21" > "/dev/stderr"
         next
     }
     !index(known, " " $1 " ") { print file ", line " NR ": there is no exercise " $1 > "/dev/stderr"; next }

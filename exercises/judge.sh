@@ -10,7 +10,8 @@ sanitize='-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit
 seconds=${JUDGE_SECONDS:-10}   # of computing, for one test
 warnings='-Wall -Wextra -Wconversion -Wshadow -Wno-unused-parameter -Wno-unused-function -Wno-unused-const-variable'
 exact=$(sed -n 's/^EXACT *:= *//p' Makefile)
-line=$(sed -n 's/^LINE *:= *//p' Makefile)
+line=$(sed -n '/^define ORDER/,/^endef/p' Makefile | grep / | tr '\n' ' ')
+rooms=$(printf ' -I%s' lib/*)
 
 # The line of the chapter that tells of exercise NN/name; nothing if none does.
 told() {
@@ -57,7 +58,7 @@ load() {
     esac
     mine=$dir/mine.c
     if [ -n "$module" ]
-    then solution=lib/$module.c tests=tests/check_$module.c
+    then solution=$(ls lib/*/"$module.c") tests=$(ls tests/*/"check_$module.c")
     else solution=$dir/solution.c tests=$dir/check.c
     fi
     objects=
@@ -73,15 +74,18 @@ library_parts() {
     for entry in $line; do
         part=${entry#*/}
         [ "$part" = "$module" ] && break
-        [ -f "lib/$part.c" ] && echo "$build/lib/$part.o"
+        ls lib/*/"$part.c" > /dev/null 2>&1 && echo "$build/lib/$part.o"
         [ "$part" = "$after" ] && break
     done
     echo "$build/exercises/judge.o"
 }
 test_parts() {
-    echo "$build/${tests%.c}.o"
+    case $tests in
+    tests/*) echo "$build/tests/$(basename "$tests" .c).o" ;;
+    *)       echo "$build/${tests%.c}.o" ;;
+    esac
     for header in $(sed -n 's/^#include "\(.*\)\.h"/\1/p' "$tests"); do
-        [ -f "tests/$header.c" ] && echo "$build/tests/$header.o"
+        ls tests/*/"$header.c" > /dev/null 2>&1 && echo "$build/tests/$header.o"
     done
 }
 
@@ -98,17 +102,17 @@ prepare() {
 # compile FILE: to $out/mine.o.  Not optimised: the optimiser would take away a
 # write that nobody reads before the sanitizers see where it goes.
 # shellcheck disable=SC2086
-compile() { $cc $exact -O0 -g $sanitize $warnings -Ilib -I"$dir" -c "$1" -o "$out/mine.o"; }
+compile() { $cc $exact -O0 -g $sanitize $warnings $rooms -I"$dir" -c "$1" -o "$out/mine.o"; }
 
 # judge FILE [TEST]: what was compiled of FILE, against all tests or against one.
 # Returns what tell.awk does, and says what it says.
 judge() {
     if [ -z "$objects" ]; then
         objects="$(test_parts) $(library_parts)"
-        # Some tests refuse memory to what they test (tests/scarce.c).
+        # Some tests refuse memory to what they test (tests/support/scarce.c).
         for object in $(test_parts); do
-            source=${object#"$build/"}
-            grep -q __wrap_malloc "${source%.o}.c" &&
+            part=$(basename "$object" .o)
+            ls tests/*/"$part.c" > /dev/null 2>&1 && grep -q __wrap_malloc tests/*/"$part.c" &&
                 objects="$objects -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free"
         done
     fi

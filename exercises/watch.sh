@@ -5,7 +5,7 @@
 #                                    test or a file of MINE= was saved; all of
 #                                    chapter 04 when a figure's program was; the
 #                                    exercise whose mine.c was
-#   sh exercises/watch.sh 04/when    that exercise alone
+#   sh exercises/watch.sh 10/when    that exercise alone
 #
 # AGAIN: the make to run.  MINE, CC, BUILD: as in the Makefile.
 
@@ -13,7 +13,7 @@ exercises=${EXERCISES:-exercises}
 chapter=${1%%/*}
 
 case $1 in
-'')  echo "Watch which chapter or exercise?  For example:  make watch 04, or  make watch 04/when" >&2; exit 2 ;;
+'')  echo "Watch which chapter or exercise?  For example:  make watch 04, or  make watch 10/when" >&2; exit 2 ;;
 */*) places=$exercises/$chapter-${1#*/}
      [ -d "$places" ] || { echo "There is no exercise $1:  make exercise  lists them." >&2; exit 2; } ;;
 *)   places="lib tests figures $exercises $MINE" ;;
@@ -29,7 +29,7 @@ goals() {
     */mine.c)       folder=${1%/mine.c} folder=${folder##*/}
                     echo "exercise ${folder%%-*}/${folder#*-}" ;;
     */mine.old.c)   ;;
-    figures/[0-9]*) case $1 in "figures/$chapter-"*) echo "$chapter" ;; esac ;;
+    figures/[0-9]*) case $1 in "figures/$chapter/"*) echo "$chapter" ;; esac ;;
     figures/*)      echo "$chapter" ;;
     "$exercises"/*) ;;
     *)              echo "test-$chapter" ;;

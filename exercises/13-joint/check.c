@@ -1,0 +1,300 @@
+// check.c - tests of the exercise 13/joint.
+
+#include "joint.h"
+
+#include <check.h>
+#include <string.h>
+
+// Some dozen roundings of places of some metres.
+static const real ROUNDING = 1e-13;
+
+static const vec3 NONE = { 0, 0, 0 }, GRAVITY = { 0, -9.81, 0 };
+
+enum { BODIES = 5 };
+
+static particle p[FOUR * BODIES];
+static shape box;
+static four plan;
+
+static void near(real got, real wanted, real error, const char *what)
+{
+    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
+                  what, got, wanted);
+}
+
+// Uniform in [-1, 1), the same on every machine.
+static real random_real(void)
+{
+    static unsigned long long state = 5;
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (real)(state >> 11) / 4503599627370496.0 - 1;
+}
+
+static vec3 random_vec3(void)
+{
+    real x = random_real(), y = random_real();
+    return vec3_make(x, y, random_real());
+}
+
+static void make(vec3 sides, real mass)
+{
+    ck_assert(shape_box(&box, sides, mass).ok);
+    ck_assert(four_build(&plan, &box).ok);
+}
+
+static void unmake(void)
+{
+    four_free(&plan);
+    shape_free(&box);
+}
+
+// Body number b, upright, at rest.
+static void put(int b, vec3 at, int nailed)
+{
+    for (int k = 0; k < FOUR; k++) {
+        vec3 x = vec3_add(at, plan.at[k]);
+        p[FOUR * b + k] = (particle){ x, x, nailed ? 0 : 1 / plan.mass };
+    }
+}
+
+static joint joint_of(int a, vec3 point_a, int b, vec3 point_b)
+{
+    joint j = { FOUR * a, FOUR * b, { 0 }, { 0 }, point_b };
+    joint_shares(plan.at, point_a, j.share_a);
+    if (b < 0) j.b = -1;
+    else       joint_shares(plan.at, point_b, j.share_b);
+    return j;
+}
+
+static vec3 point(int b, const real share[FOUR], int before)
+{
+    vec3 sum = NONE;
+    for (int k = 0; k < FOUR; k++)
+        sum = vec3_add_scaled(sum, share[k], before ? p[FOUR * b + k].previous
+                                                    : p[FOUR * b + k].position);
+    return sum;
+}
+
+static vec3 centre(int b)
+{
+    const real all[FOUR] = { 0.25, 0.25, 0.25, 0.25 };
+    return point(b, all, 0);
+}
+
+static real worst_strain(int bodies)
+{
+    real worst = 0;
+    for (int b = 0; b < bodies; b++)
+        for (int s = 0; s < FOUR_STICKS; s++)
+            worst = fmax(worst, stick_strain(plan.stick[s], p + FOUR * b));
+    return worst;
+}
+
+START_TEST(shares_of_corners_are_those_of_the_plan)
+{
+    // Rejects: a volume with the wrong sign; shares that are no mean.
+    make(vec3_make(1, 2, 3), 6);
+    for (int v = 0; v < 8; v++) {
+        real share[FOUR] = { 0 };
+        joint_shares(plan.at, box.at[v], share);
+        for (int k = 0; k < FOUR; k++)
+            near(share[k], plan.weight[v][k], ROUNDING, "share of a corner");
+    }
+    unmake();
+}
+END_TEST
+
+START_TEST(body_that_hangs_on_a_point_answers_as_the_textbook_says)
+{
+    // 6 kg, 1 x 2 x 3 m, held at the middle of its upper side, 1 m above the
+    // centre.  Pulled up: K = 1/6.  Pulled along x, it turns about z, I_z =
+    // 6 (1 + 4) / 12 = 5/2: K = 1/6 + 1 / (5/2).  Its centre goes by push / 6.
+    make(vec3_make(1, 2, 3), 6);
+    for (int aside = 0; aside < 2; aside++) {
+        vec3 gap = { aside ? 0.001 : 0, aside ? 0 : 0.001, 0 };
+        put(0, NONE, 0);
+        joint j = joint_of(0, vec3_make(0, 1, 0), -1,
+                           vec3_add(vec3_make(0, 1, 0), gap));
+        near(joint_close(&j, p), 0.001, ROUNDING, "gap before");
+        near(vec3_distance(point(0, j.share_a, 0), j.fixed), 0, ROUNDING,
+             "gap afterwards");
+        real k = 1 / 6.0 + (aside ? 0.4 : 0);
+        near(vec3_length(centre(0)), 0.001 / k / 6, ROUNDING,
+             aside ? "way of the centre, pulled aside"
+                   : "way of the centre, pulled up");
+    }
+    unmake();
+}
+END_TEST
+
+// Two bodies somewhere, with a gap of up to 2 mm between a corner of each.
+static joint any_two(real gap)
+{
+    put(0, random_vec3(), 0);
+    int v = (int)(4 * (random_real() + 1));
+    vec3 at = vec3_add(vec3_sub(centre(0), box.at[v]), box.at[7 - v]);
+    put(1, at, 0);
+    joint j = joint_of(0, box.at[7 - v], 1, box.at[v]);
+    for (int b = 0; b < 2; b++) {
+        vec3 way = vec3_scale(gap, random_vec3());
+        vec3 turn = vec3_scale(gap, random_vec3());
+        for (int k = 0; k < FOUR; k++) {
+            vec3 r = vec3_cross(turn, plan.at[k]);
+            particle *x = &p[FOUR * b + k];
+            x->position = vec3_add(x->position, vec3_add(way, r));
+        }
+    }
+    return j;
+}
+
+START_TEST(gap_is_closed_at_once)
+{
+    // All that is done is linear in the particles' places, but for the sticks,
+    // which are bent by the square.  Rejects: one body's K; the axes for
+    // themselves.
+    make(vec3_make(1, 2, 3), 6);
+    for (int round = 0; round < 200; round++) {
+        joint j = any_two(1e-3);
+        joint_close(&j, p);
+        near(vec3_distance(point(0, j.share_a, 0), point(1, j.share_b, 0)), 0,
+             10 * ROUNDING, "gap afterwards");
+        near(worst_strain(2), 0, 1e-4, "strain");
+        near(joint_close(&j, p), 0, 10 * ROUNDING, "gap the second time");
+    }
+    unmake();
+}
+END_TEST
+
+START_TEST(momenta_stay)
+{
+    // Rejects: a sign; ways of the new places.
+    make(vec3_make(1, 2, 3), 6);
+    for (int round = 0; round < 200; round++) {
+        joint j = any_two(0.1);
+        vec3 moved[2], turned[2];
+        for (int after = 0; after < 2; after++) {
+            moved[after] = turned[after] = NONE;
+            if (after) joint_close(&j, p);
+            for (int i = 0; i < 2 * FOUR; i++) {
+                moved[after] = vec3_add(moved[after], p[i].position);
+                turned[after] = vec3_add(turned[after],
+                                 vec3_cross(p[i].previous, p[i].position));
+            }
+        }
+        near(vec3_distance(moved[0], moved[1]), 0, 1e-12, "momentum");
+        near(vec3_distance(turned[0], turned[1]), 0, 1e-12,
+             "angular momentum");
+    }
+    unmake();
+}
+END_TEST
+
+static void step(const joint *j, int joints, int bodies, int rounds, real h)
+{
+    relax_options o = relax_options_default();
+    o.gradient = GRADIENT_OLD;
+    o.tolerance = 1e-12;
+    verlet_step(p, FOUR * bodies, GRAVITY, NULL, h);
+    for (int r = 0; r < rounds; r++) {
+        for (int b = 0; b < bodies; b++) four_relax(&plan, p + FOUR * b, 6, o);
+        for (int i = 0; i < joints; i++) joint_close(&j[i], p);
+    }
+}
+
+START_TEST(rod_swings_in_its_time)
+{
+    // 1 m long, 0.1 m thick, held at its end: I = m (1 + 0.01) / 12 + m / 4,
+    // T = 2 pi sqrt(I / (m g / 2)).  It starts at 0.01 rad.
+    const real h = 1.0 / 2000;
+    make(vec3_make(0.1, 1, 0.1), 3);
+    put(0, vec3_make(0, -0.5, 0), 0);
+    joint j = joint_of(0, vec3_make(0, 0.5, 0), -1, NONE);
+    for (int k = 0; k < FOUR; k++) {
+        vec3 x = p[k].position;
+        p[k].position = vec3_make(x.x * cos(0.01) - x.y * sin(0.01),
+                                  x.x * sin(0.01) + x.y * cos(0.01), x.z);
+        p[k].previous = p[k].position;
+    }
+    real before = centre(0).x, crossed = 0;
+    for (int k = 1; crossed == 0 && k < 4000; k++) {
+        step(&j, 1, 1, 2, h);
+        real now = centre(0).x;
+        if (now <= 0) crossed = (k - now / (now - before)) * h;
+        before = now;
+    }
+    real inertia = 1.01 / 12 + 0.25;
+    real quarter = 3.14159265358979324 / 2 * sqrt(inertia / (9.81 / 2));
+    near(crossed / quarter, 1, 1e-3, "a quarter of its time, as a share");
+    unmake();
+}
+END_TEST
+
+START_TEST(chain_of_boxes_falls_and_holds)
+{
+    // Five boxes from the horizontal; the first hangs on the world.  It falls
+    // for 3/4 s.  Its energy stays, its joints hold.
+    const real h = 1.0 / 2000;
+    joint j[BODIES];
+    real energy = 0;
+    make(vec3_make(1, 0.2, 0.2), 2);
+    for (int b = 0; b < BODIES; b++) {
+        put(b, vec3_make(b + 0.5, 0, 0), 0);
+        j[b] = joint_of(b, vec3_make(-0.5, 0, 0), b - 1, b
+                        ? vec3_make(0.5, 0, 0) : NONE);
+    }
+    for (int k = 0; k < 1500; k++) step(j, BODIES, BODIES, 12, h);
+    for (int i = 0; i < FOUR * BODIES; i++) {
+        vec3 v = vec3_scale(1 / h, vec3_sub(p[i].position, p[i].previous));
+        energy += plan.mass * (vec3_dot(v, v) / 2
+                  + 9.81 * (p[i].position.y + p[i].previous.y) / 2);
+    }
+    for (int b = 1; b < BODIES; b++)
+        near(vec3_distance(point(b, j[b].share_a, 0),
+                           point(b - 1, j[b].share_b, 0)), 0, 1e-5, "a gap");
+    ck_assert_msg(centre(4).y < -1.5, "the last box has fallen to %g m only",
+                  centre(4).y);
+    near(energy / (10 * 9.81), 0, 0.01, "energy, in units of m g times 1 m");
+    unmake();
+}
+END_TEST
+
+START_TEST(nailed_bodies_stay)
+{
+    make(vec3_make(1, 1, 1), 1);
+    for (int round = 0; round < 2; round++) {
+        put(0, NONE, 1);
+        put(1, vec3_make(1.5, 0, 0), 1);
+        joint j = joint_of(0, vec3_make(0.5, 0, 0), round ? 1 : -1,
+                           round ? vec3_make(-0.5, 0, 0)
+                                 : vec3_make(1, 0, 0));
+        near(joint_close(&j, p), 0.5, ROUNDING, "gap");
+        for (int i = 0; i < 2 * FOUR; i++)
+            near(vec3_distance(p[i].position, p[i].previous), 0, 0, "a way");
+    }
+    // One of them free: it comes all the way.
+    put(1, vec3_make(1.5, 0, 0), 0);
+    joint j = joint_of(0, vec3_make(0.5, 0, 0), 1, vec3_make(-0.5, 0, 0));
+    joint_close(&j, p);
+    near(centre(1).x, 1, ROUNDING, "where the free one's centre comes to");
+    unmake();
+}
+END_TEST
+
+int main(void)
+{
+    Suite *s = suite_create("joint");
+    TCase *t = tcase_create("joint");
+    tcase_add_test(t, shares_of_corners_are_those_of_the_plan);
+    tcase_add_test(t, body_that_hangs_on_a_point_answers_as_the_textbook_says);
+    tcase_add_test(t, gap_is_closed_at_once);
+    tcase_add_test(t, momenta_stay);
+    tcase_add_test(t, rod_swings_in_its_time);
+    tcase_add_test(t, chain_of_boxes_falls_and_holds);
+    tcase_add_test(t, nailed_bodies_stay);
+    suite_add_tcase(s, t);
+    SRunner *r = srunner_create(s);
+    srunner_run_all(r, CK_NORMAL);
+    int failed = srunner_ntests_failed(r);
+    srunner_free(r);
+    return failed != 0;
+}

@@ -1,0 +1,152 @@
+// 18-world.c - how the whole grows: rooms of 10 to 10,000 bodies, our way and
+// (up to 3,000) the paper's, in their first second, and cloths of 20 to 160
+// particles a side that fall on the cube, all with 9, 18 and 36 substeps.
+// Nobody sleeps.
+//
+// index 0, 1: bodies, ms a step (median), deepest overlap (of a radius),
+//             largest strain; ours, the paper's
+// index 2 to 5: substeps, ms a step (median), largest strain, overlap (m),
+//             what touches, for a particle, ms a step of the fall before it
+//             touches, how often a step makes new lists; a size each
+// Columns are separated by spaces.
+
+#include "clock.h"
+#include "world_scene.h"
+#include "step.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#ifndef FLAGS
+#define FLAGS "unknown"
+#endif
+
+enum { FRAMES = 60, CLOTH_FRAMES = 40, LOOK = 10, SIZES = 7, CLOTHS = 4,
+       STEPS = 3, FALL = 6 };
+static const int BODIES[SIZES] = { 10, 30, 100, 300, 1000, 3000, 10000 };
+static const int CLOTH[CLOTHS] = { 20, 40, 80, 160 };
+
+// A scene that runs, and what was seen of it.
+typedef struct {
+    scene s;
+    real  took[FRAMES];         // ms
+    real  overlap, strain, touching, lists;
+    int   frames;
+} trip;
+
+static void start(trip *t, scene_kind kind, scene_options what,
+                  world_options how)
+{
+    *t = (trip){ .frames = 0 };
+    how.resting = 0;
+    if (!scene_build(&t->s, kind, what, how).ok) exit(1);
+}
+
+// So many frames more, and a look at it.
+static void go_on(trip *t)
+{
+    for (int k = 0; k < LOOK; k++) {
+        real begin = clock_seconds();
+        world_step(&t->s.world);
+        t->took[t->frames++] = 1e3 * (clock_seconds() - begin);
+        t->touching += (real)t->s.world.report.touching;
+        t->lists += (real)t->s.world.report.rebuilt;
+    }
+    measures m = world_measure(&t->s.world);
+    t->overlap = fmax(t->overlap, m.penetration);
+    t->strain = fmax(t->strain, m.strain);
+}
+
+// How steeply time grows over the last two sizes, which are ten times apart.
+static real slope(const real *ms, int last)
+{
+    return log(ms[last] / ms[last - 2]) / log((real)BODIES[last]
+                                              / BODIES[last - 2]);
+}
+
+static void print_rooms(void)
+{
+    real ms[2][SIZES], deep[2][SIZES];
+    scene_options what = scene_options_default();
+    for (int way = 0; way < 2; way++) {
+        printf("%s# rooms, %s\n# bodies ms overlap strain\n",
+               way ? "\n\n" : "", way ? "the paper's way" : "our way");
+        int sizes = way ? SIZES - 1 : SIZES;
+        for (int k = 0; k < sizes; k++) {
+            what.bodies = BODIES[k];
+            static trip t;
+            start(&t, SCENE_ROOM, what, way ? world_options_paper()
+                  : scene_world_options(SCENE_ROOM, 0));
+            while (t.frames < FRAMES) go_on(&t);
+            ms[way][k] = clock_median(t.took, FRAMES);
+            deep[way][k] = t.overlap / t.s.body_radius;
+            printf("%d %.4g %.4g %.3g\n", BODIES[k], ms[way][k], deep[way][k],
+                   t.strain);
+            scene_free(&t.s);
+        }
+        printf("# grows as bodies^%.2f from %d on\n",
+               slope(ms[way], sizes - 1), BODIES[sizes - 3]);
+    }
+    clock_print_row("world", "room of 1000", "overlap 3 % of a radius",
+                    "ours", "the paper's",
+                    deep[1][4] > 0.03 ? HUGE_VAL : ms[1][4] / ms[0][4]);
+}
+
+// The same numbers for all; with the last one the finest, too, holds its
+// strain.  With fewer it crumples, and has more to do than a cloth.
+static const int SUBSTEPS[STEPS] = { 9, 18, 36 };
+
+// All sizes take turns, so that all see the same of a machine whose pace
+// changes.
+static void run_cloths(trip *t, int substeps)
+{
+    scene_options what = scene_options_default();
+    world_options how = scene_world_options(SCENE_CLOTH_ON_CUBE, 40);
+    how.substeps = substeps;
+    for (int k = 0; k < CLOTHS; k++) {
+        what.cloth = CLOTH[k];
+        start(&t[k], SCENE_CLOTH_ON_CUBE, what, how);
+    }
+    for (int i = 0; i < CLOTH_FRAMES; i += LOOK)
+        for (int k = 0; k < CLOTHS; k++) go_on(&t[k]);
+    for (int k = 0; k < CLOTHS; k++) scene_free(&t[k].s);
+}
+
+// ms of all frames, or of those of the free fall.  The first one makes lists.
+static real time_of(const trip *t, int fall)
+{
+    real took[CLOTH_FRAMES];
+    int first = fall ? 1 : 0, n = fall ? FALL : CLOTH_FRAMES;
+    for (int i = 0; i < n; i++) took[i] = t->took[first + i];
+    return clock_median(took, n);
+}
+
+static void print_cloths(void)
+{
+    static trip t[STEPS][CLOTHS];
+    for (int i = 0; i < STEPS; i++) run_cloths(t[i], SUBSTEPS[i]);
+    for (int k = 0; k < CLOTHS; k++) {
+        printf("\n\n# cloth of %d x %d\n# substeps ms strain overlap touching "
+               "fall lists\n", CLOTH[k], CLOTH[k]);
+        for (int i = 0; i < STEPS; i++)
+            printf("%d %.4g %.3g %.3g %.3f %.4g %.1f\n", SUBSTEPS[i],
+                   time_of(&t[i][k], 0), t[i][k].strain, t[i][k].overlap,
+                   t[i][k].touching / (CLOTH[k] * CLOTH[k] * CLOTH_FRAMES),
+                   time_of(&t[i][k], 1), t[i][k].lists / CLOTH_FRAMES);
+    }
+    for (int i = 0; i < STEPS; i++) {
+        const trip *first = &t[i][1], *last = &t[i][CLOTHS - 1];
+        printf("# %d substeps: grows as particles^%.2f from 40 on, in free "
+               "fall as particles^%.2f\n", SUBSTEPS[i],
+               log(time_of(last, 0) / time_of(first, 0)) / log(16),
+               log(time_of(last, 1) / time_of(first, 1)) / log(16));
+    }
+}
+
+int main(void)
+{
+    clock_print_head("18-world: ms a step and error, by size", FLAGS);
+    print_rooms();
+    print_cloths();
+    return 0;
+}

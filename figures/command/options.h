@@ -1,0 +1,42 @@
+// options.h - what the command line of `tumble` says.
+//
+// One table drives the parser, the help and the list, so they cannot drift.
+
+#ifndef TUMBLE_OPTIONS_H
+#define TUMBLE_OPTIONS_H
+
+#include "world_scene.h"
+
+#include <stdio.h>
+
+typedef struct {
+    scene_kind scene;
+    int  bodies, cloth;         // how many; particles along a side
+    unsigned long long seed;
+    real seconds, dt;           // s
+    int  substeps, sweeps;      // 0: as the scene needs
+    real tolerance;             // strain; < 0: as the scene needs
+    int  paper, bits;
+    int  threads;               // 1 or 2
+    const char *mesh, *film, *frames, *csv;     // NULL: not asked for
+    int  help, list, version;
+    unsigned given;             // bit i: option i of the table was given
+} settings;
+
+// Reads the command line.  Fails with a sentence that names the option.
+status settings_read(settings *s, int arguments, char *const *argument);
+
+// What scene_build wants to know.
+scene_options settings_scene(const settings *s);
+world_options settings_world(const settings *s);
+
+// How many steps of dt fill the seconds.
+long settings_steps(const settings *s);
+
+// Names the options that were given and mean nothing to the scene.
+void settings_print_notes(const settings *s, FILE *out);
+
+void settings_print_help(FILE *out);
+void settings_print_list(FILE *out);
+
+#endif

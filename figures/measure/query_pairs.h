@@ -1,0 +1,157 @@
+// query_pairs.h - many distinct pairs of icosahedra at a chosen gap, and a clock;
+// for the figures of chapters 4 and 5.
+//
+// 20,000 pairs, because a loop over few pairs teaches the branch predictor the
+// answers.  The second of a pair is moved by up to 0.5 degree and 2.5 mm.
+
+#ifndef FIGURE_PAIRS_H
+#define FIGURE_PAIRS_H
+
+#include "clock.h"
+#include "distance.h"
+
+#include <stddef.h>
+
+enum { PAIRS = 20000, BLOCK = 500, CORNERS = 12 };
+
+typedef struct { vec3 at[CORNERS]; } icosahedron;
+typedef struct { icosahedron a, b, moved_a, moved_b; } pair_at_gap;
+
+static unsigned long long random_state = 1;
+
+static double random_unit(void)
+{
+    random_state = random_state * 6364136223846793005ULL
+                 + 1442695040888963407ULL;
+    return (double)(random_state >> 11) * 0x1p-53;
+}
+
+static vec3 random_direction(void)
+{
+    for (;;) {
+        vec3 v;
+        v.x = 2 * random_unit() - 1;
+        v.y = 2 * random_unit() - 1;
+        v.z = 2 * random_unit() - 1;
+        real l = vec3_length(v);
+        if (l > 0.1 && l <= 1) return vec3_scale(1 / l, v);
+    }
+}
+
+// Turned by `angle` about a unit axis (Rodrigues).
+static vec3 turned(vec3 p, vec3 axis, real angle)
+{
+    real c = cos(angle), s = sin(angle), along = (1 - c) * vec3_dot(axis, p);
+    return vec3_add_scaled(vec3_add_scaled(vec3_scale(c, p), s,
+                                           vec3_cross(axis, p)), along, axis);
+}
+
+static icosahedron icosahedron_turned(vec3 axis, real angle)
+{
+    const real golden = (1 + sqrt(5.0)) / 2;
+    const real k = 0.5 / sqrt(1 + golden * golden);
+    icosahedron body;
+    int n = 0;
+    for (int s = -1; s < 2; s += 2)
+        for (int t = -1; t < 2; t += 2) {
+            real one = k * s, phi = k * t * golden;
+            body.at[n++] = turned((vec3){ 0, one, phi }, axis, angle);
+            body.at[n++] = turned((vec3){ one, phi, 0 }, axis, angle);
+            body.at[n++] = turned((vec3){ phi, 0, one }, axis, angle);
+        }
+    return body;
+}
+
+static point_set points_of(const icosahedron *body)
+{
+    return (point_set){ body->at, CORNERS, NULL, NULL };
+}
+
+static void shift(icosahedron *body, vec3 by)
+{
+    for (int i = 0; i < CORNERS; i++) body->at[i] = vec3_add(body->at[i], by);
+}
+
+static distance_result ask_pair(const icosahedron *a, const icosahedron *b)
+{
+    return distance_find(points_of(a), points_of(b), distance_options_default(),
+                        NULL);
+}
+
+static icosahedron nudged(const icosahedron *body)
+{
+    const real degree = 3.14159265358979 / 180;
+    vec3 axis = random_direction(), centre = { 0, 0, 0 };
+    real angle = 0.5 * degree * random_unit();
+    vec3 by = vec3_scale(0.0025 * random_unit(), random_direction());
+    icosahedron out;
+    for (int i = 0; i < CORNERS; i++)
+        centre = vec3_add_scaled(centre, 1.0 / CORNERS, body->at[i]);
+    for (int i = 0; i < CORNERS; i++) {
+        vec3 r = turned(vec3_sub(body->at[i], centre), axis, angle);
+        out.at[i] = vec3_add(vec3_add(centre, by), r);
+    }
+    return out;
+}
+
+static void nudge(pair_at_gap *pair)
+{
+    pair->moved_a = nudged(&pair->a);
+    pair->moved_b = nudged(&pair->b);
+}
+
+// Pairs at this distance (m); a negative one: brought to a gap of a micrometre,
+// and then pushed in by so much along the axis.
+static inline void make_pairs(pair_at_gap *pair, int n, real gap)
+{
+    real wanted = gap > 1e-6 ? gap : 1e-6;
+    for (int i = 0; i < n; i++) {
+        vec3 axis = random_direction(), way = random_direction();
+        pair[i].a = icosahedron_turned(axis, 6.28318530718 * random_unit());
+        axis = random_direction();
+        pair[i].b = icosahedron_turned(axis, 6.28318530718 * random_unit());
+        shift(&pair[i].b, vec3_scale(1.5, way));
+        distance_result r = ask_pair(&pair[i].a, &pair[i].b);
+        for (int tries = 0; tries < 60; tries++) {
+            if (fabs(r.distance - wanted) < 1e-9) break;
+            // Newton towards A's middle: the distance falls, convex, along it.
+            real slope = -vec3_dot(r.axis, way) / r.distance;
+            shift(&pair[i].b, vec3_scale((wanted - r.distance) / slope, way));
+            r = ask_pair(&pair[i].a, &pair[i].b);
+        }
+        if (gap < 0)
+            shift(&pair[i].b, vec3_scale(-gap / r.distance, r.axis));
+        nudge(&pair[i]);
+    }
+}
+
+static inline double now(void)                 // ns
+{
+    return 1e9 * clock_seconds();
+}
+
+// Nanoseconds of one query: every block of pairs at its quickest pass.
+typedef struct { double best[PAIRS / BLOCK]; } stopwatch;
+
+static inline void stopwatch_reset(stopwatch *w)
+{
+    for (int k = 0; k < PAIRS / BLOCK; k++) w->best[k] = HUGE_VAL;
+}
+
+static inline void stopwatch_note(stopwatch *w, int block, double ns)
+{
+    if (ns < w->best[block]) w->best[block] = ns;
+}
+
+static inline double stopwatch_mean(const stopwatch *w)
+{
+    double sum = 0;
+    for (int k = 0; k < PAIRS / BLOCK; k++) sum += w->best[k];
+    return sum / PAIRS;
+}
+
+#ifndef FLAGS
+#define FLAGS "unknown"
+#endif
+
+#endif

@@ -1,0 +1,456 @@
+// peers_pairs.c - two icosahedra of radius 0.5 m, apart and overlapping: 20,000
+// distinct pairs of each, because a loop over few teaches the processor their
+// answers.  The slow oracle judges.
+
+#include "peers.h"
+#include "peers_others.h"
+#include "distance.h"
+#include "hard_set.h"
+#include "penetration.h"
+#include "oracle.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { PAIRS = 20000, BLOCK = 500, BLOCKS = PAIRS / BLOCK, ROUNDS = 15 };
+
+// m, how far they are apart, or have been pushed into each other: even after
+// they have moved all are further apart than MARGIN, or overlap.
+static const real NEAREST = 0.02, WIDEST = 0.5, MARGIN = 0.005;
+static const real LEAST_DEEP = 0.02, DEEPEST = 0.25;
+
+// The sets of points stand ready, as libccd's bodies do.
+typedef struct {
+    solid a, b;
+    point_set pa, pb;
+} couple;
+
+static couple before[PAIRS], after[PAIRS];      // a slow motion's frames
+static distance_cache found[PAIRS], parted[PAIRS];     // before, without and with a
+                                                // margin
+static distance_cache carried[BLOCK];
+static penetration_scratch *scratch;
+
+static point_set points_of(const solid *s)
+{
+    return (point_set){ s->at, CORNERS, NULL, NULL };
+}
+
+// ---- The pairs -------------------------------------------------------------
+
+static solid solid_at(const shape *plan, placement p)
+{
+    solid s = { .middle = p.position };
+    for (int i = 0; i < CORNERS; i++) {
+        vec3 v = plan->at[i], at = vec3_add_scaled(p.position, v.x, p.x);
+        s.at[i] = vec3_add_scaled(vec3_add_scaled(at, v.y, p.y), v.z, p.z);
+    }
+    return s;
+}
+
+static void move(solid *s, vec3 by)
+{
+    s->middle = vec3_add(s->middle, by);
+    for (int i = 0; i < CORNERS; i++) s->at[i] = vec3_add(s->at[i], by);
+}
+
+// By up to half a degree, and up to 2.5 mm: about what a frame brings in a room
+// that comes to rest.
+static solid moved_on(solid s, unsigned long long *seed)
+{
+    const real most = 0.5 * 3.14159265358979 / 180;
+    real turn = most * any_share(seed), far = 0.0025 * any_share(seed);
+    vec3 axis = any_direction(seed), by = vec3_scale(far, any_direction(seed));
+    real c = cos(turn), k = sin(turn);
+    for (int i = 0; i < CORNERS; i++) {
+        vec3 r = vec3_sub(s.at[i], s.middle);
+        vec3 turned = vec3_add_scaled(vec3_scale(c, r), k,
+                                      vec3_cross(axis, r));
+        turned = vec3_add_scaled(turned, (1 - c) * vec3_dot(axis, r), axis);
+        s.at[i] = vec3_add(s.middle, turned);
+    }
+    move(&s, by);
+    return s;
+}
+
+static void make_ready(couple *c)
+{
+    c->pa = points_of(&c->a);
+    c->pb = points_of(&c->b);
+}
+
+static distance_result distance(const couple *c, distance_options o, distance_cache *from)
+{
+    return distance_find(c->pa, c->pb, o, from);
+}
+
+static distance_options with_margin(void)
+{
+    distance_options o = distance_options_default();
+    o.margin = MARGIN;
+    return o;
+}
+
+// Brings b towards a until they are `gap` apart: Newton, because the distance
+// falls, convex, along the way.  A negative gap: pushed in by so much along the
+// axis on which they were a micrometre apart.
+static couple pair_at(const shape *plan, real gap, unsigned long long *seed)
+{
+    const real wanted = fmax(gap, 1e-6);
+    const vec3 origin = { 0, 0, 0 };
+    couple c = { .a = solid_at(plan, turned_anyhow(origin, seed)) };
+    vec3 course = any_direction(seed);
+    c.b = solid_at(plan, turned_anyhow(vec3_scale(2, course), seed));
+    make_ready(&c);
+    distance_result r = distance(&c, distance_options_default(), NULL);
+    for (int tries = 0; tries < 60; tries++) {
+        if (fabs(r.distance - wanted) < 1e-9) break;
+        real slope = -vec3_dot(r.axis, course) / r.distance;
+        move(&c.b, vec3_scale((wanted - r.distance) / slope, course));
+        r = distance(&c, distance_options_default(), NULL);
+    }
+    if (gap < 0) move(&c.b, vec3_scale(-gap / r.distance, r.axis));
+    return c;
+}
+
+static void make_pairs(real least, real most)
+{
+    shape plan;
+    unsigned long long seed = 4;
+    if (!shape_icosahedron(&plan, 0.5, 1).ok) give_up("no icosahedron");
+    for (int i = 0; i < PAIRS; i++) {
+        real gap = least + (most - least) * (i + any_share(&seed)) / PAIRS;
+        before[i] = pair_at(&plan, gap, &seed);
+        after[i].a = moved_on(before[i].a, &seed);
+        after[i].b = moved_on(before[i].b, &seed);
+        make_ready(&before[i]);
+        make_ready(&after[i]);
+        found[i].count = parted[i].count = 0;
+        distance(&before[i], distance_options_default(), &found[i]);
+        distance(&before[i], with_margin(), &parted[i]);
+    }
+    shape_free(&plan);
+}
+
+// ---- Apart -----------------------------------------------------------------
+
+enum { COLD, WARM };
+static real told[2][PAIRS];     // our distances
+static int overlap[2][PAIRS];   // libccd's answers, by GJK and by MPR
+static distance_status reached[PAIRS];
+
+// In a scene the bodies have just been moved, all their points written anew.  So
+// the pairs of a block are copied here before the clock starts, for us and for
+// others alike; and a block is no more than a scene of a hundred bodies has.
+enum { FEW = 50, FEWS = PAIRS / FEW };
+static couple now[FEW];
+
+static void put(const couple *from)
+{
+    for (int k = 0; k < FEW; k++) {
+        now[k] = from[k];
+        make_ready(&now[k]);
+    }
+}
+
+static void put_before(int block)
+{
+    put(before + block * FEW);
+}
+
+static void put_after(int block)
+{
+    put(after + block * FEW);
+    for (int k = 0; k < FEW; k++) carried[k] = found[block * FEW + k];
+}
+
+static void put_parted(int block)
+{
+    put(after + block * FEW);
+    for (int k = 0; k < FEW; k++) carried[k] = parted[block * FEW + k];
+}
+
+// Asked without a function of ours between: it would copy the options.
+static void distance_cold(int block)
+{
+    distance_options o = distance_options_default();
+    for (int k = 0, i = block * FEW; k < FEW; k++, i++)
+        told[COLD][i] = distance_find(now[k].pa, now[k].pb, o, NULL).distance;
+}
+
+static void distance_carried(int block)
+{
+    distance_options o = distance_options_default();
+    for (int k = 0, i = block * FEW; k < FEW; k++, i++)
+        told[WARM][i] = distance_find(now[k].pa, now[k].pb, o,
+                                     &carried[k]).distance;
+}
+
+static void margin_carried(int block)
+{
+    distance_options o = with_margin();
+    for (int k = 0, i = block * FEW; k < FEW; k++, i++)
+        reached[i] = distance_find(now[k].pa, now[k].pb, o, &carried[k]).status;
+}
+
+static void gjk_says(int block)
+{
+    for (int k = 0, i = block * FEW; k < FEW; k++, i++)
+        overlap[0][i] = ccd_gjk_overlap(&now[k].a, &now[k].b);
+}
+
+static void mpr_says(int block)
+{
+    for (int k = 0, i = block * FEW; k < FEW; k++, i++)
+        overlap[1][i] = ccd_mpr_overlap(&now[k].a, &now[k].b);
+}
+
+// ---- How wrong -------------------------------------------------------------
+
+typedef struct {
+    int  asked, wrong;
+    real worst;
+} judged;
+
+static void judge(judged *j, real error, real most)
+{
+    j->asked++;
+    j->wrong += !(error <= most);
+    if (!(error <= j->worst)) j->worst = error;
+}
+
+// The slow oracle takes a millisecond a pair: it is asked about every so
+// manieth, and about all pairs where we and others do not agree.
+enum { EVERY = 10 };
+
+// Relative to the distance; beyond TIGHT it is wrong.
+static const real TIGHT = 1e-13;
+
+static judged judge_distances(const couple *pair, const real *ours)
+{
+    judged j = { 0 };
+    for (int i = 0; i < PAIRS; i += EVERY) {
+        real truth = (real)oracle_distance(points_of(&pair[i].a),
+                                           points_of(&pair[i].b));
+        judge(&j, fabs(ours[i] - truth) / truth, TIGHT);
+    }
+    return j;
+}
+
+static void write_judged(char *to, judged j, const char *unit)
+{
+    snprintf(to, TEXT, "%d of %d wrong; largest %.2g%s", j.wrong, j.asked,
+             j.worst, unit);
+}
+
+// A row in ns, without their error.
+static row row_of(const char *what, const char *against, real ours, real theirs,
+                  real ratio, judged j, const char *unit)
+{
+    row r = { .what = what, .against = against, .unit = "ns", .ours = ours,
+              .theirs = theirs, .ratio = ratio, .is_wrong = j.wrong > 0 };
+    write_judged(r.our_error, j, unit);
+    return r;
+}
+
+enum { CCD_BY_GJK, CCD_BY_MPR };
+
+// They never overlap.
+static void write_overlaps(char *to, int which, const char *beside)
+{
+    int sum = 0;
+    for (int i = 0; i < PAIRS; i++) sum += overlap[which][i] != 0;
+    snprintf(to, TEXT, "%d of %d wrong%s", sum, (int)PAIRS, beside);
+}
+
+static void add_distances(real cold, real warm, real theirs)
+{
+    row r = row_of("distance of two icosahedra, cold",
+                   "ccdGJKIntersect: yes or no", cold, theirs, 1.2,
+                   judge_distances(before, told[COLD]), "");
+    write_overlaps(r.their_error, CCD_BY_GJK, "; no distance");
+    table_add(r);
+    table_add(row_of("the same, moved a little, simplex carried", "ours, cold",
+                     warm, cold, 0.2, judge_distances(after, told[WARM]), ""));
+}
+
+static void add_margin(real ours, real theirs, int which)
+{
+    row r = { .what = "further apart than 5 mm? moved, axis carried",
+              .against = which == CCD_BY_GJK ? "ccdGJKIntersect, cold"
+                                             : "ccdMPRIntersect, cold",
+              .unit = "ns", .ours = ours, .theirs = theirs,
+              .ratio = which == CCD_BY_GJK ? 0.1 : 0 };
+    int within = 0;
+    for (int i = 0; i < PAIRS; i++) within += reached[i] != DISTANCE_BEYOND;
+    r.is_wrong = within > 0;
+    snprintf(r.our_error, TEXT, "%d of %d wrong", within, (int)PAIRS);
+    write_overlaps(r.their_error, which, "");
+    table_add(r);
+}
+
+static void measure_apart(void)
+{
+    enum { DISTANCE, CARRIED, BEYOND, BY_GJK, BY_MPR, COUNT };
+    const way ways[COUNT] = { { put_before, distance_cold },
+        { put_after, distance_carried }, { put_parted, margin_carried },
+        { put_before, gjk_says }, { put_before, mpr_says } };
+    real ns[COUNT];
+    make_pairs(NEAREST, WIDEST);
+    real *time = time_in_turn(ways, COUNT, FEWS, ROUNDS);
+    for (int w = 0; w < COUNT; w++)
+        ns[w] = 1e9 / PAIRS * time_sum(time, FEWS, w);
+    add_distances(ns[DISTANCE], ns[CARRIED], ns[BY_GJK]);
+    add_margin(ns[BEYOND], ns[BY_GJK], CCD_BY_GJK);
+    add_margin(ns[BEYOND], ns[BY_MPR], CCD_BY_MPR);
+    free(time);
+}
+
+// ---- Overlapping -----------------------------------------------------------
+
+// An answer: b moved by `depth` along `along` no longer overlaps.
+typedef struct {
+    real depth;
+    vec3 along;
+} exit_found;
+
+enum { OURS, OURS_CARRIED, CCD_GJK, CCD_MPR, DEPTHS };
+static exit_found out[DEPTHS][PAIRS];
+
+// Asked like theirs: do they overlap, and how deep?
+static penetration_result hit_of(const couple *c)
+{
+    const distance_cache none = { .count = 0 };
+    return penetration_find(c->pa, c->pb, &none, scratch);
+}
+
+static exit_found exit_of(penetration_result h)
+{
+    if (h.status != PENETRATION_FOUND) return (exit_found){ 0, { 0, 0, 0 } };
+    return (exit_found){ h.depth, vec3_scale(-1, h.normal) };
+}
+
+static void depth_cold(int block)
+{
+    for (int i = block * BLOCK; i < (block + 1) * BLOCK; i++)
+        out[OURS][i] = exit_of(hit_of(&before[i]));
+}
+
+static penetration_memory remembered[BLOCK];
+
+// Untimed: what the query before leaves behind.
+static void remember(int block)
+{
+    for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++) {
+        remembered[k].faces = 0;
+        if (hit_of(&before[i]).status == PENETRATION_FOUND)
+            penetration_remember(scratch, &remembered[k]);
+    }
+}
+
+static void depth_carried(int block)
+{
+    for (int k = 0, i = block * BLOCK; k < BLOCK; k++, i++) {
+        penetration_result h;
+        if (!penetration_again(after[i].pa, after[i].pb, &remembered[k], scratch,
+                            &h)) h = hit_of(&after[i]);
+        out[OURS_CARRIED][i] = exit_of(h);
+    }
+}
+
+static void depth_gjk(int block)
+{
+    for (int i = block * BLOCK; i < (block + 1) * BLOCK; i++) {
+        exit_found *e = &out[CCD_GJK][i];
+        if (!ccd_gjk_depth(&before[i].a, &before[i].b, &e->depth, &e->along))
+            *e = (exit_found){ 0, { 0, 0, 0 } };
+    }
+}
+
+static void depth_mpr(int block)
+{
+    for (int i = block * BLOCK; i < (block + 1) * BLOCK; i++) {
+        exit_found *e = &out[CCD_MPR][i];
+        if (!ccd_mpr_depth(&before[i].a, &before[i].b, &e->depth, &e->along))
+            *e = (exit_found){ 0, { 0, 0, 0 } };
+    }
+}
+
+// m, how far an answer is from the truth: in its depth, or because it is not
+// the shortest way, or leaves them overlapping.  An answer that says nothing is
+// wrong by all of the depth.
+static real depth_error(const couple *c, exit_found e, real truth)
+{
+    point_set a = points_of(&c->a), b = points_of(&c->b);
+    if (!(vec3_length(e.along) > 0.5)) return truth;
+    real there = (real)oracle_width(a, b, e.along);
+    return fmax(fabs(e.depth - truth), fabs(there - truth));
+}
+
+// An answer is wrong if it is off by more than a thousandth of the radius, ten
+// times the tolerance that libccd is given.
+static const real ROUGH = 0.0005;
+
+// What nobody contradicts is taken for true, but for the sample.
+static real true_depth(int i)
+{
+    point_set a = points_of(&before[i].a), b = points_of(&before[i].b);
+    real ours = out[OURS][i].depth;
+    int doubt = i % EVERY == 0;
+    for (int k = CCD_GJK; k <= CCD_MPR; k++)
+        doubt |= !(depth_error(&before[i], out[k][i], ours) <= ROUGH);
+    return doubt ? (real)oracle_depth(a, b) : ours;
+}
+
+static void judge_depths(judged j[DEPTHS])
+{
+    for (int i = 0; i < PAIRS; i++) {
+        real truth = true_depth(i);
+        for (int k = OURS; k < DEPTHS; k++)
+            if (k != OURS_CARRIED)
+                judge(&j[k], depth_error(&before[i], out[k][i], truth), ROUGH);
+    }
+    for (int i = 0; i < PAIRS; i += EVERY) {
+        real truth = (real)oracle_depth(points_of(&after[i].a),
+                                        points_of(&after[i].b));
+        judge(&j[OURS_CARRIED],
+              depth_error(&after[i], out[OURS_CARRIED][i], truth), ROUGH);
+    }
+}
+
+static void add_cold(const char *what, const char *against, const real *ns,
+                     int which, real ratio, const judged *j)
+{
+    row r = row_of(what, against, ns[OURS], ns[which], ratio, j[OURS], " m");
+    write_judged(r.their_error, j[which], " m");
+    table_add(r);
+}
+
+static void measure_overlapping(void)
+{
+    const way ways[DEPTHS] = { { NULL, depth_cold }, { remember, depth_carried },
+                               { NULL, depth_gjk }, { NULL, depth_mpr } };
+    judged j[DEPTHS] = { { 0 } };
+    real ns[DEPTHS];
+    make_pairs(-DEEPEST, -LEAST_DEEP);
+    real *time = time_in_turn(ways, DEPTHS, BLOCKS, ROUNDS);
+    for (int w = 0; w < DEPTHS; w++)
+        ns[w] = 1e9 / PAIRS * time_sum(time, BLOCKS, w);
+    judge_depths(j);
+    add_cold("depth and hit face of two icosahedra, cold", "ccdGJKPenetration",
+             ns, CCD_GJK, 0.3, j);
+    add_cold("the same (stretch)", "ccdMPRPenetration", ns, CCD_MPR, 1, j);
+    table_add(row_of("the same, moved a little, face carried", "ours, cold",
+                     ns[OURS_CARRIED], ns[OURS], 0.12, j[OURS_CARRIED], " m"));
+    free(time);
+}
+
+void peers_pairs(void)
+{
+    scratch = penetration_scratch_new();
+    if (!scratch) give_up("there is no memory for hit_face");
+    measure_apart();
+    measure_overlapping();
+    penetration_scratch_free(scratch);
+}

@@ -1,0 +1,62 @@
+//> broad-head
+// broad.h - which bodies may meet?  Sorted, instead of every pair.
+//
+// Paper: section 5 tests every pair.  Sweep and prune after Baraff (1992).
+// Book: chapter 14.
+// Units: metres, in the world's frame.
+
+#ifndef TUMBLE_BROAD_H
+#define TUMBLE_BROAD_H
+
+#include "sphere_tree.h"
+
+// The bodies in the order of their balls' left ends, kept from call to call:
+// bodies move little in a frame, and an order that was right is nearly right.
+// This line is divided in lanes that lie side by side along y and z: whoever
+// reaches into several stands in each of them.
+enum { LANES_A_BODY = 4 };      // on average, at most
+
+typedef struct {
+    int first, last;
+} lane_range;
+
+typedef struct broad {
+    int   bodies;
+    int  *order;        // [bodies] by low, equal ones by number
+    real *low, *high;   // [bodies] m, ends of each ball along x
+    int  *first;        // [bodies + 1] scratch of the sorting of pairs
+
+    // Made anew by every call.
+    int   lanes[2];     // along y, and along z
+    lane_range (*reach)[2];     // [bodies] into which lanes, along y and z
+    int  *lane;         // [bodies + 2] where the places of each lane begin
+    int   places;       // in all lanes
+    real   *start;      // [LANES_A_BODY * bodies] m, low
+    sphere *line;       // [same]
+    int    *who;        // [same] the body
+    int    *mover;      // [same + 1] the next place, from here on, of one that
+                        // moves; then scratch, like first
+
+    long shifts;        // places that bodies moved up in the last sorting
+} broad;
+//<
+
+//> broad-declare
+// For that many bodies, >= 0.  Fails, leaving *s empty, if memory is refused.
+status broad_init(broad *s, int bodies);
+void   broad_free(broad *s);            // an empty or zeroed one is fine
+
+// The pairs (a, b), a < b, of balls that touch or overlap, where at least one
+// moves, sorted by a, then by b.  A ball of negative radius meets nobody; one
+// that is NaN meets everybody else's (it is reported, never lost).  Writes the
+// first of them in that order, at most capacity, to out and returns how many
+// there are (INT_MAX if there are more).
+int broad_pairs(broad *s, const sphere *ball, const char *moves,
+                int (*out)[2], int capacity);
+
+// The same answer by looking at every pair (the paper's way).
+int broad_pairs_all(const sphere *ball, const char *moves, int bodies,
+                    int (*out)[2], int capacity);
+
+#endif
+//<

@@ -1,0 +1,51 @@
+//> separation-head
+// separation.h - the points where bodies touch, and particles kept apart.
+//
+// Paper: section 6.1.  Book: chapter 16.
+// Units: metres, kilograms.  Every normal is a unit vector from B to A.
+
+#ifndef TUMBLE_SEPARATION_H
+#define TUMBLE_SEPARATION_H
+
+#include "penetration.h"
+#include "verlet.h"
+
+// Two points, of body A and of body B, that must not pass each other along a
+// normal that stays fixed while the contact lives.
+typedef struct {
+    feature_point a, b; // b.count = 0: B is immovable, its point is `fixed`
+    vec3 fixed;         // m
+    vec3 normal;        // unit, from B to A
+    real thickness;     // m, gap that is kept between the points
+} contact_point;
+
+// Two particles that must stay this far apart, in whatever direction they lie.
+typedef struct {
+    int  a, b;          // in the pool
+    real distance;      // m
+} particle_contact;
+//<
+
+//> separation-declare
+// Are the two nearer than they may be?  Quick to ask: most pairs are not.
+static inline int particle_contact_overlaps(const particle_contact *c,
+                                            const particle *p)
+{
+    vec3 across = vec3_sub(p[c->a].position, p[c->b].position);
+    return vec3_length_squared(across) < c->distance * c->distance;
+}
+
+// Parts two particles nearer than c.distance, along the line between them and
+// shared by mass, and brakes their sliding by at most friction times the push.
+// Returns the overlap before (m, >= 0).  Coincident particles have no line:
+// they are left, 0.  Paper: Eq. 11 with masses.
+real particle_contact_separate(particle_contact c, particle *p, real friction);
+
+// The same for particle p and an immovable surface, of which `foot` is the
+// point under p: keeps p `distance` (m) from it along the normal (unit, out of
+// the surface).  Returns the overlap before (m, >= 0); a pinned p stays.
+real surface_separate(particle *p, vec3 foot, vec3 normal, real distance,
+                      real friction);
+
+#endif
+//<

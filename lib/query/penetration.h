@@ -1,0 +1,94 @@
+//> penetration-head
+// penetration.h - two bodies overlap: which way out, and who touched whom?
+//
+// Paper: section 5.1, the hit face: the face of A - B nearest the origin,
+// found by van den Bergen's expanding polytope.  Book: chapter 10.
+
+#ifndef TUMBLE_PENETRATION_H
+#define TUMBLE_PENETRATION_H
+
+#include "distance.h"
+
+typedef enum {
+    TOUCH_VERTEX_FACE,  // a vertex of A against a face of B
+    TOUCH_FACE_VERTEX,  // a face of A against a vertex of B
+    TOUCH_EDGE_EDGE
+} touch_kind;
+
+typedef enum {
+    PENETRATION_FOUND,
+    PENETRATION_APART,          // the origin is outside A - B
+    PENETRATION_NOT_FINITE,     // a coordinate is NaN, infinite or beyond 2^1020 m; the
+                        // numbers are all 0
+    PENETRATION_CAPPED,         // polytope full: depth is an upper bound, still usable
+    PENETRATION_FLAT            // A - B has no volume (two flat sets in one plane):
+                        // depth 0 along its normal
+} penetration_status;
+
+// A point of a feature: a vertex (count 1), a point of an edge (2) or of a
+// face (3), as a weighted mean of vertices.  Weights >= 0, sum 1.
+typedef struct {
+    int  count;
+    int  vertex[3];
+    real weight[3];
+} feature_point;
+
+typedef struct {
+    penetration_status status;
+    touch_kind kind;
+    real depth;         // m, >= 0: the least move that parts them
+    vec3 normal;        // unit, from B to A: A moves out along it by depth
+    vec3 on_a, on_b;    // m, the points that the move brings together:
+                        // on_b - on_a = depth * normal
+    feature_point a, b; // on_a and on_b in terms of vertices; equal vertices
+                        // merged
+    int  corner_a[3], corner_b[3]; // the corners of the hit face: pairs (a, b)
+    int  iterations;
+} penetration_result;
+
+// Memory for the polytope: one for each thread that asks.
+typedef struct penetration_scratch penetration_scratch;
+//<
+
+//> penetration-memory
+// The polytope of an answer, by vertices: the proof that no way out is shorter.
+// Zeroed: none.
+enum { PENETRATION_MEMORY_POINTS = 16, PENETRATION_MEMORY_FACES = 2 * PENETRATION_MEMORY_POINTS - 4 };
+
+typedef struct {
+    real scale;                 // lengths below are times this
+    int  points, faces;         // faces = 0: nothing remembered
+    struct {
+        vec3 at;                // of A - B: where it was
+        int  a, b;              // and which vertices' difference it is
+    } point[PENETRATION_MEMORY_POINTS];
+    struct {
+        real square;            // of its height; they do not fall
+        unsigned char corner[3];
+    } face[PENETRATION_MEMORY_FACES];
+} penetration_memory;
+//<
+
+//> penetration-declare
+penetration_scratch *penetration_scratch_new(void);     // NULL if memory is refused
+void         penetration_scratch_free(penetration_scratch *scratch);
+
+// The hit face of hulls a and b; PENETRATION_APART if they do not overlap.  start is
+// the final simplex of distance_find for the pair; or empty (count 0), which for
+// small bodies costs less than to ask gjk before.
+penetration_result penetration_find(point_set a, point_set b, const distance_cache *start,
+                         penetration_scratch *scratch);
+
+// Keeps how the last penetration_find with this scratch, which found the hit face,
+// knew that it had; nothing, if that took too many points.
+void penetration_remember(const penetration_scratch *scratch, penetration_memory *memory);
+
+// The same pair later: does what is remembered prove an answer where the bodies
+// are now, perhaps with a few points more?  1: *r is the hit face, as
+// penetration_find would find it, up to rounding and the choice among equals.  0:
+// it does not; ask penetration_find.  The proof shows that they overlap.
+int penetration_again(point_set a, point_set b, const penetration_memory *memory,
+                   penetration_scratch *scratch, penetration_result *r);
+
+#endif
+//<

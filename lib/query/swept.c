@@ -1,0 +1,142 @@
+//> swept-sweep
+#include "swept.h"
+
+#include <assert.h>
+#include <float.h>
+
+// Everything is seen from B's first point b0: near B all numbers are small
+// there, however far from the world's origin both are.  A's point i stands at
+//   (a_i - a_0) + ((a_0 - b_0) + time way).
+typedef struct {
+    point_set given;        // A as it was given
+    vec3 start, way;        // m, a_0 - b_0; what A goes
+    vec3 *a_at, *b_at;      // the scratch: A at some time, B
+    point_set a, b;         // the same, for gjk
+    real near, aim;         // m: to come nearer than near is to touch; we aim
+                            // at a little less
+    distance_options options;
+} sweep;
+
+// Copies p as seen from its first point.  Returns its largest coordinate; not
+// finite if one of them is not.
+static real copy_about_first(point_set p, vec3 *out)
+{
+    real extent = 0, poison = 0;
+    for (int i = 0; i < p.count; i++) {
+        vec3 r = vec3_sub(p.at[i], p.at[0]);
+        real x = fabs(r.x), y = fabs(r.y), z = fabs(r.z);
+        extent = x > extent ? x : extent;
+        extent = y > extent ? y : extent;
+        extent = z > extent ? z : extent;
+        poison += (x - x) + (y - y) + (z - z);
+        out[i] = r;
+    }
+    return extent + poison;
+}
+//<
+
+//> swept-begin
+static real coordinates(vec3 v)
+{
+    return fabs(v.x) + fabs(v.y) + fabs(v.z);
+}
+
+// A's place is rounded by up to two units in the last place of its way.  Were
+// we to aim at touch itself, we might land behind a thin plate; so we aim at
+// half the tolerance, and that half is worth four such units.  0 if a number is
+// not finite.
+static int sweep_begin(sweep *s, point_set a, vec3 way, point_set b,
+                       real apart, real tolerance, vec3 *scratch)
+{
+    s->given = s->a = a;
+    s->b = b;
+    s->a.at = s->a_at = scratch;
+    s->b.at = s->b_at = scratch + a.count;
+    s->start = vec3_sub(a.at[0], b.at[0]);
+    s->way = way;
+    real size = copy_about_first(a, s->a_at) + copy_about_first(b, s->b_at);
+    real reach = coordinates(s->start) + coordinates(way) + size + apart;
+    real least = 8 * DBL_EPSILON * reach;
+    if (!(tolerance >= least)) tolerance = least;
+    s->near = apart + tolerance;
+    s->aim = apart + tolerance / 2;
+    s->options = distance_options_default();
+    return reach < HUGE_VAL;
+}
+
+static void sweep_place(sweep *s, real time)
+{
+    vec3 a0 = s->given.at[0];
+    vec3 at = vec3_add_scaled(s->start, time, s->way);
+    for (int i = 0; i < s->given.count; i++)
+        s->a_at[i] = vec3_add(vec3_sub(s->given.at[i], a0), at);
+}
+//<
+
+//> swept-direction
+// The unit vector along a, which may be so short that its square is 0.
+static vec3 direction(vec3 a)
+{
+    real x = fabs(a.x), y = fabs(a.y), z = fabs(a.z);
+    real most = x > y ? x : y;
+    most = z > most ? z : most;
+    if (!(most > 0)) return a;
+    return vec3_unit((vec3){ a.x / most, a.y / most, a.z / most });
+}
+//<
+
+//> swept-step
+// Asks for the distance at r->time, and goes on to a later time up to which
+// they surely do not touch.  1: ask again; 0: r->status is the answer.  (It is
+// in either case: of who may not ask again, that he is not at the end.)
+//
+// All of A is beyond the plane at distance d from B along n:
+//   (x - y) . n >= d  for all x of A, y of B.
+// After a further share t of the way, x has become x + t way:
+//   (x + t way - y) . n >= d + t way . n,
+// which is more than aim as long as t < (d - aim) / -(way . n); and for ever if
+// way . n >= 0.
+static int sweep_step(sweep *s, swept_result *r)
+{
+    sweep_place(s, r->time);
+    distance_result g = distance_find(s->a, s->b, s->options, &r->last);
+    int first = r->iterations++ == 0;
+    r->supports += g.iterations;
+    r->on_a = g.on_a;
+    r->on_b = g.on_b;
+    r->status = SWEPT_NOT_FINITE;
+    if (g.status == DISTANCE_NOT_FINITE) return 0;
+    r->status = SWEPT_CAPPED;
+    if (g.status == DISTANCE_CAPPED) return 0;
+
+    // Overlap, after they were apart, is rounding's: the last axis stands.
+    if (g.status != DISTANCE_OVERLAP) r->normal = direction(g.axis);
+    r->status = first ? SWEPT_OVERLAP : SWEPT_TOUCHES;
+    if (!(g.distance > s->near)) return 0;
+
+    // Along n they part, or come nearer too slowly to meet on this way.
+    real closing = -vec3_dot(s->way, r->normal);
+    real next = r->time + (g.distance - s->aim) / closing;
+    r->status = SWEPT_PASSES;
+    if (!(closing > 0 && next <= 1)) return 0;
+    r->time = next;
+    r->status = SWEPT_CAPPED;
+    return 1;
+}
+//<
+
+//> swept-first-touch
+swept_result swept_first_touch(point_set a, vec3 way, point_set b, real apart,
+                               real tolerance, vec3 *scratch)
+{
+    assert(a.count >= 1 && b.count >= 1 && apart >= 0 && tolerance > 0);
+    sweep s;
+    swept_result r = { .status = SWEPT_NOT_FINITE };
+    if (!sweep_begin(&s, a, way, b, apart, tolerance, scratch)) return r;
+    while (r.iterations < SWEPT_CAP && sweep_step(&s, &r)) continue;
+    if (r.status == SWEPT_PASSES) r.time = 1;
+    r.on_a = vec3_add(r.on_a, b.at[0]);
+    r.on_b = vec3_add(r.on_b, b.at[0]);
+    return r;
+}
+//<

@@ -1,0 +1,52 @@
+//> swept-head
+// swept.h - when do two bodies on their way first touch?
+//
+// Paper: section 7 asks for very small time steps when objects are thin; here:
+// conservative advancement (Mirtich 1996) on gjk, because the time of touch can
+// be had for two or three distances.
+// Book: chapter 15.
+// Units: metres; time as a share of the way, 0 to 1.
+
+#ifndef TUMBLE_SWEPT_H
+#define TUMBLE_SWEPT_H
+
+#include "distance.h"
+
+typedef enum {
+    SWEPT_PASSES,       // they stay further apart than `apart` all the way
+    SWEPT_TOUCHES,      // first as near as `apart` at `time`
+    SWEPT_OVERLAP,      // as near as that at the start already: time 0
+    SWEPT_CAPPED,       // nearing, but too slowly to tell: time is a moment up
+                        // to which they surely do not touch
+    SWEPT_NOT_FINITE
+} swept_status;
+
+typedef struct {
+    swept_status status;
+    real time;          // 0 to 1; 1 if they pass
+    vec3 normal;        // unit, from B to A, at that time; 0 if the hulls
+                        // themselves overlap at the start: ask hit_face.  Of
+                        // bodies that pass: the last axis that parted them
+    vec3 on_a, on_b;    // m, the nearest points at that time, A's where A then
+                        // is; only of bodies that touch or overlap
+    distance_cache last;       // their vertices and weights
+    int  iterations;    // distances asked for
+    int  supports;      // support points that these asked for
+} swept_result;
+//<
+
+//> swept-declare
+enum { SWEPT_CAP = 64 };        // distances, at most
+
+// Hull a goes straight by `way` (m) as seen from b, without turning (a body
+// that turns: put its turning into `apart`, as the arc of its outermost point).
+// Touching is to come nearer than apart (m, >= 0), to within tolerance (m, > 0,
+// of which the caller knows the scale): the answer's distance lies between
+// apart and apart + tolerance.  A tolerance finer than doubles can tell, 8
+// units in the last place of the way and the sizes, is raised to that.
+// scratch: room for a.count + b.count points.
+swept_result swept_first_touch(point_set a, vec3 way, point_set b, real apart,
+                               real tolerance, vec3 *scratch);
+
+#endif
+//<

@@ -1,0 +1,654 @@
+//> line-rows
+// line.c - ropes, and the columns and rows of a cloth, solved at one stroke.
+//
+// Paper: section 3.2.  Book: chapter 12.
+
+#include "line.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+// So many lines are solved side by side.  Their numbers lie next to each other,
+// so that one instruction works on two, four or eight of them.  A rope, which
+// is alone, takes one lane.
+enum { LANES = 8 };
+
+// Many particles, each coordinate for itself.
+typedef struct {
+    real *x, *y, *z;    // m
+    real *weight;       // 1/kg, inverse mass
+} places;
+
+// A row of links holds that from particle k of every lane to particle k + 1.
+// A vector takes three fields.
+enum {
+    PUSH   = 0,         // m, the line along which the link pushes its ends
+    SOLVED = 3,         // kg, g of the elimination; then the multiplier
+    SHARE  = 4,         // 1 / pivot; then h of the elimination
+    FIELDS = 5
+};
+//<
+
+//> line-scratch
+// Row 0 of the links, and of a block's particles, are zeros, for who asks for
+// the one before the first: link k and particle k are in row k + 1.
+struct line_scratch {
+    int    particles;   // of the longest line that fits
+    int    room;        // particles of the body
+    real   lightest;    // 1/kg, the largest inverse mass
+    places now, before; // [room] at this step, and a step ago
+    places block;       // [(particles + 1) * LANES] of the lines in hand
+    real  *link;        // [(particles + 1) * LANES * FIELDS]
+    real   memory[];
+};
+
+// Every array begins with a line of the cache, of LINE bytes: a vector that
+// lies across two of them is fetched twice.
+enum { LINE = 64, IN_LINE = LINE / sizeof(real) };
+
+static real *line_begin(real *memory)
+{
+    uintptr_t over = (uintptr_t)memory % LINE;
+    return over ? memory + (LINE - over) / sizeof(real) : memory;
+}
+
+static places cut(real **memory, size_t n)
+{
+    real *at = *memory;
+    n = (n + IN_LINE - 1) / IN_LINE * IN_LINE;
+    *memory += 4 * n;
+    return (places){ at, at + n, at + 2 * n, at + 3 * n };
+}
+
+line_scratch *line_scratch_new(const shape *s)
+{
+    size_t room = s->directions > 0 ? (size_t)s->particles : 0, longest = 0;
+    for (int d = 0; d < s->directions; d++)
+        if ((size_t)s->strand[d].particles > longest)
+            longest = (size_t)s->strand[d].particles;
+    size_t rows = (longest + 1) * LANES;
+    line_scratch *scratch = malloc(sizeof *scratch + sizeof(real)
+                                   * (8 * room + (4 + FIELDS) * rows
+                                      + 13 * IN_LINE));
+    if (!scratch) return NULL;
+    real *memory = line_begin(scratch->memory);
+    scratch->particles = (int)longest;
+    scratch->room      = (int)room;
+    scratch->now    = cut(&memory, room);
+    scratch->before = cut(&memory, room);
+    scratch->block  = cut(&memory, rows);
+    scratch->link   = memory;
+    return scratch;
+}
+
+void line_scratch_free(line_scratch *scratch)
+{
+    free(scratch);
+}
+//<
+
+//> line-gather
+// Returns the largest weight.
+static real gather(places to, const particle *p, int n)
+{
+    real largest = 0;
+    for (int i = 0; i < n; i++) {
+        to.x[i] = p[i].position.x;
+        to.y[i] = p[i].position.y;
+        to.z[i] = p[i].position.z;
+        to.weight[i] = p[i].inverse_mass;
+        largest = to.weight[i] > largest ? to.weight[i] : largest;
+    }
+    return largest;
+}
+
+static void gather_before(places to, const particle *p, int n)
+{
+    for (int i = 0; i < n; i++) {
+        to.x[i] = p[i].previous.x;
+        to.y[i] = p[i].previous.y;
+        to.z[i] = p[i].previous.z;
+    }
+}
+
+static void gather_all(line_scratch *scratch, const particle *p, int n,
+                       relax_options options)
+{
+    assert(options.tolerance >= 0 && n <= scratch->room);
+    scratch->lightest = gather(scratch->now, p, n);
+    if (options.gradient == GRADIENT_OLD) gather_before(scratch->before, p, n);
+}
+
+static void scatter(places from, particle *p, int n)
+{
+    for (int i = 0; i < n; i++)
+        p[i].position = (vec3){ from.x[i], from.y[i], from.z[i] };
+}
+
+static inline vec3 place_get(places from, int i)
+{
+    return (vec3){ from.x[i], from.y[i], from.z[i] };
+}
+
+static inline void place_set(places to, int i, vec3 x)
+{
+    to.x[i] = x.x;
+    to.y[i] = x.y;
+    to.z[i] = x.z;
+}
+
+// The same, from place i on.
+static inline places places_from(places p, int i)
+{
+    return (places){ p.x + i, p.y + i, p.z + i, p.weight + i };
+}
+//<
+
+//> line-lane
+// A vector in lane l of a row of links.
+static inline vec3 lane_get(const real *row, int field, int lanes, int l)
+{
+    const real *at = row + field * lanes + l;
+    return (vec3){ at[0], at[lanes], at[2 * lanes] };
+}
+
+static inline void lane_set(real *row, int field, int lanes, int l, vec3 v)
+{
+    real *at = row + field * lanes + l;
+    at[0] = v.x;
+    at[lanes] = v.y;
+    at[2 * lanes] = v.z;
+}
+
+// The link from particle l of `here`, a row, to the one `pitch` further on.
+static inline vec3 lane_link(places here, int pitch, int l)
+{
+    return vec3_sub(place_get(here, l + pitch), place_get(here, l));
+}
+//<
+
+//> line-tally
+// What the lanes of a block report.
+typedef struct {
+    real worst[LANES];  // m^2, the largest |now - rest^2| / 2 before the step
+    real sum[LANES];    // m^2, the sum of them; of the old gradient only
+    real far[LANES];    // m^2, no less than the square of any move; no number
+                        // once a place is none
+} tally;
+
+// Twice what is wrong, for each link: halved in the end.
+static inline void count_wrong(tally *t, int l, real twice, int old)
+{
+    real size = fabs(twice);
+    t->worst[l] = t->worst[l] > size ? t->worst[l] : size;
+    if (old) t->sum[l] += size;
+}
+
+static void halve(tally *t, int lanes)
+{
+    for (int l = 0; l < lanes; l++) {
+        t->worst[l] /= 2;
+        t->sum[l] /= 2;
+    }
+}
+//<
+
+//> line-eliminate
+// A pivot below this share of its diagonal is what rounding left of nothing.
+static const real NOTHING = 1e-9;
+
+// Row k of the system, and Thomas's step with it (h and g as in the chapter,
+// but h and lower with the other sign, which spares turning them round):
+//     h_(k-1) = upper_(k-1) / pivot_(k-1)
+//     pivot_k = diagonal_k - lower_k h_(k-1)
+//     g_k     = (wrong_k + lower_k g_(k-1)) / pivot_k.
+// A link without length, between two nails, or that the ones before it leave
+// no freedom has no pivot: its multiplier is 0.  A link shorter than about
+// L / sqrt(3) asks for no more than twice its length.
+static inline void eliminate(places at, int pitch, real *restrict before,
+                             real *restrict here, int lanes, int old,
+                             real rest2, real half, tally *restrict t)
+{
+    for (int l = 0; l < lanes; l++) {
+        vec3 link = lane_link(at, pitch, l);
+        if (!old) lane_set(here, PUSH, lanes, l, link);
+        vec3 push = old ? lane_get(here, PUSH, lanes, l) : link;
+        real weight = at.weight[l], both = weight + at.weight[l + pitch];
+        real now = vec3_length_squared(link);
+
+        real lower = weight * vec3_dot(link, lane_get(before, PUSH, lanes, l));
+        real upper = old ? weight * vec3_dot(lane_link(at, pitch, l - pitch),
+                                             push)
+                         : lower;
+        real h = upper * before[SHARE * lanes + l];
+        before[SHARE * lanes + l] = h;
+        real diagonal = both * (old ? vec3_dot(link, push) : now);
+        real pivot = diagonal - lower * h;
+        real least = NOTHING * (old ? both * now : diagonal);
+        real inverse = pivot > least ? 1 / pivot : 0;
+        here[SHARE * lanes + l] = inverse;
+
+        real twice = now - rest2, asked = half * twice;
+        count_wrong(t, l, twice, old);
+        asked = asked > -now ? asked : -now;
+        asked += lower * before[SOLVED * lanes + l];
+        real solved = asked * inverse;
+        here[SOLVED * lanes + l] = solved;
+        if (!old) t->far[l] += asked * solved;
+    }
+}
+//<
+
+//> line-substitute
+// Upwards: the multiplier of link k, `here`, is g_k + h_k times that of link
+// k + 1, `after`.  Then the particle between them knows where to go, for link
+// k + 1 has left in `pull` what it asks:
+//     w (multiplier_(k+1) push_(k+1) - multiplier_k push_k).
+static inline void substitute(real *restrict x, real *restrict y,
+                              real *restrict z, const real *restrict weight,
+                              real *restrict here, const real *restrict after,
+                              int lanes, int old, real *restrict pull,
+                              real *restrict far)
+{
+    for (int l = 0; l < lanes; l++) {
+        real solved = here[SOLVED * lanes + l]
+                    + here[SHARE * lanes + l] * after[SOLVED * lanes + l];
+        here[SOLVED * lanes + l] = solved;
+        vec3 up = lane_get(pull, 0, lanes, l);
+        vec3 down = vec3_scale(solved, lane_get(here, PUSH, lanes, l));
+        vec3 d = vec3_scale(weight[l], vec3_sub(up, down));
+        lane_set(pull, 0, lanes, l, down);
+        if (old) far[l] += vec3_length_squared(d);
+        x[l] += d.x;
+        y[l] += d.y;
+        z[l] += d.z;
+    }
+}
+//<
+
+//> line-block
+// Up to LANES neighbouring lines of a body, on their way through the solver.
+typedef struct {
+    strands s;
+    const line_scratch *scratch;
+    real more;                  // what is asked for, in what is wrong
+    int  lanes;                 // 1 or LANES
+    int  start;                 // where in the body the line of lane 0 begins
+    int  open[LANES];           // 1: not solved yet
+    int  in_place;              // 1: solved where the body's places are
+    places at;                  // particle k of lane l is number k pitch + l
+    int  pitch;
+    tally t;
+    real first[LANES];          // m^2, t.worst before the first step
+} block;
+
+static inline real *row_at(const block *b, int k)
+{
+    return b->scratch->link + (k + 1) * FIELDS * b->lanes;
+}
+
+// The lines from number first on.  Where fewer than LANES are left, it begins
+// with lines of the block before: what comes out there is not looked at.
+static void block_begin(block *b, int first)
+{
+    int last = b->s.lines - b->lanes, begin = first < last ? first : last;
+    b->start = begin * b->s.across;
+    for (int l = 0; l < b->lanes; l++) b->open[l] = begin + l >= first;
+}
+//<
+
+//> line-load
+// Neighbouring columns lie side by side in the body, and are solved where they
+// are.  Rows, and what must not be solved twice or may have to be taken back
+// (the old gradient), are copied.
+static int fits_in_place(const block *b, int old)
+{
+    int open = 0;
+    for (int l = 0; l < b->lanes; l++) open += b->open[l];
+    return !old && open == b->lanes && (b->lanes == 1 || b->s.across == 1);
+}
+
+// One particle of all lanes, and back.
+static inline void lanes_in(real *restrict to, const real *restrict from,
+                            int across)
+{
+    for (int l = 0; l < LANES; l++) to[l] = from[l * across];
+}
+
+static inline void lanes_out(real *restrict to, const real *restrict from,
+                             int across)
+{
+    for (int l = 0; l < LANES; l++) to[l * across] = from[l];
+}
+
+static void block_copy(block *b)
+{
+    places body = b->scratch->now, room = b->scratch->block;
+    int lanes = b->lanes, across = b->s.across;
+    for (int l = 0; l < lanes; l++) place_set(room, l, (vec3){ 0, 0, 0 });
+    b->pitch = lanes;
+    b->at = places_from(room, lanes);
+    for (int k = 0; k < b->s.particles; k++) {
+        places to = places_from(b->at, k * lanes);
+        places from = places_from(body, b->start + k * b->s.along);
+        if (lanes == 1) {
+            place_set(to, 0, place_get(from, 0));
+            to.weight[0] = from.weight[0];
+        } else {
+            lanes_in(to.x, from.x, across);
+            lanes_in(to.y, from.y, across);
+            lanes_in(to.z, from.z, across);
+            lanes_in(to.weight, from.weight, across);
+        }
+    }
+}
+
+static void block_load(block *b, int old)
+{
+    int links = b->s.particles - 1;
+    b->in_place = fits_in_place(b, old);
+    b->pitch = b->s.along;
+    b->at = places_from(b->scratch->now, b->start);
+    if (!b->in_place) block_copy(b);
+
+    // No link comes before the first, none after the last.
+    real *before = row_at(b, -1), *after = row_at(b, links);
+    for (int f = 0; f < FIELDS * b->lanes; f++) before[f] = after[f] = 0;
+    for (int k = 0; k < links && old; k++)
+        for (int l = 0; l < b->lanes; l++)
+            lane_set(row_at(b, k), PUSH, b->lanes, l,
+                     lane_link(b->scratch->before, b->s.along,
+                               b->start + l * b->s.across + k * b->s.along));
+}
+
+// The lanes that are solved go where they came from.
+static void block_store(const block *b, const int *solved)
+{
+    int all = b->lanes == LANES;
+    if (b->in_place) return;
+    for (int l = 0; l < b->lanes; l++) all &= solved[l];
+    for (int k = 0; k < b->s.particles; k++) {
+        places from = places_from(b->at, k * b->lanes);
+        places to = places_from(b->scratch->now, b->start + k * b->s.along);
+        for (int l = 0; l < b->lanes && !all; l++)
+            if (solved[l])
+                place_set(to, l * b->s.across, place_get(from, l));
+        if (!all) continue;
+        lanes_out(to.x, from.x, b->s.across);
+        lanes_out(to.y, from.y, b->s.across);
+        lanes_out(to.z, from.z, b->s.across);
+    }
+}
+//<
+
+//> line-sweeps
+// What these loops count stands in variables of their own, which can be nobody
+// else's: else a compiler would have to ask in every row.
+static inline void eliminate_lines(block *b, int lanes, int old)
+{
+    tally t = { .worst = { 0 } };
+    places at = b->at;
+    real *row = row_at(b, -1), rest = b->s.rest_length;
+    int pitch = b->pitch;
+    for (int k = 1; k < b->s.particles; k++) {
+        eliminate(at, pitch, row, row + FIELDS * lanes, lanes, old,
+                  rest * rest, b->more / 2, &t);
+        row += FIELDS * lanes;
+        at = places_from(at, pitch);
+    }
+    halve(&t, lanes);
+    for (int l = 0; l < lanes; l++) t.far[l] *= b->scratch->lightest;
+    b->t = t;
+}
+
+// The last pair has no link above it: it moves particle 0.
+static inline void substitute_lines(block *b, int lanes, int old)
+{
+    real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
+    int pitch = b->pitch;
+    for (int k = b->s.particles - 1; k >= 0; k--) {
+        places at = places_from(b->at, k * pitch);
+        real *row = b->scratch->link + k * FIELDS * lanes;
+        substitute(at.x, at.y, at.z, at.weight, row, row + FIELDS * lanes,
+                   lanes, old, pull, far);
+    }
+    for (int l = 0; l < lanes && old; l++) b->t.far[l] = far[l];
+}
+
+// One loop for each number of lanes and each gradient, so that no loop chooses
+// and the compiler knows how many numbers lie side by side.
+static void block_eliminate(block *b, int old)
+{
+    if (b->lanes == 1 && old) eliminate_lines(b, 1, 1);
+    else if (b->lanes == 1)   eliminate_lines(b, 1, 0);
+    else if (old)             eliminate_lines(b, LANES, 1);
+    else                      eliminate_lines(b, LANES, 0);
+}
+
+static void block_substitute(block *b, int old)
+{
+    if (b->lanes == 1 && old) substitute_lines(b, 1, 1);
+    else if (b->lanes == 1)   substitute_lines(b, 1, 0);
+    else if (old)             substitute_lines(b, LANES, 1);
+    else                      substitute_lines(b, LANES, 0);
+}
+
+static void block_measure(block *b)
+{
+    tally t = { .worst = { 0 } };
+    real rest = b->s.rest_length;
+    for (int k = 0; k + 1 < b->s.particles; k++)
+        for (int l = 0; l < b->lanes; l++) {
+            vec3 link = lane_link(b->at, b->pitch, k * b->pitch + l);
+            count_wrong(&t, l, vec3_length_squared(link) - rest * rest, 0);
+        }
+    halve(&t, b->lanes);
+    for (int l = 0; l < b->lanes; l++) b->t.worst[l] = t.worst[l];
+}
+//<
+
+//> line-too-far
+// A line that is nearly straight between two nails hardly answers to its
+// multipliers, and they grow without bounds.  To mend all its errors one after
+// the other nobody need move farther than their sum; if somebody moved farther
+// than that and half a link, the whole line goes back, to the share of the way
+// that this allows: so every pull keeps its counterpart.
+static vec3 move_of(const block *b, int k, int l)
+{
+    const real *here = row_at(b, k - 1), *after = row_at(b, k);
+    int solved = SOLVED * b->lanes + l;
+    vec3 up = vec3_scale(after[solved], lane_get(after, PUSH, b->lanes, l));
+    vec3 down = vec3_scale(here[solved], lane_get(here, PUSH, b->lanes, l));
+    return vec3_scale(b->at.weight[k * b->pitch + l], vec3_sub(up, down));
+}
+
+// m^2, the sum of what was wrong.  Along the new links nobody counted it: there
+// each has left what it was in the row.
+static real sum_of_wrong(const block *b, int l, int old)
+{
+    real rest = b->s.rest_length, sum = 0;
+    if (old) return b->t.sum[l];
+    for (int k = 0; k + 1 < b->s.particles; k++) {
+        vec3 link = lane_get(row_at(b, k), PUSH, b->lanes, l);
+        sum += fabs(vec3_length_squared(link) - rest * rest) / 2;
+    }
+    return sum;
+}
+
+static void hold_back(block *b, int l, int old)
+{
+    real rest = b->s.rest_length, far = 0;
+    real most = rest / 2 + sum_of_wrong(b, l, old) / rest;
+    for (int k = 0; k < b->s.particles; k++)
+        far = fmax(far, vec3_length_squared(move_of(b, k, l)));
+    if (!(far > most * most)) return;
+    real back = most / sqrt(far) - 1;
+    for (int k = 0; k < b->s.particles; k++) {
+        int i = k * b->pitch + l;
+        place_set(b->at, i, vec3_add_scaled(place_get(b->at, i), back,
+                                            move_of(b, k, l)));
+    }
+}
+//<
+
+//> line-newton
+// Where all moves together are short, each is.
+static void block_step(block *b, int old)
+{
+    real rest = b->s.rest_length;
+    block_eliminate(b, old);
+    block_substitute(b, old);
+    for (int l = 0; l < b->lanes; l++)
+        if (b->t.far[l] > rest * rest / 4) hold_back(b, l, old);
+}
+
+// Newton steps for all lanes, from where the particles are.  Returns how many.
+static int block_newton(block *b, int old, int most, real tolerance)
+{
+    real enough = tolerance * b->s.rest_length * b->s.rest_length;
+    block_load(b, old);
+    for (int done = 1; ; done++) {
+        block_step(b, old);
+        real worst = 0;
+        for (int l = 0; l < b->lanes; l++) {
+            if (done == 1) b->first[l] = b->t.worst[l];
+            worst = b->t.worst[l] > worst ? b->t.worst[l] : worst;
+        }
+        if (done == most || worst <= enough) return done;
+    }
+}
+
+// A sum with a NaN in it, or out of all bounds.
+static int is_lost(const block *b, int l)
+{
+    return !(b->t.far[l] < HUGE_VAL);
+}
+//<
+
+//> line-settle
+// Newton's step squares a small error.  One that leaves more than an eighth of
+// it did not work, unless what it leaves is rounding: in strain,
+static const real ROUNDING = 1e-9;
+
+static void block_judge(const block *b, real tolerance, int *solved)
+{
+    real enough = fmax(tolerance, ROUNDING) * b->s.rest_length
+                                            * b->s.rest_length;
+    for (int l = 0; l < b->lanes; l++)
+        solved[l] = b->open[l] && !is_lost(b, l)
+                 && b->t.worst[l] <= fmax(enough, b->first[l] / 8);
+}
+
+// Closes the lanes that are solved, and stores them.  Returns how many are
+// open still.
+static int block_close(block *b, const int *solved, const real *worst,
+                       line_result *r)
+{
+    real rest = b->s.rest_length;
+    int open = 0;
+    for (int l = 0; l < b->lanes; l++) {
+        if (solved[l]) {
+            b->open[l] = 0;
+            r->worst = fmax(r->worst, worst[l] / (rest * rest));
+        }
+        open += b->open[l];
+    }
+    block_store(b, solved);
+    return open;
+}
+//<
+
+//> line-solve
+// Along the old links.  Returns how many lanes are open still.
+static int block_solve_old(block *b, int steps, real tolerance, line_result *r)
+{
+    int solved[LANES], done = block_newton(b, 1, steps, tolerance);
+    real worst[LANES];
+    for (int l = 0; l < b->lanes; l++) worst[l] = b->t.worst[l];
+    block_measure(b);
+    block_judge(b, tolerance, solved);
+    if (done > r->steps) r->steps = done;
+    return block_close(b, solved, worst, r);
+}
+
+// A line whose numbers are lost, or get lost, goes back to where it began.
+static void block_restore(block *b, int l, const particle *p)
+{
+    for (int k = 0; k < b->s.particles; k++) {
+        int i = b->start + l * b->s.across + k * b->s.along;
+        place_set(b->scratch->now, i, p[i].position);
+    }
+}
+
+// The open lanes along the new ones.
+static void block_solve_new(block *b, int steps, real tolerance,
+                            const particle *p, line_result *r)
+{
+    int solved[LANES], done = block_newton(b, 0, steps, tolerance);
+    for (int l = 0; l < b->lanes; l++) {
+        solved[l] = b->open[l] && !is_lost(b, l);
+        if (b->open[l] && !solved[l]) block_restore(b, l, p);
+    }
+    if (done > r->steps) r->steps = done;
+    if (block_close(b, solved, b->t.worst, r) > 0) r->worst = HUGE_VAL;
+}
+
+// All lines of the direction b.s, from the places to the places; p is where
+// they were when the places were gathered.
+static void solve(block b, const particle *p, int steps, relax_options options,
+                  line_result *r)
+{
+    assert(b.s.particles <= b.scratch->particles);
+    b.lanes = b.s.lines < LANES ? 1 : LANES;
+    for (int first = 0; first < b.s.lines; first += b.lanes) {
+        block_begin(&b, first);
+        if (options.gradient == GRADIENT_OLD) {
+            if (block_solve_old(&b, steps, options.tolerance, r) == 0) continue;
+            r->fell_back = 1;
+        }
+        block_solve_new(&b, steps, options.tolerance, p, r);
+    }
+}
+//<
+
+//> line-relax
+line_result line_solve(const strands *s, particle *p, int steps,
+                       relax_options options, line_scratch *scratch)
+{
+    assert(steps >= 1);
+    line_result r = { .worst = 0 };
+    int last = (s->lines - 1) * s->across + (s->particles - 1) * s->along;
+    gather_all(scratch, p, last + 1, options);
+    solve((block){ .s = *s, .scratch = scratch, .more = 1 }, p, steps, options,
+          &r);
+    scatter(scratch->now, p, last + 1);
+    return r;
+}
+
+// What one direction of a cloth does the other half undoes: sweep after sweep.
+// All but the last ask for more than what is wrong.  (Along the old links it
+// would be taken for failure.)  A rope has only one direction, and no need.
+static const real MORE = 1.3;
+
+line_result lines_relax(const shape *s, particle *p, int sweeps,
+                        relax_options options, line_scratch *scratch)
+{
+    assert(sweeps >= 1);
+    line_result r = { .worst = 0 };
+    int most = s->directions > 1 ? sweeps : 1, done = 0;
+    int is_new = options.gradient == GRADIENT_NEW;
+    gather_all(scratch, p, s->particles, options);
+    do {
+        real more = is_new && done + 1 < most ? MORE : 1;
+        r.worst = 0;
+        for (int d = 0; d < s->directions; d++)
+            solve((block){ .s = s->strand[d], .scratch = scratch,
+                           .more = more }, p, 1, options, &r);
+    } while (++done < most && !(r.worst <= options.tolerance));
+    scatter(scratch->now, p, s->particles);
+    r.steps = done;
+    return r;
+}
+//<

@@ -1,0 +1,57 @@
+//> line-head
+// line.h - ropes, and the columns and rows of a cloth, solved at one stroke.
+//
+// Paper: section 3.2 relaxes them stick by stick.  Here: Newton's step for all
+// links of a line at once, a tridiagonal system (Thomas 1949).
+// Book: chapter 12.
+// Units: metres, inverse masses in 1/kg.
+
+#ifndef TUMBLE_LINE_H
+#define TUMBLE_LINE_H
+
+#include "body.h"
+
+// Memory for lines: one for each thread that solves.
+typedef struct line_scratch line_scratch;
+
+// What one call did.
+typedef struct {
+    real worst;         // largest |length^2 - rest^2| / (2 rest^2) met BEFORE
+                        // the last step: e + e^2 / 2 for a strain e.  HUGE_VAL
+                        // for NaN
+    int  steps;         // Newton steps done
+    int  fell_back;     // 1: GRADIENT_OLD failed, GRADIENT_NEW finished
+} line_result;
+//<
+
+//> line-declare
+// Room for the strands of s.  NULL if memory is refused.
+line_scratch *line_scratch_new(const shape *s);
+void          line_scratch_free(line_scratch *scratch);
+
+// Brings every link of the strands (all lines of one direction, solved side by
+// side) to its rest length: Newton steps until no link is off by more than
+// options.tolerance, at most `steps` (>= 1) of them.  With one step the error
+// falls from e to about e^2.  p is the first particle of the body.  Gradients
+// as options.gradient says; GRADIENT_OLD keeps momentum and angular momentum;
+// where it fails (it leaves a line more than an eighth of its error and more
+// than options.tolerance, or numbers that are not finite) that line is restored
+// and solved along GRADIENT_NEW.
+// Nailed particles stay.  A link between two nails, or one without length or
+// direction, is left.  No step moves a particle farther than half a link and
+// the sum of its line's errors.  Never NaN for finite places: a line whose
+// numbers are lost stays as it is, and shows in `worst`.
+line_result line_solve(const strands *s, particle *p, int steps,
+                       relax_options options, line_scratch *scratch);
+
+// All strands of a body, one direction after the other, one step each, until
+// none met an error above options.tolerance, but at most `sweeps` (>= 1) times.
+// The result: worst of the last sweep, sweeps in the place of steps.  As if by
+// line_solve for each direction, but along the new gradient all sweeps but the
+// last ask for 1.3 times what is wrong, and the places are fetched and brought
+// back only once.  (A lost line goes back to where it was before them all.)
+line_result lines_relax(const shape *s, particle *p, int sweeps,
+                        relax_options options, line_scratch *scratch);
+
+#endif
+//<

@@ -1,0 +1,40 @@
+//> measure-head
+// measure.h - how far from right is the world?
+//
+// Paper: section 7 measures time only.  Book: chapter 16.
+// Units: metres, kilograms, seconds, joules, in the world's frame.
+
+#ifndef TUMBLE_MEASURE_H
+#define TUMBLE_MEASURE_H
+
+#include "world.h"
+//<
+
+//> measure-struct
+// How far from right the world is, measured from the positions alone.
+typedef struct {
+    real strain;        // largest of |length - rest| / rest, stiff sticks
+    real strain_rms;    // over the same
+    real shear;         // largest over the soft sticks (a cloth's diagonals)
+    real penetration;   // m, deepest: rigid bodies in each other, in planes,
+                        // particles of deformable bodies in rigid ones
+    real kinetic;       // J, by the velocities half a step ago
+    real potential;     // J, 0 at the origin's height
+    vec3 momentum;      // kg m/s
+    vec3 angular;       // kg m^2/s, about the origin
+} measures;
+//<
+
+//> measure-declare
+// Measures the world as it stands, afresh, from where the particles are.  Not
+// part of the step, and slower than one; the next step is the same with it or
+// without it.  Requires world_begin.  A body whose numbers are lost shows as a
+// strain of HUGE_VAL, a penetration of NaN.
+measures world_measure(world *w);
+
+// FNV-1a over the bytes of all positions: equal bits, equal hash, between
+// machines that store numbers in the same order of bytes.
+unsigned long long world_hash(const world *w);
+
+#endif
+//<

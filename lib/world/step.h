@@ -1,0 +1,18 @@
+//> step-head
+// step.h - one frame: integrate, find, separate, relax.
+//
+// Paper: sections 5 and 6.  Book: chapter 16.
+
+#ifndef TUMBLE_STEP_H
+#define TUMBLE_STEP_H
+
+#include "world.h"
+
+// One frame of options.dt: every body moves, is parted from what it met, and is
+// relaxed; what it did is in w->report.  Requires world_begin.  Allocates
+// nothing and never fails: a body whose numbers are lost touches nothing, and
+// w->report.dropped counts what found no room.
+void world_step(world *w);
+
+#endif
+//<

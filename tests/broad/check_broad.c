@@ -1,0 +1,688 @@
+// check_broad.c - are the sorted pairs those of every pair, whatever comes?
+// Book: chapter 14.
+
+#include <check.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "broad.h"
+#include "scarce.h"
+
+enum { MANY = 2000, MOST_PAIRS = MANY * (MANY - 1) / 2 };
+
+// A reader's code (exercises/judge.h) is slowed down by sanitizers.
+#ifdef TUMBLE_JUDGE_H
+enum { SMALL_SCENES = 1000, LARGE = 700, FRAMES = 200 };
+#else
+enum { SMALL_SCENES = 10000, LARGE = MANY, FRAMES = 600 };
+#endif
+
+static broad  s;
+static int    bodies;
+static sphere ball[MANY];
+static char   moves[MANY];
+static int    found[MOST_PAIRS + 1][2], wanted[MOST_PAIRS + 1][2];
+
+static const sphere EMPTY = { { 0, 0, 0 }, -1 };
+
+// --- scenes ------------------------------------------------------------------
+
+static unsigned long long seed;
+
+// In 0 .. n - 1.
+static int any(int n)
+{
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (int)((seed >> 33) % (unsigned long long)n);
+}
+
+static real anywhere(real side)
+{
+    return side * any(1 << 30) / (1 << 30);
+}
+
+static sphere any_ball(real side, real radius)
+{
+    real x = anywhere(side), y = anywhere(side), z = anywhere(side);
+    return (sphere){ { x, y, z }, radius };
+}
+
+// Its four numbers: centre and radius.
+static real *part(sphere *of, int k)
+{
+    real *const number[] = { &of->center.x, &of->center.y, &of->center.z,
+                             &of->radius };
+    return number[k];
+}
+
+static void begin(int n)
+{
+    broad_free(&s);
+    bodies = n;
+    ck_assert(broad_init(&s, n).ok);
+    memset(moves, 1, sizeof moves);
+}
+
+static void set_up(void)
+{
+    seed = 13;
+    begin(0);
+}
+
+static void tear_down(void)
+{
+    broad_free(&s);
+}
+
+// Where most pairs of a scene meet, or there is no room for them, sorting is
+// given up.  So that few bodies are sorted, too, there are `crowd` others after
+// them, which overlap them along x and meet nobody.
+static void begin_among(int n, int crowd)
+{
+    begin(n + crowd);
+    for (int b = n; b < n + crowd; b++)
+        ball[b] = (sphere){ { anywhere(2) - 1, b * 1e4, 0 }, 0.25 };
+}
+
+// n balls of radius 0.5 in a room as full as the book's.
+static void begin_room(int n)
+{
+    begin(n);
+    real side = cbrt(0.317 * n / 0.15);
+    for (int b = 0; b < n; b++) ball[b] = any_ball(side, 0.5);
+}
+
+// --- what must hold ----------------------------------------------------------
+
+// What found holds is what wanted holds.
+static void same_pairs(int n)
+{
+    if (memcmp(found, wanted, (size_t)n * sizeof *found) == 0) return;
+    for (int k = 0; k < n; k++)
+        ck_assert_msg(found[k][0] == wanted[k][0]
+                      && found[k][1] == wanted[k][1],
+                      "pair %d of %d is (%d, %d), wanted (%d, %d)", k, n,
+                      found[k][0], found[k][1], wanted[k][0], wanted[k][1]);
+}
+
+// Sorted and all pairs have the same answer; returns how many there are.
+static int agreed(int capacity)
+{
+    int n = broad_pairs(&s, ball, moves, found, capacity);
+    int all = broad_pairs_all(ball, moves, bodies, wanted, capacity);
+    ck_assert_int_eq(n, all);
+    same_pairs(n < capacity ? n : capacity);
+    return n;
+}
+
+static int has(int a, int b)
+{
+    int n = agreed(MOST_PAIRS);
+    for (int k = 0; k < n; k++)
+        if (found[k][0] == a && found[k][1] == b) return 1;
+    return 0;
+}
+
+// --- the answer --------------------------------------------------------------
+
+// Rejects: pairs in the order of the sweep; (b, a) for (a, b); pairs of balls
+// that only overlap along x.
+START_TEST(neighbours_are_found_in_order)
+{
+    static const int right[3][2] = { { 0, 2 }, { 1, 3 }, { 2, 3 } };
+    begin_among(5, 40);
+    ball[0] = (sphere){ { 3, 0, 0 }, 1 };
+    ball[1] = (sphere){ { 0, 0, 0 }, 1 };
+    ball[2] = (sphere){ { 2, 1, 0 }, 1 };
+    ball[3] = (sphere){ { 1, 0, 1 }, 1 };
+    ball[4] = (sphere){ { 1, 0, 9 }, 1 };
+    ck_assert_int_eq(agreed(MOST_PAIRS), 3);
+    memcpy(wanted, right, sizeof right);
+    same_pairs(3);
+}
+END_TEST
+
+// Whole numbers have no rounding, and many of these balls touch exactly or
+// begin at the same place.  The oracle counts in int.
+// Rejects: any error that both ways share; < for <= in the sphere test or in
+// the sweep.
+START_TEST(balls_of_whole_numbers_are_judged_exactly)
+{
+    for (int round = 0; round < 3000; round++) {
+        int n = any(60), side = 2 + any(14), right = 0, at[60][4];
+        begin(n);
+        for (int b = 0; b < n; b++) {
+            for (int k = 0; k < 3; k++) at[b][k] = any(side);
+            at[b][3] = any(4) - (any(8) == 0 ? 3 : 0);
+            moves[b] = (char)any(2);
+            ball[b] = (sphere){ { at[b][0], at[b][1], at[b][2] }, at[b][3] };
+        }
+        for (int a = 0; a < n; a++)
+            for (int b = a + 1; b < n; b++) {
+                int d2 = 0, r = at[a][3] + at[b][3];
+                for (int k = 0; k < 3; k++)
+                    d2 += (at[a][k] - at[b][k]) * (at[a][k] - at[b][k]);
+                if (at[a][3] < 0 || at[b][3] < 0 || d2 > r * r) continue;
+                if (!moves[a] && !moves[b]) continue;
+                wanted[right][0] = a;
+                wanted[right++][1] = b;
+            }
+        int n_found = broad_pairs(&s, ball, moves, found, MOST_PAIRS);
+        ck_assert_int_eq(n_found, right);
+        same_pairs(right);
+        agreed(any(right + 2));
+    }
+}
+END_TEST
+
+// Near 0 rounding leaves no room for ends that are set further out.
+// Rejects: a test that is strict, or generous; a sweep that stops too early.
+START_TEST(exact_touch_is_found_and_a_hair_less_is_not)
+{
+    static const real size[] = { 1, 0x1p-1060 };
+    for (int k = 0; k < 3 * 2 * 2 * 3; k++) {
+        int axis = k % 3, left = k / 3 % 2, still = k / 12;
+        real d = size[k / 6 % 2];
+        begin_among(2, 10);
+        if (still < 2) moves[still] = 0;
+        ball[left]  = (sphere){ { 0, 0, 0 }, 0.25 * d };
+        ball[!left] = (sphere){ { 0, 0, 0 }, 0.75 * d };
+        *part(&ball[!left], axis) = d;
+        ck_assert_int_eq(agreed(1), 1);
+        *part(&ball[!left], axis) = nextafter(d, 2);
+        ck_assert_int_eq(agreed(1), 0);
+    }
+}
+END_TEST
+
+// Balls that touch as well as rounding lets them, near the origin and far out.
+// Rejects: ends of intervals as they are rounded, which lose pairs.
+START_TEST(rounded_ends_lose_nobody)
+{
+    int touching = 0;
+    for (int round = 0; round < 20000; round++) {
+        begin_among(2, 10);
+        real far = round % 2 ? 1 : 0x1p30;
+        real ra = anywhere(1) / 3, rb = anywhere(1) / 3;
+        real x = far * (anywhere(2) - 1) / 3;
+        int left = any(2);
+        ball[left]  = (sphere){ { x, 0, 0 }, ra };
+        ball[!left] = (sphere){ { x + (ra + rb), 0, 0 }, rb };
+        touching += agreed(1);
+    }
+    ck_assert_int_gt(touching, 10000);
+}
+END_TEST
+
+// --- all kinds of scenes -----------------------------------------------------
+
+static real odd_number(void)
+{
+    switch (any(6)) {
+    case 0:  return (real)NAN;
+    case 1:  return HUGE_VAL;
+    case 2:  return -HUGE_VAL;
+    case 3:  return anywhere(1e308);
+    case 4:  return -anywhere(1e308);
+    default: return anywhere(1e-310);
+    }
+}
+
+// kind 0: a room; 1: a heap; 2: 64 places; 3: a column; 4: one large among
+// small; 5: odd numbers among them.
+static void begin_kind(int n, int kind)
+{
+    begin_room(n);
+    for (int b = 0; b < n; b++) {
+        sphere *at = &ball[b];
+        if (kind == 1) *at = any_ball(1, anywhere(0.2));
+        if (kind == 2) at->center = vec3_make(3 * any(4), 3 * any(4), any(4));
+        if (kind == 3) at->center = vec3_make(anywhere(0.1), b * 0.9, 0);
+        if (kind == 5 && any(8) == 0) *part(at, any(4)) = odd_number();
+        if (any(16) == 0) at->radius = -anywhere(1);
+        moves[b] = any(4) > 0;
+    }
+    if (kind == 4 && n > 0) ball[any(1 + n / 4)].radius = 1000;
+}
+
+// Rejects: nearly everything.
+START_TEST(small_scenes_agree)
+{
+    for (int round = 0; round < SMALL_SCENES; round++) {
+        begin_kind(any(90), round % 6);
+        int n = agreed(MOST_PAIRS);
+        // Again, now from an order that is right, and with too little room.
+        agreed(any(n + 1));
+    }
+}
+END_TEST
+
+// Rejects: what small scenes do not reach: Shell's passes, long lists of one a.
+START_TEST(large_scenes_agree)
+{
+    for (int kind = 0; kind < 6; kind++) {
+        begin_kind(LARGE, kind);
+        int n = agreed(MOST_PAIRS);
+        agreed(n / 2);
+    }
+}
+END_TEST
+
+// Rejects: an order of equal ends that is left open; a sort of pairs that is
+// lost among very many.
+START_TEST(all_in_one_place_meet_all)
+{
+    begin(MANY);
+    for (int b = 0; b < MANY; b++) ball[b] = (sphere){ { 1, 2, 3 }, 0 };
+    ck_assert_int_eq(agreed(MOST_PAIRS), MOST_PAIRS);
+    for (int b = 0; b < MANY; b++) ck_assert_int_eq(s.order[b], b);
+}
+END_TEST
+
+// Rejects: a last or a first body that is left out.
+START_TEST(no_body_and_one_body_meet_nobody)
+{
+    for (int n = 0; n < 2; n++) {
+        begin(n);
+        ball[0] = (sphere){ { 0, 0, 0 }, 1 };
+        ck_assert_int_eq(agreed(MOST_PAIRS), 0);
+        ck_assert_int_eq(broad_pairs(&s, ball, moves, NULL, 0), 0);
+    }
+}
+END_TEST
+
+// Whole numbers, so that every size holds the same scene.
+// Rejects: squares that are lost below 1e-162 or beyond 1e154.
+START_TEST(size_does_not_matter)
+{
+    static const int power[] = { -1070, -1022, -600, -480, 480, 600, 1015 };
+    begin(200);
+    for (int b = 0; b < 200; b++) {
+        ball[b] = (sphere){ { any(40), any(40), any(40) }, any(5) };
+        moves[b] = any(3) > 0;
+    }
+    int n = agreed(MOST_PAIRS);
+    ck_assert_int_gt(n, 100);
+    for (size_t k = 0; k < sizeof power / sizeof *power; k++) {
+        static sphere kept[200];
+        memcpy(kept, ball, sizeof kept);
+        for (int b = 0; b < 200; b++)
+            for (int i = 0; i < 4; i++)
+                *part(&ball[b], i) = ldexp(*part(&ball[b], i), power[k]);
+        ck_assert_int_eq(broad_pairs(&s, ball, moves, found, MOST_PAIRS), n);
+        memcpy(ball, kept, sizeof kept);
+        broad_pairs_all(ball, moves, bodies, wanted, MOST_PAIRS);
+        same_pairs(n);
+    }
+}
+END_TEST
+
+// --- who moves ---------------------------------------------------------------
+
+// Rejects: pairs of two that stand still; work for those who sleep.
+START_TEST(nobody_moves_nobody_meets)
+{
+    begin(50);
+    for (int b = 0; b < 50; b++) ball[b] = (sphere){ { -b, 0, 0 }, 1 };
+    memset(moves, 0, sizeof moves);
+    ck_assert_int_eq(agreed(MOST_PAIRS), 0);
+    for (int b = 0; b < 50; b++) ck_assert_int_eq(s.order[b], b);
+}
+END_TEST
+
+// Rejects: a sweep that starts from movers only, and loses who is left of them.
+START_TEST(one_that_moves_meets_those_that_do_not)
+{
+    begin(50);
+    for (int b = 0; b < 50; b++) ball[b] = (sphere){ { b * 0.1, 0, 0 }, 10 };
+    for (int who = 0; who < 50; who++) {
+        memset(moves, 0, sizeof moves);
+        moves[who] = 1;
+        ck_assert_int_eq(agreed(MOST_PAIRS), 49);
+    }
+}
+END_TEST
+
+// --- odd balls ---------------------------------------------------------------
+
+enum { CROWD = 30 };
+
+// Three balls in a row touch; the fourth is odd.
+static void begin_row(sphere fourth)
+{
+    begin_among(4, CROWD);
+    for (int b = 0; b < 3; b++) ball[b] = (sphere){ { b, 0, 0 }, 0.5 };
+    ball[3] = fourth;
+}
+
+// Rejects: a sphere test that squares the sum of the radii and looks no
+// further; an empty ball in the way of the sweep.
+START_TEST(ball_of_negative_radius_meets_nobody)
+{
+    static const real radius[] = { -1e-300, -0.25, -1, -1e300, -HUGE_VAL };
+    for (size_t k = 0; k < sizeof radius / sizeof *radius; k++)
+        for (int b = 0; b < 3; b++) {
+            begin_row((sphere){ { b, 0, 0 }, radius[k] });
+            ck_assert_int_eq(agreed(MOST_PAIRS), 2);
+            // Not even one that meets everybody, wherever they all are.
+            ball[0].center.x = 1e300;
+            ball[2].radius = (real)NAN;
+            ball[3].center.x = (real)NAN;
+            ck_assert_int_eq(agreed(MOST_PAIRS), 2 + CROWD);
+            ck_assert(!has(2, 3));
+        }
+}
+END_TEST
+
+// Rejects: a NaN that is compared once, found not to be greater or not to be
+// less, and is lost, or ends up anywhere and spoils the order of the others.
+START_TEST(ball_that_is_nan_meets_everybody_else_and_spoils_nothing)
+{
+    for (int which = 0; which < 4; which++)
+        for (int where = 0; where < 100; where++) {
+            begin_kind(100, 0);
+            int before = agreed(MOST_PAIRS), rest = 0, others = 0;
+            for (int k = 0; k < before; k++)
+                rest += found[k][0] != where && found[k][1] != where;
+            ball[where].radius = 0.5;
+            moves[where] = 1;
+            *part(&ball[where], which) = (real)NAN;
+            for (int b = 0; b < 100; b++)
+                others += b != where && ball[b].radius >= 0;
+            ck_assert_int_eq(agreed(MOST_PAIRS), rest + others);
+        }
+}
+END_TEST
+
+// Rejects: inf - inf, which is NaN, as an end.
+START_TEST(infinite_radius_meets_everybody)
+{
+    begin_row((sphere){ { 1e9, 1e9, 1e9 }, HUGE_VAL });
+    ck_assert_int_eq(agreed(MOST_PAIRS), 5 + CROWD);
+    for (int axis = 0; axis < 3; axis++) {
+        *part(&ball[3], axis) = -HUGE_VAL;
+        ck_assert_int_eq(agreed(MOST_PAIRS), 5 + CROWD);
+    }
+}
+END_TEST
+
+// Two that are infinitely far on the same side cannot be told apart, and are
+// reported; from all others they are apart.
+// Rejects: a body that has flown off and takes part in every pair from now on.
+START_TEST(infinitely_far_ball_meets_only_its_like)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        begin_row((sphere){ { 0, 0, 0 }, 0.5 });
+        *part(&ball[3], axis) = HUGE_VAL;
+        ck_assert_int_eq(agreed(MOST_PAIRS), 2);
+        ball[0] = ball[3];
+        ck_assert(has(0, 3) && !has(0, 1) && has(1, 2));
+        *part(&ball[0], axis) = -HUGE_VAL;
+        ck_assert_int_eq(agreed(MOST_PAIRS), 1);
+    }
+}
+END_TEST
+
+// Rejects: |x| + r that overflows into ends that are NaN; some large number for
+// the end of the line.
+START_TEST(largest_numbers_are_numbers)
+{
+    const real most = 0x1.fffffffffffffp1023;
+    begin_among(5, 200);
+    ball[0] = (sphere){ { -most, 0, 0 }, 1 };
+    ball[1] = (sphere){ { most, 0, 0 }, 1 };
+    ball[2] = (sphere){ { 0, 0, 0 }, most };
+    ball[3] = (sphere){ { 0, most, 0 }, most };
+    ball[4] = (sphere){ { (real)NAN, 0, 0 }, 1 };
+    ck_assert(has(0, 2) && has(1, 2) && has(2, 3) && !has(0, 1) && !has(0, 3));
+    ck_assert(has(0, 4) && has(1, 4));
+}
+END_TEST
+
+// --- room --------------------------------------------------------------------
+
+// Rejects: kept pairs that depend on the order of the sweep; a count of what
+// was kept instead of what there is; one pair too many.
+START_TEST(too_little_room_keeps_the_first_pairs)
+{
+    for (int kind = 0; kind < 6; kind++) {
+        begin_kind(60, kind);
+        int n = agreed(MOST_PAIRS);
+        ck_assert_int_gt(n, 10);
+        for (int room = 0; room <= n; room++) {
+            found[room][0] = found[room][1] = -7;
+            ck_assert_int_eq(agreed(room), n);
+            ck_assert(found[room][0] == -7 && found[room][1] == -7);
+        }
+        ck_assert_int_eq(broad_pairs(&s, ball, moves, NULL, 0), n);
+        ck_assert_int_eq(broad_pairs_all(ball, moves, 60, NULL, 0), n);
+    }
+}
+END_TEST
+
+// --- from frame to frame -----------------------------------------------------
+
+// velocity: the centres of balls.
+static void fly(sphere *velocity, real side)
+{
+    for (int b = 0; b < bodies; b++)
+        for (int k = 0; k < 3; k++) {
+            real *x = part(&ball[b], k), *v = part(&velocity[b], k);
+            *x += *v / 60;
+            if (*x < 0)    *v = fabs(*v);
+            if (*x > side) *v = -fabs(*v);
+        }
+}
+
+// In a room of 300 there stand 35 a metre along x, and a body passes another by
+// up to 0.17 m in a frame: one or two of them.
+// Rejects: an order that is forgotten; a line that is not brought up to date.
+START_TEST(moving_scene_agrees_in_every_frame_and_is_nearly_sorted)
+{
+    static sphere velocity[300];
+    begin_room(300);
+    for (int b = 0; b < 300; b++) {
+        velocity[b] = any_ball(10, 0);
+        for (int k = 0; k < 3; k++) *part(&velocity[b], k) -= 5;
+    }
+    agreed(MOST_PAIRS);
+    ck_assert_int_gt((int)s.shifts, 9600);
+    for (int frame = 0; frame < FRAMES; frame++) {
+        fly(velocity, cbrt(0.317 * 300 / 0.15));
+        ball[frame % 300].radius = frame % 7 ? 0.5 : -1;
+        moves[frame / 2] = !moves[frame / 2];
+        agreed(MOST_PAIRS);
+        // Who becomes empty goes to the end of the line, past all.
+        ck_assert_int_lt((int)s.shifts, 3 * 300);
+    }
+    agreed(MOST_PAIRS);
+    ck_assert_int_eq((int)s.shifts, 0);
+}
+END_TEST
+
+// Insertion alone would need two million moves.
+// Rejects: an insertion sort without end; one that gives up half sorted.
+START_TEST(line_that_turns_round_is_sorted_quickly)
+{
+    begin(MANY);
+    for (int turn = 0; turn < 4; turn++) {
+        for (int b = 0; b < MANY; b++)
+            ball[b] = (sphere){ { turn % 2 ? -b : b, 0, 0 }, 0.5 };
+        ck_assert_int_eq(agreed(MOST_PAIRS), MANY - 1);
+        ck_assert_int_lt((int)s.shifts, turn ? (32 + 32) * MANY : 1);
+        for (int k = 1; k < MANY; k++)
+            ck_assert(s.low[s.order[k - 1]] <= s.low[s.order[k]]);
+    }
+}
+END_TEST
+
+// Rejects: an answer, or an order, that remembers where bodies were.
+START_TEST(history_leaves_no_trace)
+{
+    static int order[500];
+    for (int history = 0; history < 5; history++) {
+        seed = (unsigned long long)history;
+        begin_kind(500, history);
+        if (history > 0) agreed(MOST_PAIRS);
+        seed = 99;
+        for (int b = 0; b < 500; b++)
+            ball[b] = (sphere){ { any(20), any(20), any(4) }, 1 };
+        ball[7] = EMPTY;
+        ball[9].center.y = (real)NAN;
+        memset(moves, 1, sizeof moves);
+        agreed(MOST_PAIRS);
+        if (history == 0) memcpy(order, s.order, sizeof order);
+        ck_assert(memcmp(order, s.order, sizeof order) == 0);
+    }
+}
+END_TEST
+
+// --- lanes -------------------------------------------------------------------
+
+// How many comparisons a sweep makes, a body.
+static real compared(void)
+{
+    long tests = 0;
+    for (int l = 0; l < s.lanes[0] * s.lanes[1]; l++)
+        for (int i = s.lane[l]; i < s.lane[l + 1]; i++)
+            for (int j = i + 1; j < s.lane[l + 1]
+                                && s.start[j] <= s.high[s.who[i]]; j++) tests++;
+    return (real)tests / bodies;
+}
+
+// One line would make about 118 comparisons a body in the room, and 350 in the
+// tower; lanes of two widths see 4 widths squared of the room's 27 x 27.
+// Rejects: lanes along one axis only, or along x; lanes so narrow
+// that everybody stands in many.
+START_TEST(lanes_spare_comparisons_and_lose_nobody)
+{
+    begin_room(LARGE);
+    agreed(MOST_PAIRS);
+    ck_assert(s.lanes[0] > 3 && s.lanes[1] > 3);
+    ck_assert(s.places < 3 * LARGE && compared() < 20);
+    for (int b = 0; b < LARGE; b++)
+        ball[b].center = vec3_make(anywhere(0.1), b * 0.9, 0);
+    agreed(MOST_PAIRS);
+    ck_assert(s.lanes[0] > LARGE / 9 && s.lanes[1] == 1 && compared() < 20);
+}
+END_TEST
+
+// Pairs that touch along y or z as well as rounding lets them, a few metres and
+// 100,000 km from the origin.
+// Rejects: lanes that one of two that touch just does not reach into.
+START_TEST(rounded_lanes_lose_nobody)
+{
+    for (int round = 0; round < 8; round++) {
+        int axis = 1 + round % 2, touching = 0;
+        real far = round / 2 % 2 ? 0x1p27 : 0;
+        begin(LARGE);
+        for (int b = 0; b < LARGE; b += 2) {
+            ball[b] = ball[b + 1] = any_ball(200, 0);
+            ball[b].radius = anywhere(1) / 3;
+            ball[b + 1].radius = anywhere(1) / 3;
+            *part(&ball[b], axis) += far;
+            *part(&ball[b + 1], axis) = *part(&ball[b], axis)
+                                      + (ball[b].radius + ball[b + 1].radius);
+        }
+        touching = agreed(MOST_PAIRS);
+        ck_assert(s.lanes[axis - 1] > 9);
+        ck_assert_int_gt(touching, LARGE / 5);
+    }
+}
+END_TEST
+
+// In lanes as wide as most balls, each of the large ones would stand in 400.
+// Rejects: more places than there is room for; pairs of large balls, which have
+// many lanes in common, that are listed again and again.
+START_TEST(few_large_balls_leave_room_for_all)
+{
+    begin(LARGE);
+    for (int b = 0; b < LARGE; b++)
+        ball[b] = any_ball(400, b % 100 == 7 ? 50 : 0.5);
+    ck_assert_int_gt(agreed(MOST_PAIRS), LARGE / 20);
+    ck_assert_int_le(s.places, LANES_A_BODY * LARGE);
+    ck_assert_int_gt(s.lanes[0], 1);
+}
+END_TEST
+
+// --- memory ------------------------------------------------------------------
+
+// Rejects: a refusal that goes unnoticed, or leaves something half built.
+START_TEST(refused_memory_leaves_nothing)
+{
+    broad t;
+    int n = 0;
+    for (int ok = 0; n < 100 && !ok; n++) {
+        long before = blocks_held;
+        mallocs_left = n;
+        status done = broad_init(&t, 10);
+        mallocs_left = INT_MAX;
+        ok = done.ok;
+        if (ok) broad_free(&t);
+        long after = blocks_held;
+        ck_assert_int_eq(after, before);
+        if (!ok) ck_assert_str_eq(done.why, "out of memory");
+        ck_assert(!t.bodies && !t.order && !t.low && !t.high && !t.first);
+        ck_assert(!t.start && !t.line && !t.mover);
+        ck_assert(!t.reach && !t.lane && !t.who);
+    }
+    ck_assert_int_eq(n, 11);
+    broad_free(&t);
+}
+END_TEST
+
+// Rejects: memory that is asked for in a frame.
+START_TEST(query_asks_for_no_memory)
+{
+    begin_kind(MANY, 2);
+    long before = mallocs_made;
+    broad_pairs(&s, ball, moves, found, MOST_PAIRS);
+    broad_pairs(&s, ball, moves, found, 100);
+    broad_pairs_all(ball, moves, bodies, wanted, 100);
+    long after = mallocs_made;
+    ck_assert_int_eq(after, before);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const test[] = {
+        neighbours_are_found_in_order,
+        balls_of_whole_numbers_are_judged_exactly,
+        exact_touch_is_found_and_a_hair_less_is_not,
+        rounded_ends_lose_nobody,
+        small_scenes_agree,
+        large_scenes_agree,
+        all_in_one_place_meet_all,
+        no_body_and_one_body_meet_nobody,
+        size_does_not_matter,
+        nobody_moves_nobody_meets,
+        one_that_moves_meets_those_that_do_not,
+        ball_of_negative_radius_meets_nobody,
+        ball_that_is_nan_meets_everybody_else_and_spoils_nothing,
+        infinite_radius_meets_everybody,
+        infinitely_far_ball_meets_only_its_like,
+        largest_numbers_are_numbers,
+        too_little_room_keeps_the_first_pairs,
+        moving_scene_agrees_in_every_frame_and_is_nearly_sorted,
+        line_that_turns_round_is_sorted_quickly,
+        history_leaves_no_trace,
+        lanes_spare_comparisons_and_lose_nobody,
+        rounded_lanes_lose_nobody,
+        few_large_balls_leave_room_for_all,
+        refused_memory_leaves_nothing,
+        query_asks_for_no_memory,
+    };
+    Suite *suite = suite_create("broad");
+    TCase *t = tcase_create("broad");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
+        tcase_add_test(t, test[i]);
+    suite_add_tcase(suite, t);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -1,0 +1,145 @@
+// fuzz_penetration.c - penetration_find on two bodies made from bytes.  See fuzz.h.
+
+#include "penetration.h"
+#include "sets.h"
+
+typedef long double wide;
+
+// Of the reach of A - B: what a depth may be off.
+static const wide rounding = 1e-12L;
+
+static penetration_scratch *scratch;
+
+static void check_feature(const body *b, const feature_point *f)
+{
+    real sum = 0;
+    MUST(f->count >= 1 && f->count <= 3, "%d vertices", f->count);
+    for (int k = 0; k < f->count; k++) {
+        MUST(f->vertex[k] >= 0 && f->vertex[k] < b->count, "vertex %d",
+             f->vertex[k]);
+        MUST(f->weight[k] >= 0, "weight %g", f->weight[k]);
+        sum += f->weight[k];
+    }
+    MUST(fabs(sum - 1) <= 1e-14, "weights add up to %.17g", sum);
+}
+
+// All that an answer says of itself, whatever the bodies.
+static void check_form(const sets *s, const penetration_result *r)
+{
+    MUST(r->status >= PENETRATION_FOUND && r->status <= PENETRATION_FLAT, "%d", r->status);
+    MUST(r->kind >= TOUCH_VERTEX_FACE && r->kind <= TOUCH_EDGE_EDGE, "%d",
+         r->kind);
+    MUST(r->iterations >= 0 && r->iterations <= 512, "%d", r->iterations);
+    MUST(is_number(r->depth) && r->depth >= 0, "depth %g", r->depth);
+    MUST(vec3_is_finite(r->normal), "normal");
+    MUST(vec3_is_finite(r->on_a) && vec3_is_finite(r->on_b), "points");
+    if (r->status == PENETRATION_NOT_FINITE) return;
+    MUST(fabs(vec3_length(r->normal) - 1) <= 1e-14, "normal of length %.17g",
+         vec3_length(r->normal));
+    check_feature(&s->a, &r->a);
+    check_feature(&s->b, &r->b);
+    for (int i = 0; i < 3; i++) {
+        MUST(r->corner_a[i] >= 0 && r->corner_a[i] < s->a.count, "a %d",
+             r->corner_a[i]);
+        MUST(r->corner_b[i] >= 0 && r->corner_b[i] < s->b.count, "b %d",
+             r->corner_b[i]);
+    }
+}
+
+// How far A reaches over B against n: the move along n that parts them.
+static wide width(const sets *s, vec3 n)
+{
+    return oracle_width(body_points(&s->a), body_points(&s->b),
+                        vec3_scale(-1, n));
+}
+
+// Of the reach, what the points may be off, which in a wedge of a thin A - B
+// are not as sure as the depth; so far, too, bodies may be apart unnoticed that
+// gjk does not call overlapping.
+static const wide roughly = 1e-6L;
+
+// The points are depth apart along the normal.
+static void check_points(const sets *s, const penetration_result *r)
+{
+    wide off = 16 * (roughly * s->reach + 1e-15L * s->place);
+    wide d = (wide)r->depth;
+    MUST(fabsl((wide)r->on_b.x - (wide)r->on_a.x - d * (wide)r->normal.x) <= off
+         && fabsl((wide)r->on_b.y - (wide)r->on_a.y
+                  - d * (wide)r->normal.y) <= off
+         && fabsl((wide)r->on_b.z - (wide)r->on_a.z
+                  - d * (wide)r->normal.z) <= off,
+         "the points are not the depth %g apart along the normal", r->depth);
+}
+
+static void check_answer(const sets *s, const penetration_result *r, vec3 other,
+                         int overlap)
+{
+    check_form(s, r);
+    if (!s->fair) return;
+    wide share = overlap ? rounding : roughly;
+    wide off = rounding * s->reach, along = width(s, r->normal);
+    MUST(r->status != PENETRATION_NOT_FINITE, "every coordinate is finite");
+
+    // The move parts them, and no other is shorter.
+    wide depth = (wide)r->depth;
+    if (r->status == PENETRATION_FOUND || r->status == PENETRATION_CAPPED) {
+        MUST(along <= depth + off, "depth %Lg, width %Lg", depth, along);
+        check_points(s, r);
+    }
+    if (r->status == PENETRATION_FOUND) {
+        for (int k = 0; k < 6; k++) {
+            wide way = k % 2 ? 1 : -1;
+            vec3 axis = { k / 2 == 0, k / 2 == 1, k / 2 == 2 };
+            wide across = width(s, vec3_scale((real)way, axis));
+            MUST(across >= depth - share * s->reach,
+                 "depth %Lg is more than along axis %d", depth, k);
+        }
+        if (vec3_is_finite(other) && vec3_length_squared(other) > 0)
+            MUST(width(s, other) >= depth - share * s->reach,
+                 "depth %Lg is not the least, %Lg", depth, width(s, other));
+    }
+    if (r->status == PENETRATION_FLAT)
+        MUST(fabsl(along) <= off, "flat, but %Lg thick", along);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static sets s;
+    bytes in = { .at = data, .left = size };
+    if (!scratch) scratch = penetration_scratch_new();
+    sets_take(&s, &in);
+    vec3 other = take_vec3(&in);
+
+    // From where gjk ended, and from anywhere.
+    point_set a = body_points(&s.a), b = body_points(&s.b);
+    distance_result g = distance_find(a, b, distance_options_default(), NULL);
+    penetration_result r = penetration_find(a, b, &g.last, scratch);
+    int overlap = g.status == DISTANCE_OVERLAP;
+    check_answer(&s, &r, other, overlap);
+    // What gjk could not part hit_face may, but only by rounding.
+    if (s.fair && overlap && r.status == PENETRATION_APART)
+        MUST(width(&s, r.normal) >= -rounding * s.reach,
+             "gjk says that they overlap");
+    // What it remembers is a proof.
+    if (r.status == PENETRATION_FOUND) {
+        penetration_memory memory;
+        penetration_result again;
+        penetration_remember(scratch, &memory);
+        if (penetration_again(a, b, &memory, scratch, &again)) {
+            check_answer(&s, &again, other, 1);
+            if (s.fair)
+                MUST(fabsl((wide)again.depth - (wide)r.depth)
+                     <= rounding * s.reach,
+                     "the same depth");
+        }
+    }
+    distance_cache start = { .count = take_count(&in, 0, 4) };
+    for (int c = 0; c < start.count; c++) {
+        start.a[c] = take_byte(&in) % s.a.count;
+        start.b[c] = take_byte(&in) % s.b.count;
+        start.weight[c] = 1.0 / start.count;
+    }
+    r = penetration_find(a, b, &start, scratch);
+    check_answer(&s, &r, other, overlap);
+    return 0;
+}

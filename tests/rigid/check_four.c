@@ -1,0 +1,1124 @@
+// check_four.c - do four particles move as the solid would?  Book: chapter 13.
+
+#include <check.h>
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "four.h"
+#include "scarce.h"
+
+// A few roundings of the largest term: sums of up to a hundred.
+#define ROUNDING 1e-13
+// The same for bodies up to ten times as long as wide, whose sticks' matrix has
+// a condition of up to 10^4.
+#define LONG_BODY 1e-12
+
+// --- chance ------------------------------------------------------------------
+
+static unsigned long long seed;
+
+// Numbers in [-1, 1) from a linear congruence; the same on every machine.
+static real any(void)
+{
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (real)(seed >> 11) / 4503599627370496.0 - 1;
+}
+
+static vec3 any_vec3(void)
+{
+    real x = any(), y = any();
+    return vec3_make(x, y, any());
+}
+
+static vec3 any_unit(void)
+{
+    vec3 d = any_vec3();
+    real length = vec3_length(d);
+    return length > 0.1 && length < 1 ? vec3_scale(1 / length, d) : any_unit();
+}
+
+// Columns: where x, y and z go.
+typedef struct {
+    vec3 x, y, z;
+} matrix;
+
+static vec3 times(const matrix *m, vec3 a)
+{
+    return vec3_add(vec3_scale(a.x, m->x),
+           vec3_add(vec3_scale(a.y, m->y), vec3_scale(a.z, m->z)));
+}
+
+static matrix any_rotation(void)
+{
+    matrix m = { .x = any_unit() };
+    m.y = vec3_unit(vec3_cross(m.x, any_unit()));
+    m.z = vec3_cross(m.x, m.y);
+    return m;
+}
+
+// Any turning, stretching and shearing that neither flattens nor mirrors.
+static matrix any_affine(void)
+{
+    matrix m = { any_vec3(), any_vec3(), any_vec3() };
+    real volume = vec3_dot(m.x, vec3_cross(m.y, m.z));
+    return volume > 0.1 ? m : any_affine();
+}
+
+// --- solids that are known ---------------------------------------------------
+
+// Their centre, measured from the mean of the vertices, and the mean of x x^T
+// about it.
+typedef struct {
+    shape plan;
+    vec3  center;
+    real  spread[3];    // m^2, of x x, y y, z z: the others are 0
+} known;
+
+enum { BOX, BALL, WEDGE, HOUSE, SOLIDS };
+
+static known solid[SOLIDS];
+static four f;
+
+static void expect_ok(status s)
+{
+    ck_assert_msg(s.ok, "refused: %s", s.why);
+}
+
+// Any tetrahedron is an affine image of this one, whose spread is that of its
+// corners divided by 5: each corner's square is 1, and sum x x^T / 20 = 1 / 5.
+static void make_wedge(known *k)
+{
+    const vec3 at[4] = { { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 },
+                         { -1, -1, 1 } };
+    const int face[4][3] = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 },
+                             { 1, 3, 2 } };
+    expect_ok(shape_convex(&k->plan, 4, at, 4, face, 3));
+    for (int i = 0; i < 3; i++) k->spread[i] = 1.0 / 5;
+}
+
+// A box of sides 2, 1, 2 under a roof with four sides, 3 high: lopsided.  The
+// roof's volume is 4, its centre 3/4 above its base, its spread 3 * 3^2 / 80 in
+// height, 2^2 / 20 across.
+static void make_house(known *k)
+{
+    const vec3 at[9] = { { -1, 0, -1 }, { 1, 0, -1 }, { 1, 0, 1 }, { -1, 0, 1 },
+                         { -1, 1, -1 }, { 1, 1, -1 }, { 1, 1, 1 }, { -1, 1, 1 },
+                         { 0, 4, 0 } };
+    const int face[14][3] = {
+        { 0, 1, 2 }, { 0, 2, 3 }, { 0, 4, 5 }, { 0, 5, 1 }, { 1, 5, 6 },
+        { 1, 6, 2 }, { 2, 6, 7 }, { 2, 7, 3 }, { 3, 7, 4 }, { 3, 4, 0 },
+        { 4, 8, 5 }, { 5, 8, 6 }, { 6, 8, 7 }, { 7, 8, 4 },
+    };
+    const real box = 4, roof = 4, all = box + roof;
+    const real low = 0.5, high = 1.75, mean = (4 * 0 + 4 * 1 + 4) / 9.0;
+    real center = (box * low + roof * high) / all;
+    expect_ok(shape_convex(&k->plan, 9, at, 14, face, 5));
+    k->center = vec3_make(0, center - mean, 0);
+    k->spread[0] = k->spread[2] = (box * 4 / 12 + roof * 4 / 20) / all;
+    k->spread[1] = (box * (1.0 / 12 + (low - center) * (low - center))
+                    + roof * (27.0 / 80 + (high - center) * (high - center)))
+                 / all;
+}
+
+static void set_up(void)
+{
+    seed = 12;
+    expect_ok(shape_box(&solid[BOX].plan, vec3_make(1, 2, 3), 7));
+    for (int i = 0; i < 3; i++)
+        solid[BOX].spread[i] = (i + 1) * (i + 1) / 12.0;
+    // An icosahedron of edge a: a^2 phi^2 / 20 along every axis, and the square
+    // of its radius is a^2 (phi^2 + 1) / 4.
+    expect_ok(shape_icosahedron(&solid[BALL].plan, 0.5, 2));
+    real phi2 = (3 + sqrt(5.0)) / 2, edge2 = 0.25 * 4 / (phi2 + 1);
+    for (int i = 0; i < 3; i++) solid[BALL].spread[i] = edge2 * phi2 / 20;
+    make_wedge(&solid[WEDGE]);
+    make_house(&solid[HOUSE]);
+}
+
+static void tear_down(void)
+{
+    for (int i = 0; i < SOLIDS; i++) shape_free(&solid[i].plan);
+    four_free(&f);
+}
+
+// The image of a solid: all its corners moved.
+static void make_image(shape *s, const shape *of, const matrix *m)
+{
+    vec3 at[12];
+    for (int i = 0; i < of->particles; i++) at[i] = times(m, of->at[i]);
+    expect_ok(shape_convex(s, of->particles, at, of->mesh.faces,
+                           (const int (*)[3])of->face, 3));
+}
+
+// --- the plan ----------------------------------------------------------------
+
+// Is sum m x x^T of the four that of the known solid, seen through m, and are
+// they centred where it is?
+static void has_inertia_of(const known *k, const matrix *m, real mass)
+{
+    const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    const vec3 column[3] = { m->x, m->y, m->z };
+    vec3 mean = { 0, 0, 0 };
+    real size = 0;
+    for (int i = 0; i < FOUR; i++) {
+        mean = vec3_add_scaled(mean, 1.0 / FOUR, f.at[i]);
+        size = fmax(size, f.radius);
+    }
+    ck_assert(fabs(FOUR * f.mass - mass) <= ROUNDING * mass);
+    ck_assert(vec3_distance(mean, f.center) <= ROUNDING * size);
+    ck_assert(vec3_distance(f.center, times(m, k->center)) <= ROUNDING * size);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            real got = 0, wanted = 0;
+            for (int n = 0; n < FOUR; n++) {
+                vec3 r = vec3_sub(f.at[n], f.center);
+                got += f.mass * vec3_dot(axis[i], r) * vec3_dot(axis[j], r);
+            }
+            for (int n = 0; n < 3; n++)
+                wanted += mass * k->spread[n] * vec3_dot(axis[i], column[n])
+                        * vec3_dot(axis[j], column[n]);
+            ck_assert_msg(fabs(got - wanted) <= ROUNDING * mass * size * size,
+                          "entry (%d, %d) is %.17g, wanted %.17g", i, j, got,
+                          wanted);
+        }
+}
+
+static void try_inertia(int i)
+{
+    const matrix as_it_is = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    const known *k = &solid[i];
+    real mass = k->plan.mass[0] * k->plan.particles;
+    expect_ok(four_build(&f, &k->plan));
+    has_inertia_of(k, &as_it_is, mass);
+    four_free(&f);
+    for (int n = 0; n < 200; n++) {
+        matrix m = any_affine();
+        shape s;
+        make_image(&s, &k->plan, &m);
+        expect_ok(four_build(&f, &s));
+        has_inertia_of(k, &m, 3);
+        four_free(&f);
+        shape_free(&s);
+    }
+}
+
+// Rejects: the inertia of the corners instead of the solid's (2.3 to 5 times as
+// much); products of inertia left out; a centre at the mean of the corners.
+START_TEST(four_particles_have_mass_center_and_inertia_of_the_solid)
+{
+    for (int i = 0; i < SOLIDS; i++) try_inertia(i);
+}
+END_TEST
+
+static void try_ride(int i)
+{
+    for (int n = 0; n < 100; n++) {
+        matrix m = any_affine(), turn = any_rotation();
+        vec3 away = vec3_scale(10, any_vec3()), at[12];
+        shape s;
+        make_image(&s, &solid[i].plan, &m);
+        expect_ok(four_build(&f, &s));
+        particle p[FOUR];
+        for (int k = 0; k < FOUR; k++)
+            p[k].position = vec3_add(away, times(&turn, f.at[k]));
+        four_ride(&f, p, at, s.particles);
+        for (int v = 0; v < s.particles; v++) {
+            real sum = 0;
+            for (int k = 0; k < FOUR; k++) sum += f.weight[v][k];
+            ck_assert(fabs(sum - 1) <= ROUNDING);
+            vec3 x = vec3_add(away, times(&turn, s.at[v]));
+            ck_assert_msg(vec3_distance(at[v], x) <= ROUNDING * 20,
+                          "vertex %d is %g m off", v, vec3_distance(at[v], x));
+        }
+        four_free(&f);
+        shape_free(&s);
+    }
+}
+
+// Rejects: weights of another vertex; weights that hold only while the body
+// stands at the origin.
+START_TEST(vertices_ride_where_the_shape_has_them)
+{
+    for (int i = 0; i < SOLIDS; i++) try_ride(i);
+}
+END_TEST
+
+static void try_sticks(int i)
+{
+    const shape *s = &solid[i].plan;
+    expect_ok(four_build(&f, s));
+    int joined[FOUR][FOUR] = { { 0 } };
+    for (int k = 0; k < FOUR_STICKS; k++) {
+        const stick *t = &f.stick[k];
+        ck_assert(t->a != t->b && t->stiffness == 1 && t->kind == STICK_EXACT);
+        ck_assert_int_eq(joined[t->a][t->b]++ + joined[t->b][t->a]++, 0);
+        ck_assert(fabs(vec3_distance(f.at[t->a], f.at[t->b]) - t->rest_length)
+                  <= ROUNDING);
+    }
+    real radius = 0, reach = 0;
+    for (int k = 0; k < FOUR; k++)
+        radius = fmax(radius, vec3_distance(f.at[k], f.center));
+    for (int v = 0; v < s->particles; v++)
+        reach = fmax(reach, vec3_distance(s->at[v], f.center));
+    ck_assert(fabs(f.radius - radius) <= ROUNDING);
+    ck_assert(fabs(f.reach - reach) <= ROUNDING);
+    four_free(&f);
+}
+
+// Rejects: a stick twice, or another length than the particles have; a radius
+// of the vertices, a reach of the particles, or either from the origin.
+START_TEST(sticks_and_radii_are_those_of_the_particles)
+{
+    for (int i = 0; i < SOLIDS; i++) try_sticks(i);
+}
+END_TEST
+
+// --- what cannot be built ----------------------------------------------------
+
+static void is_empty(void)
+{
+    ck_assert(f.weight == NULL && f.mass == 0 && f.reach == 0);
+}
+
+static void is_refused(shape *s)
+{
+    long before = blocks_held;
+    status done = four_build(&f, s);
+    long after = blocks_held;
+    ck_assert_msg(!done.ok, "accepted");
+    ck_assert_str_eq(done.why, "a body of 8 vertices is too thin to be solid");
+    ck_assert_int_eq(after, before);
+    is_empty();
+}
+
+// Rejects: a division by a volume of 0, or by a pivot that is rounding's; an
+// inside-out mesh taken for a solid of negative mass; NaN that no comparison
+// finds.
+START_TEST(body_without_volume_is_refused_with_a_sentence)
+{
+    shape *s = &solid[BOX].plan, thin;
+    vec3 kept[8];
+    for (int i = 0; i < 8; i++) kept[i] = s->at[i];
+    for (int i = 0; i < 8; i++) s->at[i].y = 0;
+    is_refused(s);
+    for (int i = 0; i < 8; i++) s->at[i] = vec3_make(kept[i].x, 0, 0);
+    is_refused(s);
+    for (int i = 0; i < 8; i++) s->at[i] = vec3_make(0, 0, 0);
+    is_refused(s);
+    for (int i = 0; i < 8; i++) s->at[i] = vec3_scale(-1, kept[i]);
+    is_refused(s);
+    for (int i = 0; i < 8; i++) s->at[i] = kept[i];
+    s->at[3].z = (real)NAN;
+    is_refused(s);
+    // A sheet a billionth as thick as wide.
+    expect_ok(shape_box(&thin, vec3_make(1, 1, 1), 1));
+    for (int i = 0; i < 8; i++) thin.at[i].y *= 1e-9;
+    is_refused(&thin);
+    shape_free(&thin);
+}
+END_TEST
+
+// Rejects: an absolute limit on what is thin, or small.
+START_TEST(small_and_large_bodies_are_built_alike)
+{
+    const real size[] = { 1e-6, 1, 1e6 };
+    for (int k = 0; k < 3; k++) {
+        shape s;
+        real l = size[k];
+        expect_ok(shape_box(&s, vec3_make(l, 1e-4 * l, 2 * l), 1));
+        expect_ok(four_build(&f, &s));
+        vec3 at[8];
+        particle p[FOUR];
+        for (int i = 0; i < FOUR; i++) p[i].position = f.at[i];
+        four_ride(&f, p, at, 8);
+        for (int v = 0; v < 8; v++)
+            ck_assert(vec3_distance(at[v], s.at[v]) <= ROUNDING * l);
+        shape_free(&s);
+        four_free(&f);
+    }
+}
+END_TEST
+
+// Rejects: a malloc whose answer nobody looks at; a free of what is not there.
+START_TEST(refused_memory_is_told_and_leaves_nothing)
+{
+    long before = blocks_held;
+    mallocs_left = 0;
+    status done = four_build(&f, &solid[HOUSE].plan);
+    mallocs_left = INT_MAX;
+    long after = blocks_held;
+    ck_assert(!done.ok);
+    ck_assert_str_eq(done.why, "out of memory");
+    ck_assert_int_eq(after, before);
+    is_empty();
+    before = blocks_held;
+    done = four_build(&f, &solid[HOUSE].plan);
+    long built = blocks_held;
+    four_free(&f);
+    four_free(&f);
+    after = blocks_held;
+    expect_ok(done);
+    ck_assert(built == before + 1 && after == before);
+    is_empty();
+}
+END_TEST
+
+// --- the answer to a push ----------------------------------------------------
+
+// Oracle: J J^T of the six sticks at rest, and its inverse.  The row of stick
+// (a, b) holds -o at a and o at b, o = x_b - x_a, so that two sticks meet in
+// o . o' where they share a particle, with a minus sign where one begins and
+// the other ends there.
+static real row_product(const stick *s, const stick *u, const vec3 *at)
+{
+    vec3 o = vec3_sub(at[s->b], at[s->a]), q = vec3_sub(at[u->b], at[u->a]);
+    int shared = (s->a == u->a) + (s->b == u->b)
+               - (s->a == u->b) - (s->b == u->a);
+    return shared * vec3_dot(o, q);
+}
+
+// Gauss and Jordan: matrix and identity side by side, the largest pivot of each
+// column.
+static void invert(real m[FOUR_STICKS][2 * FOUR_STICKS])
+{
+    for (int c = 0; c < FOUR_STICKS; c++) {
+        int best = c;
+        for (int r = c + 1; r < FOUR_STICKS; r++)
+            if (fabs(m[r][c]) > fabs(m[best][c])) best = r;
+        for (int k = 0; k < 2 * FOUR_STICKS; k++) {
+            real kept = m[c][k];
+            m[c][k] = m[best][k];
+            m[best][k] = kept;
+        }
+        real pivot = m[c][c];
+        for (int k = 0; k < 2 * FOUR_STICKS; k++) m[c][k] /= pivot;
+        for (int r = 0; r < FOUR_STICKS; r++) {
+            real share = m[r][c];
+            if (r == c || share == 0) continue;
+            for (int k = 0; k < 2 * FOUR_STICKS; k++)
+                m[r][k] -= share * m[c][k];
+        }
+    }
+}
+
+typedef struct {
+    real at[FOUR_STICKS][FOUR_STICKS];  // 1/m^4
+} inverse;
+
+static inverse inverse_of(const four *of)
+{
+    real m[FOUR_STICKS][2 * FOUR_STICKS] = { { 0 } };
+    inverse r;
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        for (int u = 0; u < FOUR_STICKS; u++)
+            m[s][u] = row_product(&of->stick[s], &of->stick[u], of->at);
+        m[s][FOUR_STICKS + s] = 1;
+    }
+    invert(m);
+    for (int s = 0; s < FOUR_STICKS; s++)
+        for (int u = 0; u < FOUR_STICKS; u++)
+            r.at[s][u] = m[s][FOUR_STICKS + u];
+    return r;
+}
+
+// Oracle: the sticks take back what a push would change of their lengths.
+static real four_answer(const four *of, const vec3 at[FOUR], real inverse_mass,
+                        const real weight[FOUR], vec3 d, vec3 answer[FOUR])
+{
+    real mu[FOUR_STICKS] = { 0 }, along = 0, w = inverse_mass;
+    const inverse answer_of = inverse_of(of);
+    vec3 o[FOUR_STICKS];
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        int a = of->stick[s].a, b = of->stick[s].b;
+        o[s] = vec3_sub(at[b], at[a]);
+        real c = (weight[b] - weight[a]) * vec3_dot(o[s], d);
+        for (int u = 0; u < FOUR_STICKS; u++) mu[u] += answer_of.at[u][s] * c;
+    }
+    for (int k = 0; k < FOUR; k++) answer[k] = vec3_scale(w * weight[k], d);
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        int a = of->stick[s].a, b = of->stick[s].b;
+        answer[a] = vec3_add_scaled(answer[a], w * mu[s], o[s]);
+        answer[b] = vec3_add_scaled(answer[b], -w * mu[s], o[s]);
+    }
+    for (int k = 0; k < FOUR; k++)
+        along += weight[k] * vec3_dot(answer[k], d);
+    return along;
+}
+
+// The same by the six ways: what the library does.
+static real ways_answer(const vec3 at[FOUR], real inverse_mass,
+                        const real share[FOUR], vec3 d, vec3 answer[FOUR])
+{
+    four_ways w;
+    real rows[3][FOUR_WAYS], along = 0;
+    four_find_ways(at, inverse_mass, &w);
+    four_rows(&w, share, (const vec3[3]){ d, d, d }, rows);
+    const real *row = rows[0];
+    four_move(&w, row, answer);
+    for (int k = 0; k < FOUR_WAYS; k++) along += row[k] * row[k];
+    return along;
+}
+
+// The textbook's answer of a solid box with these sides and mass, in its own
+// axes, to a push of 1 kg m along d at r: v = d / M, spin = I^-1 (r x d).
+typedef struct {
+    vec3 velocity, spin;
+    real along;         // how far the point itself goes along d
+} answer;
+
+static answer textbook(vec3 sides, real mass, vec3 r, vec3 d)
+{
+    vec3 torque = vec3_cross(r, d), square = { sides.x * sides.x,
+        sides.y * sides.y, sides.z * sides.z };
+    vec3 spin = { 12 * torque.x / (mass * (square.y + square.z)),
+                  12 * torque.y / (mass * (square.z + square.x)),
+                  12 * torque.z / (mass * (square.x + square.y)) };
+    return (answer){ vec3_scale(1 / mass, d), spin,
+                     1 / mass + vec3_dot(torque, spin) };
+}
+
+// Pushes n random boxes at random points, wherever they stand; returns the
+// largest error of all: of the point's way, of the particles' ways, of the
+// momentum, of the sticks' lengths; each relative.
+static real worst_answer(real aspect, int n)
+{
+    real worst = 0;
+    for (int i = 0; i < n; i++) {
+        vec3 sides = { 1, 1 + (aspect - 1) * (any() + 1) / 2, aspect };
+        matrix turn = any_rotation();
+        vec3 away = any_vec3(), d = any_unit();
+        real mass = 2 + any(), share[FOUR];
+        shape s;
+        vec3 at[FOUR], got[FOUR], momentum = { 0, 0, 0 };
+        expect_ok(shape_box(&s, sides, mass));
+        expect_ok(four_build(&f, &s));
+        for (int k = 0; k < FOUR; k++) {
+            at[k] = vec3_add(away, times(&turn, f.at[k]));
+            share[k] = f.weight[i % 8][k];
+        }
+        answer told = textbook(sides, mass, s.at[i % 8],
+            vec3_make(vec3_dot(turn.x, d), vec3_dot(turn.y, d),
+                      vec3_dot(turn.z, d)));
+        real along = ways_answer(at, 1 / f.mass, share, d, got);
+        real most = 0, off = 0;
+        worst = fmax(worst, fabs(along - told.along) / told.along);
+        for (int k = 0; k < FOUR; k++) {
+            vec3 v = vec3_add(told.velocity, vec3_cross(told.spin, f.at[k]));
+            most = fmax(most, vec3_length(v));
+            off = fmax(off, vec3_distance(got[k], times(&turn, v)));
+            momentum = vec3_add_scaled(momentum, f.mass, got[k]);
+        }
+        worst = fmax(worst, off / most);
+        worst = fmax(worst, vec3_distance(momentum, d));
+        for (int k = 0; k < FOUR_STICKS; k++) {
+            const stick *t = &f.stick[k];
+            vec3 o = vec3_sub(at[t->b], at[t->a]);
+            vec3 u = vec3_sub(got[t->b], got[t->a]);
+            worst = fmax(worst, fabs(vec3_dot(o, u)) / vec3_length(o) / most);
+        }
+        four_free(&f);
+        shape_free(&s);
+    }
+    return worst;
+}
+
+// Rejects: sticks that take back too little or too much; a matrix that is not
+// that of the sticks as they lie; an answer in the frame of the shape.
+START_TEST(answer_to_a_push_is_the_textbooks)
+{
+    const struct { real aspect, most; } rule[] = {
+        { 1, LONG_BODY }, { 3, LONG_BODY }, { 10, LONG_BODY },
+        // The condition grows as the square of the aspect, at least.
+        { 100, 1e-9 }, { 1000, 1e-6 },
+    };
+    for (int k = 0; k < 5; k++) {
+        real error = worst_answer(rule[k].aspect, 1000);
+        printf("answers at aspect %g: off by %.2g at most\n", rule[k].aspect,
+               error);
+        ck_assert_msg(error <= rule[k].most, "aspect %g: off by %g",
+                      rule[k].aspect, error);
+    }
+}
+END_TEST
+
+// The same for a body without any symmetry, against the inertia of its own four
+// particles: r and d enter through M (r - r') and a sum over particles.
+// Rejects: a constant matrix that takes for granted that sticks are
+// perpendicular, as a box's are not but its answers may hide.
+START_TEST(lopsided_body_answers_as_its_particles_would)
+{
+    for (int n = 0; n < 200; n++) {
+        matrix m = any_affine();
+        shape s;
+        make_image(&s, &solid[HOUSE].plan, &m);
+        expect_ok(four_build(&f, &s));
+        int v = n % s.particles;
+        vec3 d = any_unit(), got[FOUR], r = vec3_sub(s.at[v], f.center);
+        real along = ways_answer(f.at, 1 / f.mass, f.weight[v], d, got);
+        vec3 turning = { 0, 0, 0 }, momentum = { 0, 0, 0 };
+        real energy = 0;
+        for (int k = 0; k < FOUR; k++) {
+            vec3 x = vec3_sub(f.at[k], f.center);
+            momentum = vec3_add_scaled(momentum, f.mass, got[k]);
+            turning = vec3_add_scaled(turning, f.mass, vec3_cross(x, got[k]));
+            energy += f.mass * vec3_length_squared(got[k]);
+        }
+        // A push of 1 gives the momentum d, the angular momentum r x d, and
+        // twice the energy is the way that its point goes.
+        real size = vec3_length(r);
+        ck_assert(vec3_distance(momentum, d) <= LONG_BODY);
+        ck_assert(vec3_distance(turning, vec3_cross(r, d)) <= LONG_BODY * size);
+        ck_assert(fabs(energy - along) <= LONG_BODY * along);
+        four_free(&f);
+        shape_free(&s);
+    }
+}
+END_TEST
+
+static matrix stand(particle *p);
+
+// Rejects: a way that bends a stick; one that is not perpendicular to another,
+// or too long; five ways, or seven, where there are six.
+START_TEST(six_ways_are_what_the_sticks_leave)
+{
+    for (int n = 0; n < 200; n++) {
+        particle p[FOUR];
+        expect_ok(four_build(&f, &solid[n % 2 ? HOUSE : BALL].plan));
+        stand(p);
+        vec3 at[FOUR], d = any_unit(), told[FOUR], got[FOUR];
+        for (int k = 0; k < FOUR; k++) at[k] = p[k].position;
+        real share[FOUR] = { any(), any(), any() };
+        share[3] = 1 - share[0] - share[1] - share[2];
+        real along = four_answer(&f, at, 1 / f.mass, share, d, told);
+        ck_assert(fabs(ways_answer(at, 1 / f.mass, share, d, got) - along)
+                  <= LONG_BODY * along);
+        for (int k = 0; k < FOUR; k++)
+            ck_assert(vec3_distance(told[k], got[k]) <= LONG_BODY * along);
+        four_free(&f);
+    }
+}
+END_TEST
+
+// Rejects: a nailed body that answers, or has an inverse mass.
+START_TEST(nailed_body_answers_nothing)
+{
+    expect_ok(four_build(&f, &solid[BALL].plan));
+    vec3 got[FOUR];
+    for (int v = 0; v < 12; v++) {
+        ck_assert(ways_answer(f.at, 0, f.weight[v], any_unit(), got) == 0);
+        for (int k = 0; k < FOUR; k++) ck_assert(vec3_length(got[k]) == 0);
+    }
+}
+END_TEST
+
+// --- relaxing ----------------------------------------------------------------
+
+static const relax_options OLD = { ROOT_EXACT, GRADIENT_OLD, 1e-6, 0 };
+static const relax_options NEW = { ROOT_EXACT, GRADIENT_NEW, 1e-6, 0 };
+
+// The body f, turned and moved, at rest.
+static matrix stand(particle *p)
+{
+    matrix turn = any_rotation();
+    vec3 away = any_vec3();
+    for (int k = 0; k < FOUR; k++) {
+        vec3 x = vec3_add(away, times(&turn, f.at[k]));
+        p[k] = (particle){ x, x, 1 / f.mass };
+    }
+    return turn;
+}
+
+static real worst_strain(const particle *p)
+{
+    real worst = 0;
+    for (int k = 0; k < FOUR_STICKS; k++) {
+        real strain = stick_strain(f.stick[k], p);
+        if (!(strain <= worst)) worst = strain >= 0 ? strain : HUGE_VAL;
+    }
+    return worst;
+}
+
+static vec3 momentum(const particle *p)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < FOUR; k++)
+        sum = vec3_add_scaled(sum, f.mass,
+                              vec3_sub(p[k].position, p[k].previous));
+    return sum;
+}
+
+static vec3 turning(const particle *p)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < FOUR; k++)
+        sum = vec3_add_scaled(sum, f.mass,
+                              vec3_cross(p[k].previous, p[k].position));
+    return sum;
+}
+
+// Oracle: one Newton step of the six sticks, x -= J^T (J J^T)^-1 c, along the
+// sticks as they lie at o.  Returns the worst of them, measured before.
+static real step_of_sticks(particle *p, const vec3 o[FOUR])
+{
+    const inverse answer_of = inverse_of(&f);
+    real c[FOUR_STICKS], worst = 0;
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        const stick *t = &f.stick[s];
+        vec3 d = vec3_sub(p[t->b].position, p[t->a].position);
+        real square = t->rest_length * t->rest_length;
+        c[s] = (vec3_length_squared(d) - square) / 2;
+        worst = fmax(worst, fabs(c[s]) / square);
+    }
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        particle *a = &p[f.stick[s].a], *b = &p[f.stick[s].b];
+        vec3 along = vec3_sub(o[f.stick[s].b], o[f.stick[s].a]);
+        real mu = 0;
+        for (int u = 0; u < FOUR_STICKS; u++) mu += answer_of.at[s][u] * c[u];
+        a->position = vec3_add_scaled(a->position, mu, along);
+        b->position = vec3_add_scaled(b->position, -mu, along);
+    }
+    return worst;
+}
+
+// Both ways round in the last places of the body; the matrix of dot products
+// has a condition of up to some 10^4 among these bodies.
+#define SAME_STEP 1e-12
+
+// Rejects: a frame that is not that of the particles, axes that are not
+// perpendicular, a bend with the wrong share, a worst stick that is not.
+START_TEST(step_of_the_frame_is_newtons_step_of_the_six_sticks)
+{
+    real most = 0;
+    for (int n = 0; n < 2000; n++) {
+        matrix m = any_affine();
+        shape s;
+        make_image(&s, &solid[n % SOLIDS].plan, &m);
+        expect_ok(four_build(&f, &s));
+        particle p[FOUR], q[FOUR];
+        vec3 o[FOUR];
+        stand(p);
+        for (int k = 0; k < FOUR; k++)
+            p[k].position = vec3_add_scaled(p[k].position, 1e-3 * f.radius,
+                                            any_vec3());
+        memcpy(q, p, sizeof q);
+        for (int k = 0; k < FOUR; k++)
+            o[k] = n % 2 ? p[k].previous : p[k].position;
+        relax_result r = four_relax(&f, p, 1, n % 2 ? OLD : NEW);
+        real worst = step_of_sticks(q, o), size = fmax(f.radius, 1);
+        ck_assert_int_eq(r.fell_back, 0);
+        ck_assert(fabs(r.worst - worst) <= SAME_STEP * fmax(1, worst));
+        for (int k = 0; k < FOUR; k++)
+            most = fmax(most, vec3_distance(p[k].position, q[k].position)
+                              / size);
+        four_free(&f);
+        shape_free(&s);
+    }
+    printf("frame and six sticks: one step differs by %.2g of a radius\n",
+           most);
+    ck_assert_msg(most <= SAME_STEP, "%g", most);
+}
+END_TEST
+
+// The factor depends on the body's form; of these it is at most 14.
+#define SQUARED 20
+
+// Rejects: Newton's step with a matrix of the wrong sign, place or factor: the
+// error would shrink by a part only.
+START_TEST(one_step_squares_the_error)
+{
+    real most[2] = { 0, 0 };
+    for (int n = 0; n < 2000; n++) {
+        expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
+        particle p[FOUR];
+        stand(p);
+        real size = f.radius * (n % 5 == 0 ? 1e-2 : n % 5 == 1 ? 1e-3 : 1e-4);
+        for (int k = 0; k < FOUR; k++)
+            p[k].position = vec3_add_scaled(p[k].position, size, any_vec3());
+        real before = worst_strain(p);
+        const relax_options *o = n % 2 ? &OLD : &NEW;
+        relax_result r = four_relax(&f, p, 1, *o);
+        real after = worst_strain(p);
+        ck_assert(r.sweeps == 1 && r.fell_back == 0);
+        ck_assert(fabs(r.worst - before) <= before * before);
+        most[n % 2] = fmax(most[n % 2], after / (before * before));
+        four_free(&f);
+    }
+    printf("one step: strain e becomes at most %.2g e^2 (new), %.2g e^2 "
+           "(old gradients)\n", most[0], most[1]);
+    ck_assert_msg(most[0] <= SQUARED && most[1] <= SQUARED, "%g, %g", most[0],
+                  most[1]);
+}
+END_TEST
+
+// Rejects: gradients of the new places, or a step that moves the centre.
+START_TEST(relaxing_keeps_momentum_and_angular_momentum)
+{
+    for (int n = 0; n < 1000; n++) {
+        expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
+        particle p[FOUR];
+        stand(p);
+        // Up to 0.15 of its radius: some bodies need several steps.
+        for (int k = 0; k < FOUR; k++)
+            p[k].position = vec3_add_scaled(p[k].position, 0.1 * f.radius,
+                                            any_vec3());
+        vec3 linear = momentum(p), angular = turning(p);
+        real size = FOUR * f.mass * f.radius;
+        relax_result r = four_relax(&f, p, 20, OLD);
+        ck_assert_msg(vec3_distance(momentum(p), linear) <= ROUNDING * size,
+                      "momentum changed by %g",
+                      vec3_distance(momentum(p), linear));
+        if (!r.fell_back)
+            ck_assert_msg(vec3_distance(turning(p), angular)
+                          <= 1e-12 * size * fmax(f.radius, 1),
+                          "angular momentum changed by %g",
+                          vec3_distance(turning(p), angular));
+        ck_assert(r.fell_back == 0 && r.worst <= OLD.tolerance);
+        ck_assert(worst_strain(p) <= 2 * OLD.tolerance);
+        four_free(&f);
+    }
+}
+END_TEST
+
+// 30 rad/s in 240 substeps a second are 7 degrees each.  2400 of them add their
+// roundings, in the end of places 30 m from the origin.
+#define SPINNING 1e-10
+
+static void try_spin(int i)
+{
+    const vec3 none = { 0, 0, 0 };
+    const real h = 1.0 / 240;
+    expect_ok(four_build(&f, &solid[i].plan));
+    for (int n = 0; n < 6; n++) {
+        vec3 spin = vec3_scale(30, any_unit()), v = vec3_scale(3, any_unit());
+        particle p[FOUR];
+        for (int k = 0; k < FOUR; k++) {
+            vec3 r = vec3_sub(f.at[k], f.center);
+            p[k] = particle_start(f.at[k], vec3_add(v, vec3_cross(spin, r)),
+                                  none, 1 / f.mass, h);
+        }
+        vec3 linear = momentum(p), angular = turning(p);
+        real worst = 0;
+        for (int step = 0; step < 2400; step++) {
+            verlet_step(p, FOUR, none, NULL, h);
+            relax_result r = four_relax(&f, p, 6, OLD);
+            ck_assert_int_eq(r.fell_back, 0);
+            worst = fmax(worst, worst_strain(p));
+        }
+        real turned = vec3_distance(turning(p), angular)
+                    / vec3_length(angular);
+        real drift = vec3_distance(momentum(p), linear) / vec3_length(linear);
+        ck_assert_msg(turned <= SPINNING && drift <= SPINNING,
+                      "angular momentum is off by %g, momentum by %g", turned,
+                      drift);
+        ck_assert_msg(worst <= OLD.tolerance, "strain %g", worst);
+        ck_assert(!four_is_mirrored(&f, p));
+    }
+    four_free(&f);
+}
+
+// Rejects: the brake of gradients at the new places, which takes most of the
+// spin within seconds; a drift of the centre.
+START_TEST(free_spin_keeps_its_momentum_for_ten_seconds)
+{
+    for (int i = 0; i < SOLIDS; i++) try_spin(i);
+}
+END_TEST
+
+// Rejects: a body that is moved in spite of its nails.
+START_TEST(nailed_body_is_not_relaxed)
+{
+    expect_ok(four_build(&f, &solid[WEDGE].plan));
+    particle p[FOUR], was[FOUR];
+    stand(p);
+    for (int k = 0; k < FOUR; k++) {
+        p[k].position = vec3_add(p[k].position, any_vec3());
+        p[k].inverse_mass = 0;
+    }
+    memcpy(was, p, sizeof p);
+    relax_result r = four_relax(&f, p, 6, OLD);
+    ck_assert(memcmp(was, p, sizeof p) == 0);
+    ck_assert(r.sweeps == 0 && r.relaxed == 0 && r.fell_back == 0);
+}
+END_TEST
+
+// Rejects: a step for a body that needs none, which would never come to rest.
+START_TEST(body_within_tolerance_keeps_every_bit)
+{
+    expect_ok(four_build(&f, &solid[BOX].plan));
+    for (int n = 0; n < 100; n++) {
+        particle p[FOUR], was[FOUR];
+        stand(p);
+        memcpy(was, p, sizeof p);
+        relax_result r = four_relax(&f, p, 6, n % 2 ? OLD : NEW);
+        ck_assert(memcmp(was, p, sizeof p) == 0);
+        ck_assert(r.sweeps == 0 && r.relaxed == 0);
+        ck_assert_int_eq(r.tested, FOUR_STICKS);
+    }
+}
+END_TEST
+
+// Rejects: one step more or less than was asked for; a count of sticks that is
+// not that of the steps.
+START_TEST(steps_are_counted_and_capped)
+{
+    const relax_options never = { ROOT_EXACT, GRADIENT_OLD, 0, 0 };
+    expect_ok(four_build(&f, &solid[HOUSE].plan));
+    for (int steps = 1; steps < 6; steps++) {
+        particle p[FOUR];
+        stand(p);
+        p[1].position = vec3_add_scaled(p[1].position, 0.02, any_unit());
+        relax_result r = four_relax(&f, p, steps, never);
+        ck_assert_int_le(r.sweeps, steps);
+        if (steps < 3) ck_assert_int_eq(r.sweeps, steps);
+        ck_assert_int_eq(r.relaxed, FOUR_STICKS * r.sweeps);
+        ck_assert_int_ge(r.tested, r.relaxed);
+    }
+}
+END_TEST
+
+// Swollen by 6 %, more than counts as bent: (s^2 - 1) / 2 is 0.0618.  A step
+// leaves s - (s^2 - 1) / 2 = 0.9982, the next one 1 - 1.6e-6.
+// Rejects: a body judged by how it came, or by its last step alone; one that is
+// content, by a tolerance that is wide, mended as if it were bent.
+START_TEST(bent_body_is_judged_when_its_steps_are_done)
+{
+    const relax_options wide = { ROOT_EXACT, GRADIENT_OLD, 0.1, 0 };
+    const real left[3] = { 0.0618, 1.8e-3, 1.6e-6 };
+    expect_ok(four_build(&f, &solid[HOUSE].plan));
+    for (int steps = 0; steps < 3; steps++) {
+        particle p[FOUR];
+        stand(p);
+        vec3 middle = { 0, 0, 0 };
+        for (int k = 0; k < FOUR; k++)
+            middle = vec3_add_scaled(middle, 1.0 / FOUR, p[k].position);
+        for (int k = 0; k < FOUR; k++)
+            p[k].position = vec3_add_scaled(p[k].position, 0.06,
+                vec3_sub(p[k].position, middle));
+        relax_result r = steps == 0 ? four_relax(&f, p, 1, wide)
+                                    : four_relax(&f, p, steps, OLD);
+        ck_assert_int_eq(r.fell_back, 0);
+        ck_assert_int_eq(r.sweeps, steps);
+        ck_assert_msg(fabs(r.worst - left[steps]) <= 0.02 * left[steps],
+                      "%d steps leave %g", steps, r.worst);
+    }
+}
+END_TEST
+
+// --- violence ----------------------------------------------------------------
+
+enum { SCATTERED, CRUSHED, PRESSED, MIRRORED, PIERCED, FLUNG, TINY, WRECKS };
+
+// m, nearly the largest double.
+#define LIMIT 1.7e308
+
+// What may become of the particles in a step; they stood well before it.
+static void wreck(particle *p, int kind)
+{
+    vec3 mean = { 0, 0, 0 }, n = any_unit();
+    for (int k = 0; k < FOUR; k++)
+        mean = vec3_add_scaled(mean, 1.0 / FOUR, p[k].position);
+    for (int k = 0; k < FOUR; k++) {
+        vec3 *x = &p[k].position, d = vec3_sub(*x, mean);
+        real up = vec3_dot(d, n);
+        switch (kind) {
+        case SCATTERED: *x = vec3_scale(5 * f.radius, any_vec3()); break;
+        case CRUSHED:   *x = mean; break;
+        case PRESSED:   *x = vec3_add_scaled(*x, -up, n); break;
+        case MIRRORED:  *x = vec3_add_scaled(*x, -2 * up, n); break;
+        case PIERCED:   if (k == 0) *x = vec3_add_scaled(mean, -2, d); break;
+        case FLUNG:     *x = vec3_scale(LIMIT, any_vec3()); break;
+        default:        *x = vec3_add_scaled(mean, 1e-200, d); break;
+        }
+    }
+}
+
+// A body that was straight a step ago is never left bent or mirrored.
+// (So far away that a body has no size it need only be somewhere.)
+static void is_sound(const particle *p, const char *what)
+{
+    real far = 0;
+    for (int k = 0; k < FOUR; k++) {
+        ck_assert_msg(vec3_is_finite(p[k].position), "%s: lost", what);
+        far = fmax(far, fabs(p[k].position.x));
+    }
+    if (far > 1e12) return;
+    ck_assert_msg(!four_is_mirrored(&f, p), "%s: mirrored", what);
+    ck_assert_msg(worst_strain(p) <= 0.01, "%s: strain %g", what,
+                  worst_strain(p));
+}
+
+static void try_wreck(int i)
+{
+    static const char *const name[WRECKS] = { "scattered", "crushed",
+        "pressed flat", "mirrored", "pierced", "flung away", "tiny" };
+    for (int n = 0; n < 300 * SOLIDS; n++) {
+        expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
+        particle p[FOUR];
+        stand(p);
+        wreck(p, i);
+        four_relax(&f, p, 6, n % 8 < 4 ? OLD : NEW);
+        is_sound(p, name[i]);
+        four_free(&f);
+    }
+}
+
+// Rejects: Newton's iteration trusted where it finds the mirror image, or
+// nothing at all; a mirror that has no strain taken for a body at rest.
+START_TEST(whatever_happens_to_a_body_it_is_never_mirrored_nor_lost)
+{
+    for (int i = 0; i < WRECKS; i++) try_wreck(i);
+}
+END_TEST
+
+static void try_plate(int i)
+{
+    shape plate;
+    // A tenth to an eightieth as thick as wide.
+    expect_ok(shape_box(&plate, vec3_make(1, 1.0 / (10 << i), 1), 1));
+    expect_ok(four_build(&f, &plate));
+    shape_free(&plate);
+    for (int n = 0; n < 400; n++) {
+        particle p[FOUR];
+        matrix turn = stand(p);
+        real share = n % 4 == 0 ? 2 : 1.5 + any() / 2;
+        for (int k = 0; k < FOUR; k++) {
+            real up = vec3_dot(vec3_sub(p[k].position, p[0].position), turn.y);
+            p[k].position = vec3_add_scaled(p[k].position, -share * up, turn.y);
+        }
+        four_relax(&f, p, 6, n % 2 ? OLD : NEW);
+        is_sound(p, "plate");
+    }
+    four_free(&f);
+}
+
+// In a plate a particle that goes through the plane of the others changes no
+// stick by much: (2 t / L)^2 / 2.
+// Rejects: a small strain taken for a small error.
+START_TEST(thin_plate_is_never_mirrored)
+{
+    for (int i = 0; i < 4; i++) try_plate(i);
+}
+END_TEST
+
+// Rejects: an endless loop over NaN, or a crash; a fall back that is not told.
+START_TEST(lost_numbers_are_told_and_do_no_harm)
+{
+    const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
+    expect_ok(four_build(&f, &solid[BALL].plan));
+    for (int k = 0; k < 3 * FOUR; k++) {
+        particle p[FOUR];
+        vec3 at[12];
+        stand(p);
+        p[k % FOUR].position.y = bad[k / FOUR];
+        relax_result r = four_relax(&f, p, 6, OLD);
+        ck_assert_int_eq(r.fell_back, 1);
+        four_ride(&f, p, at, 12);
+    }
+}
+END_TEST
+
+// --- many at once --------------------------------------------------------------
+
+// Rejects: a body that goes on after it is content, or stops with its
+// neighbour; one that is nailed, bent, mirrored or lost and treated as others;
+// one that lies still, whose old places are no numbers, moved by them;
+// the last few of a list left out; counts of one body for those of all.
+START_TEST(bodies_relaxed_together_get_the_bits_of_each_alone)
+{
+    enum { MOST = 11 };
+    const real bad[] = { (real)NAN, HUGE_VAL };
+    particle one[MOST * FOUR], all[MOST * FOUR];
+    for (int n = 0; n < 2000; n++) {
+        int bodies = 1 + n % MOST, steps = 1 + n % 6;
+        const relax_options *o = n % 5 ? &OLD : &NEW;
+        relax_result sum = { .worst = 0 };
+        int first[MOST];
+        expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
+        for (int b = 0; b < bodies; b++) {
+            particle *p = one + b * FOUR;
+            first[(b + n) % bodies] = b * FOUR;
+            int kind = (int)(12 * (any() + 1));
+            stand(p);
+            for (int k = 0; k < FOUR && kind > 2 && kind != 5; k++)
+                p[k].position = vec3_add_scaled(p[k].position, 0.05 * f.radius
+                                                * (any() + 1), any_vec3());
+            for (int k = 0; k < FOUR && kind == 1; k++) p[k].inverse_mass = 0;
+            if (kind == 2) wreck(p, n % WRECKS);
+            if (kind == 3) p[n % FOUR].position.z = bad[n % 2];
+            if (kind == 4 || kind == 5) p[n % FOUR].previous.x = bad[n % 2];
+        }
+        memcpy(all, one, sizeof one);
+        for (int b = 0; b < bodies; b++) {
+            relax_result r = four_relax(&f, one + b * FOUR, steps, *o);
+            sum.tested += r.tested;
+            sum.relaxed += r.relaxed;
+            sum.fell_back += r.fell_back;
+            if (r.sweeps > sum.sweeps) sum.sweeps = r.sweeps;
+            sum.worst = fmax(sum.worst, r.worst);
+        }
+        relax_result r = four_relax_all(&f, all, first, bodies, steps, *o);
+        ck_assert(memcmp(one, all, (size_t)bodies * FOUR * sizeof *one) == 0);
+        ck_assert(r.tested == sum.tested && r.relaxed == sum.relaxed);
+        ck_assert(r.sweeps == sum.sweeps && r.fell_back == sum.fell_back);
+        ck_assert(r.worst == sum.worst);
+        four_free(&f);
+    }
+}
+END_TEST
+
+// Rejects: a mirror that is seen by volume in one place only, or in none.
+START_TEST(mirror_image_is_known)
+{
+    for (int n = 0; n < 100; n++) {
+        expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
+        particle p[FOUR];
+        stand(p);
+        ck_assert(!four_is_mirrored(&f, p));
+        wreck(p, MIRRORED);
+        ck_assert(four_is_mirrored(&f, p));
+        ck_assert(worst_strain(p) <= ROUNDING);
+        four_free(&f);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const test[] = {
+        four_particles_have_mass_center_and_inertia_of_the_solid,
+        vertices_ride_where_the_shape_has_them,
+        sticks_and_radii_are_those_of_the_particles,
+        free_spin_keeps_its_momentum_for_ten_seconds,
+        body_without_volume_is_refused_with_a_sentence,
+        small_and_large_bodies_are_built_alike,
+        refused_memory_is_told_and_leaves_nothing,
+        answer_to_a_push_is_the_textbooks,
+        lopsided_body_answers_as_its_particles_would,
+        six_ways_are_what_the_sticks_leave,
+        nailed_body_answers_nothing,
+        step_of_the_frame_is_newtons_step_of_the_six_sticks,
+        one_step_squares_the_error,
+        relaxing_keeps_momentum_and_angular_momentum,
+        nailed_body_is_not_relaxed,
+        body_within_tolerance_keeps_every_bit,
+        steps_are_counted_and_capped,
+        bent_body_is_judged_when_its_steps_are_done,
+        lost_numbers_are_told_and_do_no_harm,
+        bodies_relaxed_together_get_the_bits_of_each_alone,
+        mirror_image_is_known,
+        whatever_happens_to_a_body_it_is_never_mirrored_nor_lost,
+        thin_plate_is_never_mirrored,
+    };
+    Suite *s = suite_create("four");
+    TCase *t = tcase_create("four");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
+        tcase_add_test(t, test[i]);
+    suite_add_tcase(s, t);
+    SRunner *runner = srunner_create(s);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -1,0 +1,41 @@
+# check_book.sh - is book.md what make book would write, whichever awk writes
+# it, and does it show each line of lib/ and of the slow oracle once?
+# (chapters/check-book.awk)  Does every test and function exist that it names?
+# Is every figure in it, and as its program would draw it today?
+# Are its words, the exercises' and README's spelt as a dictionary has them?
+
+export LC_ALL=C
+fresh=$(mktemp)
+trap 'rm -f "$fresh"' EXIT
+failed=
+
+for awk in awk mawk gawk; do
+    command -v $awk > /dev/null || continue
+    $awk -f chapters/weave.awk lib/*/*.h lib/*/*.c tests/support/oracle.[hc] chapters/[0-9]*.md > "$fresh" || { failed=1; break; }
+    cmp -s "$fresh" book.md || {
+        echo "book.md is not what $awk weaves now: run make book"
+        failed=1
+    }
+    $awk -f chapters/check-book.awk lib/*/*.h lib/*/*.c tests/support/oracle.[hc] book.md || failed=1
+done
+
+# Names of three words and more, `like_this_one`; two words may be formulas.
+for name in $(grep -oh '`[a-z0-9]*_[a-z0-9]*_[a-z0-9_]*`' chapters/*.md README.md | tr -d '`' | sort -u); do
+    grep -rqw "$name" lib tests/*/*.[ch] figures/*/*.[ch] exercises/*/check.c || {
+        echo "the book names $name, and nothing in the tree is called that"
+        failed=1
+    }
+done
+sh figures/draw/stamp.sh || failed=1
+
+# The speller itself is shown a mistake first.
+echo "Wether \`wich\` is sayd in code or not." > "$fresh"
+said=$(sh chapters/spell.sh "$fresh")
+case $said in
+*"not checked"*) ;;
+*:1:*Wether*:1:*sayd*) ;;
+*) echo "the speller overlooks mistakes: $said"; failed=1 ;;
+esac
+sh chapters/spell.sh README.md chapters/[0-9]*.md exercises/README.md \
+    exercises/*/README.md exercises/*/hints || failed=1
+[ -z "$failed" ]

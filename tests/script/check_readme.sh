@@ -1,0 +1,37 @@
+# check_readme.sh - do the links of README lead somewhere, is the moving picture
+# one, and is every command there that README, the exercises' page, a chapter or
+# make's own help names?
+
+unset MAKEFLAGS MFLAGS      # a make that called us must not hand down its own
+failed=
+fault() { echo "$1"; failed=1; }
+
+links=0
+for link in $(grep -o '](\([^)]*\))' README.md | sed 's/^](//; s/)$//; s/#.*//' | sort -u); do
+    links=$((links + 1))
+    case $link in http*) ;; *) [ -e "$link" ] || fault "README.md links to $link, which is not there" ;; esac
+done
+
+# A WebP says so at its beginning, and in its first lines that it is animated.
+moving=figures/moving/moving.webp
+head -c 64 $moving | tr -d '\0\n' | LC_ALL=C grep -aq 'RIFF.*WEBP.*ANIM' || fault "$moving does not move"
+[ "$(wc -c < $moving)" -lt 2000000 ] || fault "$moving has more than 2 MB"
+
+# Goals are the words after make, up to two blanks, that are no variables and no
+# files: in the help, in blocks of commands, and between backticks.  (Pages are
+# not for echo, which may take the \c of a formula for their end.)
+known=$(make -pn help 2> /dev/null | sed -n 's/^\([a-z0-9][a-z0-9_-]*\):.*/\1/p')
+pages() { cat README.md exercises/README.md chapters/[0-9]*.md; }
+goals=$({ make -s help | grep -o '^  make [a-z0-9][a-z0-9_ /-]*'
+    pages | awk '/^```/ { inside = !inside && /```sh$/ } inside' | grep -o '^make [a-z0-9][a-z0-9_ /-]*'
+    pages | grep -o '`make [a-z0-9][a-z0-9_ /-]*'
+} | sed 's/^ *`*make //; s/  .*//' | tr ' ' '\n' | grep . | grep -v / | sort -u)
+for goal in $goals; do
+    echo "$known" | grep -qx "$goal" || fault "there is no command  make $goal"
+done
+
+version=$(sed -n 's/^#define TUMBLE_VERSION "\(.*\)"/\1/p' figures/command/tumble.c)
+grep -qF "{Version $version, commit" README.md || fault "README.md cites another version than $version"
+grep -q "'Version: $version'" Makefile || fault "tumble.pc has another version than $version"
+
+[ -z "$failed" ] && echo "README: $links links, $(echo "$goals" | wc -l) commands, all there"

@@ -1,0 +1,36 @@
+# run.sh - runs the test programs and scripts that are named, every one, and
+# ends with one line that says what failed.  RUN: a command to run them under.
+# UNBUILT: set if some of them could not be built.  YOURS: the reader's modules
+# that they judge; then their answers are told in sentences.
+
+failed= programs=0 checks=0
+[ $# -gt 0 ] || { echo "FAILED: there is no test to run" >&2; exit 1; }
+output=$(mktemp)
+trap 'rm -f "$output"' EXIT
+
+for test in "$@"; do
+    programs=$((programs + 1))
+    name=$(basename "$test" .sh)
+    case $test in
+    *.sh) sh "$test" > "$output" 2>&1 ;;
+    *)    $RUN "$test" > "$output" 2>&1 ;;
+    esac
+    code=$?
+    case $YOURS,$test in
+    ,*|*.sh) cat "$output" ;;
+    *)       awk -v name="$name" -v yours="$YOURS" -f tests/script/tell.awk "$output" ;;
+    esac
+    # A Check program closes with its count; without that line it never ended.
+    count=$(sed -n 's/^[0-9]*%: Checks: \([0-9]*\),.*/\1/p' "$output" | tail -n 1)
+    case $test in *.sh) ;; *) [ -n "$count" ] || code=1 ;; esac
+    [ "$code" -eq 0 ] || failed="$failed $name"
+    checks=$((checks + ${count:-0}))
+done
+
+echo
+if [ -n "$failed" ] || [ -n "$UNBUILT" ]; then
+    [ -z "$UNBUILT" ] || echo "FAILED: some tests could not be built, see above"
+    [ -z "$failed" ] || echo "FAILED:$failed"
+    exit 1
+fi
+echo "All passed: $programs programs, $checks checks of the library"

@@ -12,6 +12,7 @@ define ORDER
 03/mesh
 03/body
 03/obj
+05/feature
 06/sphere_tree
 08/ordering
 10/support

@@ -14,6 +14,7 @@ define ORDER
 03/obj
 05/feature
 06/sphere_tree
+07/response
 08/ordering
 10/support
 10/exact

@@ -12,7 +12,9 @@ define ORDER
 03/mesh
 03/body
 03/obj
+05/feature
 06/sphere_tree
+07/response
 08/ordering
 10/support
 10/exact
@@ -113,7 +115,7 @@ endef
 .SECONDEXPANSION:
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help deps deps-book deps-dev deps-peers demo test checks objects book html pdf epub library \
+.PHONY: lines help deps deps-book deps-dev deps-peers demo test checks objects book html pdf epub library \
   figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
   $(CHAPTERS:%=test-%) $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
@@ -266,6 +268,7 @@ endif
 #:   make speed      time against error, module by module: figures/tables/speed.csv
 #:   make profile    where a step's time goes, in the three scenes
 #:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
+#:   make lines      how long each module is, and its functions
 #:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
 #:   make peers      the same work by us and by libccd and ODE (make deps-peers
 #:                   installs them), each with its errors: figures/peers/peers.csv
@@ -324,6 +327,9 @@ coverage:
 	  CFLAGS='-O0 -g --coverage -DNDEBUG'
 	$(Q)sh tests/script/run.sh $(TESTS:%=$(BUILD)/coverage/tests/%)
 	$(Q)gcov -b -n $(BUILD)/coverage/*/*.gcno 2>/dev/null | awk -f tests/script/coverage.awk
+
+lines:
+	@awk -f tests/script/lines.awk Makefile lib/*/*.h lib/*/*.c | column -s, -t
 
 bits:
 	$(Q)sh tests/script/bits.sh '$(AGAIN)' $(BUILD)/compare

@@ -281,7 +281,7 @@ static void relax_by_list(relaxation *r, const int *list, int entries)
         for (int i = 0; i < entries && r->budget > 0; i++)
             worst = real_max(look(r, list ? list[i] : i), worst);
         r->result.worst = worst;
-        r->result.sweeps++;
+        r->result.iterations++;
         if (r->budget <= 0) break;
         if (worst <= r->options.tolerance || r->result.relaxed == before)
             return;
@@ -331,7 +331,7 @@ static void relax_by_work(relaxation *r, const int *list, order_scratch *o)
             found = 1;
             now = look_by_clock(r, o, k, now);
         }
-        r->result.sweeps += found;
+        r->result.iterations += found;
     }
     if (r->budget <= 0) {
         measure_rest(r);
@@ -454,7 +454,7 @@ relax_result sticks_relax_ordered(order_kind kind, const stick_lists *lists,
         relax_by_work(&r, list, scratch);
     } else if (kind == ORDER_LARGEST) {
         relax_by_largest(&r, scratch);
-        r.result.sweeps = (r.result.relaxed + n - 1) / n;
+        r.result.iterations = (r.result.relaxed + n - 1) / n;
     } else {
         relax_by_list(&r, list, entries);
     }

@@ -11,9 +11,13 @@ define ORDER
 02/constraint
 03/mesh
 03/body
+03/rigidity
+03/mesh_check
+03/convex
 03/obj
 06/sphere_tree
 08/ordering
+10/ring
 10/support
 10/exact
 10/nearest
@@ -21,6 +25,7 @@ define ORDER
 10/penetration
 11/separation
 11/manifold
+12/strand
 12/line
 13/four
 13/push
@@ -385,8 +390,8 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body obj \
-  penetration sphere_tree grid ordering line four broad rest world step world_scene)
+SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body \
+  rigidity mesh_check convex obj penetration sphere_tree grid ordering line four broad rest world step world_scene)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

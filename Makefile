@@ -12,7 +12,9 @@ define ORDER
 03/mesh
 03/body
 03/obj
+05/feature
 06/sphere_tree
+07/response
 08/ordering
 09/scene
 10/support

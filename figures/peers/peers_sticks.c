@@ -56,7 +56,7 @@ static void sweep_fours(int piece)
     relax_options o = world_options_default().relax;
     (void)piece;
     for (int b = 0; b < BODIES; b++)
-        sticks_sweep(body_of_four.stick, FOUR_STICKS, pool + b * FOUR, o);
+        sticks_iterate(body_of_four.stick, FOUR_STICKS, pool + b * FOUR, o);
 }
 
 static real strain_left(void (*relax)(int))
@@ -123,7 +123,7 @@ static void fall_swept(int piece) { (void)piece; fall(1); }
 
 static relax_options along_new(void)
 {
-    relax_options o = relax_options_default();
+    relax_options o = relax_options_pbd();
     o.tolerance = 0;
     return o;
 }
@@ -138,7 +138,7 @@ static void sweep(int piece)
 {
     (void)piece;
     for (int k = 0; k < TEN; k++)
-        sticks_sweep(hanging.stick, LINKS, rope[1], along_new());
+        sticks_iterate(hanging.stick, LINKS, rope[1], along_new());
 }
 
 static real rope_strain(int which)

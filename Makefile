@@ -15,9 +15,11 @@ define ORDER
 03/mesh_check
 03/convex
 03/obj
+05/feature
 06/sphere_tree
+07/response
 08/ordering
-10/ring
+09/scene
 10/support
 10/exact
 10/nearest
@@ -25,7 +27,6 @@ define ORDER
 10/penetration
 11/separation
 11/manifold
-12/strand
 12/line
 13/four
 13/push
@@ -118,7 +119,7 @@ endef
 .SECONDEXPANSION:
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help deps deps-book deps-dev deps-peers demo test checks objects book html pdf epub library \
+.PHONY: lines help deps deps-book deps-dev deps-peers demo test checks objects book html pdf epub library \
   figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
   $(CHAPTERS:%=test-%) $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
@@ -271,6 +272,7 @@ endif
 #:   make speed      time against error, module by module: figures/tables/speed.csv
 #:   make profile    where a step's time goes, in the three scenes
 #:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
+#:   make lines      how long each module is, and its functions
 #:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
 #:   make peers      the same work by us and by libccd and ODE (make deps-peers
 #:                   installs them), each with its errors: figures/peers/peers.csv
@@ -329,6 +331,9 @@ coverage:
 	  CFLAGS='-O0 -g --coverage -DNDEBUG'
 	$(Q)sh tests/script/run.sh $(TESTS:%=$(BUILD)/coverage/tests/%)
 	$(Q)gcov -b -n $(BUILD)/coverage/*/*.gcno 2>/dev/null | awk -f tests/script/coverage.awk
+
+lines:
+	@awk -f tests/script/lines.awk Makefile lib/*/*.h lib/*/*.c | column -s, -t
 
 bits:
 	$(Q)sh tests/script/bits.sh '$(AGAIN)' $(BUILD)/compare
@@ -391,7 +396,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body \
-  rigidity mesh_check convex obj penetration sphere_tree grid ordering line four broad rest world step world_scene)
+  rigidity mesh_check convex obj penetration sphere_tree grid ordering line four broad rest world step world_scene scene)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

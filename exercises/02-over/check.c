@@ -73,11 +73,11 @@ START_TEST(omega_1_is_the_plain_sweep)
     memcpy(q, p, sizeof p);
     for (int k = 0; k < 3; k++) {
         over_sweep(s, 20, p, 1);
-        sticks_sweep(s, 20, q, relax_options_default());
+        sticks_iterate(s, 20, q, relax_options_pbd());
     }
     for (int i = 0; i < 21; i++)
         near(vec3_distance(p[i].position, q[i].position), 0, 100 * ROUNDING,
-             "metres beside where sticks_sweep puts a particle",
+             "metres beside where sticks_iterate puts a particle",
              "One after the other, each from where the last has left it.");
 }
 END_TEST

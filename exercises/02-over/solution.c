@@ -7,7 +7,7 @@ void over_sweep(const stick *s, int n, particle *p, real omega)
     for (int i = 0; i < n; i++) {
         stick eager = s[i];
         eager.stiffness = omega;
-        stick_relax(eager, p, relax_options_default());
+        stick_relax(eager, p, relax_options_pbd());
     }
 }
 

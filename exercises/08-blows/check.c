@@ -184,7 +184,7 @@ static int passes_until_well(const int *order)
     for (int pass = 1; pass <= 1000; pass++) {
         real worst = 0;
         for (int i = 0; i < ROPE; i++)
-            stick_relax(s[order[i]], p, relax_options_default());
+            stick_relax(s[order[i]], p, relax_options_pbd());
         for (int k = 0; k < ROPE; k++)
             worst = fmax(worst, stick_strain(s[k], p));
         if (worst <= 0.01) return pass;

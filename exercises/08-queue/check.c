@@ -66,7 +66,7 @@ static queue_result slowly(const stick *s, int n, particle *p, int from,
         int now = list[begin++];
         r.tested++;
         if (!(stick_strain(s[now], p) > tolerance)) continue;
-        if (!stick_relax(s[now], p, relax_options_default()).moved) continue;
+        if (!stick_relax(s[now], p, relax_options_pbd()).moved) continue;
         r.relaxed++;
         for (int side = 0; side < 2; side++) {
             int v = side ? s[now].b : s[now].a;

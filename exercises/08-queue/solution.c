@@ -41,7 +41,7 @@ queue_result queue_relax(const stick *s, int n, particle *p,
 
         r.tested++;
         if (!(stick_strain(s[k], p) > tolerance)) continue;
-        if (!stick_relax(s[k], p, relax_options_default()).moved) continue;
+        if (!stick_relax(s[k], p, relax_options_pbd()).moved) continue;
         r.relaxed++;
         join_all(&q, sticks_at, s[k].a, k);
         join_all(&q, sticks_at, s[k].b, k);

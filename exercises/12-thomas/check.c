@@ -186,7 +186,7 @@ START_TEST(step_is_the_librarys)
     enum { LINKS = 20 };
     shape plan;
     particle told[LINKS + 1];
-    relax_options o = relax_options_default();
+    relax_options o = relax_options_pbd();
     o.tolerance = 0;
     ck_assert(shape_rope(&plan, LINKS, LINKS, 1).ok);
     line_scratch *scratch = line_scratch_new(&plan);

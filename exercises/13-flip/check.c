@@ -160,7 +160,6 @@ END_TEST
 static void step(real h)
 {
     relax_options o = relax_options_default();
-    o.gradient = GRADIENT_OLD;
     o.tolerance = 1e-12;
     verlet_step(p, FOUR, NONE, NULL, h);
     four_relax(&plan, p, 6, o);

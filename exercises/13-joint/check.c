@@ -192,7 +192,6 @@ END_TEST
 static void step(const joint *j, int joints, int bodies, int rounds, real h)
 {
     relax_options o = relax_options_default();
-    o.gradient = GRADIENT_OLD;
     o.tolerance = 1e-12;
     verlet_step(p, FOUR * bodies, GRAVITY, NULL, h);
     for (int r = 0; r < rounds; r++) {

@@ -236,7 +236,7 @@ static rod_end face_of(int first, int upper)
 
 static void step(int arms, const rod *r, int n)
 {
-    relax_options o = relax_options_default();
+    relax_options o = relax_options_pbd();
     verlet_step(p, 1 + 8 * arms, GRAVITY, NULL, dt);
     for (int k = 0; k < 8; k++) {
         rods_relax(r, n, p, 1e-9, 4);

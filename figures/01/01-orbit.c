@@ -1,6 +1,7 @@
 // 01-orbit.c - the path of a planet on a circle, five orbits of 60 steps each,
 // under explicit Euler and under Verlet.
 
+#include "euler.h"
 #include "verlet.h"
 
 #include <math.h>
@@ -25,7 +26,7 @@ int main(void)
            STEPS, __VERSION__, FLAGS);
     vec3 x0 = { 1, 0, 0 }, v0 = { 0, 1, 0 }, none = { 0, 0, 0 };
     real dt = 2 * 3.14159265358979323846 / STEPS;
-    euler_particle e = { x0, v0, 1 };
+    euler_particle e = { x0, v0 };
     particle p = particle_start(x0, v0, pull(x0), 1, dt);
     real nearest = 1, furthest = 1, end = 1;
     for (int k = 0; k <= ORBITS * STEPS; k++) {
@@ -35,7 +36,7 @@ int main(void)
         furthest = fmax(furthest, vec3_length(p.position));
         end = vec3_length(e.position);
         vec3 force = pull(e.position);
-        euler_step_explicit(&e, 1, none, &force, dt);
+        euler_step_explicit(&e, force, dt);
         force = pull(p.position);
         verlet_step(&p, 1, none, &force, dt);
     }

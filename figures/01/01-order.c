@@ -4,6 +4,7 @@
 // it would look better than it is.)
 
 #include "clock.h"
+#include "euler.h"
 #include "verlet.h"
 
 #include <stdio.h>
@@ -39,7 +40,7 @@ typedef struct {
 static planet planet_start(method m, real dt)
 {
     vec3 a0 = m == CARELESS ? NO_GRAVITY : pull(START);
-    return (planet){ { START, SPEED, 1 },
+    return (planet){ { START, SPEED },
                      particle_start(START, SPEED, a0, 1, dt) };
 }
 
@@ -47,9 +48,9 @@ static void planet_step(planet *s, method m, real dt)
 {
     vec3 force = pull(m <= SYMPLECTIC ? s->e.position : s->p.position);
     if (m == EULER)
-        euler_step_explicit(&s->e, 1, NO_GRAVITY, &force, dt);
+        euler_step_explicit(&s->e, force, dt);
     else if (m == SYMPLECTIC)
-        euler_step_symplectic(&s->e, 1, NO_GRAVITY, &force, dt);
+        euler_step_symplectic(&s->e, force, dt);
     else
         verlet_step(&s->p, 1, NO_GRAVITY, &force, dt);
 }

@@ -56,7 +56,7 @@ static void step_springs(rope *r, real dt)
 static void step_sticks(rope *r, real dt)
 {
     verlet_step(r->at, LINKS + 1, GRAVITY, NULL, dt);
-    sticks_sweep(r->link, LINKS, r->at, relax_options_default());
+    sticks_iterate(r->link, LINKS, r->at, relax_options_pbd());
 }
 
 // The largest strain of a link.

@@ -22,7 +22,7 @@ static const real ROOT = 0.86602540378443865;   // cos 30 degrees
 
 static relax_options way(int k)
 {
-    relax_options o = relax_options_default();
+    relax_options o = relax_options_pbd();
     if (k == 1) o.root = ROOT_APPROXIMATE;
     if (k == 2) o.gradient = GRADIENT_OLD;
     return o;
@@ -79,7 +79,7 @@ static outcome run(int swing, real end_mass, int k, int sweeps, int substeps)
         for (int j = 0; j < substeps; j++) {
             verlet_step(r.p, LINKS + 1, GRAVITY, NULL, dt);
             for (int i = 0; i < sweeps; i++)
-                sticks_sweep(r.s, LINKS, r.p, o);
+                sticks_iterate(r.s, LINKS, r.p, o);
         }
         // The fastest of all frames: the others were interrupted.
         out.seconds = fmin(out.seconds, clock_seconds() - begin);

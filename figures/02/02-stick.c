@@ -43,7 +43,7 @@ static void rope(particle *p)
 
 static relax_options options_of(int way)
 {
-    relax_options o = relax_options_default();
+    relax_options o = relax_options_pbd();
     if (way == 2) o.root = ROOT_APPROXIMATE;
     if (way == 3) o.gradient = GRADIENT_OLD;
     return o;
@@ -59,7 +59,7 @@ static double cost(int way, const stick *s, particle *p)
         double begin = clock_seconds();
         for (int i = 0; i < SWEEPS; i++)
             if (way == 0) bare_sweep(s, LINKS, p);
-            else          sticks_sweep(s, LINKS, p, o);
+            else          sticks_iterate(s, LINKS, p, o);
         best = fmin(best, (clock_seconds() - begin) * 1e9 / (SWEEPS * LINKS));
     }
     return best;

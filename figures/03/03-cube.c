@@ -96,14 +96,14 @@ static real shape_error(const particle *p, const vec3 *at)
 // what touches it by friction: it stays where it was.
 static void step(particle *p, const stick *s, int n, int sweeps)
 {
-    relax_options options = relax_options_default();
+    relax_options options = relax_options_pbd();
     verlet_step(p, 8, vec3_make(0, -9.81, 0), NULL, DT);
     for (int k = 0; k < 8; k++)
         if (p[k].position.y < 0) {
             p[k].position = p[k].previous;
             p[k].position.y = 0;
         }
-    for (int k = 0; k < sweeps; k++) sticks_sweep(s, n, p, options);
+    for (int k = 0; k < sweeps; k++) sticks_iterate(s, n, p, options);
 }
 
 // Runs 3 s; returns the largest error of the shape on the way.

@@ -81,7 +81,7 @@ static void step(cube *c)
     verlet_step(c->at, CORNERS, GRAVITY, NULL, DT);
     for (int k = 0; k < SWEEPS; k++) {
         hold(c);
-        sticks_sweep(c->stick, c->sticks, c->at, relax_options_default());
+        sticks_iterate(c->stick, c->sticks, c->at, relax_options_pbd());
     }
     hold(c);
 }

@@ -60,7 +60,7 @@ static status drape(subject *s)
         }
         verlet_step(p, plan.particles, gravity, NULL, dt);
         for (int k = 0; k < SWEEPS; k++) {
-            sticks_sweep(plan.stick, plan.sticks, p, relax_options_default());
+            sticks_iterate(plan.stick, plan.sticks, p, relax_options_pbd());
             keep_out(p, plan.particles);
         }
     }

@@ -89,18 +89,18 @@ static pair make(const shape *s, penetration_scratch *scratch)
 static void work(pair *q, const shape *s, response_options o, int passes,
                  int once)
 {
-    relax_options r = relax_options_default();
+    relax_options r = relax_options_pbd();
     for (int k = 0; k < passes; k++) {
         if (!once || k == 0) contact_separate(&q->c, q->p, o);
-        sticks_sweep(s->stick, s->sticks, q->p, r);
-        sticks_sweep(s->stick, s->sticks, q->p + CORNERS, r);
+        sticks_iterate(s->stick, s->sticks, q->p, r);
+        sticks_iterate(s->stick, s->sticks, q->p + CORNERS, r);
     }
 }
 
 // The overlap that is left once the bodies have their shapes again.
 static real left(pair *q, const shape *s)
 {
-    relax_options r = relax_options_default();
+    relax_options r = relax_options_pbd();
     r.tolerance = 1e-9;
     sticks_relax(s->stick, s->sticks, q->p, CORNERS, 2000, r, NULL);
     sticks_relax(s->stick, s->sticks, q->p + CORNERS, CORNERS, 2000, r, NULL);

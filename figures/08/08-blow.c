@@ -85,7 +85,7 @@ static void print_sticks(const lattice *l, int order, int look)
 // body on the way.  Ends after MOST, or when no stick is off by more than 1 %.
 static void run(lattice *l, const int *list, int n, int order)
 {
-    relax_options o = relax_options_default();
+    relax_options o = relax_options_pbd();
     int relaxed = 0, look = 0;
     for (int k = 0; relaxed < MOST; k = k + 1 < n ? k + 1 : 0) {
         while (look < LOOKS && LOOK[look] == relaxed)

@@ -100,7 +100,7 @@ static cost measure(const solid *b, order_kind kind, real tolerance,
 {
     static particle p[CORNERS];
     cost sum = { 0, 0, 0 };
-    relax_options o = relax_options_default();
+    relax_options o = relax_options_pbd();
     o.dead_band = 1;
     o.tolerance = tolerance;
     for (int k = 0; k < BLOWS; k++) {

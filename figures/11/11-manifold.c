@@ -117,7 +117,7 @@ static void drop(int most, penetration_scratch *scratch)
     stage s;
     contact c[MANIFOLD_TOUCHES];
     response_options response = response_options_default();
-    relax_options relax = relax_options_default();
+    relax_options relax = relax_options_pbd();
     const vec3 gravity = { 0, -9.81, 0 };
     real worst_tilt = 0, worst_depth = 0;
     if (!shape_box(&box, vec3_make(1, 0.3, 1), 1).ok
@@ -139,7 +139,7 @@ static void drop(int most, penetration_scratch *scratch)
             for (int pass = 0; pass < PASSES; pass++) {
                 for (int k = 0; k < n; k++)
                     contact_separate(&c[k], s.p, response);
-                sticks_sweep(box.stick, box.sticks, s.p, relax);
+                sticks_iterate(box.stick, box.sticks, s.p, relax);
             }
         }
         worst_tilt = fmax(worst_tilt, tilt(s.p));

@@ -69,7 +69,7 @@ static void frame(rope *r, recipe way)
     for (int k = 0; k < way.substeps; k++) {
         verlet_step(r->p, LINKS + 1, GRAVITY, NULL, h);
         for (int i = 0; i < way.sweeps; i++)
-            sticks_sweep(r->plan.stick, LINKS, r->p, o);
+            sticks_iterate(r->plan.stick, LINKS, r->p, o);
         if (way.steps > 0)
             line_solve(&r->plan.strand[0], r->p, way.steps, o, r->scratch);
     }
@@ -164,7 +164,7 @@ static double time_links(const shape *s, particle *p, link_way how,
         double begin = clock_seconds();
         for (int i = 0; i < turns; i++) {
             for (int r = 0; r < rounds && how == SWEPT; r++)
-                sticks_sweep(s->stick, s->on_strands, p, o);
+                sticks_iterate(s->stick, s->on_strands, p, o);
             for (int r = 0; r < rounds && how == FETCHED; r++)
                 for (int d = 0; d < s->directions; d++)
                     line_solve(&s->strand[d], p, 1, o, scratch);

@@ -68,7 +68,7 @@ static void substep(rope *r, recipe way)
     if (way.newton > 0)
         line_solve(&r->plan.strand[0], r->p, way.newton, o, r->scratch);
     for (int k = 0; k < way.sweeps; k++)
-        sticks_sweep(r->plan.stick, r->plan.sticks, r->p, o);
+        sticks_iterate(r->plan.stick, r->plan.sticks, r->p, o);
 }
 
 static real rope_strain(const rope *r)

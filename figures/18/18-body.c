@@ -158,7 +158,7 @@ static void strike_vertices(body_of *b, const stick *s, int sticks, int sweeps,
     vec3 *x = &b->p[b->struck[b->blow]].position;
     *x = vec3_add_scaled(*x, w * BLOW, b->push[b->blow]);
     for (int k = 0; k < sweeps; k++)
-        sticks_sweep(s, sticks, b->p, o);
+        sticks_iterate(s, sticks, b->p, o);
 }
 
 static void strike_four(body_of *b, int steps, relax_options o)
@@ -178,7 +178,6 @@ static void work(int way, void *with)
 {
     body_of *b = with;
     relax_options o = relax_options_default();
-    o.gradient = GRADIENT_OLD;
     o.tolerance = 0;
     model m = (model)(way / SIZES);
     if (m == FOURS) strike_four(b, size_of(way), o);

@@ -59,7 +59,7 @@ static int substeps_of(int way)
 
 static relax_options options_of(int way)
 {
-    relax_options o = relax_options_default();
+    relax_options o = relax_options_pbd();
     int root = kind_of(way) % 3;
     o.tolerance = 0;
     if (root == 1) o.root = ROOT_APPROXIMATE;
@@ -72,7 +72,7 @@ static void hold(thing *t, int way, relax_options o)
     int sweeps = kind_of(way) < 3 ? size_of(way) : 1;
     if (!is_direct(way)) {
         for (int k = 0; k < sweeps; k++)
-            sticks_sweep(t->plan.stick, t->plan.sticks, t->p, o);
+            sticks_iterate(t->plan.stick, t->plan.sticks, t->p, o);
     } else if (t->is_rope) {
         line_solve(&t->plan.strand[0], t->p, 1, o, t->scratch);
     } else {

@@ -6,6 +6,7 @@
 // rad).
 
 #include "clock.h"
+#include "euler.h"
 #include "verlet.h"
 
 #include <stdio.h>
@@ -71,7 +72,7 @@ static real miss(const motion *m, real x, real v)
 
 static real run_euler(const motion *m, method way, int steps, real dt)
 {
-    euler_particle p = { { m->start, 0, 0 }, { 0, 0, 0 }, 1 };
+    euler_particle p = { { m->start, 0, 0 }, { 0, 0, 0 } };
     for (int k = 0; k < steps; k++) {
         vec3 force = { 0, 0, 0 };
         if (way == RUNGE_KUTTA) {
@@ -79,8 +80,8 @@ static real run_euler(const motion *m, method way, int steps, real dt)
             continue;
         }
         force.x = pull(m, p.position.x);
-        if (way == EXPLICIT) euler_step_explicit(&p, 1, NO_GRAVITY, &force, dt);
-        else euler_step_symplectic(&p, 1, NO_GRAVITY, &force, dt);
+        if (way == EXPLICIT) euler_step_explicit(&p, force, dt);
+        else euler_step_symplectic(&p, force, dt);
     }
     return miss(m, p.position.x, p.velocity.x);
 }

@@ -56,7 +56,7 @@ static void sweep_fours(int piece)
     relax_options o = world_options_default().relax;
     (void)piece;
     for (int b = 0; b < BODIES; b++)
-        sticks_sweep(body_of_four.stick, FOUR_STICKS, pool + b * FOUR, o);
+        sticks_iterate(body_of_four.stick, FOUR_STICKS, pool + b * FOUR, o);
 }
 
 static real strain_left(void (*relax)(int))
@@ -123,7 +123,7 @@ static void fall_swept(int piece) { (void)piece; fall(1); }
 
 static relax_options along_new(void)
 {
-    relax_options o = relax_options_default();
+    relax_options o = relax_options_pbd();
     o.tolerance = 0;
     return o;
 }
@@ -138,7 +138,7 @@ static void sweep(int piece)
 {
     (void)piece;
     for (int k = 0; k < TEN; k++)
-        sticks_sweep(hanging.stick, LINKS, rope[1], along_new());
+        sticks_iterate(hanging.stick, LINKS, rope[1], along_new());
 }
 
 static real rope_strain(int which)
@@ -175,15 +175,15 @@ static void measure_rope(void)
 
 // ---- A cloth ---------------------------------------------------------------
 
-static scene cloth;
+static world_scene cloth;
 
 static void cloth_start(int frame)
 {
     if (frame > 0) return;
-    scene_free(&cloth);
-    status done = scene_build(&cloth, SCENE_CLOTH_ON_CUBE,
+    world_scene_free(&cloth);
+    status done = world_scene_build(&cloth, SCENE_CLOTH_ON_CUBE,
                               scene_options_default(),
-                              scene_world_options(SCENE_CLOTH_ON_CUBE, 40));
+                              world_scene_options(SCENE_CLOTH_ON_CUBE, 40));
     if (!done.ok) give_up(done.why);
 }
 
@@ -229,7 +229,7 @@ static void measure_cloth(void)
     real *time = time_in_turn(ways, 1, FRAMES, 3);
     add_cloth(1e3 * time_sum(time, FRAMES, 0) / FRAMES, most, end);
     free(time);
-    scene_free(&cloth);
+    world_scene_free(&cloth);
 }
 
 void peers_sticks(void)

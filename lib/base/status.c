@@ -6,12 +6,12 @@
 
 status status_ok(void)
 {
-    return (status){ .ok = 1 };
+    return (status){ .ok = true };
 }
 
 status status_fail(const char *format, ...)
 {
-    status s = { .ok = 0 };
+    status s = { .ok = false };
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(s.why, sizeof s.why, format, arguments);

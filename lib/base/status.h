@@ -2,16 +2,18 @@
 // status.h - an answer that says why not.
 //
 // Book: chapter 0.  A programmer's misuse of the library stops at an assert.
-// Bad input (a file, a mesh, an option) is nobody's crash: the function that
-// meets it leaves nothing half built and returns one sentence that says what
-// is wrong, where, and why.
+// Bad input (a file, a mesh, an option) does not stop the program: the function
+// that meets it leaves nothing half built and returns one sentence that says
+// what is wrong, where, and why.
 
 #ifndef TUMBLE_STATUS_H
 #define TUMBLE_STATUS_H
 
-// ok is 1 or 0; why is one sentence without a full stop, empty when ok.
+#include <stdbool.h>
+
+// why is one sentence without a full stop, empty if ok.
 typedef struct {
-    int  ok;
+    bool ok;
     char why[200];
 } status;
 

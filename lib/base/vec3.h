@@ -1,8 +1,8 @@
 //> vec3-head
 // vec3.h - three numbers that add, scale and measure.
 //
-// Book: chapter 0.  The functions stand in the header, inline, because every
-// loop of the library is made of them and none of them is longer than a line.
+// Book: chapter 0.  The functions stand in the header, inline: every loop of the
+// library is made of them, and each is a line or two.
 // Only + - * / and sqrt: IEEE 754 rounds these alike everywhere, so the same
 // scene gives the same bits on every machine.
 
@@ -10,8 +10,9 @@
 #define TUMBLE_VEC3_H
 
 #include <math.h>
+#include <stdbool.h>
 
-// One name for the number type, so that a reader may try float.
+// The number type has a name of its own, so that a reader may try float.
 typedef double real;
 
 typedef struct {
@@ -20,8 +21,7 @@ typedef struct {
 //<
 
 //> real-max
-// The larger and the smaller of two, of reals and of whole numbers; b if a is
-// NaN.
+// The larger and the smaller of two numbers.  If a is NaN, the result is b.
 static inline real real_max(real a, real b)
 {
     return a > b ? a : b;
@@ -64,7 +64,7 @@ static inline vec3 vec3_scale(real s, vec3 a)
     return (vec3){ s * a.x, s * a.y, s * a.z };
 }
 
-// a + s b: from a, s times b.
+// a + s b: start at a, go s times b.
 static inline vec3 vec3_add_scaled(vec3 a, real s, vec3 b)
 {
     return (vec3){ a.x + s * b.x, a.y + s * b.y, a.z + s * b.z };
@@ -77,8 +77,8 @@ static inline real vec3_dot(vec3 a, vec3 b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// Perpendicular to both, by the right-hand rule; as long as the area of their
-// parallelogram.
+// Perpendicular to a and b, by the right-hand rule; its length is the area of
+// their parallelogram.
 static inline vec3 vec3_cross(vec3 a, vec3 b)
 {
     return (vec3){ a.y * b.z - a.z * b.y,
@@ -112,9 +112,9 @@ static inline vec3 vec3_unit(vec3 a)
 //<
 
 //> vec3-finite
-// 1 if no component is infinite or NaN.  x - x is 0 for every finite x, and
+// True if no component is infinite or NaN.  x - x is 0 for every finite x, and
 // NaN for the others.
-static inline int vec3_is_finite(vec3 a)
+static inline bool vec3_is_finite(vec3 a)
 {
     return a.x - a.x == 0 && a.y - a.y == 0 && a.z - a.z == 0;
 }

@@ -1,5 +1,5 @@
-//> stick-pull
-// constraint.c - sticks: two particles at a fixed distance.
+//> correction
+// constraint.c - distance constraints ("sticks") and angle constraints.
 //
 // Paper: section 3.2.  Book: chapter 2.
 
@@ -10,214 +10,266 @@
 #include <stdlib.h>
 #include <string.h>
 
-// What a stick asks of its ends: a moves by w_a (error / bottom) along, b by as
-// much the other way, with w_b.  Its strain is error / size, a division that
-// nobody needs who can compare error with a multiple of size.
+// How a stick corrects its ends: a moves by w_a k along `along`, b by w_b k the
+// other way, with k = error / divisor.  Its strain is error / scale.
 typedef struct {
     vec3 along;         // m, from a towards b
-    real error, size;   // both m, or both m^2; error > 0: too long
-    real bottom;        // what the error is divided by
-    int  able;          // 0: no direction to push along, or nobody to push
-} pull;
+    real error, scale;  // both in m, or both in m^2; error > 0: too long
+    real divisor;
+    bool possible;      // false: no direction to move along, or both pinned
+} correction;
 
-// length - L = error is shared out by inverse mass:
-//     w_a k + w_b k = error,   along / length = the direction.
-static inline pull pull_exact(stick s, const particle *a, const particle *b)
+// The exact length: error = length - L is shared by inverse mass,
+//     w_a k length + w_b k length = error.
+static inline correction correction_exact(stick s, const particle *a,
+                                          const particle *b)
 {
     vec3 along = vec3_sub(b->position, a->position);
     real length = vec3_length(along);
     real error = length - s.rest_length;
-    real bottom = length * (a->inverse_mass + b->inverse_mass);
-    return (pull){ along, error, s.rest_length, bottom, bottom > 0 };
+    real divisor = length * (a->inverse_mass + b->inverse_mass);
+    return (correction){ along, error, s.rest_length, divisor, divisor > 0 };
 }
 //<
 
-//> stick-pull-approximate
+//> correction-approximate
 // One Newton step for the root of d^2 = along . along, from L:
 //     length ~ (d^2 + L^2) / (2 L),   error ~ (d^2 - L^2) / (2 L).
-// In error / length the 2 L goes out, and no root is left.
-static inline pull pull_approximate(stick s, const particle *a,
-                                    const particle *b)
+// The 2 L cancels in error / length, and no root is left.
+static inline correction correction_approximate(stick s, const particle *a,
+                                                const particle *b)
 {
     vec3 along = vec3_sub(b->position, a->position);
     real now = vec3_length_squared(along);
     real rest = s.rest_length * s.rest_length;
-    real weight = a->inverse_mass + b->inverse_mass;
-    return (pull){ along, now - rest, 2 * rest, (now + rest) * weight,
-                   now * weight > 0 };
+    real w = a->inverse_mass + b->inverse_mass;
+    return (correction){ along, now - rest, 2 * rest, (now + rest) * w,
+                         now * w > 0 };
 }
 //<
 
-//> stick-pull-old
-// A stick whose direction of one step ago makes more than about 83 degrees with
-// the present one cannot be mended along it: along . old <= L^2 / 8.
+//> correction-old
+// A stick that has turned by more than about 83 degrees in one step cannot be
+// corrected along its old direction: along . old <= L^2 / 8.
 static const real TURNED = 0.125;
 
-// Push along old, the stick as it lay one step ago, by g:
-//     |along - g (w_a + w_b) old|^2 = L^2
-// and, to first order in g:
-//     d^2 - L^2 = 2 g (w_a + w_b) along . old.
-static inline pull pull_old(stick s, const particle *a, const particle *b)
+// Move along old, the stick as it lay one step ago, by k:
+//     |along - k (w_a + w_b) old|^2 = L^2
+// and, to first order in k:
+//     d^2 - L^2 = 2 k (w_a + w_b) along . old.
+static inline correction correction_old(stick s, const particle *a,
+                                        const particle *b)
 {
     vec3 along = vec3_sub(b->position, a->position);
     vec3 old = vec3_sub(b->previous, a->previous);
     real rest = s.rest_length * s.rest_length;
-    real weight = a->inverse_mass + b->inverse_mass;
+    real w = a->inverse_mass + b->inverse_mass;
     real both = vec3_dot(along, old);
-    return (pull){ old, vec3_length_squared(along) - rest, 2 * rest,
-                   2 * both * weight, both > TURNED * rest && weight > 0 };
+    return (correction){ old, vec3_length_squared(along) - rest, 2 * rest,
+                         2 * both * w, both > TURNED * rest && w > 0 };
 }
 //<
 
-//> stick-follow
-// The error that counts: a one-sided stick is content on its free side.  Most
-// have no such side.  That is asked first: a sign of an error is as good as
-// tossed, and a processor that has guessed it wrong begins anew.
-static inline real error_counted(stick_kind kind, real error)
+//> correction-apply
+// The error that counts: that of a satisfied inequality is 0.  NaN stays NaN.
+static inline real active_error(stick_kind kind, real error)
 {
-    if (kind == STICK_EXACT) return error;
     if (kind == STICK_AT_LEAST && error > 0) return 0;
     if (kind == STICK_AT_MOST && error < 0) return 0;
     return error;
 }
 
-// An error to report: one that is not a number shows as infinite.
-static inline real error_shown(real error)
+// An error to report: NaN becomes infinity, which no comparison overlooks.
+static inline real reported(real error)
 {
     return error == error ? error : HUGE_VAL;
 }
 
-// Does what the stick asks, unless its strain is within band.
-static inline int pull_follow(pull q, stick s, particle *a, particle *b,
-                              real band)
+// Moves both ends, unless the strain is within slop.  Returns true if it did.
+static inline bool apply(correction c, stick s, particle *a, particle *b,
+                         real slop)
 {
-    if (fabs(q.error) <= band * q.size || !q.able) return 0;
+    if (fabs(c.error) <= slop * c.scale || !c.possible) return false;
 
-    real k = s.stiffness * q.error / q.bottom;
-    a->position = vec3_add_scaled(a->position, k * a->inverse_mass, q.along);
-    b->position = vec3_add_scaled(b->position, -k * b->inverse_mass, q.along);
-    return 1;
+    real k = s.stiffness * c.error / c.divisor;
+    a->position = vec3_add_scaled(a->position, k * a->inverse_mass, c.along);
+    b->position = vec3_add_scaled(b->position, -k * b->inverse_mass, c.along);
+    return true;
 }
 //<
 
 //> stick-relax
 relax_options relax_options_default(void)
 {
-    return (relax_options){ .root = ROOT_EXACT, .gradient = GRADIENT_NEW,
-                            .tolerance = 1e-4, .dead_band = 0 };
+    return (relax_options){ .root = ROOT_EXACT, .gradient = GRADIENT_OLD,
+                            .tolerance = 1e-4, .dead_band = false };
+}
+
+relax_options relax_options_pbd(void)
+{
+    relax_options o = relax_options_default();
+    o.gradient = GRADIENT_NEW;
+    return o;
+}
+
+// Corrects s by the way that the options name.
+static inline bool relax(stick s, particle *p, relax_options options,
+                         correction *c)
+{
+    particle *a = &p[s.a], *b = &p[s.b];
+    real slop = options.dead_band ? options.tolerance : 0;
+    *c = options.gradient == GRADIENT_OLD ? correction_old(s, a, b)
+       : options.root == ROOT_APPROXIMATE ? correction_approximate(s, a, b)
+                                          : correction_exact(s, a, b);
+    c->error = active_error(s.kind, c->error);
+    return apply(*c, s, a, b, slop);
 }
 
 stick_result stick_relax(stick s, particle *p, relax_options options)
 {
     assert(s.a != s.b && s.rest_length > 0 && s.stiffness > 0);
-    particle *a = &p[s.a], *b = &p[s.b];
-    real band = options.dead_band ? options.tolerance : 0;
-
-    pull q = options.gradient == GRADIENT_OLD ? pull_old(s, a, b)
-           : options.root == ROOT_APPROXIMATE ? pull_approximate(s, a, b)
-                                              : pull_exact(s, a, b);
-    q.error = error_counted(s.kind, q.error);
-    int moved = pull_follow(q, s, a, b, band);
-    return (stick_result){ error_shown(q.error / q.size * s.rest_length),
-                           moved };
+    correction c;
+    bool moved = relax(s, p, options, &c);
+    return (stick_result){ reported(c.error / c.scale * s.rest_length), moved };
 }
 
 real stick_strain(stick s, const particle *p)
 {
-    pull q = pull_exact(s, &p[s.a], &p[s.b]);
-    return error_shown(fabs(error_counted(s.kind, q.error) / q.size));
+    correction c = correction_exact(s, &p[s.a], &p[s.b]);
+    return reported(fabs(active_error(s.kind, c.error) / c.scale));
 }
 //<
 
-//> sticks-sweep
-// One stick of a sweep, in whichever of the three ways made q.
-static inline void sweep_stick(relax_result *r, pull q, stick s, particle *p,
-                               real band)
-{
-    q.error = error_counted(s.kind, q.error);
-    r->relaxed += pull_follow(q, s, &p[s.a], &p[s.b], band);
-    // A new worst, which is rare; so put that a NaN passes too, and is shown.
-    if (!(fabs(q.error) <= r->worst * q.size))
-        r->worst = error_shown(fabs(q.error) / q.size);
-}
-
-// One loop for each way, so that no loop chooses: this is the hottest of all.
-relax_result sticks_sweep(const stick *s, int n, particle *p,
-                          relax_options options)
+//> sticks-iterate
+relax_result sticks_iterate(const stick *s, int n, particle *p,
+                            relax_options options)
 {
     assert(n >= 0 && options.tolerance >= 0);
-    relax_result r = { .tested = n, .sweeps = 1 };
-    real band = options.dead_band ? options.tolerance : 0;
-
-    if (options.gradient == GRADIENT_OLD)
-        for (int i = 0; i < n; i++)
-            sweep_stick(&r, pull_old(s[i], &p[s[i].a], &p[s[i].b]),
-                        s[i], p, band);
-    else if (options.root == ROOT_APPROXIMATE)
-        for (int i = 0; i < n; i++)
-            sweep_stick(&r, pull_approximate(s[i], &p[s[i].a], &p[s[i].b]),
-                        s[i], p, band);
-    else
-        for (int i = 0; i < n; i++)
-            sweep_stick(&r, pull_exact(s[i], &p[s[i].a], &p[s[i].b]),
-                        s[i], p, band);
+    relax_result r = { .tested = n, .iterations = 1 };
+    for (int i = 0; i < n; i++) {
+        correction c;
+        r.relaxed += relax(s[i], p, options, &c);
+        // Written with ! so that NaN, which fails every comparison, enters.
+        if (!(fabs(c.error) <= r.worst * c.scale))
+            r.worst = reported(fabs(c.error) / c.scale);
+    }
     return r;
 }
 //<
 
-//> sticks-sweep-until
-// A strain beyond which the old gradient is held to have failed.
+//> sticks-relax
+// A hard stick's strain beyond which the old gradient counts as failed.
 static const real OLD_FAILED = 1e-3;
 
-static relax_result sweep_until(const stick *s, int n, particle *p,
-                                int max_sweeps, relax_options options)
+static relax_result iterate_until(const stick *s, int n, particle *p,
+                                  int most_iterations, relax_options options)
 {
     relax_result all = { .worst = 0 };
-    for (int k = 0; k < max_sweeps; k++) {
-        relax_result r = sticks_sweep(s, n, p, options);
+    for (int k = 0; k < most_iterations; k++) {
+        relax_result r = sticks_iterate(s, n, p, options);
         all.worst = r.worst;
         all.tested += r.tested;
         all.relaxed += r.relaxed;
-        all.sweeps += r.sweeps;
+        all.iterations++;
         if (r.worst <= options.tolerance) break;
     }
     return all;
 }
 
-// The worst strain of a stick that is not soft.
+// The worst strain of a hard stick.
 static real worst_hard(const stick *s, int n, const particle *p)
 {
     real worst = 0;
-    for (int i = 0; i < n; i++) {
-        real strain = s[i].stiffness < 1 ? 0 : stick_strain(s[i], p);
-        if (strain > worst) worst = strain;
-    }
+    for (int i = 0; i < n; i++)
+        if (s[i].stiffness >= 1)
+            worst = real_max(stick_strain(s[i], p), worst);
     return worst;
 }
-//<
 
-//> sticks-relax
 relax_result sticks_relax(const stick *s, int n, particle *p,
-                          int particle_count, int max_sweeps,
+                          int particle_count, int most_iterations,
                           relax_options options, vec3 *scratch)
 {
     if (options.gradient == GRADIENT_NEW)
-        return sweep_until(s, n, p, max_sweeps, options);
+        return iterate_until(s, n, p, most_iterations, options);
 
     assert(scratch || particle_count == 0);
     for (int i = 0; i < particle_count; i++) scratch[i] = p[i].position;
-    relax_result old = sweep_until(s, n, p, max_sweeps, options);
-    real limit = fmax(OLD_FAILED, options.tolerance);
+    relax_result old = iterate_until(s, n, p, most_iterations, options);
+    real limit = real_max(OLD_FAILED, options.tolerance);
     if (old.worst <= limit || worst_hard(s, n, p) <= limit) return old;
 
-    // The old direction led nowhere: begin again, along the new one.
+    // Restore the positions of the call, and begin again along the new lines.
     for (int i = 0; i < particle_count; i++) p[i].position = scratch[i];
     options.gradient = GRADIENT_NEW;
-    relax_result r = sweep_until(s, n, p, max_sweeps, options);
+    relax_result r = iterate_until(s, n, p, most_iterations, options);
     r.tested += old.tested;
     r.relaxed += old.relaxed;
-    r.sweeps += old.sweeps;
-    r.fell_back = 1;
+    r.iterations += old.iterations;
+    r.fell_back = true;
+    return r;
+}
+//<
+
+//> angle-gradients
+// Arms whose sine is below this are in one line, as far as rounding can tell.
+static const real STRAIGHT = 1e-8;
+
+// The cosine c = u . v of unit arms u and v, whose lengths are U and V, grows
+// by the sum of gradient . move over the three particles:
+//     at a: (v - c u) / U,   at b: (u - c v) / V,
+// and at the corner minus both, for c stays if all three move alike.
+typedef struct {
+    vec3 gradient[3];   // 1/m, at a, b and the corner
+    real cosine, sine;
+    bool has_arms;      // false: an arm has no length
+} elbow;
+
+static elbow elbow_at(angle c, const particle *p)
+{
+    vec3 u = vec3_sub(p[c.a].position, p[c.corner].position);
+    vec3 v = vec3_sub(p[c.b].position, p[c.corner].position);
+    real U = vec3_length(u), V = vec3_length(v);
+    if (U == 0 || V == 0) return (elbow){ .has_arms = false };
+
+    u = vec3_scale(1 / U, u);
+    v = vec3_scale(1 / V, v);
+    elbow e = { .cosine = vec3_dot(u, v), .has_arms = true };
+    e.sine = vec3_length(vec3_cross(u, v));
+    e.gradient[0] = vec3_scale(1 / U, vec3_add_scaled(v, -e.cosine, u));
+    e.gradient[1] = vec3_scale(1 / V, vec3_add_scaled(u, -e.cosine, v));
+    e.gradient[2] = vec3_scale(-1, vec3_add(e.gradient[0], e.gradient[1]));
+    return e;
+}
+//<
+
+//> angle-relax
+// The least move, weighed by mass, that takes C away is k w gradient, with
+//     k = -C / (sum of w |gradient|^2).
+// C is cut off at the sine, which turns an arm by one radian: near the straight
+// line the gradients are small, and the whole C would whirl the arms round.
+stick_result angle_relax(angle c, particle *p)
+{
+    assert(c.a != c.b && c.a != c.corner && c.b != c.corner);
+    assert(c.cosine >= -1 && c.cosine <= 1);
+    elbow e = elbow_at(c, p);
+    if (!e.has_arms) return (stick_result){ 0, false };
+
+    const int at[3] = { c.a, c.b, c.corner };
+    stick_result r = { reported(e.cosine - c.cosine), false };
+    real sum = 0;
+    for (int i = 0; i < 3; i++)
+        sum += p[at[i]].inverse_mass * vec3_length_squared(e.gradient[i]);
+    if (r.error == 0 || !(e.sine > STRAIGHT && sum > 0)) return r;
+
+    real C = real_max(-e.sine, real_min(e.sine, r.error));
+    real k = -c.stiffness * C / sum;
+    for (int i = 0; i < 3; i++) {
+        particle *q = &p[at[i]];
+        q->position = vec3_add_scaled(q->position, k * q->inverse_mass,
+                                      e.gradient[i]);
+    }
+    r.moved = true;
     return r;
 }
 //<
@@ -283,114 +335,5 @@ status sticks_interleave(stick *s, int n, int particle_count)
     free(sorted);
     free(taken_in);
     return status_ok();
-}
-//<
-
-//> angle-relax
-// Arms so nearly in one line that rounding decides which way they lean.
-static const real STRAIGHT = 1e-8;
-
-// With unit arms u and v, lengths U and V, and c = u . v, the cosine grows by
-// at_a . (move of a) + at_b . (move of b) - (at_a + at_b) . (move of corner):
-//     at_a = (v - c u) / U,   at_b = (u - c v) / V.
-// The least move, weighed by mass, that makes C vanish is w k at, with
-//     k = -C / (w_a at_a^2 + w_b at_b^2 + w_corner (at_a + at_b)^2).
-// |v - c u| is the sine.  C, cut off at the sine, turns by one radian at most:
-// near the straight line, where the cosine hardly answers, it would whirl.
-stick_result angle_relax(angle c, particle *p)
-{
-    assert(c.a != c.b && c.a != c.corner && c.b != c.corner);
-    assert(c.cosine >= -1 && c.cosine <= 1);
-    particle *a = &p[c.a], *b = &p[c.b], *corner = &p[c.corner];
-    vec3 u = vec3_sub(a->position, corner->position);
-    vec3 v = vec3_sub(b->position, corner->position);
-    real U = vec3_length(u), V = vec3_length(v);
-    if (U == 0 || V == 0) return (stick_result){ 0, 0 };
-
-    u = vec3_scale(1 / U, u);
-    v = vec3_scale(1 / V, v);
-    real cosine = vec3_dot(u, v), sine = vec3_length(vec3_cross(u, v));
-    stick_result r = { error_shown(cosine - c.cosine), 0 };
-
-    vec3 at_a = vec3_scale(1 / U, vec3_add_scaled(v, -cosine, u));
-    vec3 at_b = vec3_scale(1 / V, vec3_add_scaled(u, -cosine, v));
-    vec3 both = vec3_add(at_a, at_b);
-    real bottom = a->inverse_mass * vec3_length_squared(at_a)
-                + b->inverse_mass * vec3_length_squared(at_b)
-                + corner->inverse_mass * vec3_length_squared(both);
-    if (r.error == 0 || !(sine > STRAIGHT && bottom > 0)) return r;
-
-    real C = fmax(-sine, fmin(sine, r.error));
-    real k = -c.stiffness * C / bottom;
-    a->position = vec3_add_scaled(a->position, k * a->inverse_mass, at_a);
-    b->position = vec3_add_scaled(b->position, k * b->inverse_mass, at_b);
-    corner->position =
-        vec3_add_scaled(corner->position, -k * corner->inverse_mass, both);
-    r.moved = 1;
-    return r;
-}
-//<
-
-//> bend-make
-// Lines that differ by less than this in direction (the sine squared) have no
-// crossing that rounding would not move.
-static const real ALIKE = 1e-12;
-
-// The points b + u e and d + v f, with e = a - b and f = c - d, are nearest
-// where the line between them stands on both: with r = b - d,
-//     (r + u e - v f) . e = 0,   (r + u e - v f) . f = 0.
-// A rope has a = b, e = 0: then u = 1 will do, and v alone is sought.
-status bend_make(bend *b, const int at[4], const particle *p, real stiffness)
-{
-    assert(at[2] != at[3] && stiffness > 0 && stiffness <= 1);
-    vec3 e = vec3_sub(p[at[0]].position, p[at[1]].position);
-    vec3 f = vec3_sub(p[at[2]].position, p[at[3]].position);
-    vec3 r = vec3_sub(p[at[1]].position, p[at[3]].position);
-    if (!vec3_is_finite(e) || !vec3_is_finite(f) || !vec3_is_finite(r))
-        return status_fail("a particle of the bend (%d, %d, %d, %d) has a "
-                           "position that is not finite",
-                           at[0], at[1], at[2], at[3]);
-
-    real ee = vec3_dot(e, e), ff = vec3_dot(f, f), ef = vec3_dot(e, f);
-    real re = vec3_dot(r, e), rf = vec3_dot(r, f);
-    real area = ee * ff - ef * ef;
-    int  rope = at[0] == at[1];
-    if (!(ff > 0) || (!rope && !(area > ALIKE * ee * ff)))
-        return status_fail("the lines %d-%d and %d-%d of the bend run alike "
-                           "and do not cross", at[0], at[1], at[2], at[3]);
-
-    real u = rope ? 1 : (ef * rf - re * ff) / area;
-    real v = (rf + u * ef) / ff;
-    *b = (bend){ { at[0], at[1], at[2], at[3] },
-                 { u, 1 - u, -v, -(1 - v) }, stiffness };
-    return status_ok();
-}
-//<
-
-//> bend-relax
-// gap = sum weight_i x_i.  Moving each x_i by -k w_i weight_i gap takes
-// k sum w_i weight_i^2 of the gap away: all of it for k = 1 / that sum.
-// The pushes add up to nothing, for the weights do; and their torque is
-// -k sum x_i x weight_i gap = -k gap x gap = 0.
-stick_result bend_relax(bend b, particle *p)
-{
-    vec3 gap = { 0, 0, 0 };
-    real bottom = 0;
-    for (int i = 0; i < 4; i++) {
-        const particle *q = &p[b.at[i]];
-        gap = vec3_add_scaled(gap, b.weight[i], q->position);
-        bottom += q->inverse_mass * b.weight[i] * b.weight[i];
-    }
-    stick_result r = { error_shown(vec3_length(gap)), 0 };
-    if (r.error == 0 || r.error == HUGE_VAL || !(bottom > 0)) return r;
-
-    real k = b.stiffness / bottom;
-    for (int i = 0; i < 4; i++) {
-        particle *q = &p[b.at[i]];
-        real share = k * q->inverse_mass * b.weight[i];
-        q->position = vec3_add_scaled(q->position, -share, gap);
-    }
-    r.moved = 1;
-    return r;
 }
 //<

@@ -9,7 +9,7 @@
 #include <limits.h>
 #include <stdlib.h>
 
-// Their bytes can be numbered by an int.
+// The largest pool whose bytes an int can count.
 enum { MOST_PARTICLES = INT_MAX / (int)sizeof(particle) };
 
 void pool_init(particle_pool *pool)
@@ -46,10 +46,10 @@ void pool_free(particle_pool *pool)
 //<
 
 //> verlet-start
-// Taylor, one step back from the start:
+// Taylor's theorem, one step back from the start:
 //     x(-dt) = x0 - v0 dt + a0 dt^2 / 2 - ...
 // The first step then gives 2 x0 - x(-dt) + a0 dt^2 = x0 + v0 dt + a0 dt^2 / 2,
-// which is Taylor, one step forward.
+// which is Taylor's theorem, one step forward.
 particle particle_start(vec3 x0, vec3 v0, vec3 a0, real inverse_mass, real dt)
 {
     assert(dt > 0 && inverse_mass >= 0);
@@ -65,7 +65,7 @@ particle particle_start(vec3 x0, vec3 v0, vec3 a0, real inverse_mass, real dt)
 //<
 
 //> verlet-step
-// Gravity pulls all alike; a force, the heavy less.
+// Gravity accelerates all particles alike, a force the light ones more.
 static vec3 acceleration_of(vec3 gravity, real inverse_mass,
                             const vec3 *force, int i)
 {
@@ -75,7 +75,8 @@ static vec3 acceleration_of(vec3 gravity, real inverse_mass,
 }
 
 // x' = x + carry (x - x_previous) + square a.
-// A nailed particle does not move, and forgets that it ever did.
+// A pinned particle does not move.  Its previous position becomes its position,
+// so that it starts from rest if it is freed.
 static void advance(particle *p, int n, vec3 gravity, const vec3 *force,
                     real carry, real square)
 {
@@ -93,7 +94,7 @@ static void advance(particle *p, int n, vec3 gravity, const vec3 *force,
 }
 
 // Paper: 2 x - x_previous + a dt^2; here: x + ((x - x_previous) + a dt^2),
-// because the last move, carried on, is what a change of dt must scale.
+// because a change of dt scales the last move, x - x_previous.
 void verlet_step(particle *p, int n, vec3 gravity, const vec3 *force, real dt)
 {
     assert(n >= 0 && dt > 0 && vec3_is_finite(gravity));
@@ -124,31 +125,5 @@ vec3 verlet_velocity(const particle *p, vec3 acceleration, real dt)
     vec3 last_move = vec3_sub(p->position, p->previous);
     return vec3_add_scaled(vec3_scale(1 / dt, last_move), dt / 2,
                            acceleration);
-}
-//<
-
-//> euler-steps
-void euler_step_explicit(euler_particle *p, int n, vec3 gravity,
-                         const vec3 *force, real dt)
-{
-    assert(n >= 0 && dt > 0 && vec3_is_finite(gravity));
-    for (int i = 0; i < n; i++) {
-        if (p[i].inverse_mass == 0) continue;
-        vec3 a = acceleration_of(gravity, p[i].inverse_mass, force, i);
-        p[i].position = vec3_add_scaled(p[i].position, dt, p[i].velocity);
-        p[i].velocity = vec3_add_scaled(p[i].velocity, dt, a);
-    }
-}
-
-void euler_step_symplectic(euler_particle *p, int n, vec3 gravity,
-                           const vec3 *force, real dt)
-{
-    assert(n >= 0 && dt > 0 && vec3_is_finite(gravity));
-    for (int i = 0; i < n; i++) {
-        if (p[i].inverse_mass == 0) continue;
-        vec3 a = acceleration_of(gravity, p[i].inverse_mass, force, i);
-        p[i].velocity = vec3_add_scaled(p[i].velocity, dt, a);
-        p[i].position = vec3_add_scaled(p[i].position, dt, p[i].velocity);
-    }
 }
 //<

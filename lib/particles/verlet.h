@@ -10,11 +10,11 @@
 #include "status.h"
 #include "vec3.h"
 
-// A point mass.  It has no velocity: what it remembers is where it was.
+// A point mass.  It stores no velocity: it remembers where it was.
 typedef struct {
     vec3 position;      // m, at time t
     vec3 previous;      // m, at time t - dt
-    real inverse_mass;  // 1/kg; 0: nailed, nothing moves it
+    real inverse_mass;  // 1/kg; 0: pinned, nothing moves it
 } particle;
 
 // All particles of a world, in one growing array.
@@ -26,8 +26,8 @@ typedef struct {
 
 //> pool-declare
 void   pool_init(particle_pool *pool);                 // empty, owns nothing
-// Room for that many.  Fails, and leaves the pool as it was, if they are more
-// than fit in INT_MAX bytes or memory is refused.
+// Makes room for capacity particles.  Fails, and leaves the pool as it was, if
+// they need more than INT_MAX bytes or if memory is refused.
 status pool_reserve(particle_pool *pool, int capacity);
 // Appends p and returns its index.  Requires: count < capacity.
 int    pool_add(particle_pool *pool, particle p);
@@ -36,43 +36,26 @@ void   pool_free(particle_pool *pool);
 
 //> verlet-declare
 // A particle at x0 (m) that moves with v0 (m/s), ready for its first step of
-// dt (s) under the acceleration a0 (m/s^2) of that moment: previous is
-// x0 - v0 dt + a0 dt^2 / 2, which keeps the motion of order 2 (x0 - v0 dt alone
-// would make it order 1 for good).  inverse_mass in 1/kg, 0 for nailed: then
-// previous = x0.
+// dt (s) under the acceleration a0 (m/s^2) at the start.  Its previous position
+// is x0 - v0 dt + a0 dt^2 / 2, which makes the motion of order 2; x0 - v0 dt
+// alone would make it of order 1 for good.  inverse_mass is in 1/kg; a pinned
+// particle (0) gets previous = x0.
 particle particle_start(vec3 x0, vec3 v0, vec3 a0, real inverse_mass, real dt);
 
 // One step of dt for n particles: x' = 2 x - x_previous + a dt^2, with
 // a = gravity (m/s^2) + inverse_mass * force (N).  force holds n vectors, or is
-// NULL for none.  Nailed particles stay (previous = position).  Paper: Eq. 1.
+// NULL for none.  Pinned particles stay, with previous = position.  Paper: Eq. 1.
 void verlet_step(particle *p, int n, vec3 gravity, const vec3 *force, real dt);
 
-// The same when the last step took dt_before and this one takes dt:
+// The same step if the last one took dt_before and this one takes dt:
 // x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
 void verlet_step_changed(particle *p, int n, vec3 gravity, const vec3 *force,
                          real dt_before, real dt);
 
-// The velocity (m/s) at time t, of order 2: the mean over the last step,
-// (x - x_previous) / dt, is the velocity half a step ago; a (m/s^2) carries it
-// on by dt / 2.  A nailed particle has none.
+// The velocity (m/s) at time t, of order 2.  The mean over the last step,
+// (x - x_previous) / dt, is the velocity half a step ago; the acceleration
+// (m/s^2) at time t carries it on by dt / 2.  Zero for a pinned particle.
 vec3 verlet_velocity(const particle *p, vec3 acceleration, real dt);
-//<
-
-//> euler-declare
-// Beside it, to compare: a particle that remembers its velocity.
-typedef struct {
-    vec3 position;      // m
-    vec3 velocity;      // m/s
-    real inverse_mass;  // 1/kg; 0: nailed
-} euler_particle;
-
-// One step each, forces as for verlet_step.  The two differ in one line.
-// Explicit: moves with the velocity before the kick (the paper's "Euler").
-void euler_step_explicit(euler_particle *p, int n, vec3 gravity,
-                         const vec3 *force, real dt);
-// Symplectic: moves with the velocity after it.
-void euler_step_symplectic(euler_particle *p, int n, vec3 gravity,
-                           const vec3 *force, real dt);
 
 #endif
 //<

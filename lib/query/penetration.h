@@ -8,12 +8,7 @@
 #define TUMBLE_PENETRATION_H
 
 #include "distance.h"
-
-typedef enum {
-    TOUCH_VERTEX_FACE,  // a vertex of A against a face of B
-    TOUCH_FACE_VERTEX,  // a face of A against a vertex of B
-    TOUCH_EDGE_EDGE
-} touch_kind;
+#include "feature.h"
 
 typedef enum {
     PENETRATION_FOUND,
@@ -24,14 +19,6 @@ typedef enum {
     PENETRATION_FLAT            // A - B has no volume (two flat sets in one plane):
                         // depth 0 along its normal
 } penetration_status;
-
-// A point of a feature: a vertex (count 1), a point of an edge (2) or of a
-// face (3), as a weighted mean of vertices.  Weights >= 0, sum 1.
-typedef struct {
-    int  count;
-    int  vertex[3];
-    real weight[3];
-} feature_point;
 
 typedef struct {
     penetration_status status;

@@ -442,7 +442,7 @@ static void add_result(relax_result *all, relax_result r)
     all->tested += r.tested;
     all->relaxed += r.relaxed;
     all->fell_back += r.fell_back;
-    all->sweeps = r.sweeps > all->sweeps ? r.sweeps : all->sweeps;
+    all->iterations = r.iterations > all->iterations ? r.iterations : all->iterations;
     all->worst = r.worst > all->worst ? r.worst : all->worst;
 }
 
@@ -469,7 +469,7 @@ static void batch_give(const four *f, const batch *t, int l, particle *p,
     for (int k = 0; k < FOUR && done > 0; k++)
         p[k].position = vec3_make(t->at[k][0][l], t->at[k][1][l],
                                   t->at[k][2][l]);
-    add_result(all, (relax_result){ .worst = worst, .sweeps = done,
+    add_result(all, (relax_result){ .worst = worst, .iterations = done,
         .tested = FOUR_STICKS * (done + (done < steps)),
         .relaxed = FOUR_STICKS * done });
 }

@@ -76,12 +76,12 @@ static relax_result relax_lines(world *w, const body *b)
     particle *p = w->pool.at + b->first;
     relax_options o = w->options.relax;
     int others = s->sticks - s->on_strands;
-    if (others > 0) sticks_sweep(s->stick + s->on_strands, others, p, o);
+    if (others > 0) sticks_iterate(s->stick + s->on_strands, others, p, o);
     line_result l = lines_relax(s, p, w->options.sweeps, o,
                                 entry_of(w, s)->line);
     int tested = others + l.steps * s->on_strands;
     return (relax_result){ .worst = l.worst, .tested = tested,
-                           .relaxed = tested, .sweeps = l.steps,
+                           .relaxed = tested, .iterations = l.steps,
                            .fell_back = l.fell_back };
 }
 

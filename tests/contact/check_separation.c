@@ -766,7 +766,7 @@ static real retained(particle *p, int n, const stick *s, int sticks)
     contact c = on_surface(UP);
     c.fixed = vec3_make(0, start.y + push, 0);
     contact_separate(&c, p, smooth(SHARE_MASS));
-    relax_options o = relax_options_default();
+    relax_options o = relax_options_pbd();
     o.tolerance = 1e-14;
     sticks_relax(s, sticks, p, n, 10000, o, NULL);
     return (p[0].position.y - start.y) / push;

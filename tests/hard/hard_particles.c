@@ -27,7 +27,6 @@ static const vec3 ORIGIN = { 0, 0, 0 };
 static relax_options to_rounding(void)
 {
     relax_options o = relax_options_default();
-    o.gradient = GRADIENT_OLD;
     o.tolerance = 1e-15;
     return o;
 }
@@ -735,7 +734,6 @@ static void fly(const shape *s, real spin, real speed,
     particle p[12];
     vec3 scratch[12];
     relax_options o = relax_options_default();
-    o.gradient = GRADIENT_OLD;
     fly_start(s, p, spin, speed, seed, dt);
     momenta first = momenta_of(p, s->particles);
     for (int n = 0; n < 600; n++) {

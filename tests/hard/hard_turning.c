@@ -56,7 +56,6 @@ static status top_start(top *t, vec3 sides, vec3 w, real dt)
 static void top_step(top *t)
 {
     relax_options o = relax_options_default();
-    o.gradient = GRADIENT_OLD;
     o.tolerance = 1e-10;
     verlet_step(t->p, 8, ORIGIN, NULL, t->dt);
     t->fell_back += sticks_relax(t->plan.stick, t->plan.sticks, t->p, 8, 100, o,

@@ -1,14 +1,13 @@
 // check_constraint.c - tests of chapter 2.  Each names the mistake it rejects.
 
 #include "constraint.h"
-#include "scarce.h"
 
 #include <check.h>
-#include <limits.h>
 #include <string.h>
 
-// Room for the rounding of a few sums near 1, each 1.1e-16.
-static const real EXACT = 1e-15;
+// Room for the rounding of some ten operations near 1, each 1.1e-16, in
+// whichever order a reader's module does them.
+static const real EXACT = 1e-14;
 // The same after some thousand steps.
 static const real ROUNDING = 1e-12;
 
@@ -38,12 +37,13 @@ static stick bar(int a, int b, real length)
     return (stick){ a, b, length, 1, STICK_EXACT };
 }
 
-// The three ways, and what to call them.
-enum { WAYS = 3 };
+// The three ways to correct: PBD, with the approximate root, and SHAKE.
+enum { WAYS = 3, DEFAULT = WAYS };
 
 static relax_options way(int k)
 {
-    relax_options o = relax_options_default();
+    if (k == DEFAULT) return relax_options_default();
+    relax_options o = relax_options_pbd();
     if (k == 1) o.root = ROOT_APPROXIMATE;
     if (k == 2) o.gradient = GRADIENT_OLD;
     return o;
@@ -111,7 +111,7 @@ START_TEST(centre_of_mass_stays)
 }
 END_TEST
 
-START_TEST(nailed_end_stays)
+START_TEST(pinned_end_stays)
 {
     // Rejects: half the error for the free end.
     particle p[2] = { at(0, 0, 0, 0), at(0, 3, 0, 2) };
@@ -121,7 +121,7 @@ START_TEST(nailed_end_stays)
 }
 END_TEST
 
-START_TEST(both_ends_nailed_report_and_stay)
+START_TEST(both_ends_pinned_report_and_stay)
 {
     // Rejects: 0 / 0.
     for (int k = 0; k < WAYS; k++) {
@@ -131,7 +131,7 @@ START_TEST(both_ends_nailed_report_and_stay)
         ck_assert_int_eq(r.moved, 0);
         ck_assert(r.error > 0.99);
         same(p[1].position, (vec3){ 0, 2, 0 });
-        relax_result all = sticks_sweep(&s, 1, p, way(k));
+        relax_result all = sticks_iterate(&s, 1, p, way(k));
         ck_assert(all.tested == 1 && all.relaxed == 0 && all.worst > 0.99);
     }
 }
@@ -153,7 +153,7 @@ END_TEST
 
 START_TEST(soft_stick_corrects_its_share)
 {
-    // Rejects: a stiffness that is ignored, or squared.
+    // Rejects: a stiffness that is ignored, squared, or cut off at 1.
     particle p[2] = { at(0, 0, 0, 1), at(2, 0, 0, 1) };
     stick s = bar(0, 1, 1);
     s.stiffness = 0.25;
@@ -161,6 +161,9 @@ START_TEST(soft_stick_corrects_its_share)
     near(length_of(p, 0, 1), 1.75, EXACT, "after one");
     stick_relax(s, p, way(0));
     near(length_of(p, 0, 1), 1 + 0.75 * 0.75, EXACT, "after two");
+    s.stiffness = 1.5;
+    stick_relax(s, p, way(0));
+    near(length_of(p, 0, 1), 1 - 0.5 * 0.75 * 0.75, EXACT, "over-relaxed");
 }
 END_TEST
 
@@ -174,7 +177,7 @@ START_TEST(one_sided_sticks_push_one_way)
                 particle p[2] = { at(0, 0, 0, 1), at(0, 0, d, 1) };
                 stick s = bar(0, 1, 1);
                 s.kind = (stick_kind)kind;
-                int acts = (kind == STICK_AT_MOST) == longer;
+                bool acts = (kind == STICK_AT_MOST) == longer;
                 real strain = stick_strain(s, p);
                 near(strain, acts ? 0.01 : 0, EXACT, "strain");
                 stick_result r = stick_relax(s, p, way(k));
@@ -249,14 +252,15 @@ END_TEST
 
 START_TEST(not_a_number_does_not_leave_quietly)
 {
-    // Rejects: a comparison that a NaN slips through.
-    for (int k = 0; k < WAYS; k++) {
+    // Rejects: a comparison that NaN slips through, in any way and any kind.
+    for (int k = 0; k < WAYS; k++) for (int kind = 0; kind < 3; kind++) {
         particle p[3] = { at(0, 0, 0, 1), at(not_a_number, 0, 0, 1),
                           at(1, 0, 0, 1) };
         stick s[2] = { bar(0, 1, 1), bar(0, 2, 1.5) };
+        s[0].kind = (stick_kind)kind;
         ck_assert(stick_relax(s[0], p, way(k)).error == HUGE_VAL);
         ck_assert(stick_strain(s[0], p) == HUGE_VAL);
-        ck_assert(sticks_sweep(s, 2, p, way(k)).worst == HUGE_VAL);
+        ck_assert(sticks_iterate(s, 2, p, way(k)).worst == HUGE_VAL);
         ck_assert(vec3_is_finite(p[0].position));
         ck_assert(vec3_is_finite(p[2].position));
     }
@@ -265,8 +269,8 @@ END_TEST
 
 START_TEST(size_does_not_matter)
 {
-    // A scene of millimetres or light seconds gives the same bits, for scales
-    // that are powers of 2.  Rejects: an absolute tolerance.
+    // A scene of millimetres or light seconds does the same.  Rejects: an
+    // absolute tolerance.
     for (int k = 0; k < WAYS; k++) {
         real scale[3] = { 1, 1.0 / 1099511627776, 1099511627776 }, got[3];
         for (int i = 0; i < 3; i++) {
@@ -275,7 +279,8 @@ START_TEST(size_does_not_matter)
             stick_relax(bar(0, 1, 1.125 * scale[i]), p, way(k));
             got[i] = p[1].position.x / scale[i];
         }
-        ck_assert(got[0] == got[1] && got[0] == got[2]);
+        near(got[1], got[0], EXACT, "small");
+        near(got[2], got[0], EXACT, "large");
     }
 }
 END_TEST
@@ -341,6 +346,16 @@ static real pendulum(int k, int steps)
     return atan2(p[1].position.x, -p[1].position.y);
 }
 
+START_TEST(default_options_are_right_for_a_pendulum)
+{
+    // 1.5e-4 rad after 1 s of 400 steps.  Rejects: the gradient at the new
+    // positions, which is off by 0.03 rad.
+    real best = pendulum(2, 25600);
+    near(pendulum(DEFAULT, 400), best, 1e-3, "angle");
+    ck_assert(fabs(pendulum(0, 400) - best) > 0.01);
+}
+END_TEST
+
 START_TEST(old_gradient_is_of_order_2)
 {
     // Three halvings give the order without the true answer.
@@ -383,7 +398,7 @@ static void momenta(const particle *p, int n, real dt, vec3 *l, vec3 *m)
 
 START_TEST(free_body_keeps_its_momenta_in_any_order)
 {
-    // One sweep or five, listed, reversed or shuffled.  Rejects: a push along
+    // One iteration or five, listed, reversed or shuffled.  Rejects: a push along
     // anything but the line that joined the ends a step ago.
     real dt = 1.0 / 60;
     for (int run = 0; run < 6; run++) {
@@ -401,7 +416,7 @@ START_TEST(free_body_keeps_its_momenta_in_any_order)
         for (int k = 0; k < 300; k++) {
             verlet_step(p, CORNERS, NO_GRAVITY, NULL, dt);
             for (int j = 0; j < (run % 2 ? 5 : 1); j++)
-                sticks_sweep(s, n, p, way(2));
+                sticks_iterate(s, n, p, way(2));
         }
         momenta(p, CORNERS, dt, &l, &m);
         near(vec3_distance(l, l0) / vec3_length(l0), 0, ROUNDING, "angular");
@@ -421,7 +436,7 @@ START_TEST(new_gradient_loses_angular_momentum)
     momenta(p, CORNERS, dt, &l0, &m0);
     for (int k = 0; k < 300; k++) {
         verlet_step(p, CORNERS, NO_GRAVITY, NULL, dt);
-        for (int j = 0; j < 5; j++) sticks_sweep(s, n, p, way(0));
+        for (int j = 0; j < 5; j++) sticks_iterate(s, n, p, way(0));
     }
     momenta(p, CORNERS, dt, &l, &m);
     // About a point that drifts the linear part comes along: it is kept.
@@ -430,7 +445,7 @@ START_TEST(new_gradient_loses_angular_momentum)
 }
 END_TEST
 
-// ---- Sweeps
+// ---- Iterations
 
 enum { LINKS = 10 };
 
@@ -442,7 +457,7 @@ static void rope(particle *p, stick *s, int n, real length)
 
 START_TEST(chain_converges_at_its_rate)
 {
-    // Gauss-Seidel on (-1, 2, -1): cos^2(pi / (n + 1)) a sweep.
+    // Gauss-Seidel on a straight chain: cos^2(pi / (n + 1)) an iteration.
     // Rejects: Jacobi (its square root), a lost share.
     particle p[LINKS + 1];
     stick s[LINKS];
@@ -450,7 +465,7 @@ START_TEST(chain_converges_at_its_rate)
     for (int i = 0; i <= LINKS; i++) p[i].position.x += 0.01 * random_real();
     real before = 1, rate = 0;
     for (int k = 0; k < 150; k++) {
-        real worst = sticks_sweep(s, LINKS, p, way(0)).worst;
+        real worst = sticks_iterate(s, LINKS, p, way(0)).worst;
         rate = worst / before;
         before = worst;
     }
@@ -459,18 +474,18 @@ START_TEST(chain_converges_at_its_rate)
 }
 END_TEST
 
-START_TEST(sweep_counts_and_measures_before)
+START_TEST(iteration_counts_and_measures_before)
 {
     // Rejects: strain measured after the push, the sum instead of the largest.
     for (int k = 0; k < WAYS; k++) {
         particle p[4] = { at(0, 0, 0, 1), at(1.001, 0, 0, 1),
                           at(5, 0, 0, 1), at(6.004, 0, 0, 1) };
         stick s[2] = { bar(0, 1, 1), bar(2, 3, 1) };
-        relax_result r = sticks_sweep(s, 2, p, way(k));
+        relax_result r = sticks_iterate(s, 2, p, way(k));
         near(r.worst, 0.004, 1e-5, "worst");
-        ck_assert(r.tested == 2 && r.relaxed == 2 && r.sweeps == 1);
+        ck_assert(r.tested == 2 && r.relaxed == 2 && r.iterations == 1);
         ck_assert_int_eq(r.fell_back, 0);
-        r = sticks_sweep(s, 0, p, way(k));
+        r = sticks_iterate(s, 0, p, way(k));
         ck_assert(r.worst == 0 && r.tested == 0);
     }
 }
@@ -483,14 +498,14 @@ START_TEST(worst_is_a_strain_and_not_a_length)
         particle p[4] = { at(0, 0, 0, 1), at(100.4, 0, 0, 1),
                           at(0, 1, 0, 1), at(0, 1.0101, 0, 1) };
         stick s[2] = { bar(0, 1, 100), bar(2, 3, 0.01) };
-        near(sticks_sweep(s, 2, p, way(k)).worst, 0.01, 1e-4, "worst");
+        near(sticks_iterate(s, 2, p, way(k)).worst, 0.01, 1e-4, "worst");
     }
 }
 END_TEST
 
-START_TEST(sweep_is_its_sticks_one_by_one)
+START_TEST(iteration_is_its_sticks_one_by_one)
 {
-    // Rejects: three loops that do not agree with the one function.
+    // Rejects: an iteration that does not agree with the one function.
     for (int k = 0; k < WAYS; k++) {
         particle p[CORNERS], q[CORNERS];
         stick s[PAIRS];
@@ -502,7 +517,7 @@ START_TEST(sweep_is_its_sticks_one_by_one)
         for (int i = 0; i < CORNERS; i++) p[i].position.x *= 1.1;
         memcpy(q, p, sizeof p);
         relax_options o = way(k);
-        o.dead_band = 1, o.tolerance = 0.01;
+        o.dead_band = true, o.tolerance = 0.01;
         real worst = 0;
         int moved = 0;
         for (int i = 0; i < n; i++) {
@@ -510,10 +525,12 @@ START_TEST(sweep_is_its_sticks_one_by_one)
             worst = fmax(worst, fabs(r.error) / s[i].rest_length);
             moved += r.moved;
         }
-        relax_result r = sticks_sweep(s, n, p, o);
+        relax_result r = sticks_iterate(s, n, p, o);
         ck_assert_int_eq(r.relaxed, moved);
         near(r.worst, worst, EXACT, "worst");
-        for (int i = 0; i < CORNERS; i++) same(p[i].position, q[i].position);
+        for (int i = 0; i < CORNERS; i++)
+            near(vec3_distance(p[i].position, q[i].position), 0, ROUNDING,
+                 "position");
     }
 }
 END_TEST
@@ -526,16 +543,16 @@ START_TEST(dead_band_leaves_small_errors_alone)
         o.tolerance = 0.01;
         particle p[2] = { at(0, 0, 0, 1), at(0, 100.5, 0, 1) };
         stick s = bar(0, 1, 100);
-        o.dead_band = 1;
+        o.dead_band = true;
         stick_result r = stick_relax(s, p, o);
         ck_assert_int_eq(r.moved, 0);
         ck_assert(r.error > 0.49 && p[1].position.y == 100.5);
-        ck_assert_int_eq(sticks_sweep(&s, 1, p, o).relaxed, 0);
-        o.dead_band = 0;
+        ck_assert_int_eq(sticks_iterate(&s, 1, p, o).relaxed, 0);
+        o.dead_band = false;
         ck_assert_int_eq(stick_relax(s, p, o).moved, 1);
         p[1] = at(0, 102, 0, 1);
         p[0] = at(0, 0, 0, 1);
-        o.dead_band = 1;
+        o.dead_band = true;
         ck_assert_int_eq(stick_relax(s, p, o).moved, 1);
     }
 }
@@ -543,7 +560,7 @@ END_TEST
 
 START_TEST(relax_stops_at_the_tolerance)
 {
-    // Rejects: a loop that always runs to the cap, or stops one sweep early.
+    // Rejects: a loop that always runs to the cap, or stops one iteration early.
     for (int k = 0; k < WAYS; k++) {
         particle p[LINKS + 1];
         vec3 scratch[LINKS + 1];
@@ -553,11 +570,11 @@ START_TEST(relax_stops_at_the_tolerance)
         relax_options o = way(k);
         o.tolerance = 1e-6;
         relax_result r = sticks_relax(s, LINKS, p, LINKS + 1, 1000, o, scratch);
-        ck_assert(r.worst <= 1e-6 && r.sweeps > 10 && r.sweeps < 1000);
-        ck_assert(r.tested == r.sweeps * LINKS && r.fell_back == 0);
+        ck_assert(r.worst <= 1e-6 && r.iterations > 10 && r.iterations < 1000);
+        ck_assert(r.tested == r.iterations * LINKS && r.fell_back == 0);
         for (int i = 0; i < LINKS; i++) ck_assert(stick_strain(s[i], p) < 2e-6);
         r = sticks_relax(s, LINKS, p, LINKS + 1, 1000, o, scratch);
-        ck_assert_int_eq(r.sweeps, 1);
+        ck_assert_int_eq(r.iterations, 1);
     }
 }
 END_TEST
@@ -569,9 +586,9 @@ START_TEST(relax_stops_at_the_cap)
     rope(p, s, LINKS, 1);
     p[0].position.x = -0.5;
     relax_result r = sticks_relax(s, LINKS, p, LINKS + 1, 7, way(0), NULL);
-    ck_assert(r.sweeps == 7 && r.worst > 1e-4);
+    ck_assert(r.iterations == 7 && r.worst > 1e-4);
     r = sticks_relax(s, LINKS, p, LINKS + 1, 0, way(0), NULL);
-    ck_assert(r.sweeps == 0 && r.tested == 0);
+    ck_assert(r.iterations == 0 && r.tested == 0);
 }
 END_TEST
 
@@ -591,8 +608,11 @@ START_TEST(failed_old_gradient_begins_again_along_the_new)
     relax_result r = sticks_relax(s, LINKS, p, LINKS + 1, 40, way(2), scratch);
     relax_result n = sticks_relax(s, LINKS, q, LINKS + 1, 40, way(0), NULL);
     ck_assert(r.fell_back == 1 && n.fell_back == 0);
-    ck_assert(r.worst == n.worst && r.sweeps == 40 + n.sweeps);
-    for (int i = 0; i <= LINKS; i++) same(p[i].position, q[i].position);
+    near(r.worst, n.worst, ROUNDING, "worst");
+    ck_assert_int_eq(r.iterations, 40 + n.iterations);
+    for (int i = 0; i <= LINKS; i++)
+        near(vec3_distance(p[i].position, q[i].position), 0, ROUNDING,
+             "position");
 }
 END_TEST
 
@@ -613,7 +633,7 @@ END_TEST
 
 START_TEST(strain_within_the_tolerance_is_no_failure)
 {
-    // Rejects: a fallback at 1e-3 for one who asked for 5 %.
+    // Rejects: a fallback at 1e-3 where the tolerance is 5 %.
     particle p[2] = { at(0, 0, 0, 1), at(1, 0, 0, 1) };
     vec3 scratch[2];
     stick s = bar(0, 1, 1);
@@ -623,126 +643,6 @@ START_TEST(strain_within_the_tolerance_is_no_failure)
     ck_assert_int_eq(sticks_relax(&s, 1, p, 2, 4, o, scratch).fell_back, 0);
     o.tolerance = 0.01;
     ck_assert_int_eq(sticks_relax(&s, 1, p, 2, 4, o, scratch).fell_back, 1);
-}
-END_TEST
-
-// ---- Interleaving
-
-// The number of groups of sticks, neighbours in the list, that share no
-// particle.
-static int groups(const stick *s, int n, int particles)
-{
-    int count = 0, in[64] = { 0 };
-    ck_assert(particles <= 64);
-    for (int i = 0; i < n; i++) {
-        if (i == 0 || in[s[i].a] == count || in[s[i].b] == count) count++;
-        in[s[i].a] = in[s[i].b] = count;
-    }
-    return count;
-}
-
-START_TEST(rope_falls_into_even_and_odd)
-{
-    // Rejects: an order that is not stable within a colour.
-    particle p[LINKS + 1];
-    stick s[LINKS];
-    rope(p, s, LINKS, 1);
-    ck_assert(sticks_interleave(s, LINKS, LINKS + 1).ok);
-    for (int i = 0; i < LINKS; i++)
-        ck_assert_int_eq(s[i].a, i < 5 ? 2 * i : 2 * i - 9);
-    ck_assert_int_eq(groups(s, LINKS, LINKS + 1), 2);
-}
-END_TEST
-
-static int icosahedron(stick *s)
-{
-    // (0, +-1, +-g) and its rotations, g the golden ratio: edges have length 2.
-    vec3 v[12];
-    real g = (1 + sqrt(5.0)) / 2;
-    for (int i = 0; i < 4; i++) {
-        real a = i & 1 ? 1 : -1, b = i & 2 ? g : -g;
-        v[i] = (vec3){ 0, a, b };
-        v[4 + i] = (vec3){ a, b, 0 };
-        v[8 + i] = (vec3){ b, 0, a };
-    }
-    int n = 0;
-    for (int i = 0; i < 12; i++)
-        for (int j = i + 1; j < 12; j++) {
-            real d = vec3_distance(v[i], v[j]);
-            if (d < 2.1 || d > 3.5) s[n] = bar(i, j, d + 0.001 * n), n++;
-        }
-    return n;
-}
-
-START_TEST(icosahedron_falls_into_few_groups)
-{
-    // 12 particles, 6 sticks at each: no fewer than 6 groups of 6 can do;
-    // greedy needs 11 at most.  Rejects: a stick lost or doubled.
-    stick s[36], t[36];
-    int n = icosahedron(s);
-    ck_assert_int_eq(n, 36);
-    memcpy(t, s, sizeof s);
-    ck_assert_int_gt(groups(s, n, 12), 11);
-    ck_assert(sticks_interleave(s, n, 12).ok);
-    ck_assert_int_eq(groups(s, n, 12), 8);
-    for (int i = 0; i < n; i++) {
-        int found = 0;
-        for (int j = 0; j < n; j++)
-            found += s[j].a == t[i].a && s[j].b == t[i].b
-                  && s[j].rest_length == t[i].rest_length;
-        ck_assert_int_eq(found, 1);
-    }
-}
-END_TEST
-
-START_TEST(star_cannot_be_had_apart)
-{
-    // Every stick shares the hub: nothing to gain, order as it was.
-    stick s[5];
-    for (int i = 0; i < 5; i++) s[i] = bar(0, i + 1, 1);
-    ck_assert(sticks_interleave(s, 5, 6).ok);
-    for (int i = 0; i < 5; i++) ck_assert_int_eq(s[i].b, i + 1);
-    ck_assert(sticks_interleave(s, 0, 0).ok);
-}
-END_TEST
-
-START_TEST(stick_without_ends_is_refused)
-{
-    // Rejects: an index that is trusted, and written to.
-    const int wrong[4][2] = { { -1, 0 }, { 3, 0 }, { 0, -1 }, { 0, 3 } };
-    for (int k = 0; k < 4; k++) {
-        stick s[3] = { bar(0, 1, 1), bar(0, 2, 1), bar(1, 2, 1) };
-        s[1].a = wrong[k][0];
-        s[1].b = wrong[k][1];
-        status r = sticks_interleave(s, 3, 3);
-        ck_assert(!r.ok && strstr(r.why, "stick 1 joins particles"));
-        ck_assert_int_eq(s[1].a, wrong[k][0]);      // nothing has moved
-        ck_assert_int_eq(s[2].b, 2);
-    }
-    stick alone = bar(0, 5, 1);
-    ck_assert(!sticks_interleave(&alone, 1, 2).ok);
-}
-END_TEST
-
-START_TEST(refused_memory_leaves_the_order)
-{
-    stick rope[4], s[4];
-    for (int i = 0; i < 4; i++) rope[i] = bar(i, i + 1, 1);
-    int n = 0;
-    for (; n < 5; n++) {
-        memcpy(s, rope, sizeof s);
-        long held = blocks_held;
-        mallocs_left = n;
-        status r = sticks_interleave(s, 4, 5);
-        mallocs_left = INT_MAX;
-        held = blocks_held - held;
-        ck_assert_int_eq(held, 0);
-        if (r.ok) break;
-        ck_assert_str_eq(r.why, "out of memory");
-        for (int i = 0; i < 4; i++) ck_assert_int_eq(s[i].a, i);
-    }
-    ck_assert_int_eq(n, 2);
-    ck_assert_int_eq(s[1].a, 2);
 }
 END_TEST
 
@@ -770,41 +670,9 @@ static void gains_nothing(const particle *before, const particle *after, int n)
     near(vec3_length(torque), 0, ROUNDING, "angular momentum");
 }
 
-// Rejects: a share by mass instead of by inverse mass; a move of positions; the
-// part across the stick taken too.
-START_TEST(speeds_that_would_change_a_length_are_taken_by_mass)
-{
-    // b runs away from a along the stick at 4 m/step, and aside at 2; a weighs
-    // three times as much, so a takes 1 of the 4 along, and b gives up 3.
-    particle p[2] = { { { 0, 0, 0 }, { 0, 0, 0 }, 1 },
-                      { { 1, 0, 0 }, { -3, -2, 0 }, 3 } };
-    stick s = { 0, 1, 1, 1, STICK_EXACT };
-    sticks_sweep_speeds(&s, 1, p);
-    ck_assert(p[0].position.x == 0 && p[1].position.x == 1);
-    ck_assert_double_eq_tol(p[0].position.x - p[0].previous.x, 1, 1e-15);
-    ck_assert_double_eq_tol(p[1].position.x - p[1].previous.x, 1, 1e-15);
-    ck_assert(p[1].previous.y == -2 && p[0].previous.y == 0);
-
-    // Soft, one-sided, without length, nailed at both ends: left alone.
-    const particle was[2] = { { { 0, 0, 0 }, { 0, 0, 0 }, 1 },
-                              { { 1, 0, 0 }, { -3, -2, 0 }, 3 } };
-    for (int k = 0; k < 4; k++) {
-        particle q[2] = { was[0], was[1] };
-        stick t = s;
-        if (k == 0) t.stiffness = 0.5;
-        if (k == 1) t.kind = STICK_AT_MOST;
-        if (k == 2) q[1].position = q[0].position;
-        if (k == 3) q[0].inverse_mass = q[1].inverse_mass = 0;
-        sticks_sweep_speeds(&t, 1, q);
-        ck_assert(q[0].previous.x == 0 && q[1].previous.x == -3);
-    }
-}
-END_TEST
-
-// Rejects: an angle held the wrong way round.
 START_TEST(elbow_takes_its_angle)
 {
-    // Rejects: a gradient of the wrong sign or length, a corner that stays.
+    // Rejects: an angle held the wrong way round, a gradient of the wrong sign or length, a corner that stays.
     for (int i = 0; i < 200; i++) {
         particle p[3] = { at(random_real(), random_real(), 1, 0.5),
                           at(random_real(), random_real(), 0, 1),
@@ -864,147 +732,11 @@ START_TEST(straight_elbow_has_no_side_to_turn_to)
 }
 END_TEST
 
-START_TEST(nailed_elbow_reports_and_stays)
+START_TEST(pinned_elbow_reports_and_stays)
 {
     particle p[3] = { at(1, 0, 0, 0), at(0, 0, 0, 0), at(1, 1, 0, 0) };
     stick_result r = angle_relax((angle){ 0, 1, 2, 0, 1 }, p);
     ck_assert(r.moved == 0 && r.error > 0.7);
-}
-END_TEST
-
-// ---- The bend
-
-static void strip(particle *p, real fold)
-{
-    // The edge along x; the wing tips 2 and 3 each turned up by fold / 2.
-    real c = cos(fold / 2), s = sin(fold / 2);
-    p[0] = at(0, 0, 0, 1), p[1] = at(2, 0, 0, 0.5);
-    p[2] = at(0.5, s, c, 2), p[3] = at(1.5, s, -c, 1);
-}
-
-START_TEST(flat_strip_is_content)
-{
-    particle p[4];
-    strip(p, 0);
-    bend b;
-    int where[4] = { 0, 1, 2, 3 };
-    ck_assert(bend_make(&b, where, p, 1).ok);
-    real sum = b.weight[0] + b.weight[1] + b.weight[2] + b.weight[3];
-    near(sum, 0, EXACT, "sum of weights");
-    near(bend_relax(b, p).error, 0, EXACT, "gap");
-}
-END_TEST
-
-START_TEST(folded_strip_lies_flat_after_one_push)
-{
-    // The gap is h sin(fold / 2), of first order in the fold; a stick between
-    // the tips is short by 1 - cos(fold / 2), of second.  Rejects: shares that
-    // forget a weight's square.
-    particle p[4], q[4];
-    bend b;
-    int where[4] = { 0, 1, 2, 3 };
-    strip(p, 0);
-    ck_assert(bend_make(&b, where, p, 1).ok);
-    for (real fold = 0.001; fold < 3; fold *= 2) {
-        strip(p, fold);
-        memcpy(q, p, sizeof p);
-        stick_result r = bend_relax(b, p);
-        near(r.error, sin(fold / 2), 4 * EXACT, "gap");
-        ck_assert_int_eq(r.moved, 1);
-        gains_nothing(q, p, 4);
-        near(bend_relax(b, p).error, 0, 4 * EXACT, "flat");
-    }
-    strip(p, 1);
-    b.stiffness = 0.25;
-    bend_relax(b, p);
-    near(bend_relax(b, p).error, 0.75 * sin(0.5), 4 * EXACT, "soft");
-}
-END_TEST
-
-START_TEST(skewed_strip_too)
-{
-    // Unequal triangles, lines that cross off the middle.
-    for (int i = 0; i < 100; i++) {
-        particle p[4] = { at(0, 0, 0, 1), at(1, 0, 0, 2),
-                          at(random_real(), 0.5 + 0.4 * random_real(), 0, 3),
-                          at(random_real(), -1.5 + random_real() / 3, 0, 1) };
-        bend b;
-        int where[4] = { 0, 1, 2, 3 };
-        ck_assert(bend_make(&b, where, p, 1).ok);
-        near(bend_relax(b, p).error, 0, 16 * EXACT, "flat");
-        p[2].position.z = 0.3;
-        particle q[4];
-        memcpy(q, p, sizeof p);
-        ck_assert(bend_relax(b, p).error > 0);
-        gains_nothing(q, p, 4);
-        near(bend_relax(b, p).error, 0, 16 * EXACT, "flat again");
-    }
-}
-END_TEST
-
-START_TEST(rope_bends_at_its_middle)
-{
-    particle p[3] = { at(0, 0, 0, 1), at(-1, 0, 0, 1), at(2, 0, 0, 1) };
-    int where[4] = { 0, 0, 1, 2 };
-    bend b;
-    ck_assert(bend_make(&b, where, p, 1).ok);
-    p[0].position.y = 0.6;
-    particle q[3];
-    memcpy(q, p, sizeof p);
-    near(bend_relax(b, p).error, 0.6, EXACT, "gap");
-    gains_nothing(q, p, 3);
-    near(bend_relax(b, p).error, 0, EXACT, "straight");
-}
-END_TEST
-
-START_TEST(bend_without_a_crossing_is_refused)
-{
-    particle p[4] = { at(0, 0, 0, 1), at(1, 0, 0, 1),
-                      at(0, 1, 0, 1), at(1, 1, 0, 1) };
-    int where[4] = { 0, 1, 2, 3 };
-    bend b = { { 7, 7, 7, 7 }, { 0, 0, 0, 0 }, 0.5 };
-    status s = bend_make(&b, where, p, 1);
-    ck_assert(!s.ok && strlen(s.why) > 10 && b.at[0] == 7);
-    p[3] = p[2];
-    ck_assert(!bend_make(&b, where, p, 1).ok);
-    where[1] = 0;
-    ck_assert(!bend_make(&b, where, p, 1).ok && b.at[0] == 7);
-    // Rejects: a look at one of the four, or none at their differences.
-    particle near_by[4] = { at(0, 0, 0, 1), at(2, 0, 0, 1),
-                            at(1, -1, 0, 1), at(1, 1, 0, 1) };
-    const int whole[4] = { 0, 1, 2, 3 };
-    for (int i = 0; i < 4; i++) {
-        particle q[4];
-        memcpy(q, near_by, sizeof q);
-        ck_assert(bend_make(&b, whole, q, 1).ok);
-        b.at[0] = 7;
-        q[i].position.z = i % 2 ? not_a_number : HUGE_VAL;
-        s = bend_make(&b, whole, q, 1);
-        ck_assert(!s.ok && strstr(s.why, "finite") && b.at[0] == 7);
-    }
-    for (int i = 0; i < 4; i++)
-        near_by[i].position.z = i < 2 ? 1e308 : -1e308;
-    s = bend_make(&b, whole, near_by, 1);
-    ck_assert(!s.ok && strstr(s.why, "finite") && b.at[0] == 7);
-}
-END_TEST
-
-START_TEST(nailed_bend_and_not_a_number_stay)
-{
-    particle p[4];
-    bend b;
-    int where[4] = { 0, 1, 2, 3 };
-    strip(p, 0);
-    ck_assert(bend_make(&b, where, p, 1).ok);
-    strip(p, 1);
-    for (int i = 0; i < 4; i++) p[i].inverse_mass = 0;
-    stick_result r = bend_relax(b, p);
-    ck_assert(r.moved == 0 && r.error > 0.4);
-    for (int i = 0; i < 4; i++) p[i].inverse_mass = 1;
-    p[2].position.x = not_a_number;
-    r = bend_relax(b, p);
-    ck_assert(r.moved == 0 && r.error == HUGE_VAL);
-    ck_assert(vec3_is_finite(p[0].position));
 }
 END_TEST
 
@@ -1014,8 +746,8 @@ static TCase *stick_tests(void)
     tcase_add_test(t, stick_has_its_length_again);
     tcase_add_test(t, ends_share_by_inverse_mass);
     tcase_add_test(t, centre_of_mass_stays);
-    tcase_add_test(t, nailed_end_stays);
-    tcase_add_test(t, both_ends_nailed_report_and_stay);
+    tcase_add_test(t, pinned_end_stays);
+    tcase_add_test(t, both_ends_pinned_report_and_stay);
     tcase_add_test(t, coincident_ends_stay_finite);
     tcase_add_test(t, soft_stick_corrects_its_share);
     tcase_add_test(t, one_sided_sticks_push_one_way);
@@ -1034,47 +766,36 @@ static TCase *motion_tests(void)
     TCase *t = tcase_create("motion");
     tcase_add_test(t, old_gradient_keeps_the_spin);
     tcase_add_test(t, new_gradient_brakes_the_spin_by_its_law);
+    tcase_add_test(t, default_options_are_right_for_a_pendulum);
     tcase_add_test(t, old_gradient_is_of_order_2);
     tcase_add_test(t, free_body_keeps_its_momenta_in_any_order);
     tcase_add_test(t, new_gradient_loses_angular_momentum);
     return t;
 }
 
-static TCase *sweep_tests(void)
+static TCase *iteration_tests(void)
 {
-    TCase *t = tcase_create("sweep");
+    TCase *t = tcase_create("iteration");
     tcase_add_test(t, chain_converges_at_its_rate);
-    tcase_add_test(t, sweep_counts_and_measures_before);
+    tcase_add_test(t, iteration_counts_and_measures_before);
     tcase_add_test(t, worst_is_a_strain_and_not_a_length);
-    tcase_add_test(t, sweep_is_its_sticks_one_by_one);
+    tcase_add_test(t, iteration_is_its_sticks_one_by_one);
     tcase_add_test(t, dead_band_leaves_small_errors_alone);
     tcase_add_test(t, relax_stops_at_the_tolerance);
     tcase_add_test(t, relax_stops_at_the_cap);
     tcase_add_test(t, failed_old_gradient_begins_again_along_the_new);
     tcase_add_test(t, soft_sticks_do_not_call_the_fallback);
     tcase_add_test(t, strain_within_the_tolerance_is_no_failure);
-    tcase_add_test(t, rope_falls_into_even_and_odd);
-    tcase_add_test(t, icosahedron_falls_into_few_groups);
-    tcase_add_test(t, star_cannot_be_had_apart);
-    tcase_add_test(t, stick_without_ends_is_refused);
-    tcase_add_test(t, refused_memory_leaves_the_order);
     return t;
 }
 
-static TCase *shape_tests(void)
+static TCase *angle_tests(void)
 {
-    TCase *t = tcase_create("angle and bend");
-    tcase_add_test(t, speeds_that_would_change_a_length_are_taken_by_mass);
+    TCase *t = tcase_create("angle");
     tcase_add_test(t, elbow_takes_its_angle);
     tcase_add_test(t, angle_is_quadratic_near_its_goal);
     tcase_add_test(t, straight_elbow_has_no_side_to_turn_to);
-    tcase_add_test(t, nailed_elbow_reports_and_stays);
-    tcase_add_test(t, flat_strip_is_content);
-    tcase_add_test(t, folded_strip_lies_flat_after_one_push);
-    tcase_add_test(t, skewed_strip_too);
-    tcase_add_test(t, rope_bends_at_its_middle);
-    tcase_add_test(t, bend_without_a_crossing_is_refused);
-    tcase_add_test(t, nailed_bend_and_not_a_number_stay);
+    tcase_add_test(t, pinned_elbow_reports_and_stays);
     return t;
 }
 
@@ -1083,8 +804,8 @@ int main(void)
     Suite *s = suite_create("constraint");
     suite_add_tcase(s, stick_tests());
     suite_add_tcase(s, motion_tests());
-    suite_add_tcase(s, sweep_tests());
-    suite_add_tcase(s, shape_tests());
+    suite_add_tcase(s, iteration_tests());
+    suite_add_tcase(s, angle_tests());
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);
     int failed = srunner_ntests_failed(r);

@@ -740,7 +740,7 @@ START_TEST(one_step_squares_the_error)
         const relax_options *o = n % 2 ? &OLD : &NEW;
         relax_result r = four_relax(&f, p, 1, *o);
         real after = worst_strain(p);
-        ck_assert(r.sweeps == 1 && r.fell_back == 0);
+        ck_assert(r.iterations == 1 && r.fell_back == 0);
         ck_assert(fabs(r.worst - before) <= before * before);
         most[n % 2] = fmax(most[n % 2], after / (before * before));
         four_free(&f);
@@ -839,7 +839,7 @@ START_TEST(nailed_body_is_not_relaxed)
     memcpy(was, p, sizeof p);
     relax_result r = four_relax(&f, p, 6, OLD);
     ck_assert(memcmp(was, p, sizeof p) == 0);
-    ck_assert(r.sweeps == 0 && r.relaxed == 0 && r.fell_back == 0);
+    ck_assert(r.iterations == 0 && r.relaxed == 0 && r.fell_back == 0);
 }
 END_TEST
 
@@ -853,7 +853,7 @@ START_TEST(body_within_tolerance_keeps_every_bit)
         memcpy(was, p, sizeof p);
         relax_result r = four_relax(&f, p, 6, n % 2 ? OLD : NEW);
         ck_assert(memcmp(was, p, sizeof p) == 0);
-        ck_assert(r.sweeps == 0 && r.relaxed == 0);
+        ck_assert(r.iterations == 0 && r.relaxed == 0);
         ck_assert_int_eq(r.tested, FOUR_STICKS);
     }
 }
@@ -870,9 +870,9 @@ START_TEST(steps_are_counted_and_capped)
         stand(p);
         p[1].position = vec3_add_scaled(p[1].position, 0.02, any_unit());
         relax_result r = four_relax(&f, p, steps, never);
-        ck_assert_int_le(r.sweeps, steps);
-        if (steps < 3) ck_assert_int_eq(r.sweeps, steps);
-        ck_assert_int_eq(r.relaxed, FOUR_STICKS * r.sweeps);
+        ck_assert_int_le(r.iterations, steps);
+        if (steps < 3) ck_assert_int_eq(r.iterations, steps);
+        ck_assert_int_eq(r.relaxed, FOUR_STICKS * r.iterations);
         ck_assert_int_ge(r.tested, r.relaxed);
     }
 }
@@ -899,7 +899,7 @@ START_TEST(bent_body_is_judged_when_its_steps_are_done)
         relax_result r = steps == 0 ? four_relax(&f, p, 1, wide)
                                     : four_relax(&f, p, steps, OLD);
         ck_assert_int_eq(r.fell_back, 0);
-        ck_assert_int_eq(r.sweeps, steps);
+        ck_assert_int_eq(r.iterations, steps);
         ck_assert_msg(fabs(r.worst - left[steps]) <= 0.02 * left[steps],
                       "%d steps leave %g", steps, r.worst);
     }
@@ -1055,13 +1055,13 @@ START_TEST(bodies_relaxed_together_get_the_bits_of_each_alone)
             sum.tested += r.tested;
             sum.relaxed += r.relaxed;
             sum.fell_back += r.fell_back;
-            if (r.sweeps > sum.sweeps) sum.sweeps = r.sweeps;
+            if (r.iterations > sum.iterations) sum.iterations = r.iterations;
             sum.worst = fmax(sum.worst, r.worst);
         }
         relax_result r = four_relax_all(&f, all, first, bodies, steps, *o);
         ck_assert(memcmp(one, all, (size_t)bodies * FOUR * sizeof *one) == 0);
         ck_assert(r.tested == sum.tested && r.relaxed == sum.relaxed);
-        ck_assert(r.sweeps == sum.sweeps && r.fell_back == sum.fell_back);
+        ck_assert(r.iterations == sum.iterations && r.fell_back == sum.fell_back);
         ck_assert(r.worst == sum.worst);
         four_free(&f);
     }

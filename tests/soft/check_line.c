@@ -391,7 +391,7 @@ START_TEST(relaxing_all_lines_is_solving_one_direction_after_the_other)
         tear_down();
     }
     lay_cloth(11, 9);
-    ck_assert_int_eq(lines_relax(&plan, p, 5, relax_options_default(),
+    ck_assert_int_eq(lines_relax(&plan, p, 5, relax_options_pbd(),
                                  scratch).steps, 1);
     tear_down();
 }
@@ -471,7 +471,7 @@ static real hung_by_two_corners(int at_once)
     nail(n - 1);
     for (int k = 0; k < 2 * hertz; k++) {
         verlet_step(p, plan.particles, GRAVITY, NULL, 1.0 / hertz);
-        sticks_sweep(plan.stick + plan.on_strands,
+        sticks_iterate(plan.stick + plan.on_strands,
                      plan.sticks - plan.on_strands, p, o);
         for (int round = 0; round < (at_once ? 1 : 3); round++)
             lines_relax(&plan, p, at_once ? 3 : 1, o, scratch);
@@ -797,7 +797,7 @@ START_TEST(rope_nailed_too_short_does_not_explode)
         nail(50);
         for (int k = 0; k < 300 * 20; k++) {
             verlet_step(p, 51, GRAVITY, NULL, 1.0 / 1200);
-            if (swept) sticks_sweep(plan.stick, 50, p, along(0));
+            if (swept) sticks_iterate(plan.stick, 50, p, along(0));
             else       solve(0, 1, along(0));
             strain[swept] = fmax(strain[swept], strain_of(plan.strand));
         }

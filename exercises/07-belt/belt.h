@@ -5,7 +5,7 @@
 #ifndef TUMBLE_BELT_H
 #define TUMBLE_BELT_H
 
-#include "separation.h"
+#include "response.h"
 
 // A plane whose surface runs along itself.
 typedef struct {

@@ -3,7 +3,7 @@
 
 #include "body.h"
 #include "painter.h"
-#include "separation.h"
+#include "response.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -187,19 +187,20 @@ static places overlapping(void)
     return (places){ { DEPTH - FLY - ELEPHANT, HIGH, 0 }, { 0, HIGH, 0 } };
 }
 
+typedef enum { NOT_YET, PRINTED, BY_MASS } way;
+
 // The two as particles in the middle of what they show: a gram and a kilogram.
-static places part(share_rule rule)
+static places part(way how)
 {
     places from = overlapping();
     particle p[2] = { { from.fly, from.fly, 1000 },
                       { from.elephant, from.elephant, 1 } };
-    contact c = { .a = { 1, { 0, 0, 0 }, { 1, 0, 0 } },
-                  .b = { 1, { 1, 0, 0 }, { 1, 0, 0 } },
-                  .normal = { -1, 0, 0 }, .thickness = FLY + ELEPHANT,
+    contact c = { .a = { 1, { 0 }, { 1 } }, .b = { 1, { 1 }, { 1 } },
+                  .normal = { -1, 0, 0 }, .apart = FLY + ELEPHANT,
                   .mass_a = 0.001, .mass_b = 1 };
-    response_options o = response_options_default();
-    o.share = rule;
-    contact_separate(&c, p, o);
+    response_errata errata = { .masses_exchanged = true };
+    if (how == PRINTED) response_printed(&c, p, errata);
+    if (how == BY_MASS) response_separate(&c, p, 0);
     return (places){ p[0].position, p[1].position };
 }
 
@@ -272,18 +273,17 @@ static status mixed(const places *now, const places *was, cast_list first,
 
 static status panel(int k, picture *out)
 {
-    static const share_rule rule[PANELS] = { SHARE_MASS, SHARE_PRINTED,
-                                              SHARE_MASS };
-    static const char *const title[PANELS] = { "before", "eq. 10 as printed",
+    static const way how[PANELS] = { NOT_YET, PRINTED, BY_MASS };
+    static const char *const title[PANELS] = { "before", "Eq. 10 as printed",
                                                "by mass" };
     const cast_list both = FLY_NOW | ELEPHANT_NOW;
-    const places was = overlapping(), now = k == 0 ? was : part(rule[k]);
+    const places was = overlapping(), now = part(how[k]);
     picture p;
     status done = picture_init(&p, WIDTH, HEIGHT, colour_hex(0xffffff));
     if (!done.ok) return done;
     done = k == 0 ? mixed(&was, &was, FLY_NOW, both, 0.72, &p)
                   : mixed(&now, &was, both, both | GHOSTS, 0.3, &p);
-    picture_text(&p, 24, HEIGHT - 24, 15, colour_hex(0x4a4f57), title[k]);
+    picture_text(&p, 24, HEIGHT - 24, 19, colour_hex(0x4a4f57), title[k]);
     printf("%s: the elephant moves %.4f m, the fly %.4f m\n", title[k],
            vec3_distance(was.elephant, now.elephant),
            vec3_distance(was.fly, now.fly));

@@ -330,7 +330,7 @@ scene_options settings_scene(const settings *s)
 
 world_options settings_world(const settings *s)
 {
-    world_options o = scene_world_options(s->scene, s->cloth);
+    world_options o = world_scene_options(s->scene, s->cloth);
     o.dt = s->dt;
     if (s->substeps > 0) o.substeps = s->substeps;
     if (s->sweeps > 0) o.sweeps = s->sweeps;

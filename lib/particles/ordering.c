@@ -461,3 +461,62 @@ relax_result sticks_relax_ordered(order_kind kind, const stick_lists *lists,
     return r.result;
 }
 //<
+
+//> sticks-relax-from
+// Relaxes stick k, and keeps the account of it.
+static void relax_one(stick s, particle *p, relax_options options,
+                      relax_result *r)
+{
+    stick_result done = stick_relax(s, p, options);
+    r->worst = real_max(fabs(done.error) / s.rest_length, r->worst);
+    r->tested++;
+    r->relaxed += done.moved;
+}
+
+relax_result sticks_relax_from(const stick_lists *l, int from,
+                               const stick *s, int n, particle *p,
+                               int max_iterations, relax_options options)
+{
+    const int *list = from < 0 ? NULL : l->stick + l->start[from];
+    int entries = from < 0 ? n : l->start[from + 1] - l->start[from];
+    relax_result r = { .worst = 0 };
+    while (r.iterations < max_iterations) {
+        int relaxed_before = r.relaxed;
+        r.worst = 0;
+        for (int i = 0; i < entries; i++)
+            relax_one(s[list ? list[i] : i], p, options, &r);
+        r.iterations++;
+        if (r.worst <= options.tolerance || r.relaxed == relaxed_before) break;
+    }
+    return r;
+}
+//<
+
+//> sticks-relax-largest
+// The stick with the largest strain, the first of equals; -1 if none has any.
+static int most_strained(const stick *s, int n, const particle *p, real *worst)
+{
+    int most = -1;
+    *worst = 0;
+    for (int k = 0; k < n; k++) {
+        real strain = stick_strain(s[k], p);
+        if (strain > *worst) *worst = strain, most = k;
+    }
+    return most;
+}
+
+relax_result sticks_relax_largest(const stick *s, int n, particle *p,
+                                  int max_iterations, relax_options options)
+{
+    relax_result r = { .worst = 0 };
+    for (r.iterations = 0; r.iterations < max_iterations; r.iterations++)
+        for (int i = 0; i < n; i++) {
+            int k = most_strained(s, n, p, &r.worst);
+            r.tested += n;
+            if (!(r.worst > options.tolerance)) return r;
+            if (!stick_relax(s[k], p, options).moved) return r;
+            r.relaxed++;
+        }
+    return r;
+}
+//<

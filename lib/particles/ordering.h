@@ -45,6 +45,24 @@ void   stick_lists_free(stick_lists *l);
 int most_moved(const particle *p, const vec3 *before, int n);
 //<
 
+//> ordering-declare-from
+// Goes through the list of particle `from` again and again, and relaxes each
+// stick that it names, until every stick is within options.tolerance, none can
+// move, or max_iterations are done.  from = -1: the order of the body; then l
+// may be NULL.  With options.dead_band, a stick within the tolerance is left.
+// Result: worst is the largest strain that the last iteration met.
+relax_result sticks_relax_from(const stick_lists *l, int from,
+                               const stick *s, int n, particle *p,
+                               int max_iterations, relax_options options);
+
+// Relaxes the most violated of n sticks, again and again (Southwell), until
+// that one is within options.tolerance or cannot move, or max_iterations * n
+// have been relaxed.  Slow: every relaxation looks at all n.
+relax_result sticks_relax_largest(const stick *s, int n, particle *p,
+                                  int max_iterations, relax_options options);
+
+//<
+
 //> ordering-declare-relax
 // What ORDER_WORK_LIST and ORDER_LARGEST write on, for bodies of at most that
 // many sticks (and particles at most twice as many: each on a stick).  NULL if

@@ -16,6 +16,7 @@ define ORDER
 06/sphere_tree
 07/response
 08/ordering
+09/scene
 10/support
 10/exact
 10/nearest
@@ -392,7 +393,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body obj \
-  penetration sphere_tree grid ordering line four broad rest world step world_scene)
+  penetration sphere_tree grid ordering line four broad rest world step world_scene scene)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

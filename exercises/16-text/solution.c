@@ -73,7 +73,7 @@ static status change_body(reader *r, int word, vec3 x)
         return status_fail("%s wants a body before it", KNOWN[word].word);
     if (word == THROW) r->where.velocity = x;
     if (word == SPIN)  r->where.spin = x;
-    if (word == NAIL)  r->where.nailed = 1;
+    if (word == NAIL)  r->where.is_static = 1;
     return status_ok();
 }
 

@@ -12,7 +12,7 @@
 static int print_row(int bodies)
 {
     scene_options what = scene_options_default();
-    world_options ours = scene_world_options(SCENE_ROOM, 0);
+    world_options ours = world_scene_options(SCENE_ROOM, 0);
     trial a, b;
     what.bodies = bodies;
     ours.resting = 0;

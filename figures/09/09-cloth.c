@@ -35,7 +35,7 @@ int main(void)
         for (int way = 0; way < 2; way++) {
             for (int cloth = 20; cloth <= 40; cloth += 5)
                 if (!print_run(k, cloth, way ? world_options_paper()
-                                             : scene_world_options(k, 40),
+                                             : world_scene_options(k, 40),
                                way ? "paper" : "ours")) return 1;
             printf("\n\n");
         }

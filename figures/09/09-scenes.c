@@ -15,16 +15,16 @@ static const real moment[SCENES][STRIP_PANELS] = {
 
 static status paint_scene(scene_kind kind, picture *out)
 {
-    scene s;
-    status done = scene_build(&s, kind, scene_options_default(),
-                              scene_world_options(kind, 40));
+    world_scene s;
+    status done = world_scene_build(&s, kind, scene_options_default(),
+                              world_scene_options(kind, 40));
     if (!done.ok) return done;
     for (int k = 0; k < STRIP_PANELS && done.ok; k++) {
         while (s.world.time < moment[kind][k] - 1e-9) world_step(&s.world);
         done = film_paint(&s, LAMPS, out, k * (WIDTH + GAP),
                           (int)kind * (HEIGHT + GAP), WIDTH, HEIGHT);
     }
-    scene_free(&s);
+    world_scene_free(&s);
     return done;
 }
 

@@ -28,11 +28,11 @@ static outcome room(world_options how, unsigned long long seed)
 {
     outcome r = { 0, 0, 0, 0 };
     real taken[STEPS];
-    scene s;
+    world_scene s;
     scene_options what = scene_options_default();
     what.seed = seed;
     how.resting = 0;
-    if (!scene_build(&s, SCENE_ROOM, what, how).ok) exit(1);
+    if (!world_scene_build(&s, SCENE_ROOM, what, how).ok) exit(1);
     for (int k = 0; k < STEPS; k++) {
         real start = clock_seconds();
         world_step(&s.world);
@@ -44,7 +44,7 @@ static outcome room(world_options how, unsigned long long seed)
         if (k >= STEPS - LAST) r.left += m.kinetic * LOOK / LAST;
     }
     r.ms = clock_median(taken, STEPS);
-    scene_free(&s);
+    world_scene_free(&s);
     return r;
 }
 

@@ -17,11 +17,11 @@ enum { STEPS = 360 };
 // they gave in those frames in which they gave.
 static int print_accounts(const char *name, world_options how)
 {
-    scene s;
+    world_scene s;
     real given[LEDGERS] = { 0 }, was[LEDGERS] = { 0 };
     how.ledger = 1;
     how.resting = 0;
-    if (!scene_build(&s, SCENE_ROOM, scene_options_default(), how).ok) return 0;
+    if (!world_scene_build(&s, SCENE_ROOM, scene_options_default(), how).ok) return 0;
     real start = ledger_total(&s.world).energy;
     for (int k = 0; k < STEPS; k++) {
         world_step(&s.world);
@@ -35,7 +35,7 @@ static int print_accounts(const char *name, world_options how)
            was[LEDGER_CONTACTS], was[LEDGER_FRICTION], was[LEDGER_STICKS],
            start - ledger_total(&s.world).energy, given[LEDGER_CONTACTS],
            was[LEDGER_INTEGRATE]);
-    scene_free(&s);
+    world_scene_free(&s);
     return 1;
 }
 

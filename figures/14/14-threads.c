@@ -56,20 +56,20 @@ static void in_turn(void *context, void (*work)(void *data, int half),
     t->longer += fmax(middle - start, end - middle);
 }
 
-static void room(scene *s, int bodies,
+static void room(world_scene *s, int bodies,
                  void (*both)(void *, void (*)(void *, int), void *),
                  void *context)
 {
     scene_options what = scene_options_default();
-    world_options how = scene_world_options(SCENE_ROOM, 0);
+    world_options how = world_scene_options(SCENE_ROOM, 0);
     what.bodies = bodies;
     how.resting = 0;
     how.both = both;
     how.both_context = context;
-    if (!scene_build(s, SCENE_ROOM, what, how).ok) exit(1);
+    if (!world_scene_build(s, SCENE_ROOM, what, how).ok) exit(1);
 }
 
-static real step(scene *s)
+static real step(world_scene *s)
 {
     real start = now(CLOCK_MONOTONIC);
     world_step(&s->world);
@@ -81,7 +81,7 @@ static void race_rooms(int bodies, thread *second)
     real ratio[FRAMES];
     halves_time t = { 0, 0 };
     real all = 0;
-    scene one, two;
+    world_scene one, two;
     room(&one, bodies, in_turn, &t);
     room(&two, bodies, thread_both, second);
     for (int k = -SKIPPED; k < FRAMES; k++) {
@@ -97,8 +97,8 @@ static void race_rooms(int bodies, thread *second)
     printf("%d %.3f %.3f %.3f\n", bodies, share, bound, wall);
     printf("#threads| %d,%.2f,%.2f,%.2f,%.2f\n", bodies, share,
            1 - share / 2, bound, wall);
-    scene_free(&one);
-    scene_free(&two);
+    world_scene_free(&one);
+    world_scene_free(&two);
 }
 
 int main(void)

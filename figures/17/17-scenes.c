@@ -31,7 +31,7 @@ static void write_on(picture *out, box at, const char *title, int low,
 // ---- 24 and 26: the scenes -------------------------------------------------
 
 // The worst of all frames.
-static measures run_scene(scene *s, int seconds)
+static measures run_scene(world_scene *s, int seconds)
 {
     measures worst = { .strain = 0 };
     int frames = (int)(seconds / s->world.options.dt + 0.5);
@@ -47,11 +47,11 @@ static measures run_scene(scene *s, int seconds)
 static status show_scene(scene_kind kind, box at, const char *title,
                          picture *out)
 {
-    scene s;
+    world_scene s;
     scene_options what = scene_options_default();
     what.bodies = BODIES;
     what.cloth = CLOTH;
-    status done = scene_build(&s, kind, what, scene_world_options(kind, CLOTH));
+    status done = world_scene_build(&s, kind, what, world_scene_options(kind, CLOTH));
     if (!done.ok) return done;
     char below[100];
     measures m = run_scene(&s, SECONDS);
@@ -65,7 +65,7 @@ static status show_scene(scene_kind kind, box at, const char *title,
            m.penetration, m.strain);
     done = film_paint(&s, LAMPS, out, at.left, at.top, at.width, at.height);
     write_on(out, at, title, kind == SCENE_ROOM ? at.height - 22 : 72, below);
-    scene_free(&s);
+    world_scene_free(&s);
     return done;
 }
 

@@ -25,17 +25,17 @@ static real median[SCENES][FRAMES][STAGES];
 
 static void run(scene_kind kind, int again)
 {
-    scene s;
-    world_options how = scene_world_options(kind, 40);
+    world_scene s;
+    world_options how = world_scene_options(kind, 40);
     how.resting = 0;
     how.clock = clock_seconds;
-    if (!scene_build(&s, kind, scene_options_default(), how).ok) exit(1);
+    if (!world_scene_build(&s, kind, scene_options_default(), how).ok) exit(1);
     for (int k = 0; k < FRAMES; k++) {
         world_step(&s.world);
         for (int stage = 0; stage < STAGES; stage++)
             took[kind][again][k][stage] = 1e3 * s.world.report.time[stage];
     }
-    scene_free(&s);
+    world_scene_free(&s);
 }
 
 static void take_medians(scene_kind kind)

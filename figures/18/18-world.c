@@ -28,7 +28,7 @@ static const int CLOTH[CLOTHS] = { 20, 40, 80, 160 };
 
 // A scene that runs, and what was seen of it.
 typedef struct {
-    scene s;
+    world_scene s;
     real  took[FRAMES];         // ms
     real  overlap, strain, touching, lists;
     int   frames;
@@ -39,7 +39,7 @@ static void start(trip *t, scene_kind kind, scene_options what,
 {
     *t = (trip){ .frames = 0 };
     how.resting = 0;
-    if (!scene_build(&t->s, kind, what, how).ok) exit(1);
+    if (!world_scene_build(&t->s, kind, what, how).ok) exit(1);
 }
 
 // So many frames more, and a look at it.
@@ -76,13 +76,13 @@ static void print_rooms(void)
             what.bodies = BODIES[k];
             static trip t;
             start(&t, SCENE_ROOM, what, way ? world_options_paper()
-                  : scene_world_options(SCENE_ROOM, 0));
+                  : world_scene_options(SCENE_ROOM, 0));
             while (t.frames < FRAMES) go_on(&t);
             ms[way][k] = clock_median(t.took, FRAMES);
             deep[way][k] = t.overlap / t.s.body_radius;
             printf("%d %.4g %.4g %.3g\n", BODIES[k], ms[way][k], deep[way][k],
                    t.strain);
-            scene_free(&t.s);
+            world_scene_free(&t.s);
         }
         printf("# grows as bodies^%.2f from %d on\n",
                slope(ms[way], sizes - 1), BODIES[sizes - 3]);
@@ -101,7 +101,7 @@ static const int SUBSTEPS[STEPS] = { 9, 18, 36 };
 static void run_cloths(trip *t, int substeps)
 {
     scene_options what = scene_options_default();
-    world_options how = scene_world_options(SCENE_CLOTH_ON_CUBE, 40);
+    world_options how = world_scene_options(SCENE_CLOTH_ON_CUBE, 40);
     how.substeps = substeps;
     for (int k = 0; k < CLOTHS; k++) {
         what.cloth = CLOTH[k];
@@ -109,7 +109,7 @@ static void run_cloths(trip *t, int substeps)
     }
     for (int i = 0; i < CLOTH_FRAMES; i += LOOK)
         for (int k = 0; k < CLOTHS; k++) go_on(&t[k]);
-    for (int k = 0; k < CLOTHS; k++) scene_free(&t[k].s);
+    for (int k = 0; k < CLOTHS; k++) world_scene_free(&t[k].s);
 }
 
 // ms of all frames, or of those of the free fall.  The first one makes lists.

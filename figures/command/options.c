@@ -333,7 +333,7 @@ scene_options settings_scene(const settings *s)
 world_options settings_world(const settings *s)
 {
     world_options o = s->paper ? world_options_paper()
-                               : scene_world_options(s->scene, s->cloth);
+                               : world_scene_options(s->scene, s->cloth);
     o.dt = s->dt;
     if (s->substeps > 0) o.substeps = s->substeps;
     if (s->sweeps > 0) o.sweeps = s->sweeps;

@@ -26,7 +26,7 @@ typedef struct {
 // Reads the command line.  Fails with a sentence that names the option.
 status settings_read(settings *s, int arguments, char *const *argument);
 
-// What scene_build wants to know.
+// What world_scene_build wants to know.
 scene_options settings_scene(const settings *s);
 world_options settings_world(const settings *s);
 

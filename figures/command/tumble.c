@@ -61,7 +61,7 @@ typedef struct {
 
 typedef struct {
     settings set;
-    scene    scene;
+    world_scene scene;
     thread  *second;            // NULL: there is one thread
     long     steps, done;       // wanted; finished
     output   csv;
@@ -119,7 +119,7 @@ static status run_begin(run *r)
         how.both_context = r->second;
     }
     r->steps = settings_steps(&r->set);
-    done = scene_build(&r->scene, r->set.scene, settings_scene(&r->set), how);
+    done = world_scene_build(&r->scene, r->set.scene, settings_scene(&r->set), how);
     if (!done.ok) return done;
     r->step_time = malloc((size_t)(r->steps + 1) * sizeof *r->step_time);
     if (!r->step_time) return status_out_of_memory();
@@ -138,7 +138,7 @@ static void run_free(run *r)
     // A folder that we made for nothing goes again; one with frames stays.
     if (r->folder_made && r->frames == 0) rmdir(r->set.frames);
     strip_free(&r->strip);
-    scene_free(&r->scene);
+    world_scene_free(&r->scene);
     thread_free(r->second);
     free(r->step_time);
 }

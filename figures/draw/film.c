@@ -35,7 +35,7 @@ static const view views[SCENES] = {
 static const real ANGLE = 28;       // degrees, from lower to upper edge
 
 // Steps back until both half sides are inside the picture.
-static void point_camera(painter *p, const scene *s, real aspect)
+static void point_camera(painter *p, const world_scene *s, real aspect)
 {
     const view *v = &views[s->kind];
     real unit = s->kind == SCENE_ROOM ? s->size : 1;
@@ -131,7 +131,7 @@ static status paint_rope(painter *p, const body *b, const vec3 *at)
     return done;
 }
 
-static status paint_body(painter *p, const scene *s, int number)
+static status paint_body(painter *p, const world_scene *s, int number)
 {
     const body *b = &s->world.body[number];
     vec3 *at = body_places(&s->world, b);
@@ -183,7 +183,7 @@ static status paint_edges(painter *p, real side)
     return done;
 }
 
-status film_paint(const scene *s, int lamps, picture *out,
+status film_paint(const world_scene *s, int lamps, picture *out,
                   int left, int top, int width, int height)
 {
     painter p;
@@ -234,7 +234,7 @@ static void caption(picture *p, real seconds)
     picture_text(p, 14, p->height - 14.0, 12, colour_hex(0x4a4f57), text);
 }
 
-status strip_look(strip *t, const scene *s, long step)
+status strip_look(strip *t, const world_scene *s, long step)
 {
     while (t->taken < STRIP_PANELS && t->step[t->taken] <= step) {
         picture *p = &t->panel[t->taken];
@@ -272,7 +272,7 @@ static char *frame_name(const char *folder, long number)
     return name;
 }
 
-status frame_write(const scene *s, const char *folder, long number)
+status frame_write(const world_scene *s, const char *folder, long number)
 {
     picture p;
     status done = picture_init(&p, FRAME_WIDTH, FRAME_HEIGHT,

@@ -8,7 +8,7 @@
 
 // Paints the scene as it stands into that box of the picture, from where its
 // camera stands.  lamps: see painter.h.  Fails only for want of memory.
-status film_paint(const scene *s, int lamps, picture *out,
+status film_paint(const world_scene *s, int lamps, picture *out,
                   int left, int top, int width, int height);
 
 enum { STRIP_PANELS = 3 };
@@ -26,13 +26,13 @@ strip  strip_begin(scene_kind kind, long steps, real dt);
 void   strip_free(strip *t);
 
 // Takes the pictures that are due after that step (0: before the first).
-status strip_look(strip *t, const scene *s, long step);
+status strip_look(strip *t, const world_scene *s, long step);
 
 // Writes the pictures taken so far side by side; none: writes nothing.
 status strip_write(const strip *t, const char *path);
 
 // Writes folder/frame-00000.png and so on.
-status frame_write(const scene *s, const char *folder, long number);
+status frame_write(const world_scene *s, const char *folder, long number);
 
 // A folder that can be written to is made, if only its last part is missing.
 // *made says whether it was.

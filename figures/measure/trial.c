@@ -31,10 +31,10 @@ static void trial_steps(world *w, int steps, real *taken, trial *out)
 status trial_run(scene_kind kind, scene_options what, world_options how,
                  real seconds, trial *out)
 {
-    scene s;
+    world_scene s;
     int steps = (int)(seconds / how.dt + 0.5);
     *out = (trial){ .steps = 0 };
-    status done = scene_build(&s, kind, what, how);
+    status done = world_scene_build(&s, kind, what, how);
     if (!done.ok) return done;
     real *taken = malloc((size_t)(steps + 1) * sizeof *taken);
     if (taken) trial_steps(&s.world, steps, taken, out);
@@ -45,7 +45,7 @@ status trial_run(scene_kind kind, scene_options what, world_options how,
         out->tested /= out->steps;
     }
     free(taken);
-    scene_free(&s);
+    world_scene_free(&s);
     return done;
 }
 

@@ -15,7 +15,7 @@ typedef struct {
     real relaxed, tested;   // sticks a step, mean
 } trial;
 
-// Fails as scene_build does.
+// Fails as world_scene_build does.
 status trial_run(scene_kind kind, scene_options what, world_options how,
                  real seconds, trial *out);
 

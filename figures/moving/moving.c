@@ -9,16 +9,16 @@
 
 enum { WIDTH = 316, HEIGHT = 300, GAP = 6, LAMPS = 2, FRAMES = 96 };
 
-static status build(scene all[SCENES])
+static status build(world_scene all[SCENES])
 {
     status done = status_ok();
     for (int k = 0; k < SCENES && done.ok; k++)
-        done = scene_build(&all[k], (scene_kind)k, scene_options_default(),
-                           scene_world_options((scene_kind)k, 40));
+        done = world_scene_build(&all[k], (scene_kind)k, scene_options_default(),
+                           world_scene_options((scene_kind)k, 40));
     return done;
 }
 
-static status write_frame(const scene all[SCENES], const char *name)
+static status write_frame(const world_scene all[SCENES], const char *name)
 {
     picture p;
     status done = picture_init(&p, SCENES * (WIDTH + GAP) - GAP, HEIGHT,
@@ -31,7 +31,7 @@ static status write_frame(const scene all[SCENES], const char *name)
     return done;
 }
 
-static status write_frames(scene all[SCENES], const char *folder)
+static status write_frames(world_scene all[SCENES], const char *folder)
 {
     status done = status_ok();
     for (int i = 0; i < FRAMES && done.ok; i++) {
@@ -49,10 +49,10 @@ int main(int arguments, char **argument)
         fprintf(stderr, "usage: moving FOLDER\n");
         return 2;
     }
-    scene all[SCENES] = { 0 };
+    world_scene all[SCENES] = { 0 };
     status done = build(all);
     if (done.ok) done = write_frames(all, argument[1]);
-    for (int k = 0; k < SCENES; k++) scene_free(&all[k]);
+    for (int k = 0; k < SCENES; k++) world_scene_free(&all[k]);
     if (!done.ok) fprintf(stderr, "moving: %s\n", done.why);
     return done.ok ? 0 : 1;
 }

@@ -192,7 +192,7 @@ static void check(const outcome *o)
 
 // ---- Ours and ODE's --------------------------------------------------------
 
-static room scene;
+static room hall;
 static world ours;
 
 static void our_vertices(int k, vec3 *at)
@@ -204,7 +204,7 @@ static void our_start(int piece)
 {
     if (piece > 0) return;
     world_free(&ours);
-    our_begin(&ours, &scene, 0);
+    our_begin(&ours, &hall, 0);
 }
 
 static void our_frames(int piece)
@@ -217,7 +217,7 @@ static void ode_start(int piece)
 {
     if (piece > 0) return;
     ode_end();
-    ode_begin(&scene);
+    ode_begin(&hall);
 }
 
 static void ode_frames(int piece)
@@ -231,12 +231,12 @@ static void measure(outcome *us, outcome *them)
     our_start(0);
     for (int f = 0; f < FRAMES; f++) {
         world_step(&ours);
-        look(&scene, our_vertices, us);
+        look(&hall, our_vertices, us);
     }
-    ode_begin(&scene);
+    ode_begin(&hall);
     for (int f = 0; f < FRAMES; f++) {
         ode_step(DT);
-        look(&scene, ode_vertices, them);
+        look(&hall, ode_vertices, them);
     }
     check(us);
     check(them);
@@ -263,7 +263,7 @@ static void against_ode(int bodies, int rounds, int steps, const char *what)
     const way ways[2] = { { our_start, our_frames },
                           { ode_start, ode_frames } };
     outcome us = { .depth = 0 }, them = { .depth = 0 };
-    scene = room_of(bodies, 1);
+    hall = room_of(bodies, 1);
     substeps = steps;
     measure(&us, &them);
     real *time = time_in_turn(ways, 2, PIECES, rounds);
@@ -277,7 +277,7 @@ static void against_ode(int bodies, int rounds, int steps, const char *what)
     table_add(r);
     if (bodies == 50 && steps == 4) add_paper(r.ours);
     free(time);
-    free(scene.start);
+    free(hall.start);
     ode_end();
     world_free(&ours);
 }
@@ -339,7 +339,7 @@ static void against_fewer(void)
     const way ways[2] = { { many_start, many_frames },
                           { our_start, few_frames } };
     large = room_of(MANY, 1);
-    scene = room_of(FEW, 1);
+    hall = room_of(FEW, 1);
     real *time = time_in_turn(ways, 2, STRIDES, 1);
     row r = { .what = "room of 10,000, a step of the first 2.5 s",
               .against = "ours of 1,000", .unit = "ms", .ratio = 12,
@@ -350,7 +350,7 @@ static void against_fewer(void)
     r.is_wrong = many.report.dropped > 0;
     table_add(r);
     free(time);
-    free(scene.start);
+    free(hall.start);
     free(large.start);
     world_free(&many);
     world_free(&ours);
@@ -373,10 +373,10 @@ static void asleep_frames(int piece)
 static int settle(unsigned long long seed)
 {
     int frames = 0;
-    free(scene.start);
+    free(hall.start);
     world_free(&many);
-    scene = room_of(FEW, seed);
-    our_begin(&many, &scene, 1);
+    hall = room_of(FEW, seed);
+    our_begin(&many, &hall, 1);
     for (; frames < SETTLE && many.report.asleep < FEW; frames++)
         world_step(&many);
     return frames;
@@ -386,10 +386,10 @@ static void against_awake(void)
 {
     const way ways[2] = { { NULL, asleep_frames }, { NULL, our_frames } };
     int throws = 0, frames = SETTLE;
-    scene.start = NULL;
+    hall.start = NULL;
     while (throws < THROWS && frames == SETTLE)
         frames = settle((unsigned long long)++throws);
-    our_begin(&ours, &scene, 0);
+    our_begin(&ours, &hall, 0);
     for (int f = 0; f < LIE; f++) world_step(&ours);
     real *time = time_in_turn(ways, 2, WATCH, 3);
     row r = { .what = "settled room of 1,000, asleep, a step",
@@ -401,7 +401,7 @@ static void against_awake(void)
              many.report.asleep, (int)FEW, throws, frames * DT);
     table_add(r);
     free(time);
-    free(scene.start);
+    free(hall.start);
     world_free(&many);
     world_free(&ours);
 }

@@ -175,15 +175,15 @@ static void measure_rope(void)
 
 // ---- A cloth ---------------------------------------------------------------
 
-static scene cloth;
+static world_scene cloth;
 
 static void cloth_start(int frame)
 {
     if (frame > 0) return;
-    scene_free(&cloth);
-    status done = scene_build(&cloth, SCENE_CLOTH_ON_CUBE,
+    world_scene_free(&cloth);
+    status done = world_scene_build(&cloth, SCENE_CLOTH_ON_CUBE,
                               scene_options_default(),
-                              scene_world_options(SCENE_CLOTH_ON_CUBE, 40));
+                              world_scene_options(SCENE_CLOTH_ON_CUBE, 40));
     if (!done.ok) give_up(done.why);
 }
 
@@ -229,7 +229,7 @@ static void measure_cloth(void)
     real *time = time_in_turn(ways, 1, FRAMES, 3);
     add_cloth(1e3 * time_sum(time, FRAMES, 0) / FRAMES, most, end);
     free(time);
-    scene_free(&cloth);
+    world_scene_free(&cloth);
 }
 
 void peers_sticks(void)

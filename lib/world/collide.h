@@ -7,7 +7,7 @@
 #ifndef TUMBLE_COLLIDE_H
 #define TUMBLE_COLLIDE_H
 
-#include "body.h"
+#include "scene.h"
 #include "separation.h"
 #include "swept.h"
 
@@ -18,12 +18,6 @@ typedef struct {
     const vec3 *at;     // [plan->particles] where they are
     real mass;          // kg; HUGE_VAL: immovable
 } collider;
-
-// Bodies stay out of the half-space behind it: x . normal >= offset.
-typedef struct plane {
-    vec3 normal;        // unit, into the free side
-    real offset;        // m
-} plane;
 
 // m, how far x is in front of the plane.
 static inline real plane_height(plane p, vec3 x)

@@ -99,12 +99,6 @@ static status check_options(const world_options *o)
 //<
 
 //> world-init
-placement placement_at(vec3 position)
-{
-    return (placement){ .position = position,
-        .x = { 1, 0, 0 }, .y = { 0, 1, 0 }, .z = { 0, 0, 1 } };
-}
-
 status world_init(world *w, world_options options)
 {
     *w = (world){ .options = options, .near = { .trusted = -1 },
@@ -206,7 +200,7 @@ static void place_particle(world *w, const placement *where, vec3 at,
     vec3 x = vec3_add(where->position, placed(where, at));
     vec3 r = placed(where, vec3_sub(at, center));
     vec3 v = vec3_add(where->velocity, vec3_cross(where->spin, r));
-    pool_add(&w->pool, where->nailed
+    pool_add(&w->pool, where->is_static
         ? particle_start(x, still, still, 0, h)
         : particle_start(x, v, w->options.gravity, 1 / mass, h));
 }
@@ -300,7 +294,7 @@ status world_add(world *w, const shape *s, placement where, int *number)
                .corner = w->pool.count, .mass = HUGE_VAL };
     real mass = 0;
     for (int i = 0; i < s->particles; i++) mass += s->mass[i];
-    if (!where.nailed) b.mass = mass;
+    if (!where.is_static) b.mass = mass;
     b.thickness = body_thickness(s, &w->options);
     done = build_tree(&b, w->options.leaves, s->at);
     if (!done.ok) return done;

@@ -103,17 +103,6 @@ typedef struct body {
     real turn;          // m, what its vertices may go beside that
     real reach;         // m, how far it may move in a frame; or what hits it
 } body;
-
-// How a body enters the world: its plan's own frame, and how it moves.  (The
-// plan's origin is the mean of its vertices; the centre of mass of BODY_FOUR is
-// that of the solid, which need not be there.)
-typedef struct {
-    vec3 position;      // m, of the plan's origin
-    vec3 x, y, z;       // unit, perpendicular to each other, right-handed
-    vec3 velocity;      // m/s, of the centre of mass
-    vec3 spin;          // rad/s, about it
-    int  nailed;        // 1: it never moves
-} placement;
 //<
 
 //> report-struct
@@ -369,7 +358,6 @@ world_options world_options_vertices(void);
 world_options world_options_paper(void);
 
 // Upright, at rest, free.
-placement placement_at(vec3 position);
 
 // An empty world.  Fails, with the option's name, if one is out of range: *w is
 // empty then, too, and owns nothing.

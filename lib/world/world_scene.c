@@ -1,24 +1,43 @@
-//> world-scene-options
+//> world-scene-fill
 #include "world_scene.h"
-#include "obj.h"
 
 #include <assert.h>
 #include <stddef.h>
 
-const char *scene_name(scene_kind kind)
+// Body k stands where the scene's own list of positions says, at rest.
+static void move_to_start(world *w, int k, const vec3 *start)
 {
-    static const char *const name[SCENES] = {
-        "room", "cloth-on-cube", "cloth-on-rope"
-    };
-    return kind >= 0 && kind < SCENES ? name[kind] : "";
+    const body *b = &w->body[k];
+    for (int i = 0; i < b->plan->particles; i++) {
+        particle *p = &w->pool.at[b->first + i];
+        p->position = p->previous = start[i];
+    }
 }
 
-scene_options scene_options_default(void)
+status world_of_scene(world *w, const scene *s, world_options how)
 {
-    return (scene_options){ .bodies = 50, .cloth = 40, .seed = 1 };
+    status done = world_init(w, how);
+    for (int k = 0; k < s->planes && done.ok; k++)
+        done = world_add_plane(w, s->plane[k].normal, s->plane[k].offset);
+    for (int k = 0; k < s->bodies && done.ok; k++) {
+        done = world_add(w, scene_shape(s, k), s->body[k].where, NULL);
+        if (done.ok && s->body[k].start) move_to_start(w, k, s->body[k].start);
+    }
+    for (int k = 0; k < s->pins && done.ok; k++) {
+        int b = s->pin[k].body;
+        if (w->body[b].four)
+            done = status_fail("body %d is rigid, and cannot be pinned", b);
+        else
+            world_nail(w, b, s->pin[k].particle);
+    }
+    if (done.ok) done = world_begin(w);
+    if (!done.ok) world_free(w);
+    return done;
 }
+//<
 
-world_options scene_world_options(scene_kind kind, int cloth)
+//> world-scene-options
+world_options world_scene_options(scene_kind kind, int cloth)
 {
     world_options o = world_options_default();
     if (kind == SCENE_ROOM) return o;
@@ -36,254 +55,26 @@ world_options scene_world_options(scene_kind kind, int cloth)
 }
 //<
 
-//> world-scene-random
-// SplitMix64 (Steele, Lea, Flood 2014): every state gives a well-mixed number,
-// so any seed will do.
-static unsigned long long random_bits(unsigned long long *state)
-{
-    unsigned long long z = (*state += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-}
-
-// Uniform in [-1, 1), of 53 bits.
-static real random_signed(unsigned long long *state)
-{
-    return (real)(random_bits(state) >> 11) * (2.0 / 9007199254740992.0) - 1;
-}
-
-static vec3 random_vector(unsigned long long *state, real most)
-{
-    real x = random_signed(state), y = random_signed(state);
-    real z = random_signed(state);
-    return vec3_make(most * x, most * y, most * z);
-}
-
-// A uniform orientation: a point of the unit ball in four dimensions, by
-// rejection (it fills 31 % of its cube, so 64 tries fail once in 10^10), made a
-// unit quaternion, made three axes.
-static void random_axes(unsigned long long *state, placement *where)
-{
-    real w = 1, x = 0, y = 0, z = 0, norm = 0;
-    for (int tries = 0; tries < 64 && !(norm > 0.01 && norm <= 1); tries++) {
-        w = random_signed(state);
-        x = random_signed(state);
-        y = random_signed(state);
-        z = random_signed(state);
-        norm = w * w + x * x + y * y + z * z;
-    }
-    real s = 2 / norm;
-    where->x = vec3_make(1 - s * (y * y + z * z), s * (x * y + w * z),
-                         s * (x * z - w * y));
-    where->y = vec3_make(s * (x * y - w * z), 1 - s * (x * x + z * z),
-                         s * (y * z + w * x));
-    where->z = vec3_make(s * (x * z + w * y), s * (y * z - w * x),
-                         1 - s * (x * x + y * y));
-}
-//<
-
-//> world-scene-room
-// Of v >= 1, by Newton's method: from v, which is at least the root, it falls
-// to it by a third at most in each step, and stays there.
-static real cube_root(real v)
-{
-    real x = v;
-    for (int k = 0; k < 64; k++) x = fmin(x, (2 * x + v / (x * x)) / 3);
-    return x;
-}
-
-// The six walls, y = 0 the floor.
-static status add_room(world *w, real side)
-{
-    struct { vec3 normal; real offset; } wall[6] = {
-        { { 0, 1, 0 }, 0 }, { { 0, -1, 0 }, -side },
-        { { 1, 0, 0 }, -side / 2 }, { { -1, 0, 0 }, -side / 2 },
-        { { 0, 0, 1 }, -side / 2 }, { { 0, 0, -1 }, -side / 2 },
-    };
-    status done = status_ok();
-    for (int k = 0; k < 6 && done.ok; k++)
-        done = world_add_plane(w, wall[k].normal, wall[k].offset);
-    return done;
-}
-
-// Cells along a side of the smallest cubic grid that has room for N bodies.
-static int grid_cells(int bodies)
-{
-    int cells = 1;
-    while (cells * cells * cells < bodies) cells++;
-    return cells;
-}
-
-// Where body number k begins: in its cell, as far off the middle as the cell is
-// wider than the body, turned, thrown and spun at random.
-static placement random_throw(const scene *s, int k, int cells,
-                              unsigned long long *seed)
-{
-    real cell = s->size / cells, loose = cell / 2 - s->body_radius;
-    vec3 corner = vec3_make(k % cells, k / (cells * cells), k / cells % cells);
-    vec3 middle = vec3_scale(cell, vec3_add(corner, vec3_make(0.5, 0.5, 0.5)));
-    middle = vec3_sub(middle, vec3_make(s->size / 2, 0, s->size / 2));
-    placement where = placement_at(vec3_add(
-        middle, random_vector(seed, loose > 0 ? loose : 0)));
-    random_axes(seed, &where);
-    where.velocity = random_vector(seed, 5);
-    where.spin = random_vector(seed, 5);
-    return where;
-}
-
-// The side gives every body 2.1 m^3.  A few bodies fill their grid badly, and
-// would overlap in it: then the room is as wide as the grid needs.
-static status build_room(scene *s, scene_options what)
-{
-    const real icosahedron = 0.317, filled = 0.15;  // m^3; of the room
-    int cells = grid_cells(what.bodies);
-    unsigned long long seed = what.seed;
-    s->body_radius = 0.5;
-    s->size = cube_root(icosahedron * what.bodies / filled);
-    if (s->size < 2 * s->body_radius * cells)
-        s->size = 2 * s->body_radius * cells;
-    status done = what.mesh
-        ? obj_read(what.mesh, s->body_radius, 1, &s->plan[0])
-        : shape_icosahedron(&s->plan[0], s->body_radius, 1);
-    if (done.ok) done = add_room(&s->world, s->size);
-    for (int k = 0; k < what.bodies && done.ok; k++)
-        done = world_add(&s->world, &s->plan[0],
-                         random_throw(s, k, cells, &seed), NULL);
-    return done;
-}
-//<
-
-//> world-scene-cloth
-// The cloth turned by 20 degrees about y, its middle at this place.
-static placement cloth_at(vec3 position)
-{
-    const real cosine = 0.93969262078590838, sine = 0.34202014332566873;
-    placement where = placement_at(position);
-    where.x = vec3_make(cosine, 0, -sine);
-    where.z = vec3_make(sine, 0, cosine);
-    return where;
-}
-
-// Over something that is so high, by 0.1 m; a coarse cloth, whose particles are
-// thick, by so much that it does not touch yet.
-static status add_cloth(scene *s, int n, real height)
-{
-    // Hard diagonals, the paper's, lock a sheet that is solved well.
-    int is_paper = s->world.options.leaves == LEAVES_FACE;
-    status done = shape_cloth(&s->plan[0], n, n, 2, 2, 1, is_paper ? 1 : 0.2);
-    if (!done.ok) return done;
-    real over = fmax(0.1, 0.7 * s->plan[0].spacing);
-    return world_add(&s->world, &s->plan[0],
-                     cloth_at(vec3_make(0, height + over, 0)), NULL);
-}
-
-static status build_cloth_on_cube(scene *s, scene_options what)
-{
-    s->size = 0.8;
-    status done = shape_box(&s->plan[1], vec3_make(s->size, s->size, s->size),
-                            1);
-    placement cube = placement_at(vec3_make(0, s->size / 2, 0));
-    cube.nailed = 1;
-    if (done.ok) done = world_add(&s->world, &s->plan[1], cube, NULL);
-    if (done.ok) done = add_cloth(s, what.cloth, s->size);
-    return done;
-}
-//<
-
-//> world-scene-hang
-// Where a chain of n equal links of length l hangs between two nails at the
-// same height.  In a chain at rest every link bears the same horizontal pull H,
-// and a vertical one that grows by one particle's weight from link to link, in
-// units of which link k of 0 .. n - 1 bears V = k - (n - 1) / 2.  The link lies
-// along its pull, so it reaches l H / sqrt(H H + V V) across.
-static real chain_span(int n, real l, real pull)
-{
-    real span = 0;
-    for (int k = 0; k < n; k++) {
-        real v = k - (n - 1) / 2.0;
-        span += l * pull / sqrt(pull * pull + v * v);
-    }
-    return span;
-}
-
-// The pull that makes the span, by bisection: the span grows with the pull.
-static real chain_pull(int n, real l, real span)
-{
-    real low = 0, high = 1;
-    for (int k = 0; k < 60 && chain_span(n, l, high) < span; k++) high *= 2;
-    for (int k = 0; k < 100; k++) {
-        real middle = (low + high) / 2;
-        if (chain_span(n, l, middle) < span) low = middle;
-        else high = middle;
-    }
-    return high;
-}
-
-// Lays the particles of rope b along that chain, from a nail at `from`.
-static void hang(world *w, int b, vec3 from, real span)
-{
-    const shape *s = w->body[b].plan;
-    int n = s->sticks;
-    real l = s->stick[0].rest_length, pull = chain_pull(n, l, span);
-    for (int i = 0; i <= n; i++) {
-        particle *p = &w->pool.at[w->body[b].first + i];
-        p->position = p->previous = from;
-        real v = i - (n - 1) / 2.0, force = sqrt(pull * pull + v * v);
-        from = vec3_add(from, vec3_make(l * pull / force, l * v / force, 0));
-    }
-    world_nail(w, b, 0);
-    world_nail(w, b, n);
-}
-//<
-
-//> world-scene-rope
-static status build_cloth_on_rope(scene *s, scene_options what)
-{
-    const real height = 1.5, span = 2.6;
-    int rope;
-    s->size = span;
-    status done = shape_rope(&s->plan[1], 50, 3, 0.5);
-    if (done.ok) done = world_add(&s->world, &s->plan[1],
-                                  placement_at(vec3_make(0, height, 0)), &rope);
-    if (!done.ok) return done;
-    hang(&s->world, rope, vec3_make(-span / 2, height, 0), span);
-    return add_cloth(s, what.cloth, height);
-}
-//<
-
 //> world-scene-build
-static status check_world_scene(scene_options what)
+status world_scene_build(world_scene *s, scene_kind kind, scene_options what,
+                         world_options how)
 {
-    if (what.bodies < 1 || what.bodies > 20000)
-        return status_fail("bodies is %d; it must lie between 1 and 20000",
-                           what.bodies);
-    if (what.cloth < 2 || what.cloth > 512)
-        return status_fail("cloth is %d; it must lie between 2 and 512",
-                           what.cloth);
-    return status_ok();
-}
-
-status scene_build(scene *s, scene_kind kind, scene_options what,
-                   world_options how)
-{
-    static status (*const build[SCENES])(scene *, scene_options) = {
-        build_room, build_cloth_on_cube, build_cloth_on_rope
-    };
     assert(kind >= 0 && kind < SCENES);
-    *s = (scene){ .kind = kind };
-    status done = check_world_scene(what);
-    if (done.ok) done = world_init(&s->world, how);
-    if (done.ok) done = build[kind](s, what);
-    if (done.ok) done = world_begin(&s->world);
-    if (!done.ok) scene_free(s);
+    *s = (world_scene){ .kind = kind };
+    // Hard diagonals, the paper's, lock a sheet that is solved well.
+    if (how.leaves == LEAVES_FACE) what.diagonal = 1;
+    status done = scene_build(&s->scene, kind, what);
+    if (done.ok) done = world_of_scene(&s->world, &s->scene, how);
+    s->size = s->scene.size;
+    if (kind == SCENE_ROOM) s->body_radius = SCENE_BODY_RADIUS;
+    if (!done.ok) world_scene_free(s);
     return done;
 }
 
-void scene_free(scene *s)
+void world_scene_free(world_scene *s)
 {
     world_free(&s->world);
-    for (int k = 0; k < 2; k++) shape_free(&s->plan[k]);
-    *s = (scene){ .size = 0 };
+    scene_free(&s->scene);
+    *s = (world_scene){ .size = 0 };
 }
 //<

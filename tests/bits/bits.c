@@ -13,29 +13,29 @@ enum { FEW = 20, MANY = 150 };
 static int film(scene_kind kind, world_options how, int bodies, int frames,
                 const char *way)
 {
-    scene s;
+    world_scene s;
     scene_options what = scene_options_default();
     what.bodies = bodies;
     what.cloth = 12;
-    status done = scene_build(&s, kind, what, how);
+    status done = world_scene_build(&s, kind, what, how);
     if (!done.ok) {
         fprintf(stderr, "bits: %s: %s\n", scene_name(kind), done.why);
         return 1;
     }
     for (int k = 0; k < frames; k++) world_step(&s.world);
     printf("%s %s %016llx\n", scene_name(kind), way, world_hash(&s.world));
-    scene_free(&s);
+    world_scene_free(&s);
     return 0;
 }
 
 int main(void)
 {
     const int frames[SCENES] = { 60, 30, 30 };
-    int failed = film(SCENE_ROOM, scene_world_options(SCENE_ROOM, 0), MANY, 60,
+    int failed = film(SCENE_ROOM, world_scene_options(SCENE_ROOM, 0), MANY, 60,
                       "in parts");
     for (int k = 0; k < SCENES; k++) {
         scene_kind kind = (scene_kind)k;
-        failed |= film(kind, scene_world_options(kind, 40), FEW, frames[k],
+        failed |= film(kind, world_scene_options(kind, 40), FEW, frames[k],
                        "ours");
         failed |= film(kind, world_options_paper(), FEW, frames[k], "paper");
     }

@@ -36,7 +36,7 @@ START_TEST(push_has_the_points_of_its_contact)
     begin(world_options_default());
     int a = add(&ball, anywhere(3, 5, 5)), b = add(&box, anywhere(3, 5, 5));
     placement still = anywhere(3, 0, 0);
-    still.nailed = 1;
+    still.is_static = 1;
     int c = add(&ball, still), r = add_at(&rope, 0, 9, 0);
     ready();
     for (int n = 0; n < 200; n++) {

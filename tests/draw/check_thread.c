@@ -22,16 +22,16 @@ static void right_first(void *context, void (*work)(void *data, int half),
 
 static unsigned long long bits_of(world_options how)
 {
-    scene s;
+    world_scene s;
     scene_options what = scene_options_default();
     what.bodies = BODIES;
-    ck_assert(scene_build(&s, SCENE_ROOM, what, how).ok);
+    ck_assert(world_scene_build(&s, SCENE_ROOM, what, how).ok);
     for (int k = 0; k < FRAMES; k++) world_step(&s.world);
     ck_assert_int_gt(s.world.pushes.end[PILE_LEFT], 100);
     ck_assert_int_gt(s.world.pushes.end[PILE_ACROSS],
                      s.world.pushes.end[PILE_RIGHT]);
     unsigned long long bits = world_hash(&s.world);
-    scene_free(&s);
+    world_scene_free(&s);
     return bits;
 }
 
@@ -39,7 +39,7 @@ static unsigned long long bits_of(world_options how)
 // writes; a sum whose order depends on who is ahead.
 START_TEST(halves_give_the_same_bits_whoever_does_them)
 {
-    world_options how = scene_world_options(SCENE_ROOM, 0);
+    world_options how = world_scene_options(SCENE_ROOM, 0);
     unsigned long long bits = bits_of(how);
     long calls = 0;
     how.both = right_first;

@@ -47,10 +47,10 @@ static void check_places(const world *w)
 // Builds what is small, and lets it take a step.
 static void build(scene_kind kind, scene_options what, world_options how)
 {
-    scene s;
+    world_scene s;
     if (what.bodies > 12 || what.cloth > 8) return;
     memset(&s, 0x55, sizeof s);
-    status r = scene_build(&s, kind, what, how);
+    status r = world_scene_build(&s, kind, what, how);
     if (!r.ok) {
         check_refused(r);
         MUST(s.world.pool.count == 0 && !s.world.pool.at && !s.world.body,
@@ -59,7 +59,7 @@ static void build(scene_kind kind, scene_options what, world_options how)
         check_places(&s.world);
         if (how.substeps <= 4 && how.sweeps <= 4) world_step(&s.world);
     }
-    scene_free(&s);
+    world_scene_free(&s);
 }
 
 // What was accepted is within its range.
@@ -113,7 +113,7 @@ static void read_numbers(bytes *in)
                            .seed = (unsigned)take_byte(in),
                            .mesh = take_byte(in) % 4 ? NULL : "a.obj" };
     world_options how = take_byte(in) & 1 ? world_options_paper()
-                                          : scene_world_options(kind, 40);
+                                          : world_scene_options(kind, 40);
     how.substeps = take_count(in, 0, 5);
     how.sweeps = take_count(in, 0, 5);
     for (int n = take_count(in, 0, 8); n > 0; n--) {

@@ -47,7 +47,7 @@ static void add(const shape *s, vec3 at, vec3 velocity, int nailed)
 {
     placement p = placement_at(at);
     p.velocity = velocity;
-    p.nailed = nailed;
+    p.is_static = nailed;
     ck_assert(world_add(&w, s, p, NULL).ok);
 }
 

@@ -248,7 +248,7 @@ static void lay_table(setting *s, world_options o, vec3 sides, int n,
                       placement where)
 {
     placement below = placement_at(vec3_make(0, -sides.y / 2, 0));
-    below.nailed = 1;
+    below.is_static = 1;
     setting_start(s, o);
     add_body(s, add_box(s, sides, 1), below);
     shape *cloth = &s->plan[s->plans++];
@@ -321,16 +321,16 @@ static findings run_scene(hard_report *r, scene_kind kind, int n, effort e)
 {
     findings f = { .strain = 0 };
     for (int k = 0; k < e.starts; k++) {
-        scene s;
+        world_scene s;
         scene_options what = scene_options_default();
         what.cloth = n;
-        status ok = scene_build(&s, kind, what, scene_world_options(kind, what.cloth));
+        status ok = world_scene_build(&s, kind, what, world_scene_options(kind, what.cloth));
         if (!hard_ok(r, ok)) return f;
         perturb(&s.world, 1, 100 + (unsigned long long)k);
         real half = kind == SCENE_CLOTH_ON_CUBE ? s.size / 2 : 0;
         watch(&s.world, 1, vec3_make(0, half, 0), vec3_make(half, half, half),
               e, &f);
-        scene_free(&s);
+        world_scene_free(&s);
     }
     return f;
 }
@@ -353,7 +353,7 @@ static void build_fold(setting *s, fold_kind kind, int n)
         where.x = vec3_make(0, 1, 0);
         where.y = vec3_make(-1, 0, 0);
     }
-    lay_table(s, scene_world_options(SCENE_CLOTH_ON_CUBE, 40), sides, n, where);
+    lay_table(s, world_scene_options(SCENE_CLOTH_ON_CUBE, 40), sides, n, where);
     if (s->ok.ok && kind != FOLD_UPRIGHT)
         fold(&s->w, 1.5 * off_table(&s->w) + (kind == FOLD_LETTER ? 0 : 0.1),
              1.5 * apart(&s->w));
@@ -410,11 +410,11 @@ static int wrong_answers(void)
 // keeps it out of itself.  How it ends is counted in both ways.
 static void check_counting(hard_report *r, int n, int frames)
 {
-    scene s;
+    world_scene s;
     scene_options what = scene_options_default();
     scene_kind kind = SCENE_CLOTH_ON_CUBE;
     what.cloth = n;
-    if (!hard_ok(r, scene_build(&s, kind, what, scene_world_options(kind, what.cloth))))
+    if (!hard_ok(r, world_scene_build(&s, kind, what, world_scene_options(kind, what.cloth))))
         return;
     s.world.near.pair_capacity = 0;
     for (int k = 0; k < frames; k++) world_step(&s.world);
@@ -427,7 +427,7 @@ static void check_counting(hard_report *r, int n, int frames)
     hard_add(r, wrong_answers(), 0, "", "known answers that are wrong");
     hard_note(r, "%d x %d on the cube, nothing keeping it out of itself: %d "
               "pairs cross at the end, strain %.4f", n, n, all, strain);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 
 static void add_findings(hard_report *r, const findings *f, const char *where,
@@ -492,7 +492,7 @@ typedef struct {
 // One that lies on the table, or floats; in the axes' directions, or turned.
 static void build_flat(setting *s, int n, int lies, int is_turned)
 {
-    world_options o = scene_world_options(SCENE_CLOTH_ON_CUBE, 40);
+    world_options o = world_scene_options(SCENE_CLOTH_ON_CUBE, 40);
     placement where = placement_at(vec3_make(0, 1, 0));
     o.resting = 0;
     if (is_turned) {

@@ -44,7 +44,7 @@ static int is_lost(const vec3 *at, int n)
     return 0;
 }
 
-static void count_bodies(const scene *s, watched *o)
+static void count_bodies(const world_scene *s, watched *o)
 {
     enum { CORNERS = 12 };
     vec3 at[CORNERS];
@@ -62,7 +62,7 @@ static void count_bodies(const scene *s, watched *o)
     if (lost > o->lost)         o->lost = lost;
 }
 
-static void watch(scene *s, int frame, int frames, watched *o)
+static void watch(world_scene *s, int frame, int frames, watched *o)
 {
     int is_end = frame >= frames - 2 * RATE;
     o->dropped += s->world.report.dropped;
@@ -120,20 +120,20 @@ static void throw_all(world *w, real speed, unsigned long long seed)
 
 static void run_room(hard_report *r, room what, watched *o)
 {
-    world_options how = scene_world_options(SCENE_ROOM, 0);
+    world_options how = world_scene_options(SCENE_ROOM, 0);
     scene_options of = scene_options_default();
-    scene s;
+    world_scene s;
     how.resting = what.resting;
     of.bodies = what.bodies;
     of.seed = (unsigned long long)what.seed;
-    if (!hard_ok(r, scene_build(&s, SCENE_ROOM, of, how))) return;
+    if (!hard_ok(r, world_scene_build(&s, SCENE_ROOM, of, how))) return;
     throw_all(&s.world, what.speed, of.seed);
     int frames = (int)(what.seconds * RATE + 0.5);
     for (int f = 0; f < frames; f++) {
         world_step(&s.world);
         watch(&s, f, frames, o);
     }
-    scene_free(&s);
+    world_scene_free(&s);
 }
 
 // ---- 26 --------------------------------------------------------------------

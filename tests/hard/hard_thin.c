@@ -76,7 +76,7 @@ static void build_target(setting *s, int target, int corners)
         if (s->ok.ok) nail_cloth(&s->w, CELLS + 1, corners);
         return;
     }
-    p.nailed = target == PLATE_NAILED;
+    p.is_static = target == PLATE_NAILED;
     add_body(s, add_box(s, vec3_make(1, 0.01, 1), 1), p);
 }
 

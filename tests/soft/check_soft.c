@@ -254,7 +254,7 @@ static void make_heap(real size)
     add_at(&cloth, 0, 0, 0);
     add_at(&rope, 0, 0, 0);
     placement nailed = placement_at(vec3_make(0.3, 0.1, 0.2));
-    nailed.nailed = 1;
+    nailed.is_static = 1;
     add(&box, nailed);
     add_at(&cloth, 0, 0.1, 0);
     add_at(&box, -0.4, 0, -0.3);
@@ -409,7 +409,7 @@ START_TEST(nothing_is_missed_while_a_cloth_falls)
     o.substeps = 20;
     begin(o);
     placement nailed = placement_at(vec3_make(0, 0, 0));
-    nailed.nailed = 1;
+    nailed.is_static = 1;
     add(&box, nailed);
     int sheet = add_at(&cloth, 0.1, 0.4, 0.05);
     int string = add_at(&rope, 0, 0.6, 0.3);
@@ -489,7 +489,7 @@ START_TEST(particle_leaves_a_nailed_box_by_its_thickness_and_an_eighth)
     for (int k = 0; k < 3; k++) {
         begin(ours(_i));
         placement nailed = placement_at(vec3_make(0, 0, 0));
-        nailed.nailed = 1;
+        nailed.is_static = 1;
         int b = add(&box, nailed), r = add_at(&rope, 0, 3, 0);
         ready();
         ck_assert(fabs(soft_gap(&w.body[r], &w.body[b]) - thick)
@@ -518,7 +518,7 @@ START_TEST(nailed_box_pushes_as_its_contacts_do)
         o.response.friction = k % 3 * 0.4;
         begin(o);
         placement where = placement_at(vec3_make(0, 0, 0));
-        where.nailed = 1;
+        where.is_static = 1;
         int b;
         ck_assert(world_add(&w, &box, where, &b).ok);
         int r = add_at(&rope, 0, 3, 0);
@@ -665,7 +665,7 @@ START_TEST(lists_leave_out_what_sleeps_or_is_nailed)
     for (int sleepers = 0; sleepers < 3; sleepers++) {
         int a = add_at(&cloth, 0, 0, 0), b = add_at(&cloth, 0, 0.05, 0);
         placement nailed = placement_at(vec3_make(0, -0.25, 0));
-        nailed.nailed = 1;
+        nailed.is_static = 1;
         add(&box, nailed);
         ready();
         if (sleepers > 0) w.rest.asleep[a] = 1;
@@ -724,7 +724,7 @@ START_TEST(leaf_inside_a_box_goes_half_the_way_of_fig_6)
         o.response.push = k ? PUSH_PRINTED : PUSH_OUT;
         begin(o);
         placement nailed = placement_at(vec3_make(0, 0, 0));
-        nailed.nailed = 1;
+        nailed.is_static = 1;
         add(&box, nailed);
         int r = add_at(&link_, 0, 0.2, 0);
         ready();

@@ -30,7 +30,7 @@ static const real LEAK = 1e-11;     // of all energy that went through the books
 static const real DEEP = 0.05;      // of the radius
 
 typedef struct {
-    scene s;
+    world_scene s;
     long step;
     int  failed;
     unsigned long long seed;
@@ -211,13 +211,13 @@ static void one_step(soak *k, long steps)
 
 static int start(soak *k)
 {
-    world_options how = scene_world_options(SCENE_ROOM, 0);
+    world_options how = world_scene_options(SCENE_ROOM, 0);
     scene_options what = scene_options_default();
     *k = (soak){ .seed = 1 };
     what.bodies = BODIES;
     how.resting = 0;
     how.ledger = 1;
-    status built = scene_build(&k->s, SCENE_ROOM, what, how);
+    status built = world_scene_build(&k->s, SCENE_ROOM, what, how);
     if (!built.ok) fprintf(stderr, "soak: %s\n", built.why);
     else           k->energy = ledger_total(&k->s.world).energy;
     return built.ok;
@@ -237,7 +237,7 @@ int main(int count, char **word)
         one_step(&k, steps);
         if (k.step % 100000 == 0 || k.step == steps) print_line(&k);
     }
-    scene_free(&k.s);
+    world_scene_free(&k.s);
     printf("soak: %ld steps, %s\n", k.step, k.failed ? "FAILED" : "all well");
     return k.failed > 0;
 }

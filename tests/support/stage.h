@@ -65,7 +65,7 @@ static inline int add_at(const shape *s, real x, real y, real z)
 static inline int add_nailed(const shape *s, real x, real y, real z)
 {
     placement p = placement_at(vec3_make(x, y, z));
-    p.nailed = 1;
+    p.is_static = 1;
     return add(s, p);
 }
 

@@ -119,7 +119,7 @@ START_TEST(total_counts_sleepers_and_no_nails)
 {
     begin(ours(_i));
     placement nailed = placement_at(vec3_make(0, 9, 0));
-    nailed.nailed = 1;
+    nailed.is_static = 1;
     add(&box, nailed);
     add(&ball, placement_at(vec3_make(0, 5, 0)));
     add(&rope, placement_at(vec3_make(0, 3, 0)));

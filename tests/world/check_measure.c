@@ -36,7 +36,7 @@ static void tear_down(void)
 static placement nailed_at(real x, real y, real z)
 {
     placement p = placement_at(vec3_make(x, y, z));
-    p.nailed = 1;
+    p.is_static = 1;
     return p;
 }
 
@@ -165,9 +165,9 @@ START_TEST(cubes_that_overlap_by_a_tenth_are_a_tenth_deep)
         begin(ours(_i));
         vec3 at = vec3_make(4, 3, 2), by = vec3_make(0.3, 0.9, -0.2);
         placement a = placement_at(at);
-        a.nailed = k == 1;
+        a.is_static = k == 1;
         placement b = placement_at(vec3_add(at, by));
-        b.nailed = k == 2;
+        b.is_static = k == 2;
         add(&cube, a);
         int second = add(&cube, b);
         ready();
@@ -216,7 +216,7 @@ START_TEST(cloth_particle_in_a_cube_is_as_deep_as_its_way_out)
     for (int k = 0; k < 4; k++) {
         begin(ours(_i));
         placement stand = placement_at(vec3_make(1, 2, 3));
-        stand.nailed = k & 1;
+        stand.is_static = k & 1;
         int c = 0, s = 1;
         if (k & 2) { s = add_at(&cloth, 1, 3, 3); c = add(&cube, stand); }
         else       { c = add(&cube, stand); s = add_at(&cloth, 1, 3, 3); }

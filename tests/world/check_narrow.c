@@ -114,8 +114,8 @@ static void shoot(int model, int at_small)
     begin(o);
     placement small = placement_at(vec3_make(0.2, 2, 0.1));
     placement large = placement_at(ZERO);
-    small.nailed = at_small;
-    large.nailed = !at_small;
+    small.is_static = at_small;
+    large.is_static = !at_small;
     if (at_small) large.velocity = vec3_make(0, 300, 0);
     else          small.velocity = vec3_make(0, -300, 0);
     add(&ball, small);

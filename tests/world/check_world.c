@@ -337,7 +337,7 @@ START_TEST(nailed_body_is_immovable_and_at_rest)
     placement p = slanted();
     p.velocity = vec3_make(9, 9, 9);
     p.spin = vec3_make(9, 9, 9);
-    p.nailed = 1;
+    p.is_static = 1;
     begin(ours(_i));
     add(&box, p);
     ck_assert(w.body[0].mass == HUGE_VAL && body_is_nailed(&w.body[0]));
@@ -522,7 +522,7 @@ END_TEST
 START_TEST(world_begins_with_everything_in_its_place)
 {
     placement nailed = slanted();
-    nailed.nailed = 1;
+    nailed.is_static = 1;
     begin(ours(_i));
     add(&box, nailed);
     add(&ball, placement_at(vec3_make(0, 9, 0)));

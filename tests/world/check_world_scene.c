@@ -26,11 +26,11 @@
 
 // --- scenes ------------------------------------------------------------------
 
-static scene s;
+static world_scene s;
 
 static void build(scene_kind kind, scene_options what, world_options how)
 {
-    status done = scene_build(&s, kind, what, how);
+    status done = world_scene_build(&s, kind, what, how);
     ck_assert_msg(done.ok, "%s: %s", scene_name(kind), done.why);
 }
 
@@ -40,7 +40,7 @@ static void build_ours(scene_kind kind, int number, unsigned long long seed)
     if (kind == SCENE_ROOM) what.bodies = number;
     else                    what.cloth = number;
     what.seed = seed;
-    build(kind, what, scene_world_options(kind, what.cloth));
+    build(kind, what, world_scene_options(kind, what.cloth));
 }
 
 static const body *body_of(int b)
@@ -73,7 +73,7 @@ enum { MODELS = 2 };
 
 static world_options room_options(int model)
 {
-    return model ? world_options_vertices() : scene_world_options(SCENE_ROOM, 0);
+    return model ? world_options_vertices() : world_scene_options(SCENE_ROOM, 0);
 }
 
 static void build_room(int bodies, unsigned long long seed, int model)
@@ -204,7 +204,7 @@ START_TEST(crossing_test_knows_what_crosses)
             = vec3_add(hole, off);
     }
     ck_assert_int_gt(crossings(1), 0);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 END_TEST
 
@@ -250,7 +250,7 @@ START_TEST(room_comes_to_rest_within_its_bounds)
     ck_assert_msg(m.kinetic < ROOM_REST * peak, "%g J of %g J are left",
                   m.kinetic, peak);
     ck_assert(fabs(s.world.time - 10) < 1e-9);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 END_TEST
 
@@ -261,14 +261,14 @@ START_TEST(pile_that_is_awake_lies_still)
 {
     const real still = 1e-9;        // J; it has 1e-12
     scene_options what = scene_options_default();
-    world_options how = scene_world_options(SCENE_ROOM, 0);
+    world_options how = world_scene_options(SCENE_ROOM, 0);
     what.bodies = 40;
     how.resting = 0;
     build(SCENE_ROOM, what, how);
     for (int f = 0; f < 20 * 60; f++) world_step(&s.world);
     real kinetic = world_measure(&s.world).kinetic;
     ck_assert_msg(kinetic < still, "%g J", kinetic);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 END_TEST
 
@@ -286,7 +286,7 @@ START_TEST(room_starts_with_everybody_apart)
                       n, m.penetration);
         ck_assert(m.strain <= ROUNDING);
         is_whole_in_room(ROUNDING);
-        scene_free(&s);
+        world_scene_free(&s);
     }
 }
 END_TEST
@@ -328,7 +328,7 @@ START_TEST(room_is_as_documented)
     ck_assert_msg(fastest > 2.5 && fastest < 4.34, "%g m/s", fastest);
     // Particles 0 and 3 are opposite: their direction is any.
     ck_assert_msg(fabs(up) < 0.4, "they look up by %g on average", up);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 END_TEST
 
@@ -339,10 +339,10 @@ static unsigned long long hash_after(scene_kind kind, int number,
     what.bodies = what.cloth = number;
     what.seed = seed;
     build(kind, what, is_paper ? world_options_paper()
-                               : scene_world_options(kind, what.cloth));
+                               : world_scene_options(kind, what.cloth));
     for (int f = 0; f < 30; f++) world_step(&s.world);
     unsigned long long hash = world_hash(&s.world);
-    scene_free(&s);
+    world_scene_free(&s);
     return hash;
 }
 
@@ -377,7 +377,7 @@ START_TEST(measuring_changes_no_bit)
         }
         ck_assert(slept);
         hash[measured] = world_hash(&s.world);
-        scene_free(&s);
+        world_scene_free(&s);
     }
     ck_assert(hash[0] == hash[1]);
 }
@@ -409,7 +409,7 @@ START_TEST(cloth_comes_to_lie_on_the_cube)
         ck_assert(place_of(1, i).y > -0.1 && place_of(1, i).y < 1.2);
     }
     ck_assert_msg(above > 40 && below > 40, "%d above, %d below", above, below);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 END_TEST
 
@@ -445,7 +445,7 @@ START_TEST(cloth_comes_to_hang_on_the_rope)
             ck_assert_msg(!edge_crosses(place_of(0, k), place_of(0, k + 1), t),
                           "link %d passes through triangle %d", k, f);
         }
-    scene_free(&s);
+    world_scene_free(&s);
 }
 END_TEST
 
@@ -474,7 +474,7 @@ START_TEST(cloth_and_cube_are_as_documented)
     vec3 side = vec3_sub(place_of(1, 19), place_of(1, 0));
     const real turn = 20 * acos(-1.0) / 180;
     near_vec3(side, vec3_make(2 * cos(turn), 0, -2 * sin(turn)), 1e-12);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 END_TEST
 
@@ -514,7 +514,7 @@ START_TEST(rope_starts_as_the_exact_chain)
     for (int i = 0; i <= 50; i++) was[i] = place_of(0, i);
     for (int f = 0; f < 4; f++) world_step(&s.world);
     for (int i = 0; i <= 50; i++) near_vec3(place_of(0, i), was[i], 4e-3);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 END_TEST
 
@@ -532,7 +532,7 @@ START_TEST(paper_way_runs_all_three)
         is_finite_everywhere(f);
     }
     ck_assert_int_eq(s.world.report.asleep, 0);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 END_TEST
 
@@ -564,8 +564,8 @@ START_TEST(mesh_from_a_file_is_thrown_into_the_room)
     build(SCENE_ROOM, what, room_options(_i));
     remove(file);
     ck_assert_int_eq(s.world.bodies, 20);
-    ck_assert_int_eq(s.plan[0].particles, 4);
-    ck_assert(fabs(s.plan[0].radius - 0.5) <= ROUNDING);
+    ck_assert_int_eq(s.scene.shape[0].particles, 4);
+    ck_assert(fabs(s.scene.shape[0].radius - 0.5) <= ROUNDING);
     ck_assert(fabs(body_of(7)->mass - 1) <= ROUNDING);
     for (int f = 0; f < 300; f++) {
         world_step(&s.world);
@@ -575,7 +575,7 @@ START_TEST(mesh_from_a_file_is_thrown_into_the_room)
     measures m = world_measure(&s.world);
     ck_assert_msg(m.strain <= ROOM_STRAIN, "strain %g", m.strain);
     ck_assert_msg(m.penetration <= ROOM_DEPTH, "%g m deep", m.penetration);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 END_TEST
 
@@ -585,7 +585,7 @@ static void is_refused(scene_kind kind, scene_options what, world_options how,
                        const char *word)
 {
     long before = blocks_held;
-    status done = scene_build(&s, kind, what, how);
+    status done = world_scene_build(&s, kind, what, how);
     long after = blocks_held;
     ck_assert_msg(!done.ok, "built in spite of its %s", word);
     ck_assert_msg(strstr(done.why, word) != NULL, "the sentence is: %s",
@@ -593,10 +593,10 @@ static void is_refused(scene_kind kind, scene_options what, world_options how,
     ck_assert_int_eq(s.world.bodies, 0);
     ck_assert_int_eq(s.world.pool.count, 0);
     ck_assert_ptr_null(s.world.pool.at);
-    ck_assert_ptr_null(s.plan[0].at);
-    ck_assert_ptr_null(s.plan[1].at);
+    ck_assert_ptr_null(s.scene.shape);
+    ck_assert_ptr_null(s.scene.body);
     ck_assert_int_eq(after, before);
-    scene_free(&s);
+    world_scene_free(&s);
 }
 
 // Rejects: an option that is not looked at, or looked at when half is built.
@@ -614,7 +614,7 @@ START_TEST(bad_options_are_refused_with_a_sentence)
         is_refused(SCENE_CLOTH_ON_ROPE, what, world_options_paper(), "cloth");
     }
     for (int kind = 0; kind < SCENES; kind++) {
-        world_options how = scene_world_options((scene_kind)kind, 20);
+        world_options how = world_scene_options((scene_kind)kind, 20);
         how.dt = (real)NAN;
         is_refused((scene_kind)kind, scene_options_default(), how, "dt");
     }
@@ -642,7 +642,7 @@ START_TEST(smallest_scenes_can_be_built)
         build_ours((scene_kind)kind, kind == SCENE_ROOM ? 1 : 2, 0);
         for (int f = 0; f < 20; f++) world_step(&s.world);
         is_finite_everywhere(20);
-        scene_free(&s);
+        world_scene_free(&s);
     }
 }
 END_TEST
@@ -668,16 +668,16 @@ START_TEST(every_refusal_of_memory_is_told_and_leaves_nothing)
     for (int kind = 0; kind < SCENES; kind++) {
         scene_options what = scene_options_default();
         what.bodies = what.cloth = 4;
-        world_options how = scene_world_options((scene_kind)kind, 20);
+        world_options how = world_scene_options((scene_kind)kind, 20);
         int n = 0, ok = 0;
         for (; n < 2000 && !ok; n++) {
             long before = blocks_held;
             mallocs_left = n;
-            status done = scene_build(&s, (scene_kind)kind, what, how);
+            status done = world_scene_build(&s, (scene_kind)kind, what, how);
             mallocs_left = INT_MAX;
             ok = done.ok;
             long refused = blocks_held;
-            scene_free(&s);
+            world_scene_free(&s);
             long after = blocks_held;
             if (!ok) ck_assert_str_eq(done.why, "out of memory");
             if (!ok) ck_assert_int_eq(refused, before);

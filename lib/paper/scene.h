@@ -1,0 +1,131 @@
+//> scene-head
+// scene.h - what a simulation starts from: shapes, and where they are placed.
+//
+// Paper: section 7, Figure 8.  Book: chapter 9.
+// One description for every system: the paper's (system.h) reads it, and so
+// does the engine of Part II, so that both can run the same scene.
+// Units: metres, seconds, kilograms.  Frame: the world's, y up.
+
+#ifndef TUMBLE_SCENE_H
+#define TUMBLE_SCENE_H
+
+#include "body.h"
+
+#include <stdbool.h>
+//<
+
+//> scene-types
+// Where a body starts, and how it moves.
+typedef struct {
+    vec3 position;      // m, of the shape's origin
+    vec3 x, y, z;       // the shape's axes: unit, perpendicular, right-handed
+    vec3 velocity;      // m/s, of the centre of mass
+    vec3 spin;          // rad/s, about it
+    bool is_static;     // it never moves
+} placement;
+
+// The free side of a plane: x . normal >= offset.
+typedef struct plane {
+    vec3 normal;        // unit, into the free side
+    real offset;        // m
+} plane;
+
+typedef struct {
+    int       shape;    // number of its shape
+    placement where;
+    vec3     *start;    // [particles] m, where its particles start, in the
+                        // world, at rest; NULL: as its shape, placed
+} scene_body;
+
+// A particle of a body that never moves.
+typedef struct {
+    int body, particle;
+} scene_pin;
+
+// All lists grow as they are added to; the scene owns them, and the shapes.
+typedef struct scene {
+    int shapes, bodies, planes, pins;
+    shape      *shape;
+    scene_body *body;
+    plane      *plane;
+    scene_pin  *pin;
+    real size;          // m, of the paper's scenes: side of the room or the
+                        // cube, span of the rope
+} scene;
+//<
+
+//> scene-declare
+void   scene_init(scene *s);        // empty, owns nothing
+void   scene_free(scene *s);        // and its shapes; an empty one is fine
+
+// Takes over a shape, which is the scene's from then on, and leaves *moved empty;
+// its number is what s->shapes was before.  Fails if memory is refused: then
+// *moved is as it was.
+status scene_add_shape(scene *s, shape *moved);
+
+// A body of that shape; its number is what s->bodies was before.  Fails, and
+// adds nothing, if the placement is not finite, its axes are not perpendicular
+// units, or memory is refused.
+status scene_add(scene *s, int shape_number, placement where);
+
+// A plane, with a normal of any length > 0 (then offset is measured in it, too).
+// Fails if it has no finite normal and offset, or memory is refused.
+status scene_add_plane(scene *s, vec3 normal, real offset);
+
+// Pins a particle of a body.  Requires that both are there; fails if memory is
+// refused.
+status scene_add_pin(scene *s, int body, int pinned);
+
+// At rest at this place, its axes those of the world.
+placement placement_at(vec3 position);
+
+const shape *scene_shape(const scene *s, int body);
+
+// Where particle i of a body starts (m), and how fast (m/s).
+vec3 scene_position(const scene *s, int body, int i);
+vec3 scene_velocity(const scene *s, int body, int i);
+//<
+
+//> scene-declare-paper
+typedef enum {
+    SCENE_ROOM,         // icosahedra thrown into a cubic room
+    SCENE_CLOTH_ON_CUBE,
+    SCENE_CLOTH_ON_ROPE,
+    SCENES
+} scene_kind;
+
+typedef struct {
+    int  bodies;        // in the room, 1 to 20000
+    int  cloth;         // particles along a side of the cloth, 2 to 512
+    real diagonal;      // stiffness of the cloth's diagonals, in (0, 1]; the
+                        // paper's are as stiff as the rest, 1
+    unsigned long long seed;
+    const char *mesh;   // OBJ file thrown instead of icosahedra; NULL: none
+} scene_options;
+
+// As the command line spells it; "" if there is no such scene.
+const char *scene_name(scene_kind kind);
+
+// 50 bodies, a cloth of 40, soft diagonals (0.2), seed 1, no mesh.
+scene_options scene_options_default(void);
+
+// The radius of a body that is thrown into the room, m.
+#define SCENE_BODY_RADIUS 0.5
+
+// The paper's three experiments:
+// room: bodies of radius 0.5 m and 1 kg in a cube of side
+//   cbrt(0.317 N / 0.15) m (more where their grid needs it: N = 2, 3, 9 to
+//   12, 28 to 30), between y = 0 and that side, centred on x = z = 0, from a
+//   jittered grid, in random orientation, velocity and spin uniform in +-5
+//   (m/s, rad/s) a component.
+// cloth-on-cube: n x n particles, 2 m x 2 m, 1 kg, turned by 20 degrees about
+//   y, 0.1 m over a static cube of side 0.8 m that stands on y = 0 (0.7 of its
+//   spacing, if that is more).
+// cloth-on-rope: the same cloth, 0.1 m over the ends of a rope that hangs, at
+//   rest, from two pins 2.6 m apart and 1.5 m high: 50 links, 3 m, 0.5 kg.
+// Fails with a sentence (option out of range, mesh file, memory), leaving *s
+// empty.
+status scene_build(scene *s, scene_kind kind, scene_options what);
+
+#endif
+//<

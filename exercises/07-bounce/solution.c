@@ -24,8 +24,8 @@ static void move_previous(const feature_point *f, vec3 impulse, particle *p)
     }
 }
 
-// The points have moved apart by `moved`, and should have by speed * dt.  Moving
-// `previous` by an impulse J takes (K_A + K_B) J from what has been moved.
+// The points have moved apart by `moved`, and should have by speed * dt.  An
+// impulse J on the previous positions takes (K_A + K_B) J from that.
 void bounce(const contact *c, particle *p, real restitution, real approach,
             real dt)
 {

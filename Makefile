@@ -11,6 +11,9 @@ define ORDER
 02/constraint
 03/mesh
 03/body
+03/rigidity
+03/mesh_check
+03/convex
 03/obj
 05/feature
 06/sphere_tree
@@ -392,8 +395,8 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body obj \
-  penetration sphere_tree grid ordering line four broad rest world step world_scene scene)
+SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body \
+  rigidity mesh_check convex obj penetration sphere_tree grid ordering line four broad rest world step world_scene scene)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

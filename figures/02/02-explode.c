@@ -30,10 +30,10 @@ typedef struct {
 
 static rope rope_start(real dt)
 {
-    const vec3 nail = { 0.32, 1.15, 0 }, along = { -0.6428, -0.7660, 0 };
+    const vec3 pin = { 0.32, 1.15, 0 }, along = { -0.6428, -0.7660, 0 };
     rope r;
     for (int i = 0; i <= LINKS; i++)
-        r.at[i] = particle_start(vec3_add_scaled(nail, i * REST, along),
+        r.at[i] = particle_start(vec3_add_scaled(pin, i * REST, along),
                                  vec3_make(0, 0, 0), GRAVITY,
                                  i > 0 ? 1 / MASS : 0, dt);
     for (int i = 0; i < LINKS; i++)

@@ -1,7 +1,7 @@
-// 02-rope.c - a rope of 50 sticks, 1 m long, nailed at one end.  Hanging: how
+// 02-rope.c - a rope of 50 sticks, 1 m long, pinned at one end.  Hanging: how
 // far it stretches.  Let go at 30 degrees: how much energy it loses.  Both
-// against the cost, for the three ways, and for many sweeps against many small
-// steps.
+// against the cost, for the three ways, and for many iterations against many
+// small steps.
 
 #include "clock.h"
 #include "constraint.h"
@@ -15,7 +15,7 @@
 enum { LINKS = 50, FRAMES = 300, LAST = 60, WAYS = 3 };
 
 static const char *const way_name[WAYS] = {
-    "exact root", "approximate root", "old gradient"
+    "PBD, exact root", "PBD, approximate root", "SHAKE"
 };
 static const vec3 GRAVITY = { 0, -9.81, 0 };
 static const real ROOT = 0.86602540378443865;   // cos 30 degrees
@@ -50,7 +50,7 @@ static rope rope_start(int swing, real end_mass, real dt)
 }
 
 // Over the last second: the largest strain, and the mean energy (J, height 0
-// at the nail; 1 kg a particle), taken half a step back in time.
+// at the pin; 1 kg a particle), taken half a step back in time.
 typedef struct {
     real strain, energy;
     double seconds;         // of processor time, a frame
@@ -68,7 +68,8 @@ static void look(const rope *r, real dt, outcome *o)
     }
 }
 
-static outcome run(int swing, real end_mass, int k, int sweeps, int substeps)
+static outcome run(int swing, real end_mass, int k, int iterations,
+                   int substeps)
 {
     real dt = 1.0 / 60 / substeps;
     relax_options o = way(k);
@@ -78,7 +79,7 @@ static outcome run(int swing, real end_mass, int k, int sweeps, int substeps)
         double begin = clock_seconds();
         for (int j = 0; j < substeps; j++) {
             verlet_step(r.p, LINKS + 1, GRAVITY, NULL, dt);
-            for (int i = 0; i < sweeps; i++)
+            for (int i = 0; i < iterations; i++)
                 sticks_iterate(r.s, LINKS, r.p, o);
         }
         // The fastest of all frames: the others were interrupted.
@@ -93,10 +94,10 @@ int main(void)
     printf("# A rope of 50 sticks, 60 frames a second, 5 s: strain, energy, "
            "cost\n# %s, %s\n", __VERSION__, FLAGS);
     double unit = run(0, 1, 0, 10, 1).seconds;
-    printf("# cost 1 = a frame of 10 sweeps with the exact root = %.2f us\n",
+    printf("# cost 1 = a frame of 10 iterations of PBD, exact root = %.2f us\n",
            unit * 1e6);
-    printf("# 10,000 times the weight at its end: strain %.3g with 10 sweeps, "
-           "%.3g with 64 substeps\n", run(0, 10000, 0, 10, 1).strain,
+    printf("# 10,000 times the weight at its end: strain %.3g with 10 "
+           "iterations, %.3g with 64 substeps\n", run(0, 10000, 0, 10, 1).strain,
            run(0, 10000, 0, 1, 64).strain);
     // The energy at the start, and what there is to lose until it hangs.
     real first = -ROOT * 9.81 * (LINKS + 1) / 2;
@@ -105,7 +106,8 @@ int main(void)
         for (int k = 0; k < WAYS; k++) {
             printf("\n\n# %s, n %s\n# n cost hanging_strain swing_strain "
                    "swing_energy_lost\n", way_name[k],
-                   many ? "substeps of one sweep" : "sweeps of one step");
+                   many ? "substeps of one iteration"
+                        : "iterations of one step");
             for (int n = 1; n <= 256; n *= 2) {
                 outcome h = run(0, 1, k, many ? 1 : n, many ? n : 1);
                 outcome l = run(1, 1, k, many ? 1 : n, many ? n : 1);

@@ -1,5 +1,6 @@
 // hard_set.c - see hard_set.h.
 
+#include "convex.h"
 #include "hard_set.h"
 #include "step.h"
 

@@ -146,6 +146,27 @@ START_TEST(climbing_crosses_plateaus)
 }
 END_TEST
 
+// The point opposite the answer is no number, and a climb that starts beside the
+// answer does not pass there.  Rejects: a climb that is a scan.
+START_TEST(a_climb_looks_only_where_it_passes)
+{
+    unsigned long long seed = 31;
+    for (int n = 0; n < 100; n++) {
+        static body b;
+        body_icosphere(&b, 3, 0.5);
+        point_set p = body_points(&b);
+        vec3 d = random_direction(&seed);
+        int top = support_scan(p, d);
+        int opposite = support_scan(p, vec3_scale(-1, d));
+        if (opposite == 0) continue;        // heights are measured from it
+        b.at[opposite].x = nan("");
+        ck_assert_int_eq(support_scan(p, d), -1);
+        for (int k = p.ring_start[top]; k < p.ring_start[top + 1]; k++)
+            ck_assert_int_eq(support_climb(p, d, p.ring[k]), top);
+    }
+}
+END_TEST
+
 // A mesh of which every vertex but one has a higher neighbour: each is met.
 START_TEST(climbing_may_visit_every_vertex)
 {
@@ -235,6 +256,7 @@ int main(void)
     tcase_add_test(t, what_is_not_finite_is_told);
     tcase_add_test(t, climbing_finds_what_scanning_finds);
     tcase_add_test(t, climbing_crosses_plateaus);
+    tcase_add_test(t, a_climb_looks_only_where_it_passes);
     tcase_add_test(t, climbing_may_visit_every_vertex);
     tcase_add_test(t, forty_eight_points_are_scanned);
     tcase_add_test(t, two_at_once_are_as_high_as_each_alone);

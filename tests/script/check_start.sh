@@ -1,7 +1,7 @@
 # check_start.sh - does the first program of chapter 00 do what the page says?
 # Takes the program, the commands and the output from the page itself.
 
-page=$(pwd)/chapters/00-vec3.md
+page=$(pwd)/chapters/00-start.md
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 cp -R Makefile lib "$tree" && cd "$tree" && mkdir build || exit 1

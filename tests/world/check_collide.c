@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "collide.h"
+#include "convex.h"
 
 // Bodies of size 1 near the origin; a corner is turned, a foot is a mean of
 // three: a few dozen roundings.

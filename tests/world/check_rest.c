@@ -226,6 +226,31 @@ START_TEST(islands_that_form_later_do_not_share_a_name)
 }
 END_TEST
 
+// 1 fell asleep with 0, and has been awake since; 2 falls asleep with 0 later,
+// under the number that 1 still carries.  Rejects: a waking that believes the
+// old island number of a body that is awake, and takes its calm away.
+START_TEST(an_old_island_number_means_nothing)
+{
+    const int first[] = { 0, 1, -1 }, second[] = { 0, 2, -1 };
+    begin(3);
+    slow[2] = 0;
+    frames(8, first);
+    asleep_are("zz.");
+    rest_wake(&rest, 0);
+    slow[1] = 0;
+    slow[2] = 1;
+    frames(8, second);
+    asleep_are("z.z");
+    slow[1] = 1;
+    frames(3, NULL);
+    rest_wake(&rest, 2);
+    asleep_are("...");
+    ck_assert(rest.calm[1] == 3 * DT);
+    frames(5, NULL);
+    asleep_are(".z.");
+}
+END_TEST
+
 // The slow oracle: who can be reached through contacts, by colouring.
 // Rejects: a union that loses a branch, or hangs.
 START_TEST(islands_are_what_can_be_reached)
@@ -315,6 +340,7 @@ int main(void)
         sleepers_keep_their_island_while_others_move,
         restless_neighbour_lets_sleepers_sleep,
         islands_that_form_later_do_not_share_a_name,
+        an_old_island_number_means_nothing,
         islands_are_what_can_be_reached,
         no_bodies_are_no_trouble,
         refused_memory_leaves_nothing,

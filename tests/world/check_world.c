@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "convex.h"
 #include "scarce.h"
 #include "stage.h"
 #include "world.h"

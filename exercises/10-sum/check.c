@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 00/sum.
+// check.c - tests of the exercise 10/sum.
 
 #include "sum.h"
 

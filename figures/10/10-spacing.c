@@ -1,4 +1,4 @@
-// 00-spacing.c - how far apart are the numbers that a coordinate may be?
+// 10-spacing.c - how far apart are the numbers that a coordinate may be?
 //
 // Between two neighbouring numbers there is no other: what is smaller than
 // half their distance is rounded away.  A Verlet step adds g dt^2 to a

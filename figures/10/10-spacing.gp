@@ -1,4 +1,4 @@
-# 00-spacing.gp - gnuplot -e "csv='...'; png='...'" figures/00/00-spacing.gp
+# 10-spacing.gp - gnuplot -e "csv='...'; png='...'" figures/10/10-spacing.gp
 set encoding utf8
 set terminal pngcairo size 1400,900 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
 set output png

@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 00/angle.
+// check.c - tests of the exercise 10/angle.
 
 #include "angle.h"
 

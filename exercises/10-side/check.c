@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 00/side.
+// check.c - tests of the exercise 10/side.
 
 #include "side.h"
 

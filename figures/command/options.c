@@ -324,8 +324,12 @@ status settings_read(settings *s, int arguments, char *const *argument)
 
 scene_options settings_scene(const settings *s)
 {
-    return (scene_options){ .bodies = s->bodies, .cloth = s->cloth,
-                            .seed = s->seed, .mesh = s->mesh };
+    scene_options o = scene_options_default();
+    o.bodies = s->bodies;
+    o.cloth = s->cloth;
+    o.seed = s->seed;
+    o.mesh = s->mesh;
+    return o;
 }
 
 world_options settings_world(const settings *s)

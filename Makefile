@@ -11,6 +11,9 @@ define ORDER
 02/constraint
 03/mesh
 03/body
+03/rigidity
+03/mesh_check
+03/convex
 03/obj
 05/feature
 06/sphere_tree
@@ -291,7 +294,7 @@ hard: $(BUILD)/hard
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
 SPEED := 18-verlet 18-constraint 18-body 18-gjk 10-depth 18-hit_face \
-  06-tree 18-sphere_tree 07-response 08-orders 09-bodies 09-cloth 09-order \
+  06-tree 18-sphere_tree 07-response 08-orders \
   13-bodies 18-world
 .PHONY: speed profile
 speed: $(SPEED:%=$(BUILD)/figures/%)
@@ -392,8 +395,8 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body obj \
-  penetration sphere_tree grid ordering line four broad rest world step world_scene scene)
+SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body \
+  rigidity mesh_check convex obj penetration sphere_tree grid ordering line four broad rest world step world_scene scene)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

@@ -5,7 +5,7 @@
 
 #include "mesh.h"
 
-// Requires: mesh_validate has nothing to say.  All: -1 if memory is refused.
+// Requires: a mesh that mesh_build made.  All: -1 if memory is refused.
 
 // Rings of half-edges that have no face.
 int count_rims(const mesh *m);

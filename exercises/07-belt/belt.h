@@ -17,7 +17,7 @@ typedef struct {
 
 // Lifts p out of the belt if it is in it, and brakes its sliding against the
 // belt, in the last step of dt (s, > 0), by at most friction times the overlap.
-// Returns the overlap before (m, >= 0).  A nailed particle stays.
+// Returns the overlap before (m, >= 0).  A pinned particle stays.
 real belt_push(const belt *b, particle *p, real dt);
 
 #endif

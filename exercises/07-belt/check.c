@@ -190,7 +190,7 @@ START_TEST(belt_without_friction_carries_nothing)
 }
 END_TEST
 
-START_TEST(nailed_parcel_stays)
+START_TEST(pinned_parcel_stays)
 {
     belt b = rising(0, 1, 2, 0.5);
     particle p = { { 0, -0.25, 0 }, { 0, -0.25, 0 }, 0 };
@@ -213,7 +213,7 @@ int main(void)
     tcase_add_test(t, too_steep_a_belt_lets_it_slide_down);
     tcase_add_test(t, belt_runs_across_too);
     tcase_add_test(t, belt_without_friction_carries_nothing);
-    tcase_add_test(t, nailed_parcel_stays);
+    tcase_add_test(t, pinned_parcel_stays);
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

@@ -175,7 +175,7 @@ START_TEST(log_lies_in_its_groove)
 }
 END_TEST
 
-START_TEST(what_nobody_can_hold_is_missing)
+START_TEST(what_cannot_be_held_is_missing)
 {
     // A balloon on the floor, and a weight on nothing.
     near(missing(&UP, 1, 0.5, (vec3){ 0, 3, 0 }), 3, ROUNDING, "balloon, N");
@@ -207,7 +207,7 @@ int main(void)
     tcase_add_test(t, block_holds_up_to_the_angle_of_friction);
     tcase_add_test(t, climber_holds_by_pressing_harder);
     tcase_add_test(t, log_lies_in_its_groove);
-    tcase_add_test(t, what_nobody_can_hold_is_missing);
+    tcase_add_test(t, what_cannot_be_held_is_missing);
     tcase_add_test(t, old_pushes_are_forgotten);
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);

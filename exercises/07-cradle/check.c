@@ -88,7 +88,7 @@ END_TEST
 
 START_TEST(it_works_from_the_right_as_well)
 {
-    // Now every pass from left to right moves the blow on by one ball alone.
+    // Now an iteration from left to right moves the blow on by one ball alone.
     const real in[5] = { 0, 0, 0, 0, -1 }, out[5] = { -1, 0, 0, 0, 0 };
     ck_assert_int_eq(play(5, in, out, "one ball in from the right"), 4);
 }
@@ -113,7 +113,7 @@ START_TEST(balls_that_part_are_left)
 }
 END_TEST
 
-START_TEST(nailed_ball_is_a_wall)
+START_TEST(pinned_ball_is_a_wall)
 {
     const real mass[3] = { 1, 1, 0 }, in[3] = { 2, 0, 0 };
     const real out[3] = { -2, 0, 0 };
@@ -126,7 +126,7 @@ END_TEST
 
 START_TEST(two_walls_do_not_bounce)
 {
-    // Rejects: 0 / 0; a pass that finds the same two walls again and again.
+    // Rejects: 0 / 0; an iteration that finds the same two walls over and over.
     const real mass[3] = { 0, 0, 1 }, in[3] = { 1, 0, 0 };
     row r = row_make(3, mass, in);
     ck_assert_int_eq(cradle_bounce(r.p, 3, 1, PLENTY), 0);
@@ -197,8 +197,8 @@ END_TEST
 
 START_TEST(momentum_stays_and_energy_does_not_grow)
 {
-    // Random rows; without loss the energy stays, too, and in the end nobody
-    // runs into anybody.
+    // Random rows; without loss the energy stays, too, and in the end no ball
+    // runs into another.
     for (int k = 0; k < 200; k++) {
         int n = 2 + k % (MOST - 1);
         real mass[MOST], speed[MOST], e = k % 2 ? 1 : random_real();
@@ -240,7 +240,7 @@ int main(void)
     tcase_add_test(t, it_works_from_the_right_as_well);
     tcase_add_test(t, two_come_in_and_two_leave);
     tcase_add_test(t, balls_that_part_are_left);
-    tcase_add_test(t, nailed_ball_is_a_wall);
+    tcase_add_test(t, pinned_ball_is_a_wall);
     tcase_add_test(t, two_walls_do_not_bounce);
     tcase_add_test(t, tower_of_balls_throws_the_last);
     tcase_add_test(t, without_restitution_they_leave_as_one);

@@ -1,4 +1,4 @@
-// solution.c - pair by pair, until nobody runs into anybody.
+// solution.c - pair by pair, until no ball runs into another.
 
 #include "cradle.h"
 

@@ -7,6 +7,7 @@
 
 #include "body.h"
 #include "clock.h"
+#include "rigidity.h"
 
 #include <stdio.h>
 #include <stdlib.h>

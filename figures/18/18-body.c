@@ -9,6 +9,7 @@
 
 #include "ball.h"
 #include "clock.h"
+#include "convex.h"
 #include "four.h"
 
 #include <stdio.h>

@@ -1,6 +1,7 @@
 // ball.c - an icosahedron, cut finer and finer.
 
 #include "ball.h"
+#include "convex.h"
 
 #include <assert.h>
 

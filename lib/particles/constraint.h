@@ -125,7 +125,7 @@ status sticks_interleave(stick *s, int n, int particle_count);
 //> angle-declare
 // Two sticks from one corner, held at an angle theta: C = 0, where
 // C = (u . v) / (|u| |v|) - cos theta, u = a - corner, v = b - corner.
-typedef struct {
+typedef struct angle {
     int  a, corner, b;
     real cosine;        // cos theta, in [-1, 1]
     real stiffness;     // share of the error that one relaxation corrects

@@ -1,9 +1,9 @@
 //> body-head
-// body.h - shapes: particles, the sticks that hold them and the mesh they span.
+// body.h - shapes: particles, the sticks between them and the mesh around them.
 //
 // Paper: section 4.  Book: chapter 3.
-// A shape is the plan of a body, in its own frame: origin at the centre of
-// mass.  Many bodies may be built to one plan.  Units: metres, kilograms.
+// A shape describes a body at rest, in a frame of its own whose origin is the
+// centre of mass.  Many bodies can share one shape.  Units: metres, kilograms.
 
 #ifndef TUMBLE_BODY_H
 #define TUMBLE_BODY_H
@@ -12,9 +12,9 @@
 #include "mesh.h"
 
 typedef enum {
-    SHAPE_RIGID,        // convex, closed mesh, sticks make it rigid
+    SHAPE_RIGID,        // closed mesh; the sticks make it rigid
     SHAPE_CLOTH,        // mesh with a rim
-    SHAPE_ROPE          // no mesh, a line of particles
+    SHAPE_ROPE          // no mesh: a line of particles
 } shape_kind;
 
 // Lines side by side: particle k of line l is number l * across + k * along.
@@ -33,64 +33,75 @@ typedef struct shape {
     real  *mass;        // [particles] kg
     int    sticks;
     struct stick *stick; // [sticks]
+    int    angles;      // angular constraints; no shape of this file has one
+    struct angle *angle; // [angles]
+    int    columns, rows; // of a cloth; a rope is one row; rigid: 0
+    struct mesh mesh;   // no vertex, edge or face for a rope
+    int   *face;        // [mesh.faces * 3] vertices of each face, for loops
+    real   radius;      // m, largest distance of a particle from the origin
+    real   spacing;     // m, the shortest stick
     strands strand[2];  // a rope: itself; a cloth: its columns, its rows
     int    directions;  // of them, 0 to 2
     int    on_strands;  // the first of the sticks are the strands' links
-    struct mesh mesh;   // no vertex, edge or face for a rope
-    int   *face;        // [mesh.faces * 3] vertices of each face, for loops
     int   *ring_start;  // [particles + 1] the mesh neighbours of vertex v are
     int   *ring;        //   ring[ring_start[v]] .. ring[ring_start[v + 1] - 1]
-    real   radius;      // m, largest distance of a particle from the origin
     real   inner;       // m, a ball of it about the origin lies inside;
                         // 0: there is no inside
-    real   spacing;     // m, shortest stick: the grain of the shape
 } shape;
 //<
 
 //> body-declare-solids
-// Each builder fails, and leaves *s empty, if a number is not finite, not
-// positive or too large, or memory is refused.  Every particle of a shape has
-// the same mass.  Sticks next to each other in the list share no particle where
-// that can be had, so stick k is not, in general, the k-th edge.
+// Every particle of a shape has the same mass.  A function that makes a shape
+// fails, and leaves *s empty, if a number is not finite, not positive or out of
+// range, or memory is refused.
 
-// A box with these full sides: 8 particles, 12 triangles, 18 edges and the 4
-// main diagonals as sticks.  (Particle k stands at +x if bit 0 of k is set, at
-// +y for bit 1, +z for bit 2.)
+// A box with these full sides (m) and mass (kg): 8 particles, 12 triangles, 18
+// edges and the 4 main diagonals as sticks.  Particle k stands at +x if bit 0
+// of k is set, at +y for bit 1, at +z for bit 2.  Fails if the thinnest side is
+// less than 1e-9 of the longest.
 status shape_box(shape *s, vec3 sides, real mass);
 
 // A regular icosahedron: 12 particles, 20 triangles, 30 edges and 6 diagonals.
-// (Particle k ^ 3 stands opposite to particle k.)
+// Particle k ^ 3 stands opposite to particle k.
 status shape_icosahedron(shape *s, real radius, real mass);
-
-// Any convex, closed triangle mesh: a stick along every edge of a
-// tetrahedralisation of it that adds no particle (every tetrahedron has vertex
-// 0 as its apex), the shape moved so that its centre of mass is the origin.
-// A vertex whose tetrahedra are all flat gets one stick more, to the vertex
-// farthest below its plane.  Fails with the sentences of mesh_build and
-// mesh_check_convex.  Takes copies of at and triangle.
-status shape_convex(shape *s, int vertices, const vec3 *at,
-                    int faces, const int (*triangle)[3], real mass);
 //<
 
 //> body-declare-thin
-// n links of equal length along x, 1 to 1,000,000: n + 1 particles, n sticks.
-// (Link k joins particles k and k + 1; the even links come first in the list.)
+// A rope of n links of equal length along x, 1 to 1,000,000: n + 1 particles,
+// n sticks.  Link k joins particles k and k + 1.
 status shape_rope(shape *s, int n, real length, real mass);
 
-// columns x rows particles (2 to 2048 each) in the plane y = 0, width along x,
-// depth along z; faces look up (+y).  Sticks along columns and rows first, then
-// one diagonal a cell, alternating.  The diagonals have stiffness diagonal, in
-// (0, 1].
-// (Particle (i, j) is number j * columns + i, at x = i, z = j.)
+// A cloth of columns x rows particles (2 to 2048 each) in the plane y = 0, its
+// width along x, its depth along z; faces look up (+y).  Particle (i, j) is
+// number j * columns + i.  Sticks: the links along z, the links along x, and
+// one diagonal a cell, alternating, of stiffness `diagonal`, in (0, 1].
 status shape_cloth(shape *s, int columns, int rows, real width, real depth,
                    real mass, real diagonal);
+//<
+
+//> body-declare-make
+// To make a shape of one's own: begin, fill s->at, span a mesh (or none), add
+// sticks, finish.  shape_begin gives every particle its share of the mass, and
+// room for most_sticks.  Requires: particles >= 1, most_sticks >= 0.
+status shape_begin(shape *s, shape_kind kind, int particles, int most_sticks,
+                   real mass);
+
+// Spans triangles over the particles.  Fails as mesh_build.
+status shape_span(shape *s, const int (*triangle)[3], int faces);
+
+// Adds a stick of the length that its ends are apart; one along every edge.
+void shape_add_stick(shape *s, int a, int b);
+void shape_add_edges(shape *s);
+
+// Measures radius and spacing.  If something failed before, frees *s and
+// returns that failure.
+status shape_finish(shape *s, status so_far);
+
+// Adds an angular constraint to a finished shape.  Fails, and leaves *s as it
+// was, if memory is refused.
+status shape_add_angle(shape *s, struct angle c);
 
 void shape_free(shape *s);      // an empty or zeroed shape is fine
-
-// Rank of the rigidity matrix of the sticks at the rest positions: 3 n - 6 if
-// and only if no infinitesimal motion but those of a rigid body is left.
-// -1 if memory is refused.
-int shape_rank(const shape *s);
 
 #endif
 //<

@@ -3,7 +3,7 @@
 //
 // Book: chapter 3.  Of the format: lines `v x y z` and `f i j k ...` (also
 // i/t/n; negative indices count from the end; polygons are cut into fans).
-// Everything else is passed over.
+// All other lines are ignored.
 
 #ifndef TUMBLE_OBJ_H
 #define TUMBLE_OBJ_H
@@ -12,13 +12,14 @@
 
 // Reads the triangle mesh in the file `path` as a rigid, convex body of that
 // mass (kg), its centre of mass at the origin, scaled so that the largest
-// distance of a vertex from it is radius (m).
-// Vertices that no face uses are dropped.  A mesh whose faces all look inwards
-// is turned round.
+// distance of a vertex from it is radius (m).  Vertices that no face uses are
+// dropped.  A mesh whose faces all look inwards is turned round.
+// Requires: numbers are written with a point, as in the C locale, in which
+// every program starts.
 // Fails, and leaves *s empty, with one sentence that names the file, the line
-// where there is one, what is wrong and why: cannot open, not a number, NaN,
-// index out of range, no face, open, non-manifold, degenerate, not convex,
-// larger than 4096 vertices.
+// where there is one, what is wrong and why: cannot open, not a number, index
+// out of range, no face, open, non-manifold, flat, not convex, larger than 4096
+// vertices.
 status obj_read(const char *path, real radius, real mass, shape *s);
 
 #endif

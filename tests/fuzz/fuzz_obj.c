@@ -5,6 +5,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "fuzz.h"
+#include "mesh_check.h"
 #include "obj.h"
 
 static const uint8_t *file;

@@ -1,6 +1,7 @@
 // hard_particles.c - cases 1 to 10: particles alone, on sticks, in ropes.
 
 #include "bodies.h"
+#include "convex.h"
 #include "hard.h"
 #include "line.h"
 

@@ -4,6 +4,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "bodies.h"
+#include "convex.h"
 #include "hard.h"
 #include "body.h"
 #include "sphere_tree.h"

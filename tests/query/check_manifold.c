@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "convex.h"
 #include "distance.h"
 #include "manifold.h"
 

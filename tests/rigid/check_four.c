@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "convex.h"
 #include "four.h"
 #include "scarce.h"
 

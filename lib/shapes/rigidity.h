@@ -1,0 +1,17 @@
+//> rigidity-head
+// rigidity.h - how many ways to move do the sticks of a shape take away?
+//
+// Book: chapter 3.
+
+#ifndef TUMBLE_RIGIDITY_H
+#define TUMBLE_RIGIDITY_H
+
+#include "body.h"
+
+// The rank of the rigidity matrix of the sticks at the rest positions: 3 n - 6
+// if and only if the n particles have no infinitesimal motion left but those of
+// a rigid body.  -1 if memory is refused.
+int shape_rank(const shape *s);
+
+#endif
+//<

@@ -16,6 +16,7 @@ define ORDER
 03/convex
 03/obj
 05/feature
+06/sphere
 06/sphere_tree
 07/response
 08/ordering
@@ -396,7 +397,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body \
-  rigidity mesh_check convex obj penetration sphere_tree grid ordering line four broad rest world step world_scene scene)
+  rigidity mesh_check convex obj penetration sphere sphere_tree grid ordering line four broad rest world step world_scene scene)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

@@ -15,7 +15,9 @@ define ORDER
 03/mesh_check
 03/convex
 03/obj
+04/gjk
 05/feature
+05/hit_face
 06/sphere
 06/sphere_tree
 07/response

@@ -15,7 +15,9 @@ define ORDER
 03/mesh_check
 03/convex
 03/obj
+04/gjk
 05/feature
+05/hit_face
 06/sphere
 06/sphere_tree
 07/response
@@ -27,7 +29,6 @@ define ORDER
 10/nearest
 10/distance
 10/penetration
-11/separation
 11/manifold
 12/line
 13/four
@@ -35,6 +36,7 @@ define ORDER
 14/broad
 14/grid
 15/swept
+16/separation
 16/collide
 16/rest
 16/world

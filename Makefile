@@ -15,7 +15,10 @@ define ORDER
 03/mesh_check
 03/convex
 03/obj
+04/gjk
 05/feature
+05/hit_face
+06/sphere
 06/sphere_tree
 07/response
 08/ordering
@@ -397,8 +400,9 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body \
-  rigidity mesh_check convex obj penetration sphere_tree grid ordering line four broad rest world step world_scene scene system)
+SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body \
+  rigidity mesh_check convex obj penetration sphere sphere_tree grid ordering \
+  line four broad rest world step world_scene scene system)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

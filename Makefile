@@ -30,7 +30,6 @@ define ORDER
 10/nearest
 10/distance
 10/penetration
-11/separation
 11/manifold
 12/line
 13/four
@@ -38,6 +37,7 @@ define ORDER
 14/broad
 14/grid
 15/swept
+16/separation
 16/collide
 16/rest
 16/world

@@ -15,6 +15,7 @@ define ORDER
 03/mesh_check
 03/convex
 03/obj
+04/gjk
 05/feature
 06/sphere_tree
 07/response

@@ -17,6 +17,8 @@ define ORDER
 03/obj
 04/gjk
 05/feature
+05/hit_face
+06/sphere
 06/sphere_tree
 07/response
 08/ordering
@@ -26,7 +28,6 @@ define ORDER
 10/nearest
 10/distance
 10/penetration
-11/separation
 11/manifold
 12/line
 13/four
@@ -34,6 +35,7 @@ define ORDER
 14/broad
 14/grid
 15/swept
+16/separation
 16/collide
 16/rest
 16/world
@@ -396,8 +398,8 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body \
-  rigidity mesh_check convex obj penetration sphere_tree grid ordering line four broad rest world step world_scene scene)
+SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body \
+  rigidity mesh_check convex obj penetration sphere sphere_tree grid ordering line four broad rest world step world_scene scene)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

@@ -39,11 +39,11 @@ typedef struct {
 } gjk_result;
 //<
 //> gjk-declare
-// Perpendicular to a triangle by the right-hand rule, long twice its area (m^2).
+// Normal of a triangle by the right-hand rule; its length is twice the area.
 vec3 triangle_normal(vec3 a, vec3 b, vec3 c);
 
-// Where the origin projects to on the plane of a triangle with the normal n: the
-// barycentric coordinates times a number > 0 (m^4); all 0 if it has no area.
+// Where the origin projects to on a triangle with the normal n: its barycentric
+// coordinates times a number > 0 (m^4); all 0 if the triangle has no area.
 void triangle_weigh(vec3 n, vec3 a, vec3 b, vec3 c, real w[3]);
 
 // The corner of A - B that lies furthest along d, a vector of any length.

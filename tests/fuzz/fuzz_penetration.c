@@ -120,19 +120,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (s.fair && overlap && r.status == PENETRATION_APART)
         MUST(width(&s, r.normal) >= -rounding * s.reach,
              "gjk says that they overlap");
-    // What it remembers is a proof.
-    if (r.status == PENETRATION_FOUND) {
-        penetration_memory memory;
-        penetration_result again;
-        penetration_remember(scratch, &memory);
-        if (penetration_again(a, b, &memory, scratch, &again)) {
-            check_answer(&s, &again, other, 1);
-            if (s.fair)
-                MUST(fabsl((wide)again.depth - (wide)r.depth)
-                     <= rounding * s.reach,
-                     "the same depth");
-        }
-    }
     distance_cache start = { .count = take_count(&in, 0, 4) };
     for (int c = 0; c < start.count; c++) {
         start.a[c] = take_byte(&in) % s.a.count;

@@ -93,107 +93,6 @@ static void check_answer(const body *a, const body *b, penetration_result r, rea
              rounding * size);
 }
 
-// ---- what is remembered
-
-// Rejects: a face taken for the hit face because it was; a proof whose lowest
-// plane is not tried, or that leaves out faces which may have become it; one
-// that NaN passes; one that gives up where a point more would do.
-START_TEST(what_is_remembered_proves_or_declines)
-{
-    unsigned long long seed = 59;
-    int remembered = 0, proven = 0, far_proven = 0;
-    for (int n = 0; n < 1000; n++) {
-        body a, b;
-        body_any(&a, n % 3, &seed);
-        body_any(&b, n / 3 % 3, &seed);
-        body_move(&b, random_vector(&seed, 0.1, 0.5));
-        penetration_result r = hit(&a, &b);
-        if (r.status != PENETRATION_FOUND || r.depth < 0.01) continue;
-        penetration_memory memory;
-        penetration_remember(scratch, &memory);
-        if (memory.faces == 0) continue;
-        remembered++;
-        // A hair at first, then so far that other faces are nearer, or none.
-        for (int step = 0; step < 6; step++) {
-            body_move(&b, random_vector(&seed, 0, step < 3 ? 1e-3 : 0.2));
-            point_set pa = body_points(&a), pb = body_points(&b);
-            penetration_result again;
-            int known = penetration_again(pa, pb, &memory, scratch, &again);
-            proven += step < 3 && known;
-            far_proven += step >= 3 && known;
-            if (!known) continue;
-            ck_assert_int_eq(again.status, PENETRATION_FOUND);
-            check_answer(&a, &b, again, 1);
-            near(again.depth, hit(&a, &b).depth, rounding);
-        }
-        body_move(&b, (vec3){ 4, 0, 0 });
-        penetration_result none;
-        ck_assert(!penetration_again(body_points(&a), body_points(&b), &memory,
-                                  scratch, &none));
-        body_move(&b, (vec3){ -4, 0, 0 });
-        a.at[n % a.count].z = (real)NAN;
-        ck_assert(!penetration_again(body_points(&a), body_points(&b), &memory,
-                                  scratch, &none));
-    }
-    ck_assert_msg(100 * proven >= 99 * 3 * remembered
-                  && 100 * far_proven >= 90 * 3 * remembered,
-                  "of 3 times %d: %d, and %d far", remembered, proven,
-                  far_proven);
-}
-END_TEST
-
-// Rejects: a proof from a surface that no longer goes round the origin, because
-// the bodies were turned anyhow meanwhile.
-START_TEST(what_is_remembered_survives_any_turn)
-{
-    unsigned long long seed = 60;
-    int asked = 0, proven = 0;
-    for (int n = 0; n < 4000; n++) {
-        body a, b;
-        body_any(&a, n % 3, &seed);
-        body_any(&b, n / 3 % 3, &seed);
-        body_move(&b, random_vector(&seed, 0.1, 0.7));
-        if (hit(&a, &b).status != PENETRATION_FOUND) continue;
-        penetration_memory memory;
-        penetration_remember(scratch, &memory);
-        body_turn(&a, &seed);
-        if (n % 2) body_turn(&b, &seed);
-        body_move(&b, random_vector(&seed, 0, 0.7));
-        penetration_result again;
-        asked++;
-        if (!penetration_again(body_points(&a), body_points(&b), &memory,
-                            scratch, &again)) continue;
-        proven++;
-        near(again.depth, hit(&a, &b).depth, rounding);
-    }
-    ck_assert_msg(50 * proven > asked, "%d of %d", proven, asked);
-}
-END_TEST
-
-// Six sides are equally low.  Rejects: weights in one for the foot in another.
-START_TEST(what_is_remembered_of_equal_sides_is_not_mixed_up)
-{
-    unsigned long long seed = 61;
-    for (int n = 0; n < 300; n++) {
-        body a = body_cube(0, 0, 0);
-        if (n % 2) body_turn(&a, &seed);
-        body b = a;
-        penetration_result r = hit(&a, &b), again;
-        penetration_memory memory;
-        penetration_remember(scratch, &memory);
-        for (int turns = 0; turns < 4; turns++) {
-            point_set pa = body_points(&a), pb = body_points(&b);
-            if (penetration_again(pa, pb, &memory, scratch, &again)) {
-                check_answer(&a, &b, again, 1);
-                near(again.depth, r.depth, rounding);
-            }
-            body_turn(&a, &seed);
-            b = a;
-        }
-    }
-}
-END_TEST
-
 // ---- answers that can be had by hand
 
 // Rejects: a normal from A to B, a depth along the wrong axis.
@@ -832,9 +731,6 @@ int main(void)
     TCase *t = tcase_create("hit_face");
     tcase_add_checked_fixture(t, setup, teardown);
     tcase_set_timeout(t, 60);
-    tcase_add_test(t, what_is_remembered_proves_or_declines);
-    tcase_add_test(t, what_is_remembered_survives_any_turn);
-    tcase_add_test(t, what_is_remembered_of_equal_sides_is_not_mixed_up);
     tcase_add_test(t, a_cube_pushed_in_comes_out_the_short_way);
     tcase_add_test(t, moved_by_the_depth_they_only_touch);
     tcase_add_test(t, touching_is_depth_zero_with_a_proper_normal);

@@ -23,6 +23,9 @@ define ORDER
 07/response
 08/ordering
 09/scene
+09/poses
+09/system
+10/ring
 10/support
 10/exact
 10/nearest
@@ -398,8 +401,9 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body \
-  rigidity mesh_check convex obj penetration sphere sphere_tree grid ordering line four broad rest world step world_scene scene)
+SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body ring \
+  rigidity mesh_check convex obj penetration sphere sphere_tree grid ordering \
+  line four broad rest world step world_scene scene system)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

@@ -186,24 +186,24 @@ END_TEST
 
 START_TEST(a_vertex_a_face_and_two_edges_are_named)
 {
-    body floor, corner, up = body_cube(0, 0, 0), down;
+    body floor, tip, up = body_cube(0, 0, 0), down;
     body_box(&floor, (vec3){ -2, -2, -1 }, (vec3){ 2, 2, 0 });
-    corner = up;
-    // A cube on its corner: its diagonal along z, the lowest vertex 0.1 deep.
+    tip = up;
+    // A cube on its tip: its diagonal along z, the lowest vertex 0.1 deep.
     vec3 z = vec3_unit((vec3){ 1, 1, 1 }), x = vec3_unit((vec3){ 1, -1, 0 });
     vec3 y = vec3_cross(z, x);
     for (int i = 0; i < 8; i++) {
-        vec3 p = corner.at[i];
-        corner.at[i] = (vec3){ vec3_dot(x, p), vec3_dot(y, p),
+        vec3 p = tip.at[i];
+        tip.at[i] = (vec3){ vec3_dot(x, p), vec3_dot(y, p),
                                vec3_dot(z, p) + sqrt(0.75) - 0.1 };
     }
-    penetration_result r = hit(&corner, &floor);
+    penetration_result r = hit(&tip, &floor);
     ck_assert_int_eq(r.kind, TOUCH_VERTEX_FACE);
     ck_assert_int_eq(r.a.count, 1);
     ck_assert_int_eq(r.a.vertex[0], 0);
     near(r.depth, 0.1, rounding);
     near(r.normal.z, 1, rounding);
-    r = hit(&floor, &corner);
+    r = hit(&floor, &tip);
     ck_assert_int_eq(r.kind, TOUCH_FACE_VERTEX);
     ck_assert_int_eq(r.b.count, 1);
     near(r.normal.z, -1, rounding);

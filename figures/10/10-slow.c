@@ -9,6 +9,7 @@
 #include "clock.h"
 #include "penetration.h"
 #include "oracle.h"
+#include "points.h"
 
 #include <stdio.h>
 
@@ -31,8 +32,8 @@ static real answer(int way, int i)
 {
     point_set pa = { a[i], points, NULL, NULL };
     point_set pb = { b[i], points, NULL, NULL };
-    if (way == 1) return (real)oracle_distance(pa, pb);
-    if (way == 2) return (real)oracle_depth(pa, pb);
+    if (way == 1) return (real)oracle_distance(hull_of(pa), hull_of(pb));
+    if (way == 2) return (real)oracle_depth(hull_of(pa), hull_of(pb));
     distance_result r = distance_find(pa, pb, distance_options_default(), NULL);
     if (r.status != DISTANCE_OVERLAP) return r.distance;
     return penetration_find(pa, pb, &r.last, scratch).depth;

@@ -185,7 +185,8 @@ static void check(const outcome *o)
     point_set a = { o->a, CORNERS, NULL, NULL };
     point_set b = { o->b, CORNERS, NULL, NULL };
     if (!(o->pair_depth > 0)) return;
-    real truth = (real)oracle_depth(a, b);
+    real truth = (real)oracle_depth((hull){ a.at, a.count },
+                                    (hull){ b.at, b.count });
     if (!(fabs(o->pair_depth - truth) <= 1e-12))
         give_up("the oracle does not agree about the deepest pair");
 }

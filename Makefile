@@ -23,12 +23,14 @@ define ORDER
 07/response
 08/ordering
 09/scene
+09/poses
+09/system
+10/ring
 10/support
 10/exact
 10/nearest
 10/distance
 10/penetration
-11/separation
 11/manifold
 12/line
 13/four
@@ -36,6 +38,7 @@ define ORDER
 14/broad
 14/grid
 15/swept
+16/separation
 16/collide
 16/rest
 16/world
@@ -398,8 +401,9 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body \
-  rigidity mesh_check convex obj penetration sphere sphere_tree grid ordering line four broad rest world step world_scene scene)
+SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body ring \
+  rigidity mesh_check convex obj penetration sphere sphere_tree grid ordering \
+  line four broad rest world step world_scene scene system)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

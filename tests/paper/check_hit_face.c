@@ -340,8 +340,8 @@ START_TEST(stored_pairs_have_their_exact_depth)
                   || strcmp(p.feature, "EE") == 0;
         // The label is certain where the next face is more than rounding
         // further away, and no vertex stands twice at one place.
-        if (strcmp(p.family, "dup_vertices") == 0 || p.kind != 'P' || !plain || !p.unique || p.gap < 1e-6
-            || p.gap * p.value < 1e-14 * size)
+        if (strcmp(p.family, "dup_vertices") == 0 || p.kind != 'P' || !plain
+            || !p.unique || p.gap < 1e-6 || p.gap * p.value < 1e-14 * size)
             continue;
         named++;
         ck_assert_msg(strcmp(name[r.kind], p.feature) == 0, "%s: %s, not %s",

@@ -11,6 +11,7 @@
 #include "hit_face.h"
 #include "penetration.h"
 #include "oracle.h"
+#include "points.h"
 
 #include <stdio.h>
 
@@ -43,8 +44,8 @@ static real answer(int way, int i)
 {
     point_set pa = { a[i], points, NULL, NULL };
     point_set pb = { b[i], points, NULL, NULL };
-    if (way == SLOW_DISTANCE) return (real)oracle_distance(pa, pb);
-    if (way == SLOW_DEPTH) return (real)oracle_depth(pa, pb);
+    if (way == SLOW_DISTANCE) return (real)oracle_distance(hull_of(pa), hull_of(pb));
+    if (way == SLOW_DEPTH) return (real)oracle_depth(hull_of(pa), hull_of(pb));
     if (way == PLAIN) return plain_answer(i);
     distance_result r = distance_find(pa, pb, distance_options_default(), NULL);
     if (r.status != DISTANCE_OVERLAP) return r.distance;

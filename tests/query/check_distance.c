@@ -3,6 +3,7 @@
 #include "bodies.h"
 #include "gjk.h"
 #include "oracle.h"
+#include "points.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -260,7 +261,7 @@ START_TEST(random_pairs_agree_with_every_feature_pair)
         distance_result r = ask(&a, &b);
         if (r.status != DISTANCE_APART) continue;
         apart++;
-        real truth = (real)oracle_distance(body_points(&a), body_points(&b));
+        real truth = (real)oracle_distance(body_hull(&a), body_hull(&b));
         near(r.distance, truth, reference);
         near(vec3_distance(r.on_a, r.on_b), truth, reference);
     }
@@ -320,7 +321,7 @@ START_TEST(the_gap_is_a_certificate)
         if (r.status != DISTANCE_APART) continue;
         apart++;
         vec3 back = vec3_scale(-1, v);
-        real lowest = -(real)oracle_width(body_points(&a), body_points(&b),
+        real lowest = -(real)oracle_width(body_hull(&a), body_hull(&b),
                                           back);
         ck_assert(lowest >= r.distance - rounding);
     }
@@ -589,7 +590,7 @@ START_TEST(beyond_the_margin_it_stops_early_with_a_true_bound)
         ck_assert(r.distance > 0.1 && r.distance <= full.distance + rounding);
         ck_assert_int_le(r.iterations, full.iterations);
         // The axis parts them by at least that much.
-        real parted = -(real)oracle_width(body_points(&a), body_points(&b),
+        real parted = -(real)oracle_width(body_hull(&a), body_hull(&b),
                                           vec3_scale(-1, r.axis));
         near(parted, r.distance, rounding);
     }
@@ -815,7 +816,7 @@ START_TEST(a_step_that_gains_nothing_may_be_on_the_way)
     point_set a = { large, 4, NULL, NULL }, b = { small, 4, NULL, NULL };
     distance_result r = distance_find(a, b, distance_options_default(), NULL);
     ck_assert_int_eq(r.status, DISTANCE_APART);
-    near(r.distance, (real)oracle_distance(a, b), 1e-14 * 28);
+    near(r.distance, (real)oracle_distance(hull_of(a), hull_of(b)), 1e-14 * 28);
     ck_assert_int_le(r.iterations, 20);
 }
 END_TEST
@@ -855,7 +856,7 @@ START_TEST(the_axis_parts_what_is_apart)
     ck_assert(r.distance > 0 && r.distance < 1e-14 * 52.75);
     near(vec3_length(r.axis), r.distance, 1e-27);
     // How far B reaches over A along the axis.
-    ck_assert((real)oracle_width(b, a, r.axis) < 1e-14 * 52.75);
+    ck_assert((real)oracle_width(hull_of(b), hull_of(a), r.axis) < 1e-14 * 52.75);
 }
 END_TEST
 

@@ -4,6 +4,7 @@
 #include "hit_face.h"
 #include "penetration.h"
 #include "oracle.h"
+#include "points.h"
 #include "scarce.h"
 
 #include <check.h>
@@ -89,7 +90,7 @@ static void check_answer(const body *a, const body *b, penetration_result r, rea
     check_feature(a, &r.a, r.on_a, rounding * size);
     check_feature(b, &r.b, r.on_b, rounding * size);
     if (r.status == PENETRATION_FOUND)
-        near((real)oracle_width(body_points(a), body_points(b),
+        near((real)oracle_width(body_hull(a), body_hull(b),
                                 vec3_scale(-1, r.normal)), r.depth,
              rounding * size);
 }
@@ -163,8 +164,8 @@ START_TEST(identical_and_concentric_cubes)
     for (int n = 0; n < 50; n++) {
         body_turn(&turned, &seed);
         penetration_result r = hit(&a, &turned);
-        near(r.depth, (real)oracle_depth(body_points(&a),
-                                         body_points(&turned)), reference);
+        near(r.depth, (real)oracle_depth(body_hull(&a),
+                                         body_hull(&turned)), reference);
         check_answer(&a, &turned, r, 1);
     }
 }
@@ -186,24 +187,24 @@ END_TEST
 
 START_TEST(a_vertex_a_face_and_two_edges_are_named)
 {
-    body floor, tip, up = body_cube(0, 0, 0), down;
+    body floor, tipped, up = body_cube(0, 0, 0), down;
     body_box(&floor, (vec3){ -2, -2, -1 }, (vec3){ 2, 2, 0 });
-    tip = up;
-    // A cube on its tip: its diagonal along z, the lowest vertex 0.1 deep.
+    tipped = up;
+    // A cube on its corner: its diagonal along z, the lowest vertex 0.1 deep.
     vec3 z = vec3_unit((vec3){ 1, 1, 1 }), x = vec3_unit((vec3){ 1, -1, 0 });
     vec3 y = vec3_cross(z, x);
     for (int i = 0; i < 8; i++) {
-        vec3 p = tip.at[i];
-        tip.at[i] = (vec3){ vec3_dot(x, p), vec3_dot(y, p),
+        vec3 p = tipped.at[i];
+        tipped.at[i] = (vec3){ vec3_dot(x, p), vec3_dot(y, p),
                                vec3_dot(z, p) + sqrt(0.75) - 0.1 };
     }
-    penetration_result r = hit(&tip, &floor);
+    penetration_result r = hit(&tipped, &floor);
     ck_assert_int_eq(r.kind, TOUCH_VERTEX_FACE);
     ck_assert_int_eq(r.a.count, 1);
     ck_assert_int_eq(r.a.vertex[0], 0);
     near(r.depth, 0.1, rounding);
     near(r.normal.z, 1, rounding);
-    r = hit(&floor, &tip);
+    r = hit(&floor, &tipped);
     ck_assert_int_eq(r.kind, TOUCH_FACE_VERTEX);
     ck_assert_int_eq(r.b.count, 1);
     near(r.normal.z, -1, rounding);
@@ -238,7 +239,7 @@ START_TEST(random_pairs_agree_with_every_direction)
         if (a.count * b.count > 100) continue;      // the oracle is slow
         body_move(&b, random_vector(&seed, 0, 0.9));
         penetration_result r = hit(&a, &b);
-        real truth = (real)oracle_depth(body_points(&a), body_points(&b));
+        real truth = (real)oracle_depth(body_hull(&a), body_hull(&b));
         ck_assert_int_eq(r.status, truth > 0 ? PENETRATION_FOUND : PENETRATION_APART);
         if (r.status != PENETRATION_FOUND) continue;
         found++;
@@ -264,7 +265,7 @@ START_TEST(equal_bodies_side_by_side)
         if (n % 2) body_scale(&b, 1 + 1e-15 * (n % 7));
         body_move(&b, random_vector(&seed, 0, n % 5 ? 0.3 : 1e-12));
         penetration_result r = hit(&a, &b);
-        real truth = (real)oracle_depth(body_points(&a), body_points(&b));
+        real truth = (real)oracle_depth(body_hull(&a), body_hull(&b));
         if (truth <= 0) continue;
         ck_assert_int_eq(r.status, PENETRATION_FOUND);
         near(r.depth, truth, reference);
@@ -551,7 +552,7 @@ START_TEST(a_full_polytope_still_answers)
     body_icosphere(&a, 3, 0.5);
     r = hit(&a, &a);
     ck_assert_int_eq(r.status, PENETRATION_CAPPED);
-    real width = (real)oracle_width(body_points(&a), body_points(&a),
+    real width = (real)oracle_width(body_hull(&a), body_hull(&a),
                                     vec3_scale(-1, r.normal));
     near(width, r.depth, rounding);
     ck_assert(r.depth > 0.99 && r.depth < 1.001);
@@ -635,7 +636,7 @@ START_TEST(the_normal_stands_on_the_line)
     penetration_result r = penetration_find(a, b, &start, scratch);
     ck_assert_int_eq(r.status, PENETRATION_FLAT);
     near(vec3_dot(r.normal, vec3_unit(vec3_sub(q[2], q[0]))), 0, rounding);
-    near((real)oracle_width(a, b, r.normal), 0, rounding * 64);
+    near((real)oracle_width(hull_of(a), hull_of(b), r.normal), 0, rounding * 64);
 }
 END_TEST
 

@@ -32,14 +32,9 @@ vec3 random_vector(unsigned long long *state, real least, real most)
     return vec3_scale(length, random_direction(state));
 }
 
-point_set body_points(const body *b)
+hull body_hull(const body *b)
 {
-    point_set p = { b->at, b->count, NULL, NULL };
-    if (b->has_ring) {
-        p.ring_start = b->ring_start;
-        p.ring = b->ring;
-    }
-    return p;
+    return (hull){ b->at, b->count };
 }
 
 void body_box(body *b, vec3 low, vec3 high)

@@ -4,7 +4,7 @@
 #ifndef TUMBLE_BODIES_H
 #define TUMBLE_BODIES_H
 
-#include "support.h"
+#include "gjk.h"
 
 enum { BODY_POINTS = 642, BODY_RING = 6 * BODY_POINTS };
 
@@ -33,7 +33,7 @@ double random_unit(unsigned long long *state);
 vec3   random_direction(unsigned long long *state);
 vec3   random_vector(unsigned long long *state, real least, real most);
 
-point_set body_points(const body *b);
+hull body_hull(const body *b);
 void body_box(body *b, vec3 low, vec3 high);
 body body_cube(real x, real y, real z);     // of side 1, its middle there
 void body_icosahedron(body *b, real radius);

@@ -25,6 +25,7 @@ define ORDER
 09/scene
 09/poses
 09/system
+10/ring
 10/support
 10/exact
 10/nearest
@@ -400,7 +401,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body \
+SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body ring \
   rigidity mesh_check convex obj penetration sphere sphere_tree grid ordering \
   line four broad rest world step world_scene scene system)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
@@ -415,7 +416,7 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
-ASKS := $(addprefix $(BUILD)/tests/check_,oracle distance penetration swept) $(BUILD)/figures/10-slow
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(BUILD)/figures/10-slow
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
 $(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o

@@ -57,13 +57,13 @@ static real volume(vec3 a, vec3 b, vec3 c)
 
 // Fills in the barycentric coordinates of the origin's projection.  True if all
 // are positive: it lies inside.  A flat simplex, where they cancel, gets zeros.
-static bool weigh(simplex *s, vec3 n)
+static bool weigh(simplex *s)
 {
     vec3 a = s->of[0].at, b = s->of[1].at, c = s->of[2].at, d = s->of[3].at;
     real w[4] = { 1, 0, 0, 0 };
     if (s->count == 2)
         w[0] = vec3_dot(b, vec3_sub(b, a)), w[1] = vec3_dot(a, vec3_sub(a, b));
-    if (s->count == 3) triangle_weigh(n, a, b, c, w);
+    if (s->count == 3) triangle_weigh(triangle_normal(a, b, c), a, b, c, w);
     if (s->count == 4)
         w[0] = volume(b, c, d), w[1] = volume(a, d, c),
         w[2] = volume(a, b, d), w[3] = volume(a, c, b);
@@ -79,7 +79,7 @@ static bool weigh(simplex *s, vec3 n)
 //> gjk-point
 // The point that the weights stand for.  A short one is the small difference of
 // long vectors: rounding tilts it, until it is set upright on triangle or edge.
-static vec3 weighted_point(const simplex *s, vec3 n)
+static vec3 weighted_point(const simplex *s)
 {
     const corner *c = s->of;
     vec3 v = { 0, 0, 0 };
@@ -87,7 +87,8 @@ static vec3 weighted_point(const simplex *s, vec3 n)
         v = vec3_add_scaled(v, s->weight[k], c[k].at);
     if (s->count == 2)
         v = vec3_sub(v, along(v, vec3_sub(c[1].at, c[0].at)));
-    return s->count == 3 ? along(v, n) : v;
+    if (s->count < 3) return v;
+    return along(v, triangle_normal(c[0].at, c[1].at, c[2].at));
 }
 //<
 //> gjk-nearest
@@ -96,11 +97,8 @@ static vec3 weighted_point(const simplex *s, vec3 n)
 static void nearest(simplex *s)
 {
     simplex best = { .count = 0 };
-    vec3 n = { 0, 0, 0 };
-    if (s->count == 3)
-        n = triangle_normal(s->of[0].at, s->of[1].at, s->of[2].at);
-    if (weigh(s, n)) {
-        s->v = weighted_point(s, n);
+    if (weigh(s)) {
+        s->v = weighted_point(s);
         return;
     }
     for (int k = 0; k < s->count; k++) {
@@ -144,16 +142,14 @@ static void begin(simplex *s, hull a, hull b)
 //> gjk-step
 enum { CAP = 100 };                  // iterations; ten are usual
 static const real ENOUGH = 1e-13;    // relative error of the squared distance
-static const real TOUCHING = 1e-30;  // of the squared size: too near to tell
+static const real TOUCHING = 4e-24;  // of the squared size: too near to tell
 
 // One iteration.  GJK_CAPPED: v has become shorter, go on.
 static gjk_status step(gjk_result *r, hull a, hull b, real margin)
 {
     simplex *s = &r->last;
-    real vv = vec3_dot(s->v, s->v), size = 1e-90;
-    for (int k = 0; k < s->count; k++)
-        size = real_max(size, vec3_dot(s->of[k].at, s->of[k].at));
-    if (s->count == 4 || vv <= TOUCHING * size) return GJK_OVERLAP;
+    real vv = vec3_dot(s->v, s->v), size = 0;
+    if (s->count == 4 || vv < 1e-120) return GJK_OVERLAP;
     corner w = hull_support(a, b, vec3_scale(-1, s->v));
     real bound = vec3_dot(s->v, w.at);
     r->distance = bound / sqrt(vv);
@@ -163,11 +159,14 @@ static gjk_status step(gjk_result *r, hull a, hull b, real margin)
     simplex next = *s;
     next.of[next.count++] = w;
     nearest(&next);
-    // Rounding: it is no nearer.  Only a bound > 0 proves that they are apart.
-    if (!(vec3_dot(next.v, next.v) < vv))
-        return bound > 0 ? GJK_APART : GJK_OVERLAP;
-    *s = next;
-    return GJK_CAPPED;
+    if (vec3_dot(next.v, next.v) < vv) {
+        *s = next;
+        return GJK_CAPPED;
+    }
+    // Rounding allows no nearer v.  Only a bound > 0 proves them apart.
+    for (int k = 0; k < s->count; k++)
+        size = real_max(size, vec3_dot(s->of[k].at, s->of[k].at));
+    return bound > 0 || vv > TOUCHING * size ? GJK_APART : GJK_OVERLAP;
 }
 //<
 //> gjk-distance

@@ -24,7 +24,7 @@ typedef enum {
     GJK_APART,          // distance, axis and nearest points hold
     GJK_BEYOND,         // further apart than the margin: distance is a bound,
                         // axis separates, the points are not nearest
-    GJK_OVERLAP,        // they meet, or rounding cannot tell: ask hit_face
+    GJK_OVERLAP,        // they meet, or nearly: within rounding, or 1e-60 m
     GJK_NOT_FINITE,     // a coordinate is NaN or beyond 1e60 m: all is 0
     GJK_CAPPED          // out of iterations: the best so far
 } gjk_status;
@@ -39,11 +39,11 @@ typedef struct {
 } gjk_result;
 //<
 //> gjk-declare
-// Perpendicular to a triangle by the right-hand rule, twice its area long (m^2).
+// Normal of a triangle by the right-hand rule; its length is twice the area.
 vec3 triangle_normal(vec3 a, vec3 b, vec3 c);
 
-// Where the origin projects to on the plane of a triangle with the normal n: the
-// barycentric coordinates times a number > 0 (m^4); all 0 if it has no area.
+// Where the origin projects to on a triangle with the normal n: its barycentric
+// coordinates times a number > 0 (m^4); all 0 if the triangle has no area.
 void triangle_weigh(vec3 n, vec3 a, vec3 b, vec3 c, real w[3]);
 
 // The corner of A - B that lies furthest along d, a vector of any length.
@@ -51,8 +51,7 @@ corner hull_support(hull a, hull b, vec3 d);
 
 // The distance of two convex bodies, to rounding.  Stops with GJK_BEYOND once
 // it is surely more than margin (m, >= 0; HUGE_VAL: never).  carried (or NULL):
-// the last simplex of the same pair, from which the search starts; receives the
-// new one.  Bodies nearer than 1e-60 m touch.
+// the last simplex of the pair, to start from; receives the new one.
 gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried);
 
 #endif

@@ -11,6 +11,7 @@
 #include "clock.h"
 #include "convex.h"
 #include "four.h"
+#include "interleave.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -128,7 +129,7 @@ static int body_make(body_of *b, int which)
                         : ball_shape(&b->plan, 1, 0.5, 1).ok;
     if (!ok || !four_build(&b->four, &b->plan).ok) return 0;
     add_diagonals(b);
-    if (!sticks_interleave(b->across, b->acrosses, b->plan.particles).ok)
+    if (!interleave(b->across, b->acrosses, b->plan.particles))
         return 0;
     b->inertia = inertia(solid_moments(&b->plan, b->mass));
     for (int k = 0; k < BLOWS; k++) {

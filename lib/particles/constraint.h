@@ -107,21 +107,6 @@ relax_result sticks_relax(const stick *s, int n, particle *p,
                           relax_options options, vec3 *scratch);
 //<
 
-//> sweep-declare
-// Makes n sticks keep the length that they have: takes from their ends the part
-// of their speeds that would change it, each end in proportion to its inverse
-// mass, by moving `previous` alone.  One sweep; linear and angular momentum
-// stay.  Soft and one-sided sticks, and those without length, are left out.
-void sticks_sweep_speeds(const stick *s, int n, particle *p);
-
-// Reorders n sticks so that neighbours in the list share no particle where that
-// can be had (a greedy colouring): a processor then works on several at once.
-// Stable within a colour, so the result is the same everywhere.
-// Fails, and leaves the order as it was, if a stick has no such ends or memory
-// is refused.
-status sticks_interleave(stick *s, int n, int particle_count);
-//<
-
 //> angle-declare
 // Two sticks from one corner, held at an angle theta: C = 0, where
 // C = (u . v) / (|u| |v|) - cos theta, u = a - corner, v = b - corner.

@@ -15,7 +15,7 @@ world_options world_options_default(void)
         .friction = 0.5, .restitution = 0,
         .passes = 4, .content = 1e-7, .memory = 1,
         .mend = 0.2, .mend_speed = 2.5,
-        .swept = 1, .skin = 0.005, .stay = 0.001,
+        .skin = 0.005, .stay = 0.001,
         .resting = 1,
     };
     return o;

@@ -131,7 +131,7 @@ judge() {
     : > "$out/said"
     (
         ulimit -f 40000         # 20 MB, for code that prints without end
-        ONLY=$2 JUDGE_STOP=$out/stop JUDGE_SECONDS=$seconds \
+        YOURS=$1 ONLY=$2 JUDGE_STOP=$out/stop JUDGE_SECONDS=$seconds \
         CK_FORK=yes CK_TIMEOUT_MULTIPLIER=15 CK_TAP_LOG_FILE_NAME=$out/tap \
         ASAN_OPTIONS=print_legend=0:$ASAN_OPTIONS \
         "$out/judge" > "$out/summary" 2> "$out/said" < /dev/null

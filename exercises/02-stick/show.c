@@ -12,7 +12,7 @@ int main(void)
     vec3 gravity = { 0, -9.81, 0 }, none = { 0, 0, 0 };
     real dt = 1.0 / 30 / SUBSTEPS, link = 1.6 / LINKS;
     for (int i = 0; i <= LINKS; i++)
-        p[i] = particle_start((vec3){ -i * link * 0.8, 0.9 - i * link * 0.6, 0 },
+        p[i] = particle_start((vec3){ -i * link * 0.8, 0.8 - i * link * 0.6, 0 },
                               none, gravity, i > 0, dt);
     for (int i = 0; i < LINKS; i++)
         s[i] = (stick){ i, i + 1, link, 1, STICK_EXACT };
@@ -22,7 +22,7 @@ int main(void)
             sticks_iterate(s, LINKS, p, relax_options_default());
         }
         show_clear();
-        for (int i = 0; i <= LINKS; i++)
+        for (int i = LINKS; i >= 0; i--)
             show_put(p[i].position.x, p[i].position.y, i ? 'o' : '#');
         show_frame();
     }

@@ -2,15 +2,17 @@
 // that can count, and the expanding polytope.
 //
 // index 0: directions tried, ns, mean relative error of the depth
-// index 1: ns of penetration_find alone, its mean difference from the slow way, ns
-//          with gjk before it, ns of the slow way, largest difference
-// index 2:
-//          gap, ns of gjk cold, of gjk and hit face cold, carried; iterations;
-//          ns of the hit face that begins with nothing, and its iterations
+// index 1: ns of penetration_find alone, its mean difference from the slow way,
+//          ns with distance_find before it, ns of the slow way, largest
+//          difference, ns of the plain queries and their mean difference
+// index 2: gap, ns of distance cold, of distance and penetration cold, carried;
+//          iterations; ns of penetration that begins with nothing, and its
+//          iterations
 // Columns are separated by spaces.
 
 #include "query_pairs.h"
 #include "penetration.h"
+#include "hit_face.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -157,9 +159,18 @@ static void by_directions(void)
     printf("\n\n");
 }
 
-// ns a query of what = 0: gjk; 1: gjk and hit face; 2: hit face alone; 3: hit
-// face alone, with an empty simplex; for the moved pairs with the carried
-// simplex if `moved`.
+// The queries of chapters 04 and 05.
+static real plain_depth(const pair_at_gap *p)
+{
+    hull a = { p->a.at, CORNERS }, b = { p->b.at, CORNERS };
+    gjk_result r = gjk_distance(a, b, HUGE_VAL, NULL);
+    return r.status == GJK_OVERLAP ? hit_face_find(a, b, &r.last).depth : 0;
+}
+
+// ns a query of what = 0: distance; 1: distance and penetration; 2: penetration
+// alone, from the simplex of distance; 4: penetration alone, with an empty
+// simplex; 5: the plain way; for the moved pairs with the carried simplex if
+// `moved`.
 static double run(int what, int moved, penetration_scratch *scratch, double *error,
                   double *iterations)
 {
@@ -180,7 +191,11 @@ static double run(int what, int moved, penetration_scratch *scratch, double *err
                 if (!moved && what != 2) s[k].count = 0;
                 distance_result g = { .status = DISTANCE_OVERLAP };
                 penetration_result r = { .status = PENETRATION_APART };
-                if (what != 2 && what != 3)
+                if (what == 5) {
+                    depth[k] = plain_depth(p);
+                    continue;
+                }
+                if (what != 2 && what != 4)
                     g = distance_find(a, b, distance_options_default(), &s[k]);
                 depth[k] = -g.distance;
                 if (what == 0 || g.status != DISTANCE_OVERLAP) continue;
@@ -221,7 +236,7 @@ static void prepare(real gap, penetration_scratch *scratch)
     }
 }
 
-// Against the clock and the slow way; the truth of the rest is hit_face's own,
+// Against the clock and the slow way; the truth of the rest is penetration's own,
 // which agrees with the slow way on the first SOME pairs.
 static void by_way(penetration_scratch *scratch)
 {
@@ -239,13 +254,16 @@ static void by_way(penetration_scratch *scratch)
         worst = e > worst ? e : worst;
     }
     double e, alone = run(2, 0, scratch, &e, &n);
-    double both = run(1, 0, scratch, &e, &n);
+    double both = run(1, 0, scratch, &e, &n), off;
+    double plain = run(5, 0, scratch, &off, &n);
     printf("# %d directions, both ways\n"
-           "# hit_ns error gjk_and_hit_ns every_direction_ns worst_error\n"
-           "%.0f %.3g %.0f %.0f %.3g\n\n\n", 2 * faces + edges * edges, alone,
-           error, both, slow_ns, worst);
-    clock_print_row("hit_face", "depth of icosahedra", "rounding",
-                    "gjk and hit face", "all 245 directions", slow_ns / both);
+           "# penetration_ns error both_ns every_direction_ns worst_error "
+           "plain_ns plain_difference\n"
+           "%.0f %.3g %.0f %.0f %.3g %.0f %.3g\n\n\n", 2 * faces + edges * edges,
+           alone, error, both, slow_ns, worst, plain, off);
+    clock_print_row("penetration", "depth of icosahedra", "rounding",
+                    "distance and penetration", "all 245 directions",
+                    slow_ns / both);
 }
 
 static void by_gap(penetration_scratch *scratch)
@@ -253,20 +271,20 @@ static void by_gap(penetration_scratch *scratch)
     const real gap[] = { -1e-5, -0.005, -0.02, -0.1, -0.3 };
     printf("# gap gjk_ns both_ns carried_ns hit_iterations "
            "alone_ns alone_iterations\n"
-           "#depths| \"depth, m\",\"GJK alone, ns\",\"GJK and hit face, ns\","
-           "expansions,\"hit face alone, ns\",\"both, carried, ns\"\n");
+           "#depths| \"depth, m\",\"distance, ns\",\"and penetration, ns\","
+           "expansions,\"penetration alone, ns\",\"both, carried, ns\"\n");
     for (int g = 0; g < 5; g++) {
         double e, n, m, k;
         prepare(gap[g], scratch);
         for (int i = 0; i < PAIRS; i++) truth[i] = 1;
-        double gjk = run(0, 0, scratch, &e, &m);
+        double apart = run(0, 0, scratch, &e, &m);
         double both = run(1, 0, scratch, &e, &n);
         double carried = run(1, 1, scratch, &e, &m);
-        double alone = run(3, 0, scratch, &e, &k);
-        printf("%g %.0f %.0f %.0f %.2f %.0f %.2f\n", gap[g], gjk, both,
+        double alone = run(4, 0, scratch, &e, &k);
+        printf("%g %.0f %.0f %.0f %.2f %.0f %.2f\n", gap[g], apart, both,
                carried, n, alone, k);
-        printf("#depths| %g,%.0f,%.0f,%.1f,%.0f,%.0f\n", -gap[g], gjk, both, n,
-               alone, carried);
+        printf("#depths| %g,%.0f,%.0f,%.1f,%.0f,%.0f\n", -gap[g], apart, both,
+               n, alone, carried);
     }
 }
 

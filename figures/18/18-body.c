@@ -103,8 +103,9 @@ static void add_diagonals(body_of *b)
         for (int j = i + 1; j < s->particles; j++) {
             vec3 sum = vec3_add(s->at[i], s->at[j]);
             int joined = vec3_length(sum) < 1e-6 * s->radius;
-            for (int k = s->ring_start[i]; k < s->ring_start[i + 1]; k++)
-                joined |= s->ring[k] == j;
+            for (int h = 0; h < 2 * s->mesh.edges; h++)
+                joined |= s->mesh.half[h].origin == i
+                       && mesh_target(&s->mesh, h) == j;
             if (!joined) continue;
             real rest = vec3_distance(s->at[i], s->at[j]);
             b->across[b->acrosses++] = (stick){ i, j, rest, 1, STICK_EXACT };

@@ -32,6 +32,11 @@ static distance_cache found[PAIRS], parted[PAIRS];     // before, without and wi
 static distance_cache carried[BLOCK];
 static penetration_scratch *scratch;
 
+static hull hull_of(point_set p)
+{
+    return (hull){ p.at, p.count };
+}
+
 static point_set points_of(const solid *s)
 {
     return (point_set){ s->at, CORNERS, NULL, NULL };
@@ -231,8 +236,9 @@ static judged judge_distances(const couple *pair, const real *ours)
 {
     judged j = { 0 };
     for (int i = 0; i < PAIRS; i += EVERY) {
-        real truth = (real)oracle_distance(points_of(&pair[i].a),
-                                           points_of(&pair[i].b));
+        hull a = hull_of(points_of(&pair[i].a));
+        hull b = hull_of(points_of(&pair[i].b));
+        real truth = (real)oracle_distance(a, b);
         judge(&j, fabs(ours[i] - truth) / truth, TIGHT);
     }
     return j;
@@ -362,7 +368,7 @@ static real depth_error(const couple *c, exit_found e, real truth)
 {
     point_set a = points_of(&c->a), b = points_of(&c->b);
     if (!(vec3_length(e.along) > 0.5)) return truth;
-    real there = (real)oracle_width(a, b, e.along);
+    real there = (real)oracle_width(hull_of(a), hull_of(b), e.along);
     return fmax(fabs(e.depth - truth), fabs(there - truth));
 }
 
@@ -378,7 +384,7 @@ static real true_depth(int i)
     int doubt = i % EVERY == 0;
     for (int k = CCD_GJK; k <= CCD_MPR; k++)
         doubt |= !(depth_error(&before[i], out[k][i], ours) <= ROUGH);
-    return doubt ? (real)oracle_depth(a, b) : ours;
+    return doubt ? (real)oracle_depth(hull_of(a), hull_of(b)) : ours;
 }
 
 static void judge_depths(judged j[DEPTHS])

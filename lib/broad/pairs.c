@@ -308,7 +308,7 @@ void pairs_find(world *w)
 int pairs_pass_far(const body *a, const body *b, real share)
 {
     real far = share * vec3_distance(a->way, b->way);
-    return far > fmin(a->plan->inner, b->plan->inner);
+    return far > fmin(a->inner, b->inner);
 }
 
 // Does A's ball, on its way as seen from B, come as near to B's as what they

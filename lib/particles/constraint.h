@@ -21,7 +21,7 @@ typedef enum {
 typedef struct stick {
     int  a, b;
     real rest_length;  // m, > 0
-    real stiffness;    // share of its error that one relaxation corrects: 1
+    real stiffness;    // fraction of its error that one relaxation corrects: 1
                        // for a stick, less for a soft one (a cloth's diagonal),
                        // more than 1 for over-relaxation
     stick_kind kind;
@@ -113,7 +113,7 @@ relax_result sticks_relax(const stick *s, int n, particle *p,
 typedef struct angle {
     int  a, corner, b;
     real cosine;        // cos theta, in [-1, 1]
-    real stiffness;     // share of the error that one relaxation corrects
+    real stiffness;     // fraction of the error that one relaxation corrects
 } angle;
 
 // Turns both arms, and the corner, until C = 0 to first order, by at most about

@@ -75,11 +75,11 @@ static relax_result relax_soft(world *w, const body *b)
     const shape *s = b->plan;
     particle *p = w->pool.at + b->first;
     relax_options o = w->options.relax;
-    int others = s->sticks - s->on_strands;
-    if (others > 0) sticks_iterate(s->stick + s->on_strands, others, p, o);
+    int links = shape_links(s), others = s->sticks - links;
+    if (others > 0) sticks_iterate(s->stick + links, others, p, o);
     line_result l = lines_relax(s, p, w->options.sweeps, o,
                                 entry_of(w, s)->line);
-    int tested = others + l.steps * s->on_strands;
+    int tested = others + l.steps * links;
     return (relax_result){ .worst = l.worst, .tested = tested,
                            .relaxed = tested, .iterations = l.steps,
                            .fell_back = l.fell_back };
@@ -240,7 +240,7 @@ static void join_soft(world *w)
 // inner one of a rigid body, half the spacing of a deformable one.
 static int substeps_for(const world *w, const body *b, real share)
 {
-    real radius = body_is_soft(b) ? b->plan->spacing / 2 : b->plan->inner;
+    real radius = body_is_soft(b) ? b->plan->spacing / 2 : b->inner;
     real need = (vec3_length(b->way) + b->turn) / (share * radius);
     if (!(need < w->options.most_substeps)) return w->options.most_substeps;
     return (int)need + ((int)need < need);

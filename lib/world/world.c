@@ -191,11 +191,9 @@ static void *grown(void *old, int count, size_t size)
     return realloc(old, (size_t)(count > 0 ? 2 * count : 1) * size);
 }
 
-// The four particles of plan s, if it is rigid.
+// The four particles of the rigid plan s.
 static status plan_four(const shape *s, four **f)
 {
-    *f = NULL;
-    if (s->kind != SHAPE_RIGID) return status_ok();
     *f = malloc(sizeof **f);
     if (!*f) return status_out_of_memory();
     status done = four_build(*f, s);
@@ -214,9 +212,18 @@ static status enter_plan(world *w, const shape *s, int *number)
     plan_entry *more = grown(w->plan, w->plans, sizeof *more);
     if (!more) return status_out_of_memory();
     w->plan = more;
-    plan_entry entry = { .shape = s };
-    status done = plan_four(s, &entry.four);
-    if (done.ok) w->plan[w->plans++] = entry;
+    plan_entry entry = { .shape = s, .inner = shape_inner(s) };
+    status done = status_ok();
+    if (s->kind == SHAPE_RIGID) {
+        done = plan_four(s, &entry.four);
+        if (done.ok) done = rings_build(&entry.ring, &s->mesh);
+    }
+    if (done.ok) {
+        w->plan[w->plans++] = entry;
+    } else if (entry.four) {
+        four_free(entry.four);
+        free(entry.four);
+    }
     return done;
 }
 
@@ -243,7 +250,9 @@ status world_add(world *w, const shape *s, placement where, int *number)
     status done = reserve_body(w, s, &plan);
     if (!done.ok) return done;
 
-    body b = { .plan = s, .four = w->plan[plan].four, .first = w->pool.count,
+    body b = { .plan = s, .four = w->plan[plan].four,
+               .ring = w->plan[plan].ring, .inner = w->plan[plan].inner,
+               .first = w->pool.count,
                .corner = w->pool.count, .mass = HUGE_VAL };
     real mass = 0;
     for (int i = 0; i < s->particles; i++) mass += s->mass[i];
@@ -497,6 +506,7 @@ void world_free(world *w)
         line_scratch_free(w->plan[k].line);
         if (w->plan[k].four) four_free(w->plan[k].four);
         free(w->plan[k].four);
+        rings_free(&w->plan[k].ring);
     }
     void *owned[] = { w->body, w->plan,
         w->of.at, w->of.seen, w->of.lain, w->of.listed, w->of.inverse_mass,
@@ -527,7 +537,7 @@ void world_free(world *w)
 collider world_collider(const world *w, const body *b)
 {
     return (collider){ b->plan, b->four ? 0 : b->first, w->of.at + b->corner,
-                       b->mass };
+                       b->mass, b->ring };
 }
 
 void world_vertices(const world *w, const body *b, vec3 *at)

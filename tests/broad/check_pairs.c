@@ -85,9 +85,10 @@ static real distance_of(int a, int b)
     point_set q[2];
     const int who[2] = { a, b };
     for (int k = 0; k < 2; k++) {
-        const shape *s = w.body[who[k]].plan;
-        world_vertices(&w, &w.body[who[k]], at[k]);
-        q[k] = (point_set){ at[k], s->particles, s->ring_start, s->ring };
+        const body *x = &w.body[who[k]];
+        world_vertices(&w, x, at[k]);
+        q[k] = (point_set){ at[k], x->plan->particles, x->ring.start,
+                            x->ring.list };
     }
     distance_result g = distance_find(q[0], q[1], distance_options_default(), NULL);
     return g.status == DISTANCE_OVERLAP ? 0 : g.distance;

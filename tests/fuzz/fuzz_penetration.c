@@ -1,6 +1,7 @@
 // fuzz_penetration.c - penetration_find on two bodies made from bytes.  See fuzz.h.
 
 #include "penetration.h"
+#include "points.h"
 #include "sets.h"
 
 typedef long double wide;
@@ -49,7 +50,7 @@ static void check_form(const sets *s, const penetration_result *r)
 // How far A reaches over B against n: the move along n that parts them.
 static wide width(const sets *s, vec3 n)
 {
-    return oracle_width(body_points(&s->a), body_points(&s->b),
+    return oracle_width(body_hull(&s->a), body_hull(&s->b),
                         vec3_scale(-1, n));
 }
 

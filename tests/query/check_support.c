@@ -1,6 +1,7 @@
 // check_support.c - tests of lib/support: the furthest vertex, either way.
 
 #include "bodies.h"
+#include "points.h"
 
 #include <check.h>
 #include <stdlib.h>

@@ -105,8 +105,11 @@ static int rank_without_cross_sticks(const shape *s)
     for (int k = 0; k < s->sticks; k++) {
         stick t = s->stick[k];
         int edge = t.a == 0 || t.b == 0;
-        for (int j = s->ring_start[t.a]; j < s->ring_start[t.a + 1]; j++)
-            edge |= s->ring[j] == t.b;
+        for (int e = 0; e < s->mesh.edges; e++) {
+            int a = s->mesh.half[2 * e].origin;
+            int b = s->mesh.half[2 * e + 1].origin;
+            edge |= (a == t.a && b == t.b) || (a == t.b && b == t.a);
+        }
         if (edge) sticks[fewer.sticks++] = t;
     }
     int rank = shape_rank(&fewer);

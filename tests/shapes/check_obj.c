@@ -36,8 +36,7 @@ static void expect_ok(status s)
 static void expect_empty(const shape *s)
 {
     ck_assert(s->particles == 0 && s->sticks == 0 && s->mesh.edges == 0);
-    ck_assert(!s->at && !s->mass && !s->stick && !s->face && !s->ring_start);
-    ck_assert(!s->ring && !s->mesh.half);
+    ck_assert(!s->at && !s->mass && !s->stick && !s->face && !s->mesh.half);
 }
 
 static void expect_why(status s, const char *why)

@@ -116,10 +116,9 @@ static real penetration(void)
             const body *x[2] = { &w.body[a], &w.body[b] };
             point_set q[2];
             for (int k = 0; k < 2; k++) {
-                const shape *s = x[k]->plan;
                 world_vertices(&w, x[k], at[k]);
-                q[k] = (point_set){ at[k], s->particles, s->ring_start,
-                                    s->ring };
+                q[k] = (point_set){ at[k], x[k]->plan->particles,
+                                    x[k]->ring.start, x[k]->ring.list };
             }
             distance_result g = distance_find(q[0], q[1], distance_options_default(),
                                         NULL);

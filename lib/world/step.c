@@ -32,6 +32,28 @@ typedef struct {
     relax_result done[2];
 } stage;
 
+// Taylor about x, forward by dt and backward by dt_before:
+//     x'         = x + v dt        + a dt^2 / 2
+//     x_previous = x - v dt_before + a dt_before^2 / 2
+// The second gives
+//     v dt = ((x - x_previous) + a dt_before^2 / 2) dt / dt_before,
+// and put into the first,
+//     x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
+void verlet_step_changed(particle *p, int n, vec3 a, real dt_before, real dt)
+{
+    assert(n >= 0 && dt_before > 0 && dt > 0 && vec3_is_finite(a));
+    real carry = dt / dt_before, square = dt * (dt_before + dt) / 2;
+    for (int i = 0; i < n; i++) {
+        vec3 here = p[i].position, move = { 0, 0, 0 };
+        if (p[i].inverse_mass > 0) {
+            vec3 last_move = vec3_sub(here, p[i].previous);
+            move = vec3_add_scaled(vec3_scale(carry, last_move), square, a);
+        }
+        p[i].position = vec3_add(here, move);
+        p[i].previous = here;
+    }
+}
+
 // The first substep of a frame may be longer or shorter than the last one.
 static void integrate_side(void *data, int side)
 {
@@ -46,7 +68,7 @@ static void integrate_side(void *data, int side)
         if (w->age == s->h)
             verlet_step(p, body_particles(b), w->options.gravity, NULL, s->h);
         else
-            verlet_step_changed(p, body_particles(b), w->options.gravity, NULL,
+            verlet_step_changed(p, body_particles(b), w->options.gravity,
                                 w->age, s->h);
     }
 }

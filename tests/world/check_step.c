@@ -1290,9 +1290,45 @@ START_TEST(empty_world_steps)
 }
 END_TEST
 
+// Rejects: a dt^2 for the new step alone, a last move that is carried on whole.
+START_TEST(parabola_is_exact_when_the_step_changes)
+{
+    const vec3 gravity = { 0, -9.81, 0 }, speed = { 3, 4, 0 };
+    real dt = 0.01, t = 0;
+    particle p[2] = { particle_start(ZERO, speed, gravity, 1, dt),
+                      { { 1, 0, 0 }, { 0, 0, 0 }, 0 } };
+    unsigned dice = 1;
+    for (int k = 0; k < 200; k++) {
+        dice = dice * 1664525u + 1013904223u;
+        real next = 0.004 + 0.01 * (real)(dice >> 24) / 256;
+        verlet_step_changed(p, 2, gravity, dt, next);
+        dt = next;
+        t += dt;
+        vec3 wanted = vec3_add_scaled(vec3_scale(t, speed), t * t / 2, gravity);
+        ck_assert(vec3_distance(p[0].position, wanted) <= FALL_ROUNDING);
+        ck_assert(p[1].position.x == 1 && p[1].previous.x == 1);
+    }
+}
+END_TEST
+
+// Rejects: two formulas that differ where they meet: a change of nothing would
+// change the bits.
+START_TEST(unchanged_step_is_the_plain_step)
+{
+    const vec3 gravity = { 0, -9.81, 0 };
+    particle p = particle_start(ZERO, vec3_make(1, 2, 3), gravity, 1, 0.01);
+    particle q = p;
+    verlet_step(&p, 1, gravity, NULL, 0.01);
+    verlet_step_changed(&q, 1, gravity, 0.01, 0.01);
+    ck_assert_mem_eq(&p, &q, sizeof p);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
+        parabola_is_exact_when_the_step_changes,
+        unchanged_step_is_the_plain_step,
         free_fall_is_a_parabola,
         bounce_of_four_particles_is_exact_in_any_substeps,
         blow_goes_through_a_cradle_from_either_end,

@@ -1,6 +1,6 @@
 # check_readme.sh - do the links of README lead somewhere, does its table name each
-# chapter and module, is the moving picture one, and is every command there that README, the exercises' page, a chapter or
-# make's own help names?
+# chapter and module, is the moving picture one, and is every command there that
+# README, the exercises' page, a chapter or make's own help names?
 
 unset MAKEFLAGS MFLAGS      # a make that called us must not hand down its own
 failed=

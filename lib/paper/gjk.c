@@ -30,7 +30,7 @@ static vec3 along(vec3 v, vec3 e)
     return vec3_scale(ee > 0 ? vec3_dot(e, v) / ee : 0, e);
 }
 
-// Rounding tilts the cross product of nearly parallel edges.  Set upright on one
+// Rounding tilts the cross product of nearly parallel edges.  Upright on one
 // of them, it can lean only to the side, where the triangle is thin.
 vec3 triangle_normal(vec3 a, vec3 b, vec3 c)
 {

@@ -293,7 +293,7 @@ START_TEST(random_pairs_agree_with_every_pair_of_features)
 END_TEST
 
 // Overlap must be right, too: moved out by a little more than its depth, a body
-// is apart by that little; moved by less, it is not.  The oracle knows the depth.
+// is apart by that little; moved by less, it is not.  Depths are the oracle.s.
 START_TEST(overlap_ends_where_the_depth_says)
 {
     unsigned long long seed = 8;

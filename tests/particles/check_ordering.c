@@ -372,7 +372,7 @@ START_TEST(listed_order_is_the_plain_sweep)
     relax_options o = to(1e-3, 1);
     relax_result r = sticks_relax_ordered(ORDER_LISTED, NULL, b.s, 36, b.p, 12,
                                           0, PLENTY, o, NULL);
-    relax_result w = sticks_relax(c.s, 36, c.p, 12, PLENTY, o, NULL);
+    relax_result w = sticks_relax(c.s, 36, c.p, PLENTY, o);
     ck_assert(memcmp(b.p, c.p, sizeof b.p) == 0);
     ck_assert_int_eq(r.relaxed, w.relaxed);
     ck_assert_int_eq(r.tested, w.tested);

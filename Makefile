@@ -294,7 +294,7 @@ hard: $(BUILD)/hard
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
 SPEED := 18-verlet 18-constraint 18-body 18-gjk 10-depth 18-hit_face \
-  06-tree 18-sphere_tree 07-response 08-orders 09-bodies 09-cloth 09-order \
+  06-tree 18-sphere_tree 07-response 08-orders \
   13-bodies 18-world
 .PHONY: speed profile
 speed: $(SPEED:%=$(BUILD)/figures/%)

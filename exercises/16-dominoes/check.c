@@ -28,8 +28,8 @@ static void tear_down(void)
 static void build(int n, real gap, real spin)
 {
     world_options o = world_options_default();
-    o.response.friction = 0.5;
-    o.response.restitution = 0;
+    o.friction = 0.5;
+    o.restitution = 0;
     o.gravity = (vec3){ 0, -g, 0 };
     ck_assert(world_init(&w, o).ok);
     ck_assert(world_add_plane(&w, (vec3){ 0, 1, 0 }, 0).ok);
@@ -141,7 +141,7 @@ START_TEST(lean_is_an_angle)
     const real turn[5] = { 1e-9, 0.5, acos(0.0), 2, acos(-1.0) };
     for (int k = 0; k < 5; k++) {
         world_free(&w);
-        ck_assert(world_init(&w, world_options_vertices()).ok);
+        ck_assert(world_init(&w, world_options_default()).ok);
         placement p = placement_at((vec3){ 3, 5, 2 });
         real c = cos(turn[k]), s = sin(turn[k]);
         p.y = (vec3){ 0.6 * s, c, 0.8 * s };

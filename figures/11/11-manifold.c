@@ -6,6 +6,7 @@
 #include "clock.h"
 #include "distance.h"
 #include "manifold.h"
+#include "response.h"
 
 #include <stdio.h>
 
@@ -85,9 +86,9 @@ static int find_contacts(stage *s, const shape *box, const shape *table,
     int n = most == 1 ? 1 : manifold_find(box, s->at, table, s->at + CORNERS,
                                           q.normal, q.nearest, margin, found);
     for (int k = 0; k < n; k++) {
+        vec3 on_b = feature_place(&found[k].b, s->at + CORNERS);
         c[k] = (contact){ .a = found[k].a, .normal = q.normal,
-                          .fixed = feature_place(&found[k].b,
-                                                 s->at + CORNERS),
+                          .apart = vec3_dot(on_b, q.normal),
                           .mass_a = 1, .mass_b = HUGE_VAL };
     }
     return n;
@@ -116,7 +117,6 @@ static void drop(int most, penetration_scratch *scratch)
     shape box, table;
     stage s;
     contact c[MANIFOLD_TOUCHES];
-    response_options response = response_options_default();
     relax_options relax = relax_options_pbd();
     const vec3 gravity = { 0, -9.81, 0 };
     real worst_tilt = 0, worst_depth = 0;
@@ -138,7 +138,7 @@ static void drop(int most, penetration_scratch *scratch)
             verlet_step(s.p, CORNERS, gravity, NULL, DT / SUBSTEPS);
             for (int pass = 0; pass < PASSES; pass++) {
                 for (int k = 0; k < n; k++)
-                    contact_separate(&c[k], s.p, response);
+                    response_separate(&c[k], s.p, 0.5);
                 sticks_iterate(box.stick, box.sticks, s.p, relax);
             }
         }

@@ -1,7 +1,6 @@
-// 13-bodies.c - what four particles and a memory are good for.  The ladder: the
-// room of 50 bodies, time against error, for the paper's way, for bodies of
-// vertices and for bodies of four.  And ten cubes, one on the other, that may
-// not sleep: how far do they drift?
+// 13-bodies.c - what passes, substeps and a memory are good for.  The ladder:
+// the room of 50 bodies, time against error.  And ten cubes, one on the other,
+// that may not sleep: how far do they drift?
 
 #include "clock.h"
 #include "world_scene.h"
@@ -49,7 +48,7 @@ static outcome room(world_options how, unsigned long long seed)
 }
 
 // The median of five throws.
-static outcome rung(int number, world_options how)
+static void rung(int number, world_options how)
 {
     real ms[SEEDS], overlap[SEEDS], left[SEEDS], strain[SEEDS];
     for (int k = 0; k < SEEDS; k++) {
@@ -62,51 +61,23 @@ static outcome rung(int number, world_options how)
     printf("%d %.4f %.4g %.4g %.3g\n", number, clock_median(ms, SEEDS),
            clock_median(overlap, SEEDS), clock_median(left, SEEDS),
            clock_median(strain, SEEDS));
-    return (outcome){ ms[SEEDS / 2], overlap[SEEDS / 2], left[SEEDS / 2],
-                      strain[SEEDS / 2] };
-}
-
-static real ms_at_1(const outcome *r, int n)
-{
-    real ms[8], overlap[8];
-    for (int k = 0; k < n; k++) {
-        ms[k] = r[k].ms;
-        overlap[k] = r[k].overlap;
-    }
-    return clock_at_error(ms, overlap, n, 1);
 }
 
 static void ladder(void)
 {
-    outcome vertices[5], fours[4];
-    int rungs = 0;
-    printf("\n\n# the paper's way: substeps, ms a step, deepest overlap (%% of "
-           "a radius), joules left, strain (%%)\n");
-    rung(1, world_options_paper());
-    printf("\n\n# vertices, gain 3: substeps, ...\n"
-           "#vertices| substeps,\"deepest overlap, %% of a radius\","
-           "joules left after 6 s,ms a step\n");
-    for (int n = 1; n <= 16; n *= 2) {
-        world_options how = world_options_vertices();
-        how.substeps = n;
-        outcome r = vertices[rungs++] = rung(n, how);
-        printf("#vertices| %d,%.2g,%.2f,%.2f\n", n, r.overlap, r.left, r.ms);
-    }
-    printf("\n\n# four particles, 4 substeps: passes, ...\n");
+    printf("\n\n# 4 substeps: passes, ms a step, deepest overlap (%% of a "
+           "radius), joules left, strain (%%)\n");
     for (int n = 2; n <= 8; n *= 2) {
         world_options how = world_options_default();
         how.passes = n;
         rung(n, how);
     }
-    printf("\n\n# four particles, 4 passes: substeps, ...\n");
+    printf("\n\n# 4 passes: substeps, ...\n");
     for (int n = 1; n <= 8; n *= 2) {
         world_options how = world_options_default();
         how.substeps = n;
-        fours[rungs++ - 5] = rung(n, how);
+        rung(n, how);
     }
-    clock_print_row("world", "room of 50 by substeps", "overlap 1 % of a radius",
-                    "four particles", "a particle a vertex",
-                    ms_at_1(vertices, 5) / ms_at_1(fours, 4));
 }
 
 // --- ten cubes ---------------------------------------------------------------
@@ -160,7 +131,7 @@ static real drift(world_options how)
 static void stacks(void)
 {
     for (int memory = 1; memory >= 0; memory--) {
-        printf("\n\n# ten cubes of four, %s: passes, drift in mm a cube\n",
+        printf("\n\n# ten cubes, %s: passes, drift in mm a cube\n",
                memory ? "with memory" : "without");
         for (int n = 2; n <= 64; n *= 2) {
             world_options how = world_options_default();
@@ -169,14 +140,6 @@ static void stacks(void)
             printf("%d %.4g\n", n, drift(how));
         }
     }
-    printf("\n\n# ten cubes of vertices, gain 3: substeps, drift in mm a "
-           "cube\n");
-    for (int n = 8; n <= 32; n *= 2) {
-        world_options how = world_options_vertices();
-        how.substeps = n;
-        printf("%d %.4g\n", n, drift(how));
-    }
-    printf("# and in the paper's way: %.4g\n", drift(world_options_paper()));
 }
 
 int main(void)

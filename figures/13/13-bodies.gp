@@ -7,71 +7,60 @@ set border 3 lc rgb "#808080" lw 0.7
 set tics nomirror textcolor rgb "#404040"
 set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
 unset key
-passes = "#0072b2"; steps = "#56b4e9"; vertices = "#009e73"; paper = "#d55e00"; grey = "#606060"
+passes = "#0072b2"; steps = "#56b4e9"; cold = "#d55e00"; grey = "#606060"
 small = "DejaVu Sans,17"
 bold = "DejaVu Sans Bold,22"
 
 # Labels stand at their points, wherever a machine's clock puts these.
-array X[4]; array Y[4]; array J[4]
-do for [k=1:4] {
-    do for [c=2:4] {
-        stats csv index k-1 using c every ::0::0 nooutput
-        if (c == 2) { X[k] = STATS_max }
-        if (c == 3) { Y[k] = STATS_max }
-        if (c == 4) { J[k] = STATS_max }
-    }
-}
-stats csv index 2 using 2 nooutput
+stats csv index 0 using 2 nooutput
+few = STATS_min
 last = STATS_max
-stats csv index 2 using 4 nooutput
+stats csv index 0 using 4 nooutput
 least = STATS_min
+stats csv index 0 using 3 nooutput
+low = STATS_max
+stats csv index 1 using 2 nooutput
+first = STATS_min
+end = STATS_max
+stats csv index 1 using 3 nooutput
+high = STATS_max
+stats csv index 1 using 4 nooutput
+most = STATS_max
 
 set multiplot
 set bmargin 3.6
 set tmargin 3
 set logscale xy 10
-set xrange [0.075:1.3]
-set xtics (0.1, 0.2, 0.5, 1)
+set xrange [0.55*first:1.6*end]
+set xtics (0.05, 0.1, 0.2, 0.5, 1)
 set xlabel "ms a step" textcolor rgb "#404040"
 
-# Nothing at all is drawn at the bottom.
 set origin 0,0.49
 set size 0.5,0.51
 set lmargin 11
 set rmargin 2
 set title "Fifty bodies: deepest overlap, of a radius" font "DejaVu Sans,26" offset 0,-0.3
-none = 0.01
-shown(x) = x > none ? x : none
-set yrange [0.008:150]
-set ytics ("none" none, "0.1 %%" 0.1, "1 %%" 1, "10 %%" 10, "100 %%" 100)
-set label 1 "the paper’s way" at 0.93*X[1],Y[1] right textcolor rgb paper
-set label 2 "vertices,\nby substeps" at 1.1*X[2],1.2*Y[2] textcolor rgb vertices
-set label 3 "four,\nby passes" at 0.82*X[3],0.6*Y[3] right textcolor rgb passes font bold
-set label 4 "four,\nby substeps" at 0.9*X[4],1.6*Y[4] right textcolor rgb steps
-plot csv index 0 using 2:(shown($3)) with points pt 9 ps 2.2 lc rgb paper, \
-     csv index 1 using 2:(shown($3)) with linespoints pt 6 ps 1.3 lc rgb vertices lw 1.6, \
-     csv index 1 using 2:(shown($3)):1 every ::2 with labels font small textcolor rgb vertices offset 1.4,0.5, \
-     csv index 3 using 2:(shown($3)) with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \
-     csv index 3 using 2:(shown($3)):1 with labels font small textcolor rgb steps offset 1.2,0.5, \
-     csv index 2 using 2:(shown($3)) with linespoints pt 7 ps 1.3 lc rgb passes lw 2, \
-     csv index 2 using 2:(shown($3)):1 with labels font small textcolor rgb passes offset -1.2,0.3
+set yrange [0.05:12]
+set ytics ("0.1 %%" 0.1, "1 %%" 1, "10 %%" 10)
+set label 3 "by passes" at 1.08*few,1.1*low left textcolor rgb passes font bold
+set label 4 "by substeps" at 1.1*first,1.1*high left textcolor rgb steps
+plot csv index 1 using 2:3 with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \
+     csv index 1 using 2:3:1 with labels font small textcolor rgb steps offset 1.2,0.5, \
+     csv index 0 using 2:3 with linespoints pt 7 ps 1.3 lc rgb passes lw 2, \
+     csv index 0 using 2:3:1 with labels font small textcolor rgb passes offset -1.2,0.3
 unset label
 
 set origin 0.5,0.49
 set title "Joules left after six seconds" offset 0,-0.3
-set yrange [3e-15:30]
+set yrange [1e-14:3e-4]
 set format y "10^{%T}"
-set ytics ("10^{-12}" 1e-12, "10^{-9}" 1e-9, "10^{-6}" 1e-6, "0.001" 1e-3, "1" 1)
-set label 1 "the paper’s way" at 0.93*X[1],J[1] right textcolor rgb paper
-set label 2 "vertices" at 1.1*X[2],3*J[2] textcolor rgb vertices
-set label 3 "four,\nby passes" at 0.85*last,2*least right textcolor rgb passes font bold
-set label 4 "four,\nby substeps" at 0.82*X[4],0.3*J[4] right textcolor rgb steps
-plot csv index 0 using 2:4 with points pt 9 ps 2.2 lc rgb paper, \
-     csv index 1 using 2:4 with linespoints pt 6 ps 1.3 lc rgb vertices lw 1.6, \
-     csv index 3 using 2:4 with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \
-     csv index 3 using 2:4:1 with labels font small textcolor rgb steps offset -1.2,-0.6, \
-     csv index 2 using 2:4 with linespoints pt 7 ps 1.3 lc rgb passes lw 2, \
-     csv index 2 using 2:4:1 with labels font small textcolor rgb passes offset 1.3,0.6
+set ytics ("10^{-12}" 1e-12, "10^{-9}" 1e-9, "10^{-6}" 1e-6)
+set label 3 "by passes" at 1.08*few,2.2e-7 left textcolor rgb passes font bold
+set label 4 "by substeps" at 1.1*first,1.5*most left textcolor rgb steps
+plot csv index 1 using 2:4 with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \
+     csv index 1 using 2:4:1 with labels font small textcolor rgb steps offset -1.2,-0.6, \
+     csv index 0 using 2:4 with linespoints pt 7 ps 1.3 lc rgb passes lw 2, \
+     csv index 0 using 2:4:1 with labels font small textcolor rgb passes offset 1.3,0.6
 unset label
 
 set origin 0,0
@@ -84,9 +73,9 @@ set xtics (2, 4, 8, 16, 32, 64)
 set xlabel "passes a substep"
 set yrange [0.005:6000]
 set ytics ("0.01 mm" 0.01, "0.1 mm" 0.1, "1 mm" 1, "1 cm" 10, "10 cm" 100, "1 m" 1000)
-set label 1 "without memory" at 76,1.1 textcolor rgb paper
+set label 1 "without memory" at 76,1.1 textcolor rgb cold
 set label 2 "with memory" at 76,0.015 textcolor rgb passes font bold
 set label 3 "fallen" at 2.05,370 textcolor rgb grey
-plot csv index 5 using 1:2 with linespoints pt 6 ps 1.3 lc rgb paper lw 1.6, \
-     csv index 4 using 1:2 with linespoints pt 7 ps 1.3 lc rgb passes lw 2
+plot csv index 3 using 1:2 with linespoints pt 6 ps 1.3 lc rgb cold lw 1.6, \
+     csv index 2 using 1:2 with linespoints pt 7 ps 1.3 lc rgb passes lw 2
 unset multiplot

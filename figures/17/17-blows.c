@@ -67,7 +67,7 @@ static void print_bounces(void)
         for (int k = 0; k < 2; k++) {
             world_options o = best(PASSES);
             o.dt = 1.0 / rate[k];
-            o.response.restitution = e / 2.0;
+            o.restitution = e / 2.0;
             setting s;
             build_bounce(&s, o);
             begin(&s);

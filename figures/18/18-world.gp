@@ -7,7 +7,7 @@ set border 3 lc rgb "#808080" lw 0.7
 set tics nomirror textcolor rgb "#404040"
 set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
 unset key
-ours = "#0072b2"; paper = "#d55e00"; grey = "#606060"
+ours = "#0072b2"; grey = "#606060"
 array size[4] = ["#56b4e9", "#0072b2", "#009e73", "#e69f00"]
 array name[4] = ["20 × 20", "40 × 40", "80 × 80", "160 × 160"]
 bold = "DejaVu Sans Bold,22"
@@ -27,14 +27,8 @@ none = 1e-3
 shown(x) = x > none ? x : none
 set yrange [6e-4:4]
 set ytics ("none" none, "1 %%" 1e-2, "10 %%" 1e-1, "100 %%" 1)
-set label 1 "the paper’s way" at 1,1.4 right textcolor rgb paper
-set label 2 "our way" at 25,0.0035 center textcolor rgb ours font bold
-plot csv index 1 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb paper lw 1.5, \
-     csv index 1 using 2:(shown($3)):1 with labels font small textcolor rgb paper offset 1.6,-0.8, \
-     csv index 0 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb ours lw 2, \
+plot csv index 0 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb ours lw 2, \
      csv index 0 using 2:(shown($3)):1 with labels font small textcolor rgb ours offset 0.6,0.8
-unset label
-
 set origin 0.5,0.5
 set title "Rooms: time of a step" offset 0,-0.3
 set xlabel "bodies"
@@ -42,11 +36,8 @@ set xrange [8:15000]
 set xtics (10, 100, 1000, 10000)
 set yrange [0.01:1000]
 set ytics ("0.01 ms" 0.01, "0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "100 ms" 100)
-set label 1 "the paper’s way" at 150,0.22 left textcolor rgb paper
-set label 2 "our way" at 300,20 right textcolor rgb ours font bold
 set label 3 "in proportion" at 4e3,0.17 left textcolor rgb grey font small
 plot 0.0001*x with lines lc rgb grey dt 3 lw 1, \
-     csv index 1 using 1:2 with linespoints pt 7 ps 1.2 lc rgb paper lw 1.5, \
      csv index 0 using 1:2 with linespoints pt 7 ps 1.2 lc rgb ours lw 2
 unset label
 
@@ -57,9 +48,9 @@ set xrange [0.1:400]
 set xtics ("0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "100 ms" 100)
 set yrange [4e-5:5]
 set ytics ("0.01 %%" 1e-4, "0.1 %%" 1e-3, "1 %%" 1e-2, "10 %%" 1e-1, "100 %%" 1)
-plot for [k = 1:4] csv index k+1 using 2:3 with linespoints pt 7 ps 1.2 lc rgb size[k] lw 1.8, \
-     for [k = 1:4] csv index k+1 using 2:3:1 with labels font small textcolor rgb size[k] offset 1.5,0.5, \
-     for [k = 1:4] csv index k+1 using 2:3:(name[k]) every 1::0::0 with labels textcolor rgb size[k] offset -1,1.9
+plot for [k = 1:4] csv index k using 2:3 with linespoints pt 7 ps 1.2 lc rgb size[k] lw 1.8, \
+     for [k = 1:4] csv index k using 2:3:1 with labels font small textcolor rgb size[k] offset 1.5,0.5, \
+     for [k = 1:4] csv index k using 2:3:(name[k]) every 1::0::0 with labels textcolor rgb size[k] offset -1,1.9
 
 set origin 0.5,0
 set title "Cloths: time of a step, 36 substeps" offset 0,-0.3
@@ -70,6 +61,6 @@ set yrange [0.1:400]
 set ytics ("0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "100 ms" 100)
 set label 3 "in proportion" at 9e3,13 left textcolor rgb grey font small
 plot 0.0025*x with lines lc rgb grey dt 3 lw 1, \
-     for [k = 1:4] csv index k+1 using ((10*2**k)**2):2 every 1::2::2 with points pt 7 ps 1.6 lc rgb size[k], \
+     for [k = 1:4] csv index k using ((10*2**k)**2):2 every 1::2::2 with points pt 7 ps 1.6 lc rgb size[k], \
      '+' using (NaN):(NaN) with points
 unset multiplot

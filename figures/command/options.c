@@ -56,8 +56,6 @@ static const option options[] = {
       offsetof(settings, tolerance), "strain that counts as none" },
     { "--threads", KIND_COUNT, "N", 1, 2, FOR_ROOM,
       offsetof(settings, threads), "2: in two threads, with the same bits" },
-    { "--paper", KIND_FLAG, "", 0, 0, FOR_ALL,
-      offsetof(settings, paper), "the paper's own way, misprints apart" },
     { "--film", KIND_PATH, "FILE.png", 0, 0, FOR_ALL,
       offsetof(settings, film), "draw a strip of three pictures" },
     { "--frames", KIND_PATH, "DIR", 0, 0, FOR_ALL,
@@ -326,14 +324,17 @@ status settings_read(settings *s, int arguments, char *const *argument)
 
 scene_options settings_scene(const settings *s)
 {
-    return (scene_options){ .bodies = s->bodies, .cloth = s->cloth,
-                            .seed = s->seed, .mesh = s->mesh };
+    scene_options o = scene_options_default();
+    o.bodies = s->bodies;
+    o.cloth = s->cloth;
+    o.seed = s->seed;
+    o.mesh = s->mesh;
+    return o;
 }
 
 world_options settings_world(const settings *s)
 {
-    world_options o = s->paper ? world_options_paper()
-                               : world_scene_options(s->scene, s->cloth);
+    world_options o = world_scene_options(s->scene, s->cloth);
     o.dt = s->dt;
     if (s->substeps > 0) o.substeps = s->substeps;
     if (s->sweeps > 0) o.sweeps = s->sweeps;

@@ -16,7 +16,7 @@ typedef struct {
     real seconds, dt;           // s
     int  substeps, sweeps;      // 0: as the scene needs
     real tolerance;             // strain; < 0: as the scene needs
-    int  paper, bits;
+    int  bits;
     int  threads;               // 1 or 2
     const char *mesh, *film, *frames, *csv;     // NULL: not asked for
     int  help, list, version;

@@ -241,11 +241,10 @@ static void print_title(const run *r)
                r->set.mesh ? " of " : "", r->set.mesh ? r->set.mesh : "");
     else
         printf("a cloth of %d x %d", r->set.cloth, r->set.cloth);
-    printf(", %.4g s in %ld steps of %.4g s, %d substep%s, %s%d sweep%s%s\n",
+    printf(", %.4g s in %ld steps of %.4g s, %d substep%s, %d sweep%s\n",
            time_done(r), r->done, o->dt, o->substeps,
-           o->substeps == 1 ? "" : "s", r->set.paper ? "at most " : "",
-           o->sweeps, o->sweeps == 1 ? "" : "s",
-           r->set.paper ? ", the paper's way" : "");
+           o->substeps == 1 ? "" : "s", o->sweeps,
+           o->sweeps == 1 ? "" : "s");
 }
 
 static void print_errors(const run *r)

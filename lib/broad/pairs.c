@@ -62,14 +62,10 @@ void pairs_look_ahead(const world *w, body *b)
 {
     int n = b->plan->particles;
     vec3 mean;
-    if (!w->options.look_ahead) {
-        stand(b);
-        return;
-    }
     const particle *p = w->pool.at + b->first;
     real ages = w->options.dt / w->age;
-    real fastest = b->four ? way_of_four(b->four, p, n, &mean)
-                           : way_of_vertices(p, n, &mean);
+    real fastest = body_is_soft(b) ? way_of_vertices(p, n, &mean)
+                                   : way_of_four(b->four, p, n, &mean);
     b->way = vec3_scale(ages, mean);
     b->turn = ages * sqrt(fastest) + beside(w, b);
     b->reach = vec3_length(b->way) + b->turn;
@@ -92,12 +88,6 @@ static void look_ahead_still(const world *w, body *b)
     b->turn = b->reach = w->options.dt / w->age * b->four->swing * sqrt(most)
                        + beside(w, b);
 }
-
-static void look_ahead(const world *w, body *b, int is_fresh)
-{
-    if (is_fresh || !w->options.look_ahead) pairs_look_ahead(w, b);
-    else                                    look_ahead_still(w, b);
-}
 //<
 
 //> pairs-fresh
@@ -106,7 +96,7 @@ static void look_ahead(const world *w, body *b, int is_fresh)
 static int lies_where_seen(const world *w, const body *b)
 {
     real far = w->options.stay * b->plan->radius, most = 0;
-    if (!b->four || far == 0 || w->softs > 0) return 0;
+    if (far == 0 || w->softs > 0) return 0;
     for (int i = b->first; i < b->first + FOUR; i++) {
         vec3 d = vec3_sub(w->pool.at[i].position, w->of.seen[i]);
         real square = vec3_length_squared(d);
@@ -120,7 +110,6 @@ sphere pairs_ball(const world *w, body *b)
 {
     const particle *p = w->pool.at + b->first;
     vec3 sum = { 0, 0, 0 };
-    if (!b->four) return sphere_tree_root(&b->tree, w->of.at + b->corner);
     for (int k = 0; k < FOUR; k++)
         sum = vec3_add_scaled(sum, 1.0 / FOUR, p[k].position);
     return (sphere){ sum, 1.02 * b->four->reach };
@@ -131,8 +120,8 @@ static void look_anew(world *w, body *b)
 {
     int k = (int)(b - w->body);
     w->flags.fresh[k] = w->flags.looked[k] = 1;
-    if (!b->four || w->softs > 0) world_look_again(w, b);
-    else                          world_look(w, b);
+    if (w->softs > 0) world_look_again(w, b);
+    else              world_look(w, b);
     world_find_ways(w, b);
     for (int i = b->first; i < b->first + body_particles(b); i++)
         w->of.seen[i] = w->pool.at[i].position;
@@ -154,8 +143,9 @@ static void look_at_side(void *data, int side)
             || (!moves && !changed && w->pairs.ball[k].radius > 0)) continue;
         if (changed || (moves && !lies_where_seen(w, b))) look_anew(w, b);
         w->pairs.ball[k] = pairs_ball(w, b);
-        if (moves) look_ahead(w, b, w->flags.fresh[k]);
-        else       stand(b);
+        if (!moves)                 stand(b);
+        else if (w->flags.fresh[k]) pairs_look_ahead(w, b);
+        else                        look_ahead_still(w, b);
     }
 }
 
@@ -182,7 +172,6 @@ static void add_pair(pair_tables *t, int a, int b, int *old)
 
 // All pairs of rigid bodies whose balls come within reach of each other: the
 // balls, grown by the reach, meet.  Returns how many found no room.
-// Paper: section 5 tests every pair; here: PAIRS_ALL.
 static int list_pairs(world *w)
 {
     pair_tables *t = &w->pairs;
@@ -193,9 +182,7 @@ static int list_pairs(world *w)
                          + 4 * w->options.stay * w->body[b].plan->radius;
             t->ball[b].radius += t->listed[b];
         }
-    found = w->options.pairs == PAIRS_ALL
-        ? broad_pairs_all(t->ball, w->flags.moves, w->bodies, t->met, room)
-        : broad_pairs(&t->broad, t->ball, w->flags.moves, t->met, room);
+    found = broad_pairs(&t->broad, t->ball, w->flags.moves, t->met, room);
     for (int b = 0; b < w->bodies; b++)
         if (!body_is_soft(&w->body[b])) t->ball[b].radius -= t->listed[b];
     t->count = 0;
@@ -270,7 +257,7 @@ static int list_is_good(world *w)
         real slack = 2 * w->options.stay * x->plan->radius;
         if (!(x->reach + x->thickness + slack <= w->pairs.listed[b])) return 0;
     }
-    return w->options.look_ahead && w->options.stay > 0;
+    return w->options.stay > 0;
 }
 
 // This frame's list becomes the last one's.
@@ -307,10 +294,8 @@ void pairs_find(world *w)
         look_at_rigid(w);
         lost = list_pairs(w);
     }
-    if (w->options.look_ahead) {
-        spread_reach(w);
-        lost = list_pairs(w);
-    }
+    spread_reach(w);
+    lost = list_pairs(w);
     halves_cut(w);
     w->report.dropped += lost;
     w->report.pairs = w->pairs.count;

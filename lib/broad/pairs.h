@@ -13,12 +13,10 @@
 //<
 
 //> pairs-declare
-// How body b moves in a frame, as fast as it is now: its way, turn and reach;
-// all 0 unless options.look_ahead is set.
+// How body b moves in a frame, as fast as it is now: its way, turn and reach.
 void pairs_look_ahead(const world *w, body *b);
 
-// The ball around rigid body b, where it is now; if it is of vertices, where
-// world_look_again saw it last.
+// The ball around rigid body b, where it is now.
 sphere pairs_ball(const world *w, body *b);
 
 // Looks at every body, says who moves, and lists the pairs of rigid ones that

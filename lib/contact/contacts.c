@@ -6,19 +6,6 @@ real contacts_blow_speed(const world *w, const body *b)
 {
     return sqrt(2 * vec3_length(w->options.gravity) * b->plan->spacing) / 3;
 }
-
-// m/s, the speed at which the features meet, if that makes a blow for body b.
-// Slower ones are the unrest of a pile, and 0.
-static real speed_of_blow(const world *w, const contact *c, const body *b)
-{
-    const particle *p = w->pool.at;
-    vec3 move = vec3_sub(feature_now(c->a, p), feature_before(c->a, p));
-    if (c->b.count > 0)
-        move = vec3_sub(move, vec3_sub(feature_now(c->b, p),
-                                       feature_before(c->b, p)));
-    real speed = -vec3_dot(move, c->normal) / w->age;
-    return speed > contacts_blow_speed(w, b) ? speed : 0;
-}
 //<
 
 //> contacts-push
@@ -29,7 +16,7 @@ static push_side side_of(const world *w, int number, const feature_point *f)
     push_side s = { .count = 0, .body = -1 };
     if (number < 0 || f->count == 0) return s;
     const body *b = &w->body[number];
-    if (!b->four) {
+    if (body_is_soft(b)) {
         s = (push_side){ .first = f->vertex[0], .count = 1, .body = -1,
                          .share = { 1 } };
         return s;
@@ -45,7 +32,7 @@ static push_side side_of(const world *w, int number, const feature_point *f)
 }
 
 // All but the directions.
-static void begin_push(const world *w, push *x, const contact *c, int a, int b)
+static void begin_push(const world *w, push *x, const contact_point *c, int a, int b)
 {
     for (int d = 0; d < DIRECTIONS; d++) x->pushed[d] = 0;
     x->worn = 0;
@@ -56,7 +43,7 @@ static void begin_push(const world *w, push *x, const contact *c, int a, int b)
     x->b = side_of(w, b, &c->b);
 }
 
-push contacts_push(const world *w, const contact *c, int a, int b)
+push contacts_push(const world *w, const contact_point *c, int a, int b)
 {
     push x = { .ready = 0 };
     begin_push(w, &x, c, a, b);
@@ -121,7 +108,6 @@ real contacts_slack(const world *w, int a, int b)
 static real near_of(const world *w, int a, int b)
 {
     real reach = w->body[a].reach + (b < w->bodies ? w->body[b].reach : 0);
-    if (!w->options.look_ahead) return HUGE_VAL;
     return 2 * (reach + contacts_slack(w, a, b)) / w->report.substeps;
 }
 //<
@@ -139,8 +125,8 @@ static sides sides_of(const world *w, int a, int b)
 }
 
 // Contacts number first to first + n - 1, of a and b; all have one normal.
-static void write_pushes(world *w, int first, const contact *found, int n,
-                         int a, int b, contact_run was)
+static void write_found(world *w, int first, const contact_point *found, int n,
+                        int a, int b, contact_run was)
 {
     push *x = &w->pushes.at[first];
     sides of = sides_of(w, a, b);
@@ -155,26 +141,6 @@ static void write_pushes(world *w, int first, const contact *found, int n,
         w->pushes.between[first + k][1] = b;
     }
     if (w->options.memory) recall(w, x, n, b, was);
-}
-
-static void write_contacts(world *w, int first, const contact *found, int n,
-                           int a, int b)
-{
-    sides of = sides_of(w, a, b);
-    for (int k = 0; k < n; k++) {
-        contact *x = &w->contacts.at[first + k];
-        *x = found[k];
-        x->approach = speed_of_blow(w, x, &w->body[of.a]);
-        w->contacts.between[first + k][0] = of.a;
-        w->contacts.between[first + k][1] = of.b;
-    }
-}
-
-static void write_found(world *w, int first, const contact *found, int n,
-                        int a, int b, contact_run was)
-{
-    if (w->body[a].four) write_pushes(w, first, found, n, a, b, was);
-    else                 write_contacts(w, first, found, n, a, b);
 }
 //<
 
@@ -228,14 +194,14 @@ int contacts_have_guard(const world *w, int a, int b)
 {
     sides of = sides_of(w, a, b);
     int small = is_smaller(w, of.a, of.b) ? of.a : of.b;
-    return w->body[small].four && !body_is_nailed(&w->body[small]);
+    return !body_is_nailed(&w->body[small]);
 }
 
 // The touch of a bullet stops a point of it.  The rest would turn about that
 // point, and be through before it is asked again.  But the ball inside the
 // smaller body never gets behind the plane of touch either: a second contact,
 // of its middle, keeps it in front.
-static void write_guard(world *w, int place, const contact *touch, int a, int b)
+static void write_guard(world *w, int place, const contact_point *touch, int a, int b)
 {
     sides of = sides_of(w, a, b);
     push *guard = &w->pushes.at[place];
@@ -251,20 +217,21 @@ static void write_guard(world *w, int place, const contact *touch, int a, int b)
 //<
 
 //> contacts-found
-contact *contacts_of_planes(const world *w, int k)
+contact_point *contacts_of_planes(const world *w, int k)
 {
-    return w->narrow.found + w->planes * w->body[k].corner;
+    return w->narrow.found + w->planes * (w->body[k].corner - w->pool.count);
 }
 
-contact *contacts_of_pair(const world *w, const body_pair *pair)
+contact_point *contacts_of_pair(const world *w, const body_pair *pair)
 {
-    return w->narrow.found + w->planes * w->of.corners + pair->place;
+    return w->narrow.found + w->planes * (w->of.corners - w->pool.count)
+         + pair->place;
 }
 
 void contacts_write_pair(world *w, const body_pair *x)
 {
     const inquiry *is = &x->is;
-    const contact *found = contacts_of_pair(w, x);
+    const contact_point *found = contacts_of_pair(w, x);
     int n = int_min(is->found, is->run.count);
     if (is->ask == ASK_STAYS) {
         write_same(w, is, x->a, x->b);
@@ -278,7 +245,7 @@ void contacts_write_pair(world *w, const body_pair *x)
 void contacts_write_planes(world *w, int k)
 {
     const inquiry *is = &w->narrow.wall[k].is;
-    const contact *found = contacts_of_planes(w, k);
+    const contact_point *found = contacts_of_planes(w, k);
     if (is->ask == ASK_STAYS) write_same(w, is, k, w->bodies);
     if (is->ask != ASK_NEAREST) return;
     for (int p = 0, at = 0; p < w->planes; p++) {
@@ -291,17 +258,15 @@ void contacts_write_planes(world *w, int k)
 //<
 
 //> contacts-place
-// Where the next contact of each kind goes: of those that remember, the lasting
-// ones stand before those of quick pairs, and of either the parts of the pile
-// one after the other; and of those that forget.
+// Where the next contact of each kind goes: the lasting ones stand before those
+// of quick pairs, and of either the parts of the pile one after the other.
 typedef struct {
-    int push[2][PILE_PARTS], contact[2];
+    int push[2][PILE_PARTS];
 } places;
 
 static int *place_of(places *p, const world *w, int a, int b, int quick)
 {
-    return w->body[a].four ? &p->push[quick][halves_part(w, a, b)]
-                           : &p->contact[quick];
+    return &p->push[quick][halves_part(w, a, b)];
 }
 
 static int count_of(const inquiry *is)
@@ -332,18 +297,13 @@ static int begins(int *end, int n)
 static void sum_up(places *p, world *w, int again)
 {
     int pushes = again ? w->pushes.lasting : 0;
-    int contacts = again ? w->contacts.lasting : 0;
     for (int quick = 0; quick < 2; quick++) {
-        if (quick && !again) {
+        if (quick && !again)
             w->pushes.lasting = int_min(pushes, w->pushes.capacity);
-            w->contacts.lasting = int_min(contacts, w->contacts.capacity);
-        }
         for (int part = 0; part < PILE_PARTS; part++)
             p->push[quick][part] = begins(&pushes, p->push[quick][part]);
-        p->contact[quick] = begins(&contacts, p->contact[quick]);
     }
     w->pushes.count = int_min(pushes, w->pushes.capacity);
-    w->contacts.count = int_min(contacts, w->contacts.capacity);
 }
 //<
 
@@ -352,11 +312,10 @@ static void sum_up(places *p, world *w, int again)
 static void place(world *w, places *p, inquiry *is, int a, int b, int quick)
 {
     int *next = place_of(p, w, a, b, quick), n = count_of(is);
-    int room = (w->body[a].four ? w->pushes.capacity : w->contacts.capacity)
-             - *next;
+    int room = w->pushes.capacity - *next;
     int count = room > n ? n : room > 0 ? room : 0;
     real margin = is->ask == ASK_STAYS ? is->was.margin : is->margin;
-    if (count < n || quick || !w->body[a].four) margin = 0;
+    if (count < n || quick) margin = 0;
     is->run = (contact_run){ *next, count, margin };
     w->report.dropped += n - count;
     *next += n;

@@ -3,11 +3,9 @@
 //
 // Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 13.
 //
-// Bodies with a particle at every vertex have contacts that forget
-// (separation.h), those of four particles such as remember (push.h).  Both are
-// found by narrow.h, and pushed in every substep by solver.h; here they are
-// written down, kept where nothing moved, and handed what the last frame's
-// pushed.
+// They are found by narrow.h, and pushed in every substep by solver.h; here
+// they are written down, kept where nothing moved, and handed what the last
+// frame's pushed.
 //
 // Two bodies are named by their numbers a < b; a body and plane k are a and
 // w->bodies + k.
@@ -25,7 +23,7 @@ real contacts_blow_speed(const world *w, const body *b);
 
 // Contact c of bodies a and b (-1: immovable), as one that remembers.  A
 // deformable body is A, and touches with one particle.
-push contacts_push(const world *w, const contact *c, int a, int b);
+push contacts_push(const world *w, const contact_point *c, int a, int b);
 
 // m, what a and b may have come nearer since their contacts were found, and
 // still be taken to lie where they lay.
@@ -36,13 +34,13 @@ real contacts_slack(const world *w, int a, int b);
 int contacts_may_stay(const world *w, const contact_run *run, int a, int b,
                       real margin);
 
-// What was found: room for the contacts of body k with the planes, plane after
-// plane, and for those of a pair.
-contact *contacts_of_planes(const world *w, int k);
-contact *contacts_of_pair(const world *w, const body_pair *pair);
+// What was found: room for the contacts of rigid body k with the planes, plane
+// after plane, and for those of a pair.
+contact_point *contacts_of_planes(const world *w, int k);
+contact_point *contacts_of_pair(const world *w, const body_pair *pair);
 
 // May the pair have, beside what was found, a contact that keeps the ball
-// inside the smaller body in front of the other?  (Of four particles, moving.)
+// inside the smaller body in front of the other?  If that one can move.
 int contacts_have_guard(const world *w, int a, int b);
 
 // Gives all that was found, or stays, its place: in what order does not depend

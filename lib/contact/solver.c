@@ -1,4 +1,4 @@
-//> solver-forgetful
+//> solver-strike
 #include "solver.h"
 #include "contacts.h"
 #include "halves.h"
@@ -6,27 +6,6 @@
 
 #include <stddef.h>
 
-static void touch_again(world *w, int a, int b)
-{
-    w->flags.collided[a] = 1;
-    if (b < 0 || b >= w->bodies) return;
-    w->flags.collided[b] = 1;
-    if (!body_is_nailed(&w->body[a]) && !body_is_nailed(&w->body[b]))
-        rest_touch(&w->rest, a, b);
-}
-
-static void separate_contacts(world *w)
-{
-    const contact_tables *t = &w->contacts;
-    for (int k = 0; k < t->count; k++) {
-        t->at[k].pushed = t->at[k].worn = 0;
-        if (contact_separate(&t->at[k], w->pool.at, w->options.response) > 0)
-            touch_again(w, t->between[k][0], t->between[k][1]);
-    }
-}
-//<
-
-//> solver-strike
 // How many contacts from k on, forward or backward, are of one pair.
 static int of_one_pair(const push_tables *t, int k, int step)
 {
@@ -127,7 +106,7 @@ static void apply_part(void *data, int part)
     const int *mine = halves_bodies(w, part, &n);
     for (int i = 0; i < n; i++) {
         int b = mine[i];
-        if (w->body[b].four && body_moves(w, b))
+        if (!body_is_soft(&w->body[b]) && body_moves(w, b))
             drift_apply(&w->pushes.drift[b], &w->pushes.ways[b],
                         w->pool.at + w->body[b].first);
     }
@@ -214,9 +193,9 @@ static const real SLOP = 0.05;
 static push_options options_of(const world *w, real h)
 {
     const world_options *o = &w->options;
-    return (push_options){ o->response.friction, o->response.restitution,
-                           o->mend, o->mend_speed,
-                           vec3_scale(h * h, o->gravity), SLOP, o->ledger };
+    return (push_options){ o->friction, o->restitution, o->mend,
+                           o->mend_speed, vec3_scale(h * h, o->gravity), SLOP,
+                           o->ledger };
 }
 
 static void book_friction(world *w, real h)
@@ -227,14 +206,12 @@ static void book_friction(world *w, real h)
         worn += w->pushes.at[k].worn;
         w->pushes.at[k].worn = 0;
     }
-    for (int k = 0; k < w->contacts.count; k++) worn += w->contacts.at[k].worn;
     ledger_friction(w, worn / (h * h));
 }
 
 void solver_separate(world *w, real h)
 {
     push_options how = options_of(w, h);
-    separate_contacts(w);
     strike_all(w, how, h);
     if (w->pushes.count > 0) solve_all(w, how, h);
     book_friction(w, h);
@@ -242,51 +219,21 @@ void solver_separate(world *w, real h)
 //<
 
 //> solver-end
+static void note_touch(world *w, int a, int b)
+{
+    if (b >= w->bodies) return;
+    if (!body_is_nailed(&w->body[a]) && !body_is_nailed(&w->body[b]))
+        rest_touch(&w->rest, a, b);
+}
+
 void solver_end(world *w)
 {
     w->report.pushing = 0;
     for (int k = 0; k < w->pushes.count; k++) {
         if (!(w->pushes.at[k].pushed[NORMAL] > 0)) continue;
-        touch_again(w, w->pushes.between[k][0], w->pushes.between[k][1]);
+        note_touch(w, w->pushes.between[k][0], w->pushes.between[k][1]);
         w->report.pushing++;
     }
-    w->report.contacts = w->contacts.count + w->pushes.count;
-}
-//<
-
-//> solver-bounce
-static void slow_sticks(world *w, int b)
-{
-    if (b < 0 || !w->flags.moves[b]) return;
-    const shape *plan = w->body[b].plan;
-    sticks_sweep_speeds(plan->stick, plan->sticks,
-                        w->pool.at + w->body[b].first);
-}
-
-// Did this contact, in this substep, part bodies that met in a blow?
-static int is_blow(const contact *c)
-{
-    return c->pushed > 0 && c->approach > 0;
-}
-
-// A push moves places, and so gives a speed as well that nobody asked for.
-// After a blow the features part at restitution times the speed at which they
-// met: contact_bounce gives that speed to the features alone, and the sticks
-// spread it over the bodies: in turn, so often that both nearly agree.
-void solver_bounce(world *w, real h)
-{
-    enum { ROUNDS = 40 };
-    const contact_tables *t = &w->contacts;
-    int blows = 0;
-    for (int k = 0; k < t->count; k++) blows += is_blow(&t->at[k]);
-    for (int round = 0; blows > 0 && round < ROUNDS; round++)
-        for (int k = 0; k < t->count; k++) {
-            if (!is_blow(&t->at[k])) continue;
-            contact_bounce(&t->at[k], w->pool.at, w->options.response, h);
-            slow_sticks(w, t->between[k][0]);
-            slow_sticks(w, t->between[k][1]);
-        }
-    for (int k = 0; blows > 0 && k < t->count; k++)
-        if (is_blow(&t->at[k])) t->at[k].approach = 0;
+    w->report.contacts = w->pushes.count;
 }
 //<

@@ -10,14 +10,9 @@
 //<
 
 //> solver-declare
-// Once a substep of h (s): contacts that forget, one after the other; then
-// those that remember, blows first, until none wants more or passes run out.
+// Once a substep of h (s): blows first, then all contacts, until none wants
+// more or passes run out.
 void solver_separate(world *w, real h);
-
-// After relaxing: bodies that met in a blow part at restitution times the speed
-// at which they met (BODY_VERTICES; of those of four solver_separate takes
-// care).
-void solver_bounce(world *w, real h);
 
 // The end of a frame: who pushed each other is one island, and all is counted.
 void solver_end(world *w);

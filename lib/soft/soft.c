@@ -27,7 +27,7 @@ static inline real longer(real a, vec3 d)
 static void add_moves(moves *to, const world *w, const body *b)
 {
     moves m = *to;
-    real share = b->four ? 2 : 1;
+    real share = body_is_soft(b) ? 1 : 2;
     for (int i = b->first; i < b->first + body_particles(b); i++) {
         const particle *p = &w->pool.at[i];
         vec3 d = vec3_sub(p->position, w->of.listed[i]);
@@ -87,7 +87,7 @@ static void add_near(world *w, const body *a, const body *b, tree_result found)
     int pairs = room_for(w, found.pairs, w->leaves.capacity);
     pairs = room_for(w, pairs, w->near.pair_capacity - w->near.pairs);
     for (int k = 0; k < pairs; k++)
-        w->near.pair[w->near.pairs++] = (sphere_contact){
+        w->near.pair[w->near.pairs++] = (particle_contact){
             a->first + w->leaves.pair[k].a, b->first + w->leaves.pair[k].b,
             a->thickness + b->thickness };
 }
@@ -205,19 +205,10 @@ void soft_refresh(world *w)
 //<
 
 //> soft-separate
-// Sticks give nothing of a push back to the rest of a cloth, as they do in a
-// rigid body: no gain.
-static response_options soft_response(const world *w)
-{
-    response_options o = w->options.response;
-    o.gain = 1;
-    return o;
-}
-
 // Four particles answer a push as the solid would.
-static void push_apart(world *w, point_pair pair, const contact *c)
+static void push_apart(world *w, point_pair pair, const contact_point *c)
 {
-    push_options how = { .friction = w->options.response.friction,
+    push_options how = { .friction = w->options.friction,
                          .mend = 1, .mend_speed = HUGE_VAL };
     push x = contacts_push(w, c, pair.soft, pair.rigid);
     push_limit(&x, w->pool.at, how, 1);
@@ -246,7 +237,7 @@ static particle whole_cloth(const world *w, const body *soft, vec3 x)
 
 // For a moment the whole cloth stands in the particle's place; how far that is
 // pushed, the cloth goes.
-static void push_whole(world *w, point_pair pair, const contact *c)
+static void push_whole(world *w, point_pair pair, const contact_point *c)
 {
     const body *soft = &w->body[pair.soft];
     particle *p = &w->pool.at[pair.particle], was = *p;
@@ -265,17 +256,15 @@ static void push_whole(world *w, point_pair pair, const contact *c)
 }
 //<
 
-//> soft-push-off
-// A particle of the inverse mass w, `depth` too deep below a face of a nailed
-// body, where it slid by s in this step.  contact_separate for one particle.
-static vec3 push_off(real w, vec3 normal, real depth, vec3 s, real friction)
+//> soft-over-face
+// Keeps a particle so far in front of a plane.  1 if it was not.
+static int separate_from_plane(const world *w, particle *p, plane face,
+                               real apart)
 {
-    real mass = 1 / w;
-    vec3 out = vec3_scale(depth * mass, normal);
-    s = vec3_add_scaled(s, -vec3_dot(s, normal), normal);
-    real slid2 = vec3_length_squared(s), limit = friction * depth;
-    real part = slid2 <= limit * limit ? limit > 0 : limit / sqrt(slid2);
-    return vec3_add_scaled(out, -part * mass, s);
+    real up = plane_height(face, p->position);
+    vec3 foot = vec3_add_scaled(p->position, -up, face.normal);
+    return surface_separate(p, foot, face.normal, apart,
+                            w->options.friction) > 0;
 }
 
 // Is the point of plane number k under x on the body?  Then no other plane is
@@ -304,35 +293,25 @@ static int separate_from_face(world *w, particle *p, int ahead, real apart,
         if (!(up <= apart)) return 0;
         if (up > 0 && !stands_over(w, x, ahead, slack)) return -1;
     }
-    plane face = w->hull.plane[ahead];
-    real up = plane_height(face, x);
-    vec3 foot = vec3_add_scaled(x, -up, face.normal);
-
-    vec3 over = vec3_sub(x, foot), gone = vec3_sub(p->previous, foot);
-    real depth = apart - vec3_dot(over, face.normal);
-    if (!(depth > 0) || p->inverse_mass == 0) return depth > 0;
-    vec3 out = push_off(p->inverse_mass, face.normal, depth,
-                        vec3_sub(over, gone), w->options.response.friction);
-    p->position = vec3_add_scaled(x, p->inverse_mass, out);
-    return 1;
+    return separate_from_plane(w, p, w->hull.plane[ahead], apart);
 }
 //<
 
 //> soft-separate-point
-typedef void (*pusher)(world *w, point_pair pair, const contact *c);
+typedef void (*pusher)(world *w, point_pair pair, const contact_point *c);
 
-static int separate_point(world *w, point_pair pair, real apart,
-                          pusher by, response_options how)
+static int separate_point(world *w, point_pair pair, real apart, pusher by)
 {
     const body *soft = &w->body[pair.soft], *rigid = &w->body[pair.rigid];
     collider a = world_collider(w, soft), b = world_collider(w, rigid);
-    contact c;
+    contact_point c;
     w->of.at[pair.particle] = w->pool.at[pair.particle].position;
     if (!collide_point(&a, pair.particle - soft->first, &b, w->hull.plane,
                        w->hull.face, w->hull.planes, apart, &c)) return 0;
     c.thickness = apart;
-    if (c.b.count == 0 || !rigid->four)
-        return contact_separate(&c, w->pool.at, how) > 0;
+    if (body_is_nailed(rigid))
+        return surface_separate(&w->pool.at[pair.particle], c.fixed, c.normal,
+                                apart, w->options.friction) > 0;
     by(w, pair, &c);
     return 1;
 }
@@ -350,8 +329,6 @@ static int separate_points_of(world *w, int k, real share, pusher by,
 {
     point_pair first = w->near.point[k];
     const body *soft = &w->body[first.soft], *rigid = &w->body[first.rigid];
-    response_options how = soft_response(w);
-    int is_nailed = body_is_nailed(rigid) && how.share == SHARE_MASS;
     real apart = share * soft_gap(soft, rigid);
     real slack = 1e-12 * rigid->plan->radius;
     look_at_hull(w, first.rigid);
@@ -362,9 +339,9 @@ static int separate_points_of(world *w, int k, real share, pusher by,
         if (pair.ahead < w->hull.planes
             && plane_height(w->hull.plane[pair.ahead], p->position) > apart)
             continue;
-        int touched = !is_nailed ? -1
+        int touched = !body_is_nailed(rigid) ? -1
                     : separate_from_face(w, p, pair.ahead, apart, slack);
-        if (touched < 0) touched = separate_point(w, pair, apart, by, how);
+        if (touched < 0) touched = separate_point(w, pair, apart, by);
         *touching += touched;
     }
     return k;
@@ -379,14 +356,28 @@ static int separate_points(world *w, real share, pusher by)
     return touching;
 }
 
+// Particles of deformable bodies and the world's planes.
+static int separate_planes(world *w)
+{
+    int touching = 0;
+    for (int b = 0; b < w->bodies && w->planes > 0; b++) {
+        const body *soft = &w->body[b];
+        if (!body_is_soft(soft) || !body_moves(w, b)) continue;
+        for (int i = soft->first; i < soft->first + soft->plan->particles; i++)
+            for (int k = 0; k < w->planes; k++)
+                touching += separate_from_plane(w, &w->pool.at[i], w->plane[k],
+                                                soft->thickness);
+    }
+    return touching;
+}
+
 void soft_separate(world *w)
 {
-    response_options how = soft_response(w);
-    int touching = 0;
+    int touching = separate_planes(w);
     for (int k = 0; k < w->near.pairs; k++)
-        if (sphere_contact_overlaps(&w->near.pair[k], w->pool.at))
-            touching += sphere_contact_separate(w->near.pair[k], w->pool.at,
-                                                how) > 0;
+        if (particle_contact_overlaps(&w->near.pair[k], w->pool.at))
+            touching += particle_contact_separate(w->near.pair[k], w->pool.at,
+                                                  w->options.friction) > 0;
     touching += separate_points(w, 1, push_apart);
     w->report.near = w->near.pairs + w->near.points;
     w->report.touching = touching;
@@ -399,126 +390,5 @@ void soft_separate(world *w)
 void soft_hold(world *w)
 {
     separate_points(w, 0.5, push_whole);
-}
-//<
-
-//> soft-leaves
-// A leaf's particles as numbers of the pool.
-static int leaf_in_pool(const body *b, int leaf, int out[3])
-{
-    const leaf_feature *f = &b->tree.leaf[leaf];
-    for (int k = 0; k < f->count; k++) out[k] = b->first + f->vertex[k];
-    return f->count;
-}
-
-// The smallest ball around a leaf as its particles stand now: the ones before
-// it may have pushed them.
-static sphere leaf_ball(const world *w, const int *number, int n)
-{
-    vec3 at[3];
-    int index[3] = { 0, 1, 2 }, support[4], supports;
-    real weight[4];
-    for (int k = 0; k < n; k++) at[k] = w->pool.at[number[k]].position;
-    return sphere_of_points(at, index, n, support, weight, &supports);
-}
-
-static void part_leaves(world *w, const body *a, const body *b, int pairs)
-{
-    for (int k = 0; k < pairs; k++) {
-        int fa[3], fb[3];
-        int na = leaf_in_pool(a, w->leaves.pair[k].a, fa);
-        int nb = leaf_in_pool(b, w->leaves.pair[k].b, fb);
-        sphere sa = leaf_ball(w, fa, na), sb = leaf_ball(w, fb, nb);
-        if (leaves_separate(fa, na, sa.center, sa.radius,
-                            fb, nb, sb.center, sb.radius, w->pool.at) > 0)
-            w->report.touching++;
-    }
-}
-//<
-
-//> soft-leaf-in-hull
-// Fig. 6: the centre of a leaf inside a rigid body is moved, with the leaf, and
-// the surface point nearest to it.
-static void part_leaf_from_hull(world *w, const body *soft, int leaf, int b)
-{
-    const body *rigid = &w->body[b];
-    int f[3];
-    int n = leaf_in_pool(soft, leaf, f);
-    vec3 center = leaf_ball(w, f, n).center;
-    collider a = { .at = &center, .mass = soft->mass };
-    collider hull = world_collider(w, rigid);
-    contact c;
-    if (!collide_point(&a, 0, &hull, w->hull.plane, w->hull.face,
-                       w->hull.planes, 0, &c)) return;
-    vec3 on_b = c.b.count > 0 ? feature_now(c.b, w->pool.at) : c.fixed;
-    deformable_separate(f, n, center, c.b, on_b, w->pool.at,
-                        w->options.response);
-    w->report.touching++;
-}
-
-// A leaf may be near several faces of the hull, but is pushed once.  What
-// leaves.met remembers from an earlier traversal does no harm: the place is
-// looked up before it is believed.
-static void part_from_hull(world *w, body *soft, int b)
-{
-    body *rigid = &w->body[b];
-    tree_result found = sphere_tree_pairs(
-        &soft->tree, w->of.at + soft->first, &rigid->tree,
-        w->of.at + rigid->corner, 0, w->leaves.pair, w->leaves.capacity);
-    int pairs = room_for(w, found.pairs, w->leaves.capacity);
-    look_at_hull(w, b);
-    for (int k = 0; k < pairs; k++) {
-        int leaf = w->leaves.pair[k].a, *met = &w->leaves.met[leaf];
-        if (*met < k && w->leaves.pair[*met].a == leaf) continue;
-        *met = k;
-        part_leaf_from_hull(w, soft, leaf, b);
-    }
-}
-//<
-
-//> soft-separate-leaves
-// Which leaves of a sheet count as neighbours the paper leaves open.  Without
-// those alone that share a vertex, the first fold throws the cloth to infinity:
-// here it is what stood nearer than one and a half times both radii when the
-// sheet was flat.
-static const real NEIGHBOURS = 1.5;
-
-static void part_self(world *w, body *a)
-{
-    tree_result found = sphere_tree_self(
-        &a->tree, w->of.at + a->first, 0, NEIGHBOURS,
-        w->leaves.pair, w->leaves.capacity);
-    part_leaves(w, a, a, room_for(w, found.pairs, w->leaves.capacity));
-}
-
-static void part_pair(world *w, int a, int b)
-{
-    body *soft = &w->body[a], *other = &w->body[b];
-    if (!body_is_soft(soft)) {
-        if (body_is_soft(other)) part_pair(w, b, a);
-        return;
-    }
-    world_look_again(w, soft);
-    world_look_again(w, other);
-    if (!body_is_soft(other)) {
-        part_from_hull(w, soft, b);
-        return;
-    }
-    tree_result found = sphere_tree_pairs(
-        &soft->tree, w->of.at + soft->first, &other->tree,
-        w->of.at + other->first, 0, w->leaves.pair, w->leaves.capacity);
-    part_leaves(w, soft, other, room_for(w, found.pairs, w->leaves.capacity));
-}
-
-void soft_separate_leaves(world *w)
-{
-    w->report.touching = 0;
-    for (int a = 0; a < w->bodies; a++) {
-        if (body_is_soft(&w->body[a])) {
-            world_look_again(w, &w->body[a]);
-            part_self(w, &w->body[a]);
-        }
-        for (int b = a + 1; b < w->bodies; b++) part_pair(w, a, b);
-    }
 }
 //<

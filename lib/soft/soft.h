@@ -20,8 +20,8 @@
 // so w->near.trusted must be -1 after someone woke.
 void soft_refresh(world *w);
 
-// Parts what touches: pairs of particles, then particles and rigid bodies.
-// Counts in the report what was watched, and what was pushed.
+// Parts what touches: particles and planes, pairs of particles, particles and
+// rigid bodies.  Counts in the report what was watched, and what was pushed.
 void soft_separate(world *w);
 
 // m, how far off a rigid body the particles of a deformable one are kept: by
@@ -33,10 +33,6 @@ real soft_gap(const body *soft, const body *rigid);
 // particles is held by the deformable body as a whole, with all of its mass, or
 // by its nails: linear momentum is kept, angular momentum is not.
 void soft_hold(world *w);
-
-// The paper's way, without lists: whole leaves of the trees are pushed apart,
-// and leaves whose centre is inside a rigid body are pushed by Fig. 6.
-void soft_separate_leaves(world *w);
 
 #endif
 //<

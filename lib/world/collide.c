@@ -29,7 +29,7 @@ static feature_point feature_of_simplex(const int *vertex, const real *weight,
         if (weight[i] == 0) continue;
         while (k < f.count && f.vertex[k] != vertex[i]) k++;
         if (k == f.count) {
-            if (k == 3) continue;   // four corners overlap: hit_face answers
+            if (k == 3) continue;   // four corners overlap: not asked here
             f.vertex[f.count] = vertex[i];
             f.weight[f.count++] = 0;
         }
@@ -41,21 +41,20 @@ static feature_point feature_of_simplex(const int *vertex, const real *weight,
 
 //> collide-new
 // A contact with nothing pushed yet.
-static void contact_between(contact *c, const collider *a,
+static void contact_between(contact_point *c, const collider *a,
                             const feature_point *fa, const collider *b,
                             const feature_point *fb, vec3 on_b, vec3 normal)
 {
-    *c = (contact){ .a = *fa, .b = *fb, .fixed = on_b, .normal = normal,
-                    .mass_a = a->mass, .mass_b = b->mass };
+    *c = (contact_point){ .a = *fa, .b = *fb, .fixed = on_b,
+                          .normal = normal };
     feature_to_pool(&c->a, a->first);
     feature_to_pool(&c->b, b->first);
 }
 
 // An immovable side needs no feature, only the point where it stands.
-static void forget_immovable(contact *c, int n)
+static void forget_immovable(const collider *b, contact_point *c, int n)
 {
-    for (int i = 0; i < n; i++)
-        if (!(c[i].mass_b < HUGE_VAL)) c[i].b.count = 0;
+    for (int i = 0; i < n && !(b->mass < HUGE_VAL); i++) c[i].b.count = 0;
 }
 //<
 
@@ -103,7 +102,7 @@ static nearest_points find_nearest(const collider *a, const collider *b,
 // The contacts of all touches of two bodies near each other.
 static int contacts_of_touches(const collider *a, const collider *b,
                                const nearest_points *near, real margin,
-                               contact *out)
+                               contact_point *out)
 {
     touch nearest = { near->a, near->b,
                       vec3_dot(vec3_sub(near->on_a, near->on_b),
@@ -121,10 +120,11 @@ static int contacts_of_touches(const collider *a, const collider *b,
 
 //> collide-rigid
 int collide_rigid(const collider *a, const collider *b, real margin,
-                  int manifold, distance_cache *carried, penetration_scratch *scratch,
-                  contact out[PAIR_CONTACTS])
+                  distance_cache *carried, penetration_scratch *scratch,
+                  contact_point out[PAIR_CONTACTS])
 {
-    assert(margin >= 0);
+    assert(!(margin < 0));
+    if (!(margin >= 0)) return 0;
     // An immovable body is always B, so that its contacts need no feature.
     if (!(a->mass < HUGE_VAL)) {
         if (!(b->mass < HUGE_VAL)) return 0;
@@ -133,20 +133,16 @@ int collide_rigid(const collider *a, const collider *b, real margin,
         b = swap;
     }
     nearest_points n = find_nearest(a, b, margin, carried, scratch);
-    int count = n.near;
     if (!n.near) return 0;
-    if (manifold)
-        count = contacts_of_touches(a, b, &n, margin, out);
-    else
-        contact_between(&out[0], a, &n.a, b, &n.b, n.on_b, n.normal);
-    forget_immovable(out, count);
+    int count = contacts_of_touches(a, b, &n, margin, out);
+    forget_immovable(b, out, count);
     return count;
 }
 //<
 
 //> collide-swept
 swept_status collide_swept(const collider *a, const collider *b, vec3 way,
-                           real apart, vec3 *scratch, contact *c)
+                           real apart, vec3 *scratch, contact_point *c)
 {
     if (!(a->mass < HUGE_VAL)) {
         if (!(b->mass < HUGE_VAL)) return SWEPT_PASSES;
@@ -165,25 +161,24 @@ swept_status collide_swept(const collider *a, const collider *b, vec3 way,
     feature_point fb = feature_of_simplex(s.last.b, s.last.weight,
                                           s.last.count);
     contact_between(c, a, &fa, b, &fb, s.on_b, s.normal);
-    forget_immovable(c, 1);
+    forget_immovable(b, c, 1);
     return s.status;
 }
 //<
 
 //> collide-plane
 int collide_plane(const collider *a, plane p, real margin, real thickness,
-                  contact *out, int capacity)
+                  contact_point *out, int capacity)
 {
     int n = 0;
     for (int i = 0; i < a->plan->particles; i++) {
         real up = plane_height(p, a->at[i]);
         if (up > margin + thickness) continue;
         if (n < capacity)
-            out[n] = (contact){
+            out[n] = (contact_point){
                 .a = corner(a->first + i),
                 .fixed = vec3_add_scaled(a->at[i], -up, p.normal),
-                .normal = p.normal, .thickness = thickness,
-                .mass_a = a->mass, .mass_b = HUGE_VAL };
+                .normal = p.normal, .thickness = thickness };
         n++;
     }
     return n;
@@ -311,20 +306,20 @@ static int nearest_on_edge(vec3 x, const plane *p, int count, real slack,
 }
 
 // The contact of particle i of a with point on_b of b.
-static int particle_contact(contact *c, const collider *a, int i,
-                            const collider *b, const feature_point *fb,
-                            vec3 on_b, vec3 normal)
+static int point_contact(contact_point *c, const collider *a, int i,
+                         const collider *b, const feature_point *fb,
+                         vec3 on_b, vec3 normal)
 {
     feature_point self = corner(i);
     contact_between(c, a, &self, b, fb, on_b, normal);
-    forget_immovable(c, 1);
+    forget_immovable(b, c, 1);
     return 1;
 }
 
 // In every other case the query of two bodies finds the nearest point, one of
 // them being a point.
 static int collide_point_edge(const collider *a, int i, const collider *b,
-                              real reach, contact *c)
+                              real reach, contact_point *c)
 {
     point_set point = { &a->at[i], 1, NULL, NULL };
     distance_options options = distance_options_default();
@@ -333,8 +328,8 @@ static int collide_point_edge(const collider *a, int i, const collider *b,
     if (g.status != DISTANCE_APART || g.distance > reach) return 0;
     feature_point other = feature_of_simplex(g.last.b, g.last.weight,
                                              g.last.count);
-    return particle_contact(c, a, i, b, &other, g.on_b,
-                            vec3_scale(1 / g.distance, g.axis));
+    return point_contact(c, a, i, b, &other, g.on_b,
+                         vec3_scale(1 / g.distance, g.axis));
 }
 //<
 
@@ -342,7 +337,7 @@ static int collide_point_edge(const collider *a, int i, const collider *b,
 // Over no face of an immovable body, whose contacts need no feature.
 static int collide_point_outside(const collider *a, int i, const collider *b,
                                  const plane *planes, int count, real reach,
-                                 contact *c)
+                                 contact_point *c)
 {
     vec3 y, x = a->at[i];
     if (b->mass < HUGE_VAL
@@ -352,13 +347,13 @@ static int collide_point_outside(const collider *a, int i, const collider *b,
     real distance = vec3_length(out);
     if (!(distance > 0) || distance > reach) return 0;
     feature_point none = { .count = 0 };
-    return particle_contact(c, a, i, b, &none, y,
-                            vec3_scale(1 / distance, out));
+    return point_contact(c, a, i, b, &none, y,
+                         vec3_scale(1 / distance, out));
 }
 
 int collide_point(const collider *a, int i, const collider *b,
                   const plane *planes, const int *face, int count,
-                  real reach, contact *c)
+                  real reach, contact_point *c)
 {
     assert(count > 0);
     vec3 x = a->at[i];
@@ -372,6 +367,6 @@ int collide_point(const collider *a, int i, const collider *b,
     feature_point under = { .count = 0 };
     if (b->mass < HUGE_VAL)
         under = face_under(x, b, face[k], planes[k].normal);
-    return particle_contact(c, a, i, b, &under, foot, planes[k].normal);
+    return point_contact(c, a, i, b, &under, foot, planes[k].normal);
 }
 //<

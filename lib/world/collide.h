@@ -30,17 +30,17 @@ enum { PAIR_CONTACTS = 4 };     // the most that two rigid bodies can have
 
 //> collide-declare
 // The contacts of rigid bodies a and b that are nearer than margin (m, >= 0),
-// in out; returns their number, at most PAIR_CONTACTS.  Without manifold it is
-// the nearest (or deepest) pair of points.  With manifold it is what
-// manifold_find makes of that pair: where faces or edges lie along each other,
-// corners of what they share, the deepest first; else the pair alone.
+// in out; returns their number, at most PAIR_CONTACTS: what manifold_find makes
+// of the nearest (or deepest) pair of points.  Where faces or edges lie along
+// each other, corners of what they share, the deepest first; else the pair
+// alone.
 // An immovable body is B, whichever was given first; two of them touch nowhere.
-// Normals point from B to A; thickness and approach are 0, for the caller to
-// set.  carried: see distance_find; keep one for the pair (a, b) in this order.
-// Bodies that are not finite have no contacts.
+// Normals point from B to A; thickness is 0, for the caller to set.  carried:
+// see distance_find; keep one for the pair (a, b) in this order.  Bodies, or a
+// margin, that are not finite have no contacts.
 int collide_rigid(const collider *a, const collider *b, real margin,
-                  int manifold, distance_cache *carried, penetration_scratch *scratch,
-                  contact out[PAIR_CONTACTS]);
+                  distance_cache *carried, penetration_scratch *scratch,
+                  contact_point out[PAIR_CONTACTS]);
 
 // The contact of rigid bodies a and b where they first come as near as `apart`
 // (m, >= 0), while a goes straight by `way` (m) as seen from b: made now, to be
@@ -49,14 +49,14 @@ int collide_rigid(const collider *a, const collider *b, real margin,
 // of the smaller body.  scratch: room for the vertices of both.  The rest as
 // for collide_rigid.
 swept_status collide_swept(const collider *a, const collider *b, vec3 way,
-                           real apart, vec3 *scratch, contact *c);
+                           real apart, vec3 *scratch, contact_point *c);
 
 // The particles of a nearer to plane p than margin + thickness (m): writes at
 // most capacity contacts, returns how many there are.  A particle is A, the
 // plane B, immovable: the normal is the plane's, into the free side.  The
 // contacts keep particles thickness away.
 int collide_plane(const collider *a, plane p, real margin, real thickness,
-                  contact *out, int capacity);
+                  contact_point *out, int capacity);
 
 // The planes of a rigid body's faces, looking outwards, coplanar faces once:
 // at most plan->mesh.faces of them in out, the first face of each in face.
@@ -77,7 +77,7 @@ int hull_ahead(vec3 x, const plane *planes, int count);
 // Requires count > 0.
 int collide_point(const collider *a, int i, const collider *b,
                   const plane *planes, const int *face, int count,
-                  real reach, contact *c);
+                  real reach, contact_point *c);
 //<
 
 //> collide-end

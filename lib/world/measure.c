@@ -86,7 +86,7 @@ static void measure_points(world *w, body *soft, body *rigid, measures *m)
     int planes = hull_planes(rigid->plan, b.at, w->hull.plane, w->hull.face);
     w->hull.of = -1;
     for (int i = 0; i < soft->plan->particles; i++) {
-        contact c;
+        contact_point c;
         if (!collide_point(&a, i, &b, w->hull.plane, w->hull.face, planes, 0,
                            &c))
             continue;

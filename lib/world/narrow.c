@@ -72,7 +72,6 @@ static real slack_of(const world *w, const body_pair *pair)
 // Are the balls around two bodies, now, further apart than the margin?
 static int balls_are_apart(const world *w, body *a, body *b, real margin)
 {
-    if (!a->four || !b->four) return 0;
     sphere x = pairs_ball(w, a), y = pairs_ball(w, b);
     real near = x.radius + y.radius + margin;
     return vec3_length_squared(vec3_sub(x.center, y.center)) > near * near;
@@ -110,13 +109,8 @@ static void decide_planes(world *w, int k)
     is->found = 0;
     is->ask = ASK_NOTHING;
     is->margin = b->reach + 2 * contacts_slack(w, k, w->bodies);
-    if (!w->flags.moves[k] || w->planes == 0) return;
-    if (body_is_soft(b)) {
-        // (What is rigid was looked at when its pairs were found.)
-        pairs_look_ahead(w, b);
-        w->flags.looked[k] = 0;
-    }
-    is->ask = b->four && contacts_may_stay(w, &is->run, k, w->bodies, b->reach)
+    if (!w->flags.moves[k] || w->planes == 0 || body_is_soft(b)) return;
+    is->ask = contacts_may_stay(w, &is->run, k, w->bodies, b->reach)
             ? ASK_STAYS : ASK_NEAREST;
 }
 
@@ -169,7 +163,7 @@ static void look(void *data, int half)
 // How many contacts they have then, 0 or 1; -1: they cannot be told apart, and
 // are looked at where they are.
 static int query_swept(const world *w, const body *a, const body *b, real share,
-                       int half, contact *c)
+                       int half, contact_point *c)
 {
     collider ca = world_collider(w, a), cb = world_collider(w, b);
     vec3 way = vec3_scale(share, vec3_sub(a->way, b->way));
@@ -185,11 +179,11 @@ static int query_swept(const world *w, const body *a, const body *b, real share,
 
 //> narrow-query
 static int query_nearest(const world *w, body_pair *pair, real margin, int half,
-                         contact found[PAIR_CONTACTS])
+                         contact_point found[PAIR_CONTACTS])
 {
     collider a = world_collider(w, &w->body[pair->a]);
     collider b = world_collider(w, &w->body[pair->b]);
-    return collide_rigid(&a, &b, margin, w->options.manifold,
+    return collide_rigid(&a, &b, margin,
                          &w->pairs.carried[pair - w->pairs.at],
                          w->narrow.hit[half], found);
 }
@@ -198,7 +192,7 @@ static void query_pair(const asking *j, body_pair *pair, int half)
 {
     const world *w = j->w;
     const body *a = &w->body[pair->a], *b = &w->body[pair->b];
-    contact *found = contacts_of_pair(w, pair);
+    contact_point *found = contacts_of_pair(w, pair);
     int n = -1, is_swept = pair->is.ask == ASK_SWEPT;
     real share = share_of(j, pair);
     if (is_swept) n = query_swept(w, a, b, share, half, found);
@@ -218,7 +212,7 @@ static void query_planes(world *w, int k)
     const body *b = &w->body[k];
     body_wall *wall = &w->narrow.wall[k];
     collider c = world_collider(w, b);
-    contact *found = contacts_of_planes(w, k);
+    contact_point *found = contacts_of_planes(w, k);
     int n = 0;
     for (int p = 0; p < w->planes; p++) {
         wall->at[p] = collide_plane(&c, w->plane[p], wall->is.margin,
@@ -281,8 +275,7 @@ static int all_stay(const world *w)
 {
     int found = 0;
     if (w->age != w->options.dt / w->report.substeps || !w->options.memory
-        || w->pushes.count > w->pushes.lasting || w->softs > 0
-        || w->contacts.count > 0)
+        || w->pushes.count > w->pushes.lasting || w->softs > 0)
         return 0;
     for (int k = 0; k < w->bodies; k++) {
         const contact_run *run = &w->narrow.wall[k].is.run;

@@ -70,7 +70,7 @@ static const plan_entry *entry_of(const world *w, const shape *s)
 }
 
 // Soft diagonals first, then the lines that must hold.
-static relax_result relax_lines(world *w, const body *b)
+static relax_result relax_soft(world *w, const body *b)
 {
     const shape *s = b->plan;
     particle *p = w->pool.at + b->first;
@@ -84,40 +84,14 @@ static relax_result relax_lines(world *w, const body *b)
                            .relaxed = tested, .iterations = l.steps,
                            .fell_back = l.fell_back };
 }
-
 //<
 
 //> step-relax
-// Paper: section 6.2: a rigid body that collided is relaxed from the particle
-// that separation moved most; every other body in the order of its plan.
-static relax_result relax_body(world *w, const body *b, int is_ordered)
-{
-    const shape *s = b->plan;
-    const world_options *o = &w->options;
-    particle *p = w->pool.at + b->first;
-    if (b->four) return four_relax(b->four, p, o->sweeps, o->relax);
-    if (o->lines && s->directions > 0) return relax_lines(w, b);
-    vec3 *before = w->of.before + b->first;
-    if (!is_ordered)
-        return sticks_relax(s->stick, s->sticks, p, s->particles, o->sweeps,
-                            o->relax, before);
-    int from = most_moved(p, before, s->particles);
-    return sticks_relax_ordered(o->order, &entry_of(w, s)->lists, s->stick,
-                                s->sticks, p, s->particles, from, o->sweeps,
-                                o->relax, w->orders);
-}
-
 static void add_up(relax_result *sum, relax_result r)
 {
     sum->tested += r.tested;
     sum->relaxed += r.relaxed;
     sum->fell_back += r.fell_back;
-}
-
-// Lines and ordered lists share their scratch, and wait.
-static int can_be_halved(const world *w, int b)
-{
-    return w->options.order == ORDER_LISTED && !body_is_soft(&w->body[b]);
 }
 
 // Where the particles of bodies list[0], list[1] ... begin, as long as these
@@ -146,38 +120,26 @@ static void relax_side(void *data, int side)
     for (int i = 0, k; i < n; i += k) {
         const body *b = &w->body[mine[i]];
         k = 1;
-        if (!can_be_halved(w, mine[i]) || !body_moves(w, mine[i])) continue;
-        if (b->four) {
-            k = find_alike(w, mine + i, n - i, first);
-            add_up(&sum, four_relax_all(b->four, w->pool.at, first, k,
-                                        o->sweeps, o->relax));
-        } else {
-            add_up(&sum, relax_body(w, b, 0));
-        }
+        if (body_is_soft(b) || !body_moves(w, mine[i])) continue;
+        k = find_alike(w, mine + i, n - i, first);
+        add_up(&sum, four_relax_all(b->four, w->pool.at, first, k, o->sweeps,
+                                    o->relax));
     }
     s->done[side] = sum;
 }
 
+// Lines of one shape share their scratch, so these bodies come one by one.
 static void relax(world *w)
 {
     stage s = { .w = w };
     halves_do(w, relax_side, &s);
-    for (int b = 0; b < w->bodies; b++) {
-        int is_ordered = w->options.order != ORDER_LISTED
-                         && w->flags.collided[b] && !body_is_soft(&w->body[b]);
-        w->flags.collided[b] = 0;
-        if (can_be_halved(w, b) || !body_moves(w, b)) continue;
-        add_up(&s.done[0], relax_body(w, &w->body[b], is_ordered));
-    }
+    for (int b = 0; b < w->bodies; b++)
+        if (body_is_soft(&w->body[b]) && body_moves(w, b))
+            add_up(&s.done[0], relax_soft(w, &w->body[b]));
     add_up(&s.done[0], s.done[1]);
     w->report.tested += s.done[0].tested;
     w->report.relaxed += s.done[0].relaxed;
     w->report.fell_back += s.done[0].fell_back;
-}
-
-static void remember(world *w, vec3 *where)
-{
-    for (int i = 0; i < w->pool.count; i++) where[i] = w->pool.at[i].position;
 }
 //<
 
@@ -301,16 +263,16 @@ static int substeps_for_soft(world *w, body *soft)
     return n;
 }
 
-// So many substeps that nobody goes further than a sixth of its inner radius in
-// one, within the bounds that the options set.  (Bodies of vertices push each
-// other for ever, and lines count on their substeps: both get all of them.)
+// So many substeps that no rigid body goes further than a sixth of its inner
+// radius in one, within the bounds that the options set.  The lines of a
+// deformable body count on all of their substeps.
 static int substeps_at_this_pace(const world *w)
 {
     int n = w->options.least_substeps, most = w->options.substeps;
     for (int k = 0; k < w->bodies && n < most; k++) {
         const body *b = &w->body[k];
         if (body_is_nailed(b)) continue;
-        n = b->four ? int_max(n, substeps_for(w, b, 1.0 / 6)) : most;
+        n = body_is_soft(b) ? most : int_max(n, substeps_for(w, b, 1.0 / 6));
     }
     return n < most ? n : most;
 }
@@ -337,44 +299,31 @@ static int choose_substeps(world *w)
 //<
 
 //> step-substep
-static void separate(world *w, real h)
-{
-    solver_separate(w, h);
-    if (w->softs == 0) return;
-    if (w->options.leaves == LEAVES_FACE) soft_separate_leaves(w);
-    else                                  soft_separate(w);
-}
-
 static void find(world *w, real *since)
 {
     pairs_find(w);
     lap(w, STAGE_PAIRS, since);
-    if (w->options.look_ahead) w->report.substeps = choose_substeps(w);
+    w->report.substeps = choose_substeps(w);
     narrow_find(w);
     lap(w, STAGE_QUERY, since);
 }
 
 static void substep(world *w, int k, real h, real *since)
 {
-    const world_options *o = &w->options;
     if (k > 0) narrow_find_again(w, k);
     lap(w, STAGE_QUERY, since);
     integrate(w, h);
     ledger_book(w, LEDGER_INTEGRATE);
     lap(w, STAGE_INTEGRATE, since);
-    // Paper: bodies move, then overlaps are looked for; here: looking ahead is
-    // done before anybody moves.
-    if (k == 0 && !o->look_ahead) find(w, since);
-    if (w->softs > 0 && o->leaves == LEAVES_VERTEX) soft_refresh(w);
+    if (w->softs > 0) soft_refresh(w);
     lap(w, STAGE_PAIRS, since);
-    if (o->order != ORDER_LISTED) remember(w, w->of.before);
-    separate(w, h);
+    solver_separate(w, h);
+    if (w->softs > 0) soft_separate(w);
     ledger_book(w, LEDGER_CONTACTS);
     lap(w, STAGE_SEPARATE, since);
     relax(w);
     ledger_book(w, LEDGER_STICKS);
-    if (w->softs > 0 && o->leaves == LEAVES_VERTEX) soft_hold(w);
-    if (o->blows) solver_bounce(w, h);
+    if (w->softs > 0) soft_hold(w);
     ledger_book(w, LEDGER_CONTACTS);
     lap(w, STAGE_RELAX, since);
 }
@@ -390,7 +339,9 @@ void world_step(world *w)
     ledger_open(w);
     rest_begin(&w->rest);
     if (w->softs > 0) join_soft(w);
-    if (o->look_ahead) find(w, &since);
+    // Paper: bodies move, then overlaps are looked for; here: what may touch in
+    // this frame is found before anything moves.
+    find(w, &since);
     real h = o->dt / w->report.substeps;
     for (int k = 0; k < w->report.substeps; k++) substep(w, k, h, &since);
     solver_end(w);

@@ -2,6 +2,7 @@
 #include "world.h"
 
 #include <assert.h>
+#include <stddef.h>
 #include <stdlib.h>
 
 world_options world_options_default(void)
@@ -10,41 +11,12 @@ world_options world_options_default(void)
         .dt = 1.0 / 60, .substeps = 4, .least_substeps = 2,
         .most_substeps = 1000, .sweeps = 6,
         .gravity = { 0, -9.81, 0 },
-        .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 }, .order = ORDER_LISTED,
-        .response = response_options_default(),
-        .leaves = LEAVES_VERTEX, .model = BODY_FOUR, .pairs = PAIRS_SORTED,
+        .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 },
+        .friction = 0.5, .restitution = 0,
         .passes = 4, .content = 1e-7, .memory = 1,
-        .mend = 0.2, .mend_speed = 2.5, .lines = 1,
-        .swept = 1, .look_ahead = 1, .skin = 0.005, .stay = 0.001,
-        .manifold = 1, .blows = 1,
+        .mend = 0.2, .mend_speed = 2.5,
+        .swept = 1, .skin = 0.005, .stay = 0.001,
         .resting = 1,
-    };
-    return o;
-}
-
-world_options world_options_vertices(void)
-{
-    world_options o = world_options_default();
-    o.model = BODY_VERTICES;
-    o.substeps = 8;
-    o.relax.tolerance = 0.001;
-    o.response.gain = 3;
-    return o;
-}
-
-world_options world_options_paper(void)
-{
-    world_options o = {
-        .dt = 1.0 / 60, .substeps = 1, .least_substeps = 1,
-        .most_substeps = 1, .sweeps = 10,
-        .gravity = { 0, -9.81, 0 },
-        .relax = { ROOT_APPROXIMATE, GRADIENT_NEW, 0.01, 1 },
-        .order = ORDER_REPEATED,
-        // Paper: d = pB - cA, A moves by -d/2: deeper in; here: out, because
-        // its Fig. 8 b shows what its authors ran.
-        .response = { SHARE_PRINTED, PUSH_OUT, 1, 0.5, 0 },
-        .leaves = LEAVES_FACE, .model = BODY_VERTICES, .pairs = PAIRS_ALL,
-        .passes = 1,
     };
     return o;
 }
@@ -74,18 +46,10 @@ static status check_options(const world_options *o)
         { "mend_speed",  o->mend_speed,           0, 1e9 },
         { "skin",        o->skin,                 0, 1 },
         { "stay",        o->stay,                 0, 0.01 },
-        // 12 mends at once where sticks leave a twelfth of a push.
-        { "gain",        o->response.gain,        0, 12 },
-        { "friction",    o->response.friction,    0, 1000 },
-        { "restitution", o->response.restitution, 0, 1 },
+        { "friction",    o->friction,             0, 1000 },
+        { "restitution", o->restitution,          0, 1 },
         { "root",        o->relax.root,           0, ROOT_APPROXIMATE },
         { "gradient",    o->relax.gradient,       0, GRADIENT_OLD },
-        { "order",       o->order,                0, ORDER_LARGEST },
-        { "share",       o->response.share,       0, SHARE_PRINTED },
-        { "push",        o->response.push,        0, PUSH_PRINTED },
-        { "leaves",      o->leaves,               0, LEAVES_FACE },
-        { "model",       o->model,                0, BODY_FOUR },
-        { "pairs",       o->pairs,                0, PAIRS_SORTED },
     };
     for (size_t i = 0; i < sizeof rule / sizeof *rule; i++) {
         status s = check_range(rule[i].name, rule[i].value,
@@ -126,7 +90,8 @@ status world_add_plane(world *w, vec3 normal, real offset)
 void world_nail(world *w, int b, int i)
 {
     assert(!w->ready && b >= 0 && b < w->bodies);
-    assert(i >= 0 && i < body_particles(&w->body[b]) && !w->body[b].four);
+    assert(i >= 0 && i < body_particles(&w->body[b]));
+    assert(body_is_soft(&w->body[b]));
     particle *p = &w->pool.at[w->body[b].first + i];
     p->inverse_mass = 0;
     p->previous = p->position;
@@ -135,20 +100,10 @@ void world_nail(world *w, int b, int i)
 
 //> world-tree
 // The features that the leaves of a body's tree enclose: the faces of a rigid
-// body; of a deformable one its particles, or its faces, or a rope's links.
-static int leaf_count(const shape *s, leaves_kind kind)
+// body, the particles of a deformable one.
+static leaf_feature leaf_number(const shape *s, int i)
 {
-    if (s->kind == SHAPE_RIGID) return s->mesh.faces;
-    if (kind == LEAVES_VERTEX)  return s->particles;
-    return s->kind == SHAPE_CLOTH ? s->mesh.faces : s->sticks;
-}
-
-static leaf_feature leaf_number(const shape *s, leaves_kind kind, int i)
-{
-    if (s->kind != SHAPE_RIGID && kind == LEAVES_VERTEX)
-        return (leaf_feature){ 1, { i, 0, 0 } };
-    if (s->kind == SHAPE_ROPE)
-        return (leaf_feature){ 2, { s->stick[i].a, s->stick[i].b, 0 } };
+    if (s->kind != SHAPE_RIGID) return (leaf_feature){ 1, { i, 0, 0 } };
     const int *v = &s->face[3 * i];
     return (leaf_feature){ 3, { v[0], v[1], v[2] } };
 }
@@ -158,8 +113,7 @@ static leaf_feature leaf_number(const shape *s, leaves_kind kind, int i)
 // particles of the other, which are 1.1 spacings away.
 static real body_thickness(const shape *s, const world_options *o)
 {
-    if (s->kind == SHAPE_RIGID) return o->skin * s->radius;
-    return o->leaves == LEAVES_VERTEX ? 0.55 * s->spacing : 0;
+    return s->kind == SHAPE_RIGID ? o->skin * s->radius : 0.55 * s->spacing;
 }
 
 // How far a rigid body may be stretched and still lie in the balls around it.
@@ -167,16 +121,16 @@ static real body_thickness(const shape *s, const world_options *o)
 // vertex out by up to 4.7 %.
 static const real SLACK = 0.05;
 
-static status build_tree(body *b, leaves_kind kind, const vec3 *at)
+static status build_tree(body *b, const vec3 *at)
 {
     const shape *s = b->plan;
-    int n = leaf_count(s, kind);
+    int n = body_is_soft(b) ? s->particles : s->mesh.faces;
 
     leaf_feature *leaf = malloc((size_t)n * sizeof *leaf);
     if (!leaf) return status_out_of_memory();
-    for (int i = 0; i < n; i++) leaf[i] = leaf_number(s, kind, i);
+    for (int i = 0; i < n; i++) leaf[i] = leaf_number(s, i);
     status done = sphere_tree_build(&b->tree,
-        s->kind == SHAPE_RIGID ? TREE_WRAPPED : TREE_LAYERED,
+        body_is_soft(b) ? TREE_LAYERED : TREE_WRAPPED,
         at, leaf, n, b->thickness, SLACK);
     free(leaf);
     return done;
@@ -237,12 +191,11 @@ static void *grown(void *old, int count, size_t size)
     return realloc(old, (size_t)(count > 0 ? 2 * count : 1) * size);
 }
 
-// The four particles of plan s, if the world's rigid bodies are made so.
-static status plan_four(const world *w, const shape *s, four **f)
+// The four particles of plan s, if it is rigid.
+static status plan_four(const shape *s, four **f)
 {
     *f = NULL;
-    if (s->kind != SHAPE_RIGID || w->options.model != BODY_FOUR)
-        return status_ok();
+    if (s->kind != SHAPE_RIGID) return status_ok();
     *f = malloc(sizeof **f);
     if (!*f) return status_out_of_memory();
     status done = four_build(*f, s);
@@ -262,7 +215,7 @@ static status enter_plan(world *w, const shape *s, int *number)
     if (!more) return status_out_of_memory();
     w->plan = more;
     plan_entry entry = { .shape = s };
-    status done = plan_four(w, s, &entry.four);
+    status done = plan_four(s, &entry.four);
     if (done.ok) w->plan[w->plans++] = entry;
     return done;
 }
@@ -296,7 +249,7 @@ status world_add(world *w, const shape *s, placement where, int *number)
     for (int i = 0; i < s->particles; i++) mass += s->mass[i];
     if (!where.is_static) b.mass = mass;
     b.thickness = body_thickness(s, &w->options);
-    done = build_tree(&b, w->options.leaves, s->at);
+    done = build_tree(&b, s->at);
     if (!done.ok) return done;
 
     place_particles(w, &b, &where);
@@ -330,11 +283,8 @@ static void size_lists(world *w)
     int all_pairs = rigid < 24 ? rigid * (rigid - 1) / 2 : 12 * rigid;
     int near_planes = w->planes > 3 && rigid >= 24 ? 3 : w->planes;
     w->pairs.capacity = all_pairs;
-    w->pushes.capacity = w->options.model != BODY_FOUR ? 0
-        : (rigid < 24 ? PAIR_CONTACTS * all_pairs : 12 * rigid)
-        + near_planes * corners;
-    w->contacts.capacity = PAIR_CONTACTS * all_pairs
-                         + w->planes * w->pool.count;
+    w->pushes.capacity = (rigid < 24 ? PAIR_CONTACTS * all_pairs : 12 * rigid)
+                       + near_planes * corners;
     w->near.pair_capacity = w->leaves.capacity = 24 * soft;
     w->near.point_capacity = 4 * soft;
     w->least_radius = HUGE_VAL;
@@ -377,11 +327,10 @@ static int size_particles(particle_tables *t, const particle_pool *pool)
     t->at     = malloc(at_least_one(t->corners) * sizeof *t->at);
     t->seen   = malloc(n * sizeof *t->seen);
     t->lain   = malloc(n * sizeof *t->lain);
-    t->before = malloc(n * sizeof *t->before);
     t->listed = malloc(n * sizeof *t->listed);
     t->inverse_mass = malloc(n * sizeof *t->inverse_mass);
-    if (!t->at || !t->seen || !t->lain || !t->before || !t->listed
-        || !t->inverse_mass) return 0;
+    if (!t->at || !t->seen || !t->lain || !t->listed || !t->inverse_mass)
+        return 0;
     for (int i = 0; i < pool->count; i++) {
         vec3 x = pool->at[i].position;
         t->at[i] = t->seen[i] = t->lain[i] = t->listed[i] = x;
@@ -396,9 +345,8 @@ static int size_flags(body_flags *t, int bodies)
     t->moves    = calloc(n, 1);
     t->fresh    = calloc(n, 1);
     t->looked   = calloc(n, 1);
-    t->collided = calloc(n, 1);
     t->still    = calloc(n, 1);
-    return t->moves && t->fresh && t->looked && t->collided && t->still;
+    return t->moves && t->fresh && t->looked && t->still;
 }
 
 // Before they are first cut, all are left.
@@ -435,7 +383,7 @@ static int size_narrow(narrow_tables *t, const world *w, int vertices)
 {
     size_t n = at_least_one(w->bodies);
     t->wall  = calloc(n, sizeof *t->wall);
-    t->found = malloc(at_least_one(w->planes * w->of.corners
+    t->found = malloc(at_least_one(w->planes * (w->of.corners - w->pool.count)
                                    + PAIR_CONTACTS * w->pairs.capacity)
                       * sizeof *t->found);
     for (int half = 0; half < 2; half++) {
@@ -448,15 +396,6 @@ static int size_narrow(narrow_tables *t, const world *w, int vertices)
     return t->wall && t->found;
 }
 
-static int size_contacts(contact_tables *t)
-{
-    size_t n = at_least_one(t->capacity);
-    t->at      = malloc(n * sizeof *t->at);
-    t->between = malloc(n * sizeof *t->between);
-    return t->at && t->between;
-}
-
-// What bodies of four particles need.
 static int size_pushes(push_tables *t, int bodies)
 {
     size_t n = at_least_one(t->capacity), moving = at_least_one(bodies);
@@ -481,11 +420,10 @@ static int size_near(near_lists *t)
     return t->pair && t->point;
 }
 
-static int size_leaves(leaf_tables *t, int leaves)
+static int size_leaves(leaf_tables *t)
 {
     t->pair = malloc(at_least_one(t->capacity) * sizeof *t->pair);
-    t->met  = calloc(at_least_one(leaves), sizeof *t->met);
-    return t->pair && t->met;
+    return t->pair != NULL;
 }
 
 static int size_hull(hull_tables *t, int faces)
@@ -499,30 +437,25 @@ static int size_hull(hull_tables *t, int faces)
 //> world-size-tables
 static int size_tables(world *w)
 {
-    int faces = 0, sticks = 0, leaves = 0, vertices = 0;
+    int faces = 0, vertices = 0;
     for (int k = 0; k < w->plans; k++) {
         const shape *s = w->plan[k].shape;
         faces  = int_max(faces, s->mesh.faces);
-        sticks = int_max(sticks, s->sticks);
         if (s->kind == SHAPE_RIGID) vertices = int_max(vertices, s->particles);
     }
-    for (int b = 0; b < w->bodies; b++)
-        leaves = int_max(leaves, w->body[b].tree.leaves);
-    w->orders = order_scratch_new(sticks);
-    return w->orders
-        && size_particles(&w->of, &w->pool) && size_flags(&w->flags, w->bodies)
+    return size_particles(&w->of, &w->pool) && size_flags(&w->flags, w->bodies)
         && size_pairs(&w->pairs, w->bodies) && size_cut(&w->cut, w->bodies)
-        && size_narrow(&w->narrow, w, vertices) && size_contacts(&w->contacts)
+        && size_narrow(&w->narrow, w, vertices)
         && size_pushes(&w->pushes, w->bodies) && size_near(&w->near)
-        && size_leaves(&w->leaves, leaves) && size_hull(&w->hull, faces);
+        && size_leaves(&w->leaves) && size_hull(&w->hull, faces);
 }
 //<
 
 //> world-begin
 static int size_lines(world *w)
 {
-    for (int k = 0; k < w->plans && w->options.lines; k++) {
-        if (w->plan[k].shape->directions == 0) continue;
+    for (int k = 0; k < w->plans; k++) {
+        if (w->plan[k].shape->kind == SHAPE_RIGID) continue;
         w->plan[k].line = line_scratch_new(w->plan[k].shape);
         if (!w->plan[k].line) return 0;
     }
@@ -539,21 +472,6 @@ static status build_grid(world *w)
     return grid_init(&w->near.grid, most);
 }
 
-// The lists of section 6.2, for the rigid plans alone: they grow as particles
-// times sticks, and only rigid bodies are relaxed by them.
-static status build_lists(world *w)
-{
-    order_kind order = w->options.order;
-    for (int k = 0; k < w->plans && order != ORDER_LISTED; k++) {
-        const shape *s = w->plan[k].shape;
-        if (s->kind != SHAPE_RIGID) continue;
-        status done = stick_lists_build(&w->plan[k].lists, s->stick, s->sticks,
-                                        s->particles, order == ORDER_REPEATED);
-        if (!done.ok) return done;
-    }
-    return status_ok();
-}
-
 status world_begin(world *w)
 {
     assert(!w->ready);
@@ -563,8 +481,7 @@ status world_begin(world *w)
     // The trees were built to the plans; now they stand where the bodies do.
     for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);
     for (int b = 0; b < w->bodies; b++) world_find_ways(w, &w->body[b]);
-    status done = build_lists(w);
-    if (done.ok) done = rest_init(&w->rest, w->bodies);
+    status done = rest_init(&w->rest, w->bodies);
     if (done.ok) done = broad_init(&w->pairs.broad, w->bodies);
     if (done.ok) done = build_grid(w);
     w->ready = done.ok;
@@ -577,31 +494,26 @@ void world_free(world *w)
 {
     for (int b = 0; b < w->bodies; b++) sphere_tree_free(&w->body[b].tree);
     for (int k = 0; k < w->plans; k++) {
-        stick_lists_free(&w->plan[k].lists);
         line_scratch_free(w->plan[k].line);
         if (w->plan[k].four) four_free(w->plan[k].four);
         free(w->plan[k].four);
     }
     void *owned[] = { w->body, w->plan,
-        w->of.at, w->of.seen, w->of.lain, w->of.before, w->of.listed,
-        w->of.inverse_mass,
-        w->flags.moves, w->flags.fresh, w->flags.looked, w->flags.collided,
-        w->flags.still,
+        w->of.at, w->of.seen, w->of.lain, w->of.listed, w->of.inverse_mass,
+        w->flags.moves, w->flags.fresh, w->flags.looked, w->flags.still,
         w->pairs.ball, w->pairs.spread, w->pairs.listed, w->pairs.met,
         w->pairs.at, w->pairs.old, w->pairs.carried, w->pairs.old_carried,
         w->cut.side, w->cut.sided,
         w->narrow.wall, w->narrow.found, w->narrow.swept[0],
         w->narrow.swept[1], w->narrow.needed[0], w->narrow.needed[1],
-        w->contacts.at, w->contacts.between,
         w->pushes.at, w->pushes.old, w->pushes.between, w->pushes.old_between,
         w->pushes.in_parts, w->pushes.ways, w->pushes.drift, w->pushes.near,
-        w->near.pair, w->near.point, w->leaves.pair, w->leaves.met,
+        w->near.pair, w->near.point, w->leaves.pair,
         w->hull.plane, w->hull.face };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pool_free(&w->pool);
     penetration_scratch_free(w->narrow.hit[0]);
     penetration_scratch_free(w->narrow.hit[1]);
-    order_scratch_free(w->orders);
     rest_free(&w->rest);
     broad_free(&w->pairs.broad);
     grid_free(&w->near.grid);
@@ -643,7 +555,7 @@ void world_find_ways(world *w, const body *b)
 {
     const particle *p = w->pool.at + b->first;
     vec3 at[FOUR];
-    if (!b->four) return;
+    if (body_is_soft(b)) return;
     for (int i = 0; i < FOUR; i++) at[i] = p[i].position;
     four_find_ways(at, p->inverse_mass, &w->pushes.ways[b - w->body]);
 }

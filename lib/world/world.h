@@ -11,35 +11,14 @@
 #include "collide.h"
 #include "grid.h"
 #include "line.h"
-#include "ordering.h"
 #include "push.h"
 #include "rest.h"
 
-// What the leaves of a deformable body's tree enclose.
-typedef enum {
-    LEAVES_VERTEX,      // its particles, as balls of 0.55 of the spacing
-    LEAVES_FACE         // its triangles or links (the paper)
-} leaves_kind;
-
-// What a rigid body is made of.
-typedef enum {
-    BODY_VERTICES,      // a particle at every vertex, and sticks (the paper)
-    BODY_FOUR           // four particles that have the solid's inertia; its
-                        // contacts remember what they push
-} body_kind;
-
-// How pairs of rigid bodies are found.
-typedef enum {
-    PAIRS_ALL,          // every pair is looked at (the paper)
-    PAIRS_SORTED        // sweep and prune
-} pairs_kind;
-
-// Every difference between the paper's way and ours is one of these.
 typedef struct {
     real dt;            // s, a frame: one call of world_step; to 1
-    int  substeps;      // a frame is this many integrations (paper: 1), or
-    int  least_substeps;// BODY_FOUR: fewer, down to this, while nobody goes
-                        // further than a sixth of its inner radius, or
+    int  substeps;      // a frame is this many integrations, or
+    int  least_substeps;// fewer, down to this, while no rigid body goes further
+                        // than a sixth of its inner radius, or
     int  most_substeps; // more, up to this, if it takes more for what is about
                         // to touch something to go no further than its own
                         // radius in one; all 1 to 10000
@@ -47,34 +26,25 @@ typedef struct {
                         // in a substep, at most; 1 to 10000
     vec3 gravity;       // m/s^2
     relax_options    relax;
-    order_kind       order;     // of sticks, in rigid bodies that collided
-    response_options response;
-    leaves_kind      leaves;
-    body_kind        model;     // of rigid bodies
-    pairs_kind       pairs;
-    int  passes;        // BODY_FOUR: over all contacts in a substep, at most,
-                        // in pairs, forward and backward; 1 to 1000
+    real friction;      // Coulomb's coefficient, >= 0
+    real restitution;   // of rigid bodies, 0 to 1: the speed after an impact /
+                        // the speed before
+    int  passes;        // over all contacts of rigid bodies in a substep, at
+                        // most, in pairs, forward and backward; 1 to 1000
     real content;       // of the smallest rigid body's radius: a pass that
                         // changes no gap by more is the last
-    int  memory;        // BODY_FOUR: 1: a contact begins with what it pushed
-                        // in the last frame; 0: with nothing
-    real mend;          // BODY_FOUR: share of an old overlap that a substep
-                        // pushes out; 0 to 1
+    int  memory;        // 1: a contact begins with what it pushed in the last
+                        // frame (warm starting); 0: with nothing
+    real mend;          // share of an old overlap that a substep pushes out;
+                        // 0 to 1
     real mend_speed;    // m/s, the most at which it does
-    int  lines;         // 1: ropes, and columns and rows of cloths, are solved
-                        // as lines; 0: stick by stick
     int  swept;         // 1: rigid bodies that pass each other by more than an
                         // inner radius are asked when they first touch
-    int  look_ahead;    // 1: contacts are found before they are needed, and
-                        // kept for a frame; 0: only overlaps are contacts
     real skin;          // of a rigid body's radius: its contacts keep that far
                         // off, so that bodies at rest do not overlap
-    real stay;          // of a rigid body's radius: one of four particles that
-                        // lies no further from where its contacts were found
-                        // keeps them; 0: they are found in every frame
-    int  manifold;      // 1: several contacts a pair of rigid bodies
-    int  blows;         // 1: after a blow bodies part at restitution times the
-                        // speed at which they met; 0: at what the pushes gave
+    real stay;          // of a rigid body's radius: one that lies no further
+                        // from where its contacts were found keeps them; 0:
+                        // they are found in every frame
     int  resting;       // 1: bodies that lie still fall asleep
     int  ledger;        // 1: who gave and took energy is booked
     real (*clock)(void);// s; times the stages; NULL: nothing is timed
@@ -91,7 +61,8 @@ typedef struct {
 // A body: a range of the pool, built to a plan that it may share.
 typedef struct body {
     const shape *plan;
-    const struct four  *four; // its four particles; NULL: one at every vertex
+    const struct four  *four; // a rigid body's four particles; NULL: it is
+                        // deformable, with a particle at every vertex
     int  first;         // its particles: first .. first + body_particles - 1
     int  corner;        // its vertices in the table `of.at`; = first where they
                         // are the particles
@@ -114,10 +85,11 @@ typedef struct {
     real time[STAGES];  // s
     int  substeps;
     int  pairs;         // of rigid bodies whose spheres met
-    int  contacts;      // of rigid bodies and planes, at the end of the frame
-    int  pushing;       // of those of BODY_FOUR, how many pushed in the end
+    int  contacts;      // of rigid bodies, at the end of the frame
+    int  pushing;       // of those, how many pushed in the end
     int  near;          // pairs of particles, and of particle and body, watched
-    int  touching;      // of those, how many were pushed in the last substep
+    int  touching;      // of those, and of particles and planes, how many were
+                        // pushed in the last substep
     int  rebuilt;       // how often that list was made
     long tested;        // sticks looked at
     long relaxed;       // sticks moved
@@ -128,8 +100,8 @@ typedef struct {
 //<
 
 //> ledger-struct
-// Whom energy and momentum may come from, and go to.  Friction between the
-// particles of deformable bodies is booked under contacts.
+// Whom energy and momentum may come from, and go to.  Friction of deformable
+// bodies is booked under contacts.
 enum { LEDGER_INTEGRATE, LEDGER_CONTACTS, LEDGER_FRICTION, LEDGER_STICKS,
        LEDGER_REST, LEDGERS };
 
@@ -141,8 +113,7 @@ typedef struct {
 //<
 
 //> world-entries
-// Some contacts of a frame, one after the other: of bodies of four particles in
-// `pushes`, of others in `contacts`.
+// Some contacts of a frame, one after the other, in `pushes`.
 typedef struct {
     int  first, count;
     real margin;        // m, all that are nearer are there; 0: none are, or
@@ -160,8 +131,8 @@ typedef struct {
     int  found;         // contacts
     int  guard;         // 1: and one beside them, contacts_have_guard
     real margin;        // m, all that are nearer are found
-    contact_run run, was;   // this frame's contacts; the last one's (pushes:
-                            // in pushes.old)
+    contact_run run, was;   // this frame's contacts; the last one's, in
+                            // pushes.old
 } inquiry;
 
 typedef struct {
@@ -186,9 +157,8 @@ typedef struct {
 
 typedef struct {
     const struct shape *shape;
-    stick_lists lists;  // empty unless the order needs them
-    struct four *four;  // NULL unless rigid, and the model is BODY_FOUR
-    line_scratch *line; // NULL unless deformable, and solved as lines
+    struct four *four;  // NULL unless rigid
+    line_scratch *line; // NULL unless deformable
 } plan_entry;
 //<
 
@@ -201,7 +171,6 @@ typedef struct {
     int  corners;       // how many places those are in all
     vec3 *seen;         // when their body's contacts were found (pairs.c)
     vec3 *lain;         // when their body was last seen to move (step.c)
-    vec3 *before;       // before separation; scratch of step.c
     vec3 *listed;       // when the near lists were made (soft.c)
     real *inverse_mass; // 1/kg, when awake
 } particle_tables;
@@ -213,8 +182,6 @@ typedef struct {
                         // the frame
     char *fresh;        // [bodies] its contacts are found anew in this frame
     char *looked;       // [bodies] its vertices are where it is now (narrow.c)
-    char *collided;     // [bodies] rigid ones that were pushed in this substep,
-                        // by each other or by planes (solver.c)
     char *still;        // [bodies] did not move, in this frame (step.c)
 } body_flags;
 //<
@@ -243,29 +210,22 @@ typedef struct {
 // The narrow phase.  Written by narrow.c, once a frame; for quick pairs again.
 typedef struct {
     body_wall *wall;    // [bodies] what is asked and found at the planes
-    contact *found;     // as they are found: every body has room for its own
-                        // with the planes; then those of each half's pairs, one
-                        // after the other
+    contact_point *found;   // as they are found: every rigid body has room for
+                        // its own with the planes; then those of each half's
+                        // pairs, one after the other
     penetration_scratch *hit[2];                // one for each half of the work
     vec3 *swept[2];     // room for the vertices of two bodies
     char *needed[2];    // [bodies] must be looked at
 } narrow_tables;
 
-// Contacts of rigid bodies and planes, of those that forget.  Written by
+// Contacts of rigid bodies with each other and with planes.  Written by
 // contacts.c after the narrow phase; solver.c pushes them in every substep.
-typedef struct {
-    contact *at;
-    int  (*between)[2]; // their bodies; -1: a plane
-    int  count, capacity;
-    int  lasting;       // the first of them are good for the whole frame, the
-                        // others, of quick pairs, for a substep
-} contact_tables;
-
-// The same of bodies of four particles, whose contacts remember.
 typedef struct {
     struct push *at, *old;              // this frame's, the last one's
     int  (*between)[2], (*old_between)[2];  // their bodies; bodies + k: plane k
-    int  count, capacity, lasting;
+    int  count, capacity;
+    int  lasting;       // the first of them are good for the whole frame, the
+                        // others, of quick pairs, for a substep
     int  *in_parts, end[PILE_PARTS];    // their numbers in three parts: see
                                         // push_pile (halves.c)
     four_ways  *ways;   // [bodies] when this frame's contacts were found
@@ -281,7 +241,7 @@ typedef struct {
 // Written by soft.c when the last lists are no longer good; it goes down these
 // in every substep.
 typedef struct {
-    sphere_contact *pair;               // of particles
+    particle_contact *pair;             // of particles
     int  pairs, pair_capacity;
     point_pair *point;                  // particles at rigid bodies
     int  points, point_capacity;
@@ -295,8 +255,6 @@ typedef struct {
 typedef struct {
     struct leaf_pair *pair;
     int  capacity;
-    int  *met;          // [leaves of the largest tree] where in `pair` a leaf
-                        // of the first tree was last met
 } leaf_tables;
 
 // The planes of the rigid body that is asked about.  Written by soft.c, body
@@ -329,7 +287,6 @@ typedef struct world {
     pair_tables     pairs;
     world_cut       cut;
     narrow_tables   narrow;
-    contact_tables  contacts;
     push_tables     pushes;
 
     // Deformable bodies.
@@ -337,7 +294,6 @@ typedef struct world {
     leaf_tables     leaves;
     hull_tables     hull;
 
-    order_scratch *orders;              // scratch of step.c
     rest_state     rest;
     step_report    report;
     ledger_entry   ledger[LEDGERS];     // since the start, or ledger_clear
@@ -346,18 +302,8 @@ typedef struct world {
 //<
 
 //> world-declare
-// Our best: substeps, contacts before sticks, looking ahead, manifolds, rest.
+// 4 substeps of 1/240 s, friction 0.5, restitution 0.
 world_options world_options_default(void);
-
-// The best with a particle at every vertex: more substeps, pushes of three
-// times the overlap, no memory.
-world_options world_options_vertices(void);
-
-// The paper's way: one step, one separation, Eq. 10 as printed, whole leaves
-// apart by Eq. 11, ordered lists, 1 %.  (PUSH_PRINTED is left to be chosen.)
-world_options world_options_paper(void);
-
-// Upright, at rest, free.
 
 // An empty world.  Fails, with the option's name, if one is out of range: *w is
 // empty then, too, and owns nothing.
@@ -376,8 +322,7 @@ status world_add(world *w, const shape *s, placement where, int *number);
 // seventh plane, a normal without direction, numbers that are not finite.
 status world_add_plane(world *w, vec3 normal, real offset);
 
-// Nails particle i of body b, which is not of four, where it is.  Before
-// world_begin.
+// Nails particle i of the deformable body b where it is.  Before world_begin.
 void   world_nail(world *w, int b, int i);
 
 // Sizes everything that a step needs.  Once, after all is in.  Fails only for
@@ -394,7 +339,7 @@ void   world_look(world *w, const body *b);
 void   world_look_again(world *w, body *b);
 
 // Finds how body b can move as it lies now, in w->pushes.ways; nothing, unless
-// it is of four particles.
+// it is rigid.
 void   world_find_ways(world *w, const body *b);
 
 // Neither nailed nor asleep.
@@ -406,18 +351,18 @@ static inline int body_moves(const world *w, int b)
 // Writes to at where the vertices of body b are now: plan->particles of them.
 void   world_vertices(const world *w, const body *b, vec3 *at);
 
+static inline int body_is_soft(const body *b)
+{
+    return !b->four;
+}
 // How many particles body b has in the pool: four, or one at every vertex.
 static inline int body_particles(const body *b)
 {
-    return b->four ? FOUR : b->plan->particles;
+    return body_is_soft(b) ? b->plan->particles : FOUR;
 }
 static inline int body_is_nailed(const body *b)
 {
     return !(b->mass < HUGE_VAL);
-}
-static inline int body_is_soft(const body *b)
-{
-    return b->plan->kind != SHAPE_RIGID;
 }
 //<
 

@@ -61,8 +61,6 @@ status world_scene_build(world_scene *s, scene_kind kind, scene_options what,
 {
     assert(kind >= 0 && kind < SCENES);
     *s = (world_scene){ .kind = kind };
-    // Hard diagonals, the paper's, lock a sheet that is solved well.
-    if (how.leaves == LEAVES_FACE) what.diagonal = 1;
     status done = scene_build(&s->scene, kind, what);
     if (done.ok) done = world_of_scene(&s->world, &s->scene, how);
     s->size = s->scene.size;

@@ -41,7 +41,7 @@ START_TEST(push_has_the_points_of_its_contact)
     ready();
     for (int n = 0; n < 200; n++) {
         int rigid = n % 2 ? b : c;
-        contact x = { .normal = any_unit(), .thickness = 0.1 + any() / 20,
+        contact_point x = { .normal = any_unit(), .thickness = 0.1 + any() / 20,
                       .fixed = any_vec3() };
         x.a = any_feature(1 + n % 3, 12);
         x.b = any_feature(1 + n / 3 % 3, n % 2 ? 8 : 12);
@@ -69,7 +69,7 @@ END_TEST
 // Rejects: a speed that is the same for a grain and a house; the longest stick.
 START_TEST(blow_is_a_third_of_a_small_fall)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     int a = add_at(&box, 0, 0, 0), b = add_at(&slab, 0, 9, 0);
     near_real(contacts_blow_speed(&w, &w.body[a]), sqrt(2 * 9.81) / 3,
               ROUNDING);
@@ -92,7 +92,7 @@ static void stand(world_options o)
 }
 
 // Two contacts between corners of the slab and of the box.
-static const contact FOUND[2] = {
+static const contact_point FOUND[2] = {
     { .a = { 1, { 0 }, { 1 } }, .b = { 1, { 0 }, { 1 } }, .normal.y = 1 },
     { .a = { 1, { 1 }, { 1 } }, .b = { 1, { 1 }, { 1 } }, .normal.y = 1 },
 };
@@ -119,25 +119,15 @@ static void write_down(int again)
     contacts_write_pair(&w, w.pairs.at);
 }
 
-static int all(void)
-{
-    return w.contacts.count + w.pushes.count;
-}
-
 // Rejects: an immovable body that is A; a plane that is a body; planes that
 // come after pairs.
 START_TEST(contacts_are_written_down_with_the_immovable_as_b)
 {
-    stand(ours(_i));
+    stand(world_options_default());
     have_found();
     write_down(0);
-    ck_assert_int_eq(all(), 3);
+    ck_assert_int_eq(w.pushes.count, 3);
     for (int k = 0; k < 3; k++) {
-        if (_i) {
-            ck_assert_int_eq(w.contacts.between[k][0], 1);
-            ck_assert_int_eq(w.contacts.between[k][1], k > 0 ? 0 : -1);
-            continue;
-        }
         ck_assert_int_eq(w.pushes.between[k][0], k > 0 ? 0 : 1);
         ck_assert_int_eq(w.pushes.between[k][1], k > 0 ? 1 : w.bodies);
         ck_assert_int_eq(w.pushes.at[k].a.body, 1);
@@ -145,7 +135,7 @@ START_TEST(contacts_are_written_down_with_the_immovable_as_b)
     }
     const contact_run *run = &w.pairs.at[0].is.run;
     ck_assert(run->first == 1 && run->count == 2);
-    ck_assert(run->margin == (_i ? 0 : 1));
+    ck_assert(run->margin == 1);
 }
 END_TEST
 
@@ -154,12 +144,12 @@ END_TEST
 START_TEST(contacts_get_the_room_there_is)
 {
     for (int room = 0; room < 4; room++) {
-        stand(ours(_i));
+        stand(world_options_default());
         have_found();
-        w.contacts.capacity = w.pushes.capacity = room;
+        w.pushes.capacity = room;
         write_down(0);
-        ck_assert_int_eq(all(), room < 3 ? room : 3);
-        ck_assert_int_eq(w.report.dropped, 3 - all());
+        ck_assert_int_eq(w.pushes.count, room < 3 ? room : 3);
+        ck_assert_int_eq(w.report.dropped, 3 - w.pushes.count);
         if (room < 3) ck_assert(w.pairs.at[0].is.run.margin == 0);
         ck_assert_int_eq(w.pairs.at[0].is.run.count, room > 1 ? room - 1 : 0);
     }
@@ -170,17 +160,17 @@ END_TEST
 // away; that are good for another frame.
 START_TEST(contacts_of_quick_pairs_come_last_and_are_replaced)
 {
-    stand(ours(_i));
+    stand(world_options_default());
     have_found();
     w.pairs.at[0].quick = 1;
     write_down(0);
     for (int found = 2; found >= 0; found--) {
-        ck_assert_int_eq(_i ? w.contacts.lasting : w.pushes.lasting, 1);
-        ck_assert_int_eq(all(), 1 + w.pairs.at[0].is.found);
+        ck_assert_int_eq(w.pushes.lasting, 1);
+        ck_assert_int_eq(w.pushes.count, 1 + w.pairs.at[0].is.found);
         ck_assert(w.pairs.at[0].is.run.margin == 0);
         w.pairs.at[0].is.found = found;
         write_down(1);
-        ck_assert_int_eq(all(), 1 + found);
+        ck_assert_int_eq(w.pushes.count, 1 + found);
     }
 }
 END_TEST
@@ -247,12 +237,10 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const once[] = {
+    const TTest *const tests[] = {
         push_has_the_points_of_its_contact,
         contacts_may_stay_until_their_slack_is_used_up,
         contacts_that_stay_push_on_as_hard,
-    };
-    const TTest *const both[] = {
         blow_is_a_third_of_a_small_fall,
         contacts_are_written_down_with_the_immovable_as_b,
         contacts_get_the_room_there_is,
@@ -261,10 +249,8 @@ int main(void)
     Suite *s = suite_create("contacts");
     TCase *t = tcase_create("contacts");
     tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
-        tcase_add_test(t, once[i]);
-    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
-        tcase_add_loop_test(t, both[i], 0, MODELS);
+    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
+        tcase_add_test(t, tests[i]);
     suite_add_tcase(s, t);
     SRunner *runner = srunner_create(s);
     srunner_run_all(runner, CK_NORMAL);

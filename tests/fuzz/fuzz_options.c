@@ -112,8 +112,7 @@ static void read_numbers(bytes *in)
                            .cloth = take_count(in, 1, 9),
                            .seed = (unsigned)take_byte(in),
                            .mesh = take_byte(in) % 4 ? NULL : "a.obj" };
-    world_options how = take_byte(in) & 1 ? world_options_paper()
-                                          : world_scene_options(kind, 40);
+    world_options how = world_scene_options(kind, 40);
     how.substeps = take_count(in, 0, 5);
     how.sweeps = take_count(in, 0, 5);
     for (int n = take_count(in, 0, 8); n > 0; n--) {

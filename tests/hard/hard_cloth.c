@@ -520,7 +520,7 @@ static stillness lie_still(world *w, int frames)
     for (int f = 0; f < frames; f++) {
         world_step(w);
         for (int k = 0; k < w->near.pairs; k++)
-            s.touching += sphere_contact_overlaps(&w->near.pair[k], w->pool.at);
+            s.touching += particle_contact_overlaps(&w->near.pair[k], w->pool.at);
         for (int i = 0; i < n; i++)
             s.drift = hard_worse(s.drift, vec3_distance(
                 was[i], w->pool.at[b->first + i].position));

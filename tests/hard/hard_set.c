@@ -127,7 +127,7 @@ world_options weightless(world_options o)
 world_options standing(int passes, real mu, int awake)
 {
     world_options o = best(passes);
-    o.response.friction = mu;
+    o.friction = mu;
     o.resting = !awake;
     return o;
 }
@@ -143,8 +143,8 @@ static real skins(const world *w, const shape *plan)
 void build_cradle(setting *s, world_options o, real gap, int flying, int side)
 {
     o = weightless(o);
-    o.response.friction = 0;
-    o.response.restitution = 1;
+    o.friction = 0;
+    o.restitution = 1;
     setting_start(s, o);
     const shape *cube = add_box(s, vec3_make(1, 1, 1), 1);
     real pitch = 1 + skins(&s->w, cube) + gap;
@@ -168,7 +168,7 @@ void build_bounce(setting *s, world_options o)
 
 void build_slope(setting *s, world_options o, real tilt, real mu, real speed)
 {
-    o.response.friction = mu;
+    o.friction = mu;
     setting_start(s, o);
     const shape *block = add_box(s, vec3_make(1, 0.5, 1), 1);
     real c = cos(tilt), d = sin(tilt);

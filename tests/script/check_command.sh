@@ -66,7 +66,7 @@ refuses 2 'no option --bodys; did you mean --bodies' room --bodys 3
 refuses 2 'no option -x'                    room -x
 refuses 2 'no option --'                    room --
 refuses 2 'no option --frobnicate'          --frobnicate
-refuses 2 '--paper takes no value'          room --paper=1
+refuses 2 '--bits takes no value'           room --bits=1
 for option in bodies cloth seconds dt substeps sweeps tolerance seed mesh \
               film frames csv; do
     refuses 2 "--$option needs a value"     room --$option
@@ -182,13 +182,12 @@ accepts 'largest strain'    room --bodies 2 --seconds 0.1
 accepts 'largest strain'    room --seconds 0
 accepts 'a cloth of 8 x 8'  cloth-on-cube --cloth 8 --seconds 0.1 --substeps 2
 accepts 'a cloth of 8 x 8'  cloth-on-rope --cloth=8 --seconds=0.1
-accepts "the paper's way"   room --bodies 3 --seconds 0.1 --paper
 accepts ' 6 steps of'       room --bodies 2 --seconds 0.1 --dt 1/60
 accepts ' 100 steps of'     room --bodies 2 --seconds 1 --dt 0.01
 
 # Every option of the table is in the help.
 run --list
-for option in bodies cloth seconds dt substeps sweeps tolerance paper seed threads \
+for option in bodies cloth seconds dt substeps sweeps tolerance seed threads \
               mesh film frames csv help list version bits; do
     verdict "--list names --$option" \
         "$(grep -q -- "^  --$option " "$out" || echo it does not)"

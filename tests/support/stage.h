@@ -11,15 +11,6 @@ static const vec3 ZERO = { 0, 0, 0 }, UP = { 0, 1, 0 };
 
 static world w;
 
-// What any rigid body does is tested twice: with four particles a body, and
-// with one at every vertex.
-enum { MODELS = 2 };
-
-static inline world_options ours(int model)
-{
-    return model ? world_options_vertices() : world_options_default();
-}
-
 static inline void begin(world_options o)
 {
     world_free(&w);
@@ -110,13 +101,7 @@ static inline void begin_frame(void)
     rest_begin(&w.rest);
 }
 
-// Contacts of either kind.
-static inline int contacts(void)
-{
-    return w.contacts.count + w.pushes.count;
-}
-
-// As the step does, without its orders.
+// As the step does.
 static inline void integrate(void)
 {
     real h = w.options.dt / w.options.substeps;
@@ -126,16 +111,13 @@ static inline void integrate(void)
                         body_particles(&w.body[b]), w.options.gravity, NULL, h);
 }
 
+// Rigid bodies alone.
 static inline void relax(void)
 {
-    for (int b = 0; b < w.bodies; b++) {
-        const body *x = &w.body[b];
-        particle *p = w.pool.at + x->first;
-        if (!body_moves(&w, b)) continue;
-        if (x->four) four_relax(x->four, p, 6, w.options.relax);
-        else sticks_relax(x->plan->stick, x->plan->sticks, p,
-                          x->plan->particles, 6, w.options.relax, w.of.before);
-    }
+    for (int b = 0; b < w.bodies; b++)
+        if (body_moves(&w, b) && !body_is_soft(&w.body[b]))
+            four_relax(w.body[b].four, w.pool.at + w.body[b].first, 6,
+                       w.options.relax);
 }
 
 enum { MOST_VERTICES = 100 };

@@ -116,11 +116,11 @@ static void tear_down(void)
     shape_free(&wedge);
 }
 
-static int touch(collider a, collider b, real margin, int manifold,
-                 contact out[PAIR_CONTACTS])
+static int touch(collider a, collider b, real margin,
+                 contact_point out[PAIR_CONTACTS])
 {
     distance_cache fresh = { .count = 0 };
-    return collide_rigid(&a, &b, margin, manifold, &fresh, scratch, out);
+    return collide_rigid(&a, &b, margin, &fresh, scratch, out);
 }
 
 static point_set points_of(collider c)
@@ -128,14 +128,24 @@ static point_set points_of(collider c)
     return (point_set){ c.at, c.plan->particles, NULL, NULL };
 }
 
-static real gap_of(const contact *c)
+// Where the point is that f stands for.
+static vec3 feature_now(feature_point f, const particle *p)
 {
-    return contact_gap(c, pool);
+    vec3 sum = { 0, 0, 0 };
+    for (int i = 0; i < f.count; i++)
+        sum = vec3_add_scaled(sum, f.weight[i], p[f.vertex[i]].position);
+    return sum;
 }
 
-static vec3 point_on_b(const contact *c)
+static vec3 point_on_b(const contact_point *c)
 {
     return c->b.count > 0 ? feature_now(c->b, pool) : c->fixed;
+}
+
+static real gap_of(const contact_point *c)
+{
+    vec3 across = vec3_sub(feature_now(c->a, pool), point_on_b(c));
+    return vec3_dot(across, c->normal) - c->thickness;
 }
 
 static void near_vec3(vec3 got, vec3 wanted, real error)
@@ -146,7 +156,7 @@ static void near_vec3(vec3 got, vec3 wanted, real error)
 }
 
 // Everything that a contact promises wherever it comes from.
-static void is_sound(const contact *c, collider a, collider b)
+static void is_sound(const contact_point *c, collider a, collider b)
 {
     ck_assert(fabs(vec3_length(c->normal) - 1) <= ROUNDING);
     ck_assert_int_ge(c->a.count, 1);
@@ -164,8 +174,7 @@ static void is_sound(const contact *c, collider a, collider b)
         }
         if (side[k]->count > 0) ck_assert(fabs(sum - 1) <= ROUNDING);
     }
-    ck_assert(c->pushed == 0 && c->thickness == 0);
-    ck_assert(c->mass_a == a.mass && c->mass_b == b.mass);
+    ck_assert(c->thickness == 0);
 }
 
 // The hull under test, and the question.
@@ -180,7 +189,7 @@ static collider stand_hull(const shape *s, real mass, axes f, vec3 at)
 }
 
 // A single particle as a body of its own: number `FIRST_A + 2` of the pool.
-static int ask(collider b, vec3 x, real reach, contact *c)
+static int ask(collider b, vec3 x, real reach, contact_point *c)
 {
     vec3 *at = place + FIRST_A;
     at[2] = x;
@@ -210,8 +219,8 @@ START_TEST(corner_over_a_face_is_one_vertex_against_a_point_of_the_face)
     collider a = stand(&cube, FIRST_A, 1, on_a_corner(),
                        vec3_make(0.3, height, -0.2));
     collider b = stand(&slab, FIRST_B, 2, UPRIGHT, vec3_make(0, 0, 0));
-    contact c[PAIR_CONTACTS];
-    ck_assert_int_eq(touch(a, b, 0.1, 1, c), 1);
+    contact_point c[PAIR_CONTACTS];
+    ck_assert_int_eq(touch(a, b, 0.1, c), 1);
     is_sound(&c[0], a, b);
     near_vec3(c[0].normal, UP, ORACLE);
     ck_assert_int_eq(c[0].a.count, 1);
@@ -233,8 +242,8 @@ START_TEST(crossed_edges_touch_in_their_middles)
     for (int k = 0; k < 2; k++) {
         collider a = stand(&cube, FIRST_A, 1, about_x,
                            vec3_make(0, 2 * h + gap[k], 0));
-        contact c[PAIR_CONTACTS];
-        ck_assert_int_eq(touch(a, b, 0.1, 1, c), 1);
+        contact_point c[PAIR_CONTACTS];
+        ck_assert_int_eq(touch(a, b, 0.1, c), 1);
         is_sound(&c[0], a, b);
         near_vec3(c[0].normal, UP, ORACLE);
         ck_assert_int_eq(c[0].a.count, 2);
@@ -258,7 +267,7 @@ static real parting(collider a, collider b, vec3 n)
 }
 
 // Rejects: a normal from A to B; a point of the wrong body; weights of the
-// simplex that belong to other vertices; a gap that is not the distance, or not
+// distance_cache that belong to other vertices; a gap that is not the distance, or not
 // the depth.
 START_TEST(first_contact_is_the_distance_or_the_depth)
 {
@@ -272,23 +281,23 @@ START_TEST(first_contact_is_the_distance_or_the_depth)
                            vec3_make(0, 0, 0));
         distance_result g = distance_find(points_of(a), points_of(b),
                                     distance_options_default(), NULL);
-        contact c[PAIR_CONTACTS];
-        int n = touch(a, b, 0.5, 0, c);
+        contact_point c[PAIR_CONTACTS];
+        int n = touch(a, b, 0.5, c);
         if (g.status == DISTANCE_APART && g.distance > 0.5) {
             ck_assert_int_eq(n, 0);
             continue;
         }
-        ck_assert_int_eq(n, 1);
+        ck_assert_int_ge(n, 1);
         is_sound(&c[0], a, b);
         // What the contact says is -gap, and it parts the bodies: no corner of
         // A is left below any of B.
-        ck_assert(fabs(parting(a, b, c[0].normal) + gap_of(&c[0])) <= ORACLE);
+        ck_assert(fabs(parting(a, b, c[0].normal) + gap_of(&c[0])) <= SLACK);
         if (g.status == DISTANCE_APART) {
             apart++;
-            ck_assert(fabs(gap_of(&c[0]) - g.distance) <= ORACLE);
+            ck_assert(fabs(gap_of(&c[0]) - g.distance) <= SLACK);
         } else {
             overlapping++;
-            ck_assert(gap_of(&c[0]) <= ORACLE);
+            ck_assert(gap_of(&c[0]) <= SLACK);
         }
     }
     ck_assert_int_gt(apart, 300);
@@ -300,17 +309,17 @@ END_TEST
 START_TEST(margin_is_where_contacts_begin)
 {
     collider b = stand(&slab, FIRST_B, HUGE_VAL, UPRIGHT, vec3_make(0, 0, 0));
-    contact c[PAIR_CONTACTS];
+    contact_point c[PAIR_CONTACTS];
     for (int k = 0; k < 2; k++) {
         axes f = k ? on_a_corner() : UPRIGHT;
         real low = k ? sqrt(3) / 2 : 0.5;
         collider a = stand(&cube, FIRST_A, 1, f,
                            vec3_make(0.1, 0.5 + low + 0.0999, 0.2));
-        ck_assert_int_ge(touch(a, b, 0.1, 1, c), 1);
+        ck_assert_int_ge(touch(a, b, 0.1, c), 1);
         a = stand(&cube, FIRST_A, 1, f,
                   vec3_make(0.1, 0.5 + low + 0.1001, 0.2));
-        ck_assert_int_eq(touch(a, b, 0.1, 1, c), 0);
-        ck_assert_int_eq(touch(a, b, 0, 1, c), 0);
+        ck_assert_int_eq(touch(a, b, 0.1, c), 0);
+        ck_assert_int_eq(touch(a, b, 0, c), 0);
     }
 }
 END_TEST
@@ -329,13 +338,12 @@ START_TEST(margin_counts_to_the_last_digit)
         if (g.status != DISTANCE_APART) continue;
         const real margin[] = { nextafter(g.distance, 0), g.distance,
                                 nextafter(g.distance, 9) };
-        contact c[PAIR_CONTACTS];
+        contact_point c[PAIR_CONTACTS];
         for (int i = 0; i < 3; i++) {
-            int n = touch(a, b, margin[i], 0, c);
-            inside += n;
-            beyond += !n;
-            // Another way to the end may find another last digit.
-            if (n) ck_assert(fabs(gap_of(&c[0]) - margin[i]) <= ORACLE);
+            int n = touch(a, b, margin[i], c);
+            inside += n > 0;
+            beyond += n == 0;
+            if (n) ck_assert(fabs(gap_of(&c[0]) - margin[i]) <= SLACK);
         }
         point_set point = { &spot, 1, NULL, NULL };
         g = distance_find(point, points_of(b), distance_options_default(), NULL);
@@ -349,7 +357,8 @@ START_TEST(margin_counts_to_the_last_digit)
 }
 END_TEST
 
-// Rejects: NaN that becomes a contact, and from there a position.
+// Rejects: NaN that becomes a contact, and from there a position; an assert
+// about a margin that was made of such numbers.
 START_TEST(bodies_that_are_not_finite_have_no_contact)
 {
     const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
@@ -357,9 +366,10 @@ START_TEST(bodies_that_are_not_finite_have_no_contact)
         collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0, 0.9, 0));
         collider b = stand(&cube, FIRST_B, 1, UPRIGHT, vec3_make(0, 0, 0));
         place[FIRST_A + 3].y = bad[k];
-        contact c[PAIR_CONTACTS];
-        ck_assert_int_eq(touch(a, b, 0.1, 1, c), 0);
-        ck_assert_int_eq(touch(b, a, 0.1, 1, c), 0);
+        contact_point c[PAIR_CONTACTS];
+        ck_assert_int_eq(touch(a, b, 0.1, c), 0);
+        ck_assert_int_eq(touch(b, a, 0.1, c), 0);
+        ck_assert_int_eq(touch(b, a, (real)NAN, c), 0);
     }
 }
 END_TEST
@@ -375,9 +385,9 @@ START_TEST(immovable_body_is_always_b)
     collider free_ = stand(&cube, FIRST_A, 1, UPRIGHT,
                            vec3_make(0.2, 0.99, 0.1));
     for (int k = 0; k < 2; k++) {
-        contact c[PAIR_CONTACTS];
-        int n = k ? touch(still, free_, 0.1, 1, c)
-                  : touch(free_, still, 0.1, 1, c);
+        contact_point c[PAIR_CONTACTS];
+        int n = k ? touch(still, free_, 0.1, c)
+                  : touch(free_, still, 0.1, c);
         ck_assert_int_ge(n, 4);
         for (int i = 0; i < n; i++) {
             is_sound(&c[i], free_, still);
@@ -395,8 +405,8 @@ START_TEST(two_immovable_bodies_never_touch)
 {
     collider a = stand(&cube, FIRST_A, HUGE_VAL, UPRIGHT, vec3_make(0, 0, 0));
     collider b = stand(&cube, FIRST_B, HUGE_VAL, UPRIGHT, vec3_make(0, 0.5, 0));
-    contact c[PAIR_CONTACTS];
-    ck_assert_int_eq(touch(a, b, 1, 1, c), 0);
+    contact_point c[PAIR_CONTACTS];
+    ck_assert_int_eq(touch(a, b, 1, c), 0);
 }
 END_TEST
 
@@ -411,9 +421,8 @@ START_TEST(bodies_pressed_flat_into_one_plane_have_no_contact)
     collider b = stand(&cube, FIRST_B, 1, UPRIGHT, vec3_make(0, 0, 0));
     for (int i = 0; i < 8; i++)
         place[FIRST_A + i].y = place[FIRST_B + i].y = 0;
-    contact c[PAIR_CONTACTS];
-    ck_assert_int_eq(touch(a, b, 0.1, 1, c), 0);
-    ck_assert_int_eq(touch(a, b, 0.1, 0, c), 0);
+    contact_point c[PAIR_CONTACTS];
+    ck_assert_int_eq(touch(a, b, 0.1, c), 0);
 }
 END_TEST
 
@@ -481,8 +490,8 @@ START_TEST(balls_in_one_place_are_parted_all_the_same)
     point_set p = { fine.at, FINE, fine.ring_start, fine.ring };
     distance_result g = distance_find(p, p, distance_options_default(), NULL);
     ck_assert_int_eq(penetration_find(p, p, &g.last, scratch).status, PENETRATION_CAPPED);
-    contact c[PAIR_CONTACTS];
-    ck_assert_int_eq(collide_rigid(&a, &b, 0, 0, &fresh, scratch, c), 1);
+    contact_point c[PAIR_CONTACTS];
+    ck_assert_int_ge(collide_rigid(&a, &b, 0, &fresh, scratch, c), 1);
     vec3 on_a = { 0, 0, 0 }, on_b = { 0, 0, 0 };
     for (int i = 0; i < c[0].a.count; i++)
         on_a = vec3_add_scaled(on_a, c[0].a.weight[i],
@@ -503,7 +512,7 @@ END_TEST
 // --- on their way ------------------------------------------------------------
 
 static swept_status sweep(collider a, collider b, vec3 way, real apart,
-                          contact *c)
+                          contact_point *c)
 {
     static vec3 room[POOL];
     return collide_swept(&a, &b, way, apart, room, c);
@@ -522,7 +531,7 @@ START_TEST(cube_on_its_way_touches_where_it_first_will)
         collider a = stand(&cube, FIRST_A, 1, on_a_corner(),
                            vec3_make(0.1, high + sqrt(0.75), 0.2));
         const vec3 way = { 0.5, -100, 0 };
-        contact c;
+        contact_point c;
         // The slab comes up to the cube as the cube to it.
         int swap = k % 2;
         ck_assert_int_eq(swap ? sweep(b, a, vec3_scale(-1, way), 0.01, &c)
@@ -538,7 +547,7 @@ START_TEST(cube_on_its_way_touches_where_it_first_will)
         vec3 met = turned_round ? feature_now(*face, pool) : point_on_b(&c);
         near_vec3(met, vec3_make(aside, 0, 0.2), 1e-3);
         ck_assert_int_eq(face->count > 0, b.mass < HUGE_VAL);
-        ck_assert(c.pushed == 0 && c.thickness == 0);
+        ck_assert(c.thickness == 0);
     }
 }
 END_TEST
@@ -549,7 +558,7 @@ START_TEST(who_passes_or_overlaps_has_no_contact_on_its_way)
 {
     collider b = stand(&slab, FIRST_B, 1, UPRIGHT, vec3_make(0, -0.5, 0));
     collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0, 3, 0));
-    contact kept = { .mass_a = 7 }, c = kept;
+    contact_point kept = { .thickness = 7 }, c = kept;
     ck_assert_int_eq(sweep(a, b, vec3_make(100, -10, 0), 0, &c), SWEPT_PASSES);
     ck_assert_int_eq(sweep(a, b, UP, 0, &c), SWEPT_PASSES);
     ck_assert_int_eq(sweep(b, b, UP, 0, &c), SWEPT_OVERLAP);
@@ -557,14 +566,14 @@ START_TEST(who_passes_or_overlaps_has_no_contact_on_its_way)
                      SWEPT_NOT_FINITE);
     a.mass = b.mass = HUGE_VAL;
     ck_assert_int_eq(sweep(a, b, vec3_make(0, -100, 0), 0, &c), SWEPT_PASSES);
-    ck_assert(c.mass_a == kept.mass_a && c.a.count == 0);
+    ck_assert(c.thickness == kept.thickness && c.a.count == 0);
 }
 END_TEST
 
 // --- the manifold ------------------------------------------------------------
 
 // Does one of the contacts push corner i of A alone (side 0), or of B (1)?
-static const contact *with_corner(const contact *c, int n, int side, int i)
+static const contact_point *with_corner(const contact_point *c, int n, int side, int i)
 {
     for (int k = 0; k < n; k++) {
         const feature_point *f = side ? &c[k].b : &c[k].a;
@@ -586,8 +595,8 @@ START_TEST(face_on_a_face_stands_on_its_four_corners)
             vec3_add(vec3_add(b.at[4], b.at[5]), vec3_add(b.at[6], b.at[7])))),
             turned(f, vec3_make(any(), 1 + gap, any())));
         collider a = stand(&cube, FIRST_A, 1, f, middle);
-        contact c[PAIR_CONTACTS];
-        int n = touch(a, b, 0.05, 1, c);
+        contact_point c[PAIR_CONTACTS];
+        int n = touch(a, b, 0.05, c);
         ck_assert_int_eq(n, 4);
         for (int i = 0; i < n; i++) {
             is_sound(&c[i], a, b);
@@ -595,7 +604,7 @@ START_TEST(face_on_a_face_stands_on_its_four_corners)
             ck_assert(fabs(gap_of(&c[i]) - gap) <= ORACLE);
         }
         for (int i = 0; i < 8; i++) {
-            const contact *at = with_corner(c, n, 0, FIRST_A + i);
+            const contact_point *at = with_corner(c, n, 0, FIRST_A + i);
             // Bit 1 of a corner's number: the upper ones.
             if (i & 2) { ck_assert_ptr_null(at); continue; }
             ck_assert_ptr_nonnull(at);
@@ -611,11 +620,11 @@ START_TEST(corners_of_the_lower_body_carry_a_wide_one)
 {
     collider b = stand(&cube, FIRST_B, 1, UPRIGHT, vec3_make(0.3, 0, 0.4));
     collider a = stand(&slab, FIRST_A, 5, UPRIGHT, vec3_make(0, 1.01, 0));
-    contact c[PAIR_CONTACTS];
-    int n = touch(a, b, 0.05, 1, c);
+    contact_point c[PAIR_CONTACTS];
+    int n = touch(a, b, 0.05, c);
     ck_assert_int_eq(n, 4);
     for (int i = 0; i < 8; i++) {
-        const contact *at = with_corner(c, n, 1, FIRST_B + i);
+        const contact_point *at = with_corner(c, n, 1, FIRST_B + i);
         if (!(i & 2)) { ck_assert_ptr_null(at); continue; }
         ck_assert_ptr_nonnull(at);
         is_sound(at, a, b);
@@ -632,8 +641,8 @@ START_TEST(shifted_boxes_share_one_corner_each_and_two_crossings)
 {
     collider b = stand(&cube, FIRST_B, 1, UPRIGHT, vec3_make(0, 0, 0));
     collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0.4, 0.99, 0.3));
-    contact c[PAIR_CONTACTS];
-    int n = touch(a, b, 0.05, 1, c);
+    contact_point c[PAIR_CONTACTS];
+    int n = touch(a, b, 0.05, c);
     int corners_a = 0, corners_b = 0;
     for (int i = 0; i < n; i++) {
         is_sound(&c[i], a, b);
@@ -665,11 +674,11 @@ START_TEST(manifold_keeps_to_its_room_and_pushes_no_vertex_twice)
         collider b = stand(&cube, FIRST_B, 1, f, vec3_make(0, 0, 0));
         collider a = stand(&cube, FIRST_A, 1, f,
             turned(f, vec3_add(vec3_make(0, 0.99, 0), off)));
-        contact c[PAIR_CONTACTS + 1];
-        c[PAIR_CONTACTS].pushed = -7;
-        int n = touch(a, b, 0.05, 1, c);
+        contact_point c[PAIR_CONTACTS + 1];
+        c[PAIR_CONTACTS].thickness = -7;
+        int n = touch(a, b, 0.05, c);
         ck_assert_int_eq(n, 4);
-        ck_assert(c[PAIR_CONTACTS].pushed == -7);
+        ck_assert(c[PAIR_CONTACTS].thickness == -7);
         for (int i = 0; i < n; i++) {
             is_sound(&c[i], a, b);
             for (int j = 0; j < i; j++) {
@@ -685,24 +694,34 @@ END_TEST
 
 // Rejects: a manifold that puts the deepest point elsewhere than first; a touch
 // whose point on B is not where its feature is.
-START_TEST(manifold_begins_with_what_one_contact_would_be)
+START_TEST(manifold_begins_with_the_nearest_or_deepest_point)
 {
     int many = 0;
     for (int k = 0; k < 1000; k++) {
         vec3 spot = any_vec3(0.7);
         collider a = stand(k % 2 ? &ball : &cube, FIRST_A, 1, any_axes(), spot);
         collider b = stand(&cube, FIRST_B, 1, any_axes(), vec3_make(0, 0, 0));
-        contact one[PAIR_CONTACTS], all[PAIR_CONTACTS];
-        int n = touch(a, b, 0.1, 0, one), m = touch(a, b, 0.1, 1, all);
-        ck_assert_int_eq(n, m > 0);
+        contact_point all[PAIR_CONTACTS];
+        int m = touch(a, b, 0.1, all);
+        distance_result g = distance_find(points_of(a), points_of(b),
+                                    distance_options_default(), NULL);
+        vec3 normal = vec3_scale(1 / g.distance, g.axis);
+        real gap = g.distance;
+        if (g.status == DISTANCE_OVERLAP) {
+            penetration_result h = penetration_find(points_of(a), points_of(b), &g.last,
+                                         scratch);
+            normal = h.normal;
+            gap = -h.depth;
+        }
+        ck_assert_int_eq(gap <= 0.1, m > 0);
         for (int i = 0; i < m; i++) {
             is_sound(&all[i], a, b);
-            near_vec3(all[i].normal, one[0].normal, 0);
+            near_vec3(all[i].normal, normal, ORACLE);
             near_vec3(all[i].fixed, feature_now(all[i].b, pool), ROUNDING);
-            ck_assert(gap_of(&all[i]) >= gap_of(&one[0]) - ORACLE);
+            ck_assert(gap_of(&all[i]) >= gap - ORACLE);
             ck_assert(gap_of(&all[i]) <= 0.1 + ORACLE);
         }
-        if (n) ck_assert(fabs(gap_of(&all[0]) - gap_of(&one[0])) <= SLACK);
+        if (m) ck_assert(fabs(gap_of(&all[0]) - gap) <= SLACK);
         many += m > 1;
     }
     ck_assert_int_gt(many, 200);
@@ -718,7 +737,7 @@ START_TEST(plane_meets_what_is_nearer_than_margin_and_thickness)
     const plane floor_ = { { 0, 1, 0 }, 2 };
     const real h = 0.5;
     collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0, 2.7 + h, 0));
-    contact c[8];
+    contact_point c[8];
     // The lower four corners are 0.7 above the plane.
     ck_assert_int_eq(collide_plane(&a, floor_, 0.5, 0.19, c, 8), 0);
     ck_assert_int_eq(collide_plane(&a, floor_, 0.5, 0.21, c, 8), 4);
@@ -732,7 +751,6 @@ START_TEST(plane_meets_what_is_nearer_than_margin_and_thickness)
         near_vec3(c[i].normal, UP, 0);
         ck_assert(c[i].thickness == 0.21);
         ck_assert(fabs(gap_of(&c[i]) - 0.49) <= ROUNDING);
-        ck_assert(c[i].mass_a == 1 && c[i].mass_b == HUGE_VAL);
     }
     ck_assert_int_eq(collide_plane(&a, floor_, 2, 0, c, 8), 8);
 }
@@ -743,10 +761,10 @@ START_TEST(plane_counts_what_finds_no_room)
 {
     const plane floor_ = { { 0, 1, 0 }, 2 };
     collider a = stand(&cube, FIRST_A, 1, UPRIGHT, vec3_make(0, 2, 0));
-    contact c[4];
-    c[3].pushed = -7;
+    contact_point c[4];
+    c[3].thickness = -7;
     ck_assert_int_eq(collide_plane(&a, floor_, 0, 0, c, 3), 4);
-    ck_assert(c[3].pushed == -7);
+    ck_assert(c[3].thickness == -7);
     ck_assert_int_eq(collide_plane(&a, floor_, 0, 0, NULL, 0), 4);
 }
 END_TEST
@@ -757,7 +775,7 @@ START_TEST(slanted_plane_pushes_along_its_normal)
     const plane wall = { { 0.6, 0.8, 0 }, -1 };
     collider a = stand(&cube, FIRST_A, 1, UPRIGHT,
                        vec3_scale(-1.6, wall.normal));
-    contact c[8];
+    contact_point c[8];
     int n = collide_plane(&a, wall, 0, 0, c, 8);
     ck_assert_int_eq(n, 6);
     for (int i = 0; i < n; i++) {
@@ -828,7 +846,7 @@ END_TEST
 
 // --- a particle at a convex body ---------------------------------------------
 
-static void is_sound_point(const contact *c, collider b)
+static void is_sound_point(const contact_point *c, collider b)
 {
     collider a = { &cube, FIRST_A, place + FIRST_A, 1 };
     is_sound(c, a, b);
@@ -847,7 +865,7 @@ START_TEST(particle_inside_leaves_by_the_nearest_face)
 {
     for (int m = 0; m < 2; m++) {
         collider b = stand_hull(&cube, MASS[m], UPRIGHT, vec3_make(0, 0, 0));
-        contact c;
+        contact_point c;
         ck_assert_int_eq(ask(b, vec3_make(0.1, 0.45, -0.2), 0, &c), 1);
         is_sound_point(&c, b);
         near_vec3(c.normal, UP, ROUNDING);
@@ -865,7 +883,7 @@ START_TEST(particle_over_a_face_stands_on_its_foot)
 {
     for (int m = 0; m < 2; m++) {
         collider b = stand_hull(&cube, MASS[m], UPRIGHT, vec3_make(0, 0, 0));
-        contact c;
+        contact_point c;
         vec3 x = vec3_make(-0.3, 0.2, 0.6);
         ck_assert_int_eq(ask(b, x, 0.09, &c), 0);
         ck_assert_int_eq(ask(b, x, 0, &c), 0);
@@ -884,7 +902,7 @@ START_TEST(particle_over_an_edge_is_pushed_away_from_the_edge)
 {
     for (int m = 0; m < 2; m++) {
         collider b = stand_hull(&cube, MASS[m], UPRIGHT, vec3_make(0, 0, 0));
-        contact c;
+        contact_point c;
         vec3 x = vec3_make(0.8, 0.9, 0.1);
         ck_assert_int_eq(ask(b, x, 0.49, &c), 0);
         ck_assert_int_eq(ask(b, x, 0.51, &c), 1);
@@ -901,7 +919,7 @@ START_TEST(particle_over_a_corner_is_pushed_away_from_the_corner)
 {
     for (int m = 0; m < 2; m++) {
         collider b = stand_hull(&cube, MASS[m], UPRIGHT, vec3_make(0, 0, 0));
-        contact c;
+        contact_point c;
         // Off the corner by (2, 3, 6) tenths: 0.7 away.
         vec3 x = vec3_make(0.7, -0.8, 1.1);
         ck_assert_int_eq(ask(b, x, 0.69, &c), 0);
@@ -931,7 +949,7 @@ START_TEST(particle_finds_what_the_search_finds)
         distance_result g = distance_find(point, points_of(b), distance_options_default(),
                                     NULL);
         real reach = 0.6;
-        contact c;
+        contact_point c;
         int near = ask(b, x, reach, &c);
         if (g.status == DISTANCE_APART) {
             ck_assert_int_eq(near, g.distance <= reach);
@@ -978,7 +996,7 @@ START_TEST(particle_over_a_diagonal_pushes_the_diagonal)
         vec3 m = vec3_unit(vec3_cross(vec3_sub(b.at[v[1]], b.at[v[0]]),
                                       vec3_sub(b.at[v[2]], b.at[v[0]])));
         face = (plane){ m, vec3_dot(m, b.at[v[0]]) };
-        contact c;
+        contact_point c;
         int near = ask(b, vec3_add_scaled(x, k % 5 ? -0.01 : 0.01, face.normal),
                        0.1, &c);
         ck_assert_int_eq(near, 1);
@@ -1007,7 +1025,7 @@ START_TEST(particle_over_a_strained_face_pushes_what_is_under_it)
         vec3 x = vec3_add(vec3_scale(1 - u - w, b.at[v[0]]),
                  vec3_add(vec3_scale(u, b.at[v[1]]),
                           vec3_scale(w, b.at[v[2]])));
-        contact c;
+        contact_point c;
         ck_assert_int_eq(ask(b, x, 0.01, &c), 1);
         ck_assert_int_eq(c.a.vertex[0], FIRST_A + 2);
         vec3 under = feature_now(c.b, pool);
@@ -1042,7 +1060,7 @@ START_TEST(particle_over_the_fold_of_a_strained_side_finds_the_fold)
         point_set point = { &x, 1, NULL, NULL };
         distance_result g = distance_find(point, points_of(b), distance_options_default(),
                                     NULL);
-        contact c;
+        contact_point c;
         ck_assert_int_eq(ask(b, x, 0.1, &c), 1);
         is_sound_point(&c, b);
         ck_assert(fabs(gap_of(&c) - g.distance) <= ORACLE);
@@ -1061,7 +1079,7 @@ START_TEST(particle_that_is_not_finite_touches_nothing)
                                     vec3_make(0, 0, 0));
             real x[3] = { 0.1, 0.2, 0.3 };
             x[k / 3] = bad[k % 3];
-            contact c;
+            contact_point c;
             ck_assert_int_eq(ask(b, vec3_make(x[0], x[1], x[2]), 1, &c), 0);
         }
 }
@@ -1086,7 +1104,7 @@ static Suite *suite(void)
         corners_of_the_lower_body_carry_a_wide_one,
         shifted_boxes_share_one_corner_each_and_two_crossings,
         manifold_keeps_to_its_room_and_pushes_no_vertex_twice,
-        manifold_begins_with_what_one_contact_would_be,
+        manifold_begins_with_the_nearest_or_deepest_point,
         plane_meets_what_is_nearer_than_margin_and_thickness,
         plane_counts_what_finds_no_room,
         slanted_plane_pushes_along_its_normal,

@@ -45,7 +45,7 @@ static placement nailed_at(real x, real y, real z)
 // Rejects: a strain, or a penetration, that is there from the start.
 START_TEST(world_as_planned_has_nothing_to_report)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     add_at(&cube, 0, 0, 0);
     add_at(&cloth, 0, 5, 0);
     add_at(&stick_, 0, 9, 0);
@@ -80,7 +80,7 @@ END_TEST
 // bodies instead of sticks.
 START_TEST(strain_is_the_largest_and_rms_the_mean_over_all_sticks)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     int a = add_at(&stick_, 0, 0, 0), b = add_at(&stick_, 0, 3, 0);
     add_at(&cube, 0, 9, 0);
     ready();
@@ -88,7 +88,7 @@ START_TEST(strain_is_the_largest_and_rms_the_mean_over_all_sticks)
     particle_of(b, 1)->position.x -= 0.08;
     measures m = world_measure(&w);
     near_real(m.strain, 0.04, ROUNDING);
-    real sticks = 2 + (_i ? cube.sticks : FOUR_STICKS);
+    real sticks = 2 + FOUR_STICKS;
     near_real(m.strain_rms, sqrt((0.03 * 0.03 + 0.04 * 0.04) / sticks),
               ROUNDING);
 }
@@ -129,7 +129,7 @@ END_TEST
 // Rejects: the plan's sticks taken for those of the four particles.
 START_TEST(strain_of_a_body_is_that_of_its_own_sticks)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     int b = add_at(&cube, 0, 0, 0);
     ready();
     for (int i = 0; i < body_particles(&w.body[b]); i++) {
@@ -146,7 +146,7 @@ END_TEST
 // Rejects: the strain of what nobody can mend.
 START_TEST(nailed_bodies_have_no_strain)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     int b = add(&cube, nailed_at(0, 0, 0));
     ready();
     particle_of(b, 3)->position.x += 0.1;
@@ -162,7 +162,7 @@ END_TEST
 START_TEST(cubes_that_overlap_by_a_tenth_are_a_tenth_deep)
 {
     for (int k = 0; k < 4; k++) {
-        begin(ours(_i));
+        begin(world_options_default());
         vec3 at = vec3_make(4, 3, 2), by = vec3_make(0.3, 0.9, -0.2);
         placement a = placement_at(at);
         a.is_static = k == 1;
@@ -185,7 +185,7 @@ END_TEST
 // Rejects: a pair that can do nothing about it.
 START_TEST(two_nailed_bodies_may_overlap)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     add(&cube, nailed_at(0, 0, 0));
     add(&cube, nailed_at(0.5, 0, 0));
     ready();
@@ -196,7 +196,7 @@ END_TEST
 // Rejects: planes that only rigid bodies meet; a depth along y.
 START_TEST(penetration_of_a_plane_is_that_of_the_deepest_particle)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     add_at(&cube, 0, 0, 0);
     int b = add_at(&stick_, 0, 5, 0);
     add(&ball, nailed_at(-9, -9, 0));
@@ -214,7 +214,7 @@ END_TEST
 START_TEST(cloth_particle_in_a_cube_is_as_deep_as_its_way_out)
 {
     for (int k = 0; k < 4; k++) {
-        begin(ours(_i));
+        begin(world_options_default());
         placement stand = placement_at(vec3_make(1, 2, 3));
         stand.is_static = k & 1;
         int c = 0, s = 1;
@@ -241,7 +241,7 @@ END_TEST
 // velocity over a frame.
 START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     const vec3 at = { 1, 2, 3 }, v0 = { 4, -5, 6 }, spin = { 0.5, 1, -2 };
     placement p = placement_at(at);
     p.velocity = v0;
@@ -259,14 +259,13 @@ START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
     real kinetic = 0;
     vec3 angular = { 0, 0, 0 };
     const four *f = w.body[0].four;
-    int n = f ? FOUR : ball.particles;
-    for (int i = 0; i < n; i++) {
-        vec3 r = f ? f->at[i] : ball.at[i];
+    for (int i = 0; i < FOUR; i++) {
+        vec3 r = f->at[i];
         vec3 u = vec3_add(v, vec3_cross(spin, r));
-        kinetic += mass / n / 2 * vec3_length_squared(u);
+        kinetic += mass / FOUR / 2 * vec3_length_squared(u);
         // Half a substep ago, as far as the step's chord tells.
         vec3 x = vec3_add_scaled(vec3_add(at, r), -h / 2, u);
-        angular = vec3_add_scaled(angular, mass / n, vec3_cross(x, u));
+        angular = vec3_add_scaled(angular, mass / FOUR, vec3_cross(x, u));
     }
     near_real(m.kinetic, kinetic, 1000 * SPEED_ROUNDING);
     near_vec3(m.angular, angular, 1000 * SPEED_ROUNDING);
@@ -297,7 +296,7 @@ END_TEST
 // that the sticks brake (GRADIENT_NEW's: 0.1 % in this half second).
 START_TEST(flight_without_gravity_keeps_momentum_and_energy)
 {
-    world_options o = ours(_i);
+    world_options o = world_options_default();
     o.gravity = vec3_make(0, 0, 0);
     begin(o);
     placement p = placement_at(vec3_make(0, 0, 0));
@@ -320,7 +319,7 @@ END_TEST
 // measure; a nailed particle that has a weight.
 START_TEST(potential_counts_what_can_fall)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     int a = add_at(&cube, 0, 2, 0);
     int b = add_at(&stick_, 0, 5, 0);
     add(&cube, nailed_at(7, 7, 7));
@@ -337,8 +336,8 @@ END_TEST
 // Rejects: a measure that says that all is well when a number is lost.
 START_TEST(what_is_not_finite_is_shown)
 {
-    for (int i = 0; i < (_i ? 8 : FOUR); i++) {
-        begin(ours(_i));
+    for (int i = 0; i < FOUR; i++) {
+        begin(world_options_default());
         int b = add_at(&cube, 0, 1, 0);
         add_at(&ball, 0, 5, 0);
         ck_assert(world_add_plane(&w, vec3_make(0, 1, 0), 0).ok);
@@ -361,7 +360,7 @@ START_TEST(measuring_changes_no_bit_of_the_motion)
 {
     unsigned long long hash[2];
     for (int k = 0; k < 2; k++) {
-        begin(ours(_i));
+        begin(world_options_default());
         add(&cube, nailed_at(0, 0, 0));
         add_at(&ball, 0.2, 1.1, 0.1);
         add_at(&cube, 0.3, 2.2, -0.1);
@@ -428,14 +427,12 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const once[] = {
+    const TTest *const tests[] = {
         stretched_stick_shows_its_strain,
         soft_diagonals_count_as_shear,
         spinning_ball_has_the_energy_of_the_solid,
         hash_changes_with_a_single_bit,
         hash_is_fnv_1a,
-    };
-    const TTest *const both[] = {
         world_as_planned_has_nothing_to_report,
         strain_is_the_largest_and_rms_the_mean_over_all_sticks,
         strain_of_a_body_is_that_of_its_own_sticks,
@@ -453,10 +450,8 @@ int main(void)
     Suite *s = suite_create("measure");
     TCase *t = tcase_create("measure");
     tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
-        tcase_add_test(t, once[i]);
-    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
-        tcase_add_loop_test(t, both[i], 0, MODELS);
+    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
+        tcase_add_test(t, tests[i]);
     suite_add_tcase(s, t);
     SRunner *runner = srunner_create(s);
     srunner_run_all(runner, CK_NORMAL);

@@ -19,32 +19,23 @@ static void find(void)
 START_TEST(box_on_a_slab_touches_with_its_corners)
 {
     for (int order = 0; order < 2; order++) {
-        begin(ours(_i));
+        begin(world_options_default());
         int s = -1;
         if (!order) s = add_nailed(&slab, 0, 0, 0);
         int b = add_at(&box, 0.2, 0.76, 0.1);
         if (order) s = add_nailed(&slab, 0, 0, 0);
         ready();
         find();
-        ck_assert_int_eq(contacts(), 4);
+        ck_assert_int_eq(w.pushes.count, 4);
         real skins = w.body[s].thickness + w.body[b].thickness;
         for (int k = 0; k < 4; k++) {
-            if (_i) {
-                ck_assert(w.contacts.between[k][0] == b
-                          && w.contacts.between[k][1] == s);
-                near_vec3(w.contacts.at[k].normal, UP, ROUNDING);
-                ck_assert(w.contacts.at[k].thickness == skins);
-                near_real(contact_gap(&w.contacts.at[k], w.pool.at),
-                          0.01 - skins, ROUNDING);
-            } else {
-                const push *c = &w.pushes.at[k];
-                near_vec3(c->along[NORMAL], UP, ROUNDING);
-                ck_assert(c->thickness == skins);
-                ck_assert_int_eq(c->a.first, w.body[b].first);
-                vec3 on_b = c->b.count > 0 ? point_of(&c->b) : c->fixed;
-                near_vec3(vec3_sub(point_of(&c->a), on_b),
-                          vec3_make(0, 0.01, 0), ROUNDING * 10);
-            }
+            const push *c = &w.pushes.at[k];
+            near_vec3(c->along[NORMAL], UP, ROUNDING);
+            ck_assert(c->thickness == skins);
+            ck_assert_int_eq(c->a.first, w.body[b].first);
+            vec3 on_b = c->b.count > 0 ? point_of(&c->b) : c->fixed;
+            near_vec3(vec3_sub(point_of(&c->a), on_b), vec3_make(0, 0.01, 0),
+                      ROUNDING * 10);
         }
     }
 }
@@ -54,7 +45,7 @@ END_TEST
 // will touch before the frame ends, left out; one far away, kept.
 START_TEST(corners_near_a_plane_are_contacts)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     placement p = placement_at(vec3_make(0, 0.75, 0));
     p.velocity = vec3_make(0, -20, 0);
     add(&box, p);
@@ -63,13 +54,8 @@ START_TEST(corners_near_a_plane_are_contacts)
     ready();
     find();
     // 0.25 m high, it falls by a third of a metre in a frame.
-    ck_assert_int_eq(contacts(), 4);
+    ck_assert_int_eq(w.pushes.count, 4);
     for (int k = 0; k < 4; k++) {
-        if (_i) {
-            ck_assert(w.contacts.between[k][0] == 0
-                      && w.contacts.between[k][1] == -1);
-            continue;
-        }
         ck_assert(w.pushes.between[k][0] == 0
                   && w.pushes.between[k][1] == w.bodies);
         near_real(point_of(&w.pushes.at[k].a).y, 0.25, ROUNDING);
@@ -81,7 +67,7 @@ END_TEST
 // Rejects: a write past the end; contacts that are lost without a word.
 START_TEST(contacts_without_room_are_counted)
 {
-    world_options o = ours(_i);
+    world_options o = world_options_default();
     o.stay = 0;
     begin(o);
     add_at(&box, 0, 0.5, 0);
@@ -89,14 +75,13 @@ START_TEST(contacts_without_room_are_counted)
     ck_assert(world_add_plane(&w, UP, 0).ok);
     ready();
     find();
-    int all = contacts();
+    int all = w.pushes.count;
     ck_assert_int_eq(w.report.dropped, 0);
     ck_assert_int_eq(all, 8);
     for (int room = 0; room < all; room++) {
-        if (_i) w.contacts.capacity = room;
-        else    w.pushes.capacity = room;
+        w.pushes.capacity = room;
         find();
-        ck_assert_int_eq(contacts(), room);
+        ck_assert_int_eq(w.pushes.count, room);
         ck_assert_int_eq(w.report.dropped, all - room);
     }
     w.pairs.capacity = 0;
@@ -107,9 +92,9 @@ START_TEST(contacts_without_room_are_counted)
 END_TEST
 
 // The small one shot at the slab, or the slab at the small one, nailed.
-static void shoot(int model, int at_small)
+static void shoot(int at_small)
 {
-    world_options o = ours(model);
+    world_options o = world_options_default();
     o.gravity = ZERO;
     begin(o);
     placement small = placement_at(vec3_make(0.2, 2, 0.1));
@@ -130,23 +115,19 @@ static void shoot(int model, int at_small)
 // away; a guard of what is nailed.
 START_TEST(bullet_has_a_touch_and_a_guard)
 {
-    shoot(_i, 0);
-    ck_assert_int_eq(contacts(), _i ? 1 : 2);
-    if (_i) {
-        near_vec3(w.contacts.at[0].normal, UP, 1e-9);
-    } else {
-        const push *touch = &w.pushes.at[0], *guard = &w.pushes.at[1];
-        near_vec3(touch->along[NORMAL], UP, 1e-9);
-        near_vec3(guard->along[NORMAL], touch->along[NORMAL], 0);
-        near_vec3(guard->fixed, touch->fixed, 0);
-        real skins = w.body[0].thickness + w.body[1].thickness;
-        near_real(touch->thickness, skins, 0);
-        near_real(guard->thickness, skins + ball.inner, ROUNDING);
-        near_vec3(point_of(&guard->a), vec3_make(0.2, 2, 0.1), ROUNDING * 10);
-        ck_assert(point_of(&touch->a).y < 2 - ball.inner / 2);
-    }
-    shoot(_i, 1);
-    ck_assert_int_eq(contacts(), 1);
+    shoot(0);
+    ck_assert_int_eq(w.pushes.count, 2);
+    const push *touch = &w.pushes.at[0], *guard = &w.pushes.at[1];
+    near_vec3(touch->along[NORMAL], UP, 1e-9);
+    near_vec3(guard->along[NORMAL], touch->along[NORMAL], 0);
+    near_vec3(guard->fixed, touch->fixed, 0);
+    real skins = w.body[0].thickness + w.body[1].thickness;
+    near_real(touch->thickness, skins, 0);
+    near_real(guard->thickness, skins + ball.inner, ROUNDING);
+    near_vec3(point_of(&guard->a), vec3_make(0.2, 2, 0.1), ROUNDING * 10);
+    ck_assert(point_of(&touch->a).y < 2 - ball.inner / 2);
+    shoot(1);
+    ck_assert_int_eq(w.pushes.count, 1);
 }
 END_TEST
 
@@ -155,7 +136,9 @@ END_TEST
 // many substeps; those of slow pairs and of planes thrown away with them.
 START_TEST(quick_pairs_are_looked_at_again)
 {
-    begin(ours(_i));
+    world_options o = world_options_default();
+    if (_i) o.substeps = 8;
+    begin(o);
     placement p = placement_at(vec3_make(0, 1.2, 0));
     p.velocity = vec3_make(0, -25, 0);
     p.spin = vec3_make(3, 0, 20);
@@ -165,25 +148,23 @@ START_TEST(quick_pairs_are_looked_at_again)
     ck_assert(world_add_plane(&w, UP, -2).ok);
     ready();
     find();
-    ck_assert_int_gt(contacts(), 4);
+    w.report.substeps = o.substeps;
+    ck_assert_int_gt(w.pushes.count, 4);
     vec3 point[MOST_VERTICES][2];
     for (int k = 1; k < 3; k++) {
         for (int again = 0; again < 2; again++) {
-            for (int i = 0; i < contacts(); i++)
-                point[i][again] = _i
-                    ? feature_now(w.contacts.at[i].a, w.pool.at)
-                    : point_of(&w.pushes.at[i].a);
+            for (int i = 0; i < w.pushes.count; i++)
+                point[i][again] = point_of(&w.pushes.at[i].a);
             if (again) break;
             integrate();
             relax();
-            for (int i = 0; i < contacts(); i++)
-                point[i][0] = _i ? feature_now(w.contacts.at[i].a, w.pool.at)
-                                 : point_of(&w.pushes.at[i].a);
+            for (int i = 0; i < w.pushes.count; i++)
+                point[i][0] = point_of(&w.pushes.at[i].a);
             narrow_find_again(&w, k);
         }
         int calms = 0, changed = 0;
-        for (int i = 0; i < contacts(); i++) {
-            int who = _i ? w.contacts.between[i][0] : w.pushes.between[i][0];
+        for (int i = 0; i < w.pushes.count; i++) {
+            int who = w.pushes.between[i][0];
             real moved = vec3_distance(point[i][0], point[i][1]);
             calms += who == calm;
             if (who == calm) ck_assert(moved == 0);
@@ -226,7 +207,7 @@ START_TEST(memory_goes_to_the_point_that_it_is_of)
 }
 END_TEST
 
-// Four contacts leave what they pushed; four are found again, or one.
+// Four contacts leave what they pushed, and four are found again.
 // Rejects: a load that nobody bears, for its contact is gone; one that is taken
 // over twice, or with another sign.
 START_TEST(every_memory_is_handed_over_once)
@@ -240,10 +221,9 @@ START_TEST(every_memory_is_handed_over_once)
     find();
     ck_assert_int_eq(w.pushes.count, 4);
     for (int k = 0; k < 4; k++) w.pushes.at[k].pushed[NORMAL] = k + 1;
-    for (int manifold = 1; manifold >= 0; manifold--) {
-        w.options.manifold = manifold;
+    for (int again = 0; again < 2; again++) {
         find();
-        ck_assert_int_eq(w.pushes.count, manifold ? 4 : 1);
+        ck_assert_int_eq(w.pushes.count, 4);
         real sum = 0;
         for (int k = 0; k < w.pushes.count; k++)
             sum += w.pushes.at[k].pushed[NORMAL];
@@ -254,24 +234,20 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const once[] = {
+    const TTest *const tests[] = {
         memory_goes_to_the_point_that_it_is_of,
         every_memory_is_handed_over_once,
-    };
-    const TTest *const both[] = {
         box_on_a_slab_touches_with_its_corners,
         corners_near_a_plane_are_contacts,
         contacts_without_room_are_counted,
         bullet_has_a_touch_and_a_guard,
-        quick_pairs_are_looked_at_again,
     };
     Suite *s = suite_create("narrow");
     TCase *t = tcase_create("narrow");
     tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
-        tcase_add_test(t, once[i]);
-    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
-        tcase_add_loop_test(t, both[i], 0, MODELS);
+    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
+        tcase_add_test(t, tests[i]);
+    tcase_add_loop_test(t, quick_pairs_are_looked_at_again, 0, 2);
     suite_add_tcase(s, t);
     SRunner *runner = srunner_create(s);
     srunner_run_all(runner, CK_NORMAL);

@@ -59,14 +59,11 @@ static const range RANGE[] = {
     { "most_substeps", 1, 10000 },
     { "sweeps", 1, 10000 }, { "passes", 1, 1000 },
     { "root", 0, ROOT_APPROXIMATE }, { "gradient", 0, GRADIENT_OLD },
-    { "order", 0, ORDER_LARGEST }, { "share", 0, SHARE_PRINTED },
-    { "push", 0, PUSH_PRINTED }, { "leaves", 0, LEAVES_FACE },
-    { "model", 0, BODY_FOUR }, { "pairs", 0, PAIRS_SORTED },
-    { "dt", 1e-9, 1 }, { "tolerance", 0, 1 }, { "gain", 0, 12 },
-    { "friction", 0, 1000 }, { "restitution", 0, 1 }, { "skin", 0, 1 },
+    { "dt", 1e-9, 1 }, { "tolerance", 0, 1 }, { "friction", 0, 1000 },
+    { "restitution", 0, 1 }, { "skin", 0, 1 }, { "stay", 0, 0.01 },
     { "content", 0, 1 }, { "mend", 0, 1 }, { "mend_speed", 0, 1e9 },
 };
-enum { RANGES = sizeof RANGE / sizeof *RANGE, WHOLE = 5, CHOICES = 8,
+enum { RANGES = sizeof RANGE / sizeof *RANGE, WHOLE = 5, CHOICES = 2,
        INTEGERS = WHOLE + CHOICES };
 
 static int is_integer(int k)
@@ -79,12 +76,6 @@ static void set_choice(world_options *o, int k, int value)
     switch (k) {
     case 0: o->relax.root = (root_kind)value; break;
     case 1: o->relax.gradient = (gradient_kind)value; break;
-    case 2: o->order = (order_kind)value; break;
-    case 3: o->response.share = (share_rule)value; break;
-    case 4: o->response.push = (push_rule)value; break;
-    case 5: o->leaves = (leaves_kind)value; break;
-    case 6: o->model = (body_kind)value; break;
-    case 7: o->pairs = (pairs_kind)value; break;
     default: ck_abort();
     }
 }
@@ -93,9 +84,9 @@ static void set_option(world_options *o, int k, real value)
 {
     int *const whole[] = { &o->substeps, &o->least_substeps,
         &o->most_substeps, &o->sweeps, &o->passes };
-    real *const number[] = { &o->dt, &o->relax.tolerance, &o->response.gain,
-        &o->response.friction, &o->response.restitution, &o->skin, &o->content,
-        &o->mend, &o->mend_speed };
+    real *const number[] = { &o->dt, &o->relax.tolerance, &o->friction,
+        &o->restitution, &o->skin, &o->stay, &o->content, &o->mend,
+        &o->mend_speed };
     if (k < WHOLE)           *whole[k] = (int)value;
     else if (is_integer(k))  set_choice(o, k - WHOLE, (int)value);
     else                     *number[k - INTEGERS] = value;
@@ -155,67 +146,17 @@ START_TEST(limits_of_the_options_are_allowed)
 }
 END_TEST
 
-// Rejects: a default that is the paper's; an "as printed" that is not.
-START_TEST(default_and_paper_differ_as_documented)
+// Rejects: a default that is not what its comment says.
+START_TEST(defaults_are_as_documented)
 {
-    world_options ours = world_options_default();
-    world_options paper = world_options_paper();
-    world other;
-    ck_assert(world_init(&other, ours).ok);
-    world_free(&other);
-    ck_assert(world_init(&other, paper).ok);
-    world_free(&other);
-
-    // Both animate the same film.
-    ck_assert(ours.dt == paper.dt && ours.dt == 1.0 / 60);
-    near_vec3(ours.gravity, paper.gravity, 0);
-    near_vec3(ours.gravity, vec3_make(0, -9.81, 0), 0);
-    ck_assert(ours.clock == NULL && paper.clock == NULL);
-
-    // As printed: one step and separation, the lists of section 6.2, sticks
-    // within 1 % left alone, Eqs 10 and 11.
-    ck_assert(paper.substeps == 1 && paper.most_substeps == 1);
-    ck_assert_int_eq(paper.least_substeps, 1);
-    ck_assert_int_eq(paper.order, ORDER_REPEATED);
-    ck_assert(paper.relax.tolerance == 0.01 && paper.relax.dead_band == 1);
-    ck_assert_int_eq(paper.relax.root, ROOT_APPROXIMATE);
-    ck_assert_int_eq(paper.relax.gradient, GRADIENT_NEW);
-    ck_assert_int_eq(paper.response.share, SHARE_PRINTED);
-    ck_assert(paper.response.gain == 1 && paper.skin == 0);
-    ck_assert_int_eq(paper.leaves, LEAVES_FACE);
-    ck_assert(!paper.look_ahead && !paper.manifold && !paper.resting);
-    ck_assert_int_eq(paper.model, BODY_VERTICES);
-    ck_assert_int_eq(paper.pairs, PAIRS_ALL);
-    ck_assert(!paper.lines && !paper.memory && !paper.blows && !paper.swept);
-
-    ck_assert_int_gt(ours.substeps, 1);
-    ck_assert_int_gt(ours.most_substeps, ours.substeps);
-    ck_assert_int_lt(ours.least_substeps, ours.substeps);
-    ck_assert(ours.relax.dead_band == 0 && ours.relax.tolerance < 0.01);
-    ck_assert_int_eq(ours.response.share, SHARE_MASS);
-    ck_assert_int_eq(ours.response.push, PUSH_OUT);
-    ck_assert_int_eq(ours.leaves, LEAVES_VERTEX);
-    ck_assert(ours.look_ahead && ours.manifold && ours.resting);
-    ck_assert_int_eq(ours.model, BODY_FOUR);
-    ck_assert_int_eq(ours.pairs, PAIRS_SORTED);
-    ck_assert(ours.lines && ours.memory && ours.mend > 0 && ours.swept);
-    ck_assert(!ours.ledger && !paper.ledger);
-}
-END_TEST
-
-// Rejects: a best way of particles at every vertex that is not one.
-START_TEST(vertices_are_the_default_but_for_rigid_bodies)
-{
-    world_options ours = world_options_default();
-    world_options old = world_options_vertices();
-    ck_assert_int_eq(old.model, BODY_VERTICES);
-    ck_assert(old.dt == ours.dt && old.substeps >= ours.substeps);
-    ck_assert(old.response.gain > 1 && old.look_ahead && old.manifold);
-    ck_assert_int_eq(old.leaves, ours.leaves);
-    ck_assert_int_eq(old.relax.gradient, ours.relax.gradient);
-    world other;
-    ck_assert(world_init(&other, old).ok);
-    world_free(&other);
+    world_options o = world_options_default();
+    ck_assert(o.dt == 1.0 / 60 && o.substeps == 4);
+    near_vec3(o.gravity, vec3_make(0, -9.81, 0), 0);
+    ck_assert(o.friction == 0.5 && o.restitution == 0);
+    ck_assert_int_gt(o.most_substeps, o.substeps);
+    ck_assert_int_lt(o.least_substeps, o.substeps);
+    ck_assert(o.resting && o.memory && o.swept && o.mend > 0);
+    ck_assert(o.clock == NULL && o.both == NULL && !o.ledger);
 }
 END_TEST
 
@@ -226,12 +167,12 @@ END_TEST
 START_TEST(vertices_stand_where_the_axes_say)
 {
     placement p = slanted();
-    begin(ours(_i));
+    begin(world_options_default());
     add(&ball, placement_at(vec3_make(0, 0, 0)));
     add(&box, p);
     const body *b = &w.body[1];
-    ck_assert_int_eq(b->first, _i ? ball.particles : FOUR);
-    ck_assert_int_eq(body_particles(b), _i ? box.particles : FOUR);
+    ck_assert_int_eq(b->first, FOUR);
+    ck_assert_int_eq(body_particles(b), FOUR);
     for (int i = 0; i < box.particles; i++) {
         vec3 r = box.at[i], d = vec3_sub(vertex_of(1, i), p.position);
         ck_assert(fabs(vec3_dot(d, p.x) - r.x) <= ROUNDING * 10);
@@ -248,7 +189,7 @@ START_TEST(particles_start_with_velocity_and_spin)
     placement p = slanted();
     p.velocity = vec3_make(1, 2, 3);
     p.spin = vec3_make(0, 0, 4);
-    begin(ours(_i));
+    begin(world_options_default());
     add(&box, p);
     real h = w.options.dt / w.options.substeps;
     for (int i = 0; i < body_particles(&w.body[0]); i++) {
@@ -314,20 +255,19 @@ END_TEST
 // Rejects: a total mass on every particle; inverse masses not inverted.
 START_TEST(masses_are_those_of_the_plan)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     add(&box, placement_at(vec3_make(0, 0, 0)));
     add(&cloth, placement_at(vec3_make(0, 5, 0)));
     ck_assert(fabs(w.body[0].mass - 6) <= ROUNDING * 6);
     ck_assert(fabs(w.body[1].mass - 1) <= ROUNDING);
     int n = body_particles(&w.body[0]);
     for (int i = 0; i < n; i++)
-        ck_assert(w.pool.at[i].inverse_mass == (_i ? 1 / box.mass[i]
-                                                   : 4 / 6.0));
+        ck_assert(w.pool.at[i].inverse_mass == 4 / 6.0);
     for (int i = 0; i < cloth.particles; i++)
         ck_assert(w.pool.at[n + i].inverse_mass == 1 / cloth.mass[i]);
     ck_assert_int_eq(w.softs, 1);
     ck_assert(!body_is_soft(&w.body[0]) && body_is_soft(&w.body[1]));
-    ck_assert(w.body[1].four == NULL && (w.body[0].four == NULL) == _i);
+    ck_assert(w.body[1].four == NULL && w.body[0].four != NULL);
 }
 END_TEST
 
@@ -339,7 +279,7 @@ START_TEST(nailed_body_is_immovable_and_at_rest)
     p.velocity = vec3_make(9, 9, 9);
     p.spin = vec3_make(9, 9, 9);
     p.is_static = 1;
-    begin(ours(_i));
+    begin(world_options_default());
     add(&box, p);
     ck_assert(w.body[0].mass == HUGE_VAL && body_is_nailed(&w.body[0]));
     for (int i = 0; i < body_particles(&w.body[0]); i++) {
@@ -355,7 +295,7 @@ START_TEST(nail_holds_one_particle_of_its_body)
 {
     placement p = placement_at(vec3_make(0, 1, 0));
     p.velocity = vec3_make(0, 0, 1);
-    begin(ours(_i));
+    begin(world_options_default());
     add(&ball, p);
     add(&rope, p);
     world_nail(&w, 1, 2);
@@ -444,7 +384,7 @@ END_TEST
 START_TEST(many_bodies_share_their_plans)
 {
     enum { MANY = 100 };
-    begin(ours(_i));
+    begin(world_options_default());
     for (int k = 0; k < MANY; k++) {
         int number = -1;
         const shape *s = k % 3 ? &ball : &box;
@@ -462,7 +402,7 @@ START_TEST(many_bodies_share_their_plans)
         ck_assert_ptr_eq(b->four, w.body[k % 3 ? 1 : 0].four);
         near_vec3(vertex_of(k, 0),
                   vec3_add(b->plan->at[0], vec3_make(k, 0, 0)),
-                  _i ? 0 : ROUNDING * (k + 10));
+                  ROUNDING * (k + 10));
         first += body_particles(b);
     }
     ck_assert_int_eq(w.pool.count, first);
@@ -524,7 +464,7 @@ START_TEST(world_begins_with_everything_in_its_place)
 {
     placement nailed = slanted();
     nailed.is_static = 1;
-    begin(ours(_i));
+    begin(world_options_default());
     add(&box, nailed);
     add(&ball, placement_at(vec3_make(0, 9, 0)));
     add(&cloth, placement_at(vec3_make(8, 9, 0)));
@@ -554,29 +494,19 @@ END_TEST
 // own measure; leaves of the other kind.
 START_TEST(thickness_is_the_skin_of_a_body_or_the_radius_of_its_particles)
 {
-    for (int kind = 0; kind < 2; kind++) {
-        world_free(&w);
-        world_options o = world_options_default();
-        o.skin = 0.25;
-        o.leaves = kind ? LEAVES_FACE : LEAVES_VERTEX;
-        ck_assert(world_init(&w, o).ok);
-        add(&box, placement_at(vec3_make(0, 0, 0)));
-        add(&cloth, placement_at(vec3_make(0, 3, 0)));
-        add(&rope, placement_at(vec3_make(0, 6, 0)));
-        ck_assert(w.body[0].thickness == 0.25 * box.radius);
-        ck_assert_int_eq(w.body[0].tree.leaves, 12);
-        if (kind) {
-            ck_assert(w.body[1].thickness == 0 && w.body[2].thickness == 0);
-            ck_assert_int_eq(w.body[1].tree.leaves, cloth.mesh.faces);
-            ck_assert_int_eq(w.body[2].tree.leaves, rope.sticks);
-        } else {
-            // Two sheets of spacing s must keep more than s apart.
-            ck_assert(w.body[1].thickness > cloth.spacing / 2);
-            ck_assert(w.body[2].thickness > rope.spacing / 2);
-            ck_assert_int_eq(w.body[1].tree.leaves, cloth.particles);
-            ck_assert_int_eq(w.body[2].tree.leaves, rope.particles);
-        }
-    }
+    world_options o = world_options_default();
+    o.skin = 0.25;
+    begin(o);
+    add(&box, placement_at(vec3_make(0, 0, 0)));
+    add(&cloth, placement_at(vec3_make(0, 3, 0)));
+    add(&rope, placement_at(vec3_make(0, 6, 0)));
+    ck_assert(w.body[0].thickness == 0.25 * box.radius);
+    ck_assert_int_eq(w.body[0].tree.leaves, 12);
+    // Two sheets of spacing s must keep more than s apart.
+    ck_assert(w.body[1].thickness > cloth.spacing / 2);
+    ck_assert(w.body[2].thickness > rope.spacing / 2);
+    ck_assert_int_eq(w.body[1].tree.leaves, cloth.particles);
+    ck_assert_int_eq(w.body[2].tree.leaves, rope.particles);
 }
 END_TEST
 
@@ -584,7 +514,7 @@ END_TEST
 // looked for among the particles of another body.
 START_TEST(look_copies_where_one_body_is)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     add(&box, placement_at(vec3_make(0, 0, 0)));
     add(&ball, placement_at(vec3_make(0, 5, 0)));
     add(&box, placement_at(vec3_make(0, 9, 0)));
@@ -593,7 +523,7 @@ START_TEST(look_copies_where_one_body_is)
     world_look(&w, &w.body[1]);
     collider c = world_collider(&w, &w.body[1]);
     ck_assert_ptr_eq(c.plan, &ball);
-    ck_assert_int_eq(c.first, _i ? box.particles : 0);
+    ck_assert_int_eq(c.first, 0);
     ck_assert(c.mass == w.body[1].mass);
     ck_assert_ptr_eq(c.at, w.of.at + w.body[1].corner);
     for (int b = 0; b < w.bodies; b++)
@@ -608,7 +538,7 @@ END_TEST
 // range of another body.
 START_TEST(vertices_ride_on_the_particles)
 {
-    begin(ours(_i));
+    begin(world_options_default());
     add(&ball, placement_at(vec3_make(0, 0, 0)));
     add(&box, placement_at(vec3_make(0, 5, 0)));
     add(&rope, placement_at(vec3_make(0, 9, 0)));
@@ -645,7 +575,7 @@ START_TEST(world_may_be_freed_at_any_time)
     world_free(&w);
     ck_assert_int_eq(w.bodies, 0);
     ck_assert_int_eq(w.pool.count, 0);
-    ck_assert(world_init(&w, world_options_paper()).ok);
+    ck_assert(world_init(&w, world_options_default()).ok);
     add(&cloth, placement_at(vec3_make(0, 0, 0)));
     ck_assert(world_begin(&w).ok);
     world_free(&w);
@@ -668,36 +598,31 @@ static status build(const world_options *o)
 // something is lost.
 START_TEST(every_refusal_of_memory_is_told_and_leaves_nothing)
 {
-    const world_options way[] = { world_options_default(),
-                                  world_options_vertices(),
-                                  world_options_paper() };
+    const world_options o = world_options_default();
+    int n = 0, ok = 0;
     world_free(&w);
-    for (int k = 0; k < 3; k++) {
-        int n = 0, ok = 0;
-        for (; n < 1000 && !ok; n++) {
-            long before = blocks_held;
-            mallocs_left = n;
-            status done = build(&way[k]);
-            mallocs_left = INT_MAX;
-            ok = done.ok;
-            world_free(&w);
-            long after = blocks_held;
-            if (!ok) ck_assert_str_eq(done.why, "out of memory");
-            ck_assert_int_eq(after, before);
-        }
-        ck_assert(ok);
-        ck_assert_int_gt(n, 30);
+    for (; n < 1000 && !ok; n++) {
+        long before = blocks_held;
+        mallocs_left = n;
+        status done = build(&o);
+        mallocs_left = INT_MAX;
+        ok = done.ok;
+        world_free(&w);
+        long after = blocks_held;
+        if (!ok) ck_assert_str_eq(done.why, "out of memory");
+        ck_assert_int_eq(after, before);
     }
+    ck_assert(ok);
+    ck_assert_int_gt(n, 30);
 }
 END_TEST
 
 int main(void)
 {
-    const TTest *const once[] = {
+    const TTest *const tests[] = {
         options_out_of_range_are_refused_by_name,
         limits_of_the_options_are_allowed,
-        default_and_paper_differ_as_documented,
-        vertices_are_the_default_but_for_rigid_bodies,
+        defaults_are_as_documented,
         lopsided_body_spins_about_the_centre_of_its_solid,
         body_too_thin_for_four_particles_is_refused,
         placement_must_be_finite_and_orthonormal,
@@ -708,8 +633,6 @@ int main(void)
         empty_world_begins,
         world_may_be_freed_at_any_time,
         every_refusal_of_memory_is_told_and_leaves_nothing,
-    };
-    const TTest *const both[] = {
         vertices_stand_where_the_axes_say,
         particles_start_with_velocity_and_spin,
         masses_are_those_of_the_plan,
@@ -723,10 +646,8 @@ int main(void)
     Suite *s = suite_create("world");
     TCase *t = tcase_create("world");
     tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof once / sizeof *once; i++)
-        tcase_add_test(t, once[i]);
-    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
-        tcase_add_loop_test(t, both[i], 0, MODELS);
+    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
+        tcase_add_test(t, tests[i]);
     suite_add_tcase(s, t);
     SRunner *runner = srunner_create(s);
     srunner_run_all(runner, CK_NORMAL);

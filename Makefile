@@ -12,20 +12,24 @@ define ORDER
 03/mesh
 03/body
 03/rigidity
-03/mesh_check
 03/convex
 03/obj
+04/gjk
 05/feature
+05/hit_face
+06/sphere
 06/sphere_tree
 07/response
 08/ordering
 09/scene
+09/poses
+09/system
+10/ring
 10/support
 10/exact
 10/nearest
 10/distance
 10/penetration
-11/separation
 11/manifold
 12/line
 13/four
@@ -33,6 +37,7 @@ define ORDER
 14/broad
 14/grid
 15/swept
+16/separation
 16/collide
 16/rest
 16/world
@@ -395,8 +400,9 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,verlet constraint mesh body \
-  rigidity mesh_check convex obj penetration sphere_tree grid ordering line four broad rest world step world_scene scene)
+SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body ring \
+  rigidity convex obj penetration sphere sphere_tree grid ordering \
+  line four broad rest world step world_scene scene system)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -409,7 +415,7 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
-ASKS := $(addprefix $(BUILD)/tests/check_,oracle distance penetration swept) $(BUILD)/figures/10-slow
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(BUILD)/figures/10-slow
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
 $(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o

@@ -17,7 +17,7 @@ first_error() { sed -n '/error/ { p; q; }' "$out/errors"; }
 check_files() {
     for file in "$dir"/* "$dir"/.[!.]*; do
         case ${file##*/} in
-        README.md|exercise|hints|wrong|mine.*|"*"|".[!.]*") ;;
+        README.md|exercise|hints|wrong|show.c|mine.*|"*"|".[!.]*") ;;
         solution.c|check.c|*.h) [ -n "$after" ] || fault "$file is a stray file: the module is in lib/" ;;
         *) fault "$file is a stray file" ;;
         esac
@@ -77,6 +77,7 @@ check_solution() {
     seconds=$patience
     compile "$solution" 2> "$out/errors" || { fault "the solution does not compile: $(first_error)"; return; }
     judge "$solution" > "$out/told" || { fault "the solution does not pass"; sed 's/^/  /' "$out/told"; }
+    show > "$out/shown" 2>&1 < /dev/null || { fault "show.c fails"; sed 's/^/  /' "$out/shown"; }
 }
 
 # Without the sanitizers: most mistakes need none, and they are most of the time.

@@ -104,6 +104,15 @@ prepare() {
 # shellcheck disable=SC2086
 compile() { $cc $exact -O0 -g $sanitize $warnings $rooms -I"$dir" -c "$1" -o "$out/mine.o"; }
 
+# show: what the reader has built, moving: runs the exercise's show.c, if it has
+# one, with what was compiled last.
+show() {
+    [ -f "$dir/show.c" ] || return 0
+    # shellcheck disable=SC2046,SC2086
+    $cc $exact -O1 -g $sanitize $warnings -D_XOPEN_SOURCE=700 $rooms -Iexercises "$dir/show.c" \
+        "$out/mine.o" $(library_parts | grep -v /judge.o) -lm -o "$out/show" && "$out/show"
+}
+
 # judge FILE [TEST]: what was compiled of FILE, against all tests or against one.
 # Returns what tell.awk does, and says what it says.
 judge() {
@@ -122,7 +131,7 @@ judge() {
     : > "$out/said"
     (
         ulimit -f 40000         # 20 MB, for code that prints without end
-        ONLY=$2 JUDGE_STOP=$out/stop JUDGE_SECONDS=$seconds \
+        YOURS=$1 ONLY=$2 JUDGE_STOP=$out/stop JUDGE_SECONDS=$seconds \
         CK_FORK=yes CK_TIMEOUT_MULTIPLIER=15 CK_TAP_LOG_FILE_NAME=$out/tap \
         ASAN_OPTIONS=print_legend=0:$ASAN_OPTIONS \
         "$out/judge" > "$out/summary" 2> "$out/said" < /dev/null

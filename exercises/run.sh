@@ -40,6 +40,7 @@ exercise() {
     judge "$mine"
     case $? in
     0)  write_passed "$name"
+        show
         echo "Compare with the book's answer:  make solution $name"
         next_of "${name%%/*}" "$(states)"
         return 0 ;;

@@ -43,8 +43,12 @@ file == 2 && $1 == "judge:" && $2 == "end" { unended[now]--; next }
 file == 2 && $1 == "judge:" && $2 == "endless" { report = "endless"; fault[now] = "does not end (stopped after " seconds " seconds of computing)"; next }
 file == 2 && now == "" { next }
 
-file == 2 && /ERROR: (Address|Leak)Sanitizer:/ { report = "memory" }
-file == 2 && report == "memory" && /^(READ|WRITE) of size/ { access = $1 == "READ" ? "reads" : "writes" }
+file == 2 && /ERROR: (Address|Leak)Sanitizer:/ { report = "memory"; kind = $3 }
+# A stack that is written over may end the report here.
+file == 2 && report == "memory" && /^(READ|WRITE) of size/ {
+    access = $1 == "READ" ? "reads" : "writes"
+    fault[now] = memory_fault(kind, "")
+}
 file == 2 && /LeakSanitizer has encountered a fatal error/ { fault[now] = "could not be searched for leaks on this machine (ASAN_OPTIONS=detect_leaks=0 does without)" }
 file == 2 && /^SUMMARY: AddressSanitizer:/ { fault[now] = memory_fault($3, $0) }
 file == 2 && /: runtime error: / && report == "" {

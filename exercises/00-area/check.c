@@ -84,6 +84,23 @@ START_TEST(dent_counts_against)
 }
 END_TEST
 
+START_TEST(corner_in_a_line_changes_nothing)
+{
+    // From each corner on.  Rejects: the side of the whole asked of the first
+    // triangle, which is flat here; then the mean of the corners, (1, 0.8).
+    const vec3 square[5] = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 },
+                             { 0, 2, 0 } };
+    for (int from = 0; from < 5; from++) {
+        vec3 there[5];
+        for (int k = 0; k < 5; k++) there[k] = square[(from + k) % 5];
+        expect("a square of 2 m with a fifth corner in a side, area",
+               area_of(there, 5), (vec3){ 0, 0, 4 }, ROUNDING);
+        expect("its middle", center_of(there, 5), (vec3){ 1, 1, 0 },
+               ROUNDING);
+    }
+}
+END_TEST
+
 START_TEST(nothing_is_lost_far_away)
 {
     // Places that a double knows exactly, so differences are exact, too.
@@ -169,6 +186,7 @@ int main(void)
     tcase_add_test(t, square_has_its_area_and_its_side);
     tcase_add_test(t, triangle_of_3_and_4_has_6);
     tcase_add_test(t, dent_counts_against);
+    tcase_add_test(t, corner_in_a_line_changes_nothing);
     tcase_add_test(t, nothing_is_lost_far_away);
     tcase_add_test(t, closed_body_has_no_area_in_all);
     tcase_add_test(t, bent_quadrilateral_has_half_the_product_of_its_diagonals);

@@ -145,13 +145,13 @@ START_TEST(every_particle_is_moved_and_no_other)
 }
 END_TEST
 
-START_TEST(nailed_stays)
+START_TEST(pinned_particle_stays)
 {
-    // Rejects: wind or weight on a nail, a speed that waits in previous.
+    // Rejects: wind or weight on a pinned particle, a speed that waits in previous.
     particle p = moving((vec3){ 1, 0, 0 }, 0);
     for (int k = 0; k < 3; k++)
         drag_step(&p, 1, DOWN, 5, (vec3){ 9, 0, 0 }, 0.1);
-    ck_assert_msg(vec3_length(p.position) == 0, "the nailed particle is at "
+    ck_assert_msg(vec3_length(p.position) == 0, "the pinned particle is at "
                   "(%g, %g, %g), it was at the origin", p.position.x,
                   p.position.y, p.position.z);
     ck_assert_msg(vec3_length(last_move(&p)) == 0, "it stands, but previous "
@@ -170,7 +170,7 @@ int main(void)
     tcase_add_test(t, no_drag_is_too_large);
     tcase_add_test(t, it_is_of_order_2);
     tcase_add_test(t, every_particle_is_moved_and_no_other);
-    tcase_add_test(t, nailed_stays);
+    tcase_add_test(t, pinned_particle_stays);
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

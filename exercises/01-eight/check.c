@@ -122,7 +122,7 @@ static void step(particle *p, const real *mass, int n, real dt)
 
 START_TEST(planet_sweeps_equal_areas)
 {
-    // A comet, and a sun that is nailed; only 50 steps a round, and the areas
+    // A comet, and a sun that is pinned; only 50 steps a round, and the areas
     // are equal still.  Rejects: a force that is not along the line.
     vec3 x0 = { 2, 1, 1 }, v0 = { 0, 0.9, 0 }, sun = { 1, 1, 1 };
     real mass[2] = { 2, 1 }, dt = 0.125;

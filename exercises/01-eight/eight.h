@@ -7,7 +7,7 @@
 
 // The force (N) on each of n bodies: towards every other, G m m' / d^2, where G
 // (N m^2 / kg^2) is the strength of gravity and d (m) their distance.  mass in
-// kg, also of nailed bodies.  Bodies in the same place do not attract each
+// kg, also of pinned bodies.  Bodies in the same place do not attract each
 // other.
 void attract(const particle *p, const real *mass, int n, real G, vec3 *force);
 

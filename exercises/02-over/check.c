@@ -10,7 +10,7 @@
 static const real ROUNDING = 1e-14;
 // A stick's answer to small errors bends by about the error itself, 1e-6 here.
 static const real BENT = 1e-5;
-// A rate taken over two hundred sweeps still swings with the phase at its ends.
+// A rate taken over two hundred iterations still swings with the phase at its ends.
 static const real SWING = 0.01;
 
 static const real PI = 3.14159265358979323846;
@@ -56,13 +56,13 @@ START_TEST(one_stick_goes_too_far_by_omega)
     // length, for one end only; shares that forget the masses.
     particle p[2] = { at(0, 0, 0, 1), at(0, 3, 0, 3) };
     stick s = { 0, 1, 2, 1, STICK_EXACT };
-    over_sweep(&s, 1, p, 1.5);
+    over_iterate(&s, 1, p, 1.5);
     near(p[0].position.y, 0.375, ROUNDING, "height of a", "1.5 times 1/4 m.");
     near(p[1].position.y, 1.875, ROUNDING, "height of b", "1.5 times 3/4 m.");
 }
 END_TEST
 
-START_TEST(omega_1_is_the_plain_sweep)
+START_TEST(omega_1_is_the_plain_iteration)
 {
     // Rejects: sticks that do not see what the one before has moved, a stick
     // left out, one past the end.
@@ -72,7 +72,7 @@ START_TEST(omega_1_is_the_plain_sweep)
     for (int i = 0; i < 21; i++) p[i].position.y = 0.25 * (i % 3);
     memcpy(q, p, sizeof p);
     for (int k = 0; k < 3; k++) {
-        over_sweep(s, 20, p, 1);
+        over_iterate(s, 20, p, 1);
         sticks_iterate(s, 20, q, relax_options_pbd());
     }
     for (int i = 0; i < 21; i++)
@@ -89,7 +89,7 @@ START_TEST(jacobi_mends_one_stick_at_once)
     particle p[2] = { at(0, 0, 0, 1), at(0, 3, 0, 3) };
     stick s = { 0, 1, 2, 1, STICK_EXACT };
     vec3 move[2] = { { 9, 9, 9 }, { 9, 9, 9 } };
-    jacobi_sweep(&s, 1, p, 2, move);
+    jacobi_iterate(&s, 1, p, 2, move);
     near(p[0].position.y, 0.25, ROUNDING, "height of a", "A quarter of 1 m.");
     near(p[1].position.y, 2.25, ROUNDING, "height of b", "Three quarters.");
     near(p[0].position.x, 0, ROUNDING, "x of a",
@@ -107,8 +107,8 @@ START_TEST(jacobi_is_the_same_in_any_order)
     for (int i = 0; i < 21; i++) p[i].position.y = 0.25 * (i % 3);
     memcpy(q, p, sizeof p);
     for (int k = 0; k < 20; k++) t[k] = s[(7 * k) % 20];
-    jacobi_sweep(s, 20, p, 21, move);
-    jacobi_sweep(t, 20, q, 21, move);
+    jacobi_iterate(s, 20, p, 21, move);
+    jacobi_iterate(t, 20, q, 21, move);
     for (int i = 0; i < 21; i++)
         near(vec3_distance(p[i].position, q[i].position), 0, 100 * ROUNDING,
              "metres between the two orders",
@@ -118,12 +118,12 @@ END_TEST
 
 START_TEST(nowhere_to_go_stays)
 {
-    // Rejects: 0 / 0, for ends in one place and for two nails.
+    // Rejects: 0 / 0, for ends in one place and for two pinned ends.
     particle p[3] = { at(1, 0, 0, 0), at(1, 0, 0, 1), at(4, 0, 0, 0) };
     stick s[2] = { { 0, 1, 1, 1, STICK_EXACT }, { 0, 2, 1, 1, STICK_EXACT } };
     vec3 move[3];
-    jacobi_sweep(s, 2, p, 3, move);
-    over_sweep(s, 2, p, 1.5);
+    jacobi_iterate(s, 2, p, 3, move);
+    over_iterate(s, 2, p, 1.5);
     for (int i = 0; i < 3; i++)
         near(p[i].position.x, i < 2 ? 1 : 4, 0, "x", "Nobody can move.");
 }
@@ -138,9 +138,9 @@ START_TEST(jacobi_leaves_a_cosine_of_the_slowest_wave)
         vec3 move[MOST];
         chain(n, s, p);
         real before = worst(s, n, p);
-        jacobi_sweep(s, n, p, n + 1, move);
+        jacobi_iterate(s, n, p, n + 1, move);
         ck_assert_msg(fabs(worst(s, n, p) / before - cos(PI / (n + 1))) <= BENT,
-                      "%d sticks: one sweep leaves %g of the error, wanted "
+                      "%d sticks: one iteration leaves %g of the error, wanted "
                       "cos(pi / %d) = %g", n, worst(s, n, p) / before, n + 1,
                       cos(PI / (n + 1)));
     }
@@ -161,44 +161,44 @@ END_TEST
 
 START_TEST(above_the_best_the_rate_is_omega_less_one)
 {
-    // Then all waves die out alike, by omega - 1 a sweep.  Rejects: omega on
+    // Then all waves die out alike, by omega - 1 an iteration.  Rejects: omega on
     // one end, half of what goes too far.
     stick s[MOST];
     particle p[MOST];
     chain(20, s, p);
-    for (int k = 0; k < 50; k++) over_sweep(s, 20, p, 1.9);
+    for (int k = 0; k < 50; k++) over_iterate(s, 20, p, 1.9);
     real before = worst(s, 20, p);
-    for (int k = 0; k < 60; k++) over_sweep(s, 20, p, 1.9);
+    for (int k = 0; k < 60; k++) over_iterate(s, 20, p, 1.9);
     near(pow(worst(s, 20, p) / before, 1.0 / 60), 0.9, SWING,
-         "share that a sweep leaves, omega 1.9", "omega - 1, for every wave.");
+         "share that an iteration leaves, omega 1.9", "omega - 1, for every wave.");
 }
 END_TEST
 
 // Sweeps until a millionth of the error is left, at most 10,000.
-static int sweeps_needed(int n, real omega)
+static int iterations_needed(int n, real omega)
 {
     stick s[MOST];
     particle p[MOST];
-    int sweeps = 0;
+    int iterations = 0;
     chain(n, s, p);
     real before = worst(s, n, p);
-    while (sweeps < 10000 && worst(s, n, p) > 1e-6 * before) {
-        over_sweep(s, n, p, omega);
-        sweeps++;
+    while (iterations < 10000 && worst(s, n, p) > 1e-6 * before) {
+        over_iterate(s, n, p, omega);
+        iterations++;
     }
-    return sweeps;
+    return iterations;
 }
 
-START_TEST(fifty_sticks_take_fewer_than_200_sweeps)
+START_TEST(fifty_sticks_take_fewer_than_200_iterations)
 {
     // Rejects: a best omega that is not; it is sharp.
-    int plain = sweeps_needed(50, 1), best = sweeps_needed(50, over_best(50));
-    printf("50 sticks, six digits: %d sweeps with omega 1, %d with %g\n",
+    int plain = iterations_needed(50, 1), best = iterations_needed(50, over_best(50));
+    printf("50 sticks, six digits: %d iterations with omega 1, %d with %g\n",
            plain, best, over_best(50));
     ck_assert_msg(plain > 3500 && plain < 3700,
-                  "omega 1: %d sweeps for six digits, wanted about 3,640: "
+                  "omega 1: %d iterations for six digits, wanted about 3,640: "
                   "ln(1e-6) / ln(cos^2(pi / 51))", plain);
-    ck_assert_msg(best < 200, "omega %g: %d sweeps for six digits, wanted "
+    ck_assert_msg(best < 200, "omega %g: %d iterations for six digits, wanted "
                   "fewer than 200", over_best(50), best);
 }
 END_TEST
@@ -208,14 +208,14 @@ int main(void)
     Suite *s = suite_create("over");
     TCase *t = tcase_create("over");
     tcase_add_test(t, one_stick_goes_too_far_by_omega);
-    tcase_add_test(t, omega_1_is_the_plain_sweep);
+    tcase_add_test(t, omega_1_is_the_plain_iteration);
     tcase_add_test(t, jacobi_mends_one_stick_at_once);
     tcase_add_test(t, jacobi_is_the_same_in_any_order);
     tcase_add_test(t, nowhere_to_go_stays);
     tcase_add_test(t, jacobi_leaves_a_cosine_of_the_slowest_wave);
     tcase_add_test(t, best_omega_is_youngs);
     tcase_add_test(t, above_the_best_the_rate_is_omega_less_one);
-    tcase_add_test(t, fifty_sticks_take_fewer_than_200_sweeps);
+    tcase_add_test(t, fifty_sticks_take_fewer_than_200_iterations);
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

@@ -1,8 +1,8 @@
-// solution.c - successive over-relaxation, and Jacobi's sweep.
+// solution.c - successive over-relaxation, and Jacobi's iteration.
 
 #include "over.h"
 
-void over_sweep(const stick *s, int n, particle *p, real omega)
+void over_iterate(const stick *s, int n, particle *p, real omega)
 {
     for (int i = 0; i < n; i++) {
         stick eager = s[i];
@@ -23,7 +23,7 @@ static void add_moves(stick s, const particle *p, vec3 *move)
     move[s.b] = vec3_add_scaled(move[s.b], -k * wb, along);
 }
 
-void jacobi_sweep(const stick *s, int n, particle *p, int particles,
+void jacobi_iterate(const stick *s, int n, particle *p, int particles,
                   vec3 *move)
 {
     for (int i = 0; i < particles; i++) move[i] = (vec3){ 0, 0, 0 };

@@ -79,7 +79,7 @@ START_TEST(slanting_rope_pulls_along_itself)
          "5 m along (0.6, 0.8) become 4 m.");
     near(p[0].position.y, 3.2, ROUNDING, "y of a",
          "5 m along (0.6, 0.8) become 4 m.");
-    near(p[1].position.y, -5, 0, "nailed end", "Inverse mass 0 never moves.");
+    near(p[1].position.y, -5, 0, "pinned end", "Inverse mass 0 never moves.");
 }
 END_TEST
 

@@ -60,7 +60,7 @@ END_TEST
 START_TEST(second_relaxation_finds_nothing_to_do)
 {
     // Rejects: what has been pushed already is forgotten, or begins at 0 again:
-    // the more sweeps, the harder the spring.
+    // the more iterations, the harder the spring.
     particle p[2] = { at(0, 0, 0, 1), at(3, 0, 0, 3) };
     spring s = { 0, 1, 2, 1 };
     real lambda = 0;
@@ -86,7 +86,7 @@ END_TEST
 
 START_TEST(nowhere_to_go_changes_nothing)
 {
-    // Rejects: 0 / 0, for ends in one place and for two nails; a lambda that
+    // Rejects: 0 / 0, for ends in one place and for two pinned ends; a lambda that
     // counts a push that nobody took.
     particle p[2] = { at(1, 2, 3, 1), at(1, 2, 3, 1) };
     real lambda = 0.25;
@@ -95,30 +95,30 @@ START_TEST(nowhere_to_go_changes_nothing)
     near(lambda, 0.25, 0, "lambda of ends in one place", "No push, no change.");
     p[0] = at(0, 0, 0, 0), p[1] = at(3, 0, 0, 0);
     spring_relax((spring){ 0, 1, 2, 1 }, p, 0.5, &lambda);
-    near(p[1].position.x, 3, 0, "x of a nail", "");
-    near(lambda, 0.25, 0, "lambda between two nails", "No push, no change.");
+    near(p[1].position.x, 3, 0, "x of a pinned end", "");
+    near(lambda, 0.25, 0, "lambda between two pinned ends", "No push, no change.");
 }
 END_TEST
 
 START_TEST(weight_hangs_by_its_weight_times_compliance)
 {
-    // 2 kg on 0.01 m/N: 0.19625 m, whatever the step, however many sweeps.
+    // 2 kg on 0.01 m/N: 0.19625 m, whatever the step, however many iterations.
     // Rejects: a stiffness that depends on either, which is what `stiffness` of
     // a stick does; the mass ignored.
     real sag = 2 * 9.8125 * 0.01;
     for (int steps = 16; steps <= 1024; steps *= 8)
-        for (int sweeps = 1; sweeps <= 9; sweeps += 4) {
+        for (int iterations = 1; iterations <= 9; iterations += 4) {
             particle p[2] = { at(0, 0, 0, 0), at(0, -1 - sag, 0, 0.5) };
             for (int k = 0; k < 1000; k++) {
                 real lambda = 0, dt = 1.0 / steps;
                 verlet_step(p, 2, DOWN, NULL, dt);
-                for (int i = 0; i < sweeps; i++)
+                for (int i = 0; i < iterations; i++)
                     spring_relax((spring){ 0, 1, 1, 0.01 }, p, dt, &lambda);
             }
             ck_assert_msg(fabs(p[1].position.y + 1 + sag) <= REST_SLACK,
-                          "%d steps a second, %d sweeps: the weight hangs %g m "
+                          "%d steps a second, %d iterations: the weight hangs %g m "
                           "below the spring's end, wanted m g compliance = %g",
-                          steps, sweeps, -1 - p[1].position.y, sag);
+                          steps, iterations, -1 - p[1].position.y, sag);
         }
 }
 END_TEST

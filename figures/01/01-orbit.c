@@ -21,8 +21,8 @@ static vec3 pull(vec3 x)
 
 int main(void)
 {
-    printf("# A circular orbit, %d steps each: place under explicit Euler and "
-           "under Verlet\n# %s, %s\n# euler_x euler_y verlet_x verlet_y\n",
+    printf("# A circular orbit, %d steps each: position under explicit Euler "
+           "and under Verlet\n# %s, %s\n# euler_x euler_y verlet_x verlet_y\n",
            STEPS, __VERSION__, FLAGS);
     vec3 x0 = { 1, 0, 0 }, v0 = { 0, 1, 0 }, none = { 0, 0, 0 };
     real dt = 2 * 3.14159265358979323846 / STEPS;

@@ -101,7 +101,7 @@ static real orbit(method m, int per_orbit, double *took)
 
 int main(void)
 {
-    printf("# A planet (eccentricity 0.3): error of its place after 1.25 "
+    printf("# A planet (eccentricity 0.3): error of its position after 1.25 "
            "orbits, in half axes, against cost\n# %s, %s\n",
            __VERSION__, FLAGS);
     double unit;

@@ -17,7 +17,7 @@ set origin 0,0.42
 set size 1,0.58
 set title "A planet after an orbit and a quarter" font "DejaVu Sans,26" offset 0,-0.3
 set xlabel "time to compute (Verlet, 1000 steps an orbit = 1)" textcolor rgb "#404040"
-set ylabel "error of its place" textcolor rgb "#404040"
+set ylabel "error of its position" textcolor rgb "#404040"
 set xrange [0.025:400]
 set yrange [1e-9:10]
 set xtics (0.1, 1, 10, 100)

@@ -46,7 +46,7 @@ int main(void)
     const int look[] = { 0, 10, 100, 300, 1000 };
     chain c = chain_start();
     int done = 0;
-    printf("# The error of each stick, as a share of the first\n");
+    printf("# The error of each stick, as a fraction of the first\n");
     for (int i = 0; i < (int)(sizeof look / sizeof *look); i++) {
         for (; done < look[i]; done++)
             sticks_iterate(c.s, LINKS, c.p, relax_options_pbd());

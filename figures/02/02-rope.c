@@ -97,7 +97,8 @@ int main(void)
     printf("# cost 1 = a frame of 10 iterations of PBD, exact root = %.2f us\n",
            unit * 1e6);
     printf("# 10,000 times the weight at its end: strain %.3g with 10 "
-           "iterations, %.3g with 64 substeps\n", run(0, 10000, 0, 10, 1).strain,
+           "iterations, %.3g with 64 substeps\n",
+           run(0, 10000, 0, 10, 1).strain,
            run(0, 10000, 0, 1, 64).strain);
     // The energy at the start, and what there is to lose until it hangs.
     real first = -ROOT * 9.81 * (LINKS + 1) / 2;

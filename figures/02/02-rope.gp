@@ -38,7 +38,7 @@ set origin 0,0
 set size 1,0.5
 set title "The rope let go at 30°: the energy it loses in 5 s" offset 0,-0.3
 set xlabel "time a frame (10 iterations of PBD = 1)" textcolor rgb "#404040"
-set ylabel "share of its energy"
+set ylabel "fraction of its energy"
 set yrange [3e-4:2]
 set ytics ("100 %%" 1, "10 %%" 0.1, "1 %%" 0.01, "0.1 %%" 1e-3)
 set label 1 "n iterations" at 33,0.8 textcolor rgb "#404040"

@@ -75,8 +75,8 @@ int main(void)
         listed[i] = apart[i] = (stick){ i, i + 1, 0.01, 1, STICK_EXACT };
     if (!interleave(apart, LINKS, LINKS + 1)) return 1;
 
-    printf("# One relaxation of a stick, ns, and as a share of the bare loop "
-           "in list order\n# %s, %s\n# way listed_ns apart_ns listed "
+    printf("# One relaxation of a stick, ns, and as a fraction of the bare "
+           "loop in list order\n# %s, %s\n# way listed_ns apart_ns listed "
            "apart\n", __VERSION__, FLAGS);
     double unit = cost(0, listed, p);
     for (int way = 0; way < WAYS; way++) {

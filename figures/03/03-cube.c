@@ -7,6 +7,7 @@
 
 #include "body.h"
 #include "clock.h"
+#include "interleave.h"
 #include "rigidity.h"
 
 #include <stdio.h>
@@ -158,7 +159,7 @@ static void print_errors(const vec3 *at)
         stick s[MOST];
         particle p[8];
         int n = cube_sticks(s, c, 0, at);
-        if (!sticks_interleave(s, n, 8).ok) exit(1);
+        if (!interleave(s, n, 8)) exit(1);
         printf("\n\n# sticks sweeps ns_per_step largest_error\n");
         for (int sweeps = 1; sweeps <= 256; sweeps *= 2) {
             real error = fall(p, s, n, sweeps, at);

@@ -146,14 +146,15 @@ static status paint_patch(painter *p, const subject *s, int node, colour c)
     int faces = 0, stack[64], top = 0;
     stack[top++] = node;
     while (top > 0) {
-        const tree_node *n = &s->tree.node[stack[--top]];
-        if (n->leaf < 0) {
+        int k = stack[--top];
+        const tree_node *n = &s->tree.node[k];
+        if (k >= s->tree.leaves) {
             stack[top++] = n->child[0];
             stack[top++] = n->child[1];
             continue;
         }
-        for (int k = 0; k < 3; k++)
-            face[3 * faces + k] = s->face[3 * n->leaf + k];
+        for (int j = 0; j < 3; j++)
+            face[3 * faces + j] = s->face[3 * k + j];
         faces++;
     }
     colour pale = colour_mix(c, colour_hex(0xffffff), 0.25);
@@ -191,7 +192,7 @@ static status paint_level(painter *p, const subject *s, int node, int path,
                           int level, int left, int balls)
 {
     const tree_node *n = &s->tree.node[node];
-    if (left > 0 && n->leaf < 0) {
+    if (left > 0 && node >= s->tree.leaves) {
         status done = paint_level(p, s, n->child[0], 2 * path, level, left - 1,
                                   balls);
         if (!done.ok) return done;

@@ -236,7 +236,7 @@ static void add_radii(const sphere_tree *t, int node, int level, real *sum,
     sum[level] += t->node[node].ball.radius;
     count[level]++;
     for (int i = 0; i < 2; i++)
-        if (t->node[node].leaf < 0)
+        if (node >= t->leaves)
             add_radii(t, t->node[node].child[i], level + 1, sum, count);
 }
 
@@ -405,9 +405,9 @@ static real worst_escape(const sphere_tree *t, const vec3 *at, int node,
     real worst = -1;
     const tree_node *n = &t->node[node];
     for (int i = 0; i < 12; i++) below[i] = 0;
-    if (n->leaf >= 0) {
-        for (int j = 0; j < t->leaf[n->leaf].count; j++)
-            below[t->leaf[n->leaf].vertex[j]] = 1;
+    if (node < t->leaves) {
+        for (int j = 0; j < t->leaf[node].count; j++)
+            below[t->leaf[node].vertex[j]] = 1;
     } else {
         char half[12];
         for (int c = 0; c < 2; c++) {

@@ -2,16 +2,17 @@
 // that can count, and the expanding polytope.
 //
 // index 0: directions tried, ns, mean relative error of the depth
-// index 1: ns of penetration_find alone, its mean difference from the slow way, ns
-//          with gjk before it, ns of the slow way, largest difference
-// index 2, behind a line that counts the proofs of moved pairs:
-//          gap, ns of gjk cold, of gjk and hit face cold, carried; iterations;
-//          ns where the proof of the frame before is asked first; of the hit
-//          face that begins with nothing, and its iterations
+// index 1: ns of penetration_find alone, its mean difference from the slow way,
+//          ns with distance_find before it, ns of the slow way, largest
+//          difference, ns of the plain queries and their mean difference
+// index 2: gap, ns of distance cold, of distance and penetration cold, carried;
+//          iterations; ns of penetration that begins with nothing, and its
+//          iterations
 // Columns are separated by spaces.
 
 #include "query_pairs.h"
 #include "penetration.h"
+#include "hit_face.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +21,6 @@ enum { PASSES = 10, SOME = 2000 };
 
 static pair_at_gap pair[PAIRS];
 static distance_cache last[PAIRS];
-static penetration_memory memory[PAIRS];
 static real truth[PAIRS];
 
 // How far A - B reaches along n and along -n, whichever is less: one pass over
@@ -159,9 +159,17 @@ static void by_directions(void)
     printf("\n\n");
 }
 
-// ns a query of what = 0: gjk; 1: gjk and hit face; 2: hit face alone; 3: what
-// is remembered, and gjk and hit face where that proves nothing; 4: hit face
-// alone, with an empty simplex; for the moved pairs with the carried simplex if
+// The queries of chapters 04 and 05.
+static real plain_depth(const pair_at_gap *p)
+{
+    hull a = { p->a.at, CORNERS }, b = { p->b.at, CORNERS };
+    gjk_result r = gjk_distance(a, b, HUGE_VAL, NULL);
+    return r.status == GJK_OVERLAP ? hit_face_find(a, b, &r.last).depth : 0;
+}
+
+// ns a query of what = 0: distance; 1: distance and penetration; 2: penetration
+// alone, from the simplex of distance; 4: penetration alone, with an empty
+// simplex; 5: the plain way; for the moved pairs with the carried simplex if
 // `moved`.
 static double run(int what, int moved, penetration_scratch *scratch, double *error,
                   double *iterations)
@@ -183,10 +191,8 @@ static double run(int what, int moved, penetration_scratch *scratch, double *err
                 if (!moved && what != 2) s[k].count = 0;
                 distance_result g = { .status = DISTANCE_OVERLAP };
                 penetration_result r = { .status = PENETRATION_APART };
-                if (what == 3 && penetration_again(a, b, &memory[first + k],
-                                                scratch, &r)) {
-                    depth[k] = r.depth;
-                    *iterations += 1;
+                if (what == 5) {
+                    depth[k] = plain_depth(p);
                     continue;
                 }
                 if (what != 2 && what != 4)
@@ -227,13 +233,10 @@ static void prepare(real gap, penetration_scratch *scratch)
         settle(&pair[i], -gap, scratch);
         point_set a = points_of(&pair[i].a), b = points_of(&pair[i].b);
         last[i] = distance_find(a, b, distance_options_default(), NULL).last;
-        memory[i].faces = 0;
-        if (penetration_find(a, b, &last[i], scratch).status == PENETRATION_FOUND)
-            penetration_remember(scratch, &memory[i]);
     }
 }
 
-// Against the clock and the slow way; the truth of the rest is hit_face's own,
+// Against the clock and the slow way; the truth of the rest is penetration's own,
 // which agrees with the slow way on the first SOME pairs.
 static void by_way(penetration_scratch *scratch)
 {
@@ -251,52 +254,37 @@ static void by_way(penetration_scratch *scratch)
         worst = e > worst ? e : worst;
     }
     double e, alone = run(2, 0, scratch, &e, &n);
-    double both = run(1, 0, scratch, &e, &n);
+    double both = run(1, 0, scratch, &e, &n), off;
+    double plain = run(5, 0, scratch, &off, &n);
     printf("# %d directions, both ways\n"
-           "# hit_ns error gjk_and_hit_ns every_direction_ns worst_error\n"
-           "%.0f %.3g %.0f %.0f %.3g\n\n\n", 2 * faces + edges * edges, alone,
-           error, both, slow_ns, worst);
-    clock_print_row("hit_face", "depth of icosahedra", "rounding",
-                    "gjk and hit face", "all 245 directions", slow_ns / both);
-}
-
-// What is remembered of a pair is a proof when it has moved: as it is, with
-// some points more, or not.
-static void print_proofs(penetration_scratch *scratch)
-{
-    int sum[3] = { 0, 0, 0 };
-    for (int i = 0; i < PAIRS; i++) {
-        penetration_result r = { .iterations = 0 };
-        int proven = penetration_again(points_of(&pair[i].moved_a),
-                                    points_of(&pair[i].moved_b), &memory[i],
-                                    scratch, &r);
-        sum[!proven ? 2 : r.iterations > 1]++;
-    }
-    printf("# remembered, of %d: proof %d, with points more %d, none %d\n",
-           (int)PAIRS, sum[0], sum[1], sum[2]);
+           "# penetration_ns error both_ns every_direction_ns worst_error "
+           "plain_ns plain_difference\n"
+           "%.0f %.3g %.0f %.0f %.3g %.0f %.3g\n\n\n", 2 * faces + edges * edges,
+           alone, error, both, slow_ns, worst, plain, off);
+    clock_print_row("penetration", "depth of icosahedra", "rounding",
+                    "distance and penetration", "all 245 directions",
+                    slow_ns / both);
 }
 
 static void by_gap(penetration_scratch *scratch)
 {
     const real gap[] = { -1e-5, -0.005, -0.02, -0.1, -0.3 };
     printf("# gap gjk_ns both_ns carried_ns hit_iterations "
-           "remembered_ns alone_ns alone_iterations\n"
-           "#depths| \"depth, m\",\"GJK alone, ns\",\"GJK and hit face, ns\","
-           "expansions,\"hit face alone, ns\",\"both, carried, ns\","
-           "\"remembered, ns\"\n");
+           "alone_ns alone_iterations\n"
+           "#depths| \"depth, m\",\"distance, ns\",\"and penetration, ns\","
+           "expansions,\"penetration alone, ns\",\"both, carried, ns\"\n");
     for (int g = 0; g < 5; g++) {
         double e, n, m, k;
         prepare(gap[g], scratch);
         for (int i = 0; i < PAIRS; i++) truth[i] = 1;
-        double gjk = run(0, 0, scratch, &e, &m);
+        double apart = run(0, 0, scratch, &e, &m);
         double both = run(1, 0, scratch, &e, &n);
         double carried = run(1, 1, scratch, &e, &m);
-        double again = run(3, 1, scratch, &e, &m);
         double alone = run(4, 0, scratch, &e, &k);
-        printf("%g %.0f %.0f %.0f %.2f %.0f %.0f %.2f\n", gap[g], gjk, both,
-               carried, n, again, alone, k);
-        printf("#depths| %g,%.0f,%.0f,%.1f,%.0f,%.0f,%.0f\n", -gap[g], gjk,
-               both, n, alone, carried, again);
+        printf("%g %.0f %.0f %.0f %.2f %.0f %.2f\n", gap[g], apart, both,
+               carried, n, alone, k);
+        printf("#depths| %g,%.0f,%.0f,%.1f,%.0f,%.0f\n", -gap[g], apart, both,
+               n, alone, carried);
     }
 }
 
@@ -313,7 +301,6 @@ int main(void)
                                  &last[i], scratch).depth;
     by_directions();
     by_way(scratch);
-    print_proofs(scratch);
     by_gap(scratch);
     penetration_scratch_free(scratch);
     return 0;

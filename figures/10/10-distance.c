@@ -6,14 +6,17 @@
 //          without and with a ring
 // index 3: questions a cold search of two icosahedra asks, from any corner, from
 //          the corner from middle to middle, and as distance_find begins
+// index 4: ns of the plain GJK of chapter 04, and its mean relative difference
+//          from the distance above: cold, then carried
 // Columns are separated by spaces.
 
+#include "gjk.h"
 #include "query_pairs.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { CAPS = 12, PASSES = 8 };
+enum { CAPS = 8, PASSES = 20 };
 
 static pair_at_gap pair[PAIRS];
 static distance_cache carried[PAIRS];
@@ -25,33 +28,40 @@ static distance_result ask(int i, int moved, distance_options o, distance_cache 
                         points_of(moved ? &pair[i].moved_b : &pair[i].b), o, s);
 }
 
+// One pass over all pairs; the mean relative error and number of iterations.
+static void pass_over(int moved, distance_options o, stopwatch *w,
+                      double *error, double *iterations)
+{
+    *error = *iterations = 0;
+    for (int block = 0; block < PAIRS / BLOCK; block++) {
+        static distance_cache s[BLOCK];
+        static real distance[BLOCK];
+        int first = block * BLOCK;
+        for (int k = 0; k < BLOCK; k++) s[k] = carried[first + k];
+        double start = now();
+        for (int k = 0; k < BLOCK; k++) {
+            distance_result r = ask(first + k, moved, o, moved ? &s[k] : NULL);
+            distance[k] = r.distance;
+            *iterations += r.iterations;
+        }
+        stopwatch_note(w, block, now() - start);
+        for (int k = 0; k < BLOCK; k++) {
+            real d = moved ? moved_truth[first + k] : truth[first + k];
+            if (d > 0) *error += fabs(distance[k] - d) / d;
+        }
+    }
+    *error /= PAIRS;
+    *iterations /= PAIRS;
+}
+
 // ns, and the mean relative error and number of iterations.
-static double run(int moved, distance_options o, double *error, double *iterations)
+static double run(int moved, distance_options o, double *error,
+                  double *iterations)
 {
     static stopwatch w;
     stopwatch_reset(&w);
-    for (int pass = 0; pass < PASSES; pass++) {
-        *error = *iterations = 0;
-        for (int block = 0; block < PAIRS / BLOCK; block++) {
-            static distance_cache s[BLOCK];
-            static real distance[BLOCK];
-            int first = block * BLOCK;
-            for (int k = 0; k < BLOCK; k++) s[k] = carried[first + k];
-            double start = now();
-            for (int k = 0; k < BLOCK; k++) {
-                distance_result r = ask(first + k, moved, o, moved ? &s[k] : NULL);
-                distance[k] = r.distance;
-                *iterations += r.iterations;
-            }
-            stopwatch_note(&w, block, now() - start);
-            for (int k = 0; k < BLOCK; k++) {
-                real d = moved ? moved_truth[first + k] : truth[first + k];
-                if (d > 0) *error += fabs(distance[k] - d) / d;
-            }
-        }
-        *error /= PAIRS;
-        *iterations /= PAIRS;
-    }
+    for (int pass = 0; pass < PASSES; pass++)
+        pass_over(moved, o, &w, error, iterations);
     return stopwatch_mean(&w);
 }
 
@@ -66,16 +76,25 @@ static void prepare(real gap)
     }
 }
 
+// The caps take turns: a minute in which the machine is busy spoils all of them
+// alike.
 static void by_cap(void)
 {
+    static stopwatch w[CAPS][2];
+    double error[CAPS][2], n;
+    for (int c = 0; c < CAPS; c++)
+        for (int moved = 0; moved < 2; moved++) stopwatch_reset(&w[c][moved]);
+    for (int pass = 0; pass < PASSES; pass++)
+        for (int c = 0; c < CAPS; c++)
+            for (int moved = 0; moved < 2; moved++) {
+                distance_options o = distance_options_default();
+                o.cap = c + 1;
+                pass_over(moved, o, &w[c][moved], &error[c][moved], &n);
+            }
     printf("# cap cold_ns cold_error carried_ns carried_error\n");
-    for (int cap = 1; cap <= CAPS; cap++) {
-        distance_options o = distance_options_default();
-        double e, f, n;
-        o.cap = cap;
-        double cold = run(0, o, &e, &n), warm = run(1, o, &f, &n);
-        printf("%d %.0f %.3g %.0f %.3g\n", cap, cold, e, warm, f);
-    }
+    for (int c = 0; c < CAPS; c++)
+        printf("%d %.0f %.3g %.0f %.3g\n", c + 1, stopwatch_mean(&w[c][0]),
+               error[c][0], stopwatch_mean(&w[c][1]), error[c][1]);
     printf("\n\n");
 }
 
@@ -98,39 +117,8 @@ static void by_gap(void)
     printf("\n\n");
 }
 
-// A ball of points with the list of each point's neighbours.
-typedef struct {
-    vec3 at[700];
-    int count, start[701], ring[700 * 8];
-} ball;
-
-// Neighbours by distance on an icosphere of this level (1 is 42 points).
-static void ball_make(ball *b, int level)
-{
-    static const real edge[4] = { 1.06, 0.63, 0.33, 0.166 };
-    icosahedron core = icosahedron_turned((vec3){ 1, 0, 0 }, 0);
-    b->count = CORNERS;
-    for (int i = 0; i < CORNERS; i++) b->at[i] = vec3_unit(core.at[i]);
-    for (int l = 0; l < level; l++) {
-        int old = b->count;
-        for (int i = 0; i < old; i++)
-            for (int j = i + 1; j < old; j++)
-                if (vec3_distance(b->at[i], b->at[j]) < edge[l])
-                    b->at[b->count++] = vec3_unit(vec3_add(b->at[i],
-                                                           b->at[j]));
-    }
-    int used = 0;
-    for (int i = 0; i < b->count; i++) {
-        b->start[i] = used;
-        for (int j = 0; j < b->count; j++)
-            if (i != j && vec3_distance(b->at[i], b->at[j]) < edge[level])
-                b->ring[used++] = j;
-    }
-    b->start[b->count] = used;
-}
-
 // ns of one whole cold query between two balls, turned and 5 cm apart.
-static double query_ns(const ball *b, int climbing)
+static double query_ns(const ball_mesh *b, int climbing)
 {
     enum { QUERIES = 200 };
     static vec3 at[QUERIES][2][700];
@@ -165,7 +153,7 @@ static double query_ns(const ball *b, int climbing)
 static void support_by_points(void)
 {
     enum { CALLS = 4000 };
-    static ball b;
+    static ball_mesh b;
     static vec3 way[CALLS];
     way[0] = random_direction();
     for (int i = 1; i < CALLS; i++)
@@ -225,6 +213,53 @@ static void questions_by_start(void)
            (double)three / PAIRS);
 }
 
+static simplex plain_last[PAIRS];
+
+static double time_plain(int moved, double *error)
+{
+    static stopwatch w;
+    stopwatch_reset(&w);
+    *error = 0;
+    for (int pass = 0; pass < PASSES; pass++)
+        for (int block = 0; block < PAIRS / BLOCK; block++) {
+            static simplex s[BLOCK];
+            static real distance[BLOCK];
+            int first = block * BLOCK;
+            for (int k = 0; k < BLOCK; k++) {
+                s[k] = plain_last[first + k];
+                if (!moved) s[k].count = 0;
+            }
+            double start = now();
+            for (int k = 0; k < BLOCK; k++) {
+                const pair_at_gap *p = &pair[first + k];
+                hull a = { moved ? p->moved_a.at : p->a.at, CORNERS };
+                hull b = { moved ? p->moved_b.at : p->b.at, CORNERS };
+                distance[k] = gjk_distance(a, b, HUGE_VAL, &s[k]).distance;
+            }
+            stopwatch_note(&w, block, now() - start);
+            for (int k = 0; k < BLOCK; k++) {
+                real d = moved ? moved_truth[first + k] : truth[first + k];
+                *error += fabs(distance[k] - d) / d / PASSES / PAIRS;
+            }
+        }
+    return stopwatch_mean(&w);
+}
+
+static void plain_way(void)
+{
+    for (int i = 0; i < PAIRS; i++) {
+        hull a = { pair[i].a.at, CORNERS }, b = { pair[i].b.at, CORNERS };
+        plain_last[i].count = 0;
+        gjk_distance(a, b, HUGE_VAL, &plain_last[i]);
+    }
+    double difference;
+    printf("\n\n# plain_ns difference\n");
+    for (int moved = 0; moved < 2; moved++) {
+        double ns = time_plain(moved, &difference);
+        printf("%.0f %.3g\n", ns, difference);
+    }
+}
+
 int main(void)
 {
     printf("# 10-distance: GJK on %d pairs of icosahedra of circumradius 0.5 m,"
@@ -236,5 +271,6 @@ int main(void)
     support_by_points();
     prepare(0.05);
     questions_by_start();
+    plain_way();
     return 0;
 }

@@ -1,14 +1,17 @@
-// 10-slow.c - what the slow oracles cost beside gjk and hit_face, asked about
-// the same pairs: two hulls of n points each on a ball of radius 0.5 m, once
-// apart and once overlapping.
+// 10-slow.c - what the slow oracles cost beside the plain queries of chapters 04
+// and 05 and the fast ones of chapter 10, asked about the same pairs: two hulls
+// of n points each on a ball of radius 0.5 m, once apart and once overlapping.
 //
-// Columns: points of a body; ns of one answer, slow and quick, of the distance
-// and of the depth; the largest relative difference of the answers.
+// Columns: points of a body; ns of one answer, slow, plain and fast, of the
+// distance and of the depth; the largest relative difference of the slow answers
+// from the fast ones.
 
 #include "bodies.h"
 #include "clock.h"
+#include "hit_face.h"
 #include "penetration.h"
 #include "oracle.h"
+#include "points.h"
 
 #include <stdio.h>
 
@@ -22,17 +25,28 @@ enum { PAIRS = 5000, BLOCK = 500, PASSES = 10, SIZES = 6, MOST = 24 };
 
 static vec3 a[PAIRS][MOST], b[PAIRS][MOST];
 static int points;              // of each body
-static real quick[PAIRS];
+static real quick[PAIRS];       // the fast answers
 static penetration_scratch *scratch;
 
-// One answer about pair i; 0: by gjk, and hit_face too if the bodies overlap;
-// 1 and 2: the distance and the depth, the slow way.
+// Ways to an answer.
+enum { SLOW_DISTANCE, SLOW_DEPTH, PLAIN, FAST };
+
+static real plain_answer(int i)
+{
+    hull p = { a[i], points }, q = { b[i], points };
+    gjk_result r = gjk_distance(p, q, HUGE_VAL, NULL);
+    if (r.status != GJK_OVERLAP) return r.distance;
+    return hit_face_find(p, q, &r.last).depth;
+}
+
+// About pair i; the depth, if the bodies overlap.
 static real answer(int way, int i)
 {
     point_set pa = { a[i], points, NULL, NULL };
     point_set pb = { b[i], points, NULL, NULL };
-    if (way == 1) return (real)oracle_distance(pa, pb);
-    if (way == 2) return (real)oracle_depth(pa, pb);
+    if (way == SLOW_DISTANCE) return (real)oracle_distance(hull_of(pa), hull_of(pb));
+    if (way == SLOW_DEPTH) return (real)oracle_depth(hull_of(pa), hull_of(pb));
+    if (way == PLAIN) return plain_answer(i);
     distance_result r = distance_find(pa, pb, distance_options_default(), NULL);
     if (r.status != DISTANCE_OVERLAP) return r.distance;
     return penetration_find(pa, pb, &r.last, scratch).depth;
@@ -60,14 +74,15 @@ static double now(void)                 // ns
 }
 
 // ns a pair, every block of pairs at its quickest pass.
-static double time_quick(void)
+static double time_quick(int way)
 {
     double sum = 0;
     for (int first = 0; first < PAIRS; first += BLOCK) {
         double best = HUGE_VAL;
         for (int pass = 0; pass < PASSES; pass++) {
             double start = now();
-            for (int i = first; i < first + BLOCK; i++) quick[i] = answer(0, i);
+            for (int i = first; i < first + BLOCK; i++)
+                quick[i] = answer(way, i);
             best = fmin(best, now() - start);
         }
         sum += best;
@@ -99,18 +114,20 @@ int main(void)
     if (!scratch) return 1;
     printf("# 10-slow: %d pairs of hulls of n points on a ball of radius 0.5 m;"
            " ns of one answer\n# compiler %s, flags %s\n"
-           "points,slow distance ns,gjk ns,slow depth ns,gjk and hit_face ns,"
-           "largest difference\n", (int)PAIRS, __VERSION__, FLAGS);
+           "points,slow distance,slow depth,plain distance,plain depth,"
+           "fast distance,fast depth,largest difference\n", (int)PAIRS,
+           __VERSION__, FLAGS);
     for (int s = 0; s < SIZES; s++) {
-        double worst = 0, ns[4];
+        double worst = 0, slow[2], plain[2], fast[2];
         points = sizes[s];
         for (int overlap = 0; overlap < 2; overlap++) {
             make_pairs(overlap, &seed);
-            ns[2 * overlap + 1] = time_quick();
-            ns[2 * overlap] = time_slow(1 + overlap, &worst);
+            plain[overlap] = time_quick(PLAIN);
+            fast[overlap] = time_quick(FAST);
+            slow[overlap] = time_slow(SLOW_DISTANCE + overlap, &worst);
         }
-        printf("%d,%.0f,%.0f,%.0f,%.0f,%.1e\n", points, ns[0], ns[1], ns[2],
-               ns[3], worst);
+        printf("%d,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,%.1e\n", points, slow[0],
+               slow[1], plain[0], plain[1], fast[0], fast[1], worst);
     }
     penetration_scratch_free(scratch);
     return 0;

@@ -6,6 +6,7 @@
 #include "clock.h"
 #include "distance.h"
 #include "manifold.h"
+#include "penetration.h"
 #include "response.h"
 
 #include <stdio.h>

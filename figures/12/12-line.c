@@ -71,7 +71,7 @@ static void frame(rope *r, recipe way)
         for (int i = 0; i < way.sweeps; i++)
             sticks_iterate(r->plan.stick, LINKS, r->p, o);
         if (way.steps > 0)
-            line_solve(&r->plan.strand[0], r->p, way.steps, o, r->scratch);
+            line_solve(shape_strands(&r->plan, 0), r->p, way.steps, o, r->scratch);
     }
 }
 
@@ -131,7 +131,7 @@ static real growth(real share, gradient_kind gradient)
         r.p[i].position.x = r.p[i].previous.x = i % 2 ? start : -start;
     for (int k = 0; k < 200; k++) {
         verlet_step(r.p, LINKS + 1, GRAVITY, NULL, h);
-        line_solve(&r.plan.strand[0], r.p, 2, along(gradient), r.scratch);
+        line_solve(shape_strands(&r.plan, 0), r.p, 2, along(gradient), r.scratch);
     }
     for (int i = 1; i <= LINKS; i++) most = fmax(most, fabs(r.p[i].position.x));
     rope_free(&r);
@@ -158,21 +158,21 @@ static double time_links(const shape *s, particle *p, link_way how,
                          relax_options o, line_scratch *scratch)
 {
     double best = 1e9;
-    const int rounds = s->directions > 1 ? 3 : 1;
-    const int turns = 2000000 / REPEAT / rounds / s->on_strands + 1;
+    const int rounds = shape_directions(s) > 1 ? 3 : 1;
+    const int turns = 2000000 / REPEAT / rounds / shape_links(s) + 1;
     for (int k = 0; k < REPEAT; k++) {
         double begin = clock_seconds();
         for (int i = 0; i < turns; i++) {
             for (int r = 0; r < rounds && how == SWEPT; r++)
-                sticks_iterate(s->stick, s->on_strands, p, o);
+                sticks_iterate(s->stick, shape_links(s), p, o);
             for (int r = 0; r < rounds && how == FETCHED; r++)
-                for (int d = 0; d < s->directions; d++)
-                    line_solve(&s->strand[d], p, 1, o, scratch);
+                for (int d = 0; d < shape_directions(s); d++)
+                    line_solve(shape_strands(s, d), p, 1, o, scratch);
             if (how == SOLVED) lines_relax(s, p, rounds, o, scratch);
         }
         best = fmin(best, clock_seconds() - begin);
     }
-    return best / turns / rounds / s->on_strands;
+    return best / turns / rounds / shape_links(s);
 }
 
 static void print_times(const char *name, shape s)

@@ -47,7 +47,7 @@ static void rope_free(rope *r)
 // Straight from the origin, nailed there; particles of 1 kg.
 static void rope_lay(rope *r, vec3 down, vec3 acceleration, real dt)
 {
-    real link = r->plan.strand[0].rest_length;
+    real link = shape_strands(&r->plan, 0).rest_length;
     for (int i = 0; i < r->n; i++)
         r->p[i] = particle_start(vec3_scale(i * link, down), ORIGIN,
                                  acceleration, i > 0, dt);
@@ -66,7 +66,7 @@ static void substep(rope *r, recipe way)
     o.gradient = way.newton > 0 ? GRADIENT_OLD : GRADIENT_NEW;
     verlet_step(r->p, r->n, GRAVITY, NULL, 1.0 / 60 / way.substeps);
     if (way.newton > 0)
-        line_solve(&r->plan.strand[0], r->p, way.newton, o, r->scratch);
+        line_solve(shape_strands(&r->plan, 0), r->p, way.newton, o, r->scratch);
     for (int k = 0; k < way.sweeps; k++)
         sticks_iterate(r->plan.stick, r->plan.sticks, r->p, o);
 }

@@ -11,6 +11,7 @@
 #include "clock.h"
 #include "convex.h"
 #include "four.h"
+#include "interleave.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -102,8 +103,9 @@ static void add_diagonals(body_of *b)
         for (int j = i + 1; j < s->particles; j++) {
             vec3 sum = vec3_add(s->at[i], s->at[j]);
             int joined = vec3_length(sum) < 1e-6 * s->radius;
-            for (int k = s->ring_start[i]; k < s->ring_start[i + 1]; k++)
-                joined |= s->ring[k] == j;
+            for (int h = 0; h < 2 * s->mesh.edges; h++)
+                joined |= s->mesh.half[h].origin == i
+                       && mesh_target(&s->mesh, h) == j;
             if (!joined) continue;
             real rest = vec3_distance(s->at[i], s->at[j]);
             b->across[b->acrosses++] = (stick){ i, j, rest, 1, STICK_EXACT };
@@ -128,7 +130,7 @@ static int body_make(body_of *b, int which)
                         : ball_shape(&b->plan, 1, 0.5, 1).ok;
     if (!ok || !four_build(&b->four, &b->plan).ok) return 0;
     add_diagonals(b);
-    if (!sticks_interleave(b->across, b->acrosses, b->plan.particles).ok)
+    if (!interleave(b->across, b->acrosses, b->plan.particles))
         return 0;
     b->inertia = inertia(solid_moments(&b->plan, b->mass));
     for (int k = 0; k < BLOWS; k++) {

@@ -74,7 +74,7 @@ static void hold(thing *t, int way, relax_options o)
         for (int k = 0; k < sweeps; k++)
             sticks_iterate(t->plan.stick, t->plan.sticks, t->p, o);
     } else if (t->is_rope) {
-        line_solve(&t->plan.strand[0], t->p, 1, o, t->scratch);
+        line_solve(shape_strands(&t->plan, 0), t->p, 1, o, t->scratch);
     } else {
         four_relax(&t->four, t->p, 1, o);
     }

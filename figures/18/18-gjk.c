@@ -8,6 +8,7 @@
 
 #include "query_pairs.h"
 #include "ball.h"
+#include "ring.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -87,6 +88,7 @@ static void print_bounds(void)
 
 typedef struct {
     shape plan[SIZES];
+    rings ring[SIZES];
     vec3 at[SIZES][QUERIES][2][BALL_CORNERS];
     real distance[2 * SIZES][QUERIES];
 } zoo;
@@ -96,6 +98,8 @@ static int zoo_make(zoo *z)
     if (!shape_box(&z->plan[0], vec3_make(1, 1, 1), 1).ok) return 0;
     for (int k = 1; k < SIZES; k++)
         if (!ball_shape(&z->plan[k], k - 1, 1, 1).ok) return 0;
+    for (int k = 0; k < SIZES; k++)
+        if (!rings_build(&z->ring[k], &z->plan[k].mesh).ok) return 0;
     for (int k = 0; k < SIZES; k++)
         for (int q = 0; q < QUERIES; q++) {
             vec3 one = random_direction(), other = random_direction();
@@ -115,8 +119,8 @@ static point_set points(const zoo *z, int k, int q, int side, int climb)
     const shape *s = &z->plan[k];
     point_set p = { z->at[k][q][side], s->particles, NULL, NULL };
     if (climb) {
-        p.ring_start = s->ring_start;
-        p.ring = s->ring;
+        p.ring_start = z->ring[k].start;
+        p.ring = z->ring[k].list;
     }
     return p;
 }
@@ -159,6 +163,9 @@ int main(void)
     clock_print_head("18-gjk: time and error of a distance", FLAGS);
     print_bounds();
     print_corners(&z);
-    for (int k = 0; k < SIZES; k++) shape_free(&z.plan[k]);
+    for (int k = 0; k < SIZES; k++) {
+        rings_free(&z.ring[k]);
+        shape_free(&z.plan[k]);
+    }
     return 0;
 }

@@ -12,6 +12,7 @@
 #include "query_pairs.h"
 #include "ball.h"
 #include "penetration.h"
+#include "ring.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,6 +28,7 @@ typedef struct {
     shape plan[SIZES];
     vec3 at[SIZES][QUERIES][2][BALL_CORNERS];
     vec3 way[DIRECTIONS][MOST];
+    rings ring[SIZES];
     penetration_scratch *scratch;
     real depth[WAYS][QUERIES];
     int  asked[SIZES][QUERIES];     // points of A - B, by the hit face
@@ -48,7 +50,8 @@ static int zoo_make(zoo *z)
     if (!z->scratch) return 0;
     for (int k = 0; k < DIRECTIONS; k++) spread(z->way[k], COUNT[k]);
     for (int k = 0; k < SIZES; k++) {
-        if (!ball_shape(&z->plan[k], k, 0.5, 1).ok) return 0;
+        if (!ball_shape(&z->plan[k], k, 0.5, 1).ok
+            || !rings_build(&z->ring[k], &z->plan[k].mesh).ok) return 0;
         for (int q = 0; q < QUERIES; q++) {
             vec3 one = random_direction(), other = random_direction();
             vec3 away = vec3_scale(1 - DEPTH, random_direction());
@@ -66,8 +69,8 @@ static int zoo_make(zoo *z)
 static point_set points(const zoo *z, int k, int q, int side)
 {
     const shape *s = &z->plan[k];
-    return (point_set){ z->at[k][q][side], s->particles, s->ring_start,
-                        s->ring };
+    return (point_set){ z->at[k][q][side], s->particles, z->ring[k].start,
+                        z->ring[k].list };
 }
 
 static real by_hit_face(zoo *z, int k, int q)
@@ -171,7 +174,10 @@ int main(void)
     clock_print_head("18-hit_face: time and error of a depth", FLAGS);
     if (!zoo_make(&z)) return 1;
     print_all(&z);
-    for (int k = 0; k < SIZES; k++) shape_free(&z.plan[k]);
+    for (int k = 0; k < SIZES; k++) {
+        rings_free(&z.ring[k]);
+        shape_free(&z.plan[k]);
+    }
     penetration_scratch_free(z.scratch);
     return 0;
 }

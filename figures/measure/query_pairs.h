@@ -1,5 +1,5 @@
 // query_pairs.h - many distinct pairs of icosahedra at a chosen gap, and a clock;
-// for the figures of chapters 4 and 5.
+// for the figures of chapter 10.
 //
 // 20,000 pairs, because a loop over few pairs teaches the branch predictor the
 // answers.  The second of a pair is moved by up to 0.5 degree and 2.5 mm.
@@ -148,6 +148,37 @@ static inline double stopwatch_mean(const stopwatch *w)
     double sum = 0;
     for (int k = 0; k < PAIRS / BLOCK; k++) sum += w->best[k];
     return sum / PAIRS;
+}
+
+// A ball of points with the list of each point's neighbours.
+typedef struct {
+    vec3 at[700];
+    int count, start[701], ring[700 * 8];
+} ball_mesh;
+
+// Neighbours by distance on an icosphere of this level (1 is 42 points).
+static inline void ball_make(ball_mesh *b, int level)
+{
+    static const real edge[4] = { 1.06, 0.63, 0.33, 0.166 };
+    icosahedron core = icosahedron_turned((vec3){ 1, 0, 0 }, 0);
+    b->count = CORNERS;
+    for (int i = 0; i < CORNERS; i++) b->at[i] = vec3_unit(core.at[i]);
+    for (int l = 0; l < level; l++) {
+        int old = b->count;
+        for (int i = 0; i < old; i++)
+            for (int j = i + 1; j < old; j++)
+                if (vec3_distance(b->at[i], b->at[j]) < edge[l])
+                    b->at[b->count++] = vec3_unit(vec3_add(b->at[i],
+                                                           b->at[j]));
+    }
+    int used = 0;
+    for (int i = 0; i < b->count; i++) {
+        b->start[i] = used;
+        for (int j = 0; j < b->count; j++)
+            if (i != j && vec3_distance(b->at[i], b->at[j]) < edge[level])
+                b->ring[used++] = j;
+    }
+    b->start[b->count] = used;
 }
 
 #ifndef FLAGS

@@ -41,8 +41,8 @@ static vec3 throw_of(real most, unsigned long long *seed)
 static placement start_of(int k, int cells, real side, unsigned long long *seed)
 {
     real cell = side / cells, loose = fmax(0, cell / 2 - RADIUS);
-    vec3 corner = vec3_make(k % cells, k / (cells * cells), k / cells % cells);
-    vec3 at = vec3_scale(cell, vec3_add(corner, vec3_make(0.5, 0.5, 0.5)));
+    vec3 place = vec3_make(k % cells, k / (cells * cells), k / cells % cells);
+    vec3 at = vec3_scale(cell, vec3_add(place, vec3_make(0.5, 0.5, 0.5)));
     at = vec3_sub(at, vec3_make(side / 2, 0, side / 2));
     placement p = turned_anyhow(vec3_add(at, throw_of(loose, seed)), seed);
     p.velocity = throw_of(5, seed);
@@ -185,7 +185,8 @@ static void check(const outcome *o)
     point_set a = { o->a, CORNERS, NULL, NULL };
     point_set b = { o->b, CORNERS, NULL, NULL };
     if (!(o->pair_depth > 0)) return;
-    real truth = (real)oracle_depth(a, b);
+    real truth = (real)oracle_depth((hull){ a.at, a.count },
+                                    (hull){ b.at, b.count });
     if (!(fabs(o->pair_depth - truth) <= 1e-12))
         give_up("the oracle does not agree about the deepest pair");
 }

@@ -131,7 +131,7 @@ static relax_options along_new(void)
 static void solve(int piece)
 {
     (void)piece;
-    line_solve(&hanging.strand[0], rope[0], NEWTONS, along_new(), scratch);
+    line_solve(shape_strands(&hanging, 0), rope[0], NEWTONS, along_new(), scratch);
 }
 
 static void sweep(int piece)

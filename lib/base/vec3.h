@@ -1,8 +1,8 @@
 //> vec3-head
 // vec3.h - three numbers that add, scale and measure.
 //
-// Book: chapter 0.  The functions stand in the header, inline: every loop of the
-// library is made of them, and each is a line or two.
+// Book: chapter 0.  The functions stand in the header, inline, because every
+// loop of the library is made of them and each is a line or two.
 // Only + - * / and sqrt: IEEE 754 rounds these alike everywhere, so the same
 // scene gives the same bits on every machine.
 

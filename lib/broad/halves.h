@@ -1,7 +1,7 @@
 //> halves-head
 // halves.h - a world in two halves, which two threads may work on at once.
 //
-// Paper: not asked.  Book: chapter 14.
+// Paper: not asked.  Book: chapter 16.
 //
 // What is divided, and how, depends on the world alone, never on whether there
 // are two threads: so the bits are the same.

@@ -209,7 +209,7 @@ static void write_guard(world *w, int place, const contact_point *touch, int a, 
     const body *small = &w->body[is_a ? of.a : of.b];
     *guard = contacts_push(w, touch, of.a, of.b);
     ride_in_the_middle(is_a ? &guard->a : &guard->b, small);
-    guard->thickness += small->plan->inner;
+    guard->thickness += small->inner;
     guard->near = near_of(w, a, b);
     w->pushes.between[place][0] = a;
     w->pushes.between[place][1] = b;

@@ -1,7 +1,7 @@
 //> contacts-head
 // contacts.h - the contacts of a frame, and what they leave to the next.
 //
-// Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 13.
+// Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 16.
 //
 // They are found by narrow.h, and pushed in every substep by solver.h; here
 // they are written down, kept where nothing moved, and handed what the last

@@ -1,7 +1,7 @@
 //> solver-head
 // solver.h - parts rigid bodies from what they touch.
 //
-// Paper: section 6.1.  Book: chapters 16 and 13.
+// Paper: section 6.1.  Book: chapter 16.
 
 #ifndef TUMBLE_SOLVER_H
 #define TUMBLE_SOLVER_H

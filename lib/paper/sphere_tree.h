@@ -1,43 +1,37 @@
 //> tree-head
-// sphere_tree.h - bounding spheres in a binary tree: who could touch whom?
+// sphere_tree.h - a bounding volume hierarchy of spheres: which features of two
+// bodies, or of one, are near each other?
 //
 // Paper: section 5.2.  Book: chapter 6.
-// A leaf encloses one feature: a vertex, an edge or a triangle, thickened.
-// A wrapped node encloses the vertices below it tightly, and remembers at most
-// four support points, so that it is brought up to date in O(1) when a rigid
-// body has moved, and only if it is visited.  A layered node encloses the
-// spheres of its children, and is brought up to date from the leaves upwards,
-// in O(n), when a body has changed shape.
 // Units: metres, in the frame of the points (the world's).
 
 #ifndef TUMBLE_SPHERE_TREE_H
 #define TUMBLE_SPHERE_TREE_H
 
+#include "sphere.h"
 #include "status.h"
-#include "vec3.h"
 
-typedef struct {
-    vec3 center;
-    real radius;        // < 0: empty
-} sphere;
-
-// What a leaf encloses: vertex[0 .. count-1], thickened by the tree's
-// thickness.
+// What a leaf encloses: a vertex, an edge or a triangle, with the tree's
+// thickness around it.
 typedef struct {
     int count;          // 1 to 3
     int vertex[3];
 } leaf_feature;
+
+typedef enum {
+    TREE_WRAPPED,       // a node encloses the vertices below it: for rigid
+                        // bodies, brought up to date in O(1) when visited
+    TREE_LAYERED        // a node encloses the spheres of its children: for
+                        // deformable bodies, all brought up to date at once
+} tree_kind;
 //<
 
 //> tree-types
-typedef enum { TREE_WRAPPED, TREE_LAYERED } tree_kind;
-
 typedef struct {
-    sphere ball;
+    sphere ball;        // the bounding sphere
     int child[2];       // nodes; -1, -1 in a leaf
-    int leaf;           // the leaf number, -1 in an inner node
     int stamp;          // wrapped: the refresh that brought it up to date
-    int support[4];     // wrapped: vertices that fix the centre ...
+    int support[4];     // wrapped: the vertices that fix the centre ...
     real weight[4];     // ... as this weighted mean (weights >= 0, sum 1)
     int supports;
 } tree_node;
@@ -45,9 +39,8 @@ typedef struct {
 typedef struct {
     tree_kind kind;
     real thickness;     // m
-    int leaves, nodes;  // nodes = 2 * leaves - 1, children before parents,
-                        // the root last
-    tree_node *node;    // [nodes] node k < leaves is leaf k
+    int leaves, nodes;  // nodes = 2 * leaves - 1, the root last
+    tree_node *node;    // [nodes] leaf k is node k; children before parents
     leaf_feature *leaf; // [leaves]
     sphere *rest;       // [leaves] the leaf spheres when the tree was built
     int stamp;          // counts refreshes
@@ -57,45 +50,32 @@ typedef struct leaf_pair {
     int a, b;           // leaf numbers
 } leaf_pair;
 
-// What a traversal did: the terms of T = Nv Cv + Np Cp + Nu Cu.
+// What a query did: the terms of T = Nv Cv + Np Cp + Nu Cu.
 typedef struct {
-    int pairs;          // found; those beyond capacity are counted, not stored
+    int pairs;          // Np: found; those beyond capacity are not stored
     int visited;        // Nv: pairs of spheres compared
     int updated;        // Nu: nodes brought up to date on the way
 } tree_result;
 //<
 
-//> ball-declare
-// The smallest sphere that encloses n points, after Welzl, with Gaertner's
-// choice of the next point: made of at most four of them, their indices in
-// support, the centre as their weighted mean in weight (>= 0, sum 1), how many
-// in *supports.  The radius is measured last, from the centre as rounded.
-// n >= 0; n = 0: empty.  A point that is not finite: centre and radius are NaN,
-// *supports is 0.
-sphere sphere_of_points(const vec3 *at, const int *index, int n,
-                        int support[4], real weight[4], int *supports);
-
-// The smallest sphere that encloses two.
-sphere sphere_of_spheres(sphere a, sphere b);
-//<
-
 //> tree-declare
-// Builds a tree over n leaves at positions at, top-down: the leaves below a
-// node are halved across the longest side of their centres' box (Quinlan).
-// slack (a fraction, e.g. 0.01) widens wrapped balls so that they still enclose
-// a body that is stretched by no more than this in any direction.
-// Fails, leaving *t empty: n < 1 or > 2^30, a leaf without 1 to 3 vertices, a
-// negative vertex or one that is not finite, a bad thickness or slack, or no
-// memory.
+// Builds a tree over n leaves with vertices at positions at, top-down: the
+// leaves below a node are halved across the longest side of the box around
+// their centres (Quinlan).  slack, a fraction such as 0.01, widens the spheres
+// of a wrapped tree so that they still enclose a body that is stretched by no
+// more than this in any direction.
+// Requires: 1 <= n <= 2^30, 1 to 3 vertices a leaf, thickness (m) and slack
+// finite and >= 0.  Fails, leaving *t empty, if a vertex is not at a finite
+// place or memory is refused.
 status sphere_tree_build(sphere_tree *t, tree_kind kind, const vec3 *at,
                          const leaf_feature *leaf, int n, real thickness,
                          real slack);
 void   sphere_tree_free(sphere_tree *t);
 
-// Says that the points have moved.  Layered: refits every node, O(n).
-// Wrapped: O(1), the nodes follow when they are visited.
-// A point that is no longer finite makes the balls that depend on it NaN, and
-// such a ball meets every other: it is reported, never lost.
+// Says that the points have moved.  Layered: updates every node, O(n).
+// Wrapped: O(1), because nodes follow when they are visited.
+// A point that is no longer finite makes the spheres that depend on it NaN, and
+// such a sphere counts as near every other.
 void   sphere_tree_refresh(sphere_tree *t, const vec3 *at);
 
 // The root's sphere, up to date.
@@ -104,9 +84,9 @@ sphere sphere_tree_root(sphere_tree *t, const vec3 *at);
 
 //> tree-declare-pairs
 // Pairs of leaves of a and of b whose spheres come nearer than margin, m, >= 0
-// (touching spheres do not).  Writes at most capacity of them to out, in an
-// order fixed by the trees.  A wrapped tree leaves out pairs whose spheres
-// overlap but whose features are shown to be apart by the balls above them.
+// (touching spheres do not).  Writes at most capacity of them to out.  A
+// wrapped tree leaves out pairs whose spheres overlap but whose features are
+// shown to be apart by the spheres above them.
 tree_result sphere_tree_pairs(sphere_tree *a, const vec3 *at_a,
                               sphere_tree *b, const vec3 *at_b,
                               real margin, leaf_pair *out, int capacity);

@@ -7,8 +7,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 // How a stick corrects its ends: a moves by w_a k along `along`, b by w_b k the
 // other way, with k = error / divisor.  Its strain is error / scale.
@@ -271,69 +269,5 @@ stick_result angle_relax(angle c, particle *p)
     }
     r.moved = true;
     return r;
-}
-//<
-
-//> sticks-sweep-speeds
-// Each end has gone u = position - previous in the last step.  Along the stick,
-// d, the ends part by e = (u_b - u_a) . d / d . d; to take it away, a must have
-// gone w_a e d / (w_a + w_b) further, and b as much less by its own weight.
-static void stick_slow(stick s, particle *a, particle *b)
-{
-    vec3 along = vec3_sub(b->position, a->position);
-    vec3 gone = vec3_sub(along, vec3_sub(b->previous, a->previous));
-    real bottom = vec3_length_squared(along)
-                * (a->inverse_mass + b->inverse_mass);
-    if (s.kind != STICK_EXACT || s.stiffness < 1 || !(bottom > 0)) return;
-    real e = vec3_dot(gone, along) / bottom;
-    a->previous = vec3_add_scaled(a->previous, -a->inverse_mass * e, along);
-    b->previous = vec3_add_scaled(b->previous, b->inverse_mass * e, along);
-}
-
-void sticks_sweep_speeds(const stick *s, int n, particle *p)
-{
-    for (int i = 0; i < n; i++) stick_slow(s[i], &p[s[i].a], &p[s[i].b]);
-}
-//<
-
-//> sticks-interleave
-// Round after round takes every stick that shares no particle with another
-// taken in the round.  That is the greedy colouring: each stick gets the first
-// colour that none of its neighbours before it in the list has.
-// At most n rounds: each takes one stick at least.
-status sticks_interleave(stick *s, int n, int particle_count)
-{
-    for (int i = 0; i < n; i++)
-        if (s[i].a < 0 || s[i].a >= particle_count
-            || s[i].b < 0 || s[i].b >= particle_count)
-            return status_fail("stick %d joins particles %d and %d, of %d", i,
-                               s[i].a, s[i].b, particle_count);
-    if (n < 2) return status_ok();
-    stick *sorted = malloc((size_t)n * sizeof *sorted);
-    int *taken_in = calloc((size_t)particle_count, sizeof *taken_in);
-    if (!sorted || !taken_in) {
-        free(sorted);
-        free(taken_in);
-        return status_out_of_memory();
-    }
-
-    int done = 0, waiting = n;
-    for (int round = 1; waiting > 0; round++) {
-        int kept = 0;
-        for (int i = 0; i < waiting; i++) {
-            int *a = &taken_in[s[i].a], *b = &taken_in[s[i].b];
-            if (*a == round || *b == round) {
-                s[kept++] = s[i];
-            } else {
-                *a = *b = round;
-                sorted[done++] = s[i];
-            }
-        }
-        waiting = kept;
-    }
-    memcpy(s, sorted, (size_t)n * sizeof *s);
-    free(sorted);
-    free(taken_in);
-    return status_ok();
 }
 //<

@@ -21,7 +21,7 @@ typedef enum {
 typedef struct stick {
     int  a, b;
     real rest_length;  // m, > 0
-    real stiffness;    // share of its error that one relaxation corrects: 1
+    real stiffness;    // fraction of its error that one relaxation corrects: 1
                        // for a stick, less for a soft one (a cloth's diagonal),
                        // more than 1 for over-relaxation
     stick_kind kind;
@@ -107,28 +107,13 @@ relax_result sticks_relax(const stick *s, int n, particle *p,
                           relax_options options, vec3 *scratch);
 //<
 
-//> sweep-declare
-// Makes n sticks keep the length that they have: takes from their ends the part
-// of their speeds that would change it, each end in proportion to its inverse
-// mass, by moving `previous` alone.  One sweep; linear and angular momentum
-// stay.  Soft and one-sided sticks, and those without length, are left out.
-void sticks_sweep_speeds(const stick *s, int n, particle *p);
-
-// Reorders n sticks so that neighbours in the list share no particle where that
-// can be had (a greedy colouring): a processor then works on several at once.
-// Stable within a colour, so the result is the same everywhere.
-// Fails, and leaves the order as it was, if a stick has no such ends or memory
-// is refused.
-status sticks_interleave(stick *s, int n, int particle_count);
-//<
-
 //> angle-declare
 // Two sticks from one corner, held at an angle theta: C = 0, where
 // C = (u . v) / (|u| |v|) - cos theta, u = a - corner, v = b - corner.
 typedef struct angle {
     int  a, corner, b;
     real cosine;        // cos theta, in [-1, 1]
-    real stiffness;     // share of the error that one relaxation corrects
+    real stiffness;     // fraction of the error that one relaxation corrects
 } angle;
 
 // Turns both arms, and the corner, until C = 0 to first order, by at most about

@@ -234,17 +234,21 @@ static void patch_walk(patch *p, const view *w, int h)
 // over further vertices, to within half a degree (sine squared 1e-4).
 static int edge_end(const patch *p, int from, int to)
 {
-    const shape *s = p->plan;
+    const mesh *m = &p->plan->mesh;
     vec3 d = vec3_sub(p->at[to], p->at[from]);
-    for (int step = 0, k = s->ring_start[to]; step < s->particles
-                       && k < s->ring_start[to + 1]; k++) {
-        vec3 e = vec3_sub(p->at[s->ring[k]], p->at[to]);
-        vec3 off = vec3_cross(d, e);
-        if (!(vec3_dot(d, e) > 0 && vec3_dot(off, off)
-              <= 1e-4 * vec3_dot(d, d) * vec3_dot(e, e))) continue;
-        to = s->ring[k];
-        k = s->ring_start[to] - 1;
-        step++;
+    int h = m->vertex_half[to], start = h;
+    for (int step = 0; step < m->vertices; ) {
+        int next = mesh_target(m, h);
+        vec3 e = vec3_sub(p->at[next], p->at[to]), off = vec3_cross(d, e);
+        h = mesh_around(m, h);
+        if (vec3_dot(d, e) > 0 && vec3_dot(off, off)
+            <= 1e-4 * vec3_dot(d, d) * vec3_dot(e, e)) {
+            to = next;
+            h = start = m->vertex_half[to];
+            step++;
+        } else if (h == start) {
+            break;
+        }
     }
     return to;
 }
@@ -276,14 +280,15 @@ static int face_ahead(const patch *p, int v)
 // leans by less than 8 degrees, as the vertex that it leads to; -1: none.
 static int edge_across(const patch *p, int v)
 {
-    const shape *s = p->plan;
+    const mesh *m = &p->plan->mesh;
     real least = SINE_SQUARED;
-    int best = -1;
-    for (int k = s->ring_start[v]; k < s->ring_start[v + 1]; k++) {
-        vec3 e = vec3_sub(p->at[s->ring[k]], p->at[v]);
+    int start = m->vertex_half[v], h = start, best = -1;
+    do {
+        vec3 e = vec3_sub(p->at[mesh_target(m, h)], p->at[v]);
         real up = vec3_dot(e, p->ahead), lean = up * up / vec3_dot(e, e);
-        if (lean < least) { least = lean; best = s->ring[k]; }
-    }
+        if (lean < least) { least = lean; best = mesh_target(m, h); }
+        h = mesh_around(m, h);
+    } while (h != start);
     return best;
 }
 //<

@@ -9,7 +9,7 @@
 #define TUMBLE_MANIFOLD_H
 
 #include "body.h"
-#include "separation.h"
+#include "feature.h"
 
 enum { MANIFOLD_TOUCHES = 4 };
 

@@ -259,10 +259,12 @@ static inline int is_thin(vec3 n, vec3 e, vec3 g, real sine)
 //<
 
 //> penetration-put
-// Measures the face u, v, w, and keeps it in slot f.  In a thin triangle the
-// cross product cancels: there the exact one is taken.
-static inline void face_measure(penetration_scratch *h, int f, int u, int v, int w)
+// Measures the face u, v, w, keeps it in slot f, and joins it to its
+// neighbours.  In a thin triangle the cross product cancels: there the exact one
+// is taken.
+static inline void face_put(penetration_scratch *h, int f, int u, int v, int w)
 {
+    h->left[u][v] = h->left[v][w] = h->left[w][u] = (unsigned short)f;
     vec3 p = h->point[u].at;
     vec3 e = vec3_sub(h->point[v].at, p), g = vec3_sub(h->point[w].at, p);
     vec3 n = vec3_cross(e, g);
@@ -271,13 +273,6 @@ static inline void face_measure(penetration_scratch *h, int f, int u, int v, int
     h->corner[f][2] = w;
     face_set(h, f, p, n);
     if (is_thin(n, e, g, 0x1p-8)) face_measure_exactly(h, f);
-}
-
-// The same, and joins it to its neighbours.
-static inline void face_put(penetration_scratch *h, int f, int u, int v, int w)
-{
-    h->left[u][v] = h->left[v][w] = h->left[w][u] = (unsigned short)f;
-    face_measure(h, f, u, v, w);
 }
 //<
 
@@ -742,19 +737,6 @@ static penetration_result answer_flat(const penetration_scratch *h, const distan
 //<
 
 //> penetration-answer
-// The answer from face f, in whose plane the foot lies at these weights.
-static void answer_at(const penetration_scratch *h, int f, real height, vec3 out,
-                      const real weight[3], penetration_result *r)
-{
-    for (int i = 0; i < 3; i++) {
-        r->corner_a[i] = h->point[h->corner[f][i]].a;
-        r->corner_b[i] = h->point[h->corner[f][i]].b;
-    }
-    r->depth = height / h->scale;
-    r->normal = vec3_scale(-1, out);
-    answer_features(h, r, weight);
-}
-
 // The answer from the lowest face, once no point lies beyond it, or there is no
 // room for one; upper: how far A - B reaches along its normal.  Of an A - B
 // that is all but flat, the origin may lie in the plane and beside the face:
@@ -775,7 +757,13 @@ static void answer_face(penetration_scratch *h, int f, real upper, penetration_r
     if (r->status == PENETRATION_FOUND && miss > beside * beside)
         r->status = PENETRATION_APART;
     if (r->status == PENETRATION_CAPPED) height = shorten * upper;
-    answer_at(h, g, height > 0 ? height : 0, out, weight, r);
+    for (int i = 0; i < 3; i++) {
+        r->corner_a[i] = h->point[h->corner[g][i]].a;
+        r->corner_b[i] = h->point[h->corner[g][i]].b;
+    }
+    r->depth = height > 0 ? height / h->scale : 0;
+    r->normal = vec3_scale(-1, out);
+    answer_features(h, r, weight);
 }
 //<
 
@@ -823,165 +811,5 @@ penetration_result penetration_find(point_set a, point_set b, const distance_cac
         h->point[h->points] = w;
         polytope_expand(h, h->points++);
     }
-}
-//<
-
-//> penetration-remember
-// Puts face f among those that are remembered, the lower first.
-static void remember_face(const penetration_scratch *h, int f, penetration_memory *m)
-{
-    int to = m->faces++;
-    for (; to > 0 && m->face[to - 1].square > h->square[f]; to--)
-        m->face[to] = m->face[to - 1];
-    m->face[to].square = h->square[f];
-    for (int i = 0; i < 3; i++)
-        m->face[to].corner[i] = (unsigned char)h->corner[f][i];
-}
-
-void penetration_remember(const penetration_scratch *h, penetration_memory *m)
-{
-    m->faces = 0;
-    if (h->points > PENETRATION_MEMORY_POINTS) return;
-    m->scale = h->scale;
-    m->points = h->points;
-    for (int c = 0; c < h->points; c++) {
-        m->point[c].at = h->point[c].at;
-        m->point[c].a = h->point[c].a;
-        m->point[c].b = h->point[c].b;
-    }
-    for (int f = 0; f < h->faces; f++) remember_face(h, f, m);
-}
-//<
-
-//> penetration-recall
-// The polytope's points, where they are now.  Returns how far any has moved.
-static real points_recall(penetration_scratch *h, const penetration_memory *m)
-{
-    real furthest = 0;
-    h->scale = m->scale;
-    h->points = m->points;
-    h->faces = 0;
-    for (int c = 0; c < m->points; c++) {
-        int a = m->point[c].a, b = m->point[c].b;
-        assert((a < h->a.count) & (b < h->b.count));
-        vec3 at = vec3_scale(m->scale, vec3_sub(h->a.at[a], h->b.at[b]));
-        real moved = vec3_length_squared(vec3_sub(at, m->point[c].at));
-        h->point[c] = (peak){ at, a, b };
-        furthest = moved > furthest ? moved : furthest;
-    }
-    return sqrt(furthest);
-}
-//<
-
-//> penetration-recall-faces
-// Measures the first faces, until the others are surely higher than the lowest;
-// returns that.  No point has moved further than `moved`.
-static int lowest_recall(penetration_scratch *h, const penetration_memory *m, real moved)
-{
-    int lowest = 0;
-    real reach = HUGE_VAL;
-    while (h->faces < m->faces
-           && !(m->face[h->faces].square > reach * reach)) {
-        int f = h->faces++;
-        const unsigned char *corner = m->face[f].corner;
-        face_measure(h, f, corner[0], corner[1], corner[2]);
-        lowest = h->square[f] < h->square[lowest] ? f : lowest;
-        reach = sqrt(fabs(h->square[lowest])) + moved;
-    }
-    return lowest;
-}
-
-// All faces, each joined to its neighbours.  Returns 1 if the origin is behind
-// each of them.
-static int polytope_recall(penetration_scratch *h, const penetration_memory *m)
-{
-    int behind = 1;
-    h->faces = m->faces;
-    for (int f = 0; f < m->faces; f++) {
-        const unsigned char *corner = m->face[f].corner;
-        face_put(h, f, corner[0], corner[1], corner[2]);
-        behind &= h->square[f] > 0;
-    }
-    return behind;
-}
-//<
-
-//> penetration-foot
-// 1 if the foot x lies in face f, not only before it; and its weights.
-static int holds_foot(const penetration_scratch *h, int f, vec3 x, real weight[3])
-{
-    foot_weights(h, f, x, weight);
-    return weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0
-        && weigh_foot(h, f, x, weight) <= 0x1p-80;
-}
-
-// Of the faces as low as f the one that the foot x lies in; -1: none.
-static int face_of_foot(const penetration_scratch *h, int f, vec3 x, real weight[3])
-{
-    if (holds_foot(h, f, x, weight)) return f;
-    real floor = h->square[f] * (1 + 0x1p-40);
-    for (int g = 0; g < h->faces; g++)
-        if (g != f && h->square[g] <= floor && holds_foot(h, g, x, weight))
-            return g;
-    return -1;
-}
-//<
-
-//> penetration-shows
-// What the lowest face shows.
-enum { PROVEN, BEYOND, NOTHING };
-
-// PROVEN: no point lies beyond f, and *r is the answer.  BEYOND: one does,
-// along *out.  NOTHING: f is not before the origin, or the foot is beside the
-// faces in its plane, or a coordinate is not a number.
-static int face_shows(const penetration_scratch *h, int f, vec3 *out, penetration_result *r)
-{
-    vec3 n = face_normal(h, f);
-    real weight[3];
-    real shorten = 1 / vec3_length(n), height = shorten * h->offset[f];
-    *out = vec3_scale(shorten, n);
-    real upper = -h->scale * support_gap(h->a, h->b, vec3_scale(-1, *out));
-    if (!(height > 0 && upper < HUGE_VAL)) return NOTHING;
-    if (upper - height > level) return BEYOND;
-    int g = face_of_foot(h, f, vec3_scale(height, *out), weight);
-    if (g < 0) return NOTHING;
-    r->status = PENETRATION_FOUND;
-    answer_at(h, g, height, *out, weight, r);
-    return PROVEN;
-}
-//<
-
-//> penetration-again
-// Puts the point furthest along out on the polytope.  0: there is none.
-static int polytope_raise(penetration_scratch *h, vec3 out)
-{
-    vec3 d = vec3_scale(h->scale, out);
-    int a = support_point(h->a, d, h->point[0].a);
-    int b = support_point(h->b, vec3_scale(-1, d), h->point[0].b);
-    if (a < 0 || b < 0) return 0;
-    h->point[h->points] = peak_make(h, a, b);
-    polytope_expand(h, h->points++);
-    return 1;
-}
-
-int penetration_again(point_set a, point_set b, const penetration_memory *m,
-                   penetration_scratch *h, penetration_result *r)
-{
-    enum { POINTS_MORE = 6 };
-    vec3 out;
-    if (m->faces == 0) return 0;
-    h->a = a;
-    h->b = b;
-    real moved = points_recall(h, m);
-    // A point may have come past the origin: no face is surely anything.
-    if (!(m->face[0].square > moved * moved)) moved = HUGE_VAL;
-    int shown = face_shows(h, lowest_recall(h, m, moved), &out, r);
-    r->iterations = 1;
-    if (shown == BEYOND && !polytope_recall(h, m)) return 0;
-    while (shown == BEYOND && r->iterations++ <= POINTS_MORE) {
-        if (!polytope_raise(h, out)) return 0;
-        shown = face_shows(h, polytope_lowest(h), &out, r);
-    }
-    return shown == PROVEN;
 }
 //<

@@ -37,25 +37,6 @@ typedef struct {
 typedef struct penetration_scratch penetration_scratch;
 //<
 
-//> penetration-memory
-// The polytope of an answer, by vertices: the proof that no way out is shorter.
-// Zeroed: none.
-enum { PENETRATION_MEMORY_POINTS = 16, PENETRATION_MEMORY_FACES = 2 * PENETRATION_MEMORY_POINTS - 4 };
-
-typedef struct {
-    real scale;                 // lengths below are times this
-    int  points, faces;         // faces = 0: nothing remembered
-    struct {
-        vec3 at;                // of A - B: where it was
-        int  a, b;              // and which vertices' difference it is
-    } point[PENETRATION_MEMORY_POINTS];
-    struct {
-        real square;            // of its height; they do not fall
-        unsigned char corner[3];
-    } face[PENETRATION_MEMORY_FACES];
-} penetration_memory;
-//<
-
 //> penetration-declare
 penetration_scratch *penetration_scratch_new(void);     // NULL if memory is refused
 void         penetration_scratch_free(penetration_scratch *scratch);
@@ -65,17 +46,6 @@ void         penetration_scratch_free(penetration_scratch *scratch);
 // small bodies costs less than to ask gjk before.
 penetration_result penetration_find(point_set a, point_set b, const distance_cache *start,
                          penetration_scratch *scratch);
-
-// Keeps how the last penetration_find with this scratch, which found the hit face,
-// knew that it had; nothing, if that took too many points.
-void penetration_remember(const penetration_scratch *scratch, penetration_memory *memory);
-
-// The same pair later: does what is remembered prove an answer where the bodies
-// are now, perhaps with a few points more?  1: *r is the hit face, as
-// penetration_find would find it, up to rounding and the choice among equals.  0:
-// it does not; ask penetration_find.  The proof shows that they overlap.
-int penetration_again(point_set a, point_set b, const penetration_memory *memory,
-                   penetration_scratch *scratch, penetration_result *r);
 
 #endif
 //<

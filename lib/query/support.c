@@ -116,34 +116,3 @@ vertex_pair support_scan_both(const point_set *a, const point_set *b, vec3 d)
                           scan(*b, vec3_scale(-1, d), home) };
 }
 //<
-
-//> support-gap
-// Only a number, no vertex: so there is little to choose, and the two least
-// heights, of A and of B turned round, do not wait for each other.
-real support_gap(point_set a, point_set b, vec3 n)
-{
-    vec3 a0 = a.at[0], b0 = b.at[0];
-    real least_a = 0, least_b = 0, sum_a = 0, sum_b = 0;
-    int both = a.count < b.count ? a.count : b.count, i = 0;
-    for (; i < both; i++) {
-        real up_a = vec3_dot(n, vec3_sub(a.at[i], a0));
-        real up_b = vec3_dot(n, vec3_sub(b0, b.at[i]));
-        least_a = up_a < least_a ? up_a : least_a;
-        least_b = up_b < least_b ? up_b : least_b;
-        sum_a += up_a;
-        sum_b += up_b;
-    }
-    for (int k = i; k < a.count; k++) {
-        real up = vec3_dot(n, vec3_sub(a.at[k], a0));
-        least_a = up < least_a ? up : least_a;
-        sum_a += up;
-    }
-    for (int k = i; k < b.count; k++) {
-        real up = vec3_dot(n, vec3_sub(b0, b.at[k]));
-        least_b = up < least_b ? up : least_b;
-        sum_b += up;
-    }
-    real poison = (sum_a - sum_a) + (sum_b - sum_b);
-    return vec3_dot(n, vec3_sub(a0, b0)) + least_a + least_b + poison;
-}
-//<

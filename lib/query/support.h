@@ -39,10 +39,6 @@ int support_point(point_set p, vec3 d, int from);
 vertex_pair support_climb_both(const point_set *a, const point_set *b, vec3 d,
                                vertex_pair from);
 vertex_pair support_scan_both(const point_set *a, const point_set *b, vec3 d);
-
-// m, the gap between A and B along the unit vector n, from B to A; < 0: they
-// overlap along it.  By a scan; not finite if a coordinate is not.
-real support_gap(point_set a, point_set b, vec3 n);
 //<
 
 //> support-climbs

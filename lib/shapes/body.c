@@ -91,53 +91,6 @@ status shape_add_angle(shape *s, angle c)
 }
 //<
 
-//> body-engine
-// The mesh neighbours of each vertex, in the order of a turn around it.
-static status fill_rings(shape *s)
-{
-    const mesh *m = &s->mesh;
-    int filled = 0;
-    s->ring_start = allocate(s->particles + 1, sizeof *s->ring_start);
-    s->ring = allocate(2 * m->edges, sizeof *s->ring);
-    if (!s->ring_start || !s->ring) return status_out_of_memory();
-    for (int v = 0; v < m->vertices; v++) {
-        int start = m->vertex_half[v], h = start;
-        s->ring_start[v] = filled;
-        if (start < 0) continue;
-        do {
-            s->ring[filled++] = mesh_target(m, h);
-            h = mesh_around(m, h);
-        } while (h != start && filled < 2 * m->edges);
-    }
-    s->ring_start[m->vertices] = filled;
-    return status_ok();
-}
-
-// The origin of a convex body lies behind all of its faces, and so far behind
-// the nearest.
-static void measure_inner(shape *s)
-{
-    s->inner = s->kind == SHAPE_RIGID ? s->radius : 0;
-    for (int f = 0; f < s->mesh.faces && s->kind == SHAPE_RIGID; f++) {
-        const int *v = &s->face[3 * f];
-        vec3 m = vec3_unit(vec3_cross(vec3_sub(s->at[v[1]], s->at[v[0]]),
-                                      vec3_sub(s->at[v[2]], s->at[v[0]])));
-        s->inner = fmax(fmin(s->inner, vec3_dot(m, s->at[v[0]])), 0);
-    }
-}
-
-static void fill_strands(shape *s)
-{
-    int c = s->columns, r = s->rows;
-    if (s->kind == SHAPE_RIGID) return;
-    strands columns = { c, r, 1, c, s->stick[0].rest_length };
-    strands rows = { r, c, c, 1, s->stick[c * (r - 1)].rest_length };
-    if (r > 1) s->strand[s->directions++] = columns;
-    s->strand[s->directions++] = rows;
-    s->on_strands = c * (r - 1) + r * (c - 1);
-}
-//<
-
 //> body-finish
 static void measure(shape *s)
 {
@@ -153,11 +106,8 @@ status shape_finish(shape *s, status so_far)
 {
     if (so_far.ok) {
         measure(s);
-        measure_inner(s);
-        fill_strands(s);
         so_far = check_quantity("radius", s->radius, "m");
     }
-    if (so_far.ok) so_far = fill_rings(s);
     if (!so_far.ok) shape_free(s);
     return so_far;
 }
@@ -169,8 +119,6 @@ void shape_free(shape *s)
     free(s->stick);
     free(s->angle);
     free(s->face);
-    free(s->ring_start);
-    free(s->ring);
     mesh_free(&s->mesh);
     *s = (shape){ 0 };
 }

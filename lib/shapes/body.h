@@ -17,14 +17,6 @@ typedef enum {
     SHAPE_ROPE          // no mesh: a line of particles
 } shape_kind;
 
-// Lines side by side: particle k of line l is number l * across + k * along.
-// All their links are equally long.
-typedef struct {
-    int  lines, particles;      // how many; in each
-    int  across, along;
-    real rest_length;           // m
-} strands;
-
 // The particles of a shape are the vertices of its mesh.
 typedef struct shape {
     shape_kind kind;
@@ -40,13 +32,6 @@ typedef struct shape {
     int   *face;        // [mesh.faces * 3] vertices of each face, for loops
     real   radius;      // m, largest distance of a particle from the origin
     real   spacing;     // m, the shortest stick
-    strands strand[2];  // a rope: itself; a cloth: its columns, its rows
-    int    directions;  // of them, 0 to 2
-    int    on_strands;  // the first of the sticks are the strands' links
-    int   *ring_start;  // [particles + 1] the mesh neighbours of vertex v are
-    int   *ring;        //   ring[ring_start[v]] .. ring[ring_start[v + 1] - 1]
-    real   inner;       // m, a ball of it about the origin lies inside;
-                        // 0: there is no inside
 } shape;
 //<
 

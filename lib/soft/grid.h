@@ -1,7 +1,7 @@
 //> grid-head
 // grid.h - which of many equal balls are near each other?  Sorted into cells.
 //
-// Paper: section 5.2 asks a tree.  Book: chapter 6.
+// Paper: section 5.2 asks a tree.  Book: chapter 14.
 // Units: metres.
 
 #ifndef TUMBLE_GRID_H

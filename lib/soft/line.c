@@ -64,10 +64,8 @@ static places cut(real **memory, size_t n)
 
 line_scratch *line_scratch_new(const shape *s)
 {
-    size_t room = s->directions > 0 ? (size_t)s->particles : 0, longest = 0;
-    for (int d = 0; d < s->directions; d++)
-        if ((size_t)s->strand[d].particles > longest)
-            longest = (size_t)s->strand[d].particles;
+    size_t longest = (size_t)int_max(s->columns, s->rows);
+    size_t room = longest > 0 ? (size_t)s->particles : 0;
     size_t rows = (longest + 1) * LANES;
     line_scratch *scratch = malloc(sizeof *scratch + sizeof(real)
                                    * (8 * room + (4 + FIELDS) * rows
@@ -613,15 +611,37 @@ static void solve(block b, const particle *p, int steps, relax_options options,
 }
 //<
 
+//> line-strands
+int shape_directions(const shape *s)
+{
+    return (s->rows > 1) + (s->columns > 1);
+}
+
+// The links of the columns stand first in the list of sticks, then those of the
+// rows; a rope is a cloth of one row.
+strands shape_strands(const shape *s, int direction)
+{
+    int c = s->columns, r = s->rows;
+    if (r > 1 && direction == 0)
+        return (strands){ c, r, 1, c, s->stick[0].rest_length };
+    return (strands){ r, c, c, 1, s->stick[c * (r - 1)].rest_length };
+}
+
+int shape_links(const shape *s)
+{
+    return s->columns * (s->rows - 1) + s->rows * (s->columns - 1);
+}
+//<
+
 //> line-relax
-line_result line_solve(const strands *s, particle *p, int steps,
+line_result line_solve(strands s, particle *p, int steps,
                        relax_options options, line_scratch *scratch)
 {
     assert(steps >= 1);
     line_result r = { .worst = 0 };
-    int last = (s->lines - 1) * s->across + (s->particles - 1) * s->along;
+    int last = (s.lines - 1) * s.across + (s.particles - 1) * s.along;
     gather_all(scratch, p, last + 1, options);
-    solve((block){ .s = *s, .scratch = scratch, .more = 1 }, p, steps, options,
+    solve((block){ .s = s, .scratch = scratch, .more = 1 }, p, steps, options,
           &r);
     scatter(scratch->now, p, last + 1);
     return r;
@@ -637,14 +657,15 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
 {
     assert(sweeps >= 1);
     line_result r = { .worst = 0 };
-    int most = s->directions > 1 ? sweeps : 1, done = 0;
+    int directions = shape_directions(s), done = 0;
+    int most = directions > 1 ? sweeps : 1;
     int is_new = options.gradient == GRADIENT_NEW;
     gather_all(scratch, p, s->particles, options);
     do {
         real more = is_new && done + 1 < most ? MORE : 1;
         r.worst = 0;
-        for (int d = 0; d < s->directions; d++)
-            solve((block){ .s = s->strand[d], .scratch = scratch,
+        for (int d = 0; d < directions; d++)
+            solve((block){ .s = shape_strands(s, d), .scratch = scratch,
                            .more = more }, p, 1, options, &r);
     } while (++done < most && !(r.worst <= options.tolerance));
     scatter(scratch->now, p, s->particles);

@@ -11,6 +11,14 @@
 
 #include "body.h"
 
+// Lines side by side: particle k of line l is number l * across + k * along.
+// All their links are equally long.
+typedef struct {
+    int  lines, particles;      // how many; in each
+    int  across, along;
+    real rest_length;           // m
+} strands;
+
 // Memory for lines: one for each thread that solves.
 typedef struct line_scratch line_scratch;
 
@@ -25,6 +33,14 @@ typedef struct {
 //<
 
 //> line-declare
+// In how many directions s has strands: 1 for a rope, 2 for a cloth, 0 for a
+// rigid shape; and those of one direction, of a cloth the columns first.
+int     shape_directions(const shape *s);
+strands shape_strands(const shape *s, int direction);
+
+// How many sticks, the first of the shape's, are links of the strands.
+int shape_links(const shape *s);
+
 // Room for the strands of s.  NULL if memory is refused.
 line_scratch *line_scratch_new(const shape *s);
 void          line_scratch_free(line_scratch *scratch);
@@ -41,7 +57,7 @@ void          line_scratch_free(line_scratch *scratch);
 // direction, is left.  No step moves a particle farther than half a link and
 // the sum of its line's errors.  Never NaN for finite places: a line whose
 // numbers are lost stays as it is, and shows in `worst`.
-line_result line_solve(const strands *s, particle *p, int steps,
+line_result line_solve(strands s, particle *p, int steps,
                        relax_options options, line_scratch *scratch);
 
 // All strands of a body, one direction after the other, one step each, until

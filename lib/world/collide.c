@@ -68,7 +68,7 @@ typedef struct {
 static point_set collider_points(const collider *c)
 {
     return (point_set){ c->at, c->plan->particles,
-                        c->plan->ring_start, c->plan->ring };
+                        c->ring.start, c->ring.list };
 }
 
 // Where two bodies are nearest, or overlap least: GJK while they are apart, the

@@ -8,6 +8,7 @@
 #define TUMBLE_COLLIDE_H
 
 #include "scene.h"
+#include "ring.h"
 #include "separation.h"
 #include "swept.h"
 
@@ -17,6 +18,7 @@ typedef struct {
     int  first;         // its first particle in the pool
     const vec3 *at;     // [plan->particles] where they are
     real mass;          // kg; HUGE_VAL: immovable
+    rings ring;         // of the plan; empty: none, support scans
 } collider;
 
 // m, how far x is in front of the plane.

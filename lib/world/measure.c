@@ -68,10 +68,10 @@ static void measure_planes(const world *w, const body *b, measures *m)
 static void measure_rigid_pair(world *w, body *a, body *b, measures *m)
 {
     collider x = world_collider(w, a), y = world_collider(w, b);
-    point_set p = { x.at, a->plan->particles, a->plan->ring_start,
-                    a->plan->ring };
-    point_set q = { y.at, b->plan->particles, b->plan->ring_start,
-                    b->plan->ring };
+    point_set p = { x.at, a->plan->particles, a->ring.start,
+                    a->ring.list };
+    point_set q = { y.at, b->plan->particles, b->ring.start,
+                    b->ring.list };
     if (body_is_nailed(a) && body_is_nailed(b)) return;
     distance_result g = distance_find(p, q, distance_options_default(), NULL);
     if (g.status == DISTANCE_NOT_FINITE) deepen(m, (real)NAN);

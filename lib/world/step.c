@@ -32,6 +32,28 @@ typedef struct {
     relax_result done[2];
 } stage;
 
+// Taylor about x, forward by dt and backward by dt_before:
+//     x'         = x + v dt        + a dt^2 / 2
+//     x_previous = x - v dt_before + a dt_before^2 / 2
+// The second gives
+//     v dt = ((x - x_previous) + a dt_before^2 / 2) dt / dt_before,
+// and put into the first,
+//     x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
+void verlet_step_changed(particle *p, int n, vec3 a, real dt_before, real dt)
+{
+    assert(n >= 0 && dt_before > 0 && dt > 0 && vec3_is_finite(a));
+    real carry = dt / dt_before, square = dt * (dt_before + dt) / 2;
+    for (int i = 0; i < n; i++) {
+        vec3 here = p[i].position, move = { 0, 0, 0 };
+        if (p[i].inverse_mass > 0) {
+            vec3 last_move = vec3_sub(here, p[i].previous);
+            move = vec3_add_scaled(vec3_scale(carry, last_move), square, a);
+        }
+        p[i].position = vec3_add(here, move);
+        p[i].previous = here;
+    }
+}
+
 // The first substep of a frame may be longer or shorter than the last one.
 static void integrate_side(void *data, int side)
 {
@@ -46,7 +68,7 @@ static void integrate_side(void *data, int side)
         if (w->age == s->h)
             verlet_step(p, body_particles(b), w->options.gravity, NULL, s->h);
         else
-            verlet_step_changed(p, body_particles(b), w->options.gravity, NULL,
+            verlet_step_changed(p, body_particles(b), w->options.gravity,
                                 w->age, s->h);
     }
 }
@@ -75,11 +97,11 @@ static relax_result relax_soft(world *w, const body *b)
     const shape *s = b->plan;
     particle *p = w->pool.at + b->first;
     relax_options o = w->options.relax;
-    int others = s->sticks - s->on_strands;
-    if (others > 0) sticks_iterate(s->stick + s->on_strands, others, p, o);
+    int links = shape_links(s), others = s->sticks - links;
+    if (others > 0) sticks_iterate(s->stick + links, others, p, o);
     line_result l = lines_relax(s, p, w->options.sweeps, o,
                                 entry_of(w, s)->line);
-    int tested = others + l.steps * s->on_strands;
+    int tested = others + l.steps * links;
     return (relax_result){ .worst = l.worst, .tested = tested,
                            .relaxed = tested, .iterations = l.steps,
                            .fell_back = l.fell_back };
@@ -240,7 +262,7 @@ static void join_soft(world *w)
 // inner one of a rigid body, half the spacing of a deformable one.
 static int substeps_for(const world *w, const body *b, real share)
 {
-    real radius = body_is_soft(b) ? b->plan->spacing / 2 : b->plan->inner;
+    real radius = body_is_soft(b) ? b->plan->spacing / 2 : b->inner;
     real need = (vec3_length(b->way) + b->turn) / (share * radius);
     if (!(need < w->options.most_substeps)) return w->options.most_substeps;
     return (int)need + ((int)need < need);

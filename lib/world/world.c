@@ -15,7 +15,7 @@ world_options world_options_default(void)
         .friction = 0.5, .restitution = 0,
         .passes = 4, .content = 1e-7, .memory = 1,
         .mend = 0.2, .mend_speed = 2.5,
-        .swept = 1, .skin = 0.005, .stay = 0.001,
+        .skin = 0.005, .stay = 0.001,
         .resting = 1,
     };
     return o;
@@ -191,11 +191,9 @@ static void *grown(void *old, int count, size_t size)
     return realloc(old, (size_t)(count > 0 ? 2 * count : 1) * size);
 }
 
-// The four particles of plan s, if it is rigid.
+// The four particles of the rigid plan s.
 static status plan_four(const shape *s, four **f)
 {
-    *f = NULL;
-    if (s->kind != SHAPE_RIGID) return status_ok();
     *f = malloc(sizeof **f);
     if (!*f) return status_out_of_memory();
     status done = four_build(*f, s);
@@ -214,9 +212,18 @@ static status enter_plan(world *w, const shape *s, int *number)
     plan_entry *more = grown(w->plan, w->plans, sizeof *more);
     if (!more) return status_out_of_memory();
     w->plan = more;
-    plan_entry entry = { .shape = s };
-    status done = plan_four(s, &entry.four);
-    if (done.ok) w->plan[w->plans++] = entry;
+    plan_entry entry = { .shape = s, .inner = shape_inner(s) };
+    status done = status_ok();
+    if (s->kind == SHAPE_RIGID) {
+        done = plan_four(s, &entry.four);
+        if (done.ok) done = rings_build(&entry.ring, &s->mesh);
+    }
+    if (done.ok) {
+        w->plan[w->plans++] = entry;
+    } else if (entry.four) {
+        four_free(entry.four);
+        free(entry.four);
+    }
     return done;
 }
 
@@ -243,7 +250,9 @@ status world_add(world *w, const shape *s, placement where, int *number)
     status done = reserve_body(w, s, &plan);
     if (!done.ok) return done;
 
-    body b = { .plan = s, .four = w->plan[plan].four, .first = w->pool.count,
+    body b = { .plan = s, .four = w->plan[plan].four,
+               .ring = w->plan[plan].ring, .inner = w->plan[plan].inner,
+               .first = w->pool.count,
                .corner = w->pool.count, .mass = HUGE_VAL };
     real mass = 0;
     for (int i = 0; i < s->particles; i++) mass += s->mass[i];
@@ -266,8 +275,9 @@ status world_add(world *w, const shape *s, placement where, int *number)
 // body: twice that, for a look ahead reaches further (below 24 bodies, all
 // pairs are fewer).  Few of them touch face on face, in PAIR_CONTACTS points.
 // At the planes a body lies on a few vertices; but one so fast that it may get
-// anywhere in a frame is near three planes with all of them, and in a small
-// room near every one.  (Whoever finds no room there is through the wall.)
+// anywhere in a frame is near every plane with all of them.  A contact that
+// found no room there would let the body through the wall: so there is room for
+// all of these.
 // A particle of a cloth folded on itself has 12 in touch as well, most of them
 // its neighbours at rest, but the lists look further: 24 a particle.  And it is
 // near 4 rigid bodies at most, where they lie together.
@@ -281,10 +291,9 @@ static void size_lists(world *w)
         rigid += !body_is_soft(&w->body[b]);
     }
     int all_pairs = rigid < 24 ? rigid * (rigid - 1) / 2 : 12 * rigid;
-    int near_planes = w->planes > 3 && rigid >= 24 ? 3 : w->planes;
     w->pairs.capacity = all_pairs;
     w->pushes.capacity = (rigid < 24 ? PAIR_CONTACTS * all_pairs : 12 * rigid)
-                       + near_planes * corners;
+                       + w->planes * corners;
     w->near.pair_capacity = w->leaves.capacity = 24 * soft;
     w->near.point_capacity = 4 * soft;
     w->least_radius = HUGE_VAL;
@@ -497,6 +506,7 @@ void world_free(world *w)
         line_scratch_free(w->plan[k].line);
         if (w->plan[k].four) four_free(w->plan[k].four);
         free(w->plan[k].four);
+        rings_free(&w->plan[k].ring);
     }
     void *owned[] = { w->body, w->plan,
         w->of.at, w->of.seen, w->of.lain, w->of.listed, w->of.inverse_mass,
@@ -527,7 +537,7 @@ void world_free(world *w)
 collider world_collider(const world *w, const body *b)
 {
     return (collider){ b->plan, b->four ? 0 : b->first, w->of.at + b->corner,
-                       b->mass };
+                       b->mass, b->ring };
 }
 
 void world_vertices(const world *w, const body *b, vec3 *at)

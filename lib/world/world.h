@@ -38,8 +38,6 @@ typedef struct {
     real mend;          // share of an old overlap that a substep pushes out;
                         // 0 to 1
     real mend_speed;    // m/s, the most at which it does
-    int  swept;         // 1: rigid bodies that pass each other by more than an
-                        // inner radius are asked when they first touch
     real skin;          // of a rigid body's radius: its contacts keep that far
                         // off, so that bodies at rest do not overlap
     real stay;          // of a rigid body's radius: one that lies no further
@@ -70,6 +68,8 @@ typedef struct body {
     real thickness;     // m, its contacts keep that far off: the radius of the
                         // particles of a deformable body, a rigid one's skin
     sphere_tree tree;
+    rings ring;         // its plan's; empty where that is deformable
+    real inner;         // m, its plan's inner radius
     vec3 way;           // m, its centre's in a frame, as fast as it is now
     real turn;          // m, what its vertices may go beside that
     real reach;         // m, how far it may move in a frame; or what hits it
@@ -158,6 +158,8 @@ typedef struct {
 typedef struct {
     const struct shape *shape;
     struct four *four;  // NULL unless rigid
+    rings ring;         // empty unless rigid
+    real inner;         // m, see shape_inner
     line_scratch *line; // NULL unless deformable
 } plan_entry;
 //<

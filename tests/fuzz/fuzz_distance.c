@@ -1,5 +1,6 @@
 // fuzz_distance.c - distance_find on two bodies made from bytes.  See fuzz.h.
 
+#include "points.h"
 #include "sets.h"
 
 typedef long double wide;
@@ -45,7 +46,7 @@ static const wide turned = 1e-7L;
 static void check_bound(const sets *s, distance_result r, real error)
 {
     wide least = (wide)r.distance * (1 - (wide)error) - turned * s->reach;
-    wide d = -oracle_width(body_points(&s->b), body_points(&s->a), r.axis);
+    wide d = -oracle_width(body_hull(&s->b), body_hull(&s->a), r.axis);
     MUST(d >= least, "a point at %.20Lg is nearer than %.20g", d, r.distance);
 }
 
@@ -82,7 +83,7 @@ static void check_oracle(const sets *s, distance_result r, real error)
 {
     if (s->a.count > 5 || s->b.count > 5) return;
     if (has_thin(&s->a) || has_thin(&s->b)) return;
-    wide exact = oracle_distance(body_points(&s->a), body_points(&s->b));
+    wide exact = oracle_distance(body_hull(&s->a), body_hull(&s->b));
     MUST((wide)r.distance * (1 - (wide)error) <= exact + rounding * s->reach,
          "distance %.17g, exactly %.20Lg", r.distance, exact);
 }

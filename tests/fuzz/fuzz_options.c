@@ -110,7 +110,7 @@ static void read_numbers(bytes *in)
     scene_kind kind = (scene_kind)take_count(in, 0, SCENES - 1);
     scene_options what = { .bodies = take_count(in, 0, 13),
                            .cloth = take_count(in, 1, 9),
-                           .seed = (unsigned)take_byte(in),
+                           .seed = (unsigned)take_byte(in), .diagonal = 0.2,
                            .mesh = take_byte(in) % 4 ? NULL : "a.obj" };
     world_options how = world_scene_options(kind, 40);
     how.substeps = take_count(in, 0, 5);

@@ -275,7 +275,7 @@ static int fold_part(int i, int third)
 static void fold(world *w, real height, real gap)
 {
     const body *b = &w->body[1];
-    int n = b->plan->strand[0].lines, third = n / 3;
+    int n = b->plan->columns, third = n / 3;
     real link = b->plan->spacing, rise = gap / 2;
     real out = sqrt(link * link - rise * rise), x = -third * link / 2;
     real way = 1;

@@ -452,7 +452,7 @@ static int rope_make(rope *r, int links, real length)
 // Straight from the origin along `down`, at rest; held: nothing falls yet.
 static void rope_lay(rope *r, vec3 down, vec3 acceleration, real dt)
 {
-    real link = r->plan.strand[0].rest_length;
+    real link = shape_strands(&r->plan, 0).rest_length;
     for (int i = 0; i < r->n; i++)
         r->p[i] = particle_start(vec3_scale(i * link, down), ORIGIN,
                                  acceleration, i > 0, dt);
@@ -464,7 +464,7 @@ static void rope_step(rope *r, real dt, gradient_kind gradient, int newton)
     o.gradient = gradient;
     o.tolerance = 0;
     verlet_step(r->p, r->n, GRAVITY, NULL, dt);
-    line_solve(&r->plan.strand[0], r->p, newton, o, r->scratch);
+    line_solve(shape_strands(&r->plan, 0), r->p, newton, o, r->scratch);
 }
 
 static real rope_strain(const rope *r)

@@ -13,6 +13,7 @@
 #include "hard.h"
 #include "penetration.h"
 #include "oracle.h"
+#include "points.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -436,11 +437,11 @@ static wide simplex_length(const question *q)
 // Six times the volume of the origin and three corners of the simplex.
 static wide volume(const question *q, int i, int j, int k)
 {
-    int corner[3] = { i, j, k };
+    int three[3] = { i, j, k };
     wide m[3][3];
     for (int r = 0; r < 3; r++) {
-        vec3 a = q->a->at[q->g.last.a[corner[r]]];
-        vec3 b = q->b->at[q->g.last.b[corner[r]]];
+        vec3 a = q->a->at[q->g.last.a[three[r]]];
+        vec3 b = q->b->at[q->g.last.b[three[r]]];
         m[r][0] = (wide)a.x - (wide)b.x;
         m[r][1] = (wide)a.y - (wide)b.y;
         m[r][2] = (wide)a.z - (wide)b.z;
@@ -464,7 +465,7 @@ static int overlap_proven(const question *q)
 
 static wide gap_along(const question *q, vec3 axis)
 {
-    return -oracle_width(q->pa, q->pb, vec3_scale(-1, axis));
+    return -oracle_width(hull_of(q->pa), hull_of(q->pb), vec3_scale(-1, axis));
 }
 
 // Proven if both bounds meet; else the oracle decides.
@@ -477,7 +478,7 @@ static int apart_holds(const question *q, tally *t)
     if (!agrees(most - least, most, q->size) || (q->share && small)) {
         if (!small) return 0;
         t->asked_distance++;
-        most = least = oracle_distance(q->pa, q->pb);
+        most = least = oracle_distance(hull_of(q->pa), hull_of(q->pb));
     }
     return agrees(said - most, most, q->size)
         && agrees(said - least, most, q->size);
@@ -496,7 +497,7 @@ static long oracle_work(const question *q)
 static int depth_holds(const question *q, const penetration_result *h, tally *t)
 {
     vec3 out = vec3_scale(-1, h->normal);
-    wide said = (wide)h->depth, plane = oracle_width(q->pa, q->pb, out);
+    wide said = (wide)h->depth, plane = oracle_width(hull_of(q->pa), hull_of(q->pb), out);
     t->overlapping++;
     if (fabs(vec3_length(h->normal) - 1) > 1e-12) return 0;
     if (!agrees(said - plane, plane, q->size)) return 0;
@@ -507,7 +508,7 @@ static int depth_holds(const question *q, const penetration_result *h, tally *t)
         return 1;
     }
     t->asked_depth++;
-    wide least = oracle_depth(q->pa, q->pb);
+    wide least = oracle_depth(hull_of(q->pa), hull_of(q->pb));
     return said <= least || agrees(said - least, least, q->size);
 }
 
@@ -515,8 +516,8 @@ static int depth_holds(const question *q, const penetration_result *h, tally *t)
 static int flat_holds(const question *q, const penetration_result *h, tally *t)
 {
     vec3 back = vec3_scale(-1, h->normal);
-    wide up = oracle_width(q->pa, q->pb, h->normal);
-    wide down = oracle_width(q->pa, q->pb, back);
+    wide up = oracle_width(hull_of(q->pa), hull_of(q->pb), h->normal);
+    wide down = oracle_width(hull_of(q->pa), hull_of(q->pb), back);
     t->touching++;
     return h->depth == 0 && agrees(up, 0, q->size) && agrees(down, 0, q->size);
 }

@@ -7,6 +7,7 @@
 #include "convex.h"
 #include "distance.h"
 #include "manifold.h"
+#include "penetration.h"
 
 // Bodies of size 1 near the origin; a corner is seen, crossed, weighed: a few
 // dozen roundings.

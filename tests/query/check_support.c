@@ -1,6 +1,7 @@
 // check_support.c - tests of lib/support: the furthest vertex, either way.
 
 #include "bodies.h"
+#include "points.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -84,8 +85,6 @@ START_TEST(what_is_not_finite_is_told)
         ck_assert_int_eq(support_scan(p, d), -1);
         ck_assert_int_eq(support_scan_both(&p, &q, d).a, -1);
         ck_assert_int_eq(support_scan_both(&q, &p, d).b, -1);
-        real gap = support_gap(p, q, (vec3){ -1, 0, 0 });
-        ck_assert(!(fabs(gap) < HUGE_VAL));
     }
 }
 END_TEST
@@ -224,27 +223,6 @@ START_TEST(two_at_once_are_as_high_as_each_alone)
 }
 END_TEST
 
-// Every vertex of A above every vertex of B.  Rejects: points left out where
-// one set is longer; a sign; a gap that is cut off at 0.
-START_TEST(the_gap_is_the_least_of_all_pairs)
-{
-    unsigned long long seed = 47;
-    for (int n = 0; n < 500; n++) {
-        static body a, b;
-        body_random(&a, 1 + n % 7, &seed);
-        body_random(&b, 1 + n / 7 % 9, &seed);
-        body_move(&b, random_vector(&seed, 0, 3));
-        vec3 d = random_direction(&seed);
-        real least = HUGE_VAL;
-        for (int i = 0; i < a.count; i++)
-            for (int j = 0; j < b.count; j++)
-                least = real_min(least,
-                                 vec3_dot(d, vec3_sub(a.at[i], b.at[j])));
-        near(support_gap(body_points(&a), body_points(&b), d), least, rounding);
-    }
-}
-END_TEST
-
 int main(void)
 {
     Suite *suite = suite_create("support");
@@ -260,7 +238,6 @@ int main(void)
     tcase_add_test(t, climbing_may_visit_every_vertex);
     tcase_add_test(t, forty_eight_points_are_scanned);
     tcase_add_test(t, two_at_once_are_as_high_as_each_alone);
-    tcase_add_test(t, the_gap_is_the_least_of_all_pairs);
     suite_add_tcase(suite, t);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -3,6 +3,7 @@
 
 #include "bodies.h"
 #include "oracle.h"
+#include "points.h"
 #include "swept.h"
 
 #include <check.h>
@@ -83,7 +84,7 @@ static body body_later(const body *a, vec3 way, real t)
 static real truth_at(const body *a, vec3 way, real t, const body *b)
 {
     body later = body_later(a, way, t);
-    return (real)oracle_distance(body_points(&later), body_points(b));
+    return (real)oracle_distance(body_hull(&later), body_hull(b));
 }
 
 // ---- answers that can be had by hand
@@ -121,10 +122,10 @@ END_TEST
 START_TEST(cubes_meet_face_edge_and_corner_on)
 {
     body b = body_cube(0, 0, 0), face = body_cube(3, 0.25, -0.25);
-    body edge = body_cube(3, 3, 0.25), corner = body_cube(3, -3, 3);
+    body edge = body_cube(3, 3, 0.25), tip = body_cube(3, -3, 3);
     swept_result f = sweep(&face, (vec3){ -4, 0, 0 }, &b, 0, fine);
     swept_result e = sweep(&edge, (vec3){ -4, -4, 0 }, &b, 0, fine);
-    swept_result c = sweep(&corner, (vec3){ -4, 4, -4 }, &b, 0, fine);
+    swept_result c = sweep(&tip, (vec3){ -4, 4, -4 }, &b, 0, fine);
     ck_assert_int_eq(f.status, SWEPT_TOUCHES);
     ck_assert_int_eq(e.status, SWEPT_TOUCHES);
     ck_assert_int_eq(c.status, SWEPT_TOUCHES);
@@ -799,7 +800,7 @@ int main(void)
     tcase_add_test(t, what_is_beyond_measure_gets_a_status);
     tcase_add_test(t, smallest_numbers_give_no_nan);
     tcase_add_test(t, few_distances_are_asked_for);
-    tcase_add_test(t, the_same_bits_everywhere);
+    if (bits_are_ours()) tcase_add_test(t, the_same_bits_everywhere);
     suite_add_tcase(suite, t);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

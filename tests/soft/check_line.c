@@ -68,6 +68,7 @@ static relax_options along(int old)
 // p is solved, q is for comparison.  Both are as long as the body and no
 // longer, so that a sanitizer sees who reads beyond its end.
 static shape plan;
+static strands strand[2];
 static line_scratch *scratch;
 static particle *p, *q;
 
@@ -84,6 +85,8 @@ static void tear_down(void)
 // The particles of the plan, at rest, all of 1 kg.
 static void lay(void)
 {
+    for (int d = 0; d < shape_directions(&plan); d++)
+        strand[d] = shape_strands(&plan, d);
     size_t n = (size_t)plan.particles;
     scratch = line_scratch_new(&plan);
     p = malloc(n * sizeof *p);
@@ -127,7 +130,7 @@ static void disturb(real most)
 
 static line_result solve(int direction, int steps, relax_options o)
 {
-    return line_solve(&plan.strand[direction], p, steps, o, scratch);
+    return line_solve(strand[direction], p, steps, o, scratch);
 }
 
 // The largest strain of the links of the strands s.
@@ -248,7 +251,7 @@ START_TEST(step_is_that_of_the_full_system)
             if (p[i].inverse_mass > 0)
                 p[i].position = vec3_add(p[i].position, any_vector(0.05));
         // So near its length that nothing is held back.
-        plan.strand[0].rest_length = 1.2;
+        strand[0].rest_length = 1.2;
         remember();
         relax_options o = along(old);
         o.tolerance = 1;            // the old gradient is not judged
@@ -276,12 +279,12 @@ START_TEST(error_is_squared)
         for (int i = 0; i <= 50; i++)
             p[i].position.y = p[i].previous.y = 0.1 * (i % 2);
         nail(0);
-        plan.strand[0].rest_length = sqrt(1.01);
+        strand[0].rest_length = sqrt(1.01);
         disturb(0.02);
-        real e[5] = { strain_of(plan.strand) };
+        real e[5] = { strain_of(strand) };
         for (int k = 0; k < 4; k++) {
             solve(0, 1, along(old));
-            e[k + 1] = strain_of(plan.strand);
+            e[k + 1] = strain_of(strand);
         }
         printf("line: strain %.2g, after one, two, three steps %.2g %.2g "
                "%.2g\n", e[0], e[1], e[2], e[3]);
@@ -344,10 +347,10 @@ START_TEST(lines_side_by_side_are_solved_as_if_alone)
         remember();
         line_result r = solve(d, 1, along(old)), one;
         real worst = 0;
-        strands line = plan.strand[d];
+        strands line = strand[d];
         line.lines = 1;
-        for (int l = 0; l < plan.strand[d].lines; l++) {
-            one = line_solve(&line, q + l * line.across, 1, along(old),
+        for (int l = 0; l < strand[d].lines; l++) {
+            one = line_solve(line, q + l * line.across, 1, along(old),
                              scratch);
             worst = fmax(worst, one.worst);
         }
@@ -380,7 +383,7 @@ START_TEST(relaxing_all_lines_is_solving_one_direction_after_the_other)
         for (int k = 0; k < rounds; k++) {
             worst = 0;
             for (int d = 0; d < 2; d++) {
-                r = line_solve(&plan.strand[d], q, 1, o, scratch);
+                r = line_solve(strand[d], q, 1, o, scratch);
                 worst = fmax(worst, r.worst);
             }
         }
@@ -445,7 +448,7 @@ START_TEST(rounds_but_the_last_ask_for_more)
             worst = 0;
             for (int d = 0; d < 2; d++)
                 for (int l = 0; l <= LINKS; l++)
-                    worst = fmax(worst, round_in_full(&plan.strand[d], l,
+                    worst = fmax(worst, round_in_full(&strand[d], l,
                                                       k < 2 ? 1.3 : 1));
         }
         expect_near(r.worst, worst, ROUNDING, "worst");
@@ -471,12 +474,12 @@ static real hung_by_two_corners(int at_once)
     nail(n - 1);
     for (int k = 0; k < 2 * hertz; k++) {
         verlet_step(p, plan.particles, GRAVITY, NULL, 1.0 / hertz);
-        sticks_iterate(plan.stick + plan.on_strands,
-                     plan.sticks - plan.on_strands, p, o);
+        sticks_iterate(plan.stick + shape_links(&plan),
+                     plan.sticks - shape_links(&plan), p, o);
         for (int round = 0; round < (at_once ? 1 : 3); round++)
             lines_relax(&plan, p, at_once ? 3 : 1, o, scratch);
         for (int d = 0; d < 2 && k > hertz; d++)
-            worst = fmax(worst, strain_of(&plan.strand[d]));
+            worst = fmax(worst, strain_of(&strand[d]));
     }
     tear_down();
     return worst;
@@ -498,10 +501,10 @@ START_TEST(columns_and_rows_go_home)
     disturb(0.02);
     for (int d = 0; d < 2; d++) {
         solve(d, 4, along(0));
-        expect_below(strain_of(&plan.strand[d]), EXACT, "strain");
+        expect_below(strain_of(&strand[d]), EXACT, "strain");
     }
     // The rows have spoilt the columns, by less than there was.
-    expect_below(strain_of(&plan.strand[0]), 0.02, "columns");
+    expect_below(strain_of(&strand[0]), 0.02, "columns");
     tear_down();
 }
 END_TEST
@@ -593,7 +596,7 @@ static real run(int frames, int substeps, int steps, relax_options o)
                         1.0 / (60 * substeps));
             solve(0, steps, o);
         }
-        worst = fmax(worst, strain_of(plan.strand));
+        worst = fmax(worst, strain_of(strand));
     }
     return worst;
 }
@@ -702,7 +705,7 @@ START_TEST(swinging_chain_keeps_length_and_energy)
             fell_back += solve(0, 2, along(1)).fell_back;
             if (f >= 540) mean += energy(N, h) / (60 * SUBSTEPS);
         }
-        worst = fmax(worst, strain_of(plan.strand));
+        worst = fmax(worst, strain_of(strand));
     }
     mean /= N * 9.81;
     printf("line: swinging, 20 substeps of 2 steps: strain %.2g, energy "
@@ -748,7 +751,7 @@ START_TEST(short_link_is_doubled_at_most)
         expect_near(vec3_distance(p[0].position, p[1].position), 2 * d,
                     EXACT * d, "length");
         solve(0, 40, along(0));
-        expect_below(strain_of(plan.strand), EXACT, "in the end");
+        expect_below(strain_of(strand), EXACT, "in the end");
         tear_down();
     }
 }
@@ -799,7 +802,7 @@ START_TEST(rope_nailed_too_short_does_not_explode)
             verlet_step(p, 51, GRAVITY, NULL, 1.0 / 1200);
             if (swept) sticks_iterate(plan.stick, 50, p, along(0));
             else       solve(0, 1, along(0));
-            strain[swept] = fmax(strain[swept], strain_of(plan.strand));
+            strain[swept] = fmax(strain[swept], strain_of(strand));
         }
         tear_down();
     }
@@ -828,7 +831,7 @@ START_TEST(lost_line_stays_alone)
                 ck_assert(memcmp(&a, &b, sizeof a) == 0);
                 p[20 * j + 3].position = plan.at[20 * j + 3];
             }
-            expect_below(strain_of(&plan.strand[0]), 1e-6, "other columns");
+            expect_below(strain_of(&strand[0]), 1e-6, "other columns");
             // And the scratch remembers nothing of it.
             for (int i = 0; i < 200; i++) p[i].position = plan.at[i];
             r = solve(0, 1, along(0));
@@ -866,7 +869,7 @@ START_TEST(old_gradient_falls_back_to_the_start)
     remember();
     line_result r = solve(0, 2, along(1));
     ck_assert_int_eq(r.fell_back, 1);
-    line_solve(&plan.strand[0], q, 2, along(0), scratch);
+    line_solve(strand[0], q, 2, along(0), scratch);
     expect_same_places(p, q, 21);
     tear_down();
 }
@@ -896,10 +899,10 @@ START_TEST(only_the_line_that_fails_falls_back)
     remember();
     line_result r = solve(0, 3, along(1));
     ck_assert_int_eq(r.fell_back, 1);
-    strands line = plan.strand[0];
+    strands line = strand[0];
     line.lines = 1;
     for (int l = 0; l < 11; l++) {
-        r = line_solve(&line, q + l, 3, along(l != 5), scratch);
+        r = line_solve(line, q + l, 3, along(l != 5), scratch);
         ck_assert_int_eq(r.fell_back, 0);
     }
     expect_same_places(p, q, plan.particles);
@@ -922,14 +925,14 @@ START_TEST(size_and_mass_do_not_matter)
             disturb(k % 2 ? 0.1 : 1e-6);
             remember();
             solve(1, 2, along(old));
-            strands s = plan.strand[1];
+            strands s = strand[1];
             s.rest_length *= size;
             for (int i = 0; i < plan.particles; i++) {
                 q[i].position = vec3_scale(size, q[i].position);
                 q[i].previous = vec3_scale(size, q[i].previous);
                 q[i].inverse_mass /= mass;
             }
-            line_solve(&s, q, 2, along(old), scratch);
+            line_solve(s, q, 2, along(old), scratch);
             for (int i = 0; i < plan.particles; i++)
                 q[i].position = vec3_scale(1 / size, q[i].position);
             expect_same_places(p, q, plan.particles);
@@ -946,7 +949,7 @@ START_TEST(leash_lets_go_as_far_as_the_errors_ask)
 {
     for (int old = 0; old < 2; old++) {
         lay_rope(20, 1);
-        real rest = plan.strand[0].rest_length, d = 1.3 * rest;
+        real rest = strand[0].rest_length, d = 1.3 * rest;
         for (int i = 0; i <= 20; i++) {
             p[i].previous = plan.at[i];
             p[i].position = vec3_scale(1.3, plan.at[i]);
@@ -954,7 +957,7 @@ START_TEST(leash_lets_go_as_far_as_the_errors_ask)
         line_result r = solve(0, 1, along(old));
         ck_assert_int_eq(r.fell_back, 0);
         real heron = (d * d + rest * rest) / (2 * d);
-        expect_near(strain_of(&plan.strand[0]), heron / rest - 1, ROUNDING,
+        expect_near(strain_of(&strand[0]), heron / rest - 1, ROUNDING,
                     "strain");
         tear_down();
     }
@@ -974,12 +977,12 @@ START_TEST(leash_is_as_long_as_the_line_is_large)
         nail(50);
         disturb(1e-6);
         remember();
-        strands s = plan.strand[0];
+        strands s = strand[0];
         s.rest_length *= size;
         for (int i = 0; i <= 50; i++)
             q[i].position = vec3_scale(size, q[i].position);
         solve(0, 20, along(0));
-        line_solve(&s, q, 20, along(0), scratch);
+        line_solve(s, q, 20, along(0), scratch);
         for (int i = 0; i <= 50; i++)
             q[i].position = vec3_scale(1 / size, q[i].position);
         expect_same_places(p, q, plan.particles);
@@ -999,7 +1002,7 @@ START_TEST(line_at_rest_but_for_rounding_is_content_at_any_size)
             p[i].position = vec3_scale(size * i, vec3_make(0.6, 0.8, 0));
             p[i].previous = p[i].position;
         }
-        plan.strand[0].rest_length = size;
+        strand[0].rest_length = size;
         ck_assert_int_eq(solve(0, 2, along(1)).fell_back, 0);
         tear_down();
     }
@@ -1009,7 +1012,7 @@ END_TEST
 START_TEST(shape_without_strands_has_an_empty_scratch)
 {
     ck_assert(shape_box(&plan, vec3_make(1, 1, 1), 1).ok);
-    ck_assert_int_eq(plan.directions, 0);
+    ck_assert_int_eq(shape_directions(&plan), 0);
     scratch = line_scratch_new(&plan);
     ck_assert(scratch != NULL);
     tear_down();
@@ -1045,7 +1048,7 @@ START_TEST(solving_asks_for_no_memory)
         nail(0);
         disturb(0.2);
         long made = mallocs_made;
-        for (int d = 0; d < plan.directions; d++)
+        for (int d = 0; d < shape_directions(&plan); d++)
             for (int old = 0; old < 2; old++) solve(d, 5, along(old));
         made = mallocs_made - made;
         ck_assert_int_eq(made, 0);

@@ -118,14 +118,16 @@ static int points_are_listed(real margin)
         const body *rigid = &w.body[b];
         vec3 at[8];
         world_vertices(&w, rigid, at);
-        collider hit = { rigid->plan, rigid->first, at, rigid->mass };
+        collider hit = { rigid->plan, rigid->first, at, rigid->mass,
+                         rigid->ring };
         int planes = hull_planes(rigid->plan, at, hull, face);
         for (int a = 0; a < w.bodies; a++) {
             const body *soft = &w.body[a];
             if (!body_is_soft(soft)) continue;
             for (int i = 0; i < soft->plan->particles; i++) {
                 vec3 x = w.pool.at[soft->first + i].position;
-                collider one = { soft->plan, soft->first + i, &x, soft->mass };
+                collider one = { soft->plan, soft->first + i, &x, soft->mass,
+                                 soft->ring };
                 contact_point c;
                 if (!collide_point(&one, 0, &hit, hull, face, planes,
                                    soft_gap(soft, rigid) + margin - EDGE, &c))

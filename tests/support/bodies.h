@@ -1,10 +1,10 @@
-// bodies.h - the bodies that the tests of chapters 4 and 5 ask about: made here
+// bodies.h - the bodies that the tests of queries ask about: made here
 // or read, with their exact answers, from tests/data/pairs.txt.
 
 #ifndef TUMBLE_BODIES_H
 #define TUMBLE_BODIES_H
 
-#include "support.h"
+#include "gjk.h"
 
 enum { BODY_POINTS = 642, BODY_RING = 6 * BODY_POINTS };
 
@@ -33,7 +33,7 @@ double random_unit(unsigned long long *state);
 vec3   random_direction(unsigned long long *state);
 vec3   random_vector(unsigned long long *state, real least, real most);
 
-point_set body_points(const body *b);
+hull body_hull(const body *b);
 void body_box(body *b, vec3 low, vec3 high);
 body body_cube(real x, real y, real z);     // of side 1, its middle there
 void body_icosahedron(body *b, real radius);
@@ -48,6 +48,10 @@ void body_turn(body *b, unsigned long long *state);     // any rotation
 void body_any(body *b, int kind, unsigned long long *state);
 void body_move(body *b, vec3 by);
 void body_scale(body *b, real by);
+
+// 0 while a module of the reader's own is judged (YOURS is set): it may be right
+// to the last tolerance, and have other bits.
+int bits_are_ours(void);
 
 // Reads the next pair of an open file.  1: read; 0: at the end; -1: damaged.
 int pair_read(void *file, pair_known *p);

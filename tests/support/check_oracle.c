@@ -18,12 +18,12 @@ static const int patience = 200;
 
 static real distance(const body *a, const body *b)
 {
-    return (real)oracle_distance(body_points(a), body_points(b));
+    return (real)oracle_distance(body_hull(a), body_hull(b));
 }
 
 static real depth(const body *a, const body *b)
 {
-    return (real)oracle_depth(body_points(a), body_points(b));
+    return (real)oracle_depth(body_hull(a), body_hull(b));
 }
 
 static void near(real got, real wanted, real tolerance)
@@ -86,7 +86,7 @@ START_TEST(depth_is_the_shortest_way_out)
     body a = body_cube(0, 0, 0), b = body_cube(0.75, 0.125, -0.25);
     near(depth(&a, &b), 0.25, rounding);
     near(depth(&a, &a), 1, rounding);
-    near((real)oracle_width(body_points(&a), body_points(&b),
+    near((real)oracle_width(body_hull(&a), body_hull(&b),
                             (vec3){ 0, 5, 0 }), 0.875, rounding);
     // Apart: minus a bound that the distance keeps to.
     body c = body_cube(2, 0.25, 0.125);

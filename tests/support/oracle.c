@@ -14,7 +14,7 @@ static vec widened(vec3 a)
     return (vec){ (wide)a.x, (wide)a.y, (wide)a.z };
 }
 
-static vec point(point_set p, int i) { return widened(p.at[i]); }
+static vec point(hull p, int i) { return widened(p.at[i]); }
 
 static vec minus(vec a, vec b) { return (vec){ a.x-b.x, a.y-b.y, a.z-b.z }; }
 static vec times(wide t, vec a) { return (vec){ t*a.x, t*a.y, t*a.z }; }
@@ -73,7 +73,7 @@ static wide vertex_face(vec p, vec a, vec b, vec c)
 
 //> oracle-distance
 // The vertices of b against all triangles that the points of a span.
-static wide vertices_faces(point_set b, point_set a)
+static wide vertices_faces(hull b, hull a)
 {
     wide best = endless;
     for (int i = 0; i < a.count; i++)
@@ -86,7 +86,7 @@ static wide vertices_faces(point_set b, point_set a)
 }
 
 // All segments of a against all of b.  One of no length, i == j, is a point.
-static wide edges_edges(point_set a, point_set b)
+static wide edges_edges(hull a, hull b)
 {
     wide best = endless;
     for (int i = 0; i < a.count; i++)
@@ -98,7 +98,7 @@ static wide edges_edges(point_set a, point_set b)
     return best;
 }
 
-long double oracle_distance(point_set a, point_set b)
+long double oracle_distance(hull a, hull b)
 {
     wide faces = lesser(vertices_faces(a, b), vertices_faces(b, a));
     return sqrtl(lesser(faces, edges_edges(a, b)));
@@ -107,7 +107,7 @@ long double oracle_distance(point_set a, point_set b)
 
 //> oracle-width
 // How far p reaches along n, measured from the point `from`.
-static wide reach(point_set p, vec from, vec n)
+static wide reach(hull p, vec from, vec n)
 {
     wide most = -endless;
     for (int i = 0; i < p.count; i++) {
@@ -120,7 +120,7 @@ static wide reach(point_set p, vec from, vec n)
 // How far A - B reaches along n: A's furthest along n, less B's least, which is
 // B's furthest the other way.  A direction of no length
 // tells nothing.
-static wide width(point_set a, point_set b, vec n)
+static wide width(hull a, hull b, vec n)
 {
     wide length = sqrtl(dot(n, n));
     if (!(length > 0)) return endless;
@@ -128,7 +128,7 @@ static wide width(point_set a, point_set b, vec n)
     return (reach(a, from, n) + reach(b, from, times(-1, n))) / length;
 }
 
-long double oracle_width(point_set a, point_set b, vec3 n)
+long double oracle_width(hull a, hull b, vec3 n)
 {
     return width(a, b, widened(n));
 }
@@ -136,13 +136,13 @@ long double oracle_width(point_set a, point_set b, vec3 n)
 
 //> oracle-depth
 // A direction is tried both ways.
-static wide width_both(point_set a, point_set b, vec n)
+static wide width_both(hull a, hull b, vec n)
 {
     return lesser(width(a, b, n), width(a, b, times(-1, n)));
 }
 
 // Over the normals of all triangles that the points of p span.
-static wide width_faces(point_set a, point_set b, point_set p)
+static wide width_faces(hull a, hull b, hull p)
 {
     wide best = endless;
     for (int i = 0; i < p.count; i++)
@@ -156,7 +156,7 @@ static wide width_faces(point_set a, point_set b, point_set p)
 }
 
 // Over all that is perpendicular to a segment of a and to one of b.
-static wide width_edges(point_set a, point_set b)
+static wide width_edges(hull a, hull b)
 {
     wide best = endless;
     for (int i = 0; i < a.count; i++)
@@ -170,7 +170,7 @@ static wide width_edges(point_set a, point_set b)
     return best;
 }
 
-long double oracle_depth(point_set a, point_set b)
+long double oracle_depth(hull a, hull b)
 {
     wide faces = lesser(width_faces(a, b, a), width_faces(a, b, b));
     return lesser(faces, width_edges(a, b));

@@ -3,28 +3,28 @@
 // two convex bodies, and how deep they are in each other.
 //
 // Every feature of the one is tried with every feature of the other, in long
-// double.  The tests of chapters 4 and 5 compare the quick answers with these.
+// double.  The tests of chapters 4 and 5 compare the fast answers with these.
 // Takes from lib/ the types of its questions, and none of its functions.
 // Book: chapters 4 and 5, the slow way.
 
 #ifndef TUMBLE_ORACLE_H
 #define TUMBLE_ORACLE_H
 
-#include "distance.h"
+#include "gjk.h"
 
 // m, of bodies that are apart; of others it means nothing.
-long double oracle_distance(point_set a, point_set b);
+long double oracle_distance(hull a, hull b);
 //<
 
 //> oracle-declare-depth
 // m, how far A - B reaches from the origin along n (any length but 0): A must
 // move by so much against n until all of it lies behind all of B.
-long double oracle_width(point_set a, point_set b, vec3 n);
+long double oracle_width(hull a, hull b, vec3 n);
 
 // m, the least move that parts them; of bodies that are apart, minus a lower
 // bound of their distance.  Infinite if A - B has no area, and 0 or less if it
 // lies in one plane.
-long double oracle_depth(point_set a, point_set b);
+long double oracle_depth(hull a, hull b);
 
 #endif
 //<

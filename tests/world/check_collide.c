@@ -80,7 +80,7 @@ static collider stand(const shape *s, int first, real mass, axes f, vec3 at)
         place[first + i] = x;
         pool[first + i] = (particle){ x, x, mass < HUGE_VAL ? 1 : 0 };
     }
-    return (collider){ s, first, place + first, mass };
+    return (collider){ s, first, place + first, mass, { NULL, NULL } };
 }
 
 // A prism, with an edge of 45 degrees along z (top and slope) and an end that
@@ -194,7 +194,7 @@ static int ask(collider b, vec3 x, real reach, contact_point *c)
     vec3 *at = place + FIRST_A;
     at[2] = x;
     pool[FIRST_A + 2] = (particle){ x, x, 1 };
-    collider a = { &cube, FIRST_A, at, 1 };
+    collider a = { &cube, FIRST_A, at, 1, { NULL, NULL } };
     return collide_point(&a, 2, &b, hull, hull_face, hull_count, reach, c);
 }
 
@@ -485,9 +485,13 @@ START_TEST(balls_in_one_place_are_parted_all_the_same)
 {
     shape fine;
     make_fine_ball(&fine);
-    collider a = { &fine, 0, fine.at, 1 }, b = { &fine, FINE, fine.at, 1 };
+    collider a = { &fine, 0, fine.at, 1, { NULL, NULL } };
+    collider b = { &fine, FINE, fine.at, 1, { NULL, NULL } };
     distance_cache fresh = { .count = 0 };
-    point_set p = { fine.at, FINE, fine.ring_start, fine.ring };
+    rings ring;
+    ck_assert(rings_build(&ring, &fine.mesh).ok);
+    a.ring = b.ring = ring;
+    point_set p = { fine.at, FINE, ring.start, ring.list };
     distance_result g = distance_find(p, p, distance_options_default(), NULL);
     ck_assert_int_eq(penetration_find(p, p, &g.last, scratch).status, PENETRATION_CAPPED);
     contact_point c[PAIR_CONTACTS];
@@ -502,9 +506,10 @@ START_TEST(balls_in_one_place_are_parted_all_the_same)
     real gap = vec3_dot(vec3_sub(on_a, on_b), c[0].normal);
     // The least way out is through two faces.  A full polytope's last face
     // lies under them: the contact parts the balls to a hundredth.
-    real least = 2 * fine.inner;
+    real least = 2 * shape_inner(&fine);
     ck_assert_msg(-gap > 0.99 * least && -gap < 1.001 * least,
                   "gap %g, the least way out %g", gap, least);
+    rings_free(&ring);
     shape_free(&fine);
 }
 END_TEST
@@ -848,7 +853,7 @@ END_TEST
 
 static void is_sound_point(const contact_point *c, collider b)
 {
-    collider a = { &cube, FIRST_A, place + FIRST_A, 1 };
+    collider a = { &cube, FIRST_A, place + FIRST_A, 1, { NULL, NULL } };
     is_sound(c, a, b);
     ck_assert_int_eq(c->a.count, 1);
     ck_assert_int_eq(c->a.vertex[0], FIRST_A + 2);

@@ -123,9 +123,9 @@ START_TEST(bullet_has_a_touch_and_a_guard)
     near_vec3(guard->fixed, touch->fixed, 0);
     real skins = w.body[0].thickness + w.body[1].thickness;
     near_real(touch->thickness, skins, 0);
-    near_real(guard->thickness, skins + ball.inner, ROUNDING);
+    near_real(guard->thickness, skins + shape_inner(&ball), ROUNDING);
     near_vec3(point_of(&guard->a), vec3_make(0.2, 2, 0.1), ROUNDING * 10);
-    ck_assert(point_of(&touch->a).y < 2 - ball.inner / 2);
+    ck_assert(point_of(&touch->a).y < 2 - shape_inner(&ball) / 2);
     shoot(1);
     ck_assert_int_eq(w.pushes.count, 1);
 }

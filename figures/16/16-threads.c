@@ -1,4 +1,4 @@
-// 14-threads.c - rooms in one thread and in two, frame by frame in turn, with
+// 16-threads.c - rooms in one thread and in two, frame by frame in turn, with
 // the same bits.  Nobody sleeps.
 //
 // bodies; the share of one thread's time that lies in halves; how much of its
@@ -105,7 +105,7 @@ int main(void)
 {
     thread *second = thread_new();
     if (!second) return 1;
-    clock_print_head("14-threads: a room in two threads beside one", FLAGS);
+    clock_print_head("16-threads: a room in two threads beside one", FLAGS);
     printf("#threads| bodies,share of time in halves,left if they were equal,"
            "left as they are,on the wall\n");
     for (int k = 0; k < SIZES; k++) race_rooms(BODIES[k], second);

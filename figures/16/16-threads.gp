@@ -1,4 +1,4 @@
-# 14-threads.gp - figures/14/14-threads.csv as a picture.
+# 16-threads.gp - figures/16/16-threads.csv as a picture.
 
 set terminal pngcairo size 1400,800 font "DejaVu Sans,20" linewidth 2
 set output png

@@ -357,8 +357,8 @@ START_TEST(most_moved_is_the_first_of_the_furthest)
     expect_most(p, before, 4, 3, "the last has moved");
     p[1].position.z = 1;
     expect_most(p, before, 4, 1, "1 and 3 have moved equally far");
-    p[0].position.x = (real)NAN;
-    expect_most(p, before, 4, 1, "0 is not a number");
+    p[3].position.x = (real)NAN;
+    expect_most(p, before, 4, 1, "3 is not a number");
 }
 END_TEST
 

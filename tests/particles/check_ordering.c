@@ -430,7 +430,7 @@ START_TEST(listed_order_is_the_plain_one)
     c = b;
     relax_options o = to(1e-3, true);
     relax_result r = relax(LISTED, b.s, 36, b.p, 12, 0, PLENTY, o);
-    relax_result w = sticks_relax(c.s, 36, c.p, 12, PLENTY, o, NULL);
+    relax_result w = sticks_relax(c.s, 36, c.p, PLENTY, o);
     for (int i = 0; i < 12; i++)
         ck_assert_double_lt(vec3_distance(b.p[i].position, c.p[i].position),
                             1e-12);

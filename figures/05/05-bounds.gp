@@ -14,7 +14,7 @@ set border 3 lc rgb "#808080" lw 0.7
 set tics nomirror textcolor rgb "#404040"
 set xlabel "iterations at most" textcolor rgb "#404040"
 set ylabel "mean relative error of the bound" textcolor rgb "#404040"
-set label 1 "upper bound: how far A − B reaches along the normal" at 2.7,1.3 textcolor rgb "#009e73" font "DejaVu Sans Bold,22"
+set label 1 "upper bound: how far A − B\nreaches along the normal" at 4.4,7.5 textcolor rgb "#009e73" font "DejaVu Sans Bold,22"
 set label 2 "lower bound:\nthe closest face" at 1.15,0.075 textcolor rgb "#d55e00" font "DejaVu Sans Bold,22"
 plot csv every ::1 using 1:3 with linespoints pt 7 ps 1.4 lc rgb "#d55e00" lw 1.6, \
      csv every ::1 using 1:4 with linespoints pt 7 ps 1.4 lc rgb "#009e73" lw 1.6

@@ -12,7 +12,6 @@ define ORDER
 03/mesh
 03/body
 03/rigidity
-03/mesh_check
 03/convex
 03/obj
 04/gjk
@@ -402,7 +401,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body ring \
-  rigidity mesh_check convex obj penetration sphere sphere_tree grid ordering \
+  rigidity convex obj penetration sphere sphere_tree grid ordering \
   line four broad rest world step world_scene scene system)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o

@@ -44,6 +44,10 @@ static const option options[] = {
       offsetof(settings, cloth), "particles along a side of the cloth" },
     { "--seed", KIND_SEED, "N", 0, 0, FOR_ROOM,
       offsetof(settings, seed), "another number, another throw" },
+    { "--plain", KIND_FLAG, "", 0, 0, FOR_ALL,
+      offsetof(settings, plain), "run the paper's system, mended (Part I)" },
+    { "--paper", KIND_FLAG, "", 0, 0, FOR_ALL,
+      offsetof(settings, paper), "run it as the paper prints it" },
     { "--seconds", KIND_REAL, "S", 0, 100000, FOR_ALL,
       offsetof(settings, seconds), "how long the scene is followed" },
     { "--dt", KIND_REAL, "S", 1e-9, 1, FOR_ALL,
@@ -100,12 +104,12 @@ static int misspelt_by(const char *a, const char *b)
     if (n > LONGEST || strlen(a) > LONGEST) return 99;
     for (int j = 0; j <= n; j++) row[j] = j;
     for (int i = 0; a[i]; i++) {
-        int corner = row[0];
+        int slant = row[0];
         row[0] = i + 1;
         for (int j = 0; j < n; j++) {
-            int changed = corner + (a[i] != b[j]);
-            corner = row[j + 1];
-            row[j + 1] = least_of(changed, 1 + least_of(row[j], corner));
+            int changed = slant + (a[i] != b[j]);
+            slant = row[j + 1];
+            row[j + 1] = least_of(changed, 1 + least_of(row[j], slant));
         }
     }
     return row[n];
@@ -298,6 +302,12 @@ static status check_together(const settings *s)
                            scene_name(SCENE_ROOM),
                            scene_name(SCENE_CLOTH_ON_CUBE),
                            scene_name(SCENE_CLOTH_ON_ROPE));
+    if (s->paper && s->plain)
+        return status_fail("--paper and --plain are two ways to run a scene; "
+                           "one at a time");
+    if (s->threads > 1 && settings_runner(s) != BY_ENGINE)
+        return status_fail("--threads is the engine's; the paper's system has "
+                           "one thread");
     if (s->film && s->csv && !strcmp(s->film, s->csv))
         return status_fail("--film and --csv name the same file, %.100s",
                            s->film);
@@ -340,6 +350,22 @@ world_options settings_world(const settings *s)
     if (s->sweeps > 0) o.sweeps = s->sweeps;
     if (s->tolerance >= 0) o.relax.tolerance = s->tolerance;
     return o;
+}
+
+system_options settings_system(const settings *s)
+{
+    system_options o = runner_options(settings_runner(s));
+    o.dt = s->dt;
+    if (s->substeps > 0) o.substeps = s->substeps;
+    if (s->sweeps > 0) o.rigid.iterations = o.soft.iterations = s->sweeps;
+    if (s->tolerance >= 0)
+        o.rigid.how.tolerance = o.soft.how.tolerance = s->tolerance;
+    return o;
+}
+
+runner_kind settings_runner(const settings *s)
+{
+    return s->paper ? AS_PRINTED : s->plain ? BY_PLAIN : BY_ENGINE;
 }
 
 long settings_steps(const settings *s)

@@ -5,7 +5,7 @@
 #ifndef TUMBLE_OPTIONS_H
 #define TUMBLE_OPTIONS_H
 
-#include "world_scene.h"
+#include "runner.h"
 
 #include <stdio.h>
 
@@ -16,6 +16,7 @@ typedef struct {
     real seconds, dt;           // s
     int  substeps, sweeps;      // 0: as the scene needs
     real tolerance;             // strain; < 0: as the scene needs
+    int  paper, plain;          // the paper's system: as printed; as mended
     int  bits;
     int  threads;               // 1 or 2
     const char *mesh, *film, *frames, *csv;     // NULL: not asked for
@@ -26,9 +27,11 @@ typedef struct {
 // Reads the command line.  Fails with a sentence that names the option.
 status settings_read(settings *s, int arguments, char *const *argument);
 
-// What world_scene_build wants to know.
-scene_options settings_scene(const settings *s);
-world_options settings_world(const settings *s);
+// Which system is to run the scene; what it wants to know.
+runner_kind    settings_runner(const settings *s);
+scene_options  settings_scene(const settings *s);
+world_options  settings_world(const settings *s);
+system_options settings_system(const settings *s);
 
 // How many steps of dt fill the seconds.
 long settings_steps(const settings *s);

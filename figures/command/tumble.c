@@ -8,7 +8,6 @@
 #include "film.h"
 #include "options.h"
 #include "output.h"
-#include "step.h"
 #include "thread.h"
 
 #include <errno.h>
@@ -61,7 +60,7 @@ typedef struct {
 
 typedef struct {
     settings set;
-    world_scene scene;
+    runner   run;
     thread  *second;            // NULL: there is one thread
     long     steps, done;       // wanted; finished
     output   csv;
@@ -105,11 +104,13 @@ static status write_csv_head(run *r)
     return output_flush(&r->csv);
 }
 
-// Everything that can go wrong before the first step goes wrong here.
-static status run_begin(run *r)
+static status begin_scene(run *r)
 {
-    status done = check_outputs(r);
-    if (!done.ok) return done;
+    scene_options what = settings_scene(&r->set);
+    runner_kind kind = settings_runner(&r->set);
+    if (kind != BY_ENGINE)
+        return runner_begin_system(&r->run, kind, r->set.scene, what,
+                                   settings_system(&r->set));
     world_options how = settings_world(&r->set);
     how.clock = clock_seconds;
     if (r->set.threads > 1) {
@@ -118,9 +119,17 @@ static status run_begin(run *r)
         how.both = thread_both;
         how.both_context = r->second;
     }
-    r->steps = settings_steps(&r->set);
-    done = world_scene_build(&r->scene, r->set.scene, settings_scene(&r->set), how);
+    return runner_begin_world(&r->run, r->set.scene, what, how);
+}
+
+// Everything that can go wrong before the first step goes wrong here.
+static status run_begin(run *r)
+{
+    status done = check_outputs(r);
     if (!done.ok) return done;
+    done = begin_scene(r);
+    if (!done.ok) return done;
+    r->steps = settings_steps(&r->set);
     r->step_time = malloc((size_t)(r->steps + 1) * sizeof *r->step_time);
     if (!r->step_time) return status_out_of_memory();
     if (r->set.csv) done = output_open(&r->csv, r->set.csv);
@@ -138,7 +147,7 @@ static void run_free(run *r)
     // A folder that we made for nothing goes again; one with frames stays.
     if (r->folder_made && r->frames == 0) rmdir(r->set.frames);
     strip_free(&r->strip);
-    world_scene_free(&r->scene);
+    runner_free(&r->run);
     thread_free(r->second);
     free(r->step_time);
 }
@@ -149,9 +158,10 @@ static void run_free(run *r)
 static status take_pictures(run *r)
 {
     status done = status_ok();
-    if (r->set.film) done = strip_look(&r->strip, &r->scene, r->done);
+    pose now = { r->set.scene, &r->run.scene, r->run.at, r->run.time };
+    if (r->set.film) done = strip_look(&r->strip, now, r->done);
     if (!done.ok || !r->set.frames || r->done % r->frame_every) return done;
-    done = frame_write(&r->scene, r->set.frames, r->frames);
+    done = frame_write(now, r->set.frames, r->frames);
     if (done.ok) r->frames++;
     return done;
 }
@@ -159,20 +169,19 @@ static status take_pictures(run *r)
 static status write_csv_row(run *r)
 {
     if (!r->csv.file) return status_ok();
-    const world *w = &r->scene.world;
     const measures *m = &r->last;
-    int touching = w->report.contacts + w->report.touching;
-    fprintf(r->csv.file, "%.9g,%.6g,%.6g,%.9g,%.9g,%d,%ld,%.6g\n", w->time,
-            m->strain, m->penetration, m->kinetic, vec3_length(m->momentum),
-            touching, w->report.relaxed, r->step_time[r->done - 1]);
+    fprintf(r->csv.file, "%.9g,%.6g,%.6g,%.9g,%.9g,%d,%ld,%.6g\n",
+            r->run.time, m->strain, m->penetration, m->kinetic,
+            vec3_length(m->momentum), r->run.contacts, r->run.relaxed,
+            r->step_time[r->done - 1]);
     return output_flush(&r->csv);
 }
 
-// Measures the world, unless it has grown beyond all numbers.
+// Measures the scene, unless it has grown beyond all numbers.
 static void measure_run(run *r)
 {
-    real now = r->scene.world.time;
-    measures m = world_measure(&r->scene.world);
+    real now = r->run.time;
+    measures m = runner_measure(&r->run);
     real sum = m.strain + m.penetration + m.kinetic + vec3_length(m.momentum);
     r->lost = !(sum - sum == 0);
     if (r->lost) return;
@@ -186,14 +195,14 @@ static void measure_run(run *r)
 static status step_run(run *r)
 {
     real start = clock_seconds();
-    world_step(&r->scene.world);
+    runner_step(&r->run);
     real taken = clock_seconds() - start;
     measure_run(r);
     // A step that ended in no number at all counts as not taken.
     if (r->lost) return status_ok();
     r->step_time[r->done++] = taken;
-    for (int k = 0; k < STAGES; k++)
-        r->stage_time[k] += r->scene.world.report.time[k];
+    for (int k = 0; k < STAGES && r->run.kind == BY_ENGINE; k++)
+        r->stage_time[k] += r->run.world.report.time[k];
     status done = write_csv_row(r);
     if (done.ok) done = take_pictures(r);
     return done;
@@ -232,19 +241,41 @@ static int compare_real(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+static void print_plural(int n, const char *word)
+{
+    printf("%d %s%s", n, word, n == 1 ? "" : "s");
+}
+
+static void print_way(const run *r)
+{
+    const system_options *o = &r->run.plain.options;
+    if (r->run.kind == BY_ENGINE) {
+        print_plural(r->run.world.options.substeps, "substep");
+        printf(", ");
+        print_plural(r->run.world.options.sweeps, "sweep");
+        printf("\n");
+        return;
+    }
+    print_plural(o->substeps, "substep");
+    printf(", ");
+    print_plural(o->rounds, "round");
+    printf(" of ");
+    print_plural(r->set.scene == SCENE_ROOM ? o->rigid.iterations
+                                            : o->soft.iterations, "iteration");
+    printf(", the paper's system %s\n", runner_name(r->run.kind));
+}
+
 static void print_title(const run *r)
 {
-    const world_options *o = &r->scene.world.options;
     printf("%s: ", scene_name(r->set.scene));
     if (r->set.scene == SCENE_ROOM)
         printf("%d bod%s%s%s", r->set.bodies, r->set.bodies == 1 ? "y" : "ies",
                r->set.mesh ? " of " : "", r->set.mesh ? r->set.mesh : "");
     else
         printf("a cloth of %d x %d", r->set.cloth, r->set.cloth);
-    printf(", %.4g s in %ld steps of %.4g s, %d substep%s, %d sweep%s\n",
-           time_done(r), r->done, o->dt, o->substeps,
-           o->substeps == 1 ? "" : "s", o->sweeps,
-           o->sweeps == 1 ? "" : "s");
+    printf(", %.4g s in %ld steps of %.4g s, ", time_done(r), r->done,
+           r->set.dt);
+    print_way(r);
 }
 
 static void print_errors(const run *r)
@@ -254,9 +285,9 @@ static void print_errors(const run *r)
            r->strain.time);
     printf("  largest penetration  %10.3g m    at %.3g s", r->penetration.value,
            r->penetration.time);
-    if (r->scene.body_radius > 0)
+    if (r->set.scene == SCENE_ROOM)
         printf(", %.2g %% of a body's radius",
-               100 * r->penetration.value / r->scene.body_radius);
+               100 * r->penetration.value / SCENE_BODY_RADIUS);
     printf("\n  kinetic energy       %10.3g J    at the end, most %.3g J at "
            "%.3g s\n", r->last.kinetic, r->kinetic.value, r->kinetic.time);
     printf("  momentum             %10.3g kg m/s at the end, "
@@ -276,7 +307,7 @@ static void print_times(run *r)
     printf("time\n");
     printf("  a step, median       %10.3g ms   worst %.3g ms\n",
            1e3 * r->step_time[r->done / 2], 1e3 * r->step_time[r->done - 1]);
-    for (int k = 0; k < STAGES; k++)
+    for (int k = 0; k < STAGES && r->run.kind == BY_ENGINE; k++)
         printf("    %-18s %10.3g ms   %4.1f %%\n", stage[k],
                1e3 * r->stage_time[k] / (real)r->done,
                sum > 0 ? 100 * r->stage_time[k] / sum : 0);
@@ -323,7 +354,7 @@ static status run_finish(run *r)
     print_title(r);
     print_errors(r);
     print_times(r);
-    if (r->set.bits) printf("bits %016llx\n", world_hash(&r->scene.world));
+    if (r->set.bits) printf("bits %016llx\n", runner_hash(&r->run));
     print_files(r);
     return done;
 }

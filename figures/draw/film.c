@@ -35,10 +35,10 @@ static const view views[SCENES] = {
 static const real ANGLE = 28;       // degrees, from lower to upper edge
 
 // Steps back until both half sides are inside the picture.
-static void point_camera(painter *p, const world_scene *s, real aspect)
+static void point_camera(painter *p, const pose *s, real aspect)
 {
     const view *v = &views[s->kind];
-    real unit = s->kind == SCENE_ROOM ? s->size : 1;
+    real unit = s->kind == SCENE_ROOM ? s->scene->size : 1;
     real half = tan(ANGLE / 2 * 3.14159265358979 / 180);
     real away = fmax(v->half_height, v->half_width / aspect) / half;
     vec3 target = vec3_scale(unit, v->target);
@@ -56,21 +56,15 @@ static const unsigned thrown[] = {
     0xe69f00, 0x56b4e9, 0x009e73, 0xefdc4a, 0x0072b2, 0xd55e00, 0xcc79a7
 };
 
-// A body's vertices and, from its plan, its faces.  NULL: no memory.
-static vec3 *body_places(const world *w, const body *b)
+static status paint_rigid(painter *p, const scene *s, const vec3 *at,
+                          int number)
 {
-    vec3 *at = malloc((size_t)b->plan->particles * sizeof *at);
-    if (at) world_vertices(w, b, at);
-    return at;
-}
-
-static status paint_rigid(painter *p, const body *b, const vec3 *at, int number)
-{
+    const shape *x = scene_shape(s, number);
     int colours = (int)(sizeof thrown / sizeof thrown[0]);
     colour c = colour_hex(thrown[number % colours]);
-    if (body_is_nailed(b)) c = colour_hex(0x8794a3);
-    painted_mesh m = { .vertices = b->plan->particles, .at = at,
-                       .faces = b->plan->mesh.faces, .face = b->plan->face,
+    if (s->body[number].where.is_static) c = colour_hex(0x8794a3);
+    painted_mesh m = { .vertices = x->particles, .at = at,
+                       .faces = x->mesh.faces, .face = x->face,
                        .front = { c, c }, .back = { c, c },
                        .creases = 1, .casts = 1, .gloss = 0.3 };
     return painter_mesh(p, &m);
@@ -97,7 +91,7 @@ static void weave(const shape *s, real *tint)
     }
 }
 
-static status paint_cloth(painter *p, const body *b, const vec3 *at,
+static status paint_cloth(painter *p, const shape *s, const vec3 *at,
                           scene_kind kind)
 {
     static const unsigned skins[2][4] = {
@@ -105,7 +99,6 @@ static status paint_cloth(painter *p, const body *b, const vec3 *at,
         { 0x0f5f9e, 0x86c0e6, 0x9db4c8, 0xd9e4ee },
     };
     const unsigned *skin = skins[kind == SCENE_CLOTH_ON_ROPE];
-    const shape *s = b->plan;
     real *tint = malloc((size_t)s->mesh.faces * sizeof *tint);
     if (!tint) return status_out_of_memory();
     weave(s, tint);
@@ -119,31 +112,27 @@ static status paint_cloth(painter *p, const body *b, const vec3 *at,
     return done;
 }
 
-static status paint_rope(painter *p, const body *b, const vec3 *at)
+static status paint_rope(painter *p, const shape *s, const vec3 *at)
 {
     const colour light = colour_hex(0xead5a8), dark = colour_hex(0xb28b4f);
-    const colour nail = colour_hex(0x4a525d);
-    int last = b->plan->particles - 1;
-    real radius = 0.75 * b->thickness > 0.02 ? 0.75 * b->thickness : 0.02;
+    const colour pin = colour_hex(0x4a525d);
+    int last = s->particles - 1;
+    real radius = fmax(0.41 * s->spacing, 0.02);
     status done = painter_rope(p, at, last + 1, radius, light, dark);
-    if (done.ok) done = painter_ball(p, at[0], 1.7 * radius, nail);
-    if (done.ok) done = painter_ball(p, at[last], 1.7 * radius, nail);
+    if (done.ok) done = painter_ball(p, at[0], 1.7 * radius, pin);
+    if (done.ok) done = painter_ball(p, at[last], 1.7 * radius, pin);
     return done;
 }
 
-static status paint_body(painter *p, const world_scene *s, int number)
+static status paint_body(painter *p, const pose *s, int number, const vec3 *at)
 {
-    const body *b = &s->world.body[number];
-    vec3 *at = body_places(&s->world, b);
-    if (!at) return status_out_of_memory();
-    status done = status_ok();
-    switch (b->plan->kind) {
-    case SHAPE_RIGID: done = paint_rigid(p, b, at, number); break;
-    case SHAPE_CLOTH: done = paint_cloth(p, b, at, s->kind); break;
-    case SHAPE_ROPE:  done = paint_rope(p, b, at); break;
+    const shape *x = scene_shape(s->scene, number);
+    switch (x->kind) {
+    case SHAPE_RIGID: return paint_rigid(p, s->scene, at, number);
+    case SHAPE_CLOTH: return paint_cloth(p, x, at, s->kind);
+    case SHAPE_ROPE:  return paint_rope(p, x, at);
     }
-    free(at);
-    return done;
+    return status_ok();
 }
 
 // ---- The room --------------------------------------------------------------
@@ -183,22 +172,43 @@ static status paint_edges(painter *p, real side)
     return done;
 }
 
+status film_paint_pose(pose s, int lamps, picture *out,
+                       int left, int top, int width, int height)
+{
+    painter p;
+    const vec3 *at = s.at;
+    painter_init(&p);
+    p.lamps = lamps;
+    point_camera(&p, &s, (real)width / height);
+    status done = status_ok();
+    if (s.kind == SCENE_ROOM) {
+        done = paint_walls(&p, s.scene->size);
+        if (done.ok) done = paint_edges(&p, s.scene->size);
+    }
+    for (int b = 0; b < s.scene->bodies && done.ok; b++) {
+        done = paint_body(&p, &s, b, at);
+        at += scene_shape(s.scene, b)->particles;
+    }
+    if (done.ok) done = painter_paint(&p, out, left, top, width, height);
+    painter_free(&p);
+    return done;
+}
+
 status film_paint(const world_scene *s, int lamps, picture *out,
                   int left, int top, int width, int height)
 {
-    painter p;
-    painter_init(&p);
-    p.lamps = lamps;
-    point_camera(&p, s, (real)width / height);
-    status done = status_ok();
-    if (s->kind == SCENE_ROOM) {
-        done = paint_walls(&p, s->size);
-        if (done.ok) done = paint_edges(&p, s->size);
+    int count = 1;
+    for (int b = 0; b < s->scene.bodies; b++)
+        count += scene_shape(&s->scene, b)->particles;
+    vec3 *at = malloc((size_t)count * sizeof *at);
+    if (!at) return status_out_of_memory();
+    for (int b = 0, first = 0; b < s->scene.bodies; b++) {
+        world_vertices(&s->world, &s->world.body[b], at + first);
+        first += scene_shape(&s->scene, b)->particles;
     }
-    for (int b = 0; b < s->world.bodies && done.ok; b++)
-        done = paint_body(&p, s, b);
-    if (done.ok) done = painter_paint(&p, out, left, top, width, height);
-    painter_free(&p);
+    pose p = { s->kind, &s->scene, at, s->world.time };
+    status done = film_paint_pose(p, lamps, out, left, top, width, height);
+    free(at);
     return done;
 }
 
@@ -234,7 +244,7 @@ static void caption(picture *p, real seconds)
     picture_text(p, 14, p->height - 14.0, 12, colour_hex(0x4a4f57), text);
 }
 
-status strip_look(strip *t, const world_scene *s, long step)
+status strip_look(strip *t, pose s, long step)
 {
     while (t->taken < STRIP_PANELS && t->step[t->taken] <= step) {
         picture *p = &t->panel[t->taken];
@@ -242,9 +252,10 @@ status strip_look(strip *t, const world_scene *s, long step)
                                    colour_hex(0xffffff));
         if (!done.ok) return done;
         t->taken++;
-        done = film_paint(s, STRIP_LAMPS, p, 0, 0, PANEL_WIDTH, PANEL_HEIGHT);
+        done = film_paint_pose(s, STRIP_LAMPS, p, 0, 0, PANEL_WIDTH,
+                               PANEL_HEIGHT);
         if (!done.ok) return done;
-        caption(p, s->world.time);
+        caption(p, s.time);
     }
     return status_ok();
 }
@@ -272,7 +283,7 @@ static char *frame_name(const char *folder, long number)
     return name;
 }
 
-status frame_write(const world_scene *s, const char *folder, long number)
+status frame_write(pose s, const char *folder, long number)
 {
     picture p;
     status done = picture_init(&p, FRAME_WIDTH, FRAME_HEIGHT,
@@ -281,8 +292,9 @@ status frame_write(const world_scene *s, const char *folder, long number)
     char *name = frame_name(folder, number);
     if (!name) done = status_out_of_memory();
     if (done.ok)
-        done = film_paint(s, FRAME_LAMPS, &p, 0, 0, FRAME_WIDTH, FRAME_HEIGHT);
-    if (done.ok) caption(&p, s->world.time);
+        done = film_paint_pose(s, FRAME_LAMPS, &p, 0, 0, FRAME_WIDTH,
+                               FRAME_HEIGHT);
+    if (done.ok) caption(&p, s.time);
     if (done.ok) done = picture_write(&p, name);
     free(name);
     picture_free(&p);

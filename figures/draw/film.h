@@ -6,8 +6,20 @@
 #include "painter.h"
 #include "world_scene.h"
 
-// Paints the scene as it stands into that box of the picture, from where its
-// camera stands.  lamps: see painter.h.  Fails only for want of memory.
+// A scene, and where its vertices are at a moment.
+typedef struct {
+    scene_kind   kind;
+    const scene *scene;
+    const vec3  *at;            // body after body
+    real         time;          // s
+} pose;
+
+// Paints it into that box of the picture, from where the scene's camera stands.
+// lamps: see painter.h.  Fails only for want of memory.
+status film_paint_pose(pose s, int lamps, picture *out,
+                       int left, int top, int width, int height);
+
+// The same of the engine's world as it stands.
 status film_paint(const world_scene *s, int lamps, picture *out,
                   int left, int top, int width, int height);
 
@@ -26,13 +38,13 @@ strip  strip_begin(scene_kind kind, long steps, real dt);
 void   strip_free(strip *t);
 
 // Takes the pictures that are due after that step (0: before the first).
-status strip_look(strip *t, const world_scene *s, long step);
+status strip_look(strip *t, pose s, long step);
 
 // Writes the pictures taken so far side by side; none: writes nothing.
 status strip_write(const strip *t, const char *path);
 
 // Writes folder/frame-00000.png and so on.
-status frame_write(const world_scene *s, const char *folder, long number);
+status frame_write(pose s, const char *folder, long number);
 
 // A folder that can be written to is made, if only its last part is missing.
 // *made says whether it was.

@@ -74,49 +74,25 @@ static vec3 acceleration_of(vec3 gravity, real inverse_mass,
     return vec3_add_scaled(gravity, inverse_mass, force[i]);
 }
 
-// x' = x + carry (x - x_previous) + square a.
 // A pinned particle does not move.  Its previous position becomes its position,
 // so that it starts from rest if it is freed.
-static void advance(particle *p, int n, vec3 gravity, const vec3 *force,
-                    real carry, real square)
-{
-    for (int i = 0; i < n; i++) {
-        vec3 here = p[i].position;
-        vec3 move = { 0, 0, 0 };
-        if (p[i].inverse_mass > 0) {
-            vec3 a = acceleration_of(gravity, p[i].inverse_mass, force, i);
-            vec3 last_move = vec3_sub(here, p[i].previous);
-            move = vec3_add_scaled(vec3_scale(carry, last_move), square, a);
-        }
-        p[i].position = vec3_add(here, move);
-        p[i].previous = here;
-    }
-}
-
-// Paper: 2 x - x_previous + a dt^2; here: x + ((x - x_previous) + a dt^2),
-// because a change of dt scales the last move, x - x_previous.
 void verlet_step(particle *p, int n, vec3 gravity, const vec3 *force, real dt)
 {
     assert(n >= 0 && dt > 0 && vec3_is_finite(gravity));
-    advance(p, n, gravity, force, 1, dt * dt);
+    for (int i = 0; i < n; i++) {
+        vec3 here = p[i].position;
+        if (p[i].inverse_mass > 0) {
+            vec3 a = acceleration_of(gravity, p[i].inverse_mass, force, i);
+            vec3 last_move = vec3_sub(here, p[i].previous);
+            vec3 move = vec3_add_scaled(last_move, dt * dt, a);
+            p[i].position = vec3_add(here, move);
+        }
+        p[i].previous = here;
+    }
 }
 //<
 
-//> verlet-changed
-// Taylor about x, forward by dt and backward by dt_before:
-//     x'         = x + v dt        + a dt^2 / 2
-//     x_previous = x - v dt_before + a dt_before^2 / 2
-// The second gives
-//     v dt = ((x - x_previous) + a dt_before^2 / 2) dt / dt_before,
-// and put into the first,
-//     x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
-void verlet_step_changed(particle *p, int n, vec3 gravity, const vec3 *force,
-                         real dt_before, real dt)
-{
-    assert(n >= 0 && dt_before > 0 && dt > 0 && vec3_is_finite(gravity));
-    advance(p, n, gravity, force, dt / dt_before, dt * (dt_before + dt) / 2);
-}
-
+//> verlet-velocity
 vec3 verlet_velocity(const particle *p, vec3 acceleration, real dt)
 {
     assert(dt > 0);

@@ -48,11 +48,6 @@ particle particle_start(vec3 x0, vec3 v0, vec3 a0, real inverse_mass, real dt);
 // Paper: Eq. 1.
 void verlet_step(particle *p, int n, vec3 gravity, const vec3 *force, real dt);
 
-// The same step if the last one took dt_before and this one takes dt:
-// x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
-void verlet_step_changed(particle *p, int n, vec3 gravity, const vec3 *force,
-                         real dt_before, real dt);
-
 // The velocity (m/s) at time t, of order 2.  The mean over the last step,
 // (x - x_previous) / dt, is the velocity half a step ago; the acceleration
 // (m/s^2) at time t carries it on by dt / 2.  Zero for a pinned particle.

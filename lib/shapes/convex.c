@@ -1,10 +1,117 @@
-//> convex-centre
+//> mesh-convex-form
 #include "convex.h"
-#include "mesh_check.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
+// As a fraction of the size of a mesh, what counts as zero.
+static const real ROUNDING = 1e-9;
+
+// A closed surface of sphere type, every vertex in use.
+static status check_sphere_type(const mesh *m)
+{
+    for (int v = 0; v < m->vertices; v++)
+        if (m->vertex_half[v] < 0)
+            return status_fail("vertex %d belongs to no triangle", v);
+    for (int h = 0; h < 2 * m->edges; h++)
+        if (m->half[h].face < 0)
+            return status_fail("the edge from vertex %d to vertex %d has a "
+                               "triangle on one side only: the mesh is open",
+                               m->half[h].origin, mesh_target(m, h));
+    if (mesh_euler(m) != 2)
+        return status_fail("the mesh is not one sphere: vertices - edges + "
+                           "triangles is %d, not 2", mesh_euler(m));
+    return status_ok();
+}
+
+// The largest distance from vertex 0.  The squares of areas must be numbers,
+// and those are fourth powers of the size.
+static status measure_size(const mesh *m, const vec3 *at, real *size)
+{
+    *size = 0;
+    for (int v = 0; v < m->vertices; v++) {
+        if (!vec3_is_finite(at[v]))
+            return status_fail("vertex %d is not at a finite place", v);
+        *size = real_max(*size, vec3_distance(at[v], at[0]));
+    }
+    if (!(*size > 1e-60 && *size < 1e60))
+        return status_fail("the mesh measures %g m: too %s to compute with",
+                           *size, *size < 1 ? "small" : "large");
+    return status_ok();
+}
+
+// Two vertices in one place would let a surface wind twice around its body.
+static status check_apart(const mesh *m, const vec3 *at, real size)
+{
+    for (int v = 0; v < m->vertices; v++)
+        for (int w = v + 1; w < m->vertices; w++)
+            if (vec3_distance(at[v], at[w]) <= ROUNDING * size)
+                return status_fail("vertex %d and vertex %d stand in the same "
+                                   "place", v, w);
+    return status_ok();
+}
+//<
+
+//> mesh-convex-faces
+// The unit outward normal of a face.  Fails if the height of the triangle over
+// its longest side, which is twice its area / that side, is zero.
+static status check_triangle(const vec3 *at, const int v[3], int f, real size,
+                             vec3 *normal)
+{
+    vec3 a = vec3_sub(at[v[1]], at[v[0]]), b = vec3_sub(at[v[2]], at[v[0]]);
+    real longest = real_max(vec3_distance(at[v[1]], at[v[2]]),
+                            real_max(vec3_length(a), vec3_length(b)));
+    vec3 twice_area = vec3_cross(a, b);
+    *normal = vec3_unit(twice_area);
+    if (vec3_length(twice_area) > ROUNDING * size * longest) return status_ok();
+    return status_fail("triangle %d is flat: vertex %d, vertex %d and vertex "
+                       "%d stand in one line", f, v[0], v[1], v[2]);
+}
+
+// Every vertex lies in the plane of face f or below it, and one well below.
+static status check_face(const mesh *m, const vec3 *at, int f, real size)
+{
+    vec3 normal;
+    real highest = 0, lowest = 0;
+    int v[3], top = 0;
+    mesh_face(m, f, v);
+    status s = check_triangle(at, v, f, size, &normal);
+    for (int w = 0; w < m->vertices; w++) {
+        real height = vec3_dot(normal, vec3_sub(at[w], at[v[0]]));
+        if (height > highest) { highest = height; top = w; }
+        lowest = real_min(lowest, height);
+    }
+    if (s.ok && highest > ROUNDING * size)
+        s = status_fail("vertex %d stands %.2g of the size outside the plane "
+                        "of triangle %d: the mesh is not convex", top,
+                        highest / size, f);
+    if (s.ok && lowest >= -ROUNDING * size)
+        s = status_fail("the mesh has no thickness: no vertex stands below the "
+                        "plane of triangle %d", f);
+    return s;
+}
+//<
+
+//> mesh-check-convex
+status mesh_check_convex(const mesh *m, const vec3 *at)
+{
+    assert(m && (at || m->vertices == 0));
+    real size = 0;
+    status s = check_sphere_type(m);
+    if (s.ok) s = measure_size(m, at, &size);
+    if (s.ok) s = check_apart(m, at, size);
+    if (!s.ok) return s;
+
+    // All faces turned round look inwards; 1e-12 of the cube is rounding.
+    if (mesh_volume(m, at) < -1e-12 * (size * size * size))
+        return status_fail("the triangles look inwards: every one of them must "
+                           "be turned round");
+    for (int f = 0; f < m->faces && s.ok; f++) s = check_face(m, at, f, size);
+    return s;
+}
+//<
+
+//> convex-centre
 // Moves the particles so that their mean, the centre of equal masses, is the
 // origin.  Measured from particle 0, so that a body far away loses no digits.
 static void move_to_centre(shape *s)
@@ -19,8 +126,7 @@ static void move_to_centre(shape *s)
         s->at[i] = vec3_sub(s->at[i], centre);
 }
 
-// Most of the sticks are edges, and the first particles have most of the
-// others: so the few that are asked about are found by looking at all.
+// A stick between a and b, unless they are joined already.
 static void join(shape *s, int a, int b)
 {
     for (int k = 0; k < s->sticks; k++) {

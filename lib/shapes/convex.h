@@ -9,6 +9,12 @@
 
 #include "body.h"
 
+// Closed, of sphere type, no flat triangle, no vertex outside the plane of any
+// face: a convex body whose faces look outwards.  If not, the sentence names
+// the face and the vertex.  at[vertices] in m.  Every tolerance is 1e-9 of the
+// size, the largest distance from vertex 0.
+status mesh_check_convex(const struct mesh *m, const vec3 *at);
+
 // A rigid shape from a closed, convex mesh: a stick along every edge of
 // tetrahedra that fill it without a new particle (all have vertex 0 as their
 // apex), and moved so that the mean of its vertices is the origin.  A vertex

@@ -29,8 +29,30 @@ static void lap(world *w, int stage, real *since)
 typedef struct {
     world *w;
     real h;
-    relax_result done[2];
+    four_result done[2];
 } stage;
+
+// Taylor about x, forward by dt and backward by dt_before:
+//     x'         = x + v dt        + a dt^2 / 2
+//     x_previous = x - v dt_before + a dt_before^2 / 2
+// The second gives
+//     v dt = ((x - x_previous) + a dt_before^2 / 2) dt / dt_before,
+// and put into the first,
+//     x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
+void verlet_step_changed(particle *p, int n, vec3 a, real dt_before, real dt)
+{
+    assert(n >= 0 && dt_before > 0 && dt > 0 && vec3_is_finite(a));
+    real carry = dt / dt_before, square = dt * (dt_before + dt) / 2;
+    for (int i = 0; i < n; i++) {
+        vec3 here = p[i].position, move = { 0, 0, 0 };
+        if (p[i].inverse_mass > 0) {
+            vec3 last_move = vec3_sub(here, p[i].previous);
+            move = vec3_add_scaled(vec3_scale(carry, last_move), square, a);
+        }
+        p[i].position = vec3_add(here, move);
+        p[i].previous = here;
+    }
+}
 
 // The first substep of a frame may be longer or shorter than the last one.
 static void integrate_side(void *data, int side)
@@ -46,7 +68,7 @@ static void integrate_side(void *data, int side)
         if (w->age == s->h)
             verlet_step(p, body_particles(b), w->options.gravity, NULL, s->h);
         else
-            verlet_step_changed(p, body_particles(b), w->options.gravity, NULL,
+            verlet_step_changed(p, body_particles(b), w->options.gravity,
                                 w->age, s->h);
     }
 }
@@ -70,7 +92,7 @@ static const plan_entry *entry_of(const world *w, const shape *s)
 }
 
 // Soft diagonals first, then the lines that must hold.
-static relax_result relax_soft(world *w, const body *b)
+static four_result relax_soft(world *w, const body *b)
 {
     const shape *s = b->plan;
     particle *p = w->pool.at + b->first;
@@ -80,14 +102,14 @@ static relax_result relax_soft(world *w, const body *b)
     line_result l = lines_relax(s, p, w->options.sweeps, o,
                                 entry_of(w, s)->line);
     int tested = others + l.steps * links;
-    return (relax_result){ .worst = l.worst, .tested = tested,
+    return (four_result){ .worst = l.worst, .tested = tested,
                            .relaxed = tested, .iterations = l.steps,
                            .fell_back = l.fell_back };
 }
 //<
 
 //> step-relax
-static void add_up(relax_result *sum, relax_result r)
+static void add_up(four_result *sum, four_result r)
 {
     sum->tested += r.tested;
     sum->relaxed += r.relaxed;
@@ -114,7 +136,7 @@ static void relax_side(void *data, int side)
     stage *s = data;
     world *w = s->w;
     const world_options *o = &w->options;
-    relax_result sum = { .tested = 0 };
+    four_result sum = { .tested = 0 };
     int n, first[ALIKE];
     const int *mine = halves_bodies(w, side, &n);
     for (int i = 0, k; i < n; i += k) {

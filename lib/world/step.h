@@ -14,5 +14,11 @@
 // w->report.dropped counts what found no room.
 void world_step(world *w);
 
+// Verlet's step for n particles under the acceleration a (m/s^2), if the last
+// step took dt_before (s) and this one takes dt:
+// x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
+// Pinned particles stay, with previous = position.
+void verlet_step_changed(particle *p, int n, vec3 a, real dt_before, real dt);
+
 #endif
 //<

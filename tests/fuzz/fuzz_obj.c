@@ -5,8 +5,9 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "fuzz.h"
-#include "mesh_check.h"
+#include "convex.h"
 #include "obj.h"
+#include "validate.h"
 
 static const uint8_t *file;
 static size_t length;

@@ -159,39 +159,6 @@ START_TEST(force_and_gravity_add_up)
 }
 END_TEST
 
-START_TEST(parabola_is_exact_when_the_step_changes)
-{
-    // Rejects: a dt^2 for the new step alone, an uncorrected last move.
-    vec3 x0 = { 0, 0, 0 }, v0 = { 3, 4, 0 };
-    real dt = 0.01, t = 0;
-    particle p = particle_start(x0, v0, GRAVITY, 1, dt);
-    unsigned dice = 1;
-    for (int k = 0; k < 200; k++) {
-        dice = dice * 1664525u + 1013904223u;
-        real next = 0.004 + 0.01 * (real)(dice >> 24) / 256;
-        verlet_step_changed(&p, 1, GRAVITY, NULL, dt, next);
-        dt = next;
-        t += dt;
-        vec3 wanted = parabola(x0, v0, GRAVITY, t);
-        near(vec3_distance(p.position, wanted), 0,
-             ROUNDING * (1 + vec3_length(wanted)), "off the parabola");
-    }
-}
-END_TEST
-
-START_TEST(unchanged_step_is_the_plain_step)
-{
-    // Rejects: two formulas that differ by more than rounding where they meet.
-    particle p = particle_start((vec3){ 1, 1, 1 }, (vec3){ 1, 2, 3 }, GRAVITY,
-                                1, 0.01);
-    particle q = p;
-    verlet_step(&p, 1, GRAVITY, NULL, 0.01);
-    verlet_step_changed(&q, 1, GRAVITY, NULL, 0.01, 0.01);
-    near(vec3_distance(p.position, q.position), 0, ROUNDING, "position");
-    near(vec3_distance(p.previous, q.previous), 0, ROUNDING, "previous");
-}
-END_TEST
-
 START_TEST(far_from_the_origin_gravity_still_pulls)
 {
     // Rejects: float anywhere in the sum: at 1e6 m its last bit is 0.06 m, and
@@ -497,8 +464,6 @@ int main(void)
     tcase_add_test(t, parabola_is_exact_to_the_last_bit);
     tcase_add_test(t, parabola_is_exact_to_rounding);
     tcase_add_test(t, force_and_gravity_add_up);
-    tcase_add_test(t, parabola_is_exact_when_the_step_changes);
-    tcase_add_test(t, unchanged_step_is_the_plain_step);
     tcase_add_test(t, far_from_the_origin_gravity_still_pulls);
     tcase_add_test(t, pinned_particle_stays);
     tcase_add_test(t, pinned_particle_forgets_its_motion);

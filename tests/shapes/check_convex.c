@@ -1,10 +1,11 @@
 // check_convex.c - tests of lib/shapes/convex.c: rigid bodies from convex meshes.
 
 #include "convex.h"
-#include "mesh_check.h"
+#include "meshes.h"
 #include "rigidity.h"
 #include "scarce.h"
 #include "shapes.h"
+#include "validate.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -392,6 +393,203 @@ START_TEST(convex_bodies_take_no_index_on_trust)
 }
 END_TEST
 
+// Rejects: a rule that a shape of body.c breaks.
+START_TEST(shapes_are_sound_and_convex)
+{
+    shape s;
+    expect_ok(shape_box(&s, vec3_make(1, 2, 3), 1));
+    expect_ok(mesh_validate(&s.mesh));
+    expect_ok(mesh_check_convex(&s.mesh, s.at));
+    shape_free(&s);
+    expect_ok(shape_icosahedron(&s, 1, 1));
+    expect_ok(mesh_validate(&s.mesh));
+    expect_ok(mesh_check_convex(&s.mesh, s.at));
+    shape_free(&s);
+    expect_ok(shape_cloth(&s, 6, 5, 1, 1, 1, 1));
+    expect_ok(mesh_validate(&s.mesh));
+    shape_free(&s);
+}
+END_TEST
+
+// Rejects: an absolute tolerance, which fails at one end or the other.
+START_TEST(convexity_does_not_depend_on_the_size)
+{
+    mesh m = build(8, CUBE, 12);
+    for (real size = 1e-40; size < 1e41; size *= 1e10) {
+        vec3 at[8];
+        cube_at(at);
+        for (int k = 0; k < 8; k++) at[k] = vec3_scale(size, at[k]);
+        expect_ok(mesh_check_convex(&m, at));
+        // Corner 3 pulled in by 1e-6 of the side: its sides now bend inwards
+        // along the diagonals that end in it.
+        at[3] = vec3_scale(1 - 1e-6, at[3]);
+        ck_assert(!mesh_check_convex(&m, at).ok);
+    }
+    mesh_free(&m);
+}
+END_TEST
+
+// The rule is 1e-9 of the size, here sqrt(3): half of it passes, twice not.
+START_TEST(convexity_ends_at_the_stated_tolerance)
+{
+    mesh m = build(8, CUBE, 12);
+    vec3 at[8];
+    cube_at(at);
+    at[0].z = 0.5e-9;                   // pulled in along z only
+    expect_ok(mesh_check_convex(&m, at));
+    at[0].z = 4e-9;
+    ck_assert(!mesh_check_convex(&m, at).ok);
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(dent_is_named_with_face_and_vertex)
+{
+    vec3 at[8];
+    cube_at(at);
+    at[7] = vec3_make(0.25, 0.25, 0.25);
+    mesh m = build(8, CUBE, 12);
+    status s = mesh_check_convex(&m, at);
+    ck_assert(!s.ok);
+    ck_assert_msg(strstr(s.why, "outside the plane of triangle"), "%s", s.why);
+    ck_assert_msg(strstr(s.why, "vertex "), "%s", s.why);
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(open_mesh_is_not_convex)
+{
+    vec3 at[8];
+    cube_at(at);
+    mesh m = build(8, CUBE, 11);
+    expect_why(mesh_check_convex(&m, at), "the edge from vertex 6 to vertex 4 "
+               "has a triangle on one side only: the mesh is open");
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(unused_vertex_is_named)
+{
+    vec3 at[5] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+                   { .1, .1, .1 } };
+    mesh m = build(5, TETRAHEDRON, 4);
+    expect_why(mesh_check_convex(&m, at), "vertex 4 belongs to no triangle");
+    mesh_free(&m);
+}
+END_TEST
+
+// Two tetrahedra far apart: every face is fine, the whole is not one body.
+START_TEST(two_bodies_are_not_one)
+{
+    int two[8][3];
+    vec3 at[8];
+    for (int t = 0; t < 8; t++) {
+        at[t] = vec3_add_scaled(TETRAHEDRON_AT[t % 4], t < 4 ? 0 : 3,
+                                vec3_make(1, 1, 1));
+        for (int k = 0; k < 3; k++)
+            two[t][k] = TETRAHEDRON[t % 4][k] + (t < 4 ? 0 : 4);
+    }
+    mesh m = build(8, (const int (*)[3])two, 8);
+    expect_why(mesh_check_convex(&m, at), "the mesh is not one sphere: "
+               "vertices - edges + triangles is 4, not 2");
+    mesh_free(&m);
+    m = build(0, NULL, 0);
+    expect_why(mesh_check_convex(&m, at), "the mesh is not one sphere: "
+               "vertices - edges + triangles is 0, not 2");
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(flat_triangle_is_named)
+{
+    vec3 at[5];
+    memcpy(at, TETRAHEDRON_AT, sizeof TETRAHEDRON_AT);
+    at[4] = vec3_make(.5, 0, 0);        // on the line from 0 to 1
+    static const int t[6][3] = { { 0, 2, 1 }, { 0, 4, 3 }, { 4, 1, 3 },
+                                 { 0, 3, 2 }, { 1, 2, 3 }, { 0, 1, 4 } };
+    mesh m = build(5, t, 6);
+    expect_why(mesh_check_convex(&m, at), "triangle 5 is flat: vertex 0, "
+               "vertex 1 and vertex 4 stand in one line");
+    mesh_free(&m);
+}
+END_TEST
+
+// Four corners of a square, as a closed mesh: no inside.
+START_TEST(body_without_thickness_is_named)
+{
+    vec3 at[4] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } };
+    static const int t[4][3] =
+        { { 0, 1, 3 }, { 0, 3, 2 }, { 0, 3, 1 }, { 0, 2, 3 } };
+    mesh m;
+    ck_assert(!mesh_build(&m, 4, t, 4).ok);     // its diagonal has four sides
+    static const int pillow[2][3] = { { 0, 1, 2 }, { 0, 2, 1 } };
+    m = build(3, pillow, 2);
+    expect_why(mesh_check_convex(&m, at), "the mesh has no thickness: no "
+               "vertex stands below the plane of triangle 0");
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(coincident_vertices_are_named)
+{
+    vec3 at[8];
+    cube_at(at);
+    at[5] = at[2];
+    mesh m = build(8, CUBE, 12);
+    expect_why(mesh_check_convex(&m, at),
+               "vertex 2 and vertex 5 stand in the same place");
+    mesh_free(&m);
+}
+END_TEST
+
+// Rejects: NaN, which every comparison lets through that is not turned round.
+START_TEST(places_that_are_no_numbers_are_named)
+{
+    vec3 at[4];
+    mesh m = build(4, TETRAHEDRON, 4);
+    real bad[3] = { (real)NAN, (real)INFINITY, -(real)INFINITY };
+    for (int k = 0; k < 3; k++) {
+        memcpy(at, TETRAHEDRON_AT, sizeof at);
+        at[2].y = bad[k];
+        expect_why(mesh_check_convex(&m, at),
+                   "vertex 2 is not at a finite place");
+    }
+    for (int k = 0; k < 4; k++) at[k] = vec3_scale(1e200, TETRAHEDRON_AT[k]);
+    status s = mesh_check_convex(&m, at);
+    ck_assert(!s.ok && strstr(s.why, "too large to compute with"));
+    for (int k = 0; k < 4; k++) at[k] = vec3_scale(1e-200, TETRAHEDRON_AT[k]);
+    s = mesh_check_convex(&m, at);
+    ck_assert(!s.ok && strstr(s.why, "too small to compute with"));
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(turned_mesh_has_negative_volume_and_is_named)
+{
+    int turned[4][3];
+    for (int f = 0; f < 4; f++)
+        for (int k = 0; k < 3; k++) turned[f][k] = TETRAHEDRON[f][2 - k];
+    mesh m = build(4, (const int (*)[3])turned, 4);
+    ck_assert(mesh_volume(&m, TETRAHEDRON_AT) == -1.0 / 6);
+    expect_why(mesh_check_convex(&m, TETRAHEDRON_AT),
+               "the triangles look inwards: every one of them must be turned "
+               "round");
+    mesh_free(&m);
+}
+END_TEST
+
+// Far from the origin as near it.
+START_TEST(convexity_does_not_depend_on_the_place)
+{
+    vec3 at[8];
+    cube_at(at);
+    mesh m = build(8, CUBE, 12);
+    for (int k = 0; k < 8; k++) at[k] = vec3_add(at[k], vec3_make(1e9, 1e9, 0));
+    expect_ok(mesh_check_convex(&m, at));
+    mesh_free(&m);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *tests[] = {
@@ -402,7 +600,15 @@ int main(void)
         rounder_ball_is_rigid,
         bad_meshes_are_refused_with_the_mesh_own_sentence,
         schoenhardt_polyhedron_is_refused_and_shaky,
-        radius_out_of_range_is_refused, convex_bodies_take_no_index_on_trust
+        radius_out_of_range_is_refused, convex_bodies_take_no_index_on_trust,
+        shapes_are_sound_and_convex, convexity_does_not_depend_on_the_size,
+        convexity_ends_at_the_stated_tolerance,
+        dent_is_named_with_face_and_vertex, open_mesh_is_not_convex,
+        unused_vertex_is_named, two_bodies_are_not_one, flat_triangle_is_named,
+        body_without_thickness_is_named, coincident_vertices_are_named,
+        places_that_are_no_numbers_are_named,
+        turned_mesh_has_negative_volume_and_is_named,
+        convexity_does_not_depend_on_the_place
     };
     Suite *suite = suite_create("convex");
     TCase *all = tcase_create("all");

@@ -2,6 +2,7 @@
 
 #include "meshes.h"
 #include "scarce.h"
+#include "validate.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -16,7 +17,7 @@ START_TEST(tetrahedron_has_six_edges_and_no_rim)
     ck_assert(mesh_is_closed(&m));
     ck_assert_int_eq(mesh_euler(&m), 2);
     mesh_free(&m);
-    expect_empty(&m);
+    expect_empty_mesh(&m);
 }
 END_TEST
 
@@ -184,7 +185,7 @@ static void expect_refused(int vertices, const int (*triangle)[3], int faces,
     mesh m;
     memset(&m, 0x55, sizeof m);
     expect_why(mesh_build(&m, vertices, triangle, faces), why);
-    expect_empty(&m);
+    expect_empty_mesh(&m);
 }
 
 START_TEST(index_out_of_range_is_named)
@@ -259,7 +260,7 @@ START_TEST(sizes_are_checked_before_they_overflow)
     ck_assert(!s.ok && strstr(s.why, "is too large"));
     s = mesh_build(&m, INT_MAX, TETRAHEDRON, 4);
     ck_assert(!s.ok && strstr(s.why, "is too large"));
-    expect_empty(&m);
+    expect_empty_mesh(&m);
 }
 END_TEST
 
@@ -274,7 +275,7 @@ START_TEST(refused_memory_leaves_nothing)
         mallocs_left = INT_MAX;
         if (s.ok) { mesh_free(&m); break; }
         expect_why(s, "out of memory");
-        expect_empty(&m);
+        expect_empty_mesh(&m);
         refused++;
     }
     ck_assert_int_ge(refused, 3);       // three arrays are the mesh's own
@@ -322,6 +323,208 @@ START_TEST(volume_does_not_depend_on_the_place)
 }
 END_TEST
 
+// Rejects: a rule that a sound mesh breaks: closed, with a rim, with a lone
+// vertex, empty.
+START_TEST(sound_meshes_pass)
+{
+    mesh m = build(4, TETRAHEDRON, 4);
+    expect_ok(mesh_validate(&m));
+    mesh_free(&m);
+    m = build(7, FAN, 4);
+    expect_ok(mesh_validate(&m));
+    mesh_free(&m);
+    expect_ok(mesh_validate(&m));
+    for (int faces = 8; faces <= 12; faces++) {
+        m = build(8, CUBE, faces);
+        expect_ok(mesh_validate(&m));
+        mesh_free(&m);
+    }
+}
+END_TEST
+
+START_TEST(validator_names_bad_indices)
+{
+    mesh m = build(4, TETRAHEDRON, 4);
+    half_edge kept = m.half[5];
+    m.half[5].origin = 4;
+    expect_why(mesh_validate(&m),
+               "half-edge 5 leaves vertex 4, which does not exist");
+    m.half[5].origin = -1;
+    expect_why(mesh_validate(&m),
+               "half-edge 5 leaves vertex -1, which does not exist");
+    m.half[5] = kept;
+    m.half[5].next = 12;
+    expect_why(mesh_validate(&m),
+               "half-edge 5 is followed by half-edge 12, which does not exist");
+    m.half[5].next = -1;
+    expect_why(mesh_validate(&m),
+               "half-edge 5 is followed by half-edge -1, which does not exist");
+    m.half[5] = kept;
+    m.half[5].face = 4;
+    expect_why(mesh_validate(&m),
+               "half-edge 5 borders face 4, which does not exist");
+    m.half[5].face = -2;
+    expect_why(mesh_validate(&m),
+               "half-edge 5 borders face -2, which does not exist");
+    m.half[5] = kept;
+    expect_ok(mesh_validate(&m));
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(validator_names_bad_edges)
+{
+    mesh m = build(4, TETRAHEDRON, 4);
+    m.half[4].face = m.half[5].face = -1;
+    expect_why(mesh_validate(&m), "edge 2 has no face on either side");
+    mesh_free(&m);
+
+    m = build(4, TETRAHEDRON, 4);
+    m.half[5].origin = m.half[4].origin;
+    expect_why(mesh_validate(&m), "edge 2 begins and ends in vertex 1");
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(validator_names_bad_successors)
+{
+    mesh m = build(4, TETRAHEDRON, 4);
+    m.half[0].next = m.half[m.half[0].next].next;
+    expect_why(mesh_validate(&m), "half-edge 0 is followed by half-edge 4, which "
+                                  "does not leave where it ends");
+    mesh_free(&m);
+
+    m = build(4, TETRAHEDRON, 4);
+    m.half[m.half[0].next].face = 3;
+    expect_why(mesh_validate(&m), "half-edge 0 borders face 0, but half-edge 2 "
+                                  "after it borders face 3");
+    mesh_free(&m);
+}
+END_TEST
+
+// Two faces that meet in a vertex, made into one of six sides.
+START_TEST(validator_names_a_face_of_six_sides)
+{
+    mesh m = build(8, CUBE, 12);
+    // Faces 0 (0 4 6) and 2 (3 7 5) share nothing; 0 and 4 (0 1 5) share 0.
+    int into_a = m.half[m.half[m.face_half[0]].next].next;
+    int into_b = m.half[m.half[m.face_half[4]].next].next;
+    int kept = m.half[into_a].next;
+    m.half[into_a].next = m.half[into_b].next;
+    m.half[into_b].next = kept;
+    for (int h = 0; h < 36; h++)
+        if (m.half[h].face == 4) m.half[h].face = 0;
+    char why[120];
+    snprintf(why, sizeof why, "half-edge %d is not back at itself after three "
+             "steps around face 0", 0);
+    expect_why(mesh_validate(&m), why);
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(validator_names_bad_faces)
+{
+    mesh m = build(4, TETRAHEDRON, 4);
+    int kept = m.face_half[2];
+    m.face_half[2] = 12;
+    expect_why(mesh_validate(&m),
+               "face 2 begins with half-edge 12, which does not border it");
+    m.face_half[2] = -1;
+    expect_why(mesh_validate(&m),
+               "face 2 begins with half-edge -1, which does not border it");
+    m.face_half[2] = m.face_half[1];
+    char why[120];
+    snprintf(why, sizeof why, "face 2 begins with half-edge %d, which does not "
+             "border it", m.face_half[1]);
+    expect_why(mesh_validate(&m), why);
+    m.face_half[2] = kept;
+
+    // Two loops of three that bear one number.
+    for (int h = 0; h < 12; h++)
+        if (m.half[h].face == 3) m.half[h].face = 0;
+    m.faces = 3;
+    expect_why(mesh_validate(&m), "12 half-edges border the 3 faces: three "
+                                  "times as many as faces it must be");
+    m.faces = 4;
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(validator_names_bad_vertices)
+{
+    mesh m = build(7, FAN, 4);
+    int kept = m.vertex_half[0];
+    m.vertex_half[0] = -1;
+    expect_why(mesh_validate(&m), "vertex 0 begins with half-edge -1, which "
+                                  "does not leave it");
+    m.vertex_half[0] = 99;
+    expect_why(mesh_validate(&m), "vertex 0 begins with half-edge 99, which "
+                                  "does not leave it");
+    m.vertex_half[0] = 2;
+    expect_why(mesh_validate(&m),
+               "vertex 0 begins with half-edge 2, which does not leave it");
+    m.vertex_half[0] = 0;
+    char why[120];
+    snprintf(why, sizeof why, "vertex 0 begins with half-edge 0, but half-edge "
+             "%d runs along a rim", kept);
+    expect_why(mesh_validate(&m), why);
+    m.vertex_half[0] = kept;
+    m.vertex_half[6] = 0;               // nobody leaves vertex 6
+    expect_why(mesh_validate(&m),
+               "vertex 6 begins with half-edge 0, which does not leave it");
+    mesh_free(&m);
+}
+END_TEST
+
+// Vertex 3 of a second triangle is glued onto vertex 0 of the first.
+START_TEST(validator_names_a_pinched_vertex)
+{
+    static const int t[2][3] = { { 0, 1, 2 }, { 3, 4, 5 } };
+    mesh m = build(6, t, 2);
+    int rim_a = m.vertex_half[0], rim_b = m.vertex_half[3];
+    for (int h = 0; h < 12; h++)
+        if (m.half[h].origin == 3) m.half[h].origin = 0;
+    m.vertex_half[3] = -1;
+    expect_why(mesh_validate(&m), "4 half-edges leave vertex 0, but a turn "
+                                  "around it does not meet each of them once");
+
+    // The two rims made one: now the turn meets all, and the rim twice.
+    for (int h = 0; h < 12; h++) {
+        if (m.half[h].next == rim_a) m.half[h].next = rim_b;
+        else if (m.half[h].next == rim_b) m.half[h].next = rim_a;
+    }
+    char why[120];
+    snprintf(why, sizeof why, "vertex 0 begins with half-edge %d, but half-edge "
+             "%d runs along a rim", rim_a, rim_b);
+    expect_why(mesh_validate(&m), why);
+    mesh_free(&m);
+}
+END_TEST
+
+START_TEST(validator_names_bad_counts)
+{
+    mesh m = { .vertices = -1 };
+    expect_why(mesh_validate(&m),
+               "the mesh counts -1 vertices, 0 edges and 0 faces");
+    // Rejects: a count of faces or edges that nobody looks at.
+    m = (mesh){ .edges = -1 };
+    expect_why(mesh_validate(&m),
+               "the mesh counts 0 vertices, -1 edges and 0 faces");
+    m = (mesh){ .faces = -1 };
+    expect_why(mesh_validate(&m),
+               "the mesh counts 0 vertices, 0 edges and -1 faces");
+    m = (mesh){ .edges = INT_MAX };
+    ck_assert(!mesh_validate(&m).ok);
+    const char *hollow = "the mesh counts elements that it does not hold";
+    m = (mesh){ .vertices = 3 };
+    expect_why(mesh_validate(&m), hollow);
+    m = (mesh){ .edges = 3 };
+    expect_why(mesh_validate(&m), hollow);
+    m = (mesh){ .faces = 3 };
+    expect_why(mesh_validate(&m), hollow);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *tests[] = {
@@ -337,7 +540,11 @@ int main(void)
         sizes_are_checked_before_they_overflow, refused_memory_leaves_nothing,
         volume_of_the_corner_tetrahedron_is_a_sixth,
         volume_does_not_depend_on_the_place,
-        volume_of_a_turned_mesh_is_negative
+        volume_of_a_turned_mesh_is_negative, sound_meshes_pass,
+        validator_names_bad_indices, validator_names_bad_edges,
+        validator_names_bad_successors, validator_names_a_face_of_six_sides,
+        validator_names_bad_faces, validator_names_bad_vertices,
+        validator_names_a_pinched_vertex, validator_names_bad_counts
     };
     Suite *suite = suite_create("mesh");
     TCase *all = tcase_create("all");

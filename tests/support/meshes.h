@@ -3,25 +3,13 @@
 #ifndef TUMBLE_TESTS_MESHES_H
 #define TUMBLE_TESTS_MESHES_H
 
+#include "expect.h"
 #include "mesh.h"
 
 #include <check.h>
 #include <string.h>
 
-#define COUNT(list) ((int)(sizeof (list) / sizeof (list)[0]))
-
-static inline void expect_why(status s, const char *why)
-{
-    ck_assert_msg(!s.ok, "accepted, wanted: %s", why);
-    ck_assert_msg(strcmp(s.why, why) == 0, "said: %s\nwanted: %s", s.why, why);
-}
-
-static inline void expect_ok(status s)
-{
-    ck_assert_msg(s.ok, "refused: %s", s.why);
-}
-
-static inline void expect_empty(const mesh *m)
+static inline void expect_empty_mesh(const mesh *m)
 {
     ck_assert(m->vertices == 0 && m->edges == 0 && m->faces == 0);
     ck_assert(!m->half && !m->vertex_half && !m->face_half);

@@ -4,11 +4,10 @@
 #define TUMBLE_TESTS_SHAPES_H
 
 #include "body.h"
+#include "expect.h"
 
 #include <check.h>
 #include <string.h>
-
-#define COUNT(list) ((int)(sizeof (list) / sizeof (list)[0]))
 
 // A few roundings of numbers near 1: sums of up to a thousand terms.
 static const real ROUNDING = 1e-13;
@@ -17,17 +16,6 @@ static inline void expect_near(real got, real wanted, real tolerance)
 {
     ck_assert_msg(fabs(got - wanted) <= tolerance * fabs(wanted),
                   "got %.17g, wanted %.17g", got, wanted);
-}
-
-static inline void expect_why(status s, const char *why)
-{
-    ck_assert_msg(!s.ok, "accepted, wanted: %s", why);
-    ck_assert_msg(strcmp(s.why, why) == 0, "said: %s\nwanted: %s", s.why, why);
-}
-
-static inline void expect_ok(status s)
-{
-    ck_assert_msg(s.ok, "refused: %s", s.why);
 }
 
 static inline void expect_empty(const shape *s)

@@ -7,7 +7,7 @@ set border 3 lc rgb "#808080" lw 0.7
 set tics nomirror textcolor rgb "#404040"
 set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
 unset key
-passes = "#0072b2"; steps = "#56b4e9"; cold = "#d55e00"; grey = "#606060"
+passes = "#0072b2"; steps = "#009e73"; cold = "#d55e00"; grey = "#606060"
 small = "DejaVu Sans,17"
 bold = "DejaVu Sans Bold,22"
 
@@ -43,7 +43,7 @@ set title "Fifty bodies: deepest overlap, of a radius" font "DejaVu Sans,26" off
 set yrange [0.05:12]
 set ytics ("0.1 %%" 0.1, "1 %%" 1, "10 %%" 10)
 set label 3 "by passes" at 1.08*few,1.1*low left textcolor rgb passes font bold
-set label 4 "by substeps" at 1.1*first,1.1*high left textcolor rgb steps
+set label 4 "by substeps" at 1.16*first,1.15*high left textcolor rgb steps
 plot csv index 1 using 2:3 with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \
      csv index 1 using 2:3:1 with labels font small textcolor rgb steps offset 1.2,0.5, \
      csv index 0 using 2:3 with linespoints pt 7 ps 1.3 lc rgb passes lw 2, \
@@ -55,7 +55,7 @@ set title "Joules left after six seconds" offset 0,-0.3
 set yrange [1e-14:3e-4]
 set format y "10^{%T}"
 set ytics ("10^{-12}" 1e-12, "10^{-9}" 1e-9, "10^{-6}" 1e-6)
-set label 3 "by passes" at 1.08*few,2.2e-7 left textcolor rgb passes font bold
+set label 3 "by passes" at 1.12*few,1.5e-7 left textcolor rgb passes font bold
 set label 4 "by substeps" at 1.1*first,1.5*most left textcolor rgb steps
 plot csv index 1 using 2:4 with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \
      csv index 1 using 2:4:1 with labels font small textcolor rgb steps offset -1.2,-0.6, \

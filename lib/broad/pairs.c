@@ -305,17 +305,17 @@ void pairs_find(world *w)
 //> pairs-pass
 // Bodies that go past each other by no more than the smaller one's inner radius
 // are not lost: they are seen to overlap, and on the right side.
-int pairs_pass_far(const world *w, const body *a, const body *b, real share)
+int pairs_pass_far(const body *a, const body *b, real share)
 {
     real far = share * vec3_distance(a->way, b->way);
-    return w->options.swept && far > fmin(a->inner, b->inner);
+    return far > fmin(a->inner, b->inner);
 }
 
 // Does A's ball, on its way as seen from B, come as near to B's as what they
 // turn?  It is nearest after the share t of the way.
 int pairs_fly_into(const world *w, const body *a, const body *b)
 {
-    if (!pairs_pass_far(w, a, b, 1)) return 0;
+    if (!pairs_pass_far(a, b, 1)) return 0;
     sphere sa = w->pairs.ball[a - w->body], sb = w->pairs.ball[b - w->body];
     vec3 d = vec3_sub(sa.center, sb.center), way = vec3_sub(a->way, b->way);
     real t = -vec3_dot(d, way) / vec3_length_squared(way);

@@ -25,8 +25,8 @@ void pairs_find(world *w);
 
 // Do bodies a and b pass each other, in this share of the frame, by more than
 // the smaller inner radius?  Then it must be asked when they first touch, or
-// they may be lost to each other.  Never, unless options.swept is set.
-int pairs_pass_far(const world *w, const body *a, const body *b, real share);
+// they may be lost to each other.
+int pairs_pass_far(const body *a, const body *b, real share);
 
 // Will rigid bodies a and b, which pass each other as far as that in this
 // frame, come so near that they may touch?  After pairs_find.

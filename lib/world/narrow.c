@@ -50,7 +50,7 @@ static real share_of(const asking *j, const body_pair *pair)
 {
     const world *w = j->w;
     const body *a = &w->body[pair->a], *b = &w->body[pair->b];
-    if (!pair->quick || (!j->again && pairs_pass_far(w, a, b, 1))) return 1;
+    if (!pair->quick || (!j->again && pairs_pass_far(a, b, 1))) return 1;
     return (real)quick_every(w) / w->report.substeps;
 }
 //<
@@ -84,7 +84,7 @@ static int choose(const asking *j, const body_pair *pair)
     real share = share_of(j, pair);
     if (!pair->quick && contacts_may_stay(w, &pair->is.run, pair->a, pair->b,
                                           needed(a, b, 1))) return ASK_STAYS;
-    if (pairs_pass_far(w, a, b, share)) return ASK_SWEPT;
+    if (pairs_pass_far(a, b, share)) return ASK_SWEPT;
     if (balls_are_apart(w, a, b, needed(a, b, share) + slack_of(w, pair)))
         return ASK_NOTHING;
     return ASK_NEAREST;

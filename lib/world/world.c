@@ -15,7 +15,7 @@ world_options world_options_default(void)
         .friction = 0.5, .restitution = 0,
         .passes = 4, .content = 1e-7, .memory = 1,
         .mend = 0.2, .mend_speed = 2.5,
-        .swept = 1, .skin = 0.005, .stay = 0.001,
+        .skin = 0.005, .stay = 0.001,
         .resting = 1,
     };
     return o;
@@ -275,8 +275,9 @@ status world_add(world *w, const shape *s, placement where, int *number)
 // body: twice that, for a look ahead reaches further (below 24 bodies, all
 // pairs are fewer).  Few of them touch face on face, in PAIR_CONTACTS points.
 // At the planes a body lies on a few vertices; but one so fast that it may get
-// anywhere in a frame is near three planes with all of them, and in a small
-// room near every one.  (Whoever finds no room there is through the wall.)
+// anywhere in a frame is near every plane with all of them.  A contact that
+// found no room there would let the body through the wall: so there is room for
+// all of these.
 // A particle of a cloth folded on itself has 12 in touch as well, most of them
 // its neighbours at rest, but the lists look further: 24 a particle.  And it is
 // near 4 rigid bodies at most, where they lie together.
@@ -290,10 +291,9 @@ static void size_lists(world *w)
         rigid += !body_is_soft(&w->body[b]);
     }
     int all_pairs = rigid < 24 ? rigid * (rigid - 1) / 2 : 12 * rigid;
-    int near_planes = w->planes > 3 && rigid >= 24 ? 3 : w->planes;
     w->pairs.capacity = all_pairs;
     w->pushes.capacity = (rigid < 24 ? PAIR_CONTACTS * all_pairs : 12 * rigid)
-                       + near_planes * corners;
+                       + w->planes * corners;
     w->near.pair_capacity = w->leaves.capacity = 24 * soft;
     w->near.point_capacity = 4 * soft;
     w->least_radius = HUGE_VAL;

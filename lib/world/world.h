@@ -38,8 +38,6 @@ typedef struct {
     real mend;          // share of an old overlap that a substep pushes out;
                         // 0 to 1
     real mend_speed;    // m/s, the most at which it does
-    int  swept;         // 1: rigid bodies that pass each other by more than an
-                        // inner radius are asked when they first touch
     real skin;          // of a rigid body's radius: its contacts keep that far
                         // off, so that bodies at rest do not overlap
     real stay;          // of a rigid body's radius: one that lies no further

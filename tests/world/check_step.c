@@ -676,6 +676,29 @@ START_TEST(cloth_is_of_the_island_of_what_it_lies_on)
 }
 END_TEST
 
+// A cloth that falls flat from 0.3 m, 2.4 m/s.
+// Rejects: a landing that throws it up again, or tears at it; one that takes
+// the sticks more than their iterations.
+START_TEST(cloth_that_lands_flat_stays_down)
+{
+    begin(world_options_default());
+    int c = add_at(&cloth, 0, 0.3, 0);
+    add_floor();
+    ready();
+    int landed = 0;
+    for (int f = 0; f < 120; f++) {
+        frames(1);
+        real y = middle(c).y, thick = w.body[c].thickness;
+        landed |= y < 1.001 * thick;
+        ck_assert_msg(y > 0.999 * thick, "sunk to %g", y);
+        if (landed) ck_assert_msg(y < 1.01 * thick, "up again at %g", y);
+        for (int k = 0; k < cloth.sticks; k++)
+            ck_assert(stick_strain(cloth.stick[k], particle_of(c, 0)) < 1e-3);
+    }
+    ck_assert(landed);
+}
+END_TEST
+
 // Rejects: planes that cloth and rope do not meet, or without their thickness.
 START_TEST(everything_stays_above_a_plane)
 {
@@ -907,12 +930,11 @@ END_TEST
 // Rejects: an option that another one needs.
 START_TEST(every_option_carries_a_box)
 {
-    for (int k = 0; k < 16; k++) {
+    for (int k = 0; k < 8; k++) {
         world_options o = world_options_default();
         o.memory = k & 1;
         o.resting = k >> 1 & 1;
-        o.swept = k >> 2 & 1;
-        o.relax.gradient = k >> 3 & 1 ? GRADIENT_NEW : GRADIENT_OLD;
+        o.relax.gradient = k >> 2 & 1 ? GRADIENT_NEW : GRADIENT_OLD;
         begin(o);
         add_nailed(&low, 0, -0.25, 0);
         add_at(&box, 0, 0.7, 0);
@@ -1125,6 +1147,38 @@ START_TEST(nothing_finds_no_room)
 }
 END_TEST
 
+// Twenty-seven balls shot through a closed room at 1000 m/s, four times its
+// width in a frame: each is near all six planes with all of its corners.
+// Rejects: lists with room for the contacts of three planes, where every third
+// body is lost.
+START_TEST(nobody_leaves_a_closed_room_however_fast)
+{
+    enum { SIDE = 3, BODIES = SIDE * SIDE * SIDE };
+    const real cell = 1.6, room = SIDE * cell;
+    begin(world_options_default());
+    for (int b = 0; b < BODIES; b++)
+        add_thrown(&ball, vec3_make(cell * (b % SIDE + 0.5),
+                                    cell * (b / SIDE % SIDE + 0.5),
+                                    cell * (b / SIDE / SIDE + 0.5)),
+                   vec3_scale(1000, any_unit()), ZERO);
+    const vec3 wall[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    for (int k = 0; k < 3; k++) {
+        ck_assert(world_add_plane(&w, wall[k], 0).ok);
+        ck_assert(world_add_plane(&w, vec3_scale(-1, wall[k]), -room).ok);
+    }
+    ready();
+    for (int f = 0; f < 60; f++) world_step(&w);
+    for (int b = 0; b < BODIES; b++) {
+        vec3 x = middle(b);
+        for (int k = 0; k < 3; k++) {
+            real along = vec3_dot(x, wall[k]);
+            ck_assert_msg(along > 0 && along < room, "body %d is at %g of %g",
+                          b, along, room);
+        }
+    }
+}
+END_TEST
+
 // Rejects: memory taken, or given back, while the film runs.
 START_TEST(step_allocates_nothing)
 {
@@ -1307,11 +1361,13 @@ int main(void)
         deformable_sleepers_wake_too,
         cloth_is_of_the_island_of_what_it_lies_on,
         everything_stays_above_a_plane,
+        cloth_that_lands_flat_stays_down,
         ledger_changes_no_bit,
         friction_takes_what_a_sliding_block_loses,
         elastic_bounce_costs_nothing,
         rest_takes_what_was_left,
         nothing_finds_no_room,
+        nobody_leaves_a_closed_room_however_fast,
         lost_number_stays_in_its_body,
     };
     Suite *s = suite_create("step");

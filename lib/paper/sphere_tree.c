@@ -2,7 +2,6 @@
 #include "sphere_tree.h"
 
 #include <assert.h>
-#include <limits.h>
 #include <stdlib.h>
 
 // A leaf, and the coordinate of its centre along the side that is halved.
@@ -75,14 +74,14 @@ static void wrap_node(const builder *b, tree_node *node, const place *p, int n)
 // Layered: a leaf encloses its feature, a node the spheres of its children.
 static void layer_node(sphere_tree *t, int k, const vec3 *at)
 {
-    const int *child = t->node[k].child;
+    tree_node *n = &t->node[k];
     if (k < t->leaves) {
-        t->node[k].ball = sphere_of_feature(at, t->leaf[k].vertex,
-                                            t->leaf[k].count);
-        t->node[k].ball.radius += t->thickness;
+        n->ball = sphere_of_points(at, t->leaf[k].vertex, t->leaf[k].count,
+                                   n->support, n->weight, &n->supports);
+        n->ball.radius += t->thickness;
     } else {
-        t->node[k].ball = sphere_of_spheres(t->node[child[0]].ball,
-                                            t->node[child[1]].ball);
+        n->ball = sphere_of_spheres(t->node[n->child[0]].ball,
+                                    t->node[n->child[1]].ball);
     }
 }
 
@@ -172,8 +171,7 @@ void sphere_tree_free(sphere_tree *t)
 //> tree-refresh
 void sphere_tree_refresh(sphere_tree *t, const vec3 *at)
 {
-    // Starts again at 0 rather than overflow.
-    t->stamp = t->stamp < INT_MAX ? t->stamp + 1 : 0;
+    t->stamp++;
     if (t->kind == TREE_WRAPPED) return;
     for (int k = 0; k < t->nodes; k++) layer_node(t, k, at);
 }
@@ -236,9 +234,9 @@ static void report(query *q, int a, int b)
 {
     bool is_self = q->apart >= 0;
     if (is_self && are_neighbours(q->a, a, b, q->apart)) return;
-    leaf_pair pair = is_self && b < a ? (leaf_pair){ b, a }
-                                      : (leaf_pair){ a, b };
-    if (q->result.pairs < q->capacity) q->out[q->result.pairs] = pair;
+    if (q->result.pairs < q->capacity)
+        q->out[q->result.pairs] = is_self && b < a ? (leaf_pair){ b, a }
+                                                   : (leaf_pair){ a, b };
     q->result.pairs++;
 }
 //<

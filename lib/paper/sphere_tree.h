@@ -39,6 +39,7 @@ typedef struct {
 typedef struct {
     tree_kind kind;
     real thickness;     // m
+    real slack;         // see sphere_tree_build
     int leaves, nodes;  // nodes = 2 * leaves - 1, the root last
     tree_node *node;    // [nodes] leaf k is node k; children before parents
     leaf_feature *leaf; // [leaves]
@@ -89,10 +90,10 @@ tree_result sphere_tree_pairs(sphere_tree *a, const vec3 *at_a,
                               real margin, leaf_pair *out, int capacity);
 
 // Pairs of leaves of one tree that come nearer than margin, each once, a < b.
-// Left out are neighbours at rest: leaves that share a vertex, or whose centres
-// stood nearer than apart * (sum of their radii) when the tree was built.  With
-// margin 0 and apart >= 1 + 1e-9 a flat cloth has no pairs; with a margin,
-// apart >= (1 + 1e-9) * (1 + margin / (sum of two leaves' radii)).
+// Left out are neighbours at rest: leaves whose centres stood nearer than apart
+// * (sum of their radii) when the tree was built.  With margin 0 and apart >= 1
+// + 1e-9 a flat cloth has no pairs; with a margin, apart >= (1 + 1e-9) * (1 +
+// margin / (sum of two leaves' radii)).
 tree_result sphere_tree_self(sphere_tree *t, const vec3 *at, real margin,
                              real apart, leaf_pair *out, int capacity);
 

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #ifndef PAIRS
-#define PAIRS "tests/data/pairs.txt"
+#define PAIRS "tests/data/pairs-all.txt"
 #endif
 
 #define COUNT(list) ((int)(sizeof (list) / sizeof (list)[0]))
@@ -384,6 +384,8 @@ START_TEST(stored_pairs_have_their_exact_depth)
     while ((read = pair_read(file, &p)) == 1) {
         if (p.kind == 'S') continue;
         real size = size_of(&p.a, &p.b);
+        // Bodies that touch may be a rounding error apart.
+        if (p.value < 1e-14 * size && !overlap(&p.a, &p.b)) continue;
         hit_result r = hit(&p.a, &p.b);
         ck_assert(r.status == HIT_FOUND || r.status == HIT_FLAT);
         found++;
@@ -405,8 +407,8 @@ START_TEST(stored_pairs_have_their_exact_depth)
     }
     fclose(file);
     ck_assert_int_eq(read, 0);
-    ck_assert_int_ge(found, 30);
-    ck_assert_int_ge(named, 15);
+    ck_assert_int_ge(found, 600);
+    ck_assert_int_ge(named, 300);
 }
 END_TEST
 

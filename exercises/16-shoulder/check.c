@@ -241,7 +241,7 @@ static void step(int arms, const rod *r, int n)
     for (int k = 0; k < 8; k++) {
         rods_relax(r, n, p, 1e-9, 4);
         for (int i = 0; i < arms; i++)
-            sticks_relax(arm.stick, arm.sticks, &p[1 + 8 * i], 8, 1, o, NULL);
+            sticks_relax(arm.stick, arm.sticks, &p[1 + 8 * i], 1, o);
     }
 }
 

@@ -116,8 +116,8 @@ static real left(pair *q, const shape *s)
 {
     relax_options r = relax_options_pbd();
     r.tolerance = 1e-9;
-    sticks_relax(s->stick, s->sticks, q->p, CORNERS, 2000, r, NULL);
-    sticks_relax(s->stick, s->sticks, q->p + CORNERS, CORNERS, 2000, r, NULL);
+    sticks_relax(s->stick, s->sticks, q->p, 2000, r);
+    sticks_relax(s->stick, s->sticks, q->p + CORNERS, 2000, r);
     return real_max(contact_depth(&q->c, q->p), 0) / DEPTH;
 }
 

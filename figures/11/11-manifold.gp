@@ -23,7 +23,7 @@ unset grid
 set label 1 "face of B" at -0.46,-0.43 textcolor rgb grey front
 set label 2 "face of A" at 0.62,0.7 right textcolor rgb grey front
 set label 3 "a vertex of A\nover B" at -0.54,0.47 right textcolor rgb green front
-set label 4 "a vertex of\nB under A" at 0.55,0.42 left textcolor rgb blue front
+set label 4 "a vertex of\nB under A" at 0.45,0.42 right textcolor rgb blue front
 set label 5 "an edge of A\nover one of B" at 0.56,-0.37 left textcolor rgb vermilion front
 set label 6 "ringed: the touches\nthat are kept" at 1.0,0.62 left textcolor rgb "#202020" front
 set label 7 "×: where GJK found\nthem nearest" at 1.0,0.4 left textcolor rgb "#202020" front

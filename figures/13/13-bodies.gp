@@ -7,7 +7,7 @@ set border 3 lc rgb "#808080" lw 0.7
 set tics nomirror textcolor rgb "#404040"
 set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
 unset key
-passes = "#0072b2"; steps = "#56b4e9"; cold = "#d55e00"; mended = "#009e73"; printed = "#d55e00"; grey = "#606060"
+passes = "#0072b2"; steps = "#e69f00"; cold = "#d55e00"; mended = "#009e73"; printed = "#d55e00"; grey = "#606060"
 small = "DejaVu Sans,17"
 bold = "DejaVu Sans Bold,22"
 

@@ -43,11 +43,12 @@ set xrange [0.5:4000]
 set xtics ("1 µs" 1, "10 µs" 10, "100 µs" 100, "1 ms" 1000)
 set yrange [7.6:-0.6]
 set grid noytics
-set label 1 "sorted" at 50,2 textcolor rgb "#0072b2" font "DejaVu Sans Bold,22"
-set label 2 "every pair" at 1150,0 textcolor rgb "#d55e00"
-set style fill solid 0.35 border lc rgb "#0072b2"
+set label 1 "sorted" at 330,-0.8 center textcolor rgb "#0072b2" font "DejaVu Sans Bold,22"
+set label 2 "every pair" at 2300,-0.8 center textcolor rgb "#d55e00"
+set yrange [7.6:-1.3]
 unset ytics
 set ytics scale 0 textcolor rgb "#404040"
-plot csv index 1 using 2:0:(0.5):2:($0 - 0.32):($0 + 0.32):ytic(1) with boxxyerror lc rgb "#0072b2" lw 1, \
-     csv index 1 using 3:0 with points pt 7 ps 1.6 lc rgb "#d55e00"
+plot csv index 1 using 2:0:($3-$2):(0) with vectors nohead lc rgb "#c8c8c8" lw 2, \
+     csv index 1 using 2:0:ytic(1) with points pt 7 ps 2 lc rgb "#0072b2", \
+     csv index 1 using 3:0 with points pt 7 ps 2 lc rgb "#d55e00"
 unset multiplot

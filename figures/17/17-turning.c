@@ -91,7 +91,7 @@ static real pendulum_error(int rods, angles s, angles truth, int rate,
     angles r = rates(rods, s);
     particle p[3] = { particle_start(ORIGIN, ORIGIN, ORIGIN, 0, dt) };
     stick link[2];
-    vec3 x = ORIGIN, fall = ORIGIN, end = ORIGIN, scratch[3];
+    vec3 x = ORIGIN, fall = ORIGIN, end = ORIGIN;
     for (int i = 0; i < rods; i++) {
         x = vec3_add(x, rod(i, s.a[i]));
         fall = vec3_add_scaled(fall, (real)r.u[i],
@@ -103,7 +103,7 @@ static real pendulum_error(int rods, angles s, angles truth, int rate,
     relax_options o = along(gradient, 1e-15);
     for (int n = 0; n < 2 * rate; n++) {
         verlet_step(p, rods + 1, GRAVITY, NULL, dt);
-        sticks_relax(link, rods, p, rods + 1, 200, o, scratch);
+        sticks_relax(link, rods, p, 200, o);
     }
     return vec3_distance(p[rods].position, end);
 }
@@ -126,7 +126,7 @@ static void print_pendulum(int rods)
 typedef struct {
     shape plan;
     particle p[8];
-    vec3 scratch[8], inertia;       // kg m^2, about its axes
+    vec3 inertia;       // kg m^2, about its axes
     real dt;
 } top;
 
@@ -162,8 +162,8 @@ static void top_start(top *t, vec3 sides, vec3 w, real dt)
 static void top_step(top *t, gradient_kind gradient)
 {
     verlet_step(t->p, 8, ORIGIN, NULL, t->dt);
-    sticks_relax(t->plan.stick, t->plan.sticks, t->p, 8, 100,
-                 along(gradient, 1e-10), t->scratch);
+    sticks_relax(t->plan.stick, t->plan.sticks, t->p, 100,
+                 along(gradient, 1e-10));
 }
 
 // kg m^2/s, of the last step.

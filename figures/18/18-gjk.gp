@@ -43,8 +43,8 @@ set xrange [6:900]
 set xtics (8, 12, 42, 162, 642)
 set yrange [1e2:7e4]
 set ytics ("0.1 µs" 1e2, "1 µs" 1e3, "10 µs" 1e4)
-set label 1 "scanning" at 250,2.6e4 right textcolor rgb cold
-set label 2 "climbing" at 300,2e3 center textcolor rgb warm font bold
+set label 1 "scanning" at 300,5.5e3 right textcolor rgb cold
+set label 2 "climbing" at 330,5.2e2 center textcolor rgb warm font bold
 plot csv index 1 using 1:2 with linespoints pt 7 ps 1.1 lc rgb cold lw 1.5, \
      csv index 1 using 1:3 with linespoints pt 7 ps 1.1 lc rgb warm lw 2
 unset multiplot

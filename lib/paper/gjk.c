@@ -30,15 +30,12 @@ static vec3 along(vec3 v, vec3 e)
     return vec3_scale(ee > 0 ? vec3_dot(e, v) / ee : 0, e);
 }
 
-// Rounding tilts the cross product of nearly parallel edges.  Set upright on
-// the longest, it can lean only to the side, where the triangle is thin.
+// Rounding tilts the cross product of nearly parallel edges.  Upright on one
+// of them, it can lean only to the side, where the triangle is thin.
 vec3 triangle_normal(vec3 a, vec3 b, vec3 c)
 {
-    vec3 ab = vec3_sub(b, a), bc = vec3_sub(c, b), ca = vec3_sub(a, c);
-    vec3 n = vec3_cross(ab, bc);
-    vec3 longest = vec3_dot(ab, ab) > vec3_dot(bc, bc) ? ab : bc;
-    if (vec3_dot(ca, ca) > vec3_dot(longest, longest)) longest = ca;
-    return vec3_sub(n, along(n, longest));
+    vec3 ab = vec3_sub(b, a), n = vec3_cross(ab, vec3_sub(c, a));
+    return vec3_sub(n, along(n, ab));
 }
 //<
 //> gjk-weigh
@@ -149,7 +146,7 @@ static gjk_status step(gjk_result *r, hull a, hull b, real margin)
 {
     simplex *s = &r->last;
     real vv = vec3_dot(s->v, s->v), size = 0;
-    if (s->count == 4 || vv < 1e-120) return GJK_OVERLAP;
+    if (vv < 1e-120) return GJK_OVERLAP;
     corner w = hull_support(a, b, vec3_scale(-1, s->v));
     real bound = vec3_dot(s->v, w.at);
     r->distance = bound / sqrt(vv);

@@ -156,11 +156,8 @@ relax_result sticks_iterate(const stick *s, int n, particle *p,
 //<
 
 //> sticks-relax
-// A hard stick's strain beyond which the old gradient counts as failed.
-static const real OLD_FAILED = 1e-3;
-
-static relax_result iterate_until(const stick *s, int n, particle *p,
-                                  int most_iterations, relax_options options)
+relax_result sticks_relax(const stick *s, int n, particle *p,
+                          int most_iterations, relax_options options)
 {
     relax_result all = { .worst = 0 };
     for (int k = 0; k < most_iterations; k++) {
@@ -172,40 +169,6 @@ static relax_result iterate_until(const stick *s, int n, particle *p,
         if (r.worst <= options.tolerance) break;
     }
     return all;
-}
-
-// The worst strain of a hard stick.
-static real worst_hard(const stick *s, int n, const particle *p)
-{
-    real worst = 0;
-    for (int i = 0; i < n; i++)
-        if (s[i].stiffness >= 1)
-            worst = real_max(stick_strain(s[i], p), worst);
-    return worst;
-}
-
-relax_result sticks_relax(const stick *s, int n, particle *p,
-                          int particle_count, int most_iterations,
-                          relax_options options, vec3 *scratch)
-{
-    if (options.gradient == GRADIENT_NEW)
-        return iterate_until(s, n, p, most_iterations, options);
-
-    assert(scratch || particle_count == 0);
-    for (int i = 0; i < particle_count; i++) scratch[i] = p[i].position;
-    relax_result old = iterate_until(s, n, p, most_iterations, options);
-    real limit = real_max(OLD_FAILED, options.tolerance);
-    if (old.worst <= limit || worst_hard(s, n, p) <= limit) return old;
-
-    // Restore the positions of the call, and begin again along the new lines.
-    for (int i = 0; i < particle_count; i++) p[i].position = scratch[i];
-    options.gradient = GRADIENT_NEW;
-    relax_result r = iterate_until(s, n, p, most_iterations, options);
-    r.tested += old.tested;
-    r.relaxed += old.relaxed;
-    r.iterations += old.iterations;
-    r.fell_back = true;
-    return r;
 }
 //<
 

@@ -67,7 +67,6 @@ typedef struct {
     int  tested;        // sticks looked at
     int  relaxed;       // sticks moved
     int  iterations;    // iterations done
-    bool fell_back;     // GRADIENT_OLD failed and GRADIENT_NEW finished
 } relax_result;
 //<
 
@@ -97,14 +96,11 @@ relax_result sticks_iterate(const stick *s, int n, particle *p,
                             relax_options options);
 
 // Iterates until an iteration meets no strain above options.tolerance, at most
-// most_iterations times.  With GRADIENT_OLD, scratch holds particle_count
-// positions (it may be NULL otherwise): if the strain of a hard stick is still
-// above 1e-3 (or the tolerance, if that is larger), or is not finite, the
-// positions of the call are restored and GRADIENT_NEW does the work (result:
-// fell_back).  A stick is hard if its stiffness is at least 1.
+// most_iterations times.  If the worst strain of the result is larger, the
+// sticks are not solved: too few iterations, sticks that contradict each other,
+// or with GRADIENT_OLD a stick that turned too far in one step.
 relax_result sticks_relax(const stick *s, int n, particle *p,
-                          int particle_count, int most_iterations,
-                          relax_options options, vec3 *scratch);
+                          int most_iterations, relax_options options);
 //<
 
 //> angle-declare

@@ -388,7 +388,7 @@ static const real BENT = 0.05;
 // The last resort: stick by stick along the sticks as they lie; and where that
 // ends in the mirror, or nowhere, the body goes on as it lay a step ago,
 // without turning.
-static relax_result relax_bent(const four *f, particle *p,
+static four_result relax_bent(const four *f, particle *p,
                                relax_options options)
 {
     enum { SWEEPS = 60 };
@@ -397,9 +397,8 @@ static relax_result relax_bent(const four *f, particle *p,
         mean = vec3_add_scaled(mean, 1.0 / FOUR,
                                vec3_sub(p[k].position, p[k].previous));
     options.gradient = GRADIENT_NEW;
-    relax_result r = sticks_relax(f->stick, FOUR_STICKS, p, FOUR, SWEEPS,
-                                  options, NULL);
-    r.fell_back = 1;
+    relax_result s = sticks_relax(f->stick, FOUR_STICKS, p, SWEEPS, options);
+    four_result r = { s.worst, s.tested, s.relaxed, s.iterations, 1 };
     if (r.worst <= 0.01 && !four_is_mirrored(f, p)) return r;
     for (int k = 0; k < FOUR && vec3_is_finite(mean); k++)
         p[k].position = vec3_add(p[k].previous, mean);
@@ -437,7 +436,7 @@ static inline void batch_solve(const int lanes, const four *f,
 //<
 
 //> four-relax
-static void add_result(relax_result *all, relax_result r)
+static void add_result(four_result *all, four_result r)
 {
     all->tested += r.tested;
     all->relaxed += r.relaxed;
@@ -456,7 +455,7 @@ static real measured_again(const four *f, const batch *t, int l)
 
 // What became of body l, whose particles begin at p.
 static void batch_give(const four *f, const batch *t, int l, particle *p,
-                       int steps, relax_options o, relax_result *all)
+                       int steps, relax_options o, four_result *all)
 {
     int done = (int)t->steps[l];
     real worst = t->worst[l];
@@ -469,15 +468,15 @@ static void batch_give(const four *f, const batch *t, int l, particle *p,
     for (int k = 0; k < FOUR && done > 0; k++)
         p[k].position = vec3_make(t->at[k][0][l], t->at[k][1][l],
                                   t->at[k][2][l]);
-    add_result(all, (relax_result){ .worst = worst, .iterations = done,
+    add_result(all, (four_result){ .worst = worst, .iterations = done,
         .tested = FOUR_STICKS * (done + (done < steps)),
         .relaxed = FOUR_STICKS * done });
 }
 
-relax_result four_relax_all(const four *f, particle *p, const int *first,
+four_result four_relax_all(const four *f, particle *p, const int *first,
                             int bodies, int steps, relax_options options)
 {
-    relax_result all = { .worst = 0 };
+    four_result all = { .worst = 0 };
     assert(steps > 0);
     for (int b = 0; b < bodies; b += LANES) {
         // Lanes that are left over repeat the last body.
@@ -494,7 +493,7 @@ relax_result four_relax_all(const four *f, particle *p, const int *first,
     return all;
 }
 
-relax_result four_relax(const four *f, particle *p, int steps,
+four_result four_relax(const four *f, particle *p, int steps,
                         relax_options options)
 {
     const int first = 0;

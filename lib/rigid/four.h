@@ -55,19 +55,27 @@ void   four_free(four *f);      // an empty or zeroed one is fine
 // Where the n vertices stand, when the particles stand at p.
 void four_ride(const four *f, const particle *p, vec3 *at, int n);
 
+// What one solve did, or several: as a relax_result, and how many were relaxed
+// one stick after the other in the end.
+typedef struct {
+    real worst;
+    int  tested, relaxed, iterations;
+    int  fell_back;
+} four_result;
+
 // Brings the six sticks to their lengths at once: Newton's step for all of
 // them, until none is off by more than options.tolerance, at most `steps` times
 // (at least 1).  Told as a frame of three vectors along the solid's axes, the
 // six can be solved one by one: there is no matrix to be inverted.
 // Gradients as options.gradient says; where this fails (violent turning), the
 // sticks are relaxed one by one (fell_back = 1).  Nailed bodies stay.
-relax_result four_relax(const four *f, particle *p, int steps,
+four_result four_relax(const four *f, particle *p, int steps,
                         relax_options options);
 
 // The same for several bodies, whose particles begin at p + first[0] and so on:
 // the same bits, in less time, for it takes some at once.  Counts are sums,
 // `worst` and `sweeps` the largest.
-relax_result four_relax_all(const four *f, particle *p, const int *first,
+four_result four_relax_all(const four *f, particle *p, const int *first,
                             int bodies, int steps, relax_options options);
 
 //<

@@ -585,7 +585,7 @@ static int join(const particle *p, int n, real reach, real across, stick *s)
 
 // Pushes particle 0 up by a little out of a plane, relaxes the sticks until
 // they are straight, and returns what is left of the push.
-static real retained(particle *p, int n, const stick *s, int sticks)
+static real retained(particle *p, const stick *s, int sticks)
 {
     const real push = 1e-5;
     vec3 start = p[0].position;
@@ -594,7 +594,7 @@ static real retained(particle *p, int n, const stick *s, int sticks)
     response_separate(&c, p, 0);
     relax_options o = relax_options_pbd();
     o.tolerance = 1e-14;
-    sticks_relax(s, sticks, p, n, 10000, o, NULL);
+    sticks_relax(s, sticks, p, 10000, o);
     return (p[0].position.y - start.y) / push;
 }
 
@@ -609,7 +609,7 @@ START_TEST(sticks_take_back_all_but_a_quarter_or_a_twelfth)
         cube[i] = at_rest(vec3_make(i & 1, i >> 1 & 1, i >> 2 & 1), 1);
     int sticks = join(cube, 8, 1.5, 1.5, s);    // 12 + 12 + 4: rigid
     ck_assert_int_eq(sticks, 28);
-    near(retained(cube, 8, s, sticks), 0.25, 1e-4, "left at a cube's corner");
+    near(retained(cube, s, sticks), 0.25, 1e-4, "left at a cube's corner");
 
     // Two of the twelve on the y axis, two rings of five between.
     real height = 1 / sqrt(5), ring = 2 / sqrt(5), turn = acos(-1) / 5;
@@ -622,7 +622,7 @@ START_TEST(sticks_take_back_all_but_a_quarter_or_a_twelfth)
     ico[11] = at_rest(UP, 1);
     sticks = join(ico, 12, 1.2, 1.9, s);
     ck_assert_int_eq(sticks, 36);
-    near(retained(ico, 12, s, sticks), 1.0 / 12, 1e-4,
+    near(retained(ico, s, sticks), 1.0 / 12, 1e-4,
          "left at a vertex of an icosahedron");
 }
 END_TEST

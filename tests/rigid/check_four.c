@@ -705,7 +705,7 @@ START_TEST(step_of_the_frame_is_newtons_step_of_the_six_sticks)
         memcpy(q, p, sizeof q);
         for (int k = 0; k < FOUR; k++)
             o[k] = n % 2 ? p[k].previous : p[k].position;
-        relax_result r = four_relax(&f, p, 1, n % 2 ? OLD : NEW);
+        four_result r = four_relax(&f, p, 1, n % 2 ? OLD : NEW);
         real worst = step_of_sticks(q, o), size = fmax(f.radius, 1);
         ck_assert_int_eq(r.fell_back, 0);
         ck_assert(fabs(r.worst - worst) <= SAME_STEP * fmax(1, worst));
@@ -738,7 +738,7 @@ START_TEST(one_step_squares_the_error)
             p[k].position = vec3_add_scaled(p[k].position, size, any_vec3());
         real before = worst_strain(p);
         const relax_options *o = n % 2 ? &OLD : &NEW;
-        relax_result r = four_relax(&f, p, 1, *o);
+        four_result r = four_relax(&f, p, 1, *o);
         real after = worst_strain(p);
         ck_assert(r.iterations == 1 && r.fell_back == 0);
         ck_assert(fabs(r.worst - before) <= before * before);
@@ -765,7 +765,7 @@ START_TEST(relaxing_keeps_momentum_and_angular_momentum)
                                             any_vec3());
         vec3 linear = momentum(p), angular = turning(p);
         real size = FOUR * f.mass * f.radius;
-        relax_result r = four_relax(&f, p, 20, OLD);
+        four_result r = four_relax(&f, p, 20, OLD);
         ck_assert_msg(vec3_distance(momentum(p), linear) <= ROUNDING * size,
                       "momentum changed by %g",
                       vec3_distance(momentum(p), linear));
@@ -802,7 +802,7 @@ static void try_spin(int i)
         real worst = 0;
         for (int step = 0; step < 2400; step++) {
             verlet_step(p, FOUR, none, NULL, h);
-            relax_result r = four_relax(&f, p, 6, OLD);
+            four_result r = four_relax(&f, p, 6, OLD);
             ck_assert_int_eq(r.fell_back, 0);
             worst = fmax(worst, worst_strain(p));
         }
@@ -837,7 +837,7 @@ START_TEST(nailed_body_is_not_relaxed)
         p[k].inverse_mass = 0;
     }
     memcpy(was, p, sizeof p);
-    relax_result r = four_relax(&f, p, 6, OLD);
+    four_result r = four_relax(&f, p, 6, OLD);
     ck_assert(memcmp(was, p, sizeof p) == 0);
     ck_assert(r.iterations == 0 && r.relaxed == 0 && r.fell_back == 0);
 }
@@ -851,7 +851,7 @@ START_TEST(body_within_tolerance_keeps_every_bit)
         particle p[FOUR], was[FOUR];
         stand(p);
         memcpy(was, p, sizeof p);
-        relax_result r = four_relax(&f, p, 6, n % 2 ? OLD : NEW);
+        four_result r = four_relax(&f, p, 6, n % 2 ? OLD : NEW);
         ck_assert(memcmp(was, p, sizeof p) == 0);
         ck_assert(r.iterations == 0 && r.relaxed == 0);
         ck_assert_int_eq(r.tested, FOUR_STICKS);
@@ -869,7 +869,7 @@ START_TEST(steps_are_counted_and_capped)
         particle p[FOUR];
         stand(p);
         p[1].position = vec3_add_scaled(p[1].position, 0.02, any_unit());
-        relax_result r = four_relax(&f, p, steps, never);
+        four_result r = four_relax(&f, p, steps, never);
         ck_assert_int_le(r.iterations, steps);
         if (steps < 3) ck_assert_int_eq(r.iterations, steps);
         ck_assert_int_eq(r.relaxed, FOUR_STICKS * r.iterations);
@@ -896,7 +896,7 @@ START_TEST(bent_body_is_judged_when_its_steps_are_done)
         for (int k = 0; k < FOUR; k++)
             p[k].position = vec3_add_scaled(p[k].position, 0.06,
                 vec3_sub(p[k].position, middle));
-        relax_result r = steps == 0 ? four_relax(&f, p, 1, wide)
+        four_result r = steps == 0 ? four_relax(&f, p, 1, wide)
                                     : four_relax(&f, p, steps, OLD);
         ck_assert_int_eq(r.fell_back, 0);
         ck_assert_int_eq(r.iterations, steps);
@@ -1012,7 +1012,7 @@ START_TEST(lost_numbers_are_told_and_do_no_harm)
         vec3 at[12];
         stand(p);
         p[k % FOUR].position.y = bad[k / FOUR];
-        relax_result r = four_relax(&f, p, 6, OLD);
+        four_result r = four_relax(&f, p, 6, OLD);
         ck_assert_int_eq(r.fell_back, 1);
         four_ride(&f, p, at, 12);
     }
@@ -1033,7 +1033,7 @@ START_TEST(bodies_relaxed_together_get_the_bits_of_each_alone)
     for (int n = 0; n < 2000; n++) {
         int bodies = 1 + n % MOST, steps = 1 + n % 6;
         const relax_options *o = n % 5 ? &OLD : &NEW;
-        relax_result sum = { .worst = 0 };
+        four_result sum = { .worst = 0 };
         int first[MOST];
         expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
         for (int b = 0; b < bodies; b++) {
@@ -1051,14 +1051,14 @@ START_TEST(bodies_relaxed_together_get_the_bits_of_each_alone)
         }
         memcpy(all, one, sizeof one);
         for (int b = 0; b < bodies; b++) {
-            relax_result r = four_relax(&f, one + b * FOUR, steps, *o);
+            four_result r = four_relax(&f, one + b * FOUR, steps, *o);
             sum.tested += r.tested;
             sum.relaxed += r.relaxed;
             sum.fell_back += r.fell_back;
             if (r.iterations > sum.iterations) sum.iterations = r.iterations;
             sum.worst = fmax(sum.worst, r.worst);
         }
-        relax_result r = four_relax_all(&f, all, first, bodies, steps, *o);
+        four_result r = four_relax_all(&f, all, first, bodies, steps, *o);
         ck_assert(memcmp(one, all, (size_t)bodies * FOUR * sizeof *one) == 0);
         ck_assert(r.tested == sum.tested && r.relaxed == sum.relaxed);
         ck_assert(r.iterations == sum.iterations && r.fell_back == sum.fell_back);

@@ -216,6 +216,7 @@ tells "an exit"            'Your code ends the whole program (exit)' 'exit(spare
 tells "an overrun"         'Your code reads outside an array' 'for (int i = 0; i <= n; i++) all += x[i];'
 if $lines; then also "where it reads" 'outside an array: mine.c, line 13'; fi
 tells "an overrun by writing" 'Your code writes outside an array' 'char *volatile p = malloc(3); p[n] = 1; free(p);'
+tells "a sentence that is too long" 'Your code writes outside an array' 'char why[8]; sprintf(why, "%0999d", n); all = why[0];'
 tells "an overrun that the compiler sees" 'Your code reaches outside an array' 'volatile char p[3]; p[n] = 1; all = p[0];'
 tells "memory given back"  'Your code reads memory that it has given back' 'char *p = malloc(4); free(p); all = p[n];'
 tells "a double free"      'Your code frees the same memory twice' 'char *volatile p = malloc(4); free(p); free(p);'
@@ -233,6 +234,9 @@ echo 'first  no_number_is_zero' >> "$dir/exercise"
 tells "the test to hear of first" 'The others: three_numbers_add_up' 'all = 7;'
 cp "$dir/solution.c" "$dir/mine.c"
 answers "a right answer"   'all 2 tests pass'              exercise 99/sum
+printf '#include "show.h"\n#include "sum.h"\nint main(void)\n{\n    const real x[2] = { 3, 4 };\n    printf("together %%g\\n", sum(x, 2));\n    return 0;\n}\n' > "$dir/show.c"
+answers "what it shows"    'together 7'                    exercise 99/sum
+rm "$dir/show.c"
 answers "the list"         '[x] 99/sum'                    exercise
 if grep -q '^99/sum passed 2' "$tree/progress.txt"; then verdict "what passed is kept" yes; else verdict "what passed is kept" no; fi
 answers "a new beginning"  'mine.old.c'                    reset 99/sum

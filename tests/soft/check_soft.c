@@ -377,10 +377,9 @@ static void substep(real h)
     for (int b = 0; b < w.bodies; b++) {
         const shape *s = w.body[b].plan;
         const four *f = w.body[b].four;
-        static vec3 before[MOST];
         if (f) four_relax(f, particle_of(b, 0), 2, w.options.relax);
-        else   sticks_relax(s->stick, s->sticks, particle_of(b, 0),
-                            s->particles, 2, w.options.relax, before);
+        else   sticks_relax(s->stick, s->sticks, particle_of(b, 0), 2,
+                            w.options.relax);
     }
 }
 

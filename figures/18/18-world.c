@@ -1,18 +1,20 @@
 // 18-world.c - how the whole grows: rooms of 10 to 10,000 bodies in their first
-// second, by the engine and (up to 3,000) by the paper's system, and cloths of
-// 20 to 160 particles a side that fall on the cube, all with 9, 18 and 36
-// substeps.  Nobody sleeps.
+// second, and cloths of 20 to 160 particles a side that fall on the cube, all
+// with 9, 18 and 36 substeps.  Nobody sleeps.
 //
-// index 0 to 2: bodies, ms a step (median), deepest overlap (of a radius),
-//               largest strain; the engine, the paper's system as mended and as
-//               printed
-// index 3 to 6: substeps, ms a step (median), largest strain, overlap (m),
+// index 0: bodies, ms a step (median), deepest overlap (of a radius), largest
+//          strain
+// index 1 to 4: substeps, ms a step (median), largest strain, overlap (m),
 //             what touches, for a particle, ms a step of the fall before it
 //             touches, how often a step makes new lists; a size each
+// index 5 and 6: the rooms of index 0 by the plain system of chapter 09, as
+//             printed and as mended, up to 3,000 bodies
 // Columns are separated by spaces.
 
 #include "clock.h"
-#include "runner.h"
+#include "poses.h"
+#include "system.h"
+#include "world_scene.h"
 #include "step.h"
 
 #include <stdio.h>
@@ -65,51 +67,23 @@ static real slope(const real *ms, int last)
                                               / BODIES[last - 2]);
 }
 
-// One room: ms and overlap of its first second.
-static void follow_room(runner_kind kind, int bodies, real *ms, real *deep)
-{
-    static runner run;
-    real took[FRAMES], strain = 0;
-    scene_options what = scene_options_default();
-    world_options awake = world_scene_options(SCENE_ROOM, 0);
-    what.bodies = bodies;
-    awake.resting = 0;
-    status done = kind == BY_ENGINE
-        ? runner_begin_world(&run, SCENE_ROOM, what, awake)
-        : runner_begin(&run, kind, SCENE_ROOM, what);
-    if (!done.ok) exit(1);
-    *deep = 0;
-    for (int k = 0; k < FRAMES; k++) {
-        real begin = clock_seconds();
-        runner_step(&run);
-        took[k] = 1e3 * (clock_seconds() - begin);
-        if (k % LOOK != LOOK - 1) continue;
-        measures m = runner_measure(&run);
-        *deep = fmax(*deep, m.penetration / SCENE_BODY_RADIUS);
-        strain = fmax(strain, m.strain);
-    }
-    *ms = clock_median(took, FRAMES);
-    printf("%d %.4g %.4g %.3g\n", bodies, *ms, *deep, strain);
-    runner_free(&run);
-}
-
 static void print_rooms(void)
 {
-    static const runner_kind kind[RUNNERS] = { BY_ENGINE, BY_PLAIN,
-                                               AS_PRINTED };
-    real ms[RUNNERS][SIZES], deep[RUNNERS][SIZES];
-    for (int i = 0; i < RUNNERS; i++) {
-        int sizes = kind[i] == BY_ENGINE ? SIZES : SIZES - 1;
-        printf("%s# rooms, %s\n# bodies ms overlap strain\n",
-               i ? "\n\n" : "", runner_name(kind[i]));
-        for (int k = 0; k < sizes; k++)
-            follow_room(kind[i], BODIES[k], &ms[i][k], &deep[i][k]);
-        printf("# grows as bodies^%.2f from %d on\n",
-               slope(ms[i], sizes - 1), BODIES[sizes - 3]);
+    real ms[SIZES];
+    scene_options what = scene_options_default();
+    printf("# rooms\n# bodies ms overlap strain\n");
+    for (int k = 0; k < SIZES; k++) {
+        what.bodies = BODIES[k];
+        static trip t;
+        start(&t, SCENE_ROOM, what, world_scene_options(SCENE_ROOM, 0));
+        while (t.frames < FRAMES) go_on(&t);
+        ms[k] = clock_median(t.took, FRAMES);
+        printf("%d %.4g %.4g %.3g\n", BODIES[k], ms[k],
+               t.overlap / t.s.body_radius, t.strain);
+        world_scene_free(&t.s);
     }
-    clock_print_row("world", "room of 1000", "overlap 3 % of a radius",
-                    "the engine", "the paper's system",
-                    deep[1][4] > 0.03 ? HUGE_VAL : ms[1][4] / ms[0][4]);
+    printf("# grows as bodies^%.2f from %d on\n", slope(ms, SIZES - 1),
+           BODIES[SIZES - 3]);
 }
 
 // The same numbers for all; with the last one the finest, too, holds its
@@ -163,10 +137,55 @@ static void print_cloths(void)
     }
 }
 
+static real plain_overlap(const scene *from, const particle_system *s, vec3 *at)
+{
+    for (int i = 0; i < s->pool.count; i++) at[i] = s->pool.at[i].position;
+    poses p = poses_measure(from, at);
+    return fmax(p.overlap, p.behind) / SCENE_BODY_RADIUS;
+}
+
+// One room by the plain system: ms a step (median), deepest overlap.
+static void print_plain_room(int bodies, system_options how)
+{
+    static scene from;
+    static particle_system s;
+    static real took[FRAMES];
+    scene_options what = scene_options_default();
+    real deepest = 0;
+    what.bodies = bodies;
+    if (!scene_build(&from, SCENE_ROOM, what).ok) exit(1);
+    if (!system_init(&s, &from, how).ok) exit(1);
+    vec3 *at = malloc((size_t)s.pool.count * sizeof *at);
+    if (!at) exit(1);
+    for (int frame = 0; frame < FRAMES; frame++) {
+        real begin = clock_seconds();
+        system_step(&s);
+        took[frame] = 1e3 * (clock_seconds() - begin);
+        if (frame % LOOK == LOOK - 1)
+            deepest = fmax(deepest, plain_overlap(&from, &s, at));
+    }
+    printf("%d %.4g %.4g\n", bodies, clock_median(took, FRAMES), deepest);
+    free(at);
+    system_free(&s);
+    scene_free(&from);
+}
+
+static void print_plain(void)
+{
+    for (int mended = 0; mended < 2; mended++) {
+        printf("\n\n# rooms by the plain system, %s\n# bodies ms overlap\n",
+               mended ? "as mended" : "as printed");
+        for (int k = 0; k < SIZES - 1; k++)
+            print_plain_room(BODIES[k], mended ? system_options_mended()
+                                               : system_options_printed());
+    }
+}
+
 int main(void)
 {
     clock_print_head("18-world: ms a step and error, by size", FLAGS);
     print_rooms();
     print_cloths();
+    print_plain();
     return 0;
 }

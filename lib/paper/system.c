@@ -94,7 +94,8 @@ static void *grown(void *list, int count, int *room, size_t size)
 }
 
 // A contact between two bodies (b = NULL: a plane) that is still to be filled.
-static contact contact_of(const system_body *a, const system_body *b, real apart)
+static contact contact_of(const system_body *a, const system_body *b,
+                          real apart)
 {
     return (contact){ .apart = apart, .mass_a = a->mass,
                       .mass_b = b ? b->mass : HUGE_VAL,
@@ -432,7 +433,8 @@ static status build_tree(system_body *x, leaf_kind kind)
 {
     const shape *s = x->shape;
     bool by_particle = is_soft(x) && kind == LEAF_PARTICLES;
-    int n = by_particle ? s->particles : s->mesh.faces ? s->mesh.faces : s->sticks;
+    int n = by_particle ? s->particles
+          : s->mesh.faces ? s->mesh.faces : s->sticks;
     leaf_feature *leaf = malloc((size_t)n * sizeof *leaf);
     if (!leaf) return status_out_of_memory();
     for (int k = 0; k < n; k++) leaf[k] = leaf_number(s, by_particle, k);

@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 10/ball.
+// check.c - tests of the exercise 05/ball.
 
 #include "ball.h"
 
@@ -126,25 +126,22 @@ START_TEST(gjk_and_the_hit_face_agree)
     for (int i = 0; i < 8; i++)
         at[i] = (vec3){ i & 1 ? HALF.x : -HALF.x, i & 2 ? HALF.y : -HALF.y,
                         i & 4 ? HALF.z : -HALF.z };
-    point_set box = { at, 8, NULL, NULL };
-    penetration_scratch *scratch = penetration_scratch_new();
-    ck_assert_ptr_nonnull(scratch);
+    hull box = { at, 8 };
     for (int k = 0; k < 1000; k++) {
         real x = 1.5 * random_real(), y = 3 * random_real();
         vec3 c = { x, y, 4 * random_real() };
-        point_set point = { &c, 1, NULL, NULL };
-        distance_result g = distance_find(point, box, distance_options_default(), NULL);
+        hull point = { &c, 1 };
+        gjk_result g = gjk_distance(point, box, HUGE_VAL, NULL);
         real gap = g.distance;
         vec3 normal = vec3_unit(g.axis), on = g.on_b;
-        if (g.status == DISTANCE_OVERLAP) {
-            penetration_result h = penetration_find(point, box, &g.last, scratch);
+        if (g.status == GJK_OVERLAP) {
+            hit_result h = hit_face_find(point, box, &g.last);
             gap = -h.depth;
             normal = h.normal;
             on = h.on_b;
         }
         expect(c, 0, gap, normal, on);
     }
-    penetration_scratch_free(scratch);
 }
 END_TEST
 

@@ -5,7 +5,7 @@
 #ifndef TUMBLE_FIFTEEN_H
 #define TUMBLE_FIFTEEN_H
 
-#include "penetration.h"
+#include "hit_face.h"
 
 typedef struct {
     vec3 centre;        // m

@@ -2,7 +2,8 @@
 // poses.h - how far from right do the bodies of a scene lie?
 //
 // Paper: section 7 measures time only.  Book: chapter 9.
-// Whoever moved them: all that is asked is a scene, and where its particles are.
+// It does not matter what moved them: all that is asked is a scene, and where
+// its particles are.
 // Units: metres, in the world's frame.
 
 #ifndef TUMBLE_POSES_H

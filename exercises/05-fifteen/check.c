@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 10/fifteen.
+// check.c - tests of the exercise 05/fifteen.
 
 #include "fifteen.h"
 
@@ -65,7 +65,7 @@ static box random_box(void)
     return x;
 }
 
-static point_set corners(const box *x, vec3 at[8])
+static hull corners(const box *x, vec3 at[8])
 {
     for (int i = 0; i < 8; i++) {
         vec3 p = x->centre;
@@ -73,7 +73,7 @@ static point_set corners(const box *x, vec3 at[8])
         p = vec3_add_scaled(p, i & 2 ? x->half.y : -x->half.y, x->axis[1]);
         at[i] = vec3_add_scaled(p, i & 4 ? x->half.z : -x->half.z, x->axis[2]);
     }
-    return (point_set){ at, 8, NULL, NULL };
+    return (hull){ at, 8 };
 }
 
 START_TEST(box_on_a_box)
@@ -158,17 +158,15 @@ END_TEST
 START_TEST(random_boxes_agree_with_the_hit_face)
 {
     // Rejects: cross products that are not normalised.
-    penetration_scratch *scratch = penetration_scratch_new();
-    ck_assert_ptr_nonnull(scratch);
     int edges = 0, apart = 0;
     for (int k = 0; k < 1000; k++) {
         box a = random_box(), b = random_box();
         vec3 p[8], q[8];
-        point_set pa = corners(&a, p), pb = corners(&b, q);
-        distance_result g = distance_find(pa, pb, distance_options_default(), NULL);
+        hull pa = corners(&a, p), pb = corners(&b, q);
+        gjk_result g = gjk_distance(pa, pb, HUGE_VAL, NULL);
         fifteen_result r = boxes_depth(&a, &b);
         near(vec3_length(r.normal), 1, "length of the normal");
-        if (g.status == DISTANCE_APART) {
+        if (g.status == GJK_APART) {
             apart++;
             ck_assert_msg(r.depth < 0 && -r.depth <= g.distance + ROUNDING,
                           "%g m apart, and the depth is %g", g.distance,
@@ -176,14 +174,13 @@ START_TEST(random_boxes_agree_with_the_hit_face)
             continue;
         }
         edges += r.direction >= 6;
-        penetration_result h = penetration_find(pa, pb, &g.last, scratch);
+        hit_result h = hit_face_find(pa, pb, &g.last);
         near(r.depth, h.depth, "depth, as the hit face has it");
         a.centre = vec3_add_scaled(a.centre, r.depth, r.normal);
         near(boxes_depth(&a, &b).depth, 0, "depth after moving A out by it");
     }
     ck_assert_msg(edges > 100 && apart > 20, "%d by edges, %d apart: every "
                   "kind is to be tried", edges, apart);
-    penetration_scratch_free(scratch);
 }
 END_TEST
 

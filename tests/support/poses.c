@@ -108,7 +108,8 @@ static void measure_planes(survey *v, int body, const vec3 *at)
     int n = scene_shape(v->scene, body)->particles;
     vec3 center = { 0, 0, 0 };
     bool is_outside = false;
-    for (int i = 0; i < n; i++) center = vec3_add_scaled(center, 1.0 / n, at[i]);
+    for (int i = 0; i < n; i++)
+        center = vec3_add_scaled(center, 1.0 / n, at[i]);
     for (int k = 0; k < v->scene->planes; k++) {
         plane p = v->scene->plane[k];
         is_outside |= vec3_dot(center, p.normal) < p.offset;
@@ -175,7 +176,8 @@ int poses_triangles_in(const scene *s, const vec3 *at)
 static bool passes_through(vec3 p, vec3 q, const vec3 t[3])
 {
     vec3 n = vec3_cross(vec3_sub(t[1], t[0]), vec3_sub(t[2], t[0]));
-    real from = vec3_dot(n, vec3_sub(p, t[0])), to = vec3_dot(n, vec3_sub(q, t[0]));
+    real from = vec3_dot(n, vec3_sub(p, t[0]));
+    real to = vec3_dot(n, vec3_sub(q, t[0]));
     if (!(from * to < 0)) return false;
     vec3 x = vec3_add_scaled(p, from / (from - to), vec3_sub(q, p));
     for (int k = 0; k < 3; k++) {

@@ -6,7 +6,7 @@
 #ifndef TUMBLE_BALL_H
 #define TUMBLE_BALL_H
 
-#include "penetration.h"
+#include "hit_face.h"
 
 typedef struct {
     real gap;           // m, between the surfaces; < 0: they overlap

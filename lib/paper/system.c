@@ -319,9 +319,7 @@ static void separate_contacts(particle_system *s)
         else            response_separate(c, s->pool.at, o->friction);
     }
 }
-//<
 
-//> system-relax
 // Section 6.2: a rigid body that was pushed relaxes its constraints outwards
 // from the particle that moved most; any other body as they are listed.
 static relax_result relax_body(particle_system *s, const system_body *x,
@@ -448,9 +446,7 @@ static status build_tree(system_body *x, leaf_kind kind)
     x->axis = calloc((size_t)n, sizeof *x->axis);
     return x->axis ? done : status_out_of_memory();
 }
-//<
 
-//> system-init
 // Body k, its particles at the end of the pool.
 static status add_body(particle_system *s, const scene *from, int k)
 {

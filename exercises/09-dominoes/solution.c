@@ -4,19 +4,18 @@
 
 #include <stddef.h>
 
-// I w^2 / 2 = m g (R - h/2), I = m (2 R)^2 / 3, with 2 R the diagonal.  And
+// I w^2 / 2 = m g (R - h/2), I = 2 m R^2, with 2 R the diagonal.  And
 // R - h/2 = (R^2 - h^2/4) / (R + h/2) = (thickness^2 / 4) / (R + h/2).
 real domino_least_spin(real thickness, real height, real g)
 {
     real square = (thickness * thickness + height * height) / 4;
     real climb = thickness * thickness / 4 / (sqrt(square) + height / 2);
-    return sqrt(1.5 * g * climb / square);
+    return sqrt(g * climb / square);
 }
 
-status domino_row(world *w, const shape *s, vec3 sides, int n, real gap,
+status domino_row(scene *s, int number, vec3 sides, int n, real above, real gap,
                   real spin)
 {
-    real above = w->options.skin * s->radius;
     for (int k = 0; k < n; k++) {
         placement p = placement_at((vec3){ k * (sides.x + gap),
                                            sides.y / 2 + above, 0 });
@@ -25,17 +24,16 @@ status domino_row(world *w, const shape *s, vec3 sides, int n, real gap,
             p.spin = (vec3){ 0, 0, -spin };
             p.velocity = vec3_cross(p.spin, from_edge);
         }
-        status r = world_add(w, s, p, NULL);
+        status r = scene_add(s, number, p);
         if (!r.ok) return r;
     }
     return status_ok();
 }
 
-// From vertex 0, below, to vertex 2, above it.
-real domino_lean(const world *w, int b)
+// From particle 0, below, to particle 2, above it.
+real domino_lean(const particle_system *s, int b)
 {
-    vec3 at[8];
-    world_vertices(w, &w->body[b], at);
-    vec3 up = vec3_sub(at[2], at[0]);
+    const particle *p = &s->pool.at[s->body[b].first];
+    vec3 up = vec3_sub(p[2].position, p[0].position);
     return atan2(sqrt(up.x * up.x + up.z * up.z), up.y);
 }

@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 16/whole.
+// check.c - tests of the exercise 09/whole.
 
 #include "whole.h"
 
@@ -212,7 +212,7 @@ START_TEST(three_energies_add_up_to_all)
 }
 END_TEST
 
-START_TEST(nails_do_not_count)
+START_TEST(pins_do_not_count)
 {
     // Rejects: 1 / 0.
     particle p[9];
@@ -223,7 +223,7 @@ START_TEST(nails_do_not_count)
     expect3("centre", w.center, ZERO);
     expect3("spin", w.spin, (vec3){ 0, 0, 1 });
     w = ask(p + n, 1);
-    expect("of a nail: mass", w.mass, 0);
+    expect("of a pin: mass", w.mass, 0);
     expect3("its centre", w.center, ZERO);
     expect("its energy", w.flight + w.turning + w.rest, 0);
     w = ask(NULL, 0);
@@ -243,7 +243,7 @@ int main(void)
     tcase_add_test(t, ring_that_widens_does_not_turn);
     tcase_add_test(t, stick_whirls_but_not_about_itself);
     tcase_add_test(t, three_energies_add_up_to_all);
-    tcase_add_test(t, nails_do_not_count);
+    tcase_add_test(t, pins_do_not_count);
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);
     srunner_run_all(r, CK_NORMAL);

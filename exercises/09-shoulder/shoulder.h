@@ -28,13 +28,13 @@ vec3 end_place(const rod_end *e, const particle *p);
 
 // Gives the rod its length by the least move of the particles (each counted
 // with its mass).  Returns the error before: distance - length, m; 0 if a
-// one-sided rod is content.  Moves nothing if all are nailed, or if the points
+// one-sided rod is satisfied.  Moves nothing if all are pinned, or if the points
 // coincide and the length is not 0: there is no direction.
 real rod_relax(const rod *r, particle *p);
 
-// Relaxes n rods, one after the other, again and again, until in a whole pass
+// Relaxes n rods, one after the other, again and again, until in a whole iteration
 // none had an error of more than tolerance (m) in size, at most cap times.
-// Returns how many passes there were.
+// Returns how many iterations there were.
 int rods_relax(const rod *r, int n, particle *p, real tolerance, int cap);
 
 #endif

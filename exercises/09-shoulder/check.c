@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 16/shoulder.
+// check.c - tests of the exercise 09/shoulder.
 
 #include "shoulder.h"
 
@@ -82,7 +82,7 @@ END_TEST
 
 START_TEST(point_gets_where_it_should_in_one_go)
 {
-    // A point a quarter of the way between 1 kg and 1 kg, and a nail 2 m above.
+    // A point a quarter of the way between 1 kg and 1 kg, and a pin 2 m above.
     // w a^2: 9/16 + 1/16 = 5/8; pulls of 3/4 and 1/4 of 16/5 m.
     // Rejects: shares that are not squared in the sum, or left out of the pull.
     particle p[3] = { at(0, 0, 0, 1), at(4, 0, 0, 1), at(1, 2, 0, 0) };
@@ -92,7 +92,7 @@ START_TEST(point_gets_where_it_should_in_one_go)
     expect("the point", end_place(&r.a, p), 1, 2, 0);
     expect("the near one", p[0].position, 0, 2.4, 0);
     expect("the far one", p[1].position, 4, 0.8, 0);
-    expect("the nail", p[2].position, 1, 2, 0);
+    expect("the pin", p[2].position, 1, 2, 0);
 }
 END_TEST
 
@@ -120,7 +120,7 @@ START_TEST(what_cannot_move_is_left)
     particle p[2] = { at(0, 0, 0, 0), at(4, 0, 0, 0) }, q[2];
     rod r = { one(0), one(1), 1, STICK_EXACT };
     rod_relax(&r, p);
-    expect("two nails", p[0].position, 0, 0, 0);
+    expect("two pins", p[0].position, 0, 0, 0);
     q[0] = q[1] = at(1, 2, 3, 1);
     rod_relax(&r, q);
     expect("no direction", q[0].position, 1, 2, 3);
@@ -168,16 +168,16 @@ END_TEST
 
 START_TEST(passes_end_when_all_hold)
 {
-    // A chain of three rods between two nails 3 m apart, and one that is too
-    // far away.  Rejects: one pass; a loop without its cap; a look at the last
+    // A chain of three rods between two pins 3 m apart, and one that is too
+    // far away.  Rejects: one iteration; a loop without its cap; a look at the last
     // rod alone.
     particle p[4] = { at(0, 0, 0, 0), at(0.5, 0.5, 0, 1), at(2.2, -0.4, 0, 1),
                       at(2, 0, 0, 0) };
     rod r[3];
     for (int k = 0; k < 3; k++)
         r[k] = (rod){ one(k), one(k + 1), 1, STICK_EXACT };
-    int passes = rods_relax(r, 3, p, 1e-9, 1000);
-    ck_assert_msg(passes > 5 && passes < 1000, "it took %d passes", passes);
+    int iterations = rods_relax(r, 3, p, 1e-9, 1000);
+    ck_assert_msg(iterations > 5 && iterations < 1000, "it took %d iterations", iterations);
     for (int k = 0; k < 3; k++)
         ck_assert_msg(fabs(vec3_distance(p[k].position, p[k + 1].position) - 1)
                       < 1e-8, "rod %d does not hold", k);
@@ -202,7 +202,7 @@ END_TEST
 static const real dt = 1.0 / 960;       // s
 static const vec3 GRAVITY = { 0, -9.81, 0 };
 static shape arm;                       // 0.2 m by 1 m by 0.1 m, 1 kg
-static particle p[17];                  // a nail, and two arms
+static particle p[17];                  // a pin, and two arms
 
 static void set_up(void)
 {

@@ -23,7 +23,7 @@ typedef struct {
                         // stretching, trembling.  The three add up to all
 } whole;
 
-// Of n particles, whose last step took dt (s).  Nailed particles do not count.
+// Of n particles, whose last step took dt (s).  Pinned particles do not count.
 // If none is free, everything is 0.
 whole whole_of(const particle *p, int n, real dt);
 

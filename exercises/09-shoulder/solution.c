@@ -46,11 +46,11 @@ real rod_relax(const rod *r, particle *p)
 
 int rods_relax(const rod *r, int n, particle *p, real tolerance, int cap)
 {
-    for (int pass = 1; pass <= cap; pass++) {
-        int content = 1;
+    for (int iteration = 1; iteration <= cap; iteration++) {
+        int satisfied = 1;
         for (int k = 0; k < n; k++)
-            if (fabs(rod_relax(&r[k], p)) > tolerance) content = 0;
-        if (content) return pass;
+            if (fabs(rod_relax(&r[k], p)) > tolerance) satisfied = 0;
+        if (satisfied) return iteration;
     }
     return cap;
 }

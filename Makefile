@@ -13,7 +13,6 @@ define ORDER
 03/body
 03/rigidity
 03/convex
-03/obj
 04/gjk
 05/feature
 05/hit_face
@@ -49,6 +48,7 @@ define ORDER
 16/soft
 16/step
 16/measure
+16/obj
 16/world_scene
 endef
 LINE := $(strip $(ORDER))
@@ -105,8 +105,9 @@ TESTS_09 += check_poses
 UPTO_poses := $(UPTO_09)
 TESTS_17 := check_hard
 TESTS_18 := check_clock check_thread
-# The later chapters' figures ask what their module does to the whole.
-FLOOR = $(if $(filter 00 01 02 03,$1),$(UPTO_$1),$(ALL))
+# The figures of 00 to 08 see Part I up to their chapter; later ones may ask what
+# a module does to the whole, and chapter 09 sets the engine beside its system.
+FLOOR = $(if $(filter 00 01 02 03 04 05 06 07 08,$1),$(UPTO_$1),$(ALL))
 
 # After `watch` and `exercise` a chapter says of what: it is no goal of its own.
 ifneq ($(filter watch exercise,$(MAKECMDGOALS)),)
@@ -453,11 +454,11 @@ $(BUILD)/soak: $(BUILD)/tests/soak.o $(ALL)
 $(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES) poses),$$(UPTO_$$*),$(ALL))
 	$(call link,$(CHECK_LIBS))
 
-# So does a fuzzer, which is called by libFuzzer.  Two have a file system of
-# their own, two make bodies and look at the answers from outside.
+# So does a fuzzer, which is called by libFuzzer.  One has a file system of
+# its own, two make bodies and look at the answers from outside.
 $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_%.o $$(if $$(filter $$*,$(MODULES)),$$(UPTO_$$*),$(ALL) $(BUILD)/libpainter.a)
 	$(call link,-fsanitize=fuzzer -lm)
-$(addprefix $(BUILD)/tests/fuzz_,obj options): LDFLAGS += -Wl,--wrap=fopen
+$(BUILD)/tests/fuzz_obj: LDFLAGS += -Wl,--wrap=fopen
 $(addprefix $(BUILD)/tests/fuzz_,distance penetration): \
   $(addprefix $(BUILD)/tests/,sets.o oracle.o bodies.o)
 

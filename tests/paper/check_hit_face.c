@@ -366,9 +366,9 @@ START_TEST(ridges_that_are_nearly_parallel)
         if (!overlap(&a, &b)) continue;
         hit_result r = hit(&a, &b);
         real truth = (real)oracle_depth(body_hull(&a), body_hull(&b));
-        near(r.depth, truth, 1e-6 * truth + ROUNDING);
+        near(r.depth, truth, 1e-6 * truth + CLOSE);
         vec3 gap = vec3_sub(r.on_b, r.on_a);
-        near(vec3_distance(gap, vec3_scale(r.depth, r.normal)), 0, CLOSE);
+        near(vec3_distance(gap, vec3_scale(r.depth, r.normal)), 0, 1e-10);
     }
 }
 END_TEST

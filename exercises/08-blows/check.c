@@ -101,7 +101,7 @@ START_TEST(both_ends_of_a_chain)
 }
 END_TEST
 
-START_TEST(everybody_is_struck)
+START_TEST(every_particle_is_struck)
 {
     stick s[GRID_STICKS];
     int all[SIDE * SIDE], wanted[GRID_STICKS];
@@ -171,9 +171,9 @@ END_TEST
 
 enum { ROPE = 40 };
 
-// Relaxes a rope whose ends were pulled a stick's length along, pass by pass
-// in this order; returns the passes until no stick is off by more than 1 %.
-static int passes_until_well(const int *order)
+// Relaxes a rope whose ends were pulled a stick's length along in this order;
+// returns the iterations until no stick is off by more than 1 %.
+static int iterations_to_the_end(const int *order)
 {
     particle p[ROPE + 1];
     stick s[ROPE];
@@ -181,13 +181,13 @@ static int passes_until_well(const int *order)
     for (int i = 0; i <= ROPE; i++)
         p[i] = (particle){ { i, 0, 0 }, { i, 0, 0 }, 1 };
     p[0].position.y = p[ROPE].position.y = 1;
-    for (int pass = 1; pass <= 1000; pass++) {
+    for (int k = 1; k <= 1000; k++) {
         real worst = 0;
         for (int i = 0; i < ROPE; i++)
             stick_relax(s[order[i]], p, relax_options_pbd());
-        for (int k = 0; k < ROPE; k++)
-            worst = fmax(worst, stick_strain(s[k], p));
-        if (worst <= 0.01) return pass;
+        for (int i = 0; i < ROPE; i++)
+            worst = fmax(worst, stick_strain(s[i], p));
+        if (worst <= 0.01) return k;
     }
     return 1000;
 }
@@ -200,9 +200,9 @@ START_TEST(rope_struck_at_both_ends_is_mended_sooner)
     const int ends[2] = { 0, ROPE };
     answer one = ask(s, ROPE, ROPE + 1, ends, 1);
     answer two = ask(s, ROPE, ROPE + 1, ends, 2);
-    int with_one = passes_until_well(one.order);
-    int with_two = passes_until_well(two.order);
-    ck_assert_msg(with_two < with_one, "passes until all is well within 1 %%: "
+    int with_one = iterations_to_the_end(one.order);
+    int with_two = iterations_to_the_end(two.order);
+    ck_assert_msg(with_two < with_one, "iterations until all is within 1 %%: "
                   "%d from the nearer blow, %d from one of them", with_two,
                   with_one);
     free(one.order);
@@ -216,7 +216,7 @@ int main(void)
     TCase *t = tcase_create("blows");
     tcase_add_test(t, one_blow_gives_the_list_of_one);
     tcase_add_test(t, both_ends_of_a_chain);
-    tcase_add_test(t, everybody_is_struck);
+    tcase_add_test(t, every_particle_is_struck);
     tcase_add_test(t, no_blow_is_the_order_of_the_shape);
     tcase_add_test(t, what_no_path_reaches_stands_last);
     tcase_add_test(t, distance_is_that_of_the_nearest_blow);

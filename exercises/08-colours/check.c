@@ -91,7 +91,7 @@ END_TEST
 START_TEST(rope_may_be_listed_backwards)
 {
     // From the last stick to the first, each from its far end.
-    // Rejects: sticks that are one-way streets, one pass over the sticks.
+    // Rejects: sticks that are one-way streets, one round over the sticks.
     stick s[6];
     for (int k = 0; k < 6; k++) s[5 - k] = between(k + 1, k);
     const int wanted[7] = { 0, 1, 0, 1, 0, 1, 0 };

@@ -99,7 +99,7 @@ static void rope(stick *s, particle *p)
 
 START_TEST(blow_travels_along_a_rope)
 {
-    // The end is pulled by one stick's length, and nailed there.  Each stick
+    // The end is pulled by one stick's length, and pinned there.  Each stick
     // passes half of its error on, and the blow arrives at the other end.
     // Rejects: neighbours of one end alone, marks that were there before.
     stick s[ROPE];
@@ -116,7 +116,7 @@ END_TEST
 
 START_TEST(stick_within_tolerance_is_left)
 {
-    // Off by 1 %, which is allowed.  One look, nothing moved, nobody sent.
+    // Off by 1 %, which is allowed.  One look, nothing moved, none sent.
     stick s[ROPE];
     particle p[ROPE + 1];
     rope(s, p);
@@ -187,9 +187,9 @@ START_TEST(every_look_is_counted)
 }
 END_TEST
 
-START_TEST(stick_between_nails_sends_nobody)
+START_TEST(stick_between_pins_sends_none)
 {
-    // Looked at, and not mended; its neighbour beyond is off, too, but nobody
+    // Looked at, and not mended; its neighbour beyond is off, too, but none
     // has come to tell.
     const stick s[2] = { between(0, 1), between(1, 2) };
     particle p[3] = { at(0, 0, 0), at(1.5, 0, 0), at(3, 0, 1) };
@@ -221,7 +221,7 @@ END_TEST
 
 START_TEST(budget_ends_what_cannot_converge)
 {
-    // Two sticks of 1 m, and two nails 3 m apart.
+    // Two sticks of 1 m, and two pins 3 m apart.
     const stick s[2] = { between(0, 1), between(1, 2) };
     particle p[3] = { at(0, 0, 0), at(1, 0, 1), at(3, 0, 0) };
     expect(ask(s, 2, p, 3, 1, 1e-3, 51), 51, 52);
@@ -264,7 +264,7 @@ int main(void)
     tcase_add_test(t, neighbours_send_each_other_back);
     tcase_add_test(t, line_is_full_and_goes_round);
     tcase_add_test(t, every_look_is_counted);
-    tcase_add_test(t, stick_between_nails_sends_nobody);
+    tcase_add_test(t, stick_between_pins_sends_none);
     tcase_add_test(t, particle_without_sticks_has_no_work);
     tcase_add_test(t, budget_counts_relaxations);
     tcase_add_test(t, budget_ends_what_cannot_converge);

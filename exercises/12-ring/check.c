@@ -1,6 +1,6 @@
 // check.c - tests of the exercise 12/ring.
 
-#include "ring.h"
+#include "closed.h"
 
 #include <check.h>
 #include <stdlib.h>

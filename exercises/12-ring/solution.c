@@ -1,6 +1,6 @@
 // solution.c - a ring is a line and one thing more.
 
-#include "ring.h"
+#include "closed.h"
 
 #include <string.h>
 

@@ -11,11 +11,11 @@
 // Places of some metres, sums over some dozen particles.
 static const real ROUNDING = 1e-9;
 
-static text_scene scene;
+static text_scene read;
 
 static void tear_down(void)
 {
-    text_scene_free(&scene);
+    text_scene_free(&read);
 }
 
 // Reads from memory that ends behind the closing 0.
@@ -24,7 +24,7 @@ static status read_text(const char *text)
     char *own = malloc(strlen(text) + 1);
     ck_assert_ptr_nonnull(own);
     memcpy(own, text, strlen(text) + 1);
-    status r = text_scene_read(&scene, own);
+    status r = text_scene_read(&read, own);
     free(own);
     return r;
 }
@@ -33,16 +33,16 @@ static void expect_ok(const char *text, int bodies)
 {
     status r = read_text(text);
     ck_assert_msg(r.ok, "this text is right:\n%s\ngot: %s", text, r.why);
-    ck_assert_msg(scene.world.bodies == bodies, "this text:\n%s\nhas %d "
-                  "bodies, got %d", text, bodies, scene.world.bodies);
+    ck_assert_msg(read.world.bodies == bodies, "this text:\n%s\nhas %d "
+                  "bodies, got %d", text, bodies, read.world.bodies);
 }
 
 // The middle of body b.
 static vec3 middle(int b)
 {
     vec3 at[12], sum = { 0, 0, 0 };
-    int n = scene.world.body[b].plan->particles;
-    world_vertices(&scene.world, &scene.world.body[b], at);
+    int n = read.world.body[b].plan->particles;
+    world_vertices(&read.world, &read.world.body[b], at);
     for (int k = 0; k < n; k++) sum = vec3_add_scaled(sum, 1.0 / n, at[k]);
     return sum;
 }
@@ -62,7 +62,7 @@ START_TEST(text_becomes_a_world)
               "plane 0 1 0 0.25\n"
               "box 1 2 3 4 5 6 7\n"
               "ball 0.5 8 -1 -2 -3\n", 2);
-    world *w = &scene.world;
+    world *w = &read.world;
     ck_assert_msg(w->options.gravity.y == -1.62, "gravity is %g",
                   w->options.gravity.y);
     ck_assert_msg(w->planes == 1 && w->plane[0].offset == 0.25, "%d planes",
@@ -91,7 +91,7 @@ START_TEST(last_body_is_thrown_and_spun)
               "ball 1 4 9 0 0\n"
               "throw 0 0 -2\n"
               "spin 0 5 0\n", 2);
-    measures m = world_measure(&scene.world);
+    measures m = world_measure(&read.world);
     ck_assert_msg(vec3_distance(m.momentum, (vec3){ 6, 0, -8 }) < 1e-6,
                   "momentum (%g, %g, %g), wanted (6, 0, -8)", m.momentum.x,
                   m.momentum.y, m.momentum.z);
@@ -102,8 +102,8 @@ END_TEST
 START_TEST(nailed_one_stays)
 {
     expect_ok("box 1 1 1 2 0 0 0\nnail\nbox 1 1 1 2 5 0 0\n", 2);
-    ck_assert_msg(body_is_nailed(&scene.world.body[0]), "it is not nailed");
-    ck_assert_msg(!body_is_nailed(&scene.world.body[1]), "so is the other");
+    ck_assert_msg(body_is_nailed(&read.world.body[0]), "it is not nailed");
+    ck_assert_msg(!body_is_nailed(&read.world.body[1]), "so is the other");
 }
 END_TEST
 
@@ -111,14 +111,14 @@ START_TEST(blanks_and_comments_mean_nothing)
 {
     // Rejects: a last line that is lost without its end; a # that is a word.
     expect_ok("", 0);
-    text_scene_free(&scene);
+    text_scene_free(&read);
     expect_ok("\n\n  # nothing\n\t\n#box 1 1 1 1 0 0 0", 0);
-    text_scene_free(&scene);
+    text_scene_free(&read);
     expect_ok("  box\t1 1 1   2 3 4 5   # a box\r\nnail# at once\n"
               "ball 1 1 0 9 0", 2);
     expect_at(0, 3, 4, 5);
     expect_at(1, 0, 9, 0);
-    text_scene_free(&scene);
+    text_scene_free(&read);
     expect_ok("box 1e0 +1 1.0 2 -3e-1 .5 5.\n", 1);
     expect_at(0, -0.3, 0.5, 5);
 }
@@ -128,7 +128,7 @@ START_TEST(scene_runs)
 {
     // Rejects: a world that has not begun.
     expect_ok("plane 0 1 0 0\nbox 1 1 1 2 0 0.6 0\n", 1);
-    for (int k = 0; k < 60; k++) world_step(&scene.world);
+    for (int k = 0; k < 60; k++) world_step(&read.world);
     ck_assert_msg(fabs(middle(0).y - 0.5) < 0.02, "the box lies at y = %g, "
                   "wanted 1/2", middle(0).y);
 }
@@ -145,8 +145,8 @@ static void expect_wrong(const char *text, int line, const char *about)
     ck_assert_msg(!about || strstr(r.why, about), "this text:\n%s\nthe "
                   "sentence does not name %s: %s", text, about, r.why);
     ck_assert_msg(strlen(r.why) > strlen(begin) + 5, "no sentence: %s", r.why);
-    ck_assert_msg(scene.bodies == 0 && scene.world.bodies == 0
-                  && scene.world.body == NULL, "after a mistake the scene is "
+    ck_assert_msg(read.bodies == 0 && read.world.bodies == 0
+                  && read.world.body == NULL, "after a mistake the scene is "
                   "not empty");
 }
 
@@ -198,7 +198,7 @@ START_TEST(long_lines_and_many_bodies_find_an_end)
     size_t n = strlen(text);
     memset(text + n, 'x', TEXT_LINE - 2);
     expect_ok(text, 1);
-    text_scene_free(&scene);
+    text_scene_free(&read);
     memset(text + n, 'x', TEXT_LINE - 1);
     expect_wrong(text, 2, NULL);
     memset(text + n, 'x', 3000);
@@ -207,7 +207,7 @@ START_TEST(long_lines_and_many_bodies_find_an_end)
     for (int k = 0; k < TEXT_BODIES; k++)
         sprintf(text + strlen(text), "box 1 1 1 1 %d 0 0\n", 2 * k);
     expect_ok(text, TEXT_BODIES);
-    text_scene_free(&scene);
+    text_scene_free(&read);
     strcat(text, "box 1 1 1 1 0 5 0\n");
     expect_wrong(text, TEXT_BODIES + 1, NULL);
 }
@@ -216,9 +216,9 @@ END_TEST
 START_TEST(freed_twice_is_freed_once)
 {
     expect_ok("box 1 1 1 2 0 0 0\n", 1);
-    text_scene_free(&scene);
-    text_scene_free(&scene);
-    ck_assert_int_eq(scene.bodies, 0);
+    text_scene_free(&read);
+    text_scene_free(&read);
+    ck_assert_int_eq(read.bodies, 0);
 }
 END_TEST
 

@@ -95,7 +95,7 @@ static real shape_error(const particle *p, const vec3 *at)
 
 // One step: fall, stay above the floor, pull the sticks right.  The floor holds
 // what touches it by friction: it stays where it was.
-static void step(particle *p, const stick *s, int n, int sweeps)
+static void step(particle *p, const stick *s, int n, int iterations)
 {
     relax_options options = relax_options_pbd();
     verlet_step(p, 8, vec3_make(0, -9.81, 0), NULL, DT);
@@ -104,16 +104,17 @@ static void step(particle *p, const stick *s, int n, int sweeps)
             p[k].position = p[k].previous;
             p[k].position.y = 0;
         }
-    for (int k = 0; k < sweeps; k++) sticks_iterate(s, n, p, options);
+    for (int k = 0; k < iterations; k++) sticks_iterate(s, n, p, options);
 }
 
 // Runs 3 s; returns the largest error of the shape on the way.
-static real fall(particle *p, const stick *s, int n, int sweeps, const vec3 *at)
+static real fall(particle *p, const stick *s, int n, int iterations,
+                 const vec3 *at)
 {
     real worst = 0;
     start(p, at);
     for (int k = 0; k < STEPS; k++) {
-        step(p, s, n, sweeps);
+        step(p, s, n, iterations);
         worst = fmax(worst, shape_error(p, at));
     }
     return worst;
@@ -160,18 +161,19 @@ static void print_errors(const vec3 *at)
         particle p[8];
         int n = cube_sticks(s, c, 0, at);
         if (!interleave(s, n, 8)) exit(1);
-        printf("\n\n# sticks sweeps ns_per_step largest_error\n");
-        for (int sweeps = 1; sweeps <= 256; sweeps *= 2) {
-            real error = fall(p, s, n, sweeps, at);
+        printf("\n\n# sticks iterations ns_per_step largest_error\n");
+        for (int iterations = 1; iterations <= 256; iterations *= 2) {
+            real error = fall(p, s, n, iterations, at);
             double best = 1;
             for (int round = 0; round < ROUNDS; round++) {
                 start(p, at);
                 double before = clock_seconds();
-                for (int k = 0; k < STEPS; k++) step(p, s, n, sweeps);
+                for (int k = 0; k < STEPS; k++) step(p, s, n, iterations);
                 double took = clock_seconds() - before;
                 if (took < best) best = took;
             }
-            printf("%d %d %.1f %.3e\n", n, sweeps, best / STEPS * 1e9, error);
+            printf("%d %d %.1f %.3e\n", n, iterations, best / STEPS * 1e9,
+                   error);
         }
     }
 }

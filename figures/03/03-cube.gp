@@ -55,17 +55,17 @@ unset label
 # Speed against error.
 set lmargin at screen 0.52
 set rmargin at screen 0.90
-set title "Largest error of the shape, 1 to 256 sweeps a step" textcolor rgb "#404040" font "DejaVu Sans,22" offset 0,0
+set title "Largest error of the shape, 1 to 256 iterations" textcolor rgb "#404040" font "DejaVu Sans,22" offset 0,0
 set logscale xy
-set xrange [90:200000]
+set xrange [90:60000]
 set yrange [1e-9:3]
-set xtics ("0.1" 100, "1" 1000, "10" 10000, "100" 100000)
+set xtics ("0.1" 100, "1" 1000, "10" 10000)
 set ytics ("1" 1, "10^{−2}" 1e-2, "10^{−4}" 1e-4, "10^{−6}" 1e-6, "10^{−8}" 1e-8)
 set xlabel "µs a step" textcolor rgb "#404040"
-set label 1 "12 sticks" at 3.2e4,1.0 left textcolor rgb colour[1]
-set label 2 "16" at 6.2e4,2.8e-2 left textcolor rgb "#b07800"
-set label 3 "18" at 1.8e2,5.5e-2 right textcolor rgb colour[3]
-set label 4 "22" at 1.15e4,2.5e-7 left textcolor rgb colour[4]
-set label 5 "28: every pair" at 1.9e3,5e-6 right textcolor rgb colour[5]
+set label 1 "12 sticks" at 4e3,0.45 left textcolor rgb colour[1]
+set label 2 "16" at 1.6e4,7.5e-2 left textcolor rgb "#b07800"
+set label 3 "18" at 1.5e2,5e-2 right textcolor rgb colour[3]
+set label 4 "22" at 6.5e3,2.5e-7 left textcolor rgb colour[4]
+set label 5 "28: every\npair" at 1.05e3,3e-6 right textcolor rgb colour[5]
 plot for [c=1:5] csv index 2+c using 3:4 with linespoints pt 7 ps 0.9 lw 1.4 lc rgb colour[c]
 unset multiplot

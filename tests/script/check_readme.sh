@@ -1,6 +1,6 @@
-# check_readme.sh - do the links of README lead somewhere, is the moving picture
-# one, and is every command there that README, the exercises' page, a chapter or
-# make's own help names?
+# check_readme.sh - do the links of README lead somewhere, does its table name each
+# chapter and module, is the moving picture one, and is every command there that
+# README, the exercises' page, a chapter or make's own help names?
 
 unset MAKEFLAGS MFLAGS      # a make that called us must not hand down its own
 failed=
@@ -28,6 +28,16 @@ goals=$({ make -s help | grep -o '^  make [a-z0-9][a-z0-9_ /-]*'
 } | sed 's/^ *`*make //; s/  .*//' | tr ' ' '\n' | grep . | grep -v / | sort -u)
 for goal in $goals; do
     echo "$known" | grep -qx "$goal" || fault "there is no command  make $goal"
+done
+
+# The table of chapters: every chapter by its title, every module in its row.
+for page in chapters/[0-9]*.md; do
+    title=$(sed -n '1s/^# [0-9]*\. //p' "$page")
+    grep -qF "[$title]($page)" README.md || fault "README.md does not call $page by its title, $title"
+done
+for module in $(sed -n '/^define ORDER/,/^endef/p' Makefile | grep /); do
+    grep "^| ${module%/*} |" README.md | grep -qF "\`${module#*/}\`" ||
+        fault "README.md does not name the module ${module#*/} beside chapter ${module%/*}"
 done
 
 version=$(sed -n 's/^#define TUMBLE_VERSION "\(.*\)"/\1/p' figures/command/tumble.c)

@@ -1,9 +1,9 @@
-// ring.h - three diagonals and two corners: a rope whose ends are joined.
+// closed.h - three diagonals and two corners: a rope whose ends are joined.
 //
 // Units: metres, inverse masses in 1/kg.
 
-#ifndef TUMBLE_RING_H
-#define TUMBLE_RING_H
+#ifndef TUMBLE_CLOSED_H
+#define TUMBLE_CLOSED_H
 
 #include "verlet.h"
 

@@ -415,10 +415,25 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
-ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(BUILD)/figures/10-slow
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(addprefix $(BUILD)/figures/,05-rules 10-slow)
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
 $(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o
+
+# Figures that change a module, one change at a time: build/rules/05-rules-1.o is
+# lib/paper/hit_face.c with the first change of figures/05/05-rules.edits, and
+# its functions, those named here, end in _1.
+define variants
+$(BUILD)/figures/$1: $(patsubst %,$(BUILD)/rules/$1-%.o,$(shell awk '/^wrong/ { print ++n }' $(wildcard figures/*/$1.edits)))
+$(BUILD)/rules/$1-%.c: $(wildcard figures/*/$1.edits) lib/paper/$2.c exercises/wrong.awk
+	$(Q)mkdir -p $$(@D)
+	$(Q)awk -v want=$$* -f exercises/wrong.awk $$< lib/paper/$2.c > $$@
+$(BUILD)/rules/$1-%.o: CPPFLAGS += $(foreach f,$3,-D$f=$f_$$*)
+$(BUILD)/rules/$1-%.o: $(BUILD)/rules/$1-%.c $(BUILD)/flags
+	$$(compile)
+endef
+$(eval $(call variants,05-rules,hit_face,hit_face_find))
+$(eval $(call variants,05-bounds,hit_face,hit_face_find))
 
 # The hard cases: a program that runs them all, and the tests of the fast ones.
 HARD := $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/hard/hard_*.c))) \

@@ -65,7 +65,7 @@ static void expect(const char *what, const vec3 *at, int n, const stick *s,
 
 START_TEST(pair_flies_apart)
 {
-    // Without a stick: 6 numbers, 3 shifts, 2 turns (the third moves nobody).
+    // Without a stick: 6 numbers, 3 shifts, 2 turns (the third moves no particle).
     // Rejects: 3 n - 6 for every body, a flex that is not scaled.
     vec3 at[2] = { { 1, 0, 0 }, { 3, 0, 0 } }, flex[2];
     stick s = { 0, 1, 2, 1, STICK_EXACT };

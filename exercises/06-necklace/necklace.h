@@ -1,4 +1,4 @@
-// necklace.h - a rope's own tree, which nobody builds.
+// necklace.h - a tree over a rope that needs no building.
 
 #ifndef TUMBLE_NECKLACE_H
 #define TUMBLE_NECKLACE_H

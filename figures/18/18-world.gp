@@ -27,8 +27,15 @@ none = 1e-3
 shown(x) = x > none ? x : none
 set yrange [6e-4:4]
 set ytics ("none" none, "1 %%" 1e-2, "10 %%" 1e-1, "100 %%" 1)
-plot csv index 0 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb ours lw 2, \
+printed = "#d55e00"; mended = "#cc79a7"
+set label 1 "plain, as printed" at 0.03,2.2 left textcolor rgb printed
+set label 2 "plain, as mended" at 0.03,9e-2 left textcolor rgb mended
+set label 4 "engine" at 30,8e-3 left textcolor rgb ours font bold
+plot csv index 5 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb printed lw 1.5, \
+     csv index 6 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb mended lw 1.5, \
+     csv index 0 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb ours lw 2, \
      csv index 0 using 2:(shown($3)):1 with labels font small textcolor rgb ours offset 0.6,0.8
+unset label
 set origin 0.5,0.5
 set title "Rooms: time of a step" offset 0,-0.3
 set xlabel "bodies"
@@ -38,6 +45,8 @@ set yrange [0.01:1000]
 set ytics ("0.01 ms" 0.01, "0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "100 ms" 100)
 set label 3 "in proportion" at 4e3,0.17 left textcolor rgb grey font small
 plot 0.0001*x with lines lc rgb grey dt 3 lw 1, \
+     csv index 5 using 1:2 with linespoints pt 7 ps 1.2 lc rgb printed lw 1.5, \
+     csv index 6 using 1:2 with linespoints pt 7 ps 1.2 lc rgb mended lw 1.5, \
      csv index 0 using 1:2 with linespoints pt 7 ps 1.2 lc rgb ours lw 2
 unset label
 

@@ -11,13 +11,14 @@ enum { CORNERS = 256, FACES = 2 * CORNERS };    // Euler: F = 2 V - 4
 
 // Times the size of the polytope: lengths below are rounding errors.
 static const real ROUNDING = 1e-14;
+static const real THIN = 1e-2;      // times its square: areas of slivers
 
 typedef struct {
     int  of[3];         // corners, counter-clockwise as seen from outside
     vec3 normal;        // outward, twice the area long (m^2)
     real weight[3];     // barycentric coordinates (>= 0, sum 1) of ...
     vec3 v;             // m, a point of the triangle: where the origin projects
-    real distance;      // m, |v|; negative if the origin lies outside
+    real distance;      // m, |v|
 } face;
 
 typedef struct {
@@ -37,8 +38,22 @@ static void add_corner(polytope *p, corner c)
     p->corner[p->corners++] = c;
 }
 
+// In a sliver, rounding leaves v wrong along the length.  So weight is shifted
+// along each edge until v is upright on it.
+static void settle(const polytope *p, face *t)
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        vec3 e = vec3_sub(p->corner[t->of[j]].at, p->corner[t->of[i]].at);
+        real shift = -vec3_dot(t->v, e) / vec3_dot(e, e);
+        shift = real_max(-t->weight[j], real_min(shift, t->weight[i]));
+        t->weight[i] -= shift, t->weight[j] += shift;
+        t->v = vec3_add_scaled(t->v, shift, e);
+    }
+}
+
 // Where the origin projects outside the triangle, a negative weight becomes 0:
-// then v is not the point nearest the origin, but still one of the triangle.
+// then v is not the nearest point, but still one of the triangle.
 static void add_face(polytope *p, int i, int j, int k)
 {
     vec3 a = p->corner[i].at, b = p->corner[j].at, c = p->corner[k].at;
@@ -46,28 +61,31 @@ static void add_face(polytope *p, int i, int j, int k)
     real *w = t.weight, sum = 0;
     triangle_weigh(t.normal, a, b, c, w);
     for (int n = 0; n < 3; n++) sum += w[n] = real_max(w[n], 0);
-    if (!(sum > 0)) sum = w[0] = 1;             // a triangle without area
     for (int n = 0; n < 3; n++)
         t.v = vec3_add_scaled(t.v, w[n] /= sum, p->corner[t.of[n]].at);
-    t.distance = vec3_length(t.v);
-    if (vec3_dot(t.normal, t.v) < -ROUNDING * p->size * p->size * p->size)
-        t.distance *= -1;
+    if (vec3_length(t.normal) < THIN * p->size * p->size) settle(p, &t);
+    t.distance = sum > 0 ? vec3_length(t.v) : HUGE_VAL;     // 0: no area
     p->face[p->faces++] = t;
 }
 
+// How far v is from where the origin projects on the plane of the face.
+static real beside(const face *t)
+{
+    return vec3_length(vec3_cross(vec3_unit(t->normal), t->v));
+}
+
+// Of faces that rounding cannot tell apart, the one into which the origin
+// projects, or most nearly so.
 static int closest_face(const polytope *p)
 {
     int best = 0;
     for (int f = 1; f < p->faces; f++)
         if (p->face[f].distance < p->face[best].distance) best = f;
+    real level = (1 + ROUNDING) * p->face[best].distance;
+    for (int f = 0; f < p->faces; f++)
+        if (f != best && p->face[f].distance <= level
+            && beside(&p->face[f]) < beside(&p->face[best])) best = f;
     return best;
-}
-
-// The unit normal of a face; of one without area, the direction of v.
-static vec3 way_out(const polytope *p, const face *t)
-{
-    real area = vec3_length(t->normal);
-    return vec3_unit(area > ROUNDING * p->size * p->size ? t->normal : t->v);
 }
 //<
 
@@ -114,14 +132,13 @@ static void add_tetrahedron(polytope *p)
     add_face(p, j, 3, 0);
 }
 
-// GJK's tetrahedron.  Where bodies touch, GJK ends with fewer corners, perhaps
-// too close together to grow from: then any four that span a volume.
+// Where bodies touch, GJK ends with fewer than four corners: others join them,
+// until they span a volume.  False if all of A - B lies in a plane.
 static bool begin(polytope *p, const simplex *start)
 {
     p->corners = p->faces = 0, p->size = 0;
-    if (start->count == 4)
-        for (int k = 0; k < 4; k++) add_corner(p, start->of[k]);
-    else
+    for (int k = 0; k < start->count; k++) add_corner(p, start->of[k]);
+    if (p->corners == 0)
         add_corner(p, hull_support(p->a, p->b, vec3_make(1, 0, 0)));
     while (p->corners < 4)
         if (!grow(p)) return false;
@@ -197,20 +214,6 @@ static void expand(polytope *p, int closest, corner w)
 //<
 
 //> hit-face-answer
-// In a sliver, rounding leaves v wrong along the length.  So weight is shifted
-// along each edge until v is upright on it.
-static void settle(const polytope *p, face *t)
-{
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3;
-        vec3 e = vec3_sub(p->corner[t->of[j]].at, p->corner[t->of[i]].at);
-        real shift = -vec3_dot(t->v, e) / vec3_dot(e, e);
-        shift = real_max(-t->weight[j], real_min(shift, t->weight[i]));
-        t->weight[i] -= shift, t->weight[j] += shift;
-        t->v = vec3_add_scaled(t->v, shift, e);
-    }
-}
-
 static hit_result result_of(const polytope *p, const corner *c, const real *w,
                             int count)
 {
@@ -239,9 +242,8 @@ static hit_result face_result(const polytope *p, face *t)
 {
     corner hit[3];
     for (int k = 0; k < 3; k++) hit[k] = p->corner[t->of[k]];
-    settle(p, t);
     hit_result r = result_of(p, hit, t->weight, 3);
-    r.normal = vec3_scale(-1, way_out(p, t));
+    r.normal = vec3_unit(vec3_scale(-1, t->normal));
     r.depth = real_max(-vec3_dot(r.normal, t->v), 0);
     return r;
 }
@@ -270,7 +272,7 @@ hit_result hit_face_find(hull a, hull b, const simplex *start)
     for (; !found && p.faces > 0 && p.corners < CORNERS; iterations++) {
         int closest = closest_face(&p);
         t = p.face[closest];
-        vec3 n = way_out(&p, &t);
+        vec3 n = vec3_unit(t.normal);
         corner w = hull_support(a, b, n);
         found = !(vec3_dot(n, vec3_sub(w.at, t.v)) > ROUNDING * p.size);
         if (!found) expand(&p, closest, w);

@@ -136,24 +136,21 @@ static const real OUTSIDE = 1 + 1e-14;
 
 // Every round enlarges the sphere, so no set of supports returns; three to ten
 // rounds are usual.  Points that lie on one sphere up to rounding may displace
-// each other in turn: then the cap ends it, with the best sphere seen.
+// each other in turn: then the cap ends it, with a sphere as good as the next.
 enum { ROUNDS_MAX = 60 };
 
 static trial smallest(const vec3 *at, const int *index, int n, vec3 from)
 {
-    trial s = { .count = 1, .index = { index[0] }, .weight = { 1 } }, best = s;
-    real least = (real)INFINITY;
-    for (int round = 0; round < ROUNDS_MAX && s.count > 0; round++) {
+    trial s = { .count = 1, .index = { index[0] }, .weight = { 1 } };
+    for (int round = 0; round < ROUNDS_MAX; round++) {
         real far2;
         int far = farthest(at, index, n, from, s.center, &far2);
-        if (far2 < least) {
-            least = far2;
-            best  = s;
-        }
         if (far2 <= s.reach2 * OUTSIDE) break;
-        s = let_in(s, index[far], vec3_sub(at[index[far]], from));
+        trial next = let_in(s, index[far], vec3_sub(at[index[far]], from));
+        if (next.count == 0) break;
+        s = next;
     }
-    return best;
+    return s;
 }
 
 sphere sphere_of_points(const vec3 *at, const int *index, int n,
@@ -167,12 +164,12 @@ sphere sphere_of_points(const vec3 *at, const int *index, int n,
             return (sphere){ { (real)NAN, (real)NAN, (real)NAN }, (real)NAN };
 
     vec3 from = at[index[0]];
-    trial best = smallest(at, index, n, from);
-    sphere s = { .center = vec3_add(from, best.center) };
-    *supports = best.count;
-    for (int i = 0; i < best.count; i++) {
-        support[i] = best.index[i];
-        weight[i]  = best.weight[i];
+    trial fixed = smallest(at, index, n, from);
+    sphere s = { .center = vec3_add(from, fixed.center) };
+    *supports = fixed.count;
+    for (int i = 0; i < fixed.count; i++) {
+        support[i] = fixed.index[i];
+        weight[i]  = fixed.weight[i];
     }
     farthest(at, index, n, (vec3){ 0, 0, 0 }, s.center, &s.radius);
     s.radius = sqrt(s.radius);

@@ -25,16 +25,14 @@ static real row_dot(const real *a, const real *b, int n)
 
 //> rigidity-reduce
 // Takes from a row what the `kept` rows, of length 1 and perpendicular to each
-// other, have in common with it (Gram and Schmidt).  Twice, because the first
-// time leaves rounding errors of the size of what is taken.
+// other, have in common with it (Gram and Schmidt).
 static void reduce(real *row, const real *rows, int kept, int n)
 {
-    for (int twice = 0; twice < 2; twice++)
-        for (int k = 0; k < kept; k++) {
-            const real *other = rows + (size_t)k * (size_t)n;
-            real share = row_dot(row, other, n);
-            for (int i = 0; i < n; i++) row[i] -= share * other[i];
-        }
+    for (int k = 0; k < kept; k++) {
+        const real *other = rows + (size_t)k * (size_t)n;
+        real share = row_dot(row, other, n);
+        for (int i = 0; i < n; i++) row[i] -= share * other[i];
+    }
 }
 //<
 

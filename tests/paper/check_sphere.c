@@ -174,11 +174,13 @@ END_TEST
 // 1 + 1e-8; a search for the largest ball, which cannot see a gain of 1e-16.
 START_TEST(a_point_just_outside_is_let_in)
 {
-    vec3 at[3] = { { -1, 0, 0 }, { 1, 0, 0 }, { 0, 1 + 1e-8, 0 } };
-    int index[3] = { 0, 1, 2 }, support[4], supports;
-    real weight[4];
-    sphere b = sphere_of_points(at, index, 3, support, weight, &supports);
-    ck_assert_msg(fabs(b.radius - 1) < BALL, "got %.17g", b.radius);
+    for (real out = 1e-6; out > 1e-11; out /= 10) {
+        vec3 at[3] = { { -1, 0, 0 }, { 1, 0, 0 }, { 0, 1 + out, 0 } };
+        int index[3] = { 0, 1, 2 }, support[4], supports;
+        real weight[4];
+        sphere b = sphere_of_points(at, index, 3, support, weight, &supports);
+        ck_assert_msg(fabs(b.radius - 1) < BALL, "got %.17g", b.radius);
+    }
 }
 END_TEST
 

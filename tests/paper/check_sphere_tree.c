@@ -698,8 +698,35 @@ START_TEST(bad_point_is_refused_with_a_sentence)
 }
 END_TEST
 
+// A body of 16 points hovers over a cloth of 1,600: the larger node is opened
+// first, and all but a few leaves are never looked at.  Opening both at once
+// takes more visits, and is as right.
+// Rejects: the smaller one opened first, which takes 859.
+START_TEST(small_body_near_a_large_one_takes_few_visits)
+{
+    cloth c = cloth_make(40, 1, 0);
+    vec3 at[16];
+    leaf_feature leaf[16];
+    for (int i = 0; i < 16; i++) {
+        at[i] = vec3_make(20.2 + 0.1 * (i % 4), 0.3, 20.2 + 0.1 * (i / 4));
+        leaf[i] = (leaf_feature){ 1, { i } };
+    }
+    sphere_tree large = tree_of(&c, TREE_LAYERED, 0.1, 0), small;
+    ck_assert(sphere_tree_build(&small, TREE_LAYERED, at, leaf, 16, 0.01,
+                                0).ok);
+    tree_result r = sphere_tree_pairs(&large, c.at, &small, at, 0, NULL, 0);
+    ck_assert_int_eq(r.pairs, 0);
+    ck_assert_int_le(r.visited, 400);
+    r = sphere_tree_pairs(&small, at, &large, c.at, 0, NULL, 0);
+    ck_assert_int_le(r.visited, 400);
+    sphere_tree_free(&large);
+    sphere_tree_free(&small);
+    cloth_free(&c);
+}
+END_TEST
+
 // Rejects: "distance < reach", which no NaN fulfils: a body that has gone bad
-// would meet nobody.
+// would meet nothing.
 START_TEST(a_bad_point_is_met_by_everything)
 {
     cloth c = cloth_make(6, 0.25, 0);
@@ -785,6 +812,7 @@ int main(void)
         pairs_beyond_capacity_are_counted_not_stored,
         two_builds_are_the_same_to_the_bit, one_leaf_is_a_tree,
         touching_spheres_are_not_a_pair, bad_point_is_refused_with_a_sentence,
+        small_body_near_a_large_one_takes_few_visits,
         a_bad_point_is_met_by_everything, refused_memory_leaves_nothing,
         refreshes_are_counted_round
     };

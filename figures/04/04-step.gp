@@ -26,11 +26,11 @@ do for [k=0:1] {
   set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb "#f5f4f2" fs solid noborder
   # The line through w, across v, and its distance from the origin.
   fx = bound*vx/len; fy = bound*vy/len
-  t = k == 0 ? 1.35 : 1.6
-  set arrow 1 from wx-t*(-vy)/len,wy-t*vx/len to wx+t*(-vy)/len,wy+t*vx/len nohead lc rgb near lw 1.2 dt 2 front
+  t = k == 0 ? 1.35 : 1.6; t2 = k == 0 ? 0.75 : 1.6
+  set arrow 1 from wx-t*(-vy)/len,wy-t*vx/len to wx+t2*(-vy)/len,wy+t2*vx/len nohead lc rgb near lw 1.2 dt 2 front
   set arrow 2 from 0,0 to vx,vy lc rgb blue lw 2.4 front
   set label 1 "0" at -0.16,-0.2 center textcolor rgb ink font bold
-  set label 2 (k == 0 ? "v" : "v") at (k == 0 ? 1.5 : 0.75),(k == 0 ? -0.85 : -0.02) center textcolor rgb blue font bold front
+  set label 2 (k == 0 ? "v" : "v") at (k == 0 ? 1.0 : 0.75),(k == 0 ? -0.68 : -0.02) center textcolor rgb blue font bold front
   set label 3 "w" at wx+(k == 0 ? 0.3 : 0.25),wy+(k == 0 ? -0.12 : 0.05) center textcolor rgb near font bold front
   set label 4 (k == 0 ? "w is nearer: go on" : "nothing is nearer: done") at graph 0.03,0.94 left textcolor rgb ink
   set label 5 sprintf("|v| = %.2f m", len) at graph 0.97,0.13 right textcolor rgb blue

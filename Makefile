@@ -22,7 +22,6 @@ define ORDER
 07/response
 08/ordering
 09/scene
-09/poses
 09/system
 10/ring
 10/support
@@ -102,6 +101,8 @@ UPTO_$(patsubst %/,%,$(dir $1)) := $$(ALL)
 TESTS_$(patsubst %/,%,$(dir $1)) += $(filter check_$(notdir $1),$(TESTS))
 endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
+TESTS_09 += check_poses
+UPTO_poses := $(UPTO_09)
 TESTS_17 := check_hard
 TESTS_18 := check_clock check_thread
 # The later chapters' figures ask what their module does to the whole.
@@ -162,7 +163,7 @@ test:
 #:                   and nothing above, its tests, its figures in build/figures,
 #:                   how its exercises stand, and what to read next
 #:   make test-04    its tests alone
-#:   make book       weave chapters/, lib/ and the slow oracle into book.md
+#:   make book       weave chapters/, lib/ and the judges into book.md
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make library    build/libtumble.a
@@ -176,7 +177,7 @@ $(MADE): %: test-%
 book:
 	$(Q)mkdir -p $(BUILD)
 	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*/*.h lib/*/*.c \
-	  tests/support/oracle.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
+	  tests/support/oracle.[hc] tests/support/poses.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
 	$(Q)cp $(BUILD)/book.md book.md
 	@echo "book.md: $$(wc -l < book.md) lines"
 
@@ -438,9 +439,12 @@ $(eval $(call variants,04-distance,gjk,$(GJK)))
 $(eval $(call variants,05-rules,hit_face,hit_face_find))
 $(eval $(call variants,05-bounds,hit_face,hit_face_find))
 
+# These judge where the bodies of a scene lie.
+$(addprefix $(BUILD)/tests/check_,poses system): $(BUILD)/tests/poses.o
+
 # The hard cases: a program that runs them all, and the tests of the fast ones.
 HARD := $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/hard/hard_*.c))) \
-  $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
+  $(addprefix $(BUILD)/tests/,oracle.o poses.o bodies.o)
 $(BUILD)/tests/hard.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 $(BUILD)/tests/check_hard: $(HARD)
 $(BUILD)/hard: $(BUILD)/tests/hard.o $(HARD) $(ALL)
@@ -449,7 +453,7 @@ $(BUILD)/soak: $(BUILD)/tests/soak.o $(ALL)
 	$(call link,-lm)
 
 # A test sees the line up to its module; a test of no module sees all of it.
-$(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES)),$$(UPTO_$$*),$(ALL))
+$(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES) poses),$$(UPTO_$$*),$(ALL))
 	$(call link,$(CHECK_LIBS))
 
 # So does a fuzzer, which is called by libFuzzer.  Two have a file system of
@@ -487,7 +491,7 @@ define link
 endef
 
 $(BUILD)/libtumble.a: $(ALL)
-$(BUILD)/libpainter.a: $(PAINTER:%.c=$(BUILD)/figures/%.o)
+$(BUILD)/libpainter.a: $(PAINTER:%.c=$(BUILD)/figures/%.o) $(BUILD)/tests/poses.o
 $(BUILD)/lib%.a:
 	@echo "  pack  $@"
 	$(Q)rm -f $@ && $(AR) rcs $@ $^

@@ -9,7 +9,7 @@
 // Some dozen roundings of numbers up to 10.
 static const real ROUNDING = 1e-14;
 
-// Asks with memory that ends behind the last corner.
+// Calls with memory that ends behind the last corner.
 static vec3 area_of(const vec3 *at, int n)
 {
     vec3 *own = malloc((size_t)(n > 0 ? n : 1) * sizeof *own);
@@ -86,7 +86,7 @@ END_TEST
 
 START_TEST(corner_in_a_line_changes_nothing)
 {
-    // From each corner on.  Rejects: the side of the whole asked of the first
+    // From each corner on.  Rejects: the side of the whole taken from the first
     // triangle, which is flat here; then the mean of the corners, (1, 0.8).
     const vec3 square[5] = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 },
                              { 0, 2, 0 } };

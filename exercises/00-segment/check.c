@@ -28,19 +28,21 @@ static vec3 random_vec3(void)
     return vec3_make(x, y, z);
 }
 
-START_TEST(beside_a_segment_the_foot_counts)
+START_TEST(beside_a_segment_the_projection_counts)
 {
-    // Rejects: a t that is not divided by d . d; a foot counted from the origin.
+    // Rejects: a t that is not divided by d . d; a projection counted
+    // from the origin.
     expect("beside (1,1,0)-(5,1,0), the point nearest to (2,4,0)",
            segment_nearest(vec3_make(1, 1, 0), vec3_make(5, 1, 0),
                            vec3_make(2, 4, 0)), vec3_make(2, 1, 0), ROUNDING);
     for (int i = 0; i < 200; i++) {
         vec3 a = random_vec3(), d = random_vec3(), c = random_vec3();
         real t = (random_real() + 1) / 2;
-        vec3 foot = vec3_add_scaled(a, t, d);
-        vec3 p = vec3_add(foot, vec3_cross(c, d));
+        vec3 nearest = vec3_add_scaled(a, t, d);
+        vec3 p = vec3_add(nearest, vec3_cross(c, d));
         expect("a random segment, and a point straight above its inside",
-               segment_nearest(a, vec3_add(a, d), p), foot, ROUNDING);
+               segment_nearest(a, vec3_add(a, d), p), nearest,
+               ROUNDING);
     }
 }
 END_TEST
@@ -94,7 +96,7 @@ END_TEST
 
 START_TEST(mirror_image_is_as_far_behind)
 {
-    // Rejects: the foot in the place of the image; a normal that must have
+    // Rejects: the projection, not the image; a normal that must have
     // length 1.
     for (int i = 0; i < 200; i++) {
         vec3 at = random_vec3(), up = vec3_scale(3, random_vec3());
@@ -116,7 +118,7 @@ int main(void)
 {
     Suite *s = suite_create("segment");
     TCase *t = tcase_create("segment");
-    tcase_add_test(t, beside_a_segment_the_foot_counts);
+    tcase_add_test(t, beside_a_segment_the_projection_counts);
     tcase_add_test(t, beyond_its_ends_a_segment_has_no_more_points);
     tcase_add_test(t, segment_without_length_is_a_point);
     tcase_add_test(t, size_does_not_matter);

@@ -2,7 +2,7 @@
 
 #include "segment.h"
 
-// The foot of the perpendicular is a + t d; the segment ends at t = 0 and 1.
+// The projection of p on the line is a + t d; the segment ends at t = 0 and 1.
 vec3 segment_nearest(vec3 a, vec3 b, vec3 p)
 {
     vec3 d = vec3_sub(b, a);

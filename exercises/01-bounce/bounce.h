@@ -11,7 +11,8 @@ typedef struct {
 } ball;
 
 // Where the ball is after dt (s), >= 0, under gravity g (m/s^2), > 0, with
-// every bounce in between; each leaves the share e, in [0, 1], of the speed.
+// every bounce in between; each leaves the fraction e in [0, 1] of the speed (the
+// restitution).
 // At rest: height 0, speed 0.  If e is 1 it takes no longer for many bounces
 // than for one.
 ball ball_step(ball b, real g, real e, real dt);

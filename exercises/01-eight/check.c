@@ -62,7 +62,7 @@ START_TEST(forces_begin_at_nothing)
     force[0] = (vec3){ 7, 8, 9 };
     attract(p, mass, 1, 1, force);
     near_vector(force[0], (vec3){ 0, 0, 0 }, 0, "on a body alone",
-                "Nobody attracts it, itself least of all.");
+                "Nothing attracts it, itself least of all.");
 }
 END_TEST
 
@@ -96,7 +96,7 @@ START_TEST(action_is_reaction_among_many)
     attract(p, mass, 6, 1, force);
     for (int i = 0; i < 6; i++) sum = vec3_add(sum, force[i]);
     near_vector(sum, (vec3){ 0, 0, 0 }, 10 * ROUNDING, "sum of all forces",
-                "Nobody outside pulls.");
+                "Nothing outside pulls.");
 }
 END_TEST
 

@@ -154,7 +154,7 @@ static vec3 counted(motion m, real t, const void *about)
 
 START_TEST(force_is_asked_four_times)
 {
-    // Rejects: asking again for what is known: the force is the dear part.
+    // Rejects: computing again what is known: the force is what costs.
     asked = 0;
     rk4_step(along_x(1, 0), counted, NULL, 0, 0.1);
     ck_assert_int_eq(asked, 4);

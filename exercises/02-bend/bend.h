@@ -12,7 +12,7 @@
 typedef struct {
     int  at[4];         // a, b, c, d
     real weight[4];     // without unit; their sum is 0
-    real stiffness;     // share of the error that one relaxation corrects
+    real stiffness;     // fraction of the error that one relaxation corrects
 } bend;
 
 // The bend of these four particles as they lie now: u and v of the points of the

@@ -59,8 +59,8 @@ stick_result bend_relax(bend b, particle *p)
     real k = b.stiffness / sum;
     for (int i = 0; i < 4; i++) {
         particle *q = &p[b.at[i]];
-        real share = k * q->inverse_mass * b.weight[i];
-        q->position = vec3_add_scaled(q->position, -share, gap);
+        real part = k * q->inverse_mass * b.weight[i];
+        q->position = vec3_add_scaled(q->position, -part, gap);
     }
     return (stick_result){ length, 1 };
 }

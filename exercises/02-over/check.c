@@ -53,7 +53,7 @@ static real worst(const stick *s, int n, const particle *p)
 START_TEST(one_stick_goes_too_far_by_omega)
 {
     // 1 m too long, b weighs a third; omega 1.5.  Rejects: omega for the rest
-    // length, for one end only; shares that forget the masses.
+    // length, for one end only; moves that forget the masses.
     particle p[2] = { at(0, 0, 0, 1), at(0, 3, 0, 3) };
     stick s = { 0, 1, 2, 1, STICK_EXACT };
     over_iterate(&s, 1, p, 1.5);
@@ -82,10 +82,10 @@ START_TEST(omega_1_is_the_plain_iteration)
 }
 END_TEST
 
-START_TEST(jacobi_mends_one_stick_at_once)
+START_TEST(jacobi_corrects_one_stick_at_once)
 {
     // The room for the moves comes with something in it.  Rejects: moves on
-    // top of that; equal shares; pushes the wrong way.
+    // top of that; equal moves; moves the wrong way.
     particle p[2] = { at(0, 0, 0, 1), at(0, 3, 0, 3) };
     stick s = { 0, 1, 2, 1, STICK_EXACT };
     vec3 move[2] = { { 9, 9, 9 }, { 9, 9, 9 } };
@@ -125,13 +125,13 @@ START_TEST(nowhere_to_go_stays)
     jacobi_iterate(s, 2, p, 3, move);
     over_iterate(s, 2, p, 1.5);
     for (int i = 0; i < 3; i++)
-        near(p[i].position.x, i < 2 ? 1 : 4, 0, "x", "Nobody can move.");
+        near(p[i].position.x, i < 2 ? 1 : 4, 0, "x", "Nothing can move.");
 }
 END_TEST
 
 START_TEST(jacobi_leaves_a_cosine_of_the_slowest_wave)
 {
-    // Rejects: Gauss-Seidel (the square), sticks that share what they ask.
+    // Rejects: Gauss-Seidel (the square), sticks that divide what they need.
     for (int n = 1; n <= 50; n += 7) {
         stick s[MOST];
         particle p[MOST];
@@ -149,13 +149,13 @@ END_TEST
 
 START_TEST(best_omega_is_youngs)
 {
-    // Rejects: pi / n; rho of Gauss-Seidel in the place of Jacobi's.
+    // Rejects: pi / n; the factor of Gauss-Seidel in the place of Jacobi's.
     near(over_best(1), 1, ROUNDING, "one stick",
-         "It is mended at once: rho is 0.");
+         "It is corrected at once: mu is 0.");
     near(over_best(2), 4 / (2 + sqrt(3.0)), ROUNDING, "two sticks",
-         "rho is cos 60 degrees.");
+         "mu is cos 60 degrees.");
     near(over_best(5), 4.0 / 3, ROUNDING, "five sticks",
-         "rho is cos 30 degrees.");
+         "mu is cos 30 degrees.");
 }
 END_TEST
 
@@ -170,11 +170,11 @@ START_TEST(above_the_best_the_rate_is_omega_less_one)
     real before = worst(s, 20, p);
     for (int k = 0; k < 60; k++) over_iterate(s, 20, p, 1.9);
     near(pow(worst(s, 20, p) / before, 1.0 / 60), 0.9, SWING,
-         "share that an iteration leaves, omega 1.9", "omega - 1, for every wave.");
+         "fraction that an iteration leaves, omega 1.9", "omega - 1, for every wave.");
 }
 END_TEST
 
-// Sweeps until a millionth of the error is left, at most 10,000.
+// Iterates until a millionth of the error is left, at most 10,000.
 static int iterations_needed(int n, real omega)
 {
     stick s[MOST];
@@ -209,7 +209,7 @@ int main(void)
     TCase *t = tcase_create("over");
     tcase_add_test(t, one_stick_goes_too_far_by_omega);
     tcase_add_test(t, omega_1_is_the_plain_iteration);
-    tcase_add_test(t, jacobi_mends_one_stick_at_once);
+    tcase_add_test(t, jacobi_corrects_one_stick_at_once);
     tcase_add_test(t, jacobi_is_the_same_in_any_order);
     tcase_add_test(t, nowhere_to_go_stays);
     tcase_add_test(t, jacobi_leaves_a_cosine_of_the_slowest_wave);

@@ -8,7 +8,7 @@
 // Relaxes n sticks once, in order, each by omega times what it lacks.
 void over_iterate(const stick *s, int n, particle *p, real omega);
 
-// Moves all particles by the sum of what n sticks ask of them, each measured
+// Moves all particles by the sum of what n sticks need, each measured
 // before any has moved.  move: room for one vector a particle.
 void jacobi_iterate(const stick *s, int n, particle *p, int particles,
                   vec3 *move);

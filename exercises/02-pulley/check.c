@@ -39,8 +39,8 @@ static real too_long(pulley r, const particle *p)
 START_TEST(rope_too_long_gets_its_length_again)
 {
     // Three and four metres where six are; b weighs a third.
-    // Rejects: a push the wrong way, half the error, directions that are not
-    // of length 1, equal shares, shares by mass.
+    // Rejects: a move the wrong way, half the error, directions that are not
+    // of length 1, equal moves, moves by mass.
     particle p[2] = { at(-1, -3, 0, 1), at(1, -4, 0, 3) };
     stick_result r = pulley_relax(rope(1, 6), p);
     near(r.error, 1, ROUNDING, "error", "3 m + 4 m - 6 m, before the move.");
@@ -61,10 +61,10 @@ START_TEST(tackle_counts_its_parts_squared)
     pulley r = rope(2, 10);
     near(pulley_relax(r, p).error, 1, ROUNDING, "error", "3 + 2 * 4 - 10.");
     near(too_long(r, p), 0, ROUNDING, "metres too long, after",
-         "b moves by ratio for each push, and each metre of b counts ratio "
+         "b moves by ratio for each move of a, and each metre of b counts ratio "
          "times again.");
     near(p[0].position.y, -3 + 1.0 / 9, ROUNDING, "height of a",
-         "Its share is w_a / (w_a + ratio^2 w_b), 1 of 9.");
+         "Its fraction is w_a / (w_a + ratio^2 w_b), 1 of 9.");
     near(p[1].position.y, -4 + 4.0 / 9, ROUNDING, "height of b",
          "Two parts of rope lift it, with 4 / 9 m in all.");
 }
@@ -86,7 +86,7 @@ END_TEST
 START_TEST(slack_rope_does_not_push)
 {
     // Rejects: a rope that holds its ends apart; an error of one that is
-    // content.
+    // satisfied.
     particle p[2] = { at(-1, -1, 0, 1), at(1, -2, 0, 1) };
     stick_result r = pulley_relax(rope(1, 5), p);
     ck_assert_msg(r.moved == 0 && r.error == 0, "moved %d, error %g, wanted 0 "
@@ -98,7 +98,7 @@ END_TEST
 
 START_TEST(end_at_its_wheel_leaves_it_to_the_other)
 {
-    // Rejects: 0 / 0; a share for one that has nowhere to go.
+    // Rejects: 0 / 0; a move for one that has nowhere to go.
     particle p[2] = { at(-1, 0, 0, 1), at(1, -4, 0, 1) };
     stick_result r = pulley_relax(rope(1, 3), p);
     ck_assert_msg(vec3_is_finite(p[0].position), "a is nan: its direction "
@@ -109,7 +109,7 @@ START_TEST(end_at_its_wheel_leaves_it_to_the_other)
 }
 END_TEST
 
-START_TEST(nobody_free_reports_and_stays)
+START_TEST(both_pinned_reports_and_stays)
 {
     // Rejects: a division by no weight.
     particle p[2] = { at(-1, -3, 0, 0), at(1, -4, 0, 0) };
@@ -135,7 +135,7 @@ END_TEST
 START_TEST(atwoods_machine_falls_slowly)
 {
     // 5 kg against 3 kg: a quarter of g, and exactly, for the ropes hang
-    // straight.  Rejects: any other shares; a rope that brakes.
+    // straight.  Rejects: any other fractions; a rope that brakes.
     const real g = 9.8125, quarter = g / 4, dt = 1.0 / 256;
     particle p[2] = {
         particle_start((vec3){ -1, -200, 0 }, (vec3){ 0, 0, 0 },
@@ -178,7 +178,7 @@ int main(void)
     tcase_add_test(t, slanting_rope_pulls_along_itself);
     tcase_add_test(t, slack_rope_does_not_push);
     tcase_add_test(t, end_at_its_wheel_leaves_it_to_the_other);
-    tcase_add_test(t, nobody_free_reports_and_stays);
+    tcase_add_test(t, both_pinned_reports_and_stays);
     tcase_add_test(t, not_a_number_is_reported);
     tcase_add_test(t, atwoods_machine_falls_slowly);
     tcase_add_test(t, one_holds_two_by_a_tackle);

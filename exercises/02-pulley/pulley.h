@@ -16,7 +16,7 @@ typedef struct {
 // Moves both ends until the rope is no longer too long, to first order, as
 // little as can be, weighed by mass.  error: m, by how much it was too long; 0
 // if it was slack, HUGE_VAL for NaN.  An end at its wheel stays.  If there is
-// nothing to do or nobody to move, moved = 0.
+// nothing to do or nothing to move, moved is false.
 stick_result pulley_relax(pulley r, particle *p);
 
 #endif

@@ -8,7 +8,7 @@
 static const real ROUNDING = 1e-13;
 // A thousand steps of a weight at rest, each rounding its place.
 static const real REST_SLACK = 1e-9;
-// Two springs relaxed in turn, 100 times, come that near to both being content.
+// Two springs relaxed in turn, 100 times, come that near to both being satisfied.
 static const real SWEEP_SLACK = 1e-6;
 
 static const vec3 DOWN = { 0, -9.8125, 0 };
@@ -36,7 +36,7 @@ START_TEST(without_compliance_it_is_a_stick)
     for (int i = 0; i < 2; i++)
         near(vec3_distance(p[i].position, q[i].position), 0, ROUNDING,
              "metres beside where a stick would put it",
-             "With compliance 0 all of the error is mended, by inverse mass.");
+             "With compliance 0 all of the error is corrected, by inverse mass.");
     near(lambda, 0.5, ROUNDING, "lambda",
          "2 m too long, divided by inverse masses of 4 / kg.");
 }
@@ -44,8 +44,8 @@ END_TEST
 
 START_TEST(spring_gives_as_much_as_it_pulls)
 {
-    // 1 m too long, w 1 and 3, soft = 1 / 0.5^2 = 4: the push is 1 / 8, and
-    // half a metre is left: 4 / 8.  Rejects: a push the wrong way, compliance
+    // 1 m too long, w 1 and 3, soft = 1 / 0.5^2 = 4: lambda is 1 / 8, and
+    // half a metre is left: 4 / 8.  Rejects: a move the wrong way, compliance
     // by dt or not by dt^2 at all, masses ignored, no unit vector.
     particle p[2] = { at(0, 0, 0, 1), at(3, 0, 0, 3) };
     real lambda = 0;
@@ -59,7 +59,7 @@ END_TEST
 
 START_TEST(second_relaxation_finds_nothing_to_do)
 {
-    // Rejects: what has been pushed already is forgotten, or begins at 0 again:
+    // Rejects: what has been given already is forgotten, or begins at 0 again:
     // the more iterations, the harder the spring.
     particle p[2] = { at(0, 0, 0, 1), at(3, 0, 0, 3) };
     spring s = { 0, 1, 2, 1 };
@@ -67,9 +67,9 @@ START_TEST(second_relaxation_finds_nothing_to_do)
     for (int k = 0; k < 10; k++) spring_relax(s, p, 0.5, &lambda);
     near(p[1].position.x - p[0].position.x, 2.5, ROUNDING,
          "length after ten relaxations",
-         "The first made it content: d - rest = compliance lambda / dt^2.");
+         "The first satisfied it: d - rest = compliance lambda / dt^2.");
     near(lambda, 0.125, ROUNDING, "lambda after ten relaxations",
-         "It is the sum of ten pushes, of which nine are 0.");
+         "It is the sum of ten, of which nine are 0.");
 }
 END_TEST
 
@@ -87,16 +87,16 @@ END_TEST
 START_TEST(nowhere_to_go_changes_nothing)
 {
     // Rejects: 0 / 0, for ends in one place and for two pinned ends; a lambda that
-    // counts a push that nobody took.
+    // counts a move that was not made.
     particle p[2] = { at(1, 2, 3, 1), at(1, 2, 3, 1) };
     real lambda = 0.25;
     spring_relax((spring){ 0, 1, 2, 0 }, p, 0.5, &lambda);
     ck_assert_msg(vec3_is_finite(p[0].position), "ends in one place: nan");
-    near(lambda, 0.25, 0, "lambda of ends in one place", "No push, no change.");
+    near(lambda, 0.25, 0, "lambda of ends in one place", "No move, no change.");
     p[0] = at(0, 0, 0, 0), p[1] = at(3, 0, 0, 0);
     spring_relax((spring){ 0, 1, 2, 1 }, p, 0.5, &lambda);
     near(p[1].position.x, 3, 0, "x of a pinned end", "");
-    near(lambda, 0.25, 0, "lambda between two pinned ends", "No push, no change.");
+    near(lambda, 0.25, 0, "lambda between two pinned ends", "No move, no change.");
 }
 END_TEST
 
@@ -126,7 +126,7 @@ END_TEST
 START_TEST(two_springs_in_a_row_give_twice_as_much)
 {
     // A light ring between them.  Rejects: one lambda for all springs is the
-    // caller's mistake; a push that is not shared by mass is yours.
+    // caller's mistake; a move that does not go by inverse mass is yours.
     spring s[2] = { { 0, 1, 1, 0.01 }, { 1, 2, 1, 0.01 } };
     real sag = 9.8125 * 0.01, ring = 0.25 * 9.8125 * 0.01;
     particle p[3] = { at(0, 0, 0, 0), at(0, -1 - sag - ring, 0, 4),
@@ -155,7 +155,7 @@ static void swing(real k, real dt, int n, real *x)
     }
 }
 
-START_TEST(each_step_takes_its_share_of_the_swing)
+START_TEST(each_step_takes_its_part_of_the_swing)
 {
     // x'' = -k x' of the *new* place: Euler's implicit step.  It multiplies
     // x^2 - x_before x_after by 1 / (1 + k dt^2).  Rejects: an explicit spring,
@@ -165,7 +165,7 @@ START_TEST(each_step_takes_its_share_of_the_swing)
     for (int i = 2; i < 39; i++) {
         real before = x[i - 1] * x[i - 1] - x[i - 2] * x[i];
         real after = x[i] * x[i] - x[i - 1] * x[i + 1];
-        near(after / before, keeps, 1e-9, "share of the swing that is kept",
+        near(after / before, keeps, 1e-9, "fraction of the swing that is kept",
              "1 / (1 + stiffness dt^2 / mass): the price of never exploding.");
     }
 }
@@ -174,7 +174,7 @@ END_TEST
 START_TEST(no_spring_is_too_stiff)
 {
     // omega dt from 1 to 10^6; Verlet's limit is 2.  Rejects: lambda from the
-    // length before the push.
+    // length before the move.
     for (real stiff = 1; stiff <= 1e12; stiff *= 100) {
         real x[100];
         swing(stiff, 1, 100, x);
@@ -197,7 +197,7 @@ int main(void)
     tcase_add_test(t, nowhere_to_go_changes_nothing);
     tcase_add_test(t, weight_hangs_by_its_weight_times_compliance);
     tcase_add_test(t, two_springs_in_a_row_give_twice_as_much);
-    tcase_add_test(t, each_step_takes_its_share_of_the_swing);
+    tcase_add_test(t, each_step_takes_its_part_of_the_swing);
     tcase_add_test(t, no_spring_is_too_stiff);
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);

@@ -4,10 +4,10 @@
 
 #include <assert.h>
 
-// With soft = compliance / dt^2, a further push d changes both sides of
+// With soft = compliance / dt^2, a further lambda, d, changes both sides of
 //     length - rest = soft lambda:
 //     length - rest - d (w_a + w_b) = soft (lambda + d).
-static real further_push(real too_long, real weight, real soft, real lambda)
+static real further_lambda(real too_long, real weight, real soft, real lambda)
 {
     real missing = too_long - soft * lambda;
     return missing / (weight + soft);
@@ -23,7 +23,7 @@ void spring_relax(spring s, particle *p, real dt, real *lambda)
     if (!(length > 0) || !(weight > 0)) return;
 
     real soft = s.compliance / (dt * dt);
-    real d = further_push(length - s.rest_length, weight, soft, *lambda);
+    real d = further_lambda(length - s.rest_length, weight, soft, *lambda);
     vec3 n = vec3_scale(1 / length, along);
     a->position = vec3_add_scaled(a->position, d * a->inverse_mass, n);
     b->position = vec3_add_scaled(b->position, -d * b->inverse_mass, n);

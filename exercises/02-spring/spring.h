@@ -12,7 +12,7 @@ typedef struct {
 } spring;
 
 // Moves both ends until length - rest_length = compliance lambda / dt^2, where
-// *lambda (kg m) is the sum of the pushes of this spring in this step of dt
+// *lambda (kg m) is what this spring has given in all in this step of dt
 // (s): the caller sets it to 0 before the first, and each call adds its own.
 // lambda > 0 pulls the ends together.  Ends in one place or both pinned:
 // nothing changes.

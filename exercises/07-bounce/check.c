@@ -104,8 +104,8 @@ START_TEST(bounce_keeps_momentum_and_positions)
                       "momentum: %g kg m in a step", vec3_length(sum));
         real speed = vec3_dot(step, c.normal) / dt;
         ck_assert_msg(fabs(speed - e * approach) < 1000 * ROUNDING, "met at %g "
-                      "m/s, with restitution %g: they part at %.12g m/s, wanted "
-                      "%.12g", approach, e, speed, e * approach);
+                      "m/s, with restitution %g: they part at %.12g m/s, "
+                      "wanted %.12g", approach, e, speed, e * approach);
     }
 }
 END_TEST

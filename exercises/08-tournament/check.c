@@ -79,7 +79,7 @@ START_TEST(winner_follows_every_change)
 }
 END_TEST
 
-// Rejects: matches that nothing has changed, played again: 200,000 times 30,000.
+// Rejects: matches played again that nothing has changed: 200,000 times 30,000.
 START_TEST(changes_are_cheap)
 {
     enum { MANY = 30000 };

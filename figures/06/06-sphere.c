@@ -73,7 +73,7 @@ static void print_chain(void)
 
     printf("\n\n# layered: level x y r\n");
     for (int i = 0; i < LINKS; i++) {
-        leaf[i] = sphere_of_feature(at + i, all, 2);
+        leaf[i] = sphere_of_points(at + i, all, 2, support, weight, &supports);
         print_sphere(2, leaf[i]);
     }
     for (int i = 0; i < 2; i++) {

@@ -4,7 +4,7 @@
 
 #include "body.h"
 #include "clock.h"
-#include "distance.h"
+#include "gjk.h"
 #include "sphere_tree.h"
 
 #include <stdio.h>
@@ -201,9 +201,8 @@ static real triangles_apart(const cloth *c, int a, int b)
         x[i] = c->at[c->leaf[a].vertex[i]];
         y[i] = c->at[c->leaf[b].vertex[i]];
     }
-    return distance_find((point_set){ x, 3, NULL, NULL },
-                        (point_set){ y, 3, NULL, NULL },
-                        distance_options_default(), NULL).distance;
+    return gjk_distance((hull){ x, 3 }, (hull){ y, 3 }, HUGE_VAL,
+                        NULL).distance;
 }
 
 static void print_false_pairs(void)

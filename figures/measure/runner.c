@@ -83,6 +83,16 @@ status runner_begin(runner *r, runner_kind kind, scene_kind which,
     return runner_begin_system(r, kind, which, what, runner_options(kind));
 }
 
+status runner_begin_scene(runner *r, runner_kind kind, scene *taken)
+{
+    *r = (runner){ .kind = kind, .scene_kind = SCENES, .scene = *taken };
+    scene_init(taken);
+    status done = kind == BY_ENGINE
+        ? world_of_scene(&r->world, &r->scene, world_options_default())
+        : system_init(&r->plain, &r->scene, runner_options(kind));
+    return finish(r, done);
+}
+
 void runner_free(runner *r)
 {
     world_free(&r->world);
@@ -135,6 +145,16 @@ measures runner_measure(runner *r)
 poses runner_poses(const runner *r)
 {
     return poses_measure(&r->scene, r->at);
+}
+
+vec3 runner_middle(const runner *r, int b)
+{
+    const vec3 *at = r->at;
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < b; k++) at += scene_shape(&r->scene, k)->particles;
+    int n = scene_shape(&r->scene, b)->particles;
+    for (int i = 0; i < n; i++) sum = vec3_add_scaled(sum, 1.0 / n, at[i]);
+    return sum;
 }
 
 unsigned long long runner_hash(const runner *r)

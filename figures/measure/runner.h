@@ -46,6 +46,9 @@ status runner_begin_world(runner *r, scene_kind which, scene_options what,
                           world_options how);
 status runner_begin_system(runner *r, runner_kind kind, scene_kind which,
                            scene_options what, system_options how);
+// Any scene, which becomes the runner's (*taken is empty afterwards, whatever
+// happens), with default options.
+status runner_begin_scene(runner *r, runner_kind kind, scene *taken);
 void   runner_free(runner *r);
 
 void   runner_step(runner *r);
@@ -54,6 +57,8 @@ void   runner_step(runner *r);
 // `potential` and `angular`.
 measures runner_measure(runner *r);
 poses    runner_poses(const runner *r);
+// m: the mean of a body's vertices.
+vec3     runner_middle(const runner *r, int b);
 
 // FNV-1a over the bytes of all positions.
 unsigned long long runner_hash(const runner *r);

@@ -2,50 +2,63 @@
 
 #include "trial.h"
 #include "clock.h"
-#include "step.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+
+static const real LAST = 2;     // s, that show what is left at rest
 
 static void raise(real *most, real value)
 {
     if (!(value <= *most)) *most = value;
 }
 
-static void trial_steps(world *w, int steps, real *taken, trial *out)
+// Measures the step that was just taken; false if it has grown beyond all
+// numbers.
+static bool look(runner *r, bool is_last, real share, trial *out)
 {
-    for (int k = 0; k < steps; k++) {
-        real start = clock_seconds();
-        world_step(w);
-        taken[k] = clock_seconds() - start;
-        measures m = world_measure(w);
-        if (!(m.kinetic - m.kinetic == 0)) break;
-        raise(&out->strain, m.strain);
-        raise(&out->penetration, m.penetration);
-        out->relaxed += (real)w->report.relaxed;
-        out->tested += (real)w->report.tested;
-        out->steps++;
-    }
+    measures m = runner_measure(r);
+    if (!(m.kinetic - m.kinetic == 0)) return false;
+    raise(&out->strain, m.strain);
+    raise(&out->penetration, m.penetration);
+    out->relaxed += (real)r->relaxed;
+    out->tested += (real)r->tested;
+    out->steps++;
+    if (!is_last) return true;
+    raise(&out->at_rest, m.penetration);
+    out->kinetic += share * m.kinetic;
+    return true;
 }
 
-status trial_run(scene_kind kind, scene_options what, world_options how,
-                 real seconds, trial *out)
+void trial_run(runner *r, real seconds, trial *out)
 {
-    world_scene s;
-    int steps = (int)(seconds / how.dt + 0.5);
-    *out = (trial){ .steps = 0 };
-    status done = world_scene_build(&s, kind, what, how);
-    if (!done.ok) return done;
+    real dt = r->kind == BY_ENGINE ? r->world.options.dt : r->plain.options.dt;
+    int steps = (int)(seconds / dt + 0.5), last = (int)(LAST / dt + 0.5);
     real *taken = malloc((size_t)(steps + 1) * sizeof *taken);
-    if (taken) trial_steps(&s.world, steps, taken, out);
-    else       done = status_out_of_memory();
+    *out = (trial){ .steps = 0 };
+    for (int k = 0; k < steps && taken; k++) {
+        real start = clock_seconds();
+        runner_step(r);
+        taken[k] = clock_seconds() - start;
+        raise(&out->slowest, 1e3 * taken[k]);
+        if (!look(r, k >= steps - last, 1.0 / last, out)) break;
+    }
     if (out->steps > 0) {
         out->ms = 1e3 * clock_median(taken, out->steps);
         out->relaxed /= out->steps;
         out->tested /= out->steps;
+        out->outside = runner_poses(r).outside;
     }
     free(taken);
-    world_scene_free(&s);
+    runner_free(r);
+}
+
+status trial_of(runner_kind kind, scene_kind which, scene_options what,
+                real seconds, trial *out)
+{
+    runner r;
+    status done = runner_begin(&r, kind, which, what);
+    if (done.ok) trial_run(&r, seconds, out);
     return done;
 }
 

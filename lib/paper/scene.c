@@ -116,7 +116,8 @@ static vec3 arm(const scene *s, int body, int i)
 vec3 scene_position(const scene *s, int body, int i)
 {
     const scene_body *b = &s->body[body];
-    return b->start ? b->start[i] : vec3_add(b->where.position, arm(s, body, i));
+    if (b->start) return b->start[i];
+    return vec3_add(b->where.position, arm(s, body, i));
 }
 
 // v + spin x arm.
@@ -323,7 +324,8 @@ static status add_cloth(scene *s, const scene_options *what, real height)
     real over = real_max(0.1, 0.7 * cloth.spacing);
     done = add_shape(s, &cloth);
     if (!done.ok) return done;
-    return scene_add(s, s->shapes - 1, cloth_at(vec3_make(0, height + over, 0)));
+    vec3 middle = vec3_make(0, height + over, 0);
+    return scene_add(s, s->shapes - 1, cloth_at(middle));
 }
 
 static status build_cloth_on_cube(scene *s, const scene_options *what)

@@ -58,9 +58,9 @@ typedef struct scene {
 void   scene_init(scene *s);        // empty, owns nothing
 void   scene_free(scene *s);        // and its shapes; an empty one is fine
 
-// Takes over a shape, which is the scene's from then on, and leaves *moved empty;
-// its number is what s->shapes was before.  Fails if memory is refused: then
-// *moved is as it was.
+// Takes over a shape, which is the scene's from then on, and leaves *moved
+// empty; its number is what s->shapes was before.  Fails if memory is refused:
+// then *moved is as it was.
 status scene_add_shape(scene *s, shape *moved);
 
 // A body of that shape; its number is what s->bodies was before.  Fails, and
@@ -68,7 +68,7 @@ status scene_add_shape(scene *s, shape *moved);
 // units, or memory is refused.
 status scene_add(scene *s, int shape_number, placement where);
 
-// A plane, with a normal of any length > 0 (then offset is measured in it, too).
+// A plane, with a normal of any length > 0, in which offset is measured, too.
 // Fails if it has no finite normal and offset, or memory is refused.
 status scene_add_plane(scene *s, vec3 normal, real offset);
 

@@ -139,20 +139,6 @@ static const real OUTSIDE = 1 + 1e-14;
 // each other in turn: then the cap ends it, with a sphere as good as the next.
 enum { ROUNDS_MAX = 60 };
 
-static trial smallest(const vec3 *at, const int *index, int n, vec3 from)
-{
-    trial s = { .count = 1, .index = { index[0] }, .weight = { 1 } };
-    for (int round = 0; round < ROUNDS_MAX; round++) {
-        real far2;
-        int far = farthest(at, index, n, from, s.center, &far2);
-        if (far2 <= s.reach2 * OUTSIDE) break;
-        trial next = let_in(s, index[far], vec3_sub(at[index[far]], from));
-        if (next.count == 0) break;
-        s = next;
-    }
-    return s;
-}
-
 sphere sphere_of_points(const vec3 *at, const int *index, int n,
                         int support[4], real weight[4], int *supports)
 {
@@ -164,47 +150,24 @@ sphere sphere_of_points(const vec3 *at, const int *index, int n,
             return (sphere){ { (real)NAN, (real)NAN, (real)NAN }, (real)NAN };
 
     vec3 from = at[index[0]];
-    trial fixed = smallest(at, index, n, from);
-    sphere s = { .center = vec3_add(from, fixed.center) };
-    *supports = fixed.count;
-    for (int i = 0; i < fixed.count; i++) {
-        support[i] = fixed.index[i];
-        weight[i]  = fixed.weight[i];
+    trial s = { .count = 1, .index = { index[0] }, .weight = { 1 } };
+    real far2;
+    int far = farthest(at, index, n, from, s.center, &far2);
+    for (int round = 0; round < ROUNDS_MAX && far2 > s.reach2 * OUTSIDE;
+         round++) {
+        trial next = let_in(s, index[far], vec3_sub(at[index[far]], from));
+        if (next.count == 0) break;
+        s = next;
+        far = farthest(at, index, n, from, s.center, &far2);
     }
-    farthest(at, index, n, (vec3){ 0, 0, 0 }, s.center, &s.radius);
-    s.radius = sqrt(s.radius);
-    return s;
-}
-//<
-
-//> sphere-of-feature
-// The smallest sphere around an edge: its middle.
-static sphere sphere_of_edge(vec3 a, vec3 b)
-{
-    vec3 half = vec3_scale((real)0.5, vec3_sub(b, a));
-    return (sphere){ vec3_add(a, half), vec3_length(half) };
-}
-
-// The smallest sphere around a triangle: around its longest side, unless all
-// three are support points.
-static sphere sphere_of_triangle(vec3 a, vec3 b, vec3 c)
-{
-    real weight[3];
-    vec3 ab = vec3_sub(b, a), ac = vec3_sub(c, a), bc = vec3_sub(c, b);
-    if (weigh_triangle(a, b, c, weight)) {
-        vec3 to_center = vec3_add_scaled(vec3_scale(weight[1], ab), weight[2],
-                                         ac);
-        return (sphere){ vec3_add(a, to_center), vec3_length(to_center) };
+    *supports = s.count;
+    for (int i = 0; i < s.count; i++) {
+        support[i] = s.index[i];
+        weight[i]  = s.weight[i];
     }
-    if (vec3_dot(ab, ac) <= 0) return sphere_of_edge(b, c);
-    return vec3_dot(ab, bc) >= 0 ? sphere_of_edge(a, c) : sphere_of_edge(a, b);
-}
-
-sphere sphere_of_feature(const vec3 *at, const int *v, int count)
-{
-    if (count == 1) return (sphere){ at[v[0]], 0 };
-    if (count == 2) return sphere_of_edge(at[v[0]], at[v[1]]);
-    return sphere_of_triangle(at[v[0]], at[v[1]], at[v[2]]);
+    vec3 center = vec3_add(from, s.center);
+    farthest(at, index, n, (vec3){ 0, 0, 0 }, center, &far2);
+    return (sphere){ center, sqrt(far2) };
 }
 //<
 

@@ -2,7 +2,6 @@
 #include "sphere_tree.h"
 
 #include <assert.h>
-#include <limits.h>
 #include <stdlib.h>
 
 // A leaf, and the coordinate of its centre along the side that is halved.
@@ -15,7 +14,6 @@ typedef struct {
 typedef struct {
     sphere_tree *t;
     const vec3 *at;
-    real slack;
     place *place;       // [leaves] in the order of the tree
     int *member;        // [3 leaves] the vertices below one node
     int next;           // the next inner node
@@ -58,32 +56,36 @@ static void sort_places(const sphere_tree *t, place *p, int n)
 //<
 
 //> tree-below
-// The smallest sphere around all vertices of n leaves, and what fixes it.
-static void wrap_node(const builder *b, tree_node *node, const place *p, int n)
+static void enclose(const sphere_tree *t, tree_node *node, const vec3 *at,
+                    const int *vertex, int count)
+{
+    node->ball = sphere_of_points(at, vertex, count, node->support,
+                                  node->weight, &node->supports);
+    node->ball.radius = node->ball.radius * (1 + t->slack) + t->thickness;
+}
+
+// Layered: every leaf again, then every node around its children, which stand
+// before it.
+static void refit(sphere_tree *t, const vec3 *at)
+{
+    for (int k = 0; k < t->leaves; k++)
+        enclose(t, &t->node[k], at, t->leaf[k].vertex, t->leaf[k].count);
+    for (int k = t->leaves; k < t->nodes; k++) {
+        const int *child = t->node[k].child;
+        t->node[k].ball = sphere_of_spheres(t->node[child[0]].ball,
+                                            t->node[child[1]].ball);
+    }
+}
+
+// Wrapped: the smallest sphere around all vertices of n leaves.
+static void wrap(const builder *b, tree_node *node, const place *p, int n)
 {
     int members = 0;
     for (int i = 0; i < n; i++) {
         const leaf_feature *f = &b->t->leaf[p[i].leaf];
         for (int j = 0; j < f->count; j++) b->member[members++] = f->vertex[j];
     }
-    node->ball = sphere_of_points(b->at, b->member, members, node->support,
-                                  node->weight, &node->supports);
-    node->ball.radius *= 1 + b->slack;
-    node->ball.radius += b->t->thickness;
-}
-
-// Layered: a leaf encloses its feature, a node the spheres of its children.
-static void layer_node(sphere_tree *t, int k, const vec3 *at)
-{
-    const int *child = t->node[k].child;
-    if (k < t->leaves) {
-        t->node[k].ball = sphere_of_feature(at, t->leaf[k].vertex,
-                                            t->leaf[k].count);
-        t->node[k].ball.radius += t->thickness;
-    } else {
-        t->node[k].ball = sphere_of_spheres(t->node[child[0]].ball,
-                                            t->node[child[1]].ball);
-    }
+    enclose(b->t, node, b->at, b->member, members);
 }
 
 // Builds the nodes above the leaves of places first .. first + n - 1, and
@@ -98,8 +100,7 @@ static int build_above(builder *b, int first, int n)
     int right = build_above(b, first + n / 2, n - n / 2);
     int k = b->next++;
     b->t->node[k] = (tree_node){ .child = { left, right } };
-    if (b->t->kind == TREE_WRAPPED) wrap_node(b, &b->t->node[k], p, n);
-    else                            layer_node(b->t, k, b->at);
+    if (b->t->kind == TREE_WRAPPED) wrap(b, &b->t->node[k], p, n);
     return k;
 }
 //<
@@ -125,14 +126,14 @@ static status copy_leaves(builder *b, const leaf_feature *leaf)
 static void build_nodes(builder *b)
 {
     sphere_tree *t = b->t;
-    for (int i = 0; i < t->leaves; i++) {
-        t->node[i] = (tree_node){ .child = { -1, -1 } };
-        if (t->kind == TREE_WRAPPED) wrap_node(b, &t->node[i], &b->place[i], 1);
-        else                         layer_node(t, i, b->at);
-        t->rest[i] = t->node[i].ball;
+    for (int k = 0; k < t->leaves; k++) {
+        t->node[k].child[0] = t->node[k].child[1] = -1;
+        enclose(t, &t->node[k], b->at, t->leaf[k].vertex, t->leaf[k].count);
+        t->rest[k] = t->node[k].ball;
     }
     b->next = t->leaves;
     build_above(b, 0, t->leaves);
+    if (t->kind == TREE_LAYERED) refit(t, b->at);
 }
 
 status sphere_tree_build(sphere_tree *t, tree_kind kind, const vec3 *at,
@@ -143,8 +144,9 @@ status sphere_tree_build(sphere_tree *t, tree_kind kind, const vec3 *at,
     assert(thickness >= 0 && thickness < HUGE_VAL);
     size_t leaves = (size_t)n;
     *t = (sphere_tree){ .kind = kind, .thickness = thickness, .leaves = n,
-                        .nodes = 2 * n - 1 };
-    builder b = { .t = t, .at = at, .slack = slack };
+                        .nodes = 2 * n - 1,
+                        .slack = kind == TREE_WRAPPED ? slack : 0 };
+    builder b = { .t = t, .at = at };
     t->node  = calloc(2 * leaves - 1, sizeof *t->node);
     t->leaf  = calloc(leaves, sizeof *t->leaf);
     t->rest  = calloc(leaves, sizeof *t->rest);
@@ -172,10 +174,8 @@ void sphere_tree_free(sphere_tree *t)
 //> tree-refresh
 void sphere_tree_refresh(sphere_tree *t, const vec3 *at)
 {
-    // Starts again at 0 rather than overflow.
-    t->stamp = t->stamp < INT_MAX ? t->stamp + 1 : 0;
-    if (t->kind == TREE_WRAPPED) return;
-    for (int k = 0; k < t->nodes; k++) layer_node(t, k, at);
+    t->stamp++;
+    if (t->kind == TREE_LAYERED) refit(t, at);
 }
 
 // Brings a wrapped node up to date: the centre is the same mean of its supports
@@ -214,31 +214,22 @@ typedef struct {
     tree_result result;
 } query;
 
-static bool share_a_vertex(const leaf_feature *a, const leaf_feature *b)
-{
-    for (int i = 0; i < a->count; i++)
-        for (int j = 0; j < b->count; j++)
-            if (a->vertex[i] == b->vertex[j]) return true;
-    return false;
-}
-
 // Neighbours at rest are held apart by their sticks, not by contacts.
 // Paper: says nothing of neighbours, whose spheres overlap all the time.
 static bool are_neighbours(const sphere_tree *t, int a, int b, real apart)
 {
     vec3 between = vec3_sub(t->rest[a].center, t->rest[b].center);
     real near = apart * (t->rest[a].radius + t->rest[b].radius);
-    return vec3_length_squared(between) < near * near
-        || share_a_vertex(&t->leaf[a], &t->leaf[b]);
+    return vec3_length_squared(between) < near * near;
 }
 
 static void report(query *q, int a, int b)
 {
     bool is_self = q->apart >= 0;
     if (is_self && are_neighbours(q->a, a, b, q->apart)) return;
-    leaf_pair pair = is_self && b < a ? (leaf_pair){ b, a }
-                                      : (leaf_pair){ a, b };
-    if (q->result.pairs < q->capacity) q->out[q->result.pairs] = pair;
+    if (q->result.pairs < q->capacity)
+        q->out[q->result.pairs] = is_self && b < a ? (leaf_pair){ b, a }
+                                                   : (leaf_pair){ a, b };
     q->result.pairs++;
 }
 //<

@@ -30,7 +30,7 @@ typedef enum {
 typedef struct {
     sphere ball;        // the bounding sphere
     int child[2];       // nodes; -1, -1 in a leaf
-    int stamp;          // wrapped: the refresh that brought it up to date
+    unsigned stamp;     // wrapped: the refresh that brought it up to date
     int support[4];     // wrapped: the vertices that fix the centre ...
     real weight[4];     // ... as this weighted mean (weights >= 0, sum 1)
     int supports;
@@ -39,11 +39,12 @@ typedef struct {
 typedef struct {
     tree_kind kind;
     real thickness;     // m
+    real slack;         // see sphere_tree_build
     int leaves, nodes;  // nodes = 2 * leaves - 1, the root last
     tree_node *node;    // [nodes] leaf k is node k; children before parents
     leaf_feature *leaf; // [leaves]
     sphere *rest;       // [leaves] the leaf spheres when the tree was built
-    int stamp;          // counts refreshes
+    unsigned stamp;     // counts refreshes
 } sphere_tree;
 
 typedef struct leaf_pair {
@@ -59,11 +60,9 @@ typedef struct {
 //<
 
 //> tree-declare
-// Builds a tree over n leaves with vertices at positions at, top-down: the
-// leaves below a node are halved across the longest side of the box around
-// their centres (Quinlan).  slack, a fraction such as 0.01, widens the spheres
-// of a wrapped tree so that they still enclose a body that is stretched by no
-// more than this in any direction.
+// Builds a tree over n leaves with vertices at positions at, top-down, by
+// halves (Quinlan).  slack, a fraction such as 0.01, widens the spheres of a
+// wrapped tree: they still enclose a body stretched by no more than this.
 // Requires: 1 <= n <= 2^30, 1 to 3 vertices a leaf, thickness (m) and slack
 // finite and >= 0.  Fails, leaving *t empty, if a vertex is not at a finite
 // place or memory is refused.
@@ -83,19 +82,18 @@ sphere sphere_tree_root(sphere_tree *t, const vec3 *at);
 //<
 
 //> tree-declare-pairs
-// Pairs of leaves of a and of b whose spheres come nearer than margin, m, >= 0
-// (touching spheres do not).  Writes at most capacity of them to out.  A
-// wrapped tree leaves out pairs whose spheres overlap but whose features are
-// shown to be apart by the spheres above them.
+// Pairs of leaves of a and of b whose spheres come nearer than margin, m, >= 0.
+// Writes at most capacity of them to out.  A wrapped tree leaves out pairs that
+// the spheres above them show to be apart.
 tree_result sphere_tree_pairs(sphere_tree *a, const vec3 *at_a,
                               sphere_tree *b, const vec3 *at_b,
                               real margin, leaf_pair *out, int capacity);
 
 // Pairs of leaves of one tree that come nearer than margin, each once, a < b.
-// Left out are neighbours at rest: leaves that share a vertex, or whose centres
-// stood nearer than apart * (sum of their radii) when the tree was built.  With
-// margin 0 and apart >= 1 + 1e-9 a flat cloth has no pairs; with a margin,
-// apart >= (1 + 1e-9) * (1 + margin / (sum of two leaves' radii)).
+// Left out are neighbours at rest: leaves whose centres stood nearer than apart
+// * (sum of their radii) when the tree was built.  With margin 0 and apart >= 1
+// + 1e-9 a flat cloth has no pairs; with a margin, apart >= (1 + 1e-9) * (1 +
+// margin / (sum of two leaves' radii)).
 tree_result sphere_tree_self(sphere_tree *t, const vec3 *at, real margin,
                              real apart, leaf_pair *out, int capacity);
 

@@ -94,7 +94,8 @@ static void *grown(void *list, int count, int *room, size_t size)
 }
 
 // A contact between two bodies (b = NULL: a plane) that is still to be filled.
-static contact contact_of(const system_body *a, const system_body *b, real apart)
+static contact contact_of(const system_body *a, const system_body *b,
+                          real apart)
 {
     return (contact){ .apart = apart, .mass_a = a->mass,
                       .mass_b = b ? b->mass : HUGE_VAL,
@@ -318,9 +319,7 @@ static void separate_contacts(particle_system *s)
         else            response_separate(c, s->pool.at, o->friction);
     }
 }
-//<
 
-//> system-relax
 // Section 6.2: a rigid body that was pushed relaxes its constraints outwards
 // from the particle that moved most; any other body as they are listed.
 static relax_result relax_body(particle_system *s, const system_body *x,
@@ -432,7 +431,8 @@ static status build_tree(system_body *x, leaf_kind kind)
 {
     const shape *s = x->shape;
     bool by_particle = is_soft(x) && kind == LEAF_PARTICLES;
-    int n = by_particle ? s->particles : s->mesh.faces ? s->mesh.faces : s->sticks;
+    int n = by_particle ? s->particles
+          : s->mesh.faces ? s->mesh.faces : s->sticks;
     leaf_feature *leaf = malloc((size_t)n * sizeof *leaf);
     if (!leaf) return status_out_of_memory();
     for (int k = 0; k < n; k++) leaf[k] = leaf_number(s, by_particle, k);
@@ -446,9 +446,7 @@ static status build_tree(system_body *x, leaf_kind kind)
     x->axis = calloc((size_t)n, sizeof *x->axis);
     return x->axis ? done : status_out_of_memory();
 }
-//<
 
-//> system-init
 // Body k, its particles at the end of the pool.
 static status add_body(particle_system *s, const scene *from, int k)
 {

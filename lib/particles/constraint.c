@@ -179,7 +179,7 @@ static const real STRAIGHT = 1e-8;
 // The cosine c = u . v of unit arms u and v, whose lengths are U and V, grows
 // by the sum of gradient . move over the three particles:
 //     at a: (v - c u) / U,   at b: (u - c v) / V,
-// and at the corner minus both, for c stays if all three move alike.
+// and at the corner minus both, because c is the same if all three move alike.
 typedef struct {
     vec3 gradient[3];   // 1/m, at a, b and the corner
     real cosine, sine;

@@ -45,8 +45,8 @@ typedef struct {
     root_kind     root;
     gradient_kind gradient;
     real          tolerance; // strain at which a stick counts as satisfied
-    bool          dead_band; // true: a satisfied stick is not corrected (the
-                             // paper's way); false: every stick is corrected
+    bool          dead_band; // true: a satisfied stick is not corrected (as in
+                             // the paper; engines call the tolerance slop)
 } relax_options;
 //<
 

@@ -42,8 +42,7 @@ typedef struct shape {
 
 // A box with these full sides (m) and mass (kg): 8 particles, 12 triangles, 18
 // edges and the 4 main diagonals as sticks.  Particle k stands at +x if bit 0
-// of k is set, at +y for bit 1, at +z for bit 2.  Fails if the thinnest side is
-// less than 1e-9 of the longest.
+// of k is set, at +y for bit 1, at +z for bit 2.
 status shape_box(shape *s, vec3 sides, real mass);
 
 // A regular icosahedron: 12 particles, 20 triangles, 30 edges and 6 diagonals.

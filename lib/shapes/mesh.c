@@ -27,13 +27,6 @@ void mesh_face(const mesh *m, int f, int vertex[3])
 //<
 
 //> mesh-euler
-bool mesh_is_closed(const mesh *m)
-{
-    for (int h = 0; h < 2 * m->edges; h++)
-        if (m->half[h].face < 0) return false;
-    return true;
-}
-
 int mesh_euler(const mesh *m)
 {
     return m->vertices - m->edges + m->faces;
@@ -117,15 +110,10 @@ static status check_triangle(const mesh *m, int f, const int v[3])
 // Face f wants half-edge h, which already has a face.
 static status refuse_side(const mesh *m, int f, int h)
 {
-    int taken = m->half[h].face, across = m->half[mesh_twin(h)].face;
-    int from = m->half[h].origin, to = m->half[mesh_twin(h)].origin;
-    if (across < 0)
-        return status_fail("triangle %d and triangle %d both run from vertex "
-                           "%d to vertex %d: one of them is turned inside out",
-                           taken, f, from, to);
-    return status_fail("triangle %d, triangle %d and triangle %d share the "
-                       "edge from vertex %d to vertex %d: an edge has two "
-                       "sides", taken, across, f, from, to);
+    return status_fail("triangle %d and triangle %d both run from vertex %d to "
+                       "vertex %d: one of them is turned inside out, or the "
+                       "edge has three triangles", m->half[h].face, f,
+                       m->half[h].origin, m->half[mesh_twin(h)].origin);
 }
 
 // Finds or makes the three half-edges of face f, and links them in a ring.
@@ -192,18 +180,6 @@ static void *allocate(int n, size_t size)
     return malloc((size_t)(n > 0 ? n : 1) * size);
 }
 
-static status check_sizes(int vertices, int faces)
-{
-    if (vertices < 0 || faces < 0)
-        return status_fail("a mesh cannot have %d vertices and %d triangles",
-                           vertices, faces);
-    if (vertices > MOST_VERTICES || faces > MOST_FACES)
-        return status_fail("a mesh of %d vertices and %d triangles is too "
-                           "large: the most are %d and %d", vertices, faces,
-                           MOST_VERTICES, MOST_FACES);
-    return status_ok();
-}
-
 // Three edges a triangle are enough, and every edge has two half-edges.
 static status reserve(mesh *m, fan_lists *fan)
 {
@@ -224,13 +200,14 @@ status mesh_build(mesh *m, int vertices, const int (*triangle)[3], int faces)
 {
     assert(m && (triangle || faces <= 0));
     *m = (mesh){ 0 };
-    status s = check_sizes(vertices, faces);
-    if (!s.ok) return s;
-
+    if (vertices < 0 || vertices > MOST_VERTICES || faces < 0
+        || faces > MOST_FACES)
+        return status_fail("a mesh cannot have %d vertices and %d triangles",
+                           vertices, faces);
     fan_lists fan;
     m->vertices = vertices;
     m->faces = faces;
-    s = reserve(m, &fan);
+    status s = reserve(m, &fan);
     for (int f = 0; f < faces && s.ok; f++)
         s = add_face(m, &fan, f, triangle[f]);
     if (s.ok) {

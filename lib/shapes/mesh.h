@@ -10,8 +10,6 @@
 #include "status.h"
 #include "vec3.h"
 
-#include <stdbool.h>
-
 // One of the two directions of an edge.  It runs counter-clockwise around its
 // face, seen from outside.
 typedef struct {
@@ -44,9 +42,6 @@ int mesh_around(const mesh *m, int h);
 // The three vertices of face f, counter-clockwise seen from outside.
 void mesh_face(const mesh *m, int f, int vertex[3]);
 
-// Does every edge have two faces?  (Then there is no rim.)
-bool mesh_is_closed(const mesh *m);
-
 // Vertices - edges + faces: 2 for a sphere, 1 for a disc.
 int mesh_euler(const mesh *m);
 
@@ -59,9 +54,9 @@ real mesh_volume(const mesh *m, const vec3 *at);
 // Builds the mesh of `faces` triangles over `vertices` vertices.  The vertices
 // of a triangle run counter-clockwise seen from outside.
 // Fails, and leaves *m empty, with a sentence that names the triangle or the
-// vertex: an index out of range, a triangle with a vertex twice, an edge with
-// three triangles, neighbours that turn opposite ways, two fans of triangles
-// that meet in one vertex only, sizes that overflow, no memory.
+// vertex: an index out of range, a vertex twice in a triangle, an edge with
+// three triangles, neighbours that turn opposite ways, a pinched vertex, sizes
+// that overflow, no memory.
 status mesh_build(mesh *m, int vertices, const int (*triangle)[3], int faces);
 void   mesh_free(mesh *m);      // an empty or zeroed mesh is fine
 

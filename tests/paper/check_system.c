@@ -404,6 +404,34 @@ START_TEST(cloth_lies_on_the_cube_as_mended)
 }
 END_TEST
 
+// A sheet folded over, its halves half a thickness apart, without gravity.
+// Rejects: a body that is not held against itself.
+START_TEST(cloth_touches_itself)
+{
+    scene_init(&stage);
+    shape cloth;
+    ck_assert(shape_cloth(&cloth, 21, 5, 2, 0.4, 1, 0.2).ok);
+    real thick = 0.55 * cloth.spacing;
+    ck_assert(scene_add_shape(&stage, &cloth).ok);
+    ck_assert(scene_add(&stage, 0, placement_at(vec3_make(0, 0, 0))).ok);
+    begin(weightless());
+    for (int i = 0; i < s.pool.count; i++) {
+        particle *p = &s.pool.at[i];
+        if (p->position.x > 0)
+            p->position = vec3_make(-p->position.x, 0.5 * thick, p->position.z);
+        p->previous = p->position;
+    }
+    run(2);
+    real low = 0, high = 0;
+    for (int j = 0; j < 5; j++) {
+        low += of(0, 21 * j)->position.y / 5;
+        high += of(0, 21 * j + 20)->position.y / 5;
+    }
+    ck_assert_msg(high - low > 1.5 * thick, "%g m apart", high - low);
+    end();
+}
+END_TEST
+
 START_TEST(cloth_hangs_on_the_rope_as_mended)
 {
     scene_options what = scene_options_default();
@@ -676,6 +704,7 @@ int main(void)
         the_order_of_relaxation_is_an_option,
         strain_stays_within_one_percent_as_printed,
         cloth_lies_on_the_cube_as_mended,
+        cloth_touches_itself,
         cloth_hangs_on_the_rope_as_mended,
         cloths_as_printed_stay_finite,
         the_same_scene_gives_the_same_bits,

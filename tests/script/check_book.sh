@@ -1,5 +1,5 @@
 # check_book.sh - is book.md what make book would write, whichever awk writes
-# it, and does it show each line of lib/ and of the slow oracle once?
+# it, and does it show each line of lib/ and of the judges once?
 # (chapters/check-book.awk)  Does every test and function exist that it names?
 # Is every figure in it, and as its program would draw it today?
 # Are its words, the exercises' and README's spelt as a dictionary has them?
@@ -11,12 +11,12 @@ failed=
 
 for awk in awk mawk gawk; do
     command -v $awk > /dev/null || continue
-    $awk -f chapters/weave.awk lib/*/*.h lib/*/*.c tests/support/oracle.[hc] chapters/[0-9]*.md > "$fresh" || { failed=1; break; }
+    $awk -f chapters/weave.awk lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] chapters/[0-9]*.md > "$fresh" || { failed=1; break; }
     cmp -s "$fresh" book.md || {
         echo "book.md is not what $awk weaves now: run make book"
         failed=1
     }
-    $awk -f chapters/check-book.awk lib/*/*.h lib/*/*.c tests/support/oracle.[hc] book.md || failed=1
+    $awk -f chapters/check-book.awk lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] book.md || failed=1
 done
 
 # Names of three words and more, `like_this_one`; two words may be formulas.

@@ -39,6 +39,13 @@ static inline void cube_at(vec3 at[8])
         at[k] = vec3_make(k & 1, (k >> 1) & 1, k >> 2);
 }
 
+static inline int mesh_is_closed(const mesh *m)
+{
+    for (int h = 0; h < 2 * m->edges; h++)
+        if (m->half[h].face < 0) return 0;
+    return 1;
+}
+
 static inline mesh build(int vertices, const int (*triangle)[3], int faces)
 {
     mesh m;

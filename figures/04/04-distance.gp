@@ -24,7 +24,7 @@ set xrange [0:9.5]
 set xtics 1
 set xlabel "iterations at most" textcolor rgb "#404040"
 set ylabel "mean relative error of the distance" textcolor rgb "#404040"
-set label 1 "cold" at 5.2,3e-2 textcolor rgb cold font bold
+set label 1 "cold" at 6.1,4e-1 textcolor rgb cold font bold
 set label 2 "carried" at 1.45,3e-9 textcolor rgb warm font bold
 plot csv index 0 using 1:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb cold lw 1.5, \
      csv index 0 using 1:(shown($5)) with linespoints pt 7 ps 1.2 lc rgb warm lw 1.5
@@ -34,8 +34,8 @@ set xrange [0:most*1.12]
 set xtics 200
 set xlabel "time of a query, ns" textcolor rgb "#404040"
 unset ylabel
-set format y ""
-set label 1 "cold" at most*0.72,3e-2 textcolor rgb cold font bold
+set ytics ("" 1, "" 1e-3, "" 1e-6, "" 1e-9, "" 1e-12, "" 1e-15, "" 1e-17)
+set label 1 "cold" at most*0.70,2e-2 textcolor rgb cold font bold
 set label 2 "carried" at most*0.29,3e-9 textcolor rgb warm font bold
 plot csv index 0 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb cold lw 1.5, \
      csv index 0 using 4:(shown($5)) with linespoints pt 7 ps 1.2 lc rgb warm lw 1.5

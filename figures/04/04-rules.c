@@ -36,7 +36,7 @@ static const struct {
     { "heights from the world's origin", gjk_distance_3 },
     { "v as the weights give it", gjk_distance_4 },
     { "v upright on triangles only", gjk_distance_5 },
-    { "normals as the cross product leaves them", gjk_distance_6 },
+    { "normals by the cross product alone", gjk_distance_6 },
     { "done when v shrinks no more", gjk_distance_10 },
     { "then apart in any case", gjk_distance_7 },
     { "then apart only if a plane proves it", gjk_distance_8 },

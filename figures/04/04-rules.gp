@@ -15,8 +15,8 @@ set xrange [0:1050]
 set yrange [11.6:-0.6]
 set ytics nomirror scale 0 textcolor rgb "#404040"
 set label 3 "Wrong answers without one rule, of 21,076 hard pairs" at screen 0.02,0.955 textcolor rgb "#404040" font "DejaVu Sans,26"
-set label 1 "apart for overlap, or the reverse" at screen 0.41,0.895 textcolor rgb "#d55e00" font "DejaVu Sans Bold,22"
-set label 2 "distance wrong" at screen 0.79,0.895 textcolor rgb "#0072b2" font "DejaVu Sans Bold,22"
+set label 1 "overlap or apart mistaken" at screen 0.41,0.895 textcolor rgb "#d55e00" font "DejaVu Sans Bold,22"
+set label 2 "distance wrong" at screen 0.80,0.895 textcolor rgb "#0072b2" font "DejaVu Sans Bold,22"
 # One bar is six times too long for the picture: it is cut, and its number tells.
 cut(x) = x > 940 ? 940 : x
 sign(x) = cut(x)

@@ -13,7 +13,6 @@ define ORDER
 03/body
 03/rigidity
 03/convex
-03/obj
 04/gjk
 05/feature
 05/hit_face
@@ -49,6 +48,7 @@ define ORDER
 16/soft
 16/step
 16/measure
+16/obj
 16/world_scene
 endef
 LINE := $(strip $(ORDER))
@@ -456,11 +456,11 @@ $(BUILD)/soak: $(BUILD)/tests/soak.o $(ALL)
 $(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES) poses),$$(UPTO_$$*),$(ALL))
 	$(call link,$(CHECK_LIBS))
 
-# So does a fuzzer, which is called by libFuzzer.  Two have a file system of
-# their own, two make bodies and look at the answers from outside.
+# So does a fuzzer, which is called by libFuzzer.  One has a file system of
+# its own, two make bodies and look at the answers from outside.
 $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_%.o $$(if $$(filter $$*,$(MODULES)),$$(UPTO_$$*),$(ALL) $(BUILD)/libpainter.a)
 	$(call link,-fsanitize=fuzzer -lm)
-$(addprefix $(BUILD)/tests/fuzz_,obj options): LDFLAGS += -Wl,--wrap=fopen
+$(BUILD)/tests/fuzz_obj: LDFLAGS += -Wl,--wrap=fopen
 $(addprefix $(BUILD)/tests/fuzz_,distance penetration): \
   $(addprefix $(BUILD)/tests/,sets.o oracle.o bodies.o)
 

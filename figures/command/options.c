@@ -338,7 +338,6 @@ scene_options settings_scene(const settings *s)
     o.bodies = s->bodies;
     o.cloth = s->cloth;
     o.seed = s->seed;
-    o.mesh = s->mesh;
     return o;
 }
 

@@ -6,6 +6,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "film.h"
+#include "obj.h"
 #include "options.h"
 #include "output.h"
 #include "thread.h"
@@ -107,6 +108,12 @@ static status write_csv_head(run *r)
 static status begin_scene(run *r)
 {
     scene_options what = settings_scene(&r->set);
+    shape thrown;
+    if (r->set.mesh) {
+        status read = obj_read(r->set.mesh, SCENE_BODY_RADIUS, 1, &thrown);
+        if (!read.ok) return read;
+        what.thrown = &thrown;
+    }
     runner_kind kind = settings_runner(&r->set);
     if (kind != BY_ENGINE)
         return runner_begin_system(&r->run, kind, r->set.scene, what,
@@ -115,7 +122,10 @@ static status begin_scene(run *r)
     how.clock = clock_seconds;
     if (r->set.threads > 1) {
         r->second = thread_new();
-        if (!r->second) return status_fail("there is no second thread");
+        if (!r->second) {
+            if (what.thrown) shape_free(what.thrown);
+            return status_fail("there is no second thread");
+        }
         how.both = thread_both;
         how.both_context = r->second;
     }

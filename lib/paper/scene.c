@@ -1,7 +1,6 @@
 //> scene-lists
 // scene.c - what a simulation starts from, and the paper's three experiments.
 #include "scene.h"
-#include "obj.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -180,6 +179,7 @@ status scene_build(scene *s, scene_kind kind, scene_options what)
     scene_init(s);
     status done = check_options(&what);
     if (done.ok) done = build[kind](s, &what);
+    if (what.thrown) shape_free(what.thrown);   // empty if it has moved
     if (!done.ok) scene_free(s);
     return done;
 }
@@ -288,13 +288,12 @@ static status build_room(scene *s, const scene_options *what)
     const real icosahedron = 0.317, filled = 0.15;  // m^3; of the room
     int cells = grid_cells(what->bodies);
     unsigned long long seed = what->seed;
-    shape thrown;
+    shape made, *thrown = what->thrown ? what->thrown : &made;
     s->size = cube_root(icosahedron * what->bodies / filled);
     s->size = real_max(s->size, 2 * SCENE_BODY_RADIUS * cells);
-    status done = what->mesh
-        ? obj_read(what->mesh, SCENE_BODY_RADIUS, 1, &thrown)
-        : shape_icosahedron(&thrown, SCENE_BODY_RADIUS, 1);
-    if (done.ok) done = add_shape(s, &thrown);
+    status done = what->thrown
+        ? status_ok() : shape_icosahedron(&made, SCENE_BODY_RADIUS, 1);
+    if (done.ok) done = add_shape(s, thrown);
     if (done.ok) done = add_walls(s, s->size);
     for (int k = 0; k < what->bodies && done.ok; k++)
         done = scene_add(s, 0, random_throw(s, k, cells, &seed));

@@ -100,13 +100,14 @@ typedef struct {
     real diagonal;      // stiffness of the cloth's diagonals, in (0, 1]; the
                         // paper's are as stiff as the rest, 1
     unsigned long long seed;
-    const char *mesh;   // OBJ file thrown instead of icosahedra; NULL: none
+    shape *thrown;      // of radius 0.5 m, thrown instead of icosahedra and
+                        // taken over, whatever happens; NULL: none
 } scene_options;
 
 // As the command line spells it; "" if there is no such scene.
 const char *scene_name(scene_kind kind);
 
-// 50 bodies, a cloth of 40, soft diagonals (0.2), seed 1, no mesh.
+// 50 bodies, a cloth of 40, soft diagonals (0.2), seed 1, icosahedra.
 scene_options scene_options_default(void);
 
 // The radius of a body that is thrown into the room, m.
@@ -123,7 +124,7 @@ scene_options scene_options_default(void);
 //   spacing, if that is more).
 // cloth-on-rope: the same cloth, 0.1 m over the ends of a rope that hangs, at
 //   rest, from two pins 2.6 m apart and 1.5 m high: 50 links, 3 m, 0.5 kg.
-// Fails with a sentence (option out of range, mesh file, memory), leaving *s
+// Fails with a sentence (option out of range, memory), leaving *s
 // empty.
 status scene_build(scene *s, scene_kind kind, scene_options what);
 

@@ -27,13 +27,6 @@ static status check_count(const char *name, int value, int least, int most)
 //<
 
 //> body-begin
-// Room for n elements, zeroed.  Room for none is a valid pointer, too, so that
-// NULL always means that memory is refused.
-static void *allocate(int n, size_t size)
-{
-    return calloc((size_t)(n > 0 ? n : 1), size);
-}
-
 status shape_begin(shape *s, shape_kind kind, int particles, int most_sticks,
                    real mass)
 {
@@ -41,9 +34,9 @@ status shape_begin(shape *s, shape_kind kind, int particles, int most_sticks,
     *s = (shape){ .kind = kind, .particles = particles };
     status r = check_quantity("mass", mass, "kg");
     if (!r.ok) return r;
-    s->at    = allocate(particles, sizeof *s->at);
-    s->mass  = allocate(particles, sizeof *s->mass);
-    s->stick = allocate(most_sticks, sizeof *s->stick);
+    s->at    = calloc((size_t)particles, sizeof *s->at);
+    s->mass  = calloc((size_t)particles, sizeof *s->mass);
+    s->stick = calloc((size_t)most_sticks + 1, sizeof *s->stick);
     if (!s->at || !s->mass || !s->stick) return status_out_of_memory();
     for (int i = 0; i < particles; i++) s->mass[i] = mass / particles;
     return r;
@@ -53,7 +46,7 @@ status shape_span(shape *s, const int (*triangle)[3], int faces)
 {
     status r = mesh_build(&s->mesh, s->particles, triangle, faces);
     if (!r.ok) return r;
-    s->face = allocate(3 * faces, sizeof *s->face);
+    s->face = calloc((size_t)faces + 1, 3 * sizeof *s->face);
     if (!s->face) return status_out_of_memory();
     for (int f = 0; f < faces; f++) mesh_face(&s->mesh, f, &s->face[3 * f]);
     return r;
@@ -268,7 +261,7 @@ static void fill_cloth_faces(int (*triangle)[3], int columns, int rows)
 static status span_cloth(shape *s, int columns, int rows)
 {
     int faces = 2 * (columns - 1) * (rows - 1);
-    int (*triangle)[3] = allocate(faces, sizeof *triangle);
+    int (*triangle)[3] = calloc((size_t)faces, sizeof *triangle);
     if (!triangle) return status_out_of_memory();
     fill_cloth_faces(triangle, columns, rows);
     status r = shape_span(s, (const int (*)[3])triangle, faces);

@@ -53,17 +53,24 @@ static status check_apart(const mesh *m, const vec3 *at, real size)
 //<
 
 //> mesh-convex-faces
-// The unit outward normal of a face.  Fails if the height of the triangle over
-// its longest side, which is twice its area / that side, is zero.
-static status check_triangle(const vec3 *at, const int v[3], int f, real size,
-                             vec3 *normal)
+// The vertices of face f, and its outward normal, as long as twice its area.
+static vec3 face_normal(const mesh *m, const vec3 *at, int f, int v[3])
 {
-    vec3 a = vec3_sub(at[v[1]], at[v[0]]), b = vec3_sub(at[v[2]], at[v[0]]);
+    mesh_face(m, f, v);
+    return vec3_cross(vec3_sub(at[v[1]], at[v[0]]),
+                      vec3_sub(at[v[2]], at[v[0]]));
+}
+
+// A triangle is flat if its height over its longest side, which is twice its
+// area / that side, is zero.
+static status check_triangle(const mesh *m, const vec3 *at, int f, real size)
+{
+    int v[3];
+    real twice_area = vec3_length(face_normal(m, at, f, v));
     real longest = real_max(vec3_distance(at[v[1]], at[v[2]]),
-                            real_max(vec3_length(a), vec3_length(b)));
-    vec3 twice_area = vec3_cross(a, b);
-    *normal = vec3_unit(twice_area);
-    if (vec3_length(twice_area) > ROUNDING * size * longest) return status_ok();
+                            real_max(vec3_distance(at[v[0]], at[v[1]]),
+                                     vec3_distance(at[v[0]], at[v[2]])));
+    if (twice_area > ROUNDING * size * longest) return status_ok();
     return status_fail("triangle %d is flat: vertex %d, vertex %d and vertex "
                        "%d stand in one line", f, v[0], v[1], v[2]);
 }
@@ -71,11 +78,10 @@ static status check_triangle(const vec3 *at, const int v[3], int f, real size,
 // Every vertex lies in the plane of face f or below it, and one well below.
 static status check_face(const mesh *m, const vec3 *at, int f, real size)
 {
-    vec3 normal;
     real highest = 0, lowest = 0;
     int v[3], top = 0;
-    mesh_face(m, f, v);
-    status s = check_triangle(at, v, f, size, &normal);
+    vec3 normal = vec3_unit(face_normal(m, at, f, v));
+    status s = check_triangle(m, at, f, size);
     for (int w = 0; w < m->vertices; w++) {
         real height = vec3_dot(normal, vec3_sub(at[w], at[v[0]]));
         if (height > highest) { highest = height; top = w; }
@@ -141,21 +147,15 @@ static void join(shape *s, int a, int b)
 // As a fraction of the radius: a tetrahedron lower than this holds nothing up.
 static const real FLAT = 1e-3;
 
-static vec3 face_normal(const shape *s, int f)
-{
-    const int *v = &s->face[3 * f];
-    return vec3_unit(vec3_cross(vec3_sub(s->at[v[1]], s->at[v[0]]),
-                                vec3_sub(s->at[v[2]], s->at[v[0]])));
-}
-
 // Does the apex, vertex 0, lie in the plane of every face around v?  Then all
 // tetrahedra at v are flat, and sticks in a plane are all that hold v.
 static bool is_flat_at(const shape *s, int v, real radius)
 {
-    int start = s->mesh.vertex_half[v], h = start;
+    int start = s->mesh.vertex_half[v], h = start, of[3];
     vec3 to_apex = vec3_sub(s->at[0], s->at[v]);
     do {
-        vec3 normal = face_normal(s, s->mesh.half[h].face);
+        vec3 normal = vec3_unit(face_normal(&s->mesh, s->at,
+                                            s->mesh.half[h].face, of));
         if (vec3_dot(normal, to_apex) < -FLAT * radius) return false;
         h = mesh_around(&s->mesh, h);
     } while (h != start);
@@ -165,9 +165,9 @@ static bool is_flat_at(const shape *s, int v, real radius)
 // The vertex farthest below the plane of a face at v; the lowest index wins.
 static int farthest_below(const shape *s, int v)
 {
-    vec3 normal = face_normal(s, s->mesh.half[s->mesh.vertex_half[v]].face);
+    int face = s->mesh.half[s->mesh.vertex_half[v]].face, bottom = v, of[3];
+    vec3 normal = face_normal(&s->mesh, s->at, face, of);
     real lowest = 0;
-    int bottom = v;
     for (int w = 0; w < s->particles; w++) {
         real height = vec3_dot(normal, vec3_sub(s->at[w], s->at[v]));
         if (height < lowest) { lowest = height; bottom = w; }

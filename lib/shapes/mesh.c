@@ -173,21 +173,16 @@ enum {
     MOST_VERTICES = INT_MAX / (int)sizeof(int) - 1
 };
 
-// Room for n elements.  Room for none is a valid pointer, too, so that NULL
-// always means that memory is refused.
-static void *allocate(int n, size_t size)
-{
-    return malloc((size_t)(n > 0 ? n : 1) * size);
-}
-
-// Three edges a triangle are enough, and every edge has two half-edges.
+// Three edges a triangle are enough, and every edge has two half-edges.  One
+// element more than needed, because room for none may be NULL.
 static status reserve(mesh *m, fan_lists *fan)
 {
-    m->half        = allocate(6 * m->faces, sizeof *m->half);
-    m->vertex_half = allocate(m->vertices, sizeof *m->vertex_half);
-    m->face_half   = allocate(m->faces, sizeof *m->face_half);
-    fan->first = allocate(m->vertices, sizeof *fan->first);
-    fan->after = allocate(6 * m->faces, sizeof *fan->after);
+    size_t vertices = (size_t)m->vertices + 1, faces = (size_t)m->faces + 1;
+    m->half        = malloc(6 * faces * sizeof *m->half);
+    m->vertex_half = malloc(vertices * sizeof *m->vertex_half);
+    m->face_half   = malloc(faces * sizeof *m->face_half);
+    fan->first     = malloc(vertices * sizeof *fan->first);
+    fan->after     = malloc(6 * faces * sizeof *fan->after);
     if (!m->half || !m->vertex_half || !m->face_half || !fan->first
         || !fan->after) return status_out_of_memory();
     for (int v = 0; v < m->vertices; v++) fan->first[v] = -1;

@@ -13,24 +13,6 @@
 
 static FILE *nowhere;
 
-// A file that --mesh may name.  Every other cannot be opened: a fuzzer has no
-// business among the reader's own.
-FILE *__real_fopen(const char *path, const char *mode);
-FILE *__wrap_fopen(const char *path, const char *mode);
-
-FILE *__wrap_fopen(const char *path, const char *mode)
-{
-    static const char tetrahedron[] =
-        "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\n"
-        "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n";
-    if (strcmp(path, "a.obj") == 0)
-        return fmemopen((void *)(uintptr_t)tetrahedron,
-                        sizeof tetrahedron - 1, mode);
-    size_t length = strlen(path);
-    int is_mesh = length < 4 || strcmp(path + length - 4, ".obj") == 0;
-    return is_mesh ? NULL : __real_fopen(path, mode);
-}
-
 static void check_refused(status r)
 {
     MUST(r.why[0] && memchr(r.why, 0, sizeof r.why), "no sentence");
@@ -110,8 +92,7 @@ static void read_numbers(bytes *in)
     scene_kind kind = (scene_kind)take_count(in, 0, SCENES - 1);
     scene_options what = { .bodies = take_count(in, 0, 13),
                            .cloth = take_count(in, 1, 9),
-                           .seed = (unsigned)take_byte(in), .diagonal = 0.2,
-                           .mesh = take_byte(in) % 4 ? NULL : "a.obj" };
+                           .seed = (unsigned)take_byte(in), .diagonal = 0.2 };
     world_options how = world_scene_options(kind, 40);
     how.substeps = take_count(in, 0, 5);
     how.sweeps = take_count(in, 0, 5);

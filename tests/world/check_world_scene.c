@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "scarce.h"
+#include "obj.h"
 #include "world_scene.h"
 #include "step.h"
 
@@ -520,8 +521,10 @@ START_TEST(mesh_from_a_file_is_thrown_into_the_room)
 {
     scene_options what = scene_options_default();
     what.bodies = 20;
-    what.mesh = file;
+    shape thrown;
     write_file(TETRAHEDRON);
+    ck_assert(obj_read(file, SCENE_BODY_RADIUS, 1, &thrown).ok);
+    what.thrown = &thrown;
     build(SCENE_ROOM, what, world_scene_options(SCENE_ROOM, 0));
     remove(file);
     ck_assert_int_eq(s.world.bodies, 20);
@@ -582,20 +585,6 @@ START_TEST(bad_options_are_refused_with_a_sentence)
 }
 END_TEST
 
-// Rejects: a room of nothing where the file is missing or bad; the plan of a
-// mesh that was refused left behind.
-START_TEST(missing_or_bad_mesh_is_refused_with_a_sentence)
-{
-    scene_options what = scene_options_default();
-    what.mesh = "/no/such/file.obj";
-    is_refused(SCENE_ROOM, what, world_options_default(), "/no/such/file.obj");
-    write_file("v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nf 1 2 3\n");
-    what.mesh = file;
-    is_refused(SCENE_ROOM, what, world_options_default(), file);
-    remove(file);
-}
-END_TEST
-
 // Rejects: limits that are themselves refused.
 START_TEST(smallest_scenes_can_be_built)
 {
@@ -618,7 +607,7 @@ START_TEST(scenes_have_names)
     scene_options what = scene_options_default();
     ck_assert_int_eq(what.bodies, 50);
     ck_assert_int_eq(what.cloth, 40);
-    ck_assert(what.seed == 1 && what.mesh == NULL);
+    ck_assert(what.seed == 1 && what.thrown == NULL);
 }
 END_TEST
 
@@ -660,7 +649,6 @@ int main(void)
         cloth_and_cube_are_as_documented,
         rope_starts_as_the_exact_chain,
         bad_options_are_refused_with_a_sentence,
-        missing_or_bad_mesh_is_refused_with_a_sentence,
         smallest_scenes_can_be_built,
         pile_that_is_awake_lies_still,
         scenes_have_names,

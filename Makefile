@@ -105,8 +105,9 @@ TESTS_09 += check_poses
 UPTO_poses := $(UPTO_09)
 TESTS_17 := check_hard
 TESTS_18 := check_clock check_thread
-# The later chapters' figures ask what their module does to the whole.
-FLOOR = $(if $(filter 00 01 02 03,$1),$(UPTO_$1),$(ALL))
+# The figures of 00 to 08 see Part I up to their chapter; later ones may ask what
+# a module does to the whole, and chapter 09 sets the engine beside its system.
+FLOOR = $(if $(filter 00 01 02 03 04 05 06 07 08,$1),$(UPTO_$1),$(ALL))
 
 # After `watch` and `exercise` a chapter says of what: it is no goal of its own.
 ifneq ($(filter watch exercise,$(MAKECMDGOALS)),)

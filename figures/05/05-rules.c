@@ -180,7 +180,7 @@ static void ask_made(void)
 
 int main(int count, char **argument)
 {
-    ask_stored(count > 1 ? argument[1] : "tests/data/pairs.txt");
+    ask_stored(count > 1 ? argument[1] : "tests/data/pairs-all.txt");
     ask_made();
     printf("without the rule,wrong of %d stored pairs,called touching,"
            "wrong of %d made pairs,called touching,normal or points off\n",

@@ -1,9 +1,10 @@
-// 13-bodies.c - what passes, substeps and a memory are good for.  The ladder:
-// the room of 50 bodies, time against error.  And ten cubes, one on the other,
+// 13-bodies.c - what four particles and warm-started contacts are good for.  The
+// ladder: the room of 50 bodies, time against error, by the paper's system as
+// printed and as mended, and by the engine.  And ten cubes, one on the other,
 // that may not sleep: how far do they drift?
 
 #include "clock.h"
-#include "world_scene.h"
+#include "runner.h"
 #include "step.h"
 
 #include <stdio.h>
@@ -23,32 +24,47 @@ typedef struct {
     real ms, overlap, left, strain;
 } outcome;
 
-static outcome room(world_options how, unsigned long long seed)
+static void follow(runner *run, outcome *r)
 {
-    outcome r = { 0, 0, 0, 0 };
     real taken[STEPS];
-    world_scene s;
-    scene_options what = scene_options_default();
-    what.seed = seed;
-    how.resting = 0;
-    if (!world_scene_build(&s, SCENE_ROOM, what, how).ok) exit(1);
     for (int k = 0; k < STEPS; k++) {
         real start = clock_seconds();
-        world_step(&s.world);
+        runner_step(run);
         taken[k] = 1e3 * (clock_seconds() - start);
         if (k % LOOK != 0) continue;
-        measures m = world_measure(&s.world);
-        r.overlap = fmax(r.overlap, 100 * m.penetration / s.body_radius);
-        r.strain = fmax(r.strain, 100 * m.strain);
-        if (k >= STEPS - LAST) r.left += m.kinetic * LOOK / LAST;
+        measures m = runner_measure(run);
+        r->overlap = fmax(r->overlap, 100 * m.penetration / SCENE_BODY_RADIUS);
+        r->strain = fmax(r->strain, 100 * m.strain);
+        if (k >= STEPS - LAST) r->left += m.kinetic * LOOK / LAST;
     }
-    r.ms = clock_median(taken, STEPS);
-    world_scene_free(&s);
+    r->ms = clock_median(taken, STEPS);
+}
+
+// What runs the room: the engine, or the paper's system.
+typedef struct {
+    runner_kind kind;
+    world_options engine;
+    system_options plain;
+} way;
+
+static outcome room(way how, unsigned long long seed)
+{
+    static runner run;
+    outcome r = { 0, 0, 0, 0 };
+    scene_options what = scene_options_default();
+    what.seed = seed;
+    how.engine.resting = 0;
+    status done = how.kind == BY_ENGINE
+        ? runner_begin_world(&run, SCENE_ROOM, what, how.engine)
+        : runner_begin_system(&run, how.kind, SCENE_ROOM, what, how.plain);
+    if (!done.ok) exit(1);
+    follow(&run, &r);
+    runner_free(&run);
     return r;
 }
 
 // The median of five throws.
-static void rung(int number, world_options how)
+static outcome rung(int number, way how)
 {
     real ms[SEEDS], overlap[SEEDS], left[SEEDS], strain[SEEDS];
     for (int k = 0; k < SEEDS; k++) {
@@ -61,23 +77,58 @@ static void rung(int number, world_options how)
     printf("%d %.4f %.4g %.4g %.3g\n", number, clock_median(ms, SEEDS),
            clock_median(overlap, SEEDS), clock_median(left, SEEDS),
            clock_median(strain, SEEDS));
+    return (outcome){ ms[SEEDS / 2], overlap[SEEDS / 2], left[SEEDS / 2],
+                      strain[SEEDS / 2] };
+}
+
+static real ms_at_1(const outcome *r, int n)
+{
+    real ms[8], overlap[8];
+    for (int k = 0; k < n; k++) {
+        ms[k] = r[k].ms;
+        overlap[k] = r[k].overlap;
+    }
+    return clock_at_error(ms, overlap, n, 1);
+}
+
+static void print_plain(outcome mended[5])
+{
+    way how = { .kind = AS_PRINTED, .plain = runner_options(AS_PRINTED) };
+    printf("\n\n# chapter 09, as printed: substeps, ...\n");
+    rung(how.plain.substeps, how);
+    how = (way){ .kind = BY_PLAIN, .plain = runner_options(BY_PLAIN) };
+    printf("\n\n# chapter 09, as mended: substeps, ...\n"
+           "#substeps| substeps,\"deepest overlap, %% of a radius\","
+           "joules left after 6 s,ms a step\n");
+    for (int n = 2, k = 0; k < 5; n *= 2, k++) {
+        how.plain.substeps = n;
+        mended[k] = rung(n, how);
+        printf("#substeps| %d,%.2g,%.2g,%.2f\n", n, mended[k].overlap,
+               mended[k].left, mended[k].ms);
+    }
 }
 
 static void ladder(void)
 {
+    outcome mended[5], engine[4];
+    way how = { .kind = BY_ENGINE };
     printf("\n\n# 4 substeps: passes, ms a step, deepest overlap (%% of a "
            "radius), joules left, strain (%%)\n");
     for (int n = 2; n <= 8; n *= 2) {
-        world_options how = world_options_default();
-        how.passes = n;
+        how.engine = world_options_default();
+        how.engine.passes = n;
         rung(n, how);
     }
     printf("\n\n# 4 passes: substeps, ...\n");
-    for (int n = 1; n <= 8; n *= 2) {
-        world_options how = world_options_default();
-        how.substeps = n;
-        rung(n, how);
+    for (int n = 1, k = 0; k < 4; n *= 2, k++) {
+        how.engine = world_options_default();
+        how.engine.substeps = n;
+        engine[k] = rung(n, how);
     }
+    print_plain(mended);
+    clock_print_row("world", "room of 50 by substeps", "overlap 1 % of a radius",
+                    "the engine", "the paper's system",
+                    ms_at_1(mended, 5) / ms_at_1(engine, 4));
 }
 
 // --- ten cubes ---------------------------------------------------------------

@@ -7,32 +7,29 @@ set border 3 lc rgb "#808080" lw 0.7
 set tics nomirror textcolor rgb "#404040"
 set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
 unset key
-passes = "#0072b2"; steps = "#009e73"; cold = "#d55e00"; grey = "#606060"
+passes = "#0072b2"; steps = "#e69f00"; cold = "#d55e00"; mended = "#009e73"; printed = "#d55e00"; grey = "#606060"
 small = "DejaVu Sans,17"
 bold = "DejaVu Sans Bold,22"
 
 # Labels stand at their points, wherever a machine's clock puts these.
-stats csv index 0 using 2 nooutput
-few = STATS_min
-last = STATS_max
-stats csv index 0 using 4 nooutput
-least = STATS_min
-stats csv index 0 using 3 nooutput
-low = STATS_max
-stats csv index 1 using 2 nooutput
-first = STATS_min
+array X[4]; array Y[4]; array J[4]
+do for [k=1:4] {
+    do for [c=2:4] {
+        stats csv index k-1 using c every ::0::0 nooutput
+        if (c == 2) { X[k] = STATS_max }
+        if (c == 3) { Y[k] = STATS_max }
+        if (c == 4) { J[k] = STATS_max }
+    }
+}
+stats csv index 3 using 2 nooutput
 end = STATS_max
-stats csv index 1 using 3 nooutput
-high = STATS_max
-stats csv index 1 using 4 nooutput
-most = STATS_max
 
 set multiplot
 set bmargin 3.6
 set tmargin 3
 set logscale xy 10
-set xrange [0.55*first:1.6*end]
-set xtics (0.05, 0.1, 0.2, 0.5, 1)
+set xrange [0.6*X[2]:1.5*end]
+set xtics (0.05, 0.1, 0.2, 0.5, 1, 2)
 set xlabel "ms a step" textcolor rgb "#404040"
 
 set origin 0,0.49
@@ -40,24 +37,33 @@ set size 0.5,0.51
 set lmargin 11
 set rmargin 2
 set title "Fifty bodies: deepest overlap, of a radius" font "DejaVu Sans,26" offset 0,-0.3
-set yrange [0.05:12]
-set ytics ("0.1 %%" 0.1, "1 %%" 1, "10 %%" 10)
-set label 3 "by passes" at 1.08*few,1.1*low left textcolor rgb passes font bold
-set label 4 "by substeps" at 1.16*first,1.15*high left textcolor rgb steps
-plot csv index 1 using 2:3 with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \
-     csv index 1 using 2:3:1 with labels font small textcolor rgb steps offset 1.2,0.5, \
+set yrange [0.05:150]
+set ytics ("0.1 %%" 0.1, "1 %%" 1, "10 %%" 10, "100 %%" 100)
+set label 1 "chapter 09, as printed" at 1.1*X[3],Y[3] left textcolor rgb printed
+set label 2 "as mended,\nby substeps" at 1.35*X[4],1.4*Y[4] left textcolor rgb mended
+set label 3 "engine,\nby passes" at 1.45*X[1],1.2*Y[1] left textcolor rgb passes font bold
+set label 4 "engine,\nby substeps" at 0.65*X[2],4*Y[2] left textcolor rgb steps
+plot csv index 2 using 2:3 with points pt 9 ps 2.2 lc rgb printed, \
+     csv index 3 using 2:3 with linespoints pt 6 ps 1.3 lc rgb mended lw 1.6, \
+     csv index 3 using 2:3:1 with labels font small textcolor rgb mended offset 1.4,0.5, \
+     csv index 1 using 2:3 with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \
+     csv index 1 using 2:3:1 with labels font small textcolor rgb steps offset -1.2,-0.3, \
      csv index 0 using 2:3 with linespoints pt 7 ps 1.3 lc rgb passes lw 2, \
-     csv index 0 using 2:3:1 with labels font small textcolor rgb passes offset -1.2,0.3
+     csv index 0 using 2:3:1 with labels font small textcolor rgb passes offset 1.2,0.6
 unset label
 
 set origin 0.5,0.49
 set title "Joules left after six seconds" offset 0,-0.3
-set yrange [1e-14:3e-4]
+set yrange [1e-14:30]
 set format y "10^{%T}"
-set ytics ("10^{-12}" 1e-12, "10^{-9}" 1e-9, "10^{-6}" 1e-6)
-set label 3 "by passes" at 1.12*few,1.5e-7 left textcolor rgb passes font bold
-set label 4 "by substeps" at 1.1*first,1.5*most left textcolor rgb steps
-plot csv index 1 using 2:4 with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \
+set ytics ("10^{-12}" 1e-12, "10^{-9}" 1e-9, "10^{-6}" 1e-6, "0.001" 1e-3, "1" 1)
+set label 1 "chapter 09, as printed" at 1.1*X[3],2*J[3] left textcolor rgb printed
+set label 2 "as mended" at 1.2*X[4],0.02*J[4] left textcolor rgb mended
+set label 3 "engine, by passes" at 1.3*X[1],J[1] left textcolor rgb passes font bold
+set label 4 "engine, by substeps" at X[2],10*J[2] left textcolor rgb steps
+plot csv index 2 using 2:4 with points pt 9 ps 2.2 lc rgb printed, \
+     csv index 3 using 2:4 with linespoints pt 6 ps 1.3 lc rgb mended lw 1.6, \
+     csv index 1 using 2:4 with linespoints pt 7 ps 1.1 lc rgb steps lw 1.6, \
      csv index 1 using 2:4:1 with labels font small textcolor rgb steps offset -1.2,-0.6, \
      csv index 0 using 2:4 with linespoints pt 7 ps 1.3 lc rgb passes lw 2, \
      csv index 0 using 2:4:1 with labels font small textcolor rgb passes offset 1.3,0.6
@@ -73,9 +79,9 @@ set xtics (2, 4, 8, 16, 32, 64)
 set xlabel "passes a substep"
 set yrange [0.005:6000]
 set ytics ("0.01 mm" 0.01, "0.1 mm" 0.1, "1 mm" 1, "1 cm" 10, "10 cm" 100, "1 m" 1000)
-set label 1 "without memory" at 76,1.1 textcolor rgb cold
-set label 2 "with memory" at 76,0.015 textcolor rgb passes font bold
+set label 1 "not warm-started" at 76,1.1 textcolor rgb cold
+set label 2 "warm-started" at 76,0.015 textcolor rgb passes font bold
 set label 3 "fallen" at 2.05,370 textcolor rgb grey
-plot csv index 3 using 1:2 with linespoints pt 6 ps 1.3 lc rgb cold lw 1.6, \
-     csv index 2 using 1:2 with linespoints pt 7 ps 1.3 lc rgb passes lw 2
+plot csv index 5 using 1:2 with linespoints pt 6 ps 1.3 lc rgb cold lw 1.6, \
+     csv index 4 using 1:2 with linespoints pt 7 ps 1.3 lc rgb passes lw 2
 unset multiplot

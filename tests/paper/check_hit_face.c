@@ -12,7 +12,7 @@
 #include <string.h>
 
 #ifndef PAIRS
-#define PAIRS "tests/data/pairs.txt"
+#define PAIRS "tests/data/pairs-all.txt"
 #endif
 
 #define COUNT(list) ((int)(sizeof (list) / sizeof (list)[0]))
@@ -317,6 +317,62 @@ START_TEST(copies_turned_by_next_to_nothing)
 }
 END_TEST
 
+// Copies in nearly the same place: faces of A - B meet at edges so flat that
+// they are equally close, and the origin projects into one of them only.
+// Rejects: any of the equals.
+START_TEST(of_equal_faces_the_one_with_the_projection_counts)
+{
+    unsigned long long seed = 54;
+    for (int n = 0; n < 3000; n++) {
+        body a, b;
+        body_any(&a, n % 2, &seed);
+        b = a;
+        vec3 axis = random_direction(&seed);
+        real angle = random_unit(&seed) / (1 << (20 + n % 10));
+        for (int i = 0; i < b.count; i++)
+            b.at[i] = vec3_add_scaled(b.at[i], angle,
+                                      vec3_cross(axis, b.at[i]));
+        hit_result r = hit(&a, &b);
+        ck_assert_int_eq(r.status, HIT_FOUND);
+        vec3 gap = vec3_sub(r.on_b, r.on_a);
+        near(vec3_distance(gap, vec3_scale(r.depth, r.normal)), 0, 1e-11);
+        near((real)oracle_width(body_hull(&a), body_hull(&b),
+                                vec3_scale(-1, r.normal)), r.depth, CLOSE);
+    }
+}
+END_TEST
+
+// Two roofs, ridge on ridge at a small angle, one deep in the other by less
+// than that: A - B has faces that are slivers.  Rejects: weights as they come
+// from quotients of tiny areas.
+START_TEST(ridges_that_are_nearly_parallel)
+{
+    unsigned long long seed = 55;
+    for (int n = 0; n < 2000; n++) {
+        body a = body_cube(0, 0, 0), b;
+        real angle = 0.1, deep = 0.1;
+        for (int k = n % 40; k > 0; k--) angle /= 2;
+        for (int k = n / 40; k > 0; k--) deep /= 2;
+        for (int i = 0; i < 8; i++) {
+            vec3 p = a.at[i];
+            real x = 2 * p.y, y = (p.x - p.z) / 2, z = (p.x + p.z) / 2;
+            a.at[i] = (vec3){ x - angle * y, y + angle * x, z + 1 - deep };
+            b.at[i] = (vec3){ x + 0.3, y, z };
+        }
+        b.count = 8;
+        unsigned long long same = seed;
+        body_turn(&a, &same);
+        body_turn(&b, &seed);
+        if (!overlap(&a, &b)) continue;
+        hit_result r = hit(&a, &b);
+        real truth = (real)oracle_depth(body_hull(&a), body_hull(&b));
+        near(r.depth, truth, 1e-6 * truth + ROUNDING);
+        vec3 gap = vec3_sub(r.on_b, r.on_a);
+        near(vec3_distance(gap, vec3_scale(r.depth, r.normal)), 0, CLOSE);
+    }
+}
+END_TEST
+
 // Rejects: an answer in the best of the directions seen so far.
 START_TEST(stored_pairs_have_their_exact_depth)
 {
@@ -328,6 +384,8 @@ START_TEST(stored_pairs_have_their_exact_depth)
     while ((read = pair_read(file, &p)) == 1) {
         if (p.kind == 'S') continue;
         real size = size_of(&p.a, &p.b);
+        // Bodies that touch may be a rounding error apart.
+        if (p.value < 1e-14 * size && !overlap(&p.a, &p.b)) continue;
         hit_result r = hit(&p.a, &p.b);
         ck_assert(r.status == HIT_FOUND || r.status == HIT_FLAT);
         found++;
@@ -349,8 +407,8 @@ START_TEST(stored_pairs_have_their_exact_depth)
     }
     fclose(file);
     ck_assert_int_eq(read, 0);
-    ck_assert_int_ge(found, 30);
-    ck_assert_int_ge(named, 15);
+    ck_assert_int_ge(found, 600);
+    ck_assert_int_ge(named, 300);
 }
 END_TEST
 
@@ -388,6 +446,24 @@ START_TEST(identical_and_concentric_cubes)
         near(r.depth, (real)oracle_depth(body_hull(&a), body_hull(&turned)),
              ROUNDING);
         check_answer(&a, &turned, r);
+    }
+}
+END_TEST
+
+// GJK ends with one corner, which is the origin itself.  Rejects: asking from
+// the origin which faces look inwards, when it lies on the surface.
+START_TEST(a_body_in_its_own_place)
+{
+    unsigned long long seed = 10;
+    for (int n = 0; n < 300; n++) {
+        body a;
+        body_any(&a, n % 3, &seed);
+        hit_result r = hit(&a, &a);
+        ck_assert_int_eq(r.status, HIT_FOUND);
+        check_answer(&a, &a, r);
+        if (a.count < 10)
+            near(r.depth, (real)oracle_depth(body_hull(&a), body_hull(&a)),
+                 ROUNDING);
     }
 }
 END_TEST
@@ -579,9 +655,12 @@ int main(void)
         a_vertex_and_a_face_are_named, two_edges_are_named,
         a_point_inside_a_cube, moved_by_the_depth_they_only_touch,
         random_pairs_agree_with_every_direction, equal_bodies_side_by_side,
-        copies_turned_by_next_to_nothing, stored_pairs_have_their_exact_depth,
+        copies_turned_by_next_to_nothing,
+        of_equal_faces_the_one_with_the_projection_counts,
+        ridges_that_are_nearly_parallel, stored_pairs_have_their_exact_depth,
         touching_is_depth_zero_with_a_proper_normal,
-        identical_and_concentric_cubes, prisms_stand_on_prisms,
+        identical_and_concentric_cubes, a_body_in_its_own_place,
+        prisms_stand_on_prisms,
         far_from_the_origin_nothing_more_is_lost, size_does_not_matter,
         a_grain_in_a_boulder, squares_in_one_plane_are_flat,
         points_and_segments_are_flat, repeated_vertices_change_nothing,

@@ -1,5 +1,5 @@
 // 06-levels.c - four levels of a sphere tree over a draped cloth, and of one
-// over an egg: the balls of a level, and in their colours what each of them
+// over an egg: the spheres of a level, and in their colours what each of them
 // holds.  06-levels FILE.png
 
 #include "body.h"
@@ -239,7 +239,7 @@ static status panel(const subject *s, int level, picture *out, int left,
     for (int i = 0; i < WIDTH * HEIGHT && done.ok; i++)
         bare.at[i] = colour_mix(bare.at[i], full.at[i], share);
     char text[32];
-    snprintf(text, sizeof text, level ? "%d balls" : "%d ball", 1 << level);
+    snprintf(text, sizeof text, level ? "%d spheres" : "%d sphere", 1 << level);
     picture_text(&bare, 18, HEIGHT - 18, 13, colour_hex(0x4a4f57), text);
     if (done.ok) picture_copy(out, left, top, &bare);
     picture_free(&bare);
@@ -256,7 +256,8 @@ static void print_roots(subject *s)
     for (int i = 0; i < s->vertices; i++) index[i] = i;
     sphere least = sphere_of_points(s->at, index, s->vertices, support, weight,
                                     &supports);
-    printf("%s: the root's ball has a radius of %.2f m, the smallest %.2f m\n",
+    printf("%s: the root's sphere has a radius of %.2f m, "
+           "the smallest %.2f m\n",
            s->name, sphere_tree_root(&s->tree, s->at).radius, least.radius);
 }
 

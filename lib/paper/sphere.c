@@ -21,10 +21,11 @@ static bool weigh_triangle(vec3 a, vec3 b, vec3 c, real weight[3])
     return true;
 }
 
-// The centre of the sphere through four points: with a, b and c the points seen
-// from the first, it stands at x = (|a|^2 b x c + |b|^2 c x a + |c|^2 a x b) / 2 d,
-// d = a . (b x c), and the weight of a is x . (b x c) / d.  False if a weight is
-// negative, that is, the centre lies outside, or if the points lie in a plane.
+// The centre of the sphere through four points.  With a, b and c the points
+// seen from the first and d = a . (b x c), it stands at
+// x = (|a|^2 b x c + |b|^2 c x a + |c|^2 a x b) / 2 d,
+// and the weight of a is x . (b x c) / d.  False if a weight is negative, that
+// is, the centre lies outside, or if the points lie in a plane.
 static bool weigh_tetrahedron(const vec3 *q, real weight[4])
 {
     vec3 a = vec3_sub(q[1], q[0]), b = vec3_sub(q[2], q[0]);
@@ -98,8 +99,8 @@ static bool fix_by(trial *s, const trial *all, int bits)
 //> sphere-let-in
 // The smallest sphere around the support points of s and one more, which lies
 // outside s and is therefore a support point of the new one (Welzl).  All sets
-// of the others are tried; any centre gives a sphere that encloses them all, and
-// the smallest is kept.  count = 0: there is none, because squares overflow.
+// of the others are tried; any centre gives a sphere that encloses them all,
+// and the smallest is kept.  count = 0: there is none: squares overflow.
 static trial let_in(trial s, int index, vec3 at)
 {
     trial best = { .count = 0, .reach2 = (real)INFINITY }, other;

@@ -89,8 +89,8 @@ static void wrap(const builder *b, tree_node *node, const place *p, int n)
 }
 
 // Builds the nodes above the leaves of places first .. first + n - 1, and
-// returns the topmost.  n halves to 1 in at most LEVELS_MAX levels, which bounds
-// the recursion.
+// returns the topmost.  n halves to 1 in at most LEVELS_MAX levels, which
+// bounds the recursion.
 static int build_above(builder *b, int first, int n)
 {
     place *p = b->place + first;

@@ -60,9 +60,11 @@ typedef struct {
 //<
 
 //> tree-declare
-// Builds a tree over n leaves with vertices at positions at, top-down, by
-// halves (Quinlan).  slack, a fraction such as 0.01, widens the spheres of a
-// wrapped tree: they still enclose a body stretched by no more than this.
+// Builds a tree over n leaves with vertices at positions at, top-down: the
+// leaves below a node are halved across the longest side of the box around
+// their centres, ties by number (Quinlan).  slack, a fraction such as 0.01,
+// widens the spheres of a wrapped tree: they still enclose a body that is
+// stretched by no more than this.
 // Requires: 1 <= n <= 2^30, 1 to 3 vertices a leaf, thickness (m) and slack
 // finite and >= 0.  Fails, leaving *t empty, if a vertex is not at a finite
 // place or memory is refused.

@@ -418,7 +418,7 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
-ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(addprefix $(BUILD)/figures/,05-rules 10-slow)
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
 $(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o
@@ -435,6 +435,9 @@ $(BUILD)/rules/$1-%.o: CPPFLAGS += $(foreach f,$3,-D$f=$f_$$*)
 $(BUILD)/rules/$1-%.o: $(BUILD)/rules/$1-%.c $(BUILD)/flags
 	$$(compile)
 endef
+GJK := gjk_distance hull_support triangle_normal triangle_weigh
+$(eval $(call variants,04-rules,gjk,$(GJK)))
+$(eval $(call variants,04-distance,gjk,$(GJK)))
 $(eval $(call variants,05-rules,hit_face,hit_face_find))
 $(eval $(call variants,05-bounds,hit_face,hit_face_find))
 

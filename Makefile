@@ -295,8 +295,9 @@ $(CHAPTERS:%=figure-%):
 $(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%
 	$(Q)$(call draw,$*,$(call room,$*))
 
-hard: $(BUILD)/hard
+hard: $(BUILD)/hard $(BUILD)/hard-plain
 	$(Q)$(BUILD)/hard --csv figures/tables/hard.csv
+	$(Q)$(BUILD)/hard-plain --csv figures/tables/hard-plain.csv
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
@@ -417,7 +418,7 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 
 # These ask the slow oracle about bodies made for the purpose.
-ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(addprefix $(BUILD)/figures/,05-rules 10-slow)
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
 $(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o
@@ -434,6 +435,9 @@ $(BUILD)/rules/$1-%.o: CPPFLAGS += $(foreach f,$3,-D$f=$f_$$*)
 $(BUILD)/rules/$1-%.o: $(BUILD)/rules/$1-%.c $(BUILD)/flags
 	$$(compile)
 endef
+GJK := gjk_distance hull_support triangle_normal triangle_weigh
+$(eval $(call variants,04-rules,gjk,$(GJK)))
+$(eval $(call variants,04-distance,gjk,$(GJK)))
 $(eval $(call variants,05-rules,hit_face,hit_face_find))
 $(eval $(call variants,05-bounds,hit_face,hit_face_find))
 
@@ -445,6 +449,8 @@ HARD := $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/hard/hard_*.
   $(addprefix $(BUILD)/tests/,oracle.o poses.o bodies.o)
 $(BUILD)/tests/hard.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 $(BUILD)/tests/check_hard: $(HARD)
+$(BUILD)/hard-plain: $(BUILD)/tests/plain.o $(HARD) $(ALL)
+	$(call link,-lm)
 $(BUILD)/hard: $(BUILD)/tests/hard.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/soak: $(BUILD)/tests/soak.o $(ALL)

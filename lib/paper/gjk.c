@@ -137,12 +137,12 @@ static void begin(simplex *s, hull a, hull b)
 }
 //<
 //> gjk-step
-enum { CAP = 100 };                  // iterations; ten are usual
+enum { CAP = 100, STALLS = 5 };      // iterations; those without a shorter v
 static const real ENOUGH = 1e-13;    // relative error of the squared distance
 static const real TOUCHING = 4e-24;  // of the squared size: too near to tell
 
-// One iteration.  GJK_CAPPED: v has become shorter, go on.
-static gjk_status step(gjk_result *r, hull a, hull b, real margin)
+// One iteration.  GJK_CAPPED: go on.
+static gjk_status step(gjk_result *r, hull a, hull b, real margin, int *stalls)
 {
     simplex *s = &r->last;
     real vv = vec3_dot(s->v, s->v), size = 0;
@@ -153,16 +153,20 @@ static gjk_status step(gjk_result *r, hull a, hull b, real margin)
     if (r->distance > margin) return GJK_BEYOND;
     r->distance = sqrt(vv);
     if (vv - bound <= ENOUGH * vv) return GJK_APART;
+    bool held = false;
+    for (int k = 0; k < s->count; k++) {
+        held = held || (s->of[k].a == w.a && s->of[k].b == w.b);
+        size = real_max(size, vec3_dot(s->of[k].at, s->of[k].at));
+    }
     simplex next = *s;
     next.of[next.count++] = w;
-    nearest(&next);
-    if (vec3_dot(next.v, next.v) < vv) {
+    if (!held) nearest(&next);
+    // A gain too small to be seen may be on the way to a large one.
+    if (!held && (vec3_dot(next.v, next.v) < vv || ++*stalls < STALLS)) {
         *s = next;
         return GJK_CAPPED;
     }
-    // Rounding allows no nearer v.  Only a bound > 0 proves them apart.
-    for (int k = 0; k < s->count; k++)
-        size = real_max(size, vec3_dot(s->of[k].at, s->of[k].at));
+    // Rounding allows no shorter v.  Only a bound > 0 proves them apart.
     return bound > 0 || vv > TOUCHING * size ? GJK_APART : GJK_OVERLAP;
 }
 //<
@@ -170,13 +174,12 @@ static gjk_status step(gjk_result *r, hull a, hull b, real margin)
 gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried)
 {
     assert(a.count >= 1 && b.count >= 1 && margin >= 0);
-    gjk_result r = { .status = GJK_NOT_FINITE };
-    if (!in_range(a) || !in_range(b)) return r;
+    gjk_result r = { .status = GJK_CAPPED }, bad = { .status = GJK_NOT_FINITE };
+    if (!in_range(a) || !in_range(b)) return bad;
     if (carried) r.last = *carried;
     begin(&r.last, a, b);
-    r.status = GJK_CAPPED;
-    for (; r.status == GJK_CAPPED && r.iterations < CAP; r.iterations++)
-        r.status = step(&r, a, b, margin);
+    for (int stalls = 0; r.status == GJK_CAPPED && r.iterations < CAP;
+         r.iterations++) r.status = step(&r, a, b, margin, &stalls);
     if (r.status == GJK_OVERLAP) r.distance = 0;
     for (int k = 0; k < r.last.count; k++)
         r.on_a = vec3_add_scaled(r.on_a, r.last.weight[k],

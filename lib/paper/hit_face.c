@@ -280,6 +280,6 @@ hit_result hit_face_find(hull a, hull b, const simplex *start)
     hit_result r = face_result(&p, &t);
     r.status = found ? HIT_FOUND : HIT_CAPPED;
     r.iterations = iterations;
-    return vec3_is_finite(vec3_add(r.normal, r.on_b)) ? r : NOTHING;
+    return vec3_length(r.normal) > 0 && vec3_is_finite(r.on_b) ? r : NOTHING;
 }
 //<

@@ -100,7 +100,7 @@ static bool fix_by(trial *s, const trial *all, int bits)
 // The smallest sphere around the support points of s and one more, which lies
 // outside s and is therefore a support point of the new one (Welzl).  All sets
 // of the others are tried; any centre gives a sphere that encloses them all,
-// and the smallest is kept.  count = 0: there is none, because squares overflow.
+// and the smallest is kept.  count = 0: there is none: squares overflow.
 static trial let_in(trial s, int index, vec3 at)
 {
     trial best = { .count = 0, .reach2 = (real)INFINITY }, other;

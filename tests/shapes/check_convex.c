@@ -1,4 +1,4 @@
-// check_convex.c - tests of lib/shapes/convex.c: rigid bodies from convex meshes.
+// check_convex.c - rigid bodies from convex meshes.
 
 #include "convex.h"
 #include "meshes.h"

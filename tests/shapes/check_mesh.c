@@ -376,8 +376,8 @@ START_TEST(validator_names_bad_successors)
 {
     mesh m = build(4, TETRAHEDRON, 4);
     m.half[0].next = m.half[m.half[0].next].next;
-    expect_why(mesh_validate(&m), "half-edge 0 is followed by half-edge 4, which "
-                                  "does not leave where it ends");
+    expect_why(mesh_validate(&m), "half-edge 0 is followed by half-edge 4, "
+                                  "which does not leave where it ends");
     mesh_free(&m);
 
     m = build(4, TETRAHEDRON, 4);
@@ -480,8 +480,8 @@ START_TEST(validator_names_a_pinched_vertex)
         else if (m.half[h].next == rim_b) m.half[h].next = rim_a;
     }
     char why[120];
-    snprintf(why, sizeof why, "vertex 0 begins with half-edge %d, but half-edge "
-             "%d runs along a rim", rim_a, rim_b);
+    snprintf(why, sizeof why, "vertex 0 begins with half-edge %d, but "
+             "half-edge %d runs along a rim", rim_a, rim_b);
     expect_why(mesh_validate(&m), why);
     mesh_free(&m);
 }

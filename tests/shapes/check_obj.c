@@ -1,4 +1,4 @@
-// check_obj.c - tests of lib/shapes/obj.c: reading files, and every way to be wrong.
+// check_obj.c - reading OBJ files, and every way for them to be wrong.
 //
 // Run from the project's root: it reads tests/data/.
 
@@ -337,16 +337,17 @@ START_TEST(bad_indices_are_named_with_their_line)
     expect_refused(V4 "f 1 2 3-4\n", ", line 5: '3-4' is not the index of a "
                                      "vertex");
     expect_refused(V4 "f 1 2 0\n", ", line 5: a face uses vertex 0, but "
-                                   "vertices count from 1, and 4 stand above it");
+                                   "vertices count from 1, and 4 stand above "
+                                   "it");
     expect_refused(V4 F4 "f 1 2 5\n", ", line 9: a face uses vertex 5, but "
-                                      "vertices count from 1, and 4 stand above "
-                                      "it");
+                                      "vertices count from 1, and 4 stand "
+                                      "above it");
     expect_refused(V4 "f 1 2 -5\n", ", line 5: a face uses vertex -5, but "
                                     "vertices count from 1, and 4 stand above "
                                     "it");
     expect_refused("f -1 -2 -3\n" V4, ", line 1: a face uses vertex -1, but "
-                                      "vertices count from 1, and 0 stand above "
-                                      "it");
+                                      "vertices count from 1, and 0 stand "
+                                      "above it");
     shape s;
     status r = read_bytes(V4 "f 1 2 99999999999999999999\n",
                           sizeof V4 + 26, &s);

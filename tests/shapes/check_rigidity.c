@@ -1,4 +1,4 @@
-// check_rigidity.c - tests of lib/shapes/rigidity.c: the rank of the rigidity matrix.
+// check_rigidity.c - the rank of the rigidity matrix.
 
 #include "rigidity.h"
 #include "scarce.h"

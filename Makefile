@@ -519,6 +519,9 @@ $(BUILD)/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(BUIL
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	$(compile)
 $(BUILD)/%.d: ;
+# A source that has moved is still named by what was built of it: that is built
+# again, and not missed.
+lib/%.c tests/%.c figures/%.c: ;
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 
 # Changes when the compiler, its flags or the reader's modules do, and then

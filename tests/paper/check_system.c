@@ -299,27 +299,49 @@ START_TEST(cloth_goes_deeper_only_as_printed)
 END_TEST
 
 // Two triangles, tilted, whose spheres have one centre, 1 cm inside a static
-// cube: it ends on the surface (with d mended), wherever their corners are.
+// cube: it ends on the surface (with d mended), wherever their corners are, and
+// whichever body comes first in the scene.
 // Rejects: the depth of the corners' mean taken for that of the centre.
 START_TEST(the_centre_of_a_leaf_ends_on_the_surface)
 {
-    scene_init(&stage);
-    placement p = placement_at(vec3_make(0, -0.5, 0));
-    p.is_static = true;
-    add_box(vec3_make(1, 1, 1), 1, p);
     shape cloth;
-    ck_assert(shape_cloth(&cloth, 2, 2, 0.2, 0.2, 1, 1).ok);
+    placement cube = placement_at(vec3_make(0, -0.5, 0));
+    cube.is_static = true;
+    placement tilted = placement_at(vec3_make(0, -0.01, 0));
+    tilted.x = vec3_make(0.96, 0.28, 0);
+    tilted.y = vec3_make(-0.28, 0.96, 0);
+    for (int first = 0; first < 2; first++) {
+        scene_init(&stage);
+        if (!first) add_box(vec3_make(1, 1, 1), 1, cube);
+        ck_assert(shape_cloth(&cloth, 2, 2, 0.2, 0.2, 1, 1).ok);
+        ck_assert(scene_add_shape(&stage, &cloth).ok);
+        ck_assert(scene_add(&stage, !first, tilted).ok);
+        if (first) add_box(vec3_make(1, 1, 1), 1, cube);
+        system_options o = system_options_printed();
+        o.gravity = vec3_make(0, 0, 0);
+        o.errata.pushed_inwards = false;
+        begin(o);
+        system_step(&s);
+        ck_assert(fabs(middle(!first).y) < 1e-3);
+        end();
+    }
+}
+END_TEST
+
+// Rejects: a cloth that is kept off a floor like a rigid body, or not at all.
+START_TEST(a_cloth_lies_its_thickness_above_a_floor)
+{
+    scene_init(&stage);
+    shape cloth;
+    ck_assert(shape_cloth(&cloth, 8, 8, 1, 1, 1, 0.2).ok);
+    real thick = 0.55 * cloth.spacing;
     ck_assert(scene_add_shape(&stage, &cloth).ok);
-    p = placement_at(vec3_make(0, -0.01, 0));
-    p.x = vec3_make(0.96, 0.28, 0);
-    p.y = vec3_make(-0.28, 0.96, 0);
-    ck_assert(scene_add(&stage, 1, p).ok);
-    system_options o = system_options_printed();
-    o.gravity = vec3_make(0, 0, 0);
-    o.errata.pushed_inwards = false;
-    begin(o);
-    system_step(&s);
-    ck_assert(fabs(middle(1).y) < 1e-3);
+    ck_assert(scene_add_plane(&stage, vec3_make(0, 1, 0), 0).ok);
+    ck_assert(scene_add(&stage, 0, placement_at(vec3_make(0, 0.2, 0))).ok);
+    begin(system_options_mended());
+    run(120);
+    for (int i = 0; i < 64; i++)
+        ck_assert(fabs(of(0, i)->position.y - thick) < 1e-3);
     end();
 }
 END_TEST
@@ -701,6 +723,7 @@ int main(void)
         the_heavy_body_moves_only_as_printed,
         cloth_goes_deeper_only_as_printed,
         the_centre_of_a_leaf_ends_on_the_surface,
+        a_cloth_lies_its_thickness_above_a_floor,
         the_order_of_relaxation_is_an_option,
         strain_stays_within_one_percent_as_printed,
         cloth_lies_on_the_cube_as_mended,

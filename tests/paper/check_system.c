@@ -538,6 +538,25 @@ START_TEST(angular_constraints_of_a_shape_are_kept)
 }
 END_TEST
 
+// All of its particles are pinned, and its two links lie in line.
+// Rejects: a report that counts sticks alone.
+START_TEST(an_angle_that_cannot_be_kept_is_told)
+{
+    scene_init(&stage);
+    shape wire;
+    ck_assert(shape_rope(&wire, 2, 2, 1).ok);
+    ck_assert(shape_add_angle(&wire, (angle){ 0, 1, 2, 0, 1 }).ok);
+    ck_assert(scene_add_shape(&stage, &wire).ok);
+    ck_assert(scene_add(&stage, 0, placement_at(vec3_make(0, 0, 0))).ok);
+    for (int i = 0; i < 3; i++) ck_assert(scene_add_pin(&stage, 0, i).ok);
+    begin(weightless());
+    system_report r = system_step(&s);
+    ck_assert_int_eq(r.unconverged, 1);
+    ck_assert_int_eq(r.lost, 0);
+    end();
+}
+END_TEST
+
 // Rejects: static bodies that are pushed; two of them that are parted.
 START_TEST(static_bodies_stay)
 {
@@ -644,6 +663,23 @@ START_TEST(bad_options_are_refused_with_a_sentence)
 }
 END_TEST
 
+// Rejects: a number of particles that overflows.
+START_TEST(too_many_particles_are_refused)
+{
+    scene_init(&stage);
+    shape rope;
+    ck_assert(shape_rope(&rope, 100000, 1, 1).ok);
+    ck_assert(scene_add_shape(&stage, &rope).ok);
+    for (int k = 0; k < 22000; k++)
+        ck_assert(scene_add(&stage, 0, placement_at(vec3_make(0, 0, 0))).ok);
+    status done = system_init(&s, &stage, system_options_mended());
+    ck_assert(!done.ok);
+    ck_assert_msg(strstr(done.why, "particles") != NULL, "%s", done.why);
+    ck_assert_ptr_null(s.body);
+    scene_free(&stage);
+}
+END_TEST
+
 // Rejects: a malloc whose answer is not looked at; a half-made system of which
 // something is lost.
 START_TEST(every_refusal_of_memory_is_told_and_leaves_nothing)
@@ -732,11 +768,13 @@ int main(void)
         cloths_as_printed_stay_finite,
         the_same_scene_gives_the_same_bits,
         angular_constraints_of_a_shape_are_kept,
+        an_angle_that_cannot_be_kept_is_told,
         static_bodies_stay,
         a_lost_body_is_told_and_harms_no_other,
         a_lost_cloth_is_told_and_harms_no_other,
         an_empty_scene_steps,
         bad_options_are_refused_with_a_sentence,
+        too_many_particles_are_refused,
         every_refusal_of_memory_is_told_and_leaves_nothing,
         contacts_without_room_are_counted,
         a_settled_step_asks_for_no_memory,

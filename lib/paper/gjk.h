@@ -53,6 +53,5 @@ corner hull_support(hull a, hull b, vec3 d);
 // it is surely more than margin (m, >= 0; HUGE_VAL: never).  carried (or NULL):
 // the last simplex of the pair, for a warm start; receives the new one.
 gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried);
-
 #endif
 //<

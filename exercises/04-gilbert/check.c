@@ -57,7 +57,7 @@ static hull cloud(vec3 at[8], vec3 centre)
 
 START_TEST(segment_has_a_foot_or_an_end)
 {
-    // Rejects: a foot beyond an end, 0 / 0.
+    // Rejects: a projection beyond an end, 0 / 0.
     foot((vec3){ -1, 2, 0 }, (vec3){ 3, 2, 0 }, (vec3){ 0, 2, 0 }, "foot");
     foot((vec3){ 1, 2, 0 }, (vec3){ 3, 2, 0 }, (vec3){ 1, 2, 0 }, "end p");
     foot((vec3){ -3, 0, 2 }, (vec3){ -1, 0, 2 }, (vec3){ -1, 0, 2 }, "end q");

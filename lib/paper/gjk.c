@@ -75,7 +75,8 @@ static bool weigh(simplex *s)
 //<
 //> gjk-point
 // The point that the weights stand for.  A short one is the small difference of
-// long vectors: rounding tilts it, until it is set upright on triangle or edge.
+// long vectors: rounding tilts it.  So it is made perpendicular to the edge, or
+// along the normal of the triangle.
 static vec3 weighted_point(const simplex *s)
 {
     const corner *c = s->of;

@@ -36,13 +36,13 @@ static status refuse(const obj_file *o, const char *what)
 //<
 
 //> obj-text
-// A newline ends the line, unless a backslash stands before it, outside a
-// comment: then the next line goes on with the same statement.
-static bool is_joined(obj_file *o, int *length, bool comment)
+// A newline ends the line, unless the text ends in a backslash: then the next
+// line goes on with the same statement.  Comments are not in the text.
+static bool is_joined(obj_file *o, int *length)
 {
     int last = *length - 1;
     if (last >= 0 && o->text[last] == '\r') last--;
-    if (comment || last < 0 || o->text[last] != '\\') return false;
+    if (last < 0 || o->text[last] != '\\') return false;
     o->text[last] = ' ';
     *length = last + 1;
     return true;
@@ -60,7 +60,7 @@ static status next_line(obj_file *o, FILE *in, bool *more)
         if (c == 0)
             return refuse(o, "the file is not text: here is a zero byte");
         o->newlines += c == '\n';
-        if (c == '\n' && !is_joined(o, &length, comment)) break;
+        if (c == '\n' && !is_joined(o, &length)) break;
         comment = c != '\n' && (comment || c == '#');
         if (comment || c == '\n') continue;
         if (length == MOST_OBJ_LINE - 1)

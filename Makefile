@@ -275,7 +275,8 @@ endif
 #:   make figure-08  the same for the figures of chapter 08
 #:   make moving     the moving picture of README (needs img2webp: make deps-book)
 #:   make coverage   which lines of lib/ do the tests run, which branches both ways?
-#:   make hard       run the hard cases, each beside its target: figures/tables/hard.csv
+#:   make hard       run the hard cases, each beside its target: on the engine
+#:                   (figures/tables/hard.csv), and on the system of Part I
 #:   make speed      time against error, module by module: figures/tables/speed.csv
 #:   make profile    where a step's time goes, in the three scenes
 #:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
@@ -519,6 +520,9 @@ $(BUILD)/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(BUIL
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	$(compile)
 $(BUILD)/%.d: ;
+# A source that has moved is still named by what was built of it: that is built
+# again, and not missed.
+lib/%.c tests/%.c figures/%.c: ;
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 
 # Changes when the compiler, its flags or the reader's modules do, and then

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-// Of what a row was, this share is rounding.
+// Of what a row was, this fraction is rounding.
 static const real NOTHING = 1e-9;
 
 // Rows of length 1, each perpendicular to the others.  The row behind the last

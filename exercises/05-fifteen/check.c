@@ -155,6 +155,27 @@ START_TEST(edges_that_are_nearly_parallel_do_no_harm)
 }
 END_TEST
 
+START_TEST(long_beams_cross_at_a_small_angle)
+{
+    // Edge on edge, as above, but nearly side by side, and the longer the
+    // smaller the angle.  Rejects: crossings left out because their edges are
+    // parallel to a few degrees.
+    for (real angle = 0.1; angle > 5e-4; angle /= 10) {
+        box a = upright((vec3){ 0, 2.75, 0 }, (vec3){ 0.9 / angle, 1, 1 });
+        box b = upright((vec3){ 0, 0, 0 }, (vec3){ 0.9 / angle, 1, 1 });
+        turn(&a, 1, sin(angle), cos(angle));
+        turn(&a, 0, sqrt(0.5), sqrt(0.5));
+        turn(&b, 0, sqrt(0.5), sqrt(0.5));
+        fifteen_result r = boxes_depth(&a, &b);
+        ck_assert_msg(fabs(r.depth - (2 * sqrt(2.0) - 2.75)) < 1e-9, "beams "
+                      "that cross at %g rad: depth %.12g, wanted %.12g", angle,
+                      r.depth, 2 * sqrt(2.0) - 2.75);
+        ck_assert_msg(r.direction == 6, "edge 0 of A against edge 0 of B is "
+                      "direction 6, got %d", r.direction);
+    }
+}
+END_TEST
+
 START_TEST(random_boxes_agree_with_the_hit_face)
 {
     // Rejects: cross products that are not normalised.
@@ -194,6 +215,7 @@ int main(void)
     tcase_add_test(t, crossed_beams_touch_edge_on_edge);
     tcase_add_test(t, box_in_its_own_place);
     tcase_add_test(t, edges_that_are_nearly_parallel_do_no_harm);
+    tcase_add_test(t, long_beams_cross_at_a_small_angle);
     tcase_add_test(t, random_boxes_agree_with_the_hit_face);
     suite_add_tcase(s, t);
     SRunner *r = srunner_create(s);

@@ -79,7 +79,7 @@ static void start(particle *p, const vec3 *at)
     }
 }
 
-// The largest error of the 28 distances between corners, each as a share of
+// The largest error of the 28 distances between corners, each as a fraction of
 // what it should be.
 static real shape_error(const particle *p, const vec3 *at)
 {

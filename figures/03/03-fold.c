@@ -9,7 +9,7 @@
 
 #include <stdio.h>
 
-enum { CORNERS = 8, MOST = 22, MOMENTS = 3, CUBES = 2, SWEEPS = 32,
+enum { CORNERS = 8, MOST = 22, MOMENTS = 3, CUBES = 2, ITERATIONS = 32,
        WIDTH = 560, HEIGHT = 440, GAP = 6, STEPS_A_SECOND = 240 };
 
 static const real DT = 1.0 / STEPS_A_SECOND;
@@ -79,7 +79,7 @@ static void hold(cube *c)
 static void step(cube *c)
 {
     verlet_step(c->at, CORNERS, GRAVITY, NULL, DT);
-    for (int k = 0; k < SWEEPS; k++) {
+    for (int k = 0; k < ITERATIONS; k++) {
         hold(c);
         sticks_iterate(c->stick, c->sticks, c->at, relax_options_pbd());
     }

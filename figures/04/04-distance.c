@@ -1,7 +1,7 @@
 // 04-distance.c - GJK's error against iterations and against time, cold and with
 // the simplex carried over from the last frame.
 //
-// 20,000 pairs of icosahedra of circumradius 0.5 m, turned anyhow and a gap of
+// 20,000 pairs of icosahedra of circumradius 0.5 m, turned at random, a gap of
 // 5 cm apart; many, because a loop over few pairs teaches the processor's branch
 // predictor the answers.  For the carried queries both bodies have moved on: by
 // up to 0.5 degree and 2.5 mm.  The searches that stop early are made of

@@ -35,7 +35,7 @@ static const struct {
     { "touching: below 1e-10 of the size", gjk_distance_2 },
     { "heights from the world's origin", gjk_distance_3 },
     { "v as the weights give it", gjk_distance_4 },
-    { "v upright on triangles only", gjk_distance_5 },
+    { "v perpendicular to triangles only", gjk_distance_5 },
     { "normals by the cross product alone", gjk_distance_6 },
     { "done when v shrinks no more", gjk_distance_10 },
     { "then apart in any case", gjk_distance_7 },

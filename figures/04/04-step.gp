@@ -11,10 +11,14 @@ near = "#d55e00"; lower = "#cc79a7"; ink = "#404040"; blue = "#0072b2"
 bold = "DejaVu Sans Bold,24"
 set multiplot
 do for [k=0:1] {
-  stats csv index 3 every ::k::k using 1:2 nooutput
-  vx = STATS_max_x; vy = STATS_max_y
-  stats csv index 3 every ::k::k using 3:4 nooutput
-  wx = STATS_max_x; wy = STATS_max_y
+  stats csv index 3 every ::k::k using 1 nooutput
+  vx = STATS_max
+  stats csv index 3 every ::k::k using 2 nooutput
+  vy = STATS_max
+  stats csv index 3 every ::k::k using 3 nooutput
+  wx = STATS_max
+  stats csv index 3 every ::k::k using 4 nooutput
+  wy = STATS_max
   len = sqrt(vx*vx + vy*vy)
   bound = (vx*wx + vy*wy)/len
   set lmargin at screen 0.002 + 0.5 * k
@@ -32,7 +36,7 @@ do for [k=0:1] {
   set label 1 "0" at -0.16,-0.2 center textcolor rgb ink font bold
   set label 2 (k == 0 ? "v" : "v") at (k == 0 ? 1.0 : 0.75),(k == 0 ? -0.68 : -0.02) center textcolor rgb blue font bold front
   set label 3 "w" at wx+(k == 0 ? 0.3 : 0.25),wy+(k == 0 ? -0.12 : 0.05) center textcolor rgb near font bold front
-  set label 4 (k == 0 ? "w is nearer: go on" : "nothing is nearer: done") at graph 0.03,0.94 left textcolor rgb ink
+  set label 4 (k == 0 ? "w reaches further: go on" : "nothing reaches further: done") at graph 0.03,0.94 left textcolor rgb ink
   set label 5 sprintf("|v| = %.2f m", len) at graph 0.97,0.13 right textcolor rgb blue
   set label 6 sprintf("v · w / |v| = %.2f m", bound) at graph 0.97,0.06 right textcolor rgb near
   plot csv index 0 using 1:2 with filledcurves closed fc rgb "#c9cdd2" fs solid 0.75 noborder, \

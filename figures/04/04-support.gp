@@ -9,15 +9,18 @@ unset tics
 set size ratio -1
 a = "#0072b2"; b = "#009e73"; near = "#d55e00"; ink = "#404040"
 bold = "DejaVu Sans Bold,26"
-stats csv index 3 using 1:2 nooutput
 array X[3]
 array Y[3]
 do for [k=1:3] {
-  stats csv index 3 every ::k-1::k-1 using 1:2 nooutput
-  X[k] = STATS_max_x; Y[k] = STATS_max_y
+  stats csv index 3 every ::k-1::k-1 using 1 nooutput
+  X[k] = STATS_max
+  stats csv index 3 every ::k-1::k-1 using 2 nooutput
+  Y[k] = STATS_max
 }
-stats csv index 4 using 1:2 nooutput
-dx = STATS_max_x; dy = STATS_max_y
+stats csv index 4 using 1 nooutput
+dx = STATS_max
+stats csv index 4 using 2 nooutput
+dy = STATS_max
 array CX[3] = [2.95, 0.75, 2.2]
 array CY[3] = [1.65, 1.0, 0.7]
 set multiplot

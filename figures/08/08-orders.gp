@@ -50,7 +50,7 @@ unset title
 set logscale y 10
 set yrange [0.5:400]
 set ytics ("1" 1, "10" 10, "100" 100)
-set ylabel "sticks looked at (listed = 1)" textcolor rgb ink offset 1,0
+set ylabel "sticks looked at (listed = 1)" textcolor rgb ink offset -0.3,0
 set xlabel "until every stick is within" textcolor rgb ink
 set origin 0,0
 set label 4 "largest first" at 5e-7,17 textcolor rgb green

@@ -75,7 +75,8 @@ static bool weigh(simplex *s)
 //<
 //> gjk-point
 // The point that the weights stand for.  A short one is the small difference of
-// long vectors: rounding tilts it, until it is set upright on triangle or edge.
+// long vectors: rounding tilts it.  So it is made perpendicular to the edge, or
+// along the normal of the triangle.
 static vec3 weighted_point(const simplex *s)
 {
     const corner *c = s->of;
@@ -93,11 +94,11 @@ static vec3 weighted_point(const simplex *s)
 // inside; else part of a side, one opposite to a corner of weight <= 0.
 static void nearest(simplex *s)
 {
-    simplex best = { .count = 0 };
     if (weigh(s)) {
         s->v = weighted_point(s);
         return;
     }
+    simplex best = { .count = 0 };
     for (int k = 0; k < s->count; k++) {
         if (s->weight[k] > 0) continue;
         simplex side = *s;
@@ -174,8 +175,9 @@ static gjk_status step(gjk_result *r, hull a, hull b, real margin, int *stalls)
 gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried)
 {
     assert(a.count >= 1 && b.count >= 1 && margin >= 0);
-    gjk_result r = { .status = GJK_CAPPED }, bad = { .status = GJK_NOT_FINITE };
-    if (!in_range(a) || !in_range(b)) return bad;
+    gjk_result r = { .status = GJK_CAPPED };
+    if (!in_range(a) || !in_range(b))
+        return (gjk_result){ .status = GJK_NOT_FINITE };
     if (carried) r.last = *carried;
     begin(&r.last, a, b);
     for (int stalls = 0; r.status == GJK_CAPPED && r.iterations < CAP;

@@ -51,8 +51,7 @@ corner hull_support(hull a, hull b, vec3 d);
 
 // The distance of two convex bodies, to rounding.  Stops with GJK_BEYOND once
 // it is surely more than margin (m, >= 0; HUGE_VAL: never).  carried (or NULL):
-// the last simplex of the pair, to start from; receives the new one.
+// the last simplex of the pair, for a warm start; receives the new one.
 gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried);
-
 #endif
 //<

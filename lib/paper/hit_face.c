@@ -39,7 +39,7 @@ static void add_corner(polytope *p, corner c)
 }
 
 // In a sliver, rounding leaves v wrong along the length.  So weight is shifted
-// along each edge until v is upright on it.
+// along each edge until v is perpendicular to it.
 static void settle(const polytope *p, face *t)
 {
     for (int i = 0; i < 3; i++) {

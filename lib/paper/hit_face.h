@@ -16,7 +16,7 @@ typedef enum {
     HIT_FOUND,
     HIT_FLAT,           // A - B has no volume: depth 0, the normal of its plane
     HIT_CAPPED,         // polytope full: depth is a lower bound
-    HIT_NOT_FINITE      // NaN, or beyond the range of gjk: all numbers are 0
+    HIT_NOT_FINITE      // NaN, or out of range (gjk.h): all numbers are 0
 } hit_status;
 
 typedef struct {
@@ -27,7 +27,7 @@ typedef struct {
     vec3 on_a, on_b;    // m, what this move joins: on_b - on_a = depth * normal
     feature_point a, b; // the same two points, by vertices
     corner hit[3];      // the corners of the hit face
-    int    iterations;  // corners of A - B asked for, beyond the first four
+    int    iterations;  // supports computed, beyond the first four corners
 } hit_result;
 
 // The hit face of two hulls that overlap.  start: the last simplex of the

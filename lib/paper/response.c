@@ -2,6 +2,8 @@
 // response.c - parts two features that overlap.
 #include "response.h"
 
+#include <assert.h>
+
 vec3 feature_position(const feature_point *f, const particle *p)
 {
     vec3 x = { 0, 0, 0 };
@@ -67,6 +69,7 @@ static vec3 held_slide(const contact *c, const particle *p, real most)
 //> response-separate
 real response_separate(const contact *c, particle *p, real friction)
 {
+    assert(friction >= 0);
     real depth = contact_depth(c, p);
     if (!(depth > 0)) return 0;
     real inverse_mass = feature_inverse_mass(&c->a, p)
@@ -99,7 +102,8 @@ static void move_feature(const feature_point *f, vec3 move, particle *p)
     }
 }
 
-// The part of the overlap that A goes out; B goes the rest of it.
+// The part of the overlap by which A moves out; < 0: A moves in.  B moves the
+// rest, 1 - |part|, the other way.
 // Paper: Eq. 10 exchanges the masses, and a deformable body goes inwards; here:
 // right or as printed.
 static real part_of_a(const contact *c, response_errata errata)
@@ -115,6 +119,7 @@ static real part_of_a(const contact *c, response_errata errata)
 
 real response_printed(const contact *c, particle *p, response_errata errata)
 {
+    assert(c->mass_a > 0 && c->mass_b > 0);
     real depth = contact_depth(c, p), part = part_of_a(c, errata);
     if (!(depth > 0)) return 0;
     move_feature(&c->a, vec3_scale(part * depth, c->normal), p);

@@ -42,7 +42,7 @@ real contact_depth(const contact *c, const particle *p);
 // by at most friction (a coefficient, >= 0) times the overlap.  Linear momentum
 // stays, unless a particle is pinned.  Returns the overlap before (m), 0 if
 // there is none.  Moves nothing if nothing can move, or the move would
-// overflow.  Requires: A and B share no particle.
+// overflow.  Requires: A and B share no particle; friction >= 0.
 // Paper: Eqs 8 to 11; here one formula, and inverse masses of particles.
 real response_separate(const contact *c, particle *p, real friction);
 //<

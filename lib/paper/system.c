@@ -2,6 +2,7 @@
 // system.c - integrate, find contacts, separate them, relax.
 #include "system.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 static void find_contacts(particle_system *s);
@@ -33,7 +34,7 @@ static bool is_soft(const system_body *x)
 }
 
 static void forget_contacts(particle_system *s);
-static void look_at(particle_system *s, system_body *x);
+static void update_body(particle_system *s, system_body *x);
 static void find_pair(particle_system *s, int i, int j);
 static void find_rigid(particle_system *s, int i, int j);
 static void find_mixed(particle_system *s, system_body *a, system_body *b);
@@ -44,7 +45,7 @@ static void find_planes(particle_system *s, const system_body *x);
 static void find_contacts(particle_system *s)
 {
     forget_contacts(s);
-    for (int k = 0; k < s->bodies; k++) look_at(s, &s->body[k]);
+    for (int k = 0; k < s->bodies; k++) update_body(s, &s->body[k]);
     for (int i = 0; i < s->bodies; i++)
         for (int j = i; j < s->bodies; j++) find_pair(s, i, j);
     for (int k = 0; k < s->bodies; k++) find_planes(s, &s->body[k]);
@@ -52,7 +53,7 @@ static void find_contacts(particle_system *s)
 
 // Where the body is now, and the sphere around it: a rigid one's rests on four
 // particles at most, and is all of its tree that is brought up to date here.
-static void look_at(particle_system *s, system_body *x)
+static void update_body(particle_system *s, system_body *x)
 {
     for (int k = x->first; k < x->first + x->shape->particles; k++)
         s->at[k] = s->pool.at[k].position;
@@ -164,8 +165,8 @@ static void renumber(feature_point *f, const system_body *x)
 }
 
 // Sections 5.1 and 6.1: a rigid body against a rigid body.  The search starts
-// from the simplex that the two left behind; two pairs that share an entry cost
-// each other no more than that.
+// from the simplex of their last query.  If two pairs share an entry of the
+// table, one of them starts from none.
 static void find_rigid(particle_system *s, int i, int j)
 {
     const system_body *a = &s->body[i], *b = &s->body[j];
@@ -328,19 +329,24 @@ static relax_result relax_body(particle_system *s, const system_body *x,
     const stick *list = x->shape->stick;
     int n = x->shape->sticks, from = -1;
     particle *p = s->pool.at + x->first;
-    relax_result all = { .worst = HUGE_VAL };
     if (s->options.ordered && !is_soft(x))
         from = most_moved(p, s->before + x->first, x->shape->particles);
     if (from >= 0)
         return sticks_relax_from(&x->lists, from, list, n, p, r.iterations,
                                  r.how);
-    for (int k = 0; k < r.iterations && all.worst > r.how.tolerance; k++) {
-        relax_result one = sticks_iterate(list, n, p, r.how);
-        all.worst = one.worst;
-        all.tested += one.tested;
-        all.relaxed += one.relaxed;
+    return sticks_relax(list, n, p, r.iterations, r.how);
+}
+
+// Relaxes the angles of a body once.  Returns the largest error met.
+static real relax_angles(particle_system *s, const system_body *x)
+{
+    real worst = 0;
+    for (int i = 0; i < x->shape->angles; i++) {
+        stick_result r = angle_relax(x->shape->angle[i],
+                                     s->pool.at + x->first);
+        worst = real_max(fabs(r.error), worst);
     }
-    return all;
+    return worst;
 }
 
 static void relax_bodies(particle_system *s)
@@ -351,8 +357,7 @@ static void relax_bodies(particle_system *s)
         if (x->is_static) continue;
         relaxation r = is_soft(x) ? s->options.soft : s->options.rigid;
         relax_result done = relax_body(s, x, r);
-        for (int i = 0; i < x->shape->angles; i++)
-            angle_relax(x->shape->angle[i], s->pool.at + x->first);
+        done.worst = real_max(relax_angles(s, x), done.worst);
         s->report.tested += done.tested;
         s->report.relaxed += done.relaxed;
         s->report.unconverged += done.worst > r.how.tolerance;
@@ -416,7 +421,7 @@ static status check_options(const system_options *o)
 
 //> system-trees
 // What leaf k of a body's tree encloses: a particle, a face, or a rope's link.
-static leaf_feature leaf_number(const shape *s, bool is_particle, int k)
+static leaf_feature feature_of_leaf(const shape *s, bool is_particle, int k)
 {
     const int *v = &s->face[3 * k];
     if (is_particle)    return (leaf_feature){ 1, { k, 0, 0 } };
@@ -435,7 +440,7 @@ static status build_tree(system_body *x, leaf_kind kind)
           : s->mesh.faces ? s->mesh.faces : s->sticks;
     leaf_feature *leaf = malloc((size_t)n * sizeof *leaf);
     if (!leaf) return status_out_of_memory();
-    for (int k = 0; k < n; k++) leaf[k] = leaf_number(s, by_particle, k);
+    for (int k = 0; k < n; k++) leaf[k] = feature_of_leaf(s, by_particle, k);
     status done = sphere_tree_build(&x->tree,
                                     is_soft(x) ? TREE_LAYERED : TREE_WRAPPED,
                                     s->at, leaf, n,
@@ -474,8 +479,10 @@ static status size_lists(particle_system *s, const scene *from)
     size_t particles = 1;
     for (int k = 0; k < from->bodies; k++)
         particles += (size_t)scene_shape(from, k)->particles;
+    if (particles > INT_MAX)
+        return status_fail("%zu particles are too many to number", particles);
     status done = pool_reserve(&s->pool, (int)particles);
-    s->carries = int_min(64 * from->bodies, 1 << 16) + 1;
+    s->carries = 64 * int_min(from->bodies, 1 << 10) + 1;
     s->at = malloc(particles * sizeof *s->at);
     s->before = malloc(particles * sizeof *s->before);
     s->body = malloc(((size_t)from->bodies + 1) * sizeof *s->body);

@@ -33,16 +33,19 @@ typedef struct {
     int  rounds;        // contacts, then constraints, in each (paper: 1)
     vec3 gravity;       // m/s^2
     relaxation rigid, soft;     // of rigid and of deformable bodies
-    bool ordered;       // a rigid body's from its particle that moved most on
-                        // (paper), or as they are listed
+    bool ordered;       // a rigid body relaxes its constraints outwards from
+                        // its particle that moved most (paper), or as listed
     leaf_kind leaves;   // of deformable bodies
     bool printed;       // contacts are parted by response_printed (paper) ...
     response_errata errata;     // ... with these misprints
     real friction;      // Coulomb's coefficient (paper: left out)
     real margin;        // m, rigid bodies are kept so far apart (paper: 0)
-    real speculative;   // m, contacts are found so far ahead (paper: 0)
-    int  find_every;    // contacts serve so many substeps (paper: 1)
-    int  lifetime;      // those of two rigid bodies, so many finds more
+    real speculative;   // m, contacts of rigid bodies, and of planes, are found
+                        // so far ahead (paper: 0)
+    int  find_every;    // contacts serve so many substeps, at most to the end
+                        // of the frame (paper: 1)
+    int  lifetime;      // contacts of two rigid bodies serve for so many finds
+                        // more (paper: 0)
 } system_options;
 //<
 
@@ -55,12 +58,12 @@ typedef struct {
     real  mass;         // kg; HUGE_VAL: static
     sphere_tree tree;   // layered if deformable, wrapped if rigid
     sphere bound;       // around all of it, when contacts were last found
-    vec3 *axis;         // [leaves] deformable: what last separated each leaf
-                        // from a rigid body
+    vec3 *axis;         // [leaves] deformable: the axis that last separated
+                        // each leaf from a rigid body
     stick_lists lists;  // rigid, if `ordered`
 } system_body;
 
-// What the last query of two rigid bodies left.
+// The simplex with which the last query of two rigid bodies ended.
 typedef struct {
     int a, b;           // bodies, a < b; both 0: none yet
     simplex last;
@@ -76,7 +79,8 @@ typedef struct {
     int  contacts;      // at its end
     long tested;        // distance constraints looked at
     long relaxed;       // distance constraints that moved something
-    int  unconverged;   // bodies left with a strain beyond the tolerance
+    int  unconverged;   // bodies whose last iteration met a strain, or an error
+                        // of an angle, beyond the tolerance
     int  dropped;       // contacts that found no memory: should be 0
     int  lost;          // bodies with NaN or beyond all bounds: should be 0
 } system_report;

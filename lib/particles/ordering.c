@@ -16,7 +16,8 @@ typedef struct {
 
 // away[i]: the number of sticks on the shortest path from v to particle i, or
 // more than there are sticks while no path is known.  A path to one end of a
-// stick is, one stick longer, a path to the other.
+// stick is, one stick longer, a path to the other.  Ends, because each round
+// shortens a whole number that cannot fall below 0.
 static void find_paths(const graph *g, int v)
 {
     for (int i = 0; i < g->particles; i++)
@@ -79,7 +80,7 @@ static int write_list(const graph *g, int v, bool repeated, int *out)
 //<
 
 //> ordering-lists
-// So many numbers have bytes that an int can count.
+// The most entries whose bytes an int can count.
 enum { MOST_ENTRIES = INT_MAX / (int)sizeof(int) - 1 };
 
 static status too_long(int sticks)
@@ -109,6 +110,9 @@ status stick_lists_build(stick_lists *l, const stick *s, int sticks,
 {
     assert(sticks >= 0 && particles >= 0);
     *l = (stick_lists){ 0, NULL, NULL };
+    for (int k = 0; k < sticks; k++)
+        assert(int_min(s[k].a, s[k].b) >= 0
+               && int_max(s[k].a, s[k].b) < particles);
     if ((long long)sticks * particles > MOST_ENTRIES) return too_long(sticks);
     size_t points = (size_t)particles + 1, edges = (size_t)sticks + 1;
     graph g = { s, sticks, particles, malloc(points * sizeof(int)),
@@ -146,7 +150,7 @@ int most_moved(const particle *p, const vec3 *before, int n)
 //<
 
 //> sticks-relax-from
-// Relaxes stick k, and keeps the account of it.
+// Relaxes one stick, and counts it in *r.
 static void relax_one(stick s, particle *p, relax_options options,
                       relax_result *r)
 {
@@ -160,6 +164,7 @@ relax_result sticks_relax_from(const stick_lists *l, int from,
                                const stick *s, int n, particle *p,
                                int max_iterations, relax_options options)
 {
+    assert(n >= 0 && (from < 0 || from < l->particles));
     const int *list = from < 0 ? NULL : l->stick + l->start[from];
     int entries = from < 0 ? n : l->start[from + 1] - l->start[from];
     relax_result r = { .worst = 0 };

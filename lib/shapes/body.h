@@ -65,7 +65,7 @@ status shape_cloth(shape *s, int columns, int rows, real width, real depth,
 
 //> body-declare-make
 // To make a shape of one's own: begin, fill s->at, span a mesh (or none), add
-// sticks, finish.  shape_begin gives every particle its share of the mass, and
+// sticks, finish.  shape_begin gives all particles the same mass, and
 // room for most_sticks.  Requires: particles >= 1, most_sticks >= 0.
 status shape_begin(shape *s, shape_kind kind, int particles, int most_sticks,
                    real mass);

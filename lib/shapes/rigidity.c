@@ -30,8 +30,8 @@ static void reduce(real *row, const real *rows, int kept, int n)
 {
     for (int k = 0; k < kept; k++) {
         const real *other = rows + (size_t)k * (size_t)n;
-        real share = row_dot(row, other, n);
-        for (int i = 0; i < n; i++) row[i] -= share * other[i];
+        real common = row_dot(row, other, n);
+        for (int i = 0; i < n; i++) row[i] -= common * other[i];
     }
 }
 //<

@@ -1,5 +1,5 @@
 //> rigidity-head
-// rigidity.h - how many ways to move do the sticks of a shape take away?
+// rigidity.h - how many degrees of freedom do the sticks of a shape take away?
 //
 // Book: chapter 3.
 

@@ -68,14 +68,19 @@ START_TEST(bad_placements_and_planes_are_refused_with_a_sentence)
 {
     scene_init(&s);
     add_box(vec3_make(1, 1, 1));
-    placement bad[5];
-    for (int k = 0; k < 5; k++) bad[k] = placement_at(vec3_make(0, 0, 0));
+    placement bad[8];
+    for (int k = 0; k < 8; k++) bad[k] = placement_at(vec3_make(0, 0, 0));
     bad[0].position.y = NAN;
     bad[1].velocity.x = HUGE_VAL;
     bad[2].spin.z = NAN;
     bad[3].y = vec3_make(0, 0, 1);
     bad[4].x = vec3_make(2, 0, 0);
-    for (int k = 0; k < 5; k++) {
+    // Right-handed, but x or y is no unit, or they are not perpendicular.
+    bad[5].x = vec3_make(2, 0, 0);
+    bad[6].y = vec3_make(0, 2, 0);
+    bad[7].y = vec3_make(0.6, 0.8, 0);
+    for (int k = 5; k < 8; k++) bad[k].z = vec3_cross(bad[k].x, bad[k].y);
+    for (int k = 0; k < 8; k++) {
         status done = scene_add(&s, 0, bad[k]);
         ck_assert(!done.ok);
         ck_assert_ptr_nonnull(strstr(done.why, "body 0"));
@@ -83,6 +88,7 @@ START_TEST(bad_placements_and_planes_are_refused_with_a_sentence)
     ck_assert_int_eq(s.bodies, 0);
     ck_assert(!scene_add_plane(&s, vec3_make(0, 0, 0), 1).ok);
     ck_assert(!scene_add_plane(&s, vec3_make(0, NAN, 0), 1).ok);
+    ck_assert(!scene_add_plane(&s, vec3_make(0, HUGE_VAL, 0), 1).ok);
     ck_assert(!scene_add_plane(&s, vec3_make(0, 1, 0), HUGE_VAL).ok);
     ck_assert_int_eq(s.planes, 0);
     scene_free(&s);

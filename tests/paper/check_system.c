@@ -299,27 +299,49 @@ START_TEST(cloth_goes_deeper_only_as_printed)
 END_TEST
 
 // Two triangles, tilted, whose spheres have one centre, 1 cm inside a static
-// cube: it ends on the surface (with d mended), wherever their corners are.
+// cube: it ends on the surface (with d mended), wherever their corners are, and
+// whichever body comes first in the scene.
 // Rejects: the depth of the corners' mean taken for that of the centre.
 START_TEST(the_centre_of_a_leaf_ends_on_the_surface)
 {
-    scene_init(&stage);
-    placement p = placement_at(vec3_make(0, -0.5, 0));
-    p.is_static = true;
-    add_box(vec3_make(1, 1, 1), 1, p);
     shape cloth;
-    ck_assert(shape_cloth(&cloth, 2, 2, 0.2, 0.2, 1, 1).ok);
+    placement cube = placement_at(vec3_make(0, -0.5, 0));
+    cube.is_static = true;
+    placement tilted = placement_at(vec3_make(0, -0.01, 0));
+    tilted.x = vec3_make(0.96, 0.28, 0);
+    tilted.y = vec3_make(-0.28, 0.96, 0);
+    for (int first = 0; first < 2; first++) {
+        scene_init(&stage);
+        if (!first) add_box(vec3_make(1, 1, 1), 1, cube);
+        ck_assert(shape_cloth(&cloth, 2, 2, 0.2, 0.2, 1, 1).ok);
+        ck_assert(scene_add_shape(&stage, &cloth).ok);
+        ck_assert(scene_add(&stage, !first, tilted).ok);
+        if (first) add_box(vec3_make(1, 1, 1), 1, cube);
+        system_options o = system_options_printed();
+        o.gravity = vec3_make(0, 0, 0);
+        o.errata.pushed_inwards = false;
+        begin(o);
+        system_step(&s);
+        ck_assert(fabs(middle(!first).y) < 1e-3);
+        end();
+    }
+}
+END_TEST
+
+// Rejects: a cloth that is kept off a floor like a rigid body, or not at all.
+START_TEST(a_cloth_lies_its_thickness_above_a_floor)
+{
+    scene_init(&stage);
+    shape cloth;
+    ck_assert(shape_cloth(&cloth, 8, 8, 1, 1, 1, 0.2).ok);
+    real thick = 0.55 * cloth.spacing;
     ck_assert(scene_add_shape(&stage, &cloth).ok);
-    p = placement_at(vec3_make(0, -0.01, 0));
-    p.x = vec3_make(0.96, 0.28, 0);
-    p.y = vec3_make(-0.28, 0.96, 0);
-    ck_assert(scene_add(&stage, 1, p).ok);
-    system_options o = system_options_printed();
-    o.gravity = vec3_make(0, 0, 0);
-    o.errata.pushed_inwards = false;
-    begin(o);
-    system_step(&s);
-    ck_assert(fabs(middle(1).y) < 1e-3);
+    ck_assert(scene_add_plane(&stage, vec3_make(0, 1, 0), 0).ok);
+    ck_assert(scene_add(&stage, 0, placement_at(vec3_make(0, 0.2, 0))).ok);
+    begin(system_options_mended());
+    run(120);
+    for (int i = 0; i < 64; i++)
+        ck_assert(fabs(of(0, i)->position.y - thick) < 1e-3);
     end();
 }
 END_TEST
@@ -516,6 +538,25 @@ START_TEST(angular_constraints_of_a_shape_are_kept)
 }
 END_TEST
 
+// All of its particles are pinned, and its two links lie in line.
+// Rejects: a report that counts sticks alone.
+START_TEST(an_angle_that_cannot_be_kept_is_told)
+{
+    scene_init(&stage);
+    shape wire;
+    ck_assert(shape_rope(&wire, 2, 2, 1).ok);
+    ck_assert(shape_add_angle(&wire, (angle){ 0, 1, 2, 0, 1 }).ok);
+    ck_assert(scene_add_shape(&stage, &wire).ok);
+    ck_assert(scene_add(&stage, 0, placement_at(vec3_make(0, 0, 0))).ok);
+    for (int i = 0; i < 3; i++) ck_assert(scene_add_pin(&stage, 0, i).ok);
+    begin(weightless());
+    system_report r = system_step(&s);
+    ck_assert_int_eq(r.unconverged, 1);
+    ck_assert_int_eq(r.lost, 0);
+    end();
+}
+END_TEST
+
 // Rejects: static bodies that are pushed; two of them that are parted.
 START_TEST(static_bodies_stay)
 {
@@ -622,6 +663,23 @@ START_TEST(bad_options_are_refused_with_a_sentence)
 }
 END_TEST
 
+// Rejects: a number of particles that overflows.
+START_TEST(too_many_particles_are_refused)
+{
+    scene_init(&stage);
+    shape rope;
+    ck_assert(shape_rope(&rope, 100000, 1, 1).ok);
+    ck_assert(scene_add_shape(&stage, &rope).ok);
+    for (int k = 0; k < 22000; k++)
+        ck_assert(scene_add(&stage, 0, placement_at(vec3_make(0, 0, 0))).ok);
+    status done = system_init(&s, &stage, system_options_mended());
+    ck_assert(!done.ok);
+    ck_assert_msg(strstr(done.why, "particles") != NULL, "%s", done.why);
+    ck_assert_ptr_null(s.body);
+    scene_free(&stage);
+}
+END_TEST
+
 // Rejects: a malloc whose answer is not looked at; a half-made system of which
 // something is lost.
 START_TEST(every_refusal_of_memory_is_told_and_leaves_nothing)
@@ -701,6 +759,7 @@ int main(void)
         the_heavy_body_moves_only_as_printed,
         cloth_goes_deeper_only_as_printed,
         the_centre_of_a_leaf_ends_on_the_surface,
+        a_cloth_lies_its_thickness_above_a_floor,
         the_order_of_relaxation_is_an_option,
         strain_stays_within_one_percent_as_printed,
         cloth_lies_on_the_cube_as_mended,
@@ -709,11 +768,13 @@ int main(void)
         cloths_as_printed_stay_finite,
         the_same_scene_gives_the_same_bits,
         angular_constraints_of_a_shape_are_kept,
+        an_angle_that_cannot_be_kept_is_told,
         static_bodies_stay,
         a_lost_body_is_told_and_harms_no_other,
         a_lost_cloth_is_told_and_harms_no_other,
         an_empty_scene_steps,
         bad_options_are_refused_with_a_sentence,
+        too_many_particles_are_refused,
         every_refusal_of_memory_is_told_and_leaves_nothing,
         contacts_without_room_are_counted,
         a_settled_step_asks_for_no_memory,

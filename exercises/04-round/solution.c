@@ -7,17 +7,17 @@
 // The core's furthest vertex, and from there the radius on.
 vec3 round_support(round_body r, vec3 d)
 {
-    int furthest = support_point(r.core, d, 0);
-    vec3 corner = r.core.at[furthest < 0 ? 0 : furthest];
-    return vec3_add_scaled(corner, r.radius, vec3_unit(d));
+    vec3 origin = { 0, 0, 0 };
+    corner c = hull_support(r.core, (hull){ &origin, 1 }, d);
+    return vec3_add_scaled(c.at, r.radius, vec3_unit(d));
 }
 
 // Two surfaces are nearer than their cores by both radii, along the same line.
 round_result round_distance(round_body a, round_body b)
 {
-    distance_result core = distance_find(a.core, b.core, distance_options_default(), NULL);
+    gjk_result core = gjk_distance(a.core, b.core, HUGE_VAL, NULL);
     round_result r = { .status = core.status };
-    if (core.status == DISTANCE_NOT_FINITE) return r;
+    if (core.status == GJK_NOT_FINITE) return r;
 
     r.gap = core.distance - (a.radius + b.radius);
     // Zero where the cores overlap: GJK's axis is zero there.

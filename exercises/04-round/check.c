@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 10/round.
+// check.c - tests of the exercise 04/round.
 
 #include "round.h"
 
@@ -22,7 +22,7 @@ static void near_point(vec3 got, vec3 wanted, const char *what)
 
 static round_body around(const vec3 *at, int count, real radius)
 {
-    return (round_body){ { at, count, NULL, NULL }, radius };
+    return (round_body){ { at, count }, radius };
 }
 
 // Uniform in [-1, 1), the same on every machine.
@@ -127,7 +127,7 @@ START_TEST(overlapping_cores_have_no_normal_and_no_nan)
     vec3 s[2] = { { -1, 0, 0 }, { 1, 0, 0 } };
     vec3 t[2] = { { 0, -1, 0 }, { 0, 1, 0 } };
     round_result r = round_distance(around(s, 2, 0.25), around(t, 2, 0.5));
-    ck_assert_int_eq(r.status, DISTANCE_OVERLAP);
+    ck_assert_int_eq(r.status, GJK_OVERLAP);
     near(r.gap, -0.75, "gap");
     near_point(r.normal, (vec3){ 0, 0, 0 }, "normal");
     near_point(r.on_a, (vec3){ 0, 0, 0 }, "on A");
@@ -140,9 +140,8 @@ START_TEST(radius_zero_is_gjk_itself)
     vec3 a[4] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
     vec3 b[3] = { { 2, 2, 2 }, { 3, 1, 2 }, { 1, 3, 4 } };
     round_result r = round_distance(around(a, 4, 0), around(b, 3, 0));
-    distance_result g = distance_find((point_set){ a, 4, NULL, NULL },
-                                (point_set){ b, 3, NULL, NULL },
-                                distance_options_default(), NULL);
+    gjk_result g = gjk_distance((hull){ a, 4 }, (hull){ b, 3 }, HUGE_VAL,
+                                NULL);
     ck_assert(r.gap == g.distance && r.status == g.status);
     near_point(r.on_a, g.on_a, "on A");
     near_point(r.on_b, g.on_b, "on B");
@@ -170,7 +169,7 @@ START_TEST(what_is_not_finite_leaves_nothing)
 {
     vec3 p = { 0, (real)NAN, 0 }, q = { 2, 0, 0 };
     round_result r = round_distance(around(&p, 1, 1), around(&q, 1, 1));
-    ck_assert_int_eq(r.status, DISTANCE_NOT_FINITE);
+    ck_assert_int_eq(r.status, GJK_NOT_FINITE);
     ck_assert(r.gap == 0 && vec3_length(r.normal) == 0);
     ck_assert(vec3_length(r.on_a) == 0 && vec3_length(r.on_b) == 0);
     ck_assert(round_support(around(&q, 1, 1), (vec3){ 1, 0, 0 }).x == 3);

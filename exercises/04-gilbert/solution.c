@@ -2,15 +2,11 @@
 
 #include "gilbert.h"
 
-#include <stddef.h>
-
-// The point of A - B furthest against v.  0 if a coordinate is not finite.
-static int difference(point_set a, point_set b, vec3 v, vec3 *w)
+// The point of A - B furthest against v.  0 if it is not finite.
+static int difference(hull a, hull b, vec3 v, vec3 *w)
 {
-    int i = support_scan(a, vec3_scale(-1, v)), j = support_scan(b, v);
-    if (i < 0 || j < 0) return 0;
-    *w = vec3_sub(a.at[i], b.at[j]);
-    return 1;
+    *w = hull_support(a, b, vec3_scale(-1, v)).at;
+    return vec3_is_finite(*w);
 }
 
 vec3 segment_nearest(vec3 p, vec3 q)
@@ -21,7 +17,7 @@ vec3 segment_nearest(vec3 p, vec3 q)
     return ahead >= ee ? q : vec3_add_scaled(p, ahead / ee, e);
 }
 
-gilbert_result gilbert_distance(point_set a, point_set b, real relative_error,
+gilbert_result gilbert_distance(hull a, hull b, real relative_error,
                                 int cap)
 {
     vec3 v = vec3_sub(a.at[0], b.at[0]), w;
@@ -44,7 +40,7 @@ gilbert_result gilbert_distance(point_set a, point_set b, real relative_error,
     return r;
 }
 
-gilbert_answer gilbert_beyond(point_set a, point_set b, real margin, int cap)
+gilbert_answer gilbert_beyond(hull a, hull b, real margin, int cap)
 {
     vec3 v = vec3_sub(a.at[0], b.at[0]), w;
     gilbert_answer r = { -1, 0 };

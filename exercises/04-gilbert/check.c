@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 10/gilbert.
+// check.c - tests of the exercise 04/gilbert.
 
 #include "gilbert.h"
 
@@ -21,12 +21,12 @@ static void foot(vec3 p, vec3 q, vec3 wanted, const char *what)
                   got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
-static point_set set(const vec3 *at, int count)
+static hull set(const vec3 *at, int count)
 {
-    return (point_set){ at, count, NULL, NULL };
+    return (hull){ at, count };
 }
 
-static point_set box(vec3 at[8], vec3 low, vec3 high)
+static hull box(vec3 at[8], vec3 low, vec3 high)
 {
     for (int i = 0; i < 8; i++)
         at[i] = (vec3){ i & 1 ? high.x : low.x, i & 2 ? high.y : low.y,
@@ -49,7 +49,7 @@ static vec3 random_vec3(void)
 }
 
 // A hull of eight random points around a place.
-static point_set cloud(vec3 at[8], vec3 centre)
+static hull cloud(vec3 at[8], vec3 centre)
 {
     for (int i = 0; i < 8; i++) at[i] = vec3_add(centre, random_vec3());
     return set(at, 8);
@@ -57,7 +57,7 @@ static point_set cloud(vec3 at[8], vec3 centre)
 
 START_TEST(segment_has_a_foot_or_an_end)
 {
-    // Rejects: a foot beyond an end, 0 / 0.
+    // Rejects: a projection beyond an end, 0 / 0.
     foot((vec3){ -1, 2, 0 }, (vec3){ 3, 2, 0 }, (vec3){ 0, 2, 0 }, "foot");
     foot((vec3){ 1, 2, 0 }, (vec3){ 3, 2, 0 }, (vec3){ 1, 2, 0 }, "end p");
     foot((vec3){ -3, 0, 2 }, (vec3){ -1, 0, 2 }, (vec3){ -1, 0, 2 }, "end q");
@@ -83,8 +83,8 @@ START_TEST(boxes_are_apart_by_their_gap)
 {
     // Rejects: supports on the far side, or on the same side of both.
     vec3 at[8], bt[8];
-    point_set a = box(at, (vec3){ -1, -2, -3 }, (vec3){ 1, 2, 3 });
-    point_set b = box(bt, (vec3){ 4, 6, 3 }, (vec3){ 5, 7, 4 });
+    hull a = box(at, (vec3){ -1, -2, -3 }, (vec3){ 1, 2, 3 });
+    hull b = box(bt, (vec3){ 4, 6, 3 }, (vec3){ 5, 7, 4 });
     near(gilbert_distance(a, b, 1e-9, 100).most, 5, 1e-8, "corner to corner");
     b = box(bt, (vec3){ 3, 0, 0 }, (vec3){ 4, 0.5, 0.5 });
     near(gilbert_distance(a, b, 0.01, 1000).most, 2, 0.021, "face to face");
@@ -97,10 +97,9 @@ START_TEST(the_distance_lies_between_the_bounds)
     // was asked for.  Rejects: a bound that is not one.
     for (int k = 0; k < 300; k++) {
         vec3 at[8], bt[8];
-        point_set a = cloud(at, (vec3){ 0, 0, 0 });
-        point_set b = cloud(bt, vec3_scale(3, random_vec3()));
-        real true_one = distance_find(a, b, distance_options_default(),
-                                     NULL).distance;
+        hull a = cloud(at, (vec3){ 0, 0, 0 });
+        hull b = cloud(bt, vec3_scale(3, random_vec3()));
+        real true_one = gjk_distance(a, b, HUGE_VAL, NULL).distance;
         gilbert_result r = gilbert_distance(a, b, 1e-3, 1 + k % 7);
         ck_assert_msg(r.ok && r.least >= 0, "least is %g", r.least);
         ck_assert_msg(r.least <= true_one + ROUNDING
@@ -116,8 +115,8 @@ START_TEST(the_lower_bound_never_falls)
 {
     for (int k = 0; k < 100; k++) {
         vec3 at[8], bt[8];
-        point_set a = cloud(at, (vec3){ 0, 0, 0 });
-        point_set b = cloud(bt, (vec3){ 2, 1, 0.5 });
+        hull a = cloud(at, (vec3){ 0, 0, 0 });
+        hull b = cloud(bt, (vec3){ 2, 1, 0.5 });
         real least = 0, most = HUGE_VAL;
         for (int cap = 1; cap < 20; cap++) {
             gilbert_result r = gilbert_distance(a, b, 0, cap);
@@ -136,7 +135,7 @@ START_TEST(bodies_in_each_other_have_no_distance)
 {
     // Rejects: a v of length 0 that is asked for its direction.
     vec3 at[8], p = { 1, 1, 1 };
-    point_set a = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
+    hull a = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
     gilbert_result r = gilbert_distance(a, a, 1e-3, 50);
     near(r.most, 0, 0, "a box in its own place");
     ck_assert_msg(r.asked == 0, "v is 0 from the first: got %d questions",
@@ -150,8 +149,8 @@ END_TEST
 START_TEST(cap_is_kept)
 {
     vec3 at[8], bt[8];
-    point_set a = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
-    point_set b = box(bt, (vec3){ 0.1, -0.3, 0.2 }, (vec3){ 3, 3, 3.3 });
+    hull a = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
+    hull b = box(bt, (vec3){ 0.1, -0.3, 0.2 }, (vec3){ 3, 3, 3.3 });
     gilbert_result r = gilbert_distance(a, b, 1e-6, 25);
     ck_assert_msg(r.asked <= 25, "cap 25, got %d questions", r.asked);
     ck_assert_msg(r.least == 0, "they overlap, and least is %g", r.least);
@@ -166,14 +165,14 @@ START_TEST(most_pairs_are_answered_by_one_question)
     // Rejects: measuring first.  Is the gap more than 1 m?  It is 8 m at least.
     for (int k = 0; k < 50; k++) {
         vec3 at[8], bt[8];
-        point_set a = cloud(at, (vec3){ 0, 0, 0 });
-        point_set b = cloud(bt, (vec3){ 10, 10, k % 7 });
+        hull a = cloud(at, (vec3){ 0, 0, 0 });
+        hull b = cloud(bt, (vec3){ 10, 10, k % 7 });
         gilbert_answer r = gilbert_beyond(a, b, 1, 100);
         ck_assert_msg(r.answer == 1, "more than 1 m apart? got %d", r.answer);
         ck_assert_msg(r.asked == 1, "one question is enough, got %d", r.asked);
     }
     vec3 at[8];
-    point_set a = cloud(at, (vec3){ 0, 0, 0 });
+    hull a = cloud(at, (vec3){ 0, 0, 0 });
     gilbert_answer r = gilbert_beyond(a, a, 0.5, 100);
     ck_assert_msg(r.answer == 0 && r.asked == 0, "two points are near enough "
                   "from the first: got %d after %d questions", r.answer,
@@ -186,10 +185,9 @@ START_TEST(yes_or_no_agrees_with_gjk)
     int said[2] = { 0, 0 };
     for (int k = 0; k < 500; k++) {
         vec3 at[8], bt[8];
-        point_set a = cloud(at, (vec3){ 0, 0, 0 });
-        point_set b = cloud(bt, vec3_scale(4, random_vec3()));
-        real true_one = distance_find(a, b, distance_options_default(),
-                                     NULL).distance;
+        hull a = cloud(at, (vec3){ 0, 0, 0 });
+        hull b = cloud(bt, vec3_scale(4, random_vec3()));
+        real true_one = gjk_distance(a, b, HUGE_VAL, NULL).distance;
         real margin = k % 2 ? 0.5 : 2;
         int wanted = true_one > margin;
         gilbert_answer r = gilbert_beyond(a, b, margin, 100000);
@@ -204,7 +202,7 @@ END_TEST
 
 START_TEST(what_is_not_finite_is_said)
 {
-    vec3 p = { 1, (real)NAN, 0 }, q[2] = { { 4, 6, 3 }, { 5, 5, HUGE_VAL } };
+    vec3 p = { 1, (real)NAN, 0 }, q[2] = { { 4, 6, 3 }, { 5, 5, -HUGE_VAL } };
     gilbert_result r = gilbert_distance(set(&p, 1), set(q, 1), 1e-3, 10);
     ck_assert_msg(!r.ok && r.most == 0 && r.least == 0, "NaN: ok is %d, most "
                   "%g", r.ok, r.most);
@@ -220,20 +218,21 @@ END_TEST
 
 START_TEST(it_gets_there_in_a_zigzag)
 {
-    // Two boxes face to face.  GJK asks three times and has it exactly; ours
+    // Two boxes face to face.  GJK asks a few times and has it exactly; ours
     // asks 67 times for 10 %, 821 times for 1 %.
     vec3 at[8], bt[8];
-    point_set a = box(at, (vec3){ -1, -2, -3 }, (vec3){ 1, 2, 3 });
-    point_set b = box(bt, (vec3){ 3, -1, -2 }, (vec3){ 4, 1, 2 });
-    distance_result g = distance_find(a, b, distance_options_default(), NULL);
+    hull a = box(at, (vec3){ -1, -2, -3 }, (vec3){ 1, 2, 3 });
+    hull b = box(bt, (vec3){ 3, -1, -2 }, (vec3){ 4, 1, 2 });
+    gjk_result g = gjk_distance(a, b, HUGE_VAL, NULL);
     gilbert_result r = gilbert_distance(a, b, 0.1, 100);
     near(r.most, 2, 0.21, "distance to 10 %");
     near(r.least, 2, 0.21, "lower bound to 10 %");
     r = gilbert_distance(a, b, 0.01, 1000);
     near(r.most, 2, 0.021, "distance to 1 %");
     near(r.least, 2, 0.021, "lower bound to 1 %");
-    ck_assert_msg(g.iterations <= 3 && g.distance == 2, "GJK has asked %d "
-                  "questions", g.iterations);
+    near(g.distance, 2, ROUNDING, "GJK");
+    ck_assert_msg(g.iterations <= 10, "GJK has asked %d questions",
+                  g.iterations);
 }
 END_TEST
 

@@ -5,10 +5,10 @@
 #ifndef TUMBLE_GILBERT_H
 #define TUMBLE_GILBERT_H
 
-#include "distance.h"
+#include "gjk.h"
 
 typedef struct {
-    int  ok;            // 0: a coordinate is not finite, and all numbers are 0
+    int  ok;            // 0: a support is not finite, and all numbers are 0
     real most;          // m, |v|: the distance is no more than this
     real least;         // m, >= 0: and no less than this
     vec3 nearest;       // m, v, a point of A - B
@@ -20,7 +20,7 @@ vec3 segment_nearest(vec3 p, vec3 q);
 
 // Until most - least <= relative_error * most, or v is 0, or has not become
 // shorter, or cap (>= 1) questions are asked.
-gilbert_result gilbert_distance(point_set a, point_set b, real relative_error,
+gilbert_result gilbert_distance(hull a, hull b, real relative_error,
                                 int cap);
 
 typedef struct {
@@ -30,6 +30,6 @@ typedef struct {
 } gilbert_answer;
 
 // margin in m, >= 0.  A distance of just the margin is not beyond it.
-gilbert_answer gilbert_beyond(point_set a, point_set b, real margin, int cap);
+gilbert_answer gilbert_beyond(hull a, hull b, real margin, int cap);
 
 #endif

@@ -5,17 +5,17 @@
 #ifndef TUMBLE_ROUND_H
 #define TUMBLE_ROUND_H
 
-#include "distance.h"
+#include "gjk.h"
 
 // All that is no further than radius from the hull of the core.  One point: a
 // ball.  Two: a capsule.  Eight corners: a box with round edges.
 typedef struct {
-    point_set core;
+    hull core;
     real radius;        // m, >= 0
 } round_body;
 
 typedef struct {
-    distance_status status;  // what GJK says of the cores
+    gjk_status status;  // what GJK says of the cores
     real gap;           // m, between the surfaces; < 0: they overlap
     vec3 normal;        // unit, from B to A
     vec3 on_a, on_b;    // m, the nearest points of the surfaces
@@ -26,9 +26,9 @@ typedef struct {
 vec3 round_support(round_body r, vec3 d);
 
 // The gap, and where it is: on_a - on_b = gap * normal.  Where the cores
-// themselves overlap (status DISTANCE_OVERLAP) there is no telling the way out: gap
+// themselves overlap (status GJK_OVERLAP) there is no telling the way out: gap
 // is minus the sum of the radii, which the bodies overlap by at least, normal
-// is 0, and on_a and on_b are what GJK gives for the cores.  DISTANCE_NOT_FINITE:
+// is 0, and on_a and on_b are what GJK gives for the cores.  GJK_NOT_FINITE:
 // everything is 0.
 round_result round_distance(round_body a, round_body b);
 

@@ -15,6 +15,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -105,19 +106,52 @@ static status write_csv_head(run *r)
     return output_flush(&r->csv);
 }
 
+// What the library cannot see in plain C: a pipe, which would wait for ever and
+// hear no signal, and a mesh that its own results would replace.
+static status check_mesh(const settings *set)
+{
+    const char *const outputs[2] = { set->film, set->csv };
+    struct stat read, written;
+    // The library says why a file cannot be opened.
+    if (stat(set->mesh, &read) != 0) return status_ok();
+    if (!S_ISREG(read.st_mode))
+        return status_fail("%.120s: is not a regular file: a mesh is read from "
+                           "one", set->mesh);
+    for (int k = 0; k < 2; k++)
+        if (outputs[k] && stat(outputs[k], &written) == 0 &&
+            written.st_dev == read.st_dev && written.st_ino == read.st_ino)
+            return status_fail("--mesh %.50s and %s %.50s name the same file",
+                               set->mesh, k == 0 ? "--film" : "--csv",
+                               outputs[k]);
+    return status_ok();
+}
+
+static status read_mesh(const settings *set, shape *thrown)
+{
+    status read = check_mesh(set);
+    return read.ok ? obj_read(set->mesh, SCENE_BODY_RADIUS, 1, thrown) : read;
+}
+
+// The scene knows a shape, its user a file.
+static status name_mesh(const settings *set, status s)
+{
+    if (s.ok || !set->mesh) return s;
+    return status_fail("%.100s: %s", set->mesh, s.why);
+}
+
 static status begin_scene(run *r)
 {
     scene_options what = settings_scene(&r->set);
     shape thrown;
     if (r->set.mesh) {
-        status read = obj_read(r->set.mesh, SCENE_BODY_RADIUS, 1, &thrown);
+        status read = read_mesh(&r->set, &thrown);
         if (!read.ok) return read;
         what.thrown = &thrown;
     }
     runner_kind kind = settings_runner(&r->set);
     if (kind != BY_ENGINE)
-        return runner_begin_system(&r->run, kind, r->set.scene, what,
-                                   settings_system(&r->set));
+        return name_mesh(&r->set, runner_begin_system(&r->run, kind,
+                         r->set.scene, what, settings_system(&r->set)));
     world_options how = settings_world(&r->set);
     how.clock = clock_seconds;
     if (r->set.threads > 1) {
@@ -129,7 +163,8 @@ static status begin_scene(run *r)
         how.both = thread_both;
         how.both_context = r->second;
     }
-    return runner_begin_world(&r->run, r->set.scene, what, how);
+    return name_mesh(&r->set, runner_begin_world(&r->run, r->set.scene, what,
+                                                 how));
 }
 
 // Everything that can go wrong before the first step goes wrong here.
@@ -388,6 +423,7 @@ static int run_scene(const settings *set)
 {
     run r = { .set = *set };
     settings_print_notes(set, stderr);
+    if (set->scene != SCENE_ROOM) r.set.mesh = NULL;    // nothing reads it
     catch_signals();
     status done = run_begin(&r);
     if (done.ok) done = run_steps(&r);

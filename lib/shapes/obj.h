@@ -2,7 +2,8 @@
 // obj.h - a convex body from a Wavefront OBJ file.
 //
 // Book: chapter 16.  Of the format: lines `v x y z` and `f i j k ...` (also
-// i/t/n; negative indices count back; polygons are cut into fans).  All other
+// i/t/n; negative indices count back; polygons are cut into fans), in any
+// order.  A backslash at the end of a line joins it to the next.  All other
 // lines are ignored.
 
 #ifndef TUMBLE_OBJ_H
@@ -13,12 +14,12 @@
 // Reads the triangle mesh in the file `path` as a rigid, convex body of that
 // mass (kg), its centre of mass at the origin, scaled so that the largest
 // distance of a vertex from it is radius (m).
-// Requires: numbers are written with a point, as in the C locale, in which
-// every program starts.
+// Vertices that no face uses are dropped.  A mesh whose faces all look inwards
+// is turned round.  Numbers have a decimal point, whatever the locale.
 // Fails, and leaves *s empty, with one sentence that names the file, the line
 // where there is one, what is wrong and why: cannot open, not a number, index
-// out of range, no face, open, non-manifold, flat, not convex, facing inwards,
-// larger than 4096 vertices.
+// out of range, no face, open, non-manifold, flat, not convex, more than 4096
+// vertices, more than 16 MB.
 status obj_read(const char *path, real radius, real mass, shape *s);
 
 #endif

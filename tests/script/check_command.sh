@@ -157,6 +157,7 @@ fi
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n' > corners
 cp corners good.obj
 printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >> good.obj
+cp good.obj good.was
 accepts '1 body of good.obj' room --mesh good.obj --bodies 1 --seconds 0.1
 { cat corners; printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\n'; } > open.obj
 { echo v 0 nan 0; cat good.obj; } > nan.obj
@@ -165,11 +166,29 @@ accepts '1 body of good.obj' room --mesh good.obj --bodies 1 --seconds 0.1
 for mesh in open nan range empty; do
     refuses 1 "$mesh.obj" room $long --mesh $mesh.obj
 done
+# A needle: convex, but no solid for the engine.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1e-8 0\nv 0 0 1e-8\n' > thin.obj
+printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >> thin.obj
+refuses 1 'thin.obj: .*too thin to be solid' room $long --mesh thin.obj
+
+# A pipe without a writer would wait for ever; a result would replace its mesh.
+mkfifo pipe.obj
+refuses 1 'pipe.obj: is not a regular file' room $long --mesh pipe.obj
+ln -s good.obj link.obj
+for option in csv film; do
+    refuses 1 "--mesh good.obj and --$option" \
+        room $long --mesh good.obj --$option good.obj
+    refuses 1 "--mesh good.obj and --$option" \
+        room $long --mesh good.obj --$option ./link.obj
+done
+verdict 'a mesh that is named twice is left alone' \
+    "$(cmp good.obj good.was 2>&1)"
+
 # The meshes of check_obj: these are convex, in every other one is a fault.
 for mesh in "$data"/*.obj; do
     [ -f "$mesh" ] || continue
     case $(basename "$mesh") in
-    cube.obj | tetrahedron.obj)
+    cube.obj | octahedron-inwards.obj | tetrahedron.obj)
         accepts '1 body' room --bodies 1 --seconds 0.1 --mesh "$mesh" ;;
     *) refuses 1 "$(basename "$mesh")" room $long --mesh "$mesh" ;;
     esac

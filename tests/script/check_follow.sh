@@ -141,7 +141,7 @@ if command -v setsid > /dev/null && env --default-signal=INT true 2> /dev/null; 
     also "with the tests"               'All passed: 1 programs'
     sleep 2.2
     if [ "$(grep -c '^----' "$tree/said")" = 1 ]; then verdict "and waits" yes; else verdict "and waits" no; fi
-    sed 's|force, 1, dt \* dt|force, 1, -dt * dt|' lib/particles/verlet.c > "$tree/verlet.c"
+    sed 's|last_move, dt \* dt, a|last_move, -dt * dt, a|' lib/particles/verlet.c > "$tree/verlet.c"
     says_after "a save is seen"         'FAILED: check_verlet'
     : > "$tree/said"
     cp lib/particles/verlet.c "$tree/verlet.c"

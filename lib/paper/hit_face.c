@@ -118,7 +118,8 @@ static bool grow(polytope *p)
     return most > ROUNDING * p->size;
 }
 
-// Of the first four corners; 0, i, j looks away from 3.
+// The tetrahedron of the first four corners.  i and j are 1 and 2, in the order
+// that turns the normal of the face 0, i, j away from corner 3.
 static void add_tetrahedron(polytope *p)
 {
     const corner *c = p->corner;
@@ -176,7 +177,7 @@ static void remove_face(polytope *p, int f, rim *r)
 //<
 
 //> hit-face-expand
-// Would the face from an edge of the rim to w look inwards?
+// Would the face from an edge of the rim to w have its normal inwards?
 static bool is_turned(const polytope *p, edge e, vec3 w)
 {
     vec3 from = vec3_sub(p->corner[e.from].at, p->middle);

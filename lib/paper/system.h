@@ -16,7 +16,8 @@
 
 //> system-options
 typedef enum {
-    LEAF_PARTICLES,     // spheres of 0.55 of the spacing around particles
+    LEAF_PARTICLES,     // spheres around particles, as thick as 0.55 of the
+                        // shape's shortest stick
     LEAF_FACES          // the smallest around triangles or links (the paper)
 } leaf_kind;
 
@@ -38,7 +39,7 @@ typedef struct {
     leaf_kind leaves;   // of deformable bodies
     bool printed;       // contacts are parted by response_printed (paper) ...
     response_errata errata;     // ... with these misprints
-    real friction;      // Coulomb's coefficient (paper: left out)
+    real friction;      // Coulomb's coefficient; nothing if `printed` (paper)
     real margin;        // m, rigid bodies are kept so far apart (paper: 0)
     real speculative;   // m, contacts of rigid bodies, and of planes, are found
                         // so far ahead (paper: 0)

@@ -138,14 +138,16 @@ static hull body_hull(const particle_system *s, const system_body *x)
 // Two hulls, at the hit face if they overlap, and where they are nearest if
 // they are no further apart than reach: fills the points and the normal of c,
 // with vertices as the hulls number them.
-static bool hulls_meet(hull a, hull b, real reach, simplex *carried, contact *c,
-                       vec3 *axis)
+static bool hulls_meet(particle_system *s, hull a, hull b, real reach,
+                       simplex *carried, contact *c, vec3 *axis)
 {
     gjk_result g = gjk_distance(a, b, reach, carried);
+    s->report.capped += g.status == GJK_CAPPED;
     if (axis) *axis = g.axis;
     if (g.status == GJK_BEYOND || g.status == GJK_NOT_FINITE) return false;
     if (g.status == GJK_OVERLAP) {
         hit_result h = hit_face_find(a, b, &g.last);
+        s->report.capped += h.status == HIT_CAPPED;
         c->normal = h.normal, c->a = h.a, c->b = h.b;
         return true;
     }
@@ -176,8 +178,8 @@ static void find_rigid(particle_system *s, int i, int j)
                                            % s->carries];
     if (carried->a != i || carried->b != j)
         *carried = (carried_simplex){ .a = i, .b = j };
-    if (!hulls_meet(body_hull(s, a), body_hull(s, b), reach, &carried->last, &c,
-                    NULL)) return;
+    if (!hulls_meet(s, body_hull(s, a), body_hull(s, b), reach, &carried->last,
+                    &c, NULL)) return;
     renumber(&c.a, a);
     renumber(&c.b, b);
     add_contact(s, c, s->options.lifetime);
@@ -214,8 +216,8 @@ static void find_leaf(particle_system *s, system_body *a, int leaf,
     real thickness = a->tree.thickness;
     contact c = contact_of(a, b, thickness);
     if (still_apart(center, body_hull(s, b), a->axis[leaf], thickness)) return;
-    if (!hulls_meet((hull){ &center, 1 }, body_hull(s, b), thickness, NULL, &c,
-                    &a->axis[leaf])) return;
+    if (!hulls_meet(s, (hull){ &center, 1 }, body_hull(s, b), thickness, NULL,
+                    &c, &a->axis[leaf])) return;
     renumber(&c.b, b);
     c.a = leaf_point(a, leaf);
     c.apart += vec3_dot(vec3_sub(feature_at(&c.a, s->at), center), c.normal);
@@ -438,6 +440,7 @@ static status build_tree(system_body *x, leaf_kind kind)
     bool by_particle = is_soft(x) && kind == LEAF_PARTICLES;
     int n = by_particle ? s->particles
           : s->mesh.faces ? s->mesh.faces : s->sticks;
+    if (n == 0) return status_fail("a body has neither faces nor sticks");
     leaf_feature *leaf = malloc((size_t)n * sizeof *leaf);
     if (!leaf) return status_out_of_memory();
     for (int k = 0; k < n; k++) leaf[k] = feature_of_leaf(s, by_particle, k);

@@ -81,6 +81,8 @@ typedef struct {
     long relaxed;       // distance constraints that moved something
     int  unconverged;   // bodies whose last iteration met a strain, or an error
                         // of an angle, beyond the tolerance
+    int  capped;        // queries of GJK or of the hit face that were cut off
+                        // before they knew the answer to rounding
     int  dropped;       // contacts that found no memory: should be 0
     int  lost;          // bodies with NaN or beyond all bounds: should be 0
 } system_report;

@@ -663,6 +663,59 @@ START_TEST(bad_options_are_refused_with_a_sentence)
 }
 END_TEST
 
+// Two round bodies of many corners, one in the other: all of their faces are
+// about as deep, and our hit face has no room for so many.
+// Rejects: a query that is cut off in silence; boxes that are counted.
+START_TEST(queries_cut_off_are_counted)
+{
+    enum { CORNERS = 1000 };
+    scene_init(&stage);
+    shape ball;
+    ck_assert(shape_begin(&ball, SHAPE_RIGID, CORNERS, CORNERS, 1).ok);
+    for (int i = 0; i < CORNERS; i++) {
+        real z = 1 - (2 * i + 1) / (real)CORNERS, around = 2.399963 * i;
+        real r = sqrt(1 - z * z);
+        ball.at[i] = vec3_make(r * cos(around), r * sin(around), z);
+        if (i > 0) shape_add_stick(&ball, i - 1, i);
+    }
+    ck_assert(shape_finish(&ball, status_ok()).ok);
+    ck_assert(scene_add_shape(&stage, &ball).ok);
+    for (int k = 0; k < 2; k++)
+        ck_assert(scene_add(&stage, 0, placement_at(vec3_make(0, 0, 0))).ok);
+    system_options o = weightless();
+    o.substeps = 1;
+    begin(o);
+    hull a = { stage.shape[0].at, CORNERS };
+    gjk_result g = gjk_distance(a, a, HUGE_VAL, NULL);
+    hit_result h = hit_face_find(a, a, &g.last);
+    ck_assert_int_eq(system_step(&s).capped, h.status == HIT_CAPPED);
+    end();
+    for (int k = 0; k < 2; k++)
+        add_box(vec3_make(1, 1, 1), 1, placement_at(vec3_make(0.3 * k, 0, 0)));
+    begin(o);
+    ck_assert_int_eq(system_step(&s).capped, 0);
+    end();
+}
+END_TEST
+
+// Rejects: a tree that is built over nothing.
+START_TEST(a_body_of_loose_particles_is_refused)
+{
+    scene_init(&stage);
+    shape loose;
+    ck_assert(shape_begin(&loose, SHAPE_RIGID, 2, 0, 1).ok);
+    loose.at[1] = vec3_make(1, 0, 0);
+    ck_assert(shape_finish(&loose, status_ok()).ok);
+    ck_assert(scene_add_shape(&stage, &loose).ok);
+    ck_assert(scene_add(&stage, 0, placement_at(vec3_make(0, 0, 0))).ok);
+    status done = system_init(&s, &stage, system_options_mended());
+    ck_assert(!done.ok);
+    ck_assert_msg(strstr(done.why, "sticks") != NULL, "%s", done.why);
+    ck_assert_ptr_null(s.body);
+    scene_free(&stage);
+}
+END_TEST
+
 // Rejects: a number of particles that overflows.
 START_TEST(too_many_particles_are_refused)
 {
@@ -774,6 +827,8 @@ int main(void)
         a_lost_cloth_is_told_and_harms_no_other,
         an_empty_scene_steps,
         bad_options_are_refused_with_a_sentence,
+        queries_cut_off_are_counted,
+        a_body_of_loose_particles_is_refused,
         too_many_particles_are_refused,
         every_refusal_of_memory_is_told_and_leaves_nothing,
         contacts_without_room_are_counted,

@@ -66,7 +66,7 @@ static real length_of(const particle *p, int a, int b)
 
 START_TEST(stick_has_its_length_again)
 {
-    // Rejects: half the error, a push the wrong way.
+    // Rejects: half the error, a move the wrong way.
     for (int i = 0; i < 100; i++) {
         particle p[2] = { at(random_real(), random_real(), random_real(), 1),
                           at(random_real(), random_real(), random_real(), 3) };
@@ -81,7 +81,7 @@ END_TEST
 
 START_TEST(ends_share_by_inverse_mass)
 {
-    // Rejects: equal shares, shares by mass.
+    // Rejects: equal moves, moves by mass.
     for (int k = 0; k < WAYS; k++) {
         particle p[2] = { at(0, 0, 0, 1), at(1.001, 0, 0, 0.25) };
         stick_relax(bar(0, 1, 1), p, way(k));
@@ -169,7 +169,7 @@ END_TEST
 
 START_TEST(one_sided_sticks_push_one_way)
 {
-    // Rejects: the two kinds exchanged; a content stick that counts as strain.
+    // Rejects: the two kinds exchanged; strain of a satisfied stick.
     for (int k = 0; k < WAYS; k++) {
         for (int longer = 0; longer < 2; longer++) {
             real d = longer ? 1.01 : 0.99;
@@ -204,7 +204,7 @@ END_TEST
 START_TEST(approximate_root_never_ends_too_long)
 {
     // 2 d L^2 / (d^2 + L^2) <= L, arithmetic against geometric mean.
-    // Rejects: another Newton start, or the push of the exact root.
+    // Rejects: another Newton start, or the move of the exact root.
     for (real d = 0.01; d < 100; d *= 1.1) {
         particle p[2] = { at(0, 0, 0, 1), at(d, 0, 0, 2) };
         stick_relax(bar(0, 1, 1), p, way(1));
@@ -252,7 +252,9 @@ END_TEST
 
 START_TEST(not_a_number_does_not_leave_quietly)
 {
-    // Rejects: a comparison that NaN slips through, in any way and any kind.
+    // One end is NaN; the other must stay, and the error be reported.
+    // Rejects: a comparison that NaN slips through, in any way and any kind; a
+    // correction called possible because its length, NaN, is not 0.
     for (int k = 0; k < WAYS; k++) for (int kind = 0; kind < 3; kind++) {
         particle p[3] = { at(0, 0, 0, 1), at(not_a_number, 0, 0, 1),
                           at(1, 0, 0, 1) };
@@ -395,8 +397,8 @@ static void momenta(const particle *p, int n, real dt, vec3 *l, vec3 *m)
 
 START_TEST(free_body_keeps_its_momenta_in_any_order)
 {
-    // One iteration or five, listed, reversed or shuffled.  Rejects: a push along
-    // anything but the line that joined the ends a step ago.
+    // One iteration or five, listed, reversed or shuffled.
+    // Rejects: moves along anything but the line that joined the ends a step ago.
     real dt = 1.0 / 60;
     for (int run = 0; run < 6; run++) {
         particle p[CORNERS];
@@ -455,7 +457,7 @@ static void rope(particle *p, stick *s, int n, real length)
 START_TEST(chain_converges_at_its_rate)
 {
     // Gauss-Seidel on a straight chain: cos^2(pi / (n + 1)) an iteration.
-    // Rejects: Jacobi (its square root), a lost share.
+    // Rejects: Jacobi (its square root), a lost half.
     particle p[LINKS + 1];
     stick s[LINKS];
     rope(p, s, LINKS, 1);
@@ -473,7 +475,7 @@ END_TEST
 
 START_TEST(iteration_counts_and_measures_before)
 {
-    // Rejects: strain measured after the push, the sum instead of the largest.
+    // Rejects: strain measured after the move, the sum instead of the largest.
     for (int k = 0; k < WAYS; k++) {
         particle p[4] = { at(0, 0, 0, 1), at(1.001, 0, 0, 1),
                           at(5, 0, 0, 1), at(6.004, 0, 0, 1) };
@@ -556,7 +558,7 @@ END_TEST
 
 START_TEST(relax_stops_at_the_tolerance)
 {
-    // Rejects: a loop that always runs to the cap, or stops one iteration early.
+    // Rejects: a loop that always runs to the cap, or stops one early.
     for (int k = 0; k < WAYS; k++) {
         particle p[LINKS + 1];
         stick s[LINKS];
@@ -635,7 +637,8 @@ static void gains_nothing(const particle *before, const particle *after, int n)
 
 START_TEST(elbow_takes_its_angle)
 {
-    // Rejects: an angle held the wrong way round, a gradient of the wrong sign or length, a corner that stays.
+    // Rejects: an angle held the wrong way round, a gradient of the wrong sign
+    // or length, a corner that stays.
     for (int i = 0; i < 200; i++) {
         particle p[3] = { at(random_real(), random_real(), 1, 0.5),
                           at(random_real(), random_real(), 0, 1),
@@ -656,7 +659,7 @@ END_TEST
 
 START_TEST(angle_is_quadratic_near_its_goal)
 {
-    // Rejects: a share that is right in sign only.
+    // Rejects: a fraction that is right in sign only.
     particle p[3] = { at(1, 0, 0, 1), at(0, 0, 0, 3), at(0.01, 1, 0, 2) };
     angle c = { 0, 1, 2, 0, 1 };
     angle_relax(c, p);

@@ -404,7 +404,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,verlet mesh body ring \
+SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body ring \
   rigidity convex obj penetration sphere sphere_tree grid ordering \
   line four broad rest world step world_scene scene system)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scarce.h"
 #include "status.h"
 
 // Fills the stack that the next call will use, so that what it leaves unwritten
@@ -63,12 +64,16 @@ START_TEST(two_failures_keep_their_own_sentences)
 }
 END_TEST
 
-// Rejects: a refused allocation that passes for success, or says nothing.
+// With no memory at all.  Rejects: a refused allocation that passes for success,
+// or says nothing; a sentence that is made in memory from malloc.
 START_TEST(refused_memory_is_a_failure_with_a_sentence)
 {
-    status s = status_out_of_memory();
-    ck_assert(!s.ok);
+    mallocs_left = 0;
+    status s = status_out_of_memory(), t = status_fail("body %d", 7);
+    mallocs_left = INT_MAX;
+    ck_assert(!s.ok && !t.ok);
     ck_assert_str_eq(s.why, "out of memory");
+    ck_assert_str_eq(t.why, "body 7");
 }
 END_TEST
 

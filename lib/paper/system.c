@@ -323,8 +323,13 @@ static void separate_contacts(particle_system *s)
     }
 }
 
+// A body bent by more than this (strain) was pushed out of a deep overlap.
+static const real BENT = 0.25;
+
 // Section 6.2: a rigid body that was pushed relaxes its constraints outwards
 // from the particle that moved most; any other body as they are listed.
+// Of a bent body the old gradients overshoot, more in every substep, until it
+// is lost.  So it is relaxed once more, along the new ones.
 static relax_result relax_body(particle_system *s, const system_body *x,
                                relaxation r)
 {
@@ -336,7 +341,13 @@ static relax_result relax_body(particle_system *s, const system_body *x,
     if (from >= 0)
         return sticks_relax_from(&x->lists, from, list, n, p, r.iterations,
                                  r.how);
-    return sticks_relax(list, n, p, r.iterations, r.how);
+    relax_result done = sticks_relax(list, n, p, r.iterations, r.how);
+    if (r.how.gradient == GRADIENT_NEW || done.worst <= BENT) return done;
+    r.how.gradient = GRADIENT_NEW;
+    relax_result again = sticks_relax(list, n, p, r.iterations, r.how);
+    again.tested += done.tested;
+    again.relaxed += done.relaxed;
+    return again;
 }
 
 // Relaxes the angles of a body once.  Returns the largest error met.

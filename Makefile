@@ -150,7 +150,7 @@ demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
 	  $(BUILD)/tumble $$scene --film $(BUILD)/demo/$$scene.png || { \
 	  $(if $(MINE),echo "The scene $$scene fails with $(MINE); what is not so says\
 	    make test MINE='$(MINE)'" >&2;) exit 1; }; done
-	$(Q)$(foreach f,$(FIGURES_09),$(call draw,$f,$(BUILD)/demo) &&) true
+	$(Q)export TUMBLE_QUICK=1; $(foreach f,$(FIGURES_09),$(call draw,$f,$(BUILD)/demo) &&) true
 	@echo "The pictures and charts are in $(BUILD)/demo:" && ls $(BUILD)/demo/*.png
 
 # Every test runs, even if another one fails or does not build.
@@ -172,7 +172,7 @@ test:
 $(CHAPTERS:%=test-%): test-%:
 	$(Q)$(if $(TESTS_$*),YOURS='$(MINE)' sh tests/script/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
 $(MADE): %: test-%
-	$(Q)$(foreach f,$(FIGURES_$@),$(call draw,$f,$(BUILD)/figures) &&) true
+	$(Q)export TUMBLE_QUICK=1; $(foreach f,$(FIGURES_$@),$(call draw,$f,$(BUILD)/figures) &&) true
 	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh chapter $@
 
 book:

@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-enum { WIDTH = 560, HEIGHT = 480, GAP = 6, LAMPS = 6, COLUMNS = 3 };
+enum { WIDTH = 560, HEIGHT = 480, GAP = 6, LAMPS = 4, COLUMNS = 3 };
 
 // When each scene is looked at, s: as printed, as mended, as mended.
 static const real moment[SCENES][COLUMNS] = {

@@ -8,6 +8,13 @@
 
 static const real LAST = 2;     // s, that show what is left at rest
 
+// A reader who looks through a chapter (make 09) waits for a quarter of each run
+// only; the book's figures (make figure-09) are of whole ones.
+static real whole_or_quarter(real seconds)
+{
+    return getenv("TUMBLE_QUICK") ? seconds / 4 : seconds;
+}
+
 static void raise(real *most, real value)
 {
     if (!(value <= *most)) *most = value;
@@ -33,7 +40,8 @@ static bool look(runner *r, bool is_last, real share, trial *out)
 void trial_run(runner *r, real seconds, trial *out)
 {
     real dt = r->kind == BY_ENGINE ? r->world.options.dt : r->plain.options.dt;
-    int steps = (int)(seconds / dt + 0.5), last = (int)(LAST / dt + 0.5);
+    int steps = (int)(whole_or_quarter(seconds) / dt + 0.5);
+    int last = (int)(LAST / dt + 0.5);
     real *taken = malloc((size_t)(steps + 1) * sizeof *taken);
     *out = (trial){ .steps = 0 };
     for (int k = 0; k < steps && taken; k++) {

@@ -19,7 +19,8 @@ typedef struct {
     real relaxed, tested;   // distance constraints a step, mean
 } trial;
 
-// Steps r for so long, and frees it.
+// Steps r for so long, and frees it; for a quarter of that if the environment
+// has TUMBLE_QUICK, as make 09 and make demo set it.
 void trial_run(runner *r, real seconds, trial *out);
 
 // Builds a scene with this kind of runner, and runs it.  Fails as runner_begin

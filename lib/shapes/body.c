@@ -63,6 +63,7 @@ static void add_stick(shape *s, int a, int b, real length, real stiffness)
 
 void shape_add_stick(shape *s, int a, int b)
 {
+    assert(a != b && int_min(a, b) >= 0 && int_max(a, b) < s->particles);
     add_stick(s, a, b, vec3_distance(s->at[a], s->at[b]), 1);
 }
 
@@ -95,8 +96,20 @@ static void measure(shape *s)
         s->spacing = real_min(s->spacing, s->stick[k].rest_length);
 }
 
+// The length of a stick is NaN where one of its ends is.
+static status check_sticks(const shape *s)
+{
+    for (int k = 0; k < s->sticks; k++)
+        if (!(s->stick[k].rest_length > 0))
+            return status_fail("stick %d joins particles %d and %d, which do "
+                               "not stand in two places", k, s->stick[k].a,
+                               s->stick[k].b);
+    return status_ok();
+}
+
 status shape_finish(shape *s, status so_far)
 {
+    if (so_far.ok) so_far = check_sticks(s);
     if (so_far.ok) {
         measure(s);
         so_far = check_quantity("radius", s->radius, "m");

@@ -78,7 +78,7 @@ void shape_add_stick(shape *s, int a, int b);
 void shape_add_edges(shape *s);
 
 // Measures radius and spacing.  If something failed before, frees *s and
-// returns that failure.
+// returns that failure; it fails itself if a stick has no length.
 status shape_finish(shape *s, status so_far);
 
 // Adds an angular constraint to a finished shape.  Fails, and leaves *s as it

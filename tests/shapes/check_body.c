@@ -289,6 +289,25 @@ START_TEST(stiffness_of_diagonals_lies_above_0_and_at_most_1)
 }
 END_TEST
 
+// Rejects: a stick of length 0, by which a relaxation would divide; a NaN that
+// the largest of many distances overlooks.
+START_TEST(stick_without_a_length_is_refused)
+{
+    const real x[2] = { 0, (real)NAN };
+    for (int k = 0; k < 2; k++) {
+        shape s;
+        expect_ok(shape_begin(&s, SHAPE_RIGID, 3, 2, 1));
+        s.at[1].x = x[k];
+        s.at[2].x = 1;
+        shape_add_stick(&s, 0, 1);
+        shape_add_stick(&s, 0, 2);
+        status r = shape_finish(&s, status_ok());
+        ck_assert(!r.ok && strstr(r.why, "stick 0 joins particles 0 and 1"));
+        expect_empty(&s);
+    }
+}
+END_TEST
+
 // An angle between two edges of a box, and a second one.
 START_TEST(angles_are_kept_in_their_order)
 {
@@ -354,6 +373,7 @@ int main(void)
         counts_out_of_range_are_refused,
         stiffness_of_diagonals_lies_above_0_and_at_most_1,
         freeing_nothing_is_harmless,
+        stick_without_a_length_is_refused,
         angles_are_kept_in_their_order,
         refused_memory_leaves_nothing
     };

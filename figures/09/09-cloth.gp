@@ -45,7 +45,7 @@ set yrange [0.04:30000]
 set ytics ("0.1 %%" 0.1, "1 %%" 1, "10 %%" 10, "100 %%" 100, "1,000 %%" 1000, "≥ 10,000 %%" most)
 set label 1 "as printed" at 20,520 textcolor rgb printed
 set label 2 "as mended" at 20,20 textcolor rgb mended font "DejaVu Sans Bold,22"
-set label 3 "the engine of Part II" at 19.6,0.62 textcolor rgb engine
+set label 3 "the engine of Part II" at 19.6,0.85 textcolor rgb engine
 plot csv index 0 using 3:(strain($5)) with linespoints pt 4 ps 1.1 lc rgb printed lw 1.6 dt (8,5), \
      csv index 3 using 3:(strain($5)) with linespoints pt 6 ps 1.1 lc rgb printed lw 1.6 dt (8,5), \
      csv index 1 using 3:(strain($5)) with linespoints pt 5 ps 1.1 lc rgb mended lw 2.4, \

@@ -30,9 +30,8 @@ static vec3 along(vec3 v, vec3 e)
     return vec3_scale(ee > 0 ? vec3_dot(e, v) / ee : 0, e);
 }
 
-// Rounding tilts the cross product of nearly parallel edges.  Once the normal
-// is perpendicular to one of them again, it can be tilted only across that
-// edge, where the triangle is thin and a tilt shifts no corner far.
+// Rounding tilts the cross product of nearly parallel edges.  Once it is again
+// perpendicular to one of them, it is tilted only across, where all is thin.
 vec3 triangle_normal(vec3 a, vec3 b, vec3 c)
 {
     vec3 ab = vec3_sub(b, a), n = vec3_cross(ab, vec3_sub(c, a));
@@ -75,9 +74,8 @@ static bool weigh(simplex *s)
 }
 //<
 //> gjk-point
-// The point that the weights stand for.  A short one is the small difference of
-// long vectors: rounding tilts it.  So it is made perpendicular to the edge, or
-// along the normal of the triangle.
+// The point of these weights.  A short one is a small difference of long ones,
+// tilted by rounding: so it is made perpendicular to the edge or the triangle.
 static vec3 weighted_point(const simplex *s)
 {
     const corner *c = s->of;
@@ -131,10 +129,8 @@ static vec3 middle(hull h)
 // The carried simplex where it is now, or the corner between the two middles.
 static void begin(simplex *s, hull a, hull b)
 {
-    for (int k = 0; k < s->count; k++) {
-        assert(s->of[k].a < a.count && s->of[k].b < b.count);
+    for (int k = 0; k < s->count; k++)
         s->of[k].at = vec3_sub(a.at[s->of[k].a], b.at[s->of[k].b]);
-    }
     if (s->count == 0)
         s->of[s->count++] = hull_support(a, b, vec3_sub(middle(b), middle(a)));
     nearest(s);

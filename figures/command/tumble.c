@@ -338,6 +338,10 @@ static void print_errors(const run *r)
     printf("  momentum             %10.3g kg m/s at the end, "
            "most %.3g kg m/s\n",
            vec3_length(r->last.momentum), r->momentum.value);
+    if (r->run.dropped > 0)
+        printf("  without room         %10ld contacts in all\n", r->run.dropped);
+    if (r->run.capped > 0)
+        printf("  cut off              %10ld queries in all\n", r->run.capped);
 }
 
 static void print_times(run *r)

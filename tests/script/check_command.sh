@@ -158,6 +158,8 @@ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n' > corners
 cp corners good.obj
 printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >> good.obj
 cp good.obj good.was
+# Steps of a second: more touches than there is room for, and that is said.
+accepts 'contacts in all' room --dt 1
 accepts '1 body of good.obj' room --mesh good.obj --bodies 1 --seconds 0.1
 { cat corners; printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\n'; } > open.obj
 { echo v 0 nan 0; cat good.obj; } > nan.obj

@@ -70,9 +70,9 @@ START_TEST(bad_placements_and_planes_are_refused_with_a_sentence)
     add_box(vec3_make(1, 1, 1));
     placement bad[8];
     for (int k = 0; k < 8; k++) bad[k] = placement_at(vec3_make(0, 0, 0));
-    bad[0].position.y = NAN;
+    bad[0].position.y = (real)NAN;
     bad[1].velocity.x = HUGE_VAL;
-    bad[2].spin.z = NAN;
+    bad[2].spin.z = (real)NAN;
     bad[3].y = vec3_make(0, 0, 1);
     bad[4].x = vec3_make(2, 0, 0);
     // Right-handed, but x or y is no unit, or they are not perpendicular.
@@ -87,7 +87,7 @@ START_TEST(bad_placements_and_planes_are_refused_with_a_sentence)
     }
     ck_assert_int_eq(s.bodies, 0);
     ck_assert(!scene_add_plane(&s, vec3_make(0, 0, 0), 1).ok);
-    ck_assert(!scene_add_plane(&s, vec3_make(0, NAN, 0), 1).ok);
+    ck_assert(!scene_add_plane(&s, vec3_make(0, (real)NAN, 0), 1).ok);
     ck_assert(!scene_add_plane(&s, vec3_make(0, HUGE_VAL, 0), 1).ok);
     ck_assert(!scene_add_plane(&s, vec3_make(0, 1, 0), HUGE_VAL).ok);
     ck_assert_int_eq(s.planes, 0);
@@ -237,7 +237,7 @@ START_TEST(bad_options_are_refused_with_a_sentence)
         { 0, 40, 0.2, "bodies" }, { 20001, 40, 0.2, "bodies" },
         { 50, 1, 0.2, "cloth" },  { 50, 513, 0.2, "cloth" },
         { 50, 40, 0, "diagonal" }, { 50, 40, 1.1, "diagonal" },
-        { 50, 40, NAN, "diagonal" },
+        { 50, 40, (real)NAN, "diagonal" },
     };
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
         scene_options what = scene_options_default();

@@ -615,7 +615,7 @@ START_TEST(a_lost_body_is_told_and_harms_no_other)
         ck_assert(scene_build(&stage, SCENE_ROOM, what).ok);
         begin(printed ? system_options_printed() : system_options_mended());
         run(30);
-        s.pool.at[s.body[3].first + 5].position.y = NAN;
+        s.pool.at[s.body[3].first + 5].position.y = (real)NAN;
         for (int f = 0; f < 60; f++)
             ck_assert_int_eq(system_step(&s).lost, 1);
         for (int k = 0; k < 8; k++)

@@ -174,7 +174,7 @@ START_TEST(what_is_not_finite_is_told)
     scene_init(&s);
     add(cube(1), vec3_make(0, 0, 0), false);
     measure();
-    at[3].x = NAN;
+    at[3].x = (real)NAN;
     ck_assert(!poses_measure(&s, at).finite);
     scene_free(&s);
 }

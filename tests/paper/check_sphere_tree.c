@@ -1,4 +1,5 @@
 // check_sphere_tree.c - does the tree hold everything, and miss nothing?
+#include "families.h"
 #include "scarce.h"
 #include "sphere_tree.h"
 
@@ -9,47 +10,6 @@
 
 // A radius is a square root of sums of a few products.
 static const real BALL = 1e-12;
-
-static unsigned long long seed;
-
-static real dice(void)  // -1 to 1, the same on every machine
-{
-    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 dice3(void)
-{
-    real x = dice(), y = dice(), z = dice();
-    return vec3_make(x, y, z);
-}
-
-enum { N = 12, FAMILIES = 12 };
-
-// Point sets that break a solver of four equations, each in its own way.
-static void family(int kind, vec3 *at, int n)
-{
-    for (int i = 0; i < n; i++) {
-        vec3 p = dice3();
-        real t = dice();
-        switch (kind) {
-        case 1: p = vec3_scale(t, vec3_make(1, 2, -3)); break;      // in line
-        case 2: p.z = 2 * p.x - p.y; break;                         // flat
-        case 3: p = vec3_unit(p); break;                            // a sphere
-        case 4: p = vec3_make(i & 1, i >> 1 & 1, i >> 2 & 1); break;// a cube
-        case 5: if (i > 2) p = at[i % 3]; break;                    // repeated
-        case 6: p.z *= 1e-9; break;                                 // a sliver
-        case 7: p = vec3_unit(vec3_make(p.x, p.y, 0)); break;       // a circle
-        case 8: p = vec3_scale(i ? 1e-9 : 1, p); break;             // one far
-        case 9: p.y *= 1e-8; p.z *= 1e-5; break;                    // a needle
-        case 10: p = vec3_add(vec3_make(0, 0, 1e-7 * p.z),          // a disc
-                              vec3_unit(vec3_make(p.x, p.y, 0))); break;
-        case 11: p = vec3_make(i % 3, i / 3, 0); break;             // a grid
-        default: break;                                             // a cloud
-        }
-        at[i] = p;
-    }
-}
 
 // ---- trees ------------------------------------------------------------------
 

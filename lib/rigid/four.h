@@ -14,8 +14,16 @@
 
 enum { FOUR = 4, FOUR_STICKS = 6, FOUR_AXES = 3 };
 
+// Where four particles stand: their middle and three vectors, so that particle
+// k is center + sum_i T_ki axis_i, with T_ki = 1 or -1 (the corners of a
+// tetrahedron in a cube).  The axes are perpendicular while the sticks hold.
+typedef struct {
+    vec3 center;            // m
+    vec3 axis[FOUR_AXES];   // m
+} rigid_frame;
+
 // The plan of a body of four particles.  The vertices of the mesh ride on them:
-// vertex v is the weighted mean of the four, by fixed weights.
+// a vertex has fixed coordinates in their frame.
 typedef struct four {
     vec3  at[FOUR];         // m, at rest, in the frame of the shape
     vec3  center;           // m, the solid's centre of mass, in that frame
@@ -26,23 +34,11 @@ typedef struct four {
     real  square[FOUR_AXES];        // m^2, of the frame's vectors
     real  per_sum[FOUR_STICKS];     // 1/m^2, of two of them: 00 11 22 01 02 12
     int   turns_right;      // 1, 2 and 3 at rest, as seen from 0
-    real (*weight)[FOUR];   // [shape->particles] their sum is 1
-    real  middle[FOUR];     // the weights of the mean of all vertices
-    real  swing;            // when no particle goes further than 1 m no vertex
-                            // goes further than this
+    vec3 *local;            // [shape->particles] vertex v stands at the centre
+                            // and local.x times axis 0 of the frame, ...
+    vec3 middle;            // the same, of the mean of all vertices
+    real turn[FOUR_AXES];   // kg^(-1/2) m^(-2), see motion_basis
 } four;
-//<
-
-//> four-ways-head
-// How four particles can move while their sticks hold: all alike along x, y
-// and z, and in three turns.  Every way is as long as 1 m kg^(1/2) (the sum of
-// mass times move squared is 1), and perpendicular to the others.
-enum { TURNS = 3, FOUR_WAYS = 3 + TURNS };
-
-typedef struct {
-    real along;             // m, how far all four go along an axis
-    vec3 turn[TURNS][FOUR]; // m, how each goes in a turn
-} four_ways;
 //<
 
 //> four-declare
@@ -52,8 +48,31 @@ typedef struct {
 status four_build(four *f, const shape *s);
 void   four_free(four *f);      // an empty or zeroed one is fine
 
-// Where the n vertices stand, when the particles stand at p.
-void four_ride(const four *f, const particle *p, vec3 *at, int n);
+// The signs T of a frame: particle k stands at center + sum_i T[k][i] axis_i.
+extern const real FOUR_SIGN[FOUR][FOUR_AXES];
+
+// The frame of four particles.
+rigid_frame four_frame(const particle *p);
+
+// The arm (m, from the centre) of particle k.
+static inline vec3 frame_arm(const rigid_frame *f, int k)
+{
+    const real *t = FOUR_SIGN[k];
+    return vec3_add_scaled(vec3_add_scaled(vec3_scale(t[0], f->axis[0]),
+                                           t[1], f->axis[1]),
+                           t[2], f->axis[2]);
+}
+
+// The point with these coordinates in a frame.
+static inline vec3 frame_point(const rigid_frame *f, vec3 local)
+{
+    return vec3_add(f->center, vec3_add_scaled(vec3_add_scaled(
+        vec3_scale(local.x, f->axis[0]), local.y, f->axis[1]),
+        local.z, f->axis[2]));
+}
+
+// Where the n vertices stand, when the particles stand as the frame says.
+void four_ride(const four *f, const rigid_frame *frame, vec3 *at, int n);
 
 // What one solve did, or several: as a relax_result, and how many were relaxed
 // one stick after the other in the end.
@@ -80,30 +99,7 @@ four_result four_relax_all(const four *f, particle *p, const int *first,
 
 //<
 
-//> four-ways-declare
-// The ways of four particles, of `inverse_mass` (1/kg) each, that stand at
-// `at`.  None for a nailed body: all zero.
-void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w);
-
-// How far the point with these shares goes along each of three directions d
-// when the body goes 1 m kg^(1/2) along each way.
-void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
-               real row[3][FOUR_WAYS]);
-
-// How far apart two points are along each of three directions, when they were
-// `was`, and the bodies they ride on have gone by a and b along their ways:
-// rows as above, those of b for the opposite directions.  `apart` is an array of
-// its own.
-void four_part(const real (*row_a)[FOUR_WAYS], const real (*row_b)[FOUR_WAYS],
-               const real *was, const real *a, const real *b, real *apart);
-
-// Pushes of l along the three directions (kg m) take the body along its ways.
-void four_go(const real (*row)[FOUR_WAYS], const real *l, real *way);
-
-// Where the particles go, when the body goes so far along each way: move, m.
-void four_move(const four_ways *w, const real along[FOUR_WAYS],
-               vec3 move[FOUR]);
-
+//> four-mirror-declare
 // Do the particles stand as in a mirror?  (No stick can tell.)
 int four_is_mirrored(const four *f, const particle *p);
 //<

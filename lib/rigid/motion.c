@@ -3,7 +3,7 @@
 
 #include <assert.h>
 
-motion_basis basis_find(const four *f, const rigid_frame *frame)
+motion_basis basis_find(const rigid4 *f, const rigid_frame *frame)
 {
     motion_basis b = { .inverse_mass = 1 / (FOUR * f->mass) };
     for (int t = 0; t < TURNS; t++)
@@ -101,7 +101,7 @@ void motion_go_on(particle *p)
 //> motion-end
 // L = sum_t u_t turn_t / |turn_t|^2 times what a turn of 1 carries; in the new
 // basis u_t' = turn_t' . L.
-void motion_end(const four *f, particle *p, const rigid_frame *frame,
+void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
                 const motion *u, real h)
 {
     vec3 angular = { 0, 0, 0 }, straight = { u->of[0], u->of[1], u->of[2] };
@@ -110,7 +110,7 @@ void motion_end(const four *f, particle *p, const rigid_frame *frame,
         angular = vec3_add_scaled(angular, u->of[MOTION_TURN + t] / square,
                                   frame->axis[t]);
     }
-    rigid_frame now = four_frame(p);
+    rigid_frame now = rigid4_frame(p);
     motion_basis new_basis = basis_find(f, &now);
     motion v = { { 0 } };
     for (int t = 0; t < TURNS; t++)

@@ -7,7 +7,7 @@
 #ifndef TUMBLE_MOTION_H
 #define TUMBLE_MOTION_H
 
-#include "four.h"
+#include "rigid4.h"
 
 enum { TURNS = 3 };
 
@@ -30,7 +30,7 @@ typedef struct {
 
 //> motion-declare
 // The motion basis of a body whose particles stand as the frame says.
-motion_basis basis_find(const four *f, const rigid_frame *frame);
+motion_basis basis_find(const rigid4 *f, const rigid_frame *frame);
 
 // The velocity of particles p[0..3] over their last substep of h (s): all of it
 // that a rigid body can have.  Linear and angular momentum are those of the
@@ -71,7 +71,7 @@ enum { TURN_MOVES = 1000 };
 int motion_moves(const motion_basis *basis, const motion *d);
 
 // The first of those moves: the particles go straight along, d / moves, and
-// leave `previous` where they were.  Then four_relax brings the sticks to their
+// leave `previous` where they were.  Then rigid4_relax brings the sticks to their
 // lengths along their old directions (SHAKE), which turns a straight move into
 // a rotation by the angle of d.
 void motion_begin(particle *p, const rigid_frame *frame,
@@ -83,7 +83,7 @@ void motion_go_on(particle *p);
 // After the last one: the velocity that the body has now, from u as it was in
 // the frame's own basis: the same momentum, the same angular momentum.  Written
 // as `previous`, a substep of h (s) ago.
-void motion_end(const four *f, particle *p, const rigid_frame *frame,
+void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
                 const motion *u, real h);
 //<
 

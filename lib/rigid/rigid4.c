@@ -1,5 +1,5 @@
-//> four-solid
-#include "four.h"
+//> rigid4-solid
+#include "rigid4.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -53,7 +53,7 @@ static solid solid_of(const shape *s)
 }
 //<
 
-//> four-root
+//> rigid4-root
 // spread = L L^T, L lower triangular (Cholesky).  0 if the solid is flat: a
 // pivot below a billionth of a billionth of the largest spread is rounding's.
 static int root_of(real spread[3][3], real root[3][3])
@@ -74,7 +74,7 @@ static int root_of(real spread[3][3], real root[3][3])
 }
 //<
 
-//> four-columns
+//> rigid4-columns
 // The square of a cosine that rounding makes of a right angle.
 static const real UPRIGHT = 1e-30;
 
@@ -113,7 +113,7 @@ static void find_axes(real root[3][3], vec3 axis[AXES])
 }
 //<
 
-//> four-build
+//> rigid4-build
 // Does 1, 2, 3 turn right, as seen from 0?
 static int turns_right(vec3 x0, vec3 x1, vec3 x2, vec3 x3)
 {
@@ -126,7 +126,7 @@ static const int PAIR[FOUR_STICKS][2] = {
     { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 0, 2 }, { 1, 2 }
 };
 
-static void place_four(four *f, const shape *s, const solid *q,
+static void place_four(rigid4 *f, const shape *s, const solid *q,
                        const vec3 axis[AXES])
 {
     real mass = 0;
@@ -164,7 +164,7 @@ static vec3 local_of(const vec3 axis[AXES], vec3 r)
 // moment of inertia is 4 mass (y_j^2 + y_k^2), j and k being the other two.  A
 // turn of c y_i, an angle of c |y_i|, has an energy of (c |y_i|)^2 inertia / 2;
 // this is a half for c = 1 / sqrt(y_i^2 inertia).
-static void find_turns(four *f)
+static void find_turns(rigid4 *f)
 {
     real sum = f->square[0] + f->square[1] + f->square[2];
     for (int i = 0; i < AXES; i++) {
@@ -173,16 +173,16 @@ static void find_turns(four *f)
     }
 }
 
-void four_free(four *f)
+void rigid4_free(rigid4 *f)
 {
     free(f->local);
-    *f = (four){ .local = NULL };
+    *f = (rigid4){ .local = NULL };
 }
 
-status four_build(four *f, const shape *s)
+status rigid4_build(rigid4 *f, const shape *s)
 {
     assert(s->kind == SHAPE_RIGID && s->particles > 0);
-    *f = (four){ .local = NULL };
+    *f = (rigid4){ .local = NULL };
     solid q = solid_of(s);
     real root[3][3] = { { 0 } };
     if (!(q.volume > 0) || !root_of(q.spread, root))
@@ -194,7 +194,7 @@ status four_build(four *f, const shape *s)
     find_turns(f);
     f->local = malloc((size_t)s->particles * sizeof *f->local);
     if (!f->local) {
-        four_free(f);
+        rigid4_free(f);
         return status_out_of_memory();
     }
     for (int v = 0; v < s->particles; v++) {
@@ -207,20 +207,20 @@ status four_build(four *f, const shape *s)
 }
 //<
 
-//> four-ride
-void four_ride(const four *f, const rigid_frame *frame, vec3 *at, int n)
+//> rigid4-ride
+void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n)
 {
     for (int v = 0; v < n; v++) at[v] = frame_point(frame, f->local[v]);
 }
 
-int four_is_mirrored(const four *f, const particle *p)
+int rigid4_is_mirrored(const rigid4 *f, const particle *p)
 {
     return turns_right(p[0].position, p[1].position, p[2].position,
                        p[3].position) != f->turns_right;
 }
 //<
 
-//> four-frame
+//> rigid4-frame
 // Four particles are a middle and a frame of three vectors,
 //     x_k = middle + sum_i T_ki y_i,
 // and because sum_k T_ki = 0 and sum_k T_ki T_kj is 4 or 0, sums and
@@ -237,7 +237,7 @@ static inline frame frame_of(vec3 x0, vec3 x1, vec3 x2, vec3 x3)
                     { vec3_sub(a, c), vec3_add(b, d), vec3_sub(b, d) } };
 }
 
-rigid_frame four_frame(const particle *p)
+rigid_frame rigid4_frame(const particle *p)
 {
     frame f = frame_of(p[0].position, p[1].position, p[2].position,
                        p[3].position);
@@ -247,7 +247,7 @@ rigid_frame four_frame(const particle *p)
 }
 //<
 
-//> four-batch
+//> rigid4-batch
 // Bodies of one plan side by side: numbers of one kind lie next to each other,
 // one for each body, so that a processor takes two or more at a time.  There
 // are LANES bodies, or a single one: `lanes` is a constant wherever it is
@@ -311,12 +311,12 @@ static inline void batch_keep_new(const int lanes, batch *t)
 }
 //<
 
-//> four-bend
+//> rigid4-bend
 // g = A^T A - M, K = g_ij / (m_i + m_j), and the worst of the sticks: the two
 // between which the vectors i and j tell are off by
 //     (g_ii + g_jj) / (2 (m_i + m_j)) +- K_ij.
 // The larger of two is so put that a NaN in all of them comes out at the end.
-static inline void batch_bend(const int lanes, const four *restrict f,
+static inline void batch_bend(const int lanes, const rigid4 *restrict f,
                               batch *restrict t)
 {
     for (int l = 0; l < lanes; l++) {
@@ -342,7 +342,7 @@ static inline void batch_bend(const int lanes, const four *restrict f,
 }
 //<
 
-//> four-step
+//> rigid4-step
 // A -= B K, of each body that is not content.  For the others B is nothing,
 // also where their old places are no numbers.
 static inline void batch_step(const int lanes, batch *restrict t,
@@ -386,7 +386,7 @@ static inline void batch_end(const int lanes, batch *restrict t)
 }
 //<
 
-//> four-bent
+//> rigid4-bent
 // Sticks off by more, relative to their lengths, make a body bent: Newton may
 // lose its way, or find the mirror image.
 static const real BENT = 0.05;
@@ -394,7 +394,7 @@ static const real BENT = 0.05;
 // The last resort: stick by stick along the sticks as they lie; and where that
 // ends in the mirror, or nowhere, the body goes on as it lay a step ago,
 // without turning.
-static four_result relax_bent(const four *f, particle *p,
+static rigid4_result relax_bent(const rigid4 *f, particle *p,
                                relax_options options)
 {
     enum { SWEEPS = 60 };
@@ -404,15 +404,15 @@ static four_result relax_bent(const four *f, particle *p,
                                vec3_sub(p[k].position, p[k].previous));
     options.gradient = GRADIENT_NEW;
     relax_result s = sticks_relax(f->stick, FOUR_STICKS, p, SWEEPS, options);
-    four_result r = { s.worst, s.tested, s.relaxed, s.iterations, 1 };
-    if (r.worst <= 0.01 && !four_is_mirrored(f, p)) return r;
+    rigid4_result r = { s.worst, s.tested, s.relaxed, s.iterations, 1 };
+    if (r.worst <= 0.01 && !rigid4_is_mirrored(f, p)) return r;
     for (int k = 0; k < FOUR && vec3_is_finite(mean); k++)
         p[k].position = vec3_add(p[k].previous, mean);
     return r;
 }
 //<
 
-//> four-solve
+//> rigid4-solve
 // NaN does not count: who has none goes on.
 static inline real largest(const int lanes, const lane a)
 {
@@ -423,7 +423,7 @@ static inline real largest(const int lanes, const lane a)
 
 // Up to so many steps.  After the last one nobody is measured again: a step
 // squares the error of a body that was hardly bent.
-static inline void batch_solve(const int lanes, const four *f,
+static inline void batch_solve(const int lanes, const rigid4 *f,
                                const particle *p, const ptrdiff_t *first,
                                int steps, relax_options o, batch *t)
 {
@@ -441,8 +441,8 @@ static inline void batch_solve(const int lanes, const four *f,
 }
 //<
 
-//> four-relax
-static void add_result(four_result *all, four_result r)
+//> rigid4-relax
+static void add_result(rigid4_result *all, rigid4_result r)
 {
     all->tested += r.tested;
     all->relaxed += r.relaxed;
@@ -452,7 +452,7 @@ static void add_result(four_result *all, four_result r)
 }
 
 // The worst of body l, which was bent on the way, when all steps are done.
-static real measured_again(const four *f, const batch *t, int l)
+static real measured_again(const rigid4 *f, const batch *t, int l)
 {
     batch again = *t;
     batch_bend(LANES, f, &again);
@@ -460,8 +460,8 @@ static real measured_again(const four *f, const batch *t, int l)
 }
 
 // What became of body l, whose particles begin at p.
-static void batch_give(const four *f, const batch *t, int l, particle *p,
-                       int steps, relax_options o, four_result *all)
+static void batch_give(const rigid4 *f, const batch *t, int l, particle *p,
+                       int steps, relax_options o, rigid4_result *all)
 {
     int done = (int)t->steps[l];
     real worst = t->worst[l];
@@ -474,15 +474,15 @@ static void batch_give(const four *f, const batch *t, int l, particle *p,
     for (int k = 0; k < FOUR && done > 0; k++)
         p[k].position = vec3_make(t->at[k][0][l], t->at[k][1][l],
                                   t->at[k][2][l]);
-    add_result(all, (four_result){ .worst = worst, .iterations = done,
+    add_result(all, (rigid4_result){ .worst = worst, .iterations = done,
         .tested = FOUR_STICKS * (done + (done < steps)),
         .relaxed = FOUR_STICKS * done });
 }
 
-four_result four_relax_all(const four *f, particle *p, const int *first,
+rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
                             int bodies, int steps, relax_options options)
 {
-    four_result all = { .worst = 0 };
+    rigid4_result all = { .worst = 0 };
     assert(steps > 0);
     for (int b = 0; b < bodies; b += LANES) {
         // Lanes that are left over repeat the last body.
@@ -499,10 +499,10 @@ four_result four_relax_all(const four *f, particle *p, const int *first,
     return all;
 }
 
-four_result four_relax(const four *f, particle *p, int steps,
+rigid4_result rigid4_relax(const rigid4 *f, particle *p, int steps,
                         relax_options options)
 {
     const int first = 0;
-    return four_relax_all(f, p, &first, 1, steps, options);
+    return rigid4_relax_all(f, p, &first, 1, steps, options);
 }
 //<

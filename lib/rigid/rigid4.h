@@ -1,5 +1,5 @@
-//> four-head
-// four.h - any rigid body is four particles and six sticks.
+//> rigid4-head
+// rigid4.h - any rigid body is four particles and six sticks.
 //
 // Paper: section 4 puts a particle at every vertex, whose inertia is 2.3 to 5
 // times the solid's.  Here: Routh's four equal masses, with the mass, the
@@ -7,8 +7,8 @@
 // Book: chapter 13.
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_FOUR_H
-#define TUMBLE_FOUR_H
+#ifndef TUMBLE_RIGID4_H
+#define TUMBLE_RIGID4_H
 
 #include "body.h"
 
@@ -24,7 +24,7 @@ typedef struct {
 
 // The plan of a body of four particles.  The vertices of the mesh ride on them:
 // a vertex has fixed coordinates in their frame.
-typedef struct four {
+typedef struct rigid4 {
     vec3  at[FOUR];         // m, at rest, in the frame of the shape
     vec3  center;           // m, the solid's centre of mass, in that frame
     real  mass;             // kg, of each of the four
@@ -38,21 +38,21 @@ typedef struct four {
                             // and local.x times axis 0 of the frame, ...
     vec3 middle;            // the same, of the mean of all vertices
     real turn[FOUR_AXES];   // kg^(-1/2) m^(-2), see motion_basis
-} four;
+} rigid4;
 //<
 
-//> four-declare
+//> rigid4-declare
 // The four particles of the solid that the closed mesh of s encloses, filled
 // evenly with the mass of s.  Fails, leaving *f empty, if s has no volume (or
 // one so thin that rounding loses it), or memory is refused.
-status four_build(four *f, const shape *s);
-void   four_free(four *f);      // an empty or zeroed one is fine
+status rigid4_build(rigid4 *f, const shape *s);
+void   rigid4_free(rigid4 *f);      // an empty or zeroed one is fine
 
 // The signs T of a frame: particle k stands at center + sum_i T[k][i] axis_i.
 extern const real FOUR_SIGN[FOUR][FOUR_AXES];
 
 // The frame of four particles.
-rigid_frame four_frame(const particle *p);
+rigid_frame rigid4_frame(const particle *p);
 
 // The arm (m, from the centre) of particle k.
 static inline vec3 frame_arm(const rigid_frame *f, int k)
@@ -72,7 +72,7 @@ static inline vec3 frame_point(const rigid_frame *f, vec3 local)
 }
 
 // Where the n vertices stand, when the particles stand as the frame says.
-void four_ride(const four *f, const rigid_frame *frame, vec3 *at, int n);
+void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n);
 
 // What one solve did, or several: as a relax_result, and how many were relaxed
 // one stick after the other in the end.
@@ -80,7 +80,7 @@ typedef struct {
     real worst;
     int  tested, relaxed, iterations;
     int  fell_back;
-} four_result;
+} rigid4_result;
 
 // Brings the six sticks to their lengths at once: Newton's step for all of
 // them, until none is off by more than options.tolerance, at most `steps` times
@@ -88,22 +88,22 @@ typedef struct {
 // six can be solved one by one: there is no matrix to be inverted.
 // Gradients as options.gradient says; where this fails (violent turning), the
 // sticks are relaxed one by one (fell_back = 1).  Nailed bodies stay.
-four_result four_relax(const four *f, particle *p, int steps,
+rigid4_result rigid4_relax(const rigid4 *f, particle *p, int steps,
                         relax_options options);
 
 // The same for several bodies, whose particles begin at p + first[0] and so on:
 // the same bits, in less time, for it takes some at once.  Counts are sums,
 // `worst` and `sweeps` the largest.
-four_result four_relax_all(const four *f, particle *p, const int *first,
+rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
                             int bodies, int steps, relax_options options);
 
 //<
 
-//> four-mirror-declare
+//> rigid4-mirror-declare
 // Do the particles stand as in a mirror?  (No stick can tell.)
-int four_is_mirrored(const four *f, const particle *p);
+int rigid4_is_mirrored(const rigid4 *f, const particle *p);
 //<
 
-//> four-end
+//> rigid4-end
 #endif
 //<

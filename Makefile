@@ -408,7 +408,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body ring \
   rigidity convex obj penetration sphere sphere_tree grid ordering \
-  line four broad rest world step world_scene scene system)
+  line rigid4 solver broad rest world step world_scene scene system)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

@@ -160,4 +160,62 @@ static inline matrix stand(particle *p)
     return turn;
 }
 
+// --- six sticks at once -------------------------------------------------------
+
+// Oracle: J J^T of the six sticks at rest, and its inverse.  The row of stick
+// (a, b) holds -o at a and o at b, o = x_b - x_a, so that two sticks meet in
+// o . o' where they share a particle, with a minus sign where one begins and
+// the other ends there.
+static inline real row_product(const stick *s, const stick *u, const vec3 *at)
+{
+    vec3 o = vec3_sub(at[s->b], at[s->a]), q = vec3_sub(at[u->b], at[u->a]);
+    int shared = (s->a == u->a) + (s->b == u->b)
+               - (s->a == u->b) - (s->b == u->a);
+    return shared * vec3_dot(o, q);
+}
+
+// Gauss and Jordan: matrix and identity side by side, the largest pivot of each
+// column.
+static inline void invert(real m[FOUR_STICKS][2 * FOUR_STICKS])
+{
+    for (int c = 0; c < FOUR_STICKS; c++) {
+        int best = c;
+        for (int r = c + 1; r < FOUR_STICKS; r++)
+            if (fabs(m[r][c]) > fabs(m[best][c])) best = r;
+        for (int k = 0; k < 2 * FOUR_STICKS; k++) {
+            real kept = m[c][k];
+            m[c][k] = m[best][k];
+            m[best][k] = kept;
+        }
+        real pivot = m[c][c];
+        for (int k = 0; k < 2 * FOUR_STICKS; k++) m[c][k] /= pivot;
+        for (int r = 0; r < FOUR_STICKS; r++) {
+            real share = m[r][c];
+            if (r == c || share == 0) continue;
+            for (int k = 0; k < 2 * FOUR_STICKS; k++)
+                m[r][k] -= share * m[c][k];
+        }
+    }
+}
+
+typedef struct {
+    real at[FOUR_STICKS][FOUR_STICKS];  // 1/m^4
+} inverse;
+
+static inline inverse inverse_of(const rigid4 *of)
+{
+    real m[FOUR_STICKS][2 * FOUR_STICKS] = { { 0 } };
+    inverse r;
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        for (int u = 0; u < FOUR_STICKS; u++)
+            m[s][u] = row_product(&of->stick[s], &of->stick[u], of->at);
+        m[s][FOUR_STICKS + s] = 1;
+    }
+    invert(m);
+    for (int s = 0; s < FOUR_STICKS; s++)
+        for (int u = 0; u < FOUR_STICKS; u++)
+            r.at[s][u] = m[s][FOUR_STICKS + u];
+    return r;
+}
+
 #endif

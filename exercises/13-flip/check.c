@@ -9,7 +9,7 @@ static const real ROUNDING = 1e-12;
 static const vec3 NONE = { 0, 0, 0 };
 
 static shape box;
-static four plan;
+static rigid4 plan;
 static particle p[FOUR];
 
 static void near(real got, real wanted, real error, const char *what)
@@ -35,12 +35,12 @@ static vec3 random_vec3(real most)
 static void make(vec3 sides, real mass)
 {
     ck_assert(shape_box(&box, sides, mass).ok);
-    ck_assert(four_build(&plan, &box).ok);
+    ck_assert(rigid4_build(&plan, &box).ok);
 }
 
 static void unmake(void)
 {
-    four_free(&plan);
+    rigid4_free(&plan);
     shape_free(&box);
 }
 
@@ -162,14 +162,14 @@ static void step(real h)
     relax_options o = relax_options_default();
     o.tolerance = 1e-12;
     verlet_step(p, FOUR, NONE, NULL, h);
-    four_relax(&plan, p, 6, o);
+    rigid4_relax(&plan, p, 6, o);
 }
 
 // The body's own axis: 0 x, 1 y, 2 z, from how its corners ride.
 static vec3 body_axis(int axis)
 {
     vec3 at[8];
-    four_ride(&plan, p, at, 8);
+    rigid4_ride(&plan, p, at, 8);
     return vec3_unit(vec3_sub(at[1 << axis], at[0]));
 }
 

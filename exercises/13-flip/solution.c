@@ -11,7 +11,7 @@ static vec3 turned_back(vec3 r, vec3 spin, real h)
     return vec3_add_scaled(turned, vec3_dot(axis, r) * (1 - c), axis);
 }
 
-void flip_start(const four *f, vec3 center, vec3 velocity, vec3 spin, real h,
+void flip_start(const rigid4 *f, vec3 center, vec3 velocity, vec3 spin, real h,
                 particle *p)
 {
     for (int k = 0; k < FOUR; k++) {

@@ -14,7 +14,7 @@ enum { BODIES = 5 };
 
 static particle p[FOUR * BODIES];
 static shape box;
-static four plan;
+static rigid4 plan;
 
 static void near(real got, real wanted, real error, const char *what)
 {
@@ -39,12 +39,12 @@ static vec3 random_vec3(void)
 static void make(vec3 sides, real mass)
 {
     ck_assert(shape_box(&box, sides, mass).ok);
-    ck_assert(four_build(&plan, &box).ok);
+    ck_assert(rigid4_build(&plan, &box).ok);
 }
 
 static void unmake(void)
 {
-    four_free(&plan);
+    rigid4_free(&plan);
     shape_free(&box);
 }
 
@@ -195,7 +195,7 @@ static void step(const joint *j, int joints, int bodies, int rounds, real h)
     o.tolerance = 1e-12;
     verlet_step(p, FOUR * bodies, GRAVITY, NULL, h);
     for (int r = 0; r < rounds; r++) {
-        for (int b = 0; b < bodies; b++) four_relax(&plan, p + FOUR * b, 6, o);
+        for (int b = 0; b < bodies; b++) rigid4_relax(&plan, p + FOUR * b, 6, o);
         for (int i = 0; i < joints; i++) joint_close(&j[i], p);
     }
 }

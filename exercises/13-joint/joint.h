@@ -5,7 +5,7 @@
 #ifndef TUMBLE_JOINT_H
 #define TUMBLE_JOINT_H
 
-#include "four.h"
+#include "rigid4.h"
 
 // A point of body A, and one of body B or of the world.
 typedef struct {

@@ -27,28 +27,28 @@ static vec3 point_of(const particle *p, const real share[FOUR])
 
 // The six ways of one body, the rows of its point along x, y and z, and what
 // they add to the columns of K: how far a push of 1 moves the point.
-static void add_rows(const particle *p, const real share[FOUR], four_ways *ways,
+static void add_rows(const particle *p, const real share[FOUR], rigid4_ways *ways,
                      real row[3][FOUR_WAYS], vec3 column[3])
 {
     static const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
     vec3 at[FOUR];
     for (int k = 0; k < FOUR; k++) at[k] = p[k].previous;
-    four_find_ways(at, p[0].inverse_mass, ways);
-    four_rows(ways, share, axis, row);
+    rigid4_find_ways(at, p[0].inverse_mass, ways);
+    rigid4_rows(ways, share, axis, row);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < FOUR_WAYS; k++)
             column[i] = vec3_add_scaled(column[i], row[i][k],
                             vec3_make(row[0][k], row[1][k], row[2][k]));
 }
 
-static void push_side_by(particle *p, const four_ways *ways,
+static void push_side_by(particle *p, const rigid4_ways *ways,
                          real row[3][FOUR_WAYS], vec3 push)
 {
     real along[FOUR_WAYS];
     vec3 move[FOUR];
     for (int k = 0; k < FOUR_WAYS; k++)
         along[k] = push.x * row[0][k] + push.y * row[1][k] + push.z * row[2][k];
-    four_move(ways, along, move);
+    rigid4_move(ways, along, move);
     for (int k = 0; k < FOUR; k++)
         p[k].position = vec3_add(p[k].position, move[k]);
 }
@@ -57,7 +57,7 @@ static void push_side_by(particle *p, const four_ways *ways,
 // be -gap: Cramer's rule.
 real joint_close(const joint *j, particle *p)
 {
-    four_ways ways[2];
+    rigid4_ways ways[2];
     real row[2][3][FOUR_WAYS];
     vec3 column[3] = { { 0, 0, 0 } }, on_b = j->fixed;
     particle *a = p + j->a, *b = j->b >= 0 ? p + j->b : NULL;

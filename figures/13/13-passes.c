@@ -1,5 +1,5 @@
 // 13-passes.c - how passes over the contacts of a stack end, and what it takes
-// that they may begin with what they remember.  Nothing but four.h and push.h:
+// that they may begin with what they remember.  Nothing but rigid4.h and push.h:
 // cubes of 1 m, one on the other, each on four corners, looked at anew in every
 // fourth substep.
 
@@ -23,7 +23,7 @@ static const real H = 1.0 / 240, G = 9.81;
 typedef struct {
     int cubes, pushes;
     particle p[CUBES * FOUR];
-    four_ways ways[CUBES];
+    rigid4_ways ways[CUBES];
     push push[CONTACTS];
     push_drift drift[CUBES + PILE_PARTS];
     int order[CONTACTS];
@@ -33,7 +33,7 @@ typedef struct {
 } stack;
 
 static shape cube;
-static four plan;
+static rigid4 plan;
 
 static push_side side_of(const stack *s, int b, int v)
 {
@@ -58,7 +58,7 @@ static void find(stack *s)
         const particle *p = s->p + FOUR * b;
         vec3 at[FOUR];
         for (int k = 0; k < FOUR; k++) at[k] = p[k].position;
-        four_find_ways(at, p->inverse_mass, &s->ways[b]);
+        rigid4_find_ways(at, p->inverse_mass, &s->ways[b]);
     }
     for (int b = 0; b < s->cubes; b++)
         for (int k = 0; k < CORNERS; k++, i++) {
@@ -193,7 +193,7 @@ static void substep(stack *s, way how, int count)
     passes(s, how, count, NULL);
     end(s);
     for (int b = 0; b < s->cubes; b++)
-        four_relax(&plan, s->p + FOUR * b, 6, relax);
+        rigid4_relax(&plan, s->p + FOUR * b, 6, relax);
 }
 
 // mm, the furthest way of a cube in ten seconds, over the number of cubes up to
@@ -221,7 +221,7 @@ int main(void)
 {
     static stack s;
     if (!shape_box(&cube, vec3_make(1, 1, 1), 1).ok
-        || !four_build(&plan, &cube).ok) return 1;
+        || !rigid4_build(&plan, &cube).ok) return 1;
     printf("# stacks of cubes of 1 m, substeps of 1/240 s\n"
            "# compiler: %s\n# flags: %s\n", __VERSION__, FLAGS);
     cold(&s);
@@ -236,7 +236,7 @@ int main(void)
     for (int n = 2; n <= 32; n *= 2)
         printf("%d %.4g %.4g\n", n, drift(&s, 10, MOMENTUM, n, 0.05),
                drift(&s, 10, MOMENTUM, n, 0));
-    four_free(&plan);
+    rigid4_free(&plan);
     shape_free(&cube);
     return 0;
 }

@@ -10,7 +10,7 @@
 #include "ball.h"
 #include "clock.h"
 #include "convex.h"
-#include "four.h"
+#include "rigid4.h"
 #include "interleave.h"
 
 #include <stdio.h>
@@ -76,7 +76,7 @@ static vec3 inertia(moments q)
 
 typedef struct {
     shape plan;
-    four four;
+    rigid4 four;
     stick across[DIAGONALS_MOST];
     int acrosses;
     vec3 inertia;               // kg m^2, of the solid
@@ -128,7 +128,7 @@ static int body_make(body_of *b, int which)
     *b = (body_of){ .mass = 1 };
     int ok = which == 0 ? brick_shape(&b->plan)
                         : ball_shape(&b->plan, 1, 0.5, 1).ok;
-    if (!ok || !four_build(&b->four, &b->plan).ok) return 0;
+    if (!ok || !rigid4_build(&b->four, &b->plan).ok) return 0;
     add_diagonals(b);
     if (!interleave(b->across, b->acrosses, b->plan.particles))
         return 0;
@@ -173,7 +173,7 @@ static void strike_four(body_of *b, int steps, relax_options o)
         b->p[i].position = vec3_add_scaled(x, w * weight[i] * BLOW,
                                            b->push[b->blow]);
     }
-    four_relax(&b->four, b->p, steps, o);
+    rigid4_relax(&b->four, b->p, steps, o);
 }
 
 static void work(int way, void *with)
@@ -279,7 +279,7 @@ int main(void)
             print_model(&b[k], BODY[k], m);
     for (int k = 0; k < BODIES; k++) {
         print_curves(&b[k], BODY[k]);
-        four_free(&b[k].four);
+        rigid4_free(&b[k].four);
         shape_free(&b[k].plan);
     }
     return 0;

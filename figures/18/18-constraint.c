@@ -7,7 +7,7 @@
 // a share.  What exploded is nan.
 
 #include "clock.h"
-#include "four.h"
+#include "rigid4.h"
 #include "line.h"
 
 #include <stdio.h>
@@ -29,7 +29,7 @@ static const vec3 FALL = { 0, -9.81, 0 };
 // One of the two, and how it begins.
 typedef struct {
     shape plan;
-    four four;
+    rigid4 four;
     int is_rope, particles;
     line_scratch *scratch;
     particle p[MOST], start[WAYS * SIZES][MOST];
@@ -76,7 +76,7 @@ static void hold(thing *t, int way, relax_options o)
     } else if (t->is_rope) {
         line_solve(shape_strands(&t->plan, 0), t->p, 1, o, t->scratch);
     } else {
-        four_relax(&t->four, t->p, 1, o);
+        rigid4_relax(&t->four, t->p, 1, o);
     }
 }
 
@@ -244,7 +244,7 @@ int main(void)
     static thing rope = { .is_rope = 1 }, body;
     if (!shape_rope(&rope.plan, LINKS, 1, 1).ok
         || !shape_box(&body.plan, vec3_make(1, 0.7, 0.4), 1).ok
-        || !four_build(&body.four, &body.plan).ok) return 1;
+        || !rigid4_build(&body.four, &body.plan).ok) return 1;
     rope.scratch = line_scratch_new(&rope.plan);
     if (!rope.scratch) return 1;
     rope.particles = rope.plan.particles;
@@ -253,7 +253,7 @@ int main(void)
     print_thing(&body, "free body");
     line_scratch_free(rope.scratch);
     shape_free(&rope.plan);
-    four_free(&body.four);
+    rigid4_free(&body.four);
     shape_free(&body.plan);
     return 0;
 }

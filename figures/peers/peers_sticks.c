@@ -2,7 +2,7 @@
 // the cloth, which no other C library has, beside what was measured elsewhere.
 
 #include "peers.h"
-#include "four.h"
+#include "rigid4.h"
 #include "hard_set.h"
 #include "line.h"
 #include "world_scene.h"
@@ -22,7 +22,7 @@ enum { ROUNDS = 15 };
 enum { BODIES = 1000 };
 
 static shape icosahedron;
-static four body_of_four;
+static rigid4 body_of_four;
 static particle pool[BODIES * FOUR];
 static int first_of[BODIES];    // in the pool
 
@@ -48,7 +48,7 @@ static void relax_fours(int piece)
 {
     relax_options o = world_options_default().relax;
     (void)piece;
-    four_relax_all(&body_of_four, pool, first_of, BODIES, 1, o);
+    rigid4_relax_all(&body_of_four, pool, first_of, BODIES, 1, o);
 }
 
 static void sweep_fours(int piece)
@@ -75,7 +75,7 @@ static void measure_fours(void)
 {
     const way ways[2] = { { place_fours, relax_fours },
                           { place_fours, sweep_fours } };
-    if (!four_build(&body_of_four, &icosahedron).ok)
+    if (!rigid4_build(&body_of_four, &icosahedron).ok)
         give_up("there is no memory for four particles");
     for (int b = 0; b < BODIES; b++) first_of[b] = b * FOUR;
     real *time = time_in_turn(ways, 2, 1, ROUNDS);
@@ -92,7 +92,7 @@ static void measure_fours(void)
     snprintf(r.our_error, TEXT, "strain %.0e after one step", solved);
     table_add(r);
     free(time);
-    four_free(&body_of_four);
+    rigid4_free(&body_of_four);
 }
 
 // ---- A rope ----------------------------------------------------------------

@@ -12,7 +12,7 @@ static real beside(const world *w, const body *b)
 }
 
 // How a body of four moves: its vertices go as their weights say.
-static real way_of_four(const four *f, const particle *p, int n, vec3 *mean)
+static real way_of_four(const rigid4 *f, const particle *p, int n, vec3 *mean)
 {
     vec3 move[FOUR];
     real fastest = 0;

@@ -68,7 +68,7 @@ static void side_rows(push *c, const push_side *s, int side, const particle *p)
     for (int d = 0; d < DIRECTIONS; d++)
         along[d] = vec3_scale(side ? -1 : 1, c->along[d]);
     if (s->ways) {
-        four_rows(s->ways, s->share, along, c->row[side]);
+        rigid4_rows(s->ways, s->share, along, c->row[side]);
     } else {
         real root = sqrt(p[s->first].inverse_mass);
         for (int d = 0; d < DIRECTIONS; d++) {
@@ -134,15 +134,15 @@ static inline real parted(const push *c, int d, const real *a, const real *b)
 static inline void find_apart(const push *c, const real *a, const real *b,
                               real apart[DIRECTIONS])
 {
-    four_part(c->row[0], c->row[1], c->apart, a, b, apart);
+    rigid4_part(c->row[0], c->row[1], c->apart, a, b, apart);
 }
 
 // Pushes A by l, B by -l.
 static inline void push_by(const push *c, const real l[DIRECTIONS],
                            real *a, real *b)
 {
-    four_go(c->row[0], l, a);
-    if (c->b.count > 0) four_go(c->row[1], l, b);
+    rigid4_go(c->row[0], l, a);
+    if (c->b.count > 0) rigid4_go(c->row[1], l, b);
 }
 //<
 
@@ -653,16 +653,16 @@ void pile_lean(push_pile *s, int part, real share, push_options options)
 //<
 
 //> push-pile-apply
-void drift_apply(const push_drift *d, const four_ways *ways, particle *p)
+void drift_apply(const push_drift *d, const rigid4_ways *ways, particle *p)
 {
     vec3 now[FOUR], both[FOUR];
-    four_move(ways, d->pushed, now);
+    rigid4_move(ways, d->pushed, now);
     if (!d->is_mended) {
         for (int k = 0; k < FOUR; k++)
             p[k].position = vec3_add(p[k].position, now[k]);
         return;
     }
-    four_move(ways, d->mended, both);
+    rigid4_move(ways, d->mended, both);
     for (int k = 0; k < FOUR; k++) {
         p[k].position = vec3_add(p[k].position, vec3_add(now[k], both[k]));
         p[k].previous = vec3_add(p[k].previous, both[k]);

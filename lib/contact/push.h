@@ -10,7 +10,7 @@
 #ifndef TUMBLE_PUSH_H
 #define TUMBLE_PUSH_H
 
-#include "four.h"
+#include "rigid4.h"
 
 typedef struct {
     real friction;      // Coulomb's coefficient
@@ -24,7 +24,7 @@ typedef struct {
 
 // One side of a contact: a point that rides on particles.
 typedef struct {
-    const four_ways *ways;  // of the four, where they were when the frame's
+    const rigid4_ways *ways;  // of the four, where they were when the frame's
                             // contacts were found; NULL: a single particle
     int  first;             // in the pool
     int  count;             // FOUR, or 1; 0: immovable, the point is `fixed`
@@ -189,7 +189,7 @@ real pile_leads_on(const push_pile *s, int part);
 void pile_lean(push_pile *s, int part, real share, push_options options);
 
 // A body's four particles go where it was pushed.
-void drift_apply(const push_drift *d, const four_ways *ways, particle *p);
+void drift_apply(const push_drift *d, const rigid4_ways *ways, particle *p);
 //<
 
 //> push-end

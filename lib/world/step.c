@@ -29,7 +29,7 @@ static void lap(world *w, int stage, real *since)
 typedef struct {
     world *w;
     real h;
-    four_result done[2];
+    rigid4_result done[2];
 } stage;
 
 // Taylor about x, forward by dt and backward by dt_before:
@@ -92,7 +92,7 @@ static const plan_entry *entry_of(const world *w, const shape *s)
 }
 
 // Soft diagonals first, then the lines that must hold.
-static four_result relax_soft(world *w, const body *b)
+static rigid4_result relax_soft(world *w, const body *b)
 {
     const shape *s = b->plan;
     particle *p = w->pool.at + b->first;
@@ -102,14 +102,14 @@ static four_result relax_soft(world *w, const body *b)
     line_result l = lines_relax(s, p, w->options.sweeps, o,
                                 entry_of(w, s)->line);
     int tested = others + l.steps * links;
-    return (four_result){ .worst = l.worst, .tested = tested,
+    return (rigid4_result){ .worst = l.worst, .tested = tested,
                            .relaxed = tested, .iterations = l.steps,
                            .fell_back = l.fell_back };
 }
 //<
 
 //> step-relax
-static void add_up(four_result *sum, four_result r)
+static void add_up(rigid4_result *sum, rigid4_result r)
 {
     sum->tested += r.tested;
     sum->relaxed += r.relaxed;
@@ -136,7 +136,7 @@ static void relax_side(void *data, int side)
     stage *s = data;
     world *w = s->w;
     const world_options *o = &w->options;
-    four_result sum = { .tested = 0 };
+    rigid4_result sum = { .tested = 0 };
     int n, first[ALIKE];
     const int *mine = halves_bodies(w, side, &n);
     for (int i = 0, k; i < n; i += k) {
@@ -144,7 +144,7 @@ static void relax_side(void *data, int side)
         k = 1;
         if (body_is_soft(b) || !body_moves(w, mine[i])) continue;
         k = find_alike(w, mine + i, n - i, first);
-        add_up(&sum, four_relax_all(b->four, w->pool.at, first, k, o->sweeps,
+        add_up(&sum, rigid4_relax_all(b->four, w->pool.at, first, k, o->sweeps,
                                     o->relax));
     }
     s->done[side] = sum;

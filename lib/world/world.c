@@ -163,7 +163,7 @@ static void place_particles(world *w, const body *b, const placement *where)
 {
     const vec3 origin = { 0, 0, 0 };
     const shape *s = b->plan;
-    const four *f = b->four;
+    const rigid4 *f = b->four;
     for (int i = 0; i < body_particles(b); i++) {
         if (f) place_particle(w, where, f->at[i], f->center, f->mass);
         else   place_particle(w, where, s->at[i], origin, s->mass[i]);
@@ -192,11 +192,11 @@ static void *grown(void *old, int count, size_t size)
 }
 
 // The four particles of the rigid plan s.
-static status plan_four(const shape *s, four **f)
+static status plan_four(const shape *s, rigid4 **f)
 {
     *f = malloc(sizeof **f);
     if (!*f) return status_out_of_memory();
-    status done = four_build(*f, s);
+    status done = rigid4_build(*f, s);
     if (!done.ok) {
         free(*f);
         *f = NULL;
@@ -218,7 +218,7 @@ static status enter_plan(world *w, const shape *s, int *number)
     if (done.ok) {
         w->plan[w->plans++] = entry;
     } else if (entry.four) {
-        four_free(entry.four);
+        rigid4_free(entry.four);
         free(entry.four);
     }
     return done;
@@ -500,7 +500,7 @@ void world_free(world *w)
     for (int b = 0; b < w->bodies; b++) sphere_tree_free(&w->body[b].tree);
     for (int k = 0; k < w->plans; k++) {
         line_scratch_free(w->plan[k].line);
-        if (w->plan[k].four) four_free(w->plan[k].four);
+        if (w->plan[k].four) rigid4_free(w->plan[k].four);
         free(w->plan[k].four);
     }
     void *owned[] = { w->body, w->plan,
@@ -537,7 +537,7 @@ void world_vertices(const world *w, const body *b, vec3 *at)
 {
     const particle *p = w->pool.at + b->first;
     if (b->four) {
-        four_ride(b->four, p, at, b->plan->particles);
+        rigid4_ride(b->four, p, at, b->plan->particles);
         return;
     }
     for (int i = 0; i < b->plan->particles; i++) at[i] = p[i].position;
@@ -560,6 +560,6 @@ void world_find_ways(world *w, const body *b)
     vec3 at[FOUR];
     if (body_is_soft(b)) return;
     for (int i = 0; i < FOUR; i++) at[i] = p[i].position;
-    four_find_ways(at, p->inverse_mass, &w->pushes.ways[b - w->body]);
+    rigid4_find_ways(at, p->inverse_mass, &w->pushes.ways[b - w->body]);
 }
 //<

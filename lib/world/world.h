@@ -59,7 +59,7 @@ typedef struct {
 // A body: a range of the pool, built to a plan that it may share.
 typedef struct body {
     const shape *plan;
-    const struct four  *four; // a rigid body's four particles; NULL: it is
+    const struct rigid4  *four; // a rigid body's four particles; NULL: it is
                         // deformable, with a particle at every vertex
     int  first;         // its particles: first .. first + body_particles - 1
     int  corner;        // its vertices in the table `of.at`; = first where they
@@ -156,7 +156,7 @@ typedef struct {
 
 typedef struct {
     const struct shape *shape;
-    struct four *four;  // NULL unless rigid
+    struct rigid4 *four;  // NULL unless rigid
     real inner;         // m, see shape_inner
     line_scratch *line; // NULL unless deformable
 } plan_entry;
@@ -228,7 +228,7 @@ typedef struct {
                         // others, of quick pairs, for a substep
     int  *in_parts, end[PILE_PARTS];    // their numbers in three parts: see
                                         // push_pile (halves.c)
-    four_ways  *ways;   // [bodies] when this frame's contacts were found
+    rigid4_ways  *ways;   // [bodies] when this frame's contacts were found
                         // (pairs.c)
     push_drift *drift;  // [bodies + PILE_PARTS] how far they are pushed in a
                         // substep (solver.c)

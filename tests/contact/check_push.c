@@ -54,22 +54,22 @@ static const push_options ROUGH = { .friction = 0.5, .mend = 0.2,
 
 static particle p[MOST];
 static vec3 found[MOST];        // where they were, for the ways
-static four_ways ways[MOST];    // of the body that begins with each
+static rigid4_ways ways[MOST];    // of the body that begins with each
 static int count;
 static shape box;
-static four plan;
+static rigid4 plan;
 
 static void set_up(void)
 {
     seed = 7;
     count = 0;
     ck_assert(shape_box(&box, vec3_make(1, 0.5, 2), 3).ok);
-    ck_assert(four_build(&plan, &box).ok);
+    ck_assert(rigid4_build(&plan, &box).ok);
 }
 
 static void tear_down(void)
 {
-    four_free(&plan);
+    rigid4_free(&plan);
     shape_free(&box);
 }
 
@@ -124,7 +124,7 @@ static push_side of_particle(int i)
 static push_side of_box(int first, vec3 r)
 {
     push_side s = { .ways = &ways[first], .first = first, .count = FOUR };
-    four_find_ways(found + first, p[first].inverse_mass, &ways[first]);
+    rigid4_find_ways(found + first, p[first].inverse_mass, &ways[first]);
     // The corner 0 is at (-, -, -), 1, 2 and 4 one side further along x, y, z.
     vec3 low = box.at[0];
     real x = (r.x - low.x) / (box.at[1].x - low.x);
@@ -553,12 +553,12 @@ START_TEST(answers_are_made_for_where_the_contacts_were_found)
             ck_assert(again.weight[d] == c.weight[d]);
             ck_assert(again.skew[d] == c.skew[d]);
         }
-        four_ways w;
+        rigid4_ways w;
         real rows[DIRECTIONS][FOUR_WAYS], sum = 0;
         for (int k = 0; k < 2; k++) {
             const push_side *side = k ? &c.b : &c.a;
-            four_find_ways(found + side->first, 1 / plan.mass, &w);
-            four_rows(&w, side->share, c.along, rows);
+            rigid4_find_ways(found + side->first, 1 / plan.mass, &w);
+            rigid4_rows(&w, side->share, c.along, rows);
             const real *row = rows[NORMAL];
             for (int i = 0; i < FOUR_WAYS; i++) sum += row[i] * row[i];
         }

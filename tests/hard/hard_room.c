@@ -55,7 +55,7 @@ static void count_bodies(const world_scene *s, watched *o)
         world_vertices(w, b, at);
         lost += is_lost(at, CORNERS);
         escaped += is_outside(w, at, CORNERS, s->body_radius);
-        mirrored += four_is_mirrored(b->four, w->pool.at + b->first);
+        mirrored += rigid4_is_mirrored(b->four, w->pool.at + b->first);
     }
     if (escaped > o->escaped)   o->escaped = escaped;
     if (mirrored > o->mirrored) o->mirrored = mirrored;

@@ -376,8 +376,8 @@ static void substep(real h)
     soft_separate(&w);
     for (int b = 0; b < w.bodies; b++) {
         const shape *s = w.body[b].plan;
-        const four *f = w.body[b].four;
-        if (f) four_relax(f, particle_of(b, 0), 2, w.options.relax);
+        const rigid4 *f = w.body[b].four;
+        if (f) rigid4_relax(f, particle_of(b, 0), 2, w.options.relax);
         else   sticks_relax(s->stick, s->sticks, particle_of(b, 0), 2,
                             w.options.relax);
     }

@@ -110,7 +110,7 @@ static void check_body(soak *k, int b)
             if (up < -k->s.body_radius) fail(k, "outside", up, 0);
         }
     }
-    if (four_is_mirrored(w->body[b].four, w->pool.at + w->body[b].first))
+    if (rigid4_is_mirrored(w->body[b].four, w->pool.at + w->body[b].first))
         fail(k, "mirrored", b, 0);
 }
 

@@ -116,7 +116,7 @@ static inline void relax(void)
 {
     for (int b = 0; b < w.bodies; b++)
         if (body_moves(&w, b) && !body_is_soft(&w.body[b]))
-            four_relax(w.body[b].four, w.pool.at + w.body[b].first, 6,
+            rigid4_relax(w.body[b].four, w.pool.at + w.body[b].first, 6,
                        w.options.relax);
 }
 

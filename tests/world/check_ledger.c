@@ -211,7 +211,7 @@ START_TEST(relaxing_books_energy_alone)
     for (int n = 0; n < 60; n++) {
         verlet_step(w.pool.at, w.pool.count, w.options.gravity, NULL, h);
         ledger_open(&w);
-        four_relax(w.body[0].four, w.pool.at, 6, w.options.relax);
+        rigid4_relax(w.body[0].four, w.pool.at, 6, w.options.relax);
         ledger_book(&w, LEDGER_STICKS);
     }
     ck_assert(w.ledger[LEDGER_STICKS].energy != 0);

@@ -258,7 +258,7 @@ START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
 
     real kinetic = 0;
     vec3 angular = { 0, 0, 0 };
-    const four *f = w.body[0].four;
+    const rigid4 *f = w.body[0].four;
     for (int i = 0; i < FOUR; i++) {
         vec3 r = f->at[i];
         vec3 u = vec3_add(v, vec3_cross(spin, r));

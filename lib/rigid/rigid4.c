@@ -1,5 +1,5 @@
-//> four-solid
-#include "four.h"
+//> rigid4-solid
+#include "rigid4.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -8,7 +8,7 @@
 // The alternate corners of a cube: sum t = 0, sum t t^T = 4 times the unit
 // matrix.
 enum { AXES = FOUR_AXES };
-static const real T[FOUR][AXES] = {
+const real FOUR_SIGN[FOUR][AXES] = {
     { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }
 };
 
@@ -53,7 +53,7 @@ static solid solid_of(const shape *s)
 }
 //<
 
-//> four-root
+//> rigid4-root
 // spread = L L^T, L lower triangular (Cholesky).  0 if the solid is flat: a
 // pivot below a billionth of a billionth of the largest spread is rounding's.
 static int root_of(real spread[3][3], real root[3][3])
@@ -74,7 +74,7 @@ static int root_of(real spread[3][3], real root[3][3])
 }
 //<
 
-//> four-columns
+//> rigid4-columns
 // The square of a cosine that rounding makes of a right angle.
 static const real UPRIGHT = 1e-30;
 
@@ -113,7 +113,7 @@ static void find_axes(real root[3][3], vec3 axis[AXES])
 }
 //<
 
-//> four-build
+//> rigid4-build
 // Does 1, 2, 3 turn right, as seen from 0?
 static int turns_right(vec3 x0, vec3 x1, vec3 x2, vec3 x3)
 {
@@ -126,7 +126,7 @@ static const int PAIR[FOUR_STICKS][2] = {
     { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 0, 2 }, { 1, 2 }
 };
 
-static void place_four(four *f, const shape *s, const solid *q,
+static void place_four(rigid4 *f, const shape *s, const solid *q,
                        const vec3 axis[AXES])
 {
     real mass = 0;
@@ -137,7 +137,7 @@ static void place_four(four *f, const shape *s, const solid *q,
     for (int k = 0; k < FOUR; k++) {
         vec3 r = { 0, 0, 0 };
         for (int i = 0; i < AXES; i++)
-            r = vec3_add_scaled(r, T[k][i], axis[i]);
+            r = vec3_add_scaled(r, FOUR_SIGN[k][i], axis[i]);
         f->at[k] = vec3_add(q->center, r);
         f->radius = fmax(f->radius, vec3_length(r));
     }
@@ -152,30 +152,37 @@ static void place_four(four *f, const shape *s, const solid *q,
     f->turns_right = turns_right(f->at[0], f->at[1], f->at[2], f->at[3]);
 }
 
-// p = sum a_k x_k with sum a_k = 1: with x_k = c + sum_i T_ki y_i and
-// p - c = sum_i u_i y_i it is a_k = (1 + sum_i T_ki u_i) / 4, because
-// sum_k a_k T_ki = u_i.  The y_i are perpendicular, so u_i is
-// (p - c) . y_i / y_i^2.
-static void weigh(const vec3 axis[AXES], vec3 r, real weight[FOUR])
+// The frame's axes are perpendicular, so each coordinate is found alone.
+static vec3 local_of(const vec3 axis[AXES], vec3 r)
 {
-    for (int k = 0; k < FOUR; k++) weight[k] = 1;
+    return vec3_make(vec3_dot(r, axis[0]) / vec3_length_squared(axis[0]),
+                     vec3_dot(r, axis[1]) / vec3_length_squared(axis[1]),
+                     vec3_dot(r, axis[2]) / vec3_length_squared(axis[2]));
+}
+
+// A turn about axis i moves particles across it by what they are off it: the
+// moment of inertia is 4 mass (y_j^2 + y_k^2), j and k being the other two.  A
+// turn of c y_i, an angle of c |y_i|, has an energy of (c |y_i|)^2 inertia / 2;
+// this is a half for c = 1 / sqrt(y_i^2 inertia).
+static void find_turns(rigid4 *f)
+{
+    real sum = f->square[0] + f->square[1] + f->square[2];
     for (int i = 0; i < AXES; i++) {
-        real u = vec3_dot(r, axis[i]) / vec3_length_squared(axis[i]);
-        for (int k = 0; k < FOUR; k++) weight[k] += T[k][i] * u;
+        real inertia = FOUR * f->mass * (sum - f->square[i]);
+        f->turn[i] = 1 / sqrt(f->square[i] * inertia);
     }
-    for (int k = 0; k < FOUR; k++) weight[k] /= FOUR;
 }
 
-void four_free(four *f)
+void rigid4_free(rigid4 *f)
 {
-    free(f->weight);
-    *f = (four){ .weight = NULL };
+    free(f->local);
+    *f = (rigid4){ .local = NULL };
 }
 
-status four_build(four *f, const shape *s)
+status rigid4_build(rigid4 *f, const shape *s)
 {
     assert(s->kind == SHAPE_RIGID && s->particles > 0);
-    *f = (four){ .weight = NULL };
+    *f = (rigid4){ .local = NULL };
     solid q = solid_of(s);
     real root[3][3] = { { 0 } };
     if (!(q.volume > 0) || !root_of(q.spread, root))
@@ -184,46 +191,36 @@ status four_build(four *f, const shape *s)
     vec3 axis[AXES];
     find_axes(root, axis);
     place_four(f, s, &q, axis);
-    f->weight = malloc((size_t)s->particles * sizeof *f->weight);
-    if (!f->weight) {
-        four_free(f);
+    find_turns(f);
+    f->local = malloc((size_t)s->particles * sizeof *f->local);
+    if (!f->local) {
+        rigid4_free(f);
         return status_out_of_memory();
     }
     for (int v = 0; v < s->particles; v++) {
         vec3 r = vec3_sub(s->at[v], f->center);
-        real *a = f->weight[v], sum = 0;
-        weigh(axis, r, a);
+        f->local[v] = local_of(axis, r);
+        f->middle = vec3_add_scaled(f->middle, 1.0 / s->particles, f->local[v]);
         f->reach = fmax(f->reach, vec3_length(r));
-        for (int k = 0; k < FOUR; k++) {
-            f->middle[k] += a[k] / s->particles;
-            sum += fabs(a[k]);
-        }
-        f->swing = fmax(f->swing, sum);
     }
     return status_ok();
 }
 //<
 
-//> four-ride
-void four_ride(const four *f, const particle *p, vec3 *at, int n)
+//> rigid4-ride
+void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n)
 {
-    for (int v = 0; v < n; v++) {
-        const real *a = f->weight[v];
-        vec3 x = vec3_scale(a[0], p[0].position);
-        for (int k = 1; k < FOUR; k++)
-            x = vec3_add_scaled(x, a[k], p[k].position);
-        at[v] = x;
-    }
+    for (int v = 0; v < n; v++) at[v] = frame_point(frame, f->local[v]);
 }
 
-int four_is_mirrored(const four *f, const particle *p)
+int rigid4_is_mirrored(const rigid4 *f, const particle *p)
 {
     return turns_right(p[0].position, p[1].position, p[2].position,
                        p[3].position) != f->turns_right;
 }
 //<
 
-//> four-frame
+//> rigid4-frame
 // Four particles are a middle and a frame of three vectors,
 //     x_k = middle + sum_i T_ki y_i,
 // and because sum_k T_ki = 0 and sum_k T_ki T_kj is 4 or 0, sums and
@@ -239,9 +236,18 @@ static inline frame frame_of(vec3 x0, vec3 x1, vec3 x2, vec3 x3)
     return (frame){ vec3_add(a, c),
                     { vec3_sub(a, c), vec3_add(b, d), vec3_sub(b, d) } };
 }
+
+rigid_frame rigid4_frame(const particle *p)
+{
+    frame f = frame_of(p[0].position, p[1].position, p[2].position,
+                       p[3].position);
+    return (rigid_frame){ vec3_scale(0.25, f.middle),
+        { vec3_scale(0.25, f.y[0]), vec3_scale(0.25, f.y[1]),
+          vec3_scale(0.25, f.y[2]) } };
+}
 //<
 
-//> four-batch
+//> rigid4-batch
 // Bodies of one plan side by side: numbers of one kind lie next to each other,
 // one for each body, so that a processor takes two or more at a time.  There
 // are LANES bodies, or a single one: `lanes` is a constant wherever it is
@@ -305,12 +311,12 @@ static inline void batch_keep_new(const int lanes, batch *t)
 }
 //<
 
-//> four-bend
+//> rigid4-bend
 // g = A^T A - M, K = g_ij / (m_i + m_j), and the worst of the sticks: the two
 // between which the vectors i and j tell are off by
 //     (g_ii + g_jj) / (2 (m_i + m_j)) +- K_ij.
 // The larger of two is so put that a NaN in all of them comes out at the end.
-static inline void batch_bend(const int lanes, const four *restrict f,
+static inline void batch_bend(const int lanes, const rigid4 *restrict f,
                               batch *restrict t)
 {
     for (int l = 0; l < lanes; l++) {
@@ -336,7 +342,7 @@ static inline void batch_bend(const int lanes, const four *restrict f,
 }
 //<
 
-//> four-step
+//> rigid4-step
 // A -= B K, of each body that is not content.  For the others B is nothing,
 // also where their old places are no numbers.
 static inline void batch_step(const int lanes, batch *restrict t,
@@ -380,7 +386,7 @@ static inline void batch_end(const int lanes, batch *restrict t)
 }
 //<
 
-//> four-bent
+//> rigid4-bent
 // Sticks off by more, relative to their lengths, make a body bent: Newton may
 // lose its way, or find the mirror image.
 static const real BENT = 0.05;
@@ -388,7 +394,7 @@ static const real BENT = 0.05;
 // The last resort: stick by stick along the sticks as they lie; and where that
 // ends in the mirror, or nowhere, the body goes on as it lay a step ago,
 // without turning.
-static four_result relax_bent(const four *f, particle *p,
+static rigid4_result relax_bent(const rigid4 *f, particle *p,
                                relax_options options)
 {
     enum { SWEEPS = 60 };
@@ -398,15 +404,15 @@ static four_result relax_bent(const four *f, particle *p,
                                vec3_sub(p[k].position, p[k].previous));
     options.gradient = GRADIENT_NEW;
     relax_result s = sticks_relax(f->stick, FOUR_STICKS, p, SWEEPS, options);
-    four_result r = { s.worst, s.tested, s.relaxed, s.iterations, 1 };
-    if (r.worst <= 0.01 && !four_is_mirrored(f, p)) return r;
+    rigid4_result r = { s.worst, s.tested, s.relaxed, s.iterations, 1 };
+    if (r.worst <= 0.01 && !rigid4_is_mirrored(f, p)) return r;
     for (int k = 0; k < FOUR && vec3_is_finite(mean); k++)
         p[k].position = vec3_add(p[k].previous, mean);
     return r;
 }
 //<
 
-//> four-solve
+//> rigid4-solve
 // NaN does not count: who has none goes on.
 static inline real largest(const int lanes, const lane a)
 {
@@ -417,7 +423,7 @@ static inline real largest(const int lanes, const lane a)
 
 // Up to so many steps.  After the last one nobody is measured again: a step
 // squares the error of a body that was hardly bent.
-static inline void batch_solve(const int lanes, const four *f,
+static inline void batch_solve(const int lanes, const rigid4 *f,
                                const particle *p, const ptrdiff_t *first,
                                int steps, relax_options o, batch *t)
 {
@@ -435,8 +441,8 @@ static inline void batch_solve(const int lanes, const four *f,
 }
 //<
 
-//> four-relax
-static void add_result(four_result *all, four_result r)
+//> rigid4-relax
+static void add_result(rigid4_result *all, rigid4_result r)
 {
     all->tested += r.tested;
     all->relaxed += r.relaxed;
@@ -446,7 +452,7 @@ static void add_result(four_result *all, four_result r)
 }
 
 // The worst of body l, which was bent on the way, when all steps are done.
-static real measured_again(const four *f, const batch *t, int l)
+static real measured_again(const rigid4 *f, const batch *t, int l)
 {
     batch again = *t;
     batch_bend(LANES, f, &again);
@@ -454,8 +460,8 @@ static real measured_again(const four *f, const batch *t, int l)
 }
 
 // What became of body l, whose particles begin at p.
-static void batch_give(const four *f, const batch *t, int l, particle *p,
-                       int steps, relax_options o, four_result *all)
+static void batch_give(const rigid4 *f, const batch *t, int l, particle *p,
+                       int steps, relax_options o, rigid4_result *all)
 {
     int done = (int)t->steps[l];
     real worst = t->worst[l];
@@ -468,15 +474,15 @@ static void batch_give(const four *f, const batch *t, int l, particle *p,
     for (int k = 0; k < FOUR && done > 0; k++)
         p[k].position = vec3_make(t->at[k][0][l], t->at[k][1][l],
                                   t->at[k][2][l]);
-    add_result(all, (four_result){ .worst = worst, .iterations = done,
+    add_result(all, (rigid4_result){ .worst = worst, .iterations = done,
         .tested = FOUR_STICKS * (done + (done < steps)),
         .relaxed = FOUR_STICKS * done });
 }
 
-four_result four_relax_all(const four *f, particle *p, const int *first,
+rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
                             int bodies, int steps, relax_options options)
 {
-    four_result all = { .worst = 0 };
+    rigid4_result all = { .worst = 0 };
     assert(steps > 0);
     for (int b = 0; b < bodies; b += LANES) {
         // Lanes that are left over repeat the last body.
@@ -493,119 +499,10 @@ four_result four_relax_all(const four *f, particle *p, const int *first,
     return all;
 }
 
-four_result four_relax(const four *f, particle *p, int steps,
+rigid4_result rigid4_relax(const rigid4 *f, particle *p, int steps,
                         relax_options options)
 {
     const int first = 0;
-    return four_relax_all(f, p, &first, 1, steps, options);
-}
-//<
-
-//> four-ways
-// The particles as they lie about their middle, turned about an axis: e x r.
-// No stick o changes its length by that: o . (e x o) = 0.
-static void turn_about(vec3 e, const vec3 r[FOUR], vec3 turn[FOUR])
-{
-    for (int k = 0; k < FOUR; k++) turn[k] = vec3_cross(e, r[k]);
-}
-
-static real dot_of_moves(const vec3 a[FOUR], const vec3 b[FOUR])
-{
-    real sum = 0;
-    for (int k = 0; k < FOUR; k++) sum += vec3_dot(a[k], b[k]);
-    return sum;
-}
-
-static void take_from(vec3 move[FOUR], real s, const vec3 other[FOUR])
-{
-    for (int k = 0; k < FOUR; k++)
-        move[k] = vec3_add_scaled(move[k], -s, other[k]);
-}
-
-// Turns about x, y and z, each freed of what the ones before it have of it
-// (Gram and Schmidt).  They are perpendicular to the three straight ways as
-// they are, for the r add up to nothing.  With one mass 1 / w for all four, a
-// way of unit length times sqrt(w) is as long as it must be.
-void four_find_ways(const vec3 at[FOUR], real inverse_mass, four_ways *w)
-{
-    static const vec3 axis[TURNS] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-    vec3 r[FOUR], middle = { 0, 0, 0 };
-    real root = sqrt(inverse_mass);
-    w->along = root / 2;
-    for (int k = 0; k < FOUR; k++)
-        middle = vec3_add_scaled(middle, 1.0 / FOUR, at[k]);
-    for (int k = 0; k < FOUR; k++) r[k] = vec3_sub(at[k], middle);
-    for (int t = 0; t < TURNS; t++) {
-        turn_about(axis[t], r, w->turn[t]);
-        for (int u = 0; u < t; u++)
-            take_from(w->turn[t], dot_of_moves(w->turn[t], w->turn[u]),
-                      w->turn[u]);
-        real length = sqrt(dot_of_moves(w->turn[t], w->turn[t]));
-        real scale = length > 0 ? 1 / length : 0;
-        for (int k = 0; k < FOUR; k++)
-            w->turn[t][k] = vec3_scale(scale, w->turn[t][k]);
-    }
-    for (int t = 0; t < TURNS; t++)
-        for (int k = 0; k < FOUR; k++)
-            w->turn[t][k] = vec3_scale(root, w->turn[t][k]);
-}
-//<
-
-//> four-rows
-void four_rows(const four_ways *w, const real share[FOUR], const vec3 d[3],
-               real row[3][FOUR_WAYS])
-{
-    for (int i = 0; i < 3; i++) {
-        row[i][0] = w->along * d[i].x;
-        row[i][1] = w->along * d[i].y;
-        row[i][2] = w->along * d[i].z;
-    }
-    for (int t = 0; t < TURNS; t++) {
-        vec3 move = vec3_scale(share[0], w->turn[t][0]);
-        for (int k = 1; k < FOUR; k++)
-            move = vec3_add_scaled(move, share[k], w->turn[t][k]);
-        for (int i = 0; i < 3; i++) row[i][3 + t] = vec3_dot(move, d[i]);
-    }
-}
-
-//<
-
-//> four-go
-// Even ways and odd ones are summed side by side: a processor adds and
-// multiplies two numbers at a time, if the compiler sees that they are two of a
-// kind, and that no result lies where a number is still to be read (restrict).
-void four_part(const real (*restrict row_a)[FOUR_WAYS],
-               const real (*restrict row_b)[FOUR_WAYS],
-               const real *restrict was, const real *restrict a,
-               const real *restrict b, real *restrict apart)
-{
-    real sum[3][2];
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 2; k++) {
-            const real *q = row_a[i] + k, *r = row_b[i] + k;
-            sum[i][k] = q[0] * a[k] + q[2] * a[k + 2] + q[4] * a[k + 4]
-                     + (r[0] * b[k] + r[2] * b[k + 2] + r[4] * b[k + 4]);
-        }
-    for (int i = 0; i < 3; i++) apart[i] = was[i] + (sum[i][0] + sum[i][1]);
-}
-
-void four_go(const real (*restrict row)[FOUR_WAYS], const real *restrict l,
-             real *restrict way)
-{
-    for (int k = 0; k < FOUR_WAYS; k++)
-        way[k] += l[0] * row[0][k] + l[1] * row[1][k] + l[2] * row[2][k];
-}
-//<
-
-//> four-move
-void four_move(const four_ways *w, const real along[FOUR_WAYS], vec3 move[FOUR])
-{
-    vec3 all = vec3_scale(w->along,
-                          vec3_make(along[0], along[1], along[2]));
-    for (int k = 0; k < FOUR; k++) {
-        move[k] = all;
-        for (int t = 0; t < TURNS; t++)
-            move[k] = vec3_add_scaled(move[k], along[3 + t], w->turn[t][k]);
-    }
+    return rigid4_relax_all(f, p, &first, 1, steps, options);
 }
 //<

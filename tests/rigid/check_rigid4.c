@@ -1,4 +1,4 @@
-// check_four.c - do four particles move as the solid would?  Book: chapter 13.
+// check_rigid4.c - do four particles move as the solid would?  Book: chapter 13.
 
 #include <check.h>
 #include <limits.h>
@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "convex.h"
-#include "four.h"
+#include "rigid4.h"
 #include "scarce.h"
 
 // A few roundings of the largest term: sums of up to a hundred.
@@ -79,7 +79,7 @@ typedef struct {
 enum { BOX, BALL, WEDGE, HOUSE, SOLIDS };
 
 static known solid[SOLIDS];
-static four f;
+static rigid4 f;
 
 static void expect_ok(status s)
 {
@@ -140,7 +140,7 @@ static void set_up(void)
 static void tear_down(void)
 {
     for (int i = 0; i < SOLIDS; i++) shape_free(&solid[i].plan);
-    four_free(&f);
+    rigid4_free(&f);
 }
 
 // The image of a solid: all its corners moved.
@@ -190,16 +190,16 @@ static void try_inertia(int i)
     const matrix as_it_is = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
     const known *k = &solid[i];
     real mass = k->plan.mass[0] * k->plan.particles;
-    expect_ok(four_build(&f, &k->plan));
+    expect_ok(rigid4_build(&f, &k->plan));
     has_inertia_of(k, &as_it_is, mass);
-    four_free(&f);
+    rigid4_free(&f);
     for (int n = 0; n < 200; n++) {
         matrix m = any_affine();
         shape s;
         make_image(&s, &k->plan, &m);
-        expect_ok(four_build(&f, &s));
+        expect_ok(rigid4_build(&f, &s));
         has_inertia_of(k, &m, 3);
-        four_free(&f);
+        rigid4_free(&f);
         shape_free(&s);
     }
 }
@@ -219,11 +219,11 @@ static void try_ride(int i)
         vec3 away = vec3_scale(10, any_vec3()), at[12];
         shape s;
         make_image(&s, &solid[i].plan, &m);
-        expect_ok(four_build(&f, &s));
+        expect_ok(rigid4_build(&f, &s));
         particle p[FOUR];
         for (int k = 0; k < FOUR; k++)
             p[k].position = vec3_add(away, times(&turn, f.at[k]));
-        four_ride(&f, p, at, s.particles);
+        rigid4_ride(&f, p, at, s.particles);
         for (int v = 0; v < s.particles; v++) {
             real sum = 0;
             for (int k = 0; k < FOUR; k++) sum += f.weight[v][k];
@@ -232,7 +232,7 @@ static void try_ride(int i)
             ck_assert_msg(vec3_distance(at[v], x) <= ROUNDING * 20,
                           "vertex %d is %g m off", v, vec3_distance(at[v], x));
         }
-        four_free(&f);
+        rigid4_free(&f);
         shape_free(&s);
     }
 }
@@ -248,7 +248,7 @@ END_TEST
 static void try_sticks(int i)
 {
     const shape *s = &solid[i].plan;
-    expect_ok(four_build(&f, s));
+    expect_ok(rigid4_build(&f, s));
     int joined[FOUR][FOUR] = { { 0 } };
     for (int k = 0; k < FOUR_STICKS; k++) {
         const stick *t = &f.stick[k];
@@ -264,7 +264,7 @@ static void try_sticks(int i)
         reach = fmax(reach, vec3_distance(s->at[v], f.center));
     ck_assert(fabs(f.radius - radius) <= ROUNDING);
     ck_assert(fabs(f.reach - reach) <= ROUNDING);
-    four_free(&f);
+    rigid4_free(&f);
 }
 
 // Rejects: a stick twice, or another length than the particles have; a radius
@@ -285,7 +285,7 @@ static void is_empty(void)
 static void is_refused(shape *s)
 {
     long before = blocks_held;
-    status done = four_build(&f, s);
+    status done = rigid4_build(&f, s);
     long after = blocks_held;
     ck_assert_msg(!done.ok, "accepted");
     ck_assert_str_eq(done.why, "a body of 8 vertices is too thin to be solid");
@@ -328,15 +328,15 @@ START_TEST(small_and_large_bodies_are_built_alike)
         shape s;
         real l = size[k];
         expect_ok(shape_box(&s, vec3_make(l, 1e-4 * l, 2 * l), 1));
-        expect_ok(four_build(&f, &s));
+        expect_ok(rigid4_build(&f, &s));
         vec3 at[8];
         particle p[FOUR];
         for (int i = 0; i < FOUR; i++) p[i].position = f.at[i];
-        four_ride(&f, p, at, 8);
+        rigid4_ride(&f, p, at, 8);
         for (int v = 0; v < 8; v++)
             ck_assert(vec3_distance(at[v], s.at[v]) <= ROUNDING * l);
         shape_free(&s);
-        four_free(&f);
+        rigid4_free(&f);
     }
 }
 END_TEST
@@ -346,7 +346,7 @@ START_TEST(refused_memory_is_told_and_leaves_nothing)
 {
     long before = blocks_held;
     mallocs_left = 0;
-    status done = four_build(&f, &solid[HOUSE].plan);
+    status done = rigid4_build(&f, &solid[HOUSE].plan);
     mallocs_left = INT_MAX;
     long after = blocks_held;
     ck_assert(!done.ok);
@@ -354,10 +354,10 @@ START_TEST(refused_memory_is_told_and_leaves_nothing)
     ck_assert_int_eq(after, before);
     is_empty();
     before = blocks_held;
-    done = four_build(&f, &solid[HOUSE].plan);
+    done = rigid4_build(&f, &solid[HOUSE].plan);
     long built = blocks_held;
-    four_free(&f);
-    four_free(&f);
+    rigid4_free(&f);
+    rigid4_free(&f);
     after = blocks_held;
     expect_ok(done);
     ck_assert(built == before + 1 && after == before);
@@ -407,7 +407,7 @@ typedef struct {
     real at[FOUR_STICKS][FOUR_STICKS];  // 1/m^4
 } inverse;
 
-static inverse inverse_of(const four *of)
+static inverse inverse_of(const rigid4 *of)
 {
     real m[FOUR_STICKS][2 * FOUR_STICKS] = { { 0 } };
     inverse r;
@@ -424,7 +424,7 @@ static inverse inverse_of(const four *of)
 }
 
 // Oracle: the sticks take back what a push would change of their lengths.
-static real four_answer(const four *of, const vec3 at[FOUR], real inverse_mass,
+static real four_answer(const rigid4 *of, const vec3 at[FOUR], real inverse_mass,
                         const real weight[FOUR], vec3 d, vec3 answer[FOUR])
 {
     real mu[FOUR_STICKS] = { 0 }, along = 0, w = inverse_mass;
@@ -451,12 +451,12 @@ static real four_answer(const four *of, const vec3 at[FOUR], real inverse_mass,
 static real ways_answer(const vec3 at[FOUR], real inverse_mass,
                         const real share[FOUR], vec3 d, vec3 answer[FOUR])
 {
-    four_ways w;
+    rigid4_ways w;
     real rows[3][FOUR_WAYS], along = 0;
-    four_find_ways(at, inverse_mass, &w);
-    four_rows(&w, share, (const vec3[3]){ d, d, d }, rows);
+    rigid4_find_ways(at, inverse_mass, &w);
+    rigid4_rows(&w, share, (const vec3[3]){ d, d, d }, rows);
     const real *row = rows[0];
-    four_move(&w, row, answer);
+    rigid4_move(&w, row, answer);
     for (int k = 0; k < FOUR_WAYS; k++) along += row[k] * row[k];
     return along;
 }
@@ -493,7 +493,7 @@ static real worst_answer(real aspect, int n)
         shape s;
         vec3 at[FOUR], got[FOUR], momentum = { 0, 0, 0 };
         expect_ok(shape_box(&s, sides, mass));
-        expect_ok(four_build(&f, &s));
+        expect_ok(rigid4_build(&f, &s));
         for (int k = 0; k < FOUR; k++) {
             at[k] = vec3_add(away, times(&turn, f.at[k]));
             share[k] = f.weight[i % 8][k];
@@ -518,7 +518,7 @@ static real worst_answer(real aspect, int n)
             vec3 u = vec3_sub(got[t->b], got[t->a]);
             worst = fmax(worst, fabs(vec3_dot(o, u)) / vec3_length(o) / most);
         }
-        four_free(&f);
+        rigid4_free(&f);
         shape_free(&s);
     }
     return worst;
@@ -553,7 +553,7 @@ START_TEST(lopsided_body_answers_as_its_particles_would)
         matrix m = any_affine();
         shape s;
         make_image(&s, &solid[HOUSE].plan, &m);
-        expect_ok(four_build(&f, &s));
+        expect_ok(rigid4_build(&f, &s));
         int v = n % s.particles;
         vec3 d = any_unit(), got[FOUR], r = vec3_sub(s.at[v], f.center);
         real along = ways_answer(f.at, 1 / f.mass, f.weight[v], d, got);
@@ -571,7 +571,7 @@ START_TEST(lopsided_body_answers_as_its_particles_would)
         ck_assert(vec3_distance(momentum, d) <= LONG_BODY);
         ck_assert(vec3_distance(turning, vec3_cross(r, d)) <= LONG_BODY * size);
         ck_assert(fabs(energy - along) <= LONG_BODY * along);
-        four_free(&f);
+        rigid4_free(&f);
         shape_free(&s);
     }
 }
@@ -585,7 +585,7 @@ START_TEST(six_ways_are_what_the_sticks_leave)
 {
     for (int n = 0; n < 200; n++) {
         particle p[FOUR];
-        expect_ok(four_build(&f, &solid[n % 2 ? HOUSE : BALL].plan));
+        expect_ok(rigid4_build(&f, &solid[n % 2 ? HOUSE : BALL].plan));
         stand(p);
         vec3 at[FOUR], d = any_unit(), told[FOUR], got[FOUR];
         for (int k = 0; k < FOUR; k++) at[k] = p[k].position;
@@ -596,7 +596,7 @@ START_TEST(six_ways_are_what_the_sticks_leave)
                   <= LONG_BODY * along);
         for (int k = 0; k < FOUR; k++)
             ck_assert(vec3_distance(told[k], got[k]) <= LONG_BODY * along);
-        four_free(&f);
+        rigid4_free(&f);
     }
 }
 END_TEST
@@ -604,7 +604,7 @@ END_TEST
 // Rejects: a nailed body that answers, or has an inverse mass.
 START_TEST(nailed_body_answers_nothing)
 {
-    expect_ok(four_build(&f, &solid[BALL].plan));
+    expect_ok(rigid4_build(&f, &solid[BALL].plan));
     vec3 got[FOUR];
     for (int v = 0; v < 12; v++) {
         ck_assert(ways_answer(f.at, 0, f.weight[v], any_unit(), got) == 0);
@@ -695,7 +695,7 @@ START_TEST(step_of_the_frame_is_newtons_step_of_the_six_sticks)
         matrix m = any_affine();
         shape s;
         make_image(&s, &solid[n % SOLIDS].plan, &m);
-        expect_ok(four_build(&f, &s));
+        expect_ok(rigid4_build(&f, &s));
         particle p[FOUR], q[FOUR];
         vec3 o[FOUR];
         stand(p);
@@ -705,14 +705,14 @@ START_TEST(step_of_the_frame_is_newtons_step_of_the_six_sticks)
         memcpy(q, p, sizeof q);
         for (int k = 0; k < FOUR; k++)
             o[k] = n % 2 ? p[k].previous : p[k].position;
-        four_result r = four_relax(&f, p, 1, n % 2 ? OLD : NEW);
+        rigid4_result r = rigid4_relax(&f, p, 1, n % 2 ? OLD : NEW);
         real worst = step_of_sticks(q, o), size = fmax(f.radius, 1);
         ck_assert_int_eq(r.fell_back, 0);
         ck_assert(fabs(r.worst - worst) <= SAME_STEP * fmax(1, worst));
         for (int k = 0; k < FOUR; k++)
             most = fmax(most, vec3_distance(p[k].position, q[k].position)
                               / size);
-        four_free(&f);
+        rigid4_free(&f);
         shape_free(&s);
     }
     printf("frame and six sticks: one step differs by %.2g of a radius\n",
@@ -730,7 +730,7 @@ START_TEST(one_step_squares_the_error)
 {
     real most[2] = { 0, 0 };
     for (int n = 0; n < 2000; n++) {
-        expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
+        expect_ok(rigid4_build(&f, &solid[n % SOLIDS].plan));
         particle p[FOUR];
         stand(p);
         real size = f.radius * (n % 5 == 0 ? 1e-2 : n % 5 == 1 ? 1e-3 : 1e-4);
@@ -738,12 +738,12 @@ START_TEST(one_step_squares_the_error)
             p[k].position = vec3_add_scaled(p[k].position, size, any_vec3());
         real before = worst_strain(p);
         const relax_options *o = n % 2 ? &OLD : &NEW;
-        four_result r = four_relax(&f, p, 1, *o);
+        rigid4_result r = rigid4_relax(&f, p, 1, *o);
         real after = worst_strain(p);
         ck_assert(r.iterations == 1 && r.fell_back == 0);
         ck_assert(fabs(r.worst - before) <= before * before);
         most[n % 2] = fmax(most[n % 2], after / (before * before));
-        four_free(&f);
+        rigid4_free(&f);
     }
     printf("one step: strain e becomes at most %.2g e^2 (new), %.2g e^2 "
            "(old gradients)\n", most[0], most[1]);
@@ -756,7 +756,7 @@ END_TEST
 START_TEST(relaxing_keeps_momentum_and_angular_momentum)
 {
     for (int n = 0; n < 1000; n++) {
-        expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
+        expect_ok(rigid4_build(&f, &solid[n % SOLIDS].plan));
         particle p[FOUR];
         stand(p);
         // Up to 0.15 of its radius: some bodies need several steps.
@@ -765,7 +765,7 @@ START_TEST(relaxing_keeps_momentum_and_angular_momentum)
                                             any_vec3());
         vec3 linear = momentum(p), angular = turning(p);
         real size = FOUR * f.mass * f.radius;
-        four_result r = four_relax(&f, p, 20, OLD);
+        rigid4_result r = rigid4_relax(&f, p, 20, OLD);
         ck_assert_msg(vec3_distance(momentum(p), linear) <= ROUNDING * size,
                       "momentum changed by %g",
                       vec3_distance(momentum(p), linear));
@@ -776,7 +776,7 @@ START_TEST(relaxing_keeps_momentum_and_angular_momentum)
                           vec3_distance(turning(p), angular));
         ck_assert(r.fell_back == 0 && r.worst <= OLD.tolerance);
         ck_assert(worst_strain(p) <= 2 * OLD.tolerance);
-        four_free(&f);
+        rigid4_free(&f);
     }
 }
 END_TEST
@@ -789,7 +789,7 @@ static void try_spin(int i)
 {
     const vec3 none = { 0, 0, 0 };
     const real h = 1.0 / 240;
-    expect_ok(four_build(&f, &solid[i].plan));
+    expect_ok(rigid4_build(&f, &solid[i].plan));
     for (int n = 0; n < 6; n++) {
         vec3 spin = vec3_scale(30, any_unit()), v = vec3_scale(3, any_unit());
         particle p[FOUR];
@@ -802,7 +802,7 @@ static void try_spin(int i)
         real worst = 0;
         for (int step = 0; step < 2400; step++) {
             verlet_step(p, FOUR, none, NULL, h);
-            four_result r = four_relax(&f, p, 6, OLD);
+            rigid4_result r = rigid4_relax(&f, p, 6, OLD);
             ck_assert_int_eq(r.fell_back, 0);
             worst = fmax(worst, worst_strain(p));
         }
@@ -813,9 +813,9 @@ static void try_spin(int i)
                       "angular momentum is off by %g, momentum by %g", turned,
                       drift);
         ck_assert_msg(worst <= OLD.tolerance, "strain %g", worst);
-        ck_assert(!four_is_mirrored(&f, p));
+        ck_assert(!rigid4_is_mirrored(&f, p));
     }
-    four_free(&f);
+    rigid4_free(&f);
 }
 
 // Rejects: the brake of gradients at the new places, which takes most of the
@@ -829,7 +829,7 @@ END_TEST
 // Rejects: a body that is moved in spite of its nails.
 START_TEST(nailed_body_is_not_relaxed)
 {
-    expect_ok(four_build(&f, &solid[WEDGE].plan));
+    expect_ok(rigid4_build(&f, &solid[WEDGE].plan));
     particle p[FOUR], was[FOUR];
     stand(p);
     for (int k = 0; k < FOUR; k++) {
@@ -837,7 +837,7 @@ START_TEST(nailed_body_is_not_relaxed)
         p[k].inverse_mass = 0;
     }
     memcpy(was, p, sizeof p);
-    four_result r = four_relax(&f, p, 6, OLD);
+    rigid4_result r = rigid4_relax(&f, p, 6, OLD);
     ck_assert(memcmp(was, p, sizeof p) == 0);
     ck_assert(r.iterations == 0 && r.relaxed == 0 && r.fell_back == 0);
 }
@@ -846,12 +846,12 @@ END_TEST
 // Rejects: a step for a body that needs none, which would never come to rest.
 START_TEST(body_within_tolerance_keeps_every_bit)
 {
-    expect_ok(four_build(&f, &solid[BOX].plan));
+    expect_ok(rigid4_build(&f, &solid[BOX].plan));
     for (int n = 0; n < 100; n++) {
         particle p[FOUR], was[FOUR];
         stand(p);
         memcpy(was, p, sizeof p);
-        four_result r = four_relax(&f, p, 6, n % 2 ? OLD : NEW);
+        rigid4_result r = rigid4_relax(&f, p, 6, n % 2 ? OLD : NEW);
         ck_assert(memcmp(was, p, sizeof p) == 0);
         ck_assert(r.iterations == 0 && r.relaxed == 0);
         ck_assert_int_eq(r.tested, FOUR_STICKS);
@@ -864,12 +864,12 @@ END_TEST
 START_TEST(steps_are_counted_and_capped)
 {
     const relax_options never = { ROOT_EXACT, GRADIENT_OLD, 0, 0 };
-    expect_ok(four_build(&f, &solid[HOUSE].plan));
+    expect_ok(rigid4_build(&f, &solid[HOUSE].plan));
     for (int steps = 1; steps < 6; steps++) {
         particle p[FOUR];
         stand(p);
         p[1].position = vec3_add_scaled(p[1].position, 0.02, any_unit());
-        four_result r = four_relax(&f, p, steps, never);
+        rigid4_result r = rigid4_relax(&f, p, steps, never);
         ck_assert_int_le(r.iterations, steps);
         if (steps < 3) ck_assert_int_eq(r.iterations, steps);
         ck_assert_int_eq(r.relaxed, FOUR_STICKS * r.iterations);
@@ -886,7 +886,7 @@ START_TEST(bent_body_is_judged_when_its_steps_are_done)
 {
     const relax_options wide = { ROOT_EXACT, GRADIENT_OLD, 0.1, 0 };
     const real left[3] = { 0.0618, 1.8e-3, 1.6e-6 };
-    expect_ok(four_build(&f, &solid[HOUSE].plan));
+    expect_ok(rigid4_build(&f, &solid[HOUSE].plan));
     for (int steps = 0; steps < 3; steps++) {
         particle p[FOUR];
         stand(p);
@@ -896,8 +896,8 @@ START_TEST(bent_body_is_judged_when_its_steps_are_done)
         for (int k = 0; k < FOUR; k++)
             p[k].position = vec3_add_scaled(p[k].position, 0.06,
                 vec3_sub(p[k].position, middle));
-        four_result r = steps == 0 ? four_relax(&f, p, 1, wide)
-                                    : four_relax(&f, p, steps, OLD);
+        rigid4_result r = steps == 0 ? rigid4_relax(&f, p, 1, wide)
+                                    : rigid4_relax(&f, p, steps, OLD);
         ck_assert_int_eq(r.fell_back, 0);
         ck_assert_int_eq(r.iterations, steps);
         ck_assert_msg(fabs(r.worst - left[steps]) <= 0.02 * left[steps],
@@ -944,7 +944,7 @@ static void is_sound(const particle *p, const char *what)
         far = fmax(far, fabs(p[k].position.x));
     }
     if (far > 1e12) return;
-    ck_assert_msg(!four_is_mirrored(&f, p), "%s: mirrored", what);
+    ck_assert_msg(!rigid4_is_mirrored(&f, p), "%s: mirrored", what);
     ck_assert_msg(worst_strain(p) <= 0.01, "%s: strain %g", what,
                   worst_strain(p));
 }
@@ -954,13 +954,13 @@ static void try_wreck(int i)
     static const char *const name[WRECKS] = { "scattered", "crushed",
         "pressed flat", "mirrored", "pierced", "flung away", "tiny" };
     for (int n = 0; n < 300 * SOLIDS; n++) {
-        expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
+        expect_ok(rigid4_build(&f, &solid[n % SOLIDS].plan));
         particle p[FOUR];
         stand(p);
         wreck(p, i);
-        four_relax(&f, p, 6, n % 8 < 4 ? OLD : NEW);
+        rigid4_relax(&f, p, 6, n % 8 < 4 ? OLD : NEW);
         is_sound(p, name[i]);
-        four_free(&f);
+        rigid4_free(&f);
     }
 }
 
@@ -977,7 +977,7 @@ static void try_plate(int i)
     shape plate;
     // A tenth to an eightieth as thick as wide.
     expect_ok(shape_box(&plate, vec3_make(1, 1.0 / (10 << i), 1), 1));
-    expect_ok(four_build(&f, &plate));
+    expect_ok(rigid4_build(&f, &plate));
     shape_free(&plate);
     for (int n = 0; n < 400; n++) {
         particle p[FOUR];
@@ -987,10 +987,10 @@ static void try_plate(int i)
             real up = vec3_dot(vec3_sub(p[k].position, p[0].position), turn.y);
             p[k].position = vec3_add_scaled(p[k].position, -share * up, turn.y);
         }
-        four_relax(&f, p, 6, n % 2 ? OLD : NEW);
+        rigid4_relax(&f, p, 6, n % 2 ? OLD : NEW);
         is_sound(p, "plate");
     }
-    four_free(&f);
+    rigid4_free(&f);
 }
 
 // In a plate a particle that goes through the plane of the others changes no
@@ -1006,15 +1006,15 @@ END_TEST
 START_TEST(lost_numbers_are_told_and_do_no_harm)
 {
     const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
-    expect_ok(four_build(&f, &solid[BALL].plan));
+    expect_ok(rigid4_build(&f, &solid[BALL].plan));
     for (int k = 0; k < 3 * FOUR; k++) {
         particle p[FOUR];
         vec3 at[12];
         stand(p);
         p[k % FOUR].position.y = bad[k / FOUR];
-        four_result r = four_relax(&f, p, 6, OLD);
+        rigid4_result r = rigid4_relax(&f, p, 6, OLD);
         ck_assert_int_eq(r.fell_back, 1);
-        four_ride(&f, p, at, 12);
+        rigid4_ride(&f, p, at, 12);
     }
 }
 END_TEST
@@ -1033,9 +1033,9 @@ START_TEST(bodies_relaxed_together_get_the_bits_of_each_alone)
     for (int n = 0; n < 2000; n++) {
         int bodies = 1 + n % MOST, steps = 1 + n % 6;
         const relax_options *o = n % 5 ? &OLD : &NEW;
-        four_result sum = { .worst = 0 };
+        rigid4_result sum = { .worst = 0 };
         int first[MOST];
-        expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
+        expect_ok(rigid4_build(&f, &solid[n % SOLIDS].plan));
         for (int b = 0; b < bodies; b++) {
             particle *p = one + b * FOUR;
             first[(b + n) % bodies] = b * FOUR;
@@ -1051,19 +1051,19 @@ START_TEST(bodies_relaxed_together_get_the_bits_of_each_alone)
         }
         memcpy(all, one, sizeof one);
         for (int b = 0; b < bodies; b++) {
-            four_result r = four_relax(&f, one + b * FOUR, steps, *o);
+            rigid4_result r = rigid4_relax(&f, one + b * FOUR, steps, *o);
             sum.tested += r.tested;
             sum.relaxed += r.relaxed;
             sum.fell_back += r.fell_back;
             if (r.iterations > sum.iterations) sum.iterations = r.iterations;
             sum.worst = fmax(sum.worst, r.worst);
         }
-        four_result r = four_relax_all(&f, all, first, bodies, steps, *o);
+        rigid4_result r = rigid4_relax_all(&f, all, first, bodies, steps, *o);
         ck_assert(memcmp(one, all, (size_t)bodies * FOUR * sizeof *one) == 0);
         ck_assert(r.tested == sum.tested && r.relaxed == sum.relaxed);
         ck_assert(r.iterations == sum.iterations && r.fell_back == sum.fell_back);
         ck_assert(r.worst == sum.worst);
-        four_free(&f);
+        rigid4_free(&f);
     }
 }
 END_TEST
@@ -1072,14 +1072,14 @@ END_TEST
 START_TEST(mirror_image_is_known)
 {
     for (int n = 0; n < 100; n++) {
-        expect_ok(four_build(&f, &solid[n % SOLIDS].plan));
+        expect_ok(rigid4_build(&f, &solid[n % SOLIDS].plan));
         particle p[FOUR];
         stand(p);
-        ck_assert(!four_is_mirrored(&f, p));
+        ck_assert(!rigid4_is_mirrored(&f, p));
         wreck(p, MIRRORED);
-        ck_assert(four_is_mirrored(&f, p));
+        ck_assert(rigid4_is_mirrored(&f, p));
         ck_assert(worst_strain(p) <= ROUNDING);
-        four_free(&f);
+        rigid4_free(&f);
     }
 }
 END_TEST

@@ -1,0 +1,29 @@
+//> task-head
+// task.h - work on n items, which the caller may hand to several threads.
+//
+// Paper: not asked.  Book: chapter 16.
+
+#ifndef TUMBLE_TASK_H
+#define TUMBLE_TASK_H
+
+// Does work(data, 0) ... work(data, items - 1), in any order or at once, and
+// returns when all are done.  run = NULL: one after the other.  What one item
+// writes no other may touch: so the bits do not depend on who does what.
+typedef struct {
+    void (*run)(void *context, void (*work)(void *data, int item), void *data,
+                int items);
+    void *context;
+} tasks;
+
+static inline void tasks_run(tasks t, void (*work)(void *data, int item),
+                             void *data, int items)
+{
+    if (t.run && items > 1) {
+        t.run(t.context, work, data, items);
+        return;
+    }
+    for (int k = 0; k < items; k++) work(data, k);
+}
+
+#endif
+//<

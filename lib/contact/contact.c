@@ -1,0 +1,67 @@
+//> contact-gaps
+#include "contact.h"
+
+#include <stddef.h>
+
+// The height of the frame's centre along n, and of its three axes.
+static void heights_along(vec3 n, const rigid_frame *f, real *center, vec3 *axis)
+{
+    *center = vec3_dot(n, f->center);
+    *axis = vec3_make(vec3_dot(n, f->axis[0]), vec3_dot(n, f->axis[1]),
+                      vec3_dot(n, f->axis[2]));
+}
+
+void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
+                  real height, real gap[CONTACT_POINTS])
+{
+    real center_a, center_b = height;
+    vec3 axis_a, axis_b = { 0, 0, 0 };
+    heights_along(c->normal, a, &center_a, &axis_a);
+    if (b) heights_along(c->normal, b, &center_b, &axis_b);
+    for (int k = 0; k < c->count; k++) {
+        const contact_point *p = &c->point[k];
+        gap[k] = center_a - center_b - p->offset
+               + vec3_dot(axis_a, p->local_a) - vec3_dot(axis_b, p->local_b);
+    }
+}
+//<
+
+//> contact-load
+real contact_load(const contact *c)
+{
+    real sum = 0;
+    for (int k = 0; k < c->count; k++) sum += c->point[k].impulse;
+    return sum;
+}
+//<
+
+//> contact-inherit
+static int nearest_point(const contact *c, vec3 local)
+{
+    int best = 0;
+    real least = HUGE_VAL;
+    for (int k = 0; k < c->count; k++) {
+        vec3 d = vec3_sub(c->point[k].local_a, local);
+        real square = vec3_length_squared(d);
+        if (square < least) {
+            least = square;
+            best = k;
+        }
+    }
+    return best;
+}
+
+// No impulse is lost, and none is given twice: a load that nothing carries
+// would throw the pile up.
+void contact_inherit(contact *now, const contact *was)
+{
+    vec3 none = { 0, 0, 0 };
+    for (int k = 0; k < now->count; k++) now->point[k].impulse = 0;
+    now->friction = now->count > 0 ? was->friction : none;
+    now->twist = now->count > 0 ? was->twist : 0;
+    for (int k = 0; k < was->count && now->count > 0; k++) {
+        const contact_point *p = &was->point[k];
+        now->point[nearest_point(now, p->local_a)].impulse += p->impulse;
+    }
+}
+//<

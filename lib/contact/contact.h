@@ -1,0 +1,58 @@
+//> contact-head
+// contact.h - where two rigid bodies touch, and the impulses that part them.
+//
+// Paper: section 6.1 parts bodies at one point, once a step, and forgets it.
+// Book: chapter 13.
+// Units: metres, kilograms, seconds.  Normals are unit vectors from B to A.
+
+#ifndef TUMBLE_CONTACT_H
+#define TUMBLE_CONTACT_H
+
+#include "motion.h"
+
+enum { CONTACT_POINTS = 4 };
+
+// A point of A and a point of B that must not pass each other along the normal.
+typedef struct {
+    vec3 local_a, local_b;  // where they ride: in the frames of the two bodies
+    vec3 arm_a, arm_b;      // m, from the centres, when the contact was found
+    real offset;            // m, the gap that is kept between them
+    real impulse;           // N s, >= 0, along the normal in the last substep
+} contact_point;
+
+// All contact of one pair of bodies: up to four points with one normal, and one
+// friction for all of them.
+typedef struct {
+    int  a, b;              // bodies; b < 0: plane -1 - b
+    int  count;             // points; 0: none as near as they were asked for
+    vec3 normal;
+    vec3 friction;          // N s, across the normal, in the last substep
+    real twist;             // N m s, about the normal
+    contact_point point[CONTACT_POINTS];
+} contact;
+//<
+
+//> contact-declare
+static inline int contact_with_plane(int plane)
+{
+    return -1 - plane;
+}
+
+// The gaps (m) of all points beside their offsets, when the bodies stand as
+// their frames say; < 0: overlap.  For a plane b is NULL, and height (m) the
+// plane's offset along its normal.
+void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
+                  real height, real gap[CONTACT_POINTS]);
+
+// The sum of the impulses along the normal (N s): 0 if they do not touch.
+real contact_load(const contact *c);
+
+// Contact `now` of the same bodies, found anew, takes over the impulses of
+// `was`: each old point hands its own to the new point nearest to it (warm
+// starting).
+void contact_inherit(contact *now, const contact *was);
+//<
+
+//> contact-end-of-header
+#endif
+//<

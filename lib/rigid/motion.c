@@ -1,0 +1,124 @@
+//> motion-basis
+#include "motion.h"
+
+#include <assert.h>
+
+motion_basis basis_find(const rigid4 *f, const rigid_frame *frame)
+{
+    motion_basis b = { .inverse_mass = 1 / (FOUR * f->mass) };
+    for (int t = 0; t < TURNS; t++)
+        b.turn[t] = vec3_scale(f->turn[t], frame->axis[t]);
+    return b;
+}
+//<
+
+//> motion-of
+// With v = w x r, w = sum_t u_t turn_t, the angular momentum L of a body is
+// that for which turn_t . L = u_t: the turns are perpendicular in energy.
+motion motion_of(const particle *p, const rigid_frame *frame,
+                 const motion_basis *basis, real h)
+{
+    vec3 sum = { 0, 0, 0 }, spin = { 0, 0, 0 };
+    real mass = basis->inverse_mass > 0 ? 1 / (FOUR * basis->inverse_mass) : 0;
+    for (int k = 0; k < FOUR; k++) {
+        vec3 way = vec3_sub(p[k].position, p[k].previous);
+        sum = vec3_add(sum, way);
+        spin = vec3_add(spin, vec3_cross(frame_arm(frame, k), way));
+    }
+    motion m = { { sum.x / (FOUR * h), sum.y / (FOUR * h),
+                   sum.z / (FOUR * h) } };
+    for (int t = 0; t < TURNS; t++)
+        m.of[MOTION_TURN + t] = mass / h * vec3_dot(basis->turn[t], spin);
+    return m;
+}
+//<
+
+//> motion-push
+void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse)
+{
+    vec3 moment = vec3_cross(arm, impulse);
+    m->of[0] += basis->inverse_mass * impulse.x;
+    m->of[1] += basis->inverse_mass * impulse.y;
+    m->of[2] += basis->inverse_mass * impulse.z;
+    for (int t = 0; t < TURNS; t++)
+        m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], moment);
+}
+
+real motion_energy(const motion_basis *basis, const motion *m)
+{
+    const real *v = m->of, *w = m->of + MOTION_TURN;
+    if (!(basis->inverse_mass > 0)) return 0;
+    return ((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / basis->inverse_mass
+            + (w[0] * w[0] + w[1] * w[1] + w[2] * w[2])) / 2;
+}
+//<
+
+//> motion-moves
+static const real FURTHEST = 1.0 / 3;       // rad, in one move
+
+int motion_moves(const motion_basis *basis, const motion *d)
+{
+    real moves = vec3_length(motion_rotation(basis, d)) / FURTHEST;
+    if (!(moves < TURN_MOVES - 1)) return TURN_MOVES;
+    return 1 + (int)moves;
+}
+
+// sin(a) / a by its series, for a of no more than FURTHEST: to 1e-16.
+static real chord(real a)
+{
+    real x = a * a;
+    return 1 - x / 6 * (1 - x / 20 * (1 - x / 42 * (1 - x / 72
+           * (1 - x / 110))));
+}
+
+// A particle on a circle that goes straight along its tangent by r sin(a), and
+// is then drawn back to the circle along its old radius, has turned by a.
+void motion_begin(particle *p, const rigid_frame *frame,
+                  const motion_basis *basis, const motion *d, int moves)
+{
+    real share = 1.0 / moves;
+    vec3 straight = { share * d->of[0], share * d->of[1], share * d->of[2] };
+    vec3 turn = vec3_scale(share, motion_rotation(basis, d));
+    real angle = vec3_length(turn);
+    turn = vec3_scale(chord(real_min(angle, 1)), turn);
+    for (int k = 0; k < FOUR; k++) {
+        vec3 way = vec3_add(straight, vec3_cross(turn, frame_arm(frame, k)));
+        p[k].previous = p[k].position;
+        p[k].position = vec3_add(p[k].position, way);
+    }
+}
+
+void motion_go_on(particle *p)
+{
+    for (int k = 0; k < FOUR; k++) {
+        vec3 here = p[k].position;
+        p[k].position = vec3_add(here, vec3_sub(here, p[k].previous));
+        p[k].previous = here;
+    }
+}
+//<
+
+//> motion-end
+// L = sum_t u_t turn_t / |turn_t|^2 times what a turn of 1 carries; in the new
+// basis u_t' = turn_t' . L.
+void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
+                const motion *u, real h)
+{
+    vec3 angular = { 0, 0, 0 }, straight = { u->of[0], u->of[1], u->of[2] };
+    for (int t = 0; t < TURNS; t++) {
+        real square = f->turn[t] * f->square[t];
+        angular = vec3_add_scaled(angular, u->of[MOTION_TURN + t] / square,
+                                  frame->axis[t]);
+    }
+    rigid_frame now = rigid4_frame(p);
+    motion_basis new_basis = basis_find(f, &now);
+    motion v = { { 0 } };
+    for (int t = 0; t < TURNS; t++)
+        v.of[MOTION_TURN + t] = vec3_dot(new_basis.turn[t], angular);
+    vec3 turn = motion_rotation(&new_basis, &v);
+    for (int k = 0; k < FOUR; k++) {
+        vec3 way = vec3_add(straight, vec3_cross(turn, frame_arm(&now, k)));
+        p[k].previous = vec3_add_scaled(p[k].position, -h, way);
+    }
+}
+//<

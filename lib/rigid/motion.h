@@ -1,0 +1,92 @@
+//> motion-head
+// motion.h - the six ways in which a rigid body of four particles can move.
+//
+// Paper: not asked; a body there moves particle by particle.  Book: chapter 13.
+// Units: metres, kilograms, seconds.  Frame: the world's.
+
+#ifndef TUMBLE_MOTION_H
+#define TUMBLE_MOTION_H
+
+#include "rigid4.h"
+
+enum { TURNS = 3 };
+
+// How a rigid body can move.  Its three turns are about the axes of its frame,
+// which are perpendicular: so each has an energy of its own, and no inertia
+// tensor is needed.  A turn of 1 kg^(1/2) m/s has half a joule.
+typedef struct {
+    real inverse_mass;  // 1/kg, of the whole body; 0: immovable
+    vec3 turn[TURNS];   // rad kg^(-1/2) / m: axis and angle, for a turn of 1
+} motion_basis;
+
+// A velocity (m/s, and kg^(1/2) m/s), or a displacement (m, and kg^(1/2) m).
+// Aligned for real4_gather2.
+enum { MOTION_TURN = 3, MOTIONS = 6 };
+
+typedef struct {
+    _Alignas(64) real of[MOTIONS];  // of the centre along x, y, z; three turns
+} motion;
+//<
+
+//> motion-declare
+// The motion basis of a body whose particles stand as the frame says.
+motion_basis basis_find(const rigid4 *f, const rigid_frame *frame);
+
+// The velocity of particles p[0..3] over their last substep of h (s): all of it
+// that a rigid body can have.  Linear and angular momentum are those of the
+// particles.
+motion motion_of(const particle *p, const rigid_frame *frame,
+                 const motion_basis *basis, real h);
+
+// The rotation in m, about the centre: rad/s, or rad.
+static inline vec3 motion_rotation(const motion_basis *basis, const motion *m)
+{
+    const real *w = m->of + MOTION_TURN;
+    return vec3_add_scaled(vec3_add_scaled(vec3_scale(w[0], basis->turn[0]),
+                                           w[1], basis->turn[1]),
+                           w[2], basis->turn[2]);
+}
+
+// How the point at `arm` (m, from the centre) moves: m/s, or m.
+static inline vec3 motion_at(const motion_basis *basis, const motion *m,
+                             vec3 arm)
+{
+    vec3 straight = { m->of[0], m->of[1], m->of[2] };
+    return vec3_add(straight, vec3_cross(motion_rotation(basis, m), arm));
+}
+
+// An impulse (N s) at `arm` (m, from the centre) changes a velocity m; an
+// impulse times a time (kg m) changes a displacement.
+void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse);
+
+// The kinetic energy (J) of a velocity.
+real motion_energy(const motion_basis *basis, const motion *m);
+//<
+
+//> motion-frame-declare
+// The end of a frame of dt (s), in which a body was moved by d.  In how many
+// equal moves is it to go?  One that turns by more than a third of a radian
+// goes in several, at most TURN_MOVES.
+enum { TURN_MOVES = 1000 };
+int motion_moves(const motion_basis *basis, const motion *d);
+
+// The first of those moves: the particles go straight along, d / moves, and
+// leave `previous` where they were.  Then rigid4_relax brings the sticks to their
+// lengths along their old directions (SHAKE), which turns a straight move into
+// a rotation by the angle of d.
+void motion_begin(particle *p, const rigid_frame *frame,
+                  const motion_basis *basis, const motion *d, int moves);
+
+// Every other one: on by as much as the last move, as Verlet does.
+void motion_go_on(particle *p);
+
+// After the last one: the velocity that the body has now, from u as it was in
+// the frame's own basis: the same momentum, the same angular momentum.  Written
+// as `previous`, a substep of h (s) ago.
+void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
+                const motion *u, real h);
+//<
+
+//> motion-end-of-header
+#endif
+//<

@@ -1,0 +1,109 @@
+//> rigid4-head
+// rigid4.h - any rigid body is four particles and six sticks.
+//
+// Paper: section 4 puts a particle at every vertex, whose inertia is 2.3 to 5
+// times the solid's.  Here: Routh's four equal masses, with the mass, the
+// centre and the inertia of the solid (Laus and Selig 2020).
+// Book: chapter 13.
+// Units: metres, kilograms.
+
+#ifndef TUMBLE_RIGID4_H
+#define TUMBLE_RIGID4_H
+
+#include "body.h"
+
+enum { FOUR = 4, FOUR_STICKS = 6, FOUR_AXES = 3 };
+
+// Where four particles stand: their middle and three vectors, so that particle
+// k is center + sum_i T_ki axis_i, with T_ki = 1 or -1 (the corners of a
+// tetrahedron in a cube).  The axes are perpendicular while the sticks hold.
+typedef struct {
+    vec3 center;            // m
+    vec3 axis[FOUR_AXES];   // m
+} rigid_frame;
+
+// The plan of a body of four particles.  The vertices of the mesh ride on them:
+// a vertex has fixed coordinates in their frame.
+typedef struct rigid4 {
+    vec3  at[FOUR];         // m, at rest, in the frame of the shape
+    vec3  center;           // m, the solid's centre of mass, in that frame
+    real  mass;             // kg, of each of the four
+    real  radius;           // m, their largest distance from the centre
+    real  reach;            // m, the vertices' largest distance from it
+    struct stick stick[FOUR_STICKS];        // every pair
+    real  square[FOUR_AXES];        // m^2, of the frame's vectors
+    real  per_sum[FOUR_STICKS];     // 1/m^2, of two of them: 00 11 22 01 02 12
+    int   turns_right;      // 1, 2 and 3 at rest, as seen from 0
+    vec3 *local;            // [shape->particles] vertex v stands at the centre
+                            // and local.x times axis 0 of the frame, ...
+    vec3 middle;            // the same, of the mean of all vertices
+    real turn[FOUR_AXES];   // kg^(-1/2) m^(-2), see motion_basis
+} rigid4;
+//<
+
+//> rigid4-declare
+// The four particles of the solid that the closed mesh of s encloses, filled
+// evenly with the mass of s.  Fails, leaving *f empty, if s has no volume (or
+// one so thin that rounding loses it), or memory is refused.
+status rigid4_build(rigid4 *f, const shape *s);
+void   rigid4_free(rigid4 *f);      // an empty or zeroed one is fine
+
+// The signs T of a frame: particle k stands at center + sum_i T[k][i] axis_i.
+extern const real FOUR_SIGN[FOUR][FOUR_AXES];
+
+// The frame of four particles.
+rigid_frame rigid4_frame(const particle *p);
+
+// The arm (m, from the centre) of particle k.
+static inline vec3 frame_arm(const rigid_frame *f, int k)
+{
+    const real *t = FOUR_SIGN[k];
+    return vec3_add_scaled(vec3_add_scaled(vec3_scale(t[0], f->axis[0]),
+                                           t[1], f->axis[1]),
+                           t[2], f->axis[2]);
+}
+
+// The point with these coordinates in a frame.
+static inline vec3 frame_point(const rigid_frame *f, vec3 local)
+{
+    return vec3_add(f->center, vec3_add_scaled(vec3_add_scaled(
+        vec3_scale(local.x, f->axis[0]), local.y, f->axis[1]),
+        local.z, f->axis[2]));
+}
+
+// Where the n vertices stand, when the particles stand as the frame says.
+void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n);
+
+// What one solve did, or several: as a relax_result, and how many were relaxed
+// one stick after the other in the end.
+typedef struct {
+    real worst;
+    int  tested, relaxed, iterations;
+    int  fell_back;
+} rigid4_result;
+
+// Brings the six sticks to their lengths at once: Newton's step for all of
+// them, until none is off by more than options.tolerance, at most `steps` times
+// (at least 1).  Told as a frame of three vectors along the solid's axes, the
+// six can be solved one by one: there is no matrix to be inverted.
+// Gradients as options.gradient says; where this fails (violent turning), the
+// sticks are relaxed one by one (fell_back = 1).  Nailed bodies stay.
+rigid4_result rigid4_relax(const rigid4 *f, particle *p, int steps,
+                        relax_options options);
+
+// The same for several bodies, whose particles begin at p + first[0] and so on:
+// the same bits, in less time, for it takes some at once.  Counts are sums,
+// `worst` and `sweeps` the largest.
+rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
+                            int bodies, int steps, relax_options options);
+
+//<
+
+//> rigid4-mirror-declare
+// Do the particles stand as in a mirror?  (No stick can tell.)
+int rigid4_is_mirrored(const rigid4 *f, const particle *p);
+//<
+
+//> rigid4-end
+#endif
+//<

@@ -22,12 +22,7 @@ define ORDER
 08/ordering
 09/scene
 09/system
-10/ring
-10/support
-10/exact
-10/nearest
-10/distance
-10/penetration
+10/query
 11/manifold
 12/line
 13/rigid4
@@ -40,8 +35,9 @@ define ORDER
 14/broad
 14/grid
 15/swept
+15/collide
 16/separation
-16/collide
+16/obstacle
 16/sleep
 16/world
 16/ledger

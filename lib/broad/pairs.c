@@ -165,9 +165,9 @@ static void add_pair(pair_tables *t, int a, int b, int *old)
            || (was[*old].a == a && was[*old].b < b))) (*old)++;
     int known = *old < t->old_count && was[*old].a == a && was[*old].b == b;
     body_pair *pair = &t->at[t->count++];
-    distance_cache *carried = &t->carried[pair - t->at];
+    query_cache *carried = &t->carried[pair - t->at];
     *pair = known ? was[*old] : (body_pair){ .a = a, .b = b };
-    *carried = known ? t->old_carried[*old] : (distance_cache){ .count = 0 };
+    *carried = known ? t->old_carried[*old] : (query_cache){ .count = 0 };
 }
 
 // All pairs of rigid bodies whose balls come within reach of each other: the
@@ -267,7 +267,7 @@ static void start_list(pair_tables *t)
     t->old = t->at;
     t->old_count = t->count;
     t->at = last;
-    distance_cache *carried = t->old_carried;
+    query_cache *carried = t->old_carried;
     t->old_carried = t->carried;
     t->carried = carried;
 }

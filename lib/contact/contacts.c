@@ -201,13 +201,14 @@ int contacts_have_guard(const world *w, int a, int b)
 // point, and be through before it is asked again.  But the ball inside the
 // smaller body never gets behind the plane of touch either: a second contact,
 // of its middle, keeps it in front.
-static void write_guard(world *w, int place, const contact_point *touch, int a, int b)
+static void write_guard(world *w, int place, const contact_point *at, int a,
+                        int b)
 {
     sides of = sides_of(w, a, b);
     push *guard = &w->pushes.at[place];
     int is_a = is_smaller(w, of.a, of.b);
     const body *small = &w->body[is_a ? of.a : of.b];
-    *guard = contacts_push(w, touch, of.a, of.b);
+    *guard = contacts_push(w, at, of.a, of.b);
     ride_in_the_middle(is_a ? &guard->a : &guard->b, small);
     guard->thickness += small->inner;
     guard->near = near_of(w, a, b);

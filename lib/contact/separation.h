@@ -7,7 +7,7 @@
 #ifndef TUMBLE_SEPARATION_H
 #define TUMBLE_SEPARATION_H
 
-#include "penetration.h"
+#include "feature.h"
 #include "verlet.h"
 
 // Two points, of body A and of body B, that must not pass each other along a

@@ -165,27 +165,34 @@ static void look(void *data, int half)
 static int query_swept(const world *w, const body *a, const body *b, real share,
                        int half, contact_point *c)
 {
-    collider ca = world_collider(w, a), cb = world_collider(w, b);
+    if (body_is_nailed(a) && body_is_nailed(b)) return 0;
+    if (body_is_nailed(a)) return query_swept(w, b, a, share, half, c);
+    pooled pa = world_collider(w, a), pb = world_collider(w, b);
+    collider ca = { a->plan, pa.at }, cb = { b->plan, pb.at };
     vec3 way = vec3_scale(share, vec3_sub(a->way, b->way));
     real apart = a->thickness + b->thickness;
+    manifold m;
     switch (collide_swept(&ca, &cb, way, apart + share * (a->turn + b->turn),
-                          w->narrow.swept[half], c)) {
+                          w->narrow.swept[half], &m)) {
     case SWEPT_PASSES:  return 0;
-    case SWEPT_TOUCHES: return 1;
+    case SWEPT_TOUCHES: return contacts_of_manifold(&m, &pa, &pb, c);
     default:            return -1;
     }
 }
 //<
 
 //> narrow-query
-static int query_nearest(const world *w, body_pair *pair, real margin, int half,
+static int query_touches(const world *w, body_pair *pair, real margin,
                          contact_point found[PAIR_CONTACTS])
 {
-    collider a = world_collider(w, &w->body[pair->a]);
-    collider b = world_collider(w, &w->body[pair->b]);
-    return collide_rigid(&a, &b, margin,
-                         &w->pairs.carried[pair - w->pairs.at],
-                         w->narrow.hit[half], found);
+    const body *a = &w->body[pair->a], *b = &w->body[pair->b];
+    if (body_is_nailed(a)) a = b, b = &w->body[pair->a];
+    if (body_is_nailed(a)) return 0;
+    pooled pa = world_collider(w, a), pb = world_collider(w, b);
+    collider ca = { a->plan, pa.at }, cb = { b->plan, pb.at };
+    manifold m = collide_rigid(&ca, &cb, margin,
+                               &w->pairs.carried[pair - w->pairs.at]);
+    return contacts_of_manifold(&m, &pa, &pb, found);
 }
 
 static void query_pair(const asking *j, body_pair *pair, int half)
@@ -197,8 +204,8 @@ static void query_pair(const asking *j, body_pair *pair, int half)
     real share = share_of(j, pair);
     if (is_swept) n = query_swept(w, a, b, share, half, found);
     if (n < 0)
-        n = query_nearest(w, pair, needed(a, b, share) + slack_of(w, pair),
-                          half, found);
+        n = query_touches(w, pair, needed(a, b, share) + slack_of(w, pair),
+                          found);
     for (int k = 0; k < n; k++)
         found[k].thickness = a->thickness + b->thickness;
     pair->is.found = n;
@@ -211,7 +218,7 @@ static void query_planes(world *w, int k)
 {
     const body *b = &w->body[k];
     body_wall *wall = &w->narrow.wall[k];
-    collider c = world_collider(w, b);
+    pooled c = world_collider(w, b);
     contact_point *found = contacts_of_planes(w, k);
     int n = 0;
     for (int p = 0; p < w->planes; p++) {

@@ -214,10 +214,7 @@ static status enter_plan(world *w, const shape *s, int *number)
     w->plan = more;
     plan_entry entry = { .shape = s, .inner = shape_inner(s) };
     status done = status_ok();
-    if (s->kind == SHAPE_RIGID) {
-        done = plan_four(s, &entry.four);
-        if (done.ok) done = rings_build(&entry.ring, &s->mesh);
-    }
+    if (s->kind == SHAPE_RIGID) done = plan_four(s, &entry.four);
     if (done.ok) {
         w->plan[w->plans++] = entry;
     } else if (entry.four) {
@@ -251,7 +248,7 @@ status world_add(world *w, const shape *s, placement where, int *number)
     if (!done.ok) return done;
 
     body b = { .plan = s, .four = w->plan[plan].four,
-               .ring = w->plan[plan].ring, .inner = w->plan[plan].inner,
+               .inner = w->plan[plan].inner,
                .first = w->pool.count,
                .corner = w->pool.count, .mass = HUGE_VAL };
     real mass = 0;
@@ -396,11 +393,10 @@ static int size_narrow(narrow_tables *t, const world *w, int vertices)
                                    + PAIR_CONTACTS * w->pairs.capacity)
                       * sizeof *t->found);
     for (int half = 0; half < 2; half++) {
-        t->hit[half]    = penetration_scratch_new();
         t->swept[half]  = malloc(at_least_one(2 * vertices)
                                  * sizeof *t->swept[half]);
         t->needed[half] = malloc(n);
-        if (!t->hit[half] || !t->swept[half] || !t->needed[half]) return 0;
+        if (!t->swept[half] || !t->needed[half]) return 0;
     }
     return t->wall && t->found;
 }
@@ -506,7 +502,6 @@ void world_free(world *w)
         line_scratch_free(w->plan[k].line);
         if (w->plan[k].four) rigid4_free(w->plan[k].four);
         free(w->plan[k].four);
-        rings_free(&w->plan[k].ring);
     }
     void *owned[] = { w->body, w->plan,
         w->of.at, w->of.seen, w->of.lain, w->of.listed, w->of.inverse_mass,
@@ -522,8 +517,6 @@ void world_free(world *w)
         w->hull.plane, w->hull.face };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pool_free(&w->pool);
-    penetration_scratch_free(w->narrow.hit[0]);
-    penetration_scratch_free(w->narrow.hit[1]);
     rest_free(&w->rest);
     broad_free(&w->pairs.broad);
     grid_free(&w->near.grid);
@@ -534,10 +527,10 @@ void world_free(world *w)
 //> world-look
 // Vertices that ride on four particles have no number in the pool: they are
 // numbered within the body.
-collider world_collider(const world *w, const body *b)
+pooled world_collider(const world *w, const body *b)
 {
-    return (collider){ b->plan, b->four ? 0 : b->first, w->of.at + b->corner,
-                       b->mass, b->ring };
+    return (pooled){ b->plan, b->four ? 0 : b->first, w->of.at + b->corner,
+                     b->mass };
 }
 
 void world_vertices(const world *w, const body *b, vec3 *at)

@@ -8,7 +8,7 @@
 #define TUMBLE_WORLD_H
 
 #include "broad.h"
-#include "collide.h"
+#include "obstacle.h"
 #include "grid.h"
 #include "line.h"
 #include "push.h"
@@ -68,7 +68,6 @@ typedef struct body {
     real thickness;     // m, its contacts keep that far off: the radius of the
                         // particles of a deformable body, a rigid one's skin
     sphere_tree tree;
-    rings ring;         // its plan's; empty where that is deformable
     real inner;         // m, its plan's inner radius
     vec3 way;           // m, its centre's in a frame, as fast as it is now
     real turn;          // m, what its vertices may go beside that
@@ -158,7 +157,6 @@ typedef struct {
 typedef struct {
     const struct shape *shape;
     struct rigid4 *four;  // NULL unless rigid
-    rings ring;         // empty unless rigid
     real inner;         // m, see shape_inner
     line_scratch *line; // NULL unless deformable
 } plan_entry;
@@ -197,7 +195,7 @@ typedef struct {
     struct broad broad;
     int  (*met)[2];     // pairs whose balls meet
     body_pair *at, *old;                // sorted; this frame's, the last one's
-    distance_cache *carried, *old_carried;     // what the last query of each left:
+    query_cache *carried, *old_carried; // what the last query of each left:
                                         // beside the pairs, for these are gone
                                         // through again and again
     int  count, old_count, capacity;
@@ -215,8 +213,8 @@ typedef struct {
     contact_point *found;   // as they are found: every rigid body has room for
                         // its own with the planes; then those of each half's
                         // pairs, one after the other
-    penetration_scratch *hit[2];                // one for each half of the work
-    vec3 *swept[2];     // room for the vertices of two bodies
+    vec3 *swept[2];     // room for the vertices of two bodies, one for each
+                        // half of the work
     char *needed[2];    // [bodies] must be looked at
 } narrow_tables;
 
@@ -332,7 +330,7 @@ void   world_nail(world *w, int b, int i);
 status world_begin(world *w);
 
 // Body b as the queries see it: its places as of the last world_look.
-collider world_collider(const world *w, const body *b);
+pooled world_collider(const world *w, const body *b);
 
 // Tells the queries where the vertices of body b are now.
 void   world_look(world *w, const body *b);

@@ -339,12 +339,13 @@ START_TEST(friction_stays_in_the_cone)
             real most = one.frame.friction * contact_load(c), lever = 0;
             real across = vec3_length(c->friction);
             for (int j = 0; j < c->count; j++)
-                for (int i = 0; i < c->count; i++)
-                    lever = fmax(lever, vec3_distance(c->point[j].arm_a,
-                                                      c->point[i].arm_a));
+                for (int i = 0; i < c->count; i++) {
+                    const contact_point *x = &c->point[j], *y = &c->point[i];
+                    lever = fmax(lever, vec3_distance(x->arm_a, y->arm_a));
+                    lever = fmax(lever, vec3_distance(x->arm_b, y->arm_b));
+                }
             ck_assert(across <= most * (1 + 1e-12));
-            ck_assert(fabs(c->twist) <= most * lever * (1 + 1e-12)
-                      || c->a != one.contact[k].a || c->b >= 0);
+            ck_assert(fabs(c->twist) <= most * lever * (1 + 1e-12));
             at_the_rim += across > 0 && across >= most * (1 - 1e-12);
         }
     }
@@ -488,9 +489,10 @@ START_TEST(deep_overlap_is_pushed_out_at_most_so_fast)
         real was = one.moved[0].of[1];
         substep(&one, GRAVITY, k == 0);
         ck_assert(one.moved[0].of[1] - was <= 3.01 * one.frame.h);
-        // Relaxing has taken that speed back.
-        ck_assert(fabs(one.velocity[0].of[1]) <= 1e-9);
+        // One pass over the four corners takes most of that speed back.
+        ck_assert(one.velocity[0].of[1] <= 0.5);
     }
+    ck_assert(fabs(one.velocity[0].of[1]) <= 1e-9);
     ck_assert(fabs(one.moved[0].of[1] - 0.5) <= 0.01);
 }
 END_TEST
@@ -569,17 +571,19 @@ START_TEST(refused_memory_leaves_no_contact)
     set_table(&one, table);
     for (int left = 0; left < 4; left++) {
         long before = blocks_held;
-        expect_ok(solver_init(&s, 20));
+        status begun = solver_init(&s, 20);
         mallocs_left = left;
         bool done = solver_prepare(&s, &one.frame,
                                    (const contact *const *)table, one.reach,
                                    one.contacts);
         mallocs_left = INT_MAX;
-        ck_assert(done == (left == 3));
-        ck_assert(done || (s.contacts == 0 && s.blocks == 0 && s.colors == 0));
+        bool is_empty = s.contacts == 0 && s.blocks == 0 && s.colors == 0;
         solver_free(&s);
         solver_free(&s);
-        ck_assert_int_eq(blocks_held, before);
+        long after = blocks_held;
+        expect_ok(begun);
+        ck_assert(done == (left == 3) && is_empty != done);
+        ck_assert_int_eq(after, before);
     }
 }
 END_TEST

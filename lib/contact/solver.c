@@ -15,12 +15,14 @@ static active_contact activate(const contact *c, const solver_frame *f,
                                real reach)
 {
     real gap[CONTACT_POINTS];
-    active_contact x = { .a = c->a, .b = c->b, .color = -1 };
+    active_contact x = { .a = c->a, .b = c->b, .color = -1,
+                         .least = HUGE_VAL };
     const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
     real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
     if (!moves(f, c->a) && !moves(f, c->b)) return x;
     contact_gaps(c, &f->body[c->a].frame, b, height, gap);
     for (int k = 0; k < c->count; k++) {
+        x.least = real_min(gap[k], x.least);
         if (!(gap[k] < reach)) continue;
         x.point[x.count] = (signed char)k;
         x.gap[x.count++] = gap[k];
@@ -116,6 +118,7 @@ typedef struct {
     vec3 normal, across[2];
     vec3 center_a, center_b;    // m, arms of where friction acts
     real sign;                  // -1: it is solved the other way round
+    real warm;                  // see solver_frame
     real near;                  // m, a gap that counts as touching for that
 } lane_source;
 
@@ -160,7 +163,8 @@ static void fill_point(block *k, int l, int j, const lane_source *q)
                  + row_square(p->turn_a, l) + row_square(p->turn_b, l);
     real4_set(&p->gap, l, q->x->gap[j]);
     real4_set(&p->mass, l, 1 / inverse);
-    real4_set(&p->impulse, l, q->c->point[q->x->point[j]].impulse);
+    real4_set(&p->impulse, l,
+              q->warm * q->c->point[q->x->point[j]].impulse);
     real4_set(&p->lever, l, vec3_distance(a, q->center_a));
 }
 
@@ -179,7 +183,7 @@ static void fill_friction(block *k, int l, const lane_source *q)
                + row_square(k->across_b[i], l);
         real4_set3(k->across[i], l, t);
         real4_set(&k->across_impulse[i], l,
-                  q->sign * vec3_dot(q->c->friction, t));
+                  q->warm * q->sign * vec3_dot(q->c->friction, t));
     }
     for (int t = 0; t < TURNS; t++)
         cross += real4_get(&k->across_a[0][t], l)
@@ -194,7 +198,7 @@ static void fill_friction(block *k, int l, const lane_source *q)
     set_row(k->twist_b, l, q->b, q->normal);
     twist = row_square(k->twist_a, l) + row_square(k->twist_b, l);
     real4_set(&k->twist_mass, l, twist > 0 ? 1 / twist : 0);
-    real4_set(&k->twist_impulse, l, q->c->twist);
+    real4_set(&k->twist_impulse, l, q->warm * q->c->twist);
 }
 //<
 
@@ -208,7 +212,8 @@ static lane_source source_of(const contact *c, const active_contact *x,
     static const motion_basis immovable = { .inverse_mass = 0 };
     real radius = f->body[x->a].radius;
     lane_source q = { .c = c, .x = x, .a = &f->body[x->a].basis,
-                      .b = &immovable, .sign = x->is_swapped ? -1 : 1 };
+                      .b = &immovable, .warm = f->warm,
+                      .sign = x->is_swapped ? -1 : 1 };
     q.normal = vec3_scale(q.sign, c->normal);
     if (x->sides == TWO_SIDED) {
         q.b = &f->body[x->b].basis;

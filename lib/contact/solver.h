@@ -35,6 +35,8 @@ typedef struct {
     int  bodies;
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
+    real warm;                  // times the impulses that contacts bring along,
+                                // each of a substep of the last frame: 0: none
     real friction;              // Coulomb's coefficient
     real hertz;                 // 1/s, of the contacts' springs, at most
     real damping;               // ratio, of their dampers
@@ -84,6 +86,7 @@ typedef struct {
     bool is_swapped;    // A does not move: the block's A is the contact's B
     signed char point[CONTACT_POINTS];  // which of the contact's
     real gap[CONTACT_POINTS];           // m
+    real least;                         // m, of all points
 } active_contact;
 
 typedef struct {

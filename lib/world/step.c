@@ -23,7 +23,7 @@ void world_step(world *w)
     real since = w->options.host.clock ? w->options.host.clock() : 0;
     w->report = (step_report){ .substeps = w->options.substeps };
     ledger_open(w);
-    rest_begin(&w->sleep);
+    sleep_begin(&w->sleep);
     // Paper: bodies move, then overlaps are looked for; here: what may touch in
     // this frame is found before anything moves.
     look_at_bodies(w);
@@ -127,7 +127,7 @@ static void look_at_bodies(world *w)
 // Wakes b and all that sleep with it.
 static void rouse(world *w, int b)
 {
-    rest_wake(&w->sleep, b);
+    sleep_wake(&w->sleep, b);
     for (int k = 0; k < w->bodies; k++) {
         const body *x = &w->body[k];
         if (w->sleep.asleep[k]) continue;
@@ -142,7 +142,7 @@ bool world_wake_near(world *w, int a, int b)
     int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
     if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
     if (body_is_static(&w->body[sleeper])) return false;
-    if (body_is_static(&w->body[other]) || w->sleep.calm[other] > 0)
+    if (body_is_static(&w->body[other]) || w->sleep.watch[other].still > 0)
         return false;
     rouse(w, sleeper);
     return true;
@@ -464,12 +464,36 @@ static void join_islands(world *w)
         w->report.pushing++;
         if (x->b < 0 || body_is_static(&w->body[x->a])
             || body_is_static(&w->body[x->b])) continue;
-        rest_touch(&w->sleep, x->a, x->b);
+        sleep_touch(&w->sleep, x->a, x->b);
+    }
+}
+
+static void observe(world *w)
+{
+    const world_options *o = &w->options;
+    sleep_rule rule = { o->sleep_speed, o->time_to_sleep,
+                        vec3_length(o->gravity), o->dt, w->age };
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        if (!body_moves(w, b)) continue;
+        real radius = x->rigid ? x->rigid->radius : x->shape->radius;
+        sleep_observe(&w->sleep, b, w->pool.at, x->first, body_particles(x),
+                      radius, &rule);
     }
 }
 
 static void fall_asleep(world *w)
 {
     join_islands(w);
+    if (w->options.sleep_speed > 0) {
+        observe(w);
+        sleep_end(&w->sleep);
+    }
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        if (!w->sleep.asleep[b] || body_is_static(x)) continue;
+        if (w->pool.at[x->first].inverse_mass > 0) put_to_sleep(w, x);
+        w->report.asleep++;
+    }
 }
 //<

@@ -371,7 +371,7 @@ status world_begin(world *w)
     for (int i = 0; i < w->pool.count; i++)
         w->inverse_mass[i] = w->pool.at[i].inverse_mass;
     status done = begin_rigid(w);
-    if (done.ok) done = rest_init(&w->sleep, w->bodies);
+    if (done.ok) done = sleep_init(&w->sleep, w->bodies, w->pool.count);
     if (done.ok) done = build_grid(w);
     w->is_ready = done.ok;
     return done;
@@ -401,7 +401,7 @@ void world_free(world *w)
     cache_free(&r->cache);
     solver_free(&r->solver);
     pool_free(&w->pool);
-    rest_free(&w->sleep);
+    sleep_free(&w->sleep);
     grid_free(&s->grid);
     *w = (world){ .soft = { .trusted = -1, .hull_of = -1 } };
 }

@@ -10,8 +10,8 @@
 #include "cache.h"
 #include "grid.h"
 #include "line.h"
-#include "rest.h"
 #include "separation.h"
+#include "sleep.h"
 
 // What the program around a world lends it.
 typedef struct {
@@ -180,7 +180,7 @@ typedef struct world {
     bool is_ready;          // world_begin has sized what stands below
     rigid_tables rigid;
     soft_tables  soft;
-    rest_state   sleep;
+    sleep_state  sleep;
     step_report  report;
     ledger_entry ledger[LEDGERS];   // since the start, or ledger_clear
 } world;

@@ -15,12 +15,14 @@ static active_contact activate(const contact *c, const solver_frame *f,
                                real reach)
 {
     real gap[CONTACT_POINTS];
-    active_contact x = { .a = c->a, .b = c->b, .color = -1 };
+    active_contact x = { .a = c->a, .b = c->b, .color = -1,
+                         .least = HUGE_VAL };
     const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
     real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
     if (!moves(f, c->a) && !moves(f, c->b)) return x;
     contact_gaps(c, &f->body[c->a].frame, b, height, gap);
     for (int k = 0; k < c->count; k++) {
+        x.least = real_min(gap[k], x.least);
         if (!(gap[k] < reach)) continue;
         x.point[x.count] = (signed char)k;
         x.gap[x.count++] = gap[k];
@@ -116,6 +118,7 @@ typedef struct {
     vec3 normal, across[2];
     vec3 center_a, center_b;    // m, arms of where friction acts
     real sign;                  // -1: it is solved the other way round
+    real warm;                  // see solver_frame
     real near;                  // m, a gap that counts as touching for that
 } lane_source;
 
@@ -159,8 +162,10 @@ static void fill_point(block *k, int l, int j, const lane_source *q)
     real inverse = q->a->inverse_mass + q->b->inverse_mass
                  + row_square(p->turn_a, l) + row_square(p->turn_b, l);
     real4_set(&p->gap, l, q->x->gap[j]);
+    real4_set(&p->now, l, q->x->gap[j]);
     real4_set(&p->mass, l, 1 / inverse);
-    real4_set(&p->impulse, l, q->c->point[q->x->point[j]].impulse);
+    real4_set(&p->impulse, l,
+              q->warm * q->c->impulse[q->x->point[j]]);
     real4_set(&p->lever, l, vec3_distance(a, q->center_a));
 }
 
@@ -179,7 +184,7 @@ static void fill_friction(block *k, int l, const lane_source *q)
                + row_square(k->across_b[i], l);
         real4_set3(k->across[i], l, t);
         real4_set(&k->across_impulse[i], l,
-                  q->sign * vec3_dot(q->c->friction, t));
+                  q->warm * q->sign * vec3_dot(q->c->friction, t));
     }
     for (int t = 0; t < TURNS; t++)
         cross += real4_get(&k->across_a[0][t], l)
@@ -194,7 +199,7 @@ static void fill_friction(block *k, int l, const lane_source *q)
     set_row(k->twist_b, l, q->b, q->normal);
     twist = row_square(k->twist_a, l) + row_square(k->twist_b, l);
     real4_set(&k->twist_mass, l, twist > 0 ? 1 / twist : 0);
-    real4_set(&k->twist_impulse, l, q->c->twist);
+    real4_set(&k->twist_impulse, l, q->warm * q->c->twist);
 }
 //<
 
@@ -208,7 +213,8 @@ static lane_source source_of(const contact *c, const active_contact *x,
     static const motion_basis immovable = { .inverse_mass = 0 };
     real radius = f->body[x->a].radius;
     lane_source q = { .c = c, .x = x, .a = &f->body[x->a].basis,
-                      .b = &immovable, .sign = x->is_swapped ? -1 : 1 };
+                      .b = &immovable, .warm = f->warm,
+                      .sign = x->is_swapped ? -1 : 1 };
     q.normal = vec3_scale(q.sign, c->normal);
     if (x->sides == TWO_SIDED) {
         q.b = &f->body[x->b].basis;
@@ -343,7 +349,7 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
 
 //> solver-sides
 // Six numbers of four bodies: three of the centre, three turns.
-static inline void gather(const motion *m, const int body[REAL4],
+static inline __attribute__((always_inline)) void gather(const motion *m, const int body[REAL4],
                           real4 to[MOTIONS])
 {
     const real *const from[REAL4] = { m[body[0]].of, m[body[1]].of,
@@ -352,7 +358,7 @@ static inline void gather(const motion *m, const int body[REAL4],
         real4_gather2(from, k, &to[2 * k], &to[2 * k + 1]);
 }
 
-static inline void scatter(motion *m, const int body[REAL4],
+static inline __attribute__((always_inline)) void scatter(motion *m, const int body[REAL4],
                            const real4 from[MOTIONS])
 {
     real *const to[REAL4] = { m[body[0]].of, m[body[1]].of, m[body[2]].of,
@@ -366,7 +372,7 @@ typedef struct {
     real4 a[MOTIONS], b[MOTIONS];
 } sides4;
 
-static inline sides4 take_sides(const block *k, const motion *m, bool two)
+static inline __attribute__((always_inline)) sides4 take_sides(const block *k, const motion *m, bool two)
 {
     sides4 s;
     gather(m, k->a, s.a);
@@ -374,7 +380,7 @@ static inline sides4 take_sides(const block *k, const motion *m, bool two)
     return s;
 }
 
-static inline void give_sides(const block *k, motion *m, const sides4 *s,
+static inline __attribute__((always_inline)) void give_sides(const block *k, motion *m, const sides4 *s,
                               bool two)
 {
     scatter(m, k->a, s->a);
@@ -382,7 +388,7 @@ static inline void give_sides(const block *k, motion *m, const sides4 *s,
 }
 
 // How fast, or how far, the centres part along a direction.
-static inline real4 part_centers(const real4 along[3], const sides4 *s,
+static inline __attribute__((always_inline)) real4 part_centers(const real4 along[3], const sides4 *s,
                                  bool two)
 {
     real4 d[3];
@@ -392,7 +398,7 @@ static inline real4 part_centers(const real4 along[3], const sides4 *s,
 }
 
 // And what turning adds to that.
-static inline real4 part_turns(const real4 row_a[TURNS],
+static inline __attribute__((always_inline)) real4 part_turns(const real4 row_a[TURNS],
                                const real4 row_b[TURNS], const sides4 *s,
                                bool two)
 {
@@ -400,7 +406,7 @@ static inline real4 part_turns(const real4 row_a[TURNS],
     return two ? real4_sub(a, real4_dot(row_b, s->b + MOTION_TURN)) : a;
 }
 
-static inline void push_turns(const real4 row_a[TURNS],
+static inline __attribute__((always_inline)) void push_turns(const real4 row_a[TURNS],
                               const real4 row_b[TURNS], real4 impulse,
                               sides4 *s, bool two)
 {
@@ -408,7 +414,7 @@ static inline void push_turns(const real4 row_a[TURNS],
     if (two) real4_sub3(s->b + MOTION_TURN, row_b, impulse);
 }
 
-static inline void push_centers(const block *k, const real4 along[3],
+static inline __attribute__((always_inline)) void push_centers(const block *k, const real4 along[3],
                                 real4 impulse, sides4 *s, bool two)
 {
     real4_add3(s->a, along, real4_mul(k->inverse_a, impulse));
@@ -420,7 +426,7 @@ static inline void push_centers(const block *k, const real4 along[3],
 // One point takes its part of the impulse: at least so much that its points do
 // not pull.  The centres' speed of parting is one number for all points of a
 // contact; it is kept up to date here, and the centres are pushed at the end.
-static inline void push_point(block_point *p, real4 impulse, real4 inverse,
+static inline __attribute__((always_inline)) void push_point(block_point *p, real4 impulse, real4 inverse,
                               real4 *parting, real4 *sum, sides4 *s, bool two)
 {
     impulse = real4_max(impulse, real4_all(0));
@@ -431,7 +437,7 @@ static inline void push_point(block_point *p, real4 impulse, real4 inverse,
     push_turns(p->turn_a, p->turn_b, change, s, two);
 }
 
-static inline real4 inverse_mass(const block *k, bool two)
+static inline __attribute__((always_inline)) real4 inverse_mass(const block *k, bool two)
 {
     return two ? real4_add(k->inverse_a, k->inverse_b) : k->inverse_a;
 }
@@ -449,7 +455,7 @@ typedef struct {
 
 // An open gap may close, but no further; an overlap is pushed out as a spring
 // and a damper would.
-static inline void push_block(block *k, const pass *q, bool two)
+static inline __attribute__((always_inline)) void push_block(block *k, const pass *q, bool two)
 {
     const softness *soft = &q->soft[two ? TWO_SIDED : ONE_SIDED];
     const real4 one = real4_all(1), zero = real4_all(0);
@@ -458,14 +464,11 @@ static inline void push_block(block *k, const pass *q, bool two)
     const real4 soft_mass = real4_all(soft->mass);
     const real4 soft_impulse = real4_all(soft->impulse);
     sides4 u = take_sides(k, q->velocity, two);
-    sides4 d = take_sides(k, q->moved, two);
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
-    real4 parted = part_centers(k->normal, &d, two);
     real4 inverse = inverse_mass(k, two);
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
-        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
-        real4 gap = real4_add(real4_add(parted, p->gap), turned);
+        real4 gap = p->now;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
         real4 bias = real4_if_positive(gap, real4_mul(gap, per_h),
@@ -485,7 +488,7 @@ static inline void push_block(block *k, const pass *q, bool two)
 //> solver-friction
 // Coulomb: what acts across is at most friction times what acts along, and the
 // twist at most that with the lever of each point.
-static inline void twist_block(block *k, real4 most, sides4 *u, bool two)
+static inline __attribute__((always_inline)) void twist_block(block *k, real4 most, sides4 *u, bool two)
 {
     real4 speed = part_turns(k->twist_a, k->twist_b, u, two);
     real4 twist = real4_sub(k->twist_impulse,
@@ -497,13 +500,13 @@ static inline void twist_block(block *k, real4 most, sides4 *u, bool two)
     push_turns(k->twist_a, k->twist_b, change, u, two);
 }
 
-static inline real4 slide(const block *k, int i, const sides4 *u, bool two)
+static inline __attribute__((always_inline)) real4 slide(const block *k, int i, const sides4 *u, bool two)
 {
     return real4_add(part_centers(k->across[i], u, two),
                      part_turns(k->across_a[i], k->across_b[i], u, two));
 }
 
-static inline void brake_block(block *k, real4 most, sides4 *u, bool two)
+static inline __attribute__((always_inline)) void brake_block(block *k, real4 most, sides4 *u, bool two)
 {
     const real4 *mass = k->across_mass, one = real4_all(1);
     const real4 least = real4_all(1e-300);      // no length is 0 below
@@ -526,7 +529,7 @@ static inline void brake_block(block *k, real4 most, sides4 *u, bool two)
 //<
 
 //> solver-relax
-static inline void relax_block(block *k, const pass *q, bool two)
+static inline __attribute__((always_inline)) void relax_block(block *k, const pass *q, bool two)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     const real4 friction = real4_all(q->friction);
@@ -539,6 +542,7 @@ static inline void relax_block(block *k, const pass *q, bool two)
         block_point *p = &k->point[j];
         real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
         real4 gap = real4_add(real4_add(parted, p->gap), turned);
+        p->now = gap;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
         speed = real4_mad(real4_max(gap, zero), per_h, speed);
@@ -555,7 +559,7 @@ static inline void relax_block(block *k, const pass *q, bool two)
 //<
 
 //> solver-warm
-static inline void warm_block(block *k, const pass *q, bool two)
+static inline __attribute__((always_inline)) void warm_block(block *k, const pass *q, bool two)
 {
     sides4 u = take_sides(k, q->velocity, two);
     real4 sum = real4_all(0);
@@ -667,7 +671,7 @@ static void store_lane(const contact_solver *s, const block *k, int l,
     const active_contact *x = &s->active[k->contact[l]];
     real sign = x->is_swapped ? -1 : 1;
     for (int j = 0; j < x->count; j++)
-        c->point[x->point[j]].impulse = real4_get(&k->point[j].impulse, l);
+        c->impulse[x->point[j]] = real4_get(&k->point[j].impulse, l);
     for (int i = 0; i < 2; i++) {
         vec3 t = { real4_get(&k->across[i][0], l),
                    real4_get(&k->across[i][1], l),
@@ -682,7 +686,7 @@ void solver_store(const contact_solver *s, contact *const *table)
 {
     for (int k = 0; k < s->contacts; k++) {
         contact *c = table[k];
-        for (int j = 0; j < c->count; j++) c->point[j].impulse = 0;
+        for (int j = 0; j < c->count; j++) c->impulse[j] = 0;
         c->friction = (vec3){ 0, 0, 0 };
         c->twist = 0;
     }

@@ -53,7 +53,7 @@ static void prepare(pile *p)
                              p->contacts));
 }
 
-static void substep(pile *p, vec3 gravity, bool is_first)
+static void push(pile *p, vec3 gravity, bool is_first)
 {
     add_gravity(p, gravity);
     solver_begin(&solver, &p->frame, p->velocity, is_first);
@@ -61,8 +61,18 @@ static void substep(pile *p, vec3 gravity, bool is_first)
     for (int b = 0; b < p->frame.bodies; b++)
         for (int k = 0; k < MOTIONS; k++)
             p->moved[b].of[k] += p->frame.h * p->velocity[b].of[k];
+}
+
+static void relax(pile *p)
+{
     solver_relax(&solver, &p->frame, p->velocity, p->moved);
     solver_end(&solver, p->velocity);
+}
+
+static void substep(pile *p, vec3 gravity, bool is_first)
+{
+    push(p, gravity, is_first);
+    relax(p);
 }
 
 static void store(pile *p)
@@ -81,7 +91,7 @@ static void run(pile *p, vec3 gravity, int substeps)
 
 static void forget(contact *c)
 {
-    for (int k = 0; k < c->count; k++) c->point[k].impulse = 0;
+    for (int k = 0; k < c->count; k++) c->impulse[k] = 0;
     c->friction = vec3_make(0, 0, 0);
     c->twist = 0;
 }
@@ -100,9 +110,21 @@ static int order_of_blocks(pile *p, contact *list[])
     return n;
 }
 
-// The same number of substeps by blocks (p) and one by one (q).  In between all
-// bodies are moved a little, and alike: where a gap that has just closed is 0,
-// rounding would choose between a contact that is rigid and one that is soft.
+// Moves all bodies of both a little, and alike.
+static void jolt(pile *p, pile *q)
+{
+    for (int b = 0; b < p->frame.bodies; b++)
+        for (int k = 0; k < MOTIONS; k++) {
+            real way = 1e-4 * any();
+            if (p->body[b].basis.inverse_mass == 0) continue;
+            p->moved[b].of[k] += way;
+            q->moved[b].of[k] += way;
+        }
+}
+
+// The same substeps by blocks (p) and one by one (q).  After each push both are
+// jolted: a gap that the push has just closed is 0, and rounding would choose
+// between a contact that is rigid and one that is soft.
 static void run_both(pile *p, pile *q, int substeps)
 {
     contact *list[PILE_CONTACTS];
@@ -114,15 +136,14 @@ static void run_both(pile *p, pile *q, int substeps)
                        q->velocity, q->moved };
     plain_begin(&s);
     for (int n = 0; n < substeps; n++) {
-        for (int b = 0; b < p->frame.bodies; b++)
-            for (int k = 0; k < MOTIONS; k++) {
-                real jolt = 1e-4 * any();
-                if (p->body[b].basis.inverse_mass == 0) continue;
-                p->moved[b].of[k] += jolt;
-                q->moved[b].of[k] += jolt;
-            }
-        substep(p, GRAVITY, n == 0);
-        plain_substep(&s, GRAVITY);
+        push(p, GRAVITY, n == 0);
+        add_gravity(q, GRAVITY);
+        plain_warm_start(&s);
+        plain_push(&s);
+        plain_move(&s);
+        jolt(p, q);
+        relax(p);
+        plain_relax(&s);
     }
     store(p);
 }
@@ -148,7 +169,7 @@ static real difference(const pile *p, const pile *q)
     for (int k = 0; k < p->contacts; k++) {
         const contact *c = &p->contact[k], *d = &q->contact[k];
         for (int j = 0; j < c->count; j++)
-            compare(c->point[j].impulse, d->point[j].impulse);
+            compare(c->impulse[j], d->impulse[j]);
         compare(vec3_distance(c->friction, d->friction), 0);
         compare(c->twist, d->twist);
     }
@@ -242,6 +263,25 @@ START_TEST(points_out_of_reach_take_no_part)
 }
 END_TEST
 
+// Rejects: an impulse of the last frame taken as it is where the substep is of
+// another length; friction or a twist that is not.
+START_TEST(old_impulses_are_taken_in_part)
+{
+    pile_any(&one, 20, 40, 0);
+    other = one;
+    one.frame.warm = 0.25;
+    for (int k = 0; k < other.contacts; k++) {
+        contact *c = &other.contact[k];
+        for (int j = 0; j < c->count; j++) c->impulse[j] *= 0.25;
+        c->friction = vec3_scale(0.25, c->friction);
+        c->twist *= 0.25;
+    }
+    run(&one, GRAVITY, 2);
+    run(&other, GRAVITY, 2);
+    ck_assert(difference(&one, &other) == 0);
+}
+END_TEST
+
 // --- laws --------------------------------------------------------------------
 
 // Rejects: an impulse that only one side gets; friction at two places.
@@ -316,9 +356,9 @@ START_TEST(relaxed_contacts_either_push_or_part)
             for (int j = 0; j < c->count; j++) {
                 real part = speed_of(&one, c, j)
                           + real_max(gap[j], 0) / one.frame.h;
-                ck_assert(c->point[j].impulse >= 0);
+                ck_assert(c->impulse[j] >= 0);
                 ck_assert_msg(part >= -1e-6, "closes at %g", -part);
-                if (c->point[j].impulse > 1e-6)
+                if (c->impulse[j] > 1e-6)
                     ck_assert_msg(part <= 1e-6, "pushes and parts at %g", part);
             }
         }
@@ -490,7 +530,7 @@ START_TEST(deep_overlap_is_pushed_out_at_most_so_fast)
         substep(&one, GRAVITY, k == 0);
         ck_assert(one.moved[0].of[1] - was <= 3.01 * one.frame.h);
         // One pass over the four corners takes most of that speed back.
-        ck_assert(one.velocity[0].of[1] <= 0.5);
+        ck_assert(one.velocity[0].of[1] <= 1);
     }
     ck_assert(fabs(one.velocity[0].of[1]) <= 1e-9);
     ck_assert(fabs(one.moved[0].of[1] - 0.5) <= 0.01);
@@ -594,6 +634,7 @@ int main(void)
         blocks_find_the_impulses_of_the_plain_solver,
         a_hundred_contacts_on_one_body_share_it,
         points_out_of_reach_take_no_part,
+        old_impulses_are_taken_in_part,
         impulses_keep_momentum_and_angular_momentum,
         relaxed_contacts_either_push_or_part,
         friction_stays_in_the_cone,

@@ -94,8 +94,8 @@ static void solve_normals(plain_solver *s, int i, softness soft)
     pair p = pair_of(s, c);
     vec3 n = c->normal;
     for (int k = 0; k < c->count; k++) {
-        contact_point *q = &c->point[k];
-        const vec3 arm[2] = { q->arm_a, q->arm_b };
+        const vec3 arm[2] = { c->point[k].arm_a, c->point[k].arm_b };
+        real was = c->impulse[k];
         real gap = s->gap[i][k] + parting(&p, p.moved, arm, n);
         real speed = parting(&p, p.velocity, arm, n);
         real mass = 1 / response(&p, arm, n, n);
@@ -103,11 +103,10 @@ static void solve_normals(plain_solver *s, int i, softness soft)
         if (gap <= 0) {
             real bias = soft.mass * soft.rate * gap;
             lacking = soft.mass * speed + real_max(bias, -s->frame->max_speed);
-            leak = soft.impulse * q->impulse;
+            leak = soft.impulse * was;
         }
-        real was = q->impulse;
-        q->impulse = real_max(was - mass * lacking - leak, 0);
-        apply(&p, arm, vec3_scale(q->impulse - was, n));
+        c->impulse[k] = real_max(was - mass * lacking - leak, 0);
+        apply(&p, arm, vec3_scale(c->impulse[k] - was, n));
     }
 }
 
@@ -149,8 +148,8 @@ static friction_center center_of(const plain_solver *s, int i, const pair *p)
     bool of_b = !(p->basis[0]->inverse_mass > 0);
     for (int k = 0; k < c->count; k++) {
         const contact_point *q = &c->point[k];
-        f.lever += q->impulse * vec3_distance(of_b ? q->arm_b : q->arm_a,
-                                              f.arm[of_b]);
+        f.lever += c->impulse[k] * vec3_distance(of_b ? q->arm_b : q->arm_a,
+                                                 f.arm[of_b]);
     }
     return f;
 }
@@ -249,7 +248,7 @@ void plain_warm_start(plain_solver *s)
         pair p = pair_of(s, c);
         for (int k = 0; k < c->count; k++) {
             const vec3 arm[2] = { c->point[k].arm_a, c->point[k].arm_b };
-            apply(&p, arm, vec3_scale(c->point[k].impulse, c->normal));
+            apply(&p, arm, vec3_scale(c->impulse[k], c->normal));
         }
         friction_center f = center_of(s, i, &p);
         apply(&p, f.arm, c->friction);

@@ -26,7 +26,7 @@ static inline void pile_clear(pile *p)
 {
     *p = (pile){ .plane = { { { 0, 1, 0 }, 0 }, { { 0, 1, 0 }, -1 } } };
     p->frame = (solver_frame){ .body = p->body, .plane = p->plane,
-        .h = 1.0 / 480, .friction = 0.5, .hertz = 60, .damping = 10,
+        .h = 1.0 / 480, .warm = 1, .friction = 0.5, .hertz = 60, .damping = 10,
         .max_speed = 3 };
 }
 
@@ -126,7 +126,7 @@ static inline void pile_any_contact(pile *p, int a, int b, bool meeting)
         if (meeting && b >= 0)
             arm_b = vec3_sub(there, p->body[b].frame.center);
         pile_point(p, c, arm_a, arm_b, 0.01 * any());
-        c->point[k].impulse = real_max(0, 1e-3 * any());
+        c->impulse[k] = real_max(0, 1e-3 * any());
     }
     c->friction = vec3_scale(1e-4, any_vec3());
     c->twist = 1e-5 * any();

@@ -54,6 +54,11 @@ static real alone(int operation, const real_lanes *in, int l)
     case SQRT:   return sqrt(a);
     case MAD:    return a * b + c;
     case SUMS:   return t[0] * x[0] + (t[1] * x[1] + t[2] * x[2]);
+    case CROSS_X: return b * a - c * c;
+    case CROSS_Y: return c * b - a * a;
+    case CROSS_Z: return a * c - b * b;
+    case MAKE:   return l == 0 ? in->a[3] : l == 1 ? in->b[2]
+                      : l == 2 ? in->c[1] : in->a[0];
     case ALL:    return in->a[1];
     default:     return a + b;
     }

@@ -48,6 +48,14 @@ static real4 dot_and_sums(real4 a, real4 b, real4 c)
     return real4_dot(to, x);
 }
 
+static real4 cross_product(real4 a, real4 b, real4 c, int i)
+{
+    const real4 x[3] = { a, b, c }, y[3] = { b, c, a };
+    real4 to[3];
+    real4_cross(x, y, to);
+    return to[i];
+}
+
 void NAME(int operation, const real_lanes *in, real out[2 * REAL4])
 {
     real4 a = load(in->a), b = load(in->b), c = load(in->c), r = a;
@@ -63,6 +71,11 @@ void NAME(int operation, const real_lanes *in, real out[2 * REAL4])
     case SQRT:     r = real4_sqrt(a); break;
     case MAD:      r = real4_mad(a, b, c); break;
     case SUMS:     r = dot_and_sums(a, b, c); break;
+    case CROSS_X:  r = cross_product(a, b, c, 0); break;
+    case CROSS_Y:  r = cross_product(a, b, c, 1); break;
+    case CROSS_Z:  r = cross_product(a, b, c, 2); break;
+    case MAKE:     r = real4_make(in->a[3], in->b[2], in->c[1], in->a[0]);
+                   break;
     case ALL:      r = real4_all(in->a[1]); break;
     case GATHER:   gather_and_scatter(in, out); return;
     default:       break;

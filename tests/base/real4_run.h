@@ -5,8 +5,8 @@
 
 #include "vec3.h"
 
-enum { ADD, SUB, MUL, DIV, MAX, MIN, CHOOSE, SQRT, MAD, SUMS, ALL, GATHER,
-       OPERATIONS };
+enum { ADD, SUB, MUL, DIV, MAX, MIN, CHOOSE, SQRT, MAD, SUMS, CROSS_X,
+       CROSS_Y, CROSS_Z, MAKE, ALL, GATHER, OPERATIONS };
 
 typedef struct {
     real a[4], b[4], c[4];

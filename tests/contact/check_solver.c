@@ -245,14 +245,19 @@ START_TEST(points_out_of_reach_take_no_part)
             int left = 0;
             gaps_of(&one, c, gap);
             for (int j = 0; j < c->count; j++)
-                if (gap[j] < one.reach[k]) c->point[left++] = c->point[j];
+                if (gap[j] < one.reach[k]) {
+                    c->impulse[left] = c->impulse[j];
+                    c->point[left++] = c->point[j];
+                }
             c->count = left;
         }
         run_both(&one, &other, 4);
         for (int b = 0; b < one.frame.bodies; b++)
             for (int k = 0; k < MOTIONS; k++)
-                ck_assert(fabs(one.velocity[b].of[k] - other.velocity[b].of[k])
-                          <= 1e-11);
+                ck_assert_msg(fabs(one.velocity[b].of[k]
+                                   - other.velocity[b].of[k]) <= 1e-11,
+                              "%d: off by %g", n, one.velocity[b].of[k]
+                                                  - other.velocity[b].of[k]);
         for (int k = 0; k < one.contacts; k++)
             if (other.contact[k].count == 0) {
                 ck_assert(contact_load(&one.contact[k]) == 0);
@@ -507,12 +512,18 @@ START_TEST(tower_carries_its_loads_from_frame_to_frame)
             pile_point(&one, c, k % 2 ? low : high, k % 2 ? high : low, 0);
         }
     }
-    for (int frame = 0; frame < 600; frame++) run(&one, GRAVITY, 8);
+    for (int frame = 0; frame < 600; frame++) {
+        run(&one, GRAVITY, 8);
+        for (int k = 0; k < CUBES; k++) {
+            one.body[k].frame.center.y += one.moved[k].of[1];
+            one.moved[k] = (motion){ { 0 } };
+        }
+    }
     for (int k = 0; k < CUBES; k++) {
         real weight = (CUBES - 1 - k + 100) * 9.81 * one.frame.h;
         real load = contact_load(&one.contact[k]);
-        ck_assert_msg(fabs(load - weight) <= 1e-6 * weight,
-                      "contact %d: %g of %g", k, load, weight);
+        ck_assert_msg(fabs(load - weight) <= 1e-5 * weight,
+                      "contact %d: %.9g of %.9g", k, load, weight);
     }
 }
 END_TEST

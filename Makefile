@@ -408,7 +408,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body ring \
   rigidity convex obj penetration sphere sphere_tree grid ordering \
-  line four broad rest world step world_scene scene system)
+  line four broad rest world step world_scene scene system thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -416,9 +416,10 @@ $(SCARCE): $(BUILD)/tests/scarce.o
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
-# These look at how the figures of chapter 18 count time, and at their second
-# thread.
+# These look at how the figures of chapter 18 count time, and at their threads,
+# which can be refused.
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
+$(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
 
 # These ask the slow oracle about bodies made for the purpose.
 ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)

@@ -10,6 +10,8 @@
 
 #include "vec3.h"
 
+#include <string.h>
+
 enum { REAL4 = 4 };
 //<
 
@@ -151,13 +153,14 @@ static inline real4 real4_sqrt(real4 a)
 
 static inline void real4_set(real4 *a, int l, real value)
 {
-    if (l < 2) a->lo[l] = value;
-    else       a->hi[l - 2] = value;
+    memcpy((char *)a + (size_t)l * sizeof value, &value, sizeof value);
 }
 
 static inline real real4_get(const real4 *a, int l)
 {
-    return l < 2 ? a->lo[l] : a->hi[l - 2];
+    real value;
+    memcpy(&value, (const char *)a + (size_t)l * sizeof value, sizeof value);
+    return value;
 }
 
 // Numbers 2 k and 2 k + 1 of four bodies become two lanes of bodies.  What they

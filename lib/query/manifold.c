@@ -16,15 +16,6 @@ static vec3 seen(const view *w, vec3 p)
     return vec3_make(vec3_dot(r, w->x), vec3_dot(r, w->y), vec3_dot(r, w->z));
 }
 
-vec3 feature_place(const feature_point *f, const vec3 *at)
-{
-    vec3 first = at[f->vertex[0]], sum = first;
-    for (int k = 1; k < f->count; k++)
-        sum = vec3_add_scaled(sum, f->weight[k],
-                              vec3_sub(at[f->vertex[k]], first));
-    return sum;
-}
-
 // A coordinate is known to 2^-53 of its distance from the world's origin, and
 // what is computed here to a few 2^-53 of the larger body.
 static view view_along(vec3 normal, vec3 origin, real size)
@@ -46,7 +37,7 @@ enum { PATCH_CORNERS = 32 };    // a rounder side is drawn with so many
 // What one body turns towards the other: a vertex, an edge, or some faces, of
 // which the convex polygon that they cover is kept.
 typedef struct {
-    const shape *plan;
+    const struct shape *shape;
     const vec3  *at;
     vec3 ahead;         // unit, towards the other body
     real turn;          // 1 if corners run counter-clockwise in the view, -1
@@ -106,8 +97,8 @@ int face_looks(const shape *s, const vec3 *at, int f, vec3 d)
 // Does the face to the left of half-edge h belong to the patch?
 static int belongs(const patch *p, int h)
 {
-    int f = p->plan->mesh.half[h].face;
-    return f >= 0 && face_looks(p->plan, p->at, f, p->ahead);
+    int f = p->shape->mesh.half[h].face;
+    return f >= 0 && face_looks(p->shape, p->at, f, p->ahead);
 }
 //<
 
@@ -188,8 +179,8 @@ static void patch_close(patch *p, const view *w)
 // nothing further: so there is a rim.  -1 if rounding says otherwise.
 static int rim_find(const patch *p, const view *w, int h)
 {
-    const mesh *m = &p->plan->mesh;
-    for (int step = 0; step < p->plan->particles; step++) {
+    const mesh *m = &p->shape->mesh;
+    for (int step = 0; step < p->shape->particles; step++) {
         int start = h, best = -1;
         real most = vec3_dot(p->at[m->half[h].origin], w->x);
         do {
@@ -208,7 +199,7 @@ static int rim_find(const patch *p, const view *w, int h)
 // one of its face; from one inside we step over to the face beyond.
 static void rim_walk(patch *p, const view *w, int start)
 {
-    const mesh *m = &p->plan->mesh;
+    const mesh *m = &p->shape->mesh;
     int h = start;
     for (int step = 0; step < 2 * m->edges; step++) {
         if (belongs(p, mesh_twin(h))) {
@@ -234,7 +225,7 @@ static void patch_walk(patch *p, const view *w, int h)
 // over further vertices, to within half a degree (sine squared 1e-4).
 static int edge_end(const patch *p, int from, int to)
 {
-    const mesh *m = &p->plan->mesh;
+    const mesh *m = &p->shape->mesh;
     vec3 d = vec3_sub(p->at[to], p->at[from]);
     int h = m->vertex_half[to], start = h;
     for (int step = 0; step < m->vertices; ) {
@@ -259,14 +250,14 @@ static int edge_end(const patch *p, int from, int to)
 // it that leaves v; -1: none looks ahead.
 static int face_ahead(const patch *p, int v)
 {
-    const mesh *m = &p->plan->mesh;
+    const mesh *m = &p->shape->mesh;
     int start = m->vertex_half[v], h = start, best = -1;
     look most = { 1, COSINE_SQUARED };
     if (start < 0) return -1;
     do {
         int f = m->half[h].face;
         look l = { 0, 0 };
-        if (f >= 0) l = face_look(p->plan, p->at, f, p->ahead);
+        if (f >= 0) l = face_look(p->shape, p->at, f, p->ahead);
         if (l.along * most.whole > most.along * l.whole) {
             most = l;
             best = h;
@@ -280,7 +271,7 @@ static int face_ahead(const patch *p, int v)
 // leans by less than 8 degrees, as the vertex that it leads to; -1: none.
 static int edge_across(const patch *p, int v)
 {
-    const mesh *m = &p->plan->mesh;
+    const mesh *m = &p->shape->mesh;
     real least = SINE_SQUARED;
     int start = m->vertex_half[v], h = start, best = -1;
     do {
@@ -306,17 +297,17 @@ static int main_vertex(const feature_point *f)
 // What does the body turn towards the other where it is nearest?  turn: -1 for
 // A, whose faces look away from the viewer, 1 for B.  Returns 0 for no more
 // than a vertex.
-static int patch_begin(patch *p, const shape *s, const vec3 *at, real turn,
+static int patch_begin(patch *p, const collider *body, real turn,
                        const view *w, const feature_point *nearest)
 {
-    p->plan = s;
-    p->at = at;
+    p->shape = body->shape;
+    p->at = body->at;
     p->ahead = vec3_scale(turn, w->z);
     p->turn = turn;
     p->count = 0;
     p->tip = main_vertex(nearest);
     p->half = face_ahead(p, p->tip);
-    p->face = p->half < 0 ? -1 : s->mesh.half[p->half].face;
+    p->face = p->half < 0 ? -1 : p->shape->mesh.half[p->half].face;
     p->end = p->half < 0 ? edge_across(p, p->tip) : -1;
     return p->half >= 0 || p->end >= 0;
 }
@@ -353,7 +344,7 @@ typedef struct {
 static void footing_in(footing *g, const patch *p, const view *w, int f,
                        vec3 point)
 {
-    const int *v = &p->plan->face[3 * f];
+    const int *v = &p->shape->face[3 * f];
     vec3 e0 = vec3_sub(seen(w, p->at[v[0]]), point);
     vec3 e1 = vec3_sub(seen(w, p->at[v[1]]), point);
     vec3 e2 = vec3_sub(seen(w, p->at[v[2]]), point);
@@ -380,7 +371,7 @@ static void footing_in(footing *g, const patch *p, const view *w, int f,
 // The face on the other side of the edge across from vertex k of face f.
 static int face_across(const patch *p, int f, int k)
 {
-    const mesh *m = &p->plan->mesh;
+    const mesh *m = &p->shape->mesh;
     int h = m->face_half[f];
     for (int i = (k + 1) % 3; i > 0; i--) h = m->half[h].next;
     return m->half[mesh_twin(h)].face;
@@ -393,7 +384,7 @@ static footing footing_find(const patch *p, const view *w, int f, vec3 point)
 {
     footing g, beyond;
     footing_in(&g, p, w, f, point);
-    for (int step = 0; step < p->plan->mesh.faces; step++) {
+    for (int step = 0; step < p->shape->mesh.faces; step++) {
         if (!g.outside) break;
         f = face_across(p, g.face, g.least);
         if (f < 0) break;
@@ -448,7 +439,7 @@ static real part_between(vec3 from, vec3 to, vec3 point)
 static void at_rim(feature_point *f, const patch *p, const view *w, int face,
                    int k, vec3 point, real *z)
 {
-    const int *v = &p->plan->face[3 * face];
+    const int *v = &p->shape->face[3 * face];
     int from = v[(k + 1) % 3], to = v[(k + 2) % 3];
     vec3 x = seen(w, p->at[from]), y = seen(w, p->at[to]);
     real t = part_between(x, y, point);
@@ -468,7 +459,7 @@ static void at_foot(feature_point *f, const patch *p, const view *w,
         return;
     }
     footing g = footing_find(p, w, *face, point);
-    const int *v = &p->plan->face[3 * g.face];
+    const int *v = &p->shape->face[3 * g.face];
     *face = g.face;
     *z = g.z;
     if (g.weight[g.least] > 0)
@@ -699,9 +690,9 @@ static int furthest_out(const meetings *m, const vec3 t[3])
 //<
 
 //> manifold-choose
-// out[0] is chosen, and stands at `first`.  Then come the corner furthest from
-// it; the one furthest from the line of the two; and the one that adds most to
-// the triangle of the three.
+// out[0] is chosen, and stands at `first`.  Then come the corner furthest
+// from it; the one furthest from the line of the two; and the one that adds
+// most to the triangle of the three.  Returns how many there are.
 static int choose_widest(const meetings *m, vec3 first, touch *out)
 {
     vec3 t[3] = { first };
@@ -717,9 +708,9 @@ static int choose_widest(const meetings *m, vec3 first, touch *out)
     return 4;
 }
 
-// The touches from at least two corners.
+// The touches from at least two corners; returns how many.
 static int choose(const meetings *m, const touch *nearest, real slack,
-                  touch out[MANIFOLD_TOUCHES])
+                  touch out[MANIFOLD_POINTS])
 {
     int deepest = 0, n = 1;
     real reach = 0;
@@ -734,7 +725,7 @@ static int choose(const meetings *m, const touch *nearest, real slack,
     if (bulge > 0 && bulge * bulge > 1e-4 * reach)
         return choose_widest(m, vec3_make(0, 0, 0), out);
     out[0] = m->of[deepest];
-    if (m->count > MANIFOLD_TOUCHES)
+    if (m->count > MANIFOLD_POINTS)
         return choose_widest(m, m->at[deepest], out);
     for (int k = 0; k < m->count; k++)
         if (k != deepest) out[n++] = m->of[k];
@@ -743,29 +734,30 @@ static int choose(const meetings *m, const touch *nearest, real slack,
 //<
 
 //> manifold-find
-int manifold_find(const shape *a, const vec3 *at_a,
-                  const shape *b, const vec3 *at_b, vec3 normal,
-                  touch nearest, real margin, touch out[MANIFOLD_TOUCHES])
+manifold manifold_find(const collider *a, const collider *b,
+                       const query_result *nearest, real margin)
 {
-    assert(nearest.a.count > 0 && nearest.b.count > 0);
-    view w = view_along(normal, feature_place(&nearest.b, at_b),
-                        fmax(a->radius, b->radius));
+    const touch *pair = &nearest->at;
+    assert(nearest->near && pair->a.count > 0 && pair->b.count > 0);
+    view w = view_along(nearest->normal, feature_at(&pair->b, b->at),
+                        fmax(a->shape->radius, b->shape->radius));
+    manifold found = { 1, nearest->normal, { *pair } };
     patch p, q;
     meetings m;
-    out[0] = nearest;
 
     // A vertex touches in one point, whatever it stands on.
-    if (!patch_begin(&p, a, at_a, -1, &w, &nearest.a)
-        || !patch_begin(&q, b, at_b, 1, &w, &nearest.b)) return 1;
+    if (!patch_begin(&p, a, -1, &w, &pair->a)
+        || !patch_begin(&q, b, 1, &w, &pair->b)) return found;
     patch_draw(&p, &w);
     patch_draw(&q, &w);
-    if (p.count < 2 || q.count < 2) return 1;
+    if (p.count < 2 || q.count < 2) return found;
 
     m.margin = margin;
     m.same = 64 * w.slack;
     m.count = 0;
     if (p.count == 2 && q.count == 2) meet_edges(&p, &q, &m);
     else                              meet_polygons(&p, &q, &w, &m);
-    return m.count < 2 ? 1 : choose(&m, &nearest, w.slack, out);
+    if (m.count > 1) found.count = choose(&m, pair, w.slack, found.point);
+    return found;
 }
 //<

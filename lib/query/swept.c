@@ -8,18 +8,17 @@
 // there, however far from the world's origin both are.  A's point i stands at
 //   (a_i - a_0) + ((a_0 - b_0) + time way).
 typedef struct {
-    point_set given;        // A as it was given
+    hull given;        // A as it was given
     vec3 start, way;        // m, a_0 - b_0; what A goes
     vec3 *a_at, *b_at;      // the scratch: A at some time, B
-    point_set a, b;         // the same, for gjk
+    hull a, b;         // the same, for gjk
     real near, aim;         // m: to come nearer than near is to touch; we aim
                             // at a little less
-    distance_options options;
 } sweep;
 
 // Copies p as seen from its first point.  Returns its largest coordinate; not
 // finite if one of them is not.
-static real copy_about_first(point_set p, vec3 *out)
+static real copy_about_first(hull p, vec3 *out)
 {
     real extent = 0, poison = 0;
     for (int i = 0; i < p.count; i++) {
@@ -45,7 +44,7 @@ static real coordinates(vec3 v)
 // we to aim at touch itself, we might land behind a thin plate; so we aim at
 // half the tolerance, and that half is worth four such units.  0 if a number is
 // not finite.
-static int sweep_begin(sweep *s, point_set a, vec3 way, point_set b,
+static int sweep_begin(sweep *s, hull a, vec3 way, hull b,
                        real apart, real tolerance, vec3 *scratch)
 {
     s->given = s->a = a;
@@ -60,7 +59,6 @@ static int sweep_begin(sweep *s, point_set a, vec3 way, point_set b,
     if (!(tolerance >= least)) tolerance = least;
     s->near = apart + tolerance;
     s->aim = apart + tolerance / 2;
-    s->options = distance_options_default();
     return reach < HUGE_VAL;
 }
 
@@ -99,18 +97,18 @@ static vec3 direction(vec3 a)
 static int sweep_step(sweep *s, swept_result *r)
 {
     sweep_place(s, r->time);
-    distance_result g = distance_find(s->a, s->b, s->options, &r->last);
+    gjk_result g = gjk_distance(s->a, s->b, HUGE_VAL, &r->last);
     int first = r->iterations++ == 0;
     r->supports += g.iterations;
     r->on_a = g.on_a;
     r->on_b = g.on_b;
     r->status = SWEPT_NOT_FINITE;
-    if (g.status == DISTANCE_NOT_FINITE) return 0;
+    if (g.status == GJK_NOT_FINITE) return 0;
     r->status = SWEPT_CAPPED;
-    if (g.status == DISTANCE_CAPPED) return 0;
+    if (g.status == GJK_CAPPED) return 0;
 
     // Overlap, after they were apart, is rounding's: the last axis stands.
-    if (g.status != DISTANCE_OVERLAP) r->normal = direction(g.axis);
+    if (g.status != GJK_OVERLAP) r->normal = direction(g.axis);
     r->status = first ? SWEPT_OVERLAP : SWEPT_TOUCHES;
     if (!(g.distance > s->near)) return 0;
 
@@ -126,7 +124,7 @@ static int sweep_step(sweep *s, swept_result *r)
 //<
 
 //> swept-first-touch
-swept_result swept_first_touch(point_set a, vec3 way, point_set b, real apart,
+swept_result swept_first_touch(hull a, vec3 way, hull b, real apart,
                                real tolerance, vec3 *scratch)
 {
     assert(a.count >= 1 && b.count >= 1 && apart >= 0 && tolerance > 0);
@@ -138,5 +136,21 @@ swept_result swept_first_touch(point_set a, vec3 way, point_set b, real apart,
     r.on_a = vec3_add(r.on_a, b.at[0]);
     r.on_b = vec3_add(r.on_b, b.at[0]);
     return r;
+}
+//<
+
+//> swept-inner
+// The origin lies behind every face, and so far behind the nearest.
+real shape_inner(const shape *s)
+{
+    if (s->kind != SHAPE_RIGID) return 0;
+    real inner = s->radius;
+    for (int f = 0; f < s->mesh.faces; f++) {
+        const int *v = &s->face[3 * f];
+        vec3 m = vec3_unit(triangle_normal(s->at[v[0]], s->at[v[1]],
+                                           s->at[v[2]]));
+        inner = real_max(real_min(inner, vec3_dot(m, s->at[v[0]])), 0);
+    }
+    return inner;
 }
 //<

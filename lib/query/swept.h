@@ -10,7 +10,8 @@
 #ifndef TUMBLE_SWEPT_H
 #define TUMBLE_SWEPT_H
 
-#include "distance.h"
+#include "body.h"
+#include "gjk.h"
 
 typedef enum {
     SWEPT_PASSES,       // they stay further apart than `apart` all the way
@@ -29,7 +30,7 @@ typedef struct {
                         // bodies that pass: the last axis that parted them
     vec3 on_a, on_b;    // m, the nearest points at that time, A's where A then
                         // is; only of bodies that touch or overlap
-    distance_cache last;       // their vertices and weights
+    simplex last;       // their vertices and weights
     int  iterations;    // distances asked for
     int  supports;      // support points that these asked for
 } swept_result;
@@ -45,8 +46,12 @@ enum { SWEPT_CAP = 64 };        // distances, at most
 // apart and apart + tolerance.  A tolerance finer than doubles can tell, 8
 // units in the last place of the way and the sizes, is raised to that.
 // scratch: room for a.count + b.count points.
-swept_result swept_first_touch(point_set a, vec3 way, point_set b, real apart,
+swept_result swept_first_touch(hull a, vec3 way, hull b, real apart,
                                real tolerance, vec3 *scratch);
+
+// The radius (m) of the largest sphere about the origin of a rigid shape that
+// lies inside it; 0 for a shape that has no inside.
+real shape_inner(const shape *s);
 
 #endif
 //<

@@ -303,7 +303,7 @@ typedef void (*pusher)(world *w, point_pair pair, const contact_point *c);
 static int separate_point(world *w, point_pair pair, real apart, pusher by)
 {
     const body *soft = &w->body[pair.soft], *rigid = &w->body[pair.rigid];
-    collider a = world_collider(w, soft), b = world_collider(w, rigid);
+    pooled a = world_collider(w, soft), b = world_collider(w, rigid);
     contact_point c;
     w->of.at[pair.particle] = w->pool.at[pair.particle].position;
     if (!collide_point(&a, pair.particle - soft->first, &b, w->hull.plane,

@@ -67,22 +67,19 @@ static void measure_planes(const world *w, const body *b, measures *m)
 // are nowhere a depth that is no number.
 static void measure_rigid_pair(world *w, body *a, body *b, measures *m)
 {
-    collider x = world_collider(w, a), y = world_collider(w, b);
-    point_set p = { x.at, a->plan->particles, a->ring.start,
-                    a->ring.list };
-    point_set q = { y.at, b->plan->particles, b->ring.start,
-                    b->ring.list };
+    hull p = { w->of.at + a->corner, a->plan->particles };
+    hull q = { w->of.at + b->corner, b->plan->particles };
     if (body_is_nailed(a) && body_is_nailed(b)) return;
-    distance_result g = distance_find(p, q, distance_options_default(), NULL);
-    if (g.status == DISTANCE_NOT_FINITE) deepen(m, (real)NAN);
-    if (g.status == DISTANCE_OVERLAP)
-        deepen(m, penetration_find(p, q, &g.last, w->narrow.hit[0]).depth);
+    gjk_result g = gjk_distance(p, q, 0, NULL);
+    if (g.status == GJK_NOT_FINITE) deepen(m, (real)NAN);
+    if (g.status == GJK_OVERLAP)
+        deepen(m, hit_face_find(p, q, &g.last).depth);
 }
 
 // How deep the particles of a deformable body stand in a rigid one.
 static void measure_points(world *w, body *soft, body *rigid, measures *m)
 {
-    collider a = world_collider(w, soft), b = world_collider(w, rigid);
+    pooled a = world_collider(w, soft), b = world_collider(w, rigid);
     int planes = hull_planes(rigid->plan, b.at, w->hull.plane, w->hull.face);
     w->hull.of = -1;
     for (int i = 0; i < soft->plan->particles; i++) {

@@ -82,16 +82,15 @@ END_TEST
 static real distance_of(int a, int b)
 {
     vec3 at[2][12];
-    point_set q[2];
+    hull q[2];
     const int who[2] = { a, b };
     for (int k = 0; k < 2; k++) {
         const body *x = &w.body[who[k]];
         world_vertices(&w, x, at[k]);
-        q[k] = (point_set){ at[k], x->plan->particles, x->ring.start,
-                            x->ring.list };
+        q[k] = (hull){ at[k], x->plan->particles };
     }
-    distance_result g = distance_find(q[0], q[1], distance_options_default(), NULL);
-    return g.status == DISTANCE_OVERLAP ? 0 : g.distance;
+    gjk_result g = gjk_distance(q[0], q[1], HUGE_VAL, NULL);
+    return g.status == GJK_OVERLAP ? 0 : g.distance;
 }
 
 static int is_listed(int a, int b)

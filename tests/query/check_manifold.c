@@ -5,9 +5,7 @@
 #include <string.h>
 
 #include "convex.h"
-#include "distance.h"
 #include "manifold.h"
-#include "penetration.h"
 
 // Bodies of size 1 near the origin; a corner is seen, crossed, weighed: a few
 // dozen roundings.
@@ -122,7 +120,6 @@ static void make_grid(shape *s)
     ck_assert_msg(r.ok, "%s", r.why);
 }
 
-static penetration_scratch *scratch;
 static shape *const EVERY[] = {
     &cube, &plate, &card, &ball, &needle, &wedge, &coin, &grid, &dish
 };
@@ -141,13 +138,10 @@ static void set_up(void)
     make_grid(&grid);
     // Its top and bottom are cones of 5 degrees.
     column(&dish, 12, 0.5, 0.5, 0.2, 1, 0.5 * 0.0875);
-    scratch = penetration_scratch_new();
-    ck_assert_ptr_nonnull(scratch);
 }
 
 static void tear_down(void)
 {
-    penetration_scratch_free(scratch);
     for (int k = 0; k < SHAPES; k++) shape_free(EVERY[k]);
 }
 
@@ -225,54 +219,30 @@ typedef struct {
     vec3  normal;
     touch nearest;
     int   count;
-    touch of[MANIFOLD_TOUCHES + 1];     // one more, that stays as it was
+    touch of[MANIFOLD_POINTS];
 } answer;
 
-static feature_point side_of(const distance_cache *s, const int *vertex)
+// The nearest points.
+static bool query(const standing *a, const standing *b, answer *r)
 {
-    feature_point f = { .count = 0 };
-    for (int i = 0; i < s->count; i++) {
-        int k = 0;
-        if (s->weight[i] == 0) continue;
-        while (k < f.count && f.vertex[k] != vertex[i]) k++;
-        if (k == f.count) {
-            f.vertex[f.count] = vertex[i];
-            f.weight[f.count++] = 0;
-        }
-        f.weight[k] += s->weight[i];
-    }
-    return f;
-}
-
-// The nearest points, by gjk and the hit face.
-static int query(const standing *a, const standing *b, answer *r)
-{
-    point_set pa = { a->at, a->plan->particles, NULL, NULL };
-    point_set pb = { b->at, b->plan->particles, NULL, NULL };
-    distance_cache fresh = { .count = 0 };
-    distance_result g = distance_find(pa, pb, distance_options_default(), &fresh);
-    if (g.status == DISTANCE_APART) {
-        r->normal = vec3_scale(1 / g.distance, g.axis);
-        r->nearest = (touch){ side_of(&g.last, g.last.a),
-                              side_of(&g.last, g.last.b), g.distance };
-        return 1;
-    }
-    penetration_result h = penetration_find(pa, pb, &g.last, scratch);
-    r->normal = h.normal;
-    r->nearest = (touch){ h.a, h.b, -h.depth };
-    return h.status == PENETRATION_FOUND;
+    collider ca = { a->plan, a->at }, cb = { b->plan, b->at };
+    query_cache fresh = { .count = 0 };
+    query_result q = query_nearest(&ca, &cb, HUGE_VAL, &fresh);
+    r->normal = q.normal;
+    r->nearest = q.at;
+    return q.near;
 }
 
 static void find(const standing *a, const standing *b, real margin, answer *r)
 {
-    memset(r->of, 0x55, sizeof r->of);
-    touch untouched = r->of[MANIFOLD_TOUCHES];
-    r->count = manifold_find(a->plan, a->at, b->plan, b->at, r->normal,
-                             r->nearest, margin, r->of);
-    ck_assert_msg(r->count >= 1 && r->count <= MANIFOLD_TOUCHES
-                  && memcmp(&untouched, &r->of[MANIFOLD_TOUCHES],
-                            sizeof untouched) == 0,
-                  "%d touches, or one behind the last", r->count);
+    collider ca = { a->plan, a->at }, cb = { b->plan, b->at };
+    query_result nearest = { true, r->normal, r->nearest };
+    manifold m = manifold_find(&ca, &cb, &nearest, margin);
+    ck_assert_msg(m.count >= 1 && m.count <= MANIFOLD_POINTS, "%d touches",
+                  m.count);
+    ck_assert(memcmp(&m.normal, &r->normal, sizeof m.normal) == 0);
+    r->count = m.count;
+    memcpy(r->of, m.point, sizeof r->of);
 }
 
 static answer ask(const standing *a, const standing *b, real margin)
@@ -335,15 +305,15 @@ static const char *wrong_touch(const answer *r, int k, const standing *a,
     const char *wrong = wrong_feature(&t->a, a);
     if (!wrong) wrong = wrong_feature(&t->b, b);
     if (wrong) return wrong;
-    vec3 on_b = feature_place(&t->b, b->at);
-    vec3 d = vec3_sub(feature_place(&t->a, a->at), on_b);
+    vec3 on_b = feature_at(&t->b, b->at);
+    vec3 d = vec3_sub(feature_at(&t->a, a->at), on_b);
     real gap = vec3_dot(d, r->normal);
     if (!(fabs(gap - t->gap) <= error)) return "its gap is another";
     if (!(t->gap <= margin)) return "it is beyond the margin";
     if (!(vec3_length(vec3_add_scaled(d, -gap, r->normal)) <= off))
         return "its points are not across from each other";
     for (int i = 0; i < k; i++) {
-        vec3 other = feature_place(&r->of[i].b, b->at);
+        vec3 other = feature_at(&r->of[i].b, b->at);
         if (!(vec3_distance(other, on_b) > error)) return "it is there twice";
     }
     return NULL;
@@ -369,7 +339,7 @@ static void touches_at(const answer *r, const standing *b, const vec3 *wanted,
     for (int i = 0; i < count; i++) {
         int met = 0;
         for (int k = 0; k < r->count; k++)
-            met += vec3_distance(feature_place(&r->of[k].b, b->at), wanted[i])
+            met += vec3_distance(feature_at(&r->of[k].b, b->at), wanted[i])
                    <= error;
         ck_assert_msg(met == 1, "%d touches at (%g, %g, %g)", met, wanted[i].x,
                       wanted[i].y, wanted[i].z);
@@ -391,10 +361,10 @@ static void kinds(const answer *r, int count[3])
 // m^2, of the widest quadrilateral (or triangle) through the touches.
 static real area_of(const answer *r, const standing *b)
 {
-    vec3 p[MANIFOLD_TOUCHES];
+    vec3 p[MANIFOLD_POINTS];
     real most = 0;
     for (int k = 0; k < 4; k++)
-        p[k] = feature_place(&r->of[k < r->count ? k : 0].b, b->at);
+        p[k] = feature_at(&r->of[k < r->count ? k : 0].b, b->at);
     const int order[3][4] = { { 0, 1, 2, 3 }, { 0, 2, 1, 3 }, { 0, 1, 3, 2 } };
     for (int k = 0; k < 3; k++) {
         const int *o = order[k];
@@ -469,7 +439,7 @@ START_TEST(turned_cube_stands_on_four_corners_of_an_octagon)
     ck_assert_int_eq(count[2], 4);
     real reach = 0.5 / cos(acos(-1.0) / 8);
     for (int k = 0; k < 4; k++) {
-        vec3 x = feature_place(&r.of[k].b, b.at);
+        vec3 x = feature_at(&r.of[k].b, b.at);
         ck_assert(fabs(sqrt(x.x * x.x + x.z * x.z) - reach) <= SEARCH);
     }
     // The square through every second corner.
@@ -961,8 +931,8 @@ START_TEST(swapped_bodies_touch_in_the_same_points)
         int met = 0;
         for (int i = 0; i < r.count; i++)
             for (int j = 0; j < s.count; j++) {
-                vec3 x = feature_place(&r.of[i].b, b.at);
-                vec3 y = feature_place(&s.of[j].a, b.at);
+                vec3 x = feature_at(&r.of[i].b, b.at);
+                vec3 y = feature_at(&s.of[j].a, b.at);
                 if (vec3_distance(x, y) > 1e-6) continue;
                 ck_assert(fabs(r.of[i].gap - s.of[j].gap) <= 1e-7);
                 met++;
@@ -1236,7 +1206,7 @@ static int agrees(const answer *r, const standing *a, const standing *b,
                   real margin, real *least_share)
 {
     const real error = 1e-6;
-    camera c = look_along(r->normal, feature_place(&r->nearest.b, b->at));
+    camera c = look_along(r->normal, feature_at(&r->nearest.b, b->at));
     // The patch of a body that bulges is not its surface.
     if (a->plan == &dish || b->plan == &dish) return 0;
     polygon p = side_seen(a, &c, -1), q = side_seen(b, &c, 1);
@@ -1272,7 +1242,7 @@ static int agrees(const answer *r, const standing *a, const standing *b,
                   r->count, near);
     ck_assert(fabs(r->of[0].gap - deepest) <= error);
     for (int k = 0; k < r->count; k++) {
-        vec3 x = vec3_sub(feature_place(&r->of[k].b, b->at), c.origin);
+        vec3 x = vec3_sub(feature_at(&r->of[k].b, b->at), c.origin);
         real u = vec3_dot(x, c.u), v = vec3_dot(x, c.v), off = HUGE_VAL;
         int i = 0;
         for (int j = 0; j < o.count; j++) {

@@ -1,25 +1,23 @@
-//> collide-head
-// collide.h - from two bodies that are near to the contacts between them.
+//> obstacle-head
+// obstacle.h - planes and convex bodies, as the points of a body meet them.
 //
 // Paper: sections 5.1 and 6.1.  Book: chapter 16.
 // Units: metres, in the world's frame.  Normals point from B to A.
 
-#ifndef TUMBLE_COLLIDE_H
-#define TUMBLE_COLLIDE_H
+#ifndef TUMBLE_OBSTACLE_H
+#define TUMBLE_OBSTACLE_H
 
+#include "collide.h"
 #include "scene.h"
-#include "ring.h"
 #include "separation.h"
-#include "swept.h"
 
-// A body as the queries see it.
+// A body whose points have numbers in the pool.
 typedef struct {
     const shape *plan;
     int  first;         // its first particle in the pool
     const vec3 *at;     // [plan->particles] where they are
     real mass;          // kg; HUGE_VAL: immovable
-    rings ring;         // of the plan; empty: none, support scans
-} collider;
+} pooled;
 
 // m, how far x is in front of the plane.
 static inline real plane_height(plane p, vec3 x)
@@ -27,37 +25,20 @@ static inline real plane_height(plane p, vec3 x)
     return vec3_dot(x, p.normal) - p.offset;
 }
 
-enum { PAIR_CONTACTS = 4 };     // the most that two rigid bodies can have
+enum { PAIR_CONTACTS = MANIFOLD_POINTS };
 //<
 
-//> collide-declare
-// The contacts of rigid bodies a and b that are nearer than margin (m, >= 0),
-// in out; returns their number, at most PAIR_CONTACTS: what manifold_find makes
-// of the nearest (or deepest) pair of points.  Where faces or edges lie along
-// each other, corners of what they share, the deepest first; else the pair
-// alone.
-// An immovable body is B, whichever was given first; two of them touch nowhere.
-// Normals point from B to A; thickness is 0, for the caller to set.  carried:
-// see distance_find; keep one for the pair (a, b) in this order.  Bodies, or a
-// margin, that are not finite have no contacts.
-int collide_rigid(const collider *a, const collider *b, real margin,
-                  distance_cache *carried, penetration_scratch *scratch,
-                  contact_point out[PAIR_CONTACTS]);
-
-// The contact of rigid bodies a and b where they first come as near as `apart`
-// (m, >= 0), while a goes straight by `way` (m) as seen from b: made now, to be
-// kept until then.  *c holds it if the result is SWEPT_TOUCHES; else it says
-// what became of them, and *c is as it was.  The time is known to a thousandth
-// of the smaller body.  scratch: room for the vertices of both.  The rest as
-// for collide_rigid.
-swept_status collide_swept(const collider *a, const collider *b, vec3 way,
-                           real apart, vec3 *scratch, contact_point *c);
+//> obstacle-declare
+// The touches of a manifold as contacts between bodies a and b, b immovable if
+// one of them is; thickness is 0, for the caller to set.  Returns their number.
+int contacts_of_manifold(const manifold *m, const pooled *a, const pooled *b,
+                         contact_point out[PAIR_CONTACTS]);
 
 // The particles of a nearer to plane p than margin + thickness (m): writes at
 // most capacity contacts, returns how many there are.  A particle is A, the
 // plane B, immovable: the normal is the plane's, into the free side.  The
 // contacts keep particles thickness away.
-int collide_plane(const collider *a, plane p, real margin, real thickness,
+int collide_plane(const pooled *a, plane p, real margin, real thickness,
                   contact_point *out, int capacity);
 
 // The planes of a rigid body's faces, looking outwards, coplanar faces once:
@@ -77,11 +58,11 @@ int hull_ahead(vec3 x, const plane *planes, int count);
 // points out of b; inside, the way out is the nearest face's.  thickness is 0,
 // for the caller to set.  A particle that is not finite touches nothing.
 // Requires count > 0.
-int collide_point(const collider *a, int i, const collider *b,
+int collide_point(const pooled *a, int i, const pooled *b,
                   const plane *planes, const int *face, int count,
                   real reach, contact_point *c);
 //<
 
-//> collide-end
+//> obstacle-end
 #endif
 //<

@@ -1,6 +1,5 @@
-//> collide-feature
-#include "collide.h"
-#include "manifold.h"
+//> obstacle-feature
+#include "obstacle.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -13,36 +12,16 @@ static void feature_to_pool(feature_point *f, int first)
 }
 
 // Particle i of a body, as a feature.
-static feature_point corner(int i)
+static feature_point vertex_feature(int i)
 {
     return (feature_point){ 1, { i, 0, 0 }, { 1, 0, 0 } };
 }
-
-// One side of a simplex of A - B as a point of a feature: equal vertices are
-// merged, a vertex without weight is dropped.
-static feature_point feature_of_simplex(const int *vertex, const real *weight,
-                                        int count)
-{
-    feature_point f = { .count = 0 };
-    for (int i = 0; i < count; i++) {
-        int k = 0;
-        if (weight[i] == 0) continue;
-        while (k < f.count && f.vertex[k] != vertex[i]) k++;
-        if (k == f.count) {
-            if (k == 3) continue;   // four corners overlap: not asked here
-            f.vertex[f.count] = vertex[i];
-            f.weight[f.count++] = 0;
-        }
-        f.weight[k] += weight[i];
-    }
-    return f;
-}
 //<
 
-//> collide-new
+//> obstacle-contact
 // A contact with nothing pushed yet.
-static void contact_between(contact_point *c, const collider *a,
-                            const feature_point *fa, const collider *b,
+static void contact_between(contact_point *c, const pooled *a,
+                            const feature_point *fa, const pooled *b,
                             const feature_point *fb, vec3 on_b, vec3 normal)
 {
     *c = (contact_point){ .a = *fa, .b = *fb, .fixed = on_b,
@@ -52,122 +31,26 @@ static void contact_between(contact_point *c, const collider *a,
 }
 
 // An immovable side needs no feature, only the point where it stands.
-static void forget_immovable(const collider *b, contact_point *c, int n)
+static void forget_immovable(const pooled *b, contact_point *c, int n)
 {
     for (int i = 0; i < n && !(b->mass < HUGE_VAL); i++) c[i].b.count = 0;
 }
 //<
 
-//> collide-nearest
-typedef struct {
-    int  near;              // 0: further apart than the margin
-    vec3 normal, on_a, on_b;
-    feature_point a, b;
-} nearest_points;
-
-static point_set collider_points(const collider *c)
+//> obstacle-manifold
+int contacts_of_manifold(const manifold *m, const pooled *a, const pooled *b,
+                         contact_point out[PAIR_CONTACTS])
 {
-    return (point_set){ c->at, c->plan->particles,
-                        c->ring.start, c->ring.list };
-}
-
-// Where two bodies are nearest, or overlap least: GJK while they are apart, the
-// hit face when they overlap.
-static nearest_points find_nearest(const collider *a, const collider *b,
-                                   real margin, distance_cache *carried,
-                                   penetration_scratch *scratch)
-{
-    point_set pa = collider_points(a), pb = collider_points(b);
-    distance_options options = distance_options_default();
-    options.margin = margin;
-    distance_result g = distance_find(pa, pb, options, carried);
-    nearest_points n = { .near = 0 };
-
-    int apart = g.status == DISTANCE_APART || g.status == DISTANCE_CAPPED;
-    if (apart && g.distance > 0 && g.distance <= margin) {
-        n = (nearest_points){ 1, vec3_scale(1 / g.distance, g.axis),
-            g.on_a, g.on_b,
-            feature_of_simplex(g.last.a, g.last.weight, g.last.count),
-            feature_of_simplex(g.last.b, g.last.weight, g.last.count) };
-    } else if (g.status == DISTANCE_OVERLAP) {
-        penetration_result h = penetration_find(pa, pb, &g.last, scratch);
-        if (h.status == PENETRATION_FOUND || h.status == PENETRATION_CAPPED)
-            n = (nearest_points){ 1, h.normal, h.on_a, h.on_b, h.a, h.b };
-    }
-    return n;
+    for (int k = 0; k < m->count; k++)
+        contact_between(&out[k], a, &m->point[k].a, b, &m->point[k].b,
+                        feature_at(&m->point[k].b, b->at), m->normal);
+    forget_immovable(b, out, m->count);
+    return m->count;
 }
 //<
 
-//> collide-manifold
-// The contacts of all touches of two bodies near each other.
-static int contacts_of_touches(const collider *a, const collider *b,
-                               const nearest_points *near, real margin,
-                               contact_point *out)
-{
-    touch nearest = { near->a, near->b,
-                      vec3_dot(vec3_sub(near->on_a, near->on_b),
-                               near->normal) };
-    _Static_assert((int)MANIFOLD_TOUCHES <= (int)PAIR_CONTACTS, "room");
-    touch found[MANIFOLD_TOUCHES];
-    int n = manifold_find(a->plan, a->at, b->plan, b->at, near->normal,
-                          nearest, margin, found);
-    for (int k = 0; k < n; k++)
-        contact_between(&out[k], a, &found[k].a, b, &found[k].b,
-                        feature_place(&found[k].b, b->at), near->normal);
-    return n;
-}
-//<
-
-//> collide-rigid
-int collide_rigid(const collider *a, const collider *b, real margin,
-                  distance_cache *carried, penetration_scratch *scratch,
-                  contact_point out[PAIR_CONTACTS])
-{
-    assert(!(margin < 0));
-    if (!(margin >= 0)) return 0;
-    // An immovable body is always B, so that its contacts need no feature.
-    if (!(a->mass < HUGE_VAL)) {
-        if (!(b->mass < HUGE_VAL)) return 0;
-        const collider *swap = a;
-        a = b;
-        b = swap;
-    }
-    nearest_points n = find_nearest(a, b, margin, carried, scratch);
-    if (!n.near) return 0;
-    int count = contacts_of_touches(a, b, &n, margin, out);
-    forget_immovable(b, out, count);
-    return count;
-}
-//<
-
-//> collide-swept
-swept_status collide_swept(const collider *a, const collider *b, vec3 way,
-                           real apart, vec3 *scratch, contact_point *c)
-{
-    if (!(a->mass < HUGE_VAL)) {
-        if (!(b->mass < HUGE_VAL)) return SWEPT_PASSES;
-        const collider *swap = a;
-        a = b;
-        b = swap;
-        way = vec3_scale(-1, way);
-    }
-    real near = 0.001 * fmin(a->plan->radius, b->plan->radius);
-    swept_result s = swept_first_touch(collider_points(a), way,
-                                       collider_points(b), apart, near,
-                                       scratch);
-    if (s.status != SWEPT_TOUCHES) return s.status;
-    feature_point fa = feature_of_simplex(s.last.a, s.last.weight,
-                                          s.last.count);
-    feature_point fb = feature_of_simplex(s.last.b, s.last.weight,
-                                          s.last.count);
-    contact_between(c, a, &fa, b, &fb, s.on_b, s.normal);
-    forget_immovable(b, c, 1);
-    return s.status;
-}
-//<
-
-//> collide-plane
-int collide_plane(const collider *a, plane p, real margin, real thickness,
+//> obstacle-plane
+int collide_plane(const pooled *a, plane p, real margin, real thickness,
                   contact_point *out, int capacity)
 {
     int n = 0;
@@ -176,7 +59,7 @@ int collide_plane(const collider *a, plane p, real margin, real thickness,
         if (up > margin + thickness) continue;
         if (n < capacity)
             out[n] = (contact_point){
-                .a = corner(a->first + i),
+                .a = vertex_feature(a->first + i),
                 .fixed = vec3_add_scaled(a->at[i], -up, p.normal),
                 .normal = p.normal, .thickness = thickness };
         n++;
@@ -228,7 +111,7 @@ int hull_ahead(vec3 x, const plane *p, int count)
 }
 //<
 
-//> collide-over
+//> obstacle-over
 // The point of triangle (u, v, w) straight under x along the face's normal, as
 // weights; 0 if it lies outside the triangle.
 //
@@ -248,7 +131,7 @@ static int weights_over(vec3 x, vec3 u, vec3 v, vec3 w, real weight[3])
 }
 //<
 
-//> collide-point
+//> obstacle-edge
 static int inside_planes(vec3 x, const plane *p, int count, real slack)
 {
     for (int k = 0; k < count; k++)
@@ -259,7 +142,7 @@ static int inside_planes(vec3 x, const plane *p, int count, real slack)
 // The face of b, among those that look like face f, that lies under x.  Over
 // an edge rounding, or a body's strain, may leave x a little outside them all:
 // then the one that it is least outside of, x drawn in to its rim.
-static feature_point face_under(vec3 x, const collider *b, int f, vec3 normal)
+static feature_point face_under(vec3 x, const pooled *b, int f, vec3 normal)
 {
     const int *v = &b->plan->face[3 * f];
     feature_point best = { 3, { v[0], v[1], v[2] }, { 1, 0, 0 } };
@@ -306,11 +189,11 @@ static int nearest_on_edge(vec3 x, const plane *p, int count, real slack,
 }
 
 // The contact of particle i of a with point on_b of b.
-static int point_contact(contact_point *c, const collider *a, int i,
-                         const collider *b, const feature_point *fb,
+static int point_contact(contact_point *c, const pooled *a, int i,
+                         const pooled *b, const feature_point *fb,
                          vec3 on_b, vec3 normal)
 {
-    feature_point self = corner(i);
+    feature_point self = vertex_feature(i);
     contact_between(c, a, &self, b, fb, on_b, normal);
     forget_immovable(b, c, 1);
     return 1;
@@ -318,24 +201,22 @@ static int point_contact(contact_point *c, const collider *a, int i,
 
 // In every other case the query of two bodies finds the nearest point, one of
 // them being a point.
-static int collide_point_edge(const collider *a, int i, const collider *b,
+static int collide_point_edge(const pooled *a, int i, const pooled *b,
                               real reach, contact_point *c)
 {
-    point_set point = { &a->at[i], 1, NULL, NULL };
-    distance_options options = distance_options_default();
-    options.margin = reach;
-    distance_result g = distance_find(point, collider_points(b), options, NULL);
-    if (g.status != DISTANCE_APART || g.distance > reach) return 0;
-    feature_point other = feature_of_simplex(g.last.b, g.last.weight,
-                                             g.last.count);
+    hull point = { &a->at[i], 1 }, body = { b->at, b->plan->particles };
+    gjk_result g = gjk_distance(point, body, reach, NULL);
+    if (g.status != GJK_APART || g.distance > reach) return 0;
+    feature_point self, other;
+    query_features(&g.last, &self, &other);
     return point_contact(c, a, i, b, &other, g.on_b,
                          vec3_scale(1 / g.distance, g.axis));
 }
 //<
 
-//> collide-point-over
+//> obstacle-point
 // Over no face of an immovable body, whose contacts need no feature.
-static int collide_point_outside(const collider *a, int i, const collider *b,
+static int collide_point_outside(const pooled *a, int i, const pooled *b,
                                  const plane *planes, int count, real reach,
                                  contact_point *c)
 {
@@ -351,7 +232,7 @@ static int collide_point_outside(const collider *a, int i, const collider *b,
                          vec3_scale(1 / distance, out));
 }
 
-int collide_point(const collider *a, int i, const collider *b,
+int collide_point(const pooled *a, int i, const pooled *b,
                   const plane *planes, const int *face, int count,
                   real reach, contact_point *c)
 {

@@ -1,0 +1,31 @@
+//> collide-head
+// collide.h - where do two rigid bodies touch, or where will they?
+//
+// Paper: sections 5.1 and 6.1.  Book: chapter 15.
+// Units: metres, in the world's frame.  Normals point from B to A.
+
+#ifndef TUMBLE_COLLIDE_H
+#define TUMBLE_COLLIDE_H
+
+#include "manifold.h"
+#include "swept.h"
+
+// The touches of bodies a and b that are nearer than margin (m, >= 0): what
+// manifold_find makes of the nearest (or deepest) pair of points.  Where faces
+// or edges lie along each other, corners of what they share, the deepest first;
+// else the pair alone.  count 0: further apart than the margin, or a number is
+// not finite.  carried: see query_nearest.
+manifold collide_rigid(const collider *a, const collider *b, real margin,
+                       query_cache *carried);
+
+// The touch of bodies a and b where they first come as near as `apart` (m,
+// >= 0), while a goes straight by `way` (m) as seen from b.  *m holds it if the
+// result is SWEPT_TOUCHES, with the normal of that moment and the gap of now,
+// along this normal; else the result says what became of them, and *m is as it
+// was.  The time is known to a thousandth of the smaller body.  scratch: room
+// for the vertices of both.
+swept_status collide_swept(const collider *a, const collider *b, vec3 way,
+                           real apart, vec3 *scratch, manifold *m);
+
+#endif
+//<

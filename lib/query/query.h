@@ -1,0 +1,55 @@
+//> query-head
+// query.h - the nearest points of two rigid bodies, asked again every frame.
+//
+// Paper: section 5.1.  Book: chapter 10.
+// Units: metres, in the frame of the vertices (the world's).
+
+#ifndef TUMBLE_QUERY_H
+#define TUMBLE_QUERY_H
+
+#include "body.h"
+#include "hit_face.h"
+
+// A convex body as the queries see it.
+typedef struct {
+    const struct shape *shape;  // rigid
+    const vec3 *at;             // [shape->particles] where its vertices are
+} collider;
+
+// A point of A and a point of B across from it, along the normal.  Vertices are
+// numbered within each body.
+typedef struct {
+    feature_point a, b;
+    real gap;           // m, (pA - pB) . normal; < 0: overlap
+} touch;
+
+// What a pair keeps from one query to the next: the corners of the simplex with
+// which GJK ended, as vertices of A and of B.  All zero: nothing yet.
+typedef struct {
+    unsigned short count, a[4], b[4];
+} query_cache;
+
+typedef struct {
+    bool  near;         // false: further apart than the margin
+    vec3  normal;       // unit, from B to A
+    touch at;           // where they are nearest; if they overlap, the two
+                        // points that the shortest way out joins
+} query_result;
+//<
+
+//> query-declare
+// Where bodies a and b are nearest, if that is no further apart than margin
+// (m, >= 0; HUGE_VAL: however far).  carried: of the same pair in the same
+// order; the answer does not depend on it by more than rounding.  Bodies or a
+// margin that are NaN, and bodies beyond 1e60 m, are near nothing.
+query_result query_nearest(const collider *a, const collider *b, real margin,
+                           query_cache *carried);
+
+// The points of A and of B for which a simplex of at most three corners stands.
+void query_features(const simplex *s, feature_point *a, feature_point *b);
+
+// The convex hull of a body's vertices.
+hull query_hull(const collider *c);
+
+#endif
+//<

@@ -107,8 +107,9 @@ TESTS_18 := check_clock check_thread
 # a module does to the whole, and chapter 09 sets the engine beside its system.
 FLOOR = $(if $(filter 00 01 02 03 04 05 06 07 08,$1),$(UPTO_$1),$(ALL))
 
-# After `watch` and `exercise` a chapter says of what: it is no goal of its own.
-ifneq ($(filter watch exercise,$(MAKECMDGOALS)),)
+# After `watch`, `exercise` and their like a chapter says of what: it is no goal
+# of its own.
+ifneq ($(filter watch exercise hint solution reset progress,$(MAKECMDGOALS)),)
 NAMED := $(filter $(CHAPTERS),$(MAKECMDGOALS))
 endif
 MADE := $(filter-out $(NAMED),$(CHAPTERS))

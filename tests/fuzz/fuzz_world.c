@@ -30,7 +30,9 @@ enum { STEPS = 1000 };
 // machine that is busy makes a difference of that.  A sanitizer makes all of it
 // ten times as slow.
 static const double MOST = 50;
-#if defined(__has_feature)
+#if defined(__SANITIZE_ADDRESS__)       // gcc says so
+#define IS_SLOW
+#elif defined(__has_feature)            // clang says so
 #if __has_feature(address_sanitizer)
 #define IS_SLOW
 #endif

@@ -368,12 +368,13 @@ static void describe(trial *t, const group *c)
 {
     static const char *const how[] = { "scattered", "stacked", "in one place" };
     const world_options *o = &t->world.options;
-    snprintf(t->what, TRIAL_TEXT, "%d bodies of %.3g m %s, %s%d planes, speed "
-             "%g, spin %g%s; dt %.3g / %d, gravity %.4g, friction %.3g, "
+    snprintf(t->what, TRIAL_TEXT, "%d bodies of %.3g m %s%s, %s%d planes, "
+             "speed %g, spin %g; dt %.3g / %d, gravity %.4g, friction %.3g, "
              "restitution %.3g%s", t->world.bodies, c->size, how[c->how],
-             t->is_closed ? "closed by " : "", t->world.planes, c->speed,
-             c->spin, c->has_soft ? ", soft ones" : "", o->dt, o->substeps, vec3_length(o->gravity), o->friction,
-             o->restitution, t->spoil_step >= 0 ? ", spoiled" : "");
+             c->has_soft ? " and soft" : "", t->is_closed ? "closed by " : "",
+             t->world.planes, c->speed, c->spin, o->dt, o->substeps,
+             vec3_length(o->gravity), o->friction, o->restitution,
+             t->spoil_step >= 0 ? ", spoiled" : "");
 }
 
 // A stack is made of cubes.

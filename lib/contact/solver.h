@@ -35,6 +35,8 @@ typedef struct {
     int  bodies;
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
+    real warm;                  // times the impulses that contacts bring along,
+                                // each of a substep of the last frame: 0: none
     real friction;              // Coulomb's coefficient
     real hertz;                 // 1/s, of the contacts' springs, at most
     real damping;               // ratio, of their dampers
@@ -48,7 +50,7 @@ typedef struct {
 // own.  The contacts of a block share no body.
 typedef struct {
     real4 turn_a[TURNS], turn_b[TURNS]; // kg^(-1/2), Jacobian row of the turns
-    real4 gap;          // m, at the start of the frame
+    real4 gap, now;     // m, at the start of the frame; when last relaxed
     real4 mass;         // kg, effective, along the normal
     real4 impulse;      // N s
     real4 lever;        // m, from the point where friction acts
@@ -84,6 +86,7 @@ typedef struct {
     bool is_swapped;    // A does not move: the block's A is the contact's B
     signed char point[CONTACT_POINTS];  // which of the contact's
     real gap[CONTACT_POINTS];           // m
+    real least;                         // m, of all points
 } active_contact;
 
 typedef struct {

@@ -350,7 +350,8 @@ bits:
 #: Be strict
 #:   make sanitize   the tests under the address and undefined sanitizers
 #:   make valgrind   the tests under valgrind
-#:   make fuzz       any bytes for obj, the queries and the options, 60 s each
+#:   make fuzz       any bytes for obj, the queries and the options, and random
+#:                   worlds of any seed, 60 s each
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
@@ -474,6 +475,12 @@ $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_%.o $$(if $$(filter $$*,$(MODULES)),$
 $(BUILD)/tests/fuzz_obj: LDFLAGS += -Wl,--wrap=fopen
 $(addprefix $(BUILD)/tests/fuzz_,distance penetration): \
   $(addprefix $(BUILD)/tests/,sets.o oracle.o bodies.o)
+
+# A random world takes no bytes but a number, so its fuzzer is a plain program:
+# make build/tests/fuzz_world.
+$(BUILD)/tests/check_worlds: $(BUILD)/tests/worlds.o
+$(BUILD)/tests/fuzz_world: $(addprefix $(BUILD)/tests/,fuzz_world.o worlds.o) $(ALL)
+	$(call link,-lm)
 
 # A figure sees the line up to its chapter, and what it asks of the painter;
 # those of chapter 17 draw what the hard cases measure.

@@ -1,43 +1,45 @@
 //> pairs-head
-// pairs.h - which rigid bodies may meet in this frame?
+// pairs.h - which bodies may meet in this frame, as long as the answer holds.
 //
-// Paper: section 5.2 tests every pair of spheres.  Book: chapter 16.
-//
-// Asked once a frame, before anybody moves: so they are looked at as far ahead
-// as they may get in it.  Whom they list, narrow.h asks where they touch.
+// Paper: section 5.2 tests every pair of spheres.  Book: chapter 14.
+// Units: metres, in the world's frame.
 
 #ifndef TUMBLE_PAIRS_H
 #define TUMBLE_PAIRS_H
 
-#include "world.h"
+#include "broad.h"
+
+// What is asked: balls around bodies, and how far beyond them each may get in
+// this frame.
+typedef struct {
+    const sphere *ball; // [bodies] radius < 0: meets nothing
+    const real *reach;  // [bodies] m
+    const char *moves;  // [bodies] 0: never, so that two such do not meet
+    int bodies;
+} pair_query;
+
+// The pairs are found for balls that are a little larger.  While no body leaves
+// its larger ball they are a superset of those that may meet.
+typedef struct {
+    int  (*pair)[2];    // a < b, sorted by a, then by b
+    int  count, capacity;
+    long lists;         // how often they were found
+
+    broad  broad;
+    sphere *listed;     // [bodies] the larger balls
+    int    bodies;
+} pair_list;
 //<
 
 //> pairs-declare
-// How body b moves in a frame, as fast as it is now: its way, turn and reach.
-void pairs_look_ahead(const world *w, body *b);
+// For that many bodies.  Fails, leaving *l empty, for want of memory.
+status pair_list_init(pair_list *l, int bodies);
+void   pair_list_free(pair_list *l);    // an empty or zeroed one is fine
 
-// The ball around rigid body b, where it is now.
-sphere pairs_ball(const world *w, body *b);
+// The pairs of this frame.  Returns true if they were found again, false if
+// those of the last frame still hold.  Allocates if there are more pairs than
+// ever before; where memory is refused, *lost is how many were left out.
+bool pair_list_update(pair_list *l, const pair_query *q, int *lost);
 
-// Looks at every body, says who moves, and lists the pairs of rigid ones that
-// may meet in this frame.  Wakes sleepers that something quick comes near.
-void pairs_find(world *w);
-
-// Do bodies a and b pass each other, in this share of the frame, by more than
-// the smaller inner radius?  Then it must be asked when they first touch, or
-// they may be lost to each other.
-int pairs_pass_far(const body *a, const body *b, real share);
-
-// Will rigid bodies a and b, which pass each other as far as that in this
-// frame, come so near that they may touch?  After pairs_find.
-int pairs_fly_into(const world *w, const body *a, const body *b);
-
-// Body a comes near body b: if one of them sleeps and the other did not lie
-// still in the last frame, the sleeper wakes, in time to take its part of the
-// blow, and all that sleep with it.  1 if so.
-int pairs_wake(world *w, int a, int b);
-//<
-
-//> pairs-end-of-header
 #endif
 //<

@@ -7,17 +7,7 @@
 #ifndef TUMBLE_SEPARATION_H
 #define TUMBLE_SEPARATION_H
 
-#include "feature.h"
 #include "verlet.h"
-
-// Two points, of body A and of body B, that must not pass each other along a
-// normal that stays fixed while the contact lives.
-typedef struct {
-    feature_point a, b; // b.count = 0: B is immovable, its point is `fixed`
-    vec3 fixed;         // m
-    vec3 normal;        // unit, from B to A
-    real thickness;     // m, gap that is kept between the points
-} contact_point;
 
 // Two particles that must stay this far apart, in whatever direction they lie.
 typedef struct {

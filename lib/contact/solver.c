@@ -1,239 +1,801 @@
-//> solver-strike
+//> solver-active
 #include "solver.h"
-#include "contacts.h"
-#include "halves.h"
-#include "ledger.h"
 
 #include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
 
-// How many contacts from k on, forward or backward, are of one pair.
-static int of_one_pair(const push_tables *t, int k, int step)
+static bool moves(const solver_frame *f, int body)
 {
-    int n = 1;
-    for (int i = k + step; i >= 0 && i < t->count
-         && t->between[i][0] == t->between[k][0]
-         && t->between[i][1] == t->between[k][1]; i += step) n++;
-    return n;
+    return body >= 0 && f->body[body].basis.inverse_mass > 0;
 }
 
-static int strike_in_turn(world *w, int step, push_options how, real h)
+// Contact c, and which of its points come within reach.
+static active_contact activate(const contact *c, const solver_frame *f,
+                               real reach)
 {
-    const push_tables *t = &w->pushes;
-    int again = 0;
-    for (int k = step > 0 ? 0 : t->count - 1, n; k >= 0 && k < t->count;
-         k += step * n) {
-        n = of_one_pair(t, k, step);
-        push *first = &t->at[step > 0 ? k : k - n + 1];
-        real slow = contacts_blow_speed(w, &w->body[t->between[k][0]]) * h;
-        again |= push_blow(first, n, w->pool.at, how, slow);
+    real gap[CONTACT_POINTS];
+    active_contact x = { .a = c->a, .b = c->b, .color = -1,
+                         .least = HUGE_VAL };
+    const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
+    real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
+    if (!moves(f, c->a) && !moves(f, c->b)) return x;
+    contact_gaps(c, &f->body[c->a].frame, b, height, gap);
+    for (int k = 0; k < c->count; k++) {
+        x.least = real_min(gap[k], x.least);
+        if (!(gap[k] < reach)) continue;
+        x.point[x.count] = (signed char)k;
+        x.gap[x.count++] = gap[k];
     }
-    return again;
-}
-
-// Every pair in turn, until none strikes again: a blow that is passed on, as in
-// Newton's cradle, is one more blow.  Forward and backward, so that one round
-// takes it through a row, whichever way that is numbered.
-static void strike_all(world *w, push_options how, real h)
-{
-    enum { ROUNDS = 8 };
-    int again = how.restitution > 0;
-    for (int round = 0; again && round < ROUNDS; round++)
-        again = strike_in_turn(w, round % 2 ? -1 : 1, how, h);
+    x.is_swapped = !moves(f, c->a);
+    x.sides = moves(f, c->a) && moves(f, c->b) ? TWO_SIDED : ONE_SIDED;
+    if (x.is_swapped) x.a = c->b;
+    if (x.sides == ONE_SIDED) x.b = f->bodies;
+    return x;
 }
 //<
 
-//> solver-parts
-// A substep's contacts, and what is done with all of them.
+//> solver-color
+// The lowest colour that neither body has yet; the last is for all that find
+// none.
+static void choose_color(contact_solver *s, active_contact *x)
+{
+    unsigned long long *a = &s->taken[x->a][x->sides], none = 0;
+    unsigned long long *b = x->sides == TWO_SIDED ? &s->taken[x->b][x->sides]
+                                                  : &none;
+    unsigned long long used = *a | *b;
+    int color = 0;
+    while (color < COLORS - 1 && used >> color & 1) color++;
+    x->color = x->sides * COLORS + color;
+    *a |= 1ULL << color;
+    *b |= 1ULL << color;
+}
+
+// Those of a colour stand together, and of these those with as many points: a
+// block takes as long as the contact in it that has most.
+enum { BINS = SIDES * COLORS * CONTACT_POINTS };
+
+static int bin_of(const active_contact *x)
+{
+    return x->color * CONTACT_POINTS + (CONTACT_POINTS - x->count);
+}
+
+// Counting sort; end[bin] is where each bin ends in s->order.
+static void sort_contacts(contact_solver *s, int end[BINS])
+{
+    int at[BINS] = { 0 }, sum = 0;
+    for (int k = 0; k < s->contacts; k++)
+        if (s->active[k].count > 0) at[bin_of(&s->active[k])]++;
+    for (int bin = 0; bin < BINS; bin++) {
+        sum += at[bin];
+        at[bin] = sum - at[bin];
+    }
+    for (int k = 0; k < s->contacts; k++)
+        if (s->active[k].count > 0) s->order[at[bin_of(&s->active[k])]++] = k;
+    for (int bin = 0; bin < BINS; bin++) end[bin] = at[bin];
+    s->touching = sum;
+}
+
+static void list_colors(contact_solver *s, const int end[BINS])
+{
+    int first = 0;
+    s->colors = s->blocks = 0;
+    for (int c = 0; c < SIDES * COLORS; c++) {
+        int n = end[(c + 1) * CONTACT_POINTS - 1] - first;
+        bool is_crowded = c % COLORS == COLORS - 1;
+        int blocks = is_crowded ? n : (n + REAL4 - 1) / REAL4;
+        first += n;
+        if (n == 0) continue;
+        s->color[s->colors++] = (block_color){ s->blocks, blocks, n, c / COLORS,
+                                               is_crowded };
+        s->blocks += blocks;
+    }
+}
+//<
+
+//> solver-lane
+// A contact on its way into a lane of a block, turned so that A moves.
 typedef struct {
-    world *w;
-    push_pile pile;
-    push_options how;
-    real h, enough;
-    int  step;              // of the pass: 1 forward, -1 backward
-    real share;             // of the lean
-    int  overlaps[PILE_PARTS], mended[PILE_PARTS];
-    real change[PILE_PARTS], leads_on[PILE_PARTS];
-} pushing;
+    int  a, b;
+    const motion_basis *basis_a, *basis_b;
+    vec3 normal, across, aside;
+    real across_impulse, aside_impulse, twist;
+    real per_near;              // 1/m, of a gap that is all but closed
+    real has[CONTACT_POINTS];   // 1: it has this point; 0: not
+    real gap[CONTACT_POINTS], impulse[CONTACT_POINTS];
+    const vec3 *arm_a[CONTACT_POINTS], *arm_b[CONTACT_POINTS];
+} lane_source;
 
-// Both sides of the cut at once, then what lies across it; or that first.
-static void do_parts(pushing *s, void (*work)(void *s, int part), int step)
+// Two unit vectors across n, fixed by n alone.
+static void choose_across(lane_source *q, vec3 friction)
 {
-    if (step < 0) work(s, PILE_ACROSS);
-    halves_do(s->w, work, s);
-    if (step > 0) work(s, PILE_ACROSS);
+    vec3 n = q->normal;
+    real x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
+    vec3 least = { x <= y && x <= z, y < x && y <= z, z < x && z < y };
+    q->across = vec3_unit(vec3_cross(n, least));
+    q->aside = vec3_cross(n, q->across);
+    q->across_impulse = vec3_dot(friction, q->across);
+    q->aside_impulse = vec3_dot(friction, q->aside);
 }
 
-static void begin_part(void *data, int part)
+// Of as many points as the block has; a contact that has fewer has none there.
+static const vec3 ORIGIN = { 0, 0, 0 };
+
+static void choose_points(lane_source *q, const contact *c,
+                          const active_contact *x, real warm, int points)
 {
-    pushing *s = data;
-    const world *w = s->w;
-    int n = 0;
-    const int *mine = part < PILE_ACROSS ? halves_bodies(w, part, &n) : NULL;
-    for (int i = 0; i < n; i++)
-        w->pushes.drift[mine[i]] = (push_drift){ .stirred = 0 };
-    s->overlaps[part] = pile_begin(&s->pile, part, w->pool.at, s->how, s->h);
+    for (int j = 0; j < x->count; j++) {
+        const contact_point *p = &c->point[x->point[j]];
+        q->arm_a[j] = x->is_swapped ? &p->arm_b : &p->arm_a;
+        q->arm_b[j] = x->is_swapped ? &p->arm_a : &p->arm_b;
+        q->has[j] = 1;
+        q->gap[j] = x->gap[j];
+        q->impulse[j] = warm * c->impulse[x->point[j]];
+    }
+    for (int j = x->count; j < points; j++) {
+        q->arm_a[j] = q->arm_b[j] = &ORIGIN;
+        q->has[j] = q->gap[j] = q->impulse[j] = 0;
+    }
 }
 
-static void mend_part(void *data, int part)
+// A contact whose A does not move is solved the other way round: its normal,
+// and what acts along it, change sign; a twist does not, for both its axis and
+// the bodies change places.
+static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
+
+static void choose_lane(lane_source *q, const contact *c,
+                        const active_contact *x, const solver_frame *f,
+                        int points)
 {
-    pushing *s = data;
-    s->mended[part] = pile_mend(&s->pile, part, s->how);
+    real sign = x->is_swapped ? -1 : 1, radius = f->body[x->a].radius;
+    q->a = x->a;
+    q->b = x->b;
+    q->basis_a = &f->body[x->a].basis;
+    q->basis_b = &IMMOVABLE;
+    if (x->sides == TWO_SIDED) {
+        q->basis_b = &f->body[x->b].basis;
+        radius = real_min(radius, f->body[x->b].radius);
+    }
+    q->normal = vec3_scale(sign, c->normal);
+    q->per_near = 25 / radius;
+    q->twist = f->warm * c->twist;
+    choose_across(q, vec3_scale(sign * f->warm, c->friction));
+    choose_points(q, c, x, f->warm, points);
 }
 
-static void settle_part(void *data, int part)
+// A lane that is left over is of a body that weighs a kilogram and has no
+// points: it pushes nothing.
+static void leave_lane(lane_source *q, int spare, int points)
 {
-    pushing *s = data;
-    pile_settle(&s->pile, part);
+    static const motion_basis light = { .inverse_mass = 1 };
+    static const active_contact none = { .count = 0 };
+    *q = (lane_source){ .a = spare, .b = spare, .basis_a = &light,
+                        .basis_b = &IMMOVABLE };
+    choose_points(q, NULL, &none, 0, points);
 }
+//<
 
-static void pass_part(void *data, int part)
-{
-    pushing *s = data;
-    s->change[part] = pile_pass(&s->pile, part, s->step, s->enough, s->how);
-    if (s->step < 0) s->leads_on[part] = pile_leads_on(&s->pile, part);
-}
+//> solver-transpose
+// One number of each of four lanes, side by side.  (Not stored one by one: a
+// processor waits long for what it has stored in parts and loads as a whole.)
+#define LANES_OF(q, number) \
+    real4_make((q)[0].number, (q)[1].number, (q)[2].number, (q)[3].number)
 
-static void lean_part(void *data, int part)
-{
-    pushing *s = data;
-    pile_lean(&s->pile, part, s->share, s->how);
-}
+#define LANES3_OF(to, q, vector)                \
+    do {                                        \
+        (to)[0] = LANES_OF(q, vector.x);        \
+        (to)[1] = LANES_OF(q, vector.y);        \
+        (to)[2] = LANES_OF(q, vector.z);        \
+    } while (0)
 
-static void apply_part(void *data, int part)
+// What the rows of a block are made of.
+typedef struct {
+    real4 turn_a[TURNS][3], turn_b[TURNS][3];
+    real4 arm_a[CONTACT_POINTS][3], arm_b[CONTACT_POINTS][3];   // m
+    real4 has[CONTACT_POINTS], per_near;
+} raw_block;
+
+static void transpose(block *k, raw_block *raw, const lane_source q[REAL4])
 {
-    const world *w = ((pushing *)data)->w;
-    int n;
-    const int *mine = halves_bodies(w, part, &n);
-    for (int i = 0; i < n; i++) {
-        int b = mine[i];
-        if (!body_is_soft(&w->body[b]) && body_moves(w, b))
-            drift_apply(&w->pushes.drift[b], &w->pushes.ways[b],
-                        w->pool.at + w->body[b].first);
+    LANES3_OF(k->normal, q, normal);
+    LANES3_OF(k->across[0], q, across);
+    LANES3_OF(k->across[1], q, aside);
+    k->inverse_a = LANES_OF(q, basis_a->inverse_mass);
+    k->inverse_b = LANES_OF(q, basis_b->inverse_mass);
+    k->across_impulse[0] = LANES_OF(q, across_impulse);
+    k->across_impulse[1] = LANES_OF(q, aside_impulse);
+    k->twist_impulse = LANES_OF(q, twist);
+    raw->per_near = LANES_OF(q, per_near);
+    for (int t = 0; t < TURNS; t++) {
+        LANES3_OF(raw->turn_a[t], q, basis_a->turn[t]);
+        LANES3_OF(raw->turn_b[t], q, basis_b->turn[t]);
+    }
+    for (int j = 0; j < k->points; j++) {
+        LANES3_OF(raw->arm_a[j], q, arm_a[j][0]);
+        LANES3_OF(raw->arm_b[j], q, arm_b[j][0]);
+        raw->has[j] = LANES_OF(q, has[j]);
+        k->point[j].gap = LANES_OF(q, gap[j]);
+        k->point[j].impulse = LANES_OF(q, impulse[j]);
     }
 }
 //<
 
-//> solver-passes
-// m, the largest change of a gap in a pass.
-static real pass(pushing *s, int step)
+//> solver-rows
+// Returns the square of the row, in 1/kg: what a unit impulse with this moment
+// (m) does along itself by turning the body.
+static inline real4 make_row(real4 row[TURNS], real4 turn[TURNS][3],
+                             const real4 moment[3])
 {
-    const real *x = s->change;
-    s->step = step;
-    do_parts(s, pass_part, step);
-    return fmax(fmax(x[PILE_LEFT], x[PILE_RIGHT]), x[PILE_ACROSS]);
+    for (int t = 0; t < TURNS; t++) row[t] = real4_dot(turn[t], moment);
+    return real4_dot(row, row);
 }
 
-// One pass forward, one backward, for only both together converge without
-// swinging.
-static real pass_twice(pushing *s)
+static inline real4 make_rows(real4 row_a[TURNS], real4 row_b[TURNS],
+                              raw_block *raw, const real4 arm_a[3],
+                              const real4 arm_b[3], const real4 along[3])
 {
-    real forward = pass(s, 1);
-    return fmax(forward, pass(s, -1));
+    real4 moment[3];
+    real4_cross(arm_a, along, moment);
+    real4 square = make_row(row_a, raw->turn_a, moment);
+    real4_cross(arm_b, along, moment);
+    return real4_add(square, make_row(row_b, raw->turn_b, moment));
 }
 
-// Passes shrink what is wrong in a stack of n by 1 - 1/n^2 a time, with m under
-// M by 1 - m/M.  With Nesterov's momentum these are 1 - 1/n and 1 - sqrt(m/M):
-// each pair begins a little further on than the last one ended, by more and
-// more, until that leads back: then it begins anew (O'Donoghue, Candes 2015).
-static real lean_on(pushing *s, real pace)
+// Friction acts where the points are that touch; one that is wide open counts
+// for a hundredth.
+static inline void find_center(const block *k, const raw_block *raw,
+                               real4 center_a[3], real4 center_b[3])
 {
-    const real *x = s->leads_on;
-    if (x[PILE_LEFT] + x[PILE_RIGHT] + x[PILE_ACROSS] < 0) pace = 1;
-    real next = (1 + sqrt(1 + 4 * pace * pace)) / 2;
-    s->share = (pace - 1) / next;
-    do_parts(s, lean_part, 1);
-    return next;
-}
-
-static void mend_all(pushing *s)
-{
-    const int *x = s->overlaps, *y = s->mended;
-    if (!x[PILE_LEFT] && !x[PILE_RIGHT] && !x[PILE_ACROSS]) return;
-    do_parts(s, mend_part, -1);
-    if (y[PILE_LEFT] || y[PILE_RIGHT] || y[PILE_ACROSS])
-        do_parts(s, settle_part, 1);
-}
-
-// A frame of fewer substeps has as many passes in all: each gives what it has
-// saved, and only those that are needed are made.
-static int passes_of(const world *w)
-{
-    const world_options *o = &w->options;
-    int n = w->report.substeps;
-    return n < o->substeps ? (o->passes * o->substeps + n - 1) / n : o->passes;
-}
-
-static void solve_all(world *w, push_options how, real h)
-{
-    const push_tables *t = &w->pushes;
-    pushing s = { .w = w, .how = how, .h = h,
-        .pile = { .push = t->at, .order = t->in_parts, .drift = t->drift,
-                  .bodies = w->bodies, .near = t->near },
-        .enough = w->options.content * w->least_radius };
-    real pace = 1;
-    for (int part = 0; part < PILE_PARTS; part++)
-        s.pile.end[part] = t->end[part];
-    do_parts(&s, begin_part, 1);
-    const int *n = s.pile.nears;
-    if (n[PILE_LEFT] + n[PILE_RIGHT] + n[PILE_ACROSS] == 0) return;
-    mend_all(&s);
-    for (int k = 0; k < passes_of(w); k += 2) {
-        if (k > 0) pace = lean_on(&s, pace);
-        if (!(pass_twice(&s) > s.enough)) break;
+    const real4 zero = real4_all(0), one = real4_all(1);
+    real4 sum = zero;
+    for (int i = 0; i < 3; i++) center_a[i] = center_b[i] = zero;
+    for (int j = 0; j < k->points; j++) {
+        real4 open = real4_mul(k->point[j].gap, raw->per_near);
+        real4 share = real4_sub(real4_all(2), open);
+        share = real4_min(one, real4_max(share, real4_all(0.01)));
+        share = real4_mul(share, raw->has[j]);
+        sum = real4_add(sum, share);
+        real4_add3(center_a, raw->arm_a[j], share);
+        real4_add3(center_b, raw->arm_b[j], share);
     }
-    halves_do(w, apply_part, &s);
+    real4 per_sum = real4_div(one, real4_if_positive(sum, sum, one));
+    for (int i = 0; i < 3; i++) {
+        center_a[i] = real4_mul(center_a[i], per_sum);
+        center_b[i] = real4_mul(center_b[i], per_sum);
+    }
+}
+
+// The effective mass is 1 / K, K = how far a unit impulse parts the points.
+static inline void make_points(block *k, raw_block *raw, real4 inverse,
+                               const real4 center_a[3])
+{
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 d[3], square = make_rows(p->turn_a, p->turn_b, raw,
+                                       raw->arm_a[j], raw->arm_b[j],
+                                       k->normal);
+        for (int i = 0; i < 3; i++)
+            d[i] = real4_sub(raw->arm_a[j][i], center_a[i]);
+        p->lever = real4_sqrt(real4_dot(d, d));
+        p->mass = real4_div(raw->has[j], real4_add(inverse, square));
+        p->now = p->gap;
+    }
+}
+
+// Both directions are solved at once, with the inverse of
+//     | K00 K01 |        K_ij = how far a unit impulse along j moves the points
+//     | K01 K11 |        along i.
+static inline void make_friction(block *k, raw_block *raw, real4 inverse,
+                                 const real4 center_a[3],
+                                 const real4 center_b[3])
+{
+    real4 own[2], twist, *mass = k->across_mass;
+    for (int i = 0; i < 2; i++)
+        own[i] = real4_add(inverse, make_rows(k->across_a[i], k->across_b[i],
+                                              raw, center_a, center_b,
+                                              k->across[i]));
+    real4 cross = real4_add(real4_dot(k->across_a[0], k->across_a[1]),
+                            real4_dot(k->across_b[0], k->across_b[1]));
+    real4 volume = real4_sub(real4_mul(own[0], own[1]),
+                             real4_mul(cross, cross));
+    real4 per_volume = real4_div(real4_all(1), volume);
+    mass[0] = real4_mul(own[1], per_volume);
+    mass[1] = real4_sub(real4_all(0), real4_mul(cross, per_volume));
+    mass[2] = real4_mul(own[0], per_volume);
+    twist = real4_add(make_row(k->twist_a, raw->turn_a, k->normal),
+                      make_row(k->twist_b, raw->turn_b, k->normal));
+    twist = real4_if_positive(twist, twist, real4_all(1));
+    k->twist_mass = real4_div(real4_all(1), twist);
 }
 //<
 
-//> solver-separate
-// Bodies at rest overlap by so much of what keeps them apart, which is no
-// overlap of the bodies themselves: their skins only.
-static const real SLOP = 0.05;
+//> solver-blocks
+typedef struct {
+    contact_solver *s;
+    const solver_frame *f;
+    const contact *const *table;
+    const real *reach;
+} preparation;
 
-static push_options options_of(const world *w, real h)
+enum { CHUNK = 32 };        // contacts, or blocks, in an item of work
+
+static int chunks(int n)
 {
-    const world_options *o = &w->options;
-    return (push_options){ o->friction, o->restitution, o->mend,
-                           o->mend_speed, vec3_scale(h * h, o->gravity), SLOP,
-                           o->ledger };
+    return (n + CHUNK - 1) / CHUNK;
 }
 
-static void book_friction(world *w, real h)
+static void activate_chunk(void *data, int item)
 {
-    real worn = 0;
-    if (!w->options.ledger) return;
-    for (int k = 0; k < w->pushes.count; k++) {
-        worn += w->pushes.at[k].worn;
-        w->pushes.at[k].worn = 0;
+    const preparation *p = data;
+    int end = int_min((item + 1) * CHUNK, p->s->contacts);
+    for (int k = item * CHUNK; k < end; k++)
+        p->s->active[k] = activate(p->table[k], p->f, p->reach[k]);
+}
+
+// The first contact in s->order of block `number`, and how many it has.
+static int lanes_of(const contact_solver *s, int number, int *first)
+{
+    int color = 0, before = 0;
+    while (number >= s->color[color].first + s->color[color].count) color++;
+    for (int c = 0; c < color; c++) before += s->color[c].contacts;
+    int in = number - s->color[color].first;
+    int each = s->color[color].is_crowded ? 1 : REAL4;
+    *first = before + each * in;
+    return int_min(each, s->color[color].contacts - each * in);
+}
+
+static void fill_block(const preparation *p, int number)
+{
+    contact_solver *s = p->s;
+    block *k = &s->block[number];
+    lane_source q[REAL4];
+    raw_block raw;
+    real4 center_a[3], center_b[3];
+    int first, lanes = lanes_of(s, number, &first);
+    const int *list = s->order + first;
+    k->points = s->active[list[0]].count;
+    for (int l = 0; l < REAL4; l++) {
+        if (l < lanes)
+            choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
+                        k->points);
+        else
+            leave_lane(&q[l], s->bodies, k->points);
+        k->contact[l] = l < lanes ? list[l] : -1;
+        k->a[l] = q[l].a;
+        k->b[l] = q[l].b;
     }
-    ledger_friction(w, worn / (h * h));
+    transpose(k, &raw, q);
+    real4 inverse = real4_add(k->inverse_a, k->inverse_b);
+    find_center(k, &raw, center_a, center_b);
+    make_points(k, &raw, inverse, center_a);
+    make_friction(k, &raw, inverse, center_a, center_b);
 }
 
-void solver_separate(world *w, real h)
+static void fill_chunk(void *data, int item)
 {
-    push_options how = options_of(w, h);
-    strike_all(w, how, h);
-    if (w->pushes.count > 0) solve_all(w, how, h);
-    book_friction(w, h);
+    const preparation *p = data;
+    int end = int_min((item + 1) * CHUNK, p->s->blocks);
+    for (int k = item * CHUNK; k < end; k++) fill_block(p, k);
 }
 //<
 
-//> solver-end
-static void note_touch(world *w, int a, int b)
+//> solver-prepare
+// Grows an array without keeping what is in it.
+static bool grow(void **array, int *capacity, int need, size_t size)
 {
-    if (b >= w->bodies) return;
-    if (!body_is_nailed(&w->body[a]) && !body_is_nailed(&w->body[b]))
-        rest_touch(&w->rest, a, b);
+    if (need <= *capacity) return true;
+    void *more = malloc((size_t)need * 3 / 2 * size);
+    if (!more) return false;
+    free(*array);
+    *array = more;
+    *capacity = need * 3 / 2;
+    return true;
 }
 
-void solver_end(world *w)
+static bool make_room(contact_solver *s, int n)
 {
-    w->report.pushing = 0;
-    for (int k = 0; k < w->pushes.count; k++) {
-        if (!(w->pushes.at[k].pushed[NORMAL] > 0)) continue;
-        note_touch(w, w->pushes.between[k][0], w->pushes.between[k][1]);
-        w->report.pushing++;
+    int capacity = s->capacity;
+    return grow((void **)&s->active, &capacity, n, sizeof *s->active)
+        && grow((void **)&s->order, &s->capacity, n, sizeof *s->order);
+}
+
+bool solver_prepare(contact_solver *s, const solver_frame *f,
+                    const contact *const *table, const real *reach, int n)
+{
+    int end[BINS];
+    preparation p = { s, f, table, reach };
+    s->contacts = s->blocks = s->colors = s->touching = 0;
+    if (!make_room(s, n)) return false;
+    s->contacts = n;
+    memset(s->taken, 0, (size_t)s->bodies * sizeof *s->taken);
+    tasks_run(f->run, activate_chunk, &p, chunks(n));
+    for (int k = 0; k < n; k++)
+        if (s->active[k].count > 0) choose_color(s, &s->active[k]);
+    sort_contacts(s, end);
+    list_colors(s, end);
+    if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
+              sizeof *s->block)) {
+        s->contacts = s->blocks = s->colors = s->touching = 0;
+        return false;
     }
-    w->report.contacts = w->pushes.count;
+    tasks_run(f->run, fill_chunk, &p, chunks(s->blocks));
+    return true;
+}
+//<
+
+//> solver-sides
+// Six numbers of four bodies: three of the centre, three turns.
+static inline __attribute__((always_inline)) void gather(const motion *m, const int body[REAL4],
+                          real4 to[MOTIONS])
+{
+    const real *const from[REAL4] = { m[body[0]].of, m[body[1]].of,
+                                      m[body[2]].of, m[body[3]].of };
+    for (int k = 0; k < MOTIONS / 2; k++)
+        real4_gather2(from, k, &to[2 * k], &to[2 * k + 1]);
+}
+
+static inline __attribute__((always_inline)) void scatter(motion *m, const int body[REAL4],
+                           const real4 from[MOTIONS])
+{
+    real *const to[REAL4] = { m[body[0]].of, m[body[1]].of, m[body[2]].of,
+                              m[body[3]].of };
+    for (int k = 0; k < MOTIONS / 2; k++)
+        real4_scatter2(to, k, from[2 * k], from[2 * k + 1]);
+}
+
+// How A and B move: a body that does not move takes no part.
+typedef struct {
+    real4 a[MOTIONS], b[MOTIONS];
+} sides4;
+
+static inline __attribute__((always_inline)) sides4 take_sides(const block *k, const motion *m, bool two)
+{
+    sides4 s;
+    gather(m, k->a, s.a);
+    if (two) gather(m, k->b, s.b);
+    return s;
+}
+
+static inline __attribute__((always_inline)) void give_sides(const block *k, motion *m, const sides4 *s,
+                              bool two)
+{
+    scatter(m, k->a, s->a);
+    if (two) scatter(m, k->b, s->b);
+}
+
+// How fast, or how far, the centres part along a direction.
+static inline __attribute__((always_inline)) real4 part_centers(const real4 along[3], const sides4 *s,
+                                 bool two)
+{
+    real4 d[3];
+    if (!two) return real4_dot(along, s->a);
+    for (int i = 0; i < 3; i++) d[i] = real4_sub(s->a[i], s->b[i]);
+    return real4_dot(along, d);
+}
+
+// And what turning adds to that.
+static inline __attribute__((always_inline)) real4 part_turns(const real4 row_a[TURNS],
+                               const real4 row_b[TURNS], const sides4 *s,
+                               bool two)
+{
+    real4 a = real4_dot(row_a, s->a + MOTION_TURN);
+    return two ? real4_sub(a, real4_dot(row_b, s->b + MOTION_TURN)) : a;
+}
+
+static inline __attribute__((always_inline)) void push_turns(const real4 row_a[TURNS],
+                              const real4 row_b[TURNS], real4 impulse,
+                              sides4 *s, bool two)
+{
+    real4_add3(s->a + MOTION_TURN, row_a, impulse);
+    if (two) real4_sub3(s->b + MOTION_TURN, row_b, impulse);
+}
+
+static inline __attribute__((always_inline)) void push_centers(const block *k, const real4 along[3],
+                                real4 impulse, sides4 *s, bool two)
+{
+    real4_add3(s->a, along, real4_mul(k->inverse_a, impulse));
+    if (two) real4_sub3(s->b, along, real4_mul(k->inverse_b, impulse));
+}
+//<
+
+//> solver-normal
+// One point takes its part of the impulse: at least so much that its points do
+// not pull.  The centres' speed of parting is one number for all points of a
+// contact; it is kept up to date here, and the centres are pushed at the end.
+static inline __attribute__((always_inline)) void push_point(block_point *p, real4 impulse, real4 inverse,
+                              real4 *parting, real4 *sum, sides4 *s, bool two)
+{
+    impulse = real4_max(impulse, real4_all(0));
+    real4 change = real4_sub(impulse, p->impulse);
+    p->impulse = impulse;
+    *sum = real4_add(*sum, change);
+    *parting = real4_mad(inverse, change, *parting);
+    push_turns(p->turn_a, p->turn_b, change, s, two);
+}
+
+static inline __attribute__((always_inline)) real4 inverse_mass(const block *k, bool two)
+{
+    return two ? real4_add(k->inverse_a, k->inverse_b) : k->inverse_a;
+}
+
+// What a pass over the blocks is given.
+typedef struct {
+    contact_solver *s;
+    motion *velocity;
+    const motion *moved;
+    real per_h;             // 1/s
+    real friction, max_speed;
+    softness soft[SIDES];
+    int first, count, sides;    // the blocks of a colour
+} pass;
+
+// An open gap may close, but no further; an overlap is pushed out as a spring
+// and a damper would.
+static inline __attribute__((always_inline)) void push_block(block *k, const pass *q, bool two)
+{
+    const softness *soft = &q->soft[two ? TWO_SIDED : ONE_SIDED];
+    const real4 one = real4_all(1), zero = real4_all(0);
+    const real4 per_h = real4_all(q->per_h), most = real4_all(-q->max_speed);
+    const real4 rate = real4_all(soft->rate * soft->mass);
+    const real4 soft_mass = real4_all(soft->mass);
+    const real4 soft_impulse = real4_all(soft->impulse);
+    sides4 u = take_sides(k, q->velocity, two);
+    real4 parting = part_centers(k->normal, &u, two), sum = zero;
+    real4 inverse = inverse_mass(k, two);
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 gap = p->now;
+        real4 speed = real4_add(parting,
+                                part_turns(p->turn_a, p->turn_b, &u, two));
+        real4 bias = real4_if_positive(gap, real4_mul(gap, per_h),
+                                       real4_max(real4_mul(rate, gap), most));
+        real4 mass = real4_if_positive(gap, one, soft_mass);
+        real4 leak = real4_if_positive(gap, zero, soft_impulse);
+        real4 step = real4_mad(p->mass, real4_mad(mass, speed, bias),
+                               real4_mul(leak, p->impulse));
+        push_point(p, real4_sub(p->impulse, step), inverse, &parting, &sum, &u,
+                   two);
+    }
+    push_centers(k, k->normal, sum, &u, two);
+    give_sides(k, q->velocity, &u, two);
+}
+//<
+
+//> solver-friction
+// Coulomb: what acts across is at most friction times what acts along, and the
+// twist at most that with the lever of each point.
+static inline __attribute__((always_inline)) void twist_block(block *k, real4 most, sides4 *u, bool two)
+{
+    real4 speed = part_turns(k->twist_a, k->twist_b, u, two);
+    real4 twist = real4_sub(k->twist_impulse,
+                            real4_mul(k->twist_mass, speed));
+    twist = real4_max(real4_min(twist, most),
+                      real4_sub(real4_all(0), most));
+    real4 change = real4_sub(twist, k->twist_impulse);
+    k->twist_impulse = twist;
+    push_turns(k->twist_a, k->twist_b, change, u, two);
+}
+
+static inline __attribute__((always_inline)) real4 slide(const block *k, int i, const sides4 *u, bool two)
+{
+    return real4_add(part_centers(k->across[i], u, two),
+                     part_turns(k->across_a[i], k->across_b[i], u, two));
+}
+
+static inline __attribute__((always_inline)) void brake_block(block *k, real4 most, sides4 *u, bool two)
+{
+    const real4 *mass = k->across_mass, one = real4_all(1);
+    const real4 least = real4_all(1e-300);      // no length is 0 below
+    real4 x = slide(k, 0, u, two), y = slide(k, 1, u, two), impulse[2];
+    impulse[0] = real4_sub(k->across_impulse[0],
+                           real4_mad(mass[0], x, real4_mul(mass[1], y)));
+    impulse[1] = real4_sub(k->across_impulse[1],
+                           real4_mad(mass[1], x, real4_mul(mass[2], y)));
+    real4 length = real4_sqrt(real4_mad(impulse[0], impulse[0],
+                                        real4_mul(impulse[1], impulse[1])));
+    real4 share = real4_min(real4_div(most, real4_max(length, least)), one);
+    for (int i = 0; i < 2; i++) {
+        impulse[i] = real4_mul(share, impulse[i]);
+        real4 change = real4_sub(impulse[i], k->across_impulse[i]);
+        k->across_impulse[i] = impulse[i];
+        push_centers(k, k->across[i], change, u, two);
+        push_turns(k->across_a[i], k->across_b[i], change, u, two);
+    }
+}
+//<
+
+//> solver-relax
+static inline __attribute__((always_inline)) void relax_block(block *k, const pass *q, bool two)
+{
+    const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
+    const real4 friction = real4_all(q->friction);
+    sides4 u = take_sides(k, q->velocity, two);
+    sides4 d = take_sides(k, q->moved, two);
+    real4 parting = part_centers(k->normal, &u, two), sum = zero;
+    real4 parted = part_centers(k->normal, &d, two);
+    real4 inverse = inverse_mass(k, two), along = zero, moment = zero;
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
+        real4 gap = real4_add(real4_add(parted, p->gap), turned);
+        p->now = gap;
+        real4 speed = real4_add(parting,
+                                part_turns(p->turn_a, p->turn_b, &u, two));
+        speed = real4_mad(real4_max(gap, zero), per_h, speed);
+        push_point(p, real4_sub(p->impulse, real4_mul(p->mass, speed)),
+                   inverse, &parting, &sum, &u, two);
+        along = real4_add(along, p->impulse);
+        moment = real4_mad(p->lever, p->impulse, moment);
+    }
+    push_centers(k, k->normal, sum, &u, two);
+    twist_block(k, real4_mul(friction, moment), &u, two);
+    brake_block(k, real4_mul(friction, along), &u, two);
+    give_sides(k, q->velocity, &u, two);
+}
+//<
+
+//> solver-warm
+static inline __attribute__((always_inline)) void warm_block(block *k, const pass *q, bool two)
+{
+    sides4 u = take_sides(k, q->velocity, two);
+    real4 sum = real4_all(0);
+    for (int j = 0; j < k->points; j++) {
+        const block_point *p = &k->point[j];
+        sum = real4_add(sum, p->impulse);
+        push_turns(p->turn_a, p->turn_b, p->impulse, &u, two);
+    }
+    push_centers(k, k->normal, sum, &u, two);
+    for (int i = 0; i < 2; i++) {
+        push_centers(k, k->across[i], k->across_impulse[i], &u, two);
+        push_turns(k->across_a[i], k->across_b[i], k->across_impulse[i], &u,
+                   two);
+    }
+    push_turns(k->twist_a, k->twist_b, k->twist_impulse, &u, two);
+    give_sides(k, q->velocity, &u, two);
+}
+//<
+
+//> solver-pass
+// A loop for each kind of pass and of side, so that none asks inside.
+#define PASS(name, solve)                                               \
+    static void name(void *data, int item)                              \
+    {                                                                   \
+        const pass *q = data;                                           \
+        block *k = q->s->block + q->first;                              \
+        int end = int_min((item + 1) * CHUNK, q->count);                \
+        if (q->sides == TWO_SIDED)                                      \
+            for (int i = item * CHUNK; i < end; i++) solve(&k[i], q, true); \
+        else                                                            \
+            for (int i = item * CHUNK; i < end; i++) solve(&k[i], q, false);\
+    }
+
+PASS(warm_chunk, warm_block)
+PASS(push_chunk, push_block)
+PASS(relax_chunk, relax_block)
+
+// Springs of a contact as Catto has them: a1, a2, a3 of an implicit step of h.
+// Against what does not move they are twice as stiff and half as damped.
+static softness softness_of(const solver_frame *f, int sides)
+{
+    const real two_pi = 6.283185307179586;
+    real per_side = sides == ONE_SIDED ? 2 : 1;
+    real omega = two_pi * per_side * real_min(f->hertz, 0.125 / f->h);
+    real zeta = f->damping / per_side;
+    real a1 = 2 * zeta + f->h * omega, a2 = f->h * omega * a1;
+    real a3 = 1 / (1 + a2);
+    return (softness){ omega / a1, a2 * a3, a3 };
+}
+
+static void run_pass(contact_solver *s, const solver_frame *f,
+                     motion *velocity, const motion *moved,
+                     void (*work)(void *data, int item))
+{
+    pass q = { .s = s, .velocity = velocity, .moved = moved, .per_h = 1 / f->h,
+               .friction = f->friction, .max_speed = f->max_speed };
+    for (int i = 0; i < SIDES; i++) q.soft[i] = softness_of(f, i);
+    for (int c = 0; c < s->colors; c++) {
+        q.first = s->color[c].first;
+        q.count = s->color[c].count;
+        q.sides = s->color[c].sides;
+        tasks none = { 0 };
+        tasks_run(s->color[c].is_crowded ? none : f->run, work, &q,
+                  chunks(q.count));
+    }
+}
+
+void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
+                 const motion *moved)
+{
+    run_pass(s, f, velocity, moved, push_chunk);
+}
+
+void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
+                  const motion *moved)
+{
+    run_pass(s, f, velocity, moved, relax_chunk);
+}
+//<
+
+//> solver-begin
+// In the first substep the contacts push one by one; in the others each body
+// gets at once what its contacts did to it in the last: s->before.
+void solver_begin(contact_solver *s, const solver_frame *f, motion *velocity,
+                  bool is_first)
+{
+    for (int b = 0; b < s->bodies; b++) {
+        for (int i = 0; i < MOTIONS; i++) {
+            real did = is_first ? 0 : s->before[b].of[i];
+            s->before[b].of[i] = velocity[b].of[i];
+            velocity[b].of[i] += did;
+        }
+    }
+    if (is_first) run_pass(s, f, velocity, NULL, warm_chunk);
+}
+
+void solver_end(contact_solver *s, const motion *velocity)
+{
+    for (int b = 0; b < s->bodies; b++)
+        for (int i = 0; i < MOTIONS; i++)
+            s->before[b].of[i] = velocity[b].of[i] - s->before[b].of[i];
+}
+//<
+
+//> solver-store
+static void store_lane(const contact_solver *s, const block *k, int l,
+                       contact *c)
+{
+    const active_contact *x = &s->active[k->contact[l]];
+    real sign = x->is_swapped ? -1 : 1;
+    for (int j = 0; j < x->count; j++)
+        c->impulse[x->point[j]] = real4_get(&k->point[j].impulse, l);
+    for (int i = 0; i < 2; i++) {
+        vec3 t = { real4_get(&k->across[i][0], l),
+                   real4_get(&k->across[i][1], l),
+                   real4_get(&k->across[i][2], l) };
+        real impulse = sign * real4_get(&k->across_impulse[i], l);
+        c->friction = vec3_add_scaled(c->friction, impulse, t);
+    }
+    c->twist = real4_get(&k->twist_impulse, l);
+}
+
+void solver_store(const contact_solver *s, contact *const *table)
+{
+    for (int k = 0; k < s->contacts; k++) {
+        contact *c = table[k];
+        for (int j = 0; j < c->count; j++) c->impulse[j] = 0;
+        c->friction = (vec3){ 0, 0, 0 };
+        c->twist = 0;
+    }
+    for (int n = 0; n < s->blocks; n++)
+        for (int l = 0; l < REAL4; l++) {
+            int k = s->block[n].contact[l];
+            if (k >= 0) store_lane(s, &s->block[n], l, table[k]);
+        }
+}
+//<
+
+//> solver-init
+status solver_init(contact_solver *s, int bodies)
+{
+    size_t n = (size_t)bodies;
+    *s = (contact_solver){ .bodies = bodies };
+    s->taken = calloc(n + 1, sizeof *s->taken);
+    s->before = aligned_alloc(64, (n + 1) * sizeof *s->before);
+    if (!s->taken || !s->before) {
+        solver_free(s);
+        return status_out_of_memory();
+    }
+    memset(s->before, 0, (n + 1) * sizeof *s->before);
+    return status_ok();
+}
+
+void solver_free(contact_solver *s)
+{
+    free(s->active);
+    free(s->order);
+    free(s->block);
+    free(s->taken);
+    free(s->before);
+    *s = (contact_solver){ .bodies = 0 };
 }
 //<

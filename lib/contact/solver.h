@@ -11,6 +11,7 @@
 
 #include "contact.h"
 #include "real4.h"
+#include "scene.h"
 #include "task.h"
 
 // How an overlap is pushed out: as a spring and a damper would, so strongly
@@ -34,6 +35,8 @@ typedef struct {
     int  bodies;
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
+    real warm;                  // times the impulses that contacts bring along,
+                                // each of a substep of the last frame: 0: none
     real friction;              // Coulomb's coefficient
     real hertz;                 // 1/s, of the contacts' springs, at most
     real damping;               // ratio, of their dampers
@@ -47,7 +50,7 @@ typedef struct {
 // own.  The contacts of a block share no body.
 typedef struct {
     real4 turn_a[TURNS], turn_b[TURNS]; // kg^(-1/2), Jacobian row of the turns
-    real4 gap;          // m, at the start of the frame
+    real4 gap, now;     // m, at the start of the frame; when last relaxed
     real4 mass;         // kg, effective, along the normal
     real4 impulse;      // N s
     real4 lever;        // m, from the point where friction acts
@@ -73,29 +76,39 @@ typedef struct {
 // Blocks of one colour share no body, so that they may be solved in any order,
 // or at once.  Contacts with what does not move have colours of their own, and
 // come last: what is immovable has the last word.
-enum { COLORS = 64, SIDES = 2 };
+enum { COLORS = 64 };
+enum { TWO_SIDED, ONE_SIDED, SIDES };
 
 typedef struct {
-    int  contact;       // in the table of contacts
+    int  a, b;          // bodies that move; ONE_SIDED: b is spare
     int  count;         // points that may touch in this frame
-    int  color, sides;  // SIDES - 1: one side does not move
-    int  swap;          // A does not move: the block's A is the contact's B
-    signed char point[CONTACT_POINTS];  // which
-    real gap[CONTACT_POINTS];
+    int  color, sides;
+    bool is_swapped;    // A does not move: the block's A is the contact's B
+    signed char point[CONTACT_POINTS];  // which of the contact's
+    real gap[CONTACT_POINTS];           // m
+    real least;                         // m, of all points
 } active_contact;
 
 typedef struct {
-    active_contact *active;
-    int  actives, capacity;
-    int  *order;                        // [actives] by colour and points
+    int  first, count;  // blocks
+    int  contacts;
+    int  sides;
+    bool is_crowded;    // more contacts met in one body than there are colours:
+                        // these share bodies, one in a block
+} block_color;
+
+typedef struct {
+    active_contact *active;             // [capacity] of every contact
+    int  *order;                        // [capacity] by colour and points
+    int  contacts, capacity;
     block *block;
     int  blocks, block_capacity;
-    int  colors;                        // in use, of both kinds
-    struct { int first, count, sides; bool alone; } color[SIDES * COLORS];
+    block_color color[SIDES * COLORS];
+    int  colors;
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each
     motion *before;                     // [bodies + 1] see solver_begin
     int  bodies;
-    softness soft[SIDES];               // of two that move; of one
+    int  touching;                      // contacts that may touch in this frame
 } contact_solver;
 //<
 
@@ -105,29 +118,30 @@ typedef struct {
 status solver_init(contact_solver *s, int bodies);
 void   solver_free(contact_solver *s);      // an empty or zeroed one is fine
 
-// Takes up the n contacts table[list[0]] ... whose points come within reach[k]
-// (m) of each other; makes their blocks.  Returns how many found no memory.
-int solver_prepare(contact_solver *s, const solver_frame *f,
-                   const contact *const *table, const real *reach, int n);
+// Makes the blocks of n contacts, of those of their points that come within
+// reach[k] (m) of each other.  Allocates only if there are more contacts than
+// ever before; where memory is refused it takes none, and returns false.
+bool solver_prepare(contact_solver *s, const solver_frame *f,
+                    const contact *const *table, const real *reach, int n);
 
 // One substep, in this order.  velocity and moved are [bodies + 1]: the last is
 // spare, for lanes that are left over.
 //
-// solver_begin gives every body the impulses of the last substep, or frame
-// (first), once more: warm starting.
+// Gives every body the impulses of the last substep once more (warm starting);
+// those that the contacts were prepared with, if it is the first of the frame.
 void solver_begin(contact_solver *s, const solver_frame *f, motion *velocity,
-                  bool first);
-// Solves the normals, and pushes out overlaps with the speed of f's springs.
+                  bool is_first);
+// Solves the normals: gaps close at most, and overlaps are pushed out.
 void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
                  const motion *moved);
-// After the bodies have moved: takes back that speed, and solves friction.
+// After the bodies have moved: takes back the speed of pushing out, and solves
+// friction.
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
                   const motion *moved);
-// Ends the substep: what the contacts did to each body is kept for the next.
+// Keeps what the contacts did to each body, for the next substep.
 void solver_end(contact_solver *s, const motion *velocity);
 
-// Writes the impulses of the last substep to contact k of those that were
-// prepared.
+// Writes the impulses of the last substep to the contacts that were prepared.
 void solver_store(const contact_solver *s, contact *const *table);
 //<
 

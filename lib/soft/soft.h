@@ -15,24 +15,17 @@
 //<
 
 //> soft-declare
-// Makes the lists of near particles anew, if one may have come near unlisted:
-// once a substep, before soft_separate.  Pairs that neither move are left out,
-// so w->near.trusted must be -1 after someone woke.
-void soft_refresh(world *w);
+// A frame begins: deformable bodies wake, and rest with, whatever comes near
+// them.  After rigid bodies have been looked at, and their contacts found.
+void soft_begin(world *w);
 
-// Parts what touches: particles and planes, pairs of particles, particles and
-// rigid bodies.  Counts in the report what was watched, and what was pushed.
-void soft_separate(world *w);
+// How many substeps this frame needs for what deformable bodies may meet.
+int soft_substeps(const world *w);
 
-// m, how far off a rigid body the particles of a deformable one are kept: by
-// their thicknesses, and an eighth more if it is nailed.
-real soft_gap(const body *soft, const body *rigid);
-
-// After relaxing: particles that the sticks have pulled nearer to a rigid body
-// than half of what keeps them apart are held there.  What moves and has four
-// particles is held by the deformable body as a whole, with all of its mass, or
-// by its nails: linear momentum is kept, angular momentum is not.
-void soft_hold(world *w);
+// A substep of h (s): moves the particles of deformable bodies, parts them from
+// planes, each other and rigid bodies, and relaxes their sticks.  Rigid bodies
+// stand at rigid.now, moved by rigid.moved, and take impulses there.
+void soft_substep(world *w, real h);
 
 #endif
 //<

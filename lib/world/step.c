@@ -1,375 +1,499 @@
-//> step-time
+//> step
 #include "step.h"
-#include "halves.h"
 #include "ledger.h"
-#include "narrow.h"
-#include "pairs.h"
+#include "restitution.h"
 #include "soft.h"
-#include "solver.h"
 
 #include <assert.h>
 #include <stddef.h>
+#include <string.h>
 
-static real clock_now(const world *w)
+static void lap(world *w, int phase, real *since);
+static void look_at_bodies(world *w);
+static void find_pairs(world *w);
+static void find_contacts(world *w);
+static solver_frame prepare(world *w);
+static void substep(world *w, const solver_frame *f, int k, real *since);
+static void move_bodies(world *w, real h);
+static void fall_asleep(world *w);
+
+void world_step(world *w)
 {
-    return w->options.clock ? w->options.clock() : 0;
+    assert(w->is_ready);
+    real since = w->options.host.clock ? w->options.host.clock() : 0;
+    w->report = (step_report){ .substeps = w->options.substeps };
+    ledger_open(w);
+    sleep_begin(&w->sleep);
+    // Paper: bodies move, then overlaps are looked for; here: what may touch in
+    // this frame is found before anything moves.
+    look_at_bodies(w);
+    find_pairs(w);
+    lap(w, PHASE_PAIRS, &since);
+    find_contacts(w);
+    lap(w, PHASE_CONTACTS, &since);
+    solver_frame f = prepare(w);
+    lap(w, PHASE_PREPARE, &since);
+    for (int k = 0; k < w->report.substeps; k++) substep(w, &f, k, &since);
+    solver_store(&w->rigid.solver, w->rigid.cache.active);
+    move_bodies(w, f.h);
+    w->age = f.h;
+    lap(w, PHASE_MOVE, &since);
+    fall_asleep(w);
+    ledger_book(w, LEDGER_SLEEP);
+    w->time += w->options.dt;
+    lap(w, PHASE_SLEEP, &since);
 }
 
-// Books the time since *since to a stage, and starts the next.
-static void lap(world *w, int stage, real *since)
+// Books the time since *since to a phase, and starts the next.
+static void lap(world *w, int phase, real *since)
 {
-    real now = clock_now(w);
-    w->report.time[stage] += now - *since;
+    real now = w->options.host.clock ? w->options.host.clock() : 0;
+    w->report.time[phase] += now - *since;
     *since = now;
 }
 //<
 
-//> step-integrate
-// What both halves of a stage are told: each does the bodies of its side.
+//> step-chunks
+enum { CHUNK = 32 };        // bodies in an item of work
+
+static int chunks(int bodies)
+{
+    return (bodies + CHUNK - 1) / CHUNK;
+}
+
+// The bodies of an item: from first to the result - 1.
+static int chunk_of(const world *w, int item, int *first)
+{
+    *first = item * CHUNK;
+    return int_min(*first + CHUNK, w->bodies);
+}
+//<
+
+//> step-look
+// How far a body may get in this frame: as fast as it is now, with what gravity
+// adds, and a hundredth of its radius for what impacts add.
+static prediction predict(const world *w, const solver_body *now,
+                          const motion *u)
+{
+    real dt = w->options.dt;
+    vec3 straight = { u->of[0], u->of[1], u->of[2] };
+    vec3 spin = motion_rotation(&now->basis, u);
+    real beside = vec3_length(w->options.gravity) * dt * dt / 2
+                + now->radius / 100;
+    prediction p = { .way = vec3_scale(dt, straight),
+                     .turn = dt * now->radius * vec3_length(spin) + beside };
+    p.reach = vec3_length(p.way) + p.turn;
+    return p;
+}
+
+static void look_at_body(world *w, int b)
+{
+    rigid_tables *t = &w->rigid;
+    const body *x = &w->body[b];
+    const particle *p = w->pool.at + x->first;
+    bool moved = t->moves[b];
+    t->moves[b] = (char)(!body_is_soft(x) && body_moves(w, b));
+    if (!t->moves[b] && !moved) return;
+    solver_body *now = &t->now[b];
+    now->frame = rigid4_frame(p);
+    t->ball[b].center = now->frame.center;
+    memset(&t->moved[b], 0, sizeof t->moved[b]);
+    if (t->moves[b]) {
+        now->basis = basis_find(x->rigid, &now->frame);
+        t->velocity[b] = motion_of(p, &now->frame, &now->basis, w->age);
+        t->ahead[b] = predict(w, now, &t->velocity[b]);
+    } else {
+        now->basis = (motion_basis){ .inverse_mass = 0 };
+        memset(&t->velocity[b], 0, sizeof t->velocity[b]);
+        t->ahead[b] = (prediction){ .reach = 0 };
+    }
+    t->reach[b] = t->ahead[b].reach;
+}
+
+static void look_at_chunk(void *data, int item)
+{
+    world *w = data;
+    int first, end = chunk_of(w, item, &first);
+    for (int b = first; b < end; b++) look_at_body(w, b);
+}
+
+static void look_at_bodies(world *w)
+{
+    tasks_run(w->options.host.run, look_at_chunk, w, chunks(w->bodies));
+}
+//<
+
+//> step-wake
+// Wakes b and all that sleep with it.
+static void rouse(world *w, int b)
+{
+    sleep_wake(&w->sleep, b);
+    for (int k = 0; k < w->bodies; k++) {
+        const body *x = &w->body[k];
+        if (w->sleep.asleep[k]) continue;
+        for (int i = x->first; i < x->first + body_particles(x); i++)
+            w->pool.at[i].inverse_mass = w->inverse_mass[i];
+    }
+    w->soft.trusted = -1;
+}
+
+bool world_wake_near(world *w, int a, int b)
+{
+    int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
+    if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
+    if (body_is_static(&w->body[sleeper])) return false;
+    if (body_is_static(&w->body[other]) || w->sleep.watch[other].still > 0)
+        return false;
+    rouse(w, sleeper);
+    return true;
+}
+
+// Are two bodies so near that they may meet in this frame?
+static bool may_meet(const rigid_tables *t, int a, int b)
+{
+    real near = t->ball[a].radius + t->ball[b].radius + t->reach[a]
+              + t->reach[b];
+    vec3 d = vec3_sub(t->ball[a].center, t->ball[b].center);
+    return vec3_length_squared(d) <= near * near;
+}
+
+static void wake_sleepers(world *w)
+{
+    const rigid_tables *t = &w->rigid;
+    bool woke = false;
+    for (int k = 0; k < t->pairs.count; k++) {
+        int a = t->pairs.pair[k][0], b = t->pairs.pair[k][1];
+        if (w->sleep.asleep[a] != w->sleep.asleep[b] && may_meet(t, a, b))
+            woke |= world_wake_near(w, a, b);
+    }
+    if (woke) look_at_bodies(w);
+}
+//<
+
+//> step-pairs
+static void find_pairs(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    pair_query q = { t->ball, t->reach, t->dynamic, w->bodies };
+    int lost;
+    t->is_new_list = pair_list_update(&t->pairs, &q, &lost);
+    w->report.dropped += lost;
+    w->report.pairs = t->pairs.count;
+    wake_sleepers(w);
+}
+//<
+
+//> step-contacts
+static void find_contacts(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    cache_frame f = { .body = t->body, .now = t->now, .ahead = t->ahead,
+                      .moves = t->moves, .bodies = w->bodies,
+                      .list = &t->pairs, .is_new_list = t->is_new_list,
+                      .plane = w->plane, .planes = w->planes,
+                      .stay = w->options.stay, .run = w->options.host.run };
+    cache_update(&t->cache, &f);
+    w->report.queries = (int)t->cache.queries;
+    w->report.contacts = t->cache.actives;
+    w->report.dropped += t->cache.lost;
+}
+//<
+
+//> step-substeps
+// What is much heavier than what carries it presses that down by its load over
+// a contact's stiffness, which goes as the lighter mass and the square of the
+// substeps: so the more of them, the greater the load.  An impact is as great a
+// load for one frame: so it counts up to the ratio of the masses only.
+static const real BEARABLE = 75;    // times the weight of the lighter
+enum { MOST_TIMES = 8 };            // as many substeps as usual
+
+static real load_on(const world *w, const contact *c, real weight_of_one)
+{
+    const solver_body *now = w->rigid.now;
+    real a = now[c->a].basis.inverse_mass;
+    real b = c->b < 0 ? 0 : now[c->b].basis.inverse_mass;
+    if (!(a > 0) || !(b > 0)) return 0;
+    real ratio = a > b ? a / b : b / a;
+    if (ratio <= BEARABLE) return 0;
+    return real_min(ratio, contact_load(c) * (a > b ? a : b) / weight_of_one);
+}
+
+static int substeps_for_loads(const world *w)
+{
+    const contact_cache *c = &w->rigid.cache;
+    int usual = w->options.substeps;
+    real most = 0, gravity = vec3_length(w->options.gravity);
+    if (w->rigid.mass_ratio <= BEARABLE || !(gravity > 0)) return usual;
+    for (int k = 0; k < c->actives; k++)
+        most = real_max(most, load_on(w, c->active[k], gravity * w->age));
+    real times = real_min(sqrt(real_max(most / BEARABLE, 1)), MOST_TIMES);
+    return (int)(usual * times);
+}
+
+static int choose_substeps(world *w)
+{
+    int n = substeps_for_loads(w);
+    if (w->softs > 0) n = int_max(n, soft_substeps(w));
+    return int_max(w->options.substeps, int_min(n, w->options.most_substeps));
+}
+//<
+
+//> step-prepare
+// Contacts are damped ten times as much as would just not swing, and push out
+// at 3 m/s at most.  In smaller substeps their springs may be stiffer.
+static solver_frame frame_of(const world *w)
+{
+    const world_options *o = &w->options;
+    real h = o->dt / w->report.substeps, finer = h * o->substeps / o->dt;
+    return (solver_frame){
+        .body = w->rigid.now, .bodies = w->bodies, .plane = w->plane, .h = h,
+        .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
+        .hertz = o->hertz / finer, .damping = 10, .max_speed = 3,
+        .run = o->host.run };
+}
+
+static void count_deep(world *w)
+{
+    const contact_solver *s = &w->rigid.solver;
+    for (int k = 0; k < s->contacts; k++) {
+        const active_contact *x = &s->active[k];
+        const solver_body *now = w->rigid.now;
+        real radius = x->b == w->bodies ? now[x->a].radius
+                    : real_min(now[x->a].radius, now[x->b].radius);
+        w->report.unconverged += x->least < -0.1 * radius;
+    }
+}
+
+static solver_frame prepare(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    if (w->softs > 0) soft_begin(w);
+    w->report.substeps = choose_substeps(w);
+    solver_frame f = frame_of(w);
+    const contact *const *table = (const contact *const *)t->cache.active;
+    if (!solver_prepare(&t->solver, &f, table, t->cache.reach,
+                        t->cache.actives))
+        w->report.dropped += t->cache.actives;
+    cache_note(&t->cache, &t->solver);
+    count_deep(w);
+    return f;
+}
+//<
+
+//> step-substep
+// A velocity is that in the middle of a substep.  The last one may have been of
+// another length.
+static void fall(world *w, real seconds)
+{
+    vec3 g = vec3_scale(seconds, w->options.gravity);
+    for (int b = 0; b < w->bodies; b++) {
+        if (!w->rigid.moves[b]) continue;
+        real *u = w->rigid.velocity[b].of;
+        u[0] += g.x;
+        u[1] += g.y;
+        u[2] += g.z;
+    }
+}
+
+static void advance(world *w, real h)
+{
+    for (int b = 0; b < w->bodies; b++)
+        for (int i = 0; i < MOTIONS; i++)
+            w->rigid.moved[b].of[i] += h * w->rigid.velocity[b].of[i];
+}
+
+static void bounce(world *w, const solver_frame *f)
+{
+    rigid_tables *t = &w->rigid;
+    const contact *const *table = (const contact *const *)t->cache.active;
+    if (!(w->options.restitution > 0)) return;
+    restitution_solve(table, t->cache.actives, f, w->options.restitution,
+                      w->options.gravity, t->velocity, t->moved);
+}
+
+static void substep(world *w, const solver_frame *f, int k, real *since)
+{
+    rigid_tables *t = &w->rigid;
+    fall(w, k == 0 ? (w->age + f->h) / 2 : f->h);
+    ledger_book(w, LEDGER_INTEGRATE);
+    bounce(w, f);
+    solver_begin(&t->solver, f, t->velocity, k == 0);
+    solver_push(&t->solver, f, t->velocity, t->moved);
+    advance(w, f->h);
+    solver_relax(&t->solver, f, t->velocity, t->moved);
+    solver_end(&t->solver, t->velocity);
+    ledger_book(w, LEDGER_CONTACTS);
+    lap(w, PHASE_SOLVE, since);
+    if (w->softs > 0) soft_substep(w, f->h);
+    lap(w, PHASE_SOFT, since);
+}
+//<
+
+//> step-move
+// Bodies that turn little go in one move, those of one shape together.
+enum { ALIKE = CHUNK };
+
+static int find_alike(const world *w, int b, int end, int first[ALIKE])
+{
+    const rigid_tables *t = &w->rigid;
+    int n = 0;
+    for (int k = b; k < end; k++) {
+        if (!t->moves[k]) continue;
+        if (w->body[k].rigid != w->body[b].rigid) break;
+        if (motion_moves(&t->now[k].basis, &t->moved[k]) > 1) break;
+        first[n++] = w->body[k].first;
+    }
+    return n;
+}
+
+static void begin_moves(world *w, int first, int end)
+{
+    rigid_tables *t = &w->rigid;
+    for (int b = first; b < end; b++) {
+        if (!t->moves[b]) continue;
+        const solver_body *now = &t->now[b];
+        motion_begin(w->pool.at + w->body[b].first, &now->frame, &now->basis,
+                     &t->moved[b], motion_moves(&now->basis, &t->moved[b]));
+    }
+}
+
+// Body b alone, in several moves.
+static rigid4_result relax_turning(world *w, int b)
+{
+    const body *x = &w->body[b];
+    particle *p = w->pool.at + x->first;
+    rigid4_result sum = { .worst = 0 };
+    int moves = motion_moves(&w->rigid.now[b].basis, &w->rigid.moved[b]);
+    for (int k = 0; k < moves; k++) {
+        if (k > 0) motion_go_on(p);
+        rigid4_result r = rigid4_relax(x->rigid, p, w->options.iterations,
+                                       w->options.relax);
+        sum.tested += r.tested;
+        sum.relaxed += r.relaxed;
+        sum.fell_back |= r.fell_back;
+        sum.worst = fmax(sum.worst, r.worst);
+    }
+    return sum;
+}
+
+static void relax_moves(world *w, int b, int end)
+{
+    int first[ALIKE];
+    while (b < end) {
+        if (!w->rigid.moves[b]) {
+            b++;
+            continue;
+        }
+        int n = find_alike(w, b, end, first), start = b;
+        if (n == 0) {
+            w->rigid.relaxed[b] = relax_turning(w, b);
+            b++;
+            continue;
+        }
+        w->rigid.relaxed[start] = rigid4_relax_all(w->body[b].rigid,
+            w->pool.at, first, n, w->options.iterations, w->options.relax);
+        for (; n > 0; b++) n -= w->rigid.moves[b];
+    }
+}
+//<
+
+//> step-move-end
+static void end_move(world *w, int b, real h)
+{
+    rigid_tables *t = &w->rigid;
+    const body *x = &w->body[b];
+    const real *d = t->moved[b].of;
+    vec3 way = { d[0], d[1], d[2] };
+    vec3 turn = motion_rotation(&t->now[b].basis, &t->moved[b]);
+    motion_end(x->rigid, w->pool.at + x->first, &t->now[b].frame,
+               &t->velocity[b], h);
+    cache_moved(&t->cache, b, vec3_length(way)
+                              + t->now[b].radius * vec3_length(turn));
+}
+
 typedef struct {
     world *w;
     real h;
-    rigid4_result done[2];
-} stage;
+} moving;
 
-// Taylor about x, forward by dt and backward by dt_before:
-//     x'         = x + v dt        + a dt^2 / 2
-//     x_previous = x - v dt_before + a dt_before^2 / 2
-// The second gives
-//     v dt = ((x - x_previous) + a dt_before^2 / 2) dt / dt_before,
-// and put into the first,
-//     x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
-void verlet_step_changed(particle *p, int n, vec3 a, real dt_before, real dt)
+static void move_chunk(void *data, int item)
 {
-    assert(n >= 0 && dt_before > 0 && dt > 0 && vec3_is_finite(a));
-    real carry = dt / dt_before, square = dt * (dt_before + dt) / 2;
-    for (int i = 0; i < n; i++) {
-        vec3 here = p[i].position, move = { 0, 0, 0 };
-        if (p[i].inverse_mass > 0) {
-            vec3 last_move = vec3_sub(here, p[i].previous);
-            move = vec3_add_scaled(vec3_scale(carry, last_move), square, a);
-        }
-        p[i].position = vec3_add(here, move);
-        p[i].previous = here;
-    }
+    const moving *m = data;
+    world *w = m->w;
+    int first, end = chunk_of(w, item, &first);
+    for (int b = first; b < end; b++)
+        w->rigid.relaxed[b] = (rigid4_result){ .worst = 0 };
+    begin_moves(w, first, end);
+    relax_moves(w, first, end);
+    for (int b = first; b < end; b++)
+        if (w->rigid.moves[b]) end_move(w, b, m->h);
 }
 
-// The first substep of a frame may be longer or shorter than the last one.
-static void integrate_side(void *data, int side)
+static void move_bodies(world *w, real h)
 {
-    const stage *s = data;
-    const world *w = s->w;
-    int n;
-    const int *mine = halves_bodies(w, side, &n);
-    for (int i = 0; i < n; i++) {
-        const body *b = &w->body[mine[i]];
-        particle *p = w->pool.at + b->first;
-        if (!body_moves(w, mine[i])) continue;
-        if (w->age == s->h)
-            verlet_step(p, body_particles(b), w->options.gravity, NULL, s->h);
-        else
-            verlet_step_changed(p, body_particles(b), w->options.gravity,
-                                w->age, s->h);
+    moving m = { w, h };
+    tasks_run(w->options.host.run, move_chunk, &m, chunks(w->bodies));
+    for (int b = 0; b < w->bodies; b++) {
+        const rigid4_result *r = &w->rigid.relaxed[b];
+        w->report.tested += r->tested;
+        w->report.relaxed += r->relaxed;
+        w->report.fell_back += r->fell_back;
+        w->report.unconverged += !(r->worst <= 0.01);
     }
-}
-
-static void integrate(world *w, real h)
-{
-    stage s = { .w = w, .h = h };
-    halves_do(w, integrate_side, &s);
-    // The near lists counted on the pace that was.
-    if (w->age != h && w->near.trusted > 0) w->near.trusted = 0;
-    w->age = h;
+    ledger_book(w, LEDGER_STICKS);
 }
 //<
 
-//> step-relax-lines
-static const plan_entry *entry_of(const world *w, const shape *s)
-{
-    int k = 0;
-    while (w->plan[k].shape != s) k++;
-    return &w->plan[k];
-}
-
-// Soft diagonals first, then the lines that must hold.
-static rigid4_result relax_soft(world *w, const body *b)
-{
-    const shape *s = b->plan;
-    particle *p = w->pool.at + b->first;
-    relax_options o = w->options.relax;
-    int links = shape_links(s), others = s->sticks - links;
-    if (others > 0) sticks_iterate(s->stick + links, others, p, o);
-    line_result l = lines_relax(s, p, w->options.sweeps, o,
-                                entry_of(w, s)->line);
-    int tested = others + l.steps * links;
-    return (rigid4_result){ .worst = l.worst, .tested = tested,
-                           .relaxed = tested, .iterations = l.steps,
-                           .fell_back = l.fell_back };
-}
-//<
-
-//> step-relax
-static void add_up(rigid4_result *sum, rigid4_result r)
-{
-    sum->tested += r.tested;
-    sum->relaxed += r.relaxed;
-    sum->fell_back += r.fell_back;
-}
-
-// Where the particles of bodies list[0], list[1] ... begin, as long as these
-// are of the same four, and move; returns how many.
-enum { ALIKE = 32 };
-
-static int find_alike(const world *w, const int *list, int n, int first[ALIKE])
-{
-    int k = 0;
-    for (; k < n && k < ALIKE; k++) {
-        const body *b = &w->body[list[k]];
-        if (b->four != w->body[list[0]].four || !body_moves(w, list[k])) break;
-        first[k] = b->first;
-    }
-    return k;
-}
-
-static void relax_side(void *data, int side)
-{
-    stage *s = data;
-    world *w = s->w;
-    const world_options *o = &w->options;
-    rigid4_result sum = { .tested = 0 };
-    int n, first[ALIKE];
-    const int *mine = halves_bodies(w, side, &n);
-    for (int i = 0, k; i < n; i += k) {
-        const body *b = &w->body[mine[i]];
-        k = 1;
-        if (body_is_soft(b) || !body_moves(w, mine[i])) continue;
-        k = find_alike(w, mine + i, n - i, first);
-        add_up(&sum, rigid4_relax_all(b->four, w->pool.at, first, k, o->sweeps,
-                                    o->relax));
-    }
-    s->done[side] = sum;
-}
-
-// Lines of one shape share their scratch, so these bodies come one by one.
-static void relax(world *w)
-{
-    stage s = { .w = w };
-    halves_do(w, relax_side, &s);
-    for (int b = 0; b < w->bodies; b++)
-        if (body_is_soft(&w->body[b]) && body_moves(w, b))
-            add_up(&s.done[0], relax_soft(w, &w->body[b]));
-    add_up(&s.done[0], s.done[1]);
-    w->report.tested += s.done[0].tested;
-    w->report.relaxed += s.done[0].relaxed;
-    w->report.fell_back += s.done[0].fell_back;
-}
-//<
-
-//> step-rest
-// m, whoever goes no further lies still: a hundredth of its shortest stick.
-static real stillness(const body *b)
-{
-    return 0.01 * b->plan->spacing;
-}
-
-// Are all particles of b still where it came to lie?  If not, it has come to
-// lie here.  (A speed would not do: what slides down a slope begins slowly.)
-static int lies_still(world *w, const body *b)
-{
-    int end = b->first + body_particles(b), moved = 0;
-    real far = stillness(b);
-    for (int i = b->first; i < end && !moved; i++) {
-        vec3 d = vec3_sub(w->pool.at[i].position, w->of.lain[i]);
-        moved = !(vec3_length_squared(d) <= far * far);
-    }
-    for (int i = b->first; i < end && moved; i++)
-        w->of.lain[i] = w->pool.at[i].position;
-    return !moved;
-}
-
-// Whoever sleeps is nailed where it lies, and seen there: the other stages only
-// look at what moves.
-static void put_to_bed(world *w, body *b)
+//> step-sleep
+// What sleeps is pinned where it lies: the other phases only look at what moves.
+static void put_to_sleep(world *w, const body *b)
 {
     for (int i = b->first; i < b->first + body_particles(b); i++) {
         particle *p = &w->pool.at[i];
         p->inverse_mass = 0;
         p->previous = p->position;
     }
-    world_look_again(w, b);
 }
 
-// s, how long an island must lie still: half a second, but longer where gravity
-// is weak or a body large.  Whoever is thrown straight up is within d of the
-// top for 2 sqrt(2 d / g), and nobody is to sleep there: twice that.
-static real patience(const world *w)
+static void join_islands(world *w)
 {
-    real most = 0.5, gravity = vec3_length(w->options.gravity);
-    for (int b = 0; b < w->bodies && gravity > 0; b++)
-        if (body_moves(w, b))
-            most = fmax(most, 4 * sqrt(2 * stillness(&w->body[b]) / gravity));
-    return most;
+    const contact_cache *c = &w->rigid.cache;
+    for (int k = 0; k < c->actives; k++) {
+        const contact *x = c->active[k];
+        if (!(contact_load(x) > 0)) continue;
+        w->report.pushing++;
+        if (x->b < 0 || body_is_static(&w->body[x->a])
+            || body_is_static(&w->body[x->b])) continue;
+        sleep_touch(&w->sleep, x->a, x->b);
+    }
 }
 
-// Bodies that pushed each other in this frame, and lay still for as long as
-// patience asks, fall asleep together.
-static void rest(world *w)
+static void observe(world *w)
 {
-    char *still = w->flags.still;
-    for (int b = 0; b < w->bodies; b++)
-        still[b] = (char)(!body_moves(w, b) || lies_still(w, &w->body[b]));
-    rest_end(&w->rest, still, w->options.dt, patience(w));
-    w->report.asleep = 0;
+    const world_options *o = &w->options;
+    sleep_rule rule = { o->sleep_speed, o->time_to_sleep,
+                        vec3_length(o->gravity), o->dt, w->age };
     for (int b = 0; b < w->bodies; b++) {
-        if (!w->rest.asleep[b] || body_is_nailed(&w->body[b])) continue;
-        if (w->flags.moves[b]) put_to_bed(w, &w->body[b]);
+        const body *x = &w->body[b];
+        if (!body_moves(w, b)) continue;
+        real radius = x->rigid ? x->rigid->radius : x->shape->radius;
+        sleep_observe(&w->sleep, b, w->pool.at, x->first, body_particles(x),
+                      radius, &rule);
+    }
+}
+
+static void fall_asleep(world *w)
+{
+    join_islands(w);
+    if (w->options.sleep_speed > 0) {
+        observe(w);
+        sleep_end(&w->sleep);
+    }
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        if (!w->sleep.asleep[b] || body_is_static(x)) continue;
+        if (w->pool.at[x->first].inverse_mass > 0) put_to_sleep(w, x);
         w->report.asleep++;
     }
-}
-//<
-
-//> step-join
-static int spheres_meet(sphere a, sphere b, real margin)
-{
-    real r = a.radius + b.radius + margin;
-    return vec3_distance(a.center, b.center) <= r;
-}
-
-// A deformable body wakes, and rests with, whatever its sphere meets, with
-// twice the margin of the near lists for what this frame will bring.
-static void join_soft(world *w)
-{
-    for (int b = 0; b < w->bodies; b++)
-        if (body_moves(w, b)) world_look_again(w, &w->body[b]);
-    for (int a = 0; a < w->bodies; a++) {
-        body *soft = &w->body[a];
-        if (!body_is_soft(soft) || body_is_nailed(soft)) continue;
-        sphere ball = sphere_tree_root(&soft->tree, w->of.at + soft->corner);
-        for (int b = 0; b < w->bodies; b++) {
-            body *x = &w->body[b];
-            if (b == a || body_is_nailed(x)) continue;
-            sphere other = sphere_tree_root(&x->tree, w->of.at + x->corner);
-            if (!spheres_meet(ball, other, 2 * w->near.margin)) continue;
-            pairs_wake(w, a, b);
-            rest_touch(&w->rest, a, b);
-        }
-    }
-}
-//<
-
-//> step-substeps
-// In a substep nothing should go further than a share of its own radius: the
-// inner one of a rigid body, half the spacing of a deformable one.
-static int substeps_for(const world *w, const body *b, real share)
-{
-    real radius = body_is_soft(b) ? b->plan->spacing / 2 : b->inner;
-    real need = (vec3_length(b->way) + b->turn) / (share * radius);
-    if (!(need < w->options.most_substeps)) return w->options.most_substeps;
-    return (int)need + ((int)need < need);
-}
-
-// What a deformable body may meet in this frame, itself among it.  A rigid body
-// drives the light particles of a cloth before it, their sticks pull them back,
-// and it must not be past them before their whole weight has stopped it: a
-// quarter of its radius.
-static int substeps_for_soft(world *w, body *soft)
-{
-    int n = 0;
-    sphere ball = sphere_tree_root(&soft->tree, w->of.at + soft->corner);
-    for (int k = 0; k < w->bodies; k++) {
-        body *b = &w->body[k];
-        sphere other = sphere_tree_root(&b->tree, w->of.at + b->corner);
-        if (spheres_meet(ball, other, soft->reach + b->reach))
-            n = int_max(n, substeps_for(w, b, body_is_soft(b) ? 1 : 0.25));
-    }
-    return n;
-}
-
-// So many substeps that no rigid body goes further than a sixth of its inner
-// radius in one, within the bounds that the options set.  The lines of a
-// deformable body count on all of their substeps.
-static int substeps_at_this_pace(const world *w)
-{
-    int n = w->options.least_substeps, most = w->options.substeps;
-    for (int k = 0; k < w->bodies && n < most; k++) {
-        const body *b = &w->body[k];
-        if (body_is_nailed(b)) continue;
-        n = body_is_soft(b) ? most : int_max(n, substeps_for(w, b, 1.0 / 6));
-    }
-    return n < most ? n : most;
-}
-
-// Paper: section 7 asks for very small steps where things are thin; here: as
-// small as it takes for what will, or may, touch something in this frame.
-static int choose_substeps(world *w)
-{
-    int n = substeps_at_this_pace(w);
-    for (int k = 0; k < w->bodies; k++)
-        if (body_is_soft(&w->body[k])) pairs_look_ahead(w, &w->body[k]);
-    for (int k = 0; k < w->bodies; k++)
-        if (body_is_soft(&w->body[k]))
-            n = int_max(n, substeps_for_soft(w, &w->body[k]));
-    for (int k = 0; k < w->pairs.count; k++) {
-        const body_pair *x = &w->pairs.at[k];
-        const body *a = &w->body[x->a], *b = &w->body[x->b];
-        if (pairs_fly_into(w, a, b))
-            n = int_max(n, int_max(substeps_for(w, a, 1),
-                                   substeps_for(w, b, 1)));
-    }
-    return n;
-}
-//<
-
-//> step-substep
-static void find(world *w, real *since)
-{
-    pairs_find(w);
-    lap(w, STAGE_PAIRS, since);
-    w->report.substeps = choose_substeps(w);
-    narrow_find(w);
-    lap(w, STAGE_QUERY, since);
-}
-
-static void substep(world *w, int k, real h, real *since)
-{
-    if (k > 0) narrow_find_again(w, k);
-    lap(w, STAGE_QUERY, since);
-    integrate(w, h);
-    ledger_book(w, LEDGER_INTEGRATE);
-    lap(w, STAGE_INTEGRATE, since);
-    if (w->softs > 0) soft_refresh(w);
-    lap(w, STAGE_PAIRS, since);
-    solver_separate(w, h);
-    if (w->softs > 0) soft_separate(w);
-    ledger_book(w, LEDGER_CONTACTS);
-    lap(w, STAGE_SEPARATE, since);
-    relax(w);
-    ledger_book(w, LEDGER_STICKS);
-    if (w->softs > 0) soft_hold(w);
-    ledger_book(w, LEDGER_CONTACTS);
-    lap(w, STAGE_RELAX, since);
-}
-//<
-
-//> step
-void world_step(world *w)
-{
-    assert(w->ready);
-    const world_options *o = &w->options;
-    real since = clock_now(w);
-    w->report = (step_report){ .substeps = o->substeps };
-    ledger_open(w);
-    rest_begin(&w->rest);
-    if (w->softs > 0) join_soft(w);
-    // Paper: bodies move, then overlaps are looked for; here: what may touch in
-    // this frame is found before anything moves.
-    find(w, &since);
-    real h = o->dt / w->report.substeps;
-    for (int k = 0; k < w->report.substeps; k++) substep(w, k, h, &since);
-    solver_end(w);
-    if (o->resting) rest(w);
-    ledger_book(w, LEDGER_REST);
-    w->time += o->dt;
-    lap(w, STAGE_REST, &since);
 }
 //<

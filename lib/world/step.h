@@ -14,11 +14,10 @@
 // w->report.dropped counts what found no room.
 void world_step(world *w);
 
-// Verlet's step for n particles under the acceleration a (m/s^2), if the last
-// step took dt_before (s) and this one takes dt:
-// x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
-// Pinned particles stay, with previous = position.
-void verlet_step_changed(particle *p, int n, vec3 a, real dt_before, real dt);
+// Body a comes near body b: if one of them sleeps and the other did not lie
+// still in the last frame, the sleeper wakes, in time to take its part of the
+// impact, and all that sleep with it.  Returns whether it did.
+bool world_wake_near(world *w, int a, int b);
 
 #endif
 //<

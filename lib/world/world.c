@@ -4,21 +4,19 @@
 #include <assert.h>
 #include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
 world_options world_options_default(void)
 {
-    world_options o = {
-        .dt = 1.0 / 60, .substeps = 4, .least_substeps = 2,
-        .most_substeps = 1000, .sweeps = 6,
+    return (world_options){
+        .dt = 1.0 / 60, .substeps = 8, .most_substeps = 1000,
         .gravity = { 0, -9.81, 0 },
-        .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 },
         .friction = 0.5, .restitution = 0,
-        .passes = 4, .content = 1e-7, .memory = 1,
-        .mend = 0.2, .mend_speed = 2.5,
-        .skin = 0.005, .stay = 0.001,
-        .resting = 1,
+        .hertz = 60, .stay = 0.014, .warm_start = true,
+        .sleep_speed = 0.005, .time_to_sleep = 0.5,
+        .iterations = 6,
+        .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 },
     };
-    return o;
 }
 //<
 
@@ -34,22 +32,19 @@ static status check_range(const char *name, real value, real least, real most)
 static status check_options(const world_options *o)
 {
     struct { const char *name; real value, least, most; } rule[] = {
-        { "dt",          o->dt,                   1e-9, 1 },
-        { "substeps",    o->substeps,             1, 10000 },
-        { "least_substeps", o->least_substeps,    1, 10000 },
-        { "most_substeps", o->most_substeps,      1, 10000 },
-        { "sweeps",      o->sweeps,               1, 10000 },
-        { "tolerance",   o->relax.tolerance,      0, 1 },
-        { "passes",      o->passes,               1, 1000 },
-        { "content",     o->content,              0, 1 },
-        { "mend",        o->mend,                 0, 1 },
-        { "mend_speed",  o->mend_speed,           0, 1e9 },
-        { "skin",        o->skin,                 0, 1 },
-        { "stay",        o->stay,                 0, 0.01 },
-        { "friction",    o->friction,             0, 1000 },
-        { "restitution", o->restitution,          0, 1 },
-        { "root",        o->relax.root,           0, ROOT_APPROXIMATE },
-        { "gradient",    o->relax.gradient,       0, GRADIENT_OLD },
+        { "dt",            o->dt,              1e-9, 1 },
+        { "substeps",      o->substeps,        1, 10000 },
+        { "most_substeps", o->most_substeps,   1, 10000 },
+        { "friction",      o->friction,        0, 1000 },
+        { "restitution",   o->restitution,     0, 1 },
+        { "hertz",         o->hertz,           1e-3, 1e6 },
+        { "stay",          o->stay,            0, 0.1 },
+        { "sleep_speed",   o->sleep_speed,     0, 1e9 },
+        { "time_to_sleep", o->time_to_sleep,   0, 1e9 },
+        { "iterations",    o->iterations,      1, 10000 },
+        { "tolerance",     o->relax.tolerance, 0, 1 },
+        { "root",          o->relax.root,      0, ROOT_APPROXIMATE },
+        { "gradient",      o->relax.gradient,  0, GRADIENT_OLD },
     };
     for (size_t i = 0; i < sizeof rule / sizeof *rule; i++) {
         status s = check_range(rule[i].name, rule[i].value,
@@ -65,8 +60,8 @@ static status check_options(const world_options *o)
 //> world-init
 status world_init(world *w, world_options options)
 {
-    *w = (world){ .options = options, .near = { .trusted = -1 },
-                  .hull = { .of = -1 },
+    *w = (world){ .options = options,
+                  .soft = { .trusted = -1, .hull_of = -1 },
                   .age = options.dt / options.substeps };
     pool_init(&w->pool);
     return check_options(&options);
@@ -75,7 +70,7 @@ status world_init(world *w, world_options options)
 status world_add_plane(world *w, vec3 normal, real offset)
 {
     real length = vec3_length(normal);
-    assert(!w->ready);
+    assert(!w->is_ready);
     if (w->planes == PLANES)
         return status_fail("a world has room for %d planes", PLANES);
     real away = offset / length;
@@ -87,9 +82,9 @@ status world_add_plane(world *w, vec3 normal, real offset)
     return status_ok();
 }
 
-void world_nail(world *w, int b, int i)
+void world_pin(world *w, int b, int i)
 {
-    assert(!w->ready && b >= 0 && b < w->bodies);
+    assert(!w->is_ready && b >= 0 && b < w->bodies);
     assert(i >= 0 && i < body_particles(&w->body[b]));
     assert(body_is_soft(&w->body[b]));
     particle *p = &w->pool.at[w->body[b].first + i];
@@ -99,39 +94,23 @@ void world_nail(world *w, int b, int i)
 //<
 
 //> world-tree
-// The features that the leaves of a body's tree enclose: the faces of a rigid
-// body, the particles of a deformable one.
-static leaf_feature leaf_number(const shape *s, int i)
-{
-    if (s->kind != SHAPE_RIGID) return (leaf_feature){ 1, { i, 0, 0 } };
-    const int *v = &s->face[3 * i];
-    return (leaf_feature){ 3, { v[0], v[1], v[2] } };
-}
-
-// Particles of a deformable body are balls of 0.55 of its spacing: where two
+// Particles of deformable bodies are balls of 0.55 of its spacing: where two
 // sheets lie on each other, no diagonal of one can then pass between the
 // particles of the other, which are 1.1 spacings away.
-static real body_thickness(const shape *s, const world_options *o)
+static real particle_radius(const shape *s)
 {
-    return s->kind == SHAPE_RIGID ? o->skin * s->radius : 0.55 * s->spacing;
+    return s->kind == SHAPE_RIGID ? 0 : 0.55 * s->spacing;
 }
 
-// How far a rigid body may be stretched and still lie in the balls around it.
-// Sticks that are off by the 1 % that the paper's relaxation leaves let a
-// vertex out by up to 4.7 %.
-static const real SLACK = 0.05;
-
-static status build_tree(body *b, const vec3 *at)
+static status build_tree(body *b)
 {
-    const shape *s = b->plan;
-    int n = body_is_soft(b) ? s->particles : s->mesh.faces;
-
+    int n = b->shape->particles;
+    if (!body_is_soft(b)) return status_ok();
     leaf_feature *leaf = malloc((size_t)n * sizeof *leaf);
     if (!leaf) return status_out_of_memory();
-    for (int i = 0; i < n; i++) leaf[i] = leaf_number(s, i);
-    status done = sphere_tree_build(&b->tree,
-        body_is_soft(b) ? TREE_LAYERED : TREE_WRAPPED,
-        at, leaf, n, b->thickness, SLACK);
+    for (int i = 0; i < n; i++) leaf[i] = (leaf_feature){ 1, { i, 0, 0 } };
+    status done = sphere_tree_build(&b->tree, TREE_LAYERED, b->shape->at, leaf,
+                                    n, b->thickness, 0);
     free(leaf);
     return done;
 }
@@ -162,22 +141,12 @@ static void place_particle(world *w, const placement *where, vec3 at,
 static void place_particles(world *w, const body *b, const placement *where)
 {
     const vec3 origin = { 0, 0, 0 };
-    const shape *s = b->plan;
-    const rigid4 *f = b->four;
+    const shape *s = b->shape;
+    const rigid4 *f = b->rigid;
     for (int i = 0; i < body_particles(b); i++) {
         if (f) place_particle(w, where, f->at[i], f->center, f->mass);
         else   place_particle(w, where, s->at[i], origin, s->mass[i]);
     }
-}
-
-static int placement_is_sound(const placement *p)
-{
-    return vec3_is_finite(p->position) && vec3_is_finite(p->velocity)
-        && vec3_is_finite(p->spin)
-        && vec3_distance(vec3_cross(p->x, p->y), p->z) < 1e-6
-        && fabs(vec3_length(p->x) - 1) < 1e-6
-        && fabs(vec3_length(p->y) - 1) < 1e-6
-        && fabs(vec3_dot(p->x, p->y)) < 1e-6;
 }
 //<
 
@@ -191,8 +160,8 @@ static void *grown(void *old, int count, size_t size)
     return realloc(old, (size_t)(count > 0 ? 2 * count : 1) * size);
 }
 
-// The four particles of the rigid plan s.
-static status plan_four(const shape *s, rigid4 **f)
+// The four particles of the rigid shape s.
+static status make_rigid(const shape *s, rigid4 **f)
 {
     *f = malloc(sizeof **f);
     if (!*f) return status_out_of_memory();
@@ -204,32 +173,34 @@ static status plan_four(const shape *s, rigid4 **f)
     return done;
 }
 
-// Enters plan s among those in use, if it is new; its number in *number.
-static status enter_plan(world *w, const shape *s, int *number)
+// Enters shape s among those in use, if it is new; its number in *number.
+static status enter_shape(world *w, const shape *s, int *number)
 {
-    for (*number = 0; *number < w->plans; (*number)++)
-        if (w->plan[*number].shape == s) return status_ok();
-    plan_entry *more = grown(w->plan, w->plans, sizeof *more);
+    for (*number = w->shapes - 1; *number >= 0; (*number)--)
+        if (w->shape[*number].shape == s) return status_ok();
+    *number = w->shapes;
+    shape_entry *more = grown(w->shape, w->shapes, sizeof *more);
     if (!more) return status_out_of_memory();
-    w->plan = more;
-    plan_entry entry = { .shape = s, .inner = shape_inner(s) };
+    w->shape = more;
+    shape_entry entry = { .shape = s };
     status done = status_ok();
-    if (s->kind == SHAPE_RIGID) done = plan_four(s, &entry.four);
-    if (done.ok) {
-        w->plan[w->plans++] = entry;
-    } else if (entry.four) {
-        rigid4_free(entry.four);
-        free(entry.four);
+    if (s->kind == SHAPE_RIGID) {
+        entry.inner = shape_inner(s);
+        done = make_rigid(s, &entry.rigid);
+    } else {
+        entry.line = line_scratch_new(s);
+        if (!entry.line) done = status_out_of_memory();
     }
+    if (done.ok) w->shape[w->shapes++] = entry;
     return done;
 }
 
-static status reserve_body(world *w, const shape *s, int *plan)
+static status reserve_body(world *w, const shape *s, int *number)
 {
     body *more = grown(w->body, w->bodies, sizeof *more);
     if (!more) return status_out_of_memory();
     w->body = more;
-    status done = enter_plan(w, s, plan);
+    status done = enter_shape(w, s, number);
     // A rigid body has four vertices or more.
     int need = w->pool.count + s->particles;
     if (!done.ok || need <= w->pool.capacity) return done;
@@ -238,24 +209,19 @@ static status reserve_body(world *w, const shape *s, int *plan)
 
 status world_add(world *w, const shape *s, placement where, int *number)
 {
-    assert(!w->ready && s->particles > 0);
-    if (!placement_is_sound(&where))
-        return status_fail("body %d is placed at numbers that are not finite, "
-                           "or on axes that are not perpendicular units",
-                           w->bodies);
-    int plan = 0;
-    status done = reserve_body(w, s, &plan);
+    assert(!w->is_ready && s->particles > 0);
+    int entry = 0;
+    status done = placement_check(&where, s, w->bodies);
+    if (done.ok) done = reserve_body(w, s, &entry);
     if (!done.ok) return done;
 
-    body b = { .plan = s, .four = w->plan[plan].four,
-               .inner = w->plan[plan].inner,
-               .first = w->pool.count,
-               .corner = w->pool.count, .mass = HUGE_VAL };
+    body b = { .shape = s, .rigid = w->shape[entry].rigid,
+               .inner = w->shape[entry].inner, .first = w->pool.count,
+               .mass = HUGE_VAL, .thickness = particle_radius(s) };
     real mass = 0;
     for (int i = 0; i < s->particles; i++) mass += s->mass[i];
     if (!where.is_static) b.mass = mass;
-    b.thickness = body_thickness(s, &w->options);
-    done = build_tree(&b, s->at);
+    done = build_tree(&b);
     if (!done.ok) return done;
 
     place_particles(w, &b, &where);
@@ -266,205 +232,46 @@ status world_add(world *w, const shape *s, placement where, int *number)
 }
 //<
 
-//> world-size
-// Room enough for what can touch at once; what finds no room is counted in the
-// report.  A ball touches at most 12 of its own size, which makes 6 pairs a
-// body: twice that, for a look ahead reaches further (below 24 bodies, all
-// pairs are fewer).  Few of them touch face on face, in PAIR_CONTACTS points.
-// At the planes a body lies on a few vertices; but one so fast that it may get
-// anywhere in a frame is near every plane with all of them.  A contact that
-// found no room there would let the body through the wall: so there is room for
-// all of these.
-// A particle of a cloth folded on itself has 12 in touch as well, most of them
-// its neighbours at rest, but the lists look further: 24 a particle.  And it is
-// near 4 rigid bodies at most, where they lie together.
-static void size_lists(world *w)
-{
-    int rigid = 0, soft = 0, corners = 0;
-    for (int b = 0; b < w->bodies; b++) {
-        int n = w->body[b].plan->particles;
-        if (body_is_soft(&w->body[b])) soft += n;
-        else                           corners += n;
-        rigid += !body_is_soft(&w->body[b]);
-    }
-    int all_pairs = rigid < 24 ? rigid * (rigid - 1) / 2 : 12 * rigid;
-    w->pairs.capacity = all_pairs;
-    w->pushes.capacity = (rigid < 24 ? PAIR_CONTACTS * all_pairs : 12 * rigid)
-                       + w->planes * corners;
-    w->near.pair_capacity = w->leaves.capacity = 24 * soft;
-    w->near.point_capacity = 4 * soft;
-    w->least_radius = HUGE_VAL;
-    for (int k = 0; k < w->plans; k++)
-        if (w->plan[k].shape->kind == SHAPE_RIGID)
-            w->least_radius = fmin(w->least_radius, w->plan[k].shape->radius);
-    // A wide margin makes long lists, a narrow one makes them often.  With 0.75
-    // of a spacing a flat cloth has the diagonals of its cells, and no more:
-    // what stands at two spacings is further than the 1.1 of touching and the
-    // margin.
-    w->near.margin = HUGE_VAL;
-    for (int b = 0; b < w->bodies; b++)
-        if (body_is_soft(&w->body[b]))
-            w->near.margin = fmin(w->near.margin,
-                                  0.75 * w->body[b].plan->spacing);
-}
-
-static size_t at_least_one(int n)
-{
-    return n > 0 ? (size_t)n : 1;
-}
-
-// Vertices that are no particles follow after those that are.
-static int place_vertices(world *w)
-{
-    int end = w->pool.count;
-    for (int b = 0; b < w->bodies; b++) {
-        if (!w->body[b].four) continue;
-        w->body[b].corner = end;
-        end += w->body[b].plan->particles;
-    }
-    return end;
-}
-//<
-
-//> world-size-bodies
-static int size_particles(particle_tables *t, const particle_pool *pool)
-{
-    size_t n = at_least_one(pool->count);
-    t->at     = malloc(at_least_one(t->corners) * sizeof *t->at);
-    t->seen   = malloc(n * sizeof *t->seen);
-    t->lain   = malloc(n * sizeof *t->lain);
-    t->listed = malloc(n * sizeof *t->listed);
-    t->inverse_mass = malloc(n * sizeof *t->inverse_mass);
-    if (!t->at || !t->seen || !t->lain || !t->listed || !t->inverse_mass)
-        return 0;
-    for (int i = 0; i < pool->count; i++) {
-        vec3 x = pool->at[i].position;
-        t->at[i] = t->seen[i] = t->lain[i] = t->listed[i] = x;
-        t->inverse_mass[i] = pool->at[i].inverse_mass;
-    }
-    return 1;
-}
-
-static int size_flags(body_flags *t, int bodies)
-{
-    size_t n = at_least_one(bodies);
-    t->moves    = calloc(n, 1);
-    t->fresh    = calloc(n, 1);
-    t->looked   = calloc(n, 1);
-    t->still    = calloc(n, 1);
-    return t->moves && t->fresh && t->looked && t->still;
-}
-
-// Before they are first cut, all are left.
-static int size_cut(world_cut *t, int bodies)
-{
-    size_t n = at_least_one(bodies);
-    t->side  = calloc(n, 1);
-    t->sided = malloc(n * sizeof *t->sided);
-    if (!t->side || !t->sided) return 0;
-    t->lefts = bodies;
-    for (int b = 0; b < bodies; b++) t->sided[b] = b;
-    return 1;
-}
-//<
-
-//> world-size-rigid
-static int size_pairs(pair_tables *t, int bodies)
-{
-    size_t n = at_least_one(bodies), pairs = at_least_one(t->capacity);
-    t->ball    = calloc(n, sizeof *t->ball);
-    t->spread  = calloc(n, sizeof *t->spread);
-    t->listed  = calloc(n, sizeof *t->listed);
-    t->met     = malloc(pairs * sizeof *t->met);
-    t->at      = malloc(pairs * sizeof *t->at);
-    t->old     = malloc(pairs * sizeof *t->old);
-    t->carried = malloc(pairs * sizeof *t->carried);
-    t->old_carried = malloc(pairs * sizeof *t->old_carried);
-    return t->ball && t->spread && t->listed && t->met && t->at && t->old
-        && t->carried && t->old_carried;
-}
-
-// The largest rigid body has so many vertices.
-static int size_narrow(narrow_tables *t, const world *w, int vertices)
-{
-    size_t n = at_least_one(w->bodies);
-    t->wall  = calloc(n, sizeof *t->wall);
-    t->found = malloc(at_least_one(w->planes * (w->of.corners - w->pool.count)
-                                   + PAIR_CONTACTS * w->pairs.capacity)
-                      * sizeof *t->found);
-    for (int half = 0; half < 2; half++) {
-        t->swept[half]  = malloc(at_least_one(2 * vertices)
-                                 * sizeof *t->swept[half]);
-        t->needed[half] = malloc(n);
-        if (!t->swept[half] || !t->needed[half]) return 0;
-    }
-    return t->wall && t->found;
-}
-
-static int size_pushes(push_tables *t, int bodies)
-{
-    size_t n = at_least_one(t->capacity), moving = at_least_one(bodies);
-    t->at       = malloc(n * sizeof *t->at);
-    t->old      = malloc(n * sizeof *t->old);
-    t->between  = malloc(n * sizeof *t->between);
-    t->old_between = malloc(n * sizeof *t->old_between);
-    t->in_parts = malloc(n * sizeof *t->in_parts);
-    t->ways     = calloc(moving, sizeof *t->ways);
-    t->drift    = calloc(moving + PILE_PARTS, sizeof *t->drift);
-    t->near     = malloc(n * sizeof *t->near);
-    return t->at && t->old && t->between && t->old_between && t->in_parts
-        && t->ways && t->drift && t->near;
-}
-//<
-
 //> world-size-soft
-static int size_near(near_lists *t)
+static void *room_for(int n, size_t size)
 {
-    t->pair  = malloc(at_least_one(t->pair_capacity) * sizeof *t->pair);
-    t->point = malloc(at_least_one(t->point_capacity) * sizeof *t->point);
-    return t->pair && t->point;
+    return malloc((n > 0 ? (size_t)n : 1) * size);
 }
 
-static int size_leaves(leaf_tables *t)
+// A particle of a cloth folded on itself has 12 in touch, most of them its
+// neighbours at rest, but the lists look further: 24 a particle.  And it is near
+// 4 rigid bodies at most, where they lie together.
+// A wide margin makes long lists, a narrow one makes them often.  With 0.75 of
+// a spacing a flat cloth has the diagonals of its cells, and no more: what
+// stands at two spacings is further than the 1.1 of touching and the margin.
+static bool size_soft(world *w)
 {
-    t->pair = malloc(at_least_one(t->capacity) * sizeof *t->pair);
-    return t->pair != NULL;
-}
-
-static int size_hull(hull_tables *t, int faces)
-{
-    t->plane = malloc(at_least_one(faces) * sizeof *t->plane);
-    t->face  = malloc(at_least_one(faces) * sizeof *t->face);
-    return t->plane && t->face;
-}
-//<
-
-//> world-size-tables
-static int size_tables(world *w)
-{
-    int faces = 0, vertices = 0;
-    for (int k = 0; k < w->plans; k++) {
-        const shape *s = w->plan[k].shape;
-        faces  = int_max(faces, s->mesh.faces);
-        if (s->kind == SHAPE_RIGID) vertices = int_max(vertices, s->particles);
+    soft_tables *t = &w->soft;
+    int particles = 0, faces = 0, corners = 0;
+    t->margin = HUGE_VAL;
+    for (int b = 0; b < w->bodies; b++) {
+        const shape *s = w->body[b].shape;
+        if (body_is_soft(&w->body[b])) {
+            particles += s->particles;
+            t->margin = fmin(t->margin, 0.75 * s->spacing);
+        } else {
+            corners = int_max(corners, s->particles);
+            faces = int_max(faces, s->mesh.faces);
+        }
     }
-    return size_particles(&w->of, &w->pool) && size_flags(&w->flags, w->bodies)
-        && size_pairs(&w->pairs, w->bodies) && size_cut(&w->cut, w->bodies)
-        && size_narrow(&w->narrow, w, vertices)
-        && size_pushes(&w->pushes, w->bodies) && size_near(&w->near)
-        && size_leaves(&w->leaves) && size_hull(&w->hull, faces);
-}
-//<
-
-//> world-begin
-static int size_lines(world *w)
-{
-    for (int k = 0; k < w->plans; k++) {
-        if (w->plan[k].shape->kind == SHAPE_RIGID) continue;
-        w->plan[k].line = line_scratch_new(w->plan[k].shape);
-        if (!w->plan[k].line) return 0;
-    }
-    return 1;
+    if (w->softs == 0) return true;
+    t->pair_capacity = t->leaf_capacity = 24 * particles;
+    t->point_capacity = 4 * particles;
+    t->at     = room_for(w->pool.count, sizeof *t->at);
+    t->listed = room_for(w->pool.count, sizeof *t->listed);
+    t->pair   = room_for(t->pair_capacity, sizeof *t->pair);
+    t->point  = room_for(t->point_capacity, sizeof *t->point);
+    t->leaf   = room_for(t->leaf_capacity, sizeof *t->leaf);
+    t->corner = room_for(corners, sizeof *t->corner);
+    t->plane  = room_for(faces, sizeof *t->plane);
+    t->face   = room_for(faces, sizeof *t->face);
+    return t->at && t->listed && t->pair && t->point && t->leaf && t->corner
+        && t->plane && t->face;
 }
 
 // The near lists ask about one deformable body at a time.
@@ -472,94 +279,130 @@ static status build_grid(world *w)
 {
     int most = 0;
     for (int b = 0; b < w->bodies; b++)
-        if (body_is_soft(&w->body[b]) && w->body[b].plan->particles > most)
-            most = w->body[b].plan->particles;
-    return grid_init(&w->near.grid, most);
+        if (body_is_soft(&w->body[b]))
+            most = int_max(most, w->body[b].shape->particles);
+    return grid_init(&w->soft.grid, most);
+}
+//<
+
+//> world-size-rigid
+// Where a static body stands never changes; neither does what kind a body is.
+static void begin_body(world *w, int b)
+{
+    rigid_tables *t = &w->rigid;
+    const body *x = &w->body[b];
+    t->now[b] = (solver_body){ .radius = -1 };
+    t->ball[b] = (sphere){ { 0, 0, 0 }, -1 };
+    t->ahead[b] = (prediction){ .reach = 0 };
+    t->reach[b] = 0;
+    t->moves[b] = 0;
+    if (body_is_soft(x)) return;
+    t->dynamic[b] = !body_is_static(x);
+    t->body[b] = (cache_body){ x->shape, x->rigid, x->inner };
+    t->now[b].frame = rigid4_frame(w->pool.at + x->first);
+    t->now[b].radius = 1.02 * x->rigid->reach;
+    t->ball[b] = (sphere){ t->now[b].frame.center, t->now[b].radius };
 }
 
+static bool size_rigid(rigid_tables *t, int bodies)
+{
+    size_t n = (size_t)bodies + 1;
+    t->body  = calloc(n, sizeof *t->body);
+    t->moves = calloc(n, sizeof *t->moves);
+    t->dynamic = calloc(n, sizeof *t->dynamic);
+    t->now   = calloc(n, sizeof *t->now);
+    t->ball  = calloc(n, sizeof *t->ball);
+    t->ahead = calloc(n, sizeof *t->ahead);
+    t->reach = calloc(n, sizeof *t->reach);
+    t->velocity = aligned_alloc(64, n * sizeof *t->velocity);
+    t->moved    = aligned_alloc(64, n * sizeof *t->moved);
+    t->relaxed  = calloc(n, sizeof *t->relaxed);
+    if (!t->body || !t->moves || !t->dynamic || !t->now || !t->ball || !t->ahead || !t->reach
+        || !t->velocity || !t->moved || !t->relaxed) return false;
+    memset(t->velocity, 0, n * sizeof *t->velocity);
+    memset(t->moved, 0, n * sizeof *t->moved);
+    return true;
+}
+
+static real mass_ratio(const world *w)
+{
+    real most = 0, least = HUGE_VAL;
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        if (body_is_soft(x) || body_is_static(x)) continue;
+        most = fmax(most, x->mass);
+        least = fmin(least, x->mass);
+    }
+    return most > 0 ? most / least : 1;
+}
+
+static status begin_rigid(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    t->mass_ratio = mass_ratio(w);
+    if (!size_rigid(t, w->bodies)) return status_out_of_memory();
+    for (int b = 0; b < w->bodies; b++) begin_body(w, b);
+    status done = pair_list_init(&t->pairs, w->bodies);
+    if (done.ok) done = cache_init(&t->cache, t->body, w->bodies, w->planes);
+    if (done.ok) done = solver_init(&t->solver, w->bodies);
+    return done;
+}
+//<
+
+//> world-begin
 status world_begin(world *w)
 {
-    assert(!w->ready);
-    size_lists(w);
-    w->of.corners = place_vertices(w);
-    if (!size_tables(w) || !size_lines(w)) return status_out_of_memory();
-    // The trees were built to the plans; now they stand where the bodies do.
-    for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);
-    for (int b = 0; b < w->bodies; b++) world_find_ways(w, &w->body[b]);
-    status done = rest_init(&w->rest, w->bodies);
-    if (done.ok) done = broad_init(&w->pairs.broad, w->bodies);
+    assert(!w->is_ready);
+    w->inverse_mass = room_for(w->pool.count, sizeof *w->inverse_mass);
+    if (!w->inverse_mass || !size_soft(w)) return status_out_of_memory();
+    for (int i = 0; i < w->pool.count; i++)
+        w->inverse_mass[i] = w->pool.at[i].inverse_mass;
+    status done = begin_rigid(w);
+    if (done.ok) done = sleep_init(&w->sleep, w->bodies, w->pool.count);
     if (done.ok) done = build_grid(w);
-    w->ready = done.ok;
+    w->is_ready = done.ok;
     return done;
 }
 //<
 
 //> world-free
+static void free_shape(shape_entry *e)
+{
+    line_scratch_free(e->line);
+    if (e->rigid) rigid4_free(e->rigid);
+    free(e->rigid);
+}
+
 void world_free(world *w)
 {
+    rigid_tables *r = &w->rigid;
+    soft_tables *s = &w->soft;
     for (int b = 0; b < w->bodies; b++) sphere_tree_free(&w->body[b].tree);
-    for (int k = 0; k < w->plans; k++) {
-        line_scratch_free(w->plan[k].line);
-        if (w->plan[k].four) rigid4_free(w->plan[k].four);
-        free(w->plan[k].four);
-    }
-    void *owned[] = { w->body, w->plan,
-        w->of.at, w->of.seen, w->of.lain, w->of.listed, w->of.inverse_mass,
-        w->flags.moves, w->flags.fresh, w->flags.looked, w->flags.still,
-        w->pairs.ball, w->pairs.spread, w->pairs.listed, w->pairs.met,
-        w->pairs.at, w->pairs.old, w->pairs.carried, w->pairs.old_carried,
-        w->cut.side, w->cut.sided,
-        w->narrow.wall, w->narrow.found, w->narrow.swept[0],
-        w->narrow.swept[1], w->narrow.needed[0], w->narrow.needed[1],
-        w->pushes.at, w->pushes.old, w->pushes.between, w->pushes.old_between,
-        w->pushes.in_parts, w->pushes.ways, w->pushes.drift, w->pushes.near,
-        w->near.pair, w->near.point, w->leaves.pair,
-        w->hull.plane, w->hull.face };
+    for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
+    void *owned[] = { w->body, w->shape, w->inverse_mass,
+        r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->reach, r->velocity,
+        r->moved, r->relaxed, s->at, s->listed, s->pair, s->point, s->leaf, s->corner,
+        s->plane, s->face };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
+    pair_list_free(&r->pairs);
+    cache_free(&r->cache);
+    solver_free(&r->solver);
     pool_free(&w->pool);
-    rest_free(&w->rest);
-    broad_free(&w->pairs.broad);
-    grid_free(&w->near.grid);
-    *w = (world){ .hull = { .of = -1 } };
+    sleep_free(&w->sleep);
+    grid_free(&s->grid);
+    *w = (world){ .soft = { .trusted = -1, .hull_of = -1 } };
 }
 //<
 
-//> world-look
-// Vertices that ride on four particles have no number in the pool: they are
-// numbered within the body.
-pooled world_collider(const world *w, const body *b)
-{
-    return (pooled){ b->plan, b->four ? 0 : b->first, w->of.at + b->corner,
-                     b->mass };
-}
-
+//> world-vertices
 void world_vertices(const world *w, const body *b, vec3 *at)
 {
     const particle *p = w->pool.at + b->first;
-    if (b->four) {
-        rigid4_ride(b->four, p, at, b->plan->particles);
+    if (b->rigid) {
+        rigid_frame frame = rigid4_frame(p);
+        rigid4_ride(b->rigid, &frame, at, b->shape->particles);
         return;
     }
-    for (int i = 0; i < b->plan->particles; i++) at[i] = p[i].position;
-}
-
-void world_look(world *w, const body *b)
-{
-    world_vertices(w, b, w->of.at + b->corner);
-}
-
-void world_look_again(world *w, body *b)
-{
-    world_look(w, b);
-    sphere_tree_refresh(&b->tree, w->of.at + b->corner);
-}
-
-void world_find_ways(world *w, const body *b)
-{
-    const particle *p = w->pool.at + b->first;
-    vec3 at[FOUR];
-    if (body_is_soft(b)) return;
-    for (int i = 0; i < FOUR; i++) at[i] = p[i].position;
-    rigid4_find_ways(at, p->inverse_mass, &w->pushes.ways[b - w->body]);
+    for (int i = 0; i < b->shape->particles; i++) at[i] = p[i].position;
 }
 //<

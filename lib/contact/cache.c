@@ -1,0 +1,560 @@
+//> cache-update
+#include "cache.h"
+
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void follow_list(contact_cache *c, const cache_frame *f);
+static void place_chunk(void *data, int item);
+static void decide_chunk(void *data, int item);
+static void make_entries(contact_cache *c);
+static void query_chunk(void *data, int item);
+static void gather_active(contact_cache *c, const cache_frame *f);
+
+enum { CHUNK = 32 };        // bodies, or pairs, in an item of work
+
+static int chunks(int n)
+{
+    return (n + CHUNK - 1) / CHUNK;
+}
+
+typedef struct {
+    contact_cache *c;
+    const cache_frame *f;
+} update;
+
+void cache_update(contact_cache *c, const cache_frame *f)
+{
+    update u = { c, f };
+    c->lost = 0;
+    c->queries = 0;
+    if (f->is_new_list) follow_list(c, f);
+    tasks_run(f->run, place_chunk, &u, chunks(f->bodies));
+    tasks_run(f->run, decide_chunk, &u, chunks(c->pairs));
+    make_entries(c);
+    tasks_run(f->run, query_chunk, &u, chunks(f->bodies) + chunks(c->pairs));
+    gather_active(c, f);
+}
+//<
+
+//> cache-follow
+static void release(contact_cache *c, cache_pair *p)
+{
+    if (p->entry < 0) return;
+    c->entry[p->entry].next = c->free_entry;
+    c->free_entry = p->entry;
+    p->entry = -1;
+}
+
+static int compare(const int a[2], const int b[2])
+{
+    return a[0] != b[0] ? (a[0] < b[0] ? -1 : 1)
+         : a[1] != b[1] ? (a[1] < b[1] ? -1 : 1) : 0;
+}
+
+// Both lists are sorted: one walk along them hands each pair what was kept of
+// it, and lets go of what belongs to pairs that are listed no more.
+static void follow_list(contact_cache *c, const cache_frame *f)
+{
+    const pair_list *list = f->list;
+    size_t room = (size_t)int_max(list->capacity, 1);
+    cache_pair *pair = malloc(room * sizeof *pair);
+    int (*key)[2] = malloc(room * sizeof *key), old = 0;
+    int n = pair && key ? list->count : 0;
+    c->lost += list->count - n;
+    for (int k = 0; k < n; k++) {
+        const int *now = list->pair[k];
+        while (old < c->pairs && compare(c->key[old], now) < 0)
+            release(c, &c->pair[old++]);
+        bool is_known = old < c->pairs && compare(c->key[old], now) == 0;
+        pair[k] = is_known ? c->pair[old++]
+                           : (cache_pair){ .entry = -1, .seen = { -1, -1 } };
+        key[k][0] = now[0];
+        key[k][1] = now[1];
+    }
+    while (old < c->pairs) release(c, &c->pair[old++]);
+    free(c->pair);
+    free(c->key);
+    c->pair = pair;
+    c->key = key;
+    c->pairs = n;
+}
+//<
+
+//> cache-decide
+// m, what a body may have come nearer since it was placed.
+static real slack_of(const cache_frame *f, int a, int b)
+{
+    return f->stay * (f->now[a].radius + (b < 0 ? 0 : f->now[b].radius));
+}
+
+static real reach_of(const cache_frame *f, int a, int b)
+{
+    return f->ahead[a].reach + (b < 0 ? 0 : f->ahead[b].reach);
+}
+
+static void forget(cache_pair *p)
+{
+    p->count = 0;
+    p->seen[0] = p->seen[1] = -1;
+}
+
+// Asks again where a body was placed again, or gets further than it was asked
+// for.
+static void decide(const contact_cache *c, cache_pair *p, real reach, int a,
+                   int b)
+{
+    int seen = b < 0 ? 0 : c->placed[b].number;
+    p->is_asked = p->seen[0] != c->placed[a].number || p->seen[1] != seen
+                  || !(reach <= p->margin);
+}
+
+static void decide_pair(contact_cache *c, const cache_frame *f, int k)
+{
+    int a = c->key[k][0], b = c->key[k][1];
+    cache_pair *p = &c->pair[k];
+    real reach = reach_of(f, a, b);
+    real near = f->now[a].radius + f->now[b].radius + reach;
+    vec3 d = vec3_sub(f->now[a].frame.center, f->now[b].frame.center);
+    p->is_asked = false;
+    if (!f->moves[a] && !f->moves[b]) return;
+    if (!(vec3_length_squared(d) <= near * near)) forget(p);
+    else decide(c, p, reach, a, b);
+}
+
+static void decide_walls(contact_cache *c, const cache_frame *f, int b)
+{
+    for (int k = 0; k < f->planes; k++) {
+        cache_pair *p = &c->wall[b * c->planes + k];
+        real reach = f->ahead[b].reach;
+        real height = vec3_dot(f->plane[k].normal, f->now[b].frame.center)
+                    - f->plane[k].offset;
+        p->is_asked = false;
+        if (!f->moves[b] || !f->body[b].rigid) continue;
+        if (!(height <= f->now[b].radius + reach)) forget(p);
+        else decide(c, p, reach, b, -1);
+    }
+}
+
+static void decide_chunk(void *data, int item)
+{
+    const update *u = data;
+    int end = int_min((item + 1) * CHUNK, u->c->pairs);
+    for (int k = item * CHUNK; k < end; k++) decide_pair(u->c, u->f, k);
+}
+//<
+
+//> cache-place
+// How far a point of the body can be from where it was when its vertices were
+// placed, about: a corner has coordinates of up to two.
+static bool has_left(const struct placing *p, const rigid_frame *now, real far)
+{
+    vec3 way = vec3_sub(now->center, p->frame.center);
+    real square = vec3_length_squared(way);
+    for (int i = 0; i < FOUR_AXES; i++) {
+        vec3 turn = vec3_sub(now->axis[i], p->frame.axis[i]);
+        square += 4 * vec3_length_squared(turn);
+    }
+    return !(square <= far * far);
+}
+
+static void place_body(contact_cache *c, const cache_frame *f, int b)
+{
+    struct placing *p = &c->placed[b];
+    const cache_body *body = &f->body[b];
+    const solver_body *now = &f->now[b];
+    if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
+    if (p->number > 0 && !has_left(p, &now->frame, f->stay * now->radius))
+        return;
+    p->frame = now->frame;
+    p->number++;
+    rigid4_ride(body->rigid, &p->frame, c->vertex + p->first,
+                body->shape->particles);
+}
+
+static void place_chunk(void *data, int item)
+{
+    const update *u = data;
+    int end = int_min((item + 1) * CHUNK, u->f->bodies);
+    for (int b = item * CHUNK; b < end; b++) {
+        place_body(u->c, u->f, b);
+        decide_walls(u->c, u->f, b);
+    }
+}
+//<
+
+//> cache-entries
+// An entry for whatever is asked: -1 where memory is refused.
+static int new_entry(contact_cache *c)
+{
+    int k = c->free_entry;
+    if (k >= 0) {
+        c->free_entry = c->entry[k].next;
+    } else {
+        if (c->entries == c->entry_capacity) {
+            int room = 2 * c->entry_capacity + 64;
+            cache_entry *more = realloc(c->entry,
+                                        (size_t)room * sizeof *more);
+            if (!more) return -1;
+            c->entry = more;
+            c->entry_capacity = room;
+        }
+        k = c->entries++;
+    }
+    c->entry[k] = (cache_entry){ .next = -1 };
+    return k;
+}
+
+static void make_entry(contact_cache *c, cache_pair *p, int a, int b)
+{
+    c->queries += p->is_asked;
+    if (!p->is_asked || p->entry >= 0) return;
+    p->entry = new_entry(c);
+    if (p->entry >= 0) {
+        c->entry[p->entry].contact.a = a;
+        c->entry[p->entry].contact.b = b;
+    } else {
+        p->is_asked = false;
+        c->lost++;
+    }
+}
+
+static void make_entries(contact_cache *c)
+{
+    for (int k = 0; k < c->pairs; k++)
+        make_entry(c, &c->pair[k], c->key[k][0], c->key[k][1]);
+    for (int b = 0; b < c->bodies; b++)
+        for (int k = 0; k < c->planes; k++)
+            make_entry(c, &c->wall[b * c->planes + k], b,
+                       contact_with_plane(k));
+}
+//<
+
+//> cache-point
+// Coordinates, in the frame of the four particles, of a point of a feature.
+static vec3 local_of(const rigid4 *r, const feature_point *f)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < f->count; k++)
+        sum = vec3_add_scaled(sum, f->weight[k], r->local[f->vertex[k]]);
+    return sum;
+}
+
+// Both impulses of a point act in the middle between its two sides: what one
+// body gains of angular momentum the other loses.  Sides that are far apart,
+// of bodies that will meet later in the frame, keep their own.
+static void set_arms(contact_point *p, const solver_body *a,
+                     const solver_body *b, bool is_apart)
+{
+    vec3 on_a = frame_point(&a->frame, p->local_a);
+    vec3 on_b = frame_point(&b->frame, p->local_b);
+    vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
+    p->arm_a = vec3_sub(is_apart ? on_a : middle, a->frame.center);
+    p->arm_b = vec3_sub(is_apart ? on_b : middle, b->frame.center);
+}
+
+static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
+                          bool is_apart)
+{
+    c->count = m->count;
+    c->normal = m->normal;
+    for (int k = 0; k < m->count; k++) {
+        contact_point *p = &c->point[k];
+        *p = (contact_point){
+            .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
+            .local_b = local_of(f->body[c->b].rigid, &m->point[k].b) };
+        set_arms(p, &f->now[c->a], &f->now[c->b], is_apart);
+    }
+}
+//<
+
+//> cache-guard
+// A bullet is stopped at one point.  The rest of it would turn about that, and
+// be through before the next frame asks.  So the ball inside the smaller body
+// is kept in front of the plane of touch as well: a second point, its middle.
+static void add_guard(contact *c, const cache_frame *f)
+{
+    int a = c->a, b = c->b;
+    bool is_a = f->now[a].radius < f->now[b].radius;
+    int small = is_a ? a : b;
+    contact_point *p = &c->point[c->count];
+    if (!f->moves[small] || c->count == CONTACT_POINTS) return;
+    *p = c->point[0];
+    if (is_a) p->local_a = f->body[a].rigid->middle;
+    else      p->local_b = f->body[b].rigid->middle;
+    p->offset = f->body[small].inner;
+    set_arms(p, &f->now[a], &f->now[b], true);
+    c->count++;
+}
+//<
+
+//> cache-query
+// Bodies that pass each other by more than the smaller one's inner radius in a
+// frame may be lost to each other: they are asked when they first touch.
+static bool is_fast(const cache_frame *f, int a, int b)
+{
+    real far = vec3_distance(f->ahead[a].way, f->ahead[b].way);
+    return far > fmin(f->body[a].inner, f->body[b].inner);
+}
+
+static swept_status query_swept(contact *c, const cache_frame *f,
+                                const collider *a, const collider *b)
+{
+    enum { ROOM = 256 };
+    vec3 room[ROOM], *scratch = room;
+    int need = a->shape->particles + b->shape->particles;
+    manifold m;
+    if (need > ROOM) scratch = malloc((size_t)need * sizeof *scratch);
+    if (!scratch) return SWEPT_CAPPED;
+    vec3 way = vec3_sub(f->ahead[c->a].way, f->ahead[c->b].way);
+    real turn = f->ahead[c->a].turn + f->ahead[c->b].turn;
+    swept_status s = collide_swept(a, b, way, turn, scratch, &m);
+    if (scratch != room) free(scratch);
+    if (s == SWEPT_TOUCHES) {
+        take_manifold(c, &m, f, true);
+        add_guard(c, f);
+    }
+    return s;
+}
+
+static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
+{
+    cache_entry *e = &c->entry[p->entry];
+    contact was = e->contact, *now = &e->contact;
+    int a = now->a, b = now->b;
+    collider x = { f->body[a].shape, c->vertex + c->placed[a].first };
+    collider y = { f->body[b].shape, c->vertex + c->placed[b].first };
+    swept_status swept = SWEPT_OVERLAP;
+    now->count = 0;
+    p->seen[0] = p->seen[1] = -1;
+    if (is_fast(f, a, b)) swept = query_swept(now, f, &x, &y);
+    if (swept != SWEPT_TOUCHES && swept != SWEPT_PASSES) {
+        real slack = slack_of(f, a, b), reach = reach_of(f, a, b);
+        manifold m = collide_rigid(&x, &y, reach + 2 * slack, &e->carried);
+        take_manifold(now, &m, f, false);
+        p->seen[0] = c->placed[a].number;
+        p->seen[1] = c->placed[b].number;
+        p->margin = reach + slack;
+    }
+    p->count = (signed char)now->count;
+    p->gap = -HUGE_VAL;
+    contact_inherit(now, &was);
+}
+//<
+
+//> cache-walls
+// Of the vertices of a body near a plane, the four lowest.  Of several at one
+// height, as the rim of a cylinder that stands, those that span the most: the
+// first, the one farthest from it, the one farthest from their line, and the
+// one farthest on its other side.
+typedef struct {
+    int  vertex;
+    real height;
+    vec3 at;
+} low_vertex;
+
+static void keep_lowest(low_vertex low[CONTACT_POINTS], int *n, low_vertex v)
+{
+    int at = *n;
+    if (*n == CONTACT_POINTS) {
+        if (!(v.height < low[CONTACT_POINTS - 1].height)) return;
+        at = CONTACT_POINTS - 1;
+    } else {
+        (*n)++;
+    }
+    for (; at > 0 && low[at - 1].height > v.height; at--) low[at] = low[at - 1];
+    low[at] = v;
+}
+
+static real span(const low_vertex *low, int n, vec3 at, vec3 normal)
+{
+    if (n == 1) return vec3_length_squared(vec3_sub(at, low[0].at));
+    vec3 side = vec3_cross(normal, vec3_sub(low[1].at, low[0].at));
+    real across = vec3_dot(side, vec3_sub(at, low[0].at));
+    if (n == 2) return fabs(across);
+    real third = vec3_dot(side, vec3_sub(low[2].at, low[0].at));
+    return third > 0 ? -across : across;
+}
+
+// Replaces all but the first by those of the same height that span more.
+static void widen(low_vertex low[CONTACT_POINTS], const vec3 *at, int vertices,
+                  plane p, real even)
+{
+    real top = low[CONTACT_POINTS - 1].height + even;
+    for (int n = 1; n < CONTACT_POINTS; n++) {
+        real most = span(low, n, low[n].at, p.normal);
+        for (int v = 0; v < vertices; v++) {
+            real height = vec3_dot(p.normal, at[v]) - p.offset;
+            real far = span(low, n, at[v], p.normal);
+            if (!(height <= top) || !(far > most)) continue;
+            low[n] = (low_vertex){ v, height, at[v] };
+            most = far;
+        }
+    }
+}
+
+static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
+{
+    low_vertex low[CONTACT_POINTS];
+    contact was = c->entry[p->entry].contact;
+    contact *now = &c->entry[p->entry].contact;
+    int a = now->a, n = 0, vertices = f->body[a].shape->particles;
+    plane wall = f->plane[-1 - now->b];
+    const vec3 *at = c->vertex + c->placed[a].first;
+    real slack = slack_of(f, a, -1), reach = reach_of(f, a, -1);
+    for (int v = 0; v < vertices; v++) {
+        real height = vec3_dot(wall.normal, at[v]) - wall.offset;
+        if (height <= reach + 2 * slack)
+            keep_lowest(low, &n, (low_vertex){ v, height, at[v] });
+    }
+    if (n == CONTACT_POINTS && vertices > 8)
+        widen(low, at, vertices, wall, slack);
+    now->normal = wall.normal;
+    now->count = n;
+    for (int k = 0; k < n; k++) {
+        contact_point *q = &now->point[k];
+        *q = (contact_point){ .local_a = f->body[a].rigid->local[low[k].vertex] };
+        q->arm_a = vec3_sub(frame_point(&f->now[a].frame, q->local_a),
+                            f->now[a].frame.center);
+    }
+    p->count = (signed char)n;
+    p->seen[0] = c->placed[a].number;
+    p->seen[1] = 0;
+    p->margin = reach + slack;
+    p->gap = -HUGE_VAL;
+    contact_inherit(now, &was);
+}
+//<
+
+//> cache-query-all
+static void query_walls(contact_cache *c, const cache_frame *f, int b)
+{
+    for (int k = 0; k < f->planes; k++) {
+        cache_pair *p = &c->wall[b * c->planes + k];
+        if (p->is_asked) query_wall(c, f, p);
+    }
+}
+
+static void query_chunk(void *data, int item)
+{
+    const update *u = data;
+    int body_items = chunks(u->f->bodies), first = item * CHUNK;
+    if (item < body_items) {
+        int end = int_min(first + CHUNK, u->f->bodies);
+        for (int b = first; b < end; b++) query_walls(u->c, u->f, b);
+        return;
+    }
+    first -= body_items * CHUNK;
+    int end = int_min(first + CHUNK, u->c->pairs);
+    for (int k = first; k < end; k++)
+        if (u->c->pair[k].is_asked) query_pair(u->c, u->f, &u->c->pair[k]);
+}
+//<
+
+//> cache-active
+// A contact whose gap cannot close in this frame is left out: it was `gap`, and
+// both bodies together have gone no further than their paths since.
+static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
+                     int a, int b)
+{
+    if (p->count == 0 || p->entry < 0) return;
+    if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
+    real reach = reach_of(f, a, b);
+    real paths = c->placed[a].path + (b < 0 ? 0 : c->placed[b].path);
+    if (p->gap - (paths - p->paths) > reach) return;
+    p->paths = paths;
+    c->active[c->actives] = &c->entry[p->entry].contact;
+    c->of[c->actives] = p;
+    c->reach[c->actives++] = reach;
+}
+
+static bool grow_active(contact_cache *c, int need)
+{
+    size_t room = (size_t)need + (size_t)need / 2 + 64;
+    if (need <= c->active_capacity) return true;
+    free(c->active);
+    free(c->of);
+    free(c->reach);
+    c->active = malloc(room * sizeof *c->active);
+    c->of = malloc(room * sizeof *c->of);
+    c->reach = malloc(room * sizeof *c->reach);
+    c->active_capacity = c->active && c->of && c->reach ? (int)room : 0;
+    return c->active_capacity > 0;
+}
+
+static void gather_active(contact_cache *c, const cache_frame *f)
+{
+    c->actives = 0;
+    if (!grow_active(c, c->entries)) {
+        c->lost += c->entries;
+        return;
+    }
+    for (int k = 0; k < c->pairs; k++)
+        activate(c, f, &c->pair[k], c->key[k][0], c->key[k][1]);
+    for (int b = 0; b < f->bodies; b++)
+        for (int k = 0; k < f->planes; k++)
+            activate(c, f, &c->wall[b * c->planes + k], b, -1);
+}
+
+void cache_note(contact_cache *c, const contact_solver *s)
+{
+    for (int k = 0; k < s->contacts; k++) c->of[k]->gap = s->active[k].least;
+}
+
+void cache_moved(contact_cache *c, int b, real way)
+{
+    c->placed[b].path += way;
+}
+//<
+
+//> cache-init
+status cache_init(contact_cache *c, const cache_body *body, int bodies,
+                  int planes)
+{
+    size_t n = (size_t)int_max(bodies, 1), vertices = 1;
+    *c = (contact_cache){ .planes = planes, .bodies = bodies,
+                          .free_entry = -1 };
+    c->placed = calloc(n, sizeof *c->placed);
+    c->wall = calloc(n * (size_t)int_max(planes, 1), sizeof *c->wall);
+    for (int b = 0; b < bodies && c->placed; b++) {
+        c->placed[b].first = (int)vertices;
+        if (body[b].rigid) vertices += (size_t)body[b].shape->particles;
+    }
+    c->vertex = malloc(vertices * sizeof *c->vertex);
+    if (!c->placed || !c->wall || !c->vertex) {
+        cache_free(c);
+        return status_out_of_memory();
+    }
+    for (int k = 0; k < bodies * planes; k++)
+        c->wall[k] = (cache_pair){ .entry = -1, .seen = { -1, -1 } };
+    return status_ok();
+}
+
+void cache_free(contact_cache *c)
+{
+    free(c->pair);
+    free(c->key);
+    free(c->wall);
+    free(c->entry);
+    free(c->placed);
+    free(c->vertex);
+    free(c->active);
+    free(c->of);
+    free(c->reach);
+    *c = (contact_cache){ .free_entry = -1 };
+}
+
+static void clear_pair(contact_cache *c, cache_pair *p)
+{
+    release(c, p);
+    forget(p);
+}
+
+void cache_clear(contact_cache *c)
+{
+    for (int k = 0; k < c->pairs; k++) clear_pair(c, &c->pair[k]);
+    for (int k = 0; k < c->bodies * c->planes; k++) clear_pair(c, &c->wall[k]);
+    for (int b = 0; b < c->bodies; b++) c->placed[b].number = 0;
+}
+//<

@@ -1,0 +1,116 @@
+//> cache-head
+// cache.h - the contacts of rigid bodies, from frame to frame.
+//
+// Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 16.
+//
+// A pair is asked where it touches once a frame, as far ahead as its bodies may
+// get; and not at all while they lie where they lay when they were last asked.
+// Units: metres, kilograms, seconds.  Normals point from B to A.
+
+#ifndef TUMBLE_CACHE_H
+#define TUMBLE_CACHE_H
+
+#include "collide.h"
+#include "pairs.h"
+#include "solver.h"
+
+// How a body may move in this frame.
+typedef struct {
+    vec3 way;           // m, its centre's, as fast as it is now
+    real turn;          // m, what its vertices may go beside that
+    real reach;         // m, both together
+} prediction;
+
+// What the narrow phase reads of a rigid body, beside its solver_body.
+typedef struct {
+    const shape *shape; // NULL: it is not rigid
+    const rigid4 *rigid;
+    real inner;         // m, its inner radius
+} cache_body;
+
+typedef struct {
+    const cache_body *body;     // [bodies]
+    const solver_body *now;     // [bodies]
+    const prediction *ahead;    // [bodies]
+    const char *moves;          // [bodies]
+    int bodies;
+    const pair_list *list;
+    bool is_new_list;
+    const plane *plane;
+    int planes;
+    real stay;          // of a body's radius; see world_options
+    tasks run;
+} cache_frame;
+//<
+
+//> cache-struct
+// What is kept of a pair, or of a body and a plane: small, for it is read in
+// every frame.
+typedef struct {
+    int  entry;         // in the table of contacts; -1: none
+    int  seen[2];       // of which placing of each body it was found; -1: it is
+                        // good for this frame only
+    bool is_asked;
+    signed char count;  // points
+    real margin;        // m, everything nearer was found
+    real gap;           // m, the least, when paths was
+    real paths;         // m, how far both bodies had gone then
+} cache_pair;
+
+typedef struct {
+    contact contact;
+    query_cache carried;
+    int next;           // the next free entry
+} cache_entry;
+
+typedef struct {
+    cache_pair *pair;   // [pairs], as in the list
+    int (*key)[2];      // [pairs] whose
+    int pairs, pair_capacity;
+    cache_pair *wall;   // [bodies * planes]
+    int bodies, planes;
+    cache_entry *entry;
+    int entries, entry_capacity, free_entry;
+
+    // Where each body was when its vertices were last placed.
+    struct placing {
+        rigid_frame frame;
+        int  number;    // how often they were placed
+        int  first;     // in vertex
+        real path;      // m, how far any of its points has gone at most
+    } *placed;          // [bodies]
+    vec3 *vertex;       // m
+
+    // The contacts of this frame, and how near their points may come in it.
+    contact **active;   // [actives]
+    cache_pair **of;    // [actives] where they are kept
+    real *reach;        // [actives] m
+    int actives, active_capacity;
+    long queries;       // asked in this frame
+    int  lost;          // contacts that found no memory
+} contact_cache;
+//<
+
+//> cache-declare
+// For bodies as given (their shapes), and so many planes.  Fails, leaving *c
+// empty, for want of memory.
+status cache_init(contact_cache *c, const cache_body *body, int bodies,
+                  int planes);
+void   cache_free(contact_cache *c);    // an empty or zeroed one is fine
+
+// The contacts of this frame in active, reach: those of pairs by pair, then
+// those with planes.
+void cache_update(contact_cache *c, const cache_frame *f);
+
+// After the solver has taken them: what each contact's least gap is.
+void cache_note(contact_cache *c, const contact_solver *s);
+
+// Body b has been moved: no vertex of it by more than way (m).
+void cache_moved(contact_cache *c, int b, real way);
+
+// Everything that is kept is forgotten: the next frame asks all.  (With this
+// before every frame contacts know no past: the oracle.)
+void cache_clear(contact_cache *c);
+
+#endif
+//<

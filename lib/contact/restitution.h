@@ -1,0 +1,49 @@
+//> restitution-head
+// restitution.h - bodies that meet fast part again: impacts.
+//
+// Paper: section 6.1 only parts what overlaps.  Book: chapter 13.
+// Units: metres, kilograms, seconds.  Normals point from B to A.
+
+#ifndef TUMBLE_RESTITUTION_H
+#define TUMBLE_RESTITUTION_H
+
+#include "solver.h"
+//<
+
+//> restitution-declare
+// The impacts of one substep.  Two bodies whose gap closes within it, and that
+// meet faster than restitution_slowest, part at `restitution` (0 to 1) times
+// the speed at which they met, at the time at which they met; friction f acts
+// in the impact, too.  Forward and backward over the n contacts, as long as
+// any strikes, at most IMPACT_ROUNDS times: an impact that is passed on, as in
+// Newton's cradle, is one more impact.  Returns how many there were.
+//
+// velocity and moved, [bodies], say how the bodies move in this substep, with
+// gravity (m/s^2) in it, and how far they have gone since the frame began.
+// moved changes as well, so that the end of the substep is where a body comes
+// that has its old velocity before the impact and the new one after it.
+//
+// No impact adds energy, to rounding, whatever its bodies, points and friction;
+// with restitution 1 and no friction, none takes any.  It keeps the momentum of
+// its two bodies, and, as far as the two points of a contact are in one place
+// when they touch, the angular momentum.  Numbers that are not finite strike
+// nothing.
+//
+// To be called before solver_begin.  Then the solver's sum of what contacts did
+// in a substep, which it begins the next one with, has no impact in it, and
+// bodies that part after one are not pushed, or held, by the solver.
+enum { IMPACT_ROUNDS = 8 };
+int restitution_solve(const contact *const *table, int n, const solver_frame *f,
+                      real restitution, vec3 gravity, motion *velocity,
+                      motion *moved);
+
+// m/s: what meets more slowly does not bounce.  A third of the speed that a
+// fall through the smaller radius (m) gives: then a bounce would not be seen,
+// and what lies still would never come to rest.  And at least what gravity
+// gives in two substeps of h (s).
+real restitution_slowest(real radius, real gravity, real h);
+//<
+
+//> restitution-end-of-header
+#endif
+//<

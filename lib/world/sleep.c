@@ -1,0 +1,217 @@
+//> sleep-init
+#include "sleep.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+status sleep_init(sleep_state *s, int bodies, int particles)
+{
+    assert(bodies >= 0 && particles >= 0);
+    size_t n = (size_t)int_max(bodies, 1), m = (size_t)int_max(particles, 1);
+    *s = (sleep_state){ .bodies = bodies, .particles = particles,
+        .parent = calloc(n, sizeof *s->parent),
+        .island = calloc(n, sizeof *s->island),
+        .asleep = calloc(n, sizeof *s->asleep),
+        .is_restless = calloc(n, sizeof *s->is_restless),
+        .watch = calloc(n, sizeof *s->watch),
+        .start = { calloc(m, sizeof **s->start),
+                   calloc(m, sizeof **s->start) } };
+    if (!s->parent || !s->island || !s->asleep || !s->is_restless || !s->watch
+        || !s->start[0] || !s->start[1]) {
+        sleep_free(s);
+        return status_out_of_memory();
+    }
+    return status_ok();
+}
+
+void sleep_free(sleep_state *s)
+{
+    free(s->parent);
+    free(s->island);
+    free(s->asleep);
+    free(s->is_restless);
+    free(s->watch);
+    for (int k = 0; k < WINDOWS; k++) free(s->start[k]);
+    *s = (sleep_state){ .bodies = 0 };
+}
+//<
+
+//> sleep-touch
+// The body that stands for b's island.  Every step shortens the way for the
+// next one (path halving); parents never have a higher number, so it ends.
+static int island_of(sleep_state *s, int b)
+{
+    while (s->parent[b] != b) {
+        s->parent[b] = s->parent[s->parent[b]];
+        b = s->parent[b];
+    }
+    return b;
+}
+
+void sleep_touch(sleep_state *s, int a, int b)
+{
+    assert(a >= 0 && a < s->bodies && b >= 0 && b < s->bodies);
+    int i = island_of(s, a), j = island_of(s, b);
+    if (i < j) s->parent[j] = i;
+    else       s->parent[i] = j;
+}
+
+// Bodies that fell asleep together stay one island until they wake, for
+// contacts between sleepers are not looked for.
+void sleep_begin(sleep_state *s)
+{
+    for (int b = 0; b < s->bodies; b++) s->parent[b] = b;
+    for (int b = 0; b < s->bodies; b++)
+        if (s->asleep[b]) sleep_touch(s, b, s->island[b]);
+}
+//<
+
+//> sleep-limits
+// What is still, for one body.
+typedef struct {
+    real way;       // m, in a window
+    real speed;     // m/s, now
+    real noise;     // m, by which a window may be longer than the one before
+    int  frames;    // half a window
+} sleep_limits;
+
+static const real EARTH = 9.81;             // m/s^2
+static const real MOTIONLESS = 1e-6;        // of a radius, in a window
+static const real NOISE = 1e-4;             // of a radius
+static const real GROWTH = 1.2;             // from window to window
+static const real JITTER = 5;               // times the speed, at one moment
+enum { HALVES_TO_SLEEP = 4, MOST_FRAMES = 1000000 };
+
+// Froude's scaling: speeds go as sqrt(g R), times as sqrt(R / g).
+static sleep_limits limits_of(const sleep_rule *rule, real radius)
+{
+    real g = rule->gravity, half = rule->time / HALVES_TO_SLEEP;
+    real speed = rule->speed * sqrt(g * radius / EARTH);
+    if (g > 0) half *= real_max(1, sqrt(radius * EARTH / g));
+    real frames = real_min(half / rule->dt + 0.5, MOST_FRAMES);
+    sleep_limits l = { .frames = int_max((int)frames, 1) };
+    real window = 2 * l.frames * rule->dt;
+    l.way = real_max(speed * window, MOTIONLESS * radius);
+    l.speed = JITTER * l.way / window;
+    l.noise = NOISE * radius;
+    return l;
+}
+//<
+
+//> sleep-observe
+// The largest distance (m) of n particles from where they were; infinite if one
+// is not finite.
+static real furthest(const particle *p, const vec3 *from, int n)
+{
+    real most = 0;
+    for (int i = 0; i < n; i++) {
+        vec3 d = vec3_sub(p[i].position, from[i]);
+        real square = vec3_length_squared(d);
+        if (!(square <= most)) most = square > most ? square : HUGE_VAL;
+    }
+    return sqrt(most);
+}
+
+// Slower than the limit at this moment, all of them.
+static bool are_slow(const particle *p, int n, real far)
+{
+    for (int i = 0; i < n; i++) {
+        vec3 d = vec3_sub(p[i].position, p[i].previous);
+        if (!(vec3_length_squared(d) <= far * far)) return false;
+    }
+    return true;
+}
+
+// The window that ends now has shown the body still, or not.  The first such
+// window counts for two halves, each one after that for another half.
+static void judge(sleep_watch *watch, const sleep_window *w,
+                  const sleep_limits *l)
+{
+    bool is_still = w->way <= l->way && w->way <= GROWTH * w->before + l->noise;
+    if (!is_still)              watch->still = 0;
+    else if (watch->still == 0) watch->still = 2;
+    else                        watch->still++;
+}
+
+// A half is over: the older window ends, and begins again.
+static void next_half(sleep_state *s, int b, const particle *pool, int first,
+                      int n, const sleep_limits *l)
+{
+    sleep_watch *watch = &s->watch[b];
+    int k = watch->halves % WINDOWS;
+    sleep_window *w = &watch->window[k];
+    if (watch->halves >= WINDOWS) judge(watch, w, l);
+    w->before = watch->halves >= WINDOWS ? w->way : -HUGE_VAL;
+    w->way = 0;
+    for (int i = first; i < first + n; i++) s->start[k][i] = pool[i].position;
+    watch->halves++;
+    if (watch->halves == 2 * WINDOWS) watch->halves = WINDOWS;
+    watch->frames = 0;
+}
+
+void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
+                   int n, real radius, const sleep_rule *rule)
+{
+    assert(b >= 0 && b < s->bodies && !s->asleep[b]);
+    assert(first >= 0 && n >= 0 && n <= s->particles - first);
+    sleep_watch *watch = &s->watch[b];
+    sleep_limits l = limits_of(rule, radius);
+    if (!(rule->speed > 0)) {
+        sleep_forget(s, b);
+        return;
+    }
+    watch->frames++;
+    for (int k = 0; k < int_min(watch->halves, WINDOWS); k++) {
+        // A window in which it has gone too far already needs no more looks.
+        sleep_window *w = &watch->window[k];
+        if (w->way > l.way) continue;
+        real way = furthest(pool + first, s->start[k] + first, n);
+        w->way = real_max(way, w->way);
+    }
+    if (watch->halves == 0 || watch->frames >= l.frames)
+        next_half(s, b, pool, first, n, &l);
+    if (watch->still > 0 && !are_slow(pool + first, n, l.speed * rule->h))
+        watch->still = 0;
+}
+//<
+
+//> sleep-end
+static bool may_sleep(const sleep_state *s, int b)
+{
+    return s->asleep[b] || s->watch[b].still >= HALVES_TO_SLEEP;
+}
+
+int sleep_end(sleep_state *s)
+{
+    int fallen = 0;
+    for (int b = 0; b < s->bodies; b++) s->is_restless[b] = false;
+    for (int b = 0; b < s->bodies; b++)
+        if (!may_sleep(s, b)) s->is_restless[island_of(s, b)] = true;
+    for (int b = 0; b < s->bodies; b++) {
+        int root = island_of(s, b);
+        if (s->is_restless[root]) continue;
+        fallen += !s->asleep[b];
+        s->asleep[b] = true;
+        s->island[b] = root;
+    }
+    return fallen;
+}
+
+void sleep_forget(sleep_state *s, int b)
+{
+    assert(b >= 0 && b < s->bodies);
+    s->watch[b] = (sleep_watch){ .halves = 0 };
+}
+
+void sleep_wake(sleep_state *s, int b)
+{
+    assert(b >= 0 && b < s->bodies);
+    if (!s->asleep[b]) return;
+    int island = s->island[b];
+    for (int i = 0; i < s->bodies; i++) {
+        if (!s->asleep[i] || s->island[i] != island) continue;
+        s->asleep[i] = false;
+        sleep_forget(s, i);
+    }
+}
+//<

@@ -1,0 +1,98 @@
+//> sleep-head
+// sleep.h - bodies that have been still together fall asleep together.
+//
+// Paper: section 8 mentions, and omits, how it spared stacked objects.
+// Book: chapter 16.
+// Units: metres, seconds.
+
+#ifndef TUMBLE_SLEEP_H
+#define TUMBLE_SLEEP_H
+
+#include "status.h"
+#include "verlet.h"
+
+// What counts as still, for a body of a radius of 1 m under 9.81 m/s^2.  Bodies
+// of other sizes, in other gravity, are still if the same motion would be, seen
+// with all lengths R and all times sqrt(R / g) times as large; but none in a
+// shorter time.
+typedef struct {
+    real speed;     // m/s, sleep_speed; 0: nothing falls asleep
+    real time;      // s, time_to_sleep
+    real gravity;   // m/s^2, its size
+    real dt;        // s, a frame
+    real h;         // s: the particles were at `previous` so long ago
+} sleep_rule;
+
+// A window of time, half as long as time_to_sleep.
+typedef struct {
+    real way;       // m, the furthest that a particle has been in it from where
+                    // it was when the window began
+    real before;    // m, the same in the window before; -HUGE_VAL: none
+} sleep_window;
+
+// How still a body has been.  It has two windows at any time: one begins, and
+// the other is half over.
+enum { WINDOWS = 2 };
+
+typedef struct {
+    sleep_window window[WINDOWS];
+    int frames;     // since the younger window began
+    int halves;     // half windows since the body was first observed
+    int still;      // half windows for which it has been still
+} sleep_watch;
+
+// An island is a set of movable bodies that touch, directly or through others.
+typedef struct {
+    int  bodies, particles;
+    int  *parent;       // [bodies] union-find over the contacts of a frame
+    int  *island;       // [bodies] the island it fell asleep with, by the body
+                        // that stood for it; means nothing while awake
+    bool *asleep;       // [bodies]
+    bool *is_restless;  // [bodies] of the body that stands for an island: one
+                        // in it has not been still for long enough
+    sleep_watch *watch; // [bodies]
+    vec3 *start[WINDOWS];       // m, [particles] where they were when each
+                        // window of their body began
+} sleep_state;
+//<
+
+//> sleep-declare
+// All bodies awake.  Fails, leaving *s empty, if memory is refused.
+status sleep_init(sleep_state *s, int bodies, int particles);
+void   sleep_free(sleep_state *s);      // an empty or zeroed one is fine
+
+// A new frame: every body is an island of its own, but sleepers stay with those
+// that they fell asleep with.
+void sleep_begin(sleep_state *s);
+
+// Bodies a and b hold each other.  Both must be movable.
+void sleep_touch(sleep_state *s, int a, int b);
+
+// At the end of a frame, once for every movable body that is awake: its
+// particles are pool[first] and the n - 1 after it, none further than radius
+// (m) from their middle.  A body that is not observed does not fall asleep.
+//
+// A body is still while it goes no further than sleep_speed would take it, and
+// no further than in the window before: what slides, rolls or tips over from
+// rest goes further and further, however slowly it begins.  Without gravity,
+// only what does not move at all is still.  Coordinates that are not finite
+// are not still.
+void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
+                   int n, real radius, const sleep_rule *rule);
+
+// Puts to sleep every island in which all bodies have been still for
+// time_to_sleep.  Returns how many bodies fell asleep.
+int sleep_end(sleep_state *s);
+
+// Wakes body b and all that fell asleep with it: these begin to be observed
+// again.  Nothing happens if it is awake.  The islands of this frame stay as
+// they are.
+void sleep_wake(sleep_state *s, int b);
+
+// Body b has been moved by hand: what was observed of it is forgotten.
+void sleep_forget(sleep_state *s, int b);
+//<
+
+//> sleep-end-of-header
+#endif
+//<

@@ -23,7 +23,7 @@ void world_step(world *w)
     real since = w->options.host.clock ? w->options.host.clock() : 0;
     w->report = (step_report){ .substeps = w->options.substeps };
     ledger_open(w);
-    rest_begin(&w->sleep);
+    sleep_begin(&w->sleep);
     // Paper: bodies move, then overlaps are looked for; here: what may touch in
     // this frame is found before anything moves.
     look_at_bodies(w);
@@ -81,7 +81,8 @@ static prediction predict(const world *w, const solver_body *now,
     real beside = vec3_length(w->options.gravity) * dt * dt / 2
                 + now->radius / 100;
     prediction p = { .way = vec3_scale(dt, straight),
-                     .turn = dt * now->radius * vec3_length(spin) + beside };
+                     .angle = dt * vec3_length(spin) };
+    p.turn = now->radius * p.angle + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -127,7 +128,7 @@ static void look_at_bodies(world *w)
 // Wakes b and all that sleep with it.
 static void rouse(world *w, int b)
 {
-    rest_wake(&w->sleep, b);
+    sleep_wake(&w->sleep, b);
     for (int k = 0; k < w->bodies; k++) {
         const body *x = &w->body[k];
         if (w->sleep.asleep[k]) continue;
@@ -142,7 +143,7 @@ bool world_wake_near(world *w, int a, int b)
     int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
     if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
     if (body_is_static(&w->body[sleeper])) return false;
-    if (body_is_static(&w->body[other]) || w->sleep.calm[other] > 0)
+    if (body_is_static(&w->body[other]) || w->sleep.watch[other].still > 0)
         return false;
     rouse(w, sleeper);
     return true;
@@ -183,10 +184,29 @@ static void find_pairs(world *w)
 }
 //<
 
+//> step-spread
+// A body that is hit may go as far as what hits it.
+static void spread_reach(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int round = 0; round < SPREADX; round++) {
+    for (int b = 0; b < w->bodies; b++) t->reach[b] = t->ahead[b].reach;
+    for (int k = 0; k < t->pairs.count; k++) {
+        int a = t->pairs.pair[k][0], b = t->pairs.pair[k][1];
+        real far = real_max(t->reach[a], t->reach[b]);
+        if (!may_meet(t, a, b)) continue;
+        if (t->moves[a]) t->ahead[a].reach = real_max(t->ahead[a].reach, far);
+        if (t->moves[b]) t->ahead[b].reach = real_max(t->ahead[b].reach, far);
+    }
+    }
+}
+//<
+
 //> step-contacts
 static void find_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
+    spread_reach(w);
     cache_frame f = { .body = t->body, .now = t->now, .ahead = t->ahead,
                       .moves = t->moves, .bodies = w->bodies,
                       .list = &t->pairs, .is_new_list = t->is_new_list,
@@ -230,11 +250,22 @@ static int substeps_for_loads(const world *w)
     return (int)(usual * times);
 }
 
+static bool is_calm(const world *w)
+{
+    for (int b = 0; b < w->bodies; b++) {
+        vec3 way = w->rigid.ahead[b].way;
+        real far = CALMX * w->rigid.now[b].radius;
+        if (vec3_length_squared(way) > far * far) return false;
+    }
+    return true;
+}
+
 static int choose_substeps(world *w)
 {
     int n = substeps_for_loads(w);
+    if (is_calm(w)) n = n * 3 / 4;
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
-    return int_max(w->options.substeps, int_min(n, w->options.most_substeps));
+    return int_min(n, w->options.most_substeps);
 }
 //<
 
@@ -464,12 +495,36 @@ static void join_islands(world *w)
         w->report.pushing++;
         if (x->b < 0 || body_is_static(&w->body[x->a])
             || body_is_static(&w->body[x->b])) continue;
-        rest_touch(&w->sleep, x->a, x->b);
+        sleep_touch(&w->sleep, x->a, x->b);
+    }
+}
+
+static void observe(world *w)
+{
+    const world_options *o = &w->options;
+    sleep_rule rule = { o->sleep_speed, o->time_to_sleep,
+                        vec3_length(o->gravity), o->dt, w->age };
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        if (!body_moves(w, b)) continue;
+        real radius = x->rigid ? x->rigid->radius : x->shape->radius;
+        sleep_observe(&w->sleep, b, w->pool.at, x->first, body_particles(x),
+                      radius, &rule);
     }
 }
 
 static void fall_asleep(world *w)
 {
     join_islands(w);
+    if (w->options.sleep_speed > 0) {
+        observe(w);
+        sleep_end(&w->sleep);
+    }
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        if (!w->sleep.asleep[b] || body_is_static(x)) continue;
+        if (w->pool.at[x->first].inverse_mass > 0) put_to_sleep(w, x);
+        w->report.asleep++;
+    }
 }
 //<

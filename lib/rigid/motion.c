@@ -67,8 +67,8 @@ int motion_moves(const motion_basis *basis, const motion *d)
 static real chord(real a)
 {
     real x = a * a;
-    return 1 - x / 6 * (1 - x / 20 * (1 - x / 42 * (1 - x / 72
-           * (1 - x / 110))));
+    return 1 - x * (1.0 / 6) * (1 - x * (1.0 / 20) * (1 - x * (1.0 / 42)
+           * (1 - x * (1.0 / 72) * (1 - x * (1.0 / 110)))));
 }
 
 // A particle on a circle that goes straight along its tangent by r sin(a), and

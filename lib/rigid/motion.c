@@ -51,6 +51,18 @@ real motion_energy(const motion_basis *basis, const motion *m)
     return ((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / basis->inverse_mass
             + (w[0] * w[0] + w[1] * w[1] + w[2] * w[2])) / 2;
 }
+
+// L = sum_t u_t turn_t / |turn_t|^2 times what a turn of 1 carries.
+vec3 motion_angular(const rigid4 *f, const rigid_frame *frame, const motion *m)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int t = 0; t < TURNS; t++) {
+        real square = f->turn[t] * f->square[t];
+        sum = vec3_add_scaled(sum, m->of[MOTION_TURN + t] / square,
+                              frame->axis[t]);
+    }
+    return sum;
+}
 //<
 
 //> motion-moves
@@ -79,8 +91,8 @@ void motion_begin(particle *p, const rigid_frame *frame,
     real share = 1.0 / moves;
     vec3 straight = { share * d->of[0], share * d->of[1], share * d->of[2] };
     vec3 turn = vec3_scale(share, motion_rotation(basis, d));
-    real angle = vec3_length(turn);
-    turn = vec3_scale(chord(real_min(angle, 1)), turn);
+    real size = vec3_length(turn);
+    turn = vec3_scale(chord(real_min(size, 1)), turn);
     for (int k = 0; k < FOUR; k++) {
         vec3 way = vec3_add(straight, vec3_cross(turn, frame_arm(frame, k)));
         p[k].previous = p[k].position;
@@ -98,18 +110,41 @@ void motion_go_on(particle *p)
 }
 //<
 
+//> motion-frame
+// x, turned by the angle 2 arctan |t| about t (Cayley).
+static vec3 turned(vec3 t, vec3 x)
+{
+    vec3 once = vec3_cross(t, x);
+    return vec3_add_scaled(x, 2 / (1 + vec3_length_squared(t)),
+                           vec3_add(once, vec3_cross(t, once)));
+}
+
+// In as many moves as motion_begin, each by so small an angle a that
+// tan(a / 2) is a / 2 (1 + a^2 / 12) to a^5 / 240.
+rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
+                         const motion *d)
+{
+    vec3 straight = { d->of[0], d->of[1], d->of[2] };
+    int moves = motion_moves(basis, d);
+    vec3 turn = vec3_scale(1.0 / moves, motion_rotation(basis, d));
+    real a2 = vec3_length_squared(turn);
+    vec3 half = vec3_scale((1 + a2 / 12) / 2, turn);
+    rigid_frame now = *frame;
+    now.center = vec3_add(frame->center, straight);
+    for (int i = 0; i < FOUR_AXES; i++)
+        for (int k = 0; k < moves; k++)
+            now.axis[i] = turned(half, now.axis[i]);
+    return now;
+}
+//<
+
 //> motion-end
-// L = sum_t u_t turn_t / |turn_t|^2 times what a turn of 1 carries; in the new
-// basis u_t' = turn_t' . L.
+// In the new basis u_t' = turn_t' . L.
 void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
                 const motion *u, real h)
 {
-    vec3 angular = { 0, 0, 0 }, straight = { u->of[0], u->of[1], u->of[2] };
-    for (int t = 0; t < TURNS; t++) {
-        real square = f->turn[t] * f->square[t];
-        angular = vec3_add_scaled(angular, u->of[MOTION_TURN + t] / square,
-                                  frame->axis[t]);
-    }
+    vec3 straight = { u->of[0], u->of[1], u->of[2] };
+    vec3 angular = motion_angular(f, frame, u);
     rigid_frame now = rigid4_frame(p);
     motion_basis new_basis = basis_find(f, &now);
     motion v = { { 0 } };

@@ -27,7 +27,9 @@ void world_step(world *w)
     // Paper: bodies move, then overlaps are looked for; here: what may touch in
     // this frame is found before anything moves.
     look_at_bodies(w);
+    if (w->softs > 0 && soft_begin(w)) look_at_bodies(w);
     find_pairs(w);
+    ledger_book(w, LEDGER_SLEEP);
     lap(w, PHASE_PAIRS, &since);
     find_contacts(w);
     lap(w, PHASE_CONTACTS, &since);
@@ -35,8 +37,8 @@ void world_step(world *w)
     lap(w, PHASE_PREPARE, &since);
     for (int k = 0; k < w->report.substeps; k++) substep(w, &f, k, &since);
     solver_store(&w->rigid.solver, w->rigid.cache.active);
-    move_bodies(w, f.h);
     w->age = f.h;
+    move_bodies(w, f.h);
     lap(w, PHASE_MOVE, &since);
     fall_asleep(w);
     ledger_book(w, LEDGER_SLEEP);
@@ -267,7 +269,6 @@ static void count_deep(world *w)
 static solver_frame prepare(world *w)
 {
     rigid_tables *t = &w->rigid;
-    if (w->softs > 0) soft_begin(w);
     w->report.substeps = choose_substeps(w);
     solver_frame f = frame_of(w);
     const contact *const *table = (const contact *const *)t->cache.active;
@@ -315,11 +316,13 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
 {
     rigid_tables *t = &w->rigid;
     fall(w, k == 0 ? (w->age + f->h) / 2 : f->h);
+    w->ledger_ahead = f->h / 2;
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
     solver_begin(&t->solver, f, t->velocity, k == 0);
     solver_push(&t->solver, f, t->velocity, t->moved);
     advance(w, f->h);
+    w->ledger_ahead = -f->h / 2;
     solver_relax(&t->solver, f, t->velocity, t->moved);
     solver_end(&t->solver, t->velocity);
     ledger_book(w, LEDGER_CONTACTS);
@@ -440,6 +443,7 @@ static void move_bodies(world *w, real h)
         w->report.fell_back += r->fell_back;
         w->report.unconverged += !(r->worst <= 0.01);
     }
+    w->ledger_ahead = 0;
     ledger_book(w, LEDGER_STICKS);
 }
 //<

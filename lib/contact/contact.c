@@ -30,7 +30,7 @@ void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
 real contact_load(const contact *c)
 {
     real sum = 0;
-    for (int k = 0; k < c->count; k++) sum += c->point[k].impulse;
+    for (int k = 0; k < c->count; k++) sum += c->impulse[k];
     return sum;
 }
 //<
@@ -56,12 +56,12 @@ static int nearest_point(const contact *c, vec3 local)
 void contact_inherit(contact *now, const contact *was)
 {
     vec3 none = { 0, 0, 0 };
-    for (int k = 0; k < now->count; k++) now->point[k].impulse = 0;
+    for (int k = 0; k < now->count; k++) now->impulse[k] = 0;
     now->friction = now->count > 0 ? was->friction : none;
     now->twist = now->count > 0 ? was->twist : 0;
     for (int k = 0; k < was->count && now->count > 0; k++) {
-        const contact_point *p = &was->point[k];
-        now->point[nearest_point(now, p->local_a)].impulse += p->impulse;
+        int to = nearest_point(now, was->point[k].local_a);
+        now->impulse[to] += was->impulse[k];
     }
 }
 //<

@@ -17,7 +17,6 @@ typedef struct {
     vec3 local_a, local_b;  // where they ride: in the frames of the two bodies
     vec3 arm_a, arm_b;      // m, from the centres, when the contact was found
     real offset;            // m, the gap that is kept between them
-    real impulse;           // N s, >= 0, along the normal in the last substep
 } contact_point;
 
 // All contact of one pair of bodies: up to four points with one normal, and one
@@ -26,6 +25,8 @@ typedef struct {
     int  a, b;              // bodies; b < 0: plane -1 - b
     int  count;             // points; 0: none as near as they were asked for
     vec3 normal;
+    real impulse[CONTACT_POINTS];   // N s, of each point in the last substep,
+                            // along the normal, >= 0
     vec3 friction;          // N s, across the normal, in the last substep
     real twist;             // N m s, about the normal
     contact_point point[CONTACT_POINTS];

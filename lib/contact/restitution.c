@@ -35,7 +35,7 @@ real restitution_slowest(real radius, real gravity, real h)
 }
 //<
 
-//> restitution-row
+//> restitution-strike
 // The two bodies of a contact, A and B; a plane is a body that does not move.
 enum { A, B, BODIES };
 
@@ -50,6 +50,94 @@ typedef struct {
     real turn[BODIES][TURNS];
 } impact_row;
 
+// What strikes: the points of a contact that touch in this substep.
+typedef struct {
+    const contact *c;
+    impact_pair pair;
+    motion u[BODIES];           // velocities at the time of the impact
+    real time;                  // of the impact, as a share of the substep
+    int  points, point[CONTACT_POINTS];
+    impact_row row[CONTACT_POINTS];
+    real impulse[CONTACT_POINTS];       // N s
+} impact;
+
+static bool meets_fast(const impact_solver *s, const contact *c);
+static impact impact_of(const impact_solver *s, const contact *c);
+static void push_apart(impact *x, real restitution);
+static void rub(impact *x, real friction);
+static real closing_speed(const impact *x);
+static real slowest_of(const impact_solver *s, const contact *c);
+
+// The velocity of a substep is that of a fall at the middle of it: at another
+// time t (a share of the substep) gravity has added more.  What does not move
+// does not fall.
+static void fall(const impact_pair *p, vec3 gravity, real time,
+                 motion u[BODIES])
+{
+    for (int side = A; side < BODIES; side++) {
+        if (!p->falls[side]) continue;
+        u[side].of[0] += time * gravity.x;
+        u[side].of[1] += time * gravity.y;
+        u[side].of[2] += time * gravity.z;
+    }
+}
+
+// The body goes with its new velocity, but only for the rest of the substep.
+static void settle(const impact_solver *s, int body, const motion *u, real time)
+{
+    motion *velocity = &s->velocity[body], *moved = &s->moved[body];
+    for (int k = 0; k < MOTIONS; k++) {
+        moved->of[k] += (velocity->of[k] - u->of[k]) * time * s->f->h;
+        velocity->of[k] = u->of[k];
+    }
+}
+
+static bool strike(const impact_solver *s, const contact *c)
+{
+    const solver_frame *f = s->f;
+    if (!meets_fast(s, c)) return false;
+    impact x = impact_of(s, c);
+    vec3 fallen = vec3_scale(f->h, s->gravity);
+    fall(&x.pair, fallen, x.time - 0.5, x.u);
+    if (!(closing_speed(&x) > slowest_of(s, c))) return false;
+    push_apart(&x, s->restitution);
+    rub(&x, f->friction);
+    fall(&x.pair, fallen, 0.5 - x.time, x.u);
+    if (x.pair.falls[A]) settle(s, c->a, &x.u[A], x.time);
+    if (x.pair.falls[B]) settle(s, c->b, &x.u[B], x.time);
+    return true;
+}
+//<
+
+//> restitution-slowest
+static real slowest_of(const impact_solver *s, const contact *c)
+{
+    real radius = s->f->body[c->a].radius;
+    if (c->b >= 0) radius = real_min(s->f->body[c->b].radius, radius);
+    return restitution_slowest(radius, s->pull, s->f->h);
+}
+
+// How fast a point of the body can go along n at most.
+static real speed_along(const impact_solver *s, int body, vec3 n)
+{
+    const solver_body *b = &s->f->body[body];
+    const motion *u = &s->velocity[body];
+    vec3 turn = motion_rotation(&b->basis, u);
+    return b->radius * vec3_length(turn)
+         + u->of[0] * n.x + u->of[1] * n.y + u->of[2] * n.z;
+}
+
+// Most contacts are told by their bodies alone that they do not strike.
+static bool meets_fast(const impact_solver *s, const contact *c)
+{
+    vec3 back = vec3_scale(-1, c->normal);
+    real most = s->pull * s->f->h + speed_along(s, c->a, back);
+    if (c->b >= 0) most += speed_along(s, c->b, c->normal);
+    return most > slowest_of(s, c);
+}
+//<
+
+//> restitution-row
 static void set_turns(impact_row *r, const impact_pair *p, int side,
                       vec3 moment)
 {
@@ -103,34 +191,18 @@ static void row_push(const impact_pair *p, const impact_row *r, real impulse,
             of[MOTION_TURN + t] += j * r->turn[side][t];
     }
 }
+
+// The fastest that any of the points closes, at the time of the impact.
+static real closing_speed(const impact *x)
+{
+    real most = 0;
+    for (int i = 0; i < x->points; i++)
+        most = real_max(-row_apart(&x->row[i], x->u), most);
+    return most;
+}
 //<
 
 //> restitution-time
-// The points of a contact that touch in this substep.
-typedef struct {
-    const contact *c;
-    impact_pair pair;
-    motion u[BODIES];           // velocities at the time of the impact
-    real time;                  // of the impact, as a share of the substep
-    int  points, point[CONTACT_POINTS];
-    impact_row row[CONTACT_POINTS];
-    real impulse[CONTACT_POINTS];       // N s
-} impact;
-
-// The velocity of a substep is that of a fall at the middle of it: at another
-// time t (a share of the substep) gravity has added more.  What does not move
-// does not fall.
-static void fall(const impact_pair *p, vec3 gravity, real time,
-                 motion u[BODIES])
-{
-    for (int side = A; side < BODIES; side++) {
-        if (!p->falls[side]) continue;
-        u[side].of[0] += time * gravity.x;
-        u[side].of[1] += time * gravity.y;
-        u[side].of[2] += time * gravity.z;
-    }
-}
-
 // When do two points touch whose gap g (m) closes by s (m) in a substep?  What
 // falls on something immovable falls faster and faster: s is the speed in the
 // middle of the substep, and with a, in m a substep squared,
@@ -170,6 +242,33 @@ static void find_touching(impact *x, const impact_solver *s,
         x->time = real_min(x->time, time_of_touch(now, closing, a));
     }
 }
+
+static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
+
+static impact impact_of(const impact_solver *s, const contact *c)
+{
+    const solver_frame *f = s->f;
+    impact x = { .c = c };
+    motion moved[BODIES] = { s->moved[c->a] };
+    real gap[CONTACT_POINTS], height = 0;
+    const rigid_frame *frame = NULL;
+    x.pair.basis[A] = &f->body[c->a].basis;
+    x.pair.basis[B] = &IMMOVABLE;
+    x.u[A] = s->velocity[c->a];
+    if (c->b < 0) {
+        height = f->plane[-1 - c->b].offset;
+    } else {
+        frame = &f->body[c->b].frame;
+        x.pair.basis[B] = &f->body[c->b].basis;
+        x.u[B] = s->velocity[c->b];
+        moved[B] = s->moved[c->b];
+    }
+    for (int side = A; side < BODIES; side++)
+        x.pair.falls[side] = x.pair.basis[side]->inverse_mass > 0;
+    contact_gaps(c, &f->body[c->a].frame, frame, height, gap);
+    find_touching(&x, s, gap, moved);
+    return x;
+}
 //<
 
 //> restitution-normal
@@ -178,7 +277,7 @@ static void find_touching(impact *x, const impact_solver *s,
 static void stop_points(impact *x, const real part[CONTACT_POINTS],
                         real k[CONTACT_POINTS][CONTACT_POINTS])
 {
-    enum { PASSES = 40 };
+    enum { PASSES = 100 };
     real fastest = 0, worst = HUGE_VAL;
     for (int i = 0; i < x->points; i++) fastest = real_max(-part[i], fastest);
     for (int pass = 0; pass < PASSES && worst > 1e-14 * fastest; pass++) {
@@ -196,8 +295,8 @@ static void stop_points(impact *x, const real part[CONTACT_POINTS],
 //     s (lambda . v) + s^2/2 (lambda . K lambda),
 // where v is how the points part.  That is a parabola in s, deepest at
 // sigma = -(lambda . v) / (lambda . K lambda), where the impact is inelastic,
-// and as high as before at 2 sigma.  At (1 + e) sigma the energy that is lost is
-// 1 - e^2 of the most that these impulses can take: never less than nothing,
+// and as high as before at 2 sigma.  At (1 + e) sigma the energy that is lost
+// is 1 - e^2 of the most that these impulses can take: never less than nothing,
 // whatever lambda is.  And if lambda stops the points (sigma = 1), 1 + e times
 // lambda parts them at e times the speed at which they met, or faster.
 static void push_apart(impact *x, real restitution)
@@ -288,95 +387,5 @@ static void rub(impact *x, real friction)
     if (!(most > 0)) return;
     stop_sliding(x, arm, most);
     stop_twisting(x, arm, friction);
-}
-//<
-
-//> restitution-strike
-static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
-
-static real slowest_of(const impact_solver *s, const contact *c)
-{
-    real radius = s->f->body[c->a].radius;
-    if (c->b >= 0) radius = real_min(s->f->body[c->b].radius, radius);
-    return restitution_slowest(radius, s->pull, s->f->h);
-}
-
-// How fast a point of the body can go along n at most.
-static real speed_along(const impact_solver *s, int body, vec3 n)
-{
-    const solver_body *b = &s->f->body[body];
-    const motion *u = &s->velocity[body];
-    vec3 turn = motion_rotation(&b->basis, u);
-    return b->radius * vec3_length(turn)
-         + u->of[0] * n.x + u->of[1] * n.y + u->of[2] * n.z;
-}
-
-// Most contacts are told by their bodies alone that they do not strike.
-static bool meets_fast(const impact_solver *s, const contact *c)
-{
-    vec3 back = vec3_scale(-1, c->normal);
-    real most = s->pull * s->f->h + speed_along(s, c->a, back);
-    if (c->b >= 0) most += speed_along(s, c->b, c->normal);
-    return most > slowest_of(s, c);
-}
-
-// The fastest that any of the points closes, at the time of the impact.
-static real closing_speed(const impact *x)
-{
-    real most = 0;
-    for (int i = 0; i < x->points; i++)
-        most = real_max(-row_apart(&x->row[i], x->u), most);
-    return most;
-}
-
-static impact impact_of(const impact_solver *s, const contact *c)
-{
-    const solver_frame *f = s->f;
-    impact x = { .c = c };
-    motion moved[BODIES] = { s->moved[c->a] };
-    real gap[CONTACT_POINTS], height = 0;
-    const rigid_frame *frame = NULL;
-    x.pair.basis[A] = &f->body[c->a].basis;
-    x.pair.basis[B] = &IMMOVABLE;
-    x.u[A] = s->velocity[c->a];
-    if (c->b < 0) {
-        height = f->plane[-1 - c->b].offset;
-    } else {
-        frame = &f->body[c->b].frame;
-        x.pair.basis[B] = &f->body[c->b].basis;
-        x.u[B] = s->velocity[c->b];
-        moved[B] = s->moved[c->b];
-    }
-    for (int side = A; side < BODIES; side++)
-        x.pair.falls[side] = x.pair.basis[side]->inverse_mass > 0;
-    contact_gaps(c, &f->body[c->a].frame, frame, height, gap);
-    find_touching(&x, s, gap, moved);
-    return x;
-}
-
-// The body goes with its new velocity, but only for the rest of the substep.
-static void settle(const impact_solver *s, int body, const motion *u, real time)
-{
-    motion *velocity = &s->velocity[body], *moved = &s->moved[body];
-    for (int k = 0; k < MOTIONS; k++) {
-        moved->of[k] += (velocity->of[k] - u->of[k]) * time * s->f->h;
-        velocity->of[k] = u->of[k];
-    }
-}
-
-static bool strike(const impact_solver *s, const contact *c)
-{
-    const solver_frame *f = s->f;
-    if (!meets_fast(s, c)) return false;
-    impact x = impact_of(s, c);
-    vec3 fallen = vec3_scale(f->h, s->gravity);
-    fall(&x.pair, fallen, x.time - 0.5, x.u);
-    if (!(closing_speed(&x) > slowest_of(s, c))) return false;
-    push_apart(&x, s->restitution);
-    rub(&x, f->friction);
-    fall(&x.pair, fallen, 0.5 - x.time, x.u);
-    if (x.pair.falls[A]) settle(s, c->a, &x.u[A], x.time);
-    if (x.pair.falls[B]) settle(s, c->b, &x.u[B], x.time);
-    return true;
 }
 //<

@@ -18,14 +18,16 @@
 // any strikes, at most IMPACT_ROUNDS times: an impact that is passed on, as in
 // Newton's cradle, is one more impact.  Returns how many there were.
 //
-// velocity and moved are [bodies]: how the bodies move in this substep, with
+// velocity and moved, [bodies], say how the bodies move in this substep, with
 // gravity (m/s^2) in it, and how far they have gone since the frame began.
 // moved changes as well, so that the end of the substep is where a body comes
 // that has its old velocity before the impact and the new one after it.
 //
 // No impact adds energy, to rounding, whatever its bodies, points and friction;
-// and it keeps the momentum and the angular momentum of its two bodies.
-// Numbers that are not finite strike nothing.
+// with restitution 1 and no friction, none takes any.  It keeps the momentum of
+// its two bodies, and, as far as the two points of a contact are in one place
+// when they touch, the angular momentum.  Numbers that are not finite strike
+// nothing.
 //
 // To be called before solver_begin.  Then the solver's sum of what contacts did
 // in a substep, which it begins the next one with, has no impact in it, and

@@ -50,7 +50,7 @@ typedef struct {
 // own.  The contacts of a block share no body.
 typedef struct {
     real4 turn_a[TURNS], turn_b[TURNS]; // kg^(-1/2), Jacobian row of the turns
-    real4 gap;          // m, at the start of the frame
+    real4 gap, now;     // m, at the start of the frame; when last relaxed
     real4 mass;         // kg, effective, along the normal
     real4 impulse;      // N s
     real4 lever;        // m, from the point where friction acts

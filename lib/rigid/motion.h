@@ -62,7 +62,7 @@ void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse);
 // The kinetic energy (J) of a velocity, and its angular momentum (kg m^2/s) about
 // the centre.
 real motion_energy(const motion_basis *basis, const motion *m);
-vec3 motion_angular(const rigid4 *f, const rigid_frame *frame, const motion *m);
+vec3 motion_angular(const motion_basis *basis, const motion *m);
 //<
 
 //> motion-frame-declare

@@ -35,14 +35,13 @@ static void add_particles(ledger_entry *sum, const world *w, const body *b)
 static void add_rigid(ledger_entry *sum, const world *w, int b)
 {
     const solver_body *now = &w->rigid.now[b];
-    const rigid4 *f = w->body[b].rigid;
     const real *u = w->rigid.velocity[b].of, *d = w->rigid.moved[b].of;
     real ahead = w->ledger_ahead;
     vec3 v = { u[0], u[1], u[2] }, moved = { d[0], d[1], d[2] };
     vec3 middle = vec3_add_scaled(vec3_add(now->frame.center, moved), ahead, v);
     add_mass(sum, w->body[b].mass, middle, v, w->options.gravity, 2 * ahead);
     sum->energy += motion_energy(&now->basis, &w->rigid.velocity[b]);
-    sum->angular = vec3_add(sum->angular, motion_angular(f, &now->frame,
+    sum->angular = vec3_add(sum->angular, motion_angular(&now->basis,
                                                 &w->rigid.velocity[b]));
 }
 

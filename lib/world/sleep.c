@@ -144,7 +144,8 @@ static void next_half(sleep_state *s, int b, const particle *pool, int first,
     w->before = watch->halves >= WINDOWS ? w->way : -HUGE_VAL;
     w->way = 0;
     for (int i = first; i < first + n; i++) s->start[k][i] = pool[i].position;
-    watch->halves = watch->halves + 1 < 2 * WINDOWS ? watch->halves + 1 : WINDOWS;
+    watch->halves++;
+    if (watch->halves == 2 * WINDOWS) watch->halves = WINDOWS;
     watch->frames = 0;
 }
 
@@ -164,7 +165,8 @@ void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
         // A window in which it has gone too far already needs no more looks.
         sleep_window *w = &watch->window[k];
         if (w->way > l.way) continue;
-        w->way = real_max(furthest(pool + first, s->start[k] + first, n), w->way);
+        real way = furthest(pool + first, s->start[k] + first, n);
+        w->way = real_max(way, w->way);
     }
     if (watch->halves == 0 || watch->frames >= l.frames)
         next_half(s, b, pool, first, n, &l);

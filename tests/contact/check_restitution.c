@@ -1,0 +1,732 @@
+// check_restitution.c - do bodies part as fast as they should, and no faster?
+// Book: chapter 13.
+
+#include <check.h>
+#include <string.h>
+
+#include "restitution.h"
+
+// A few roundings of sums of numbers near the largest.
+#define ROUNDING 1e-13
+// What a hundred passes of Gauss-Seidel leave of four points that share a body.
+#define PASSES 1e-9
+
+enum { MOST = 32 };
+
+// --- a world of a few bodies -------------------------------------------------
+
+static solver_body body[MOST];
+static plane wall[6];
+static contact made[4 * MOST];
+static const contact *table[4 * MOST];
+static motion velocity[MOST + 1], moved[MOST + 1];
+static int bodies, contacts;
+static solver_frame frame;
+static vec3 gravity;
+
+static void begin(real h)
+{
+    bodies = contacts = 0;
+    memset(velocity, 0, sizeof velocity);
+    memset(moved, 0, sizeof moved);
+    gravity = vec3_make(0, 0, 0);
+    frame = (solver_frame){ .body = body, .plane = wall, .h = h };
+}
+
+static void set_up(void)
+{
+    begin(0.01);
+}
+
+// A body with these moments of inertia about x, y and z; mass HUGE_VAL: it does
+// not move.
+static int add(vec3 at, real mass, vec3 inertia, real radius)
+{
+    solver_body *b = &body[bodies];
+    *b = (solver_body){ .radius = radius, .frame = { .center = at,
+        .axis = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } } };
+    vec3 turn = { 1 / sqrt(inertia.x), 1 / sqrt(inertia.y),
+                  1 / sqrt(inertia.z) };
+    if (mass < HUGE_VAL)
+        b->basis = (motion_basis){ 1 / mass, { { turn.x, 0, 0 },
+                                               { 0, turn.y, 0 },
+                                               { 0, 0, turn.z } } };
+    frame.bodies = ++bodies;
+    return bodies - 1;
+}
+
+// A ball of radius r, filled evenly.
+static int add_ball(vec3 at, real mass, real r)
+{
+    real i = 0.4 * mass * r * r;
+    return add(at, mass, vec3_make(i, i, i), r);
+}
+
+static void set_velocity(int b, vec3 v)
+{
+    velocity[b].of[0] = v.x;
+    velocity[b].of[1] = v.y;
+    velocity[b].of[2] = v.z;
+}
+
+static vec3 velocity_of(int b)
+{
+    const real *u = velocity[b].of;
+    return vec3_make(u[0], u[1], u[2]);
+}
+
+static vec3 moved_of(int b)
+{
+    const real *d = moved[b].of;
+    return vec3_make(d[0], d[1], d[2]);
+}
+
+static vec3 spin_of(int b)
+{
+    return motion_rotation(&body[b].basis, &velocity[b]);
+}
+
+static contact *add_contact(int a, int b, vec3 normal)
+{
+    contact *c = &made[contacts];
+    *c = (contact){ .a = a, .b = b, .normal = normal };
+    table[contacts++] = c;
+    return c;
+}
+
+// Points given from the centres.
+static void add_point(contact *c, vec3 arm_a, vec3 arm_b)
+{
+    c->point[c->count++] = (contact_point){ .local_a = arm_a, .local_b = arm_b,
+                                            .arm_a = arm_a, .arm_b = arm_b };
+}
+
+static void join_balls(int a, int b)
+{
+    vec3 n = vec3_unit(vec3_sub(body[a].frame.center, body[b].frame.center));
+    add_point(add_contact(a, b, n), vec3_scale(-body[a].radius, n),
+              vec3_scale(body[b].radius, n));
+}
+
+static void put_on_floor(int b)
+{
+    vec3 up = { 0, 1, 0 };
+    wall[0] = (plane){ .normal = up, .offset = 0 };
+    add_point(add_contact(b, contact_with_plane(0), up),
+              vec3_scale(-body[b].radius, up), vec3_make(0, 0, 0));
+}
+
+static int solve(real restitution)
+{
+    return restitution_solve(table, contacts, &frame, restitution, gravity,
+                             velocity, moved);
+}
+
+static void fall(void)
+{
+    for (int b = 0; b < bodies; b++)
+        if (body[b].basis.inverse_mass > 0)
+            set_velocity(b, vec3_add_scaled(velocity_of(b), frame.h, gravity));
+}
+
+static void advance(void)
+{
+    for (int b = 0; b < bodies; b++)
+        for (int k = 0; k < MOTIONS; k++)
+            moved[b].of[k] += frame.h * velocity[b].of[k];
+}
+
+static void expect_close(real got, real wanted, real tolerance)
+{
+    ck_assert_msg(fabs(got - wanted) <= tolerance, "got %.17g, wanted %.17g",
+                  got, wanted);
+}
+
+static void expect_vec3(vec3 got, vec3 wanted, real tolerance)
+{
+    ck_assert_msg(vec3_distance(got, wanted) <= tolerance,
+                  "got %g %g %g, wanted %g %g %g", got.x, got.y, got.z,
+                  wanted.x, wanted.y, wanted.z);
+}
+
+// --- chance ------------------------------------------------------------------
+
+static unsigned long long seed;
+
+static real any(void)
+{
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (real)(seed >> 11) / 4503599627370496.0 - 1;
+}
+
+static vec3 any_vec3(void)
+{
+    real x = any(), y = any();
+    return vec3_make(x, y, any());
+}
+
+static vec3 any_unit(void)
+{
+    vec3 d = any_vec3();
+    real length = vec3_length(d);
+    return length > 0.1 && length < 1 ? vec3_scale(1 / length, d) : any_unit();
+}
+
+// Between 10^-n and 10^n, all powers alike.
+static real any_size(real n)
+{
+    return exp(n * any() * log(10));
+}
+
+// --- head on -----------------------------------------------------------------
+
+// Momentum is kept, and u_a' - u_b' = -e (u_a - u_b): two equations for the two
+// velocities.  Rejects: a mass for an inverse mass; e + 1 for e.
+START_TEST(balls_that_meet_head_on_part_at_restitution_times_their_speed)
+{
+    const real e[] = { 0.01, 0.3, 0.5, 1 };
+    for (int k = 0; k < 4; k++)
+        for (real ratio = 1e-6; ratio < 2e6; ratio *= 10) {
+            begin(0.01);
+            add_ball(vec3_make(0, 0, 0), 1, 0.5);
+            add_ball(vec3_make(1.01, 0, 0), ratio, 0.5);
+            set_velocity(0, vec3_make(3, 0, 0));
+            set_velocity(1, vec3_make(-1, 0, 0));
+            join_balls(0, 1);
+            ck_assert_int_eq(solve(e[k]), 1);
+            real middle = (3 - ratio) / (1 + ratio);
+            real apart = 4 * e[k] / (1 + ratio);
+            expect_vec3(velocity_of(0), vec3_make(middle - ratio * apart, 0, 0),
+                        20 * ROUNDING);
+            expect_vec3(velocity_of(1), vec3_make(middle + apart, 0, 0),
+                        20 * ROUNDING);
+            expect_vec3(spin_of(0), vec3_make(0, 0, 0), 0);
+        }
+}
+END_TEST
+
+// They meet after a quarter of the substep, and have parted for three quarters
+// when it ends.  Rejects: a touch at the start, or at the end, of a substep.
+START_TEST(bodies_go_on_from_where_they_meet)
+{
+    add_ball(vec3_make(0, 0, 0), 1, 0.5);
+    add_ball(vec3_make(1.01, 0, 0), 3, 0.5);
+    set_velocity(0, vec3_make(4, 2, 0));
+    join_balls(0, 1);
+    ck_assert_int_eq(solve(0.5), 1);
+    advance();
+    expect_vec3(velocity_of(0), vec3_make(-0.5, 2, 0), ROUNDING);
+    expect_vec3(velocity_of(1), vec3_make(1.5, 0, 0), ROUNDING);
+    expect_vec3(moved_of(0), vec3_make(0.01 - 0.5 * 0.0075, 0.02, 0), ROUNDING);
+    expect_vec3(moved_of(1), vec3_make(1.5 * 0.0075, 0, 0), ROUNDING);
+}
+END_TEST
+
+// What is already moved in this frame counts.  Rejects: a gap that is always
+// that of the frame's start.
+START_TEST(gap_is_that_of_now)
+{
+    add_ball(vec3_make(0, 0, 0), 1, 0.5);
+    add_ball(vec3_make(1.5, 0, 0), 1, 0.5);
+    set_velocity(0, vec3_make(4, 0, 0));
+    join_balls(0, 1);
+    ck_assert_int_eq(solve(1), 0);
+    moved[0].of[0] = 0.49;
+    ck_assert_int_eq(solve(1), 1);
+    expect_vec3(velocity_of(0), vec3_make(0, 0, 0), ROUNDING);
+    expect_vec3(velocity_of(1), vec3_make(4, 0, 0), ROUNDING);
+}
+END_TEST
+
+// Rejects: bodies that strike from afar, or as they part; in a substep that
+// would not bring them together.
+START_TEST(bodies_that_do_not_touch_in_this_substep_do_not_strike)
+{
+    add_ball(vec3_make(0, 0, 0), 1, 0.5);
+    add_ball(vec3_make(1.05, 0, 0), 1, 0.5);
+    join_balls(0, 1);
+    const real speed[] = { -5, -1e-3, 0, 1, 4.9 };
+    for (int k = 0; k < 5; k++) {
+        set_velocity(0, vec3_make(speed[k], 0, 0));
+        ck_assert_int_eq(solve(1), 0);
+        ck_assert(velocity[0].of[0] == speed[k] && moved[0].of[0] == 0);
+    }
+    set_velocity(0, vec3_make(5.1, 0, 0));
+    ck_assert_int_eq(solve(1), 1);
+}
+END_TEST
+
+// Rejects: bodies at rest that gravity lets bounce on for ever.
+START_TEST(slow_bodies_do_not_bounce)
+{
+    real slowest = restitution_slowest(0.5, 9.81, 0.001);
+    expect_close(slowest, sqrt(2 * 9.81 * 0.5) / 3, ROUNDING);
+    ck_assert(restitution_slowest(0.5, 9.81, 0.1) == 2 * 9.81 * 0.1);
+    ck_assert(restitution_slowest(0.5, 0, 0.1) == 0);
+    for (int k = 0; k < 2; k++) {
+        begin(0.001);
+        gravity = vec3_make(0, -9.81, 0);
+        add_ball(vec3_make(0, 0.5, 0), 1, 0.5);
+        put_on_floor(0);
+        // It touches at once, half a substep before its velocity.
+        real half = 9.81 * 0.0005, speed = slowest + (k ? half : 0.9 * half);
+        set_velocity(0, vec3_make(0, -speed * (1 + ROUNDING), 0));
+        ck_assert_int_eq(solve(1), k);
+    }
+}
+END_TEST
+
+// Rejects: a contact that strikes only if its first body moves.
+START_TEST(what_does_not_move_may_be_either_body)
+{
+    for (int k = 0; k < 2; k++) {
+        begin(0.01);
+        add_ball(vec3_make(0, 0, 0), k ? HUGE_VAL : 1, 0.5);
+        add_ball(vec3_make(1.01, 0, 0), k ? 1 : HUGE_VAL, 0.5);
+        set_velocity(k, vec3_make(k ? -4 : 4, 1, 0));
+        join_balls(0, 1);
+        ck_assert_int_eq(solve(0.5), 1);
+        expect_vec3(velocity_of(k), vec3_make(k ? 2 : -2, 1, 0), ROUNDING);
+        expect_vec3(velocity_of(1 - k), vec3_make(0, 0, 0), 0);
+        expect_vec3(moved_of(1 - k), vec3_make(0, 0, 0), 0);
+    }
+}
+END_TEST
+
+// --- in gravity --------------------------------------------------------------
+
+// J per kg, and m^2/s^2: of a fall whose velocity is that of the middle of a
+// substep h.
+static real energy_of_fall(int b)
+{
+    vec3 v = velocity_of(b);
+    real middle = body[b].frame.center.y + moved[b].of[1] - v.y * frame.h / 2;
+    return vec3_length_squared(v) / 2 - gravity.y * middle;
+}
+
+// Lets a ball go from 1 m above the floor, and follows it for n impacts: the
+// energy after each is e^2 times that before, measured from the floor.
+static void expect_bounces(real h, real e, int n, real tolerance)
+{
+    begin(h);
+    gravity = vec3_make(0, -9.81, 0);
+    add_ball(vec3_make(0, 1.5, 0), 2, 0.5);
+    put_on_floor(0);
+    real wanted = 9.81 - 9.81 * 9.81 * h * h / 8, floor = 9.81 * 0.5;
+    real beside = 9.81 * 9.81 * h * h / 8;
+    set_velocity(0, vec3_make(0, 9.81 * h / 2, 0));
+    for (int k = 0, steps = 0; k < n; steps++) {
+        ck_assert_int_lt(steps, 1000000);
+        fall();
+        int hit = solve(e);
+        advance();
+        ck_assert_int_le(hit, 1);
+        if (!hit) continue;
+        k++;
+        wanted = (wanted + beside) * e * e - beside;
+        expect_close(energy_of_fall(0) - floor, wanted, tolerance);
+    }
+}
+
+// Rejects: a fall that is taken to be straight within the substep; a rebound
+// that begins at the wrong height.
+START_TEST(ball_comes_back_to_the_square_of_its_restitution)
+{
+    const real h[] = { 1.0 / 60, 1.0 / 240, 1.0 / 487, 1e-4 };
+    for (int k = 0; k < 4; k++) {
+        expect_bounces(h[k], 1, k < 3 ? 100 : 10, 1e-10);
+        expect_bounces(h[k], 0.9, 8, 1e-10);
+        expect_bounces(h[k], 0.5, 1, 1e-10);
+    }
+}
+END_TEST
+
+// Both fall alike, so nothing is added to the speed at which they meet.
+// Rejects: gravity that is counted for one of two.
+START_TEST(what_falls_together_meets_at_the_speed_that_it_has)
+{
+    gravity = vec3_make(0, -9.81, 0);
+    add_ball(vec3_make(0, 1.01, 0), 1, 0.5);
+    add_ball(vec3_make(0, 0, 0), 1, 0.5);
+    set_velocity(0, vec3_make(0, -8, 0));
+    set_velocity(1, vec3_make(0, -3, 0));
+    join_balls(0, 1);
+    ck_assert_int_eq(solve(1), 1);
+    expect_vec3(velocity_of(0), vec3_make(0, -3, 0), ROUNDING);
+    expect_vec3(velocity_of(1), vec3_make(0, -8, 0), 2 * ROUNDING);
+}
+END_TEST
+
+// --- Newton's cradle ---------------------------------------------------------
+
+// Contacts in any order.  Rejects: an impact that is passed on in the next
+// substep only, or not at all.
+START_TEST(cradle_passes_on_as_many_balls_as_come)
+{
+    enum { BALLS = 5 };
+    for (int come = 1; come < BALLS; come++)
+        for (int order = 0; order < 2 * BALLS; order++) {
+            begin(0.01);
+            for (int b = 0; b < BALLS; b++) {
+                bool moves = b < come;
+                add_ball(vec3_make(moves ? b - 0.015 : b, 0, 0), 1, 0.5);
+                set_velocity(b, vec3_make(moves ? 2 : 0, 0, 0));
+            }
+            for (int k = 0; k < BALLS - 1; k++) {
+                int b = (k + order) % (BALLS - 1);
+                if (order >= BALLS) b = BALLS - 2 - b;
+                join_balls(b, b + 1);
+            }
+            solve(1);
+            advance();
+            for (int b = 0; b < BALLS; b++) {
+                bool goes = b >= BALLS - come;
+                expect_vec3(velocity_of(b), vec3_make(goes ? 2 : 0, 0, 0),
+                            10 * ROUNDING);
+                real way = goes ? 2 * 0.0025 : 0;
+                if (b < come) way += 0.015;
+                expect_vec3(moved_of(b), vec3_make(way, 0, 0), 10 * ROUNDING);
+            }
+        }
+}
+END_TEST
+
+// Rejects: rounds without end.
+START_TEST(rounds_are_bounded)
+{
+    // A ball between two walls that are nearer than it is wide.
+    add_ball(vec3_make(0, 0, 0), 1, 0.5);
+    add_ball(vec3_make(-0.9, 0, 0), HUGE_VAL, 0.5);
+    add_ball(vec3_make(0.9, 0, 0), HUGE_VAL, 0.5);
+    set_velocity(0, vec3_make(1, 0, 0));
+    join_balls(0, 1);
+    join_balls(0, 2);
+    ck_assert_int_eq(solve(1), IMPACT_ROUNDS);
+    expect_close(fabs(velocity[0].of[0]), 1, ROUNDING);
+}
+END_TEST
+
+// --- friction ----------------------------------------------------------------
+
+// A ball comes down at 4 m/s and goes along at v: the normal impulse is
+// N = (1 + e) 4 m.  If mu N is too little to stop the sliding of the point that
+// touches, it is what friction gives: v' = v - mu N / m, and the spin
+// 5/2 mu N / (m r).  Else the point stops: v' = 5/7 v, and the ball rolls.
+// Rejects: friction of the normal impulse without restitution; with the mass of
+// the ball for that of its point; a spin of the other sign.
+START_TEST(ball_with_friction_leaves_as_the_closed_form_says)
+{
+    const real mu[] = { 0, 0.1, 0.25, 1 }, e = 0.6, m = 3, r = 0.5;
+    for (int k = 0; k < 4; k++)
+        for (real v = 0.5; v < 20; v *= 2) {
+            begin(0.01);
+            frame.friction = mu[k];
+            add_ball(vec3_make(0, r + 0.02, 0), m, r);
+            put_on_floor(0);
+            set_velocity(0, vec3_make(0.6 * v, -4, 0.8 * v));
+            ck_assert_int_eq(solve(e), 1);
+            real slower = real_min(mu[k] * (1 + e) * 4, 2.0 / 7 * v);
+            real left = v - slower, spin = 2.5 * slower / r;
+            expect_vec3(velocity_of(0),
+                        vec3_make(0.6 * left, 4 * e, 0.8 * left), 1e-12);
+            expect_vec3(spin_of(0), vec3_make(0.8 * spin, 0, -0.6 * spin),
+                        1e-12);
+        }
+}
+END_TEST
+
+// A face on a face: four points, loaded alike, with the lever l from their
+// middle.  Twisting ends, or is braked by mu N l.  Rejects: an impact that lets
+// a spinning top land as if it were of ice.
+START_TEST(face_that_spins_is_braked)
+{
+    const real spin = 6, lever = sqrt(0.5), m = 3, i = 0.5;
+    for (real mu = 0; mu < 0.2; mu += 0.05) {
+        begin(0.01);
+        frame.friction = mu;
+        add(vec3_make(0, 0.5, 0), m, vec3_make(i, i, i), 1);
+        contact *c = add_contact(0, contact_with_plane(0), vec3_make(0, 1, 0));
+        for (int k = 0; k < 4; k++)
+            add_point(c, vec3_make(k % 2 - 0.5, -0.5, k / 2 - 0.5),
+                      vec3_make(0, 0, 0));
+        wall[0] = (plane){ .normal = { 0, 1, 0 }, .offset = 0 };
+        set_velocity(0, vec3_make(0, -2, 0));
+        velocity[0].of[MOTION_TURN + 1] = spin * sqrt(i);
+        ck_assert_int_eq(solve(0.5), 1);
+        real brake = mu * 3 * m * lever / i;
+        expect_vec3(velocity_of(0), vec3_make(0, 1, 0), PASSES);
+        expect_vec3(spin_of(0), vec3_make(0, real_max(spin - brake, 0), 0),
+                    PASSES);
+    }
+}
+END_TEST
+
+// --- several points ----------------------------------------------------------
+
+static void add_flat_box(vec3 turn)
+{
+    add(vec3_make(0, 0.51, 0), 1, vec3_make(1.0 / 6, 1.0 / 6, 1.0 / 6), 0.87);
+    contact *c = add_contact(0, contact_with_plane(0), vec3_make(0, 1, 0));
+    for (int k = 0; k < 4; k++)
+        add_point(c, vec3_make(k % 2 - 0.5, -0.5, k / 2 - 0.5),
+                  vec3_make(0, 0, 0));
+    wall[0] = (plane){ .normal = { 0, 1, 0 }, .offset = 0 };
+    real root = sqrt(6);
+    velocity[0] = (motion){ { 0, -4, 0, turn.x / root, turn.y / root,
+                              turn.z / root } };
+}
+
+// Rejects: corners that strike one after the other, and leave the box turning.
+START_TEST(box_that_lands_flat_leaves_flat)
+{
+    add_flat_box(vec3_make(0, 0, 0));
+    ck_assert_int_eq(solve(0.5), 1);
+    expect_vec3(velocity_of(0), vec3_make(0, 2, 0), PASSES);
+    expect_vec3(spin_of(0), vec3_make(0, 0, 0), PASSES);
+}
+END_TEST
+
+// Each corner parts at e times its own speed: then the box leaves turning the
+// other way, e times as fast.  Rejects: one speed for all corners.
+START_TEST(each_corner_parts_at_its_own_speed)
+{
+    add_flat_box(vec3_make(0.3, 0.7, -0.2));
+    ck_assert_int_eq(solve(0.5), 1);
+    expect_vec3(velocity_of(0), vec3_make(0, 2, 0), PASSES);
+    expect_vec3(spin_of(0), vec3_make(-0.15, 0.7, 0.1), PASSES);
+}
+END_TEST
+
+// A corner that strikes away from the centre: the impulse is
+// (1 + e) c / (1/m + l^2 / i).  Rejects: the mass of the whole body.
+START_TEST(eccentric_impact_turns_the_body)
+{
+    const real m = 2, i = 0.3, l = 0.4, e = 0.25;
+    add(vec3_make(0, 0.51, 0), m, vec3_make(1, 1, i), 1);
+    contact *c = add_contact(0, contact_with_plane(0), vec3_make(0, 1, 0));
+    add_point(c, vec3_make(l, -0.5, 0), vec3_make(0, 0, 0));
+    wall[0] = (plane){ .normal = { 0, 1, 0 }, .offset = 0 };
+    set_velocity(0, vec3_make(0, -5, 0));
+    ck_assert_int_eq(solve(e), 1);
+    real j = (1 + e) * 5 / (1 / m + l * l / i);
+    expect_vec3(velocity_of(0), vec3_make(0, j / m - 5, 0), 1e-12);
+    expect_vec3(spin_of(0), vec3_make(0, 0, l * j / i), 1e-12);
+}
+END_TEST
+
+// --- whatever strikes whatever -----------------------------------------------
+
+// Two bodies of any mass and inertia, points in one plane across the normal.
+static void any_pair(void)
+{
+    begin(0.01 * any_size(1));
+    int points = 1 + (int)(2 + 2 * any());
+    frame.friction = any() > 0 ? any_size(1) : 0;
+    gravity = any() > 0 ? vec3_scale(10, any_unit()) : gravity;
+    vec3 n = any_unit(), middle = any_vec3();
+    vec3 across = vec3_unit(vec3_cross(n, any_unit()));
+    vec3 aside = vec3_cross(n, across);
+    for (int b = 0; b < 2; b++) {
+        real mass = any_size(3), r = any_size(0.5), i = mass * r * r;
+        vec3 inertia = { i * any_size(0.5), i * any_size(0.5),
+                         i * any_size(0.5) };
+        add(vec3_add(middle, vec3_scale(r, any_unit())),
+            any() > 0.7 && b == 0 ? HUGE_VAL : mass, inertia, r);
+        bool moves = body[b].basis.inverse_mass > 0;
+        for (int k = 0; k < MOTIONS && moves; k++)
+            velocity[b].of[k] = 20 * any() * (k < 3 ? 1 : sqrt(mass) * r);
+    }
+    contact *c = add_contact(0, 1, n);
+    for (int k = 0; k < points; k++) {
+        vec3 at = vec3_add_scaled(vec3_add_scaled(middle, any(), across), any(),
+                                  aside);
+        add_point(c, vec3_sub(at, body[0].frame.center),
+                  vec3_sub(at, body[1].frame.center));
+    }
+}
+
+// Of the pair in the fall: constant but for the impact.
+static real energy_of_pair(void)
+{
+    real sum = 0;
+    for (int b = 0; b < 2; b++) {
+        if (!(body[b].basis.inverse_mass > 0)) continue;
+        vec3 middle = vec3_add_scaled(moved_of(b), frame.h / 2, velocity_of(b));
+        sum += motion_energy(&body[b].basis, &velocity[b])
+             - vec3_dot(gravity, middle) / body[b].basis.inverse_mass;
+    }
+    return sum;
+}
+
+static vec3 momentum_of_pair(void)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int b = 0; b < 2; b++)
+        sum = vec3_add_scaled(sum, 1 / body[b].basis.inverse_mass,
+                              velocity_of(b));
+    return sum;
+}
+
+// About the origin.
+static vec3 angular_momentum_of_pair(void)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int b = 0; b < 2; b++) {
+        const motion_basis *x = &body[b].basis;
+        sum = vec3_add_scaled(sum, 1 / x->inverse_mass,
+                              vec3_cross(body[b].frame.center, velocity_of(b)));
+        for (int t = 0; t < TURNS; t++)
+            sum = vec3_add_scaled(sum, velocity[b].of[MOTION_TURN + t]
+                / vec3_length_squared(x->turn[t]), x->turn[t]);
+    }
+    return sum;
+}
+
+static real scale_of_momentum(void)
+{
+    real sum = 0;
+    for (int b = 0; b < 2; b++)
+        sum += (vec3_length(velocity_of(b)) + vec3_length(spin_of(b)) * 100)
+             / body[b].basis.inverse_mass * 10;
+    return sum;
+}
+
+// Rejects: friction, or several points, that give energy (Kane's paradox);
+// restitution 1 that takes some.
+START_TEST(no_impact_gives_energy)
+{
+    int hits = 0, kept = 0;
+    seed = 11;
+    for (int round = 0; round < 20000; round++) {
+        any_pair();
+        real e = round % 3 == 0 ? 1 : (any() + 1) / 2;
+        real before = energy_of_pair(), size = fabs(before);
+        for (int b = 0; b < 2; b++)
+            size += motion_energy(&body[b].basis, &velocity[b]);
+        int hit = solve(e);
+        if (!hit) continue;
+        hits++;
+        real after = energy_of_pair();
+        ck_assert_msg(after <= before + ROUNDING * size,
+                      "round %d: %.17g, before %.17g", round, after, before);
+        if (e < 1 || frame.friction > 0) continue;
+        expect_close(after, before, hit * ROUNDING * size);
+        kept++;
+    }
+    ck_assert_int_ge(hits, 5000);
+    ck_assert_int_ge(kept, 500);
+}
+END_TEST
+
+// Rejects: an impulse on one of the two only, or at different places.
+START_TEST(impact_keeps_momentum_and_angular_momentum)
+{
+    int hits = 0;
+    seed = 12;
+    for (int round = 0; round < 20000; round++) {
+        any_pair();
+        if (!(body[0].basis.inverse_mass > 0)) continue;
+        vec3 p = momentum_of_pair(), l = angular_momentum_of_pair();
+        real size = scale_of_momentum();
+        if (!solve((any() + 1) / 2)) continue;
+        hits++;
+        expect_vec3(momentum_of_pair(), p, ROUNDING * size);
+        expect_vec3(angular_momentum_of_pair(), l, ROUNDING * size);
+    }
+    ck_assert_int_ge(hits, 5000);
+}
+END_TEST
+
+static real apart(int k)
+{
+    const contact_point *p = &made[0].point[k];
+    vec3 v = vec3_sub(motion_at(&body[0].basis, &velocity[0], p->arm_a),
+                      motion_at(&body[1].basis, &velocity[1], p->arm_b));
+    return vec3_dot(made[0].normal, v);
+}
+
+// Rejects: points that still close, or part too slowly, after an impact; too
+// fast, if one alone has touched.
+START_TEST(every_point_parts_at_restitution_times_its_speed)
+{
+    int hits = 0;
+    seed = 13;
+    for (int round = 0; round < 20000; round++) {
+        any_pair();
+        frame.friction = 0;
+        gravity = vec3_make(0, 0, 0);
+        real closed[CONTACT_POINTS], e = (any() + 1) / 2, fastest = 0;
+        for (int k = 0; k < made[0].count; k++) {
+            closed[k] = -apart(k);
+            fastest = real_max(closed[k], fastest);
+        }
+        if (solve(e) != 1) continue;
+        hits++;
+        for (int k = 0; k < made[0].count; k++) {
+            ck_assert(!(closed[k] > 0)
+                      || apart(k) >= e * closed[k] - 0.01 * fastest);
+            if (made[0].count == 1)
+                expect_close(apart(k), e * closed[k], 1e-12 * fastest);
+        }
+    }
+    ck_assert_int_ge(hits, 5000);
+}
+END_TEST
+
+// Rejects: a NaN that spreads to what it touches.
+START_TEST(numbers_that_are_not_finite_strike_nothing)
+{
+    const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
+    for (int k = 0; k < 3; k++)
+        for (int number = 0; number < MOTIONS; number++) {
+            begin(0.01);
+            add_ball(vec3_make(0, 0, 0), 1, 0.5);
+            add_ball(vec3_make(1, 0, 0), 1, 0.5);
+            join_balls(0, 1);
+            set_velocity(1, vec3_make(-3, 0, 0));
+            velocity[0].of[number] = bad[k];
+            motion before = velocity[1];
+            solve(1);
+            for (int i = 0; i < MOTIONS; i++) {
+                ck_assert(velocity[1].of[i] == before.of[i]);
+                ck_assert(moved[1].of[i] == 0);
+            }
+        }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const test[] = {
+        balls_that_meet_head_on_part_at_restitution_times_their_speed,
+        bodies_go_on_from_where_they_meet,
+        gap_is_that_of_now,
+        bodies_that_do_not_touch_in_this_substep_do_not_strike,
+        slow_bodies_do_not_bounce,
+        what_does_not_move_may_be_either_body,
+        ball_comes_back_to_the_square_of_its_restitution,
+        what_falls_together_meets_at_the_speed_that_it_has,
+        cradle_passes_on_as_many_balls_as_come,
+        rounds_are_bounded,
+        ball_with_friction_leaves_as_the_closed_form_says,
+        face_that_spins_is_braked,
+        box_that_lands_flat_leaves_flat,
+        each_corner_parts_at_its_own_speed,
+        eccentric_impact_turns_the_body,
+        no_impact_gives_energy,
+        impact_keeps_momentum_and_angular_momentum,
+        every_point_parts_at_restitution_times_its_speed,
+        numbers_that_are_not_finite_strike_nothing,
+    };
+    Suite *s = suite_create("restitution");
+    TCase *t = tcase_create("restitution");
+    tcase_add_checked_fixture(t, set_up, NULL);
+    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
+        tcase_add_test(t, test[i]);
+    suite_add_tcase(s, t);
+    SRunner *runner = srunner_create(s);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -308,9 +308,6 @@ static status check_together(const settings *s)
     if (s->threads > 1 && settings_runner(s) != BY_ENGINE)
         return status_fail("--threads is the engine's; the paper's system has "
                            "one thread");
-    if (s->film && s->csv && !strcmp(s->film, s->csv))
-        return status_fail("--film and --csv name the same file, %.100s",
-                           s->film);
     if (s->seconds / s->dt > 1e7)
         return status_fail("--seconds %g in steps of --dt %g would be %.3g "
                            "steps; the most is 1e7", s->seconds, s->dt,

@@ -93,6 +93,10 @@ static status check_outputs(run *r)
     status done = status_ok();
     if (r->set.film) done = output_check(r->set.film);
     if (done.ok && r->set.csv) done = output_check(r->set.csv);
+    if (done.ok && r->set.film && r->set.csv &&
+        output_is_same(r->set.film, r->set.csv))
+        done = status_fail("--film %.60s and --csv %.60s name the same file",
+                           r->set.film, r->set.csv);
     if (done.ok && r->set.frames)
         done = frame_folder(r->set.frames, &r->folder_made);
     return done;

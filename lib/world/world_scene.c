@@ -47,7 +47,9 @@ world_options world_scene_options(scene_kind kind, int cloth)
     // A finer cloth falls by more of its spacings in a substep, and wants as
     // many more.  In small steps the lines may be solved along the links as
     // they lie, and the diagonals do with the cheaper root.
-    o.substeps = cloth > 40 ? (9 * cloth + 39) / 40 : 9;
+    // No scene has a cloth of more than 512 a side.
+    cloth = int_min(int_max(cloth, 40), 512);
+    o.substeps = (9 * cloth + 39) / 40;
     o.iterations = 3;
     o.relax.gradient = GRADIENT_NEW;
     o.relax.root = ROOT_APPROXIMATE;

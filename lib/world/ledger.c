@@ -16,16 +16,18 @@ static void add_mass(ledger_entry *sum, real mass, vec3 middle, vec3 v,
     sum->angular = vec3_add_scaled(sum->angular, mass, vec3_cross(middle, v));
 }
 
-static void add_particles(ledger_entry *sum, const world *w, const body *b)
+// What is asleep stands where it is, and not between two places.
+static void add_particles(ledger_entry *sum, const world *w, const body *b,
+                          bool is_asleep)
 {
-    real h = w->age;
+    real h = w->age, apart = is_asleep ? 0 : h;
     for (int i = b->first; i < b->first + body_particles(b); i++) {
         const particle *p = &w->pool.at[i];
         if (w->inverse_mass[i] == 0) continue;
         real mass = 1 / w->inverse_mass[i];
         vec3 v = vec3_scale(1 / h, vec3_sub(p->position, p->previous));
         vec3 middle = vec3_scale(0.5, vec3_add(p->position, p->previous));
-        add_mass(sum, mass, middle, v, w->options.gravity, h);
+        add_mass(sum, mass, middle, v, w->options.gravity, apart);
         sum->energy += mass * vec3_length_squared(v) / 2;
     }
 }
@@ -50,9 +52,12 @@ ledger_entry ledger_total(const world *w)
     ledger_entry sum = { 0, { 0, 0, 0 }, { 0, 0, 0 } };
     for (int b = 0; b < w->bodies; b++) {
         const body *x = &w->body[b];
-        if (!body_moves(w, b)) continue;
-        if (body_is_soft(x) || w->ledger_ahead == 0) add_particles(&sum, w, x);
-        else                                         add_rigid(&sum, w, b);
+        bool is_asleep = w->sleep.asleep[b];
+        if (body_is_static(x)) continue;
+        if (body_is_soft(x) || is_asleep || w->ledger_ahead == 0)
+            add_particles(&sum, w, x, is_asleep);
+        else
+            add_rigid(&sum, w, b);
     }
     return sum;
 }

@@ -11,10 +11,11 @@
 //<
 
 //> ledger-declare
-// What the bodies that are awake have: kinetic energy by the velocities in the
+// What the bodies have: kinetic energy by the velocities in the
 // middle of a substep, and potential energy, momentum and angular momentum at
 // the places of that moment.  Under gravity alone a step changes none of this
-// sum's energy, and momentum by gravity's share.  Pinned particles do not count.
+// sum's energy, and momentum by gravity's share.  Static bodies and pinned
+// particles do not count.  Requires world_begin.
 ledger_entry ledger_total(const world *w);
 
 // Opens the account: books nothing, and counts from here.  At the start of a

@@ -426,7 +426,7 @@ $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 $(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
 
 # These ask the slow oracle about bodies made for the purpose.
-ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face query swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
 $(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o
@@ -473,7 +473,7 @@ $(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES) 
 $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_%.o $$(if $$(filter $$*,$(MODULES)),$$(UPTO_$$*),$(ALL) $(BUILD)/libpainter.a)
 	$(call link,-fsanitize=fuzzer -lm)
 $(BUILD)/tests/fuzz_obj: LDFLAGS += -Wl,--wrap=fopen
-$(addprefix $(BUILD)/tests/fuzz_,distance penetration): \
+$(addprefix $(BUILD)/tests/fuzz_,gjk hit_face): \
   $(addprefix $(BUILD)/tests/,sets.o oracle.o bodies.o)
 
 # A random world takes no bytes but a number, so its fuzzer is a plain program:

@@ -99,8 +99,8 @@ static vec3 direction_off(const polytope *p, int k)
     if (p->corners == 1) return d;
     vec3 e = vec3_unit(vec3_sub(p->corner[1].at, p->corner[0].at));
     if (p->corners == 2) return vec3_cross(e, d);
-    vec3 f = vec3_sub(p->corner[2].at, p->corner[0].at);
-    return vec3_scale(sign, vec3_unit(vec3_cross(e, f)));
+    vec3 n = triangle_normal(p->corner[0].at, p->corner[1].at, p->corner[2].at);
+    return vec3_scale(sign, vec3_unit(n));
 }
 
 // Adds the corner of A - B furthest off the span.  False if none lies off it.

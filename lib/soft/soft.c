@@ -1,7 +1,6 @@
 //> soft-substep
 #include "soft.h"
 #include "ledger.h"
-#include "step.h"
 
 #include <assert.h>
 #include <stddef.h>

@@ -8,6 +8,11 @@
 #include <stddef.h>
 #include <string.h>
 
+#ifndef SPREADX         // the lead's experiment
+#define SPREADX 2
+#define CALMX 0
+#endif
+
 static void lap(world *w, int phase, real *since);
 static void look_at_bodies(world *w);
 static void find_pairs(world *w);
@@ -127,30 +132,6 @@ static void look_at_bodies(world *w)
 //<
 
 //> step-wake
-// Wakes b and all that sleep with it.
-static void rouse(world *w, int b)
-{
-    sleep_wake(&w->sleep, b);
-    for (int k = 0; k < w->bodies; k++) {
-        const body *x = &w->body[k];
-        if (w->sleep.asleep[k]) continue;
-        for (int i = x->first; i < x->first + body_particles(x); i++)
-            w->pool.at[i].inverse_mass = w->inverse_mass[i];
-    }
-    w->soft.trusted = -1;
-}
-
-bool world_wake_near(world *w, int a, int b)
-{
-    int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
-    if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
-    if (body_is_static(&w->body[sleeper])) return false;
-    if (body_is_static(&w->body[other]) || w->sleep.watch[other].still > 0)
-        return false;
-    rouse(w, sleeper);
-    return true;
-}
-
 // Are two bodies so near that they may meet in this frame?
 static bool may_meet(const rigid_tables *t, int a, int b)
 {
@@ -265,7 +246,7 @@ static bool is_calm(const world *w)
 static int choose_substeps(world *w)
 {
     int n = substeps_for_loads(w);
-    if (is_calm(w)) n = n * 3 / 4;
+    if (w->softs == 0 && is_calm(w)) n = n * 3 / 4;
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
     return int_min(n, w->options.most_substeps);
 }

@@ -407,3 +407,29 @@ void world_vertices(const world *w, const body *b, vec3 *at)
     for (int i = 0; i < b->shape->particles; i++) at[i] = p[i].position;
 }
 //<
+
+//> world-wake
+// Wakes b and all that sleep with it.
+static void rouse(world *w, int b)
+{
+    sleep_wake(&w->sleep, b);
+    for (int k = 0; k < w->bodies; k++) {
+        const body *x = &w->body[k];
+        if (w->sleep.asleep[k]) continue;
+        for (int i = x->first; i < x->first + body_particles(x); i++)
+            w->pool.at[i].inverse_mass = w->inverse_mass[i];
+    }
+    w->soft.trusted = -1;
+}
+
+bool world_wake_near(world *w, int a, int b)
+{
+    int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
+    if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
+    if (body_is_static(&w->body[sleeper])) return false;
+    if (body_is_static(&w->body[other]) || w->sleep.watch[other].still > 0)
+        return false;
+    rouse(w, sleeper);
+    return true;
+}
+//<

@@ -226,6 +226,11 @@ static inline bool body_moves(const world *w, int b)
     return w->body[b].mass < HUGE_VAL && !w->sleep.asleep[b];
 }
 
+// Body a comes near body b: if one of them sleeps and the other did not lie
+// still in the last frame, the sleeper wakes, in time to take its part of the
+// impact, and all that sleep with it.  Returns whether it did.
+bool world_wake_near(world *w, int a, int b);
+
 // Writes to at where the vertices of body b are now: shape->particles of them.
 void   world_vertices(const world *w, const body *b, vec3 *at);
 

@@ -36,7 +36,7 @@ static const struct {
     const char  *name, *unit;
     int settings, setting[SETTINGS], as_it_comes;
 } MOVER[MOVERS] = {
-    { &mover_tumble, "tumble", "substeps", 5, { 1, 2, 4, 8, 16 }, 4 },
+    { &mover_tumble, "tumble", "substeps", 5, { 1, 2, 4, 8, 16 }, 8 },
     { &mover_ode, "ODE quickstep", "iterations", 6,
       { 5, 10, 20, 40, 80, 160 }, 20 },
     { &mover_ode, "ODE dWorldStep", "", 1, { 0 }, 0 },

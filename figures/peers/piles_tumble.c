@@ -26,7 +26,7 @@ static void *begin(const pile *p, int substeps, bool may_sleep)
     o.dt = p->dt;
     o.friction = p->friction;
     o.substeps = substeps;
-    o.resting = may_sleep;
+    if (!may_sleep) o.sleep_speed = 0;
     status done = shape_box(&r->cube, sides, 1);
     if (done.ok) done = world_init(&r->world, o);
     for (int k = 0; k < p->walls && done.ok; k++)

@@ -111,16 +111,13 @@ static int order_of_blocks(pile *p, contact *list[])
     return n;
 }
 
-// Moves all bodies of both a little, and alike.
-static void jolt(pile *p, pile *q)
+// Moves all bodies a little.
+static void jolt(pile *p)
 {
     for (int b = 0; b < p->frame.bodies; b++)
-        for (int k = 0; k < MOTIONS; k++) {
-            real way = 1e-4 * any();
-            if (p->body[b].basis.inverse_mass == 0) continue;
-            p->moved[b].of[k] += way;
-            q->moved[b].of[k] += way;
-        }
+        for (int k = 0; k < MOTIONS; k++)
+            if (p->body[b].basis.inverse_mass > 0)
+                p->moved[b].of[k] += 1e-4 * any();
 }
 
 // The same substeps by blocks (p) and one by one (q).  After each push both are
@@ -143,7 +140,10 @@ static void run_both(pile *p, pile *q, int substeps)
         plain_warm_start(&s);
         plain_push(&s);
         plain_move(&s);
-        jolt(p, q);
+        const unsigned long long alike = seed;
+        jolt(p);
+        seed = alike;
+        jolt(q);
         relax(p);
         plain_relax(&s);
     }
@@ -299,7 +299,11 @@ static void run_frames(pile *p, bool anew)
         if (anew) pile_find(p);
         p->frame.warm = frame == 1 ? 0.5 : 1;
         prepare(p);
-        for (int k = 0; k < 4; k++) substep(p, GRAVITY, k == 0);
+        for (int k = 0; k < 4; k++) {
+            push(p, GRAVITY, k == 0);
+            jolt(p);
+            relax(p);
+        }
         store(p);
         for (int b = 0; b < p->frame.bodies; b++) {
             p->body[b].frame.center.y += p->moved[b].of[1];

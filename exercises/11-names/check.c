@@ -157,8 +157,8 @@ START_TEST(box_slides_and_keeps_its_corners)
     shape small, large;
     ck_assert(shape_box(&small, (vec3){ 0.2, 0.2, 0.2 }, 1).ok);
     ck_assert(shape_box(&large, (vec3){ 2, 2, 2 }, 1).ok);
-    touch old[MANIFOLD_TOUCHES], now[MANIFOLD_TOUCHES];
-    real pushed[MANIFOLD_TOUCHES], begin[MANIFOLD_TOUCHES];
+    touch old[MANIFOLD_POINTS];
+    real pushed[MANIFOLD_POINTS], begin[MANIFOLD_POINTS];
     int olds = 0, moved = 0, another = 0, first = -1;
     for (int k = 0; k <= 200; k++) {
         real turn = k * acos(-1.0) / 200, c = cos(turn), s = sin(turn);
@@ -172,10 +172,12 @@ START_TEST(box_slides_and_keeps_its_corners)
                             c * x.z - s * x.x + 0.003 * k };
             if (at[v].y < at[low].y) low = v;
         }
-        touch nearest = { { 1, { low }, { 1 } }, { 1, { 2 }, { 1 } },
-                          at[low].y - 1 };
-        int n = manifold_find(&small, at, &large, large.at, (vec3){ 0, 1, 0 },
-                              nearest, 0.05, now);
+        query_result nearest = { true, { 0, 1, 0 },
+            { { 1, { low }, { 1 } }, { 1, { 2 }, { 1 } }, at[low].y - 1 } };
+        collider a = { &small, at }, b = { &large, large.at };
+        manifold m = manifold_find(&a, &b, &nearest, 0.05);
+        const touch *now = m.point;
+        int n = m.count;
         ck_assert_int_eq(n, 4);
         if (k > 0) names_carry(old, pushed, olds, now, begin, n);
         for (int i = 0; i < n; i++) {
@@ -190,7 +192,7 @@ START_TEST(box_slides_and_keeps_its_corners)
         another += now[0].a.vertex[0] != first;
         first = now[0].a.vertex[0];
         olds = n;
-        memcpy(old, now, sizeof old);
+        memcpy(old, m.point, sizeof old);
         memcpy(pushed, begin, sizeof pushed);
     }
     ck_assert_msg(moved > 3, "no corner came to another triangle");

@@ -40,7 +40,7 @@ set title "Fifty bodies: deepest overlap, of a radius" font "DejaVu Sans,26" off
 set yrange [0.1:150]
 set ytics ("0.1 %%" 0.1, "1 %%" 1, "10 %%" 10, "100 %%" 100)
 set label 1 "chapter 09, as printed" at 1.15*X[2],Y[2] left textcolor rgb printed
-set label 2 "chapter 09,\nas mended" at 1.35*X[3],1.2*Y[3] left textcolor rgb mended
+set label 2 "chapter 09,\nas mended" at 1.9*X[3],1.2*Y[3] left textcolor rgb mended
 set label 3 "engine" at X[1],2*Y[1] left textcolor rgb engine font bold
 plot csv index 1 using 2:3 with points pt 9 ps 2.2 lc rgb printed, \
      csv index 2 using 2:3 with linespoints pt 6 ps 1.3 lc rgb mended lw 1.6, \

@@ -39,6 +39,7 @@ typedef struct {
     int frames;     // since the younger window began
     int halves;     // half windows since the body was first observed
     int still;      // half windows for which it has been still
+    bool is_moving; // too far in a window that is not over, or too fast now
 } sleep_watch;
 
 // An island is a set of movable bodies that touch, directly or through others.
@@ -79,6 +80,10 @@ void sleep_touch(sleep_state *s, int a, int b);
 // are not still.
 void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
                    int n, real radius, const sleep_rule *rule);
+
+// True if body b, awake, was seen to move in the last frame or just before: what
+// sleeps does not let it pass.
+bool sleep_is_moving(const sleep_state *s, int b);
 
 // Puts to sleep every island in which all bodies have been still for
 // time_to_sleep.  Returns how many bodies fell asleep.

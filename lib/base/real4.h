@@ -36,9 +36,9 @@ REAL4_OPERATION(real4_div, a.x[l] / b.x[l])
 REAL4_OPERATION(real4_max, a.x[l] > b.x[l] ? a.x[l] : b.x[l])
 REAL4_OPERATION(real4_min, a.x[l] < b.x[l] ? a.x[l] : b.x[l])
 
-static inline real4 real4_all(real s)
+static inline real4 real4_make(real a, real b, real c, real d)
 {
-    return (real4){ { s, s, s, s } };
+    return (real4){ { a, b, c, d } };
 }
 
 // Lane by lane: a where s > 0, else b.
@@ -132,9 +132,9 @@ static inline real4 real4_min(real4 a, real4 b)
                     real2_select((mask2)(a.hi < b.hi), a.hi, b.hi) };
 }
 
-static inline real4 real4_all(real s)
+static inline real4 real4_make(real a, real b, real c, real d)
 {
-    return (real4){ { s, s }, { s, s } };
+    return (real4){ { a, b }, { c, d } };
 }
 
 // Lane by lane: a where s > 0, else b.
@@ -186,6 +186,11 @@ static inline void real4_scatter2(real *const to[REAL4], int k, real4 even,
 //<
 
 //> real4-sums
+static inline real4 real4_all(real s)
+{
+    return real4_make(s, s, s, s);
+}
+
 static inline real4 real4_mad(real4 a, real4 b, real4 c)    // a b + c
 {
     return real4_add(real4_mul(a, b), c);
@@ -195,6 +200,14 @@ static inline real4 real4_dot(const real4 a[3], const real4 b[3])
 {
     return real4_mad(a[0], b[0],
                      real4_mad(a[1], b[1], real4_mul(a[2], b[2])));
+}
+
+static inline void real4_cross(const real4 a[3], const real4 b[3], real4 c[3])
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        c[i] = real4_sub(real4_mul(a[j], b[k]), real4_mul(a[k], b[j]));
+    }
 }
 
 // to += a s, for three lanes; and to -= a s.

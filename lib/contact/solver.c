@@ -94,150 +94,218 @@ static void list_colors(contact_solver *s, const int end[BINS])
 //<
 
 //> solver-lane
-// The turns that a unit impulse with this moment (m) gives a body.
-static void set_row(real4 row[TURNS], int l, const motion_basis *basis,
-                    vec3 moment)
-{
-    for (int t = 0; t < TURNS; t++)
-        real4_set(&row[t], l, vec3_dot(basis->turn[t], moment));
-}
-
-static real row_square(const real4 row[TURNS], int l)
-{
-    real sum = 0;
-    for (int t = 0; t < TURNS; t++)
-        sum += real4_get(&row[t], l) * real4_get(&row[t], l);
-    return sum;
-}
-
-// One contact on its way into a lane.
+// A contact on its way into a lane of a block, turned so that A moves.
 typedef struct {
-    const contact *c;
-    const active_contact *x;
-    const motion_basis *a, *b;
-    vec3 normal, across[2];
-    vec3 center_a, center_b;    // m, arms of where friction acts
-    real sign;                  // -1: it is solved the other way round
-    real warm;                  // see solver_frame
-    real near;                  // m, a gap that counts as touching for that
+    int  a, b;
+    const motion_basis *basis_a, *basis_b;
+    vec3 normal, across, aside;
+    real across_impulse, aside_impulse, twist;
+    real per_near;              // 1/m, of a gap that is all but closed
+    real has[CONTACT_POINTS];   // 1: it has this point; 0: not
+    real gap[CONTACT_POINTS], impulse[CONTACT_POINTS];
+    const vec3 *arm_a[CONTACT_POINTS], *arm_b[CONTACT_POINTS];
 } lane_source;
 
-static vec3 arm(const lane_source *q, int k, bool of_b)
+// Two unit vectors across n, fixed by n alone.
+static void choose_across(lane_source *q, vec3 friction)
 {
-    const contact_point *p = &q->c->point[q->x->point[k]];
-    return of_b != q->x->is_swapped ? p->arm_b : p->arm_a;
+    vec3 n = q->normal;
+    real x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
+    vec3 least = { x <= y && x <= z, y < x && y <= z, z < x && z < y };
+    q->across = vec3_unit(vec3_cross(n, least));
+    q->aside = vec3_cross(n, q->across);
+    q->across_impulse = vec3_dot(friction, q->across);
+    q->aside_impulse = vec3_dot(friction, q->aside);
+}
+
+// Of as many points as the block has; a contact that has fewer has none there.
+static const vec3 ORIGIN = { 0, 0, 0 };
+
+static void choose_points(lane_source *q, const contact *c,
+                          const active_contact *x, real warm, int points)
+{
+    for (int j = 0; j < x->count; j++) {
+        const contact_point *p = &c->point[x->point[j]];
+        q->arm_a[j] = x->is_swapped ? &p->arm_b : &p->arm_a;
+        q->arm_b[j] = x->is_swapped ? &p->arm_a : &p->arm_b;
+        q->has[j] = 1;
+        q->gap[j] = x->gap[j];
+        q->impulse[j] = warm * c->impulse[x->point[j]];
+    }
+    for (int j = x->count; j < points; j++) {
+        q->arm_a[j] = q->arm_b[j] = &ORIGIN;
+        q->has[j] = q->gap[j] = q->impulse[j] = 0;
+    }
+}
+
+// A contact whose A does not move is solved the other way round: its normal,
+// and what acts along it, change sign; a twist does not, for both its axis and
+// the bodies change places.
+static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
+
+static void choose_lane(lane_source *q, const contact *c,
+                        const active_contact *x, const solver_frame *f,
+                        int points)
+{
+    real sign = x->is_swapped ? -1 : 1, radius = f->body[x->a].radius;
+    q->a = x->a;
+    q->b = x->b;
+    q->basis_a = &f->body[x->a].basis;
+    q->basis_b = &IMMOVABLE;
+    if (x->sides == TWO_SIDED) {
+        q->basis_b = &f->body[x->b].basis;
+        radius = real_min(radius, f->body[x->b].radius);
+    }
+    q->normal = vec3_scale(sign, c->normal);
+    q->per_near = 25 / radius;
+    q->twist = f->warm * c->twist;
+    choose_across(q, vec3_scale(sign * f->warm, c->friction));
+    choose_points(q, c, x, f->warm, points);
+}
+
+// A lane that is left over is of a body that weighs a kilogram and has no
+// points: it pushes nothing.
+static void leave_lane(lane_source *q, int spare, int points)
+{
+    static const motion_basis light = { .inverse_mass = 1 };
+    static const active_contact none = { .count = 0 };
+    *q = (lane_source){ .a = spare, .b = spare, .basis_a = &light,
+                        .basis_b = &IMMOVABLE };
+    choose_points(q, NULL, &none, 0, points);
+}
+//<
+
+//> solver-transpose
+// One number of each of four lanes, side by side.  (Not stored one by one: a
+// processor waits long for what it has stored in parts and loads as a whole.)
+#define LANES_OF(q, number) \
+    real4_make((q)[0].number, (q)[1].number, (q)[2].number, (q)[3].number)
+
+#define LANES3_OF(to, q, vector)                \
+    do {                                        \
+        (to)[0] = LANES_OF(q, vector.x);        \
+        (to)[1] = LANES_OF(q, vector.y);        \
+        (to)[2] = LANES_OF(q, vector.z);        \
+    } while (0)
+
+// What the rows of a block are made of.
+typedef struct {
+    real4 turn_a[TURNS][3], turn_b[TURNS][3];
+    real4 arm_a[CONTACT_POINTS][3], arm_b[CONTACT_POINTS][3];   // m
+    real4 has[CONTACT_POINTS], per_near;
+} raw_block;
+
+static void transpose(block *k, raw_block *raw, const lane_source q[REAL4])
+{
+    LANES3_OF(k->normal, q, normal);
+    LANES3_OF(k->across[0], q, across);
+    LANES3_OF(k->across[1], q, aside);
+    k->inverse_a = LANES_OF(q, basis_a->inverse_mass);
+    k->inverse_b = LANES_OF(q, basis_b->inverse_mass);
+    k->across_impulse[0] = LANES_OF(q, across_impulse);
+    k->across_impulse[1] = LANES_OF(q, aside_impulse);
+    k->twist_impulse = LANES_OF(q, twist);
+    raw->per_near = LANES_OF(q, per_near);
+    for (int t = 0; t < TURNS; t++) {
+        LANES3_OF(raw->turn_a[t], q, basis_a->turn[t]);
+        LANES3_OF(raw->turn_b[t], q, basis_b->turn[t]);
+    }
+    for (int j = 0; j < k->points; j++) {
+        LANES3_OF(raw->arm_a[j], q, arm_a[j][0]);
+        LANES3_OF(raw->arm_b[j], q, arm_b[j][0]);
+        raw->has[j] = LANES_OF(q, has[j]);
+        k->point[j].gap = LANES_OF(q, gap[j]);
+        k->point[j].impulse = LANES_OF(q, impulse[j]);
+    }
+}
+//<
+
+//> solver-rows
+// Returns the square of the row, in 1/kg: what a unit impulse with this moment
+// (m) does along itself by turning the body.
+static inline real4 make_row(real4 row[TURNS], real4 turn[TURNS][3],
+                             const real4 moment[3])
+{
+    for (int t = 0; t < TURNS; t++) row[t] = real4_dot(turn[t], moment);
+    return real4_dot(row, row);
+}
+
+static inline real4 make_rows(real4 row_a[TURNS], real4 row_b[TURNS],
+                              raw_block *raw, const real4 arm_a[3],
+                              const real4 arm_b[3], const real4 along[3])
+{
+    real4 moment[3];
+    real4_cross(arm_a, along, moment);
+    real4 square = make_row(row_a, raw->turn_a, moment);
+    real4_cross(arm_b, along, moment);
+    return real4_add(square, make_row(row_b, raw->turn_b, moment));
 }
 
 // Friction acts where the points are that touch; one that is wide open counts
 // for a hundredth.
-static void find_center(lane_source *q)
+static inline void find_center(const block *k, const raw_block *raw,
+                               real4 center_a[3], real4 center_b[3])
 {
-    real sum = 0;
-    for (int k = 0; k < q->x->count; k++) {
-        real share = real_min(1, real_max(0.01, 2 - q->x->gap[k] / q->near));
-        sum += share;
-        q->center_a = vec3_add_scaled(q->center_a, share, arm(q, k, false));
-        q->center_b = vec3_add_scaled(q->center_b, share, arm(q, k, true));
+    const real4 zero = real4_all(0), one = real4_all(1);
+    real4 sum = zero;
+    for (int i = 0; i < 3; i++) center_a[i] = center_b[i] = zero;
+    for (int j = 0; j < k->points; j++) {
+        real4 open = real4_mul(k->point[j].gap, raw->per_near);
+        real4 share = real4_sub(real4_all(2), open);
+        share = real4_min(one, real4_max(share, real4_all(0.01)));
+        share = real4_mul(share, raw->has[j]);
+        sum = real4_add(sum, share);
+        real4_add3(center_a, raw->arm_a[j], share);
+        real4_add3(center_b, raw->arm_b[j], share);
     }
-    q->center_a = vec3_scale(1 / sum, q->center_a);
-    q->center_b = vec3_scale(1 / sum, q->center_b);
+    real4 per_sum = real4_div(one, real4_if_positive(sum, sum, one));
+    for (int i = 0; i < 3; i++) {
+        center_a[i] = real4_mul(center_a[i], per_sum);
+        center_b[i] = real4_mul(center_b[i], per_sum);
+    }
 }
 
-static void find_across(vec3 n, vec3 across[2])
+// The effective mass is 1 / K, K = how far a unit impulse parts the points.
+static inline void make_points(block *k, raw_block *raw, real4 inverse,
+                               const real4 center_a[3])
 {
-    real x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
-    vec3 least = { x <= y && x <= z, y < x && y <= z, z < x && z < y };
-    across[0] = vec3_unit(vec3_cross(n, least));
-    across[1] = vec3_cross(n, across[0]);
-}
-//<
-
-//> solver-fill
-static void fill_point(block *k, int l, int j, const lane_source *q)
-{
-    block_point *p = &k->point[j];
-    vec3 a = arm(q, j, false), b = arm(q, j, true);
-    set_row(p->turn_a, l, q->a, vec3_cross(a, q->normal));
-    set_row(p->turn_b, l, q->b, vec3_cross(b, q->normal));
-    real inverse = q->a->inverse_mass + q->b->inverse_mass
-                 + row_square(p->turn_a, l) + row_square(p->turn_b, l);
-    real4_set(&p->gap, l, q->x->gap[j]);
-    real4_set(&p->now, l, q->x->gap[j]);
-    real4_set(&p->mass, l, 1 / inverse);
-    real4_set(&p->impulse, l,
-              q->warm * q->c->impulse[q->x->point[j]]);
-    real4_set(&p->lever, l, vec3_distance(a, q->center_a));
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 d[3], square = make_rows(p->turn_a, p->turn_b, raw,
+                                       raw->arm_a[j], raw->arm_b[j],
+                                       k->normal);
+        for (int i = 0; i < 3; i++)
+            d[i] = real4_sub(raw->arm_a[j][i], center_a[i]);
+        p->lever = real4_sqrt(real4_dot(d, d));
+        p->mass = real4_div(raw->has[j], real4_add(inverse, square));
+        p->now = p->gap;
+    }
 }
 
 // Both directions are solved at once, with the inverse of
 //     | K00 K01 |        K_ij = how far a unit impulse along j moves the points
 //     | K01 K11 |        along i.
-static void fill_friction(block *k, int l, const lane_source *q)
+static inline void make_friction(block *k, raw_block *raw, real4 inverse,
+                                 const real4 center_a[3],
+                                 const real4 center_b[3])
 {
-    real inverse = q->a->inverse_mass + q->b->inverse_mass, cross = 0;
-    real own[2], twist;
-    for (int i = 0; i < 2; i++) {
-        vec3 t = q->across[i];
-        set_row(k->across_a[i], l, q->a, vec3_cross(q->center_a, t));
-        set_row(k->across_b[i], l, q->b, vec3_cross(q->center_b, t));
-        own[i] = inverse + row_square(k->across_a[i], l)
-               + row_square(k->across_b[i], l);
-        real4_set3(k->across[i], l, t);
-        real4_set(&k->across_impulse[i], l,
-                  q->warm * q->sign * vec3_dot(q->c->friction, t));
-    }
-    for (int t = 0; t < TURNS; t++)
-        cross += real4_get(&k->across_a[0][t], l)
-               * real4_get(&k->across_a[1][t], l)
-               + real4_get(&k->across_b[0][t], l)
-               * real4_get(&k->across_b[1][t], l);
-    real volume = own[0] * own[1] - cross * cross;
-    real4_set(&k->across_mass[0], l, own[1] / volume);
-    real4_set(&k->across_mass[1], l, -cross / volume);
-    real4_set(&k->across_mass[2], l, own[0] / volume);
-    set_row(k->twist_a, l, q->a, q->normal);
-    set_row(k->twist_b, l, q->b, q->normal);
-    twist = row_square(k->twist_a, l) + row_square(k->twist_b, l);
-    real4_set(&k->twist_mass, l, twist > 0 ? 1 / twist : 0);
-    real4_set(&k->twist_impulse, l, q->warm * q->c->twist);
-}
-//<
-
-//> solver-swap
-// A contact whose A does not move is solved the other way round: its normal,
-// and what acts along it, change sign; a twist does not, for both the axis and
-// the bodies change places.
-static lane_source source_of(const contact *c, const active_contact *x,
-                             const solver_frame *f)
-{
-    static const motion_basis immovable = { .inverse_mass = 0 };
-    real radius = f->body[x->a].radius;
-    lane_source q = { .c = c, .x = x, .a = &f->body[x->a].basis,
-                      .b = &immovable, .warm = f->warm,
-                      .sign = x->is_swapped ? -1 : 1 };
-    q.normal = vec3_scale(q.sign, c->normal);
-    if (x->sides == TWO_SIDED) {
-        q.b = &f->body[x->b].basis;
-        radius = real_min(radius, f->body[x->b].radius);
-    }
-    q.near = radius / 25;
-    find_center(&q);
-    find_across(q.normal, q.across);
-    return q;
-}
-
-static void fill_lane(block *k, int l, int number, const contact *c,
-                      const active_contact *x, const solver_frame *f)
-{
-    lane_source q = source_of(c, x, f);
-    k->contact[l] = number;
-    k->a[l] = x->a;
-    k->b[l] = x->b;
-    real4_set3(k->normal, l, q.normal);
-    real4_set(&k->inverse_a, l, q.a->inverse_mass);
-    real4_set(&k->inverse_b, l, q.b->inverse_mass);
-    for (int j = 0; j < x->count; j++) fill_point(k, l, j, &q);
-    fill_friction(k, l, &q);
+    real4 own[2], twist, *mass = k->across_mass;
+    for (int i = 0; i < 2; i++)
+        own[i] = real4_add(inverse, make_rows(k->across_a[i], k->across_b[i],
+                                              raw, center_a, center_b,
+                                              k->across[i]));
+    real4 cross = real4_add(real4_dot(k->across_a[0], k->across_a[1]),
+                            real4_dot(k->across_b[0], k->across_b[1]));
+    real4 volume = real4_sub(real4_mul(own[0], own[1]),
+                             real4_mul(cross, cross));
+    real4 per_volume = real4_div(real4_all(1), volume);
+    mass[0] = real4_mul(own[1], per_volume);
+    mass[1] = real4_sub(real4_all(0), real4_mul(cross, per_volume));
+    mass[2] = real4_mul(own[0], per_volume);
+    twist = real4_add(make_row(k->twist_a, raw->turn_a, k->normal),
+                      make_row(k->twist_b, raw->turn_b, k->normal));
+    twist = real4_if_positive(twist, twist, real4_all(1));
+    k->twist_mass = real4_div(real4_all(1), twist);
 }
 //<
 
@@ -276,23 +344,31 @@ static int lanes_of(const contact_solver *s, int number, int *first)
     return int_min(each, s->color[color].contacts - each * in);
 }
 
-// Lanes, and points, that are left over stay zero: they push nothing.
 static void fill_block(const preparation *p, int number)
 {
     contact_solver *s = p->s;
     block *k = &s->block[number];
+    lane_source q[REAL4];
+    raw_block raw;
+    real4 center_a[3], center_b[3];
     int first, lanes = lanes_of(s, number, &first);
     const int *list = s->order + first;
-    int most = s->active[list[0]].count;
-    if (lanes < REAL4 || s->active[list[lanes - 1]].count < most)
-        memset(k, 0, sizeof *k);
-    k->points = most;
-    for (int l = lanes; l < REAL4; l++) {
-        k->contact[l] = -1;
-        k->a[l] = k->b[l] = s->bodies;
+    k->points = s->active[list[0]].count;
+    for (int l = 0; l < REAL4; l++) {
+        if (l < lanes)
+            choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
+                        k->points);
+        else
+            leave_lane(&q[l], s->bodies, k->points);
+        k->contact[l] = l < lanes ? list[l] : -1;
+        k->a[l] = q[l].a;
+        k->b[l] = q[l].b;
     }
-    for (int l = 0; l < lanes; l++)
-        fill_lane(k, l, list[l], p->table[list[l]], &s->active[list[l]], p->f);
+    transpose(k, &raw, q);
+    real4 inverse = real4_add(k->inverse_a, k->inverse_b);
+    find_center(k, &raw, center_a, center_b);
+    make_points(k, &raw, inverse, center_a);
+    make_friction(k, &raw, inverse, center_a, center_b);
 }
 
 static void fill_chunk(void *data, int item)

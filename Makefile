@@ -176,7 +176,7 @@ $(MADE): %: test-%
 book:
 	$(Q)mkdir -p $(BUILD)
 	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*/*.h lib/*/*.c \
-	  tests/support/oracle.[hc] tests/support/poses.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
+	  tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
 	$(Q)cp $(BUILD)/book.md book.md
 	@echo "book.md: $$(wc -l < book.md) lines"
 
@@ -404,9 +404,15 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body ring \
   rigidity convex obj penetration sphere sphere_tree grid ordering \
-  line four broad rest world step world_scene scene system)
-$(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
+  line rigid4 solver broad rest world step world_scene scene system)
+$(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
+
+# This one has the plain form of four numbers beside the other.
+$(BUILD)/tests/check_real4: $(BUILD)/tests/real4_plain.o
+# The plain contact solver, which judges the fast one and draws figures.
+$(BUILD)/tests/check_solver $(patsubst %,$(BUILD)/figures/%,$(filter 13-%,$(FIGURES))): \
+  $(BUILD)/tests/plain_solver.o
 
 # This one looks at pictures.
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
@@ -507,7 +513,7 @@ define compile
 endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
-ROOMS := $(patsubst %,-I%,$(wildcard lib/* tests/support tests/hard tests/fuzz \
+ROOMS := $(patsubst %,-I%,$(wildcard lib/* tests/support tests/contact tests/hard tests/fuzz \
   figures/draw figures/measure figures/command figures/peers))
 $(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
 	$(compile)

@@ -59,8 +59,8 @@ static const real FURTHEST = 1.0 / 3;       // rad, in one move
 int motion_moves(const motion_basis *basis, const motion *d)
 {
     real moves = vec3_length(motion_rotation(basis, d)) / FURTHEST;
-    if (!(moves < TURN_MOVES - 1)) return TURN_MOVES;
-    return 1 + (int)moves;
+    if (moves < TURN_MOVES - 1) return 1 + (int)moves;
+    return moves - moves == 0 ? TURN_MOVES : 1;     // one for NaN and infinity
 }
 
 // sin(a) / a by its series, for a of no more than FURTHEST: to 1e-16.
@@ -79,8 +79,7 @@ void motion_begin(particle *p, const rigid_frame *frame,
     real share = 1.0 / moves;
     vec3 straight = { share * d->of[0], share * d->of[1], share * d->of[2] };
     vec3 turn = vec3_scale(share, motion_rotation(basis, d));
-    real angle = vec3_length(turn);
-    turn = vec3_scale(chord(real_min(angle, 1)), turn);
+    turn = vec3_scale(chord(real_min(vec3_length(turn), 1)), turn);
     for (int k = 0; k < FOUR; k++) {
         vec3 way = vec3_add(straight, vec3_cross(turn, frame_arm(frame, k)));
         p[k].previous = p[k].position;
@@ -99,23 +98,51 @@ void motion_go_on(particle *p)
 //<
 
 //> motion-end
-// L = sum_t u_t turn_t / |turn_t|^2 times what a turn of 1 carries; in the new
-// basis u_t' = turn_t' . L.
+// The vector L with turn_t . L = u_t for all three t (Cramer's rule).
+static vec3 angular_momentum(const motion_basis *basis, const real *u)
+{
+    const vec3 *t = basis->turn;
+    vec3 across = vec3_cross(t[1], t[2]);
+    vec3 sum = vec3_scale(u[0], across);
+    sum = vec3_add_scaled(sum, u[1], vec3_cross(t[2], t[0]));
+    sum = vec3_add_scaled(sum, u[2], vec3_cross(t[0], t[1]));
+    return vec3_scale(1 / vec3_dot(t[0], across), sum);
+}
+
+// The rotation of the motion in a basis with an angular momentum L.
+static vec3 rotation_with(const motion_basis *basis, vec3 angular)
+{
+    motion m = { { 0 } };
+    for (int t = 0; t < TURNS; t++)
+        m.of[MOTION_TURN + t] = vec3_dot(basis->turn[t], angular);
+    return motion_rotation(basis, &m);
+}
+
+// The angular momentum of four particles of this mass that turn: 4 m times the
+// sum of y_i x (w x y_i) over the axes.
+static vec3 carried(const rigid_frame *frame, real mass, vec3 turn)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int i = 0; i < FOUR_AXES; i++)
+        sum = vec3_add(sum, vec3_cross(frame->axis[i],
+                                       vec3_cross(turn, frame->axis[i])));
+    return vec3_scale(FOUR * mass, sum);
+}
+
+// The sticks hold to a tolerance only, and so do the turns of a basis.  What
+// the particles lack of the angular momentum is given to them once more: without
+// it a spin would drift by the tolerance in every frame.
 void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
                 const motion *u, real h)
 {
-    vec3 angular = { 0, 0, 0 }, straight = { u->of[0], u->of[1], u->of[2] };
-    for (int t = 0; t < TURNS; t++) {
-        real square = f->turn[t] * f->square[t];
-        angular = vec3_add_scaled(angular, u->of[MOTION_TURN + t] / square,
-                                  frame->axis[t]);
-    }
+    vec3 straight = { u->of[0], u->of[1], u->of[2] };
+    motion_basis basis = basis_find(f, frame);
+    vec3 angular = angular_momentum(&basis, u->of + MOTION_TURN);
     rigid_frame now = rigid4_frame(p);
     motion_basis new_basis = basis_find(f, &now);
-    motion v = { { 0 } };
-    for (int t = 0; t < TURNS; t++)
-        v.of[MOTION_TURN + t] = vec3_dot(new_basis.turn[t], angular);
-    vec3 turn = motion_rotation(&new_basis, &v);
+    vec3 turn = rotation_with(&new_basis, angular);
+    vec3 lacking = vec3_sub(angular, carried(&now, f->mass, turn));
+    turn = vec3_add(turn, rotation_with(&new_basis, lacking));
     for (int k = 0; k < FOUR; k++) {
         vec3 way = vec3_add(straight, vec3_cross(turn, frame_arm(&now, k)));
         p[k].previous = vec3_add_scaled(p[k].position, -h, way);

@@ -10,10 +10,12 @@ long mallocs_made, blocks_held;
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t n, size_t size);
 void *__real_realloc(void *p, size_t size);
+void *__real_aligned_alloc(size_t alignment, size_t size);
 void  __real_free(void *p);
 void *__wrap_malloc(size_t size);
 void *__wrap_calloc(size_t n, size_t size);
 void *__wrap_realloc(void *p, size_t size);
+void *__wrap_aligned_alloc(size_t alignment, size_t size);
 void  __wrap_free(void *p);
 
 static int is_granted(void)
@@ -37,6 +39,11 @@ void *__wrap_malloc(size_t size)
 void *__wrap_calloc(size_t n, size_t size)
 {
     return is_granted() ? counted(__real_calloc(n, size)) : NULL;
+}
+
+void *__wrap_aligned_alloc(size_t alignment, size_t size)
+{
+    return is_granted() ? counted(__real_aligned_alloc(alignment, size)) : NULL;
 }
 
 void *__wrap_realloc(void *p, size_t size)

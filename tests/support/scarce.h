@@ -1,8 +1,8 @@
 // scarce.h - memory that is counted and runs out, for tests of what happens then.
 //
 // A program that is linked with scarce.c and
-// -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free (the Makefile names
-// them) asks here for all its memory.
+// -Wl,--wrap=malloc and so on, of calloc, realloc, aligned_alloc and free (the
+// Makefile names such programs) asks here for all its memory.
 
 #ifndef TUMBLE_SCARCE_H
 #define TUMBLE_SCARCE_H

@@ -1,0 +1,160 @@
+// check_contact.c - do gaps follow the bodies, and impulses their points?
+// Book: chapter 13.
+
+#include "contact.h"
+#include "solids.h"
+
+static const vec3 UP = { 0, 1, 0 }, ZERO = { 0, 0, 0 };
+
+static rigid_frame any_frame(vec3 at)
+{
+    matrix m = any_rotation();
+    return (rigid_frame){ at, { vec3_scale(0.3, m.x), vec3_scale(0.5, m.y),
+                                vec3_scale(0.2, m.z) } };
+}
+
+static contact_point any_point(void)
+{
+    return (contact_point){ .local_a = any_vec3(), .local_b = any_vec3(),
+                            .offset = any() / 10 };
+}
+
+// --- gaps --------------------------------------------------------------------
+
+// Two boxes of a metre, one on the other, that overlap by 1 cm; the offset of
+// one corner is -1 cm.  A then rises by 3 cm and turns by a small angle.
+// Rejects: heights of the corners at rest; a normal the other way round; an
+// offset with the wrong sign.
+START_TEST(gaps_are_those_of_the_points_by_hand)
+{
+    const vec3 axis[3] = { { 0.5, 0, 0 }, { 0, 0.5, 0 }, { 0, 0, 0.5 } };
+    rigid_frame a = { { 0, 1.49, 0 }, { axis[0], axis[1], axis[2] } };
+    rigid_frame b = { { 0, 0.5, 0 }, { axis[0], axis[1], axis[2] } };
+    contact c = { .a = 0, .b = 1, .count = 2, .normal = UP,
+                  .point = { { .local_a = { 1, -1, 1 },
+                               .local_b = { 1, 1, 1 } },
+                             { .local_a = { -1, -1, 1 },
+                               .local_b = { -1, 1, 1 }, .offset = -0.01 } } };
+    real gap[CONTACT_POINTS];
+    contact_gaps(&c, &a, &b, 0, gap);
+    ck_assert(fabs(gap[0] + 0.01) <= ROUNDING && fabs(gap[1]) <= ROUNDING);
+    a.center.y += 0.03;
+    a.axis[0] = vec3_make(0.4, 0.3, 0);
+    a.axis[1] = vec3_make(-0.3, 0.4, 0);
+    contact_gaps(&c, &a, &b, 0, gap);
+    ck_assert(fabs(gap[0] - (1.52 + 0.3 - 0.4 - 1)) <= ROUNDING);
+    ck_assert(fabs(gap[1] - (1.52 - 0.3 - 0.4 - 1 + 0.01)) <= ROUNDING);
+}
+END_TEST
+
+// Rejects: an axis of the other body; the centre left out.
+START_TEST(gaps_follow_bodies_wherever_they_go)
+{
+    for (int n = 0; n < 500; n++) {
+        rigid_frame a = any_frame(vec3_scale(3, any_vec3()));
+        rigid_frame b = any_frame(vec3_scale(3, any_vec3()));
+        contact c = { .a = 3, .b = 5, .count = n % 5, .normal = any_unit() };
+        for (int k = 0; k < c.count; k++) c.point[k] = any_point();
+        real gap[CONTACT_POINTS];
+        contact_gaps(&c, &a, &b, 17, gap);
+        for (int k = 0; k < c.count; k++) {
+            vec3 d = vec3_sub(frame_point(&a, c.point[k].local_a),
+                              frame_point(&b, c.point[k].local_b));
+            real wanted = vec3_dot(c.normal, d) - c.point[k].offset;
+            ck_assert(fabs(gap[k] - wanted) <= 10 * ROUNDING);
+        }
+    }
+}
+END_TEST
+
+// Rejects: a plane through the origin, or on the wrong side of it.
+START_TEST(gap_to_a_plane_is_the_height_over_it)
+{
+    for (int n = 0; n < 200; n++) {
+        rigid_frame a = any_frame(any_vec3());
+        contact c = { .a = 0, .b = contact_with_plane(n % 3), .count = 3,
+                      .normal = any_unit() };
+        ck_assert_int_eq(-1 - c.b, n % 3);
+        for (int k = 0; k < 3; k++) c.point[k] = any_point();
+        real gap[CONTACT_POINTS], height = any();
+        contact_gaps(&c, &a, NULL, height, gap);
+        for (int k = 0; k < 3; k++) {
+            vec3 x = frame_point(&a, c.point[k].local_a);
+            real wanted = vec3_dot(c.normal, x) - height - c.point[k].offset;
+            ck_assert(fabs(gap[k] - wanted) <= 10 * ROUNDING);
+        }
+    }
+}
+END_TEST
+
+// --- impulses ----------------------------------------------------------------
+
+START_TEST(load_is_the_sum_of_the_impulses)
+{
+    contact c = { .count = 3 };
+    for (int k = 0; k < CONTACT_POINTS; k++) c.impulse[k] = k + 1;
+    ck_assert(contact_load(&c) == 6);
+    c.count = 0;
+    ck_assert(contact_load(&c) == 0);
+}
+END_TEST
+
+// Rejects: an impulse that is lost, or given to two; one that goes to the point
+// that happens to have its number; friction of before that is left out.
+START_TEST(each_impulse_goes_to_the_nearest_new_point)
+{
+    for (int n = 0; n < 2000; n++) {
+        contact was = { .count = n % 5, .normal = UP, .friction = any_vec3(),
+                        .twist = any() };
+        contact now = { .count = n / 5 % 5, .normal = UP };
+        real wanted[CONTACT_POINTS] = { 0 };
+        for (int k = 0; k < was.count; k++) {
+            was.point[k] = any_point();
+            was.impulse[k] = 1 + any();
+        }
+        for (int k = 0; k < now.count; k++) now.point[k] = any_point();
+        for (int k = 0; k < was.count && now.count > 0; k++) {
+            int best = 0;
+            for (int j = 1; j < now.count; j++)
+                if (vec3_distance(now.point[j].local_a, was.point[k].local_a)
+                    < vec3_distance(now.point[best].local_a,
+                                    was.point[k].local_a)) best = j;
+            wanted[best] += was.impulse[k];
+        }
+        contact_inherit(&now, &was);
+        for (int k = 0; k < now.count; k++)
+            ck_assert(now.impulse[k] == wanted[k]);
+        if (now.count > 0) {
+            ck_assert(fabs(contact_load(&now) - contact_load(&was))
+                      <= ROUNDING * 10);
+            ck_assert(vec3_distance(now.friction, was.friction) == 0);
+            ck_assert(now.twist == was.twist);
+        } else {
+            ck_assert(vec3_distance(now.friction, ZERO) == 0);
+            ck_assert(now.twist == 0);
+        }
+    }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const test[] = {
+        gaps_are_those_of_the_points_by_hand,
+        gaps_follow_bodies_wherever_they_go,
+        gap_to_a_plane_is_the_height_over_it,
+        load_is_the_sum_of_the_impulses,
+        each_impulse_goes_to_the_nearest_new_point,
+    };
+    Suite *s = suite_create("contact");
+    TCase *t = tcase_create("contact");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
+        tcase_add_test(t, test[i]);
+    suite_add_tcase(s, t);
+    SRunner *runner = srunner_create(s);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -1,0 +1,258 @@
+//> plain-substep
+#include "plain_solver.h"
+
+void plain_substep(plain_solver *s, vec3 gravity)
+{
+    const solver_frame *f = s->frame;
+    for (int b = 0; b < f->bodies; b++) {
+        if (f->body[b].basis.inverse_mass == 0) continue;
+        s->velocity[b].of[0] += f->h * gravity.x;
+        s->velocity[b].of[1] += f->h * gravity.y;
+        s->velocity[b].of[2] += f->h * gravity.z;
+    }
+    plain_warm_start(s);
+    plain_push(s);
+    plain_move(s);
+    plain_relax(s);
+}
+
+void plain_move(plain_solver *s)
+{
+    for (int b = 0; b < s->frame->bodies; b++)
+        for (int i = 0; i < MOTIONS; i++)
+            s->moved[b].of[i] += s->frame->h * s->velocity[b].of[i];
+}
+//<
+
+//> plain-pair
+// The two bodies of a contact, A and B.
+typedef struct {
+    const motion_basis *basis[2];
+    motion *velocity[2], *moved[2];
+} pair;
+
+static pair pair_of(const plain_solver *s, const contact *c)
+{
+    static const motion_basis immovable = { .inverse_mass = 0 };
+    const solver_body *body = s->frame->body;
+    int a = c->a, b = c->b < 0 ? s->frame->bodies : c->b;
+    return (pair){
+        { &body[a].basis, c->b < 0 ? &immovable : &body[b].basis },
+        { &s->velocity[a], &s->velocity[b] },
+        { &s->moved[a], &s->moved[b] }
+    };
+}
+
+// How fast the points at these arms part along d; of displacements: how far.
+static real parting(const pair *p, motion *const m[2], const vec3 arm[2],
+                    vec3 d)
+{
+    return vec3_dot(d, motion_at(p->basis[0], m[0], arm[0]))
+         - vec3_dot(d, motion_at(p->basis[1], m[1], arm[1]));
+}
+
+// A gets the impulse, and B the opposite one.
+static void apply(const pair *p, const vec3 arm[2], vec3 impulse)
+{
+    motion_push(p->velocity[0], p->basis[0], arm[0], impulse);
+    motion_push(p->velocity[1], p->basis[1], arm[1], vec3_scale(-1, impulse));
+}
+
+// The inverse effective mass: how fast the points part along e, after an
+// impulse of 1 along d.
+static real response(const pair *p, const vec3 arm[2], vec3 d, vec3 e)
+{
+    real sum = 0;
+    for (int side = 0; side < 2; side++) {
+        const motion_basis *b = p->basis[side];
+        vec3 of_d = vec3_cross(arm[side], d), of_e = vec3_cross(arm[side], e);
+        sum += b->inverse_mass * vec3_dot(d, e);
+        for (int t = 0; t < TURNS; t++)
+            sum += vec3_dot(b->turn[t], of_d) * vec3_dot(b->turn[t], of_e);
+    }
+    return sum;
+}
+//<
+
+//> plain-softness
+softness plain_softness(const solver_frame *f, bool both_move)
+{
+    const real pi = 3.141592653589793;
+    real times = both_move ? 1 : 2;
+    real omega = 2 * pi * times * real_min(f->hertz, 0.125 / f->h);
+    real zeta = f->damping / times;
+    real a1 = 2 * zeta + f->h * omega, a2 = f->h * omega * a1;
+    return (softness){ .rate = omega / a1, .mass = a2 / (1 + a2),
+                       .impulse = 1 / (1 + a2) };
+}
+//<
+
+//> plain-normals
+static void solve_normals(plain_solver *s, int i, softness soft)
+{
+    contact *c = s->contact[i];
+    pair p = pair_of(s, c);
+    vec3 n = c->normal;
+    for (int k = 0; k < c->count; k++) {
+        const vec3 arm[2] = { c->point[k].arm_a, c->point[k].arm_b };
+        real was = c->impulse[k];
+        real gap = s->gap[i][k] + parting(&p, p.moved, arm, n);
+        real speed = parting(&p, p.velocity, arm, n);
+        real mass = 1 / response(&p, arm, n, n);
+        real lacking = speed + gap / s->frame->h, leak = 0;
+        if (gap <= 0) {
+            real bias = soft.mass * soft.rate * gap;
+            lacking = soft.mass * speed + real_max(bias, -s->frame->max_speed);
+            leak = soft.impulse * was;
+        }
+        c->impulse[k] = real_max(was - mass * lacking - leak, 0);
+        apply(&p, arm, vec3_scale(c->impulse[k] - was, n));
+    }
+}
+
+void plain_push(plain_solver *s)
+{
+    for (int i = 0; i < s->contacts; i++) {
+        pair p = pair_of(s, s->contact[i]);
+        bool both = p.basis[0]->inverse_mass > 0 && p.basis[1]->inverse_mass > 0;
+        solve_normals(s, i, plain_softness(s->frame, both));
+    }
+}
+//<
+
+//> plain-center
+// Where friction acts: the middle of the points that touch.  One whose gap is a
+// 25th of a radius or more counts for little, up to a 50th for less.
+typedef struct {
+    vec3 arm[2];            // m, from both bodies
+    real lever;             // N m s: the sum of impulses times distances
+} friction_center;
+
+static friction_center center_of(const plain_solver *s, int i, const pair *p)
+{
+    const contact *c = s->contact[i];
+    friction_center f = { .lever = 0 };
+    real near = HUGE_VAL, sum = 0;
+    for (int side = 0; side < 2; side++)
+        if (p->basis[side]->inverse_mass > 0)
+            near = real_min(near, s->frame->body[side ? c->b : c->a].radius
+                                  / 25);
+    for (int k = 0; k < c->count; k++) {
+        real share = real_min(1, real_max(0.01, 2 - s->gap[i][k] / near));
+        sum += share;
+        f.arm[0] = vec3_add_scaled(f.arm[0], share, c->point[k].arm_a);
+        f.arm[1] = vec3_add_scaled(f.arm[1], share, c->point[k].arm_b);
+    }
+    for (int side = 0; side < 2; side++)
+        f.arm[side] = vec3_scale(1 / sum, f.arm[side]);
+    bool of_b = !(p->basis[0]->inverse_mass > 0);
+    for (int k = 0; k < c->count; k++) {
+        const contact_point *q = &c->point[k];
+        f.lever += c->impulse[k] * vec3_distance(of_b ? q->arm_b : q->arm_a,
+                                                 f.arm[of_b]);
+    }
+    return f;
+}
+//<
+
+//> plain-friction
+// Any two unit vectors across n and each other.
+static void find_across(vec3 n, vec3 t[2])
+{
+    vec3 other = { 0, 0, 0 };
+    if (fabs(n.x) < 0.6) other.x = 1;
+    else other.y = 1;
+    t[0] = vec3_unit(vec3_cross(n, other));
+    t[1] = vec3_cross(n, t[0]);
+}
+
+// A and B turn against each other about the normal.
+static void apply_twist(const pair *p, vec3 n, real twist)
+{
+    for (int t = 0; t < TURNS; t++) {
+        p->velocity[0]->of[MOTION_TURN + t]
+            += vec3_dot(p->basis[0]->turn[t], n) * twist;
+        p->velocity[1]->of[MOTION_TURN + t]
+            -= vec3_dot(p->basis[1]->turn[t], n) * twist;
+    }
+}
+
+static void solve_twist(const pair *p, contact *c, real most)
+{
+    vec3 n = c->normal;
+    real response = 0, was = c->twist;
+    real speed = vec3_dot(n, motion_rotation(p->basis[0], p->velocity[0]))
+               - vec3_dot(n, motion_rotation(p->basis[1], p->velocity[1]));
+    for (int t = 0; t < TURNS; t++) {
+        real a = vec3_dot(n, p->basis[0]->turn[t]);
+        real b = vec3_dot(n, p->basis[1]->turn[t]);
+        response += a * a + b * b;
+    }
+    c->twist = real_max(-most, real_min(most, was - speed / response));
+    apply_twist(p, n, c->twist - was);
+}
+
+// Takes the impulse (x, y) that stops all sliding: two equations,
+//     K00 x + K01 y = -slide 0,    K01 x + K11 y = -slide 1.
+static void solve_across(const pair *p, contact *c, const vec3 arm[2],
+                         real most)
+{
+    vec3 t[2], was = c->friction;
+    find_across(c->normal, t);
+    real k00 = response(p, arm, t[0], t[0]), k01 = response(p, arm, t[0], t[1]);
+    real k11 = response(p, arm, t[1], t[1]), volume = k00 * k11 - k01 * k01;
+    real slide0 = parting(p, p->velocity, arm, t[0]);
+    real slide1 = parting(p, p->velocity, arm, t[1]);
+    real x = -(k11 * slide0 - k01 * slide1) / volume;
+    real y = -(k00 * slide1 - k01 * slide0) / volume;
+    vec3 all = vec3_add_scaled(vec3_add_scaled(was, x, t[0]), y, t[1]);
+    real length = vec3_length(all);
+    c->friction = length > most ? vec3_scale(most / length, all) : all;
+    apply(p, arm, vec3_sub(c->friction, was));
+}
+
+void plain_relax(plain_solver *s)
+{
+    const softness rigid = { .rate = 0, .mass = 1, .impulse = 0 };
+    for (int i = 0; i < s->contacts; i++) {
+        contact *c = s->contact[i];
+        pair p = pair_of(s, c);
+        solve_normals(s, i, rigid);
+        friction_center f = center_of(s, i, &p);
+        solve_twist(&p, c, s->frame->friction * f.lever);
+        solve_across(&p, c, f.arm, s->frame->friction * contact_load(c));
+    }
+}
+//<
+
+//> plain-warm
+void plain_begin(plain_solver *s)
+{
+    for (int i = 0; i < s->contacts; i++) {
+        contact *c = s->contact[i];
+        const solver_frame *f = s->frame;
+        const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
+        real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
+        contact_gaps(c, &f->body[c->a].frame, b, height, s->gap[i]);
+        // The normal may have turned since the last frame.
+        c->friction = vec3_add_scaled(c->friction,
+                                      -vec3_dot(c->normal, c->friction),
+                                      c->normal);
+    }
+}
+
+void plain_warm_start(plain_solver *s)
+{
+    for (int i = 0; i < s->contacts; i++) {
+        contact *c = s->contact[i];
+        pair p = pair_of(s, c);
+        for (int k = 0; k < c->count; k++) {
+            const vec3 arm[2] = { c->point[k].arm_a, c->point[k].arm_b };
+            apply(&p, arm, vec3_scale(c->impulse[k], c->normal));
+        }
+        friction_center f = center_of(s, i, &p);
+        apply(&p, f.arm, c->friction);
+        apply_twist(&p, c->normal, c->twist);
+    }
+}
+//<

@@ -1,0 +1,608 @@
+// check_motion.c - do the six ways of four particles move a body as the textbook
+// says, and for as long as it likes?  Book: chapter 13.
+
+#include <stdio.h>
+#include <string.h>
+
+#include "motion.h"
+#include "solids.h"
+
+static const relax_options OLD = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 };
+
+// The image of solid i under any affine map, built as f; returns its shape.
+static shape any_image(int i, matrix *m)
+{
+    shape s;
+    *m = any_affine();
+    make_image(&s, &solid[i].plan, m);
+    expect_ok(rigid4_build(&f, &s));
+    return s;
+}
+
+static void leave(shape *s)
+{
+    rigid4_free(&f);
+    shape_free(s);
+}
+
+// I x for a solid of this mass with the spread of solid i seen through m, and
+// then turned: the integral of mass (r^2 x - r (r . x)).
+static vec3 inertia_times(int i, const matrix *m, const matrix *turn, real mass,
+                          vec3 x)
+{
+    const vec3 column[3] = { m->x, m->y, m->z };
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < 3; k++) {
+        vec3 c = times(turn, column[k]);
+        real share = mass * solid[i].spread[k];
+        sum = vec3_add_scaled(sum, share * vec3_length_squared(c), x);
+        sum = vec3_add_scaled(sum, -share * vec3_dot(c, x), c);
+    }
+    return sum;
+}
+
+static vec3 turns_of(const motion_basis *b, vec3 x)
+{
+    motion m = { { 0 } };
+    for (int t = 0; t < TURNS; t++)
+        m.of[MOTION_TURN + t] = vec3_dot(b->turn[t], x);
+    return motion_rotation(b, &m);
+}
+
+// --- the basis ---------------------------------------------------------------
+
+// The sum of turn turn^T is the inverse of the inertia, and turn_s . I turn_t is
+// 1 or 0.  Rejects: axes that are not divided by the root of their moments; one
+// moment of another axis; turns of the frame at rest.
+static void try_basis(int i, const matrix *m)
+{
+    particle p[FOUR];
+    matrix turn = stand(p);
+    rigid_frame frame = rigid4_frame(p);
+    motion_basis b = basis_find(&f, &frame);
+    real mass = FOUR * f.mass;
+    ck_assert(fabs(b.inverse_mass * mass - 1) <= ROUNDING);
+    vec3 x = any_unit(), y = turns_of(&b, x);
+    vec3 back = inertia_times(i, m, &turn, mass, y);
+    ck_assert_msg(vec3_distance(back, x) <= LONG_BODY, "solid %d: off by %g", i,
+                  vec3_distance(back, x));
+    for (int s = 0; s < TURNS; s++)
+        for (int t = 0; t < TURNS; t++) {
+            real e = vec3_dot(b.turn[s], inertia_times(i, m, &turn, mass,
+                                                       b.turn[t]));
+            ck_assert(fabs(e - (s == t)) <= LONG_BODY);
+        }
+}
+
+START_TEST(basis_is_the_root_of_the_inverse_inertia)
+{
+    const matrix as_it_is = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    for (int i = 0; i < SOLIDS; i++) {
+        expect_ok(rigid4_build(&f, &solid[i].plan));
+        for (int n = 0; n < 20; n++) try_basis(i, &as_it_is);
+        rigid4_free(&f);
+        for (int n = 0; n < 200; n++) {
+            matrix m;
+            shape s = any_image(i, &m);
+            try_basis(i, &m);
+            leave(&s);
+        }
+    }
+}
+END_TEST
+
+// A box of sides 1, 2 and 3 and 7 kg, and an icosahedron, in numbers that can be
+// had by hand.
+START_TEST(box_and_ball_have_the_moments_of_the_textbook)
+{
+    const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    const real box[3] = { 7 * 13.0 / 12, 7 * 10.0 / 12, 7 * 5.0 / 12 };
+    real phi2 = (3 + sqrt(5.0)) / 2, ball = 2 * phi2 / (10 * (phi2 + 1));
+    for (int i = 0; i < 2; i++) {
+        expect_ok(rigid4_build(&f, &solid[i ? BALL : BOX].plan));
+        particle p[FOUR];
+        for (int k = 0; k < FOUR; k++) p[k].position = f.at[k];
+        rigid_frame frame = rigid4_frame(p);
+        motion_basis b = basis_find(&f, &frame);
+        for (int k = 0; k < 3; k++) {
+            vec3 spin = turns_of(&b, axis[k]);
+            real moment = i ? ball : box[k];
+            ck_assert(vec3_distance(spin, vec3_scale(1 / moment, axis[k]))
+                      <= ROUNDING / moment);
+        }
+        rigid4_free(&f);
+    }
+}
+END_TEST
+
+// --- velocities --------------------------------------------------------------
+
+static vec3 linear_momentum(const particle *p, real h)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < FOUR; k++)
+        sum = vec3_add_scaled(sum, f.mass / h,
+                              vec3_sub(p[k].position, p[k].previous));
+    return sum;
+}
+
+// About the middle of the four.
+static vec3 angular_momentum(const particle *p, real h)
+{
+    rigid_frame frame = rigid4_frame(p);
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < FOUR; k++) {
+        vec3 v = vec3_scale(1 / h, vec3_sub(p[k].position, p[k].previous));
+        vec3 r = vec3_sub(p[k].position, frame.center);
+        sum = vec3_add_scaled(sum, f.mass, vec3_cross(r, v));
+    }
+    return sum;
+}
+
+static void set_moving(particle *p, vec3 v, vec3 spin, real h)
+{
+    rigid_frame frame = rigid4_frame(p);
+    for (int k = 0; k < FOUR; k++) {
+        vec3 r = vec3_sub(p[k].position, frame.center);
+        p[k].previous = vec3_add_scaled(p[k].position, -h,
+                                        vec3_add(v, vec3_cross(spin, r)));
+    }
+}
+
+// Rejects: a velocity of one particle for that of all; a moment about the
+// origin; a factor of h.
+START_TEST(motion_has_the_momentum_of_the_particles)
+{
+    const real h = 1.0 / 512;
+    for (int n = 0; n < 400; n++) {
+        matrix m;
+        shape s = any_image(n % SOLIDS, &m);
+        particle p[FOUR];
+        stand(p);
+        // Half of them bend while they move: only what is rigid counts.
+        vec3 v = any_vec3(), spin = any_vec3();
+        set_moving(p, v, spin, h);
+        for (int k = 0; k < FOUR && n % 2; k++)
+            p[k].previous = vec3_add_scaled(p[k].previous, h, any_vec3());
+        rigid_frame frame = rigid4_frame(p);
+        motion_basis b = basis_find(&f, &frame);
+        motion u = motion_of(p, &frame, &b, h);
+        vec3 sum = vec3_scale(FOUR * f.mass, vec3_make(u.of[0], u.of[1],
+                                                       u.of[2]));
+        vec3 had = linear_momentum(p, h), turning = { 0, 0, 0 };
+        for (int k = 0; k < FOUR; k++) {
+            vec3 r = frame_arm(&frame, k);
+            turning = vec3_add_scaled(turning, f.mass,
+                vec3_cross(r, vec3_cross(motion_rotation(&b, &u), r)));
+        }
+        ck_assert(vec3_distance(sum, had) <= 1e-12);
+        ck_assert(vec3_distance(turning, angular_momentum(p, h)) <= 1e-11);
+        if (n % 2 == 0) {
+            vec3 arm = any_vec3();
+            ck_assert(vec3_distance(motion_at(&b, &u, arm),
+                                    vec3_add(v, vec3_cross(spin, arm)))
+                      <= 1e-10);
+        }
+        leave(&s);
+    }
+}
+END_TEST
+
+// Rejects: an energy without the half, or of the linear part alone.
+START_TEST(motion_has_the_energy_of_the_particles)
+{
+    const real h = 1.0 / 512;
+    for (int n = 0; n < 100; n++) {
+        matrix m;
+        shape s = any_image(n % SOLIDS, &m);
+        particle p[FOUR];
+        stand(p);
+        set_moving(p, any_vec3(), any_vec3(), h);
+        rigid_frame frame = rigid4_frame(p);
+        motion_basis b = basis_find(&f, &frame);
+        motion u = motion_of(p, &frame, &b, h);
+        real energy = 0;
+        for (int k = 0; k < FOUR; k++)
+            energy += f.mass / 2 / (h * h) * vec3_length_squared(
+                          vec3_sub(p[k].position, p[k].previous));
+        ck_assert(fabs(motion_energy(&b, &u) - energy) <= 1e-11 * energy);
+        leave(&s);
+    }
+}
+END_TEST
+
+// --- impulses ----------------------------------------------------------------
+
+// v = j / M and spin = I^-1 (r x j), of a solid box in its own axes.
+static vec3 textbook_spin(vec3 sides, real mass, vec3 moment)
+{
+    vec3 square = { sides.x * sides.x, sides.y * sides.y, sides.z * sides.z };
+    return vec3_make(12 * moment.x / (mass * (square.y + square.z)),
+                     12 * moment.y / (mass * (square.z + square.x)),
+                     12 * moment.z / (mass * (square.x + square.y)));
+}
+
+// The largest relative error of n boxes pushed at random points, in any pose.
+static real worst_answer(real aspect, int n)
+{
+    real worst = 0;
+    for (int i = 0; i < n; i++) {
+        vec3 sides = { 1, 1 + (aspect - 1) * (any() + 1) / 2, aspect };
+        real mass = 2 + any();
+        shape s;
+        particle p[FOUR];
+        expect_ok(shape_box(&s, sides, mass));
+        expect_ok(rigid4_build(&f, &s));
+        matrix turn = stand(p);
+        rigid_frame frame = rigid4_frame(p);
+        motion_basis b = basis_find(&f, &frame);
+        motion u = { { 0 } };
+        vec3 j = any_vec3(), r = s.at[i % 8];
+        motion_push(&u, &b, times(&turn, r), times(&turn, j));
+        vec3 spin = textbook_spin(sides, mass, vec3_cross(r, j));
+        vec3 v = { u.of[0], u.of[1], u.of[2] };
+        vec3 got = motion_rotation(&b, &u);
+        worst = fmax(worst, vec3_distance(v, vec3_scale(1 / mass,
+                     times(&turn, j))) * mass / vec3_length(j));
+        worst = fmax(worst, vec3_distance(got, times(&turn, spin))
+                     / vec3_length(spin));
+        rigid4_free(&f);
+        shape_free(&s);
+    }
+    return worst;
+}
+
+// Rejects: a moment of the wrong sign, or about the origin; an inertia of the
+// pose at rest.
+START_TEST(impulse_changes_velocity_and_spin_as_the_textbook_says)
+{
+    const struct { real aspect, most; } rule[] = {
+        { 1, ROUNDING }, { 3, ROUNDING }, { 10, LONG_BODY },
+        // The place of a corner is known to 1e-16 of the body's length, and
+        // the moment about the long axis is smaller by the aspect's square.
+        { 100, 1e-11 }, { 1000, 1e-9 },
+    };
+    for (int k = 0; k < COUNT(rule); k++) {
+        real error = worst_answer(rule[k].aspect, 1000);
+        printf("impulses at aspect %g: off by %.2g at most\n", rule[k].aspect,
+               error);
+        ck_assert_msg(error <= rule[k].most, "aspect %g: off by %g",
+                      rule[k].aspect, error);
+    }
+}
+END_TEST
+
+// Oracle: an impulse j at a point with these weights of the four gives each of
+// them weight j / mass, and the six sticks take back what would change their
+// lengths.
+static void sticks_answer(const vec3 at[FOUR], const real weight[FOUR], vec3 j,
+                          vec3 answer[FOUR])
+{
+    const inverse answer_of = inverse_of(&f);
+    real mu[FOUR_STICKS] = { 0 }, w = 1 / f.mass;
+    vec3 o[FOUR_STICKS];
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        int a = f.stick[s].a, b = f.stick[s].b;
+        o[s] = vec3_sub(at[b], at[a]);
+        real c = (weight[b] - weight[a]) * vec3_dot(o[s], j);
+        for (int u = 0; u < FOUR_STICKS; u++) mu[u] += answer_of.at[u][s] * c;
+    }
+    for (int k = 0; k < FOUR; k++) answer[k] = vec3_scale(w * weight[k], j);
+    for (int s = 0; s < FOUR_STICKS; s++) {
+        int a = f.stick[s].a, b = f.stick[s].b;
+        answer[a] = vec3_add_scaled(answer[a], w * mu[s], o[s]);
+        answer[b] = vec3_add_scaled(answer[b], -w * mu[s], o[s]);
+    }
+}
+
+// Rejects: a way that bends a stick; five ways, or seven, where there are six.
+START_TEST(six_ways_are_what_the_sticks_leave)
+{
+    for (int n = 0; n < 400; n++) {
+        matrix m;
+        shape s = any_image(n % SOLIDS, &m);
+        particle p[FOUR];
+        stand(p);
+        real weight[FOUR] = { any(), any(), any() };
+        weight[3] = 1 - weight[0] - weight[1] - weight[2];
+        rigid_frame frame = rigid4_frame(p);
+        motion_basis b = basis_find(&f, &frame);
+        vec3 at[FOUR], arm = { 0, 0, 0 }, j = any_unit(), told[FOUR];
+        for (int k = 0; k < FOUR; k++) {
+            at[k] = p[k].position;
+            arm = vec3_add_scaled(arm, weight[k], frame_arm(&frame, k));
+        }
+        sticks_answer(at, weight, j, told);
+        motion u = { { 0 } };
+        motion_push(&u, &b, arm, j);
+        real most = 0, off = 0;
+        for (int k = 0; k < FOUR; k++) {
+            vec3 got = motion_at(&b, &u, frame_arm(&frame, k));
+            most = fmax(most, vec3_length(told[k]));
+            off = fmax(off, vec3_distance(told[k], got));
+        }
+        // The matrix of the sticks has a condition of up to 10^6 here.
+        ck_assert_msg(off <= 1e-10 * most, "off by %g of %g", off, most);
+        leave(&s);
+    }
+}
+END_TEST
+
+// --- moves -------------------------------------------------------------------
+
+// One frame of dt without forces; returns the moves that it took.
+static int free_frame(particle *p, real dt)
+{
+    rigid_frame frame = rigid4_frame(p);
+    motion_basis b = basis_find(&f, &frame);
+    motion u = motion_of(p, &frame, &b, dt), d;
+    for (int k = 0; k < MOTIONS; k++) d.of[k] = dt * u.of[k];
+    int moves = motion_moves(&b, &d);
+    motion_begin(p, &frame, &b, &d, moves);
+    for (int k = 0; k < moves; k++) {
+        if (k > 0) motion_go_on(p);
+        rigid4_result r = rigid4_relax(&f, p, 30, OLD);
+        ck_assert_int_eq(r.fell_back, 0);
+    }
+    motion_end(&f, p, &frame, &u, dt);
+    return moves;
+}
+
+// Over 1e5 frames, each with some roundings of numbers near 1.
+#define LONG_TIME 1e-10
+
+// Rejects: a momentum that drifts by the tolerance of the sticks, 1e-9 a frame;
+// velocities of the old basis in the new one.
+START_TEST(momentum_and_angular_momentum_last_for_1e5_frames)
+{
+    for (int i = 0; i < SOLIDS; i++) {
+        const real dt = 1.0 / 64;
+        expect_ok(rigid4_build(&f, &solid[i].plan));
+        particle p[FOUR];
+        stand(p);
+        set_moving(p, vec3_make(1e-3, 0, 2e-3), vec3_scale(5, any_unit()), dt);
+        vec3 linear = linear_momentum(p, dt), angular = angular_momentum(p, dt);
+        for (int n = 0; n < 100000; n++) free_frame(p, dt);
+        real off = vec3_distance(angular_momentum(p, dt), angular)
+                 / vec3_length(angular);
+        printf("solid %d: angular momentum is off by %.1g\n", i, off);
+        ck_assert_msg(off <= LONG_TIME, "off by %g", off);
+        ck_assert(vec3_distance(linear_momentum(p, dt), linear)
+                  <= 1e-8 * vec3_length(linear));
+        rigid4_free(&f);
+    }
+}
+END_TEST
+
+// The angle, in (-pi, pi], by which frame b is turned against a about the axis.
+static real angle_between(const rigid_frame *a, const rigid_frame *b, vec3 axis)
+{
+    real sine = 0, cosine = 0;
+    for (int i = 0; i < FOUR_AXES; i++) {
+        vec3 x = vec3_unit(a->axis[i]), y = vec3_unit(b->axis[i]);
+        sine += vec3_dot(axis, vec3_cross(x, y)) / 2;
+        cosine += (vec3_dot(x, y) - vec3_dot(x, axis) * vec3_dot(y, axis)) / 2;
+    }
+    return atan2(sine, cosine);
+}
+
+// About the middle axis a body turns over, sooner or later.
+static bool is_middle(int i)
+{
+    const real *y = f.square;
+    return (y[i] - y[(i + 1) % 3]) * (y[i] - y[(i + 2) % 3]) < 0;
+}
+
+// Rejects: a chord taken for its arc, which turns by too little from 10 rad/s
+// on; a last move that is longer than the others; a brake.
+START_TEST(free_spin_keeps_its_speed_and_turns_by_its_angle)
+{
+    const real dt = 1.0 / 60, speed[] = { 0.1, 1, 10, 19, 50, 203, 1003 };
+    for (int k = 0; k < COUNT(speed); k++) {
+        expect_ok(rigid4_build(&f, &solid[BOX].plan));
+        for (int i = 0; i < FOUR_AXES; i++) {
+            particle p[FOUR];
+            if (is_middle(i)) continue;
+            stand(p);
+            rigid_frame at = rigid4_frame(p);
+            vec3 axis = vec3_unit(at.axis[i]);
+            set_moving(p, vec3_make(1, 2, 3), vec3_scale(speed[k], axis), dt);
+            real most = 0;
+            for (int n = 0; n < 600; n++) {
+                rigid_frame was = rigid4_frame(p);
+                int moves = free_frame(p, dt);
+                ck_assert_int_eq(moves, 1 + (int)(3 * speed[k] * dt));
+                rigid_frame now = rigid4_frame(p);
+                real off = angle_between(&was, &now, axis) - speed[k] * dt;
+                most = fmax(most, fabs(remainder(off, 2 * acos(-1))));
+            }
+            at = rigid4_frame(p);
+            motion_basis b = basis_find(&f, &at);
+            motion u = motion_of(p, &at, &b, dt);
+            vec3 spin = motion_rotation(&b, &u);
+            ck_assert_msg(vec3_distance(spin, vec3_scale(speed[k], axis))
+                          <= 1e-6 * speed[k], "%g rad/s: %g", speed[k],
+                          vec3_dot(spin, axis));
+            // The sticks are held to 1e-9, each move of them.
+            ck_assert_msg(most <= 2e-9 * (3 + 3 * speed[k] * dt),
+                          "%g rad/s: a frame is off by %g", speed[k], most);
+        }
+        rigid4_free(&f);
+    }
+}
+END_TEST
+
+// --- an asymmetric top -------------------------------------------------------
+
+// Oracle: Euler's equations by Runge and Kutta, for the three axes of a frame.
+typedef struct {
+    vec3 axis[3];
+} pose;
+
+static pose pose_rate(const pose *q, const real moment[3], vec3 angular)
+{
+    vec3 spin = { 0, 0, 0 };
+    for (int i = 0; i < 3; i++)
+        spin = vec3_add_scaled(spin, vec3_dot(q->axis[i], angular) / moment[i],
+                               q->axis[i]);
+    pose rate;
+    for (int i = 0; i < 3; i++) rate.axis[i] = vec3_cross(spin, q->axis[i]);
+    return rate;
+}
+
+static pose pose_go(const pose *q, real s, const pose *rate)
+{
+    pose r;
+    for (int i = 0; i < 3; i++)
+        r.axis[i] = vec3_add_scaled(q->axis[i], s, rate->axis[i]);
+    return r;
+}
+
+static pose precessed(pose q, const real moment[3], vec3 angular, real time)
+{
+    enum { STEPS = 20000 };
+    real h = time / STEPS;
+    for (int n = 0; n < STEPS; n++) {
+        pose a = pose_rate(&q, moment, angular), x = pose_go(&q, h / 2, &a);
+        pose b = pose_rate(&x, moment, angular);
+        x = pose_go(&q, h / 2, &b);
+        pose c = pose_rate(&x, moment, angular);
+        x = pose_go(&q, h, &c);
+        pose d = pose_rate(&x, moment, angular);
+        q = pose_go(&q, h / 6, &a);
+        q = pose_go(&q, h / 3, &b);
+        q = pose_go(&q, h / 3, &c);
+        q = pose_go(&q, h / 6, &d);
+    }
+    return q;
+}
+
+// How far the axes are off after a second of `frames` frames, and by how much
+// the energy ever was, relative.
+static real precess(int frames, real *energy_off)
+{
+    const real dt = 1.0 / frames;
+    particle p[FOUR];
+    pose q;
+    real moment[3], off = 0, before = 0;
+    for (int k = 0; k < FOUR; k++)
+        p[k] = (particle){ f.at[k], f.at[k], 1 / f.mass };
+    rigid_frame frame = rigid4_frame(p);
+    for (int i = 0; i < 3; i++) {
+        q.axis[i] = vec3_unit(frame.axis[i]);
+        moment[i] = 1 / (f.turn[i] * f.turn[i] * f.square[i]);
+    }
+    set_moving(p, vec3_make(0, 0, 0), vec3_make(3, 6, 2), dt);
+    vec3 angular = angular_momentum(p, dt);
+    *energy_off = 0;
+    for (int n = 0; n <= frames; n++) {
+        frame = rigid4_frame(p);
+        motion_basis b = basis_find(&f, &frame);
+        motion u = motion_of(p, &frame, &b, dt);
+        real energy = motion_energy(&b, &u);
+        if (n == 0) before = energy;
+        *energy_off = fmax(*energy_off, fabs(energy / before - 1));
+        if (n < frames) free_frame(p, dt);
+    }
+    q = precessed(q, moment, angular, 1);
+    for (int i = 0; i < 3; i++)
+        off = fmax(off, vec3_distance(vec3_unit(frame.axis[i]), q.axis[i]));
+    return off;
+}
+
+// Rejects: a spin that stays where it was while the body turns, which is of
+// order 1 and gains energy.
+START_TEST(lopsided_body_precesses_with_order_two)
+{
+    expect_ok(rigid4_build(&f, &solid[BOX].plan));
+    real was = 0;
+    for (int frames = 60; frames <= 960; frames *= 2) {
+        real energy, off = precess(frames, &energy);
+        printf("%4d frames: axes off by %.3g, energy by %.1g\n", frames, off,
+               energy);
+        if (frames > 60)
+            ck_assert_msg(was / off > 3.8 && was / off < 4.2, "%g times",
+                          was / off);
+        ck_assert_msg(energy <= 1e-6, "energy off by %g", energy);
+        was = off;
+    }
+}
+END_TEST
+
+// --- what does not move, and what is lost ------------------------------------
+
+// Rejects: a body of no inverse mass that is divided by; one that goes.
+START_TEST(immovable_body_answers_nothing)
+{
+    const motion_basis none = { .inverse_mass = 0 };
+    expect_ok(rigid4_build(&f, &solid[BALL].plan));
+    particle p[FOUR], was[FOUR];
+    stand(p);
+    for (int k = 0; k < FOUR; k++) p[k].inverse_mass = 0;
+    memcpy(was, p, sizeof p);
+    rigid_frame frame = rigid4_frame(p);
+    motion u = motion_of(p, &frame, &none, 1.0 / 60);
+    motion_push(&u, &none, any_vec3(), any_vec3());
+    for (int k = 0; k < MOTIONS; k++) ck_assert(u.of[k] == 0);
+    ck_assert(motion_energy(&none, &u) == 0);
+    ck_assert(vec3_length(motion_at(&none, &u, any_vec3())) == 0);
+    ck_assert_int_eq(motion_moves(&none, &u), 1);
+    motion_begin(p, &frame, &none, &u, 1);
+    for (int k = 0; k < FOUR; k++) {
+        ck_assert(vec3_distance(p[k].position, was[k].position) == 0);
+        ck_assert(vec3_distance(p[k].previous, was[k].position) == 0);
+    }
+}
+END_TEST
+
+// Rejects: a thousand moves of a body that is lost; a spin without end that asks
+// for more moves than an int can hold.
+START_TEST(lost_body_takes_one_move_and_a_mad_one_at_most_so_many)
+{
+    const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
+    expect_ok(rigid4_build(&f, &solid[HOUSE].plan));
+    particle p[FOUR];
+    stand(p);
+    rigid_frame frame = rigid4_frame(p);
+    motion_basis b = basis_find(&f, &frame);
+    for (int k = 0; k < 3 * TURNS; k++) {
+        motion d = { { 0 } };
+        d.of[MOTION_TURN + k % 3] = bad[k / 3];
+        ck_assert_int_eq(motion_moves(&b, &d), 1);
+        motion_begin(p, &frame, &b, &d, 1);
+        ck_assert_int_eq(rigid4_relax(&f, p, 6, OLD).fell_back, 1);
+        stand(p);
+    }
+    motion d = { { 0, 0, 0, 1e100, 0, 0 } };
+    ck_assert_int_eq(motion_moves(&b, &d), TURN_MOVES);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const test[] = {
+        basis_is_the_root_of_the_inverse_inertia,
+        box_and_ball_have_the_moments_of_the_textbook,
+        motion_has_the_momentum_of_the_particles,
+        motion_has_the_energy_of_the_particles,
+        impulse_changes_velocity_and_spin_as_the_textbook_says,
+        six_ways_are_what_the_sticks_leave,
+        momentum_and_angular_momentum_last_for_1e5_frames,
+        free_spin_keeps_its_speed_and_turns_by_its_angle,
+        lopsided_body_precesses_with_order_two,
+        immovable_body_answers_nothing,
+        lost_body_takes_one_move_and_a_mad_one_at_most_so_many,
+    };
+    Suite *s = suite_create("motion");
+    TCase *t = tcase_create("motion");
+    tcase_set_timeout(t, 30);
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
+        tcase_add_test(t, test[i]);
+    suite_add_tcase(s, t);
+    SRunner *runner = srunner_create(s);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -75,9 +75,9 @@ typedef struct {
     int  frames;    // half a window
 } sleep_limits;
 
-static const real EARTH = 9.81;             // m/s^2
+static const real EARTH = 9.81, USUAL = 0.5; // m/s^2, m
 static const real MOTIONLESS = 1e-6;        // of a radius, in a window
-static const real NOISE = 1e-4;             // of a radius
+static const real NOISE = 2e-4;             // of a radius
 static const real GROWTH = 1.0;             // from window to window
 static const real JITTER = 5;               // times the speed, at one moment
 enum { HALVES_TO_SLEEP = 4, MOST_FRAMES = 1000000 };
@@ -86,8 +86,8 @@ enum { HALVES_TO_SLEEP = 4, MOST_FRAMES = 1000000 };
 static sleep_limits limits_of(const sleep_rule *rule, real radius)
 {
     real g = rule->gravity, half = rule->time / HALVES_TO_SLEEP;
-    real speed = rule->speed * sqrt(g * radius / EARTH);
-    if (g > 0) half *= real_max(1, sqrt(radius * EARTH / g));
+    real speed = rule->speed * sqrt(g * radius / (EARTH * USUAL));
+    if (g > 0) half *= real_max(1, sqrt(radius * EARTH / (USUAL * g)));
     real frames = real_min(half / rule->dt + 0.5, MOST_FRAMES);
     sleep_limits l = { .frames = int_max((int)frames, 1) };
     real window = 2 * l.frames * rule->dt;

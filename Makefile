@@ -107,8 +107,9 @@ TESTS_18 := check_clock check_thread
 # a module does to the whole, and chapter 09 sets the engine beside its system.
 FLOOR = $(if $(filter 00 01 02 03 04 05 06 07 08,$1),$(UPTO_$1),$(ALL))
 
-# After `watch` and `exercise` a chapter says of what: it is no goal of its own.
-ifneq ($(filter watch exercise,$(MAKECMDGOALS)),)
+# After `watch`, `exercise` and their like a chapter says of what: it is no goal
+# of its own.
+ifneq ($(filter watch exercise hint solution reset progress,$(MAKECMDGOALS)),)
 NAMED := $(filter $(CHAPTERS),$(MAKECMDGOALS))
 endif
 MADE := $(filter-out $(NAMED),$(CHAPTERS))
@@ -349,7 +350,8 @@ bits:
 #: Be strict
 #:   make sanitize   the tests under the address and undefined sanitizers
 #:   make valgrind   the tests under valgrind
-#:   make fuzz       any bytes for obj, the queries and the options, 60 s each
+#:   make fuzz       any bytes for obj, the queries and the options, and random
+#:                   worlds of any seed, 60 s each
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
@@ -404,7 +406,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body ring \
   rigidity convex obj penetration sphere sphere_tree grid ordering \
-  line rigid4 solver broad rest world step world_scene scene system)
+  line rigid4 solver broad rest world step world_scene scene system thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -418,12 +420,13 @@ $(BUILD)/tests/check_solver $(patsubst %,$(BUILD)/figures/%,$(filter 13-%,$(FIGU
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
-# These look at how the figures of chapter 18 count time, and at their second
-# thread.
+# These look at how the figures of chapter 18 count time, and at their threads,
+# which can be refused.
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
+$(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
 
 # These ask the slow oracle about bodies made for the purpose.
-ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face distance penetration swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)
+ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face query swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
 $(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o
@@ -470,8 +473,14 @@ $(BUILD)/tests/check_%: $(BUILD)/tests/check_%.o $$(if $$(filter $$*,$(MODULES) 
 $(BUILD)/tests/fuzz_%: $(BUILD)/tests/fuzz_%.o $$(if $$(filter $$*,$(MODULES)),$$(UPTO_$$*),$(ALL) $(BUILD)/libpainter.a)
 	$(call link,-fsanitize=fuzzer -lm)
 $(BUILD)/tests/fuzz_obj: LDFLAGS += -Wl,--wrap=fopen
-$(addprefix $(BUILD)/tests/fuzz_,distance penetration): \
+$(addprefix $(BUILD)/tests/fuzz_,gjk hit_face): \
   $(addprefix $(BUILD)/tests/,sets.o oracle.o bodies.o)
+
+# A random world takes no bytes but a number, so its fuzzer is a plain program:
+# make build/tests/fuzz_world.
+$(BUILD)/tests/check_worlds: $(BUILD)/tests/worlds.o
+$(BUILD)/tests/fuzz_world: $(addprefix $(BUILD)/tests/,fuzz_world.o worlds.o) $(ALL)
+	$(call link,-lm)
 
 # A figure sees the line up to its chapter, and what it asks of the painter;
 # those of chapter 17 draw what the hard cases measure.

@@ -93,15 +93,21 @@ progress) bars; exit ;;
 esac
 [ $# -le 2 ] || { echo "One exercise at a time." >&2; exit 2; }
 if [ $# -eq 1 ]; then
-    [ "$command" = exercise ] || echo "Of which exercise?  For example:  make $command 01/step"
     list
+    [ "$command" = exercise ] || echo "Of which exercise?  For example:  make $command 01/step"
     exit 0
 fi
-case $command,$2 in
-exercise,[0-9][0-9])
+case $2 in
+[0-9][0-9])
     names | grep -q "^$2/" || { echo "Chapter $2 has no exercises with tests."; exit 0; }
     list "$2"
+    [ "$command" = exercise ] ||
+        echo "Of which exercise?  For example:  make $command $(names | grep -m 1 "^$2/")"
     exit 0 ;;
 esac
-load "$2" || { echo "There is no exercise $2.  There are:"; list; exit 1; } >&2
+load "$2" || {
+    if names | grep -q "^${2%%/*}/"; then list "${2%%/*}/"; fi
+    echo "There is no exercise $2:  make exercise  lists them all."
+    exit 1
+} >&2
 $command

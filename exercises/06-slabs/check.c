@@ -1,7 +1,7 @@
 // check.c - tests of the exercise 06/slabs.
 
 #include "slabs.h"
-#include "distance.h"
+#include "gjk.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -167,9 +167,8 @@ static void long_stick(vec3 *at, vec3 middle)
 
 static real gap(const vec3 *a, const vec3 *b)
 {
-    return distance_find((point_set){ a, 4, NULL, NULL },
-                        (point_set){ b, 4, NULL, NULL },
-                        distance_options_default(), NULL).distance;
+    return gjk_distance((hull){ a, 4 }, (hull){ b, 4 }, HUGE_VAL,
+                        NULL).distance;
 }
 
 START_TEST(nothing_near_is_lost)

@@ -36,10 +36,10 @@ static feature_point any_feature(int first, int count)
     return f;
 }
 
-static contact on_floor(void)
+static feature_contact on_floor(void)
 {
-    return (contact){ .a = { 1, { 0 }, { 1 } }, .normal = UP,
-                      .mass_a = 1, .mass_b = HUGE_VAL };
+    return (feature_contact){ .a = { 1, { 0 }, { 1 } }, .normal = UP,
+                              .mass_a = 1, .mass_b = HUGE_VAL };
 }
 
 // Height of the first bounce, of a fall from 1 m.
@@ -48,7 +48,7 @@ static real bounce_height(real restitution)
     real dt = 2e-4, highest = 0;
     vec3 gravity = { 0, -9.81, 0 };
     particle p = particle_start(UP, vec3_make(0, 0, 0), gravity, 1, dt);
-    contact c = on_floor();
+    feature_contact c = on_floor();
     bool met = false;
     for (int k = 0; k < 6000; k++) {
         real approach = (p.previous.y - p.position.y) / dt;
@@ -82,8 +82,8 @@ START_TEST(bounce_keeps_momentum_and_positions)
         particle p[6], old[6];
         real dt = 0.01, approach = within(0.1, 3), e = within(0, 1);
         int na = 1 + k % 3, nb = 1 + k / 3 % 3;
-        contact c = { .a = any_feature(0, na), .b = any_feature(na, nb),
-                      .normal = vec3_unit(any_vec3(1)) };
+        feature_contact c = { .a = any_feature(0, na), .b = any_feature(na, nb),
+                              .normal = vec3_unit(any_vec3(1)) };
         for (int i = 0; i < 6; i++) {
             real mass = within(0.5, 2) * (i < na ? 1 : 10);
             p[i] = (particle){ any_vec3(1), any_vec3(1), 1 / mass };
@@ -114,7 +114,7 @@ END_TEST
 START_TEST(pair_that_parts_keeps_its_speed)
 {
     particle p = { { 0, 0, 0 }, { 0, -0.12, 0 }, 1 };
-    contact c = on_floor();
+    feature_contact c = on_floor();
     bounce(&c, &p, 0.5, -2, 0.01);
     real way = p.position.y - p.previous.y;
     ck_assert_msg(fabs(way - 0.02) <= ROUNDING, "parting already at 0.02 m a "
@@ -126,7 +126,7 @@ END_TEST
 START_TEST(sliding_is_left)
 {
     particle p = { { 0, 0, 0 }, { -0.3, 0.05, 0.2 }, 2 };
-    contact c = on_floor();
+    feature_contact c = on_floor();
     bounce(&c, &p, 1, 5, 0.01);
     ck_assert(p.previous.x == -0.3 && p.previous.z == 0.2);
     ck_assert_double_eq_tol(p.previous.y, -0.05, ROUNDING);
@@ -138,7 +138,7 @@ START_TEST(two_walls_stay)
 {
     particle p[2] = { { { 0, 0, 0 }, { 0, 1, 0 }, 0 },
                       { { 0, 0, 0 }, { 0, 2, 0 }, 0 } };
-    contact c = on_floor();
+    feature_contact c = on_floor();
     for (int k = 0; k < 2; k++) {
         c.b = (feature_point){ k, { 1 }, { 1 } };
         bounce(&c, p, 1, 1, 0.01);
@@ -156,7 +156,7 @@ START_TEST(finite_input_gives_finite_output)
             for (int k = 0; k < 6; k++) {
                 particle p = { { 0, 0, 0 }, { 0, size[j], 0 },
                                i < 5 ? size[i] : 0 };
-                contact c = on_floor();
+                feature_contact c = on_floor();
                 bounce(&c, &p, 1, size[k], 0.01);
                 ck_assert(vec3_is_finite(p.previous));
             }

@@ -26,8 +26,8 @@ static void move_previous(const feature_point *f, vec3 impulse, particle *p)
 
 // The points have moved apart by `moved`, and should have by speed * dt.  An
 // impulse J on the previous positions takes (K_A + K_B) J from that.
-void bounce(const contact *c, particle *p, real restitution, real approach,
-            real dt)
+void bounce(const feature_contact *c, particle *p, real restitution,
+            real approach, real dt)
 {
     real moved = vec3_dot(vec3_sub(feature_step(&c->a, p),
                                    feature_step(&c->b, p)), c->normal);

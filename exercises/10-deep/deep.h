@@ -5,12 +5,12 @@
 #ifndef TUMBLE_DEEP_H
 #define TUMBLE_DEEP_H
 
-#include "penetration.h"
+#include "hit_face.h"
 
 // All that is no further than radius from the hull of the core.  One point: a
 // ball.  Two: a capsule.  Eight corners: a box with round edges.
 typedef struct {
-    point_set core;
+    hull core;
     real radius;        // m, >= 0
 } round_body;
 
@@ -21,7 +21,6 @@ typedef struct {
     vec3 on_a, on_b;    // m, on the surfaces: on_a - on_b = gap * normal
 } deep_contact;
 
-deep_contact deep_contact_find(round_body a, round_body b,
-                               penetration_scratch *scratch);
+deep_contact deep_contact_find(round_body a, round_body b);
 
 #endif

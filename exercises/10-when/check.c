@@ -15,23 +15,23 @@ static void near(real got, real wanted, const char *what)
                   what, got, wanted);
 }
 
-static point_set box(vec3 at[8], vec3 low, vec3 high)
+static hull box(vec3 at[8], vec3 low, vec3 high)
 {
     for (int i = 0; i < 8; i++)
         at[i] = (vec3){ i & 1 ? high.x : low.x, i & 2 ? high.y : low.y,
                         i & 4 ? high.z : low.z };
-    return (point_set){ at, 8, NULL, NULL };
+    return (hull){ at, 8 };
 }
 
-static point_set point(const vec3 *at)
+static hull point(const vec3 *at)
 {
-    return (point_set){ at, 1, NULL, NULL };
+    return (hull){ at, 1 };
 }
 
 static const vec3 STILL = { 0, 0, 0 };
 
 // Asks with room that ends behind A's last point.
-static when_result ask(point_set a, vec3 velocity_a, point_set b,
+static when_result ask(hull a, vec3 velocity_a, hull b,
                        vec3 velocity_b, real horizon, int cap)
 {
     vec3 *room = malloc((size_t)a.count * sizeof *room);
@@ -85,7 +85,7 @@ START_TEST(point_flies_at_a_box)
     // 6 m at 2 m/s: one jump.  Rejects: a normal that points the other way, an
     // axis that is taken for a unit vector, a point that stays behind.
     vec3 at[8], p = { 7, 0.25, 0.5 };
-    point_set b = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
+    hull b = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
     when_result r = ask(point(&p), (vec3){ -2, 0, 0 }, b, STILL, 10, CAP);
     expect_meeting(r, 3, (vec3){ 1, 0, 0 }, "a point 6 m away, at 2 m/s");
     ck_assert_msg(r.looks <= 3, "one jump is enough: got %d looks", r.looks);
@@ -98,7 +98,7 @@ START_TEST(oblique_flight_takes_some_jumps)
     // and between y = -1 and 1: the first from t = 2 on, the second from t = 3
     // on.  So it meets the upper face, at t = 3.
     vec3 at[8], p = { -5, 4, 0 };
-    point_set b = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
+    hull b = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
     when_result r = ask(point(&p), (vec3){ 2, -1, 0 }, b, STILL, 10, CAP);
     expect_meeting(r, 3, (vec3){ 0, 1, 0 }, "an oblique ray");
     ck_assert_msg(r.looks < 10, "a few jumps are enough: got %d looks",
@@ -109,8 +109,8 @@ END_TEST
 START_TEST(box_meets_box)
 {
     vec3 at[8], bt[8];
-    point_set a = box(at, (vec3){ 0, 9, 0 }, (vec3){ 1, 10, 1 });
-    point_set b = box(bt, (vec3){ -5, -1, -5 }, (vec3){ 5, 0, 5 });
+    hull a = box(at, (vec3){ 0, 9, 0 }, (vec3){ 1, 10, 1 });
+    hull b = box(bt, (vec3){ -5, -1, -5 }, (vec3){ 5, 0, 5 });
     expect_meeting(ask(a, (vec3){ 0.5, -3, 0 }, b, STILL, 10, CAP), 3,
                    (vec3){ 0, 1, 0 }, "a box falls on a floor");
     expect_meeting(ask(b, STILL, a, (vec3){ 0.5, -3, 0 }, 10, CAP), 3,
@@ -123,7 +123,7 @@ START_TEST(bullet_does_not_fly_through_a_sheet)
     // 1000 m/s, and a sheet of a millimetre, 53 m away.
     // Rejects: looking at equal times.
     vec3 at[8], p = { 0, 0, 0 };
-    point_set sheet = box(at, (vec3){ 53, -9, -9 }, (vec3){ 53.001, 9, 9 });
+    hull sheet = box(at, (vec3){ 53, -9, -9 }, (vec3){ 53.001, 9, 9 });
     expect_meeting(ask(point(&p), (vec3){ 1000, 0, 0 }, sheet, STILL, 1, CAP),
                    0.053, (vec3){ -1, 0, 0 }, "a bullet");
 }
@@ -133,7 +133,7 @@ START_TEST(overtaking_takes_longer)
 {
     // Rejects: B taken to stand still; velocities added.
     vec3 at[8], p = { 0, 0, 0 };
-    point_set b = box(at, (vec3){ 4, -1, -1 }, (vec3){ 5, 1, 1 });
+    hull b = box(at, (vec3){ 4, -1, -1 }, (vec3){ 5, 1, 1 });
     expect_meeting(ask(point(&p), (vec3){ 3, 7, 0 }, b, (vec3){ 1, 7, 0 }, 10,
                        CAP), 2, (vec3){ -1, 0, 0 }, "3 m/s behind 1 m/s");
     expect_meeting(ask(point(&p), STILL, b, (vec3){ -8, 0, 0 }, 10, CAP), 0.5,
@@ -144,7 +144,7 @@ END_TEST
 START_TEST(side_by_side_is_never)
 {
     vec3 at[8], p = { 0, 0, 0 };
-    point_set b = box(at, (vec3){ 4, -1, -1 }, (vec3){ 5, 1, 1 });
+    hull b = box(at, (vec3){ 4, -1, -1 }, (vec3){ 5, 1, 1 });
     vec3 v = { 3, 1, 2 };
     expect_status(ask(point(&p), v, b, v, 10, CAP), WHEN_NEVER,
                   "the same velocity");
@@ -156,7 +156,7 @@ END_TEST
 START_TEST(leaving_is_never)
 {
     vec3 at[8], p = { 0, 0, 0 };
-    point_set b = box(at, (vec3){ 4, -1, -1 }, (vec3){ 5, 1, 1 });
+    hull b = box(at, (vec3){ 4, -1, -1 }, (vec3){ 5, 1, 1 });
     when_result r = ask(point(&p), (vec3){ -1, 0.5, 0 }, b, STILL, 10, CAP);
     expect_status(r, WHEN_NEVER, "it leaves");
     ck_assert_msg(r.time == 0 && vec3_length(r.normal) == 0, "never has no "
@@ -170,7 +170,7 @@ START_TEST(passing_by_is_never)
     // Rejects: jumps by the whole speed, which creep up to where the way is
     // shortest, and past it never come to an end.
     vec3 at[8], p = { -10, 1.1, 0 };
-    point_set b = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
+    hull b = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
     when_result r = ask(point(&p), (vec3){ 1, 0, 0 }, b, STILL, 1000, CAP);
     expect_status(r, WHEN_NEVER, "10 cm above the box");
     ck_assert_msg(r.looks < 10, "a few looks are enough: got %d", r.looks);
@@ -180,7 +180,7 @@ END_TEST
 START_TEST(too_late_is_never)
 {
     vec3 at[8], p = { 0, 0, 0 };
-    point_set b = box(at, (vec3){ 4, -1, -1 }, (vec3){ 5, 1, 1 });
+    hull b = box(at, (vec3){ 4, -1, -1 }, (vec3){ 5, 1, 1 });
     expect_status(ask(point(&p), (vec3){ 1, 0, 0 }, b, STILL, 3.9, CAP),
                   WHEN_NEVER, "they meet after 4 s, the horizon is 3.9 s");
     expect_status(ask(point(&p), (vec3){ 1, 0, 0 }, b, STILL, 4.1, CAP),
@@ -191,7 +191,7 @@ END_TEST
 START_TEST(overlap_is_now)
 {
     vec3 at[8], p = { 0.5, 0, 0 };
-    point_set b = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
+    hull b = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
     when_result r = ask(point(&p), (vec3){ 1, 0, 0 }, b, STILL, 10, CAP);
     expect_meeting(r, 0, (vec3){ 0, 0, 0 }, "inside from the first");
 }
@@ -200,7 +200,7 @@ END_TEST
 START_TEST(cap_is_kept)
 {
     vec3 at[8], p = { -5, 4, 0 };
-    point_set b = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
+    hull b = box(at, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 1 });
     when_result r = ask(point(&p), (vec3){ 2, -1, 0 }, b, STILL, 10, 1);
     expect_status(r, WHEN_CAPPED, "one look");
     ck_assert_msg(r.looks == 1 && r.time > 0 && r.time <= 3, "one look, and "
@@ -212,7 +212,7 @@ END_TEST
 START_TEST(what_is_not_finite_is_said)
 {
     vec3 at[8], p = { 0, (real)NAN, 0 };
-    point_set b = box(at, (vec3){ 4, -1, -1 }, (vec3){ 5, 1, 1 });
+    hull b = box(at, (vec3){ 4, -1, -1 }, (vec3){ 5, 1, 1 });
     when_result r = ask(point(&p), (vec3){ 1, 0, 0 }, b, STILL, 10, CAP);
     expect_status(r, WHEN_NOT_FINITE, "a coordinate is no number");
     ck_assert_msg(r.time == 0, "time is %g", r.time);
@@ -230,7 +230,7 @@ START_TEST(nobody_has_touched_before)
             s[i] = vec3_add(random_vec3(), (vec3){ 6, 0, 0 });
             t[i] = random_vec3();
         }
-        point_set a = { s, 6, NULL, NULL }, b = { t, 6, NULL, NULL };
+        hull a = { s, 6 }, b = { t, 6 };
         vec3 v = { -3, random_real(), random_real() };
         when_result r = ask(a, v, b, STILL, 10, CAP);
         ck_assert_msg(r.status == WHEN_MEET || r.status == WHEN_NEVER,
@@ -241,13 +241,12 @@ START_TEST(nobody_has_touched_before)
             real time = end * m / 100;
             for (int i = 0; i < 6; i++)
                 later[i] = vec3_add_scaled(s[i], time, v);
-            distance_result g = distance_find((point_set){ later, 6, NULL, NULL }, b,
-                                        distance_options_default(), NULL);
+            gjk_result g = gjk_distance((hull){ later, 6 }, b, HUGE_VAL, NULL);
             if (m == 100 && r.status == WHEN_MEET)
                 ck_assert_msg(g.distance <= 2 * WITHIN, "at the meeting they "
                               "are %g m apart", g.distance);
             else
-                ck_assert_msg(g.status == DISTANCE_APART, "they overlap at %g s, and"
+                ck_assert_msg(g.status == GJK_APART, "they overlap at %g s, and"
                               " are said to meet at %g s", time, end);
         }
     }

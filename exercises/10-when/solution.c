@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 // A where it is at time t, seen from B.
-static point_set advanced(point_set a, vec3 velocity, real t, vec3 *room)
+static hull advanced(hull a, vec3 velocity, real t, vec3 *room)
 {
     for (int i = 0; i < a.count; i++)
         room[i] = vec3_add_scaled(a.at[i], t, velocity);
@@ -20,9 +20,9 @@ when_result when_meet(moving a, moving b, real horizon, real within, int cap,
     when_result r = { .status = WHEN_CAPPED };
     while (r.looks < cap) {
         r.looks++;
-        distance_result g = distance_find(advanced(a.shape, u, r.time, room), b.shape,
-                                    distance_options_default(), NULL);
-        if (g.status == DISTANCE_NOT_FINITE)
+        gjk_result g = gjk_distance(advanced(a.shape, u, r.time, room),
+                                    b.shape, HUGE_VAL, NULL);
+        if (g.status == GJK_NOT_FINITE)
             return (when_result){ .status = WHEN_NOT_FINITE, .looks = r.looks };
         if (g.distance > 0) r.normal = vec3_unit(g.axis);
         if (g.distance <= within) {

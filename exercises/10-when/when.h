@@ -5,10 +5,10 @@
 #ifndef TUMBLE_WHEN_H
 #define TUMBLE_WHEN_H
 
-#include "distance.h"
+#include "gjk.h"
 
 typedef struct {
-    point_set shape;    // where it is at time 0
+    hull shape;    // where it is at time 0
     vec3 velocity;      // m/s
 } moving;
 

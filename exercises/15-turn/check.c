@@ -230,13 +230,12 @@ START_TEST(nobody_has_touched_before)
         for (int m = 1; m <= 50; m++) {
             turning_at(&b[0], end * m / 50, x);
             turning_at(&b[1], end * m / 50, y);
-            distance_result g = distance_find((point_set){ x, 6, NULL, NULL },
-                                        (point_set){ y, 6, NULL, NULL },
-                                        distance_options_default(), NULL);
+            gjk_result g = gjk_distance((hull){ x, 6 },
+                                        (hull){ y, 6 }, HUGE_VAL, NULL);
             if (m == 50 && r.status == TURN_TOUCH)
                 near(g.distance, 0, 2 * WITHIN, "gap at the touch");
             else
-                ck_assert_msg(g.status == DISTANCE_APART, "they overlap at %g, and "
+                ck_assert_msg(g.status == GJK_APART, "they overlap at %g, and "
                               "are said to touch at %g", end * m / 50, end);
         }
     }

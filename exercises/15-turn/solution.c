@@ -40,7 +40,7 @@ turn_result turn_first_touch(const turning *a, const turning *b, real within,
                              int cap, vec3 *room)
 {
     turn_result r = { .status = TURN_CAPPED };
-    point_set pa = a->shape, pb = b->shape;
+    hull pa = a->shape, pb = b->shape;
     real reach_a = furthest(a), reach_b = furthest(b);
     vec3 way = vec3_sub(a->way, b->way);
     pa.at = room;
@@ -49,8 +49,8 @@ turn_result turn_first_touch(const turning *a, const turning *b, real within,
         r.looks++;
         turning_at(a, r.time, room);
         turning_at(b, r.time, room + pa.count);
-        distance_result g = distance_find(pa, pb, distance_options_default(), NULL);
-        if (g.status == DISTANCE_NOT_FINITE)
+        gjk_result g = gjk_distance(pa, pb, HUGE_VAL, NULL);
+        if (g.status == GJK_NOT_FINITE)
             return (turn_result){ .status = TURN_NOT_FINITE, .looks = r.looks };
         if (g.distance > 0) r.normal = vec3_unit(g.axis);
         if (g.distance <= within) {

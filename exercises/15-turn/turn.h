@@ -5,12 +5,12 @@
 #ifndef TUMBLE_TURN_H
 #define TUMBLE_TURN_H
 
-#include "distance.h"
+#include "gjk.h"
 
 // At time t its center has gone t way, and it has turned about the center by t
 // angle, by the right-hand rule about axis.
 typedef struct {
-    point_set shape;        // where it is at time 0
+    hull shape;        // where it is at time 0
     vec3 center;            // m, at time 0
     vec3 way;               // m, in the frame
     vec3 axis;              // unit

@@ -33,8 +33,9 @@ int main(void)
         { 2.2, -1.7, 0 }, { -2, -1.7, 0 } };
     particle p[ALL], old[ALL];
     for (int i = 0; i < ALL; i++) p[i] = (particle){ AT[i], AT[i], 1 };
-    contact c = { .a = { 1, { CORNER }, { 1 } },
-                  .b = { 2, { EDGE_LEFT, EDGE_RIGHT }, { LEFT, 1 - LEFT } } };
+    feature_contact c = { .a = { 1, { CORNER }, { 1 } },
+                          .b = { 2, { EDGE_LEFT, EDGE_RIGHT },
+                                { LEFT, 1 - LEFT } } };
     vec3 edge = vec3_unit(vec3_sub(AT[EDGE_RIGHT], AT[EDGE_LEFT]));
     c.normal = vec3_make(-edge.y, edge.x, 0);
     vec3 corner = vec3_add_scaled(feature_position(&c.b, p), -DEPTH, c.normal);

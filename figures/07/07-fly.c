@@ -195,9 +195,9 @@ static places part(way how)
     places from = overlapping();
     particle p[2] = { { from.fly, from.fly, 1000 },
                       { from.elephant, from.elephant, 1 } };
-    contact c = { .a = { 1, { 0 }, { 1 } }, .b = { 1, { 1 }, { 1 } },
-                  .normal = { -1, 0, 0 }, .apart = FLY + ELEPHANT,
-                  .mass_a = 0.001, .mass_b = 1 };
+    feature_contact c = { .a = { 1, { 0 }, { 1 } }, .b = { 1, { 1 }, { 1 } },
+                          .normal = { -1, 0, 0 }, .apart = FLY + ELEPHANT,
+                          .mass_a = 0.001, .mass_b = 1 };
     response_errata errata = { .masses_exchanged = true };
     if (how == PRINTED) response_printed(&c, p, errata);
     if (how == BY_MASS) response_separate(&c, p, 0);

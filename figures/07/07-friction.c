@@ -14,7 +14,7 @@ int main(void)
            "position after\n", MU);
     for (int k = 0; k < 2; k++) {
         particle p = { { 0, -DEPTH, 0 }, { -SLID[k], 0.75, 0 }, 1 };
-        contact c = { .a = { 1, { 0 }, { 1 } }, .normal = { 0, 1, 0 } };
+        feature_contact c = { .a = { 1, { 0 }, { 1 } }, .normal = { 0, 1, 0 } };
         printf("%.4f %.4f\n%.4f %.4f\n", p.previous.x, p.previous.y,
                p.position.x, p.position.y);
         response_separate(&c, &p, MU);

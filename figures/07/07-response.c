@@ -22,10 +22,10 @@ typedef enum { PRINTED, BY_BODIES, BY_PARTICLES, WAYS } way;
 // One overlapping pair: the particles of A, then those of B.
 typedef struct {
     particle p[BOTH];
-    contact  c;
+    feature_contact c;
 } pair;
 
-static void part(way how, const contact *c, particle *p)
+static void part(way how, const feature_contact *c, particle *p)
 {
     response_errata errata = { .masses_exchanged = how == PRINTED };
     if (how == BY_PARTICLES) response_separate(c, p, 0);
@@ -206,7 +206,7 @@ static void fly_off(void)
     for (int steps = 1; steps <= 8; steps *= 2) {
         real dt = 1.0 / 60 / steps;
         particle p = { { 0, -DEPTH, 0 }, { 0, -DEPTH, 0 }, 1 };
-        contact c = { .a = { 1, { 0 }, { 1 } }, .normal = { 0, 1, 0 } };
+        feature_contact c = { .a = { 1, { 0 }, { 1 } }, .normal = { 0, 1, 0 } };
         response_separate(&c, &p, 0);
         real speed = (p.position.y - p.previous.y) / dt;
         printf("%d %.4g %.3g\n", steps, speed, speed * speed / (2 * 9.81));

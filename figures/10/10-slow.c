@@ -1,17 +1,15 @@
-// 10-slow.c - what the slow oracles cost beside the plain queries of chapters 04
-// and 05 and the fast ones of chapter 10, asked about the same pairs: two hulls
-// of n points each on a ball of radius 0.5 m, once apart and once overlapping.
+// 10-slow.c - what the slow oracles cost beside the queries of chapters 04 and
+// 05, asked about the same pairs: two hulls of n points each on a ball of radius
+// 0.5 m, once apart and once overlapping.
 //
-// Columns: points of a body; ns of one answer, slow, plain and fast, of the
-// distance and of the depth; the largest relative difference of the slow answers
-// from the fast ones.
+// Columns: points of a body; ns of one answer, slow and quick, of the distance
+// and of the depth; the largest relative difference of the slow answers from the
+// quick ones.
 
 #include "bodies.h"
 #include "clock.h"
 #include "hit_face.h"
-#include "penetration.h"
 #include "oracle.h"
-#include "points.h"
 
 #include <stdio.h>
 
@@ -25,31 +23,20 @@ enum { PAIRS = 5000, BLOCK = 500, PASSES = 10, SIZES = 6, MOST = 24 };
 
 static vec3 a[PAIRS][MOST], b[PAIRS][MOST];
 static int points;              // of each body
-static real quick[PAIRS];       // the fast answers
-static penetration_scratch *scratch;
+static real quick[PAIRS];       // the quick answers
 
 // Ways to an answer.
-enum { SLOW_DISTANCE, SLOW_DEPTH, PLAIN, FAST };
-
-static real plain_answer(int i)
-{
-    hull p = { a[i], points }, q = { b[i], points };
-    gjk_result r = gjk_distance(p, q, HUGE_VAL, NULL);
-    if (r.status != GJK_OVERLAP) return r.distance;
-    return hit_face_find(p, q, &r.last).depth;
-}
+enum { SLOW_DISTANCE, SLOW_DEPTH, QUICK };
 
 // About pair i; the depth, if the bodies overlap.
 static real answer(int way, int i)
 {
-    point_set pa = { a[i], points, NULL, NULL };
-    point_set pb = { b[i], points, NULL, NULL };
-    if (way == SLOW_DISTANCE) return (real)oracle_distance(hull_of(pa), hull_of(pb));
-    if (way == SLOW_DEPTH) return (real)oracle_depth(hull_of(pa), hull_of(pb));
-    if (way == PLAIN) return plain_answer(i);
-    distance_result r = distance_find(pa, pb, distance_options_default(), NULL);
-    if (r.status != DISTANCE_OVERLAP) return r.distance;
-    return penetration_find(pa, pb, &r.last, scratch).depth;
+    hull p = { a[i], points }, q = { b[i], points };
+    if (way == SLOW_DISTANCE) return (real)oracle_distance(p, q);
+    if (way == SLOW_DEPTH) return (real)oracle_depth(p, q);
+    gjk_result r = gjk_distance(p, q, HUGE_VAL, NULL);
+    if (r.status != GJK_OVERLAP) return r.distance;
+    return hit_face_find(p, q, &r.last).depth;
 }
 
 static void make_pairs(int overlap, unsigned long long *seed)
@@ -60,11 +47,10 @@ static void make_pairs(int overlap, unsigned long long *seed)
             a[i][k] = random_vector(seed, 0.5, 0.5);
             b[i][k] = vec3_add(by, random_vector(seed, 0.5, 0.5));
         }
-        point_set pa = { a[i], points, NULL, NULL };
-        point_set pb = { b[i], points, NULL, NULL };
-        distance_result r = distance_find(pa, pb, distance_options_default(), NULL);
+        hull p = { a[i], points }, q = { b[i], points };
+        gjk_result r = gjk_distance(p, q, HUGE_VAL, NULL);
         // Another pair if this one is not of the kind that was asked for.
-        i += r.status == (overlap ? DISTANCE_OVERLAP : DISTANCE_APART);
+        i += r.status == (overlap ? GJK_OVERLAP : GJK_APART);
     }
 }
 
@@ -110,25 +96,21 @@ int main(void)
 {
     static const int sizes[SIZES] = { 4, 6, 8, 12, 16, MOST };
     unsigned long long seed = 12;
-    scratch = penetration_scratch_new();
-    if (!scratch) return 1;
     printf("# 10-slow: %d pairs of hulls of n points on a ball of radius 0.5 m;"
            " ns of one answer\n# compiler %s, flags %s\n"
-           "points,slow distance,slow depth,plain distance,plain depth,"
-           "fast distance,fast depth,largest difference\n", (int)PAIRS,
+           "points,slow distance,slow depth,quick distance,quick depth,"
+           "largest difference\n", (int)PAIRS,
            __VERSION__, FLAGS);
     for (int s = 0; s < SIZES; s++) {
-        double worst = 0, slow[2], plain[2], fast[2];
+        double worst = 0, slow[2], fast[2];
         points = sizes[s];
         for (int overlap = 0; overlap < 2; overlap++) {
             make_pairs(overlap, &seed);
-            plain[overlap] = time_quick(PLAIN);
-            fast[overlap] = time_quick(FAST);
+            fast[overlap] = time_quick(QUICK);
             slow[overlap] = time_slow(SLOW_DISTANCE + overlap, &worst);
         }
-        printf("%d,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,%.1e\n", points, slow[0],
-               slow[1], plain[0], plain[1], fast[0], fast[1], worst);
+        printf("%d,%.0f,%.0f,%.0f,%.0f,%.1e\n", points, slow[0], slow[1],
+               fast[0], fast[1], worst);
     }
-    penetration_scratch_free(scratch);
     return 0;
 }

@@ -17,11 +17,9 @@ set title "Every feature with every other, and the quick way" font "DejaVu Sans,
 unset key
 set label 1 "depth: all normals and\ncrossings of edges" at 26,2.6e7 textcolor rgb "#d55e00" font "DejaVu Sans Bold,22"
 set label 2 "distance: all pairs\nof features" at 26,4e6 textcolor rgb "#cc79a7" font "DejaVu Sans Bold,22"
-set label 3 "depth: plain (dashed)\nand fast" at 26,8e3 textcolor rgb "#0072b2" font "DejaVu Sans Bold,22"
-set label 4 "distance: plain (dashed)\nand fast" at 26,1.1e3 textcolor rgb "#009e73" font "DejaVu Sans Bold,22"
+set label 3 "depth: the hit face" at 26,6e3 textcolor rgb "#0072b2" font "DejaVu Sans Bold,22"
+set label 4 "distance: GJK" at 26,1.1e3 textcolor rgb "#009e73" font "DejaVu Sans Bold,22"
 plot csv using 1:3 every ::1 with linespoints pt 7 ps 1.4 lc rgb "#d55e00" lw 1.5, \
      csv using 1:2 every ::1 with linespoints pt 7 ps 1.4 lc rgb "#cc79a7" lw 1.5, \
-     csv using 1:5 every ::1 with linespoints pt 6 ps 1.4 dt 2 lc rgb "#0072b2" lw 1.5, \
-     csv using 1:7 every ::1 with linespoints pt 7 ps 1.4 lc rgb "#0072b2" lw 1.5, \
-     csv using 1:4 every ::1 with linespoints pt 6 ps 1.4 dt 2 lc rgb "#009e73" lw 1.5, \
-     csv using 1:6 every ::1 with linespoints pt 7 ps 1.4 lc rgb "#009e73" lw 1.5
+     csv using 1:5 every ::1 with linespoints pt 7 ps 1.4 lc rgb "#0072b2" lw 1.5, \
+     csv using 1:4 every ::1 with linespoints pt 7 ps 1.4 lc rgb "#009e73" lw 1.5

@@ -4,9 +4,7 @@
 // find them.
 
 #include "clock.h"
-#include "distance.h"
 #include "manifold.h"
-#include "penetration.h"
 #include "response.h"
 
 #include <stdio.h>
@@ -27,44 +25,19 @@ static real any(void)
 
 // --- the query ---------------------------------------------------------------
 
-typedef struct {
-    int   near;
-    vec3  normal;
-    touch nearest;
-} query_result;
-
-static feature_point side_of(const distance_cache *s, const int *vertex)
+static query_result query(const shape *a, const vec3 *at_a, const shape *b,
+                          const vec3 *at_b, real margin)
 {
-    feature_point f = { .count = 0 };
-    for (int i = 0; i < s->count; i++) {
-        int k = 0;
-        while (k < f.count && f.vertex[k] != vertex[i]) k++;
-        if (k == 3 || !(s->weight[i] > 0)) continue;
-        if (k == f.count) {
-            f.vertex[f.count] = vertex[i];
-            f.weight[f.count++] = 0;
-        }
-        f.weight[k] += s->weight[i];
-    }
-    return f;
+    collider ca = { a, at_a }, cb = { b, at_b };
+    query_cache none = { .count = 0 };
+    return query_nearest(&ca, &cb, margin, &none);
 }
 
-static query_result query(const shape *a, const vec3 *at_a, const shape *b,
-                          const vec3 *at_b, real margin, penetration_scratch *scratch)
+static manifold touches(const shape *a, const vec3 *at_a, const shape *b,
+                        const vec3 *at_b, const query_result *q, real margin)
 {
-    point_set pa = { at_a, a->particles, NULL, NULL };
-    point_set pb = { at_b, b->particles, NULL, NULL };
-    distance_cache none = { .count = 0 };
-    distance_result g = distance_find(pa, pb, distance_options_default(), &none);
-    if (g.status == DISTANCE_APART && g.distance > margin)
-        return (query_result){ .near = 0 };
-    if (g.status == DISTANCE_APART)
-        return (query_result){ 1, vec3_scale(1 / g.distance, g.axis),
-            { side_of(&g.last, g.last.a), side_of(&g.last, g.last.b),
-              g.distance } };
-    penetration_result h = penetration_find(pa, pb, &g.last, scratch);
-    return (query_result){ h.status == PENETRATION_FOUND, h.normal,
-                           { h.a, h.b, -h.depth } };
+    collider ca = { a, at_a }, cb = { b, at_b };
+    return manifold_find(&ca, &cb, q, margin);
 }
 
 // --- a box on a box ----------------------------------------------------------
@@ -76,23 +49,22 @@ typedef struct {
 } stage;
 
 static int find_contacts(stage *s, const shape *box, const shape *table,
-                         int most, penetration_scratch *scratch, contact *c)
+                         int most, contact *c)
 {
-    touch found[MANIFOLD_TOUCHES];
     real margin = 0.02;
     for (int i = 0; i < 2 * CORNERS; i++) s->at[i] = s->p[i].position;
-    query_result q = query(box, s->at, table, s->at + CORNERS, margin, scratch);
+    query_result q = query(box, s->at, table, s->at + CORNERS, margin);
     if (!q.near) return 0;
-    found[0] = q.nearest;
-    int n = most == 1 ? 1 : manifold_find(box, s->at, table, s->at + CORNERS,
-                                          q.normal, q.nearest, margin, found);
-    for (int k = 0; k < n; k++) {
-        vec3 on_b = feature_place(&found[k].b, s->at + CORNERS);
-        c[k] = (contact){ .a = found[k].a, .normal = q.normal,
+    manifold m = { 1, q.normal, { q.at } };
+    if (most > 1)
+        m = touches(box, s->at, table, s->at + CORNERS, &q, margin);
+    for (int k = 0; k < m.count; k++) {
+        vec3 on_b = feature_at(&m.point[k].b, s->at + CORNERS);
+        c[k] = (contact){ .a = m.point[k].a, .normal = q.normal,
                           .apart = vec3_dot(on_b, q.normal),
                           .mass_a = 1, .mass_b = HUGE_VAL };
     }
-    return n;
+    return m.count;
 }
 
 // Degrees between the box's upright edges and the vertical.
@@ -113,11 +85,11 @@ static real depth(const particle *p)
     return deepest;
 }
 
-static void drop(int most, penetration_scratch *scratch)
+static void drop(int most)
 {
     shape box, table;
     stage s;
-    contact c[MANIFOLD_TOUCHES];
+    contact c[MANIFOLD_POINTS];
     relax_options relax = relax_options_pbd();
     const vec3 gravity = { 0, -9.81, 0 };
     real worst_tilt = 0, worst_depth = 0;
@@ -134,7 +106,7 @@ static void drop(int most, penetration_scratch *scratch)
     printf("\n\n# at most %d: s, tilt in degrees, depth in mm\n", most);
     for (int frame = 0; frame < FRAMES; frame++) {
         printf("%.4f %.6g %.6g\n", frame * DT, tilt(s.p), 1e3 * depth(s.p));
-        int n = find_contacts(&s, &box, &table, most, scratch, c);
+        int n = find_contacts(&s, &box, &table, most, c);
         for (int step = 0; step < SUBSTEPS; step++) {
             verlet_step(s.p, CORNERS, gravity, NULL, DT / SUBSTEPS);
             for (int pass = 0; pass < PASSES; pass++) {
@@ -198,12 +170,11 @@ static void corners(const vec3 *a, const int *va, const vec3 *b, const int *vb)
         }
 }
 
-static void faces(penetration_scratch *scratch)
+static void faces(void)
 {
     shape s;
     vec3 a[CORNERS], b[CORNERS];
     const int low[4] = { 0, 1, 5, 4 }, high[4] = { 2, 3, 7, 6 };
-    touch found[MANIFOLD_TOUCHES];
     if (!shape_box(&s, vec3_make(1, 1, 1), 1).ok) return;
     for (int i = 0; i < CORNERS; i++) {
         b[i] = s.at[i];
@@ -215,14 +186,14 @@ static void faces(penetration_scratch *scratch)
     outline(b, high);
     printf("\n\n# corners of what they share, and their kind\n");
     corners(a, low, b, high);
-    query_result q = query(&s, a, &s, b, 0.01, scratch);
-    int n = manifold_find(&s, a, &s, b, q.normal, q.nearest, 0.01, found);
+    query_result q = query(&s, a, &s, b, 0.01);
+    manifold m = touches(&s, a, &s, b, &q, 0.01);
     printf("\n\n# the touches of manifold_find\n");
-    for (int k = 0; k < n; k++) {
-        vec3 x = feature_place(&found[k].b, b);
+    for (int k = 0; k < m.count; k++) {
+        vec3 x = feature_at(&m.point[k].b, b);
         printf("%g %g\n", x.z, x.x);
     }
-    vec3 x = feature_place(&q.nearest.b, b);
+    vec3 x = feature_at(&q.at.b, b);
     printf("\n\n# what the query found\n%g %g\n", x.z, x.x);
     shape_free(&s);
 }
@@ -247,7 +218,7 @@ static vec3 any_direction(void)
 }
 
 // kind 0: cubes stacked exactly; 1: turned about the normal; 2: anyhow.
-static pair any_pair(const shape *s, int kind, penetration_scratch *scratch)
+static pair any_pair(const shape *s, int kind)
 {
     pair p;
     do {
@@ -272,7 +243,7 @@ static pair any_pair(const shape *s, int kind, penetration_scratch *scratch)
             p.a[i] = vec3_add(off, vec3_add_scaled(vec3_add_scaled(
                      vec3_scale(r.x, u), r.y, v), r.z, w));
         }
-        p.q = query(s, p.a, s, p.b, 0.05, scratch);
+        p.q = query(s, p.a, s, p.b, 0.05);
     } while (!p.q.near);
     return p;
 }
@@ -281,30 +252,23 @@ static pair any_pair(const shape *s, int kind, penetration_scratch *scratch)
 // start.  Counts the touches, or GJK's.
 static real block_seconds(const shape *s, const pair *p, int gjk, int *count)
 {
-    touch found[MANIFOLD_TOUCHES];
     real start = clock_seconds();
     for (int k = 0; k < BLOCK; k++) {
-        point_set a = { p[k].a, s->particles, NULL, NULL };
-        point_set b = { p[k].b, s->particles, NULL, NULL };
-        if (gjk)
-            *count += distance_find(a, b, distance_options_default(),
-                                   NULL).last.count;
-        else
-            *count += manifold_find(s, p[k].a, s, p[k].b, p[k].q.normal,
-                                    p[k].q.nearest, 0.05, found);
+        hull a = { p[k].a, s->particles }, b = { p[k].b, s->particles };
+        if (gjk) *count += gjk_distance(a, b, HUGE_VAL, NULL).last.count;
+        else     *count += touches(s, a.at, s, b.at, &p[k].q, 0.05).count;
     }
     return clock_seconds() - start;
 }
 
 // The mean over blocks of pairs, of each the best of many rounds: the machine
 // has other things to do.
-static void cost(const char *what, const shape *s, int kind,
-                 penetration_scratch *scratch)
+static void cost(const char *what, const shape *s, int kind)
 {
     static pair all[PAIRS];
     real sum[2] = { 0, 0 };
     int count[2] = { 0, 0 }, alone = 0;
-    for (int k = 0; k < PAIRS; k++) all[k] = any_pair(s, kind, scratch);
+    for (int k = 0; k < PAIRS; k++) all[k] = any_pair(s, kind);
     for (int first = 0; first < PAIRS; first += BLOCK)
         for (int gjk = 0; gjk < 2; gjk++) {
             real best = HUGE_VAL;
@@ -313,11 +277,8 @@ static void cost(const char *what, const shape *s, int kind,
                                                 &count[gjk]));
             sum[gjk] += best;
         }
-    for (int k = 0; k < PAIRS; k++) {
-        touch found[MANIFOLD_TOUCHES];
-        alone += manifold_find(s, all[k].a, s, all[k].b, all[k].q.normal,
-                               all[k].q.nearest, 0.05, found) == 1;
-    }
+    for (int k = 0; k < PAIRS; k++)
+        alone += touches(s, all[k].a, s, all[k].b, &all[k].q, 0.05).count == 1;
     printf("# %s: manifold_find %.0f ns, cold GJK %.0f ns, %.2f touches, "
            "%.0f %% have one\n", what, 1e9 * sum[0] / PAIRS,
            1e9 * sum[1] / PAIRS, (real)count[0] / PAIRS / AGAIN,
@@ -327,19 +288,17 @@ static void cost(const char *what, const shape *s, int kind,
 int main(void)
 {
     shape cube, ball;
-    penetration_scratch *scratch = penetration_scratch_new();
-    if (!scratch || !shape_box(&cube, vec3_make(1, 1, 1), 1).ok
+    if (!shape_box(&cube, vec3_make(1, 1, 1), 1).ok
         || !shape_icosahedron(&ball, 0.5, 1).ok) return 1;
     printf("# a box of 1 x 0.3 x 1 m set down on a table; %d substeps "
            "of 1/60 s, %d times contacts and sticks in each\n"
            "# %s, %s\n", SUBSTEPS, PASSES, __VERSION__, FLAGS);
-    cost("equal cubes stacked", &cube, 0, scratch);
-    cost("cubes stacked, turned", &cube, 1, scratch);
-    cost("icosahedra anyhow", &ball, 2, scratch);
-    drop(1, scratch);
-    drop(MANIFOLD_TOUCHES, scratch);
-    faces(scratch);
-    penetration_scratch_free(scratch);
+    cost("equal cubes stacked", &cube, 0);
+    cost("cubes stacked, turned", &cube, 1);
+    cost("icosahedra anyhow", &ball, 2);
+    drop(1);
+    drop(MANIFOLD_POINTS);
+    faces();
     shape_free(&cube);
     shape_free(&ball);
     return 0;

@@ -12,7 +12,7 @@
 // Columns are separated by spaces.
 
 #include "clock.h"
-#include "penetration.h"
+#include "hit_face.h"
 #include "swept.h"
 
 #include <stdio.h>
@@ -46,8 +46,7 @@ typedef struct {
 
 static shot hits[SHOTS], misses[SHOTS];
 static vec3 plate_at[PLATE];
-static const point_set plate = { plate_at, PLATE, NULL, NULL };
-static penetration_scratch *scratch;
+static const hull plate = { plate_at, PLATE };
 static real inner;          // m, radius of the largest ball inside the ball
 static int never_seen;
 
@@ -100,17 +99,16 @@ static void make_shot(shot *s, int beside)
     s->phase = any(0, 1);
 }
 
-static point_set placed(const shot *s, vec3 where, vec3 *at)
+static hull placed(const shot *s, vec3 where, vec3 *at)
 {
     for (int i = 0; i < BALL; i++) at[i] = vec3_add(s->at[i], where);
-    return (point_set){ at, BALL, NULL, NULL };
+    return (hull){ at, BALL };
 }
 
 static real distance(const shot *s, vec3 where)
 {
     vec3 at[BALL];
-    return distance_find(placed(s, where, at), plate, distance_options_default(),
-                        NULL).distance;
+    return gjk_distance(placed(s, where, at), plate, HUGE_VAL, NULL).distance;
 }
 
 // The least distance over the whole line, by golden sections: it is convex.
@@ -151,11 +149,11 @@ static void make_shots(void)
 static outcome look(const shot *s, vec3 where)
 {
     vec3 at[BALL];
-    point_set ball = placed(s, where, at);
-    distance_result g = distance_find(ball, plate, distance_options_default(), NULL);
-    if (g.status != DISTANCE_OVERLAP) return FLIES;
-    penetration_result h = penetration_find(ball, plate, &g.last, scratch);
-    return h.status == PENETRATION_FOUND && h.normal.z < -0.5 ? THROUGH : STOPPED;
+    hull ball = placed(s, where, at);
+    gjk_result g = gjk_distance(ball, plate, HUGE_VAL, NULL);
+    if (g.status != GJK_OVERLAP) return FLIES;
+    hit_result h = hit_face_find(ball, plate, &g.last);
+    return h.status == HIT_FOUND && h.normal.z < -0.5 ? THROUGH : STOPPED;
 }
 
 static outcome by_substeps(const shot *s, vec3 from, vec3 way)
@@ -171,10 +169,9 @@ static outcome by_substeps(const shot *s, vec3 from, vec3 way)
 static outcome by_looking_ahead(const shot *s, vec3 from, vec3 way)
 {
     vec3 at[BALL];
-    distance_options o = distance_options_default();
-    o.margin = vec3_length(way);
-    distance_result g = distance_find(placed(s, from, at), plate, o, NULL);
-    if (g.status != DISTANCE_APART || g.distance > o.margin) return FLIES;
+    real margin = vec3_length(way);
+    gjk_result g = gjk_distance(placed(s, from, at), plate, margin, NULL);
+    if (g.status != GJK_APART || g.distance > margin) return FLIES;
     vec3 n = vec3_scale(1 / g.distance, g.axis);
     return g.distance + vec3_dot(way, n) < 0 ? STOPPED : FLIES;
 }
@@ -331,8 +328,6 @@ int main(void)
 {
     static series s[SPEEDS];
     static int asked[SWEPT_CAP + 1];
-    scratch = penetration_scratch_new();
-    if (!scratch) return 1;
     make_shots();
     for (int k = 0; k < SPEEDS; k++) {
         s[k].speed = pow(10, 0.25 * k);
@@ -353,6 +348,5 @@ int main(void)
     printf("# distances asked for, shots\n");
     for (int k = 0; k <= SWEPT_CAP; k++)
         if (asked[k]) printf("%d %d\n", k, asked[k]);
-    penetration_scratch_free(scratch);
     return 0;
 }

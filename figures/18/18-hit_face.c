@@ -1,4 +1,4 @@
-// 16-penetration.c - how deep are two balls in each other, when a ball is the hull
+// 18-hit_face.c - how deep are two balls in each other, when a ball is the hull
 // of its corners?  Trying directions, more and more of them, and the hit face,
 // each for balls of 12 to 642 corners.
 //
@@ -11,8 +11,7 @@
 
 #include "query_pairs.h"
 #include "ball.h"
-#include "penetration.h"
-#include "ring.h"
+#include "hit_face.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,8 +27,6 @@ typedef struct {
     shape plan[SIZES];
     vec3 at[SIZES][QUERIES][2][BALL_CORNERS];
     vec3 way[DIRECTIONS][MOST];
-    rings ring[SIZES];
-    penetration_scratch *scratch;
     real depth[WAYS][QUERIES];
     int  asked[SIZES][QUERIES];     // points of A - B, by the hit face
 } zoo;
@@ -46,12 +43,9 @@ static void spread(vec3 *way, int n)
 
 static int zoo_make(zoo *z)
 {
-    z->scratch = penetration_scratch_new();
-    if (!z->scratch) return 0;
     for (int k = 0; k < DIRECTIONS; k++) spread(z->way[k], COUNT[k]);
     for (int k = 0; k < SIZES; k++) {
-        if (!ball_shape(&z->plan[k], k, 0.5, 1).ok
-            || !rings_build(&z->ring[k], &z->plan[k].mesh).ok) return 0;
+        if (!ball_shape(&z->plan[k], k, 0.5, 1).ok) return 0;
         for (int q = 0; q < QUERIES; q++) {
             vec3 one = random_direction(), other = random_direction();
             vec3 away = vec3_scale(1 - DEPTH, random_direction());
@@ -66,19 +60,17 @@ static int zoo_make(zoo *z)
     return 1;
 }
 
-static point_set points(const zoo *z, int k, int q, int side)
+static hull points(const zoo *z, int k, int q, int side)
 {
-    const shape *s = &z->plan[k];
-    return (point_set){ z->at[k][q][side], s->particles, z->ring[k].start,
-                        z->ring[k].list };
+    return (hull){ z->at[k][q][side], z->plan[k].particles };
 }
 
 static real by_hit_face(zoo *z, int k, int q)
 {
-    point_set a = points(z, k, q, 0), b = points(z, k, q, 1);
-    distance_result g = distance_find(a, b, distance_options_default(), NULL);
-    if (g.status != DISTANCE_OVERLAP) return -g.distance;
-    penetration_result h = penetration_find(a, b, &g.last, z->scratch);
+    hull a = points(z, k, q, 0), b = points(z, k, q, 1);
+    gjk_result g = gjk_distance(a, b, HUGE_VAL, NULL);
+    if (g.status != GJK_OVERLAP) return -g.distance;
+    hit_result h = hit_face_find(a, b, &g.last);
     z->asked[k][q] = h.iterations;
     return h.depth;
 }
@@ -86,14 +78,10 @@ static real by_hit_face(zoo *z, int k, int q)
 // The least that A - B reaches along any of n directions.
 static real by_directions(const zoo *z, int k, int q, const vec3 *way, int n)
 {
-    point_set a = points(z, k, q, 0), b = points(z, k, q, 1);
+    hull a = points(z, k, q, 0), b = points(z, k, q, 1);
     real best = HUGE_VAL;
-    int i = 0, j = 0;
-    for (int d = 0; d < n; d++) {
-        i = support_point(a, way[d], i);
-        j = support_point(b, vec3_scale(-1, way[d]), j);
-        best = fmin(best, vec3_dot(way[d], vec3_sub(a.at[i], b.at[j])));
-    }
+    for (int d = 0; d < n; d++)
+        best = fmin(best, vec3_dot(way[d], hull_support(a, b, way[d]).at));
     return best;
 }
 
@@ -174,10 +162,6 @@ int main(void)
     clock_print_head("18-hit_face: time and error of a depth", FLAGS);
     if (!zoo_make(&z)) return 1;
     print_all(&z);
-    for (int k = 0; k < SIZES; k++) {
-        rings_free(&z.ring[k]);
-        shape_free(&z.plan[k]);
-    }
-    penetration_scratch_free(z.scratch);
+    for (int k = 0; k < SIZES; k++) shape_free(&z.plan[k]);
     return 0;
 }

@@ -1,6 +1,7 @@
 // options.c - a table of options, and what reads and prints it.
 
 #include "options.h"
+#include "thread.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -12,6 +13,7 @@
 
 typedef enum {
     KIND_FLAG,          // int, no value
+    KIND_OFF,           // bool, no value: turned off
     KIND_COUNT,         // int
     KIND_REAL,          // real; 1/60 is understood
     KIND_SEED,          // unsigned long long
@@ -35,6 +37,8 @@ typedef struct {
     const char *help;
 } option;
 
+#define ENGINE(field) offsetof(settings, engine.field)
+
 static const option options[] = {
     { "--bodies", KIND_COUNT, "N", 1, 20000, FOR_ROOM,
       offsetof(settings, bodies), "bodies thrown into the room" },
@@ -54,12 +58,30 @@ static const option options[] = {
       offsetof(settings, dt), "seconds in a step, such as 1/60" },
     { "--substeps", KIND_COUNT, "N", 1, 10000, FOR_ALL,
       offsetof(settings, substeps), "integrations in a step" },
-    { "--sweeps", KIND_COUNT, "N", 1, 10000, FOR_ALL,
-      offsetof(settings, sweeps), "sweeps over the sticks in a substep" },
+    { "--iterations", KIND_COUNT, "N", 1, 10000, FOR_ALL,
+      offsetof(settings, iterations), "over a body's sticks in a substep" },
     { "--tolerance", KIND_REAL, "T", 0, 1, FOR_ALL,
       offsetof(settings, tolerance), "strain that counts as none" },
-    { "--threads", KIND_COUNT, "N", 1, 2, FOR_ROOM,
-      offsetof(settings, threads), "2: in two threads, with the same bits" },
+    { "--gravity", KIND_REAL, "G", 0, 1000, FOR_ALL,
+      offsetof(settings, gravity), "m/s^2, downwards" },
+    { "--friction", KIND_REAL, "MU", 0, 1000, FOR_ALL,
+      ENGINE(friction), "Coulomb's coefficient" },
+    { "--restitution", KIND_REAL, "E", 0, 1, FOR_ROOM,
+      ENGINE(restitution), "speed after an impact / the speed before" },
+    { "--hertz", KIND_REAL, "F", 1e-3, 1e6, FOR_ALL,
+      ENGINE(hertz), "stiffness of contacts: of their springs" },
+    { "--stay", KIND_REAL, "S", 0, 0.1, FOR_ROOM,
+      ENGINE(stay), "radii that a body goes before it is asked again" },
+    { "--most-substeps", KIND_COUNT, "N", 1, 10000, FOR_ALL,
+      ENGINE(most_substeps), "that a hard frame may take" },
+    { "--no-warm-start", KIND_OFF, "", 0, 0, FOR_ROOM,
+      ENGINE(warm_start), "contacts begin without the last impulses" },
+    { "--sleep-speed", KIND_REAL, "V", 0, 1e9, FOR_ROOM,
+      ENGINE(sleep_speed), "m/s: slower bodies fall asleep; 0: none does" },
+    { "--time-to-sleep", KIND_REAL, "S", 0, 1e9, FOR_ROOM,
+      ENGINE(time_to_sleep), "so long they must have been slow" },
+    { "--threads", KIND_COUNT, "N", 1, MOST_THREADS, FOR_ROOM,
+      offsetof(settings, threads), "that share the work, with the same bits" },
     { "--film", KIND_PATH, "FILE.png", 0, 0, FOR_ALL,
       offsetof(settings, film), "draw a strip of three pictures" },
     { "--frames", KIND_PATH, "DIR", 0, 0, FOR_ALL,
@@ -230,6 +252,7 @@ static status read_value(const option *o, const char *text, settings *s)
     void *field = (char *)s + o->at;
     switch (o->kind) {
     case KIND_FLAG:  *(int *)field = 1; return status_ok();
+    case KIND_OFF:   *(bool *)field = false; return status_ok();
     case KIND_COUNT: return read_count(o, text, field);
     case KIND_REAL:  return read_real(o, text, field);
     case KIND_SEED:  return read_seed(o, text, field);
@@ -245,8 +268,8 @@ static settings settings_default(void)
     scene_options o = scene_options_default();
     return (settings){ .scene = SCENES, .bodies = o.bodies, .cloth = o.cloth,
                        .seed = o.seed, .seconds = -1, .tolerance = -1,
-                       .threads = 1,
-                       .dt = 1.0 / 60 };
+                       .threads = 1, .dt = 1.0 / 60, .gravity = 9.81,
+                       .engine = world_options_default() };
 }
 
 // Finds --name in "--name" or "--name=value"; -1: there is none.
@@ -269,7 +292,7 @@ static status read_option(settings *s, int arguments, char *const *argument,
     const option *o = &options[k];
     s->given |= 1u << k;
     if (value) value++;
-    if (o->kind == KIND_FLAG)
+    if (o->kind == KIND_FLAG || o->kind == KIND_OFF)
         return value ? status_fail("%s takes no value", o->name)
                      : read_value(o, NULL, s);
     // The next word is the value, unless it is itself an option.
@@ -294,6 +317,32 @@ static status read_scene(settings *s, const char *text)
     return unknown_scene(text);
 }
 
+static bool is_engine_field(const option *o)
+{
+    return o->at >= ENGINE(dt) && o->at < ENGINE(dt) + sizeof(world_options);
+}
+
+// The paper's system has friction, too.
+static bool is_engine_only(const option *o)
+{
+    return o->at == offsetof(settings, threads) ||
+           (is_engine_field(o) && o->at != ENGINE(friction));
+}
+
+static bool is_given(const settings *s, int k)
+{
+    return s->given & 1u << k;
+}
+
+static status check_runner(const settings *s)
+{
+    for (int k = 0; k < OPTIONS; k++)
+        if (is_given(s, k) && is_engine_only(&options[k]))
+            return status_fail("%s is the engine's; the paper's system has no "
+                               "such option", options[k].name);
+    return status_ok();
+}
+
 // What no single word can tell.
 static status check_together(const settings *s)
 {
@@ -305,12 +354,8 @@ static status check_together(const settings *s)
     if (s->paper && s->plain)
         return status_fail("--paper and --plain are two ways to run a scene; "
                            "one at a time");
-    if (s->threads > 1 && settings_runner(s) != BY_ENGINE)
-        return status_fail("--threads is the engine's; the paper's system has "
-                           "one thread");
-    if (s->film && s->csv && !strcmp(s->film, s->csv))
-        return status_fail("--film and --csv name the same file, %.100s",
-                           s->film);
+    if (settings_runner(s) != BY_ENGINE && !check_runner(s).ok)
+        return check_runner(s);
     if (s->seconds / s->dt > 1e7)
         return status_fail("--seconds %g in steps of --dt %g would be %.3g "
                            "steps; the most is 1e7", s->seconds, s->dt,
@@ -341,12 +386,27 @@ scene_options settings_scene(const settings *s)
     return o;
 }
 
+// Takes over the fields that were given.
+static void give_engine(const settings *s, world_options *o)
+{
+    for (int k = 0; k < OPTIONS; k++) {
+        if (!is_given(s, k) || !is_engine_field(&options[k])) continue;
+        size_t size = options[k].kind == KIND_REAL ? sizeof(real)
+                    : options[k].kind == KIND_COUNT ? sizeof(int)
+                    : sizeof(bool);
+        memcpy((char *)o + (options[k].at - offsetof(settings, engine)),
+               (const char *)s + options[k].at, size);
+    }
+}
+
 world_options settings_world(const settings *s)
 {
     world_options o = world_scene_options(s->scene, s->cloth);
+    give_engine(s, &o);
     o.dt = s->dt;
+    o.gravity = vec3_make(0, -s->gravity, 0);
     if (s->substeps > 0) o.substeps = s->substeps;
-    if (s->sweeps > 0) o.sweeps = s->sweeps;
+    if (s->iterations > 0) o.iterations = s->iterations;
     if (s->tolerance >= 0) o.relax.tolerance = s->tolerance;
     return o;
 }
@@ -355,8 +415,11 @@ system_options settings_system(const settings *s)
 {
     system_options o = runner_options(settings_runner(s));
     o.dt = s->dt;
+    o.gravity = vec3_make(0, -s->gravity, 0);
+    if (is_given(s, find_option("--friction"))) o.friction = s->engine.friction;
     if (s->substeps > 0) o.substeps = s->substeps;
-    if (s->sweeps > 0) o.rigid.iterations = o.soft.iterations = s->sweeps;
+    if (s->iterations > 0)
+        o.rigid.iterations = o.soft.iterations = s->iterations;
     if (s->tolerance >= 0)
         o.rigid.how.tolerance = o.soft.how.tolerance = s->tolerance;
     return o;
@@ -378,7 +441,7 @@ long settings_steps(const settings *s)
 void settings_print_notes(const settings *s, FILE *out)
 {
     for (int k = 0; k < OPTIONS; k++)
-        if (s->given & 1u << k && !(options[k].scenes & 1 << s->scene))
+        if (is_given(s, k) && !(options[k].scenes & 1 << s->scene))
             fprintf(out, "tumble: %s means nothing to the scene %s, and is "
                     "ignored\n", options[k].name, scene_name(s->scene));
 }
@@ -399,6 +462,9 @@ static void print_default(FILE *out, const option *o)
         fprintf(out, " (%d)", *(const int *)field);
     if (o->kind == KIND_SEED)
         fprintf(out, " (%llu)", *(const unsigned long long *)field);
+    if (o->kind == KIND_REAL && is_engine_field(o))
+        fprintf(out, " (%g)", *(const real *)field);
+    if (o->at == offsetof(settings, gravity)) fprintf(out, " (9.81)");
     if (o->at == offsetof(settings, dt)) fprintf(out, " (1/60)");
 }
 

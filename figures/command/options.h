@@ -14,11 +14,13 @@ typedef struct {
     int  bodies, cloth;         // how many; particles along a side
     unsigned long long seed;
     real seconds, dt;           // s
-    int  substeps, sweeps;      // 0: as the scene needs
+    int  substeps, iterations;  // 0: as the scene needs
     real tolerance;             // strain; < 0: as the scene needs
+    real gravity;               // m/s^2, downwards
+    world_options engine;       // some of its fields; the others are unused
     int  paper, plain;          // the paper's system: as printed; as mended
     int  bits;
-    int  threads;               // 1 or 2
+    int  threads;
     const char *mesh, *film, *frames, *csv;     // NULL: not asked for
     int  help, list, version;
     unsigned given;             // bit i: option i of the table was given

@@ -63,16 +63,16 @@ typedef struct {
 typedef struct {
     settings set;
     runner   run;
-    thread  *second;            // NULL: there is one thread
+    thread_pool *pool;          // NULL: there is one thread
     long     steps, done;       // wanted; finished
     output   csv;
     strip    strip;
     int      folder_made;       // the folder of frames is ours
     long     frames, frame_every;
     real    *step_time;         // [steps] s
-    real     stage_time[STAGES];
+    real     phase_time[PHASES];
     real     began, told;       // s, by the clock: the run, the last progress
-    peak     strain, penetration, kinetic, momentum;
+    peak     strain, penetration, kinetic, momentum, unconverged;
     measures last;              // of the last step that was finite
     int      lost;              // the motion grew beyond all numbers
 } run;
@@ -93,6 +93,10 @@ static status check_outputs(run *r)
     status done = status_ok();
     if (r->set.film) done = output_check(r->set.film);
     if (done.ok && r->set.csv) done = output_check(r->set.csv);
+    if (done.ok && r->set.film && r->set.csv &&
+        output_is_same(r->set.film, r->set.csv))
+        done = status_fail("--film %.60s and --csv %.60s name the same file",
+                           r->set.film, r->set.csv);
     if (done.ok && r->set.frames)
         done = frame_folder(r->set.frames, &r->folder_made);
     return done;
@@ -153,15 +157,15 @@ static status begin_scene(run *r)
         return name_mesh(&r->set, runner_begin_system(&r->run, kind,
                          r->set.scene, what, settings_system(&r->set)));
     world_options how = settings_world(&r->set);
-    how.clock = clock_seconds;
+    how.host.clock = clock_seconds;
     if (r->set.threads > 1) {
-        r->second = thread_new();
-        if (!r->second) {
+        r->pool = thread_pool_new(r->set.threads);
+        if (!r->pool) {
             if (what.thrown) shape_free(what.thrown);
-            return status_fail("there is no second thread");
+            return status_fail("there are no %d threads to be had",
+                               r->set.threads);
         }
-        how.both = thread_both;
-        how.both_context = r->second;
+        how.host.run = thread_pool_tasks(r->pool);
     }
     return name_mesh(&r->set, runner_begin_world(&r->run, r->set.scene, what,
                                                  how));
@@ -193,7 +197,7 @@ static void run_free(run *r)
     if (r->folder_made && r->frames == 0) rmdir(r->set.frames);
     strip_free(&r->strip);
     runner_free(&r->run);
-    thread_free(r->second);
+    thread_pool_free(r->pool);
     free(r->step_time);
 }
 
@@ -235,6 +239,7 @@ static void measure_run(run *r)
     raise_peak(&r->penetration, m.penetration, now);
     raise_peak(&r->kinetic, m.kinetic, now);
     raise_peak(&r->momentum, vec3_length(m.momentum), now);
+    raise_peak(&r->unconverged, r->run.unconverged, now);
 }
 
 static status step_run(run *r)
@@ -246,8 +251,8 @@ static status step_run(run *r)
     // A step that ended in no number at all counts as not taken.
     if (r->lost) return status_ok();
     r->step_time[r->done++] = taken;
-    for (int k = 0; k < STAGES && r->run.kind == BY_ENGINE; k++)
-        r->stage_time[k] += r->run.world.report.time[k];
+    for (int k = 0; k < PHASES && r->run.kind == BY_ENGINE; k++)
+        r->phase_time[k] += r->run.world.report.time[k];
     status done = write_csv_row(r);
     if (done.ok) done = take_pictures(r);
     return done;
@@ -297,7 +302,7 @@ static void print_way(const run *r)
     if (r->run.kind == BY_ENGINE) {
         print_plural(r->run.world.options.substeps, "substep");
         printf(", ");
-        print_plural(r->run.world.options.sweeps, "sweep");
+        print_plural(r->run.world.options.iterations, "iteration");
         printf("\n");
         return;
     }
@@ -338,6 +343,9 @@ static void print_errors(const run *r)
     printf("  momentum             %10.3g kg m/s at the end, "
            "most %.3g kg m/s\n",
            vec3_length(r->last.momentum), r->momentum.value);
+    if (r->unconverged.value > 0)
+        printf("  not converged        %10.0f contacts and bodies at most, at "
+               "%.3g s\n", r->unconverged.value, r->unconverged.time);
     if (r->run.dropped > 0)
         printf("  without room         %10ld contacts in all\n", r->run.dropped);
     if (r->run.capped > 0)
@@ -346,8 +354,9 @@ static void print_errors(const run *r)
 
 static void print_times(run *r)
 {
-    static const char *const stage[STAGES] = {
-        "integrate", "find pairs", "query", "separate", "relax", "rest"
+    static const char *const phase[PHASES] = {
+        "find pairs", "find contacts", "prepare", "solve contacts",
+        "cloth and rope", "move", "sleep"
     };
     if (r->done == 0) return;
     qsort(r->step_time, (size_t)r->done, sizeof *r->step_time, compare_real);
@@ -356,10 +365,10 @@ static void print_times(run *r)
     printf("time\n");
     printf("  a step, median       %10.3g ms   worst %.3g ms\n",
            1e3 * r->step_time[r->done / 2], 1e3 * r->step_time[r->done - 1]);
-    for (int k = 0; k < STAGES && r->run.kind == BY_ENGINE; k++)
-        printf("    %-18s %10.3g ms   %4.1f %%\n", stage[k],
-               1e3 * r->stage_time[k] / (real)r->done,
-               sum > 0 ? 100 * r->stage_time[k] / sum : 0);
+    for (int k = 0; k < PHASES && r->run.kind == BY_ENGINE; k++)
+        printf("    %-18s %10.3g ms   %4.1f %%\n", phase[k],
+               1e3 * r->phase_time[k] / (real)r->done,
+               sum > 0 ? 100 * r->phase_time[k] / sum : 0);
     printf("  all steps            %10.3g s    with measuring and drawing "
            "%.3g s\n", sum, clock_seconds() - r->began);
 }

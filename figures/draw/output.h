@@ -3,6 +3,8 @@
 // What is written goes to path.part first and takes its place by a rename.
 // Something that is not a plain file (/dev/stdout, a pipe) has no place to be
 // renamed to: it is written to directly.
+// One program at a time writes path.part.  A program that is killed leaves its
+// path.part; the next one that writes to path takes its place.
 
 #ifndef TUMBLE_OUTPUT_H
 #define TUMBLE_OUTPUT_H
@@ -17,7 +19,8 @@ typedef struct {
 } output;
 
 // Opens path.part.  Fails, leaving *o empty, with a sentence that names path:
-// a missing folder, a folder in the file's place, no right to write.
+// a missing folder, a folder in the file's place, no right to write, another
+// program that is writing the same file.
 status output_open(output *o, const char *path);
 
 // Hands on what was written so far.  Fails with a sentence that names the file.
@@ -31,5 +34,8 @@ void output_cancel(output *o);
 
 // Could output_open(path) succeed?  Leaves no trace.
 status output_check(const char *path);
+
+// Do two paths name the same file, if by another way, there or not yet?
+int output_is_same(const char *a, const char *b);
 
 #endif

@@ -1,5 +1,5 @@
 // query_pairs.h - many distinct pairs of icosahedra at a chosen gap, and a clock;
-// for the figures of chapter 10.
+// for the figures of chapters 10 and 18.
 //
 // 20,000 pairs, because a loop over few pairs teaches the branch predictor the
 // answers.  The second of a pair is moved by up to 0.5 degree and 2.5 mm.
@@ -8,7 +8,7 @@
 #define FIGURE_PAIRS_H
 
 #include "clock.h"
-#include "distance.h"
+#include "gjk.h"
 
 #include <stddef.h>
 
@@ -62,9 +62,9 @@ static icosahedron icosahedron_turned(vec3 axis, real angle)
     return body;
 }
 
-static point_set points_of(const icosahedron *body)
+static hull hull_of(const icosahedron *body)
 {
-    return (point_set){ body->at, CORNERS, NULL, NULL };
+    return (hull){ body->at, CORNERS };
 }
 
 static void shift(icosahedron *body, vec3 by)
@@ -72,10 +72,9 @@ static void shift(icosahedron *body, vec3 by)
     for (int i = 0; i < CORNERS; i++) body->at[i] = vec3_add(body->at[i], by);
 }
 
-static distance_result ask_pair(const icosahedron *a, const icosahedron *b)
+static gjk_result ask_pair(const icosahedron *a, const icosahedron *b)
 {
-    return distance_find(points_of(a), points_of(b), distance_options_default(),
-                        NULL);
+    return gjk_distance(hull_of(a), hull_of(b), HUGE_VAL, NULL);
 }
 
 static icosahedron nudged(const icosahedron *body)
@@ -111,7 +110,7 @@ static inline void make_pairs(pair_at_gap *pair, int n, real gap)
         axis = random_direction();
         pair[i].b = icosahedron_turned(axis, 6.28318530718 * random_unit());
         shift(&pair[i].b, vec3_scale(1.5, way));
-        distance_result r = ask_pair(&pair[i].a, &pair[i].b);
+        gjk_result r = ask_pair(&pair[i].a, &pair[i].b);
         for (int tries = 0; tries < 60; tries++) {
             if (fabs(r.distance - wanted) < 1e-9) break;
             // Newton towards A's middle: the distance falls, convex, along it.
@@ -148,37 +147,6 @@ static inline double stopwatch_mean(const stopwatch *w)
     double sum = 0;
     for (int k = 0; k < PAIRS / BLOCK; k++) sum += w->best[k];
     return sum / PAIRS;
-}
-
-// A ball of points with the list of each point's neighbours.
-typedef struct {
-    vec3 at[700];
-    int count, start[701], ring[700 * 8];
-} ball_mesh;
-
-// Neighbours by distance on an icosphere of this level (1 is 42 points).
-static inline void ball_make(ball_mesh *b, int level)
-{
-    static const real edge[4] = { 1.06, 0.63, 0.33, 0.166 };
-    icosahedron core = icosahedron_turned((vec3){ 1, 0, 0 }, 0);
-    b->count = CORNERS;
-    for (int i = 0; i < CORNERS; i++) b->at[i] = vec3_unit(core.at[i]);
-    for (int l = 0; l < level; l++) {
-        int old = b->count;
-        for (int i = 0; i < old; i++)
-            for (int j = i + 1; j < old; j++)
-                if (vec3_distance(b->at[i], b->at[j]) < edge[l])
-                    b->at[b->count++] = vec3_unit(vec3_add(b->at[i],
-                                                           b->at[j]));
-    }
-    int used = 0;
-    for (int i = 0; i < b->count; i++) {
-        b->start[i] = used;
-        for (int j = 0; j < b->count; j++)
-            if (i != j && vec3_distance(b->at[i], b->at[j]) < edge[level])
-                b->ring[used++] = j;
-    }
-    b->start[b->count] = used;
 }
 
 #ifndef FLAGS

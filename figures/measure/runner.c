@@ -112,6 +112,7 @@ void runner_step(runner *r)
         r->relaxed = report->relaxed;
         r->tested = report->tested;
         r->contacts = report->contacts + report->touching;
+        r->unconverged = report->unconverged;
         r->dropped += report->dropped;
     } else {
         system_report report = system_step(&r->plain);
@@ -119,6 +120,7 @@ void runner_step(runner *r)
         r->relaxed = report.relaxed;
         r->tested = report.tested;
         r->contacts = report.contacts;
+        r->unconverged = report.unconverged;
         r->lost = report.lost;
         r->dropped += report.dropped;
         r->capped += report.capped;

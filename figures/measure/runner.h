@@ -29,6 +29,8 @@ typedef struct {
     long   relaxed, tested;     // distance constraints in the last step
     int    contacts;            // at its end
     int    lost;                // bodies that are not finite
+    int    unconverged;         // contacts and bodies that the last step left
+                                // far from right
     long   dropped, capped;     // in all steps: contacts that found no room,
                                 // queries that were cut off
 } runner;

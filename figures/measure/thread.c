@@ -1,112 +1,198 @@
-// thread.c - a second thread that waits for halves of work.
+// thread.c - a pool of threads that take items of work.
 
 #define _POSIX_C_SOURCE 200809L
 
 #include "thread.h"
 
+#include <assert.h>
 #include <pthread.h>
+#include <sched.h>
 #include <stdatomic.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
-// Whose turn it is with the second half.
-enum { NOTHING, OFFERED, TAKEN, DONE, STOP };
-
-struct thread {
-    pthread_t id;
-    void (*work)(void *data, int half);
-    void *data;
-    atomic_int state;
-    atomic_int sleepers;            // how many wait for `changed`
+// Where threads sleep until something has changed.
+typedef struct {
+    atomic_int sleepers;
     pthread_mutex_t lock;
     pthread_cond_t  changed;
+} bell;
+
+// A call is a door.  It stands open while there may be items to take; the
+// calling thread shuts it when all are taken, and returns when no worker is
+// inside any more: then all items are done.  A worker that comes too late finds
+// the door shut.
+enum { OPEN = 1 << 8, INSIDE = OPEN - 1 };      // INSIDE: how many workers are
+
+struct thread_pool {
+    // The call that is on.
+    void (*work)(void *data, int item);
+    void *data;
+    int items;
+    atomic_int next;                // item
+    atomic_int door;
+    atomic_uint calls;              // so far: a worker enters each call once
+    atomic_bool busy;               // a call is on
+    atomic_bool stop;
+    bell workers, caller;
+    int threads;                    // workers, the calling thread not counted
+    pthread_t id[MOST_THREADS];
 };
 
-// The next half comes within microseconds, or not at all soon: so whoever waits
-// looks again and again, and sleeps only if nothing has come for a while.
-enum { LOOKS = 1 << 16 };
+// ---- Waiting ---------------------------------------------------------------
 
-static int is_waiting(const thread *t, int wanted)
+// A frame hands out work every few microseconds.  So a thread that waits looks
+// again and again for a microsecond or two; then it lets other threads pass
+// between two looks, for about a tenth of a millisecond; then it sleeps.
+enum { LOOKS = 1000, PASSES = 200 };
+
+// Returns when is_so(pool, number) is true.
+static void wait_until(bool (*is_so)(const thread_pool *, unsigned),
+                       const thread_pool *pool, unsigned number, bell *b)
 {
-    int s = atomic_load(&t->state);
-    return s != wanted && s != STOP;
+    for (int k = 0; k < LOOKS + PASSES; k++) {
+        if (is_so(pool, number)) return;
+        if (k >= LOOKS) sched_yield();
+    }
+    pthread_mutex_lock(&b->lock);
+    atomic_fetch_add(&b->sleepers, 1);
+    while (!is_so(pool, number)) pthread_cond_wait(&b->changed, &b->lock);
+    atomic_fetch_sub(&b->sleepers, 1);
+    pthread_mutex_unlock(&b->lock);
 }
 
-static void wait_for(thread *t, int wanted)
+// Wakes those who sleep.  A sleeper counts itself before its last look, and the
+// bell is rung after the change: one of the two sees the other.
+static void bell_ring(bell *b)
 {
-    for (int k = 0; k < LOOKS; k++)
-        if (!is_waiting(t, wanted)) return;
-    pthread_mutex_lock(&t->lock);
-    atomic_fetch_add(&t->sleepers, 1);
-    while (is_waiting(t, wanted)) pthread_cond_wait(&t->changed, &t->lock);
-    atomic_fetch_sub(&t->sleepers, 1);
-    pthread_mutex_unlock(&t->lock);
+    if (atomic_load(&b->sleepers) == 0) return;
+    pthread_mutex_lock(&b->lock);
+    pthread_cond_broadcast(&b->changed);
+    pthread_mutex_unlock(&b->lock);
 }
 
-// (Whoever sleeps has said so before it looked at the state for the last time,
-// and we look whether anybody does after having changed it.)
-static void change(thread *t, int state)
+static bool is_called(const thread_pool *pool, unsigned last)
 {
-    atomic_store(&t->state, state);
-    if (atomic_load(&t->sleepers) == 0) return;
-    pthread_mutex_lock(&t->lock);
-    pthread_cond_broadcast(&t->changed);
-    pthread_mutex_unlock(&t->lock);
+    return atomic_load(&pool->calls) != last;
 }
 
-static int take(thread *t, int to)
+static bool is_empty(const thread_pool *pool, unsigned unused)
 {
-    int offered = OFFERED;
-    return atomic_compare_exchange_strong(&t->state, &offered, to);
+    (void)unused;
+    return (atomic_load(&pool->door) & INSIDE) == 0;
+}
+
+// ---- Working ---------------------------------------------------------------
+
+static void take_items(thread_pool *pool)
+{
+    int k;
+    while ((k = atomic_fetch_add(&pool->next, 1)) < pool->items)
+        pool->work(pool->data, k);
+}
+
+static bool door_enter(thread_pool *pool)
+{
+    int door = atomic_load(&pool->door);
+    while (door & OPEN)
+        if (atomic_compare_exchange_weak(&pool->door, &door, door + 1))
+            return true;
+    return false;
+}
+
+// The last one out wakes the calling thread, which has shut the door.
+static void door_leave(thread_pool *pool)
+{
+    if (atomic_fetch_sub(&pool->door, 1) == 1) bell_ring(&pool->caller);
 }
 
 static void *serve(void *data)
 {
-    thread *t = data;
-    while (atomic_load(&t->state) != STOP) {
-        wait_for(t, OFFERED);
-        if (!take(t, TAKEN)) continue;
-        t->work(t->data, 1);
-        change(t, DONE);
+    thread_pool *pool = data;
+    unsigned last = 0;
+    for (;;) {
+        wait_until(is_called, pool, last, &pool->workers);
+        last = atomic_load(&pool->calls);
+        if (atomic_load(&pool->stop)) return NULL;
+        if (!door_enter(pool)) continue;
+        take_items(pool);
+        door_leave(pool);
     }
-    return NULL;
 }
 
-void thread_both(void *context, void (*work)(void *data, int half), void *data)
+static void run(void *context, void (*work)(void *data, int item), void *data,
+                int items)
 {
-    thread *t = context;
-    t->work = work;
-    t->data = data;
-    change(t, OFFERED);
-    work(data, 0);
-    if (take(t, NOTHING)) {
-        work(data, 1);
+    thread_pool *pool = context;
+    if (atomic_exchange(&pool->busy, true)) {
+        for (int k = 0; k < items; k++) work(data, k);
         return;
     }
-    wait_for(t, DONE);
-    atomic_store(&t->state, NOTHING);
+    pool->work = work;
+    pool->data = data;
+    pool->items = items;
+    atomic_store(&pool->next, 0);
+    atomic_store(&pool->door, OPEN);
+    atomic_fetch_add(&pool->calls, 1);
+    bell_ring(&pool->workers);
+
+    take_items(pool);
+    atomic_fetch_sub(&pool->door, OPEN);
+    wait_until(is_empty, pool, 0, &pool->caller);
+    atomic_store(&pool->busy, false);
 }
 
-thread *thread_new(void)
+tasks thread_pool_tasks(thread_pool *pool)
 {
-    thread *t = malloc(sizeof *t);
-    if (!t) return NULL;
-    atomic_init(&t->state, NOTHING);
-    atomic_init(&t->sleepers, 0);
-    pthread_mutex_init(&t->lock, NULL);
-    pthread_cond_init(&t->changed, NULL);
-    if (pthread_create(&t->id, NULL, serve, t) == 0) return t;
-    pthread_cond_destroy(&t->changed);
-    pthread_mutex_destroy(&t->lock);
-    free(t);
+    if (!pool || pool->threads == 0) return (tasks){ .run = NULL };
+    return (tasks){ .run = run, .context = pool };
+}
+
+// ---- Making ----------------------------------------------------------------
+
+static void bell_init(bell *b)
+{
+    atomic_init(&b->sleepers, 0);
+    pthread_mutex_init(&b->lock, NULL);
+    pthread_cond_init(&b->changed, NULL);
+}
+
+static void bell_free(bell *b)
+{
+    pthread_cond_destroy(&b->changed);
+    pthread_mutex_destroy(&b->lock);
+}
+
+thread_pool *thread_pool_new(int threads)
+{
+    assert(threads >= 1 && threads <= MOST_THREADS);
+    thread_pool *pool = calloc(1, sizeof *pool);
+    if (!pool) return NULL;
+    atomic_init(&pool->next, 0);
+    atomic_init(&pool->door, 0);
+    atomic_init(&pool->calls, 0);
+    atomic_init(&pool->busy, false);
+    atomic_init(&pool->stop, false);
+    bell_init(&pool->workers);
+    bell_init(&pool->caller);
+    while (pool->threads < threads - 1) {
+        pthread_t *id = &pool->id[pool->threads];
+        if (pthread_create(id, NULL, serve, pool) != 0) break;
+        pool->threads++;
+    }
+    if (pool->threads == threads - 1) return pool;
+    thread_pool_free(pool);
     return NULL;
 }
 
-void thread_free(thread *t)
+void thread_pool_free(thread_pool *pool)
 {
-    if (!t) return;
-    change(t, STOP);
-    pthread_join(t->id, NULL);
-    pthread_cond_destroy(&t->changed);
-    pthread_mutex_destroy(&t->lock);
-    free(t);
+    if (!pool) return;
+    atomic_store(&pool->stop, true);
+    atomic_fetch_add(&pool->calls, 1);
+    bell_ring(&pool->workers);
+    for (int k = 0; k < pool->threads; k++) pthread_join(pool->id[k], NULL);
+    bell_free(&pool->workers);
+    bell_free(&pool->caller);
+    free(pool);
 }

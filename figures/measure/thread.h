@@ -1,26 +1,36 @@
-// thread.h - a second thread, for world_options.both.
+// thread.h - a pool of threads, for world_options.host.run.
 //
-//     thread *t = thread_new();
-//     how.both = thread_both;
-//     how.both_context = t;
+//     thread_pool *pool = thread_pool_new(4);
+//     options.host.run = thread_pool_tasks(pool);
 //     ...
-//     thread_free(t);
+//     thread_pool_free(pool);
 //
-// The library itself knows nothing of threads: it divides its work, and whoever
-// calls it says who does the halves.
+// The library itself knows nothing of threads: it divides its work into items,
+// and its caller says which thread does which item.
 
 #ifndef TUMBLE_THREAD_H
 #define TUMBLE_THREAD_H
 
-typedef struct thread thread;
+#include "task.h"
 
-// A thread that waits for work; NULL if there is none to be had.
-thread *thread_new(void);
-void    thread_free(thread *t);     // NULL is fine
+enum { MOST_THREADS = 64 };
 
-// Does work(data, 0) here and work(data, 1) in thread t; returns when both are
-// done.  If t has not begun when the first half is done, for the machine has
-// other things to do, the second is done here as well.
-void thread_both(void *t, void (*work)(void *data, int half), void *data);
+typedef struct thread_pool thread_pool;
+
+// A pool of so many threads, 1 to MOST_THREADS: the calling thread is one of
+// them, the others wait for work.  Returns NULL for want of memory or threads.
+thread_pool *thread_pool_new(int threads);
+
+// Ends the pool's threads.  Requires that none of its tasks is running.  NULL is
+// fine.
+void thread_pool_free(thread_pool *pool);
+
+// Tasks that the pool does: each thread takes the next item that none has
+// taken.  The calling thread waits for no thread to begin: if the machine is
+// busy with other things, it does all items alone.  One call at a time is
+// shared; a call from inside an item, or from another thread meanwhile, is done
+// one item after the other.  Nothing is allocated.  NULL, or a pool of one
+// thread: always one after the other.
+tasks thread_pool_tasks(thread_pool *pool);
 
 #endif

@@ -12,6 +12,10 @@
 #include <math.h>
 #include <stdbool.h>
 
+#ifdef __FAST_MATH__
+#error "compile without -ffast-math: it rounds otherwise, and overlooks NaN"
+#endif
+
 // The number type has a name of its own, so that a reader may try float.
 typedef double real;
 

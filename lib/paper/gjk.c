@@ -110,8 +110,8 @@ static void nearest(simplex *s)
 }
 //<
 //> gjk-begin
-// Can products of four lengths overflow?  A NaN is not <= anything, either.
-static bool in_range(hull h)
+// A NaN is not <= anything, either.
+bool hull_in_range(hull h)
 {
     real sum = 0;
     for (int k = 0; k < h.count; k++)
@@ -175,7 +175,7 @@ gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried)
 {
     assert(a.count >= 1 && b.count >= 1 && margin >= 0);
     gjk_result r = { .status = GJK_CAPPED };
-    if (!in_range(a) || !in_range(b))
+    if (!hull_in_range(a) || !hull_in_range(b))
         return (gjk_result){ .status = GJK_NOT_FINITE };
     if (carried) r.last = *carried;
     begin(&r.last, a, b);

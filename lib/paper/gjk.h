@@ -33,7 +33,7 @@ typedef struct {
     gjk_status status;
     real    distance;   // m, 0 when they overlap
     vec3    axis;       // m, from B to A: on_a - on_b, a separating axis
-    vec3    on_a, on_b; // m, the nearest (witness) points
+    vec3    on_a, on_b; // m, the nearest (witness) points, of bodies apart
     simplex last;       // the final simplex, from which hit_face goes on
     int     iterations;
 } gjk_result;
@@ -48,6 +48,9 @@ void triangle_weigh(vec3 n, vec3 a, vec3 b, vec3 c, real w[3]);
 
 // The corner of A - B that lies furthest along d, a vector of any length.
 corner hull_support(hull a, hull b, vec3 d);
+
+// Do products of four coordinates not overflow?  They do from 1e60 m on.
+bool hull_in_range(hull h);
 
 // The distance of two convex bodies, to rounding.  Stops with GJK_BEYOND once
 // it is surely more than margin (m, >= 0; HUGE_VAL: never).  carried (or NULL):

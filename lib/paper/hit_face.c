@@ -7,7 +7,7 @@
 #include <assert.h>
 #include <stdbool.h>
 
-enum { CORNERS = 256, FACES = 2 * CORNERS };    // Euler: F = 2 V - 4
+enum { CORNERS = 512, FACES = 2 * CORNERS };    // Euler: F = 2 V - 4
 
 // Times the size of the polytope: lengths below are rounding errors.
 static const real ROUNDING = 1e-14;
@@ -99,8 +99,8 @@ static vec3 direction_off(const polytope *p, int k)
     if (p->corners == 1) return d;
     vec3 e = vec3_unit(vec3_sub(p->corner[1].at, p->corner[0].at));
     if (p->corners == 2) return vec3_cross(e, d);
-    vec3 f = vec3_sub(p->corner[2].at, p->corner[0].at);
-    return vec3_scale(sign, vec3_unit(vec3_cross(e, f)));
+    vec3 n = triangle_normal(p->corner[0].at, p->corner[1].at, p->corner[2].at);
+    return vec3_scale(sign, vec3_unit(n));
 }
 
 // Adds the corner of A - B furthest off the span.  False if none lies off it.
@@ -186,9 +186,9 @@ static bool is_turned(const polytope *p, edge e, vec3 w)
     return volume < -ROUNDING * p->size * p->size * p->size;
 }
 
-// Removes all faces that w sees, and closes the hole with faces from its rim to
-// w.  Of faces in one plane, rounding may let w see one and not the next; where
-// that would turn a new face inside out, the next one goes, too.
+// Removes all faces that w is clearly above, and closes the hole with faces
+// from its rim to w.  Of faces nearly in one plane, w may be above one and not
+// the next; where that would turn a new face inside out, the next one goes, too.
 static void expand(polytope *p, int closest, corner w)
 {
     rim r;
@@ -197,7 +197,8 @@ static void expand(polytope *p, int closest, corner w)
     for (int f = p->faces - 1; f >= 0; f--) {
         const face *t = &p->face[f];
         vec3 to_w = vec3_sub(w.at, p->corner[t->of[0]].at);
-        if (vec3_dot(t->normal, to_w) > 0) remove_face(p, f, &r);
+        real clear = ROUNDING * p->size * vec3_length(t->normal);
+        if (vec3_dot(t->normal, to_w) > clear) remove_face(p, f, &r);
     }
     for (int e = 0; e < r.count; e++) {
         if (!is_turned(p, r.edge[e], w.at)) continue;
@@ -253,13 +254,6 @@ static hit_result face_result(const polytope *p, face *t)
 //> hit-face-find
 static const hit_result NOTHING = { .status = HIT_NOT_FINITE };
 
-static bool is_finite(hull h)
-{
-    vec3 sum = { 0, 0, 0 };
-    for (int k = 0; k < h.count; k++) sum = vec3_add(sum, h.at[k]);
-    return vec3_is_finite(sum);
-}
-
 hit_result hit_face_find(hull a, hull b, const simplex *start)
 {
     assert(a.count >= 1 && b.count >= 1);
@@ -268,7 +262,7 @@ hit_result hit_face_find(hull a, hull b, const simplex *start)
     bool found = false;
     int iterations = 0;
     p.a = a, p.b = b;
-    if (!is_finite(a) || !is_finite(b)) return NOTHING;
+    if (!hull_in_range(a) || !hull_in_range(b)) return NOTHING;
     if (!begin(&p, start)) return flat_result(&p, start);
     for (; !found && p.faces > 0 && p.corners < CORNERS; iterations++) {
         int closest = closest_face(&p);

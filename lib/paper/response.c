@@ -12,7 +12,7 @@ vec3 feature_position(const feature_point *f, const particle *p)
     return x;
 }
 
-real contact_depth(const contact *c, const particle *p)
+real contact_depth(const feature_contact *c, const particle *p)
 {
     vec3 across = vec3_sub(feature_position(&c->a, p),
                            feature_position(&c->b, p));
@@ -57,7 +57,7 @@ static vec3 feature_motion(const feature_point *f, const particle *p)
 
 // m: how far A's point has slid past B's, across the normal, but no longer than
 // `most`.  This much of the sliding friction undoes.
-static vec3 held_slide(const contact *c, const particle *p, real most)
+static vec3 held_slide(const feature_contact *c, const particle *p, real most)
 {
     vec3 slide = vec3_sub(feature_motion(&c->a, p), feature_motion(&c->b, p));
     slide = vec3_add_scaled(slide, -vec3_dot(slide, c->normal), c->normal);
@@ -67,7 +67,7 @@ static vec3 held_slide(const contact *c, const particle *p, real most)
 //<
 
 //> response-separate
-real response_separate(const contact *c, particle *p, real friction)
+real response_separate(const feature_contact *c, particle *p, real friction)
 {
     assert(friction >= 0);
     real depth = contact_depth(c, p);
@@ -106,7 +106,7 @@ static void move_feature(const feature_point *f, vec3 move, particle *p)
 // rest, 1 - |part|, the other way.
 // Paper: Eq. 10 exchanges the masses, and a deformable body goes inwards; here:
 // right or as printed.
-static real part_of_a(const contact *c, response_errata errata)
+static real part_of_a(const feature_contact *c, response_errata errata)
 {
     bool soft_in_rigid = c->soft_a && !c->soft_b && c->b.count > 0;
     if (soft_in_rigid && errata.pushed_inwards) return -0.5;
@@ -117,7 +117,8 @@ static real part_of_a(const contact *c, response_errata errata)
     return mass / (c->mass_a + c->mass_b);
 }
 
-real response_printed(const contact *c, particle *p, response_errata errata)
+real response_printed(const feature_contact *c, particle *p,
+                      response_errata errata)
 {
     assert(c->mass_a > 0 && c->mass_b > 0);
     real depth = contact_depth(c, p), part = part_of_a(c, errata);

@@ -14,7 +14,7 @@
 // Two points that may not come nearer than `apart` along a normal, which stays
 // fixed while the contact lives.  The features count particles from the first
 // of the array that every function here is given.
-typedef struct contact {
+typedef struct feature_contact {
     feature_point a, b; // b.count = 0: B is the static world, its point (0,0,0)
     vec3 normal;        // unit, from B to A
     real apart;         // m, least (pA - pB) . normal: 0 for rigid bodies, the
@@ -23,7 +23,7 @@ typedef struct contact {
     real mass_a, mass_b;// kg, of the whole bodies, for response_printed only;
                         // HUGE_VAL: static
     bool soft_a, soft_b;// is that body deformable?  for response_printed only
-} contact;
+} feature_contact;
 //<
 
 //> response-declare
@@ -35,7 +35,7 @@ vec3 feature_position(const feature_point *f, const particle *p);
 real feature_inverse_mass(const feature_point *f, const particle *p);
 
 // m: by how much the two points are nearer than they may be.  > 0: overlap.
-real contact_depth(const contact *c, const particle *p);
+real contact_depth(const feature_contact *c, const particle *p);
 
 // Parts the two points by the least mass-weighted move of their particles, and
 // undoes their sliding since the last step as far as Coulomb's law allows:
@@ -44,7 +44,7 @@ real contact_depth(const contact *c, const particle *p);
 // there is none.  Moves nothing if nothing can move, or the move would
 // overflow.  Requires: A and B share no particle; friction >= 0.
 // Paper: Eqs 8 to 11; here one formula, and inverse masses of particles.
-real response_separate(const contact *c, particle *p, real friction);
+real response_separate(const feature_contact *c, particle *p, real friction);
 //<
 
 //> response-declare-printed
@@ -60,7 +60,8 @@ typedef struct {
 // by Eqs 8 and 9, which know no masses.  A static side stays, and the other
 // goes all the way; pinned particles stay.  No friction.  Returns the overlap
 // before (m), 0 if there is none.  Requires: mass_a and mass_b > 0.
-real response_printed(const contact *c, particle *p, response_errata errata);
+real response_printed(const feature_contact *c, particle *p,
+                      response_errata errata);
 
 #endif
 //<

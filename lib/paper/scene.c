@@ -52,13 +52,24 @@ static bool is_sound(const placement *p)
         && fabs(vec3_dot(p->x, p->y)) < 1e-6;
 }
 
+status placement_check(const placement *p, const shape *s, int body)
+{
+    if (!is_sound(p))
+        return status_fail("body %d is placed at numbers that are not finite, "
+                           "or on axes that are not perpendicular units", body);
+    real away = vec3_length(p->position);
+    if (s->spacing > 0 && away > MOST_AWAY * s->spacing)
+        return status_fail("body %d is placed %.3g m from the origin: for a "
+                           "stick of %.3g m the numbers there are too coarse",
+                           body, away, s->spacing);
+    return status_ok();
+}
+
 status scene_add(scene *s, int shape_number, placement where)
 {
     assert(shape_number >= 0 && shape_number < s->shapes);
-    if (!is_sound(&where))
-        return status_fail("body %d is placed at numbers that are not finite, "
-                           "or on axes that are not perpendicular units",
-                           s->bodies);
+    status done = placement_check(&where, &s->shape[shape_number], s->bodies);
+    if (!done.ok) return done;
     scene_body *more = grown(s->body, s->bodies, sizeof *more);
     if (!more) return status_out_of_memory();
     s->body = more;

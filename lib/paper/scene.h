@@ -63,9 +63,15 @@ void   scene_free(scene *s);        // and its shapes; an empty one is fine
 // then *moved is as it was.
 status scene_add_shape(scene *s, shape *moved);
 
+// Can a body of that shape stand there?  Fails, with its number, if a number is
+// not finite, the axes are not perpendicular units, or the place is further
+// from the origin than MOST_AWAY of the shape's shortest stick, whose length
+// would lose its seventh digit there.
+#define MOST_AWAY 1e9
+status placement_check(const placement *p, const shape *s, int body);
+
 // A body of that shape; its number is what s->bodies was before.  Fails, and
-// adds nothing, if the placement is not finite, its axes are not perpendicular
-// units, or memory is refused.
+// adds nothing, if placement_check does, or memory is refused.
 status scene_add(scene *s, int shape_number, placement where);
 
 // A plane, with a normal of any length > 0, in which offset is measured, too.

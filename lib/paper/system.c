@@ -95,15 +95,15 @@ static void *grown(void *list, int count, int *room, size_t size)
 }
 
 // A contact between two bodies (b = NULL: a plane) that is still to be filled.
-static contact contact_of(const system_body *a, const system_body *b,
-                          real apart)
+static feature_contact contact_of(const system_body *a, const system_body *b,
+                                  real apart)
 {
-    return (contact){ .apart = apart, .mass_a = a->mass,
-                      .mass_b = b ? b->mass : HUGE_VAL,
-                      .soft_a = is_soft(a), .soft_b = b && is_soft(b) };
+    return (feature_contact){ .apart = apart, .mass_a = a->mass,
+                              .mass_b = b ? b->mass : HUGE_VAL,
+                              .soft_a = is_soft(a), .soft_b = b && is_soft(b) };
 }
 
-static void add_contact(particle_system *s, contact c, int lifetime)
+static void add_contact(particle_system *s, feature_contact c, int lifetime)
 {
     system_contact *more = grown(s->contact, s->contacts, &s->contact_room,
                                  sizeof *more);
@@ -139,7 +139,7 @@ static hull body_hull(const particle_system *s, const system_body *x)
 // they are no further apart than reach: fills the points and the normal of c,
 // with vertices as the hulls number them.
 static bool hulls_meet(particle_system *s, hull a, hull b, real reach,
-                       simplex *carried, contact *c, vec3 *axis)
+                       simplex *carried, feature_contact *c, vec3 *axis)
 {
     gjk_result g = gjk_distance(a, b, reach, carried);
     s->report.capped += g.status == GJK_CAPPED;
@@ -172,7 +172,7 @@ static void renumber(feature_point *f, const system_body *x)
 static void find_rigid(particle_system *s, int i, int j)
 {
     const system_body *a = &s->body[i], *b = &s->body[j];
-    contact c = contact_of(a, b, s->options.margin);
+    feature_contact c = contact_of(a, b, s->options.margin);
     real reach = s->options.margin + s->options.speculative;
     carried_simplex *carried = &s->carried[((long)i * s->bodies + j)
                                            % s->carries];
@@ -214,7 +214,7 @@ static void find_leaf(particle_system *s, system_body *a, int leaf,
 {
     vec3 center = a->tree.node[leaf].ball.center;
     real thickness = a->tree.thickness;
-    contact c = contact_of(a, b, thickness);
+    feature_contact c = contact_of(a, b, thickness);
     if (still_apart(center, body_hull(s, b), a->axis[leaf], thickness)) return;
     if (!hulls_meet(s, (hull){ &center, 1 }, body_hull(s, b), thickness, NULL,
                     &c, &a->axis[leaf])) return;
@@ -245,7 +245,7 @@ static void find_leaves(particle_system *s, const system_body *a, int leaf_a,
     vec3 d = vec3_sub(p.center, q.center);
     real length = vec3_length(d);
     if (!(length > 0)) return;
-    contact c = contact_of(a, b, p.radius + q.radius - length);
+    feature_contact c = contact_of(a, b, p.radius + q.radius - length);
     c.a = leaf_point(a, leaf_a);
     c.b = leaf_point(b, leaf_b);
     c.normal = vec3_scale(1 / length, d);
@@ -299,7 +299,7 @@ static void find_planes(particle_system *s, const system_body *x)
             continue;
         for (int i = x->first; i < x->first + x->shape->particles; i++) {
             if (!(vec3_dot(s->at[i], p.normal) < until)) continue;
-            contact c = contact_of(x, NULL, keep);
+            feature_contact c = contact_of(x, NULL, keep);
             feature_add(&c.a, i, 1);
             c.normal = p.normal;
             add_contact(s, c, 0);
@@ -317,7 +317,7 @@ static void separate_contacts(particle_system *s)
         for (int k = 0; k < s->pool.count; k++)
             s->before[k] = s->pool.at[k].position;
     for (int k = 0; k < s->contacts; k++) {
-        const contact *c = &s->contact[k].contact;
+        const feature_contact *c = &s->contact[k].contact;
         if (o->printed) response_printed(c, s->pool.at, o->errata);
         else            response_separate(c, s->pool.at, o->friction);
     }

@@ -71,7 +71,7 @@ typedef struct {
 } carried_simplex;
 
 typedef struct {
-    contact contact;
+    feature_contact contact;
     int     left;       // finds that it will outlive
 } system_contact;
 

@@ -81,7 +81,8 @@ static prediction predict(const world *w, const solver_body *now,
     real beside = vec3_length(w->options.gravity) * dt * dt / 2
                 + now->radius / 100;
     prediction p = { .way = vec3_scale(dt, straight),
-                     .turn = dt * now->radius * vec3_length(spin) + beside };
+                     .angle = dt * vec3_length(spin) };
+    p.turn = now->radius * p.angle + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -182,10 +183,29 @@ static void find_pairs(world *w)
 }
 //<
 
+//> step-spread
+// A body that is hit may go as far as what hits it.
+static void spread_reach(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int round = 0; round < SPREADX; round++) {
+    for (int b = 0; b < w->bodies; b++) t->reach[b] = t->ahead[b].reach;
+    for (int k = 0; k < t->pairs.count; k++) {
+        int a = t->pairs.pair[k][0], b = t->pairs.pair[k][1];
+        real far = real_max(t->reach[a], t->reach[b]);
+        if (!may_meet(t, a, b)) continue;
+        if (t->moves[a]) t->ahead[a].reach = real_max(t->ahead[a].reach, far);
+        if (t->moves[b]) t->ahead[b].reach = real_max(t->ahead[b].reach, far);
+    }
+    }
+}
+//<
+
 //> step-contacts
 static void find_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
+    spread_reach(w);
     cache_frame f = { .body = t->body, .now = t->now, .ahead = t->ahead,
                       .moves = t->moves, .bodies = w->bodies,
                       .list = &t->pairs, .is_new_list = t->is_new_list,
@@ -229,11 +249,22 @@ static int substeps_for_loads(const world *w)
     return (int)(usual * times);
 }
 
+static bool is_calm(const world *w)
+{
+    for (int b = 0; b < w->bodies; b++) {
+        vec3 way = w->rigid.ahead[b].way;
+        real far = CALMX * w->rigid.now[b].radius;
+        if (vec3_length_squared(way) > far * far) return false;
+    }
+    return true;
+}
+
 static int choose_substeps(world *w)
 {
     int n = substeps_for_loads(w);
+    if (is_calm(w)) n = n * 3 / 4;
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
-    return int_max(w->options.substeps, int_min(n, w->options.most_substeps));
+    return int_min(n, w->options.most_substeps);
 }
 //<
 

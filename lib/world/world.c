@@ -148,16 +148,6 @@ static void place_particles(world *w, const body *b, const placement *where)
         else   place_particle(w, where, s->at[i], origin, s->mass[i]);
     }
 }
-
-static int placement_is_sound(const placement *p)
-{
-    return vec3_is_finite(p->position) && vec3_is_finite(p->velocity)
-        && vec3_is_finite(p->spin)
-        && vec3_distance(vec3_cross(p->x, p->y), p->z) < 1e-6
-        && fabs(vec3_length(p->x) - 1) < 1e-6
-        && fabs(vec3_length(p->y) - 1) < 1e-6
-        && fabs(vec3_dot(p->x, p->y)) < 1e-6;
-}
 //<
 
 //> world-add
@@ -220,12 +210,9 @@ static status reserve_body(world *w, const shape *s, int *number)
 status world_add(world *w, const shape *s, placement where, int *number)
 {
     assert(!w->is_ready && s->particles > 0);
-    if (!placement_is_sound(&where))
-        return status_fail("body %d is placed at numbers that are not finite, "
-                           "or on axes that are not perpendicular units",
-                           w->bodies);
     int entry = 0;
-    status done = reserve_body(w, s, &entry);
+    status done = placement_check(&where, s, w->bodies);
+    if (done.ok) done = reserve_body(w, s, &entry);
     if (!done.ok) return done;
 
     body b = { .shape = s, .rigid = w->shape[entry].rigid,

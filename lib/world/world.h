@@ -197,8 +197,7 @@ void   world_free(world *w);    // at any time after world_init, or zeroed
 
 // Adds a body to shape s, which must outlive the world and stay where it is; its
 // number in *number (which may be NULL).  Before world_begin.  Fails, adding
-// nothing: a placement that is not finite, or whose axes are not perpendicular
-// units; no memory.
+// nothing, if placement_check does, or for want of memory.
 status world_add(world *w, const shape *s, placement where, int *number);
 
 // Adds a half-space that bodies stay out of, x . normal < offset; at most 6.

@@ -8,7 +8,7 @@
 static void move_to_start(world *w, int k, const vec3 *start)
 {
     const body *b = &w->body[k];
-    for (int i = 0; i < b->plan->particles; i++) {
+    for (int i = 0; i < b->shape->particles; i++) {
         particle *p = &w->pool.at[b->first + i];
         p->position = p->previous = start[i];
     }
@@ -25,10 +25,10 @@ status world_of_scene(world *w, const scene *s, world_options how)
     }
     for (int k = 0; k < s->pins && done.ok; k++) {
         int b = s->pin[k].body;
-        if (w->body[b].four)
+        if (w->body[b].rigid)
             done = status_fail("body %d is rigid, and cannot be pinned", b);
         else
-            world_nail(w, b, s->pin[k].particle);
+            world_pin(w, b, s->pin[k].particle);
     }
     if (done.ok) done = world_begin(w);
     if (!done.ok) world_free(w);
@@ -47,8 +47,10 @@ world_options world_scene_options(scene_kind kind, int cloth)
     // A finer cloth falls by more of its spacings in a substep, and wants as
     // many more.  In small steps the lines may be solved along the links as
     // they lie, and the diagonals do with the cheaper root.
-    o.substeps = cloth > 40 ? (9 * cloth + 39) / 40 : 9;
-    o.sweeps = 3;
+    // No scene has a cloth of more than 512 a side.
+    cloth = int_min(int_max(cloth, 40), 512);
+    o.substeps = (9 * cloth + 39) / 40;
+    o.iterations = 3;
     o.relax.gradient = GRADIENT_NEW;
     o.relax.root = ROOT_APPROXIMATE;
     return o;

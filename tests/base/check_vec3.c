@@ -169,7 +169,7 @@ START_TEST(zero_vector_has_no_direction_and_stays_zero)
 END_TEST
 
 // Rejects: a component that is not looked at; a compiler that was told that
-// there is no NaN (-ffast-math) and takes x - x for 0 always.
+// there is no NaN (-ffinite-math-only) and takes x - x for 0 always.
 START_TEST(infinity_and_nan_are_seen_in_every_component)
 {
     volatile real big = DBL_MAX;

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 // Pictures are compared by eye: a hundredth of full light cannot be seen.
@@ -167,6 +168,62 @@ START_TEST(a_link_stays_a_link)
     struct stat there;
     ck_assert(lstat(link, &there) == 0 && S_ISLNK(there.st_mode));
     ck_assert(stat(target, &there) == 0 && there.st_size == 7);
+}
+END_TEST
+
+// Rejects: a second program that writes into the same path.part, or removes it.
+START_TEST(two_programs_do_not_write_one_file)
+{
+    char path[200];
+    snprintf(path, sizeof path, "%s", in_folder("shared"));
+    output o, other;
+    ck_assert(output_open(&o, path).ok);
+    fputs("first", o.file);
+    pid_t child = fork();
+    if (child == 0) {
+        status s = output_open(&other, path);
+        _exit(!s.ok && strstr(s.why, "another program is writing it") ? 0 : 1);
+    }
+    int how;
+    ck_assert(waitpid(child, &how, 0) == child && how == 0);
+    ck_assert(output_commit(&o).ok);
+    struct stat there;
+    ck_assert(stat(path, &there) == 0 && there.st_size == 5);
+}
+END_TEST
+
+// Rejects: a file that cannot be written again, for a program was killed that
+// wrote it; rows of that program behind ours.
+START_TEST(what_a_killed_program_left_is_taken_over)
+{
+    char path[200];
+    snprintf(path, sizeof path, "%s", in_folder("left"));
+    FILE *f = fopen(in_folder("left.part"), "w");
+    fputs("much that was never finished", f);
+    fclose(f);
+    output o;
+    ck_assert(output_open(&o, path).ok);
+    fputs("new", o.file);
+    ck_assert(output_commit(&o).ok);
+    struct stat there;
+    ck_assert(stat(path, &there) == 0 && there.st_size == 3);
+    ck_assert(!exists(in_folder("left.part")));
+}
+END_TEST
+
+START_TEST(one_file_is_known_by_all_its_names)
+{
+    char plain[200], other[220], link[200];
+    snprintf(plain, sizeof plain, "%s", in_folder("named"));
+    snprintf(other, sizeof other, "%s/./named", folder);
+    snprintf(link, sizeof link, "%s", in_folder("alias"));
+    ck_assert(output_is_same(plain, other));        // not there yet
+    fclose(fopen(plain, "w"));
+    ck_assert_int_eq(symlink(plain, link), 0);
+    ck_assert(output_is_same(plain, other) && output_is_same(link, other));
+    ck_assert(!output_is_same(plain, in_folder("unnamed")));
+    ck_assert(output_is_same("/tumble-none", "/./tumble-none"));
+    ck_assert(output_is_same("none/x", "none/x"));
 }
 END_TEST
 
@@ -762,6 +819,9 @@ static Suite *painter_suite(void)
     tcase_add_test(t, a_file_that_cannot_be_leaves_nothing);
     tcase_add_test(t, an_old_file_stays_until_the_new_one_is_whole);
     tcase_add_test(t, a_link_stays_a_link);
+    tcase_add_test(t, two_programs_do_not_write_one_file);
+    tcase_add_test(t, what_a_killed_program_left_is_taken_over);
+    tcase_add_test(t, one_file_is_known_by_all_its_names);
     tcase_add_test(t, a_check_leaves_no_trace);
     tcase_add_test(t, a_packed_picture_has_the_same_points_in_fewer_bytes);
     tcase_add_test(t, what_is_no_picture_is_not_packed);

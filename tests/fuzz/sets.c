@@ -6,7 +6,6 @@
 static void take_points(body *b, bytes *in)
 {
     b->count = take_count(in, 1, 12);
-    b->has_ring = 0;
     for (int i = 0; i < b->count; i++) {
         int how = take_byte(in) % 6;
         vec3 p = b->at[i > 0 ? take_byte(in) % i : 0];
@@ -35,7 +34,7 @@ static void take_body(body *b, bytes *in)
     case 2: body_square(b); break;
     case 3: body_any(b, (int)(seed % 5), &seed); break;
     case 4: *b = *ball(1); break;
-    case 5: *b = *ball(2); break;       // large enough to climb on
+    case 5: *b = *ball(2); break;
     default: take_points(b, in); return;
     }
     if (take_byte(in) & 1) body_turn(b, &seed);
@@ -45,10 +44,6 @@ static void take_body(body *b, bytes *in)
         b->at[i] = (vec3){ scale.x * p.x + by.x, scale.y * p.y + by.y,
                            scale.z * p.z + by.z };
     }
-    // Flattened, it is no longer what the ring says.
-    real s = fabs(scale.x), t = fabs(scale.y), u = fabs(scale.z);
-    real least = fmin(s, fmin(t, u)), most = fmax(s, fmax(t, u));
-    if (!(least > 1e-3 * most)) b->has_ring = 0;
 }
 
 int is_number(real x) { return x - x == 0; }
@@ -95,15 +90,13 @@ void sets_measure(sets *s)
     s->finite = 1;
     range_of(&s->a, &least, &most, &s->finite);
     range_of(&s->b, &least, &most, &s->finite);
-    // (1e-100 is asked as a ratio of roots: that of 1e300 to 1e-300 is none.)
-    s->fair = s->finite && most <= 1e300
-           && (most == 0 || (least >= 1e-300
-                             && sqrt(least) >= 1e-50 * sqrt(most)));
+    s->fair = s->finite && most <= 1e57
+           && (most == 0 || (least >= 1e-40 && least >= 1e-9 * most));
     box_of(&s->a, &low_a, &high_a);
     box_of(&s->b, &low_b, &high_b);
     s->reach = fmaxl(over(low_a, high_b), over(low_b, high_a));
     s->place = 2 * (long double)most;
-    if (s->reach > 0 && s->reach < 1e-300L) s->fair = 0;
+    if (s->reach > 0 && s->reach < 1e-40L) s->fair = 0;
 }
 
 void sets_take(sets *s, bytes *in)
@@ -118,8 +111,6 @@ void sets_take(sets *s, bytes *in)
         body_move(&s->b, by);
     }
     sets_measure(s);
-    // So far out its corners have been rounded this way and that.
-    if (!(s->place <= 1e6L * s->reach)) s->a.has_ring = s->b.has_ring = 0;
 }
 
 static int is_between(real x, real low, real high, long double rounding)

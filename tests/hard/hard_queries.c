@@ -11,9 +11,8 @@
 
 #include "bodies.h"
 #include "hard.h"
-#include "penetration.h"
+#include "hit_face.h"
 #include "oracle.h"
-#include "points.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -292,9 +291,8 @@ static void near_touch(body *a, body *b, dice *d)
 {
     two(a, b, d);
     body_move(b, vec3_scale(2.5, random_direction(d)));
-    distance_result g = distance_find(body_points(a), body_points(b),
-                                distance_options_default(), NULL);
-    if (g.status != DISTANCE_APART) return;
+    gjk_result g = gjk_distance(body_hull(a), body_hull(b), HUGE_VAL, NULL);
+    if (g.status != GJK_APART) return;
     real gap = power(d, -15, -3) * (pick(d, 2) ? 1 : -1);
     body_move(b, vec3_scale(1 - gap / g.distance, g.axis));
 }
@@ -339,7 +337,7 @@ static void resting(body *a, body *b, dice *d)
     body_move(b, vec3_make(side, 1 - down, between(d, -0.8, 0.8)));
 }
 
-// Balls of 42, now and then of 162 or 642 points, on which support climbs.
+// Balls of 42, now and then of 162 or 642 points.
 static void balls(body *a, body *b, dice *d)
 {
     static body made[3];
@@ -387,9 +385,9 @@ typedef struct {
 
 typedef struct {
     const body *a, *b;
-    point_set pa, pb;
+    hull pa, pb;
     real size;              // m, of the larger body's box
-    distance_result g;
+    gjk_result g;
     int  share;             // 1: this pair is one that the oracle is asked
 } question;
 
@@ -420,10 +418,10 @@ static int agrees(wide error, wide truth, real size)
 // sum weight (a - b), exactly where the simplex says that it is.
 static wide simplex_length(const question *q)
 {
-    const distance_cache *s = &q->g.last;
+    const simplex *s = &q->g.last;
     wide x = 0, y = 0, z = 0, sum = 0;
     for (int k = 0; k < s->count; k++) {
-        vec3 a = q->a->at[s->a[k]], b = q->b->at[s->b[k]];
+        vec3 a = q->a->at[s->of[k].a], b = q->b->at[s->of[k].b];
         wide w = (wide)s->weight[k];
         if (w < 0) return (wide)HUGE_VAL;
         x += w * ((wide)a.x - (wide)b.x);
@@ -440,8 +438,8 @@ static wide volume(const question *q, int i, int j, int k)
     int three[3] = { i, j, k };
     wide m[3][3];
     for (int r = 0; r < 3; r++) {
-        vec3 a = q->a->at[q->g.last.a[three[r]]];
-        vec3 b = q->b->at[q->g.last.b[three[r]]];
+        vec3 a = q->a->at[q->g.last.of[three[r]].a];
+        vec3 b = q->b->at[q->g.last.of[three[r]].b];
         m[r][0] = (wide)a.x - (wide)b.x;
         m[r][1] = (wide)a.y - (wide)b.y;
         m[r][2] = (wide)a.z - (wide)b.z;
@@ -465,7 +463,7 @@ static int overlap_proven(const question *q)
 
 static wide gap_along(const question *q, vec3 axis)
 {
-    return -oracle_width(hull_of(q->pa), hull_of(q->pb), vec3_scale(-1, axis));
+    return -oracle_width(q->pa, q->pb, vec3_scale(-1, axis));
 }
 
 // Proven if both bounds meet; else the oracle decides.
@@ -478,7 +476,7 @@ static int apart_holds(const question *q, tally *t)
     if (!agrees(most - least, most, q->size) || (q->share && small)) {
         if (!small) return 0;
         t->asked_distance++;
-        most = least = oracle_distance(hull_of(q->pa), hull_of(q->pb));
+        most = least = oracle_distance(q->pa, q->pb);
     }
     return agrees(said - most, most, q->size)
         && agrees(said - least, most, q->size);
@@ -494,10 +492,10 @@ static long oracle_work(const question *q)
 
 // The hit face's plane supports A - B, the points lie on both bodies, and the
 // oracle, where it is asked, finds no direction that is shorter.
-static int depth_holds(const question *q, const penetration_result *h, tally *t)
+static int depth_holds(const question *q, const hit_result *h, tally *t)
 {
     vec3 out = vec3_scale(-1, h->normal);
-    wide said = (wide)h->depth, plane = oracle_width(hull_of(q->pa), hull_of(q->pb), out);
+    wide said = (wide)h->depth, plane = oracle_width(q->pa, q->pb, out);
     t->overlapping++;
     if (fabs(vec3_length(h->normal) - 1) > 1e-12) return 0;
     if (!agrees(said - plane, plane, q->size)) return 0;
@@ -508,23 +506,23 @@ static int depth_holds(const question *q, const penetration_result *h, tally *t)
         return 1;
     }
     t->asked_depth++;
-    wide least = oracle_depth(hull_of(q->pa), hull_of(q->pb));
+    wide least = oracle_depth(q->pa, q->pb);
     return said <= least || agrees(said - least, least, q->size);
 }
 
 // A - B lies within rounding of a plane through the origin.
-static int flat_holds(const question *q, const penetration_result *h, tally *t)
+static int flat_holds(const question *q, const hit_result *h, tally *t)
 {
     vec3 back = vec3_scale(-1, h->normal);
-    wide up = oracle_width(hull_of(q->pa), hull_of(q->pb), h->normal);
-    wide down = oracle_width(hull_of(q->pa), hull_of(q->pb), back);
+    wide up = oracle_width(q->pa, q->pb, h->normal);
+    wide down = oracle_width(q->pa, q->pb, back);
     t->touching++;
     return h->depth == 0 && agrees(up, 0, q->size) && agrees(down, 0, q->size);
 }
 
-static int overlap_holds(const question *q, penetration_scratch *scratch, tally *t)
+static int overlap_holds(const question *q, tally *t)
 {
-    penetration_result h = penetration_find(q->pa, q->pb, &q->g.last, scratch);
+    hit_result h = hit_face_find(q->pa, q->pb, &q->g.last);
     if (q->a->count > SMALL || q->b->count > SMALL) {
         t->large++;
         t->large_over += h.iterations > 64;
@@ -533,31 +531,27 @@ static int overlap_holds(const question *q, penetration_scratch *scratch, tally 
     t->not_finite += !(h.depth - h.depth == 0) || !vec3_is_finite(h.normal)
                   || !vec3_is_finite(h.on_a) || !vec3_is_finite(h.on_b);
     switch (h.status) {
-    case PENETRATION_FOUND: return depth_holds(q, &h, t);
-    case PENETRATION_FLAT:  return flat_holds(q, &h, t);
-    case PENETRATION_APART:
-        // Apart by less than rounding: then the simplex all but holds it.
-        t->touching++;
-        return agrees(simplex_length(q), 0, q->size);
-    case PENETRATION_CAPPED: t->capped++; return 0;
+    case HIT_FOUND: return depth_holds(q, &h, t);
+    case HIT_FLAT:  return flat_holds(q, &h, t);
+    case HIT_CAPPED: t->capped++; return 0;
     default: return 0;
     }
 }
 
-static void judge(const body *a, const body *b, int share,
-                  penetration_scratch *scratch, const char *name, tally *t)
+static void judge(const body *a, const body *b, int share, const char *name,
+                  tally *t)
 {
-    question q = { a, b, body_points(a), body_points(b), 0,
+    question q = { a, b, body_hull(a), body_hull(b), 0,
                    { .iterations = 0 }, share };
     q.size = fmax(largest_side(a), largest_side(b));
-    q.g = distance_find(q.pa, q.pb, distance_options_default(), NULL);
+    q.g = gjk_distance(q.pa, q.pb, HUGE_VAL, NULL);
     t->pairs++;
     if (q.g.iterations > t->gjk_most) t->gjk_most = q.g.iterations;
     t->not_finite += !(q.g.distance - q.g.distance == 0)
                   || !vec3_is_finite(q.g.axis);
-    t->capped += q.g.status == DISTANCE_CAPPED;
-    int holds = q.g.status == DISTANCE_APART ? apart_holds(&q, t)
-              : q.g.status == DISTANCE_OVERLAP ? overlap_holds(&q, scratch, t) : 0;
+    t->capped += q.g.status == GJK_CAPPED;
+    int holds = q.g.status == GJK_APART ? apart_holds(&q, t)
+              : q.g.status == GJK_OVERLAP ? overlap_holds(&q, t) : 0;
     if (holds) return;
     if (t->bad++ == 0) t->first_bad = name;
 }
@@ -565,34 +559,34 @@ static void judge(const body *a, const body *b, int share,
 // ---- 22 --------------------------------------------------------------------
 
 // The stored pairs: the sign, and the number, as the criterion says.
-static int stored_holds(const pair_known *p, penetration_scratch *scratch)
+static int stored_holds(const pair_known *p)
 {
-    point_set a = body_points(&p->a), b = body_points(&p->b);
-    distance_result g = distance_find(a, b, distance_options_default(), NULL);
+    hull a = body_hull(&p->a), b = body_hull(&p->b);
+    gjk_result g = gjk_distance(a, b, HUGE_VAL, NULL);
     real size = fmax(largest_side(&p->a), largest_side(&p->b));
     real truth = p->kind == 'S' ? p->value : -p->value, said = g.distance;
-    if (g.status == DISTANCE_OVERLAP)
-        said = -penetration_find(a, b, &g.last, scratch).depth;
-    else if (g.status != DISTANCE_APART) return 0;
+    if (g.status == GJK_OVERLAP)
+        said = -hit_face_find(a, b, &g.last).depth;
+    else if (g.status != GJK_APART) return 0;
     if (fabs(truth) > 1e-12 * size && (said > 0) != (truth > 0)) return 0;
     return agrees((wide)said - (wide)truth, (wide)truth, size);
 }
 
-static void stored_pairs(hard_report *r, penetration_scratch *scratch)
+static void stored_pairs(hard_report *r)
 {
     static pair_known p;
     FILE *file = fopen(PAIRS, "r");
     int read = -1, pairs = 0, bad = 0;
     while (file && (read = pair_read(file, &p)) == 1) {
         pairs++;
-        bad += !stored_holds(&p, scratch);
+        bad += !stored_holds(&p);
     }
     if (file) fclose(file);
     hard_add(r, read == 0 ? bad : HUGE_VAL, 0, "", "BAD of %d stored pairs",
              pairs);
 }
 
-static void random_pairs(tally *t, long pairs, int every, penetration_scratch *scratch)
+static void random_pairs(tally *t, long pairs, int every)
 {
     static body a, b;
     for (long n = 0; n < pairs; n++) {
@@ -602,7 +596,7 @@ static void random_pairs(tally *t, long pairs, int every, penetration_scratch *s
         for (int k = 0; k < 3; k++) random_unit(&d);
         a.has_ring = b.has_ring = 0;
         family[kind].make(&a, &b, &d);
-        judge(&a, &b, n / FAMILIES % every == 0, scratch, family[kind].name, t);
+        judge(&a, &b, n / FAMILIES % every == 0, family[kind].name, t);
     }
 }
 
@@ -630,15 +624,9 @@ static void report_pairs(hard_report *r, const tally *t)
 static void pairs_of_bodies(hard_report *r, int fast)
 {
     tally t = { .pairs = 0 };
-    penetration_scratch *scratch = penetration_scratch_new();
-    if (!scratch) {
-        hard_add(r, HUGE_VAL, 0, "", "no memory");
-        return;
-    }
-    stored_pairs(r, scratch);
-    random_pairs(&t, fast ? 20000 : 1000000, fast ? 20 : 5, scratch);
+    stored_pairs(r);
+    random_pairs(&t, fast ? 20000 : 1000000, fast ? 20 : 5);
     report_pairs(r, &t);
-    penetration_scratch_free(scratch);
 }
 
 const hard_case hard_queries[] = {

@@ -11,7 +11,6 @@
 #include "hard_set.h"
 #include "hit_face.h"
 #include "measure.h"
-#include "penetration.h"
 #include "poses.h"
 #include "step.h"
 #include "system.h"
@@ -448,46 +447,6 @@ static void bullets(hard_report *r)
     }
 }
 
-// The plain queries against the engine's, on pairs of turned boxes.
-static void pairs_of_bodies(hard_report *r)
-{
-    unsigned long long seed = 22;
-    real worst = 0;
-    shape box;
-    penetration_scratch *scratch = penetration_scratch_new();
-    if (!scratch || !hard_ok(r, shape_box(&box, vec3_make(1, 0.6, 0.3), 1)))
-        return;
-    rings ring;
-    if (!hard_ok(r, rings_build(&ring, &box.mesh))) return;
-    for (int n = 0; n < 20000; n++) {
-        vec3 at[2][8];
-        for (int k = 0; k < 2; k++) {
-            placement p = turned_anyhow(vec3_scale(k * 1.2 * any_share(&seed),
-                                                   any_direction(&seed)), &seed);
-            for (int i = 0; i < 8; i++)
-                at[k][i] = vec3_add(vec3_add_scaled(p.position, box.at[i].x, p.x),
-                    vec3_add(vec3_scale(box.at[i].y, p.y),
-                             vec3_scale(box.at[i].z, p.z)));
-        }
-        hull a = { at[0], 8 }, b = { at[1], 8 };
-        point_set c = { at[0], 8, ring.start, ring.list };
-        point_set d = { at[1], 8, ring.start, ring.list };
-        gjk_result g = gjk_distance(a, b, HUGE_VAL, NULL);
-        distance_result e = distance_find(c, d, distance_options_default(),
-                                             NULL);
-        real mine = g.distance, theirs = e.distance;
-        if (g.status == GJK_OVERLAP)
-            mine = -hit_face_find(a, b, &g.last).depth;
-        if (e.status == DISTANCE_OVERLAP)
-            theirs = -penetration_find(c, d, &e.last, scratch).depth;
-        worst = hard_worse(worst, fabs(mine - theirs));
-    }
-    hard_add(r, worst, 1e-9, "m", "off the engine's; 20,000 pairs of boxes");
-    penetration_scratch_free(scratch);
-    rings_free(&ring);
-    shape_free(&box);
-}
-
 static void falling_cloth(hard_report *r)
 {
     for (int kind = SCENE_CLOTH_ON_CUBE; kind <= SCENE_CLOTH_ON_ROPE; kind++) {
@@ -561,7 +520,7 @@ static void (*const experiment[HARD_LAST + 1])(hard_report *) = {
     [10] = free_bodies, [13] = two_bodies, [14] = newtons_cradle,
     [15] = bounces, [16] = slopes, [17] = stacks, [18] = heavy_on_light,
     [19] = card_house, [20] = overlapping_cubes, [21] = bullets,
-    [22] = pairs_of_bodies, [24] = falling_cloth, [25] = flat_cloth,
+    [24] = falling_cloth, [25] = flat_cloth,
     [26] = full_room,
 };
 

@@ -468,6 +468,55 @@ START_TEST(a_body_in_its_own_place)
 }
 END_TEST
 
+// A box and its copy, moved by 20 micrometres and tilted by rounding: A - B is
+// full of corners in one plane, up to rounding.  Where w "sees" every face at a
+// corner of the polytope by nothing but rounding, that corner is lost inside,
+// and the search goes round in circles until the polytope is full.
+// Rejects: faces that count as seen because of a rounding error.
+START_TEST(boxes_a_hair_apart_leave_no_corner_inside)
+{
+    const body a = { .count = 8, .at = {
+        { -0x1.737fd6b1dec8ap-1, -0x1.1e568872f612p-5,
+          0x1.ef27dcd8197fp-4 },
+        { -0x1.5953bd8be0992p-1, 0x1.bfea5068502f4p-3,
+          -0x1.9763cfa0d1ba8p-3 },
+        { 0x1.65510f041d65p-6, 0x1.b059df757814ep-2,
+          0x1.34b7a79d526dep-1 },
+        { 0x1.2ab50cf0f8d5cp-4, 0x1.5a0cec5bff776p-1,
+          0x1.21f37034359ecp-2 },
+        { -0x1.2ab50cf0f8d5cp-4, -0x1.5a0cec5bff776p-1,
+          -0x1.21f37034359ecp-2 },
+        { -0x1.65510f041d65p-6, -0x1.b059df757814ep-2,
+          -0x1.34b7a79d526dep-1 },
+        { 0x1.5953bd8be0992p-1, -0x1.bfea5068502f4p-3,
+          0x1.9763cfa0d1ba8p-3 },
+        { 0x1.737fd6b1dec8ap-1, 0x1.1e568872f612p-5,
+          -0x1.ef27dcd8197fp-4 },
+    } }, b = { .count = 8, .at = {
+        { -0x1.7397ec381b19cp-1, -0x1.1e89654f03e35p-5,
+          0x1.ef58576a29bdap-4 },
+        { -0x1.596bd3121cea4p-1, 0x1.bfdd99314cbafp-3,
+          -0x1.974b9257c99b3p-3 },
+        { 0x1.624e5e3c93414p-6, 0x1.b05383d9f65abp-2,
+          0x1.34bdb6ef9475bp-1 },
+        { 0x1.29f460bf164cdp-4, 0x1.5a09be8e3e9a5p-1,
+          0x1.21ff8ed8b9ae6p-2 },
+        { -0x1.2b75b922db5ebp-4, -0x1.5a101a29c0547p-1,
+          -0x1.21e7518fb18f2p-2 },
+        { -0x1.6853bfcba788cp-6, -0x1.b0603b10f9cf1p-2,
+          -0x1.34b1984b10661p-1 },
+        { 0x1.593ba805a448p-1, -0x1.bff7079f53a39p-3,
+          0x1.977c0ce9d9d9dp-3 },
+        { 0x1.7367c12ba2778p-1, 0x1.1e23ab96e840bp-5,
+          -0x1.eef7624609406p-4 },
+    } };
+    hit_result r = hit(&a, &b);
+    ck_assert_int_eq(r.status, HIT_FOUND);
+    near(r.depth, (real)oracle_depth(body_hull(&a), body_hull(&b)), ROUNDING);
+    check_answer(&a, &b, r);
+}
+END_TEST
+
 // Prisms of 40 sides, one on the other: rims of 40 corners in one plane.
 START_TEST(prisms_stand_on_prisms)
 {
@@ -680,6 +729,7 @@ int main(void)
         ridges_that_are_nearly_parallel, stored_pairs_have_their_exact_depth,
         touching_is_depth_zero_with_a_proper_normal,
         identical_and_concentric_cubes, a_body_in_its_own_place,
+        boxes_a_hair_apart_leave_no_corner_inside,
         prisms_stand_on_prisms,
         far_from_the_origin_nothing_more_is_lost, size_does_not_matter,
         a_grain_in_a_boulder, squares_in_one_plane_are_flat,

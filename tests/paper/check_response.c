@@ -63,11 +63,11 @@ static feature_point any_feature(int first, int count)
 
 // Two features of na and nb particles that overlap by a random depth along a
 // random normal, A's masses near 1 and B's near `heavy`.
-static contact any_contact(particle *p, int na, int nb, real heavy)
+static feature_contact any_contact(particle *p, int na, int nb, real heavy)
 {
-    contact c = { .a = any_feature(0, na), .b = any_feature(na, nb),
-                  .normal = vec3_unit(any_vec3(1)), .mass_a = 1,
-                  .mass_b = heavy };
+    feature_contact c = { .a = any_feature(0, na), .b = any_feature(na, nb),
+                          .normal = vec3_unit(any_vec3(1)), .mass_a = 1,
+                          .mass_b = heavy };
     for (int i = 0; i < na + nb; i++) {
         real mass = within(0.5, 2) * (i < na ? 1 : heavy);
         p[i] = at_rest(any_vec3(1), mass);
@@ -83,20 +83,21 @@ static contact any_contact(particle *p, int na, int nb, real heavy)
 }
 
 // Two single particles, A at the origin `depth` below B, normal up.
-static contact two_points(particle *p, real mass_a, real mass_b, real depth)
+static feature_contact two_points(particle *p, real mass_a, real mass_b,
+                                  real depth)
 {
     p[0] = at_rest(vec3_make(0, -depth, 0), mass_a);
     p[1] = at_rest(vec3_make(0, 0, 0), mass_b);
-    return (contact){ .a = vertex(0), .b = vertex(1), .normal = UP,
-                      .mass_a = mass_a > 0 ? mass_a : HUGE_VAL,
-                      .mass_b = mass_b > 0 ? mass_b : HUGE_VAL };
+    return (feature_contact){ .a = vertex(0), .b = vertex(1), .normal = UP,
+                              .mass_a = mass_a > 0 ? mass_a : HUGE_VAL,
+                              .mass_b = mass_b > 0 ? mass_b : HUGE_VAL };
 }
 
 // A particle on a static plane through the origin.
-static contact on_plane(vec3 normal)
+static feature_contact on_plane(vec3 normal)
 {
-    return (contact){ .a = vertex(0), .normal = normal, .mass_a = 1,
-                      .mass_b = HUGE_VAL };
+    return (feature_contact){ .a = vertex(0), .normal = normal, .mass_a = 1,
+                              .mass_b = HUGE_VAL };
 }
 
 static void near(real got, real wanted, real slack, const char *what)
@@ -146,7 +147,7 @@ END_TEST
 START_TEST(depth_is_positive_in_overlap)
 {
     particle p[2];
-    contact c = two_points(p, 1, 1, 0.25);
+    feature_contact c = two_points(p, 1, 1, 0.25);
     near(contact_depth(&c, p), 0.25, 0, "overlap");
     c.apart = 0.5;
     near(contact_depth(&c, p), 0.75, 0, "overlap of points to be kept apart");
@@ -163,7 +164,7 @@ START_TEST(features_apart_are_left)
 {
     particle p[2];
     for (int k = 0; k < 2; k++) {
-        contact c = two_points(p, 1, 1, k ? 0 : -1e-9);
+        feature_contact c = two_points(p, 1, 1, k ? 0 : -1e-9);
         real y = p[0].position.y;
         p[0].previous.x = -1;
         near(response_separate(&c, p, 0.5), 0, 0, "overlap");
@@ -183,7 +184,7 @@ START_TEST(features_meet_after_one_push)
     seed = 7;
     for (int k = 0; k < 900; k++) {
         particle p[6];
-        contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, 1);
+        feature_contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, 1);
         real depth = contact_depth(&c, p);
         near(response_separate(&c, p, 0), depth, 0, "overlap before");
         near(vec3_distance(feature_position(&c.a, p),
@@ -202,7 +203,7 @@ START_TEST(no_move_closes_the_gap_for_less)
     seed = 13;
     for (int k = 0; k < 900; k++) {
         particle p[6], old[6];
-        contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, 3);
+        feature_contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, 3);
         for (int i = 0; i < 6; i++) old[i] = p[i];
         real depth = response_separate(&c, p, 0), cost = 0;
         for (int i = 0; i < c.a.count + c.b.count; i++)
@@ -227,7 +228,7 @@ START_TEST(equations_8_and_9_are_the_case_of_equal_masses)
     for (int printed = 0; printed < 2; printed++) {
         particle p[2] = { at_rest(vec3_make(0, -0.1, 0), 2),
                           at_rest(vec3_make(1, -0.3, 0), 2) };
-        contact c = on_plane(UP);
+        feature_contact c = on_plane(UP);
         c.a = (feature_point){ 2, { 0, 1 }, { 1 - alpha, alpha } };
         if (printed) response_printed(&c, p, PRINTED);
         else         response_separate(&c, p, 0);
@@ -248,7 +249,7 @@ START_TEST(push_keeps_momentum)
     for (real heavy = 1; heavy <= 1e4; heavy *= 10)
         for (int k = 0; k < 300; k++) {
             particle p[6];
-            contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, heavy);
+            feature_contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, heavy);
             vec3 slide = any_vec3(0.05);
             for (int i = 0; i < c.a.count; i++)
                 p[i].previous = vec3_sub(p[i].previous, slide);
@@ -277,8 +278,9 @@ START_TEST(vertex_and_face_share_three_to_one)
     particle p[4];
     for (int i = 0; i < 4; i++) p[i] = at_rest(vec3_make(i, 0, i * i), 1);
     p[0].position = vec3_make(2, -0.4, 14.0 / 3);
-    contact c = { .a = vertex(0), .normal = UP,
-                  .b = { 3, { 1, 2, 3 }, { 1.0 / 3, 1.0 / 3, 1.0 / 3 } } };
+    feature_contact c = { .a = vertex(0), .normal = UP,
+                          .b = { 3, { 1, 2, 3 },
+                                { 1.0 / 3, 1.0 / 3, 1.0 / 3 } } };
     response_separate(&c, p, 0);
     near(p[0].position.y, -0.4 + 0.3, ROUNDING, "height of the vertex");
     for (int i = 1; i < 4; i++)
@@ -290,7 +292,7 @@ END_TEST
 START_TEST(distance_is_kept)
 {
     particle p[2];
-    contact c = two_points(p, 1, 3, 0.1);
+    feature_contact c = two_points(p, 1, 3, 0.1);
     c.apart = 0.25;
     near(response_separate(&c, p, 0.5), 0.35, ROUNDING, "overlap before");
     near(p[0].position.y - p[1].position.y, 0.25, ROUNDING, "distance after");
@@ -302,7 +304,7 @@ END_TEST
 START_TEST(push_leaves_the_previous_positions)
 {
     particle p[2];
-    contact c = two_points(p, 1, 0, 0.1);
+    feature_contact c = two_points(p, 1, 0, 0.1);
     response_separate(&c, p, 0.5);
     near(p[0].position.y - p[0].previous.y, 0.1, ROUNDING, "m in a step");
     c = two_points(p, 1, 0, 0.1);
@@ -320,7 +322,7 @@ START_TEST(static_side_takes_nothing)
     for (int printed = 0; printed < 2; printed++)
         for (int side = 0; side < 3; side++) {
             particle p[2];
-            contact c = two_points(p, side != 1, side == 1, 0.5);
+            feature_contact c = two_points(p, side != 1, side == 1, 0.5);
             if (side == 2) c.b.count = 0;
             real depth = printed ? response_printed(&c, p, PRINTED)
                                  : response_separate(&c, p, 0.5);
@@ -335,7 +337,7 @@ END_TEST
 START_TEST(two_static_sides_stay)
 {
     particle p[2];
-    contact c = two_points(p, 0, 0, 0.5);
+    feature_contact c = two_points(p, 0, 0, 0.5);
     near(response_separate(&c, p, 0.5), 0.5, 0, "overlap before");
     near(response_printed(&c, p, PRINTED), 0.5, 0, "overlap before");
     ck_assert(p[0].position.y == -0.5 && p[1].position.y == 0);
@@ -350,7 +352,7 @@ START_TEST(pinned_corner_stays)
         particle p[3] = { at_rest(vec3_make(0, -1, 0), 1),
                           at_rest(vec3_make(1, -1, 0), 1),
                           at_rest(vec3_make(0, -1, 1), 0) };
-        contact c = on_plane(UP);
+        feature_contact c = on_plane(UP);
         c.a = (feature_point){ 3, { 0, 1, 2 }, { 0.5, 0.3, 0.2 } };
         if (printed) response_printed(&c, p, PRINTED);
         else         response_separate(&c, p, 0);
@@ -366,12 +368,12 @@ START_TEST(sides_may_be_exchanged)
     seed = 3;
     for (int k = 0; k < 180; k++) {
         particle p[6], q[6];
-        contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, 4);
+        feature_contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, 4);
         for (int i = 0; i < 6; i++) {
             p[i].previous = vec3_add(p[i].previous, any_vec3(0.1));
             q[i] = p[i];
         }
-        contact d = c;
+        feature_contact d = c;
         d.a = c.b;
         d.b = c.a;
         d.mass_a = c.mass_b;
@@ -397,7 +399,7 @@ END_TEST
 START_TEST(little_sliding_is_undone_and_no_more)
 {
     particle p[2];
-    contact c = two_points(p, 1, 4, 0.1);
+    feature_contact c = two_points(p, 1, 4, 0.1);
     p[0].previous = vec3_make(-0.03, 0, 0.02);
     p[1].previous = vec3_make(0.01, 0, 0);
     response_separate(&c, p, 0.5);
@@ -414,7 +416,7 @@ END_TEST
 START_TEST(much_sliding_is_braked_by_mu_times_the_push)
 {
     particle p[1] = { { { 3, -0.1, 4 }, { 0, 9, 0 }, 2 } };
-    contact c = on_plane(UP);
+    feature_contact c = on_plane(UP);
     response_separate(&c, p, 0.5);
     near(p[0].position.x, 3 - 0.05 * 0.6, ROUNDING, "x");
     near(p[0].position.y, 0, ROUNDING, "y");
@@ -427,7 +429,7 @@ START_TEST(smooth_features_are_not_braked)
 {
     particle p[2];
     for (int k = 0; k < 2; k++) {
-        contact c = two_points(p, 1, 1, 0.1);
+        feature_contact c = two_points(p, 1, 1, 0.1);
         p[0].previous.x = -k;
         response_separate(&c, p, 0);
         near(p[0].position.x, 0, 0, "x");
@@ -443,7 +445,7 @@ static real slide_down(real degrees, real mu)
     vec3 normal = { sin(slope), cos(slope), 0 };
     vec3 gravity = { 0, -9.81, 0 };
     particle p = at_rest(vec3_make(0, 0, 0), 1);
-    contact c = on_plane(normal);
+    feature_contact c = on_plane(normal);
     for (int k = 0; k < 100; k++) {
         verlet_step(&p, 1, gravity, NULL, dt);
         response_separate(&c, &p, mu);
@@ -472,7 +474,7 @@ START_TEST(sliding_stops_after_v2_over_2_mu_g)
         vec3 gravity = { 0, -9.81, 0 };
         particle p = particle_start(vec3_make(0, 0, 0), vec3_make(v, 0, 0),
                                     vec3_make(0, 0, 0), 1, dt);
-        contact c = on_plane(UP);
+        feature_contact c = on_plane(UP);
         for (int k = 0; k < 4000; k++) {
             verlet_step(&p, 1, gravity, NULL, dt);
             response_separate(&c, &p, mu);
@@ -491,7 +493,7 @@ START_TEST(fly_and_elephant)
 {
     for (int way = 0; way < 3; way++) {
         particle p[2];
-        contact c = two_points(p, 1, 1000, 1);
+        feature_contact c = two_points(p, 1, 1000, 1);
         if (way == 0) response_printed(&c, p, PRINTED);
         if (way == 1) response_printed(&c, p, MENDED);
         if (way == 2) response_separate(&c, p, 0);
@@ -509,7 +511,7 @@ START_TEST(bodies_meet_at_q)
     seed = 5;
     for (int k = 0; k < 90; k++) {
         particle p[6];
-        contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, 1);
+        feature_contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, 1);
         c.mass_a = 3;
         c.mass_b = 5;
         vec3 q = vec3_add(vec3_scale(3.0 / 8, feature_position(&c.a, p)),
@@ -531,10 +533,11 @@ START_TEST(leaves_part_as_in_equation_11)
     for (int i = 0; i < 5; i++)
         p[i] = at_rest(vec3_make(0, i, 0), 1 + i);
     real third = 1.0 / 3;
-    contact c = { .a = { 3, { 0, 1, 2 }, { third, third, third } },
-                  .b = { 2, { 3, 4 }, { 0.5, 0.5 } }, .normal = { -1, 0, 0 },
-                  .apart = 0.5, .mass_a = 2, .mass_b = 70,
-                  .soft_a = true, .soft_b = true };
+    feature_contact c = { .a = { 3, { 0, 1, 2 }, { third, third, third } },
+                          .b = { 2, { 3, 4 }, { 0.5, 0.5 } },
+                          .normal = { -1, 0, 0 },
+                          .apart = 0.5, .mass_a = 2, .mass_b = 70,
+                          .soft_a = true, .soft_b = true };
     near(response_printed(&c, p, PRINTED), 0.5, 0, "overlap");
     for (int i = 0; i < 5; i++)
         near(p[i].position.x, i < 3 ? -0.25 : 0.25, ROUNDING, "x");
@@ -552,9 +555,10 @@ START_TEST(printed_direction_goes_deeper)
                           at_rest(vec3_make(-1, 0, -1), 1),
                           at_rest(DOWN, 1) };
         response_errata errata = { .pushed_inwards = inwards };
-        contact c = { .a = vertex(3), .normal = UP, .mass_a = 1, .mass_b = 30,
-                      .b = { 3, { 0, 1, 2 }, { 0.5, 0.25, 0.25 } },
-                      .soft_a = true };
+        feature_contact c = { .a = vertex(3), .normal = UP, .mass_a = 1,
+                              .mass_b = 30,
+                              .b = { 3, { 0, 1, 2 }, { 0.5, 0.25, 0.25 } },
+                              .soft_a = true };
         near(response_printed(&c, p, errata), 1, 0, "overlap");
         near(p[3].position.y, inwards ? -1.5 : -0.5, ROUNDING, "the leaf");
         near(feature_position(&c.b, p).y, -0.5, ROUNDING, "the surface");
@@ -589,7 +593,7 @@ static real retained(particle *p, const stick *s, int sticks)
 {
     const real push = 1e-5;
     vec3 start = p[0].position;
-    contact c = on_plane(UP);
+    feature_contact c = on_plane(UP);
     c.apart = start.y + push;
     response_separate(&c, p, 0);
     relax_options o = relax_options_pbd();
@@ -658,12 +662,13 @@ START_TEST(finite_input_gives_finite_output)
             p[i] = (particle){ hostile_vec3(), hostile_vec3(),
                                w < 1e100 ? w : 0 };
         }
-        contact c = { .a = any_feature(0, 1 + k % 3),
-                      .b = any_feature(3, k / 3 % 4),
-                      .normal = vec3_unit(any_vec3(any() < 0.1 ? 0 : 1)),
-                      .apart = hostile(), .mass_a = 1e-20 + hostile(),
-                      .mass_b = k % 5 ? 1e-20 + hostile() : HUGE_VAL,
-                      .soft_a = k % 2, .soft_b = k % 7 < 3 };
+        feature_contact c = { .a = any_feature(0, 1 + k % 3),
+                              .b = any_feature(3, k / 3 % 4),
+                              .normal = vec3_unit(any_vec3(
+                                  any() < 0.1 ? 0 : 1)),
+                              .apart = hostile(), .mass_a = 1e-20 + hostile(),
+                              .mass_b = k % 5 ? 1e-20 + hostile() : HUGE_VAL,
+                              .soft_a = k % 2, .soft_b = k % 7 < 3 };
         if (c.a.count > 1 && any() < 0.3) {
             c.a.weight[0] = hostile() < 1 ? 1e-160 : 1e-20;
             c.a.weight[1] = 1;
@@ -683,7 +688,7 @@ END_TEST
 START_TEST(nan_is_not_an_overlap)
 {
     particle p[2];
-    contact c = two_points(p, 1, 1, 0.1);
+    feature_contact c = two_points(p, 1, 1, 0.1);
     p[0].position.x = (real)NAN;
     near(response_separate(&c, p, 0.5), 0, 0, "overlap");
     near(response_printed(&c, p, PRINTED), 0, 0, "overlap");

@@ -96,6 +96,28 @@ START_TEST(bad_placements_and_planes_are_refused_with_a_sentence)
 END_TEST
 
 // Rejects: an offset that is not divided by the length of its normal.
+// Rejects: a body whose particles fall into one point, for doubles are no finer
+// there; a bound that is the same for large and small.
+START_TEST(a_body_is_placed_no_further_than_its_sticks_bear)
+{
+    scene_init(&s);
+    add_box(vec3_make(1, 1, 1));
+    add_box(vec3_make(1000, 1000, 1000));
+    const real far = 1e17, edge = 0.99e9;
+    ck_assert(scene_add(&s, 0, placement_at(vec3_make(edge, 0, 0))).ok);
+    ck_assert(scene_add(&s, 1, placement_at(vec3_make(0, 1000 * edge, 0))).ok);
+    ck_assert(!scene_add(&s, 1, placement_at(vec3_make(0, 0, far))).ok);
+    status done = scene_add(&s, 0, placement_at(vec3_make(0, -1.01e9, 0)));
+    ck_assert(!done.ok && strstr(done.why, "body 2"));
+    ck_assert_ptr_nonnull(strstr(done.why, "too coarse"));
+    // What the bound is for: the length of a link there.
+    vec3 a = scene_position(&s, 0, 0), b = scene_position(&s, 0, 1);
+    ck_assert(fabs(vec3_distance(a, b) - 1) < 1e-6);
+    ck_assert_int_eq(s.bodies, 2);
+    scene_free(&s);
+}
+END_TEST
+
 START_TEST(planes_are_made_units)
 {
     scene_init(&s);
@@ -345,6 +367,7 @@ int main(void)
         particles_start_where_the_placement_says,
         static_bodies_have_no_velocity,
         bad_placements_and_planes_are_refused_with_a_sentence,
+        a_body_is_placed_no_further_than_its_sticks_bear,
         planes_are_made_units,
         lists_grow_and_keep_what_they_hold,
         thrown_bodies_start_apart_and_inside,

@@ -102,7 +102,6 @@ for number in -1 ten 1.5 '' +1 ' 1'; do
     refuses 2 '--seed .*not a whole number' room --seed="$number"
 done
 refuses 2 'larger than 2^64'                room --seed 18446744073709551616
-refuses 2 'name the same file'              room --film x --csv x
 
 # --- Files that cannot be: 1, before the first step ---------------------------
 # 100000 s would take hours: who answers at once has not begun.
@@ -119,6 +118,12 @@ refuses 1 'none/x: cannot make this folder'     room $long --frames none/x
 refuses 1 'plain: is not a folder'              room $long --frames plain
 refuses 1 'none.obj: cannot be opened'          room $long --mesh none.obj
 refuses 1 'folder'                              room $long --mesh folder
+ln -s folder/inside through
+for name in plain ./plain folder/../plain "$folder/plain" new; do
+    refuses 1 'name the same file'  room $long --film ${name##*/} --csv "$name"
+done
+refuses 1 'name the same file'      room $long --film through --csv folder/inside
+rm through
 # A folder made for the frames goes again if the scene cannot be built.
 refuses 1 'none.obj'   room $long --mesh none.obj --frames made
 refuses 1 'none.obj'   room $long --mesh none.obj --csv plain
@@ -301,6 +306,35 @@ if env --default-signal=INT true 2> /dev/null; then
     interrupts INT 130 --film stop.png
 fi
 interrupts TERM 143
+
+# --- Two at once ----------------------------------------------------------------
+# begin FILE: a run without end that writes there.
+begin() {
+    "$tumble" room --bodies 3 --seconds 90000 --csv "$1" > "$out" 2> "$err" &
+    child=$!
+    tries=0
+    until [ "$(cat "$1.part" 2> /dev/null | wc -l)" -gt 20 ]; do
+        tries=$((tries + 1))
+        [ $tries -lt 200 ] || break
+        sleep 0.1
+    done
+}
+begin two.csv
+"$tumble" room $long --csv two.csv > "$out.2" 2> "$err.2"
+code=$?
+verdict 'a second writer is refused' "$([ $code -eq 1 ] &&
+    grep -q 'two.csv: cannot write: another program' "$err.2" ||
+    echo "exit status $code: $(cat "$err.2")")"
+kill -TERM $child
+wait $child
+verdict 'the first one writes on' "$(awk -F, 'NF != 8 || NR > 2 && $1 + 0 <= last {
+    bad = NR } NR > 1 { last = $1 + 0 } END { if (bad || NR < 20) print "line " bad }' two.csv)"
+begin killed.csv
+kill -KILL $child
+wait $child 2> /dev/null
+accepts '3 rows' room --bodies 2 --seconds 0.05 --csv killed.csv
+verdict 'what a killed run left is taken over' "$(ls -A | grep part)"
+rm -f "$out.2" "$err.2"
 
 echo "$(((checks - failures) * 100 / checks))%: Checks: $checks," \
      "Failures: $failures, Errors: 0"

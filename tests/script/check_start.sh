@@ -23,4 +23,12 @@ unset MAKEFLAGS MFLAGS
 CFLAGS=-O0 sh -e commands > said 2>&1 || { cat said; echo "check_start: the commands of chapter 00 fail"; exit 1; }
 tail -n "$(wc -l < wanted)" said > got
 cmp -s wanted got || { diff wanted got; echo "check_start: the output is not the page's"; exit 1; }
+
+# A compiler that may round otherwise is refused, in a sentence.
+for flag in -O1 -ffast-math; do
+    printf '#include "vec3.h"\n' | ${CC:-cc} -std=c11 $flag -Ilib/base -fsyntax-only -x c - > "said$flag" 2>&1 ||
+        echo "$flag" >> refused
+done
+[ "$(cat refused)" = -ffast-math ] && grep -q 'compile without' said-ffast-math ||
+    { cat said-*; echo "check_start: vec3.h and -ffast-math"; exit 1; }
 echo "chapter 00's first program: built, run, and as the page says"

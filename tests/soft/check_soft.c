@@ -111,25 +111,23 @@ static int pairs_are_listed(real margin, int exact)
 static int points_are_listed(real margin)
 {
     int found = 0;
-    plane hull[12];
+    plane walls[12];
     int face[12];
     for (int b = 0; b < w.bodies; b++) {
         if (body_is_soft(&w.body[b])) continue;
         const body *rigid = &w.body[b];
         vec3 at[8];
         world_vertices(&w, rigid, at);
-        collider hit = { rigid->plan, rigid->first, at, rigid->mass,
-                         rigid->ring };
-        int planes = hull_planes(rigid->plan, at, hull, face);
+        pooled hit = { rigid->plan, rigid->first, at, rigid->mass };
+        int planes = hull_planes(rigid->plan, at, walls, face);
         for (int a = 0; a < w.bodies; a++) {
             const body *soft = &w.body[a];
             if (!body_is_soft(soft)) continue;
             for (int i = 0; i < soft->plan->particles; i++) {
                 vec3 x = w.pool.at[soft->first + i].position;
-                collider one = { soft->plan, soft->first + i, &x, soft->mass,
-                                 soft->ring };
+                pooled one = { soft->plan, soft->first + i, &x, soft->mass };
                 contact_point c;
-                if (!collide_point(&one, 0, &hit, hull, face, planes,
+                if (!collide_point(&one, 0, &hit, walls, face, planes,
                                    soft_gap(soft, rigid) + margin - EDGE, &c))
                     continue;
                 found++;
@@ -520,14 +518,14 @@ START_TEST(nailed_box_pushes_as_its_contacts_do)
         for (int i = 0; i < w.near.points && k % 2; i++)
             w.near.point[i].ahead = k % 7;
         vec3 x = q.position;
-        collider of_rope = { .plan = &rope, .first = 0, .at = &x, .mass = 1 };
-        collider of_box = world_collider(&w, &w.body[b]);
+        pooled of_rope = { .plan = &rope, .first = 0, .at = &x, .mass = 1 };
+        pooled of_box = world_collider(&w, &w.body[b]);
         world_look(&w, &w.body[b]);
-        plane hull[12];
-        int face[12], n = hull_planes(&box, of_box.at, hull, face);
+        plane walls[12];
+        int face[12], n = hull_planes(&box, of_box.at, walls, face);
         real apart = soft_gap(&w.body[r], &w.body[b]);
         contact_point c;
-        if (collide_point(&of_rope, 0, &of_box, hull, face, n, apart, &c))
+        if (collide_point(&of_rope, 0, &of_box, walls, face, n, apart, &c))
             surface_separate(&q, c.fixed, c.normal, apart, o.friction);
         soft_separate(&w);
         ck_assert_msg(memcmp(p, &q, sizeof q) == 0, "trial %d: (%a, %a, %a), "

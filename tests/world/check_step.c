@@ -114,17 +114,15 @@ static real penetration(void)
         for (int b = a + 1; b < w.bodies; b++) {
             vec3 at[2][12];
             const body *x[2] = { &w.body[a], &w.body[b] };
-            point_set q[2];
+            hull q[2];
             for (int k = 0; k < 2; k++) {
                 world_vertices(&w, x[k], at[k]);
-                q[k] = (point_set){ at[k], x[k]->plan->particles,
-                                    x[k]->ring.start, x[k]->ring.list };
+                q[k] = (hull){ at[k], x[k]->plan->particles };
             }
-            distance_result g = distance_find(q[0], q[1], distance_options_default(),
-                                        NULL);
-            if (g.status == DISTANCE_OVERLAP)
-                deepest = fmax(deepest, penetration_find(q[0], q[1], &g.last,
-                                                      w.narrow.hit[0]).depth);
+            gjk_result g = gjk_distance(q[0], q[1], 0, NULL);
+            if (g.status == GJK_OVERLAP)
+                deepest = fmax(deepest,
+                               hit_face_find(q[0], q[1], &g.last).depth);
         }
     return deepest;
 }

@@ -75,14 +75,14 @@ typedef struct {
     int  frames;    // half a window
 } sleep_limits;
 
-static const real EARTH = 9.81, USUAL = 0.5; // m/s^2, m
+static const real EARTH = 9.81, USUAL = 0.5;    // m/s^2, m: see sleep_rule
 static const real MOTIONLESS = 1e-6;        // of a radius, in a window
 static const real NOISE = 2e-4;             // of a radius
-static const real GROWTH = 1.0;             // from window to window
 static const real JITTER = 5;               // times the speed, at one moment
 enum { HALVES_TO_SLEEP = 4, MOST_FRAMES = 1000000 };
 
-// Froude's scaling: speeds go as sqrt(g R), times as sqrt(R / g).
+// Froude's scaling: lengths go as R, times as sqrt(R / g), speeds as
+// sqrt(g R), and accelerations as g.
 static sleep_limits limits_of(const sleep_rule *rule, real radius)
 {
     real g = rule->gravity, half = rule->time / HALVES_TO_SLEEP;
@@ -127,7 +127,7 @@ static bool are_slow(const particle *p, int n, real far)
 static void judge(sleep_watch *watch, const sleep_window *w,
                   const sleep_limits *l)
 {
-    bool is_still = w->way <= l->way && w->way <= GROWTH * w->before + l->noise;
+    bool is_still = w->way <= l->way && w->way <= w->before + l->noise;
     if (!is_still)              watch->still = 0;
     else if (watch->still == 0) watch->still = 2;
     else                        watch->still++;

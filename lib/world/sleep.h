@@ -11,10 +11,11 @@
 #include "status.h"
 #include "verlet.h"
 
-// What counts as still, for a body of a radius of 1 m under 9.81 m/s^2.  Bodies
-// of other sizes, in other gravity, are still if the same motion would be, seen
-// with all lengths R and all times sqrt(R / g) times as large; but none in a
-// shorter time.
+// What counts as still, for a body of 0.5 m in radius (a cube of 1 m) under
+// 9.81 m/s^2.  Another one, of the radius R under g, is still if it would be,
+// seen with all lengths as R and all times as sqrt(R / g): a house may take its
+// time, and a pebble must be slower.  But no time is shorter than that of the
+// cube.
 typedef struct {
     real speed;     // m/s, sleep_speed; 0: nothing falls asleep
     real time;      // s, time_to_sleep
@@ -81,8 +82,8 @@ void sleep_touch(sleep_state *s, int a, int b);
 void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
                    int n, real radius, const sleep_rule *rule);
 
-// True if body b, awake, was seen to move in the last frame or just before: what
-// sleeps does not let it pass.
+// True if body b, awake, was seen to move in the last frame or just before it:
+// what sleeps, and is in its way, must wake.
 bool sleep_is_moving(const sleep_state *s, int b);
 
 // Puts to sleep every island in which all bodies have been still for

@@ -20,8 +20,10 @@ static void tear_down(void)
 
 // --- how one body moves ------------------------------------------------------
 
-// A path: where a body is at t (s), seen with its radius as 1 and the time
-// sqrt(R / 9.81 m) as 1 s: for a body of 1 m on Earth, in m and s.
+// A path: where a body of 0.5 m on Earth is (m) at t (s).  Others go the same
+// way, with lengths as their radius, and times as sqrt(R / g).
+#define USUAL 0.5
+
 typedef vec3 (*path)(real t);
 
 typedef struct {
@@ -30,7 +32,8 @@ typedef struct {
 
 static real size_of_time(scale c)
 {
-    return c.gravity > 0 ? sqrt(c.radius * EARTH / c.gravity) : 1;
+    real g = c.gravity;
+    return g > 0 ? sqrt(c.radius / USUAL * EARTH / g) : 1;
 }
 
 // How long it takes the body to fall asleep; HUGE_VAL if it is awake after
@@ -44,8 +47,9 @@ static real asleep_after(path x, scale c, real speed, real most)
     ck_assert(sleep_init(&state, 1, 2).ok);
     for (int k = 1; k * c.dt < most * unit && found == HUGE_VAL; k++) {
         real now = k * c.dt;
-        p[1].position = vec3_scale(c.radius, x(now / unit));
-        p[1].previous = vec3_scale(c.radius, x((now - h) / unit));
+        p[1].position = vec3_scale(c.radius / USUAL, x(now / unit));
+        p[1].previous = vec3_scale(c.radius / USUAL,
+                                   x((now - h) / unit));
         sleep_begin(&state);
         sleep_observe(&state, 0, p, 0, 2, c.radius, &rule);
         if (sleep_end(&state)) found = now / unit;
@@ -104,7 +108,7 @@ static vec3 rest(real t)
 START_TEST(what_never_moved_sleeps_after_three_windows)
 {
     expect_asleep(rest, 0.92);
-    scale usual = { 1.0 / 60, 1, EARTH };
+    scale usual = { 1.0 / 60, USUAL, EARTH };
     // At 60 Hz: before the end of the first second.
     ck_assert(asleep_after(rest, usual, 0.005, 1) <= 50.0 / 60);
 }
@@ -158,17 +162,18 @@ START_TEST(what_stops_sleeps)
 END_TEST
 
 // A cube that stands on its edge, 0.0003 rad off balance, begins to fall as
-// cosh(sqrt(g r m / I) t): with the radius 1, sqrt(9.81 x 0.8) = 2.8 / s.
+// cosh(sqrt(g r m / I) t) = cosh(3.2 t); one of its particles is 1.2 m from that
+// edge.
 static vec3 tipping(real t)
 {
-    real x = 2.8 * real_min(t, 3);
-    return along(0.0003 * ((exp(x) + exp(-x)) / 2 - 1));
+    real x = 3.2 * t;
+    return along(1.2 * 0.0003 * ((exp(x) + exp(-x)) / 2 - 1));
 }
 
 // Rejects: an edge that sleeps before it has begun to fall.
 START_TEST(what_tips_over_goes_on)
 {
-    expect_awake(tipping, 2.9);
+    expect_awake(tipping, 3);
 }
 END_TEST
 
@@ -199,14 +204,14 @@ static vec3 gliding(real t)
 
 // Rejects: a limit that does not depend on the size, or on gravity: seen by
 // themselves all these move alike.
-START_TEST(sleep_speed_is_that_of_a_metre_on_earth)
+START_TEST(sleep_speed_is_that_of_a_cube_of_a_metre_on_earth)
 {
     speed_of_path = 0.0053;
     expect_awake(gliding, 10);
     speed_of_path = 0.0047;
     expect_asleep(gliding, 0.92);
     for (real speed = 1e-4; speed < 1; speed *= 7) {
-        scale usual = { 1.0 / 60, 1, EARTH };
+        scale usual = { 1.0 / 60, USUAL, EARTH };
         speed_of_path = 1.06 * speed;
         ck_assert(asleep_after(gliding, usual, speed, 10) == HUGE_VAL);
         speed_of_path = 0.94 * speed;
@@ -333,7 +338,7 @@ static void frames(int n, const int *touching)
             pool[b].previous = pool[b].position;
             if (moves[b]) pool[b].position.x += 1;
             if (!state.asleep[b])
-                sleep_observe(&state, b, pool, b, 1, 1, &rule);
+                sleep_observe(&state, b, pool, b, 1, USUAL, &rule);
         }
         sleep_end(&state);
     }
@@ -387,7 +392,7 @@ START_TEST(what_is_fast_in_the_last_frame_does_not_sleep)
     frames(TO_SLEEP - 1, NULL);
     pool[0].position.x += 0.04 * DT / 8;
     sleep_begin(&state);
-    sleep_observe(&state, 0, pool, 0, 1, 1, &rule);
+    sleep_observe(&state, 0, pool, 0, 1, USUAL, &rule);
     ck_assert_int_eq(sleep_end(&state), 0);
     ck_assert(sleep_is_moving(&state, 0));
 }
@@ -671,7 +676,7 @@ int main(void)
         what_stops_sleeps,
         what_tips_over_goes_on,
         what_is_thrown_up_does_not_sleep_at_the_top,
-        sleep_speed_is_that_of_a_metre_on_earth,
+        sleep_speed_is_that_of_a_cube_of_a_metre_on_earth,
         what_settles_sleeps,
         what_trembles_a_little_sleeps,
         what_swings_does_not_sleep_where_it_turns,

@@ -208,10 +208,11 @@ static int new_entry(contact_cache *c)
 
 static void make_entry(contact_cache *c, cache_pair *p, int a, int b)
 {
-    c->queries += p->is_asked;
-    if (!p->is_asked || p->entry >= 0) return;
-    p->entry = new_entry(c);
+    if (!p->is_asked) return;
+    c->queries++;
+    if (p->entry < 0) p->entry = new_entry(c);
     if (p->entry >= 0) {
+        c->entry[p->entry].contact.found = ++c->found;
         c->entry[p->entry].contact.a = a;
         c->entry[p->entry].contact.b = b;
     } else {

@@ -88,6 +88,7 @@ typedef struct {
     real *reach;        // [actives] m
     int actives, active_capacity;
     long queries;       // asked in this frame
+    long found;         // contacts, ever
     int  lost;          // contacts that found no memory
 } contact_cache;
 //<

@@ -38,7 +38,8 @@ void sleep_free(sleep_state *s)
 
 //> sleep-touch
 // The body that stands for b's island.  Every step shortens the way for the
-// next one (path halving); parents never have a higher number, so it ends.
+// next one (path halving).  Only such a body is ever given a parent, and one of
+// another island: no way leads back, so it ends.
 static int island_of(sleep_state *s, int b)
 {
     while (s->parent[b] != b) {
@@ -52,8 +53,7 @@ void sleep_touch(sleep_state *s, int a, int b)
 {
     assert(a >= 0 && a < s->bodies && b >= 0 && b < s->bodies);
     int i = island_of(s, a), j = island_of(s, b);
-    if (i < j) s->parent[j] = i;
-    else       s->parent[i] = j;
+    s->parent[j] = i;
 }
 
 // Bodies that fell asleep together stay one island until they wake, for
@@ -99,20 +99,18 @@ static sleep_limits limits_of(const sleep_rule *rule, real radius)
 //<
 
 //> sleep-observe
-// The largest distance (m) of n particles from where they were; infinite if one
-// is not finite.
+// The largest distance (m) of n particles from where they were.
 static real furthest(const particle *p, const vec3 *from, int n)
 {
     real most = 0;
     for (int i = 0; i < n; i++) {
         vec3 d = vec3_sub(p[i].position, from[i]);
-        real square = vec3_length_squared(d);
-        if (!(square <= most)) most = square > most ? square : HUGE_VAL;
+        most = real_max(vec3_length_squared(d), most);
     }
     return sqrt(most);
 }
 
-// Slower than the limit at this moment, all of them.
+// True if none goes further than `far` (m) in a substep, and all are finite.
 static bool are_slow(const particle *p, int n, real far)
 {
     for (int i = 0; i < n; i++) {
@@ -122,12 +120,13 @@ static bool are_slow(const particle *p, int n, real far)
     return true;
 }
 
-// The window that ends now has shown the body still, or not.  The first such
-// window counts for two halves, each one after that for another half.
+// The window that ends now is no longer than the one before, or the body is not
+// still.  The first such window counts for two halves, each one after that for
+// another half.
 static void judge(sleep_watch *watch, const sleep_window *w,
                   const sleep_limits *l)
 {
-    bool is_still = w->way <= l->way && w->way <= w->before + l->noise;
+    bool is_still = w->way <= w->before + l->noise;
     if (!is_still)              watch->still = 0;
     else if (watch->still == 0) watch->still = 2;
     else                        watch->still++;
@@ -189,17 +188,13 @@ bool sleep_is_moving(const sleep_state *s, int b)
 //<
 
 //> sleep-end
-static bool may_sleep(const sleep_state *s, int b)
-{
-    return s->asleep[b] || s->watch[b].still >= HALVES_TO_SLEEP;
-}
-
 int sleep_end(sleep_state *s)
 {
     int fallen = 0;
     for (int b = 0; b < s->bodies; b++) s->is_restless[b] = false;
     for (int b = 0; b < s->bodies; b++)
-        if (!may_sleep(s, b)) s->is_restless[island_of(s, b)] = true;
+        if (s->watch[b].still < HALVES_TO_SLEEP)
+            s->is_restless[island_of(s, b)] = true;
     for (int b = 0; b < s->bodies; b++) {
         int root = island_of(s, b);
         if (s->is_restless[root]) continue;

@@ -278,6 +278,22 @@ START_TEST(without_gravity_only_what_does_not_move_sleeps)
 }
 END_TEST
 
+// Rounding, where there is no other motion.
+static vec3 rounding(real t)
+{
+    return along(1e-9 * sin(1000 * t));
+}
+
+// Rejects: a time that overflows where gravity is next to nothing.
+START_TEST(rounding_does_not_keep_awake)
+{
+    scale c = { 1.0 / 60, USUAL, 0 };
+    ck_assert(asleep_after(rounding, c, 0.005, 10) < 0.92);
+    c.gravity = 1e-30;
+    ck_assert(asleep_after(rest, c, 0.005, 1e-14) == HUGE_VAL);
+}
+END_TEST
+
 static vec3 lost(real t)
 {
     return along(t > 0.6 ? (real)NAN : 0);
@@ -681,6 +697,7 @@ int main(void)
         what_trembles_a_little_sleeps,
         what_swings_does_not_sleep_where_it_turns,
         without_gravity_only_what_does_not_move_sleeps,
+        rounding_does_not_keep_awake,
         what_is_not_finite_does_not_sleep,
         without_sleep_speed_nothing_sleeps,
         still_body_sleeps_when_its_time_is_over,

@@ -75,19 +75,19 @@ typedef struct {
     int  frames;    // half a window
 } sleep_limits;
 
-static const real EARTH = 9.81;             // m/s^2
+static const real EARTH = 9.81, USUAL = 0.5;    // m/s^2, m: see sleep_rule
 static const real MOTIONLESS = 1e-6;        // of a radius, in a window
-static const real NOISE = 1e-4;             // of a radius
-static const real GROWTH = 1.2;             // from window to window
+static const real NOISE = 2e-4;             // of a radius
 static const real JITTER = 5;               // times the speed, at one moment
 enum { HALVES_TO_SLEEP = 4, MOST_FRAMES = 1000000 };
 
-// Froude's scaling: speeds go as sqrt(g R), times as sqrt(R / g).
+// Froude's scaling: lengths go as R, times as sqrt(R / g), speeds as
+// sqrt(g R), and accelerations as g.
 static sleep_limits limits_of(const sleep_rule *rule, real radius)
 {
     real g = rule->gravity, half = rule->time / HALVES_TO_SLEEP;
-    real speed = rule->speed * sqrt(g * radius / EARTH);
-    if (g > 0) half *= real_max(1, sqrt(radius * EARTH / g));
+    real speed = rule->speed * sqrt(g * radius / (EARTH * USUAL));
+    if (g > 0) half *= real_max(1, sqrt(radius * EARTH / (USUAL * g)));
     real frames = real_min(half / rule->dt + 0.5, MOST_FRAMES);
     sleep_limits l = { .frames = int_max((int)frames, 1) };
     real window = 2 * l.frames * rule->dt;
@@ -127,7 +127,7 @@ static bool are_slow(const particle *p, int n, real far)
 static void judge(sleep_watch *watch, const sleep_window *w,
                   const sleep_limits *l)
 {
-    bool is_still = w->way <= l->way && w->way <= GROWTH * w->before + l->noise;
+    bool is_still = w->way <= l->way && w->way <= w->before + l->noise;
     if (!is_still)              watch->still = 0;
     else if (watch->still == 0) watch->still = 2;
     else                        watch->still++;
@@ -149,6 +149,21 @@ static void next_half(sleep_state *s, int b, const particle *pool, int first,
     watch->frames = 0;
 }
 
+// Notes how far each window has seen it go.  A window in which it has gone too
+// far already needs no more looks.
+static void look(sleep_state *s, int b, const particle *pool, int first, int n,
+                 const sleep_limits *l)
+{
+    sleep_watch *watch = &s->watch[b];
+    for (int k = 0; k < int_min(watch->halves, WINDOWS); k++) {
+        sleep_window *w = &watch->window[k];
+        if (w->way <= l->way)
+            w->way = real_max(furthest(pool + first, s->start[k] + first, n),
+                              w->way);
+        if (w->way > l->way) watch->is_moving = true;
+    }
+}
+
 void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
                    int n, real radius, const sleep_rule *rule)
 {
@@ -160,18 +175,16 @@ void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
         sleep_forget(s, b);
         return;
     }
-    watch->frames++;
-    for (int k = 0; k < int_min(watch->halves, WINDOWS); k++) {
-        // A window in which it has gone too far already needs no more looks.
-        sleep_window *w = &watch->window[k];
-        if (w->way > l.way) continue;
-        real way = furthest(pool + first, s->start[k] + first, n);
-        w->way = real_max(way, w->way);
-    }
-    if (watch->halves == 0 || watch->frames >= l.frames)
+    watch->is_moving = !are_slow(pool + first, n, l.speed * rule->h);
+    look(s, b, pool, first, n, &l);
+    if (watch->halves == 0 || ++watch->frames >= l.frames)
         next_half(s, b, pool, first, n, &l);
-    if (watch->still > 0 && !are_slow(pool + first, n, l.speed * rule->h))
-        watch->still = 0;
+    if (watch->is_moving) watch->still = 0;
+}
+
+bool sleep_is_moving(const sleep_state *s, int b)
+{
+    return s->watch[b].is_moving;
 }
 //<
 

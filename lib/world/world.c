@@ -427,8 +427,7 @@ bool world_wake_near(world *w, int a, int b)
     int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
     if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
     if (body_is_static(&w->body[sleeper])) return false;
-    if (body_is_static(&w->body[other]) || w->sleep.watch[other].still > 0)
-        return false;
+    if (!sleep_is_moving(&w->sleep, other)) return false;
     rouse(w, sleeper);
     return true;
 }

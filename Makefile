@@ -443,7 +443,7 @@ $(BUILD)/rules/$1-%.o: CPPFLAGS += $(foreach f,$3,-D$f=$f_$$*)
 $(BUILD)/rules/$1-%.o: $(BUILD)/rules/$1-%.c $(BUILD)/flags
 	$$(compile)
 endef
-GJK := gjk_distance hull_support triangle_normal triangle_weigh
+GJK := gjk_distance hull_support hull_in_range triangle_normal triangle_weigh
 $(eval $(call variants,04-rules,gjk,$(GJK)))
 $(eval $(call variants,04-distance,gjk,$(GJK)))
 $(eval $(call variants,05-rules,hit_face,hit_face_find))

@@ -76,8 +76,11 @@ static void make_contacts(int n, int points)
     plain.contacts = n;
 }
 
+// Contacts found anew: blocks of the frame before are not kept.
 static void prepare(void)
 {
+    static long found;
+    for (int k = 0; k < plain.contacts; k++) table[k].found = ++found;
     if (!solver_prepare(&solver, &frame, (const contact *const *)list, reach,
                         plain.contacts)) exit(1);
 }

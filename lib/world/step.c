@@ -203,52 +203,47 @@ static void find_contacts(world *w)
 //<
 
 //> step-substeps
-// What is much heavier than what carries it presses that down by its load over
-// a contact's stiffness, which goes as the lighter mass and the square of the
-// substeps: so the more of them, the greater the load.  An impact is as great a
-// load for one frame: so it counts up to the ratio of the masses only.
-static const real BEARABLE = 75;    // times the weight of the lighter
-enum { MOST_TIMES = 8 };            // as many substeps as usual
+// What is much heavier than what carries it presses that down, by F h^2 / m for
+// a force F on a contact of effective mass m: the more substeps, the less.  A
+// frame takes so many that this is no more than SAG of the smaller radius, and
+// at most MOST_TIMES as many as usual.  An impact is as great a load for a
+// frame or two: so no more counts than the weight of so many of the lighter
+// body as the masses differ by, and nothing where they differ by less than
+// EVEN.
+static const real SAG = 0.004, EVEN = 30;
+enum { MOST_TIMES = 8 };
 
-static real load_on(const world *w, const contact *c, real weight_of_one)
+static real sag_of(const world *w, const contact *c)
 {
-    const solver_body *now = w->rigid.now;
-    real a = now[c->a].basis.inverse_mass;
-    real b = c->b < 0 ? 0 : now[c->b].basis.inverse_mass;
-    if (!(a > 0) || !(b > 0)) return 0;
-    real ratio = a > b ? a / b : b / a;
-    if (ratio <= BEARABLE) return 0;
-    return real_min(ratio, contact_load(c) * (a > b ? a : b) / weight_of_one);
+    const solver_body *a = &w->rigid.now[c->a], *b = &w->rigid.now[c->b];
+    real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
+    if (!(x > 0 && y > 0)) return 0;
+    real ratio = x > y ? x / y : y / x;
+    if (!(ratio > EVEN)) return 0;
+    real weight = vec3_length(w->options.gravity) * ratio;
+    real pace = real_min(contact_load(c) / w->age * (x + y), weight);
+    return pace / real_min(a->radius, b->radius);
 }
 
 static int substeps_for_loads(const world *w)
 {
     const contact_cache *c = &w->rigid.cache;
-    int usual = w->options.substeps;
-    real most = 0, gravity = vec3_length(w->options.gravity);
-    if (w->rigid.mass_ratio <= BEARABLE || !(gravity > 0)) return usual;
+    const world_options *o = &w->options;
+    real most = 0;
+    if (!(w->rigid.mass_ratio > EVEN)) return 0;
     for (int k = 0; k < c->actives; k++)
-        most = real_max(most, load_on(w, c->active[k], gravity * w->age));
-    real times = real_min(sqrt(real_max(most / BEARABLE, 1)), MOST_TIMES);
-    return (int)(usual * times);
+        if (c->active[k]->b >= 0)
+            most = real_max(most, sag_of(w, c->active[k]));
+    return (int)real_min(o->dt * sqrt(most / SAG),
+                         (real)MOST_TIMES * o->substeps);
 }
 
-static bool is_calm(const world *w)
+static int choose_substeps(const world *w)
 {
-    for (int b = 0; b < w->bodies; b++) {
-        vec3 way = w->rigid.ahead[b].way;
-        real far = CALMX * w->rigid.now[b].radius;
-        if (vec3_length_squared(way) > far * far) return false;
-    }
-    return true;
-}
-
-static int choose_substeps(world *w)
-{
-    int n = substeps_for_loads(w);
-    if (w->softs == 0 && is_calm(w)) n = n * 3 / 4;
+    int usual = w->options.substeps;
+    int n = int_max(usual, substeps_for_loads(w));
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
-    return int_min(n, w->options.most_substeps);
+    return int_min(n, int_max(w->options.most_substeps, usual));
 }
 //<
 

@@ -12,7 +12,7 @@ world_options world_options_default(void)
         .dt = 1.0 / 60, .substeps = 8, .most_substeps = 1000,
         .gravity = { 0, -9.81, 0 },
         .friction = 0.5, .restitution = 0,
-        .hertz = 60, .stay = 0.014, .warm_start = true,
+        .hertz = 60, .stay = 0.03, .warm_start = true,
         .sleep_speed = 0.005, .time_to_sleep = 0.5,
         .iterations = 6,
         .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 },
@@ -427,8 +427,7 @@ bool world_wake_near(world *w, int a, int b)
     int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
     if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
     if (body_is_static(&w->body[sleeper])) return false;
-    if (body_is_static(&w->body[other]) || w->sleep.watch[other].still > 0)
-        return false;
+    if (!sleep_is_moving(&w->sleep, other)) return false;
     rouse(w, sleeper);
     return true;
 }

@@ -1,5 +1,5 @@
-// 13-bodies.c - what four particles and warm-started contacts are good for.  The
-// ladder: the room of 50 bodies, time against error, by the paper's system as
+// 13-bodies.c - what four particles and warm-started contacts are good for.
+// The ladder: the room of 50 bodies, time against error, by the paper's system as
 // printed and as mended, and by the engine.  And ten cubes, one on the other,
 // that may not sleep: how far do they drift?
 
@@ -124,7 +124,8 @@ static void ladder(void)
                engine[k].left, engine[k].ms);
     }
     print_plain(mended);
-    clock_print_row("world", "room of 50 by substeps", "overlap 1.5 % of a radius",
+    clock_print_row("world", "room of 50 by substeps",
+                    "overlap 1.5 % of a radius",
                     "the engine", "the paper's system",
                     ms_at_error(mended, 5) / ms_at_error(engine, 5));
 }

@@ -1,5 +1,5 @@
-// check_motion.c - do the six ways of four particles move a body as the textbook
-// says, and for as long as it likes?  Book: chapter 13.
+// check_motion.c - do the six ways of four particles move a body as the
+// textbook says, and for as long as it likes?  Book: chapter 13.
 
 #include <stdio.h>
 #include <string.h>

@@ -301,7 +301,7 @@ hard: $(BUILD)/hard $(BUILD)/hard-plain
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
-SPEED := 18-verlet 18-constraint 18-body 18-gjk 10-depth 18-hit_face \
+SPEED := 18-verlet 18-constraint 18-body 10-fewer 18-hit_face \
   06-tree 18-sphere_tree 07-response 08-orders \
   13-blocks 13-bodies 18-world
 .PHONY: speed profile
@@ -404,8 +404,8 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body ring \
-  rigidity convex obj penetration sphere sphere_tree grid ordering \
+SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
+  rigidity convex obj sphere sphere_tree grid ordering \
   line rigid4 solver broad sleep world step measure world_scene scene system \
   thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free

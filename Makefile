@@ -303,7 +303,7 @@ hard: $(BUILD)/hard $(BUILD)/hard-plain
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
-SPEED := 18-verlet 18-constraint 18-body 18-gjk 10-depth 18-hit_face \
+SPEED := 18-verlet 18-constraint 18-body 10-fewer 18-hit_face \
   06-tree 18-sphere_tree 07-response 08-orders \
   13-blocks 13-bodies 18-world
 .PHONY: speed profile
@@ -418,9 +418,10 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body ring \
-  rigidity convex obj penetration sphere sphere_tree grid ordering \
-  line rigid4 solver broad rest world step world_scene scene system thread)
+SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
+  rigidity convex obj sphere sphere_tree grid ordering \
+  line rigid4 solver broad sleep world step measure world_scene scene system \
+  thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -457,7 +458,7 @@ $(BUILD)/rules/$1-%.o: CPPFLAGS += $(foreach f,$3,-D$f=$f_$$*)
 $(BUILD)/rules/$1-%.o: $(BUILD)/rules/$1-%.c $(BUILD)/flags
 	$$(compile)
 endef
-GJK := gjk_distance hull_support triangle_normal triangle_weigh
+GJK := gjk_distance hull_support hull_in_range triangle_normal triangle_weigh
 $(eval $(call variants,04-rules,gjk,$(GJK)))
 $(eval $(call variants,04-distance,gjk,$(GJK)))
 $(eval $(call variants,05-rules,hit_face,hit_face_find))

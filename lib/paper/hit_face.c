@@ -187,8 +187,8 @@ static bool is_turned(const polytope *p, edge e, vec3 w)
 }
 
 // Removes all faces that w is clearly above, and closes the hole with faces
-// from its rim to w.  Of faces nearly in one plane, w may be above one and not
-// the next; where that would turn a new face inside out, the next one goes, too.
+// from its rim to w.  Of faces nearly in one plane w may be above one and not
+// the next; where that would turn a new face inside out, the next goes, too.
 static void expand(polytope *p, int closest, corner w)
 {
     rim r;

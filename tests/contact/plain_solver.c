@@ -114,8 +114,9 @@ void plain_push(plain_solver *s)
 {
     for (int i = 0; i < s->contacts; i++) {
         pair p = pair_of(s, s->contact[i]);
-        bool both = p.basis[0]->inverse_mass > 0 && p.basis[1]->inverse_mass > 0;
-        solve_normals(s, i, plain_softness(s->frame, both));
+        bool both_move = p.basis[0]->inverse_mass > 0
+                      && p.basis[1]->inverse_mass > 0;
+        solve_normals(s, i, plain_softness(s->frame, both_move));
     }
 }
 //<

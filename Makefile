@@ -303,7 +303,7 @@ hard: $(BUILD)/hard $(BUILD)/hard-plain
 # passing.  What they say in a line is gathered in a table.
 SPEED := 18-verlet 18-constraint 18-body 18-gjk 10-depth 18-hit_face \
   06-tree 18-sphere_tree 07-response 08-orders \
-  13-bodies 18-world
+  13-blocks 13-bodies 18-world
 .PHONY: speed profile
 speed: $(SPEED:%=$(BUILD)/figures/%)
 	$(Q)$(foreach f,$(SPEED),$(call draw,$f,$(call room,$f)) &&) true

@@ -122,7 +122,7 @@ judge() {
         for object in $(test_parts); do
             part=$(basename "$object" .o)
             ls tests/*/"$part.c" > /dev/null 2>&1 && grep -q __wrap_malloc tests/*/"$part.c" &&
-                objects="$objects -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free"
+                objects="$objects -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free"
         done
     fi
     # shellcheck disable=SC2086

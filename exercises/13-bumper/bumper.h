@@ -1,6 +1,7 @@
 // bumper.h - a spring and a damper that push, and never explode.
 //
-// Units: metres, seconds, kilograms.  A push is in kg m, as in push.h.
+// Units: metres, seconds, kilograms.  A push is an impulse times h, in
+// kg m: what it changes are places.
 
 #ifndef TUMBLE_BUMPER_H
 #define TUMBLE_BUMPER_H

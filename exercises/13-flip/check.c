@@ -169,7 +169,8 @@ static void step(real h)
 static vec3 body_axis(int axis)
 {
     vec3 at[8];
-    rigid4_ride(&plan, p, at, 8);
+    rigid_frame now = rigid4_frame(p);
+    rigid4_ride(&plan, &now, at, 8);
     return vec3_unit(vec3_sub(at[1 << axis], at[0]));
 }
 

@@ -208,10 +208,11 @@ static int new_entry(contact_cache *c)
 
 static void make_entry(contact_cache *c, cache_pair *p, int a, int b)
 {
-    c->queries += p->is_asked;
-    if (!p->is_asked || p->entry >= 0) return;
-    p->entry = new_entry(c);
+    if (!p->is_asked) return;
+    c->queries++;
+    if (p->entry < 0) p->entry = new_entry(c);
     if (p->entry >= 0) {
+        c->entry[p->entry].contact.found = ++c->found;
         c->entry[p->entry].contact.a = a;
         c->entry[p->entry].contact.b = b;
     } else {
@@ -331,7 +332,9 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     if (is_fast(f, a, b)) swept = query_swept(now, f, &x, &y);
     if (swept != SWEPT_TOUCHES && swept != SWEPT_PASSES) {
         real slack = slack_of(f, a, b), reach = reach_of(f, a, b);
-        manifold m = collide_rigid(&x, &y, reach + 2 * slack, &e->carried);
+        manifold m = collide_rigid(&x, &y, reach + 2 * slack,
+                                   f->ahead[a].angle + f->ahead[b].angle,
+                                   &e->carried);
         take_manifold(now, &m, f, false);
         p->seen[0] = c->placed[a].number;
         p->seen[1] = c->placed[b].number;

@@ -19,6 +19,7 @@ typedef struct {
     vec3 way;           // m, its centre's, as fast as it is now
     real turn;          // m, what its vertices may go beside that
     real reach;         // m, both together
+    real angle;         // rad, by which it turns
 } prediction;
 
 // What the narrow phase reads of a rigid body, beside its solver_body.
@@ -87,6 +88,7 @@ typedef struct {
     real *reach;        // [actives] m
     int actives, active_capacity;
     long queries;       // asked in this frame
+    long found;         // contacts, ever
     int  lost;          // contacts that found no memory
 } contact_cache;
 //<

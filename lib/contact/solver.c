@@ -15,7 +15,7 @@ static active_contact activate(const contact *c, const solver_frame *f,
                                real reach)
 {
     real gap[CONTACT_POINTS];
-    active_contact x = { .a = c->a, .b = c->b, .color = -1,
+    active_contact x = { .found = c->found, .a = c->a, .b = c->b, .color = -1,
                          .least = HUGE_VAL };
     const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
     real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
@@ -379,6 +379,45 @@ static void fill_chunk(void *data, int item)
 }
 //<
 
+//> solver-keep
+// Are these the contacts of the frame before, with the same points?  Then their
+// blocks, made for where the bodies stood when they were found, are good still.
+static bool is_same(const active_contact *x, const active_contact *y)
+{
+    if (x->found != y->found || x->count != y->count || x->a != y->a
+        || x->b != y->b || x->sides != y->sides) return false;
+    for (int j = 0; j < x->count; j++)
+        if (x->point[j] != y->point[j]) return false;
+    return true;
+}
+
+static bool may_keep_blocks(const contact_solver *s, const solver_frame *f,
+                            int n)
+{
+    if (n != s->contacts || f->h != s->h || !(f->warm == 1)) return false;
+    for (int k = 0; k < n; k++)
+        if (!is_same(&s->active[k], &s->last[k])) return false;
+    return true;
+}
+
+static void keep_chunk(void *data, int item)
+{
+    const preparation *p = data;
+    contact_solver *s = p->s;
+    int end = int_min((item + 1) * CHUNK, s->blocks);
+    for (int n = item * CHUNK; n < end; n++) {
+        block *k = &s->block[n];
+        for (int l = 0; l < REAL4 && k->contact[l] >= 0; l++) {
+            const active_contact *x = &s->active[k->contact[l]];
+            for (int j = 0; j < x->count; j++) {
+                real4_set(&k->point[j].gap, l, x->gap[j]);
+                real4_set(&k->point[j].now, l, x->gap[j]);
+            }
+        }
+    }
+}
+//<
+
 //> solver-prepare
 // Grows an array without keeping what is in it.
 static bool grow(void **array, int *capacity, int need, size_t size)
@@ -394,32 +433,54 @@ static bool grow(void **array, int *capacity, int need, size_t size)
 
 static bool make_room(contact_solver *s, int n)
 {
-    int capacity = s->capacity;
-    return grow((void **)&s->active, &capacity, n, sizeof *s->active)
+    int one = s->capacity, two = s->capacity;
+    if (n > s->capacity) s->contacts = 0;
+    return grow((void **)&s->active, &one, n, sizeof *s->active)
+        && grow((void **)&s->last, &two, n, sizeof *s->last)
         && grow((void **)&s->order, &s->capacity, n, sizeof *s->order);
+}
+
+static void forget_blocks(contact_solver *s)
+{
+    s->contacts = s->blocks = s->colors = s->touching = 0;
+}
+
+static bool make_blocks(contact_solver *s, const preparation *p)
+{
+    int end[BINS];
+    memset(s->taken, 0, (size_t)s->bodies * sizeof *s->taken);
+    for (int k = 0; k < s->contacts; k++)
+        if (s->active[k].count > 0) choose_color(s, &s->active[k]);
+    sort_contacts(s, end);
+    list_colors(s, end);
+    if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
+              sizeof *s->block)) return false;
+    tasks_run(p->f->run, fill_chunk, (void *)p, chunks(s->blocks));
+    s->h = p->f->h;
+    return true;
 }
 
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table, const real *reach, int n)
 {
-    int end[BINS];
     preparation p = { s, f, table, reach };
-    s->contacts = s->blocks = s->colors = s->touching = 0;
-    if (!make_room(s, n)) return false;
-    s->contacts = n;
-    memset(s->taken, 0, (size_t)s->bodies * sizeof *s->taken);
-    tasks_run(f->run, activate_chunk, &p, chunks(n));
-    for (int k = 0; k < n; k++)
-        if (s->active[k].count > 0) choose_color(s, &s->active[k]);
-    sort_contacts(s, end);
-    list_colors(s, end);
-    if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
-              sizeof *s->block)) {
-        s->contacts = s->blocks = s->colors = s->touching = 0;
+    if (!make_room(s, n)) {
+        forget_blocks(s);
         return false;
     }
-    tasks_run(f->run, fill_chunk, &p, chunks(s->blocks));
-    return true;
+    active_contact *last = s->last;
+    int contacts = s->contacts;
+    s->last = s->active;
+    s->active = last;
+    s->contacts = n;
+    tasks_run(f->run, activate_chunk, &p, chunks(n));
+    if (contacts == n && may_keep_blocks(s, f, n)) {
+        tasks_run(f->run, keep_chunk, &p, chunks(s->blocks));
+        return true;
+    }
+    bool done = make_blocks(s, &p);
+    if (!done) forget_blocks(s);
+    return done;
 }
 //<
 
@@ -628,7 +689,7 @@ static inline __attribute__((always_inline)) void relax_block(block *k, const pa
         moment = real4_mad(p->lever, p->impulse, moment);
     }
     push_centers(k, k->normal, sum, &u, two);
-    twist_block(k, real4_mul(friction, moment), &u, two);
+    if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
     brake_block(k, real4_mul(friction, along), &u, two);
     give_sides(k, q->velocity, &u, two);
 }
@@ -792,6 +853,7 @@ status solver_init(contact_solver *s, int bodies)
 void solver_free(contact_solver *s)
 {
     free(s->active);
+    free(s->last);
     free(s->order);
     free(s->block);
     free(s->taken);

@@ -80,6 +80,7 @@ enum { COLORS = 64 };
 enum { TWO_SIDED, ONE_SIDED, SIDES };
 
 typedef struct {
+    long found;         // the contact's
     int  a, b;          // bodies that move; ONE_SIDED: b is spare
     int  count;         // points that may touch in this frame
     int  color, sides;
@@ -98,7 +99,8 @@ typedef struct {
 } block_color;
 
 typedef struct {
-    active_contact *active;             // [capacity] of every contact
+    active_contact *active, *last;      // [capacity] of every contact; of the
+                                        // frame before
     int  *order;                        // [capacity] by colour and points
     int  contacts, capacity;
     block *block;
@@ -109,6 +111,7 @@ typedef struct {
     motion *before;                     // [bodies + 1] see solver_begin
     int  bodies;
     int  touching;                      // contacts that may touch in this frame
+    real h;                             // s, the substeps that blocks are for
 } contact_solver;
 //<
 

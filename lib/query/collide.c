@@ -4,11 +4,11 @@
 #include "collide.h"
 
 manifold collide_rigid(const collider *a, const collider *b, real margin,
-                       query_cache *carried)
+                       real turn, query_cache *carried)
 {
     query_result nearest = query_nearest(a, b, margin, carried);
     if (!nearest.near) return (manifold){ .count = 0 };
-    return manifold_find(a, b, &nearest, margin);
+    return manifold_find(a, b, &nearest, margin, turn);
 }
 //<
 

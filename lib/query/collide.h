@@ -14,9 +14,9 @@
 // manifold_find makes of the nearest (or deepest) pair of points.  Where faces
 // or edges lie along each other, corners of what they share, the deepest first;
 // else the pair alone.  count 0: further apart than the margin, or a number is
-// not finite.  carried: see query_nearest.
+// not finite.  turn (rad): see manifold_find.  carried: see query_nearest.
 manifold collide_rigid(const collider *a, const collider *b, real margin,
-                       query_cache *carried);
+                       real turn, query_cache *carried);
 
 // The touch of bodies a and b where they first come as near as `apart` (m,
 // >= 0), while a goes straight by `way` (m) as seen from b.  *m holds it if the

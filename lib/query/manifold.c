@@ -40,6 +40,7 @@ typedef struct {
     const struct shape *shape;
     const vec3  *at;
     vec3 ahead;         // unit, towards the other body
+    real lean;          // sine squared, of the faces that belong to it
     real turn;          // 1 if corners run counter-clockwise in the view, -1
     int  tip;           // the vertex where the body is nearest
     int  half, face;    // from it, into a face of the patch; -1: no face
@@ -71,7 +72,17 @@ static real dot2(vec3 v, vec3 w)
 //> manifold-look
 // A body that rests on its face, strained or rocking a little, still stands on
 // all of its corners; one that leans more stands on an edge.
-static const real COSINE_SQUARED = 0.98, SINE_SQUARED = 0.02;
+static const real LEAN_SINE = 0.14142135623730951;     // 8 degrees
+
+// The sine, squared, of that and what the bodies turn against each other (rad)
+// while the touches are to be used: what will lie flat by then takes part.
+static real lean_squared(real turn)
+{
+    real t = real_min(turn, 0.5), sine = t - t * t * t / 6;
+    real cosine = 1 - t * t / 2 + t * t * t * t / 24;
+    real lean = LEAN_SINE * cosine + sqrt(1 - LEAN_SINE * LEAN_SINE) * sine;
+    return lean * lean;
+}
 
 // The square of a face's normal, and of its part along d (0 if it looks away):
 // their ratio is the cosine of the angle between the two, squared.
@@ -91,14 +102,16 @@ static look face_look(const shape *s, const vec3 *at, int f, vec3 d)
 int face_looks(const shape *s, const vec3 *at, int f, vec3 d)
 {
     look l = face_look(s, at, f, d);
-    return l.along > 0 && l.along >= COSINE_SQUARED * l.whole;
+    return l.along > 0 && l.along >= (1 - LEAN_SINE * LEAN_SINE) * l.whole;
 }
 
 // Does the face to the left of half-edge h belong to the patch?
 static int belongs(const patch *p, int h)
 {
     int f = p->shape->mesh.half[h].face;
-    return f >= 0 && face_looks(p->shape, p->at, f, p->ahead);
+    if (f < 0) return 0;
+    look l = face_look(p->shape, p->at, f, p->ahead);
+    return l.along > 0 && l.along >= (1 - p->lean) * l.whole;
 }
 //<
 
@@ -252,7 +265,7 @@ static int face_ahead(const patch *p, int v)
 {
     const mesh *m = &p->shape->mesh;
     int start = m->vertex_half[v], h = start, best = -1;
-    look most = { 1, COSINE_SQUARED };
+    look most = { 1, 1 - p->lean };
     if (start < 0) return -1;
     do {
         int f = m->half[h].face;
@@ -272,7 +285,7 @@ static int face_ahead(const patch *p, int v)
 static int edge_across(const patch *p, int v)
 {
     const mesh *m = &p->shape->mesh;
-    real least = SINE_SQUARED;
+    real least = p->lean;
     int start = m->vertex_half[v], h = start, best = -1;
     do {
         vec3 e = vec3_sub(p->at[mesh_target(m, h)], p->at[v]);
@@ -298,8 +311,10 @@ static int main_vertex(const feature_point *f)
 // A, whose faces look away from the viewer, 1 for B.  Returns 0 for no more
 // than a vertex.
 static int patch_begin(patch *p, const collider *body, real turn,
-                       const view *w, const feature_point *nearest)
+                       const view *w, const feature_point *nearest,
+                       real lean)
 {
+    p->lean = lean;
     p->shape = body->shape;
     p->at = body->at;
     p->ahead = vec3_scale(turn, w->z);
@@ -735,19 +750,20 @@ static int choose(const meetings *m, const touch *nearest, real slack,
 
 //> manifold-find
 manifold manifold_find(const collider *a, const collider *b,
-                       const query_result *nearest, real margin)
+                       const query_result *nearest, real margin, real turn)
 {
     const touch *pair = &nearest->at;
     assert(nearest->near && pair->a.count > 0 && pair->b.count > 0);
     view w = view_along(nearest->normal, feature_at(&pair->b, b->at),
                         fmax(a->shape->radius, b->shape->radius));
     manifold found = { 1, nearest->normal, { *pair } };
+    real lean = lean_squared(turn);
     patch p, q;
     meetings m;
 
     // A vertex touches in one point, whatever it stands on.
-    if (!patch_begin(&p, a, -1, &w, &pair->a)
-        || !patch_begin(&q, b, 1, &w, &pair->b)) return found;
+    if (!patch_begin(&p, a, -1, &w, &pair->a, lean)
+        || !patch_begin(&q, b, 1, &w, &pair->b, lean)) return found;
     patch_draw(&p, &w);
     patch_draw(&q, &w);
     if (p.count < 2 || q.count < 2) return found;

@@ -26,7 +26,9 @@ typedef struct {
 // in which the patch of A (a face, an edge or a vertex that looks against the
 // normal) and that of B (which looks along it) overlap, seen along the normal.
 // Each is a vertex of A over a face of B, a face of A over a vertex of B, or an
-// edge over an edge.
+// edge over an edge.  To run alike is to lean by no more than 8 degrees, and by
+// turn (rad, >= 0) more: so far the bodies may turn against each other before
+// they are asked again.
 // nearest is the pair of nearest (or deepest) points that a query found, and
 // its normal the manifold's.  The pair is the only touch where fewer than two
 // corners are near.  Else point[0] is the deepest corner, and the others span
@@ -38,7 +40,7 @@ typedef struct {
 // Requires nearest->near.  The count is >= 1; where numbers are not finite, the
 // pair as it was given may be all.
 manifold manifold_find(const collider *a, const collider *b,
-                       const query_result *nearest, real margin);
+                       const query_result *nearest, real margin, real turn);
 
 // Does face f of a body with vertices at `at` look along the unit vector d, to
 // within 8 degrees (cosine squared 0.98)?

@@ -51,6 +51,18 @@ real motion_energy(const motion_basis *basis, const motion *m)
     return ((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / basis->inverse_mass
             + (w[0] * w[0] + w[1] * w[1] + w[2] * w[2])) / 2;
 }
+
+// The vector L with turn_t . L = u_t for all three t (Cramer's rule).
+vec3 motion_angular(const motion_basis *basis, const motion *m)
+{
+    const vec3 *t = basis->turn;
+    const real *u = m->of + MOTION_TURN;
+    vec3 across = vec3_cross(t[1], t[2]);
+    vec3 sum = vec3_scale(u[0], across);
+    sum = vec3_add_scaled(sum, u[1], vec3_cross(t[2], t[0]));
+    sum = vec3_add_scaled(sum, u[2], vec3_cross(t[0], t[1]));
+    return vec3_scale(1 / vec3_dot(t[0], across), sum);
+}
 //<
 
 //> motion-moves
@@ -67,8 +79,8 @@ int motion_moves(const motion_basis *basis, const motion *d)
 static real chord(real a)
 {
     real x = a * a;
-    return 1 - x / 6 * (1 - x / 20 * (1 - x / 42 * (1 - x / 72
-           * (1 - x / 110))));
+    return 1 - x * (1.0 / 6) * (1 - x * (1.0 / 20) * (1 - x * (1.0 / 42)
+           * (1 - x * (1.0 / 72) * (1 - x * (1.0 / 110)))));
 }
 
 // A particle on a circle that goes straight along its tangent by r sin(a), and
@@ -97,18 +109,35 @@ void motion_go_on(particle *p)
 }
 //<
 
-//> motion-end
-// The vector L with turn_t . L = u_t for all three t (Cramer's rule).
-static vec3 angular_momentum(const motion_basis *basis, const real *u)
+//> motion-frame
+// x, turned by the angle 2 arctan |t| about t (Cayley).
+static vec3 turned(vec3 t, vec3 x)
 {
-    const vec3 *t = basis->turn;
-    vec3 across = vec3_cross(t[1], t[2]);
-    vec3 sum = vec3_scale(u[0], across);
-    sum = vec3_add_scaled(sum, u[1], vec3_cross(t[2], t[0]));
-    sum = vec3_add_scaled(sum, u[2], vec3_cross(t[0], t[1]));
-    return vec3_scale(1 / vec3_dot(t[0], across), sum);
+    vec3 once = vec3_cross(t, x);
+    return vec3_add_scaled(x, 2 / (1 + vec3_length_squared(t)),
+                           vec3_add(once, vec3_cross(t, once)));
 }
 
+// In as many moves as motion_begin, each by so small an angle a that
+// tan(a / 2) is a / 2 (1 + a^2 / 12) to a^5 / 240.
+rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
+                         const motion *d)
+{
+    vec3 straight = { d->of[0], d->of[1], d->of[2] };
+    int moves = motion_moves(basis, d);
+    vec3 turn = vec3_scale(1.0 / moves, motion_rotation(basis, d));
+    real a2 = vec3_length_squared(turn);
+    vec3 half = vec3_scale((1 + a2 / 12) / 2, turn);
+    rigid_frame now = *frame;
+    now.center = vec3_add(frame->center, straight);
+    for (int i = 0; i < FOUR_AXES; i++)
+        for (int k = 0; k < moves; k++)
+            now.axis[i] = turned(half, now.axis[i]);
+    return now;
+}
+//<
+
+//> motion-end
 // The rotation of the motion in a basis with an angular momentum L.
 static vec3 rotation_with(const motion_basis *basis, vec3 angular)
 {
@@ -137,7 +166,7 @@ void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
 {
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     motion_basis basis = basis_find(f, frame);
-    vec3 angular = angular_momentum(&basis, u->of + MOTION_TURN);
+    vec3 angular = motion_angular(&basis, u);
     rigid_frame now = rigid4_frame(p);
     motion_basis new_basis = basis_find(f, &now);
     vec3 turn = rotation_with(&new_basis, angular);

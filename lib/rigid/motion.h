@@ -59,8 +59,10 @@ static inline vec3 motion_at(const motion_basis *basis, const motion *m,
 // impulse times a time (kg m) changes a displacement.
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse);
 
-// The kinetic energy (J) of a velocity.
+// The kinetic energy (J) of a velocity, and its angular momentum (kg m^2/s) about
+// the centre.
 real motion_energy(const motion_basis *basis, const motion *m);
+vec3 motion_angular(const motion_basis *basis, const motion *m);
 //<
 
 //> motion-frame-declare
@@ -85,6 +87,12 @@ void motion_go_on(particle *p);
 // as `previous`, a substep of h (s) ago.
 void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
                 const motion *u, real h);
+//<
+
+//> motion-frame-declare-inside
+// Where a body stands that has been moved by d since it stood as the frame says.
+rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
+                         const motion *d);
 //<
 
 //> motion-end-of-header

@@ -260,7 +260,7 @@ typedef struct {
     lane now[AXES][AXES];       // m, the frame
     lane old[AXES][AXES];       // m, four times that of a substep ago
     lane at[FOUR][AXES];        // m, where the particles end
-    lane bend[FOUR_STICKS];     // K, for each of PAIR
+    lane bend[FOUR_STICKS];     // E, for each of PAIR
     lane worst;     // of the sticks' relative errors, as last measured
     lane most;      // the largest that was measured
     lane steps;     // done so far
@@ -312,9 +312,9 @@ static inline void batch_keep_new(const int lanes, batch *t)
 //<
 
 //> rigid4-bend
-// g = A^T A - M, K = g_ij / (m_i + m_j), and the worst of the sticks: the two
-// between which the vectors i and j tell are off by
-//     (g_ii + g_jj) / (2 (m_i + m_j)) +- K_ij.
+// G = Y^T Y - S, E_ij = G_ij / (s_i + s_j), and the worst of the sticks: the two
+// of the axes i and j are off by
+//     (G_ii + G_jj) / (2 (s_i + s_j)) +- E_ij.
 // The larger of two is so put that a NaN in all of them comes out at the end.
 static inline void batch_bend(const int lanes, const rigid4 *restrict f,
                               batch *restrict t)
@@ -343,7 +343,7 @@ static inline void batch_bend(const int lanes, const rigid4 *restrict f,
 //<
 
 //> rigid4-step
-// A -= B K, of each body that is not content.  For the others B is nothing,
+// Y -= Y0 E, of each body that has not converged.  For the others B is nothing,
 // also where their old places are no numbers.
 static inline void batch_step(const int lanes, batch *restrict t,
                               real tolerance)

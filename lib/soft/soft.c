@@ -1,10 +1,216 @@
-//> soft-stale
+//> soft-substep
 #include "soft.h"
-#include "contacts.h"
+#include "ledger.h"
 
-static int body_is_still(const world *w, int b)
+#include <assert.h>
+#include <stddef.h>
+
+static void integrate(world *w, real h);
+static void relax(world *w);
+
+void soft_substep(world *w, real h)
 {
-    return body_is_nailed(&w->body[b]) || w->rest.asleep[b];
+    integrate(w, h);
+    ledger_book(w, LEDGER_INTEGRATE);
+    soft_refresh(w, h);
+    soft_separate(w, h);
+    ledger_book(w, LEDGER_CONTACTS);
+    relax(w);
+    ledger_book(w, LEDGER_STICKS);
+    soft_hold(w, h);
+    ledger_book(w, LEDGER_CONTACTS);
+}
+
+static bool is_moving_soft(const world *w, int b)
+{
+    return body_is_soft(&w->body[b]) && body_moves(w, b);
+}
+//<
+
+//> soft-integrate
+// Taylor about x, forward by dt and backward by dt_before:
+//     x'         = x + v dt        + a dt^2 / 2
+//     x_previous = x - v dt_before + a dt_before^2 / 2
+// The second gives
+//     v dt = ((x - x_previous) + a dt_before^2 / 2) dt / dt_before,
+// and put into the first,
+//     x' = x + (x - x_previous) dt / dt_before + a dt (dt_before + dt) / 2.
+static void verlet_step_changed(particle *p, int n, vec3 a, real dt_before,
+                                real dt)
+{
+    assert(n >= 0 && dt_before > 0 && dt > 0);
+    real carry = dt / dt_before, square = dt * (dt_before + dt) / 2;
+    for (int i = 0; i < n; i++) {
+        vec3 here = p[i].position, move = { 0, 0, 0 };
+        if (p[i].inverse_mass > 0) {
+            vec3 last_move = vec3_sub(here, p[i].previous);
+            move = vec3_add_scaled(vec3_scale(carry, last_move), square, a);
+        }
+        p[i].position = vec3_add(here, move);
+        p[i].previous = here;
+    }
+}
+
+// The first substep of a frame may be longer or shorter than the last one.
+static void integrate(world *w, real h)
+{
+    vec3 g = w->options.gravity;
+    for (int b = 0; b < w->bodies; b++) {
+        particle *p = w->pool.at + w->body[b].first;
+        int n = body_particles(&w->body[b]);
+        if (!is_moving_soft(w, b)) continue;
+        if (w->age == h) verlet_step(p, n, g, NULL, h);
+        else             verlet_step_changed(p, n, g, w->age, h);
+    }
+    // The lists counted on the pace that was.
+    if (w->age != h && w->soft.trusted > 0) w->soft.trusted = 0;
+    w->age = h;
+}
+//<
+
+//> soft-relax
+static line_scratch *scratch_of(const world *w, const shape *s)
+{
+    int k = 0;
+    while (w->shape[k].shape != s) k++;
+    return w->shape[k].line;
+}
+
+// Soft diagonals first, then the strands that must hold.
+static void relax_body(world *w, const body *b)
+{
+    const shape *s = b->shape;
+    particle *p = w->pool.at + b->first;
+    relax_options o = w->options.relax;
+    int links = shape_links(s), others = s->sticks - links;
+    if (others > 0) sticks_iterate(s->stick + links, others, p, o);
+    line_result l = lines_relax(s, p, w->options.iterations, o,
+                                scratch_of(w, s));
+    w->report.tested += others + l.steps * links;
+    w->report.relaxed += others + l.steps * links;
+    w->report.fell_back += l.fell_back;
+}
+
+static void relax(world *w)
+{
+    for (int b = 0; b < w->bodies; b++)
+        if (is_moving_soft(w, b)) relax_body(w, &w->body[b]);
+}
+//<
+
+//> soft-begin
+// Its particles' middle goes straight on; beside that each goes as far as the
+// fastest, and as gravity adds, and a hundredth of the radius for impacts.
+static prediction predict(const world *w, int b)
+{
+    const body *x = &w->body[b];
+    const particle *p = w->pool.at + x->first;
+    int n = x->shape->particles;
+    real dt = w->options.dt, ages = dt / w->age, fastest = 0;
+    vec3 mean = { 0, 0, 0 };
+    if (!body_moves(w, b)) return (prediction){ .reach = 0 };
+    for (int i = 0; i < n; i++)
+        mean = vec3_add_scaled(mean, 1.0 / n,
+                               vec3_sub(p[i].position, p[i].previous));
+    for (int i = 0; i < n; i++) {
+        vec3 move = vec3_sub(p[i].position, p[i].previous);
+        real beside = vec3_length_squared(vec3_sub(move, mean));
+        fastest = real_max(beside, fastest);
+    }
+    prediction a = { .way = vec3_scale(ages, mean) };
+    a.turn = ages * sqrt(fastest) + x->shape->radius / 100
+           + vec3_length(w->options.gravity) * dt * dt / 2;
+    a.reach = vec3_length(a.way) + a.turn;
+    return a;
+}
+
+// Copies where the particles of a deformable body are, for tree and grid.
+static void look_at_soft(world *w, int b)
+{
+    const body *x = &w->body[b];
+    for (int i = x->first; i < x->first + x->shape->particles; i++)
+        w->soft.at[i] = w->pool.at[i].position;
+}
+
+static void look_at_body(world *w, int b)
+{
+    body *x = &w->body[b];
+    soft_tables *t = &w->soft;
+    if (!body_is_soft(x)) {
+        t->ball[b] = w->rigid.ball[b];
+        t->ahead[b] = w->rigid.ahead[b];
+        return;
+    }
+    look_at_soft(w, b);
+    sphere_tree_refresh(&x->tree, t->at + x->first);
+    t->ball[b] = sphere_tree_root(&x->tree, t->at + x->first);
+    t->ahead[b] = predict(w, b);
+}
+
+static bool balls_meet(sphere a, sphere b, real margin)
+{
+    return vec3_distance(a.center, b.center) <= a.radius + b.radius + margin;
+}
+
+// Twice the margin of the lists is room for what this frame will bring.
+bool soft_begin(world *w)
+{
+    const soft_tables *t = &w->soft;
+    bool woke = false;
+    for (int b = 0; b < w->bodies; b++) look_at_body(w, b);
+    for (int a = 0; a < w->bodies; a++) {
+        if (!body_is_soft(&w->body[a]) || body_is_static(&w->body[a])) continue;
+        for (int b = 0; b < w->bodies; b++) {
+            if (b == a || body_is_static(&w->body[b])) continue;
+            if (!balls_meet(t->ball[a], t->ball[b], 2 * t->margin)) continue;
+            woke |= world_wake_near(w, a, b);
+            sleep_touch(&w->sleep, a, b);
+        }
+    }
+    return woke;
+}
+//<
+
+//> soft-substeps
+// In a substep nothing should go further than a share of its own radius: the
+// inner one of a rigid body, half the spacing of a deformable one.
+static int substeps_for(const world *w, int b, real share)
+{
+    const body *x = &w->body[b];
+    const prediction *a = &w->soft.ahead[b];
+    real radius = body_is_soft(x) ? x->shape->spacing / 2 : x->inner;
+    real need = (vec3_length(a->way) + a->turn) / (share * radius);
+    if (!(need < w->options.most_substeps)) return w->options.most_substeps;
+    return (int)need + ((int)need < need);
+}
+
+// A deformable body may meet itself, too.  A rigid body drives the light
+// particles of a cloth before it, their sticks pull them back, and it must not
+// be past them before their whole weight has stopped it: a quarter of its
+// radius.
+int soft_substeps(const world *w)
+{
+    const soft_tables *t = &w->soft;
+    int n = 0;
+    for (int a = 0; a < w->bodies; a++) {
+        if (!body_is_soft(&w->body[a])) continue;
+        for (int b = 0; b < w->bodies; b++) {
+            real reach = t->ahead[a].reach + t->ahead[b].reach;
+            bool is_soft = body_is_soft(&w->body[b]);
+            if (balls_meet(t->ball[a], t->ball[b], reach))
+                n = int_max(n, substeps_for(w, b, is_soft ? 1 : 0.25));
+        }
+    }
+    return n;
+}
+//<
+
+//> soft-stale
+// Where rigid body b stands in the middle of a frame.
+static rigid_frame frame_of(const world *w, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    return motion_frame(&t->now[b].frame, &t->now[b].basis, &t->moved[b]);
 }
 
 // What the moves of some particles since their listing have in common: they end
@@ -12,7 +218,7 @@ static int body_is_still(const world *w, int b)
 typedef struct {
     vec3 least, most;   // m
     real longest;       // m^2
-    real quickest;      // m^2, the longest of the last substep
+    real fastest;       // m^2, the longest of the last substep
 } moves;
 
 static inline real longer(real a, vec3 d)
@@ -22,27 +228,41 @@ static inline real longer(real a, vec3 d)
     return b > a || b != b ? b : a;
 }
 
-// The corners of a rigid body of four particles may be up to twice as far out
-// as these are.
-static void add_moves(moves *to, const world *w, const body *b)
+// d: since the listing; u: in the last substep.
+static inline void add_move(moves *m, vec3 d, vec3 u)
+{
+    m->least = (vec3){ d.x < m->least.x ? d.x : m->least.x,
+                       d.y < m->least.y ? d.y : m->least.y,
+                       d.z < m->least.z ? d.z : m->least.z };
+    m->most = (vec3){ d.x > m->most.x ? d.x : m->most.x,
+                      d.y > m->most.y ? d.y : m->most.y,
+                      d.z > m->most.z ? d.z : m->most.z };
+    m->longest = longer(m->longest, d);
+    m->fastest = longer(m->fastest, u);
+}
+
+static void add_soft_moves(moves *to, const world *w, const body *b)
 {
     moves m = *to;
-    real share = body_is_soft(b) ? 1 : 2;
-    for (int i = b->first; i < b->first + body_particles(b); i++) {
+    for (int i = b->first; i < b->first + b->shape->particles; i++) {
         const particle *p = &w->pool.at[i];
-        vec3 d = vec3_sub(p->position, w->of.listed[i]);
-        vec3 u = vec3_sub(p->position, p->previous);
-        d = vec3_scale(share, d);
-        m.least = (vec3){ d.x < m.least.x ? d.x : m.least.x,
-                          d.y < m.least.y ? d.y : m.least.y,
-                          d.z < m.least.z ? d.z : m.least.z };
-        m.most = (vec3){ d.x > m.most.x ? d.x : m.most.x,
-                         d.y > m.most.y ? d.y : m.most.y,
-                         d.z > m.most.z ? d.z : m.most.z };
-        m.longest = longer(m.longest, d);
-        m.quickest = longer(m.quickest, vec3_scale(share, u));
+        add_move(&m, vec3_sub(p->position, w->soft.listed[i]),
+                 vec3_sub(p->position, p->previous));
     }
     *to = m;
+}
+
+// The vertices of a rigid body may be up to twice as far out as its four
+// particles are.
+static void add_rigid_moves(moves *m, const world *w, int b, real h)
+{
+    rigid_frame frame = frame_of(w, b);
+    for (int k = 0; k < FOUR; k++) {
+        vec3 arm = frame_arm(&frame, k), at = vec3_add(frame.center, arm);
+        vec3 d = vec3_sub(at, w->soft.listed[w->body[b].first + k]);
+        vec3 u = motion_at(&w->rigid.now[b].basis, &w->rigid.velocity[b], arm);
+        add_move(m, vec3_scale(2, d), vec3_scale(2 * h, u));
+    }
 }
 
 // Two whose moves differ by the margin may have closed it.  Before that the
@@ -51,24 +271,28 @@ static void add_moves(moves *to, const world *w, const body *b)
 // for speeds change.
 enum { TRUST_MOST = 8 };
 
-static int lists_are_good(world *w)
+static bool lists_are_good(world *w, real h)
 {
-    if (w->near.trusted < 0) return 0;
-    if (w->near.trusted > 0) {
-        w->near.trusted--;
-        return 1;
+    soft_tables *t = &w->soft;
+    if (t->trusted < 0) return false;
+    if (t->trusted > 0) {
+        t->trusted--;
+        return true;
     }
     // What stands still has moved by nothing, and that is in the box, too.
     moves m = { .longest = 0 };
-    for (int b = 0; b < w->bodies; b++)
-        if (!body_is_still(w, b)) add_moves(&m, w, &w->body[b]);
+    for (int b = 0; b < w->bodies; b++) {
+        if (!body_moves(w, b)) continue;
+        if (body_is_soft(&w->body[b])) add_soft_moves(&m, w, &w->body[b]);
+        else                           add_rigid_moves(&m, w, b, h);
+    }
     real apart = vec3_distance(m.least, m.most), both = 2 * sqrt(m.longest);
-    real left = w->near.margin - (apart < both ? apart : both);
-    real pace = 4 * sqrt(m.quickest);
-    if (!(left > 0)) return 0;
-    w->near.trusted = left >= TRUST_MOST * pace ? TRUST_MOST
-                    : left > pace ? (int)(left / pace) : 0;
-    return 1;
+    real left = t->margin - (apart < both ? apart : both);
+    real pace = 4 * sqrt(m.fastest);
+    if (!(left > 0)) return false;
+    t->trusted = left >= TRUST_MOST * pace ? TRUST_MOST
+               : left > pace ? (int)(left / pace) : 0;
+    return true;
 }
 //<
 
@@ -84,11 +308,12 @@ static int room_for(world *w, int found, int room)
 // Leaves are single particles, in the order of the body's.
 static void add_near(world *w, const body *a, const body *b, tree_result found)
 {
-    int pairs = room_for(w, found.pairs, w->leaves.capacity);
-    pairs = room_for(w, pairs, w->near.pair_capacity - w->near.pairs);
+    soft_tables *t = &w->soft;
+    int pairs = room_for(w, found.pairs, t->leaf_capacity);
+    pairs = room_for(w, pairs, t->pair_capacity - t->pairs);
     for (int k = 0; k < pairs; k++)
-        w->near.pair[w->near.pairs++] = (particle_contact){
-            a->first + w->leaves.pair[k].a, b->first + w->leaves.pair[k].b,
+        t->pair[t->pairs++] = (particle_contact){
+            a->first + t->leaf[k].a, b->first + t->leaf[k].b,
             a->thickness + b->thickness };
 }
 
@@ -98,20 +323,20 @@ static void add_near(world *w, const body *a, const body *b, tree_result found)
 // cell until the ends of the other meet, and the triangles around them cross.
 static const real LINKED = 1.2;
 
-// A body against itself: equal balls, which a grid sorts quickest.  Where one
-// is thrown far out of the others, the tree is asked.
+// A body against itself: equal balls, which a grid sorts fastest.  Where one is
+// thrown far out of the others, the tree is asked.
 static void list_self(world *w, body *a)
 {
-    const vec3 *at = w->of.at + a->first;
+    soft_tables *t = &w->soft;
+    const vec3 *at = t->at + a->first;
     real touching = 2 * a->thickness;
-    int found = grid_pairs(&w->near.grid, at, a->plan->particles,
-                           touching + w->near.margin, a->plan->at,
-                           LINKED * touching,
-                           w->leaves.pair, w->leaves.capacity);
+    int found = grid_pairs(&t->grid, at, a->shape->particles,
+                           touching + t->margin, a->shape->at,
+                           LINKED * touching, t->leaf, t->leaf_capacity);
     if (found < 0) {
         sphere_tree_refresh(&a->tree, at);
-        add_near(w, a, a, sphere_tree_self(&a->tree, at, w->near.margin, LINKED,
-                                           w->leaves.pair, w->leaves.capacity));
+        add_near(w, a, a, sphere_tree_self(&a->tree, at, t->margin, LINKED,
+                                           t->leaf, t->leaf_capacity));
     } else {
         add_near(w, a, a, (tree_result){ .pairs = found });
     }
@@ -119,56 +344,60 @@ static void list_self(world *w, body *a)
 
 static void list_soft_pair(world *w, body *a, body *b)
 {
-    add_near(w, a, b, sphere_tree_pairs(
-        &a->tree, w->of.at + a->first, &b->tree, w->of.at + b->first,
-        w->near.margin, w->leaves.pair, w->leaves.capacity));
+    soft_tables *t = &w->soft;
+    add_near(w, a, b, sphere_tree_pairs(&a->tree, t->at + a->first,
+                                        &b->tree, t->at + b->first,
+                                        t->margin, t->leaf, t->leaf_capacity));
 }
 //<
 
 //> soft-points
-// The planes of a rigid body, made anew whenever it may have moved.
+// Where the vertices and planes of a rigid body are, whenever it may have moved.
 static void look_at_hull(world *w, int b)
 {
-    body *rigid = &w->body[b];
-    if (w->hull.of == b && body_is_nailed(rigid)) return;
-    world_look(w, rigid);
-    w->hull.planes = hull_planes(rigid->plan, w->of.at + rigid->corner,
-                                 w->hull.plane, w->hull.face);
-    w->hull.of = b;
+    soft_tables *t = &w->soft;
+    const body *rigid = &w->body[b];
+    const shape *s = rigid->shape;
+    if (t->hull_of == b && body_is_static(rigid)) return;
+    rigid_frame frame = frame_of(w, b);
+    rigid4_ride(rigid->rigid, &frame, t->corner, s->particles);
+    t->hull = (obstacle){ { t->corner, s->particles }, t->plane,
+                          hull_planes(s, t->corner, t->plane), s->radius };
+    t->moved = w->rigid.moved[b];
+    t->hull_of = b;
 }
 
 // Between two particles on both sides of a right-angled edge, at the distance r
 // of it, a triangle's side cuts the corner: one as long as 2.83 r touches it.
 // The longest, the diagonal of a cell, would do with half a spacing, and we
 // have 0.55.  But the sticks come last, and pull them nearer: so an eighth
-// more, of what is nailed.  What is not makes way.
+// more, of what is static.  What is not makes way.
 static const real SPARE = 1.125;
 
 real soft_gap(const body *soft, const body *rigid)
 {
-    real touching = soft->thickness + rigid->thickness;
-    return body_is_nailed(rigid) ? SPARE * touching : touching;
+    return body_is_static(rigid) ? SPARE * soft->thickness : soft->thickness;
 }
 
-// The particles of a that are near the rigid body b: inside its sphere, or not
+// The particles of a that are near the rigid body b: inside its ball, or not
 // far outside, and not far in front of any of its planes.
 static void list_points(world *w, int a, int b)
 {
-    body *soft = &w->body[a], *rigid = &w->body[b];
-    real reach = soft_gap(soft, rigid) + w->near.margin;
-    sphere ball = sphere_tree_root(&rigid->tree, w->of.at + rigid->corner);
-    ball.radius += reach;
-    int is_ready = 0;
-    for (int i = soft->first; i < soft->first + soft->plan->particles; i++) {
-        vec3 x = w->of.at[i];
-        vec3 d = vec3_sub(x, ball.center);
-        if (vec3_length_squared(d) > ball.radius * ball.radius) continue;
+    soft_tables *t = &w->soft;
+    const body *soft = &w->body[a];
+    real reach = soft_gap(soft, &w->body[b]) + t->margin;
+    real far = w->rigid.now[b].radius + reach;
+    vec3 center = frame_of(w, b).center;
+    bool is_ready = false;
+    for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
+        vec3 x = t->at[i];
+        if (vec3_length_squared(vec3_sub(x, center)) > far * far) continue;
         if (!is_ready) look_at_hull(w, b);
-        is_ready = 1;
-        int ahead = hull_ahead(x, w->hull.plane, w->hull.planes);
-        if (plane_height(w->hull.plane[ahead], x) > reach) continue;
-        if (room_for(w, 1, w->near.point_capacity - w->near.points) == 1)
-            w->near.point[w->near.points++] = (point_pair){ i, a, b, ahead };
+        is_ready = true;
+        int ahead = hull_ahead(x, t->plane, t->hull.planes);
+        if (plane_height(t->plane[ahead], x) > reach) continue;
+        if (room_for(w, 1, t->point_capacity - t->points) == 1)
+            t->point[t->points++] = (point_pair){ i, a, b, ahead };
     }
 }
 //<
@@ -176,55 +405,140 @@ static void list_points(world *w, int a, int b)
 //> soft-refresh
 static void list_pair(world *w, int a, int b)
 {
-    int soft_a = body_is_soft(&w->body[a]), soft_b = body_is_soft(&w->body[b]);
-    if (body_is_still(w, a) && body_is_still(w, b)) return;
-    if (soft_a && soft_b)  list_soft_pair(w, &w->body[a], &w->body[b]);
-    else if (soft_a)       list_points(w, a, b);
-    else if (soft_b)       list_points(w, b, a);
+    body *x = &w->body[a], *y = &w->body[b];
+    if (!body_moves(w, a) && !body_moves(w, b)) return;
+    if (body_is_soft(x) && body_is_soft(y)) list_soft_pair(w, x, y);
+    else if (body_is_soft(x))               list_points(w, a, b);
+    else if (body_is_soft(y))               list_points(w, b, a);
 }
 
-void soft_refresh(world *w)
+// A grid needs no tree; another body does.
+static void note_places(world *w, int b)
 {
-    if (lists_are_good(w)) return;
-    w->near.pairs = w->near.points = w->near.trusted = 0;
-    w->report.rebuilt++;
-    for (int b = 0; b < w->bodies; b++) {
-        body *now = &w->body[b];
-        // A grid needs no tree; another body does.
-        if (body_is_soft(now) && w->softs == 1) world_look(w, now);
-        else                                    world_look_again(w, now);
-        for (int i = now->first; i < now->first + body_particles(now); i++)
-            w->of.listed[i] = w->pool.at[i].position;
+    soft_tables *t = &w->soft;
+    body *x = &w->body[b];
+    if (!body_is_soft(x)) {
+        rigid_frame frame = frame_of(w, b);
+        for (int k = 0; k < FOUR; k++)
+            t->listed[x->first + k] = vec3_add(frame.center,
+                                               frame_arm(&frame, k));
+        return;
     }
+    look_at_soft(w, b);
+    if (w->softs > 1) sphere_tree_refresh(&x->tree, t->at + x->first);
+    for (int i = x->first; i < x->first + x->shape->particles; i++)
+        t->listed[i] = t->at[i];
+}
+
+void soft_refresh(world *w, real h)
+{
+    if (lists_are_good(w, h)) return;
+    w->soft.pairs = w->soft.points = w->soft.trusted = 0;
+    w->report.rebuilt++;
+    for (int b = 0; b < w->bodies; b++) note_places(w, b);
     for (int a = 0; a < w->bodies; a++) {
-        if (body_is_soft(&w->body[a]) && !body_is_still(w, a))
-            list_self(w, &w->body[a]);
+        if (is_moving_soft(w, a)) list_self(w, &w->body[a]);
         for (int b = a + 1; b < w->bodies; b++) list_pair(w, a, b);
     }
 }
 //<
 
-//> soft-separate
-// Four particles answer a push as the solid would.
-static void push_apart(world *w, point_pair pair, const contact_point *c)
+//> soft-push
+// A particle that touches a rigid body.
+typedef struct {
+    vec3 normal;        // unit, out of the body
+    vec3 arm;           // m, of the point touched, from the body's centre
+    real overlap;       // m, now
+    vec3 slide;         // m, how far the particle passed that point in the
+                        // substep
+} touch_point;
+
+static touch_point touch_of(const world *w, const particle *p, int b,
+                            const surface_point *s, real apart, real h)
 {
-    push_options how = { .friction = w->options.friction,
-                         .mend = 1, .mend_speed = HUGE_VAL };
-    push x = contacts_push(w, c, pair.soft, pair.rigid);
-    push_limit(&x, w->pool.at, how, 1);
-    push_mend(&x, w->pool.at, how);
-    push_solve(&x, w->pool.at, how);
+    const rigid_tables *r = &w->rigid;
+    const motion_basis *basis = &r->now[b].basis;
+    motion since = r->moved[b];
+    for (int i = 0; i < MOTIONS; i++) since.of[i] -= w->soft.moved.of[i];
+    vec3 go = { w->soft.moved.of[0], w->soft.moved.of[1],
+                w->soft.moved.of[2] };
+    touch_point t = { .normal = s->normal };
+    t.arm = vec3_sub(s->at, vec3_add(r->now[b].frame.center, go));
+    vec3 at = vec3_add(s->at, motion_at(basis, &since, t.arm));
+    vec3 way = vec3_scale(h, motion_at(basis, &r->velocity[b], t.arm));
+    t.overlap = apart - vec3_dot(vec3_sub(p->position, at), t.normal);
+    t.slide = vec3_sub(vec3_sub(p->position, p->previous), way);
+    return t;
+}
+
+// m/kg, how far an impulse times a time of 1 kg m along d (unit) parts the two.
+static real answer(const motion_basis *basis, const particle *p, vec3 arm,
+                   vec3 d)
+{
+    vec3 moment = vec3_cross(arm, d);
+    real sum = p->inverse_mass + basis->inverse_mass;
+    for (int t = 0; t < TURNS; t++) {
+        real row = vec3_dot(basis->turn[t], moment);
+        sum += row * row;
+    }
+    return sum;
+}
+
+// A part of the overlap is older than this substep: the particle, and the body,
+// stand elsewhere, and have no more speed for that.
+static void correct(world *w, particle *p, int b, const touch_point *t,
+                    vec3 push)
+{
+    p->position = vec3_add_scaled(p->position, p->inverse_mass, push);
+    p->previous = vec3_add_scaled(p->previous, p->inverse_mass, push);
+    motion_push(&w->rigid.moved[b], &w->rigid.now[b].basis, t->arm,
+                vec3_scale(-1, push));
+}
+
+// A push of 1 kg m in a substep of h is an impulse of 1 / h.
+static void push(world *w, particle *p, int b, const touch_point *t, vec3 push,
+                 real h)
+{
+    const motion_basis *basis = &w->rigid.now[b].basis;
+    p->position = vec3_add_scaled(p->position, p->inverse_mass, push);
+    motion_push(&w->rigid.moved[b], basis, t->arm, vec3_scale(-1, push));
+    motion_push(&w->rigid.velocity[b], basis, t->arm,
+                vec3_scale(-1 / h, push));
+}
+
+static void push_apart(world *w, particle *p, int b, const surface_point *s,
+                       real apart, real h)
+{
+    const motion_basis *basis = &w->rigid.now[b].basis;
+    touch_point t = touch_of(w, p, b, s, apart, h);
+    real give = answer(basis, p, t.arm, t.normal);
+    if (!(t.overlap > 0) || !(give > 0)) return;
+    real old = t.overlap + vec3_dot(t.slide, t.normal);
+    old = real_min(real_max(old, 0), t.overlap);
+    correct(w, p, b, &t, vec3_scale(old / give, t.normal));
+    real load = (t.overlap - old) / give;
+    push(w, p, b, &t, vec3_scale(load, t.normal), h);
+
+    // Coulomb: at most so much of the load as takes the sliding back.
+    vec3 slide = touch_of(w, p, b, s, apart, h).slide;
+    slide = vec3_add_scaled(slide, -vec3_dot(slide, t.normal), t.normal);
+    real length = vec3_length(slide);
+    if (!(length > 0)) return;
+    vec3 across = vec3_scale(1 / length, slide);
+    real brake = real_min(w->options.friction * load,
+                          length / answer(basis, p, t.arm, across));
+    push(w, p, b, &t, vec3_scale(-brake, across), h);
 }
 //<
 
 //> soft-whole
 // A particle at x that weighs what the cloth weighs, and moves as its centre
-// of mass does; nailed, if any of it is.
+// of mass does; pinned, if any of it is.
 static particle whole_cloth(const world *w, const body *soft, vec3 x)
 {
     particle whole = { .position = x, .previous = x };
     vec3 sum = { 0, 0, 0 };
-    for (int i = soft->first; i < soft->first + soft->plan->particles; i++) {
+    for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
         const particle *p = &w->pool.at[i];
         if (p->inverse_mass == 0) return whole;
         vec3 step = vec3_sub(p->position, p->previous);
@@ -237,158 +551,105 @@ static particle whole_cloth(const world *w, const body *soft, vec3 x)
 
 // For a moment the whole cloth stands in the particle's place; how far that is
 // pushed, the cloth goes.
-static void push_whole(world *w, point_pair pair, const contact_point *c)
+static void push_whole(world *w, point_pair pair, const surface_point *s,
+                       real apart, real h)
 {
     const body *soft = &w->body[pair.soft];
-    particle *p = &w->pool.at[pair.particle], was = *p;
-    particle before = whole_cloth(w, soft, p->position);
-    *p = before;
-    push_apart(w, pair, c);
-    vec3 now = vec3_sub(p->position, before.position);
-    vec3 then = vec3_sub(p->previous, before.previous);
-    *p = was;
+    vec3 x = w->pool.at[pair.particle].position;
+    particle before = whole_cloth(w, soft, x), after = before;
+    push_apart(w, &after, pair.rigid, s, apart, h);
     if (before.inverse_mass == 0) return;
-    for (int i = soft->first; i < soft->first + soft->plan->particles; i++) {
-        p = &w->pool.at[i];
+    vec3 now = vec3_sub(after.position, before.position);
+    vec3 then = vec3_sub(after.previous, before.previous);
+    for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
+        particle *p = &w->pool.at[i];
         p->position = vec3_add(p->position, now);
         p->previous = vec3_add(p->previous, then);
     }
 }
 //<
 
-//> soft-over-face
-// Keeps a particle so far in front of a plane.  1 if it was not.
-static int separate_from_plane(const world *w, particle *p, plane face,
-                               real apart)
+//> soft-separate-all
+// Who answers a rigid body's push: a particle, or all that it hangs on?
+typedef enum { PARTICLE, WHOLE } answering;
+
+static bool separate_point(world *w, point_pair pair, real apart,
+                           answering who, real h)
 {
-    real up = plane_height(face, p->position);
-    vec3 foot = vec3_add_scaled(p->position, -up, face.normal);
-    return surface_separate(p, foot, face.normal, apart,
+    particle *p = &w->pool.at[pair.particle];
+    surface_point s;
+    if (!obstacle_nearest(&w->soft.hull, p->position, pair.ahead, apart, &s))
+        return false;
+    if (body_is_static(&w->body[pair.rigid]))
+        return surface_separate(p, s.at, s.normal, apart,
+                                w->options.friction) > 0;
+    if (who == PARTICLE) push_apart(w, p, pair.rigid, &s, apart, h);
+    else                 push_whole(w, pair, &s, apart, h);
+    return true;
+}
+
+// All points, to this share of what keeps them apart.  Those of the same two
+// bodies stand together in the list.  Returns how many touched.
+static int separate_points(world *w, real share, answering who, real h)
+{
+    int touching = 0;
+    point_pair last = { .soft = -1 };
+    real apart = 0;
+    for (int k = 0; k < w->soft.points; k++) {
+        point_pair pair = w->soft.point[k];
+        if (pair.soft != last.soft || pair.rigid != last.rigid) {
+            look_at_hull(w, pair.rigid);
+            apart = share * soft_gap(&w->body[pair.soft],
+                                     &w->body[pair.rigid]);
+        }
+        last = pair;
+        touching += separate_point(w, pair, apart, who, h);
+    }
+    return touching;
+}
+//<
+
+//> soft-separate
+static int separate_plane(const world *w, particle *p, plane wall, real apart)
+{
+    real up = plane_height(wall, p->position);
+    vec3 foot = vec3_add_scaled(p->position, -up, wall.normal);
+    return surface_separate(p, foot, wall.normal, apart,
                             w->options.friction) > 0;
 }
 
-// Is the point of plane number k under x on the body?  Then no other plane is
-// as far under x: from there to x that one rises with all of the way, others
-// with a part of it, and they began no higher.
-static int stands_over(const world *w, vec3 x, int k, real slack)
-{
-    real up = plane_height(w->hull.plane[k], x);
-    vec3 foot = vec3_add_scaled(x, -up, w->hull.plane[k].normal);
-    for (int i = 0; i < w->hull.planes; i++)
-        if (plane_height(w->hull.plane[i], foot) > slack) return 0;
-    return up > 0;
-}
-
-// The commonest contact by far: over a face of a nailed body, or inside it, a
-// particle goes straight out, and nobody needs to know of it.  Most often it is
-// the face that it was in front of when it was listed.  -1: it is over no face;
-// else as separate_point.
-static int separate_from_face(world *w, particle *p, int ahead, real apart,
-                              real slack)
-{
-    vec3 x = p->position;
-    if (ahead >= w->hull.planes || !stands_over(w, x, ahead, slack)) {
-        ahead = hull_ahead(x, w->hull.plane, w->hull.planes);
-        real up = plane_height(w->hull.plane[ahead], x);
-        if (!(up <= apart)) return 0;
-        if (up > 0 && !stands_over(w, x, ahead, slack)) return -1;
-    }
-    return separate_from_plane(w, p, w->hull.plane[ahead], apart);
-}
-//<
-
-//> soft-separate-point
-typedef void (*pusher)(world *w, point_pair pair, const contact_point *c);
-
-static int separate_point(world *w, point_pair pair, real apart, pusher by)
-{
-    const body *soft = &w->body[pair.soft], *rigid = &w->body[pair.rigid];
-    pooled a = world_collider(w, soft), b = world_collider(w, rigid);
-    contact_point c;
-    w->of.at[pair.particle] = w->pool.at[pair.particle].position;
-    if (!collide_point(&a, pair.particle - soft->first, &b, w->hull.plane,
-                       w->hull.face, w->hull.planes, apart, &c)) return 0;
-    c.thickness = apart;
-    if (body_is_nailed(rigid))
-        return surface_separate(&w->pool.at[pair.particle], c.fixed, c.normal,
-                                apart, w->options.friction) > 0;
-    by(w, pair, &c);
-    return 1;
-}
-//<
-
-//> soft-separate-all
-// The points from number k on that are of the same two bodies, to this share of
-// what keeps them apart.  One plane that a particle is clear of is enough to
-// know that it does not touch: most often the one that it was in front of when
-// it was listed.  (There may be fewer by now: strain parts the planes of two
-// triangles of one side, and lets them meet again.)  *touching counts who
-// touched.  Returns the next number.
-static int separate_points_of(world *w, int k, real share, pusher by,
-                              int *touching)
-{
-    point_pair first = w->near.point[k];
-    const body *soft = &w->body[first.soft], *rigid = &w->body[first.rigid];
-    real apart = share * soft_gap(soft, rigid);
-    real slack = 1e-12 * rigid->plan->radius;
-    look_at_hull(w, first.rigid);
-    for (; k < w->near.points; k++) {
-        point_pair pair = w->near.point[k];
-        particle *p = &w->pool.at[pair.particle];
-        if (pair.soft != first.soft || pair.rigid != first.rigid) break;
-        if (pair.ahead < w->hull.planes
-            && plane_height(w->hull.plane[pair.ahead], p->position) > apart)
-            continue;
-        int touched = !body_is_nailed(rigid) ? -1
-                    : separate_from_face(w, p, pair.ahead, apart, slack);
-        if (touched < 0) touched = separate_point(w, pair, apart, by);
-        *touching += touched;
-    }
-    return k;
-}
-
-// All points.  Returns how many touched.
-static int separate_points(world *w, real share, pusher by)
-{
-    int touching = 0;
-    for (int k = 0; k < w->near.points;)
-        k = separate_points_of(w, k, share, by, &touching);
-    return touching;
-}
-
-// Particles of deformable bodies and the world's planes.
 static int separate_planes(world *w)
 {
     int touching = 0;
     for (int b = 0; b < w->bodies && w->planes > 0; b++) {
         const body *soft = &w->body[b];
-        if (!body_is_soft(soft) || !body_moves(w, b)) continue;
-        for (int i = soft->first; i < soft->first + soft->plan->particles; i++)
+        if (!is_moving_soft(w, b)) continue;
+        for (int i = soft->first; i < soft->first + soft->shape->particles; i++)
             for (int k = 0; k < w->planes; k++)
-                touching += separate_from_plane(w, &w->pool.at[i], w->plane[k],
-                                                soft->thickness);
+                touching += separate_plane(w, &w->pool.at[i], w->plane[k],
+                                           soft->thickness);
     }
     return touching;
 }
 
-void soft_separate(world *w)
+void soft_separate(world *w, real h)
 {
     int touching = separate_planes(w);
-    for (int k = 0; k < w->near.pairs; k++)
-        if (particle_contact_overlaps(&w->near.pair[k], w->pool.at))
-            touching += particle_contact_separate(w->near.pair[k], w->pool.at,
+    for (int k = 0; k < w->soft.pairs; k++)
+        if (particle_contact_overlaps(&w->soft.pair[k], w->pool.at))
+            touching += particle_contact_separate(w->soft.pair[k], w->pool.at,
                                                   w->options.friction) > 0;
-    touching += separate_points(w, 1, push_apart);
-    w->report.near = w->near.pairs + w->near.points;
+    touching += separate_points(w, 1, PARTICLE, h);
+    w->report.near = w->soft.pairs + w->soft.points;
     w->report.touching = touching;
 }
 
-// In a cloth that lies on a nailed body this finds nobody.  But particles that
+// In a cloth that lies on a static body this finds nothing.  But particles that
 // a bullet drives before it are pulled back by their sticks, and through it:
 // they are light, and make way.  What stops it is all that the sticks hold
 // together.
-void soft_hold(world *w)
+void soft_hold(world *w, real h)
 {
-    separate_points(w, 0.5, push_whole);
+    separate_points(w, 0.5, WHOLE, h);
 }
 //<

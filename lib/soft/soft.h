@@ -15,9 +15,9 @@
 //<
 
 //> soft-declare
-// A frame begins: deformable bodies wake, and rest with, whatever comes near
-// them.  After rigid bodies have been looked at, and their contacts found.
-void soft_begin(world *w);
+// A frame begins, and rigid bodies have been looked at: deformable bodies wake,
+// and rest with, whatever is near them.  Returns whether anything woke.
+bool soft_begin(world *w);
 
 // How many substeps this frame needs for what deformable bodies may meet.
 int soft_substeps(const world *w);
@@ -26,6 +26,21 @@ int soft_substeps(const world *w);
 // planes, each other and rigid bodies, and relaxes their sticks.  Rigid bodies
 // stand at rigid.now, moved by rigid.moved, and take impulses there.
 void soft_substep(world *w, real h);
+//<
+
+//> soft-declare-parts
+// Its parts, in their order.  The lists are brought up to date,
+void soft_refresh(world *w, real h);
+
+// particles are parted from all that they touch,
+void soft_separate(world *w, real h);
+
+// and those that sticks have pulled back into a rigid body hold it by the weight
+// of all that they hang on.
+void soft_hold(world *w, real h);
+
+// m, how far particles of `soft` are kept from the surface of `rigid`.
+real soft_gap(const body *soft, const body *rigid);
 
 #endif
 //<

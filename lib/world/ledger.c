@@ -1,26 +1,63 @@
 //> ledger-total
 #include "ledger.h"
 
-// A particle between two places: its velocity is that of the moment halfway,
-// so its height and its lever arm are taken there, too.  A free fall then keeps
-// kinetic and potential energy in balance exactly:
+// A mass that goes from one place to the next has its velocity at the moment
+// halfway, so its height and its lever arm are taken there, too.  A free fall
+// then keeps kinetic and potential energy in balance exactly:
 //     v^2/2 + g (x + x_previous)/2, with v' = v - g h and x' = x + v' h,
 // changes by -v g h + (g h)^2/2 + g (v' + v) h/2 = 0.  Both places lie on the
 // parabola, their middle (g h^2)/8 under it: with that added, h may change.
+static void add_mass(ledger_entry *sum, real mass, vec3 middle, vec3 v,
+                     vec3 gravity, real h)
+{
+    real under = vec3_length_squared(gravity) * h * h / 8;
+    sum->energy += mass * (under - vec3_dot(gravity, middle));
+    sum->momentum = vec3_add_scaled(sum->momentum, mass, v);
+    sum->angular = vec3_add_scaled(sum->angular, mass, vec3_cross(middle, v));
+}
+
+// What is asleep stands where it is, and not between two places.
+static void add_particles(ledger_entry *sum, const world *w, const body *b,
+                          bool is_asleep)
+{
+    real h = w->age, apart = is_asleep ? 0 : h;
+    for (int i = b->first; i < b->first + body_particles(b); i++) {
+        const particle *p = &w->pool.at[i];
+        if (w->inverse_mass[i] == 0) continue;
+        real mass = 1 / w->inverse_mass[i];
+        vec3 v = vec3_scale(1 / h, vec3_sub(p->position, p->previous));
+        vec3 middle = vec3_scale(0.5, vec3_add(p->position, p->previous));
+        add_mass(sum, mass, middle, v, w->options.gravity, apart);
+        sum->energy += mass * vec3_length_squared(v) / 2;
+    }
+}
+
+// In a frame: a rigid body has its velocity, and has been moved, in the
+// coordinates of its motion basis, and its particles wait.
+static void add_rigid(ledger_entry *sum, const world *w, int b)
+{
+    const solver_body *now = &w->rigid.now[b];
+    const real *u = w->rigid.velocity[b].of, *d = w->rigid.moved[b].of;
+    real ahead = w->ledger_ahead;
+    vec3 v = { u[0], u[1], u[2] }, moved = { d[0], d[1], d[2] };
+    vec3 middle = vec3_add_scaled(vec3_add(now->frame.center, moved), ahead, v);
+    add_mass(sum, w->body[b].mass, middle, v, w->options.gravity, 2 * ahead);
+    sum->energy += motion_energy(&now->basis, &w->rigid.velocity[b]);
+    sum->angular = vec3_add(sum->angular, motion_angular(&now->basis,
+                                                &w->rigid.velocity[b]));
+}
+
 ledger_entry ledger_total(const world *w)
 {
     ledger_entry sum = { 0, { 0, 0, 0 }, { 0, 0, 0 } };
-    real h = w->age, g2 = vec3_length_squared(w->options.gravity);
-    for (int i = 0; i < w->pool.count; i++) {
-        const particle *p = &w->pool.at[i];
-        if (w->of.inverse_mass[i] == 0) continue;
-        real mass = 1 / w->of.inverse_mass[i];
-        vec3 v = vec3_scale(1 / h, vec3_sub(p->position, p->previous));
-        vec3 x = vec3_scale(0.5, vec3_add(p->position, p->previous));
-        sum.energy += mass * (vec3_length_squared(v) / 2 + g2 * h * h / 8
-                              - vec3_dot(w->options.gravity, x));
-        sum.momentum = vec3_add_scaled(sum.momentum, mass, v);
-        sum.angular = vec3_add_scaled(sum.angular, mass, vec3_cross(x, v));
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        bool is_asleep = w->sleep.asleep[b];
+        if (body_is_static(x)) continue;
+        if (body_is_soft(x) || is_asleep || w->ledger_ahead == 0)
+            add_particles(&sum, w, x, is_asleep);
+        else
+            add_rigid(&sum, w, b);
     }
     return sum;
 }
@@ -32,29 +69,22 @@ void ledger_open(world *w)
     if (w->options.ledger) w->ledger_now = ledger_total(w);
 }
 
-void ledger_book(world *w, int who)
+void ledger_book(world *w, int account)
 {
     if (!w->options.ledger) return;
     ledger_entry now = ledger_total(w), *was = &w->ledger_now;
-    ledger_entry *account = &w->ledger[who];
-    account->energy += now.energy - was->energy;
-    account->momentum = vec3_add(account->momentum,
-                                 vec3_sub(now.momentum, was->momentum));
-    account->angular = vec3_add(account->angular,
-                                vec3_sub(now.angular, was->angular));
+    ledger_entry *entry = &w->ledger[account];
+    entry->energy += now.energy - was->energy;
+    entry->momentum = vec3_add(entry->momentum,
+                               vec3_sub(now.momentum, was->momentum));
+    entry->angular = vec3_add(entry->angular,
+                              vec3_sub(now.angular, was->angular));
     *was = now;
-}
-
-void ledger_friction(world *w, real energy)
-{
-    if (!w->options.ledger) return;
-    w->ledger[LEDGER_FRICTION].energy += energy;
-    w->ledger[LEDGER_CONTACTS].energy -= energy;
 }
 
 void ledger_clear(world *w)
 {
-    for (int who = 0; who < LEDGERS; who++)
-        w->ledger[who] = (ledger_entry){ 0, { 0, 0, 0 }, { 0, 0, 0 } };
+    for (int k = 0; k < LEDGERS; k++)
+        w->ledger[k] = (ledger_entry){ 0, { 0, 0, 0 }, { 0, 0, 0 } };
 }
 //<

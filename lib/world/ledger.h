@@ -1,5 +1,5 @@
 //> ledger-head
-// ledger.h - who gave energy and momentum to the world, and who took them?
+// ledger.h - what gave energy and momentum to the world, and what took them?
 //
 // Paper: not asked.  Book: chapter 16.
 // Units: joules, kg m/s, kg m^2/s about the origin, in the world's frame.
@@ -11,23 +11,20 @@
 //<
 
 //> ledger-declare
-// What the world has: kinetic energy by the velocities half a substep ago, and
-// potential energy, momentum and angular momentum about the places of that
-// moment.  Under gravity alone Verlet's step changes none of this sum's energy,
-// and momentum by gravity's share.  Nailed particles do not count.
+// What the bodies have: kinetic energy by the velocities in the
+// middle of a substep, and potential energy, momentum and angular momentum at
+// the places of that moment.  Under gravity alone a step changes none of this
+// sum's energy, and momentum by gravity's share.  Static bodies and pinned
+// particles do not count.  Requires world_begin.
 ledger_entry ledger_total(const world *w);
 
 // Opens the account: books nothing, and counts from here.  At the start of a
-// step: what was done to the particles between steps is nobody's.
+// step: what is done to the particles between steps is in no account.
 void ledger_open(world *w);
 
-// Books what has changed since the last call to `who`.  Costs nothing unless
-// options.ledger is set.
-void ledger_book(world *w, int who);
-
-// Moves `energy` (J) that friction gave (< 0: took) from the contacts' account
-// to its own.
-void ledger_friction(world *w, real energy);
+// Books what has changed since the last call to account LEDGER_...  Costs
+// nothing unless options.ledger is set.
+void ledger_book(world *w, int account);
 
 // Empties all accounts.
 void ledger_clear(world *w);

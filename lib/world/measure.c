@@ -2,6 +2,7 @@
 #include "measure.h"
 
 #include <stddef.h>
+#include <stdlib.h>
 
 static void measure_strain(const world *w, measures *m)
 {
@@ -10,9 +11,9 @@ static void measure_strain(const world *w, measures *m)
     for (int b = 0; b < w->bodies; b++) {
         const body *x = &w->body[b];
         const particle *p = w->pool.at + x->first;
-        const stick *s = x->four ? x->four->stick : x->plan->stick;
-        int sticks = x->four ? FOUR_STICKS : x->plan->sticks;
-        if (body_is_nailed(x)) continue;
+        const stick *s = x->rigid ? x->rigid->stick : x->shape->stick;
+        int sticks = x->rigid ? FOUR_STICKS : x->shape->sticks;
+        if (body_is_static(x)) continue;
         for (int k = 0; k < sticks; k++) {
             real strain = stick_strain(s[k], p);
             int is_soft = s[k].stiffness < 1;
@@ -35,8 +36,8 @@ static void measure_motion(const world *w, measures *m)
     real h = w->age;
     for (int i = 0; i < w->pool.count; i++) {
         const particle *p = &w->pool.at[i];
-        if (w->of.inverse_mass[i] == 0) continue;
-        real mass = 1 / w->of.inverse_mass[i];
+        if (w->inverse_mass[i] == 0) continue;
+        real mass = 1 / w->inverse_mass[i];
         vec3 v = vec3_scale(1 / h, vec3_sub(p->position, p->previous));
         vec3 x = vec3_scale(0.5, vec3_add(p->position, p->previous));
         m->kinetic += mass / 2 * vec3_length_squared(v);
@@ -48,73 +49,133 @@ static void measure_motion(const world *w, measures *m)
 //<
 
 //> measure-penetration
+// Where everything is, and room for the planes of one body.
+typedef struct {
+    vec3 *at;           // m, the vertices of all bodies
+    int  *first;        // [bodies] of each in `at`
+    sphere *ball;       // [bodies] around them
+    plane *plane;
+} sight;
+
 // A NaN enters, and nothing replaces it.
 static void deepen(measures *m, real depth)
 {
     if (depth > m->penetration || depth != depth) m->penetration = depth;
 }
 
-static void measure_planes(const world *w, const body *b, measures *m)
+static void measure_planes(const world *w, const sight *s, int b, measures *m)
 {
-    if (body_is_nailed(b)) return;
+    const vec3 *at = s->at + s->first[b];
     for (int p = 0; p < w->planes; p++)
-        for (int i = b->corner; i < b->corner + b->plan->particles; i++)
-            deepen(m, w->plane[p].offset
-                      - vec3_dot(w->of.at[i], w->plane[p].normal));
+        for (int i = 0; i < w->body[b].shape->particles; i++)
+            deepen(m, -plane_height(w->plane[p], at[i]));
 }
 
-// The depth of the hit face; bodies that are apart add nothing, and those that
-// are nowhere a depth that is no number.
-static void measure_rigid_pair(world *w, body *a, body *b, measures *m)
+// The depth of the hit face; bodies that are apart add nothing.
+static void measure_rigid_pair(const world *w, const sight *s, int a, int b,
+                               measures *m)
 {
-    hull p = { w->of.at + a->corner, a->plan->particles };
-    hull q = { w->of.at + b->corner, b->plan->particles };
-    if (body_is_nailed(a) && body_is_nailed(b)) return;
-    gjk_result g = gjk_distance(p, q, 0, NULL);
-    if (g.status == GJK_NOT_FINITE) deepen(m, (real)NAN);
-    if (g.status == GJK_OVERLAP)
-        deepen(m, hit_face_find(p, q, &g.last).depth);
+    collider x = { w->body[a].shape, s->at + s->first[a] };
+    collider y = { w->body[b].shape, s->at + s->first[b] };
+    query_cache none = { .count = 0 };
+    query_result r = query_nearest(&x, &y, 0, &none);
+    if (r.near) deepen(m, -r.at.gap);
 }
 
 // How deep the particles of a deformable body stand in a rigid one.
-static void measure_points(world *w, body *soft, body *rigid, measures *m)
+static void measure_points(const world *w, const sight *s, int soft, int rigid,
+                           measures *m)
 {
-    pooled a = world_collider(w, soft), b = world_collider(w, rigid);
-    int planes = hull_planes(rigid->plan, b.at, w->hull.plane, w->hull.face);
-    w->hull.of = -1;
-    for (int i = 0; i < soft->plan->particles; i++) {
-        contact_point c;
-        if (!collide_point(&a, i, &b, w->hull.plane, w->hull.face, planes, 0,
-                           &c))
-            continue;
-        vec3 on_b = c.fixed;
-        deepen(m, vec3_dot(vec3_sub(on_b, a.at[i]), c.normal));
+    const shape *plan = w->body[rigid].shape;
+    const vec3 *at = s->at + s->first[rigid], *x = s->at + s->first[soft];
+    obstacle b = { { at, plan->particles }, s->plane,
+                   hull_planes(plan, at, s->plane), plan->radius };
+    for (int i = 0; i < w->body[soft].shape->particles; i++) {
+        surface_point p;
+        if (obstacle_nearest(&b, x[i], b.planes, 0, &p))
+            deepen(m, vec3_dot(vec3_sub(p.at, x[i]), p.normal));
     }
 }
 
-static void measure_pair(world *w, body *a, body *b, measures *m)
+static void measure_pair(const world *w, const sight *s, int a, int b,
+                         measures *m)
 {
-    sphere x = sphere_tree_root(&a->tree, w->of.at + a->corner);
-    sphere y = sphere_tree_root(&b->tree, w->of.at + b->corner);
-    if (vec3_distance(x.center, y.center) > x.radius + y.radius) return;
-    if (!body_is_soft(a) && !body_is_soft(b)) measure_rigid_pair(w, a, b, m);
-    if (body_is_soft(a) && !body_is_soft(b))  measure_points(w, a, b, m);
-    if (!body_is_soft(a) && body_is_soft(b))  measure_points(w, b, a, m);
+    const body *x = &w->body[a], *y = &w->body[b];
+    sphere p = s->ball[a], q = s->ball[b];
+    real near = p.radius + q.radius;
+    if (body_is_static(x) && body_is_static(y)) return;
+    if (vec3_length_squared(vec3_sub(p.center, q.center)) > near * near) return;
+    if (!body_is_soft(x) && !body_is_soft(y)) measure_rigid_pair(w, s, a, b, m);
+    if (body_is_soft(x) && !body_is_soft(y))  measure_points(w, s, a, b, m);
+    if (!body_is_soft(x) && body_is_soft(y))  measure_points(w, s, b, a, m);
+}
+//<
+
+//> measure-look
+static sphere ball_around(const vec3 *at, int n)
+{
+    sphere s = { { 0, 0, 0 }, 0 };
+    real most = 0;
+    for (int i = 0; i < n; i++)
+        s.center = vec3_add_scaled(s.center, 1.0 / n, at[i]);
+    for (int i = 0; i < n; i++)
+        most = real_max(vec3_length_squared(vec3_sub(at[i], s.center)), most);
+    s.radius = (1 + 1e-9) * sqrt(most);
+    return s;
+}
+
+static void sight_free(sight *s)
+{
+    free(s->at);
+    free(s->first);
+    free(s->ball);
+    free(s->plane);
+}
+
+static bool sight_make(const world *w, sight *s)
+{
+    size_t vertices = 1, faces = 1, bodies = (size_t)w->bodies + 1;
+    for (int b = 0; b < w->bodies; b++) {
+        const shape *x = w->body[b].shape;
+        vertices += (size_t)x->particles;
+        if ((size_t)x->mesh.faces > faces) faces = (size_t)x->mesh.faces;
+    }
+    *s = (sight){ malloc(vertices * sizeof *s->at),
+                  malloc(bodies * sizeof *s->first),
+                  malloc(bodies * sizeof *s->ball),
+                  malloc(faces * sizeof *s->plane) };
+    if (!s->at || !s->first || !s->ball || !s->plane) return false;
+    int next = 0;
+    for (int b = 0; b < w->bodies; b++) {
+        int n = w->body[b].shape->particles;
+        s->first[b] = next;
+        world_vertices(w, &w->body[b], s->at + next);
+        s->ball[b] = ball_around(s->at + next, n);
+        next += n;
+    }
+    return true;
+}
+
+static void measure_penetration(const world *w, measures *m)
+{
+    sight s;
+    if (!sight_make(w, &s)) deepen(m, (real)NAN);
+    else for (int a = 0; a < w->bodies; a++) {
+        if (!vec3_is_finite(s.ball[a].center)) deepen(m, (real)NAN);
+        if (!body_is_static(&w->body[a])) measure_planes(w, &s, a, m);
+        for (int b = a + 1; b < w->bodies; b++) measure_pair(w, &s, a, b, m);
+    }
+    sight_free(&s);
 }
 //<
 
 //> world-measure
-measures world_measure(world *w)
+measures world_measure(const world *w)
 {
     measures m = { .strain = 0 };
-    for (int b = 0; b < w->bodies; b++) world_look_again(w, &w->body[b]);
     measure_strain(w, &m);
     measure_motion(w, &m);
-    for (int a = 0; a < w->bodies; a++) {
-        measure_planes(w, &w->body[a], &m);
-        for (int b = a + 1; b < w->bodies; b++)
-            measure_pair(w, &w->body[a], &w->body[b], &m);
-    }
+    measure_penetration(w, &m);
     return m;
 }
 //<

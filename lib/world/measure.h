@@ -26,11 +26,12 @@ typedef struct {
 //<
 
 //> measure-declare
-// Measures the world as it stands, afresh, from where the particles are.  Not
-// part of the step, and slower than one; the next step is the same with it or
-// without it.  Requires world_begin.  A body whose numbers are lost shows as a
-// strain of HUGE_VAL, a penetration of NaN.
-measures world_measure(world *w);
+// Measures the world as it stands, from where the particles are.  Not part of
+// the step, and slower than one: it allocates room for all vertices, and asks
+// all pairs.  Requires world_begin.  A body whose numbers are lost shows as a
+// strain of HUGE_VAL, a penetration of NaN; where memory is refused, the
+// penetration is NaN, too.
+measures world_measure(const world *w);
 
 // FNV-1a over the bytes of all positions: equal bits, equal hash, between
 // machines that store numbers in the same order of bytes.

@@ -8,6 +8,11 @@
 #include <stddef.h>
 #include <string.h>
 
+#ifndef SPREADX         // the lead's experiment
+#define SPREADX 2
+#define CALMX 0
+#endif
+
 static void lap(world *w, int phase, real *since);
 static void look_at_bodies(world *w);
 static void find_pairs(world *w);
@@ -27,7 +32,9 @@ void world_step(world *w)
     // Paper: bodies move, then overlaps are looked for; here: what may touch in
     // this frame is found before anything moves.
     look_at_bodies(w);
+    if (w->softs > 0 && soft_begin(w)) look_at_bodies(w);
     find_pairs(w);
+    ledger_book(w, LEDGER_SLEEP);
     lap(w, PHASE_PAIRS, &since);
     find_contacts(w);
     lap(w, PHASE_CONTACTS, &since);
@@ -35,8 +42,8 @@ void world_step(world *w)
     lap(w, PHASE_PREPARE, &since);
     for (int k = 0; k < w->report.substeps; k++) substep(w, &f, k, &since);
     solver_store(&w->rigid.solver, w->rigid.cache.active);
-    move_bodies(w, f.h);
     w->age = f.h;
+    move_bodies(w, f.h);
     lap(w, PHASE_MOVE, &since);
     fall_asleep(w);
     ledger_book(w, LEDGER_SLEEP);
@@ -81,7 +88,8 @@ static prediction predict(const world *w, const solver_body *now,
     real beside = vec3_length(w->options.gravity) * dt * dt / 2
                 + now->radius / 100;
     prediction p = { .way = vec3_scale(dt, straight),
-                     .turn = dt * now->radius * vec3_length(spin) + beside };
+                     .angle = dt * vec3_length(spin) };
+    p.turn = now->radius * p.angle + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -124,30 +132,6 @@ static void look_at_bodies(world *w)
 //<
 
 //> step-wake
-// Wakes b and all that sleep with it.
-static void rouse(world *w, int b)
-{
-    sleep_wake(&w->sleep, b);
-    for (int k = 0; k < w->bodies; k++) {
-        const body *x = &w->body[k];
-        if (w->sleep.asleep[k]) continue;
-        for (int i = x->first; i < x->first + body_particles(x); i++)
-            w->pool.at[i].inverse_mass = w->inverse_mass[i];
-    }
-    w->soft.trusted = -1;
-}
-
-bool world_wake_near(world *w, int a, int b)
-{
-    int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
-    if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
-    if (body_is_static(&w->body[sleeper])) return false;
-    if (body_is_static(&w->body[other]) || w->sleep.watch[other].still > 0)
-        return false;
-    rouse(w, sleeper);
-    return true;
-}
-
 // Are two bodies so near that they may meet in this frame?
 static bool may_meet(const rigid_tables *t, int a, int b)
 {
@@ -183,10 +167,29 @@ static void find_pairs(world *w)
 }
 //<
 
+//> step-spread
+// A body that is hit may go as far as what hits it.
+static void spread_reach(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int round = 0; round < SPREADX; round++) {
+    for (int b = 0; b < w->bodies; b++) t->reach[b] = t->ahead[b].reach;
+    for (int k = 0; k < t->pairs.count; k++) {
+        int a = t->pairs.pair[k][0], b = t->pairs.pair[k][1];
+        real far = real_max(t->reach[a], t->reach[b]);
+        if (!may_meet(t, a, b)) continue;
+        if (t->moves[a]) t->ahead[a].reach = real_max(t->ahead[a].reach, far);
+        if (t->moves[b]) t->ahead[b].reach = real_max(t->ahead[b].reach, far);
+    }
+    }
+}
+//<
+
 //> step-contacts
 static void find_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
+    spread_reach(w);
     cache_frame f = { .body = t->body, .now = t->now, .ahead = t->ahead,
                       .moves = t->moves, .bodies = w->bodies,
                       .list = &t->pairs, .is_new_list = t->is_new_list,
@@ -230,11 +233,22 @@ static int substeps_for_loads(const world *w)
     return (int)(usual * times);
 }
 
+static bool is_calm(const world *w)
+{
+    for (int b = 0; b < w->bodies; b++) {
+        vec3 way = w->rigid.ahead[b].way;
+        real far = CALMX * w->rigid.now[b].radius;
+        if (vec3_length_squared(way) > far * far) return false;
+    }
+    return true;
+}
+
 static int choose_substeps(world *w)
 {
     int n = substeps_for_loads(w);
+    if (w->softs == 0 && is_calm(w)) n = n * 3 / 4;
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
-    return int_max(w->options.substeps, int_min(n, w->options.most_substeps));
+    return int_min(n, w->options.most_substeps);
 }
 //<
 
@@ -267,7 +281,6 @@ static void count_deep(world *w)
 static solver_frame prepare(world *w)
 {
     rigid_tables *t = &w->rigid;
-    if (w->softs > 0) soft_begin(w);
     w->report.substeps = choose_substeps(w);
     solver_frame f = frame_of(w);
     const contact *const *table = (const contact *const *)t->cache.active;
@@ -315,11 +328,13 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
 {
     rigid_tables *t = &w->rigid;
     fall(w, k == 0 ? (w->age + f->h) / 2 : f->h);
+    w->ledger_ahead = f->h / 2;
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
     solver_begin(&t->solver, f, t->velocity, k == 0);
     solver_push(&t->solver, f, t->velocity, t->moved);
     advance(w, f->h);
+    w->ledger_ahead = -f->h / 2;
     solver_relax(&t->solver, f, t->velocity, t->moved);
     solver_end(&t->solver, t->velocity);
     ledger_book(w, LEDGER_CONTACTS);
@@ -440,6 +455,7 @@ static void move_bodies(world *w, real h)
         w->report.fell_back += r->fell_back;
         w->report.unconverged += !(r->worst <= 0.01);
     }
+    w->ledger_ahead = 0;
     ledger_book(w, LEDGER_STICKS);
 }
 //<

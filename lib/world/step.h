@@ -14,10 +14,5 @@
 // w->report.dropped counts what found no room.
 void world_step(world *w);
 
-// Body a comes near body b: if one of them sleeps and the other did not lie
-// still in the last frame, the sleeper wakes, in time to take its part of the
-// impact, and all that sleep with it.  Returns whether it did.
-bool world_wake_near(world *w, int a, int b);
-
 #endif
 //<

@@ -262,6 +262,8 @@ static bool size_soft(world *w)
     if (w->softs == 0) return true;
     t->pair_capacity = t->leaf_capacity = 24 * particles;
     t->point_capacity = 4 * particles;
+    t->ball   = room_for(w->bodies, sizeof *t->ball);
+    t->ahead  = room_for(w->bodies, sizeof *t->ahead);
     t->at     = room_for(w->pool.count, sizeof *t->at);
     t->listed = room_for(w->pool.count, sizeof *t->listed);
     t->pair   = room_for(t->pair_capacity, sizeof *t->pair);
@@ -269,9 +271,8 @@ static bool size_soft(world *w)
     t->leaf   = room_for(t->leaf_capacity, sizeof *t->leaf);
     t->corner = room_for(corners, sizeof *t->corner);
     t->plane  = room_for(faces, sizeof *t->plane);
-    t->face   = room_for(faces, sizeof *t->face);
-    return t->at && t->listed && t->pair && t->point && t->leaf && t->corner
-        && t->plane && t->face;
+    return t->ball && t->ahead && t->at && t->listed && t->pair && t->point
+        && t->leaf && t->corner && t->plane;
 }
 
 // The near lists ask about one deformable body at a time.
@@ -381,8 +382,8 @@ void world_free(world *w)
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
     void *owned[] = { w->body, w->shape, w->inverse_mass,
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->reach, r->velocity,
-        r->moved, r->relaxed, s->at, s->listed, s->pair, s->point, s->leaf, s->corner,
-        s->plane, s->face };
+        r->moved, r->relaxed, s->ball, s->ahead, s->at, s->listed, s->pair, s->point, s->leaf, s->corner,
+        s->plane };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);
@@ -404,5 +405,31 @@ void world_vertices(const world *w, const body *b, vec3 *at)
         return;
     }
     for (int i = 0; i < b->shape->particles; i++) at[i] = p[i].position;
+}
+//<
+
+//> world-wake
+// Wakes b and all that sleep with it.
+static void rouse(world *w, int b)
+{
+    sleep_wake(&w->sleep, b);
+    for (int k = 0; k < w->bodies; k++) {
+        const body *x = &w->body[k];
+        if (w->sleep.asleep[k]) continue;
+        for (int i = x->first; i < x->first + body_particles(x); i++)
+            w->pool.at[i].inverse_mass = w->inverse_mass[i];
+    }
+    w->soft.trusted = -1;
+}
+
+bool world_wake_near(world *w, int a, int b)
+{
+    int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
+    if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
+    if (body_is_static(&w->body[sleeper])) return false;
+    if (body_is_static(&w->body[other]) || w->sleep.watch[other].still > 0)
+        return false;
+    rouse(w, sleeper);
+    return true;
 }
 //<

@@ -10,6 +10,7 @@
 #include "cache.h"
 #include "grid.h"
 #include "line.h"
+#include "obstacle.h"
 #include "separation.h"
 #include "sleep.h"
 
@@ -146,6 +147,8 @@ typedef struct {
 
 // Particles of deformable bodies near each other, and near rigid bodies.
 typedef struct {
+    sphere     *ball;                   // [bodies] as the frame begins
+    prediction *ahead;                  // [bodies]
     vec3 *at;                           // [particles] for trees and grid
     vec3 *listed;                       // [particles] when the lists were made
     particle_contact *pair;             // of particles
@@ -158,11 +161,11 @@ typedef struct {
     int  trusted;       // they are good for as many substeps more; -1: there
                         // are none yet
     struct grid grid;   // for the largest deformable body
-    vec3 *corner;       // the vertices of the rigid body that is asked about,
-    struct plane *plane;    // and its planes
-    int  *face;         // the first of its shape in each plane
-    int  planes;
+    vec3 *corner;       // [most vertices] of the rigid body that is asked about
+    struct plane *plane;                // [most faces] and its planes
     int  hull_of;       // that body; -1: none
+    obstacle hull;      // it, as it stood when it was last looked at,
+    motion moved;       // and how far it had been moved
 } soft_tables;
 //<
 
@@ -183,6 +186,10 @@ typedef struct world {
     sleep_state  sleep;
     step_report  report;
     ledger_entry ledger[LEDGERS];   // since the start, or ledger_clear
+    ledger_entry ledger_now;        // what there is, as of the last entry
+    real ledger_ahead;      // s, from where rigid bodies have been moved to
+                            // the middle of the move that their velocities
+                            // are of; 0: their particles say
 } world;
 //<
 
@@ -218,6 +225,11 @@ static inline bool body_moves(const world *w, int b)
 {
     return w->body[b].mass < HUGE_VAL && !w->sleep.asleep[b];
 }
+
+// Body a comes near body b: if one of them sleeps and the other did not lie
+// still in the last frame, the sleeper wakes, in time to take its part of the
+// impact, and all that sleep with it.  Returns whether it did.
+bool world_wake_near(world *w, int a, int b);
 
 // Writes to at where the vertices of body b are now: shape->particles of them.
 void   world_vertices(const world *w, const body *b, vec3 *at);

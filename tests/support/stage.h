@@ -98,47 +98,18 @@ static inline particle *particle_of(int b, int i)
 static inline void begin_frame(void)
 {
     w.report = (step_report){ .substeps = w.options.substeps };
-    rest_begin(&w.rest);
-}
-
-// As the step does.
-static inline void integrate(void)
-{
-    real h = w.options.dt / w.options.substeps;
-    for (int b = 0; b < w.bodies; b++)
-        if (body_moves(&w, b))
-            verlet_step(w.pool.at + w.body[b].first,
-                        body_particles(&w.body[b]), w.options.gravity, NULL, h);
-}
-
-// Rigid bodies alone.
-static inline void relax(void)
-{
-    for (int b = 0; b < w.bodies; b++)
-        if (body_moves(&w, b) && !body_is_soft(&w.body[b]))
-            rigid4_relax(w.body[b].four, w.pool.at + w.body[b].first, 6,
-                       w.options.relax);
+    sleep_begin(&w.sleep);
 }
 
 enum { MOST_VERTICES = 100 };
 
-// Where vertex i of body b is: a particle, or carried by four.
+// Where vertex i of body b is.
 static inline vec3 vertex_of(int b, int i)
 {
     static vec3 at[MOST_VERTICES];
-    ck_assert_int_le(w.body[b].plan->particles, MOST_VERTICES);
+    ck_assert_int_le(w.body[b].shape->particles, MOST_VERTICES);
     world_vertices(&w, &w.body[b], at);
     return at[i];
-}
-
-// Where a contact that remembers holds one of its two sides.
-static inline vec3 point_of(const push_side *s)
-{
-    vec3 sum = ZERO;
-    for (int k = 0; k < s->count; k++)
-        sum = vec3_add_scaled(sum, s->share[k],
-                              w.pool.at[s->first + k].position);
-    return sum;
 }
 
 static inline void near_real(real got, real wanted, real error)

@@ -1,5 +1,5 @@
 // check_measure.c - is the world as far from right as it is said to be?
-// Book: chapter 9.
+// Book: chapter 16.
 
 #include <check.h>
 #include <stdlib.h>
@@ -33,7 +33,7 @@ static void tear_down(void)
     shape_free(&stick_);
 }
 
-static placement nailed_at(real x, real y, real z)
+static placement static_at(real x, real y, real z)
 {
     placement p = placement_at(vec3_make(x, y, z));
     p.is_static = 1;
@@ -43,7 +43,7 @@ static placement nailed_at(real x, real y, real z)
 // --- strain ------------------------------------------------------------------
 
 // Rejects: a strain, or a penetration, that is there from the start.
-START_TEST(world_as_planned_has_nothing_to_report)
+START_TEST(world_as_built_has_nothing_to_report)
 {
     begin(world_options_default());
     add_at(&cube, 0, 0, 0);
@@ -126,7 +126,7 @@ START_TEST(soft_diagonals_count_as_shear)
 }
 END_TEST
 
-// Rejects: the plan's sticks taken for those of the four particles.
+// Rejects: the shape's sticks taken for those of the four particles.
 START_TEST(strain_of_a_body_is_that_of_its_own_sticks)
 {
     begin(world_options_default());
@@ -143,11 +143,11 @@ START_TEST(strain_of_a_body_is_that_of_its_own_sticks)
 }
 END_TEST
 
-// Rejects: the strain of what nobody can mend.
-START_TEST(nailed_bodies_have_no_strain)
+// Rejects: the strain of a static body, which no step can mend.
+START_TEST(static_bodies_have_no_strain)
 {
     begin(world_options_default());
-    int b = add(&cube, nailed_at(0, 0, 0));
+    int b = add(&cube, static_at(0, 0, 0));
     ready();
     particle_of(b, 3)->position.x += 0.1;
     measures m = world_measure(&w);
@@ -183,11 +183,11 @@ START_TEST(cubes_that_overlap_by_a_tenth_are_a_tenth_deep)
 END_TEST
 
 // Rejects: a pair that can do nothing about it.
-START_TEST(two_nailed_bodies_may_overlap)
+START_TEST(two_static_bodies_may_overlap)
 {
     begin(world_options_default());
-    add(&cube, nailed_at(0, 0, 0));
-    add(&cube, nailed_at(0.5, 0, 0));
+    add(&cube, static_at(0, 0, 0));
+    add(&cube, static_at(0.5, 0, 0));
     ready();
     ck_assert(world_measure(&w).penetration == 0);
 }
@@ -199,7 +199,7 @@ START_TEST(penetration_of_a_plane_is_that_of_the_deepest_particle)
     begin(world_options_default());
     add_at(&cube, 0, 0, 0);
     int b = add_at(&stick_, 0, 5, 0);
-    add(&ball, nailed_at(-9, -9, 0));
+    add(&ball, static_at(-9, -9, 0));
     ck_assert(world_add_plane(&w, vec3_make(3, 4, 0), -2.5).ok);
     ready();
     // The cube's lowest corner along (0.6, 0.8) is at -0.7; the plane at -0.5.
@@ -247,7 +247,7 @@ START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
     p.velocity = v0;
     p.spin = spin;
     add(&ball, p);
-    add(&cube, nailed_at(9, 9, 9));
+    add(&cube, static_at(9, 9, 9));
     ready();
     measures m = world_measure(&w);
 
@@ -258,7 +258,7 @@ START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
 
     real kinetic = 0;
     vec3 angular = { 0, 0, 0 };
-    const rigid4 *f = w.body[0].four;
+    const rigid4 *f = w.body[0].rigid;
     for (int i = 0; i < FOUR; i++) {
         vec3 r = f->at[i];
         vec3 u = vec3_add(v, vec3_cross(spin, r));
@@ -315,15 +315,15 @@ START_TEST(flight_without_gravity_keeps_momentum_and_energy)
 }
 END_TEST
 
-// Rejects: a sleeper, nailed while it sleeps, that is weightless to the
-// measure; a nailed particle that has a weight.
+// Rejects: a sleeper, pinned while it sleeps, that is weightless to the
+// measure; a pinned particle that has a weight.
 START_TEST(potential_counts_what_can_fall)
 {
     begin(world_options_default());
     int a = add_at(&cube, 0, 2, 0);
     int b = add_at(&stick_, 0, 5, 0);
-    add(&cube, nailed_at(7, 7, 7));
-    world_nail(&w, b, 0);
+    add(&cube, static_at(7, 7, 7));
+    world_pin(&w, b, 0);
     ready();
     real wanted = 9.81 * (8 * 2 + 0.25 * 5);
     near_real(world_measure(&w).potential, wanted, 1e-11);
@@ -361,7 +361,7 @@ START_TEST(measuring_changes_no_bit_of_the_motion)
     unsigned long long hash[2];
     for (int k = 0; k < 2; k++) {
         begin(world_options_default());
-        add(&cube, nailed_at(0, 0, 0));
+        add(&cube, static_at(0, 0, 0));
         add_at(&ball, 0.2, 1.1, 0.1);
         add_at(&cube, 0.3, 2.2, -0.1);
         add_at(&cloth, 0, 0.7, 0);
@@ -433,12 +433,12 @@ int main(void)
         spinning_ball_has_the_energy_of_the_solid,
         hash_changes_with_a_single_bit,
         hash_is_fnv_1a,
-        world_as_planned_has_nothing_to_report,
+        world_as_built_has_nothing_to_report,
         strain_is_the_largest_and_rms_the_mean_over_all_sticks,
         strain_of_a_body_is_that_of_its_own_sticks,
-        nailed_bodies_have_no_strain,
+        static_bodies_have_no_strain,
         cubes_that_overlap_by_a_tenth_are_a_tenth_deep,
-        two_nailed_bodies_may_overlap,
+        two_static_bodies_may_overlap,
         penetration_of_a_plane_is_that_of_the_deepest_particle,
         cloth_particle_in_a_cube_is_as_deep_as_its_way_out,
         thrown_and_spinning_body_has_its_momentum_and_energy,

@@ -203,45 +203,68 @@ static void find_contacts(world *w)
 //<
 
 //> step-substeps
-// What is much heavier than what carries it presses that down, by F h^2 / m for
-// a force F on a contact of effective mass m: the more substeps, the less.  A
-// frame takes so many that this is no more than SAG of the smaller radius, and
-// at most MOST_TIMES as many as usual.  An impact is as great a load for a
-// frame or two: so no more counts than the weight of so many of the lighter
-// body as the masses differ by, and nothing where they differ by less than
-// EVEN.
-static const real SAG = 0.004, EVEN = 30;
-enum { MOST_TIMES = 8 };
-
-static real sag_of(const world *w, const contact *c)
+// A contact that carries a force F gives way by about F h^2 / m, with m the
+// effective mass of its two bodies.  This pace is F / m beside the smaller
+// radius, in 1/s^2.
+static real pace_of(const world *w, const contact *c, real *mass_ratio)
 {
-    const solver_body *a = &w->rigid.now[c->a], *b = &w->rigid.now[c->b];
-    real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
-    if (!(x > 0 && y > 0)) return 0;
-    real ratio = x > y ? x / y : y / x;
-    if (!(ratio > EVEN)) return 0;
-    real weight = vec3_length(w->options.gravity) * ratio;
-    real pace = real_min(contact_load(c) / w->age * (x + y), weight);
-    return pace / real_min(a->radius, b->radius);
+    const solver_body *a = &w->rigid.now[c->a];
+    const solver_body *b = c->b < 0 ? NULL : &w->rigid.now[c->b];
+    real x = a->basis.inverse_mass, y = b ? b->basis.inverse_mass : 0;
+    real radius = b ? real_min(a->radius, b->radius) : a->radius;
+    *mass_ratio = !(x > 0 && y > 0) ? 1 : x > y ? x / y : y / x;
+    return contact_load(c) / w->age * (x + y) / radius;
 }
 
-static int substeps_for_loads(const world *w)
+// A frame takes so many substeps that no contact gives way by more than SAG of
+// a radius.  Where nothing goes further than a sixteenth of its radius in a
+// frame three quarters of the usual number may do; a stack needs all of it; and
+// what carries a body EVEN times as heavy as itself needs more, up to MOST_TIMES
+// as many.  (An impact is as great a load, for a frame or two: so in other
+// frames no load counts for more than the ratio of the masses.)
+static const real SAG = 0.004, STACK_SAG = 0.0065, EVEN = 30;
+enum { MOST_TIMES = 8, CALM_FRAMES = 3 };
+
+static bool is_calm(const world *w)
+{
+    for (int b = 0; b < w->bodies; b++) {
+        vec3 way = w->rigid.ahead[b].way;
+        real far = w->rigid.now[b].radius / 16;
+        if (vec3_length_squared(way) > far * far) return false;
+    }
+    return true;
+}
+
+// Every change of their number jolts what rests: it is made early and rarely.
+static int substeps_for(real pace, real sag, const world_options *o, int now)
+{
+    real need = o->dt * sqrt(pace / sag);
+    if (need <= now && need >= 0.7 * now) return now;
+    return (int)real_min(1.25 * need, (real)MOST_TIMES * o->substeps);
+}
+
+static void find_substeps(world *w)
 {
     const contact_cache *c = &w->rigid.cache;
     const world_options *o = &w->options;
-    real most = 0;
-    if (!(w->rigid.mass_ratio > EVEN)) return 0;
-    for (int k = 0; k < c->actives; k++)
-        if (c->active[k]->b >= 0)
-            most = real_max(most, sag_of(w, c->active[k]));
-    return (int)real_min(o->dt * sqrt(most / SAG),
-                         (real)MOST_TIMES * o->substeps);
+    real even = 0, uneven = 0, ratio;
+    for (int k = 0; k < c->actives; k++) {
+        real pace = pace_of(w, c->active[k], &ratio);
+        even = real_max(even, pace);
+        if (ratio > EVEN) uneven = real_max(uneven, pace);
+    }
+    w->rigid.for_stack = substeps_for(even, STACK_SAG, o, w->rigid.for_stack);
+    w->rigid.for_heavy = substeps_for(uneven, SAG, o, w->rigid.for_heavy);
 }
 
-static int choose_substeps(const world *w)
+static int choose_substeps(world *w)
 {
-    int usual = w->options.substeps;
-    int n = int_max(usual, substeps_for_loads(w));
+    int usual = w->options.substeps, calm = (3 * usual + 3) / 4, n = usual;
+    w->rigid.calm = is_calm(w) ? w->rigid.calm + 1 : 0;
+    find_substeps(w);
+    if (w->rigid.calm > CALM_FRAMES)
+        n = int_max(calm, int_min(w->rigid.for_stack, usual));
+    n = int_max(n, w->rigid.for_heavy);
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
     return int_min(n, int_max(w->options.most_substeps, usual));
 }

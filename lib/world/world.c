@@ -325,22 +325,9 @@ static bool size_rigid(rigid_tables *t, int bodies)
     return true;
 }
 
-static real mass_ratio(const world *w)
-{
-    real most = 0, least = HUGE_VAL;
-    for (int b = 0; b < w->bodies; b++) {
-        const body *x = &w->body[b];
-        if (body_is_soft(x) || body_is_static(x)) continue;
-        most = fmax(most, x->mass);
-        least = fmin(least, x->mass);
-    }
-    return most > 0 ? most / least : 1;
-}
-
 static status begin_rigid(world *w)
 {
     rigid_tables *t = &w->rigid;
-    t->mass_ratio = mass_ratio(w);
     if (!size_rigid(t, w->bodies)) return status_out_of_memory();
     for (int b = 0; b < w->bodies; b++) begin_body(w, b);
     status done = pair_list_init(&t->pairs, w->bodies);

@@ -44,8 +44,7 @@ static const struct {
       10 },
 };
 
-enum { RUNS = MOVERS * (SETTINGS + 1), TURN = 20, JUDGED = 5, BEGUN = 20,
-       MIDDLE = 300 };
+enum { RUNS = MOVERS * (SETTINGS + 1), TURN = 20, JUDGED = 5, MIDDLE = 300 };
 static const real LONGEST = 30;     // s, a run that takes more is cut off
 
 typedef struct {
@@ -107,8 +106,7 @@ static void one_frame(const pile *p, run *r)
     if (r->asleep_at < 0 && r->may_sleep && m->asleep(r->self) == p->boxes)
         r->asleep_at = r->frames;
     if (r->frames == MIDDLE) look(p, r, r->middle);
-    // Some overlap at the start is the scene's, and is pushed out.
-    if (r->frames % JUDGED == 0 && r->frames >= BEGUN) {
+    if (r->frames % JUDGED == 0) {
         look(p, r, r->now);
         judge_overlap(p, r->now, &r->found);
     }

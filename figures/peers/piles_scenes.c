@@ -115,7 +115,7 @@ pile pile_drop(int boxes)
         turn_anyhow(&p.box[k].at);
     }
     add_wall(&p, Y, 0);
-    add_sides(&p, 0.7 * cells);
+    add_sides(&p, wide / 2 * (cells + 0.5));
     return p;
 }
 

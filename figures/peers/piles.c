@@ -34,18 +34,18 @@ enum { MOVERS = 4, SETTINGS = 6 };
 static const struct {
     const mover *is;
     const char  *name, *unit;
-    int settings, setting[SETTINGS], as_it_comes;
+    real longest;       // s, a run that takes more is cut off
+    int  settings, setting[SETTINGS], as_it_comes;
 } MOVER[MOVERS] = {
-    { &mover_tumble, "tumble", "substeps", 5, { 1, 2, 4, 8, 16 }, 8 },
-    { &mover_ode, "ODE quickstep", "iterations", 6,
+    { &mover_tumble, "tumble", "substeps", 60, 5, { 1, 2, 4, 8, 16 }, 8 },
+    { &mover_ode, "ODE quickstep", "iterations", 60, 6,
       { 5, 10, 20, 40, 80, 160 }, 20 },
-    { &mover_ode, "ODE dWorldStep", "", 1, { 0 }, 0 },
-    { &mover_bullet, "Bullet", "iterations", 6, { 5, 10, 20, 40, 80, 160 },
+    { &mover_ode, "ODE dWorldStep", "", 10, 1, { 0 }, 0 },
+    { &mover_bullet, "Bullet", "iterations", 60, 6, { 5, 10, 20, 40, 80, 160 },
       10 },
 };
 
 enum { RUNS = MOVERS * (SETTINGS + 1), TURN = 20, JUDGED = 5, MIDDLE = 300 };
-static const real LONGEST = 30;     // s, a run that takes more is cut off
 
 typedef struct {
     int   mover, setting;
@@ -116,7 +116,8 @@ static void take_turn(const pile *p, run *r)
 {
     for (int k = 0; k < TURN && r->frames < p->frames && !r->is_cut; k++) {
         one_frame(p, r);
-        r->is_cut = r->seconds > LONGEST && r->frames < p->frames;
+        r->is_cut = r->seconds > MOVER[r->mover].longest
+                 && r->frames < p->frames;
     }
 }
 

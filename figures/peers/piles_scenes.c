@@ -69,7 +69,7 @@ static void add_sides(pile *p, real far)
     }
 }
 
-// The place of box k in a cubic grid of so many cells a side, around the y axis.
+// The place of box k in a cubic grid of so many cells, around the y axis.
 static vec3 cell(int k, int cells, real wide)
 {
     real half = (cells - 1) / 2.0;

@@ -586,7 +586,6 @@ typedef struct {
     const motion *moved;
     real per_h;             // 1/s
     real friction, max_speed;
-    bool has_impacts;
     real slowest;           // m/s, what closes more slowly does not strike
     softness soft[SIDES];
     int first, count, sides;    // the blocks of a colour
@@ -680,7 +679,7 @@ static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
     return real4_if_positive(gap, open, speed);
 }
 
-static inline __attribute__((always_inline)) void relax_block(block *k, const pass *q, bool two)
+static inline __attribute__((always_inline)) void relax(block *k, const pass *q, bool two, bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     const real4 friction = real4_all(q->friction);
@@ -696,7 +695,7 @@ static inline __attribute__((always_inline)) void relax_block(block *k, const pa
         p->now = gap;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
-        speed = q->has_impacts ? leave_impacts(q, speed, gap, p->impulse)
+        speed = has_impacts ? leave_impacts(q, speed, gap, p->impulse)
               : real4_mad(real4_max(gap, zero), per_h, speed);
         push_point(p, real4_sub(p->impulse, real4_mul(p->mass, speed)),
                    inverse, &parting, &sum, &u, two);
@@ -707,6 +706,16 @@ static inline __attribute__((always_inline)) void relax_block(block *k, const pa
     if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
     brake_block(k, real4_mul(friction, along), &u, two);
     give_sides(k, q->velocity, &u, two);
+}
+
+static inline __attribute__((always_inline)) void relax_block(block *k, const pass *q, bool two)
+{
+    relax(k, q, two, false);
+}
+
+static inline __attribute__((always_inline)) void relax_to_impacts(block *k, const pass *q, bool two)
+{
+    relax(k, q, two, true);
 }
 //<
 
@@ -762,6 +771,7 @@ PASS(see_chunk, see_block)
 PASS(warm_chunk, warm_block)
 PASS(push_chunk, push_block)
 PASS(relax_chunk, relax_block)
+PASS(relax_to_impacts_chunk, relax_to_impacts)
 
 // Springs of a contact as Catto has them: a1, a2, a3 of an implicit step of h.
 // Against what does not move they are twice as stiff and half as damped.
@@ -782,7 +792,6 @@ static void run_pass(contact_solver *s, const solver_frame *f,
 {
     pass q = { .s = s, .velocity = velocity, .moved = moved, .per_h = 1 / f->h,
                .friction = f->friction, .max_speed = f->max_speed,
-               .has_impacts = f->restitution > 0,
                .slowest = 2 * vec3_length(f->gravity) * f->h };
     for (int i = 0; i < SIDES; i++) q.soft[i] = softness_of(f, i);
     for (int c = 0; c < s->colors; c++) {
@@ -810,7 +819,8 @@ void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
                   const motion *moved)
 {
-    run_pass(s, f, velocity, moved, relax_chunk);
+    run_pass(s, f, velocity, moved,
+             f->restitution > 0 ? relax_to_impacts_chunk : relax_chunk);
 }
 //<
 

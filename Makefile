@@ -500,7 +500,7 @@ $(BUILD)/peers: $(PEERS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/clock.o \
   $(addprefix $(BUILD)/tests/,oracle.o bodies.o hard_set.o) $(ALL)
 	$(call link,-lode -lccd -lm)
 
-$(BUILD)/bits: $(BUILD)/tests/bits.o $(ALL)
+$(BUILD)/bits: $(BUILD)/tests/bits.o $(BUILD)/figures/thread.o $(ALL)
 	$(call link,-lm)
 
 define link

@@ -82,9 +82,10 @@ CHAPTERS := $(patsubst chapters/%,%,$(foreach c,$(wildcard chapters/[0-9]*.md),$
 TESTS    := $(basename $(notdir $(wildcard $(MODULES:%=tests/*/check_%.c))))
 TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/*/check_*.c))))
 FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*/*.c)))
-PEERS    := $(notdir $(wildcard figures/peers/*.c))
-# These two, and nothing else, need libccd and ODE.
-THEIRS   := peers_ccd.c peers_ode.c
+PEERS    := $(notdir $(wildcard figures/peers/peers*.c))
+PILES    := $(basename $(notdir $(wildcard figures/peers/piles*.c figures/peers/piles*.cpp)))
+# These, and piles_bullet.cpp, need libccd, ODE and Bullet; nothing else does.
+THEIRS   := peers_ccd.c peers_ode.c piles_ode.c
 PAINTER  := $(filter-out shrink.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c)))
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
 FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz/fuzz_*.c)))
@@ -281,8 +282,9 @@ endif
 #:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
 #:   make lines      how long each module is, and its functions
 #:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
-#:   make peers      the same work by us and by libccd and ODE (make deps-peers
-#:                   installs them), each with its errors: figures/peers/peers.csv
+#:   make peers      the same work by us and by libccd, ODE and Bullet (make
+#:                   deps-peers installs them), each with its errors: the CSVs
+#:                   of figures/peers, and its picture
 figures: $(FIGURES:%=$(BUILD)/figures/%) moving
 	$(Q)$(foreach f,$(FIGURES),$(call draw,$f,$(call room,$f)) &&) true
 .PHONY: moving
@@ -301,7 +303,7 @@ hard: $(BUILD)/hard $(BUILD)/hard-plain
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
-SPEED := 18-verlet 18-constraint 18-body 18-gjk 10-depth 18-hit_face \
+SPEED := 18-verlet 18-constraint 18-body 10-fewer 18-hit_face \
   06-tree 18-sphere_tree 07-response 08-orders \
   13-blocks 13-bodies 18-world
 .PHONY: speed profile
@@ -321,16 +323,28 @@ SOAK_STEPS ?= 1000000
 soak: $(BUILD)/soak
 	$(Q)$(BUILD)/soak $(SOAK_STEPS)
 
-# Are the others' headers there?
-peers_here = printf '\043include <%s>\n' ccd/ccd.h ode/ode.h | \
-  $(CC) -E -x c - > /dev/null 2>&1
+# Are the others' headers there?  Bullet is C++, so its file is.
+BULLET := -isystem /usr/include/bullet
+peers_here = printf '\043include <%s>\n' ccd/ccd.h ode/ode.h \
+  btBulletDynamicsCommon.h | $(CXX) -E $(BULLET) -x c++ - > /dev/null 2>&1
 .PHONY: peers theirs
 peers:
-	@$(peers_here) || { echo "make peers measures libccd and ODE, which are not\
-	 installed: make deps-peers installs them." >&2; exit 1; }
-	$(Q)$(AGAIN) $(BUILD)/peers
+	@$(peers_here) || { echo "make peers measures libccd, ODE and Bullet, which\
+	 are not installed: make deps-peers installs them." >&2; exit 1; }
+	$(Q)$(AGAIN) $(BUILD)/peers $(BUILD)/piles $(BUILD)/shrink
 	$(Q)$(BUILD)/peers > figures/peers/peers.csv.new
 	$(Q)mv figures/peers/peers.csv.new figures/peers/peers.csv
+	$(Q)$(BUILD)/piles > figures/peers/piles-curves.csv.new
+	$(Q)mv figures/peers/piles-curves.csv.new figures/peers/piles-curves.csv
+	$(Q)$(AGAIN) piles-picture
+# The table and the picture of what was measured.
+.PHONY: piles-picture
+piles-picture: $(BUILD)/shrink
+	$(Q)awk -f figures/draw/table.awk -v csv=figures/peers/piles.csv \
+	  -v head='scene,by,a step,overlap,moved,crept from 5 s on,asleep at,with sleeping' \
+	  figures/peers/piles-curves.csv
+	$(Q)LC_ALL=C.UTF-8 gnuplot -e "csv='figures/peers/piles-curves.csv'; png='figures/peers/piles.png'" figures/peers/piles.gp
+	$(Q)$(BUILD)/shrink figures/peers/piles.png && sh figures/draw/stamp.sh piles
 
 # Without asserts: what no program may do is a branch that no test can take.
 coverage:
@@ -391,7 +405,7 @@ fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 objects: $(ALL) \
   $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/*/*.c))) \
   $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS),$(notdir $(wildcard figures/*/*.c))))
-theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o)
+theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/piles_bullet.o
 
 # A figure with a .gp prints data, which gnuplot draws; one without paints its
 # own picture, whose name is its argument.  The book's are shrunk.
@@ -404,9 +418,10 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
   $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
-SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body ring \
-  rigidity convex obj penetration sphere sphere_tree grid ordering \
-  line rigid4 solver broad rest world step world_scene scene system thread)
+SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
+  rigidity convex obj sphere sphere_tree grid ordering \
+  line rigid4 solver broad sleep world step measure world_scene scene system \
+  thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -443,7 +458,7 @@ $(BUILD)/rules/$1-%.o: CPPFLAGS += $(foreach f,$3,-D$f=$f_$$*)
 $(BUILD)/rules/$1-%.o: $(BUILD)/rules/$1-%.c $(BUILD)/flags
 	$$(compile)
 endef
-GJK := gjk_distance hull_support triangle_normal triangle_weigh
+GJK := gjk_distance hull_support hull_in_range triangle_normal triangle_weigh
 $(eval $(call variants,04-rules,gjk,$(GJK)))
 $(eval $(call variants,04-distance,gjk,$(GJK)))
 $(eval $(call variants,05-rules,hit_face,hit_face_find))
@@ -499,6 +514,15 @@ $(BUILD)/figures/peers_ccd.o: CFLAGS += -O2
 $(BUILD)/peers: $(PEERS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/clock.o \
   $(addprefix $(BUILD)/tests/,oracle.o bodies.o hard_set.o) $(ALL)
 	$(call link,-lode -lccd -lm)
+
+$(BUILD)/figures/piles_bullet.o: figures/peers/piles_bullet.cpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	@echo "  c++   $<"
+	$(Q)$(CXX) -std=c++11 $(CFLAGS) -Wall -Wextra $(ROOMS) $(BULLET) -MMD -MP -c $< -o $@
+$(BUILD)/piles: $(PILES:%=$(BUILD)/figures/%.o) $(BUILD)/figures/clock.o \
+  $(BUILD)/tests/oracle.o $(ALL)
+	@echo "  link  $@"
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) $^ -lode -lccd -lBulletDynamics -lBulletCollision -lLinearMath -lm -o $@
 
 $(BUILD)/bits: $(BUILD)/tests/bits.o $(BUILD)/figures/thread.o $(ALL)
 	$(call link,-lm)

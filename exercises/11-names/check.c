@@ -6,17 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-static feature_point corner(int v)
+static feature_point on_corner(int v)
 {
     return (feature_point){ 1, { v, 77, 78 }, { 1, 5, 5 } };
 }
 
-static feature_point edge(int v, int w, real t)
+static feature_point on_edge(int v, int w, real t)
 {
     return (feature_point){ 2, { v, w, 79 }, { 1 - t, t, 5 } };
 }
 
-static feature_point face(int u, int v, int w)
+static feature_point on_face(int u, int v, int w)
 {
     return (feature_point){ 3, { u, v, w }, { 0.25, 0.25, 0.5 } };
 }
@@ -33,26 +33,26 @@ START_TEST(vertex_is_the_same_over_whatever_face)
 {
     // Rejects: both features asked; the gap or the weights asked.
     expect("A's corner 5 slides to the next triangle",
-           (touch){ corner(5), face(0, 1, 2), -0.01 },
-           (touch){ corner(5), face(0, 2, 3), 0.02 }, 1);
+           (touch){ on_corner(5), on_face(0, 1, 2), -0.01 },
+           (touch){ on_corner(5), on_face(0, 2, 3), 0.02 }, 1);
     expect("corners 5 and 6 of A over the same face",
-           (touch){ corner(5), face(0, 1, 2), 0 },
-           (touch){ corner(6), face(0, 1, 2), 0 }, 0);
+           (touch){ on_corner(5), on_face(0, 1, 2), 0 },
+           (touch){ on_corner(6), on_face(0, 1, 2), 0 }, 0);
     expect("B's corner 5 under another triangle",
-           (touch){ face(0, 1, 2), corner(5), 0 },
-           (touch){ face(0, 2, 3), corner(5), 0 }, 1);
+           (touch){ on_face(0, 1, 2), on_corner(5), 0 },
+           (touch){ on_face(0, 2, 3), on_corner(5), 0 }, 1);
     expect("A's corner 5 and B's corner 5",
-           (touch){ corner(5), face(0, 1, 2), 0 },
-           (touch){ face(0, 1, 2), corner(5), 0 }, 0);
+           (touch){ on_corner(5), on_face(0, 1, 2), 0 },
+           (touch){ on_face(0, 1, 2), on_corner(5), 0 }, 0);
     expect("A's corner 5 comes to a rim",
-           (touch){ corner(5), face(0, 1, 2), 0 },
-           (touch){ corner(5), edge(1, 2, 0.5), 0 }, 1);
+           (touch){ on_corner(5), on_face(0, 1, 2), 0 },
+           (touch){ on_corner(5), on_edge(1, 2, 0.5), 0 }, 1);
     expect("A's corner 5 comes to a corner",
-           (touch){ corner(5), face(0, 1, 2), 0 },
-           (touch){ corner(5), corner(1), 0 }, 1);
+           (touch){ on_corner(5), on_face(0, 1, 2), 0 },
+           (touch){ on_corner(5), on_corner(1), 0 }, 1);
     expect("B's corner 1 was under a corner, and is under a face",
-           (touch){ corner(5), corner(1), 0 },
-           (touch){ face(4, 5, 6), corner(1), 0 }, 1);
+           (touch){ on_corner(5), on_corner(1), 0 },
+           (touch){ on_face(4, 5, 6), on_corner(1), 0 }, 1);
 }
 END_TEST
 
@@ -60,33 +60,33 @@ START_TEST(edges_are_known_by_both)
 {
     // Rejects: an edge that is another when it is named from its other end;
     // vertices behind the count.
-    touch s = { edge(3, 7, 0.5), edge(0, 1, 0.25), 0 };
+    touch s = { on_edge(3, 7, 0.5), on_edge(0, 1, 0.25), 0 };
     expect("the same two", s,
-           (touch){ edge(3, 7, 0.4), edge(0, 1, 0.3), 0 }, 1);
+           (touch){ on_edge(3, 7, 0.4), on_edge(0, 1, 0.3), 0 }, 1);
     expect("from their other ends", s,
-           (touch){ edge(7, 3, 0.5), edge(1, 0, 0.75), 0 }, 1);
+           (touch){ on_edge(7, 3, 0.5), on_edge(1, 0, 0.75), 0 }, 1);
     expect("another edge of A", s,
-           (touch){ edge(3, 2, 0.5), edge(0, 1, 0.25), 0 }, 0);
+           (touch){ on_edge(3, 2, 0.5), on_edge(0, 1, 0.25), 0 }, 0);
     expect("another edge of B", s,
-           (touch){ edge(3, 7, 0.5), edge(0, 4, 0.25), 0 }, 0);
+           (touch){ on_edge(3, 7, 0.5), on_edge(0, 4, 0.25), 0 }, 0);
     expect("A's edge on B's, and B's on A's", s,
-           (touch){ edge(0, 1, 0.5), edge(3, 7, 0.25), 0 }, 0);
-    touch rubbish = { edge(7, 3, 0.5), edge(1, 0, 0.5), 0 };
+           (touch){ on_edge(0, 1, 0.5), on_edge(3, 7, 0.25), 0 }, 0);
+    touch rubbish = { on_edge(7, 3, 0.5), on_edge(1, 0, 0.5), 0 };
     rubbish.a.vertex[2] = rubbish.b.vertex[2] = -1;
     expect("rubbish behind the count", s, rubbish, 1);
     expect("an edge and a face of it", s,
-           (touch){ face(3, 7, 79), edge(0, 1, 0.25), 0 }, 0);
+           (touch){ on_face(3, 7, 79), on_edge(0, 1, 0.25), 0 }, 0);
     expect("an edge and its end", s,
-           (touch){ corner(3), edge(0, 1, 0.25), 0 }, 0);
+           (touch){ on_corner(3), on_edge(0, 1, 0.25), 0 }, 0);
 }
 END_TEST
 
 START_TEST(faces_are_known_in_any_order)
 {
-    expect("face on face", (touch){ face(4, 5, 6), face(1, 2, 3), 0 },
-           (touch){ face(6, 4, 5), face(3, 2, 1), 0 }, 1);
-    expect("another face", (touch){ face(4, 5, 6), face(1, 2, 3), 0 },
-           (touch){ face(6, 4, 7), face(3, 2, 1), 0 }, 0);
+    expect("face on face", (touch){ on_face(4, 5, 6), on_face(1, 2, 3), 0 },
+           (touch){ on_face(6, 4, 5), on_face(3, 2, 1), 0 }, 1);
+    expect("another face", (touch){ on_face(4, 5, 6), on_face(1, 2, 3), 0 },
+           (touch){ on_face(6, 4, 7), on_face(3, 2, 1), 0 }, 0);
 }
 END_TEST
 
@@ -128,7 +128,7 @@ END_TEST
 START_TEST(who_is_new_begins_with_nothing)
 {
     // Rejects: rubbish that nobody clears; one past the end of a list.
-    const touch one = { corner(6), face(1, 2, 3), 0 };
+    const touch one = { on_corner(6), on_face(1, 2, 3), 0 };
     const touch now[3] = { one, OVER[1], one };
     carry(OVER, PUSHED, 4, now, 3, (const real[]){ 0, 2, 0 });
     carry(OVER, PUSHED, 2, OVER, 4, (const real[]){ 1, 2, 0, 0 });
@@ -141,8 +141,8 @@ START_TEST(push_is_handed_on_once)
 {
     // Corner on corner; then each of them over a side of the other.
     // Rejects: a push for both, which makes the pile jump.
-    const touch now[2] = { { corner(1), face(6, 7, 9), 0 },
-                           { face(0, 2, 4), corner(8), 0 } };
+    const touch now[2] = { { on_corner(1), on_face(6, 7, 9), 0 },
+                           { on_face(0, 2, 4), on_corner(8), 0 } };
     carry(OVER, PUSHED, 4, now, 2, (const real[]){ 2, 0 });
     const touch twice[2] = { OVER[3], OVER[3] };
     carry(OVER, PUSHED, 4, twice, 2, (const real[]){ 4, 0 });
@@ -157,8 +157,8 @@ START_TEST(box_slides_and_keeps_its_corners)
     shape small, large;
     ck_assert(shape_box(&small, (vec3){ 0.2, 0.2, 0.2 }, 1).ok);
     ck_assert(shape_box(&large, (vec3){ 2, 2, 2 }, 1).ok);
-    touch old[MANIFOLD_TOUCHES], now[MANIFOLD_TOUCHES];
-    real pushed[MANIFOLD_TOUCHES], begin[MANIFOLD_TOUCHES];
+    touch old[MANIFOLD_POINTS];
+    real pushed[MANIFOLD_POINTS], begin[MANIFOLD_POINTS];
     int olds = 0, moved = 0, another = 0, first = -1;
     for (int k = 0; k <= 200; k++) {
         real turn = k * acos(-1.0) / 200, c = cos(turn), s = sin(turn);
@@ -172,10 +172,12 @@ START_TEST(box_slides_and_keeps_its_corners)
                             c * x.z - s * x.x + 0.003 * k };
             if (at[v].y < at[low].y) low = v;
         }
-        touch nearest = { { 1, { low }, { 1 } }, { 1, { 2 }, { 1 } },
-                          at[low].y - 1 };
-        int n = manifold_find(&small, at, &large, large.at, (vec3){ 0, 1, 0 },
-                              nearest, 0.05, now);
+        query_result nearest = { true, { 0, 1, 0 },
+            { { 1, { low }, { 1 } }, { 1, { 2 }, { 1 } }, at[low].y - 1 } };
+        collider a = { &small, at }, b = { &large, large.at };
+        manifold m = manifold_find(&a, &b, &nearest, 0.05, 0);
+        const touch *now = m.point;
+        int n = m.count;
         ck_assert_int_eq(n, 4);
         if (k > 0) names_carry(old, pushed, olds, now, begin, n);
         for (int i = 0; i < n; i++) {
@@ -190,7 +192,7 @@ START_TEST(box_slides_and_keeps_its_corners)
         another += now[0].a.vertex[0] != first;
         first = now[0].a.vertex[0];
         olds = n;
-        memcpy(old, now, sizeof old);
+        memcpy(old, m.point, sizeof old);
         memcpy(pushed, begin, sizeof pushed);
     }
     ck_assert_msg(moved > 3, "no corner came to another triangle");

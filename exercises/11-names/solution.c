@@ -29,7 +29,7 @@ int touch_same(const touch *s, const touch *t)
 void names_carry(const touch *old, const real *pushed, int olds,
                  const touch *now, real *begin, int n)
 {
-    int given[MANIFOLD_TOUCHES] = { 0 };
+    int given[MANIFOLD_POINTS] = { 0 };
     for (int i = 0; i < n; i++) {
         begin[i] = 0;
         for (int k = 0; k < olds; k++) {

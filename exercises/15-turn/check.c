@@ -23,14 +23,14 @@ static turning box(vec3 at[8], vec3 center, vec3 half)
         at[i] = vec3_add(center, vec3_make(i & 1 ? half.x : -half.x,
                                            i & 2 ? half.y : -half.y,
                                            i & 4 ? half.z : -half.z));
-    return (turning){ { at, 8, NULL, NULL }, center, NONE, Z, 0 };
+    return (turning){ { at, 8 }, center, NONE, Z, 0 };
 }
 
 static turning rod(vec3 at[2], vec3 center, vec3 half)
 {
     at[0] = vec3_sub(center, half);
     at[1] = vec3_add(center, half);
-    return (turning){ { at, 2, NULL, NULL }, center, NONE, Z, 0 };
+    return (turning){ { at, 2 }, center, NONE, Z, 0 };
 }
 
 static turning floor_box(vec3 at[8])
@@ -80,7 +80,7 @@ START_TEST(place_of_a_point_that_turns)
     // 1 m from the center along x, a quarter turn about z; and 2 m along z.
     vec3 p = { 6, 5, 7 }, *out = malloc(sizeof *out);
     ck_assert_ptr_nonnull(out);
-    turning b = { { &p, 1, NULL, NULL }, { 5, 5, 5 }, { 8, 0, 0 }, Z, PI };
+    turning b = { { &p, 1 }, { 5, 5, 5 }, { 8, 0, 0 }, Z, PI };
     turning_at(&b, 0.5, out);
     near(out->x, 9, 1e-12, "x: the center has gone 4 m");
     near(out->y, 6, 1e-12, "y: the point has turned there");
@@ -163,7 +163,7 @@ START_TEST(bat_hits_a_ball)
     turning bat = rod(at, vec3_make(0.5, 0, 0), vec3_make(0.5, 0, 0));
     bat.center = NONE;
     bat.angle = PI;
-    turning b = { { &ball, 1, NULL, NULL }, ball, { 1, 0, 0 }, Z, 0 };
+    turning b = { { &ball, 1 }, ball, { 1, 0, 0 }, Z, 0 };
     turn_result t = ask(&bat, &b, CAP);
     expect(t, TURN_TOUCH, "a bat");
     near(t.time, 0.5, SOON, "a quarter of a turn");
@@ -212,9 +212,9 @@ START_TEST(nobody_has_touched_before)
     int met = 0;
     for (int round = 0; round < 200; round++) {
         vec3 s[6], t[6], x[6], y[6];
-        turning b[2] = { { { s, 6, NULL, NULL }, { 3, 0, 0 }, { -3, 0, 0 }, Z,
+        turning b[2] = { { { s, 6 }, { 3, 0, 0 }, { -3, 0, 0 }, Z,
                            4 * random_real() },
-                         { { t, 6, NULL, NULL }, NONE, random_vec3(1), Z,
+                         { { t, 6 }, NONE, random_vec3(1), Z,
                            4 * random_real() } };
         for (int i = 0; i < 6; i++) {
             s[i] = vec3_add(b[0].center, random_vec3(1));

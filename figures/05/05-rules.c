@@ -18,12 +18,13 @@
 
 #include <stdio.h>
 
-enum { VARIANTS = 9, MADE = 9600 };
+enum { VARIANTS = 10, MADE = 9600 };
 
 typedef hit_result find(hull a, hull b, const simplex *start);
 
 find hit_face_find_1, hit_face_find_2, hit_face_find_3, hit_face_find_4,
-     hit_face_find_5, hit_face_find_6, hit_face_find_7, hit_face_find_8;
+     hit_face_find_5, hit_face_find_6, hit_face_find_7, hit_face_find_8,
+     hit_face_find_9;
 
 static const struct {
     const char *name;
@@ -35,9 +36,10 @@ static const struct {
     { "height of the plane at a corner", hit_face_find_3 },
     { "height of the plane at v", hit_face_find_4 },
     { "faces may turn inside out", hit_face_find_5 },
-    { "any of the faces equally close", hit_face_find_6 },
-    { "normals by the cross product alone", hit_face_find_7 },
-    { "weights as they come", hit_face_find_8 }
+    { "inside out and seen by rounding", hit_face_find_6 },
+    { "any of the faces equally close", hit_face_find_7 },
+    { "normals by the cross product alone", hit_face_find_8 },
+    { "weights as they come", hit_face_find_9 }
 };
 
 typedef struct {

@@ -12,7 +12,7 @@ set bmargin at screen 0.02
 set border 2 lc rgb "#808080" lw 0.7
 unset xtics
 set xrange [0:720]
-set yrange [8.6:-0.6]
+set yrange [9.6:-0.6]
 set ytics nomirror scale 0 textcolor rgb "#404040"
 set label 3 "Wrong answers without one rule, of some 7,000 hard pairs" at screen 0.02,0.95 textcolor rgb "#404040" font "DejaVu Sans,26"
 set label 1 "depth wrong" at screen 0.40,0.88 textcolor rgb "#d55e00" font "DejaVu Sans Bold,22"

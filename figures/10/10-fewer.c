@@ -106,14 +106,15 @@ static void print_group(int k, const lap *l)
         printf("%d %.0f %.3g %.0f %.3g\n", COUNT[c],
                1e9 * l[cold].seconds / SOME, error[c],
                1e9 * l[warm].seconds / SOME, error[c]);
-        printf("#frames| %s,%d,%.2f,%.2f,%.2g\n", k ? "1 cm deep" : "1 cm apart",
-               COUNT[c], 1e6 * l[cold].seconds / SOME,
+        printf("#frames| %s,%d,%.2f,%.2f,%.2g\n",
+               k ? "1 cm deep" : "1 cm apart", COUNT[c], 1e6 * l[cold].seconds / SOME,
                1e6 * l[warm].seconds / SOME, 1e3 * error[c]);
     }
     char at[32];
     snprintf(at, sizeof at, "%.2g mm of the gap", 1e3 * error[0]);
-    clock_print_row("query", k ? "icosahedra 1 cm deep" : "icosahedra 1 cm apart",
-                    at, "carried and once a frame", "cold in 8 substeps",
+    clock_print_row("query",
+                    k ? "icosahedra 1 cm deep" : "icosahedra 1 cm apart", at,
+                    "carried and once a frame", "cold in 8 substeps",
                     l[(2 * k + 1) * COUNTS - 1].seconds
                     / l[(2 * k + 1) * COUNTS].seconds);
 }
@@ -123,8 +124,8 @@ int main(void)
     lap l[WAYS];
     if (!shape_icosahedron(&ball, 0.5, 1).ok) return 1;
     for (int k = 0; k < GROUPS; k++) make_group(&all[k], GAP[k]);
-    clock_print_head("10-fewer: 1,000 pairs of icosahedra of circumradius 0.5 m",
-                     FLAGS);
+    clock_print_head("10-fewer: 1,000 pairs of icosahedra of circumradius "
+                     "0.5 m", FLAGS);
     printf("#frames| pairs,queries a frame,\"cold, µs\",\"carried, µs\","
            "\"mean error of the gap, mm\"\n");
     clock_race((race){ WAYS, ROUNDS, 0, work, NULL }, l);

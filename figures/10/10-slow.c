@@ -1,10 +1,10 @@
 // 10-slow.c - what the slow oracles cost beside the queries of chapters 04 and
-// 05, asked about the same pairs: two hulls of n points each on a ball of radius
-// 0.5 m, once apart and once overlapping.
+// 05, asked about the same pairs: two hulls of n points each on a ball of 0.5 m
+// radius, once apart and once overlapping.
 //
 // Columns: points of a body; ns of one answer, slow and quick, of the distance
-// and of the depth; the largest relative difference of the slow answers from the
-// quick ones.
+// and of the depth; the largest relative difference of the slow answers from
+// the quick ones.
 
 #include "bodies.h"
 #include "clock.h"

@@ -37,7 +37,7 @@ static manifold touches(const shape *a, const vec3 *at_a, const shape *b,
                         const vec3 *at_b, const query_result *q, real margin)
 {
     collider ca = { a, at_a }, cb = { b, at_b };
-    return manifold_find(&ca, &cb, q, margin);
+    return manifold_find(&ca, &cb, q, margin, 0);
 }
 
 // --- a box on a box ----------------------------------------------------------
@@ -49,7 +49,7 @@ typedef struct {
 } stage;
 
 static int find_contacts(stage *s, const shape *box, const shape *table,
-                         int most, contact *c)
+                         int most, feature_contact *c)
 {
     real margin = 0.02;
     for (int i = 0; i < 2 * CORNERS; i++) s->at[i] = s->p[i].position;
@@ -60,7 +60,7 @@ static int find_contacts(stage *s, const shape *box, const shape *table,
         m = touches(box, s->at, table, s->at + CORNERS, &q, margin);
     for (int k = 0; k < m.count; k++) {
         vec3 on_b = feature_at(&m.point[k].b, s->at + CORNERS);
-        c[k] = (contact){ .a = m.point[k].a, .normal = q.normal,
+        c[k] = (feature_contact){ .a = m.point[k].a, .normal = q.normal,
                           .apart = vec3_dot(on_b, q.normal),
                           .mass_a = 1, .mass_b = HUGE_VAL };
     }
@@ -89,7 +89,7 @@ static void drop(int most)
 {
     shape box, table;
     stage s;
-    contact c[MANIFOLD_POINTS];
+    feature_contact c[MANIFOLD_POINTS];
     relax_options relax = relax_options_pbd();
     const vec3 gravity = { 0, -9.81, 0 };
     real worst_tilt = 0, worst_depth = 0;

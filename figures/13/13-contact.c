@@ -1,5 +1,5 @@
-// 13-contact.c - one contact in the plane: its normal, its gap, its arms, and the
-// impulses that it may give.
+// 13-contact.c - one contact in the plane: its normal, its gap, its arms, and
+// the impulses that it may give.
 //
 // 0, 1   x y: the sides of A and of B
 // 2      x y: their centres

@@ -70,10 +70,8 @@ static status build(pile *p, int which)
     world_options engine = world_options_default();
     system_options plain = system_options_mended();
     *p = (pile){ .by_engine = which == PILES - 1 };
-    engine.resting = 0;
-    // The radius of the cube is half of its diagonal.
-    status done = build_scene(&p->scene, p->by_engine
-                              ? engine.skin * sqrt(0.75) : plain.margin / 2);
+    engine.sleep_speed = 0;
+    status done = build_scene(&p->scene, p->by_engine ? 0 : plain.margin / 2);
     if (done.ok)
         done = p->by_engine ? world_of_scene(&p->world, &p->scene, engine)
                             : system_init(&p->plain, &p->scene, plain);

@@ -1,5 +1,5 @@
-// 13-substeps.c - what is work best spent on, substeps or iterations?  Two piles
-// by the plain solver: a heavy cube on a light one, and ten equal cubes.
+// 13-substeps.c - what is work best spent on, substeps or iterations?  Two
+// piles by the plain solver: a heavy cube on a light one, and ten equal cubes.
 //
 // 0      mass ratio, then sag in mm with 2, 4, 8, 16 and 32 substeps
 // 1      the same by the law: load / (effective mass omega^2)

@@ -152,7 +152,6 @@ static void print_csv(void)
 int main(void)
 {
     peers_pairs();
-    peers_balls();
     peers_rooms();
     peers_sticks();
     print_csv();

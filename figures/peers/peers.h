@@ -46,7 +46,6 @@ _Noreturn void give_up(const char *why);
 // ---- The parts, each adds its rows -----------------------------------------
 
 void peers_pairs(void);
-void peers_balls(void);
 void peers_rooms(void);
 void peers_sticks(void);
 

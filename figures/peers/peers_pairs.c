@@ -4,9 +4,8 @@
 
 #include "peers.h"
 #include "peers_others.h"
-#include "distance.h"
 #include "hard_set.h"
-#include "penetration.h"
+#include "hit_face.h"
 #include "oracle.h"
 
 #include <math.h>
@@ -23,23 +22,17 @@ static const real LEAST_DEEP = 0.02, DEEPEST = 0.25;
 // The sets of points stand ready, as libccd's bodies do.
 typedef struct {
     solid a, b;
-    point_set pa, pb;
+    hull pa, pb;
 } couple;
 
 static couple before[PAIRS], after[PAIRS];      // a slow motion's frames
-static distance_cache found[PAIRS], parted[PAIRS];     // before, without and with a
+static simplex found[PAIRS], parted[PAIRS];     // before, without and with a
                                                 // margin
-static distance_cache carried[BLOCK];
-static penetration_scratch *scratch;
+static simplex carried[BLOCK];
 
-static hull hull_of(point_set p)
+static hull hull_of(const solid *s)
 {
-    return (hull){ p.at, p.count };
-}
-
-static point_set points_of(const solid *s)
-{
-    return (point_set){ s->at, CORNERS, NULL, NULL };
+    return (hull){ s->at, CORNERS };
 }
 
 // ---- The pairs -------------------------------------------------------------
@@ -81,20 +74,13 @@ static solid moved_on(solid s, unsigned long long *seed)
 
 static void make_ready(couple *c)
 {
-    c->pa = points_of(&c->a);
-    c->pb = points_of(&c->b);
+    c->pa = hull_of(&c->a);
+    c->pb = hull_of(&c->b);
 }
 
-static distance_result distance(const couple *c, distance_options o, distance_cache *from)
+static gjk_result distance(const couple *c, real margin, simplex *from)
 {
-    return distance_find(c->pa, c->pb, o, from);
-}
-
-static distance_options with_margin(void)
-{
-    distance_options o = distance_options_default();
-    o.margin = MARGIN;
-    return o;
+    return gjk_distance(c->pa, c->pb, margin, from);
 }
 
 // Brings b towards a until they are `gap` apart: Newton, because the distance
@@ -108,12 +94,12 @@ static couple pair_at(const shape *plan, real gap, unsigned long long *seed)
     vec3 course = any_direction(seed);
     c.b = solid_at(plan, turned_anyhow(vec3_scale(2, course), seed));
     make_ready(&c);
-    distance_result r = distance(&c, distance_options_default(), NULL);
+    gjk_result r = distance(&c, HUGE_VAL, NULL);
     for (int tries = 0; tries < 60; tries++) {
         if (fabs(r.distance - wanted) < 1e-9) break;
         real slope = -vec3_dot(r.axis, course) / r.distance;
         move(&c.b, vec3_scale((wanted - r.distance) / slope, course));
-        r = distance(&c, distance_options_default(), NULL);
+        r = distance(&c, HUGE_VAL, NULL);
     }
     if (gap < 0) move(&c.b, vec3_scale(-gap / r.distance, r.axis));
     return c;
@@ -132,8 +118,8 @@ static void make_pairs(real least, real most)
         make_ready(&before[i]);
         make_ready(&after[i]);
         found[i].count = parted[i].count = 0;
-        distance(&before[i], distance_options_default(), &found[i]);
-        distance(&before[i], with_margin(), &parted[i]);
+        distance(&before[i], HUGE_VAL, &found[i]);
+        distance(&before[i], MARGIN, &parted[i]);
     }
     shape_free(&plan);
 }
@@ -143,7 +129,7 @@ static void make_pairs(real least, real most)
 enum { COLD, WARM };
 static real told[2][PAIRS];     // our distances
 static int overlap[2][PAIRS];   // libccd's answers, by GJK and by MPR
-static distance_status reached[PAIRS];
+static gjk_status reached[PAIRS];
 
 // In a scene the bodies have just been moved, all their points written anew.  So
 // the pairs of a block are copied here before the clock starts, for us and for
@@ -176,27 +162,22 @@ static void put_parted(int block)
     for (int k = 0; k < FEW; k++) carried[k] = parted[block * FEW + k];
 }
 
-// Asked without a function of ours between: it would copy the options.
 static void distance_cold(int block)
 {
-    distance_options o = distance_options_default();
     for (int k = 0, i = block * FEW; k < FEW; k++, i++)
-        told[COLD][i] = distance_find(now[k].pa, now[k].pb, o, NULL).distance;
+        told[COLD][i] = distance(&now[k], HUGE_VAL, NULL).distance;
 }
 
 static void distance_carried(int block)
 {
-    distance_options o = distance_options_default();
     for (int k = 0, i = block * FEW; k < FEW; k++, i++)
-        told[WARM][i] = distance_find(now[k].pa, now[k].pb, o,
-                                     &carried[k]).distance;
+        told[WARM][i] = distance(&now[k], HUGE_VAL, &carried[k]).distance;
 }
 
 static void margin_carried(int block)
 {
-    distance_options o = with_margin();
     for (int k = 0, i = block * FEW; k < FEW; k++, i++)
-        reached[i] = distance_find(now[k].pa, now[k].pb, o, &carried[k]).status;
+        reached[i] = distance(&now[k], MARGIN, &carried[k]).status;
 }
 
 static void gjk_says(int block)
@@ -226,7 +207,7 @@ static void judge(judged *j, real error, real most)
 }
 
 // The slow oracle takes a millisecond a pair: it is asked about every so
-// manieth, and about all pairs where we and others do not agree.
+// many, and about all pairs where we and others do not agree.
 enum { EVERY = 10 };
 
 // Relative to the distance; beyond TIGHT it is wrong.
@@ -236,9 +217,8 @@ static judged judge_distances(const couple *pair, const real *ours)
 {
     judged j = { 0 };
     for (int i = 0; i < PAIRS; i += EVERY) {
-        hull a = hull_of(points_of(&pair[i].a));
-        hull b = hull_of(points_of(&pair[i].b));
-        real truth = (real)oracle_distance(a, b);
+        real truth = (real)oracle_distance(hull_of(&pair[i].a),
+                                           hull_of(&pair[i].b));
         judge(&j, fabs(ours[i] - truth) / truth, TIGHT);
     }
     return j;
@@ -289,7 +269,7 @@ static void add_margin(real ours, real theirs, int which)
               .unit = "ns", .ours = ours, .theirs = theirs,
               .ratio = which == CCD_BY_GJK ? 0.1 : 0 };
     int within = 0;
-    for (int i = 0; i < PAIRS; i++) within += reached[i] != DISTANCE_BEYOND;
+    for (int i = 0; i < PAIRS; i++) within += reached[i] != GJK_BEYOND;
     r.is_wrong = within > 0;
     snprintf(r.our_error, TEXT, "%d of %d wrong", within, (int)PAIRS);
     write_overlaps(r.their_error, which, "");
@@ -325,22 +305,20 @@ enum { OURS, CCD_GJK, CCD_MPR, DEPTHS };
 static exit_found out[DEPTHS][PAIRS];
 
 // Asked like theirs: do they overlap, and how deep?
-static penetration_result hit_of(const couple *c)
+static exit_found exit_of(const couple *c)
 {
-    const distance_cache none = { .count = 0 };
-    return penetration_find(c->pa, c->pb, &none, scratch);
-}
-
-static exit_found exit_of(penetration_result h)
-{
-    if (h.status != PENETRATION_FOUND) return (exit_found){ 0, { 0, 0, 0 } };
+    const exit_found none = { 0, { 0, 0, 0 } };
+    gjk_result g = distance(c, 0, NULL);
+    if (g.status != GJK_OVERLAP) return none;
+    hit_result h = hit_face_find(c->pa, c->pb, &g.last);
+    if (h.status != HIT_FOUND) return none;
     return (exit_found){ h.depth, vec3_scale(-1, h.normal) };
 }
 
 static void depth_cold(int block)
 {
     for (int i = block * BLOCK; i < (block + 1) * BLOCK; i++)
-        out[OURS][i] = exit_of(hit_of(&before[i]));
+        out[OURS][i] = exit_of(&before[i]);
 }
 
 static void depth_gjk(int block)
@@ -366,9 +344,8 @@ static void depth_mpr(int block)
 // wrong by all of the depth.
 static real depth_error(const couple *c, exit_found e, real truth)
 {
-    point_set a = points_of(&c->a), b = points_of(&c->b);
     if (!(vec3_length(e.along) > 0.5)) return truth;
-    real there = (real)oracle_width(hull_of(a), hull_of(b), e.along);
+    real there = (real)oracle_width(hull_of(&c->a), hull_of(&c->b), e.along);
     return fmax(fabs(e.depth - truth), fabs(there - truth));
 }
 
@@ -376,15 +353,15 @@ static real depth_error(const couple *c, exit_found e, real truth)
 // times the tolerance that libccd is given.
 static const real ROUGH = 0.0005;
 
-// What nobody contradicts is taken for true, but for the sample.
+// What no answer contradicts is taken for true, but for the sample.
 static real true_depth(int i)
 {
-    point_set a = points_of(&before[i].a), b = points_of(&before[i].b);
+    hull a = hull_of(&before[i].a), b = hull_of(&before[i].b);
     real ours = out[OURS][i].depth;
     int doubt = i % EVERY == 0;
     for (int k = CCD_GJK; k <= CCD_MPR; k++)
         doubt |= !(depth_error(&before[i], out[k][i], ours) <= ROUGH);
-    return doubt ? (real)oracle_depth(hull_of(a), hull_of(b)) : ours;
+    return doubt ? (real)oracle_depth(a, b) : ours;
 }
 
 static void judge_depths(judged j[DEPTHS])
@@ -423,9 +400,6 @@ static void measure_overlapping(void)
 
 void peers_pairs(void)
 {
-    scratch = penetration_scratch_new();
-    if (!scratch) give_up("there is no memory for hit_face");
     measure_apart();
     measure_overlapping();
-    penetration_scratch_free(scratch);
 }

@@ -83,10 +83,17 @@ static void follow_list(contact_cache *c, const cache_frame *f)
 //<
 
 //> cache-decide
-// m, what a body may have come nearer since it was placed.
+// m, how far a body may be from where it was placed, while it counts as there.
+// One that goes further than that in this frame is placed anew in each.
+static real slack_of_body(const cache_frame *f, int b)
+{
+    real slack = f->stay * f->now[b].radius;
+    return f->ahead[b].reach > slack ? 0 : slack;
+}
+
 static real slack_of(const cache_frame *f, int a, int b)
 {
-    return f->stay * (f->now[a].radius + (b < 0 ? 0 : f->now[b].radius));
+    return slack_of_body(f, a) + (b < 0 ? 0 : slack_of_body(f, b));
 }
 
 static real reach_of(const cache_frame *f, int a, int b)

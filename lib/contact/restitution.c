@@ -207,14 +207,14 @@ static real closing_speed(const impact *x)
 // falls on something immovable falls faster and faster: s is the speed in the
 // middle of the substep, and with a, in m a substep squared,
 //     g = t u + t^2 a/2,  u = s - a/2,
-// of which t = (root - u) / a = 2 g / (u + root), root = sqrt(u^2 + 2 a g), is
-// the time when they first close: the second if u > 0, where the first loses
-// digits; else they part at first, and fall back.
+// of which t = 2 g / (u + root), root = sqrt(u^2 + 2 a g), is the time when
+// they first close.  If u <= 0 they part at first, and fall back more slowly
+// than anything strikes: then any time will do.
 static real time_of_touch(real gap, real closing, real a)
 {
     real u = closing - a / 2, high = real_max(gap, 0);
     real root = sqrt(real_max(u * u + 2 * a * high, 0));
-    return real_min(u > 0 ? 2 * high / (u + root) : (root - u) / a, 1);
+    return u > 0 ? real_min(2 * high / (u + root), 1) : 1;
 }
 
 // What touches a thousandth of a substep too late takes part as well: rounding
@@ -356,9 +356,7 @@ static void stop_sliding(impact *x, const vec3 arm[BODIES], real most)
     impact_row s = row_along(p, vec3_cross(n, along), arm);
     real rr = row_product(p, &r, &r), rs = row_product(p, &r, &s);
     real ss = row_product(p, &s, &s), volume = rr * ss - rs * rs;
-    real slow = -row_apart(&r, x->u), aside = -row_apart(&s, x->u);
-    real f = (ss * slow - rs * aside) / volume;
-    real g = (rr * aside - rs * slow) / volume;
+    real f = -ss * speed / volume, g = rs * speed / volume;
     real size = sqrt(f * f + g * g), share = size > most ? most / size : 1;
     row_push(p, &r, share * f, x->u);
     row_push(p, &s, share * g, x->u);

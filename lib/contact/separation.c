@@ -1,12 +1,12 @@
 //> separation-friction
 #include "separation.h"
 
-static int is_finite(real x)
+static bool is_finite(real x)
 {
     return x - x == 0;
 }
 
-// The push (kg m) that takes back an overlap of `depth` (m) along the normal,
+// The impulse times the substep (kg m) that takes back an overlap of `depth` (m) along the normal,
 // where the particles slid past each other by s (m) in this step, and a unit
 // push parts them by 1/mass.
 // Coulomb: |friction| <= mu |normal force|.  Both act through the same inverse

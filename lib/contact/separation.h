@@ -1,5 +1,5 @@
 //> separation-head
-// separation.h - the points where bodies touch, and particles kept apart.
+// separation.h - particles kept apart, from each other and from surfaces.
 //
 // Paper: section 6.1.  Book: chapter 16.
 // Units: metres, kilograms.  Every normal is a unit vector from B to A.
@@ -18,8 +18,8 @@ typedef struct {
 
 //> separation-declare
 // Are the two nearer than they may be?  Quick to ask: most pairs are not.
-static inline int particle_contact_overlaps(const particle_contact *c,
-                                            const particle *p)
+static inline bool particle_contact_overlaps(const particle_contact *c,
+                                             const particle *p)
 {
     vec3 across = vec3_sub(p[c->a].position, p[c->b].position);
     return vec3_length_squared(across) < c->distance * c->distance;

@@ -158,7 +158,7 @@ static void choose_lane(lane_source *q, const contact *c,
     }
     q->normal = vec3_scale(sign, c->normal);
     q->per_near = 25 / radius;
-    q->twist = f->warm * c->twist;
+    q->twist = x->count > 1 ? f->warm * c->twist : 0;
     choose_across(q, vec3_scale(sign * f->warm, c->friction));
     choose_points(q, c, x, f->warm, points);
 }
@@ -445,7 +445,7 @@ static void forget_blocks(contact_solver *s)
     s->contacts = s->blocks = s->colors = s->touching = 0;
 }
 
-static bool make_blocks(contact_solver *s, const preparation *p)
+static bool make_blocks(contact_solver *s, preparation *p)
 {
     int end[BINS];
     memset(s->taken, 0, (size_t)s->bodies * sizeof *s->taken);
@@ -455,7 +455,7 @@ static bool make_blocks(contact_solver *s, const preparation *p)
     list_colors(s, end);
     if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
               sizeof *s->block)) return false;
-    tasks_run(p->f->run, fill_chunk, (void *)p, chunks(s->blocks));
+    tasks_run(p->f->run, fill_chunk, p, chunks(s->blocks));
     s->h = p->f->h;
     return true;
 }

@@ -93,10 +93,7 @@ static vec3 weighted_point(const simplex *s)
 // inside; else part of a side, one opposite to a corner of weight <= 0.
 static void nearest(simplex *s)
 {
-    if (weigh(s)) {
-        s->v = weighted_point(s);
-        return;
-    }
+    if (weigh(s)) { s->v = weighted_point(s); return; }
     simplex best = { .count = 0 };
     for (int k = 0; k < s->count; k++) {
         if (s->weight[k] > 0) continue;

@@ -61,7 +61,8 @@ vec3 motion_angular(const motion_basis *basis, const motion *m)
     vec3 sum = vec3_scale(u[0], across);
     sum = vec3_add_scaled(sum, u[1], vec3_cross(t[2], t[0]));
     sum = vec3_add_scaled(sum, u[2], vec3_cross(t[0], t[1]));
-    return vec3_scale(1 / vec3_dot(t[0], across), sum);
+    real volume = vec3_dot(t[0], across);   // 0: immovable
+    return vec3_scale(volume != 0 ? 1 / volume : 0, sum);
 }
 //<
 

@@ -38,7 +38,8 @@ void sleep_free(sleep_state *s)
 
 //> sleep-touch
 // The body that stands for b's island.  Every step shortens the way for the
-// next one (path halving); parents never have a higher number, so it ends.
+// next one (path halving).  Only such a body is ever given a parent, and one of
+// another island: no way leads back, so it ends.
 static int island_of(sleep_state *s, int b)
 {
     while (s->parent[b] != b) {
@@ -52,8 +53,7 @@ void sleep_touch(sleep_state *s, int a, int b)
 {
     assert(a >= 0 && a < s->bodies && b >= 0 && b < s->bodies);
     int i = island_of(s, a), j = island_of(s, b);
-    if (i < j) s->parent[j] = i;
-    else       s->parent[i] = j;
+    s->parent[j] = i;
 }
 
 // Bodies that fell asleep together stay one island until they wake, for
@@ -62,7 +62,7 @@ void sleep_begin(sleep_state *s)
 {
     for (int b = 0; b < s->bodies; b++) s->parent[b] = b;
     for (int b = 0; b < s->bodies; b++)
-        if (s->asleep[b]) sleep_touch(s, b, s->island[b]);
+        if (s->asleep[b]) sleep_touch(s, s->island[b], b);
 }
 //<
 
@@ -75,19 +75,19 @@ typedef struct {
     int  frames;    // half a window
 } sleep_limits;
 
-static const real EARTH = 9.81;             // m/s^2
+static const real EARTH = 9.81, USUAL = 0.5;    // m/s^2, m: see sleep_rule
 static const real MOTIONLESS = 1e-6;        // of a radius, in a window
-static const real NOISE = 1e-4;             // of a radius
-static const real GROWTH = 1.2;             // from window to window
+static const real NOISE = 2e-4;             // of a radius
 static const real JITTER = 5;               // times the speed, at one moment
 enum { HALVES_TO_SLEEP = 4, MOST_FRAMES = 1000000 };
 
-// Froude's scaling: speeds go as sqrt(g R), times as sqrt(R / g).
+// Froude's scaling: lengths go as R, times as sqrt(R / g), speeds as
+// sqrt(g R), and accelerations as g.
 static sleep_limits limits_of(const sleep_rule *rule, real radius)
 {
     real g = rule->gravity, half = rule->time / HALVES_TO_SLEEP;
-    real speed = rule->speed * sqrt(g * radius / EARTH);
-    if (g > 0) half *= real_max(1, sqrt(radius * EARTH / g));
+    real speed = rule->speed * sqrt(g * radius / (EARTH * USUAL));
+    if (g > 0) half *= real_max(1, sqrt(radius * EARTH / (USUAL * g)));
     real frames = real_min(half / rule->dt + 0.5, MOST_FRAMES);
     sleep_limits l = { .frames = int_max((int)frames, 1) };
     real window = 2 * l.frames * rule->dt;
@@ -99,20 +99,18 @@ static sleep_limits limits_of(const sleep_rule *rule, real radius)
 //<
 
 //> sleep-observe
-// The largest distance (m) of n particles from where they were; infinite if one
-// is not finite.
+// The largest distance (m) of n particles from where they were.
 static real furthest(const particle *p, const vec3 *from, int n)
 {
     real most = 0;
     for (int i = 0; i < n; i++) {
         vec3 d = vec3_sub(p[i].position, from[i]);
-        real square = vec3_length_squared(d);
-        if (!(square <= most)) most = square > most ? square : HUGE_VAL;
+        most = real_max(vec3_length_squared(d), most);
     }
     return sqrt(most);
 }
 
-// Slower than the limit at this moment, all of them.
+// True if none goes further than `far` (m) in a substep, and all are finite.
 static bool are_slow(const particle *p, int n, real far)
 {
     for (int i = 0; i < n; i++) {
@@ -122,12 +120,13 @@ static bool are_slow(const particle *p, int n, real far)
     return true;
 }
 
-// The window that ends now has shown the body still, or not.  The first such
-// window counts for two halves, each one after that for another half.
+// The window that ends now is no longer than the one before, or the body is not
+// still.  The first such window counts for two halves, each one after that for
+// another half.
 static void judge(sleep_watch *watch, const sleep_window *w,
                   const sleep_limits *l)
 {
-    bool is_still = w->way <= l->way && w->way <= GROWTH * w->before + l->noise;
+    bool is_still = w->way <= w->before + l->noise;
     if (!is_still)              watch->still = 0;
     else if (watch->still == 0) watch->still = 2;
     else                        watch->still++;
@@ -149,6 +148,21 @@ static void next_half(sleep_state *s, int b, const particle *pool, int first,
     watch->frames = 0;
 }
 
+// Notes how far each window has seen it go.  A window in which it has gone too
+// far already needs no more looks.
+static void look(sleep_state *s, int b, const particle *pool, int first, int n,
+                 const sleep_limits *l)
+{
+    sleep_watch *watch = &s->watch[b];
+    for (int k = 0; k < int_min(watch->halves, WINDOWS); k++) {
+        sleep_window *w = &watch->window[k];
+        if (w->way <= l->way)
+            w->way = real_max(furthest(pool + first, s->start[k] + first, n),
+                              w->way);
+        if (w->way > l->way) watch->is_moving = true;
+    }
+}
+
 void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
                    int n, real radius, const sleep_rule *rule)
 {
@@ -160,33 +174,27 @@ void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
         sleep_forget(s, b);
         return;
     }
-    watch->frames++;
-    for (int k = 0; k < int_min(watch->halves, WINDOWS); k++) {
-        // A window in which it has gone too far already needs no more looks.
-        sleep_window *w = &watch->window[k];
-        if (w->way > l.way) continue;
-        real way = furthest(pool + first, s->start[k] + first, n);
-        w->way = real_max(way, w->way);
-    }
-    if (watch->halves == 0 || watch->frames >= l.frames)
+    watch->is_moving = !are_slow(pool + first, n, l.speed * rule->h);
+    look(s, b, pool, first, n, &l);
+    if (watch->halves == 0 || ++watch->frames >= l.frames)
         next_half(s, b, pool, first, n, &l);
-    if (watch->still > 0 && !are_slow(pool + first, n, l.speed * rule->h))
-        watch->still = 0;
+    if (watch->is_moving) watch->still = 0;
+}
+
+bool sleep_is_moving(const sleep_state *s, int b)
+{
+    return s->watch[b].is_moving;
 }
 //<
 
 //> sleep-end
-static bool may_sleep(const sleep_state *s, int b)
-{
-    return s->asleep[b] || s->watch[b].still >= HALVES_TO_SLEEP;
-}
-
 int sleep_end(sleep_state *s)
 {
     int fallen = 0;
     for (int b = 0; b < s->bodies; b++) s->is_restless[b] = false;
     for (int b = 0; b < s->bodies; b++)
-        if (!may_sleep(s, b)) s->is_restless[island_of(s, b)] = true;
+        if (s->watch[b].still < HALVES_TO_SLEEP)
+            s->is_restless[island_of(s, b)] = true;
     for (int b = 0; b < s->bodies; b++) {
         int root = island_of(s, b);
         if (s->is_restless[root]) continue;

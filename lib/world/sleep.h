@@ -11,10 +11,11 @@
 #include "status.h"
 #include "verlet.h"
 
-// What counts as still, for a body of a radius of 1 m under 9.81 m/s^2.  Bodies
-// of other sizes, in other gravity, are still if the same motion would be, seen
-// with all lengths R and all times sqrt(R / g) times as large; but none in a
-// shorter time.
+// What counts as still, for a body of 0.5 m in radius (a cube of 1 m) under
+// 9.81 m/s^2.  Another one, of the radius R under g, is still if it would be,
+// seen with all lengths as R and all times as sqrt(R / g): a house may take its
+// time, and a pebble must be slower.  But no time is shorter than that of the
+// cube.
 typedef struct {
     real speed;     // m/s, sleep_speed; 0: nothing falls asleep
     real time;      // s, time_to_sleep
@@ -39,6 +40,7 @@ typedef struct {
     int frames;     // since the younger window began
     int halves;     // half windows since the body was first observed
     int still;      // half windows for which it has been still
+    bool is_moving; // too far in a window that is not over, or too fast now
 } sleep_watch;
 
 // An island is a set of movable bodies that touch, directly or through others.
@@ -79,6 +81,10 @@ void sleep_touch(sleep_state *s, int a, int b);
 // are not still.
 void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
                    int n, real radius, const sleep_rule *rule);
+
+// True if body b, awake, was seen to move in the last frame or just before it:
+// what sleeps, and is in its way, must wake.
+bool sleep_is_moving(const sleep_state *s, int b);
 
 // Puts to sleep every island in which all bodies have been still for
 // time_to_sleep.  Returns how many bodies fell asleep.

@@ -203,52 +203,70 @@ static void find_contacts(world *w)
 //<
 
 //> step-substeps
-// What is much heavier than what carries it presses that down by its load over
-// a contact's stiffness, which goes as the lighter mass and the square of the
-// substeps: so the more of them, the greater the load.  An impact is as great a
-// load for one frame: so it counts up to the ratio of the masses only.
-static const real BEARABLE = 75;    // times the weight of the lighter
-enum { MOST_TIMES = 8 };            // as many substeps as usual
-
-static real load_on(const world *w, const contact *c, real weight_of_one)
+// A contact that carries a force F gives way by about F h^2 / m, with m the
+// effective mass of its two bodies.  This pace is F / m beside the smaller
+// radius, in 1/s^2.
+static real pace_of(const world *w, const contact *c, real *mass_ratio)
 {
-    const solver_body *now = w->rigid.now;
-    real a = now[c->a].basis.inverse_mass;
-    real b = c->b < 0 ? 0 : now[c->b].basis.inverse_mass;
-    if (!(a > 0) || !(b > 0)) return 0;
-    real ratio = a > b ? a / b : b / a;
-    if (ratio <= BEARABLE) return 0;
-    return real_min(ratio, contact_load(c) * (a > b ? a : b) / weight_of_one);
+    const solver_body *a = &w->rigid.now[c->a];
+    const solver_body *b = c->b < 0 ? NULL : &w->rigid.now[c->b];
+    real x = a->basis.inverse_mass, y = b ? b->basis.inverse_mass : 0;
+    real radius = b ? real_min(a->radius, b->radius) : a->radius;
+    *mass_ratio = !(x > 0 && y > 0) ? 1 : x > y ? x / y : y / x;
+    return contact_load(c) / w->age * (x + y) / radius;
 }
 
-static int substeps_for_loads(const world *w)
-{
-    const contact_cache *c = &w->rigid.cache;
-    int usual = w->options.substeps;
-    real most = 0, gravity = vec3_length(w->options.gravity);
-    if (w->rigid.mass_ratio <= BEARABLE || !(gravity > 0)) return usual;
-    for (int k = 0; k < c->actives; k++)
-        most = real_max(most, load_on(w, c->active[k], gravity * w->age));
-    real times = real_min(sqrt(real_max(most / BEARABLE, 1)), MOST_TIMES);
-    return (int)(usual * times);
-}
+// A frame takes so many substeps that no contact gives way by more than SAG of
+// a radius.  Where nothing goes further than a sixteenth of its radius in a
+// frame three quarters of the usual number may do; a stack needs all of it; and
+// what carries a body EVEN times as heavy as itself needs more, up to MOST_TIMES
+// as many.  (An impact is as great a load, for a frame or two: so in other
+// frames no load counts for more than the ratio of the masses.)
+static const real SAG = 0.004, STACK_SAG = 0.0065, EVEN = 30;
+enum { MOST_TIMES = 8, CALM_FRAMES = 3 };
 
 static bool is_calm(const world *w)
 {
     for (int b = 0; b < w->bodies; b++) {
         vec3 way = w->rigid.ahead[b].way;
-        real far = CALMX * w->rigid.now[b].radius;
+        real far = w->rigid.now[b].radius / 16;
         if (vec3_length_squared(way) > far * far) return false;
     }
     return true;
 }
 
+// Every change of their number jolts what rests: it is made early and rarely.
+static int substeps_for(real pace, real sag, const world_options *o, int now)
+{
+    real need = o->dt * sqrt(pace / sag);
+    if (need <= now && need >= 0.7 * now) return now;
+    return (int)real_min(1.25 * need, (real)MOST_TIMES * o->substeps);
+}
+
+static void find_substeps(world *w)
+{
+    const contact_cache *c = &w->rigid.cache;
+    const world_options *o = &w->options;
+    real even = 0, uneven = 0, ratio;
+    for (int k = 0; k < c->actives; k++) {
+        real pace = pace_of(w, c->active[k], &ratio);
+        even = real_max(even, pace);
+        if (ratio > EVEN) uneven = real_max(uneven, pace);
+    }
+    w->rigid.for_stack = substeps_for(even, STACK_SAG, o, w->rigid.for_stack);
+    w->rigid.for_heavy = substeps_for(uneven, SAG, o, w->rigid.for_heavy);
+}
+
 static int choose_substeps(world *w)
 {
-    int n = substeps_for_loads(w);
-    if (w->softs == 0 && is_calm(w)) n = n * 3 / 4;
+    int usual = w->options.substeps, calm = (3 * usual + 3) / 4, n = usual;
+    w->rigid.calm = is_calm(w) ? w->rigid.calm + 1 : 0;
+    find_substeps(w);
+    if (w->rigid.calm > CALM_FRAMES)
+        n = int_max(calm, int_min(w->rigid.for_stack, usual));
+    n = int_max(n, w->rigid.for_heavy);
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
-    return int_min(n, w->options.most_substeps);
+    return int_min(n, int_max(w->options.most_substeps, usual));
 }
 //<
 

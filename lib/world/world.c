@@ -12,7 +12,7 @@ world_options world_options_default(void)
         .dt = 1.0 / 60, .substeps = 8, .most_substeps = 1000,
         .gravity = { 0, -9.81, 0 },
         .friction = 0.5, .restitution = 0,
-        .hertz = 60, .stay = 0.014, .warm_start = true,
+        .hertz = 60, .stay = 0.03, .warm_start = true,
         .sleep_speed = 0.005, .time_to_sleep = 0.5,
         .iterations = 6,
         .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 },
@@ -325,22 +325,9 @@ static bool size_rigid(rigid_tables *t, int bodies)
     return true;
 }
 
-static real mass_ratio(const world *w)
-{
-    real most = 0, least = HUGE_VAL;
-    for (int b = 0; b < w->bodies; b++) {
-        const body *x = &w->body[b];
-        if (body_is_soft(x) || body_is_static(x)) continue;
-        most = fmax(most, x->mass);
-        least = fmin(least, x->mass);
-    }
-    return most > 0 ? most / least : 1;
-}
-
 static status begin_rigid(world *w)
 {
     rigid_tables *t = &w->rigid;
-    t->mass_ratio = mass_ratio(w);
     if (!size_rigid(t, w->bodies)) return status_out_of_memory();
     for (int b = 0; b < w->bodies; b++) begin_body(w, b);
     status done = pair_list_init(&t->pairs, w->bodies);
@@ -427,8 +414,7 @@ bool world_wake_near(world *w, int a, int b)
     int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
     if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
     if (body_is_static(&w->body[sleeper])) return false;
-    if (body_is_static(&w->body[other]) || w->sleep.watch[other].still > 0)
-        return false;
+    if (!sleep_is_moving(&w->sleep, other)) return false;
     rouse(w, sleeper);
     return true;
 }

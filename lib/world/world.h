@@ -130,7 +130,8 @@ typedef struct {
     motion      *velocity;  // [bodies + 1], see solver.h
     motion      *moved;     // [bodies + 1] since the frame began
     rigid4_result *relaxed; // [bodies] what putting their particles did
-    real mass_ratio;        // of the heaviest body to the lightest
+    int  for_stack, for_heavy;  // substeps that loads ask for
+    int  calm;              // frames in which nothing was fast
     pair_list      pairs;
     bool           is_new_list;         // of pairs
     contact_cache  cache;

@@ -222,6 +222,21 @@ START_TEST(bodies_go_on_from_where_they_meet)
 }
 END_TEST
 
+// What overlaps already touches when the substep begins, and parts all through
+// it.  Rejects: a touch before that.
+START_TEST(bodies_that_overlap_strike_at_once)
+{
+    add_ball(vec3_make(0, 0, 0), 1, 0.5);
+    add_ball(vec3_make(0.99, 0, 0), 3, 0.5);
+    set_velocity(0, vec3_make(4, 0, 0));
+    join_balls(0, 1);
+    ck_assert_int_eq(solve(0.5), 1);
+    expect_vec3(moved_of(0), vec3_make(0, 0, 0), 0);
+    expect_vec3(moved_of(1), vec3_make(0, 0, 0), 0);
+    expect_vec3(velocity_of(1), vec3_make(1.5, 0, 0), ROUNDING);
+}
+END_TEST
+
 // What is already moved in this frame counts.  Rejects: a gap that is always
 // that of the frame's start.
 START_TEST(gap_is_that_of_now)
@@ -273,6 +288,14 @@ START_TEST(slow_bodies_do_not_bounce)
         set_velocity(0, vec3_make(0, -speed * (1 + ROUNDING), 0));
         ck_assert_int_eq(solve(1), k);
     }
+    // The smaller body says what is slow.
+    begin(0.001);
+    gravity = vec3_make(0, -9.81, 0);
+    add_ball(vec3_make(0, 5.05, 0), 1, 0.05);
+    add_ball(vec3_make(0, 0, 0), HUGE_VAL, 5);
+    join_balls(0, 1);
+    set_velocity(0, vec3_make(0, -0.5, 0));
+    ck_assert_int_eq(solve(1), 1);
 }
 END_TEST
 
@@ -306,12 +329,18 @@ static real energy_of_fall(int b)
 
 // Lets a ball go from 1 m above the floor, and follows it for n impacts: the
 // energy after each is e^2 times that before, measured from the floor.
-static void expect_bounces(real h, real e, int n, real tolerance)
+// The floor is a plane, or body A of the contact.
+static void expect_bounces(real h, real e, int n, bool on_plane, real tolerance)
 {
     begin(h);
     gravity = vec3_make(0, -9.81, 0);
     add_ball(vec3_make(0, 1.5, 0), 2, 0.5);
-    put_on_floor(0);
+    if (on_plane) {
+        put_on_floor(0);
+    } else {
+        add_ball(vec3_make(0, -1, 0), HUGE_VAL, 1);
+        join_balls(1, 0);
+    }
     real wanted = 9.81 - 9.81 * 9.81 * h * h / 8, floor = 9.81 * 0.5;
     real beside = 9.81 * 9.81 * h * h / 8;
     set_velocity(0, vec3_make(0, 9.81 * h / 2, 0));
@@ -334,9 +363,10 @@ START_TEST(ball_comes_back_to_the_square_of_its_restitution)
 {
     const real h[] = { 1.0 / 60, 1.0 / 240, 1.0 / 487, 1e-4 };
     for (int k = 0; k < 4; k++) {
-        expect_bounces(h[k], 1, k < 3 ? 100 : 10, 1e-10);
-        expect_bounces(h[k], 0.9, 8, 1e-10);
-        expect_bounces(h[k], 0.5, 1, 1e-10);
+        expect_bounces(h[k], 1, k < 3 ? 100 : 10, true, 1e-10);
+        expect_bounces(h[k], 0.9, 8, true, 1e-10);
+        expect_bounces(h[k], 0.9, 8, false, 1e-10);
+        expect_bounces(h[k], 0.5, 1, true, 1e-10);
     }
 }
 END_TEST
@@ -645,6 +675,79 @@ static real apart(int k)
     return vec3_dot(made[0].normal, v);
 }
 
+// The points of the pair get gaps, some of which close in the substep.
+static void open_gaps(void)
+{
+    contact *c = &made[0];
+    for (int k = 0; k < c->count; k++) {
+        real gap = 10 * frame.h * real_max(any(), 0);
+        vec3 *arm = &c->point[k].arm_b;
+        *arm = vec3_add_scaled(*arm, -gap, c->normal);
+        c->point[k].local_b = *arm;
+    }
+}
+
+static real gap_at(int k)
+{
+    real gap[CONTACT_POINTS];
+    contact_gaps(&made[0], &body[0].frame, &body[1].frame, 0, gap);
+    const contact_point *p = &made[0].point[k];
+    vec3 a = motion_at(&body[0].basis, &moved[0], p->arm_a);
+    vec3 b = motion_at(&body[1].basis, &moved[1], p->arm_b);
+    return gap[k] + vec3_dot(made[0].normal, vec3_sub(a, b));
+}
+
+// They strike when the first of them touches.  Rejects: a later one, for which
+// the first would have gone through.
+START_TEST(no_point_goes_through)
+{
+    int hits = 0;
+    seed = 14;
+    for (int round = 0; round < 20000; round++) {
+        any_pair();
+        open_gaps();
+        frame.friction = 0;
+        gravity = vec3_make(0, 0, 0);
+        real closed[CONTACT_POINTS], fastest = 0;
+        for (int k = 0; k < made[0].count; k++) {
+            closed[k] = gap_at(k) + frame.h * apart(k);
+            fastest = real_max(-apart(k), fastest);
+        }
+        if (solve((any() + 1) / 2) != 1) continue;
+        hits++;
+        advance();
+        for (int k = 0; k < made[0].count; k++)
+            ck_assert(closed[k] > 0
+                      || gap_at(k) >= -0.01 * fastest * frame.h);
+    }
+    ck_assert_int_ge(hits, 3000);
+}
+END_TEST
+
+// Rejects: friction that stops one of two directions, and lets the other slide.
+START_TEST(enough_friction_stops_the_point)
+{
+    int hits = 0;
+    seed = 15;
+    for (int round = 0; round < 20000; round++) {
+        any_pair();
+        made[0].count = 1;
+        frame.friction = 1e6;
+        gravity = vec3_make(0, 0, 0);
+        const contact_point *p = &made[0].point[0];
+        real closing = -apart(0);
+        if (solve(0.5) != 1) continue;
+        hits++;
+        vec3 v = vec3_sub(motion_at(&body[0].basis, &velocity[0], p->arm_a),
+                          motion_at(&body[1].basis, &velocity[1], p->arm_b));
+        vec3 n = made[0].normal;
+        v = vec3_add_scaled(v, -vec3_dot(v, n), n);
+        ck_assert(closing > 0 && vec3_length(v) <= 1e-9 * (closing + 20));
+    }
+    ck_assert_int_ge(hits, 3000);
+}
+END_TEST
+
 // Rejects: points that still close, or part too slowly, after an impact; too
 // fast, if one alone has touched.
 START_TEST(every_point_parts_at_restitution_times_its_speed)
@@ -700,6 +803,7 @@ int main(void)
     const TTest *const test[] = {
         balls_that_meet_head_on_part_at_restitution_times_their_speed,
         bodies_go_on_from_where_they_meet,
+        bodies_that_overlap_strike_at_once,
         gap_is_that_of_now,
         bodies_that_do_not_touch_in_this_substep_do_not_strike,
         slow_bodies_do_not_bounce,
@@ -716,6 +820,8 @@ int main(void)
         no_impact_gives_energy,
         impact_keeps_momentum_and_angular_momentum,
         every_point_parts_at_restitution_times_its_speed,
+        no_point_goes_through,
+        enough_friction_stops_the_point,
         numbers_that_are_not_finite_strike_nothing,
     };
     Suite *s = suite_create("restitution");

@@ -84,6 +84,7 @@ static void store(pile *p)
 
 static void run(pile *p, vec3 gravity, int substeps)
 {
+    pile_find(p);
     prepare(p);
     for (int k = 0; k < substeps; k++) substep(p, gravity, k == 0);
     store(p);
@@ -110,16 +111,13 @@ static int order_of_blocks(pile *p, contact *list[])
     return n;
 }
 
-// Moves all bodies of both a little, and alike.
-static void jolt(pile *p, pile *q)
+// Moves all bodies a little.
+static void jolt(pile *p)
 {
     for (int b = 0; b < p->frame.bodies; b++)
-        for (int k = 0; k < MOTIONS; k++) {
-            real way = 1e-4 * any();
-            if (p->body[b].basis.inverse_mass == 0) continue;
-            p->moved[b].of[k] += way;
-            q->moved[b].of[k] += way;
-        }
+        for (int k = 0; k < MOTIONS; k++)
+            if (p->body[b].basis.inverse_mass > 0)
+                p->moved[b].of[k] += 1e-4 * any();
 }
 
 // The same substeps by blocks (p) and one by one (q).  After each push both are
@@ -129,6 +127,7 @@ static void run_both(pile *p, pile *q, int substeps)
 {
     contact *list[PILE_CONTACTS];
     static real gap[PILE_CONTACTS][CONTACT_POINTS];
+    pile_find(p);
     prepare(p);
     q->frame.body = q->body;
     q->frame.plane = q->plane;
@@ -141,7 +140,10 @@ static void run_both(pile *p, pile *q, int substeps)
         plain_warm_start(&s);
         plain_push(&s);
         plain_move(&s);
-        jolt(p, q);
+        const unsigned long long alike = seed;
+        jolt(p);
+        seed = alike;
+        jolt(q);
         relax(p);
         plain_relax(&s);
     }
@@ -287,6 +289,53 @@ START_TEST(old_impulses_are_taken_in_part)
 }
 END_TEST
 
+// Some frames of four substeps, of contacts that stay: their gaps change, and in
+// the second frame the substep is of another length, and nothing else.
+static void run_frames(pile *p, bool anew)
+{
+    const unsigned long long start = seed;
+    pile_find(p);
+    for (int frame = 0; frame < 4; frame++) {
+        if (anew) pile_find(p);
+        p->frame.warm = frame == 1 ? 0.5 : 1;
+        prepare(p);
+        for (int k = 0; k < 4; k++) {
+            push(p, GRAVITY, k == 0);
+            jolt(p);
+            relax(p);
+        }
+        store(p);
+        for (int b = 0; b < p->frame.bodies; b++) {
+            p->body[b].frame.center.y += p->moved[b].of[1];
+            p->moved[b] = (motion){ { 0 } };
+        }
+        for (int k = 0; k < p->contacts; k++)
+            for (int j = 0; j < p->contact[k].count; j++)
+                p->contact[k].point[j].offset += 0.003 * any();
+    }
+    seed = start;
+}
+
+// Rejects: a gap of the frame before; a block that is kept although its points
+// are others, or its bodies; an impulse that is lost.
+START_TEST(blocks_that_are_kept_give_the_bits_of_new_ones)
+{
+    for (int n = 0; n < 1000; n++) {
+        pile_any(&one, 10, n % 10 ? 1 : 20, 0);
+        for (int k = 0; k < one.contacts; k++)
+            one.reach[k] = n % 2 ? 0.005 * any() : HUGE_VAL;
+        // So large that no gap counts as wide: a kept block has the middle of
+        // its points as it was.
+        for (int b = 0; b < one.frame.bodies; b++) one.body[b].radius = 10;
+        other = one;
+        run_frames(&one, false);
+        run_frames(&other, true);
+        real off = difference(&one, &other);
+        ck_assert_msg(off <= SAME, "%d: off by %g", n, off);
+    }
+}
+END_TEST
+
 // --- laws --------------------------------------------------------------------
 
 // Rejects: an impulse that only one side gets; friction at two places.
@@ -348,6 +397,7 @@ START_TEST(relaxed_contacts_either_push_or_part)
     for (int n = 0; n < 20; n++) {
         pile_any(&one, 12, 15, 0);
         one.frame.friction = 0;
+        pile_find(&one);
         prepare(&one);
         solver_begin(&solver, &one.frame, one.velocity, true);
         for (int k = 0; k < 20000; k++)
@@ -535,6 +585,7 @@ START_TEST(deep_overlap_is_pushed_out_at_most_so_fast)
     pile_clear(&one);
     pile_box(&one, vec3_make(0, 0, 0), sides, 3);
     stand_on_plane(&one, 0, sides, -0.5);
+    pile_find(&one);
     prepare(&one);
     for (int k = 0; k < 400; k++) {
         real was = one.moved[0].of[1];
@@ -576,6 +627,8 @@ START_TEST(any_order_of_the_work_gives_the_same_bits)
         run(&other, GRAVITY, 3);
         ck_assert(memcmp(one.velocity, other.velocity, sizeof one.velocity)
                   == 0);
+        for (int k = 0; k < one.contacts; k++) other.contact[k].found = 0;
+        for (int k = 0; k < one.contacts; k++) one.contact[k].found = 0;
         ck_assert(memcmp(one.contact, other.contact, sizeof one.contact) == 0);
     }
     ck_assert_int_gt(calls, 100);
@@ -620,7 +673,7 @@ START_TEST(refused_memory_leaves_no_contact)
     }
     pile_any(&one, 20, 40, 0);
     set_table(&one, table);
-    for (int left = 0; left < 4; left++) {
+    for (int left = 0; left < 5; left++) {
         long before = blocks_held;
         status begun = solver_init(&s, 20);
         mallocs_left = left;
@@ -633,7 +686,7 @@ START_TEST(refused_memory_leaves_no_contact)
         solver_free(&s);
         long after = blocks_held;
         expect_ok(begun);
-        ck_assert(done == (left == 3) && is_empty != done);
+        ck_assert(done == (left == 4) && is_empty != done);
         ck_assert_int_eq(after, before);
     }
 }
@@ -646,6 +699,7 @@ int main(void)
         a_hundred_contacts_on_one_body_share_it,
         points_out_of_reach_take_no_part,
         old_impulses_are_taken_in_part,
+        blocks_that_are_kept_give_the_bits_of_new_ones,
         impulses_keep_momentum_and_angular_momentum,
         relaxed_contacts_either_push_or_part,
         friction_stays_in_the_cone,

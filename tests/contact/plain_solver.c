@@ -114,8 +114,9 @@ void plain_push(plain_solver *s)
 {
     for (int i = 0; i < s->contacts; i++) {
         pair p = pair_of(s, s->contact[i]);
-        bool both = p.basis[0]->inverse_mass > 0 && p.basis[1]->inverse_mass > 0;
-        solve_normals(s, i, plain_softness(s->frame, both));
+        bool both_move = p.basis[0]->inverse_mass > 0
+                      && p.basis[1]->inverse_mass > 0;
+        solve_normals(s, i, plain_softness(s->frame, both_move));
     }
 }
 //<
@@ -234,6 +235,8 @@ void plain_begin(plain_solver *s)
         const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
         real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
         contact_gaps(c, &f->body[c->a].frame, b, height, s->gap[i]);
+        // One point cannot hold a twist that more have held.
+        if (c->count == 1) c->twist = 0;
         // The normal may have turned since the last frame.
         c->friction = vec3_add_scaled(c->friction,
                                       -vec3_dot(c->normal, c->friction),

@@ -17,8 +17,9 @@ static void check_simplex(const sets *s, const simplex *last)
     real sum = 0;
     MUST(last->count >= 1 && last->count <= 4, "%d corners", last->count);
     for (int c = 0; c < last->count; c++) {
-        MUST(last->of[c].a >= 0 && last->of[c].a < s->a.count, "a %d", last->of[c].a);
-        MUST(last->of[c].b >= 0 && last->of[c].b < s->b.count, "b %d", last->of[c].b);
+        int a = last->of[c].a, b = last->of[c].b;
+        MUST(a >= 0 && a < s->a.count, "a %d", a);
+        MUST(b >= 0 && b < s->b.count, "b %d", b);
         MUST(last->weight[c] >= 0, "weight %g", last->weight[c]);
         sum += last->weight[c];
     }

@@ -24,7 +24,8 @@ static void check_feature(const body *b, const feature_point *f)
 // All that an answer says of itself, whatever the bodies.
 static void check_form(const sets *s, const hit_result *r)
 {
-    MUST(r->status >= HIT_FOUND && r->status <= HIT_NOT_FINITE, "%d", r->status);
+    MUST(r->status >= HIT_FOUND && r->status <= HIT_NOT_FINITE, "%d",
+         r->status);
     MUST(r->kind >= TOUCH_VERTEX_FACE && r->kind <= TOUCH_EDGE_EDGE, "%d",
          r->kind);
     MUST(r->iterations >= 0 && r->iterations <= 512, "%d", r->iterations);

@@ -12,8 +12,8 @@
 typedef struct {
     body a, b;
     int  finite;        // every coordinate is
-    int  fair;          // ... and 0 or from 1e-40 to 1e57 m, and the smallest is
-                        // 1e-9 of the largest: answers are due
+    int  fair;          // ... and 0 or from 1e-40 to 1e57 m, the smallest at
+                        // least 1e-9 of the largest: answers are due
     long double reach;  // the largest coordinate of A - B
     long double place;  // twice the largest of A and B: what a place may be off
                         // is a share of it

@@ -32,6 +32,17 @@ static const option_range RANGE[] = {
     OPTION(INT, substeps, 1, 16),
     OPTION(REAL, friction, 0, 1000),
     OPTION(REAL, restitution, 0, 1),
+    OPTION(INT, most_substeps, 1, 32),
+    OPTION(REAL, hertz, 1e-3, 1e6),
+    OPTION(REAL, stay, 0, 0.1),
+    OPTION(BOOL, warm_start, 0, 1),
+    OPTION(REAL, sleep_speed, 0, 10),
+    OPTION(REAL, time_to_sleep, 0, 10),
+    OPTION(INT, iterations, 1, 64),
+    OPTION(REAL, relax.tolerance, 0, 1),
+    OPTION(INT, relax.root, 0, ROOT_APPROXIMATE),
+    OPTION(INT, relax.gradient, 0, GRADIENT_OLD),
+    OPTION(BOOL, ledger, 0, 1),
 };
 enum { RANGES = sizeof RANGE / sizeof RANGE[0] };
 
@@ -262,6 +273,7 @@ static void add_body(trial *t, const group *c, int number)
     status done = world_add(&t->world, s, p, &b);
     must_be_made(t, "a body", done);
     if (!done.ok) return;
+    t->points[b] = s->particles;
     t->radius[b] = s->radius;
     t->middle[b] = p.position;
     t->mass[b] = 0;
@@ -269,7 +281,7 @@ static void add_body(trial *t, const group *c, int number)
         t->mass[b] += s->mass[i];
     t->heat += heat_of(t, &p, b, 1000 * t->world.options.dt);
     if (s->kind != SHAPE_RIGID && any_chance(t, 3))
-        world_nail(&t->world, b, 0);
+        world_pin(&t->world, b, 0);
 }
 
 // ---- Planes ----------------------------------------------------------------
@@ -430,7 +442,7 @@ static bool find_middle(trial *t, int b)
     static vec3 at[TRIAL_POINTS];
     const body *x = &t->world.body[b];
     vec3 sum = { 0, 0, 0 };
-    int n = x->plan->particles;
+    int n = t->points[b];
     world_vertices(&t->world, x, at);
     for (int i = 0; i < n; i++) {
         if (!vec3_is_finite(at[i])) return false;

@@ -36,6 +36,7 @@ typedef struct {
     real  room;
     real  heat;             // J, more motion than this has no cause
     vec3  middle[TRIAL_BODIES];     // m, of each body after the last step
+    int   points[TRIAL_BODIES];     // of its shape
     real  radius[TRIAL_BODIES];     // m
     real  mass[TRIAL_BODIES];       // kg; 0: static
     unsigned long long seed, state;

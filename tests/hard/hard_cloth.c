@@ -115,7 +115,7 @@ static int patches_make(const world *w, int number, patch *out)
 {
     const body *b = &w->body[number];
     const particle *p = w->pool.at + b->first;
-    const shape *s = b->plan;
+    const shape *s = b->shape;
     int is_cloth = s->kind == SHAPE_CLOTH;
     int n = is_cloth ? s->mesh.faces : s->sticks;
     for (int k = 0; k < n; k++) {
@@ -201,10 +201,10 @@ static void perturb(world *w, int number, unsigned long long seed)
     const body *b = &w->body[number];
     real turn = 0.087 * any(&seed), c = cos(turn), s = sin(turn);
     real x = 0.04 * any(&seed), z = 0.04 * any(&seed);
-    for (int i = b->first; i < b->first + b->plan->particles; i++) {
+    for (int i = b->first; i < b->first + b->shape->particles; i++) {
         particle *p = &w->pool.at[i];
         vec3 at = p->position, back = vec3_sub(p->previous, at);
-        real off = 1e-3 * b->plan->spacing;
+        real off = 1e-3 * b->shape->spacing;
         p->position = vec3_make(c * at.x + s * at.z + x + off * any(&seed),
                                 at.y + off * any(&seed),
                                 c * at.z - s * at.x + z + off * any(&seed));
@@ -212,7 +212,7 @@ static void perturb(world *w, int number, unsigned long long seed)
     }
 }
 
-// In the solid box, its skin left out: particles, and triangles.
+// In the solid box: particles, and triangles.
 static void look_in_box(const world *w, int number, vec3 middle, vec3 half,
                         findings *f)
 {
@@ -224,7 +224,7 @@ static void look_in_box(const world *w, int number, vec3 middle, vec3 half,
             t[i] = vec3_sub(sheet[k].corner[i], middle);
         f->cutting += triangle_cuts_box(t, half);
     }
-    for (int i = b->first; i < b->first + b->plan->particles; i++) {
+    for (int i = b->first; i < b->first + b->shape->particles; i++) {
         vec3 at = vec3_sub(w->pool.at[i].position, middle);
         f->inside += fabs(at.x) < half.x && fabs(at.y) < half.y
                   && fabs(at.z) < half.z;
@@ -242,7 +242,7 @@ static void look_for_crossings(const world *w, findings *f)
 
 // ---- a cloth folded onto itself --------------------------------------------
 
-// A nailed box whose top is at y = 0, and the paper's cloth of n x n particles:
+// A static box whose top is at y = 0, and the paper's cloth of n x n particles:
 // body 1.
 static void lay_table(setting *s, world_options o, vec3 sides, int n,
                       placement where)
@@ -275,8 +275,8 @@ static int fold_part(int i, int third)
 static void fold(world *w, real height, real gap)
 {
     const body *b = &w->body[1];
-    int n = b->plan->columns, third = n / 3;
-    real link = b->plan->spacing, rise = gap / 2;
+    int n = b->shape->columns, third = n / 3;
+    real link = b->shape->spacing, rise = gap / 2;
     real out = sqrt(link * link - rise * rise), x = -third * link / 2;
     real way = 1;
     for (int i = 0; i < n; i++) {
@@ -416,7 +416,7 @@ static void check_counting(hard_report *r, int n, int frames)
     what.cloth = n;
     if (!hard_ok(r, world_scene_build(&s, kind, what, world_scene_options(kind, what.cloth))))
         return;
-    s.world.near.pair_capacity = 0;
+    s.world.soft.pair_capacity = 0;
     for (int k = 0; k < frames; k++) world_step(&s.world);
     int patches = patches_make(&s.world, 1, sheet);
     int found = count_crossings(sheet, patches);
@@ -494,7 +494,7 @@ static void build_flat(setting *s, int n, int lies, int is_turned)
 {
     world_options o = world_scene_options(SCENE_CLOTH_ON_CUBE, 40);
     placement where = placement_at(vec3_make(0, 1, 0));
-    o.resting = 0;
+    o = kept_awake(o, true);
     if (is_turned) {
         where.x = vec3_make(0.6, 0, 0.8);
         where.z = vec3_make(-0.8, 0, 0.6);
@@ -514,13 +514,13 @@ static stillness lie_still(world *w, int frames)
 {
     static vec3 was[MOST_SIDE * MOST_SIDE];
     const body *b = &w->body[1];
-    int n = b->plan->particles;
+    int n = b->shape->particles;
     stillness s = { 0, 0 };
     for (int i = 0; i < n; i++) was[i] = w->pool.at[b->first + i].position;
     for (int f = 0; f < frames; f++) {
         world_step(w);
-        for (int k = 0; k < w->near.pairs; k++)
-            s.touching += particle_contact_overlaps(&w->near.pair[k], w->pool.at);
+        for (int k = 0; k < w->soft.pairs; k++)
+            s.touching += particle_contact_overlaps(&w->soft.pair[k], w->pool.at);
         for (int i = 0; i < n; i++)
             s.drift = hard_worse(s.drift, vec3_distance(
                 was[i], w->pool.at[b->first + i].position));

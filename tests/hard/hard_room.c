@@ -55,7 +55,7 @@ static void count_bodies(const world_scene *s, watched *o)
         world_vertices(w, b, at);
         lost += is_lost(at, CORNERS);
         escaped += is_outside(w, at, CORNERS, s->body_radius);
-        mirrored += rigid4_is_mirrored(b->four, w->pool.at + b->first);
+        mirrored += rigid4_is_mirrored(b->rigid, w->pool.at + b->first);
     }
     if (escaped > o->escaped)   o->escaped = escaped;
     if (mirrored > o->mirrored) o->mirrored = mirrored;
@@ -123,7 +123,7 @@ static void run_room(hard_report *r, room what, watched *o)
     world_options how = world_scene_options(SCENE_ROOM, 0);
     scene_options of = scene_options_default();
     world_scene s;
-    how.resting = what.resting;
+    if (!what.resting) how.sleep_speed = 0;
     of.bodies = what.bodies;
     of.seed = (unsigned long long)what.seed;
     if (!hard_ok(r, world_scene_build(&s, SCENE_ROOM, of, how))) return;

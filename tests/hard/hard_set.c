@@ -109,12 +109,10 @@ placement turned_anyhow(vec3 position, unsigned long long *seed)
 
 // ---- Options ---------------------------------------------------------------
 
-world_options best(int passes)
+world_options best(int substeps)
 {
     world_options o = world_options_default();
-    o.passes = passes;
-    o.content = 1e-7;
-    o.relax.tolerance = 1e-9;
+    o.substeps = substeps;
     return o;
 }
 
@@ -124,21 +122,20 @@ world_options weightless(world_options o)
     return o;
 }
 
-world_options standing(int passes, real mu, int awake)
+world_options kept_awake(world_options o, bool is_awake)
 {
-    world_options o = best(passes);
-    o.friction = mu;
-    o.resting = !awake;
+    if (is_awake) o.sleep_speed = 0;
     return o;
 }
 
-// ---- 14 to 16: what moves --------------------------------------------------
-
-// m, how far apart two bodies of a plan stand when they touch: both skins.
-static real skins(const world *w, const shape *plan)
+world_options standing(int substeps, real mu, bool is_awake)
 {
-    return 2 * w->options.skin * plan->radius;
+    world_options o = best(substeps);
+    o.friction = mu;
+    return kept_awake(o, is_awake);
 }
+
+// ---- 14 to 16: what moves --------------------------------------------------
 
 void build_cradle(setting *s, world_options o, real gap, int flying, int side)
 {
@@ -147,7 +144,7 @@ void build_cradle(setting *s, world_options o, real gap, int flying, int side)
     o.restitution = 1;
     setting_start(s, o);
     const shape *cube = add_box(s, vec3_make(1, 1, 1), 1);
-    real pitch = 1 + skins(&s->w, cube) + gap;
+    real pitch = 1 + gap;
     for (int i = 0; i < CRADLE; i++) {
         int flies = side < 0 ? i < flying : i >= CRADLE - flying;
         real away = flies ? 0.3 * side : 0;
@@ -162,23 +159,22 @@ void build_bounce(setting *s, world_options o)
     setting_start(s, o);
     const shape *cube = add_box(s, vec3_make(1, 1, 1), 1);
     add_ground(s);
-    add_body(s, cube,
-             placement_at(vec3_make(0, 1.5 + o.skin * cube->radius, 0)));
+    add_body(s, cube, placement_at(vec3_make(0, 1.5, 0)));
 }
 
 void build_slope(setting *s, world_options o, real tilt, real mu, real speed)
 {
     o.friction = mu;
     setting_start(s, o);
-    const shape *block = add_box(s, vec3_make(1, 0.5, 1), 1);
+    const shape *slab = add_box(s, vec3_make(1, 0.5, 1), 1);
     real c = cos(tilt), d = sin(tilt);
     placement p = placement_at(NOWHERE);
     p.x = vec3_make(c, -d, 0);
     p.y = vec3_make(d, c, 0);
-    p.position = vec3_scale(0.25 + o.skin * block->radius, p.y);
+    p.position = vec3_scale(0.25, p.y);
     p.velocity = vec3_scale(speed, p.x);
     if (s->ok.ok) s->ok = world_add_plane(&s->w, p.y, 0);
-    add_body(s, block, p);
+    add_body(s, slab, p);
 }
 
 // ---- 17 to 19: what stands -------------------------------------------------
@@ -188,20 +184,16 @@ void build_stack(setting *s, world_options o, int cubes, real last)
     setting_start(s, o);
     const shape *cube = add_box(s, vec3_make(1, 1, 1), 1);
     const shape *top = add_box(s, vec3_make(1, 1, 1), last);
-    real skin = o.skin * cube->radius;
     add_ground(s);
-    for (int i = 0; i < cubes; i++) {
-        real y = 0.5 + i + skin * (1 + 2 * i);
+    for (int i = 0; i < cubes; i++)
         add_body(s, i == cubes - 1 ? top : cube,
-                 placement_at(vec3_make(0, y, 0)));
-    }
+                 placement_at(vec3_make(0, 0.5 + i, 0)));
 }
 
 // A card of 1 x 0.02 x 0.7 m, and a house of them.
 typedef struct {
     const shape *card;
     real long_side, thick, lean;    // m, m, rad
-    real skin;                      // m, of a card
     real pitch;                     // m, from tip to tip of a floor
 } cards;
 
@@ -211,7 +203,7 @@ typedef struct {
 static void add_tent(setting *s, const cards *c, real x, real y)
 {
     real sine = sin(c->lean), cosine = cos(c->lean);
-    real side = c->skin + (c->thick * cosine + c->long_side * sine) / 2;
+    real side = (c->thick * cosine + c->long_side * sine) / 2;
     real up = (c->thick * sine + c->long_side * cosine) / 2;
     for (int k = -1; k <= 1; k += 2) {
         placement p = placement_at(vec3_make(x + k * side, y + up, 0));
@@ -234,17 +226,16 @@ void build_card_house(setting *s, world_options o, int floors, real lean)
     setting_start(s, o);
     cards c = { .long_side = 1, .thick = 0.02, .lean = lean, .pitch = 1.01 };
     c.card = add_box(s, vec3_make(c.thick, c.long_side, 0.7), 0.1);
-    c.skin = o.skin * c.card->radius;
     add_ground(s);
-    real y = c.skin, rise = c.thick * sin(lean) + c.long_side * cos(lean);
+    real y = 0, rise = c.thick * sin(lean) + c.long_side * cos(lean);
     for (int floor = 0; floor < floors; floor++) {
         int tents = floors - floor;
         real x = -(tents - 1) * c.pitch / 2;
         for (int k = 0; k < tents; k++) add_tent(s, &c, x + k * c.pitch, y);
-        y += rise + 2 * c.skin + c.thick / 2;
+        y += rise + c.thick / 2;
         for (int k = 0; k + 1 < tents; k++)
             add_flat_card(s, &c, x + (k + 0.5) * c.pitch, y);
-        y += c.thick / 2 + 2 * c.skin;
+        y += c.thick / 2;
     }
 }
 
@@ -254,23 +245,17 @@ real outer_radius(real thickness)
 }
 
 // A stone of an arch: between radii of 1 m and `outer`, up to the angle `half`
-// on either side and `skin` inside of both, 0.5 m deep.  Corner k: outer if bit
-// 0, right if bit 1, near if bit 2.  Returns its radius about the mean of its
-// corners, which is `height` above the arch's centre.
-static real stone_corners(vec3 at[8], real outer, real half, real skin,
-                          real *height)
+// on either side, 0.5 m deep.  Corner k: outer if bit 0, right if bit 1, near if
+// bit 2.  Returns how high the mean of its corners is above the arch's centre.
+static real stone_corners(vec3 at[8], real outer, real half)
 {
-    real most = 0;
-    *height = 0;
+    real height = 0;
     for (int k = 0; k < 8; k++) {
-        real r = k & 1 ? outer : 1, x = r * sin(half) - skin * cos(half);
-        at[k] = vec3_make(k & 2 ? x : -x, r * cos(half) + skin * sin(half),
-                          k & 4 ? 0.25 : -0.25);
-        *height += at[k].y / 8;
+        real r = k & 1 ? outer : 1, x = r * sin(half);
+        at[k] = vec3_make(k & 2 ? x : -x, r * cos(half), k & 4 ? 0.25 : -0.25);
+        height += at[k].y / 8;
     }
-    for (int k = 0; k < 8; k++)
-        most = fmax(most, vec3_distance(at[k], vec3_make(0, *height, 0)));
-    return most;
+    return height;
 }
 
 void build_arch(setting *s, world_options o, int stones, real outer)
@@ -281,11 +266,9 @@ void build_arch(setting *s, world_options o, int stones, real outer)
         { 0, 4, 5 }, { 0, 5, 1 }, { 2, 3, 7 }, { 2, 7, 6 }
     };
     setting_start(s, o);
-    real half = PI / (2 * stones), skin = 0, height = 0;
+    real half = PI / (2 * stones);
     vec3 at[8];
-    for (int k = 0; k < 5; k++)         // the skin is a share of the radius
-        skin = o.skin * stone_corners(at, outer, half, skin, &height);
-    stone_corners(at, outer, half, skin, &height);
+    real height = stone_corners(at, outer, half);
     shape *stone = &s->plan[s->plans++];
     if (s->ok.ok) s->ok = shape_convex(stone, 8, at, 12, face, 1);
     add_ground(s);

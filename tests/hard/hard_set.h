@@ -41,13 +41,14 @@ real any_share(unsigned long long *seed);
 vec3 any_direction(unsigned long long *seed);
 placement turned_anyhow(vec3 position, unsigned long long *seed);
 
-// Our best, with so many passes over the contacts; for a pile, with friction,
-// which may be kept awake; without gravity.
-world_options best(int passes);
-world_options standing(int passes, real friction, int awake);
+// Our best, with so many substeps; without sleep; for a pile, with friction;
+// without gravity.
+world_options best(int substeps);
+world_options kept_awake(world_options o, bool is_awake);
+world_options standing(int substeps, real friction, bool is_awake);
 world_options weightless(world_options o);
 
-// Five cubes of a metre, `gap` further apart than their skins; `flying` of them
+// Five cubes of a metre, `gap` apart; `flying` of them
 // come in from 0.3 m away: from the left (side -1) or from the right (1).
 enum { CRADLE = 5, CRADLE_SPEED = 2 };                          // m/s
 void build_cradle(setting *s, world_options o, real gap, int flying, int side);
@@ -66,7 +67,7 @@ void build_stack(setting *s, world_options o, int cubes, real last);
 // less on each, and cards across their tips between them.
 void build_card_house(setting *s, world_options o, int floors, real lean);
 
-// Half a ring of wedges on the ground, skin on skin, with an inner radius of
+// Half a ring of wedges on the ground, with an inner radius of
 // 1 m and this outer one; and the outer one for a thickness that is this part
 // of the mean radius.
 void build_arch(setting *s, world_options o, int stones, real outer);

@@ -7,9 +7,9 @@
 #include <math.h>
 #include <stddef.h>
 
-enum { PLATE_NAILED, PLATE_FREE, CLOTH, TARGETS };
+enum { PLATE_STATIC, PLATE_FREE, CLOTH, TARGETS };
 static const char *const target_name[TARGETS] = {
-    "nailed plate", "free plate", "cloth"
+    "static plate", "free plate", "cloth"
 };
 static const real SPEED[] = { 10, 32, 100, 316, 1000 };         // m/s
 enum { SPEEDS = sizeof SPEED / sizeof *SPEED };
@@ -53,30 +53,30 @@ static void add_bullet(setting *s, shot x, real mass)
     add_body(s, plan, p);
 }
 
-// Nails the rim of a cloth of n x n particles, or its corners only.
-static void nail_cloth(world *w, int n, int corners)
+// Pins the rim of a cloth of n x n particles, or its corners only.
+static void pin_cloth(world *w, int n, int corners)
 {
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++) {
             int ends = (i == 0 || i == n - 1) + (j == 0 || j == n - 1);
-            if (ends > corners) world_nail(w, 0, n * i + j);
+            if (ends > corners) world_pin(w, 0, n * i + j);
         }
 }
 
 static void build_target(setting *s, int target, int corners)
 {
     enum { CELLS = 20 };
-    setting_start(s, weightless(best(4)));
+    setting_start(s, weightless(best(8)));
     placement p = placement_at(vec3_make(0, 0, 0));
     if (target == CLOTH) {
         shape *cloth = &s->plan[s->plans++];
         if (s->ok.ok)
             s->ok = shape_cloth(cloth, CELLS + 1, CELLS + 1, 1, 1, 0.2, 0.2);
         add_body(s, cloth, p);
-        if (s->ok.ok) nail_cloth(&s->w, CELLS + 1, corners);
+        if (s->ok.ok) pin_cloth(&s->w, CELLS + 1, corners);
         return;
     }
-    p.is_static = target == PLATE_NAILED;
+    p.is_static = target == PLATE_STATIC;
     add_body(s, add_box(s, vec3_make(1, 0.01, 1), 1), p);
 }
 
@@ -107,7 +107,7 @@ static int went_through(const setting *s, int target, vec3 way)
 {
     real height = height_over(s, target);
     if (target == CLOTH)        return !(height > -0.3);
-    if (target == PLATE_NAILED) return !(height > 0);
+    if (target == PLATE_STATIC) return !(height > 0);
     return !(height > 0 || height < -0.1)
         || (velocity(&s->w, 1).y < way.y / 2 && middle(&s->w, 1).y < -0.1);
 }
@@ -160,7 +160,7 @@ static int count_ghosts(hard_report *r, real speed, int shots)
         x.way = vec3_make(0, -speed, 0);
         x.from = vec3_make(to.x, fabs(x.from.y), to.z);
         x.spin = vec3_make(0, 0, 0);
-        build_target(&s, PLATE_NAILED, 0);
+        build_target(&s, PLATE_STATIC, 0);
         add_bullet(&s, x, MASS[0]);
         if (!hard_ok(r, setting_begin(&s))) return shots;
         run_for(&s, 0.1);
@@ -177,7 +177,7 @@ static void bullets(hard_report *r, int fast)
         for (int k = 0; k < SPEEDS; k++) {
             int shots = target == CLOTH ? 60 : 300;
             if (fast && target == CLOTH && SPEED[k] > 100) continue;
-            if (fast && target != PLATE_NAILED) shots = 4;
+            if (fast && target != PLATE_STATIC) shots = 4;
             hard_add(r, count_through(r, target, SPEED[k], shots), 0, "",
                      "through, %s, %g m/s, %d shots", target_name[target],
                      SPEED[k], shots);

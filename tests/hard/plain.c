@@ -63,7 +63,7 @@ static int begin_setting(hard_report *r, plain *p, setting *from)
         ok = hard_ok(r, scene_add_plane(&p->scene, w->plane[k].normal,
                                         w->plane[k].offset));
     for (int b = 0; b < w->bodies && ok; b++) {
-        const shape *plan = w->body[b].plan;
+        const shape *plan = w->body[b].shape;
         placement where = placement_at(vec3_make(0, 0, 0));
         where.is_static = !(w->body[b].mass < HUGE_VAL);
         ok = hard_ok(r, scene_add(&p->scene, (int)(plan - from->plan), where));
@@ -290,7 +290,7 @@ static void bounces(hard_report *r)
 {
     setting s;
     plain p;
-    world_options o = best(10);
+    world_options o = best(8);
     build_bounce(&s, o);
     if (begin_setting(r, &p, &s)) {
         real floor = mean_of(&p, 0).y - 1, top = 0;
@@ -313,7 +313,7 @@ static void slopes(hard_report *r)
         for (int k = 0; k < 2; k++) {
             setting s;
             plain p;
-            build_slope(&s, best(10), tilt, k ? loose : mu, 0);
+            build_slope(&s, best(8), tilt, k ? loose : mu, 0);
             if (begin_setting(r, &p, &s)) {
                 vec3 from = mean_of(&p, 0);
                 run(&p, 10);
@@ -361,7 +361,7 @@ static void stacks(hard_report *r)
     for (int k = 0; k < 3; k++) {
         setting s;
         real deep;
-        build_stack(&s, best(10), cubes[k], 1);
+        build_stack(&s, best(8), cubes[k], 1);
         real drift = drift_of(r, &s, 30, 1, &deep);
         hard_add(r, 1e3 * drift, 1, "mm", "drift a cube; %d", cubes[k]);
         hard_add(r, deep, 0.005, "m", "penetration; %d", cubes[k]);
@@ -374,7 +374,7 @@ static void heavy_on_light(hard_report *r)
     for (int k = 0; k < 3; k++) {
         setting s;
         real deep;
-        build_stack(&s, best(10), 2, ratio[k]);
+        build_stack(&s, best(8), 2, ratio[k]);
         hard_add(r, drift_of(r, &s, 30, 0, &deep), 0.01, "m",
                  "moved; %d to 1", ratio[k]);
     }
@@ -384,10 +384,10 @@ static void card_house(hard_report *r)
 {
     setting s;
     real deep;
-    build_card_house(&s, standing(20, 0.7, 1), 5, 20 * PI / 180);
+    build_card_house(&s, standing(8, 0.7, 1), 5, 20 * PI / 180);
     hard_add(r, drift_of(r, &s, 10, 0, &deep), 0.01, "",
              "displacement / size; cards");
-    build_arch(&s, standing(20, 0.7, 1), 11, 1.3);
+    build_arch(&s, standing(8, 0.7, 1), 11, 1.3);
     hard_add(r, drift_of(r, &s, 10, 0, &deep) / 1.3, 0.01, "",
              "displacement / size; arch");
 }
@@ -400,7 +400,7 @@ static void overlapping_cubes(hard_report *r)
     for (int k = 0; k < 5; k++) {
         setting s;
         plain p;
-        build_overlap(&s, best(10), offset[k]);
+        build_overlap(&s, best(8), offset[k]);
         if (begin_setting(r, &p, &s)) {
             for (int f = 0; f < 120; f++) {
                 run(&p, p.s.options.dt);

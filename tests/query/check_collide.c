@@ -97,7 +97,7 @@ static void tear_down(void)
 static manifold touches(collider a, collider b, real margin)
 {
     query_cache fresh = { .count = 0 };
-    return collide_rigid(&a, &b, margin, &fresh);
+    return collide_rigid(&a, &b, margin, 0, &fresh);
 }
 
 static void near_vec3(vec3 got, vec3 wanted, real error)

@@ -237,7 +237,7 @@ static void find(const standing *a, const standing *b, real margin, answer *r)
 {
     collider ca = { a->plan, a->at }, cb = { b->plan, b->at };
     query_result nearest = { true, r->normal, r->nearest };
-    manifold m = manifold_find(&ca, &cb, &nearest, margin);
+    manifold m = manifold_find(&ca, &cb, &nearest, margin, 0);
     ck_assert_msg(m.count >= 1 && m.count <= MANIFOLD_POINTS, "%d touches",
                   m.count);
     ck_assert(memcmp(&m.normal, &r->normal, sizeof m.normal) == 0);

@@ -1,5 +1,5 @@
-// check_motion.c - do the six ways of four particles move a body as the textbook
-// says, and for as long as it likes?  Book: chapter 13.
+// check_motion.c - do the six ways of four particles move a body as the
+// textbook says, and for as long as it likes?  Book: chapter 13.
 
 #include <stdio.h>
 #include <string.h>
@@ -189,7 +189,7 @@ START_TEST(motion_has_the_momentum_of_the_particles)
 END_TEST
 
 // Rejects: an energy without the half, or of the linear part alone.
-START_TEST(motion_has_the_energy_of_the_particles)
+START_TEST(motion_has_the_energy_and_spin_of_the_particles)
 {
     const real h = 1.0 / 512;
     for (int n = 0; n < 100; n++) {
@@ -206,6 +206,8 @@ START_TEST(motion_has_the_energy_of_the_particles)
             energy += f.mass / 2 / (h * h) * vec3_length_squared(
                           vec3_sub(p[k].position, p[k].previous));
         ck_assert(fabs(motion_energy(&b, &u) - energy) <= 1e-11 * energy);
+        ck_assert(vec3_distance(motion_angular(&b, &u),
+                                angular_momentum(p, h)) <= 1e-11);
         leave(&s);
     }
 }
@@ -432,6 +434,47 @@ START_TEST(free_spin_keeps_its_speed_and_turns_by_its_angle)
 }
 END_TEST
 
+// x, turned about the unit axis by a (Rodrigues).
+static vec3 turned_by(vec3 axis, real a, vec3 x)
+{
+    vec3 r = vec3_add_scaled(vec3_scale(cos(a), x), sin(a),
+                             vec3_cross(axis, x));
+    return vec3_add_scaled(r, vec3_dot(axis, x) * (1 - cos(a)), axis);
+}
+
+// Rejects: a turn the other way; an angle that is off by more than its series.
+START_TEST(frame_inside_a_frame_is_turned_and_moved)
+{
+    const real angles[] = { 0, 1e-3, 0.05, 0.3, 2, 40 };
+    for (int n = 0; n < 600; n++) {
+        matrix m;
+        shape s = any_image(n % SOLIDS, &m);
+        particle p[FOUR];
+        stand(p);
+        rigid_frame frame = rigid4_frame(p);
+        motion_basis b = basis_find(&f, &frame);
+        vec3 axis = any_unit(), way = any_vec3();
+        real by = angles[n % COUNT(angles)];
+        motion d = { { way.x, way.y, way.z } };
+        for (int t = 0; t < TURNS; t++)
+            d.of[MOTION_TURN + t] = by * vec3_dot(axis, b.turn[t])
+                                  / vec3_length_squared(b.turn[t]);
+        rigid_frame now = motion_frame(&frame, &b, &d);
+        int moves = motion_moves(&b, &d);
+        real a = by / moves, off = 1e-12 + moves * a * a * a * a * a / 100;
+        ck_assert(vec3_distance(now.center, vec3_add(frame.center, way))
+                  <= 1e-14 * 10);
+        for (int i = 0; i < FOUR_AXES; i++) {
+            vec3 x = turned_by(axis, by, frame.axis[i]);
+            ck_assert_msg(vec3_distance(now.axis[i], x)
+                          <= off * vec3_length(x), "%g rad: off by %g", by,
+                          vec3_distance(now.axis[i], x));
+        }
+        leave(&s);
+    }
+}
+END_TEST
+
 // --- an asymmetric top -------------------------------------------------------
 
 // Oracle: Euler's equations by Runge and Kutta, for the three axes of a frame.
@@ -545,6 +588,7 @@ START_TEST(immovable_body_answers_nothing)
     motion_push(&u, &none, any_vec3(), any_vec3());
     for (int k = 0; k < MOTIONS; k++) ck_assert(u.of[k] == 0);
     ck_assert(motion_energy(&none, &u) == 0);
+    ck_assert(vec3_length(motion_angular(&none, &u)) == 0);
     ck_assert(vec3_length(motion_at(&none, &u, any_vec3())) == 0);
     ck_assert_int_eq(motion_moves(&none, &u), 1);
     motion_begin(p, &frame, &none, &u, 1);
@@ -584,11 +628,12 @@ int main(void)
         basis_is_the_root_of_the_inverse_inertia,
         box_and_ball_have_the_moments_of_the_textbook,
         motion_has_the_momentum_of_the_particles,
-        motion_has_the_energy_of_the_particles,
+        motion_has_the_energy_and_spin_of_the_particles,
         impulse_changes_velocity_and_spin_as_the_textbook_says,
         six_ways_are_what_the_sticks_leave,
         momentum_and_angular_momentum_last_for_1e5_frames,
         free_spin_keeps_its_speed_and_turns_by_its_angle,
+        frame_inside_a_frame_is_turned_and_moved,
         lopsided_body_precesses_with_order_two,
         immovable_body_answers_nothing,
         lost_body_takes_one_move_and_a_mad_one_at_most_so_many,

@@ -15,6 +15,8 @@ fuzzer() { # clang's own library: does a program link with it?
     echo "$empty" | clang -fsanitize=fuzzer -x c - -o /dev/null
 }
 header() { echo "#include <$1>" | ${CC:-cc} -E -x c - ; }
+bullet() { echo '#include <btBulletDynamicsCommon.h>' |
+           ${CXX:-c++} -E -isystem /usr/include/bullet -x c++ - ; }
 browser() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
 english() { aspell dump dicts | grep -x en_GB; }
 font() { [ -e /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf ] ||
@@ -44,7 +46,9 @@ deps-dev)
     need valgrind command -v valgrind ;;
 deps-peers)
     need libccd-dev header ccd/ccd.h
-    need libode-dev header ode/ode.h ;;
+    need libode-dev header ode/ode.h
+    need g++ command -v "${CXX:-c++}"
+    need libbullet-dev bullet ;;
 esac
 
 [ -n "$missing" ] || { echo "$1: nothing is missing"; exit 0; }

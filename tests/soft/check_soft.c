@@ -504,9 +504,9 @@ END_TEST
 
 // Rejects: a particle that a box lets in up to its centre; a push of an
 // immovable box; the last place of the particle instead of this one.
-START_TEST(particle_leaves_a_static_box_by_its_thickness_and_an_eighth)
+START_TEST(particle_leaves_a_static_box_by_its_thickness_and_a_quarter)
 {
-    const real thick = 1.125 * 0.55 * rope.spacing;
+    const real thick = 1.25 * 0.55 * rope.spacing;
     const struct { vec3 at, to; } move[] = {
         // Just inside, just outside, over an edge.
         { { 0.1, 0.2, 0 }, { 0.1, 0.25 + thick, 0 } },
@@ -792,6 +792,106 @@ START_TEST(lists_leave_out_what_sleeps_or_is_static)
 }
 END_TEST
 
+// --- a frame begins ----------------------------------------------------------
+
+static int island_of(int b)
+{
+    while (w.sleep.parent[b] != b) b = w.sleep.parent[b];
+    return b;
+}
+
+static void lay_to_sleep(int b)
+{
+    w.sleep.asleep[b] = true;
+    w.sleep.island[b] = b;
+    for (int i = 0; i < body_particles(&w.body[b]); i++) {
+        particle_of(b, i)->inverse_mass = 0;
+        particle_of(b, i)->previous = particle_of(b, i)->position;
+    }
+}
+
+// Rejects: a sleeper that is passed through; one that wakes for what is far
+// away; a cloth that is no part of the island of what it lies on.
+START_TEST(sleepers_near_a_cloth_wake_and_rest_with_it)
+{
+    for (int k = 0; k < 4; k++) {
+        bool is_near = k & 1, is_soft = k & 2;
+        begin(world_options_default());
+        int c = add_at(&cloth, 0, is_near ? 0.4 : 9, 0);
+        int b = add_at(is_soft ? &rope : &box, 0, 0, 0);
+        int fixed = add_nailed(&box, 0, 0.8, 0);
+        ready();
+        lay_to_sleep(b);
+        for (int i = 0; i < cloth.particles; i++)
+            particle_of(c, i)->previous.y += 0.01;
+        w.sleep.watch[c].is_moving = true;
+        sleep_begin(&w.sleep);
+        ck_assert(soft_begin(&w) == is_near);
+        ck_assert(w.sleep.asleep[b] == !is_near);
+        ck_assert((particle_of(b, 0)->inverse_mass > 0) == is_near);
+        ck_assert((island_of(b) == island_of(c)) == is_near);
+        ck_assert_int_ne(island_of(fixed), island_of(c));
+    }
+}
+END_TEST
+
+// Rejects: a ball that may be past a cloth before it has felt its weight; one
+// that passes far away and costs substeps; a number without an upper bound; what
+// the cloth does itself left out.
+START_TEST(substeps_are_as_many_as_what_comes_near_needs)
+{
+    world_options o = world_options_default();
+    o.gravity = ZERO;
+    const struct { real away, way; int wanted; } ball[] = {
+        { 0.6, 1, 16 }, { 0.6, 2, 32 }, { 9, 1, 0 }, { 9, 10, 160 },
+        { 0.6, 1e9, 1000 }, { 0.6, (real)NAN, 0 },
+    };
+    for (int k = 0; k < 6; k++) {
+        begin(o);
+        int c = add_at(&cloth, 0, 0, 0), b = add_at(&box, 0, ball[k].away, 0);
+        ready();
+        // The inner radius of the box is 0.25 m, a quarter of it 62.5 mm.
+        w.rigid.ahead[b] = (prediction){ .way = { 0, ball[k].way, 0 },
+                                         .reach = ball[k].way };
+        sleep_begin(&w.sleep);
+        soft_begin(&w);
+        int own = soft_substeps(&w), wanted = int_max(ball[k].wanted, 1);
+        ck_assert_msg(own == wanted, "case %d: %d", k, own);
+        // It goes half a spacing in each of 40.
+        real far = 40 * cloth.spacing / 2 * w.age / o.dt;
+        for (int i = 0; i < cloth.particles; i++)
+            particle_of(c, i)->previous.x -= far;
+        soft_begin(&w);
+        own = soft_substeps(&w);
+        wanted = int_max(ball[k].wanted, 41);
+        ck_assert_msg(own == wanted, "case %d: %d with the cloth's", k, own);
+    }
+}
+END_TEST
+
+// Rejects: a square of the new substep alone, a last move that is carried on
+// whole; a sleeper that falls.
+START_TEST(parabola_is_exact_when_the_substep_changes)
+{
+    int b = add_thrown(&link_, ZERO, vec3_make(3, 4, 0), ZERO);
+    int still = add_at(&link_, 99, 0, 0);
+    ready();
+    lay_to_sleep(still);
+    vec3 at = particle_of(b, 0)->position;
+    real t = 0;
+    for (int k = 0; k < 200; k++) {
+        real h = 0.01 + 0.006 * any();
+        soft_substep(&w, h);
+        ck_assert(w.age == h);
+        t += h;
+        vec3 wanted = vec3_add(at, vec3_make(3 * t, 4 * t - 9.81 * t * t / 2,
+                                             0));
+        near_vec3(particle_of(b, 0)->position, wanted, 1e-11);
+        ck_assert(particle_of(still, 0)->position.y == 0);
+    }
+}
+END_TEST
+
 // --- planes ------------------------------------------------------------------
 
 // Rejects: planes that the thickness is left out of; a pinned particle, or a
@@ -836,9 +936,12 @@ int main(void)
         what_hangs_together_holds_together,
         lists_leave_out_what_sleeps_or_is_static,
         particles_are_kept_off_planes,
+        sleepers_near_a_cloth_wake_and_rest_with_it,
+        substeps_are_as_many_as_what_comes_near_needs,
+        parabola_is_exact_when_the_substep_changes,
         lists_hold_what_all_pairs_within_the_margin_hold,
         nothing_is_missed_while_a_cloth_falls,
-        particle_leaves_a_static_box_by_its_thickness_and_an_eighth,
+        particle_leaves_a_static_box_by_its_thickness_and_a_quarter,
         pushes_between_cloth_and_movable_box_keep_momentum,
         particle_meets_a_movable_box_where_it_is_now,
     };

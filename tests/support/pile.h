@@ -22,6 +22,13 @@ typedef struct {
 
 static const vec3 GRAVITY = { 0, -9.81, 0 };
 
+// The contacts are found anew: what a solver has kept of them is not good.
+static inline void pile_find(pile *p)
+{
+    static long found;
+    for (int k = 0; k < p->contacts; k++) p->contact[k].found = ++found;
+}
+
 static inline void pile_clear(pile *p)
 {
     *p = (pile){ .plane = { { { 0, 1, 0 }, 0 }, { { 0, 1, 0 }, -1 } } };

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "measure.h"
+#include "scarce.h"
 #include "stage.h"
 #include "step.h"
 
@@ -353,6 +354,31 @@ START_TEST(what_is_not_finite_is_shown)
 }
 END_TEST
 
+// Rejects: a measure that reads memory that it did not get, or keeps some; one
+// that says that nothing overlaps because it could not look.
+START_TEST(penetration_that_cannot_be_measured_is_no_number)
+{
+    add_at(&cube, 0, 0, 0);
+    add_at(&cube, 0, 0.9, 0);
+    ready();
+    int refused = 0;
+    for (int n = 0; n < 10; n++) {
+        long held = blocks_held;
+        mallocs_left = n;
+        measures m = world_measure(&w);
+        mallocs_left = INT_MAX;
+        held -= blocks_held;
+        ck_assert_int_eq(held, 0);
+        bool is_known = m.penetration == m.penetration;
+        if (is_known) near_real(m.penetration, 0.1, ROUNDING);
+        refused += !is_known;
+        near_real(m.potential, 8 * 9.81 * 0.9, ROUNDING * 100);
+    }
+    ck_assert_int_gt(refused, 1);
+    ck_assert_int_lt(refused, 9);
+}
+END_TEST
+
 // --- nothing is changed ------------------------------------------------------
 
 // Rejects: a measure that moves something, or spoils what a step remembers.
@@ -445,6 +471,7 @@ int main(void)
         flight_without_gravity_keeps_momentum_and_energy,
         potential_counts_what_can_fall,
         what_is_not_finite_is_shown,
+        penetration_that_cannot_be_measured_is_no_number,
         measuring_changes_no_bit_of_the_motion,
     };
     Suite *s = suite_create("measure");

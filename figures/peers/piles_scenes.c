@@ -1,0 +1,144 @@
+// piles_scenes.c - a pyramid, a tower, boxes that are dropped, and thrown ones.
+
+#include "piles.h"
+
+#include <stdlib.h>
+
+static const vec3 X = { 1, 0, 0 }, Y = { 0, 1, 0 }, Z = { 0, 0, 1 };
+
+// ---- Random numbers, the same on every machine -----------------------------
+
+static unsigned long long state;
+
+// Uniform in [-most, most).
+static real any(real most)
+{
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return most * ((real)(state >> 11) * 0x1p-52 - 1);
+}
+
+static vec3 any_vec3(real most)
+{
+    real x = any(most), y = any(most);
+    return vec3_make(x, y, any(most));
+}
+
+static vec3 any_unit(void)
+{
+    vec3 d = any_vec3(1);
+    real l = vec3_length(d);
+    return l > 0.1 && l < 1 ? vec3_scale(1 / l, d) : any_unit();
+}
+
+static void turn_anyhow(pose *p)
+{
+    p->x = any_unit();
+    p->y = vec3_unit(vec3_cross(p->x, any_unit()));
+    p->z = vec3_cross(p->x, p->y);
+}
+
+// ---- Parts -----------------------------------------------------------------
+
+static pile pile_of(const char *name, int boxes, real half, int frames)
+{
+    pile p = { .name = name, .boxes = boxes, .frames = frames, .half = half,
+               .friction = 0.6, .dt = 1.0 / 60 };
+    p.box = calloc((size_t)boxes, sizeof *p.box);
+    if (!p.box) give_up("there is no memory for a pile");
+    state = 12;
+    return p;
+}
+
+static void put(pile *p, int k, real x, real y, real z)
+{
+    p->box[k].at = (pose){ .middle = { x, y, z }, .x = X, .y = Y, .z = Z };
+}
+
+static void add_wall(pile *p, vec3 normal, real offset)
+{
+    p->normal[p->walls] = normal;
+    p->offset[p->walls++] = offset;
+}
+
+// Walls around the y axis, `far` off.
+static void add_sides(pile *p, real far)
+{
+    for (int way = -1; way <= 1; way += 2) {
+        add_wall(p, vec3_scale(way, X), -far);
+        add_wall(p, vec3_scale(way, Z), -far);
+    }
+}
+
+// The place of box k in a cubic grid of so many cells a side, around the y axis.
+static vec3 cell(int k, int cells, real wide)
+{
+    real half = (cells - 1) / 2.0;
+    return vec3_scale(wide, vec3_make(k % cells - half, k / (cells * cells),
+                                      k / cells % cells - half));
+}
+
+static int cells_for(int boxes)
+{
+    int cells = 1;
+    while (cells * cells * cells < boxes) cells++;
+    return cells;
+}
+
+// ---- The scenes ------------------------------------------------------------
+
+pile pile_pyramid(int rows)
+{
+    pile p = pile_of("pyramid", rows * (rows + 1) / 2, 0.5, 1200);
+    for (int row = 0, k = 0; row < rows; row++)
+        for (int i = 0; i < rows - row; i++)
+            put(&p, k++, i + row / 2.0 - rows / 2.0, row + 0.5, 0);
+    add_wall(&p, Y, 0);
+    return p;
+}
+
+pile pile_tower(int boxes)
+{
+    pile p = pile_of("tower", boxes, 0.5, 1200);
+    for (int k = 0; k < boxes; k++) put(&p, k, 0, k + 0.5, 0);
+    add_wall(&p, Y, 0);
+    return p;
+}
+
+pile pile_drop(int boxes)
+{
+    const real wide = 1.8;      // so that none overlaps however it is turned
+    pile p = pile_of("drop", boxes, 0.5, 600);
+    int cells = cells_for(boxes);
+    for (int k = 0; k < boxes; k++) {
+        vec3 c = cell(k, cells, wide);
+        put(&p, k, c.x + any(0.03), c.y + 1, c.z + any(0.03));
+        turn_anyhow(&p.box[k].at);
+    }
+    add_wall(&p, Y, 0);
+    add_sides(&p, 0.7 * cells);
+    return p;
+}
+
+pile pile_thrown(int boxes)
+{
+    pile p = pile_of("thrown", boxes, 0.3, 600);
+    int cells = cells_for(boxes);
+    real side = cbrt(2.1 * boxes), wide = side / cells;
+    p.friction = 0.5;
+    for (int k = 0; k < boxes; k++) {
+        vec3 c = cell(k, cells, wide);
+        put(&p, k, c.x, c.y + wide / 2, c.z);
+        turn_anyhow(&p.box[k].at);
+        p.box[k].velocity = any_vec3(5);
+        p.box[k].spin = any_vec3(5);
+    }
+    add_wall(&p, Y, 0);
+    add_wall(&p, vec3_scale(-1, Y), -side);
+    add_sides(&p, side / 2);
+    return p;
+}
+
+void pile_free(pile *p)
+{
+    free(p->box);
+}

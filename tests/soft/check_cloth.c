@@ -1,0 +1,289 @@
+// check_cloth.c - what cloth and rope do among other bodies, over whole frames.
+// Book: chapter 16.
+
+#include <check.h>
+#include <stdlib.h>
+
+#include "measure.h"
+#include "stage.h"
+#include "step.h"
+
+static shape box, ball, cloth, sheet, rope;
+
+static void set_up(void)
+{
+    ck_assert(shape_box(&box, vec3_make(1, 1, 1), 8).ok);
+    ck_assert(shape_icosahedron(&ball, 0.25, 1).ok);
+    ck_assert(shape_cloth(&cloth, 10, 10, 1, 1, 1, 0.2).ok);
+    ck_assert(shape_cloth(&sheet, 21, 21, 2, 2, 1, 0.2).ok);
+    ck_assert(shape_rope(&rope, 12, 1.2, 0.3).ok);
+    begin(world_options_default());
+}
+
+static void tear_down(void)
+{
+    world_free(&w);
+    shape_free(&box);
+    shape_free(&ball);
+    shape_free(&cloth);
+    shape_free(&sheet);
+    shape_free(&rope);
+}
+
+static void frames(int n)
+{
+    for (int f = 0; f < n; f++) world_step(&w);
+}
+
+static vec3 middle(int b)
+{
+    vec3 sum = ZERO;
+    int n = body_particles(&w.body[b]);
+    for (int i = 0; i < n; i++)
+        sum = vec3_add_scaled(sum, 1.0 / n, particle_of(b, i)->position);
+    return sum;
+}
+
+static real lowest(int b)
+{
+    real y = HUGE_VAL;
+    for (int i = 0; i < w.body[b].shape->particles; i++)
+        y = fmin(y, particle_of(b, i)->position.y);
+    return y;
+}
+
+static bool sleeps(int b, int most)
+{
+    for (int f = 0; f < most && !w.sleep.asleep[b]; f++) world_step(&w);
+    return w.sleep.asleep[b];
+}
+
+static void pin_corners(int b)
+{
+    int n = w.body[b].shape->columns;
+    const int at[] = { 0, n - 1, n * (n - 1), n * n - 1 };
+    for (int k = 0; k < 4; k++) world_pin(&w, b, at[k]);
+}
+
+// --- planes ------------------------------------------------------------------
+
+// A cloth that falls flat from 0.3 m, 2.4 m/s.
+// Rejects: a landing that throws it up again, or tears at it.
+START_TEST(cloth_that_lands_flat_stays_down)
+{
+    int c = add_at(&cloth, 0, 0.3, 0);
+    add_floor();
+    ready();
+    bool landed = false;
+    for (int f = 0; f < 120; f++) {
+        frames(1);
+        real y = middle(c).y, thick = w.body[c].thickness;
+        landed |= y < 1.001 * thick;
+        ck_assert_msg(y > 0.999 * thick, "sunk to %g", y);
+        if (landed) ck_assert_msg(y < 1.01 * thick, "up again at %g", y);
+        ck_assert(world_measure(&w).strain < 1e-3);
+    }
+    ck_assert(landed);
+}
+END_TEST
+
+// A cloth of 1 m on the floor, and one stood on its edge; a rope.
+// Rejects: planes that cloth and rope do not meet, or without their thickness.
+START_TEST(cloth_and_rope_stay_above_a_plane)
+{
+    add_floor();
+    const shape *s[] = { &cloth, &rope };
+    for (int b = 0; b < 2; b++) {
+        placement p = placement_at(vec3_make(4 * b, 2, 0));
+        p.x = vec3_make(0.6, 0.8, 0);
+        p.y = vec3_make(-0.8, 0.6, 0);
+        add(s[b], p);
+    }
+    ready();
+    for (int f = 0; f < 180; f++) {
+        frames(1);
+        for (int b = 0; b < 2; b++) ck_assert(lowest(b) > 0);
+    }
+    for (int b = 0; b < 2; b++) {
+        ck_assert(middle(b).y < 0.4);
+        ck_assert(lowest(b) > 0.95 * w.body[b].thickness);
+    }
+}
+END_TEST
+
+// --- bodies that move --------------------------------------------------------
+
+// A ball as heavy as the sheet that it falls into, hung up by its corners.  It
+// swings, and rolls.
+// Rejects: a sheet through which it falls, or one that throws it out; a ball
+// that sinks between light particles.
+START_TEST(sheet_carries_a_ball)
+{
+    int c = add_at(&sheet, 0, 0, 0), b = add_at(&ball, 0.05, 1, 0.02);
+    pin_corners(c);
+    ready();
+    for (int f = 0; f < 600; f++) {
+        frames(1);
+        real y = middle(b).y;
+        ck_assert_msg(y > -0.3 && y <= 1, "frame %d: at %g", f, y);
+        if (f > 120) ck_assert_msg(y < 0.3, "frame %d: up at %g", f, y);
+        ck_assert(world_measure(&w).penetration == 0);
+    }
+}
+END_TEST
+
+// The same mass at the same speed, once at rest: without gravity, a ball that
+// flies into a free sheet takes it along.
+// Rejects: an impulse that one of the two does not feel; a ball that is through
+// the sheet before it has felt its weight.
+START_TEST(ball_takes_a_free_sheet_along)
+{
+    const real speed[] = { 2, 10, 50 };
+    for (int k = 0; k < 3; k++) {
+        world_options o = world_options_default();
+        o.gravity = ZERO;
+        begin(o);
+        int c = add_at(&sheet, 0, 0, 0);
+        int b = add_thrown(&ball, vec3_make(0.03, 0.5, 0.02),
+                           vec3_make(0, -speed[k], 0), vec3_make(2, 1, 3));
+        ready();
+        vec3 from = middle(c);
+        int n = (int)(60 * 4 / speed[k]);
+        frames(n);
+        vec3 went = vec3_sub(middle(c), from);
+        real taken = -went.y * 60 / n / speed[k];
+        ck_assert_msg(taken > 0.2 && taken < 0.7, "%g m/s: %g of it", speed[k],
+                      taken);
+        ck_assert(middle(b).y > lowest(c));
+        measures m = world_measure(&w);
+        near_vec3(m.momentum, vec3_make(0, -speed[k], 0), 1e-9 * speed[k]);
+    }
+}
+END_TEST
+
+// Rejects: a box that turns through a cloth because its planes stand as they
+// did when the frame began.
+START_TEST(spinning_box_stays_on_its_side_of_a_cloth)
+{
+    for (int k = 0; k < 3; k++) {
+        begin(world_options_default());
+        int c = add_at(&sheet, 0, 0, 0);
+        const vec3 spin[] = { { 0, 0, 9 }, { 7, 0, 7 }, { 20, 5, 0 } };
+        int b = add_thrown(&ball, vec3_make(0, 0.6, 0), ZERO, spin[k]);
+        pin_corners(c);
+        ready();
+        for (int f = 0; f < 240; f++) {
+            frames(1);
+            // Or it has rolled off.
+            vec3 x = middle(b);
+            if (fabs(x.x) > 0.8 || fabs(x.z) > 0.8) break;
+            ck_assert_msg(x.y > -0.9, "frame %d: at %g", f, x.y);
+        }
+    }
+}
+END_TEST
+
+// --- sleep -------------------------------------------------------------------
+
+// Puts body b there, with this velocity.
+static void bring(int b, vec3 to, vec3 velocity)
+{
+    vec3 way = vec3_sub(to, middle(b));
+    for (int i = 0; i < body_particles(&w.body[b]); i++) {
+        particle *p = particle_of(b, i);
+        p->position = vec3_add(p->position, way);
+        p->previous = vec3_add_scaled(p->position, -w.age, velocity);
+        p->inverse_mass = w.inverse_mass[w.body[b].first + i];
+    }
+    sleep_forget(&w.sleep, b);
+}
+
+// Rejects: a deformable body that nothing wakes: a rope at rest would catch a
+// cloth like a rod.
+START_TEST(rope_that_sleeps_wakes_under_a_cloth)
+{
+    int r = add_at(&rope, 0, 0.1, 0), c = add_at(&cloth, 0, 9000, 0);
+    add_nailed(&box, -0.6, -0.5, 0);
+    add_nailed(&box, 0.6, -0.5, 0);
+    ready();
+    // It lies on two boxes, and creeps into the gap between them for a while.
+    ck_assert(sleeps(r, 2400));
+    bring(c, vec3_make(0, 0.5, 0), vec3_make(0, -16, 0));
+    bool woke = false;
+    for (int f = 0; f < 30; f++) {
+        frames(1);
+        woke |= !w.sleep.asleep[r];
+    }
+    ck_assert(woke);
+    ck_assert(middle(c).y < 0.4);
+}
+END_TEST
+
+// Rejects: a cloth that never sleeps, or not together with what lies on it; a
+// box that sleeps on a cloth as in the air.
+START_TEST(cloth_and_box_fall_asleep_together)
+{
+    int c = add_at(&cloth, 0, 0.2, 0), b = add_at(&ball, 0, 0.7, 0);
+    add_floor();
+    ready();
+    ck_assert(sleeps(b, 1200));
+    ck_assert(w.sleep.asleep[c]);
+    ck_assert_int_eq(w.report.asleep, 2);
+    vec3 was = middle(b);
+    frames(60);
+    near_vec3(middle(b), was, 0);
+    // What falls on them wakes both.
+    real y = middle(b).y;
+    ck_assert_msg(y > 0.2 && y < 0.4, "the ball lies at %g", y);
+}
+END_TEST
+
+// --- numbers -----------------------------------------------------------------
+
+// Rejects: NaN of one body that spreads to another that it never touched; a
+// loop without an end.
+START_TEST(lost_number_stays_in_its_body)
+{
+    add_at(&sheet, -4, 1, 0);
+    int safe = add_at(&cloth, 4, 1, 0), lost = add_at(&ball, -4, 1.2, 0);
+    add_floor();
+    ready();
+    frames(2);
+    particle_of(lost, 2)->position.x = (real)NAN;
+    frames(60);
+    for (int i = 0; i < cloth.particles; i++)
+        ck_assert(vec3_is_finite(particle_of(safe, i)->position));
+    for (int i = 0; i < sheet.particles; i++)
+        ck_assert(vec3_is_finite(particle_of(0, i)->position));
+    particle_of(safe, 3)->position.y = (real)NAN;
+    frames(20);
+    for (int i = 0; i < sheet.particles; i++)
+        ck_assert(vec3_is_finite(particle_of(0, i)->position));
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {
+        cloth_that_lands_flat_stays_down,
+        cloth_and_rope_stay_above_a_plane,
+        sheet_carries_a_ball,
+        ball_takes_a_free_sheet_along,
+        spinning_box_stays_on_its_side_of_a_cloth,
+        rope_that_sleeps_wakes_under_a_cloth,
+        cloth_and_box_fall_asleep_together,
+        lost_number_stays_in_its_body,
+    };
+    Suite *s = suite_create("cloth");
+    TCase *t = tcase_create("cloth");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    tcase_set_timeout(t, 30);
+    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
+        tcase_add_test(t, tests[i]);
+    suite_add_tcase(s, t);
+    SRunner *runner = srunner_create(s);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

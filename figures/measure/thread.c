@@ -10,6 +10,7 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <time.h>
 
 // Where threads sleep until something has changed.
 typedef struct {
@@ -33,6 +34,7 @@ struct thread_pool {
     atomic_int door;
     atomic_uint calls;              // so far: a worker enters each call once
     atomic_bool busy;               // a call is on
+    double alone_until;             // s, see wait_for_workers
     atomic_bool stop;
     bell workers, caller;
     int threads;                    // workers, the calling thread not counted
@@ -41,18 +43,26 @@ struct thread_pool {
 
 // ---- Waiting ---------------------------------------------------------------
 
-// A frame hands out work every few microseconds.  So a thread that waits looks
-// again and again for a microsecond or two; then it lets other threads pass
-// between two looks, for about a tenth of a millisecond; then it sleeps.
-enum { LOOKS = 1000, PASSES = 200 };
+// How a thread waits: it looks so often, then lets other threads pass between
+// two looks, so often, then sleeps.
+typedef struct {
+    int looks, passes;
+} patience;
+
+// A frame hands out work every few microseconds, so a worker is back at once, or
+// gives way.  The calling thread waits for what is in hand already: it gives its
+// processor up only when that takes longer than any item should, a tenth of a
+// millisecond.
+static const patience WORKER = { 1000, 200 }, CALLER = { 50000, 0 };
 
 // Returns when is_so(pool, number) is true.
 static void wait_until(bool (*is_so)(const thread_pool *, unsigned),
-                       const thread_pool *pool, unsigned number, bell *b)
+                       const thread_pool *pool, unsigned number, bell *b,
+                       patience until)
 {
-    for (int k = 0; k < LOOKS + PASSES; k++) {
+    for (int k = 0; k < until.looks + until.passes; k++) {
         if (is_so(pool, number)) return;
-        if (k >= LOOKS) sched_yield();
+        if (k >= until.looks) sched_yield();
     }
     pthread_mutex_lock(&b->lock);
     atomic_fetch_add(&b->sleepers, 1);
@@ -111,13 +121,46 @@ static void *serve(void *data)
     thread_pool *pool = data;
     unsigned last = 0;
     for (;;) {
-        wait_until(is_called, pool, last, &pool->workers);
+        wait_until(is_called, pool, last, &pool->workers, WORKER);
         last = atomic_load(&pool->calls);
         if (atomic_load(&pool->stop)) return NULL;
         if (!door_enter(pool)) continue;
         take_items(pool);
         door_leave(pool);
     }
+}
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+// A worker that holds the call up for long has lost its processor to another
+// program.  The machine is busy, then: for a time, twenty times as long, the
+// calling thread works alone, and so loses a twentieth at most.
+static void wait_for_workers(thread_pool *pool, double began)
+{
+    if (is_empty(pool, 0)) return;
+    double shut = now();
+    wait_until(is_empty, pool, 0, &pool->caller, CALLER);
+    double end = now(), waited = end - shut;
+    if (waited > 1e-4 && waited > shut - began)
+        pool->alone_until = end + 20 * waited;
+}
+
+static void share(thread_pool *pool, int items)
+{
+    double began = now();
+    pool->items = items;
+    atomic_store(&pool->next, 0);
+    atomic_store(&pool->door, OPEN);
+    atomic_fetch_add(&pool->calls, 1);
+    bell_ring(&pool->workers);
+    take_items(pool);
+    atomic_fetch_sub(&pool->door, OPEN);
+    wait_for_workers(pool, began);
 }
 
 static void run(void *context, void (*work)(void *data, int item), void *data,
@@ -128,17 +171,13 @@ static void run(void *context, void (*work)(void *data, int item), void *data,
         for (int k = 0; k < items; k++) work(data, k);
         return;
     }
-    pool->work = work;
-    pool->data = data;
-    pool->items = items;
-    atomic_store(&pool->next, 0);
-    atomic_store(&pool->door, OPEN);
-    atomic_fetch_add(&pool->calls, 1);
-    bell_ring(&pool->workers);
-
-    take_items(pool);
-    atomic_fetch_sub(&pool->door, OPEN);
-    wait_until(is_empty, pool, 0, &pool->caller);
+    if (pool->alone_until > 0 && now() < pool->alone_until) {
+        for (int k = 0; k < items; k++) work(data, k);
+    } else {
+        pool->work = work;
+        pool->data = data;
+        share(pool, items);
+    }
     atomic_store(&pool->busy, false);
 }
 

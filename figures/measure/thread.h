@@ -21,7 +21,7 @@ typedef struct thread_pool thread_pool;
 // them, the others wait for work.  Returns NULL for want of memory or threads.
 thread_pool *thread_pool_new(int threads);
 
-// Ends the pool's threads.  Requires that none of its tasks is running.  NULL is
+// Ends the pool's threads.  Requires that none of its tasks runs.  NULL is
 // fine.
 void thread_pool_free(thread_pool *pool);
 

@@ -35,9 +35,9 @@ typedef struct {
 //<
 
 //> contact-declare
-static inline int contact_with_plane(int plane)
+static inline int contact_with_plane(int number)
 {
-    return -1 - plane;
+    return -1 - number;
 }
 
 // The gaps (m) of all points beside their offsets, when the bodies stand as

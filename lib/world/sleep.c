@@ -62,7 +62,7 @@ void sleep_begin(sleep_state *s)
 {
     for (int b = 0; b < s->bodies; b++) s->parent[b] = b;
     for (int b = 0; b < s->bodies; b++)
-        if (s->asleep[b]) sleep_touch(s, b, s->island[b]);
+        if (s->asleep[b]) sleep_touch(s, s->island[b], b);
 }
 //<
 

@@ -589,14 +589,17 @@ static bool separate_point(world *w, point_pair pair, real apart,
 }
 
 // All points, to this share of what keeps them apart.  Those of the same two
-// bodies stand together in the list.  Returns how many touched.
+// bodies stand together in the list.  They push one after the other: the first
+// tilt a body that lies on them, the last set it upright again, and friction
+// takes the tilting for sliding.  So they come in the other order in every other
+// substep, or the body would creep.  Returns how many touched.
 static int separate_points(world *w, real share, answering who, real h)
 {
-    int touching = 0;
+    int touching = 0, n = w->soft.points;
     point_pair last = { .soft = -1 };
     real apart = 0;
-    for (int k = 0; k < w->soft.points; k++) {
-        point_pair pair = w->soft.point[k];
+    for (int k = 0; k < n; k++) {
+        point_pair pair = w->soft.point[w->soft.is_backward ? n - 1 - k : k];
         if (pair.soft != last.soft || pair.rigid != last.rigid) {
             look_at_hull(w, pair.rigid);
             apart = share * soft_gap(&w->body[pair.soft],
@@ -639,6 +642,7 @@ void soft_separate(world *w, real h)
         if (particle_contact_overlaps(&w->soft.pair[k], w->pool.at))
             touching += particle_contact_separate(w->soft.pair[k], w->pool.at,
                                                   w->options.friction) > 0;
+    w->soft.is_backward = !w->soft.is_backward;
     touching += separate_points(w, 1, PARTICLE, h);
     w->report.near = w->soft.pairs + w->soft.points;
     w->report.touching = touching;

@@ -156,6 +156,7 @@ typedef struct {
     int  pairs, pair_capacity;
     point_pair *point;                  // particles at rigid bodies
     int  points, point_capacity;
+    bool is_backward;                   // those come last to first
     struct leaf_pair *leaf;             // room for a traversal of two trees
     int  leaf_capacity;
     real margin;        // m, how much further than touching the lists look

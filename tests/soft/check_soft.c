@@ -344,6 +344,52 @@ START_TEST(lists_are_made_again_when_two_have_come_nearer_by_the_margin)
 }
 END_TEST
 
+// A box whose particles go by half the margin: its vertices may go twice as far.
+// Rejects: a rigid body whose moves, or whose speed, count for nothing, or as
+// those of its particles.
+START_TEST(lists_are_made_again_when_a_rigid_body_has_come_near)
+{
+    for (int k = 0; k < 2; k++) {
+        begin(world_options_default());
+        add_at(&cloth, 0, 0, 0);
+        int b = add_at(&box, 0, 1, 0);
+        ready();
+        look();
+        soft_refresh(&w, H);
+        w.rigid.moved[b].of[0] = (k ? 0.51 : 0.49) * w.soft.margin;
+        soft_refresh(&w, H);
+        ck_assert_int_eq(w.report.rebuilt, 1 + k);
+        // Its vertices may take 0.049 of the margin in a substep, and what comes
+        // against them as much, and both twice as much: 0.196.
+        w.rigid.moved[b] = (motion){ { 0 } };
+        w.rigid.velocity[b] = (motion){ { 0.0245 * w.soft.margin / H } };
+        w.soft.trusted = 0;
+        if (k == 0) soft_refresh(&w, H);
+        if (k == 0) ck_assert_int_eq(w.soft.trusted, 5);
+    }
+}
+END_TEST
+
+// A particle that takes an eighth of what the margin allows in a substep, in a
+// substep that is fifty times as long.
+// Rejects: lists trusted at the pace of substeps that are over.
+START_TEST(lists_are_looked_at_when_the_substep_changes)
+{
+    world_options o = world_options_default();
+    o.gravity = ZERO;
+    begin(o);
+    int b = add_at(&cloth, 0, 0, 0);
+    ready();
+    particle *p = particle_of(b, 44);
+    p->previous.y -= w.soft.margin / 33;
+    soft_refresh(&w, w.age);
+    soft_refresh(&w, w.age);
+    ck_assert_int_eq(w.soft.trusted, 8);
+    soft_substep(&w, 50 * w.age);
+    ck_assert_int_eq(w.report.rebuilt, 2);
+}
+END_TEST
+
 // Rejects: NaN that keeps the lists of yesterday for good, or a crash.
 START_TEST(lists_survive_what_is_not_finite)
 {
@@ -927,6 +973,8 @@ int main(void)
         folded_cloth_touches_itself,
         fold_that_is_wide_enough_touches_nothing,
         lists_are_made_again_when_two_have_come_nearer_by_the_margin,
+        lists_are_made_again_when_a_rigid_body_has_come_near,
+        lists_are_looked_at_when_the_substep_changes,
         lists_survive_what_is_not_finite,
         what_finds_no_room_is_counted,
         particles_part_to_the_sum_of_their_radii,

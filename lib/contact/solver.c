@@ -29,9 +29,21 @@ static active_contact activate(const contact *c, const solver_frame *f,
     }
     x.is_swapped = !moves(f, c->a);
     x.sides = moves(f, c->a) && moves(f, c->b) ? TWO_SIDED : ONE_SIDED;
-    if (x.is_swapped) x.a = c->b;
-    if (x.sides == ONE_SIDED) x.b = f->bodies;
+    if (x.is_swapped) {
+        x.a = c->b;
+        x.b = c->a;
+    }
     return x;
+}
+
+// Is x the contact y of the frame before, with the same points?
+static bool is_same(const active_contact *x, const active_contact *y)
+{
+    if (x->found != y->found || x->count != y->count || x->a != y->a
+        || x->b != y->b || x->sides != y->sides) return false;
+    for (int j = 0; j < x->count; j++)
+        if (x->point[j] != y->point[j]) return false;
+    return true;
 }
 //<
 
@@ -149,7 +161,7 @@ static void choose_lane(lane_source *q, const contact *c,
 {
     real sign = x->is_swapped ? -1 : 1, radius = f->body[x->a].radius;
     q->a = x->a;
-    q->b = x->b;
+    q->b = x->sides == TWO_SIDED ? x->b : f->bodies;
     q->basis_a = &f->body[x->a].basis;
     q->basis_b = &IMMOVABLE;
     if (x->sides == TWO_SIDED) {
@@ -315,6 +327,7 @@ typedef struct {
     const solver_frame *f;
     const contact *const *table;
     const real *reach;
+    int known;          // contacts that the frame before had
 } preparation;
 
 enum { CHUNK = 32 };        // contacts, or blocks, in an item of work
@@ -326,10 +339,15 @@ static int chunks(int n)
 
 static void activate_chunk(void *data, int item)
 {
+    enum { AHEAD = 4 };
     const preparation *p = data;
     int end = int_min((item + 1) * CHUNK, p->s->contacts);
-    for (int k = item * CHUNK; k < end; k++)
-        p->s->active[k] = activate(p->table[k], p->f, p->reach[k]);
+    for (int k = item * CHUNK; k < end; k++) {
+        active_contact *x = &p->s->active[k], was = *x;
+        contact_expect(p->table[int_min(k + AHEAD, end - 1)]);
+        *x = activate(p->table[k], p->f, p->reach[k]);
+        x->is_new = k >= p->known || !is_same(x, &was);
+    }
 }
 
 // The first contact in s->order of block `number`, and how many it has.
@@ -382,21 +400,12 @@ static void fill_chunk(void *data, int item)
 //> solver-keep
 // Are these the contacts of the frame before, with the same points?  Then their
 // blocks, made for where the bodies stood when they were found, are good still.
-static bool is_same(const active_contact *x, const active_contact *y)
-{
-    if (x->found != y->found || x->count != y->count || x->a != y->a
-        || x->b != y->b || x->sides != y->sides) return false;
-    for (int j = 0; j < x->count; j++)
-        if (x->point[j] != y->point[j]) return false;
-    return true;
-}
-
 static bool may_keep_blocks(const contact_solver *s, const solver_frame *f,
-                            int n)
+                            int known)
 {
-    if (n != s->contacts || f->h != s->h || !(f->warm == 1)) return false;
-    for (int k = 0; k < n; k++)
-        if (!is_same(&s->active[k], &s->last[k])) return false;
+    if (known != s->contacts || f->h != s->h || !(f->warm == 1)) return false;
+    for (int k = 0; k < known; k++)
+        if (s->active[k].is_new) return false;
     return true;
 }
 
@@ -433,10 +442,9 @@ static bool grow(void **array, int *capacity, int need, size_t size)
 
 static bool make_room(contact_solver *s, int n)
 {
-    int one = s->capacity, two = s->capacity;
+    int capacity = s->capacity;
     if (n > s->capacity) s->contacts = 0;
-    return grow((void **)&s->active, &one, n, sizeof *s->active)
-        && grow((void **)&s->last, &two, n, sizeof *s->last)
+    return grow((void **)&s->active, &capacity, n, sizeof *s->active)
         && grow((void **)&s->order, &s->capacity, n, sizeof *s->order);
 }
 
@@ -463,18 +471,15 @@ static bool make_blocks(contact_solver *s, preparation *p)
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table, const real *reach, int n)
 {
-    preparation p = { s, f, table, reach };
+    preparation p = { s, f, table, reach, 0 };
     if (!make_room(s, n)) {
         forget_blocks(s);
         return false;
     }
-    active_contact *last = s->last;
-    int contacts = s->contacts;
-    s->last = s->active;
-    s->active = last;
+    p.known = s->contacts;
     s->contacts = n;
     tasks_run(f->run, activate_chunk, &p, chunks(n));
-    if (contacts == n && may_keep_blocks(s, f, n)) {
+    if (may_keep_blocks(s, f, p.known)) {
         tasks_run(f->run, keep_chunk, &p, chunks(s->blocks));
         return true;
     }
@@ -849,13 +854,21 @@ void solver_end(contact_solver *s, const motion *velocity)
 //<
 
 //> solver-store
-static void store_lane(const contact_solver *s, const block *k, int l,
-                       contact *c)
+static void clear_impulses(contact *c)
 {
-    const active_contact *x = &s->active[k->contact[l]];
+    for (int j = 0; j < c->count; j++) c->impulse[j] = 0;
+    c->friction = (vec3){ 0, 0, 0 };
+    c->twist = 0;
+}
+
+static void store_lane(const block *k, int l, active_contact *x, contact *c)
+{
     real sign = x->is_swapped ? -1 : 1;
-    for (int j = 0; j < x->count; j++)
+    clear_impulses(c);
+    for (int j = 0; j < x->count; j++) {
         c->impulse[x->point[j]] = real4_get(&k->point[j].impulse, l);
+        x->load += c->impulse[x->point[j]];
+    }
     for (int i = 0; i < 2; i++) {
         vec3 t = { real4_get(&k->across[i][0], l),
                    real4_get(&k->across[i][1], l),
@@ -866,19 +879,18 @@ static void store_lane(const contact_solver *s, const block *k, int l,
     c->twist = real4_get(&k->twist_impulse, l);
 }
 
-void solver_store(const contact_solver *s, contact *const *table)
+void solver_store(contact_solver *s, contact *const *table)
 {
-    for (int k = 0; k < s->contacts; k++) {
-        contact *c = table[k];
-        for (int j = 0; j < c->count; j++) c->impulse[j] = 0;
-        c->friction = (vec3){ 0, 0, 0 };
-        c->twist = 0;
-    }
-    for (int n = 0; n < s->blocks; n++)
+    for (int k = 0; k < s->contacts; k++)
+        if (s->active[k].count == 0) clear_impulses(table[k]);
+    for (int n = 0; n < s->blocks; n++) {
+        const block *next = &s->block[int_min(n + 2, s->blocks - 1)];
         for (int l = 0; l < REAL4; l++) {
-            int k = s->block[n].contact[l];
-            if (k >= 0) store_lane(s, &s->block[n], l, table[k]);
+            int k = s->block[n].contact[l], then = next->contact[l];
+            if (then >= 0) contact_expect(table[then]);
+            if (k >= 0) store_lane(&s->block[n], l, &s->active[k], table[k]);
         }
+    }
 }
 //<
 
@@ -900,7 +912,6 @@ status solver_init(contact_solver *s, int bodies)
 void solver_free(contact_solver *s)
 {
     free(s->active);
-    free(s->last);
     free(s->order);
     free(s->block);
     free(s->taken);

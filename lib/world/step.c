@@ -19,6 +19,7 @@ static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static void substep(world *w, const solver_frame *f, int k, real *since);
+static void weigh_contacts(world *w);
 static void move_bodies(world *w, real h);
 static void fall_asleep(world *w);
 
@@ -43,6 +44,7 @@ void world_step(world *w)
     for (int k = 0; k < w->report.substeps; k++) substep(w, &f, k, &since);
     solver_store(&w->rigid.solver, w->rigid.cache.active);
     w->age = f.h;
+    weigh_contacts(w);
     move_bodies(w, f.h);
     lap(w, PHASE_MOVE, &since);
     fall_asleep(w);
@@ -206,14 +208,14 @@ static void find_contacts(world *w)
 // A contact that carries a force F gives way by about F h^2 / m, with m the
 // effective mass of its two bodies.  This pace is F / m beside the smaller
 // radius, in 1/s^2.
-static real pace_of(const world *w, const contact *c, real *mass_ratio)
+static real pace_of(const world *w, const active_contact *c, real *mass_ratio)
 {
     const solver_body *a = &w->rigid.now[c->a];
     const solver_body *b = c->b < 0 ? NULL : &w->rigid.now[c->b];
     real x = a->basis.inverse_mass, y = b ? b->basis.inverse_mass : 0;
     real radius = b ? real_min(a->radius, b->radius) : a->radius;
     *mass_ratio = !(x > 0 && y > 0) ? 1 : x > y ? x / y : y / x;
-    return contact_load(c) / w->age * (x + y) / radius;
+    return c->load / w->age * (x + y) / radius;
 }
 
 // A frame takes so many substeps that no contact gives way by more than SAG of
@@ -243,15 +245,22 @@ static int substeps_for(real pace, real sag, const world_options *o, int now)
     return (int)real_min(1.25 * need, (real)MOST_TIMES * o->substeps);
 }
 
-static void find_substeps(world *w)
+// What the contacts carried at the end of a frame says how many the next takes,
+// and which bodies hold each other.
+static void weigh_contacts(world *w)
 {
-    const contact_cache *c = &w->rigid.cache;
+    const contact_solver *s = &w->rigid.solver;
     const world_options *o = &w->options;
     real even = 0, uneven = 0, ratio;
-    for (int k = 0; k < c->actives; k++) {
-        real pace = pace_of(w, c->active[k], &ratio);
+    for (int k = 0; k < s->contacts; k++) {
+        const active_contact *x = &s->active[k];
+        if (!(x->load > 0)) continue;
+        real pace = pace_of(w, x, &ratio);
         even = real_max(even, pace);
         if (ratio > EVEN) uneven = real_max(uneven, pace);
+        w->report.pushing++;
+        if (x->b >= 0 && !body_is_static(&w->body[x->b]))
+            sleep_touch(&w->sleep, x->a, x->b);
     }
     w->rigid.for_stack = substeps_for(even, STACK_SAG, o, w->rigid.for_stack);
     w->rigid.for_heavy = substeps_for(uneven, SAG, o, w->rigid.for_heavy);
@@ -261,7 +270,6 @@ static int choose_substeps(world *w)
 {
     int usual = w->options.substeps, calm = (3 * usual + 3) / 4, n = usual;
     w->rigid.calm = is_calm(w) ? w->rigid.calm + 1 : 0;
-    find_substeps(w);
     if (w->rigid.calm > CALM_FRAMES)
         n = int_max(calm, int_min(w->rigid.for_stack, usual));
     n = int_max(n, w->rigid.for_heavy);
@@ -291,7 +299,7 @@ static void count_deep(world *w)
     for (int k = 0; k < s->contacts; k++) {
         const active_contact *x = &s->active[k];
         const solver_body *now = w->rigid.now;
-        real radius = x->b == w->bodies ? now[x->a].radius
+        real radius = x->sides == ONE_SIDED ? now[x->a].radius
                     : real_min(now[x->a].radius, now[x->b].radius);
         w->report.unconverged += x->least < -0.1 * radius;
     }
@@ -490,19 +498,6 @@ static void put_to_sleep(world *w, const body *b)
     }
 }
 
-static void join_islands(world *w)
-{
-    const contact_cache *c = &w->rigid.cache;
-    for (int k = 0; k < c->actives; k++) {
-        const contact *x = c->active[k];
-        if (!(contact_load(x) > 0)) continue;
-        w->report.pushing++;
-        if (x->b < 0 || body_is_static(&w->body[x->a])
-            || body_is_static(&w->body[x->b])) continue;
-        sleep_touch(&w->sleep, x->a, x->b);
-    }
-}
-
 static void observe(world *w)
 {
     const world_options *o = &w->options;
@@ -519,7 +514,6 @@ static void observe(world *w)
 
 static void fall_asleep(world *w)
 {
-    join_islands(w);
     if (w->options.sleep_speed > 0) {
         observe(w);
         sleep_end(&w->sleep);

@@ -27,6 +27,7 @@ static active_contact activate(const contact *c, const solver_frame *f,
         x.point[x.count] = (signed char)k;
         x.gap[x.count++] = gap[k];
     }
+    x.load = contact_load(c);
     x.is_swapped = !moves(f, c->a);
     x.sides = moves(f, c->a) && moves(f, c->b) ? TWO_SIDED : ONE_SIDED;
     if (x.is_swapped) {
@@ -63,13 +64,15 @@ static void choose_color(contact_solver *s, active_contact *x)
     *b |= 1ULL << color;
 }
 
-// Those of a colour stand together, and of these those with as many points: a
-// block takes as long as the contact in it that has most.
-enum { BINS = SIDES * COLORS * CONTACT_POINTS };
+// Those of a colour stand together; of these, those that carry something, for
+// the others need no friction; and of these those with as many points: a block
+// takes as long as the contact in it that has most.
+enum { KINDS = 2 * CONTACT_POINTS, BINS = SIDES * COLORS * KINDS };
 
 static int bin_of(const active_contact *x)
 {
-    return x->color * CONTACT_POINTS + (CONTACT_POINTS - x->count);
+    int fewer = CONTACT_POINTS - x->count;
+    return x->color * KINDS + (x->load > 0 ? fewer : KINDS - 1 - fewer);
 }
 
 // Counting sort; end[bin] is where each bin ends in s->order.
@@ -93,7 +96,7 @@ static void list_colors(contact_solver *s, const int end[BINS])
     int first = 0;
     s->colors = s->blocks = 0;
     for (int c = 0; c < SIDES * COLORS; c++) {
-        int n = end[(c + 1) * CONTACT_POINTS - 1] - first;
+        int n = end[(c + 1) * KINDS - 1] - first;
         bool is_crowded = c % COLORS == COLORS - 1;
         int blocks = is_crowded ? n : (n + REAL4 - 1) / REAL4;
         first += n;
@@ -371,7 +374,10 @@ static void fill_block(const preparation *p, int number)
     real4 center_a[3], center_b[3];
     int first, lanes = lanes_of(s, number, &first);
     const int *list = s->order + first;
-    k->points = s->active[list[0]].count;
+    k->rubs = true;
+    k->points = 0;
+    for (int l = 0; l < lanes; l++)
+        k->points = int_max(k->points, s->active[list[l]].count);
     for (int l = 0; l < REAL4; l++) {
         if (l < lanes)
             choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
@@ -708,8 +714,11 @@ static inline __attribute__((always_inline)) void relax(block *k, const pass *q,
         moment = real4_mad(p->lever, p->impulse, moment);
     }
     push_centers(k, k->normal, sum, &u, two);
-    if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
-    brake_block(k, real4_mul(friction, along), &u, two);
+    if (k->rubs || real4_any(along)) {
+        if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
+        brake_block(k, real4_mul(friction, along), &u, two);
+        k->rubs = real4_any(along);
+    }
     give_sides(k, q->velocity, &u, two);
 }
 
@@ -863,11 +872,11 @@ static void clear_impulses(contact *c)
 
 static void store_lane(const block *k, int l, active_contact *x, contact *c)
 {
-    real sign = x->is_swapped ? -1 : 1;
+    real sign = x->is_swapped ? -1 : 1, load = 0;
     clear_impulses(c);
     for (int j = 0; j < x->count; j++) {
         c->impulse[x->point[j]] = real4_get(&k->point[j].impulse, l);
-        x->load += c->impulse[x->point[j]];
+        load += c->impulse[x->point[j]];
     }
     for (int i = 0; i < 2; i++) {
         vec3 t = { real4_get(&k->across[i][0], l),
@@ -877,12 +886,16 @@ static void store_lane(const block *k, int l, active_contact *x, contact *c)
         c->friction = vec3_add_scaled(c->friction, impulse, t);
     }
     c->twist = real4_get(&k->twist_impulse, l);
+    x->load = load;
 }
 
 void solver_store(contact_solver *s, contact *const *table)
 {
     for (int k = 0; k < s->contacts; k++)
-        if (s->active[k].count == 0) clear_impulses(table[k]);
+        if (s->active[k].count == 0) {
+            clear_impulses(table[k]);
+            s->active[k].load = 0;
+        }
     for (int n = 0; n < s->blocks; n++) {
         const block *next = &s->block[int_min(n + 2, s->blocks - 1)];
         for (int l = 0; l < REAL4; l++) {

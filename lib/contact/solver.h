@@ -70,6 +70,7 @@ typedef struct {
     int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
+    bool  rubs;                         // friction's impulses may not be 0
     block_point point[CONTACT_POINTS];
 } block;
 //<
@@ -91,7 +92,7 @@ typedef struct {
     signed char point[CONTACT_POINTS];  // which of the contact's
     real gap[CONTACT_POINTS];           // m
     real least;                         // m, of all points
-    real load;          // N s, along the normal, in the last substep
+    real load;          // N s, along the normal, when last solved
 } active_contact;
 
 typedef struct {

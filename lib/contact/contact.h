@@ -53,9 +53,7 @@ real contact_load(const contact *c);
 // `was`: each old point hands its own to the new point nearest to it (warm
 // starting).
 void contact_inherit(contact *now, const contact *was);
-//<
 
-//> contact-expect
 // Contact c will be read soon: a processor may fetch it already.
 static inline void contact_expect(const contact *c)
 {

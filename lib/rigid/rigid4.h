@@ -87,13 +87,13 @@ typedef struct {
 // (at least 1).  Written as a frame of three vectors along the solid's axes, the
 // six can be solved one by one: there is no matrix to be inverted.
 // Gradients as options.gradient says; where this fails (violent turning), the
-// sticks are relaxed one by one (fell_back = 1).  Nailed bodies stay.
+// sticks are relaxed one by one (fell_back = 1).  Pinned bodies stay.
 rigid4_result rigid4_relax(const rigid4 *f, particle *p, int steps,
                         relax_options options);
 
 // The same for several bodies, whose particles begin at p + first[0] and so on:
 // the same bits, in less time, for it takes some at once.  Counts are sums,
-// `worst` and `sweeps` the largest.
+// `worst` and `iterations` the largest.
 rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
                             int bodies, int steps, relax_options options);
 

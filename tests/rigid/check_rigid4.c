@@ -431,8 +431,8 @@ START_TEST(free_spin_keeps_its_momentum_for_ten_seconds)
 }
 END_TEST
 
-// Rejects: a body that is moved in spite of its nails.
-START_TEST(nailed_body_is_not_relaxed)
+// Rejects: a body that is moved in spite of its pins.
+START_TEST(pinned_body_is_not_relaxed)
 {
     expect_ok(rigid4_build(&f, &solid[WEDGE].plan));
     particle p[FOUR], was[FOUR];
@@ -628,7 +628,7 @@ END_TEST
 // --- many at once --------------------------------------------------------------
 
 // Rejects: a body that goes on after it is content, or stops with its
-// neighbour; one that is nailed, bent, mirrored or lost and treated as others;
+// neighbour; one that is pinned, bent, mirrored or lost and treated as others;
 // one that lies still, whose old places are no numbers, moved by them;
 // the last few of a list left out; counts of one body for those of all.
 START_TEST(bodies_relaxed_together_get_the_bits_of_each_alone)
@@ -703,7 +703,7 @@ int main(void)
         step_of_the_frame_is_newtons_step_of_the_six_sticks,
         one_step_squares_the_error,
         relaxing_keeps_momentum_and_angular_momentum,
-        nailed_body_is_not_relaxed,
+        pinned_body_is_not_relaxed,
         body_within_tolerance_keeps_every_bit,
         steps_are_counted_and_capped,
         bent_body_is_judged_when_its_steps_are_done,

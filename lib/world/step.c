@@ -473,6 +473,7 @@ static void move_bodies(world *w, real h)
         w->report.fell_back += r->fell_back;
         w->report.unconverged += !(r->worst <= 0.01);
     }
+    if (w->softs > 0) w->report.unconverged += soft_stretched(w);
     w->ledger_ahead = 0;
     ledger_book(w, LEDGER_STICKS);
 }

@@ -78,10 +78,10 @@ static status add_walls(world *w, real side)
 
 static int substeps;            // a frame of ours
 
-static void our_begin(world *w, const room *r, int resting)
+static void our_begin(world *w, const room *r, bool sleeps)
 {
     world_options o = world_options_default();
-    o.resting = resting;
+    if (!sleeps) o.sleep_speed = 0;
     o.substeps = substeps;
     status done = world_init(w, o);
     if (done.ok) done = add_walls(w, r->side);
@@ -154,7 +154,7 @@ static void look_at_pair(const corners a, const corners b, outcome *o)
 
 // The energy of motion between two frames: the corners stand around the middle
 // with sum r x (d x r) = 8 R^2 d for a small turn d.
-static real motion(const corners then, const corners now, real inertia)
+static real joules_of(const corners then, const corners now, real inertia)
 {
     vec3 go = { 0, 0, 0 }, turn = { 0, 0, 0 }, middle = { 0, 0, 0 };
     for (int i = 0; i < CORNERS; i++) {
@@ -175,7 +175,7 @@ static void look(const room *r, void (*vertices)(int, vec3 *), outcome *o)
     for (int k = 0; k < r->bodies; k++) {
         copy_corners(then_at[k], now_at[k]);
         vertices(k, now_at[k]);
-        o->joules += motion(then_at[k], now_at[k], r->inertia);
+        o->joules += joules_of(then_at[k], now_at[k], r->inertia);
         look_at_edges(now_at[k], o);
         look_at_walls(now_at[k], r->side, o);
         middle_of[k] = vec3_scale(0.5, vec3_add(now_at[k][0], now_at[k][3]));
@@ -210,7 +210,7 @@ static void our_start(int piece)
 {
     if (piece > 0) return;
     world_free(&ours);
-    our_begin(&ours, &hall, 0);
+    our_begin(&ours, &hall, false);
 }
 
 static void our_frames(int piece)
@@ -301,7 +301,7 @@ static void many_start(int piece)
 {
     if (piece > 0) return;
     world_free(&many);
-    our_begin(&many, &large, 0);
+    our_begin(&many, &large, false);
 }
 
 // A frame: what there was to ask, and to push.  Ten times the bodies fall
@@ -382,7 +382,7 @@ static int settle(unsigned long long seed)
     free(hall.start);
     world_free(&many);
     hall = room_of(FEW, seed);
-    our_begin(&many, &hall, 1);
+    our_begin(&many, &hall, true);
     for (; frames < SETTLE && many.report.asleep < FEW; frames++)
         world_step(&many);
     return frames;
@@ -395,7 +395,7 @@ static void against_awake(void)
     hall.start = NULL;
     while (throws < THROWS && frames == SETTLE)
         frames = settle((unsigned long long)++throws);
-    our_begin(&ours, &hall, 0);
+    our_begin(&ours, &hall, false);
     for (int f = 0; f < LIE; f++) world_step(&ours);
     real *time = time_in_turn(ways, 2, WATCH, 3);
     row r = { .what = "settled room of 1,000, asleep, a step",

@@ -524,7 +524,7 @@ $(BUILD)/piles: $(PILES:%=$(BUILD)/figures/%.o) $(BUILD)/figures/clock.o \
 	@echo "  link  $@"
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) $^ -lode -lccd -lBulletDynamics -lBulletCollision -lLinearMath -lm -o $@
 
-$(BUILD)/bits: $(BUILD)/tests/bits.o $(ALL)
+$(BUILD)/bits: $(BUILD)/tests/bits.o $(BUILD)/figures/thread.o $(ALL)
 	$(call link,-lm)
 
 define link

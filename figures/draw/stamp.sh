@@ -14,10 +14,11 @@ done
 [ $# = 0 ] || exit 0
 
 failed=
-for program in figures/[0-9]*/*.c figures/moving/moving.c; do
+for program in figures/[0-9]*/*.c figures/moving/moving.c figures/peers/piles.c; do
     name=$(basename "$program" .c)
     picture=${program%.c}.png command=figure-$name
     [ "$name" != moving ] || picture=figures/moving/moving.webp command=moving
+    [ "$name" != piles ] || command=peers
     grep -qx "$name $(now "$name")" $made && [ -s "$picture" ] || {
         echo "$picture is older than its program: run make $command"
         failed=1

@@ -1,5 +1,5 @@
 // peers_ode.c - the room in ODE: quickstep with 20 iterations, convex against
-// convex, sorted pairs, nobody sleeps.
+// convex, sorted pairs, nothing sleeps.
 //
 // Convex bodies rather than triangle meshes: these take several times as long,
 // and overlap as deep.  Everything that is not set is ODE's default.

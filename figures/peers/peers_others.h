@@ -4,13 +4,13 @@
 #ifndef TUMBLE_PEERS_OTHERS_H
 #define TUMBLE_PEERS_OTHERS_H
 
-#include "world.h"
+#include "scene.h"
 
 // ---- Two icosahedra --------------------------------------------------------
 
 enum { CORNERS = 12 };
 
-// A body, in the world's frame: nobody has to transform anything.
+// A body, in the world's frame: none has to be transformed.
 typedef struct {
     vec3 at[CORNERS];
     vec3 middle;

@@ -145,50 +145,50 @@ static void put(const couple *from)
     }
 }
 
-static void put_before(int block)
+static void put_before(int part)
 {
-    put(before + block * FEW);
+    put(before + part * FEW);
 }
 
-static void put_after(int block)
+static void put_after(int part)
 {
-    put(after + block * FEW);
-    for (int k = 0; k < FEW; k++) carried[k] = found[block * FEW + k];
+    put(after + part * FEW);
+    for (int k = 0; k < FEW; k++) carried[k] = found[part * FEW + k];
 }
 
-static void put_parted(int block)
+static void put_parted(int part)
 {
-    put(after + block * FEW);
-    for (int k = 0; k < FEW; k++) carried[k] = parted[block * FEW + k];
+    put(after + part * FEW);
+    for (int k = 0; k < FEW; k++) carried[k] = parted[part * FEW + k];
 }
 
-static void distance_cold(int block)
+static void distance_cold(int part)
 {
-    for (int k = 0, i = block * FEW; k < FEW; k++, i++)
+    for (int k = 0, i = part * FEW; k < FEW; k++, i++)
         told[COLD][i] = distance(&now[k], HUGE_VAL, NULL).distance;
 }
 
-static void distance_carried(int block)
+static void distance_carried(int part)
 {
-    for (int k = 0, i = block * FEW; k < FEW; k++, i++)
+    for (int k = 0, i = part * FEW; k < FEW; k++, i++)
         told[WARM][i] = distance(&now[k], HUGE_VAL, &carried[k]).distance;
 }
 
-static void margin_carried(int block)
+static void margin_carried(int part)
 {
-    for (int k = 0, i = block * FEW; k < FEW; k++, i++)
+    for (int k = 0, i = part * FEW; k < FEW; k++, i++)
         reached[i] = distance(&now[k], MARGIN, &carried[k]).status;
 }
 
-static void gjk_says(int block)
+static void gjk_says(int part)
 {
-    for (int k = 0, i = block * FEW; k < FEW; k++, i++)
+    for (int k = 0, i = part * FEW; k < FEW; k++, i++)
         overlap[0][i] = ccd_gjk_overlap(&now[k].a, &now[k].b);
 }
 
-static void mpr_says(int block)
+static void mpr_says(int part)
 {
-    for (int k = 0, i = block * FEW; k < FEW; k++, i++)
+    for (int k = 0, i = part * FEW; k < FEW; k++, i++)
         overlap[1][i] = ccd_mpr_overlap(&now[k].a, &now[k].b);
 }
 
@@ -315,24 +315,24 @@ static exit_found exit_of(const couple *c)
     return (exit_found){ h.depth, vec3_scale(-1, h.normal) };
 }
 
-static void depth_cold(int block)
+static void depth_cold(int part)
 {
-    for (int i = block * BLOCK; i < (block + 1) * BLOCK; i++)
+    for (int i = part * BLOCK; i < (part + 1) * BLOCK; i++)
         out[OURS][i] = exit_of(&before[i]);
 }
 
-static void depth_gjk(int block)
+static void depth_gjk(int part)
 {
-    for (int i = block * BLOCK; i < (block + 1) * BLOCK; i++) {
+    for (int i = part * BLOCK; i < (part + 1) * BLOCK; i++) {
         exit_found *e = &out[CCD_GJK][i];
         if (!ccd_gjk_depth(&before[i].a, &before[i].b, &e->depth, &e->along))
             *e = (exit_found){ 0, { 0, 0, 0 } };
     }
 }
 
-static void depth_mpr(int block)
+static void depth_mpr(int part)
 {
-    for (int i = block * BLOCK; i < (block + 1) * BLOCK; i++) {
+    for (int i = part * BLOCK; i < (part + 1) * BLOCK; i++) {
         exit_found *e = &out[CCD_MPR][i];
         if (!ccd_mpr_depth(&before[i].a, &before[i].b, &e->depth, &e->along))
             *e = (exit_found){ 0, { 0, 0, 0 } };

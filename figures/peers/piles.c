@@ -34,19 +34,18 @@ enum { MOVERS = 4, SETTINGS = 6 };
 static const struct {
     const mover *is;
     const char  *name, *unit;
-    int settings, setting[SETTINGS], as_it_comes;
+    real longest;       // s, a run that takes more is cut off
+    int  settings, setting[SETTINGS], as_it_comes;
 } MOVER[MOVERS] = {
-    { &mover_tumble, "tumble", "substeps", 5, { 1, 2, 4, 8, 16 }, 8 },
-    { &mover_ode, "ODE quickstep", "iterations", 6,
+    { &mover_tumble, "tumble", "substeps", 60, 5, { 1, 2, 4, 8, 16 }, 8 },
+    { &mover_ode, "ODE quickstep", "iterations", 60, 6,
       { 5, 10, 20, 40, 80, 160 }, 20 },
-    { &mover_ode, "ODE dWorldStep", "", 1, { 0 }, 0 },
-    { &mover_bullet, "Bullet", "iterations", 6, { 5, 10, 20, 40, 80, 160 },
+    { &mover_ode, "ODE dWorldStep", "", 10, 1, { 0 }, 0 },
+    { &mover_bullet, "Bullet", "iterations", 60, 6, { 5, 10, 20, 40, 80, 160 },
       10 },
 };
 
-enum { RUNS = MOVERS * (SETTINGS + 1), TURN = 20, JUDGED = 5, BEGUN = 20,
-       MIDDLE = 300 };
-static const real LONGEST = 30;     // s, a run that takes more is cut off
+enum { RUNS = MOVERS * (SETTINGS + 1), TURN = 20, JUDGED = 5, MIDDLE = 300 };
 
 typedef struct {
     int   mover, setting;
@@ -107,8 +106,7 @@ static void one_frame(const pile *p, run *r)
     if (r->asleep_at < 0 && r->may_sleep && m->asleep(r->self) == p->boxes)
         r->asleep_at = r->frames;
     if (r->frames == MIDDLE) look(p, r, r->middle);
-    // Some overlap at the start is the scene's, and is pushed out.
-    if (r->frames % JUDGED == 0 && r->frames >= BEGUN) {
+    if (r->frames % JUDGED == 0) {
         look(p, r, r->now);
         judge_overlap(p, r->now, &r->found);
     }
@@ -118,7 +116,8 @@ static void take_turn(const pile *p, run *r)
 {
     for (int k = 0; k < TURN && r->frames < p->frames && !r->is_cut; k++) {
         one_frame(p, r);
-        r->is_cut = r->seconds > LONGEST && r->frames < p->frames;
+        r->is_cut = r->seconds > MOVER[r->mover].longest
+                 && r->frames < p->frames;
     }
 }
 

@@ -69,7 +69,7 @@ static void add_sides(pile *p, real far)
     }
 }
 
-// The place of box k in a cubic grid of so many cells a side, around the y axis.
+// The place of box k in a cubic grid of so many cells, around the y axis.
 static vec3 cell(int k, int cells, real wide)
 {
     real half = (cells - 1) / 2.0;
@@ -115,7 +115,7 @@ pile pile_drop(int boxes)
         turn_anyhow(&p.box[k].at);
     }
     add_wall(&p, Y, 0);
-    add_sides(&p, 0.7 * cells);
+    add_sides(&p, wide / 2 * (cells + 0.5));
     return p;
 }
 

@@ -15,7 +15,8 @@ static const real THIN = 1e-2;      // times its square: areas of slivers
 
 typedef struct {
     int  of[3];         // corners, counter-clockwise as seen from outside
-    vec3 normal;        // outward, twice the area long (m^2)
+    vec3 normal;        // outward, as long as ...
+    real area;          // m^2, twice the triangle's
     real weight[3];     // barycentric coordinates (>= 0, sum 1) of ...
     vec3 v;             // m, a point of the triangle: where the origin projects
     real distance;      // m, |v|
@@ -63,7 +64,8 @@ static void add_face(polytope *p, int i, int j, int k)
     for (int n = 0; n < 3; n++) sum += w[n] = real_max(w[n], 0);
     for (int n = 0; n < 3; n++)
         t.v = vec3_add_scaled(t.v, w[n] /= sum, p->corner[t.of[n]].at);
-    if (vec3_length(t.normal) < THIN * p->size * p->size) settle(p, &t);
+    t.area = vec3_length(t.normal);
+    if (t.area < THIN * p->size * p->size) settle(p, &t);
     t.distance = sum > 0 ? vec3_length(t.v) : HUGE_VAL;     // 0: no area
     p->face[p->faces++] = t;
 }
@@ -197,7 +199,7 @@ static void expand(polytope *p, int closest, corner w)
     for (int f = p->faces - 1; f >= 0; f--) {
         const face *t = &p->face[f];
         vec3 to_w = vec3_sub(w.at, p->corner[t->of[0]].at);
-        real clear = ROUNDING * p->size * vec3_length(t->normal);
+        real clear = ROUNDING * p->size * t->area;
         if (vec3_dot(t->normal, to_w) > clear) remove_face(p, f, &r);
     }
     for (int e = 0; e < r.count; e++) {

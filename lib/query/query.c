@@ -5,7 +5,7 @@
 
 #include <assert.h>
 
-// 18 bytes, where a simplex has 208.  gjk_distance needs no more than the
+// 18 bytes, where a simplex has 192.  gjk_distance needs no more than the
 // vertices: where the corners are now, and their weights, it computes itself.
 static simplex cache_read(const query_cache *c)
 {

@@ -413,7 +413,7 @@ static rigid4_result relax_bent(const rigid4 *f, particle *p,
 //<
 
 //> rigid4-solve
-// NaN does not count: who has none goes on.
+// NaN does not count: bodies without one go on.
 static inline real largest(const int lanes, const lane a)
 {
     real most = 0;

@@ -84,7 +84,7 @@ typedef struct {
 
 // Brings the six sticks to their lengths at once: Newton's step for all of
 // them, until none is off by more than options.tolerance, at most `steps` times
-// (at least 1).  Told as a frame of three vectors along the solid's axes, the
+// (at least 1).  Written as a frame of three vectors along the solid's axes, the
 // six can be solved one by one: there is no matrix to be inverted.
 // Gradients as options.gradient says; where this fails (violent turning), the
 // sticks are relaxed one by one (fell_back = 1).  Nailed bodies stay.

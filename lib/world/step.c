@@ -281,6 +281,7 @@ static solver_frame frame_of(const world *w)
         .body = w->rigid.now, .bodies = w->bodies, .plane = w->plane, .h = h,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
         .hertz = o->hertz / finer, .damping = 10, .max_speed = 3,
+        .restitution = o->restitution, .gravity = o->gravity,
         .run = o->host.run };
 }
 
@@ -338,8 +339,8 @@ static void bounce(world *w, const solver_frame *f)
     rigid_tables *t = &w->rigid;
     const contact *const *table = (const contact *const *)t->cache.active;
     if (!(w->options.restitution > 0)) return;
-    restitution_solve(table, t->cache.actives, f, w->options.restitution,
-                      w->options.gravity, t->velocity, t->moved);
+    if (restitution_solve(table, t->cache.actives, f, t->velocity, t->moved))
+        solver_see_gaps(&t->solver, f, t->moved);
 }
 
 static void substep(world *w, const solver_frame *f, int k, real *since)
@@ -473,6 +474,7 @@ static void move_bodies(world *w, real h)
         w->report.fell_back += r->fell_back;
         w->report.unconverged += !(r->worst <= 0.01);
     }
+    if (w->softs > 0) w->report.unconverged += soft_stretched(w);
     w->ledger_ahead = 0;
     ledger_book(w, LEDGER_STICKS);
 }

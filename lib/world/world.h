@@ -82,7 +82,8 @@ typedef struct {
     int  rebuilt;       // how often that list was made
     long tested;        // sticks looked at
     long relaxed;       // sticks moved
-    int  fell_back;     // rigid bodies, bent too far to be relaxed at once
+    int  fell_back;     // rigid bodies, bent too far to be relaxed at once, and
+                        // strands that turned too far in a substep
     int  asleep;        // bodies
     int  unconverged;   // contacts that overlap by more than a tenth of the
                         // smaller body's radius, and bodies whose sticks are
@@ -156,6 +157,7 @@ typedef struct {
     int  pairs, pair_capacity;
     point_pair *point;                  // particles at rigid bodies
     int  points, point_capacity;
+    bool is_backward;                   // those come last to first
     struct leaf_pair *leaf;             // room for a traversal of two trees
     int  leaf_capacity;
     real margin;        // m, how much further than touching the lists look

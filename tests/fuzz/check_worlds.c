@@ -8,7 +8,7 @@
 
 #include "worlds.h"
 
-enum { SEEDS = 50, MOMENTS = 30 };
+enum { SEEDS = 40, MOMENTS = 20 };
 
 static trial t;
 
@@ -51,7 +51,7 @@ int main(void)
     Suite *s = suite_create("worlds");
     TCase *c = tcase_create("worlds");
     tcase_add_checked_fixture(c, NULL, tear_down);
-    tcase_set_timeout(c, 20);
+    tcase_set_timeout(c, 60);
     tcase_add_loop_test(c, numbers_stay_numbers, 1, SEEDS + 1);
     tcase_add_test(c, same_seed_is_the_same_trial);
     suite_add_tcase(s, c);

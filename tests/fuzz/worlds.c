@@ -370,7 +370,7 @@ static void plan_spoiling(trial *t)
     static const real with[] = { (real)NAN, (real)INFINITY, -(real)INFINITY };
     t->spoil_step = -1;
     if (!any_chance(t, 4)) return;
-    t->spoil_step = any_int(t, 0, 30);
+    t->spoil_step = any_int(t, 0, 15);
     t->spoil_first = any_int(t, 0, t->world.bodies - 1);
     t->spoil_count = any_int(t, 1, 3);
     t->spoil_with = with[any_int(t, 0, 2)];

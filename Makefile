@@ -316,7 +316,7 @@ speed: $(SPEED:%=$(BUILD)/figures/%)
 profile: $(BUILD)/figures/18-profile
 	$(Q)$(call draw,18-profile,figures/18)
 	$(Q)awk -f figures/draw/table.awk -v csv=figures/tables/profile.csv \
-	  -v head='stage,room,cloth on a cube,cloth on a rope' figures/18/18-profile.csv
+	  -v head='phase,room,cloth on a cube,cloth on a rope' figures/18/18-profile.csv
 
 SOAK_STEPS ?= 1000000
 .PHONY: soak
@@ -524,7 +524,7 @@ $(BUILD)/piles: $(PILES:%=$(BUILD)/figures/%.o) $(BUILD)/figures/clock.o \
 	@echo "  link  $@"
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) $^ -lode -lccd -lBulletDynamics -lBulletCollision -lLinearMath -lm -o $@
 
-$(BUILD)/bits: $(BUILD)/tests/bits.o $(ALL)
+$(BUILD)/bits: $(BUILD)/tests/bits.o $(BUILD)/figures/thread.o $(ALL)
 	$(call link,-lm)
 
 define link

@@ -21,8 +21,8 @@ real gap_along(hull a, hull b, vec3 n);
 
 // The answer of gjk_distance, which starts from m->last.  But while m->axis
 // parts them by more than margin (m, >= 0), gjk_distance is not asked: then the
-// status is GJK_BEYOND, the distance the gap along the axis, iterations 0, and
-// *m stays as it was.
+// status is GJK_BEYOND, the distance the gap along the axis, the axis m's,
+// iterations 0, and *m stays as it was.
 gjk_result ask_again(hull a, hull b, real margin, memory *m);
 
 #endif

@@ -71,7 +71,7 @@ START_TEST(gap_of_boxes_along_any_direction)
 }
 END_TEST
 
-// Is r what GJK says, as far as it may differ: a bound need not be the distance?
+// Is r what GJK says?  A bound may be less than the distance.
 static void compare(const pair *p, gjk_result r, real margin)
 {
     gjk_result g = gjk_distance(hull_a(p), hull_b(p), HUGE_VAL, NULL);
@@ -81,7 +81,6 @@ static void compare(const pair *p, gjk_result r, real margin)
                   (int)r.status);
     if (beyond) {
         ck_assert(r.distance > margin && r.distance <= g.distance + ROUNDING);
-        near(vec3_length(r.axis), r.distance, "length of the axis");
         ck_assert_msg(gap_along(hull_a(p), hull_b(p), r.axis)
                       >= r.distance - ROUNDING, "the axis does not part them");
     } else {

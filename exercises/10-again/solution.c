@@ -13,14 +13,12 @@ real gap_along(hull a, hull b, vec3 n)
 gjk_result ask_again(hull a, hull b, real margin, memory *m)
 {
     const vec3 none = { 0, 0, 0 };
-    real length = vec3_length(m->axis);
-    // A point that is not a number is never the furthest: it must be looked for.
-    if (length > 0 && hull_in_range(a) && hull_in_range(b)) {
+    // A point that is not a number is never the furthest: look for it.
+    if (vec3_length(m->axis) > 0 && hull_in_range(a) && hull_in_range(b)) {
         real gap = gap_along(a, b, m->axis);
         if (gap > margin)
             return (gjk_result){ .status = GJK_BEYOND, .distance = gap,
-                                 .axis = vec3_scale(gap / length, m->axis),
-                                 .last = m->last };
+                                 .axis = m->axis, .last = m->last };
     }
     gjk_result g = gjk_distance(a, b, margin, &m->last);
     m->axis = g.status == GJK_BEYOND ? g.axis : none;

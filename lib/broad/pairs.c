@@ -6,6 +6,7 @@
 
 static bool holds(const pair_list *l, const pair_query *q)
 {
+    if (l->lists == 0) return false;
     for (int b = 0; b < l->bodies; b++) {
         const sphere *was = &l->listed[b];
         if (!q->moves[b]) continue;
@@ -15,7 +16,7 @@ static bool holds(const pair_list *l, const pair_query *q)
         if (!(room >= 0 && vec3_length_squared(way) <= room * room))
             return false;
     }
-    return l->lists > 0;
+    return true;
 }
 //<
 

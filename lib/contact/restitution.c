@@ -6,21 +6,18 @@
 // What all impacts of a substep have in common.
 typedef struct {
     const solver_frame *f;
-    real restitution, pull;     // pull: m/s^2, of gravity
-    vec3 gravity;
+    real pull;                  // m/s^2, of gravity
     motion *velocity, *moved;
 } impact_solver;
 
 static bool strike(const impact_solver *s, const contact *c);
 
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
-                      real restitution, vec3 gravity, motion *velocity,
-                      motion *moved)
+                      motion *velocity, motion *moved)
 {
-    impact_solver s = { f, restitution, vec3_length(gravity), gravity, velocity,
-                        moved };
+    impact_solver s = { f, vec3_length(f->gravity), velocity, moved };
     int impacts = 0, before = -1;
-    assert(restitution >= 0 && restitution <= 1 && vec3_is_finite(gravity));
+    assert(f->restitution >= 0 && f->restitution <= 1);
     for (int round = 0; round < IMPACT_ROUNDS && before < impacts; round++) {
         before = impacts;
         for (int i = 0; i < n; i++)
@@ -97,10 +94,10 @@ static bool strike(const impact_solver *s, const contact *c)
     const solver_frame *f = s->f;
     if (!meets_fast(s, c)) return false;
     impact x = impact_of(s, c);
-    vec3 fallen = vec3_scale(f->h, s->gravity);
+    vec3 fallen = vec3_scale(f->h, f->gravity);
     fall(&x.pair, fallen, x.time - 0.5, x.u);
     if (!(closing_speed(&x) > slowest_of(s, c))) return false;
-    push_apart(&x, s->restitution);
+    push_apart(&x, f->restitution);
     rub(&x, f->friction);
     fall(&x.pair, fallen, 0.5 - x.time, x.u);
     if (x.pair.falls[A]) settle(s, c->a, &x.u[A], x.time);
@@ -227,7 +224,7 @@ static void find_touching(impact *x, const impact_solver *s,
     const contact *c = x->c;
     const impact_pair *p = &x->pair;
     real h = s->f->h;
-    real a = (p->falls[B] - p->falls[A]) * vec3_dot(s->gravity, c->normal)
+    real a = (p->falls[B] - p->falls[A]) * vec3_dot(s->f->gravity, c->normal)
            * h * h;
     x->time = 1;
     for (int k = 0; k < c->count; k++) {

@@ -12,14 +12,14 @@
 
 //> restitution-declare
 // The impacts of one substep.  Two bodies whose gap closes within it, and that
-// meet faster than restitution_slowest, part at `restitution` (0 to 1) times
-// the speed at which they met, at the time at which they met; friction f acts
-// in the impact, too.  Forward and backward over the n contacts, as long as
+// meet faster than restitution_slowest, part at f->restitution times the speed
+// at which they met, at the time at which they met; friction acts in the
+// impact, too.  Forward and backward over the n contacts, as long as
 // any strikes, at most IMPACT_ROUNDS times: an impact that is passed on, as in
 // Newton's cradle, is one more impact.  Returns how many there were.
 //
 // velocity and moved, [bodies], say how the bodies move in this substep, with
-// gravity (m/s^2) in it, and how far they have gone since the frame began.
+// gravity in it, and how far they have gone since the frame began.
 // moved changes as well, so that the end of the substep is where a body comes
 // that has its old velocity before the impact and the new one after it.
 //
@@ -29,13 +29,13 @@
 // when they touch, the angular momentum.  Numbers that are not finite strike
 // nothing.
 //
-// To be called before solver_begin.  Then the solver's sum of what contacts did
-// in a substep, which it begins the next one with, has no impact in it, and
-// bodies that part after one are not pushed, or held, by the solver.
+// To be called before solver_begin; and if there were any, solver_see_gaps
+// must follow.  Then the solver's sum of what contacts did in a substep, which
+// it begins the next one with, has no impact in it, and bodies that part after
+// one are not held by the solver.
 enum { IMPACT_ROUNDS = 8 };
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
-                      real restitution, vec3 gravity, motion *velocity,
-                      motion *moved);
+                      motion *velocity, motion *moved);
 
 // m/s: what meets more slowly does not bounce.  A third of the speed that a
 // fall through the smaller radius (m) gives: then a bounce would not be seen,

@@ -586,6 +586,7 @@ typedef struct {
     const motion *moved;
     real per_h;             // 1/s
     real friction, max_speed;
+    real slowest;           // m/s, what closes more slowly does not strike
     softness soft[SIDES];
     int first, count, sides;    // the blocks of a colour
 } pass;
@@ -666,7 +667,19 @@ static inline __attribute__((always_inline)) void brake_block(block *k, real4 mo
 //<
 
 //> solver-relax
-static inline __attribute__((always_inline)) void relax_block(block *k, const pass *q, bool two)
+// How fast the points part, and 0 for those that an impact may part in the next
+// substep: they are open, have not pushed, and close fast.
+static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
+                                  real4 impulse)
+{
+    const real4 zero = real4_all(0);
+    real4 slow = real4_add(speed, real4_all(q->slowest));
+    real4 open = real4_mad(gap, real4_all(q->per_h), speed);
+    open = real4_if_positive(impulse, open, real4_if_positive(slow, open, zero));
+    return real4_if_positive(gap, open, speed);
+}
+
+static inline __attribute__((always_inline)) void relax(block *k, const pass *q, bool two, bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     const real4 friction = real4_all(q->friction);
@@ -682,7 +695,8 @@ static inline __attribute__((always_inline)) void relax_block(block *k, const pa
         p->now = gap;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
-        speed = real4_mad(real4_max(gap, zero), per_h, speed);
+        speed = has_impacts ? leave_impacts(q, speed, gap, p->impulse)
+              : real4_mad(real4_max(gap, zero), per_h, speed);
         push_point(p, real4_sub(p->impulse, real4_mul(p->mass, speed)),
                    inverse, &parting, &sum, &u, two);
         along = real4_add(along, p->impulse);
@@ -692,6 +706,16 @@ static inline __attribute__((always_inline)) void relax_block(block *k, const pa
     if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
     brake_block(k, real4_mul(friction, along), &u, two);
     give_sides(k, q->velocity, &u, two);
+}
+
+static inline __attribute__((always_inline)) void relax_block(block *k, const pass *q, bool two)
+{
+    relax(k, q, two, false);
+}
+
+static inline __attribute__((always_inline)) void relax_to_impacts(block *k, const pass *q, bool two)
+{
+    relax(k, q, two, true);
 }
 //<
 
@@ -716,6 +740,19 @@ static inline __attribute__((always_inline)) void warm_block(block *k, const pas
 }
 //<
 
+//> solver-see
+static inline __attribute__((always_inline)) void see_block(block *k, const pass *q, bool two)
+{
+    sides4 d = take_sides(k, q->moved, two);
+    real4 parted = part_centers(k->normal, &d, two);
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
+        p->now = real4_add(real4_add(parted, p->gap), turned);
+    }
+}
+//<
+
 //> solver-pass
 // A loop for each kind of pass and of side, so that none asks inside.
 #define PASS(name, solve)                                               \
@@ -730,9 +767,11 @@ static inline __attribute__((always_inline)) void warm_block(block *k, const pas
             for (int i = item * CHUNK; i < end; i++) solve(&k[i], q, false);\
     }
 
+PASS(see_chunk, see_block)
 PASS(warm_chunk, warm_block)
 PASS(push_chunk, push_block)
 PASS(relax_chunk, relax_block)
+PASS(relax_to_impacts_chunk, relax_to_impacts)
 
 // Springs of a contact as Catto has them: a1, a2, a3 of an implicit step of h.
 // Against what does not move they are twice as stiff and half as damped.
@@ -752,7 +791,8 @@ static void run_pass(contact_solver *s, const solver_frame *f,
                      void (*work)(void *data, int item))
 {
     pass q = { .s = s, .velocity = velocity, .moved = moved, .per_h = 1 / f->h,
-               .friction = f->friction, .max_speed = f->max_speed };
+               .friction = f->friction, .max_speed = f->max_speed,
+               .slowest = 2 * vec3_length(f->gravity) * f->h };
     for (int i = 0; i < SIDES; i++) q.soft[i] = softness_of(f, i);
     for (int c = 0; c < s->colors; c++) {
         q.first = s->color[c].first;
@@ -764,6 +804,12 @@ static void run_pass(contact_solver *s, const solver_frame *f,
     }
 }
 
+void solver_see_gaps(contact_solver *s, const solver_frame *f,
+                     const motion *moved)
+{
+    run_pass(s, f, NULL, moved, see_chunk);
+}
+
 void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
                  const motion *moved)
 {
@@ -773,7 +819,8 @@ void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
                   const motion *moved)
 {
-    run_pass(s, f, velocity, moved, relax_chunk);
+    run_pass(s, f, velocity, moved,
+             f->restitution > 0 ? relax_to_impacts_chunk : relax_chunk);
 }
 //<
 

@@ -41,6 +41,8 @@ typedef struct {
     real hertz;                 // 1/s, of the contacts' springs, at most
     real damping;               // ratio, of their dampers
     real max_speed;             // m/s, at which overlaps are pushed out, at most
+    real restitution;           // of impacts, 0 to 1; 0: there are none
+    vec3 gravity;               // m/s^2, for impacts
     tasks run;
 } solver_frame;
 //<
@@ -138,9 +140,13 @@ void solver_begin(contact_solver *s, const solver_frame *f, motion *velocity,
 void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
                  const motion *moved);
 // After the bodies have moved: takes back the speed of pushing out, and solves
-// friction.
+// friction.  Points that have not touched yet, and close fast, are left to the
+// impacts of the next substep, if there are any (restitution.h).
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
                   const motion *moved);
+// After impacts, before solver_push: `moved` has changed, and with it the gaps.
+void solver_see_gaps(contact_solver *s, const solver_frame *f,
+                     const motion *moved);
 // Keeps what the contacts did to each body, for the next substep.
 void solver_end(contact_solver *s, const motion *velocity);
 

@@ -83,8 +83,9 @@ void motion_begin(particle *p, const rigid_frame *frame,
 void motion_go_on(particle *p);
 
 // After the last one: the velocity that the body has now, from u as it was in
-// the frame's own basis: the same momentum, the same angular momentum.  Written
-// as `previous`, a substep of h (s) ago.
+// the frame's own basis: the same momentum, and the same angular momentum, unless
+// that would have more energy than u.  Written as `previous`, a substep of h (s)
+// ago.
 void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
                 const motion *u, real h);
 //<

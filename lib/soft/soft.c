@@ -98,6 +98,25 @@ static void relax(world *w)
 }
 //<
 
+//> soft-stretched
+// A NaN is no strain of at most a hundredth.
+static bool is_stretched(const shape *s, const particle *p)
+{
+    for (int k = 0; k < shape_links(s); k++)
+        if (!(stick_strain(s->stick[k], p) <= 0.01)) return true;
+    return false;
+}
+
+int soft_stretched(const world *w)
+{
+    int n = 0;
+    for (int b = 0; b < w->bodies; b++)
+        if (is_moving_soft(w, b))
+            n += is_stretched(w->body[b].shape, w->pool.at + w->body[b].first);
+    return n;
+}
+//<
+
 //> soft-begin
 // Its particles' middle goes straight on; beside that each goes as far as the
 // fastest, and as gravity adds, and a hundredth of the radius for impacts.
@@ -184,16 +203,17 @@ static int substeps_for(const world *w, int b, real share)
     return (int)need + ((int)need < need);
 }
 
-// A deformable body may meet itself, too.  A rigid body drives the light
-// particles of a cloth before it, their sticks pull them back, and it must not
-// be past them before their whole weight has stopped it: a quarter of its
-// radius.
+// The strands of a deformable body count on all of the usual substeps.  It may
+// meet itself, too.  A rigid body drives the light particles of a cloth before
+// it, their sticks pull them back, and it must not be past them before their
+// whole weight has stopped it: a quarter of its radius.
 int soft_substeps(const world *w)
 {
     const soft_tables *t = &w->soft;
     int n = 0;
     for (int a = 0; a < w->bodies; a++) {
         if (!body_is_soft(&w->body[a])) continue;
+        if (body_moves(w, a)) n = int_max(n, w->options.substeps);
         for (int b = 0; b < w->bodies; b++) {
             real reach = t->ahead[a].reach + t->ahead[b].reach;
             bool is_soft = body_is_soft(&w->body[b]);
@@ -352,7 +372,7 @@ static void list_soft_pair(world *w, body *a, body *b)
 //<
 
 //> soft-points
-// Where the vertices and planes of a rigid body are, whenever it may have moved.
+// Looks where the vertices and planes of rigid body b are now.
 static void look_at_hull(world *w, int b)
 {
     soft_tables *t = &w->soft;
@@ -370,8 +390,8 @@ static void look_at_hull(world *w, int b)
 // Between two particles on both sides of a right-angled edge, at the distance r
 // of it, a triangle's side cuts the corner: one as long as 2.83 r touches it.
 // The longest, the diagonal of a cell, would do with half a spacing, and we
-// have 0.55.  But the sticks come last, and pull them nearer: so a quarter more,
-// of what is static.  What is not makes way.
+// have 0.55.  But the sticks come last, and pull them nearer: so a quarter
+// more, of what is static.  What is not makes way.
 static const real SPARE = 1.25;
 
 real soft_gap(const body *soft, const body *rigid)
@@ -589,14 +609,17 @@ static bool separate_point(world *w, point_pair pair, real apart,
 }
 
 // All points, to this share of what keeps them apart.  Those of the same two
-// bodies stand together in the list.  Returns how many touched.
+// bodies stand together in the list.  They push one after the other: the first
+// tilt a body that lies on them, the last set it upright again, and friction
+// takes the tilting for sliding.  So they come in the other order in every
+// other substep, or the body would creep.  Returns how many touched.
 static int separate_points(world *w, real share, answering who, real h)
 {
-    int touching = 0;
+    int touching = 0, n = w->soft.points;
     point_pair last = { .soft = -1 };
     real apart = 0;
-    for (int k = 0; k < w->soft.points; k++) {
-        point_pair pair = w->soft.point[k];
+    for (int k = 0; k < n; k++) {
+        point_pair pair = w->soft.point[w->soft.is_backward ? n - 1 - k : k];
         if (pair.soft != last.soft || pair.rigid != last.rigid) {
             look_at_hull(w, pair.rigid);
             apart = share * soft_gap(&w->body[pair.soft],
@@ -639,6 +662,7 @@ void soft_separate(world *w, real h)
         if (particle_contact_overlaps(&w->soft.pair[k], w->pool.at))
             touching += particle_contact_separate(w->soft.pair[k], w->pool.at,
                                                   w->options.friction) > 0;
+    w->soft.is_backward = !w->soft.is_backward;
     touching += separate_points(w, 1, PARTICLE, h);
     w->report.near = w->soft.pairs + w->soft.points;
     w->report.touching = touching;

@@ -82,7 +82,8 @@ typedef struct {
     int  rebuilt;       // how often that list was made
     long tested;        // sticks looked at
     long relaxed;       // sticks moved
-    int  fell_back;     // rigid bodies, bent too far to be relaxed at once
+    int  fell_back;     // rigid bodies, bent too far to be relaxed at once, and
+                        // strands that turned too far in a substep
     int  asleep;        // bodies
     int  unconverged;   // contacts that overlap by more than a tenth of the
                         // smaller body's radius, and bodies whose sticks are
@@ -115,6 +116,11 @@ typedef struct {
     line_scratch *line; // NULL unless deformable
 } shape_entry;
 
+typedef struct {
+    int now;            // substeps a frame
+    int frames;         // for which fewer would have done
+} substep_choice;
+
 // Rigid bodies in a frame, each phase with its own table: where they are ->
 // which may meet -> where they touch -> what impulses part them -> how far they
 // move.  In `now` and its neighbours a deformable body is immovable, and has a
@@ -130,8 +136,7 @@ typedef struct {
     motion      *velocity;  // [bodies + 1], see solver.h
     motion      *moved;     // [bodies + 1] since the frame began
     rigid4_result *relaxed; // [bodies] what putting their particles did
-    int  for_stack, for_heavy;  // substeps that loads ask for
-    int  calm;              // frames in which nothing was fast
+    substep_choice substeps;
     pair_list      pairs;
     bool           is_new_list;         // of pairs
     contact_cache  cache;
@@ -156,6 +161,7 @@ typedef struct {
     int  pairs, pair_capacity;
     point_pair *point;                  // particles at rigid bodies
     int  points, point_capacity;
+    bool is_backward;                   // those come last to first
     struct leaf_pair *leaf;             // room for a traversal of two trees
     int  leaf_capacity;
     real margin;        // m, how much further than touching the lists look

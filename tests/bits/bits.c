@@ -1,13 +1,14 @@
-// bits.c - prints the bits of four short films, so that compilers can be
-// compared: make bits.
+// bits.c - prints the bits of short films, so that compilers can be compared,
+// and numbers of threads: make bits.
 
 #include <stdio.h>
 
 #include "system.h"
 #include "world_scene.h"
 #include "step.h"
+#include "thread.h"
 
-// Enough of them that their contacts come in parts (halves.h).
+// MANY are enough that several threads have something to share.
 enum { FEW = 20, MANY = 150 };
 
 // Runs a scene for so many frames and prints the hash of where it ends.
@@ -57,11 +58,28 @@ static int system_film(scene_kind kind, system_options how, int frames,
     return 0;
 }
 
+static int film_in_threads(int threads)
+{
+    char way[20];
+    snprintf(way, sizeof way, "in threads %d", threads);
+    thread_pool *pool = thread_pool_new(threads);
+    if (!pool) {
+        fprintf(stderr, "bits: there are no %d threads\n", threads);
+        return 1;
+    }
+    world_options how = world_scene_options(SCENE_ROOM, 0);
+    how.host.run = thread_pool_tasks(pool);
+    int failed = film(SCENE_ROOM, how, MANY, 60, way);
+    thread_pool_free(pool);
+    return failed;
+}
+
 int main(void)
 {
     const int frames[SCENES] = { 60, 30, 30 };
-    int failed = film(SCENE_ROOM, world_scene_options(SCENE_ROOM, 0), MANY, 60,
-                      "in parts");
+    int failed = 0;
+    for (int threads = 1; threads <= 4; threads *= 2)
+        failed |= film_in_threads(threads);
     for (int k = 0; k < SCENES; k++) {
         scene_kind kind = (scene_kind)k;
         failed |= film(kind, world_scene_options(kind, 40), FEW, frames[k],

@@ -88,7 +88,15 @@ softness plain_softness(const solver_frame *f, bool both_move)
 //<
 
 //> plain-normals
-static void solve_normals(plain_solver *s, int i, softness soft)
+// What is open, has not pushed and closes fast is left to the impacts of the
+// next substep, if there are any.
+static bool is_left(const solver_frame *f, real gap, real was, real speed)
+{
+    real slowest = 2 * vec3_length(f->gravity) * f->h;
+    return f->restitution > 0 && gap > 0 && was == 0 && speed <= -slowest;
+}
+
+static void solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
 {
     contact *c = s->contact[i];
     pair p = pair_of(s, c);
@@ -98,6 +106,7 @@ static void solve_normals(plain_solver *s, int i, softness soft)
         real was = c->impulse[k];
         real gap = s->gap[i][k] + parting(&p, p.moved, arm, n);
         real speed = parting(&p, p.velocity, arm, n);
+        if (relaxes && is_left(s->frame, gap, was, speed)) continue;
         real mass = 1 / response(&p, arm, n, n);
         real lacking = speed + gap / s->frame->h, leak = 0;
         if (gap <= 0) {
@@ -116,7 +125,7 @@ void plain_push(plain_solver *s)
         pair p = pair_of(s, s->contact[i]);
         bool both_move = p.basis[0]->inverse_mass > 0
                       && p.basis[1]->inverse_mass > 0;
-        solve_normals(s, i, plain_softness(s->frame, both_move));
+        solve_normals(s, i, plain_softness(s->frame, both_move), false);
     }
 }
 //<
@@ -218,7 +227,7 @@ void plain_relax(plain_solver *s)
     for (int i = 0; i < s->contacts; i++) {
         contact *c = s->contact[i];
         pair p = pair_of(s, c);
-        solve_normals(s, i, rigid);
+        solve_normals(s, i, rigid, true);
         friction_center f = center_of(s, i, &p);
         solve_twist(&p, c, s->frame->friction * f.lever);
         solve_across(&p, c, f.arm, s->frame->friction * contact_load(c));

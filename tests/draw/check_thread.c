@@ -5,7 +5,9 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "scarce.h"
+#include "step.h"
 #include "thread.h"
+#include "world_scene.h"
 
 #include <check.h>
 #include <errno.h>
@@ -18,6 +20,13 @@
 
 enum { MOST = 8, MOST_ITEMS = 200 };
 
+static long now_ms(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return t.tv_sec * 1000 + t.tv_nsec / 1000000;
+}
+
 static thread_pool *pool_of(int threads)
 {
     thread_pool *pool = thread_pool_new(threads);
@@ -27,7 +36,8 @@ static thread_pool *pool_of(int threads)
 
 static void sleep_ms(long ms)
 {
-    nanosleep(&(struct timespec){ .tv_nsec = ms * 1000000 }, NULL);
+    struct timespec t = { ms / 1000, ms % 1000 * 1000000 };
+    nanosleep(&t, NULL);
 }
 
 // ---- Items that count how often they are done ------------------------------
@@ -189,6 +199,95 @@ START_TEST(two_threads_may_share_a_pool)
 }
 END_TEST
 
+// Worker and calling thread begin an item each; the worker's goes on for twice
+// as long as they took to meet, and more.
+typedef struct {
+    meeting met;
+    pthread_t caller;
+    long start;                 // ms
+    atomic_int elsewhere;       // items that the calling thread did not do
+} delay;
+
+static void meet_late(void *data, int item)
+{
+    delay *d = data;
+    meet(&d->met, item);
+    if (!pthread_equal(pthread_self(), d->caller))
+        sleep_ms(50 + 2 * (now_ms() - d->start));
+}
+
+static void note_thread(void *data, int item)
+{
+    delay *d = data;
+    (void)item;
+    sleep_ms(1);
+    if (!pthread_equal(pthread_self(), d->caller))
+        atomic_fetch_add(&d->elsewhere, 1);
+}
+
+// Rejects: a calling thread that waits again and again for one that has lost its
+// processor; one that never asks for help again.
+START_TEST(a_worker_that_is_late_is_left_alone_for_a_time)
+{
+    thread_pool *pool = pool_of(2);
+    tasks run = thread_pool_tasks(pool);
+    delay d = { .caller = pthread_self(), .start = now_ms() };
+    tasks_run(run, meet_late, &d, 2);
+    ck_assert(d.met.both);
+    tasks_run(run, note_thread, &d, 100);
+    ck_assert_int_eq(d.elsewhere, 0);
+    for (int k = 0; k < 200 && d.elsewhere == 0; k++) {
+        sleep_ms(50);
+        tasks_run(run, note_thread, &d, 50);
+    }
+    ck_assert_int_gt(d.elsewhere, 0);
+    thread_pool_free(pool);
+}
+END_TEST
+
+// ---- A world ----------------------------------------------------------------
+
+// Items in an order of its own.
+static void last_first(void *context, void (*work)(void *data, int item),
+                       void *data, int items)
+{
+    ++*(long *)context;
+    for (int k = items; k-- > 0; ) work(data, k);
+}
+
+// A heap after a second: a block or more of every colour.
+static unsigned long long bits_of_room(tasks run)
+{
+    enum { BODIES = 200, FRAMES = 60 };
+    world_scene s;
+    scene_options what = scene_options_default();
+    world_options how = world_scene_options(SCENE_ROOM, 0);
+    what.bodies = BODIES;
+    how.host.run = run;
+    ck_assert(world_scene_build(&s, SCENE_ROOM, what, how).ok);
+    for (int k = 0; k < FRAMES; k++) world_step(&s.world);
+    ck_assert_int_gt(s.world.report.contacts, BODIES);
+    unsigned long long bits = world_hash(&s.world);
+    world_scene_free(&s);
+    return bits;
+}
+
+// Rejects: a number that two items write; one that an item reads and another
+// writes; a sum whose order depends on who is ahead.
+START_TEST(a_world_has_the_same_bits_in_any_number_of_threads)
+{
+    long calls = 0;
+    unsigned long long bits = bits_of_room((tasks){ .run = NULL });
+    ck_assert(bits_of_room((tasks){ last_first, &calls }) == bits);
+    ck_assert_int_gt(calls, 60);
+    for (int threads = 2; threads <= 4; threads++) {
+        thread_pool *pool = pool_of(threads);
+        ck_assert(bits_of_room(thread_pool_tasks(pool)) == bits);
+        thread_pool_free(pool);
+    }
+}
+END_TEST
+
 // ---- Beginning and end -----------------------------------------------------
 
 // Rejects: an end that waits for a thread that sleeps, or has not begun, or is
@@ -278,6 +377,8 @@ int main(void)
     tcase_add_test(t, one_long_item_holds_up_no_other);
     tcase_add_test(t, a_call_within_an_item_is_done);
     tcase_add_test(t, two_threads_may_share_a_pool);
+    tcase_add_test(t, a_world_has_the_same_bits_in_any_number_of_threads);
+    tcase_add_test(t, a_worker_that_is_late_is_left_alone_for_a_time);
     tcase_add_test(t, a_pool_ends_at_any_time);
     tcase_add_test(t, a_pool_of_one_is_plain);
     tcase_add_test(t, a_refused_thread_or_block_leaves_nothing);

@@ -10,6 +10,7 @@
 #include "fuzz.h"
 #include "options.h"
 #include "step.h"
+#include "thread.h"
 
 static FILE *nowhere;
 
@@ -39,7 +40,8 @@ static void build(scene_kind kind, scene_options what, world_options how)
              "something is left");
     } else {
         check_places(&s.world);
-        if (how.substeps <= 4 && how.sweeps <= 4) world_step(&s.world);
+        if (how.substeps <= 4 && how.iterations <= 4
+            && how.most_substeps <= 100) world_step(&s.world);
     }
     world_scene_free(&s);
 }
@@ -50,7 +52,8 @@ static void check_settings(const settings *s)
     MUST(s->bodies >= 1 && s->bodies <= 20000, "%d bodies", s->bodies);
     MUST(s->cloth >= 2 && s->cloth <= 512, "a cloth of %d", s->cloth);
     MUST(s->substeps >= 0 && s->substeps <= 10000, "%d", s->substeps);
-    MUST(s->sweeps >= 0 && s->sweeps <= 10000, "%d", s->sweeps);
+    MUST(s->iterations >= 0 && s->iterations <= 10000, "%d", s->iterations);
+    MUST(s->threads >= 1 && s->threads <= MOST_THREADS, "%d", s->threads);
     MUST(s->dt >= 1e-9 && s->dt <= 1, "dt %g", s->dt);
     MUST(s->tolerance <= 1, "tolerance %g", s->tolerance);
 }
@@ -95,7 +98,8 @@ static void read_numbers(bytes *in)
                            .seed = (unsigned)take_byte(in), .diagonal = 0.2 };
     world_options how = world_scene_options(kind, 40);
     how.substeps = take_count(in, 0, 5);
-    how.sweeps = take_count(in, 0, 5);
+    how.iterations = take_count(in, 0, 5);
+    how.most_substeps = take_count(in, 0, 9);
     for (int n = take_count(in, 0, 8); n > 0; n--) {
         size_t at = (size_t)take_byte(in) * 4;
         int whole = take_count(in, -2, 4);
@@ -105,8 +109,9 @@ static void read_numbers(bytes *in)
         const void *from = size == sizeof x ? (void *)&x : (void *)&whole;
         memcpy((char *)&how + at, from, size);
     }
-    how.clock = NULL;       // no program is asked to call any bytes
-    how.both = NULL;
+    // No program is asked to call any bytes, or to read a bool from them.
+    how.host = (world_host){ .clock = NULL };
+    how.warm_start = how.ledger = take_byte(in) & 1;
     build(kind, what, how);
 }
 

@@ -287,8 +287,8 @@ static void stacks(hard_report *r, int fast)
     for (int k = 0; k < 3; k++)
         for (int awake = 0; awake < 2; awake++)
             a_stack(r, cubes[k], awake, fast ? 2 : 30);
-    hard_note(r, "default options; a drift is the way of a cube over the number "
-              "of cubes up to it");
+    hard_note(r, "default options; a drift is the way of a cube over the "
+              "number of cubes up to it");
 }
 
 // ---- 18: heavy on light ----------------------------------------------------
@@ -358,8 +358,8 @@ static void card_house(hard_report *r, int fast)
     build_arch(&s, standing(8, 0.7, 1), 11, outer_radius(0.112));
     report_pile(r, &s, "thinnest arch", 1.1, t);
     must_fall(r);
-    hard_note(r, "default options; 40 cards of 1 x 0.02 x 0.7 m at 20 degrees, mu "
-              "0.7 (at 15 and 25: 0.6, awake); 11 stones, 1 to 1.3 m");
+    hard_note(r, "default options; 40 cards of 1 x 0.02 x 0.7 m at 20 degrees, "
+              "mu 0.7 (at 15 and 25: 0.6, awake); 11 stones, 1 to 1.3 m");
     hard_note(r, "the thinnest arch, 0.112 of its mean radius, stands awake; "
               "0.103 falls; Milankovitch: 0.1075");
 }

@@ -181,6 +181,22 @@ START_TEST(cube_has_six_planes_and_icosahedron_twenty)
 }
 END_TEST
 
+// Rejects: the top and the bottom of a leaf taken for one plane.
+START_TEST(thin_leaf_has_a_plane_on_either_side)
+{
+    stand(&cube, UPRIGHT, vec3_make(0, 0, 0));
+    for (int i = 0; i < 8; i++) place[i].y *= 1e-10;
+    obstacle b = look_at(&cube);
+    int up = 0, down = 0;
+    for (int k = 0; k < b.planes; k++) {
+        up += walls[k].normal.y > 0.9;
+        down += walls[k].normal.y < -0.9;
+    }
+    ck_assert_int_eq(up, 1);
+    ck_assert_int_eq(down, 1);
+}
+END_TEST
+
 // Rejects: the first plane that x is in front of; the nearest plane for one
 // that is behind all; ties that go to the last.
 START_TEST(plane_ahead_is_the_one_furthest_behind)
@@ -312,8 +328,35 @@ START_TEST(particle_finds_what_the_search_finds)
 }
 END_TEST
 
-// Where a particle was when it was listed says where to look first, and no more:
-// since then it may have come round to any face.
+// The search may have ended before it knows that the reach is passed.
+// Rejects: what it found then taken for near.
+START_TEST(reach_counts_to_the_last_digit)
+{
+    int inside = 0, beyond = 0;
+    for (int k = 0; k < 5000; k++) {
+        obstacle b = put(k % 2 ? &ball : &wedge, any_axes(),
+                         vec3_make(0, 0, 0));
+        vec3 x = vec3_scale(1.2, vec3_unit(any_vec3(1)));
+        gjk_result g = distance_to(&b, x);
+        if (g.status != GJK_APART) continue;
+        for (int i = -1; i < 2; i++) {
+            real reach = g.distance * (1 + i * DBL_EPSILON);
+            surface_point p;
+            bool is_near = ask(&b, x, reach, &p);
+            inside += is_near;
+            beyond += !is_near;
+            if (is_near) ck_assert(vec3_distance(p.at, x) <= reach + ROUNDING);
+        }
+        surface_point p;
+        ck_assert(!ask(&b, x, (1 - 1e-9) * g.distance, &p));
+        ck_assert(ask(&b, x, (1 + 1e-9) * g.distance, &p));
+    }
+    ck_assert(inside > 1000 && beyond > 1000);
+}
+END_TEST
+
+// Where a particle was when it was listed says where to look first, and no
+// more: since then it may have come round to any face.
 // Rejects: the plane that it was in front of taken for the one it is at.
 START_TEST(plane_known_before_changes_nothing)
 {
@@ -337,8 +380,8 @@ START_TEST(plane_known_before_changes_nothing)
 }
 END_TEST
 
-// A body is never quite its shape: sticks leave a strain.  Then the two faces of
-// a side have a plane each, and one of them reaches over the other.
+// A body is never quite its shape: sticks leave a strain.  Then the two faces
+// of a side have a plane each, and one of them reaches over the other.
 // Rejects: a face that is not found because its plane lies under another's.
 START_TEST(particle_on_a_strained_face_is_near_it)
 {
@@ -419,6 +462,8 @@ static Suite *suite(void)
         particle_over_a_corner_is_pushed_away_from_the_corner,
         particle_finds_what_the_search_finds,
         plane_known_before_changes_nothing,
+        reach_counts_to_the_last_digit,
+        thin_leaf_has_a_plane_on_either_side,
         particle_on_a_strained_face_is_near_it,
         particle_over_the_fold_of_a_strained_side_finds_the_fold,
         particle_that_is_not_finite_touches_nothing,

@@ -341,7 +341,7 @@ START_TEST(what_is_not_finite_is_shown)
         begin(world_options_default());
         int b = add_at(&cube, 0, 1, 0);
         add_at(&ball, 0, 5, 0);
-        ck_assert(world_add_plane(&w, vec3_make(0, 1, 0), 0).ok);
+        if (i % 2) ck_assert(world_add_plane(&w, vec3_make(0, 1, 0), 0).ok);
         ready();
         particle_of(b, i)->position.y = (real)NAN;
         measures m = world_measure(&w);

@@ -312,8 +312,8 @@ static inline void batch_keep_new(const int lanes, batch *t)
 //<
 
 //> rigid4-bend
-// G = Y^T Y - S, E_ij = G_ij / (s_i + s_j), and the worst of the sticks: the two
-// of the axes i and j are off by
+// G = Y^T Y - S, E_ij = G_ij / (s_i + s_j), and the worst of the sticks: the
+// two of the axes i and j are off by
 //     (G_ii + G_jj) / (2 (s_i + s_j)) +- E_ij.
 // The larger of two is so put that a NaN in all of them comes out at the end.
 static inline void batch_bend(const int lanes, const rigid4 *restrict f,
@@ -474,7 +474,7 @@ static void add_result(rigid4_result *all, rigid4_result r)
     all->tested += r.tested;
     all->relaxed += r.relaxed;
     all->fell_back += r.fell_back;
-    all->iterations = r.iterations > all->iterations ? r.iterations : all->iterations;
+    all->iterations = int_max(r.iterations, all->iterations);
     all->worst = r.worst > all->worst ? r.worst : all->worst;
 }
 

@@ -159,9 +159,9 @@ static vec3 carried(const rigid_frame *frame, real mass, vec3 turn)
     return vec3_scale(FOUR * mass, sum);
 }
 
-// A body that turns freely keeps its energy.  One that was hit on the way has an
-// angular momentum that does not fit how it lies now: a needle that is to turn
-// about its length would have a thousand times the energy.  It is braked.
+// A body that turns freely keeps its energy.  One that was hit on the way has
+// an angular momentum that does not fit how it lies now: a needle that is to
+// turn about its length would have a thousand times the energy.  It is braked.
 static vec3 braked(const rigid_frame *now, real mass, const motion *u,
                    vec3 turn)
 {
@@ -173,8 +173,8 @@ static vec3 braked(const rigid_frame *now, real mass, const motion *u,
 }
 
 // The sticks hold to a tolerance only, and so do the turns of a basis.  What
-// the particles lack of the angular momentum is given to them once more: without
-// it a spin would drift by the tolerance in every frame.
+// the particles lack of the angular momentum is given to them once more:
+// without it a spin would drift by the tolerance in every frame.
 void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
                 const motion *u, real h)
 {

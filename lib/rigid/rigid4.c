@@ -312,8 +312,8 @@ static inline void batch_keep_new(const int lanes, batch *t)
 //<
 
 //> rigid4-bend
-// G = Y^T Y - S, E_ij = G_ij / (s_i + s_j), and the worst of the sticks: the two
-// of the axes i and j are off by
+// G = Y^T Y - S, E_ij = G_ij / (s_i + s_j), and the worst of the sticks: the
+// two of the axes i and j are off by
 //     (G_ii + G_jj) / (2 (s_i + s_j)) +- E_ij.
 // The larger of two is so put that a NaN in all of them comes out at the end.
 static inline void batch_bend(const int lanes, const rigid4 *restrict f,
@@ -474,7 +474,7 @@ static void add_result(rigid4_result *all, rigid4_result r)
     all->tested += r.tested;
     all->relaxed += r.relaxed;
     all->fell_back += r.fell_back;
-    all->iterations = r.iterations > all->iterations ? r.iterations : all->iterations;
+    all->iterations = int_max(r.iterations, all->iterations);
     all->worst = r.worst > all->worst ? r.worst : all->worst;
 }
 
@@ -502,7 +502,7 @@ static void batch_give(const rigid4 *f, const batch *t, int l, particle *p,
     real worst = t->worst[l];
     if (p->inverse_mass == 0) return;
     if (!(t->most[l] <= BENT)) worst = measured_again(f, t, l);
-    if (!(worst <= BENT || worst <= o.tolerance) || !(t->volume[l] > 0)
+    if (!(worst <= BENT) || !(t->volume[l] > 0)
         || (worst > o.tolerance && !is_straight_lane(f, t, l))) {
         add_result(all, put_back(f, p));
         return;
@@ -520,6 +520,7 @@ rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
 {
     rigid4_result all = { .worst = 0 };
     assert(steps > 0);
+    options.tolerance = real_min(options.tolerance, BENT);
     for (int b = 0; b < bodies; b += LANES) {
         // Lanes that are left over repeat the last body.
         int n = bodies - b < LANES ? bodies - b : LANES;

@@ -51,9 +51,9 @@ static vec3 turns_of(const motion_basis *b, vec3 x)
 
 // --- the basis ---------------------------------------------------------------
 
-// The sum of turn turn^T is the inverse of the inertia, and turn_s . I turn_t is
-// 1 or 0.  Rejects: axes that are not divided by the root of their moments; one
-// moment of another axis; turns of the frame at rest.
+// The sum of turn turn^T is the inverse of the inertia, and turn_s . I turn_t
+// is 1 or 0.  Rejects: axes that are not divided by the root of their moments;
+// one moment of another axis; turns of the frame at rest.
 static void try_basis(int i, const matrix *m)
 {
     particle p[FOUR];
@@ -91,8 +91,8 @@ START_TEST(basis_is_the_root_of_the_inverse_inertia)
 }
 END_TEST
 
-// A box of sides 1, 2 and 3 and 7 kg, and an icosahedron, in numbers that can be
-// had by hand.
+// A box of sides 1, 2 and 3 and 7 kg, and an icosahedron, in numbers that can
+// be had by hand.
 START_TEST(box_and_ball_have_the_moments_of_the_textbook)
 {
     const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
@@ -573,8 +573,8 @@ START_TEST(lopsided_body_precesses_with_order_two)
 END_TEST
 
 // A needle, hit so that it turns about an axis across it, and then found lying
-// along that axis.  Rejects: energy from nothing.  (A free body keeps all of its
-// angular momentum: see above.)
+// along that axis.  Rejects: energy from nothing.  (A free body keeps all of
+// its angular momentum: see above.)
 START_TEST(body_gains_no_energy_by_how_it_lies)
 {
     const real h = 1.0 / 480;
@@ -634,8 +634,8 @@ START_TEST(immovable_body_answers_nothing)
 }
 END_TEST
 
-// Rejects: a thousand moves of a body that is lost; a spin without end that asks
-// for more moves than an int can hold.
+// Rejects: a thousand moves of a body that is lost; a spin without end that
+// asks for more moves than an int can hold.
 START_TEST(lost_body_takes_one_move_and_a_mad_one_at_most_so_many)
 {
     const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };

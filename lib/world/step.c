@@ -41,7 +41,7 @@ void world_step(world *w)
     solver_frame f = prepare(w);
     lap(w, PHASE_PREPARE, &since);
     for (int k = 0; k < w->report.substeps; k++) substep(w, &f, k, &since);
-    solver_store(&w->rigid.solver, w->rigid.cache.active);
+    solver_store(&w->rigid.solver, w->options.host.run, w->rigid.cache.active);
     w->age = f.h;
     move_bodies(w, f.h);
     lap(w, PHASE_MOVE, &since);

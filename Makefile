@@ -316,7 +316,7 @@ speed: $(SPEED:%=$(BUILD)/figures/%)
 profile: $(BUILD)/figures/18-profile
 	$(Q)$(call draw,18-profile,figures/18)
 	$(Q)awk -f figures/draw/table.awk -v csv=figures/tables/profile.csv \
-	  -v head='stage,room,cloth on a cube,cloth on a rope' figures/18/18-profile.csv
+	  -v head='phase,room,cloth on a cube,cloth on a rope' figures/18/18-profile.csv
 
 SOAK_STEPS ?= 1000000
 .PHONY: soak

@@ -125,7 +125,7 @@ static prediction predict(const world *w, int b)
     const body *x = &w->body[b];
     const particle *p = w->pool.at + x->first;
     int n = x->shape->particles;
-    real dt = w->options.dt, ages = dt / w->age, fastest = 0;
+    real dt = w->frame, ages = dt / w->age, fastest = 0;
     vec3 mean = { 0, 0, 0 };
     if (!body_moves(w, b)) return (prediction){ .reach = 0 };
     for (int i = 0; i < n; i++)

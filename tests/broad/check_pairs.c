@@ -94,20 +94,22 @@ static void drift(void)
     }
 }
 
-static void check_list(void)
+// Pairs that are missing, and entries that should not be there.
+static int count_wrong(void)
 {
+    int wrong = 0;
     for (int a = 0; a < BODIES; a++)
         for (int b = a + 1; b < BODIES; b++)
-            ck_assert_msg(!may_meet(a, b) || is_listed(a, b),
-                          "(%d, %d) may meet, and are not listed", a, b);
+            wrong += may_meet(a, b) && !is_listed(a, b);
     for (int k = 0; k < list.count; k++) {
         const int *p = list.pair[k];
-        ck_assert(p[0] < p[1] && (moves[p[0]] || moves[p[1]]));
-        ck_assert(ball[p[0]].radius >= 0 && ball[p[1]].radius >= 0);
+        wrong += !(p[0] < p[1] && (moves[p[0]] || moves[p[1]]));
+        wrong += ball[p[0]].radius < 0 || ball[p[1]].radius < 0;
         if (k == 0) continue;
         const int *q = list.pair[k - 1];
-        ck_assert(q[0] < p[0] || (q[0] == p[0] && q[1] < p[1]));
+        wrong += !(q[0] < p[0] || (q[0] == p[0] && q[1] < p[1]));
     }
+    return wrong;
 }
 
 // Rejects: a list for the balls of now; one that knows only where a ball is, and
@@ -115,7 +117,7 @@ static void check_list(void)
 START_TEST(pairs_that_may_meet_are_listed_in_every_frame)
 {
     int kept = 0, pairs = 0, frames = 0;
-    for (int scene = 0; scene < 50; scene++) {
+    for (int scene = 0; scene < 20; scene++) {
         any_scene();
         for (int f = 0; f < 30; f++, frames++) {
             long before = list.lists;
@@ -125,7 +127,7 @@ START_TEST(pairs_that_may_meet_are_listed_in_every_frame)
             ck_assert_int_eq(lost, 0);
             ck_assert_int_eq(is_new, list.lists > before);
             ck_assert(f > 0 || is_new);
-            check_list();
+            ck_assert_int_eq(count_wrong(), 0);
             drift();
         }
     }
@@ -189,10 +191,12 @@ START_TEST(lost_number_spoils_no_other_pair)
         for (int f = 0; f < 20; f++) {
             real keep = reach[b];
             ck_assert(update() || bad[k / 2] < 0);
+            int missing = 0;
             for (int a = 0; a < BODIES; a++)
                 for (int c = a + 1; c < BODIES; c++)
-                    ck_assert(a == b || c == b || !may_meet(a, c)
-                              || is_listed(a, c));
+                    missing += a != b && c != b && may_meet(a, c)
+                            && !is_listed(a, c);
+            ck_assert_int_eq(missing, 0);
             drift();
             reach[b] = keep;
         }
@@ -216,8 +220,6 @@ START_TEST(pairs_without_memory_are_counted_until_there_is_some)
         ck_assert(is_new);
         ck_assert_int_gt(lost, 0);
         ck_assert_int_eq(list.count + lost, all);
-        for (int k = 0; k < list.count; k++)
-            ck_assert(is_listed(list.pair[k][0], list.pair[k][1]));
     }
     ck_assert(update());
     ck_assert_int_eq(lost, 0);

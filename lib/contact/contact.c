@@ -4,7 +4,8 @@
 #include <stddef.h>
 
 // The height of the frame's centre along n, and of its three axes.
-static void heights_along(vec3 n, const rigid_frame *f, real *center, vec3 *axis)
+static void heights_along(vec3 n, const rigid_frame *f, real *center,
+                          vec3 *axis)
 {
     *center = vec3_dot(n, f->center);
     *axis = vec3_make(vec3_dot(n, f->axis[0]), vec3_dot(n, f->axis[1]),

@@ -193,33 +193,39 @@ bool soft_begin(world *w)
 //> soft-substeps
 // In a substep nothing should go further than a share of its own radius: the
 // inner one of a rigid body, half the spacing of a deformable one.
-static int substeps_for(const world *w, int b, real share)
+static int substeps_for(const world *w, int b, real far, real share)
 {
     const body *x = &w->body[b];
-    const prediction *a = &w->soft.ahead[b];
     real radius = body_is_soft(x) ? x->shape->spacing / 2 : x->inner;
-    real need = (vec3_length(a->way) + a->turn) / (share * radius);
+    real need = far / (share * radius);
     if (!(need < w->options.most_substeps)) return w->options.most_substeps;
     return (int)need + ((int)need < need);
 }
 
-// The strands of a deformable body count on all of the usual substeps.  It may
-// meet itself, too.  A rigid body drives the light particles of a cloth before
-// it, their sticks pull them back, and it must not be past them before their
-// whole weight has stopped it: a quarter of its radius.
+// What a deformable body may meet: itself, where its parts go different ways;
+// and others.  A rigid body drives the light particles of a cloth before it,
+// their sticks pull them back, and it must not be past them before their whole
+// weight has stopped it: a quarter of its radius.
+static int substeps_to_meet(const world *w, int a, int b)
+{
+    const prediction *x = &w->soft.ahead[a], *y = &w->soft.ahead[b];
+    if (a == b) return substeps_for(w, a, x->turn, 1);
+    if (!balls_meet(w->soft.ball[a], w->soft.ball[b], x->reach + y->reach))
+        return 0;
+    int n = substeps_for(w, a, x->reach, 1);
+    if (body_is_soft(&w->body[b])) return n;
+    return int_max(n, substeps_for(w, b, y->reach, 0.25));
+}
+
+// The strands of a deformable body count on all of the usual substeps.
 int soft_substeps(const world *w)
 {
-    const soft_tables *t = &w->soft;
     int n = 0;
     for (int a = 0; a < w->bodies; a++) {
         if (!body_is_soft(&w->body[a])) continue;
         if (body_moves(w, a)) n = int_max(n, w->options.substeps);
-        for (int b = 0; b < w->bodies; b++) {
-            real reach = t->ahead[a].reach + t->ahead[b].reach;
-            bool is_soft = body_is_soft(&w->body[b]);
-            if (balls_meet(t->ball[a], t->ball[b], reach))
-                n = int_max(n, substeps_for(w, b, is_soft ? 1 : 0.25));
-        }
+        for (int b = 0; b < w->bodies; b++)
+            n = int_max(n, substeps_to_meet(w, a, b));
     }
     return n;
 }

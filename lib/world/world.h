@@ -116,6 +116,11 @@ typedef struct {
     line_scratch *line; // NULL unless deformable
 } shape_entry;
 
+typedef struct {
+    int now;            // substeps a frame
+    int frames;         // for which fewer would have done
+} substep_choice;
+
 // Rigid bodies in a frame, each phase with its own table: where they are ->
 // which may meet -> where they touch -> what impulses part them -> how far they
 // move.  In `now` and its neighbours a deformable body is immovable, and has a
@@ -131,8 +136,7 @@ typedef struct {
     motion      *velocity;  // [bodies + 1], see solver.h
     motion      *moved;     // [bodies + 1] since the frame began
     rigid4_result *relaxed; // [bodies] what putting their particles did
-    int  for_stack, for_heavy;  // substeps that loads ask for
-    int  calm;              // frames in which nothing was fast
+    substep_choice substeps;
     pair_list      pairs;
     bool           is_new_list;         // of pairs
     contact_cache  cache;

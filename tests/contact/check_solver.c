@@ -150,7 +150,7 @@ static void run_both(pile *p, pile *q, int substeps)
     store(p);
 }
 
-// --- the oracle ---------------------------------------------------------------
+// --- the oracle --------------------------------------------------------------
 
 static real off_by, largest;
 
@@ -291,8 +291,8 @@ START_TEST(old_impulses_are_taken_in_part)
 }
 END_TEST
 
-// Some frames of four substeps, of contacts that stay: their gaps change, and in
-// the second frame the substep is of another length, and nothing else.
+// Some frames of four substeps, of contacts that stay: their gaps change, and
+// in the second frame the substep is of another length, and nothing else.
 static void run_frames(pile *p, bool anew)
 {
     const unsigned long long start = seed;
@@ -450,7 +450,7 @@ START_TEST(friction_stays_in_the_cone)
 }
 END_TEST
 
-// --- one box on the ground ------------------------------------------------------
+// --- one box on the ground ---------------------------------------------------
 
 // Its lower face on plane 0, with this gap.
 static contact *stand_on_plane(pile *p, int b, vec3 sides, real gap)
@@ -498,9 +498,9 @@ START_TEST(box_slides_if_the_slope_is_beyond_the_cone)
 }
 END_TEST
 
-// A box that spins on the spot loses mu N times the mean lever (here that of its
-// corners) in angular momentum a second.  Rejects: a twist about the world's
-// origin; a lever that is squared, or of one point only.
+// A box that spins on the spot loses mu N times the mean lever (here that of
+// its corners) in angular momentum a second.  Rejects: a twist about the
+// world's origin; a lever that is squared, or of one point only.
 START_TEST(spinning_box_is_braked_by_its_twist)
 {
     const vec3 sides = { 1, 0.2, 1 };
@@ -601,7 +601,7 @@ START_TEST(deep_overlap_is_pushed_out_at_most_so_fast)
 }
 END_TEST
 
-// --- what the machine does -----------------------------------------------------
+// --- what the machine does ---------------------------------------------------
 
 static void shuffled(void *context, void (*work)(void *data, int item),
                      void *data, int items)
@@ -657,8 +657,8 @@ START_TEST(lost_body_loses_no_other_that_it_does_not_touch)
 }
 END_TEST
 
-// Rejects: a malloc whose answer is not looked at; a count of contacts that have
-// no blocks; memory that is lost.
+// Rejects: a malloc whose answer is not looked at; a count of contacts that
+// have no blocks; memory that is lost.
 START_TEST(refused_memory_leaves_no_contact)
 {
     contact *table[PILE_CONTACTS];

@@ -198,6 +198,7 @@ static int substeps_for(const world *w, int b, real far, real share)
     const body *x = &w->body[b];
     real radius = body_is_soft(x) ? x->shape->spacing / 2 : x->inner;
     real need = far / (share * radius);
+    if (!(need - need == 0)) return 1;      // it is lost, and meets nothing
     if (!(need < w->options.most_substeps)) return w->options.most_substeps;
     return (int)need + ((int)need < need);
 }

@@ -109,12 +109,13 @@ static real slide(real mu, real beyond, real side, real dt, real t)
     return far / (EARTH * cos(a) * beyond * t * t / 2);
 }
 
-// Some speed is gained before friction is as large as it will be.
+// Some speed is gained before friction is as large as it will be: the more, the
+// longer the first frame.
 static void expect_slope(real mu, real side, real dt)
 {
     real t = 10 * sqrt(real_max(side, 1));
     real far = slide(mu, 0.0005, side, dt, t);
-    ck_assert_msg(far > 0.95 && far < 2.5, "mu %g, side %g, dt %g: %g", mu,
+    ck_assert_msg(far > 0.95 && far < 4, "mu %g, side %g, dt %g: %g", mu,
                   side, dt, far);
     slide(mu, -0.0005, side, dt, t);
 }

@@ -316,7 +316,7 @@ speed: $(SPEED:%=$(BUILD)/figures/%)
 profile: $(BUILD)/figures/18-profile
 	$(Q)$(call draw,18-profile,figures/18)
 	$(Q)awk -f figures/draw/table.awk -v csv=figures/tables/profile.csv \
-	  -v head='stage,room,cloth on a cube,cloth on a rope' figures/18/18-profile.csv
+	  -v head='phase,room,cloth on a cube,cloth on a rope' figures/18/18-profile.csv
 
 SOAK_STEPS ?= 1000000
 .PHONY: soak
@@ -420,7 +420,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
   rigidity convex obj sphere sphere_tree grid ordering \
-  line rigid4 solver broad sleep world step measure world_scene scene system \
+  line rigid4 solver broad pairs cache sleep world step measure world_scene scene system \
   thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o

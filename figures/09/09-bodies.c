@@ -17,7 +17,7 @@ static status run(runner_kind kind, int bodies, trial *out)
     if (kind != BY_ENGINE) return trial_of(kind, SCENE_ROOM, what, 10, out);
     runner r;
     world_options how = world_scene_options(SCENE_ROOM, 0);
-    how.resting = 0;
+    how.sleep_speed = 0;
     status done = runner_begin_world(&r, SCENE_ROOM, what, how);
     if (done.ok) trial_run(&r, 10, out);
     return done;

@@ -1,7 +1,7 @@
 // 13-bodies.c - what four particles and warm-started contacts are good for.
-// The ladder: the room of 50 bodies, time against error, by the paper's system as
-// printed and as mended, and by the engine.  And ten cubes, one on the other,
-// that may not sleep: how far do they drift?
+// The ladder: the room of 50 bodies, time against error, by the paper's system
+// as printed and as mended, and by the engine.  And ten cubes, one on the
+// other, that may not sleep: how far do they drift?
 
 #include "clock.h"
 #include "runner.h"

@@ -59,7 +59,7 @@ static void begin(run *r, scene_kind kind, int way)
     give_up(scene_build(&r->from, kind, what));
     if (way == ENGINE) {
         world_options o = world_scene_options(kind, what.cloth);
-        o.resting = 0;
+        o.sleep_speed = 0;
         give_up(world_of_scene(&r->engine, &r->from, o));
     } else
         give_up(system_init(&r->plain, &r->from, way == PRINTED

@@ -83,7 +83,7 @@ static void build_shot(setting *s)
         s->ok = shape_cloth(cloth, CELLS + 1, CELLS + 1, 1, 1, 0.2, 0.2);
     add_body(s, cloth, placement_at(vec3_make(0, 0, 0)));
     for (int k = 0; k < 4 && s->ok.ok; k++)
-        world_nail(&s->w, 0, (k & 1 ? CELLS : 0)
+        world_pin(&s->w, 0, (k & 1 ? CELLS : 0)
                              + (k & 2 ? CELLS * (CELLS + 1) : 0));
     shape *bullet = &s->plan[s->plans++];
     if (s->ok.ok) s->ok = shape_icosahedron(bullet, 0.05, 0.5);
@@ -102,7 +102,7 @@ static void check(const shape *cloth, real *tint)
 static status add_to(painter *p, const world *w, int b, const unsigned tone[2])
 {
     static real tint[2 * CELLS * CELLS];
-    const shape *plan = w->body[b].plan;
+    const shape *plan = w->body[b].shape;
     vec3 *at = malloc((size_t)plan->particles * sizeof *at);
     if (!at) return status_out_of_memory();
     const colour c[2] = { colour_hex(tone[0]), colour_hex(tone[1]) };

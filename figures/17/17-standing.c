@@ -33,7 +33,7 @@ static const unsigned weight[] = { 0xf3c766, 0x4a525d };
 
 static status paint_body(painter *p, const world *w, int b, unsigned tone)
 {
-    const shape *plan = w->body[b].plan;
+    const shape *plan = w->body[b].shape;
     const colour c = colour_hex(tone);
     vec3 *at = malloc((size_t)plan->particles * sizeof *at);
     if (!at) return status_out_of_memory();

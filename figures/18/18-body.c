@@ -163,15 +163,23 @@ static void strike_vertices(body_of *b, const stick *s, int sticks, int sweeps,
         sticks_iterate(s, sticks, b->p, o);
 }
 
+// The share of particle k in what vertex v of a body of four does.
+static real share_of(const rigid4 *four, int v, int k)
+{
+    const real *t = FOUR_SIGN[k];
+    vec3 at = four->local[v];
+    return (1 + t[0] * at.x + t[1] * at.y + t[2] * at.z) / FOUR;
+}
+
 static void strike_four(body_of *b, int steps, relax_options o)
 {
     real w = FOUR / b->mass;
-    const real *weight = b->four.weight[b->struck[b->blow]];
+    int v = b->struck[b->blow];
     for (int i = 0; i < FOUR; i++) {
         vec3 x = b->four.at[i];
         b->p[i] = (particle){ x, x, w };
-        b->p[i].position = vec3_add_scaled(x, w * weight[i] * BLOW,
-                                           b->push[b->blow]);
+        b->p[i].position = vec3_add_scaled(x, w * share_of(&b->four, v, i)
+                                              * BLOW, b->push[b->blow]);
     }
     rigid4_relax(&b->four, b->p, steps, o);
 }
@@ -197,7 +205,7 @@ static real went(const body_of *b, int blow, model m)
     vec3 way = { 0, 0, 0 };
     if (m != FOURS) way = vec3_sub(b->p[v].position, b->p[v].previous);
     for (int i = 0; i < FOUR && m == FOURS; i++)
-        way = vec3_add_scaled(way, b->four.weight[v][i],
+        way = vec3_add_scaled(way, share_of(&b->four, v, i),
                               vec3_sub(b->p[i].position, b->p[i].previous));
     return vec3_dot(way, b->push[blow]);
 }

@@ -1,7 +1,7 @@
-// 18-profile.c - where does a step's time go?  The three scenes, stage by
-// stage, as the world's own clock books it; nobody sleeps.
+// 18-profile.c - where does a step's time go?  The three scenes, phase by
+// phase, as the world's own clock books it; nothing sleeps.
 //
-// An index for each scene: s, ms a step of the stages, in tenths of a second.
+// An index for each scene: s, ms a step of the phases, in tenths of a second.
 // Each run is repeated, and every frame counts with its median.
 
 #include "clock.h"
@@ -16,24 +16,24 @@
 #endif
 
 enum { SECONDS = 6, BIN = 6, FRAMES = 60 * SECONDS, RUNS = 3 };
-static const char *const STAGE[STAGES] = {
-    "integrate", "find pairs", "query", "separate", "relax", "the rest"
+static const char *const PHASE[PHASES] = {
+    "pairs", "contacts", "prepare", "solve", "cloth", "move", "sleep"
 };
 
-static real took[SCENES][RUNS][FRAMES][STAGES];
-static real median[SCENES][FRAMES][STAGES];
+static real took[SCENES][RUNS][FRAMES][PHASES];
+static real median[SCENES][FRAMES][PHASES];
 
 static void run(scene_kind kind, int again)
 {
     world_scene s;
     world_options how = world_scene_options(kind, 40);
-    how.resting = 0;
-    how.clock = clock_seconds;
+    how.sleep_speed = 0;
+    how.host.clock = clock_seconds;
     if (!world_scene_build(&s, kind, scene_options_default(), how).ok) exit(1);
     for (int k = 0; k < FRAMES; k++) {
         world_step(&s.world);
-        for (int stage = 0; stage < STAGES; stage++)
-            took[kind][again][k][stage] = 1e3 * s.world.report.time[stage];
+        for (int phase = 0; phase < PHASES; phase++)
+            took[kind][again][k][phase] = 1e3 * s.world.report.time[phase];
     }
     world_scene_free(&s);
 }
@@ -41,45 +41,45 @@ static void run(scene_kind kind, int again)
 static void take_medians(scene_kind kind)
 {
     for (int k = 0; k < FRAMES; k++)
-        for (int stage = 0; stage < STAGES; stage++) {
+        for (int phase = 0; phase < PHASES; phase++) {
             real x[RUNS];
-            for (int r = 0; r < RUNS; r++) x[r] = took[kind][r][k][stage];
-            median[kind][k][stage] = clock_median(x, RUNS);
+            for (int r = 0; r < RUNS; r++) x[r] = took[kind][r][k][phase];
+            median[kind][k][phase] = clock_median(x, RUNS);
         }
 }
 
-// ms a step of a stage, over frames first .. first + n - 1.
-static real mean(scene_kind kind, int stage, int first, int n)
+// ms a step of a phase, over frames first .. first + n - 1.
+static real mean(scene_kind kind, int phase, int first, int n)
 {
     real sum = 0;
-    for (int k = first; k < first + n; k++) sum += median[kind][k][stage] / n;
+    for (int k = first; k < first + n; k++) sum += median[kind][k][phase] / n;
     return sum;
 }
 
 static void print_scene(scene_kind kind)
 {
     printf("\n\n# %s\n# s", scene_name(kind));
-    for (int stage = 0; stage < STAGES; stage++) printf(", %s", STAGE[stage]);
+    for (int phase = 0; phase < PHASES; phase++) printf(", %s", PHASE[phase]);
     printf("\n");
     for (int k = 0; k < FRAMES; k += BIN) {
         printf("%.2f", (k + BIN / 2.0) / 60);
-        for (int stage = 0; stage < STAGES; stage++)
-            printf(" %.4g", mean(kind, stage, k, BIN));
+        for (int phase = 0; phase < PHASES; phase++)
+            printf(" %.4g", mean(kind, phase, k, BIN));
         printf("\n");
     }
 }
 
-// The table: a stage a line, a scene a column.
+// The table: a phase a line, a scene a column.
 static void print_table(void)
 {
     real all[SCENES] = { 0 };
-    for (int stage = 0; stage < STAGES; stage++)
+    for (int phase = 0; phase < PHASES; phase++)
         for (scene_kind k = 0; k < SCENES; k++)
-            all[k] += mean(k, stage, 0, FRAMES);
-    for (int stage = 0; stage < STAGES; stage++) {
-        printf("#= %s", STAGE[stage]);
+            all[k] += mean(k, phase, 0, FRAMES);
+    for (int phase = 0; phase < PHASES; phase++) {
+        printf("#= %s", PHASE[phase]);
         for (scene_kind k = 0; k < SCENES; k++) {
-            real ms = mean(k, stage, 0, FRAMES);
+            real ms = mean(k, phase, 0, FRAMES);
             printf(",%.3f ms (%.0f %%)", ms, 100 * ms / all[k]);
         }
         printf("\n");
@@ -91,7 +91,7 @@ static void print_table(void)
 
 int main(void)
 {
-    clock_print_head("18-profile: ms a step of each stage; 50 bodies, cloths "
+    clock_print_head("18-profile: ms a step of each phase; 50 bodies, cloths "
                      "of 40 x 40", FLAGS);
     for (int again = 0; again < RUNS; again++)
         for (scene_kind k = 0; k < SCENES; k++) run(k, again);

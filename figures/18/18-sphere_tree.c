@@ -13,7 +13,7 @@
 
 #include "ball.h"
 #include "clock.h"
-#include "distance.h"
+#include "gjk.h"
 #include "sphere_tree.h"
 
 #include <stdio.h>
@@ -52,8 +52,8 @@ static real faces_apart(const int *f, const vec3 *at_f, const int *g,
         x[i] = at_f[f[i]];
         y[i] = at_g[g[i]];
     }
-    point_set a = { x, 3, NULL, NULL }, b = { y, 3, NULL, NULL };
-    return distance_find(a, b, distance_options_default(), NULL).distance;
+    hull a = { x, 3 }, b = { y, 3 };
+    return gjk_distance(a, b, HUGE_VAL, NULL).distance;
 }
 
 static void face_leaves(const shape *s, leaf_feature *leaf)

@@ -41,7 +41,7 @@ static void start(trip *t, scene_kind kind, scene_options what,
                   world_options how)
 {
     *t = (trip){ .frames = 0 };
-    how.resting = 0;
+    how.sleep_speed = 0;
     if (!world_scene_build(&t->s, kind, what, how).ok) exit(1);
 }
 

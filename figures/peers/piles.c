@@ -180,8 +180,13 @@ static void print_row(const pile *p, const run *awake, const run *asleep)
         return;
     }
     print_mm(v->overlap);
-    print_mm(v->moved);
-    print_mm(v->crept);
+    // What has fallen has gone by more than its size.
+    if (p->is_built && v->moved > 2 * p->half) printf("falls,,");
+    else {
+        if (p->is_built) print_mm(v->moved);
+        else             printf(",");
+        print_mm(v->crept);
+    }
     if (!asleep)                    printf(",\n");
     else if (asleep->asleep_at < 0) printf("never,");
     else                            printf("step %d,", asleep->asleep_at);

@@ -32,6 +32,7 @@ typedef struct {
     real   offset[PILE_WALLS];      // m, x . normal of the wall
     int    walls;
     real   friction, dt;
+    bool   is_built;        // to stand as it is
 } pile;
 
 pile pile_pyramid(int rows);

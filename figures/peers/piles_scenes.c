@@ -89,6 +89,7 @@ static int cells_for(int boxes)
 pile pile_pyramid(int rows)
 {
     pile p = pile_of("pyramid", rows * (rows + 1) / 2, 0.5, 1200);
+    p.is_built = true;
     for (int row = 0, k = 0; row < rows; row++)
         for (int i = 0; i < rows - row; i++)
             put(&p, k++, i + row / 2.0 - rows / 2.0, row + 0.5, 0);
@@ -99,6 +100,7 @@ pile pile_pyramid(int rows)
 pile pile_tower(int boxes)
 {
     pile p = pile_of("tower", boxes, 0.5, 1200);
+    p.is_built = true;
     for (int k = 0; k < boxes; k++) put(&p, k, 0, k + 0.5, 0);
     add_wall(&p, Y, 0);
     return p;

@@ -6,12 +6,12 @@ static bool is_finite(real x)
     return x - x == 0;
 }
 
-// The impulse times the substep (kg m) that takes back an overlap of `depth` (m) along the normal,
-// where the particles slid past each other by s (m) in this step, and a unit
-// push parts them by 1/mass.
-// Coulomb: |friction| <= mu |normal force|.  Both act through the same inverse
-// mass, over the same step, so in positions it reads: the sliding that is taken
-// back is at most mu times the overlap that is.  Less than that: it sticks.
+// The impulse times the substep (kg m) that takes back an overlap of `depth`
+// (m) along the normal, where the particles slid past each other by s (m) in
+// this step, and a unit push parts them by 1/mass.  Coulomb: |friction| <= mu
+// |normal force|.  Both act through the same inverse mass, over the same step,
+// so in positions it reads: the sliding that is taken back is at most mu times
+// the overlap that is.  Less than that: it sticks.
 static vec3 push_apart(vec3 normal, real depth, real mass, vec3 s,
                        real friction)
 {

@@ -889,21 +889,44 @@ static void store_lane(const block *k, int l, active_contact *x, contact *c)
     x->load = load;
 }
 
-void solver_store(contact_solver *s, contact *const *table)
+typedef struct {
+    contact_solver *s;
+    contact *const *table;
+} storing;
+
+static void clear_chunk(void *data, int item)
 {
-    for (int k = 0; k < s->contacts; k++)
-        if (s->active[k].count == 0) {
-            clear_impulses(table[k]);
-            s->active[k].load = 0;
-        }
-    for (int n = 0; n < s->blocks; n++) {
-        const block *next = &s->block[int_min(n + 2, s->blocks - 1)];
+    const storing *q = data;
+    int end = int_min((item + 1) * CHUNK, q->s->contacts);
+    for (int k = item * CHUNK; k < end; k++) {
+        if (q->s->active[k].count > 0) continue;
+        clear_impulses(q->table[k]);
+        q->s->active[k].load = 0;
+    }
+}
+
+// No contact is in two blocks.
+static void store_chunk(void *data, int item)
+{
+    enum { AHEAD = 2 };
+    const storing *q = data;
+    int end = int_min((item + 1) * CHUNK, q->s->blocks);
+    for (int n = item * CHUNK; n < end; n++) {
+        const block *x = &q->s->block[n];
+        const block *next = &q->s->block[int_min(n + AHEAD, end - 1)];
         for (int l = 0; l < REAL4; l++) {
-            int k = s->block[n].contact[l], then = next->contact[l];
-            if (then >= 0) contact_expect(table[then]);
-            if (k >= 0) store_lane(&s->block[n], l, &s->active[k], table[k]);
+            int k = x->contact[l], then = next->contact[l];
+            if (then >= 0) contact_expect(q->table[then]);
+            if (k >= 0) store_lane(x, l, &q->s->active[k], q->table[k]);
         }
     }
+}
+
+void solver_store(contact_solver *s, tasks run, contact *const *table)
+{
+    storing q = { s, table };
+    tasks_run(run, clear_chunk, &q, chunks(s->contacts));
+    tasks_run(run, store_chunk, &q, chunks(s->blocks));
 }
 //<
 

@@ -159,9 +159,22 @@ static vec3 carried(const rigid_frame *frame, real mass, vec3 turn)
     return vec3_scale(FOUR * mass, sum);
 }
 
+// A body that turns freely keeps its energy.  One that was hit on the way has
+// an angular momentum that does not fit how it lies now: a needle that is to
+// turn about its length would have a thousand times the energy.  It is braked.
+static vec3 braked(const rigid_frame *now, real mass, const motion *u,
+                   vec3 turn)
+{
+    const real *w = u->of + MOTION_TURN, most = 1.001;
+    real before = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+    real after = vec3_dot(turn, carried(now, mass, turn));
+    return after > most * before ? vec3_scale(sqrt(before / after), turn)
+                                 : turn;
+}
+
 // The sticks hold to a tolerance only, and so do the turns of a basis.  What
-// the particles lack of the angular momentum is given to them once more: without
-// it a spin would drift by the tolerance in every frame.
+// the particles lack of the angular momentum is given to them once more:
+// without it a spin would drift by the tolerance in every frame.
 void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
                 const motion *u, real h)
 {
@@ -173,6 +186,7 @@ void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
     vec3 turn = rotation_with(&new_basis, angular);
     vec3 lacking = vec3_sub(angular, carried(&now, f->mass, turn));
     turn = vec3_add(turn, rotation_with(&new_basis, lacking));
+    turn = braked(&now, f->mass, u, turn);
     for (int k = 0; k < FOUR; k++) {
         vec3 way = vec3_add(straight, vec3_cross(turn, frame_arm(&now, k)));
         p[k].previous = vec3_add_scaled(p[k].position, -h, way);

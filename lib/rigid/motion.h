@@ -59,8 +59,8 @@ static inline vec3 motion_at(const motion_basis *basis, const motion *m,
 // impulse times a time (kg m) changes a displacement.
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse);
 
-// The kinetic energy (J) of a velocity, and its angular momentum (kg m^2/s) about
-// the centre.
+// The kinetic energy (J) of a velocity, and its angular momentum (kg m^2/s)
+// about the centre.
 real motion_energy(const motion_basis *basis, const motion *m);
 vec3 motion_angular(const motion_basis *basis, const motion *m);
 //<
@@ -73,9 +73,9 @@ enum { TURN_MOVES = 1000 };
 int motion_moves(const motion_basis *basis, const motion *d);
 
 // The first of those moves: the particles go straight along, d / moves, and
-// leave `previous` where they were.  Then rigid4_relax brings the sticks to their
-// lengths along their old directions (SHAKE), which turns a straight move into
-// a rotation by the angle of d.
+// leave `previous` where they were.  Then rigid4_relax brings the sticks to
+// their lengths along their old directions (SHAKE), which turns a straight move
+// into a rotation by the angle of d.
 void motion_begin(particle *p, const rigid_frame *frame,
                   const motion_basis *basis, const motion *d, int moves);
 
@@ -83,14 +83,16 @@ void motion_begin(particle *p, const rigid_frame *frame,
 void motion_go_on(particle *p);
 
 // After the last one: the velocity that the body has now, from u as it was in
-// the frame's own basis: the same momentum, the same angular momentum.  Written
-// as `previous`, a substep of h (s) ago.
+// the frame's own basis: the same momentum, and the same angular momentum,
+// unless that would have more energy than u.  Written as `previous`, a substep of
+// h (s) ago.
 void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
                 const motion *u, real h);
 //<
 
 //> motion-frame-declare-inside
-// Where a body stands that has been moved by d since it stood as the frame says.
+// Where a body stands that has been moved by d since it stood as the frame
+// says.
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d);
 //<

@@ -312,8 +312,8 @@ static inline void batch_keep_new(const int lanes, batch *t)
 //<
 
 //> rigid4-bend
-// G = Y^T Y - S, E_ij = G_ij / (s_i + s_j), and the worst of the sticks: the two
-// of the axes i and j are off by
+// G = Y^T Y - S, E_ij = G_ij / (s_i + s_j), and the worst of the sticks: the
+// two of the axes i and j are off by
 //     (G_ii + G_jj) / (2 (s_i + s_j)) +- E_ij.
 // The larger of two is so put that a NaN in all of them comes out at the end.
 static inline void batch_bend(const int lanes, const rigid4 *restrict f,
@@ -391,24 +391,51 @@ static inline void batch_end(const int lanes, batch *restrict t)
 // lose its way, or find the mirror image.
 static const real BENT = 0.05;
 
-// The last resort: stick by stick along the sticks as they lie; and where that
-// ends in the mirror, or nowhere, the body goes on as it lay a step ago,
-// without turning.
-static rigid4_result relax_bent(const rigid4 *f, particle *p,
-                               relax_options options)
+// Four sticks of a needle are as long as it is, and say little of how thick it
+// is in either direction.  Its axes tell.
+static bool is_straight(const rigid4 *f, const vec3 y[AXES])
 {
-    enum { SWEEPS = 60 };
-    vec3 mean = { 0, 0, 0 };
+    for (int i = 0; i < AXES; i++) {
+        real s = f->square[i], off = vec3_length_squared(y[i]) - s;
+        if (!(fabs(off) <= 2 * BENT * s)) return false;
+        for (int j = 0; j < i; j++) {
+            real cross = vec3_dot(y[i], y[j]);
+            if (!(cross * cross <= BENT * BENT * s * f->square[j]))
+                return false;
+        }
+    }
+    return true;
+}
+
+// Makes three axes perpendicular, and as long as the plan has them: the longest
+// keeps its direction.  False if they have none.
+static bool straighten(const rigid4 *f, vec3 y[AXES])
+{
+    const real *s = f->square;
+    int a = s[0] >= s[1] && s[0] >= s[2] ? 0 : s[1] >= s[2] ? 1 : 2;
+    int b = (a + 1) % AXES, c = (a + 2) % AXES;
+    vec3 along = vec3_unit(y[a]);
+    vec3 side = vec3_unit(vec3_add_scaled(y[b], -vec3_dot(y[b], along), along));
+    vec3 across = vec3_cross(along, side);
+    if (!(fabs(vec3_length_squared(across) - 1) < BENT)) return false;
+    y[a] = vec3_scale(sqrt(s[a]), along);
+    y[b] = vec3_scale(sqrt(s[b]), side);
+    y[c] = vec3_scale(sqrt(s[c]), across);
+    return true;
+}
+
+// The last resort: the body goes on as it lay a step ago, without turning.
+static rigid4_result put_back(const rigid4 *f, particle *p)
+{
+    rigid4_result lost = { .worst = HUGE_VAL, .fell_back = 1 };
+    rigid_frame now = rigid4_frame(p);
+    frame old = frame_of(p[0].previous, p[1].previous, p[2].previous,
+                         p[3].previous);
+    if (!vec3_is_finite(now.center) || !straighten(f, old.y)) return lost;
+    for (int i = 0; i < AXES; i++) now.axis[i] = old.y[i];
     for (int k = 0; k < FOUR; k++)
-        mean = vec3_add_scaled(mean, 1.0 / FOUR,
-                               vec3_sub(p[k].position, p[k].previous));
-    options.gradient = GRADIENT_NEW;
-    relax_result s = sticks_relax(f->stick, FOUR_STICKS, p, SWEEPS, options);
-    rigid4_result r = { s.worst, s.tested, s.relaxed, s.iterations, 1 };
-    if (r.worst <= 0.01 && !rigid4_is_mirrored(f, p)) return r;
-    for (int k = 0; k < FOUR && vec3_is_finite(mean); k++)
-        p[k].position = vec3_add(p[k].previous, mean);
-    return r;
+        p[k].position = vec3_add(now.center, frame_arm(&now, k));
+    return (rigid4_result){ .worst = 0, .fell_back = 1 };
 }
 //<
 
@@ -447,7 +474,7 @@ static void add_result(rigid4_result *all, rigid4_result r)
     all->tested += r.tested;
     all->relaxed += r.relaxed;
     all->fell_back += r.fell_back;
-    all->iterations = r.iterations > all->iterations ? r.iterations : all->iterations;
+    all->iterations = int_max(r.iterations, all->iterations);
     all->worst = r.worst > all->worst ? r.worst : all->worst;
 }
 
@@ -459,6 +486,14 @@ static real measured_again(const rigid4 *f, const batch *t, int l)
     return again.worst[l];
 }
 
+static bool is_straight_lane(const rigid4 *f, const batch *t, int l)
+{
+    vec3 y[AXES];
+    for (int i = 0; i < AXES; i++)
+        y[i] = vec3_make(t->now[i][0][l], t->now[i][1][l], t->now[i][2][l]);
+    return is_straight(f, y);
+}
+
 // What became of body l, whose particles begin at p.
 static void batch_give(const rigid4 *f, const batch *t, int l, particle *p,
                        int steps, relax_options o, rigid4_result *all)
@@ -467,8 +502,9 @@ static void batch_give(const rigid4 *f, const batch *t, int l, particle *p,
     real worst = t->worst[l];
     if (p->inverse_mass == 0) return;
     if (!(t->most[l] <= BENT)) worst = measured_again(f, t, l);
-    if (!(worst <= BENT || worst <= o.tolerance) || !(t->volume[l] > 0)) {
-        add_result(all, relax_bent(f, p, o));
+    if (!(worst <= BENT) || !(t->volume[l] > 0)
+        || (worst > o.tolerance && !is_straight_lane(f, t, l))) {
+        add_result(all, put_back(f, p));
         return;
     }
     for (int k = 0; k < FOUR && done > 0; k++)
@@ -484,6 +520,7 @@ rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
 {
     rigid4_result all = { .worst = 0 };
     assert(steps > 0);
+    options.tolerance = real_min(options.tolerance, BENT);
     for (int b = 0; b < bodies; b += LANES) {
         // Lanes that are left over repeat the last body.
         int n = bodies - b < LANES ? bodies - b : LANES;

@@ -74,8 +74,8 @@ static inline vec3 frame_point(const rigid_frame *f, vec3 local)
 // Where the n vertices stand, when the particles stand as the frame says.
 void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n);
 
-// What one solve did, or several: as a relax_result, and how many were relaxed
-// one stick after the other in the end.
+// What one solve did, or several: as a relax_result, and how many bodies were
+// put back.
 typedef struct {
     real worst;
     int  tested, relaxed, iterations;
@@ -84,16 +84,19 @@ typedef struct {
 
 // Brings the six sticks to their lengths at once: Newton's step for all of
 // them, until none is off by more than options.tolerance, at most `steps` times
-// (at least 1).  Written as a frame of three vectors along the solid's axes, the
-// six can be solved one by one: there is no matrix to be inverted.
-// Gradients as options.gradient says; where this fails (violent turning), the
-// sticks are relaxed one by one (fell_back = 1).  Nailed bodies stay.
+// (at least 1).  Written as a frame of three vectors along the solid's axes,
+// the six can be solved one by one: there is no matrix to be inverted.
+// Gradients as options.gradient says.  A tolerance of more than a twentieth is
+// taken for one.  Where this fails (violent turning), the body is put back to
+// how it lay at `previous`, straightened, and moved on without turning
+// (fell_back = 1); if that is not finite either, it stays as it is (worst =
+// HUGE_VAL).  Pinned bodies stay.
 rigid4_result rigid4_relax(const rigid4 *f, particle *p, int steps,
                         relax_options options);
 
 // The same for several bodies, whose particles begin at p + first[0] and so on:
 // the same bits, in less time, for it takes some at once.  Counts are sums,
-// `worst` and `sweeps` the largest.
+// `worst` and `iterations` the largest.
 rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
                             int bodies, int steps, relax_options options);
 

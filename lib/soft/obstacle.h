@@ -33,10 +33,10 @@ static inline real plane_height(plane p, vec3 x)
 //<
 
 //> obstacle-declare
-// The planes of the faces of rigid shape s, whose vertices are at `at`; coplanar
-// faces once.  Writes at most s->mesh.faces of them, and returns their number,
-// which may change with a body's strain: the triangles of a side are coplanar to
-// a billionth of the body's size, or are counted apart.
+// The planes of the faces of rigid shape s, whose vertices are at `at`;
+// coplanar faces once.  Writes at most s->mesh.faces of them, and returns their
+// number, which may change with a body's strain: the triangles of a side are
+// coplanar to a billionth of the body's size, or are counted apart.
 int hull_planes(const shape *s, const vec3 *at, plane *out);
 
 // Which of these planes is x furthest in front of, or least far behind?  Of
@@ -45,9 +45,9 @@ int hull_ahead(vec3 x, const plane *planes, int count);
 
 // Is x nearer than reach (m, >= 0) to the body, or in it?  Then *out is the
 // point of its surface nearest to x; of an x in the body, under the face that
-// is the nearest way out.  ahead: the plane that x was in front of when that was
-// last known; the answer does not depend on it by more than rounding.  A point
-// that is not finite is near nothing.  Requires a plane.
+// is the nearest way out.  ahead: the plane that x was in front of when that
+// was last known; the answer does not depend on it by more than rounding.  A
+// point that is not finite is near nothing.  Requires a plane.
 bool obstacle_nearest(const obstacle *b, vec3 x, int ahead, real reach,
                       surface_point *out);
 

@@ -98,6 +98,25 @@ static void relax(world *w)
 }
 //<
 
+//> soft-stretched
+// A NaN is no strain of at most a hundredth.
+static bool is_stretched(const shape *s, const particle *p)
+{
+    for (int k = 0; k < shape_links(s); k++)
+        if (!(stick_strain(s->stick[k], p) <= 0.01)) return true;
+    return false;
+}
+
+int soft_stretched(const world *w)
+{
+    int n = 0;
+    for (int b = 0; b < w->bodies; b++)
+        if (is_moving_soft(w, b))
+            n += is_stretched(w->body[b].shape, w->pool.at + w->body[b].first);
+    return n;
+}
+//<
+
 //> soft-begin
 // Its particles' middle goes straight on; beside that each goes as far as the
 // fastest, and as gravity adds, and a hundredth of the radius for impacts.
@@ -106,7 +125,7 @@ static prediction predict(const world *w, int b)
     const body *x = &w->body[b];
     const particle *p = w->pool.at + x->first;
     int n = x->shape->particles;
-    real dt = w->options.dt, ages = dt / w->age, fastest = 0;
+    real dt = w->frame, ages = dt / w->age, fastest = 0;
     vec3 mean = { 0, 0, 0 };
     if (!body_moves(w, b)) return (prediction){ .reach = 0 };
     for (int i = 0; i < n; i++)
@@ -173,33 +192,42 @@ bool soft_begin(world *w)
 
 //> soft-substeps
 // In a substep nothing should go further than a share of its own radius: the
-// inner one of a rigid body, half the spacing of a deformable one.
-static int substeps_for(const world *w, int b, real share)
+// inner one of a rigid body, half the spacing of a deformable one.  One whose
+// numbers are lost asks for nothing.
+static int substeps_for(const world *w, int b, real far, real share)
 {
     const body *x = &w->body[b];
-    const prediction *a = &w->soft.ahead[b];
     real radius = body_is_soft(x) ? x->shape->spacing / 2 : x->inner;
-    real need = (vec3_length(a->way) + a->turn) / (share * radius);
+    real need = far / (share * radius);
+    if (!(need < HUGE_VAL)) return 0;
     if (!(need < w->options.most_substeps)) return w->options.most_substeps;
     return (int)need + ((int)need < need);
 }
 
-// A deformable body may meet itself, too.  A rigid body drives the light
-// particles of a cloth before it, their sticks pull them back, and it must not
-// be past them before their whole weight has stopped it: a quarter of its
-// radius.
+// What a deformable body may meet: itself, where its parts go different ways;
+// and others.  A rigid body drives the light particles of a cloth before it,
+// their sticks pull them back, and it must not be past them before their whole
+// weight has stopped it: a quarter of its radius.
+static int substeps_to_meet(const world *w, int a, int b)
+{
+    const prediction *x = &w->soft.ahead[a], *y = &w->soft.ahead[b];
+    if (a == b) return substeps_for(w, a, x->turn, 1);
+    if (!balls_meet(w->soft.ball[a], w->soft.ball[b], x->reach + y->reach))
+        return 0;
+    int n = substeps_for(w, a, x->reach, 1);
+    if (body_is_soft(&w->body[b])) return n;
+    return int_max(n, substeps_for(w, b, y->reach, 0.25));
+}
+
+// The strands of a deformable body count on all of the usual substeps.
 int soft_substeps(const world *w)
 {
-    const soft_tables *t = &w->soft;
     int n = 0;
     for (int a = 0; a < w->bodies; a++) {
         if (!body_is_soft(&w->body[a])) continue;
-        for (int b = 0; b < w->bodies; b++) {
-            real reach = t->ahead[a].reach + t->ahead[b].reach;
-            bool is_soft = body_is_soft(&w->body[b]);
-            if (balls_meet(t->ball[a], t->ball[b], reach))
-                n = int_max(n, substeps_for(w, b, is_soft ? 1 : 0.25));
-        }
+        if (body_moves(w, a)) n = int_max(n, w->options.substeps);
+        for (int b = 0; b < w->bodies; b++)
+            n = int_max(n, substeps_to_meet(w, a, b));
     }
     return n;
 }
@@ -352,7 +380,7 @@ static void list_soft_pair(world *w, body *a, body *b)
 //<
 
 //> soft-points
-// Where the vertices and planes of a rigid body are, whenever it may have moved.
+// Looks where the vertices and planes of rigid body b are now.
 static void look_at_hull(world *w, int b)
 {
     soft_tables *t = &w->soft;
@@ -370,8 +398,8 @@ static void look_at_hull(world *w, int b)
 // Between two particles on both sides of a right-angled edge, at the distance r
 // of it, a triangle's side cuts the corner: one as long as 2.83 r touches it.
 // The longest, the diagonal of a cell, would do with half a spacing, and we
-// have 0.55.  But the sticks come last, and pull them nearer: so a quarter more,
-// of what is static.  What is not makes way.
+// have 0.55.  But the sticks come last, and pull them nearer: so a quarter
+// more, of what is static.  What is not makes way.
 static const real SPARE = 1.25;
 
 real soft_gap(const body *soft, const body *rigid)
@@ -591,8 +619,8 @@ static bool separate_point(world *w, point_pair pair, real apart,
 // All points, to this share of what keeps them apart.  Those of the same two
 // bodies stand together in the list.  They push one after the other: the first
 // tilt a body that lies on them, the last set it upright again, and friction
-// takes the tilting for sliding.  So they come in the other order in every other
-// substep, or the body would creep.  Returns how many touched.
+// takes the tilting for sliding.  So they come in the other order in every
+// other substep, or the body would creep.  Returns how many touched.
 static int separate_points(world *w, real share, answering who, real h)
 {
     int touching = 0, n = w->soft.points;

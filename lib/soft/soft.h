@@ -19,13 +19,17 @@
 // and rest with, whatever is near them.  Returns whether anything woke.
 bool soft_begin(world *w);
 
-// How many substeps this frame needs for what deformable bodies may meet.
+// How many substeps this frame needs for deformable bodies, and for what they
+// may meet.
 int soft_substeps(const world *w);
 
 // A substep of h (s): moves the particles of deformable bodies, parts them from
 // planes, each other and rigid bodies, and relaxes their sticks.  Rigid bodies
 // stand at rigid.now, moved by rigid.moved, and take impulses there.
 void soft_substep(world *w, real h);
+
+// How many deformable bodies have strands off by more than a hundredth.
+int soft_stretched(const world *w);
 //<
 
 //> soft-declare-parts
@@ -35,8 +39,8 @@ void soft_refresh(world *w, real h);
 // particles are parted from all that they touch,
 void soft_separate(world *w, real h);
 
-// and those that sticks have pulled back into a rigid body hold it by the weight
-// of all that they hang on.
+// and those that sticks have pulled back into a rigid body hold it by the
+// weight of all that they hang on.
 void soft_hold(world *w, real h);
 
 // m, how far particles of `soft` are kept from the surface of `rigid`.

@@ -8,10 +8,6 @@
 #include <stddef.h>
 #include <string.h>
 
-#ifndef SPREADX         // the lead's experiment
-#define SPREADX 2
-#define CALMX 0
-#endif
 
 static void lap(world *w, int phase, real *since);
 static void look_at_bodies(world *w);
@@ -19,37 +15,58 @@ static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static void substep(world *w, const solver_frame *f, int k, real *since);
-static void weigh_contacts(world *w);
 static void move_bodies(world *w, real h);
 static void fall_asleep(world *w);
 
-void world_step(world *w)
+// What may touch in the next `seconds`.  Paper: bodies move, then overlaps are
+// looked for; here: what may touch is found before anything moves.
+static void find(world *w, real seconds, real *since)
 {
-    assert(w->is_ready);
-    real since = w->options.host.clock ? w->options.host.clock() : 0;
-    w->report = (step_report){ .substeps = w->options.substeps };
-    ledger_open(w);
-    sleep_begin(&w->sleep);
-    // Paper: bodies move, then overlaps are looked for; here: what may touch in
-    // this frame is found before anything moves.
+    w->frame = seconds;
     look_at_bodies(w);
     if (w->softs > 0 && soft_begin(w)) look_at_bodies(w);
     find_pairs(w);
     ledger_book(w, LEDGER_SLEEP);
-    lap(w, PHASE_PAIRS, &since);
+    lap(w, PHASE_PAIRS, since);
     find_contacts(w);
-    lap(w, PHASE_CONTACTS, &since);
+    lap(w, PHASE_CONTACTS, since);
+}
+
+// The impulses that part it, and where they take everything.
+static void solve(world *w, real *since)
+{
     solver_frame f = prepare(w);
-    lap(w, PHASE_PREPARE, &since);
-    for (int k = 0; k < w->report.substeps; k++) substep(w, &f, k, &since);
-    solver_store(&w->rigid.solver, w->rigid.cache.active);
+    lap(w, PHASE_PREPARE, since);
+    for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
+    solver_store(&w->rigid.solver, w->options.host.run,
+                 w->rigid.cache.active);
+    w->report.substeps += f.substeps;
     w->age = f.h;
-    weigh_contacts(w);
     move_bodies(w, f.h);
-    lap(w, PHASE_MOVE, &since);
+    lap(w, PHASE_MOVE, since);
+}
+
+// Where something flies by more than its own size in a frame, and may hit, the
+// frame is divided: after the impact everything goes elsewhere than was found.
+enum { FAST_PARTS = 4 };
+
+void world_step(world *w)
+{
+    assert(w->is_ready);
+    real dt = w->options.dt;
+    real since = w->options.host.clock ? w->options.host.clock() : 0;
+    w->report = (step_report){ .substeps = 0 };
+    ledger_open(w);
+    sleep_begin(&w->sleep);
+    find(w, dt, &since);
+    bool is_divided = w->rigid.cache.fast > 0;
+    for (int k = 0; k < (is_divided ? FAST_PARTS : 1); k++) {
+        if (is_divided) find(w, dt / FAST_PARTS, &since);
+        solve(w, &since);
+    }
     fall_asleep(w);
     ledger_book(w, LEDGER_SLEEP);
-    w->time += w->options.dt;
+    w->time += dt;
     lap(w, PHASE_SLEEP, &since);
 }
 
@@ -84,7 +101,7 @@ static int chunk_of(const world *w, int item, int *first)
 static prediction predict(const world *w, const solver_body *now,
                           const motion *u)
 {
-    real dt = w->options.dt;
+    real dt = w->frame;
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     vec3 spin = motion_rotation(&now->basis, u);
     real beside = vec3_length(w->options.gravity) * dt * dt / 2
@@ -169,29 +186,10 @@ static void find_pairs(world *w)
 }
 //<
 
-//> step-spread
-// A body that is hit may go as far as what hits it.
-static void spread_reach(world *w)
-{
-    rigid_tables *t = &w->rigid;
-    for (int round = 0; round < SPREADX; round++) {
-    for (int b = 0; b < w->bodies; b++) t->reach[b] = t->ahead[b].reach;
-    for (int k = 0; k < t->pairs.count; k++) {
-        int a = t->pairs.pair[k][0], b = t->pairs.pair[k][1];
-        real far = real_max(t->reach[a], t->reach[b]);
-        if (!may_meet(t, a, b)) continue;
-        if (t->moves[a]) t->ahead[a].reach = real_max(t->ahead[a].reach, far);
-        if (t->moves[b]) t->ahead[b].reach = real_max(t->ahead[b].reach, far);
-    }
-    }
-}
-//<
-
 //> step-contacts
 static void find_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
-    spread_reach(w);
     cache_frame f = { .body = t->body, .now = t->now, .ahead = t->ahead,
                       .moves = t->moves, .bodies = w->bodies,
                       .list = &t->pairs, .is_new_list = t->is_new_list,
@@ -206,26 +204,57 @@ static void find_contacts(world *w)
 
 //> step-substeps
 // A contact that carries a force F gives way by about F h^2 / m, with m the
-// effective mass of its two bodies.  This pace is F / m beside the smaller
-// radius, in 1/s^2.
-static real pace_of(const world *w, const active_contact *c, real *mass_ratio)
+// effective mass of its two bodies.  A frame takes so many substeps that this
+// is no more than SAG of the smaller radius where a body lies on one that is
+// EVEN times lighter, or more: that many for its own weight, whatever it pushes
+// in this frame.
+static const real SAG = 0.0025, EVEN = 30;
+enum { MOST_TIMES = 8 };
+
+// 1/s^2: what the contact has to bear, F / m, beside the smaller radius.
+static real uneven_pace(const world *w, const contact *c)
+{
+    const solver_body *a = &w->rigid.now[c->a], *b = &w->rigid.now[c->b];
+    real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
+    if (!(x > 0 && y > 0) || (x < EVEN * y && y < EVEN * x)) return 0;
+    real ratio = x > y ? x / y : y / x, up = x > y ? 1 : -1;
+    real bears = up * vec3_dot(c->normal, w->options.gravity);
+    return real_max(bears, 0) * ratio / real_min(a->radius, b->radius);
+}
+
+static int substeps_for_heavy(const world *w)
+{
+    const contact_cache *c = &w->rigid.cache;
+    const world_options *o = &w->options;
+    real most = 0;
+    for (int k = 0; k < c->actives; k++)
+        if (c->active[k]->b >= 0 && contact_load(c->active[k]) > 0)
+            most = real_max(most, uneven_pace(w, c->active[k]));
+    return (int)real_min(w->frame * sqrt(most / SAG),
+                         (real)MOST_TIMES * o->substeps);
+}
+
+// Where nothing goes further than a sixteenth of its radius in a frame, three
+// quarters of the usual substeps do, unless a stack needs all of them.
+static const real STACK_SAG = 0.0065;
+
+static real stacked_pace(const world *w, const contact *c)
 {
     const solver_body *a = &w->rigid.now[c->a];
     const solver_body *b = c->b < 0 ? NULL : &w->rigid.now[c->b];
-    real x = a->basis.inverse_mass, y = b ? b->basis.inverse_mass : 0;
+    real inverse = a->basis.inverse_mass + (b ? b->basis.inverse_mass : 0);
     real radius = b ? real_min(a->radius, b->radius) : a->radius;
-    *mass_ratio = !(x > 0 && y > 0) ? 1 : x > y ? x / y : y / x;
-    return c->load / w->age * (x + y) / radius;
+    return contact_load(c) / w->age * inverse / radius;
 }
 
-// A frame takes so many substeps that no contact gives way by more than SAG of
-// a radius.  Where nothing goes further than a sixteenth of its radius in a
-// frame three quarters of the usual number may do; a stack needs all of it; and
-// what carries a body EVEN times as heavy as itself needs more, up to MOST_TIMES
-// as many.  (An impact is as great a load, for a frame or two: so in other
-// frames no load counts for more than the ratio of the masses.)
-static const real SAG = 0.004, STACK_SAG = 0.0065, EVEN = 30;
-enum { MOST_TIMES = 8, CALM_FRAMES = 3 };
+static bool is_stacked(const world *w)
+{
+    const contact_cache *c = &w->rigid.cache;
+    real few = (real)w->options.substeps * 3 / 4 / w->frame;
+    for (int k = 0; k < c->actives; k++)
+        if (stacked_pace(w, c->active[k]) > STACK_SAG * few * few) return true;
+    return false;
+}
 
 static bool is_calm(const world *w)
 {
@@ -237,42 +266,23 @@ static bool is_calm(const world *w)
     return true;
 }
 
-// Every change of their number jolts what rests: it is made early and rarely.
-static int substeps_for(real pace, real sag, const world_options *o, int now)
-{
-    real need = o->dt * sqrt(pace / sag);
-    if (need <= now && need >= 0.7 * now) return now;
-    return (int)real_min(1.25 * need, (real)MOST_TIMES * o->substeps);
-}
+// Every change of their number jolts what rests: it rises at once, and falls
+// when it has been too high for PATIENCE frames.
+enum { PATIENCE = 30 };
 
-// What the contacts carried at the end of a frame says how many the next takes,
-// and which bodies hold each other.
-static void weigh_contacts(world *w)
+static int hold(substep_choice *c, int need)
 {
-    const contact_solver *s = &w->rigid.solver;
-    const world_options *o = &w->options;
-    real even = 0, uneven = 0, ratio;
-    for (int k = 0; k < s->contacts; k++) {
-        const active_contact *x = &s->active[k];
-        if (!(x->load > 0)) continue;
-        real pace = pace_of(w, x, &ratio);
-        even = real_max(even, pace);
-        if (ratio > EVEN) uneven = real_max(uneven, pace);
-        w->report.pushing++;
-        if (x->b >= 0 && !body_is_static(&w->body[x->b]))
-            sleep_touch(&w->sleep, x->a, x->b);
-    }
-    w->rigid.for_stack = substeps_for(even, STACK_SAG, o, w->rigid.for_stack);
-    w->rigid.for_heavy = substeps_for(uneven, SAG, o, w->rigid.for_heavy);
+    c->frames = need < c->now ? c->frames + 1 : 0;
+    if (need > c->now || c->frames > PATIENCE) c->now = need;
+    return c->now;
 }
 
 static int choose_substeps(world *w)
 {
-    int usual = w->options.substeps, calm = (3 * usual + 3) / 4, n = usual;
-    w->rigid.calm = is_calm(w) ? w->rigid.calm + 1 : 0;
-    if (w->rigid.calm > CALM_FRAMES)
-        n = int_max(calm, int_min(w->rigid.for_stack, usual));
-    n = int_max(n, w->rigid.for_heavy);
+    int usual = w->options.substeps;
+    bool is_easy = w->softs == 0 && is_calm(w) && !is_stacked(w);
+    int n = is_easy ? (3 * usual + 3) / 4 : usual;
+    n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
     return int_min(n, int_max(w->options.most_substeps, usual));
 }
@@ -281,14 +291,15 @@ static int choose_substeps(world *w)
 //> step-prepare
 // Contacts are damped ten times as much as would just not swing, and push out
 // at 3 m/s at most.  In smaller substeps their springs may be stiffer.
-static solver_frame frame_of(const world *w)
+static solver_frame frame_of(const world *w, int substeps)
 {
     const world_options *o = &w->options;
-    real h = o->dt / w->report.substeps, finer = h * o->substeps / o->dt;
+    real h = w->frame / substeps;
     return (solver_frame){
         .body = w->rigid.now, .bodies = w->bodies, .plane = w->plane, .h = h,
+        .substeps = substeps,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
-        .hertz = o->hertz / finer, .damping = 10, .max_speed = 3,
+        .hertz = o->hertz, .damping = 10, .max_speed = 3,
         .restitution = o->restitution, .gravity = o->gravity,
         .run = o->host.run };
 }
@@ -308,8 +319,7 @@ static void count_deep(world *w)
 static solver_frame prepare(world *w)
 {
     rigid_tables *t = &w->rigid;
-    w->report.substeps = choose_substeps(w);
-    solver_frame f = frame_of(w);
+    solver_frame f = frame_of(w, choose_substeps(w));
     const contact *const *table = (const contact *const *)t->cache.active;
     if (!solver_prepare(&t->solver, &f, table, t->cache.reach,
                         t->cache.actives))
@@ -482,6 +492,7 @@ static void move_bodies(world *w, real h)
         w->report.fell_back += r->fell_back;
         w->report.unconverged += !(r->worst <= 0.01);
     }
+    if (w->softs > 0) w->report.unconverged += soft_stretched(w);
     w->ledger_ahead = 0;
     ledger_book(w, LEDGER_STICKS);
 }
@@ -495,6 +506,20 @@ static void put_to_sleep(world *w, const body *b)
         particle *p = &w->pool.at[i];
         p->inverse_mass = 0;
         p->previous = p->position;
+    }
+}
+
+// Islands are held together by what the contacts carried last.
+static void join_islands(world *w)
+{
+    const contact_solver *s = &w->rigid.solver;
+    w->report.pushing = 0;
+    for (int k = 0; k < s->contacts; k++) {
+        const active_contact *x = &s->active[k];
+        if (!(x->load > 0)) continue;
+        w->report.pushing++;
+        if (x->b >= 0 && !body_is_static(&w->body[x->b]))
+            sleep_touch(&w->sleep, x->a, x->b);
     }
 }
 
@@ -514,6 +539,7 @@ static void observe(world *w)
 
 static void fall_asleep(world *w)
 {
+    join_islands(w);
     if (w->options.sleep_speed > 0) {
         observe(w);
         sleep_end(&w->sleep);

@@ -32,8 +32,9 @@ typedef struct {
     real friction;      // Coulomb's coefficient, >= 0
     real restitution;   // of rigid bodies, 0 to 1: the speed after an impact /
                         // the speed before
-    real hertz;         // 1/s, of a contact's spring: the higher, the less do
-                        // bodies overlap, the lower, the softer they settle
+    real hertz;         // 1/s, of a contact's spring, at most; a substep bears
+                        // an eighth of its own rate.  The lower, the softer do
+                        // bodies settle, and the more do they overlap
     real stay;          // of a rigid body's radius: one that has gone no
                         // further since its contacts were found keeps them; 0:
                         // they are found in every frame
@@ -82,7 +83,8 @@ typedef struct {
     int  rebuilt;       // how often that list was made
     long tested;        // sticks looked at
     long relaxed;       // sticks moved
-    int  fell_back;     // rigid bodies, bent too far to be relaxed at once
+    int  fell_back;     // rigid bodies, bent too far to be relaxed at once, and
+                        // strands that turned too far in a substep
     int  asleep;        // bodies
     int  unconverged;   // contacts that overlap by more than a tenth of the
                         // smaller body's radius, and bodies whose sticks are
@@ -115,6 +117,11 @@ typedef struct {
     line_scratch *line; // NULL unless deformable
 } shape_entry;
 
+typedef struct {
+    int now;            // substeps a frame
+    int frames;         // for which fewer would have done
+} substep_choice;
+
 // Rigid bodies in a frame, each phase with its own table: where they are ->
 // which may meet -> where they touch -> what impulses part them -> how far they
 // move.  In `now` and its neighbours a deformable body is immovable, and has a
@@ -130,8 +137,7 @@ typedef struct {
     motion      *velocity;  // [bodies + 1], see solver.h
     motion      *moved;     // [bodies + 1] since the frame began
     rigid4_result *relaxed; // [bodies] what putting their particles did
-    int  for_stack, for_heavy;  // substeps that loads ask for
-    int  calm;              // frames in which nothing was fast
+    substep_choice substeps;
     pair_list      pairs;
     bool           is_new_list;         // of pairs
     contact_cache  cache;
@@ -182,6 +188,7 @@ typedef struct world {
     shape_entry *shape;     // [shapes]
     real time;              // s
     real age;               // s, a particle was at `previous` so long ago
+    real frame;             // s, or the part of it that is computed
     bool is_ready;          // world_begin has sized what stands below
     rigid_tables rigid;
     soft_tables  soft;

@@ -1,5 +1,5 @@
-// real4_forms.h - every operation of real4.h, one number in, one out, so that its
-// two forms can be compared.
+// real4_forms.h - every operation of real4.h, one number in, one out, so that
+// its two forms can be compared.
 //
 // Included by real4_plain.c, which asks for the plain form first, and by
 // check_real4.c: NAME is what the function is called there.

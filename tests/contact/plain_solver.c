@@ -131,8 +131,8 @@ void plain_push(plain_solver *s)
 //<
 
 //> plain-center
-// Where friction acts: the middle of the points that touch.  One whose gap is a
-// 25th of a radius or more counts for little, up to a 50th for less.
+// Where friction acts: the middle of the points that touch.  One counts fully
+// up to a gap of a 25th of a radius, and for a hundredth from two 25ths on.
 typedef struct {
     vec3 arm[2];            // m, from both bodies
     real lever;             // N m s: the sum of impulses times distances

@@ -43,11 +43,11 @@ static world_options weightless(void)
     return o;
 }
 
-static void add(const shape *s, vec3 at, vec3 velocity, int nailed)
+static void add(const shape *s, vec3 at, vec3 velocity, bool is_static)
 {
     placement p = placement_at(at);
     p.velocity = velocity;
-    p.is_static = nailed;
+    p.is_static = is_static;
     ck_assert(world_add(&w, s, p, NULL).ok);
 }
 
@@ -72,33 +72,33 @@ static vec3 speed(int b)
     return sum;
 }
 
-// A bullet at v, `away` m over the middle of a nailed plate.
+static void pin_corners(int cells)
+{
+    for (int k = 0; k < 4; k++)
+        world_pin(&w, 0, (k & 1 ? cells : 0)
+                          + (k & 2 ? cells * (cells + 1) : 0));
+}
+
+// A bullet at v, `away` m over the middle of a static plate.
 static void shoot_down(world_options o, real away, vec3 v)
 {
     begin(o);
-    add(&plate, ZERO, ZERO, 1);
-    add(&bullet, vec3_make(0, away, 0), v, 0);
+    add(&plate, ZERO, ZERO, true);
+    add(&bullet, vec3_make(0, away, 0), v, false);
     ck_assert(world_begin(&w).ok);
 }
 
-// 100 m/s are 5/3 m a frame, which is 42 inner radii (0.0397 m), and a
-// hundredth of the radius for what impacts add.
-// Rejects: substeps for whoever is fast, if nobody is there to be hit; a speed
-// limit by the outer radius (34), or by the plate's (334).
-START_TEST(substeps_are_made_for_who_is_about_to_touch)
+// 100 m/s are 5/3 m a frame, 42 inner radii: contacts found where the bullet will
+// touch need no substeps beyond the usual.
+// Rejects: substeps for what is fast, where only rigid bodies meet.
+START_TEST(bullet_at_a_plate_takes_no_more_substeps)
 {
-    const vec3 down = { 0, -100, 0 }, along = { 100, 0, 0 };
-    shoot_down(weightless(), 1, down);
-    world_step(&w);
-    int want = (int)((100.0 / 60 + 0.0005) / shape_inner(&bullet)) + 1;
-    ck_assert_int_eq(w.report.substeps, want);
-    ck_assert_int_eq(want, 42);
-    shoot_down(weightless(), 3, down);          // not in this frame
-    world_step(&w);
-    ck_assert_int_eq(w.report.substeps, 4);
-    shoot_down(weightless(), 1, along);         // over it
-    world_step(&w);
-    ck_assert_int_eq(w.report.substeps, 4);
+    world_options o = weightless();
+    shoot_down(o, 1, vec3_make(0, -100, 0));
+    for (int f = 0; f < 3; f++) {
+        world_step(&w);
+        ck_assert_int_le(w.report.substeps, o.substeps);
+    }
 }
 END_TEST
 
@@ -107,39 +107,12 @@ START_TEST(substeps_stay_within_their_bounds)
 {
     world_options o = weightless();
     o.most_substeps = 10;
-    shoot_down(o, 1, vec3_make(0, -100, 0));
+    begin(o);
+    add(&cloth, ZERO, ZERO, false);
+    add(&bullet, vec3_make(0, 1, 0), vec3_make(0, -100, 0), false);
+    ck_assert(world_begin(&w).ok);
     world_step(&w);
     ck_assert_int_eq(w.report.substeps, 10);
-}
-END_TEST
-
-// A frame at this speed (m/s), far from everybody, takes so many substeps.
-static void takes(world_options o, real speed, int substeps)
-{
-    shoot_down(o, 3, vec3_make(speed, 0, 0));
-    world_step(&w);
-    ck_assert_msg(w.report.substeps == substeps, "%g m/s: %d substeps, not %d",
-                  speed, w.report.substeps, substeps);
-}
-
-// A sixth of the inner radius is 6.6 mm, of which 0.5 mm are for impacts: at
-// 60 frames a second two substeps go as far as 0.76 m/s, three as 1.16.
-// Rejects: as many for whoever is slow; the outer radius (0.96 for two); a
-// least one above the usual number that wins; fewer for bodies of vertices,
-// which push each other for ever.
-START_TEST(frame_in_which_nobody_is_quick_takes_fewer_substeps)
-{
-    world_options o = weightless();
-    takes(o, 0, 2);
-    takes(o, 0.75, 2);
-    takes(o, 0.78, 3);
-    takes(o, 1.14, 3);
-    takes(o, 1.18, 4);
-    takes(o, 100, 4);
-    o.least_substeps = 3;
-    takes(o, 0, 3);
-    o.least_substeps = 9;
-    takes(o, 0, 4);
 }
 END_TEST
 
@@ -147,8 +120,8 @@ END_TEST
 START_TEST(what_meets_a_cloth_goes_slower_still)
 {
     begin(weightless());
-    add(&cloth, ZERO, ZERO, 0);
-    add(&bullet, vec3_make(0, 1, 0), vec3_make(0, -100, 0), 0);
+    add(&cloth, ZERO, ZERO, false);
+    add(&bullet, vec3_make(0, 1, 0), vec3_make(0, -100, 0), false);
     ck_assert(world_begin(&w).ok);
     world_step(&w);
     int want = (int)((100.0 / 60 + 0.0005) / (shape_inner(&bullet) / 4)) + 1;
@@ -156,29 +129,32 @@ START_TEST(what_meets_a_cloth_goes_slower_still)
 }
 END_TEST
 
-// While a bullet strikes, everybody has other substeps.  A ball that falls far
-// away shall not feel it.
+// While a bullet strikes a cloth, the whole world takes more substeps.  A ball
+// that falls far away does not feel it.
 // Rejects: a speed kept as a length, which the next substep takes for another
 // speed; gravity of another substep's length.
 START_TEST(other_substeps_change_no_parabola)
 {
     world_options o = world_options_default();
     begin(o);
-    add(&plate, ZERO, ZERO, 1);
-    add(&bullet, vec3_make(0, 1, 0), vec3_make(0, -100, 0), 0);
-    add(&bullet, vec3_make(50, 0, 0), vec3_make(1, 2, 3), 0);
+    add(&cloth, ZERO, ZERO, false);
+    add(&bullet, vec3_make(0, 1, 0), vec3_make(0, -100, 0), false);
+    add(&bullet, vec3_make(50, 0, 0), vec3_make(1, 2, 3), false);
+    pin_corners(20);
     ck_assert(world_begin(&w).ok);
-    int most = 0;
+    int most = 0, least = 10000;
     for (int f = 1; f <= 30; f++) {
         world_step(&w);
         real t = f / 60.0;
         vec3 x = middle(2);
-        if (w.report.substeps > most) most = w.report.substeps;
+        most = w.report.substeps > most ? w.report.substeps : most;
+        least = w.report.substeps < least ? w.report.substeps : least;
         ck_assert(fabs(x.x - (50 + t)) < ROUNDING);
         ck_assert(fabs(x.y - (2 * t - 9.81 * t * t / 2)) < ROUNDING);
         ck_assert(fabs(x.z - 3 * t) < ROUNDING);
     }
     ck_assert_int_gt(most, 40);
+    ck_assert_int_lt(least, 20);
 }
 END_TEST
 
@@ -186,8 +162,12 @@ END_TEST
 START_TEST(books_balance_over_other_substeps)
 {
     world_options o = world_options_default();
-    o.ledger = 1;
-    shoot_down(o, 1, vec3_make(3, -100, 0));
+    o.ledger = true;
+    begin(o);
+    add(&cloth, ZERO, ZERO, false);
+    add(&bullet, vec3_make(0, 1, 0), vec3_make(3, -100, 0), false);
+    pin_corners(20);
+    ck_assert(world_begin(&w).ok);
     ledger_entry was = ledger_total(&w);
     for (int f = 0; f < 10; f++) {
         world_step(&w);
@@ -195,11 +175,12 @@ START_TEST(books_balance_over_other_substeps)
     }
     ledger_entry now = ledger_total(&w);
     real sum = 0;
-    for (int who = 0; who < LEDGERS; who++) sum += w.ledger[who].energy;
+    for (int k = 0; k < LEDGERS; k++) sum += w.ledger[k].energy;
     // J; the bullet had 250 of them, and a substep in a thousand of a second
     // makes a rounding of places a thousand times as much of a speed.
     ck_assert(fabs(now.energy - was.energy - sum) < 1e-9);
-    ck_assert(w.ledger[LEDGER_CONTACTS].energy < -100);
+    ck_assert(w.ledger[LEDGER_CONTACTS].energy + w.ledger[LEDGER_STICKS].energy
+              < -10);
 }
 END_TEST
 
@@ -209,8 +190,8 @@ START_TEST(bullet_that_passes_the_rim_feels_nothing)
 {
     const vec3 v = { 0, -300, 0 };
     begin(weightless());
-    add(&plate, ZERO, ZERO, 1);
-    add(&bullet, vec3_make(0.57, 2, 0), v, 0);
+    add(&plate, ZERO, ZERO, true);
+    add(&bullet, vec3_make(0.57, 2, 0), v, false);
     ck_assert(world_begin(&w).ok);
     for (int f = 0; f < 3; f++) world_step(&w);
     ck_assert(vec3_distance(speed(1), v) < 1e-9);
@@ -218,17 +199,28 @@ START_TEST(bullet_that_passes_the_rim_feels_nothing)
 }
 END_TEST
 
-// Rejects: a plate that is passed where the frame ends behind it; a companion
-// contact on the wrong side; a bullet that is thrown back by more than it had.
+// The plate is so wide that a bullet which hops along it stays over it.
+// Rejects: a plate that is passed where the frame ends behind it; a guard on the
+// wrong side; a bullet that is thrown back by more than it had.
 START_TEST(bullet_stops_at_a_plate_however_fast)
 {
+    shape wide;
+    ck_assert(shape_box(&wide, vec3_make(60, 0.01, 60), 1).ok);
     for (real v = 5; v < 3000; v *= 1.5) {
-        shoot_down(weightless(), 1.7, vec3_make(v / 10, -v, 0));
-        for (int f = 0; f < 30 + (int)(120 / v); f++) world_step(&w);
-        ck_assert_msg(middle(1).y > 0, "%g m/s", v);
-        ck_assert_msg(vec3_length(speed(1)) < 1.06 * v, "%g m/s", v);
-        ck_assert_int_eq(w.report.dropped, 0);
+        begin(weightless());
+        add(&wide, ZERO, ZERO, true);
+        add(&bullet, vec3_make(0, 1.7, 0), vec3_make(v / 10, -v, 0), false);
+        ck_assert(world_begin(&w).ok);
+        for (int f = 0; f < 4 + (int)(120 / v); f++) {
+            world_step(&w);
+            ck_assert_msg(middle(1).y > 0, "%g m/s", v);
+            ck_assert(fabs(middle(1).x) < 30);
+            ck_assert_msg(vec3_length(speed(1)) < 1.06 * v, "%g m/s", v);
+            ck_assert_int_eq(w.report.dropped, 0);
+        }
     }
+    world_free(&w);
+    shape_free(&wide);
 }
 END_TEST
 
@@ -236,8 +228,8 @@ END_TEST
 START_TEST(bullet_and_plate_keep_their_momentum)
 {
     begin(weightless());
-    add(&plate, ZERO, ZERO, 0);
-    add(&bullet, vec3_make(0.2, 1, 0.1), vec3_make(0, -200, 0), 0);
+    add(&plate, ZERO, ZERO, false);
+    add(&bullet, vec3_make(0.2, 1, 0.1), vec3_make(0, -200, 0), false);
     ck_assert(world_begin(&w).ok);
     for (int f = 0; f < 20; f++) world_step(&w);
     vec3 sum = vec3_add_scaled(speed(0), 0.05, speed(1));
@@ -245,13 +237,6 @@ START_TEST(bullet_and_plate_keep_their_momentum)
     ck_assert(speed(0).y < -1);
 }
 END_TEST
-
-static void nail_corners(int cells)
-{
-    for (int k = 0; k < 4; k++)
-        world_nail(&w, 0, (k & 1 ? cells : 0)
-                          + (k & 2 ? cells * (cells + 1) : 0));
-}
 
 // Rejects: particles that make way one by one, for each weighs a thousandth of
 // what they are to stop.
@@ -261,9 +246,9 @@ START_TEST(heavy_bullet_stops_at_a_light_cloth)
     ck_assert(shape_icosahedron(&heavy, 0.05, 5).ok);
     for (real v = 20; v < 100; v *= 2) {
         begin(weightless());
-        add(&cloth, ZERO, ZERO, 0);
-        add(&heavy, vec3_make(0.06, 1.1, 0.04), vec3_make(0, -v, 0), 0);
-        nail_corners(20);
+        add(&cloth, ZERO, ZERO, false);
+        add(&heavy, vec3_make(0.06, 1.1, 0.04), vec3_make(0, -v, 0), false);
+        pin_corners(20);
         ck_assert(world_begin(&w).ok);
         for (int f = 0; f < 20; f++) world_step(&w);
         ck_assert_msg(middle(1).y > -0.3, "%g m/s", v);
@@ -274,21 +259,24 @@ START_TEST(heavy_bullet_stops_at_a_light_cloth)
 END_TEST
 
 // A cube of 10 kg in a cloth of 0.2 kg that hangs by its corners.  Rejects: a
-// cloth that gives the cube the speed of its particles as if they were nailed.
+// cloth that gives the cube the speed of its particles as if they were pinned.
 START_TEST(hammock_holds_what_weighs_fifty_times_as_much)
 {
     shape cube;
     ck_assert(shape_box(&cube, vec3_make(0.2, 0.2, 0.2), 10).ok);
     begin(world_options_default());
-    add(&cloth, ZERO, ZERO, 0);
-    add(&cube, vec3_make(0, 0.2, 0), ZERO, 0);
-    nail_corners(20);
+    add(&cloth, ZERO, ZERO, false);
+    add(&cube, vec3_make(0, 0.2, 0), ZERO, false);
+    pin_corners(20);
     ck_assert(world_begin(&w).ok);
-    for (int f = 0; f < 180; f++) {
+    vec3 was = ZERO;
+    for (int f = 0; f < 240; f++) {
         world_step(&w);
+        if (f == 179) was = middle(1);
         ck_assert(middle(1).y > -0.15 && middle(1).y < 0.2);
     }
-    ck_assert(vec3_length(speed(1)) < 0.3);
+    // The sheet trembles under it, with up to 0.3 m/s in a frame.
+    ck_assert(vec3_distance(middle(1), was) < 0.04);
     world_free(&w);
     shape_free(&cube);
 }
@@ -298,8 +286,8 @@ END_TEST
 static void meet_a_free_cloth(const shape *heavy, real v, real share)
 {
     begin(weightless());
-    add(&cloth, ZERO, vec3_make(0, share * v, 0), 0);
-    add(heavy, vec3_make(0.06, 0.3, 0.04), vec3_make(0, (share - 1) * v, 0), 0);
+    add(&cloth, ZERO, vec3_make(0, share * v, 0), false);
+    add(heavy, vec3_make(0.06, 0.3, 0.04), vec3_make(0, (share - 1) * v, 0), false);
     ck_assert(world_begin(&w).ok);
     vec3 before = vec3_make(0, 0.2 * share * v + 0.5 * (share - 1) * v, 0);
     for (int f = 0; f < 4; f++) world_step(&w);
@@ -333,9 +321,8 @@ static Suite *suite(void)
     Suite *s = suite_create("thin");
     TCase *t = tcase_create("thin things");
     tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, substeps_are_made_for_who_is_about_to_touch);
+    tcase_add_test(t, bullet_at_a_plate_takes_no_more_substeps);
     tcase_add_test(t, substeps_stay_within_their_bounds);
-    tcase_add_test(t, frame_in_which_nobody_is_quick_takes_fewer_substeps);
     tcase_add_test(t, what_meets_a_cloth_goes_slower_still);
     tcase_add_test(t, other_substeps_change_no_parabola);
     tcase_add_test(t, books_balance_over_other_substeps);

@@ -324,7 +324,8 @@ static findings run_scene(hard_report *r, scene_kind kind, int n, effort e)
         world_scene s;
         scene_options what = scene_options_default();
         what.cloth = n;
-        status ok = world_scene_build(&s, kind, what, world_scene_options(kind, what.cloth));
+        status ok = world_scene_build(&s, kind, what,
+                                      world_scene_options(kind, what.cloth));
         if (!hard_ok(r, ok)) return f;
         perturb(&s.world, 1, 100 + (unsigned long long)k);
         real half = kind == SCENE_CLOTH_ON_CUBE ? s.size / 2 : 0;
@@ -414,7 +415,8 @@ static void check_counting(hard_report *r, int n, int frames)
     scene_options what = scene_options_default();
     scene_kind kind = SCENE_CLOTH_ON_CUBE;
     what.cloth = n;
-    if (!hard_ok(r, world_scene_build(&s, kind, what, world_scene_options(kind, what.cloth))))
+    if (!hard_ok(r, world_scene_build(&s, kind, what,
+                                      world_scene_options(kind, what.cloth))))
         return;
     s.world.soft.pair_capacity = 0;
     for (int k = 0; k < frames; k++) world_step(&s.world);
@@ -520,7 +522,8 @@ static stillness lie_still(world *w, int frames)
     for (int f = 0; f < frames; f++) {
         world_step(w);
         for (int k = 0; k < w->soft.pairs; k++)
-            s.touching += particle_contact_overlaps(&w->soft.pair[k], w->pool.at);
+            s.touching += particle_contact_overlaps(&w->soft.pair[k],
+                                                    w->pool.at);
         for (int i = 0; i < n; i++)
             s.drift = hard_worse(s.drift, vec3_distance(
                 was[i], w->pool.at[b->first + i].position));

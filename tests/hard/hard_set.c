@@ -245,8 +245,9 @@ real outer_radius(real thickness)
 }
 
 // A stone of an arch: between radii of 1 m and `outer`, up to the angle `half`
-// on either side, 0.5 m deep.  Corner k: outer if bit 0, right if bit 1, near if
-// bit 2.  Returns how high the mean of its corners is above the arch's centre.
+// on either side, 0.5 m deep.  Corner k: outer if bit 0, right if bit 1, near
+// if bit 2.  Returns how high the mean of its corners is above the arch's
+// centre.
 static real stone_corners(vec3 at[8], real outer, real half)
 {
     real height = 0;

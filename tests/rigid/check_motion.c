@@ -51,9 +51,9 @@ static vec3 turns_of(const motion_basis *b, vec3 x)
 
 // --- the basis ---------------------------------------------------------------
 
-// The sum of turn turn^T is the inverse of the inertia, and turn_s . I turn_t is
-// 1 or 0.  Rejects: axes that are not divided by the root of their moments; one
-// moment of another axis; turns of the frame at rest.
+// The sum of turn turn^T is the inverse of the inertia, and turn_s . I turn_t
+// is 1 or 0.  Rejects: axes that are not divided by the root of their moments;
+// one moment of another axis; turns of the frame at rest.
 static void try_basis(int i, const matrix *m)
 {
     particle p[FOUR];
@@ -91,8 +91,8 @@ START_TEST(basis_is_the_root_of_the_inverse_inertia)
 }
 END_TEST
 
-// A box of sides 1, 2 and 3 and 7 kg, and an icosahedron, in numbers that can be
-// had by hand.
+// A box of sides 1, 2 and 3 and 7 kg, and an icosahedron, in numbers that can
+// be had by hand.
 START_TEST(box_and_ball_have_the_moments_of_the_textbook)
 {
     const vec3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
@@ -572,6 +572,41 @@ START_TEST(lopsided_body_precesses_with_order_two)
 }
 END_TEST
 
+// A needle, hit so that it turns about an axis across it, and then found lying
+// along that axis.  Rejects: energy from nothing.  (A free body keeps all of
+// its angular momentum: see above.)
+START_TEST(body_gains_no_energy_by_how_it_lies)
+{
+    const real h = 1.0 / 480;
+    for (int n = 0; n < 300; n++) {
+        shape needle;
+        particle p[FOUR];
+        expect_ok(shape_box(&needle, vec3_make(0.01, 0.02, 1), 1));
+        expect_ok(rigid4_build(&f, &needle));
+        stand(p);
+        rigid_frame was = rigid4_frame(p);
+        motion_basis b = basis_find(&f, &was);
+        motion u = { { 1, 2, 3, any(), any(), any() } };
+        stand(p);
+        vec3 had = motion_angular(&b, &u);
+        motion_end(&f, p, &was, &u, h);
+        rigid_frame now = rigid4_frame(p);
+        b = basis_find(&f, &now);
+        motion v = motion_of(p, &now, &b, h);
+        real before = motion_energy(&b, &u), after = motion_energy(&b, &v);
+        ck_assert_msg(after <= 1.001 * before * (1 + 1e-9), "%g of %g", after,
+                      before);
+        vec3 has = motion_angular(&b, &v);
+        ck_assert(after > 0.99 * before
+                  || vec3_distance(had, has) <= 1e-9 * vec3_length(had));
+        ck_assert(vec3_length(vec3_cross(had, has))
+                  <= 1e-9 * vec3_length(had) * vec3_length(has));
+        rigid4_free(&f);
+        shape_free(&needle);
+    }
+}
+END_TEST
+
 // --- what does not move, and what is lost ------------------------------------
 
 // Rejects: a body of no inverse mass that is divided by; one that goes.
@@ -599,8 +634,8 @@ START_TEST(immovable_body_answers_nothing)
 }
 END_TEST
 
-// Rejects: a thousand moves of a body that is lost; a spin without end that asks
-// for more moves than an int can hold.
+// Rejects: a thousand moves of a body that is lost; a spin without end that
+// asks for more moves than an int can hold.
 START_TEST(lost_body_takes_one_move_and_a_mad_one_at_most_so_many)
 {
     const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
@@ -635,6 +670,7 @@ int main(void)
         free_spin_keeps_its_speed_and_turns_by_its_angle,
         frame_inside_a_frame_is_turned_and_moved,
         lopsided_body_precesses_with_order_two,
+        body_gains_no_energy_by_how_it_lies,
         immovable_body_answers_nothing,
         lost_body_takes_one_move_and_a_mad_one_at_most_so_many,
     };

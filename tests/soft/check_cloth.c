@@ -260,7 +260,8 @@ START_TEST(box_on_a_cloth_lies_still_and_falls_asleep)
     ck_assert(w.sleep.asleep[c]);
     ck_assert_int_eq(w.report.asleep, 2);
     near_vec3(middle(b), was, 1e-3);
-    // Its lower side is a thickness over the cloth, which is one over the floor.
+    // Its lower side is a thickness over the cloth, which is one over the
+    // floor.
     near_real(middle(b).y, 0.2 + 2 * w.body[c].thickness, 1e-3);
 }
 END_TEST

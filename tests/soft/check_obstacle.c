@@ -355,8 +355,8 @@ START_TEST(reach_counts_to_the_last_digit)
 }
 END_TEST
 
-// Where a particle was when it was listed says where to look first, and no more:
-// since then it may have come round to any face.
+// Where a particle was when it was listed says where to look first, and no
+// more: since then it may have come round to any face.
 // Rejects: the plane that it was in front of taken for the one it is at.
 START_TEST(plane_known_before_changes_nothing)
 {
@@ -380,8 +380,8 @@ START_TEST(plane_known_before_changes_nothing)
 }
 END_TEST
 
-// A body is never quite its shape: sticks leave a strain.  Then the two faces of
-// a side have a plane each, and one of them reaches over the other.
+// A body is never quite its shape: sticks leave a strain.  Then the two faces
+// of a side have a plane each, and one of them reaches over the other.
 // Rejects: a face that is not found because its plane lies under another's.
 START_TEST(particle_on_a_strained_face_is_near_it)
 {

@@ -45,8 +45,8 @@ static void put(particle *p, vec3 x)
     p->position = p->previous = x;
 }
 
-// As the step does when a frame begins: rigid bodies stand where their particles
-// are, and have the velocity that these have.
+// As the step does when a frame begins: rigid bodies stand where their
+// particles are, and have the velocity that these have.
 static void look(void)
 {
     for (int b = 0; b < w.bodies; b++) {
@@ -344,7 +344,8 @@ START_TEST(lists_are_made_again_when_two_have_come_nearer_by_the_margin)
 }
 END_TEST
 
-// A box whose particles go by half the margin: its vertices may go twice as far.
+// A box whose particles go by half the margin: its vertices may go twice as
+// far.
 // Rejects: a rigid body whose moves, or whose speed, count for nothing, or as
 // those of its particles.
 START_TEST(lists_are_made_again_when_a_rigid_body_has_come_near)
@@ -359,8 +360,8 @@ START_TEST(lists_are_made_again_when_a_rigid_body_has_come_near)
         w.rigid.moved[b].of[0] = (k ? 0.51 : 0.49) * w.soft.margin;
         soft_refresh(&w, H);
         ck_assert_int_eq(w.report.rebuilt, 1 + k);
-        // Its vertices may take 0.049 of the margin in a substep, and what comes
-        // against them as much, and both twice as much: 0.196.
+        // Its vertices may take 0.049 of the margin in a substep, and what
+        // comes against them as much, and both twice as much: 0.196.
         w.rigid.moved[b] = (motion){ { 0 } };
         w.rigid.velocity[b] = (motion){ { 0.0245 * w.soft.margin / H } };
         w.soft.trusted = 0;
@@ -882,35 +883,43 @@ START_TEST(sleepers_near_a_cloth_wake_and_rest_with_it)
 END_TEST
 
 // Rejects: a ball that may be past a cloth before it has felt its weight; one
-// that passes far away and costs substeps; a number without an upper bound; what
-// the cloth does itself left out.
+// that passes far away and costs substeps; a number without an upper bound, or
+// of a body that is lost; what the cloth does itself left out; fewer than usual
+// for a cloth that moves.
 START_TEST(substeps_are_as_many_as_what_comes_near_needs)
 {
     world_options o = world_options_default();
     o.gravity = ZERO;
-    const struct { real away, way; int wanted; } ball[] = {
-        { 0.6, 1, 16 }, { 0.6, 2, 32 }, { 9, 1, 0 }, { 9, 10, 160 },
-        { 0.6, 1e9, 1000 }, { 0.6, (real)NAN, 0 },
+    o.most_substeps = 1000;
+    const struct { real away, way; int wanted; bool meets; } ball[] = {
+        { 0.6, 1, 16, 1 }, { 0.6, 2, 32, 1 }, { 9, 1, 0, 0 },
+        { 9, 10, 160, 1 }, { 0.6, 1e9, 1000, 1 }, { 0.6, (real)NAN, 0, 0 },
+        { 0.6, HUGE_VAL, 0, 1 },
     };
-    for (int k = 0; k < 6; k++) {
+    for (int k = 0; k < 7; k++) {
         begin(o);
         int c = add_at(&cloth, 0, 0, 0), b = add_at(&box, 0, ball[k].away, 0);
         ready();
         // The inner radius of the box is 0.25 m, a quarter of it 62.5 mm.
-        w.rigid.ahead[b] = (prediction){ .way = { 0, ball[k].way, 0 },
-                                         .reach = ball[k].way };
+        w.rigid.ahead[b] = (prediction){ .reach = ball[k].way };
         sleep_begin(&w.sleep);
         soft_begin(&w);
-        int own = soft_substeps(&w), wanted = int_max(ball[k].wanted, 1);
+        int own = soft_substeps(&w), wanted = int_max(ball[k].wanted, 8);
         ck_assert_msg(own == wanted, "case %d: %d", k, own);
-        // It goes half a spacing in each of 40.
+        // It goes half a spacing in each of 40, if there is something to meet:
+        // its parts go alike.
         real far = 40 * cloth.spacing / 2 * w.age / o.dt;
         for (int i = 0; i < cloth.particles; i++)
-            particle_of(c, i)->previous.x -= far;
+            particle_of(c, i)->previous.y -= far;
         soft_begin(&w);
         own = soft_substeps(&w);
-        wanted = int_max(ball[k].wanted, 41);
+        wanted = int_max(ball[k].wanted, ball[k].meets ? 41 : 8);
         ck_assert_msg(own == wanted, "case %d: %d with the cloth's", k, own);
+        // One of its particles alone does, if nothing else: past the others.
+        for (int i = 1; i < cloth.particles; i++)
+            particle_of(c, i)->previous.y += far;
+        soft_begin(&w);
+        ck_assert_int_ge(soft_substeps(&w), 40);
     }
 }
 END_TEST
@@ -934,6 +943,33 @@ START_TEST(parabola_is_exact_when_the_substep_changes)
                                              0));
         near_vec3(particle_of(b, 0)->position, wanted, 1e-11);
         ck_assert(particle_of(still, 0)->position.y == 0);
+    }
+}
+END_TEST
+
+// Rejects: the mean strain; diagonals, which are soft, counted as strands; NaN
+// taken for a small strain; a body that nothing moves.
+START_TEST(what_is_stretched_by_a_hundredth_is_counted)
+{
+    const struct { real by; int wanted; } stretch[] = {
+        { 0, 0 }, { 0.009, 0 }, { 0.011, 1 }, { -0.011, 1 },
+        { (real)NAN, 1 },
+    };
+    for (int k = 0; k < 5; k++) {
+        begin(world_options_default());
+        int a = add_at(&rope, 0, 0, 0), still = add_at(&rope, 0, 1, 0);
+        add_at(&box, 0, 9, 0);
+        int c = add_at(&cloth, 0, 5, 0);
+        ready();
+        lay_to_sleep(still);
+        particle_of(a, 12)->position.x += stretch[k].by * rope.spacing;
+        particle_of(still, 12)->position.x += 1;
+        for (int i = 0; i < cloth.particles; i++) {
+            vec3 *x = &particle_of(c, i)->position;
+            x->x += 0.1 * x->z;
+            x->z *= sqrt(1 - 0.1 * 0.1);
+        }
+        ck_assert_int_eq(soft_stretched(&w), stretch[k].wanted);
     }
 }
 END_TEST
@@ -987,6 +1023,7 @@ int main(void)
         sleepers_near_a_cloth_wake_and_rest_with_it,
         substeps_are_as_many_as_what_comes_near_needs,
         parabola_is_exact_when_the_substep_changes,
+        what_is_stretched_by_a_hundredth_is_counted,
         lists_hold_what_all_pairs_within_the_margin_hold,
         nothing_is_missed_while_a_cloth_falls,
         particle_leaves_a_static_box_by_its_thickness_and_a_quarter,

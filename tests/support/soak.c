@@ -110,7 +110,7 @@ static void check_body(soak *k, int b)
             if (up < -k->s.body_radius) fail(k, "outside", up, 0);
         }
     }
-    if (rigid4_is_mirrored(w->body[b].four, w->pool.at + w->body[b].first))
+    if (rigid4_is_mirrored(w->body[b].rigid, w->pool.at + w->body[b].first))
         fail(k, "mirrored", b, 0);
 }
 
@@ -215,8 +215,8 @@ static int start(soak *k)
     scene_options what = scene_options_default();
     *k = (soak){ .seed = 1 };
     what.bodies = BODIES;
-    how.resting = 0;
-    how.ledger = 1;
+    how.sleep_speed = 0;
+    how.ledger = true;
     status built = world_scene_build(&k->s, SCENE_ROOM, what, how);
     if (!built.ok) fprintf(stderr, "soak: %s\n", built.why);
     else           k->energy = ledger_total(&k->s.world).energy;

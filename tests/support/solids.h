@@ -160,7 +160,7 @@ static inline matrix stand(particle *p)
     return turn;
 }
 
-// --- six sticks at once -------------------------------------------------------
+// --- six sticks at once ------------------------------------------------------
 
 // Oracle: J J^T of the six sticks at rest, and its inverse.  The row of stick
 // (a, b) holds -o at a and o at b, o = x_b - x_a, so that two sticks meet in

@@ -1,4 +1,4 @@
-// check_books.c - do the books of energy and momentum balance, over whole frames?
+// check_books.c - do the books balance, over whole frames?
 // Book: chapter 16.
 
 #include <check.h>
@@ -179,8 +179,8 @@ START_TEST(ledger_changes_no_bit)
 }
 END_TEST
 
-// A slab of 4 kg slides at 3 m/s over a floor of friction 0.5: v^2 / 2 mu g, and
-// 18 J.
+// A slab of 4 kg slides at 3 m/s over a floor of friction 0.5: v^2 / 2 mu g,
+// and 18 J.
 // Rejects: the work of friction booked elsewhere than under contacts, or with
 // the wrong sign.
 START_TEST(contacts_take_what_a_sliding_block_loses)

@@ -108,7 +108,8 @@ START_TEST(total_is_the_sum_over_particles)
 END_TEST
 
 // Rejects: a sleeper that takes its height out of the books; static bodies, or
-// pins, that have weight; a sleeper that has energy for lying between two places.
+// pins, that have weight; a sleeper that has energy for lying between two
+// places.
 START_TEST(total_counts_sleepers_and_nothing_static)
 {
     begin(booked());
@@ -281,8 +282,8 @@ START_TEST(fall_within_a_frame_books_no_energy)
 }
 END_TEST
 
-// An impulse of P at x gives the energy P . v and P^2 K / 2, the momentum P, the
-// angular momentum x x P; a weightless body has no other.
+// An impulse of P at x gives the energy P . v and P^2 K / 2, the momentum P,
+// the angular momentum x x P; a weightless body has no other.
 START_TEST(impulses_within_a_frame_are_booked)
 {
     const vec3 impulse = { 3, -1, 2 }, arm = { 0.5, 1, -1.5 };

@@ -55,18 +55,17 @@ typedef struct {
 
 // The whole numbers first, then the choices by name, then the rest.
 static const range RANGE[] = {
-    { "substeps", 1, 10000 }, { "least_substeps", 1, 10000 },
-    { "most_substeps", 1, 10000 },
-    { "sweeps", 1, 10000 }, { "passes", 1, 1000 },
+    { "substeps", 1, 10000 }, { "most_substeps", 1, 10000 },
+    { "iterations", 1, 10000 },
     { "root", 0, ROOT_APPROXIMATE }, { "gradient", 0, GRADIENT_OLD },
     { "dt", 1e-9, 1 }, { "tolerance", 0, 1 }, { "friction", 0, 1000 },
-    { "restitution", 0, 1 }, { "skin", 0, 1 }, { "stay", 0, 0.01 },
-    { "content", 0, 1 }, { "mend", 0, 1 }, { "mend_speed", 0, 1e9 },
+    { "restitution", 0, 1 }, { "hertz", 1e-3, 1e6 }, { "stay", 0, 0.1 },
+    { "sleep_speed", 0, 1e9 }, { "time_to_sleep", 0, 1e9 },
 };
-enum { RANGES = sizeof RANGE / sizeof *RANGE, WHOLE = 5, CHOICES = 2,
+enum { RANGES = sizeof RANGE / sizeof *RANGE, WHOLE = 3, CHOICES = 2,
        INTEGERS = WHOLE + CHOICES };
 
-static int is_integer(int k)
+static bool is_integer(int k)
 {
     return k < INTEGERS;
 }
@@ -82,11 +81,10 @@ static void set_choice(world_options *o, int k, int value)
 
 static void set_option(world_options *o, int k, real value)
 {
-    int *const whole[] = { &o->substeps, &o->least_substeps,
-        &o->most_substeps, &o->sweeps, &o->passes };
+    int *const whole[] = { &o->substeps, &o->most_substeps, &o->iterations };
     real *const number[] = { &o->dt, &o->relax.tolerance, &o->friction,
-        &o->restitution, &o->skin, &o->stay, &o->content, &o->mend,
-        &o->mend_speed };
+        &o->restitution, &o->hertz, &o->stay, &o->sleep_speed,
+        &o->time_to_sleep };
     if (k < WHOLE)           *whole[k] = (int)value;
     else if (is_integer(k))  set_choice(o, k - WHOLE, (int)value);
     else                     *number[k - INTEGERS] = value;
@@ -111,8 +109,8 @@ START_TEST(options_out_of_range_are_refused_by_name)
 {
     for (int k = 0; k < RANGES; k++) {
         real step = is_integer(k) ? 1 : 1e-6 * RANGE[k].most;
-        int is_dt = k == INTEGERS;
-        real low = is_dt ? 0 : RANGE[k].least - step;
+        real least = RANGE[k].least;
+        real low = is_integer(k) || !(least > 0) ? least - step : 0.9 * least;
         const real bad[] = { low, -HUGE_VAL, RANGE[k].most + step, HUGE_VAL,
                              (real)NAN };
         for (int i = 0; i < 5; i++) {
@@ -150,19 +148,18 @@ END_TEST
 START_TEST(defaults_are_as_documented)
 {
     world_options o = world_options_default();
-    ck_assert(o.dt == 1.0 / 60 && o.substeps == 4);
+    ck_assert(o.dt == 1.0 / 60 && o.substeps == 8);
     near_vec3(o.gravity, vec3_make(0, -9.81, 0), 0);
     ck_assert(o.friction == 0.5 && o.restitution == 0);
     ck_assert_int_gt(o.most_substeps, o.substeps);
-    ck_assert_int_lt(o.least_substeps, o.substeps);
-    ck_assert(o.resting && o.memory && o.mend > 0);
-    ck_assert(o.clock == NULL && o.both == NULL && !o.ledger);
+    ck_assert(o.warm_start && o.sleep_speed > 0 && o.time_to_sleep == 0.5);
+    ck_assert(!o.host.clock && !o.host.run.run && !o.ledger);
 }
 END_TEST
 
 // --- bodies ------------------------------------------------------------------
 
-// Rejects: axes taken as rows; a plan that is not turned about its middle;
+// Rejects: axes taken as rows; a shape that is not turned about its middle;
 // vertices that do not ride with the four particles.
 START_TEST(vertices_stand_where_the_axes_say)
 {
@@ -253,7 +250,7 @@ START_TEST(lopsided_body_spins_about_the_centre_of_its_solid)
 END_TEST
 
 // Rejects: a total mass on every particle; inverse masses not inverted.
-START_TEST(masses_are_those_of_the_plan)
+START_TEST(masses_are_those_of_the_shape)
 {
     begin(world_options_default());
     add(&box, placement_at(vec3_make(0, 0, 0)));
@@ -267,13 +264,13 @@ START_TEST(masses_are_those_of_the_plan)
         ck_assert(w.pool.at[n + i].inverse_mass == 1 / cloth.mass[i]);
     ck_assert_int_eq(w.softs, 1);
     ck_assert(!body_is_soft(&w.body[0]) && body_is_soft(&w.body[1]));
-    ck_assert(w.body[1].four == NULL && w.body[0].four != NULL);
+    ck_assert(w.body[1].rigid == NULL && w.body[0].rigid != NULL);
 }
 END_TEST
 
-// Rejects: a nailed body that drifts because it was told a velocity; one with a
-// finite mass, which a push would be shared with.
-START_TEST(nailed_body_is_immovable_and_at_rest)
+// Rejects: a static body that drifts because it was given a velocity; one with a
+// finite mass, which an impulse would be shared with.
+START_TEST(static_body_is_immovable_and_at_rest)
 {
     placement p = slanted();
     p.velocity = vec3_make(9, 9, 9);
@@ -281,7 +278,7 @@ START_TEST(nailed_body_is_immovable_and_at_rest)
     p.is_static = 1;
     begin(world_options_default());
     add(&box, p);
-    ck_assert(w.body[0].mass == HUGE_VAL && body_is_nailed(&w.body[0]));
+    ck_assert(w.body[0].mass == HUGE_VAL && body_is_static(&w.body[0]));
     for (int i = 0; i < body_particles(&w.body[0]); i++) {
         ck_assert(w.pool.at[i].inverse_mass == 0);
         near_vec3(w.pool.at[i].previous, w.pool.at[i].position, 0);
@@ -289,31 +286,31 @@ START_TEST(nailed_body_is_immovable_and_at_rest)
 }
 END_TEST
 
-// Rejects: a nail in the pool's particle of that number instead of the body's;
-// one that keeps the particle's velocity.
-START_TEST(nail_holds_one_particle_of_its_body)
+// Rejects: a pin in the pool's particle of that number instead of the body's; one
+// that keeps the particle's velocity.
+START_TEST(pin_holds_one_particle_of_its_body)
 {
     placement p = placement_at(vec3_make(0, 1, 0));
     p.velocity = vec3_make(0, 0, 1);
     begin(world_options_default());
     add(&ball, p);
     add(&rope, p);
-    world_nail(&w, 1, 2);
+    world_pin(&w, 1, 2);
     int first = w.body[1].first;
     for (int i = 0; i < w.pool.count; i++) {
         const particle *x = &w.pool.at[i];
-        int nailed = i == first + 2;
-        ck_assert_int_eq(x->inverse_mass == 0, nailed);
-        ck_assert_int_eq(vec3_distance(x->position, x->previous) == 0, nailed);
+        bool pinned = i == first + 2;
+        ck_assert_int_eq(x->inverse_mass == 0, pinned);
+        ck_assert_int_eq(vec3_distance(x->position, x->previous) == 0, pinned);
     }
-    ck_assert(!body_is_nailed(&w.body[1]));
+    ck_assert(!body_is_static(&w.body[1]));
     ck_assert(world_begin(&w).ok);
-    ck_assert(w.of.inverse_mass[first + 2] == 0);
-    ck_assert(w.of.inverse_mass[first + 1] > 0);
+    ck_assert(w.inverse_mass[first + 2] == 0);
+    ck_assert(w.inverse_mass[first + 1] > 0);
 }
 END_TEST
 
-// Rejects: a body of no volume that gets four particles all the same; a plan
+// Rejects: a body of no volume that gets four particles all the same; a shape
 // that is entered although it was refused.
 START_TEST(body_too_thin_for_four_particles_is_refused)
 {
@@ -325,7 +322,7 @@ START_TEST(body_too_thin_for_four_particles_is_refused)
     status done = world_add(&w, &sheet, placement_at(vec3_make(0, 5, 0)),
                             &number);
     ck_assert(!done.ok && strstr(done.why, "too thin"));
-    ck_assert(w.bodies == 1 && w.plans == 1 && number == -7);
+    ck_assert(w.bodies == 1 && w.shapes == 1 && number == -7);
     ck_assert_int_eq(w.pool.count, FOUR);
     world_free(&w);
     shape_free(&sheet);
@@ -379,9 +376,9 @@ START_TEST(placement_must_be_finite_and_orthonormal)
 }
 END_TEST
 
-// Rejects: an array that forgets its bodies when it grows; a plan counted once
-// for every body.
-START_TEST(many_bodies_share_their_plans)
+// Rejects: an array that forgets its bodies when it grows; a shape counted
+// once for every body.
+START_TEST(many_bodies_share_their_shapes)
 {
     enum { MANY = 100 };
     begin(world_options_default());
@@ -393,15 +390,15 @@ START_TEST(many_bodies_share_their_plans)
         ck_assert_int_eq(number, k);
     }
     ck_assert_int_eq(w.bodies, MANY);
-    ck_assert_int_eq(w.plans, 2);
+    ck_assert_int_eq(w.shapes, 2);
     int first = 0;
     for (int k = 0; k < MANY; k++) {
         const body *b = &w.body[k];
-        ck_assert_ptr_eq(b->plan, k % 3 ? &ball : &box);
+        ck_assert_ptr_eq(b->shape, k % 3 ? &ball : &box);
         ck_assert_int_eq(b->first, first);
-        ck_assert_ptr_eq(b->four, w.body[k % 3 ? 1 : 0].four);
+        ck_assert_ptr_eq(b->rigid, w.body[k % 3 ? 1 : 0].rigid);
         near_vec3(vertex_of(k, 0),
-                  vec3_add(b->plan->at[0], vec3_make(k, 0, 0)),
+                  vec3_add(b->shape->at[0], vec3_make(k, 0, 0)),
                   ROUNDING * (k + 10));
         first += body_particles(b);
     }
@@ -457,51 +454,45 @@ END_TEST
 
 // --- begin, look, free -------------------------------------------------------
 
-// Rejects: tables in the wrong order; a tree that stands where the plan does,
-// at the origin: what is nailed is never looked at again, so that everything
-// would fall through it.
+// Rejects: tables in the wrong order; a body that stands where its shape does, at
+// the origin: a static one is never looked at again, so that everything would
+// fall through it; a deformable body among the rigid ones.
 START_TEST(world_begins_with_everything_in_its_place)
 {
-    placement nailed = slanted();
-    nailed.is_static = 1;
+    placement still = slanted();
+    still.is_static = true;
     begin(world_options_default());
-    add(&box, nailed);
+    add(&box, still);
     add(&ball, placement_at(vec3_make(0, 9, 0)));
     add(&cloth, placement_at(vec3_make(8, 9, 0)));
     ck_assert(world_begin(&w).ok);
-    ck_assert(w.ready);
-    for (int i = 0; i < w.pool.count; i++) {
-        near_vec3(w.of.at[i], w.pool.at[i].position, 0);
-        ck_assert(w.of.inverse_mass[i] == w.pool.at[i].inverse_mass);
+    ck_assert(w.is_ready);
+    const rigid_tables *t = &w.rigid;
+    for (int i = 0; i < w.pool.count; i++)
+        ck_assert(w.inverse_mass[i] == w.pool.at[i].inverse_mass);
+    for (int b = 0; b < 2; b++) {
+        ck_assert_int_eq(t->dynamic[b], b == 1);
+        near_vec3(t->now[b].frame.center,
+                  b ? vec3_make(0, 9, 0) : still.position, 10 * ROUNDING);
+        for (int i = 0; i < w.body[b].shape->particles; i++)
+            ck_assert(vec3_distance(t->ball[b].center, vertex_of(b, i))
+                      <= t->ball[b].radius);
+        ck_assert(t->ball[b].radius <= 1.1 * w.body[b].shape->radius);
     }
-    for (int b = 0; b < w.bodies; b++) {
-        body *now = &w.body[b];
-        // Vertices that are no particles have places of their own.
-        if (now->four) ck_assert_int_ge(now->corner, w.pool.count);
-        else           ck_assert_int_eq(now->corner, now->first);
-        sphere s = sphere_tree_root(&now->tree, w.of.at + now->corner);
-        for (int i = 0; i < now->plan->particles; i++) {
-            near_vec3(w.of.at[now->corner + i], vertex_of(b, i), 0);
-            ck_assert(vec3_distance(s.center, w.of.at[now->corner + i])
-                      <= s.radius + now->thickness + ROUNDING * 10);
-        }
-        ck_assert(s.radius <= 2 * now->plan->radius + now->thickness);
-    }
+    ck_assert(t->ball[2].radius < 0 && !t->dynamic[2] && !t->body[2].rigid);
 }
 END_TEST
 
-// Rejects: balls around the corners of rigid bodies, which have a skin of their
-// own measure; leaves of the other kind.
-START_TEST(thickness_is_the_skin_of_a_body_or_the_radius_of_its_particles)
+// Rejects: leaves of a tree that are not a deformable body's particles; a tree
+// for a rigid body, which needs none.
+START_TEST(thickness_is_the_radius_of_the_particles)
 {
-    world_options o = world_options_default();
-    o.skin = 0.25;
-    begin(o);
+    begin(world_options_default());
     add(&box, placement_at(vec3_make(0, 0, 0)));
     add(&cloth, placement_at(vec3_make(0, 3, 0)));
     add(&rope, placement_at(vec3_make(0, 6, 0)));
-    ck_assert(w.body[0].thickness == 0.25 * box.radius);
-    ck_assert_int_eq(w.body[0].tree.leaves, 12);
+    ck_assert(w.body[0].thickness == 0);
+    ck_assert_int_eq(w.body[0].tree.leaves, 0);
     // Two sheets of spacing s must keep more than s apart.
     ck_assert(w.body[1].thickness > cloth.spacing / 2);
     ck_assert(w.body[2].thickness > rope.spacing / 2);
@@ -510,30 +501,7 @@ START_TEST(thickness_is_the_skin_of_a_body_or_the_radius_of_its_particles)
 }
 END_TEST
 
-// Rejects: a look at all bodies, or at the wrong range; vertices that are
-// looked for among the particles of another body.
-START_TEST(look_copies_where_one_body_is)
-{
-    begin(world_options_default());
-    add(&box, placement_at(vec3_make(0, 0, 0)));
-    add(&ball, placement_at(vec3_make(0, 5, 0)));
-    add(&box, placement_at(vec3_make(0, 9, 0)));
-    ck_assert(world_begin(&w).ok);
-    for (int i = 0; i < w.pool.count; i++) w.pool.at[i].position.z += 1;
-    world_look(&w, &w.body[1]);
-    collider c = world_collider(&w, &w.body[1]);
-    ck_assert_ptr_eq(c.plan, &ball);
-    ck_assert(c.mass == w.body[1].mass);
-    ck_assert_ptr_eq(c.at, w.of.at + w.body[1].corner);
-    for (int b = 0; b < w.bodies; b++)
-        for (int i = 0; i < w.body[b].plan->particles; i++) {
-            real behind = vertex_of(b, i).z - w.of.at[w.body[b].corner + i].z;
-            ck_assert(fabs(behind - (b != 1)) <= ROUNDING);
-        }
-}
-END_TEST
-
-// Rejects: vertices of the plan instead of those that the particles carry; a
+// Rejects: vertices of the shape instead of those that the particles carry; a
 // range of another body.
 START_TEST(vertices_ride_on_the_particles)
 {
@@ -547,8 +515,8 @@ START_TEST(vertices_ride_on_the_particles)
         w.pool.at[i].position = vec3_make(x.z + 7, x.y, -x.x);
     }
     for (int b = 0; b < 3; b++)
-        for (int i = 0; i < w.body[b].plan->particles; i++) {
-            vec3 x = w.body[b].plan->at[i];
+        for (int i = 0; i < w.body[b].shape->particles; i++) {
+            vec3 x = w.body[b].shape->at[i];
             real up = b == 0 ? 0 : b == 1 ? 5 : 9;
             near_vec3(vertex_of(b, i), vec3_make(x.z + 7, x.y + up, -x.x),
                       ROUNDING * 10);
@@ -628,18 +596,17 @@ int main(void)
         planes_are_kept_with_unit_normals,
         world_has_room_for_six_planes,
         plane_without_a_finite_normal_and_offset_is_refused,
-        thickness_is_the_skin_of_a_body_or_the_radius_of_its_particles,
+        thickness_is_the_radius_of_the_particles,
         empty_world_begins,
         world_may_be_freed_at_any_time,
         every_refusal_of_memory_is_told_and_leaves_nothing,
         vertices_stand_where_the_axes_say,
         particles_start_with_velocity_and_spin,
-        masses_are_those_of_the_plan,
-        nailed_body_is_immovable_and_at_rest,
-        nail_holds_one_particle_of_its_body,
-        many_bodies_share_their_plans,
+        masses_are_those_of_the_shape,
+        static_body_is_immovable_and_at_rest,
+        pin_holds_one_particle_of_its_body,
+        many_bodies_share_their_shapes,
         world_begins_with_everything_in_its_place,
-        look_copies_where_one_body_is,
         vertices_ride_on_the_particles,
     };
     Suite *s = suite_create("world");

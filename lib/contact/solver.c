@@ -677,6 +677,19 @@ static inline __attribute__((always_inline)) void brake_block(block *k, real4 mo
 }
 //<
 
+//> solver-see
+static inline __attribute__((always_inline)) void see_block(block *k, const pass *q, bool two)
+{
+    sides4 d = take_sides(k, q->moved, two);
+    real4 parted = part_centers(k->normal, &d, two);
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
+        p->now = real4_add(real4_add(parted, p->gap), turned);
+    }
+}
+//<
+
 //> solver-relax
 // How fast the points part, and 0 for those that an impact may part in the next
 // substep: they are open, have not pushed, and close fast.
@@ -694,16 +707,13 @@ static inline __attribute__((always_inline)) void relax(block *k, const pass *q,
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     const real4 friction = real4_all(q->friction);
+    see_block(k, q, two);
     sides4 u = take_sides(k, q->velocity, two);
-    sides4 d = take_sides(k, q->moved, two);
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
-    real4 parted = part_centers(k->normal, &d, two);
     real4 inverse = inverse_mass(k, two), along = zero, moment = zero;
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
-        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
-        real4 gap = real4_add(real4_add(parted, p->gap), turned);
-        p->now = gap;
+        real4 gap = p->now;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
         speed = has_impacts ? leave_impacts(q, speed, gap, p->impulse)
@@ -751,19 +761,6 @@ static inline __attribute__((always_inline)) void warm_block(block *k, const pas
     }
     push_turns(k->twist_a, k->twist_b, k->twist_impulse, &u, two);
     give_sides(k, q->velocity, &u, two);
-}
-//<
-
-//> solver-see
-static inline __attribute__((always_inline)) void see_block(block *k, const pass *q, bool two)
-{
-    sides4 d = take_sides(k, q->moved, two);
-    real4 parted = part_centers(k->normal, &d, two);
-    for (int j = 0; j < k->points; j++) {
-        block_point *p = &k->point[j];
-        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
-        p->now = real4_add(real4_add(parted, p->gap), turned);
-    }
 }
 //<
 

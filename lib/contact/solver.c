@@ -11,30 +11,29 @@ static bool moves(const solver_frame *f, int body)
 }
 
 // Contact c, and which of its points come within reach.
-static active_contact activate(const contact *c, const solver_frame *f,
-                               real reach)
+static void activate(active_contact *x, const contact *c, const solver_frame *f,
+                     real reach)
 {
     real gap[CONTACT_POINTS];
-    active_contact x = { .found = c->found, .a = c->a, .b = c->b, .color = -1,
-                         .least = HUGE_VAL };
     const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
     real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
-    if (!moves(f, c->a) && !moves(f, c->b)) return x;
+    bool moves_a = moves(f, c->a), moves_b = moves(f, c->b);
+    x->found = c->found;
+    x->a = moves_a ? c->a : c->b;
+    x->b = moves_a ? c->b : c->a;
+    x->is_swapped = !moves_a;
+    x->sides = moves_a && moves_b ? TWO_SIDED : ONE_SIDED;
+    x->load = contact_load(c);
+    x->least = HUGE_VAL;
+    x->count = 0;
+    if (!moves_a && !moves_b) return;
     contact_gaps(c, &f->body[c->a].frame, b, height, gap);
     for (int k = 0; k < c->count; k++) {
-        x.least = real_min(gap[k], x.least);
+        x->least = real_min(gap[k], x->least);
         if (!(gap[k] < reach)) continue;
-        x.point[x.count] = (signed char)k;
-        x.gap[x.count++] = gap[k];
+        x->point[x->count] = (signed char)k;
+        x->gap[x->count++] = gap[k];
     }
-    x.load = contact_load(c);
-    x.is_swapped = !moves(f, c->a);
-    x.sides = moves(f, c->a) && moves(f, c->b) ? TWO_SIDED : ONE_SIDED;
-    if (x.is_swapped) {
-        x.a = c->b;
-        x.b = c->a;
-    }
-    return x;
 }
 
 // Is x the contact y of the frame before, with the same points?
@@ -348,7 +347,7 @@ static void activate_chunk(void *data, int item)
     for (int k = item * CHUNK; k < end; k++) {
         active_contact *x = &p->s->active[k], was = *x;
         contact_expect(p->table[int_min(k + AHEAD, end - 1)]);
-        *x = activate(p->table[k], p->f, p->reach[k]);
+        activate(x, p->table[k], p->f, p->reach[k]);
         x->is_new = k >= p->known || !is_same(x, &was);
     }
 }

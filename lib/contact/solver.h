@@ -35,6 +35,7 @@ typedef struct {
     int  bodies;
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
+    int  substeps;
     real warm;                  // times the impulses that contacts bring along,
                                 // each of a substep of the last frame: 0: none
     real friction;              // Coulomb's coefficient
@@ -151,7 +152,7 @@ void solver_see_gaps(contact_solver *s, const solver_frame *f,
 void solver_end(contact_solver *s, const motion *velocity);
 
 // Writes the impulses of the last substep to the contacts that were prepared.
-void solver_store(const contact_solver *s, contact *const *table);
+void solver_store(const contact_solver *s, tasks run, contact *const *table);
 //<
 
 //> solver-end

@@ -456,7 +456,8 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     now->count = n;
     for (int k = 0; k < n; k++) {
         contact_point *q = &now->point[k];
-        *q = (contact_point){ .local_a = f->body[a].rigid->local[low[k].vertex] };
+        *q = (contact_point){
+            .local_a = f->body[a].rigid->local[low[k].vertex] };
         set_arm(q, &f->now[a]);
     }
     if (f->ahead[a].angle > SPINS) add_guard(now, f);

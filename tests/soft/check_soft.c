@@ -902,6 +902,7 @@ START_TEST(substeps_are_as_many_as_what_comes_near_needs)
         ready();
         // The inner radius of the box is 0.25 m, a quarter of it 62.5 mm.
         w.rigid.ahead[b] = (prediction){ .reach = ball[k].way };
+        w.frame = o.dt;
         sleep_begin(&w.sleep);
         soft_begin(&w);
         int own = soft_substeps(&w), wanted = int_max(ball[k].wanted, 8);

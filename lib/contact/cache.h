@@ -68,6 +68,9 @@ typedef struct {
     cache_pair *pair;   // [pairs], as in the list
     int (*key)[2];      // [pairs] whose
     int pairs, pair_capacity;
+    cache_pair *spare;          // [spare_capacity] for the next list
+    int (*spare_key)[2];
+    int spare_capacity;
     cache_pair *wall;   // [bodies * planes]
     int bodies, planes;
     cache_entry *entry;
@@ -90,7 +93,7 @@ typedef struct {
     long queries;       // asked in this frame
     long found;         // contacts, ever
     int  lost;          // contacts that found no memory
-    int  fast;          // contacts of this frame that must hold at once
+    int  fast;          // contacts of bodies that meet later in the frame
 } contact_cache;
 //<
 

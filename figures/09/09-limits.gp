@@ -26,7 +26,7 @@ set yrange [0.1:30]
 set ytics ("0.1 %%" 0.1, "1 %%" 1, "10 %%" 10)
 set xlabel "ms a step, 4 to 32 substeps" textcolor rgb "#404040"
 set label 1 "as mended" at 2.2,7 textcolor rgb mended font "DejaVu Sans Bold,20"
-set label 2 "the engine" at 1.05,0.34 textcolor rgb engine
+set label 2 "the engine" at 1.3,0.3 textcolor rgb engine
 plot csv index 0 using 2:3 with linespoints ls 1, \
      csv index 1 using 2:3 with points ls 2
 unset label

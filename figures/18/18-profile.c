@@ -2,12 +2,15 @@
 // phase, as the world's own clock books it; nothing sleeps.
 //
 // An index for each scene: s, ms a step of the phases, in tenths of a second.
-// Each run is repeated, and every frame counts with its median.
+// Each run is repeated, and every frame counts with its median.  The table
+// ends with the errors of the same runs.
 
 #include "clock.h"
-#include "world_scene.h"
+#include "measure.h"
 #include "step.h"
+#include "world_scene.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -22,6 +25,15 @@ static const char *const PHASE[PHASES] = {
 
 static real took[SCENES][RUNS][FRAMES][PHASES];
 static real median[SCENES][FRAMES][PHASES];
+// Of the same runs, every BIN frames, at most.
+static real overlap[SCENES], strain[SCENES];     // m; no unit
+
+static void take_error(scene_kind kind, const world *w)
+{
+    measures m = world_measure(w);
+    overlap[kind] = fmax(overlap[kind], m.penetration);
+    strain[kind] = fmax(strain[kind], m.strain);
+}
 
 static void run(scene_kind kind, int again)
 {
@@ -34,6 +46,7 @@ static void run(scene_kind kind, int again)
         world_step(&s.world);
         for (int phase = 0; phase < PHASES; phase++)
             took[kind][again][k][phase] = 1e3 * s.world.report.time[phase];
+        if (k % BIN == 0) take_error(kind, &s.world);
     }
     world_scene_free(&s);
 }
@@ -86,6 +99,11 @@ static void print_table(void)
     }
     printf("#= the whole step");
     for (scene_kind k = 0; k < SCENES; k++) printf(",%.3f ms", all[k]);
+    printf("\n#= deepest overlap");
+    for (scene_kind k = 0; k < SCENES; k++)
+        printf(",%.2g mm", 1e3 * overlap[k]);
+    printf("\n#= largest strain");
+    for (scene_kind k = 0; k < SCENES; k++) printf(",%.2g %%", 100 * strain[k]);
     printf("\n");
 }
 

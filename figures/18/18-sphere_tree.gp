@@ -30,7 +30,7 @@ set label 1 "balls around\nparticles" at 75,0.03 left textcolor rgb points font 
 set label 2 "triangles,\nthickened" at 2.5e3,0.2 center textcolor rgb faces
 set label 3 "labels: radius or thickness, of a mesh width" at 65,6.5e-4 left textcolor rgb "#606060" font small
 plot csv index 0 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb points lw 2, \
-     csv index 0 using 2:(shown($3)):1 every 2::0 with labels font small textcolor rgb points offset 1.6,0.6, \
+     csv index 0 using ($1 == 0.2 || $1 == 0.3 || $1 == 0.4 || $1 == 1 ? $2 : NaN):(shown($3)):1 with labels font small textcolor rgb points offset 1.6,0.6, \
      csv index 1 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb faces lw 1.5, \
      csv index 1 using 2:(shown($3)):1 every 2::0::4 with labels font small textcolor rgb faces offset 2,0.6
 unset label
@@ -44,8 +44,8 @@ still = 3e-4
 set yrange [2e-4:0.5]
 set ytics ("0" still, "0.1 %%" 1e-3, "1 %%" 1e-2, "10 %%" 0.1)
 strain(e) = e > still ? e : still
-set label 1 "wrapped,\nslack of twice\nthe strain" at 11,0.012 left textcolor rgb points font bold
-set label 2 "layered" at 155,3e-3 left textcolor rgb faces
+set label 1 "wrapped,\nslack of twice\nthe strain" at 48,0.012 left textcolor rgb points font bold
+set label 2 "layered" at 520,3e-3 right textcolor rgb faces
 plot csv index 2 using 2:(strain($1)) with linespoints pt 7 ps 1.2 lc rgb points lw 2, \
      csv index 3 using 2:(strain($1)) with linespoints pt 7 ps 1.2 lc rgb faces lw 1.5
 unset multiplot

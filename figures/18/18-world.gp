@@ -34,7 +34,8 @@ set label 4 "engine" at 30,8e-3 left textcolor rgb ours font bold
 plot csv index 5 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb printed lw 1.5, \
      csv index 6 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb mended lw 1.5, \
      csv index 0 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb ours lw 2, \
-     csv index 0 using 2:(shown($3)):1 with labels font small textcolor rgb ours offset 0.6,0.8
+     csv index 0 using ($1 == 100 || $1 == 300 || $1 == 10000 ? $2 : NaN):(shown($3)):1 with labels font small textcolor rgb ours offset 0.6,0.8, \
+     csv index 0 using ($1 == 100 || $1 == 300 || $1 == 10000 ? NaN : $2):(shown($3)):1 with labels font small textcolor rgb ours offset 2,-0.7
 unset label
 set origin 0.5,0.5
 set title "Rooms: time of a step" offset 0,-0.3

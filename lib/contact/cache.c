@@ -262,6 +262,12 @@ static void set_arms(contact_point *p, const solver_body *a,
     p->arm_b = vec3_sub(is_apart ? on_b : middle, b->frame.center);
 }
 
+// A plane's side of a contact needs no arm.
+static void set_arm(contact_point *p, const solver_body *a)
+{
+    p->arm_a = vec3_sub(frame_point(&a->frame, p->local_a), a->frame.center);
+}
+
 static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
                           bool is_apart)
 {
@@ -284,17 +290,23 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
 static void add_guard(contact *c, const cache_frame *f)
 {
     int a = c->a, b = c->b;
-    bool is_a = f->now[a].radius < f->now[b].radius;
+    bool is_a = b < 0 || f->now[a].radius < f->now[b].radius;
     int small = is_a ? a : b;
+    if (!f->moves[small] || c->count == 0) return;
+    if (c->count == CONTACT_POINTS) c->count--;
     contact_point *p = &c->point[c->count];
-    if (!f->moves[small] || c->count == CONTACT_POINTS) return;
     *p = c->point[0];
     if (is_a) p->local_a = f->body[a].rigid->middle;
     else      p->local_b = f->body[b].rigid->middle;
     p->offset = f->body[small].inner;
-    set_arms(p, &f->now[a], &f->now[b], true);
+    if (b < 0) set_arm(p, &f->now[a]);
+    else       set_arms(p, &f->now[a], &f->now[b], true);
     c->count++;
 }
+
+// In a frame in which bodies turn by more than this (rad) other vertices come
+// to touch than were found.
+static const real SPINS = 0.5;
 //<
 
 //> cache-query
@@ -343,6 +355,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
                                    f->ahead[a].angle + f->ahead[b].angle,
                                    &e->carried);
         take_manifold(now, &m, f, false);
+        if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
         p->seen[0] = c->placed[a].number;
         p->seen[1] = c->placed[b].number;
         p->margin = reach + slack;
@@ -425,10 +438,10 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     for (int k = 0; k < n; k++) {
         contact_point *q = &now->point[k];
         *q = (contact_point){ .local_a = f->body[a].rigid->local[low[k].vertex] };
-        q->arm_a = vec3_sub(frame_point(&f->now[a].frame, q->local_a),
-                            f->now[a].frame.center);
+        set_arm(q, &f->now[a]);
     }
-    p->count = (signed char)n;
+    if (f->ahead[a].angle > SPINS) add_guard(now, f);
+    p->count = (signed char)now->count;
     p->seen[0] = c->placed[a].number;
     p->seen[1] = 0;
     p->margin = reach + slack;
@@ -465,6 +478,13 @@ static void query_chunk(void *data, int item)
 //> cache-active
 // A contact whose gap cannot close in this frame is left out: it was `gap`, and
 // both bodies together have gone no further than their paths since.
+// One that goes further than the ball inside it, or was asked when it touches.
+static bool must_hold(const cache_frame *f, const cache_pair *p, int a, int b)
+{
+    return p->seen[0] < 0
+        || (b < 0 && vec3_length(f->ahead[a].way) > f->body[a].inner);
+}
+
 static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
                      int a, int b)
 {
@@ -474,6 +494,7 @@ static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
     real paths = c->placed[a].path + (b < 0 ? 0 : c->placed[b].path);
     if (p->gap - (paths - p->paths) > reach) return;
     p->paths = paths;
+    c->fast += must_hold(f, p, a, b);
     c->active[c->actives] = &c->entry[p->entry].contact;
     c->of[c->actives] = p;
     c->reach[c->actives++] = reach;
@@ -495,7 +516,7 @@ static bool grow_active(contact_cache *c, int need)
 
 static void gather_active(contact_cache *c, const cache_frame *f)
 {
-    c->actives = 0;
+    c->actives = c->fast = 0;
     if (!grow_active(c, c->entries)) {
         c->lost += c->entries;
         return;

@@ -502,7 +502,7 @@ static void batch_give(const rigid4 *f, const batch *t, int l, particle *p,
     real worst = t->worst[l];
     if (p->inverse_mass == 0) return;
     if (!(t->most[l] <= BENT)) worst = measured_again(f, t, l);
-    if (!(worst <= BENT || worst <= o.tolerance) || !(t->volume[l] > 0)
+    if (!(worst <= BENT) || !(t->volume[l] > 0)
         || (worst > o.tolerance && !is_straight_lane(f, t, l))) {
         add_result(all, put_back(f, p));
         return;
@@ -520,6 +520,7 @@ rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
 {
     rigid4_result all = { .worst = 0 };
     assert(steps > 0);
+    options.tolerance = real_min(options.tolerance, BENT);
     for (int b = 0; b < bodies; b += LANES) {
         // Lanes that are left over repeat the last body.
         int n = bodies - b < LANES ? bodies - b : LANES;

@@ -125,7 +125,7 @@ static prediction predict(const world *w, int b)
     const body *x = &w->body[b];
     const particle *p = w->pool.at + x->first;
     int n = x->shape->particles;
-    real dt = w->options.dt, ages = dt / w->age, fastest = 0;
+    real dt = w->frame, ages = dt / w->age, fastest = 0;
     vec3 mean = { 0, 0, 0 };
     if (!body_moves(w, b)) return (prediction){ .reach = 0 };
     for (int i = 0; i < n; i++)
@@ -198,6 +198,7 @@ static int substeps_for(const world *w, int b, real far, real share)
     const body *x = &w->body[b];
     real radius = body_is_soft(x) ? x->shape->spacing / 2 : x->inner;
     real need = far / (share * radius);
+    if (!(need - need == 0)) return 1;      // it is lost, and meets nothing
     if (!(need < w->options.most_substeps)) return w->options.most_substeps;
     return (int)need + ((int)need < need);
 }

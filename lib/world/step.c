@@ -18,32 +18,54 @@ static void substep(world *w, const solver_frame *f, int k, real *since);
 static void move_bodies(world *w, real h);
 static void fall_asleep(world *w);
 
-void world_step(world *w)
+// What may touch in the next `seconds`.  Paper: bodies move, then overlaps are
+// looked for; here: what may touch is found before anything moves.
+static void find(world *w, real seconds, real *since)
 {
-    assert(w->is_ready);
-    real since = w->options.host.clock ? w->options.host.clock() : 0;
-    w->report = (step_report){ .substeps = w->options.substeps };
-    ledger_open(w);
-    sleep_begin(&w->sleep);
-    // Paper: bodies move, then overlaps are looked for; here: what may touch in
-    // this frame is found before anything moves.
+    w->frame = seconds;
     look_at_bodies(w);
     if (w->softs > 0 && soft_begin(w)) look_at_bodies(w);
     find_pairs(w);
     ledger_book(w, LEDGER_SLEEP);
-    lap(w, PHASE_PAIRS, &since);
+    lap(w, PHASE_PAIRS, since);
     find_contacts(w);
-    lap(w, PHASE_CONTACTS, &since);
+    lap(w, PHASE_CONTACTS, since);
+}
+
+// The impulses that part it, and where they take everything.
+static void solve(world *w, real *since)
+{
     solver_frame f = prepare(w);
-    lap(w, PHASE_PREPARE, &since);
-    for (int k = 0; k < w->report.substeps; k++) substep(w, &f, k, &since);
+    lap(w, PHASE_PREPARE, since);
+    for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
     solver_store(&w->rigid.solver, w->rigid.cache.active);
+    w->report.substeps += f.substeps;
     w->age = f.h;
     move_bodies(w, f.h);
-    lap(w, PHASE_MOVE, &since);
+    lap(w, PHASE_MOVE, since);
+}
+
+// Where something flies by more than its own size in a frame, and may hit, the
+// frame is divided: after the impact everything goes elsewhere than was found.
+enum { FAST_PARTS = 4 };
+
+void world_step(world *w)
+{
+    assert(w->is_ready);
+    real dt = w->options.dt;
+    real since = w->options.host.clock ? w->options.host.clock() : 0;
+    w->report = (step_report){ .substeps = 0 };
+    ledger_open(w);
+    sleep_begin(&w->sleep);
+    find(w, dt, &since);
+    bool is_divided = w->rigid.cache.fast > 0;
+    for (int k = 0; k < (is_divided ? FAST_PARTS : 1); k++) {
+        if (is_divided) find(w, dt / FAST_PARTS, &since);
+        solve(w, &since);
+    }
     fall_asleep(w);
     ledger_book(w, LEDGER_SLEEP);
-    w->time += w->options.dt;
+    w->time += dt;
     lap(w, PHASE_SLEEP, &since);
 }
 
@@ -78,7 +100,7 @@ static int chunk_of(const world *w, int item, int *first)
 static prediction predict(const world *w, const solver_body *now,
                           const motion *u)
 {
-    real dt = w->options.dt;
+    real dt = w->frame;
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     vec3 spin = motion_rotation(&now->basis, u);
     real beside = vec3_length(w->options.gravity) * dt * dt / 2
@@ -185,7 +207,7 @@ static void find_contacts(world *w)
 // is no more than SAG of the smaller radius where a body lies on one that is
 // EVEN times lighter, or more: that many for its own weight, whatever it pushes
 // in this frame.
-static const real SAG = 0.004, EVEN = 30;
+static const real SAG = 0.0025, EVEN = 30;
 enum { MOST_TIMES = 8 };
 
 // 1/s^2: what the contact has to bear, F / m, beside the smaller radius.
@@ -207,7 +229,7 @@ static int substeps_for_heavy(const world *w)
     for (int k = 0; k < c->actives; k++)
         if (c->active[k]->b >= 0 && contact_load(c->active[k]) > 0)
             most = real_max(most, uneven_pace(w, c->active[k]));
-    return (int)real_min(o->dt * sqrt(most / SAG),
+    return (int)real_min(w->frame * sqrt(most / SAG),
                          (real)MOST_TIMES * o->substeps);
 }
 
@@ -227,7 +249,7 @@ static real stacked_pace(const world *w, const contact *c)
 static bool is_stacked(const world *w)
 {
     const contact_cache *c = &w->rigid.cache;
-    real few = (real)w->options.substeps * 3 / 4 / w->options.dt;
+    real few = (real)w->options.substeps * 3 / 4 / w->frame;
     for (int k = 0; k < c->actives; k++)
         if (stacked_pace(w, c->active[k]) > STACK_SAG * few * few) return true;
     return false;
@@ -268,14 +290,15 @@ static int choose_substeps(world *w)
 //> step-prepare
 // Contacts are damped ten times as much as would just not swing, and push out
 // at 3 m/s at most.  In smaller substeps their springs may be stiffer.
-static solver_frame frame_of(const world *w)
+static solver_frame frame_of(const world *w, int substeps)
 {
     const world_options *o = &w->options;
-    real h = o->dt / w->report.substeps, finer = h * o->substeps / o->dt;
+    real h = w->frame / substeps;
     return (solver_frame){
         .body = w->rigid.now, .bodies = w->bodies, .plane = w->plane, .h = h,
+        .substeps = substeps,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
-        .hertz = o->hertz / finer, .damping = 10, .max_speed = 3,
+        .hertz = o->hertz, .damping = 10, .max_speed = 3,
         .restitution = o->restitution, .gravity = o->gravity,
         .run = o->host.run };
 }
@@ -295,8 +318,7 @@ static void count_deep(world *w)
 static solver_frame prepare(world *w)
 {
     rigid_tables *t = &w->rigid;
-    w->report.substeps = choose_substeps(w);
-    solver_frame f = frame_of(w);
+    solver_frame f = frame_of(w, choose_substeps(w));
     const contact *const *table = (const contact *const *)t->cache.active;
     if (!solver_prepare(&t->solver, &f, table, t->cache.reach,
                         t->cache.actives))

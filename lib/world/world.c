@@ -9,10 +9,10 @@
 world_options world_options_default(void)
 {
     return (world_options){
-        .dt = 1.0 / 60, .substeps = 8, .most_substeps = 1000,
+        .dt = 1.0 / 60, .substeps = 8, .most_substeps = 400,
         .gravity = { 0, -9.81, 0 },
         .friction = 0.5, .restitution = 0,
-        .hertz = 60, .stay = 0.03, .warm_start = true,
+        .hertz = 1000, .stay = 0.03, .warm_start = true,
         .sleep_speed = 0.005, .time_to_sleep = 0.5,
         .iterations = 6,
         .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 },

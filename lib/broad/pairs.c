@@ -6,7 +6,7 @@
 
 static bool holds(const pair_list *l, const pair_query *q)
 {
-    if (l->lists == 0) return false;
+    if (l->lists == 0 || l->is_cut) return false;
     for (int b = 0; b < l->bodies; b++) {
         const sphere *was = &l->listed[b];
         if (!q->moves[b]) continue;
@@ -55,6 +55,7 @@ bool pair_list_update(pair_list *l, const pair_query *q, int *lost)
         n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
     l->count = int_min(n, l->capacity);
     *lost = n - l->count;
+    l->is_cut = *lost > 0;
     l->lists++;
     return true;
 }

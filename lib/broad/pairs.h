@@ -24,6 +24,7 @@ typedef struct {
     int  (*pair)[2];    // a < b, sorted by a, then by b
     int  count, capacity;
     long lists;         // how often they were found
+    bool is_cut;        // some found no memory: the list does not hold
 
     broad  broad;
     sphere *listed;     // [bodies] the larger balls

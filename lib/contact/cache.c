@@ -29,7 +29,8 @@ void cache_update(contact_cache *c, const cache_frame *f)
     update u = { c, f };
     c->lost = 0;
     c->queries = 0;
-    if (f->is_new_list) follow_list(c, f);
+    // (Memory for it may have been refused in the last frame.)
+    if (f->is_new_list || c->pairs != f->list->count) follow_list(c, f);
     tasks_run(f->run, place_chunk, &u, chunks(f->bodies));
     tasks_run(f->run, decide_chunk, &u, chunks(c->pairs));
     make_entries(c);

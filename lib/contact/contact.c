@@ -53,14 +53,18 @@ static int nearest_point(const contact *c, vec3 local)
 }
 
 // No impulse is lost, and none is given twice: a load that nothing carries
-// would throw the pile up.
+// would throw the pile up.  But an impulse along another normal would throw up
+// what it has carried: it is not for this contact.
 void contact_inherit(contact *now, const contact *was)
 {
+    const real least = 0.7;     // the cosine of 45 degrees
     vec3 none = { 0, 0, 0 };
+    bool is_same = now->count > 0
+                && vec3_dot(now->normal, was->normal) >= least;
     for (int k = 0; k < now->count; k++) now->impulse[k] = 0;
-    now->friction = now->count > 0 ? was->friction : none;
-    now->twist = now->count > 0 ? was->twist : 0;
-    for (int k = 0; k < was->count && now->count > 0; k++) {
+    now->friction = is_same ? was->friction : none;
+    now->twist = is_same ? was->twist : 0;
+    for (int k = 0; k < was->count && is_same; k++) {
         int to = nearest_point(now, was->point[k].local_a);
         now->impulse[to] += was->impulse[k];
     }

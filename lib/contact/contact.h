@@ -51,7 +51,7 @@ real contact_load(const contact *c);
 
 // Contact `now` of the same bodies, found anew, takes over the impulses of
 // `was`: each old point hands its own to the new point nearest to it (warm
-// starting).
+// starting).  None, if the normal has turned by more than 45 degrees.
 void contact_inherit(contact *now, const contact *was);
 //<
 

@@ -274,7 +274,7 @@ static impact impact_of(const impact_solver *s, const contact *c)
 static void stop_points(impact *x, const real part[CONTACT_POINTS],
                         real k[CONTACT_POINTS][CONTACT_POINTS])
 {
-    enum { PASSES = 100 };
+    enum { PASSES = 200 };
     real fastest = 0, worst = HUGE_VAL;
     for (int i = 0; i < x->points; i++) fastest = real_max(-part[i], fastest);
     for (int pass = 0; pass < PASSES && worst > 1e-14 * fastest; pass++) {

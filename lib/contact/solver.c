@@ -866,19 +866,41 @@ static void store_lane(const contact_solver *s, const block *k, int l,
     c->twist = real4_get(&k->twist_impulse, l);
 }
 
-void solver_store(const contact_solver *s, contact *const *table)
+typedef struct {
+    const contact_solver *s;
+    contact *const *table;
+} storing;
+
+static void clear_chunk(void *data, int item)
 {
-    for (int k = 0; k < s->contacts; k++) {
-        contact *c = table[k];
+    const storing *q = data;
+    int end = int_min((item + 1) * CHUNK, q->s->contacts);
+    for (int k = item * CHUNK; k < end; k++) {
+        contact *c = q->table[k];
         for (int j = 0; j < c->count; j++) c->impulse[j] = 0;
         c->friction = (vec3){ 0, 0, 0 };
         c->twist = 0;
     }
-    for (int n = 0; n < s->blocks; n++)
-        for (int l = 0; l < REAL4; l++) {
-            int k = s->block[n].contact[l];
-            if (k >= 0) store_lane(s, &s->block[n], l, table[k]);
-        }
+}
+
+// No contact is in two blocks.
+static void store_chunk(void *data, int item)
+{
+    const storing *q = data;
+    int end = int_min((item + 1) * CHUNK, q->s->blocks);
+    for (int n = item * CHUNK; n < end; n++) {
+        const block *x = &q->s->block[n];
+        for (int l = 0; l < REAL4; l++)
+            if (x->contact[l] >= 0)
+                store_lane(q->s, x, l, q->table[x->contact[l]]);
+    }
+}
+
+void solver_store(const contact_solver *s, tasks run, contact *const *table)
+{
+    storing q = { s, table };
+    tasks_run(run, clear_chunk, &q, chunks(s->contacts));
+    tasks_run(run, store_chunk, &q, chunks(s->blocks));
 }
 //<
 

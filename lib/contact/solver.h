@@ -152,7 +152,7 @@ void solver_see_gaps(contact_solver *s, const solver_frame *f,
 void solver_end(contact_solver *s, const motion *velocity);
 
 // Writes the impulses of the last substep to the contacts that were prepared.
-void solver_store(const contact_solver *s, contact *const *table);
+void solver_store(const contact_solver *s, tasks run, contact *const *table);
 //<
 
 //> solver-end

@@ -13,18 +13,37 @@ manifold collide_rigid(const collider *a, const collider *b, real margin,
 //<
 
 //> collide-swept
+// The manifold of a as it will be when it has gone a share of the way, with the
+// gaps of now.  One touch if faces do not lie along each other there.
+static manifold touch_ahead(const collider *a, const collider *b, vec3 way,
+                            real near, const swept_result *s, vec3 *scratch)
+{
+    query_cache none = { .count = 0 };
+    vec3 gone = vec3_scale(s->time, way);
+    for (int v = 0; v < a->shape->particles; v++)
+        scratch[v] = vec3_add(a->at[v], gone);
+    const collider ahead = { a->shape, scratch };
+    manifold m = collide_rigid(&ahead, b, near, 0, &none);
+    if (m.count == 0) {
+        m = (manifold){ 1, s->normal, { { .gap = near } } };
+        query_features(&s->last, &m.point[0].a, &m.point[0].b);
+    }
+    for (int k = 0; k < m.count; k++) {
+        touch *t = &m.point[k];
+        vec3 gap = vec3_sub(feature_at(&t->a, a->at), feature_at(&t->b, b->at));
+        t->gap = vec3_dot(gap, m.normal);
+    }
+    return m;
+}
+
 swept_status collide_swept(const collider *a, const collider *b, vec3 way,
                            real apart, vec3 *scratch, manifold *m)
 {
     real fine = 0.001 * real_min(a->shape->radius, b->shape->radius);
     swept_result s = swept_first_touch(query_hull(a), way, query_hull(b),
                                        apart, fine, scratch);
-    if (s.status != SWEPT_TOUCHES) return s.status;
-    touch t;
-    query_features(&s.last, &t.a, &t.b);
-    vec3 gap = vec3_sub(feature_at(&t.a, a->at), feature_at(&t.b, b->at));
-    t.gap = vec3_dot(gap, s.normal);
-    *m = (manifold){ 1, s.normal, { t } };
+    if (s.status == SWEPT_TOUCHES)
+        *m = touch_ahead(a, b, way, apart + 2 * fine, &s, scratch);
     return s.status;
 }
 //<

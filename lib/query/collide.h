@@ -18,7 +18,7 @@
 manifold collide_rigid(const collider *a, const collider *b, real margin,
                        real turn, query_cache *carried);
 
-// The touch of bodies a and b where they first come as near as `apart` (m,
+// The touches of bodies a and b where they first come as near as `apart` (m,
 // >= 0), while a goes straight by `way` (m) as seen from b.  *m holds it if the
 // result is SWEPT_TOUCHES, with the normal of that moment and the gap of now,
 // along this normal; else the result says what became of them, and *m is as it

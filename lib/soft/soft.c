@@ -192,13 +192,14 @@ bool soft_begin(world *w)
 
 //> soft-substeps
 // In a substep nothing should go further than a share of its own radius: the
-// inner one of a rigid body, half the spacing of a deformable one.
+// inner one of a rigid body, half the spacing of a deformable one.  One whose
+// numbers are lost asks for nothing.
 static int substeps_for(const world *w, int b, real far, real share)
 {
     const body *x = &w->body[b];
     real radius = body_is_soft(x) ? x->shape->spacing / 2 : x->inner;
     real need = far / (share * radius);
-    if (!(need - need == 0)) return 1;      // it is lost, and meets nothing
+    if (!(need < HUGE_VAL)) return 0;
     if (!(need < w->options.most_substeps)) return w->options.most_substeps;
     return (int)need + ((int)need < need);
 }

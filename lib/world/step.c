@@ -38,7 +38,8 @@ static void solve(world *w, real *since)
     solver_frame f = prepare(w);
     lap(w, PHASE_PREPARE, since);
     for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
-    solver_store(&w->rigid.solver, w->rigid.cache.active);
+    solver_store(&w->rigid.solver, w->options.host.run,
+                 w->rigid.cache.active);
     w->report.substeps += f.substeps;
     w->age = f.h;
     move_bodies(w, f.h);

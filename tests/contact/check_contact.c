@@ -137,6 +137,28 @@ START_TEST(each_impulse_goes_to_the_nearest_new_point)
 }
 END_TEST
 
+// A heavy body rolls over a light one: what pushed it up pushes it aside now.
+// Rejects: a load along a normal that it has never had.
+START_TEST(impulses_along_another_normal_are_forgotten)
+{
+    for (int n = 0; n < 1000; n++) {
+        contact was = { .count = 3, .normal = any_unit(),
+                        .friction = any_vec3(), .twist = 1 };
+        contact now = { .count = 4, .normal = any_unit() };
+        for (int k = 0; k < 3; k++) {
+            was.point[k] = any_point();
+            was.impulse[k] = 1 + k;
+        }
+        for (int k = 0; k < 4; k++) now.point[k] = any_point();
+        contact_inherit(&now, &was);
+        bool is_near = vec3_dot(now.normal, was.normal) >= 0.7;
+        ck_assert(fabs(contact_load(&now) - (is_near ? 6 : 0)) <= ROUNDING);
+        ck_assert(now.twist == (is_near ? 1 : 0));
+        ck_assert((vec3_length(now.friction) > 0) == is_near);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const test[] = {
@@ -145,6 +167,7 @@ int main(void)
         gap_to_a_plane_is_the_height_over_it,
         load_is_the_sum_of_the_impulses,
         each_impulse_goes_to_the_nearest_new_point,
+        impulses_along_another_normal_are_forgotten,
     };
     Suite *s = suite_create("contact");
     TCase *t = tcase_create("contact");

@@ -8,7 +8,7 @@
 
 // A few roundings of sums of numbers near the largest.
 #define ROUNDING 1e-13
-// What a hundred passes of Gauss-Seidel leave of four points that share a body.
+// What the passes of Gauss-Seidel leave of four points that share a body.
 #define PASSES 1e-9
 
 enum { MOST = 32 };
@@ -601,35 +601,46 @@ START_TEST(eccentric_impact_turns_the_body)
     real j = (1 + e) * 5 / (1 / m + l * l / i);
     expect_vec3(velocity_of(0), vec3_make(0, j / m - 5, 0), 1e-12);
     expect_vec3(spin_of(0), vec3_make(0, 0, l * j / i), 1e-12);
+    // The centre does not move: the corner alone comes down, at 5 m/s.
+    set_velocity(0, vec3_make(0, 0, 0));
+    velocity[0].of[MOTION_TURN + 2] = -5 / l * sqrt(i);
+    ck_assert_int_eq(solve(e), 1);
+    expect_vec3(velocity_of(0), vec3_make(0, j / m, 0), 1e-12);
+    expect_vec3(spin_of(0), vec3_make(0, 0, l * j / i - 5 / l), 1e-12);
 }
 END_TEST
 
 // --- whatever strikes whatever -----------------------------------------------
 
 // Two bodies of any mass and inertia, points in one plane across the normal.
+static vec3 any_inertia(real mass, real r)
+{
+    real x = any_size(0.5), y = any_size(0.5), z = any_size(0.5);
+    return vec3_scale(mass * r * r, vec3_make(x, y, z));
+}
+
 static void any_pair(void)
 {
     begin(0.01 * any_size(1));
     int points = 1 + (int)(2 + 2 * any());
     frame.friction = any() > 0 ? any_size(1) : 0;
-    gravity = any() > 0 ? vec3_scale(10, any_unit()) : gravity;
+    if (any() > 0) gravity = vec3_scale(10, any_unit());
     vec3 n = any_unit(), middle = any_vec3();
     vec3 across = vec3_unit(vec3_cross(n, any_unit()));
     vec3 aside = vec3_cross(n, across);
     for (int b = 0; b < 2; b++) {
-        real mass = any_size(3), r = any_size(0.5), i = mass * r * r;
-        vec3 inertia = { i * any_size(0.5), i * any_size(0.5),
-                         i * any_size(0.5) };
-        add(vec3_add(middle, vec3_scale(r, any_unit())),
-            any() > 0.7 && b == 0 ? HUGE_VAL : mass, inertia, r);
-        bool moves = body[b].basis.inverse_mass > 0;
+        real mass = any_size(3), r = any_size(0.5);
+        bool moves = b == 1 || any() < 0.7;
+        vec3 inertia = any_inertia(mass, r);
+        add(vec3_add_scaled(middle, r, any_unit()), moves ? mass : HUGE_VAL,
+            inertia, r);
         for (int k = 0; k < MOTIONS && moves; k++)
             velocity[b].of[k] = 20 * any() * (k < 3 ? 1 : sqrt(mass) * r);
     }
     contact *c = add_contact(0, 1, n);
     for (int k = 0; k < points; k++) {
-        vec3 at = vec3_add_scaled(vec3_add_scaled(middle, any(), across), any(),
-                                  aside);
+        vec3 at = vec3_add_scaled(middle, any(), across);
+        at = vec3_add_scaled(at, any(), aside);
         add_point(c, vec3_sub(at, body[0].frame.center),
                   vec3_sub(at, body[1].frame.center));
     }
@@ -778,7 +789,7 @@ START_TEST(no_point_goes_through)
         advance();
         for (int k = 0; k < made[0].count; k++)
             ck_assert(closed[k] > 0
-                      || gap_at(k) >= -0.01 * fastest * frame.h);
+                      || gap_at(k) >= -0.05 * fastest * frame.h);
     }
     ck_assert_int_ge(hits, 3000);
 }
@@ -802,7 +813,7 @@ START_TEST(enough_friction_stops_the_point)
                           motion_at(&body[1].basis, &velocity[1], p->arm_b));
         vec3 n = made[0].normal;
         v = vec3_add_scaled(v, -vec3_dot(v, n), n);
-        ck_assert(closing > 0 && vec3_length(v) <= 1e-9 * (closing + 20));
+        ck_assert(closing > 0 && vec3_length(v) <= 1e-7 * (closing + 20));
     }
     ck_assert_int_ge(hits, 3000);
 }
@@ -827,9 +838,9 @@ START_TEST(every_point_parts_at_restitution_times_its_speed)
         hits++;
         for (int k = 0; k < made[0].count; k++) {
             ck_assert(!(closed[k] > 0)
-                      || apart(k) >= e * closed[k] - 0.01 * fastest);
+                      || apart(k) >= e * closed[k] - 0.05 * fastest);
             if (made[0].count == 1)
-                expect_close(apart(k), e * closed[k], 1e-12 * fastest);
+                expect_close(apart(k), e * closed[k], 1e-11 * (fastest + 20));
         }
     }
     ck_assert_int_ge(hits, 5000);

@@ -91,7 +91,7 @@ static void store(pile *p)
 {
     contact *table[PILE_CONTACTS];
     set_table(p, table);
-    solver_store(&solver, table);
+    solver_store(&solver, (tasks){ .run = NULL }, table);
 }
 
 static void run(pile *p, vec3 gravity, int substeps)

@@ -237,7 +237,7 @@ START_TEST(a_worker_that_is_late_is_left_alone_for_a_time)
     tasks_run(run, note_thread, &d, 100);
     ck_assert_int_eq(d.elsewhere, 0);
     for (int k = 0; k < 200 && d.elsewhere == 0; k++) {
-        sleep_ms(50);
+        sleep_ms(100);
         tasks_run(run, note_thread, &d, 50);
     }
     ck_assert_int_gt(d.elsewhere, 0);

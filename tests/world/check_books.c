@@ -152,7 +152,7 @@ START_TEST(books_balance_while_bodies_fall_asleep_and_wake)
         books_balance(was, BOOKS * 2000);
     }
     ck_assert(slept && woke);
-    near_real(w.ledger[LEDGER_SLEEP].energy, 0, 1e-3);
+    near_real(w.ledger[LEDGER_SLEEP].energy, 0, 1e-2);
 }
 END_TEST
 

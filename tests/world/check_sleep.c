@@ -162,8 +162,8 @@ START_TEST(what_stops_sleeps)
 END_TEST
 
 // A cube that stands on its edge, 0.0003 rad off balance, begins to fall as
-// cosh(sqrt(g r m / I) t) = cosh(3.2 t); one of its particles is 1.2 m from that
-// edge.
+// cosh(sqrt(g r m / I) t) = cosh(3.2 t); one of its particles is 1.2 m from
+// that edge.
 static vec3 tipping(real t)
 {
     real x = 3.2 * t;

@@ -100,7 +100,8 @@ static real slide(real mu, real beyond, real side, real dt, real t)
     vec3 before = center(0);
     real slept = run(t, 1), far = vec3_distance(before, center(0));
     if (beyond < 0) {
-        ck_assert_msg(slept < t && far < 0.06 * real_max(side, 1),
+        real most = real_max(0.03, 2 * dt) * real_max(side, 1);
+        ck_assert_msg(slept < t && far < most,
                       "mu %g, side %g, dt %g: slid %g m", mu, side, dt, far);
         return 0;
     }
@@ -109,12 +110,13 @@ static real slide(real mu, real beyond, real side, real dt, real t)
     return far / (EARTH * cos(a) * beyond * t * t / 2);
 }
 
-// Some speed is gained before friction is as large as it will be.
+// Some speed is gained before friction is as large as it will be: the more, the
+// longer the first frame.
 static void expect_slope(real mu, real side, real dt)
 {
     real t = 10 * sqrt(real_max(side, 1));
     real far = slide(mu, 0.0005, side, dt, t);
-    ck_assert_msg(far > 0.95 && far < 2.5, "mu %g, side %g, dt %g: %g", mu,
+    ck_assert_msg(far > 0.95 && far < 4, "mu %g, side %g, dt %g: %g", mu,
                   side, dt, far);
     slide(mu, -0.0005, side, dt, t);
 }

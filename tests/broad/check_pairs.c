@@ -1,0 +1,288 @@
+// check_pairs.c - does a list of pairs hold all that may meet, for as long as it
+// is kept?  Book: chapter 14.
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "pairs.h"
+#include "scarce.h"
+
+enum { BODIES = 40 };
+
+static pair_list list;
+static sphere ball[BODIES];
+static real reach[BODIES];
+static char moves[BODIES];
+static pair_query query;
+static int lost;
+
+static void begin(int bodies)
+{
+    pair_list_free(&list);
+    ck_assert(pair_list_init(&list, bodies).ok);
+    query = (pair_query){ ball, reach, moves, bodies };
+}
+
+static void tear_down(void)
+{
+    pair_list_free(&list);
+}
+
+static bool update(void)
+{
+    return pair_list_update(&list, &query, &lost);
+}
+
+static unsigned long long seed = 7;
+
+static real any(void)
+{
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (real)(seed >> 11) / 4503599627370496.0 - 1;
+}
+
+static vec3 any_vec3(void)
+{
+    real x = any(), y = any();
+    return vec3_make(x, y, any());
+}
+
+static void put(int b, real x, real radius, real far)
+{
+    ball[b] = (sphere){ { x, 0, 0 }, radius };
+    reach[b] = far;
+    moves[b] = 1;
+}
+
+static bool is_listed(int a, int b)
+{
+    for (int k = 0; k < list.count; k++)
+        if (list.pair[k][0] == a && list.pair[k][1] == b) return true;
+    return false;
+}
+
+static bool may_meet(int a, int b)
+{
+    real near = ball[a].radius + ball[b].radius + reach[a] + reach[b];
+    if (ball[a].radius < 0 || ball[b].radius < 0) return false;
+    return (moves[a] || moves[b])
+        && vec3_distance(ball[a].center, ball[b].center) <= near;
+}
+
+// --- all that may meet ---------------------------------------------------------
+
+static void any_scene(void)
+{
+    begin(BODIES);
+    for (int b = 0; b < BODIES; b++) {
+        ball[b].center = vec3_scale(4, any_vec3());
+        ball[b].radius = b % 11 == 10 ? -1 : 0.6 + any() / 2;
+        reach[b] = 0.02 + any() / 60;
+        moves[b] = b % 7 != 0;
+    }
+}
+
+// Every ball goes at most as far as its reach says, which changes as well.
+static void drift(void)
+{
+    for (int b = 0; b < BODIES; b++) {
+        vec3 way = vec3_scale(reach[b] / 2, any_vec3());
+        if (moves[b]) ball[b].center = vec3_add(ball[b].center, way);
+        reach[b] *= 1 + any() / 10;
+    }
+}
+
+// Pairs that are missing, and entries that should not be there.
+static int count_wrong(void)
+{
+    int wrong = 0;
+    for (int a = 0; a < BODIES; a++)
+        for (int b = a + 1; b < BODIES; b++)
+            wrong += may_meet(a, b) && !is_listed(a, b);
+    for (int k = 0; k < list.count; k++) {
+        const int *p = list.pair[k];
+        wrong += !(p[0] < p[1] && (moves[p[0]] || moves[p[1]]));
+        wrong += ball[p[0]].radius < 0 || ball[p[1]].radius < 0;
+        if (k == 0) continue;
+        const int *q = list.pair[k - 1];
+        wrong += !(q[0] < p[0] || (q[0] == p[0] && q[1] < p[1]));
+    }
+    return wrong;
+}
+
+// Rejects: a list for the balls of now; one that knows only where a ball is, and
+// not how far it gets; one that is kept when a ball has left; one of all pairs.
+START_TEST(pairs_that_may_meet_are_listed_in_every_frame)
+{
+    int kept = 0, pairs = 0, frames = 0;
+    for (int scene = 0; scene < 20; scene++) {
+        any_scene();
+        for (int f = 0; f < 30; f++, frames++) {
+            long before = list.lists;
+            bool is_new = update();
+            kept += !is_new;
+            pairs += list.count;
+            ck_assert_int_eq(lost, 0);
+            ck_assert_int_eq(is_new, list.lists > before);
+            ck_assert(f > 0 || is_new);
+            ck_assert_int_eq(count_wrong(), 0);
+            drift();
+        }
+    }
+    ck_assert_msg(kept > frames / 2, "kept in %d frames of %d", kept, frames);
+    ck_assert_int_lt(pairs, frames * BODIES * (BODIES - 1) / 4);
+}
+END_TEST
+
+// A ball of 1 m that may go 0.05 m was listed with 0.1 + 2 * 0.05 m more: one
+// reach is for the frame, the rest to wander in.
+// Rejects: room that is measured from the ball of now; a list that is found in
+// every frame, or as soon as anything moves.
+START_TEST(list_holds_until_a_ball_has_used_its_room)
+{
+    const real room = 0.1 + 0.05, hair = 1e-9;
+    begin(2);
+    put(0, 0, 1, 0.05);
+    put(1, 5, 1, 0.05);
+    ck_assert(update());
+    ck_assert(!update());
+    ball[0].center = vec3_make(0, room - hair, 0);
+    ck_assert(!update());
+    ball[0].center = vec3_make(0, 0, -(room + hair));
+    ck_assert(update());
+    ck_assert(!update());
+    // What may go further in this frame needs some of that room.
+    reach[1] = 0.05 + room - hair;
+    ck_assert(!update());
+    reach[1] = 0.05 + room + hair;
+    ck_assert(update());
+    ck_assert_int_eq(list.lists, 3);
+}
+END_TEST
+
+// Rejects: what never moves, or meets nothing, that is watched.
+START_TEST(what_never_moves_or_meets_nothing_makes_no_list)
+{
+    begin(3);
+    for (int b = 0; b < 3; b++) put(b, 0.5 * b, 1, 0.01);
+    moves[0] = 0;
+    ball[2].radius = -1;
+    ck_assert(update());
+    ck_assert_int_eq(list.count, 1);
+    ck_assert(is_listed(0, 1));
+    ball[0].center.y = ball[2].center.y = 9;
+    ck_assert(!update());
+    ball[1].center.y = 9;
+    ck_assert(update());
+}
+END_TEST
+
+// Rejects: a lost number that makes a list hold for ever, or that hides what the
+// others meet.
+START_TEST(lost_number_spoils_no_other_pair)
+{
+    const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
+    for (int k = 0; k < 6; k++) {
+        any_scene();
+        int b = 15 + k;
+        *(k % 2 ? &reach[b] : &ball[b].center.y) = bad[k / 2];
+        for (int f = 0; f < 20; f++) {
+            real keep = reach[b];
+            ck_assert(update() || bad[k / 2] < 0);
+            int missing = 0;
+            for (int a = 0; a < BODIES; a++)
+                for (int c = a + 1; c < BODIES; c++)
+                    missing += a != b && c != b && may_meet(a, c)
+                            && !is_listed(a, c);
+            ck_assert_int_eq(missing, 0);
+            drift();
+            reach[b] = keep;
+        }
+    }
+}
+END_TEST
+
+// --- memory --------------------------------------------------------------------
+
+// Rejects: pairs that are lost without a word; a cut list that is trusted in the
+// next frame; a write past the end.
+START_TEST(pairs_without_memory_are_counted_until_there_is_some)
+{
+    begin(BODIES);
+    for (int b = 0; b < BODIES; b++) put(b, 0.01 * b, 1, 0.01);
+    int all = BODIES * (BODIES - 1) / 2;
+    for (int f = 0; f < 3; f++) {
+        mallocs_left = 0;
+        bool is_new = update();
+        mallocs_left = INT_MAX;
+        ck_assert(is_new);
+        ck_assert_int_gt(lost, 0);
+        ck_assert_int_eq(list.count + lost, all);
+    }
+    ck_assert(update());
+    ck_assert_int_eq(lost, 0);
+    ck_assert_int_eq(list.count, all);
+    long before = mallocs_made;
+    ball[3].center.y = 1;
+    bool is_new = update();
+    long after = mallocs_made;
+    ck_assert(is_new);
+    ck_assert_int_eq(after, before);
+}
+END_TEST
+
+// Rejects: an answer that is not looked at; a half-made list.
+START_TEST(refused_memory_leaves_nothing)
+{
+    bool ok = false;
+    int n = 0;
+    pair_list_free(&list);
+    for (; !ok; n++) {
+        long before = blocks_held;
+        mallocs_left = n;
+        status done = pair_list_init(&list, BODIES);
+        mallocs_left = INT_MAX;
+        ok = done.ok;
+        long held = blocks_held;
+        if (!ok) ck_assert_int_eq(held, before);
+    }
+    ck_assert_int_gt(n, 3);
+}
+END_TEST
+
+// Rejects: sizes of nothing taken for a failure.
+START_TEST(no_bodies_have_no_pairs)
+{
+    begin(0);
+    ck_assert(update());
+    ck_assert_int_eq(list.count, 0);
+    pair_list_free(&list);
+    pair_list_free(&list);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {
+        pairs_that_may_meet_are_listed_in_every_frame,
+        list_holds_until_a_ball_has_used_its_room,
+        what_never_moves_or_meets_nothing_makes_no_list,
+        lost_number_spoils_no_other_pair,
+        pairs_without_memory_are_counted_until_there_is_some,
+        refused_memory_leaves_nothing,
+        no_bodies_have_no_pairs,
+    };
+    Suite *s = suite_create("pairs");
+    TCase *t = tcase_create("pairs");
+    tcase_add_checked_fixture(t, NULL, tear_down);
+    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
+        tcase_add_test(t, tests[i]);
+    suite_add_tcase(s, t);
+    SRunner *runner = srunner_create(s);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -10,6 +10,7 @@
 
 #include "vec3.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 enum { REAL4 = 4 };
@@ -53,6 +54,12 @@ static inline real4 real4_sqrt(real4 a)
 {
     for (int l = 0; l < REAL4; l++) a.x[l] = sqrt(a.x[l]);
     return a;
+}
+
+// Is any of the four not zero?
+static inline bool real4_any(real4 a)
+{
+    return a.x[0] != 0 || a.x[1] != 0 || a.x[2] != 0 || a.x[3] != 0;
 }
 
 static inline void real4_set(real4 *a, int l, real value)
@@ -149,6 +156,14 @@ static inline real4 real4_sqrt(real4 a)
 {
     return (real4){ { sqrt(a.lo[0]), sqrt(a.lo[1]) },
                     { sqrt(a.hi[0]), sqrt(a.hi[1]) } };
+}
+
+// Is any of the four not zero?
+static inline bool real4_any(real4 a)
+{
+    const real2 zero = { 0, 0 };
+    mask2 m = (mask2)(a.lo != zero) | (mask2)(a.hi != zero);
+    return (m[0] | m[1]) != 0;
 }
 
 static inline void real4_set(real4 *a, int l, real value)

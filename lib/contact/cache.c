@@ -479,13 +479,6 @@ static void query_chunk(void *data, int item)
 //> cache-active
 // A contact whose gap cannot close in this frame is left out: it was `gap`, and
 // both bodies together have gone no further than their paths since.
-// One that goes further than the ball inside it, or was asked when it touches.
-static bool must_hold(const cache_frame *f, const cache_pair *p, int a, int b)
-{
-    return p->seen[0] < 0
-        || (b < 0 && vec3_length(f->ahead[a].way) > f->body[a].inner);
-}
-
 static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
                      int a, int b)
 {
@@ -495,7 +488,7 @@ static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
     real paths = c->placed[a].path + (b < 0 ? 0 : c->placed[b].path);
     if (p->gap - (paths - p->paths) > reach) return;
     p->paths = paths;
-    c->fast += must_hold(f, p, a, b);
+    c->fast += p->seen[0] < 0;
     c->active[c->actives] = &c->entry[p->entry].contact;
     c->of[c->actives] = p;
     c->reach[c->actives++] = reach;

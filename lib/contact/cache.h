@@ -90,7 +90,7 @@ typedef struct {
     long queries;       // asked in this frame
     long found;         // contacts, ever
     int  lost;          // contacts that found no memory
-    int  fast;          // contacts of this frame that must hold at once
+    int  fast;          // contacts of bodies that meet later in the frame
 } contact_cache;
 //<
 

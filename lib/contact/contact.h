@@ -53,6 +53,17 @@ real contact_load(const contact *c);
 // `was`: each old point hands its own to the new point nearest to it (warm
 // starting).  None, if the normal has turned by more than 45 degrees.
 void contact_inherit(contact *now, const contact *was);
+
+// Contact c will be read soon: a processor may fetch it already.
+static inline void contact_expect(const contact *c)
+{
+#ifdef __GNUC__
+    const char *at = (const char *)c;
+    for (int k = 0; k < (int)sizeof *c; k += 64) __builtin_prefetch(at + k);
+#else
+    (void)c;
+#endif
+}
 //<
 
 //> contact-end-of-header

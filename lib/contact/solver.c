@@ -27,11 +27,24 @@ static active_contact activate(const contact *c, const solver_frame *f,
         x.point[x.count] = (signed char)k;
         x.gap[x.count++] = gap[k];
     }
+    x.load = contact_load(c);
     x.is_swapped = !moves(f, c->a);
     x.sides = moves(f, c->a) && moves(f, c->b) ? TWO_SIDED : ONE_SIDED;
-    if (x.is_swapped) x.a = c->b;
-    if (x.sides == ONE_SIDED) x.b = f->bodies;
+    if (x.is_swapped) {
+        x.a = c->b;
+        x.b = c->a;
+    }
     return x;
+}
+
+// Is x the contact y of the frame before, with the same points?
+static bool is_same(const active_contact *x, const active_contact *y)
+{
+    if (x->found != y->found || x->count != y->count || x->a != y->a
+        || x->b != y->b || x->sides != y->sides) return false;
+    for (int j = 0; j < x->count; j++)
+        if (x->point[j] != y->point[j]) return false;
+    return true;
 }
 //<
 
@@ -51,13 +64,15 @@ static void choose_color(contact_solver *s, active_contact *x)
     *b |= 1ULL << color;
 }
 
-// Those of a colour stand together, and of these those with as many points: a
-// block takes as long as the contact in it that has most.
-enum { BINS = SIDES * COLORS * CONTACT_POINTS };
+// Those of a colour stand together; of these, those that carry something, for
+// the others need no friction; and of these those with as many points: a block
+// takes as long as the contact in it that has most.
+enum { KINDS = 2 * CONTACT_POINTS, BINS = SIDES * COLORS * KINDS };
 
 static int bin_of(const active_contact *x)
 {
-    return x->color * CONTACT_POINTS + (CONTACT_POINTS - x->count);
+    int fewer = CONTACT_POINTS - x->count;
+    return x->color * KINDS + (x->load > 0 ? fewer : KINDS - 1 - fewer);
 }
 
 // Counting sort; end[bin] is where each bin ends in s->order.
@@ -81,7 +96,7 @@ static void list_colors(contact_solver *s, const int end[BINS])
     int first = 0;
     s->colors = s->blocks = 0;
     for (int c = 0; c < SIDES * COLORS; c++) {
-        int n = end[(c + 1) * CONTACT_POINTS - 1] - first;
+        int n = end[(c + 1) * KINDS - 1] - first;
         bool is_crowded = c % COLORS == COLORS - 1;
         int blocks = is_crowded ? n : (n + REAL4 - 1) / REAL4;
         first += n;
@@ -149,7 +164,7 @@ static void choose_lane(lane_source *q, const contact *c,
 {
     real sign = x->is_swapped ? -1 : 1, radius = f->body[x->a].radius;
     q->a = x->a;
-    q->b = x->b;
+    q->b = x->sides == TWO_SIDED ? x->b : f->bodies;
     q->basis_a = &f->body[x->a].basis;
     q->basis_b = &IMMOVABLE;
     if (x->sides == TWO_SIDED) {
@@ -315,6 +330,7 @@ typedef struct {
     const solver_frame *f;
     const contact *const *table;
     const real *reach;
+    int known;          // contacts that the frame before had
 } preparation;
 
 enum { CHUNK = 32 };        // contacts, or blocks, in an item of work
@@ -326,10 +342,15 @@ static int chunks(int n)
 
 static void activate_chunk(void *data, int item)
 {
+    enum { AHEAD = 4 };
     const preparation *p = data;
     int end = int_min((item + 1) * CHUNK, p->s->contacts);
-    for (int k = item * CHUNK; k < end; k++)
-        p->s->active[k] = activate(p->table[k], p->f, p->reach[k]);
+    for (int k = item * CHUNK; k < end; k++) {
+        active_contact *x = &p->s->active[k], was = *x;
+        contact_expect(p->table[int_min(k + AHEAD, end - 1)]);
+        *x = activate(p->table[k], p->f, p->reach[k]);
+        x->is_new = k >= p->known || !is_same(x, &was);
+    }
 }
 
 // The first contact in s->order of block `number`, and how many it has.
@@ -353,7 +374,10 @@ static void fill_block(const preparation *p, int number)
     real4 center_a[3], center_b[3];
     int first, lanes = lanes_of(s, number, &first);
     const int *list = s->order + first;
-    k->points = s->active[list[0]].count;
+    k->rubs = true;
+    k->points = 0;
+    for (int l = 0; l < lanes; l++)
+        k->points = int_max(k->points, s->active[list[l]].count);
     for (int l = 0; l < REAL4; l++) {
         if (l < lanes)
             choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
@@ -382,21 +406,12 @@ static void fill_chunk(void *data, int item)
 //> solver-keep
 // Are these the contacts of the frame before, with the same points?  Then their
 // blocks, made for where the bodies stood when they were found, are good still.
-static bool is_same(const active_contact *x, const active_contact *y)
-{
-    if (x->found != y->found || x->count != y->count || x->a != y->a
-        || x->b != y->b || x->sides != y->sides) return false;
-    for (int j = 0; j < x->count; j++)
-        if (x->point[j] != y->point[j]) return false;
-    return true;
-}
-
 static bool may_keep_blocks(const contact_solver *s, const solver_frame *f,
-                            int n)
+                            int known)
 {
-    if (n != s->contacts || f->h != s->h || !(f->warm == 1)) return false;
-    for (int k = 0; k < n; k++)
-        if (!is_same(&s->active[k], &s->last[k])) return false;
+    if (known != s->contacts || f->h != s->h || !(f->warm == 1)) return false;
+    for (int k = 0; k < known; k++)
+        if (s->active[k].is_new) return false;
     return true;
 }
 
@@ -433,10 +448,9 @@ static bool grow(void **array, int *capacity, int need, size_t size)
 
 static bool make_room(contact_solver *s, int n)
 {
-    int one = s->capacity, two = s->capacity;
+    int capacity = s->capacity;
     if (n > s->capacity) s->contacts = 0;
-    return grow((void **)&s->active, &one, n, sizeof *s->active)
-        && grow((void **)&s->last, &two, n, sizeof *s->last)
+    return grow((void **)&s->active, &capacity, n, sizeof *s->active)
         && grow((void **)&s->order, &s->capacity, n, sizeof *s->order);
 }
 
@@ -463,18 +477,15 @@ static bool make_blocks(contact_solver *s, preparation *p)
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table, const real *reach, int n)
 {
-    preparation p = { s, f, table, reach };
+    preparation p = { s, f, table, reach, 0 };
     if (!make_room(s, n)) {
         forget_blocks(s);
         return false;
     }
-    active_contact *last = s->last;
-    int contacts = s->contacts;
-    s->last = s->active;
-    s->active = last;
+    p.known = s->contacts;
     s->contacts = n;
     tasks_run(f->run, activate_chunk, &p, chunks(n));
-    if (contacts == n && may_keep_blocks(s, f, n)) {
+    if (may_keep_blocks(s, f, p.known)) {
         tasks_run(f->run, keep_chunk, &p, chunks(s->blocks));
         return true;
     }
@@ -703,8 +714,11 @@ static inline __attribute__((always_inline)) void relax(block *k, const pass *q,
         moment = real4_mad(p->lever, p->impulse, moment);
     }
     push_centers(k, k->normal, sum, &u, two);
-    if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
-    brake_block(k, real4_mul(friction, along), &u, two);
+    if (k->rubs || real4_any(along)) {
+        if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
+        brake_block(k, real4_mul(friction, along), &u, two);
+        k->rubs = real4_any(along);
+    }
     give_sides(k, q->velocity, &u, two);
 }
 
@@ -849,13 +863,21 @@ void solver_end(contact_solver *s, const motion *velocity)
 //<
 
 //> solver-store
-static void store_lane(const contact_solver *s, const block *k, int l,
-                       contact *c)
+static void clear_impulses(contact *c)
 {
-    const active_contact *x = &s->active[k->contact[l]];
-    real sign = x->is_swapped ? -1 : 1;
-    for (int j = 0; j < x->count; j++)
+    for (int j = 0; j < c->count; j++) c->impulse[j] = 0;
+    c->friction = (vec3){ 0, 0, 0 };
+    c->twist = 0;
+}
+
+static void store_lane(const block *k, int l, active_contact *x, contact *c)
+{
+    real sign = x->is_swapped ? -1 : 1, load = 0;
+    clear_impulses(c);
+    for (int j = 0; j < x->count; j++) {
         c->impulse[x->point[j]] = real4_get(&k->point[j].impulse, l);
+        load += c->impulse[x->point[j]];
+    }
     for (int i = 0; i < 2; i++) {
         vec3 t = { real4_get(&k->across[i][0], l),
                    real4_get(&k->across[i][1], l),
@@ -864,10 +886,11 @@ static void store_lane(const contact_solver *s, const block *k, int l,
         c->friction = vec3_add_scaled(c->friction, impulse, t);
     }
     c->twist = real4_get(&k->twist_impulse, l);
+    x->load = load;
 }
 
 typedef struct {
-    const contact_solver *s;
+    contact_solver *s;
     contact *const *table;
 } storing;
 
@@ -876,27 +899,30 @@ static void clear_chunk(void *data, int item)
     const storing *q = data;
     int end = int_min((item + 1) * CHUNK, q->s->contacts);
     for (int k = item * CHUNK; k < end; k++) {
-        contact *c = q->table[k];
-        for (int j = 0; j < c->count; j++) c->impulse[j] = 0;
-        c->friction = (vec3){ 0, 0, 0 };
-        c->twist = 0;
+        if (q->s->active[k].count > 0) continue;
+        clear_impulses(q->table[k]);
+        q->s->active[k].load = 0;
     }
 }
 
 // No contact is in two blocks.
 static void store_chunk(void *data, int item)
 {
+    enum { AHEAD = 2 };
     const storing *q = data;
     int end = int_min((item + 1) * CHUNK, q->s->blocks);
     for (int n = item * CHUNK; n < end; n++) {
         const block *x = &q->s->block[n];
-        for (int l = 0; l < REAL4; l++)
-            if (x->contact[l] >= 0)
-                store_lane(q->s, x, l, q->table[x->contact[l]]);
+        const block *next = &q->s->block[int_min(n + AHEAD, end - 1)];
+        for (int l = 0; l < REAL4; l++) {
+            int k = x->contact[l], then = next->contact[l];
+            if (then >= 0) contact_expect(q->table[then]);
+            if (k >= 0) store_lane(x, l, &q->s->active[k], q->table[k]);
+        }
     }
 }
 
-void solver_store(const contact_solver *s, tasks run, contact *const *table)
+void solver_store(contact_solver *s, tasks run, contact *const *table)
 {
     storing q = { s, table };
     tasks_run(run, clear_chunk, &q, chunks(s->contacts));
@@ -922,7 +948,6 @@ status solver_init(contact_solver *s, int bodies)
 void solver_free(contact_solver *s)
 {
     free(s->active);
-    free(s->last);
     free(s->order);
     free(s->block);
     free(s->taken);

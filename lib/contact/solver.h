@@ -71,6 +71,7 @@ typedef struct {
     int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
+    bool  rubs;                         // friction's impulses may not be 0
     block_point point[CONTACT_POINTS];
 } block;
 //<
@@ -84,13 +85,15 @@ enum { TWO_SIDED, ONE_SIDED, SIDES };
 
 typedef struct {
     long found;         // the contact's
-    int  a, b;          // bodies that move; ONE_SIDED: b is spare
+    int  a, b;          // bodies, or b < 0: a plane; ONE_SIDED: only a moves
     int  count;         // points that may touch in this frame
     int  color, sides;
     bool is_swapped;    // A does not move: the block's A is the contact's B
+    bool is_new;        // it, or one of its points, was not in the last frame
     signed char point[CONTACT_POINTS];  // which of the contact's
     real gap[CONTACT_POINTS];           // m
     real least;                         // m, of all points
+    real load;          // N s, along the normal, when last solved
 } active_contact;
 
 typedef struct {
@@ -102,8 +105,7 @@ typedef struct {
 } block_color;
 
 typedef struct {
-    active_contact *active, *last;      // [capacity] of every contact; of the
-                                        // frame before
+    active_contact *active;             // [capacity] of every contact
     int  *order;                        // [capacity] by colour and points
     int  contacts, capacity;
     block *block;
@@ -151,8 +153,9 @@ void solver_see_gaps(contact_solver *s, const solver_frame *f,
 // Keeps what the contacts did to each body, for the next substep.
 void solver_end(contact_solver *s, const motion *velocity);
 
-// Writes the impulses of the last substep to the contacts that were prepared.
-void solver_store(const contact_solver *s, tasks run, contact *const *table);
+// Writes the impulses of the last substep to the contacts that were prepared,
+// and their loads to s->active.
+void solver_store(contact_solver *s, tasks run, contact *const *table);
 //<
 
 //> solver-end

@@ -310,7 +310,7 @@ static void count_deep(world *w)
     for (int k = 0; k < s->contacts; k++) {
         const active_contact *x = &s->active[k];
         const solver_body *now = w->rigid.now;
-        real radius = x->b == w->bodies ? now[x->a].radius
+        real radius = x->sides == ONE_SIDED ? now[x->a].radius
                     : real_min(now[x->a].radius, now[x->b].radius);
         w->report.unconverged += x->least < -0.1 * radius;
     }
@@ -509,16 +509,17 @@ static void put_to_sleep(world *w, const body *b)
     }
 }
 
+// Islands are held together by what the contacts carried last.
 static void join_islands(world *w)
 {
-    const contact_cache *c = &w->rigid.cache;
-    for (int k = 0; k < c->actives; k++) {
-        const contact *x = c->active[k];
-        if (!(contact_load(x) > 0)) continue;
+    const contact_solver *s = &w->rigid.solver;
+    w->report.pushing = 0;
+    for (int k = 0; k < s->contacts; k++) {
+        const active_contact *x = &s->active[k];
+        if (!(x->load > 0)) continue;
         w->report.pushing++;
-        if (x->b < 0 || body_is_static(&w->body[x->a])
-            || body_is_static(&w->body[x->b])) continue;
-        sleep_touch(&w->sleep, x->a, x->b);
+        if (x->b >= 0 && !body_is_static(&w->body[x->b]))
+            sleep_touch(&w->sleep, x->a, x->b);
     }
 }
 

@@ -60,6 +60,7 @@ static real alone(int operation, const real_lanes *in, int l)
     case MAKE:   return l == 0 ? in->a[3] : l == 1 ? in->b[2]
                       : l == 2 ? in->c[1] : in->a[0];
     case ALL:    return in->a[1];
+    case ANY:    return a != 0 ? 1 : 0;
     default:     return a + b;
     }
 }

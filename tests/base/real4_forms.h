@@ -56,6 +56,18 @@ static real4 cross_product(real4 a, real4 b, real4 c, int i)
     return to[i];
 }
 
+// In each lane: is any number of a vector that has only this lane's not zero?
+static real4 any_alone(const real_lanes *in)
+{
+    real4 r = real4_all(0);
+    for (int l = 0; l < REAL4; l++) {
+        real4 x = real4_all(0);
+        real4_set(&x, l, in->a[l]);
+        real4_set(&r, l, real4_any(x) ? 1 : 0);
+    }
+    return r;
+}
+
 void NAME(int operation, const real_lanes *in, real out[2 * REAL4])
 {
     real4 a = load(in->a), b = load(in->b), c = load(in->c), r = a;
@@ -77,6 +89,7 @@ void NAME(int operation, const real_lanes *in, real out[2 * REAL4])
     case MAKE:     r = real4_make(in->a[3], in->b[2], in->c[1], in->a[0]);
                    break;
     case ALL:      r = real4_all(in->a[1]); break;
+    case ANY:      r = any_alone(in); break;
     case GATHER:   gather_and_scatter(in, out); return;
     default:       break;
     }

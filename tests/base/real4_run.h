@@ -6,7 +6,7 @@
 #include "vec3.h"
 
 enum { ADD, SUB, MUL, DIV, MAX, MIN, CHOOSE, SQRT, MAD, SUMS, CROSS_X,
-       CROSS_Y, CROSS_Z, MAKE, ALL, GATHER, OPERATIONS };
+       CROSS_Y, CROSS_Z, MAKE, ALL, ANY, GATHER, OPERATIONS };
 
 typedef struct {
     real a[4], b[4], c[4];

@@ -54,31 +54,49 @@ static int compare(const int a[2], const int b[2])
          : a[1] != b[1] ? (a[1] < b[1] ? -1 : 1) : 0;
 }
 
+static bool grow_spare(contact_cache *c, int need, int room)
+{
+    if (need <= c->spare_capacity) return true;
+    free(c->spare);
+    free(c->spare_key);
+    c->spare = malloc((size_t)room * sizeof *c->spare);
+    c->spare_key = malloc((size_t)room * sizeof *c->spare_key);
+    c->spare_capacity = c->spare && c->spare_key ? room : 0;
+    return c->spare_capacity > 0;
+}
+
+static void swap_spare(contact_cache *c)
+{
+    cache_pair *pair = c->pair;
+    int (*key)[2] = c->key, room = c->pair_capacity;
+    c->pair = c->spare;
+    c->key = c->spare_key;
+    c->pair_capacity = c->spare_capacity;
+    c->spare = pair;
+    c->spare_key = key;
+    c->spare_capacity = room;
+}
+
 // Both lists are sorted: one walk along them hands each pair what was kept of
 // it, and lets go of what belongs to pairs that are listed no more.
 static void follow_list(contact_cache *c, const cache_frame *f)
 {
     const pair_list *list = f->list;
-    size_t room = (size_t)int_max(list->capacity, 1);
-    cache_pair *pair = malloc(room * sizeof *pair);
-    int (*key)[2] = malloc(room * sizeof *key), old = 0;
-    int n = pair && key ? list->count : 0;
+    int n = grow_spare(c, list->count, list->capacity) ? list->count : 0;
+    int old = 0;
     c->lost += list->count - n;
     for (int k = 0; k < n; k++) {
         const int *now = list->pair[k];
         while (old < c->pairs && compare(c->key[old], now) < 0)
             release(c, &c->pair[old++]);
         bool is_known = old < c->pairs && compare(c->key[old], now) == 0;
-        pair[k] = is_known ? c->pair[old++]
-                           : (cache_pair){ .entry = -1, .seen = { -1, -1 } };
-        key[k][0] = now[0];
-        key[k][1] = now[1];
+        c->spare[k] = is_known ? c->pair[old++]
+                    : (cache_pair){ .entry = -1, .seen = { -1, -1 } };
+        c->spare_key[k][0] = now[0];
+        c->spare_key[k][1] = now[1];
     }
     while (old < c->pairs) release(c, &c->pair[old++]);
-    free(c->pair);
-    free(c->key);
-    c->pair = pair;
-    c->key = key;
+    swap_spare(c);
     c->pairs = n;
 }
 //<
@@ -438,7 +456,8 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     now->count = n;
     for (int k = 0; k < n; k++) {
         contact_point *q = &now->point[k];
-        *q = (contact_point){ .local_a = f->body[a].rigid->local[low[k].vertex] };
+        *q = (contact_point){
+            .local_a = f->body[a].rigid->local[low[k].vertex] };
         set_arm(q, &f->now[a]);
     }
     if (f->ahead[a].angle > SPINS) add_guard(now, f);
@@ -560,6 +579,8 @@ void cache_free(contact_cache *c)
 {
     free(c->pair);
     free(c->key);
+    free(c->spare);
+    free(c->spare_key);
     free(c->wall);
     free(c->entry);
     free(c->placed);

@@ -68,6 +68,9 @@ typedef struct {
     cache_pair *pair;   // [pairs], as in the list
     int (*key)[2];      // [pairs] whose
     int pairs, pair_capacity;
+    cache_pair *spare;          // [spare_capacity] for the next list
+    int (*spare_key)[2];
+    int spare_capacity;
     cache_pair *wall;   // [bodies * planes]
     int bodies, planes;
     cache_entry *entry;

@@ -235,7 +235,8 @@ static int substeps_for_heavy(const world *w)
 }
 
 // Where nothing goes further than a sixteenth of its radius in a frame, three
-// quarters of the usual substeps do, unless a stack needs all of them.
+// quarters of the usual substeps do, unless a stack needs all of them, or more:
+// small bodies do, for gravity takes them further, beside their radius.
 static const real STACK_SAG = 0.0065;
 
 static real stacked_pace(const world *w, const contact *c)
@@ -247,13 +248,14 @@ static real stacked_pace(const world *w, const contact *c)
     return contact_load(c) / w->age * inverse / radius;
 }
 
-static bool is_stacked(const world *w)
+static real substeps_for_stack(const world *w)
 {
     const contact_cache *c = &w->rigid.cache;
-    real few = (real)w->options.substeps * 3 / 4 / w->frame;
+    real most = 0;
     for (int k = 0; k < c->actives; k++)
-        if (stacked_pace(w, c->active[k]) > STACK_SAG * few * few) return true;
-    return false;
+        most = real_max(most, stacked_pace(w, c->active[k]));
+    return real_min(w->frame * sqrt(most / STACK_SAG),
+                    (real)MOST_TIMES * w->options.substeps);
 }
 
 static bool is_calm(const world *w)
@@ -280,8 +282,12 @@ static int hold(substep_choice *c, int need)
 static int choose_substeps(world *w)
 {
     int usual = w->options.substeps;
-    bool is_easy = w->softs == 0 && is_calm(w) && !is_stacked(w);
-    int n = is_easy ? (3 * usual + 3) / 4 : usual;
+    int n = usual;
+    if (w->softs == 0 && is_calm(w)) {
+        real need = substeps_for_stack(w);
+        n = need > 0.75 * usual ? int_max(usual, (int)(need + 1))
+                                : (3 * usual + 3) / 4;
+    }
     n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
     return int_min(n, int_max(w->options.most_substeps, usual));

@@ -1,5 +1,5 @@
-// check_pairs.c - does a list of pairs hold all that may meet, for as long as it
-// is kept?  Book: chapter 14.
+// check_pairs.c - does a list of pairs hold all that may meet, for as long as
+// it is kept?  Book: chapter 14.
 
 #include <check.h>
 #include <math.h>
@@ -71,7 +71,7 @@ static bool may_meet(int a, int b)
         && vec3_distance(ball[a].center, ball[b].center) <= near;
 }
 
-// --- all that may meet ---------------------------------------------------------
+// --- all that may meet -------------------------------------------------------
 
 static void any_scene(void)
 {
@@ -112,8 +112,9 @@ static int count_wrong(void)
     return wrong;
 }
 
-// Rejects: a list for the balls of now; one that knows only where a ball is, and
-// not how far it gets; one that is kept when a ball has left; one of all pairs.
+// Rejects: a list for the balls of now; one that knows only where a ball is,
+// and not how far it gets; one that is kept when a ball has left; one of all
+// pairs.
 START_TEST(pairs_that_may_meet_are_listed_in_every_frame)
 {
     int kept = 0, pairs = 0, frames = 0;
@@ -179,8 +180,8 @@ START_TEST(what_never_moves_or_meets_nothing_makes_no_list)
 }
 END_TEST
 
-// Rejects: a lost number that makes a list hold for ever, or that hides what the
-// others meet.
+// Rejects: a lost number that makes a list hold for ever, or that hides what
+// the others meet.
 START_TEST(lost_number_spoils_no_other_pair)
 {
     const real bad[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
@@ -204,10 +205,10 @@ START_TEST(lost_number_spoils_no_other_pair)
 }
 END_TEST
 
-// --- memory --------------------------------------------------------------------
+// --- memory ------------------------------------------------------------------
 
-// Rejects: pairs that are lost without a word; a cut list that is trusted in the
-// next frame; a write past the end.
+// Rejects: pairs that are lost without a word; a cut list that is trusted in
+// the next frame; a write past the end.
 START_TEST(pairs_without_memory_are_counted_until_there_is_some)
 {
     begin(BODIES);

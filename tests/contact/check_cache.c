@@ -187,7 +187,7 @@ static real nudge(int b, vec3 way, vec3 w)
     return vec3_length(way) + now[b].radius * vec3_length(w);
 }
 
-// --- what is found -------------------------------------------------------------
+// --- what is found -----------------------------------------------------------
 
 // Rejects: a normal from A to B; points that do not ride on their bodies; a gap
 // that is not that of the surfaces.
@@ -274,8 +274,9 @@ END_TEST
 
 // A bullet of 300 m/s, 5 m a frame, from 2 m above a slab: it has one contact
 // there where it will touch, and its middle keeps in front of the slab as well.
-// Rejects: a guard at the slab's middle, or one that keeps no inner radius away;
-// a guard of what never moves; a way of one body instead of the difference.
+// Rejects: a guard at the slab's middle, or one that keeps no inner radius
+// away; a guard of what never moves; a way of one body instead of the
+// difference.
 START_TEST(bullet_has_a_touch_and_a_guard)
 {
     for (int at_small = 0; at_small < 2; at_small++) {
@@ -325,12 +326,12 @@ START_TEST(bullet_that_passes_by_touches_nothing)
 }
 END_TEST
 
-// --- what is kept --------------------------------------------------------------
+// --- what is kept ------------------------------------------------------------
 
-// A box and a slab of radius R and S stay where they are while none goes further
-// than 0.03 of its radius.
-// Rejects: a query in every frame; one that is never asked again; a measure that
-// is another body's, or that is not of the radius.
+// A box and a slab of radius R and S stay where they are while none goes
+// further than 0.03 of its radius.
+// Rejects: a query in every frame; one that is never asked again; a measure
+// that is another body's, or that is not of the radius.
 START_TEST(bodies_that_stay_are_not_asked_again)
 {
     int slab = add(SLAB, vec3_make(0, 0, 0), 0.01);
@@ -442,8 +443,8 @@ END_TEST
 
 // A box 30 mm over the floor, 1 cm of which it may go in a frame, comes down by
 // 4 mm a frame: in the fifth frame it may touch.
-// Rejects: a contact that is left out for ever, for nobody says how far its body
-// has gone; one that is kept although it cannot close.
+// Rejects: a contact that is left out for ever, for nobody says how far its
+// body has gone; one that is kept although it cannot close.
 START_TEST(contact_is_left_out_until_its_gap_may_close)
 {
     int box = add(BOX, vec3_make(0, 0.53, 0), 0.01);
@@ -465,7 +466,7 @@ START_TEST(contact_is_left_out_until_its_gap_may_close)
 }
 END_TEST
 
-// --- the oracle: nothing is kept -----------------------------------------------
+// --- the oracle: nothing is kept ---------------------------------------------
 
 static unsigned long long seed;
 
@@ -555,12 +556,13 @@ START_TEST(kept_contacts_are_those_that_would_be_found)
     ck_assert_msg(missing == 0, "%d of %d are missing", missing, met);
     ck_assert_int_gt(overlaps, FRAMES);
     ck_assert_msg(worst <= KEPT, "a gap is %g m too wide", worst);
-    ck_assert_msg(ghost <= GHOST, "bodies that are apart overlap by %g m", ghost);
+    ck_assert_msg(ghost <= GHOST, "bodies that are apart overlap by %g m",
+                  ghost);
     ck_assert_msg(asked < all / 3, "%ld queries, %ld without", asked, all);
 }
 END_TEST
 
-// --- tasks, lost numbers, memory -----------------------------------------------
+// --- tasks, lost numbers, memory ---------------------------------------------
 
 static void backwards(void *context, void (*work)(void *, int), void *data,
                       int items)

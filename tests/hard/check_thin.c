@@ -204,8 +204,8 @@ START_TEST(bullet_that_passes_the_rim_feels_nothing)
 END_TEST
 
 // The plate is so wide that a bullet which hops along it stays over it.
-// Rejects: a plate that is passed where the frame ends behind it; a guard on the
-// wrong side; a bullet that is thrown back by more than it had.
+// Rejects: a plate that is passed where the frame ends behind it; a guard on
+// the wrong side; a bullet that is thrown back by more than it had.
 START_TEST(bullet_stops_at_a_plate_however_fast)
 {
     shape wide;
@@ -291,7 +291,8 @@ static void meet_a_free_cloth(const shape *heavy, real v, real share)
 {
     begin(weightless());
     add(&cloth, ZERO, vec3_make(0, share * v, 0), false);
-    add(heavy, vec3_make(0.06, 0.3, 0.04), vec3_make(0, (share - 1) * v, 0), false);
+    add(heavy, vec3_make(0.06, 0.3, 0.04), vec3_make(0, (share - 1) * v, 0),
+        false);
     ck_assert(world_begin(&w).ok);
     vec3 before = vec3_make(0, 0.2 * share * v + 0.5 * (share - 1) * v, 0);
     for (int f = 0; f < 4; f++) world_step(&w);

@@ -268,8 +268,8 @@ START_TEST(masses_are_those_of_the_shape)
 }
 END_TEST
 
-// Rejects: a static body that drifts because it was given a velocity; one with a
-// finite mass, which an impulse would be shared with.
+// Rejects: a static body that drifts because it was given a velocity; one with
+// a finite mass, which an impulse would be shared with.
 START_TEST(static_body_is_immovable_and_at_rest)
 {
     placement p = slanted();
@@ -286,8 +286,8 @@ START_TEST(static_body_is_immovable_and_at_rest)
 }
 END_TEST
 
-// Rejects: a pin in the pool's particle of that number instead of the body's; one
-// that keeps the particle's velocity.
+// Rejects: a pin in the pool's particle of that number instead of the body's;
+// one that keeps the particle's velocity.
 START_TEST(pin_holds_one_particle_of_its_body)
 {
     placement p = placement_at(vec3_make(0, 1, 0));
@@ -454,9 +454,9 @@ END_TEST
 
 // --- begin, look, free -------------------------------------------------------
 
-// Rejects: tables in the wrong order; a body that stands where its shape does, at
-// the origin: a static one is never looked at again, so that everything would
-// fall through it; a deformable body among the rigid ones.
+// Rejects: tables in the wrong order; a body that stands where its shape does,
+// at the origin: a static one is never looked at again, so that everything
+// would fall through it; a deformable body among the rigid ones.
 START_TEST(world_begins_with_everything_in_its_place)
 {
     placement still = slanted();

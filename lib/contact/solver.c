@@ -11,30 +11,29 @@ static bool moves(const solver_frame *f, int body)
 }
 
 // Contact c, and which of its points come within reach.
-static active_contact activate(const contact *c, const solver_frame *f,
-                               real reach)
+static void activate(active_contact *x, const contact *c, const solver_frame *f,
+                     real reach)
 {
     real gap[CONTACT_POINTS];
-    active_contact x = { .found = c->found, .a = c->a, .b = c->b, .color = -1,
-                         .least = HUGE_VAL };
     const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
     real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
-    if (!moves(f, c->a) && !moves(f, c->b)) return x;
+    bool moves_a = moves(f, c->a), moves_b = moves(f, c->b);
+    x->found = c->found;
+    x->a = moves_a ? c->a : c->b;
+    x->b = moves_a ? c->b : c->a;
+    x->is_swapped = !moves_a;
+    x->sides = moves_a && moves_b ? TWO_SIDED : ONE_SIDED;
+    x->load = contact_load(c);
+    x->least = HUGE_VAL;
+    x->count = 0;
+    if (!moves_a && !moves_b) return;
     contact_gaps(c, &f->body[c->a].frame, b, height, gap);
     for (int k = 0; k < c->count; k++) {
-        x.least = real_min(gap[k], x.least);
+        x->least = real_min(gap[k], x->least);
         if (!(gap[k] < reach)) continue;
-        x.point[x.count] = (signed char)k;
-        x.gap[x.count++] = gap[k];
+        x->point[x->count] = (signed char)k;
+        x->gap[x->count++] = gap[k];
     }
-    x.load = contact_load(c);
-    x.is_swapped = !moves(f, c->a);
-    x.sides = moves(f, c->a) && moves(f, c->b) ? TWO_SIDED : ONE_SIDED;
-    if (x.is_swapped) {
-        x.a = c->b;
-        x.b = c->a;
-    }
-    return x;
 }
 
 // Is x the contact y of the frame before, with the same points?
@@ -348,7 +347,7 @@ static void activate_chunk(void *data, int item)
     for (int k = item * CHUNK; k < end; k++) {
         active_contact *x = &p->s->active[k], was = *x;
         contact_expect(p->table[int_min(k + AHEAD, end - 1)]);
-        *x = activate(p->table[k], p->f, p->reach[k]);
+        activate(x, p->table[k], p->f, p->reach[k]);
         x->is_new = k >= p->known || !is_same(x, &was);
     }
 }
@@ -677,6 +676,19 @@ static inline __attribute__((always_inline)) void brake_block(block *k, real4 mo
 }
 //<
 
+//> solver-see
+static inline __attribute__((always_inline)) void see_block(block *k, const pass *q, bool two)
+{
+    sides4 d = take_sides(k, q->moved, two);
+    real4 parted = part_centers(k->normal, &d, two);
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
+        p->now = real4_add(real4_add(parted, p->gap), turned);
+    }
+}
+//<
+
 //> solver-relax
 // How fast the points part, and 0 for those that an impact may part in the next
 // substep: they are open, have not pushed, and close fast.
@@ -694,16 +706,13 @@ static inline __attribute__((always_inline)) void relax(block *k, const pass *q,
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     const real4 friction = real4_all(q->friction);
+    see_block(k, q, two);
     sides4 u = take_sides(k, q->velocity, two);
-    sides4 d = take_sides(k, q->moved, two);
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
-    real4 parted = part_centers(k->normal, &d, two);
     real4 inverse = inverse_mass(k, two), along = zero, moment = zero;
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
-        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
-        real4 gap = real4_add(real4_add(parted, p->gap), turned);
-        p->now = gap;
+        real4 gap = p->now;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
         speed = has_impacts ? leave_impacts(q, speed, gap, p->impulse)
@@ -751,19 +760,6 @@ static inline __attribute__((always_inline)) void warm_block(block *k, const pas
     }
     push_turns(k->twist_a, k->twist_b, k->twist_impulse, &u, two);
     give_sides(k, q->velocity, &u, two);
-}
-//<
-
-//> solver-see
-static inline __attribute__((always_inline)) void see_block(block *k, const pass *q, bool two)
-{
-    sides4 d = take_sides(k, q->moved, two);
-    real4 parted = part_centers(k->normal, &d, two);
-    for (int j = 0; j < k->points; j++) {
-        block_point *p = &k->point[j];
-        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
-        p->now = real4_add(real4_add(parted, p->gap), turned);
-    }
 }
 //<
 

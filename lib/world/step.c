@@ -50,9 +50,20 @@ static void solve(world *w, real *since)
 // frame is divided: after the impact everything goes elsewhere than was found.
 enum { FAST_PARTS = 4 };
 
+// A world in which everything sleeps has nothing to do: nothing in it can wake.
+static void sleep_on(world *w)
+{
+    w->report = (step_report){ .asleep = w->report.asleep };
+    w->time += w->options.dt;
+}
+
 void world_step(world *w)
 {
     assert(w->is_ready);
+    if (w->is_resting) {
+        sleep_on(w);
+        return;
+    }
     real dt = w->options.dt;
     real since = w->options.host.clock ? w->options.host.clock() : 0;
     w->report = (step_report){ .substeps = 0 };
@@ -557,5 +568,7 @@ static void fall_asleep(world *w)
         if (w->pool.at[x->first].inverse_mass > 0) put_to_sleep(w, x);
         w->report.asleep++;
     }
+    w->is_resting = w->report.asleep > 0
+                    && w->report.asleep == w->dynamic_bodies;
 }
 //<

@@ -226,6 +226,7 @@ status world_add(world *w, const shape *s, placement where, int *number)
 
     place_particles(w, &b, &where);
     w->softs += body_is_soft(&b);
+    w->dynamic_bodies += !body_is_static(&b);
     if (number) *number = w->bodies;
     w->body[w->bodies++] = b;
     return status_ok();

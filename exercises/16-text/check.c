@@ -41,7 +41,7 @@ static void expect_ok(const char *text, int bodies)
 static vec3 middle(int b)
 {
     vec3 at[12], sum = { 0, 0, 0 };
-    int n = read.world.body[b].plan->particles;
+    int n = read.world.body[b].shape->particles;
     world_vertices(&read.world, &read.world.body[b], at);
     for (int k = 0; k < n; k++) sum = vec3_add_scaled(sum, 1.0 / n, at[k]);
     return sum;
@@ -71,11 +71,11 @@ START_TEST(text_becomes_a_world)
                   w->body[0].mass);
     ck_assert_msg(fabs(w->body[1].mass - 8) < ROUNDING, "the ball has %g kg",
                   w->body[1].mass);
-    ck_assert_msg(w->body[0].plan->at[7].x == 0.5
-                  && w->body[0].plan->at[7].z == 1.5, "the box has other "
+    ck_assert_msg(w->body[0].shape->at[7].x == 0.5
+                  && w->body[0].shape->at[7].z == 1.5, "the box has other "
                   "sides");
-    ck_assert_msg(fabs(w->body[1].plan->radius - 0.5) < ROUNDING,
-                  "the ball has a radius of %g", w->body[1].plan->radius);
+    ck_assert_msg(fabs(w->body[1].shape->radius - 0.5) < ROUNDING,
+                  "the ball has a radius of %g", w->body[1].shape->radius);
     expect_at(0, 5, 6, 7);
     expect_at(1, -1, -2, -3);
 }
@@ -99,11 +99,11 @@ START_TEST(last_body_is_thrown_and_spun)
 }
 END_TEST
 
-START_TEST(nailed_one_stays)
+START_TEST(static_one_stays)
 {
     expect_ok("box 1 1 1 2 0 0 0\nnail\nbox 1 1 1 2 5 0 0\n", 2);
-    ck_assert_msg(body_is_nailed(&read.world.body[0]), "it is not nailed");
-    ck_assert_msg(!body_is_nailed(&read.world.body[1]), "so is the other");
+    ck_assert_msg(body_is_static(&read.world.body[0]), "it is not static");
+    ck_assert_msg(!body_is_static(&read.world.body[1]), "so is the other");
 }
 END_TEST
 
@@ -229,7 +229,7 @@ int main(void)
     tcase_add_checked_fixture(t, NULL, tear_down);
     tcase_add_test(t, text_becomes_a_world);
     tcase_add_test(t, last_body_is_thrown_and_spun);
-    tcase_add_test(t, nailed_one_stays);
+    tcase_add_test(t, static_one_stays);
     tcase_add_test(t, blanks_and_comments_mean_nothing);
     tcase_add_test(t, scene_runs);
     tcase_add_test(t, mistakes_are_named_with_their_line);

@@ -9,7 +9,7 @@
 
 enum { TEXT_BODIES = 20, TEXT_LINE = 200 };
 
-// The world, and the plans of its bodies, which have to stay where they are as
+// The world, and the shapes of its bodies, which have to stay where they are as
 // long as it lives: a text_scene is never copied.
 typedef struct {
     world world;

@@ -16,9 +16,9 @@ set ylabel "largest error in any frame" textcolor rgb "#404040"
 set title "The plain system and the engine" font "DejaVu Sans,26" offset 0,-0.3
 unset key
 orange = "#d55e00"; blue = "#0072b2"; green = "#009e73"
-set label 1 "fifty icosahedra: overlap,\nin parts of a radius" at 0.016,0.12 textcolor rgb blue font "DejaVu Sans Bold,20"
+set label 1 "fifty icosahedra: overlap,\nin parts of a radius" at 0.016,0.2 textcolor rgb blue font "DejaVu Sans Bold,20"
 set label 2 "cloth on a cube: strain" at 0.12,120 textcolor rgb orange font "DejaVu Sans Bold,20"
-set label 3 "cloth on a\nrope: strain" at 1.6,0.45 textcolor rgb green font "DejaVu Sans Bold,20"
+set label 3 "cloth on a\nrope: strain" at 2.3,2.2 textcolor rgb green font "DejaVu Sans Bold,20"
 set label 4 "○ plain, as printed   ● plain, as mended   ■ engine" at graph 0.02,0.96 textcolor rgb "#404040" font "DejaVu Sans,20"
 plot csv index 0 using 2:($3/0.5) with lines lc rgb blue lw 1, \
      csv index 1 using 2:5 with lines lc rgb orange lw 1, \

@@ -80,13 +80,13 @@ static void weave(const shape *s, real *tint)
     int wide = (cells + bands / 2) / bands;
     if (wide < 1) wide = 1;
     for (int f = 0; f < s->mesh.faces; f++) {
-        vec3 corner = s->at[s->face[3 * f]];
+        vec3 low = s->at[s->face[3 * f]];
         for (int k = 1; k < 3; k++) {
             vec3 at = s->at[s->face[3 * f + k]];
-            corner = vec3_make(fmin(corner.x, at.x), 0, fmin(corner.z, at.z));
+            low = vec3_make(fmin(low.x, at.x), 0, fmin(low.z, at.z));
         }
-        int i = (int)((corner.x - first.x) / s->spacing + 0.5);
-        int j = (int)((corner.z - first.z) / s->spacing + 0.5);
+        int i = (int)((low.x - first.x) / s->spacing + 0.5);
+        int j = (int)((low.z - first.z) / s->spacing + 0.5);
         tint[f] = 0.5 * (i / wide % 2) + 0.5 * (j / wide % 2);
     }
 }

@@ -14,6 +14,13 @@
 #include <string.h>
 
 enum { REAL4 = 4 };
+
+// Made a part of every caller, which knows what its arguments are.
+#ifdef __GNUC__
+#define ALWAYS_INLINE static inline __attribute__((always_inline))
+#else
+#define ALWAYS_INLINE static inline
+#endif
 //<
 
 //> real4-plain

@@ -26,7 +26,7 @@ typedef struct broad {
     real *low, *high;   // [bodies] m, ends of each ball along x
     int  *first;        // [bodies + 1] scratch of the sorting of pairs
 
-    // Made anew by every call.
+    // Made by every call.
     int   lanes[2];     // along y, and along z
     lane_range (*reach)[2];     // [bodies] into which lanes, along y and z
     int  *lane;         // [bodies + 2] where the places of each lane begin

@@ -32,7 +32,7 @@ static void enlarge(pair_list *l, const pair_query *q)
     }
 }
 
-// Room for half as many again; the list is made anew, so nothing is kept.
+// Room for half as many again; the list is made again, so nothing is kept.
 static bool grow(pair_list *l, int need)
 {
     if (need > 1 << 28) return false;

@@ -103,7 +103,7 @@ static void follow_list(contact_cache *c, const cache_frame *f)
 
 //> cache-decide
 // m, how far a body may be from where it was placed, while it counts as there.
-// One that goes further than that in this frame is placed anew in each.
+// One that goes further than that in this frame is placed again in each.
 static real slack_of_body(const cache_frame *f, int b)
 {
     real slack = f->stay * f->now[b].radius;

@@ -49,7 +49,7 @@ void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
 // The sum of the impulses along the normal (N s): 0 if they do not touch.
 real contact_load(const contact *c);
 
-// Contact `now` of the same bodies, found anew, takes over the impulses of
+// Contact `now` of the same bodies, found again, takes over the impulses of
 // `was`: each old point hands its own to the new point nearest to it (warm
 // starting).  None, if the normal has turned by more than 45 degrees.
 void contact_inherit(contact *now, const contact *was);

@@ -124,7 +124,7 @@ static real speed_along(const impact_solver *s, int body, vec3 n)
          + u->of[0] * n.x + u->of[1] * n.y + u->of[2] * n.z;
 }
 
-// Most contacts are told by their bodies alone that they do not strike.
+// The bodies alone show of most contacts that they do not strike.
 static bool meets_fast(const impact_solver *s, const contact *c)
 {
     vec3 back = vec3_scale(-1, c->normal);

@@ -496,7 +496,7 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
 
 //> solver-sides
 // Six numbers of four bodies: three of the centre, three turns.
-static inline __attribute__((always_inline)) void gather(const motion *m, const int body[REAL4],
+ALWAYS_INLINE void gather(const motion *m, const int body[REAL4],
                           real4 to[MOTIONS])
 {
     const real *const from[REAL4] = { m[body[0]].of, m[body[1]].of,
@@ -505,7 +505,7 @@ static inline __attribute__((always_inline)) void gather(const motion *m, const 
         real4_gather2(from, k, &to[2 * k], &to[2 * k + 1]);
 }
 
-static inline __attribute__((always_inline)) void scatter(motion *m, const int body[REAL4],
+ALWAYS_INLINE void scatter(motion *m, const int body[REAL4],
                            const real4 from[MOTIONS])
 {
     real *const to[REAL4] = { m[body[0]].of, m[body[1]].of, m[body[2]].of,
@@ -519,7 +519,7 @@ typedef struct {
     real4 a[MOTIONS], b[MOTIONS];
 } sides4;
 
-static inline __attribute__((always_inline)) sides4 take_sides(const block *k, const motion *m, bool two)
+ALWAYS_INLINE sides4 take_sides(const block *k, const motion *m, bool two)
 {
     sides4 s;
     gather(m, k->a, s.a);
@@ -527,7 +527,7 @@ static inline __attribute__((always_inline)) sides4 take_sides(const block *k, c
     return s;
 }
 
-static inline __attribute__((always_inline)) void give_sides(const block *k, motion *m, const sides4 *s,
+ALWAYS_INLINE void give_sides(const block *k, motion *m, const sides4 *s,
                               bool two)
 {
     scatter(m, k->a, s->a);
@@ -535,7 +535,7 @@ static inline __attribute__((always_inline)) void give_sides(const block *k, mot
 }
 
 // How fast, or how far, the centres part along a direction.
-static inline __attribute__((always_inline)) real4 part_centers(const real4 along[3], const sides4 *s,
+ALWAYS_INLINE real4 part_centers(const real4 along[3], const sides4 *s,
                                  bool two)
 {
     real4 d[3];
@@ -545,7 +545,7 @@ static inline __attribute__((always_inline)) real4 part_centers(const real4 alon
 }
 
 // And what turning adds to that.
-static inline __attribute__((always_inline)) real4 part_turns(const real4 row_a[TURNS],
+ALWAYS_INLINE real4 part_turns(const real4 row_a[TURNS],
                                const real4 row_b[TURNS], const sides4 *s,
                                bool two)
 {
@@ -553,7 +553,7 @@ static inline __attribute__((always_inline)) real4 part_turns(const real4 row_a[
     return two ? real4_sub(a, real4_dot(row_b, s->b + MOTION_TURN)) : a;
 }
 
-static inline __attribute__((always_inline)) void push_turns(const real4 row_a[TURNS],
+ALWAYS_INLINE void push_turns(const real4 row_a[TURNS],
                               const real4 row_b[TURNS], real4 impulse,
                               sides4 *s, bool two)
 {
@@ -561,7 +561,7 @@ static inline __attribute__((always_inline)) void push_turns(const real4 row_a[T
     if (two) real4_sub3(s->b + MOTION_TURN, row_b, impulse);
 }
 
-static inline __attribute__((always_inline)) void push_centers(const block *k, const real4 along[3],
+ALWAYS_INLINE void push_centers(const block *k, const real4 along[3],
                                 real4 impulse, sides4 *s, bool two)
 {
     real4_add3(s->a, along, real4_mul(k->inverse_a, impulse));
@@ -573,7 +573,7 @@ static inline __attribute__((always_inline)) void push_centers(const block *k, c
 // One point takes its part of the impulse: at least so much that its points do
 // not pull.  The centres' speed of parting is one number for all points of a
 // contact; it is kept up to date here, and the centres are pushed at the end.
-static inline __attribute__((always_inline)) void push_point(block_point *p, real4 impulse, real4 inverse,
+ALWAYS_INLINE void push_point(block_point *p, real4 impulse, real4 inverse,
                               real4 *parting, real4 *sum, sides4 *s, bool two)
 {
     impulse = real4_max(impulse, real4_all(0));
@@ -584,7 +584,7 @@ static inline __attribute__((always_inline)) void push_point(block_point *p, rea
     push_turns(p->turn_a, p->turn_b, change, s, two);
 }
 
-static inline __attribute__((always_inline)) real4 inverse_mass(const block *k, bool two)
+ALWAYS_INLINE real4 inverse_mass(const block *k, bool two)
 {
     return two ? real4_add(k->inverse_a, k->inverse_b) : k->inverse_a;
 }
@@ -603,7 +603,7 @@ typedef struct {
 
 // An open gap may close, but no further; an overlap is pushed out as a spring
 // and a damper would.
-static inline __attribute__((always_inline)) void push_block(block *k, const pass *q, bool two)
+ALWAYS_INLINE void push_block(block *k, const pass *q, bool two)
 {
     const softness *soft = &q->soft[two ? TWO_SIDED : ONE_SIDED];
     const real4 one = real4_all(1), zero = real4_all(0);
@@ -636,7 +636,7 @@ static inline __attribute__((always_inline)) void push_block(block *k, const pas
 //> solver-friction
 // Coulomb: what acts across is at most friction times what acts along, and the
 // twist at most that with the lever of each point.
-static inline __attribute__((always_inline)) void twist_block(block *k, real4 most, sides4 *u, bool two)
+ALWAYS_INLINE void twist_block(block *k, real4 most, sides4 *u, bool two)
 {
     real4 speed = part_turns(k->twist_a, k->twist_b, u, two);
     real4 twist = real4_sub(k->twist_impulse,
@@ -648,13 +648,13 @@ static inline __attribute__((always_inline)) void twist_block(block *k, real4 mo
     push_turns(k->twist_a, k->twist_b, change, u, two);
 }
 
-static inline __attribute__((always_inline)) real4 slide(const block *k, int i, const sides4 *u, bool two)
+ALWAYS_INLINE real4 slide(const block *k, int i, const sides4 *u, bool two)
 {
     return real4_add(part_centers(k->across[i], u, two),
                      part_turns(k->across_a[i], k->across_b[i], u, two));
 }
 
-static inline __attribute__((always_inline)) void brake_block(block *k, real4 most, sides4 *u, bool two)
+ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
 {
     const real4 *mass = k->across_mass, one = real4_all(1);
     const real4 least = real4_all(1e-300);      // no length is 0 below
@@ -677,7 +677,7 @@ static inline __attribute__((always_inline)) void brake_block(block *k, real4 mo
 //<
 
 //> solver-see
-static inline __attribute__((always_inline)) void see_block(block *k, const pass *q, bool two)
+ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 {
     sides4 d = take_sides(k, q->moved, two);
     real4 parted = part_centers(k->normal, &d, two);
@@ -702,7 +702,7 @@ static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
     return real4_if_positive(gap, open, speed);
 }
 
-static inline __attribute__((always_inline)) void relax(block *k, const pass *q, bool two, bool has_impacts)
+ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     const real4 friction = real4_all(q->friction);
@@ -731,19 +731,19 @@ static inline __attribute__((always_inline)) void relax(block *k, const pass *q,
     give_sides(k, q->velocity, &u, two);
 }
 
-static inline __attribute__((always_inline)) void relax_block(block *k, const pass *q, bool two)
+ALWAYS_INLINE void relax_block(block *k, const pass *q, bool two)
 {
     relax(k, q, two, false);
 }
 
-static inline __attribute__((always_inline)) void relax_to_impacts(block *k, const pass *q, bool two)
+ALWAYS_INLINE void relax_to_impacts(block *k, const pass *q, bool two)
 {
     relax(k, q, two, true);
 }
 //<
 
 //> solver-warm
-static inline __attribute__((always_inline)) void warm_block(block *k, const pass *q, bool two)
+ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
 {
     sides4 u = take_sides(k, q->velocity, two);
     real4 sum = real4_all(0);

@@ -50,9 +50,20 @@ static void solve(world *w, real *since)
 // frame is divided: after the impact everything goes elsewhere than was found.
 enum { FAST_PARTS = 4 };
 
+// A world in which everything sleeps has nothing to do: nothing in it can wake.
+static void sleep_on(world *w)
+{
+    w->report = (step_report){ .asleep = w->report.asleep };
+    w->time += w->options.dt;
+}
+
 void world_step(world *w)
 {
     assert(w->is_ready);
+    if (w->is_resting) {
+        sleep_on(w);
+        return;
+    }
     real dt = w->options.dt;
     real since = w->options.host.clock ? w->options.host.clock() : 0;
     w->report = (step_report){ .substeps = 0 };
@@ -235,8 +246,9 @@ static int substeps_for_heavy(const world *w)
 }
 
 // Where nothing goes further than a sixteenth of its radius in a frame, three
-// quarters of the usual substeps do, unless a stack needs all of them, or more:
-// small bodies do, for gravity takes them further, beside their radius.
+// quarters of the usual substeps do, unless a stack needs all of them; or more
+// than twice as many, as small bodies do, which gravity takes further beside
+// their radius.  (For less than that it is not worth the jolt.)
 static const real STACK_SAG = 0.0065;
 
 static real stacked_pace(const world *w, const contact *c)
@@ -285,8 +297,8 @@ static int choose_substeps(world *w)
     int n = usual;
     if (w->softs == 0 && is_calm(w)) {
         real need = substeps_for_stack(w);
-        n = need > 0.75 * usual ? int_max(usual, (int)(need + 1))
-                                : (3 * usual + 3) / 4;
+        if (need <= 0.75 * usual) n = (3 * usual + 3) / 4;
+        if (need > 2 * usual) n = (int)need + 1;
     }
     n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
@@ -556,5 +568,7 @@ static void fall_asleep(world *w)
         if (w->pool.at[x->first].inverse_mass > 0) put_to_sleep(w, x);
         w->report.asleep++;
     }
+    w->is_resting = w->report.asleep > 0
+                    && w->report.asleep == w->dynamic_bodies;
 }
 //<

@@ -226,6 +226,7 @@ status world_add(world *w, const shape *s, placement where, int *number)
 
     place_particles(w, &b, &where);
     w->softs += body_is_soft(&b);
+    w->dynamic_bodies += !body_is_static(&b);
     if (number) *number = w->bodies;
     w->body[w->bodies++] = b;
     return status_ok();
@@ -318,8 +319,8 @@ static bool size_rigid(rigid_tables *t, int bodies)
     t->velocity = aligned_alloc(64, n * sizeof *t->velocity);
     t->moved    = aligned_alloc(64, n * sizeof *t->moved);
     t->relaxed  = calloc(n, sizeof *t->relaxed);
-    if (!t->body || !t->moves || !t->dynamic || !t->now || !t->ball || !t->ahead || !t->reach
-        || !t->velocity || !t->moved || !t->relaxed) return false;
+    if (!t->body || !t->moves || !t->dynamic || !t->now || !t->ball
+        || !t->ahead || !t->reach || !t->velocity || !t->moved || !t->relaxed) return false;
     memset(t->velocity, 0, n * sizeof *t->velocity);
     memset(t->moved, 0, n * sizeof *t->moved);
     return true;
@@ -368,8 +369,9 @@ void world_free(world *w)
     for (int b = 0; b < w->bodies; b++) sphere_tree_free(&w->body[b].tree);
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
     void *owned[] = { w->body, w->shape, w->inverse_mass,
-        r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->reach, r->velocity,
-        r->moved, r->relaxed, s->ball, s->ahead, s->at, s->listed, s->pair, s->point, s->leaf, s->corner,
+        r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->reach,
+        r->velocity, r->moved, r->relaxed, s->ball, s->ahead, s->at, s->listed,
+        s->pair, s->point, s->leaf, s->corner,
         s->plane };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);

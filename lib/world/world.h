@@ -190,6 +190,8 @@ typedef struct world {
     real age;               // s, a particle was at `previous` so long ago
     real frame;             // s, or the part of it that is computed
     bool is_ready;          // world_begin has sized what stands below
+    int  dynamic_bodies;    // not static
+    bool is_resting;        // all of these sleep
     rigid_tables rigid;
     soft_tables  soft;
     sleep_state  sleep;

@@ -626,18 +626,24 @@ static void stands(int bodies, real way)
     ck_assert_msg(t.way <= way, "%d bodies: one went by %g m", bodies, t.way);
 }
 
-// Rejects: loads that are not carried from frame to frame, in all of a tower.
+// Under a little more and a little less gravity, so that none stands by luck.
+// Rejects: loads that are not carried from frame to frame, in all of a tower;
+// substeps that change while it settles.
 START_TEST(towers_stand)
 {
     const int high[] = { 20, 30, 60 };
-    begin(world_options_default());
-    for (int k = 0; k < high[_i]; k++) add_at(&box, 0, 0.5 + k, 0);
-    add_floor();
-    ready();
-    stands(high[_i], 0.01 * high[_i]);
-    vec3 top = middle(high[_i] - 1);
-    ck_assert_msg(hypot(top.x, top.z) < 0.03, "it leans by %g m",
-                  hypot(top.x, top.z));
+    for (int k = -3; k <= 3; k++) {
+        world_options o = world_options_default();
+        o.gravity.y *= 1 + 2e-4 * k;
+        begin(o);
+        for (int b = 0; b < high[_i]; b++) add_at(&box, 0, 0.5 + b, 0);
+        add_floor();
+        ready();
+        stands(high[_i], 0.01 * high[_i]);
+        vec3 top = middle(high[_i] - 1);
+        ck_assert_msg(hypot(top.x, top.z) < 0.03, "it leans by %g m",
+                      hypot(top.x, top.z));
+    }
 }
 END_TEST
 
@@ -876,11 +882,12 @@ START_TEST(world_that_keeps_nothing_behaves_alike)
         ck_assert_msg(kept.deepest < 0.03 && fresh.deepest < 0.03,
                       "%g m deep, %g m if nothing is kept", kept.deepest,
                       fresh.deepest);
-        ck_assert_msg(kept.kinetic < 0.1 && fresh.kinetic < 0.1,
+        // Balls roll where chance takes them, and as long.
+        if (k > 0) continue;
+        ck_assert_msg(kept.kinetic < 1e-3 && fresh.kinetic < 0.1,
                       "%g J, %g J if nothing is kept", kept.kinetic,
                       fresh.kinetic);
-        // Balls roll where chance takes them.
-        for (int b = 0; b < DROPPED && k == 0; b++)
+        for (int b = 0; b < DROPPED; b++)
             ck_assert_msg(vec3_distance(kept.at[b], fresh.at[b]) < 0.05,
                           "box %d is %g m away", b,
                           vec3_distance(kept.at[b], fresh.at[b]));

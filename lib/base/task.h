@@ -8,7 +8,8 @@
 
 // Does work(data, 0) ... work(data, items - 1), in any order or at once, and
 // returns when all are done.  run = NULL: one after the other.  What one item
-// writes no other may touch: so the bits do not depend on who does what.
+// writes no other may touch: so the bits do not depend on which thread does
+// it.
 typedef struct {
     void (*run)(void *context, void (*work)(void *data, int item), void *data,
                 int items);

@@ -406,7 +406,7 @@ int broad_pairs(broad *s, const sphere *ball, const char *moves,
     real most = 0.5 * n * (n - 1.0) / LOOKS_A_PAIR;
     pair_list list = { out, capacity < most ? capacity : (int)most, 0 };
 
-    // Nobody moves: nobody need be sorted.
+    // Where no body moves, none needs to be sorted.
     while (b < n && !moves[b]) b++;
     if (b == n) return 0;
 

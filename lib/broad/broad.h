@@ -12,8 +12,8 @@
 
 // The bodies in the order of their balls' left ends, kept from call to call:
 // bodies move little in a frame, and an order that was right is nearly right.
-// This line is divided in lanes that lie side by side along y and z: whoever
-// reaches into several stands in each of them.
+// This line is divided in lanes that lie side by side along y and z: a body
+// that reaches into several stands in each of them.
 enum { LANES_A_BODY = 4 };      // on average, at most
 
 typedef struct {
@@ -47,8 +47,8 @@ status broad_init(broad *s, int bodies);
 void   broad_free(broad *s);            // an empty or zeroed one is fine
 
 // The pairs (a, b), a < b, of balls that touch or overlap, where at least one
-// moves, sorted by a, then by b.  A ball of negative radius meets nobody; one
-// that is NaN meets everybody else's (it is reported, never lost).  Writes the
+// moves, sorted by a, then by b.  A ball of negative radius meets none; one
+// that is NaN meets every other (it is reported, never lost).  Writes the
 // first of them in that order, at most capacity, to out and returns how many
 // there are (INT_MAX if there are more).
 int broad_pairs(broad *s, const sphere *ball, const char *moves,

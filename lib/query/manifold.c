@@ -580,8 +580,8 @@ static void meet_corners(const patch *p, const patch *q, depths inside,
 //<
 
 //> manifold-cross
-// One in front, the other behind, and neither on the line?  (| and & do not
-// branch: half of the answers are yes, and nobody can foresee which.)
+// One in front, the other behind, and neither on the line?  | and & do not
+// branch: half of the answers are yes, in no order that could be predicted.
 static int parted(real u, real v, real slack)
 {
     return ((u > slack) & (v < -slack)) | ((u < -slack) & (v > slack));

@@ -85,8 +85,9 @@ static vec3 direction(vec3 a)
 
 //> swept-step
 // Asks for the distance at r->time, and goes on to a later time up to which
-// they surely do not touch.  1: ask again; 0: r->status is the answer.  (It is
-// in either case: of who may not ask again, that he is not at the end.)
+// they surely do not touch.  1: ask again; 0: r->status is the answer.  In
+// either case it is set: where no further question is allowed, to
+// SWEPT_CAPPED.
 //
 // All of A is beyond the plane at distance d from B along n:
 //   (x - y) . n >= d  for all x of A, y of B.

@@ -448,7 +448,7 @@ static inline real largest(const int lanes, const lane a)
     return most;
 }
 
-// Up to so many steps.  After the last one nobody is measured again: a step
+// Up to so many steps.  After the last one no body is measured again: a step
 // squares the error of a body that was hardly bent.
 static inline void batch_solve(const int lanes, const rigid4 *f,
                                const particle *p, const ptrdiff_t *first,

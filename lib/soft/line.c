@@ -32,7 +32,7 @@ enum {
 //<
 
 //> line-scratch
-// Row 0 of the links, and of a block's particles, are zeros, for who asks for
+// Row 0 of the links, and of a block's particles, are zeros, for what reads
 // the one before the first: link k and particle k are in row k + 1.
 struct line_scratch {
     int    particles;   // of the longest line that fits
@@ -382,8 +382,8 @@ static void block_store(const block *b, const int *solved)
 //<
 
 //> line-sweeps
-// What these loops count stands in variables of their own, which can be nobody
-// else's: else a compiler would have to ask in every row.
+// What these loops count stands in variables of their own, to which no pointer
+// leads: else a compiler would have to load and store them in every row.
 static inline void eliminate_lines(block *b, int lanes, int old)
 {
     tally t = { .worst = { 0 } };
@@ -449,10 +449,10 @@ static void block_measure(block *b)
 
 //> line-too-far
 // A line that is nearly straight between two nails hardly answers to its
-// multipliers, and they grow without bounds.  To mend all its errors one after
-// the other nobody need move farther than their sum; if somebody moved farther
-// than that and half a link, the whole line goes back, to the share of the way
-// that this allows: so every pull keeps its counterpart.
+// multipliers, and they grow without bounds.  To correct all its errors one
+// after the other no particle needs to move farther than their sum; if one has
+// moved farther than that and half a link, the whole line goes back, to the
+// share of the way that this allows: so every pull keeps its counterpart.
 static vec3 move_of(const block *b, int k, int l)
 {
     const real *here = row_at(b, k - 1), *after = row_at(b, k);
@@ -462,8 +462,8 @@ static vec3 move_of(const block *b, int k, int l)
     return vec3_scale(b->at.weight[k * b->pitch + l], vec3_sub(up, down));
 }
 
-// m^2, the sum of what was wrong.  Along the new links nobody counted it: there
-// each has left what it was in the row.
+// m^2, the sum of what was wrong.  Along the new links it was not counted:
+// there each link has left its own in the row.
 static real sum_of_wrong(const block *b, int l, int old)
 {
     real rest = b->s.rest_length, sum = 0;

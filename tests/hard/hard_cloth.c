@@ -194,7 +194,7 @@ static real any(unsigned long long *seed)
     return 2 * any_share(seed) - 1;
 }
 
-// A start that nobody chose: the cloth turned by up to 5 degrees, moved by up
+// A start by chance: the cloth turned by up to 5 degrees, moved by up
 // to 4 cm, every particle off by up to a thousandth of the spacing; no speeds.
 static void perturb(world *w, int number, unsigned long long seed)
 {

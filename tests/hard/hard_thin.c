@@ -101,10 +101,10 @@ static real height_over(const setting *s, int target)
     return beyond ? HUGE_VAL : vec3_dot(x, up);
 }
 
-// A cloth gives way, but not by 30 cm: that were a strain of 17 %.  A free
+// A cloth gives way, but not by 30 cm: that would be a strain of 17 %.  A free
 // plate that was struck turns, and may turn its back to a bullet that has long
-// left it: through it is who is just behind it, or flies on with half of his
-// speed.
+// left it: a bullet is through that is just behind the plate, or flies on with
+// half of its speed.
 static int went_through(const setting *s, int target, vec3 way)
 {
     real height = height_over(s, target);

@@ -518,7 +518,7 @@ static void cost_model(hard_report *r)
     }
 }
 
-// The clock is not asked in make test, where it is nobody's business.
+// The clock is not asked in make test, which is to hold on any machine.
 static void sphere_trees(hard_report *r, int fast)
 {
     hold_all(r, fast);

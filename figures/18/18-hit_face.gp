@@ -27,7 +27,7 @@ set title "Error of the depth of the two hulls" font "DejaVu Sans,26" offset 0,-
 set yrange [1.3e-3:4]
 set ytics ("rounding" none, "1 %%" 1e-2, "10 %%" 1e-1, "100 %%" 1)
 set label 1 "16 to 1024\ndirections tried" at 1e6,1.3 right textcolor rgb tried
-set label 2 "the hit face" at 6e4,none*1.6 left textcolor rgb face font bold
+set label 2 "the hit face" at 1.3e5,none*1.25 left textcolor rgb face font bold
 plot for [k = 1:4] csv index k using 2:3 with linespoints pt 7 ps 1 lc rgb shade[k] lw 1.5, \
      csv index 0 using 2:(none) with points pt 7 ps 1.4 lc rgb face, \
      csv index 0 using 2:(none):1 with labels font small textcolor rgb face offset 0,1, \

@@ -723,6 +723,26 @@ static int choose_widest(const meetings *m, vec3 first, touch *out)
     return 4;
 }
 
+// Bodies that turn by more than this (rad) come to touch where they are nearest,
+// or will be: corners that stay open by more than that give way to the others.
+static const real TURNING = 0.05;
+
+static void drop_open(meetings *m, real turn)
+{
+    int deepest = 0, n = 0;
+    for (int k = 1; k < m->count; k++)
+        if (m->of[k].gap < m->of[deepest].gap) deepest = k;
+    vec3 at = m->at[deepest];
+    real least = m->of[deepest].gap;
+    for (int k = 0; k < m->count; k++) {
+        vec3 d = vec3_sub(m->at[k], at);
+        if (m->of[k].gap - least > turn * sqrt(dot2(d, d))) continue;
+        m->at[n] = m->at[k];
+        m->of[n++] = m->of[k];
+    }
+    m->count = n;
+}
+
 // The touches from at least two corners; returns how many.
 static int choose(const meetings *m, const touch *nearest, real slack,
                   touch out[MANIFOLD_POINTS])
@@ -773,6 +793,7 @@ manifold manifold_find(const collider *a, const collider *b,
     m.count = 0;
     if (p.count == 2 && q.count == 2) meet_edges(&p, &q, &m);
     else                              meet_polygons(&p, &q, &w, &m);
+    if (turn > TURNING && m.count > MANIFOLD_POINTS) drop_open(&m, turn);
     if (m.count > 1) found.count = choose(&m, pair, w.slack, found.point);
     return found;
 }

@@ -25,7 +25,7 @@ typedef struct {
 
 // How often penetration is measured: at each step while bodies fly and fall, to
 // which it takes a third of the time, then more seldom.
-enum { RATE = 60, FALLING = 10 * RATE, SELDOM = 10 };
+enum { RATE = 120, FALLING = 10 * RATE, SELDOM = 10 };
 static const real SETTLED = 10;                 // s, by then they lie
 
 static int is_outside(const world *w, const vec3 *at, int n, real far)
@@ -121,6 +121,7 @@ static void throw_all(world *w, real speed, unsigned long long seed)
 static void run_room(hard_report *r, room what, watched *o)
 {
     world_options how = world_scene_options(SCENE_ROOM, 0);
+    how.dt = 1.0 / RATE;
     scene_options of = scene_options_default();
     world_scene s;
     if (!what.resting) how.sleep_speed = 0;

@@ -9,6 +9,8 @@
 
 #include "rigid4.h"
 
+#include <stdalign.h>
+
 enum { TURNS = 3 };
 
 // How a rigid body can move.  Its three turns are about the axes of its frame,
@@ -24,7 +26,7 @@ typedef struct {
 enum { MOTION_TURN = 3, MOTIONS = 6 };
 
 typedef struct {
-    _Alignas(64) real of[MOTIONS];  // of the centre along x, y, z; three turns
+    alignas(64) real of[MOTIONS];  // of the centre along x, y, z; three turns
 } motion;
 //<
 

@@ -45,7 +45,7 @@ refuses "a change is seen"          'FAILED: check_verlet'  build test-01 MINE="
 if [ -e "$tree/build/lib" ]; then verdict "ours is not touched" no; else verdict "ours is not touched" yes; fi
 sed 's|^    assert(n >= 0 .. dt > 0|    abort();\n&|; 1i #include <stdlib.h>' lib/particles/verlet.c > "$tree/b/verlet.c"
 refuses "one that stops"            'It stops the program: Aborted.' build test-01 MINE="$tree/b/verlet.c"
-refuses "stops the demo"            "The scene room fails with $tree/b/verlet.c" build demo MINE="$tree/b/verlet.c"
+refuses "stops the demo"            "The scene cloth-on-cube fails with $tree/b/verlet.c" build demo MINE="$tree/b/verlet.c"
 wrong > "$tree/b/verlet.c"
 says    "without it, ours is back"  'All passed: 1 programs' build test-01
 says    "several files"             'All passed: 1 programs' build test-02 MINE="$tree/a/constraint.c lib/particles/verlet.c"
@@ -67,7 +67,7 @@ refuses "no such file"      "$tree/a/gone.c: there is no such file"   build test
 refuses "a folder"          "$tree/a/distance.c: this is a folder"         build test-04 MINE="$tree/a/distance.c"
 refuses "no such module"    "$tree/a/verlt.c: no module of lib/ has that name" build test-04 MINE="$tree/a/verlt.c"
 refuses "two for one"       'two files for one module'                build test-04 MINE="$tree/a/verlet.c $tree/b/verlet.c"
-refuses "a later chapter's" "lib/query/distance.c: its module comes after chapter 03" build test-03 MINE=lib/query/distance.c
+refuses "a later chapter's" "lib/query/manifold.c: its module comes after chapter 03" build test-03 MINE=lib/query/manifold.c
 refuses "no C"              "$tree/a/body.c: does not compile"         build test-03 MINE="$tree/a/body.c"
 
 echo "modules swapped in: $trials trials, $failed failed"

@@ -19,7 +19,7 @@ FNR == 1 {
     else if (name in place && place[used] > place[name]) { print FILENAME ":" FNR ": " name " includes " used ", which stands to its right"; bad = 1 }
     arrows++
 }
-/^[ \t]*#[ \t]*include[ \t]*</ && !/<(assert|ctype|errno|float|inttypes|limits|math|stdarg|stdbool|stddef|stdint|stdio|stdlib|string)\.h>/ {
+/^[ \t]*#[ \t]*include[ \t]*</ && !/<(assert|ctype|errno|float|inttypes|limits|math|stdalign|stdarg|stdbool|stddef|stdint|stdio|stdlib|string)\.h>/ {
     print FILENAME ":" FNR ": the library needs only C11 and libm"; bad = 1
 }
 END { if (!bad) print "the line: " arrows " includes, all to the left"; exit bad }

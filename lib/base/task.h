@@ -16,6 +16,21 @@ typedef struct {
     void *context;
 } tasks;
 
+// Small things, such as bodies or contacts, are handed out by the chunk: item k
+// has those from k TASK_CHUNK on, before task_end.
+enum { TASK_CHUNK = 32 };
+
+static inline int task_chunks(int n)
+{
+    return (n + TASK_CHUNK - 1) / TASK_CHUNK;
+}
+
+static inline int task_end(int item, int n)
+{
+    int end = (item + 1) * TASK_CHUNK;
+    return end < n ? end : n;
+}
+
 static inline void tasks_run(tasks t, void (*work)(void *data, int item),
                              void *data, int items)
 {

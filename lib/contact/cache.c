@@ -12,13 +12,6 @@ static void make_entries(contact_cache *c);
 static void query_chunk(void *data, int item);
 static void gather_active(contact_cache *c, const cache_frame *f);
 
-enum { CHUNK = 32 };        // bodies, or pairs, in an item of work
-
-static int chunks(int n)
-{
-    return (n + CHUNK - 1) / CHUNK;
-}
-
 typedef struct {
     contact_cache *c;
     const cache_frame *f;
@@ -31,10 +24,10 @@ void cache_update(contact_cache *c, const cache_frame *f)
     c->queries = 0;
     // (Memory for it may have been refused in the last frame.)
     if (f->is_new_list || c->pairs != f->list->count) follow_list(c, f);
-    tasks_run(f->run, place_chunk, &u, chunks(f->bodies));
-    tasks_run(f->run, decide_chunk, &u, chunks(c->pairs));
+    tasks_run(f->run, place_chunk, &u, task_chunks(f->bodies));
+    tasks_run(f->run, decide_chunk, &u, task_chunks(c->pairs));
     make_entries(c);
-    tasks_run(f->run, query_chunk, &u, chunks(f->bodies) + chunks(c->pairs));
+    tasks_run(f->run, query_chunk, &u, task_chunks(f->bodies) + task_chunks(c->pairs));
     gather_active(c, f);
 }
 //<
@@ -166,8 +159,8 @@ static void decide_walls(contact_cache *c, const cache_frame *f, int b)
 static void decide_chunk(void *data, int item)
 {
     const update *u = data;
-    int end = int_min((item + 1) * CHUNK, u->c->pairs);
-    for (int k = item * CHUNK; k < end; k++) decide_pair(u->c, u->f, k);
+    int end = task_end(item, u->c->pairs);
+    for (int k = item * TASK_CHUNK; k < end; k++) decide_pair(u->c, u->f, k);
 }
 //<
 
@@ -202,8 +195,8 @@ static void place_body(contact_cache *c, const cache_frame *f, int b)
 static void place_chunk(void *data, int item)
 {
     const update *u = data;
-    int end = int_min((item + 1) * CHUNK, u->f->bodies);
-    for (int b = item * CHUNK; b < end; b++) {
+    int end = task_end(item, u->f->bodies);
+    for (int b = item * TASK_CHUNK; b < end; b++) {
         place_body(u->c, u->f, b);
         decide_walls(u->c, u->f, b);
     }
@@ -482,14 +475,14 @@ static void query_walls(contact_cache *c, const cache_frame *f, int b)
 static void query_chunk(void *data, int item)
 {
     const update *u = data;
-    int body_items = chunks(u->f->bodies), first = item * CHUNK;
+    int body_items = task_chunks(u->f->bodies), first = item * TASK_CHUNK;
     if (item < body_items) {
-        int end = int_min(first + CHUNK, u->f->bodies);
+        int end = int_min(first + TASK_CHUNK, u->f->bodies);
         for (int b = first; b < end; b++) query_walls(u->c, u->f, b);
         return;
     }
-    first -= body_items * CHUNK;
-    int end = int_min(first + CHUNK, u->c->pairs);
+    first -= body_items * TASK_CHUNK;
+    int end = int_min(first + TASK_CHUNK, u->c->pairs);
     for (int k = first; k < end; k++)
         if (u->c->pair[k].is_asked) query_pair(u->c, u->f, &u->c->pair[k]);
 }

@@ -332,19 +332,12 @@ typedef struct {
     int known;          // contacts that the frame before had
 } preparation;
 
-enum { CHUNK = 32 };        // contacts, or blocks, in an item of work
-
-static int chunks(int n)
-{
-    return (n + CHUNK - 1) / CHUNK;
-}
-
 static void activate_chunk(void *data, int item)
 {
     enum { AHEAD = 4 };
     const preparation *p = data;
-    int end = int_min((item + 1) * CHUNK, p->s->contacts);
-    for (int k = item * CHUNK; k < end; k++) {
+    int end = task_end(item, p->s->contacts);
+    for (int k = item * TASK_CHUNK; k < end; k++) {
         active_contact *x = &p->s->active[k], was = *x;
         contact_expect(p->table[int_min(k + AHEAD, end - 1)]);
         activate(x, p->table[k], p->f, p->reach[k]);
@@ -397,8 +390,8 @@ static void fill_block(const preparation *p, int number)
 static void fill_chunk(void *data, int item)
 {
     const preparation *p = data;
-    int end = int_min((item + 1) * CHUNK, p->s->blocks);
-    for (int k = item * CHUNK; k < end; k++) fill_block(p, k);
+    int end = task_end(item, p->s->blocks);
+    for (int k = item * TASK_CHUNK; k < end; k++) fill_block(p, k);
 }
 //<
 
@@ -418,8 +411,8 @@ static void keep_chunk(void *data, int item)
 {
     const preparation *p = data;
     contact_solver *s = p->s;
-    int end = int_min((item + 1) * CHUNK, s->blocks);
-    for (int n = item * CHUNK; n < end; n++) {
+    int end = task_end(item, s->blocks);
+    for (int n = item * TASK_CHUNK; n < end; n++) {
         block *k = &s->block[n];
         for (int l = 0; l < REAL4 && k->contact[l] >= 0; l++) {
             const active_contact *x = &s->active[k->contact[l]];
@@ -468,7 +461,7 @@ static bool make_blocks(contact_solver *s, preparation *p)
     list_colors(s, end);
     if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
               sizeof *s->block)) return false;
-    tasks_run(p->f->run, fill_chunk, p, chunks(s->blocks));
+    tasks_run(p->f->run, fill_chunk, p, task_chunks(s->blocks));
     s->h = p->f->h;
     return true;
 }
@@ -483,9 +476,9 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
     }
     p.known = s->contacts;
     s->contacts = n;
-    tasks_run(f->run, activate_chunk, &p, chunks(n));
+    tasks_run(f->run, activate_chunk, &p, task_chunks(n));
     if (may_keep_blocks(s, f, p.known)) {
-        tasks_run(f->run, keep_chunk, &p, chunks(s->blocks));
+        tasks_run(f->run, keep_chunk, &p, task_chunks(s->blocks));
         return true;
     }
     bool done = make_blocks(s, &p);
@@ -770,11 +763,11 @@ ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
     {                                                                   \
         const pass *q = data;                                           \
         block *k = q->s->block + q->first;                              \
-        int end = int_min((item + 1) * CHUNK, q->count);                \
+        int end = task_end(item, q->count);                \
         if (q->sides == TWO_SIDED)                                      \
-            for (int i = item * CHUNK; i < end; i++) solve(&k[i], q, true); \
+            for (int i = item * TASK_CHUNK; i < end; i++) solve(&k[i], q, true); \
         else                                                            \
-            for (int i = item * CHUNK; i < end; i++) solve(&k[i], q, false);\
+            for (int i = item * TASK_CHUNK; i < end; i++) solve(&k[i], q, false);\
     }
 
 PASS(see_chunk, see_block)
@@ -810,7 +803,7 @@ static void run_pass(contact_solver *s, const solver_frame *f,
         q.sides = s->color[c].sides;
         tasks none = { 0 };
         tasks_run(s->color[c].is_crowded ? none : f->run, work, &q,
-                  chunks(q.count));
+                  task_chunks(q.count));
     }
 }
 
@@ -893,8 +886,8 @@ typedef struct {
 static void clear_chunk(void *data, int item)
 {
     const storing *q = data;
-    int end = int_min((item + 1) * CHUNK, q->s->contacts);
-    for (int k = item * CHUNK; k < end; k++) {
+    int end = task_end(item, q->s->contacts);
+    for (int k = item * TASK_CHUNK; k < end; k++) {
         if (q->s->active[k].count > 0) continue;
         clear_impulses(q->table[k]);
         q->s->active[k].load = 0;
@@ -906,8 +899,8 @@ static void store_chunk(void *data, int item)
 {
     enum { AHEAD = 2 };
     const storing *q = data;
-    int end = int_min((item + 1) * CHUNK, q->s->blocks);
-    for (int n = item * CHUNK; n < end; n++) {
+    int end = task_end(item, q->s->blocks);
+    for (int n = item * TASK_CHUNK; n < end; n++) {
         const block *x = &q->s->block[n];
         const block *next = &q->s->block[int_min(n + AHEAD, end - 1)];
         for (int l = 0; l < REAL4; l++) {
@@ -921,8 +914,8 @@ static void store_chunk(void *data, int item)
 void solver_store(contact_solver *s, tasks run, contact *const *table)
 {
     storing q = { s, table };
-    tasks_run(run, clear_chunk, &q, chunks(s->contacts));
-    tasks_run(run, store_chunk, &q, chunks(s->blocks));
+    tasks_run(run, clear_chunk, &q, task_chunks(s->contacts));
+    tasks_run(run, store_chunk, &q, task_chunks(s->blocks));
 }
 //<
 

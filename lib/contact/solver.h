@@ -35,7 +35,7 @@ typedef struct {
     int  bodies;
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
-    int  substeps;
+    int  substeps;              // of this frame, or part of it
     real warm;                  // times the impulses that contacts bring along,
                                 // each of a substep of the last frame: 0: none
     real friction;              // Coulomb's coefficient

@@ -8,7 +8,6 @@
 #include <stddef.h>
 #include <string.h>
 
-
 static void lap(world *w, int phase, real *since);
 static void look_at_bodies(world *w);
 static void find_pairs(world *w);
@@ -51,19 +50,19 @@ static void solve(world *w, real *since)
 enum { FAST_PARTS = 4 };
 
 // A world in which everything sleeps has nothing to do: nothing in it can wake.
-static void sleep_on(world *w)
+static bool sleeps_on(world *w)
 {
-    w->report = (step_report){ .asleep = w->report.asleep };
+    int asleep = w->report.asleep;
+    if (asleep == 0 || asleep < w->dynamic_bodies) return false;
+    w->report = (step_report){ .asleep = asleep };
     w->time += w->options.dt;
+    return true;
 }
 
 void world_step(world *w)
 {
     assert(w->is_ready);
-    if (w->is_resting) {
-        sleep_on(w);
-        return;
-    }
+    if (sleeps_on(w)) return;
     real dt = w->options.dt;
     real since = w->options.host.clock ? w->options.host.clock() : 0;
     w->report = (step_report){ .substeps = 0 };
@@ -91,18 +90,11 @@ static void lap(world *w, int phase, real *since)
 //<
 
 //> step-chunks
-enum { CHUNK = 32 };        // bodies in an item of work
-
-static int chunks(int bodies)
-{
-    return (bodies + CHUNK - 1) / CHUNK;
-}
-
 // The bodies of an item: from first to the result - 1.
 static int chunk_of(const world *w, int item, int *first)
 {
-    *first = item * CHUNK;
-    return int_min(*first + CHUNK, w->bodies);
+    *first = item * TASK_CHUNK;
+    return task_end(item, w->bodies);
 }
 //<
 
@@ -157,7 +149,7 @@ static void look_at_chunk(void *data, int item)
 
 static void look_at_bodies(world *w)
 {
-    tasks_run(w->options.host.run, look_at_chunk, w, chunks(w->bodies));
+    tasks_run(w->options.host.run, look_at_chunk, w, task_chunks(w->bodies));
 }
 //<
 
@@ -328,6 +320,7 @@ static void count_deep(world *w)
     for (int k = 0; k < s->contacts; k++) {
         const active_contact *x = &s->active[k];
         const solver_body *now = w->rigid.now;
+        if (x->count == 0) continue;
         real radius = x->sides == ONE_SIDED ? now[x->a].radius
                     : real_min(now[x->a].radius, now[x->b].radius);
         w->report.unconverged += x->least < -0.1 * radius;
@@ -401,7 +394,7 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
 
 //> step-move
 // Bodies that turn little go in one move, those of one shape together.
-enum { ALIKE = CHUNK };
+enum { ALIKE = TASK_CHUNK };
 
 static int find_alike(const world *w, int b, int end, int first[ALIKE])
 {
@@ -502,7 +495,7 @@ static void move_chunk(void *data, int item)
 static void move_bodies(world *w, real h)
 {
     moving m = { w, h };
-    tasks_run(w->options.host.run, move_chunk, &m, chunks(w->bodies));
+    tasks_run(w->options.host.run, move_chunk, &m, task_chunks(w->bodies));
     for (int b = 0; b < w->bodies; b++) {
         const rigid4_result *r = &w->rigid.relaxed[b];
         w->report.tested += r->tested;
@@ -525,6 +518,14 @@ static void put_to_sleep(world *w, const body *b)
         p->inverse_mass = 0;
         p->previous = p->position;
     }
+}
+
+// Does body b lie pinned?  Particles that were pinned from the start do not show.
+static bool is_put_to_sleep(const world *w, const body *b)
+{
+    int i = b->first, last = i + body_particles(b) - 1;
+    while (i < last && !(w->inverse_mass[i] > 0)) i++;
+    return w->pool.at[i].inverse_mass == 0;
 }
 
 // Islands are held together by what the contacts carried last.
@@ -565,10 +566,8 @@ static void fall_asleep(world *w)
     for (int b = 0; b < w->bodies; b++) {
         const body *x = &w->body[b];
         if (!w->sleep.asleep[b] || body_is_static(x)) continue;
-        if (w->pool.at[x->first].inverse_mass > 0) put_to_sleep(w, x);
+        if (!is_put_to_sleep(w, x)) put_to_sleep(w, x);
         w->report.asleep++;
     }
-    w->is_resting = w->report.asleep > 0
-                    && w->report.asleep == w->dynamic_bodies;
 }
 //<

@@ -72,7 +72,7 @@ enum { PHASE_PAIRS, PHASE_CONTACTS, PHASE_PREPARE, PHASE_SOLVE, PHASE_SOFT,
 // What the last step did.
 typedef struct {
     real time[PHASES];  // s
-    int  substeps;
+    int  substeps;      // 0: all sleep, and nothing was done
     int  pairs;         // of rigid bodies that may meet
     int  queries;       // of them and of planes, asked where they touch
     int  contacts;      // of rigid bodies: pairs, and bodies and planes
@@ -191,7 +191,6 @@ typedef struct world {
     real frame;             // s, or the part of it that is computed
     bool is_ready;          // world_begin has sized what stands below
     int  dynamic_bodies;    // not static
-    bool is_resting;        // all of these sleep
     rigid_tables rigid;
     soft_tables  soft;
     sleep_state  sleep;

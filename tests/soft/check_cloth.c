@@ -266,6 +266,32 @@ START_TEST(box_on_a_cloth_lies_still_and_falls_asleep)
 }
 END_TEST
 
+// A cloth on the floor whose first particle is pinned.  The box falls next to
+// it, so that the world as a whole is awake.
+// Rejects: a sleeper that is known by its first particle: a pinned one looks
+// asleep all along, and the others are never laid to rest.
+START_TEST(pinned_cloth_that_sleeps_is_pinned_as_a_whole)
+{
+    int c = add_at(&cloth, 0, 0, 0);
+    add_at(&box, 5, 9000, 0);
+    add_floor();
+    real up = w.body[c].thickness;
+    for (int i = 0; i < cloth.particles; i++) {
+        particle_of(c, i)->position.y += up;
+        particle_of(c, i)->previous.y += up;
+    }
+    world_pin(&w, c, 0);
+    ready();
+    ck_assert(sleeps(c, 600));
+    ck_assert_int_eq(w.report.asleep, 1);
+    for (int i = 0; i < cloth.particles; i++) {
+        const particle *p = particle_of(c, i);
+        ck_assert(p->inverse_mass == 0);
+        ck_assert(vec3_distance(p->position, p->previous) == 0);
+    }
+}
+END_TEST
+
 // --- numbers -----------------------------------------------------------------
 
 // Rejects: NaN of one body that spreads to another that it never touched; a
@@ -301,6 +327,7 @@ int main(void)
         spinning_box_stays_on_its_side_of_a_cloth,
         rope_that_sleeps_wakes_under_a_cloth,
         box_on_a_cloth_lies_still_and_falls_asleep,
+        pinned_cloth_that_sleeps_is_pinned_as_a_whole,
         lost_number_stays_in_its_body,
     };
     Suite *s = suite_create("cloth");

@@ -5,6 +5,7 @@
 #include <float.h>
 #include <stdlib.h>
 
+#include "axes.h"
 #include "convex.h"
 #include "obstacle.h"
 
@@ -17,52 +18,7 @@
 
 static const vec3 UP = { 0, 1, 0 };
 
-// Numbers in [-1, 1) from a linear congruence; the same on every machine.
-static unsigned long long seed;
-
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 any_vec3(real size)
-{
-    real x = any(), y = any();
-    return vec3_scale(size, vec3_make(x, y, any()));
-}
-
 // --- bodies that stand somewhere ---------------------------------------------
-
-typedef struct {
-    vec3 x, y, z;
-} axes;
-
-static const axes UPRIGHT = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-
-// Axes of which y is this direction.
-static axes axes_up(vec3 y)
-{
-    axes f = { .y = vec3_unit(y) };
-    vec3 other = fabs(f.y.x) < 0.7 ? vec3_make(1, 0, 0) : vec3_make(0, 0, 1);
-    f.x = vec3_unit(vec3_cross(other, f.y));
-    f.z = vec3_cross(f.x, f.y);
-    return f;
-}
-
-static axes any_axes(void)
-{
-    axes f = axes_up(any_vec3(1));
-    real by = any() * 3, c = cos(by), s = sin(by);
-    vec3 x = vec3_add(vec3_scale(c, f.x), vec3_scale(s, f.z));
-    return (axes){ x, f.y, vec3_cross(x, f.y) };
-}
-
-static vec3 turned(axes f, vec3 r)
-{
-    return vec3_add(vec3_scale(r.x, f.x),
-           vec3_add(vec3_scale(r.y, f.y), vec3_scale(r.z, f.z)));
-}
 
 // A prism, with an edge of 45 degrees along z (top and slope) and an end that
 // leans outward by 45 (the edge of top and end is blunt).

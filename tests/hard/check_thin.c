@@ -325,6 +325,7 @@ static Suite *suite(void)
 {
     Suite *s = suite_create("thin");
     TCase *t = tcase_create("thin things");
+    tcase_set_timeout(t, 60);    // without optimisation, under gcov
     tcase_add_checked_fixture(t, set_up, tear_down);
     tcase_add_test(t, bullet_at_a_plate_takes_few_more_substeps);
     tcase_add_test(t, substeps_stay_within_their_bounds);

@@ -12,8 +12,8 @@
 #define TUMBLE_NEAR_H
 
 #include "placed.h"
+#include "facet.h"
 #include "grid.h"
-#include "obstacle.h"
 #include "separation.h"
 #include "solver.h"
 //<
@@ -60,7 +60,8 @@ typedef struct {
     vec3 *corner;       // [most vertices]
     plane *plane;       // [most faces]
     obstacle hull;      // these, as they stood when it was last looked at,
-    motion moved;       // and how far the body had been moved
+    rigid_frame frame;  // how the body lay,
+    motion moved;       // and how far it had been moved
     int  of;            // that body; -1: none
 } rigid_view;
 
@@ -70,12 +71,28 @@ typedef struct {
     int ahead;          // the plane of the rigid one that it was in front of
 } point_pair;
 
+// A triangle or a link that may meet an edge or a corner.
+typedef struct {
+    int soft, rigid;    // bodies
+    int number;         // of the triangle or the link in its shape
+    plane between;      // between it and the body, in the frame of that body
+} facet_pair;
+
+typedef struct {
+    facet_pair *at;
+    int count, next;    // how many; which is looked at
+} facet_list;
+
 typedef struct {
     particle_contact *pair;     // of particles
     int  pairs, pair_capacity;
     point_pair *point;          // particles at rigid bodies; those of the same
                                 // two bodies stand together
     int  points, point_capacity;
+    facet_list facet;           // facets at rigid bodies, in the same order
+    facet_list facets_before;   // those of the last lists
+    int  facet_capacity;
+    int *over;          // [particles] while facets are listed, see near.c
     real margin;        // m, how much further than touching the lists look
     int  trusted;       // they are good for as many substeps more; -1: there
                         // are none yet
@@ -110,8 +127,14 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f);
 // Looks where the vertices and planes of rigid body b are now.
 void rigid_view_look(rigid_view *v, const soft_frame *f, int b);
 
+// The particles of facet k of b: a link says its last one twice.
+void facet_corners(const body *b, int k, int end[FACET]);
+
 // m, how far particles of `soft` are kept from the surface of `rigid`.
 real soft_gap(const body *soft, const body *rigid);
+
+// m, how far its triangles and links are kept from edges and corners.
+real facet_gap(const body *soft);
 
 #endif
 //<

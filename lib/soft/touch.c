@@ -3,7 +3,21 @@
 
 #include <stddef.h>
 
-// A particle that touches a rigid body.
+// A point of a cloth or a rope at a rigid body: a particle, or a weighted mean
+// of two or three.
+typedef struct {
+    const soft_frame *f;
+    const rigid_view *view;     // of that body
+    const body *soft;
+    int  b;
+    int  corners;               // particles, in the pool, and their weights
+    int  corner[FACET];
+    real weight[FACET];
+    surface_point at;           // the point of the body's surface
+    real apart;                 // m, what is kept between the two
+} touch;
+
+// How that point touches the body.
 typedef struct {
     vec3 normal;        // unit, out of the body
     vec3 arm;           // m, of the point touched, from the body's centre
@@ -11,15 +25,6 @@ typedef struct {
     vec3 slide;         // m, how far the particle passed that point in the
                         // substep
 } touch_point;
-
-// A particle at a rigid body.
-typedef struct {
-    const soft_frame *f;
-    const rigid_view *view;     // of that body
-    int  b;
-    surface_point at;           // the point of its surface
-    real apart;                 // m, what is kept between the two
-} touch;
 
 static touch_point touch_of(const touch *x, const particle *p)
 {
@@ -71,7 +76,7 @@ static void push(const touch *x, particle *p, vec3 arm, vec3 push)
     motion_push(&f->velocity[x->b], basis, arm, vec3_scale(-1 / f->h, push));
 }
 
-static void push_apart(const touch *x, particle *p)
+static void part_from_moving(const touch *x, particle *p)
 {
     const motion_basis *basis = &x->f->now[x->b].basis;
     touch_point t = touch_of(x, p);
@@ -95,38 +100,70 @@ static void push_apart(const touch *x, particle *p)
 }
 //<
 
-//> touch-whole
-// A particle at x that weighs what the cloth weighs, and moves as its centre
-// of mass does; pinned, if any of it is.
-static particle whole_cloth(const soft_frame *f, const body *soft, vec3 x)
+//> touch-stand-in
+// The point as a particle: it stands in for those that it is a mean of.  A push
+// moves each by its weight and its inverse mass, so the point by the sum of
+// weight^2 times inverse mass.
+static particle stand_in(const touch *x)
 {
-    particle whole = { .position = x, .previous = x };
+    particle mean = { .inverse_mass = 0 };
+    for (int k = 0; k < x->corners; k++) {
+        const particle *p = &x->f->particle[x->corner[k]];
+        real c = x->weight[k];
+        mean.position = vec3_add_scaled(mean.position, c, p->position);
+        mean.previous = vec3_add_scaled(mean.previous, c, p->previous);
+        mean.inverse_mass += c * c * p->inverse_mass;
+    }
+    return mean;
+}
+
+// It was pushed from `before` to `after`, and they with it.
+static void share_out(const touch *x, const particle *before,
+                      const particle *after)
+{
+    vec3 now = vec3_sub(after->position, before->position);
+    vec3 then = vec3_sub(after->previous, before->previous);
+    if (!(before->inverse_mass > 0)) return;
+    for (int k = 0; k < x->corners; k++) {
+        particle *p = &x->f->particle[x->corner[k]];
+        real share = x->weight[k] * p->inverse_mass / before->inverse_mass;
+        p->position = vec3_add_scaled(p->position, share, now);
+        p->previous = vec3_add_scaled(p->previous, share, then);
+    }
+}
+//<
+
+//> touch-whole
+// At that point the cloth as a whole: a particle that weighs what the cloth
+// weighs, and moves as its centre of mass does; pinned, if any of it is.
+static particle whole_cloth(const touch *x)
+{
+    const body *soft = x->soft;
+    particle whole = stand_in(x);
     vec3 sum = { 0, 0, 0 };
+    whole.previous = whole.position;
+    whole.inverse_mass = 0;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
-        const particle *p = &f->particle[i];
+        const particle *p = &x->f->particle[i];
         if (p->inverse_mass == 0) return whole;
         vec3 step = vec3_sub(p->position, p->previous);
         sum = vec3_add_scaled(sum, 1 / p->inverse_mass, step);
     }
     whole.inverse_mass = 1 / soft->mass;
-    whole.previous = vec3_add_scaled(x, -whole.inverse_mass, sum);
+    whole.previous = vec3_add_scaled(whole.position, -whole.inverse_mass, sum);
     return whole;
 }
 
-// For a moment the whole cloth stands in the particle's place; how far that is
-// pushed, the cloth goes.
-static void push_whole(const touch *x, point_pair pair)
+// How far that is pushed, the cloth goes.
+static void share_with_all(const touch *x, const particle *before,
+                           const particle *after)
 {
-    const soft_frame *f = x->f;
-    const body *soft = &f->body[pair.soft];
-    vec3 here = f->particle[pair.particle].position;
-    particle before = whole_cloth(f, soft, here), after = before;
-    push_apart(x, &after);
-    if (before.inverse_mass == 0) return;
-    vec3 now = vec3_sub(after.position, before.position);
-    vec3 then = vec3_sub(after.previous, before.previous);
+    const body *soft = x->soft;
+    vec3 now = vec3_sub(after->position, before->position);
+    vec3 then = vec3_sub(after->previous, before->previous);
+    if (before->inverse_mass == 0) return;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
-        particle *p = &f->particle[i];
+        particle *p = &x->f->particle[i];
         p->position = vec3_add(p->position, now);
         p->previous = vec3_add(p->previous, then);
     }
@@ -134,19 +171,31 @@ static void push_whole(const touch *x, point_pair pair)
 //<
 
 //> touch-bodies
+static bool part(const touch *x, answering who)
+{
+    particle before = who == BY_WHOLE ? whole_cloth(x) : stand_in(x);
+    particle after = before;
+    if (body_is_static(&x->f->body[x->b])) {
+        if (!(surface_separate(&after, x->at.at, x->at.normal, x->apart,
+                               x->f->friction) > 0)) return false;
+    } else {
+        part_from_moving(x, &after);
+    }
+    if (who == BY_WHOLE) share_with_all(x, &before, &after);
+    else                 share_out(x, &before, &after);
+    return true;
+}
+
 static bool touch_body(const rigid_view *v, const soft_frame *f, point_pair pair,
                        real apart, answering who)
 {
-    particle *p = &f->particle[pair.particle];
-    touch x = { f, v, pair.rigid, .apart = apart };
-    if (!obstacle_nearest(&v->hull, p->position, pair.ahead, apart, &x.at))
+    vec3 at = f->particle[pair.particle].position;
+    touch x = { f, v, &f->body[pair.soft], pair.rigid, 1, { pair.particle },
+                { 1 }, .apart = apart };
+    if (!obstacle_nearest(&v->hull, at, pair.ahead, apart, &x.at))
         return false;
-    if (body_is_static(&f->body[pair.rigid]))
-        return surface_separate(p, x.at.at, x.at.normal, apart,
-                                f->friction) > 0;
-    if (who == BY_PARTICLE) push_apart(&x, p);
-    else                 push_whole(&x, pair);
-    return true;
+    if (body_is_static(&f->body[pair.rigid])) who = BY_PARTICLE;
+    return part(&x, who);
 }
 
 // They push one after the other: the first tilt a body that lies on them, the
@@ -167,6 +216,68 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
         }
         last = pair;
         touching += touch_body(v, f, pair, apart, who);
+    }
+    return touching;
+}
+//<
+
+//> touch-facets
+static vec3 frame_direction(const rigid_frame *r, vec3 local)
+{
+    return vec3_add_scaled(vec3_add_scaled(vec3_scale(local.x, r->axis[0]),
+                                           local.y, r->axis[1]),
+                           local.z, r->axis[2]);
+}
+
+// A plane of the body's frame in the world, and back.
+static plane plane_out(const rigid_frame *r, plane p)
+{
+    vec3 n = frame_direction(r, p.normal);
+    return (plane){ n, p.offset + vec3_dot(n, r->center) };
+}
+
+static plane plane_in(const rigid_frame *r, plane p)
+{
+    vec3 n = { vec3_dot(p.normal, r->axis[0]) / vec3_length_squared(r->axis[0]),
+               vec3_dot(p.normal, r->axis[1]) / vec3_length_squared(r->axis[1]),
+               vec3_dot(p.normal, r->axis[2]) / vec3_length_squared(r->axis[2]) };
+    return (plane){ n, p.offset - vec3_dot(p.normal, r->center) };
+}
+
+static bool touch_facet(const rigid_view *v, const soft_frame *f,
+                        facet_pair *pair, real apart, answering who)
+{
+    const body *soft = &f->body[pair->soft];
+    touch x = { f, v, soft, pair->rigid, FACET, .apart = apart };
+    vec3 end[FACET];
+    facet_touch t;
+    facet_corners(soft, pair->number, x.corner);
+    for (int k = 0; k < FACET; k++)
+        end[k] = f->particle[x.corner[k]].position;
+    plane between = plane_out(&v->frame, pair->between);
+    bool is_near = facet_nearest(&v->hull, end, &between, apart, &t);
+    pair->between = plane_in(&v->frame, between);
+    if (!is_near) return false;
+    for (int k = 0; k < FACET; k++) x.weight[k] = t.weight[k];
+    x.at = t.at;
+    // The point of the surface that is so far below that of the facet.
+    vec3 here = stand_in(&x).position;
+    x.at.at = vec3_add_scaled(here, -t.gap, t.at.normal);
+    return part(&x, who);
+}
+
+int touch_facets(const near_lists *l, rigid_view *v, const soft_frame *f,
+                 real share, answering who, bool is_backward)
+{
+    int touching = 0, n = l->facet.count;
+    facet_pair last = { .soft = -1 };
+    for (int k = 0; k < n; k++) {
+        facet_pair *pair = &l->facet.at[is_backward ? n - 1 - k : k];
+        if (pair->soft != last.soft || pair->rigid != last.rigid)
+            rigid_view_look(v, f, pair->rigid);
+        last = *pair;
+        touching += touch_facet(v, f, pair,
+                                share * facet_gap(&f->body[pair->soft]), who);
     }
     return touching;
 }

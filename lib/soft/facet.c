@@ -4,17 +4,6 @@
 
 #include <stddef.h>
 
-// m, how far the nearest corner is in front of the plane.
-static real least_height(const vec3 end[FACET], plane p)
-{
-    real least = plane_height(p, end[0]);
-    for (int k = 1; k < FACET; k++) {
-        real up = plane_height(p, end[k]);
-        if (!(up >= least)) least = up;
-    }
-    return least;
-}
-
 // The plane with this normal (of any length) that the body touches from behind.
 static plane touching_plane(const obstacle *b, vec3 normal)
 {
@@ -52,23 +41,22 @@ static gjk_result query_moved(const obstacle *b, const vec3 end[FACET],
 bool facet_nearest(const obstacle *b, const vec3 end[FACET], plane *between,
                    real reach, facet_touch *out)
 {
-    bool is_known = vec3_length_squared(between->normal) > 0;
-    real up = is_known ? least_height(end, *between) : 0;
-    if (up > reach || up != up) return false;
     vec3 by = { 0, 0, 0 };
     gjk_result g = query_moved(b, end, by, reach);
     if (g.status == GJK_OVERLAP) {
         // So far along the normal of the plane that they are surely apart.
-        if (!is_known) *between = guess(b, end);
-        real far = reach - least_height(end, *between);
+        if (!(vec3_length_squared(between->normal) > 0))
+            *between = guess(b, end);
+        real far = reach - facet_height(end, *between);
         by = vec3_scale(far, between->normal);
         g = query_moved(b, end, by, HUGE_VAL);
     }
+    *out = (facet_touch){ .gap = 0 };
     if (!(g.distance > 0)) return false;
     *between = touching_plane(b, g.axis);
     feature_point facet, body;
     query_features(&g.last, &facet, &body);
-    *out = (facet_touch){ .at = { g.on_b, between->normal } };
+    out->at = (surface_point){ g.on_b, between->normal };
     for (int k = 0; k < facet.count; k++)
         out->weight[facet.vertex[k]] = facet.weight[k];
     // Where it is, if both are as flat as they look there.

@@ -19,16 +19,27 @@ typedef struct {
     surface_point at;   // of the body, out of it towards the facet
     real gap;           // m; < 0: overlap
 } facet_touch;
+
+// m, how far a facet is in front of the plane with its nearest corner.  (A link
+// says its last corner twice.)
+static inline real facet_height(const vec3 end[FACET], plane p)
+{
+    real least = plane_height(p, end[0]);
+    for (int k = 1; k < FACET; k++) {
+        real up = plane_height(p, end[k]);
+        if (!(up >= least)) least = up;
+    }
+    return least;
+}
 //<
 
 //> facet-declare
-// Is the facet with these corners (a link says its last one twice) nearer than
-// reach (m, > 0) to the body, or in it?  Then *out says where.
+// Is the facet with these corners nearer than reach (m, > 0) to the body, or in
+// it?  *out says where the two are nearest; no: only its gap is right, or at least a bound.
 // `between` is the plane that touched the body, and had the facet in front of
 // it, when that was last known (a normal of 0: never); it receives the new one.
-// While it has the facet further in front than reach nothing else is asked.  A
-// facet has no inside: if it cuts the body, this plane tells which side it is
-// to leave by.  Corners that are not finite are near nothing.
+// A facet has no inside: if it cuts the body, this plane tells by which side it
+// is to leave.  Corners that are not finite are near nothing.
 bool facet_nearest(const obstacle *b, const vec3 end[FACET], plane *between,
                    real reach, facet_touch *out);
 

@@ -5,8 +5,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-// Where rigid body b stands in the middle of a frame.
-static rigid_frame frame_of(const soft_frame *f, int b)
+rigid_frame soft_rigid_frame(const soft_frame *f, int b)
 {
     return motion_frame(&f->now[b].frame, &f->now[b].basis, &f->moved[b]);
 }
@@ -56,7 +55,7 @@ static void add_soft_moves(moves *to, const near_lists *l, const soft_frame *f,
 static void add_rigid_moves(moves *m, const near_lists *l, const soft_frame *f,
                             int b)
 {
-    rigid_frame frame = frame_of(f, b);
+    rigid_frame frame = soft_rigid_frame(f, b);
     for (int k = 0; k < FOUR; k++) {
         vec3 arm = frame_arm(&frame, k), at = vec3_add(frame.center, arm);
         vec3 d = vec3_sub(at, l->listed[f->body[b].first + k]);
@@ -69,13 +68,12 @@ static void add_rigid_moves(moves *m, const near_lists *l, const soft_frame *f,
 // lists are good; and for as many substeps more as it would take if any two
 // went against each other, at twice the speed of the fastest, but at most 8,
 // for speeds change.
-enum { TRUST_MOST = 8 };
-
 static bool lists_are_good(near_lists *l, const soft_frame *f)
 {
     if (l->trusted < 0) return false;
     // They counted on the pace that was.
     if (f->age != f->h) l->trusted = 0;
+    l->substeps += f->age != f->h ? TRUST_MOST : 1;
     if (l->trusted > 0) {
         l->trusted--;
         return true;
@@ -159,7 +157,7 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
     const body *rigid = &f->body[b];
     const shape *s = rigid->shape;
     if (v->of == b && body_is_static(rigid)) return;
-    rigid_frame frame = frame_of(f, b);
+    rigid_frame frame = soft_rigid_frame(f, b);
     rigid4_ride(rigid->rigid, &frame, v->corner, s->particles);
     v->hull = (obstacle){ { v->corner, s->particles }, v->plane,
                           hull_planes(s, v->corner, v->plane), s->radius };
@@ -197,21 +195,21 @@ static real facet_reach(const near_lists *l, const body *soft)
     return facet_gap(soft) + l->margin + 0.7 * longest;
 }
 
-// Where a particle is: far from the body; near; or over one of its faces, by its
-// number, and nowhere near the face's rim.  A facet over a face meets nothing
-// else while the lists are good, and its particles keep it off that.
-enum { OVER_NOTHING = -2, OVER_RIM = -1 };
+// Where a particle is: far from the body; in front of one of its planes, by its
+// number; or over that face and nowhere near its rim.  A facet over a face meets
+// nothing else while the lists are good, and its particles keep it off that.
+enum { OVER_NOTHING = -1 };
 
-static int over_face(const near_lists *l, const rigid_view *v, const body *soft,
-                     vec3 x, int ahead)
+static bool is_over(const near_lists *l, const rigid_view *v, const body *soft,
+                    vec3 x, int ahead)
 {
     plane face = v->plane[ahead];
     real up = plane_height(face, x), inside = facet_gap(soft) + l->margin;
     vec3 foot = vec3_add_scaled(x, -up, face.normal);
     for (int k = 0; k < v->hull.planes; k++)
         if (k != ahead && !(plane_height(v->plane[k], foot) < -inside))
-            return OVER_RIM;
-    return up > 0 ? ahead : OVER_RIM;
+            return false;
+    return up > 0;
 }
 
 // In the order in which facets are listed: by the two bodies, by number.
@@ -232,7 +230,25 @@ static plane known_plane(facet_list *last, const facet_pair *x)
     return (plane){ { 0, 0, 0 }, 0 };
 }
 
-static void list_facets(near_lists *l, const soft_frame *f, int a, int b)
+// May a facet with these corners come as near as facets are kept?
+static bool may_meet(const near_lists *l, const rigid_view *v, const body *soft,
+                     const int corner_of[FACET])
+{
+    vec3 end[FACET];
+    int over = 0;
+    for (int k = 0; k < FACET; k++) end[k] = l->at[corner_of[k]];
+    for (int k = 0; k < FACET; k++) {
+        int ahead = l->ahead[corner_of[k]];
+        over += ahead % 2 == 1 && ahead == l->ahead[corner_of[0]];
+        if (ahead == OVER_NOTHING) continue;
+        if (facet_height(end, v->plane[ahead / 2])
+            > facet_gap(soft) + l->margin) return false;
+    }
+    return over < FACET;
+}
+
+static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
+                        int a, int b)
 {
     const body *soft = &f->body[a];
     const shape *s = soft->shape;
@@ -240,10 +256,9 @@ static void list_facets(near_lists *l, const soft_frame *f, int a, int b)
     for (int k = 0; k < facets; k++) {
         int end[FACET];
         facet_corners(soft, k, end);
-        const int *over = l->over;
-        int x = over[end[0]], y = over[end[1]], z = over[end[2]];
-        if (int_max(x, int_max(y, z)) == OVER_NOTHING) continue;
-        if (x >= 0 && x == y && x == z) continue;
+        const int *ahead = l->ahead;
+        if (int_max(ahead[end[0]], int_max(ahead[end[1]], ahead[end[2]]))
+            == OVER_NOTHING || !may_meet(l, v, soft, end)) continue;
         if (room_for(l, 1, l->facet_capacity - l->facet.count) < 1) continue;
         facet_pair pair = { .soft = a, .rigid = b, .number = k };
         pair.between = known_plane(&l->facets_before, &pair);
@@ -274,23 +289,24 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
     real reach = soft_gap(soft, &f->body[b]) + l->margin;
     real wide = real_max(reach, facet_reach(l, soft));
     real far = f->now[b].radius + wide;
-    vec3 center = frame_of(f, b).center;
+    vec3 center = soft_rigid_frame(f, b).center;
     bool is_ready = false;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
         vec3 x = l->at[i];
-        l->over[i] = OVER_NOTHING;
+        l->ahead[i] = OVER_NOTHING;
         if (vec3_length_squared(vec3_sub(x, center)) > far * far) continue;
         if (!is_ready) rigid_view_look(v, f, b);
         is_ready = true;
         int ahead = hull_ahead(x, v->plane, v->hull.planes);
         real up = plane_height(v->plane[ahead], x);
         if (up > wide) continue;
-        l->over[i] = over_face(l, v, soft, x, ahead);
+        l->ahead[i] = 2 * ahead;
         if (up > reach) continue;
+        l->ahead[i] += is_over(l, v, soft, x, ahead);
         if (room_for(l, 1, l->point_capacity - l->points) == 1)
             l->point[l->points++] = (point_pair){ i, a, b, ahead };
     }
-    if (is_ready) list_facets(l, f, a, b);
+    if (is_ready) list_facets(l, v, f, a, b);
 }
 //<
 
@@ -319,7 +335,7 @@ static void note_places(near_lists *l, const soft_frame *f, int b)
 {
     const body *x = &f->body[b];
     if (!body_is_soft(x)) {
-        rigid_frame frame = frame_of(f, b);
+        rigid_frame frame = soft_rigid_frame(f, b);
         for (int k = 0; k < FOUR; k++)
             l->listed[x->first + k] = vec3_add(frame.center,
                                                frame_arm(&frame, k));
@@ -339,6 +355,7 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
     l->facets_before = last;
     l->facets_before.next = 0;
     l->pairs = l->points = l->trusted = 0;
+    l->substeps = 0;
     l->made++;
     for (int b = 0; b < f->bodies; b++) note_places(l, f, b);
     for (int a = 0; a < f->bodies; a++) {
@@ -401,11 +418,13 @@ static bool make_room(near_lists *l, int bodies, int particles, int soft)
     l->pair   = room(l->pair_capacity, sizeof *l->pair);
     l->point  = room(l->point_capacity, sizeof *l->point);
     l->leaf   = room(l->leaf_capacity, sizeof *l->leaf);
-    l->over   = room(particles, sizeof *l->over);
+    l->ahead   = room(particles, sizeof *l->ahead);
+    l->met    = room(l->facet_capacity, sizeof *l->met);
     l->facet.at = room(l->facet_capacity, sizeof *l->facet.at);
     l->facets_before.at = room(l->facet_capacity, sizeof *l->facet.at);
     return l->tree && l->ball && l->at && l->listed && l->pair && l->point
-        && l->leaf && l->over && l->facet.at && l->facets_before.at;
+        && l->leaf && l->ahead && l->met
+        && l->facet.at && l->facets_before.at;
 }
 
 // A wide margin makes long lists, a narrow one makes them often.  With 0.75 of
@@ -437,7 +456,7 @@ void near_free(near_lists *l)
     for (int b = 0; l->tree && b < l->bodies; b++)
         sphere_tree_free(&l->tree[b]);
     void *owned[] = { l->tree, l->ball, l->at, l->listed, l->pair, l->point,
-                      l->leaf, l->over, l->facet.at, l->facets_before.at };
+                      l->leaf, l->ahead, l->met, l->facet.at, l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     grid_free(&l->grid);
     *l = (near_lists){ .trusted = -1 };

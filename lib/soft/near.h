@@ -43,6 +43,9 @@ typedef struct {
     real h;                     // s, this substep
 } soft_frame;
 
+// For so many substeps, at most, what is clear is trusted to stay so.
+enum { TRUST_MOST = 8 };
+
 // Neither static nor asleep.
 static inline bool soft_moves(const soft_frame *f, int b)
 {
@@ -76,6 +79,7 @@ typedef struct {
     int soft, rigid;    // bodies
     int number;         // of the triangle or the link in its shape
     plane between;      // between it and the body, in the frame of that body
+    int until;          // nothing is asked before so many substeps are over
 } facet_pair;
 
 typedef struct {
@@ -92,7 +96,9 @@ typedef struct {
     facet_list facet;           // facets at rigid bodies, in the same order
     facet_list facets_before;   // those of the last lists
     int  facet_capacity;
-    int *over;          // [particles] while facets are listed, see near.c
+    int *met, mets;     // those of them that met one in this substep
+    int  substeps;      // since the lists were made
+    int *ahead;         // [particles] while facets are listed, see near.c
     real margin;        // m, how much further than touching the lists look
     int  trusted;       // they are good for as many substeps more; -1: there
                         // are none yet
@@ -123,6 +129,9 @@ void near_begin(near_lists *l, const soft_frame *f);
 
 // Brings the lists up to date for a substep.
 void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f);
+
+// Where rigid body b stands in the middle of a frame.
+rigid_frame soft_rigid_frame(const soft_frame *f, int b);
 
 // Looks where the vertices and planes of rigid body b are now.
 void rigid_view_look(rigid_view *v, const soft_frame *f, int b);

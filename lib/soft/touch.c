@@ -171,16 +171,23 @@ static void share_with_all(const touch *x, const particle *before,
 //<
 
 //> touch-bodies
+// Whatever answers at that point: *p.
+static bool push_off(const touch *x, particle *p)
+{
+    if (body_is_static(&x->f->body[x->b]))
+        return surface_separate(p, x->at.at, x->at.normal, x->apart,
+                                x->f->friction) > 0;
+    part_from_moving(x, p);
+    return true;
+}
+
 static bool part(const touch *x, answering who)
 {
+    if (who == BY_PARTICLE && x->corners == 1)
+        return push_off(x, &x->f->particle[x->corner[0]]);
     particle before = who == BY_WHOLE ? whole_cloth(x) : stand_in(x);
     particle after = before;
-    if (body_is_static(&x->f->body[x->b])) {
-        if (!(surface_separate(&after, x->at.at, x->at.normal, x->apart,
-                               x->f->friction) > 0)) return false;
-    } else {
-        part_from_moving(x, &after);
-    }
+    if (!push_off(x, &after)) return false;
     if (who == BY_WHOLE) share_with_all(x, &before, &after);
     else                 share_out(x, &before, &after);
     return true;
@@ -189,12 +196,14 @@ static bool part(const touch *x, answering who)
 static bool touch_body(const rigid_view *v, const soft_frame *f, point_pair pair,
                        real apart, answering who)
 {
-    vec3 at = f->particle[pair.particle].position;
-    touch x = { f, v, &f->body[pair.soft], pair.rigid, 1, { pair.particle },
-                { 1 }, .apart = apart };
-    if (!obstacle_nearest(&v->hull, at, pair.ahead, apart, &x.at))
+    particle *p = &f->particle[pair.particle];
+    surface_point at;
+    if (!obstacle_nearest(&v->hull, p->position, pair.ahead, apart, &at))
         return false;
-    if (body_is_static(&f->body[pair.rigid])) who = BY_PARTICLE;
+    if (body_is_static(&f->body[pair.rigid]))
+        return surface_separate(p, at.at, at.normal, apart, f->friction) > 0;
+    touch x = { f, v, &f->body[pair.soft], pair.rigid, 1, { pair.particle },
+                { 1 }, at, apart };
     return part(&x, who);
 }
 
@@ -244,42 +253,100 @@ static plane plane_in(const rigid_frame *r, plane p)
     return (plane){ n, p.offset - vec3_dot(p.normal, r->center) };
 }
 
-static bool touch_facet(const rigid_view *v, const soft_frame *f,
-                        facet_pair *pair, real apart, answering who)
+// A facet beside a rigid body that stands as the frame says.
+typedef struct {
+    int  number[FACET]; // of its corners, in the pool
+    vec3 end[FACET];    // m, where they are
+    plane between;
+    rigid_frame frame;
+} facet_view;
+
+// For how many substeps is a facet clear that has so much room in front of the
+// plane?  At twice the speed at which a corner comes nearer, with what gravity
+// adds.  Speeds may change by more; but if the facet should cut the body then,
+// the plane remembers its side.
+static int substeps_clear(const soft_frame *f, const facet_view *x, int b,
+                          real room)
 {
-    const body *soft = &f->body[pair->soft];
-    touch x = { f, v, soft, pair->rigid, FACET, .apart = apart };
-    vec3 end[FACET];
-    facet_touch t;
-    facet_corners(soft, pair->number, x.corner);
-    for (int k = 0; k < FACET; k++)
-        end[k] = f->particle[x.corner[k]].position;
-    plane between = plane_out(&v->frame, pair->between);
-    bool is_near = facet_nearest(&v->hull, end, &between, apart, &t);
-    pair->between = plane_in(&v->frame, between);
-    if (!is_near) return false;
-    for (int k = 0; k < FACET; k++) x.weight[k] = t.weight[k];
-    x.at = t.at;
-    // The point of the surface that is so far below that of the facet.
-    vec3 here = stand_in(&x).position;
-    x.at.at = vec3_add_scaled(here, -t.gap, t.at.normal);
+    const motion_basis *basis = &f->now[b].basis;
+    real pace = 0;
+    for (int k = 0; k < FACET; k++) {
+        vec3 arm = vec3_sub(x->end[k], x->frame.center);
+        vec3 way = vec3_scale(f->h, motion_at(basis, &f->velocity[b], arm));
+        vec3 went = vec3_sub(x->end[k], f->particle[x->number[k]].previous);
+        real up = vec3_dot(vec3_sub(went, way), x->between.normal);
+        pace = real_max(pace, -2 * up);
+    }
+    pace += TRUST_MOST * f->h * f->h * vec3_length(f->gravity);
+    return room >= TRUST_MOST * pace ? TRUST_MOST : (int)(room / pace);
+}
+
+// They are nearest there: so they are parted.
+static bool part_facet(const rigid_view *v, const soft_frame *f,
+                       const facet_pair *pair, const facet_view *seen,
+                       const facet_touch *t, real apart, answering who)
+{
+    touch x = { f, v, &f->body[pair->soft], pair->rigid, FACET,
+                .apart = apart };
+    vec3 here = { 0, 0, 0 };
+    for (int k = 0; k < FACET; k++) {
+        x.corner[k] = seen->number[k];
+        x.weight[k] = t->weight[k];
+        here = vec3_add_scaled(here, t->weight[k], seen->end[k]);
+    }
+    // The point of the surface is so far below that of the facet.
+    x.at = t->at;
+    x.at.at = vec3_add_scaled(here, -t->gap, t->at.normal);
     return part(&x, who);
 }
 
-int touch_facets(const near_lists *l, rigid_view *v, const soft_frame *f,
-                 real share, answering who, bool is_backward)
+static bool touch_facet(const near_lists *l, rigid_view *v, const soft_frame *f,
+                        facet_pair *pair, facet_view *x, answering who)
 {
-    int touching = 0, n = l->facet.count;
-    facet_pair last = { .soft = -1 };
-    for (int k = 0; k < n; k++) {
-        facet_pair *pair = &l->facet.at[is_backward ? n - 1 - k : k];
-        if (pair->soft != last.soft || pair->rigid != last.rigid)
-            rigid_view_look(v, f, pair->rigid);
-        last = *pair;
-        touching += touch_facet(v, f, pair,
-                                share * facet_gap(&f->body[pair->soft]), who);
+    const body *soft = &f->body[pair->soft];
+    real apart = (who == BY_WHOLE ? 0.5 : 1) * facet_gap(soft);
+    facet_touch t;
+    facet_corners(soft, pair->number, x->number);
+    for (int k = 0; k < FACET; k++)
+        x->end[k] = f->particle[x->number[k]].position;
+    x->between = plane_out(&x->frame, pair->between);
+    real up = facet_height(x->end, x->between);
+    if (!(up > apart)) {
+        rigid_view_look(v, f, pair->rigid);
+        bool is_near = facet_nearest(&v->hull, x->end, &x->between, apart, &t);
+        pair->between = plane_in(&v->frame, x->between);
+        if (is_near) return part_facet(v, f, pair, x, &t, apart, who);
+        up = t.gap;
     }
-    return touching;
+    pair->until = l->substeps + substeps_clear(f, x, pair->rigid, up - apart);
+    return false;
+}
+
+int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f,
+                 bool is_backward)
+{
+    int n = l->facet.count, of = -1;
+    facet_view x;
+    l->mets = 0;
+    for (int k = 0; k < n; k++) {
+        int number = is_backward ? n - 1 - k : k;
+        facet_pair *pair = &l->facet.at[number];
+        if (pair->until > l->substeps) continue;
+        if (pair->rigid != of) x.frame = soft_rigid_frame(f, pair->rigid);
+        of = pair->rigid;
+        if (touch_facet(l, v, f, pair, &x, BY_PARTICLE))
+            l->met[l->mets++] = number;
+    }
+    return l->mets;
+}
+
+void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
+{
+    for (int k = 0; k < l->mets; k++) {
+        facet_pair *pair = &l->facet.at[l->met[k]];
+        facet_view x = { .frame = soft_rigid_frame(f, pair->rigid) };
+        touch_facet(l, v, f, pair, &x, BY_WHOLE);
+    }
 }
 //<
 

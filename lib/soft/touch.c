@@ -231,25 +231,19 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
 //<
 
 //> touch-facets
-static vec3 frame_direction(const rigid_frame *r, vec3 local)
-{
-    return vec3_add_scaled(vec3_add_scaled(vec3_scale(local.x, r->axis[0]),
-                                           local.y, r->axis[1]),
-                           local.z, r->axis[2]);
-}
-
 // A plane of the body's frame in the world, and back.
 static plane plane_out(const rigid_frame *r, plane p)
 {
-    vec3 n = frame_direction(r, p.normal);
+    vec3 n = vec3_sub(frame_point(r, p.normal), r->center);
     return (plane){ n, p.offset + vec3_dot(n, r->center) };
 }
 
 static plane plane_in(const rigid_frame *r, plane p)
 {
-    vec3 n = { vec3_dot(p.normal, r->axis[0]) / vec3_length_squared(r->axis[0]),
-               vec3_dot(p.normal, r->axis[1]) / vec3_length_squared(r->axis[1]),
-               vec3_dot(p.normal, r->axis[2]) / vec3_length_squared(r->axis[2]) };
+    const vec3 *e = r->axis;
+    vec3 n = { vec3_dot(p.normal, e[0]) / vec3_length_squared(e[0]),
+               vec3_dot(p.normal, e[1]) / vec3_length_squared(e[1]),
+               vec3_dot(p.normal, e[2]) / vec3_length_squared(e[2]) };
     return (plane){ n, p.offset - vec3_dot(p.normal, r->center) };
 }
 
@@ -278,7 +272,8 @@ static int substeps_clear(const soft_frame *f, const facet_view *x, int b,
         pace = real_max(pace, -2 * up);
     }
     pace += TRUST_MOST * f->h * f->h * vec3_length(f->gravity);
-    return room >= TRUST_MOST * pace ? TRUST_MOST : (int)(room / pace);
+    real n = room / pace;
+    return n >= TRUST_MOST ? TRUST_MOST : n > 0 ? (int)n : 0;
 }
 
 // They are nearest there: so they are parted.

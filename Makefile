@@ -38,12 +38,16 @@ define ORDER
 15/swept
 15/collide
 16/cache
+16/placed
 16/separation
 16/obstacle
+16/near
+16/touch
+16/soft
 16/sleep
 16/world
 16/ledger
-16/soft
+16/soft_step
 16/step
 16/measure
 16/obj

@@ -14,14 +14,6 @@
 #include "pairs.h"
 #include "solver.h"
 
-// How a body may move in this frame.
-typedef struct {
-    vec3 way;           // m, its centre's, as fast as it is now
-    real turn;          // m, what its vertices may go beside that
-    real reach;         // m, both together
-    real angle;         // rad, by which it turns
-} prediction;
-
 // What the narrow phase reads of a rigid body, beside its solver_body.
 typedef struct {
     const shape *shape; // NULL: it is not rigid

@@ -28,6 +28,14 @@ enum { MOTION_TURN = 3, MOTIONS = 6 };
 typedef struct {
     alignas(64) real of[MOTIONS];  // of the centre along x, y, z; three turns
 } motion;
+
+// How a body may move in a frame.
+typedef struct {
+    vec3 way;           // m, its centre's, as fast as it is now
+    real turn;          // m, what its vertices may go beside that
+    real reach;         // m, both together
+    real angle;         // rad, by which it turns
+} prediction;
 //<
 
 //> motion-declare

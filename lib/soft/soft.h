@@ -1,50 +1,62 @@
 //> soft-head
-// soft.h - what deformable bodies touch: themselves, each other, rigid bodies.
+// soft.h - cloth and rope: their part of a frame, and of its substeps.
 //
-// Paper: section 5.2 and the end of 6.1.  Book: chapter 16.
-//
-// The trees are asked which particles are near each other, the planes of rigid
-// bodies which are near them; the answer, with a margin, is good until the
-// moves of two differ by it (the neighbour list of Verlet 1967).  In between, a
-// substep only looks down the lists.
+// Paper: sections 5.2 and 6.1.  Book: chapter 16.
 
 #ifndef TUMBLE_SOFT_H
 #define TUMBLE_SOFT_H
 
-#include "world.h"
+#include "touch.h"
+//<
+
+//> soft-struct
+// What cloth and rope keep from frame to frame, and what a frame counts.
+typedef struct {
+    near_lists near;
+    rigid_view view;
+    prediction *ahead;  // [bodies] how each may move in this frame
+    bool is_backward;   // points at rigid bodies come last to first
+
+    int  touching;      // parted in the last substep
+    long tested;        // sticks looked at
+    long relaxed;       // sticks moved
+    int  fell_back;     // strands that turned too far in a substep
+} soft_solver;
 //<
 
 //> soft-declare
-// A frame begins, and rigid bodies have been looked at: deformable bodies wake,
-// and rest with, whatever is near them.  Returns whether anything woke.
-bool soft_begin(world *w);
+// For these bodies, with so many particles in the pool.  Fails, leaving *s
+// empty, for want of memory.
+status soft_init(soft_solver *s, const body *all, int bodies, int particles);
+void   soft_free(soft_solver *s);       // an empty or zeroed one is fine
+
+// A frame begins, and rigid bodies have been looked at: where are the deformable
+// ones, and how may they move?
+void soft_begin(soft_solver *s, const soft_frame *f);
+
+// Is the deformable body a so near b that they may touch in this frame?
+bool soft_may_touch(const soft_solver *s, int a, int b);
 
 // How many substeps this frame needs for deformable bodies, and for what they
 // may meet.
-int soft_substeps(const world *w);
+int soft_substeps(const soft_solver *s, const soft_frame *f);
 
-// A substep of h (s): moves the particles of deformable bodies, parts them from
-// planes, each other and rigid bodies, and relaxes their sticks.  Rigid bodies
-// stand at rigid.now, moved by rigid.moved, and take impulses there.
-void soft_substep(world *w, real h);
+// A substep, in this order.  The particles move;
+void soft_move(const soft_frame *f);
 
-// How many deformable bodies have strands off by more than a hundredth.
-int soft_stretched(const world *w);
-//<
+// they are parted from planes, each other and rigid bodies, which take impulses
+// where they stand, at f->now, moved by f->moved;
+void soft_separate(soft_solver *s, const soft_frame *f);
 
-//> soft-declare-parts
-// Its parts, in their order.  The lists are brought up to date,
-void soft_refresh(world *w, real h);
-
-// particles are parted from all that they touch,
-void soft_separate(world *w, real h);
+// their sticks are relaxed;
+void soft_relax(soft_solver *s, const soft_frame *f);
 
 // and those that sticks have pulled back into a rigid body hold it by the
 // weight of all that they hang on.
-void soft_hold(world *w, real h);
+void soft_hold(soft_solver *s, const soft_frame *f);
 
-// m, how far particles of `soft` are kept from the surface of `rigid`.
-real soft_gap(const body *soft, const body *rigid);
+// How many deformable bodies have strands off by more than a hundredth.
+int soft_stretched(const soft_frame *f);
 
 #endif
 //<

@@ -2,7 +2,7 @@
 #include "step.h"
 #include "ledger.h"
 #include "restitution.h"
-#include "soft.h"
+#include "soft_step.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -23,7 +23,7 @@ static void find(world *w, real seconds, real *since)
 {
     w->frame = seconds;
     look_at_bodies(w);
-    if (w->softs > 0 && soft_begin(w)) look_at_bodies(w);
+    if (w->softs > 0 && soft_wake(w)) look_at_bodies(w);
     find_pairs(w);
     ledger_book(w, LEDGER_SLEEP);
     lap(w, PHASE_PAIRS, since);
@@ -293,7 +293,7 @@ static int choose_substeps(world *w)
         if (need > 2 * usual) n = (int)need + 1;
     }
     n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
-    if (w->softs > 0) n = int_max(n, soft_substeps(w));
+    if (w->softs > 0) n = int_max(n, soft_need(w));
     return int_min(n, int_max(w->options.most_substeps, usual));
 }
 //<
@@ -387,7 +387,7 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
     solver_end(&t->solver, t->velocity);
     ledger_book(w, LEDGER_CONTACTS);
     lap(w, PHASE_SOLVE, since);
-    if (w->softs > 0) soft_substep(w, f->h);
+    if (w->softs > 0) soft_step(w, f->h);
     lap(w, PHASE_SOFT, since);
 }
 //<
@@ -503,7 +503,7 @@ static void move_bodies(world *w, real h)
         w->report.fell_back += r->fell_back;
         w->report.unconverged += !(r->worst <= 0.01);
     }
-    if (w->softs > 0) w->report.unconverged += soft_stretched(w);
+    if (w->softs > 0) soft_report(w);
     w->ledger_ahead = 0;
     ledger_book(w, LEDGER_STICKS);
 }

@@ -61,7 +61,6 @@ static status check_options(const world_options *o)
 status world_init(world *w, world_options options)
 {
     *w = (world){ .options = options,
-                  .soft = { .trusted = -1, .hull_of = -1 },
                   .age = options.dt / options.substeps };
     pool_init(&w->pool);
     return check_options(&options);
@@ -93,26 +92,13 @@ void world_pin(world *w, int b, int i)
 }
 //<
 
-//> world-tree
+//> world-radius
 // Particles of deformable bodies are balls of 0.55 of its spacing: where two
 // sheets lie on each other, no diagonal of one can then pass between the
 // particles of the other, which are 1.1 spacings away.
 static real particle_radius(const shape *s)
 {
     return s->kind == SHAPE_RIGID ? 0 : 0.55 * s->spacing;
-}
-
-static status build_tree(body *b)
-{
-    int n = b->shape->particles;
-    if (!body_is_soft(b)) return status_ok();
-    leaf_feature *leaf = malloc((size_t)n * sizeof *leaf);
-    if (!leaf) return status_out_of_memory();
-    for (int i = 0; i < n; i++) leaf[i] = (leaf_feature){ 1, { i, 0, 0 } };
-    status done = sphere_tree_build(&b->tree, TREE_LAYERED, b->shape->at, leaf,
-                                    n, b->thickness, 0);
-    free(leaf);
-    return done;
 }
 //<
 
@@ -216,13 +202,12 @@ status world_add(world *w, const shape *s, placement where, int *number)
     if (!done.ok) return done;
 
     body b = { .shape = s, .rigid = w->shape[entry].rigid,
+               .line = w->shape[entry].line,
                .inner = w->shape[entry].inner, .first = w->pool.count,
                .mass = HUGE_VAL, .thickness = particle_radius(s) };
     real mass = 0;
     for (int i = 0; i < s->particles; i++) mass += s->mass[i];
     if (!where.is_static) b.mass = mass;
-    done = build_tree(&b);
-    if (!done.ok) return done;
 
     place_particles(w, &b, &where);
     w->softs += body_is_soft(&b);
@@ -230,60 +215,6 @@ status world_add(world *w, const shape *s, placement where, int *number)
     if (number) *number = w->bodies;
     w->body[w->bodies++] = b;
     return status_ok();
-}
-//<
-
-//> world-size-soft
-static void *room_for(int n, size_t size)
-{
-    return malloc((n > 0 ? (size_t)n : 1) * size);
-}
-
-// A particle of a cloth folded on itself has 12 in touch, most of them its
-// neighbours at rest, but the lists look further: 24 a particle.  And it is near
-// 4 rigid bodies at most, where they lie together.
-// A wide margin makes long lists, a narrow one makes them often.  With 0.75 of
-// a spacing a flat cloth has the diagonals of its cells, and no more: what
-// stands at two spacings is further than the 1.1 of touching and the margin.
-static bool size_soft(world *w)
-{
-    soft_tables *t = &w->soft;
-    int particles = 0, faces = 0, corners = 0;
-    t->margin = HUGE_VAL;
-    for (int b = 0; b < w->bodies; b++) {
-        const shape *s = w->body[b].shape;
-        if (body_is_soft(&w->body[b])) {
-            particles += s->particles;
-            t->margin = fmin(t->margin, 0.75 * s->spacing);
-        } else {
-            corners = int_max(corners, s->particles);
-            faces = int_max(faces, s->mesh.faces);
-        }
-    }
-    if (w->softs == 0) return true;
-    t->pair_capacity = t->leaf_capacity = 24 * particles;
-    t->point_capacity = 4 * particles;
-    t->ball   = room_for(w->bodies, sizeof *t->ball);
-    t->ahead  = room_for(w->bodies, sizeof *t->ahead);
-    t->at     = room_for(w->pool.count, sizeof *t->at);
-    t->listed = room_for(w->pool.count, sizeof *t->listed);
-    t->pair   = room_for(t->pair_capacity, sizeof *t->pair);
-    t->point  = room_for(t->point_capacity, sizeof *t->point);
-    t->leaf   = room_for(t->leaf_capacity, sizeof *t->leaf);
-    t->corner = room_for(corners, sizeof *t->corner);
-    t->plane  = room_for(faces, sizeof *t->plane);
-    return t->ball && t->ahead && t->at && t->listed && t->pair && t->point
-        && t->leaf && t->corner && t->plane;
-}
-
-// The near lists ask about one deformable body at a time.
-static status build_grid(world *w)
-{
-    int most = 0;
-    for (int b = 0; b < w->bodies; b++)
-        if (body_is_soft(&w->body[b]))
-            most = int_max(most, w->body[b].shape->particles);
-    return grid_init(&w->soft.grid, most);
 }
 //<
 
@@ -342,13 +273,14 @@ static status begin_rigid(world *w)
 status world_begin(world *w)
 {
     assert(!w->is_ready);
-    w->inverse_mass = room_for(w->pool.count, sizeof *w->inverse_mass);
-    if (!w->inverse_mass || !size_soft(w)) return status_out_of_memory();
+    w->inverse_mass = calloc((size_t)w->pool.count + 1,
+                             sizeof *w->inverse_mass);
+    if (!w->inverse_mass) return status_out_of_memory();
     for (int i = 0; i < w->pool.count; i++)
         w->inverse_mass[i] = w->pool.at[i].inverse_mass;
     status done = begin_rigid(w);
     if (done.ok) done = sleep_init(&w->sleep, w->bodies, w->pool.count);
-    if (done.ok) done = build_grid(w);
+    if (done.ok) done = soft_init(&w->soft, w->body, w->bodies, w->pool.count);
     w->is_ready = done.ok;
     return done;
 }
@@ -365,22 +297,18 @@ static void free_shape(shape_entry *e)
 void world_free(world *w)
 {
     rigid_tables *r = &w->rigid;
-    soft_tables *s = &w->soft;
-    for (int b = 0; b < w->bodies; b++) sphere_tree_free(&w->body[b].tree);
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
     void *owned[] = { w->body, w->shape, w->inverse_mass,
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->reach,
-        r->velocity, r->moved, r->relaxed, s->ball, s->ahead, s->at, s->listed,
-        s->pair, s->point, s->leaf, s->corner,
-        s->plane };
+        r->velocity, r->moved, r->relaxed };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);
     solver_free(&r->solver);
     pool_free(&w->pool);
     sleep_free(&w->sleep);
-    grid_free(&s->grid);
-    *w = (world){ .soft = { .trusted = -1, .hull_of = -1 } };
+    soft_free(&w->soft);
+    *w = (world){ .bodies = 0 };
 }
 //<
 
@@ -408,7 +336,7 @@ static void rouse(world *w, int b)
         for (int i = x->first; i < x->first + body_particles(x); i++)
             w->pool.at[i].inverse_mass = w->inverse_mass[i];
     }
-    w->soft.trusted = -1;
+    w->soft.near.trusted = -1;
 }
 
 bool world_wake_near(world *w, int a, int b)

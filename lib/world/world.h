@@ -8,11 +8,8 @@
 #define TUMBLE_WORLD_H
 
 #include "cache.h"
-#include "grid.h"
-#include "line.h"
-#include "obstacle.h"
-#include "separation.h"
 #include "sleep.h"
+#include "soft.h"
 
 // What the program around a world lends it.
 typedef struct {
@@ -48,21 +45,6 @@ typedef struct {
     bool ledger;        // what gives and takes energy is booked
     world_host host;
 } world_options;
-//<
-
-//> body-struct
-// A body: a range of the pool, built to a shape that it may share.
-typedef struct body {
-    const struct shape *shape;
-    const rigid4 *rigid;    // its four particles; NULL: it is deformable, with
-                            // a particle at every vertex
-    int  first;         // its particles: first .. first + body_particles - 1
-    real mass;          // kg; HUGE_VAL: static, as a whole
-    real thickness;     // m, the radius of a deformable body's particles; 0 of
-                        // a rigid one
-    real inner;         // m, the inner radius of a rigid one
-    sphere_tree tree;   // of a deformable one
-} body;
 //<
 
 //> report-struct
@@ -145,38 +127,6 @@ typedef struct {
 } rigid_tables;
 //<
 
-//> world-tables-soft
-typedef struct {
-    int particle;       // of a deformable body, in the pool
-    int soft, rigid;    // that body; the rigid one
-    int ahead;          // the plane of the rigid one that it was in front of
-} point_pair;
-
-// Particles of deformable bodies near each other, and near rigid bodies.
-typedef struct {
-    sphere     *ball;                   // [bodies] as the frame begins
-    prediction *ahead;                  // [bodies]
-    vec3 *at;                           // [particles] for trees and grid
-    vec3 *listed;                       // [particles] when the lists were made
-    particle_contact *pair;             // of particles
-    int  pairs, pair_capacity;
-    point_pair *point;                  // particles at rigid bodies
-    int  points, point_capacity;
-    bool is_backward;                   // those come last to first
-    struct leaf_pair *leaf;             // room for a traversal of two trees
-    int  leaf_capacity;
-    real margin;        // m, how much further than touching the lists look
-    int  trusted;       // they are good for as many substeps more; -1: there
-                        // are none yet
-    struct grid grid;   // for the largest deformable body
-    vec3 *corner;       // [most vertices] of the rigid body that is asked about
-    struct plane *plane;                // [most faces] and its planes
-    int  hull_of;       // that body; -1: none
-    obstacle hull;      // it, as it stood when it was last looked at,
-    motion moved;       // and how far it had been moved
-} soft_tables;
-//<
-
 //> world-struct
 typedef struct world {
     world_options options;
@@ -192,7 +142,7 @@ typedef struct world {
     bool is_ready;          // world_begin has sized what stands below
     int  dynamic_bodies;    // not static
     rigid_tables rigid;
-    soft_tables  soft;
+    soft_solver  soft;
     sleep_state  sleep;
     step_report  report;
     ledger_entry ledger[LEDGERS];   // since the start, or ledger_clear
@@ -244,19 +194,6 @@ bool world_wake_near(world *w, int a, int b);
 // Writes to at where the vertices of body b are now: shape->particles of them.
 void   world_vertices(const world *w, const body *b, vec3 *at);
 
-static inline bool body_is_soft(const body *b)
-{
-    return !b->rigid;
-}
-// How many particles body b has in the pool: four, or one at every vertex.
-static inline int body_particles(const body *b)
-{
-    return body_is_soft(b) ? b->shape->particles : FOUR;
-}
-static inline bool body_is_static(const body *b)
-{
-    return !(b->mass < HUGE_VAL);
-}
 //<
 
 //> world-end-of-header

@@ -492,12 +492,13 @@ START_TEST(thickness_is_the_radius_of_the_particles)
     add(&cloth, placement_at(vec3_make(0, 3, 0)));
     add(&rope, placement_at(vec3_make(0, 6, 0)));
     ck_assert(w.body[0].thickness == 0);
-    ck_assert_int_eq(w.body[0].tree.leaves, 0);
     // Two sheets of spacing s must keep more than s apart.
     ck_assert(w.body[1].thickness > cloth.spacing / 2);
     ck_assert(w.body[2].thickness > rope.spacing / 2);
-    ck_assert_int_eq(w.body[1].tree.leaves, cloth.particles);
-    ck_assert_int_eq(w.body[2].tree.leaves, rope.particles);
+    ready();
+    ck_assert_int_eq(w.soft.near.tree[0].leaves, 0);
+    ck_assert_int_eq(w.soft.near.tree[1].leaves, cloth.particles);
+    ck_assert_int_eq(w.soft.near.tree[2].leaves, rope.particles);
 }
 END_TEST
 

@@ -1,4 +1,4 @@
-// check_soft.c - what do cloth and rope touch, and is any of it missed?
+// check_soft_world.c - what do cloth and rope touch, and is any of it missed?
 // Book: chapter 16.
 
 #include <check.h>
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "soft.h"
+#include "soft_step.h"
 #include "stage.h"
 
 // Two particles that are parted stand where a square root and a division put
@@ -61,6 +61,33 @@ static void look(void)
     }
 }
 
+// What the world's step does of a substep, one by one.
+static void refresh(real h)
+{
+    soft_frame f = soft_frame_of(&w, h);
+    f.age = h;
+    near_refresh(&w.soft.near, &w.soft.view, &f);
+}
+
+static void separate(real h)
+{
+    soft_frame f = soft_frame_of(&w, h);
+    f.age = h;
+    soft_separate(&w.soft, &f);
+}
+
+static void hold(real h)
+{
+    soft_frame f = soft_frame_of(&w, h);
+    soft_hold(&w.soft, &f);
+}
+
+static int stretched(void)
+{
+    soft_frame f = soft_frame_of(&w, w.age);
+    return soft_stretched(&f);
+}
+
 // --- the slow oracle ---------------------------------------------------------
 
 static char listed[MOST][MOST];     // pair of particles, either order
@@ -71,14 +98,14 @@ static void read_lists(void)
     ck_assert_int_le(w.pool.count, MOST);
     for (int i = 0; i < w.pool.count; i++)
         for (int j = 0; j < w.pool.count; j++) listed[i][j] = pointed[i][j] = 0;
-    for (int k = 0; k < w.soft.pairs; k++) {
-        particle_contact c = w.soft.pair[k];
+    for (int k = 0; k < w.soft.near.pairs; k++) {
+        particle_contact c = w.soft.near.pair[k];
         ck_assert_msg(!listed[c.a][c.b], "pair (%d, %d) is listed twice",
                       c.a, c.b);
         listed[c.a][c.b] = listed[c.b][c.a] = 1;
     }
-    for (int k = 0; k < w.soft.points; k++) {
-        point_pair p = w.soft.point[k];
+    for (int k = 0; k < w.soft.near.points; k++) {
+        point_pair p = w.soft.near.point[k];
         ck_assert_msg(!pointed[p.particle][p.rigid],
                       "particle %d is listed twice", p.particle);
         pointed[p.particle][p.rigid] = 1;
@@ -189,14 +216,14 @@ START_TEST(flat_cloth_at_rest_touches_nothing)
         ck_assert_int_le(flat.particles, SIDE * SIDE * 4);
         for (int i = 0; i < flat.particles; i++)
             was[i] = particle_of(sheet, i)->position;
-        soft_refresh(&w, H);
+        refresh(H);
         // The ends of both diagonals of each cell are watched.
         int diagonals = 2 * (columns - 1) * (rows - 1);
-        ck_assert_int_eq(w.soft.pairs, diagonals);
-        soft_separate(&w, H);
-        ck_assert_int_eq(w.report.near, diagonals);
-        ck_assert_int_eq(w.report.touching, 0);
-        ck_assert_int_eq(w.report.dropped, 0);
+        ck_assert_int_eq(w.soft.near.pairs, diagonals);
+        separate(H);
+        ck_assert_int_eq(w.soft.near.pairs + w.soft.near.points, diagonals);
+        ck_assert_int_eq(w.soft.touching, 0);
+        ck_assert_int_eq(w.soft.near.dropped, 0);
         ck_assert(same_places(was));
         begin(world_options_default());
         shape_free(&flat);
@@ -219,11 +246,11 @@ START_TEST(folded_cloth_touches_itself)
     int b = add_at(&cloth, 0, 1, 0);
     ready();
     fold(b, cloth.spacing / 2);
-    soft_refresh(&w, H);
+    refresh(H);
     read_lists();
     ck_assert_int_gt(pairs_are_listed(0, 0), 2 * SIDE);
-    soft_separate(&w, H);
-    ck_assert_int_gt(w.report.touching, 2 * SIDE);
+    separate(H);
+    ck_assert_int_gt(w.soft.touching, 2 * SIDE);
     // The upper layer has gone up, the lower one down.
     real up = 0, down = 0;
     for (int i = 0; i < cloth.particles; i++) {
@@ -232,7 +259,7 @@ START_TEST(folded_cloth_touches_itself)
         else down += dy;
     }
     ck_assert_msg(up > 0 && down < 0, "up %g, down %g", up, down);
-    ck_assert_int_eq(w.report.dropped, 0);
+    ck_assert_int_eq(w.soft.near.dropped, 0);
 }
 END_TEST
 
@@ -244,10 +271,10 @@ START_TEST(fold_that_is_wide_enough_touches_nothing)
     ready();
     fold(b, 1.11 * cloth.spacing);
     // Only the two middle columns are one spacing apart, and they are joined.
-    soft_refresh(&w, H);
-    ck_assert_int_gt(w.soft.pairs, 0);
-    soft_separate(&w, H);
-    ck_assert_int_eq(w.report.touching, 0);
+    refresh(H);
+    ck_assert_int_gt(w.soft.near.pairs, 0);
+    separate(H);
+    ck_assert_int_eq(w.soft.touching, 0);
 }
 END_TEST
 
@@ -281,17 +308,17 @@ START_TEST(lists_hold_what_all_pairs_within_the_margin_hold)
     for (int k = 0; k < 12; k++) {
         begin(world_options_default());
         make_heap(size[k % 4]);
-        soft_refresh(&w, H);
-        ck_assert_int_eq(w.report.dropped, 0);
+        refresh(H);
+        ck_assert_int_eq(w.soft.near.dropped, 0);
         read_lists();
-        int pairs = pairs_are_listed(w.soft.margin, 1);
-        int points = points_are_listed(w.soft.margin);
-        ck_assert_int_eq(pairs, w.soft.pairs);
+        int pairs = pairs_are_listed(w.soft.near.margin, 1);
+        int points = points_are_listed(w.soft.near.margin);
+        ck_assert_int_eq(pairs, w.soft.near.pairs);
         ck_assert_int_gt(pairs, 0);
-        ck_assert_int_ge(w.soft.points, points);
+        ck_assert_int_ge(w.soft.near.points, points);
         if (size[k % 4] < 1) ck_assert_int_gt(points, 10);
-        for (int i = 0; i < w.soft.pairs; i++) {
-            const particle_contact *c = &w.soft.pair[i];
+        for (int i = 0; i < w.soft.near.pairs; i++) {
+            const particle_contact *c = &w.soft.near.pair[i];
             real thick[2];
             const int end[2] = { c->a, c->b };
             for (int s = 0; s < 2; s++) {
@@ -313,12 +340,12 @@ static int lists_after(vec3 one, vec3 other)
     begin(world_options_default());
     int b = add_at(&cloth, 0, 0, 0);
     ready();
-    soft_refresh(&w, H);
+    refresh(H);
     particle *p = particle_of(b, 33), *q = particle_of(b, 44);
-    put(p, vec3_add_scaled(p->position, w.soft.margin, one));
-    put(q, vec3_add_scaled(q->position, w.soft.margin, other));
-    soft_refresh(&w, H);
-    return w.report.rebuilt;
+    put(p, vec3_add_scaled(p->position, w.soft.near.margin, one));
+    put(q, vec3_add_scaled(q->position, w.soft.near.margin, other));
+    refresh(H);
+    return w.soft.near.made;
 }
 
 // Rejects: lists made in every substep, which would cost all that they spare;
@@ -356,17 +383,17 @@ START_TEST(lists_are_made_again_when_a_rigid_body_has_come_near)
         int b = add_at(&box, 0, 1, 0);
         ready();
         look();
-        soft_refresh(&w, H);
-        w.rigid.moved[b].of[0] = (k ? 0.51 : 0.49) * w.soft.margin;
-        soft_refresh(&w, H);
-        ck_assert_int_eq(w.report.rebuilt, 1 + k);
+        refresh(H);
+        w.rigid.moved[b].of[0] = (k ? 0.51 : 0.49) * w.soft.near.margin;
+        refresh(H);
+        ck_assert_int_eq(w.soft.near.made, 1 + k);
         // Its vertices may take 0.049 of the margin in a substep, and what
         // comes against them as much, and both twice as much: 0.196.
         w.rigid.moved[b] = (motion){ { 0 } };
-        w.rigid.velocity[b] = (motion){ { 0.0245 * w.soft.margin / H } };
-        w.soft.trusted = 0;
-        if (k == 0) soft_refresh(&w, H);
-        if (k == 0) ck_assert_int_eq(w.soft.trusted, 5);
+        w.rigid.velocity[b] = (motion){ { 0.0245 * w.soft.near.margin / H } };
+        w.soft.near.trusted = 0;
+        if (k == 0) refresh(H);
+        if (k == 0) ck_assert_int_eq(w.soft.near.trusted, 5);
     }
 }
 END_TEST
@@ -382,12 +409,12 @@ START_TEST(lists_are_looked_at_when_the_substep_changes)
     int b = add_at(&cloth, 0, 0, 0);
     ready();
     particle *p = particle_of(b, 44);
-    p->previous.y -= w.soft.margin / 33;
-    soft_refresh(&w, w.age);
-    soft_refresh(&w, w.age);
-    ck_assert_int_eq(w.soft.trusted, 8);
-    soft_substep(&w, 50 * w.age);
-    ck_assert_int_eq(w.report.rebuilt, 2);
+    p->previous.y -= w.soft.near.margin / 33;
+    refresh(w.age);
+    refresh(w.age);
+    ck_assert_int_eq(w.soft.near.trusted, 8);
+    soft_step(&w, 50 * w.age);
+    ck_assert_int_eq(w.soft.near.made, 2);
 }
 END_TEST
 
@@ -397,19 +424,19 @@ START_TEST(lists_survive_what_is_not_finite)
     int b = add_at(&cloth, 0, 0, 0);
     add_at(&box, 0, 0.3, 0);
     ready();
-    soft_refresh(&w, H);
+    refresh(H);
     particle_of(b, 44)->position.x = (real)NAN;
-    w.report.rebuilt = 0;
+    w.soft.near.made = 0;
     for (int k = 0; k < 3; k++) {
-        soft_refresh(&w, H);
-        soft_separate(&w, H);
+        refresh(H);
+        separate(H);
     }
-    ck_assert_int_gt(w.report.rebuilt, 0);
+    ck_assert_int_gt(w.soft.near.made, 0);
     // A speed that is no number, of a particle that is in its place.
     particle_of(b, 44)->position = cloth.at[44];
-    soft_refresh(&w, H);
+    refresh(H);
     particle_of(b, 33)->previous.x = (real)NAN;
-    for (int k = 0; k < 3; k++) soft_refresh(&w, H);
+    for (int k = 0; k < 3; k++) refresh(H);
 }
 END_TEST
 
@@ -422,10 +449,10 @@ START_TEST(what_finds_no_room_is_counted)
     ready();
     for (int i = 0; i < 2 * cloth.particles; i++)
         put(&w.pool.at[i], vec3_make(1e-4 * i, 0, 0));
-    soft_refresh(&w, H);
-    ck_assert_int_gt(w.report.dropped, 0);
-    ck_assert_int_le(w.soft.pairs, w.soft.pair_capacity);
-    ck_assert_int_le(w.soft.points, w.soft.point_capacity);
+    refresh(H);
+    ck_assert_int_gt(w.soft.near.dropped, 0);
+    ck_assert_int_le(w.soft.near.pairs, w.soft.near.pair_capacity);
+    ck_assert_int_le(w.soft.near.points, w.soft.near.point_capacity);
 }
 END_TEST
 
@@ -448,11 +475,11 @@ static void substep(real h)
             verlet_step(particle_of(b, 0), body_particles(&w.body[b]),
                         w.options.gravity, NULL, h);
     }
-    soft_refresh(&w, h);
+    refresh(h);
     read_lists();
     pairs_are_listed(0, 0);
     points_are_listed(0);
-    soft_separate(&w, h);
+    separate(h);
     for (int b = 0; b < w.bodies; b++)
         if (body_is_soft(&w.body[b]))
             sticks_relax(w.body[b].shape->stick, w.body[b].shape->sticks,
@@ -501,16 +528,16 @@ START_TEST(nothing_is_missed_while_a_cloth_falls)
         if (k % o.substeps == 0) look();
         substep(w.age);
         if ((k + 1) % o.substeps == 0) follow();
-        pairs += w.soft.pairs;
-        points += w.soft.points;
-        if (w.report.touching > most) most = w.report.touching;
+        pairs += w.soft.near.pairs;
+        points += w.soft.near.points;
+        if (w.soft.touching > most) most = w.soft.touching;
     }
-    ck_assert_int_eq(w.report.dropped, 0);
+    ck_assert_int_eq(w.soft.near.dropped, 0);
     ck_assert_int_gt(pairs, 10 * substeps);
     ck_assert_int_gt(points, 10 * substeps);
     ck_assert_int_gt(most, 30);
-    ck_assert_msg(w.report.rebuilt < substeps / 2, "rebuilt %d times",
-                  w.report.rebuilt);
+    ck_assert_msg(w.soft.near.made < substeps / 2, "rebuilt %d times",
+                  w.soft.near.made);
     for (int i = 0; i < cloth.particles; i++)
         ck_assert(vec3_is_finite(particle_of(sheet, i)->position));
 }
@@ -533,18 +560,18 @@ static void cross_links(real gap)
 START_TEST(particles_part_to_the_sum_of_their_radii)
 {
     cross_links(0.2);
-    soft_refresh(&w, H);
-    ck_assert_int_eq(w.soft.pairs, 1);
-    soft_separate(&w, H);
-    ck_assert_int_eq(w.report.near, 1);
-    ck_assert_int_eq(w.report.touching, 1);
+    refresh(H);
+    ck_assert_int_eq(w.soft.near.pairs, 1);
+    separate(H);
+    ck_assert_int_eq(w.soft.near.pairs + w.soft.near.points, 1);
+    ck_assert_int_eq(w.soft.touching, 1);
     real half = w.body[0].thickness;
     ck_assert(fabs(particle_of(0, 1)->position.y - (0.1 - half)) <= ROUNDING);
     ck_assert(fabs(particle_of(1, 0)->position.y - (0.1 + half)) <= ROUNDING);
     ck_assert(particle_of(0, 0)->position.y == 0);
     ck_assert(particle_of(1, 1)->position.y == 9);
-    soft_separate(&w, H);
-    ck_assert_int_le(w.report.touching, 1);
+    separate(H);
+    ck_assert_int_le(w.soft.touching, 1);
     ck_assert(fabs(particle_of(1, 0)->position.y - (0.1 + half)) <= ROUNDING);
 }
 END_TEST
@@ -570,12 +597,12 @@ START_TEST(particle_leaves_a_static_box_by_its_thickness_and_a_quarter)
         ck_assert(fabs(soft_gap(&w.body[r], &w.body[b]) - thick)
                   <= ROUNDING);
         put(particle_of(r, 5), move[k].at);
-        soft_refresh(&w, H);
-        soft_separate(&w, H);
+        refresh(H);
+        separate(H);
         vec3 x = particle_of(r, 5)->position;
         ck_assert_msg(vec3_distance(x, move[k].to) <= 1e-12,
                       "case %d: (%g, %g, %g)", k, x.x, x.y, x.z);
-        ck_assert_int_eq(w.report.touching, 1);
+        ck_assert_int_eq(w.soft.touching, 1);
         for (int i = 0; i < 8; i++)
             ck_assert(vec3_distance(vertex_of(b, i), box.at[i]) <= ROUNDING);
     }
@@ -622,9 +649,9 @@ START_TEST(pushes_between_cloth_and_movable_box_keep_momentum)
             p->previous = vec3_add_scaled(p->position, -0.02, way);
         }
         vec3 before = momentum_of(H);
-        soft_refresh(&w, H);
-        soft_separate(&w, H);
-        ck_assert_int_gt(w.report.touching, 5);
+        refresh(H);
+        separate(H);
+        ck_assert_int_gt(w.soft.touching, 5);
         real size = vec3_length(before);
         near_vec3(momentum_of(H), before, 1e-13 * size);
         real down = -8 * w.rigid.velocity[b].of[1];
@@ -643,13 +670,13 @@ START_TEST(particle_meets_a_movable_box_where_it_is_now)
     look();
     real thick = w.body[r].thickness;
     put(particle_of(r, 5), vec3_make(0, 0.25 + 1.1 * thick, 0));
-    soft_refresh(&w, H);
-    ck_assert_int_eq(w.soft.points, 1);
-    soft_separate(&w, H);
-    ck_assert_int_eq(w.report.touching, 0);
+    refresh(H);
+    ck_assert_int_eq(w.soft.near.points, 1);
+    separate(H);
+    ck_assert_int_eq(w.soft.touching, 0);
     w.rigid.moved[b].of[1] = 0.2 * thick;
-    soft_separate(&w, H);
-    ck_assert_int_eq(w.report.touching, 1);
+    separate(H);
+    ck_assert_int_eq(w.soft.touching, 1);
     // Turned by 45 degrees, its edge is up: 0.35 over its middle.
     put(particle_of(r, 5), vec3_make(0.1, 0.25 + 0.9 * thick, 0));
     real quarter = acos(-1) / 4;
@@ -659,8 +686,8 @@ START_TEST(particle_meets_a_movable_box_where_it_is_now)
         turned.of[MOTION_TURN + t] = quarter * basis->turn[t].z
                                    / vec3_length_squared(basis->turn[t]);
     w.rigid.moved[b] = turned;
-    soft_separate(&w, H);
-    ck_assert_int_eq(w.report.touching, 1);
+    separate(H);
+    ck_assert_int_eq(w.soft.touching, 1);
     vec3 x = particle_of(r, 5)->position, edge = { 0, 0.25 * sqrt(2), 0 };
     ck_assert_msg(vec3_dot(vec3_sub(x, edge), vec3_make(1, 1, 0))
                   >= 0.9 * sqrt(2) * thick, "stands at (%g, %g)", x.x, x.y);
@@ -686,10 +713,10 @@ START_TEST(particles_share_the_push_of_a_box)
         put(particle_of(r, i), vec3_make(0, -0.25 - 0.5 * thick, 0));
         particle_of(r, i)->previous.y -= thick;
     }
-    soft_refresh(&w, H);
-    w.soft.pairs = 0;
-    soft_separate(&w, H);
-    ck_assert_int_eq(w.soft.points, 6);
+    refresh(H);
+    w.soft.near.pairs = 0;
+    separate(H);
+    ck_assert_int_eq(w.soft.near.points, 6);
     near_real(w.rigid.moved[b].of[1], 0.5 * thick, 1e-6 * thick);
     shape_free(&light);
 }
@@ -719,9 +746,9 @@ START_TEST(box_gives_way_as_a_solid)
         // The box has 8 kg: 1/M + r^2 / I, I = M 2 s^2 / 12.
         real box_gives = 1 / 8.0 + lever2 / (8 * side2 / 6);
         real give = box_gives + p->inverse_mass, push = 0.5 * thick / give;
-        soft_refresh(&w, H);
-        soft_separate(&w, H);
-        ck_assert_int_eq(w.report.touching, 1);
+        refresh(H);
+        separate(H);
+        ck_assert_int_eq(w.soft.touching, 1);
         near_real(was.y - p->position.y, push * p->inverse_mass, 1e-12);
         near_real(back.y - p->previous.y,
                   is_new ? 0 : push * p->inverse_mass, 1e-12);
@@ -758,8 +785,8 @@ START_TEST(friction_stays_in_the_cone)
         put(p, vec3_make(0, 0.25 + 0.5 * thick, 0));
         p->previous.x -= slide[k % 3] + H * along;
         p->previous.y += thick;
-        soft_refresh(&w, H);
-        soft_separate(&w, H);
+        refresh(H);
+        separate(H);
         const real *u = w.rigid.velocity[b].of;
         real push = -8 * H * u[1], got = 8 * H * (u[0] - along);
         real give = 1 / 8.0 + p->inverse_mass;
@@ -789,14 +816,14 @@ START_TEST(what_hangs_together_holds_together)
         if (pinned) world_pin(&w, s, 0);
         ready();
         look();
-        soft_refresh(&w, H);
+        refresh(H);
         // One particle is inside, by a fifth of what it is kept away.
         real thick = w.body[s].thickness;
         for (int i = 0; i < cloth.particles; i++)
             put(particle_of(s, i), vec3_make(9 + i, 9, 9));
         put(particle_of(s, 44), vec3_make(0, -0.25 - 0.3 * thick, 0));
         particle_of(s, 44)->previous.y -= thick;
-        soft_hold(&w, H);
+        hold(H);
         // The sheet's middle has come but a hundredth of what the particle has.
         real came = thick / (SIDE * SIDE), depth = 0.2 * thick;
         real give = 1 / 8.0 + (pinned ? 0 : 1);
@@ -825,13 +852,13 @@ START_TEST(lists_leave_out_what_sleeps_or_is_static)
         ready();
         if (sleepers > 0) w.sleep.asleep[a] = 1;
         if (sleepers > 1) w.sleep.asleep[b] = 1;
-        soft_refresh(&w, H);
+        refresh(H);
         if (sleepers == 2) {
-            ck_assert_int_eq(w.soft.pairs, 0);
-            ck_assert_int_eq(w.soft.points, 0);
+            ck_assert_int_eq(w.soft.near.pairs, 0);
+            ck_assert_int_eq(w.soft.near.points, 0);
         } else {
-            ck_assert_int_gt(w.soft.pairs, SIDE * SIDE / 2);
-            ck_assert_int_gt(w.soft.points, 10);
+            ck_assert_int_gt(w.soft.near.pairs, SIDE * SIDE / 2);
+            ck_assert_int_gt(w.soft.near.points, 10);
         }
         world_free(&w);
         begin(world_options_default());
@@ -873,7 +900,7 @@ START_TEST(sleepers_near_a_cloth_wake_and_rest_with_it)
             particle_of(c, i)->previous.y += 0.01;
         w.sleep.watch[c].is_moving = true;
         sleep_begin(&w.sleep);
-        ck_assert(soft_begin(&w) == is_near);
+        ck_assert(soft_wake(&w) == is_near);
         ck_assert(w.sleep.asleep[b] == !is_near);
         ck_assert((particle_of(b, 0)->inverse_mass > 0) == is_near);
         ck_assert((island_of(b) == island_of(c)) == is_near);
@@ -904,23 +931,23 @@ START_TEST(substeps_are_as_many_as_what_comes_near_needs)
         w.rigid.ahead[b] = (prediction){ .reach = ball[k].way };
         w.frame = o.dt;
         sleep_begin(&w.sleep);
-        soft_begin(&w);
-        int own = soft_substeps(&w), wanted = int_max(ball[k].wanted, 8);
+        soft_wake(&w);
+        int own = soft_need(&w), wanted = int_max(ball[k].wanted, 8);
         ck_assert_msg(own == wanted, "case %d: %d", k, own);
         // It goes half a spacing in each of 40, if there is something to meet:
         // its parts go alike.
         real far = 40 * cloth.spacing / 2 * w.age / o.dt;
         for (int i = 0; i < cloth.particles; i++)
             particle_of(c, i)->previous.y -= far;
-        soft_begin(&w);
-        own = soft_substeps(&w);
+        soft_wake(&w);
+        own = soft_need(&w);
         wanted = int_max(ball[k].wanted, ball[k].meets ? 41 : 8);
         ck_assert_msg(own == wanted, "case %d: %d with the cloth's", k, own);
         // One of its particles alone does, if nothing else: past the others.
         for (int i = 1; i < cloth.particles; i++)
             particle_of(c, i)->previous.y += far;
-        soft_begin(&w);
-        ck_assert_int_ge(soft_substeps(&w), 40);
+        soft_wake(&w);
+        ck_assert_int_ge(soft_need(&w), 40);
     }
 }
 END_TEST
@@ -937,7 +964,7 @@ START_TEST(parabola_is_exact_when_the_substep_changes)
     real t = 0;
     for (int k = 0; k < 200; k++) {
         real h = 0.01 + 0.006 * any();
-        soft_substep(&w, h);
+        soft_step(&w, h);
         ck_assert(w.age == h);
         t += h;
         vec3 wanted = vec3_add(at, vec3_make(3 * t, 4 * t - 9.81 * t * t / 2,
@@ -970,7 +997,7 @@ START_TEST(what_is_stretched_by_a_hundredth_is_counted)
             x->x += 0.1 * x->z;
             x->z *= sqrt(1 - 0.1 * 0.1);
         }
-        ck_assert_int_eq(soft_stretched(&w), stretch[k].wanted);
+        ck_assert_int_eq(stretched(), stretch[k].wanted);
     }
 }
 END_TEST
@@ -990,9 +1017,9 @@ START_TEST(particles_are_kept_off_planes)
     w.sleep.asleep[still] = 1;
     put(particle_of(still, 2), vec3_make(0, -1, 0));
     put(particle_of(b, 5), vec3_make(10, 4, 0));
-    soft_refresh(&w, H);
-    soft_separate(&w, H);
-    ck_assert_int_ge(w.report.touching, cloth.particles);
+    refresh(H);
+    separate(H);
+    ck_assert_int_ge(w.soft.touching, cloth.particles);
     for (int i = 0; i < cloth.particles; i++) {
         vec3 x = particle_of(b, i)->position;
         if (i == 0) ck_assert(x.y == 0);

@@ -1,0 +1,370 @@
+//> near-stale
+#include "near.h"
+
+#include <assert.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+// Where rigid body b stands in the middle of a frame.
+static rigid_frame frame_of(const soft_frame *f, int b)
+{
+    return motion_frame(&f->now[b].frame, &f->now[b].basis, &f->moved[b]);
+}
+
+// What the moves of some particles since their listing have in common: they end
+// in a box, and none is longer than the longest.
+typedef struct {
+    vec3 least, most;   // m
+    real longest;       // m^2
+    real fastest;       // m^2, the longest of the last substep
+} moves;
+
+static inline real longer(real a, vec3 d)
+{
+    real b = vec3_length_squared(d);
+    // A NaN enters, and nothing replaces it.
+    return b > a || b != b ? b : a;
+}
+
+// d: since the listing; u: in the last substep.
+static inline void add_move(moves *m, vec3 d, vec3 u)
+{
+    m->least = (vec3){ d.x < m->least.x ? d.x : m->least.x,
+                       d.y < m->least.y ? d.y : m->least.y,
+                       d.z < m->least.z ? d.z : m->least.z };
+    m->most = (vec3){ d.x > m->most.x ? d.x : m->most.x,
+                      d.y > m->most.y ? d.y : m->most.y,
+                      d.z > m->most.z ? d.z : m->most.z };
+    m->longest = longer(m->longest, d);
+    m->fastest = longer(m->fastest, u);
+}
+
+static void add_soft_moves(moves *to, const near_lists *l, const soft_frame *f,
+                           const body *b)
+{
+    moves m = *to;
+    for (int i = b->first; i < b->first + b->shape->particles; i++) {
+        const particle *p = &f->particle[i];
+        add_move(&m, vec3_sub(p->position, l->listed[i]),
+                 vec3_sub(p->position, p->previous));
+    }
+    *to = m;
+}
+
+// The vertices of a rigid body may be up to twice as far out as its four
+// particles are.
+static void add_rigid_moves(moves *m, const near_lists *l, const soft_frame *f,
+                            int b)
+{
+    rigid_frame frame = frame_of(f, b);
+    for (int k = 0; k < FOUR; k++) {
+        vec3 arm = frame_arm(&frame, k), at = vec3_add(frame.center, arm);
+        vec3 d = vec3_sub(at, l->listed[f->body[b].first + k]);
+        vec3 u = motion_at(&f->now[b].basis, &f->velocity[b], arm);
+        add_move(m, vec3_scale(2, d), vec3_scale(2 * f->h, u));
+    }
+}
+
+// Two whose moves differ by the margin may have closed it.  Before that the
+// lists are good; and for as many substeps more as it would take if any two
+// went against each other, at twice the speed of the fastest, but at most 8,
+// for speeds change.
+enum { TRUST_MOST = 8 };
+
+static bool lists_are_good(near_lists *l, const soft_frame *f)
+{
+    if (l->trusted < 0) return false;
+    // They counted on the pace that was.
+    if (f->age != f->h) l->trusted = 0;
+    if (l->trusted > 0) {
+        l->trusted--;
+        return true;
+    }
+    // What stands still has moved by nothing, and that is in the box, too.
+    moves m = { .longest = 0 };
+    for (int b = 0; b < f->bodies; b++) {
+        if (!soft_moves(f, b)) continue;
+        if (body_is_soft(&f->body[b])) add_soft_moves(&m, l, f, &f->body[b]);
+        else                           add_rigid_moves(&m, l, f, b);
+    }
+    real apart = vec3_distance(m.least, m.most), both = 2 * sqrt(m.longest);
+    real left = l->margin - (apart < both ? apart : both);
+    real pace = 4 * sqrt(m.fastest);
+    if (!(left > 0)) return false;
+    l->trusted = left >= TRUST_MOST * pace ? TRUST_MOST
+               : left > pace ? (int)(left / pace) : 0;
+    return true;
+}
+//<
+
+//> near-pairs
+// The pairs of a traversal that found room; the others are counted.
+static int room_for(near_lists *l, int found, int room)
+{
+    if (found <= room) return found;
+    l->dropped += found - room;
+    return room;
+}
+
+// Leaves are single particles, in the order of the body's.
+static void add_near(near_lists *l, const body *a, const body *b,
+                     tree_result found)
+{
+    int pairs = room_for(l, found.pairs, l->leaf_capacity);
+    pairs = room_for(l, pairs, l->pair_capacity - l->pairs);
+    for (int k = 0; k < pairs; k++)
+        l->pair[l->pairs++] = (particle_contact){
+            a->first + l->leaf[k].a, b->first + l->leaf[k].b,
+            a->thickness + b->thickness };
+}
+
+// The ends of a link do not collide, the stick holds them apart: in a square
+// grid they stand at 0.91 diameters.  Those of a cell's diagonals, at 1.29, do:
+// only one of the two has a stick, which is soft, and a crease can shear the
+// cell until the ends of the other meet, and the triangles around them cross.
+static const real LINKED = 1.2;
+
+// A body against itself: equal balls, which a grid sorts fastest.  Where one is
+// thrown far out of the others, the tree is asked.
+static void list_self(near_lists *l, const soft_frame *f, int b)
+{
+    const body *a = &f->body[b];
+    sphere_tree *tree = &l->tree[b];
+    const vec3 *at = l->at + a->first;
+    real touching = 2 * a->thickness;
+    int found = grid_pairs(&l->grid, at, a->shape->particles,
+                           touching + l->margin, a->shape->at,
+                           LINKED * touching, l->leaf, l->leaf_capacity);
+    if (found < 0) {
+        sphere_tree_refresh(tree, at);
+        add_near(l, a, a, sphere_tree_self(tree, at, l->margin, LINKED,
+                                           l->leaf, l->leaf_capacity));
+    } else {
+        add_near(l, a, a, (tree_result){ .pairs = found });
+    }
+}
+
+static void list_soft_pair(near_lists *l, const soft_frame *f, int a, int b)
+{
+    const body *x = &f->body[a], *y = &f->body[b];
+    add_near(l, x, y, sphere_tree_pairs(&l->tree[a], l->at + x->first,
+                                        &l->tree[b], l->at + y->first,
+                                        l->margin, l->leaf, l->leaf_capacity));
+}
+//<
+
+//> near-view
+void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
+{
+    const body *rigid = &f->body[b];
+    const shape *s = rigid->shape;
+    if (v->of == b && body_is_static(rigid)) return;
+    rigid_frame frame = frame_of(f, b);
+    rigid4_ride(rigid->rigid, &frame, v->corner, s->particles);
+    v->hull = (obstacle){ { v->corner, s->particles }, v->plane,
+                          hull_planes(s, v->corner, v->plane), s->radius };
+    v->moved = f->moved[b];
+    v->of = b;
+}
+//<
+
+//> near-points
+// Between two particles on both sides of a right-angled edge, at the distance r
+// of it, a triangle's side cuts the corner: one as long as 2.83 r touches it.
+// The longest, the diagonal of a cell, would do with half a spacing, and we
+// have 0.55.  But the sticks come last, and pull them nearer: so a quarter
+// more, of what is static.  What is not makes way.
+static const real SPARE = 1.25;
+
+real soft_gap(const body *soft, const body *rigid)
+{
+    return body_is_static(rigid) ? SPARE * soft->thickness : soft->thickness;
+}
+
+// The particles of a that are near the rigid body b: inside its ball, or not
+// far outside, and not far in front of any of its planes.
+static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
+                        int a, int b)
+{
+    const body *soft = &f->body[a];
+    real reach = soft_gap(soft, &f->body[b]) + l->margin;
+    real far = f->now[b].radius + reach;
+    vec3 center = frame_of(f, b).center;
+    bool is_ready = false;
+    for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
+        vec3 x = l->at[i];
+        if (vec3_length_squared(vec3_sub(x, center)) > far * far) continue;
+        if (!is_ready) rigid_view_look(v, f, b);
+        is_ready = true;
+        int ahead = hull_ahead(x, v->plane, v->hull.planes);
+        if (plane_height(v->plane[ahead], x) > reach) continue;
+        if (room_for(l, 1, l->point_capacity - l->points) == 1)
+            l->point[l->points++] = (point_pair){ i, a, b, ahead };
+    }
+}
+//<
+
+//> near-refresh
+static void list_pair(near_lists *l, rigid_view *v, const soft_frame *f, int a,
+                      int b)
+{
+    bool a_is_soft = body_is_soft(&f->body[a]);
+    bool b_is_soft = body_is_soft(&f->body[b]);
+    if (!soft_moves(f, a) && !soft_moves(f, b)) return;
+    if (a_is_soft && b_is_soft) list_soft_pair(l, f, a, b);
+    else if (a_is_soft)         list_points(l, v, f, a, b);
+    else if (b_is_soft)         list_points(l, v, f, b, a);
+}
+
+// Copies where the particles of a deformable body are, for tree and grid.
+static void look_at_soft(near_lists *l, const soft_frame *f, int b)
+{
+    const body *x = &f->body[b];
+    for (int i = x->first; i < x->first + x->shape->particles; i++)
+        l->at[i] = f->particle[i].position;
+}
+
+// A grid needs no tree; another body does.
+static void note_places(near_lists *l, const soft_frame *f, int b)
+{
+    const body *x = &f->body[b];
+    if (!body_is_soft(x)) {
+        rigid_frame frame = frame_of(f, b);
+        for (int k = 0; k < FOUR; k++)
+            l->listed[x->first + k] = vec3_add(frame.center,
+                                               frame_arm(&frame, k));
+        return;
+    }
+    look_at_soft(l, f, b);
+    if (l->softs > 1) sphere_tree_refresh(&l->tree[b], l->at + x->first);
+    for (int i = x->first; i < x->first + x->shape->particles; i++)
+        l->listed[i] = l->at[i];
+}
+
+void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
+{
+    if (lists_are_good(l, f)) return;
+    l->pairs = l->points = l->trusted = 0;
+    l->made++;
+    for (int b = 0; b < f->bodies; b++) note_places(l, f, b);
+    for (int a = 0; a < f->bodies; a++) {
+        if (is_moving_soft(f, a)) list_self(l, f, a);
+        for (int b = a + 1; b < f->bodies; b++) list_pair(l, v, f, a, b);
+    }
+}
+//<
+
+//> near-begin
+void near_begin(near_lists *l, const soft_frame *f)
+{
+    l->made = l->dropped = 0;
+    for (int b = 0; b < f->bodies; b++) {
+        const vec3 *at = l->at + f->body[b].first;
+        if (!body_is_soft(&f->body[b])) {
+            l->ball[b] = f->ball[b];
+            continue;
+        }
+        look_at_soft(l, f, b);
+        sphere_tree_refresh(&l->tree[b], at);
+        l->ball[b] = sphere_tree_root(&l->tree[b], at);
+    }
+}
+//<
+
+//> near-init
+// Leaves are single particles.
+static status build_tree(sphere_tree *tree, const body *b)
+{
+    int n = b->shape->particles;
+    if (!body_is_soft(b)) return status_ok();
+    leaf_feature *leaf = malloc((size_t)n * sizeof *leaf);
+    if (!leaf) return status_out_of_memory();
+    for (int i = 0; i < n; i++) leaf[i] = (leaf_feature){ 1, { i, 0, 0 } };
+    status done = sphere_tree_build(tree, TREE_LAYERED, b->shape->at, leaf, n,
+                                    b->thickness, 0);
+    free(leaf);
+    return done;
+}
+
+static void *room(int n, size_t size)
+{
+    return calloc((n > 0 ? (size_t)n : 1), size);
+}
+
+// A particle of a cloth folded on itself has 12 in touch, most of them its
+// neighbours at rest, but the lists look further: 24 a particle.  And it is near
+// 4 rigid bodies at most, where they lie together.
+static bool make_room(near_lists *l, int bodies, int particles, int soft)
+{
+    l->pair_capacity = l->leaf_capacity = 24 * soft;
+    l->point_capacity = 4 * soft;
+    l->bodies = bodies;
+    l->tree   = room(bodies, sizeof *l->tree);
+    l->ball   = room(bodies, sizeof *l->ball);
+    l->at     = room(particles, sizeof *l->at);
+    l->listed = room(particles, sizeof *l->listed);
+    l->pair   = room(l->pair_capacity, sizeof *l->pair);
+    l->point  = room(l->point_capacity, sizeof *l->point);
+    l->leaf   = room(l->leaf_capacity, sizeof *l->leaf);
+    return l->tree && l->ball && l->at && l->listed && l->pair && l->point
+        && l->leaf;
+}
+
+// A wide margin makes long lists, a narrow one makes them often.  With 0.75 of
+// a spacing a flat cloth has the diagonals of its cells, and no more: what
+// stands at two spacings is further than the 1.1 of touching and the margin.
+status near_init(near_lists *l, const body *all, int bodies, int particles)
+{
+    int soft = 0, most = 0;
+    *l = (near_lists){ .margin = HUGE_VAL, .trusted = -1 };
+    for (int b = 0; b < bodies; b++) {
+        const shape *s = all[b].shape;
+        if (!body_is_soft(&all[b])) continue;
+        l->softs++;
+        soft += s->particles;
+        most = int_max(most, s->particles);
+        l->margin = fmin(l->margin, 0.75 * s->spacing);
+    }
+    if (l->softs == 0) return status_ok();
+    bool has_room = make_room(l, bodies, particles, soft);
+    status done = has_room ? grid_init(&l->grid, most) : status_out_of_memory();
+    for (int b = 0; b < bodies && done.ok; b++)
+        done = build_tree(&l->tree[b], &all[b]);
+    if (!done.ok) near_free(l);
+    return done;
+}
+
+void near_free(near_lists *l)
+{
+    for (int b = 0; l->tree && b < l->bodies; b++)
+        sphere_tree_free(&l->tree[b]);
+    void *owned[] = { l->tree, l->ball, l->at, l->listed, l->pair, l->point,
+                      l->leaf };
+    for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
+    grid_free(&l->grid);
+    *l = (near_lists){ .trusted = -1 };
+}
+
+status rigid_view_init(rigid_view *v, const body *all, int bodies)
+{
+    int corners = 0, faces = 0;
+    *v = (rigid_view){ .of = -1 };
+    for (int b = 0; b < bodies; b++) {
+        if (body_is_soft(&all[b])) continue;
+        corners = int_max(corners, all[b].shape->particles);
+        faces = int_max(faces, all[b].shape->mesh.faces);
+    }
+    v->corner = room(corners, sizeof *v->corner);
+    v->plane = room(faces, sizeof *v->plane);
+    if (v->corner && v->plane) return status_ok();
+    rigid_view_free(v);
+    return status_out_of_memory();
+}
+
+void rigid_view_free(rigid_view *v)
+{
+    free(v->corner);
+    free(v->plane);
+    *v = (rigid_view){ .of = -1 };
+}
+//<

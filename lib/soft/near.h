@@ -1,0 +1,117 @@
+//> near-head
+// near.h - which particles of cloth and rope are near each other, near which
+// rigid body?
+//
+// Paper: section 5.2 asks trees in every step.  Book: chapter 16.
+//
+// The answer, with a margin, is good until the moves of two differ by it (the
+// neighbour list of Verlet 1967).  In between a substep only reads the lists.
+// Units: metres, seconds, kilograms, in the world's frame.
+
+#ifndef TUMBLE_NEAR_H
+#define TUMBLE_NEAR_H
+
+#include "placed.h"
+#include "grid.h"
+#include "obstacle.h"
+#include "separation.h"
+#include "solver.h"
+//<
+
+//> near-frame
+// What cloth and rope are told about a substep.  They own their particles, and
+// move them; rigid bodies they only push.
+typedef struct {
+    const body *body;           // [bodies]
+    const bool *asleep;         // [bodies]
+    int  bodies;
+    particle *particle;         // the pool
+    const solver_body *now;     // [bodies] rigid ones, as the frame begins,
+    motion *moved;              // [bodies] how far they have been moved since,
+    motion *velocity;           // [bodies] and how fast they are
+    const sphere *ball;         // [bodies] around them, as the frame begins
+    const prediction *ahead;    // [bodies] how they may move in the frame
+    const plane *plane;
+    int  planes;
+    vec3 gravity;               // m/s^2
+    real friction;              // Coulomb's coefficient
+    int  iterations;            // over strands, at most
+    relax_options relax;
+    int  substeps, most_substeps;   // of a frame: usual, and at most
+    real frame;                 // s
+    real age;                   // s, a particle was at `previous` so long ago
+    real h;                     // s, this substep
+} soft_frame;
+
+// Neither static nor asleep.
+static inline bool soft_moves(const soft_frame *f, int b)
+{
+    return !body_is_static(&f->body[b]) && !f->asleep[b];
+}
+static inline bool is_moving_soft(const soft_frame *f, int b)
+{
+    return body_is_soft(&f->body[b]) && soft_moves(f, b);
+}
+//<
+
+//> near-struct
+// A rigid body as particles meet it: where its vertices and planes are.
+typedef struct {
+    vec3 *corner;       // [most vertices]
+    plane *plane;       // [most faces]
+    obstacle hull;      // these, as they stood when it was last looked at,
+    motion moved;       // and how far the body had been moved
+    int  of;            // that body; -1: none
+} rigid_view;
+
+typedef struct {
+    int particle;       // of a deformable body, in the pool
+    int soft, rigid;    // that body; the rigid one
+    int ahead;          // the plane of the rigid one that it was in front of
+} point_pair;
+
+typedef struct {
+    particle_contact *pair;     // of particles
+    int  pairs, pair_capacity;
+    point_pair *point;          // particles at rigid bodies; those of the same
+                                // two bodies stand together
+    int  points, point_capacity;
+    real margin;        // m, how much further than touching the lists look
+    int  trusted;       // they are good for as many substeps more; -1: there
+                        // are none yet
+    vec3 *at;           // [particles] for trees and grid
+    vec3 *listed;       // [particles] when the lists were made
+    sphere_tree *tree;  // [bodies] of deformable ones
+    sphere *ball;       // [bodies] around each, as the frame begins
+    int  bodies;
+    struct leaf_pair *leaf;     // room for a traversal of two trees
+    int  leaf_capacity;
+    grid grid;          // for the largest deformable body
+    int  softs;         // deformable bodies
+    int  made;          // how often, since near_begin
+    int  dropped;       // pairs that found no room, since then
+} near_lists;
+//<
+
+//> near-declare
+// Lists, and a view, for these bodies, with so many particles in the pool.
+// Fail, leaving *l (*v) empty, for want of memory.
+status near_init(near_lists *l, const body *all, int bodies, int particles);
+void   near_free(near_lists *l);        // an empty or zeroed one is fine
+status rigid_view_init(rigid_view *v, const body *all, int bodies);
+void   rigid_view_free(rigid_view *v);  // likewise
+
+// A frame begins: where is everything?
+void near_begin(near_lists *l, const soft_frame *f);
+
+// Brings the lists up to date for a substep.
+void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f);
+
+// Looks where the vertices and planes of rigid body b are now.
+void rigid_view_look(rigid_view *v, const soft_frame *f, int b);
+
+// m, how far particles of `soft` are kept from the surface of `rigid`.
+real soft_gap(const body *soft, const body *rigid);
+
+#endif
+//<

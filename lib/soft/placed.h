@@ -1,0 +1,44 @@
+//> placed-head
+// placed.h - bodies: shapes that were placed, with their particles in one pool.
+//
+// Book: chapter 16.
+// Units: metres, seconds, kilograms.
+
+#ifndef TUMBLE_PLACED_H
+#define TUMBLE_PLACED_H
+
+#include "body.h"
+#include "line.h"
+#include "rigid4.h"
+//<
+
+//> placed
+// A body: a range of the pool, built to a shape that it may share.
+typedef struct body {
+    const struct shape *shape;
+    const rigid4 *rigid;    // its four particles; NULL: it is deformable, with
+                            // a particle at every vertex
+    line_scratch *line;     // of a deformable one; shared, as the shape is
+    int  first;         // its particles: first .. first + body_particles - 1
+    real mass;          // kg; HUGE_VAL: static, as a whole
+    real thickness;     // m, the radius of a deformable body's particles; 0 of
+                        // a rigid one
+    real inner;         // m, the inner radius of a rigid one
+} body;
+
+static inline bool body_is_soft(const body *b)
+{
+    return !b->rigid;
+}
+// How many particles body b has in the pool: four, or one at every vertex.
+static inline int body_particles(const body *b)
+{
+    return body_is_soft(b) ? b->shape->particles : FOUR;
+}
+static inline bool body_is_static(const body *b)
+{
+    return !(b->mass < HUGE_VAL);
+}
+
+#endif
+//<

@@ -1,0 +1,27 @@
+//> touch-head
+// touch.h - particles of cloth and rope, parted from all that they touch.
+//
+// Paper: section 5.2 and the end of 6.1.  Book: chapter 16.
+
+#ifndef TUMBLE_TOUCH_H
+#define TUMBLE_TOUCH_H
+
+#include "near.h"
+//<
+
+//> touch-declare
+// Each parts what is listed and overlaps, and returns how many it parted.
+// Particles and planes,
+int touch_planes(const soft_frame *f);
+
+// particles and particles,
+int touch_pairs(const near_lists *l, const soft_frame *f);
+
+// particles and rigid bodies: to this share of the gap that is kept.  Who
+// answers a rigid body's push: a particle, or all that it hangs on?
+typedef enum { BY_PARTICLE, BY_WHOLE } answering;
+int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
+                 real share, answering who, bool is_backward);
+
+#endif
+//<

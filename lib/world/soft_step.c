@@ -1,0 +1,75 @@
+//> soft-step-wake
+#include "soft_step.h"
+#include "ledger.h"
+
+#include <stddef.h>
+
+soft_frame soft_frame_of(world *w, real h)
+{
+    const world_options *o = &w->options;
+    rigid_tables *t = &w->rigid;
+    return (soft_frame){
+        .body = w->body, .asleep = w->sleep.asleep, .bodies = w->bodies,
+        .particle = w->pool.at, .now = t->now, .moved = t->moved,
+        .velocity = t->velocity, .ball = t->ball, .ahead = t->ahead,
+        .plane = w->plane, .planes = w->planes, .gravity = o->gravity,
+        .friction = o->friction, .iterations = o->iterations,
+        .relax = o->relax, .substeps = o->substeps,
+        .most_substeps = o->most_substeps, .frame = w->frame, .age = w->age,
+        .h = h };
+}
+
+bool soft_wake(world *w)
+{
+    bool woke = false;
+    soft_frame f = soft_frame_of(w, w->age);
+    soft_begin(&w->soft, &f);
+    for (int a = 0; a < w->bodies; a++) {
+        if (!body_is_soft(&w->body[a]) || body_is_static(&w->body[a])) continue;
+        for (int b = 0; b < w->bodies; b++) {
+            if (b == a || body_is_static(&w->body[b])) continue;
+            if (!soft_may_touch(&w->soft, a, b)) continue;
+            woke |= world_wake_near(w, a, b);
+            sleep_touch(&w->sleep, a, b);
+        }
+    }
+    return woke;
+}
+//<
+
+//> soft-step
+int soft_need(world *w)
+{
+    soft_frame f = soft_frame_of(w, w->age);
+    return soft_substeps(&w->soft, &f);
+}
+
+void soft_step(world *w, real h)
+{
+    soft_frame f = soft_frame_of(w, h);
+    soft_move(&f);
+    w->age = h;
+    ledger_book(w, LEDGER_INTEGRATE);
+    soft_separate(&w->soft, &f);
+    ledger_book(w, LEDGER_CONTACTS);
+    soft_relax(&w->soft, &f);
+    ledger_book(w, LEDGER_STICKS);
+    soft_hold(&w->soft, &f);
+    ledger_book(w, LEDGER_CONTACTS);
+}
+
+void soft_report(world *w)
+{
+    const soft_solver *s = &w->soft;
+    step_report *r = &w->report;
+    soft_frame f = soft_frame_of(w, w->age);
+    r->near = s->near.pairs + s->near.points;
+    r->touching = s->touching;
+    r->rebuilt += s->near.made;
+    r->dropped += s->near.dropped;
+    r->tested += s->tested;
+    r->relaxed += s->relaxed;
+    r->fell_back += s->fell_back;
+    r->unconverged += soft_stretched(&f);
+}
+//<

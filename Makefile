@@ -484,7 +484,7 @@ $(addprefix $(BUILD)/tests/check_,poses system): $(BUILD)/tests/poses.o
 HARD := $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/hard/hard_*.c))) \
   $(addprefix $(BUILD)/tests/,oracle.o poses.o bodies.o crossings.o)
 $(BUILD)/tests/hard.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
-$(BUILD)/tests/check_hard: $(HARD)
+$(addprefix $(BUILD)/tests/check_,hard judge): $(HARD)
 $(BUILD)/hard-plain: $(BUILD)/tests/plain.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/hard: $(BUILD)/tests/hard.o $(HARD) $(ALL)

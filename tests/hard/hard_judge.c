@@ -149,6 +149,15 @@ static void look_once(look *l, bool is_last_second, verdict *v)
     v->speed = hard_worse(v->speed, speed);
 }
 
+bool judge_look(const world *w, verdict *v)
+{
+    look l;
+    bool is_ready = look_begin(&l, w, 0);
+    if (is_ready) look_once(&l, false, v);
+    look_end(&l);
+    return is_ready;
+}
+
 // ---- a run -----------------------------------------------------------------
 
 static int count_below(const world *w, real floor)

@@ -39,6 +39,9 @@ typedef struct {
 // zeros.  False if memory is refused.
 bool judge_watch(world *w, watch_plan plan, verdict *v);
 
+// Looks once, as the world stands: no time, no speed, no end.
+bool judge_look(const world *w, verdict *v);
+
 // The rigid body of that number, as it stands.
 void judge_solid(const world *w, int number, solid *out);
 

@@ -1,6 +1,6 @@
 // drape.c - cloth and rope, scene by scene: a line of numbers each.
 //
-//     build/drape [--starts K] [--up-to N] [SCENE ...]
+//     build/drape [--starts K] [--from N] [--up-to N] [SCENE ...]
 //
 // SCENE: the beginning of a name, or the number of a case.  K perturbed starts,
 // else as many as the scene has; 0: the scene as it is.  A number that exceeds
@@ -16,14 +16,14 @@
 #include <string.h>
 
 typedef struct {
-    int  starts, largest, names;
+    int  starts, least, largest, names;
     char **name;
 } options;
 
 static int is_wanted(const options *o, const drape *d)
 {
     char number[16];
-    if (o->largest > 0 && d->n > o->largest) return 0;
+    if (d->n < o->least || (o->largest > 0 && d->n > o->largest)) return 0;
     snprintf(number, sizeof number, "%d", d->hard);
     for (int k = 0; k < o->names; k++)
         if (strcmp(o->name[k], number) == 0
@@ -86,12 +86,14 @@ int main(int count, char **word)
     int k = 1, ok = 1;
     for (; k + 1 < count && strncmp(word[k], "--", 2) == 0; k += 2) {
         if (strcmp(word[k], "--starts") == 0) o.starts = atoi(word[k + 1]);
+        else if (strcmp(word[k], "--from") == 0) o.least = atoi(word[k + 1]);
         else if (strcmp(word[k], "--up-to") == 0)
             o.largest = atoi(word[k + 1]);
         else break;
     }
     if (k < count && word[k][0] == '-') {
-        fprintf(stderr, "usage: drape [--starts K] [--up-to N] [SCENE ...]\n");
+        fprintf(stderr, "usage: drape [--starts K] [--from N] [--up-to N] "
+                        "[SCENE ...]\n");
         return 2;
     }
     o.names = count - k;

@@ -25,6 +25,7 @@ define ORDER
 10/query
 11/manifold
 12/line
+12/bend
 13/rigid4
 13/real4
 13/task

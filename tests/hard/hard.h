@@ -40,7 +40,7 @@ extern const hard_case hard_particles[], hard_turning[], hard_queries[],
 
 // The case of this number, or NULL.
 const hard_case *hard_find(int number);
-enum { HARD_LAST = 35 };            // the largest number there may be
+enum { HARD_LAST = 36 };            // the largest number there may be
 
 // Adds a number, or a note, with the sentence that printf would make.
 #if defined(__GNUC__)

@@ -1,4 +1,4 @@
-// hard_drape.c - cases 27 to 35: cloth and rope on all kinds of things.
+// hard_drape.c - cases 27 to 36: cloth and rope on all kinds of things.
 
 #include "hard.h"
 #include "hard_drape_set.h"
@@ -85,6 +85,7 @@ RUN(32)
 RUN(33)
 RUN(34)
 RUN(35)
+RUN(36)
 
 const hard_case hard_drape[] = {
     { 27, "cloth on the cube, 20 to 160", 1, run_27 },
@@ -96,5 +97,6 @@ const hard_case hard_drape[] = {
     { 33, "cloth thrown at the cube", 0, run_33 },
     { 34, "rope with a load, over the cube", 0, run_34 },
     { 35, "what moves into a held cloth", 0, run_35 },
+    { 36, "silk, denim, card over the cube", 0, run_36 },
     { 0, NULL, 0, NULL }
 };

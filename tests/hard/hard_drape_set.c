@@ -19,7 +19,8 @@ void perturb(world *w, int number, unsigned long long seed)
 {
     const body *b = &w->body[number];
     real turn = 0.087 * any_signed(&seed), c = cos(turn), s = sin(turn);
-    real x = 0.04 * any_signed(&seed), z = 0.04 * any_signed(&seed);
+    real far = 0.02 * b->shape->spacing * (b->shape->columns - 1);
+    real x = far * any_signed(&seed), z = far * any_signed(&seed);
     for (int i = b->first; i < b->first + b->shape->particles; i++) {
         particle *p = &w->pool.at[i];
         vec3 at = p->position, back = vec3_sub(p->previous, at);
@@ -503,6 +504,22 @@ static void falling_cubes(setting *s, const drape *d)
             0.4 + 0.3 * k, 0.4 * any_signed(&seed)), &seed));
 }
 
+// ---- 36: fabrics -----------------------------------------------------------
+
+// with: silk, denim or card, 42 cm wide, over a cube of 14 cm; kg/m^2, and N m.
+static void fabric(setting *s, const drape *d)
+{
+    static const real known[3][2] = { { 0.06, 5e-6 }, { 0.4, 1e-4 },
+                                      { 0.3, 1.6e-2 } };
+    const real *is = known[(int)d->with], wide = 0.42, side = 0.14;
+    setting_start(s, awake(d->n));
+    add_static(s, add_box(s, vec3_make(side, side, side), 1),
+               vec3_make(0, side / 2, 0));
+    int b = drop(s, add_cloth(s, d->n, wide, is[0] * wide * wide), 20,
+                 side + 0.02, 0);
+    if (s->ok.ok) s->ok = world_bend(&s->w, b, is[1]);
+}
+
 // ---- the table -------------------------------------------------------------
 
 #define ANY HUGE_VAL
@@ -566,6 +583,9 @@ const drape drape_table[] = {
       ANY, ANY },
     { "cubes, rim", 35, falling_cubes, 40, 1, 300, 4, -.5, .02, ANY, ANY, ANY,
       ANY },
+    { "silk", 36, fabric, 40, 0, 300, 2, -ANY, .02, ANY, ANY, ANY, ANY },
+    { "denim", 36, fabric, 40, 1, 300, 2, -ANY, .02, ANY, ANY, ANY, ANY },
+    { "card", 36, fabric, 40, 2, 300, 2, -ANY, .02, ANY, ANY, ANY, ANY },
     { NULL, 0, NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 };
 

@@ -12,7 +12,7 @@
 real any_signed(unsigned long long *seed);
 
 // A start by chance: body `number`, deformable, turned about y by up to 5
-// degrees, moved by up to 4 cm, every particle off by up to a thousandth of the
+// degrees, moved by up to 2 % of its width, every particle off by up to a thousandth of the
 // spacing, unless it is pinned; no speeds.
 void perturb(world *w, int number, unsigned long long seed);
 

@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "hard_drape_set.h"
-#include "hard_judge.h"
 
 #define ROUNDING 1e-9
 
@@ -167,13 +166,24 @@ START_TEST(throw_is_seen_in_its_last_second)
     add_body(&s, add_box(&s, vec3_make(1, 1, 1), 1),
              placement_at(vec3_make(5, 0, 0)));
     ck_assert(setting_begin(&s).ok);
-    ck_assert(judge_watch(&s.w, (watch_plan){ 120, -10 }, &v));
+    ck_assert(judge_watch(&s.w, (watch_plan){ 120, -10, 0 }, &v));
     ck_assert_double_eq_tol(v.speed, 9.81 * 59.5 / 60, 1e-6);
     ck_assert_int_eq(v.passed, 1);
     ck_assert(v.slowest >= v.median && v.median > 0 && v.mean > 0);
     ck_assert_int_eq(v.runs, 1);
     ck_assert_int_eq(v.frames, 120);
     ck_assert(v.end <= v.rest && v.rest <= v.strain && v.strain < 1e-6);
+}
+END_TEST
+
+// A sheet that drifts at 1 m/s is slowed for a second, and then no more.
+START_TEST(calmed_sheet_is_slow)
+{
+    throw_up = 1;
+    add_sheet(vec3_make(0, 0, 0), false);
+    ck_assert(setting_begin(&s).ok);
+    ck_assert(judge_watch(&s.w, (watch_plan){ 180, -HUGE_VAL, 60 }, &v));
+    ck_assert_double_eq_tol(v.speed, pow(0.95, 60), 1e-6);
 }
 END_TEST
 
@@ -187,7 +197,7 @@ START_TEST(worst_frame_is_not_forgotten)
     ck_assert(judge_look(&s.w, &v));
     real was = v.strain;
     p->position.y -= 0.3;
-    ck_assert(judge_watch(&s.w, (watch_plan){ 70, -HUGE_VAL }, &v));
+    ck_assert(judge_watch(&s.w, (watch_plan){ 70, -HUGE_VAL, 0 }, &v));
     ck_assert(v.strain == was);
     ck_assert(v.rest < 1e-6 && v.end < 1e-6);
     ck_assert_int_eq(v.passed, 0);
@@ -227,6 +237,7 @@ int main(void)
         strain_is_that_of_the_longest_link,
         diagonals_may_stretch,
         throw_is_seen_in_its_last_second,
+        calmed_sheet_is_slow,
         worst_frame_is_not_forgotten,
         scenes_begin_without_a_fault,
     };

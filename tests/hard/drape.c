@@ -8,7 +8,6 @@
 
 #include "hard.h"
 #include "hard_drape_set.h"
-#include "hard_judge.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -73,7 +72,7 @@ static int run_row(const drape *d, int starts)
         ok = s.ok.ok;
         if (!ok) fprintf(stderr, "drape: %s: %s\n", d->name, s.ok.why);
         else
-            ok = judge_watch(&s.w, (watch_plan){ d->frames, d->floor }, &v);
+            ok = judge_watch(&s.w, drape_plan(d), &v);
         setting_free(&s);
     }
     if (ok) print_row(d, &v);

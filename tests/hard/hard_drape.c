@@ -2,7 +2,6 @@
 
 #include "hard.h"
 #include "hard_drape_set.h"
-#include "hard_judge.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -39,7 +38,7 @@ static verdict run_row(hard_report *r, const drape *d, int starts)
         setting s;
         drape_build(&s, d, k);
         if (hard_ok(r, s.ok))
-            if (!judge_watch(&s.w, (watch_plan){ d->frames, d->floor }, &v))
+            if (!judge_watch(&s.w, drape_plan(d), &v))
                 hard_ok(r, status_out_of_memory());
         setting_free(&s);
     }

@@ -553,13 +553,13 @@ const drape drape_table[] = {
       ANY, ANY },
     { "spike at 10 m/s", 30, flying_spike, 40, 10, 120, 4, -.3, .05, ANY, ANY,
       ANY, ANY },
-    { "two pins, cube", 31, pinned_on_cube, 20, 0, 1200, 2, -ANY, ANY, ANY,
+    { "two pins, cube", 31, pinned_on_cube, 20, 0, 900, 2, -ANY, ANY, ANY,
       .01, .001, ANY },
-    { "two pins, cube", 31, pinned_on_cube, 40, 0, 1200, 2, -ANY, ANY, ANY,
+    { "two pins, cube", 31, pinned_on_cube, 40, 0, 900, 2, -ANY, ANY, ANY,
       .01, .001, ANY },
-    { "opposite pins", 31, opposite_on_cube, 20, 0, 1200, 2, -ANY, ANY, ANY,
+    { "opposite pins", 31, opposite_on_cube, 20, 0, 900, 2, -ANY, ANY, ANY,
       .01, .001, ANY },
-    { "opposite pins", 31, opposite_on_cube, 40, 0, 1200, 2, -ANY, ANY, ANY,
+    { "opposite pins", 31, opposite_on_cube, 40, 0, 900, 2, -ANY, ANY, ANY,
       .01, .001, ANY },
     { "hammock, corners", 31, hammock, 21, 0, 600, 2, -.5, ANY, ANY, .02, ANY,
       ANY },
@@ -588,6 +588,12 @@ const drape drape_table[] = {
     { "card", 36, fabric, 40, 2, 300, 2, -ANY, .02, ANY, ANY, ANY, ANY },
     { NULL, 0, NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 };
+
+watch_plan drape_plan(const drape *d)
+{
+    return (watch_plan){ .frames = d->frames, .floor = d->floor,
+                         .calmed = d->speed < HUGE_VAL ? 2 * d->frames / 3 : 0 };
+}
 
 // A rope that is pinned hangs, or lies, as it was put.
 void drape_build(setting *s, const drape *d, int start)

@@ -6,6 +6,7 @@
 #ifndef TUMBLE_HARD_DRAPE_SET_H
 #define TUMBLE_HARD_DRAPE_SET_H
 
+#include "hard_judge.h"
 #include "hard_set.h"
 
 // Uniform in [-1, 1).
@@ -41,12 +42,16 @@ typedef struct drape {
     int  frames, starts;
     real floor;         // m, see watch_plan
     real strain, end;   // targets: in every frame; in the last
-    real rest, speed;   // in the last second; m/s
+    real rest, speed;   // in the last second; m/s.  With a target of speed the
+                        // first two thirds of the frames are calmed
     real slowest;       // the slowest frame / the median
 } drape;
 
 // The last row has no name.  No target: HUGE_VAL.
 extern const drape drape_table[];
+
+// How a row is watched, see hard_judge.h.
+watch_plan drape_plan(const drape *d);
 
 // The world of a row, begun; start 0: as it is; 1, 2, ...: perturbed, each in
 // its own way.

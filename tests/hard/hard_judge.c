@@ -193,6 +193,19 @@ static void add_times(real *seconds, int n, verdict *v)
     v->slowest = fmax(v->slowest, seconds[n - 1]);
 }
 
+static void calm(world *w)
+{
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        if (!body_is_soft(x)) continue;
+        for (int i = x->first; i < x->first + x->shape->particles; i++) {
+            particle *p = &w->pool.at[i];
+            vec3 move = vec3_sub(p->position, p->previous);
+            p->previous = vec3_add_scaled(p->position, -0.95, move);
+        }
+    }
+}
+
 bool judge_watch(world *w, watch_plan plan, verdict *v)
 {
     look l;
@@ -204,6 +217,7 @@ bool judge_watch(world *w, watch_plan plan, verdict *v)
         l.seconds[k] = (real)(clock() - start) / CLOCKS_PER_SEC;
         substeps += w->report.substeps;
         look_once(&l, k >= plan.frames - 60, v);
+        if (k < plan.calmed) calm(w);
     }
     if (is_ready && plan.frames > 0) {
         v->end = hard_worse(v->end, l.strain);

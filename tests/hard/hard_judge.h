@@ -28,11 +28,14 @@ typedef struct {
     int  frames, runs;
 } verdict;
 
-// How long, and below which height a rigid body that moves has come through
-// what it was to stay on (-HUGE_VAL: no height).
+// How long; below which height a rigid body that moves has come through what it
+// was to stay on (-HUGE_VAL: no height); and for how many frames, the first
+// ones, cloth and rope are slowed by 5 % a frame, so that what moves later does
+// not swing on, but is shaken.
 typedef struct {
     int  frames;
     real floor;         // m
+    int  calmed;
 } watch_plan;
 
 // Lets a world that has begun run, and adds what is seen to *v, which begins as

@@ -29,7 +29,7 @@ static void verlet_step_changed(particle *p, int n, vec3 a, real dt_before,
 }
 
 // The first substep of a frame may be longer or shorter than the last one.
-void soft_move(const soft_frame *f)
+void soft_move(soft_solver *s, const soft_frame *f)
 {
     for (int b = 0; b < f->bodies; b++) {
         particle *p = f->particle + f->body[b].first;
@@ -37,6 +37,7 @@ void soft_move(const soft_frame *f)
         if (!is_moving_soft(f, b)) continue;
         if (f->age == f->h) verlet_step(p, n, f->gravity, NULL, f->h);
         else verlet_step_changed(p, n, f->gravity, f->age, f->h);
+        bend_relax(f->body[b].shape, f->body[b].bending, p, f->h, s->bends);
     }
 }
 //<
@@ -203,8 +204,12 @@ status soft_init(soft_solver *s, const body *all, int bodies, int particles)
     status done = near_init(&s->near, all, bodies, particles);
     if (!done.ok || s->near.softs == 0) return done;
     done = rigid_view_init(&s->view, all, bodies);
+    int rows = 0;
+    for (int b = 0; b < bodies; b++)
+        rows = int_max(rows, bend_rows(all[b].shape));
     s->ahead = calloc((size_t)bodies, sizeof *s->ahead);
-    if (done.ok && !s->ahead) done = status_out_of_memory();
+    s->bends = calloc((size_t)rows, sizeof *s->bends);
+    if (done.ok && (!s->ahead || !s->bends)) done = status_out_of_memory();
     if (!done.ok) soft_free(s);
     return done;
 }
@@ -214,6 +219,7 @@ void soft_free(soft_solver *s)
     near_free(&s->near);
     rigid_view_free(&s->view);
     free(s->ahead);
+    free(s->bends);
     *s = (soft_solver){ .touching = 0 };
 }
 //<

@@ -6,6 +6,7 @@
 #ifndef TUMBLE_SOFT_H
 #define TUMBLE_SOFT_H
 
+#include "bend.h"
 #include "touch.h"
 //<
 
@@ -15,6 +16,7 @@ typedef struct {
     near_lists near;
     rigid_view view;
     prediction *ahead;  // [bodies] how each may move in this frame
+    bend_row *bends;    // [particles of the longest strand]
     bool is_backward;   // points at rigid bodies come last to first
 
     int  touching;      // parted in the last substep
@@ -41,8 +43,8 @@ bool soft_may_touch(const soft_solver *s, int a, int b);
 // may meet.
 int soft_substeps(const soft_solver *s, const soft_frame *f);
 
-// A substep, in this order.  The particles move;
-void soft_move(const soft_frame *f);
+// A substep, in this order.  The particles move, and what is bent straightens;
+void soft_move(soft_solver *s, const soft_frame *f);
 
 // they are parted from planes, each other and rigid bodies, which take impulses
 // where they stand, at f->now, moved by f->moved;

@@ -90,6 +90,16 @@ void world_pin(world *w, int b, int i)
     p->inverse_mass = 0;
     p->previous = p->position;
 }
+
+status world_bend(world *w, int b, real stiffness)
+{
+    assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
+    if (!(stiffness >= 0) || !(stiffness < HUGE_VAL))
+        return status_fail("the stiffness of body %d is %g; it must be finite, "
+                           "and 0 or more", b, stiffness);
+    w->body[b].bending = stiffness;
+    return status_ok();
+}
 //<
 
 //> world-radius

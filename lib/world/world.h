@@ -176,6 +176,11 @@ status world_add_plane(world *w, vec3 normal, real offset);
 // Pins particle i of the deformable body b where it is.  Before world_begin.
 void   world_pin(world *w, int b, int i);
 
+// Gives the deformable body b a stiffness against bending: of a rope in N m^2,
+// of a cloth in N m, see bend.h; 0, as it is added: none.  Fails, changing
+// nothing, if that is negative or not finite.
+status world_bend(world *w, int b, real stiffness);
+
 // Sizes everything that a step needs.  Once, after all is in.  Fails only for
 // want of memory: then world_free is all that may follow.
 status world_begin(world *w);

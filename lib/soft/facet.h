@@ -27,7 +27,7 @@ static inline real facet_height(const vec3 end[FACET], plane p)
     real least = plane_height(p, end[0]);
     for (int k = 1; k < FACET; k++) {
         real up = plane_height(p, end[k]);
-        if (!(up >= least)) least = up;
+        if (up < least || up != up) least = up;
     }
     return least;
 }

@@ -184,15 +184,17 @@ real facet_gap(const body *soft)
     return 0.3 * soft->thickness;
 }
 
-// How far from a body may the particles be of a facet that comes near it?  No
-// point of a triangle is further from a corner than 1 / sqrt(3) of its longest
-// side; and that may be a fifth longer than at rest, where cells are sheared.
+// How far from a body may all corners of a facet be that comes within reach?  Its
+// nearest point is no further from a corner than 1 / sqrt(3) of its longest side,
+// which may be a fifth longer than at rest, where cells are sheared; and that is
+// at right angles to the reach.
 static real facet_reach(const near_lists *l, const body *soft)
 {
     const shape *s = soft->shape;
     // The last stick of a cloth is a diagonal.
     real longest = s->sticks > 0 ? s->stick[s->sticks - 1].rest_length : 0;
-    return facet_gap(soft) + l->margin + 0.7 * longest;
+    real reach = facet_gap(soft) + l->margin, beside = 0.7 * longest;
+    return sqrt(reach * reach + beside * beside);
 }
 
 // Where a particle is: far from the body; in front of one of its planes, by its

@@ -15,6 +15,7 @@ typedef struct {
     near_lists near;
     rigid_view view;
     prediction *ahead;  // [bodies] how each may move in this frame
+    line_hold *hold;    // [particles] what each touches that does not move
     bool is_backward;   // points at rigid bodies come last to first
 
     int  touching;      // parted in the last substep
@@ -41,14 +42,16 @@ bool soft_may_touch(const soft_solver *s, int a, int b);
 // may meet.
 int soft_substeps(const soft_solver *s, const soft_frame *f);
 
-// A substep, in this order.  The particles move;
-void soft_move(const soft_frame *f);
+// A substep, in this order.  The particles move, and the diagonals of cloth
+// draw them;
+void soft_move(soft_solver *s, const soft_frame *f);
 
 // they are parted from planes, each other and rigid bodies, which take impulses
 // where they stand, at f->now, moved by f->moved;
 void soft_separate(soft_solver *s, const soft_frame *f);
 
-// their sticks are relaxed;
+// and their strands are relaxed, together with what they touch that does not
+// move;
 void soft_relax(soft_solver *s, const soft_frame *f);
 
 // and those that sticks have pulled back into a rigid body hold it by the

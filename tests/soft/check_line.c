@@ -378,7 +378,7 @@ START_TEST(relaxing_all_lines_is_solving_one_direction_after_the_other)
         disturb(0.02);
         if (is_lost) p[13].position.z = (real)NAN;
         remember();
-        line_result all = lines_relax(&plan, p, rounds, o, scratch), r;
+        line_result all = lines_relax(&plan, p, rounds, o, NULL, scratch), r;
         real worst = 0;
         for (int k = 0; k < rounds; k++) {
             worst = 0;
@@ -395,7 +395,7 @@ START_TEST(relaxing_all_lines_is_solving_one_direction_after_the_other)
     }
     lay_cloth(11, 9);
     ck_assert_int_eq(lines_relax(&plan, p, 5, relax_options_pbd(),
-                                 scratch).steps, 1);
+                                 NULL, scratch).steps, 1);
     tear_down();
 }
 END_TEST
@@ -439,7 +439,7 @@ START_TEST(rounds_but_the_last_ask_for_more)
         if (trial & 2) nail(40);
         disturb(0.02);
         remember();
-        line_result r = lines_relax(&plan, p, 3, along(0), scratch);
+        line_result r = lines_relax(&plan, p, 3, along(0), NULL, scratch);
         particle *relaxed = p;
         p = q;
         q = relaxed;
@@ -477,7 +477,7 @@ static real hung_by_two_corners(int at_once)
         sticks_iterate(plan.stick + shape_links(&plan),
                      plan.sticks - shape_links(&plan), p, o);
         for (int round = 0; round < (at_once ? 1 : 3); round++)
-            lines_relax(&plan, p, at_once ? 3 : 1, o, scratch);
+            lines_relax(&plan, p, at_once ? 3 : 1, o, NULL, scratch);
         for (int d = 0; d < 2 && k > hertz; d++)
             worst = fmax(worst, strain_of(&strand[d]));
     }

@@ -846,7 +846,8 @@ line_result line_solve(strands s, particle *p, int steps,
 
 // What one direction of a cloth does the other half undoes: sweep after sweep.
 // All but the last ask for more than what is wrong.  (Along the old links it
-// would be taken for failure.)  A rope has only one direction, and no need.
+// would be taken for failure.)  A rope has only one direction, and no need; it
+// takes more than a step only where it touches something.
 static const real MORE = 1.4;
 
 line_result lines_relax(const shape *s, particle *p, int sweeps,
@@ -856,17 +857,17 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
     assert(sweeps >= 1);
     line_result r = { .worst = 0 };
     int directions = shape_directions(s), done = 0;
-    int most = directions > 1 ? sweeps : 1;
+    int most = directions > 1 || hold ? sweeps : 1;
     int is_new = options.gradient == GRADIENT_NEW;
     gather_all(scratch, p, s->particles, options);
     if (hold) hold_begin(s, scratch, hold);
     do {
-        real more = is_new && done + 1 < most ? MORE : 1;
+        real more = is_new && directions > 1 && done + 1 < most ? MORE : 1;
         r.worst = 0;
         for (int d = 0; d < directions; d++)
             solve((block){ .s = shape_strands(s, d), .scratch = scratch,
                            .more = more, .direction = d,
-                           .may_skip = most > 1 }, p, 1, options, &r);
+                           .may_skip = directions > 1 && done > 0 }, p, 1, options, &r);
     } while (++done < most && !(r.worst <= options.tolerance));
     if (hold) hold_end(s, scratch, p, hold);
     scatter(scratch->now, p, s->particles);

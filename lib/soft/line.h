@@ -76,7 +76,8 @@ line_result line_solve(strands s, particle *p, int steps,
 // The result: worst of the last sweep, sweeps in the place of steps.  As if by
 // line_solve for each direction, but along the new gradient all sweeps but the
 // last ask for 1.4 times what is wrong, and the places are fetched and brought
-// back only once; lines of a cloth that are good, eight side by side, are left.
+// back only once; after the first sweep, lines of a cloth that are good, eight
+// side by side, are left.
 // (A lost line goes back to where it was before them all.)
 // hold: [particles], or NULL: nothing is touched; writes the pull of all that
 // are not LINE_FREE.

@@ -61,14 +61,19 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     s->relaxed += others;
 }
 
-void soft_move(soft_solver *s, const soft_frame *f)
+void soft_move(const soft_frame *f)
 {
     for (int b = 0; b < f->bodies; b++) {
         if (!is_moving_soft(f, b)) continue;
         fall(f, &f->body[b]);
         forget_holds(f, &f->body[b]);
-        draw_diagonals(s, f, &f->body[b]);
     }
+}
+
+void soft_draw(soft_solver *s, const soft_frame *f)
+{
+    for (int b = 0; b < f->bodies; b++)
+        if (is_moving_soft(f, b)) draw_diagonals(s, f, &f->body[b]);
 }
 //<
 

@@ -42,9 +42,11 @@ bool soft_may_touch(const soft_solver *s, int a, int b);
 // may meet.
 int soft_substeps(const soft_solver *s, const soft_frame *f);
 
-// A substep, in this order.  The particles move, and the diagonals of cloth
-// draw them;
-void soft_move(soft_solver *s, const soft_frame *f);
+// A substep, in this order.  The particles move;
+void soft_move(const soft_frame *f);
+
+// the diagonals of cloth draw them;
+void soft_draw(soft_solver *s, const soft_frame *f);
 
 // they are parted from planes, each other and rigid bodies, which take impulses
 // where they stand, at f->now, moved by f->moved;

@@ -159,9 +159,8 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     real depth = apart - vec3_dot(vec3_sub(p->position, at.at), at.normal);
     if (!(depth > 0) || !(depth < HUGE_VAL)) return false;
     if (p->inverse_mass == 0) return true;
-    real pressed = depth - vec3_dot(hold->pull, at.normal);
+    real pressed = depth + real_max(-vec3_dot(hold->pull, at.normal), 0);
     p->position = vec3_add_scaled(p->position, depth, at.normal);
-    if (!(pressed > 0)) return true;
     bool is_held = hold->state != LINE_FREE;
     hold->normal = at.normal;
     slide(f, p, hold, pressed);
@@ -181,7 +180,8 @@ static bool touch_body(const rigid_view *v, const soft_frame *f, point_pair pair
     if (body_is_static(&f->body[pair.rigid]))
         return who == BY_PARTICLE && touch_fixed(f, pair.particle, x.at, apart);
     if (who == BY_PARTICLE) push_apart(&x, p);
-    else                 push_whole(&x, pair);
+    else                    push_whole(&x, pair);
+    f->hold[pair.particle].state = LINE_FREE;
     return true;
 }
 

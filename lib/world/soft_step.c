@@ -47,9 +47,11 @@ int soft_need(world *w)
 void soft_step(world *w, real h)
 {
     soft_frame f = soft_frame_of(w, h);
-    soft_move(&w->soft, &f);
+    soft_move(&f);
     w->age = h;
     ledger_book(w, LEDGER_INTEGRATE);
+    soft_draw(&w->soft, &f);
+    ledger_book(w, LEDGER_STICKS);
     soft_separate(&w->soft, &f);
     ledger_book(w, LEDGER_CONTACTS);
     soft_relax(&w->soft, &f);

@@ -449,7 +449,7 @@ START_TEST(rounds_but_the_last_ask_for_more)
             for (int d = 0; d < 2; d++)
                 for (int l = 0; l <= LINKS; l++)
                     worst = fmax(worst, round_in_full(&strand[d], l,
-                                                      k < 2 ? 1.3 : 1));
+                                                      k < 2 ? 1.4 : 1));
         }
         expect_near(r.worst, worst, ROUNDING, "worst");
         for (int i = 0; i < plan.particles; i++)

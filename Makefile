@@ -182,7 +182,7 @@ $(MADE): %: test-%
 book:
 	$(Q)mkdir -p $(BUILD)
 	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*/*.h lib/*/*.c \
-	  tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
+	  tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
 	$(Q)cp $(BUILD)/book.md book.md
 	@echo "book.md: $$(wc -l < book.md) lines"
 
@@ -434,6 +434,9 @@ $(BUILD)/tests/check_real4: $(BUILD)/tests/real4_plain.o
 # The plain contact solver, which judges the fast one and draws figures.
 $(BUILD)/tests/check_solver $(patsubst %,$(BUILD)/figures/%,$(filter 13-%,$(FIGURES))): \
   $(BUILD)/tests/plain_solver.o
+
+# And the plain strand.
+$(BUILD)/tests/check_line: $(BUILD)/tests/plain_strand.o
 
 # This one looks at pictures.
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng

@@ -214,7 +214,7 @@ static const real NOTHING = 1e-9;
 
 // A link that lies along the normals of what holds its ends asks for what they
 // hardly give.  It gets a little less than it asks for.
-static const real LESS = 0.01;
+static const real LESS = 0.02;
 
 // What the particles around link k add to row k, and to upper_(k-1).
 typedef struct {
@@ -231,14 +231,14 @@ static inline entries entries_of(const vec3 link[2], const vec3 push[2],
 
 // W = w - m m^T; m is that of particle k, n of the next one.
 static inline entries entries_held(entries e, const vec3 link[2],
-                                   const vec3 push[2], vec3 m, vec3 n,
-                                   real both)
+                                   const vec3 push[2], vec3 m, vec3 n)
 {
     e.lower -= vec3_dot(m, link[1]) * vec3_dot(m, push[0]);
     e.upper -= vec3_dot(m, link[0]) * vec3_dot(m, push[1]);
     e.diagonal -= vec3_dot(m, link[1]) * vec3_dot(m, push[1])
                 + vec3_dot(n, link[1]) * vec3_dot(n, push[1]);
-    e.diagonal += LESS * both * vec3_length_squared(link[1]);
+    e.diagonal += LESS * (vec3_length_squared(m) + vec3_length_squared(n))
+                       * vec3_length_squared(link[1]);
     return e;
 }
 
@@ -265,7 +265,7 @@ static inline void eliminate(places at, places hold, int pitch,
         real both = at.weight[l] + at.weight[l + pitch];
         entries e = entries_of(link, push, at.weight[l], both);
         if (held) e = entries_held(e, link, push, place_get(hold, l),
-                                   place_get(hold, l + pitch), both);
+                                   place_get(hold, l + pitch));
 
         real h = (old ? e.upper : e.lower) * before[SHARE * lanes + l];
         before[SHARE * lanes + l] = h;

@@ -436,7 +436,7 @@ $(BUILD)/tests/check_solver $(patsubst %,$(BUILD)/figures/%,$(filter 13-%,$(FIGU
   $(BUILD)/tests/plain_solver.o
 
 # And the plain strand.
-$(BUILD)/tests/check_line: $(BUILD)/tests/plain_strand.o
+$(BUILD)/tests/check_line $(BUILD)/figures/12-hold: $(BUILD)/tests/plain_strand.o
 
 # This one looks at pictures.
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
@@ -553,7 +553,7 @@ define compile
 endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
-ROOMS := $(patsubst %,-I%,$(wildcard lib/* tests/support tests/contact tests/hard tests/fuzz \
+ROOMS := $(patsubst %,-I%,$(wildcard lib/* tests/support tests/contact tests/soft tests/hard tests/fuzz \
   figures/draw figures/measure figures/command figures/peers))
 $(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
 	$(compile)

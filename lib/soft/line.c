@@ -773,7 +773,7 @@ int shape_links(const shape *s)
 
 //> line-hold
 // What is held gives way by this share of what it would.
-static const real GIVE = 0.1;
+static const real GIVE = 0.2;
 
 static void hold_nothing(line_scratch *scratch)
 {

@@ -34,11 +34,10 @@ static void eliminate(const plain_particle *p, const vec3 *u, int links,
 }
 
 // What a surface holds, it holds from outside: a pull away from it is free.
-static void move(plain_particle *p, vec3 pull)
+vec3 plain_move(const plain_particle *p, vec3 pull)
 {
     bool lifts = vec3_dot(p->hold, pull) > 0;
-    vec3 d = lifts ? vec3_scale(p->weight, pull) : answer(p, pull);
-    p->at = vec3_add(p->at, d);
+    return lifts ? vec3_scale(p->weight, pull) : answer(p, pull);
 }
 
 void plain_strand(plain_particle *p, int links, real rest)
@@ -55,7 +54,8 @@ void plain_strand(plain_particle *p, int links, real rest)
     for (int k = links; k >= 0; k--) {
         if (k > 0) lambda = g[k - 1] - h[k - 1] * lambda;
         vec3 above = k > 0 ? vec3_scale(lambda, u[k - 1]) : none;
-        move(&p[k], vec3_sub(below, above));
+        vec3 pull = vec3_sub(below, above);
+        p[k].at = vec3_add(p[k].at, plain_move(&p[k], pull));
         below = above;
     }
 }

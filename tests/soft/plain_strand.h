@@ -25,5 +25,8 @@ enum { PLAIN_LINKS = 200 };
 // `links` of them, 1 to PLAIN_LINKS, and links + 1 particles.
 void plain_strand(plain_particle *p, int links, real rest);
 
+// m, how far a pull (kg m) moves a particle.
+vec3 plain_move(const plain_particle *p, vec3 pull);
+
 #endif
 //<

@@ -68,7 +68,15 @@ static places cut(real **memory, size_t n)
     return (places){ at, at + n, at + 2 * n, at + 3 * n };
 }
 
-static void hold_nothing(line_scratch *scratch);
+static void hold_nothing(line_scratch *scratch)
+{
+    size_t room = (size_t)scratch->room;
+    if (!scratch->is_held) return;
+    for (size_t i = 0; i < room; i++)
+        scratch->hold.x[i] = scratch->hold.y[i] = scratch->hold.z[i] = 0;
+    memset(scratch->held[0], 0, 2 * room);
+    scratch->is_held = false;
+}
 
 line_scratch *line_scratch_new(const shape *s)
 {
@@ -775,15 +783,6 @@ int shape_links(const shape *s)
 // What is held gives way by this share of what it would.
 static const real GIVE = 0.2;
 
-static void hold_nothing(line_scratch *scratch)
-{
-    if (!scratch->is_held) return;
-    for (int i = 0; i < scratch->room; i++)
-        place_set(scratch->hold, i, (vec3){ 0, 0, 0 });
-    memset(scratch->held[0], 0, 2 * (size_t)scratch->room);
-    scratch->is_held = false;
-}
-
 // Marks particle i in its blocks.  The last one may share lines with the one
 // before it.
 static void mark(const shape *s, line_scratch *scratch, int i)
@@ -864,10 +863,12 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
     do {
         real more = is_new && directions > 1 && done + 1 < most ? MORE : 1;
         r.worst = 0;
-        for (int d = 0; d < directions; d++)
-            solve((block){ .s = shape_strands(s, d), .scratch = scratch,
-                           .more = more, .direction = d,
-                           .may_skip = directions > 1 && done > 0 }, p, 1, options, &r);
+        block b = { .scratch = scratch, .more = more,
+                    .may_skip = directions > 1 && done > 0 };
+        for (b.direction = 0; b.direction < directions; b.direction++) {
+            b.s = shape_strands(s, b.direction);
+            solve(b, p, 1, options, &r);
+        }
     } while (++done < most && !(r.worst <= options.tolerance));
     if (hold) hold_end(s, scratch, p, hold);
     scatter(scratch->now, p, s->particles);

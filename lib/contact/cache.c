@@ -47,8 +47,9 @@ static int compare(const int a[2], const int b[2])
          : a[1] != b[1] ? (a[1] < b[1] ? -1 : 1) : 0;
 }
 
-static bool grow_spare(contact_cache *c, int need, int room)
+static bool grow_spare(contact_cache *c, int need)
 {
+    int room = need + need / 8;
     if (need <= c->spare_capacity) return true;
     free(c->spare);
     free(c->spare_key);
@@ -75,7 +76,7 @@ static void swap_spare(contact_cache *c)
 static void follow_list(contact_cache *c, const cache_frame *f)
 {
     const pair_list *list = f->list;
-    int n = grow_spare(c, list->count, list->capacity) ? list->count : 0;
+    int n = grow_spare(c, list->count) ? list->count : 0;
     int old = 0;
     c->lost += list->count - n;
     for (int k = 0; k < n; k++) {
@@ -212,7 +213,7 @@ static int new_entry(contact_cache *c)
         c->free_entry = c->entry[k].next;
     } else {
         if (c->entries == c->entry_capacity) {
-            int room = 2 * c->entry_capacity + 64;
+            int room = c->entry_capacity + c->entry_capacity / 8 + 64;
             cache_entry *more = realloc(c->entry,
                                         (size_t)room * sizeof *more);
             if (!more) return -1;
@@ -508,7 +509,7 @@ static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
 
 static bool grow_active(contact_cache *c, int need)
 {
-    size_t room = (size_t)need + (size_t)need / 2 + 64;
+    size_t room = (size_t)need + (size_t)need / 8 + 64;
     if (need <= c->active_capacity) return true;
     free(c->active);
     free(c->of);

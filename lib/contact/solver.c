@@ -367,9 +367,8 @@ static void fill_block(const preparation *p, int number)
     int first, lanes = lanes_of(s, number, &first);
     const int *list = s->order + first;
     k->rubs = true;
-    k->points = 0;
-    for (int l = 0; l < lanes; l++)
-        k->points = int_max(k->points, s->active[list[l]].count);
+    k->points = s->start[number + 1] - s->start[number];
+    k->point = s->point + s->start[number];
     for (int l = 0; l < REAL4; l++) {
         if (l < lanes)
             choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
@@ -429,12 +428,13 @@ static void keep_chunk(void *data, int item)
 // Grows an array without keeping what is in it.
 static bool grow(void **array, int *capacity, int need, size_t size)
 {
+    size_t room = (size_t)need + (size_t)need / 8;
     if (need <= *capacity) return true;
-    void *more = malloc((size_t)need * 3 / 2 * size);
+    void *more = malloc(room * size);
     if (!more) return false;
     free(*array);
     *array = more;
-    *capacity = need * 3 / 2;
+    *capacity = (int)room;
     return true;
 }
 
@@ -451,6 +451,36 @@ static void forget_blocks(contact_solver *s)
     s->contacts = s->blocks = s->colors = s->touching = 0;
 }
 
+// A block has as many points as the contact in it that has most.
+static void count_points(contact_solver *s)
+{
+    int at = 0, sum = 0, *start = s->start;
+    for (const block_color *c = s->color; c < s->color + s->colors; c++) {
+        int end = at + c->contacts, each = c->is_crowded ? 1 : REAL4;
+        for (; at < end; at += each) {
+            int most = 0, last = int_min(at + each, end);
+            for (int k = at; k < last; k++)
+                most = int_max(most, s->active[s->order[k]].count);
+            *start++ = sum;
+            sum += most;
+        }
+        at = end;
+    }
+    *start = sum;
+}
+
+// Room for the blocks, and for their points.
+static bool make_block_room(contact_solver *s)
+{
+    if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
+              sizeof *s->block)
+        || !grow((void **)&s->start, &s->start_capacity, s->blocks + 1,
+                 sizeof *s->start)) return false;
+    count_points(s);
+    return grow((void **)&s->point, &s->point_capacity, s->start[s->blocks],
+                sizeof *s->point);
+}
+
 static bool make_blocks(contact_solver *s, preparation *p)
 {
     int end[BINS];
@@ -459,8 +489,7 @@ static bool make_blocks(contact_solver *s, preparation *p)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
     sort_contacts(s, end);
     list_colors(s, end);
-    if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
-              sizeof *s->block)) return false;
+    if (!make_block_room(s)) return false;
     tasks_run(p->f->run, fill_chunk, p, task_chunks(s->blocks));
     s->h = p->f->h;
     return true;
@@ -939,6 +968,8 @@ void solver_free(contact_solver *s)
     free(s->active);
     free(s->order);
     free(s->block);
+    free(s->point);
+    free(s->start);
     free(s->taken);
     free(s->before);
     *s = (contact_solver){ .bodies = 0 };

@@ -72,7 +72,7 @@ typedef struct {
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
     bool  rubs;                         // friction's impulses may not be 0
-    block_point point[CONTACT_POINTS];
+    block_point *point;                 // [points] of the solver's
 } block;
 //<
 
@@ -110,6 +110,10 @@ typedef struct {
     int  contacts, capacity;
     block *block;
     int  blocks, block_capacity;
+    block_point *point;                 // of block after block
+    int  point_capacity;
+    int  *start;                        // [blocks + 1] where they begin
+    int  start_capacity;
     block_color color[SIDES * COLORS];
     int  colors;
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each

@@ -125,8 +125,8 @@ static void forget(cache_pair *p)
 static void decide(const contact_cache *c, cache_pair *p, real reach, int a,
                    int b)
 {
-    int seen = b < 0 ? 0 : c->placed[b].number;
-    p->is_asked = p->seen[0] != c->placed[a].number || p->seen[1] != seen
+    int seen = b < 0 ? 0 : c->placing[b].number;
+    p->is_asked = p->seen[0] != c->placing[a].number || p->seen[1] != seen
                   || !(reach <= p->margin);
 }
 
@@ -168,12 +168,12 @@ static void decide_chunk(void *data, int item)
 //> cache-place
 // How far a point of the body can be from where it was when its vertices were
 // placed, about: a corner has coordinates of up to two.
-static bool has_left(const struct placing *p, const rigid_frame *now, real far)
+static bool has_left(const rigid_frame *was, const rigid_frame *now, real far)
 {
-    vec3 way = vec3_sub(now->center, p->frame.center);
+    vec3 way = vec3_sub(now->center, was->center);
     real square = vec3_length_squared(way);
     for (int i = 0; i < FOUR_AXES; i++) {
-        vec3 turn = vec3_sub(now->axis[i], p->frame.axis[i]);
+        vec3 turn = vec3_sub(now->axis[i], was->axis[i]);
         square += 4 * vec3_length_squared(turn);
     }
     return !(square <= far * far);
@@ -181,15 +181,15 @@ static bool has_left(const struct placing *p, const rigid_frame *now, real far)
 
 static void place_body(contact_cache *c, const cache_frame *f, int b)
 {
-    struct placing *p = &c->placed[b];
+    struct placing *p = &c->placing[b];
     const cache_body *body = &f->body[b];
     const solver_body *now = &f->now[b];
     if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
-    if (p->number > 0 && !has_left(p, &now->frame, f->stay * now->radius))
-        return;
-    p->frame = now->frame;
+    if (p->number > 0 && !has_left(&c->placed[b], &now->frame,
+                                   f->stay * now->radius)) return;
+    c->placed[b] = now->frame;
     p->number++;
-    rigid4_ride(body->rigid, &p->frame, c->vertex + p->first,
+    rigid4_ride(body->rigid, &now->frame, c->vertex + p->first,
                 body->shape->particles);
 }
 
@@ -262,37 +262,18 @@ static vec3 local_of(const rigid4 *r, const feature_point *f)
     return sum;
 }
 
-// Both impulses of a point act in the middle between its two sides: what one
-// body gains of angular momentum the other loses.  Sides that are far apart,
-// of bodies that will meet later in the frame, keep their own.
-static void set_arms(contact_point *p, const solver_body *a,
-                     const solver_body *b, bool is_apart)
-{
-    vec3 on_a = frame_point(&a->frame, p->local_a);
-    vec3 on_b = frame_point(&b->frame, p->local_b);
-    vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
-    p->arm_a = vec3_sub(is_apart ? on_a : middle, a->frame.center);
-    p->arm_b = vec3_sub(is_apart ? on_b : middle, b->frame.center);
-}
-
-// A plane's side of a contact needs no arm.
-static void set_arm(contact_point *p, const solver_body *a)
-{
-    p->arm_a = vec3_sub(frame_point(&a->frame, p->local_a), a->frame.center);
-}
-
+// Sides that are far apart, of bodies that will meet later in the frame, are
+// pushed each where it is.
 static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
                           bool is_apart)
 {
     c->count = m->count;
+    c->shared = is_apart ? 0 : m->count;
     c->normal = m->normal;
-    for (int k = 0; k < m->count; k++) {
-        contact_point *p = &c->point[k];
-        *p = (contact_point){
+    for (int k = 0; k < m->count; k++)
+        c->point[k] = (contact_point){
             .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
             .local_b = local_of(f->body[c->b].rigid, &m->point[k].b) };
-        set_arms(p, &f->now[c->a], &f->now[c->b], is_apart);
-    }
 }
 //<
 
@@ -307,13 +288,12 @@ static void add_guard(contact *c, const cache_frame *f)
     int small = is_a ? a : b;
     if (!f->moves[small] || c->count == 0) return;
     if (c->count == CONTACT_POINTS) c->count--;
+    c->shared = int_min(c->shared, c->count);
     contact_point *p = &c->point[c->count];
     *p = c->point[0];
     if (is_a) p->local_a = f->body[a].rigid->middle;
     else      p->local_b = f->body[b].rigid->middle;
     p->offset = f->body[small].inner;
-    if (b < 0) set_arm(p, &f->now[a]);
-    else       set_arms(p, &f->now[a], &f->now[b], true);
     c->count++;
 }
 
@@ -356,8 +336,8 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     cache_entry *e = &c->entry[p->entry];
     contact was = e->contact, *now = &e->contact;
     int a = now->a, b = now->b;
-    collider x = { f->body[a].shape, c->vertex + c->placed[a].first };
-    collider y = { f->body[b].shape, c->vertex + c->placed[b].first };
+    collider x = { f->body[a].shape, c->vertex + c->placing[a].first };
+    collider y = { f->body[b].shape, c->vertex + c->placing[b].first };
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
     p->seen[0] = p->seen[1] = -1;
@@ -369,12 +349,12 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
                                    &e->carried);
         take_manifold(now, &m, f, false);
         if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
-        p->seen[0] = c->placed[a].number;
-        p->seen[1] = c->placed[b].number;
+        p->seen[0] = c->placing[a].number;
+        p->seen[1] = c->placing[b].number;
         p->margin = reach + slack;
     }
     p->count = (signed char)now->count;
-    p->gap = -HUGE_VAL;
+    p->near = -HUGE_VAL;
     contact_inherit(now, &was);
 }
 //<
@@ -437,7 +417,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     contact *now = &c->entry[p->entry].contact;
     int a = now->a, n = 0, vertices = f->body[a].shape->particles;
     plane wall = f->plane[-1 - now->b];
-    const vec3 *at = c->vertex + c->placed[a].first;
+    const vec3 *at = c->vertex + c->placing[a].first;
     real slack = slack_of(f, a, -1), reach = reach_of(f, a, -1);
     for (int v = 0; v < vertices; v++) {
         real height = vec3_dot(wall.normal, at[v]) - wall.offset;
@@ -448,18 +428,15 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
         widen(low, at, vertices, wall, slack);
     now->normal = wall.normal;
     now->count = n;
-    for (int k = 0; k < n; k++) {
-        contact_point *q = &now->point[k];
-        *q = (contact_point){
+    for (int k = 0; k < n; k++)
+        now->point[k] = (contact_point){
             .local_a = f->body[a].rigid->local[low[k].vertex] };
-        set_arm(q, &f->now[a]);
-    }
     if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
-    p->seen[0] = c->placed[a].number;
+    p->seen[0] = c->placing[a].number;
     p->seen[1] = 0;
     p->margin = reach + slack;
-    p->gap = -HUGE_VAL;
+    p->near = -HUGE_VAL;
     contact_inherit(now, &was);
 }
 //<
@@ -490,17 +467,17 @@ static void query_chunk(void *data, int item)
 //<
 
 //> cache-active
-// A contact whose gap cannot close in this frame is left out: it was `gap`, and
-// both bodies together have gone no further than their paths since.
+// A contact whose gap cannot close in this frame is left out: both bodies
+// together have not gone as far yet.
 static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
                      int a, int b)
 {
     if (p->count == 0 || p->entry < 0) return;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
     real reach = reach_of(f, a, b);
-    real paths = c->placed[a].path + (b < 0 ? 0 : c->placed[b].path);
-    if (p->gap - (paths - p->paths) > reach) return;
-    p->paths = paths;
+    real paths = c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
+    if (p->near - paths > reach) return;
+    p->near = paths;
     c->fast += p->seen[0] < 0;
     c->active[c->actives] = &c->entry[p->entry].contact;
     c->of[c->actives] = p;
@@ -537,12 +514,12 @@ static void gather_active(contact_cache *c, const cache_frame *f)
 
 void cache_note(contact_cache *c, const contact_solver *s)
 {
-    for (int k = 0; k < s->contacts; k++) c->of[k]->gap = s->active[k].least;
+    for (int k = 0; k < s->contacts; k++) c->of[k]->near += s->active[k].least;
 }
 
 void cache_moved(contact_cache *c, int b, real way)
 {
-    c->placed[b].path += way;
+    c->placing[b].path += way;
 }
 //<
 
@@ -554,13 +531,14 @@ status cache_init(contact_cache *c, const cache_body *body, int bodies,
     *c = (contact_cache){ .planes = planes, .bodies = bodies,
                           .free_entry = -1 };
     c->placed = calloc(n, sizeof *c->placed);
+    c->placing = calloc(n, sizeof *c->placing);
     c->wall = calloc(n * (size_t)int_max(planes, 1), sizeof *c->wall);
-    for (int b = 0; b < bodies && c->placed; b++) {
-        c->placed[b].first = (int)vertices;
+    for (int b = 0; b < bodies && c->placing; b++) {
+        c->placing[b].first = (int)vertices;
         if (body[b].rigid) vertices += (size_t)body[b].shape->particles;
     }
     c->vertex = malloc(vertices * sizeof *c->vertex);
-    if (!c->placed || !c->wall || !c->vertex) {
+    if (!c->placed || !c->placing || !c->wall || !c->vertex) {
         cache_free(c);
         return status_out_of_memory();
     }
@@ -578,6 +556,7 @@ void cache_free(contact_cache *c)
     free(c->wall);
     free(c->entry);
     free(c->placed);
+    free(c->placing);
     free(c->vertex);
     free(c->active);
     free(c->of);
@@ -595,6 +574,6 @@ void cache_clear(contact_cache *c)
 {
     for (int k = 0; k < c->pairs; k++) clear_pair(c, &c->pair[k]);
     for (int k = 0; k < c->bodies * c->planes; k++) clear_pair(c, &c->wall[k]);
-    for (int b = 0; b < c->bodies; b++) c->placed[b].number = 0;
+    for (int b = 0; b < c->bodies; b++) c->placing[b].number = 0;
 }
 //<

@@ -54,8 +54,8 @@ typedef struct {
     bool is_asked;
     signed char count;  // points
     real margin;        // m, everything nearer was found
-    real gap;           // m, the least, when paths was
-    real paths;         // m, how far both bodies had gone then
+    real near;          // m, its least gap, and how far both bodies had gone by
+                        // then: it closes when they have gone so far
 } cache_pair;
 
 typedef struct {
@@ -76,13 +76,13 @@ typedef struct {
     cache_entry *entry;
     int entries, entry_capacity, free_entry;
 
-    // Where each body was when its vertices were last placed.
+    rigid_frame *placed;        // [bodies] where it was when its vertices were
+                                // last placed
     struct placing {
-        rigid_frame frame;
         int  number;    // how often they were placed
         int  first;     // in vertex
         real path;      // m, how far any of its points has gone at most
-    } *placed;          // [bodies]
+    } *placing;         // [bodies]
     vec3 *vertex;       // m
 
     // The contacts of this frame, and how near their points may come in it.

@@ -318,7 +318,8 @@ static solver_frame frame_of(const world *w, int substeps)
     const world_options *o = &w->options;
     real h = w->frame / substeps;
     return (solver_frame){
-        .body = w->rigid.now, .bodies = w->bodies, .plane = w->plane, .h = h,
+        .body = w->rigid.now, .bodies = w->bodies,
+        .placed = w->rigid.cache.placed, .plane = w->plane, .h = h,
         .substeps = substeps,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
         .hertz = o->hertz, .damping = 10, .max_speed = 3,

@@ -217,8 +217,10 @@ START_TEST(box_on_a_slab_touches_with_its_four_corners)
             ck_assert(fabs(fabs(at.x - 0.2) - 0.5) <= ROUNDING
                       && fabs(fabs(at.z - 0.1) - 0.5) <= ROUNDING);
             // Both impulses act at one point.
-            near_vec3(vec3_add(now[0].frame.center, p->arm_a),
-                      vec3_add(now[1].frame.center, p->arm_b), ROUNDING);
+            contact_arms arm = contact_arms_of(c, k, &now[0].frame,
+                                               &now[1].frame);
+            near_vec3(vec3_add(now[0].frame.center, arm.a),
+                      vec3_add(now[1].frame.center, arm.b), ROUNDING);
         }
     }
 }
@@ -458,7 +460,7 @@ START_TEST(contact_is_left_out_until_its_gap_may_close)
         if (cache.actives > 0) {
             real gap = least_gap(cache.active[0]);
             ck_assert(fabs(gap - (0.03 - 0.004 * f)) <= ROUNDING);
-            cache.of[0]->gap = gap;
+            cache.of[0]->near += gap;
         }
         cache_moved(&cache, box, nudge(box, vec3_make(0, -0.004, 0),
                                        vec3_make(0, 0, 0)));
@@ -548,7 +550,7 @@ START_TEST(kept_contacts_are_those_that_would_be_found)
             if (gap > 0) ghost = fmax(ghost, -least_gap(kept));
         }
         for (int k = 0; k < cache.actives; k++)
-            cache.of[k]->gap = least_gap(cache.active[k]);
+            cache.of[k]->near += least_gap(cache.active[k]);
         shake(0.004);
     }
     cache_free(&fresh);

@@ -441,12 +441,29 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 }
 //<
 
+//> cache-near
+// A contact whose gap cannot close in this frame is left out: both bodies
+// together have not gone as far yet.
+static void activate(const contact_cache *c, const cache_frame *f,
+                     cache_pair *p, int a, int b)
+{
+    p->is_active = false;
+    if (p->count == 0 || p->entry < 0) return;
+    if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
+    real paths = c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
+    if (p->near - paths > reach_of(f, a, b)) return;
+    p->near = paths;
+    p->is_active = true;
+}
+//<
+
 //> cache-query-all
 static void query_walls(contact_cache *c, const cache_frame *f, int b)
 {
     for (int k = 0; k < f->planes; k++) {
         cache_pair *p = &c->wall[b * c->planes + k];
         if (p->is_asked) query_wall(c, f, p);
+        activate(c, f, p, b, -1);
     }
 }
 
@@ -461,27 +478,30 @@ static void query_chunk(void *data, int item)
     }
     first -= body_items * TASK_CHUNK;
     int end = int_min(first + TASK_CHUNK, u->c->pairs);
-    for (int k = first; k < end; k++)
-        if (u->c->pair[k].is_asked) query_pair(u->c, u->f, &u->c->pair[k]);
+    for (int k = first; k < end; k++) {
+        cache_pair *p = &u->c->pair[k];
+        if (p->is_asked) query_pair(u->c, u->f, p);
+        activate(u->c, u->f, p, u->c->key[k][0], u->c->key[k][1]);
+    }
 }
 //<
 
 //> cache-active
-// A contact whose gap cannot close in this frame is left out: both bodies
-// together have not gone as far yet.
-static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
-                     int a, int b)
+static void gather(contact_cache *c, cache_pair *p)
 {
-    if (p->count == 0 || p->entry < 0) return;
-    if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
-    real reach = reach_of(f, a, b);
-    real paths = c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
-    if (p->near - paths > reach) return;
-    p->near = paths;
+    if (!p->is_active) return;
     c->fast += p->seen[0] < 0;
     c->active[c->actives] = &c->entry[p->entry].contact;
-    c->of[c->actives] = p;
-    c->reach[c->actives++] = reach;
+    c->of[c->actives++] = p;
+}
+
+static void reach_chunk(void *data, int item)
+{
+    const update *u = data;
+    contact_cache *c = u->c;
+    int end = task_end(item, c->actives);
+    for (int k = item * TASK_CHUNK; k < end; k++)
+        c->reach[k] = reach_of(u->f, c->active[k]->a, c->active[k]->b);
 }
 
 static bool grow_active(contact_cache *c, int need)
@@ -505,11 +525,10 @@ static void gather_active(contact_cache *c, const cache_frame *f)
         c->lost += c->entries;
         return;
     }
-    for (int k = 0; k < c->pairs; k++)
-        activate(c, f, &c->pair[k], c->key[k][0], c->key[k][1]);
-    for (int b = 0; b < f->bodies; b++)
-        for (int k = 0; k < f->planes; k++)
-            activate(c, f, &c->wall[b * c->planes + k], b, -1);
+    for (int k = 0; k < c->pairs; k++) gather(c, &c->pair[k]);
+    for (int k = 0; k < f->bodies * c->planes; k++) gather(c, &c->wall[k]);
+    update u = { c, f };
+    tasks_run(f->run, reach_chunk, &u, task_chunks(c->actives));
 }
 
 void cache_note(contact_cache *c, const contact_solver *s)

@@ -96,6 +96,12 @@ static void follow_list(contact_cache *c, const cache_frame *f)
 //<
 
 //> cache-decide
+// Where body b stands when it is asked about.
+static const rigid_frame *stands(const cache_frame *f, int b)
+{
+    return f->later ? &f->later[b] : &f->now[b].frame;
+}
+
 // m, how far a body may be from where it was placed, while it counts as there.
 // One that goes further than that in this frame is placed again in each.
 static real slack_of_body(const cache_frame *f, int b)
@@ -183,11 +189,11 @@ static void place_body(contact_cache *c, const cache_frame *f, int b)
 {
     struct placing *p = &c->placed[b];
     const cache_body *body = &f->body[b];
-    const solver_body *now = &f->now[b];
+    const rigid_frame *now = stands(f, b);
     if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
-    if (p->number > 0 && !has_left(p, &now->frame, f->stay * now->radius))
+    if (p->number > 0 && !has_left(p, now, f->stay * f->now[b].radius))
         return;
-    p->frame = now->frame;
+    p->frame = *now;
     p->number++;
     rigid4_ride(body->rigid, &p->frame, c->vertex + p->first,
                 body->shape->particles);
@@ -265,20 +271,20 @@ static vec3 local_of(const rigid4 *r, const feature_point *f)
 // Both impulses of a point act in the middle between its two sides: what one
 // body gains of angular momentum the other loses.  Sides that are far apart,
 // of bodies that will meet later in the frame, keep their own.
-static void set_arms(contact_point *p, const solver_body *a,
-                     const solver_body *b, bool is_apart)
+static void set_arms(contact_point *p, const rigid_frame *a,
+                     const rigid_frame *b, bool is_apart)
 {
-    vec3 on_a = frame_point(&a->frame, p->local_a);
-    vec3 on_b = frame_point(&b->frame, p->local_b);
+    vec3 on_a = frame_point(a, p->local_a);
+    vec3 on_b = frame_point(b, p->local_b);
     vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
-    p->arm_a = vec3_sub(is_apart ? on_a : middle, a->frame.center);
-    p->arm_b = vec3_sub(is_apart ? on_b : middle, b->frame.center);
+    p->arm_a = vec3_sub(is_apart ? on_a : middle, a->center);
+    p->arm_b = vec3_sub(is_apart ? on_b : middle, b->center);
 }
 
 // A plane's side of a contact needs no arm.
-static void set_arm(contact_point *p, const solver_body *a)
+static void set_arm(contact_point *p, const rigid_frame *a)
 {
-    p->arm_a = vec3_sub(frame_point(&a->frame, p->local_a), a->frame.center);
+    p->arm_a = vec3_sub(frame_point(a, p->local_a), a->center);
 }
 
 static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
@@ -291,7 +297,7 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
         *p = (contact_point){
             .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
             .local_b = local_of(f->body[c->b].rigid, &m->point[k].b) };
-        set_arms(p, &f->now[c->a], &f->now[c->b], is_apart);
+        set_arms(p, stands(f, c->a), stands(f, c->b), is_apart);
     }
 }
 //<
@@ -312,8 +318,8 @@ static void add_guard(contact *c, const cache_frame *f)
     if (is_a) p->local_a = f->body[a].rigid->middle;
     else      p->local_b = f->body[b].rigid->middle;
     p->offset = f->body[small].inner;
-    if (b < 0) set_arm(p, &f->now[a]);
-    else       set_arms(p, &f->now[a], &f->now[b], true);
+    if (b < 0) set_arm(p, stands(f, a));
+    else       set_arms(p, stands(f, a), stands(f, b), true);
     c->count++;
 }
 
@@ -452,7 +458,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
         contact_point *q = &now->point[k];
         *q = (contact_point){
             .local_a = f->body[a].rigid->local[low[k].vertex] };
-        set_arm(q, &f->now[a]);
+        set_arm(q, stands(f, a));
     }
     if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
@@ -489,6 +495,84 @@ static void query_chunk(void *data, int item)
 }
 //<
 
+//> cache-turning
+// A body that turns comes to touch with corners that were not found.  So the
+// frame of a pair is divided in parts in which it turns by no more than this
+// (rad), and it is asked again between them.
+static const real PART = 0.1;
+enum { MOST_PARTS = 8 };
+
+static int parts_of(const cache_frame *f, int a, int b)
+{
+    real turns = f->ahead[a].angle + (b < 0 ? 0 : f->ahead[b].angle);
+    return 1 + (int)real_min(turns / PART, MOST_PARTS - 1);
+}
+
+static void move_later(const cache_frame *f, const motion *moved, int b,
+                       rigid_frame *later)
+{
+    const solver_body *now = &f->now[b];
+    later[b] = now->frame;
+    if (f->moves[b])
+        later[b] = motion_frame(&now->frame, &now->basis, &moved[b]);
+}
+
+// m, of all points of a contact, when bodies stand as `later` says.
+static real least_gap(const contact *x, const cache_frame *f,
+                      const rigid_frame *later)
+{
+    real gap[CONTACT_POINTS], least = HUGE_VAL;
+    const rigid_frame *b = x->b < 0 ? NULL : &later[x->b];
+    real height = x->b < 0 ? f->plane[-1 - x->b].offset : 0;
+    contact_gaps(x, &later[x->a], b, height, gap);
+    for (int k = 0; k < x->count; k++) least = real_min(least, gap[k]);
+    return least;
+}
+
+// A part begins with this substep, and it may touch in it.
+int cache_turning(contact_cache *c, const cache_frame *f, const motion *moved,
+                  int k, int substeps, rigid_frame *later)
+{
+    c->agains = 0;
+    for (int i = 0; i < c->turnings; i++) {
+        int n = c->turning[i];
+        const contact *x = c->active[n];
+        int parts = parts_of(f, x->a, x->b);
+        bool is_due = k * parts / substeps > (k - 1) * parts / substeps;
+        if (!is_due || !(c->of[n]->gap < c->reach[n])) continue;
+        move_later(f, moved, x->a, later);
+        if (x->b >= 0) move_later(f, moved, x->b, later);
+        if (least_gap(x, f, later) <= c->reach[n] / parts)
+            c->again[c->agains++] = n;
+    }
+    return c->agains;
+}
+
+static void again_chunk(void *data, int item)
+{
+    const update *u = data;
+    int end = task_end(item, u->c->agains);
+    for (int k = item * TASK_CHUNK; k < end; k++) {
+        int n = u->c->again[k];
+        if (u->c->active[n]->b < 0) query_wall(u->c, u->f, u->c->of[n]);
+        else                        query_pair(u->c, u->f, u->c->of[n]);
+    }
+}
+
+void cache_again(contact_cache *c, const cache_frame *f)
+{
+    update u = { c, f };
+    for (int k = 0; k < c->agains; k++) {
+        contact *x = c->active[c->again[k]];
+        place_body(c, f, x->a);
+        if (x->b >= 0) place_body(c, f, x->b);
+        x->found = ++c->found;
+    }
+    c->queries += c->agains;
+    tasks_run(f->run, again_chunk, &u, task_chunks(c->agains));
+}
+//<
+
 //> cache-active
 // A contact whose gap cannot close in this frame is left out: it was `gap`, and
 // both bodies together have gone no further than their paths since.
@@ -502,7 +586,9 @@ static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
     if (p->gap - (paths - p->paths) > reach) return;
     p->paths = paths;
     c->fast += p->seen[0] < 0;
-    c->active[c->actives] = &c->entry[p->entry].contact;
+    contact *x = c->active[c->actives] = &c->entry[p->entry].contact;
+    x->turns = p->seen[0] >= 0 && parts_of(f, a, b) > 1;
+    if (x->turns) c->turning[c->turnings++] = c->actives;
     c->of[c->actives] = p;
     c->reach[c->actives++] = reach;
 }
@@ -514,16 +600,21 @@ static bool grow_active(contact_cache *c, int need)
     free(c->active);
     free(c->of);
     free(c->reach);
+    free(c->turning);
+    free(c->again);
     c->active = malloc(room * sizeof *c->active);
     c->of = malloc(room * sizeof *c->of);
     c->reach = malloc(room * sizeof *c->reach);
-    c->active_capacity = c->active && c->of && c->reach ? (int)room : 0;
+    c->turning = malloc(room * sizeof *c->turning);
+    c->again = malloc(room * sizeof *c->again);
+    bool is_done = c->active && c->of && c->reach && c->turning && c->again;
+    c->active_capacity = is_done ? (int)room : 0;
     return c->active_capacity > 0;
 }
 
 static void gather_active(contact_cache *c, const cache_frame *f)
 {
-    c->actives = c->fast = 0;
+    c->actives = c->fast = c->turnings = 0;
     if (!grow_active(c, c->entries)) {
         c->lost += c->entries;
         return;
@@ -582,6 +673,8 @@ void cache_free(contact_cache *c)
     free(c->active);
     free(c->of);
     free(c->reach);
+    free(c->turning);
+    free(c->again);
     *c = (contact_cache){ .free_entry = -1 };
 }
 

@@ -24,6 +24,7 @@ typedef struct {
 typedef struct {
     int  a, b;              // bodies; b < 0: plane -1 - b
     int  count;             // points; 0: none as near as they were asked for
+    bool turns;             // it may be found again before the frame ends
     long found;             // when it was, as a number that no other has
     vec3 normal;
     real impulse[CONTACT_POINTS];   // N s, of each point in the last substep,

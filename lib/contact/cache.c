@@ -96,12 +96,6 @@ static void follow_list(contact_cache *c, const cache_frame *f)
 //<
 
 //> cache-decide
-// Where body b stands when it is asked about.
-static const rigid_frame *stands(const cache_frame *f, int b)
-{
-    return f->later ? &f->later[b] : &f->now[b].frame;
-}
-
 // m, how far a body may be from where it was placed, while it counts as there.
 // One that goes further than that in this frame is placed again in each.
 static real slack_of_body(const cache_frame *f, int b)
@@ -131,8 +125,8 @@ static void forget(cache_pair *p)
 static void decide(const contact_cache *c, cache_pair *p, real reach, int a,
                    int b)
 {
-    int seen = b < 0 ? 0 : c->placed[b].number;
-    p->is_asked = p->seen[0] != c->placed[a].number || p->seen[1] != seen
+    int seen = b < 0 ? 0 : c->placing[b].number;
+    p->is_asked = p->seen[0] != c->placing[a].number || p->seen[1] != seen
                   || !(reach <= p->margin);
 }
 
@@ -174,28 +168,28 @@ static void decide_chunk(void *data, int item)
 //> cache-place
 // How far a point of the body can be from where it was when its vertices were
 // placed, about: a corner has coordinates of up to two.
-static bool has_left(const struct placing *p, const rigid_frame *now, real far)
+static bool has_left(const rigid_frame *was, const rigid_frame *now, real far)
 {
-    vec3 way = vec3_sub(now->center, p->frame.center);
+    vec3 way = vec3_sub(now->center, was->center);
     real square = vec3_length_squared(way);
     for (int i = 0; i < FOUR_AXES; i++) {
-        vec3 turn = vec3_sub(now->axis[i], p->frame.axis[i]);
+        vec3 turn = vec3_sub(now->axis[i], was->axis[i]);
         square += 4 * vec3_length_squared(turn);
     }
     return !(square <= far * far);
 }
 
-static void place_body(contact_cache *c, const cache_frame *f, int b)
+static void place_body(contact_cache *c, const cache_frame *f, int b,
+                       const rigid_frame *now)
 {
-    struct placing *p = &c->placed[b];
+    struct placing *p = &c->placing[b];
     const cache_body *body = &f->body[b];
-    const rigid_frame *now = stands(f, b);
     if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
-    if (p->number > 0 && !has_left(p, now, f->stay * f->now[b].radius))
-        return;
-    p->frame = *now;
+    if (p->number > 0 && !has_left(&c->placed[b], now,
+                                   f->stay * f->now[b].radius)) return;
+    c->placed[b] = *now;
     p->number++;
-    rigid4_ride(body->rigid, &p->frame, c->vertex + p->first,
+    rigid4_ride(body->rigid, now, c->vertex + p->first,
                 body->shape->particles);
 }
 
@@ -204,7 +198,7 @@ static void place_chunk(void *data, int item)
     const update *u = data;
     int end = task_end(item, u->f->bodies);
     for (int b = item * TASK_CHUNK; b < end; b++) {
-        place_body(u->c, u->f, b);
+        place_body(u->c, u->f, b, &u->f->now[b].frame);
         decide_walls(u->c, u->f, b);
     }
 }
@@ -268,37 +262,18 @@ static vec3 local_of(const rigid4 *r, const feature_point *f)
     return sum;
 }
 
-// Both impulses of a point act in the middle between its two sides: what one
-// body gains of angular momentum the other loses.  Sides that are far apart,
-// of bodies that will meet later in the frame, keep their own.
-static void set_arms(contact_point *p, const rigid_frame *a,
-                     const rigid_frame *b, bool is_apart)
-{
-    vec3 on_a = frame_point(a, p->local_a);
-    vec3 on_b = frame_point(b, p->local_b);
-    vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
-    p->arm_a = vec3_sub(is_apart ? on_a : middle, a->center);
-    p->arm_b = vec3_sub(is_apart ? on_b : middle, b->center);
-}
-
-// A plane's side of a contact needs no arm.
-static void set_arm(contact_point *p, const rigid_frame *a)
-{
-    p->arm_a = vec3_sub(frame_point(a, p->local_a), a->center);
-}
-
+// Sides that are far apart, of bodies that will meet later in the frame, are
+// pushed each where it is.
 static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
                           bool is_apart)
 {
     c->count = m->count;
+    c->shared = is_apart ? 0 : m->count;
     c->normal = m->normal;
-    for (int k = 0; k < m->count; k++) {
-        contact_point *p = &c->point[k];
-        *p = (contact_point){
+    for (int k = 0; k < m->count; k++)
+        c->point[k] = (contact_point){
             .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
             .local_b = local_of(f->body[c->b].rigid, &m->point[k].b) };
-        set_arms(p, stands(f, c->a), stands(f, c->b), is_apart);
-    }
 }
 //<
 
@@ -313,13 +288,12 @@ static void add_guard(contact *c, const cache_frame *f)
     int small = is_a ? a : b;
     if (!f->moves[small] || c->count == 0) return;
     if (c->count == CONTACT_POINTS) c->count--;
+    c->shared = int_min(c->shared, c->count);
     contact_point *p = &c->point[c->count];
     *p = c->point[0];
     if (is_a) p->local_a = f->body[a].rigid->middle;
     else      p->local_b = f->body[b].rigid->middle;
     p->offset = f->body[small].inner;
-    if (b < 0) set_arm(p, stands(f, a));
-    else       set_arms(p, stands(f, a), stands(f, b), true);
     c->count++;
 }
 
@@ -362,8 +336,8 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     cache_entry *e = &c->entry[p->entry];
     contact was = e->contact, *now = &e->contact;
     int a = now->a, b = now->b;
-    collider x = { f->body[a].shape, c->vertex + c->placed[a].first };
-    collider y = { f->body[b].shape, c->vertex + c->placed[b].first };
+    collider x = { f->body[a].shape, c->vertex + c->placing[a].first };
+    collider y = { f->body[b].shape, c->vertex + c->placing[b].first };
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
     p->seen[0] = p->seen[1] = -1;
@@ -375,12 +349,12 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
                                    &e->carried);
         take_manifold(now, &m, f, false);
         if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
-        p->seen[0] = c->placed[a].number;
-        p->seen[1] = c->placed[b].number;
+        p->seen[0] = c->placing[a].number;
+        p->seen[1] = c->placing[b].number;
         p->margin = reach + slack;
     }
     p->count = (signed char)now->count;
-    p->gap = -HUGE_VAL;
+    p->near = -HUGE_VAL;
     contact_inherit(now, &was);
 }
 //<
@@ -443,7 +417,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     contact *now = &c->entry[p->entry].contact;
     int a = now->a, n = 0, vertices = f->body[a].shape->particles;
     plane wall = f->plane[-1 - now->b];
-    const vec3 *at = c->vertex + c->placed[a].first;
+    const vec3 *at = c->vertex + c->placing[a].first;
     real slack = slack_of(f, a, -1), reach = reach_of(f, a, -1);
     for (int v = 0; v < vertices; v++) {
         real height = vec3_dot(wall.normal, at[v]) - wall.offset;
@@ -454,18 +428,15 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
         widen(low, at, vertices, wall, slack);
     now->normal = wall.normal;
     now->count = n;
-    for (int k = 0; k < n; k++) {
-        contact_point *q = &now->point[k];
-        *q = (contact_point){
+    for (int k = 0; k < n; k++)
+        now->point[k] = (contact_point){
             .local_a = f->body[a].rigid->local[low[k].vertex] };
-        set_arm(q, stands(f, a));
-    }
     if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
-    p->seen[0] = c->placed[a].number;
+    p->seen[0] = c->placing[a].number;
     p->seen[1] = 0;
     p->margin = reach + slack;
-    p->gap = -HUGE_VAL;
+    p->near = -HUGE_VAL;
     contact_inherit(now, &was);
 }
 //<
@@ -508,6 +479,11 @@ static int parts_of(const cache_frame *f, int a, int b)
     return 1 + (int)real_min(turns / PART, MOST_PARTS - 1);
 }
 
+static real paths_of(const contact_cache *c, int a, int b)
+{
+    return c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
+}
+
 static void move_later(const cache_frame *f, const motion *moved, int b,
                        rigid_frame *later)
 {
@@ -529,6 +505,14 @@ static real least_gap(const contact *x, const cache_frame *f,
     return least;
 }
 
+// m, what it was at most as the frame began: the solver has it only if it is
+// less than its reach.
+static real gap_of(const contact_cache *c, int n)
+{
+    const contact *x = c->active[n];
+    return c->of[n]->near - paths_of(c, x->a, x->b);
+}
+
 // A part begins with this substep, and it may touch in it.
 int cache_turning(contact_cache *c, const cache_frame *f, const motion *moved,
                   int k, int substeps, rigid_frame *later)
@@ -539,7 +523,7 @@ int cache_turning(contact_cache *c, const cache_frame *f, const motion *moved,
         const contact *x = c->active[n];
         int parts = parts_of(f, x->a, x->b);
         bool is_due = k * parts / substeps > (k - 1) * parts / substeps;
-        if (!is_due || !(c->of[n]->gap < c->reach[n])) continue;
+        if (!is_due || !(gap_of(c, n) < c->reach[n])) continue;
         move_later(f, moved, x->a, later);
         if (x->b >= 0) move_later(f, moved, x->b, later);
         if (least_gap(x, f, later) <= c->reach[n] / parts)
@@ -559,13 +543,14 @@ static void again_chunk(void *data, int item)
     }
 }
 
-void cache_again(contact_cache *c, const cache_frame *f)
+void cache_again(contact_cache *c, const cache_frame *f,
+                 const rigid_frame *later)
 {
     update u = { c, f };
     for (int k = 0; k < c->agains; k++) {
         contact *x = c->active[c->again[k]];
-        place_body(c, f, x->a);
-        if (x->b >= 0) place_body(c, f, x->b);
+        place_body(c, f, x->a, &later[x->a]);
+        if (x->b >= 0) place_body(c, f, x->b, &later[x->b]);
         x->found = ++c->found;
     }
     c->queries += c->agains;
@@ -574,17 +559,17 @@ void cache_again(contact_cache *c, const cache_frame *f)
 //<
 
 //> cache-active
-// A contact whose gap cannot close in this frame is left out: it was `gap`, and
-// both bodies together have gone no further than their paths since.
+// A contact whose gap cannot close in this frame is left out: both bodies
+// together have not gone as far yet.
 static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
                      int a, int b)
 {
     if (p->count == 0 || p->entry < 0) return;
     if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
     real reach = reach_of(f, a, b);
-    real paths = c->placed[a].path + (b < 0 ? 0 : c->placed[b].path);
-    if (p->gap - (paths - p->paths) > reach) return;
-    p->paths = paths;
+    real paths = paths_of(c, a, b);
+    if (p->near - paths > reach) return;
+    p->near = paths;
     c->fast += p->seen[0] < 0;
     contact *x = c->active[c->actives] = &c->entry[p->entry].contact;
     x->turns = p->seen[0] >= 0 && parts_of(f, a, b) > 1;
@@ -628,12 +613,12 @@ static void gather_active(contact_cache *c, const cache_frame *f)
 
 void cache_note(contact_cache *c, const contact_solver *s)
 {
-    for (int k = 0; k < s->contacts; k++) c->of[k]->gap = s->active[k].least;
+    for (int k = 0; k < s->contacts; k++) c->of[k]->near += s->active[k].least;
 }
 
 void cache_moved(contact_cache *c, int b, real way)
 {
-    c->placed[b].path += way;
+    c->placing[b].path += way;
 }
 //<
 
@@ -645,13 +630,14 @@ status cache_init(contact_cache *c, const cache_body *body, int bodies,
     *c = (contact_cache){ .planes = planes, .bodies = bodies,
                           .free_entry = -1 };
     c->placed = calloc(n, sizeof *c->placed);
+    c->placing = calloc(n, sizeof *c->placing);
     c->wall = calloc(n * (size_t)int_max(planes, 1), sizeof *c->wall);
-    for (int b = 0; b < bodies && c->placed; b++) {
-        c->placed[b].first = (int)vertices;
+    for (int b = 0; b < bodies && c->placing; b++) {
+        c->placing[b].first = (int)vertices;
         if (body[b].rigid) vertices += (size_t)body[b].shape->particles;
     }
     c->vertex = malloc(vertices * sizeof *c->vertex);
-    if (!c->placed || !c->wall || !c->vertex) {
+    if (!c->placed || !c->placing || !c->wall || !c->vertex) {
         cache_free(c);
         return status_out_of_memory();
     }
@@ -669,6 +655,7 @@ void cache_free(contact_cache *c)
     free(c->wall);
     free(c->entry);
     free(c->placed);
+    free(c->placing);
     free(c->vertex);
     free(c->active);
     free(c->of);
@@ -688,6 +675,6 @@ void cache_clear(contact_cache *c)
 {
     for (int k = 0; k < c->pairs; k++) clear_pair(c, &c->pair[k]);
     for (int k = 0; k < c->bodies * c->planes; k++) clear_pair(c, &c->wall[k]);
-    for (int b = 0; b < c->bodies; b++) c->placed[b].number = 0;
+    for (int b = 0; b < c->bodies; b++) c->placing[b].number = 0;
 }
 //<

@@ -35,8 +35,6 @@ typedef struct {
     const solver_body *now;     // [bodies]
     const prediction *ahead;    // [bodies]
     const char *moves;          // [bodies]
-    const rigid_frame *later;   // NULL; or [bodies] where they stand by now, of
-                                // those that cache_turning names
     int bodies;
     const pair_list *list;
     bool is_new_list;
@@ -57,8 +55,8 @@ typedef struct {
     bool is_asked;
     signed char count;  // points
     real margin;        // m, everything nearer was found
-    real gap;           // m, the least, when paths was
-    real paths;         // m, how far both bodies had gone then
+    real near;          // m, its least gap, and how far both bodies had gone by
+                        // then: it closes when they have gone so far
 } cache_pair;
 
 typedef struct {
@@ -79,13 +77,13 @@ typedef struct {
     cache_entry *entry;
     int entries, entry_capacity, free_entry;
 
-    // Where each body was when its vertices were last placed.
+    rigid_frame *placed;        // [bodies] where it was when its vertices were
+                                // last placed
     struct placing {
-        rigid_frame frame;
         int  number;    // how often they were placed
         int  first;     // in vertex
         real path;      // m, how far any of its points has gone at most
-    } *placed;          // [bodies]
+    } *placing;         // [bodies]
     vec3 *vertex;       // m
 
     // The contacts of this frame, and how near their points may come in it.
@@ -123,7 +121,8 @@ int cache_turning(contact_cache *c, const cache_frame *f, const motion *moved,
                   int k, int substeps, rigid_frame *later);
 
 // Finds them again, with the impulses that they have.
-void cache_again(contact_cache *c, const cache_frame *f);
+void cache_again(contact_cache *c, const cache_frame *f,
+                 const rigid_frame *later);
 
 // Body b has been moved: no vertex of it by more than way (m).
 void cache_moved(contact_cache *c, int b, real way);

@@ -1,7 +1,6 @@
 //> solver-active
 #include "solver.h"
 
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -124,7 +123,9 @@ typedef struct {
     real per_near;              // 1/m, of a gap that is all but closed
     real has[CONTACT_POINTS];   // 1: it has this point; 0: not
     real gap[CONTACT_POINTS], impulse[CONTACT_POINTS];
-    const vec3 *arm_a[CONTACT_POINTS], *arm_b[CONTACT_POINTS];
+    real shared[CONTACT_POINTS];    // 1: both push at one place
+    const rigid_frame *placed_a, *placed_b;
+    const vec3 *local_a[CONTACT_POINTS], *local_b[CONTACT_POINTS];
 } lane_source;
 
 // Two unit vectors across n, fixed by n alone.
@@ -141,21 +142,24 @@ static void choose_across(lane_source *q, vec3 friction)
 
 // Of as many points as the block has; a contact that has fewer has none there.
 static const vec3 ORIGIN = { 0, 0, 0 };
+static const rigid_frame NOWHERE = { .center = { 0, 0, 0 } };
 
 static void choose_points(lane_source *q, const contact *c,
                           const active_contact *x, real warm, int points)
 {
     for (int j = 0; j < x->count; j++) {
-        const contact_point *p = &c->point[x->point[j]];
-        q->arm_a[j] = x->is_swapped ? &p->arm_b : &p->arm_a;
-        q->arm_b[j] = x->is_swapped ? &p->arm_a : &p->arm_b;
+        int k = x->point[j];
+        const contact_point *p = &c->point[k];
+        q->local_a[j] = x->is_swapped ? &p->local_b : &p->local_a;
+        q->local_b[j] = x->is_swapped ? &p->local_a : &p->local_b;
         q->has[j] = 1;
+        q->shared[j] = k < c->shared;
         q->gap[j] = x->gap[j];
-        q->impulse[j] = warm * c->impulse[x->point[j]];
+        q->impulse[j] = warm * c->impulse[k];
     }
     for (int j = x->count; j < points; j++) {
-        q->arm_a[j] = q->arm_b[j] = &ORIGIN;
-        q->has[j] = q->gap[j] = q->impulse[j] = 0;
+        q->local_a[j] = q->local_b[j] = &ORIGIN;
+        q->has[j] = q->shared[j] = q->gap[j] = q->impulse[j] = 0;
     }
 }
 
@@ -181,6 +185,8 @@ static void choose_lane(lane_source *q, const contact *c,
     q->per_near = 25 / radius;
     q->twist = x->count > 1 ? f->warm * c->twist : 0;
     choose_across(q, vec3_scale(sign * f->warm, c->friction));
+    q->placed_a = solver_placed(f, x->a);
+    q->placed_b = x->b < 0 ? &NOWHERE : solver_placed(f, x->b);
     choose_points(q, c, x, f->warm, points);
 }
 
@@ -191,7 +197,8 @@ static void leave_lane(lane_source *q, int spare, int points)
     static const motion_basis light = { .inverse_mass = 1 };
     static const active_contact none = { .count = 0 };
     *q = (lane_source){ .a = spare, .b = spare, .basis_a = &light,
-                        .basis_b = &IMMOVABLE };
+                        .basis_b = &IMMOVABLE, .placed_a = &NOWHERE,
+                        .placed_b = &NOWHERE };
     choose_points(q, NULL, &none, 0, points);
 }
 //<
@@ -216,6 +223,46 @@ typedef struct {
     real4 has[CONTACT_POINTS], per_near;
 } raw_block;
 
+// As contact_arms_of has them.
+static inline void find_arms(real4 arm_a[3], real4 arm_b[3], real4 shared,
+                             real4 a[1 + FOUR_AXES][3],
+                             real4 b[1 + FOUR_AXES][3],
+                             const real4 local_a[3], const real4 local_b[3])
+{
+    const real4 half = real4_all(0.5);
+    for (int i = 0; i < 3; i++) {
+        real4 x = real4_mul(local_a[0], a[1][i]);
+        real4 y = real4_mul(local_b[0], b[1][i]);
+        for (int k = 1; k < FOUR_AXES; k++) {
+            x = real4_mad(local_a[k], a[1 + k][i], x);
+            y = real4_mad(local_b[k], b[1 + k][i], y);
+        }
+        real4 sum = real4_add(x, y), way = real4_sub(a[0][i], b[0][i]);
+        real4 mid_a = real4_mul(half, real4_sub(sum, way));
+        real4 mid_b = real4_mul(half, real4_add(sum, way));
+        arm_a[i] = real4_if_positive(shared, mid_a, x);
+        arm_b[i] = real4_if_positive(shared, mid_b, y);
+    }
+}
+
+static void transpose_arms(raw_block *raw, const lane_source q[REAL4],
+                           int points)
+{
+    real4 a[1 + FOUR_AXES][3], b[1 + FOUR_AXES][3], local_a[3], local_b[3];
+    LANES3_OF(a[0], q, placed_a->center);
+    LANES3_OF(b[0], q, placed_b->center);
+    for (int k = 0; k < FOUR_AXES; k++) {
+        LANES3_OF(a[1 + k], q, placed_a->axis[k]);
+        LANES3_OF(b[1 + k], q, placed_b->axis[k]);
+    }
+    for (int j = 0; j < points; j++) {
+        LANES3_OF(local_a, q, local_a[j][0]);
+        LANES3_OF(local_b, q, local_b[j][0]);
+        find_arms(raw->arm_a[j], raw->arm_b[j], LANES_OF(q, shared[j]), a, b,
+                  local_a, local_b);
+    }
+}
+
 static void transpose(block *k, raw_block *raw, const lane_source q[REAL4])
 {
     LANES3_OF(k->normal, q, normal);
@@ -232,12 +279,11 @@ static void transpose(block *k, raw_block *raw, const lane_source q[REAL4])
         LANES3_OF(raw->turn_b[t], q, basis_b->turn[t]);
     }
     for (int j = 0; j < k->points; j++) {
-        LANES3_OF(raw->arm_a[j], q, arm_a[j][0]);
-        LANES3_OF(raw->arm_b[j], q, arm_b[j][0]);
         raw->has[j] = LANES_OF(q, has[j]);
         k->point[j].gap = LANES_OF(q, gap[j]);
         k->point[j].impulse = LANES_OF(q, impulse[j]);
     }
+    transpose_arms(raw, q, k->points);
 }
 //<
 
@@ -968,44 +1014,39 @@ void solver_store(contact_solver *s, tasks run, contact *const *table)
 //<
 
 //> solver-renew
-void solver_hold(contact_solver *s, const int *list, int n,
-                 contact *const *table)
+// What the lanes of a contact's block have come to.
+static void hold_block(contact_solver *s, const block *x, contact *const *table)
 {
-    for (int i = 0; i < n; i++) {
-        const block *x = &s->block[s->active[list[i]].block];
-        for (int l = 0; l < REAL4; l++) {
-            int k = x->contact[l];
-            if (k >= 0) store_lane(x, l, &s->active[k], table[k]);
-        }
+    for (int l = 0; l < REAL4; l++) {
+        int k = x->contact[l];
+        if (k < 0) continue;
+        store_lane(x, l, &s->active[k], table[k]);
+        for (int j = 0; j < s->active[k].count; j++)
+            s->active[k].gap[j] = real4_get(&x->point[j].now, l);
     }
 }
 
-// How far the points of contact c have parted along its normal since the frame
-// began, if their arms are those of a point.
-static real parted(const contact *c, const contact_point *p,
-                   const solver_frame *f, const motion *moved)
+void solver_hold(contact_solver *s, const int *list, int n,
+                 contact *const *table)
 {
-    real far = 0;
-    if (moves(f, c->a))
-        far += vec3_dot(c->normal, motion_at(&f->body[c->a].basis,
-                                             &moved[c->a], p->arm_a));
-    if (moves(f, c->b))
-        far -= vec3_dot(c->normal, motion_at(&f->body[c->b].basis,
-                                             &moved[c->b], p->arm_b));
-    return far;
+    for (int i = 0; i < n; i++)
+        hold_block(s, &s->block[s->active[list[i]].block], table);
 }
 
-// A block's gaps are those at the start of the frame, from where bodies go
-// straight: so that they come to what they are now.
-static void see_again(active_contact *x, const contact *c,
-                      const solver_frame *f, real reach, const rigid_frame *now,
-                      const motion *moved)
+// A block counts its gaps from where bodies stood when the frame began: these
+// are such that they have become what they are now.
+static void renew_block(const preparation *p, int number, const motion *moved)
 {
-    const rigid_frame *b = c->b < 0 ? NULL : &now[c->b];
-    real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
-    see_points(x, c, &now[c->a], b, height, reach);
-    for (int j = 0; j < x->count; j++)
-        x->gap[j] -= parted(c, &c->point[x->point[j]], f, moved);
+    block *k = &p->s->block[number];
+    pass q = { .moved = moved };
+    fill_block(p, number);
+    see_block(k, &q, true);
+    for (int j = 0; j < k->points; j++) {
+        block_point *x = &k->point[j];
+        real4 now = x->gap, parted = real4_sub(x->now, x->gap);
+        x->gap = real4_sub(now, parted);
+        x->now = now;
+    }
 }
 
 void solver_renew(contact_solver *s, const solver_frame *f, const int *list,
@@ -1014,16 +1055,16 @@ void solver_renew(contact_solver *s, const solver_frame *f, const int *list,
 {
     solver_frame inside = *f;
     preparation p = { s, &inside, table, reach, 0 };
-    pass q = { .moved = moved };
     inside.warm = 1;
-    for (int i = 0; i < n; i++)
-        see_again(&s->active[list[i]], table[list[i]], f, reach[list[i]], now,
-                  moved);
     for (int i = 0; i < n; i++) {
-        const active_contact *x = &s->active[list[i]];
-        fill_block(&p, x->block);
-        see_block(&s->block[x->block], &q, x->sides == TWO_SIDED);
+        const contact *c = table[list[i]];
+        const rigid_frame *b = c->b < 0 ? NULL : &now[c->b];
+        real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
+        see_points(&s->active[list[i]], c, &now[c->a], b, height,
+                   reach[list[i]]);
     }
+    for (int i = 0; i < n; i++)
+        renew_block(&p, s->active[list[i]].block, moved);
 }
 //<
 

@@ -14,6 +14,8 @@
 #include "scene.h"
 #include "task.h"
 
+#include <stddef.h>
+
 // How an overlap is pushed out: as a spring and a damper would, so strongly
 // that the substep can follow.
 typedef struct {
@@ -33,6 +35,8 @@ typedef struct {
 typedef struct {
     const solver_body *body;    // [bodies]
     int  bodies;
+    const rigid_frame *placed;  // [bodies] where they stood when their contacts
+                                // were found; NULL: where they stand now
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
     int  substeps;              // of this frame, or part of it
@@ -46,6 +50,15 @@ typedef struct {
     vec3 gravity;               // m/s^2, for impacts
     tasks run;
 } solver_frame;
+//<
+
+//> solver-placed
+// Where body b stood when its contacts were found; NULL for a plane.
+static inline const rigid_frame *solver_placed(const solver_frame *f, int b)
+{
+    if (b < 0) return NULL;
+    return f->placed ? &f->placed[b] : &f->body[b].frame;
+}
 //<
 
 //> solver-block

@@ -227,9 +227,8 @@ static void look_again(world *w, const solver_frame *f, int k)
     cache_frame ask = what_to_ask(w);
     int n = cache_turning(c, &ask, t->moved, k, f->substeps, t->later);
     if (n == 0) return;
-    ask.later = t->later;
     solver_hold(&t->solver, c->again, n, c->active);
-    cache_again(c, &ask);
+    cache_again(c, &ask, t->later);
     solver_renew(&t->solver, f, c->again, n, table, c->reach, t->later,
                  t->moved);
     w->report.queries += n;
@@ -337,7 +336,8 @@ static solver_frame frame_of(const world *w, int substeps)
     const world_options *o = &w->options;
     real h = w->frame / substeps;
     return (solver_frame){
-        .body = w->rigid.now, .bodies = w->bodies, .plane = w->plane, .h = h,
+        .body = w->rigid.now, .bodies = w->bodies,
+        .placed = w->rigid.cache.placed, .plane = w->plane, .h = h,
         .substeps = substeps,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
         .hertz = o->hertz, .damping = 10, .max_speed = 3,

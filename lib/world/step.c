@@ -15,6 +15,9 @@ static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static void substep(world *w, const solver_frame *f, int k, real *since);
 static void look_again(world *w, const solver_frame *f, int k);
+static real most_motion(const world *w, const solver_frame *f);
+static void brake(world *w, real most);
+static void stop_at_planes(world *w);
 static void move_bodies(world *w, real h);
 static void fall_asleep(world *w);
 
@@ -36,6 +39,7 @@ static void find(world *w, real seconds, real *since)
 static void solve(world *w, real *since)
 {
     solver_frame f = prepare(w);
+    real most = most_motion(w, &f);
     lap(w, PHASE_PREPARE, since);
     for (int k = 0; k < f.substeps; k++) {
         if (k > 0) look_again(w, &f, k);
@@ -45,6 +49,9 @@ static void solve(world *w, real *since)
                  w->rigid.cache.active);
     w->report.substeps += f.substeps;
     w->age = f.h;
+    brake(w, most);
+    stop_at_planes(w);
+    ledger_book(w, LEDGER_CONTACTS);
     move_bodies(w, f.h);
     lap(w, PHASE_MOVE, since);
 }
@@ -263,7 +270,7 @@ static int substeps_for_heavy(const world *w)
     for (int k = 0; k < c->actives; k++)
         if (c->active[k]->b >= 0 && contact_load(c->active[k]) > 0)
             most = real_max(most, uneven_pace(w, c->active[k]));
-    return (int)real_min(w->frame * sqrt(most / SAG),
+    return (int)real_min(o->dt * sqrt(most / SAG),
                          (real)MOST_TIMES * o->substeps);
 }
 
@@ -313,9 +320,13 @@ static int hold(substep_choice *c, int need)
     return c->now;
 }
 
+// A part of a divided frame takes its share of the substeps that a frame may
+// have more than usual.
 static int choose_substeps(world *w)
 {
     int usual = w->options.substeps;
+    int most = int_max(w->options.most_substeps, usual);
+    real share = w->frame / w->options.dt;
     int n = usual;
     if (w->softs == 0 && is_calm(w)) {
         real need = substeps_for_stack(w);
@@ -323,8 +334,9 @@ static int choose_substeps(world *w)
         if (need > 2 * usual) n = (int)need + 1;
     }
     n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
+    if (share < 1) n = int_max(usual, (int)(share * n));
     if (w->softs > 0) n = int_max(n, soft_substeps(w));
-    return int_min(n, int_max(w->options.most_substeps, usual));
+    return int_min(n, int_max((int)(share * most), usual));
 }
 //<
 
@@ -420,6 +432,109 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
     lap(w, PHASE_SOLVE, since);
     if (w->softs > 0) soft_substep(w, f->h);
     lap(w, PHASE_SOFT, since);
+}
+//<
+
+//> step-brake
+// What moves: its kinetic energy (J), and its mass (kg).  A body whose numbers
+// are lost does not count.
+typedef struct {
+    real energy, mass;
+} motion_sum;
+
+static void add_motion(motion_sum *s, real energy, real inverse_mass)
+{
+    if (!(energy < HUGE_VAL) || !(inverse_mass > 0)) return;
+    s->energy += energy;
+    s->mass += 1 / inverse_mass;
+}
+
+static motion_sum rigid_motion(const world *w)
+{
+    motion_sum s = { 0, 0 };
+    for (int b = 0; b < w->bodies; b++) {
+        const motion_basis *basis = &w->rigid.now[b].basis;
+        if (w->rigid.moves[b])
+            add_motion(&s, motion_energy(basis, &w->rigid.velocity[b]),
+                       basis->inverse_mass);
+    }
+    return s;
+}
+
+static void add_soft_motion(motion_sum *s, const world *w, const body *x)
+{
+    for (int i = x->first; i < x->first + body_particles(x); i++) {
+        const particle *p = &w->pool.at[i];
+        vec3 way = vec3_sub(p->position, p->previous);
+        real square = vec3_length_squared(way) / (w->age * w->age);
+        add_motion(s, square / (2 * p->inverse_mass), p->inverse_mass);
+    }
+}
+
+// Contacts create no motion: beside what there is, only gravity does, and the
+// speed at which overlaps are pushed out.  sqrt(2 energy / mass) is a length in
+// the space of all velocities: these three add up to no more than their sum.
+static real most_motion(const world *w, const solver_frame *f)
+{
+    motion_sum s = rigid_motion(w);
+    for (int b = 0; b < w->bodies && w->softs > 0; b++)
+        if (body_is_soft(&w->body[b]) && body_moves(w, b))
+            add_soft_motion(&s, w, &w->body[b]);
+    real more = w->frame * vec3_length(w->options.gravity) + f->max_speed;
+    real most = sqrt(s.energy) + sqrt(s.mass / 2) * more;
+    return most * most;
+}
+
+// The rows of a contact are those of the frame's start.  Where bodies turn by
+// radians in a frame, and friction is strong, impulses along them may give what
+// nothing had: that is taken back.  A body that had numbers, and has none after
+// the substeps, stands still.
+static void stop_lost(world *w, int b)
+{
+    rigid_tables *t = &w->rigid;
+    real energy = motion_energy(&t->now[b].basis, &t->velocity[b]);
+    if (energy < HUGE_VAL || !(t->reach[b] < HUGE_VAL)) return;
+    memset(&t->velocity[b], 0, sizeof t->velocity[b]);
+    memset(&t->moved[b], 0, sizeof t->moved[b]);
+}
+
+static void brake(world *w, real most)
+{
+    for (int b = 0; b < w->bodies; b++) stop_lost(w, b);
+    real now = rigid_motion(w).energy, share = sqrt(most / now);
+    if (!(now > most)) return;
+    for (int b = 0; b < w->bodies; b++) {
+        for (int i = 0; i < MOTIONS && w->rigid.moves[b]; i++) {
+            w->rigid.velocity[b].of[i] *= share;
+            w->rigid.moved[b].of[i] *= share;
+        }
+    }
+}
+//<
+
+//> step-planes
+// Contacts are those of the frame's start, and what was hit hard may turn past
+// them: but no centre goes behind a plane, or further behind than it was.
+static void stop_at_plane(world *w, int b, plane p)
+{
+    real *way = w->rigid.moved[b].of, *u = w->rigid.velocity[b].of;
+    real n[3] = { p.normal.x, p.normal.y, p.normal.z };
+    real was = plane_height(p, w->rigid.now[b].frame.center);
+    real up = n[0] * way[0] + n[1] * way[1] + n[2] * way[2];
+    real speed = n[0] * u[0] + n[1] * u[1] + n[2] * u[2];
+    real least = -real_max(was, 0);
+    if (!(up < least)) return;
+    for (int i = 0; i < 3; i++) {
+        way[i] += (least - up) * n[i];
+        u[i] -= real_min(speed, 0) * n[i];
+    }
+}
+
+static void stop_at_planes(world *w)
+{
+    for (int b = 0; b < w->bodies; b++)
+        for (int k = 0; k < w->planes && w->rigid.moves[b]; k++)
+            stop_at_plane(w, b, w->plane[k]);
 }
 //<
 

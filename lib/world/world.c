@@ -9,7 +9,7 @@
 world_options world_options_default(void)
 {
     return (world_options){
-        .dt = 1.0 / 60, .substeps = 8, .most_substeps = 400,
+        .dt = 1.0 / 60, .substeps = 8, .most_substeps = 200,
         .gravity = { 0, -9.81, 0 },
         .friction = 0.5, .restitution = 0,
         .hertz = 1000, .stay = 0.03, .warm_start = true,

@@ -27,7 +27,8 @@ typedef struct {
                         // light; 1 to 10000
     int  most_substeps; // a frame takes more, up to this, for a cloth that
                         // something fast comes near, and for a load that is
-                        // great beside what carries it
+                        // great beside what carries it; no more in its
+                        // four parts together, if something is fast
     vec3 gravity;       // m/s^2
     real friction;      // Coulomb's coefficient, >= 0
     real restitution;   // of rigid bodies, 0 to 1: the speed after an impact /

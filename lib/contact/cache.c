@@ -469,13 +469,15 @@ static void query_chunk(void *data, int item)
 //> cache-turning
 // A body that turns comes to touch with corners that were not found.  So the
 // frame of a pair is divided in parts in which it turns by no more than this
-// (rad), and it is asked again between them.
-static const real PART = 0.1;
+// (rad), and it is asked again between them.  If it turns by more than a whole
+// turn, only the balls inside the bodies are kept apart.
+static const real PART = 0.1, WHOLE = 6;
 enum { MOST_PARTS = 8 };
 
 static int parts_of(const cache_frame *f, int a, int b)
 {
     real turns = f->ahead[a].angle + (b < 0 ? 0 : f->ahead[b].angle);
+    if (!(turns < WHOLE)) return 1;
     return 1 + (int)real_min(turns / PART, MOST_PARTS - 1);
 }
 

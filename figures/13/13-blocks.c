@@ -81,8 +81,9 @@ static void prepare(void)
 {
     static long found;
     for (int k = 0; k < plain.contacts; k++) table[k].found = ++found;
-    if (!solver_prepare(&solver, &frame, (const contact *const *)list, reach,
-                        plain.contacts)) exit(1);
+    const contact *const *of = (const contact *const *)list;
+    if (!solver_look(&solver, &frame, of, reach, plain.contacts)
+        || !solver_prepare(&solver, &frame, of)) exit(1);
 }
 
 static void work(int way, void *with)

@@ -9,6 +9,21 @@ static bool moves(const solver_frame *f, int body)
     return body >= 0 && f->body[body].basis.inverse_mass > 0;
 }
 
+// The smaller radius of the bodies of x; of the one that moves, if it is alone.
+static real radius_of(const active_contact *x, const solver_frame *f)
+{
+    real radius = f->body[x->a].radius;
+    return x->sides == ONE_SIDED ? radius
+                                 : real_min(radius, f->body[x->b].radius);
+}
+
+static real pace_of(const active_contact *x, const solver_frame *f, real radius)
+{
+    real inverse = f->body[x->a].basis.inverse_mass;
+    if (x->sides == TWO_SIDED) inverse += f->body[x->b].basis.inverse_mass;
+    return x->load * inverse / radius;
+}
+
 // Contact c, and which of its points come within reach.
 static void activate(active_contact *x, const contact *c, const solver_frame *f,
                      real reach)
@@ -25,6 +40,8 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     x->load = contact_load(c);
     x->least = HUGE_VAL;
     x->count = 0;
+    x->pace = 0;
+    x->is_deep = false;
     if (!moves_a && !moves_b) return;
     contact_gaps(c, &f->body[c->a].frame, b, height, gap);
     for (int k = 0; k < c->count; k++) {
@@ -33,6 +50,9 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
         x->point[x->count] = (signed char)k;
         x->gap[x->count++] = gap[k];
     }
+    real radius = radius_of(x, f);
+    x->pace = pace_of(x, f, radius);
+    x->is_deep = x->count > 0 && x->least < -0.1 * radius;
 }
 
 // Is x the contact y of the frame before, with the same points?
@@ -165,17 +185,14 @@ static void choose_lane(lane_source *q, const contact *c,
                         const active_contact *x, const solver_frame *f,
                         int points)
 {
-    real sign = x->is_swapped ? -1 : 1, radius = f->body[x->a].radius;
+    real sign = x->is_swapped ? -1 : 1;
     q->a = x->a;
     q->b = x->sides == TWO_SIDED ? x->b : f->bodies;
     q->basis_a = &f->body[x->a].basis;
     q->basis_b = &IMMOVABLE;
-    if (x->sides == TWO_SIDED) {
-        q->basis_b = &f->body[x->b].basis;
-        radius = real_min(radius, f->body[x->b].radius);
-    }
+    if (x->sides == TWO_SIDED) q->basis_b = &f->body[x->b].basis;
     q->normal = vec3_scale(sign, c->normal);
-    q->per_near = 25 / radius;
+    q->per_near = 25 / radius_of(x, f);
     q->twist = x->count > 1 ? f->warm * c->twist : 0;
     choose_across(q, vec3_scale(sign * f->warm, c->friction));
     q->placed_a = solver_placed(f, x->a);
@@ -370,12 +387,14 @@ static inline void make_friction(block *k, raw_block *raw, real4 inverse,
 //<
 
 //> solver-blocks
+// An item has few blocks: a colour may have no more than 30.
+enum { FEW_BLOCKS = 8 };
+
 typedef struct {
     contact_solver *s;
     const solver_frame *f;
     const contact *const *table;
     const real *reach;
-    int known;          // contacts that the frame before had
 } preparation;
 
 static void activate_chunk(void *data, int item)
@@ -387,7 +406,7 @@ static void activate_chunk(void *data, int item)
         active_contact *x = &p->s->active[k], was = *x;
         contact_expect(p->table[int_min(k + AHEAD, end - 1)]);
         activate(x, p->table[k], p->f, p->reach[k]);
-        x->is_new = k >= p->known || !is_same(x, &was);
+        x->is_new = k >= p->s->known || !is_same(x, &was);
     }
 }
 
@@ -435,19 +454,19 @@ static void fill_block(const preparation *p, int number)
 static void fill_chunk(void *data, int item)
 {
     const preparation *p = data;
-    int end = task_end(item, p->s->blocks);
-    for (int k = item * TASK_CHUNK; k < end; k++) fill_block(p, k);
+    int end = task_last(item, p->s->blocks, FEW_BLOCKS);
+    for (int k = item * FEW_BLOCKS; k < end; k++) fill_block(p, k);
 }
 //<
 
 //> solver-keep
 // Are these the contacts of the frame before, with the same points?  Then their
 // blocks, made for where the bodies stood when they were found, are good still.
-static bool may_keep_blocks(const contact_solver *s, const solver_frame *f,
-                            int known)
+static bool may_keep_blocks(const contact_solver *s, const solver_frame *f)
 {
-    if (known != s->contacts || f->h != s->h || !(f->warm == 1)) return false;
-    for (int k = 0; k < known; k++)
+    if (s->known != s->contacts || f->h != s->h || !(f->warm == 1))
+        return false;
+    for (int k = 0; k < s->contacts; k++)
         if (s->active[k].is_new) return false;
     return true;
 }
@@ -536,23 +555,31 @@ static bool make_blocks(contact_solver *s, preparation *p)
     sort_contacts(s, end);
     list_colors(s, end);
     if (!make_block_room(s)) return false;
-    tasks_run(p->f->run, fill_chunk, p, task_chunks(s->blocks));
+    tasks_run(p->f->run, fill_chunk, p,
+              task_items(s->blocks, FEW_BLOCKS));
     s->h = p->f->h;
     return true;
 }
 
-bool solver_prepare(contact_solver *s, const solver_frame *f,
-                    const contact *const *table, const real *reach, int n)
+bool solver_look(contact_solver *s, const solver_frame *f,
+                 const contact *const *table, const real *reach, int n)
 {
-    preparation p = { s, f, table, reach, 0 };
+    preparation p = { s, f, table, reach };
     if (!make_room(s, n)) {
         forget_blocks(s);
         return false;
     }
-    p.known = s->contacts;
+    s->known = s->contacts;
     s->contacts = n;
     tasks_run(f->run, activate_chunk, &p, task_chunks(n));
-    if (may_keep_blocks(s, f, p.known)) {
+    return true;
+}
+
+bool solver_prepare(contact_solver *s, const solver_frame *f,
+                    const contact *const *table)
+{
+    preparation p = { s, f, table, NULL };
+    if (may_keep_blocks(s, f)) {
         tasks_run(f->run, keep_chunk, &p, task_chunks(s->blocks));
         return true;
     }
@@ -833,16 +860,17 @@ ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
 
 //> solver-pass
 // A loop for each kind of pass and of side, so that none asks inside.
-#define PASS(name, solve)                                               \
-    static void name(void *data, int item)                              \
-    {                                                                   \
-        const pass *q = data;                                           \
-        block *k = q->s->block + q->first;                              \
-        int end = task_end(item, q->count);                \
-        if (q->sides == TWO_SIDED)                                      \
-            for (int i = item * TASK_CHUNK; i < end; i++) solve(&k[i], q, true); \
-        else                                                            \
-            for (int i = item * TASK_CHUNK; i < end; i++) solve(&k[i], q, false);\
+#define PASS(name, solve)                                             \
+    static void name(void *data, int item)                            \
+    {                                                                 \
+        const pass *q = data;                                         \
+        block *k = q->s->block + q->first;                            \
+        int i = item * FEW_BLOCKS;                                    \
+        int end = task_last(item, q->count, FEW_BLOCKS);              \
+        if (q->sides == TWO_SIDED)                                    \
+            for (; i < end; i++) solve(&k[i], q, true);               \
+        else                                                          \
+            for (; i < end; i++) solve(&k[i], q, false);              \
     }
 
 PASS(see_chunk, see_block)
@@ -878,7 +906,7 @@ static void run_pass(contact_solver *s, const solver_frame *f,
         q.sides = s->color[c].sides;
         tasks none = { 0 };
         tasks_run(s->color[c].is_crowded ? none : f->run, work, &q,
-                  task_chunks(q.count));
+                  task_items(q.count, FEW_BLOCKS));
     }
 }
 

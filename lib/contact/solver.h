@@ -99,14 +99,18 @@ enum { TWO_SIDED, ONE_SIDED, SIDES };
 typedef struct {
     long found;         // the contact's
     int  a, b;          // bodies, or b < 0: a plane; ONE_SIDED: only a moves
-    int  count;         // points that may touch in this frame
-    int  color, sides;
+    int  color;
+    signed char count;  // points that may touch in this frame
+    signed char sides;
     bool is_swapped;    // A does not move: the block's A is the contact's B
     bool is_new;        // it, or one of its points, was not in the last frame
+    bool is_deep;       // overlaps by more than a tenth of the smaller radius
     signed char point[CONTACT_POINTS];  // which of the contact's
     real gap[CONTACT_POINTS];           // m
     real least;                         // m, of all points
     real load;          // N s, along the normal, when last solved
+    real pace;          // 1/s, by which that alone would part the bodies, beside
+                        // the smaller radius
 } active_contact;
 
 typedef struct {
@@ -121,6 +125,7 @@ typedef struct {
     active_contact *active;             // [capacity] of every contact
     int  *order;                        // [capacity] by colour and points
     int  contacts, capacity;
+    int  known;                         // contacts of the frame before
     block *block;
     int  blocks, block_capacity;
     block_point *point;                 // of block after block
@@ -143,11 +148,16 @@ typedef struct {
 status solver_init(contact_solver *s, int bodies);
 void   solver_free(contact_solver *s);      // an empty or zeroed one is fine
 
-// Makes the blocks of n contacts, of those of their points that come within
-// reach[k] (m) of each other.  Allocates only if there are more contacts than
-// ever before; where memory is refused it takes none, and returns false.
+// Looks at n contacts: which of their points come within reach[k] (m) of each
+// other, and what they carried, in s->active.  (Of the frame it needs no h.)
+// Allocates only if there are more contacts than ever before; where memory is
+// refused it takes none, and returns false.
+bool solver_look(contact_solver *s, const solver_frame *f,
+                 const contact *const *table, const real *reach, int n);
+
+// Makes their blocks.  Allocates, and fails, as solver_look does.
 bool solver_prepare(contact_solver *s, const solver_frame *f,
-                    const contact *const *table, const real *reach, int n);
+                    const contact *const *table);
 
 // One substep, in this order.  velocity and moved are [bodies + 1]: the last is
 // spare, for lanes that are left over.

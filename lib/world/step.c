@@ -235,12 +235,13 @@ static real uneven_pace(const world *w, const contact *c)
 
 static int substeps_for_heavy(const world *w)
 {
-    const contact_cache *c = &w->rigid.cache;
+    const contact_solver *s = &w->rigid.solver;
     const world_options *o = &w->options;
     real most = 0;
-    for (int k = 0; k < c->actives; k++)
-        if (c->active[k]->b >= 0 && contact_load(c->active[k]) > 0)
-            most = real_max(most, uneven_pace(w, c->active[k]));
+    if (w->rigid.heaviest < EVEN * w->rigid.lightest) return 0;
+    for (int k = 0; k < s->contacts; k++)
+        if (s->active[k].sides == TWO_SIDED && s->active[k].load > 0)
+            most = real_max(most, uneven_pace(w, w->rigid.cache.active[k]));
     return (int)real_min(o->dt * sqrt(most / SAG),
                          (real)MOST_TIMES * o->substeps);
 }
@@ -251,22 +252,13 @@ static int substeps_for_heavy(const world *w)
 // their radius.  (For less than that it is not worth the jolt.)
 static const real STACK_SAG = 0.0065;
 
-static real stacked_pace(const world *w, const contact *c)
-{
-    const solver_body *a = &w->rigid.now[c->a];
-    const solver_body *b = c->b < 0 ? NULL : &w->rigid.now[c->b];
-    real inverse = a->basis.inverse_mass + (b ? b->basis.inverse_mass : 0);
-    real radius = b ? real_min(a->radius, b->radius) : a->radius;
-    return contact_load(c) / w->age * inverse / radius;
-}
-
 static real substeps_for_stack(const world *w)
 {
-    const contact_cache *c = &w->rigid.cache;
+    const contact_solver *s = &w->rigid.solver;
     real most = 0;
-    for (int k = 0; k < c->actives; k++)
-        most = real_max(most, stacked_pace(w, c->active[k]));
-    return real_min(w->frame * sqrt(most / STACK_SAG),
+    for (int k = 0; k < s->contacts; k++)
+        most = real_max(most, s->active[k].pace);
+    return real_min(w->frame * sqrt(most / w->age / STACK_SAG),
                     (real)MOST_TIMES * w->options.substeps);
 }
 
@@ -331,24 +323,20 @@ static solver_frame frame_of(const world *w, int substeps)
 static void count_deep(world *w)
 {
     const contact_solver *s = &w->rigid.solver;
-    for (int k = 0; k < s->contacts; k++) {
-        const active_contact *x = &s->active[k];
-        const solver_body *now = w->rigid.now;
-        if (x->count == 0) continue;
-        real radius = x->sides == ONE_SIDED ? now[x->a].radius
-                    : real_min(now[x->a].radius, now[x->b].radius);
-        w->report.unconverged += x->least < -0.1 * radius;
-    }
+    for (int k = 0; k < s->contacts; k++)
+        w->report.unconverged += s->active[k].is_deep;
 }
 
 static solver_frame prepare(world *w)
 {
     rigid_tables *t = &w->rigid;
-    solver_frame f = frame_of(w, choose_substeps(w));
+    solver_frame f = frame_of(w, 1);
     const contact *const *table = (const contact *const *)t->cache.active;
-    if (!solver_prepare(&t->solver, &f, table, t->cache.reach,
-                        t->cache.actives))
-        w->report.dropped += t->cache.actives;
+    bool done = solver_look(&t->solver, &f, table, t->cache.reach,
+                            t->cache.actives);
+    f = frame_of(w, choose_substeps(w));
+    done = done && solver_prepare(&t->solver, &f, table);
+    if (!done) w->report.dropped += t->cache.actives;
     cache_note(&t->cache, &t->solver);
     count_deep(w);
     return f;

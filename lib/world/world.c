@@ -300,6 +300,10 @@ static void begin_body(world *w, int b)
     t->moves[b] = 0;
     if (body_is_soft(x)) return;
     t->dynamic[b] = !body_is_static(x);
+    if (t->dynamic[b]) {
+        t->lightest = real_min(x->mass, t->lightest);
+        t->heaviest = real_max(x->mass, t->heaviest);
+    }
     t->body[b] = (cache_body){ x->shape, x->rigid, x->inner };
     t->now[b].frame = rigid4_frame(w->pool.at + x->first);
     t->now[b].radius = 1.02 * x->rigid->reach;
@@ -330,6 +334,8 @@ static status begin_rigid(world *w)
 {
     rigid_tables *t = &w->rigid;
     if (!size_rigid(t, w->bodies)) return status_out_of_memory();
+    t->lightest = HUGE_VAL;
+    t->heaviest = 0;
     for (int b = 0; b < w->bodies; b++) begin_body(w, b);
     status done = pair_list_init(&t->pairs, w->bodies);
     if (done.ok) done = cache_init(&t->cache, t->body, w->bodies, w->planes);

@@ -138,6 +138,7 @@ typedef struct {
     motion      *velocity;  // [bodies + 1], see solver.h
     motion      *moved;     // [bodies + 1] since the frame began
     rigid4_result *relaxed; // [bodies] what putting their particles did
+    real lightest, heaviest;            // kg, of those that are not static
     substep_choice substeps;
     pair_list      pairs;
     bool           is_new_list;         // of pairs

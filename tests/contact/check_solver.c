@@ -48,9 +48,9 @@ static void prepare(pile *p)
     p->frame.plane = p->plane;
     // A solver has room for so many bodies: `bodies` of it is the spare one.
     solver.bodies = p->frame.bodies;
-    ck_assert(solver_prepare(&solver, &p->frame,
-                             (const contact *const *)table, p->reach,
-                             p->contacts));
+    const contact *const *list = (const contact *const *)table;
+    ck_assert(solver_look(&solver, &p->frame, list, p->reach, p->contacts));
+    ck_assert(solver_prepare(&solver, &p->frame, list));
 }
 
 // Its lower face on plane 0, with this gap.
@@ -767,9 +767,9 @@ START_TEST(refused_memory_leaves_no_contact)
         long before = blocks_held;
         status begun = solver_init(&s, 20);
         mallocs_left = left;
-        bool done = solver_prepare(&s, &one.frame,
-                                   (const contact *const *)table, one.reach,
-                                   one.contacts);
+        const contact *const *list = (const contact *const *)table;
+        bool done = solver_look(&s, &one.frame, list, one.reach, one.contacts)
+                 && solver_prepare(&s, &one.frame, list);
         mallocs_left = INT_MAX;
         bool is_empty = s.contacts == 0 && s.blocks == 0 && s.colors == 0;
         solver_free(&s);

@@ -111,7 +111,8 @@ static int chunk_of(const world *w, int item, int *first)
 
 //> step-look
 // How far a body may get in this frame: as fast as it is now, with what gravity
-// adds, and a hundredth of its radius for what impacts add.
+// adds, and a hundredth of its radius for what impacts add.  However far it
+// turns, no vertex gets further than across.
 static prediction predict(const world *w, const solver_body *now,
                           const motion *u)
 {
@@ -122,7 +123,7 @@ static prediction predict(const world *w, const solver_body *now,
                 + now->radius / 100;
     prediction p = { .way = vec3_scale(dt, straight),
                      .angle = dt * vec3_length(spin) };
-    p.turn = now->radius * p.angle + beside;
+    p.turn = now->radius * real_min(p.angle, 2) + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }

@@ -14,6 +14,7 @@ static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static void substep(world *w, const solver_frame *f, int k, real *since);
+static void look_again(world *w, const solver_frame *f, int k);
 static real most_motion(const world *w, const solver_frame *f);
 static void brake(world *w, real most);
 static void stop_at_planes(world *w);
@@ -40,7 +41,10 @@ static void solve(world *w, real *since)
     solver_frame f = prepare(w);
     real most = most_motion(w, &f);
     lap(w, PHASE_PREPARE, since);
-    for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
+    for (int k = 0; k < f.substeps; k++) {
+        if (k > 0) look_again(w, &f, k);
+        substep(w, &f, k, since);
+    }
     solver_store(&w->rigid.solver, w->options.host.run,
                  w->rigid.cache.active);
     w->report.substeps += f.substeps;
@@ -107,7 +111,8 @@ static int chunk_of(const world *w, int item, int *first)
 
 //> step-look
 // How far a body may get in this frame: as fast as it is now, with what gravity
-// adds, and a hundredth of its radius for what impacts add.
+// adds, and a hundredth of its radius for what impacts add.  However far it
+// turns, no vertex gets further than across.
 static prediction predict(const world *w, const solver_body *now,
                           const motion *u)
 {
@@ -118,7 +123,7 @@ static prediction predict(const world *w, const solver_body *now,
                 + now->radius / 100;
     prediction p = { .way = vec3_scale(dt, straight),
                      .angle = dt * vec3_length(spin) };
-    p.turn = now->radius * p.angle + beside;
+    p.turn = now->radius * real_min(p.angle, 2) + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -197,18 +202,44 @@ static void find_pairs(world *w)
 //<
 
 //> step-contacts
+static cache_frame what_to_ask(const world *w)
+{
+    const rigid_tables *t = &w->rigid;
+    return (cache_frame){
+        .body = t->body, .now = t->now, .ahead = t->ahead, .moves = t->moves,
+        .bodies = w->bodies, .list = &t->pairs, .is_new_list = t->is_new_list,
+        .plane = w->plane, .planes = w->planes, .stay = w->options.stay,
+        .run = w->options.host.run };
+}
+
 static void find_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
-    cache_frame f = { .body = t->body, .now = t->now, .ahead = t->ahead,
-                      .moves = t->moves, .bodies = w->bodies,
-                      .list = &t->pairs, .is_new_list = t->is_new_list,
-                      .plane = w->plane, .planes = w->planes,
-                      .stay = w->options.stay, .run = w->options.host.run };
+    cache_frame f = what_to_ask(w);
     cache_update(&t->cache, &f);
     w->report.queries = (int)t->cache.queries;
     w->report.contacts = t->cache.actives;
     w->report.dropped += t->cache.lost;
+}
+//<
+
+//> step-again
+// Bodies that turn come to touch elsewhere than was found: those that have turned
+// much by substep k, and may touch now, are asked again.
+static void look_again(world *w, const solver_frame *f, int k)
+{
+    rigid_tables *t = &w->rigid;
+    contact_cache *c = &t->cache;
+    const contact *const *table = (const contact *const *)c->active;
+    if (c->turnings == 0 || t->solver.touching == 0) return;
+    cache_frame ask = what_to_ask(w);
+    int n = cache_turning(c, &ask, t->moved, k, f->substeps, t->later);
+    if (n == 0) return;
+    solver_hold(&t->solver, c->again, n, c->active);
+    cache_again(c, &ask, t->later);
+    solver_renew(&t->solver, f, c->again, n, table, c->reach, t->later,
+                 t->moved);
+    w->report.queries += n;
 }
 //<
 

@@ -1230,6 +1230,20 @@ START_TEST(contacts_create_no_motion)
 }
 END_TEST
 
+// A ball that turns by 1,667 rad in a frame, ten metres from another.
+// Rejects: a body that may get as far as its turn is long.
+START_TEST(turning_body_reaches_no_further_than_across)
+{
+    begin(without_gravity());
+    add_thrown(&ball, ZERO, ZERO, vec3_make(0, 1e5, 0));
+    add_at(&ball, 10, 0, 0);
+    ready();
+    frames(3);
+    ck_assert_int_eq(w.report.contacts, 0);
+    ck_assert(w.rigid.reach[0] <= 2.1 * w.rigid.now[0].radius);
+}
+END_TEST
+
 // A cloth that a ball flies through at 3 km/s, beside another that flies as
 // fast towards a third: a frame in four parts.
 // Rejects: most_substeps in each of the parts.
@@ -1288,6 +1302,7 @@ int main(void)
         empty_world_steps,
         no_centre_leaves_a_closed_room,
         contacts_create_no_motion,
+        turning_body_reaches_no_further_than_across,
         divided_frame_takes_no_more_substeps_than_it_may,
     };
     Suite *s = suite_create("step");

@@ -268,7 +268,7 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
                           bool is_apart)
 {
     c->count = m->count;
-    c->shared = is_apart ? 0 : m->count;
+    c->shared = (signed char)(is_apart ? 0 : m->count);
     c->normal = m->normal;
     for (int k = 0; k < m->count; k++)
         c->point[k] = (contact_point){
@@ -288,7 +288,7 @@ static void add_guard(contact *c, const cache_frame *f)
     int small = is_a ? a : b;
     if (!f->moves[small] || c->count == 0) return;
     if (c->count == CONTACT_POINTS) c->count--;
-    c->shared = int_min(c->shared, c->count);
+    c->shared = (signed char)int_min(c->shared, c->count);
     contact_point *p = &c->point[c->count];
     *p = c->point[0];
     if (is_a) p->local_a = f->body[a].rigid->middle;

@@ -23,7 +23,7 @@ typedef struct {
 typedef struct {
     int  a, b;              // bodies; b < 0: plane -1 - b
     int  count;             // points; 0: none as near as they were asked for
-    int  shared;            // of these so many, the first, push both bodies at
+    signed char shared;     // of these so many, the first, push both bodies at
                             // one place; the others, of bodies that meet later
                             // in the frame, each at its own
     bool turns;             // it may be found again before the frame ends

@@ -279,7 +279,7 @@ START_TEST(points_out_of_reach_take_no_part)
             for (int j = 0; j < c->count; j++)
                 if (gap[j] < one.reach[k]) {
                     c->impulse[left] = c->impulse[j];
-                    c->shared += j < shared;
+                    c->shared = (signed char)(c->shared + (j < shared));
                     c->point[left++] = c->point[j];
                 }
             c->count = left;

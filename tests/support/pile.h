@@ -134,7 +134,7 @@ static inline void pile_any_contact(pile *p, int a, int b, bool meeting)
         pile_point(p, c, arm_a, arm_b, 0.01 * any());
         c->impulse[k] = real_max(0, 1e-3 * any());
     }
-    if (b >= 0) c->shared = any_below(count + 1);
+    if (b >= 0) c->shared = (signed char)any_below(count + 1);
     c->friction = vec3_scale(1e-4, any_vec3());
     c->twist = 1e-5 * any();
 }

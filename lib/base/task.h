@@ -16,8 +16,8 @@ typedef struct {
     void *context;
 } tasks;
 
-// Small things, such as bodies or contacts, are handed out by the chunk, so many
-// that an item takes a few microseconds: item k has those from k `each` on,
+// Small things, such as bodies or contacts, are handed out by the chunk, so
+// many that an item takes a few microseconds: item k has those from k `each` on,
 // before task_last.
 static inline int task_items(int n, int each)
 {

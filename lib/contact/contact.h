@@ -54,8 +54,8 @@ typedef struct {
     vec3 a, b;
 } contact_arms;
 
-// Those of point k, when the bodies stand as their frames say.  For a plane b is
-// NULL, and so is its arm.
+// Those of point k, when the bodies stand as their frames say.  For a plane b
+// is NULL, and its arm 0.
 contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
                              const rigid_frame *b);
 

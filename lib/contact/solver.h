@@ -109,8 +109,8 @@ typedef struct {
     real gap[CONTACT_POINTS];           // m
     real least;                         // m, of all points
     real load;          // N s, along the normal, when last solved
-    real pace;          // 1/s, by which that alone would part the bodies, beside
-                        // the smaller radius
+    real pace;          // 1/s, by which that alone would part the bodies,
+                        // beside the smaller radius
 } active_contact;
 
 typedef struct {

@@ -95,7 +95,8 @@ START_TEST(impulses_act_at_one_place_or_each_at_its_own)
 {
     for (int n = 0; n < 200; n++) {
         rigid_frame a = any_frame(any_vec3()), b = any_frame(any_vec3());
-        contact c = { .b = n % 4 ? 1 : -1, .count = 4, .shared = (signed char)(n % 5) };
+        contact c = { .b = n % 4 ? 1 : -1, .count = 4,
+                      .shared = (signed char)(n % 5) };
         for (int k = 0; k < 4; k++) {
             contact_point p = c.point[k] = any_point();
             contact_arms arm = contact_arms_of(&c, k, &a, c.b < 0 ? NULL : &b);

@@ -213,8 +213,8 @@ static void place_aside(const pile *p, rigid_frame placed[PILE_BODIES])
     }
 }
 
-// Rejects: a lane in another lane's place; a row of another body, or of where it
-// stands now; a point left out; friction about another centre; a mass without
+// Rejects: a lane in another lane's place; a row of another body, or of where
+// it stands now; a point left out; friction about another centre; a mass without
 // the turns of one side; a spring that is not that of its kind of contact.
 START_TEST(blocks_find_the_impulses_of_the_plain_solver)
 {

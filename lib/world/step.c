@@ -14,6 +14,7 @@ static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static void substep(world *w, const solver_frame *f, int k, real *since);
+static void look_again(world *w, const solver_frame *f, int k);
 static real most_motion(const world *w, const solver_frame *f);
 static void brake(world *w, real most);
 static void stop_at_planes(world *w);
@@ -40,7 +41,10 @@ static void solve(world *w, real *since)
     solver_frame f = prepare(w);
     real most = most_motion(w, &f);
     lap(w, PHASE_PREPARE, since);
-    for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
+    for (int k = 0; k < f.substeps; k++) {
+        if (k > 0) look_again(w, &f, k);
+        substep(w, &f, k, since);
+    }
     solver_store(&w->rigid.solver, w->options.host.run,
                  w->rigid.cache.active);
     w->report.substeps += f.substeps;
@@ -198,18 +202,44 @@ static void find_pairs(world *w)
 //<
 
 //> step-contacts
+static cache_frame what_to_ask(const world *w)
+{
+    const rigid_tables *t = &w->rigid;
+    return (cache_frame){
+        .body = t->body, .now = t->now, .ahead = t->ahead, .moves = t->moves,
+        .bodies = w->bodies, .list = &t->pairs, .is_new_list = t->is_new_list,
+        .plane = w->plane, .planes = w->planes, .stay = w->options.stay,
+        .run = w->options.host.run };
+}
+
 static void find_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
-    cache_frame f = { .body = t->body, .now = t->now, .ahead = t->ahead,
-                      .moves = t->moves, .bodies = w->bodies,
-                      .list = &t->pairs, .is_new_list = t->is_new_list,
-                      .plane = w->plane, .planes = w->planes,
-                      .stay = w->options.stay, .run = w->options.host.run };
+    cache_frame f = what_to_ask(w);
     cache_update(&t->cache, &f);
     w->report.queries = (int)t->cache.queries;
     w->report.contacts = t->cache.actives;
     w->report.dropped += t->cache.lost;
+}
+//<
+
+//> step-again
+// Bodies that turn come to touch elsewhere than was found: those that have turned
+// much by substep k, and may touch now, are asked again.
+static void look_again(world *w, const solver_frame *f, int k)
+{
+    rigid_tables *t = &w->rigid;
+    contact_cache *c = &t->cache;
+    const contact *const *table = (const contact *const *)c->active;
+    if (c->turnings == 0 || t->solver.touching == 0) return;
+    cache_frame ask = what_to_ask(w);
+    int n = cache_turning(c, &ask, t->moved, k, f->substeps, t->later);
+    if (n == 0) return;
+    solver_hold(&t->solver, c->again, n, c->active);
+    cache_again(c, &ask, t->later);
+    solver_renew(&t->solver, f, c->again, n, table, c->reach, t->later,
+                 t->moved);
+    w->report.queries += n;
 }
 //<
 
@@ -489,11 +519,18 @@ static void stop_at_plane(world *w, int b, plane p)
     }
 }
 
-static void stop_at_planes(world *w)
+static void stop_chunk(void *data, int item)
 {
-    for (int b = 0; b < w->bodies; b++)
+    world *w = data;
+    int first, end = chunk_of(w, item, &first);
+    for (int b = first; b < end; b++)
         for (int k = 0; k < w->planes && w->rigid.moves[b]; k++)
             stop_at_plane(w, b, w->plane[k]);
+}
+
+static void stop_at_planes(world *w)
+{
+    tasks_run(w->options.host.run, stop_chunk, w, task_chunks(w->bodies));
 }
 //<
 

@@ -441,12 +441,51 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 }
 //<
 
+//> cache-parts
+// A body that turns comes to touch with corners that were not found.  So the
+// frame of a pair is divided in parts in which it turns by no more than this
+// (rad), and it is asked again between them.  If it turns by more than a whole
+// turn, only the balls inside the bodies are kept apart.
+static const real PART = 0.1, WHOLE = 6;
+enum { MOST_PARTS = 8 };
+
+static int parts_of(const cache_frame *f, int a, int b)
+{
+    real turns = f->ahead[a].angle + (b < 0 ? 0 : f->ahead[b].angle);
+    if (!(turns < WHOLE)) return 1;
+    return 1 + (int)real_min(turns / PART, MOST_PARTS - 1);
+}
+//<
+
+//> cache-near
+static real paths_of(const contact_cache *c, int a, int b)
+{
+    return c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
+}
+
+// A contact whose gap cannot close in this frame is left out: both bodies
+// together have not gone as far yet.
+static void activate(const contact_cache *c, const cache_frame *f,
+                     cache_pair *p, int a, int b)
+{
+    p->is_active = false;
+    if (p->count == 0 || p->entry < 0) return;
+    if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
+    real paths = paths_of(c, a, b);
+    if (p->near - paths > reach_of(f, a, b)) return;
+    p->near = paths;
+    p->is_active = true;
+    p->turns = p->seen[0] >= 0 && parts_of(f, a, b) > 1;
+}
+//<
+
 //> cache-query-all
 static void query_walls(contact_cache *c, const cache_frame *f, int b)
 {
     for (int k = 0; k < f->planes; k++) {
         cache_pair *p = &c->wall[b * c->planes + k];
         if (p->is_asked) query_wall(c, f, p);
+        activate(c, f, p, b, -1);
     }
 }
 
@@ -461,31 +500,15 @@ static void query_chunk(void *data, int item)
     }
     first -= body_items * TASK_CHUNK;
     int end = int_min(first + TASK_CHUNK, u->c->pairs);
-    for (int k = first; k < end; k++)
-        if (u->c->pair[k].is_asked) query_pair(u->c, u->f, &u->c->pair[k]);
+    for (int k = first; k < end; k++) {
+        cache_pair *p = &u->c->pair[k];
+        if (p->is_asked) query_pair(u->c, u->f, p);
+        activate(u->c, u->f, p, u->c->key[k][0], u->c->key[k][1]);
+    }
 }
 //<
 
 //> cache-turning
-// A body that turns comes to touch with corners that were not found.  So the
-// frame of a pair is divided in parts in which it turns by no more than this
-// (rad), and it is asked again between them.  If it turns by more than a whole
-// turn, only the balls inside the bodies are kept apart.
-static const real PART = 0.1, WHOLE = 6;
-enum { MOST_PARTS = 8 };
-
-static int parts_of(const cache_frame *f, int a, int b)
-{
-    real turns = f->ahead[a].angle + (b < 0 ? 0 : f->ahead[b].angle);
-    if (!(turns < WHOLE)) return 1;
-    return 1 + (int)real_min(turns / PART, MOST_PARTS - 1);
-}
-
-static real paths_of(const contact_cache *c, int a, int b)
-{
-    return c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
-}
-
 static void move_later(const cache_frame *f, const motion *moved, int b,
                        rigid_frame *later)
 {
@@ -561,23 +584,25 @@ void cache_again(contact_cache *c, const cache_frame *f,
 //<
 
 //> cache-active
-// A contact whose gap cannot close in this frame is left out: both bodies
-// together have not gone as far yet.
-static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
-                     int a, int b)
+static void gather(contact_cache *c, cache_pair *p)
 {
-    if (p->count == 0 || p->entry < 0) return;
-    if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
-    real reach = reach_of(f, a, b);
-    real paths = paths_of(c, a, b);
-    if (p->near - paths > reach) return;
-    p->near = paths;
+    if (!p->is_active) return;
     c->fast += p->seen[0] < 0;
-    contact *x = c->active[c->actives] = &c->entry[p->entry].contact;
-    x->turns = p->seen[0] >= 0 && parts_of(f, a, b) > 1;
-    if (x->turns) c->turning[c->turnings++] = c->actives;
-    c->of[c->actives] = p;
-    c->reach[c->actives++] = reach;
+    if (p->turns) c->turning[c->turnings++] = c->actives;
+    c->active[c->actives] = &c->entry[p->entry].contact;
+    c->of[c->actives++] = p;
+}
+
+static void reach_chunk(void *data, int item)
+{
+    const update *u = data;
+    contact_cache *c = u->c;
+    int end = task_end(item, c->actives);
+    for (int k = item * TASK_CHUNK; k < end; k++) {
+        contact *x = c->active[k];
+        c->reach[k] = reach_of(u->f, x->a, x->b);
+        x->turns = c->of[k]->turns;
+    }
 }
 
 static bool grow_active(contact_cache *c, int need)
@@ -606,11 +631,10 @@ static void gather_active(contact_cache *c, const cache_frame *f)
         c->lost += c->entries;
         return;
     }
-    for (int k = 0; k < c->pairs; k++)
-        activate(c, f, &c->pair[k], c->key[k][0], c->key[k][1]);
-    for (int b = 0; b < f->bodies; b++)
-        for (int k = 0; k < f->planes; k++)
-            activate(c, f, &c->wall[b * c->planes + k], b, -1);
+    for (int k = 0; k < c->pairs; k++) gather(c, &c->pair[k]);
+    for (int k = 0; k < f->bodies * c->planes; k++) gather(c, &c->wall[k]);
+    update u = { c, f };
+    tasks_run(f->run, reach_chunk, &u, task_chunks(c->actives));
 }
 
 void cache_note(contact_cache *c, const contact_solver *s)

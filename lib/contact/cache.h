@@ -52,7 +52,8 @@ typedef struct {
     int  entry;         // in the table of contacts; -1: none
     int  seen[2];       // of which placing of each body it was found; -1: it is
                         // good for this frame only
-    bool is_asked;
+    bool is_asked, is_active;   // in this frame
+    bool turns;         // see contact
     signed char count;  // points
     real margin;        // m, everything nearer was found
     real near;          // m, its least gap, and how far both bodies had gone by

@@ -519,11 +519,18 @@ static void stop_at_plane(world *w, int b, plane p)
     }
 }
 
-static void stop_at_planes(world *w)
+static void stop_chunk(void *data, int item)
 {
-    for (int b = 0; b < w->bodies; b++)
+    world *w = data;
+    int first, end = chunk_of(w, item, &first);
+    for (int b = first; b < end; b++)
         for (int k = 0; k < w->planes && w->rigid.moves[b]; k++)
             stop_at_plane(w, b, w->plane[k]);
+}
+
+static void stop_at_planes(world *w)
+{
+    tasks_run(w->options.host.run, stop_chunk, w, task_chunks(w->bodies));
 }
 //<
 

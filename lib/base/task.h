@@ -37,6 +37,11 @@ static inline int task_chunks(int n)
     return task_items(n, TASK_CHUNK);
 }
 
+static inline int task_first(int item)
+{
+    return item * TASK_CHUNK;
+}
+
 static inline int task_end(int item, int n)
 {
     return task_last(item, n, TASK_CHUNK);

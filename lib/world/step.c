@@ -1,8 +1,10 @@
 //> step
 #include "step.h"
+#include "guard.h"
 #include "ledger.h"
 #include "restitution.h"
 #include "soft.h"
+#include "substeps.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -15,9 +17,6 @@ static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static void substep(world *w, const solver_frame *f, int k, real *since);
 static void look_again(world *w, const solver_frame *f, int k);
-static real most_motion(const world *w, const solver_frame *f);
-static void brake(world *w, real most);
-static void stop_at_planes(world *w);
 static void move_bodies(world *w, real h);
 static void fall_asleep(world *w);
 
@@ -39,7 +38,7 @@ static void find(world *w, real seconds, real *since)
 static void solve(world *w, real *since)
 {
     solver_frame f = prepare(w);
-    real most = most_motion(w, &f);
+    real most = guard_most(w, &f);
     lap(w, PHASE_PREPARE, since);
     for (int k = 0; k < f.substeps; k++) {
         if (k > 0) look_again(w, &f, k);
@@ -49,8 +48,8 @@ static void solve(world *w, real *since)
                  w->rigid.cache.active);
     w->report.substeps += f.substeps;
     w->age = f.h;
-    brake(w, most);
-    stop_at_planes(w);
+    guard_brake(w, most);
+    guard_planes(w);
     ledger_book(w, LEDGER_CONTACTS);
     move_bodies(w, f.h);
     lap(w, PHASE_MOVE, since);
@@ -100,15 +99,6 @@ static void lap(world *w, int phase, real *since)
 }
 //<
 
-//> step-chunks
-// The bodies of an item: from first to the result - 1.
-static int chunk_of(const world *w, int item, int *first)
-{
-    *first = item * TASK_CHUNK;
-    return task_end(item, w->bodies);
-}
-//<
-
 //> step-look
 // How far a body may get in this frame: as fast as it is now, with what gravity
 // adds, and a hundredth of its radius for what impacts add.  However far it
@@ -155,8 +145,8 @@ static void look_at_body(world *w, int b)
 static void look_at_chunk(void *data, int item)
 {
     world *w = data;
-    int first, end = chunk_of(w, item, &first);
-    for (int b = first; b < end; b++) look_at_body(w, b);
+    int end = task_end(item, w->bodies);
+    for (int b = task_first(item); b < end; b++) look_at_body(w, b);
 }
 
 static void look_at_bodies(world *w)
@@ -243,96 +233,6 @@ static void look_again(world *w, const solver_frame *f, int k)
 }
 //<
 
-//> step-substeps
-// A contact that carries a force F gives way by about F h^2 / m, with m the
-// effective mass of its two bodies.  A frame takes so many substeps that this
-// is no more than SAG of the smaller radius where a body lies on one that is
-// EVEN times lighter, or more: that many for its own weight, whatever it pushes
-// in this frame.
-static const real SAG = 0.0025, EVEN = 30;
-enum { MOST_TIMES = 8 };
-
-// 1/s^2: what the contact has to bear, F / m, beside the smaller radius.
-static real uneven_pace(const world *w, const contact *c)
-{
-    const solver_body *a = &w->rigid.now[c->a], *b = &w->rigid.now[c->b];
-    real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
-    if (!(x > 0 && y > 0) || (x < EVEN * y && y < EVEN * x)) return 0;
-    real ratio = x > y ? x / y : y / x, up = x > y ? 1 : -1;
-    real bears = up * vec3_dot(c->normal, w->options.gravity);
-    return real_max(bears, 0) * ratio / real_min(a->radius, b->radius);
-}
-
-static int substeps_for_heavy(const world *w)
-{
-    const contact_solver *s = &w->rigid.solver;
-    const world_options *o = &w->options;
-    real most = 0;
-    if (w->rigid.heaviest < EVEN * w->rigid.lightest) return 0;
-    for (int k = 0; k < s->contacts; k++)
-        if (s->active[k].sides == TWO_SIDED && s->active[k].load > 0)
-            most = real_max(most, uneven_pace(w, w->rigid.cache.active[k]));
-    return (int)real_min(o->dt * sqrt(most / SAG),
-                         (real)MOST_TIMES * o->substeps);
-}
-
-// Where nothing goes further than a sixteenth of its radius in a frame, three
-// quarters of the usual substeps do, unless a stack needs all of them; or more
-// than twice as many, as small bodies do, which gravity takes further beside
-// their radius.  (For less than that it is not worth the jolt.)
-static const real STACK_SAG = 0.0065;
-
-static real substeps_for_stack(const world *w)
-{
-    const contact_solver *s = &w->rigid.solver;
-    real most = 0;
-    for (int k = 0; k < s->contacts; k++)
-        most = real_max(most, s->active[k].pace);
-    return real_min(w->frame * sqrt(most / w->age / STACK_SAG),
-                    (real)MOST_TIMES * w->options.substeps);
-}
-
-static bool is_calm(const world *w)
-{
-    for (int b = 0; b < w->bodies; b++) {
-        vec3 way = w->rigid.ahead[b].way;
-        real far = w->rigid.now[b].radius / 16;
-        if (vec3_length_squared(way) > far * far) return false;
-    }
-    return true;
-}
-
-// Every change of their number jolts what rests: it rises at once, and falls
-// when it has been too high for PATIENCE frames.
-enum { PATIENCE = 30 };
-
-static int hold(substep_choice *c, int need)
-{
-    c->frames = need < c->now ? c->frames + 1 : 0;
-    if (need > c->now || c->frames > PATIENCE) c->now = need;
-    return c->now;
-}
-
-// A part of a divided frame takes its share of the substeps that a frame may
-// have more than usual.
-static int choose_substeps(world *w)
-{
-    int usual = w->options.substeps;
-    int most = int_max(w->options.most_substeps, usual);
-    real share = w->frame / w->options.dt;
-    int n = usual;
-    if (w->softs == 0 && is_calm(w)) {
-        real need = substeps_for_stack(w);
-        if (need <= 0.75 * usual) n = (3 * usual + 3) / 4;
-        if (need > 2 * usual) n = (int)need + 1;
-    }
-    n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
-    if (share < 1) n = int_max(usual, (int)(share * n));
-    if (w->softs > 0) n = int_max(n, soft_substeps(w));
-    return int_min(n, int_max((int)(share * most), usual));
-}
-//<
-
 //> step-prepare
 // Contacts are damped ten times as much as would just not swing, and push out
 // at 3 m/s at most.  In smaller substeps their springs may be stiffer.
@@ -364,7 +264,7 @@ static solver_frame prepare(world *w)
     const contact *const *table = (const contact *const *)t->cache.active;
     bool done = solver_look(&t->solver, &f, table, t->cache.reach,
                             t->cache.actives);
-    f = frame_of(w, choose_substeps(w));
+    f = frame_of(w, substeps_choose(w));
     done = done && solver_prepare(&t->solver, &f, table);
     if (!done) w->report.dropped += t->cache.actives;
     cache_note(&t->cache, &t->solver);
@@ -421,116 +321,6 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
     lap(w, PHASE_SOLVE, since);
     if (w->softs > 0) soft_substep(w, f->h);
     lap(w, PHASE_SOFT, since);
-}
-//<
-
-//> step-brake
-// What moves: its kinetic energy (J), and its mass (kg).  A body whose numbers
-// are lost does not count.
-typedef struct {
-    real energy, mass;
-} motion_sum;
-
-static void add_motion(motion_sum *s, real energy, real inverse_mass)
-{
-    if (!(energy < HUGE_VAL) || !(inverse_mass > 0)) return;
-    s->energy += energy;
-    s->mass += 1 / inverse_mass;
-}
-
-static motion_sum rigid_motion(const world *w)
-{
-    motion_sum s = { 0, 0 };
-    for (int b = 0; b < w->bodies; b++) {
-        const motion_basis *basis = &w->rigid.now[b].basis;
-        if (w->rigid.moves[b])
-            add_motion(&s, motion_energy(basis, &w->rigid.velocity[b]),
-                       basis->inverse_mass);
-    }
-    return s;
-}
-
-static void add_soft_motion(motion_sum *s, const world *w, const body *x)
-{
-    for (int i = x->first; i < x->first + body_particles(x); i++) {
-        const particle *p = &w->pool.at[i];
-        vec3 way = vec3_sub(p->position, p->previous);
-        real square = vec3_length_squared(way) / (w->age * w->age);
-        add_motion(s, square / (2 * p->inverse_mass), p->inverse_mass);
-    }
-}
-
-// Contacts create no motion: beside what there is, only gravity does, and the
-// speed at which overlaps are pushed out.  sqrt(2 energy / mass) is a length in
-// the space of all velocities: these three add up to no more than their sum.
-static real most_motion(const world *w, const solver_frame *f)
-{
-    motion_sum s = rigid_motion(w);
-    for (int b = 0; b < w->bodies && w->softs > 0; b++)
-        if (body_is_soft(&w->body[b]) && body_moves(w, b))
-            add_soft_motion(&s, w, &w->body[b]);
-    real more = w->frame * vec3_length(w->options.gravity) + f->max_speed;
-    real most = sqrt(s.energy) + sqrt(s.mass / 2) * more;
-    return most * most;
-}
-
-// The rows of a contact are those of the frame's start.  Where bodies turn by
-// radians in a frame, and friction is strong, impulses along them may give what
-// nothing had: that is taken back.  A body that had numbers, and has none after
-// the substeps, stands still.
-static void stop_lost(world *w, int b)
-{
-    rigid_tables *t = &w->rigid;
-    real energy = motion_energy(&t->now[b].basis, &t->velocity[b]);
-    if (energy < HUGE_VAL || !(t->reach[b] < HUGE_VAL)) return;
-    memset(&t->velocity[b], 0, sizeof t->velocity[b]);
-    memset(&t->moved[b], 0, sizeof t->moved[b]);
-}
-
-static void brake(world *w, real most)
-{
-    for (int b = 0; b < w->bodies; b++) stop_lost(w, b);
-    real now = rigid_motion(w).energy, share = sqrt(most / now);
-    if (!(now > most)) return;
-    for (int b = 0; b < w->bodies; b++) {
-        for (int i = 0; i < MOTIONS && w->rigid.moves[b]; i++) {
-            w->rigid.velocity[b].of[i] *= share;
-            w->rigid.moved[b].of[i] *= share;
-        }
-    }
-}
-//<
-
-//> step-planes
-// Contacts are those of the frame's start, and what was hit hard may turn past
-// them: but no centre goes behind a plane, or further behind than it was.
-static void stop_at_plane(world *w, int b, plane p)
-{
-    real *way = w->rigid.moved[b].of, *u = w->rigid.velocity[b].of;
-    real n[3] = { p.normal.x, p.normal.y, p.normal.z };
-    real was = plane_height(p, w->rigid.now[b].frame.center);
-    real up = n[0] * way[0] + n[1] * way[1] + n[2] * way[2];
-    real speed = n[0] * u[0] + n[1] * u[1] + n[2] * u[2];
-    real least = -real_max(was, 0);
-    if (!(up < least)) return;
-    for (int i = 0; i < 3; i++) {
-        way[i] += (least - up) * n[i];
-        u[i] -= real_min(speed, 0) * n[i];
-    }
-}
-
-static void stop_chunk(void *data, int item)
-{
-    world *w = data;
-    int first, end = chunk_of(w, item, &first);
-    for (int b = first; b < end; b++)
-        for (int k = 0; k < w->planes && w->rigid.moves[b]; k++)
-            stop_at_plane(w, b, w->plane[k]);
-}
-
-static void stop_at_planes(world *w)
-{
-    tasks_run(w->options.host.run, stop_chunk, w, task_chunks(w->bodies));
 }
 //<
 
@@ -625,7 +415,7 @@ static void move_chunk(void *data, int item)
 {
     const moving *m = data;
     world *w = m->w;
-    int first, end = chunk_of(w, item, &first);
+    int first = task_first(item), end = task_end(item, w->bodies);
     for (int b = first; b < end; b++)
         w->rigid.relaxed[b] = (rigid4_result){ .worst = 0 };
     begin_moves(w, first, end);

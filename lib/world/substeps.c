@@ -1,5 +1,6 @@
 //> substeps-heavy
 #include "substeps.h"
+#include "soft.h"
 
 #include <stddef.h>
 

@@ -49,6 +49,8 @@ define ORDER
 16/world
 16/ledger
 16/soft_step
+16/substeps
+16/guard
 16/step
 16/measure
 16/obj

@@ -25,6 +25,7 @@ define ORDER
 10/query
 11/manifold
 12/line
+12/bend
 13/rigid4
 13/real4
 13/task
@@ -48,6 +49,8 @@ define ORDER
 16/world
 16/ledger
 16/soft_step
+16/substeps
+16/guard
 16/step
 16/measure
 16/obj
@@ -281,6 +284,8 @@ endif
 #:   make coverage   which lines of lib/ do the tests run, which branches both ways?
 #:   make hard       run the hard cases, each beside its target: on the engine
 #:                   (figures/tables/hard.csv), and on the system of Part I
+#:   make drape      cloth and rope on all kinds of things, a line of numbers each
+#:                   (DRAPE='--starts 1 --up-to 40 cube': fewer)
 #:   make speed      time against error, module by module: figures/tables/speed.csv
 #:   make profile    where a step's time goes, in the three scenes
 #:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
@@ -304,6 +309,10 @@ $(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%
 hard: $(BUILD)/hard $(BUILD)/hard-plain
 	$(Q)$(BUILD)/hard --csv figures/tables/hard.csv
 	$(Q)$(BUILD)/hard-plain --csv figures/tables/hard-plain.csv
+
+.PHONY: drape
+drape: $(BUILD)/drape
+	$(Q)$(BUILD)/drape $(DRAPE)
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
@@ -471,17 +480,22 @@ $(eval $(call variants,04-distance,gjk,$(GJK)))
 $(eval $(call variants,05-rules,hit_face,hit_face_find))
 $(eval $(call variants,05-bounds,hit_face,hit_face_find))
 
+# This one counts triangles that cross.
+$(BUILD)/tests/check_crossings: $(BUILD)/tests/crossings.o
+
 # These judge where the bodies of a scene lie.
 $(addprefix $(BUILD)/tests/check_,poses system): $(BUILD)/tests/poses.o
 
 # The hard cases: a program that runs them all, and the tests of the fast ones.
 HARD := $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/hard/hard_*.c))) \
-  $(addprefix $(BUILD)/tests/,oracle.o poses.o bodies.o)
+  $(addprefix $(BUILD)/tests/,oracle.o poses.o bodies.o crossings.o)
 $(BUILD)/tests/hard.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
-$(BUILD)/tests/check_hard: $(HARD)
+$(addprefix $(BUILD)/tests/check_,hard judge): $(HARD)
 $(BUILD)/hard-plain: $(BUILD)/tests/plain.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/hard: $(BUILD)/tests/hard.o $(HARD) $(ALL)
+	$(call link,-lm)
+$(BUILD)/drape: $(BUILD)/tests/drape.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/soak: $(BUILD)/tests/soak.o $(ALL)
 	$(call link,-lm)

@@ -23,6 +23,7 @@ typedef struct body {
     real mass;          // kg; HUGE_VAL: static, as a whole
     real thickness;     // m, the radius of a deformable body's particles; 0 of
                         // a rigid one
+    real bending;       // N m^2, or N m, of a deformable one: see bend.h
     real inner;         // m, the inner radius of a rigid one
 } body;
 

@@ -61,12 +61,15 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     s->relaxed += others;
 }
 
-void soft_move(const soft_frame *f)
+void soft_move(soft_solver *s, const soft_frame *f)
 {
     for (int b = 0; b < f->bodies; b++) {
         if (!is_moving_soft(f, b)) continue;
-        fall(f, &f->body[b]);
-        forget_holds(f, &f->body[b]);
+        const body *x = &f->body[b];
+        fall(f, x);
+        bend_relax(x->shape, x->bending, f->particle + x->first, f->h,
+                   s->bends);
+        forget_holds(f, x);
     }
 }
 
@@ -254,9 +257,14 @@ status soft_init(soft_solver *s, const body *all, int bodies, int particles)
     status done = near_init(&s->near, all, bodies, particles);
     if (!done.ok || s->near.softs == 0) return done;
     done = rigid_view_init(&s->view, all, bodies);
+    int rows = 0;
+    for (int b = 0; b < bodies; b++)
+        rows = int_max(rows, bend_rows(all[b].shape));
     s->ahead = calloc((size_t)bodies, sizeof *s->ahead);
     s->hold = calloc((size_t)particles, sizeof *s->hold);
-    if (done.ok && !(s->ahead && s->hold)) done = status_out_of_memory();
+    s->bends = calloc((size_t)rows, sizeof *s->bends);
+    if (done.ok && !(s->ahead && s->hold && s->bends))
+        done = status_out_of_memory();
     if (!done.ok) soft_free(s);
     return done;
 }
@@ -267,6 +275,7 @@ void soft_free(soft_solver *s)
     rigid_view_free(&s->view);
     free(s->ahead);
     free(s->hold);
+    free(s->bends);
     *s = (soft_solver){ .touching = 0 };
 }
 //<

@@ -6,6 +6,7 @@
 #ifndef TUMBLE_SOFT_H
 #define TUMBLE_SOFT_H
 
+#include "bend.h"
 #include "touch.h"
 //<
 
@@ -16,6 +17,7 @@ typedef struct {
     rigid_view view;
     prediction *ahead;  // [bodies] how each may move in this frame
     line_hold *hold;    // [particles] what each touches that does not move
+    bend_row *bends;    // [particles of the longest strand]
     bool is_backward;   // points at rigid bodies come last to first
 
     int  touching;      // parted in the last substep
@@ -31,7 +33,7 @@ typedef struct {
 status soft_init(soft_solver *s, const body *all, int bodies, int particles);
 void   soft_free(soft_solver *s);       // an empty or zeroed one is fine
 
-// A frame begins, and rigid bodies have been looked at: where are the deformable
+// A frame begins, and rigid bodies have been looked at: where are deformable
 // ones, and how may they move?
 void soft_begin(soft_solver *s, const soft_frame *f);
 
@@ -42,8 +44,8 @@ bool soft_may_touch(const soft_solver *s, int a, int b);
 // may meet.
 int soft_substeps(const soft_solver *s, const soft_frame *f);
 
-// A substep, in this order.  The particles move;
-void soft_move(const soft_frame *f);
+// A substep, in this order.  The particles move, and what is bent straightens;
+void soft_move(soft_solver *s, const soft_frame *f);
 
 // the diagonals of cloth draw them;
 void soft_draw(soft_solver *s, const soft_frame *f);

@@ -170,8 +170,8 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
 //<
 
 //> touch-bodies
-static bool touch_body(const rigid_view *v, const soft_frame *f, point_pair pair,
-                       real apart, answering who)
+static bool touch_body(const rigid_view *v, const soft_frame *f,
+                       point_pair pair, real apart, answering who)
 {
     particle *p = &f->particle[pair.particle];
     touch x = { f, v, pair.rigid, .apart = apart };

@@ -47,7 +47,7 @@ int soft_need(world *w)
 void soft_step(world *w, real h)
 {
     soft_frame f = soft_frame_of(w, h);
-    soft_move(&f);
+    soft_move(&w->soft, &f);
     w->age = h;
     ledger_book(w, LEDGER_INTEGRATE);
     soft_draw(&w->soft, &f);

@@ -24,7 +24,8 @@ typedef struct {
                         // light; 1 to 10000
     int  most_substeps; // a frame takes more, up to this, for a cloth that
                         // something fast comes near, and for a load that is
-                        // great beside what carries it
+                        // great beside what carries it; no more in its
+                        // four parts together, if something is fast
     vec3 gravity;       // m/s^2
     real friction;      // Coulomb's coefficient, >= 0
     real restitution;   // of rigid bodies, 0 to 1: the speed after an impact /
@@ -116,9 +117,11 @@ typedef struct {
     sphere      *ball;      // [bodies]
     prediction  *ahead;     // [bodies]
     real        *reach;     // [bodies] of ahead
+    rigid_frame *later;     // [bodies] where those stand that are asked again
     motion      *velocity;  // [bodies + 1], see solver.h
     motion      *moved;     // [bodies + 1] since the frame began
     rigid4_result *relaxed; // [bodies] what putting their particles did
+    real lightest, heaviest;            // kg, of those that are not static
     substep_choice substeps;
     pair_list      pairs;
     bool           is_new_list;         // of pairs
@@ -175,6 +178,11 @@ status world_add_plane(world *w, vec3 normal, real offset);
 
 // Pins particle i of the deformable body b where it is.  Before world_begin.
 void   world_pin(world *w, int b, int i);
+
+// Gives the deformable body b a stiffness against bending: of a rope in N m^2,
+// of a cloth in N m, see bend.h; 0, as it is added: none.  Fails, changing
+// nothing, if that is negative or not finite.
+status world_bend(world *w, int b, real stiffness);
 
 // Sizes everything that a step needs.  Once, after all is in.  Fails only for
 // want of memory: then world_free is all that may follow.

@@ -42,6 +42,8 @@ CASE(23, sphere_trees_hold_a_strained_body)
 CASE(24, a_cloth_that_falls_or_folds_never_crosses_itself)
 CASE(25, a_flat_cloth_lies_still)
 CASE(26, a_full_room_stays_whole)
+CASE(27, a_cloth_on_the_cube_crosses_nothing)
+CASE(32, a_cloth_that_lands_flat_takes_no_long_frame)
 
 // ---- the frame -------------------------------------------------------------
 
@@ -110,6 +112,8 @@ int main(void)
         a_cloth_that_falls_or_folds_never_crosses_itself,
         a_flat_cloth_lies_still,
         a_full_room_stays_whole,
+        a_cloth_on_the_cube_crosses_nothing,
+        a_cloth_that_lands_flat_takes_no_long_frame,
         the_worst_part_speaks_for_its_case,
         a_nan_falls_short,
         a_nan_is_the_worst_for_good,

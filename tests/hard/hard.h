@@ -35,11 +35,12 @@ typedef struct {
 
 // The cases, one list a file.
 extern const hard_case hard_particles[], hard_turning[], hard_queries[],
-    hard_trees[], hard_bodies[], hard_thin[], hard_cloth[], hard_room[];
+    hard_trees[], hard_bodies[], hard_thin[], hard_cloth[], hard_room[],
+    hard_drape[];
 
 // The case of this number, or NULL.
 const hard_case *hard_find(int number);
-enum { HARD_LAST = 26 };            // the largest number there may be
+enum { HARD_LAST = 36 };            // the largest number there may be
 
 // Adds a number, or a note, with the sentence that printf would make.
 #if defined(__GNUC__)

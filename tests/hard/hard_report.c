@@ -10,7 +10,7 @@
 // A new file of cases is entered here.
 static const hard_case *const list[] = {
     hard_particles, hard_turning, hard_queries, hard_trees,
-    hard_bodies, hard_thin, hard_cloth, hard_room
+    hard_bodies, hard_thin, hard_cloth, hard_room, hard_drape
 };
 
 const hard_case *hard_find(int number)

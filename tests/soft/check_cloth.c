@@ -4,6 +4,7 @@
 #include <check.h>
 #include <stdlib.h>
 
+#include "ledger.h"
 #include "measure.h"
 #include "stage.h"
 #include "step.h"
@@ -316,6 +317,94 @@ START_TEST(lost_number_stays_in_its_body)
 }
 END_TEST
 
+// A strip of card, held level at one end, sags under its own weight by
+// q L^4 / (8 E I), of Euler and Bernoulli; the clamp holds the middle of a link.
+// Rejects: a stiffness that the world forgets, or hands on in another unit; one
+// that changes with substeps or iterations.
+START_TEST(card_sags_by_its_stiffness)
+{
+    const struct { int substeps, iterations; } how[] = { { 4, 3 }, { 20, 8 } };
+    for (int k = 0; k < 2; k++) {
+        world_options o = world_options_default();
+        o.substeps = how[k].substeps;
+        o.iterations = how[k].iterations;
+        o.sleep_speed = 0;
+        begin(o);
+        shape strip;
+        // 10 mm a link, 0.3 kg/m^2.
+        ck_assert(shape_cloth(&strip, 12, 3, 0.11, 0.02, 0.3 * 0.11 * 0.02,
+                              0.2).ok);
+        int b = add_at(&strip, 0, 0, 0);
+        for (int i = 0; i < strip.particles; i++)
+            if (i % 12 < 2) world_pin(&w, b, i);
+        ck_assert(world_bend(&w, b, 0.016).ok);
+        ready();
+        for (int f = 0; f < 300; f++) world_step(&w);
+        // The mass of 12 particles is on 11 links, and half too much at the
+        // end: the sum of check_bend.c.
+        real weight = 9.81 * strip.mass[0], l = strip.spacing, wanted = 0;
+        real stiff = 0.016 * (0.02 * 2 / 3 / 2) * 1.0 / (l * l * l);
+        for (int i = 1; i < 11; i++) {
+            real after = 11 - i;
+            wanted += weight / stiff * after * (after + 1) / 2 * after;
+        }
+        for (int row = 0; row < 3; row++) {
+            real got = -particle_of(b, 12 * row + 11)->position.y;
+            ck_assert_msg(fabs(got / wanted - 1) < 0.01, "row %d sags by %g m,"
+                          " wanted %g", row, got, wanted);
+        }
+        world_free(&w);
+        shape_free(&strip);
+    }
+}
+END_TEST
+
+// Rejects: a stiffness that is no number, or would push.
+START_TEST(stiffness_is_a_finite_number)
+{
+    int b = add_at(&cloth, 0, 0, 0);
+    const real bad[] = { -1, (real)NAN, HUGE_VAL };
+    ck_assert(world_bend(&w, b, 2).ok);
+    for (int k = 0; k < 3; k++) ck_assert(!world_bend(&w, b, bad[k]).ok);
+    ck_assert(w.body[b].bending == 2);
+}
+END_TEST
+
+// A bent rope that lets go swings, and loses its bends to the air as motion.
+// Rejects: books in which what bends store comes from nowhere.
+START_TEST(bends_are_in_the_books)
+{
+    world_options o = world_options_default();
+    o.gravity = ZERO;
+    o.sleep_speed = 0;
+    o.ledger = true;
+    begin(o);
+    shape rod;
+    ck_assert(shape_rope(&rod, 10, 1, 1).ok);
+    int b = add_at(&rod, 0, 0, 0);
+    ck_assert(world_bend(&w, b, 0.5).ok);
+    ready();
+    for (int i = 0; i < rod.particles; i++) {
+        real a = 0.15 * (i - 5);
+        particle *p = particle_of(b, i);
+        p->position = vec3_make(sin(a) / 1.5, cos(a) / 1.5, 0);
+        p->previous = p->position;
+    }
+    real stored = bend_energy(&rod, 0.5, w.pool.at);
+    ledger_entry at_first = ledger_total(&w);
+    ck_assert(fabs(at_first.energy - stored) <= 1e-12 * stored);
+    for (int f = 0; f < 60; f++) {
+        real before = ledger_total(&w).energy;
+        world_step(&w);
+        ck_assert(ledger_total(&w).energy <= before + 1e-9 * stored);
+    }
+    ledger_entry now = ledger_total(&w);
+    ck_assert(now.energy < stored && vec3_length(now.momentum) <= 1e-12);
+    world_free(&w);
+    shape_free(&rod);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -329,6 +418,9 @@ int main(void)
         box_on_a_cloth_lies_still_and_falls_asleep,
         pinned_cloth_that_sleeps_is_pinned_as_a_whole,
         lost_number_stays_in_its_body,
+        card_sags_by_its_stiffness,
+        stiffness_is_a_finite_number,
+        bends_are_in_the_books,
     };
     Suite *s = suite_create("cloth");
     TCase *t = tcase_create("cloth");

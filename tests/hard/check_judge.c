@@ -1,0 +1,256 @@
+// check_judge.c - does the judge of cloth and rope see what is there?
+
+#include <check.h>
+#include <math.h>
+
+#include "hard_drape_set.h"
+
+#define ROUNDING 1e-9
+
+static setting s;
+static verdict v;
+static real throw_up;           // m/s, of the next sheet
+
+static void set_up(void)
+{
+    v = (verdict){ .strain = 0 };
+    throw_up = 0;
+    setting_start(&s, weightless(world_options_default()));
+}
+
+static void tear_down(void)
+{
+    setting_free(&s);
+}
+
+// A box of 1 m about the origin, static.
+static void add_block(void)
+{
+    placement p = placement_at(vec3_make(0, 0, 0));
+    p.is_static = true;
+    add_body(&s, add_box(&s, vec3_make(1, 1, 1), 1), p);
+}
+
+// 5 x 5 particles, 0.55 m apart, level at this height or, upright, across x.
+static int add_sheet(vec3 at, bool is_upright)
+{
+    placement p = placement_at(at);
+    shape *cloth = &s.plan[s.plans++];
+    p.velocity.y = throw_up;
+    if (s.ok.ok) s.ok = shape_cloth(cloth, 5, 5, 2.2, 2.2, 1, 0.2);
+    if (is_upright) {
+        p.x = vec3_make(0, 1, 0);
+        p.y = vec3_make(-1, 0, 0);
+    }
+    return add_body(&s, cloth, p);
+}
+
+static void look(void)
+{
+    ck_assert_msg(setting_begin(&s).ok, "%s", s.ok.why);
+    ck_assert(judge_look(&s.w, &v));
+}
+
+// Through the box, 0.3 m below its top: the particle in the middle is inside,
+// the eight triangles of the four cells around it cut, and the four upright
+// edges pass through, and a diagonal of each upright side.
+START_TEST(sheet_through_a_box_is_counted)
+{
+    add_block();
+    add_sheet(vec3_make(0.01, 0.2, 0.02), false);
+    look();
+    ck_assert_int_eq(v.inside, 1);
+    ck_assert_int_eq(v.cutting, 8);
+    ck_assert_int_eq(v.edges, 8);
+    ck_assert_int_eq(v.crossings, 0);
+    ck_assert_double_eq_tol(v.depth, 0.3, ROUNDING);
+    ck_assert_double_eq_tol(v.strain, 0, ROUNDING);
+
+    // It is taken away, and what was seen stays.
+    for (int i = 0; i < 25; i++)
+        s.w.pool.at[s.w.body[1].first + i].position.y += 5;
+    ck_assert(judge_look(&s.w, &v));
+    ck_assert(v.inside == 1 && v.cutting == 8 && v.edges == 8);
+    ck_assert_double_eq_tol(v.depth, 0.3, ROUNDING);
+}
+END_TEST
+
+// Rejects: particles that are looked for near the middle only.
+START_TEST(particle_in_a_corner_is_inside)
+{
+    add_block();
+    add_sheet(vec3_make(0.45, 0.4, 0.45), false);
+    look();
+    ck_assert_int_eq(v.inside, 4);
+}
+END_TEST
+
+START_TEST(sheet_beside_a_box_is_not)
+{
+    add_block();
+    add_sheet(vec3_make(0, 0.51, 0), false);
+    look();
+    ck_assert_int_eq(v.inside + v.cutting + v.edges + v.crossings, 0);
+    ck_assert_double_eq_tol(v.depth, 0, ROUNDING);
+}
+END_TEST
+
+// Rejects: crossings of one body with itself only.
+START_TEST(sheets_through_each_other_are_counted)
+{
+    add_sheet(vec3_make(0, 0, 0), false);
+    add_sheet(vec3_make(0.013, 0.017, 0.011), true);
+    look();
+    // Eight triangles of each lie along the line where they meet.
+    ck_assert_int_ge(v.crossings, 8);
+    ck_assert_int_le(v.crossings, 24);
+}
+END_TEST
+
+// Rejects: ropes that are not looked at.
+START_TEST(rope_through_a_box_and_a_sheet_is_counted)
+{
+    shape *rope = &s.plan[s.plans++];
+    add_block();
+    ck_assert(shape_rope(rope, 10, 3, 1).ok);
+    add_body(&s, rope, placement_at(vec3_make(0.02, 0.1, 0.1)));
+    add_sheet(vec3_make(1.2, 0.17, 0.03), true);
+    look();
+    // Links of 0.3 m, particles at -1.48, ..., 1.52.
+    ck_assert_int_eq(v.inside, 3);
+    ck_assert_int_eq(v.cutting, 4);
+    ck_assert_int_eq(v.crossings, 1);
+}
+END_TEST
+
+// A corner of the sheet is pulled along a row by a tenth of a link.
+// Rejects: a strain that has a sign.
+START_TEST(strain_is_that_of_the_longest_link)
+{
+    int b = add_sheet(vec3_make(0, 0, 0), false);
+    ck_assert(setting_begin(&s).ok);
+    particle *p = &s.w.pool.at[s.w.body[b].first];
+    p->position.x -= 0.055;
+    ck_assert(judge_look(&s.w, &v));
+    ck_assert_double_eq_tol(v.strain, 0.1, ROUNDING);
+    p->position.x += 2 * 0.055;
+    v.strain = 0;
+    ck_assert(judge_look(&s.w, &v));
+    ck_assert_double_eq_tol(v.strain, 0.1, ROUNDING);
+    p->position.y = (real)NAN;
+    ck_assert(judge_look(&s.w, &v));
+    ck_assert(v.strain > 1e300);
+}
+END_TEST
+
+// The corner is laid on its cell's other corner.
+// Rejects: diagonals, which may stretch.
+START_TEST(diagonals_may_stretch)
+{
+    int b = add_sheet(vec3_make(0, 0, 0), false);
+    ck_assert(setting_begin(&s).ok);
+    particle *p = &s.w.pool.at[s.w.body[b].first];
+    p[0].position = p[6].position;
+    ck_assert(judge_look(&s.w, &v));
+    ck_assert_double_eq_tol(v.strain, 0, ROUNDING);
+}
+END_TEST
+
+// A sheet is thrown up, and is back after two seconds; a box beside it falls.
+// Rejects: the speed of another second; a body that has not come through.
+START_TEST(throw_is_seen_in_its_last_second)
+{
+    s.w.options.gravity = vec3_make(0, -9.81, 0);
+    throw_up = 2 * 9.81;
+    add_sheet(vec3_make(0, 0, 0), false);
+    add_body(&s, add_box(&s, vec3_make(1, 1, 1), 1),
+             placement_at(vec3_make(5, 0, 0)));
+    ck_assert(setting_begin(&s).ok);
+    ck_assert(judge_watch(&s.w, (watch_plan){ 120, -10, 0 }, &v));
+    ck_assert_double_eq_tol(v.speed, 9.81 * 59.5 / 60, 1e-6);
+    ck_assert_int_eq(v.passed, 1);
+    ck_assert(v.slowest >= v.median && v.median > 0 && v.mean > 0);
+    ck_assert_int_eq(v.runs, 1);
+    ck_assert_int_eq(v.frames, 120);
+    ck_assert(v.end <= v.rest && v.rest <= v.strain && v.strain < 1e-6);
+}
+END_TEST
+
+// A sheet that drifts at 1 m/s is slowed for a second, and then no more.
+START_TEST(calmed_sheet_is_slow)
+{
+    throw_up = 1;
+    add_sheet(vec3_make(0, 0, 0), false);
+    ck_assert(setting_begin(&s).ok);
+    ck_assert(judge_watch(&s.w, (watch_plan){ 180, -HUGE_VAL, 60 }, &v));
+    ck_assert_double_eq_tol(v.speed, pow(0.95, 60), 1e-6);
+}
+END_TEST
+
+// A fault of one frame, early, stays seen; at rest there is none.
+START_TEST(worst_frame_is_not_forgotten)
+{
+    int b = add_sheet(vec3_make(0, 0, 0), false);
+    ck_assert(setting_begin(&s).ok);
+    particle *p = &s.w.pool.at[s.w.body[b].first];
+    p->position.y += 0.3;
+    ck_assert(judge_look(&s.w, &v));
+    real was = v.strain;
+    p->position.y -= 0.3;
+    ck_assert(judge_watch(&s.w, (watch_plan){ 70, -HUGE_VAL, 0 }, &v));
+    ck_assert(v.strain == was);
+    ck_assert(v.rest < 1e-6 && v.end < 1e-6);
+    ck_assert_int_eq(v.passed, 0);
+}
+END_TEST
+
+// Every scene of the table can be built, in both its ways, and none begins with
+// a fault.
+START_TEST(scenes_begin_without_a_fault)
+{
+    for (const drape *d = drape_table; d->name; d++)
+        for (int start = 0; start < 3; start++) {
+            if (d->n > 60) continue;
+            setting x;
+            verdict now = { .strain = 0 };
+            drape_build(&x, d, start);
+            ck_assert_msg(x.ok.ok, "%s: %s", d->name, x.ok.why);
+            ck_assert(judge_look(&x.w, &now));
+            ck_assert_msg(now.strain < 0.005, "%s: strain %g", d->name,
+                          now.strain);
+            ck_assert_msg(now.crossings + now.inside + now.cutting + now.edges
+                          == 0, "%s, start %d: begins in something", d->name,
+                          start);
+            setting_free(&x);
+        }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {
+        sheet_through_a_box_is_counted,
+        particle_in_a_corner_is_inside,
+        sheet_beside_a_box_is_not,
+        sheets_through_each_other_are_counted,
+        rope_through_a_box_and_a_sheet_is_counted,
+        strain_is_that_of_the_longest_link,
+        diagonals_may_stretch,
+        throw_is_seen_in_its_last_second,
+        calmed_sheet_is_slow,
+        worst_frame_is_not_forgotten,
+        scenes_begin_without_a_fault,
+    };
+    Suite *suite = suite_create("judge");
+    TCase *t = tcase_create("judge");
+    tcase_add_checked_fixture(t, set_up, tear_down);
+    tcase_set_timeout(t, 30);
+    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
+        tcase_add_test(t, tests[i]);
+    suite_add_tcase(suite, t);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -4,6 +4,7 @@
 // Paper: section 3.2.  Book: chapter 12.
 
 #include "line.h"
+#include "real4.h"
 
 #include <assert.h>
 #include <math.h>
@@ -229,25 +230,24 @@ typedef struct {
     real lower, upper, diagonal;
 } entries;
 
-static inline entries entries_of(const vec3 link[2], const vec3 push[2],
-                                 real weight, real both)
+ALWAYS_INLINE entries entries_of(vec3 last, vec3 link, vec3 last_push,
+                                 vec3 push, real weight, real both)
 {
-    return (entries){ weight * vec3_dot(link[1], push[0]),
-                      weight * vec3_dot(link[0], push[1]),
-                      both * vec3_dot(link[1], push[1]) };
+    return (entries){ weight * vec3_dot(link, last_push),
+                      weight * vec3_dot(last, push),
+                      both * vec3_dot(link, push) };
 }
 
-// W = w - m m^T; m is that of particle k, n of the next one.
-static inline entries entries_held(entries e, const vec3 link[2],
-                                   const vec3 push[2], vec3 m, vec3 n)
+// What W = w - m m^T adds; m is that of particle k, n of the next one.
+ALWAYS_INLINE entries entries_held(vec3 last, vec3 link, vec3 last_push,
+                                   vec3 push, vec3 m, vec3 n)
 {
-    e.lower -= vec3_dot(m, link[1]) * vec3_dot(m, push[0]);
-    e.upper -= vec3_dot(m, link[0]) * vec3_dot(m, push[1]);
-    e.diagonal -= vec3_dot(m, link[1]) * vec3_dot(m, push[1])
-                + vec3_dot(n, link[1]) * vec3_dot(n, push[1]);
-    e.diagonal += LESS * (vec3_length_squared(m) + vec3_length_squared(n))
-                       * vec3_length_squared(link[1]);
-    return e;
+    real spared = LESS * (vec3_length_squared(m) + vec3_length_squared(n));
+    return (entries){ -vec3_dot(m, link) * vec3_dot(m, last_push),
+                      -vec3_dot(m, last) * vec3_dot(m, push),
+                      spared * vec3_length_squared(link)
+                      - vec3_dot(m, link) * vec3_dot(m, push)
+                      - vec3_dot(n, link) * vec3_dot(n, push) };
 }
 
 // Row k of the system, and Thomas's step with it (h and g as in the chapter,
@@ -258,23 +258,28 @@ static inline entries entries_held(entries e, const vec3 link[2],
 // A link without length, between two nails, or that the ones before it leave
 // no freedom has no pivot: its multiplier is 0.  A link shorter than about
 // L / sqrt(3) asks for no more than twice its length.
-static inline void eliminate(places at, places hold, int pitch,
+ALWAYS_INLINE void eliminate(places at, places hold, int pitch,
                              real *restrict before, real *restrict here,
                              int lanes, int old, int held, real rest2,
                              real half, tally *restrict t)
 {
     for (int l = 0; l < lanes; l++) {
-        vec3 link[2] = { { 0, 0, 0 }, lane_link(at, pitch, l) };
-        if (!old) lane_set(here, PUSH, lanes, l, link[1]);
-        vec3 push[2] = { lane_get(before, PUSH, lanes, l),
-                         old ? lane_get(here, PUSH, lanes, l) : link[1] };
-        link[0] = old ? lane_link(at, pitch, l - pitch) : push[0];
-        real now = vec3_length_squared(link[1]);
-        real both = at.weight[l] + at.weight[l + pitch];
-        entries e = entries_of(link, push, at.weight[l], both);
-        if (held) e = entries_held(e, link, push, place_get(hold, l),
-                                   place_get(hold, l + pitch));
-
+        vec3 link = lane_link(at, pitch, l);
+        if (!old) lane_set(here, PUSH, lanes, l, link);
+        vec3 push = old ? lane_get(here, PUSH, lanes, l) : link;
+        vec3 last_push = lane_get(before, PUSH, lanes, l);
+        vec3 last = old ? lane_link(at, pitch, l - pitch) : last_push;
+        real weight = at.weight[l], both = weight + at.weight[l + pitch];
+        real now = vec3_length_squared(link);
+        entries e = entries_of(last, link, last_push, push, weight, both);
+        if (held) {
+            entries a = entries_held(last, link, last_push, push,
+                                     place_get(hold, l),
+                                     place_get(hold, l + pitch));
+            e.lower += a.lower;
+            e.upper += a.upper;
+            e.diagonal += a.diagonal;
+        }
         real h = (old ? e.upper : e.lower) * before[SHARE * lanes + l];
         before[SHARE * lanes + l] = h;
         real pivot = e.diagonal - e.lower * h;
@@ -299,13 +304,13 @@ static inline void eliminate(places at, places hold, int pitch,
 // k + 1 has left in `pull` what it asks:
 //     w (multiplier_(k+1) push_(k+1) - multiplier_k push_k),
 // and less of it if that would take the particle into what it touches.
-static inline vec3 give_way(real weight, vec3 pull, vec3 m)
+ALWAYS_INLINE vec3 give_way(real weight, vec3 pull, vec3 m)
 {
     real into = vec3_dot(m, pull);
     return vec3_add_scaled(vec3_scale(weight, pull), into < 0 ? -into : 0, m);
 }
 
-static inline void substitute(real *restrict x, real *restrict y,
+ALWAYS_INLINE void substitute(real *restrict x, real *restrict y,
                               real *restrict z, const real *restrict weight,
                               places hold, real *restrict here,
                               const real *restrict after, int lanes, int old,
@@ -465,7 +470,7 @@ static void block_store(const block *b, const int *solved)
 //> line-sweeps
 // What these loops count stands in variables of their own, to which no pointer
 // leads: else a compiler would have to load and store them in every row.
-static inline void eliminate_lines(block *b, int lanes, int old)
+ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
 {
     tally t = { .worst = { 0 } };
     places at = b->at, hold = b->hold;
@@ -491,7 +496,7 @@ static inline void eliminate_lines(block *b, int lanes, int old)
 }
 
 // The last pair has no link above it: it moves particle 0.
-static inline void substitute_lines(block *b, int lanes, int old)
+ALWAYS_INLINE void substitute_lines(block *b, int lanes, int old)
 {
     real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
     int pitch = b->pitch;

@@ -50,6 +50,8 @@ define ORDER
 16/world
 16/ledger
 16/soft_step
+16/substeps
+16/guard
 16/step
 16/measure
 16/obj
@@ -184,7 +186,7 @@ $(MADE): %: test-%
 book:
 	$(Q)mkdir -p $(BUILD)
 	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*/*.h lib/*/*.c \
-	  tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
+	  tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
 	$(Q)cp $(BUILD)/book.md book.md
 	@echo "book.md: $$(wc -l < book.md) lines"
 
@@ -443,6 +445,9 @@ $(BUILD)/tests/check_real4: $(BUILD)/tests/real4_plain.o
 $(BUILD)/tests/check_solver $(patsubst %,$(BUILD)/figures/%,$(filter 13-%,$(FIGURES))): \
   $(BUILD)/tests/plain_solver.o
 
+# And the plain strand.
+$(BUILD)/tests/check_line $(BUILD)/figures/12-hold: $(BUILD)/tests/plain_strand.o
+
 # This one looks at pictures.
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
@@ -563,7 +568,7 @@ define compile
 endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
-ROOMS := $(patsubst %,-I%,$(wildcard lib/* tests/support tests/contact tests/hard tests/fuzz \
+ROOMS := $(patsubst %,-I%,$(wildcard lib/* tests/support tests/contact tests/soft tests/hard tests/fuzz \
   figures/draw figures/measure figures/command figures/peers))
 $(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
 	$(compile)

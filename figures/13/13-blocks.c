@@ -66,8 +66,8 @@ static void make_contacts(int n, int points)
         *c = (contact){ .a = a, .b = b, .count = points,
                         .normal = vec3_unit(any_vec3()) };
         for (int j = 0; j < points; j++) {
-            c->point[j].arm_a = vec3_scale(0.5, any_vec3());
-            c->point[j].arm_b = vec3_scale(0.5, any_vec3());
+            c->point[j].local_a = vec3_scale(0.5, any_vec3());
+            c->point[j].local_b = vec3_scale(0.5, any_vec3());
             c->point[j].offset = 1e-3 * any();
         }
         list[k] = c;
@@ -81,8 +81,9 @@ static void prepare(void)
 {
     static long found;
     for (int k = 0; k < plain.contacts; k++) table[k].found = ++found;
-    if (!solver_prepare(&solver, &frame, (const contact *const *)list, reach,
-                        plain.contacts)) exit(1);
+    const contact *const *of = (const contact *const *)list;
+    if (!solver_look(&solver, &frame, of, reach, plain.contacts)
+        || !solver_prepare(&solver, &frame, of)) exit(1);
 }
 
 static void work(int way, void *with)

@@ -70,19 +70,10 @@ static void tower_find(tower *t)
     t->frame.bodies = t->cubes;
     for (int b = 0; b < t->cubes; b++) {
         solver_body *x = &t->body[b];
-        contact *c = &t->contact[b];
         x->frame = rigid4_frame(t->p[b]);
         x->basis = basis_find(&t->rigid[b], &x->frame);
         t->velocity[b] = motion_of(t->p[b], &x->frame, &x->basis, t->frame.h);
         t->moved[b] = (motion){ { 0 } };
-        for (int k = 0; k < CORNERS; k++) {
-            contact_point *q = &c->point[k];
-            q->arm_a = vec3_sub(frame_point(&x->frame, q->local_a),
-                                x->frame.center);
-            if (b > 0)
-                q->arm_b = vec3_sub(frame_point(&x[-1].frame, q->local_b),
-                                    x[-1].frame.center);
-        }
     }
 }
 

@@ -16,19 +16,35 @@ typedef struct {
     void *context;
 } tasks;
 
-// Small things, such as bodies or contacts, are handed out by the chunk: item k
-// has those from k TASK_CHUNK on, before task_end.
+// Small things, such as bodies or contacts, are handed out by the chunk, so
+// many that an item takes a few microseconds: item k has those from k `each` on,
+// before task_last.
+static inline int task_items(int n, int each)
+{
+    return (n + each - 1) / each;
+}
+
+static inline int task_last(int item, int n, int each)
+{
+    int end = (item + 1) * each;
+    return end < n ? end : n;
+}
+
 enum { TASK_CHUNK = 32 };
 
 static inline int task_chunks(int n)
 {
-    return (n + TASK_CHUNK - 1) / TASK_CHUNK;
+    return task_items(n, TASK_CHUNK);
+}
+
+static inline int task_first(int item)
+{
+    return item * TASK_CHUNK;
 }
 
 static inline int task_end(int item, int n)
 {
-    int end = (item + 1) * TASK_CHUNK;
-    return end < n ? end : n;
+    return task_last(item, n, TASK_CHUNK);
 }
 
 static inline void tasks_run(tasks t, void (*work)(void *data, int item),

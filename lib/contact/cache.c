@@ -47,8 +47,9 @@ static int compare(const int a[2], const int b[2])
          : a[1] != b[1] ? (a[1] < b[1] ? -1 : 1) : 0;
 }
 
-static bool grow_spare(contact_cache *c, int need, int room)
+static bool grow_spare(contact_cache *c, int need)
 {
+    int room = need + need / 8;
     if (need <= c->spare_capacity) return true;
     free(c->spare);
     free(c->spare_key);
@@ -75,7 +76,7 @@ static void swap_spare(contact_cache *c)
 static void follow_list(contact_cache *c, const cache_frame *f)
 {
     const pair_list *list = f->list;
-    int n = grow_spare(c, list->count, list->capacity) ? list->count : 0;
+    int n = grow_spare(c, list->count) ? list->count : 0;
     int old = 0;
     c->lost += list->count - n;
     for (int k = 0; k < n; k++) {
@@ -124,8 +125,8 @@ static void forget(cache_pair *p)
 static void decide(const contact_cache *c, cache_pair *p, real reach, int a,
                    int b)
 {
-    int seen = b < 0 ? 0 : c->placed[b].number;
-    p->is_asked = p->seen[0] != c->placed[a].number || p->seen[1] != seen
+    int seen = b < 0 ? 0 : c->placing[b].number;
+    p->is_asked = p->seen[0] != c->placing[a].number || p->seen[1] != seen
                   || !(reach <= p->margin);
 }
 
@@ -167,28 +168,28 @@ static void decide_chunk(void *data, int item)
 //> cache-place
 // How far a point of the body can be from where it was when its vertices were
 // placed, about: a corner has coordinates of up to two.
-static bool has_left(const struct placing *p, const rigid_frame *now, real far)
+static bool has_left(const rigid_frame *was, const rigid_frame *now, real far)
 {
-    vec3 way = vec3_sub(now->center, p->frame.center);
+    vec3 way = vec3_sub(now->center, was->center);
     real square = vec3_length_squared(way);
     for (int i = 0; i < FOUR_AXES; i++) {
-        vec3 turn = vec3_sub(now->axis[i], p->frame.axis[i]);
+        vec3 turn = vec3_sub(now->axis[i], was->axis[i]);
         square += 4 * vec3_length_squared(turn);
     }
     return !(square <= far * far);
 }
 
-static void place_body(contact_cache *c, const cache_frame *f, int b)
+static void place_body(contact_cache *c, const cache_frame *f, int b,
+                       const rigid_frame *now)
 {
-    struct placing *p = &c->placed[b];
+    struct placing *p = &c->placing[b];
     const cache_body *body = &f->body[b];
-    const solver_body *now = &f->now[b];
     if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
-    if (p->number > 0 && !has_left(p, &now->frame, f->stay * now->radius))
-        return;
-    p->frame = now->frame;
+    if (p->number > 0 && !has_left(&c->placed[b], now,
+                                   f->stay * f->now[b].radius)) return;
+    c->placed[b] = *now;
     p->number++;
-    rigid4_ride(body->rigid, &p->frame, c->vertex + p->first,
+    rigid4_ride(body->rigid, now, c->vertex + p->first,
                 body->shape->particles);
 }
 
@@ -197,7 +198,7 @@ static void place_chunk(void *data, int item)
     const update *u = data;
     int end = task_end(item, u->f->bodies);
     for (int b = item * TASK_CHUNK; b < end; b++) {
-        place_body(u->c, u->f, b);
+        place_body(u->c, u->f, b, &u->f->now[b].frame);
         decide_walls(u->c, u->f, b);
     }
 }
@@ -212,7 +213,7 @@ static int new_entry(contact_cache *c)
         c->free_entry = c->entry[k].next;
     } else {
         if (c->entries == c->entry_capacity) {
-            int room = 2 * c->entry_capacity + 64;
+            int room = c->entry_capacity + c->entry_capacity / 8 + 64;
             cache_entry *more = realloc(c->entry,
                                         (size_t)room * sizeof *more);
             if (!more) return -1;
@@ -261,37 +262,18 @@ static vec3 local_of(const rigid4 *r, const feature_point *f)
     return sum;
 }
 
-// Both impulses of a point act in the middle between its two sides: what one
-// body gains of angular momentum the other loses.  Sides that are far apart,
-// of bodies that will meet later in the frame, keep their own.
-static void set_arms(contact_point *p, const solver_body *a,
-                     const solver_body *b, bool is_apart)
-{
-    vec3 on_a = frame_point(&a->frame, p->local_a);
-    vec3 on_b = frame_point(&b->frame, p->local_b);
-    vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
-    p->arm_a = vec3_sub(is_apart ? on_a : middle, a->frame.center);
-    p->arm_b = vec3_sub(is_apart ? on_b : middle, b->frame.center);
-}
-
-// A plane's side of a contact needs no arm.
-static void set_arm(contact_point *p, const solver_body *a)
-{
-    p->arm_a = vec3_sub(frame_point(&a->frame, p->local_a), a->frame.center);
-}
-
+// Sides that are far apart, of bodies that will meet later in the frame, are
+// pushed each where it is.
 static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
                           bool is_apart)
 {
     c->count = m->count;
+    c->shared = (signed char)(is_apart ? 0 : m->count);
     c->normal = m->normal;
-    for (int k = 0; k < m->count; k++) {
-        contact_point *p = &c->point[k];
-        *p = (contact_point){
+    for (int k = 0; k < m->count; k++)
+        c->point[k] = (contact_point){
             .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
             .local_b = local_of(f->body[c->b].rigid, &m->point[k].b) };
-        set_arms(p, &f->now[c->a], &f->now[c->b], is_apart);
-    }
 }
 //<
 
@@ -306,13 +288,12 @@ static void add_guard(contact *c, const cache_frame *f)
     int small = is_a ? a : b;
     if (!f->moves[small] || c->count == 0) return;
     if (c->count == CONTACT_POINTS) c->count--;
+    c->shared = (signed char)int_min(c->shared, c->count);
     contact_point *p = &c->point[c->count];
     *p = c->point[0];
     if (is_a) p->local_a = f->body[a].rigid->middle;
     else      p->local_b = f->body[b].rigid->middle;
     p->offset = f->body[small].inner;
-    if (b < 0) set_arm(p, &f->now[a]);
-    else       set_arms(p, &f->now[a], &f->now[b], true);
     c->count++;
 }
 
@@ -355,8 +336,8 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     cache_entry *e = &c->entry[p->entry];
     contact was = e->contact, *now = &e->contact;
     int a = now->a, b = now->b;
-    collider x = { f->body[a].shape, c->vertex + c->placed[a].first };
-    collider y = { f->body[b].shape, c->vertex + c->placed[b].first };
+    collider x = { f->body[a].shape, c->vertex + c->placing[a].first };
+    collider y = { f->body[b].shape, c->vertex + c->placing[b].first };
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
     p->seen[0] = p->seen[1] = -1;
@@ -368,12 +349,12 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
                                    &e->carried);
         take_manifold(now, &m, f, false);
         if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
-        p->seen[0] = c->placed[a].number;
-        p->seen[1] = c->placed[b].number;
+        p->seen[0] = c->placing[a].number;
+        p->seen[1] = c->placing[b].number;
         p->margin = reach + slack;
     }
     p->count = (signed char)now->count;
-    p->gap = -HUGE_VAL;
+    p->near = -HUGE_VAL;
     contact_inherit(now, &was);
 }
 //<
@@ -436,7 +417,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     contact *now = &c->entry[p->entry].contact;
     int a = now->a, n = 0, vertices = f->body[a].shape->particles;
     plane wall = f->plane[-1 - now->b];
-    const vec3 *at = c->vertex + c->placed[a].first;
+    const vec3 *at = c->vertex + c->placing[a].first;
     real slack = slack_of(f, a, -1), reach = reach_of(f, a, -1);
     for (int v = 0; v < vertices; v++) {
         real height = vec3_dot(wall.normal, at[v]) - wall.offset;
@@ -447,19 +428,54 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
         widen(low, at, vertices, wall, slack);
     now->normal = wall.normal;
     now->count = n;
-    for (int k = 0; k < n; k++) {
-        contact_point *q = &now->point[k];
-        *q = (contact_point){
+    for (int k = 0; k < n; k++)
+        now->point[k] = (contact_point){
             .local_a = f->body[a].rigid->local[low[k].vertex] };
-        set_arm(q, &f->now[a]);
-    }
     if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
-    p->seen[0] = c->placed[a].number;
+    p->seen[0] = c->placing[a].number;
     p->seen[1] = 0;
     p->margin = reach + slack;
-    p->gap = -HUGE_VAL;
+    p->near = -HUGE_VAL;
     contact_inherit(now, &was);
+}
+//<
+
+//> cache-parts
+// A body that turns comes to touch with corners that were not found.  So the
+// frame of a pair is divided in parts in which it turns by no more than this
+// (rad), and it is asked again between them.  If it turns by more than a whole
+// turn, only the balls inside the bodies are kept apart.
+static const real PART = 0.1, WHOLE = 6;
+enum { MOST_PARTS = 8 };
+
+static int parts_of(const cache_frame *f, int a, int b)
+{
+    real turns = f->ahead[a].angle + (b < 0 ? 0 : f->ahead[b].angle);
+    if (!(turns < WHOLE)) return 1;
+    return 1 + (int)real_min(turns / PART, MOST_PARTS - 1);
+}
+//<
+
+//> cache-near
+static real paths_of(const contact_cache *c, int a, int b)
+{
+    return c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
+}
+
+// A contact whose gap cannot close in this frame is left out: both bodies
+// together have not gone as far yet.
+static void activate(const contact_cache *c, const cache_frame *f,
+                     cache_pair *p, int a, int b)
+{
+    p->is_active = false;
+    if (p->count == 0 || p->entry < 0) return;
+    if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
+    real paths = paths_of(c, a, b);
+    if (p->near - paths > reach_of(f, a, b)) return;
+    p->near = paths;
+    p->is_active = true;
+    p->turns = p->seen[0] >= 0 && parts_of(f, a, b) > 1;
 }
 //<
 
@@ -469,6 +485,7 @@ static void query_walls(contact_cache *c, const cache_frame *f, int b)
     for (int k = 0; k < f->planes; k++) {
         cache_pair *p = &c->wall[b * c->planes + k];
         if (p->is_asked) query_wall(c, f, p);
+        activate(c, f, p, b, -1);
     }
 }
 
@@ -483,65 +500,151 @@ static void query_chunk(void *data, int item)
     }
     first -= body_items * TASK_CHUNK;
     int end = int_min(first + TASK_CHUNK, u->c->pairs);
-    for (int k = first; k < end; k++)
-        if (u->c->pair[k].is_asked) query_pair(u->c, u->f, &u->c->pair[k]);
+    for (int k = first; k < end; k++) {
+        cache_pair *p = &u->c->pair[k];
+        if (p->is_asked) query_pair(u->c, u->f, p);
+        activate(u->c, u->f, p, u->c->key[k][0], u->c->key[k][1]);
+    }
+}
+//<
+
+//> cache-turning
+static void move_later(const cache_frame *f, const motion *moved, int b,
+                       rigid_frame *later)
+{
+    const solver_body *now = &f->now[b];
+    later[b] = now->frame;
+    if (f->moves[b])
+        later[b] = motion_frame(&now->frame, &now->basis, &moved[b]);
+}
+
+// m, of all points of a contact, when bodies stand as `later` says.
+static real least_gap(const contact *x, const cache_frame *f,
+                      const rigid_frame *later)
+{
+    real gap[CONTACT_POINTS], least = HUGE_VAL;
+    const rigid_frame *b = x->b < 0 ? NULL : &later[x->b];
+    real height = x->b < 0 ? f->plane[-1 - x->b].offset : 0;
+    contact_gaps(x, &later[x->a], b, height, gap);
+    for (int k = 0; k < x->count; k++) least = real_min(least, gap[k]);
+    return least;
+}
+
+// m, what it was at most as the frame began: the solver has it only if it is
+// less than its reach.
+static real gap_of(const contact_cache *c, int n)
+{
+    const contact *x = c->active[n];
+    return c->of[n]->near - paths_of(c, x->a, x->b);
+}
+
+// A part begins with this substep, and it may touch in it.
+int cache_turning(contact_cache *c, const cache_frame *f, const motion *moved,
+                  int k, int substeps, rigid_frame *later)
+{
+    c->agains = 0;
+    for (int i = 0; i < c->turnings; i++) {
+        int n = c->turning[i];
+        const contact *x = c->active[n];
+        int parts = parts_of(f, x->a, x->b);
+        bool is_due = k * parts / substeps > (k - 1) * parts / substeps;
+        if (!is_due || !(gap_of(c, n) < c->reach[n])) continue;
+        move_later(f, moved, x->a, later);
+        if (x->b >= 0) move_later(f, moved, x->b, later);
+        if (least_gap(x, f, later) <= c->reach[n] / parts)
+            c->again[c->agains++] = n;
+    }
+    return c->agains;
+}
+
+static void again_chunk(void *data, int item)
+{
+    const update *u = data;
+    int end = task_end(item, u->c->agains);
+    for (int k = item * TASK_CHUNK; k < end; k++) {
+        int n = u->c->again[k];
+        if (u->c->active[n]->b < 0) query_wall(u->c, u->f, u->c->of[n]);
+        else                        query_pair(u->c, u->f, u->c->of[n]);
+    }
+}
+
+void cache_again(contact_cache *c, const cache_frame *f,
+                 const rigid_frame *later)
+{
+    update u = { c, f };
+    for (int k = 0; k < c->agains; k++) {
+        contact *x = c->active[c->again[k]];
+        place_body(c, f, x->a, &later[x->a]);
+        if (x->b >= 0) place_body(c, f, x->b, &later[x->b]);
+        x->found = ++c->found;
+    }
+    c->queries += c->agains;
+    tasks_run(f->run, again_chunk, &u, task_chunks(c->agains));
 }
 //<
 
 //> cache-active
-// A contact whose gap cannot close in this frame is left out: it was `gap`, and
-// both bodies together have gone no further than their paths since.
-static void activate(contact_cache *c, const cache_frame *f, cache_pair *p,
-                     int a, int b)
+static void gather(contact_cache *c, cache_pair *p)
 {
-    if (p->count == 0 || p->entry < 0) return;
-    if (!f->moves[a] && (b < 0 || !f->moves[b])) return;
-    real reach = reach_of(f, a, b);
-    real paths = c->placed[a].path + (b < 0 ? 0 : c->placed[b].path);
-    if (p->gap - (paths - p->paths) > reach) return;
-    p->paths = paths;
+    if (!p->is_active) return;
     c->fast += p->seen[0] < 0;
+    if (p->turns) c->turning[c->turnings++] = c->actives;
     c->active[c->actives] = &c->entry[p->entry].contact;
-    c->of[c->actives] = p;
-    c->reach[c->actives++] = reach;
+    c->of[c->actives++] = p;
+}
+
+static void reach_chunk(void *data, int item)
+{
+    const update *u = data;
+    contact_cache *c = u->c;
+    int end = task_end(item, c->actives);
+    for (int k = item * TASK_CHUNK; k < end; k++) {
+        contact *x = c->active[k];
+        c->reach[k] = reach_of(u->f, x->a, x->b);
+        x->turns = c->of[k]->turns;
+    }
 }
 
 static bool grow_active(contact_cache *c, int need)
 {
-    size_t room = (size_t)need + (size_t)need / 2 + 64;
+    size_t room = (size_t)need + (size_t)need / 8 + 64;
     if (need <= c->active_capacity) return true;
     free(c->active);
     free(c->of);
     free(c->reach);
+    free(c->turning);
+    free(c->again);
     c->active = malloc(room * sizeof *c->active);
     c->of = malloc(room * sizeof *c->of);
     c->reach = malloc(room * sizeof *c->reach);
-    c->active_capacity = c->active && c->of && c->reach ? (int)room : 0;
+    c->turning = malloc(room * sizeof *c->turning);
+    c->again = malloc(room * sizeof *c->again);
+    bool is_done = c->active && c->of && c->reach && c->turning && c->again;
+    c->active_capacity = is_done ? (int)room : 0;
     return c->active_capacity > 0;
 }
 
 static void gather_active(contact_cache *c, const cache_frame *f)
 {
-    c->actives = c->fast = 0;
+    c->actives = c->fast = c->turnings = 0;
     if (!grow_active(c, c->entries)) {
         c->lost += c->entries;
         return;
     }
-    for (int k = 0; k < c->pairs; k++)
-        activate(c, f, &c->pair[k], c->key[k][0], c->key[k][1]);
-    for (int b = 0; b < f->bodies; b++)
-        for (int k = 0; k < f->planes; k++)
-            activate(c, f, &c->wall[b * c->planes + k], b, -1);
+    for (int k = 0; k < c->pairs; k++) gather(c, &c->pair[k]);
+    for (int k = 0; k < f->bodies * c->planes; k++) gather(c, &c->wall[k]);
+    update u = { c, f };
+    tasks_run(f->run, reach_chunk, &u, task_chunks(c->actives));
 }
 
 void cache_note(contact_cache *c, const contact_solver *s)
 {
-    for (int k = 0; k < s->contacts; k++) c->of[k]->gap = s->active[k].least;
+    for (int k = 0; k < s->contacts; k++) c->of[k]->near += s->active[k].least;
 }
 
 void cache_moved(contact_cache *c, int b, real way)
 {
-    c->placed[b].path += way;
+    c->placing[b].path += way;
 }
 //<
 
@@ -553,13 +656,14 @@ status cache_init(contact_cache *c, const cache_body *body, int bodies,
     *c = (contact_cache){ .planes = planes, .bodies = bodies,
                           .free_entry = -1 };
     c->placed = calloc(n, sizeof *c->placed);
+    c->placing = calloc(n, sizeof *c->placing);
     c->wall = calloc(n * (size_t)int_max(planes, 1), sizeof *c->wall);
-    for (int b = 0; b < bodies && c->placed; b++) {
-        c->placed[b].first = (int)vertices;
+    for (int b = 0; b < bodies && c->placing; b++) {
+        c->placing[b].first = (int)vertices;
         if (body[b].rigid) vertices += (size_t)body[b].shape->particles;
     }
     c->vertex = malloc(vertices * sizeof *c->vertex);
-    if (!c->placed || !c->wall || !c->vertex) {
+    if (!c->placed || !c->placing || !c->wall || !c->vertex) {
         cache_free(c);
         return status_out_of_memory();
     }
@@ -577,10 +681,13 @@ void cache_free(contact_cache *c)
     free(c->wall);
     free(c->entry);
     free(c->placed);
+    free(c->placing);
     free(c->vertex);
     free(c->active);
     free(c->of);
     free(c->reach);
+    free(c->turning);
+    free(c->again);
     *c = (contact_cache){ .free_entry = -1 };
 }
 
@@ -594,6 +701,6 @@ void cache_clear(contact_cache *c)
 {
     for (int k = 0; k < c->pairs; k++) clear_pair(c, &c->pair[k]);
     for (int k = 0; k < c->bodies * c->planes; k++) clear_pair(c, &c->wall[k]);
-    for (int b = 0; b < c->bodies; b++) c->placed[b].number = 0;
+    for (int b = 0; b < c->bodies; b++) c->placing[b].number = 0;
 }
 //<

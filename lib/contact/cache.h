@@ -4,7 +4,8 @@
 // Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 16.
 //
 // A pair is asked where it touches once a frame, as far ahead as its bodies may
-// get; and not at all while they lie where they lay when they were last asked.
+// get; again within the frame, if they turn much; and not at all while they lie
+// where they lay when they were last asked.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
 
 #ifndef TUMBLE_CACHE_H
@@ -43,11 +44,12 @@ typedef struct {
     int  entry;         // in the table of contacts; -1: none
     int  seen[2];       // of which placing of each body it was found; -1: it is
                         // good for this frame only
-    bool is_asked;
+    bool is_asked, is_active;   // in this frame
+    bool turns;         // see contact
     signed char count;  // points
     real margin;        // m, everything nearer was found
-    real gap;           // m, the least, when paths was
-    real paths;         // m, how far both bodies had gone then
+    real near;          // m, its least gap, and how far both bodies had gone by
+                        // then: it closes when they have gone so far
 } cache_pair;
 
 typedef struct {
@@ -68,13 +70,13 @@ typedef struct {
     cache_entry *entry;
     int entries, entry_capacity, free_entry;
 
-    // Where each body was when its vertices were last placed.
+    rigid_frame *placed;        // [bodies] where it was when its vertices were
+                                // last placed
     struct placing {
-        rigid_frame frame;
         int  number;    // how often they were placed
         int  first;     // in vertex
         real path;      // m, how far any of its points has gone at most
-    } *placed;          // [bodies]
+    } *placing;         // [bodies]
     vec3 *vertex;       // m
 
     // The contacts of this frame, and how near their points may come in it.
@@ -82,6 +84,8 @@ typedef struct {
     cache_pair **of;    // [actives] where they are kept
     real *reach;        // [actives] m
     int actives, active_capacity;
+    int *turning, turnings;     // of active: bodies that turn
+    int *again, agains;         // of those: to be asked again now
     long queries;       // asked in this frame
     long found;         // contacts, ever
     int  lost;          // contacts that found no memory
@@ -102,6 +106,16 @@ void cache_update(contact_cache *c, const cache_frame *f);
 
 // After the solver has taken them: what each contact's least gap is.
 void cache_note(contact_cache *c, const contact_solver *s);
+
+// Before substep k of so many: which contacts are to be found again, for bodies
+// that have been moved have turned since?  They are named in again, and where
+// their bodies stand now is written to `later`.  Returns how many.
+int cache_turning(contact_cache *c, const cache_frame *f, const motion *moved,
+                  int k, int substeps, rigid_frame *later);
+
+// Finds them again, with the impulses that they have.
+void cache_again(contact_cache *c, const cache_frame *f,
+                 const rigid_frame *later);
 
 // Body b has been moved: no vertex of it by more than way (m).
 void cache_moved(contact_cache *c, int b, real way);

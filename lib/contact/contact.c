@@ -27,6 +27,30 @@ void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
 }
 //<
 
+//> contact-arms
+static vec3 arm_at(const rigid_frame *f, vec3 local)
+{
+    return vec3_add_scaled(vec3_add_scaled(vec3_scale(local.x, f->axis[0]),
+                                           local.y, f->axis[1]),
+                           local.z, f->axis[2]);
+}
+
+// Both impulses act in the middle between the two sides: what one body gains of
+// angular momentum the other loses.
+contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
+                             const rigid_frame *b)
+{
+    const contact_point *p = &c->point[k];
+    contact_arms arm = { .a = arm_at(a, p->local_a) };
+    if (!b) return arm;
+    arm.b = arm_at(b, p->local_b);
+    if (k >= c->shared) return arm;
+    vec3 sum = vec3_add(arm.a, arm.b), way = vec3_sub(a->center, b->center);
+    return (contact_arms){ vec3_scale(0.5, vec3_sub(sum, way)),
+                           vec3_scale(0.5, vec3_add(sum, way)) };
+}
+//<
+
 //> contact-load
 real contact_load(const contact *c)
 {

@@ -15,7 +15,6 @@ enum { CONTACT_POINTS = 4 };
 // A point of A and a point of B that must not pass each other along the normal.
 typedef struct {
     vec3 local_a, local_b;  // where they ride: in the frames of the two bodies
-    vec3 arm_a, arm_b;      // m, from the centres, when the contact was found
     real offset;            // m, the gap that is kept between them
 } contact_point;
 
@@ -24,6 +23,10 @@ typedef struct {
 typedef struct {
     int  a, b;              // bodies; b < 0: plane -1 - b
     int  count;             // points; 0: none as near as they were asked for
+    signed char shared;     // of these so many, the first, push both bodies at
+                            // one place; the others, of bodies that meet later
+                            // in the frame, each at its own
+    bool turns;             // it may be found again before the frame ends
     long found;             // when it was, as a number that no other has
     vec3 normal;
     real impulse[CONTACT_POINTS];   // N s, of each point in the last substep,
@@ -45,6 +48,16 @@ static inline int contact_with_plane(int number)
 // plane's offset along its normal.
 void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
                   real height, real gap[CONTACT_POINTS]);
+
+// Where the impulses of a point act: m, from the centres.
+typedef struct {
+    vec3 a, b;
+} contact_arms;
+
+// Those of point k, when the bodies stand as their frames say.  For a plane b
+// is NULL, and its arm 0.
+contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
+                             const rigid_frame *b);
 
 // The sum of the impulses along the normal (N s): 0 if they do not touch.
 real contact_load(const contact *c);

@@ -51,6 +51,7 @@ typedef struct {
 typedef struct {
     const contact *c;
     impact_pair pair;
+    contact_arms arm[CONTACT_POINTS];   // of all points of the contact
     motion u[BODIES];           // velocities at the time of the impact
     real time;                  // of the impact, as a share of the substep
     int  points, point[CONTACT_POINTS];
@@ -228,8 +229,7 @@ static void find_touching(impact *x, const impact_solver *s,
            * h * h;
     x->time = 1;
     for (int k = 0; k < c->count; k++) {
-        const contact_point *q = &c->point[k];
-        const vec3 arm[BODIES] = { q->arm_a, q->arm_b };
+        const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(p, c->normal, arm);
         real now = gap[k] + row_apart(&row, moved);
         real closing = -h * row_apart(&row, x->u);
@@ -263,6 +263,9 @@ static impact impact_of(const impact_solver *s, const contact *c)
     for (int side = A; side < BODIES; side++)
         x.pair.falls[side] = x.pair.basis[side]->inverse_mass > 0;
     contact_gaps(c, &f->body[c->a].frame, frame, height, gap);
+    for (int k = 0; k < c->count; k++)
+        x.arm[k] = contact_arms_of(c, k, solver_placed(f, c->a),
+                                   solver_placed(f, c->b));
     find_touching(&x, s, gap, moved);
     return x;
 }
@@ -327,10 +330,10 @@ static real center_of(const impact *x, vec3 arm[BODIES])
     real sum = 0;
     arm[A] = arm[B] = vec3_make(0, 0, 0);
     for (int i = 0; i < x->points; i++) {
-        const contact_point *q = &x->c->point[x->point[i]];
+        const contact_arms *q = &x->arm[x->point[i]];
         sum += x->impulse[i];
-        arm[A] = vec3_add_scaled(arm[A], x->impulse[i], q->arm_a);
-        arm[B] = vec3_add_scaled(arm[B], x->impulse[i], q->arm_b);
+        arm[A] = vec3_add_scaled(arm[A], x->impulse[i], q->a);
+        arm[B] = vec3_add_scaled(arm[B], x->impulse[i], q->b);
     }
     for (int side = A; side < BODIES && sum > 0; side++)
         arm[side] = vec3_scale(1 / sum, arm[side]);
@@ -369,7 +372,7 @@ static void stop_twisting(impact *x, const vec3 arm[BODIES], real friction)
         set_turns(&r, p, side, x->c->normal);
     for (int i = 0; i < x->points; i++)
         most += friction * x->impulse[i]
-              * vec3_distance(x->c->point[x->point[i]].arm_a, arm[A]);
+              * vec3_distance(x->arm[x->point[i]].a, arm[A]);
     real twist = -row_apart(&r, x->u), mass = row_product(p, &r, &r);
     if (!(mass > 0)) return;
     row_push(p, &r, real_max(-most, real_min(twist / mass, most)), x->u);

@@ -1,7 +1,6 @@
 //> solver-active
 #include "solver.h"
 
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,30 +9,60 @@ static bool moves(const solver_frame *f, int body)
     return body >= 0 && f->body[body].basis.inverse_mass > 0;
 }
 
+// The smaller radius of the bodies of x; of the one that moves, if it is alone.
+static real radius_of(const active_contact *x, const solver_frame *f)
+{
+    real radius = f->body[x->a].radius;
+    return x->sides == ONE_SIDED ? radius
+                                 : real_min(radius, f->body[x->b].radius);
+}
+
+static real pace_of(const active_contact *x, const solver_frame *f, real radius)
+{
+    real inverse = f->body[x->a].basis.inverse_mass;
+    if (x->sides == TWO_SIDED) inverse += f->body[x->b].basis.inverse_mass;
+    return x->load * inverse / radius;
+}
+
 // Contact c, and which of its points come within reach.
-static void activate(active_contact *x, const contact *c, const solver_frame *f,
-                     real reach)
+static void see_points(active_contact *x, const contact *c,
+                       const rigid_frame *a, const rigid_frame *b, real height,
+                       real reach)
 {
     real gap[CONTACT_POINTS];
-    const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
-    real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
-    bool moves_a = moves(f, c->a), moves_b = moves(f, c->b);
+    contact_gaps(c, a, b, height, gap);
     x->found = c->found;
-    x->a = moves_a ? c->a : c->b;
-    x->b = moves_a ? c->b : c->a;
-    x->is_swapped = !moves_a;
-    x->sides = moves_a && moves_b ? TWO_SIDED : ONE_SIDED;
-    x->load = contact_load(c);
     x->least = HUGE_VAL;
     x->count = 0;
-    if (!moves_a && !moves_b) return;
-    contact_gaps(c, &f->body[c->a].frame, b, height, gap);
     for (int k = 0; k < c->count; k++) {
         x->least = real_min(gap[k], x->least);
         if (!(gap[k] < reach)) continue;
         x->point[x->count] = (signed char)k;
         x->gap[x->count++] = gap[k];
     }
+}
+
+static void activate(active_contact *x, const contact *c, const solver_frame *f,
+                     real reach)
+{
+    const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
+    real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
+    bool moves_a = moves(f, c->a), moves_b = moves(f, c->b);
+    x->a = moves_a ? c->a : c->b;
+    x->b = moves_a ? c->b : c->a;
+    x->is_swapped = !moves_a;
+    x->sides = moves_a && moves_b ? TWO_SIDED : ONE_SIDED;
+    x->load = contact_load(c);
+    see_points(x, c, &f->body[c->a].frame, b, height, reach);
+    x->pace = 0;
+    x->is_deep = false;
+    if (!moves_a && !moves_b) {
+        x->count = 0;
+        return;
+    }
+    real radius = radius_of(x, f);
+    x->pace = pace_of(x, f, radius);
+    x->is_deep = x->count > 0 && x->least < -0.1 * radius;
 }
 
 // Is x the contact y of the frame before, with the same points?
@@ -117,7 +146,9 @@ typedef struct {
     real per_near;              // 1/m, of a gap that is all but closed
     real has[CONTACT_POINTS];   // 1: it has this point; 0: not
     real gap[CONTACT_POINTS], impulse[CONTACT_POINTS];
-    const vec3 *arm_a[CONTACT_POINTS], *arm_b[CONTACT_POINTS];
+    real shared[CONTACT_POINTS];    // 1: both push at one place
+    const rigid_frame *placed_a, *placed_b;
+    const vec3 *local_a[CONTACT_POINTS], *local_b[CONTACT_POINTS];
 } lane_source;
 
 // Two unit vectors across n, fixed by n alone.
@@ -134,21 +165,24 @@ static void choose_across(lane_source *q, vec3 friction)
 
 // Of as many points as the block has; a contact that has fewer has none there.
 static const vec3 ORIGIN = { 0, 0, 0 };
+static const rigid_frame NOWHERE = { .center = { 0, 0, 0 } };
 
 static void choose_points(lane_source *q, const contact *c,
                           const active_contact *x, real warm, int points)
 {
     for (int j = 0; j < x->count; j++) {
-        const contact_point *p = &c->point[x->point[j]];
-        q->arm_a[j] = x->is_swapped ? &p->arm_b : &p->arm_a;
-        q->arm_b[j] = x->is_swapped ? &p->arm_a : &p->arm_b;
+        int k = x->point[j];
+        const contact_point *p = &c->point[k];
+        q->local_a[j] = x->is_swapped ? &p->local_b : &p->local_a;
+        q->local_b[j] = x->is_swapped ? &p->local_a : &p->local_b;
         q->has[j] = 1;
+        q->shared[j] = k < c->shared;
         q->gap[j] = x->gap[j];
-        q->impulse[j] = warm * c->impulse[x->point[j]];
+        q->impulse[j] = warm * c->impulse[k];
     }
     for (int j = x->count; j < points; j++) {
-        q->arm_a[j] = q->arm_b[j] = &ORIGIN;
-        q->has[j] = q->gap[j] = q->impulse[j] = 0;
+        q->local_a[j] = q->local_b[j] = &ORIGIN;
+        q->has[j] = q->shared[j] = q->gap[j] = q->impulse[j] = 0;
     }
 }
 
@@ -161,19 +195,18 @@ static void choose_lane(lane_source *q, const contact *c,
                         const active_contact *x, const solver_frame *f,
                         int points)
 {
-    real sign = x->is_swapped ? -1 : 1, radius = f->body[x->a].radius;
+    real sign = x->is_swapped ? -1 : 1;
     q->a = x->a;
     q->b = x->sides == TWO_SIDED ? x->b : f->bodies;
     q->basis_a = &f->body[x->a].basis;
     q->basis_b = &IMMOVABLE;
-    if (x->sides == TWO_SIDED) {
-        q->basis_b = &f->body[x->b].basis;
-        radius = real_min(radius, f->body[x->b].radius);
-    }
+    if (x->sides == TWO_SIDED) q->basis_b = &f->body[x->b].basis;
     q->normal = vec3_scale(sign, c->normal);
-    q->per_near = 25 / radius;
+    q->per_near = 25 / radius_of(x, f);
     q->twist = x->count > 1 ? f->warm * c->twist : 0;
     choose_across(q, vec3_scale(sign * f->warm, c->friction));
+    q->placed_a = solver_placed(f, x->a);
+    q->placed_b = x->b < 0 ? &NOWHERE : solver_placed(f, x->b);
     choose_points(q, c, x, f->warm, points);
 }
 
@@ -184,7 +217,8 @@ static void leave_lane(lane_source *q, int spare, int points)
     static const motion_basis light = { .inverse_mass = 1 };
     static const active_contact none = { .count = 0 };
     *q = (lane_source){ .a = spare, .b = spare, .basis_a = &light,
-                        .basis_b = &IMMOVABLE };
+                        .basis_b = &IMMOVABLE, .placed_a = &NOWHERE,
+                        .placed_b = &NOWHERE };
     choose_points(q, NULL, &none, 0, points);
 }
 //<
@@ -209,6 +243,46 @@ typedef struct {
     real4 has[CONTACT_POINTS], per_near;
 } raw_block;
 
+// As contact_arms_of has them.
+static inline void find_arms(real4 arm_a[3], real4 arm_b[3], real4 shared,
+                             real4 a[1 + FOUR_AXES][3],
+                             real4 b[1 + FOUR_AXES][3],
+                             const real4 local_a[3], const real4 local_b[3])
+{
+    const real4 half = real4_all(0.5);
+    for (int i = 0; i < 3; i++) {
+        real4 x = real4_mul(local_a[0], a[1][i]);
+        real4 y = real4_mul(local_b[0], b[1][i]);
+        for (int k = 1; k < FOUR_AXES; k++) {
+            x = real4_mad(local_a[k], a[1 + k][i], x);
+            y = real4_mad(local_b[k], b[1 + k][i], y);
+        }
+        real4 sum = real4_add(x, y), way = real4_sub(a[0][i], b[0][i]);
+        real4 mid_a = real4_mul(half, real4_sub(sum, way));
+        real4 mid_b = real4_mul(half, real4_add(sum, way));
+        arm_a[i] = real4_if_positive(shared, mid_a, x);
+        arm_b[i] = real4_if_positive(shared, mid_b, y);
+    }
+}
+
+static void transpose_arms(raw_block *raw, const lane_source q[REAL4],
+                           int points)
+{
+    real4 a[1 + FOUR_AXES][3], b[1 + FOUR_AXES][3], local_a[3], local_b[3];
+    LANES3_OF(a[0], q, placed_a->center);
+    LANES3_OF(b[0], q, placed_b->center);
+    for (int k = 0; k < FOUR_AXES; k++) {
+        LANES3_OF(a[1 + k], q, placed_a->axis[k]);
+        LANES3_OF(b[1 + k], q, placed_b->axis[k]);
+    }
+    for (int j = 0; j < points; j++) {
+        LANES3_OF(local_a, q, local_a[j][0]);
+        LANES3_OF(local_b, q, local_b[j][0]);
+        find_arms(raw->arm_a[j], raw->arm_b[j], LANES_OF(q, shared[j]), a, b,
+                  local_a, local_b);
+    }
+}
+
 static void transpose(block *k, raw_block *raw, const lane_source q[REAL4])
 {
     LANES3_OF(k->normal, q, normal);
@@ -225,12 +299,11 @@ static void transpose(block *k, raw_block *raw, const lane_source q[REAL4])
         LANES3_OF(raw->turn_b[t], q, basis_b->turn[t]);
     }
     for (int j = 0; j < k->points; j++) {
-        LANES3_OF(raw->arm_a[j], q, arm_a[j][0]);
-        LANES3_OF(raw->arm_b[j], q, arm_b[j][0]);
         raw->has[j] = LANES_OF(q, has[j]);
         k->point[j].gap = LANES_OF(q, gap[j]);
         k->point[j].impulse = LANES_OF(q, impulse[j]);
     }
+    transpose_arms(raw, q, k->points);
 }
 //<
 
@@ -324,12 +397,14 @@ static inline void make_friction(block *k, raw_block *raw, real4 inverse,
 //<
 
 //> solver-blocks
+// An item has few blocks: a colour may have no more than 30.
+enum { FEW_BLOCKS = 8 };
+
 typedef struct {
     contact_solver *s;
     const solver_frame *f;
     const contact *const *table;
     const real *reach;
-    int known;          // contacts that the frame before had
 } preparation;
 
 static void activate_chunk(void *data, int item)
@@ -341,7 +416,8 @@ static void activate_chunk(void *data, int item)
         active_contact *x = &p->s->active[k], was = *x;
         contact_expect(p->table[int_min(k + AHEAD, end - 1)]);
         activate(x, p->table[k], p->f, p->reach[k]);
-        x->is_new = k >= p->known || !is_same(x, &was);
+        x->is_new = k >= p->s->known || p->table[k]->turns
+                  || !is_same(x, &was);
     }
 }
 
@@ -368,8 +444,11 @@ static void fill_block(const preparation *p, int number)
     const int *list = s->order + first;
     k->rubs = true;
     k->points = 0;
-    for (int l = 0; l < lanes; l++)
+    k->point = s->point + s->start[number];
+    for (int l = 0; l < lanes; l++) {
+        s->active[list[l]].block = number;
         k->points = int_max(k->points, s->active[list[l]].count);
+    }
     for (int l = 0; l < REAL4; l++) {
         if (l < lanes)
             choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
@@ -390,19 +469,19 @@ static void fill_block(const preparation *p, int number)
 static void fill_chunk(void *data, int item)
 {
     const preparation *p = data;
-    int end = task_end(item, p->s->blocks);
-    for (int k = item * TASK_CHUNK; k < end; k++) fill_block(p, k);
+    int end = task_last(item, p->s->blocks, FEW_BLOCKS);
+    for (int k = item * FEW_BLOCKS; k < end; k++) fill_block(p, k);
 }
 //<
 
 //> solver-keep
 // Are these the contacts of the frame before, with the same points?  Then their
 // blocks, made for where the bodies stood when they were found, are good still.
-static bool may_keep_blocks(const contact_solver *s, const solver_frame *f,
-                            int known)
+static bool may_keep_blocks(const contact_solver *s, const solver_frame *f)
 {
-    if (known != s->contacts || f->h != s->h || !(f->warm == 1)) return false;
-    for (int k = 0; k < known; k++)
+    if (s->known != s->contacts || f->h != s->h || !(f->warm == 1))
+        return false;
+    for (int k = 0; k < s->contacts; k++)
         if (s->active[k].is_new) return false;
     return true;
 }
@@ -429,12 +508,13 @@ static void keep_chunk(void *data, int item)
 // Grows an array without keeping what is in it.
 static bool grow(void **array, int *capacity, int need, size_t size)
 {
+    size_t room = (size_t)need + (size_t)need / 8;
     if (need <= *capacity) return true;
-    void *more = malloc((size_t)need * 3 / 2 * size);
+    void *more = malloc(room * size);
     if (!more) return false;
     free(*array);
     *array = more;
-    *capacity = need * 3 / 2;
+    *capacity = (int)room;
     return true;
 }
 
@@ -451,6 +531,44 @@ static void forget_blocks(contact_solver *s)
     s->contacts = s->blocks = s->colors = s->touching = 0;
 }
 
+// A block has as many points as the contact in it that has most, or may get
+// them.
+static int room_of(const preparation *p, int k)
+{
+    return p->table[k]->turns ? CONTACT_POINTS : p->s->active[k].count;
+}
+
+static void count_points(const preparation *p)
+{
+    contact_solver *s = p->s;
+    int at = 0, sum = 0, *start = s->start;
+    for (const block_color *c = s->color; c < s->color + s->colors; c++) {
+        int end = at + c->contacts, each = c->is_crowded ? 1 : REAL4;
+        for (; at < end; at += each) {
+            int most = 0, last = int_min(at + each, end);
+            for (int k = at; k < last; k++)
+                most = int_max(most, room_of(p, s->order[k]));
+            *start++ = sum;
+            sum += most;
+        }
+        at = end;
+    }
+    *start = sum;
+}
+
+// Room for the blocks, and for their points.
+static bool make_block_room(const preparation *p)
+{
+    contact_solver *s = p->s;
+    if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
+              sizeof *s->block)
+        || !grow((void **)&s->start, &s->start_capacity, s->blocks + 1,
+                 sizeof *s->start)) return false;
+    count_points(p);
+    return grow((void **)&s->point, &s->point_capacity, s->start[s->blocks],
+                sizeof *s->point);
+}
+
 static bool make_blocks(contact_solver *s, preparation *p)
 {
     int end[BINS];
@@ -459,25 +577,32 @@ static bool make_blocks(contact_solver *s, preparation *p)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
     sort_contacts(s, end);
     list_colors(s, end);
-    if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
-              sizeof *s->block)) return false;
-    tasks_run(p->f->run, fill_chunk, p, task_chunks(s->blocks));
+    if (!make_block_room(p)) return false;
+    tasks_run(p->f->run, fill_chunk, p,
+              task_items(s->blocks, FEW_BLOCKS));
     s->h = p->f->h;
     return true;
 }
 
-bool solver_prepare(contact_solver *s, const solver_frame *f,
-                    const contact *const *table, const real *reach, int n)
+bool solver_look(contact_solver *s, const solver_frame *f,
+                 const contact *const *table, const real *reach, int n)
 {
-    preparation p = { s, f, table, reach, 0 };
+    preparation p = { s, f, table, reach };
     if (!make_room(s, n)) {
         forget_blocks(s);
         return false;
     }
-    p.known = s->contacts;
+    s->known = s->contacts;
     s->contacts = n;
     tasks_run(f->run, activate_chunk, &p, task_chunks(n));
-    if (may_keep_blocks(s, f, p.known)) {
+    return true;
+}
+
+bool solver_prepare(contact_solver *s, const solver_frame *f,
+                    const contact *const *table)
+{
+    preparation p = { s, f, table, NULL };
+    if (may_keep_blocks(s, f)) {
         tasks_run(f->run, keep_chunk, &p, task_chunks(s->blocks));
         return true;
     }
@@ -758,16 +883,17 @@ ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
 
 //> solver-pass
 // A loop for each kind of pass and of side, so that none asks inside.
-#define PASS(name, solve)                                               \
-    static void name(void *data, int item)                              \
-    {                                                                   \
-        const pass *q = data;                                           \
-        block *k = q->s->block + q->first;                              \
-        int end = task_end(item, q->count);                \
-        if (q->sides == TWO_SIDED)                                      \
-            for (int i = item * TASK_CHUNK; i < end; i++) solve(&k[i], q, true); \
-        else                                                            \
-            for (int i = item * TASK_CHUNK; i < end; i++) solve(&k[i], q, false);\
+#define PASS(name, solve)                                             \
+    static void name(void *data, int item)                            \
+    {                                                                 \
+        const pass *q = data;                                         \
+        block *k = q->s->block + q->first;                            \
+        int i = item * FEW_BLOCKS;                                    \
+        int end = task_last(item, q->count, FEW_BLOCKS);              \
+        if (q->sides == TWO_SIDED)                                    \
+            for (; i < end; i++) solve(&k[i], q, true);               \
+        else                                                          \
+            for (; i < end; i++) solve(&k[i], q, false);              \
     }
 
 PASS(see_chunk, see_block)
@@ -803,7 +929,7 @@ static void run_pass(contact_solver *s, const solver_frame *f,
         q.sides = s->color[c].sides;
         tasks none = { 0 };
         tasks_run(s->color[c].is_crowded ? none : f->run, work, &q,
-                  task_chunks(q.count));
+                  task_items(q.count, FEW_BLOCKS));
     }
 }
 
@@ -919,6 +1045,61 @@ void solver_store(contact_solver *s, tasks run, contact *const *table)
 }
 //<
 
+//> solver-renew
+// What the lanes of a contact's block have come to.
+static void hold_block(contact_solver *s, const block *x, contact *const *table)
+{
+    for (int l = 0; l < REAL4; l++) {
+        int k = x->contact[l];
+        if (k < 0) continue;
+        store_lane(x, l, &s->active[k], table[k]);
+        for (int j = 0; j < s->active[k].count; j++)
+            s->active[k].gap[j] = real4_get(&x->point[j].now, l);
+    }
+}
+
+void solver_hold(contact_solver *s, const int *list, int n,
+                 contact *const *table)
+{
+    for (int i = 0; i < n; i++)
+        hold_block(s, &s->block[s->active[list[i]].block], table);
+}
+
+// A block counts its gaps from where bodies stood when the frame began: these
+// are such that they have become what they are now.
+static void renew_block(const preparation *p, int number, const motion *moved)
+{
+    block *k = &p->s->block[number];
+    pass q = { .moved = moved };
+    fill_block(p, number);
+    see_block(k, &q, true);
+    for (int j = 0; j < k->points; j++) {
+        block_point *x = &k->point[j];
+        real4 now = x->gap, parted = real4_sub(x->now, x->gap);
+        x->gap = real4_sub(now, parted);
+        x->now = now;
+    }
+}
+
+void solver_renew(contact_solver *s, const solver_frame *f, const int *list,
+                  int n, const contact *const *table, const real *reach,
+                  const rigid_frame *now, const motion *moved)
+{
+    solver_frame inside = *f;
+    preparation p = { s, &inside, table, reach };
+    inside.warm = 1;
+    for (int i = 0; i < n; i++) {
+        const contact *c = table[list[i]];
+        const rigid_frame *b = c->b < 0 ? NULL : &now[c->b];
+        real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
+        see_points(&s->active[list[i]], c, &now[c->a], b, height,
+                   reach[list[i]]);
+    }
+    for (int i = 0; i < n; i++)
+        renew_block(&p, s->active[list[i]].block, moved);
+}
+//<
+
 //> solver-init
 status solver_init(contact_solver *s, int bodies)
 {
@@ -939,6 +1120,8 @@ void solver_free(contact_solver *s)
     free(s->active);
     free(s->order);
     free(s->block);
+    free(s->point);
+    free(s->start);
     free(s->taken);
     free(s->before);
     *s = (contact_solver){ .bodies = 0 };

@@ -14,6 +14,8 @@
 #include "scene.h"
 #include "task.h"
 
+#include <stddef.h>
+
 // How an overlap is pushed out: as a spring and a damper would, so strongly
 // that the substep can follow.
 typedef struct {
@@ -33,6 +35,8 @@ typedef struct {
 typedef struct {
     const solver_body *body;    // [bodies]
     int  bodies;
+    const rigid_frame *placed;  // [bodies] where they stood when their contacts
+                                // were found; NULL: where they stand now
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
     int  substeps;              // of this frame, or part of it
@@ -46,6 +50,15 @@ typedef struct {
     vec3 gravity;               // m/s^2, for impacts
     tasks run;
 } solver_frame;
+//<
+
+//> solver-placed
+// Where body b stood when its contacts were found; NULL for a plane.
+static inline const rigid_frame *solver_placed(const solver_frame *f, int b)
+{
+    if (b < 0) return NULL;
+    return f->placed ? &f->placed[b] : &f->body[b].frame;
+}
 //<
 
 //> solver-block
@@ -72,7 +85,7 @@ typedef struct {
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
     bool  rubs;                         // friction's impulses may not be 0
-    block_point point[CONTACT_POINTS];
+    block_point *point;                 // [points] of the solver's
 } block;
 //<
 
@@ -86,14 +99,18 @@ enum { TWO_SIDED, ONE_SIDED, SIDES };
 typedef struct {
     long found;         // the contact's
     int  a, b;          // bodies, or b < 0: a plane; ONE_SIDED: only a moves
-    int  count;         // points that may touch in this frame
-    int  color, sides;
+    int  color, block;
+    signed char count;  // points that may touch in this frame
+    signed char sides;
     bool is_swapped;    // A does not move: the block's A is the contact's B
     bool is_new;        // it, or one of its points, was not in the last frame
+    bool is_deep;       // overlaps by more than a tenth of the smaller radius
     signed char point[CONTACT_POINTS];  // which of the contact's
     real gap[CONTACT_POINTS];           // m
     real least;                         // m, of all points
     real load;          // N s, along the normal, when last solved
+    real pace;          // 1/s, by which that alone would part the bodies,
+                        // beside the smaller radius
 } active_contact;
 
 typedef struct {
@@ -108,8 +125,13 @@ typedef struct {
     active_contact *active;             // [capacity] of every contact
     int  *order;                        // [capacity] by colour and points
     int  contacts, capacity;
+    int  known;                         // contacts of the frame before
     block *block;
     int  blocks, block_capacity;
+    block_point *point;                 // of block after block
+    int  point_capacity;
+    int  *start;                        // [blocks + 1] where they begin
+    int  start_capacity;
     block_color color[SIDES * COLORS];
     int  colors;
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each
@@ -126,11 +148,16 @@ typedef struct {
 status solver_init(contact_solver *s, int bodies);
 void   solver_free(contact_solver *s);      // an empty or zeroed one is fine
 
-// Makes the blocks of n contacts, of those of their points that come within
-// reach[k] (m) of each other.  Allocates only if there are more contacts than
-// ever before; where memory is refused it takes none, and returns false.
+// Looks at n contacts: which of their points come within reach[k] (m) of each
+// other, and what they carried, in s->active.  (Of the frame it needs no h.)
+// Allocates only if there are more contacts than ever before; where memory is
+// refused it takes none, and returns false.
+bool solver_look(contact_solver *s, const solver_frame *f,
+                 const contact *const *table, const real *reach, int n);
+
+// Makes their blocks.  Allocates, and fails, as solver_look does.
 bool solver_prepare(contact_solver *s, const solver_frame *f,
-                    const contact *const *table, const real *reach, int n);
+                    const contact *const *table);
 
 // One substep, in this order.  velocity and moved are [bodies + 1]: the last is
 // spare, for lanes that are left over.
@@ -150,6 +177,16 @@ void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
 // After impacts, before solver_push: `moved` has changed, and with it the gaps.
 void solver_see_gaps(contact_solver *s, const solver_frame *f,
                      const motion *moved);
+// Before contacts list[0..n) are found again in the middle of a frame: their
+// impulses are written to them, and to those in the same blocks.
+void solver_hold(contact_solver *s, const int *list, int n,
+                 contact *const *table);
+// After that: their blocks are made again.  now: where the bodies stand that
+// these contacts name.  Contacts that were not said to turn are left as they
+// were.
+void solver_renew(contact_solver *s, const solver_frame *f, const int *list,
+                  int n, const contact *const *table, const real *reach,
+                  const rigid_frame *now, const motion *moved);
 // Keeps what the contacts did to each body, for the next substep.
 void solver_end(contact_solver *s, const motion *velocity);
 

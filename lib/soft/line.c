@@ -4,11 +4,13 @@
 // Paper: section 3.2.  Book: chapter 12.
 
 #include "line.h"
+#include "real4.h"
 
 #include <assert.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 // So many lines are solved side by side.  Their numbers lie next to each other,
 // so that one instruction works on two, four or eight of them.  A rope, which
@@ -39,8 +41,13 @@ struct line_scratch {
     int    room;        // particles of the body
     real   lightest;    // 1/kg, the largest inverse mass
     places now, before; // [room] at this step, and a step ago
+    places hold;        // [room] m of the chapter: 0 where nothing holds
     places block;       // [(particles + 1) * LANES] of the lines in hand
+    places block_hold;
     real  *link;        // [(particles + 1) * LANES * FIELDS]
+    char  *held[2];     // [room] for each direction, block and particle of its
+                        // lines: has one of the lanes an m?
+    bool   is_held;     // one of them all
     real   memory[];
 };
 
@@ -62,22 +69,38 @@ static places cut(real **memory, size_t n)
     return (places){ at, at + n, at + 2 * n, at + 3 * n };
 }
 
+static void hold_nothing(line_scratch *scratch)
+{
+    size_t room = (size_t)scratch->room;
+    if (!scratch->is_held) return;
+    for (size_t i = 0; i < room; i++)
+        scratch->hold.x[i] = scratch->hold.y[i] = scratch->hold.z[i] = 0;
+    memset(scratch->held[0], 0, 2 * room);
+    scratch->is_held = false;
+}
+
 line_scratch *line_scratch_new(const shape *s)
 {
     size_t longest = (size_t)int_max(s->columns, s->rows);
     size_t room = longest > 0 ? (size_t)s->particles : 0;
     size_t rows = (longest + 1) * LANES;
     line_scratch *scratch = malloc(sizeof *scratch + sizeof(real)
-                                   * (8 * room + (4 + FIELDS) * rows
-                                      + 13 * IN_LINE));
+                                   * (12 * room + (8 + FIELDS) * rows
+                                      + 21 * IN_LINE) + 2 * room);
     if (!scratch) return NULL;
     real *memory = line_begin(scratch->memory);
     scratch->particles = (int)longest;
     scratch->room      = (int)room;
     scratch->now    = cut(&memory, room);
     scratch->before = cut(&memory, room);
+    scratch->hold   = cut(&memory, room);
     scratch->block  = cut(&memory, rows);
+    scratch->block_hold = cut(&memory, rows);
     scratch->link   = memory;
+    scratch->held[0] = (char *)(memory + FIELDS * rows);
+    scratch->held[1] = scratch->held[0] + room;
+    scratch->is_held = true;
+    hold_nothing(scratch);
     return scratch;
 }
 
@@ -115,6 +138,7 @@ static void gather_all(line_scratch *scratch, const particle *p, int n,
                        relax_options options)
 {
     assert(options.tolerance >= 0 && n <= scratch->room);
+    hold_nothing(scratch);
     scratch->lightest = gather(scratch->now, p, n);
     if (options.gradient == GRADIENT_OLD) gather_before(scratch->before, p, n);
 }
@@ -197,6 +221,35 @@ static void halve(tally *t, int lanes)
 // A pivot below this share of its diagonal is what rounding left of nothing.
 static const real NOTHING = 1e-9;
 
+// A link that lies along the normals of what holds its ends asks for what they
+// hardly give.  It gets a little less than it asks for.
+static const real LESS = 0.02;
+
+// What the particles around link k add to row k, and to upper_(k-1).
+typedef struct {
+    real lower, upper, diagonal;
+} entries;
+
+ALWAYS_INLINE entries entries_of(vec3 last, vec3 link, vec3 last_push,
+                                 vec3 push, real weight, real both)
+{
+    return (entries){ weight * vec3_dot(link, last_push),
+                      weight * vec3_dot(last, push),
+                      both * vec3_dot(link, push) };
+}
+
+// What W = w - m m^T adds; m is that of particle k, n of the next one.
+ALWAYS_INLINE entries entries_held(vec3 last, vec3 link, vec3 last_push,
+                                   vec3 push, vec3 m, vec3 n)
+{
+    real spared = LESS * (vec3_length_squared(m) + vec3_length_squared(n));
+    return (entries){ -vec3_dot(m, link) * vec3_dot(m, last_push),
+                      -vec3_dot(m, last) * vec3_dot(m, push),
+                      spared * vec3_length_squared(link)
+                      - vec3_dot(m, link) * vec3_dot(m, push)
+                      - vec3_dot(n, link) * vec3_dot(n, push) };
+}
+
 // Row k of the system, and Thomas's step with it (h and g as in the chapter,
 // but h and lower with the other sign, which spares turning them round):
 //     h_(k-1) = upper_(k-1) / pivot_(k-1)
@@ -205,33 +258,39 @@ static const real NOTHING = 1e-9;
 // A link without length, between two nails, or that the ones before it leave
 // no freedom has no pivot: its multiplier is 0.  A link shorter than about
 // L / sqrt(3) asks for no more than twice its length.
-static inline void eliminate(places at, int pitch, real *restrict before,
-                             real *restrict here, int lanes, int old,
-                             real rest2, real half, tally *restrict t)
+ALWAYS_INLINE void eliminate(places at, places hold, int pitch,
+                             real *restrict before, real *restrict here,
+                             int lanes, int old, int held, real rest2,
+                             real half, tally *restrict t)
 {
     for (int l = 0; l < lanes; l++) {
         vec3 link = lane_link(at, pitch, l);
         if (!old) lane_set(here, PUSH, lanes, l, link);
         vec3 push = old ? lane_get(here, PUSH, lanes, l) : link;
+        vec3 last_push = lane_get(before, PUSH, lanes, l);
+        vec3 last = old ? lane_link(at, pitch, l - pitch) : last_push;
         real weight = at.weight[l], both = weight + at.weight[l + pitch];
         real now = vec3_length_squared(link);
-
-        real lower = weight * vec3_dot(link, lane_get(before, PUSH, lanes, l));
-        real upper = old ? weight * vec3_dot(lane_link(at, pitch, l - pitch),
-                                             push)
-                         : lower;
-        real h = upper * before[SHARE * lanes + l];
+        entries e = entries_of(last, link, last_push, push, weight, both);
+        if (held) {
+            entries a = entries_held(last, link, last_push, push,
+                                     place_get(hold, l),
+                                     place_get(hold, l + pitch));
+            e.lower += a.lower;
+            e.upper += a.upper;
+            e.diagonal += a.diagonal;
+        }
+        real h = (old ? e.upper : e.lower) * before[SHARE * lanes + l];
         before[SHARE * lanes + l] = h;
-        real diagonal = both * (old ? vec3_dot(link, push) : now);
-        real pivot = diagonal - lower * h;
-        real least = NOTHING * (old ? both * now : diagonal);
+        real pivot = e.diagonal - e.lower * h;
+        real least = NOTHING * (old ? both * now : e.diagonal);
         real inverse = pivot > least ? 1 / pivot : 0;
         here[SHARE * lanes + l] = inverse;
 
         real twice = now - rest2, asked = half * twice;
         count_wrong(t, l, twice, old);
         asked = asked > -now ? asked : -now;
-        asked += lower * before[SOLVED * lanes + l];
+        asked += e.lower * before[SOLVED * lanes + l];
         real solved = asked * inverse;
         here[SOLVED * lanes + l] = solved;
         if (!old) t->far[l] += asked * solved;
@@ -243,12 +302,19 @@ static inline void eliminate(places at, int pitch, real *restrict before,
 // Upwards: the multiplier of link k, `here`, is g_k + h_k times that of link
 // k + 1, `after`.  Then the particle between them knows where to go, for link
 // k + 1 has left in `pull` what it asks:
-//     w (multiplier_(k+1) push_(k+1) - multiplier_k push_k).
-static inline void substitute(real *restrict x, real *restrict y,
+//     w (multiplier_(k+1) push_(k+1) - multiplier_k push_k),
+// and less of it if that would take the particle into what it touches.
+ALWAYS_INLINE vec3 give_way(real weight, vec3 pull, vec3 m)
+{
+    real into = vec3_dot(m, pull);
+    return vec3_add_scaled(vec3_scale(weight, pull), into < 0 ? -into : 0, m);
+}
+
+ALWAYS_INLINE void substitute(real *restrict x, real *restrict y,
                               real *restrict z, const real *restrict weight,
-                              real *restrict here, const real *restrict after,
-                              int lanes, int old, real *restrict pull,
-                              real *restrict far)
+                              places hold, real *restrict here,
+                              const real *restrict after, int lanes, int old,
+                              int held, real *restrict pull, real *restrict far)
 {
     for (int l = 0; l < lanes; l++) {
         real solved = here[SOLVED * lanes + l]
@@ -256,9 +322,11 @@ static inline void substitute(real *restrict x, real *restrict y,
         here[SOLVED * lanes + l] = solved;
         vec3 up = lane_get(pull, 0, lanes, l);
         vec3 down = vec3_scale(solved, lane_get(here, PUSH, lanes, l));
-        vec3 d = vec3_scale(weight[l], vec3_sub(up, down));
+        vec3 g = vec3_sub(up, down);
+        vec3 d = held ? give_way(weight[l], g, place_get(hold, l))
+                      : vec3_scale(weight[l], g);
         lane_set(pull, 0, lanes, l, down);
-        if (old) far[l] += vec3_length_squared(d);
+        if (old || held) far[l] += vec3_length_squared(d);
         x[l] += d.x;
         y[l] += d.y;
         z[l] += d.z;
@@ -276,7 +344,11 @@ typedef struct {
     int  start;                 // where in the body the line of lane 0 begins
     int  open[LANES];           // 1: not solved yet
     int  in_place;              // 1: solved where the body's places are
-    places at;                  // particle k of lane l is number k pitch + l
+    bool may_skip;              // a block that is good
+    int  direction;             // of the strands; -1: one that is not held
+    places at, hold;            // particle k of lane l is number k pitch + l
+    const char *held;           // [particles] is one of the lanes held?  Or
+                                // NULL: none is
     int  pitch;
     tally t;
     real first[LANES];          // m^2, t.worst before the first step
@@ -294,6 +366,10 @@ static void block_begin(block *b, int first)
     int last = b->s.lines - b->lanes, begin = first < last ? first : last;
     b->start = begin * b->s.across;
     for (int l = 0; l < b->lanes; l++) b->open[l] = begin + l >= first;
+    b->held = NULL;
+    if (b->direction >= 0 && b->scratch->is_held)
+        b->held = b->scratch->held[b->direction]
+                + first / b->lanes * b->s.particles;
 }
 //<
 
@@ -321,16 +397,11 @@ static inline void lanes_out(real *restrict to, const real *restrict from,
     for (int l = 0; l < LANES; l++) to[l * across] = from[l];
 }
 
-static void block_copy(block *b)
+static void block_copy(const block *b, places to, places from)
 {
-    places body = b->scratch->now, room = b->scratch->block;
     int lanes = b->lanes, across = b->s.across;
-    for (int l = 0; l < lanes; l++) place_set(room, l, (vec3){ 0, 0, 0 });
-    b->pitch = lanes;
-    b->at = places_from(room, lanes);
+    from = places_from(from, b->start);
     for (int k = 0; k < b->s.particles; k++) {
-        places to = places_from(b->at, k * lanes);
-        places from = places_from(body, b->start + k * b->s.along);
         if (lanes == 1) {
             place_set(to, 0, place_get(from, 0));
             to.weight[0] = from.weight[0];
@@ -340,7 +411,21 @@ static void block_copy(block *b)
             lanes_in(to.z, from.z, across);
             lanes_in(to.weight, from.weight, across);
         }
+        to = places_from(to, lanes);
+        from = places_from(from, b->s.along);
     }
+}
+
+static void block_fetch(block *b)
+{
+    places room = b->scratch->block;
+    for (int l = 0; l < b->lanes; l++) place_set(room, l, (vec3){ 0, 0, 0 });
+    b->pitch = b->lanes;
+    b->at = places_from(room, b->lanes);
+    block_copy(b, b->at, b->scratch->now);
+    if (!b->held) return;
+    b->hold = b->scratch->block_hold;
+    block_copy(b, b->hold, b->scratch->hold);
 }
 
 static void block_load(block *b, int old)
@@ -349,7 +434,8 @@ static void block_load(block *b, int old)
     b->in_place = fits_in_place(b, old);
     b->pitch = b->s.along;
     b->at = places_from(b->scratch->now, b->start);
-    if (!b->in_place) block_copy(b);
+    b->hold = places_from(b->scratch->hold, b->start);
+    if (!b->in_place) block_fetch(b);
 
     // No link comes before the first, none after the last.
     real *before = row_at(b, -1), *after = row_at(b, links);
@@ -384,17 +470,25 @@ static void block_store(const block *b, const int *solved)
 //> line-sweeps
 // What these loops count stands in variables of their own, to which no pointer
 // leads: else a compiler would have to load and store them in every row.
-static inline void eliminate_lines(block *b, int lanes, int old)
+ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
 {
     tally t = { .worst = { 0 } };
-    places at = b->at;
-    real *row = row_at(b, -1), rest = b->s.rest_length;
+    places at = b->at, hold = b->hold;
+    real *row = row_at(b, -1), rest2 = b->s.rest_length * b->s.rest_length;
+    real half = b->more / 2;
+    const char *held = b->held;
     int pitch = b->pitch;
     for (int k = 1; k < b->s.particles; k++) {
-        eliminate(at, pitch, row, row + FIELDS * lanes, lanes, old,
-                  rest * rest, b->more / 2, &t);
-        row += FIELDS * lanes;
+        real *here = row + FIELDS * lanes;
+        if (held && (held[k - 1] | held[k]))
+            eliminate(at, hold, pitch, row, here, lanes, old, 1, rest2, half,
+                      &t);
+        else
+            eliminate(at, hold, pitch, row, here, lanes, old, 0, rest2, half,
+                      &t);
+        row = here;
         at = places_from(at, pitch);
+        hold = places_from(hold, pitch);
     }
     halve(&t, lanes);
     for (int l = 0; l < lanes; l++) t.far[l] *= b->scratch->lightest;
@@ -402,17 +496,24 @@ static inline void eliminate_lines(block *b, int lanes, int old)
 }
 
 // The last pair has no link above it: it moves particle 0.
-static inline void substitute_lines(block *b, int lanes, int old)
+ALWAYS_INLINE void substitute_lines(block *b, int lanes, int old)
 {
     real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
     int pitch = b->pitch;
     for (int k = b->s.particles - 1; k >= 0; k--) {
         places at = places_from(b->at, k * pitch);
+        places hold = places_from(b->hold, k * pitch);
         real *row = b->scratch->link + k * FIELDS * lanes;
-        substitute(at.x, at.y, at.z, at.weight, row, row + FIELDS * lanes,
-                   lanes, old, pull, far);
+        real *after = row + FIELDS * lanes;
+        if (b->held && b->held[k])
+            substitute(at.x, at.y, at.z, at.weight, hold, row, after, lanes,
+                       old, 1, pull, far);
+        else
+            substitute(at.x, at.y, at.z, at.weight, hold, row, after, lanes,
+                       old, 0, pull, far);
     }
-    for (int l = 0; l < lanes && old; l++) b->t.far[l] = far[l];
+    for (int l = 0; l < lanes && old; l++) b->t.far[l] = 0;
+    for (int l = 0; l < lanes; l++) b->t.far[l] += far[l];
 }
 
 // One loop for each number of lanes and each gradient, so that no loop chooses
@@ -459,7 +560,10 @@ static vec3 move_of(const block *b, int k, int l)
     int solved = SOLVED * b->lanes + l;
     vec3 up = vec3_scale(after[solved], lane_get(after, PUSH, b->lanes, l));
     vec3 down = vec3_scale(here[solved], lane_get(here, PUSH, b->lanes, l));
-    return vec3_scale(b->at.weight[k * b->pitch + l], vec3_sub(up, down));
+    int i = k * b->pitch + l;
+    vec3 m = b->held && b->held[k] ? place_get(b->hold, i)
+                                   : (vec3){ 0, 0, 0 };
+    return give_way(b->at.weight[i], vec3_sub(up, down), m);
 }
 
 // m^2, the sum of what was wrong.  Along the new links it was not counted:
@@ -558,6 +662,52 @@ static int block_close(block *b, const int *solved, const real *worst,
 }
 //<
 
+//> line-look
+// Twice what is wrong with eight links whose first ends stand side by side.
+static inline void look_at_links(places at, int pitch, real rest2,
+                                 real worst[LANES], real sum[LANES])
+{
+    for (int l = 0; l < LANES; l++) {
+        real size = fabs(vec3_length_squared(lane_link(at, pitch, l)) - rest2);
+        worst[l] = worst[l] > size ? worst[l] : size;
+        sum[l] += size;
+    }
+}
+
+// m^2, the largest |now - rest^2| / 2 of a block of LANES lines; HUGE_VAL for
+// NaN.  Columns or rows, one of the two lies side by side in the body.
+static real block_worst(const block *b)
+{
+    strands s = b->s;
+    bool is_across = s.across == 1;
+    int links = s.particles - 1, side = is_across ? b->lanes : links;
+    int steps = is_across ? links : b->lanes;
+    real rest2 = s.rest_length * s.rest_length, most = 0;
+    real worst[LANES] = { 0 }, sum[LANES] = { 0 };
+    if (side < LANES) return HUGE_VAL;
+    for (int k = 0; k < steps; k++)
+        for (int q = 0; q < side; q += LANES) {
+            int i = (q < side - LANES ? q : side - LANES)
+                  + k * (is_across ? s.along : s.across);
+            look_at_links(places_from(b->scratch->now, b->start + i), s.along,
+                          rest2, worst, sum);
+        }
+    for (int l = 0; l < LANES; l++) {
+        if (!(sum[l] < HUGE_VAL)) return HUGE_VAL;
+        most = worst[l] > most ? worst[l] : most;
+    }
+    return most / 2;
+}
+
+static bool is_good(const block *b, real tolerance, line_result *r)
+{
+    real worst = block_worst(b) / (b->s.rest_length * b->s.rest_length);
+    if (!(worst <= tolerance)) return false;
+    r->worst = fmax(r->worst, worst);
+    return true;
+}
+//<
+
 //> line-solve
 // Along the old links.  Returns how many lanes are open still.
 static int block_solve_old(block *b, int steps, real tolerance, line_result *r)
@@ -602,6 +752,7 @@ static void solve(block b, const particle *p, int steps, relax_options options,
     b.lanes = b.s.lines < LANES ? 1 : LANES;
     for (int first = 0; first < b.s.lines; first += b.lanes) {
         block_begin(&b, first);
+        if (b.may_skip && is_good(&b, options.tolerance, r)) continue;
         if (options.gradient == GRADIENT_OLD) {
             if (block_solve_old(&b, steps, options.tolerance, r) == 0) continue;
             r->fell_back = 1;
@@ -633,6 +784,56 @@ int shape_links(const shape *s)
 }
 //<
 
+//> line-hold
+// What is held gives way by this share of what it would.
+static const real GIVE = 0.2;
+
+// Marks particle i in its blocks.  The last one may share lines with the one
+// before it.
+static void mark(const shape *s, line_scratch *scratch, int i)
+{
+    for (int d = 0; d < shape_directions(s); d++) {
+        strands x = shape_strands(s, d);
+        int line = i / x.across % x.lines, k = i / x.along % x.particles;
+        int lanes = x.lines < LANES ? 1 : LANES;
+        int last = (x.lines - 1) / lanes;
+        scratch->held[d][line / lanes * x.particles + k] = 1;
+        if (line >= x.lines - lanes)
+            scratch->held[d][last * x.particles + k] = 1;
+    }
+    scratch->is_held = true;
+}
+
+static void hold_begin(const shape *s, line_scratch *scratch,
+                       const line_hold *hold)
+{
+    for (int i = 0; i < s->particles; i++) {
+        real *weight = &scratch->now.weight[i];
+        if (hold[i].state == LINE_STICKS) *weight *= GIVE;
+        if (hold[i].state != LINE_SLIDES || !(*weight > 0)) continue;
+        real m = sqrt((1 - GIVE) * *weight);
+        place_set(scratch->hold, i, vec3_scale(m, hold[i].normal));
+        mark(s, scratch, i);
+    }
+}
+
+// p: as they were before.
+static void hold_end(const shape *s, const line_scratch *scratch,
+                     const particle *p, line_hold *hold)
+{
+    for (int i = 0; i < s->particles; i++) {
+        if (hold[i].state == LINE_FREE) continue;
+        vec3 d = vec3_sub(place_get(scratch->now, i), p[i].position);
+        real into = vec3_dot(d, hold[i].normal);
+        if (hold[i].state == LINE_STICKS)
+            d = vec3_scale(1 / GIVE, d);
+        else if (into < 0)
+            d = vec3_add_scaled(d, into * (1 / GIVE - 1), hold[i].normal);
+        hold[i].pull = d;
+    }
+}
+//<
+
 //> line-relax
 line_result line_solve(strands s, particle *p, int steps,
                        relax_options options, line_scratch *scratch)
@@ -641,33 +842,40 @@ line_result line_solve(strands s, particle *p, int steps,
     line_result r = { .worst = 0 };
     int last = (s.lines - 1) * s.across + (s.particles - 1) * s.along;
     gather_all(scratch, p, last + 1, options);
-    solve((block){ .s = s, .scratch = scratch, .more = 1 }, p, steps, options,
-          &r);
+    solve((block){ .s = s, .scratch = scratch, .more = 1, .direction = -1 }, p,
+          steps, options, &r);
     scatter(scratch->now, p, last + 1);
     return r;
 }
 
 // What one direction of a cloth does the other half undoes: sweep after sweep.
 // All but the last ask for more than what is wrong.  (Along the old links it
-// would be taken for failure.)  A rope has only one direction, and no need.
-static const real MORE = 1.3;
+// would be taken for failure.)  A rope has only one direction, and no need; it
+// takes more than a step only where it touches something.
+static const real MORE = 1.4;
 
 line_result lines_relax(const shape *s, particle *p, int sweeps,
-                        relax_options options, line_scratch *scratch)
+                        relax_options options, line_hold *hold,
+                        line_scratch *scratch)
 {
     assert(sweeps >= 1);
     line_result r = { .worst = 0 };
     int directions = shape_directions(s), done = 0;
-    int most = directions > 1 ? sweeps : 1;
+    int most = directions > 1 || hold ? sweeps : 1;
     int is_new = options.gradient == GRADIENT_NEW;
     gather_all(scratch, p, s->particles, options);
+    if (hold) hold_begin(s, scratch, hold);
     do {
-        real more = is_new && done + 1 < most ? MORE : 1;
+        real more = is_new && directions > 1 && done + 1 < most ? MORE : 1;
         r.worst = 0;
-        for (int d = 0; d < directions; d++)
-            solve((block){ .s = shape_strands(s, d), .scratch = scratch,
-                           .more = more }, p, 1, options, &r);
+        block b = { .scratch = scratch, .more = more,
+                    .may_skip = directions > 1 && done > 0 };
+        for (b.direction = 0; b.direction < directions; b.direction++) {
+            b.s = shape_strands(s, b.direction);
+            solve(b, p, 1, options, &r);
+        }
     } while (++done < most && !(r.worst <= options.tolerance));
+    if (hold) hold_end(s, scratch, p, hold);
     scatter(scratch->now, p, s->particles);
     r.steps = done;
     return r;

@@ -275,7 +275,7 @@ static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
 // The longest, the diagonal of a cell, would do with half a spacing, and we
 // have 0.55.  But the sticks come last, and pull them nearer: so a quarter
 // more, of what is static.  What is not makes way.
-static const real SPARE = 1.25;
+static const real SPARE = 1.35;
 
 real soft_gap(const body *soft, const body *rigid)
 {

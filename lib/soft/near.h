@@ -27,6 +27,7 @@ typedef struct {
     int  bodies;
     particle *particle;         // the pool
     const solver_body *now;     // [bodies] rigid ones, as the frame begins,
+    line_hold *hold;            // [particles] of the pool
     motion *moved;              // [bodies] how far they have been moved since,
     motion *velocity;           // [bodies] and how fast they are
     const sphere *ball;         // [bodies] around them, as the frame begins

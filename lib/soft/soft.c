@@ -29,16 +29,54 @@ static void verlet_step_changed(particle *p, int n, vec3 a, real dt_before,
 }
 
 // The first substep of a frame may be longer or shorter than the last one.
+static void fall(const soft_frame *f, const body *b)
+{
+    particle *p = f->particle + b->first;
+    int n = body_particles(b);
+    if (f->age == f->h) verlet_step(p, n, f->gravity, NULL, f->h);
+    else verlet_step_changed(p, n, f->gravity, f->age, f->h);
+}
+
+// A pull that lasts moves the further, the longer the substep is.
+static void forget_holds(const soft_frame *f, const body *b)
+{
+    real longer = f->h / f->age, times = longer * longer;
+    for (int i = b->first; i < b->first + body_particles(b); i++) {
+        line_hold *h = &f->hold[i];
+        h->pull = vec3_scale(h->state == LINE_FREE ? 0 : times, h->pull);
+        h->state = LINE_FREE;
+    }
+}
+
+// The diagonals come before the contacts, and both before the strands: what
+// comes last holds best.
+static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
+{
+    const shape *plan = b->shape;
+    int links = shape_links(plan), others = plan->sticks - links;
+    if (others == 0) return;
+    sticks_iterate(plan->stick + links, others, f->particle + b->first,
+                   f->relax);
+    s->tested += others;
+    s->relaxed += others;
+}
+
 void soft_move(soft_solver *s, const soft_frame *f)
 {
     for (int b = 0; b < f->bodies; b++) {
-        particle *p = f->particle + f->body[b].first;
-        int n = body_particles(&f->body[b]);
         if (!is_moving_soft(f, b)) continue;
-        if (f->age == f->h) verlet_step(p, n, f->gravity, NULL, f->h);
-        else verlet_step_changed(p, n, f->gravity, f->age, f->h);
-        bend_relax(f->body[b].shape, f->body[b].bending, p, f->h, s->bends);
+        const body *x = &f->body[b];
+        fall(f, x);
+        bend_relax(x->shape, x->bending, f->particle + x->first, f->h,
+                   s->bends);
+        forget_holds(f, x);
     }
+}
+
+void soft_draw(soft_solver *s, const soft_frame *f)
+{
+    for (int b = 0; b < f->bodies; b++)
+        if (is_moving_soft(f, b)) draw_diagonals(s, f, &f->body[b]);
 }
 //<
 
@@ -66,16 +104,33 @@ void soft_hold(soft_solver *s, const soft_frame *f)
 //<
 
 //> soft-relax
-// Soft diagonals first, then the strands that must hold.
+// Sticks of a cloth may be off by as much.
+static const real CLOTH_TOLERANCE = 0.0025;
+
+// What lies on something that does not move must not leave it by what the
+// substep before has pulled it in.
+static void calm(particle *p, const line_hold *h)
+{
+    real up = vec3_dot(vec3_sub(p->position, p->previous), h->normal);
+    if (h->state == LINE_STICKS)
+        p->previous = p->position;
+    else if (h->state == LINE_SLIDES && up > 0)
+        p->previous = vec3_add_scaled(p->previous, up, h->normal);
+}
+
 static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
 {
     const shape *plan = b->shape;
     particle *p = f->particle + b->first;
-    int links = shape_links(plan), others = plan->sticks - links;
-    if (others > 0) sticks_iterate(plan->stick + links, others, p, f->relax);
-    line_result l = lines_relax(plan, p, f->iterations, f->relax, b->line);
-    s->tested += others + l.steps * links;
-    s->relaxed += others + l.steps * links;
+    line_hold *hold = f->hold + b->first;
+    int links = shape_links(plan);
+    relax_options o = f->relax;
+    if (shape_directions(plan) > 1)
+        o.tolerance = real_max(o.tolerance, CLOTH_TOLERANCE);
+    line_result l = lines_relax(plan, p, f->iterations, o, hold, b->line);
+    for (int i = 0; i < plan->particles; i++) calm(&p[i], &hold[i]);
+    s->tested += l.steps * links;
+    s->relaxed += l.steps * links;
     s->fell_back += l.fell_back;
 }
 
@@ -208,8 +263,10 @@ status soft_init(soft_solver *s, const body *all, int bodies, int particles)
     for (int b = 0; b < bodies; b++)
         rows = int_max(rows, bend_rows(all[b].shape));
     s->ahead = calloc((size_t)bodies, sizeof *s->ahead);
+    s->hold = calloc((size_t)particles, sizeof *s->hold);
     s->bends = calloc((size_t)rows, sizeof *s->bends);
-    if (done.ok && (!s->ahead || !s->bends)) done = status_out_of_memory();
+    if (done.ok && !(s->ahead && s->hold && s->bends))
+        done = status_out_of_memory();
     if (!done.ok) soft_free(s);
     return done;
 }
@@ -219,6 +276,7 @@ void soft_free(soft_solver *s)
     near_free(&s->near);
     rigid_view_free(&s->view);
     free(s->ahead);
+    free(s->hold);
     free(s->bends);
     *s = (soft_solver){ .touching = 0 };
 }

@@ -16,6 +16,7 @@ typedef struct {
     near_lists near;
     rigid_view view;
     prediction *ahead;  // [bodies] how each may move in this frame
+    line_hold *hold;    // [particles] what each touches that does not move
     bend_row *bends;    // [particles of the longest strand]
     bool is_backward;   // points at rigid bodies come last to first
 
@@ -32,7 +33,7 @@ typedef struct {
 status soft_init(soft_solver *s, const body *all, int bodies, int particles);
 void   soft_free(soft_solver *s);       // an empty or zeroed one is fine
 
-// A frame begins, and rigid bodies have been looked at: where are the deformable
+// A frame begins, and rigid bodies have been looked at: where are deformable
 // ones, and how may they move?
 void soft_begin(soft_solver *s, const soft_frame *f);
 
@@ -46,11 +47,15 @@ int soft_substeps(const soft_solver *s, const soft_frame *f);
 // A substep, in this order.  The particles move, and what is bent straightens;
 void soft_move(soft_solver *s, const soft_frame *f);
 
+// the diagonals of cloth draw them;
+void soft_draw(soft_solver *s, const soft_frame *f);
+
 // they are parted from planes, each other and rigid bodies, which take impulses
 // where they stand, at f->now, moved by f->moved;
 void soft_separate(soft_solver *s, const soft_frame *f);
 
-// their sticks are relaxed;
+// and their strands are relaxed, together with what they touch that does not
+// move;
 void soft_relax(soft_solver *s, const soft_frame *f);
 
 // and those that sticks have pulled back into a rigid body hold it by the

@@ -170,6 +170,42 @@ static void share_with_all(const touch *x, const particle *before,
 }
 //<
 
+//> touch-fixed
+// How far the strands will let it slide is what they did in the last substep.
+static void slide(const soft_frame *f, particle *p, line_hold *hold,
+                  real pressed)
+{
+    vec3 n = hold->normal, went = vec3_sub(p->position, p->previous);
+    vec3 would = vec3_add(went, hold->pull);
+    went = vec3_add_scaled(went, -vec3_dot(went, n), n);
+    would = vec3_add_scaled(would, -vec3_dot(would, n), n);
+    real most = f->friction * pressed, far = vec3_length(would);
+    hold->state = far <= most ? LINE_STICKS : LINE_SLIDES;
+    p->position = far <= most ? vec3_sub(p->position, went)
+                : vec3_add_scaled(p->position, -most / far, would);
+}
+
+// A particle leaves what does not move by the shortest way.  If the strands
+// press it on, they will find it held; where two things do, they hold it to all
+// sides.
+static bool touch_fixed(const soft_frame *f, int i, surface_point at,
+                        real apart)
+{
+    particle *p = &f->particle[i];
+    line_hold *hold = &f->hold[i];
+    real depth = apart - vec3_dot(vec3_sub(p->position, at.at), at.normal);
+    if (!(depth > 0) || !(depth < HUGE_VAL)) return false;
+    if (p->inverse_mass == 0) return true;
+    real pressed = depth + real_max(-vec3_dot(hold->pull, at.normal), 0);
+    p->position = vec3_add_scaled(p->position, depth, at.normal);
+    bool is_held = hold->state != LINE_FREE;
+    hold->normal = at.normal;
+    slide(f, p, hold, pressed);
+    if (is_held) hold->state = LINE_STICKS;
+    return true;
+}
+//<
+
 //> touch-bodies
 // Whatever answers at that point: *p.
 static bool push_off(const touch *x, particle *p)
@@ -193,17 +229,18 @@ static bool part(const touch *x, answering who)
     return true;
 }
 
-static bool touch_body(const rigid_view *v, const soft_frame *f, point_pair pair,
-                       real apart, answering who)
+static bool touch_body(const rigid_view *v, const soft_frame *f,
+                       point_pair pair, real apart, answering who)
 {
     particle *p = &f->particle[pair.particle];
     surface_point at;
     if (!obstacle_nearest(&v->hull, p->position, pair.ahead, apart, &at))
         return false;
     if (body_is_static(&f->body[pair.rigid]))
-        return surface_separate(p, at.at, at.normal, apart, f->friction) > 0;
+        return who == BY_PARTICLE && touch_fixed(f, pair.particle, at, apart);
     touch x = { f, v, &f->body[pair.soft], pair.rigid, 1, { pair.particle },
                 { 1 }, at, apart };
+    f->hold[pair.particle].state = LINE_FREE;
     return part(&x, who);
 }
 
@@ -346,11 +383,11 @@ void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
 //<
 
 //> touch-particles
-static int touch_plane(const soft_frame *f, particle *p, plane wall, real apart)
+static bool touch_plane(const soft_frame *f, int i, plane wall, real apart)
 {
-    real up = plane_height(wall, p->position);
-    vec3 foot = vec3_add_scaled(p->position, -up, wall.normal);
-    return surface_separate(p, foot, wall.normal, apart, f->friction) > 0;
+    vec3 x = f->particle[i].position;
+    vec3 foot = vec3_add_scaled(x, -plane_height(wall, x), wall.normal);
+    return touch_fixed(f, i, (surface_point){ foot, wall.normal }, apart);
 }
 
 int touch_planes(const soft_frame *f)
@@ -361,8 +398,7 @@ int touch_planes(const soft_frame *f)
         if (!is_moving_soft(f, b)) continue;
         for (int i = soft->first; i < soft->first + soft->shape->particles; i++)
             for (int k = 0; k < f->planes; k++)
-                touching += touch_plane(f, &f->particle[i], f->plane[k],
-                                        soft->thickness);
+                touching += touch_plane(f, i, f->plane[k], soft->thickness);
     }
     return touching;
 }

@@ -10,7 +10,7 @@ soft_frame soft_frame_of(world *w, real h)
     rigid_tables *t = &w->rigid;
     return (soft_frame){
         .body = w->body, .asleep = w->sleep.asleep, .bodies = w->bodies,
-        .particle = w->pool.at, .now = t->now, .moved = t->moved,
+        .particle = w->pool.at, .hold = w->soft.hold, .now = t->now, .moved = t->moved,
         .velocity = t->velocity, .ball = t->ball, .ahead = t->ahead,
         .plane = w->plane, .planes = w->planes, .gravity = o->gravity,
         .friction = o->friction, .iterations = o->iterations,
@@ -50,6 +50,8 @@ void soft_step(world *w, real h)
     soft_move(&w->soft, &f);
     w->age = h;
     ledger_book(w, LEDGER_INTEGRATE);
+    soft_draw(&w->soft, &f);
+    ledger_book(w, LEDGER_STICKS);
     soft_separate(&w->soft, &f);
     ledger_book(w, LEDGER_CONTACTS);
     soft_relax(&w->soft, &f);

@@ -1,8 +1,10 @@
 //> step
 #include "step.h"
+#include "guard.h"
 #include "ledger.h"
 #include "restitution.h"
 #include "soft_step.h"
+#include "substeps.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -14,6 +16,7 @@ static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static void substep(world *w, const solver_frame *f, int k, real *since);
+static void look_again(world *w, const solver_frame *f, int k);
 static void move_bodies(world *w, real h);
 static void fall_asleep(world *w);
 
@@ -35,12 +38,19 @@ static void find(world *w, real seconds, real *since)
 static void solve(world *w, real *since)
 {
     solver_frame f = prepare(w);
+    real most = guard_most(w, &f);
     lap(w, PHASE_PREPARE, since);
-    for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
+    for (int k = 0; k < f.substeps; k++) {
+        if (k > 0) look_again(w, &f, k);
+        substep(w, &f, k, since);
+    }
     solver_store(&w->rigid.solver, w->options.host.run,
                  w->rigid.cache.active);
     w->report.substeps += f.substeps;
     w->age = f.h;
+    guard_brake(w, most);
+    guard_planes(w);
+    ledger_book(w, LEDGER_CONTACTS);
     move_bodies(w, f.h);
     lap(w, PHASE_MOVE, since);
 }
@@ -89,18 +99,10 @@ static void lap(world *w, int phase, real *since)
 }
 //<
 
-//> step-chunks
-// The bodies of an item: from first to the result - 1.
-static int chunk_of(const world *w, int item, int *first)
-{
-    *first = item * TASK_CHUNK;
-    return task_end(item, w->bodies);
-}
-//<
-
 //> step-look
 // How far a body may get in this frame: as fast as it is now, with what gravity
-// adds, and a hundredth of its radius for what impacts add.
+// adds, and a hundredth of its radius for what impacts add.  However far it
+// turns, no vertex gets further than across.
 static prediction predict(const world *w, const solver_body *now,
                           const motion *u)
 {
@@ -111,7 +113,7 @@ static prediction predict(const world *w, const solver_body *now,
                 + now->radius / 100;
     prediction p = { .way = vec3_scale(dt, straight),
                      .angle = dt * vec3_length(spin) };
-    p.turn = now->radius * p.angle + beside;
+    p.turn = now->radius * real_min(p.angle, 2) + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -143,8 +145,8 @@ static void look_at_body(world *w, int b)
 static void look_at_chunk(void *data, int item)
 {
     world *w = data;
-    int first, end = chunk_of(w, item, &first);
-    for (int b = first; b < end; b++) look_at_body(w, b);
+    int end = task_end(item, w->bodies);
+    for (int b = task_first(item); b < end; b++) look_at_body(w, b);
 }
 
 static void look_at_bodies(world *w)
@@ -190,14 +192,20 @@ static void find_pairs(world *w)
 //<
 
 //> step-contacts
+static cache_frame what_to_ask(const world *w)
+{
+    const rigid_tables *t = &w->rigid;
+    return (cache_frame){
+        .body = t->body, .now = t->now, .ahead = t->ahead, .moves = t->moves,
+        .bodies = w->bodies, .list = &t->pairs, .is_new_list = t->is_new_list,
+        .plane = w->plane, .planes = w->planes, .stay = w->options.stay,
+        .run = w->options.host.run };
+}
+
 static void find_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
-    cache_frame f = { .body = t->body, .now = t->now, .ahead = t->ahead,
-                      .moves = t->moves, .bodies = w->bodies,
-                      .list = &t->pairs, .is_new_list = t->is_new_list,
-                      .plane = w->plane, .planes = w->planes,
-                      .stay = w->options.stay, .run = w->options.host.run };
+    cache_frame f = what_to_ask(w);
     cache_update(&t->cache, &f);
     w->report.queries = (int)t->cache.queries;
     w->report.contacts = t->cache.actives;
@@ -205,96 +213,23 @@ static void find_contacts(world *w)
 }
 //<
 
-//> step-substeps
-// A contact that carries a force F gives way by about F h^2 / m, with m the
-// effective mass of its two bodies.  A frame takes so many substeps that this
-// is no more than SAG of the smaller radius where a body lies on one that is
-// EVEN times lighter, or more: that many for its own weight, whatever it pushes
-// in this frame.
-static const real SAG = 0.0025, EVEN = 30;
-enum { MOST_TIMES = 8 };
-
-// 1/s^2: what the contact has to bear, F / m, beside the smaller radius.
-static real uneven_pace(const world *w, const contact *c)
+//> step-again
+// Bodies that turn come to touch elsewhere than was found: those that have turned
+// much by substep k, and may touch now, are asked again.
+static void look_again(world *w, const solver_frame *f, int k)
 {
-    const solver_body *a = &w->rigid.now[c->a], *b = &w->rigid.now[c->b];
-    real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
-    if (!(x > 0 && y > 0) || (x < EVEN * y && y < EVEN * x)) return 0;
-    real ratio = x > y ? x / y : y / x, up = x > y ? 1 : -1;
-    real bears = up * vec3_dot(c->normal, w->options.gravity);
-    return real_max(bears, 0) * ratio / real_min(a->radius, b->radius);
-}
-
-static int substeps_for_heavy(const world *w)
-{
-    const contact_cache *c = &w->rigid.cache;
-    const world_options *o = &w->options;
-    real most = 0;
-    for (int k = 0; k < c->actives; k++)
-        if (c->active[k]->b >= 0 && contact_load(c->active[k]) > 0)
-            most = real_max(most, uneven_pace(w, c->active[k]));
-    return (int)real_min(w->frame * sqrt(most / SAG),
-                         (real)MOST_TIMES * o->substeps);
-}
-
-// Where nothing goes further than a sixteenth of its radius in a frame, three
-// quarters of the usual substeps do, unless a stack needs all of them; or more
-// than twice as many, as small bodies do, which gravity takes further beside
-// their radius.  (For less than that it is not worth the jolt.)
-static const real STACK_SAG = 0.0065;
-
-static real stacked_pace(const world *w, const contact *c)
-{
-    const solver_body *a = &w->rigid.now[c->a];
-    const solver_body *b = c->b < 0 ? NULL : &w->rigid.now[c->b];
-    real inverse = a->basis.inverse_mass + (b ? b->basis.inverse_mass : 0);
-    real radius = b ? real_min(a->radius, b->radius) : a->radius;
-    return contact_load(c) / w->age * inverse / radius;
-}
-
-static real substeps_for_stack(const world *w)
-{
-    const contact_cache *c = &w->rigid.cache;
-    real most = 0;
-    for (int k = 0; k < c->actives; k++)
-        most = real_max(most, stacked_pace(w, c->active[k]));
-    return real_min(w->frame * sqrt(most / STACK_SAG),
-                    (real)MOST_TIMES * w->options.substeps);
-}
-
-static bool is_calm(const world *w)
-{
-    for (int b = 0; b < w->bodies; b++) {
-        vec3 way = w->rigid.ahead[b].way;
-        real far = w->rigid.now[b].radius / 16;
-        if (vec3_length_squared(way) > far * far) return false;
-    }
-    return true;
-}
-
-// Every change of their number jolts what rests: it rises at once, and falls
-// when it has been too high for PATIENCE frames.
-enum { PATIENCE = 30 };
-
-static int hold(substep_choice *c, int need)
-{
-    c->frames = need < c->now ? c->frames + 1 : 0;
-    if (need > c->now || c->frames > PATIENCE) c->now = need;
-    return c->now;
-}
-
-static int choose_substeps(world *w)
-{
-    int usual = w->options.substeps;
-    int n = usual;
-    if (w->softs == 0 && is_calm(w)) {
-        real need = substeps_for_stack(w);
-        if (need <= 0.75 * usual) n = (3 * usual + 3) / 4;
-        if (need > 2 * usual) n = (int)need + 1;
-    }
-    n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
-    if (w->softs > 0) n = int_max(n, soft_need(w));
-    return int_min(n, int_max(w->options.most_substeps, usual));
+    rigid_tables *t = &w->rigid;
+    contact_cache *c = &t->cache;
+    const contact *const *table = (const contact *const *)c->active;
+    if (c->turnings == 0 || t->solver.touching == 0) return;
+    cache_frame ask = what_to_ask(w);
+    int n = cache_turning(c, &ask, t->moved, k, f->substeps, t->later);
+    if (n == 0) return;
+    solver_hold(&t->solver, c->again, n, c->active);
+    cache_again(c, &ask, t->later);
+    solver_renew(&t->solver, f, c->again, n, table, c->reach, t->later,
+                 t->moved);
+    w->report.queries += n;
 }
 //<
 
@@ -306,7 +241,8 @@ static solver_frame frame_of(const world *w, int substeps)
     const world_options *o = &w->options;
     real h = w->frame / substeps;
     return (solver_frame){
-        .body = w->rigid.now, .bodies = w->bodies, .plane = w->plane, .h = h,
+        .body = w->rigid.now, .bodies = w->bodies,
+        .placed = w->rigid.cache.placed, .plane = w->plane, .h = h,
         .substeps = substeps,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
         .hertz = o->hertz, .damping = 10, .max_speed = 3,
@@ -317,24 +253,20 @@ static solver_frame frame_of(const world *w, int substeps)
 static void count_deep(world *w)
 {
     const contact_solver *s = &w->rigid.solver;
-    for (int k = 0; k < s->contacts; k++) {
-        const active_contact *x = &s->active[k];
-        const solver_body *now = w->rigid.now;
-        if (x->count == 0) continue;
-        real radius = x->sides == ONE_SIDED ? now[x->a].radius
-                    : real_min(now[x->a].radius, now[x->b].radius);
-        w->report.unconverged += x->least < -0.1 * radius;
-    }
+    for (int k = 0; k < s->contacts; k++)
+        w->report.unconverged += s->active[k].is_deep;
 }
 
 static solver_frame prepare(world *w)
 {
     rigid_tables *t = &w->rigid;
-    solver_frame f = frame_of(w, choose_substeps(w));
+    solver_frame f = frame_of(w, 1);
     const contact *const *table = (const contact *const *)t->cache.active;
-    if (!solver_prepare(&t->solver, &f, table, t->cache.reach,
-                        t->cache.actives))
-        w->report.dropped += t->cache.actives;
+    bool done = solver_look(&t->solver, &f, table, t->cache.reach,
+                            t->cache.actives);
+    f = frame_of(w, substeps_choose(w));
+    done = done && solver_prepare(&t->solver, &f, table);
+    if (!done) w->report.dropped += t->cache.actives;
     cache_note(&t->cache, &t->solver);
     count_deep(w);
     return f;
@@ -483,7 +415,7 @@ static void move_chunk(void *data, int item)
 {
     const moving *m = data;
     world *w = m->w;
-    int first, end = chunk_of(w, item, &first);
+    int first = task_first(item), end = task_end(item, w->bodies);
     for (int b = first; b < end; b++)
         w->rigid.relaxed[b] = (rigid4_result){ .worst = 0 };
     begin_moves(w, first, end);

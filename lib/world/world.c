@@ -9,7 +9,7 @@
 world_options world_options_default(void)
 {
     return (world_options){
-        .dt = 1.0 / 60, .substeps = 8, .most_substeps = 400,
+        .dt = 1.0 / 60, .substeps = 8, .most_substeps = 200,
         .gravity = { 0, -9.81, 0 },
         .friction = 0.5, .restitution = 0,
         .hertz = 1000, .stay = 0.03, .warm_start = true,
@@ -241,6 +241,10 @@ static void begin_body(world *w, int b)
     t->moves[b] = 0;
     if (body_is_soft(x)) return;
     t->dynamic[b] = !body_is_static(x);
+    if (t->dynamic[b]) {
+        t->lightest = real_min(x->mass, t->lightest);
+        t->heaviest = real_max(x->mass, t->heaviest);
+    }
     t->body[b] = (cache_body){ x->shape, x->rigid, x->inner };
     t->now[b].frame = rigid4_frame(w->pool.at + x->first);
     t->now[b].radius = 1.02 * x->rigid->reach;
@@ -256,12 +260,14 @@ static bool size_rigid(rigid_tables *t, int bodies)
     t->now   = calloc(n, sizeof *t->now);
     t->ball  = calloc(n, sizeof *t->ball);
     t->ahead = calloc(n, sizeof *t->ahead);
+    t->later = calloc(n, sizeof *t->later);
     t->reach = calloc(n, sizeof *t->reach);
     t->velocity = aligned_alloc(64, n * sizeof *t->velocity);
     t->moved    = aligned_alloc(64, n * sizeof *t->moved);
     t->relaxed  = calloc(n, sizeof *t->relaxed);
     if (!t->body || !t->moves || !t->dynamic || !t->now || !t->ball
-        || !t->ahead || !t->reach || !t->velocity || !t->moved || !t->relaxed) return false;
+        || !t->ahead || !t->later || !t->reach || !t->velocity || !t->moved
+        || !t->relaxed) return false;
     memset(t->velocity, 0, n * sizeof *t->velocity);
     memset(t->moved, 0, n * sizeof *t->moved);
     return true;
@@ -271,6 +277,8 @@ static status begin_rigid(world *w)
 {
     rigid_tables *t = &w->rigid;
     if (!size_rigid(t, w->bodies)) return status_out_of_memory();
+    t->lightest = HUGE_VAL;
+    t->heaviest = 0;
     for (int b = 0; b < w->bodies; b++) begin_body(w, b);
     status done = pair_list_init(&t->pairs, w->bodies);
     if (done.ok) done = cache_init(&t->cache, t->body, w->bodies, w->planes);
@@ -309,8 +317,8 @@ void world_free(world *w)
     rigid_tables *r = &w->rigid;
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
     void *owned[] = { w->body, w->shape, w->inverse_mass,
-        r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->reach,
-        r->velocity, r->moved, r->relaxed };
+        r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->later,
+        r->reach, r->velocity, r->moved, r->relaxed };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);

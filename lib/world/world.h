@@ -24,7 +24,8 @@ typedef struct {
                         // light; 1 to 10000
     int  most_substeps; // a frame takes more, up to this, for a cloth that
                         // something fast comes near, and for a load that is
-                        // great beside what carries it
+                        // great beside what carries it; no more in its
+                        // four parts together, if something is fast
     vec3 gravity;       // m/s^2
     real friction;      // Coulomb's coefficient, >= 0
     real restitution;   // of rigid bodies, 0 to 1: the speed after an impact /
@@ -116,9 +117,11 @@ typedef struct {
     sphere      *ball;      // [bodies]
     prediction  *ahead;     // [bodies]
     real        *reach;     // [bodies] of ahead
+    rigid_frame *later;     // [bodies] where those stand that are asked again
     motion      *velocity;  // [bodies + 1], see solver.h
     motion      *moved;     // [bodies + 1] since the frame began
     rigid4_result *relaxed; // [bodies] what putting their particles did
+    real lightest, heaviest;            // kg, of those that are not static
     substep_choice substeps;
     pair_list      pairs;
     bool           is_new_list;         // of pairs

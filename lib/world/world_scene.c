@@ -41,16 +41,15 @@ world_options world_scene_options(scene_kind kind, int cloth)
 {
     world_options o = world_options_default();
     if (kind == SCENE_ROOM) return o;
-    // Thin things need small steps, but columns and rows, solved in turn, need
-    // rounds more: with 40 particles a side, three in nine substeps leave less
-    // strain than two in 30.  (With seven, triangles cut an edge of the cube.)
-    // A finer cloth falls by more of its spacings in a substep, and wants as
-    // many more.  In small steps the lines may be solved along the links as
-    // they lie, and the diagonals do with the cheaper root.
+    // The finer a cloth is, the more of its spacings does it go in a substep;
+    // and columns and rows, solved in turn, need rounds more.  In small steps
+    // the lines may be solved along the links as they lie, and the diagonals
+    // do with the cheaper root.
+    // A rope that bears a cloth wants steps half as long.
     // No scene has a cloth of more than 512 a side.
-    cloth = int_min(int_max(cloth, 40), 512);
-    o.substeps = (9 * cloth + 39) / 40;
-    o.iterations = 3;
+    o.substeps = 2 + int_min(int_max(cloth, 20), 512) / 20;
+    if (kind == SCENE_CLOTH_ON_ROPE) o.substeps *= 2;
+    o.iterations = 8;
     o.relax.gradient = GRADIENT_NEW;
     o.relax.root = ROOT_APPROXIMATE;
     return o;

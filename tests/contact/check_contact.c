@@ -87,6 +87,33 @@ START_TEST(gap_to_a_plane_is_the_height_over_it)
 }
 END_TEST
 
+// --- arms --------------------------------------------------------------------
+
+// Rejects: an arm from the origin; a middle that is not the same for both; a
+// point of its own that is moved to the middle.
+START_TEST(impulses_act_at_one_place_or_each_at_its_own)
+{
+    for (int n = 0; n < 200; n++) {
+        rigid_frame a = any_frame(any_vec3()), b = any_frame(any_vec3());
+        contact c = { .b = n % 4 ? 1 : -1, .count = 4,
+                      .shared = (signed char)(n % 5) };
+        for (int k = 0; k < 4; k++) {
+            contact_point p = c.point[k] = any_point();
+            contact_arms arm = contact_arms_of(&c, k, &a, c.b < 0 ? NULL : &b);
+            vec3 on_a = frame_point(&a, p.local_a);
+            vec3 on_b = frame_point(&b, p.local_b);
+            vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
+            if (c.b >= 0 && k < c.shared) on_a = on_b = middle;
+            if (c.b < 0) on_b = b.center;
+            ck_assert(vec3_distance(vec3_add(a.center, arm.a), on_a)
+                      <= 10 * ROUNDING);
+            ck_assert(vec3_distance(vec3_add(b.center, arm.b), on_b)
+                      <= 10 * ROUNDING);
+        }
+    }
+}
+END_TEST
+
 // --- impulses ----------------------------------------------------------------
 
 START_TEST(load_is_the_sum_of_the_impulses)
@@ -166,6 +193,7 @@ int main(void)
         gaps_follow_bodies_wherever_they_go,
         gap_to_a_plane_is_the_height_over_it,
         load_is_the_sum_of_the_impulses,
+        impulses_act_at_one_place_or_each_at_its_own,
         each_impulse_goes_to_the_nearest_new_point,
         impulses_along_another_normal_are_forgotten,
     };

@@ -96,13 +96,20 @@ static bool is_left(const solver_frame *f, real gap, real was, real speed)
     return f->restitution > 0 && gap > 0 && was == 0 && speed <= -slowest;
 }
 
+static contact_arms arms_of(const plain_solver *s, const contact *c, int k)
+{
+    return contact_arms_of(c, k, solver_placed(s->frame, c->a),
+                           solver_placed(s->frame, c->b));
+}
+
 static void solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
 {
     contact *c = s->contact[i];
     pair p = pair_of(s, c);
     vec3 n = c->normal;
     for (int k = 0; k < c->count; k++) {
-        const vec3 arm[2] = { c->point[k].arm_a, c->point[k].arm_b };
+        contact_arms at = arms_of(s, c, k);
+        const vec3 arm[2] = { at.a, at.b };
         real was = c->impulse[k];
         real gap = s->gap[i][k] + parting(&p, p.moved, arm, n);
         real speed = parting(&p, p.velocity, arm, n);
@@ -150,15 +157,16 @@ static friction_center center_of(const plain_solver *s, int i, const pair *p)
     for (int k = 0; k < c->count; k++) {
         real share = real_min(1, real_max(0.01, 2 - s->gap[i][k] / near));
         sum += share;
-        f.arm[0] = vec3_add_scaled(f.arm[0], share, c->point[k].arm_a);
-        f.arm[1] = vec3_add_scaled(f.arm[1], share, c->point[k].arm_b);
+        contact_arms at = arms_of(s, c, k);
+        f.arm[0] = vec3_add_scaled(f.arm[0], share, at.a);
+        f.arm[1] = vec3_add_scaled(f.arm[1], share, at.b);
     }
     for (int side = 0; side < 2; side++)
         f.arm[side] = vec3_scale(1 / sum, f.arm[side]);
     bool of_b = !(p->basis[0]->inverse_mass > 0);
     for (int k = 0; k < c->count; k++) {
-        const contact_point *q = &c->point[k];
-        f.lever += c->impulse[k] * vec3_distance(of_b ? q->arm_b : q->arm_a,
+        contact_arms at = arms_of(s, c, k);
+        f.lever += c->impulse[k] * vec3_distance(of_b ? at.b : at.a,
                                                  f.arm[of_b]);
     }
     return f;
@@ -259,7 +267,8 @@ void plain_warm_start(plain_solver *s)
         contact *c = s->contact[i];
         pair p = pair_of(s, c);
         for (int k = 0; k < c->count; k++) {
-            const vec3 arm[2] = { c->point[k].arm_a, c->point[k].arm_b };
+            contact_arms at = arms_of(s, c, k);
+            const vec3 arm[2] = { at.a, at.b };
             apply(&p, arm, vec3_scale(c->impulse[k], c->normal));
         }
         friction_center f = center_of(s, i, &p);

@@ -111,7 +111,7 @@ static void read_numbers(bytes *in)
     }
     // No program is asked to call any bytes, or to read a bool from them.
     how.host = (world_host){ .clock = NULL };
-    how.warm_start = how.ledger = take_byte(in) & 1;
+    how.warm_start = how.ledger = how.relax.dead_band = take_byte(in) & 1;
     build(kind, what, how);
 }
 

@@ -233,7 +233,7 @@ static group any_group(trial *t)
     c.speed = fast[any_int(t, 0, 3)];
     c.spin = quick[any_int(t, 0, 3)];
     c.is_turned = any_chance(t, 2) || c.how == SCATTERED;
-    c.has_soft = any_chance(t, 2);
+    c.has_soft = t->has_soft = any_chance(t, 2);
     c.has_static = any_chance(t, 2);
     return c;
 }
@@ -255,12 +255,14 @@ static placement any_placement(trial *t, const group *c, int number)
 }
 
 // J: what may come of the speed at the start and of gravity in this body; and
-// of overlap, which may end within a step.
+// of overlap at the start, which may end within a step, and at the particles of
+// a deformable body within a substep.
 static real heat_of(const trial *t, const placement *p, int b, real seconds)
 {
     const world_options *o = &t->world.options;
+    int steps = t->has_soft ? int_max(o->substeps, o->most_substeps) : 1;
     real r = t->radius[b], fall = seconds * vec3_length(o->gravity);
-    real spin = r * vec3_length(p->spin), out = 4 * r / o->dt;
+    real spin = r * vec3_length(p->spin), out = 4 * r * steps / o->dt;
     return t->mass[b] * (vec3_length_squared(p->velocity) + spin * spin
                          + fall * fall + out * out);
 }
@@ -353,10 +355,16 @@ static void set_options(trial *t, world_options *o)
     t->state = kept;
 }
 
+// The bound on what a frame may cost is of options that allow no more than so
+// many times the usual substeps.
+enum { MOST_TIMES = 25 };
+
 static world_options any_options(trial *t)
 {
     world_options o = world_options_default();
     set_options(t, &o);
+    if (o.most_substeps > MOST_TIMES * o.substeps)
+        o.most_substeps = MOST_TIMES * o.substeps;
     int pull = any_int(t, 0, 7);
     if (pull == 0) o.gravity = vec3_make(0, 0, 0);
     if (pull == 1) o.gravity = vec3_make(0, -1e3, 0);

@@ -3,6 +3,17 @@
 // A trial is a world of a few bodies of any shape, mass, place and speed, with
 // options from anywhere in their ranges.  Its seed says all: the same seed is
 // the same trial on every machine.
+//
+// What must hold, whatever the options, shapes, places and speeds:
+// - options within their ranges, and shapes, are accepted;
+// - a body that was given numbers keeps them, whatever others were given;
+// - in a room that six planes close no body's middle gets further out than its
+//   radius (where it is thrown against a plane, it may overlap it for a while);
+// - the motion of all bodies stays below a thousand times what their speeds,
+//   gravity and the overlaps at the start can give.  Rigid bodies are pushed out
+//   of those slowly, but particles of deformable bodies within a substep, so
+//   that a cloth that is placed inside something flies off.
+// What a frame may cost is fuzz_world.c's question.
 // Units: metres, seconds, kilograms.
 
 #ifndef TUMBLE_WORLDS_H
@@ -34,6 +45,7 @@ typedef struct {
     real  spoil_with;       // NaN or an infinity
     bool  is_closed;        // six planes make a cube of half side `room`, m
     real  room;
+    bool  has_soft;         // it may have deformable bodies
     real  heat;             // J, more motion than this has no cause
     vec3  middle[TRIAL_BODIES];     // m, of each body after the last step
     int   points[TRIAL_BODIES];     // of its shape

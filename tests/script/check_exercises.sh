@@ -249,6 +249,7 @@ if cmp -s "$dir/solution.c" "$dir/mine.old.c"; then verdict "nothing is lost" ye
 
 wait $real
 sound=$?
-cat "$tree/sound"
+grep ': sound, ' "$tree/sound"
 echo "exercises: $trials trials of the runner, $failed failed"
+grep -v ': sound, ' "$tree/sound"
 [ $sound -eq 0 ] && [ $failed -eq 0 ]

@@ -3,7 +3,7 @@
 # UNBUILT: set if some of them could not be built.  YOURS: the reader's modules
 # that they judge; then their answers are told in sentences.
 
-failed= programs=0 checks=0
+failed= programs=0 checks=0 faults=
 [ $# -gt 0 ] || { echo "FAILED: there is no test to run" >&2; exit 1; }
 output=$(mktemp)
 trap 'rm -f "$output"' EXIT
@@ -23,14 +23,17 @@ for test in "$@"; do
     # A Check program closes with its count; without that line it never ended.
     count=$(sed -n 's/^[0-9]*%: Checks: \([0-9]*\),.*/\1/p' "$output" | tail -n 1)
     case $test in *.sh) ;; *) [ -n "$count" ] || code=1 ;; esac
-    [ "$code" -eq 0 ] || failed="$failed $name"
+    if [ "$code" -ne 0 ]; then
+        failed="$failed $name"
+        faults="$faults$(printf '\n%s:\n' "$name"; tail -n 12 "$output")"
+    fi
     checks=$((checks + ${count:-0}))
 done
 
 echo
 if [ -n "$failed" ] || [ -n "$UNBUILT" ]; then
     [ -z "$UNBUILT" ] || echo "FAILED: some tests could not be built, see above"
-    [ -z "$failed" ] || echo "FAILED:$failed"
+    [ -z "$failed" ] || printf 'What these ended with:%s\n\nFAILED:%s\n' "$faults" "$failed"
     exit 1
 fi
 echo "All passed: $programs programs, $checks checks of the library"

@@ -81,12 +81,11 @@ static inline void pile_point(pile *p, contact *c, vec3 arm_a, vec3 arm_b,
     const rigid_frame *a = &p->body[c->a].frame;
     vec3 point_a = vec3_add(a->center, arm_a), point_b = arm_b;
     real height = c->b < 0 ? p->plane[-1 - c->b].offset : 0;
-    *q = (contact_point){ .local_a = local_in(a, arm_a), .arm_a = arm_a };
+    *q = (contact_point){ .local_a = local_in(a, arm_a) };
     if (c->b >= 0) {
         const rigid_frame *b = &p->body[c->b].frame;
         point_b = vec3_add(b->center, arm_b);
         q->local_b = local_in(b, arm_b);
-        q->arm_b = arm_b;
     } else {
         point_b = vec3_scale(height, c->normal);
     }
@@ -135,6 +134,7 @@ static inline void pile_any_contact(pile *p, int a, int b, bool meeting)
         pile_point(p, c, arm_a, arm_b, 0.01 * any());
         c->impulse[k] = real_max(0, 1e-3 * any());
     }
+    if (b >= 0) c->shared = (signed char)any_below(count + 1);
     c->friction = vec3_scale(1e-4, any_vec3());
     c->twist = 1e-5 * any();
 }

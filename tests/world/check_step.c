@@ -1160,6 +1160,112 @@ START_TEST(empty_world_steps)
 }
 END_TEST
 
+// --- extremes ----------------------------------------------------------------
+
+// A cube of half side `room` (m) around the origin, closed by six planes.
+static void add_walls(real room)
+{
+    for (int k = 0; k < 6; k++) {
+        vec3 n = { k / 2 == 0, k / 2 == 1, k / 2 == 2 };
+        ck_assert(world_add_plane(&w, vec3_scale(k % 2 ? -1 : 1, n), -room).ok);
+    }
+}
+
+// A thin plate under thirteen times gravity in frames of a tenth of a second,
+// and a brick ever faster, in frames of a second.
+// Rejects: walls of which a frame knows only the corners that were lowest.
+START_TEST(no_centre_leaves_a_closed_room)
+{
+    shape plate;
+    ck_assert(shape_box(&plate, vec3_make(0.03, 4e-4, 0.03), 5).ok);
+    for (int k = 0; k < 6; k++) {
+        world_options o = without_sleep();
+        o.dt = k == 0 ? 0.1 : 1;
+        o.friction = 1000;
+        if (k == 0) o.gravity = vec3_make(0, -126, 0);
+        begin(o);
+        vec3 v = { 1, -2, 3 }, spin = { 3, 5, 4 };
+        for (int i = 0; i < k; i++) v = vec3_scale(10, v);
+        add_thrown(k == 0 ? &plate : &brick, ZERO, v, vec3_scale(k, spin));
+        add_walls(0.3);
+        ready();
+        for (int f = 0; f < 200; f++) {
+            frames(1);
+            vec3 c = middle(0);
+            real far = fmax(fabs(c.x), fmax(fabs(c.y), fabs(c.z)));
+            ck_assert_msg(far <= 0.3 + 1e-9, "%d, frame %d: at %g m", k, f,
+                          far);
+        }
+    }
+    shape_free(&plate);
+}
+END_TEST
+
+// Needles of a hundredth of a millimetre under a hundred times gravity, thrown
+// about in a box of their own size, with a friction of 1000.  Beside gravity
+// only what pushes overlaps out, at 3 m/s in each of four parts of a frame,
+// adds to their motion.
+// Rejects: impulses along rows of the frame's start that give energy; numbers
+// that grow until they are none.
+START_TEST(contacts_create_no_motion)
+{
+    shape needle;
+    world_options o = without_sleep();
+    ck_assert(shape_box(&needle, vec3_make(1e-5, 2e-5, 8e-3), 1).ok);
+    o.friction = 1000;
+    o.gravity = vec3_make(0, -1000, 0);
+    o.dt = 0.2;
+    begin(o);
+    for (int b = 0; b < 24; b++)
+        add_thrown(&needle, vec3_scale(0.006, any_vec3()), any_vec3(), ZERO);
+    add_walls(0.012);
+    ready();
+    for (int f = 0; f < 200; f++) {
+        real most = sqrt(kinetic()) + sqrt(24 / 2.0) * (1000 * o.dt + 12);
+        frames(1);
+        real now = sqrt(kinetic());
+        ck_assert_msg(now <= 1.001 * most, "frame %d: %g of %g", f, now, most);
+    }
+    shape_free(&needle);
+}
+END_TEST
+
+// A ball that turns by 1,667 rad in a frame, ten metres from another.
+// Rejects: a body that may get as far as its turn is long.
+START_TEST(turning_body_reaches_no_further_than_across)
+{
+    begin(without_gravity());
+    add_thrown(&ball, ZERO, ZERO, vec3_make(0, 1e5, 0));
+    add_at(&ball, 10, 0, 0);
+    ready();
+    frames(3);
+    ck_assert_int_eq(w.report.contacts, 0);
+    ck_assert(w.rigid.reach[0] <= 2.1 * w.rigid.now[0].radius);
+}
+END_TEST
+
+// A cloth that a ball flies through at 3 km/s, beside another that flies as
+// fast towards a third: a frame in four parts.
+// Rejects: most_substeps in each of the parts.
+START_TEST(divided_frame_takes_no_more_substeps_than_it_may)
+{
+    world_options o = without_gravity();
+    o.most_substeps = 100;
+    begin(o);
+    add_at(&cloth, 0, 0, 0);
+    add_thrown(&ball, vec3_make(0, 3, 0), vec3_make(0, -3e3, 0), ZERO);
+    add_thrown(&ball, vec3_make(9, 3, 0), vec3_make(0, -3e3, 0), ZERO);
+    add_at(&ball, 9, 1.5, 0);
+    ready();
+    int most = 0;
+    for (int f = 0; f < 4; f++) {
+        frames(1);
+        most = w.report.substeps > most ? w.report.substeps : most;
+    }
+    ck_assert_int_eq(most, 100);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -1194,6 +1300,10 @@ int main(void)
         phases_add_up_to_the_frame,
         same_world_takes_the_same_steps,
         empty_world_steps,
+        no_centre_leaves_a_closed_room,
+        contacts_create_no_motion,
+        turning_body_reaches_no_further_than_across,
+        divided_frame_takes_no_more_substeps_than_it_may,
     };
     Suite *s = suite_create("step");
     TCase *t = tcase_create("step");

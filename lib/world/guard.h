@@ -1,0 +1,23 @@
+//> guard-head
+// guard.h - what no frame may do, whatever its contacts were.
+//
+// Paper: not asked.  Book: chapter 16.
+
+#ifndef TUMBLE_GUARD_H
+#define TUMBLE_GUARD_H
+
+#include "world.h"
+
+// J, before the substeps of a frame: how much kinetic energy rigid bodies may
+// have after them.
+real guard_most(const world *w, const solver_frame *f);
+
+// After them: slows rigid bodies, all by the same share, if they have more; and
+// stops one whose numbers were lost.
+void guard_brake(world *w, real most);
+
+// No centre of mass goes behind a plane, or further behind than it was.
+void guard_planes(world *w);
+
+#endif
+//<

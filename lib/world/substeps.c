@@ -1,0 +1,98 @@
+//> substeps-heavy
+#include "substeps.h"
+#include "soft_step.h"
+
+#include <stddef.h>
+
+// A contact that carries a force F gives way by about F h^2 / m, with m the
+// effective mass of its two bodies.  A frame takes so many substeps that this
+// is no more than SAG of the smaller radius where a body lies on one that is
+// EVEN times lighter, or more: that many for its own weight, whatever it pushes
+// in this frame.
+static const real SAG = 0.0025, EVEN = 30;
+enum { MOST_TIMES = 8 };
+
+// 1/s^2: what the contact has to bear, F / m, beside the smaller radius.
+static real uneven_pace(const world *w, const contact *c)
+{
+    const solver_body *a = &w->rigid.now[c->a], *b = &w->rigid.now[c->b];
+    real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
+    if (!(x > 0 && y > 0) || (x < EVEN * y && y < EVEN * x)) return 0;
+    real ratio = x > y ? x / y : y / x, up = x > y ? 1 : -1;
+    real bears = up * vec3_dot(c->normal, w->options.gravity);
+    return real_max(bears, 0) * ratio / real_min(a->radius, b->radius);
+}
+
+static int substeps_for_heavy(const world *w)
+{
+    const contact_solver *s = &w->rigid.solver;
+    const world_options *o = &w->options;
+    real most = 0;
+    if (w->rigid.heaviest < EVEN * w->rigid.lightest) return 0;
+    for (int k = 0; k < s->contacts; k++)
+        if (s->active[k].sides == TWO_SIDED && s->active[k].load > 0)
+            most = real_max(most, uneven_pace(w, w->rigid.cache.active[k]));
+    return (int)real_min(o->dt * sqrt(most / SAG),
+                         (real)MOST_TIMES * o->substeps);
+}
+//<
+
+//> substeps-stack
+// Where nothing goes further than a sixteenth of its radius in a frame, three
+// quarters of the usual substeps do, unless a stack needs all of them; or more
+// than twice as many, as small bodies do, which gravity takes further beside
+// their radius.  (For less than that it is not worth the jolt.)
+static const real STACK_SAG = 0.0065;
+
+static real substeps_for_stack(const world *w)
+{
+    const contact_solver *s = &w->rigid.solver;
+    real most = 0;
+    for (int k = 0; k < s->contacts; k++)
+        most = real_max(most, s->active[k].pace);
+    return real_min(w->frame * sqrt(most / w->age / STACK_SAG),
+                    (real)MOST_TIMES * w->options.substeps);
+}
+
+static bool is_calm(const world *w)
+{
+    for (int b = 0; b < w->bodies; b++) {
+        vec3 way = w->rigid.ahead[b].way;
+        real far = w->rigid.now[b].radius / 16;
+        if (vec3_length_squared(way) > far * far) return false;
+    }
+    return true;
+}
+//<
+
+//> substeps-choose
+// Every change of their number jolts what rests: it rises at once, and falls
+// when it has been too high for PATIENCE frames.
+enum { PATIENCE = 30 };
+
+static int hold(substep_choice *c, int need)
+{
+    c->frames = need < c->now ? c->frames + 1 : 0;
+    if (need > c->now || c->frames > PATIENCE) c->now = need;
+    return c->now;
+}
+
+// A part of a divided frame takes its share of the substeps that a frame may
+// have more than usual.
+int substeps_choose(world *w)
+{
+    int usual = w->options.substeps;
+    int most = int_max(w->options.most_substeps, usual);
+    real share = w->frame / w->options.dt;
+    int n = usual;
+    if (w->softs == 0 && is_calm(w)) {
+        real need = substeps_for_stack(w);
+        if (need <= 0.75 * usual) n = (3 * usual + 3) / 4;
+        if (need > 2 * usual) n = (int)need + 1;
+    }
+    n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
+    if (share < 1) n = int_max(usual, (int)(share * n));
+    if (w->softs > 0) n = int_max(n, soft_need(w));
+    return int_min(n, int_max((int)(share * most), usual));
+}
+//<

@@ -178,22 +178,25 @@ void facet_corners(const body *b, int k, int end[FACET])
 }
 
 // A particle keeps 0.55 of a spacing from a face, and a cell's diagonal over a
-// right-angled edge 0.05: that much, and some more, facets keep from all.
-real facet_gap(const body *soft)
+// right-angled edge 0.05: that much, and some more, facets keep from all.  What
+// is about as thin as a cell may be sharp, too, and be through in a substep: it
+// is stopped earlier.
+real facet_gap(const body *soft, const body *rigid)
 {
-    return 0.3 * soft->thickness;
+    bool is_thin = rigid->inner < 1.5 * soft->shape->spacing;
+    return (is_thin ? 0.7 : 0.3) * soft->thickness;
 }
 
 // How far from a body may all corners of a facet be that comes within reach?  Its
 // nearest point is no further from a corner than 1 / sqrt(3) of its longest side,
 // which may be a fifth longer than at rest, where cells are sheared; and that is
 // at right angles to the reach.
-static real facet_reach(const near_lists *l, const body *soft)
+static real facet_reach(real reach, const body *soft)
 {
     const shape *s = soft->shape;
     // The last stick of a cloth is a diagonal.
     real longest = s->sticks > 0 ? s->stick[s->sticks - 1].rest_length : 0;
-    real reach = facet_gap(soft) + l->margin, beside = 0.7 * longest;
+    real beside = 0.7 * longest;
     return sqrt(reach * reach + beside * beside);
 }
 
@@ -202,11 +205,10 @@ static real facet_reach(const near_lists *l, const body *soft)
 // nothing else while the lists are good, and its particles keep it off that.
 enum { OVER_NOTHING = -1 };
 
-static bool is_over(const near_lists *l, const rigid_view *v, const body *soft,
-                    vec3 x, int ahead)
+static bool is_over(const rigid_view *v, vec3 x, int ahead, real inside)
 {
     plane face = v->plane[ahead];
-    real up = plane_height(face, x), inside = facet_gap(soft) + l->margin;
+    real up = plane_height(face, x);
     vec3 foot = vec3_add_scaled(x, -up, face.normal);
     for (int k = 0; k < v->hull.planes; k++)
         if (k != ahead && !(plane_height(v->plane[k], foot) < -inside))
@@ -232,9 +234,9 @@ static plane known_plane(facet_list *last, const facet_pair *x)
     return (plane){ { 0, 0, 0 }, 0 };
 }
 
-// May a facet with these corners come as near as facets are kept?
-static bool may_meet(const near_lists *l, const rigid_view *v, const body *soft,
-                     const int corner_of[FACET])
+// May a facet with these corners come within reach?
+static bool may_meet(const near_lists *l, const rigid_view *v,
+                     const int corner_of[FACET], real reach)
 {
     vec3 end[FACET];
     int over = 0;
@@ -243,8 +245,7 @@ static bool may_meet(const near_lists *l, const rigid_view *v, const body *soft,
         int ahead = l->ahead[corner_of[k]];
         over += ahead % 2 == 1 && ahead == l->ahead[corner_of[0]];
         if (ahead == OVER_NOTHING) continue;
-        if (facet_height(end, v->plane[ahead / 2])
-            > facet_gap(soft) + l->margin) return false;
+        if (facet_height(end, v->plane[ahead / 2]) > reach) return false;
     }
     return over < FACET;
 }
@@ -254,13 +255,14 @@ static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
 {
     const body *soft = &f->body[a];
     const shape *s = soft->shape;
+    real reach = facet_gap(soft, &f->body[b]) + l->margin;
     int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
     for (int k = 0; k < facets; k++) {
         int end[FACET];
         facet_corners(soft, k, end);
         const int *ahead = l->ahead;
         if (int_max(ahead[end[0]], int_max(ahead[end[1]], ahead[end[2]]))
-            == OVER_NOTHING || !may_meet(l, v, soft, end)) continue;
+            == OVER_NOTHING || !may_meet(l, v, end, reach)) continue;
         if (room_for(l, 1, l->facet_capacity - l->facet.count) < 1) continue;
         facet_pair pair = { .soft = a, .rigid = b, .number = k };
         pair.between = known_plane(&l->facets_before, &pair);
@@ -289,7 +291,8 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
 {
     const body *soft = &f->body[a];
     real reach = soft_gap(soft, &f->body[b]) + l->margin;
-    real wide = real_max(reach, facet_reach(l, soft));
+    real facet = facet_gap(soft, &f->body[b]) + l->margin;
+    real wide = real_max(reach, facet_reach(facet, soft));
     real far = f->now[b].radius + wide;
     vec3 center = soft_rigid_frame(f, b).center;
     bool is_ready = false;
@@ -304,7 +307,7 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
         if (up > wide) continue;
         l->ahead[i] = 2 * ahead;
         if (up > reach) continue;
-        l->ahead[i] += is_over(l, v, soft, x, ahead);
+        l->ahead[i] += is_over(v, x, ahead, facet);
         if (room_for(l, 1, l->point_capacity - l->points) == 1)
             l->point[l->points++] = (point_pair){ i, a, b, ahead };
     }

@@ -143,8 +143,9 @@ void facet_corners(const body *b, int k, int end[FACET]);
 // m, how far particles of `soft` are kept from the surface of `rigid`.
 real soft_gap(const body *soft, const body *rigid);
 
-// m, how far its triangles and links are kept from edges and corners.
-real facet_gap(const body *soft);
+// m, how far triangles and links of `soft` are kept from the edges and corners
+// of `rigid`.
+real facet_gap(const body *soft, const body *rigid);
 
 #endif
 //<

@@ -336,7 +336,8 @@ static bool touch_facet(const near_lists *l, rigid_view *v, const soft_frame *f,
                         facet_pair *pair, facet_view *x, answering who)
 {
     const body *soft = &f->body[pair->soft];
-    real apart = (who == BY_WHOLE ? 0.5 : 1) * facet_gap(soft);
+    real share = who == BY_WHOLE ? 0.5 : 1;
+    real apart = share * facet_gap(soft, &f->body[pair->rigid]);
     facet_touch t;
     facet_corners(soft, pair->number, x->number);
     for (int k = 0; k < FACET; k++)

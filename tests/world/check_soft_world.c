@@ -220,7 +220,7 @@ static int facets_of_are_listed(int a, int b, real margin)
 {
     const body *soft = &w.body[a], *rigid = &w.body[b];
     const shape *s = soft->shape;
-    real reach = facet_gap(soft) + margin - EDGE;
+    real reach = facet_gap(soft, rigid) + margin - EDGE;
     int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks, found = 0;
     vec3 at[8], end[FACET];
     rigid_frame frame = motion_frame(&w.rigid.now[b].frame,
@@ -1081,7 +1081,7 @@ END_TEST
 
 // A box of 4 cm, small enough for a cell of the cloth, on its corner, which is
 // `deep` above y = 0, under a triangle of the cell in the middle and no nearer
-// than the gap to another, if it is half of the gap below.
+// than the gap to another, if it is nearly as much below.
 static int add_tip(const shape *small, real deep, bool is_static)
 {
     real half = 0.02 * sqrt(3), a = sqrt(0.5), b = sqrt(1.0 / 6);
@@ -1117,7 +1117,7 @@ START_TEST(corner_lifts_a_triangle_by_its_weights)
     shape_tip(&small);
     for (int k = 0; k < 3; k++) {
         begin(world_options_default());
-        real gap = 0.3 * 0.55 * cloth.spacing, deep = -(0.5 + 0.2 * k) * gap;
+        real gap = 0.7 * 0.55 * cloth.spacing, deep = -(0.9 + 0.04 * k) * gap;
         int s = add_at(&cloth, 0, 0, 0);
         add_tip(&small, deep, true);
         ready();
@@ -1307,7 +1307,7 @@ START_TEST(link_lies_on_an_edge)
     refresh(H);
     w.soft.near.points = w.soft.near.pairs = 0;
     separate(H);
-    real gap = facet_gap(&w.body[r]);
+    real gap = facet_gap(&w.body[r], &w.body[0]);
     int up = 0;
     for (int i = 0; i < rope.particles; i++)
         up += particle_of(r, i)->position.y > 0.001;

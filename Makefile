@@ -42,6 +42,7 @@ define ORDER
 16/placed
 16/separation
 16/obstacle
+16/facet
 16/near
 16/touch
 16/soft

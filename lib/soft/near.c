@@ -5,8 +5,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-// Where rigid body b stands in the middle of a frame.
-static rigid_frame frame_of(const soft_frame *f, int b)
+rigid_frame soft_rigid_frame(const soft_frame *f, int b)
 {
     return motion_frame(&f->now[b].frame, &f->now[b].basis, &f->moved[b]);
 }
@@ -56,7 +55,7 @@ static void add_soft_moves(moves *to, const near_lists *l, const soft_frame *f,
 static void add_rigid_moves(moves *m, const near_lists *l, const soft_frame *f,
                             int b)
 {
-    rigid_frame frame = frame_of(f, b);
+    rigid_frame frame = soft_rigid_frame(f, b);
     for (int k = 0; k < FOUR; k++) {
         vec3 arm = frame_arm(&frame, k), at = vec3_add(frame.center, arm);
         vec3 d = vec3_sub(at, l->listed[f->body[b].first + k]);
@@ -69,13 +68,12 @@ static void add_rigid_moves(moves *m, const near_lists *l, const soft_frame *f,
 // lists are good; and for as many substeps more as it would take if any two
 // went against each other, at twice the speed of the fastest, but at most 8,
 // for speeds change.
-enum { TRUST_MOST = 8 };
-
 static bool lists_are_good(near_lists *l, const soft_frame *f)
 {
     if (l->trusted < 0) return false;
     // They counted on the pace that was.
     if (f->age != f->h) l->trusted = 0;
+    l->substeps += f->age != f->h ? TRUST_MOST : 1;
     if (l->trusted > 0) {
         l->trusted--;
         return true;
@@ -159,12 +157,115 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
     const body *rigid = &f->body[b];
     const shape *s = rigid->shape;
     if (v->of == b && body_is_static(rigid)) return;
-    rigid_frame frame = frame_of(f, b);
+    rigid_frame frame = soft_rigid_frame(f, b);
     rigid4_ride(rigid->rigid, &frame, v->corner, s->particles);
     v->hull = (obstacle){ { v->corner, s->particles }, v->plane,
                           hull_planes(s, v->corner, v->plane), s->radius };
+    v->frame = frame;
     v->moved = f->moved[b];
     v->of = b;
+}
+//<
+
+//> near-facets
+void facet_corners(const body *b, int k, int end[FACET])
+{
+    const shape *s = b->shape;
+    const stick *link = &s->stick[k];
+    const int ends[FACET] = { link->a, link->b, link->b };
+    const int *v = s->mesh.faces > 0 ? &s->face[FACET * k] : ends;
+    for (int i = 0; i < FACET; i++) end[i] = b->first + v[i];
+}
+
+// A particle keeps 0.55 of a spacing from a face, and a cell's diagonal over a
+// right-angled edge 0.05: that much, and some more, facets keep from all.
+real facet_gap(const body *soft)
+{
+    return 0.3 * soft->thickness;
+}
+
+// How far from a body may all corners of a facet be that comes within reach?  Its
+// nearest point is no further from a corner than 1 / sqrt(3) of its longest side,
+// which may be a fifth longer than at rest, where cells are sheared; and that is
+// at right angles to the reach.
+static real facet_reach(const near_lists *l, const body *soft)
+{
+    const shape *s = soft->shape;
+    // The last stick of a cloth is a diagonal.
+    real longest = s->sticks > 0 ? s->stick[s->sticks - 1].rest_length : 0;
+    real reach = facet_gap(soft) + l->margin, beside = 0.7 * longest;
+    return sqrt(reach * reach + beside * beside);
+}
+
+// Where a particle is: far from the body; in front of one of its planes, by its
+// number; or over that face and nowhere near its rim.  A facet over a face meets
+// nothing else while the lists are good, and its particles keep it off that.
+enum { OVER_NOTHING = -1 };
+
+static bool is_over(const near_lists *l, const rigid_view *v, const body *soft,
+                    vec3 x, int ahead)
+{
+    plane face = v->plane[ahead];
+    real up = plane_height(face, x), inside = facet_gap(soft) + l->margin;
+    vec3 foot = vec3_add_scaled(x, -up, face.normal);
+    for (int k = 0; k < v->hull.planes; k++)
+        if (k != ahead && !(plane_height(v->plane[k], foot) < -inside))
+            return false;
+    return up > 0;
+}
+
+// In the order in which facets are listed: by the two bodies, by number.
+static int order(const facet_pair *x, const facet_pair *y)
+{
+    int first = int_min(x->soft, x->rigid) - int_min(y->soft, y->rigid);
+    int second = int_max(x->soft, x->rigid) - int_max(y->soft, y->rigid);
+    return first != 0 ? first : second != 0 ? second : x->number - y->number;
+}
+
+// What the last lists knew of a facet, which come in the same order.
+static plane known_plane(facet_list *last, const facet_pair *x)
+{
+    while (last->next < last->count && order(&last->at[last->next], x) < 0)
+        last->next++;
+    if (last->next < last->count && order(&last->at[last->next], x) == 0)
+        return last->at[last->next].between;
+    return (plane){ { 0, 0, 0 }, 0 };
+}
+
+// May a facet with these corners come as near as facets are kept?
+static bool may_meet(const near_lists *l, const rigid_view *v, const body *soft,
+                     const int corner_of[FACET])
+{
+    vec3 end[FACET];
+    int over = 0;
+    for (int k = 0; k < FACET; k++) end[k] = l->at[corner_of[k]];
+    for (int k = 0; k < FACET; k++) {
+        int ahead = l->ahead[corner_of[k]];
+        over += ahead % 2 == 1 && ahead == l->ahead[corner_of[0]];
+        if (ahead == OVER_NOTHING) continue;
+        if (facet_height(end, v->plane[ahead / 2])
+            > facet_gap(soft) + l->margin) return false;
+    }
+    return over < FACET;
+}
+
+static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
+                        int a, int b)
+{
+    const body *soft = &f->body[a];
+    const shape *s = soft->shape;
+    int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
+    for (int k = 0; k < facets; k++) {
+        int end[FACET];
+        facet_corners(soft, k, end);
+        const int *ahead = l->ahead;
+        if (int_max(ahead[end[0]], int_max(ahead[end[1]], ahead[end[2]]))
+            == OVER_NOTHING || !may_meet(l, v, soft, end)) continue;
+        if (room_for(l, 1, l->facet_capacity - l->facet.count) < 1) continue;
+        facet_pair pair = { .soft = a, .rigid = b, .number = k };
+        pair.between = known_plane(&l->facets_before, &pair);
+        l->facet.at[l->facet.count++] = pair;
+    }
 }
 //<
 
@@ -188,19 +289,26 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
 {
     const body *soft = &f->body[a];
     real reach = soft_gap(soft, &f->body[b]) + l->margin;
-    real far = f->now[b].radius + reach;
-    vec3 center = frame_of(f, b).center;
+    real wide = real_max(reach, facet_reach(l, soft));
+    real far = f->now[b].radius + wide;
+    vec3 center = soft_rigid_frame(f, b).center;
     bool is_ready = false;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
         vec3 x = l->at[i];
+        l->ahead[i] = OVER_NOTHING;
         if (vec3_length_squared(vec3_sub(x, center)) > far * far) continue;
         if (!is_ready) rigid_view_look(v, f, b);
         is_ready = true;
         int ahead = hull_ahead(x, v->plane, v->hull.planes);
-        if (plane_height(v->plane[ahead], x) > reach) continue;
+        real up = plane_height(v->plane[ahead], x);
+        if (up > wide) continue;
+        l->ahead[i] = 2 * ahead;
+        if (up > reach) continue;
+        l->ahead[i] += is_over(l, v, soft, x, ahead);
         if (room_for(l, 1, l->point_capacity - l->points) == 1)
             l->point[l->points++] = (point_pair){ i, a, b, ahead };
     }
+    if (is_ready) list_facets(l, v, f, a, b);
 }
 //<
 
@@ -229,7 +337,7 @@ static void note_places(near_lists *l, const soft_frame *f, int b)
 {
     const body *x = &f->body[b];
     if (!body_is_soft(x)) {
-        rigid_frame frame = frame_of(f, b);
+        rigid_frame frame = soft_rigid_frame(f, b);
         for (int k = 0; k < FOUR; k++)
             l->listed[x->first + k] = vec3_add(frame.center,
                                                frame_arm(&frame, k));
@@ -244,7 +352,12 @@ static void note_places(near_lists *l, const soft_frame *f, int b)
 void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
 {
     if (lists_are_good(l, f)) return;
+    facet_list last = l->facet;
+    l->facet = (facet_list){ .at = l->facets_before.at };
+    l->facets_before = last;
+    l->facets_before.next = 0;
     l->pairs = l->points = l->trusted = 0;
+    l->substeps = 0;
     l->made++;
     for (int b = 0; b < f->bodies; b++) note_places(l, f, b);
     for (int a = 0; a < f->bodies; a++) {
@@ -298,6 +411,7 @@ static bool make_room(near_lists *l, int bodies, int particles, int soft)
 {
     l->pair_capacity = l->leaf_capacity = 24 * soft;
     l->point_capacity = 4 * soft;
+    l->facet_capacity = 6 * soft;
     l->bodies = bodies;
     l->tree   = room(bodies, sizeof *l->tree);
     l->ball   = room(bodies, sizeof *l->ball);
@@ -306,8 +420,13 @@ static bool make_room(near_lists *l, int bodies, int particles, int soft)
     l->pair   = room(l->pair_capacity, sizeof *l->pair);
     l->point  = room(l->point_capacity, sizeof *l->point);
     l->leaf   = room(l->leaf_capacity, sizeof *l->leaf);
+    l->ahead   = room(particles, sizeof *l->ahead);
+    l->met    = room(l->facet_capacity, sizeof *l->met);
+    l->facet.at = room(l->facet_capacity, sizeof *l->facet.at);
+    l->facets_before.at = room(l->facet_capacity, sizeof *l->facet.at);
     return l->tree && l->ball && l->at && l->listed && l->pair && l->point
-        && l->leaf;
+        && l->leaf && l->ahead && l->met
+        && l->facet.at && l->facets_before.at;
 }
 
 // A wide margin makes long lists, a narrow one makes them often.  With 0.75 of
@@ -339,7 +458,7 @@ void near_free(near_lists *l)
     for (int b = 0; l->tree && b < l->bodies; b++)
         sphere_tree_free(&l->tree[b]);
     void *owned[] = { l->tree, l->ball, l->at, l->listed, l->pair, l->point,
-                      l->leaf };
+                      l->leaf, l->ahead, l->met, l->facet.at, l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     grid_free(&l->grid);
     *l = (near_lists){ .trusted = -1 };

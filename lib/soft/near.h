@@ -12,8 +12,8 @@
 #define TUMBLE_NEAR_H
 
 #include "placed.h"
+#include "facet.h"
 #include "grid.h"
-#include "obstacle.h"
 #include "separation.h"
 #include "solver.h"
 //<
@@ -44,6 +44,9 @@ typedef struct {
     real h;                     // s, this substep
 } soft_frame;
 
+// For so many substeps, at most, what is clear is trusted to stay so.
+enum { TRUST_MOST = 8 };
+
 // Neither static nor asleep.
 static inline bool soft_moves(const soft_frame *f, int b)
 {
@@ -61,7 +64,8 @@ typedef struct {
     vec3 *corner;       // [most vertices]
     plane *plane;       // [most faces]
     obstacle hull;      // these, as they stood when it was last looked at,
-    motion moved;       // and how far the body had been moved
+    rigid_frame frame;  // how the body lay,
+    motion moved;       // and how far it had been moved
     int  of;            // that body; -1: none
 } rigid_view;
 
@@ -71,12 +75,31 @@ typedef struct {
     int ahead;          // the plane of the rigid one that it was in front of
 } point_pair;
 
+// A triangle or a link that may meet an edge or a corner.
+typedef struct {
+    int soft, rigid;    // bodies
+    int number;         // of the triangle or the link in its shape
+    plane between;      // between it and the body, in the frame of that body
+    int until;          // nothing is asked before so many substeps are over
+} facet_pair;
+
+typedef struct {
+    facet_pair *at;
+    int count, next;    // how many; which is looked at
+} facet_list;
+
 typedef struct {
     particle_contact *pair;     // of particles
     int  pairs, pair_capacity;
     point_pair *point;          // particles at rigid bodies; those of the same
                                 // two bodies stand together
     int  points, point_capacity;
+    facet_list facet;           // facets at rigid bodies, in the same order
+    facet_list facets_before;   // those of the last lists
+    int  facet_capacity;
+    int *met, mets;     // those of them that met one in this substep
+    int  substeps;      // since the lists were made
+    int *ahead;         // [particles] while facets are listed, see near.c
     real margin;        // m, how much further than touching the lists look
     int  trusted;       // they are good for as many substeps more; -1: there
                         // are none yet
@@ -108,11 +131,20 @@ void near_begin(near_lists *l, const soft_frame *f);
 // Brings the lists up to date for a substep.
 void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f);
 
+// Where rigid body b stands in the middle of a frame.
+rigid_frame soft_rigid_frame(const soft_frame *f, int b);
+
 // Looks where the vertices and planes of rigid body b are now.
 void rigid_view_look(rigid_view *v, const soft_frame *f, int b);
 
+// The particles of facet k of b: a link says its last one twice.
+void facet_corners(const body *b, int k, int end[FACET]);
+
 // m, how far particles of `soft` are kept from the surface of `rigid`.
 real soft_gap(const body *soft, const body *rigid);
+
+// m, how far its triangles and links are kept from edges and corners.
+real facet_gap(const body *soft);
 
 #endif
 //<

@@ -89,6 +89,7 @@ void soft_separate(soft_solver *s, const soft_frame *f)
     s->touching += touch_pairs(&s->near, f);
     s->touching += touch_bodies(&s->near, &s->view, f, 1, BY_PARTICLE,
                                 s->is_backward);
+    s->touching += touch_facets(&s->near, &s->view, f, s->is_backward);
 }
 
 // In a cloth that lies on a static body this finds nothing.  But particles that
@@ -98,6 +99,7 @@ void soft_separate(soft_solver *s, const soft_frame *f)
 void soft_hold(soft_solver *s, const soft_frame *f)
 {
     touch_bodies(&s->near, &s->view, f, 0.5, BY_WHOLE, s->is_backward);
+    hold_facets(&s->near, &s->view, f);
 }
 //<
 

@@ -3,7 +3,21 @@
 
 #include <stddef.h>
 
-// A particle that touches a rigid body.
+// A point of a cloth or a rope at a rigid body: a particle, or a weighted mean
+// of two or three.
+typedef struct {
+    const soft_frame *f;
+    const rigid_view *view;     // of that body
+    const body *soft;
+    int  b;
+    int  corners;               // particles, in the pool, and their weights
+    int  corner[FACET];
+    real weight[FACET];
+    surface_point at;           // the point of the body's surface
+    real apart;                 // m, what is kept between the two
+} touch;
+
+// How that point touches the body.
 typedef struct {
     vec3 normal;        // unit, out of the body
     vec3 arm;           // m, of the point touched, from the body's centre
@@ -11,15 +25,6 @@ typedef struct {
     vec3 slide;         // m, how far the particle passed that point in the
                         // substep
 } touch_point;
-
-// A particle at a rigid body.
-typedef struct {
-    const soft_frame *f;
-    const rigid_view *view;     // of that body
-    int  b;
-    surface_point at;           // the point of its surface
-    real apart;                 // m, what is kept between the two
-} touch;
 
 static touch_point touch_of(const touch *x, const particle *p)
 {
@@ -71,7 +76,7 @@ static void push(const touch *x, particle *p, vec3 arm, vec3 push)
     motion_push(&f->velocity[x->b], basis, arm, vec3_scale(-1 / f->h, push));
 }
 
-static void push_apart(const touch *x, particle *p)
+static void part_from_moving(const touch *x, particle *p)
 {
     const motion_basis *basis = &x->f->now[x->b].basis;
     touch_point t = touch_of(x, p);
@@ -95,38 +100,70 @@ static void push_apart(const touch *x, particle *p)
 }
 //<
 
-//> touch-whole
-// A particle at x that weighs what the cloth weighs, and moves as its centre
-// of mass does; pinned, if any of it is.
-static particle whole_cloth(const soft_frame *f, const body *soft, vec3 x)
+//> touch-stand-in
+// The point as a particle: it stands in for those that it is a mean of.  A push
+// moves each by its weight and its inverse mass, so the point by the sum of
+// weight^2 times inverse mass.
+static particle stand_in(const touch *x)
 {
-    particle whole = { .position = x, .previous = x };
+    particle mean = { .inverse_mass = 0 };
+    for (int k = 0; k < x->corners; k++) {
+        const particle *p = &x->f->particle[x->corner[k]];
+        real c = x->weight[k];
+        mean.position = vec3_add_scaled(mean.position, c, p->position);
+        mean.previous = vec3_add_scaled(mean.previous, c, p->previous);
+        mean.inverse_mass += c * c * p->inverse_mass;
+    }
+    return mean;
+}
+
+// It was pushed from `before` to `after`, and they with it.
+static void share_out(const touch *x, const particle *before,
+                      const particle *after)
+{
+    vec3 now = vec3_sub(after->position, before->position);
+    vec3 then = vec3_sub(after->previous, before->previous);
+    if (!(before->inverse_mass > 0)) return;
+    for (int k = 0; k < x->corners; k++) {
+        particle *p = &x->f->particle[x->corner[k]];
+        real share = x->weight[k] * p->inverse_mass / before->inverse_mass;
+        p->position = vec3_add_scaled(p->position, share, now);
+        p->previous = vec3_add_scaled(p->previous, share, then);
+    }
+}
+//<
+
+//> touch-whole
+// At that point the cloth as a whole: a particle that weighs what the cloth
+// weighs, and moves as its centre of mass does; pinned, if any of it is.
+static particle whole_cloth(const touch *x)
+{
+    const body *soft = x->soft;
+    particle whole = stand_in(x);
     vec3 sum = { 0, 0, 0 };
+    whole.previous = whole.position;
+    whole.inverse_mass = 0;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
-        const particle *p = &f->particle[i];
+        const particle *p = &x->f->particle[i];
         if (p->inverse_mass == 0) return whole;
         vec3 step = vec3_sub(p->position, p->previous);
         sum = vec3_add_scaled(sum, 1 / p->inverse_mass, step);
     }
     whole.inverse_mass = 1 / soft->mass;
-    whole.previous = vec3_add_scaled(x, -whole.inverse_mass, sum);
+    whole.previous = vec3_add_scaled(whole.position, -whole.inverse_mass, sum);
     return whole;
 }
 
-// For a moment the whole cloth stands in the particle's place; how far that is
-// pushed, the cloth goes.
-static void push_whole(const touch *x, point_pair pair)
+// How far that is pushed, the cloth goes.
+static void share_with_all(const touch *x, const particle *before,
+                           const particle *after)
 {
-    const soft_frame *f = x->f;
-    const body *soft = &f->body[pair.soft];
-    vec3 here = f->particle[pair.particle].position;
-    particle before = whole_cloth(f, soft, here), after = before;
-    push_apart(x, &after);
-    if (before.inverse_mass == 0) return;
-    vec3 now = vec3_sub(after.position, before.position);
-    vec3 then = vec3_sub(after.previous, before.previous);
+    const body *soft = x->soft;
+    vec3 now = vec3_sub(after->position, before->position);
+    vec3 then = vec3_sub(after->previous, before->previous);
+    if (before->inverse_mass == 0) return;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
-        particle *p = &f->particle[i];
+        particle *p = &x->f->particle[i];
         p->position = vec3_add(p->position, now);
         p->previous = vec3_add(p->previous, then);
     }
@@ -170,19 +207,41 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
 //<
 
 //> touch-bodies
+// Whatever answers at that point: *p.
+static bool push_off(const touch *x, particle *p)
+{
+    if (body_is_static(&x->f->body[x->b]))
+        return surface_separate(p, x->at.at, x->at.normal, x->apart,
+                                x->f->friction) > 0;
+    part_from_moving(x, p);
+    return true;
+}
+
+static bool part(const touch *x, answering who)
+{
+    if (who == BY_PARTICLE && x->corners == 1)
+        return push_off(x, &x->f->particle[x->corner[0]]);
+    particle before = who == BY_WHOLE ? whole_cloth(x) : stand_in(x);
+    particle after = before;
+    if (!push_off(x, &after)) return false;
+    if (who == BY_WHOLE) share_with_all(x, &before, &after);
+    else                 share_out(x, &before, &after);
+    return true;
+}
+
 static bool touch_body(const rigid_view *v, const soft_frame *f,
                        point_pair pair, real apart, answering who)
 {
     particle *p = &f->particle[pair.particle];
-    touch x = { f, v, pair.rigid, .apart = apart };
-    if (!obstacle_nearest(&v->hull, p->position, pair.ahead, apart, &x.at))
+    surface_point at;
+    if (!obstacle_nearest(&v->hull, p->position, pair.ahead, apart, &at))
         return false;
     if (body_is_static(&f->body[pair.rigid]))
-        return who == BY_PARTICLE && touch_fixed(f, pair.particle, x.at, apart);
-    if (who == BY_PARTICLE) push_apart(&x, p);
-    else                    push_whole(&x, pair);
+        return who == BY_PARTICLE && touch_fixed(f, pair.particle, at, apart);
+    touch x = { f, v, &f->body[pair.soft], pair.rigid, 1, { pair.particle },
+                { 1 }, at, apart };
     f->hold[pair.particle].state = LINE_FREE;
-    return true;
+    return part(&x, who);
 }
 
 // They push one after the other: the first tilt a body that lies on them, the
@@ -205,6 +264,121 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
         touching += touch_body(v, f, pair, apart, who);
     }
     return touching;
+}
+//<
+
+//> touch-facets
+// A plane of the body's frame in the world, and back.
+static plane plane_out(const rigid_frame *r, plane p)
+{
+    vec3 n = vec3_sub(frame_point(r, p.normal), r->center);
+    return (plane){ n, p.offset + vec3_dot(n, r->center) };
+}
+
+static plane plane_in(const rigid_frame *r, plane p)
+{
+    const vec3 *e = r->axis;
+    vec3 n = { vec3_dot(p.normal, e[0]) / vec3_length_squared(e[0]),
+               vec3_dot(p.normal, e[1]) / vec3_length_squared(e[1]),
+               vec3_dot(p.normal, e[2]) / vec3_length_squared(e[2]) };
+    return (plane){ n, p.offset - vec3_dot(p.normal, r->center) };
+}
+
+// A facet beside a rigid body that stands as the frame says.
+typedef struct {
+    int  number[FACET]; // of its corners, in the pool
+    vec3 end[FACET];    // m, where they are
+    plane between;
+    rigid_frame frame;
+} facet_view;
+
+// For how many substeps is a facet clear that has so much room in front of the
+// plane?  At twice the speed at which a corner comes nearer, with what gravity
+// adds.  Speeds may change by more; but if the facet should cut the body then,
+// the plane remembers its side.
+static int substeps_clear(const soft_frame *f, const facet_view *x, int b,
+                          real room)
+{
+    const motion_basis *basis = &f->now[b].basis;
+    real pace = 0;
+    for (int k = 0; k < FACET; k++) {
+        vec3 arm = vec3_sub(x->end[k], x->frame.center);
+        vec3 way = vec3_scale(f->h, motion_at(basis, &f->velocity[b], arm));
+        vec3 went = vec3_sub(x->end[k], f->particle[x->number[k]].previous);
+        real up = vec3_dot(vec3_sub(went, way), x->between.normal);
+        pace = real_max(pace, -2 * up);
+    }
+    pace += TRUST_MOST * f->h * f->h * vec3_length(f->gravity);
+    real n = room / pace;
+    return n >= TRUST_MOST ? TRUST_MOST : n > 0 ? (int)n : 0;
+}
+
+// They are nearest there: so they are parted.
+static bool part_facet(const rigid_view *v, const soft_frame *f,
+                       const facet_pair *pair, const facet_view *seen,
+                       const facet_touch *t, real apart, answering who)
+{
+    touch x = { f, v, &f->body[pair->soft], pair->rigid, FACET,
+                .apart = apart };
+    vec3 here = { 0, 0, 0 };
+    for (int k = 0; k < FACET; k++) {
+        x.corner[k] = seen->number[k];
+        x.weight[k] = t->weight[k];
+        here = vec3_add_scaled(here, t->weight[k], seen->end[k]);
+    }
+    // The point of the surface is so far below that of the facet.
+    x.at = t->at;
+    x.at.at = vec3_add_scaled(here, -t->gap, t->at.normal);
+    return part(&x, who);
+}
+
+static bool touch_facet(const near_lists *l, rigid_view *v, const soft_frame *f,
+                        facet_pair *pair, facet_view *x, answering who)
+{
+    const body *soft = &f->body[pair->soft];
+    real apart = (who == BY_WHOLE ? 0.5 : 1) * facet_gap(soft);
+    facet_touch t;
+    facet_corners(soft, pair->number, x->number);
+    for (int k = 0; k < FACET; k++)
+        x->end[k] = f->particle[x->number[k]].position;
+    x->between = plane_out(&x->frame, pair->between);
+    real up = facet_height(x->end, x->between);
+    if (!(up > apart)) {
+        rigid_view_look(v, f, pair->rigid);
+        bool is_near = facet_nearest(&v->hull, x->end, &x->between, apart, &t);
+        pair->between = plane_in(&v->frame, x->between);
+        if (is_near) return part_facet(v, f, pair, x, &t, apart, who);
+        up = t.gap;
+    }
+    pair->until = l->substeps + substeps_clear(f, x, pair->rigid, up - apart);
+    return false;
+}
+
+int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f,
+                 bool is_backward)
+{
+    int n = l->facet.count, of = -1;
+    facet_view x;
+    l->mets = 0;
+    for (int k = 0; k < n; k++) {
+        int number = is_backward ? n - 1 - k : k;
+        facet_pair *pair = &l->facet.at[number];
+        if (pair->until > l->substeps) continue;
+        if (pair->rigid != of) x.frame = soft_rigid_frame(f, pair->rigid);
+        of = pair->rigid;
+        if (touch_facet(l, v, f, pair, &x, BY_PARTICLE))
+            l->met[l->mets++] = number;
+    }
+    return l->mets;
+}
+
+void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
+{
+    for (int k = 0; k < l->mets; k++) {
+        facet_pair *pair = &l->facet.at[l->met[k]];
+        facet_view x = { .frame = soft_rigid_frame(f, pair->rigid) };
+        touch_facet(l, v, f, pair, &x, BY_WHOLE);
+    }
 }
 //<
 

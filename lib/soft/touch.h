@@ -23,5 +23,11 @@ typedef enum { BY_PARTICLE, BY_WHOLE } answering;
 int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
                  real share, answering who, bool is_backward);
 
+// and triangles and links and what these have that no particle can see: edges
+// and corners.  What still meets them after the sticks, all of it holds.
+int  touch_facets(near_lists *l, rigid_view *v, const soft_frame *f,
+                  bool is_backward);
+void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f);
+
 #endif
 //<

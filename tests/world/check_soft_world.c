@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "measure.h"
 #include "soft_step.h"
+#include "step.h"
 #include "stage.h"
 
 // Two particles that are parted stand where a square root and a division put
@@ -181,6 +183,72 @@ static int points_are_listed(real margin)
                           i, b);
         }
     }
+    return found;
+}
+
+// A box of half a metre stands over a facet's particles with room enough around
+// them: all three in front of the same face.
+static bool is_over_face(const rigid_frame *r, const vec3 end[FACET], real room)
+{
+    bool over[6] = { true, true, true, true, true, true };
+    for (int k = 0; k < FACET; k++) {
+        vec3 x = vec3_sub(end[k], r->center);
+        real at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = vec3_dot(x, vec3_unit(r->axis[i]));
+        for (int i = 0; i < 6; i++) {
+            real up = i < 3 ? at[i] : -at[i - 3];
+            over[i] &= up > 0.25 && fabs(at[(i + 1) % 3]) < 0.25 - room
+                    && fabs(at[(i + 2) % 3]) < 0.25 - room;
+        }
+    }
+    return over[0] || over[1] || over[2] || over[3] || over[4] || over[5];
+}
+
+static bool is_listed(int soft, int rigid, int number)
+{
+    const facet_list *l = &w.soft.near.facet;
+    for (int k = 0; k < l->count; k++)
+        if (l->at[k].soft == soft && l->at[k].rigid == rigid
+            && l->at[k].number == number) return true;
+    return false;
+}
+
+// And for the triangles or links of body a at the rigid body b, against the query
+// of two bodies.
+static int facets_of_are_listed(int a, int b, real margin)
+{
+    const body *soft = &w.body[a], *rigid = &w.body[b];
+    const shape *s = soft->shape;
+    real reach = facet_gap(soft) + margin - EDGE;
+    int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks, found = 0;
+    vec3 at[8], end[FACET];
+    rigid_frame frame = motion_frame(&w.rigid.now[b].frame,
+                                     &w.rigid.now[b].basis, &w.rigid.moved[b]);
+    rigid4_ride(rigid->rigid, &frame, at, 8);
+    for (int k = 0; k < facets; k++) {
+        int corners[FACET];
+        facet_corners(soft, k, corners);
+        for (int i = 0; i < FACET; i++)
+            end[i] = w.pool.at[corners[i]].position;
+        gjk_result g = gjk_distance((hull){ end, FACET }, (hull){ at, 8 },
+                                    reach, NULL);
+        if (g.status == GJK_BEYOND || g.distance > reach) continue;
+        if (is_over_face(&frame, end, reach / 2)) continue;
+        found++;
+        ck_assert_msg(is_listed(a, b, k), "facet %d of %d at %d, %g m from it, "
+                      "is not listed", k, a, b, g.distance);
+    }
+    return found;
+}
+
+static int facets_are_listed(real margin)
+{
+    int found = 0;
+    for (int a = 0; a < w.bodies; a++)
+        for (int b = 0; b < w.bodies; b++)
+            if (body_is_soft(&w.body[a]) && !body_is_soft(&w.body[b]))
+                found += facets_of_are_listed(a, b, margin);
     return found;
 }
 
@@ -467,6 +535,8 @@ static void go_on(int b, real h)
     for (int i = 0; i < MOTIONS; i++) d[i] += h * u[i];
 }
 
+static int facets_met;
+
 static void substep(real h)
 {
     for (int b = 0; b < w.bodies; b++) {
@@ -479,6 +549,8 @@ static void substep(real h)
     read_lists();
     pairs_are_listed(0, 0);
     points_are_listed(0);
+    bool is_new = w.soft.near.substeps == 0;
+    facets_met += facets_are_listed(is_new ? w.soft.near.margin : 0);
     separate(h);
     for (int b = 0; b < w.bodies; b++)
         if (body_is_soft(&w.body[b]))
@@ -536,6 +608,7 @@ START_TEST(nothing_is_missed_while_a_cloth_falls)
     ck_assert_int_gt(pairs, 10 * substeps);
     ck_assert_int_gt(points, 10 * substeps);
     ck_assert_int_gt(most, 30);
+    ck_assert_int_gt(facets_met, 100);
     ck_assert_msg(w.soft.near.made < substeps / 2, "rebuilt %d times",
                   w.soft.near.made);
     for (int i = 0; i < cloth.particles; i++)
@@ -598,6 +671,8 @@ START_TEST(particle_leaves_a_static_box_by_its_thickness_and_a_third)
                   <= ROUNDING);
         put(particle_of(r, 5), move[k].at);
         refresh(H);
+        // Its links may go through the box.
+        w.soft.near.facet.count = 0;
         separate(H);
         vec3 x = particle_of(r, 5)->position;
         ck_assert_msg(vec3_distance(x, move[k].to) <= 1e-12,
@@ -1002,6 +1077,247 @@ START_TEST(what_is_stretched_by_a_hundredth_is_counted)
 }
 END_TEST
 
+// --- edges and corners -------------------------------------------------------
+
+// A box of 4 cm, small enough for a cell of the cloth, on its corner, which is
+// `deep` above y = 0, under a triangle of the cell in the middle and no nearer
+// than the gap to another, if it is half of the gap below.
+static int add_tip(const shape *small, real deep, bool is_static)
+{
+    real half = 0.02 * sqrt(3), a = sqrt(0.5), b = sqrt(1.0 / 6);
+    real c = sqrt(1.0 / 3);
+    placement p = placement_at(vec3_make(0.03, deep - half, 0));
+    p.x = vec3_make(-a, c, b);
+    p.y = vec3_make(a, c, b);
+    p.z = vec3_make(0, c, -2 * b);
+    p.is_static = is_static;
+    return add(small, p);
+}
+
+static void shape_tip(shape *s)
+{
+    ck_assert(shape_box(s, vec3_make(0.04, 0.04, 0.04), 0.3).ok);
+}
+
+static int lifted(int b)
+{
+    int n = 0;
+    for (int i = 0; i < cloth.particles; i++)
+        n += particle_of(b, i)->position.y != 0;
+    return n;
+}
+
+// A corner under a triangle, and how far its particles are lifted: as their
+// weights say, y_i = lambda c_i w, where sum c_i y_i is the depth.
+// Rejects: particles that share alike; a lift by the depth itself; a corner that
+// no list knows.
+START_TEST(corner_lifts_a_triangle_by_its_weights)
+{
+    shape small;
+    shape_tip(&small);
+    for (int k = 0; k < 3; k++) {
+        begin(world_options_default());
+        real gap = 0.3 * 0.55 * cloth.spacing, deep = -(0.5 + 0.2 * k) * gap;
+        int s = add_at(&cloth, 0, 0, 0);
+        add_tip(&small, deep, true);
+        ready();
+        refresh(H);
+        // What they hold apart themselves is not the matter here.
+        w.soft.near.points = w.soft.near.pairs = 0;
+        separate(H);
+        ck_assert_int_eq(w.soft.near.mets, 1);
+        real sum = 0, at_x = 0, at_z = 0, square = 0;
+        ck_assert_int_eq(lifted(s), 3);
+        for (int i = 0; i < cloth.particles; i++) {
+            vec3 x = particle_of(s, i)->position;
+            sum += x.y;
+            at_x += x.x * x.y;
+            at_z += x.z * x.y;
+            square += x.y * x.y;
+        }
+        // c_i = y_i / sum, and so the corner's place is their mean.
+        near_real(at_x / sum, 0.03, 1e-9);
+        near_real(at_z / sum, 0, 1e-9);
+        near_real(square / sum, gap + deep, 1e-9);
+    }
+    shape_free(&small);
+}
+END_TEST
+
+// A movable one, that comes up from below.
+// Rejects: a box that answers with its mass alone, or not at all; weights that
+// are not those of the point.
+START_TEST(corner_that_comes_up_keeps_momentum)
+{
+    shape small;
+    shape_tip(&small);
+    for (int k = 0; k < 50; k++) {
+        world_options o = world_options_default();
+        o.friction = k % 3 * 0.4;
+        begin(o);
+        int s = add_at(&cloth, 0, 0, 0), b = add_tip(&small, 0, false);
+        ready();
+        look();
+        motion *u = &w.rigid.velocity[b];
+        *u = (motion){ { any(), 3, any(), any(), any(), any() } };
+        for (int i = 0; i < MOTIONS; i++) w.rigid.moved[b].of[i] = H * u->of[i];
+        vec3 before = momentum_of(H);
+        refresh(H);
+        w.soft.near.points = w.soft.near.pairs = 0;
+        separate(H);
+        ck_assert_int_ge(w.soft.near.mets, 1);
+        ck_assert_int_ge(lifted(s), 3);
+        near_vec3(momentum_of(H), before, 1e-13 * vec3_length(before));
+        ck_assert(u->of[1] < 3);
+    }
+    shape_free(&small);
+}
+END_TEST
+
+// Boxes smaller than a cell, anywhere about a cloth of long cells that lies flat.
+// Rejects: a facet that is forgotten because its corners are far.
+START_TEST(facets_at_a_small_box_are_listed)
+{
+    shape small, cells;
+    int found = 0;
+    shape_tip(&small);
+    ck_assert(shape_cloth(&cells, 4, 10, 1, 1, 1, 0.2).ok);
+    for (int k = 0; k < 200; k++) {
+        begin(world_options_default());
+        int s = add_at(&cells, 0, 0, 0);
+        placement p = anywhere(0.5, 0, 0);
+        p.position.y *= 0.25;
+        p.is_static = k % 2;
+        int b = add(&small, p);
+        ready();
+        look();
+        refresh(H);
+        found += facets_of_are_listed(s, b, w.soft.near.margin);
+    }
+    ck_assert_int_gt(found, 200);
+    shape_free(&small);
+    shape_free(&cells);
+}
+END_TEST
+
+// The corner is above the cloth after one substep, and new lists are made.
+// Rejects: a side that is forgotten with the lists.
+START_TEST(cloth_is_put_back_on_the_side_that_it_came_from)
+{
+    shape small;
+    shape_tip(&small);
+    int s = add_at(&cloth, 0, 0, 0);
+    add_tip(&small, 0, true);
+    ready();
+    refresh(H);
+    separate(H);
+    ck_assert_int_ge(w.soft.near.mets, 1);
+    facet_pair met = w.soft.near.facet.at[w.soft.near.met[0]];
+    ck_assert(met.between.normal.x != 0);
+    real deep = 0.02;
+    for (int i = 0; i < cloth.particles; i++)
+        put(particle_of(s, i), vec3_sub(particle_of(s, i)->position,
+                                        vec3_make(0, deep, 0)));
+    vec3 was[SIDE * SIDE];
+    for (int i = 0; i < cloth.particles; i++)
+        was[i] = particle_of(s, i)->position;
+    w.soft.near.trusted = -1;
+    refresh(H);
+    ck_assert_int_eq(w.soft.near.substeps, 0);
+    for (int k = 0; k < w.soft.near.facet.count; k++) {
+        facet_pair pair = w.soft.near.facet.at[k];
+        if (pair.number != met.number) continue;
+        near_vec3(pair.between.normal, met.between.normal, 0);
+        near_real(pair.between.offset, met.between.offset, 0);
+    }
+    w.soft.near.points = w.soft.near.pairs = 0;
+    separate(H);
+    int up = 0;
+    for (int i = 0; i < cloth.particles; i++) {
+        real rise = particle_of(s, i)->position.y - was[i].y;
+        up += rise > deep / 2;
+        ck_assert_msg(rise >= 0, "particle %d is pushed down: %g", i, rise);
+    }
+    ck_assert_int_ge(up, 1);
+    shape_free(&small);
+}
+END_TEST
+
+// m, how high the cloth is over (x, z): the least, of all its triangles there.
+static real least_over(int b, real x, real z)
+{
+    real least = HUGE_VAL;
+    for (int k = 0; k < cloth.mesh.faces; k++) {
+        vec3 e[FACET];
+        for (int i = 0; i < FACET; i++)
+            e[i] = particle_of(b, cloth.face[FACET * k + i])->position;
+        vec3 n = triangle_normal(e[0], e[1], e[2]);
+        real c[FACET];
+        bool is_in = true;
+        for (int i = 0; i < FACET; i++) {
+            vec3 p = e[(i + 1) % 3], q = e[(i + 2) % 3];
+            c[i] = ((p.z - z) * (q.x - x) - (p.x - x) * (q.z - z)) / n.y;
+            is_in &= c[i] >= 0;
+        }
+        if (!is_in) continue;
+        real y = c[0] * e[0].y + c[1] * e[1].y + c[2] * e[2].y;
+        least = real_min(least, y);
+    }
+    return least;
+}
+
+// A cloth falls on a needle of 1 cm that stands under the middle of a cell, and
+// hangs on it.  (Without facets it has fallen through in the second frame.)
+// Rejects: what only particles hold; a strain of more than a twentieth.
+START_TEST(needle_does_not_pierce_a_cloth)
+{
+    shape thin;
+    ck_assert(shape_box(&thin, vec3_make(0.01, 2, 0.01), 1).ok);
+    world_options o = world_options_default();
+    o.sleep_speed = 0;
+    begin(o);
+    placement p = placement_at(vec3_make(0.01, -1, 0.005));
+    p.is_static = true;
+    add(&thin, p);
+    int s = add_at(&cloth, 0, 0.1, 0);
+    ready();
+    for (int k = 0; k < 120; k++) {
+        world_step(&w);
+        real high = least_over(s, 0.01, 0.005);
+        ck_assert_msg(high > 0, "pierced in frame %d: %g", k, high);
+        real strain = world_measure(&w).strain;
+        ck_assert_msg(strain <= 0.05, "strain %g in frame %d", strain, k);
+    }
+    shape_free(&thin);
+}
+END_TEST
+
+// A link of a rope over the needle's top, between its particles.
+// Rejects: a rope that has no facets.
+START_TEST(link_lies_on_an_edge)
+{
+    shape thin;
+    ck_assert(shape_box(&thin, vec3_make(0.01, 2, 1), 1).ok);
+    begin(world_options_default());
+    placement p = placement_at(vec3_make(0.02, -1, 0));
+    p.is_static = true;
+    add(&thin, p);
+    int r = add_at(&rope, 0, 0.001, 0);
+    ready();
+    refresh(H);
+    w.soft.near.points = w.soft.near.pairs = 0;
+    separate(H);
+    real gap = facet_gap(&w.body[r]);
+    int up = 0;
+    for (int i = 0; i < rope.particles; i++)
+        up += particle_of(r, i)->position.y > 0.001;
+    ck_assert_int_eq(w.soft.near.mets, 1);
+    ck_assert_int_eq(up, 2);
+    ck_assert(gap > 0.001);
+    shape_free(&thin);
+}
+END_TEST
+
 // --- planes ------------------------------------------------------------------
 
 // Rejects: planes that the thickness is left out of; a pinned particle, or a
@@ -1057,6 +1373,12 @@ int main(void)
         particle_leaves_a_static_box_by_its_thickness_and_a_third,
         pushes_between_cloth_and_movable_box_keep_momentum,
         particle_meets_a_movable_box_where_it_is_now,
+        corner_lifts_a_triangle_by_its_weights,
+        corner_that_comes_up_keeps_momentum,
+        facets_at_a_small_box_are_listed,
+        cloth_is_put_back_on_the_side_that_it_came_from,
+        needle_does_not_pierce_a_cloth,
+        link_lies_on_an_edge,
     };
     Suite *s = suite_create("soft");
     TCase *t = tcase_create("soft");

@@ -17,7 +17,8 @@
 // is alone, takes one lane.
 enum { LANES = 8 };
 
-// Many particles, each coordinate for itself.
+// Many particles, each coordinate for itself.  The four stand in one piece of
+// memory, one after the other, equally far apart.
 typedef struct {
     real *x, *y, *z;    // m
     real *weight;       // 1/kg, inverse mass
@@ -225,6 +226,12 @@ static const real NOTHING = 1e-9;
 // hardly give.  It gets a little less than it asks for.
 static const real LESS = 0.02;
 
+static inline vec3 row_link(const real *at, int apart, int pitch, int l)
+{
+    return vec3_sub(lane_get(at, 0, apart, l + pitch),
+                    lane_get(at, 0, apart, l));
+}
+
 // What the particles around link k add to row k, and to upper_(k-1).
 typedef struct {
     real lower, upper, diagonal;
@@ -258,24 +265,28 @@ ALWAYS_INLINE entries entries_held(vec3 last, vec3 link, vec3 last_push,
 // A link without length, between two nails, or that the ones before it leave
 // no freedom has no pivot: its multiplier is 0.  A link shorter than about
 // L / sqrt(3) asks for no more than twice its length.
-ALWAYS_INLINE void eliminate(places at, places hold, int pitch,
-                             real *restrict before, real *restrict here,
+// at and hold: the coordinates of a row of particles, `apart` numbers from each
+// other.
+ALWAYS_INLINE void eliminate(const real *restrict at, const real *restrict hold,
+                             int apart, int pitch, real *restrict before,
                              int lanes, int old, int held, real rest2,
                              real half, tally *restrict t)
 {
+    real *here = before + FIELDS * lanes;
     for (int l = 0; l < lanes; l++) {
-        vec3 link = lane_link(at, pitch, l);
+        vec3 link = row_link(at, apart, pitch, l);
         if (!old) lane_set(here, PUSH, lanes, l, link);
         vec3 push = old ? lane_get(here, PUSH, lanes, l) : link;
         vec3 last_push = lane_get(before, PUSH, lanes, l);
-        vec3 last = old ? lane_link(at, pitch, l - pitch) : last_push;
-        real weight = at.weight[l], both = weight + at.weight[l + pitch];
+        vec3 last = old ? row_link(at, apart, pitch, l - pitch) : last_push;
+        const real *w = at + 3 * apart + l;
+        real weight = w[0], both = weight + w[pitch];
         real now = vec3_length_squared(link);
         entries e = entries_of(last, link, last_push, push, weight, both);
         if (held) {
             entries a = entries_held(last, link, last_push, push,
-                                     place_get(hold, l),
-                                     place_get(hold, l + pitch));
+                                     lane_get(hold, 0, apart, l),
+                                     lane_get(hold, 0, apart, l + pitch));
             e.lower += a.lower;
             e.upper += a.upper;
             e.diagonal += a.diagonal;
@@ -312,7 +323,8 @@ ALWAYS_INLINE vec3 give_way(real weight, vec3 pull, vec3 m)
 
 ALWAYS_INLINE void substitute(real *restrict x, real *restrict y,
                               real *restrict z, const real *restrict weight,
-                              places hold, real *restrict here,
+                              const real *restrict hold, int apart,
+                              real *restrict here,
                               const real *restrict after, int lanes, int old,
                               int held, real *restrict pull, real *restrict far)
 {
@@ -323,7 +335,7 @@ ALWAYS_INLINE void substitute(real *restrict x, real *restrict y,
         vec3 up = lane_get(pull, 0, lanes, l);
         vec3 down = vec3_scale(solved, lane_get(here, PUSH, lanes, l));
         vec3 g = vec3_sub(up, down);
-        vec3 d = held ? give_way(weight[l], g, place_get(hold, l))
+        vec3 d = held ? give_way(weight[l], g, lane_get(hold, 0, apart, l))
                       : vec3_scale(weight[l], g);
         lane_set(pull, 0, lanes, l, down);
         if (old || held) far[l] += vec3_length_squared(d);
@@ -473,22 +485,22 @@ static void block_store(const block *b, const int *solved)
 ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
 {
     tally t = { .worst = { 0 } };
-    places at = b->at, hold = b->hold;
+    const real *at = b->at.x, *hold = b->hold.x;
+    int apart = (int)(b->at.y - b->at.x);
     real *row = row_at(b, -1), rest2 = b->s.rest_length * b->s.rest_length;
     real half = b->more / 2;
     const char *held = b->held;
     int pitch = b->pitch;
     for (int k = 1; k < b->s.particles; k++) {
-        real *here = row + FIELDS * lanes;
         if (held && (held[k - 1] | held[k]))
-            eliminate(at, hold, pitch, row, here, lanes, old, 1, rest2, half,
+            eliminate(at, hold, apart, pitch, row, lanes, old, 1, rest2, half,
                       &t);
         else
-            eliminate(at, hold, pitch, row, here, lanes, old, 0, rest2, half,
+            eliminate(at, hold, apart, pitch, row, lanes, old, 0, rest2, half,
                       &t);
-        row = here;
-        at = places_from(at, pitch);
-        hold = places_from(hold, pitch);
+        row += FIELDS * lanes;
+        at += pitch;
+        hold += pitch;
     }
     halve(&t, lanes);
     for (int l = 0; l < lanes; l++) t.far[l] *= b->scratch->lightest;
@@ -499,18 +511,18 @@ ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
 ALWAYS_INLINE void substitute_lines(block *b, int lanes, int old)
 {
     real pull[3 * LANES] = { 0 }, far[LANES] = { 0 };
-    int pitch = b->pitch;
+    int pitch = b->pitch, apart = (int)(b->hold.y - b->hold.x);
     for (int k = b->s.particles - 1; k >= 0; k--) {
         places at = places_from(b->at, k * pitch);
-        places hold = places_from(b->hold, k * pitch);
+        const real *hold = b->hold.x + k * pitch;
         real *row = b->scratch->link + k * FIELDS * lanes;
         real *after = row + FIELDS * lanes;
         if (b->held && b->held[k])
-            substitute(at.x, at.y, at.z, at.weight, hold, row, after, lanes,
-                       old, 1, pull, far);
+            substitute(at.x, at.y, at.z, at.weight, hold, apart, row, after,
+                       lanes, old, 1, pull, far);
         else
-            substitute(at.x, at.y, at.z, at.weight, hold, row, after, lanes,
-                       old, 0, pull, far);
+            substitute(at.x, at.y, at.z, at.weight, hold, apart, row, after,
+                       lanes, old, 0, pull, far);
     }
     for (int l = 0; l < lanes && old; l++) b->t.far[l] = 0;
     for (int l = 0; l < lanes; l++) b->t.far[l] += far[l];

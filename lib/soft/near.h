@@ -36,6 +36,7 @@ typedef struct {
     int  planes;
     vec3 gravity;               // m/s^2
     real friction;              // Coulomb's coefficient
+    real restitution;           // at what does not move: 0 to 1
     int  iterations;            // over strands, at most
     relax_options relax;
     int  substeps, most_substeps;   // of a frame: usual, and at most

@@ -1,5 +1,6 @@
 //> touch-push
 #include "touch.h"
+#include "restitution.h"
 
 #include <stddef.h>
 
@@ -185,6 +186,20 @@ static void slide(const soft_frame *f, particle *p, line_hold *hold,
                 : vec3_add_scaled(p->position, -most / far, would);
 }
 
+// Every particle bounces for itself, if it strikes fast: it came by `came` (m)
+// in this substep, and goes back by a share of that in the next.
+static bool bounce(const soft_frame *f, particle *p, vec3 normal, real came,
+                   real apart)
+{
+    real g = vec3_length(f->gravity);
+    if (!(f->restitution > 0)) return false;
+    if (!(came > f->h * restitution_slowest(apart, g, f->h))) return false;
+    real goes = vec3_dot(vec3_sub(p->position, p->previous), normal);
+    p->previous = vec3_add_scaled(p->previous, goes - f->restitution * came,
+                                  normal);
+    return true;
+}
+
 // A particle leaves what does not move by the shortest way.  If the strands
 // press it on, they will find it held; where two things do, they hold it to all
 // sides.
@@ -197,11 +212,13 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     if (!(depth > 0) || !(depth < HUGE_VAL)) return false;
     if (p->inverse_mass == 0) return true;
     real pressed = depth + real_max(-vec3_dot(hold->pull, at.normal), 0);
+    real came = vec3_dot(vec3_sub(p->previous, p->position), at.normal);
     p->position = vec3_add_scaled(p->position, depth, at.normal);
     bool is_held = hold->state != LINE_FREE;
     hold->normal = at.normal;
     slide(f, p, hold, pressed);
     if (is_held) hold->state = LINE_STICKS;
+    if (bounce(f, p, at.normal, came, apart)) hold->state = LINE_FREE;
     return true;
 }
 //<

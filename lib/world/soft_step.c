@@ -13,7 +13,8 @@ soft_frame soft_frame_of(world *w, real h)
         .particle = w->pool.at, .hold = w->soft.hold, .now = t->now, .moved = t->moved,
         .velocity = t->velocity, .ball = t->ball, .ahead = t->ahead,
         .plane = w->plane, .planes = w->planes, .gravity = o->gravity,
-        .friction = o->friction, .iterations = o->iterations,
+        .friction = o->friction, .restitution = o->restitution,
+        .iterations = o->iterations,
         .relax = o->relax, .substeps = o->substeps,
         .most_substeps = o->most_substeps, .frame = w->frame, .age = w->age,
         .h = h };

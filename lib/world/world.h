@@ -28,8 +28,9 @@ typedef struct {
                         // four parts together, if something is fast
     vec3 gravity;       // m/s^2
     real friction;      // Coulomb's coefficient, >= 0
-    real restitution;   // of rigid bodies, 0 to 1: the speed after an impact /
-                        // the speed before
+    real restitution;   // of rigid bodies, and of cloth and rope at what does
+                        // not move, 0 to 1: the speed after an impact / the
+                        // speed before
     real hertz;         // 1/s, of a contact's spring, at most; a substep bears
                         // an eighth of its own rate.  The lower, the softer do
                         // bodies settle, and the more do they overlap

@@ -45,10 +45,9 @@ world_options world_scene_options(scene_kind kind, int cloth)
     // and columns and rows, solved in turn, need rounds more.  In small steps
     // the lines may be solved along the links as they lie, and the diagonals
     // do with the cheaper root.
-    // A rope that bears a cloth wants steps half as long.
+    // Two or three would do, but for sheets that fall on each other.
     // No scene has a cloth of more than 512 a side.
-    o.substeps = 2 + int_min(int_max(cloth, 20), 512) / 20;
-    if (kind == SCENE_CLOTH_ON_ROPE) o.substeps *= 2;
+    o.substeps = 7 + int_min(int_max(cloth, 20), 512) / 20;
     o.iterations = 8;
     o.relax.gradient = GRADIENT_NEW;
     o.relax.root = ROOT_APPROXIMATE;

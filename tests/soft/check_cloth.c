@@ -317,6 +317,39 @@ START_TEST(lost_number_stays_in_its_body)
 }
 END_TEST
 
+// Rejects: restitution that a cloth does not know; one that makes energy, or
+// is shared out by its strands.
+START_TEST(cloth_bounces_particle_by_particle)
+{
+    const real shares[] = { 0, 0.5, 1 };
+    for (int k = 0; k < 3; k++) {
+        world_options o = world_options_default();
+        o.gravity = ZERO;
+        o.friction = 0;
+        o.restitution = shares[k];
+        o.sleep_speed = 0;
+        begin(o);
+        placement p = placement_at(vec3_make(0, 0.4, 0));
+        p.velocity = vec3_make(0, -2, 0);
+        int b = add(&cloth, p);
+        add_floor();
+        ready();
+        real before = world_measure(&w).kinetic;
+        for (int f = 0; f < 60; f++) {
+            world_step(&w);
+            ck_assert(world_measure(&w).kinetic <= before * (1 + 1e-12));
+        }
+        // It lies still, or goes up again at a share of its speed.
+        real h = w.age;
+        for (int i = 0; i < cloth.particles; i++) {
+            particle *x = particle_of(b, i);
+            real up = (x->position.y - x->previous.y) / h;
+            ck_assert_msg(fabs(up - 2 * shares[k]) <= 1e-9, "up at %g", up);
+        }
+    }
+}
+END_TEST
+
 // A strip of card, held level at one end, sags under its own weight by
 // q L^4 / (8 E I), of Euler and Bernoulli; the clamp holds the middle of a link.
 // Rejects: a stiffness that the world forgets, or hands on in another unit; one
@@ -418,6 +451,7 @@ int main(void)
         box_on_a_cloth_lies_still_and_falls_asleep,
         pinned_cloth_that_sleeps_is_pinned_as_a_whole,
         lost_number_stays_in_its_body,
+        cloth_bounces_particle_by_particle,
         card_sags_by_its_stiffness,
         stiffness_is_a_finite_number,
         bends_are_in_the_books,

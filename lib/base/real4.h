@@ -15,11 +15,13 @@
 
 enum { REAL4 = 4 };
 
-// Made a part of every caller, which knows what its arguments are.
+// Made a part of every caller, which knows what its arguments are; or of none.
 #ifdef __GNUC__
 #define ALWAYS_INLINE static inline __attribute__((always_inline))
+#define NEVER_INLINE  static __attribute__((noinline))
 #else
 #define ALWAYS_INLINE static inline
+#define NEVER_INLINE  static
 #endif
 //<
 

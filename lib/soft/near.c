@@ -371,6 +371,23 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
 //<
 
 //> near-begin
+// Around the middle of the box of all.
+static sphere ball_around(const vec3 *at, int n)
+{
+    vec3 least = at[0], most = at[0];
+    real far2 = 0;
+    for (int i = 1; i < n; i++) {
+        least = (vec3){ real_min(least.x, at[i].x), real_min(least.y, at[i].y),
+                        real_min(least.z, at[i].z) };
+        most = (vec3){ real_max(most.x, at[i].x), real_max(most.y, at[i].y),
+                       real_max(most.z, at[i].z) };
+    }
+    vec3 middle = vec3_scale(0.5, vec3_add(least, most));
+    for (int i = 0; i < n; i++)
+        far2 = longer(far2, vec3_sub(at[i], middle));
+    return (sphere){ middle, sqrt(far2) };
+}
+
 void near_begin(near_lists *l, const soft_frame *f)
 {
     l->made = l->dropped = 0;
@@ -381,8 +398,8 @@ void near_begin(near_lists *l, const soft_frame *f)
             continue;
         }
         look_at_soft(l, f, b);
-        sphere_tree_refresh(&l->tree[b], at);
-        l->ball[b] = sphere_tree_root(&l->tree[b], at);
+        l->ball[b] = ball_around(at, f->body[b].shape->particles);
+        l->ball[b].radius += f->body[b].thickness;
     }
 }
 //<

@@ -81,12 +81,20 @@ void soft_draw(soft_solver *s, const soft_frame *f)
 //<
 
 //> soft-separate
+// What presses layers of cloth on each other drives them into each other by a
+// length that grows with the square of the substep.  So many substeps a second
+// that no pair of particles overlaps by more than this share of their distance:
+// at a third they would pass between each other.
+static const real DEEP = 0.25;
+
 void soft_separate(soft_solver *s, const soft_frame *f)
 {
     near_refresh(&s->near, &s->view, f);
     s->is_backward = !s->is_backward;
     s->touching = touch_planes(f);
-    s->touching += touch_pairs(&s->near, f);
+    real deepest = 0;
+    s->touching += touch_pairs(&s->near, f, &deepest);
+    s->pressed = real_max(s->pressed, sqrt(deepest / DEEP) / f->h);
     s->touching += touch_bodies(&s->near, &s->view, f, 1, BY_PARTICLE,
                                 s->is_backward);
     s->touching += touch_facets(&s->near, &s->view, f, s->is_backward);
@@ -186,8 +194,20 @@ static prediction predict(const soft_frame *f, int b)
     return a;
 }
 
+// The pace rises at once, and falls when it has been too high for PATIENCE
+// frames.
+enum { PATIENCE = 30 };
+
+static void choose_pace(soft_solver *s)
+{
+    s->frames = s->pressed < s->pace ? s->frames + 1 : 0;
+    if (s->pressed > s->pace || s->frames > PATIENCE) s->pace = s->pressed;
+    s->pressed = 0;
+}
+
 void soft_begin(soft_solver *s, const soft_frame *f)
 {
+    choose_pace(s);
     s->touching = s->fell_back = 0;
     s->tested = s->relaxed = 0;
     near_begin(&s->near, f);
@@ -242,9 +262,10 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
 int soft_substeps(const soft_solver *s, const soft_frame *f)
 {
     int n = 0;
+    int pressed = (int)real_min(f->frame * s->pace, f->most_substeps) + 1;
     for (int a = 0; a < f->bodies; a++) {
         if (!body_is_soft(&f->body[a])) continue;
-        if (soft_moves(f, a)) n = int_max(n, f->substeps);
+        if (soft_moves(f, a)) n = int_max(n, int_max(f->substeps, pressed));
         for (int b = 0; b < f->bodies; b++)
             n = int_max(n, substeps_to_meet(s, f, a, b));
     }

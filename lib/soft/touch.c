@@ -421,13 +421,16 @@ int touch_planes(const soft_frame *f)
     return touching;
 }
 
-int touch_pairs(const near_lists *l, const soft_frame *f)
+int touch_pairs(const near_lists *l, const soft_frame *f, real *deepest)
 {
     int touching = 0;
-    for (int k = 0; k < l->pairs; k++)
-        if (particle_contact_overlaps(&l->pair[k], f->particle))
-            touching += particle_contact_separate(l->pair[k], f->particle,
-                                                  f->friction) > 0;
+    for (int k = 0; k < l->pairs; k++) {
+        particle_contact c = l->pair[k];
+        if (!particle_contact_overlaps(&c, f->particle)) continue;
+        real depth = particle_contact_separate(c, f->particle, f->friction);
+        touching += depth > 0;
+        if (depth > *deepest * c.distance) *deepest = depth / c.distance;
+    }
     return touching;
 }
 //<

@@ -15,7 +15,7 @@
 int touch_planes(const soft_frame *f);
 
 // particles and particles,
-int touch_pairs(const near_lists *l, const soft_frame *f);
+int touch_pairs(const near_lists *l, const soft_frame *f, real *deepest);
 
 // particles and rigid bodies: to this share of the gap that is kept.  Who
 // answers a rigid body's push: a particle, or all that it hangs on?

@@ -334,7 +334,9 @@ static swept_status query_swept(contact *c, const cache_frame *f,
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
-    contact was = e->contact, *now = &e->contact;
+    contact was, *now = &e->contact;
+    if (p->count > 0) was = *now;
+    else was.count = 0, was.normal = (vec3){ 0, 0, 0 };     // bequeaths nothing
     int a = now->a, b = now->b;
     collider x = { f->body[a].shape, c->vertex + c->placing[a].first };
     collider y = { f->body[b].shape, c->vertex + c->placing[b].first };
@@ -485,6 +487,8 @@ static void query_chunk(void *data, int item)
     int end = int_min(first + TASK_CHUNK, u->c->pairs);
     for (int k = first; k < end; k++) {
         cache_pair *p = &u->c->pair[k];
+        if (k + 1 < end && p[1].is_asked)
+            contact_expect(&u->c->entry[p[1].entry].contact);
         if (p->is_asked) query_pair(u->c, u->f, p);
         activate(u->c, u->f, p, u->c->key[k][0], u->c->key[k][1]);
     }

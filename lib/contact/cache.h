@@ -54,9 +54,9 @@ typedef struct {
 } cache_pair;
 
 typedef struct {
-    contact contact;
     query_cache carried;
     int next;           // the next free entry
+    contact contact;
 } cache_entry;
 
 typedef struct {

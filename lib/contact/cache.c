@@ -179,10 +179,10 @@ static bool has_left(const rigid_frame *was, const rigid_frame *now, real far)
     return !(square <= far * far);
 }
 
-static void place_body(contact_cache *c, const cache_frame *f, int b,
-                       const rigid_frame *now)
+static void place_body(contact_cache *c, const cache_frame *f, int b)
 {
     struct placing *p = &c->placing[b];
+    const rigid_frame *now = &f->middle[b];
     const cache_body *body = &f->body[b];
     if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
     if (p->number > 0 && !has_left(&c->placed[b], now,
@@ -198,7 +198,7 @@ static void place_chunk(void *data, int item)
     const update *u = data;
     int end = task_end(item, u->f->bodies);
     for (int b = item * TASK_CHUNK; b < end; b++) {
-        place_body(u->c, u->f, b, &u->f->now[b].frame);
+        place_body(u->c, u->f, b);
         decide_walls(u->c, u->f, b);
     }
 }
@@ -334,7 +334,9 @@ static swept_status query_swept(contact *c, const cache_frame *f,
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
-    contact was = e->contact, *now = &e->contact;
+    contact was, *now = &e->contact;
+    if (p->count > 0) was = *now;
+    else was.count = 0, was.normal = (vec3){ 0, 0, 0 };     // bequeaths nothing
     int a = now->a, b = now->b;
     collider x = { f->body[a].shape, c->vertex + c->placing[a].first };
     collider y = { f->body[b].shape, c->vertex + c->placing[b].first };
@@ -441,22 +443,6 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 }
 //<
 
-//> cache-parts
-// A body that turns comes to touch with corners that were not found.  So the
-// frame of a pair is divided in parts in which it turns by no more than this
-// (rad), and it is asked again between them.  If it turns by more than a whole
-// turn, only the balls inside the bodies are kept apart.
-static const real PART = 0.1, WHOLE = 6;
-enum { MOST_PARTS = 8 };
-
-static int parts_of(const cache_frame *f, int a, int b)
-{
-    real turns = f->ahead[a].angle + (b < 0 ? 0 : f->ahead[b].angle);
-    if (!(turns < WHOLE)) return 1;
-    return 1 + (int)real_min(turns / PART, MOST_PARTS - 1);
-}
-//<
-
 //> cache-near
 static real paths_of(const contact_cache *c, int a, int b)
 {
@@ -475,7 +461,6 @@ static void activate(const contact_cache *c, const cache_frame *f,
     if (p->near - paths > reach_of(f, a, b)) return;
     p->near = paths;
     p->is_active = true;
-    p->turns = p->seen[0] >= 0 && parts_of(f, a, b) > 1;
 }
 //<
 
@@ -502,84 +487,11 @@ static void query_chunk(void *data, int item)
     int end = int_min(first + TASK_CHUNK, u->c->pairs);
     for (int k = first; k < end; k++) {
         cache_pair *p = &u->c->pair[k];
+        if (k + 1 < end && p[1].is_asked)
+            contact_expect(&u->c->entry[p[1].entry].contact);
         if (p->is_asked) query_pair(u->c, u->f, p);
         activate(u->c, u->f, p, u->c->key[k][0], u->c->key[k][1]);
     }
-}
-//<
-
-//> cache-turning
-static void move_later(const cache_frame *f, const motion *moved, int b,
-                       rigid_frame *later)
-{
-    const solver_body *now = &f->now[b];
-    later[b] = now->frame;
-    if (f->moves[b])
-        later[b] = motion_frame(&now->frame, &now->basis, &moved[b]);
-}
-
-// m, of all points of a contact, when bodies stand as `later` says.
-static real least_gap(const contact *x, const cache_frame *f,
-                      const rigid_frame *later)
-{
-    real gap[CONTACT_POINTS], least = HUGE_VAL;
-    const rigid_frame *b = x->b < 0 ? NULL : &later[x->b];
-    real height = x->b < 0 ? f->plane[-1 - x->b].offset : 0;
-    contact_gaps(x, &later[x->a], b, height, gap);
-    for (int k = 0; k < x->count; k++) least = real_min(least, gap[k]);
-    return least;
-}
-
-// m, what it was at most as the frame began: the solver has it only if it is
-// less than its reach.
-static real gap_of(const contact_cache *c, int n)
-{
-    const contact *x = c->active[n];
-    return c->of[n]->near - paths_of(c, x->a, x->b);
-}
-
-// A part begins with this substep, and it may touch in it.
-int cache_turning(contact_cache *c, const cache_frame *f, const motion *moved,
-                  int k, int substeps, rigid_frame *later)
-{
-    c->agains = 0;
-    for (int i = 0; i < c->turnings; i++) {
-        int n = c->turning[i];
-        const contact *x = c->active[n];
-        int parts = parts_of(f, x->a, x->b);
-        bool is_due = k * parts / substeps > (k - 1) * parts / substeps;
-        if (!is_due || !(gap_of(c, n) < c->reach[n])) continue;
-        move_later(f, moved, x->a, later);
-        if (x->b >= 0) move_later(f, moved, x->b, later);
-        if (least_gap(x, f, later) <= c->reach[n] / parts)
-            c->again[c->agains++] = n;
-    }
-    return c->agains;
-}
-
-static void again_chunk(void *data, int item)
-{
-    const update *u = data;
-    int end = task_end(item, u->c->agains);
-    for (int k = item * TASK_CHUNK; k < end; k++) {
-        int n = u->c->again[k];
-        if (u->c->active[n]->b < 0) query_wall(u->c, u->f, u->c->of[n]);
-        else                        query_pair(u->c, u->f, u->c->of[n]);
-    }
-}
-
-void cache_again(contact_cache *c, const cache_frame *f,
-                 const rigid_frame *later)
-{
-    update u = { c, f };
-    for (int k = 0; k < c->agains; k++) {
-        contact *x = c->active[c->again[k]];
-        place_body(c, f, x->a, &later[x->a]);
-        if (x->b >= 0) place_body(c, f, x->b, &later[x->b]);
-        x->found = ++c->found;
-    }
-    c->queries += c->agains;
-    tasks_run(f->run, again_chunk, &u, task_chunks(c->agains));
 }
 //<
 
@@ -588,7 +500,6 @@ static void gather(contact_cache *c, cache_pair *p)
 {
     if (!p->is_active) return;
     c->fast += p->seen[0] < 0;
-    if (p->turns) c->turning[c->turnings++] = c->actives;
     c->active[c->actives] = &c->entry[p->entry].contact;
     c->of[c->actives++] = p;
 }
@@ -599,9 +510,8 @@ static void reach_chunk(void *data, int item)
     contact_cache *c = u->c;
     int end = task_end(item, c->actives);
     for (int k = item * TASK_CHUNK; k < end; k++) {
-        contact *x = c->active[k];
+        const contact *x = c->active[k];
         c->reach[k] = reach_of(u->f, x->a, x->b);
-        x->turns = c->of[k]->turns;
     }
 }
 
@@ -612,21 +522,16 @@ static bool grow_active(contact_cache *c, int need)
     free(c->active);
     free(c->of);
     free(c->reach);
-    free(c->turning);
-    free(c->again);
     c->active = malloc(room * sizeof *c->active);
     c->of = malloc(room * sizeof *c->of);
     c->reach = malloc(room * sizeof *c->reach);
-    c->turning = malloc(room * sizeof *c->turning);
-    c->again = malloc(room * sizeof *c->again);
-    bool is_done = c->active && c->of && c->reach && c->turning && c->again;
-    c->active_capacity = is_done ? (int)room : 0;
+    c->active_capacity = c->active && c->of && c->reach ? (int)room : 0;
     return c->active_capacity > 0;
 }
 
 static void gather_active(contact_cache *c, const cache_frame *f)
 {
-    c->actives = c->fast = c->turnings = 0;
+    c->actives = c->fast = 0;
     if (!grow_active(c, c->entries)) {
         c->lost += c->entries;
         return;
@@ -686,8 +591,6 @@ void cache_free(contact_cache *c)
     free(c->active);
     free(c->of);
     free(c->reach);
-    free(c->turning);
-    free(c->again);
     *c = (contact_cache){ .free_entry = -1 };
 }
 

@@ -4,7 +4,7 @@
 // Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 16.
 //
 // A pair is asked where it touches once a frame, as far ahead as its bodies may
-// get; again within the frame, if they turn much; and not at all while they lie
+// get, and turned as they will be in its middle; and not at all while they lie
 // where they lay when they were last asked.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
 
@@ -25,6 +25,8 @@ typedef struct {
 typedef struct {
     const cache_body *body;     // [bodies]
     const solver_body *now;     // [bodies]
+    const rigid_frame *middle;  // [bodies] where it is asked: there, but turned
+                                // as it will be in the middle of the frame
     const prediction *ahead;    // [bodies]
     const char *moves;          // [bodies]
     int bodies;
@@ -45,7 +47,6 @@ typedef struct {
     int  seen[2];       // of which placing of each body it was found; -1: it is
                         // good for this frame only
     bool is_asked, is_active;   // in this frame
-    bool turns;         // see contact
     signed char count;  // points
     real margin;        // m, everything nearer was found
     real near;          // m, its least gap, and how far both bodies had gone by
@@ -53,9 +54,9 @@ typedef struct {
 } cache_pair;
 
 typedef struct {
-    contact contact;
     query_cache carried;
     int next;           // the next free entry
+    contact contact;
 } cache_entry;
 
 typedef struct {
@@ -84,8 +85,6 @@ typedef struct {
     cache_pair **of;    // [actives] where they are kept
     real *reach;        // [actives] m
     int actives, active_capacity;
-    int *turning, turnings;     // of active: bodies that turn
-    int *again, agains;         // of those: to be asked again now
     long queries;       // asked in this frame
     long found;         // contacts, ever
     int  lost;          // contacts that found no memory
@@ -106,16 +105,6 @@ void cache_update(contact_cache *c, const cache_frame *f);
 
 // After the solver has taken them: what each contact's least gap is.
 void cache_note(contact_cache *c, const contact_solver *s);
-
-// Before substep k of so many: which contacts are to be found again, for bodies
-// that have been moved have turned since?  They are named in again, and where
-// their bodies stand now is written to `later`.  Returns how many.
-int cache_turning(contact_cache *c, const cache_frame *f, const motion *moved,
-                  int k, int substeps, rigid_frame *later);
-
-// Finds them again, with the impulses that they have.
-void cache_again(contact_cache *c, const cache_frame *f,
-                 const rigid_frame *later);
 
 // Body b has been moved: no vertex of it by more than way (m).
 void cache_moved(contact_cache *c, int b, real way);

@@ -26,7 +26,6 @@ typedef struct {
     signed char shared;     // of these so many, the first, push both bodies at
                             // one place; the others, of bodies that meet later
                             // in the frame, each at its own
-    bool turns;             // it may be found again before the frame ends
     long found;             // when it was, as a number that no other has
     vec3 normal;
     real impulse[CONTACT_POINTS];   // N s, of each point in the last substep,

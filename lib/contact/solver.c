@@ -25,40 +25,30 @@ static real pace_of(const active_contact *x, const solver_frame *f, real radius)
 }
 
 // Contact c, and which of its points come within reach.
-static void see_points(active_contact *x, const contact *c,
-                       const rigid_frame *a, const rigid_frame *b, real height,
-                       real reach)
-{
-    real gap[CONTACT_POINTS];
-    contact_gaps(c, a, b, height, gap);
-    x->found = c->found;
-    x->least = HUGE_VAL;
-    x->count = 0;
-    for (int k = 0; k < c->count; k++) {
-        x->least = real_min(gap[k], x->least);
-        if (!(gap[k] < reach)) continue;
-        x->point[x->count] = (signed char)k;
-        x->gap[x->count++] = gap[k];
-    }
-}
-
 static void activate(active_contact *x, const contact *c, const solver_frame *f,
                      real reach)
 {
+    real gap[CONTACT_POINTS];
     const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
     real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
     bool moves_a = moves(f, c->a), moves_b = moves(f, c->b);
+    x->found = c->found;
     x->a = moves_a ? c->a : c->b;
     x->b = moves_a ? c->b : c->a;
     x->is_swapped = !moves_a;
     x->sides = moves_a && moves_b ? TWO_SIDED : ONE_SIDED;
     x->load = contact_load(c);
-    see_points(x, c, &f->body[c->a].frame, b, height, reach);
+    x->least = HUGE_VAL;
+    x->count = 0;
     x->pace = 0;
     x->is_deep = false;
-    if (!moves_a && !moves_b) {
-        x->count = 0;
-        return;
+    if (!moves_a && !moves_b) return;
+    contact_gaps(c, &f->body[c->a].frame, b, height, gap);
+    for (int k = 0; k < c->count; k++) {
+        x->least = real_min(gap[k], x->least);
+        if (!(gap[k] < reach)) continue;
+        x->point[x->count] = (signed char)k;
+        x->gap[x->count++] = gap[k];
     }
     real radius = radius_of(x, f);
     x->pace = pace_of(x, f, radius);
@@ -416,8 +406,7 @@ static void activate_chunk(void *data, int item)
         active_contact *x = &p->s->active[k], was = *x;
         contact_expect(p->table[int_min(k + AHEAD, end - 1)]);
         activate(x, p->table[k], p->f, p->reach[k]);
-        x->is_new = k >= p->s->known || p->table[k]->turns
-                  || !is_same(x, &was);
+        x->is_new = k >= p->s->known || !is_same(x, &was);
     }
 }
 
@@ -443,12 +432,8 @@ static void fill_block(const preparation *p, int number)
     int first, lanes = lanes_of(s, number, &first);
     const int *list = s->order + first;
     k->rubs = true;
-    k->points = 0;
+    k->points = s->start[number + 1] - s->start[number];
     k->point = s->point + s->start[number];
-    for (int l = 0; l < lanes; l++) {
-        s->active[list[l]].block = number;
-        k->points = int_max(k->points, s->active[list[l]].count);
-    }
     for (int l = 0; l < REAL4; l++) {
         if (l < lanes)
             choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
@@ -531,23 +516,16 @@ static void forget_blocks(contact_solver *s)
     s->contacts = s->blocks = s->colors = s->touching = 0;
 }
 
-// A block has as many points as the contact in it that has most, or may get
-// them.
-static int room_of(const preparation *p, int k)
+// A block has as many points as the contact in it that has most.
+static void count_points(contact_solver *s)
 {
-    return p->table[k]->turns ? CONTACT_POINTS : p->s->active[k].count;
-}
-
-static void count_points(const preparation *p)
-{
-    contact_solver *s = p->s;
     int at = 0, sum = 0, *start = s->start;
     for (const block_color *c = s->color; c < s->color + s->colors; c++) {
         int end = at + c->contacts, each = c->is_crowded ? 1 : REAL4;
         for (; at < end; at += each) {
             int most = 0, last = int_min(at + each, end);
             for (int k = at; k < last; k++)
-                most = int_max(most, room_of(p, s->order[k]));
+                most = int_max(most, s->active[s->order[k]].count);
             *start++ = sum;
             sum += most;
         }
@@ -557,14 +535,13 @@ static void count_points(const preparation *p)
 }
 
 // Room for the blocks, and for their points.
-static bool make_block_room(const preparation *p)
+static bool make_block_room(contact_solver *s)
 {
-    contact_solver *s = p->s;
     if (!grow((void **)&s->block, &s->block_capacity, s->blocks,
               sizeof *s->block)
         || !grow((void **)&s->start, &s->start_capacity, s->blocks + 1,
                  sizeof *s->start)) return false;
-    count_points(p);
+    count_points(s);
     return grow((void **)&s->point, &s->point_capacity, s->start[s->blocks],
                 sizeof *s->point);
 }
@@ -577,7 +554,7 @@ static bool make_blocks(contact_solver *s, preparation *p)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
     sort_contacts(s, end);
     list_colors(s, end);
-    if (!make_block_room(p)) return false;
+    if (!make_block_room(s)) return false;
     tasks_run(p->f->run, fill_chunk, p,
               task_items(s->blocks, FEW_BLOCKS));
     s->h = p->f->h;
@@ -1042,61 +1019,6 @@ void solver_store(contact_solver *s, tasks run, contact *const *table)
     storing q = { s, table };
     tasks_run(run, clear_chunk, &q, task_chunks(s->contacts));
     tasks_run(run, store_chunk, &q, task_chunks(s->blocks));
-}
-//<
-
-//> solver-renew
-// What the lanes of a contact's block have come to.
-static void hold_block(contact_solver *s, const block *x, contact *const *table)
-{
-    for (int l = 0; l < REAL4; l++) {
-        int k = x->contact[l];
-        if (k < 0) continue;
-        store_lane(x, l, &s->active[k], table[k]);
-        for (int j = 0; j < s->active[k].count; j++)
-            s->active[k].gap[j] = real4_get(&x->point[j].now, l);
-    }
-}
-
-void solver_hold(contact_solver *s, const int *list, int n,
-                 contact *const *table)
-{
-    for (int i = 0; i < n; i++)
-        hold_block(s, &s->block[s->active[list[i]].block], table);
-}
-
-// A block counts its gaps from where bodies stood when the frame began: these
-// are such that they have become what they are now.
-static void renew_block(const preparation *p, int number, const motion *moved)
-{
-    block *k = &p->s->block[number];
-    pass q = { .moved = moved };
-    fill_block(p, number);
-    see_block(k, &q, true);
-    for (int j = 0; j < k->points; j++) {
-        block_point *x = &k->point[j];
-        real4 now = x->gap, parted = real4_sub(x->now, x->gap);
-        x->gap = real4_sub(now, parted);
-        x->now = now;
-    }
-}
-
-void solver_renew(contact_solver *s, const solver_frame *f, const int *list,
-                  int n, const contact *const *table, const real *reach,
-                  const rigid_frame *now, const motion *moved)
-{
-    solver_frame inside = *f;
-    preparation p = { s, &inside, table, reach };
-    inside.warm = 1;
-    for (int i = 0; i < n; i++) {
-        const contact *c = table[list[i]];
-        const rigid_frame *b = c->b < 0 ? NULL : &now[c->b];
-        real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
-        see_points(&s->active[list[i]], c, &now[c->a], b, height,
-                   reach[list[i]]);
-    }
-    for (int i = 0; i < n; i++)
-        renew_block(&p, s->active[list[i]].block, moved);
 }
 //<
 

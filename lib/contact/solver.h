@@ -99,7 +99,7 @@ enum { TWO_SIDED, ONE_SIDED, SIDES };
 typedef struct {
     long found;         // the contact's
     int  a, b;          // bodies, or b < 0: a plane; ONE_SIDED: only a moves
-    int  color, block;
+    int  color;
     signed char count;  // points that may touch in this frame
     signed char sides;
     bool is_swapped;    // A does not move: the block's A is the contact's B
@@ -177,16 +177,6 @@ void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
 // After impacts, before solver_push: `moved` has changed, and with it the gaps.
 void solver_see_gaps(contact_solver *s, const solver_frame *f,
                      const motion *moved);
-// Before contacts list[0..n) are found again in the middle of a frame: their
-// impulses are written to them, and to those in the same blocks.
-void solver_hold(contact_solver *s, const int *list, int n,
-                 contact *const *table);
-// After that: their blocks are made again.  now: where the bodies stand that
-// these contacts name.  Contacts that were not said to turn are left as they
-// were.
-void solver_renew(contact_solver *s, const solver_frame *f, const int *list,
-                  int n, const contact *const *table, const real *reach,
-                  const rigid_frame *now, const motion *moved);
 // Keeps what the contacts did to each body, for the next substep.
 void solver_end(contact_solver *s, const motion *velocity);
 

@@ -16,7 +16,6 @@ static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static void substep(world *w, const solver_frame *f, int k, real *since);
-static void look_again(world *w, const solver_frame *f, int k);
 static void move_bodies(world *w, real h);
 static void fall_asleep(world *w);
 
@@ -40,10 +39,7 @@ static void solve(world *w, real *since)
     solver_frame f = prepare(w);
     real most = guard_most(w, &f);
     lap(w, PHASE_PREPARE, since);
-    for (int k = 0; k < f.substeps; k++) {
-        if (k > 0) look_again(w, &f, k);
-        substep(w, &f, k, since);
-    }
+    for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
     solver_store(&w->rigid.solver, w->options.host.run,
                  w->rigid.cache.active);
     w->report.substeps += f.substeps;
@@ -117,7 +113,30 @@ static prediction predict(const world *w, const solver_body *now,
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
+//<
 
+//> step-middle
+// A body that turns comes to touch with other corners than those that are near
+// when the frame begins.  So it is asked as it will stand in the middle of it:
+// where it is, but turned by half of what it turns in the frame; by less, if
+// that is more than HALF_TURN (rad), for there is an impact in between; not at
+// all, if it is less than NO_TURN, as of what lies.
+static const real HALF_TURN = 0.25, NO_TURN = 0.01;
+
+static rigid_frame find_middle(const world *w, int b)
+{
+    const solver_body *now = &w->rigid.now[b];
+    real turn = w->rigid.ahead[b].angle, seconds = w->frame / 2;
+    motion half = { { 0 } };
+    if (turn < NO_TURN) return now->frame;
+    if (turn > 2 * HALF_TURN) seconds *= 2 * HALF_TURN / turn;
+    for (int i = MOTION_TURN; i < MOTIONS; i++)
+        half.of[i] = seconds * w->rigid.velocity[b].of[i];
+    return motion_frame(&now->frame, &now->basis, &half);
+}
+//<
+
+//> step-look-at
 static void look_at_body(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
@@ -134,10 +153,12 @@ static void look_at_body(world *w, int b)
         now->basis = basis_find(x->rigid, &now->frame);
         t->velocity[b] = motion_of(p, &now->frame, &now->basis, w->age);
         t->ahead[b] = predict(w, now, &t->velocity[b]);
+        t->middle[b] = find_middle(w, b);
     } else {
         now->basis = (motion_basis){ .inverse_mass = 0 };
         memset(&t->velocity[b], 0, sizeof t->velocity[b]);
         t->ahead[b] = (prediction){ .reach = 0 };
+        t->middle[b] = now->frame;
     }
     t->reach[b] = t->ahead[b].reach;
 }
@@ -196,8 +217,9 @@ static cache_frame what_to_ask(const world *w)
 {
     const rigid_tables *t = &w->rigid;
     return (cache_frame){
-        .body = t->body, .now = t->now, .ahead = t->ahead, .moves = t->moves,
-        .bodies = w->bodies, .list = &t->pairs, .is_new_list = t->is_new_list,
+        .body = t->body, .now = t->now, .middle = t->middle,
+        .ahead = t->ahead, .moves = t->moves, .bodies = w->bodies,
+        .list = &t->pairs, .is_new_list = t->is_new_list,
         .plane = w->plane, .planes = w->planes, .stay = w->options.stay,
         .run = w->options.host.run };
 }
@@ -210,26 +232,6 @@ static void find_contacts(world *w)
     w->report.queries = (int)t->cache.queries;
     w->report.contacts = t->cache.actives;
     w->report.dropped += t->cache.lost;
-}
-//<
-
-//> step-again
-// Bodies that turn come to touch elsewhere than was found: those that have turned
-// much by substep k, and may touch now, are asked again.
-static void look_again(world *w, const solver_frame *f, int k)
-{
-    rigid_tables *t = &w->rigid;
-    contact_cache *c = &t->cache;
-    const contact *const *table = (const contact *const *)c->active;
-    if (c->turnings == 0 || t->solver.touching == 0) return;
-    cache_frame ask = what_to_ask(w);
-    int n = cache_turning(c, &ask, t->moved, k, f->substeps, t->later);
-    if (n == 0) return;
-    solver_hold(&t->solver, c->again, n, c->active);
-    cache_again(c, &ask, t->later);
-    solver_renew(&t->solver, f, c->again, n, table, c->reach, t->later,
-                 t->moved);
-    w->report.queries += n;
 }
 //<
 

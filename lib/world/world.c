@@ -246,7 +246,7 @@ static void begin_body(world *w, int b)
         t->heaviest = real_max(x->mass, t->heaviest);
     }
     t->body[b] = (cache_body){ x->shape, x->rigid, x->inner };
-    t->now[b].frame = rigid4_frame(w->pool.at + x->first);
+    t->now[b].frame = t->middle[b] = rigid4_frame(w->pool.at + x->first);
     t->now[b].radius = 1.02 * x->rigid->reach;
     t->ball[b] = (sphere){ t->now[b].frame.center, t->now[b].radius };
 }
@@ -260,13 +260,13 @@ static bool size_rigid(rigid_tables *t, int bodies)
     t->now   = calloc(n, sizeof *t->now);
     t->ball  = calloc(n, sizeof *t->ball);
     t->ahead = calloc(n, sizeof *t->ahead);
-    t->later = calloc(n, sizeof *t->later);
+    t->middle = calloc(n, sizeof *t->middle);
     t->reach = calloc(n, sizeof *t->reach);
     t->velocity = aligned_alloc(64, n * sizeof *t->velocity);
     t->moved    = aligned_alloc(64, n * sizeof *t->moved);
     t->relaxed  = calloc(n, sizeof *t->relaxed);
     if (!t->body || !t->moves || !t->dynamic || !t->now || !t->ball
-        || !t->ahead || !t->later || !t->reach || !t->velocity || !t->moved
+        || !t->ahead || !t->middle || !t->reach || !t->velocity || !t->moved
         || !t->relaxed) return false;
     memset(t->velocity, 0, n * sizeof *t->velocity);
     memset(t->moved, 0, n * sizeof *t->moved);
@@ -317,7 +317,7 @@ void world_free(world *w)
     rigid_tables *r = &w->rigid;
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
     void *owned[] = { w->body, w->shape, w->inverse_mass,
-        r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->later,
+        r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
         r->reach, r->velocity, r->moved, r->relaxed };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);

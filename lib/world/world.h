@@ -118,7 +118,7 @@ typedef struct {
     sphere      *ball;      // [bodies]
     prediction  *ahead;     // [bodies]
     real        *reach;     // [bodies] of ahead
-    rigid_frame *later;     // [bodies] where those stand that are asked again
+    rigid_frame *middle;    // [bodies] see cache_frame
     motion      *velocity;  // [bodies + 1], see solver.h
     motion      *moved;     // [bodies + 1] since the frame began
     rigid4_result *relaxed; // [bodies] what putting their particles did

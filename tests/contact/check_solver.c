@@ -347,62 +347,6 @@ static void run_frames(pile *p, bool anew)
     seed = start;
 }
 
-// Rejects: gaps that a contact had when the frame began; impulses of that time;
-// a block without room for the new points.
-START_TEST(contacts_found_again_go_on_from_where_they_are)
-{
-    for (int n = 0; n < 200; n++) {
-        contact *table[PILE_CONTACTS];
-        int list[PILE_CONTACTS], some = 0;
-        static rigid_frame later[PILE_BODIES];
-        pile_any(&one, 20, 40, 0);
-        for (int k = 0; k < one.contacts; k++)
-            one.contact[k].turns = any() > 0;
-        prepare(&one);
-        set_table(&one, table);
-        for (int k = 0; k < 3; k++) {
-            push(&one, GRAVITY, k == 0);
-            relax(&one);
-            solver_end(&solver, one.velocity);
-        }
-        for (int b = 0; b < one.frame.bodies; b++)
-            later[b] = motion_frame(&one.body[b].frame, &one.body[b].basis,
-                                    &one.moved[b]);
-        for (int k = 0; k < one.contacts; k++)
-            if (one.contact[k].turns && solver.active[k].count > 0)
-                list[some++] = k;
-        solver_hold(&solver, list, some, table);
-        // The others keep their points; these get four, some of them new.
-        for (int i = 0; i < some; i++) {
-            contact *c = table[list[i]];
-            while (c->count < CONTACT_POINTS)
-                pile_point(&one, c, any_vec3(), any_vec3(), 0.01 * any());
-        }
-        other = one;
-        solver_renew(&solver, &one.frame, list, some,
-                     (const contact *const *)table, one.reach, later,
-                     one.moved);
-        for (int i = 0; i < some; i++) {
-            const active_contact *x = &solver.active[list[i]];
-            const contact *c = table[list[i]];
-            const block *k = &solver.block[x->block];
-            real gap[CONTACT_POINTS];
-            int l = 0;
-            while (k->contact[l] != list[i]) l++;
-            contact_gaps(c, &later[c->a], c->b < 0 ? NULL : &later[c->b],
-                         c->b < 0 ? one.plane[-1 - c->b].offset : 0, gap);
-            ck_assert_int_eq(x->count, CONTACT_POINTS);
-            for (int j = 0; j < CONTACT_POINTS; j++) {
-                real now = real4_get(&k->point[j].now, l);
-                real impulse = real4_get(&k->point[j].impulse, l);
-                ck_assert(fabs(now - gap[j]) <= ROUNDING);
-                ck_assert(impulse == other.contact[list[i]].impulse[j]);
-            }
-        }
-    }
-}
-END_TEST
-
 // Rejects: a gap of the frame before; a block that is kept although its points
 // are others, or its bodies; an impulse that is lost.
 START_TEST(blocks_that_are_kept_give_the_bits_of_new_ones)
@@ -845,7 +789,6 @@ int main(void)
         a_hundred_contacts_on_one_body_share_it,
         points_out_of_reach_take_no_part,
         old_impulses_are_taken_in_part,
-        contacts_found_again_go_on_from_where_they_are,
         blocks_that_are_kept_give_the_bits_of_new_ones,
         gaps_are_seen_again_where_bodies_have_been_moved,
         what_is_going_to_strike_is_left_to_the_impact,

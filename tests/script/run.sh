@@ -25,7 +25,7 @@ for test in "$@"; do
     case $test in *.sh) ;; *) [ -n "$count" ] || code=1 ;; esac
     if [ "$code" -ne 0 ]; then
         failed="$failed $name"
-        faults="$faults$(printf '\n%s:\n' "$name"; tail -n 12 "$output")"
+        [ -n "$YOURS" ] || faults="$faults$(printf '\n%s:\n' "$name"; tail -n 12 "$output")"
     fi
     checks=$((checks + ${count:-0}))
 done
@@ -33,7 +33,8 @@ done
 echo
 if [ -n "$failed" ] || [ -n "$UNBUILT" ]; then
     [ -z "$UNBUILT" ] || echo "FAILED: some tests could not be built, see above"
-    [ -z "$failed" ] || printf 'What these ended with:%s\n\nFAILED:%s\n' "$faults" "$failed"
+    [ -z "$faults" ] || printf 'What these ended with:%s\n\n' "$faults"
+    [ -z "$failed" ] || echo "FAILED:$failed"
     exit 1
 fi
 echo "All passed: $programs programs, $checks checks of the library"

@@ -18,9 +18,9 @@ typedef struct {
     prediction *ahead;  // [bodies] how each may move in this frame
     line_hold *hold;    // [particles] what each touches that does not move
     bend_row *bends;    // [particles of the longest strand]
-    real pressed;       // 1/s, substeps that the frame so far asked for
-    real pace;          // 1/s, that this frame has at least
-    int  frames;        // for so many it has been too high
+    real pressed;       // 1/s, substeps that layers asked for in this frame,
+    real pace;          // 1/s, and that they get
+    int  frames;        // for so many they have asked for fewer
     bool is_backward;   // points at rigid bodies come last to first
 
     int  touching;      // parted in the last substep

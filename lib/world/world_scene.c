@@ -45,7 +45,7 @@ world_options world_scene_options(scene_kind kind, int cloth)
     // and columns and rows, solved in turn, need rounds more.  In small steps
     // the lines may be solved along the links as they lie, and the diagonals
     // do with the cheaper root.
-    // Two or three would do, but for sheets that fall on each other.
+    // Layers that lie on each other take some more.
     // No scene has a cloth of more than 512 a side.
     o.substeps = 2 + int_min(int_max(cloth, 20), 512) / 20;
     o.iterations = 8;

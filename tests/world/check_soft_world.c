@@ -1027,6 +1027,40 @@ START_TEST(substeps_are_as_many_as_what_comes_near_needs)
 }
 END_TEST
 
+// Rejects: a rule for weight that forgets the spacing; layers that ask for no
+// substeps, or without bound; a number that falls at once, or never.
+START_TEST(weight_and_layers_take_more_substeps)
+{
+    world_options o = world_options_default();
+    real times = 20.5 / o.dt;
+    o.gravity = vec3_make(0, -0.0034 * cloth.spacing * times * times, 0);
+    begin(o);
+    add_at(&cloth, 0, 0, 0);
+    ready();
+    w.frame = o.dt;
+    soft_wake(&w);
+    ck_assert_int_eq(soft_need(&w), 20);
+
+    o.gravity = ZERO;
+    begin(o);
+    add_at(&cloth, 0, 0, 0);
+    ready();
+    w.frame = o.dt;
+    const struct { real asked; int wanted; } layers[] = {
+        { 3.5, 8 }, { 11.5, 11 }, { 1e9, 13 },
+    };
+    for (int k = 0; k < 3; k++) {
+        w.soft.pressed = layers[k].asked / o.dt;
+        soft_wake(&w);
+        ck_assert_int_eq(soft_need(&w), layers[k].wanted);
+    }
+    for (int f = 1; f <= 30; f++) soft_wake(&w);
+    ck_assert_int_eq(soft_need(&w), 13);
+    soft_wake(&w);
+    ck_assert_int_eq(soft_need(&w), 8);
+}
+END_TEST
+
 // Rejects: a square of the new substep alone, a last move that is carried on
 // whole; a sleeper that falls.
 START_TEST(parabola_is_exact_when_the_substep_changes)
@@ -1365,6 +1399,7 @@ int main(void)
         lists_leave_out_what_sleeps_or_is_static,
         particles_are_kept_off_planes,
         sleepers_near_a_cloth_wake_and_rest_with_it,
+        weight_and_layers_take_more_substeps,
         substeps_are_as_many_as_what_comes_near_needs,
         parabola_is_exact_when_the_substep_changes,
         what_is_stretched_by_a_hundredth_is_counted,

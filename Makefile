@@ -38,7 +38,6 @@ define ORDER
 14/grid
 15/swept
 15/collide
-16/cache
 16/placed
 16/separation
 16/obstacle
@@ -46,16 +45,17 @@ define ORDER
 16/near
 16/touch
 16/soft
-16/sleep
-16/world
-16/ledger
-16/soft_step
-16/substeps
-16/guard
-16/step
-16/measure
-16/obj
-16/world_scene
+17/cache
+17/sleep
+17/world
+17/ledger
+17/soft_step
+17/substeps
+17/guard
+17/step
+17/measure
+17/obj
+17/world_scene
 endef
 LINE := $(strip $(ORDER))
 
@@ -110,8 +110,8 @@ endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
 TESTS_09 += check_poses
 UPTO_poses := $(UPTO_09)
-TESTS_17 := check_hard
-TESTS_18 := check_clock check_thread
+TESTS_18 := check_hard
+TESTS_19 := check_clock check_thread
 # The figures of 00 to 08 see Part I up to their chapter; later ones may ask what
 # a module does to the whole, and chapter 09 sets the engine beside its system.
 FLOOR = $(if $(filter 00 01 02 03 04 05 06 07 08,$1),$(UPTO_$1),$(ALL))
@@ -317,9 +317,9 @@ drape: $(BUILD)/drape
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
-SPEED := 18-verlet 18-constraint 18-body 10-fewer 18-hit_face \
-  06-tree 18-sphere_tree 07-response 08-orders \
-  13-blocks 13-bodies 18-world
+SPEED := 19-verlet 19-constraint 19-body 10-fewer 19-hit_face \
+  06-tree 19-sphere_tree 07-response 08-orders \
+  13-blocks 13-bodies 19-world
 .PHONY: speed profile
 speed: $(SPEED:%=$(BUILD)/figures/%)
 	$(Q)$(foreach f,$(SPEED),$(call draw,$f,$(call room,$f)) &&) true
@@ -327,10 +327,10 @@ speed: $(SPEED:%=$(BUILD)/figures/%)
 	  -v machine=figures/tables/machine.csv \
 	  -v head='module,what,at this error,best,beside,takes times as long' \
 	  $(foreach f,$(SPEED),$(call room,$f)/$f.csv)
-profile: $(BUILD)/figures/18-profile
-	$(Q)$(call draw,18-profile,figures/18)
+profile: $(BUILD)/figures/19-profile
+	$(Q)$(call draw,19-profile,figures/19)
 	$(Q)awk -f figures/draw/table.awk -v csv=figures/tables/profile.csv \
-	  -v head='phase,room,cloth on a cube,cloth on a rope' figures/18/18-profile.csv
+	  -v head='phase,room,cloth on a cube,cloth on a rope' figures/19/19-profile.csv
 
 SOAK_STEPS ?= 1000000
 .PHONY: soak
@@ -452,7 +452,7 @@ $(BUILD)/tests/check_line $(BUILD)/figures/12-hold: $(BUILD)/tests/plain_strand.
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
-# These look at how the figures of chapter 18 count time, and at their threads,
+# These look at how the figures of chapter 19 count time, and at their threads,
 # which can be refused.
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 $(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
@@ -520,7 +520,7 @@ $(BUILD)/tests/fuzz_world: $(addprefix $(BUILD)/tests/,fuzz_world.o worlds.o) $(
 	$(call link,-lm)
 
 # A figure sees the line up to its chapter, and what it asks of the painter;
-# those of chapter 17 draw what the hard cases measure.
+# those of chapter 18 draw what the hard cases measure.
 $(patsubst %,$(BUILD)/figures/%,$(filter 17-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
 $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, ,$$*))) $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)

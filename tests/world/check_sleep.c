@@ -1,5 +1,5 @@
 // check_sleep.c - what is still, which bodies sleep together, and which wake?
-// Book: chapter 16.
+// Book: chapter 17.
 
 #include <check.h>
 #include <limits.h>

@@ -24,6 +24,7 @@ define ORDER
 09/system
 10/query
 11/manifold
+12/inline
 12/line
 12/bend
 13/rigid4

@@ -8,21 +8,13 @@
 #ifndef TUMBLE_REAL4_H
 #define TUMBLE_REAL4_H
 
+#include "inline.h"
 #include "vec3.h"
 
 #include <stdbool.h>
 #include <string.h>
 
 enum { REAL4 = 4 };
-
-// Made a part of every caller, which knows what its arguments are; or of none.
-#ifdef __GNUC__
-#define ALWAYS_INLINE static inline __attribute__((always_inline))
-#define NEVER_INLINE  static __attribute__((noinline))
-#else
-#define ALWAYS_INLINE static inline
-#define NEVER_INLINE  static
-#endif
 //<
 
 //> real4-plain

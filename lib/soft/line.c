@@ -4,7 +4,7 @@
 // Paper: section 3.2.  Book: chapter 12.
 
 #include "line.h"
-#include "real4.h"
+#include "inline.h"
 
 #include <assert.h>
 #include <math.h>

@@ -1,0 +1,18 @@
+//> inline
+// inline.h - what a compiler makes a part of every caller, and what of none.
+//
+// Book: chapter 12.
+
+#ifndef TUMBLE_INLINE_H
+#define TUMBLE_INLINE_H
+
+#ifdef __GNUC__
+#define ALWAYS_INLINE static inline __attribute__((always_inline))
+#define NEVER_INLINE  static __attribute__((noinline))
+#else
+#define ALWAYS_INLINE static inline
+#define NEVER_INLINE  static
+#endif
+
+#endif
+//<

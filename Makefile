@@ -522,7 +522,7 @@ $(BUILD)/tests/fuzz_world: $(addprefix $(BUILD)/tests/,fuzz_world.o worlds.o) $(
 
 # A figure sees the line up to its chapter, and what it asks of the painter;
 # those of chapter 18 draw what the hard cases measure.
-$(patsubst %,$(BUILD)/figures/%,$(filter 17-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
+$(patsubst %,$(BUILD)/figures/%,$(filter 18-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
 $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, ,$$*))) $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
 

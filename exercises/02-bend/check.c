@@ -1,6 +1,6 @@
 // check.c - tests of the exercise 02/bend.
 
-#include "bend.h"
+#include "hinge.h"
 
 #include <check.h>
 #include <string.h>

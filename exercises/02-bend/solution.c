@@ -1,6 +1,6 @@
 // solution.c - a gap that a fixed weighted sum of four positions measures.
 
-#include "bend.h"
+#include "hinge.h"
 
 #include <assert.h>
 

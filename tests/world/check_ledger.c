@@ -85,14 +85,16 @@ static real above_middle(void)
 START_TEST(total_is_the_sum_over_particles)
 {
     begin(booked());
+    // Two bodies, so that a particle that is counted twice shows.
+    add(&rope, placement_at(ZERO));
     add(&rope, placement_at(ZERO));
     ck_assert(world_begin(&w).ok);
     real h = w.age = 0.01;
-    const vec3 x[2] = { { 1, 2, 3 }, { -4, 5, 6 } };
-    const vec3 v[2] = { { 0.5, -1, 2 }, { 3, 1, -2 } };
+    const vec3 x[4] = { { 1, 2, 3 }, { -4, 5, 6 }, { 7, 1, -2 }, { 0, 3, 1 } };
+    const vec3 v[4] = { { 0.5, -1, 2 }, { 3, 1, -2 }, { 1, 1, 0 }, { 0, -2, 4 } };
     vec3 linear = ZERO, angular = ZERO;
     real energy = 0;
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 4; i++) {
         w.pool.at[i].position = vec3_add_scaled(x[i], h / 2, v[i]);
         w.pool.at[i].previous = vec3_add_scaled(x[i], -h / 2, v[i]);
         linear = vec3_add_scaled(linear, 1.5, v[i]);

@@ -1,7 +1,7 @@
-// bend.h - two triangles that share an edge, pulled flat.
+// hinge.h - two triangles that share an edge, pulled flat.
 
-#ifndef TUMBLE_BEND_H
-#define TUMBLE_BEND_H
+#ifndef TUMBLE_HINGE_H
+#define TUMBLE_HINGE_H
 
 #include "constraint.h"
 

@@ -14,7 +14,7 @@
 #define TABLE "figures/tables/hard.csv"
 #endif
 
-enum { CASES = 32, PARTS = 1200, LINE = 400 };
+enum { CASES = 40, PARTS = 1200, LINE = 400 };
 
 typedef struct {
     int    row;

@@ -39,6 +39,7 @@ define ORDER
 14/grid
 15/swept
 15/collide
+15/cast
 16/placed
 16/separation
 16/obstacle
@@ -57,6 +58,16 @@ define ORDER
 17/measure
 17/obj
 17/world_scene
+19/tumble
+19/slots
+19/inside
+19/tumble_world
+19/tumble_shapes
+19/tumble_bodies
+19/tumble_joints
+19/tumble_ask
+19/tumble_contacts
+19/tumble_draw
 endef
 LINE := $(strip $(ORDER))
 
@@ -177,7 +188,7 @@ test:
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make library    build/libtumble.a
-#:   make install    the library, its headers and tumble.pc (PREFIX=/usr/local)
+#:   make install    tumble.h, the library and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS:%=test-%): test-%:
 	$(Q)$(if $(TESTS_$*),YOURS='$(MINE)' sh tests/script/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
 $(MADE): %: test-%
@@ -197,22 +208,26 @@ html pdf epub:
 
 library: $(BUILD)/libtumble.a
 
-# One header that brings them all, for C and for C++.
+# What is installed: tumble.h, and a library in which no other name is seen.
 PREFIX ?= /usr/local
-INCLUDE = $(DESTDIR)$(PREFIX)/include/tumble
-.PHONY: install
-install: $(BUILD)/libtumble.a
-	$(Q)install -d '$(DESTDIR)$(PREFIX)/lib/pkgconfig' '$(INCLUDE)'
-	$(Q)install -m 644 $(BUILD)/libtumble.a '$(DESTDIR)$(PREFIX)/lib'
-	$(Q)install -m 644 lib/*/*.h '$(INCLUDE)'
-	$(Q){ printf '#ifdef __cplusplus\nextern "C" {\n#endif\n'; \
-	  printf '#include "%s"\n' $(notdir $(wildcard lib/*/*.h)); \
-	  printf '#ifdef __cplusplus\n}\n#endif\n'; } > '$(INCLUDE)/tumble.h'
-	$(Q)printf '%s\n' 'prefix=$(PREFIX)' 'Name: tumble' 'Version: 1.0' \
+TO = $(DESTDIR)$(PREFIX)
+VERSION := $(shell sed -n 's/^\#define TUMBLE_VERSION "\(.*\)"/\1/p' lib/tumble.h)
+MAJOR   := $(firstword $(subst ., ,$(VERSION)))
+.PHONY: install public
+install:
+	$(Q)$(AGAIN) public BUILD=$(BUILD)/public CFLAGS='$(CFLAGS) -fPIC -fvisibility=hidden'
+	$(Q)install -d '$(TO)/lib/pkgconfig' '$(TO)/include'
+	$(Q)install -m 644 $(BUILD)/public/seen.a '$(TO)/lib/libtumble.a'
+	$(Q)install $(BUILD)/public/seen.so '$(TO)/lib/libtumble.so.$(VERSION)'
+	$(Q)ln -sf libtumble.so.$(VERSION) '$(TO)/lib/libtumble.so.$(MAJOR)'
+	$(Q)ln -sf libtumble.so.$(MAJOR) '$(TO)/lib/libtumble.so'
+	$(Q)install -m 644 lib/tumble.h '$(TO)/include'
+	$(Q)printf '%s\n' 'prefix=$(PREFIX)' 'Name: tumble' 'Version: $(VERSION)' \
 	  'Description: rigid and deformable bodies of particles and sticks' \
-	  'Cflags: -I$${prefix}/include/tumble' 'Libs: -L$${prefix}/lib -ltumble -lm' \
-	  > '$(DESTDIR)$(PREFIX)/lib/pkgconfig/tumble.pc'
-	@echo "installed: $(PREFIX)/lib/libtumble.a, include/tumble/tumble.h, tumble.pc"
+	  'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltumble -lm' \
+	  > '$(TO)/lib/pkgconfig/tumble.pc'
+	@echo "installed: $(PREFIX)/include/tumble.h, lib/libtumble.a, lib/libtumble.so, tumble.pc"
+public: $(BUILD)/seen.a $(BUILD)/seen.so
 
 #:
 #: Exercises
@@ -561,6 +576,15 @@ $(BUILD)/lib%.a:
 	@echo "  pack  $@"
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
+# All modules as one object in which only tumble_* is seen from outside.
+$(BUILD)/seen.o: $(ALL)
+	@echo "  pack  $@"
+	$(Q)$(LD) -r $^ -o $@ && objcopy --wildcard --keep-global-symbol='tumble_*' $@
+$(BUILD)/seen.a: $(BUILD)/seen.o
+	$(Q)rm -f $@ && $(AR) rcs $@ $^
+$(BUILD)/seen.so: $(BUILD)/seen.o
+	$(Q)$(CC) -shared -Wl,-soname,libtumble.so.$(MAJOR) $^ -lm -o $@
+
 # -MMD writes beside each object which headers it read.
 define compile
 	@mkdir -p $(@D)
@@ -569,8 +593,8 @@ define compile
 endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
-ROOMS := $(patsubst %,-I%,$(wildcard lib/* tests/support tests/contact tests/soft tests/hard tests/fuzz \
-  figures/draw figures/measure figures/command figures/peers))
+ROOMS := -Ilib $(patsubst %/,-I%,$(wildcard lib/*/ tests/support/ tests/contact/ tests/soft/ tests/hard/ tests/fuzz/ \
+  figures/draw/ figures/measure/ figures/command/ figures/peers/))
 $(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
 	$(compile)
 $(BUILD)/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(BUILD)/flags

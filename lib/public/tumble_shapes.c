@@ -1,0 +1,79 @@
+//> tumble-shapes
+#include "inside.h"
+#include "obj.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// The shape is w's from now on: in a place of its own, if it was made at all.
+static tumble_shape keep(tumble_world *w, shape *made, status done)
+{
+    const tumble_shape none = { 0, 0 };
+    if (!inside_fails(w, done)) return none;
+    shape *s = malloc(sizeof *s);
+    int k = s ? slots_take(&w->shapes) : -1;
+    if (k < 0) {
+        free(s);
+        shape_free(made);
+        inside_fails(w, status_out_of_memory());
+        return none;
+    }
+    *s = *made;
+    *(shape_place *)slots_at(&w->shapes, k) = (shape_place){ .shape = s };
+    return (tumble_shape){ (unsigned)k, slots_generation(&w->shapes, k) };
+}
+
+tumble_shape tumble_box(tumble_world *w, tumble_vec3 sides, double mass)
+{
+    shape s;
+    status done = shape_box(&s, from_user(sides), mass);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_icosahedron(tumble_world *w, double radius, double mass)
+{
+    shape s;
+    status done = shape_icosahedron(&s, radius, mass);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_obj(tumble_world *w, const char *path, double radius,
+                        double mass)
+{
+    shape s;
+    status done = obj_read(path, radius, mass, &s);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_rope(tumble_world *w, int n, double length, double mass)
+{
+    shape s;
+    status done = shape_rope(&s, n, length, mass);
+    return keep(w, &s, done);
+}
+
+// A cloth's diagonals are so much softer than its threads.
+static const real DIAGONAL = 0.2;
+
+tumble_shape tumble_cloth(tumble_world *w, int columns, int rows, double width,
+                          double depth, double mass)
+{
+    shape s;
+    status done = shape_cloth(&s, columns, rows, width, depth, mass, DIAGONAL);
+    return keep(w, &s, done);
+}
+
+bool tumble_drop_shape(tumble_world *w, tumble_shape s)
+{
+    shape_place *gone = inside_shape(w, s);
+    if (!gone) return false;
+    if (gone->bodies > 0)
+        return inside_fail(w, "shape %u cannot be dropped: %d bodies are made of "
+                           "it", s.place, gone->bodies);
+    world_drop_shape(&w->world, gone->shape);
+    shape_free(gone->shape);
+    free(gone->shape);
+    slots_give(&w->shapes, (int)s.place);
+    return true;
+}
+//<

@@ -48,20 +48,4 @@ static int by_bodies(const void *p, const void *q)
     if (a->a != b->a) return a->a < b->a ? -1 : 1;
     return (a->b > b->b) - (a->b < b->b);
 }
-
-// Both lie as they lay when they were last asked: what touched still does.
-static bool lies(const world *w, int b)
-{
-    return b < 0 || !body_moves(w, b);
-}
-
-static bool reserve(touching_pair **list, int *room, int need)
-{
-    if (need <= *room) return true;
-    touching_pair *more = realloc(*list, 2 * (size_t)need * sizeof *more);
-    if (!more) return false;
-    *list = more;
-    *room = 2 * need;
-    return true;
-}
 //<

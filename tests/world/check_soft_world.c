@@ -1,5 +1,5 @@
 // check_soft_world.c - what do cloth and rope touch, and is any of it missed?
-// Book: chapter 17.
+// Book: chapter 18.
 
 #include <check.h>
 #include <float.h>

@@ -331,7 +331,9 @@ bool tumble_set_strength(tumble_world *w, tumble_joint j, double force);
 bool tumble_unjoin(tumble_world *w, tumble_joint j);
 bool tumble_is_joined(const tumble_world *w, tumble_joint j);
 
-// N, of the last substep; rad, of a hinge.
+// m, how far apart are the points that it holds; N, what it bore in the last
+// substep; rad, how far a hinge is turned.
+double tumble_joint_gap(const tumble_world *w, tumble_joint j);
 double tumble_joint_force(const tumble_world *w, tumble_joint j);
 double tumble_hinge_angle(const tumble_world *w, tumble_joint j);
 //<

@@ -39,6 +39,7 @@ define ORDER
 14/grid
 15/swept
 15/collide
+15/cast
 16/placed
 16/separation
 16/obstacle

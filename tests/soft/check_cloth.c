@@ -191,7 +191,7 @@ END_TEST
 
 // A cube of 30 cm and 1 kg flies at 2 m/s, a corner ahead, at a sheet of 20 g
 // whose rim is pinned: between its particles.
-// Rejects: edges and corners that the sticks have the last word about: the sheet
+// Rejects: edges and corners that sticks have the last word about: the sheet
 // lets the corner through, or throws it back at twice its speed.
 START_TEST(corner_that_flies_into_a_held_sheet_is_stopped)
 {

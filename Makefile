@@ -13,6 +13,7 @@ define ORDER
 03/body
 03/rigidity
 03/convex
+03/hull
 04/gjk
 05/feature
 05/hit_face
@@ -449,7 +450,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
-  rigidity convex obj sphere sphere_tree grid ordering \
+  rigidity convex hull obj sphere sphere_tree grid ordering \
   line rigid4 solver broad pairs cache sleep world step measure world_scene scene system \
   thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free

@@ -1080,7 +1080,7 @@ START_TEST(substeps_are_as_many_as_what_comes_near_needs)
 }
 END_TEST
 
-// Rejects: a rule for weight that forgets the spacing; layers that ask for no
+// Rejects: a rule for weight that forgets the spacing, or a load; layers that ask for no
 // substeps, or without bound; a number that falls at once, or never.
 START_TEST(weight_and_layers_take_more_substeps)
 {
@@ -1093,6 +1093,19 @@ START_TEST(weight_and_layers_take_more_substeps)
     w.frame = o.dt;
     soft_wake(&w);
     ck_assert_int_eq(soft_need(&w), 20);
+
+    // A quarter of a link's length, for all that hangs on it.
+    shape loaded;
+    ck_assert(shape_rope(&loaded, 12, 1.2, 0.13).ok);
+    loaded.mass[12] = 10;
+    o.gravity = vec3_make(0, -0.25 * 0.01 / 10.12 * 0.1 * times * times, 0);
+    begin(o);
+    add_at(&loaded, 0, 0, 0);
+    ready();
+    w.frame = o.dt;
+    soft_wake(&w);
+    ck_assert_int_eq(soft_need(&w), 20);
+    shape_free(&loaded);
 
     o.gravity = ZERO;
     begin(o);

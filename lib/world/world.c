@@ -227,7 +227,7 @@ static void wake_around(world *w, int b)
 }
 //<
 
-//> world-add
+//> world-shape
 // The four particles of the rigid shape s.
 static status make_rigid(const shape *s, rigid4 **f)
 {

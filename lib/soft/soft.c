@@ -1,5 +1,6 @@
 //> soft-move
 #include "soft.h"
+#include "table.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -316,22 +317,56 @@ int soft_substeps(const soft_solver *s, const soft_frame *f)
 //<
 
 //> soft-init
-status soft_init(soft_solver *s, const body *all, int bodies, int particles)
+static bool make_room(soft_solver *s, const body *b, int bodies, int particles)
 {
-    *s = (soft_solver){ .touching = 0 };
-    status done = near_init(&s->near, all, bodies, particles);
-    if (!done.ok || s->near.softs == 0) return done;
-    done = rigid_view_init(&s->view, all, bodies);
-    int rows = 0;
-    for (int b = 0; b < bodies; b++)
-        rows = int_max(rows, bend_rows(all[b].shape));
-    s->ahead = calloc((size_t)bodies, sizeof *s->ahead);
-    s->hold = calloc((size_t)particles, sizeof *s->hold);
-    s->bends = calloc((size_t)rows, sizeof *s->bends);
-    if (done.ok && !(s->ahead && s->hold && s->bends))
-        done = status_out_of_memory();
-    if (!done.ok) soft_free(s);
+    int room = table_room(bodies, s->bodies);
+    int particle_room = table_room(particles, s->particles);
+    int rows = table_room(bend_rows(b->shape), s->rows);
+    bool ok = true;
+    if (room > s->bodies) TABLE_GROW(ok, s->ahead, s->bodies, room);
+    if (ok) s->bodies = room;
+    if (particle_room > s->particles)
+        TABLE_GROW(ok, s->hold, s->particles, particle_room);
+    if (ok) s->particles = particle_room;
+    if (rows > s->rows) TABLE_GROW(ok, s->bends, 0, rows);
+    if (ok) s->rows = rows;
+    return ok;
+}
+
+// The first deformable body: rigid ones are there that were not looked at.
+static status view_all(soft_solver *s, const body *all, int bodies)
+{
+    status done = status_ok();
+    for (int b = 0; b < bodies && done.ok; b++)
+        if (!body_is_soft(&all[b])) done = rigid_view_add(&s->view, &all[b]);
     return done;
+}
+
+status soft_add(soft_solver *s, const body *all, int b, int bodies,
+                int particles)
+{
+    bool is_soft = body_is_soft(&all[b]);
+    status done = status_ok();
+    if (s->near.softs == 0 && !is_soft) return done;
+    if (!make_room(s, &all[b], bodies, particles))
+        return status_out_of_memory();
+    for (int i = 0; i < body_particles(&all[b]); i++)
+        s->hold[all[b].first + i] = (line_hold){ .state = LINE_FREE };
+    if (s->near.softs == 0) done = view_all(s, all, bodies);
+    else if (!is_soft)      done = rigid_view_add(&s->view, &all[b]);
+    return done.ok ? near_add(&s->near, all, b, bodies, particles) : done;
+}
+
+void soft_forget(soft_solver *s, int b)
+{
+    near_forget(&s->near, b);
+    s->view.of = -1;
+}
+
+void soft_remove(soft_solver *s, const body *all, int b, int bodies)
+{
+    near_remove(&s->near, all, b, bodies);
+    s->view.of = -1;
 }
 
 void soft_free(soft_solver *s)

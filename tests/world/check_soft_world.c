@@ -279,7 +279,6 @@ START_TEST(flat_cloth_at_rest_touches_nothing)
         p.y = vec3_make(-0.48, 0.8, 0.36);
         p.z = vec3_make(-0.64, -0.6, 0.48);
         int sheet = add(&flat, p);
-        ready();
         vec3 was[SIDE * SIDE * 4];
         ck_assert_int_le(flat.particles, SIDE * SIDE * 4);
         for (int i = 0; i < flat.particles; i++)
@@ -312,7 +311,6 @@ static void fold(int b, real gap)
 START_TEST(folded_cloth_touches_itself)
 {
     int b = add_at(&cloth, 0, 1, 0);
-    ready();
     fold(b, cloth.spacing / 2);
     refresh(H);
     read_lists();
@@ -336,7 +334,6 @@ END_TEST
 START_TEST(fold_that_is_wide_enough_touches_nothing)
 {
     int b = add_at(&cloth, 0, 1, 0);
-    ready();
     fold(b, 1.11 * cloth.spacing);
     // Only the two middle columns are one spacing apart, and they are joined.
     refresh(H);
@@ -358,7 +355,6 @@ static void make_heap(real size)
     add(&box, nailed);
     add_at(&cloth, 0, 0.1, 0);
     add_at(&box, -0.4, 0, -0.3);
-    ready();
     for (int b = 0; b < w.bodies; b++) {
         if (!body_is_soft(&w.body[b])) continue;
         for (int i = 0; i < w.body[b].shape->particles; i++) {
@@ -407,7 +403,6 @@ static int lists_after(vec3 one, vec3 other)
     world_free(&w);
     begin(world_options_default());
     int b = add_at(&cloth, 0, 0, 0);
-    ready();
     refresh(H);
     particle *p = particle_of(b, 33), *q = particle_of(b, 44);
     put(p, vec3_add_scaled(p->position, w.soft.near.margin, one));
@@ -449,7 +444,6 @@ START_TEST(lists_are_made_again_when_a_rigid_body_has_come_near)
         begin(world_options_default());
         add_at(&cloth, 0, 0, 0);
         int b = add_at(&box, 0, 1, 0);
-        ready();
         look();
         refresh(H);
         w.rigid.moved[b].of[0] = (k ? 0.51 : 0.49) * w.soft.near.margin;
@@ -475,7 +469,6 @@ START_TEST(lists_are_looked_at_when_the_substep_changes)
     o.gravity = ZERO;
     begin(o);
     int b = add_at(&cloth, 0, 0, 0);
-    ready();
     particle *p = particle_of(b, 44);
     p->previous.y -= w.soft.near.margin / 33;
     refresh(w.age);
@@ -491,7 +484,6 @@ START_TEST(lists_survive_what_is_not_finite)
 {
     int b = add_at(&cloth, 0, 0, 0);
     add_at(&box, 0, 0.3, 0);
-    ready();
     refresh(H);
     particle_of(b, 44)->position.x = (real)NAN;
     w.soft.near.made = 0;
@@ -514,7 +506,6 @@ START_TEST(what_finds_no_room_is_counted)
     add_at(&cloth, 0, 0, 0);
     add_at(&cloth, 0, 0, 0);
     add_at(&box, 0, 0, 0);
-    ready();
     for (int i = 0; i < 2 * cloth.particles; i++)
         put(&w.pool.at[i], vec3_make(1e-4 * i, 0, 0));
     refresh(H);
@@ -593,7 +584,6 @@ START_TEST(nothing_is_missed_while_a_cloth_falls)
     shot.spin = vec3_make(3, 5, 7);
     add(&box, shot);
     world_pin(&w, string, 0);
-    ready();
     int pairs = 0, points = 0, most = 0;
     const int substeps = 900;
     for (int k = 0; k < substeps; k++) {
@@ -622,7 +612,6 @@ END_TEST
 static void cross_links(real gap)
 {
     int a = add_at(&link_, 0, 0, 0), b = add_at(&link_, 0, 0, 0);
-    ready();
     put(particle_of(a, 0), vec3_make(-9, 0, 0));
     put(particle_of(a, 1), vec3_make(0, 0, 0));
     put(particle_of(b, 0), vec3_make(0, gap, 0));
@@ -666,7 +655,6 @@ START_TEST(particle_leaves_a_static_box_by_its_thickness_and_a_third)
         placement nailed = placement_at(vec3_make(0, 0, 0));
         nailed.is_static = 1;
         int b = add(&box, nailed), r = add_at(&rope, 0, 3, 0);
-        ready();
         ck_assert(fabs(soft_gap(&w.body[r], &w.body[b]) - thick)
                   <= ROUNDING);
         put(particle_of(r, 5), move[k].at);
@@ -715,7 +703,6 @@ START_TEST(pushes_between_cloth_and_movable_box_keep_momentum)
         begin(o);
         int b = add_at(&box, 0, 0, 0);
         int s = add_at(&cloth, 0.3 * any(), 0.25, 0.3 * any());
-        ready();
         look();
         for (int i = 0; i < cloth.particles; i++) {
             particle *p = particle_of(s, i);
@@ -741,7 +728,6 @@ START_TEST(particle_meets_a_movable_box_where_it_is_now)
 {
     begin(world_options_default());
     int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, 3, 0);
-    ready();
     look();
     real thick = w.body[r].thickness;
     put(particle_of(r, 5), vec3_make(0, 0.25 + 1.1 * thick, 0));
@@ -781,7 +767,6 @@ START_TEST(particles_share_the_push_of_a_box)
     shape light;
     ck_assert(shape_box(&light, vec3_make(0.5, 0.5, 0.5), 1e-9).ok);
     int b = add_at(&light, 0, 0, 0), r = add_at(&rope, 0, -3, 0);
-    ready();
     look();
     real thick = w.body[r].thickness;
     for (int i = 0; i < 6; i++) {
@@ -808,7 +793,6 @@ START_TEST(box_gives_way_as_a_solid)
         o.friction = 0;
         begin(o);
         int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, -3, 0);
-        ready();
         look();
         real thick = w.body[r].thickness;
         particle *p = particle_of(r, 5);
@@ -850,7 +834,6 @@ START_TEST(friction_stays_in_the_cone)
         o.friction = 0.3;
         begin(o);
         int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, 3, 0);
-        ready();
         look();
         real thick = w.body[r].thickness, depth = 0.5 * thick;
         // The box itself may go along.
@@ -889,7 +872,6 @@ START_TEST(what_hangs_together_holds_together)
         int b = add_at(&box, 0, 0, 0);
         int s = add_at(&cloth, 0, -0.25, 0);
         if (pinned) world_pin(&w, s, 0);
-        ready();
         look();
         refresh(H);
         // One particle is inside, by a fifth of what it is kept away.
@@ -977,7 +959,6 @@ START_TEST(lists_leave_out_what_sleeps_or_is_static)
         placement nailed = placement_at(vec3_make(0, -0.25, 0));
         nailed.is_static = 1;
         add(&box, nailed);
-        ready();
         if (sleepers > 0) w.sleep.asleep[a] = 1;
         if (sleepers > 1) w.sleep.asleep[b] = 1;
         refresh(H);
@@ -1022,7 +1003,6 @@ START_TEST(sleepers_near_a_cloth_wake_and_rest_with_it)
         int c = add_at(&cloth, 0, is_near ? 0.4 : 9, 0);
         int b = add_at(is_soft ? &rope : &box, 0, 0, 0);
         int fixed = add_nailed(&box, 0, 0.8, 0);
-        ready();
         lay_to_sleep(b);
         for (int i = 0; i < cloth.particles; i++)
             particle_of(c, i)->previous.y += 0.01;
@@ -1054,7 +1034,6 @@ START_TEST(substeps_are_as_many_as_what_comes_near_needs)
     for (int k = 0; k < 7; k++) {
         begin(o);
         int c = add_at(&cloth, 0, 0, 0), b = add_at(&box, 0, ball[k].away, 0);
-        ready();
         // The inner radius of the box is 0.25 m, a quarter of it 62.5 mm.
         w.rigid.ahead[b] = (prediction){ .reach = ball[k].way };
         w.frame = o.dt;
@@ -1089,7 +1068,6 @@ START_TEST(weight_and_layers_take_more_substeps)
     o.gravity = vec3_make(0, -0.0034 * cloth.spacing * times * times, 0);
     begin(o);
     add_at(&cloth, 0, 0, 0);
-    ready();
     w.frame = o.dt;
     soft_wake(&w);
     ck_assert_int_eq(soft_need(&w), 20);
@@ -1110,7 +1088,6 @@ START_TEST(weight_and_layers_take_more_substeps)
     o.gravity = ZERO;
     begin(o);
     add_at(&cloth, 0, 0, 0);
-    ready();
     w.frame = o.dt;
     const struct { real asked; int wanted; } layers[] = {
         { 3.5, 8 }, { 11.5, 11 }, { 1e9, 13 },
@@ -1133,7 +1110,6 @@ START_TEST(parabola_is_exact_when_the_substep_changes)
 {
     int b = add_thrown(&link_, ZERO, vec3_make(3, 4, 0), ZERO);
     int still = add_at(&link_, 99, 0, 0);
-    ready();
     lay_to_sleep(still);
     vec3 at = particle_of(b, 0)->position;
     real t = 0;
@@ -1163,7 +1139,6 @@ START_TEST(what_is_stretched_by_a_hundredth_is_counted)
         int a = add_at(&rope, 0, 0, 0), still = add_at(&rope, 0, 1, 0);
         add_at(&box, 0, 9, 0);
         int c = add_at(&cloth, 0, 5, 0);
-        ready();
         lay_to_sleep(still);
         particle_of(a, 12)->position.x += stretch[k].by * rope.spacing;
         particle_of(still, 12)->position.x += 1;
@@ -1220,7 +1195,6 @@ START_TEST(corner_lifts_a_triangle_by_its_weights)
         real gap = 0.7 * 0.55 * cloth.spacing, deep = -(0.9 + 0.04 * k) * gap;
         int s = add_at(&cloth, 0, 0, 0);
         add_tip(&small, deep, true);
-        ready();
         refresh(H);
         // What they hold apart themselves is not the matter here.
         w.soft.near.points = w.soft.near.pairs = 0;
@@ -1256,7 +1230,6 @@ START_TEST(corner_that_comes_up_keeps_momentum)
         o.friction = k % 3 * 0.4;
         begin(o);
         int s = add_at(&cloth, 0, 0, 0), b = add_tip(&small, 0, false);
-        ready();
         look();
         motion *u = &w.rigid.velocity[b];
         *u = (motion){ { any(), 3, any(), any(), any(), any() } };
@@ -1289,7 +1262,6 @@ START_TEST(facets_at_a_small_box_are_listed)
         p.position.y *= 0.25;
         p.is_static = k % 2;
         int b = add(&small, p);
-        ready();
         look();
         refresh(H);
         found += facets_of_are_listed(s, b, w.soft.near.margin);
@@ -1308,7 +1280,6 @@ START_TEST(cloth_is_put_back_on_the_side_that_it_came_from)
     shape_tip(&small);
     int s = add_at(&cloth, 0, 0, 0);
     add_tip(&small, 0, true);
-    ready();
     refresh(H);
     separate(H);
     ck_assert_int_ge(w.soft.near.mets, 1);
@@ -1380,7 +1351,6 @@ START_TEST(needle_does_not_pierce_a_cloth)
     p.is_static = true;
     add(&thin, p);
     int s = add_at(&cloth, 0, 0.1, 0);
-    ready();
     for (int k = 0; k < 120; k++) {
         world_step(&w);
         real high = least_over(s, 0.01, 0.005);
@@ -1403,7 +1373,6 @@ START_TEST(link_lies_on_an_edge)
     p.is_static = true;
     add(&thin, p);
     int r = add_at(&rope, 0, 0.001, 0);
-    ready();
     refresh(H);
     w.soft.near.points = w.soft.near.pairs = 0;
     separate(H);
@@ -1428,7 +1397,6 @@ START_TEST(particles_are_kept_off_planes)
     world_pin(&w, b, 0);
     ck_assert(world_add_plane(&w, UP, 0).ok);
     ck_assert(world_add_plane(&w, vec3_make(-1, 0, 0), -9).ok);
-    ready();
     real thick = w.body[b].thickness;
     w.sleep.asleep[still] = 1;
     put(particle_of(still, 2), vec3_make(0, -1, 0));

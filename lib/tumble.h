@@ -99,7 +99,7 @@ const char *tumble_failure(const tumble_world *w);
 void tumble_forget_failure(tumble_world *w);
 
 // One step of options.dt.  Forces that were set act in it, and are gone.
-bool tumble_step(tumble_world *w);
+void tumble_step(tumble_world *w);
 
 // s, that steps have taken in sum.
 double tumble_time(const tumble_world *w);

@@ -5,7 +5,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-bool inside_fails(tumble_world *w, status s)
+bool inside_is_ok(tumble_world *w, status s)
 {
     if (!s.ok && w->failure.ok) w->failure = s;
     return s.ok;
@@ -18,7 +18,7 @@ bool inside_fail(tumble_world *w, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(s.why, sizeof s.why, format, arguments);
     va_end(arguments);
-    return inside_fails(w, s);
+    return inside_is_ok(w, s);
 }
 
 // Why is there nothing with this id?
@@ -26,7 +26,7 @@ static void refuse(tumble_world *w, const char *what, unsigned place,
                    unsigned generation)
 {
     if (generation == 0)
-        inside_fail(w, "an id of a %s is zero: it was never made", what);
+        inside_fail(w, "the id of a %s is zero: it was not made", what);
     else
         inside_fail(w, "%s %u is gone, or was never in this world", what, place);
 }
@@ -35,6 +35,13 @@ shape_place *inside_shape(tumble_world *w, tumble_shape s)
 {
     shape_place *found = slots_find(&w->shapes, s.place, s.generation);
     if (!found) refuse(w, "shape", s.place, s.generation);
+    return found;
+}
+
+joint_place *inside_joint(tumble_world *w, tumble_joint j)
+{
+    joint_place *found = slots_find(&w->joints, j.place, j.generation);
+    if (!found) refuse(w, "joint", j.place, j.generation);
     return found;
 }
 

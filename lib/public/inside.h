@@ -2,8 +2,8 @@
 // inside.h - what stands behind the handle that a program holds.
 //
 // Book: chapter 19.
-// The files tumble_*.c check what a program hands in, and leave the work to the
-// modules of the engine.  Numbers are checked there or here, ids here.
+// The files tumble_*.c look at the ids and numbers that a program hands in, and
+// leave the work to the modules of the engine.
 
 #ifndef TUMBLE_INSIDE_H
 #define TUMBLE_INSIDE_H
@@ -14,15 +14,24 @@
 
 typedef struct {
     shape *shape;
-    int bodies;             // that are made of it
+    int bodies;             // pieces that are made of it
 } shape_place;
 
 typedef struct {
-    int  *piece;            // [pieces] its bodies in the engine
-    int   pieces;
-    int   only;             // piece points here, if there is one
+    int number;             // the engine's
+    int shape;              // place of its shape
+} body_piece;
+
+typedef struct {
+    body_piece *piece;      // [pieces]
+    int  pieces;
+    tumble_kind kind;
     void *user;
 } body_place;
+
+typedef struct {
+    int number;             // the engine's
+} joint_place;
 
 struct tumble_world {
     world world;
@@ -31,21 +40,37 @@ struct tumble_world {
     slots joints;           // of joint_place
     int  *owner;            // [world.bodies] place of the body it belongs to
     int   owners;           // room
+    vec3 *scratch;          // [4 * most_vertices] for questions and pictures
+    int   most_vertices;    // of a shape
+    tumble_contact *touching;   // those that tumble_events saw
+    int   touchings, touching_room;
     status failure;         // the first one
 };
 
-// The world w could not do something.  Returns false.
+// Keeps the failure, unless there was one before.  Returns false.
 bool inside_fail(tumble_world *w, const char *format, ...);
-bool inside_fails(tumble_world *w, status s);   // if !s.ok; returns s.ok
+// The same for a status that is not ok.  Returns s.ok.
+bool inside_is_ok(tumble_world *w, status s);
 
 // The thing with this id; NULL, with a failure, if it is gone.
 shape_place *inside_shape(tumble_world *w, tumble_shape s);
 body_place  *inside_body(tumble_world *w, tumble_body b);
-// The same, without a failure.
+joint_place *inside_joint(tumble_world *w, tumble_joint j);
+
+// The body with this id, without a failure.
 const body_place *inside_look(const tumble_world *w, tumble_body b);
+
+// The quaternion of the rotation whose matrix has the columns x, y and z.
+tumble_quat inside_quat(vec3 x, vec3 y, vec3 z);
 
 // The id of the body that body b of the engine belongs to; b < 0: the ground.
 tumble_body inside_owner(const tumble_world *w, int b);
+
+// Gives back the ids of joints that broke, or went with a body.
+void inside_forget_joints(tumble_world *w);
+
+// What a new piece has beside its place: kind, material, damping, filter.
+bool inside_set_up(tumble_world *w, int number, const tumble_body_options *o);
 
 static inline vec3 from_user(tumble_vec3 v)
 {
@@ -56,6 +81,8 @@ static inline tumble_vec3 to_user(vec3 v)
 {
     return (tumble_vec3){ v.x, v.y, v.z };
 }
+//<
 
+//> inside-end-of-header
 #endif
 //<

@@ -61,7 +61,7 @@ static bool first_met(const tumble_world *w, const question *q,
 {
     tumble_hit best = { .fraction = HUGE_VAL };
     const world *all = &w->world;
-    vec3 *at = w->room, *scratch = w->room + w->most_vertices;
+    vec3 *at = w->scratch, *scratch = w->scratch + w->most_vertices;
     for (int b = 0; b < all->bodies; b++) {
         if (!is_asked(w, b, q)) continue;
         cast_result r = cast_first(q->thing, q->way, body_hull(w, b, at),
@@ -93,7 +93,7 @@ static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
     const shape_place *x = slots_find(&w->shapes, s.place, s.generation);
     if (!x || x->shape->kind != SHAPE_RIGID) return false;
     real m[9];
-    vec3 *at = w->room + 3 * w->most_vertices;
+    vec3 *at = w->scratch + 3 * w->most_vertices;
     tumble_matrix(pose.rotation, m);
     for (int k = 0; k < x->shape->particles; k++) {
         vec3 r = x->shape->at[k];
@@ -124,7 +124,7 @@ bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
     tumble_hit best = { .fraction = HUGE_VAL };
     for (int b = 0; b < w->world.bodies; b++) {
         if (!is_asked(w, b, &q)) continue;
-        cast_result r = cast_nearest(at, body_hull(w, b, w->room), most);
+        cast_result r = cast_nearest(at, body_hull(w, b, w->scratch), most);
         take(&best, &r, inside_owner(w, b));
     }
     for (int k = 0; k < w->world.planes; k++) {
@@ -139,9 +139,9 @@ static bool overlaps(const tumble_world *w, const body_place *x,
                      const question *q)
 {
     for (int k = 0; k < x->pieces; k++) {
-        int b = x->piece[k];
+        int b = x->piece[k].number;
         if (is_asked(w, b, q)
-            && cast_overlaps(q->thing, body_hull(w, b, w->room))) return true;
+            && cast_overlaps(q->thing, body_hull(w, b, w->scratch))) return true;
     }
     return false;
 }
@@ -155,7 +155,7 @@ int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
         if (!x || !overlaps(w, x, &q)) continue;
-        if (n < most) out[n] = inside_owner(w, x->piece[0]);
+        if (n < most) out[n] = inside_owner(w, x->piece[0].number);
         n++;
     }
     return n;

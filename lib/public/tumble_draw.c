@@ -10,8 +10,8 @@ static int piece_vertices(const tumble_world *w, int b, tumble_vec3 *out,
     const body *x = &w->world.body[b];
     int n = x->shape->particles;
     if (most <= 0) return n;
-    world_vertices(&w->world, x, w->room);
-    for (int i = 0; i < n && i < most; i++) out[i] = to_user(w->room[i]);
+    world_vertices(&w->world, x, w->scratch);
+    for (int i = 0; i < n && i < most; i++) out[i] = to_user(w->scratch[i]);
     return n;
 }
 
@@ -21,7 +21,7 @@ int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
     const body_place *x = inside_look(w, b);
     int n = 0;
     for (int k = 0; x && k < x->pieces; k++)
-        n += piece_vertices(w, x->piece[k], out + n, most - n);
+        n += piece_vertices(w, x->piece[k].number, out + n, most - n);
     return n;
 }
 
@@ -31,7 +31,7 @@ const int (*tumble_triangles(const tumble_world *w, tumble_body b,
     const body_place *x = inside_look(w, b);
     *count = 0;
     if (!x || x->pieces != 1) return NULL;
-    const shape *s = w->world.body[x->piece[0]].shape;
+    const shape *s = w->world.body[x->piece[0].number].shape;
     *count = s->mesh.faces;
     return (const int (*)[3])(const void *)s->face;
 }
@@ -44,7 +44,7 @@ static void draw_triangles(const tumble_world *w, const body *x,
     for (int f = 0; f < x->shape->mesh.faces; f++) {
         const int *v = x->shape->face + 3 * f;
         tumble_vec3 at[3];
-        for (int k = 0; k < 3; k++) at[k] = to_user(w->room[v[k]]);
+        for (int k = 0; k < 3; k++) at[k] = to_user(w->scratch[v[k]]);
         pen->triangle(pen->context, id, at);
     }
 }
@@ -54,7 +54,7 @@ static void draw_links(const tumble_world *w, const body *x, tumble_body id,
 {
     for (int k = 0; k < x->shape->sticks; k++) {
         const stick *s = &x->shape->stick[k];
-        tumble_vec3 at[2] = { to_user(w->room[s->a]), to_user(w->room[s->b]) };
+        tumble_vec3 at[2] = { to_user(w->scratch[s->a]), to_user(w->scratch[s->b]) };
         pen->line(pen->context, id, at);
     }
 }
@@ -63,7 +63,7 @@ static void draw_body(const tumble_world *w, int b, const tumble_pen *pen)
 {
     const body *x = &w->world.body[b];
     tumble_body id = inside_owner(w, b);
-    world_vertices(&w->world, x, w->room);
+    world_vertices(&w->world, x, w->scratch);
     if (x->shape->kind == SHAPE_ROPE) {
         if (pen->line) draw_links(w, x, id, pen);
     } else if (pen->triangle) {
@@ -82,7 +82,7 @@ void tumble_draw(const tumble_world *w, const tumble_pen *pen)
 {
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
-        for (int i = 0; x && i < x->pieces; i++) draw_body(w, x->piece[i], pen);
+        for (int i = 0; x && i < x->pieces; i++) draw_body(w, x->piece[i].number, pen);
     }
 }
 //<

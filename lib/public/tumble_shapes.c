@@ -5,17 +5,29 @@
 #include <stdlib.h>
 #include <string.h>
 
+// Questions and pictures need room for the vertices of a shape, four times.
+static bool reserve_scratch(tumble_world *w, const shape *s)
+{
+    int n = s->particles > s->skin.points ? s->particles : s->skin.points;
+    if (n <= w->most_vertices) return true;
+    vec3 *more = realloc(w->scratch, 4 * (size_t)n * sizeof *more);
+    if (!more) return false;
+    w->scratch = more;
+    w->most_vertices = n;
+    return true;
+}
+
 // The shape is w's from now on: in a place of its own, if it was made at all.
 static tumble_shape keep(tumble_world *w, shape *made, status done)
 {
     const tumble_shape none = { 0, 0 };
-    if (!inside_fails(w, done)) return none;
+    if (!inside_is_ok(w, done)) return none;
     shape *s = malloc(sizeof *s);
-    int k = s ? slots_take(&w->shapes) : -1;
+    int k = s && reserve_scratch(w, made) ? slots_take(&w->shapes) : -1;
     if (k < 0) {
         free(s);
         shape_free(made);
-        inside_fails(w, status_out_of_memory());
+        inside_is_ok(w, status_out_of_memory());
         return none;
     }
     *s = *made;
@@ -70,7 +82,6 @@ bool tumble_drop_shape(tumble_world *w, tumble_shape s)
     if (gone->bodies > 0)
         return inside_fail(w, "shape %u cannot be dropped: %d bodies are made of "
                            "it", s.place, gone->bodies);
-    world_drop_shape(&w->world, gone->shape);
     shape_free(gone->shape);
     free(gone->shape);
     slots_give(&w->shapes, (int)s.place);

@@ -54,17 +54,20 @@ void tumble_free(tumble_world *w)
 {
     if (!w) return;
     world_free(&w->world);
-    for (int k = 0; k < w->bodies.count; k++) inside_empty(slots_at(&w->bodies, k));
+    for (int k = 0; k < w->bodies.count; k++) {
+        body_place *b = slots_at(&w->bodies, k);
+        if (b) free(b->piece);
+    }
     for (int k = 0; k < w->shapes.count; k++) {
         shape_place *s = slots_at(&w->shapes, k);
-        if (!s) continue;
-        shape_free(s->shape);
-        free(s->shape);
+        if (s) shape_free(s->shape);
+        if (s) free(s->shape);
     }
     slots_free(&w->shapes);
     slots_free(&w->bodies);
     slots_free(&w->joints);
     free(w->owner);
+    free(w->scratch);
     free(w->touching);
     free(w);
 }
@@ -83,10 +86,10 @@ void tumble_forget_failure(tumble_world *w)
 //<
 
 //> tumble-world-step
-bool tumble_step(tumble_world *w)
+void tumble_step(tumble_world *w)
 {
     world_step(&w->world);
-    return true;
+    if (w->world.report.broken > 0) inside_forget_joints(w);
 }
 
 double tumble_time(const tumble_world *w)
@@ -97,7 +100,7 @@ double tumble_time(const tumble_world *w)
 bool tumble_add_plane(tumble_world *w, tumble_vec3 normal, double offset,
                       double friction)
 {
-    return inside_fails(w, world_add_plane(&w->world, from_user(normal), offset));
+    return inside_is_ok(w, world_add_plane(&w->world, from_user(normal), offset));
 }
 
 tumble_report tumble_last_step(const tumble_world *w)
@@ -107,7 +110,7 @@ tumble_report tumble_last_step(const tumble_world *w)
         .substeps = r->substeps, .bodies = tumble_bodies(w),
         .asleep = r->asleep, .pairs = r->pairs, .contacts = r->contacts,
         .unconverged = r->unconverged, .dropped = r->dropped,
-        .broken = 0 };
+        .broken = r->broken };
 }
 
 tumble_measures tumble_measure(const tumble_world *w)

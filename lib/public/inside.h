@@ -43,7 +43,7 @@ struct tumble_world {
     vec3 *scratch;          // [4 * most_vertices] for questions and pictures
     int   most_vertices;    // of a shape
     tumble_contact *touching;   // those that tumble_events saw
-    int   touchings, touching_room;
+    int   touchings;
     status failure;         // the first one
 };
 

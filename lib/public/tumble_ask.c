@@ -1,4 +1,4 @@
-//> tumble-ask
+//> face-ask
 #include "cast.h"
 #include "inside.h"
 
@@ -55,7 +55,7 @@ static void take(tumble_hit *best, const cast_result *r, tumble_body b)
 }
 //<
 
-//> tumble-ask-first
+//> face-ask-first
 static bool first_met(const tumble_world *w, const question *q,
                       tumble_hit *hit)
 {
@@ -115,7 +115,7 @@ bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
 }
 //<
 
-//> tumble-ask-near
+//> face-ask-near
 bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
                     unsigned mask, tumble_hit *hit)
 {

@@ -1,4 +1,4 @@
-//> tumble-add
+//> face-add
 #include "inside.h"
 
 #include <limits.h>
@@ -39,27 +39,27 @@ static bool add_piece(tumble_world *w, int place, tumble_shape s,
                       tumble_pose pose, const tumble_body_options *o)
 {
     shape_place *made_of = inside_shape(w, s);
-    body_place *body = slots_at(&w->bodies, place);
+    body_place *x = slots_at(&w->bodies, place);
     int number;
     if (!made_of || !reserve_owners(w)) return false;
     if (!inside_is_ok(w, world_add(&w->world, made_of->shape,
                                    placement_of(pose, o), &number)))
         return false;
     w->owner[number] = place;
-    body->piece[body->pieces++] = (body_piece){ number, (int)s.place };
+    x->piece[x->pieces++] = (body_piece){ number, (int)s.place };
     made_of->bodies++;
     return inside_set_up(w, number, o);
 }
 
 static void take_away(tumble_world *w, int place)
 {
-    body_place *body = slots_at(&w->bodies, place);
-    for (int k = 0; k < body->pieces; k++) {
-        shape_place *s = slots_at(&w->shapes, body->piece[k].shape);
-        world_remove(&w->world, body->piece[k].number);
+    body_place *x = slots_at(&w->bodies, place);
+    for (int k = 0; k < x->pieces; k++) {
+        shape_place *s = slots_at(&w->shapes, x->piece[k].shape);
+        world_remove(&w->world, x->piece[k].number);
         s->bodies--;
     }
-    free(body->piece);
+    free(x->piece);
     slots_give(&w->bodies, place);
     inside_forget_joints(w);
 }
@@ -76,8 +76,8 @@ static tumble_body add(tumble_world *w, const tumble_shape *s,
         inside_is_ok(w, status_out_of_memory());
         return none;
     }
-    body_place *body = slots_at(&w->bodies, place);
-    *body = (body_place){ .piece = piece, .kind = o->kind, .user = o->user };
+    body_place *x = slots_at(&w->bodies, place);
+    *x = (body_place){ .piece = piece, .kind = o->kind, .user = o->user };
     for (int k = 0; k < n; k++) {
         if (add_piece(w, place, s[k], pose[k], o)) continue;
         take_away(w, place);

@@ -1,7 +1,7 @@
-//> tumble-vertices
+//> face-vertices
 #include "inside.h"
 
-#include <stddef.h>
+#include <stdlib.h>
 
 // Writes the vertices of piece b of a body; returns how many there are.
 static int piece_vertices(const tumble_world *w, int b, tumble_vec3 *out,
@@ -37,7 +37,7 @@ const int (*tumble_triangles(const tumble_world *w, tumble_body b,
 }
 //<
 
-//> tumble-draw
+//> face-draw
 static void draw_triangles(const tumble_world *w, const body *x,
                            tumble_body id, const tumble_pen *pen)
 {
@@ -73,16 +73,23 @@ static void draw_body(const tumble_world *w, int b, const tumble_pen *pen)
 
 static void draw_contacts(const tumble_world *w, const tumble_pen *pen)
 {
-    tumble_contact c[1];
     int n = tumble_contacts(w, NULL, 0);
-    (void)c, (void)n;
+    tumble_contact *c = malloc(((size_t)n + 1) * sizeof *c);
+    if (!c) return;
+    tumble_contacts(w, c, n);
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i < c[k].points; i++)
+            pen->point(pen->context, c[k].a, c[k].point[i]);
+    free(c);
 }
 
 void tumble_draw(const tumble_world *w, const tumble_pen *pen)
 {
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
-        for (int i = 0; x && i < x->pieces; i++) draw_body(w, x->piece[i].number, pen);
+        for (int i = 0; x && i < x->pieces; i++)
+            draw_body(w, x->piece[i].number, pen);
     }
+    if (pen->point) draw_contacts(w, pen);
 }
 //<

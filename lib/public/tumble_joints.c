@@ -1,4 +1,4 @@
-//> tumble-join
+//> face-join
 #include "inside.h"
 #include "join.h"
 
@@ -68,7 +68,7 @@ tumble_joint tumble_distance(tumble_world *w, tumble_body a, tumble_vec3 at_a,
 }
 //<
 
-//> tumble-joint
+//> face-joint
 bool tumble_unjoin(tumble_world *w, tumble_joint j)
 {
     const joint_place *x = inside_joint(w, j);
@@ -109,7 +109,7 @@ bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)
 }
 //<
 
-//> tumble-joint-look
+//> face-joint-look
 static const joint_place *look(const tumble_world *w, tumble_joint j)
 {
     return slots_find(&w->joints, j.place, j.generation);

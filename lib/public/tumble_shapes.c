@@ -1,4 +1,4 @@
-//> tumble-shapes
+//> face-shapes
 #include "inside.h"
 #include "obj.h"
 

@@ -1,4 +1,4 @@
-//> tumble-turn
+//> face-turn
 #include "inside.h"
 
 #include <math.h>
@@ -25,14 +25,14 @@ static void twice(real *sine, real *cosine)
     *sine = 2 * s * c;
 }
 
-tumble_quat tumble_turn(tumble_vec3 axis, double angle)
+tumble_quat tumble_turn(tumble_vec3 axis, double by)
 {
     const real whole = 6.28318530717958647692;
     tumble_quat none = { 0, 0, 0, 1 };
     vec3 d = from_user(axis);
     real length = vec3_length(d), s, c;
-    if (!(length > 0 && length < HUGE_VAL && fabs(angle) < 1e9)) return none;
-    real half = (angle - whole * nearbyint(angle / whole)) / 2;
+    if (!(length > 0 && length < HUGE_VAL && fabs(by) < 1e9)) return none;
+    real half = (by - whole * nearbyint(by / whole)) / 2;
     series(half / 2, &s, &c);
     twice(&s, &c);
     d = vec3_scale(s / length, d);
@@ -40,7 +40,7 @@ tumble_quat tumble_turn(tumble_vec3 axis, double angle)
 }
 //<
 
-//> tumble-matrix
+//> face-matrix
 void tumble_matrix(tumble_quat q, double m[9])
 {
     real square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;

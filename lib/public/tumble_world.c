@@ -1,4 +1,4 @@
-//> tumble-world-make
+//> face-world-make
 #include "inside.h"
 #include "measure.h"
 
@@ -85,7 +85,7 @@ void tumble_forget_failure(tumble_world *w)
 }
 //<
 
-//> tumble-world-step
+//> face-world-step
 void tumble_step(tumble_world *w)
 {
     world_step(&w->world);

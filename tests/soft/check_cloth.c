@@ -154,7 +154,7 @@ START_TEST(sheet_carries_a_ball)
         frames(1);
         real y = middle(b).y;
         ck_assert_msg(y > -0.3 && y <= 1, "frame %d: at %g", f, y);
-        if (f > 120) ck_assert_msg(y < 0.3, "frame %d: up at %g", f, y);
+        if (f > 150) ck_assert_msg(y < 0.3, "frame %d: up at %g", f, y);
         ck_assert(world_measure(&w).penetration == 0);
     }
 }

@@ -292,10 +292,27 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
 // spacing: else the first contacts of a small cloth come too late.
 static const real SAG = 0.0034;
 
+// A taut link swings sideways with its ends, and longer substeps than a limit
+// make it swing ever wider: chapter 12.  So the weight of all of a rope, which
+// may hang on its lightest link, moves that by this share of its length at most.
+static const real TAUT = 0.25;
+
+static real lightest_of(const shape *s)
+{
+    real least = s->mass[0];
+    for (int i = 1; i < s->particles; i++) least = real_min(least, s->mass[i]);
+    return least;
+}
+
 static int substeps_for_weight(const soft_frame *f, int a)
 {
-    real spacing = f->body[a].shape->spacing;
-    real need = f->frame * sqrt(vec3_length(f->gravity) / (SAG * spacing));
+    const body *x = &f->body[a];
+    const shape *s = x->shape;
+    real share = SAG;
+    if (s->kind == SHAPE_ROPE)
+        share = real_min(SAG, TAUT * lightest_of(s) / x->mass);
+    real g = vec3_length(f->gravity);
+    real need = f->frame * sqrt(g / (share * s->spacing));
     return need < f->most_substeps ? (int)need : f->most_substeps;
 }
 

@@ -925,7 +925,6 @@ START_TEST(triangle_that_sticks_pull_back_is_held_by_all_of_its_sheet)
         begin(o);
         int b = add_at(&box, 0, 0, 0), s = add_at(&cloth, 0, 0, 0);
         if (pinned) world_pin(&w, s, 0);
-        ready();
         look();
         vec3 n = vec3_unit(vec3_make(1, 1, 1));
         real gap = facet_gap(&w.body[s], &w.body[b]);
@@ -1067,7 +1066,6 @@ START_TEST(ends_of_diagonals_are_kept_apart)
         begin(world_options_default());
         int c = add_at(&cell, 0, 0, 0), a = k, b = 3 - k;
         real least = 2 * w.body[c].thickness;
-        ready();
         soft_frame f = soft_frame_of(&w, H);
         // 1.2 of the least, then 0.8 of it.
         vec3 way = vec3_sub(particle_of(c, b)->position,
@@ -1112,7 +1110,6 @@ START_TEST(weight_and_layers_take_more_substeps)
     o.gravity = vec3_make(0, -0.25 * 0.01 / 10.12 * 0.1 * times * times, 0);
     begin(o);
     add_at(&loaded, 0, 0, 0);
-    ready();
     w.frame = o.dt;
     soft_wake(&w);
     ck_assert_int_eq(soft_need(&w), 20);

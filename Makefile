@@ -31,6 +31,7 @@ define ORDER
 13/rigid4
 13/real4
 13/task
+13/table
 13/motion
 13/contact
 13/solver
@@ -442,7 +443,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
   rigidity convex hull obj sphere sphere_tree grid ordering \
-  line rigid4 solver broad pairs cache sleep world step measure world_scene scene system \
+  line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
   thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o

@@ -21,12 +21,26 @@ static inline int table_room(int need, int room)
 
 // Gives the array whose address is in *array (`array` is the address of a
 // pointer to its elements) room for `room` elements of so many bytes.  The
-// first `kept` stay, the others are zero; it is aligned to 64 bytes.  False,
-// changing nothing, if memory is refused.
+// first `kept` stay, the others are zero.  False, changing nothing, if memory is
+// refused.
 static inline bool table_grow(void *array, int kept, int room, size_t size)
 {
     size_t old = (size_t)kept * size, bytes = (size_t)room * size;
-    void *was, *more = aligned_alloc(64, (bytes + 63) / 64 * 64 + 64);
+    void *was, *more;
+    memcpy(&was, array, sizeof was);
+    more = realloc(was, bytes > 0 ? bytes : 1);
+    if (!more) return false;
+    memset((char *)more + old, 0, bytes - old);
+    memcpy(array, &more, sizeof more);
+    return true;
+}
+
+// The same, aligned to 64 bytes.
+static inline bool table_grow_aligned(void *array, int kept, int room,
+                                      size_t size)
+{
+    size_t old = (size_t)kept * size, bytes = (size_t)room * size;
+    void *was, *more = aligned_alloc(64, (bytes + 63) / 64 * 64);
     if (!more) return false;
     memcpy(&was, array, sizeof was);
     if (kept > 0) memcpy(more, was, old);
@@ -36,10 +50,13 @@ static inline bool table_grow(void *array, int kept, int room, size_t size)
     return true;
 }
 
-// The same for one of several tables of one kind of thing: *ok is false, and
-// stays so, if one of them found no memory.
+// One of several tables of one kind of thing: *ok is false, and stays so, if one
+// of them found no memory.
 #define TABLE_GROW(ok, array, kept, room) \
     ((ok) = (ok) && table_grow(&(array), (kept), (room), sizeof *(array)))
+#define TABLE_GROW_ALIGNED(ok, array, kept, room)               \
+    ((ok) = (ok) && table_grow_aligned(&(array), (kept), (room), \
+                                       sizeof *(array)))
 
 #endif
 //<

@@ -18,21 +18,20 @@ status broad_init(broad *s, int bodies)
 // Nothing is kept but the order: the rest is made by every call.
 static bool grow(broad *s, int bodies)
 {
-    int room = table_room(bodies, s->room), n = room + 2;
-    int places = LANES_A_BODY * n;
+    int n = table_room(bodies, s->room), places = LANES_A_BODY * n;
     bool ok = true;
     if (s->order && bodies <= s->room) return true;
     TABLE_GROW(ok, s->order, s->bodies, n);
     TABLE_GROW(ok, s->low, 0, n);
     TABLE_GROW(ok, s->high, 0, n);
-    TABLE_GROW(ok, s->first, 0, n);
+    TABLE_GROW(ok, s->first, 0, n + 1);
     TABLE_GROW(ok, s->reach, 0, n);
-    TABLE_GROW(ok, s->lane, 0, n);
+    TABLE_GROW(ok, s->lane, 0, n + 2);
     TABLE_GROW(ok, s->start, 0, places);
     TABLE_GROW(ok, s->line, 0, places);
     TABLE_GROW(ok, s->who, 0, places);
-    TABLE_GROW(ok, s->mover, 0, places);
-    if (ok) s->room = room;
+    TABLE_GROW(ok, s->mover, 0, places + 1);
+    if (ok) s->room = n;
     return ok;
 }
 

@@ -1051,7 +1051,7 @@ status solver_grow(contact_solver *s, int bodies)
     bool ok = true;
     if (s->taken && bodies <= s->room) return status_ok();
     TABLE_GROW(ok, s->taken, 0, room);
-    TABLE_GROW(ok, s->before, s->room, room);
+    TABLE_GROW_ALIGNED(ok, s->before, s->room, room + 1);
     if (!ok) return status_out_of_memory();
     move_spare(s, room);
     return status_ok();

@@ -226,7 +226,7 @@ install:
 	$(Q)install -m 644 lib/tumble.h '$(TO)/include'
 	$(Q)printf '%s\n' 'prefix=$(PREFIX)' 'Name: tumble' 'Version: $(VERSION)' \
 	  'Description: rigid and deformable bodies of particles and sticks' \
-	  'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -ltumble -lm' \
+	  'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -Wl,-rpath,$${prefix}/lib -ltumble -lm' \
 	  > '$(TO)/lib/pkgconfig/tumble.pc'
 	@echo "installed: $(PREFIX)/include/tumble.h, lib/libtumble.a, lib/libtumble.so, tumble.pc"
 public: $(BUILD)/seen.a $(BUILD)/seen.so

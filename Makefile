@@ -232,6 +232,10 @@ install: $(BUILD)/libtumble.a
 #:   make check-exercises     is every exercise sound, and the runner?
 READER := exercise hint solution reset progress
 WHICH  := $(NAMED) $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
+# The runner says what no exercise has for its name.
+ifneq ($(filter $(READER),$(MAKECMDGOALS)),)
+WHICH := $(filter-out $(READER),$(MAKECMDGOALS))
+endif
 .PHONY: $(READER) watch check-exercises
 # What fails, make ends with a line of its own, `make: *** ...`, and the last word
 # is the judge's.  To a question (-q) make runs only what begins with a plus, and
@@ -252,8 +256,9 @@ check-exercises:
 
 # To make, what is named after the command is a goal: one with nothing to do.
 ifneq ($(and $(WHICH),$(filter $(READER) watch,$(MAKECMDGOALS))),)
-.PHONY: $(WHICH)
-$(WHICH):
+NOTHING := $(NAMED) $(foreach goal,$(WHICH),$(if $(findstring /,$(goal)),$(goal)))
+.PHONY: $(NOTHING)
+$(NOTHING) .DEFAULT:
 	$(QUIETLY)@:
 endif
 

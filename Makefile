@@ -64,9 +64,11 @@ define ORDER
 19/tumble
 19/slots
 19/inside
+19/tumble_turn
 19/tumble_world
 19/tumble_shapes
 19/tumble_bodies
+19/tumble_state
 19/tumble_joints
 19/tumble_ask
 19/tumble_contacts

@@ -69,6 +69,9 @@ tumble_body inside_owner(const tumble_world *w, int b);
 // Gives back the ids of joints that broke, or went with a body.
 void inside_forget_joints(tumble_world *w);
 
+// Position and axes of p become those of the pose.
+void inside_place(placement *p, tumble_pose pose);
+
 // What a new piece has beside its place: kind, material, damping, filter.
 bool inside_set_up(tumble_world *w, int number, const tumble_body_options *o);
 

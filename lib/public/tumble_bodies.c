@@ -12,16 +12,23 @@ tumble_body_options tumble_at(double x, double y, double z)
         .group = 1, .mask = UINT_MAX };
 }
 
-static placement placement_of(tumble_pose pose, const tumble_body_options *o)
+void inside_place(placement *p, tumble_pose pose)
 {
     real m[9];
     tumble_matrix(pose.rotation, m);
-    return (placement){
-        .position = from_user(pose.position),
-        .x = { m[0], m[3], m[6] }, .y = { m[1], m[4], m[7] },
-        .z = { m[2], m[5], m[8] },
-        .velocity = from_user(o->velocity), .spin = from_user(o->spin),
-        .is_static = o->kind == TUMBLE_STATIC };
+    p->position = from_user(pose.position);
+    p->x = (vec3){ m[0], m[3], m[6] };
+    p->y = (vec3){ m[1], m[4], m[7] };
+    p->z = (vec3){ m[2], m[5], m[8] };
+}
+
+static placement placement_of(tumble_pose pose, const tumble_body_options *o)
+{
+    placement p = { .velocity = from_user(o->velocity),
+                    .spin = from_user(o->spin),
+                    .is_static = o->kind == TUMBLE_STATIC };
+    inside_place(&p, pose);
+    return p;
 }
 
 static bool reserve_owners(tumble_world *w)

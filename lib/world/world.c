@@ -323,6 +323,7 @@ void world_free(world *w)
     pair_list_free(&r->pairs);
     cache_free(&r->cache);
     solver_free(&r->solver);
+    linkage_free(&w->joints);
     pool_free(&w->pool);
     sleep_free(&w->sleep);
     soft_free(&w->soft);
@@ -344,9 +345,10 @@ void world_vertices(const world *w, const body *b, vec3 *at)
 //<
 
 //> world-wake
-// Wakes b and all that sleep with it.
-static void rouse(world *w, int b)
+void world_wake(world *w, int b)
 {
+    assert(b >= 0 && b < w->bodies);
+    if (!w->sleep.asleep[b]) return;
     sleep_wake(&w->sleep, b);
     for (int k = 0; k < w->bodies; k++) {
         const body *x = &w->body[k];
@@ -363,7 +365,7 @@ bool world_wake_near(world *w, int a, int b)
     if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
     if (body_is_static(&w->body[sleeper])) return false;
     if (!sleep_is_moving(&w->sleep, other)) return false;
-    rouse(w, sleeper);
+    world_wake(w, sleeper);
     return true;
 }
 //<

@@ -8,6 +8,7 @@
 #define TUMBLE_WORLD_H
 
 #include "cache.h"
+#include "linkage.h"
 #include "sleep.h"
 #include "soft.h"
 
@@ -74,6 +75,8 @@ typedef struct {
                         // smaller body's radius, and bodies whose sticks are
                         // off by a hundredth
     int  dropped;       // contacts or pairs that found no room: should be 0
+    int  broken;        // joints that had to bear more than their strength
+    real parted;        // m, the most by which the points of a joint are apart
 } step_report;
 //<
 
@@ -146,6 +149,7 @@ typedef struct world {
     bool is_ready;          // world_begin has sized what stands below
     int  dynamic_bodies;    // not static
     rigid_tables rigid;
+    linkage      joints;
     soft_solver  soft;
     sleep_state  sleep;
     step_report  report;
@@ -194,6 +198,9 @@ static inline bool body_moves(const world *w, int b)
 {
     return w->body[b].mass < HUGE_VAL && !w->sleep.asleep[b];
 }
+
+// Wakes body b, and all that sleep with it.
+void world_wake(world *w, int b);
 
 // Body a comes near body b: if one of them sleeps and the other did not lie
 // still in the last frame, the sleeper wakes, in time to take its part of the

@@ -1,9 +1,8 @@
 //> linkage-add
 #include "linkage.h"
+#include "table.h"
 
 #include <assert.h>
-#include <stdlib.h>
-#include <string.h>
 
 void linkage_free(linkage *l)
 {
@@ -13,49 +12,54 @@ void linkage_free(linkage *l)
     *l = (linkage){ .count = 0 };
 }
 
-static bool grow(void **array, int n, size_t size)
-{
-    void *more = realloc(*array, (size_t)n * size);
-    if (more) *array = more;
-    return more;
-}
-
 static bool make_room(linkage *l, const joint *j)
 {
-    int n = int_max(8, 2 * l->capacity);
-    int bodies = 1 + int_max(j->a, j->b), room = int_max(8, 2 * bodies);
-    if (l->count == l->capacity) {
-        if (!grow((void **)&l->joint, n, sizeof *l->joint)
-            || !grow((void **)&l->rows, n, sizeof *l->rows)
-            || !grow((void **)&l->role, n, sizeof *l->role)
-            || !grow((void **)&l->step, 2 * n, sizeof *l->step)
-            || !grow((void **)&l->apart, n, sizeof *l->apart)) return false;
-        l->capacity = n;
+    int n = l->count, room = table_room(n + 1, l->capacity);
+    int need = 1 + int_max(j->a, j->b), bodies = table_room(need, l->bodies);
+    if (room > l->capacity) {
+        if (!table_grow(&l->joint, n, room, sizeof *l->joint)
+            || !table_grow(&l->rows, n, room, sizeof *l->rows)
+            || !table_grow(&l->role, n, room, sizeof *l->role)
+            || !table_grow(&l->step, 2 * n, 2 * room, sizeof *l->step)
+            || !table_grow(&l->apart, n, room, sizeof *l->apart)) return false;
+        l->capacity = room;
     }
     if (bodies > l->bodies) {
-        if (!grow((void **)&l->body, room, sizeof *l->body)) return false;
-        size_t more = (size_t)(room - l->bodies);
-        memset(l->body + l->bodies, 0, more * sizeof *l->body);
-        l->bodies = room;
+        if (!table_grow(&l->body, l->bodies, bodies, sizeof *l->body))
+            return false;
+        l->bodies = bodies;
     }
     return true;
+}
+
+// The place of a joint that has gone, if there is one.
+static int free_place(const linkage *l)
+{
+    int k = l->gone > 0 ? 0 : l->count;
+    while (k < l->count && l->joint[k].kind != JOINT_NONE) k++;
+    return k;
 }
 
 status linkage_add(linkage *l, const joint *j, int *number)
 {
     if (!make_room(l, j)) return status_out_of_memory();
-    if (number) *number = l->count;
-    l->joint[l->count] = *j;
-    memset(&l->rows[l->count], 0, sizeof *l->rows);
-    l->role[l->count++] = JOINT_IDLE;
+    int k = free_place(l);
+    if (k < l->count)   l->gone--;
+    else                l->count++;
+    if (number) *number = k;
+    l->joint[k] = *j;
+    l->rows[k] = (joint_rows){ .count = 0 };
+    l->role[k] = JOINT_IDLE;
     return status_ok();
 }
 
 void linkage_remove(linkage *l, int number)
 {
     assert(number >= 0 && number < l->count);
+    assert(l->joint[number].kind != JOINT_NONE);
     l->joint[number] = (joint){ .kind = JOINT_NONE };
     l->role[number] = JOINT_IDLE;
+    l->gone++;
 }
 
 static bool holds(const joint *j)

@@ -32,12 +32,12 @@ typedef struct {
 } linkage_step;
 
 typedef struct {
-    joint      *joint;      // [count] a number is never used twice
+    joint      *joint;      // [count] JOINT_NONE: a place for the next one
     joint_rows *rows;       // [count]
     joint_role *role;       // [count]
     linkage_step *step;     // [2 count]
     long long  *apart;      // [count] pairs of bodies that do not meet
-    int  count, capacity, steps;
+    int  count, capacity, gone, steps;  // gone: places that are free
     linkage_body *body;     // [bodies]
     int  bodies;
     bool is_plain;          // trees, too, are solved joint by joint: to measure
@@ -59,7 +59,7 @@ void linkage_free(linkage *l);
 // nothing, for want of memory.
 status linkage_add(linkage *l, const joint *j, int *number);
 
-// Takes a joint away.  Its number is not used again.
+// Takes a joint away.  Its number goes to a later one.
 void linkage_remove(linkage *l, int number);
 
 // Was body b joined to something when this frame began?

@@ -15,7 +15,9 @@ static bool can_move(const world *w, int b)
 
 static void wake(world *w, int b)
 {
-    if (can_move(w, b) && b < w->sleep.bodies) world_wake(w, b);
+    if (!can_move(w, b)) return;
+    world_wake(w, b);
+    pair_list_renew(&w->rigid.pairs, b);
 }
 
 // And whether they may meet is asked again.
@@ -23,7 +25,7 @@ static void wake_both(world *w, const joint *j)
 {
     wake(w, j->a);
     wake(w, j->b);
-    w->rigid.pairs.is_cut = true;
+    w->is_still = false;
 }
 
 status world_join(world *w, joint_plan plan, int *number)
@@ -111,13 +113,11 @@ void join_drop_pairs(world *w)
         l->count = linkage_drop_pairs(&w->joints, l->pair, l->count);
 }
 
-void world_forget_joints(world *w, int b)
+// What a joint has let go may meet again.
+static void renew_pairs(world *w, const joint *j)
 {
-    for (int k = 0; k < w->joints.count; k++) {
-        const joint *j = &w->joints.joint[k];
-        if (j->kind != JOINT_NONE && (j->a == b || j->b == b))
-            world_unjoin(w, k);
-    }
+    if (j->a >= 0) pair_list_renew(&w->rigid.pairs, j->a);
+    if (j->b >= 0) pair_list_renew(&w->rigid.pairs, j->b);
 }
 
 // What is joined sleeps and wakes together.
@@ -126,13 +126,13 @@ void join_islands_of_joints(world *w)
     linkage *l = &w->joints;
     w->report.parted = l->worst;
     w->report.broken = l->broken;
-    if (l->broken > 0) w->rigid.pairs.is_cut = true;
-    l->broken = 0;
     for (int k = 0; k < l->count; k++) {
         const joint *j = &l->joint[k];
+        if (j->is_broken && l->broken > 0) renew_pairs(w, j);
         if (j->kind == JOINT_NONE || j->is_broken) continue;
         if (can_move(w, j->a) && can_move(w, j->b))
             sleep_touch(&w->sleep, j->a, j->b);
     }
+    l->broken = 0;
 }
 //<

@@ -16,9 +16,6 @@ status world_join(world *w, joint_plan plan, int *number);
 // Takes a joint away; what it held wakes.
 void world_unjoin(world *w, int number);
 
-// Takes all joints of a body away, which is about to leave the world.
-void world_forget_joints(world *w, int b);
-
 // Limits to a hinge: rad, of B against A, from how they stood when they were
 // joined; -pi <= least <= most <= pi.  Or to a distance: m.  Fails, changing
 // nothing, if these are none.

@@ -1,13 +1,13 @@
 //> step
 #include "step.h"
 #include "guard.h"
+#include "handle.h"
 #include "join.h"
 #include "ledger.h"
 #include "restitution.h"
 #include "soft_step.h"
 #include "substeps.h"
 
-#include <assert.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -60,16 +60,14 @@ enum { FAST_PARTS = 4 };
 // A world in which everything sleeps has nothing to do: nothing in it can wake.
 static bool sleeps_on(world *w)
 {
-    int asleep = w->report.asleep;
-    if (asleep == 0 || asleep < w->dynamic_bodies) return false;
-    w->report = (step_report){ .asleep = asleep };
+    if (!w->is_still) return false;
+    w->report = (step_report){ .asleep = w->report.asleep };
     w->time += w->options.dt;
     return true;
 }
 
 void world_step(world *w)
 {
-    assert(w->is_ready);
     if (sleeps_on(w)) return;
     real dt = w->options.dt;
     real since = w->options.host.clock ? w->options.host.clock() : 0;
@@ -83,6 +81,7 @@ void world_step(world *w)
         solve(w, &since);
     }
     fall_asleep(w);
+    world_forget_loads(w);
     ledger_book(w, LEDGER_SLEEP);
     w->time += dt;
     lap(w, PHASE_SLEEP, &since);
@@ -99,16 +98,21 @@ static void lap(world *w, int phase, real *since)
 
 //> step-look
 // How far a body may get in this frame: as fast as it is now, with what gravity
-// adds, and a hundredth of its radius for what impacts add.  However far it
-// turns, no vertex gets further than across.
-static prediction predict(const world *w, const solver_body *now,
-                          const motion *u)
+// adds and what else pushes it, and a hundredth of its radius for what impacts
+// add.  However far it turns, no vertex gets further than across.
+static prediction predict(const world *w, int b)
 {
+    const solver_body *now = &w->rigid.now[b];
+    const motion *u = &w->rigid.velocity[b];
     real dt = w->frame;
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     vec3 spin = motion_rotation(&now->basis, u);
     real beside = vec3_length(w->options.gravity) * dt * dt / 2
                 + now->radius / 100;
+    if (w->rigid.is_loaded) {
+        motion more = world_load(w, b, dt);
+        beside += dt * motion_fastest(&now->basis, &more, now->radius);
+    }
     prediction p = { .way = vec3_scale(dt, straight),
                      .angle = dt * vec3_length(spin) };
     p.turn = now->radius * real_min(p.angle, 2) + beside;
@@ -154,7 +158,7 @@ static void look_at_body(world *w, int b)
     if (t->moves[b]) {
         now->basis = basis_find(x->rigid, &now->frame);
         t->velocity[b] = motion_of(p, &now->frame, &now->basis, w->age);
-        t->ahead[b] = predict(w, now, &t->velocity[b]);
+        t->ahead[b] = predict(w, b);
         t->middle[b] = find_middle(w, b);
     } else {
         now->basis = (motion_basis){ .inverse_mass = 0 };
@@ -205,7 +209,8 @@ static void wake_sleepers(world *w)
 static void find_pairs(world *w)
 {
     rigid_tables *t = &w->rigid;
-    pair_query q = { t->ball, t->reach, t->dynamic, w->bodies };
+    pair_query q = { t->ball, t->reach, t->dynamic, w->bodies, w->plane,
+                     w->planes };
     int lost;
     t->is_new_list = pair_list_update(&t->pairs, &q, &lost);
     w->report.dropped += lost;
@@ -223,7 +228,7 @@ static cache_frame what_to_ask(const world *w)
         .body = t->body, .now = t->now, .middle = t->middle,
         .ahead = t->ahead, .moves = t->moves, .bodies = w->bodies,
         .list = &t->pairs, .is_new_list = t->is_new_list,
-        .plane = w->plane, .planes = w->planes, .stay = w->options.stay,
+        .plane = w->plane, .stay = w->options.stay,
         .run = w->options.host.run };
 }
 
@@ -281,7 +286,7 @@ static solver_frame prepare(world *w)
 //> step-substep
 // A velocity is that in the middle of a substep.  The last one may have been of
 // another length.
-static void fall(world *w, real seconds)
+static void fall(world *w, real seconds, real h)
 {
     vec3 g = vec3_scale(seconds, w->options.gravity);
     for (int b = 0; b < w->bodies; b++) {
@@ -290,6 +295,8 @@ static void fall(world *w, real seconds)
         u[0] += g.x;
         u[1] += g.y;
         u[2] += g.z;
+        if (w->rigid.is_loaded)
+            motion_add(&w->rigid.velocity[b], world_load(w, b, h));
     }
 }
 
@@ -313,7 +320,7 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
 {
     rigid_tables *t = &w->rigid;
     linkage_pass joints = join_pass(w, f);
-    fall(w, k == 0 ? (w->age + f->h) / 2 : f->h);
+    fall(w, k == 0 ? (w->age + f->h) / 2 : f->h, f->h);
     w->ledger_ahead = f->h / 2;
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
@@ -468,16 +475,6 @@ static void move_bodies(world *w, real h)
 //<
 
 //> step-sleep
-// What sleeps is pinned where it lies: the other phases only look at what moves.
-static void put_to_sleep(world *w, const body *b)
-{
-    for (int i = b->first; i < b->first + body_particles(b); i++) {
-        particle *p = &w->pool.at[i];
-        p->inverse_mass = 0;
-        p->previous = p->position;
-    }
-}
-
 // Does body b lie pinned?  Particles that were pinned from the start do not show.
 static bool is_put_to_sleep(const world *w, const body *b)
 {
@@ -525,8 +522,10 @@ static void fall_asleep(world *w)
     for (int b = 0; b < w->bodies; b++) {
         const body *x = &w->body[b];
         if (!w->sleep.asleep[b] || body_is_static(x)) continue;
-        if (!is_put_to_sleep(w, x)) put_to_sleep(w, x);
+        if (!is_put_to_sleep(w, x)) world_pin_sleeper(w, b);
         w->report.asleep++;
     }
+    w->is_still = w->report.asleep > 0
+               && w->report.asleep == w->dynamic_bodies;
 }
 //<

@@ -118,7 +118,7 @@ void joint_points(const joint *j, const rigid_frame *a, const rigid_frame *b,
 }
 
 // By which small rotation A is ahead of B.  An axis x that has turned by d has
-// gone to x + d x x, and the sum of x x (d x x) over three perpendicular axes is
+// gone to x + d x x, and x x (d x x), summed over three perpendicular axes, is
 // 2 d.
 static vec3 twist_between(const joint *j, const rigid_frame *a,
                           const rigid_frame *b)

@@ -111,8 +111,8 @@ void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
 
 //> joint-small-declare
 // A symmetric, positive matrix of n <= JOINT_ROWS rows becomes L with L L^T =
-// the matrix (Cholesky), with 1/L_ii on its diagonal.  Only the lower triangle is
-// read and written.  A row that nothing answers is left out.
+// the matrix (Cholesky), with 1/L_ii on its diagonal.  Only the lower triangle
+// is read and written.  A row that nothing answers is left out.
 void small_factor(int n, real m[JOINT_ROWS][JOINT_ROWS]);
 
 // x becomes the solution y of L y = x; and of L L^T y = x.

@@ -164,9 +164,10 @@ static real speed_of_row(const linkage_pass *q, const joint *j,
 
 //> linkage-want
 // How fast a joint's errors must change.  A body that turns takes a point along
-// an arc: where the points will be at the end of the substep is looked up there.
+// an arc: where the points will be at the end of the substep is looked up.
 //
-// What is solved exactly may go home at once; what others have a say in, slowly.
+// What is solved exactly may go home at once; what others have a say in goes
+// slowly.
 static const real AT_ONCE = 1, SLOWLY = 0.3;
 
 static void want_together(const linkage_pass *q, const joint *j,

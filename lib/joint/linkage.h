@@ -68,8 +68,8 @@ static inline bool linkage_has(const linkage *l, int b)
     return b < l->bodies && l->frames > 0 && l->body[b].seen == l->frames;
 }
 
-// Takes those that are joined, and must not touch, out of n pairs of bodies that
-// may meet.  Returns how many are left, in their old order.
+// Takes those that are joined, and must not touch, out of n pairs of bodies
+// that may meet.  Returns how many are left, in their old order.
 int linkage_drop_pairs(linkage *l, int (*pair)[2], int n);
 
 // The impulses of the joints in a frame, and in each of its substeps.

@@ -140,8 +140,9 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
 
 //> motion-frame-free
 // A body that turns by t, a small part of a turn, does so about an axis that
-// goes on moving: Euler's equations turn it by half of what they turn the angular
-// velocity in that time, I^-1 (I t x t).  And I^-1 y = sum of tau (tau . y).
+// goes on moving.  Euler's equations change the angular velocity by
+// I^-1 (I t x t) in that time, so the turn by half of it.  And I^-1 y is the sum
+// of tau (tau . y).
 static vec3 precessed(const vec3 tau[TURNS], vec3 angular, vec3 t)
 {
     vec3 moment = vec3_cross(angular, t), sum = t;

@@ -9,8 +9,9 @@
 #include "world.h"
 
 // Joins two rigid bodies, or one and the world, as they stand now; the joint's
-// number in *number (which may be NULL).  Sleepers wake.  Fails, adding nothing,
-// if joint_check does, or for want of memory; or if neither body can move.
+// number in *number (which may be NULL).  Sleepers wake.  Fails, adding
+// nothing, if joint_check does, or neither body can move, or for want of
+// memory.
 status world_join(world *w, joint_plan plan, int *number);
 
 // Takes a joint away; what it held wakes.

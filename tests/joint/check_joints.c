@@ -1,4 +1,4 @@
-// check_joints.c - what is joined in a world hangs together, and no more than that.
+// check_joints.c - what is joined in a world hangs together, and no more.
 // Book: chapter 17.
 
 #include <check.h>
@@ -49,7 +49,8 @@ static int join(joint_plan p)
 
 static int ball(int a, int b, vec3 at)
 {
-    return join((joint_plan){ .kind = JOINT_BALL, .a = a, .b = b, .point = at });
+    joint_plan p = { .kind = JOINT_BALL, .a = a, .b = b, .point = at };
+    return join(p);
 }
 
 static int hinge(int a, int b, vec3 at, vec3 axis)
@@ -119,8 +120,8 @@ START_TEST(box_on_a_hinge_swings_in_the_time_of_its_inertia)
         real wanted = small * (1 + square / 16 + 11 * square * square / 3072
                                + 173 * square * square * square / 737280);
         real got = measure_period(j, 0, 5);
-        ck_assert_msg(fabs(got / wanted - 1) < 1e-4, "amplitude %g: T = %.8g s, "
-                      "wanted %.8g, off by %.2g", a, got, wanted,
+        ck_assert_msg(fabs(got / wanted - 1) < 1e-4, "amplitude %g: T = %.8g "
+                      "s, wanted %.8g, off by %.2g", a, got, wanted,
                       got / wanted - 1);
     }
 }
@@ -133,8 +134,9 @@ START_TEST(swing_keeps_its_height)
     hang_box(vec3_make(0.3, 1, 0.2), 1.0);
     real energy = ledger_total(&w).energy;
     steps(3600);
-    near(ledger_total(&w).energy / (3 * EARTH * 0.5), energy / (3 * EARTH * 0.5),
-         0.002, "energy, in m g d");
+    real unit = 3 * EARTH * 0.5;
+    near(ledger_total(&w).energy / unit, energy / unit, 0.002,
+         "energy, in m g d");
 }
 END_TEST
 
@@ -222,7 +224,8 @@ START_TEST(joint_breaks_under_its_strength_and_one_percent)
     // less it does not; it says so, and the box falls.
     for (int holds = 0; holds < 2; holds++) {
         begin_awake(EARTH, 8);
-        int b = add_at(box_of(0, vec3_make(1, 1, 1), 10), 0, -0.5, 0), broken = 0;
+        int broken = 0;
+        int b = add_at(box_of(0, vec3_make(1, 1, 1), 10), 0, -0.5, 0);
             int j = join((joint_plan){ .kind = JOINT_BALL, .a = b, .b = -1,
                                    .strength = 98.1 * (holds ? 1.01 : 0.99) });
         for (int k = 0; k < 60; k++) {
@@ -255,7 +258,8 @@ START_TEST(hinge_stops_at_its_limits)
             least = real_min(now, least);
             most = real_max(now, most);
         }
-        near(side ? least : most, side ? -0.4 : 1.2, 1e-3, "the furthest angle");
+        near(side ? least : most, side ? -0.4 : 1.2, 1e-3,
+             "the furthest angle");
         ck_assert(side ? most < 0.01 : least > -0.01);
     }
 }
@@ -286,7 +290,8 @@ END_TEST
 START_TEST(fixed_beam_hardly_sags)
 {
     // Ten boxes of 1 kg, 4 m, out of a wall.  A joint gives way to a moment by
-    // 1e-4 K h^2 of it, K = 1/I of both sides, I = 1/60 kg m^2: at the end 0.17 mm.
+    // 1e-4 K h^2 of it, K = 1/I of both sides, I = 1/60 kg m^2: at the end
+    // 0.17 mm.
     begin_awake(EARTH, 8);
     const shape *s = box_of(0, vec3_make(0.4, 0.2, 0.2), 1);
     for (int k = 0; k < 10; k++) add_at(s, 0.4 * k + 0.2, 0, 0);
@@ -306,8 +311,8 @@ END_TEST
 
 START_TEST(distance_is_a_rope_between_least_and_most)
 {
-    // Thrown up from 1 m below, on a rope of 2 m: it flies freely until the rope
-    // is tight, at once slack, and does not bounce.  A spacer of at least 0.5 m.
+    // From 1 m below a hook, on a rope of 2 m: the box falls freely until the
+    // rope is tight, and does not bounce.
     begin_awake(EARTH, 8);
     int b = add_at(box_of(0, vec3_make(0.2, 0.2, 0.2), 1), 0, -1, 0);
     int j = join((joint_plan){ .kind = JOINT_DISTANCE, .a = -1, .b = b,
@@ -471,8 +476,8 @@ END_TEST
 
 START_TEST(what_is_joined_sleeps_and_wakes_together)
 {
-    // Two boxes on the floor, a rope between them.  They sleep; one is unjoined:
-    // both wake.
+    // Two boxes on the floor, a rope between them.  They sleep; the rope is
+    // taken away: both wake.
     world_options o = world_options_default();
     begin(o);
     const shape *s = box_of(0, vec3_make(1, 1, 1), 1);
@@ -559,8 +564,8 @@ START_TEST(what_makes_no_joint_is_refused_with_a_sentence)
                "neither of the two bodies of a joint can move");
     p = (joint_plan){ .kind = JOINT_DISTANCE, .a = 0, .b = 1, .least = 2,
                       .most = 1 };
-    expect_why(world_join(&w, p, NULL), "a distance of 2 to 1 m is none: it must "
-               "have 0 <= least <= most, and most > 0");
+    expect_why(world_join(&w, p, NULL), "a distance of 2 to 1 m is none: it "
+               "must have 0 <= least <= most, and most > 0");
     p = (joint_plan){ .kind = JOINT_BALL, .a = 0, .b = 1, .strength = -1 };
     expect_why(world_join(&w, p, NULL),
                "the strength of a joint is -1; it must be 0 or more");

@@ -89,8 +89,8 @@ static real worst_speed(void)
 START_TEST(tree_of_joints_is_solved_in_one_pass)
 {
     // Random trees, some of them on the world, of all kinds: after one pass no
-    // joint comes apart but by what it gives, 1e-4.  Passes over the joints, one
-    // by one, leave thousands of times as much.
+    // joint comes apart but by what it gives, 1e-4.  A pass over the joints,
+    // one by one, leaves a large part.
     real plain = 0, tree = 0;
     for (int round = 0; round < 50; round++) {
         real first[2];

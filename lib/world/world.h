@@ -185,6 +185,12 @@ void   world_pin(world *w, int b, int i);
 // nothing, if that is negative or not finite.
 status world_bend(world *w, int b, real stiffness);
 
+// Lets the links of the deformable body b give: of a rope, by how much a newton
+// stretches a metre of it (1/N); of a cloth, a newton for each metre of its
+// width (m/N).  1e-4 m/N: denim.  0, as it is added: not at all.  Fails,
+// changing nothing, if that is negative or not finite.
+status world_stretch(world *w, int b, real compliance);
+
 // Sizes everything that a step needs.  Once, after all is in.  Fails only for
 // want of memory: then world_free is all that may follow.
 status world_begin(world *w);

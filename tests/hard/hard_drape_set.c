@@ -166,11 +166,21 @@ static real foot(const shape *plan)
     return -least;
 }
 
+// m/N.  What is pinned is a cotton that 490 N for each metre of its width make
+// longer by a fortieth.
+static const real COTTON = 5e-5;
+
+static void make_cotton(setting *s, int b)
+{
+    if (s->ok.ok) s->ok = world_stretch(&s->w, b, COTTON);
+}
+
 // Pins the particles of body b, a cloth, at which `ends` rims meet, or more: 2,
 // the corners; 1, all of the rim.
 static void pin_rim(setting *s, int b, int ends)
 {
     int n = s->ok.ok ? s->w.body[b].shape->columns : 0;
+    make_cotton(s, b);
     for (int i = 0; i < n; i++)
         for (int k = 0; k < n; k++)
             if ((i == 0 || i == n - 1) + (k == 0 || k == n - 1) >= ends)
@@ -181,6 +191,7 @@ static void pin_rim(setting *s, int b, int ends)
 static void pin_row(setting *s, int b, bool is_last, bool is_whole)
 {
     int n = s->ok.ok ? s->w.body[b].shape->columns : 0;
+    make_cotton(s, b);
     for (int k = 0; k < n; k += is_whole ? 1 : n - 1)
         world_pin(&s->w, b, (is_last ? n * (n - 1) : 0) + k);
 }
@@ -403,6 +414,7 @@ static void opposite_on_cube(setting *s, const drape *d)
     setting_start(s, awake(d->n));
     add_cube(s);
     int b = drop(s, add_wide_cloth(s, d->n), 20, 0.9, 0);
+    make_cotton(s, b);
     if (!s->ok.ok) return;
     world_pin(&s->w, b, 0);
     world_pin(&s->w, b, d->n * d->n - 1);
@@ -506,11 +518,13 @@ static void falling_cubes(setting *s, const drape *d)
 
 // ---- 36: fabrics -----------------------------------------------------------
 
-// with: silk, denim or card, 42 cm wide, over a cube of 14 cm; kg/m^2, and N m.
+// with: silk, denim or card, 42 cm wide, over a cube of 14 cm; kg/m^2, N m, and
+// m/N.
 static void fabric(setting *s, const drape *d)
 {
-    static const real known[3][2] = { { 0.06, 5e-6 }, { 0.4, 1e-4 },
-                                      { 0.3, 1.6e-2 } };
+    static const real known[3][3] = { { 0.06, 5e-6, 5e-5 },
+                                      { 0.4, 1e-4, 1e-4 },
+                                      { 0.3, 1.6e-2, 8e-7 } };
     const real *is = known[(int)d->with], wide = 0.42, side = 0.14;
     setting_start(s, awake(d->n));
     add_static(s, add_box(s, vec3_make(side, side, side), 1),
@@ -518,6 +532,7 @@ static void fabric(setting *s, const drape *d)
     int b = drop(s, add_cloth(s, d->n, wide, is[0] * wide * wide), 20,
                  side + 0.02, 0);
     if (s->ok.ok) s->ok = world_bend(&s->w, b, is[1]);
+    if (s->ok.ok) s->ok = world_stretch(&s->w, b, is[2]);
 }
 
 // ---- the table -------------------------------------------------------------

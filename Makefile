@@ -13,6 +13,7 @@ define ORDER
 03/body
 03/rigidity
 03/convex
+03/hull
 04/gjk
 05/feature
 05/hit_face
@@ -39,6 +40,7 @@ define ORDER
 14/grid
 15/swept
 15/collide
+15/cast
 16/placed
 16/separation
 16/obstacle
@@ -46,17 +48,17 @@ define ORDER
 16/near
 16/touch
 16/soft
-17/cache
-17/sleep
-17/world
-17/ledger
-17/soft_step
-17/substeps
-17/guard
-17/step
-17/measure
-17/obj
-17/world_scene
+18/cache
+18/sleep
+18/world
+18/ledger
+18/soft_step
+18/substeps
+18/guard
+18/step
+18/measure
+18/obj
+18/world_scene
 endef
 LINE := $(strip $(ORDER))
 
@@ -85,7 +87,7 @@ AGAIN := $(MAKE) --no-print-directory
 
 # --- What there is ------------------------------------------------------------
 MODULES  := $(notdir $(LINE))
-# Some have no module of their own: 17 is about the hard cases, 18 about speed.
+# Some have no module of their own: 20 is about the hard cases, 21 about speed.
 CHAPTERS := $(patsubst chapters/%,%,$(foreach c,$(wildcard chapters/[0-9]*.md),$(firstword $(subst -, ,$c))))
 # Tests in the book's order, then those that belong to no module.
 TESTS    := $(basename $(notdir $(wildcard $(MODULES:%=tests/*/check_%.c))))
@@ -111,8 +113,8 @@ endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
 TESTS_09 += check_poses
 UPTO_poses := $(UPTO_09)
-TESTS_18 := check_hard
-TESTS_19 := check_clock check_thread
+TESTS_20 := check_hard
+TESTS_21 := check_clock check_thread
 # The figures of 00 to 08 see Part I up to their chapter; later ones may ask what
 # a module does to the whole, and chapter 09 sets the engine beside its system.
 FLOOR = $(if $(filter 00 01 02 03 04 05 06 07 08,$1),$(UPTO_$1),$(ALL))
@@ -169,7 +171,7 @@ test:
 
 #:
 #: Read and learn
-#:   make 04         chapter 04 alone (there are 00 to 20): the library up to it
+#:   make 04         chapter 04 alone (there are 00 to 23): the library up to it
 #:                   and nothing above, its tests, its figures in build/figures,
 #:                   how its exercises stand, and what to read next
 #:   make test-04    its tests alone
@@ -318,9 +320,9 @@ drape: $(BUILD)/drape
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
-SPEED := 19-verlet 19-constraint 19-body 10-fewer 19-hit_face \
-  06-tree 19-sphere_tree 07-response 08-orders \
-  13-blocks 13-bodies 19-world
+SPEED := 21-verlet 21-constraint 21-body 10-fewer 21-hit_face \
+  06-tree 21-sphere_tree 07-response 08-orders \
+  13-blocks 13-bodies 21-world
 .PHONY: speed profile
 speed: $(SPEED:%=$(BUILD)/figures/%)
 	$(Q)$(foreach f,$(SPEED),$(call draw,$f,$(call room,$f)) &&) true
@@ -328,10 +330,10 @@ speed: $(SPEED:%=$(BUILD)/figures/%)
 	  -v machine=figures/tables/machine.csv \
 	  -v head='module,what,at this error,best,beside,takes times as long' \
 	  $(foreach f,$(SPEED),$(call room,$f)/$f.csv)
-profile: $(BUILD)/figures/19-profile
-	$(Q)$(call draw,19-profile,figures/19)
+profile: $(BUILD)/figures/21-profile
+	$(Q)$(call draw,21-profile,figures/21)
 	$(Q)awk -f figures/draw/table.awk -v csv=figures/tables/profile.csv \
-	  -v head='phase,room,cloth on a cube,cloth on a rope' figures/19/19-profile.csv
+	  -v head='phase,room,cloth on a cube,cloth on a rope' figures/21/21-profile.csv
 
 SOAK_STEPS ?= 1000000
 .PHONY: soak
@@ -434,7 +436,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
-  rigidity convex obj sphere sphere_tree grid ordering \
+  rigidity convex hull obj sphere sphere_tree grid ordering \
   line rigid4 solver broad pairs cache sleep world step measure world_scene scene system \
   thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
@@ -453,7 +455,7 @@ $(BUILD)/tests/check_line $(BUILD)/figures/12-hold: $(BUILD)/tests/plain_strand.
 $(BUILD)/tests/check_painter: CHECK_LIBS += -lpng
 $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
-# These look at how the figures of chapter 19 count time, and at their threads,
+# These look at how the figures of chapter 21 count time, and at their threads,
 # which can be refused.
 $(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
 $(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
@@ -521,8 +523,8 @@ $(BUILD)/tests/fuzz_world: $(addprefix $(BUILD)/tests/,fuzz_world.o worlds.o) $(
 	$(call link,-lm)
 
 # A figure sees the line up to its chapter, and what it asks of the painter;
-# those of chapter 18 draw what the hard cases measure.
-$(patsubst %,$(BUILD)/figures/%,$(filter 18-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
+# those of chapter 20 draw what the hard cases measure.
+$(patsubst %,$(BUILD)/figures/%,$(filter 20-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
 $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, ,$$*))) $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
 

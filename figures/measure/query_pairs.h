@@ -1,5 +1,5 @@
 // query_pairs.h - many distinct pairs of icosahedra at a chosen gap, and a clock;
-// for the figures of chapters 10 and 19.
+// for the figures of chapters 10 and 21.
 //
 // 20,000 pairs, because a loop over few pairs teaches the branch predictor the
 // answers.  The second of a pair is moved by up to 0.5 degree and 2.5 mm.

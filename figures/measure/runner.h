@@ -9,7 +9,7 @@
 #include "world_scene.h"
 
 typedef enum {
-    BY_ENGINE,          // chapter 17
+    BY_ENGINE,          // chapter 18
     BY_PLAIN,           // chapter 9, as mended
     AS_PRINTED,         // chapter 9, as printed
     RUNNERS

@@ -1,7 +1,7 @@
 //> task-head
 // task.h - work on n items, which the caller may hand to several threads.
 //
-// Paper: not asked.  Book: chapter 17.
+// Paper: not asked.  Book: chapter 18.
 
 #ifndef TUMBLE_TASK_H
 #define TUMBLE_TASK_H

@@ -1,7 +1,7 @@
 //> cache-head
 // cache.h - the contacts of rigid bodies, from frame to frame.
 //
-// Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 17.
+// Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 18.
 //
 // A pair is asked where it touches once a frame, as far ahead as its bodies may
 // get, and turned as they will be in its middle; and not at all while they lie

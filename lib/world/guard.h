@@ -1,7 +1,7 @@
 //> guard-head
 // guard.h - what no frame may do, whatever its contacts were.
 //
-// Paper: not asked.  Book: chapter 17.
+// Paper: not asked.  Book: chapter 18.
 
 #ifndef TUMBLE_GUARD_H
 #define TUMBLE_GUARD_H

@@ -1,7 +1,7 @@
 //> ledger-head
 // ledger.h - what gave energy and momentum to the world, and what took them?
 //
-// Paper: not asked.  Book: chapter 17.
+// Paper: not asked.  Book: chapter 18.
 // Units: joules, kg m/s, kg m^2/s about the origin, in the world's frame.
 
 #ifndef TUMBLE_LEDGER_H

@@ -1,7 +1,7 @@
 //> measure-head
 // measure.h - how far from right is the world?
 //
-// Paper: section 7 measures time only.  Book: chapter 17.
+// Paper: section 7 measures time only.  Book: chapter 18.
 // Units: metres, kilograms, seconds, joules, in the world's frame.
 
 #ifndef TUMBLE_MEASURE_H

@@ -2,7 +2,7 @@
 // sleep.h - bodies that have been still together fall asleep together.
 //
 // Paper: section 8 mentions, and omits, how it spared stacked objects.
-// Book: chapter 17.
+// Book: chapter 18.
 // Units: metres, seconds.
 
 #ifndef TUMBLE_SLEEP_H

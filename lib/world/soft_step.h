@@ -1,7 +1,7 @@
 //> soft-step-head
 // soft_step.h - cloth and rope in the world's step.
 //
-// Book: chapter 17.
+// Book: chapter 18.
 
 #ifndef TUMBLE_SOFT_STEP_H
 #define TUMBLE_SOFT_STEP_H

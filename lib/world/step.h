@@ -1,7 +1,7 @@
 //> step-head
 // step.h - one frame: integrate, find, separate, relax.
 //
-// Paper: sections 5 and 6.  Book: chapter 17.
+// Paper: sections 5 and 6.  Book: chapter 18.
 
 #ifndef TUMBLE_STEP_H
 #define TUMBLE_STEP_H

@@ -1,7 +1,7 @@
 //> substeps-head
 // substeps.h - how many substeps does a frame need?
 //
-// Book: chapter 17.
+// Book: chapter 18.
 
 #ifndef TUMBLE_SUBSTEPS_H
 #define TUMBLE_SUBSTEPS_H

@@ -1,7 +1,7 @@
 //> world-head
 // world.h - the system: bodies in one pool of particles, and the step.
 //
-// Paper: sections 5 to 7.  Book: chapter 17.
+// Paper: sections 5 to 7.  Book: chapter 18.
 // Units: metres, seconds, kilograms, joules.  Frame: y points up.
 
 #ifndef TUMBLE_WORLD_H

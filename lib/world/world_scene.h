@@ -1,7 +1,7 @@
 //> world-scene-head
 // world_scene.h - the engine's world from a scene, and the paper's experiments.
 //
-// Paper: section 7, Figure 8.  Book: chapter 17.
+// Paper: section 7, Figure 8.  Book: chapter 18.
 
 #ifndef TUMBLE_WORLD_SCENE_H
 #define TUMBLE_WORLD_SCENE_H

@@ -1,4 +1,4 @@
-// check_task.c - is every item of work done once, whoever does it?  Chapter 17.
+// check_task.c - is every item of work done once, whoever does it?  Chapter 18.
 
 #include <check.h>
 

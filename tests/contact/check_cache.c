@@ -1,5 +1,5 @@
 // check_cache.c - are the contacts that are kept those that would be found?
-// Book: chapter 17.
+// Book: chapter 18.
 
 #include <check.h>
 #include <math.h>

@@ -1,8 +1,8 @@
-// check_clock.c - does the harness of chapter 19 time what it says?
+// check_clock.c - does the harness of chapter 21 time what it says?
 //
 // No time is tested here, only which runs are counted, and what is made of
 // their times.
-// Book: chapter 19.
+// Book: chapter 21.
 
 #include <check.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 // check_worlds.c - random worlds (worlds.h), a few steps of each: does anything
-// stop at an assertion, or lose its numbers?  Book: chapter 18.
+// stop at an assertion, or lose its numbers?  Book: chapter 20.
 //
 // make fuzz goes on for longer, and watches the time.
 

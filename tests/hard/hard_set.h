@@ -1,5 +1,5 @@
 // hard_set.h - the hard cases 14 to 20, built: for hard_bodies.c, which
-// measures them, and for the figures of chapter 18, which show them.
+// measures them, and for the figures of chapter 20, which show them.
 //
 // Units: metres, seconds, kilograms.  Frame: y points up.
 

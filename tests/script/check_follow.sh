@@ -98,7 +98,7 @@ rm "$progress"; mkdir "$progress"
 says "a file that cannot be"    'that 01/sum passed is not kept' judged write_passed 01/sum
 
 unset EXERCISES CHAPTERS
-says "make ends with it"        'Chapter 20, What the paper got wrong: chapters/20-errata.md' make -s 20
+says "make ends with it"        'Chapter 22, What the paper got wrong: chapters/22-errata.md' make -s 22
 says "make progress"            '04 GJK ' make -s progress
 
 # ---- make watch: it runs, runs again when a file is saved, and ends with Ctrl-C.

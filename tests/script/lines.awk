@@ -37,5 +37,5 @@ END {
         if (longest[m] > most[whole]) most[whole] = longest[m]
     }
     printf "00 to 09,Part I,%d,%d,%d,%d\n", sum["Part I"], number["Part I"], median(all, functions), most["Part I"]
-    printf "10 to 16,Part II,%d,%d,,%d\n", sum["Part II"], number["Part II"], most["Part II"]
+    printf "10 to 19,Part II,%d,%d,,%d\n", sum["Part II"], number["Part II"], most["Part II"]
 }

@@ -1,5 +1,5 @@
 // check_books.c - do the books balance, over whole frames?
-// Book: chapter 17.
+// Book: chapter 18.
 
 #include <check.h>
 #include <string.h>

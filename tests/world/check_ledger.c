@@ -1,4 +1,4 @@
-// check_ledger.c - do the books say what gave and what took?  Book: chapter 17.
+// check_ledger.c - do the books say what gave and what took?  Book: chapter 18.
 //
 // Whether they balance over whole frames is asked in check_books.c.
 

@@ -1,5 +1,5 @@
 // check_measure.c - is the world as far from right as it is said to be?
-// Book: chapter 17.
+// Book: chapter 18.
 
 #include <check.h>
 #include <stdlib.h>

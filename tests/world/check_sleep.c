@@ -1,5 +1,5 @@
 // check_sleep.c - what is still, which bodies sleep together, and which wake?
-// Book: chapter 17.
+// Book: chapter 18.
 
 #include <check.h>
 #include <limits.h>

@@ -1,5 +1,5 @@
 // check_sleep_world.c - what should sleep in a world does, and nothing else.
-// Book: chapter 17.
+// Book: chapter 18.
 
 #include <check.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // check_step.c - does a frame do what it should, and nothing else?
-// Book: chapter 17.
+// Book: chapter 18.
 
 #include <check.h>
 #include <stdlib.h>

@@ -1,0 +1,93 @@
+//> cast
+#include "cast.h"
+
+#include <math.h>
+#include <stddef.h>
+
+static vec3 unit(vec3 v)
+{
+    real length = vec3_length(v);
+    return length > 0 ? vec3_scale(1 / length, v) : (vec3){ 0, 0, 0 };
+}
+
+// The largest distance (m) of a point of it from its first one.
+static real size_of(rounded r)
+{
+    real most = 0;
+    for (int k = 1; k < r.core.count; k++) {
+        vec3 d = vec3_sub(r.core.at[k], r.core.at[0]);
+        most = real_max(most, vec3_length(d));
+    }
+    return most + r.round;
+}
+
+cast_result cast_first(rounded a, vec3 way, rounded b, vec3 *scratch)
+{
+    real apart = a.round + b.round;
+    real fine = 1e-12 * (vec3_length(way) + size_of(a) + size_of(b));
+    swept_result s = { .status = SWEPT_NOT_FINITE };
+    if (fine > 0)
+        s = swept_first_touch(a.core, way, b.core, apart, fine, scratch);
+    if (s.status == SWEPT_OVERLAP)
+        return (cast_result){ true, 0, a.core.at[0],
+                              unit(vec3_scale(-1, way)) };
+    if (s.status == SWEPT_PASSES || s.status == SWEPT_NOT_FINITE)
+        return (cast_result){ .hits = false };
+    vec3 surface = vec3_add_scaled(s.on_b, b.round, s.normal);
+    return (cast_result){ true, s.time, surface, s.normal };
+}
+//<
+
+//> cast-plane
+cast_result cast_first_plane(rounded a, vec3 way, plane p)
+{
+    real lowest = HUGE_VAL, down = -vec3_dot(way, p.normal);
+    vec3 at = a.core.at[0];
+    for (int k = 0; k < a.core.count; k++) {
+        real height = vec3_dot(a.core.at[k], p.normal) - p.offset - a.round;
+        if (!(height < lowest)) continue;
+        lowest = height;
+        at = a.core.at[k];
+    }
+    if (lowest <= 0)
+        return (cast_result){ true, 0, at, unit(vec3_scale(-1, way)) };
+    if (!(lowest <= down)) return (cast_result){ .hits = false };
+    real time = lowest / down;
+    vec3 there = vec3_add_scaled(at, time, way);
+    return (cast_result){ true, time,
+                          vec3_add_scaled(there, -a.round, p.normal),
+                          p.normal };
+}
+//<
+
+//> cast-near
+cast_result cast_nearest(vec3 x, rounded b, real most)
+{
+    gjk_result g = gjk_distance((hull){ &x, 1 }, b.core, HUGE_VAL, NULL);
+    real away = g.distance - b.round;
+    bool is_apart = g.status == GJK_APART || g.status == GJK_CAPPED;
+    if (g.status == GJK_OVERLAP || (is_apart && away <= 0))
+        return (cast_result){ true, 0, x, { 0, 0, 0 } };
+    if (!is_apart || !(away <= most)) return (cast_result){ .hits = false };
+    vec3 out = unit(g.axis);
+    return (cast_result){ true, away, vec3_add_scaled(g.on_b, b.round, out),
+                          out };
+}
+
+cast_result cast_nearest_plane(vec3 x, plane p, real most)
+{
+    real away = vec3_dot(x, p.normal) - p.offset;
+    if (!(away <= most)) return (cast_result){ .hits = false };
+    if (away <= 0) return (cast_result){ true, 0, x, { 0, 0, 0 } };
+    return (cast_result){ true, away, vec3_add_scaled(x, -away, p.normal),
+                          p.normal };
+}
+
+bool cast_overlaps(rounded a, rounded b)
+{
+    real apart = a.round + b.round;
+    gjk_result g = gjk_distance(a.core, b.core, apart, NULL);
+    if (g.status == GJK_OVERLAP) return true;
+    return g.status == GJK_APART && g.distance <= apart;
+}
+//<

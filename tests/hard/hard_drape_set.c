@@ -166,8 +166,8 @@ static real foot(const shape *plan)
     return -least;
 }
 
-// m/N.  What is pinned is a cotton that 490 N for each metre of its width make
-// longer by a fortieth.
+// m/N.  What hangs by pins is a cotton that 490 N for each metre of its width
+// make longer by a fortieth.
 static const real COTTON = 5e-5;
 
 static void make_cotton(setting *s, int b)
@@ -180,7 +180,6 @@ static void make_cotton(setting *s, int b)
 static void pin_rim(setting *s, int b, int ends)
 {
     int n = s->ok.ok ? s->w.body[b].shape->columns : 0;
-    make_cotton(s, b);
     for (int i = 0; i < n; i++)
         for (int k = 0; k < n; k++)
             if ((i == 0 || i == n - 1) + (k == 0 || k == n - 1) >= ends)
@@ -191,7 +190,6 @@ static void pin_rim(setting *s, int b, int ends)
 static void pin_row(setting *s, int b, bool is_last, bool is_whole)
 {
     int n = s->ok.ok ? s->w.body[b].shape->columns : 0;
-    make_cotton(s, b);
     for (int k = 0; k < n; k += is_whole ? 1 : n - 1)
         world_pin(&s->w, b, (is_last ? n * (n - 1) : 0) + k);
 }
@@ -406,6 +404,7 @@ static void pinned_on_cube(setting *s, const drape *d)
     setting_start(s, awake(d->n));
     add_cube(s);
     int b = drop(s, add_wide_cloth(s, d->n), 20, 0.9, 0);
+    make_cotton(s, b);
     pin_row(s, b, false, false);
 }
 
@@ -424,7 +423,7 @@ static void opposite_on_cube(setting *s, const drape *d)
 static void hammock(setting *s, const drape *d)
 {
     setting_start(s, awake(d->n));
-    drop(s, add_cloth(s, d->n, 1, 0.2), 0, 0, 0);
+    make_cotton(s, drop(s, add_cloth(s, d->n, 1, 0.2), 0, 0, 0));
     pin_row(s, 0, false, d->with > 0);
     pin_row(s, 0, true, d->with > 0);
     add_body(s, add_box(s, vec3_make(0.2, 0.2, 0.2), 10),
@@ -509,6 +508,7 @@ static void falling_cubes(setting *s, const drape *d)
     unsigned long long seed = 35;
     setting_start(s, awake(d->n));
     int b = drop(s, add_wide_cloth(s, d->n), 0, 0, 0);
+    make_cotton(s, b);
     pin_rim(s, b, (int)d->with);
     const shape *cube = add_box(s, vec3_make(0.2, 0.2, 0.2), 0.2);
     for (int k = 0; k < 8; k++)

@@ -125,6 +125,16 @@ status world_bend(world *w, int b, real stiffness)
     w->body[b].bending = stiffness;
     return status_ok();
 }
+
+status world_stretch(world *w, int b, real compliance)
+{
+    assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
+    if (!(compliance >= 0) || !(compliance < HUGE_VAL))
+        return status_fail("the compliance of body %d is %g; it must be "
+                           "finite, and 0 or more", b, compliance);
+    w->body[b].compliance = compliance;
+    return status_ok();
+}
 //<
 
 //> world-radius

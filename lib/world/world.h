@@ -207,6 +207,12 @@ void   world_unpin(world *w, int b, int i);
 // nothing, if that is negative or not finite.
 status world_bend(world *w, int b, real stiffness);
 
+// Lets the links of the deformable body b give: of a rope, by how much a newton
+// stretches a metre of it (1/N); of a cloth, a newton for each metre of its
+// width (m/N).  1e-4 m/N: denim.  0, as it is added: not at all.  Fails,
+// changing nothing, if that is negative or not finite.
+status world_stretch(world *w, int b, real compliance);
+
 // Neither static nor asleep.
 static inline bool body_moves(const world *w, int b)
 {

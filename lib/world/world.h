@@ -8,6 +8,7 @@
 #define TUMBLE_WORLD_H
 
 #include "cache.h"
+#include "linkage.h"
 #include "sleep.h"
 #include "soft.h"
 
@@ -74,6 +75,8 @@ typedef struct {
                         // smaller body's radius, and bodies whose sticks are
                         // off by a hundredth
     int  dropped;       // contacts or pairs that found no room: should be 0
+    int  broken;        // joints that had to bear more than their strength
+    real parted;        // m, the most by which the points of a joint are apart
 } step_report;
 //<
 
@@ -162,6 +165,7 @@ typedef struct world {
                             // has been done to the world since then
     int  dynamic_bodies;    // not static
     rigid_tables rigid;
+    linkage      joints;
     soft_solver  soft;
     sleep_state  sleep;
     step_report  report;
@@ -207,6 +211,12 @@ void   world_unpin(world *w, int b, int i);
 // of a cloth in N m, see bend.h; 0, as it is added: none.  Fails, changing
 // nothing, if that is negative or not finite.
 status world_bend(world *w, int b, real stiffness);
+
+// Lets the links of the deformable body b give: of a rope, by how much a newton
+// stretches a metre of it (1/N); of a cloth, a newton for each metre of its
+// width (m/N).  1e-4 m/N: denim.  0, as it is added: not at all.  Fails,
+// changing nothing, if that is negative or not finite.
+status world_stretch(world *w, int b, real compliance);
 
 // Neither static nor asleep.
 static inline bool body_moves(const world *w, int b)

@@ -98,9 +98,10 @@ static void lap(world *w, int phase, real *since)
 //> step-look
 // How far a body may get in this frame: as fast as it is now, with what gravity
 // adds, and a hundredth of its radius for what impacts add.  However far it
-// turns, no vertex gets further than across.
+// turns, no vertex gets further than across; and a ball that turns does not
+// move by that at all.
 static prediction predict(const world *w, const solver_body *now,
-                          const motion *u)
+                          real round, const motion *u)
 {
     real dt = w->frame;
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
@@ -109,7 +110,7 @@ static prediction predict(const world *w, const solver_body *now,
                 + now->radius / 100;
     prediction p = { .way = vec3_scale(dt, straight),
                      .angle = dt * vec3_length(spin) };
-    p.turn = now->radius * real_min(p.angle, 2) + beside;
+    p.turn = (now->radius - round) * real_min(p.angle, 2) + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -152,7 +153,7 @@ static void look_at_body(world *w, int b)
     if (t->moves[b]) {
         now->basis = basis_find(x->rigid, &now->frame);
         t->velocity[b] = motion_of(p, &now->frame, &now->basis, w->age);
-        t->ahead[b] = predict(w, now, &t->velocity[b]);
+        t->ahead[b] = predict(w, now, x->shape->round, &t->velocity[b]);
         t->middle[b] = find_middle(w, b);
     } else {
         now->basis = (motion_basis){ .inverse_mass = 0 };
@@ -404,8 +405,8 @@ static void end_move(world *w, int b, real h)
     vec3 turn = motion_rotation(&t->now[b].basis, &t->moved[b]);
     motion_end(x->rigid, w->pool.at + x->first, &t->now[b].frame,
                &t->velocity[b], h);
-    cache_moved(&t->cache, b, vec3_length(way)
-                              + t->now[b].radius * vec3_length(turn));
+    real out = t->now[b].radius - x->shape->round;
+    cache_moved(&t->cache, b, vec3_length(way) + out * vec3_length(turn));
 }
 
 typedef struct {

@@ -197,8 +197,7 @@ static status reserve_body(world *w, const shape *s, int *number)
     if (!more) return status_out_of_memory();
     w->body = more;
     status done = enter_shape(w, s, number);
-    // A rigid body has four vertices or more.
-    int need = w->pool.count + s->particles;
+    int need = w->pool.count + int_max(s->particles, FOUR);
     if (!done.ok || need <= w->pool.capacity) return done;
     return pool_reserve(&w->pool, 2 * need);
 }
@@ -340,6 +339,18 @@ void world_vertices(const world *w, const body *b, vec3 *at)
         return;
     }
     for (int i = 0; i < b->shape->particles; i++) at[i] = p[i].position;
+}
+
+void world_skin(const world *w, const body *b, vec3 *at)
+{
+    const struct skin *k = &b->shape->skin;
+    if (k->points == 0) {
+        world_vertices(w, b, at);
+        return;
+    }
+    rigid_frame frame = rigid4_frame(w->pool.at + b->first);
+    for (int i = 0; i < k->points; i++)
+        at[i] = frame_point(&frame, rigid4_local(b->rigid, k->at[i]));
 }
 //<
 

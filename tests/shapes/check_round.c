@@ -1,10 +1,8 @@
 // check_round.c - balls and capsules.
 
 #include "expect.h"
-#include "rigid4.h"
 #include "round.h"
 #include "scarce.h"
-#include "swept.h"
 #include "validate.h"
 
 #include <math.h>
@@ -18,67 +16,6 @@ static void expect_close(real got, real wanted)
     ck_assert_msg(fabs(got - wanted) <= TINY * fabs(wanted),
                   "got %.17g, wanted %.17g", got, wanted);
 }
-
-// kg m^2, of the four particles about the axis along y and one across it.
-static void expect_inertia(const shape *s, real along, real across)
-{
-    rigid4 f;
-    expect_ok(rigid4_build(&f, s));
-    real x = 0, y = 0, z = 0;
-    for (int k = 0; k < FOUR; k++) {
-        vec3 a = f.at[k];
-        x += f.mass * (a.y * a.y + a.z * a.z);
-        y += f.mass * (a.x * a.x + a.z * a.z);
-        z += f.mass * (a.x * a.x + a.y * a.y);
-    }
-    expect_close(y, along);
-    expect_close(x, across);
-    expect_close(z, across);
-    ck_assert(vec3_length(f.center) == 0);
-    expect_close(f.reach, s->radius);
-    rigid4_free(&f);
-}
-
-// Rejects: four particles on the ball's surface; the inertia of a shell.
-START_TEST(ball_has_two_fifths_of_its_mass_times_its_square)
-{
-    shape s;
-    expect_ok(shape_sphere(&s, 3, 5));
-    ck_assert_int_eq(s.particles, 1);
-    ck_assert_int_eq(s.mesh.faces, 0);
-    ck_assert(s.radius == 3 && s.round == 3 && shape_inner(&s) == 3);
-    expect_inertia(&s, 5 * .4 * 9, 5 * .4 * 9);
-    rigid4 f;
-    expect_ok(rigid4_build(&f, &s));
-    for (int k = 0; k < FOUR; k++)
-        expect_close(vec3_length(f.at[k]), 3 * sqrt(.6));
-    rigid4_free(&f);
-    shape_free(&s);
-}
-END_TEST
-
-// A cylinder and two half balls; each half ball's centre of mass is 3/8 of the
-// radius beyond the cylinder's end, and Steiner's rule moves its inertia there.
-// Rejects: a half ball that is moved as if its middle were its centre.
-START_TEST(capsule_has_the_inertia_of_a_cylinder_and_two_half_balls)
-{
-    for (int k = 0; k < 20; k++) {
-        real length = .1 * (k + 1), r = .7, mass = 2;
-        real cylinder = length * r * r, balls = 4 * r * r * r / 3;
-        real a = mass * cylinder / (cylinder + balls), b = mass - a;
-        real centre = length / 2 + 3 * r / 8;
-        real half_ball = b * (.4 - 9.0 / 64) * r * r + b * centre * centre;
-        shape s;
-        expect_ok(shape_capsule(&s, length, r, mass));
-        ck_assert_int_eq(s.particles, 2);
-        expect_close(s.radius, length / 2 + r);
-        ck_assert(shape_inner(&s) == r);
-        expect_inertia(&s, a * r * r / 2 + b * .4 * r * r,
-                       a * (r * r / 4 + length * length / 12) + half_ball);
-        shape_free(&s);
-    }
-}
-END_TEST
 
 // The core of a capsule is an edge that leads to its other end from either.
 START_TEST(core_of_a_capsule_is_an_edge)
@@ -104,7 +41,7 @@ static void expect_skin(const shape *s, real volume)
     struct skin k = shape_skin(s);
     mesh m;
     expect_ok(mesh_build(&m, k.points,
-                         (const int (*)[3])(const void *)k.face, k.faces));
+                         (const int (*)[3])(void *)k.face, k.faces));
     expect_ok(mesh_validate(&m));
     ck_assert_int_eq(mesh_euler(&m), 2);
     real inside = mesh_volume(&m, k.at) / volume;
@@ -176,8 +113,6 @@ END_TEST
 int main(void)
 {
     const TTest *tests[] = {
-        ball_has_two_fifths_of_its_mass_times_its_square,
-        capsule_has_the_inertia_of_a_cylinder_and_two_half_balls,
         core_of_a_capsule_is_an_edge, skin_is_closed_and_on_the_surface,
         sizes_out_of_range_are_refused, refused_memory_leaves_nothing
     };

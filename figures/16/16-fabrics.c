@@ -76,7 +76,6 @@ static status drape(world *w, const shape *cube, const shape *cloth,
     over.z = vec3_make(s, 0, c);
     if (done.ok) done = world_add(w, cloth, over, NULL);
     if (done.ok) done = world_bend(w, 1, f->stiffness);
-    if (done.ok) done = world_begin(w);
     for (int k = 0; k < SECONDS * 60 && done.ok; k++) world_step(w);
     return done;
 }

@@ -438,12 +438,20 @@ long settings_steps(const settings *s)
 
 // ---- Words -----------------------------------------------------------------
 
+// s.  Contacts are looked for once in a step: in longer ones the room's bodies
+// are found more than 5 cm deep in each other.
+static const real LONG_STEP = 1.0 / 20;
+
 void settings_print_notes(const settings *s, FILE *out)
 {
     for (int k = 0; k < OPTIONS; k++)
         if (is_given(s, k) && !(options[k].scenes & 1 << s->scene))
             fprintf(out, "tumble: %s means nothing to the scene %s, and is "
                     "ignored\n", options[k].name, scene_name(s->scene));
+    if (s->dt > LONG_STEP)
+        fprintf(out, "tumble: --dt %g is long: contacts are looked for once in "
+                "a step, and in steps of more than 1/20 s bodies sink into "
+                "each other\n", s->dt);
 }
 
 static void print_scenes(FILE *out)
@@ -497,7 +505,8 @@ void settings_print_help(FILE *out)
         "errors were and how long it took.\n\n");
     settings_print_list(out);
     fprintf(out,
-        "\nCtrl-C stops after the current step and keeps what is finished.\n"
+        "\nCtrl-C stops after the current step and keeps what is finished; a\n"
+        "second one ends at once.\n"
         "Exit status: 0 done, 1 failed, 2 the command line is wrong,\n"
         "130 Ctrl-C, 143 terminated.\n");
 }

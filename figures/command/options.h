@@ -38,7 +38,8 @@ system_options settings_system(const settings *s);
 // How many steps of dt fill the seconds.
 long settings_steps(const settings *s);
 
-// Names the options that were given and mean nothing to the scene.
+// Names the options that were given and mean nothing to the scene, and says
+// what a long step does.
 void settings_print_notes(const settings *s, FILE *out);
 
 void settings_print_help(FILE *out);

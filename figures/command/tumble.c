@@ -44,9 +44,12 @@ static void on_signal(int number)
     stop_signal = number;
 }
 
-static void catch_signals(void)
+// The first one is heard, a second one ends the program at once.  Without
+// SA_RESTART a signal also ends the wait for a pipe's other end.
+static void catch_signals(int flags)
 {
-    struct sigaction act = { .sa_handler = on_signal, .sa_flags = SA_RESTART };
+    struct sigaction act = { .sa_handler = on_signal,
+                             .sa_flags = flags | (int)SA_RESETHAND };
     sigemptyset(&act.sa_mask);
     sigaction(SIGINT, &act, NULL);
     sigaction(SIGTERM, &act, NULL);
@@ -88,15 +91,63 @@ static real time_done(const run *r)
     return (real)r->done * r->set.dt;
 }
 
+// A file that the command line names.
+typedef struct {
+    const char *option, *path;  // path = NULL: not asked for
+    int is_read;
+} named_file;
+
+// A pipe would wait for ever.  The library says why a file cannot be opened.
+static status check_read(const named_file *f)
+{
+    struct stat there;
+    if (!f->path || !f->is_read || stat(f->path, &there) != 0
+        || S_ISREG(there.st_mode)) return status_ok();
+    return status_fail("%.100s: is not a regular file: %s is read from one",
+                       f->path, f->option);
+}
+
+// Does one overwrite the other?
+static status check_pair(const named_file *a, const named_file *b)
+{
+    if (!a->path || !b->path || (a->is_read && b->is_read)
+        || !output_is_same(a->path, b->path)) return status_ok();
+    return status_fail("%s %.60s and %s %.60s name the same file",
+                       a->option, a->path, b->option, b->path);
+}
+
+// Does one of the frames?
+static status check_frames(const named_file *f, const char *folder)
+{
+    if (!f->path || !folder || !output_is_in(f->path, folder, "frame-"))
+        return status_ok();
+    return status_fail("%s %.60s has the name of a frame that --frames %.60s "
+                       "writes", f->option, f->path, folder);
+}
+
+// Before anything is opened: what is opened to be written may be overwritten.
+static status check_names(const settings *set)
+{
+    const named_file file[] = {
+        { "--mesh", set->mesh, 1 }, { "--film", set->film, 0 },
+        { "--csv", set->csv, 0 },
+    };
+    int files = (int)(sizeof file / sizeof file[0]);
+    status done = status_ok();
+    for (int i = 0; i < files && done.ok; i++) {
+        done = check_read(&file[i]);
+        if (done.ok) done = check_frames(&file[i], set->frames);
+        for (int k = i + 1; k < files && done.ok; k++)
+            done = check_pair(&file[i], &file[k]);
+    }
+    return done;
+}
+
 static status check_outputs(run *r)
 {
-    status done = status_ok();
-    if (r->set.film) done = output_check(r->set.film);
+    status done = check_names(&r->set);
+    if (done.ok && r->set.film) done = output_check(r->set.film);
     if (done.ok && r->set.csv) done = output_check(r->set.csv);
-    if (done.ok && r->set.film && r->set.csv &&
-        output_is_same(r->set.film, r->set.csv))
-        done = status_fail("--film %.60s and --csv %.60s name the same file",
-                           r->set.film, r->set.csv);
     if (done.ok && r->set.frames)
         done = frame_folder(r->set.frames, &r->folder_made);
     return done;
@@ -108,32 +159,6 @@ static status write_csv_head(run *r)
     fprintf(r->csv.file, "time_s,strain,penetration_m,kinetic_J,"
                          "momentum_kg_m_s,contacts,relaxations,step_s\n");
     return output_flush(&r->csv);
-}
-
-// What the library cannot see in plain C: a pipe, which would wait for ever and
-// hear no signal, and a mesh that its own results would replace.
-static status check_mesh(const settings *set)
-{
-    const char *const outputs[2] = { set->film, set->csv };
-    struct stat read, written;
-    // The library says why a file cannot be opened.
-    if (stat(set->mesh, &read) != 0) return status_ok();
-    if (!S_ISREG(read.st_mode))
-        return status_fail("%.120s: is not a regular file: a mesh is read from "
-                           "one", set->mesh);
-    for (int k = 0; k < 2; k++)
-        if (outputs[k] && stat(outputs[k], &written) == 0 &&
-            written.st_dev == read.st_dev && written.st_ino == read.st_ino)
-            return status_fail("--mesh %.50s and %s %.50s name the same file",
-                               set->mesh, k == 0 ? "--film" : "--csv",
-                               outputs[k]);
-    return status_ok();
-}
-
-static status read_mesh(const settings *set, shape *thrown)
-{
-    status read = check_mesh(set);
-    return read.ok ? obj_read(set->mesh, SCENE_BODY_RADIUS, 1, thrown) : read;
 }
 
 // The scene knows a shape, its user a file.
@@ -148,7 +173,7 @@ static status begin_scene(run *r)
     scene_options what = settings_scene(&r->set);
     shape thrown;
     if (r->set.mesh) {
-        status read = read_mesh(&r->set, &thrown);
+        status read = obj_read(r->set.mesh, SCENE_BODY_RADIUS, 1, &thrown);
         if (!read.ok) return read;
         what.thrown = &thrown;
     }
@@ -437,11 +462,16 @@ static int run_scene(const settings *set)
     run r = { .set = *set };
     settings_print_notes(set, stderr);
     if (set->scene != SCENE_ROOM) r.set.mesh = NULL;    // nothing reads it
-    catch_signals();
+    catch_signals(0);
     status done = run_begin(&r);
+    if (!done.ok && stop_signal)
+        done = status_fail("stopped before the first step");
+    catch_signals(SA_RESTART);
     if (done.ok) done = run_steps(&r);
     if (done.ok) done = run_finish(&r);
-    int code = done.ok ? tell_end(&r) : complain(done, EXIT_FAILURE);
+    int code = done.ok ? tell_end(&r)
+             : complain(done, stop_signal ? EXIT_SIGNAL + stop_signal
+                                          : EXIT_FAILURE);
     run_free(&r);
     return code;
 }

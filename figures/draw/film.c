@@ -283,6 +283,15 @@ static char *frame_name(const char *folder, long number)
     return name;
 }
 
+// A link may lead to a file that is not ours.
+static status frame_check(const char *name)
+{
+    struct stat there;
+    if (!name) return status_out_of_memory();
+    if (lstat(name, &there) != 0 || !S_ISLNK(there.st_mode)) return status_ok();
+    return status_fail("%.120s: is a link, which no frame may replace", name);
+}
+
 status frame_write(pose s, const char *folder, long number)
 {
     picture p;
@@ -290,7 +299,7 @@ status frame_write(pose s, const char *folder, long number)
                                colour_hex(0xffffff));
     if (!done.ok) return done;
     char *name = frame_name(folder, number);
-    if (!name) done = status_out_of_memory();
+    done = frame_check(name);
     if (done.ok)
         done = film_paint_pose(s, FRAME_LAMPS, &p, 0, 0, FRAME_WIDTH,
                                FRAME_HEIGHT);

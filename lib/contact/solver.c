@@ -1,5 +1,6 @@
 //> solver-active
 #include "solver.h"
+#include "table.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -184,11 +185,11 @@ static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
 
 static void choose_lane(lane_source *q, const contact *c,
                         const active_contact *x, const solver_frame *f,
-                        int points)
+                        int spare, int points)
 {
     real sign = x->is_swapped ? -1 : 1;
     q->a = x->a;
-    q->b = x->sides == TWO_SIDED ? x->b : f->bodies;
+    q->b = x->sides == TWO_SIDED ? x->b : spare;
     q->basis_a = &f->body[x->a].basis;
     q->basis_b = &IMMOVABLE;
     if (x->sides == TWO_SIDED) q->basis_b = &f->body[x->b].basis;
@@ -464,9 +465,9 @@ static void fill_block(const preparation *p, int number)
     for (int l = 0; l < REAL4; l++) {
         if (l < lanes)
             choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
-                        k->points);
+                        s->room, k->points);
         else
-            leave_lane(&q[l], s->bodies, k->points);
+            leave_lane(&q[l], s->room, k->points);
         k->contact[l] = l < lanes ? list[l] : -1;
         k->a[l] = q[l].a;
         k->b[l] = q[l].b;
@@ -576,7 +577,8 @@ static bool make_block_room(contact_solver *s)
 static bool make_blocks(contact_solver *s, preparation *p)
 {
     int end[BINS];
-    memset(s->taken, 0, (size_t)s->bodies * sizeof *s->taken);
+    if (s->contacts > 0)
+        memset(s->taken, 0, (size_t)p->f->bodies * sizeof *s->taken);
     for (int k = 0; k < s->contacts; k++)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
     sort_contacts(s, end);
@@ -963,6 +965,7 @@ void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
 void solver_begin(contact_solver *s, const solver_frame *f, motion *velocity,
                   bool is_first)
 {
+    s->bodies = f->bodies;
     for (int b = 0; b < s->bodies; b++) {
         for (int i = 0; i < MOTIONS; i++) {
             real did = is_first ? 0 : s->before[b].of[i];
@@ -1052,15 +1055,32 @@ void solver_store(contact_solver *s, tasks run, contact *const *table)
 //> solver-init
 status solver_init(contact_solver *s, int bodies)
 {
-    size_t n = (size_t)bodies;
-    *s = (contact_solver){ .bodies = bodies };
-    s->taken = calloc(n + 1, sizeof *s->taken);
-    s->before = aligned_alloc(64, (n + 1) * sizeof *s->before);
-    if (!s->taken || !s->before) {
-        solver_free(s);
-        return status_out_of_memory();
-    }
-    memset(s->before, 0, (n + 1) * sizeof *s->before);
+    *s = (contact_solver){ .bodies = 0 };
+    status done = solver_grow(s, bodies);
+    if (!done.ok) solver_free(s);
+    return done;
+}
+
+// Blocks may be kept for the next frame: their spare is another then.
+static void move_spare(contact_solver *s, int spare)
+{
+    for (block *k = s->block; k < s->block + s->blocks; k++)
+        for (int l = 0; l < REAL4; l++) {
+            if (k->a[l] == s->room) k->a[l] = spare;
+            if (k->b[l] == s->room) k->b[l] = spare;
+        }
+    s->room = spare;
+}
+
+status solver_grow(contact_solver *s, int bodies)
+{
+    int room = table_room(bodies, s->room);
+    bool ok = true;
+    if (s->taken && bodies <= s->room) return status_ok();
+    TABLE_GROW(ok, s->taken, 0, room);
+    TABLE_GROW_ALIGNED(ok, s->before, s->room, room + 1);
+    if (!ok) return status_out_of_memory();
+    move_spare(s, room);
     return status_ok();
 }
 

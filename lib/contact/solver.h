@@ -135,8 +135,9 @@ typedef struct {
     block_color color[SIDES * COLORS];
     int  colors;
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each
-    motion *before;                     // [bodies + 1] see solver_begin
-    int  bodies;
+    motion *before;                     // [bodies] see solver_begin
+    int  bodies;                        // in the last solver_begin
+    int  room;                          // for so many there is room
     int  touching;                      // contacts that may touch in this frame
     real h;                             // s, the substeps that blocks are for
 } contact_solver;
@@ -146,6 +147,9 @@ typedef struct {
 // An empty solver for so many bodies.  Fails, leaving *s empty, for want of
 // memory.
 status solver_init(contact_solver *s, int bodies);
+// For more of them, if there were fewer: s->room, in the end.  Fails, changing
+// nothing.
+status solver_grow(contact_solver *s, int bodies);
 void   solver_free(contact_solver *s);      // an empty or zeroed one is fine
 
 // Looks at n contacts: which of their points come within reach[k] (m) of each
@@ -159,7 +163,7 @@ bool solver_look(contact_solver *s, const solver_frame *f,
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table);
 
-// One substep, in this order.  velocity and moved are [bodies + 1]: the last is
+// One substep, in this order.  velocity and moved are [s->room + 1]: the last is
 // spare, for lanes that are left over.
 //
 // Gives every body the impulses of the last substep once more (warm starting);

@@ -13,13 +13,16 @@
 //<
 
 //> placed
-// A body: a range of the pool, built to a shape that it may share.
+// A body: a range of the pool, built to a shape that it may share.  The place of
+// one that was taken away is left to one of a shape without particles: static,
+// deformable, and nowhere.
 typedef struct body {
     const struct shape *shape;
     const rigid4 *rigid;    // its four particles; NULL: it is deformable, with
                             // a particle at every vertex
     line_scratch *line;     // of a deformable one; shared, as the shape is
     int  first;         // its particles: first .. first + body_particles - 1
+    int  room;          // so many of the pool are kept for it
     real mass;          // kg; HUGE_VAL: static, as a whole
     real thickness;     // m, the radius of a deformable body's particles; 0 of
                         // a rigid one
@@ -35,6 +38,10 @@ static inline bool body_is_soft(const body *b)
 static inline int body_particles(const body *b)
 {
     return body_is_soft(b) ? b->shape->particles : FOUR;
+}
+static inline bool body_is_gone(const body *b)
+{
+    return b->shape->particles == 0;
 }
 static inline bool body_is_static(const body *b)
 {

@@ -1,5 +1,6 @@
 //> soft-move
 #include "soft.h"
+#include "table.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -48,6 +49,28 @@ static void forget_holds(const soft_frame *f, const body *b)
     }
 }
 
+// A crease can shear a cell until the ends of one of its diagonals, of which
+// only every second has a stick, meet, and the triangles around them cross.
+// They are kept apart as any two particles are.
+static void part_ends(const soft_frame *f, int a, int b, real distance)
+{
+    particle_contact c = { a, b, distance };
+    if (particle_contact_overlaps(&c, f->particle))
+        particle_contact_separate(c, f->particle, f->friction);
+}
+
+static void spread_cells(const soft_frame *f, const body *b)
+{
+    const shape *s = b->shape;
+    real distance = 2 * b->thickness;
+    for (int k = 0; k + 1 < s->rows; k++)
+        for (int i = 0; i + 1 < s->columns; i++) {
+            int a = b->first + k * s->columns + i;
+            part_ends(f, a, a + s->columns + 1, distance);
+            part_ends(f, a + 1, a + s->columns, distance);
+        }
+}
+
 // The diagonals come before the contacts, and both before the strands: what
 // comes last holds best.
 static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
@@ -57,6 +80,7 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     if (others == 0) return;
     sticks_iterate(plan->stick + links, others, f->particle + b->first,
                    f->relax);
+    spread_cells(f, b);
     s->tested += others;
     s->relaxed += others;
 }
@@ -144,7 +168,7 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
     s->tested += l.steps * links;
     s->relaxed += l.steps * links;
     s->fell_back += l.fell_back;
-    bool is_strained = l.worst > 0.005 && l.worst < HUGE_VAL;
+    bool is_strained = l.worst > 0.01 && l.worst < HUGE_VAL;
     if (is_strained || (is_pinned && shape_directions(plan) > 1))
         s->pressed = HUGE_VAL;
 }
@@ -269,18 +293,35 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
 // spacing: else the first contacts of a small cloth come too late.
 static const real SAG = 0.0034;
 
+// A taut link swings sideways with its ends, and longer substeps than a limit
+// make it swing ever wider: chapter 12.  So the weight of all of a rope, which
+// may hang on its lightest link, moves that by this share of its length at most.
+static const real TAUT = 0.25;
+
+static real lightest_of(const shape *s)
+{
+    real least = s->mass[0];
+    for (int i = 1; i < s->particles; i++) least = real_min(least, s->mass[i]);
+    return least;
+}
+
 static int substeps_for_weight(const soft_frame *f, int a)
 {
-    real spacing = f->body[a].shape->spacing;
-    real need = f->frame * sqrt(vec3_length(f->gravity) / (SAG * spacing));
+    const body *x = &f->body[a];
+    const shape *s = x->shape;
+    real share = SAG;
+    if (s->kind == SHAPE_ROPE)
+        share = real_min(SAG, TAUT * lightest_of(s) / x->mass);
+    real g = vec3_length(f->gravity);
+    real need = f->frame * sqrt(g / (share * s->spacing));
     return need < f->most_substeps ? (int)need : f->most_substeps;
 }
 
 // The strands of a deformable body count on all of the usual substeps, and on a
 // few more where layers press on each other, where all sweeps have left a link
-// off by 0.5 %, and where a cloth is pinned.  (Blows press, too, but small steps
+// off by 1 %, and where a cloth is pinned.  (Blows press, too, but small steps
 // hardly make those softer.)
-enum { MORE_WHEN_PRESSED = 5 };
+enum { MORE_WHEN_PRESSED = 6 };
 
 int soft_substeps(const soft_solver *s, const soft_frame *f)
 {
@@ -299,22 +340,56 @@ int soft_substeps(const soft_solver *s, const soft_frame *f)
 //<
 
 //> soft-init
-status soft_init(soft_solver *s, const body *all, int bodies, int particles)
+static bool make_room(soft_solver *s, const body *b, int bodies, int particles)
 {
-    *s = (soft_solver){ .touching = 0 };
-    status done = near_init(&s->near, all, bodies, particles);
-    if (!done.ok || s->near.softs == 0) return done;
-    done = rigid_view_init(&s->view, all, bodies);
-    int rows = 0;
-    for (int b = 0; b < bodies; b++)
-        rows = int_max(rows, bend_rows(all[b].shape));
-    s->ahead = calloc((size_t)bodies, sizeof *s->ahead);
-    s->hold = calloc((size_t)particles, sizeof *s->hold);
-    s->bends = calloc((size_t)rows, sizeof *s->bends);
-    if (done.ok && !(s->ahead && s->hold && s->bends))
-        done = status_out_of_memory();
-    if (!done.ok) soft_free(s);
+    int room = table_room(bodies, s->bodies);
+    int particle_room = table_room(particles, s->particles);
+    int rows = table_room(bend_rows(b->shape), s->rows);
+    bool ok = true;
+    if (room > s->bodies) TABLE_GROW(ok, s->ahead, s->bodies, room);
+    if (ok) s->bodies = room;
+    if (particle_room > s->particles)
+        TABLE_GROW(ok, s->hold, s->particles, particle_room);
+    if (ok) s->particles = particle_room;
+    if (rows > s->rows) TABLE_GROW(ok, s->bends, 0, rows);
+    if (ok) s->rows = rows;
+    return ok;
+}
+
+// The first deformable body: rigid ones are there that were not looked at.
+static status view_all(soft_solver *s, const body *all, int bodies)
+{
+    status done = status_ok();
+    for (int b = 0; b < bodies && done.ok; b++)
+        if (!body_is_soft(&all[b])) done = rigid_view_add(&s->view, &all[b]);
     return done;
+}
+
+status soft_add(soft_solver *s, const body *all, int b, int bodies,
+                int particles)
+{
+    bool is_soft = body_is_soft(&all[b]);
+    status done = status_ok();
+    if (s->near.softs == 0 && !is_soft) return done;
+    if (!make_room(s, &all[b], bodies, particles))
+        return status_out_of_memory();
+    for (int i = 0; i < body_particles(&all[b]); i++)
+        s->hold[all[b].first + i] = (line_hold){ .state = LINE_FREE };
+    if (s->near.softs == 0) done = view_all(s, all, bodies);
+    else if (!is_soft)      done = rigid_view_add(&s->view, &all[b]);
+    return done.ok ? near_add(&s->near, all, b, bodies, particles) : done;
+}
+
+void soft_forget(soft_solver *s, int b)
+{
+    near_forget(&s->near, b);
+    s->view.of = -1;
+}
+
+void soft_remove(soft_solver *s, const body *all, int b, int bodies)
+{
+    near_remove(&s->near, all, b, bodies);
+    s->view.of = -1;
 }
 
 void soft_free(soft_solver *s)

@@ -46,6 +46,7 @@ typedef struct {
 // An island is a set of movable bodies that touch, directly or through others.
 typedef struct {
     int  bodies, particles;
+    int  room, particle_room;
     int  *parent;       // [bodies] union-find over the contacts of a frame
     int  *island;       // [bodies] the island it fell asleep with, by the body
                         // that stood for it; means nothing while awake
@@ -61,6 +62,8 @@ typedef struct {
 //> sleep-declare
 // All bodies awake.  Fails, leaving *s empty, if memory is refused.
 status sleep_init(sleep_state *s, int bodies, int particles);
+// More of them, if there were fewer; these are awake.  Fails, changing nothing.
+status sleep_grow(sleep_state *s, int bodies, int particles);
 void   sleep_free(sleep_state *s);      // an empty or zeroed one is fine
 
 // A new frame: every body is an island of its own, but sleepers stay with those

@@ -6,7 +6,6 @@
 #include "soft_step.h"
 #include "substeps.h"
 
-#include <assert.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -58,16 +57,14 @@ enum { FAST_PARTS = 4 };
 // A world in which everything sleeps has nothing to do: nothing in it can wake.
 static bool sleeps_on(world *w)
 {
-    int asleep = w->report.asleep;
-    if (asleep == 0 || asleep < w->dynamic_bodies) return false;
-    w->report = (step_report){ .asleep = asleep };
+    if (!w->is_still) return false;
+    w->report = (step_report){ .asleep = w->report.asleep };
     w->time += w->options.dt;
     return true;
 }
 
 void world_step(world *w)
 {
-    assert(w->is_ready);
     if (sleeps_on(w)) return;
     real dt = w->options.dt;
     real since = w->options.host.clock ? w->options.host.clock() : 0;
@@ -204,7 +201,8 @@ static void wake_sleepers(world *w)
 static void find_pairs(world *w)
 {
     rigid_tables *t = &w->rigid;
-    pair_query q = { t->ball, t->reach, t->dynamic, w->bodies };
+    pair_query q = { t->ball, t->reach, t->dynamic, w->bodies, w->plane,
+                     w->planes };
     int lost;
     t->is_new_list = pair_list_update(&t->pairs, &q, &lost);
     w->report.dropped += lost;
@@ -221,7 +219,7 @@ static cache_frame what_to_ask(const world *w)
         .body = t->body, .now = t->now, .middle = t->middle,
         .ahead = t->ahead, .moves = t->moves, .bodies = w->bodies,
         .list = &t->pairs, .is_new_list = t->is_new_list,
-        .plane = w->plane, .planes = w->planes, .stay = w->options.stay,
+        .plane = w->plane, .stay = w->options.stay,
         .run = w->options.host.run };
 }
 
@@ -504,5 +502,7 @@ static void fall_asleep(world *w)
         if (!is_put_to_sleep(w, x)) put_to_sleep(w, x);
         w->report.asleep++;
     }
+    w->is_still = w->report.asleep > 0
+               && w->report.asleep == w->dynamic_bodies;
 }
 //<

@@ -132,6 +132,15 @@ for name in plain ./plain folder/../plain "$folder/plain" new; do
 done
 refuses 1 'name the same file'      room $long --film through --csv folder/inside
 rm through
+# What is being written stands in x.part, so x.part is no name for another file.
+refuses 1 'name the same file'      room $long --csv x --film x.part
+refuses 1 'name the same file'      room $long --film ./x --csv x.part
+mkdir frames
+refuses 1 'name of a frame'  room $long --frames frames --csv frames/frame-00000.png
+refuses 1 'name of a frame'  room $long --frames frames --film ./frames/../frames/frame-x
+ln -s ../plain frames/frame-00000.png
+refuses 1 'is a link'        room --bodies 1 --seconds 0 --frames frames
+rm -r frames
 # A folder made for the frames goes again if the scene cannot be built.
 refuses 1 'none.obj'   room $long --mesh none.obj --frames made
 refuses 1 'none.obj'   room $long --mesh none.obj --csv plain
@@ -172,7 +181,10 @@ cp corners good.obj
 printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >> good.obj
 cp good.obj good.was
 # Steps of a second are more than the contacts bear, and that is said.
-accepts 'not converged' room --dt 1
+run room --dt 1
+verdict 'a long step is named' "$([ $code -eq 0 ] && grep -q 'not converged' "$out" &&
+    grep -q -- '--dt 1 is long' "$err" || echo "exit status $code")"
+accepts ' 20 steps' room --dt 1/20 --seconds 1
 accepts '1 body of good.obj' room --mesh good.obj --bodies 1 --seconds 0.1
 { cat corners; printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\n'; } > open.obj
 { echo v 0 nan 0; cat good.obj; } > nan.obj
@@ -190,12 +202,24 @@ refuses 1 'thin.obj: .*too thin to be solid' room $long --mesh thin.obj
 mkfifo pipe.obj
 refuses 1 'pipe.obj: is not a regular file' room $long --mesh pipe.obj
 ln -s good.obj link.obj
+ln good.obj hard.obj
+cp good.obj x.csv.part
 for option in csv film; do
     refuses 1 "--mesh good.obj and --$option" \
         room $long --mesh good.obj --$option good.obj
     refuses 1 "--mesh good.obj and --$option" \
         room $long --mesh good.obj --$option ./link.obj
+    refuses 1 "--mesh hard.obj and --$option" \
+        room $long --mesh hard.obj --$option good.obj
+    refuses 1 "--mesh x.csv.part and --$option" \
+        room $long --mesh x.csv.part --$option x.csv
 done
+mkdir frames && cp good.obj frames/frame-00001.png
+refuses 1 '--mesh .* has the name of a frame' \
+    room $long --mesh frames/frame-00001.png --frames frames
+verdict 'a mesh among frames is left alone' "$(cmp good.obj frames/frame-00001.png 2>&1)"
+verdict 'a mesh that is named like a .part is left alone' "$(cmp good.obj x.csv.part 2>&1)"
+rm -r frames hard.obj x.csv.part
 verdict 'a mesh that is named twice is left alone' \
     "$(cmp good.obj good.was 2>&1)"
 
@@ -328,6 +352,36 @@ if env --default-signal=INT true 2> /dev/null; then
     interrupts INT 130 --film stop.png
 fi
 interrupts TERM 143
+
+# What waits for the other end of a pipe hears a signal, too.
+mkfifo pipe
+for signal in INT TERM; do
+    case $signal in INT) want=130 ;; *) want=143 ;; esac
+    ears=--default-signal=INT
+    env $ears true 2> /dev/null || { ears=; [ $signal = TERM ] || continue; }
+    env $ears "$tumble" room --csv pipe > "$out" 2> "$err" &
+    child=$!
+    sleep 0.5
+    kill -$signal $child
+    (sleep 5; kill -KILL $child) 2> /dev/null & guard=$!
+    wait $child
+    code=$?
+    kill $guard
+    verdict "a pipe without a reader hears $signal" "$([ $code -eq $want ] &&
+        grep -q 'before the first step' "$err" || echo "exit status $code")"
+done
+# Nor does a reader that reads nothing hold it for ever.
+sleep 20 < pipe & reader=$!
+"$tumble" room --bodies 2 --seconds 90000 --csv pipe > "$out" 2> "$err" &
+child=$!
+sleep 2
+kill -TERM $child; sleep 0.3; kill -TERM $child
+wait $child
+code=$?
+kill $reader
+verdict 'a second signal ends it at once' \
+    "$([ $code -eq 143 ] && [ ! -s "$out" ] || echo "exit status $code")"
+rm pipe
 
 # --- Two at once ----------------------------------------------------------------
 # begin FILE: a run without end that writes there.

@@ -76,7 +76,6 @@ START_TEST(cloth_that_lands_flat_stays_down)
 {
     int c = add_at(&cloth, 0, 0.3, 0);
     add_floor();
-    ready();
     bool landed = false;
     for (int f = 0; f < 120; f++) {
         frames(1);
@@ -102,7 +101,6 @@ START_TEST(cloth_and_rope_stay_above_a_plane)
         p.y = vec3_make(-0.8, 0.6, 0);
         add(s[b], p);
     }
-    ready();
     for (int f = 0; f < 180; f++) {
         frames(1);
         for (int b = 0; b < 2; b++) ck_assert(lowest(b) > 0);
@@ -122,7 +120,6 @@ START_TEST(sheared_sheet_straightens)
     o.gravity = ZERO;
     begin(o);
     add_at(&sheet, 0, 0, 0);
-    ready();
     for (int i = 0; i < sheet.particles; i++) {
         particle *p = particle_of(0, i);
         p->position.x += 0.1 * p->position.z;
@@ -139,6 +136,29 @@ START_TEST(sheared_sheet_straightens)
 }
 END_TEST
 
+// A rope that bears ten thousand times the mass of a link, plucked in its middle.
+// Rejects: substeps in which its links swing ever wider, and tear it.
+START_TEST(loaded_rope_that_is_plucked_holds_its_length)
+{
+    shape loaded;
+    ck_assert(shape_rope(&loaded, 20, 1, 0.21).ok);
+    loaded.mass[20] = 100;
+    placement p = placement_at(ZERO);
+    p.x = vec3_make(0, -1, 0);
+    p.y = vec3_make(1, 0, 0);
+    int b = add(&loaded, p);
+    world_pin(&w, b, 0);
+    particle_of(b, 10)->position.z += 0.005;
+    for (int f = 0; f < 120; f++) {
+        frames(1);
+        real strain = world_measure(&w).strain;
+        ck_assert_msg(strain < 1e-3, "frame %d: strained by %g", f, strain);
+    }
+    world_free(&w);
+    shape_free(&loaded);
+}
+END_TEST
+
 // --- bodies that move --------------------------------------------------------
 
 // A ball as heavy as the sheet that it falls into, hung up by its corners.  It
@@ -149,12 +169,11 @@ START_TEST(sheet_carries_a_ball)
 {
     int c = add_at(&sheet, 0, 0, 0), b = add_at(&ball, 0.05, 1, 0.02);
     pin_corners(c);
-    ready();
     for (int f = 0; f < 600; f++) {
         frames(1);
         real y = middle(b).y;
         ck_assert_msg(y > -0.3 && y <= 1, "frame %d: at %g", f, y);
-        if (f > 120) ck_assert_msg(y < 0.3, "frame %d: up at %g", f, y);
+        if (f > 150) ck_assert_msg(y < 0.3, "frame %d: up at %g", f, y);
         ck_assert(world_measure(&w).penetration == 0);
     }
 }
@@ -174,7 +193,6 @@ START_TEST(ball_takes_a_free_sheet_along)
         int c = add_at(&sheet, 0, 0, 0);
         int b = add_thrown(&ball, vec3_make(0.03, 0.5, 0.02),
                            vec3_make(0, -speed[k], 0), vec3_make(2, 1, 3));
-        ready();
         vec3 from = middle(c);
         int n = (int)(60 * 4 / speed[k]);
         frames(n);
@@ -191,7 +209,7 @@ END_TEST
 
 // A cube of 30 cm and 1 kg flies at 2 m/s, a corner ahead, at a sheet of 20 g
 // whose rim is pinned: between its particles.
-// Rejects: edges and corners that the sticks have the last word about: the sheet
+// Rejects: edges and corners that sticks have the last word about: the sheet
 // lets the corner through, or throws it back at twice its speed.
 START_TEST(corner_that_flies_into_a_held_sheet_is_stopped)
 {
@@ -214,7 +232,6 @@ START_TEST(corner_that_flies_into_a_held_sheet_is_stopped)
         for (int i = 0; i < 36; i++)
             if (i < 6 || i >= 30 || i % 6 == 0 || i % 6 == 5)
                 world_pin(&w, s, i);
-        ready();
         for (int f = 0; f < 60; f++) {
             frames(1);
             real low = HUGE_VAL;
@@ -241,7 +258,6 @@ START_TEST(spinning_box_stays_on_its_side_of_a_cloth)
         const vec3 spin[] = { { 0, 0, 9 }, { 7, 0, 7 }, { 20, 5, 0 } };
         int b = add_thrown(&ball, vec3_make(0, 0.6, 0), ZERO, spin[k]);
         pin_corners(c);
-        ready();
         for (int f = 0; f < 240; f++) {
             frames(1);
             // Or it has rolled off.
@@ -275,7 +291,6 @@ START_TEST(rope_that_sleeps_wakes_under_a_cloth)
     int r = add_at(&rope, 0, 0.1, 0), c = add_at(&cloth, 0, 9000, 0);
     add_nailed(&box, -0.6, -0.5, 0);
     add_nailed(&box, 0.6, -0.5, 0);
-    ready();
     // It lies on two boxes, and creeps into the gap between them for a while.
     ck_assert(sleeps(r, 2400));
     bring(c, vec3_make(0, 0.5, 0), vec3_make(0, -16, 0));
@@ -296,7 +311,6 @@ START_TEST(box_on_a_cloth_lies_still_and_falls_asleep)
 {
     int c = add_at(&cloth, 0, 0.2, 0), b = add_at(&crate, 0.01, 0.7, 0.02);
     add_floor();
-    ready();
     frames(90);
     vec3 was = middle(b);
     ck_assert(sleeps(b, 120));
@@ -324,7 +338,6 @@ START_TEST(pinned_cloth_that_sleeps_is_pinned_as_a_whole)
         particle_of(c, i)->previous.y += up;
     }
     world_pin(&w, c, 0);
-    ready();
     ck_assert(sleeps(c, 600));
     ck_assert_int_eq(w.report.asleep, 1);
     for (int i = 0; i < cloth.particles; i++) {
@@ -344,7 +357,6 @@ START_TEST(lost_number_stays_in_its_body)
     add_at(&sheet, -4, 1, 0);
     int safe = add_at(&cloth, 4, 1, 0), lost = add_at(&ball, -4, 1.2, 0);
     add_floor();
-    ready();
     frames(2);
     particle_of(lost, 2)->position.x = (real)NAN;
     frames(60);
@@ -375,7 +387,6 @@ START_TEST(cloth_bounces_particle_by_particle)
         p.velocity = vec3_make(0, -2, 0);
         int b = add(&cloth, p);
         add_floor();
-        ready();
         real before = world_measure(&w).kinetic;
         for (int f = 0; f < 60; f++) {
             world_step(&w);
@@ -413,7 +424,6 @@ START_TEST(card_sags_by_its_stiffness)
         for (int i = 0; i < strip.particles; i++)
             if (i % 12 < 2) world_pin(&w, b, i);
         ck_assert(world_bend(&w, b, 0.016).ok);
-        ready();
         for (int f = 0; f < 300; f++) world_step(&w);
         // The mass of 12 particles is on 11 links, and half too much at the
         // end: the sum of check_bend.c.
@@ -458,7 +468,6 @@ START_TEST(bends_are_in_the_books)
     ck_assert(shape_rope(&rod, 10, 1, 1).ok);
     int b = add_at(&rod, 0, 0, 0);
     ck_assert(world_bend(&w, b, 0.5).ok);
-    ready();
     for (int i = 0; i < rod.particles; i++) {
         real a = 0.15 * (i - 5);
         particle *p = particle_of(b, i);
@@ -486,6 +495,7 @@ int main(void)
         cloth_that_lands_flat_stays_down,
         cloth_and_rope_stay_above_a_plane,
         sheared_sheet_straightens,
+        loaded_rope_that_is_plucked_holds_its_length,
         sheet_carries_a_ball,
         ball_takes_a_free_sheet_along,
         corner_that_flies_into_a_held_sheet_is_stopped,

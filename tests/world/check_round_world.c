@@ -312,7 +312,6 @@ START_TEST(ball_rolls_down_a_slope_with_five_sevenths)
     vec3 n = { sin(slope), cos(slope), 0 };
     expect_ok(world_add_plane(&w, n, 0));
     int b = add(&ball, placement_at(vec3_scale(.1, n)));
-    ready();
     frames(120);
     real far = vec3_distance(middle(b), vec3_scale(.1, n));
     real a = 9.81 * sin(slope) * 5 / 7, wanted = a * 4 / 2;
@@ -332,7 +331,6 @@ START_TEST(ball_without_friction_slides)
     vec3 n = { sin(slope), cos(slope), 0 };
     expect_ok(world_add_plane(&w, n, 0));
     int b = add(&ball, placement_at(vec3_scale(.1, n)));
-    ready();
     frames(120);
     real far = vec3_distance(middle(b), vec3_scale(.1, n));
     near_real(far, 9.81 * sin(slope) * 2, 1e-3 * far);
@@ -348,7 +346,6 @@ START_TEST(marble_rests_on_a_floor_in_a_corner_and_on_two_edges)
     add_nailed(&box, 5.45, .5, 5);
     add_nailed(&box, 6.55, .5, 5);
     int c = add_at(&ball, 6, 1.1, 5);
-    ready();
     frames(180);
     near_vec3(middle(a), vec3_make(3, .1, 3), 1e-3 * .1);
     near_vec3(middle(b), vec3_make(.1, .1, .1), 1e-3 * .1);
@@ -376,7 +373,6 @@ START_TEST(elastic_impact_changes_speeds_along_the_line_of_centres)
         int a = add_thrown(&ball, vec3_make(-1.003, aside, 0),
                            vec3_make(3, 0, 0), ZERO);
         int b = add_at(k % 2 ? &small : &ball, 0, 0, 0);
-        ready();
         frames(60);
         real sum = k % 2 ? .15 : .2, other = k % 2 ? m : 1;
         real sine = aside / sum, cosine = sqrt(fmax(1 - sine * sine, 0));
@@ -403,7 +399,6 @@ START_TEST(cradle_hands_its_speed_on)
             number[i] = add_thrown(&ball, vec3_make(i * (.2 + gap[k])
                                                     - (i == 0 ? .3 : 0), 0, 0),
                                    vec3_make(i == 0, 0, 0), ZERO);
-        ready();
         frames(60);
         for (int i = 0; i < 4; i++) near_vec3(velocity(number[i]), ZERO, 1e-9);
         near_vec3(velocity(number[4]), vec3_make(1, 0, 0), 1e-9);
@@ -419,7 +414,6 @@ START_TEST(capsule_lies_still_and_falls_over_if_it_leans)
     p.y = vec3_make(sin(.05), cos(.05), 0);
     p.x = vec3_make(cos(.05), -sin(.05), 0);
     int b = add(&capsule, p);
-    ready();
     frames(10);
     ck_assert(vertex_of(b, 1).y - vertex_of(b, 0).y > .3);
     frames(290);
@@ -441,7 +435,6 @@ START_TEST(capsules_lie_on_each_other)
     p.y = vec3_make(0, 0, 1);
     p.z = vec3_make(1, 0, 0);
     int c = add(&capsule, p);
-    ready();
     frames(240);
     near_vec3(middle(a), vec3_make(0, .6, 0), .01);
     near_vec3(middle(b), vec3_make(0, .8, 0), .01);
@@ -461,7 +454,6 @@ START_TEST(fast_ball_does_not_pass_a_plate)
         b[k] = add_thrown(&small, vec3_make(-3, -1 + .5 * k, 0),
                           vec3_make(100 + 77 * k, 0, 0),
                           vec3_make(0, 0, -1000));
-    ready();
     frames(20);
     for (int k = 0; k < 5; k++) ck_assert(middle(b[k]).x < -.055);
     shape_free(&plate);
@@ -472,7 +464,6 @@ START_TEST(balls_in_one_place_part)
 {
     add_floor();
     int a = add_at(&ball, 0, 1, 0), b = add_at(&ball, 0, 1, 0);
-    ready();
     frames(120);
     ck_assert(vec3_distance(middle(a), middle(b)) > .199);
     measures m = world_measure(&w);
@@ -492,7 +483,6 @@ START_TEST(marbles_settle_without_overlap)
     for (int k = 0; k < 200; k++)
         add_at(&ball, -.91 + .26 * (k % 8) + .001 * any(), .15 + .25 * (k / 64),
                -.91 + .26 * (k / 8 % 8) + .001 * any());
-    ready();
     frames(600);
     measures m = world_measure(&w);
     printf("200 marbles: deepest overlap %.4f of a radius, %d asleep, %.2g J\n",
@@ -505,12 +495,10 @@ START_TEST(measured_overlap_knows_the_radii)
 {
     add_floor();
     add_at(&ball, 0, .09, 0);
-    ready();
     near_real(world_measure(&w).penetration, .01, 1e-12);
     begin(world_options_default());
     add_at(&ball, 0, 0, 0);
     add_at(&capsule, .17, 0, 0);
-    ready();
     near_real(world_measure(&w).penetration, .03, 1e-12);
 }
 END_TEST
@@ -521,7 +509,6 @@ START_TEST(skin_rides_on_the_body)
     placement p = anywhere(3, 2, 1);
     p.velocity = ZERO;
     add(&capsule, p);
-    ready();
     world_skin(&w, &w.body[0], at);
     for (int i = 0; i < capsule.skin.points; i++) {
         vec3 q = capsule.skin.at[i];
@@ -544,7 +531,6 @@ static void drape(const shape *s, placement where)
     begin(world_options_default());
     where.is_static = 1;
     int hard = add(s, where), soft = add_at(&cloth, .013, .15, .007);
-    ready();
     vec3 at[2], x[441];
     for (int k = 0; k < 180; k++) {
         world_step(&w);

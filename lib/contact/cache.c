@@ -341,7 +341,9 @@ static swept_status query_swept(contact *c, const cache_frame *f,
     }
     return s;
 }
+//<
 
+//> cache-ahead
 // The normal of round bodies turns as they pass each other.  So they are asked
 // as they will stand when they touch: the one that is round is shifted, as seen
 // from the other, by the part of the way that closes the gap along the normal,
@@ -376,7 +378,9 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
     *m = collide_rigid(&a, &b, margin, turn, carried);
     return gone > 0;
 }
+//<
 
+//> cache-pair
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];

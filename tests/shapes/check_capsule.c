@@ -1,7 +1,7 @@
-// check_round.c - balls and capsules.
+// check_capsule.c - balls and capsules, as shapes.
 
 #include "expect.h"
-#include "round.h"
+#include "capsule.h"
 #include "scarce.h"
 #include "validate.h"
 
@@ -116,7 +116,7 @@ int main(void)
         core_of_a_capsule_is_an_edge, skin_is_closed_and_on_the_surface,
         sizes_out_of_range_are_refused, refused_memory_leaves_nothing
     };
-    Suite *suite = suite_create("round");
+    Suite *suite = suite_create("capsule");
     TCase *all = tcase_create("all");
     for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
     suite_add_tcase(suite, all);

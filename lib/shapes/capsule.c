@@ -1,5 +1,5 @@
 //> round-skin
-#include "round.h"
+#include "capsule.h"
 
 #include <assert.h>
 #include <stdlib.h>

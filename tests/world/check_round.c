@@ -1,4 +1,4 @@
-// check_round_world.c - balls and capsules, in queries and in a world.
+// check_round.c - balls and capsules, in queries and in a world.
 // Book: chapters 10, 11 and 18.
 
 #include <check.h>
@@ -8,7 +8,7 @@
 
 #include "collide.h"
 #include "measure.h"
-#include "round.h"
+#include "capsule.h"
 #include "stage.h"
 #include "step.h"
 
@@ -578,7 +578,7 @@ int main(void)
         measured_overlap_knows_the_radii, skin_rides_on_the_body,
         cloth_lies_on_a_ball_and_on_a_capsule
     };
-    Suite *suite = suite_create("round world");
+    Suite *suite = suite_create("round");
     TCase *all = tcase_create("all");
     tcase_set_timeout(all, 120);
     tcase_add_checked_fixture(all, set_up, tear_down);

@@ -1,12 +1,12 @@
 //> round-head
-// round.h - rigid bodies that are round: all points near a point or a segment.
+// capsule.h - rigid bodies that are round: all points near a point or a segment.
 //
 // Paper: no such bodies; it tests spheres only to find what is near.
 // Book: chapter 10.
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_ROUND_H
-#define TUMBLE_ROUND_H
+#ifndef TUMBLE_CAPSULE_H
+#define TUMBLE_CAPSULE_H
 
 #include "body.h"
 

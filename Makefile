@@ -53,6 +53,7 @@ define ORDER
 18/cache
 18/sleep
 18/world
+18/handle
 18/ledger
 18/soft_step
 18/substeps

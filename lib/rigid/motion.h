@@ -69,6 +69,28 @@ static inline vec3 motion_at(const motion_basis *basis, const motion *m,
 // impulse times a time (kg m) changes a displacement.
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse);
 
+// A moment (N m s): likewise, without a way for the centre.
+static inline void motion_twist(motion *m, const motion_basis *basis,
+                                vec3 moment)
+{
+    for (int t = 0; t < TURNS; t++)
+        m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], moment);
+}
+
+static inline void motion_add(motion *m, motion more)
+{
+    for (int i = 0; i < MOTIONS; i++) m->of[i] += more.of[i];
+}
+
+// m/s: no point within radius (m) of the centre is faster.
+static inline real motion_fastest(const motion_basis *basis, const motion *m,
+                                  real radius)
+{
+    vec3 straight = { m->of[0], m->of[1], m->of[2] };
+    return vec3_length(straight)
+         + radius * vec3_length(motion_rotation(basis, m));
+}
+
 // The kinetic energy (J) of a velocity, and its angular momentum (kg m^2/s)
 // about the centre.
 real motion_energy(const motion_basis *basis, const motion *m);

@@ -159,7 +159,8 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
     relax_options o = f->relax;
     if (shape_directions(plan) > 1)
         o.tolerance = real_max(o.tolerance, CLOTH_TOLERANCE);
-    line_result l = lines_relax(plan, p, f->iterations, o, hold, b->line);
+    line_result l = lines_relax(plan, p, f->iterations, o, hold,
+                                b->compliance / (f->h * f->h), b->line);
     bool is_pinned = false;
     for (int i = 0; i < plan->particles; i++) {
         calm(&p[i], &hold[i]);
@@ -180,6 +181,15 @@ void soft_relax(soft_solver *s, const soft_frame *f)
 }
 //<
 
+//> soft-energy
+real soft_energy(const body *b, const particle *all)
+{
+    const particle *p = all + b->first;
+    return bend_energy(b->shape, b->bending, p)
+         + links_energy(b->shape, b->compliance, p);
+}
+//<
+
 //> soft-stretched
 // A NaN is no strain of at most a hundredth.
 static bool is_stretched(const shape *s, const particle *p)
@@ -193,7 +203,7 @@ int soft_stretched(const soft_frame *f)
 {
     int n = 0;
     for (int b = 0; b < f->bodies; b++)
-        if (is_moving_soft(f, b))
+        if (is_moving_soft(f, b) && !(f->body[b].compliance > 0))
             n += is_stretched(f->body[b].shape, f->particle + f->body[b].first);
     return n;
 }

@@ -230,6 +230,14 @@ void sleep_forget(sleep_state *s, int b)
     s->watch[b] = (sleep_watch){ .halves = 0 };
 }
 
+void sleep_put(sleep_state *s, int b)
+{
+    assert(b >= 0 && b < s->bodies);
+    s->asleep[b] = true;
+    s->island[b] = b;
+    s->watch[b].still = HALVES_TO_SLEEP;
+}
+
 void sleep_wake(sleep_state *s, int b)
 {
     assert(b >= 0 && b < s->bodies);

@@ -93,6 +93,9 @@ bool sleep_is_moving(const sleep_state *s, int b);
 // time_to_sleep.  Returns how many bodies fell asleep.
 int sleep_end(sleep_state *s);
 
+// Puts body b to sleep, as an island of its own.
+void sleep_put(sleep_state *s, int b);
+
 // Wakes body b and all that fell asleep with it: these begin to be observed
 // again.  Nothing happens if it is awake.  The islands of this frame stay as
 // they are.

@@ -1,6 +1,7 @@
 //> step
 #include "step.h"
 #include "guard.h"
+#include "handle.h"
 #include "ledger.h"
 #include "restitution.h"
 #include "soft_step.h"
@@ -78,6 +79,7 @@ void world_step(world *w)
         solve(w, &since);
     }
     fall_asleep(w);
+    world_forget_loads(w);
     ledger_book(w, LEDGER_SLEEP);
     w->time += dt;
     lap(w, PHASE_SLEEP, &since);
@@ -94,20 +96,26 @@ static void lap(world *w, int phase, real *since)
 
 //> step-look
 // How far a body may get in this frame: as fast as it is now, with what gravity
-// adds, and a hundredth of its radius for what impacts add.  However far it
-// turns, no vertex gets further than across; and a ball that turns does not
-// move by that at all.
-static prediction predict(const world *w, const solver_body *now,
-                          real round, const motion *u)
+// adds and what else pushes it, and a hundredth of its radius for what impacts
+// add.  However far it turns, no vertex gets further than across; and a ball
+// gets nowhere by turning.
+static prediction predict(const world *w, int b)
 {
+    const solver_body *now = &w->rigid.now[b];
+    const motion *u = &w->rigid.velocity[b];
     real dt = w->frame;
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     vec3 spin = motion_rotation(&now->basis, u);
     real beside = vec3_length(w->options.gravity) * dt * dt / 2
                 + now->radius / 100;
+    if (w->rigid.is_loaded) {
+        motion more = world_load(w, b, dt);
+        beside += dt * motion_fastest(&now->basis, &more, now->radius);
+    }
     prediction p = { .way = vec3_scale(dt, straight),
                      .angle = dt * vec3_length(spin) };
-    p.turn = (now->radius - round) * real_min(p.angle, 2) + beside;
+    real out = now->radius - w->body[b].shape->round;
+    p.turn = out * real_min(p.angle, 2) + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -150,7 +158,7 @@ static void look_at_body(world *w, int b)
     if (t->moves[b]) {
         now->basis = basis_find(x->rigid, &now->frame);
         t->velocity[b] = motion_of(p, &now->frame, &now->basis, w->age);
-        t->ahead[b] = predict(w, now, x->shape->round, &t->velocity[b]);
+        t->ahead[b] = predict(w, b);
         t->middle[b] = find_middle(w, b);
     } else {
         now->basis = (motion_basis){ .inverse_mass = 0 };
@@ -277,7 +285,7 @@ static solver_frame prepare(world *w)
 //> step-substep
 // A velocity is that in the middle of a substep.  The last one may have been of
 // another length.
-static void fall(world *w, real seconds)
+static void fall(world *w, real seconds, real h)
 {
     vec3 g = vec3_scale(seconds, w->options.gravity);
     for (int b = 0; b < w->bodies; b++) {
@@ -286,6 +294,8 @@ static void fall(world *w, real seconds)
         u[0] += g.x;
         u[1] += g.y;
         u[2] += g.z;
+        if (w->rigid.is_loaded)
+            motion_add(&w->rigid.velocity[b], world_load(w, b, h));
     }
 }
 
@@ -308,7 +318,7 @@ static void bounce(world *w, const solver_frame *f)
 static void substep(world *w, const solver_frame *f, int k, real *since)
 {
     rigid_tables *t = &w->rigid;
-    fall(w, k == 0 ? (w->age + f->h) / 2 : f->h);
+    fall(w, k == 0 ? (w->age + f->h) / 2 : f->h, f->h);
     w->ledger_ahead = f->h / 2;
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
@@ -443,16 +453,6 @@ static void move_bodies(world *w, real h)
 //<
 
 //> step-sleep
-// What sleeps is pinned where it lies: the other phases only look at what moves.
-static void put_to_sleep(world *w, const body *b)
-{
-    for (int i = b->first; i < b->first + body_particles(b); i++) {
-        particle *p = &w->pool.at[i];
-        p->inverse_mass = 0;
-        p->previous = p->position;
-    }
-}
-
 // Does body b lie pinned?  Particles that were pinned from the start do not show.
 static bool is_put_to_sleep(const world *w, const body *b)
 {
@@ -499,7 +499,7 @@ static void fall_asleep(world *w)
     for (int b = 0; b < w->bodies; b++) {
         const body *x = &w->body[b];
         if (!w->sleep.asleep[b] || body_is_static(x)) continue;
-        if (!is_put_to_sleep(w, x)) put_to_sleep(w, x);
+        if (!is_put_to_sleep(w, x)) world_pin_sleeper(w, b);
         w->report.asleep++;
     }
     w->is_still = w->report.asleep > 0

@@ -125,6 +125,16 @@ status world_bend(world *w, int b, real stiffness)
     w->body[b].bending = stiffness;
     return status_ok();
 }
+
+status world_stretch(world *w, int b, real compliance)
+{
+    assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
+    if (!(compliance >= 0) || !(compliance < HUGE_VAL))
+        return status_fail("the compliance of body %d is %g; it must be "
+                           "finite, and 0 or more", b, compliance);
+    w->body[b].compliance = compliance;
+    return status_ok();
+}
 //<
 
 //> world-radius
@@ -167,7 +177,6 @@ static void place_particles(world *w, const body *b, const placement *where)
         particle *p = &w->pool.at[b->first + i];
         if (f) *p = placed_particle(w, where, f->at[i], f->center, f->mass);
         else   *p = placed_particle(w, where, s->at[i], origin, s->mass[i]);
-        w->inverse_mass[b->first + i] = p->inverse_mass;
     }
 }
 //<
@@ -186,6 +195,16 @@ void world_wake(world *w, int b)
     }
     w->soft.near.trusted = -1;
     w->is_still = false;
+}
+
+void world_pin_sleeper(world *w, int b)
+{
+    const body *x = &w->body[b];
+    for (int i = x->first; i < x->first + body_particles(x); i++) {
+        particle *p = &w->pool.at[i];
+        p->inverse_mass = 0;
+        p->previous = p->position;
+    }
 }
 
 bool world_wake_near(world *w, int a, int b)
@@ -214,8 +233,7 @@ static sphere ball_of(const world *w, int b)
     return s;
 }
 
-// Wakes what sleeps near body b: it may lie on it.
-static void wake_around(world *w, int b)
+void world_wake_around(world *w, int b)
 {
     sphere own = ball_of(w, b);
     for (int k = 0; k < w->bodies; k++) {
@@ -291,6 +309,7 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
     TABLE_GROW(ok, t->middle, old, room);
     TABLE_GROW(ok, t->reach, old, room);
     TABLE_GROW(ok, t->relaxed, old, room);
+    TABLE_GROW(ok, t->load, old, room);
     for (int b = old; b < room && ok; b++) t->ball[b].radius = -1;
     return ok;
 }
@@ -353,7 +372,8 @@ static void start_body(world *w, int b)
     t->ahead[b] = (prediction){ .reach = 0 };
     t->reach[b] = 0;
     t->moves[b] = t->dynamic[b] = 0;
-    t->velocity[b] = t->moved[b] = (motion){ { 0 } };
+    t->velocity[b] = t->moved[b] = t->solver.before[b] = (motion){ { 0 } };
+    t->load[b] = (body_load){ .force = { 0, 0, 0 } };
     pair_list_renew(&t->pairs, b);
     sleep_forget(&w->sleep, b);
     w->sleep.asleep[b] = false;
@@ -364,6 +384,18 @@ static void start_body(world *w, int b)
     t->now[b].frame = t->middle[b] = rigid4_frame(w->pool.at + x->first);
     t->now[b].radius = 1.02 * x->rigid->reach;
     t->ball[b] = (sphere){ t->now[b].frame.center, t->now[b].radius };
+}
+
+void world_place(world *w, int b, const placement *where)
+{
+    const body *x = &w->body[b];
+    place_particles(w, x, where);
+    for (int i = x->first; i < x->first + body_particles(x); i++) {
+        particle *p = &w->pool.at[i];
+        p->inverse_mass = w->inverse_mass[i];
+        if (!(p->inverse_mass > 0)) p->previous = p->position;
+    }
+    start_body(w, b);
 }
 
 static void count_mass(world *w, int b)
@@ -440,11 +472,13 @@ status world_add(world *w, const shape *s, placement where, int *number)
     while (w->pool.count < w->body[b].first + n)
         pool_add(&w->pool, (particle){ .inverse_mass = 0 });
     place_particles(w, &w->body[b], &where);
+    for (int i = w->body[b].first; i < w->body[b].first + n; i++)
+        w->inverse_mass[i] = w->pool.at[i].inverse_mass;
     w->softs += body_is_soft(&x);
     w->dynamic_bodies += !body_is_static(&x);
     start_body(w, b);
     count_mass(w, b);
-    if (where.is_static) wake_around(w, b);
+    if (where.is_static) world_wake_around(w, b);
     if (number) *number = b;
     return status_ok();
 }
@@ -465,7 +499,7 @@ void world_remove(world *w, int b)
     assert(b >= 0 && b < w->bodies && !body_is_gone(&w->body[b]));
     body x = w->body[b];
     world_wake(w, b);
-    wake_around(w, b);
+    world_wake_around(w, b);
     cache_forget(&w->rigid.cache, b);
     soft_remove(&w->soft, w->body, b, w->bodies);
     leave_shape(w, x.shape);
@@ -492,7 +526,7 @@ void world_free(world *w)
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
     void *owned[] = { w->body, w->plane, w->shape, w->inverse_mass,
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
-        r->reach, r->velocity, r->moved, r->relaxed };
+        r->reach, r->velocity, r->moved, r->relaxed, r->load };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);

@@ -100,6 +100,11 @@ typedef struct {
     line_scratch *line; // NULL unless deformable
 } shape_entry;
 
+// What pushes a body all through the next frame, from outside.
+typedef struct {
+    vec3 force, torque; // N, N m
+} body_load;
+
 typedef struct {
     int now;            // substeps a frame
     int frames;         // for which fewer would have done
@@ -122,6 +127,8 @@ typedef struct {
     motion      *moved;     // [motions] since the frame began
     int          motions;
     rigid4_result *relaxed; // [bodies] what putting their particles did
+    body_load   *load;      // [bodies]
+    bool is_loaded;         // some are not 0
     real lightest, heaviest;            // kg, of those that are not static
     substep_choice substeps;
     pair_list      pairs;
@@ -196,6 +203,12 @@ void   world_unpin(world *w, int b, int i);
 // nothing, if that is negative or not finite.
 status world_bend(world *w, int b, real stiffness);
 
+// Lets the links of the deformable body b give: of a rope, by how much a newton
+// stretches a metre of it (1/N); of a cloth, a newton for each metre of its
+// width (m/N).  1e-4 m/N: denim.  0, as it is added: not at all.  Fails,
+// changing nothing, if that is negative or not finite.
+status world_stretch(world *w, int b, real compliance);
+
 // Neither static nor asleep.
 static inline bool body_moves(const world *w, int b)
 {
@@ -204,6 +217,15 @@ static inline bool body_moves(const world *w, int b)
 
 // Wakes body b, and all that sleep with it.
 void world_wake(world *w, int b);
+
+// Wakes what sleeps near body b: it may lie on it.
+void world_wake_around(world *w, int b);
+
+// Pins a sleeper where it lies: the other phases only look at what moves.
+void world_pin_sleeper(world *w, int b);
+
+// Body b stands there from now on, and nothing is known of it.
+void world_place(world *w, int b, const placement *where);
 
 // Body a comes near body b: if one of them sleeps and the other did not lie
 // still in the last frame, the sleeper wakes, in time to take its part of the

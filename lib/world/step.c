@@ -2,6 +2,7 @@
 #include "step.h"
 #include "guard.h"
 #include "handle.h"
+#include "join.h"
 #include "ledger.h"
 #include "restitution.h"
 #include "soft_step.h"
@@ -39,6 +40,7 @@ static void solve(world *w, real *since)
     solver_frame f = prepare(w);
     real most = guard_most(w, &f);
     lap(w, PHASE_PREPARE, since);
+    join_begin(w, &f);
     for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
     solver_store(&w->rigid.solver, w->options.host.run,
                  w->rigid.cache.active);
@@ -214,6 +216,7 @@ static void find_pairs(world *w)
     int lost;
     t->is_new_list = pair_list_update(&t->pairs, &q, &lost);
     w->report.dropped += lost;
+    if (t->is_new_list) join_drop_pairs(w);
     w->report.pairs = t->pairs.count;
     wake_sleepers(w);
 }
@@ -318,14 +321,19 @@ static void bounce(world *w, const solver_frame *f)
 static void substep(world *w, const solver_frame *f, int k, real *since)
 {
     rigid_tables *t = &w->rigid;
+    linkage_pass joints = join_pass(w, f);
     fall(w, k == 0 ? (w->age + f->h) / 2 : f->h, f->h);
     w->ledger_ahead = f->h / 2;
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
     solver_begin(&t->solver, f, t->velocity, k == 0);
+    linkage_begin(&w->joints, &joints);
+    linkage_push(&w->joints, &joints);
     solver_push(&t->solver, f, t->velocity, t->moved);
+    linkage_push(&w->joints, &joints);
     advance(w, f->h);
     w->ledger_ahead = -f->h / 2;
+    linkage_relax(&w->joints, &joints);
     solver_relax(&t->solver, f, t->velocity, t->moved);
     solver_end(&t->solver, t->velocity);
     ledger_book(w, LEDGER_CONTACTS);
@@ -339,6 +347,14 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
 // Bodies that turn little go in one move, those of one shape together.
 enum { ALIKE = TASK_CHUNK };
 
+// What is joined is put where its joints have seen it.
+static int moves_of(const world *w, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    if (linkage_has(&w->joints, b)) return 1;
+    return motion_moves(&t->now[b].basis, &t->moved[b]);
+}
+
 static int find_alike(const world *w, int b, int end, int first[ALIKE])
 {
     const rigid_tables *t = &w->rigid;
@@ -346,7 +362,7 @@ static int find_alike(const world *w, int b, int end, int first[ALIKE])
     for (int k = b; k < end; k++) {
         if (!t->moves[k]) continue;
         if (w->body[k].rigid != w->body[b].rigid) break;
-        if (motion_moves(&t->now[k].basis, &t->moved[k]) > 1) break;
+        if (moves_of(w, k) > 1) break;
         first[n++] = w->body[k].first;
     }
     return n;
@@ -358,8 +374,15 @@ static void begin_moves(world *w, int first, int end)
     for (int b = first; b < end; b++) {
         if (!t->moves[b]) continue;
         const solver_body *now = &t->now[b];
-        motion_begin(w->pool.at + w->body[b].first, &now->frame, &now->basis,
-                     &t->moved[b], motion_moves(&now->basis, &t->moved[b]));
+        particle *p = w->pool.at + w->body[b].first;
+        if (linkage_has(&w->joints, b)) {
+            rigid_frame to = motion_frame_free(&now->frame, &now->basis,
+                                               &t->moved[b]);
+            motion_put(p, &to);
+        } else {
+            motion_begin(p, &now->frame, &now->basis, &t->moved[b],
+                         moves_of(w, b));
+        }
     }
 }
 
@@ -369,7 +392,7 @@ static rigid4_result relax_turning(world *w, int b)
     const body *x = &w->body[b];
     particle *p = w->pool.at + x->first;
     rigid4_result sum = { .worst = 0 };
-    int moves = motion_moves(&w->rigid.now[b].basis, &w->rigid.moved[b]);
+    int moves = moves_of(w, b);
     for (int k = 0; k < moves; k++) {
         if (k > 0) motion_go_on(p);
         rigid4_result r = rigid4_relax(x->rigid, p, w->options.iterations,
@@ -411,8 +434,9 @@ static void end_move(world *w, int b, real h)
     const real *d = t->moved[b].of;
     vec3 way = { d[0], d[1], d[2] };
     vec3 turn = motion_rotation(&t->now[b].basis, &t->moved[b]);
-    motion_end(x->rigid, w->pool.at + x->first, &t->now[b].frame,
-               &t->velocity[b], h);
+    motion_end_within(x->rigid, w->pool.at + x->first, &t->now[b].frame,
+                      &t->velocity[b], h,
+                      linkage_has(&w->joints, b) ? 4 : 1.001);
     real out = t->now[b].radius - x->shape->round;
     cache_moved(&t->cache, b, vec3_length(way) + out * vec3_length(turn));
 }
@@ -473,6 +497,7 @@ static void join_islands(world *w)
         if (x->b >= 0 && !body_is_static(&w->body[x->b]))
             sleep_touch(&w->sleep, x->a, x->b);
     }
+    join_islands_of_joints(w);
 }
 
 static void observe(world *w)

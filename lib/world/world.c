@@ -494,10 +494,23 @@ static void leave_shape(world *w, const shape *s)
     if (--w->shape[k].bodies == 0) free_shape(&w->shape[k]);
 }
 
+// What hung on b wakes.
+static void leave_joints(world *w, int b)
+{
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        if (j->kind == JOINT_NONE || (j->a != b && j->b != b)) continue;
+        int other = j->a + j->b - b;
+        if (other >= 0) world_wake(w, other);
+        linkage_remove(&w->joints, k);
+    }
+}
+
 void world_remove(world *w, int b)
 {
     assert(b >= 0 && b < w->bodies && !body_is_gone(&w->body[b]));
     body x = w->body[b];
+    leave_joints(w, b);
     world_wake(w, b);
     world_wake_around(w, b);
     cache_forget(&w->rigid.cache, b);
@@ -531,6 +544,7 @@ void world_free(world *w)
     pair_list_free(&r->pairs);
     cache_free(&r->cache);
     solver_free(&r->solver);
+    linkage_free(&w->joints);
     pool_free(&w->pool);
     sleep_free(&w->sleep);
     soft_free(&w->soft);

@@ -8,6 +8,7 @@
 #define TUMBLE_WORLD_H
 
 #include "cache.h"
+#include "linkage.h"
 #include "sleep.h"
 #include "soft.h"
 
@@ -74,6 +75,8 @@ typedef struct {
                         // smaller body's radius, and bodies whose sticks are
                         // off by a hundredth
     int  dropped;       // contacts or pairs that found no room: should be 0
+    int  broken;        // joints that had to bear more than their strength
+    real parted;        // m, the most by which the points of a joint are apart
 } step_report;
 //<
 
@@ -157,6 +160,7 @@ typedef struct world {
                             // has been done to the world since then
     int  dynamic_bodies;    // not static
     rigid_tables rigid;
+    linkage      joints;
     soft_solver  soft;
     sleep_state  sleep;
     step_report  report;

@@ -34,6 +34,7 @@ define ORDER
 13/task
 13/table
 13/motion
+13/material
 13/contact
 13/solver
 13/restitution

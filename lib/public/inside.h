@@ -72,9 +72,6 @@ void inside_forget_joints(tumble_world *w);
 // Position and axes of p become those of the pose.
 void inside_place(placement *p, tumble_pose pose);
 
-// What a new piece has beside its place: kind, material, damping, filter.
-bool inside_set_up(tumble_world *w, int number, const tumble_body_options *o);
-
 static inline vec3 from_user(tumble_vec3 v)
 {
     return (vec3){ v.x, v.y, v.z };

@@ -1,4 +1,5 @@
 //> face-add
+#include "handle.h"
 #include "inside.h"
 
 #include <limits.h>
@@ -42,6 +43,15 @@ static bool reserve_owners(tumble_world *w)
     return true;
 }
 
+// What a new piece has beside its place.
+static bool set_up(tumble_world *w, int number, const tumble_body_options *o)
+{
+    material m = { o->friction, o->restitution };
+    return inside_is_ok(w, world_set_material(&w->world, number, m))
+        && inside_is_ok(w, world_set_damping(&w->world, number, o->damping,
+                                             o->spin_damping));
+}
+
 static bool add_piece(tumble_world *w, int place, tumble_shape s,
                       tumble_pose pose, const tumble_body_options *o)
 {
@@ -55,7 +65,7 @@ static bool add_piece(tumble_world *w, int place, tumble_shape s,
     w->owner[number] = place;
     x->piece[x->pieces++] = (body_piece){ number, (int)s.place };
     made_of->bodies++;
-    return inside_set_up(w, number, o);
+    return set_up(w, number, o);
 }
 
 static void take_away(tumble_world *w, int place)

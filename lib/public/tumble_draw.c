@@ -3,16 +3,14 @@
 
 #include <stdlib.h>
 
-// Writes the vertices of piece b of a body; returns how many there are.
-static int piece_vertices(const tumble_world *w, int b, tumble_vec3 *out,
-                          int most)
+// Writes the points that piece b of a body is drawn with to the world's scratch;
+// returns them, as they are in its shape.
+static struct skin place_skin(const tumble_world *w, int b)
 {
     const body *x = &w->world.body[b];
-    int n = x->shape->particles;
-    if (most <= 0) return n;
-    world_vertices(&w->world, x, w->scratch);
-    for (int i = 0; i < n && i < most; i++) out[i] = to_user(w->scratch[i]);
-    return n;
+    if (x->shape->round > 0) world_skin(&w->world, x, w->scratch);
+    else world_vertices(&w->world, x, w->scratch);
+    return shape_skin(x->shape);
 }
 
 int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
@@ -20,8 +18,11 @@ int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
 {
     const body_place *x = inside_look(w, b);
     int n = 0;
-    for (int k = 0; x && k < x->pieces; k++)
-        n += piece_vertices(w, x->piece[k].number, out + n, most - n);
+    for (int k = 0; x && k < x->pieces; k++) {
+        struct skin s = place_skin(w, x->piece[k].number);
+        for (int i = 0; i < s.points; i++, n++)
+            if (n < most) out[n] = to_user(w->scratch[i]);
+    }
     return n;
 }
 
@@ -31,18 +32,18 @@ const int (*tumble_triangles(const tumble_world *w, tumble_body b,
     const body_place *x = inside_look(w, b);
     *count = 0;
     if (!x || x->pieces != 1) return NULL;
-    const shape *s = w->world.body[x->piece[0].number].shape;
-    *count = s->mesh.faces;
-    return (const int (*)[3])(const void *)s->face;
+    struct skin s = shape_skin(w->world.body[x->piece[0].number].shape);
+    *count = s.faces;
+    return (const int (*)[3])(const void *)s.face;
 }
 //<
 
 //> face-draw
-static void draw_triangles(const tumble_world *w, const body *x,
+static void draw_triangles(const tumble_world *w, struct skin s,
                            tumble_body id, const tumble_pen *pen)
 {
-    for (int f = 0; f < x->shape->mesh.faces; f++) {
-        const int *v = x->shape->face + 3 * f;
+    for (int f = 0; f < s.faces; f++) {
+        const int *v = s.face + 3 * f;
         tumble_vec3 at[3];
         for (int k = 0; k < 3; k++) at[k] = to_user(w->scratch[v[k]]);
         pen->triangle(pen->context, id, at);
@@ -63,11 +64,11 @@ static void draw_body(const tumble_world *w, int b, const tumble_pen *pen)
 {
     const body *x = &w->world.body[b];
     tumble_body id = inside_owner(w, b);
-    world_vertices(&w->world, x, w->scratch);
+    struct skin s = place_skin(w, b);
     if (x->shape->kind == SHAPE_ROPE) {
         if (pen->line) draw_links(w, x, id, pen);
     } else if (pen->triangle) {
-        draw_triangles(w, x, id, pen);
+        draw_triangles(w, s, id, pen);
     }
 }
 

@@ -1,4 +1,6 @@
 //> face-shapes
+#include "capsule.h"
+#include "hull.h"
 #include "inside.h"
 #include "obj.h"
 
@@ -46,6 +48,32 @@ tumble_shape tumble_icosahedron(tumble_world *w, double radius, double mass)
 {
     shape s;
     status done = shape_icosahedron(&s, radius, mass);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_sphere(tumble_world *w, double radius, double mass)
+{
+    shape s;
+    status done = shape_sphere(&s, radius, mass);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_capsule(tumble_world *w, double length, double radius,
+                            double mass)
+{
+    shape s;
+    status done = shape_capsule(&s, length, radius, mass);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_hull(tumble_world *w, const tumble_vec3 *point, int n,
+                         double mass)
+{
+    shape s;
+    vec3 *at = calloc(n > 0 ? (size_t)n : 1, sizeof *at);
+    for (int k = 0; at && k < n; k++) at[k] = from_user(point[k]);
+    status done = at ? shape_hull(&s, at, n, mass) : status_out_of_memory();
+    free(at);
     return keep(w, &s, done);
 }
 

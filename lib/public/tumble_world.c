@@ -1,4 +1,5 @@
 //> face-world-make
+#include "handle.h"
 #include "inside.h"
 #include "measure.h"
 
@@ -100,7 +101,23 @@ double tumble_time(const tumble_world *w)
 bool tumble_add_plane(tumble_world *w, tumble_vec3 normal, double offset,
                       double friction)
 {
-    return inside_is_ok(w, world_add_plane(&w->world, from_user(normal), offset));
+    world *all = &w->world;
+    if (!(friction < HUGE_VAL))
+        return inside_fail(w, "a plane's friction is %g: it is not finite",
+                           friction);
+    if (!inside_is_ok(w, world_add_plane(all, from_user(normal), offset)))
+        return false;
+    material m = { friction, -1 };
+    return inside_is_ok(w, world_set_plane_material(all, all->planes - 1, m));
+}
+
+bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity)
+{
+    if (!vec3_is_finite(from_user(gravity)))
+        return inside_fail(w, "gravity is not finite");
+    w->world.options.gravity = from_user(gravity);
+    for (int b = 0; b < w->world.bodies; b++) world_wake(&w->world, b);
+    return true;
 }
 
 tumble_report tumble_last_step(const tumble_world *w)

@@ -274,10 +274,9 @@ bool tumble_set_user(tumble_world *w, tumble_body b, void *user);
 int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
                     int most);
 
-// Its triangles, as numbers of vertices, counter-clockwise seen from outside
-// (of a cloth: from above).  They are the shape's, and stay as long as it does.
-const int (*tumble_triangles(const tumble_world *w, tumble_body b,
-                             int *count))[3];
+// Its triangles: three numbers of vertices each, counter-clockwise seen from
+// outside (of a cloth: from above).  They stay as long as its shape does.
+const int *tumble_triangles(const tumble_world *w, tumble_body b, int *count);
 
 // --- Rope and cloth ----------------------------------------------------------
 // Vertex i stays where it is, until it is let go.
@@ -379,8 +378,7 @@ typedef struct {
     tumble_vec3 normal;             // unit, from b to a
     int points;                     // 1 to TUMBLE_POINTS
     tumble_vec3 point[TUMBLE_POINTS];   // m
-    double impulse[TUMBLE_POINTS];  // N s, along the normal, of the last
-                                    // substep
+    double force[TUMBLE_POINTS];    // N, along the normal, in the last substep
 } tumble_contact;
 
 // Of the last step: writes `most` of them, and returns how many there are.

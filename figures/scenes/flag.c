@@ -28,10 +28,10 @@ static void act(tumble_world *w)
     double angle = 0.4 * sin(0.7 * tumble_time(w));
     tumble_vec3 wind = tumble_v(speed * cos(angle), 0, speed * sin(angle));
     int n;
-    const int (*corner)[3] = tumble_triangles(w, cloth, &n);
+    const int *corner = tumble_triangles(w, cloth, &n);
     tumble_vertices(w, cloth, at, COLUMNS * ROWS);
     for (int k = 0; k < n; k++) {
-        const int *c = corner[k];
+        const int *c = corner + 3 * k;
         tumble_vec3 p = less(at[c[1]], at[c[0]]), q = less(at[c[2]], at[c[0]]);
         tumble_vec3 d = tumble_v(p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z,
                                  p.x * q.y - p.y * q.x);

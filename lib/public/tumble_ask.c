@@ -26,7 +26,7 @@ static rounded body_hull(const tumble_world *w, int b, vec3 *at)
 static bool is_asked(const tumble_world *w, int b, const question *q)
 {
     const body *x = &w->world.body[b];
-    if (body_is_soft(x) || !(x->group & q->mask)) return false;
+    if (body_is_soft(x)) return false;
     vec3 center = rigid4_frame(w->world.pool.at + x->first).center;
     real near = q->around.radius + x->rigid->reach;
     vec3 d = vec3_sub(center, q->around.center);

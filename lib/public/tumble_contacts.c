@@ -36,7 +36,7 @@ static tumble_contact told(const tumble_world *w, const contact *c)
         if (!(c->impulse[k] > 0)) continue;
         contact_arms arm = contact_arms_of(c, k, &a, c->b < 0 ? NULL : &b);
         t.point[t.points] = to_user(vec3_add(a.center, arm.a));
-        t.impulse[t.points++] = c->impulse[k];
+        t.force[t.points++] = c->impulse[k] / all->age;
     }
     return t;
 }

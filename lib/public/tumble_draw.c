@@ -26,15 +26,14 @@ int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
     return n;
 }
 
-const int (*tumble_triangles(const tumble_world *w, tumble_body b,
-                             int *count))[3]
+const int *tumble_triangles(const tumble_world *w, tumble_body b, int *count)
 {
     const body_place *x = inside_look(w, b);
     *count = 0;
     if (!x || x->pieces != 1) return NULL;
     struct skin s = shape_skin(w->world.body[x->piece[0].number].shape);
     *count = s.faces;
-    return (const int (*)[3])(const void *)s.face;
+    return s.face;
 }
 //<
 

@@ -104,7 +104,10 @@ bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)
     if (!(force >= 0))
         return inside_fail(w, "a joint of strength %g N: it must be 0 or more",
                            force);
-    w->world.joints.joint[x->number].strength = force > 0 ? force : HUGE_VAL;
+    joint *held = &w->world.joints.joint[x->number];
+    held->strength = force > 0 ? force : HUGE_VAL;
+    if (held->a >= 0) world_wake(&w->world, held->a);
+    if (held->b >= 0) world_wake(&w->world, held->b);
     return true;
 }
 //<

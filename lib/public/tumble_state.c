@@ -212,3 +212,24 @@ tumble_vec3 tumble_vertex(const tumble_world *w, tumble_body b, int i)
     return to_user(w->scratch[i]);
 }
 //<
+
+//> face-material
+bool tumble_set_material(tumble_world *w, tumble_body b, double friction,
+                         double restitution)
+{
+    const body_place *x = inside_body(w, b);
+    material m = { friction, restitution };
+    for (int k = 0; x && k < x->pieces; k++)
+        if (!inside_is_ok(w, world_set_material(&w->world, x->piece[k].number,
+                                                m))) return false;
+    return x != NULL;
+}
+
+bool tumble_set_damping(tumble_world *w, tumble_body b, double damping,
+                        double spin_damping)
+{
+    const body_place *x = inside_body(w, b);
+    return x && inside_is_ok(w, world_set_damping(&w->world, x->piece[0].number,
+                                                  damping, spin_damping));
+}
+//<

@@ -1,4 +1,4 @@
-// check_tumble.c - tests of lib/tumble.h: is it what a program expects?
+// check_program.c - tests of lib/tumble.h: is it what a program expects?
 
 #include "tumble.h"
 
@@ -106,7 +106,7 @@ START_TEST(the_id_of_a_body_that_is_gone_is_refused)
     ck_assert(tumble_has(w, crate));
     ck_assert(!tumble_push(w, car, tumble_v(1, 0, 0), tumble_v(0, 2, 0)));
     expect_failure(w, "body 0 is gone");
-    near_vec3(tumble_velocity(w, crate), 0, 0, 0, 0);
+    near_vec3(tumble_velocity(w, crate), 0, 0, 0, 1e-12);
     ck_assert(!tumble_remove(w, car));
     ck_assert_int_eq(tumble_bodies(w), 1);
     tumble_free(w);
@@ -379,8 +379,8 @@ START_TEST(contacts_carry_the_weight_and_events_come_once)
     ck_assert_uint_eq(c[0].b.place, tumble_ground().place);
     near_vec3(c[0].normal, 0, 1, 0, 1e-9);
     double sum = 0;
-    for (int k = 0; k < c[0].points; k++) sum += c[0].impulse[k];
-    near(sum, 2 * 9.81 / 480, 1e-3);
+    for (int k = 0; k < c[0].points; k++) sum += c[0].force[k];
+    near(sum, 2 * 9.81, 0.02);
     run(w, 3);
     ck_assert(!tumble_is_awake(w, b));
     ck_assert_int_eq(tumble_events(w, e, 4), 0);
@@ -428,10 +428,12 @@ START_TEST(a_rope_hangs_from_its_pin_and_carries)
                                   tumble_at(0, 0, 0));
     tumble_vec3 nail = tumble_vertex(w, rope, 0);
     ck_assert(tumble_pin(w, rope, 0));
+    ck_assert(tumble_set_damping(w, rope, 2, 0));
     run(w, 10);
     near_vec3(tumble_vertex(w, rope, 0), nail.x, nail.y, nail.z, 0);
     near(tumble_vertex(w, rope, 10).y, nail.y - 2, 0.02);
     ck_assert(tumble_unpin(w, rope, 0));
+    ck_assert(tumble_set_damping(w, rope, 0, 0));
     run(w, 1);
     ck_assert_double_lt(tumble_vertex(w, rope, 0).y, nail.y - 4);
     ck_assert(!tumble_pin(w, rope, 11));
@@ -476,8 +478,8 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("tumble");
-    TCase *t = tcase_create("tumble");
+    Suite *suite = suite_create("program");
+    TCase *t = tcase_create("program");
     tcase_set_timeout(t, 60);
     tcase_add_test(t, a_world_that_cannot_be_says_which_option);
     tcase_add_test(t, a_body_falls_as_galileo_says_and_lies);

@@ -116,7 +116,8 @@ PEERS    := $(notdir $(wildcard figures/peers/peers*.c))
 PILES    := $(basename $(notdir $(wildcard figures/peers/piles*.c figures/peers/piles*.cpp)))
 # These, and piles_bullet.cpp, need libccd, ODE and Bullet; nothing else does.
 THEIRS   := peers_ccd.c peers_ode.c piles_ode.c
-PAINTER  := $(filter-out shrink.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c)))
+SCENES   := $(filter-out example_main.c,$(notdir $(wildcard figures/scenes/*.c)))
+PAINTER  := $(filter-out shrink.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c))) $(SCENES)
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
 FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz/fuzz_*.c)))
 
@@ -609,7 +610,7 @@ endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
 ROOMS := -Ilib $(patsubst %/,-I%,$(wildcard lib/*/ tests/support/ tests/contact/ tests/soft/ tests/hard/ tests/fuzz/ \
-  figures/draw/ figures/measure/ figures/command/ figures/peers/))
+  figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/))
 $(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
 	$(compile)
 $(BUILD)/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(BUILD)/flags

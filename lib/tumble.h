@@ -227,7 +227,9 @@ bool tumble_remove(tumble_world *w, tumble_body b);
 
 // Is it in the world?
 bool tumble_has(const tumble_world *w, tumble_body b);
-int  tumble_bodies(const tumble_world *w);
+
+// All bodies: writes `most` of them, and returns how many there are.
+int tumble_bodies(const tumble_world *w, tumble_body *out, int most);
 
 // Of a body that is not there, all numbers are 0.
 tumble_pose tumble_get_pose(const tumble_world *w, tumble_body b);
@@ -290,6 +292,11 @@ bool tumble_push_vertex(tumble_world *w, tumble_body b, int i,
 
 // Stiffness against bending: N m^2 of a rope, N m of a cloth; 0: none.
 bool tumble_set_bending(tumble_world *w, tumble_body b, double stiffness);
+
+// By how much threads give: a newton stretches a metre of a rope by so many
+// metres (1/N), or a cloth, for every metre of its width (m/N).  Denim: 1e-4.
+// 0: not at all.
+bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance);
 //<
 
 //> tumble-joints

@@ -1,5 +1,5 @@
 // blanket.c - a cloth that falls over a pile of boxes.
-#include "stage.h"
+#include "example.h"
 
 enum { BOXES = 27 };
 
@@ -23,7 +23,8 @@ static double strain(tumble_world *w)
     return tumble_measure(w).strain;
 }
 
-const stage blanket = {
+const example blanket = {
     .name = "blanket", .about = "a cloth over a pile", .seconds = 6,
+    .has_floor = true, .eye = { 2.8, 2.4, 3.2 }, .target = { 0, 0.5, 0 },
     .build = build, .claim = "no thread is strained by more than 2 %",
     .error = strain, .most = 0.02 };

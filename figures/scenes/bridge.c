@@ -1,5 +1,5 @@
 // bridge.c - a rope bridge: planks between two banks, joined by hinges.
-#include "stage.h"
+#include "example.h"
 
 #include <math.h>
 
@@ -58,7 +58,8 @@ static double wrong_sag(tumble_world *w)
     return fabs(sag + half - hangs(least, &span));
 }
 
-const stage bridge = {
+const example bridge = {
     .name = "bridge", .about = "twenty planks that hang", .seconds = 20,
+    .eye = { 5, 3, 12 }, .target = { 0, -0.6, 0 },
     .build = build, .claim = "it sags as the catenary of planks, to 5 mm",
     .error = wrong_sag, .most = 0.005 };

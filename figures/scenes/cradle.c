@@ -1,5 +1,5 @@
 // cradle.c - Newton's cradle: five balls on strings, and one is let go.
-#include "stage.h"
+#include "example.h"
 
 #include <math.h>
 
@@ -48,8 +48,9 @@ static double lost(tumble_world *w)
     return fabs(fastest_last - should_be) / should_be;
 }
 
-const stage cradle = {
+const example cradle = {
     .name = "cradle", .about = "Newton's, with five balls", .seconds = 1,
+    .eye = { 0.9, -0.3, 2.6 }, .target = { 0.35, -0.6, 0 },
     .options = elastic, .build = build, .act = act,
     .claim = "the last ball leaves with the speed of the first, to 2 %",
     .error = lost, .most = 0.02 };

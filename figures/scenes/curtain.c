@@ -1,5 +1,5 @@
 // curtain.c - a ball walks through a curtain that hangs from a rail.
-#include "stage.h"
+#include "example.h"
 
 enum { SIDE = 30 };
 static tumble_body cloth, ball;
@@ -32,8 +32,9 @@ static double inside(tumble_world *w)
     return is_through ? deepest : 1;
 }
 
-const stage curtain = {
+const example curtain = {
     .name = "curtain", .about = "a ball walks through it", .seconds = 4,
+    .eye = { 3, 2, 4 }, .target = { 0, 1.2, 0 },
     .build = build,
     .claim = "the ball has passed, and the curtain is not in it",
     .error = inside };

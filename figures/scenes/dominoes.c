@@ -1,5 +1,5 @@
 // dominoes.c - sixty of them on a curve; the first is pushed.
-#include "stage.h"
+#include "example.h"
 
 #include <math.h>
 
@@ -8,7 +8,7 @@ static tumble_body piece[PIECES];
 
 static void build(tumble_world *w)
 {
-    const double radius = 4, step = 0.5 / radius;       // m, rad
+    const double radius = 6, step = 0.5 / radius;       // m, rad
     tumble_shape s = tumble_box(w, tumble_v(0.2, 1, 0.5), 0.3);
     tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
     for (int k = 0; k < PIECES; k++) {
@@ -18,7 +18,7 @@ static void build(tumble_world *w)
         at.pose.rotation = tumble_turn(tumble_v(0, 1, 0), angle);
         piece[k] = tumble_add(w, s, at);
     }
-    tumble_push(w, piece[0], tumble_v(0.3, 0, 0), tumble_v(0, 1, radius));
+    tumble_push(w, piece[0], tumble_v(0.6, 0, 0), tumble_v(0, 1, radius));
 }
 
 // How many still stand?
@@ -29,6 +29,7 @@ static double standing(tumble_world *w)
     return n;
 }
 
-const stage dominoes = {
-    .name = "dominoes", .about = "sixty on a curve, and a push", .seconds = 10,
+const example dominoes = {
+    .name = "dominoes", .about = "sixty on a curve, and a push", .seconds = 15,
+    .has_floor = true, .eye = { 9, 9, 14 }, .target = { 0, 0.4, 0 },
     .build = build, .claim = "all have fallen", .error = standing };

@@ -1,5 +1,5 @@
 // flag.c - a flag on a pole, in a wind that turns.
-#include "stage.h"
+#include "example.h"
 
 #include <math.h>
 
@@ -50,8 +50,9 @@ static double strain(tumble_world *w)
     return flies ? tumble_measure(w).strain : 1;
 }
 
-const stage flag = {
+const example flag = {
     .name = "flag", .about = "on a pole, in the wind", .seconds = 10,
+    .eye = { 1.2, 3.4, 4.2 }, .target = { 0.75, 2.8, 0 },
     .build = build, .act = act,
     .claim = "it flies, and no thread is strained by more than 2 %",
     .error = strain, .most = 0.02 };

@@ -1,5 +1,5 @@
 // marbles.c - a hundred marbles run through a funnel.
-#include "stage.h"
+#include "example.h"
 
 #include <math.h>
 
@@ -46,6 +46,7 @@ static double stuck(tumble_world *w)
     return n;
 }
 
-const stage marbles = {
+const example marbles = {
     .name = "marbles", .about = "a hundred through a funnel", .seconds = 10,
+    .has_floor = true, .eye = { 2.6, 3.6, 3.4 }, .target = { 0, 1.5, 0 },
     .build = build, .claim = "all have come through", .error = stuck };

@@ -1,5 +1,5 @@
 // ragdoll.c - a doll of eleven capsules falls down a stair.
-#include "stage.h"
+#include "example.h"
 
 #include <math.h>
 
@@ -62,8 +62,9 @@ static void act(tumble_world *w)
 
 static double gap(tumble_world *w) { (void)w; return worst; }
 
-const stage ragdoll = {
+const example ragdoll = {
     .name = "ragdoll", .about = "a doll falls down a stair", .seconds = 6,
+    .has_floor = true, .eye = { 4.5, 3.2, 5.5 }, .target = { 1.3, 1.1, 0 },
     .build = build, .act = act,
     .claim = "no joint ever gapes by more than a millimetre",
     .error = gap, .most = 1e-3 };

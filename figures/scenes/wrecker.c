@@ -1,5 +1,5 @@
 // wrecker.c - a wrecking ball on a chain, and a wall of bricks.
-#include "stage.h"
+#include "example.h"
 
 #include <math.h>
 
@@ -46,7 +46,8 @@ static double spared(tumble_world *w)
     return n < 10 ? 10 - n : 0;
 }
 
-const stage wrecker = {
+const example wrecker = {
     .name = "wrecker", .about = "a ball on a chain, and a wall", .seconds = 6,
+    .has_floor = true, .eye = { 9, 5, 9 }, .target = { 0, 2.2, 0 },
     .build = build, .claim = "ten bricks or more were moved by half a metre",
     .error = spared };

@@ -62,6 +62,12 @@ tumble_body tumble_ground(void)
     return (tumble_body){ UINT_MAX, UINT_MAX };
 }
 
+rigid_frame inside_frame(const tumble_world *w, int b)
+{
+    if (b < 0) return JOINT_WORLD;
+    return rigid4_frame(w->world.pool.at + w->world.body[b].first);
+}
+
 tumble_body inside_owner(const tumble_world *w, int b)
 {
     if (b < 0) return tumble_ground();

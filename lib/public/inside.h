@@ -60,6 +60,9 @@ joint_place *inside_joint(tumble_world *w, tumble_joint j);
 // The body with this id, without a failure.
 const body_place *inside_look(const tumble_world *w, tumble_body b);
 
+// Where rigid body b of the engine stands; b < 0: the frame of the world.
+rigid_frame inside_frame(const tumble_world *w, int b);
+
 // The quaternion of the rotation whose matrix has the columns x, y and z.
 tumble_quat inside_quat(vec3 x, vec3 y, vec3 z);
 

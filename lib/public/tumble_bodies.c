@@ -130,11 +130,16 @@ bool tumble_has(const tumble_world *w, tumble_body b)
     return inside_look(w, b) != NULL;
 }
 
-int tumble_bodies(const tumble_world *w)
+int tumble_bodies(const tumble_world *w, tumble_body *out, int most)
 {
     int n = 0;
-    for (int k = 0; k < w->bodies.count; k++)
-        n += slots_is_taken(&w->bodies, k);
+    for (int k = 0; k < w->bodies.count; k++) {
+        if (!slots_is_taken(&w->bodies, k)) continue;
+        if (n < most)
+            out[n] = (tumble_body){ (unsigned)k,
+                                    slots_generation(&w->bodies, k) };
+        n++;
+    }
     return n;
 }
 //<

@@ -19,24 +19,17 @@ static const contact *pushing(const world *w, const cache_pair *p)
     return is_known && contact_load(c) > 0 ? c : NULL;
 }
 
-static rigid_frame stands(const world *w, int b)
-{
-    return rigid4_frame(w->pool.at + w->body[b].first);
-}
-
 static tumble_contact told(const tumble_world *w, const contact *c)
 {
-    const world *all = &w->world;
     tumble_contact t = { .a = inside_owner(w, c->a),
                          .b = inside_owner(w, c->b),
                          .normal = to_user(c->normal) };
-    rigid_frame a = stands(all, c->a), b = a;
-    if (c->b >= 0) b = stands(all, c->b);
+    rigid_frame a = inside_frame(w, c->a), b = inside_frame(w, c->b);
     for (int k = 0; k < c->count; k++) {
         if (!(c->impulse[k] > 0)) continue;
         contact_arms arm = contact_arms_of(c, k, &a, c->b < 0 ? NULL : &b);
         t.point[t.points] = to_user(vec3_add(a.center, arm.a));
-        t.force[t.points++] = c->impulse[k] / all->age;
+        t.force[t.points++] = c->impulse[k] / w->world.age;
     }
     return t;
 }

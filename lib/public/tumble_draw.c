@@ -71,6 +71,19 @@ static void draw_body(const tumble_world *w, int b, const tumble_pen *pen)
     }
 }
 
+// A joint is where its two points are: one, or, of a distance, two.
+static void draw_joint(const tumble_world *w, const joint *j,
+                       const tumble_pen *pen)
+{
+    rigid_frame a = inside_frame(w, j->a), b = inside_frame(w, j->b);
+    vec3 end[2];
+    joint_points(j, &a, &b, &end[0], &end[1]);
+    tumble_vec3 at[2] = { to_user(end[0]), to_user(end[1]) };
+    tumble_body id = inside_owner(w, j->a >= 0 ? j->a : j->b);
+    if (j->kind == JOINT_DISTANCE && pen->line) pen->line(pen->context, id, at);
+    else if (pen->point) pen->point(pen->context, id, at[0]);
+}
+
 static void draw_contacts(const tumble_world *w, const tumble_pen *pen)
 {
     int n = tumble_contacts(w, NULL, 0);
@@ -90,6 +103,9 @@ void tumble_draw(const tumble_world *w, const tumble_pen *pen)
         for (int i = 0; x && i < x->pieces; i++)
             draw_body(w, x->piece[i].number, pen);
     }
+    const linkage *l = &w->world.joints;
+    for (int k = 0; k < l->count; k++)
+        if (l->joint[k].kind != JOINT_NONE) draw_joint(w, &l->joint[k], pen);
     if (pen->point) draw_contacts(w, pen);
 }
 //<

@@ -201,6 +201,13 @@ bool tumble_set_bending(tumble_world *w, tumble_body b, double stiffness)
         && inside_is_ok(w, world_bend(&w->world, number, stiffness));
 }
 
+bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance)
+{
+    int number = find_vertex(w, b, 0);
+    return number >= 0
+        && inside_is_ok(w, world_stretch(&w->world, number, compliance));
+}
+
 tumble_vec3 tumble_vertex(const tumble_world *w, tumble_body b, int i)
 {
     const body_place *x = inside_look(w, b);

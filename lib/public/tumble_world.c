@@ -124,7 +124,7 @@ tumble_report tumble_last_step(const tumble_world *w)
 {
     const step_report *r = &w->world.report;
     return (tumble_report){
-        .substeps = r->substeps, .bodies = tumble_bodies(w),
+        .substeps = r->substeps, .bodies = tumble_bodies(w, NULL, 0),
         .asleep = r->asleep, .pairs = r->pairs, .contacts = r->contacts,
         .unconverged = r->unconverged, .dropped = r->dropped,
         .broken = r->broken };

@@ -1,19 +1,19 @@
-// stage_main.c - runs the scenes that are named, or all: does each hold what it
-// claims?   cc stage_main.c stages.c pyramid.c ... -ltumble -lm
+// example_main.c - runs the scenes that are named, or all: does each hold what it
+// claims?   cc example_main.c examples.c pyramid.c ... -ltumble -lm
 
-#include "stage.h"
+#include "example.h"
 
 #include <stdio.h>
 #include <string.h>
 
-static bool is_wanted(const stage *s, int count, char **name)
+static bool is_wanted(const example *s, int count, char **name)
 {
     for (int k = 1; k < count; k++)
         if (strcmp(name[k], s->name) == 0) return true;
     return count == 1;
 }
 
-static bool run(const stage *s)
+static bool run(const example *s)
 {
     tumble_options o = s->options ? s->options() : tumble_options_default();
     tumble_world *w = tumble_make(&o);
@@ -35,7 +35,7 @@ static bool run(const stage *s)
 int main(int count, char **name)
 {
     bool all = true;
-    for (int k = 0; stages[k]; k++)
-        if (is_wanted(stages[k], count, name)) all = run(stages[k]) && all;
+    for (int k = 0; examples[k]; k++)
+        if (is_wanted(examples[k], count, name)) all = run(examples[k]) && all;
     return !all;
 }

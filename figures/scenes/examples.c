@@ -1,8 +1,8 @@
-// stages.c - the scenes, in the order of the book.
-#include "stage.h"
+// examples.c - the scenes, in the order of the book.
+#include "example.h"
 
 #include <stddef.h>
 
-const stage *const stages[] = {
+const example *const examples[] = {
     &pyramid, &dominoes, &cradle, &bridge, &ragdoll, &wrecker, &marbles, &flag,
     &curtain, &blanket, NULL };

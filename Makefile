@@ -33,6 +33,7 @@ define ORDER
 13/task
 13/table
 13/motion
+13/material
 13/contact
 13/solver
 13/restitution
@@ -49,12 +50,15 @@ define ORDER
 16/near
 16/touch
 16/soft
+17/joint
+17/linkage
 18/cache
 18/sleep
 18/world
 18/handle
 18/ledger
 18/soft_step
+18/join
 18/substeps
 18/guard
 18/step

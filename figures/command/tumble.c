@@ -5,10 +5,9 @@
 
 #define _POSIX_C_SOURCE 200809L
 
-#include "film.h"
+#include "frames.h"
 #include "obj.h"
-#include "options.h"
-#include "output.h"
+#include "record.h"
 #include "thread.h"
 
 #include <errno.h>
@@ -70,8 +69,9 @@ typedef struct {
     long     steps, done;       // wanted; finished
     output   csv;
     strip    strip;
-    int      folder_made;       // the folder of frames is ours
-    long     frames, frame_every;
+    frames   pictures, meshes;
+    output   record;
+    replay   replay;
     real    *step_time;         // [steps] s
     real     phase_time[PHASES];
     real     began, told;       // s, by the clock: the run, the last progress
@@ -121,22 +121,24 @@ static status check_frames(const named_file *f, const char *folder)
 {
     if (!f->path || !folder || !output_is_in(f->path, folder, "frame-"))
         return status_ok();
-    return status_fail("%s %.60s has the name of a frame that --frames %.60s "
-                       "writes", f->option, f->path, folder);
+    return status_fail("%s %.60s has the name of a frame that is written into "
+                       "%.60s", f->option, f->path, folder);
 }
 
 // Before anything is opened: what is opened to be written may be overwritten.
 static status check_names(const settings *set)
 {
     const named_file file[] = {
-        { "--mesh", set->mesh, 1 }, { "--film", set->film, 0 },
-        { "--csv", set->csv, 0 },
+        { "--mesh", set->mesh, 1 }, { "--replay", set->replay, 1 },
+        { "--film", set->film, 0 }, { "--csv", set->csv, 0 },
+        { "--record", set->record, 0 },
     };
     int files = (int)(sizeof file / sizeof file[0]);
     status done = status_ok();
     for (int i = 0; i < files && done.ok; i++) {
         done = check_read(&file[i]);
         if (done.ok) done = check_frames(&file[i], set->frames);
+        if (done.ok) done = check_frames(&file[i], set->obj);
         for (int k = i + 1; k < files && done.ok; k++)
             done = check_pair(&file[i], &file[k]);
     }
@@ -148,8 +150,13 @@ static status check_outputs(run *r)
     status done = check_names(&r->set);
     if (done.ok && r->set.film) done = output_check(r->set.film);
     if (done.ok && r->set.csv) done = output_check(r->set.csv);
-    if (done.ok && r->set.frames)
-        done = frame_folder(r->set.frames, &r->folder_made);
+    if (done.ok && r->set.record) done = output_check(r->set.record);
+    r->pictures = (frames){ .folder = r->set.frames, .ending = ".png",
+                            .write = film_write };
+    r->meshes = (frames){ .folder = r->set.obj, .ending = ".obj",
+                          .write = obj_write };
+    if (done.ok && r->set.frames) done = frames_begin(&r->pictures);
+    if (done.ok && r->set.obj) done = frames_begin(&r->meshes);
     return done;
 }
 
@@ -199,6 +206,8 @@ static status begin_scene(run *r)
 // Everything that can go wrong before the first step goes wrong here.
 static status run_begin(run *r)
 {
+    settings_print_notes(&r->set, stderr);
+    if (r->set.scene != SCENE_ROOM) r->set.mesh = NULL;     // nothing reads it
     status done = check_outputs(r);
     if (!done.ok) return done;
     done = begin_scene(r);
@@ -208,9 +217,8 @@ static status run_begin(run *r)
     if (!r->step_time) return status_out_of_memory();
     if (r->set.csv) done = output_open(&r->csv, r->set.csv);
     if (done.ok) done = write_csv_head(r);
+    if (done.ok && r->set.record) done = record_open(&r->record, &r->set);
     r->strip = strip_begin(r->set.scene, r->steps, r->set.dt);
-    r->frame_every = (long)(1 / (30 * r->set.dt) + 0.5);
-    if (r->frame_every < 1) r->frame_every = 1;
     r->began = r->told = clock_seconds();
     return done;
 }
@@ -218,8 +226,10 @@ static status run_begin(run *r)
 static void run_free(run *r)
 {
     output_cancel(&r->csv);
-    // A folder that we made for nothing goes again; one with frames stays.
-    if (r->folder_made && r->frames == 0) rmdir(r->set.frames);
+    output_cancel(&r->record);
+    replay_close(&r->replay);
+    frames_end(&r->pictures);
+    frames_end(&r->meshes);
     strip_free(&r->strip);
     runner_free(&r->run);
     thread_pool_free(r->pool);
@@ -228,15 +238,17 @@ static void run_free(run *r)
 
 // ---- Steps -----------------------------------------------------------------
 
-// The pictures that are due.
-static status take_pictures(run *r)
+// What is due after a step, or before the first one.
+static status look_at_run(run *r)
 {
-    status done = status_ok();
     pose now = { r->set.scene, &r->run.scene, r->run.at, r->run.time };
-    if (r->set.film) done = strip_look(&r->strip, now, r->done);
-    if (!done.ok || !r->set.frames || r->done % r->frame_every) return done;
-    done = frame_write(now, r->set.frames, r->frames);
-    if (done.ok) r->frames++;
+    status done = replay_look(&r->replay, &r->run, r->done,
+                              r->steps);
+    if (done.ok) done = record_look(&r->record, &r->run, r->done, 0);
+    if (done.ok && r->set.film) done = strip_look(&r->strip, now, r->done);
+    if (r->done % settings_steps_a_frame(&r->set)) return done;
+    if (done.ok && r->set.frames) done = frames_add(&r->pictures, now);
+    if (done.ok && r->set.obj) done = frames_add(&r->meshes, now);
     return done;
 }
 
@@ -279,8 +291,7 @@ static status step_run(run *r)
     for (int k = 0; k < PHASES && r->run.kind == BY_ENGINE; k++)
         r->phase_time[k] += r->run.world.report.time[k];
     status done = write_csv_row(r);
-    if (done.ok) done = take_pictures(r);
-    return done;
+    return done.ok ? look_at_run(r) : done;
 }
 
 // A line that says how far we are, five times a second, where somebody looks.
@@ -295,12 +306,19 @@ static void tell_progress(run *r, int to_terminal)
             r->set.seconds, (now - r->began) * (1 - share) / share);
 }
 
+// A replay ends where its record does, and where they part.
+static int is_on(const run *r)
+{
+    return r->done < r->steps && !r->lost && !stop_signal
+        && (!r->replay.file || (r->replay.step >= 0 && !r->replay.parted));
+}
+
 static status run_steps(run *r)
 {
     int to_terminal = isatty(STDERR_FILENO);
     measure_run(r);
-    status done = take_pictures(r);
-    while (done.ok && r->done < r->steps && !r->lost && !stop_signal) {
+    status done = look_at_run(r);
+    while (done.ok && is_on(r)) {
         done = step_run(r);
         tell_progress(r, to_terminal);
     }
@@ -398,17 +416,28 @@ static void print_times(run *r)
            "%.3g s\n", sum, clock_seconds() - r->began);
 }
 
+static void print_frames(const frames *f)
+{
+    if (f->count > 0)
+        printf("wrote %s/frame-00000%s and on: %ld frame%s\n", f->folder,
+               f->ending, f->count, f->count == 1 ? "" : "s");
+}
+
 static void print_files(const run *r)
 {
     if (r->set.film && r->strip.taken > 0)
         printf("wrote %s: %d picture%s\n", r->set.film, r->strip.taken,
                r->strip.taken == 1 ? "" : "s");
-    if (r->frames > 0)
-        printf("wrote %s/frame-00000.png and on: %ld picture%s\n",
-               r->set.frames, r->frames, r->frames == 1 ? "" : "s");
+    print_frames(&r->pictures);
+    print_frames(&r->meshes);
     if (r->set.csv)
         printf("wrote %s: %ld row%s\n", r->set.csv, r->done,
                r->done == 1 ? "" : "s");
+    if (r->set.record) printf("wrote %s\n", r->set.record);
+    if (r->replay.equal > 0)
+        printf("%s: %ld hash%s equal, to step %ld\n", r->set.replay,
+               r->replay.equal, r->replay.equal == 1 ? "" : "es",
+               r->replay.equal_step);
 }
 
 // ---- The whole -------------------------------------------------------------
@@ -433,6 +462,10 @@ static status run_finish(run *r)
     status done = status_ok();
     if (r->set.film) done = strip_write(&r->strip, r->set.film);
     if (done.ok && r->csv.file) done = output_commit(&r->csv);
+    // Where numbers are lost there is nothing to compare.
+    if (done.ok && !r->lost)
+        done = record_look(&r->record, &r->run, r->done, 1);
+    if (done.ok && r->record.file) done = output_commit(&r->record);
     if (!done.ok) return done;
     print_title(r);
     print_errors(r);
@@ -451,7 +484,16 @@ static int tell_end(const run *r)
                 "what was finished is kept\n", r->done + 1, r->steps);
         return EXIT_FAILURE;
     }
-    if (r->done == r->steps) return EXIT_SUCCESS;
+    if (r->replay.parted) {
+        fprintf(stderr, "tumble: the motion is not that of %s: the hashes part "
+                "at step %ld", r->set.replay, r->replay.step);
+        if (r->replay.equal > 0)
+            fprintf(stderr, ", after step %ld", r->replay.equal_step);
+        fprintf(stderr, "\n");
+        return EXIT_FAILURE;
+    }
+    if (r->done == r->steps || (r->replay.file && r->replay.step < 0))
+        return EXIT_SUCCESS;
     fprintf(stderr, "tumble: stopped after step %ld of %ld; what was finished "
             "is kept\n", r->done, r->steps);
     return EXIT_SIGNAL + stop_signal;
@@ -460,10 +502,10 @@ static int tell_end(const run *r)
 static int run_scene(const settings *set)
 {
     run r = { .set = *set };
-    settings_print_notes(set, stderr);
-    if (set->scene != SCENE_ROOM) r.set.mesh = NULL;    // nothing reads it
     catch_signals(0);
-    status done = run_begin(&r);
+    status done = check_names(set);
+    if (done.ok && set->replay) done = replay_open(&r.replay, &r.set);
+    if (done.ok) done = run_begin(&r);
     if (!done.ok && stop_signal)
         done = status_fail("stopped before the first step");
     catch_signals(SA_RESTART);

@@ -396,7 +396,21 @@ typedef struct {
     const solver_frame *f;
     const contact *const *table;
     const real *reach;
+    real slowest;       // m/s, what closes more slowly does not strike
 } preparation;
+
+static void set_materials(const preparation *p, block *k)
+{
+    k->friction = real4_all(p->f->friction);
+    k->slowest = real4_all(p->slowest);
+    for (int l = 0; l < REAL4 && p->f->material; l++) {
+        if (k->contact[l] < 0) continue;
+        const active_contact *x = &p->s->active[k->contact[l]];
+        material m = solver_material(p->f, x->a, x->b);
+        real4_set(&k->friction, l, m.friction);
+        if (!(m.restitution > 0)) real4_set(&k->slowest, l, HUGE_VAL);
+    }
+}
 
 static void activate_chunk(void *data, int item)
 {
@@ -448,6 +462,7 @@ static void fill_block(const preparation *p, int number)
     transpose(k, &raw, q);
     real4 inverse = real4_add(k->inverse_a, k->inverse_b);
     find_center(k, &raw, center_a, center_b);
+    set_materials(p, k);
     make_points(k, &raw, inverse, center_a);
     make_friction(k, &raw, inverse, center_a, center_b);
 }
@@ -479,6 +494,7 @@ static void keep_chunk(void *data, int item)
     int end = task_end(item, s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
         block *k = &s->block[n];
+        set_materials(p, k);
         for (int l = 0; l < REAL4 && k->contact[l] >= 0; l++) {
             const active_contact *x = &s->active[k->contact[l]];
             for (int j = 0; j < x->count; j++) {
@@ -566,7 +582,7 @@ static bool make_blocks(contact_solver *s, preparation *p)
 bool solver_look(contact_solver *s, const solver_frame *f,
                  const contact *const *table, const real *reach, int n)
 {
-    preparation p = { s, f, table, reach };
+    preparation p = { .s = s, .f = f, .table = table, .reach = reach };
     if (!make_room(s, n)) {
         forget_blocks(s);
         return false;
@@ -580,7 +596,8 @@ bool solver_look(contact_solver *s, const solver_frame *f,
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table)
 {
-    preparation p = { s, f, table, NULL };
+    preparation p = { .s = s, .f = f, .table = table,
+                      .slowest = 2 * vec3_length(f->gravity) * f->h };
     if (may_keep_blocks(s, f)) {
         tasks_run(f->run, keep_chunk, &p, task_chunks(s->blocks));
         return true;
@@ -692,8 +709,7 @@ typedef struct {
     motion *velocity;
     const motion *moved;
     real per_h;             // 1/s
-    real friction, max_speed;
-    real slowest;           // m/s, what closes more slowly does not strike
+    real max_speed;
     softness soft[SIDES];
     int first, count, sides;    // the blocks of a colour
 } pass;
@@ -789,11 +805,11 @@ ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 //> solver-relax
 // How fast the points part, and 0 for those that an impact may part in the next
 // substep: they are open, have not pushed, and close fast.
-static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
-                                  real4 impulse)
+static inline real4 leave_impacts(const block *k, const pass *q, real4 speed,
+                                  real4 gap, real4 impulse)
 {
     const real4 zero = real4_all(0);
-    real4 slow = real4_add(speed, real4_all(q->slowest));
+    real4 slow = real4_add(speed, k->slowest);
     real4 open = real4_mad(gap, real4_all(q->per_h), speed);
     open = real4_if_positive(impulse, open, real4_if_positive(slow, open, zero));
     return real4_if_positive(gap, open, speed);
@@ -802,7 +818,7 @@ static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
 ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
-    const real4 friction = real4_all(q->friction);
+    const real4 friction = k->friction;
     see_block(k, q, two);
     sides4 u = take_sides(k, q->velocity, two);
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
@@ -812,7 +828,7 @@ ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
         real4 gap = p->now;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
-        speed = has_impacts ? leave_impacts(q, speed, gap, p->impulse)
+        speed = has_impacts ? leave_impacts(k, q, speed, gap, p->impulse)
               : real4_mad(real4_max(gap, zero), per_h, speed);
         push_point(p, real4_sub(p->impulse, real4_mul(p->mass, speed)),
                    inverse, &parting, &sum, &u, two);
@@ -899,8 +915,7 @@ static void run_pass(contact_solver *s, const solver_frame *f,
                      void (*work)(void *data, int item))
 {
     pass q = { .s = s, .velocity = velocity, .moved = moved, .per_h = 1 / f->h,
-               .friction = f->friction, .max_speed = f->max_speed,
-               .slowest = 2 * vec3_length(f->gravity) * f->h };
+               .max_speed = f->max_speed };
     for (int i = 0; i < SIDES; i++) q.soft[i] = softness_of(f, i);
     for (int c = 0; c < s->colors; c++) {
         q.first = s->color[c].first;

@@ -32,7 +32,7 @@ static motion_sum rigid_motion(const world *w)
 
 static void add_soft_motion(motion_sum *s, const world *w, const body *x)
 {
-    s->energy += bend_energy(x->shape, x->bending, w->pool.at + x->first);
+    s->energy += soft_energy(x, w->pool.at);
     for (int i = x->first; i < x->first + body_particles(x); i++) {
         const particle *p = &w->pool.at[i];
         vec3 way = vec3_sub(p->position, p->previous);
@@ -52,9 +52,9 @@ static real load_energy(const world *w)
     return sum;
 }
 
-// Contacts create no motion: beside what there is, and what bends have stored,
-// only gravity does, what pushes from outside, and the speed at which overlaps
-// are pushed out.  sqrt(2 energy / mass) is a length in the space of all
+// Contacts create no motion: beside what there is, and what bends and links
+// have stored, only gravity does, what pushes from outside, and the speed at
+// which overlaps are pushed out.  sqrt(2 energy / mass) is a length in the space of all
 // velocities: these add up to no more than their sum.
 real guard_most(const world *w, const solver_frame *f)
 {

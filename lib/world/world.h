@@ -8,6 +8,7 @@
 #define TUMBLE_WORLD_H
 
 #include "cache.h"
+#include "linkage.h"
 #include "sleep.h"
 #include "soft.h"
 
@@ -74,6 +75,8 @@ typedef struct {
                         // smaller body's radius, and bodies whose sticks are
                         // off by a hundredth
     int  dropped;       // contacts or pairs that found no room: should be 0
+    int  broken;        // joints that had to bear more than their strength
+    real parted;        // m, the most by which the points of a joint are apart
 } step_report;
 //<
 
@@ -129,6 +132,7 @@ typedef struct {
     rigid4_result *relaxed; // [bodies] what putting their particles did
     body_load   *load;      // [bodies]
     bool is_loaded;         // some are not 0
+    material    *material;  // [bodies] deformable ones, too
     real lightest, heaviest;            // kg, of those that are not static
     substep_choice substeps;
     pair_list      pairs;
@@ -149,6 +153,10 @@ typedef struct world {
     int  planes, shapes, softs;     // softs: deformable bodies
     struct body *body;
     struct plane *plane;
+    material *wall;         // [planes] what each is made of
+    int *owner;             // [particles] of the pool: whose they are
+    bool has_materials;     // not all bodies and planes are of the world's
+    bool is_damped;         // some rigid bodies are
     shape_entry *shape;     // [shapes]
     real time;              // s
     real age;               // s, a particle was at `previous` so long ago
@@ -157,6 +165,7 @@ typedef struct world {
                             // has been done to the world since then
     int  dynamic_bodies;    // not static
     rigid_tables rigid;
+    linkage      joints;
     soft_solver  soft;
     sleep_state  sleep;
     step_report  report;
@@ -202,6 +211,12 @@ void   world_unpin(world *w, int b, int i);
 // of a cloth in N m, see bend.h; 0, as it is added: none.  Fails, changing
 // nothing, if that is negative or not finite.
 status world_bend(world *w, int b, real stiffness);
+
+// Lets the links of the deformable body b give: of a rope, by how much a newton
+// stretches a metre of it (1/N); of a cloth, a newton for each metre of its
+// width (m/N).  1e-4 m/N: denim.  0, as it is added: not at all.  Fails,
+// changing nothing, if that is negative or not finite.
+status world_stretch(world *w, int b, real compliance);
 
 // Neither static nor asleep.
 static inline bool body_moves(const world *w, int b)

@@ -140,19 +140,6 @@ tumble_measures tumble_measure(const tumble_world *w);
 unsigned long long tumble_hash(const tumble_world *w);
 //<
 
-//> tumble-save
-// Writes the world to `to`, if `room` bytes suffice.  Returns how many bytes it
-// needs, or 0 if it fails.  Equal worlds are saved as equal bytes.
-size_t tumble_save(const tumble_world *w, void *to, size_t room);
-
-// The world that was saved, with the same ids; its steps will have the same
-// bits.  run and context are those of `options`, which may be NULL.  Bytes come
-// from this version, on a machine with the same order of bytes; others are
-// refused (NULL; tumble_failure(NULL) says why).
-tumble_world *tumble_load(const void *from, size_t size,
-                          const tumble_options *options);
-//<
-
 //> tumble-shapes
 // --- Shapes ------------------------------------------------------------------
 // A shape belongs to its world, and is good for many bodies.  Mass (kg) is that
@@ -326,10 +313,6 @@ tumble_joint tumble_fix(tumble_world *w, tumble_body a, tumble_body b,
 tumble_joint tumble_distance(tumble_world *w, tumble_body a, tumble_vec3 at_a,
                              tumble_body b, tumble_vec3 at_b, double least,
                              double most);
-
-// Vertex i of a rope or cloth stays at its place on a rigid body.
-tumble_joint tumble_hang(tumble_world *w, tumble_body soft, int i,
-                         tumble_body b);
 
 // N: a joint that has to bear more breaks, and is gone; 0: it never does.
 bool tumble_set_strength(tumble_world *w, tumble_joint j, double force);

@@ -14,8 +14,8 @@ static bool find_side(tumble_world *w, tumble_body b, int *number)
     if (!x) return false;
     *number = x->piece[0].number;
     if (!body_is_soft(&w->world.body[*number])) return true;
-    return inside_fail(w, "body %u is a rope or a cloth: it is hung by its "
-                       "vertices, with tumble_hang", b.place);
+    return inside_fail(w, "body %u is a rope or a cloth: joints hold rigid "
+                       "bodies", b.place);
 }
 
 static tumble_joint join(tumble_world *w, tumble_body a, tumble_body b,

@@ -6,11 +6,11 @@
 #include <stddef.h>
 #include <string.h>
 
-// What is asked about: a thing, where it may get, and whom to ask.
+// What is asked about: a thing, where it goes, and which bodies are asked.
 typedef struct {
     rounded thing;
     vec3 way;           // m
-    sphere around;      // all of it, wherever it gets
+    sphere around;      // the thing, before it goes
     unsigned mask;
 } question;
 
@@ -22,6 +22,16 @@ static rounded body_hull(const tumble_world *w, int b, vec3 *at)
     return (rounded){ { at, x->shape->particles }, x->shape->round };
 }
 
+// m^2, how near the way comes to x.
+static real way_to(const question *q, vec3 x)
+{
+    vec3 d = vec3_sub(x, q->around.center);
+    real square = vec3_length_squared(q->way), along = vec3_dot(d, q->way);
+    real t = square > 0 ? along / square : 0;
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    return vec3_length_squared(vec3_add_scaled(d, -t, q->way));
+}
+
 // Is body b of the engine one that is asked, and may it be met?
 static bool is_asked(const tumble_world *w, int b, const question *q)
 {
@@ -29,13 +39,11 @@ static bool is_asked(const tumble_world *w, int b, const question *q)
     if (body_is_soft(x)) return false;
     vec3 center = rigid4_frame(w->world.pool.at + x->first).center;
     real near = q->around.radius + x->rigid->reach;
-    vec3 d = vec3_sub(center, q->around.center);
     // Written so that what is not finite is asked.
-    return !(vec3_length_squared(d) > near * near * (1 + 1e-9));
+    return !(way_to(q, center) > near * near * (1 + 1e-9));
 }
 
-// A ball around hull h on its way.
-static sphere ball_around(rounded h, vec3 way)
+static sphere ball_around(rounded h)
 {
     vec3 sum = { 0, 0, 0 };
     for (int k = 0; k < h.core.count; k++) sum = vec3_add(sum, h.core.at[k]);
@@ -43,8 +51,7 @@ static sphere ball_around(rounded h, vec3 way)
     real most = 0;
     for (int k = 0; k < h.core.count; k++)
         most = real_max(most, vec3_length(vec3_sub(h.core.at[k], center)));
-    return (sphere){ vec3_add_scaled(center, 0.5, way),
-                     most + h.round + vec3_length(way) / 2 };
+    return (sphere){ center, most + h.round };
 }
 
 static void take(tumble_hit *best, const cast_result *r, tumble_body b)
@@ -82,7 +89,7 @@ bool tumble_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
     vec3 tip = from_user(from);
     question q = { { { &tip, 1 }, 0 }, vec3_sub(from_user(to), tip),
                    .mask = mask };
-    q.around = ball_around(q.thing, q.way);
+    q.around = ball_around(q.thing);
     return first_met(w, &q, hit);
 }
 
@@ -103,7 +110,7 @@ static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
         at[k] = vec3_add(at[k], from_user(pose.position));
     }
     q->thing = (rounded){ { at, x->shape->particles }, x->shape->round };
-    q->around = ball_around(q->thing, q->way);
+    q->around = ball_around(q->thing);
     return true;
 }
 

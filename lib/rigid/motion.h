@@ -77,9 +77,9 @@ static inline void motion_twist(motion *m, const motion_basis *basis,
         m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], moment);
 }
 
-static inline void motion_add(motion *m, motion more)
+static inline void motion_add(motion *m, const motion *more)
 {
-    for (int i = 0; i < MOTIONS; i++) m->of[i] += more.of[i];
+    for (int i = 0; i < MOTIONS; i++) m->of[i] += more->of[i];
 }
 
 // m/s: no point within radius (m) of the centre is faster.

@@ -29,6 +29,8 @@ typedef struct body {
     real bending;       // N m^2, or N m, of a deformable one: see bend.h
     real compliance;    // 1/N, or m/N, of a deformable one: see line.h
     real inner;         // m, the inner radius of a rigid one
+    real damping;       // 1/s, the share of its velocity that it loses,
+    real spin_damping;  // 1/s, and of its spin, if it is rigid
 } body;
 
 static inline bool body_is_soft(const body *b)

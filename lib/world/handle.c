@@ -180,6 +180,49 @@ void world_forget_loads(world *w)
 }
 //<
 
+//> handle-material
+static status take_material(world *w, material *own, material m)
+{
+    if (m.friction < 0) m.friction = w->options.friction;
+    if (m.restitution < 0) m.restitution = w->options.restitution;
+    if (!(m.friction <= 1000))
+        return status_fail("friction is %g; it must be at most 1000",
+                           m.friction);
+    if (!(m.restitution <= 1))
+        return status_fail("restitution is %g; it must be at most 1",
+                           m.restitution);
+    *own = m;
+    w->has_materials = true;
+    return status_ok();
+}
+
+status world_set_material(world *w, int b, material m)
+{
+    assert(b >= 0 && b < w->bodies);
+    world_wake(w, b);
+    return take_material(w, &w->rigid.material[b], m);
+}
+
+status world_set_plane_material(world *w, int k, material m)
+{
+    assert(k >= 0 && k < w->planes);
+    return take_material(w, &w->wall[k], m);
+}
+
+status world_set_damping(world *w, int b, real damping, real spin_damping)
+{
+    assert(b >= 0 && b < w->bodies);
+    if (!(damping >= 0 && damping < HUGE_VAL
+          && spin_damping >= 0 && spin_damping < HUGE_VAL))
+        return status_fail("the damping of body %d is %g and %g; both must be "
+                           "finite, and 0 or more", b, damping, spin_damping);
+    w->body[b].damping = damping;
+    w->body[b].spin_damping = spin_damping;
+    w->is_damped |= damping > 0 || spin_damping > 0;
+    return status_ok();
+}
+//<
+
 //> handle-sleep
 void world_sleep(world *w, int b)
 {

@@ -46,6 +46,18 @@ motion world_load(const world *w, int b, real seconds);
 // A step is over: they are gone.
 void   world_forget_loads(world *w);
 
+// What body b, or plane k, is made of; friction or restitution < 0: as the
+// world's options say now.  Two that meet rub with the root of the product of
+// their frictions, and bounce with the larger restitution.  Fail, changing
+// nothing, if friction is more than 1000, restitution more than 1, or one is no
+// number.
+status world_set_material(world *w, int b, material m);
+status world_set_plane_material(world *w, int k, material m);
+
+// The shares of its velocity and its spin that a body loses, 1/s; a deformable
+// one has no spin.  Fails, changing nothing, if one is negative or not finite.
+status world_set_damping(world *w, int b, real damping, real spin_damping);
+
 // Puts body b to sleep where it is; anything may wake it.  Nothing happens to a
 // static one.
 void world_sleep(world *w, int b);

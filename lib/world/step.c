@@ -99,7 +99,8 @@ static void lap(world *w, int phase, real *since)
 //> step-look
 // How far a body may get in this frame: as fast as it is now, with what gravity
 // adds and what else pushes it, and a hundredth of its radius for what impacts
-// add.  However far it turns, no vertex gets further than across.
+// add.  However far it turns, no vertex gets further than across; and a ball
+// gets nowhere by turning.
 static prediction predict(const world *w, int b)
 {
     const solver_body *now = &w->rigid.now[b];
@@ -115,7 +116,8 @@ static prediction predict(const world *w, int b)
     }
     prediction p = { .way = vec3_scale(dt, straight),
                      .angle = dt * vec3_length(spin) };
-    p.turn = now->radius * real_min(p.angle, 2) + beside;
+    real out = now->radius - w->body[b].shape->round;
+    p.turn = out * real_min(p.angle, 2) + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -246,6 +248,16 @@ static void find_contacts(world *w)
 //> step-prepare
 // Contacts are damped ten times as much as would just not swing, and push out
 // at 3 m/s at most.  In smaller substeps their springs may be stiffer.
+static real most_restitution(const world *w)
+{
+    real most = w->options.restitution;
+    for (int b = 0; b < w->bodies && w->has_materials; b++)
+        most = real_max(w->rigid.material[b].restitution, most);
+    for (int k = 0; k < w->planes && w->has_materials; k++)
+        most = real_max(w->wall[k].restitution, most);
+    return most;
+}
+
 static solver_frame frame_of(const world *w, int substeps)
 {
     const world_options *o = &w->options;
@@ -255,8 +267,10 @@ static solver_frame frame_of(const world *w, int substeps)
         .placed = w->rigid.cache.placed, .plane = w->plane, .h = h,
         .substeps = substeps,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
+        .material = w->has_materials ? w->rigid.material : NULL,
+        .wall = w->wall,
         .hertz = o->hertz, .damping = 10, .max_speed = 3,
-        .restitution = o->restitution, .gravity = o->gravity,
+        .restitution = most_restitution(w), .gravity = o->gravity,
         .run = o->host.run };
 }
 
@@ -284,6 +298,16 @@ static solver_frame prepare(world *w)
 //<
 
 //> step-substep
+// v' = -d v, by an implicit step: v (1 + h d) is what it was.  No d is too
+// large for it.
+static void damp(const body *b, real h, real u[MOTIONS])
+{
+    real straight = 1 / (1 + h * b->damping);
+    real turning = 1 / (1 + h * b->spin_damping);
+    for (int i = 0; i < MOTIONS; i++)
+        u[i] *= i < MOTION_TURN ? straight : turning;
+}
+
 // A velocity is that in the middle of a substep.  The last one may have been of
 // another length.
 static void fall(world *w, real seconds, real h)
@@ -295,8 +319,11 @@ static void fall(world *w, real seconds, real h)
         u[0] += g.x;
         u[1] += g.y;
         u[2] += g.z;
-        if (w->rigid.is_loaded)
-            motion_add(&w->rigid.velocity[b], world_load(w, b, h));
+        if (w->rigid.is_loaded) {
+            motion more = world_load(w, b, h);
+            motion_add(&w->rigid.velocity[b], &more);
+        }
+        if (w->is_damped) damp(&w->body[b], h, u);
     }
 }
 
@@ -311,7 +338,7 @@ static void bounce(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
     const contact *const *table = (const contact *const *)t->cache.active;
-    if (!(w->options.restitution > 0)) return;
+    if (!(f->restitution > 0)) return;
     if (restitution_solve(table, t->cache.actives, f, t->velocity, t->moved))
         solver_see_gaps(&t->solver, f, t->moved);
 }
@@ -435,8 +462,8 @@ static void end_move(world *w, int b, real h)
     motion_end_within(x->rigid, w->pool.at + x->first, &t->now[b].frame,
                       &t->velocity[b], h,
                       linkage_has(&w->joints, b) ? 4 : 1.001);
-    cache_moved(&t->cache, b, vec3_length(way)
-                              + t->now[b].radius * vec3_length(turn));
+    real out = t->now[b].radius - x->shape->round;
+    cache_moved(&t->cache, b, vec3_length(way) + out * vec3_length(turn));
 }
 
 typedef struct {

@@ -78,6 +78,12 @@ status world_init(world *w, world_options options)
     return check_options(&options);
 }
 
+// The world's own.
+static material material_of(const world *w)
+{
+    return (material){ w->options.friction, w->options.restitution };
+}
+
 status world_add_plane(world *w, vec3 normal, real offset)
 {
     real length = vec3_length(normal), away = offset / length;
@@ -85,8 +91,11 @@ status world_add_plane(world *w, vec3 normal, real offset)
         return status_fail("plane %d has no finite normal and offset",
                            w->planes);
     plane *more = grown(w->plane, w->planes, sizeof *more);
-    if (!more) return status_out_of_memory();
-    w->plane = more;
+    if (more) w->plane = more;
+    material *wall = grown(w->wall, w->planes, sizeof *wall);
+    if (wall) w->wall = wall;
+    if (!more || !wall) return status_out_of_memory();
+    w->wall[w->planes] = material_of(w);
     w->plane[w->planes++] = (plane){ vec3_scale(1 / length, normal), away };
     pair_list_renew(&w->rigid.pairs, -1);
     for (int b = 0; b < w->bodies; b++) world_wake(w, b);
@@ -310,6 +319,7 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
     TABLE_GROW(ok, t->reach, old, room);
     TABLE_GROW(ok, t->relaxed, old, room);
     TABLE_GROW(ok, t->load, old, room);
+    TABLE_GROW(ok, t->material, old, room);
     for (int b = old; b < room && ok; b++) t->ball[b].radius = -1;
     return ok;
 }
@@ -339,9 +349,10 @@ static bool grow_pool(world *w, int particles)
 {
     int was = w->pool.capacity, more = 2 * particles;
     if (particles <= was) return true;
-    if (!table_grow(&w->inverse_mass, w->pool.count, more,
-                    sizeof *w->inverse_mass)) return false;
-    return pool_reserve(&w->pool, more).ok;
+    bool ok = true;
+    TABLE_GROW(ok, w->inverse_mass, w->pool.count, more);
+    TABLE_GROW(ok, w->owner, w->pool.count, more);
+    return ok && pool_reserve(&w->pool, more).ok;
 }
 
 // For one more body, with so many more particles.
@@ -472,8 +483,11 @@ status world_add(world *w, const shape *s, placement where, int *number)
     while (w->pool.count < w->body[b].first + n)
         pool_add(&w->pool, (particle){ .inverse_mass = 0 });
     place_particles(w, &w->body[b], &where);
-    for (int i = w->body[b].first; i < w->body[b].first + n; i++)
+    for (int i = w->body[b].first; i < w->body[b].first + n; i++) {
         w->inverse_mass[i] = w->pool.at[i].inverse_mass;
+        w->owner[i] = b;
+    }
+    w->rigid.material[b] = material_of(w);
     w->softs += body_is_soft(&x);
     w->dynamic_bodies += !body_is_static(&x);
     start_body(w, b);
@@ -537,9 +551,10 @@ void world_free(world *w)
 {
     rigid_tables *r = &w->rigid;
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
-    void *owned[] = { w->body, w->plane, w->shape, w->inverse_mass,
+    void *owned[] = { w->body, w->plane, w->wall, w->shape, w->inverse_mass,
+        w->owner,
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
-        r->reach, r->velocity, r->moved, r->relaxed, r->load };
+        r->reach, r->velocity, r->moved, r->relaxed, r->load, r->material };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);
@@ -562,5 +577,17 @@ void world_vertices(const world *w, const body *b, vec3 *at)
         return;
     }
     for (int i = 0; i < b->shape->particles; i++) at[i] = p[i].position;
+}
+
+void world_skin(const world *w, const body *b, vec3 *at)
+{
+    const struct skin *k = &b->shape->skin;
+    if (k->points == 0) {
+        world_vertices(w, b, at);
+        return;
+    }
+    rigid_frame frame = rigid4_frame(w->pool.at + b->first);
+    for (int i = 0; i < k->points; i++)
+        at[i] = frame_point(&frame, rigid4_local(b->rigid, k->at[i]));
 }
 //<

@@ -132,6 +132,7 @@ typedef struct {
     rigid4_result *relaxed; // [bodies] what putting their particles did
     body_load   *load;      // [bodies]
     bool is_loaded;         // some are not 0
+    material    *material;  // [bodies] deformable ones, too
     real lightest, heaviest;            // kg, of those that are not static
     substep_choice substeps;
     pair_list      pairs;
@@ -152,6 +153,10 @@ typedef struct world {
     int  planes, shapes, softs;     // softs: deformable bodies
     struct body *body;
     struct plane *plane;
+    material *wall;         // [planes] what each is made of
+    int *owner;             // [particles] of the pool: whose they are
+    bool has_materials;     // not all bodies and planes are of the world's
+    bool is_damped;         // some rigid bodies are
     shape_entry *shape;     // [shapes]
     real time;              // s
     real age;               // s, a particle was at `previous` so long ago
@@ -238,6 +243,9 @@ bool world_wake_near(world *w, int a, int b);
 
 // Writes to at where the vertices of body b are now: shape->particles of them.
 void   world_vertices(const world *w, const body *b, vec3 *at);
+
+// The same for the points that are drawn of it, see shape_skin.
+void   world_skin(const world *w, const body *b, vec3 *at);
 
 //<
 

@@ -337,6 +337,160 @@ START_TEST(force_of_its_weight_holds_a_body)
 }
 END_TEST
 
+// --- materials ---------------------------------------------------------------
+
+static shape cube;
+
+// On a slope of 3 : 4, sine .6 and cosine .8, that is a plane or a body.
+static int add_on_slope(const shape *s, real z, real up)
+{
+    vec3 n = { -0.6, 0.8, 0 };
+    placement p = placement_at(vec3_add_scaled(vec3_make(0, 0, z), up, n));
+    p.x = vec3_make(0.8, 0.6, 0);
+    p.y = n;
+    return add(s, p);
+}
+
+// Five boxes of five frictions, .1, .2 ... on a slope of .9; each slides at
+// g (sin a - mu cos a), with the root of the product, or rests.
+// Rejects: the friction of the first for all of a block; the mean; the world's.
+START_TEST(each_box_slides_with_a_friction_of_its_own)
+{
+    shape slab;
+    ck_assert(shape_box(&cube, vec3_make(1, 0.25, 1), 1).ok);
+    ck_assert(shape_box(&slab, vec3_make(60, 1, 60), 1).ok);
+    for (int fixed = 0; fixed < 2; fixed++) {
+        begin(world_options_default());
+        if (fixed) {
+            int b = add_on_slope(&slab, 0, -0.5);
+            placement p = world_where(&w, b);
+            world_remove(&w, b);
+            p.is_static = true;
+            p.velocity = ZERO;
+            b = add(&slab, p);
+            ck_assert(world_set_material(&w, b, (material){ 0.9, -1 }).ok);
+        } else {
+            ck_assert(world_add_plane(&w, vec3_make(-0.6, 0.8, 0), 0).ok);
+            material m = { 0.9, -1 };
+            ck_assert(world_set_plane_material(&w, 0, m).ok);
+        }
+        int box_of[6];
+        for (int k = 0; k < 6; k++) {
+            box_of[k] = add_on_slope(&cube, 3 * k - 7, 0.125);
+            material m = { k < 5 ? 0.1 * (k + 1) : -1, -1 };
+            ck_assert(world_set_material(&w, box_of[k], m).ok);
+        }
+        steps(30);
+        for (int k = 0; k < 6; k++) {
+            real own = k < 5 ? 0.1 * (k + 1) : 0.5, mu = sqrt(0.9 * own);
+            real pull = 9.81 * (0.6 - mu * 0.8);
+            placement q = world_where(&w, box_of[k]);
+            // It falls on the slope for half a substep, and gives a little.
+            near_real(vec3_length(q.velocity), real_max(pull, 0) / 2, 0.04);
+        }
+    }
+    world_free(&w);
+    shape_free(&cube);
+    shape_free(&slab);
+}
+END_TEST
+
+// The same of a cloth, on a plane and on a static body; and of one on another.
+START_TEST(cloth_slides_with_a_friction_of_its_own)
+{
+    for (int k = 0; k < 3; k++) {
+        begin(world_options_default());
+        ck_assert(world_add_plane(&w, vec3_make(-0.6, 0.8, 0), 0).ok);
+        ck_assert(world_set_plane_material(&w, 0, (material){ 0.8, -1 }).ok);
+        int b = add_on_slope(&cloth, 0, cloth.spacing * 0.55);
+        ck_assert(world_set_material(&w, b, (material){ 0.2 * k, -1 }).ok);
+        steps(30);
+        real pull = 9.81 * (0.6 - sqrt(0.8 * 0.2 * k) * 0.8);
+        near_real(vec3_length(world_where(&w, b).velocity), pull / 2, 0.05);
+    }
+}
+END_TEST
+
+// Rejects: the smaller restitution, or the product; impacts only where the
+// world has some.
+START_TEST(two_bounce_with_the_larger_restitution)
+{
+    const real own[] = { 0, 0.3, 0.5, 0.8, -1 };
+    ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 1).ok);
+    add_floor();
+    ck_assert(world_set_plane_material(&w, 0, (material){ -1, 0.4 }).ok);
+    for (int k = 0; k < 5; k++) {
+        int b = add_at(&cube, 3 * k, 1.5, 0);
+        ck_assert(world_set_material(&w, b, (material){ -1, own[k] }).ok);
+    }
+    real top[5] = { 0 };
+    // They fall for .45 s, and rise for e times that.
+    for (int f = 0; f < 60; f++) {
+        steps(1);
+        for (int b = 0; b < 5 && f > 28; b++)
+            top[b] = real_max(top[b], world_where(&w, b).position.y - 0.5);
+    }
+    for (int b = 0; b < 5; b++) {
+        real e = real_max(own[b], 0.4);
+        near_real(top[b], e * e, 0.01);
+    }
+    world_free(&w);
+    shape_free(&cube);
+}
+END_TEST
+
+// Rejects: cubes without restitution that others' impacts leave to bounce, or
+// in the floor.
+START_TEST(body_that_bounces_disturbs_none_that_does_not)
+{
+    ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 1).ok);
+    add_floor();
+    int first = add_at(&cube, 0, 1.5, 0), last = add_at(&cube, 9, 1.5, 0);
+    ck_assert(world_set_material(&w, last, (material){ -1, 0.9 }).ok);
+    real top = 0, low = 1;
+    for (int f = 0; f < 120; f++) {
+        steps(1);
+        real y = world_where(&w, first).position.y;
+        if (f > 30) top = real_max(top, y);
+        low = real_min(low, y);
+    }
+    ck_assert_msg(top < 0.501 && low > 0.48, "%g %g", top, low);
+    ck_assert(!world_set_material(&w, 0, (material){ (real)NAN, 0 }).ok);
+    ck_assert(!world_set_material(&w, 0, (material){ 0.5, 1.1 }).ok);
+    world_free(&w);
+    shape_free(&cube);
+}
+END_TEST
+
+// A frame of n substeps of h leaves 1 / (1 + h d)^n of a velocity.
+START_TEST(damping_takes_its_share_in_every_substep)
+{
+    begin_without_gravity();
+    int b = add_thrown(&box, ZERO, vec3_make(1, 2, 3), vec3_make(0, 0, 2));
+    int free = add_thrown(&box, vec3_make(9, 0, 0), vec3_make(1, 2, 3), ZERO);
+    int sheet = add_thrown(&cloth, vec3_make(0, 9, 0), vec3_make(0, 1, 0), ZERO);
+    ck_assert(world_set_damping(&w, b, 0.5, 4).ok);
+    ck_assert(world_set_damping(&w, sheet, 0.5, 0).ok);
+    ck_assert(!world_set_damping(&w, b, -1, 4).ok);
+    ck_assert(!world_set_damping(&w, b, 0, HUGE_VAL).ok);
+    real left = 1, spin = 2, flat = 1;
+    for (int f = 0; f < 30; f++) {
+        steps(1);
+        real h = w.options.dt / w.report.substeps;
+        for (int k = 0; k < w.report.substeps; k++) {
+            left /= 1 + 0.5 * h;
+            spin /= 1 + 4 * h;
+            flat /= 1 + 0.5 * h;
+        }
+    }
+    near_vec3(world_where(&w, b).velocity,
+              vec3_scale(left, vec3_make(1, 2, 3)), 1e-10);
+    near_vec3(world_where(&w, b).spin, vec3_make(0, 0, spin), 1e-7);
+    near_vec3(world_where(&w, free).velocity, vec3_make(1, 2, 3), 1e-10);
+    near_vec3(world_where(&w, sheet).velocity, vec3_make(0, flat, 0), 1e-9);
+}
+END_TEST
+
 // --- sleep -------------------------------------------------------------------
 
 START_TEST(body_that_is_put_to_sleep_hangs_in_the_air_until_it_is_woken)
@@ -372,6 +526,11 @@ int main(void)
         constant_torque_gives_torque_times_time_by_inertia,
         strong_force_on_a_light_body_in_a_heap_is_not_braked,
         force_of_its_weight_holds_a_body,
+        each_box_slides_with_a_friction_of_its_own,
+        cloth_slides_with_a_friction_of_its_own,
+        two_bounce_with_the_larger_restitution,
+        body_that_bounces_disturbs_none_that_does_not,
+        damping_takes_its_share_in_every_substep,
         body_that_is_put_to_sleep_hangs_in_the_air_until_it_is_woken,
     };
     Suite *s = suite_create("steering");

@@ -161,7 +161,8 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
     rigid_frame frame = soft_rigid_frame(f, b);
     rigid4_ride(rigid->rigid, &frame, v->corner, s->particles);
     v->hull = (obstacle){ { v->corner, s->particles }, v->plane,
-                          hull_planes(s, v->corner, v->plane), s->radius };
+                          hull_planes(s, v->corner, v->plane), s->radius,
+                          s->round };
     v->frame = frame;
     v->moved = f->moved[b];
     v->of = b;
@@ -208,6 +209,7 @@ enum { OVER_NOTHING = -1 };
 
 static bool is_over(const rigid_view *v, vec3 x, int ahead, real inside)
 {
+    if (v->hull.planes == 0) return false;
     plane face = v->plane[ahead];
     real up = plane_height(face, x);
     vec3 foot = vec3_add_scaled(x, -up, face.normal);
@@ -246,7 +248,8 @@ static bool may_meet(const near_lists *l, const rigid_view *v,
         int ahead = l->ahead[corner_of[k]];
         over += ahead % 2 == 1 && ahead == l->ahead[corner_of[0]];
         if (ahead == OVER_NOTHING) continue;
-        if (facet_height(end, v->plane[ahead / 2]) > reach) return false;
+        plane under = obstacle_plane(&v->hull, end[k], ahead / 2);
+        if (facet_height(end, under) > reach) return false;
     }
     return over < FACET;
 }
@@ -304,7 +307,7 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
         if (!is_ready) rigid_view_look(v, f, b);
         is_ready = true;
         int ahead = hull_ahead(x, v->plane, v->hull.planes);
-        real up = plane_height(v->plane[ahead], x);
+        real up = plane_height(obstacle_plane(&v->hull, x, ahead), x);
         if (up > wide) continue;
         l->ahead[i] = 2 * ahead;
         if (up > reach) continue;

@@ -1,6 +1,7 @@
 //> soft-step-wake
 #include "soft_step.h"
 #include "ledger.h"
+#include "pin.h"
 
 #include <stddef.h>
 
@@ -51,6 +52,7 @@ void soft_step(world *w, real h)
 {
     soft_frame f = soft_frame_of(w, h);
     soft_move(&w->soft, &f);
+    pins_begin(&w->joints, &f);
     w->age = h;
     ledger_book(w, LEDGER_INTEGRATE);
     soft_draw(&w->soft, &f);
@@ -60,6 +62,7 @@ void soft_step(world *w, real h)
     soft_relax(&w->soft, &f);
     ledger_book(w, LEDGER_STICKS);
     soft_hold(&w->soft, &f);
+    pins_end(&w->joints, &f);
     ledger_book(w, LEDGER_CONTACTS);
 }
 

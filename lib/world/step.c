@@ -101,7 +101,8 @@ static void lap(world *w, int phase, real *since)
 //> step-look
 // How far a body may get in this frame: as fast as it is now, with what gravity
 // adds and what else pushes it, and a hundredth of its radius for what impacts
-// add.  However far it turns, no vertex gets further than across.
+// add.  However far it turns, no vertex gets further than across; and a ball
+// gets nowhere by turning.
 static prediction predict(const world *w, int b)
 {
     const solver_body *now = &w->rigid.now[b];
@@ -117,7 +118,8 @@ static prediction predict(const world *w, int b)
     }
     prediction p = { .way = vec3_scale(dt, straight),
                      .angle = dt * vec3_length(spin) };
-    p.turn = now->radius * real_min(p.angle, 2) + beside;
+    real out = now->radius - w->body[b].shape->round;
+    p.turn = out * real_min(p.angle, 2) + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -518,8 +520,8 @@ static void end_move(world *w, int b, real h)
         for (int i = MOTION_TURN; i < MOTIONS; i++) u.of[i] *= 0x1p-20;
     motion_end_within(x->rigid, w->pool.at + x->first, &t->now[b].frame, &u, h,
                       linkage_has(&w->joints, b) ? 4 : 1.001);
-    cache_moved(&t->cache, b, vec3_length(way)
-                              + t->now[b].radius * vec3_length(turn));
+    real out = t->now[b].radius - x->shape->round;
+    cache_moved(&t->cache, b, vec3_length(way) + out * vec3_length(turn));
 }
 
 typedef struct {

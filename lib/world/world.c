@@ -598,4 +598,16 @@ void world_vertices(const world *w, const body *b, vec3 *at)
     }
     for (int i = 0; i < b->shape->particles; i++) at[i] = p[i].position;
 }
+
+void world_skin(const world *w, const body *b, vec3 *at)
+{
+    const struct skin *k = &b->shape->skin;
+    if (k->points == 0) {
+        world_vertices(w, b, at);
+        return;
+    }
+    rigid_frame frame = rigid4_frame(w->pool.at + b->first);
+    for (int i = 0; i < k->points; i++)
+        at[i] = frame_point(&frame, rigid4_local(b->rigid, k->at[i]));
+}
 //<

@@ -265,6 +265,9 @@ bool world_wake_near(world *w, int a, int b);
 // Writes to at where the vertices of body b are now: shape->particles of them.
 void   world_vertices(const world *w, const body *b, vec3 *at);
 
+// The same for the points that are drawn of it, see shape_skin.
+void   world_skin(const world *w, const body *b, vec3 *at);
+
 //<
 
 //> world-end-of-header

@@ -314,6 +314,10 @@ tumble_joint tumble_distance(tumble_world *w, tumble_body a, tumble_vec3 at_a,
                              tumble_body b, tumble_vec3 at_b, double least,
                              double most);
 
+// Vertex i of a rope or cloth stays where it is now, as seen from a rigid body.
+tumble_joint tumble_hang(tumble_world *w, tumble_body soft, int i,
+                         tumble_body b);
+
 // N: a joint that has to bear more breaks, and is gone; 0: it never does.
 bool tumble_set_strength(tumble_world *w, tumble_joint j, double force);
 

@@ -57,6 +57,10 @@ shape_place *inside_shape(tumble_world *w, tumble_shape s);
 body_place  *inside_body(tumble_world *w, tumble_body b);
 joint_place *inside_joint(tumble_world *w, tumble_joint j);
 
+// The engine's number of a rope or cloth that has a vertex i; -1, with a
+// failure, if it has none.
+int inside_vertex(tumble_world *w, tumble_body b, int i);
+
 // The body with this id, without a failure.
 const body_place *inside_look(const tumble_world *w, tumble_body b);
 

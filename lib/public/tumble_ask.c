@@ -36,7 +36,7 @@ static real way_to(const question *q, vec3 x)
 static bool is_asked(const tumble_world *w, int b, const question *q)
 {
     const body *x = &w->world.body[b];
-    if (body_is_soft(x)) return false;
+    if (body_is_soft(x) || !(x->group & q->mask)) return false;
     vec3 center = rigid4_frame(w->world.pool.at + x->first).center;
     real near = q->around.radius + x->rigid->reach;
     // Written so that what is not finite is asked.

@@ -47,6 +47,15 @@ static bool reserve_owners(tumble_world *w)
 static bool set_up(tumble_world *w, int number, const tumble_body_options *o)
 {
     material m = { o->friction, o->restitution };
+    bool is_soft = body_is_soft(&w->world.body[number]);
+    if (is_soft && o->kind == TUMBLE_KINEMATIC)
+        return inside_fail(w, "a rope or a cloth cannot be kinematic: pin it");
+    if (o->kind == TUMBLE_KINEMATIC) {
+        world_set_kinematic(&w->world, number, true);
+        world_set_velocity(&w->world, number, from_user(o->velocity),
+                           from_user(o->spin));
+    }
+    world_set_filter(&w->world, number, o->group, o->mask);
     return inside_is_ok(w, world_set_material(&w->world, number, m))
         && inside_is_ok(w, world_set_damping(&w->world, number, o->damping,
                                              o->spin_damping));

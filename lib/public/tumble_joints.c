@@ -18,12 +18,10 @@ static bool find_side(tumble_world *w, tumble_body b, int *number)
                        "bodies", b.place);
 }
 
-static tumble_joint join(tumble_world *w, tumble_body a, tumble_body b,
-                         joint_plan plan)
+static tumble_joint enter(tumble_world *w, joint_plan plan)
 {
     const tumble_joint none = { 0, 0 };
     int number;
-    if (!find_side(w, a, &plan.a) || !find_side(w, b, &plan.b)) return none;
     if (!inside_is_ok(w, world_join(&w->world, plan, &number))) return none;
     int k = slots_take(&w->joints);
     if (k < 0) {
@@ -33,6 +31,14 @@ static tumble_joint join(tumble_world *w, tumble_body a, tumble_body b,
     }
     *(joint_place *)slots_at(&w->joints, k) = (joint_place){ number };
     return (tumble_joint){ (unsigned)k, slots_generation(&w->joints, k) };
+}
+
+static tumble_joint join(tumble_world *w, tumble_body a, tumble_body b,
+                         joint_plan plan)
+{
+    if (find_side(w, a, &plan.a) && find_side(w, b, &plan.b))
+        return enter(w, plan);
+    return (tumble_joint){ 0, 0 };
 }
 
 tumble_joint tumble_ball(tumble_world *w, tumble_body a, tumble_body b,
@@ -65,6 +71,16 @@ tumble_joint tumble_distance(tumble_world *w, tumble_body a, tumble_vec3 at_a,
                                        .point = from_user(at_a),
                                        .point_b = from_user(at_b),
                                        .least = least, .most = most });
+}
+
+tumble_joint tumble_hang(tumble_world *w, tumble_body soft, int i,
+                         tumble_body b)
+{
+    const tumble_joint none = { 0, 0 };
+    joint_plan plan = { .kind = JOINT_PIN, .particle = i };
+    plan.a = inside_vertex(w, soft, i);
+    if (plan.a < 0 || !find_side(w, b, &plan.b)) return none;
+    return enter(w, plan);
 }
 //<
 

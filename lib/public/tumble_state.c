@@ -152,8 +152,7 @@ bool tumble_is_awake(const tumble_world *w, tumble_body b)
 //<
 
 //> face-soft
-// The engine's number of a rope or cloth that has a vertex i; -1 if it has not.
-static int find_vertex(tumble_world *w, tumble_body b, int i)
+int inside_vertex(tumble_world *w, tumble_body b, int i)
 {
     const body_place *x = inside_body(w, b);
     if (!x) return -1;
@@ -170,14 +169,14 @@ static int find_vertex(tumble_world *w, tumble_body b, int i)
 
 bool tumble_pin(tumble_world *w, tumble_body b, int i)
 {
-    int number = find_vertex(w, b, i);
+    int number = inside_vertex(w, b, i);
     if (number >= 0) world_pin(&w->world, number, i);
     return number >= 0;
 }
 
 bool tumble_unpin(tumble_world *w, tumble_body b, int i)
 {
-    int number = find_vertex(w, b, i);
+    int number = inside_vertex(w, b, i);
     if (number >= 0) world_unpin(&w->world, number, i);
     return number >= 0;
 }
@@ -185,7 +184,7 @@ bool tumble_unpin(tumble_world *w, tumble_body b, int i)
 bool tumble_push_vertex(tumble_world *w, tumble_body b, int i,
                         tumble_vec3 impulse)
 {
-    int number = find_vertex(w, b, i);
+    int number = inside_vertex(w, b, i);
     if (number < 0) return false;
     if (!vec3_is_finite(from_user(impulse)))
         return inside_fail(w, "vertex %d of body %u is given an impulse that is "
@@ -196,14 +195,14 @@ bool tumble_push_vertex(tumble_world *w, tumble_body b, int i,
 
 bool tumble_set_bending(tumble_world *w, tumble_body b, double stiffness)
 {
-    int number = find_vertex(w, b, 0);
+    int number = inside_vertex(w, b, 0);
     return number >= 0
         && inside_is_ok(w, world_bend(&w->world, number, stiffness));
 }
 
 bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance)
 {
-    int number = find_vertex(w, b, 0);
+    int number = inside_vertex(w, b, 0);
     return number >= 0
         && inside_is_ok(w, world_stretch(&w->world, number, compliance));
 }
@@ -238,5 +237,14 @@ bool tumble_set_damping(tumble_world *w, tumble_body b, double damping,
     const body_place *x = inside_body(w, b);
     return x && inside_is_ok(w, world_set_damping(&w->world, x->piece[0].number,
                                                   damping, spin_damping));
+}
+
+bool tumble_set_filter(tumble_world *w, tumble_body b, unsigned group,
+                       unsigned mask)
+{
+    const body_place *x = inside_body(w, b);
+    for (int k = 0; x && k < x->pieces; k++)
+        world_set_filter(&w->world, x->piece[k].number, group, mask);
+    return x != NULL;
 }
 //<

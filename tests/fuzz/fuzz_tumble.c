@@ -110,12 +110,13 @@ static void make_joint(void)
     tumble_vec3 p = triple(), q = triple();
     tumble_joint j = { 0, 0 };
     if (joints == MOST_IDS) return;
-    switch (byte() % 4) {
+    switch (byte() % 5) {
     case 0: j = tumble_ball(w, a, b, p); break;
     case 1: j = tumble_hinge(w, a, b, p, q); break;
     case 2: j = tumble_fix(w, a, b, p); break;
     case 3: { double least = number();
               j = tumble_distance(w, a, p, b, q, least, number()); break; }
+    case 4: j = tumble_hang(w, a, few(), b); break;
     }
     MUST(j.generation != 0 || tumble_failure(w), "refused in silence");
     if (j.generation != 0) joint[joints++] = j;

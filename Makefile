@@ -209,7 +209,7 @@ $(MADE): %: test-%
 
 book:
 	$(Q)mkdir -p $(BUILD)
-	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*/*.h lib/*/*.c \
+	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/tumble.h lib/*/*.h lib/*/*.c \
 	  tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
 	$(Q)cp $(BUILD)/book.md book.md
 	@echo "book.md: $$(wc -l < book.md) lines"
@@ -402,7 +402,7 @@ coverage:
 	$(Q)gcov -b -n $(BUILD)/coverage/*/*.gcno 2>/dev/null | awk -f tests/script/coverage.awk
 
 lines:
-	@awk -f tests/script/lines.awk Makefile lib/*/*.h lib/*/*.c | column -s, -t
+	@awk -f tests/script/lines.awk Makefile lib/tumble.h lib/*/*.h lib/*/*.c | column -s, -t
 
 bits:
 	$(Q)sh tests/script/bits.sh '$(AGAIN)' $(BUILD)/compare

@@ -10,7 +10,7 @@
 enum { ACROSS = 5, DOWN = 2, WIDE = 400, HIGH = 330, GAP = 8, LAMPS = 5 };
 
 static const double MOMENT[ACROSS * DOWN] = {   // s
-    1, 3, 0.6, 8, 2.2, 1.35, 1.3, 4, 2, 3 };
+    1, 3, 0.6, 8, 1.2, 1.6, 1.3, 4, 2, 3 };
 
 static status show(int k, picture *out)
 {

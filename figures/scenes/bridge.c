@@ -60,6 +60,6 @@ static double wrong_sag(tumble_world *w)
 
 const example bridge = {
     .name = "bridge", .about = "twenty planks that hang", .seconds = 20,
-    .eye = { 5, 3, 12 }, .target = { 0, -0.6, 0 },
+    .eye = { 3, 3, 15 }, .target = { 0.2, -0.8, 0 },
     .build = build, .claim = "it sags as the catenary of planks, to 5 mm",
     .error = wrong_sag, .most = 0.005 };

@@ -34,7 +34,7 @@ static double inside(tumble_world *w)
 
 const example curtain = {
     .name = "curtain", .about = "a ball walks through it", .seconds = 4,
-    .eye = { 3, 2, 4 }, .target = { 0, 1.2, 0 },
+    .eye = { 3, 1.8, -4.6 }, .target = { 0, 1.4, 0 },
     .build = build,
     .claim = "the ball has passed, and the curtain is not in it",
     .error = inside };

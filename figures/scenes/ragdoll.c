@@ -28,7 +28,7 @@ static double worst;
 
 static void build(tumble_world *w)
 {
-    const double away = -0.6, up = STEPS * 0.2 + 0.3;
+    const double away = 0, up = STEPS * 0.2 + 0.02;
     tumble_body part[LIMBS];
     tumble_shape stair = tumble_box(w, tumble_v(0.3, 0.2, 2), 1);
     tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
@@ -51,7 +51,7 @@ static void build(tumble_world *w)
         tumble_add(w, stair, at);
     }
     worst = 0;
-    tumble_push(w, part[0], tumble_v(60, 0, 0), tumble_v(away, 1.3 + up, 0));
+    tumble_push(w, part[0], tumble_v(60, 0, 0), tumble_v(away, 1.4 + up, 0));
 }
 
 static void act(tumble_world *w)

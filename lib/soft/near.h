@@ -35,8 +35,11 @@ typedef struct {
     const plane *plane;
     int  planes;
     vec3 gravity;               // m/s^2
-    real friction;              // Coulomb's coefficient
-    real restitution;           // at what does not move: 0 to 1
+    real friction;              // Coulomb's coefficient,
+    real restitution;           // and of impacts at what does not move; or
+    const material *material;   // [bodies] each has its own; NULL: these
+    const material *wall;       // [planes]
+    const int *owner;           // [particles] of the pool: whose they are
     int  iterations;            // over strands, at most
     relax_options relax;
     int  substeps, most_substeps;   // of a frame: usual, and at most
@@ -52,6 +55,18 @@ enum { TRUST_MOST = 8 };
 static inline bool soft_moves(const soft_frame *f, int b)
 {
     return !body_is_static(&f->body[b]) && !f->asleep[b];
+}
+// Where bodies a and b meet, or a and a plane (b < 0).
+static inline material soft_material(const soft_frame *f, int a, int b)
+{
+    if (!f->material) return (material){ f->friction, f->restitution };
+    return material_meet(f->material[a],
+                         b < 0 ? f->wall[-1 - b] : f->material[b]);
+}
+// May anything come of a and b being near each other?
+static inline bool soft_meets(const soft_frame *f, int a, int b)
+{
+    return body_meets(&f->body[a], &f->body[b]);
 }
 static inline bool is_moving_soft(const soft_frame *f, int b)
 {

@@ -27,7 +27,13 @@ typedef struct body {
     real thickness;     // m, the radius of a deformable body's particles; 0 of
                         // a rigid one
     real bending;       // N m^2, or N m, of a deformable one: see bend.h
+    real compliance;    // 1/N, or m/N, of a deformable one: see line.h
     real inner;         // m, the inner radius of a rigid one
+    real damping;       // 1/s, the share of its velocity that it loses,
+    real spin_damping;  // 1/s, and of its spin, if it is rigid
+    bool is_kinematic;  // rigid, and moves as a program says
+    unsigned group, mask;   // bits: two meet if the mask of each has a bit of
+                        // the other's group
 } body;
 
 static inline bool body_is_soft(const body *b)
@@ -46,6 +52,16 @@ static inline bool body_is_gone(const body *b)
 static inline bool body_is_static(const body *b)
 {
     return !(b->mass < HUGE_VAL);
+}
+// It may be pushed.
+static inline bool body_is_dynamic(const body *b)
+{
+    return b->mass < HUGE_VAL && !b->is_kinematic;
+}
+static inline bool body_meets(const body *a, const body *b)
+{
+    return (a->mask & b->group) && (b->mask & a->group)
+        && (body_is_dynamic(a) || body_is_dynamic(b));
 }
 
 #endif

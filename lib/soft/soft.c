@@ -34,6 +34,11 @@ static void fall(const soft_frame *f, const body *b)
 {
     particle *p = f->particle + b->first;
     int n = body_particles(b);
+    real left = 1 / (1 + f->h * b->damping);
+    for (int i = 0; i < n && b->damping > 0; i++) {
+        vec3 way = vec3_sub(p[i].position, p[i].previous);
+        p[i].previous = vec3_add_scaled(p[i].position, -left, way);
+    }
     if (f->age == f->h) verlet_step(p, n, f->gravity, NULL, f->h);
     else verlet_step_changed(p, n, f->gravity, f->age, f->h);
 }
@@ -52,22 +57,24 @@ static void forget_holds(const soft_frame *f, const body *b)
 // A crease can shear a cell until the ends of one of its diagonals, of which
 // only every second has a stick, meet, and the triangles around them cross.
 // They are kept apart as any two particles are.
-static void part_ends(const soft_frame *f, int a, int b, real distance)
+static void part_ends(const soft_frame *f, particle_contact c, real friction)
 {
-    particle_contact c = { a, b, distance };
     if (particle_contact_overlaps(&c, f->particle))
-        particle_contact_separate(c, f->particle, f->friction);
+        particle_contact_separate(c, f->particle, friction);
 }
 
-static void spread_cells(const soft_frame *f, const body *b)
+static void spread_cells(const soft_frame *f, int number)
 {
+    const body *b = &f->body[number];
     const shape *s = b->shape;
     real distance = 2 * b->thickness;
+    real friction = soft_material(f, number, number).friction;
     for (int k = 0; k + 1 < s->rows; k++)
         for (int i = 0; i + 1 < s->columns; i++) {
             int a = b->first + k * s->columns + i;
-            part_ends(f, a, a + s->columns + 1, distance);
-            part_ends(f, a + 1, a + s->columns, distance);
+            int c = a + s->columns;
+            part_ends(f, (particle_contact){ a, c + 1, distance }, friction);
+            part_ends(f, (particle_contact){ a + 1, c, distance }, friction);
         }
 }
 
@@ -80,7 +87,7 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     if (others == 0) return;
     sticks_iterate(plan->stick + links, others, f->particle + b->first,
                    f->relax);
-    spread_cells(f, b);
+    spread_cells(f, (int)(b - f->body));
     s->tested += others;
     s->relaxed += others;
 }
@@ -159,7 +166,8 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
     relax_options o = f->relax;
     if (shape_directions(plan) > 1)
         o.tolerance = real_max(o.tolerance, CLOTH_TOLERANCE);
-    line_result l = lines_relax(plan, p, f->iterations, o, hold, b->line);
+    line_result l = lines_relax(plan, p, f->iterations, o, hold,
+                                b->compliance / (f->h * f->h), b->line);
     bool is_pinned = false;
     for (int i = 0; i < plan->particles; i++) {
         calm(&p[i], &hold[i]);
@@ -180,6 +188,15 @@ void soft_relax(soft_solver *s, const soft_frame *f)
 }
 //<
 
+//> soft-energy
+real soft_energy(const body *b, const particle *all)
+{
+    const particle *p = all + b->first;
+    return bend_energy(b->shape, b->bending, p)
+         + links_energy(b->shape, b->compliance, p);
+}
+//<
+
 //> soft-stretched
 // A NaN is no strain of at most a hundredth.
 static bool is_stretched(const shape *s, const particle *p)
@@ -193,7 +210,7 @@ int soft_stretched(const soft_frame *f)
 {
     int n = 0;
     for (int b = 0; b < f->bodies; b++)
-        if (is_moving_soft(f, b))
+        if (is_moving_soft(f, b) && !(f->body[b].compliance > 0))
             n += is_stretched(f->body[b].shape, f->particle + f->body[b].first);
     return n;
 }
@@ -283,6 +300,7 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
     const prediction *x = &s->ahead[a], *y = &s->ahead[b];
     const sphere *ball = s->near.ball;
     if (a == b) return substeps_for(f, a, x->turn, 1);
+    if (!soft_meets(f, a, b)) return 0;
     if (!balls_meet(ball[a], ball[b], x->reach + y->reach)) return 0;
     int n = substeps_for(f, a, x->reach, 1);
     if (body_is_soft(&f->body[b])) return n;

@@ -73,7 +73,11 @@ void soft_relax(soft_solver *s, const soft_frame *f);
 // weight of all that they hang on.
 void soft_hold(soft_solver *s, const soft_frame *f);
 
-// How many deformable bodies have strands off by more than a hundredth.
+// J, what is stored in the bends and links of a deformable body.
+real soft_energy(const body *b, const particle *all);
+
+// How many deformable bodies that must not give have strands off by more than
+// a hundredth.
 int soft_stretched(const soft_frame *f);
 
 #endif

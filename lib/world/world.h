@@ -8,6 +8,7 @@
 #define TUMBLE_WORLD_H
 
 #include "cache.h"
+#include "linkage.h"
 #include "sleep.h"
 #include "soft.h"
 
@@ -74,6 +75,8 @@ typedef struct {
                         // smaller body's radius, and bodies whose sticks are
                         // off by a hundredth
     int  dropped;       // contacts or pairs that found no room: should be 0
+    int  broken;        // joints that had to bear more than their strength
+    real parted;        // m, the most by which the points of a joint are apart
 } step_report;
 //<
 
@@ -105,6 +108,11 @@ typedef struct {
     vec3 force, torque; // N, N m
 } body_load;
 
+// How a kinematic body moves.
+typedef struct {
+    vec3 velocity, spin;        // m/s, rad/s
+} body_drive;
+
 typedef struct {
     int now;            // substeps a frame
     int frames;         // for which fewer would have done
@@ -117,7 +125,8 @@ typedef struct {
 typedef struct {
     cache_body  *body;      // [bodies]
     char        *dynamic;   // [bodies] rigid, and not static
-    char        *moves;     // [bodies] and not asleep
+    char        *moves;     // [bodies] and neither asleep nor kinematic and
+                            // at rest
     solver_body *now;       // [bodies] where it stands as the frame begins
     sphere      *ball;      // [bodies]
     prediction  *ahead;     // [bodies]
@@ -129,6 +138,8 @@ typedef struct {
     rigid4_result *relaxed; // [bodies] what putting their particles did
     body_load   *load;      // [bodies]
     bool is_loaded;         // some are not 0
+    material    *material;  // [bodies] deformable ones, too
+    body_drive  *drive;     // [bodies]
     real lightest, heaviest;            // kg, of those that are not static
     substep_choice substeps;
     pair_list      pairs;
@@ -149,14 +160,21 @@ typedef struct world {
     int  planes, shapes, softs;     // softs: deformable bodies
     struct body *body;
     struct plane *plane;
+    material *wall;         // [planes] what each is made of
+    int *owner;             // [particles] of the pool: whose they are
+    bool has_materials;     // not all bodies and planes are of the world's
+    bool is_damped;         // some rigid bodies are
     shape_entry *shape;     // [shapes]
     real time;              // s
     real age;               // s, a particle was at `previous` so long ago
     real frame;             // s, or the part of it that is computed
     bool is_still;          // all slept when the last step ended, and nothing
                             // has been done to the world since then
-    int  dynamic_bodies;    // not static
+    int  dynamic_bodies;    // neither static nor kinematic
+    int  kinematic_bodies;
+    bool is_choosy;         // some bodies do not meet all others
     rigid_tables rigid;
+    linkage      joints;
     soft_solver  soft;
     sleep_state  sleep;
     step_report  report;
@@ -203,10 +221,25 @@ void   world_unpin(world *w, int b, int i);
 // nothing, if that is negative or not finite.
 status world_bend(world *w, int b, real stiffness);
 
-// Neither static nor asleep.
+// Lets the links of the deformable body b give: of a rope, by how much a newton
+// stretches a metre of it (1/N); of a cloth, a newton for each metre of its
+// width (m/N).  1e-4 m/N: denim.  0, as it is added: not at all.  Fails,
+// changing nothing, if that is negative or not finite.
+status world_stretch(world *w, int b, real compliance);
+
+// Neither static nor kinematic nor asleep.
 static inline bool body_moves(const world *w, int b)
 {
-    return w->body[b].mass < HUGE_VAL && !w->sleep.asleep[b];
+    return body_is_dynamic(&w->body[b]) && !w->sleep.asleep[b];
+}
+
+// Kinematic, and not at rest.
+static inline bool body_is_driven(const world *w, int b)
+{
+    const body_drive *d = &w->rigid.drive[b];
+    return w->body[b].is_kinematic
+        && (vec3_length_squared(d->velocity) > 0
+            || vec3_length_squared(d->spin) > 0);
 }
 
 // Wakes body b, and all that sleep with it.
@@ -221,6 +254,9 @@ void world_pin_sleeper(world *w, int b);
 // Body b stands there from now on, and nothing is known of it.
 void world_place(world *w, int b, const placement *where);
 
+// A body is another than it was: it counts as new.
+void world_renew(world *w, int b);
+
 // Body a comes near body b: if one of them sleeps and the other did not lie
 // still in the last frame, the sleeper wakes, in time to take its part of the
 // impact, and all that sleep with it.  Returns whether it did.
@@ -228,6 +264,9 @@ bool world_wake_near(world *w, int a, int b);
 
 // Writes to at where the vertices of body b are now: shape->particles of them.
 void   world_vertices(const world *w, const body *b, vec3 *at);
+
+// The same for the points that are drawn of it, see shape_skin.
+void   world_skin(const world *w, const body *b, vec3 *at);
 
 //<
 

@@ -403,6 +403,18 @@ START_TEST(cloth_bounces_particle_by_particle)
 }
 END_TEST
 
+// Pinned at its first particle, straight down from there.
+static int hang_at(const shape *rope_plan)
+{
+    int b;
+    placement p = placement_at(vec3_make(0, rope_plan->at[0].x, 0));
+    p.x = vec3_make(0, -1, 0);
+    p.y = vec3_make(1, 0, 0);
+    ck_assert(world_add(&w, rope_plan, p, &b).ok);
+    world_pin(&w, b, 0);
+    return b;
+}
+
 // A strip of card, held level at one end, sags under its own weight by
 // q L^4 / (8 E I), of Euler and Bernoulli; the clamp holds the middle of a link.
 // Rejects: a stiffness that the world forgets, or hands on in another unit; one
@@ -444,14 +456,95 @@ START_TEST(card_sags_by_its_stiffness)
 }
 END_TEST
 
+// A rope of 50 links with a load bears F_k at link k: the load and the rope
+// below.  It gets longer by the sum of its compliance times F_k, whatever the
+// substeps; and stores half of F_k times that.  It is let go unstretched, bounces
+// and comes to rest.
+// Rejects: a compliance that goes by substeps or iterations; one of a link that
+// is taken for that of the rope; books that forget what is stored.
+START_TEST(hanging_rope_is_stretched_by_its_load)
+{
+    const struct { int substeps, iterations, gradient; } how[] = {
+        { 4, 1, GRADIENT_NEW }, { 8, 8, GRADIENT_OLD }, { 20, 3, GRADIENT_NEW }
+    };
+    for (int k = 0; k < 3; k++) {
+        world_options o = world_options_default();
+        o.substeps = how[k].substeps;
+        o.iterations = how[k].iterations;
+        o.relax.gradient = (gradient_kind)how[k].gradient;
+        o.sleep_speed = 0;
+        begin(o);
+        shape line;
+        const real each = 0.001, load = 1, compliance = 1e-4;
+        ck_assert(shape_rope(&line, 50, 1, 51 * each).ok);
+        line.mass[50] = load;
+        int b = hang_at(&line);
+        ck_assert(world_stretch(&w, b, compliance).ok);
+        frames(240);
+        real longer = 0, stored = 0;
+        for (int i = 0; i < 50; i++) {
+            real force = 9.81 * (load + (49 - i) * each);
+            real d = compliance / 50 * force;
+            longer += d;
+            stored += force * d / 2;
+        }
+        real got = -particle_of(b, 50)->position.y - 1;
+        ck_assert_msg(fabs(got / longer - 1) < 1e-6, "%d substeps: longer by "
+                      "%.9g m, wanted %.9g", o.substeps, got, longer);
+        real has = soft_energy(&w.body[b], w.pool.at);
+        ck_assert_msg(fabs(has / stored - 1) < 1e-5, "%.9g J, wanted %.9g",
+                      has, stored);
+        world_free(&w);
+        shape_free(&line);
+    }
+}
+END_TEST
+
+// A stretched rope that is let go shrinks, and swings: it has no more energy
+// than it was given, and momentum stays.
+// Rejects: an explicit spring; a pull without its counterpart.
+START_TEST(what_links_have_stored_is_in_the_books)
+{
+    for (int k = -6; k <= 0; k++) {
+        world_options o = world_options_default();
+        o.gravity = ZERO;
+        o.sleep_speed = 0;
+        begin(o);
+        real compliance = pow(10, k);
+        int b = add_at(&rope, 0, 0, 0);
+        ck_assert(world_stretch(&w, b, compliance).ok);
+        for (int i = 0; i < 13; i++) {
+            particle *p = particle_of(b, i);
+            p->position.x *= 1.1;
+            p->previous = p->position;
+        }
+        real first = ledger_total(&w).energy, before = first;
+        ck_assert(fabs(first / (0.12 * 0.12 / (2 * 1.2 * compliance)) - 1)
+                  < 1e-12);
+        for (int f = 0; f < 60; f++) {
+            world_step(&w);
+            ledger_entry now = ledger_total(&w);
+            ck_assert(now.energy <= before + 1e-9 * first);
+            ck_assert(vec3_length(now.momentum) <= 1e-12 * sqrt(first));
+            before = now.energy;
+        }
+        ck_assert(before < first);
+        world_free(&w);
+    }
+}
+END_TEST
+
 // Rejects: a stiffness that is no number, or would push.
 START_TEST(stiffness_is_a_finite_number)
 {
     int b = add_at(&cloth, 0, 0, 0);
     const real bad[] = { -1, (real)NAN, HUGE_VAL };
-    ck_assert(world_bend(&w, b, 2).ok);
-    for (int k = 0; k < 3; k++) ck_assert(!world_bend(&w, b, bad[k]).ok);
-    ck_assert(w.body[b].bending == 2);
+    ck_assert(world_bend(&w, b, 2).ok && world_stretch(&w, b, 3).ok);
+    for (int k = 0; k < 3; k++) {
+        ck_assert(!world_bend(&w, b, bad[k]).ok);
+        ck_assert(!world_stretch(&w, b, bad[k]).ok);
+    }
+    ck_assert(w.body[b].bending == 2 && w.body[b].compliance == 3);
 }
 END_TEST
 
@@ -506,6 +599,8 @@ int main(void)
         lost_number_stays_in_its_body,
         cloth_bounces_particle_by_particle,
         card_sags_by_its_stiffness,
+        hanging_rope_is_stretched_by_its_load,
+        what_links_have_stored_is_in_the_books,
         stiffness_is_a_finite_number,
         bends_are_in_the_books,
     };

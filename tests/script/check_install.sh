@@ -25,7 +25,7 @@ wanted=$(sed -n 's/^and it says `\(.*\)`\. The library.*/\1/p' "$page")
 [ -s my.c ] && [ -n "$wanted" ] || { echo "check_install: README has no program"; exit 1; }
 
 # As pkg-config would say, where there is none.
-flags="-I$place/tumble/include/tumble -L$place/tumble/lib -ltumble -lm"
+flags="-I$place/tumble/include -L$place/tumble/lib -Wl,-rpath,$place/tumble/lib -ltumble -lm"
 if command -v pkg-config > /dev/null; then
     said=$(PKG_CONFIG_PATH="$place/tumble/lib/pkgconfig" pkg-config --cflags --libs tumble)
     [ "$(echo $said)" = "$flags" ] || { echo "check_install: tumble.pc says $said"; exit 1; }

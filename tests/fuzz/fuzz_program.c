@@ -1,4 +1,4 @@
-// fuzz_tumble.c - tumble.h called in any order, with any ids and numbers.  See
+// fuzz_program.c - tumble.h called in any order, with any ids and numbers.  See
 // fuzz.h.
 //
 // Each call takes a byte or two: which function, which of the ids that are

@@ -68,7 +68,7 @@ END
 mkdir cxx
 for f in "$scenes"/*.c; do cp "$f" "cxx/$(basename "$f" .c).cpp"; done
 for c in $cxx; do
-    $c -std=c++20 -I"$scenes" cxx/*.cpp $flags -o scenes && ./scenes pyramid curtain > /dev/null ||
+    $c -std=c++20 -w -I"$scenes" cxx/*.cpp $flags -o scenes && ./scenes pyramid curtain > /dev/null ||
         { echo "check_install: the scenes do not build with $c"; exit 1; }
 done
 echo "installed: README's program and the scenes, in C and C++; no name but tumble_*"

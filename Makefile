@@ -23,6 +23,7 @@ define ORDER
 08/ordering
 09/scene
 09/system
+10/capsule
 10/query
 11/manifold
 12/inline
@@ -52,6 +53,7 @@ define ORDER
 16/soft
 17/joint
 17/linkage
+17/pin
 18/cache
 18/sleep
 18/world
@@ -397,8 +399,8 @@ bits:
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
-#: make deps-book adds pandoc and img2webp; make deps-dev adds clang, its fuzzer
-#: and valgrind.
+#: make deps-book adds pandoc and img2webp; make deps-dev adds clang, its fuzzer,
+#: valgrind, and GNU Parallel, which build/tumble --sweep needs.
 #: NATIVE=1 builds for this very machine.  V=1 shows the commands.
 #: FUZZ_SECONDS=600 fuzzes for longer.
 sanitize:
@@ -447,7 +449,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
-  rigidity convex hull obj sphere sphere_tree grid ordering \
+  rigidity convex hull capsule obj sphere sphere_tree grid ordering \
   line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
   thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
@@ -542,8 +544,12 @@ $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, 
 $(BUILD)/shrink: $(BUILD)/figures/shrink.o $(BUILD)/lib/status.o $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
 
-$(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a
+$(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a | $(BUILD)/tumble-sweep
 	$(call link,-lpng -lm)
+# It becomes this script for a sweep.
+$(BUILD)/tumble-sweep: figures/command/sweep.sh
+	$(Q)mkdir -p $(@D)
+	$(Q)install -m 755 $< $@
 
 # libccd and ODE are what their packages built, with -O2.
 $(BUILD)/figures/peers_ccd.o: CFLAGS += -O2

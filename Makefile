@@ -53,6 +53,7 @@ define ORDER
 16/soft
 17/joint
 17/linkage
+17/pin
 18/cache
 18/sleep
 18/world

@@ -31,7 +31,9 @@ define ORDER
 13/rigid4
 13/real4
 13/task
+13/table
 13/motion
+13/material
 13/contact
 13/solver
 13/restitution
@@ -48,11 +50,15 @@ define ORDER
 16/near
 16/touch
 16/soft
+17/joint
+17/linkage
 18/cache
 18/sleep
 18/world
+18/handle
 18/ledger
 18/soft_step
+18/join
 18/substeps
 18/guard
 18/step
@@ -230,6 +236,10 @@ install: $(BUILD)/libtumble.a
 #:   make check-exercises     is every exercise sound, and the runner?
 READER := exercise hint solution reset progress
 WHICH  := $(NAMED) $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
+# The runner says what no exercise has for its name.
+ifneq ($(filter $(READER),$(MAKECMDGOALS)),)
+WHICH := $(filter-out $(READER),$(MAKECMDGOALS))
+endif
 .PHONY: $(READER) watch check-exercises
 # What fails, make ends with a line of its own, `make: *** ...`, and the last word
 # is the judge's.  To a question (-q) make runs only what begins with a plus, and
@@ -250,8 +260,9 @@ check-exercises:
 
 # To make, what is named after the command is a goal: one with nothing to do.
 ifneq ($(and $(WHICH),$(filter $(READER) watch,$(MAKECMDGOALS))),)
-.PHONY: $(WHICH)
-$(WHICH):
+NOTHING := $(NAMED) $(foreach goal,$(WHICH),$(if $(findstring /,$(goal)),$(goal)))
+.PHONY: $(NOTHING)
+$(NOTHING) .DEFAULT:
 	$(QUIETLY)@:
 endif
 
@@ -437,7 +448,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
   rigidity convex hull obj sphere sphere_tree grid ordering \
-  line rigid4 solver broad pairs cache sleep world step measure world_scene scene system \
+  line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
   thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o

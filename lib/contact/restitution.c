@@ -93,13 +93,15 @@ static void settle(const impact_solver *s, int body, const motion *u, real time)
 static bool strike(const impact_solver *s, const contact *c)
 {
     const solver_frame *f = s->f;
+    material m = solver_material(f, c->a, c->b);
+    if (f->material && !(m.restitution > 0)) return false;
     if (!meets_fast(s, c)) return false;
     impact x = impact_of(s, c);
     vec3 fallen = vec3_scale(f->h, f->gravity);
     fall(&x.pair, fallen, x.time - 0.5, x.u);
     if (!(closing_speed(&x) > slowest_of(s, c))) return false;
-    push_apart(&x, f->restitution);
-    rub(&x, f->friction);
+    push_apart(&x, m.restitution);
+    rub(&x, m.friction);
     fall(&x.pair, fallen, 0.5 - x.time, x.u);
     if (x.pair.falls[A]) settle(s, c->a, &x.u[A], x.time);
     if (x.pair.falls[B]) settle(s, c->b, &x.u[B], x.time);

@@ -1,5 +1,6 @@
 //> guard-most
 #include "guard.h"
+#include "handle.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -31,7 +32,7 @@ static motion_sum rigid_motion(const world *w)
 
 static void add_soft_motion(motion_sum *s, const world *w, const body *x)
 {
-    s->energy += bend_energy(x->shape, x->bending, w->pool.at + x->first);
+    s->energy += soft_energy(x, w->pool.at);
     for (int i = x->first; i < x->first + body_particles(x); i++) {
         const particle *p = &w->pool.at[i];
         vec3 way = vec3_sub(p->position, p->previous);
@@ -40,9 +41,21 @@ static void add_soft_motion(motion_sum *s, const world *w, const body *x)
     }
 }
 
-// Contacts create no motion: beside what there is, and what bends have stored,
-// only gravity does, and the speed at which overlaps are pushed out.  sqrt(2 energy / mass) is a length in
-// the space of all velocities: these three add up to no more than their sum.
+// J: the kinetic energy that loads would give to bodies at rest.
+static real load_energy(const world *w)
+{
+    real sum = 0;
+    for (int b = 0; b < w->bodies && w->rigid.is_loaded; b++) {
+        motion u = world_load(w, b, w->frame);
+        sum += motion_energy(&w->rigid.now[b].basis, &u);
+    }
+    return sum;
+}
+
+// Contacts create no motion: beside what there is, and what bends and links
+// have stored, only gravity does, what pushes from outside, and the speed at
+// which overlaps are pushed out.  sqrt(2 energy / mass) is a length in the space of all
+// velocities: these add up to no more than their sum.
 real guard_most(const world *w, const solver_frame *f)
 {
     motion_sum s = rigid_motion(w);
@@ -50,7 +63,8 @@ real guard_most(const world *w, const solver_frame *f)
         if (body_is_soft(&w->body[b]) && body_moves(w, b))
             add_soft_motion(&s, w, &w->body[b]);
     real more = w->frame * vec3_length(w->options.gravity) + f->max_speed;
-    real most = sqrt(s.energy) + sqrt(s.mass / 2) * more;
+    real most = sqrt(s.energy) + sqrt(load_energy(w))
+              + sqrt(s.mass / 2) * more;
     return most * most;
 }
 //<

@@ -14,7 +14,8 @@ soft_frame soft_frame_of(world *w, real h)
         .velocity = t->velocity, .ball = t->ball, .ahead = t->ahead,
         .plane = w->plane, .planes = w->planes, .gravity = o->gravity,
         .friction = o->friction, .restitution = o->restitution,
-        .iterations = o->iterations,
+        .material = w->has_materials ? t->material : NULL,
+        .wall = w->wall, .owner = w->owner, .iterations = o->iterations,
         .relax = o->relax, .substeps = o->substeps,
         .most_substeps = o->most_substeps, .frame = w->frame, .age = w->age,
         .h = h };

@@ -30,7 +30,6 @@ status world_of_scene(world *w, const scene *s, world_options how)
         else
             world_pin(w, b, s->pin[k].particle);
     }
-    if (done.ok) done = world_begin(w);
     if (!done.ok) world_free(w);
     return done;
 }
@@ -47,7 +46,7 @@ world_options world_scene_options(scene_kind kind, int cloth)
     // do with the cheaper root.
     // Layers that lie on each other take some more.
     // No scene has a cloth of more than 512 a side.
-    o.substeps = 2 + int_min(int_max(cloth, 20), 512) / 20;
+    o.substeps = 2 + int_min(int_max(cloth, 20), 512) / 40;
     o.iterations = 8;
     o.relax.gradient = GRADIENT_NEW;
     o.relax.root = ROOT_APPROXIMATE;

@@ -23,6 +23,7 @@ define ORDER
 08/ordering
 09/scene
 09/system
+10/capsule
 10/query
 11/manifold
 12/inline
@@ -52,6 +53,7 @@ define ORDER
 16/soft
 17/joint
 17/linkage
+17/pin
 18/cache
 18/sleep
 18/world
@@ -447,7 +449,7 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
-  rigidity convex hull obj sphere sphere_tree grid ordering \
+  rigidity convex hull capsule obj sphere sphere_tree grid ordering \
   line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
   thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free

@@ -276,10 +276,13 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
     c->count = m->count;
     c->shared = (signed char)(is_apart ? 0 : m->count);
     c->normal = m->normal;
+    c->round_a = f->body[c->a].shape->round;
+    c->round_b = f->body[c->b].shape->round;
     for (int k = 0; k < m->count; k++)
         c->point[k] = (contact_point){
             .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
-            .local_b = local_of(f->body[c->b].rigid, &m->point[k].b) };
+            .local_b = local_of(f->body[c->b].rigid, &m->point[k].b),
+            .offset = c->round_a + c->round_b };
 }
 //<
 
@@ -293,13 +296,15 @@ static void add_guard(contact *c, const cache_frame *f)
     bool is_a = b < 0 || f->now[a].radius < f->now[b].radius;
     int small = is_a ? a : b;
     if (!f->moves[small] || c->count == 0) return;
+    // A ball touches with its middle already.
+    if (f->body[small].shape->particles == 1) return;
     if (c->count == CONTACT_POINTS) c->count--;
     c->shared = (signed char)int_min(c->shared, c->count);
     contact_point *p = &c->point[c->count];
     *p = c->point[0];
     if (is_a) p->local_a = f->body[a].rigid->middle;
     else      p->local_b = f->body[b].rigid->middle;
-    p->offset = f->body[small].inner;
+    p->offset = f->body[small].inner + (is_a ? c->round_b : c->round_a);
     c->count++;
 }
 
@@ -336,7 +341,46 @@ static swept_status query_swept(contact *c, const cache_frame *f,
     }
     return s;
 }
+//<
 
+//> cache-ahead
+// The normal of round bodies turns as they pass each other.  So they are asked
+// as they will stand when they touch: the one that is round is shifted, as seen
+// from the other, by the part of the way that closes the gap along the normal,
+// and again, for there the normal is another.  Returns whether they were.
+static const real GLIDES = 0.02;        // of the radius: less does not count
+
+static bool query_ahead(const cache_frame *f, const contact *c, collider a,
+                        collider b, real margin, query_cache *carried,
+                        manifold *m)
+{
+    enum { ROUNDS = 4, CORE = 2 };
+    bool is_a = a.shape->round > 0;
+    collider *round = is_a ? &a : &b;
+    vec3 way = vec3_sub(f->ahead[c->a].way, f->ahead[c->b].way), at[CORE];
+    real gone = 0, turn = f->ahead[c->a].angle + f->ahead[c->b].angle;
+    const vec3 *now = round->at;
+    if (!(query_round(&a, &b) > 0)) {
+        *m = collide_rigid(&a, &b, margin, turn, carried);
+        return false;
+    }
+    round->at = at;
+    for (int k = 0; ; k++) {
+        for (int v = 0; v < round->shape->particles; v++)
+            at[v] = vec3_add_scaled(now[v], is_a ? gone : -gone, way);
+        if (k == ROUNDS
+            || !(vec3_length(way) > GLIDES * round->shape->round)) break;
+        query_result r = query_nearest(&a, &b, HUGE_VAL, carried);
+        real closing = -vec3_dot(way, r.normal);
+        if (!(r.at.gap > 0) || !(r.at.gap < closing * (1 - gone))) break;
+        gone += r.at.gap / closing;
+    }
+    *m = collide_rigid(&a, &b, margin, turn, carried);
+    return gone > 0;
+}
+//<
+
+//> cache-pair
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
@@ -352,10 +396,10 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     if (is_fast(f, a, b)) swept = query_swept(now, f, &x, &y);
     if (swept != SWEPT_TOUCHES && swept != SWEPT_PASSES) {
         real slack = slack_of(f, a, b), reach = reach_of(f, a, b);
-        manifold m = collide_rigid(&x, &y, reach + 2 * slack,
-                                   f->ahead[a].angle + f->ahead[b].angle,
-                                   &e->carried);
-        take_manifold(now, &m, f, false);
+        manifold m;
+        bool is_ahead = query_ahead(f, now, x, y, reach + 2 * slack,
+                                    &e->carried, &m);
+        take_manifold(now, &m, f, is_ahead);
         if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
         p->seen[0] = c->placing[a].number;
         p->seen[1] = c->placing[b].number;
@@ -427,8 +471,9 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     const vec3 *at = c->vertex + c->placing[a].first;
     if (p->count == 0) was.count = 0;       // bequeaths nothing
     real slack = slack_of(f, a, -1), reach = reach_of(f, a, -1);
+    real round = f->body[a].shape->round;
     for (int v = 0; v < vertices; v++) {
-        real height = vec3_dot(wall.normal, at[v]) - wall.offset;
+        real height = vec3_dot(wall.normal, at[v]) - wall.offset - round;
         if (height <= reach + 2 * slack)
             keep_lowest(low, &n, (low_vertex){ v, height, at[v] });
     }
@@ -436,9 +481,12 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
         widen(low, at, vertices, wall, slack);
     now->normal = wall.normal;
     now->count = n;
+    now->round_a = round;
+    now->round_b = 0;
     for (int k = 0; k < n; k++)
         now->point[k] = (contact_point){
-            .local_a = f->body[a].rigid->local[low[k].vertex] };
+            .local_a = f->body[a].rigid->local[low[k].vertex],
+            .offset = round };
     if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
     p->seen[0] = c->placing[a].number;

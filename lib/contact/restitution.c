@@ -264,6 +264,8 @@ static impact impact_of(const impact_solver *s, const contact *c)
     }
     for (int side = A; side < BODIES; side++)
         x.pair.falls[side] = x.pair.basis[side]->inverse_mass > 0;
+    if (f->body[c->a].is_driven) x.pair.falls[A] = false;
+    if (c->b >= 0 && f->body[c->b].is_driven) x.pair.falls[B] = false;
     contact_gaps(c, &f->body[c->a].frame, frame, height, gap);
     for (int k = 0; k < c->count; k++)
         x.arm[k] = contact_arms_of(c, k, solver_placed(f, c->a),
@@ -343,16 +345,18 @@ static real center_of(const impact *x, vec3 arm[BODIES])
 }
 
 // The impulse f that stops sliding is where the energy is least; one shorter
-// than that takes energy as well.
+// than that takes energy as well.  Slower than 1e-12 of how the points part is
+// what rounding leaves, in any direction.
 static void stop_sliding(impact *x, const vec3 arm[BODIES], real most)
 {
     const impact_pair *p = &x->pair;
     vec3 n = x->c->normal;
     vec3 v = vec3_sub(motion_at(p->basis[A], &x->u[A], arm[A]),
                       motion_at(p->basis[B], &x->u[B], arm[B]));
+    real whole = vec3_length(v);
     v = vec3_add_scaled(v, -vec3_dot(v, n), n);
     real speed = vec3_length(v);
-    if (!(speed > 0)) return;
+    if (!(speed > 1e-12 * whole)) return;
     vec3 along = vec3_scale(1 / speed, v);
     impact_row r = row_along(p, along, arm);
     impact_row s = row_along(p, vec3_cross(n, along), arm);

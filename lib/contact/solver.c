@@ -135,6 +135,7 @@ typedef struct {
     vec3 normal, across, aside;
     real across_impulse, aside_impulse, twist;
     real per_near;              // 1/m, of a gap that is all but closed
+    real round_a, round_b;      // m, see contact
     real has[CONTACT_POINTS];   // 1: it has this point; 0: not
     real gap[CONTACT_POINTS], impulse[CONTACT_POINTS];
     real shared[CONTACT_POINTS];    // 1: both push at one place
@@ -194,6 +195,8 @@ static void choose_lane(lane_source *q, const contact *c,
     if (x->sides == TWO_SIDED) q->basis_b = &f->body[x->b].basis;
     q->normal = vec3_scale(sign, c->normal);
     q->per_near = 25 / radius_of(x, f);
+    q->round_a = x->is_swapped ? c->round_b : c->round_a;
+    q->round_b = x->is_swapped ? c->round_a : c->round_b;
     q->twist = x->count > 1 ? f->warm * c->twist : 0;
     choose_across(q, vec3_scale(sign * f->warm, c->friction));
     q->placed_a = solver_placed(f, x->a);
@@ -256,6 +259,29 @@ static inline void find_arms(real4 arm_a[3], real4 arm_b[3], real4 shared,
     }
 }
 
+// From the cores of bodies that are round to their surfaces.
+static void shift_arms(raw_block *raw, const lane_source q[REAL4], int points)
+{
+    real4 normal[3], minus_a = LANES_OF(q, round_a), b = LANES_OF(q, round_b);
+    minus_a = real4_sub(real4_all(0), minus_a);
+    real4 mid = real4_mul(real4_all(0.5), real4_add(minus_a, b));
+    LANES3_OF(normal, q, normal);
+    for (int j = 0; j < points; j++) {
+        real4 shared = LANES_OF(q, shared[j]);
+        real4_add3(raw->arm_a[j], normal,
+                   real4_if_positive(shared, mid, minus_a));
+        real4_add3(raw->arm_b[j], normal, real4_if_positive(shared, mid, b));
+    }
+}
+
+static bool is_round(const lane_source q[REAL4])
+{
+    real most = 0;
+    for (int l = 0; l < REAL4; l++)
+        most = real_max(most, q[l].round_a + q[l].round_b);
+    return most > 0;
+}
+
 static void transpose_arms(raw_block *raw, const lane_source q[REAL4],
                            int points)
 {
@@ -272,6 +298,7 @@ static void transpose_arms(raw_block *raw, const lane_source q[REAL4],
         find_arms(raw->arm_a[j], raw->arm_b[j], LANES_OF(q, shared[j]), a, b,
                   local_a, local_b);
     }
+    if (is_round(q)) shift_arms(raw, q, points);
 }
 
 static void transpose(block *k, raw_block *raw, const lane_source q[REAL4])

@@ -62,7 +62,8 @@ joint joint_make(const joint_plan *p, const rigid_frame *a,
     vec3 axis[JOINT_AXES] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
     bool has_two = p->kind == JOINT_DISTANCE;
     joint j = { .kind = p->kind, .a = p->a, .b = p->b, .least = p->least,
-                .most = p->most, .may_touch = p->may_touch };
+                .most = p->most, .particle = p->particle,
+                .may_touch = p->may_touch };
     j.strength = p->strength > 0 ? p->strength : HUGE_VAL;
     j.is_limited = has_two && p->least < p->most;
     if (p->kind == JOINT_HINGE) {

@@ -11,16 +11,19 @@
 
 // A ball joint: a point of A and a point of B stay together.  A hinge: an axis
 // of each as well.  A fixed joint: they move as one.  A distance: two points
-// are at least and at most so far apart.
+// are at least and at most so far apart.  A pin: a particle of a rope or cloth
+// stays at a place on a rigid body (pin.h).
 typedef enum {
     JOINT_NONE, JOINT_BALL, JOINT_HINGE, JOINT_FIXED, JOINT_DISTANCE,
-    JOINT_KINDS
+    JOINT_PIN, JOINT_KINDS
 } joint_kind;
 
 // A joint to be made, told as the bodies stand now.
 typedef struct {
     joint_kind kind;
-    int  a, b;          // bodies; -1: the world, which does not move
+    int  a, b;          // bodies; -1: the world, which does not move; of a pin,
+                        // A is the deformable one
+    int  particle;      // of a pin: of A
     vec3 point;         // m, in the world; of a distance: the point of A
     vec3 point_b;       // m, of a distance: the point of B
     vec3 axis;          // of a hinge, in the world; of any length > 0
@@ -38,6 +41,7 @@ enum { JOINT_ROWS = 6, JOINT_AXES = 3 };
 typedef struct {
     joint_kind kind;            // JOINT_NONE: there is no joint at this number
     int  a, b;
+    int  particle;              // of a pin
     vec3 local_a, local_b;      // the points
     vec3 axis_a[JOINT_AXES];    // the same three directions, perpendicular, as
     vec3 axis_b[JOINT_AXES];    // A and as B have them; a hinge turns about [0]
@@ -50,6 +54,8 @@ typedef struct {
     real impulse[JOINT_ROWS];   // N s, N m s, of each row, in the last
                                 // substep
     real force;                 // N, in that substep
+    real own;                   // 1/kg, the pinned particle's, while strands
+    vec3 start;                 // pull, and m, where it was before
 } joint;
 //<
 

@@ -307,7 +307,8 @@ static joint_role choose_role(linkage *l, const linkage_pass *q, int k)
 {
     const joint *j = &l->joint[k];
     bool moves_a = moves(q->f, j->a), moves_b = moves(q->f, j->b);
-    if (!holds(j) || (!moves_a && !moves_b)) return JOINT_IDLE;
+    if (!holds(j) || j->kind == JOINT_PIN || (!moves_a && !moves_b))
+        return JOINT_IDLE;
     if (l->is_plain) return JOINT_ALONE;
     if (!moves_a || !moves_b) return JOINT_ANCHOR;
     int a = tree_of(l, j->a), b = tree_of(l, j->b);
@@ -336,6 +337,7 @@ static void follow(linkage *l, const linkage_pass *q, int b)
 static void choose_roles(linkage *l, const linkage_pass *q)
 {
     for (int k = 0; k < l->count; k++) {
+        if (!holds(&l->joint[k])) continue;
         reset_body(l, l->joint[k].a);
         reset_body(l, l->joint[k].b);
     }

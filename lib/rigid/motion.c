@@ -33,6 +33,20 @@ motion motion_of(const particle *p, const rigid_frame *frame,
 }
 //<
 
+//> motion-make
+// The turns are about axes that are perpendicular.
+motion motion_make(const motion_basis *basis, vec3 velocity, vec3 spin)
+{
+    motion m = { { velocity.x, velocity.y, velocity.z } };
+    for (int t = 0; t < TURNS; t++) {
+        real square = vec3_length_squared(basis->turn[t]);
+        if (square > 0)
+            m.of[MOTION_TURN + t] = vec3_dot(basis->turn[t], spin) / square;
+    }
+    return m;
+}
+//<
+
 //> motion-push
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse)
 {

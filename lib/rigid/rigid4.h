@@ -29,7 +29,7 @@ typedef struct rigid4 {
     vec3  center;           // m, the solid's centre of mass, in that frame
     real  mass;             // kg, of each of the four
     real  radius;           // m, their largest distance from the centre
-    real  reach;            // m, the vertices' largest distance from it
+    real  reach;            // m, the body's largest distance from it
     struct stick stick[FOUR_STICKS];        // every pair
     real  square[FOUR_AXES];        // m^2, of the frame's vectors
     real  per_sum[FOUR_STICKS];     // 1/m^2, of two of them: 00 11 22 01 02 12
@@ -42,8 +42,8 @@ typedef struct rigid4 {
 //<
 
 //> rigid4-declare
-// The four particles of the solid that the closed mesh of s encloses, filled
-// evenly with the mass of s.  Fails, leaving *f empty, if s has no volume (or
+// The four particles of the solid that the closed mesh of s encloses, or that is
+// round, filled evenly with the mass of s.  Fails, leaving *f empty, if s has no volume (or
 // one so thin that rounding loses it), or memory is refused.
 status rigid4_build(rigid4 *f, const shape *s);
 void   rigid4_free(rigid4 *f);      // an empty or zeroed one is fine
@@ -53,6 +53,9 @@ extern const real FOUR_SIGN[FOUR][FOUR_AXES];
 
 // The frame of four particles.
 rigid_frame rigid4_frame(const particle *p);
+
+// The coordinates in such a frame of a point (m) of the shape.
+vec3 rigid4_local(const rigid4 *f, vec3 at);
 
 // The arm (m, from the centre) of particle k.
 static inline vec3 frame_arm(const rigid_frame *f, int k)

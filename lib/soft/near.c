@@ -161,7 +161,8 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
     rigid_frame frame = soft_rigid_frame(f, b);
     rigid4_ride(rigid->rigid, &frame, v->corner, s->particles);
     v->hull = (obstacle){ { v->corner, s->particles }, v->plane,
-                          hull_planes(s, v->corner, v->plane), s->radius };
+                          hull_planes(s, v->corner, v->plane), s->radius,
+                          s->round };
     v->frame = frame;
     v->moved = f->moved[b];
     v->of = b;
@@ -208,6 +209,7 @@ enum { OVER_NOTHING = -1 };
 
 static bool is_over(const rigid_view *v, vec3 x, int ahead, real inside)
 {
+    if (v->hull.planes == 0) return false;
     plane face = v->plane[ahead];
     real up = plane_height(face, x);
     vec3 foot = vec3_add_scaled(x, -up, face.normal);
@@ -246,7 +248,8 @@ static bool may_meet(const near_lists *l, const rigid_view *v,
         int ahead = l->ahead[corner_of[k]];
         over += ahead % 2 == 1 && ahead == l->ahead[corner_of[0]];
         if (ahead == OVER_NOTHING) continue;
-        if (facet_height(end, v->plane[ahead / 2]) > reach) return false;
+        plane under = obstacle_plane(&v->hull, end[k], ahead / 2);
+        if (facet_height(end, under) > reach) return false;
     }
     return over < FACET;
 }
@@ -282,7 +285,7 @@ static const real SPARE = 1.35;
 
 real soft_gap(const body *soft, const body *rigid)
 {
-    return body_is_static(rigid) ? SPARE * soft->thickness : soft->thickness;
+    return body_is_dynamic(rigid) ? soft->thickness : SPARE * soft->thickness;
 }
 
 // The particles of a that are near the rigid body b: inside its ball, or not
@@ -304,7 +307,7 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
         if (!is_ready) rigid_view_look(v, f, b);
         is_ready = true;
         int ahead = hull_ahead(x, v->plane, v->hull.planes);
-        real up = plane_height(v->plane[ahead], x);
+        real up = plane_height(obstacle_plane(&v->hull, x, ahead), x);
         if (up > wide) continue;
         l->ahead[i] = 2 * ahead;
         if (up > reach) continue;
@@ -323,6 +326,7 @@ static void list_pair(near_lists *l, rigid_view *v, const soft_frame *f, int a,
     bool a_is_soft = body_is_soft(&f->body[a]);
     bool b_is_soft = body_is_soft(&f->body[b]);
     if (!soft_moves(f, a) && !soft_moves(f, b)) return;
+    if (!soft_meets(f, a, b)) return;
     if (a_is_soft && b_is_soft) list_soft_pair(l, f, a, b);
     else if (a_is_soft)         list_points(l, v, f, a, b);
     else if (b_is_soft)         list_points(l, v, f, b, a);

@@ -5,12 +5,25 @@
 
 static rigid_frame frame_now(const world *w, int b)
 {
-    return b < 0 ? JOINT_WORLD : rigid4_frame(w->pool.at + w->body[b].first);
+    if (b < 0 || body_is_soft(&w->body[b])) return JOINT_WORLD;
+    return rigid4_frame(w->pool.at + w->body[b].first);
+}
+
+static vec3 pinned_at(const world *w, const joint_plan *p)
+{
+    const body *soft = &w->body[p->a];
+    assert(p->particle >= 0 && p->particle < body_particles(soft));
+    return w->pool.at[soft->first + p->particle].position;
 }
 
 static bool can_move(const world *w, int b)
 {
     return b >= 0 && !body_is_static(&w->body[b]);
+}
+
+static bool is_dynamic(const world *w, int b)
+{
+    return b >= 0 && body_is_dynamic(&w->body[b]);
 }
 
 static void wake(world *w, int b)
@@ -32,8 +45,10 @@ status world_join(world *w, joint_plan plan, int *number)
 {
     assert(plan.a >= -1 && plan.a < w->bodies && plan.a != plan.b);
     assert(plan.b >= -1 && plan.b < w->bodies);
-    assert(plan.a < 0 || !body_is_soft(&w->body[plan.a]));
+    bool is_pin = plan.kind == JOINT_PIN;
+    assert(plan.a < 0 || body_is_soft(&w->body[plan.a]) == is_pin);
     assert(plan.b < 0 || !body_is_soft(&w->body[plan.b]));
+    if (is_pin) plan.point = pinned_at(w, &plan);
     status done = joint_check(&plan);
     if (done.ok && !can_move(w, plan.a) && !can_move(w, plan.b))
         done = status_fail("neither of the two bodies of a joint can move");
@@ -81,6 +96,8 @@ real world_joint_gap(const world *w, int number)
     rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
     vec3 on_a, on_b;
     joint_points(j, &a, &b, &on_a, &on_b);
+    if (j->kind == JOINT_PIN)
+        on_a = w->pool.at[w->body[j->a].first + j->particle].position;
     return vec3_distance(on_a, on_b);
 }
 
@@ -130,7 +147,7 @@ void join_islands_of_joints(world *w)
         const joint *j = &l->joint[k];
         if (j->is_broken && l->broken > 0) renew_pairs(w, j);
         if (j->kind == JOINT_NONE || j->is_broken) continue;
-        if (can_move(w, j->a) && can_move(w, j->b))
+        if (is_dynamic(w, j->a) && is_dynamic(w, j->b))
             sleep_touch(&w->sleep, j->a, j->b);
     }
     l->broken = 0;

@@ -8,7 +8,8 @@
 
 #include "world.h"
 
-// Joins two rigid bodies, or one and the world, as they stand now; the joint's
+// Joins two rigid bodies, or one and the world, or pins a particle, as they
+// stand now; the joint's
 // number in *number (which may be NULL).  Sleepers wake.  Fails, adding
 // nothing, if joint_check does, or neither body can move, or for want of
 // memory.

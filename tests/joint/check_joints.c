@@ -551,6 +551,87 @@ START_TEST(chain_between_two_walls_hangs_as_a_catenary)
 }
 END_TEST
 
+// A rope of 1 m and 0.1 kg along x, its right end at the origin.
+static int add_rope(void)
+{
+    shape_free(&shapes[2]);
+    expect_ok(shape_rope(&shapes[2], 21, 1, 0.1));
+    return add_at(&shapes[2], -0.5, 0, 0);
+}
+
+static int pin(int rope, int end, int b)
+{
+    int last = shapes[2].particles - 1;
+    return join((joint_plan){ .kind = JOINT_PIN, .a = rope, .b = b,
+                              .particle = end ? last : 0 });
+}
+
+START_TEST(rope_carries_a_hundred_times_its_weight)
+{
+    // A box of 10 kg swings on it, from the horizontal: it comes to
+    // sqrt(2 g l) at the bottom, and the pins hold to a micrometre.
+    real worst = 0, fastest = 0, strain = 0;
+    begin_awake(EARTH, 8);
+    int r = add_rope();
+    int b = add_at(box_of(0, vec3_make(0.1, 0.1, 0.1), 10), 0.1, 0, 0);
+    pin(r, 0, -1);
+    pin(r, 1, b);
+    for (int k = 0; k < 60; k++) {
+        world_step(&w);
+        worst = real_max(worst, worst_gap());
+        for (int i = 0; i < shapes[2].particles - 1; i++)
+            strain = real_max(strain, fabs(vec3_distance(
+                particle_of(r, i)->position, particle_of(r, i + 1)->position)
+                * 21 - 1));
+        vec3 v = { w.rigid.velocity[b].of[0], w.rigid.velocity[b].of[1], 0 };
+        fastest = real_max(fastest, vec3_length(v));
+    }
+    ck_assert_msg(worst < 1e-6, "a pin came off by %g mm", 1e3 * worst);
+    ck_assert_msg(strain < 0.02, "a link is strained by %g", strain);
+    near(fastest, sqrt(2 * EARTH * 1.1), 0.1, "the greatest speed");
+}
+END_TEST
+
+START_TEST(rope_between_two_boxes_in_flight_keeps_their_momentum)
+{
+    begin_awake(0, 8);
+    const shape *s = box_of(0, vec3_make(0.2, 0.2, 0.2), 1);
+    int r = add_rope(), b[2];
+    b[0] = add_thrown(s, vec3_make(-1.2, 0, 0), vec3_make(0, 1, 0), SIDE);
+    b[1] = add_thrown(s, vec3_make(0.2, 0, 0), vec3_make(0.5, -1, 1), ZERO);
+    pin(r, 0, b[0]);
+    pin(r, 1, b[1]);
+    ledger_entry was = ledger_total(&w);
+    steps(120);
+    ledger_entry now = ledger_total(&w);
+    near(vec3_distance(now.momentum, was.momentum), 0, 1e-11, "momentum");
+    near(vec3_distance(now.angular, was.angular), 0, 0.01, "angular momentum");
+    ck_assert(worst_gap() < 1e-6);
+}
+END_TEST
+
+START_TEST(pin_breaks_under_its_strength)
+{
+    // The swinging box pulls with 3 m g at the bottom, 29 N, and the rope trembles
+    // by a half of that.
+    for (int holds = 0; holds < 2; holds++) {
+        int broken = 0;
+        begin_awake(EARTH, 8);
+        int r = add_rope();
+        int b = add_at(box_of(0, vec3_make(0.1, 0.1, 0.1), 1), 0.1, 0, 0);
+        pin(r, 0, -1);
+        int j = pin(r, 1, b);
+        w.joints.joint[j].strength = holds ? 100 : 15;
+        for (int k = 0; k < 90; k++) {
+            world_step(&w);
+            broken += w.report.broken;
+        }
+        ck_assert_int_eq(broken, !holds);
+        ck_assert(holds ? centre(b).y > -1.2 : centre(b).y < -1.2);
+    }
+}
+END_TEST
+
 START_TEST(what_makes_no_joint_is_refused_with_a_sentence)
 {
     begin_awake(EARTH, 8);
@@ -616,6 +697,9 @@ int main(void)
         what_is_joined_sleeps_and_wakes_together,
         ring_holds_to_a_few_millimetres,
         chain_between_two_walls_hangs_as_a_catenary,
+        rope_carries_a_hundred_times_its_weight,
+        rope_between_two_boxes_in_flight_keeps_their_momentum,
+        pin_breaks_under_its_strength,
         what_makes_no_joint_is_refused_with_a_sentence,
         lost_body_does_not_take_the_world_along,
     };

@@ -169,7 +169,7 @@ static int points_are_listed(real margin)
                                          &w.rigid.moved[b]);
         rigid4_ride(rigid->rigid, &frame, at, 8);
         obstacle hit = { { at, 8 }, wall, hull_planes(rigid->shape, at, wall),
-                         rigid->shape->radius };
+                         rigid->shape->radius, 0 };
         for (int i = 0; i < w.pool.count; i++) {
             int a = w.bodies - 1;
             while (w.body[a].first > i) a--;

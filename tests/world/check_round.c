@@ -10,6 +10,7 @@
 #include "measure.h"
 #include "capsule.h"
 #include "facet.h"
+#include "join.h"
 #include "stage.h"
 #include "step.h"
 
@@ -26,7 +27,7 @@ static void expect_close(real got, real wanted)
                   "got %.17g, wanted %.17g", got, wanted);
 }
 
-// --- plans --------------------------------------------------------------------
+// --- plans -------------------------------------------------------------------
 
 // kg m^2, of the four particles about the axis along y and one across it.
 static void expect_inertia(const shape *s, real along, real across)
@@ -89,7 +90,7 @@ START_TEST(capsule_has_the_inertia_of_a_cylinder_and_two_half_balls)
 }
 END_TEST
 
-// --- queries ------------------------------------------------------------------
+// --- queries -----------------------------------------------------------------
 
 static shape ball, small, capsule, box;
 
@@ -314,7 +315,7 @@ START_TEST(triangle_finds_the_surface_of_a_ball)
 }
 END_TEST
 
-// --- worlds -------------------------------------------------------------------
+// --- worlds ------------------------------------------------------------------
 
 static vec3 middle(int b)
 {
@@ -624,7 +625,42 @@ START_TEST(skin_rides_on_the_body)
 }
 END_TEST
 
-// --- cloth --------------------------------------------------------------------
+// Hung by an end of its core, which is half a length d from its centre: the
+// period of small swings is 2 pi sqrt((I + m d^2) / (m g d)), and longer by
+// theta^2 / 16 of it for swings of theta.
+// Rejects: the inertia of a rod without its round ends.
+START_TEST(capsule_swings_with_the_period_of_its_inertia)
+{
+    real theta = .1, d = .2, pi = acos(-1);
+    placement p = placement_at(vec3_make(-d * sin(theta), -d * cos(theta), 0));
+    p.y = vec3_make(sin(theta), cos(theta), 0);
+    p.x = vec3_make(cos(theta), -sin(theta), 0);
+    int b = add(&capsule, p);
+    expect_ok(world_join(&w, (joint_plan){ .kind = JOINT_HINGE, .a = b, .b = -1,
+                                           .axis = { 0, 0, 1 } }, NULL));
+    const rigid4 *f = w.body[b].rigid;
+    real inertia = FOUR * f->mass * (f->square[0] + f->square[1]);
+    real across = FOUR * f->mass * (f->square[1] + f->square[2]);
+    inertia = fmax(inertia, across) + d * d;    // of 1 kg
+    real wanted = 2 * pi * sqrt(inertia / (9.81 * d))
+                * (1 + theta * theta / 16);
+    real last = middle(b).x, first = 0, period = 0;
+    for (int k = 1, times = 0; k < 600 && times < 11; k++) {
+        world_step(&w);
+        real now = middle(b).x;
+        if (last < 0 && now >= 0) {
+            real when = (k - now / (now - last)) / 60;
+            if (times++ == 0) first = when;
+            period = (when - first) / fmax(times - 1, 1);
+        }
+        last = now;
+    }
+    printf("capsule swings in %.5f s, formula %.5f\n", period, wanted);
+    near_real(period, wanted, 1e-3 * wanted);
+}
+END_TEST
+
+// --- cloth -------------------------------------------------------------------
 
 // A cloth falls on a nailed ball, or on a capsule that lies: no particle of it
 // gets inside, none of its triangles' middles, and it hangs down all around.
@@ -676,13 +712,17 @@ int main(void)
         particle_finds_the_surface_of_a_round_body,
         triangle_finds_the_surface_of_a_ball, ball_that_bounces_begins_to_roll,
         ball_that_spins_reaches_nothing_by_it,
-        ball_rolls_down_a_slope_with_five_sevenths, ball_without_friction_slides,
+        ball_rolls_down_a_slope_with_five_sevenths,
+        ball_without_friction_slides,
         marble_rests_on_a_floor_in_a_corner_and_on_two_edges,
         elastic_impact_changes_speeds_along_the_line_of_centres,
-        cradle_hands_its_speed_on, capsule_lies_still_and_falls_over_if_it_leans,
+        cradle_hands_its_speed_on,
+        capsule_lies_still_and_falls_over_if_it_leans,
         capsules_lie_on_each_other, fast_ball_does_not_pass_a_plate,
-        balls_in_one_place_part, slow_balls_come_to_rest, marbles_settle_without_overlap,
+        balls_in_one_place_part, slow_balls_come_to_rest,
+        marbles_settle_without_overlap,
         measured_overlap_knows_the_radii, skin_rides_on_the_body,
+        capsule_swings_with_the_period_of_its_inertia,
         cloth_lies_on_a_ball_and_on_a_capsule
     };
     Suite *suite = suite_create("round");

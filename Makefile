@@ -63,6 +63,7 @@ define ORDER
 18/join
 18/substeps
 18/guard
+18/rolling
 18/step
 18/measure
 18/obj

@@ -471,7 +471,31 @@ START_TEST(balls_in_one_place_part)
 }
 END_TEST
 
-// A hundred in a box, three layers high.
+// Rejects: one that rolls on for ever, or turns on its point; a brake that
+// stops what rolls fast, or anything in a world without sleep.
+START_TEST(slow_balls_come_to_rest)
+{
+    for (int sleeps = 0; sleeps < 2; sleeps++) {
+        world_options o = world_options_default();
+        if (!sleeps) o.sleep_speed = 0;
+        begin(o);
+        add_floor();
+        int a = add_thrown(&ball, vec3_make(0, .1, 0), vec3_make(.05, 0, 0),
+                           vec3_make(0, 0, -.5));
+        int b = add_thrown(&ball, vec3_make(0, .1, 3), vec3_make(.3, 0, 0),
+                           vec3_make(0, 0, -3));
+        int c = add_thrown(&ball, vec3_make(0, .1, 6), ZERO,
+                           vec3_make(0, .5, 0));
+        frames(300);
+        near_real(middle(b).x, 1.5, 1e-3);
+        if (sleeps) ck_assert(w.sleep.asleep[a] && w.sleep.asleep[c]);
+        if (sleeps) ck_assert(middle(a).x > .01 && middle(a).x < .1);
+        else        near_real(middle(a).x, .25, 1e-3);
+    }
+}
+END_TEST
+
+// Two hundred in a box, four layers high.
 START_TEST(marbles_settle_without_overlap)
 {
     add_floor();
@@ -488,6 +512,7 @@ START_TEST(marbles_settle_without_overlap)
     printf("200 marbles: deepest overlap %.4f of a radius, %d asleep, %.2g J\n",
            m.penetration / .1, w.report.asleep, m.kinetic);
     ck_assert(m.penetration < .01 * .1);
+    ck_assert_int_eq(w.report.asleep, 200);
 }
 END_TEST
 
@@ -574,7 +599,7 @@ int main(void)
         elastic_impact_changes_speeds_along_the_line_of_centres,
         cradle_hands_its_speed_on, capsule_lies_still_and_falls_over_if_it_leans,
         capsules_lie_on_each_other, fast_ball_does_not_pass_a_plate,
-        balls_in_one_place_part, marbles_settle_without_overlap,
+        balls_in_one_place_part, slow_balls_come_to_rest, marbles_settle_without_overlap,
         measured_overlap_knows_the_radii, skin_rides_on_the_body,
         cloth_lies_on_a_ball_and_on_a_capsule
     };

@@ -63,6 +63,7 @@ define ORDER
 18/join
 18/substeps
 18/guard
+18/rolling
 18/step
 18/measure
 18/obj
@@ -399,8 +400,8 @@ bits:
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
-#: make deps-book adds pandoc and img2webp; make deps-dev adds clang, its fuzzer
-#: and valgrind.
+#: make deps-book adds pandoc and img2webp; make deps-dev adds clang, its fuzzer,
+#: valgrind, and GNU Parallel, which build/tumble --sweep needs.
 #: NATIVE=1 builds for this very machine.  V=1 shows the commands.
 #: FUZZ_SECONDS=600 fuzzes for longer.
 sanitize:
@@ -544,8 +545,12 @@ $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, 
 $(BUILD)/shrink: $(BUILD)/figures/shrink.o $(BUILD)/lib/status.o $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
 
-$(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a
+$(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a | $(BUILD)/tumble-sweep
 	$(call link,-lpng -lm)
+# It becomes this script for a sweep.
+$(BUILD)/tumble-sweep: figures/command/sweep.sh
+	$(Q)mkdir -p $(@D)
+	$(Q)install -m 755 $< $@
 
 # libccd and ODE are what their packages built, with -O2.
 $(BUILD)/figures/peers_ccd.o: CFLAGS += -O2

@@ -264,6 +264,8 @@ static impact impact_of(const impact_solver *s, const contact *c)
     }
     for (int side = A; side < BODIES; side++)
         x.pair.falls[side] = x.pair.basis[side]->inverse_mass > 0;
+    if (f->body[c->a].is_driven) x.pair.falls[A] = false;
+    if (c->b >= 0 && f->body[c->b].is_driven) x.pair.falls[B] = false;
     contact_gaps(c, &f->body[c->a].frame, frame, height, gap);
     for (int k = 0; k < c->count; k++)
         x.arm[k] = contact_arms_of(c, k, solver_placed(f, c->a),

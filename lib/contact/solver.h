@@ -30,6 +30,8 @@ typedef struct {
     motion_basis basis; // zero: immovable
     rigid_frame frame;  // where it stands at the start of the frame
     real radius;        // m, around its centre
+    bool is_driven;     // its velocity is set, whatever pushes it: its basis is
+                        // that of a body so heavy that no push shows
 } solver_body;
 
 // What the solver is told about a frame.

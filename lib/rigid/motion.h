@@ -48,6 +48,9 @@ motion_basis basis_find(const rigid4 *f, const rigid_frame *frame);
 motion motion_of(const particle *p, const rigid_frame *frame,
                  const motion_basis *basis, real h);
 
+// The motion with this velocity (m/s) and this spin (rad/s).
+motion motion_make(const motion_basis *basis, vec3 velocity, vec3 spin);
+
 // The rotation in m, about the centre: rad/s, or rad.
 static inline vec3 motion_rotation(const motion_basis *basis, const motion *m)
 {

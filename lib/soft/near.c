@@ -285,7 +285,7 @@ static const real SPARE = 1.35;
 
 real soft_gap(const body *soft, const body *rigid)
 {
-    return body_is_static(rigid) ? SPARE * soft->thickness : soft->thickness;
+    return body_is_dynamic(rigid) ? soft->thickness : SPARE * soft->thickness;
 }
 
 // The particles of a that are near the rigid body b: inside its ball, or not
@@ -326,6 +326,7 @@ static void list_pair(near_lists *l, rigid_view *v, const soft_frame *f, int a,
     bool a_is_soft = body_is_soft(&f->body[a]);
     bool b_is_soft = body_is_soft(&f->body[b]);
     if (!soft_moves(f, a) && !soft_moves(f, b)) return;
+    if (!soft_meets(f, a, b)) return;
     if (a_is_soft && b_is_soft) list_soft_pair(l, f, a, b);
     else if (a_is_soft)         list_points(l, v, f, a, b);
     else if (b_is_soft)         list_points(l, v, f, b, a);

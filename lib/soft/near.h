@@ -63,6 +63,11 @@ static inline material soft_material(const soft_frame *f, int a, int b)
     return material_meet(f->material[a],
                          b < 0 ? f->wall[-1 - b] : f->material[b]);
 }
+// May anything come of a and b being near each other?
+static inline bool soft_meets(const soft_frame *f, int a, int b)
+{
+    return body_meets(&f->body[a], &f->body[b]);
+}
 static inline bool is_moving_soft(const soft_frame *f, int b)
 {
     return body_is_soft(&f->body[b]) && soft_moves(f, b);
@@ -109,7 +114,7 @@ typedef struct {
     facet_list facet;           // facets at rigid bodies, in the same order
     facet_list facets_before;   // those of the last lists
     int  facet_capacity;
-    int *met, mets;     // those of them that met one in this substep
+    int *met, mets;     // those that met one in this substep, or soon may
     int  substeps;      // since the lists were made
     int *ahead;         // [particles] while facets are listed, see near.c
     real margin;        // m, how much further than touching the lists look

@@ -31,6 +31,9 @@ typedef struct body {
     real inner;         // m, the inner radius of a rigid one
     real damping;       // 1/s, the share of its velocity that it loses,
     real spin_damping;  // 1/s, and of its spin, if it is rigid
+    bool is_kinematic;  // rigid, and moves as a program says
+    unsigned group, mask;   // bits: two meet if the mask of each has a bit of
+                        // the other's group
 } body;
 
 static inline bool body_is_soft(const body *b)
@@ -49,6 +52,16 @@ static inline bool body_is_gone(const body *b)
 static inline bool body_is_static(const body *b)
 {
     return !(b->mass < HUGE_VAL);
+}
+// It may be pushed.
+static inline bool body_is_dynamic(const body *b)
+{
+    return b->mass < HUGE_VAL && !b->is_kinematic;
+}
+static inline bool body_meets(const body *a, const body *b)
+{
+    return (a->mask & b->group) && (b->mask & a->group)
+        && (body_is_dynamic(a) || body_is_dynamic(b));
 }
 
 #endif

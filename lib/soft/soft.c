@@ -300,6 +300,7 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
     const prediction *x = &s->ahead[a], *y = &s->ahead[b];
     const sphere *ball = s->near.ball;
     if (a == b) return substeps_for(f, a, x->turn, 1);
+    if (!soft_meets(f, a, b)) return 0;
     if (!balls_meet(ball[a], ball[b], x->reach + y->reach)) return 0;
     int n = substeps_for(f, a, x->reach, 1);
     if (body_is_soft(&f->body[b])) return n;

@@ -45,6 +45,10 @@ static placement where_rigid(const world *w, int b)
     vec3 out = direction(&now, &rest, x->rigid->center);
     at.position = vec3_sub(now.center, out);
     at.is_static = body_is_static(x);
+    if (x->is_kinematic) {
+        at.velocity = w->rigid.drive[b].velocity;
+        at.spin = w->rigid.drive[b].spin;
+    }
     if (!body_moves(w, b)) return at;
     motion_basis basis = basis_find(x->rigid, &now);
     motion u = motion_of(p, &now, &basis, w->age);
@@ -87,6 +91,8 @@ status world_put(world *w, int b, placement where)
     cache_forget(&w->rigid.cache, b);
     soft_forget(&w->soft, b);
     world_place(w, b, &where);
+    if (x->is_kinematic)
+        w->rigid.drive[b] = (body_drive){ where.velocity, where.spin };
     world_wake_around(w, b);
     return done;
 }
@@ -107,15 +113,22 @@ static void add_velocity(world *w, int b, vec3 velocity, vec3 spin)
 static bool wake_rigid(world *w, int b)
 {
     assert(b >= 0 && b < w->bodies && !body_is_soft(&w->body[b]));
-    if (body_is_static(&w->body[b])) return false;
+    if (!body_is_dynamic(&w->body[b])) return false;
     world_wake(w, b);
     w->is_still = false;
     return true;
 }
 
+static void drive(world *w, int b, vec3 velocity, vec3 spin)
+{
+    w->rigid.drive[b] = (body_drive){ velocity, spin };
+    w->is_still = false;
+}
+
 void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin)
 {
     assert(vec3_is_finite(velocity) && vec3_is_finite(spin));
+    if (w->body[b].is_kinematic) drive(w, b, velocity, spin);
     if (!wake_rigid(w, b)) return;
     particle *p = w->pool.at + w->body[b].first;
     for (int k = 0; k < FOUR; k++) p[k].previous = p[k].position;
@@ -220,6 +233,40 @@ status world_set_damping(world *w, int b, real damping, real spin_damping)
     w->body[b].spin_damping = spin_damping;
     w->is_damped |= damping > 0 || spin_damping > 0;
     return status_ok();
+}
+//<
+
+//> handle-kinematic
+// To the books it has no mass: what it gives comes from outside.
+void world_set_kinematic(world *w, int b, bool is_kinematic)
+{
+    assert(b >= 0 && b < w->bodies && !body_is_soft(&w->body[b]));
+    body *x = &w->body[b];
+    if (body_is_static(x) || x->is_kinematic == is_kinematic) return;
+    placement at = world_where(w, b);
+    world_wake(w, b);
+    x->is_kinematic = is_kinematic;
+    w->is_choosy = true;
+    w->kinematic_bodies += is_kinematic ? 1 : -1;
+    w->dynamic_bodies -= is_kinematic ? 1 : -1;
+    for (int i = x->first; i < x->first + FOUR; i++) {
+        w->pool.at[i].inverse_mass = 1 / x->rigid->mass;
+        w->inverse_mass[i] = is_kinematic ? 0 : 1 / x->rigid->mass;
+    }
+    world_renew(w, b);
+    w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
+    if (!is_kinematic) world_set_velocity(w, b, at.velocity, at.spin);
+}
+
+void world_set_filter(world *w, int b, unsigned group, unsigned mask)
+{
+    assert(b >= 0 && b < w->bodies);
+    w->body[b].group = group;
+    w->body[b].mask = mask;
+    w->is_choosy = true;
+    world_wake(w, b);
+    world_wake_around(w, b);
+    world_renew(w, b);
 }
 //<
 

@@ -26,11 +26,16 @@ placement world_where(const world *w, int b);
 status world_put(world *w, int b, placement where);
 
 // Gives a rigid body this velocity of its centre of mass, and this spin about
-// it.  Nothing happens to a static one.
+// it; a kinematic one keeps them.  Nothing happens to a static one.
 void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin);
 
-// An impulse (N s) on a rigid body, now, at a point of the world.  A static one
-// does not feel it.
+// Makes a rigid body that is not static kinematic, at rest, or not kinematic any
+// more: then it goes on as it went.  Nothing changes the velocity of a kinematic one but world_set_velocity: it pushes what
+// it meets, carries what lies on it, and goes through what does not move.
+void world_set_kinematic(world *w, int b, bool is_kinematic);
+
+// An impulse (N s) on a rigid body, now, at a point of the world.  A static or
+// kinematic one does not feel it.
 void world_push(world *w, int b, vec3 impulse, vec3 at);
 
 // An impulse (N s) on particle i of a deformable body.  A pinned one does not
@@ -57,6 +62,10 @@ status world_set_plane_material(world *w, int k, material m);
 // The shares of its velocity and its spin that a body loses, 1/s; a deformable
 // one has no spin.  Fails, changing nothing, if one is negative or not finite.
 status world_set_damping(world *w, int b, real damping, real spin_damping);
+
+// Two bodies meet if the mask of each has a bit of the other's group.  A new one
+// has group 1, and meets all.
+void world_set_filter(world *w, int b, unsigned group, unsigned mask);
 
 // Puts body b to sleep where it is; anything may wake it.  Nothing happens to a
 // static one.

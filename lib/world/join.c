@@ -21,6 +21,11 @@ static bool can_move(const world *w, int b)
     return b >= 0 && !body_is_static(&w->body[b]);
 }
 
+static bool is_dynamic(const world *w, int b)
+{
+    return b >= 0 && body_is_dynamic(&w->body[b]);
+}
+
 static void wake(world *w, int b)
 {
     if (!can_move(w, b)) return;
@@ -142,7 +147,7 @@ void join_islands_of_joints(world *w)
         const joint *j = &l->joint[k];
         if (j->is_broken && l->broken > 0) renew_pairs(w, j);
         if (j->kind == JOINT_NONE || j->is_broken) continue;
-        if (can_move(w, j->a) && can_move(w, j->b))
+        if (is_dynamic(w, j->a) && is_dynamic(w, j->b))
             sleep_touch(&w->sleep, j->a, j->b);
     }
     l->broken = 0;

@@ -53,7 +53,7 @@ ledger_entry ledger_total(const world *w)
     for (int b = 0; b < w->bodies; b++) {
         const body *x = &w->body[b];
         bool is_asleep = w->sleep.asleep[b];
-        if (body_is_static(x)) continue;
+        if (!body_is_dynamic(x)) continue;
         if (body_is_soft(x))
             sum.energy += soft_energy(x, w->pool.at);
         if (body_is_soft(x) || is_asleep || w->ledger_ahead == 0)

@@ -17,6 +17,7 @@ static real uneven_pace(const world *w, const contact *c)
 {
     const solver_body *a = &w->rigid.now[c->a], *b = &w->rigid.now[c->b];
     real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
+    if (a->is_driven || b->is_driven) return 0;
     if (!(x > 0 && y > 0) || (x < EVEN * y && y < EVEN * x)) return 0;
     real ratio = x > y ? x / y : y / x, up = x > y ? 1 : -1;
     real bears = up * vec3_dot(c->normal, w->options.gravity);

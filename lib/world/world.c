@@ -198,7 +198,7 @@ void world_wake(world *w, int b)
     sleep_wake(&w->sleep, b);
     for (int k = 0; k < w->bodies; k++) {
         const body *x = &w->body[k];
-        if (w->sleep.asleep[k]) continue;
+        if (w->sleep.asleep[k] || x->is_kinematic) continue;
         for (int i = x->first; i < x->first + body_particles(x); i++)
             w->pool.at[i].inverse_mass = w->inverse_mass[i];
     }
@@ -221,7 +221,10 @@ bool world_wake_near(world *w, int a, int b)
     int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
     if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
     if (body_is_static(&w->body[sleeper])) return false;
-    if (!sleep_is_moving(&w->sleep, other)) return false;
+    bool is_moving = w->body[other].is_kinematic
+                   ? body_is_driven(w, other)
+                   : sleep_is_moving(&w->sleep, other);
+    if (!is_moving) return false;
     world_wake(w, sleeper);
     return true;
 }
@@ -320,6 +323,7 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
     TABLE_GROW(ok, t->relaxed, old, room);
     TABLE_GROW(ok, t->load, old, room);
     TABLE_GROW(ok, t->material, old, room);
+    TABLE_GROW(ok, t->drive, old, room);
     for (int b = old; b < room && ok; b++) t->ball[b].radius = -1;
     return ok;
 }
@@ -403,7 +407,7 @@ void world_place(world *w, int b, const placement *where)
     place_particles(w, x, where);
     for (int i = x->first; i < x->first + body_particles(x); i++) {
         particle *p = &w->pool.at[i];
-        p->inverse_mass = w->inverse_mass[i];
+        if (!x->is_kinematic) p->inverse_mass = w->inverse_mass[i];
         if (!(p->inverse_mass > 0)) p->previous = p->position;
     }
     start_body(w, b);
@@ -412,9 +416,24 @@ void world_place(world *w, int b, const placement *where)
 static void count_mass(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
-    if (!t->dynamic[b]) return;
+    if (!t->dynamic[b] || w->body[b].is_kinematic) return;
     t->lightest = real_min(w->body[b].mass, t->lightest);
     t->heaviest = real_max(w->body[b].mass, t->heaviest);
+}
+
+static void count_masses(world *w)
+{
+    w->rigid.lightest = HUGE_VAL;
+    w->rigid.heaviest = 0;
+    for (int b = 0; b < w->bodies; b++) count_mass(w, b);
+}
+
+void world_renew(world *w, int b)
+{
+    cache_forget(&w->rigid.cache, b);
+    soft_forget(&w->soft, b);
+    start_body(w, b);
+    count_masses(w);
 }
 //<
 
@@ -437,7 +456,8 @@ static body body_of(const shape_entry *e, const placement *where)
     const shape *s = e->shape;
     body b = { .shape = s, .rigid = e->rigid, .line = e->line,
                .inner = e->inner, .mass = HUGE_VAL,
-               .thickness = particle_radius(s) };
+               .thickness = particle_radius(s),
+               .group = 1, .mask = ~0u };
     real mass = 0;
     for (int i = 0; i < s->particles; i++) mass += s->mass[i];
     if (!where->is_static) b.mass = mass;
@@ -488,6 +508,7 @@ status world_add(world *w, const shape *s, placement where, int *number)
         w->owner[i] = b;
     }
     w->rigid.material[b] = material_of(w);
+    w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
     w->softs += body_is_soft(&x);
     w->dynamic_bodies += !body_is_static(&x);
     start_body(w, b);
@@ -531,7 +552,8 @@ void world_remove(world *w, int b)
     soft_remove(&w->soft, w->body, b, w->bodies);
     leave_shape(w, x.shape);
     w->softs -= body_is_soft(&x);
-    w->dynamic_bodies -= !body_is_static(&x);
+    w->dynamic_bodies -= body_is_dynamic(&x);
+    w->kinematic_bodies -= x.is_kinematic;
     w->body[b] = (body){ .shape = &NOTHING, .mass = HUGE_VAL,
                          .first = x.first, .room = x.room };
     for (int i = x.first; i < x.first + x.room; i++) {
@@ -540,9 +562,7 @@ void world_remove(world *w, int b)
     }
     w->gone++;
     start_body(w, b);
-    w->rigid.lightest = HUGE_VAL;
-    w->rigid.heaviest = 0;
-    for (int k = 0; k < w->bodies; k++) count_mass(w, k);
+    count_masses(w);
 }
 //<
 
@@ -554,7 +574,7 @@ void world_free(world *w)
     void *owned[] = { w->body, w->plane, w->wall, w->shape, w->inverse_mass,
         w->owner,
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
-        r->reach, r->velocity, r->moved, r->relaxed, r->load, r->material };
+        r->reach, r->velocity, r->moved, r->relaxed, r->load, r->material, r->drive };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);

@@ -108,6 +108,11 @@ typedef struct {
     vec3 force, torque; // N, N m
 } body_load;
 
+// How a kinematic body moves.
+typedef struct {
+    vec3 velocity, spin;        // m/s, rad/s
+} body_drive;
+
 typedef struct {
     int now;            // substeps a frame
     int frames;         // for which fewer would have done
@@ -120,7 +125,8 @@ typedef struct {
 typedef struct {
     cache_body  *body;      // [bodies]
     char        *dynamic;   // [bodies] rigid, and not static
-    char        *moves;     // [bodies] and not asleep
+    char        *moves;     // [bodies] and neither asleep nor kinematic and
+                            // at rest
     solver_body *now;       // [bodies] where it stands as the frame begins
     sphere      *ball;      // [bodies]
     prediction  *ahead;     // [bodies]
@@ -133,6 +139,7 @@ typedef struct {
     body_load   *load;      // [bodies]
     bool is_loaded;         // some are not 0
     material    *material;  // [bodies] deformable ones, too
+    body_drive  *drive;     // [bodies]
     real lightest, heaviest;            // kg, of those that are not static
     substep_choice substeps;
     pair_list      pairs;
@@ -163,7 +170,9 @@ typedef struct world {
     real frame;             // s, or the part of it that is computed
     bool is_still;          // all slept when the last step ended, and nothing
                             // has been done to the world since then
-    int  dynamic_bodies;    // not static
+    int  dynamic_bodies;    // neither static nor kinematic
+    int  kinematic_bodies;
+    bool is_choosy;         // some bodies do not meet all others
     rigid_tables rigid;
     linkage      joints;
     soft_solver  soft;
@@ -218,10 +227,19 @@ status world_bend(world *w, int b, real stiffness);
 // changing nothing, if that is negative or not finite.
 status world_stretch(world *w, int b, real compliance);
 
-// Neither static nor asleep.
+// Neither static nor kinematic nor asleep.
 static inline bool body_moves(const world *w, int b)
 {
-    return w->body[b].mass < HUGE_VAL && !w->sleep.asleep[b];
+    return body_is_dynamic(&w->body[b]) && !w->sleep.asleep[b];
+}
+
+// Kinematic, and not at rest.
+static inline bool body_is_driven(const world *w, int b)
+{
+    const body_drive *d = &w->rigid.drive[b];
+    return w->body[b].is_kinematic
+        && (vec3_length_squared(d->velocity) > 0
+            || vec3_length_squared(d->spin) > 0);
 }
 
 // Wakes body b, and all that sleep with it.
@@ -235,6 +253,9 @@ void world_pin_sleeper(world *w, int b);
 
 // Body b stands there from now on, and nothing is known of it.
 void world_place(world *w, int b, const placement *where);
+
+// A body is another than it was: it counts as new.
+void world_renew(world *w, int b);
 
 // Body a comes near body b: if one of them sleeps and the other did not lie
 // still in the last frame, the sleeper wakes, in time to take its part of the

@@ -491,6 +491,201 @@ START_TEST(damping_takes_its_share_in_every_substep)
 }
 END_TEST
 
+// --- kinematic ---------------------------------------------------------------
+
+static int add_driven(const shape *s, vec3 at, vec3 velocity, vec3 spin)
+{
+    int b = add_at(s, at.x, at.y, at.z);
+    world_set_kinematic(&w, b, true);
+    world_set_velocity(&w, b, velocity, spin);
+    return b;
+}
+
+// In every frame x + v dt, and nothing else.
+// Rejects: a pusher that is pushed, by whatever little.
+START_TEST(kinematic_body_goes_its_way_to_the_last_bit)
+{
+    world_options o = world_options_default();
+    o.dt = 1.0 / 64;
+    begin(o);
+    shape wall;
+    ck_assert(shape_box(&wall, vec3_make(1, 2, 16), 1).ok);
+    ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 3).ok);
+    add_floor();
+    int pusher = add_driven(&wall, vec3_make(-2, 1, 0), vec3_make(0.5, 0, 0),
+                            ZERO);
+    int box_of[10];
+    for (int k = 0; k < 10; k++)
+        box_of[k] = add_at(&cube, 0, 0.5, 1.25 * (k - 4.5));
+    vec3 at = particle_of(pusher, 0)->position;
+    for (int f = 1; f <= 512; f++) {
+        steps(1);
+        at.x += 0.5 / 64;
+        near_vec3(particle_of(pusher, 0)->position, at, 0);
+    }
+    near_vec3(world_where(&w, pusher).position, vec3_make(2, 1, 0), 1e-12);
+    for (int k = 0; k < 10; k++) {
+        placement q = world_where(&w, box_of[k]);
+        near_real(q.position.x, 3, 0.02);
+        near_real(q.velocity.x, 0.5, 0.02);
+    }
+    near_vec3(world_where(&w, pusher).velocity, vec3_make(0.5, 0, 0), 0);
+    world_free(&w);
+    shape_free(&wall);
+    shape_free(&cube);
+}
+END_TEST
+
+// Rejects: friction against what stands; a guard of the energy that brakes it.
+START_TEST(platform_carries_what_lies_on_it)
+{
+    shape plate;
+    ck_assert(shape_box(&plate, vec3_make(4, 0.5, 4), 1).ok);
+    ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 1).ok);
+    int deck = add_driven(&plate, vec3_make(0, 0, 0), ZERO, ZERO);
+    int b = add_at(&cube, 0.5, 0.75, 0);
+    add_at(&cube, 0.5, 1.75, 0);
+    steps_to_sleep();
+    // It sleeps on a platform at rest, and wakes when that goes.
+    world_set_velocity(&w, deck, vec3_make(0.5, 0.25, 0), ZERO);
+    steps(300);
+    placement d = world_where(&w, deck), q = world_where(&w, b);
+    near_vec3(d.position, vec3_make(2.5, 1.25, 0), 1e-9);
+    near_vec3(q.velocity, d.velocity, 0.005);
+    near_vec3(vec3_sub(q.position, d.position), vec3_make(0.5, 0.75, 0), 0.02);
+    // When it stops, they slide on a little, and sleep.
+    world_set_velocity(&w, deck, ZERO, ZERO);
+    steps_to_sleep();
+    near_real(world_where(&w, b).position.y, 2, 0.005);
+    world_free(&w);
+    shape_free(&plate);
+    shape_free(&cube);
+}
+END_TEST
+
+// A spin of w for t turns by w t; a body at r leaves with w r.
+START_TEST(body_that_is_turned_throws)
+{
+    shape plate;
+    ck_assert(shape_box(&plate, vec3_make(8, 0.5, 8), 1).ok);
+    ck_assert(shape_box(&cube, vec3_make(0.5, 0.5, 0.5), 1).ok);
+    begin_without_gravity();
+    int wheel = add_driven(&plate, ZERO, ZERO, vec3_make(0, 2, 0));
+    steps(60);
+    placement q = world_where(&w, wheel);
+    near_vec3(q.x, vec3_make(cos(2.0), 0, -sin(2.0)), 1e-9);
+    near_vec3(q.position, ZERO, 1e-12);
+    near_vec3(q.spin, vec3_make(0, 2, 0), 0);
+    // A bat, in the plane of the ball.
+    begin_without_gravity();
+    shape bat;
+    ck_assert(shape_box(&bat, vec3_make(4, 0.5, 0.25), 1).ok);
+    ck_assert(world_set_material(&w, add_driven(&bat, vec3_make(2, 0, 0), ZERO,
+        ZERO), (material){ 0, 0 }).ok);
+    int b = add_at(&cube, 3, 0, 1);
+    world_set_velocity(&w, 0, vec3_make(0, 0, 0), vec3_make(0, -1, 0));
+    for (int f = 0; f < 120; f++) steps(1);
+    // It is struck at the arm r = 1.41 m, by w = 1 rad/s, and slides along the
+    // bat without friction to its end R = 2 m: there it goes w R with the bat,
+    // and w sqrt(R^2 - r^2) along it.
+    near_real(vec3_length(world_where(&w, b).velocity), sqrt(4.0 + 4 - 2), 0.1);
+    near_vec3(world_where(&w, 0).position, vec3_make(2, 0, 0), 1e-12);
+    world_free(&w);
+    shape_free(&bat);
+    shape_free(&plate);
+    shape_free(&cube);
+}
+END_TEST
+
+// Rejects: cloth that goes through; a pusher that is held by it.
+START_TEST(kinematic_body_carries_cloth)
+{
+    shape ram;
+    ck_assert(shape_box(&ram, vec3_make(0.4, 0.4, 0.4), 1).ok);
+    int sheet = add_at(&cloth, 0, 1, 0);
+    int b = add_driven(&ram, vec3_make(0, 0.5, 0), vec3_make(0, 0.5, 0), ZERO);
+    steps(240);
+    near_vec3(world_where(&w, b).position, vec3_make(0, 2.5, 0), 1e-9);
+    real top = 0;
+    for (int i = 0; i < cloth.particles; i++)
+        top = real_max(top, particle_of(sheet, i)->position.y);
+    near_real(top, 2.7, 0.12);
+    world_free(&w);
+    shape_free(&ram);
+}
+END_TEST
+
+// Rejects: contacts with planes and static bodies that nothing comes of; work
+// that no account has; a body that stays kinematic.
+START_TEST(kinematic_body_goes_through_what_does_not_move)
+{
+    world_options o = world_options_default();
+    o.ledger = true;
+    begin(o);
+    ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 1).ok);
+    add_floor();
+    add_nailed(&cube, 0, 0.5, 0);
+    int other = add_driven(&cube, vec3_make(0, 0, 1), vec3_make(0, 1, 0), ZERO);
+    int b = add_driven(&cube, vec3_make(0, -1, 0), vec3_make(0, 1, 0), ZERO);
+    int up = add_at(&cube, 0, 1.5, 0);
+    steps(60);
+    ck_assert_int_eq(w.report.unconverged, 0);
+    near_real(world_where(&w, b).position.y, 0, 1e-12);
+    steps(60);
+    near_real(world_where(&w, other).position.y, 2, 1e-12);
+    // It has lifted the cube by half a metre, and with its speed.
+    placement q = world_where(&w, up);
+    near_real(q.position.y, 2, 0.02);
+    real gave = 0, has = 9.81 * (q.position.y - 1.5)
+                       + vec3_length_squared(q.velocity) / 2;
+    for (int k = 0; k < LEDGERS; k++) gave += w.ledger[k].energy;
+    near_real(gave, has, 0.06);
+    world_set_kinematic(&w, b, false);
+    world_set_kinematic(&w, other, false);
+    near_vec3(world_where(&w, other).velocity, vec3_make(0, 1, 0), 1e-9);
+    steps_to_sleep();
+    near_real(world_where(&w, other).position.y, 0.5, 0.01);
+    ck_assert_int_eq(w.dynamic_bodies, 3);
+    world_free(&w);
+    shape_free(&cube);
+}
+END_TEST
+
+// --- filter ------------------------------------------------------------------
+
+// Rejects: a mask that is asked of one side only; one that is asked once.
+START_TEST(bodies_meet_as_their_groups_and_masks_say)
+{
+    // Who has 2 meets 1 and 2; who has 4 meets none but 1; one is as all are.
+    ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 1).ok);
+    const struct { unsigned group, mask; bool meets; } who[] = {
+        { 1, ~0u, true }, { 2, ~0u, true }, { 2, 1, true }, { 2, 2, false },
+        { 4, 2 | 4, false }, { 0, ~0u, false }, { 1, 0, false },
+    };
+    for (int k = 0; k < 7; k++) {
+        begin(world_options_default());
+        int b = add_nailed(&box, 0, 0, 0);
+        int up = add_at(&cube, 0, 2, 0), sheet = add_at(&cloth, 0, 1.1, 0);
+        world_remove(&w, k % 2 ? sheet : up);
+        int rest = k % 2 ? up : sheet;
+        world_set_filter(&w, rest, who[k].group, who[k].mask);
+        steps(60);
+        real y = world_where(&w, rest).position.y;
+        if (who[k].meets) ck_assert_msg(y > 0.5, "%d: %g", k, y);
+        else              ck_assert_msg(y < -2, "%d: %g", k, y);
+        if (!who[k].meets) continue;
+        // Now they do not meet any more, and it falls through.
+        steps(200);
+        world_set_filter(&w, b, 8, 8);
+        steps(60);
+        ck_assert(world_where(&w, rest).position.y < -2);
+        (void)b;
+    }
+    world_free(&w);
+    shape_free(&cube);
+}
+END_TEST
+
 // --- sleep -------------------------------------------------------------------
 
 START_TEST(body_that_is_put_to_sleep_hangs_in_the_air_until_it_is_woken)
@@ -531,6 +726,12 @@ int main(void)
         two_bounce_with_the_larger_restitution,
         body_that_bounces_disturbs_none_that_does_not,
         damping_takes_its_share_in_every_substep,
+        kinematic_body_goes_its_way_to_the_last_bit,
+        platform_carries_what_lies_on_it,
+        body_that_is_turned_throws,
+        kinematic_body_carries_cloth,
+        kinematic_body_goes_through_what_does_not_move,
+        bodies_meet_as_their_groups_and_masks_say,
         body_that_is_put_to_sleep_hangs_in_the_air_until_it_is_woken,
     };
     Suite *s = suite_create("steering");

@@ -23,6 +23,7 @@ define ORDER
 08/ordering
 09/scene
 09/system
+10/capsule
 10/query
 11/manifold
 12/inline
@@ -31,7 +32,9 @@ define ORDER
 13/rigid4
 13/real4
 13/task
+13/table
 13/motion
+13/material
 13/contact
 13/solver
 13/restitution
@@ -48,13 +51,19 @@ define ORDER
 16/near
 16/touch
 16/soft
+17/joint
+17/linkage
+17/pin
 18/cache
 18/sleep
 18/world
+18/handle
 18/ledger
 18/soft_step
+18/join
 18/substeps
 18/guard
+18/rolling
 18/step
 18/measure
 18/obj
@@ -230,6 +239,10 @@ install: $(BUILD)/libtumble.a
 #:   make check-exercises     is every exercise sound, and the runner?
 READER := exercise hint solution reset progress
 WHICH  := $(NAMED) $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
+# The runner says what no exercise has for its name.
+ifneq ($(filter $(READER),$(MAKECMDGOALS)),)
+WHICH := $(filter-out $(READER),$(MAKECMDGOALS))
+endif
 .PHONY: $(READER) watch check-exercises
 # What fails, make ends with a line of its own, `make: *** ...`, and the last word
 # is the judge's.  To a question (-q) make runs only what begins with a plus, and
@@ -250,8 +263,9 @@ check-exercises:
 
 # To make, what is named after the command is a goal: one with nothing to do.
 ifneq ($(and $(WHICH),$(filter $(READER) watch,$(MAKECMDGOALS))),)
-.PHONY: $(WHICH)
-$(WHICH):
+NOTHING := $(NAMED) $(foreach goal,$(WHICH),$(if $(findstring /,$(goal)),$(goal)))
+.PHONY: $(NOTHING)
+$(NOTHING) .DEFAULT:
 	$(QUIETLY)@:
 endif
 
@@ -386,8 +400,8 @@ bits:
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
-#: make deps-book adds pandoc and img2webp; make deps-dev adds clang, its fuzzer
-#: and valgrind.
+#: make deps-book adds pandoc and img2webp; make deps-dev adds clang, its fuzzer,
+#: valgrind, and GNU Parallel, which build/tumble --sweep needs.
 #: NATIVE=1 builds for this very machine.  V=1 shows the commands.
 #: FUZZ_SECONDS=600 fuzzes for longer.
 sanitize:
@@ -436,8 +450,8 @@ draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
-  rigidity convex hull obj sphere sphere_tree grid ordering \
-  line rigid4 solver broad pairs cache sleep world step measure world_scene scene system \
+  rigidity convex hull capsule obj sphere sphere_tree grid ordering \
+  line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
   thread)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
@@ -531,8 +545,12 @@ $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, 
 $(BUILD)/shrink: $(BUILD)/figures/shrink.o $(BUILD)/lib/status.o $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
 
-$(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a
+$(BUILD)/tumble: $(BUILD)/figures/tumble.o $(ALL) $(BUILD)/libpainter.a | $(BUILD)/tumble-sweep
 	$(call link,-lpng -lm)
+# It becomes this script for a sweep.
+$(BUILD)/tumble-sweep: figures/command/sweep.sh
+	$(Q)mkdir -p $(@D)
+	$(Q)install -m 755 $< $@
 
 # libccd and ODE are what their packages built, with -O2.
 $(BUILD)/figures/peers_ccd.o: CFLAGS += -O2

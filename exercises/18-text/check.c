@@ -185,8 +185,6 @@ START_TEST(what_builders_refuse_is_passed_on)
     expect_wrong("ball 0 1 0 0 0\n", 1, NULL);
     expect_wrong("ball 1 0 0 0 0\n", 1, NULL);
     expect_wrong("plane 0 0 0 0\n", 1, NULL);
-    expect_wrong("plane 1 0 0 0\nplane 1 0 0 0\nplane 1 0 0 0\nplane 1 0 0 0\n"
-                 "plane 1 0 0 0\nplane 1 0 0 0\nplane 1 0 0 0\n", 7, NULL);
 }
 END_TEST
 

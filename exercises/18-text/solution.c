@@ -124,7 +124,6 @@ status text_scene_read(text_scene *s, const char *text)
                                     TEXT_LINE - 1);
     }
     if (so_far.ok) so_far = add_waiting(&r);
-    if (so_far.ok) so_far = world_begin(&s->world);
     else           so_far = status_fail("line %d: %s", r.blame, so_far.why);
     if (!so_far.ok) text_scene_free(s);
     return so_far;

@@ -1,6 +1,7 @@
 // 16-fabrics.c - silk, denim and card over the same cube.  16-fabrics FILE.png
 //
-// Prints what each weighs, how stiff it is, and how far down it hangs.
+// Prints what each weighs, how stiff it is, how it gives, and how far down it
+// hangs.
 
 #include "film.h"
 #include "step.h"
@@ -16,13 +17,14 @@ typedef struct {
     const char *name;
     real weight;        // kg/m^2
     real stiffness;     // N m
+    real compliance;    // m/N
     unsigned tone[2];
 } fabric;
 
 static const fabric FABRIC[PANELS] = {
-    { "silk",  0.06, 5e-6,  { 0xcc79a7, 0xe3aecb } },
-    { "denim", 0.40, 1e-4,  { 0x0072b2, 0x5ba4d4 } },
-    { "card",  0.30, 1.6e-2, { 0xe6c17a, 0xf2dcae } },
+    { "silk",  0.06, 5e-6,   5e-5, { 0xcc79a7, 0xe3aecb } },
+    { "denim", 0.40, 1e-4,   1e-4, { 0x0072b2, 0x5ba4d4 } },
+    { "card",  0.30, 1.6e-2, 8e-7, { 0xe6c17a, 0xf2dcae } },
 };
 
 static status paint_body(painter *p, const world *w, int b, colour front,
@@ -76,7 +78,7 @@ static status drape(world *w, const shape *cube, const shape *cloth,
     over.z = vec3_make(s, 0, c);
     if (done.ok) done = world_add(w, cloth, over, NULL);
     if (done.ok) done = world_bend(w, 1, f->stiffness);
-    if (done.ok) done = world_begin(w);
+    if (done.ok) done = world_stretch(w, 1, f->compliance);
     for (int k = 0; k < SECONDS * 60 && done.ok; k++) world_step(w);
     return done;
 }
@@ -99,8 +101,9 @@ static status show(int k, picture *out)
             vec3 x = w.pool.at[w.body[1].first + i].position;
             if (x.y < low.y) low = x;
         }
-        printf("%s: %g kg/m^2, %g N m, hangs %.3f m below the cube's middle\n",
-               f->name, f->weight, f->stiffness, -low.y);
+        printf("%s: %g kg/m^2, %g N m, %g m/N, hangs %.3f m below the cube's "
+               "middle\n", f->name, f->weight, f->stiffness, f->compliance,
+               -low.y);
         picture_text(out, left + 22, 42, 24, colour_hex(0x30353c), f->name);
     }
     world_free(&w);

@@ -24,7 +24,9 @@ enum {
     FOR_ROOM = 1 << SCENE_ROOM,
     FOR_CLOTH = 1 << SCENE_CLOTH_ON_CUBE | 1 << SCENE_CLOTH_ON_ROPE,
     FOR_ALL = FOR_ROOM | FOR_CLOTH,
-    FOR_NONE = 0        // asks for words, not for a scene
+    FOR_NONE = 0,       // asks for words, not for a scene
+    ASIDE = 1 << 8,     // leaves the motion as it is
+    FOR_SWEEP = 1 << 9
 };
 
 typedef struct {
@@ -80,17 +82,38 @@ static const option options[] = {
       ENGINE(sleep_speed), "m/s: slower bodies fall asleep; 0: none does" },
     { "--time-to-sleep", KIND_REAL, "S", 0, 1e9, FOR_ROOM,
       ENGINE(time_to_sleep), "so long they must have been slow" },
-    { "--threads", KIND_COUNT, "N", 1, MOST_THREADS, FOR_ROOM,
+    { "--threads", KIND_COUNT, "N", 1, MOST_THREADS, FOR_ROOM | ASIDE,
       offsetof(settings, threads), "that share the work, with the same bits" },
-    { "--film", KIND_PATH, "FILE.png", 0, 0, FOR_ALL,
+    { "--film", KIND_PATH, "FILE.png", 0, 0, FOR_ALL | ASIDE,
       offsetof(settings, film), "draw a strip of three pictures" },
-    { "--frames", KIND_PATH, "DIR", 0, 0, FOR_ALL,
-      offsetof(settings, frames), "draw DIR/frame-00000.png and so on, 30 a "
-                                  "second" },
-    { "--csv", KIND_PATH, "FILE", 0, 0, FOR_ALL,
+    { "--frames", KIND_PATH, "DIR", 0, 0, FOR_ALL | ASIDE,
+      offsetof(settings, frames), "draw DIR/frame-00000.png and so on" },
+    { "--obj", KIND_PATH, "DIR", 0, 0, FOR_ALL | ASIDE,
+      offsetof(settings, obj), "write DIR/frame-00000.obj and so on" },
+    { "--every", KIND_REAL, "S", 1e-9, 100000, FOR_ALL | ASIDE,
+      offsetof(settings, every), "s, from one of these frames to the next" },
+    { "--csv", KIND_PATH, "FILE", 0, 0, FOR_ALL | ASIDE | FOR_SWEEP,
       offsetof(settings, csv), "write a row of measures for every step" },
-    { "--bits", KIND_FLAG, "", 0, 0, FOR_ALL,
+    { "--record", KIND_PATH, "FILE", 0, 0, FOR_ALL | ASIDE,
+      offsetof(settings, record), "keep the options, and a hash every 60 "
+                                  "steps" },
+    { "--replay", KIND_PATH, "FILE", 0, 0, FOR_ALL | ASIDE,
+      offsetof(settings, replay), "run that again: are the hashes the same?" },
+    { "--bits", KIND_FLAG, "", 0, 0, FOR_ALL | ASIDE,
       offsetof(settings, bits), "print a hash of where everything ends" },
+    { "--sweep", KIND_PATH, "TABLE", 0, 0, FOR_SWEEP | ASIDE,
+      offsetof(settings, sweep), "run its rows, by GNU Parallel; --csv FILE" },
+    { "--jobs", KIND_COUNT, "N", 1, 10000, FOR_SWEEP | ASIDE,
+      offsetof(settings, jobs), "rows at a time; else one a core" },
+    { "--resume", KIND_FLAG, "", 0, 0, FOR_SWEEP | ASIDE,
+      offsetof(settings, resume), "go on with a sweep that was stopped" },
+    { "--joblog", KIND_PATH, "FILE", 0, 0, FOR_SWEEP | ASIDE,
+      offsetof(settings, joblog), "when and how each row ran; else "
+                                  "TABLE.joblog" },
+    { "--sshloginfile", KIND_PATH, "FILE", 0, 0, FOR_SWEEP | ASIDE,
+      offsetof(settings, hosts), "machines, in the words of GNU Parallel" },
+    { "--row", KIND_COUNT, "N", 1, 10000000, FOR_SWEEP | ASIDE,
+      offsetof(settings, row), "run only this one, and print its line" },
     { "--list", KIND_FLAG, "", 0, 0, FOR_NONE,
       offsetof(settings, list), "name the scenes and the options" },
     { "--help", KIND_FLAG, "", 0, 0, FOR_NONE,
@@ -162,10 +185,13 @@ static const char *scene_number_name(int i)
     return scene_name((scene_kind)i);
 }
 
-static status unknown_option(const char *given)
+// text may go on with the option's value.
+static status unknown_option(const char *text)
 {
+    char given[81];
+    snprintf(given, sizeof given, "%.*s", (int)strcspn(text, "="), text);
     const char *meant = nearest_name(given, option_name, OPTIONS);
-    return status_fail("there is no option %.80s%s%s%s", given,
+    return status_fail("there is no option %s%s%s%s", given,
                        meant ? "; did you mean " : " (see tumble --list)",
                        meant ? meant : "", meant ? "?" : "");
 }
@@ -268,7 +294,8 @@ static settings settings_default(void)
     scene_options o = scene_options_default();
     return (settings){ .scene = SCENES, .bodies = o.bodies, .cloth = o.cloth,
                        .seed = o.seed, .seconds = -1, .tolerance = -1,
-                       .threads = 1, .dt = 1.0 / 60, .gravity = 9.81,
+                       .threads = 1, .dt = 1.0 / 60,
+                       .every = 1.0 / 60, .gravity = 9.81,
                        .engine = world_options_default() };
 }
 
@@ -290,7 +317,7 @@ static status read_option(settings *s, int arguments, char *const *argument,
     int k = find_option(text);
     if (k < 0) return unknown_option(text);
     const option *o = &options[k];
-    s->given |= 1u << k;
+    s->given |= 1ull << k;
     if (value) value++;
     if (o->kind == KIND_FLAG || o->kind == KIND_OFF)
         return value ? status_fail("%s takes no value", o->name)
@@ -331,7 +358,7 @@ static bool is_engine_only(const option *o)
 
 static bool is_given(const settings *s, int k)
 {
-    return s->given & 1u << k;
+    return s->given & 1ull << k;
 }
 
 static status check_runner(const settings *s)
@@ -363,18 +390,69 @@ static status check_together(const settings *s)
     return status_ok();
 }
 
-status settings_read(settings *s, int arguments, char *const *argument)
+static status read_words(settings *s, int words, char *const *word)
 {
     status done = status_ok();
-    *s = settings_default();
-    for (int i = 1; i < arguments && done.ok; i++)
-        done = argument[i][0] == '-'
-            ? read_option(s, arguments, argument, &i)
-            : read_scene(s, argument[i]);
-    if (!done.ok || s->help || s->list || s->version) return done;
+    for (int i = 0; i < words && done.ok; i++)
+        done = word[i][0] == '-' ? read_option(s, words, word, &i)
+                                 : read_scene(s, word[i]);
+    return done;
+}
+
+static bool moves_scene(const option *o)
+{
+    return o->scenes != FOR_NONE && !(o->scenes & ASIDE);
+}
+
+// A record says all that moves the scene.
+static status check_replay(const settings *s)
+{
+    for (int k = 0; k < OPTIONS; k++)
+        if (is_given(s, k) && moves_scene(&options[k]))
+            return status_fail("%s is said by the record of --replay, and "
+                               "cannot be another", options[k].name);
+    if (s->scene == SCENES) return status_ok();
+    return status_fail("the scene is named by the record of --replay");
+}
+
+// What is for a sweep, and what stands in its table.
+static status check_sweep(const settings *s)
+{
+    for (int k = 0; k < OPTIONS; k++) {
+        const option *o = &options[k];
+        if (!is_given(s, k)) continue;
+        if (s->sweep && !(o->scenes & FOR_SWEEP))
+            return status_fail("%s is said by the rows of the table, and not "
+                               "beside --sweep", o->name);
+        if (!s->sweep && o->scenes == (FOR_SWEEP | ASIDE))
+            return status_fail("%s is for a sweep: --sweep TABLE", o->name);
+    }
+    if (s->sweep && s->scene != SCENES)
+        return status_fail("the scene is named by the table of --sweep");
+    return status_ok();
+}
+
+static status finish_settings(settings *s)
+{
     if (s->scene != SCENES && s->seconds < 0)
         s->seconds = scenes[s->scene].seconds;
     return check_together(s);
+}
+
+status settings_read(settings *s, int arguments, char *const *argument)
+{
+    *s = settings_default();
+    status done = read_words(s, arguments - 1, argument + 1);
+    if (!done.ok || s->help || s->list || s->version) return done;
+    done = check_sweep(s);
+    if (!done.ok || s->sweep) return done;
+    return s->replay ? check_replay(s) : finish_settings(s);
+}
+
+status settings_read_more(settings *s, int words, char *const *word)
+{
+    status done = read_words(s, words, word);
+    return done.ok ? finish_settings(s) : done;
 }
 
 scene_options settings_scene(const settings *s)
@@ -436,7 +514,17 @@ long settings_steps(const settings *s)
     return (long)ceil(s->seconds / s->dt * (1 - 1e-12));
 }
 
+long settings_steps_a_frame(const settings *s)
+{
+    real steps = s->every / s->dt + 0.5;
+    return steps < 1 ? 1 : (long)steps;
+}
+
 // ---- Words -----------------------------------------------------------------
+
+// s.  Contacts are looked for once in a step: in longer ones the room's bodies
+// are found more than 5 cm deep in each other.
+static const real LONG_STEP = 1.0 / 20;
 
 void settings_print_notes(const settings *s, FILE *out)
 {
@@ -444,6 +532,41 @@ void settings_print_notes(const settings *s, FILE *out)
         if (is_given(s, k) && !(options[k].scenes & 1 << s->scene))
             fprintf(out, "tumble: %s means nothing to the scene %s, and is "
                     "ignored\n", options[k].name, scene_name(s->scene));
+    if (s->dt > LONG_STEP)
+        fprintf(out, "tumble: --dt %g is long: contacts are looked for once in "
+                "a step, and in steps of more than 1/20 s bodies sink into "
+                "each other\n", s->dt);
+}
+
+static void print_word(FILE *out, const option *o, const void *field)
+{
+    switch (o->kind) {
+    case KIND_FLAG: case KIND_OFF: fprintf(out, "%s\n", o->name); break;
+    case KIND_COUNT: fprintf(out, "%s=%d\n", o->name, *(const int *)field);
+        break;
+    case KIND_REAL: fprintf(out, "%s=%.17g\n", o->name, *(const real *)field);
+        break;
+    case KIND_SEED: fprintf(out, "%s=%llu\n", o->name,
+                            *(const unsigned long long *)field);
+        break;
+    case KIND_PATH: fprintf(out, "%s=%s\n", o->name,
+                            *(const char *const *)field);
+        break;
+    }
+}
+
+void settings_print_words(const settings *s, FILE *out)
+{
+    fprintf(out, "%s\n", scene_name(s->scene));
+    for (int k = 0; k < OPTIONS; k++) {
+        const option *o = &options[k];
+        bool always = o->at == offsetof(settings, seed)
+                   || o->at == offsetof(settings, seconds)
+                   || o->at == offsetof(settings, dt);
+        if (!moves_scene(o) || !(o->scenes & 1 << s->scene)) continue;
+        if (always || is_given(s, k))
+            print_word(out, o, (const char *)s + o->at);
+    }
 }
 
 static void print_scenes(FILE *out)
@@ -465,7 +588,8 @@ static void print_default(FILE *out, const option *o)
     if (o->kind == KIND_REAL && is_engine_field(o))
         fprintf(out, " (%g)", *(const real *)field);
     if (o->at == offsetof(settings, gravity)) fprintf(out, " (9.81)");
-    if (o->at == offsetof(settings, dt)) fprintf(out, " (1/60)");
+    if (o->at == offsetof(settings, dt) || o->at == offsetof(settings, every))
+        fprintf(out, " (1/60)");
 }
 
 static void print_options(FILE *out)
@@ -474,8 +598,10 @@ static void print_options(FILE *out)
         const option *o = &options[k];
         int width = fprintf(out, "  %s %s", o->name, o->value);
         fprintf(out, "%*s%s", width < 25 ? 25 - width : 1, "", o->help);
-        if (o->scenes == FOR_ROOM) fprintf(out, "; room only");
-        if (o->scenes == FOR_CLOTH) fprintf(out, "; cloth only");
+        int some = o->scenes & FOR_ALL;
+        if (some == FOR_ROOM) fprintf(out, "; room only");
+        if (some == FOR_CLOTH) fprintf(out, "; cloth only");
+        if (o->scenes == (FOR_SWEEP | ASIDE)) fprintf(out, "; sweeps only");
         print_default(out, o);
         fprintf(out, "\n");
     }
@@ -492,12 +618,15 @@ void settings_print_list(FILE *out)
 void settings_print_help(FILE *out)
 {
     fprintf(out,
-        "tumble SCENE [options]\n\n"
+        "tumble SCENE [options]\n"
+        "tumble --replay FILE [options]\n"
+        "tumble --sweep TABLE [options]\n\n"
         "Animates a scene with particles and sticks, and prints how large the\n"
         "errors were and how long it took.\n\n");
     settings_print_list(out);
     fprintf(out,
-        "\nCtrl-C stops after the current step and keeps what is finished.\n"
+        "\nCtrl-C stops after the current step and keeps what is finished; a\n"
+        "second one ends at once.\n"
         "Exit status: 0 done, 1 failed, 2 the command line is wrong,\n"
         "130 Ctrl-C, 143 terminated.\n");
 }

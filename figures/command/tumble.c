@@ -5,10 +5,10 @@
 
 #define _POSIX_C_SOURCE 200809L
 
-#include "film.h"
+#include "frames.h"
 #include "obj.h"
-#include "options.h"
-#include "output.h"
+#include "record.h"
+#include "sweep.h"
 #include "thread.h"
 
 #include <errno.h>
@@ -44,9 +44,12 @@ static void on_signal(int number)
     stop_signal = number;
 }
 
-static void catch_signals(void)
+// The first one is heard, a second one ends the program at once.  Without
+// SA_RESTART a signal also ends the wait for a pipe's other end.
+static void catch_signals(int flags)
 {
-    struct sigaction act = { .sa_handler = on_signal, .sa_flags = SA_RESTART };
+    struct sigaction act = { .sa_handler = on_signal,
+                             .sa_flags = flags | (int)SA_RESETHAND };
     sigemptyset(&act.sa_mask);
     sigaction(SIGINT, &act, NULL);
     sigaction(SIGTERM, &act, NULL);
@@ -62,13 +65,15 @@ typedef struct {
 
 typedef struct {
     settings set;
+    const char *cells;          // of a row of a sweep; NULL: it is none
     runner   run;
     thread_pool *pool;          // NULL: there is one thread
     long     steps, done;       // wanted; finished
     output   csv;
     strip    strip;
-    int      folder_made;       // the folder of frames is ours
-    long     frames, frame_every;
+    frames   pictures, meshes;
+    output   record;
+    replay   replay;
     real    *step_time;         // [steps] s
     real     phase_time[PHASES];
     real     began, told;       // s, by the clock: the run, the last progress
@@ -88,17 +93,72 @@ static real time_done(const run *r)
     return (real)r->done * r->set.dt;
 }
 
+// A file that the command line names.
+typedef struct {
+    const char *option, *path;  // path = NULL: not asked for
+    int is_read;
+} named_file;
+
+// A pipe would wait for ever.  The library says why a file cannot be opened.
+static status check_read(const named_file *f)
+{
+    struct stat there;
+    if (!f->path || !f->is_read || stat(f->path, &there) != 0
+        || S_ISREG(there.st_mode)) return status_ok();
+    return status_fail("%.100s: is not a regular file: %s is read from one",
+                       f->path, f->option);
+}
+
+// Does one overwrite the other?
+static status check_pair(const named_file *a, const named_file *b)
+{
+    if (!a->path || !b->path || (a->is_read && b->is_read)
+        || !output_is_same(a->path, b->path)) return status_ok();
+    return status_fail("%s %.60s and %s %.60s name the same file",
+                       a->option, a->path, b->option, b->path);
+}
+
+// Does one of the frames?
+static status check_frames(const named_file *f, const char *folder)
+{
+    if (!f->path || !folder || !output_is_in(f->path, folder, "frame-"))
+        return status_ok();
+    return status_fail("%s %.60s has the name of a frame that is written into "
+                       "%.60s", f->option, f->path, folder);
+}
+
+// Before anything is opened: what is opened to be written may be overwritten.
+static status check_names(const settings *set)
+{
+    const named_file file[] = {
+        { "--mesh", set->mesh, 1 }, { "--replay", set->replay, 1 },
+        { "--film", set->film, 0 }, { "--csv", set->csv, 0 },
+        { "--record", set->record, 0 },
+    };
+    int files = (int)(sizeof file / sizeof file[0]);
+    status done = status_ok();
+    for (int i = 0; i < files && done.ok; i++) {
+        done = check_read(&file[i]);
+        if (done.ok) done = check_frames(&file[i], set->frames);
+        if (done.ok) done = check_frames(&file[i], set->obj);
+        for (int k = i + 1; k < files && done.ok; k++)
+            done = check_pair(&file[i], &file[k]);
+    }
+    return done;
+}
+
 static status check_outputs(run *r)
 {
-    status done = status_ok();
-    if (r->set.film) done = output_check(r->set.film);
+    status done = check_names(&r->set);
+    if (done.ok && r->set.film) done = output_check(r->set.film);
     if (done.ok && r->set.csv) done = output_check(r->set.csv);
-    if (done.ok && r->set.film && r->set.csv &&
-        output_is_same(r->set.film, r->set.csv))
-        done = status_fail("--film %.60s and --csv %.60s name the same file",
-                           r->set.film, r->set.csv);
-    if (done.ok && r->set.frames)
-        done = frame_folder(r->set.frames, &r->folder_made);
+    if (done.ok && r->set.record) done = output_check(r->set.record);
+    r->pictures = (frames){ .folder = r->set.frames, .ending = ".png",
+                            .write = film_write };
+    r->meshes = (frames){ .folder = r->set.obj, .ending = ".obj",
+                          .write = obj_write };
+    if (done.ok && r->set.frames) done = frames_begin(&r->pictures);
+    if (done.ok && r->set.obj) done = frames_begin(&r->meshes);
     return done;
 }
 
@@ -108,32 +168,6 @@ static status write_csv_head(run *r)
     fprintf(r->csv.file, "time_s,strain,penetration_m,kinetic_J,"
                          "momentum_kg_m_s,contacts,relaxations,step_s\n");
     return output_flush(&r->csv);
-}
-
-// What the library cannot see in plain C: a pipe, which would wait for ever and
-// hear no signal, and a mesh that its own results would replace.
-static status check_mesh(const settings *set)
-{
-    const char *const outputs[2] = { set->film, set->csv };
-    struct stat read, written;
-    // The library says why a file cannot be opened.
-    if (stat(set->mesh, &read) != 0) return status_ok();
-    if (!S_ISREG(read.st_mode))
-        return status_fail("%.120s: is not a regular file: a mesh is read from "
-                           "one", set->mesh);
-    for (int k = 0; k < 2; k++)
-        if (outputs[k] && stat(outputs[k], &written) == 0 &&
-            written.st_dev == read.st_dev && written.st_ino == read.st_ino)
-            return status_fail("--mesh %.50s and %s %.50s name the same file",
-                               set->mesh, k == 0 ? "--film" : "--csv",
-                               outputs[k]);
-    return status_ok();
-}
-
-static status read_mesh(const settings *set, shape *thrown)
-{
-    status read = check_mesh(set);
-    return read.ok ? obj_read(set->mesh, SCENE_BODY_RADIUS, 1, thrown) : read;
 }
 
 // The scene knows a shape, its user a file.
@@ -148,7 +182,7 @@ static status begin_scene(run *r)
     scene_options what = settings_scene(&r->set);
     shape thrown;
     if (r->set.mesh) {
-        status read = read_mesh(&r->set, &thrown);
+        status read = obj_read(r->set.mesh, SCENE_BODY_RADIUS, 1, &thrown);
         if (!read.ok) return read;
         what.thrown = &thrown;
     }
@@ -174,6 +208,8 @@ static status begin_scene(run *r)
 // Everything that can go wrong before the first step goes wrong here.
 static status run_begin(run *r)
 {
+    if (!r->cells) settings_print_notes(&r->set, stderr);
+    if (r->set.scene != SCENE_ROOM) r->set.mesh = NULL;     // nothing reads it
     status done = check_outputs(r);
     if (!done.ok) return done;
     done = begin_scene(r);
@@ -183,9 +219,8 @@ static status run_begin(run *r)
     if (!r->step_time) return status_out_of_memory();
     if (r->set.csv) done = output_open(&r->csv, r->set.csv);
     if (done.ok) done = write_csv_head(r);
+    if (done.ok && r->set.record) done = record_open(&r->record, &r->set);
     r->strip = strip_begin(r->set.scene, r->steps, r->set.dt);
-    r->frame_every = (long)(1 / (30 * r->set.dt) + 0.5);
-    if (r->frame_every < 1) r->frame_every = 1;
     r->began = r->told = clock_seconds();
     return done;
 }
@@ -193,8 +228,10 @@ static status run_begin(run *r)
 static void run_free(run *r)
 {
     output_cancel(&r->csv);
-    // A folder that we made for nothing goes again; one with frames stays.
-    if (r->folder_made && r->frames == 0) rmdir(r->set.frames);
+    output_cancel(&r->record);
+    replay_close(&r->replay);
+    frames_end(&r->pictures);
+    frames_end(&r->meshes);
     strip_free(&r->strip);
     runner_free(&r->run);
     thread_pool_free(r->pool);
@@ -203,15 +240,17 @@ static void run_free(run *r)
 
 // ---- Steps -----------------------------------------------------------------
 
-// The pictures that are due.
-static status take_pictures(run *r)
+// What is due after a step, or before the first one.
+static status look_at_run(run *r)
 {
-    status done = status_ok();
     pose now = { r->set.scene, &r->run.scene, r->run.at, r->run.time };
-    if (r->set.film) done = strip_look(&r->strip, now, r->done);
-    if (!done.ok || !r->set.frames || r->done % r->frame_every) return done;
-    done = frame_write(now, r->set.frames, r->frames);
-    if (done.ok) r->frames++;
+    status done = replay_look(&r->replay, &r->run, r->done,
+                              r->steps);
+    if (done.ok) done = record_look(&r->record, &r->run, r->done, 0);
+    if (done.ok && r->set.film) done = strip_look(&r->strip, now, r->done);
+    if (r->done % settings_steps_a_frame(&r->set)) return done;
+    if (done.ok && r->set.frames) done = frames_add(&r->pictures, now);
+    if (done.ok && r->set.obj) done = frames_add(&r->meshes, now);
     return done;
 }
 
@@ -254,8 +293,7 @@ static status step_run(run *r)
     for (int k = 0; k < PHASES && r->run.kind == BY_ENGINE; k++)
         r->phase_time[k] += r->run.world.report.time[k];
     status done = write_csv_row(r);
-    if (done.ok) done = take_pictures(r);
-    return done;
+    return done.ok ? look_at_run(r) : done;
 }
 
 // A line that says how far we are, five times a second, where somebody looks.
@@ -270,12 +308,19 @@ static void tell_progress(run *r, int to_terminal)
             r->set.seconds, (now - r->began) * (1 - share) / share);
 }
 
+// A replay ends where its record does, and where they part.
+static int is_on(const run *r)
+{
+    return r->done < r->steps && !r->lost && !stop_signal
+        && (!r->replay.file || (r->replay.step >= 0 && !r->replay.parted));
+}
+
 static status run_steps(run *r)
 {
     int to_terminal = isatty(STDERR_FILENO);
     measure_run(r);
-    status done = take_pictures(r);
-    while (done.ok && r->done < r->steps && !r->lost && !stop_signal) {
+    status done = look_at_run(r);
+    while (done.ok && is_on(r)) {
         done = step_run(r);
         tell_progress(r, to_terminal);
     }
@@ -373,17 +418,48 @@ static void print_times(run *r)
            "%.3g s\n", sum, clock_seconds() - r->began);
 }
 
+static void print_frames(const frames *f)
+{
+    if (f->count > 0)
+        printf("wrote %s/frame-00000%s and on: %ld frame%s\n", f->folder,
+               f->ending, f->count, f->count == 1 ? "" : "s");
+}
+
 static void print_files(const run *r)
 {
     if (r->set.film && r->strip.taken > 0)
         printf("wrote %s: %d picture%s\n", r->set.film, r->strip.taken,
                r->strip.taken == 1 ? "" : "s");
-    if (r->frames > 0)
-        printf("wrote %s/frame-00000.png and on: %ld picture%s\n",
-               r->set.frames, r->frames, r->frames == 1 ? "" : "s");
+    print_frames(&r->pictures);
+    print_frames(&r->meshes);
     if (r->set.csv)
         printf("wrote %s: %ld row%s\n", r->set.csv, r->done,
                r->done == 1 ? "" : "s");
+    if (r->set.record) printf("wrote %s\n", r->set.record);
+    if (r->replay.equal > 0)
+        printf("%s: %ld hash%s equal, to step %ld\n", r->set.replay,
+               r->replay.equal, r->replay.equal == 1 ? "" : "es",
+               r->replay.equal_step);
+}
+
+// ---- The line of a sweep ------------------------------------------------------
+
+static const char row_head[] =
+    "steps,end,strain,penetration_m,kinetic_J,momentum_kg_m_s,unconverged,"
+    "dropped,hash,time_s";
+
+// Times stand last: all before them is the same in every run.
+static void print_row(const run *r)
+{
+    real sum = 0;
+    for (long i = 0; i < r->done; i++) sum += r->step_time[i];
+    const char *end = r->lost ? "lost" : r->replay.parted ? "parted" : "done";
+    printf("%d,%s,%ld,%s,%.9g,%.9g,%.9g,%.9g,%.0f,%ld,", r->set.row, r->cells,
+           r->done, end, r->strain.value, r->penetration.value,
+           r->last.kinetic, vec3_length(r->last.momentum),
+           r->unconverged.value, r->run.dropped);
+    if (!r->lost) printf("%016llx", runner_hash(&r->run));
+    printf(",%.6g\n", sum);
 }
 
 // ---- The whole -------------------------------------------------------------
@@ -408,7 +484,16 @@ static status run_finish(run *r)
     status done = status_ok();
     if (r->set.film) done = strip_write(&r->strip, r->set.film);
     if (done.ok && r->csv.file) done = output_commit(&r->csv);
+    // Where numbers are lost there is nothing to compare.
+    if (done.ok && !r->lost)
+        done = record_look(&r->record, &r->run, r->done, 1);
+    if (done.ok && r->record.file) done = output_commit(&r->record);
     if (!done.ok) return done;
+    if (r->cells) {
+        // A row that was stopped is run again.
+        if (!stop_signal) print_row(r);
+        return done;
+    }
     print_title(r);
     print_errors(r);
     print_times(r);
@@ -420,29 +505,64 @@ static status run_finish(run *r)
 // Why a run that did not fail ended early, if it did; its exit status.
 static int tell_end(const run *r)
 {
+    if (r->cells && !stop_signal) return EXIT_SUCCESS;
     if (r->lost) {
         fprintf(stderr, "tumble: the motion grew beyond all numbers in step "
                 "%ld of %ld; a smaller --dt or more --substeps may hold it; "
                 "what was finished is kept\n", r->done + 1, r->steps);
         return EXIT_FAILURE;
     }
-    if (r->done == r->steps) return EXIT_SUCCESS;
+    if (r->replay.parted) {
+        fprintf(stderr, "tumble: the motion is not that of %s: the hashes part "
+                "at step %ld", r->set.replay, r->replay.step);
+        if (r->replay.equal > 0)
+            fprintf(stderr, ", after step %ld", r->replay.equal_step);
+        fprintf(stderr, "\n");
+        return EXIT_FAILURE;
+    }
+    if (r->done == r->steps || (r->replay.file && r->replay.step < 0))
+        return EXIT_SUCCESS;
     fprintf(stderr, "tumble: stopped after step %ld of %ld; what was finished "
             "is kept\n", r->done, r->steps);
     return EXIT_SIGNAL + stop_signal;
 }
 
-static int run_scene(const settings *set)
+static int run_scene(const settings *set, const char *cells)
 {
-    run r = { .set = *set };
-    settings_print_notes(set, stderr);
-    if (set->scene != SCENE_ROOM) r.set.mesh = NULL;    // nothing reads it
-    catch_signals();
-    status done = run_begin(&r);
+    run r = { .set = *set, .cells = cells };
+    catch_signals(0);
+    status done = check_names(set);
+    if (done.ok && set->replay) done = replay_open(&r.replay, &r.set);
+    if (done.ok) done = run_begin(&r);
+    if (!done.ok && stop_signal)
+        done = status_fail("stopped before the first step");
+    catch_signals(SA_RESTART);
     if (done.ok) done = run_steps(&r);
     if (done.ok) done = run_finish(&r);
-    int code = done.ok ? tell_end(&r) : complain(done, EXIT_FAILURE);
+    int code = done.ok ? tell_end(&r)
+             : complain(done, stop_signal ? EXIT_SIGNAL + stop_signal
+                                          : EXIT_FAILURE);
     run_free(&r);
+    return code;
+}
+
+// How a row ended stands in its line.
+static int run_row(const settings *set)
+{
+    table t;
+    settings row;
+    char *words = NULL;
+    status done = table_read(&t, set->sweep);
+    if (done.ok && set->row > t.rows)
+        done = status_fail("%.120s: has only %d rows", set->sweep, t.rows);
+    if (done.ok) done = table_row(&t, set->row, &row, &words);
+    int code = EXIT_FAILURE;
+    if (done.ok) {
+        row.row = set->row;
+        code = run_scene(&row, t.row[set->row]);
+    } else complain(done, code);
+    free(words);
+    table_free(&t);
     return code;
 }
 
@@ -456,6 +576,9 @@ int main(int arguments, char **argument)
     else if (set.list) settings_print_list(stdout);
     else if (set.version)
         printf("tumble %s (%s, %s)\n", TUMBLE_VERSION, __VERSION__, FLAGS);
-    else code = run_scene(&set);
+    else if (set.row > 0) code = run_row(&set);
+    else if (set.sweep)
+        code = complain(sweep_begin(&set, argument[0], row_head), EXIT_FAILURE);
+    else code = run_scene(&set, NULL);
     return close_output(code);
 }

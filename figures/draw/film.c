@@ -1,15 +1,9 @@
 // film.c - cameras, colours and moments for the three scenes.
 
-#define _POSIX_C_SOURCE 200809L
-
 #include "film.h"
-#include "output.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
 
 // ---- Cameras ---------------------------------------------------------------
 
@@ -274,49 +268,15 @@ status strip_write(const strip *t, const char *path)
     return done;
 }
 
-// folder/frame-00000.png, to be freed.  NULL: no memory.
-static char *frame_name(const char *folder, long number)
-{
-    size_t room = strlen(folder) + 40;
-    char *name = malloc(room);
-    if (name) snprintf(name, room, "%s/frame-%05ld.png", folder, number);
-    return name;
-}
-
-status frame_write(pose s, const char *folder, long number)
+status film_write(pose s, const char *path)
 {
     picture p;
     status done = picture_init(&p, FRAME_WIDTH, FRAME_HEIGHT,
                                colour_hex(0xffffff));
     if (!done.ok) return done;
-    char *name = frame_name(folder, number);
-    if (!name) done = status_out_of_memory();
-    if (done.ok)
-        done = film_paint_pose(s, FRAME_LAMPS, &p, 0, 0, FRAME_WIDTH,
-                               FRAME_HEIGHT);
+    done = film_paint_pose(s, FRAME_LAMPS, &p, 0, 0, FRAME_WIDTH, FRAME_HEIGHT);
     if (done.ok) caption(&p, s.time);
-    if (done.ok) done = picture_write(&p, name);
-    free(name);
+    if (done.ok) done = picture_write(&p, path);
     picture_free(&p);
-    return done;
-}
-
-status frame_folder(const char *folder, int *made)
-{
-    struct stat there;
-    *made = 0;
-    if (stat(folder, &there) != 0) {
-        if (mkdir(folder, 0777) != 0)
-            return status_fail("%.120s: cannot make this folder: %s", folder,
-                               strerror(errno));
-        *made = 1;
-        return status_ok();
-    }
-    if (!S_ISDIR(there.st_mode))
-        return status_fail("%.120s: is not a folder", folder);
-    char *name = frame_name(folder, 0);
-    if (!name) return status_out_of_memory();
-    status done = output_check(name);
-    free(name);
     return done;
 }

@@ -1,4 +1,4 @@
-// film.h - pictures of a scene while it runs: a strip of three, or frames.
+// film.h - pictures of a scene while it runs: a strip of three, or one.
 
 #ifndef TUMBLE_FILM_H
 #define TUMBLE_FILM_H
@@ -43,11 +43,7 @@ status strip_look(strip *t, pose s, long step);
 // Writes the pictures taken so far side by side; none: writes nothing.
 status strip_write(const strip *t, const char *path);
 
-// Writes folder/frame-00000.png and so on.
-status frame_write(pose s, const char *folder, long number);
-
-// A folder that can be written to is made, if only its last part is missing.
-// *made says whether it was.
-status frame_folder(const char *folder, int *made);
+// Writes one picture, with its time.
+status film_write(pose s, const char *path);
 
 #endif

@@ -186,11 +186,42 @@ status output_check(const char *path)
     return s;
 }
 
+// ---- Names that clash --------------------------------------------------------
+
+static int is_part_of(const char *part, const char *path)
+{
+    size_t n = strlen(path);
+    return strncmp(part, path, n) == 0 && strcmp(part + n, ".part") == 0;
+}
+
+static int is_linked(const char *a, const char *b)
+{
+    struct stat first, second;
+    return stat(a, &first) == 0 && stat(b, &second) == 0
+        && first.st_dev == second.st_dev && first.st_ino == second.st_ino;
+}
+
 int output_is_same(const char *a, const char *b)
 {
     char *end_a = text_of_target(a), *end_b = text_of_target(b);
-    int same = end_a && end_b && strcmp(end_a, end_b) == 0;
+    int same = end_a && end_b && (strcmp(end_a, end_b) == 0 || is_linked(a, b)
+               || is_part_of(end_a, end_b) || is_part_of(end_b, end_a));
     free(end_a);
     free(end_b);
     return same;
+}
+
+int output_is_in(const char *path, const char *folder, const char *begins)
+{
+    char *end = text_of_target(path), *room = text_of_target(folder);
+    char *slash = end ? strrchr(end, '/') : NULL;
+    int in = 0;
+    if (slash && room) {
+        *slash = 0;
+        in = strcmp(*end ? end : "/", room) == 0
+             && strncmp(slash + 1, begins, strlen(begins)) == 0;
+    }
+    free(end);
+    free(room);
+    return in;
 }

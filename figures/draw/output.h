@@ -35,7 +35,11 @@ void output_cancel(output *o);
 // Could output_open(path) succeed?  Leaves no trace.
 status output_check(const char *path);
 
-// Do two paths name the same file, if by another way, there or not yet?
+// Do two paths name the same file, if by another way, there or not yet?  So do
+// the two names of one file, and path and path.part.
 int output_is_same(const char *a, const char *b);
+
+// Does path name a file in that folder whose name begins so?
+int output_is_in(const char *path, const char *folder, const char *begins);
 
 #endif

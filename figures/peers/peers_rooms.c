@@ -88,7 +88,6 @@ static void our_begin(world *w, const room *r, bool may_sleep)
     if (done.ok) done = add_walls(w, r->side);
     for (int k = 0; k < r->bodies && done.ok; k++)
         done = world_add(w, r->plan, r->start[k], NULL);
-    if (done.ok) done = world_begin(w);
     if (!done.ok) give_up(done.why);
 }
 

@@ -33,7 +33,6 @@ static void *begin(const pile *p, int substeps, bool may_sleep)
         done = world_add_plane(&r->world, p->normal[k], p->offset[k]);
     for (int k = 0; k < p->boxes && done.ok; k++)
         done = world_add(&r->world, &r->cube, placement_of(&p->box[k]), NULL);
-    if (done.ok) done = world_begin(&r->world);
     if (!done.ok) give_up(done.why);
     return r;
 }

@@ -1,5 +1,6 @@
 //> broad-init
 #include "broad.h"
+#include "table.h"
 
 #include <assert.h>
 #include <limits.h>
@@ -8,25 +9,37 @@
 
 status broad_init(broad *s, int bodies)
 {
+    *s = (broad){ .bodies = 0 };
+    status done = broad_grow(s, bodies);
+    if (!done.ok) broad_free(s);
+    return done;
+}
+
+// Nothing is kept but the order: the rest is made by every call.
+static bool grow(broad *s, int bodies)
+{
+    int n = table_room(bodies, s->room), places = LANES_A_BODY * n;
+    bool ok = true;
+    if (s->order && bodies <= s->room) return true;
+    TABLE_GROW(ok, s->order, s->bodies, n);
+    TABLE_GROW(ok, s->low, 0, n);
+    TABLE_GROW(ok, s->high, 0, n);
+    TABLE_GROW(ok, s->first, 0, n + 1);
+    TABLE_GROW(ok, s->reach, 0, n);
+    TABLE_GROW(ok, s->lane, 0, n + 2);
+    TABLE_GROW(ok, s->start, 0, places);
+    TABLE_GROW(ok, s->line, 0, places);
+    TABLE_GROW(ok, s->who, 0, places);
+    TABLE_GROW(ok, s->mover, 0, places + 1);
+    if (ok) s->room = n;
+    return ok;
+}
+
+status broad_grow(broad *s, int bodies)
+{
     assert(bodies >= 0);
-    size_t n = (size_t)bodies + 2, places = LANES_A_BODY * n;
-    *s = (broad){ .bodies = bodies,
-        .order = malloc(n * sizeof *s->order),
-        .low   = malloc(n * sizeof *s->low),
-        .high  = malloc(n * sizeof *s->high),
-        .first = malloc(n * sizeof *s->first),
-        .reach = malloc(n * sizeof *s->reach),
-        .lane  = malloc(n * sizeof *s->lane),
-        .start = malloc(places * sizeof *s->start),
-        .line  = malloc(places * sizeof *s->line),
-        .who   = malloc(places * sizeof *s->who),
-        .mover = malloc(places * sizeof *s->mover) };
-    if (!s->order || !s->low || !s->high || !s->first || !s->reach || !s->lane
-        || !s->start || !s->line || !s->who || !s->mover) {
-        broad_free(s);
-        return status_out_of_memory();
-    }
-    for (int b = 0; b < bodies; b++) s->order[b] = b;
+    if (!grow(s, bodies)) return status_out_of_memory();
+    for (; s->bodies < bodies; s->bodies++) s->order[s->bodies] = s->bodies;
     return status_ok();
 }
 

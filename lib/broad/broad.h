@@ -21,7 +21,7 @@ typedef struct {
 } lane_range;
 
 typedef struct broad {
-    int   bodies;
+    int   bodies, room; // so many there are, and for so many there is room
     int  *order;        // [bodies] by low, equal ones by number
     real *low, *high;   // [bodies] m, ends of each ball along x
     int  *first;        // [bodies + 1] scratch of the sorting of pairs
@@ -44,6 +44,8 @@ typedef struct broad {
 //> broad-declare
 // For that many bodies, >= 0.  Fails, leaving *s empty, if memory is refused.
 status broad_init(broad *s, int bodies);
+// For more of them, if there were fewer.  Fails, changing nothing.
+status broad_grow(broad *s, int bodies);
 void   broad_free(broad *s);            // an empty or zeroed one is fine
 
 // The pairs (a, b), a < b, of balls that touch or overlap, where at least one

@@ -8,6 +8,7 @@
 #define TUMBLE_PAIRS_H
 
 #include "broad.h"
+#include "scene.h"
 
 // What is asked: balls around bodies, and how far beyond them each may get in
 // this frame.
@@ -16,6 +17,8 @@ typedef struct {
     const real *reach;  // [bodies] m
     const char *moves;  // [bodies] 0: never, so that two such do not meet
     int bodies;
+    const plane *plane;
+    int planes;
 } pair_query;
 
 // The pairs are found for balls that are a little larger.  While no body leaves
@@ -23,19 +26,30 @@ typedef struct {
 typedef struct {
     int  (*pair)[2];    // a < b, sorted by a, then by b
     int  count, capacity;
+    int  (*wall)[2];    // what moves, and a plane's number; sorted likewise
+    int  walls, wall_capacity;
     long lists;         // how often they were found
     bool is_cut;        // some found no memory: the list does not hold
 
     broad  broad;
     sphere *listed;     // [bodies] the larger balls
-    int    bodies;
+    bool   *is_new;     // [bodies] it has come, or gone elsewhere, since then
+    int    bodies, room;
+    bool   has_new;     // there is one, or there is a plane more
 } pair_list;
 //<
 
 //> pairs-declare
 // For that many bodies.  Fails, leaving *l empty, for want of memory.
 status pair_list_init(pair_list *l, int bodies);
+// For more of them, if there were fewer.  Fails, changing nothing.
+status pair_list_grow(pair_list *l, int bodies);
 void   pair_list_free(pair_list *l);    // an empty or zeroed one is fine
+
+// Body b has come, gone, or been put elsewhere, or what it may meet is another:
+// its pairs are found again in the next frame.  Those of others stay as they
+// are.  b < 0: there are more planes.
+void pair_list_renew(pair_list *l, int b);
 
 // The pairs of this frame.  Returns true if they were found again, false if
 // those of the last frame still hold.  Allocates if there are more pairs than

@@ -1,11 +1,12 @@
 //> cache-update
 #include "cache.h"
+#include "table.h"
 
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-static void follow_list(contact_cache *c, const cache_frame *f);
+static void follow_lists(contact_cache *c, const cache_frame *f);
 static void place_chunk(void *data, int item);
 static void decide_chunk(void *data, int item);
 static void make_entries(contact_cache *c);
@@ -22,12 +23,14 @@ void cache_update(contact_cache *c, const cache_frame *f)
     update u = { c, f };
     c->lost = 0;
     c->queries = 0;
-    // (Memory for it may have been refused in the last frame.)
-    if (f->is_new_list || c->pairs != f->list->count) follow_list(c, f);
+    // (Memory for them may have been refused in the last frame.)
+    if (f->is_new_list || c->pairs.count != f->list->count
+        || c->walls.count != f->list->walls) follow_lists(c, f);
+    int items = task_chunks(c->walls.count) + task_chunks(c->pairs.count);
     tasks_run(f->run, place_chunk, &u, task_chunks(f->bodies));
-    tasks_run(f->run, decide_chunk, &u, task_chunks(c->pairs));
+    tasks_run(f->run, decide_chunk, &u, items);
     make_entries(c);
-    tasks_run(f->run, query_chunk, &u, task_chunks(f->bodies) + task_chunks(c->pairs));
+    tasks_run(f->run, query_chunk, &u, items);
     gather_active(c, f);
 }
 //<
@@ -47,51 +50,49 @@ static int compare(const int a[2], const int b[2])
          : a[1] != b[1] ? (a[1] < b[1] ? -1 : 1) : 0;
 }
 
-static bool grow_spare(contact_cache *c, int need)
+static bool grow_spare(cache_list *l, int need)
 {
-    int room = need + need / 8;
-    if (need <= c->spare_capacity) return true;
-    free(c->spare);
-    free(c->spare_key);
-    c->spare = malloc((size_t)room * sizeof *c->spare);
-    c->spare_key = malloc((size_t)room * sizeof *c->spare_key);
-    c->spare_capacity = c->spare && c->spare_key ? room : 0;
-    return c->spare_capacity > 0;
+    int room = need + need / 8 + 64;
+    if (need <= l->spare_capacity) return true;
+    free(l->spare);
+    free(l->spare_key);
+    l->spare = malloc((size_t)room * sizeof *l->spare);
+    l->spare_key = malloc((size_t)room * sizeof *l->spare_key);
+    l->spare_capacity = l->spare && l->spare_key ? room : 0;
+    return l->spare_capacity > 0;
 }
 
-static void swap_spare(contact_cache *c)
+static void swap_spare(cache_list *l, int count)
 {
-    cache_pair *pair = c->pair;
-    int (*key)[2] = c->key, room = c->pair_capacity;
-    c->pair = c->spare;
-    c->key = c->spare_key;
-    c->pair_capacity = c->spare_capacity;
-    c->spare = pair;
-    c->spare_key = key;
-    c->spare_capacity = room;
+    *l = (cache_list){ l->spare, l->spare_key, count, l->spare_capacity,
+                       l->pair, l->key, l->capacity };
 }
 
 // Both lists are sorted: one walk along them hands each pair what was kept of
 // it, and lets go of what belongs to pairs that are listed no more.
-static void follow_list(contact_cache *c, const cache_frame *f)
+static void follow_list(contact_cache *c, cache_list *l, int (*list)[2],
+                        int count)
 {
-    const pair_list *list = f->list;
-    int n = grow_spare(c, list->count) ? list->count : 0;
-    int old = 0;
-    c->lost += list->count - n;
+    int n = grow_spare(l, count) ? count : 0, old = 0;
+    c->lost += count - n;
     for (int k = 0; k < n; k++) {
-        const int *now = list->pair[k];
-        while (old < c->pairs && compare(c->key[old], now) < 0)
-            release(c, &c->pair[old++]);
-        bool is_known = old < c->pairs && compare(c->key[old], now) == 0;
-        c->spare[k] = is_known ? c->pair[old++]
+        const int *now = list[k];
+        while (old < l->count && compare(l->key[old], now) < 0)
+            release(c, &l->pair[old++]);
+        bool is_known = old < l->count && compare(l->key[old], now) == 0;
+        l->spare[k] = is_known ? l->pair[old++]
                     : (cache_pair){ .entry = -1, .seen = { -1, -1 } };
-        c->spare_key[k][0] = now[0];
-        c->spare_key[k][1] = now[1];
+        l->spare_key[k][0] = now[0];
+        l->spare_key[k][1] = now[1];
     }
-    while (old < c->pairs) release(c, &c->pair[old++]);
-    swap_spare(c);
-    c->pairs = n;
+    while (old < l->count) release(c, &l->pair[old++]);
+    swap_spare(l, n);
+}
+
+static void follow_lists(contact_cache *c, const cache_frame *f)
+{
+    follow_list(c, &c->pairs, f->list->pair, f->list->count);
+    follow_list(c, &c->walls, f->list->wall, f->list->walls);
 }
 //<
 
@@ -132,8 +133,8 @@ static void decide(const contact_cache *c, cache_pair *p, real reach, int a,
 
 static void decide_pair(contact_cache *c, const cache_frame *f, int k)
 {
-    int a = c->key[k][0], b = c->key[k][1];
-    cache_pair *p = &c->pair[k];
+    int a = c->pairs.key[k][0], b = c->pairs.key[k][1];
+    cache_pair *p = &c->pairs.pair[k];
     real reach = reach_of(f, a, b);
     real near = f->now[a].radius + f->now[b].radius + reach;
     vec3 d = vec3_sub(f->now[a].frame.center, f->now[b].frame.center);
@@ -143,25 +144,33 @@ static void decide_pair(contact_cache *c, const cache_frame *f, int k)
     else decide(c, p, reach, a, b);
 }
 
-static void decide_walls(contact_cache *c, const cache_frame *f, int b)
+static void decide_wall(contact_cache *c, const cache_frame *f, int k)
 {
-    for (int k = 0; k < f->planes; k++) {
-        cache_pair *p = &c->wall[b * c->planes + k];
-        real reach = f->ahead[b].reach;
-        real height = vec3_dot(f->plane[k].normal, f->now[b].frame.center)
-                    - f->plane[k].offset;
-        p->is_asked = false;
-        if (!f->moves[b] || !f->body[b].rigid) continue;
-        if (!(height <= f->now[b].radius + reach)) forget(p);
-        else decide(c, p, reach, b, -1);
-    }
+    int b = c->walls.key[k][0];
+    cache_pair *p = &c->walls.pair[k];
+    plane wall = f->plane[c->walls.key[k][1]];
+    real reach = f->ahead[b].reach;
+    real height = vec3_dot(wall.normal, f->now[b].frame.center) - wall.offset;
+    p->is_asked = false;
+    if (!f->moves[b]) return;
+    if (!(height <= f->now[b].radius + reach)) forget(p);
+    else decide(c, p, reach, b, -1);
 }
 
+// The first items are walls, the others pairs.
 static void decide_chunk(void *data, int item)
 {
     const update *u = data;
-    int end = task_end(item, u->c->pairs);
-    for (int k = item * TASK_CHUNK; k < end; k++) decide_pair(u->c, u->f, k);
+    int walls = task_chunks(u->c->walls.count);
+    if (item < walls) {
+        int end = task_end(item, u->c->walls.count);
+        for (int k = task_first(item); k < end; k++)
+            decide_wall(u->c, u->f, k);
+        return;
+    }
+    item -= walls;
+    int end = task_end(item, u->c->pairs.count);
+    for (int k = task_first(item); k < end; k++) decide_pair(u->c, u->f, k);
 }
 //<
 
@@ -197,10 +206,7 @@ static void place_chunk(void *data, int item)
 {
     const update *u = data;
     int end = task_end(item, u->f->bodies);
-    for (int b = item * TASK_CHUNK; b < end; b++) {
-        place_body(u->c, u->f, b);
-        decide_walls(u->c, u->f, b);
-    }
+    for (int b = item * TASK_CHUNK; b < end; b++) place_body(u->c, u->f, b);
 }
 //<
 
@@ -243,12 +249,12 @@ static void make_entry(contact_cache *c, cache_pair *p, int a, int b)
 
 static void make_entries(contact_cache *c)
 {
-    for (int k = 0; k < c->pairs; k++)
-        make_entry(c, &c->pair[k], c->key[k][0], c->key[k][1]);
-    for (int b = 0; b < c->bodies; b++)
-        for (int k = 0; k < c->planes; k++)
-            make_entry(c, &c->wall[b * c->planes + k], b,
-                       contact_with_plane(k));
+    const cache_list *l = &c->pairs, *m = &c->walls;
+    for (int k = 0; k < l->count; k++)
+        make_entry(c, &l->pair[k], l->key[k][0], l->key[k][1]);
+    for (int k = 0; k < m->count; k++)
+        make_entry(c, &m->pair[k], m->key[k][0],
+                   contact_with_plane(m->key[k][1]));
 }
 //<
 
@@ -270,10 +276,13 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
     c->count = m->count;
     c->shared = (signed char)(is_apart ? 0 : m->count);
     c->normal = m->normal;
+    c->round_a = f->body[c->a].shape->round;
+    c->round_b = f->body[c->b].shape->round;
     for (int k = 0; k < m->count; k++)
         c->point[k] = (contact_point){
             .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
-            .local_b = local_of(f->body[c->b].rigid, &m->point[k].b) };
+            .local_b = local_of(f->body[c->b].rigid, &m->point[k].b),
+            .offset = c->round_a + c->round_b };
 }
 //<
 
@@ -287,13 +296,15 @@ static void add_guard(contact *c, const cache_frame *f)
     bool is_a = b < 0 || f->now[a].radius < f->now[b].radius;
     int small = is_a ? a : b;
     if (!f->moves[small] || c->count == 0) return;
+    // A ball touches with its middle already.
+    if (f->body[small].shape->particles == 1) return;
     if (c->count == CONTACT_POINTS) c->count--;
     c->shared = (signed char)int_min(c->shared, c->count);
     contact_point *p = &c->point[c->count];
     *p = c->point[0];
     if (is_a) p->local_a = f->body[a].rigid->middle;
     else      p->local_b = f->body[b].rigid->middle;
-    p->offset = f->body[small].inner;
+    p->offset = f->body[small].inner + (is_a ? c->round_b : c->round_a);
     c->count++;
 }
 
@@ -330,7 +341,46 @@ static swept_status query_swept(contact *c, const cache_frame *f,
     }
     return s;
 }
+//<
 
+//> cache-ahead
+// The normal of round bodies turns as they pass each other.  So they are asked
+// as they will stand when they touch: the one that is round is shifted, as seen
+// from the other, by the part of the way that closes the gap along the normal,
+// and again, for there the normal is another.  Returns whether they were.
+static const real GLIDES = 0.02;        // of the radius: less does not count
+
+static bool query_ahead(const cache_frame *f, const contact *c, collider a,
+                        collider b, real margin, query_cache *carried,
+                        manifold *m)
+{
+    enum { ROUNDS = 4, CORE = 2 };
+    bool is_a = a.shape->round > 0;
+    collider *round = is_a ? &a : &b;
+    vec3 way = vec3_sub(f->ahead[c->a].way, f->ahead[c->b].way), at[CORE];
+    real gone = 0, turn = f->ahead[c->a].angle + f->ahead[c->b].angle;
+    const vec3 *now = round->at;
+    if (!(query_round(&a, &b) > 0)) {
+        *m = collide_rigid(&a, &b, margin, turn, carried);
+        return false;
+    }
+    round->at = at;
+    for (int k = 0; ; k++) {
+        for (int v = 0; v < round->shape->particles; v++)
+            at[v] = vec3_add_scaled(now[v], is_a ? gone : -gone, way);
+        if (k == ROUNDS
+            || !(vec3_length(way) > GLIDES * round->shape->round)) break;
+        query_result r = query_nearest(&a, &b, HUGE_VAL, carried);
+        real closing = -vec3_dot(way, r.normal);
+        if (!(r.at.gap > 0) || !(r.at.gap < closing * (1 - gone))) break;
+        gone += r.at.gap / closing;
+    }
+    *m = collide_rigid(&a, &b, margin, turn, carried);
+    return gone > 0;
+}
+//<
+
+//> cache-pair
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
@@ -346,10 +396,10 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     if (is_fast(f, a, b)) swept = query_swept(now, f, &x, &y);
     if (swept != SWEPT_TOUCHES && swept != SWEPT_PASSES) {
         real slack = slack_of(f, a, b), reach = reach_of(f, a, b);
-        manifold m = collide_rigid(&x, &y, reach + 2 * slack,
-                                   f->ahead[a].angle + f->ahead[b].angle,
-                                   &e->carried);
-        take_manifold(now, &m, f, false);
+        manifold m;
+        bool is_ahead = query_ahead(f, now, x, y, reach + 2 * slack,
+                                    &e->carried, &m);
+        take_manifold(now, &m, f, is_ahead);
         if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
         p->seen[0] = c->placing[a].number;
         p->seen[1] = c->placing[b].number;
@@ -415,14 +465,15 @@ static void widen(low_vertex low[CONTACT_POINTS], const vec3 *at, int vertices,
 static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     low_vertex low[CONTACT_POINTS];
-    contact was = c->entry[p->entry].contact;
-    contact *now = &c->entry[p->entry].contact;
+    contact *now = &c->entry[p->entry].contact, was = *now;
     int a = now->a, n = 0, vertices = f->body[a].shape->particles;
     plane wall = f->plane[-1 - now->b];
     const vec3 *at = c->vertex + c->placing[a].first;
+    if (p->count == 0) was.count = 0;       // bequeaths nothing
     real slack = slack_of(f, a, -1), reach = reach_of(f, a, -1);
+    real round = f->body[a].shape->round;
     for (int v = 0; v < vertices; v++) {
-        real height = vec3_dot(wall.normal, at[v]) - wall.offset;
+        real height = vec3_dot(wall.normal, at[v]) - wall.offset - round;
         if (height <= reach + 2 * slack)
             keep_lowest(low, &n, (low_vertex){ v, height, at[v] });
     }
@@ -430,9 +481,12 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
         widen(low, at, vertices, wall, slack);
     now->normal = wall.normal;
     now->count = n;
+    now->round_a = round;
+    now->round_b = 0;
     for (int k = 0; k < n; k++)
         now->point[k] = (contact_point){
-            .local_a = f->body[a].rigid->local[low[k].vertex] };
+            .local_a = f->body[a].rigid->local[low[k].vertex],
+            .offset = round };
     if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
     p->seen[0] = c->placing[a].number;
@@ -465,32 +519,21 @@ static void activate(const contact_cache *c, const cache_frame *f,
 //<
 
 //> cache-query-all
-static void query_walls(contact_cache *c, const cache_frame *f, int b)
-{
-    for (int k = 0; k < f->planes; k++) {
-        cache_pair *p = &c->wall[b * c->planes + k];
-        if (p->is_asked) query_wall(c, f, p);
-        activate(c, f, p, b, -1);
-    }
-}
-
 static void query_chunk(void *data, int item)
 {
     const update *u = data;
-    int body_items = task_chunks(u->f->bodies), first = item * TASK_CHUNK;
-    if (item < body_items) {
-        int end = int_min(first + TASK_CHUNK, u->f->bodies);
-        for (int b = first; b < end; b++) query_walls(u->c, u->f, b);
-        return;
-    }
-    first -= body_items * TASK_CHUNK;
-    int end = int_min(first + TASK_CHUNK, u->c->pairs);
-    for (int k = first; k < end; k++) {
-        cache_pair *p = &u->c->pair[k];
+    const cache_list *l = &u->c->walls;
+    int walls = task_chunks(l->count);
+    bool is_wall = item < walls;
+    if (!is_wall) l = &u->c->pairs, item -= walls;
+    int end = task_end(item, l->count);
+    for (int k = task_first(item); k < end; k++) {
+        cache_pair *p = &l->pair[k];
         if (k + 1 < end && p[1].is_asked)
             contact_expect(&u->c->entry[p[1].entry].contact);
-        if (p->is_asked) query_pair(u->c, u->f, p);
-        activate(u->c, u->f, p, u->c->key[k][0], u->c->key[k][1]);
+        if (p->is_asked && is_wall) query_wall(u->c, u->f, p);
+        else if (p->is_asked)       query_pair(u->c, u->f, p);
+        activate(u->c, u->f, p, l->key[k][0], is_wall ? -1 : l->key[k][1]);
     }
 }
 //<
@@ -536,8 +579,8 @@ static void gather_active(contact_cache *c, const cache_frame *f)
         c->lost += c->entries;
         return;
     }
-    for (int k = 0; k < c->pairs; k++) gather(c, &c->pair[k]);
-    for (int k = 0; k < f->bodies * c->planes; k++) gather(c, &c->wall[k]);
+    for (int k = 0; k < c->pairs.count; k++) gather(c, &c->pairs.pair[k]);
+    for (int k = 0; k < c->walls.count; k++) gather(c, &c->walls.pair[k]);
     update u = { c, f };
     tasks_run(f->run, reach_chunk, &u, task_chunks(c->actives));
 }
@@ -554,36 +597,57 @@ void cache_moved(contact_cache *c, int b, real way)
 //<
 
 //> cache-init
-status cache_init(contact_cache *c, const cache_body *body, int bodies,
-                  int planes)
+status cache_init(contact_cache *c, const cache_body *body, int bodies)
 {
-    size_t n = (size_t)int_max(bodies, 1), vertices = 1;
-    *c = (contact_cache){ .planes = planes, .bodies = bodies,
-                          .free_entry = -1 };
-    c->placed = calloc(n, sizeof *c->placed);
-    c->placing = calloc(n, sizeof *c->placing);
-    c->wall = calloc(n * (size_t)int_max(planes, 1), sizeof *c->wall);
-    for (int b = 0; b < bodies && c->placing; b++) {
-        c->placing[b].first = (int)vertices;
-        if (body[b].rigid) vertices += (size_t)body[b].shape->particles;
+    *c = (contact_cache){ .free_entry = -1 };
+    status done = status_ok();
+    for (int b = 0; b < bodies && done.ok; b++)
+        done = cache_add(c, b, body[b].rigid ? body[b].shape->particles : 0);
+    if (!done.ok) cache_free(c);
+    return done;
+}
+
+static bool make_room(contact_cache *c, int bodies, int vertices)
+{
+    int room = table_room(bodies, c->room);
+    int vertex_room = table_room(vertices, c->vertex_room);
+    bool ok = true;
+    if (room > c->room) {
+        TABLE_GROW(ok, c->placed, c->room, room);
+        TABLE_GROW(ok, c->placing, c->room, room);
+        if (ok) c->room = room;
     }
-    c->vertex = malloc(vertices * sizeof *c->vertex);
-    if (!c->placed || !c->placing || !c->wall || !c->vertex) {
-        cache_free(c);
+    if (ok && vertex_room > c->vertex_room) {
+        TABLE_GROW(ok, c->vertex, c->vertices, vertex_room);
+        if (ok) c->vertex_room = vertex_room;
+    }
+    return ok;
+}
+
+status cache_add(contact_cache *c, int b, int vertices)
+{
+    bool has_room = b < c->room && vertices <= c->placing[b].vertices;
+    int more = has_room ? 0 : vertices;
+    if (!make_room(c, b + 1, c->vertices + more))
         return status_out_of_memory();
-    }
-    for (int k = 0; k < bodies * planes; k++)
-        c->wall[k] = (cache_pair){ .entry = -1, .seen = { -1, -1 } };
+    struct placing *p = &c->placing[b];
+    *p = (struct placing){ .first = p->first, .vertices = p->vertices };
+    if (has_room) return status_ok();
+    p->first = c->vertices;
+    p->vertices = vertices;
+    c->vertices += vertices;
     return status_ok();
 }
 
 void cache_free(contact_cache *c)
 {
-    free(c->pair);
-    free(c->key);
-    free(c->spare);
-    free(c->spare_key);
-    free(c->wall);
+    cache_list *list[] = { &c->pairs, &c->walls };
+    for (int k = 0; k < 2; k++) {
+        free(list[k]->pair);
+        free(list[k]->key);
+        free(list[k]->spare);
+        free(list[k]->spare_key);
+    }
     free(c->entry);
     free(c->placed);
     free(c->placing);
@@ -593,17 +657,33 @@ void cache_free(contact_cache *c)
     free(c->reach);
     *c = (contact_cache){ .free_entry = -1 };
 }
+//<
 
-static void clear_pair(contact_cache *c, cache_pair *p)
+//> cache-forget
+// Of body b, or of all (-1).
+static void clear_list(contact_cache *c, cache_list *l, bool is_walls, int b)
 {
-    release(c, p);
-    forget(p);
+    for (int k = 0; k < l->count; k++) {
+        bool is_its = l->key[k][0] == b || (!is_walls && l->key[k][1] == b);
+        if (b >= 0 && !is_its) continue;
+        if (l->pair[k].entry >= 0)
+            c->entry[l->pair[k].entry].contact.count = 0;
+        release(c, &l->pair[k]);
+        forget(&l->pair[k]);
+    }
+}
+
+void cache_forget(contact_cache *c, int b)
+{
+    clear_list(c, &c->pairs, false, b);
+    clear_list(c, &c->walls, true, b);
+    c->placing[b].number = 0;
 }
 
 void cache_clear(contact_cache *c)
 {
-    for (int k = 0; k < c->pairs; k++) clear_pair(c, &c->pair[k]);
-    for (int k = 0; k < c->bodies * c->planes; k++) clear_pair(c, &c->wall[k]);
-    for (int b = 0; b < c->bodies; b++) c->placing[b].number = 0;
+    clear_list(c, &c->pairs, false, -1);
+    clear_list(c, &c->walls, true, -1);
+    for (int b = 0; b < c->room; b++) c->placing[b].number = 0;
 }
 //<

@@ -32,8 +32,7 @@ typedef struct {
     int bodies;
     const pair_list *list;
     bool is_new_list;
-    const plane *plane;
-    int planes;
+    const plane *plane;         // those that walls of the list name
     real stay;          // of a body's radius; see world_options
     tasks run;
 } cache_frame;
@@ -59,26 +58,32 @@ typedef struct {
     contact contact;
 } cache_entry;
 
+// What is kept of the pairs of a list, and whose it is.
 typedef struct {
-    cache_pair *pair;   // [pairs], as in the list
-    int (*key)[2];      // [pairs] whose
-    int pairs, pair_capacity;
+    cache_pair *pair;   // [count], as in the list
+    int (*key)[2];      // [count] two bodies, or a body and a plane's number
+    int count, capacity;
     cache_pair *spare;          // [spare_capacity] for the next list
     int (*spare_key)[2];
     int spare_capacity;
-    cache_pair *wall;   // [bodies * planes]
-    int bodies, planes;
+} cache_list;
+
+typedef struct {
+    cache_list pairs, walls;
     cache_entry *entry;
     int entries, entry_capacity, free_entry;
 
-    rigid_frame *placed;        // [bodies] where it was when its vertices were
+    int room;                   // bodies
+    rigid_frame *placed;        // [room] where it was when its vertices were
                                 // last placed
     struct placing {
         int  number;    // how often they were placed
-        int  first;     // in vertex
+        int  first;     // in vertex,
+        int  vertices;  // where so many have room
         real path;      // m, how far any of its points has gone at most
-    } *placing;         // [bodies]
+    } *placing;         // [room]
     vec3 *vertex;       // m
+    int vertices, vertex_room;
 
     // The contacts of this frame, and how near their points may come in it.
     contact **active;   // [actives]
@@ -93,10 +98,12 @@ typedef struct {
 //<
 
 //> cache-declare
-// For bodies as given (their shapes), and so many planes.  Fails, leaving *c
-// empty, for want of memory.
-status cache_init(contact_cache *c, const cache_body *body, int bodies,
-                  int planes);
+// For bodies as given (their shapes).  Fails, leaving *c empty, for want of
+// memory.
+status cache_init(contact_cache *c, const cache_body *body, int bodies);
+// For body b, with so many vertices, which is one more, or in the place of one
+// that was forgotten.  Fails, forgetting nothing.
+status cache_add(contact_cache *c, int b, int vertices);
 void   cache_free(contact_cache *c);    // an empty or zeroed one is fine
 
 // The contacts of this frame in active, reach: those of pairs by pair, then
@@ -108,6 +115,10 @@ void cache_note(contact_cache *c, const contact_solver *s);
 
 // Body b has been moved: no vertex of it by more than way (m).
 void cache_moved(contact_cache *c, int b, real way);
+
+// What is kept of body b is forgotten: it goes, or is put elsewhere.  In the
+// next frame the list of pairs must be a new one.
+void cache_forget(contact_cache *c, int b);
 
 // Everything that is kept is forgotten: the next frame asks all.  (With this
 // before every frame contacts know no past: the oracle.)

@@ -42,8 +42,9 @@ contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
 {
     const contact_point *p = &c->point[k];
     contact_arms arm = { .a = arm_at(a, p->local_a) };
+    arm.a = vec3_add_scaled(arm.a, -c->round_a, c->normal);
     if (!b) return arm;
-    arm.b = arm_at(b, p->local_b);
+    arm.b = vec3_add_scaled(arm_at(b, p->local_b), c->round_b, c->normal);
     if (k >= c->shared) return arm;
     vec3 sum = vec3_add(arm.a, arm.b), way = vec3_sub(a->center, b->center);
     return (contact_arms){ vec3_scale(0.5, vec3_sub(sum, way)),

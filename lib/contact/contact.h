@@ -14,7 +14,8 @@ enum { CONTACT_POINTS = 4 };
 
 // A point of A and a point of B that must not pass each other along the normal.
 typedef struct {
-    vec3 local_a, local_b;  // where they ride: in the frames of the two bodies
+    vec3 local_a, local_b;  // where they ride: in the frames of the two bodies;
+                            // of one that is round, on its core
     real offset;            // m, the gap that is kept between them
 } contact_point;
 
@@ -27,6 +28,8 @@ typedef struct {
                             // one place; the others, of bodies that meet later
                             // in the frame, each at its own
     long found;             // when it was, as a number that no other has
+    real round_a, round_b;  // m, so far from the points of A and of B, along
+                            // the normal, are their surfaces; offsets hold it
     vec3 normal;
     real impulse[CONTACT_POINTS];   // N s, of each point in the last substep,
                             // along the normal, >= 0

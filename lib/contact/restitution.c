@@ -93,13 +93,15 @@ static void settle(const impact_solver *s, int body, const motion *u, real time)
 static bool strike(const impact_solver *s, const contact *c)
 {
     const solver_frame *f = s->f;
+    material m = solver_material(f, c->a, c->b);
+    if (f->material && !(m.restitution > 0)) return false;
     if (!meets_fast(s, c)) return false;
     impact x = impact_of(s, c);
     vec3 fallen = vec3_scale(f->h, f->gravity);
     fall(&x.pair, fallen, x.time - 0.5, x.u);
     if (!(closing_speed(&x) > slowest_of(s, c))) return false;
-    push_apart(&x, f->restitution);
-    rub(&x, f->friction);
+    push_apart(&x, m.restitution);
+    rub(&x, m.friction);
     fall(&x.pair, fallen, 0.5 - x.time, x.u);
     if (x.pair.falls[A]) settle(s, c->a, &x.u[A], x.time);
     if (x.pair.falls[B]) settle(s, c->b, &x.u[B], x.time);
@@ -262,6 +264,8 @@ static impact impact_of(const impact_solver *s, const contact *c)
     }
     for (int side = A; side < BODIES; side++)
         x.pair.falls[side] = x.pair.basis[side]->inverse_mass > 0;
+    if (f->body[c->a].is_driven) x.pair.falls[A] = false;
+    if (c->b >= 0 && f->body[c->b].is_driven) x.pair.falls[B] = false;
     contact_gaps(c, &f->body[c->a].frame, frame, height, gap);
     for (int k = 0; k < c->count; k++)
         x.arm[k] = contact_arms_of(c, k, solver_placed(f, c->a),
@@ -341,16 +345,18 @@ static real center_of(const impact *x, vec3 arm[BODIES])
 }
 
 // The impulse f that stops sliding is where the energy is least; one shorter
-// than that takes energy as well.
+// than that takes energy as well.  Slower than 1e-12 of how the points part is
+// what rounding leaves, in any direction.
 static void stop_sliding(impact *x, const vec3 arm[BODIES], real most)
 {
     const impact_pair *p = &x->pair;
     vec3 n = x->c->normal;
     vec3 v = vec3_sub(motion_at(p->basis[A], &x->u[A], arm[A]),
                       motion_at(p->basis[B], &x->u[B], arm[B]));
+    real whole = vec3_length(v);
     v = vec3_add_scaled(v, -vec3_dot(v, n), n);
     real speed = vec3_length(v);
-    if (!(speed > 0)) return;
+    if (!(speed > 1e-12 * whole)) return;
     vec3 along = vec3_scale(1 / speed, v);
     impact_row r = row_along(p, along, arm);
     impact_row s = row_along(p, vec3_cross(n, along), arm);

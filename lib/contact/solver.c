@@ -1,5 +1,6 @@
 //> solver-active
 #include "solver.h"
+#include "table.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -134,6 +135,7 @@ typedef struct {
     vec3 normal, across, aside;
     real across_impulse, aside_impulse, twist;
     real per_near;              // 1/m, of a gap that is all but closed
+    real round_a, round_b;      // m, see contact
     real has[CONTACT_POINTS];   // 1: it has this point; 0: not
     real gap[CONTACT_POINTS], impulse[CONTACT_POINTS];
     real shared[CONTACT_POINTS];    // 1: both push at one place
@@ -183,16 +185,18 @@ static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
 
 static void choose_lane(lane_source *q, const contact *c,
                         const active_contact *x, const solver_frame *f,
-                        int points)
+                        int spare, int points)
 {
     real sign = x->is_swapped ? -1 : 1;
     q->a = x->a;
-    q->b = x->sides == TWO_SIDED ? x->b : f->bodies;
+    q->b = x->sides == TWO_SIDED ? x->b : spare;
     q->basis_a = &f->body[x->a].basis;
     q->basis_b = &IMMOVABLE;
     if (x->sides == TWO_SIDED) q->basis_b = &f->body[x->b].basis;
     q->normal = vec3_scale(sign, c->normal);
     q->per_near = 25 / radius_of(x, f);
+    q->round_a = x->is_swapped ? c->round_b : c->round_a;
+    q->round_b = x->is_swapped ? c->round_a : c->round_b;
     q->twist = x->count > 1 ? f->warm * c->twist : 0;
     choose_across(q, vec3_scale(sign * f->warm, c->friction));
     q->placed_a = solver_placed(f, x->a);
@@ -255,6 +259,29 @@ static inline void find_arms(real4 arm_a[3], real4 arm_b[3], real4 shared,
     }
 }
 
+// From the cores of bodies that are round to their surfaces.
+static void shift_arms(raw_block *raw, const lane_source q[REAL4], int points)
+{
+    real4 normal[3], minus_a = LANES_OF(q, round_a), b = LANES_OF(q, round_b);
+    minus_a = real4_sub(real4_all(0), minus_a);
+    real4 mid = real4_mul(real4_all(0.5), real4_add(minus_a, b));
+    LANES3_OF(normal, q, normal);
+    for (int j = 0; j < points; j++) {
+        real4 shared = LANES_OF(q, shared[j]);
+        real4_add3(raw->arm_a[j], normal,
+                   real4_if_positive(shared, mid, minus_a));
+        real4_add3(raw->arm_b[j], normal, real4_if_positive(shared, mid, b));
+    }
+}
+
+static bool is_round(const lane_source q[REAL4])
+{
+    real most = 0;
+    for (int l = 0; l < REAL4; l++)
+        most = real_max(most, q[l].round_a + q[l].round_b);
+    return most > 0;
+}
+
 static void transpose_arms(raw_block *raw, const lane_source q[REAL4],
                            int points)
 {
@@ -271,6 +298,7 @@ static void transpose_arms(raw_block *raw, const lane_source q[REAL4],
         find_arms(raw->arm_a[j], raw->arm_b[j], LANES_OF(q, shared[j]), a, b,
                   local_a, local_b);
     }
+    if (is_round(q)) shift_arms(raw, q, points);
 }
 
 static void transpose(block *k, raw_block *raw, const lane_source q[REAL4])
@@ -395,7 +423,21 @@ typedef struct {
     const solver_frame *f;
     const contact *const *table;
     const real *reach;
+    real slowest;       // m/s, what closes more slowly does not strike
 } preparation;
+
+static void set_materials(const preparation *p, block *k)
+{
+    k->friction = real4_all(p->f->friction);
+    k->slowest = real4_all(p->slowest);
+    for (int l = 0; l < REAL4 && p->f->material; l++) {
+        if (k->contact[l] < 0) continue;
+        const active_contact *x = &p->s->active[k->contact[l]];
+        material m = solver_material(p->f, x->a, x->b);
+        real4_set(&k->friction, l, m.friction);
+        if (!(m.restitution > 0)) real4_set(&k->slowest, l, HUGE_VAL);
+    }
+}
 
 static void activate_chunk(void *data, int item)
 {
@@ -437,9 +479,9 @@ static void fill_block(const preparation *p, int number)
     for (int l = 0; l < REAL4; l++) {
         if (l < lanes)
             choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
-                        k->points);
+                        s->room, k->points);
         else
-            leave_lane(&q[l], s->bodies, k->points);
+            leave_lane(&q[l], s->room, k->points);
         k->contact[l] = l < lanes ? list[l] : -1;
         k->a[l] = q[l].a;
         k->b[l] = q[l].b;
@@ -447,6 +489,7 @@ static void fill_block(const preparation *p, int number)
     transpose(k, &raw, q);
     real4 inverse = real4_add(k->inverse_a, k->inverse_b);
     find_center(k, &raw, center_a, center_b);
+    set_materials(p, k);
     make_points(k, &raw, inverse, center_a);
     make_friction(k, &raw, inverse, center_a, center_b);
 }
@@ -478,6 +521,7 @@ static void keep_chunk(void *data, int item)
     int end = task_end(item, s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
         block *k = &s->block[n];
+        set_materials(p, k);
         for (int l = 0; l < REAL4 && k->contact[l] >= 0; l++) {
             const active_contact *x = &s->active[k->contact[l]];
             for (int j = 0; j < x->count; j++) {
@@ -549,7 +593,8 @@ static bool make_block_room(contact_solver *s)
 static bool make_blocks(contact_solver *s, preparation *p)
 {
     int end[BINS];
-    memset(s->taken, 0, (size_t)s->bodies * sizeof *s->taken);
+    if (s->contacts > 0)
+        memset(s->taken, 0, (size_t)p->f->bodies * sizeof *s->taken);
     for (int k = 0; k < s->contacts; k++)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
     sort_contacts(s, end);
@@ -564,7 +609,7 @@ static bool make_blocks(contact_solver *s, preparation *p)
 bool solver_look(contact_solver *s, const solver_frame *f,
                  const contact *const *table, const real *reach, int n)
 {
-    preparation p = { s, f, table, reach };
+    preparation p = { .s = s, .f = f, .table = table, .reach = reach };
     if (!make_room(s, n)) {
         forget_blocks(s);
         return false;
@@ -578,7 +623,8 @@ bool solver_look(contact_solver *s, const solver_frame *f,
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table)
 {
-    preparation p = { s, f, table, NULL };
+    preparation p = { .s = s, .f = f, .table = table,
+                      .slowest = 2 * vec3_length(f->gravity) * f->h };
     if (may_keep_blocks(s, f)) {
         tasks_run(f->run, keep_chunk, &p, task_chunks(s->blocks));
         return true;
@@ -690,8 +736,7 @@ typedef struct {
     motion *velocity;
     const motion *moved;
     real per_h;             // 1/s
-    real friction, max_speed;
-    real slowest;           // m/s, what closes more slowly does not strike
+    real max_speed;
     softness soft[SIDES];
     int first, count, sides;    // the blocks of a colour
 } pass;
@@ -787,11 +832,11 @@ ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 //> solver-relax
 // How fast the points part, and 0 for those that an impact may part in the next
 // substep: they are open, have not pushed, and close fast.
-static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
-                                  real4 impulse)
+static inline real4 leave_impacts(const block *k, const pass *q, real4 speed,
+                                  real4 gap, real4 impulse)
 {
     const real4 zero = real4_all(0);
-    real4 slow = real4_add(speed, real4_all(q->slowest));
+    real4 slow = real4_add(speed, k->slowest);
     real4 open = real4_mad(gap, real4_all(q->per_h), speed);
     open = real4_if_positive(impulse, open, real4_if_positive(slow, open, zero));
     return real4_if_positive(gap, open, speed);
@@ -800,7 +845,7 @@ static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
 ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
-    const real4 friction = real4_all(q->friction);
+    const real4 friction = k->friction;
     see_block(k, q, two);
     sides4 u = take_sides(k, q->velocity, two);
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
@@ -810,7 +855,7 @@ ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
         real4 gap = p->now;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
-        speed = has_impacts ? leave_impacts(q, speed, gap, p->impulse)
+        speed = has_impacts ? leave_impacts(k, q, speed, gap, p->impulse)
               : real4_mad(real4_max(gap, zero), per_h, speed);
         push_point(p, real4_sub(p->impulse, real4_mul(p->mass, speed)),
                    inverse, &parting, &sum, &u, two);
@@ -897,8 +942,7 @@ static void run_pass(contact_solver *s, const solver_frame *f,
                      void (*work)(void *data, int item))
 {
     pass q = { .s = s, .velocity = velocity, .moved = moved, .per_h = 1 / f->h,
-               .friction = f->friction, .max_speed = f->max_speed,
-               .slowest = 2 * vec3_length(f->gravity) * f->h };
+               .max_speed = f->max_speed };
     for (int i = 0; i < SIDES; i++) q.soft[i] = softness_of(f, i);
     for (int c = 0; c < s->colors; c++) {
         q.first = s->color[c].first;
@@ -936,6 +980,7 @@ void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
 void solver_begin(contact_solver *s, const solver_frame *f, motion *velocity,
                   bool is_first)
 {
+    s->bodies = f->bodies;
     for (int b = 0; b < s->bodies; b++) {
         for (int i = 0; i < MOTIONS; i++) {
             real did = is_first ? 0 : s->before[b].of[i];
@@ -1025,15 +1070,32 @@ void solver_store(contact_solver *s, tasks run, contact *const *table)
 //> solver-init
 status solver_init(contact_solver *s, int bodies)
 {
-    size_t n = (size_t)bodies;
-    *s = (contact_solver){ .bodies = bodies };
-    s->taken = calloc(n + 1, sizeof *s->taken);
-    s->before = aligned_alloc(64, (n + 1) * sizeof *s->before);
-    if (!s->taken || !s->before) {
-        solver_free(s);
-        return status_out_of_memory();
-    }
-    memset(s->before, 0, (n + 1) * sizeof *s->before);
+    *s = (contact_solver){ .bodies = 0 };
+    status done = solver_grow(s, bodies);
+    if (!done.ok) solver_free(s);
+    return done;
+}
+
+// Blocks may be kept for the next frame: their spare is another then.
+static void move_spare(contact_solver *s, int spare)
+{
+    for (block *k = s->block; k < s->block + s->blocks; k++)
+        for (int l = 0; l < REAL4; l++) {
+            if (k->a[l] == s->room) k->a[l] = spare;
+            if (k->b[l] == s->room) k->b[l] = spare;
+        }
+    s->room = spare;
+}
+
+status solver_grow(contact_solver *s, int bodies)
+{
+    int room = table_room(bodies, s->room);
+    bool ok = true;
+    if (s->taken && bodies <= s->room) return status_ok();
+    TABLE_GROW(ok, s->taken, 0, room);
+    TABLE_GROW_ALIGNED(ok, s->before, s->room, room + 1);
+    if (!ok) return status_out_of_memory();
+    move_spare(s, room);
     return status_ok();
 }
 

@@ -10,6 +10,7 @@
 #define TUMBLE_SOLVER_H
 
 #include "contact.h"
+#include "material.h"
 #include "real4.h"
 #include "scene.h"
 #include "task.h"
@@ -29,6 +30,8 @@ typedef struct {
     motion_basis basis; // zero: immovable
     rigid_frame frame;  // where it stands at the start of the frame
     real radius;        // m, around its centre
+    bool is_driven;     // its velocity is set, whatever pushes it: its basis is
+                        // that of a body so heavy that no push shows
 } solver_body;
 
 // What the solver is told about a frame.
@@ -42,11 +45,15 @@ typedef struct {
     int  substeps;              // of this frame, or part of it
     real warm;                  // times the impulses that contacts bring along,
                                 // each of a substep of the last frame: 0: none
-    real friction;              // Coulomb's coefficient
+    real friction;              // Coulomb's coefficient, and
+    real restitution;           // of impacts, 0 to 1; 0: there are none.  Of
+                                // all bodies, or
+    const material *material;   // [bodies] each has its own; NULL: these; then
+                                // restitution is the largest,
+    const material *wall;       // and so has each plane
     real hertz;                 // 1/s, of the contacts' springs, at most
     real damping;               // ratio, of their dampers
     real max_speed;             // m/s, at which overlaps are pushed out, at most
-    real restitution;           // of impacts, 0 to 1; 0: there are none
     vec3 gravity;               // m/s^2, for impacts
     tasks run;
 } solver_frame;
@@ -58,6 +65,16 @@ static inline const rigid_frame *solver_placed(const solver_frame *f, int b)
 {
     if (b < 0) return NULL;
     return f->placed ? &f->placed[b] : &f->body[b].frame;
+}
+//<
+
+//> solver-material
+// Where bodies a and b meet, or a and a plane (b < 0).
+static inline material solver_material(const solver_frame *f, int a, int b)
+{
+    if (!f->material) return (material){ f->friction, f->restitution };
+    return material_meet(f->material[a],
+                         b < 0 ? f->wall[-1 - b] : f->material[b]);
 }
 //<
 
@@ -81,6 +98,8 @@ typedef struct {
     real4 across_mass[3];               // kg: inverse of the 2 x 2 matrix K
     real4 twist_mass;                   // kg m^2
     real4 across_impulse[2], twist_impulse;
+    real4 friction;
+    real4 slowest;      // m/s, what closes more slowly does not strike
     int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
@@ -135,8 +154,9 @@ typedef struct {
     block_color color[SIDES * COLORS];
     int  colors;
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each
-    motion *before;                     // [bodies + 1] see solver_begin
-    int  bodies;
+    motion *before;                     // [bodies] see solver_begin
+    int  bodies;                        // in the last solver_begin
+    int  room;                          // for so many there is room
     int  touching;                      // contacts that may touch in this frame
     real h;                             // s, the substeps that blocks are for
 } contact_solver;
@@ -146,6 +166,9 @@ typedef struct {
 // An empty solver for so many bodies.  Fails, leaving *s empty, for want of
 // memory.
 status solver_init(contact_solver *s, int bodies);
+// For more of them, if there were fewer: s->room, in the end.  Fails, changing
+// nothing.
+status solver_grow(contact_solver *s, int bodies);
 void   solver_free(contact_solver *s);      // an empty or zeroed one is fine
 
 // Looks at n contacts: which of their points come within reach[k] (m) of each
@@ -159,7 +182,7 @@ bool solver_look(contact_solver *s, const solver_frame *f,
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table);
 
-// One substep, in this order.  velocity and moved are [bodies + 1]: the last is
+// One substep, in this order.  velocity and moved are [s->room + 1]: the last is
 // spare, for lanes that are left over.
 //
 // Gives every body the impulses of the last substep once more (warm starting);

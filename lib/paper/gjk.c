@@ -142,7 +142,7 @@ static const real TOUCHING = 4e-24;  // of the squared size: too near to tell
 static gjk_status step(gjk_result *r, hull a, hull b, real margin, int *stalls)
 {
     simplex *s = &r->last;
-    real vv = vec3_dot(s->v, s->v), size = 0;
+    real vv = vec3_dot(s->v, s->v);
     if (vv < 1e-120) return GJK_OVERLAP;
     corner w = hull_support(a, b, vec3_scale(-1, s->v));
     real bound = vec3_dot(s->v, w.at);
@@ -151,6 +151,7 @@ static gjk_status step(gjk_result *r, hull a, hull b, real margin, int *stalls)
     r->distance = sqrt(vv);
     if (vv - bound <= ENOUGH * vv) return GJK_APART;
     bool held = false;
+    real size = vec3_dot(w.at, w.at);
     for (int k = 0; k < s->count; k++) {
         held = held || (s->of[k].a == w.a && s->of[k].b == w.b);
         size = real_max(size, vec3_dot(s->of[k].at, s->of[k].at));

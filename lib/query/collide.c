@@ -31,7 +31,7 @@ static manifold touch_ahead(const collider *a, const collider *b, vec3 way,
     for (int k = 0; k < m.count; k++) {
         touch *t = &m.point[k];
         vec3 gap = vec3_sub(feature_at(&t->a, a->at), feature_at(&t->b, b->at));
-        t->gap = vec3_dot(gap, m.normal);
+        t->gap = vec3_dot(gap, m.normal) - query_round(a, b);
     }
     return m;
 }
@@ -41,7 +41,8 @@ swept_status collide_swept(const collider *a, const collider *b, vec3 way,
 {
     real fine = 0.001 * real_min(a->shape->radius, b->shape->radius);
     swept_result s = swept_first_touch(query_hull(a), way, query_hull(b),
-                                       apart, fine, scratch);
+                                       apart + query_round(a, b), fine,
+                                       scratch);
     if (s.status == SWEPT_TOUCHES)
         *m = touch_ahead(a, b, way, apart + 2 * fine, &s, scratch);
     return s.status;

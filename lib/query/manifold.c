@@ -287,6 +287,7 @@ static int edge_across(const patch *p, int v)
     const mesh *m = &p->shape->mesh;
     real least = p->lean;
     int start = m->vertex_half[v], h = start, best = -1;
+    if (start < 0) return -1;
     do {
         vec3 e = vec3_sub(p->at[mesh_target(m, h)], p->at[v]);
         real up = vec3_dot(e, p->ahead), lean = up * up / vec3_dot(e, e);
@@ -769,14 +770,14 @@ static int choose(const meetings *m, const touch *nearest, real slack,
 //<
 
 //> manifold-find
-manifold manifold_find(const collider *a, const collider *b,
-                       const query_result *nearest, real margin, real turn)
+// The manifold of two cores, or of bodies that are not round.
+static manifold find_between(const collider *a, const collider *b,
+                             const touch *pair, vec3 normal, real margin,
+                             real turn)
 {
-    const touch *pair = &nearest->at;
-    assert(nearest->near && pair->a.count > 0 && pair->b.count > 0);
-    view w = view_along(nearest->normal, feature_at(&pair->b, b->at),
+    view w = view_along(normal, feature_at(&pair->b, b->at),
                         fmax(a->shape->radius, b->shape->radius));
-    manifold found = { 1, nearest->normal, { *pair } };
+    manifold found = { 1, normal, { *pair } };
     real lean = lean_squared(turn);
     patch p, q;
     meetings m;
@@ -796,5 +797,18 @@ manifold manifold_find(const collider *a, const collider *b,
     if (turn > TURNING && m.count > MANIFOLD_POINTS) drop_open(&m, turn);
     if (m.count > 1) found.count = choose(&m, pair, w.slack, found.point);
     return found;
+}
+
+manifold manifold_find(const collider *a, const collider *b,
+                       const query_result *nearest, real margin, real turn)
+{
+    touch pair = nearest->at;
+    real round = query_round(a, b);
+    assert(nearest->near && pair.a.count > 0 && pair.b.count > 0);
+    pair.gap += round;
+    manifold m = find_between(a, b, &pair, nearest->normal, margin + round,
+                              turn);
+    for (int k = 0; k < m.count; k++) m.point[k].gap -= round;
+    return m;
 }
 //<

@@ -34,19 +34,21 @@ void query_features(const simplex *s, feature_point *a, feature_point *b)
     }
 }
 
-static query_result apart_result(const gjk_result *g)
+static query_result apart_result(const gjk_result *g, real round)
 {
     query_result r = { true, vec3_scale(1 / g->distance, g->axis),
-                       { .gap = g->distance } };
+                       { .gap = g->distance - round } };
     query_features(&g->last, &r.at.a, &r.at.b);
     return r;
 }
 
-// Two bodies with no volume, in one plane, have no way out of each other.
-static query_result overlap_result(const hit_result *h)
+// Two bodies with no volume, in one plane, have no way out of each other; but if
+// they are cores, all ways out of the plane are as long as their radii.
+static query_result overlap_result(const hit_result *h, real round)
 {
-    bool near = h->status == HIT_FOUND || h->status == HIT_CAPPED;
-    return (query_result){ near, h->normal, { h->a, h->b, -h->depth } };
+    bool near = h->status == HIT_FOUND || h->status == HIT_CAPPED
+             || (h->status == HIT_FLAT && round > 0);
+    return (query_result){ near, h->normal, { h->a, h->b, -h->depth - round } };
 }
 //<
 
@@ -57,6 +59,11 @@ hull query_hull(const collider *c)
     return (hull){ c->at, c->shape->particles };
 }
 
+real query_round(const collider *a, const collider *b)
+{
+    return a->shape->round + b->shape->round;
+}
+
 query_result query_nearest(const collider *a, const collider *b, real margin,
                            query_cache *carried)
 {
@@ -65,14 +72,15 @@ query_result query_nearest(const collider *a, const collider *b, real margin,
     if (!(margin >= 0)) return none;
     hull ha = query_hull(a), hb = query_hull(b);
     simplex s = cache_read(carried);
-    gjk_result g = gjk_distance(ha, hb, margin, &s);
+    real round = query_round(a, b);
+    gjk_result g = gjk_distance(ha, hb, margin + round, &s);
     cache_write(carried, &s);
     if (g.status == GJK_OVERLAP) {
         hit_result h = hit_face_find(ha, hb, &g.last);
-        return overlap_result(&h);
+        return overlap_result(&h, round);
     }
     bool known = g.status == GJK_APART || g.status == GJK_CAPPED;
-    if (!known || g.last.count > 3 || g.distance > margin) return none;
-    return apart_result(&g);
+    if (!known || g.last.count > 3 || g.distance > margin + round) return none;
+    return apart_result(&g, round);
 }
 //<

@@ -10,7 +10,8 @@
 #include "body.h"
 #include "hit_face.h"
 
-// A convex body as the queries see it.
+// A convex body as the queries see it.  Of a round one they see the core: what
+// is nearest on that is nearest on the body, by its radius less.
 typedef struct {
     const struct shape *shape;  // rigid
     const vec3 *at;             // [shape->particles] where its vertices are
@@ -20,7 +21,8 @@ typedef struct {
 // numbered within each body.
 typedef struct {
     feature_point a, b;
-    real gap;           // m, (pA - pB) . normal; < 0: overlap
+    real gap;           // m, (pA - pB) . normal, less the radii of bodies
+                        // that are round; < 0: overlap
 } touch;
 
 // What a pair keeps from one query to the next: the corners of the simplex with
@@ -50,6 +52,9 @@ void query_features(const simplex *s, feature_point *a, feature_point *b);
 
 // The convex hull of a body's vertices.
 hull query_hull(const collider *c);
+
+// m, the sum of the radii around the cores of two; 0 unless they are round.
+real query_round(const collider *a, const collider *b);
 
 #endif
 //<

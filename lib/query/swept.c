@@ -141,10 +141,12 @@ swept_result swept_first_touch(hull a, vec3 way, hull b, real apart,
 //<
 
 //> swept-inner
-// The origin lies behind every face, and so far behind the nearest.
+// The origin lies behind every face, and so far behind the nearest; on the core
+// of a body that is round.
 real shape_inner(const shape *s)
 {
     if (s->kind != SHAPE_RIGID) return 0;
+    if (s->round > 0) return s->round;
     real inner = s->radius;
     for (int f = 0; f < s->mesh.faces; f++) {
         const int *v = &s->face[3 * f];

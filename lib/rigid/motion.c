@@ -33,6 +33,20 @@ motion motion_of(const particle *p, const rigid_frame *frame,
 }
 //<
 
+//> motion-make
+// The turns are about axes that are perpendicular.
+motion motion_make(const motion_basis *basis, vec3 velocity, vec3 spin)
+{
+    motion m = { { velocity.x, velocity.y, velocity.z } };
+    for (int t = 0; t < TURNS; t++) {
+        real square = vec3_length_squared(basis->turn[t]);
+        if (square > 0)
+            m.of[MOTION_TURN + t] = vec3_dot(basis->turn[t], spin) / square;
+    }
+    return m;
+}
+//<
+
 //> motion-push
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse)
 {
@@ -138,6 +152,51 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
 }
 //<
 
+//> motion-frame-free
+// A body that turns by t, a small part of a turn, does so about an axis that
+// goes on moving.  Euler's equations change the angular velocity by
+// I^-1 (I t x t) in that time, so the turn by half of it.  And I^-1 y is the sum
+// of tau (tau . y).
+static vec3 precessed(const vec3 tau[TURNS], vec3 angular, vec3 t)
+{
+    vec3 moment = vec3_cross(angular, t), sum = t;
+    for (int i = 0; i < TURNS; i++)
+        sum = vec3_add_scaled(sum, vec3_dot(tau[i], moment) / 2, tau[i]);
+    return sum;
+}
+
+rigid_frame motion_frame_free(const rigid_frame *frame,
+                              const motion_basis *basis, const motion *d)
+{
+    vec3 straight = { d->of[0], d->of[1], d->of[2] }, tau[TURNS];
+    int moves = motion_moves(basis, d);
+    vec3 angular = vec3_scale(1.0 / moves, motion_angular(basis, d));
+    rigid_frame now = *frame;
+    now.center = vec3_add(frame->center, straight);
+    for (int i = 0; i < TURNS; i++) tau[i] = basis->turn[i];
+    for (int k = 0; k < moves; k++) {
+        vec3 turn = { 0, 0, 0 };
+        for (int i = 0; i < TURNS; i++)
+            turn = vec3_add_scaled(turn, vec3_dot(tau[i], angular), tau[i]);
+        turn = precessed(tau, angular, turn);
+        vec3 half = vec3_scale((1 + vec3_length_squared(turn) / 12) / 2, turn);
+        for (int i = 0; i < FOUR_AXES; i++) {
+            now.axis[i] = turned(half, now.axis[i]);
+            tau[i] = turned(half, tau[i]);
+        }
+    }
+    return now;
+}
+
+void motion_put(particle *p, const rigid_frame *frame)
+{
+    for (int k = 0; k < FOUR; k++) {
+        p[k].previous = p[k].position;
+        p[k].position = vec3_add(frame->center, frame_arm(frame, k));
+    }
+}
+//<
+
 //> motion-end
 // The rotation of the motion in a basis with an angular momentum L.
 static vec3 rotation_with(const motion_basis *basis, vec3 angular)
@@ -163,9 +222,9 @@ static vec3 carried(const rigid_frame *frame, real mass, vec3 turn)
 // an angular momentum that does not fit how it lies now: a needle that is to
 // turn about its length would have a thousand times the energy.  It is braked.
 static vec3 braked(const rigid_frame *now, real mass, const motion *u,
-                   vec3 turn)
+                   vec3 turn, real most)
 {
-    const real *w = u->of + MOTION_TURN, most = 1.001;
+    const real *w = u->of + MOTION_TURN;
     real before = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
     real after = vec3_dot(turn, carried(now, mass, turn));
     return after > most * before ? vec3_scale(sqrt(before / after), turn)
@@ -175,8 +234,8 @@ static vec3 braked(const rigid_frame *now, real mass, const motion *u,
 // The sticks hold to a tolerance only, and so do the turns of a basis.  What
 // the particles lack of the angular momentum is given to them once more:
 // without it a spin would drift by the tolerance in every frame.
-void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
-                const motion *u, real h)
+void motion_end_within(const rigid4 *f, particle *p, const rigid_frame *frame,
+                       const motion *u, real h, real most)
 {
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     motion_basis basis = basis_find(f, frame);
@@ -186,10 +245,16 @@ void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
     vec3 turn = rotation_with(&new_basis, angular);
     vec3 lacking = vec3_sub(angular, carried(&now, f->mass, turn));
     turn = vec3_add(turn, rotation_with(&new_basis, lacking));
-    turn = braked(&now, f->mass, u, turn);
+    turn = braked(&now, f->mass, u, turn, most);
     for (int k = 0; k < FOUR; k++) {
         vec3 way = vec3_add(straight, vec3_cross(turn, frame_arm(&now, k)));
         p[k].previous = vec3_add_scaled(p[k].position, -h, way);
     }
+}
+
+void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
+                const motion *u, real h)
+{
+    motion_end_within(f, p, frame, u, h, 1.001);
 }
 //<

@@ -48,6 +48,9 @@ motion_basis basis_find(const rigid4 *f, const rigid_frame *frame);
 motion motion_of(const particle *p, const rigid_frame *frame,
                  const motion_basis *basis, real h);
 
+// The motion with this velocity (m/s) and this spin (rad/s).
+motion motion_make(const motion_basis *basis, vec3 velocity, vec3 spin);
+
 // The rotation in m, about the centre: rad/s, or rad.
 static inline vec3 motion_rotation(const motion_basis *basis, const motion *m)
 {
@@ -68,6 +71,28 @@ static inline vec3 motion_at(const motion_basis *basis, const motion *m,
 // An impulse (N s) at `arm` (m, from the centre) changes a velocity m; an
 // impulse times a time (kg m) changes a displacement.
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse);
+
+// A moment (N m s): likewise, without a way for the centre.
+static inline void motion_twist(motion *m, const motion_basis *basis,
+                                vec3 moment)
+{
+    for (int t = 0; t < TURNS; t++)
+        m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], moment);
+}
+
+static inline void motion_add(motion *m, const motion *more)
+{
+    for (int i = 0; i < MOTIONS; i++) m->of[i] += more->of[i];
+}
+
+// m/s: no point within radius (m) of the centre is faster.
+static inline real motion_fastest(const motion_basis *basis, const motion *m,
+                                  real radius)
+{
+    vec3 straight = { m->of[0], m->of[1], m->of[2] };
+    return vec3_length(straight)
+         + radius * vec3_length(motion_rotation(basis, m));
+}
 
 // The kinetic energy (J) of a velocity, and its angular momentum (kg m^2/s)
 // about the centre.
@@ -98,6 +123,11 @@ void motion_go_on(particle *p);
 // h (s) ago.
 void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
                 const motion *u, real h);
+
+// The same, where more than 1.001 times that energy may be right: `most` times.
+// A joint hands energy to and fro as its bodies turn.
+void motion_end_within(const rigid4 *f, particle *p, const rigid_frame *frame,
+                       const motion *u, real h, real most);
 //<
 
 //> motion-frame-declare-inside
@@ -105,6 +135,15 @@ void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
 // says.
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d);
+
+// The same for a body whose angular momentum stays while it is moved: as the
+// axis of a lopsided body moves on, so does what it turns about.  To order 2.
+rigid_frame motion_frame_free(const rigid_frame *frame,
+                              const motion_basis *basis, const motion *d);
+
+// In place of motion_begin and what follows: the particles stand as the frame
+// says, at once.
+void motion_put(particle *p, const rigid_frame *frame);
 //<
 
 //> motion-end-of-header

@@ -53,6 +53,25 @@ static solid solid_of(const shape *s)
 }
 //<
 
+//> rigid4-round
+// Of a round one, with a core along y: a cylinder of the length 2 half, and two
+// half balls.  Over the cylinder the mean of y^2 is half^2 / 3, over a half ball
+// half^2 + 2 half (3/8 r) + r^2 / 5.  Across it means are r^2 / 4 and r^2 / 5.
+static solid solid_of_round(const shape *s)
+{
+    real r = s->round, half = s->at[s->particles - 1].y;
+    real cylinder = 2 * half, balls = 4 * r / 3;    // volumes / (pi r^2)
+    real whole = cylinder + balls;
+    solid q = { .volume = whole * r * r };
+    q.spread[0][0] = q.spread[2][2] = (cylinder * (r * r / 4)
+                                       + balls * (r * r / 5)) / whole;
+    q.spread[1][1] = (cylinder * (half * half / 3)
+                      + balls * (half * half + 0.75 * half * r + r * r / 5))
+                   / whole;
+    return q;
+}
+//<
+
 //> rigid4-root
 // spread = L L^T, L lower triangular (Cholesky).  0 if the solid is flat: a
 // pivot below a billionth of a billionth of the largest spread is rounding's.
@@ -183,7 +202,7 @@ status rigid4_build(rigid4 *f, const shape *s)
 {
     assert(s->kind == SHAPE_RIGID && s->particles > 0);
     *f = (rigid4){ .local = NULL };
-    solid q = solid_of(s);
+    solid q = s->round > 0 ? solid_of_round(s) : solid_of(s);
     real root[3][3] = { { 0 } };
     if (!(q.volume > 0) || !root_of(q.spread, root))
         return status_fail("a body of %d vertices is too thin to be solid",
@@ -201,7 +220,7 @@ status rigid4_build(rigid4 *f, const shape *s)
         vec3 r = vec3_sub(s->at[v], f->center);
         f->local[v] = local_of(axis, r);
         f->middle = vec3_add_scaled(f->middle, 1.0 / s->particles, f->local[v]);
-        f->reach = fmax(f->reach, vec3_length(r));
+        f->reach = fmax(f->reach, vec3_length(r) + s->round);
     }
     return status_ok();
 }
@@ -211,6 +230,17 @@ status rigid4_build(rigid4 *f, const shape *s)
 void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n)
 {
     for (int v = 0; v < n; v++) at[v] = frame_point(frame, f->local[v]);
+}
+
+// (Sums and differences of the particles at rest are four times the axes.)
+vec3 rigid4_local(const rigid4 *f, vec3 at)
+{
+    vec3 axis[AXES] = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } };
+    for (int i = 0; i < AXES; i++)
+        for (int k = 0; k < FOUR; k++)
+            axis[i] = vec3_add_scaled(axis[i], FOUR_SIGN[k][i] / FOUR,
+                                      f->at[k]);
+    return local_of(axis, vec3_sub(at, f->center));
 }
 
 int rigid4_is_mirrored(const rigid4 *f, const particle *p)
@@ -407,6 +437,16 @@ static bool is_straight(const rigid4 *f, const vec3 y[AXES])
     return true;
 }
 
+// A body whose sticks are all off by no more than this is straight.  They bound
+// the sums of two of the axes' errors, and so each error: |G_ii| <= 2 worst
+// (s_1 + s_2 + s_3), which must be within 2 BENT s_i.
+static real tolerance_of(const rigid4 *f, real asked)
+{
+    const real *s = f->square;
+    real least = real_min(s[0], real_min(s[1], s[2]));
+    return real_min(asked, BENT * least / (s[0] + s[1] + s[2]));
+}
+
 // Makes three axes perpendicular, and as long as the plan has them: the longest
 // keeps its direction.  False if they have none.
 static bool straighten(const rigid4 *f, vec3 y[AXES])
@@ -520,7 +560,7 @@ rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
 {
     rigid4_result all = { .worst = 0 };
     assert(steps > 0);
-    options.tolerance = real_min(options.tolerance, BENT);
+    options.tolerance = tolerance_of(f, options.tolerance);
     for (int b = 0; b < bodies; b += LANES) {
         // Lanes that are left over repeat the last body.
         int n = bodies - b < LANES ? bodies - b : LANES;

@@ -29,7 +29,7 @@ typedef struct rigid4 {
     vec3  center;           // m, the solid's centre of mass, in that frame
     real  mass;             // kg, of each of the four
     real  radius;           // m, their largest distance from the centre
-    real  reach;            // m, the vertices' largest distance from it
+    real  reach;            // m, the body's largest distance from it
     struct stick stick[FOUR_STICKS];        // every pair
     real  square[FOUR_AXES];        // m^2, of the frame's vectors
     real  per_sum[FOUR_STICKS];     // 1/m^2, of two of them: 00 11 22 01 02 12
@@ -42,8 +42,8 @@ typedef struct rigid4 {
 //<
 
 //> rigid4-declare
-// The four particles of the solid that the closed mesh of s encloses, filled
-// evenly with the mass of s.  Fails, leaving *f empty, if s has no volume (or
+// The four particles of the solid that the closed mesh of s encloses, or that is
+// round, filled evenly with the mass of s.  Fails, leaving *f empty, if s has no volume (or
 // one so thin that rounding loses it), or memory is refused.
 status rigid4_build(rigid4 *f, const shape *s);
 void   rigid4_free(rigid4 *f);      // an empty or zeroed one is fine
@@ -53,6 +53,9 @@ extern const real FOUR_SIGN[FOUR][FOUR_AXES];
 
 // The frame of four particles.
 rigid_frame rigid4_frame(const particle *p);
+
+// The coordinates in such a frame of a point (m) of the shape.
+vec3 rigid4_local(const rigid4 *f, vec3 at);
 
 // The arm (m, from the centre) of particle k.
 static inline vec3 frame_arm(const rigid_frame *f, int k)
@@ -86,11 +89,12 @@ typedef struct {
 // them, until none is off by more than options.tolerance, at most `steps` times
 // (at least 1).  Written as a frame of three vectors along the solid's axes,
 // the six can be solved one by one: there is no matrix to be inverted.
-// Gradients as options.gradient says.  A tolerance of more than a twentieth is
-// taken for one.  Where this fails (violent turning), the body is put back to
-// how it lay at `previous`, straightened, and moved on without turning
-// (fell_back = 1); if that is not finite either, it stays as it is (worst =
-// HUGE_VAL).  Pinned bodies stay.
+// Gradients as options.gradient says.  A tolerance that would let an axis be
+// off by more than a tenth is taken for one that does not: a sixtieth for a
+// cube, 5e-8 for a needle a thousand times as long as thick.  Where this fails
+// (violent turning), the body is put back to how it lay at `previous`,
+// straightened, and moved on without turning (fell_back = 1); if that is not
+// finite either, it stays as it is (worst = HUGE_VAL).  Pinned bodies stay.
 rigid4_result rigid4_relax(const rigid4 *f, particle *p, int steps,
                         relax_options options);
 

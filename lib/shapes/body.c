@@ -90,7 +90,7 @@ static void measure(shape *s)
 {
     s->radius = 0;
     for (int i = 0; i < s->particles; i++)
-        s->radius = real_max(s->radius, vec3_length(s->at[i]));
+        s->radius = real_max(s->radius, vec3_length(s->at[i]) + s->round);
     s->spacing = s->sticks > 0 ? s->stick[0].rest_length : 0;
     for (int k = 1; k < s->sticks; k++)
         s->spacing = real_min(s->spacing, s->stick[k].rest_length);
@@ -125,8 +125,16 @@ void shape_free(shape *s)
     free(s->stick);
     free(s->angle);
     free(s->face);
+    free(s->skin.at);
+    free(s->skin.face);
     mesh_free(&s->mesh);
     *s = (shape){ 0 };
+}
+
+struct skin shape_skin(const shape *s)
+{
+    if (s->skin.points > 0) return s->skin;
+    return (struct skin){ s->particles, s->mesh.faces, s->at, s->face };
 }
 //<
 

@@ -17,6 +17,13 @@ typedef enum {
     SHAPE_ROPE          // no mesh: a line of particles
 } shape_kind;
 
+// Triangles that are drawn, and nothing else.
+struct skin {
+    int points, faces;
+    vec3 *at;           // [points] m, at rest
+    int  *face;         // [faces * 3] counter-clockwise seen from outside
+};
+
 // The particles of a shape are the vertices of its mesh.
 typedef struct shape {
     shape_kind kind;
@@ -30,7 +37,10 @@ typedef struct shape {
     int    columns, rows; // of a cloth; a rope is one row; rigid: 0
     struct mesh mesh;   // no vertex, edge or face for a rope
     int   *face;        // [mesh.faces * 3] vertices of each face, for loops
-    real   radius;      // m, largest distance of a particle from the origin
+    real   round;       // m, rigid: all that is no further from the particles'
+                        // hull belongs to the body, too; of most: 0
+    struct skin skin;   // of one that is round; else empty
+    real   radius;      // m, largest distance of the body from the origin
     real   spacing;     // m, the shortest stick
 } shape;
 //<
@@ -86,6 +96,9 @@ status shape_finish(shape *s, status so_far);
 status shape_add_angle(shape *s, struct angle c);
 
 void shape_free(shape *s);      // an empty or zeroed shape is fine
+
+// What is drawn of it: its skin, or its particles and their mesh.
+struct skin shape_skin(const shape *s);
 
 #endif
 //<

@@ -25,12 +25,8 @@ static vec3 bend_at(const strand *s, int i)
 static real strand_stiffness(const shape *s, strands of, int direction,
                              real stiffness)
 {
-    real l = of.rest_length, width = 1;
-    if (shape_directions(s) == 2) {
-        real apart = shape_strands(s, 1 - direction).rest_length;
-        width = apart * (of.lines - 1) / of.lines;
-    }
-    return stiffness * width / (l * l * l);
+    real l = of.rest_length;
+    return stiffness * shape_width(s, direction) / (l * l * l);
 }
 
 real bend_energy(const shape *s, real stiffness, const particle *p)

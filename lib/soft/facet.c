@@ -10,6 +10,7 @@ static plane touching_plane(const obstacle *b, vec3 normal)
     plane p = { vec3_unit(normal), -HUGE_VAL };
     for (int v = 0; v < b->vertices.count; v++)
         p.offset = real_max(p.offset, vec3_dot(p.normal, b->vertices.at[v]));
+    p.offset += b->round;
     return p;
 }
 
@@ -23,8 +24,8 @@ static plane guess(const obstacle *b, const vec3 end[FACET])
         body = vec3_add_scaled(body, 1.0 / b->vertices.count,
                                b->vertices.at[v]);
     vec3 out = vec3_sub(facet, body);
-    return touching_plane(b, vec3_length_squared(out) > 0 ? out
-                                                          : b->plane[0].normal);
+    if (vec3_length_squared(out) > 0) return touching_plane(b, out);
+    return obstacle_plane(b, end[0], 0);
 }
 //<
 
@@ -35,7 +36,8 @@ static gjk_result query_moved(const obstacle *b, const vec3 end[FACET],
 {
     vec3 at[FACET];
     for (int k = 0; k < FACET; k++) at[k] = vec3_add(end[k], by);
-    return gjk_distance((hull){ at, FACET }, b->vertices, reach, NULL);
+    return gjk_distance((hull){ at, FACET }, b->vertices, reach + b->round,
+                        NULL);
 }
 
 bool facet_nearest(const obstacle *b, const vec3 end[FACET], plane *between,
@@ -56,11 +58,13 @@ bool facet_nearest(const obstacle *b, const vec3 end[FACET], plane *between,
     *between = touching_plane(b, g.axis);
     feature_point facet, body;
     query_features(&g.last, &facet, &body);
-    out->at = (surface_point){ g.on_b, between->normal };
+    out->at = (surface_point){ vec3_add_scaled(g.on_b, b->round,
+                                               between->normal),
+                               between->normal };
     for (int k = 0; k < facet.count; k++)
         out->weight[facet.vertex[k]] = facet.weight[k];
     // Where it is, if both are as flat as they look there.
-    out->gap = g.distance - vec3_dot(by, between->normal);
+    out->gap = g.distance - b->round - vec3_dot(by, between->normal);
     return g.status == GJK_APART && out->gap < reach;
 }
 //<

@@ -46,6 +46,8 @@ struct line_scratch {
     places block;       // [(particles + 1) * LANES] of the lines in hand
     places block_hold;
     real  *link;        // [(particles + 1) * LANES * FIELDS]
+    real  *drawn[2];    // [drawn_room] kg m, for each direction, block, link
+                        // and lane: how the link has pulled so far
     char  *held[2];     // [room] for each direction, block and particle of its
                         // lines: has one of the lanes an m?
     bool   is_held;     // one of them all
@@ -80,14 +82,21 @@ static void hold_nothing(line_scratch *scratch)
     scratch->is_held = false;
 }
 
+// The last block of a direction may have lanes that nothing needs.
+static size_t drawn_room(const shape *s)
+{
+    int most = int_max(s->columns, s->rows);
+    return (size_t)s->particles + (size_t)(LANES * most);
+}
+
 line_scratch *line_scratch_new(const shape *s)
 {
     size_t longest = (size_t)int_max(s->columns, s->rows);
     size_t room = longest > 0 ? (size_t)s->particles : 0;
-    size_t rows = (longest + 1) * LANES;
+    size_t rows = (longest + 1) * LANES, drawn = room ? drawn_room(s) : 0;
     line_scratch *scratch = malloc(sizeof *scratch + sizeof(real)
                                    * (12 * room + (8 + FIELDS) * rows
-                                      + 21 * IN_LINE) + 2 * room);
+                                      + 2 * drawn + 21 * IN_LINE) + 2 * room);
     if (!scratch) return NULL;
     real *memory = line_begin(scratch->memory);
     scratch->particles = (int)longest;
@@ -98,7 +107,9 @@ line_scratch *line_scratch_new(const shape *s)
     scratch->block  = cut(&memory, rows);
     scratch->block_hold = cut(&memory, rows);
     scratch->link   = memory;
-    scratch->held[0] = (char *)(memory + FIELDS * rows);
+    scratch->drawn[0] = memory + FIELDS * rows;
+    scratch->drawn[1] = scratch->drawn[0] + drawn;
+    scratch->held[0] = (char *)(scratch->drawn[1] + drawn);
     scratch->held[1] = scratch->held[0] + room;
     scratch->is_held = true;
     hold_nothing(scratch);
@@ -257,6 +268,14 @@ ALWAYS_INLINE entries entries_held(vec3 last, vec3 link, vec3 last_push,
                       - vec3_dot(n, link) * vec3_dot(n, push) };
 }
 
+// m^2, what is wrong with a link that may be longer by `longer` (m), times its
+// length.
+static inline real wrong_length(real now, real rest, real longer)
+{
+    real length = sqrt(now);
+    return length * (length - rest - longer);
+}
+
 // Row k of the system, and Thomas's step with it (h and g as in the chapter,
 // but h and lower with the other sign, which spares turning them round):
 //     h_(k-1) = upper_(k-1) / pivot_(k-1)
@@ -266,12 +285,14 @@ ALWAYS_INLINE entries entries_held(vec3 last, vec3 link, vec3 last_push,
 // no freedom has no pivot: its multiplier is 0.  A link shorter than about
 // L / sqrt(3) asks for no more than twice its length.
 // at and hold: the coordinates of a row of particles, `apart` numbers from each
-// other.
+// other.  drawn: how the links have pulled; a pull of 1 stretches them by give.
 ALWAYS_INLINE void eliminate(const real *restrict at, const real *restrict hold,
                              int apart, int pitch, real *restrict before,
                              int lanes, int old, int held, real rest2,
-                             real half, tally *restrict t)
+                             real half, const real *restrict drawn, real give,
+                             tally *restrict t)
 {
+    real rest = sqrt(rest2);
     real *here = before + FIELDS * lanes;
     for (int l = 0; l < lanes; l++) {
         vec3 link = row_link(at, apart, pitch, l);
@@ -291,6 +312,7 @@ ALWAYS_INLINE void eliminate(const real *restrict at, const real *restrict hold,
             e.upper += a.upper;
             e.diagonal += a.diagonal;
         }
+        if (drawn) e.diagonal += give * now;
         real h = (old ? e.upper : e.lower) * before[SHARE * lanes + l];
         before[SHARE * lanes + l] = h;
         real pivot = e.diagonal - e.lower * h;
@@ -298,7 +320,9 @@ ALWAYS_INLINE void eliminate(const real *restrict at, const real *restrict hold,
         real inverse = pivot > least ? 1 / pivot : 0;
         here[SHARE * lanes + l] = inverse;
 
-        real twice = now - rest2, asked = half * twice;
+        real twice = now - rest2;
+        if (drawn) twice = 2 * wrong_length(now, rest, give * drawn[l]);
+        real asked = half * twice;
         count_wrong(t, l, twice, old);
         asked = asked > -now ? asked : -now;
         asked += e.lower * before[SOLVED * lanes + l];
@@ -315,7 +339,8 @@ NEVER_INLINE void eliminate_held(const real *restrict at,
                                  int pitch, real *restrict before, real rest2,
                                  real half, tally *restrict t)
 {
-    eliminate(at, hold, apart, pitch, before, LANES, 0, 1, rest2, half, t);
+    eliminate(at, hold, apart, pitch, before, LANES, 0, 1, rest2, half, NULL,
+              0, t);
 }
 //<
 
@@ -381,6 +406,9 @@ typedef struct {
     int  in_place;              // 1: solved where the body's places are
     bool may_skip;              // a block that is good
     int  direction;             // of the strands; -1: one that is not held
+    real give;                  // 1/kg, by how much (m) a pull of 1 kg m
+                                // stretches a link
+    real *drawn;                // [links][lanes] kg m, how they have pulled
     places at, hold;            // particle k of lane l is number k pitch + l
     const char *held;           // [particles] is one of the lanes held?  Or
                                 // NULL: none is
@@ -402,6 +430,9 @@ static void block_begin(block *b, int first)
     b->start = begin * b->s.across;
     for (int l = 0; l < b->lanes; l++) b->open[l] = begin + l >= first;
     b->held = NULL;
+    if (b->give > 0)
+        b->drawn = b->scratch->drawn[b->direction]
+                 + first / b->lanes * b->s.particles * b->lanes;
     if (b->direction >= 0 && b->scratch->is_held)
         b->held = b->scratch->held[b->direction]
                 + first / b->lanes * b->s.particles;
@@ -516,14 +547,17 @@ ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
     int pitch = b->pitch;
     for (int k = 1; k < b->s.particles; k++) {
         bool is_held = held && (held[k - 1] | held[k]);
-        if (is_held && lanes == LANES && !old)
+        if (!old && b->give > 0)
+            eliminate(at, hold, apart, pitch, row, lanes, 0, is_held, rest2,
+                      half, b->drawn + (k - 1) * lanes, b->give, &t);
+        else if (is_held && lanes == LANES && !old)
             eliminate_held(at, hold, apart, pitch, row, rest2, half, &t);
         else if (is_held)
             eliminate(at, hold, apart, pitch, row, lanes, old, 1, rest2, half,
-                      &t);
+                      NULL, 0, &t);
         else
             eliminate(at, hold, apart, pitch, row, lanes, old, 0, rest2, half,
-                      &t);
+                      NULL, 0, &t);
         row += FIELDS * lanes;
         at += pitch;
         hold += pitch;
@@ -634,6 +668,21 @@ static void hold_back(block *b, int l, int old)
         place_set(b->at, i, vec3_add_scaled(place_get(b->at, i), back,
                                             move_of(b, k, l)));
     }
+    for (int k = 0; k + 1 < b->s.particles; k++)
+        row_at(b, k)[SOLVED * b->lanes + l] *= 1 + back;
+}
+
+// What the links have pulled is remembered: it is that which stretches them.
+static void remember_pulls(const block *b)
+{
+    for (int k = 0; k + 1 < b->s.particles; k++) {
+        const real *row = row_at(b, k);
+        for (int l = 0; l < b->lanes; l++) {
+            vec3 link = lane_get(row, PUSH, b->lanes, l);
+            real solved = row[SOLVED * b->lanes + l];
+            b->drawn[k * b->lanes + l] += solved * vec3_length(link);
+        }
+    }
 }
 //<
 
@@ -646,6 +695,7 @@ static void block_step(block *b, int old)
     block_substitute(b, old);
     for (int l = 0; l < b->lanes; l++)
         if (b->t.far[l] > rest * rest / 4) hold_back(b, l, old);
+    if (b->give > 0) remember_pulls(b);
 }
 
 // Newton steps for all lanes, from where the particles are.  Returns how many.
@@ -824,6 +874,14 @@ int shape_links(const shape *s)
 {
     return s->columns * (s->rows - 1) + s->rows * (s->columns - 1);
 }
+
+real shape_width(const shape *s, int direction)
+{
+    if (shape_directions(s) < 2) return 1;
+    strands other = shape_strands(s, 1 - direction);
+    real lines = shape_strands(s, direction).lines;
+    return other.rest_length * (lines - 1) / lines;
+}
 //<
 
 //> line-hold
@@ -876,6 +934,32 @@ static void hold_end(const shape *s, const line_scratch *scratch,
 }
 //<
 
+//> line-give
+real links_energy(const shape *s, real compliance, const particle *p)
+{
+    real sum = 0;
+    for (int d = 0; d < shape_directions(s) && compliance > 0; d++) {
+        strands of = shape_strands(s, d);
+        real give = compliance * of.rest_length / shape_width(s, d);
+        for (int line = 0; line < of.lines; line++)
+            for (int k = 0; k + 1 < of.particles; k++) {
+                const particle *a = p + line * of.across + k * of.along;
+                real length = vec3_distance(a->position,
+                                            a[of.along].position);
+                real longer = length - of.rest_length;
+                sum += longer * longer / (2 * give);
+            }
+    }
+    return sum;
+}
+
+static void forget_pulls(const shape *s, line_scratch *scratch)
+{
+    size_t n = 2 * drawn_room(s);
+    for (size_t i = 0; i < n; i++) scratch->drawn[0][i] = 0;
+}
+//<
+
 //> line-relax
 line_result line_solve(strands s, particle *p, int steps,
                        relax_options options, line_scratch *scratch)
@@ -897,23 +981,26 @@ line_result line_solve(strands s, particle *p, int steps,
 static const real MORE = 1.2;
 
 line_result lines_relax(const shape *s, particle *p, int sweeps,
-                        relax_options options, line_hold *hold,
+                        relax_options options, line_hold *hold, real give,
                         line_scratch *scratch)
 {
-    assert(sweeps >= 1);
+    assert(sweeps >= 1 && give >= 0);
     line_result r = { .worst = 0 };
     int directions = shape_directions(s), done = 0;
     int most = directions > 1 || hold ? sweeps : 1;
+    if (give > 0) options.gradient = GRADIENT_NEW;
     int is_new = options.gradient == GRADIENT_NEW;
     gather_all(scratch, p, s->particles, options);
     if (hold) hold_begin(s, scratch, hold);
+    if (give > 0) forget_pulls(s, scratch);
     do {
         real more = is_new && directions > 1 && done + 1 < most ? MORE : 1;
         r.worst = 0;
         block b = { .scratch = scratch, .more = more,
-                    .may_skip = directions > 1 && done > 0 };
+                    .may_skip = directions > 1 && done > 0 && !(give > 0) };
         for (b.direction = 0; b.direction < directions; b.direction++) {
             b.s = shape_strands(s, b.direction);
+            b.give = give * b.s.rest_length / shape_width(s, b.direction);
             solve(b, p, 1, options, &r);
         }
     } while (++done < most && !(r.worst <= options.tolerance));

@@ -52,6 +52,15 @@ strands shape_strands(const shape *s, int direction);
 // How many sticks, the first of the shape's, are links of the strands.
 int shape_links(const shape *s);
 
+// m of a cloth's width that each strand of a direction has for itself; of a
+// rope 1, without unit.
+real shape_width(const shape *s, int direction);
+
+// J, what is stored in the links of a body whose compliance is such: by how
+// much, of a metre, a newton stretches a rope (1/N); a newton for each metre of
+// width a cloth (m/N).
+real links_energy(const shape *s, real compliance, const particle *p);
+
 // Room for the strands of s.  NULL if memory is refused.
 line_scratch *line_scratch_new(const shape *s);
 void          line_scratch_free(line_scratch *scratch);
@@ -81,8 +90,12 @@ line_result line_solve(strands s, particle *p, int steps,
 // (A lost line goes back to where it was before them all.)
 // hold: [particles], or NULL: nothing is touched; writes the pull of all that
 // are not LINE_FREE.
+// give: compliance / h^2 in a substep of h (s).  0: the links keep their
+// length.  Else each ends as long as what it then pulls stretches it, which is
+// Euler's implicit step, always along the new gradient; an error is what is
+// left of that.
 line_result lines_relax(const shape *s, particle *p, int sweeps,
-                        relax_options options, line_hold *hold,
+                        relax_options options, line_hold *hold, real give,
                         line_scratch *scratch);
 
 #endif

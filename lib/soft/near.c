@@ -1,5 +1,6 @@
 //> near-stale
 #include "near.h"
+#include "table.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -144,6 +145,7 @@ static void list_self(near_lists *l, const soft_frame *f, int b)
 static void list_soft_pair(near_lists *l, const soft_frame *f, int a, int b)
 {
     const body *x = &f->body[a], *y = &f->body[b];
+    if (l->tree[a].leaves == 0 || l->tree[b].leaves == 0) return;
     add_near(l, x, y, sphere_tree_pairs(&l->tree[a], l->at + x->first,
                                         &l->tree[b], l->at + y->first,
                                         l->margin, l->leaf, l->leaf_capacity));
@@ -159,7 +161,8 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
     rigid_frame frame = soft_rigid_frame(f, b);
     rigid4_ride(rigid->rigid, &frame, v->corner, s->particles);
     v->hull = (obstacle){ { v->corner, s->particles }, v->plane,
-                          hull_planes(s, v->corner, v->plane), s->radius };
+                          hull_planes(s, v->corner, v->plane), s->radius,
+                          s->round };
     v->frame = frame;
     v->moved = f->moved[b];
     v->of = b;
@@ -206,6 +209,7 @@ enum { OVER_NOTHING = -1 };
 
 static bool is_over(const rigid_view *v, vec3 x, int ahead, real inside)
 {
+    if (v->hull.planes == 0) return false;
     plane face = v->plane[ahead];
     real up = plane_height(face, x);
     vec3 foot = vec3_add_scaled(x, -up, face.normal);
@@ -244,7 +248,8 @@ static bool may_meet(const near_lists *l, const rigid_view *v,
         int ahead = l->ahead[corner_of[k]];
         over += ahead % 2 == 1 && ahead == l->ahead[corner_of[0]];
         if (ahead == OVER_NOTHING) continue;
-        if (facet_height(end, v->plane[ahead / 2]) > reach) return false;
+        plane under = obstacle_plane(&v->hull, end[k], ahead / 2);
+        if (facet_height(end, under) > reach) return false;
     }
     return over < FACET;
 }
@@ -280,7 +285,7 @@ static const real SPARE = 1.35;
 
 real soft_gap(const body *soft, const body *rigid)
 {
-    return body_is_static(rigid) ? SPARE * soft->thickness : soft->thickness;
+    return body_is_dynamic(rigid) ? soft->thickness : SPARE * soft->thickness;
 }
 
 // The particles of a that are near the rigid body b: inside its ball, or not
@@ -302,7 +307,7 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
         if (!is_ready) rigid_view_look(v, f, b);
         is_ready = true;
         int ahead = hull_ahead(x, v->plane, v->hull.planes);
-        real up = plane_height(v->plane[ahead], x);
+        real up = plane_height(obstacle_plane(&v->hull, x, ahead), x);
         if (up > wide) continue;
         l->ahead[i] = 2 * ahead;
         if (up > reach) continue;
@@ -321,6 +326,7 @@ static void list_pair(near_lists *l, rigid_view *v, const soft_frame *f, int a,
     bool a_is_soft = body_is_soft(&f->body[a]);
     bool b_is_soft = body_is_soft(&f->body[b]);
     if (!soft_moves(f, a) && !soft_moves(f, b)) return;
+    if (!soft_meets(f, a, b)) return;
     if (a_is_soft && b_is_soft) list_soft_pair(l, f, a, b);
     else if (a_is_soft)         list_points(l, v, f, a, b);
     else if (b_is_soft)         list_points(l, v, f, b, a);
@@ -370,9 +376,10 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
 //<
 
 //> near-begin
-// Around the middle of the box of all.
+// Around the middle of the box of all.  What has no particles meets nothing.
 static sphere ball_around(const vec3 *at, int n)
 {
+    if (n == 0) return (sphere){ { 0, 0, 0 }, -HUGE_VAL };
     vec3 least = at[0], most = at[0];
     real far2 = 0;
     for (int i = 1; i < n; i++) {
@@ -418,85 +425,111 @@ static status build_tree(sphere_tree *tree, const body *b)
     return done;
 }
 
-static void *room(int n, size_t size)
-{
-    return calloc((n > 0 ? (size_t)n : 1), size);
-}
-
 // A particle of a cloth folded on itself has 12 in touch, most of them its
 // neighbours at rest, but the lists look further: 24 a particle.  And it is near
 // 4 rigid bodies at most, where they lie together.
-static bool make_room(near_lists *l, int bodies, int particles, int soft)
+static bool make_list_room(near_lists *l, int soft)
 {
-    l->pair_capacity = l->leaf_capacity = 24 * soft;
-    l->point_capacity = 4 * soft;
-    l->facet_capacity = 6 * soft;
-    l->bodies = bodies;
-    l->tree   = room(bodies, sizeof *l->tree);
-    l->ball   = room(bodies, sizeof *l->ball);
-    l->at     = room(particles, sizeof *l->at);
-    l->listed = room(particles, sizeof *l->listed);
-    l->pair   = room(l->pair_capacity, sizeof *l->pair);
-    l->point  = room(l->point_capacity, sizeof *l->point);
-    l->leaf   = room(l->leaf_capacity, sizeof *l->leaf);
-    l->ahead   = room(particles, sizeof *l->ahead);
-    l->met    = room(l->facet_capacity, sizeof *l->met);
-    l->facet.at = room(l->facet_capacity, sizeof *l->facet.at);
-    l->facets_before.at = room(l->facet_capacity, sizeof *l->facet.at);
-    return l->tree && l->ball && l->at && l->listed && l->pair && l->point
-        && l->leaf && l->ahead && l->met
-        && l->facet.at && l->facets_before.at;
+    int pairs = table_room(24 * soft, l->pair_capacity);
+    int points = table_room(4 * soft, l->point_capacity);
+    int facets = table_room(6 * soft, l->facet_capacity);
+    bool ok = true;
+    if (pairs == l->pair_capacity) return true;
+    l->pairs = l->points = l->mets = 0;
+    TABLE_GROW(ok, l->pair, 0, pairs);
+    TABLE_GROW(ok, l->leaf, 0, pairs);
+    TABLE_GROW(ok, l->point, 0, points);
+    TABLE_GROW(ok, l->met, 0, facets);
+    TABLE_GROW(ok, l->facet.at, l->facet.count, facets);
+    TABLE_GROW(ok, l->facets_before.at, l->facets_before.count, facets);
+    if (!ok) return false;
+    l->pair_capacity = l->leaf_capacity = pairs;
+    l->point_capacity = points;
+    l->facet_capacity = facets;
+    return true;
+}
+
+static bool make_room(near_lists *l, int bodies, int particles)
+{
+    int room = table_room(bodies, l->bodies);
+    int particle_room = table_room(particles, l->particles);
+    bool ok = true;
+    if (room > l->bodies) {
+        TABLE_GROW(ok, l->tree, l->bodies, room);
+        TABLE_GROW(ok, l->ball, l->bodies, room);
+        if (ok) l->bodies = room;
+    }
+    if (particle_room > l->particles) {
+        TABLE_GROW(ok, l->at, l->particles, particle_room);
+        TABLE_GROW(ok, l->listed, l->particles, particle_room);
+        TABLE_GROW(ok, l->ahead, l->particles, particle_room);
+        if (ok) l->particles = particle_room;
+    }
+    return ok;
+}
+
+static status grow_grid(grid *g, int points)
+{
+    grid larger;
+    if (points <= g->points) return status_ok();
+    status done = grid_init(&larger, points);
+    if (!done.ok) return done;
+    grid_free(g);
+    *g = larger;
+    return done;
 }
 
 // A wide margin makes long lists, a narrow one makes them often.  With 0.75 of
 // a spacing a flat cloth has the diagonals of its cells, and no more: what
 // stands at two spacings is further than the 1.1 of touching and the margin.
-status near_init(near_lists *l, const body *all, int bodies, int particles)
+static real margin_of(const body *b)
 {
-    int soft = 0, most = 0;
-    *l = (near_lists){ .margin = HUGE_VAL, .trusted = -1 };
-    for (int b = 0; b < bodies; b++) {
-        const shape *s = all[b].shape;
-        if (!body_is_soft(&all[b])) continue;
-        l->softs++;
-        soft += s->particles;
-        most = int_max(most, s->particles);
-        l->margin = fmin(l->margin, 0.75 * s->spacing);
-    }
-    if (l->softs == 0) return status_ok();
-    bool has_room = make_room(l, bodies, particles, soft);
-    status done = has_room ? grid_init(&l->grid, most) : status_out_of_memory();
-    for (int b = 0; b < bodies && done.ok; b++)
-        done = build_tree(&l->tree[b], &all[b]);
-    if (!done.ok) near_free(l);
+    return 0.75 * b->shape->spacing;
+}
+
+status near_add(near_lists *l, const body *all, int b, int bodies,
+                int particles)
+{
+    const body *x = &all[b];
+    if (l->softs == 0) l->margin = HUGE_VAL;
+    l->trusted = -1;
+    if (!make_room(l, bodies, particles)) return status_out_of_memory();
+    if (!body_is_soft(x)) return status_ok();
+    int n = x->shape->particles;
+    if (!make_list_room(l, l->soft_particles + n))
+        return status_out_of_memory();
+    status done = grow_grid(&l->grid, n);
+    if (done.ok) done = build_tree(&l->tree[b], x);
+    if (!done.ok) return done;
+    l->softs++;
+    l->soft_particles += n;
+    l->margin = fmin(l->margin, margin_of(x));
     return done;
 }
 
 void near_free(near_lists *l)
 {
-    for (int b = 0; l->tree && b < l->bodies; b++)
-        sphere_tree_free(&l->tree[b]);
+    for (int b = 0; b < l->bodies; b++) sphere_tree_free(&l->tree[b]);
     void *owned[] = { l->tree, l->ball, l->at, l->listed, l->pair, l->point,
-                      l->leaf, l->ahead, l->met, l->facet.at, l->facets_before.at };
+                      l->leaf, l->ahead, l->met, l->facet.at,
+                      l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     grid_free(&l->grid);
     *l = (near_lists){ .trusted = -1 };
 }
 
-status rigid_view_init(rigid_view *v, const body *all, int bodies)
+status rigid_view_add(rigid_view *v, const body *b)
 {
-    int corners = 0, faces = 0;
-    *v = (rigid_view){ .of = -1 };
-    for (int b = 0; b < bodies; b++) {
-        if (body_is_soft(&all[b])) continue;
-        corners = int_max(corners, all[b].shape->particles);
-        faces = int_max(faces, all[b].shape->mesh.faces);
-    }
-    v->corner = room(corners, sizeof *v->corner);
-    v->plane = room(faces, sizeof *v->plane);
-    if (v->corner && v->plane) return status_ok();
-    rigid_view_free(v);
-    return status_out_of_memory();
+    int corners = table_room(b->shape->particles, v->corners);
+    int faces = table_room(b->shape->mesh.faces, v->faces);
+    bool ok = true;
+    v->of = -1;
+    if (corners > v->corners) TABLE_GROW(ok, v->corner, 0, corners);
+    if (faces > v->faces) TABLE_GROW(ok, v->plane, 0, faces);
+    if (!ok) return status_out_of_memory();
+    v->corners = corners;
+    v->faces = faces;
+    return status_ok();
 }
 
 void rigid_view_free(rigid_view *v)
@@ -504,5 +537,37 @@ void rigid_view_free(rigid_view *v)
     free(v->corner);
     free(v->plane);
     *v = (rigid_view){ .of = -1 };
+}
+//<
+
+//> near-forget
+// Facets remember on which side of a body they are.
+static void forget_facets(facet_list *list, int b)
+{
+    int kept = 0;
+    for (int k = 0; k < list->count; k++)
+        if (list->at[k].soft != b && list->at[k].rigid != b)
+            list->at[kept++] = list->at[k];
+    list->count = kept;
+}
+
+void near_forget(near_lists *l, int b)
+{
+    forget_facets(&l->facet, b);
+    l->pairs = l->points = l->mets = 0;
+    l->trusted = -1;
+}
+
+void near_remove(near_lists *l, const body *all, int b, int bodies)
+{
+    near_forget(l, b);
+    if (!body_is_soft(&all[b])) return;
+    sphere_tree_free(&l->tree[b]);
+    l->softs--;
+    l->soft_particles -= all[b].shape->particles;
+    l->margin = HUGE_VAL;
+    for (int k = 0; k < bodies; k++)
+        if (k != b && l->tree[k].leaves > 0)
+            l->margin = fmin(l->margin, margin_of(&all[k]));
 }
 //<

@@ -35,8 +35,11 @@ typedef struct {
     const plane *plane;
     int  planes;
     vec3 gravity;               // m/s^2
-    real friction;              // Coulomb's coefficient
-    real restitution;           // at what does not move: 0 to 1
+    real friction;              // Coulomb's coefficient,
+    real restitution;           // and of impacts at what does not move; or
+    const material *material;   // [bodies] each has its own; NULL: these
+    const material *wall;       // [planes]
+    const int *owner;           // [particles] of the pool: whose they are
     int  iterations;            // over strands, at most
     relax_options relax;
     int  substeps, most_substeps;   // of a frame: usual, and at most
@@ -53,6 +56,18 @@ static inline bool soft_moves(const soft_frame *f, int b)
 {
     return !body_is_static(&f->body[b]) && !f->asleep[b];
 }
+// Where bodies a and b meet, or a and a plane (b < 0).
+static inline material soft_material(const soft_frame *f, int a, int b)
+{
+    if (!f->material) return (material){ f->friction, f->restitution };
+    return material_meet(f->material[a],
+                         b < 0 ? f->wall[-1 - b] : f->material[b]);
+}
+// May anything come of a and b being near each other?
+static inline bool soft_meets(const soft_frame *f, int a, int b)
+{
+    return body_meets(&f->body[a], &f->body[b]);
+}
 static inline bool is_moving_soft(const soft_frame *f, int b)
 {
     return body_is_soft(&f->body[b]) && soft_moves(f, b);
@@ -62,8 +77,9 @@ static inline bool is_moving_soft(const soft_frame *f, int b)
 //> near-struct
 // A rigid body as particles meet it: where its vertices and planes are.
 typedef struct {
-    vec3 *corner;       // [most vertices]
-    plane *plane;       // [most faces]
+    vec3 *corner;       // [corners] of the body that has most
+    plane *plane;       // [faces]
+    int  corners, faces;
     obstacle hull;      // these, as they stood when it was last looked at,
     rigid_frame frame;  // how the body lay,
     motion moved;       // and how far it had been moved
@@ -108,23 +124,31 @@ typedef struct {
     vec3 *listed;       // [particles] when the lists were made
     sphere_tree *tree;  // [bodies] of deformable ones
     sphere *ball;       // [bodies] around each, as the frame begins
-    int  bodies;
+    int  bodies, particles;     // for so many there is room
     struct leaf_pair *leaf;     // room for a traversal of two trees
     int  leaf_capacity;
     grid grid;          // for the largest deformable body
-    int  softs;         // deformable bodies
+    int  softs;         // deformable bodies,
+    int  soft_particles;        // and theirs
     int  made;          // how often, since near_begin
     int  dropped;       // pairs that found no room, since then
 } near_lists;
 //<
 
 //> near-declare
-// Lists, and a view, for these bodies, with so many particles in the pool.
-// Fail, leaving *l (*v) empty, for want of memory.
-status near_init(near_lists *l, const body *all, int bodies, int particles);
+// Body b of `all` is new; there are so many now, with so many particles in the
+// pool.  Nothing needs room before one is deformable.  Fail, adding nothing, for
+// want of memory.
+status near_add(near_lists *l, const body *all, int b, int bodies,
+                int particles);
+status rigid_view_add(rigid_view *v, const body *b);
 void   near_free(near_lists *l);        // an empty or zeroed one is fine
-status rigid_view_init(rigid_view *v, const body *all, int bodies);
 void   rigid_view_free(rigid_view *v);  // likewise
+
+// What is kept of body b is forgotten: it has been put elsewhere.
+void   near_forget(near_lists *l, int b);
+// It is taken away, as well.
+void   near_remove(near_lists *l, const body *all, int b, int bodies);
 
 // A frame begins: where is everything?
 void near_begin(near_lists *l, const soft_frame *f);

@@ -82,13 +82,51 @@ static bool nearest_on_edge(const obstacle *b, vec3 x, real reach,
 }
 //<
 
+//> obstacle-round
+// The nearest point of the core, and out of it along the way to x.  From a point
+// of the core itself all ways out are as long: straight up, or across it.
+static surface_point round_point(const obstacle *b, vec3 x)
+{
+    const vec3 *v = b->vertices.at;
+    vec3 core = v[0], along = { 0, 0, 0 };
+    if (b->vertices.count > 1) {
+        along = vec3_sub(v[1], v[0]);
+        real part = vec3_dot(vec3_sub(x, core), along)
+                  / vec3_length_squared(along);
+        core = vec3_add_scaled(core, real_max(real_min(part, 1), 0), along);
+    }
+    vec3 out = vec3_sub(x, core);
+    if (vec3_length_squared(out) == 0)
+        out = vec3_cross(along, fabs(along.x) < fabs(along.z)
+                                ? vec3_make(1, 0, 0) : vec3_make(0, 0, 1));
+    if (vec3_length_squared(out) == 0) out = vec3_make(0, 1, 0);
+    vec3 normal = vec3_unit(out);
+    return (surface_point){ vec3_add_scaled(core, b->round, normal), normal };
+}
+
+plane obstacle_plane(const obstacle *b, vec3 x, int number)
+{
+    if (b->planes > 0) return b->plane[number];
+    surface_point p = round_point(b, x);
+    return (plane){ p.normal, vec3_dot(p.normal, p.at) };
+}
+
+static bool nearest_on_round(const obstacle *b, vec3 x, real reach,
+                             surface_point *out)
+{
+    *out = round_point(b, x);
+    return vec3_dot(vec3_sub(x, out->at), out->normal) <= reach;
+}
+//<
+
 //> obstacle-nearest
 // The commonest answers by far are two: a particle is clear of the plane that
 // it was in front of, or it still stands over that face.
 bool obstacle_nearest(const obstacle *b, vec3 x, int ahead, real reach,
                       surface_point *out)
 {
-    assert(b->planes > 0);
+    assert(b->planes > 0 || b->round > 0);
+    if (b->planes == 0) return nearest_on_round(b, x, reach, out);
     bool is_known = ahead < b->planes;
     if (is_known && plane_height(b->plane[ahead], x) > reach) return false;
     if (!is_known || !stands_over(b, x, ahead)) {

@@ -17,6 +17,8 @@ typedef struct {
     const plane *plane; // [planes] of its faces, normals outwards
     int  planes;
     real size;          // m, the shape's radius
+    real round;         // m, of one that is round: its vertices are the core,
+                        // and it has no planes
 } obstacle;
 
 // A point of a surface.
@@ -39,6 +41,9 @@ static inline real plane_height(plane p, vec3 x)
 // coplanar to a billionth of the body's size, or are counted apart.
 int hull_planes(const shape *s, const vec3 *at, plane *out);
 
+// The plane with this number; of a round body the one that touches it under x.
+plane obstacle_plane(const obstacle *b, vec3 x, int number);
+
 // Which of these planes is x furthest in front of, or least far behind?  Of
 // equals the first; 0 where x is not finite.
 int hull_ahead(vec3 x, const plane *planes, int count);
@@ -47,7 +52,7 @@ int hull_ahead(vec3 x, const plane *planes, int count);
 // point of its surface nearest to x; of an x in the body, under the face that
 // is the nearest way out.  ahead: the plane that x was in front of when that
 // was last known; the answer does not depend on it by more than rounding.  A
-// point that is not finite is near nothing.  Requires a plane.
+// point that is not finite is near nothing.  Requires a plane, or a round body.
 bool obstacle_nearest(const obstacle *b, vec3 x, int ahead, real reach,
                       surface_point *out);
 

@@ -13,18 +13,27 @@
 //<
 
 //> placed
-// A body: a range of the pool, built to a shape that it may share.
+// A body: a range of the pool, built to a shape that it may share.  The place of
+// one that was taken away is left to one of a shape without particles: static,
+// deformable, and nowhere.
 typedef struct body {
     const struct shape *shape;
     const rigid4 *rigid;    // its four particles; NULL: it is deformable, with
                             // a particle at every vertex
     line_scratch *line;     // of a deformable one; shared, as the shape is
     int  first;         // its particles: first .. first + body_particles - 1
+    int  room;          // so many of the pool are kept for it
     real mass;          // kg; HUGE_VAL: static, as a whole
     real thickness;     // m, the radius of a deformable body's particles; 0 of
                         // a rigid one
     real bending;       // N m^2, or N m, of a deformable one: see bend.h
+    real compliance;    // 1/N, or m/N, of a deformable one: see line.h
     real inner;         // m, the inner radius of a rigid one
+    real damping;       // 1/s, the share of its velocity that it loses,
+    real spin_damping;  // 1/s, and of its spin, if it is rigid
+    bool is_kinematic;  // rigid, and moves as a program says
+    unsigned group, mask;   // bits: two meet if the mask of each has a bit of
+                        // the other's group
 } body;
 
 static inline bool body_is_soft(const body *b)
@@ -36,9 +45,23 @@ static inline int body_particles(const body *b)
 {
     return body_is_soft(b) ? b->shape->particles : FOUR;
 }
+static inline bool body_is_gone(const body *b)
+{
+    return b->shape->particles == 0;
+}
 static inline bool body_is_static(const body *b)
 {
     return !(b->mass < HUGE_VAL);
+}
+// It may be pushed.
+static inline bool body_is_dynamic(const body *b)
+{
+    return b->mass < HUGE_VAL && !b->is_kinematic;
+}
+static inline bool body_meets(const body *a, const body *b)
+{
+    return (a->mask & b->group) && (b->mask & a->group)
+        && (body_is_dynamic(a) || body_is_dynamic(b));
 }
 
 #endif

@@ -38,8 +38,10 @@ real particle_contact_separate(particle_contact c, particle *p, real friction)
     real mass = 1 / weight;
     if (!(weight > 0) || !is_finite(depth * mass)) return depth;
 
-    vec3 normal = vec3_scale(1 / length, across);
+    // One that never moves can have lost where it was, and not where it is.
     vec3 slid = vec3_sub(across, vec3_sub(a->previous, b->previous));
+    if (!vec3_is_finite(slid)) return 0;
+    vec3 normal = vec3_scale(1 / length, across);
     vec3 push = push_apart(normal, depth, mass, slid, friction);
     a->position = vec3_add_scaled(a->position, a->inverse_mass, push);
     b->position = vec3_add_scaled(b->position, -b->inverse_mass, push);

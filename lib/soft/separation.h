@@ -28,7 +28,8 @@ static inline bool particle_contact_overlaps(const particle_contact *c,
 // Parts two particles nearer than c.distance, along the line between them and
 // shared by mass, and brakes their sliding by at most friction times the push.
 // Returns the overlap before (m, >= 0).  Coincident particles have no line:
-// they are left, 0.  Paper: Eq. 11 with masses.
+// they are left, 0; so are those of which a number is lost.  Paper: Eq. 11 with
+// masses.
 real particle_contact_separate(particle_contact c, particle *p, real friction);
 
 // The same for particle p and an immovable surface, of which `foot` is the

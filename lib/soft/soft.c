@@ -1,5 +1,6 @@
 //> soft-move
 #include "soft.h"
+#include "table.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -33,6 +34,11 @@ static void fall(const soft_frame *f, const body *b)
 {
     particle *p = f->particle + b->first;
     int n = body_particles(b);
+    real left = 1 / (1 + f->h * b->damping);
+    for (int i = 0; i < n && b->damping > 0; i++) {
+        vec3 way = vec3_sub(p[i].position, p[i].previous);
+        p[i].previous = vec3_add_scaled(p[i].position, -left, way);
+    }
     if (f->age == f->h) verlet_step(p, n, f->gravity, NULL, f->h);
     else verlet_step_changed(p, n, f->gravity, f->age, f->h);
 }
@@ -51,22 +57,24 @@ static void forget_holds(const soft_frame *f, const body *b)
 // A crease can shear a cell until the ends of one of its diagonals, of which
 // only every second has a stick, meet, and the triangles around them cross.
 // They are kept apart as any two particles are.
-static void part_ends(const soft_frame *f, int a, int b, real distance)
+static void part_ends(const soft_frame *f, particle_contact c, real friction)
 {
-    particle_contact c = { a, b, distance };
     if (particle_contact_overlaps(&c, f->particle))
-        particle_contact_separate(c, f->particle, f->friction);
+        particle_contact_separate(c, f->particle, friction);
 }
 
-static void spread_cells(const soft_frame *f, const body *b)
+static void spread_cells(const soft_frame *f, int number)
 {
+    const body *b = &f->body[number];
     const shape *s = b->shape;
     real distance = 2 * b->thickness;
+    real friction = soft_material(f, number, number).friction;
     for (int k = 0; k + 1 < s->rows; k++)
         for (int i = 0; i + 1 < s->columns; i++) {
             int a = b->first + k * s->columns + i;
-            part_ends(f, a, a + s->columns + 1, distance);
-            part_ends(f, a + 1, a + s->columns, distance);
+            int c = a + s->columns;
+            part_ends(f, (particle_contact){ a, c + 1, distance }, friction);
+            part_ends(f, (particle_contact){ a + 1, c, distance }, friction);
         }
 }
 
@@ -79,7 +87,7 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     if (others == 0) return;
     sticks_iterate(plan->stick + links, others, f->particle + b->first,
                    f->relax);
-    spread_cells(f, b);
+    spread_cells(f, (int)(b - f->body));
     s->tested += others;
     s->relaxed += others;
 }
@@ -158,7 +166,8 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
     relax_options o = f->relax;
     if (shape_directions(plan) > 1)
         o.tolerance = real_max(o.tolerance, CLOTH_TOLERANCE);
-    line_result l = lines_relax(plan, p, f->iterations, o, hold, b->line);
+    line_result l = lines_relax(plan, p, f->iterations, o, hold,
+                                b->compliance / (f->h * f->h), b->line);
     bool is_pinned = false;
     for (int i = 0; i < plan->particles; i++) {
         calm(&p[i], &hold[i]);
@@ -176,6 +185,15 @@ void soft_relax(soft_solver *s, const soft_frame *f)
 {
     for (int b = 0; b < f->bodies; b++)
         if (is_moving_soft(f, b)) relax_body(s, f, &f->body[b]);
+}
+//<
+
+//> soft-energy
+real soft_energy(const body *b, const particle *all)
+{
+    const particle *p = all + b->first;
+    return bend_energy(b->shape, b->bending, p)
+         + links_energy(b->shape, b->compliance, p);
 }
 //<
 
@@ -197,7 +215,7 @@ int soft_stretched(const soft_frame *f)
 {
     int n = 0;
     for (int b = 0; b < f->bodies; b++)
-        if (is_moving_soft(f, b))
+        if (is_moving_soft(f, b) && !(f->body[b].compliance > 0))
             n += is_stretched(f->body[b].shape, f->particle + f->body[b].first);
     return n;
 }
@@ -287,6 +305,7 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
     const prediction *x = &s->ahead[a], *y = &s->ahead[b];
     const sphere *ball = s->near.ball;
     if (a == b) return substeps_for(f, a, x->turn, 1);
+    if (!soft_meets(f, a, b)) return 0;
     if (!balls_meet(ball[a], ball[b], x->reach + y->reach)) return 0;
     int n = substeps_for(f, a, x->reach, 1);
     if (body_is_soft(&f->body[b])) return n;
@@ -344,22 +363,56 @@ int soft_substeps(const soft_solver *s, const soft_frame *f)
 //<
 
 //> soft-init
-status soft_init(soft_solver *s, const body *all, int bodies, int particles)
+static bool make_room(soft_solver *s, const body *b, int bodies, int particles)
 {
-    *s = (soft_solver){ .touching = 0 };
-    status done = near_init(&s->near, all, bodies, particles);
-    if (!done.ok || s->near.softs == 0) return done;
-    done = rigid_view_init(&s->view, all, bodies);
-    int rows = 0;
-    for (int b = 0; b < bodies; b++)
-        rows = int_max(rows, bend_rows(all[b].shape));
-    s->ahead = calloc((size_t)bodies, sizeof *s->ahead);
-    s->hold = calloc((size_t)particles, sizeof *s->hold);
-    s->bends = calloc((size_t)rows, sizeof *s->bends);
-    if (done.ok && !(s->ahead && s->hold && s->bends))
-        done = status_out_of_memory();
-    if (!done.ok) soft_free(s);
+    int room = table_room(bodies, s->bodies);
+    int particle_room = table_room(particles, s->particles);
+    int rows = table_room(bend_rows(b->shape), s->rows);
+    bool ok = true;
+    if (room > s->bodies) TABLE_GROW(ok, s->ahead, s->bodies, room);
+    if (ok) s->bodies = room;
+    if (particle_room > s->particles)
+        TABLE_GROW(ok, s->hold, s->particles, particle_room);
+    if (ok) s->particles = particle_room;
+    if (rows > s->rows) TABLE_GROW(ok, s->bends, 0, rows);
+    if (ok) s->rows = rows;
+    return ok;
+}
+
+// The first deformable body: rigid ones are there that were not looked at.
+static status view_all(soft_solver *s, const body *all, int bodies)
+{
+    status done = status_ok();
+    for (int b = 0; b < bodies && done.ok; b++)
+        if (!body_is_soft(&all[b])) done = rigid_view_add(&s->view, &all[b]);
     return done;
+}
+
+status soft_add(soft_solver *s, const body *all, int b, int bodies,
+                int particles)
+{
+    bool is_soft = body_is_soft(&all[b]);
+    status done = status_ok();
+    if (s->near.softs == 0 && !is_soft) return done;
+    if (!make_room(s, &all[b], bodies, particles))
+        return status_out_of_memory();
+    for (int i = 0; i < body_particles(&all[b]); i++)
+        s->hold[all[b].first + i] = (line_hold){ .state = LINE_FREE };
+    if (s->near.softs == 0) done = view_all(s, all, bodies);
+    else if (!is_soft)      done = rigid_view_add(&s->view, &all[b]);
+    return done.ok ? near_add(&s->near, all, b, bodies, particles) : done;
+}
+
+void soft_forget(soft_solver *s, int b)
+{
+    near_forget(&s->near, b);
+    s->view.of = -1;
+}
+
+void soft_remove(soft_solver *s, const body *all, int b, int bodies)
+{
+    near_remove(&s->near, all, b, bodies);
+    s->view.of = -1;
 }
 
 void soft_free(soft_solver *s)

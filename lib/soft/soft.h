@@ -17,7 +17,8 @@ typedef struct {
     rigid_view view;
     prediction *ahead;  // [bodies] how each may move in this frame
     line_hold *hold;    // [particles] what each touches that does not move
-    bend_row *bends;    // [particles of the longest strand]
+    bend_row *bends;    // [rows] of the longest strand
+    int  bodies, particles, rows;       // for so many there is room
     real pressed;       // 1/s, substeps that layers asked for in this frame,
     real pace;          // 1/s, and that they get
     int  frames;        // for so many they have asked for fewer
@@ -31,10 +32,17 @@ typedef struct {
 //<
 
 //> soft-declare
-// For these bodies, with so many particles in the pool.  Fails, leaving *s
-// empty, for want of memory.
-status soft_init(soft_solver *s, const body *all, int bodies, int particles);
+// Body b of `all` is new; there are so many now, with so many particles in the
+// pool.  Costs nothing before one is deformable.  Fails, adding nothing, for
+// want of memory.
+status soft_add(soft_solver *s, const body *all, int b, int bodies,
+                int particles);
 void   soft_free(soft_solver *s);       // an empty or zeroed one is fine
+
+// What is kept of body b is forgotten: it has been put elsewhere; or it is
+// taken away, as well.
+void soft_forget(soft_solver *s, int b);
+void soft_remove(soft_solver *s, const body *all, int b, int bodies);
 
 // A frame begins, and rigid bodies have been looked at: where are deformable
 // ones, and how may they move?
@@ -65,7 +73,11 @@ void soft_relax(soft_solver *s, const soft_frame *f);
 // weight of all that they hang on.
 void soft_hold(soft_solver *s, const soft_frame *f);
 
-// How many deformable bodies have strands off by more than a hundredth.
+// J, what is stored in the bends and links of a deformable body.
+real soft_energy(const body *b, const particle *all);
+
+// How many deformable bodies that must not give have strands off by more than
+// a hundredth.
 int soft_stretched(const soft_frame *f);
 
 #endif

@@ -16,6 +16,7 @@ typedef struct {
     real weight[FACET];
     surface_point at;           // the point of the body's surface
     real apart;                 // m, what is kept between the two
+    real friction;
 } touch;
 
 // How that point touches the body.
@@ -95,7 +96,7 @@ static void part_from_moving(const touch *x, particle *p)
     real length = vec3_length(slide);
     if (!(length > 0)) return;
     vec3 across = vec3_scale(1 / length, slide);
-    real brake = real_min(x->f->friction * load,
+    real brake = real_min(x->friction * load,
                           length / answer(basis, p, t.arm, across));
     push(x, p, t.arm, vec3_scale(-brake, across));
 }
@@ -173,14 +174,13 @@ static void share_with_all(const touch *x, const particle *before,
 
 //> touch-fixed
 // How far the strands will let it slide is what they did in the last substep.
-static void slide(const soft_frame *f, particle *p, line_hold *hold,
-                  real pressed)
+static void slide(particle *p, line_hold *hold, real most)
 {
     vec3 n = hold->normal, went = vec3_sub(p->position, p->previous);
     vec3 would = vec3_add(went, hold->pull);
     went = vec3_add_scaled(went, -vec3_dot(went, n), n);
     would = vec3_add_scaled(would, -vec3_dot(would, n), n);
-    real most = f->friction * pressed, far = vec3_length(would);
+    real far = vec3_length(would);
     hold->state = far <= most ? LINE_STICKS : LINE_SLIDES;
     p->position = far <= most ? vec3_sub(p->position, went)
                 : vec3_add_scaled(p->position, -most / far, would);
@@ -189,13 +189,13 @@ static void slide(const soft_frame *f, particle *p, line_hold *hold,
 // Every particle bounces for itself, if it strikes fast: it came by `came` (m)
 // in this substep, and goes back by a share of that in the next.
 static bool bounce(const soft_frame *f, particle *p, vec3 normal, real came,
-                   real apart)
+                   real apart, real restitution)
 {
     real g = vec3_length(f->gravity);
-    if (!(f->restitution > 0)) return false;
+    if (!(restitution > 0)) return false;
     if (!(came > f->h * restitution_slowest(apart, g, f->h))) return false;
     real goes = vec3_dot(vec3_sub(p->position, p->previous), normal);
-    p->previous = vec3_add_scaled(p->previous, goes - f->restitution * came,
+    p->previous = vec3_add_scaled(p->previous, goes - restitution * came,
                                   normal);
     return true;
 }
@@ -204,7 +204,7 @@ static bool bounce(const soft_frame *f, particle *p, vec3 normal, real came,
 // press it on, they will find it held; where two things do, they hold it to all
 // sides.
 static bool touch_fixed(const soft_frame *f, int i, surface_point at,
-                        real apart)
+                        real apart, material m)
 {
     particle *p = &f->particle[i];
     line_hold *hold = &f->hold[i];
@@ -216,9 +216,10 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
     p->position = vec3_add_scaled(p->position, depth, at.normal);
     bool is_held = hold->state != LINE_FREE;
     hold->normal = at.normal;
-    slide(f, p, hold, pressed);
+    slide(p, hold, m.friction * pressed);
     if (is_held) hold->state = LINE_STICKS;
-    if (bounce(f, p, at.normal, came, apart)) hold->state = LINE_FREE;
+    if (bounce(f, p, at.normal, came, apart, m.restitution))
+        hold->state = LINE_FREE;
     return true;
 }
 //<
@@ -229,7 +230,7 @@ static bool push_off(const touch *x, particle *p)
 {
     if (body_is_static(&x->f->body[x->b]))
         return surface_separate(p, x->at.at, x->at.normal, x->apart,
-                                x->f->friction) > 0;
+                                x->friction) > 0;
     part_from_moving(x, p);
     return true;
 }
@@ -251,12 +252,13 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
 {
     particle *p = &f->particle[pair.particle];
     surface_point at;
+    material m = soft_material(f, pair.soft, pair.rigid);
     if (!obstacle_nearest(&v->hull, p->position, pair.ahead, apart, &at))
         return false;
     if (body_is_static(&f->body[pair.rigid]))
-        return touch_fixed(f, pair.particle, at, apart);
+        return touch_fixed(f, pair.particle, at, apart, m);
     touch x = { f, v, &f->body[pair.soft], pair.rigid, 1, { pair.particle },
-                { 1 }, at, apart };
+                { 1 }, at, apart, m.friction };
     f->hold[pair.particle].state = LINE_FREE;
     return part(&x, who);
 }
@@ -337,7 +339,9 @@ static bool part_facet(const rigid_view *v, const soft_frame *f,
                        const facet_touch *t, real apart, answering who)
 {
     touch x = { f, v, &f->body[pair->soft], pair->rigid, FACET,
-                .apart = apart };
+                .apart = apart,
+                .friction = soft_material(f, pair->soft,
+                                          pair->rigid).friction };
     vec3 here = { 0, 0, 0 };
     for (int k = 0; k < FACET; k++) {
         x.corner[k] = seen->number[k];
@@ -402,11 +406,12 @@ void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
 //<
 
 //> touch-particles
-static bool touch_plane(const soft_frame *f, int i, plane wall, real apart)
+static bool touch_plane(const soft_frame *f, int i, plane wall, real apart,
+                        material m)
 {
     vec3 x = f->particle[i].position;
     vec3 foot = vec3_add_scaled(x, -plane_height(wall, x), wall.normal);
-    return touch_fixed(f, i, (surface_point){ foot, wall.normal }, apart);
+    return touch_fixed(f, i, (surface_point){ foot, wall.normal }, apart, m);
 }
 
 int touch_planes(const soft_frame *f)
@@ -417,7 +422,8 @@ int touch_planes(const soft_frame *f)
         if (!is_moving_soft(f, b)) continue;
         for (int i = soft->first; i < soft->first + soft->shape->particles; i++)
             for (int k = 0; k < f->planes; k++)
-                touching += touch_plane(f, i, f->plane[k], soft->thickness);
+                touching += touch_plane(f, i, f->plane[k], soft->thickness,
+                                        soft_material(f, b, -1 - k));
     }
     return touching;
 }
@@ -428,7 +434,10 @@ int touch_pairs(const near_lists *l, const soft_frame *f, real *deepest)
     for (int k = 0; k < l->pairs; k++) {
         particle_contact c = l->pair[k];
         if (!particle_contact_overlaps(&c, f->particle)) continue;
-        real depth = particle_contact_separate(c, f->particle, f->friction);
+        real mu = f->friction;
+        if (f->material)
+            mu = soft_material(f, f->owner[c.a], f->owner[c.b]).friction;
+        real depth = particle_contact_separate(c, f->particle, mu);
         touching += depth > 0;
         if (depth > *deepest * c.distance) *deepest = depth / c.distance;
     }

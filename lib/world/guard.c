@@ -1,5 +1,6 @@
 //> guard-most
 #include "guard.h"
+#include "handle.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -22,7 +23,7 @@ static motion_sum rigid_motion(const world *w)
     motion_sum s = { 0, 0 };
     for (int b = 0; b < w->bodies; b++) {
         const motion_basis *basis = &w->rigid.now[b].basis;
-        if (w->rigid.moves[b])
+        if (w->rigid.moves[b] && !w->rigid.now[b].is_driven)
             add_motion(&s, motion_energy(basis, &w->rigid.velocity[b]),
                        basis->inverse_mass);
     }
@@ -31,7 +32,7 @@ static motion_sum rigid_motion(const world *w)
 
 static void add_soft_motion(motion_sum *s, const world *w, const body *x)
 {
-    s->energy += bend_energy(x->shape, x->bending, w->pool.at + x->first);
+    s->energy += soft_energy(x, w->pool.at);
     for (int i = x->first; i < x->first + body_particles(x); i++) {
         const particle *p = &w->pool.at[i];
         vec3 way = vec3_sub(p->position, p->previous);
@@ -40,17 +41,45 @@ static void add_soft_motion(motion_sum *s, const world *w, const body *x)
     }
 }
 
-// Contacts create no motion: beside what there is, and what bends have stored,
-// only gravity does, and the speed at which overlaps are pushed out.  sqrt(2 energy / mass) is a length in
-// the space of all velocities: these three add up to no more than their sum.
+// J: the kinetic energy that loads would give to bodies at rest.
+static real load_energy(const world *w)
+{
+    real sum = 0;
+    for (int b = 0; b < w->bodies && w->rigid.is_loaded; b++) {
+        motion u = world_load(w, b, w->frame);
+        sum += motion_energy(&w->rigid.now[b].basis, &u);
+    }
+    return sum;
+}
+
+// m/s: what is driven gives others its own speed, and as much again if it is hit
+// like a ball.
+static real fastest_drive(const world *w)
+{
+    real most = 0;
+    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++) {
+        const solver_body *now = &w->rigid.now[b];
+        if (w->rigid.moves[b] && now->is_driven)
+            most = real_max(motion_fastest(&now->basis, &w->rigid.velocity[b],
+                                           now->radius), most);
+    }
+    return most;
+}
+
+// Contacts create no motion: beside what there is, and what bends and links
+// have stored, only gravity does, what pushes from outside, and the speed at
+// which overlaps are pushed out.  sqrt(2 energy / mass) is a length in the space of all
+// velocities: these add up to no more than their sum.
 real guard_most(const world *w, const solver_frame *f)
 {
     motion_sum s = rigid_motion(w);
     for (int b = 0; b < w->bodies && w->softs > 0; b++)
         if (body_is_soft(&w->body[b]) && body_moves(w, b))
             add_soft_motion(&s, w, &w->body[b]);
-    real more = w->frame * vec3_length(w->options.gravity) + f->max_speed;
-    real most = sqrt(s.energy) + sqrt(s.mass / 2) * more;
+    real more = w->frame * vec3_length(w->options.gravity) + f->max_speed
+              + (1 + f->restitution) * fastest_drive(w);
+    real most = sqrt(s.energy) + sqrt(load_energy(w))
+              + sqrt(s.mass / 2) * more;
     return most * most;
 }
 //<

@@ -53,10 +53,9 @@ ledger_entry ledger_total(const world *w)
     for (int b = 0; b < w->bodies; b++) {
         const body *x = &w->body[b];
         bool is_asleep = w->sleep.asleep[b];
-        if (body_is_static(x)) continue;
+        if (!body_is_dynamic(x)) continue;
         if (body_is_soft(x))
-            sum.energy += bend_energy(x->shape, x->bending,
-                                      w->pool.at + x->first);
+            sum.energy += soft_energy(x, w->pool.at);
         if (body_is_soft(x) || is_asleep || w->ledger_ahead == 0)
             add_particles(&sum, w, x, is_asleep);
         else

@@ -13,9 +13,9 @@
 //> ledger-declare
 // What the bodies have: kinetic energy by the velocities in the
 // middle of a substep, and potential energy, momentum and angular momentum at
-// the places of that moment; and what is stored in bends.  Under gravity alone a step changes none of this
+// the places of that moment; and what is stored in bends and links.  Under gravity alone a step changes none of this
 // sum's energy, and momentum by gravity's share.  Static bodies and pinned
-// particles do not count.  Requires world_begin.
+// particles do not count.
 ledger_entry ledger_total(const world *w);
 
 // Opens the account: books nothing, and counts from here.  At the start of a

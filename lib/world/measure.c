@@ -66,9 +66,10 @@ static void deepen(measures *m, real depth)
 static void measure_planes(const world *w, const sight *s, int b, measures *m)
 {
     const vec3 *at = s->at + s->first[b];
+    real round = w->body[b].shape->round;
     for (int p = 0; p < w->planes; p++)
         for (int i = 0; i < w->body[b].shape->particles; i++)
-            deepen(m, -plane_height(w->plane[p], at[i]));
+            deepen(m, round - plane_height(w->plane[p], at[i]));
 }
 
 // The depth of the hit face; bodies that are apart add nothing.
@@ -89,7 +90,8 @@ static void measure_points(const world *w, const sight *s, int soft, int rigid,
     const shape *plan = w->body[rigid].shape;
     const vec3 *at = s->at + s->first[rigid], *x = s->at + s->first[soft];
     obstacle b = { { at, plan->particles }, s->plane,
-                   hull_planes(plan, at, s->plane), plan->radius };
+                   hull_planes(plan, at, s->plane), plan->radius,
+                   plan->round };
     for (int i = 0; i < w->body[soft].shape->particles; i++) {
         surface_point p;
         if (obstacle_nearest(&b, x[i], b.planes, 0, &p))
@@ -151,6 +153,7 @@ static bool sight_make(const world *w, sight *s)
         s->first[b] = next;
         world_vertices(w, &w->body[b], s->at + next);
         s->ball[b] = ball_around(s->at + next, n);
+        s->ball[b].radius += w->body[b].shape->round;
         next += n;
     }
     return true;

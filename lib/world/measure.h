@@ -28,7 +28,7 @@ typedef struct {
 //> measure-declare
 // Measures the world as it stands, from where the particles are.  Not part of
 // the step, and slower than one: it allocates room for all vertices, and asks
-// all pairs.  Requires world_begin.  A body whose numbers are lost shows as a
+// all pairs.   A body whose numbers are lost shows as a
 // strain of HUGE_VAL, a penetration of NaN; where memory is refused, the
 // penetration is NaN, too.
 measures world_measure(const world *w);

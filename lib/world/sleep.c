@@ -1,26 +1,45 @@
 //> sleep-init
 #include "sleep.h"
+#include "table.h"
 
 #include <assert.h>
 #include <stdlib.h>
 
 status sleep_init(sleep_state *s, int bodies, int particles)
 {
-    assert(bodies >= 0 && particles >= 0);
-    size_t n = (size_t)int_max(bodies, 1), m = (size_t)int_max(particles, 1);
-    *s = (sleep_state){ .bodies = bodies, .particles = particles,
-        .parent = calloc(n, sizeof *s->parent),
-        .island = calloc(n, sizeof *s->island),
-        .asleep = calloc(n, sizeof *s->asleep),
-        .is_restless = calloc(n, sizeof *s->is_restless),
-        .watch = calloc(n, sizeof *s->watch),
-        .start = { calloc(m, sizeof **s->start),
-                   calloc(m, sizeof **s->start) } };
-    if (!s->parent || !s->island || !s->asleep || !s->is_restless || !s->watch
-        || !s->start[0] || !s->start[1]) {
-        sleep_free(s);
-        return status_out_of_memory();
+    *s = (sleep_state){ .bodies = 0 };
+    status done = sleep_grow(s, bodies, particles);
+    if (!done.ok) sleep_free(s);
+    return done;
+}
+
+static bool make_room(sleep_state *s, int room, int particles)
+{
+    bool ok = true;
+    if (room > s->room || !s->parent) {
+        TABLE_GROW(ok, s->parent, s->room, room);
+        TABLE_GROW(ok, s->island, s->room, room);
+        TABLE_GROW(ok, s->asleep, s->room, room);
+        TABLE_GROW(ok, s->is_restless, s->room, room);
+        TABLE_GROW(ok, s->watch, s->room, room);
+        if (ok) s->room = room;
     }
+    if (particles > s->particle_room || !s->start[0]) {
+        for (int k = 0; k < WINDOWS; k++)
+            TABLE_GROW(ok, s->start[k], s->particle_room, particles);
+        if (ok) s->particle_room = particles;
+    }
+    return ok;
+}
+
+status sleep_grow(sleep_state *s, int bodies, int particles)
+{
+    assert(bodies >= 0 && particles >= 0);
+    if (!make_room(s, table_room(bodies, s->room),
+                   table_room(particles, s->particle_room)))
+        return status_out_of_memory();
+    s->bodies = int_max(s->bodies, bodies);
+    s->particles = int_max(s->particles, particles);
     return status_ok();
 }
 
@@ -209,6 +228,14 @@ void sleep_forget(sleep_state *s, int b)
 {
     assert(b >= 0 && b < s->bodies);
     s->watch[b] = (sleep_watch){ .halves = 0 };
+}
+
+void sleep_put(sleep_state *s, int b)
+{
+    assert(b >= 0 && b < s->bodies);
+    s->asleep[b] = true;
+    s->island[b] = b;
+    s->watch[b].still = HALVES_TO_SLEEP;
 }
 
 void sleep_wake(sleep_state *s, int b)

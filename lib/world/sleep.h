@@ -46,6 +46,7 @@ typedef struct {
 // An island is a set of movable bodies that touch, directly or through others.
 typedef struct {
     int  bodies, particles;
+    int  room, particle_room;
     int  *parent;       // [bodies] union-find over the contacts of a frame
     int  *island;       // [bodies] the island it fell asleep with, by the body
                         // that stood for it; means nothing while awake
@@ -61,6 +62,8 @@ typedef struct {
 //> sleep-declare
 // All bodies awake.  Fails, leaving *s empty, if memory is refused.
 status sleep_init(sleep_state *s, int bodies, int particles);
+// More of them, if there were fewer; these are awake.  Fails, changing nothing.
+status sleep_grow(sleep_state *s, int bodies, int particles);
 void   sleep_free(sleep_state *s);      // an empty or zeroed one is fine
 
 // A new frame: every body is an island of its own, but sleepers stay with those
@@ -89,6 +92,9 @@ bool sleep_is_moving(const sleep_state *s, int b);
 // Puts to sleep every island in which all bodies have been still for
 // time_to_sleep.  Returns how many bodies fell asleep.
 int sleep_end(sleep_state *s);
+
+// Puts body b to sleep, as an island of its own.
+void sleep_put(sleep_state *s, int b);
 
 // Wakes body b and all that fell asleep with it: these begin to be observed
 // again.  Nothing happens if it is awake.  The islands of this frame stay as

@@ -1,6 +1,7 @@
 //> soft-step-wake
 #include "soft_step.h"
 #include "ledger.h"
+#include "pin.h"
 
 #include <stddef.h>
 
@@ -14,7 +15,8 @@ soft_frame soft_frame_of(world *w, real h)
         .velocity = t->velocity, .ball = t->ball, .ahead = t->ahead,
         .plane = w->plane, .planes = w->planes, .gravity = o->gravity,
         .friction = o->friction, .restitution = o->restitution,
-        .iterations = o->iterations,
+        .material = w->has_materials ? t->material : NULL,
+        .wall = w->wall, .owner = w->owner, .iterations = o->iterations,
         .relax = o->relax, .substeps = o->substeps,
         .most_substeps = o->most_substeps, .frame = w->frame, .age = w->age,
         .h = h };
@@ -28,10 +30,11 @@ bool soft_wake(world *w)
     for (int a = 0; a < w->bodies; a++) {
         if (!body_is_soft(&w->body[a]) || body_is_static(&w->body[a])) continue;
         for (int b = 0; b < w->bodies; b++) {
-            if (b == a || body_is_static(&w->body[b])) continue;
+            if (b == a || body_is_static(&w->body[b])
+                || !body_meets(&w->body[a], &w->body[b])) continue;
             if (!soft_may_touch(&w->soft, a, b)) continue;
             woke |= world_wake_near(w, a, b);
-            sleep_touch(&w->sleep, a, b);
+            if (body_is_dynamic(&w->body[b])) sleep_touch(&w->sleep, a, b);
         }
     }
     return woke;
@@ -49,6 +52,7 @@ void soft_step(world *w, real h)
 {
     soft_frame f = soft_frame_of(w, h);
     soft_move(&w->soft, &f);
+    pins_begin(&w->joints, &f);
     w->age = h;
     ledger_book(w, LEDGER_INTEGRATE);
     soft_draw(&w->soft, &f);
@@ -58,6 +62,7 @@ void soft_step(world *w, real h)
     soft_relax(&w->soft, &f);
     ledger_book(w, LEDGER_STICKS);
     soft_hold(&w->soft, &f);
+    pins_end(&w->joints, &f);
     ledger_book(w, LEDGER_CONTACTS);
 }
 

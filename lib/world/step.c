@@ -1,12 +1,14 @@
 //> step
 #include "step.h"
 #include "guard.h"
+#include "handle.h"
+#include "join.h"
 #include "ledger.h"
 #include "restitution.h"
+#include "rolling.h"
 #include "soft_step.h"
 #include "substeps.h"
 
-#include <assert.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -16,6 +18,7 @@ static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static void substep(world *w, const solver_frame *f, int k, real *since);
+static void drive(world *w, real seconds);
 static void move_bodies(world *w, real h);
 static void fall_asleep(world *w);
 
@@ -39,13 +42,16 @@ static void solve(world *w, real *since)
     solver_frame f = prepare(w);
     real most = guard_most(w, &f);
     lap(w, PHASE_PREPARE, since);
+    join_begin(w, &f);
     for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
     solver_store(&w->rigid.solver, w->options.host.run,
                  w->rigid.cache.active);
+    rolling_brake(w, f.substeps);
     w->report.substeps += f.substeps;
     w->age = f.h;
     guard_brake(w, most);
     guard_planes(w);
+    drive(w, w->frame);
     ledger_book(w, LEDGER_CONTACTS);
     move_bodies(w, f.h);
     lap(w, PHASE_MOVE, since);
@@ -58,16 +64,14 @@ enum { FAST_PARTS = 4 };
 // A world in which everything sleeps has nothing to do: nothing in it can wake.
 static bool sleeps_on(world *w)
 {
-    int asleep = w->report.asleep;
-    if (asleep == 0 || asleep < w->dynamic_bodies) return false;
-    w->report = (step_report){ .asleep = asleep };
+    if (!w->is_still) return false;
+    w->report = (step_report){ .asleep = w->report.asleep };
     w->time += w->options.dt;
     return true;
 }
 
 void world_step(world *w)
 {
-    assert(w->is_ready);
     if (sleeps_on(w)) return;
     real dt = w->options.dt;
     real since = w->options.host.clock ? w->options.host.clock() : 0;
@@ -81,6 +85,7 @@ void world_step(world *w)
         solve(w, &since);
     }
     fall_asleep(w);
+    world_forget_loads(w);
     ledger_book(w, LEDGER_SLEEP);
     w->time += dt;
     lap(w, PHASE_SLEEP, &since);
@@ -97,19 +102,26 @@ static void lap(world *w, int phase, real *since)
 
 //> step-look
 // How far a body may get in this frame: as fast as it is now, with what gravity
-// adds, and a hundredth of its radius for what impacts add.  However far it
-// turns, no vertex gets further than across.
-static prediction predict(const world *w, const solver_body *now,
-                          const motion *u)
+// adds and what else pushes it, and a hundredth of its radius for what impacts
+// add.  However far it turns, no vertex gets further than across; and a ball
+// gets nowhere by turning.
+static prediction predict(const world *w, int b)
 {
+    const solver_body *now = &w->rigid.now[b];
+    const motion *u = &w->rigid.velocity[b];
     real dt = w->frame;
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     vec3 spin = motion_rotation(&now->basis, u);
     real beside = vec3_length(w->options.gravity) * dt * dt / 2
                 + now->radius / 100;
+    if (w->rigid.is_loaded) {
+        motion more = world_load(w, b, dt);
+        beside += dt * motion_fastest(&now->basis, &more, now->radius);
+    }
     prediction p = { .way = vec3_scale(dt, straight),
                      .angle = dt * vec3_length(spin) };
-    p.turn = now->radius * real_min(p.angle, 2) + beside;
+    real out = now->radius - w->body[b].shape->round;
+    p.turn = out * real_min(p.angle, 2) + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -136,6 +148,33 @@ static rigid_frame find_middle(const world *w, int b)
 }
 //<
 
+//> step-drive
+// To contacts, what is driven weighs 2^40 times its mass.
+static void drive_body(world *w, int b)
+{
+    solver_body *now = &w->rigid.now[b];
+    const body_drive *d = &w->rigid.drive[b];
+    now->basis.inverse_mass *= 0x1p-40;
+    for (int t = 0; t < TURNS; t++)
+        now->basis.turn[t] = vec3_scale(0x1p-20, now->basis.turn[t]);
+    w->rigid.velocity[b] = motion_make(&now->basis, d->velocity, d->spin);
+}
+
+// And the little that they move it is taken back: so long after the frame began
+// it has gone as far as its velocity says.
+static void drive(world *w, real seconds)
+{
+    rigid_tables *t = &w->rigid;
+    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++) {
+        const body_drive *d = &t->drive[b];
+        if (!t->now[b].is_driven) continue;
+        t->velocity[b] = motion_make(&t->now[b].basis, d->velocity, d->spin);
+        for (int i = 0; i < MOTIONS; i++)
+            t->moved[b].of[i] = seconds * t->velocity[b].of[i];
+    }
+}
+//<
+
 //> step-look-at
 static void look_at_body(world *w, int b)
 {
@@ -143,16 +182,19 @@ static void look_at_body(world *w, int b)
     const body *x = &w->body[b];
     const particle *p = w->pool.at + x->first;
     bool moved = t->moves[b];
-    t->moves[b] = (char)(!body_is_soft(x) && body_moves(w, b));
+    t->moves[b] = (char)(!body_is_soft(x)
+                         && (body_moves(w, b) || body_is_driven(w, b)));
     if (!t->moves[b] && !moved) return;
     solver_body *now = &t->now[b];
     now->frame = rigid4_frame(p);
     t->ball[b].center = now->frame.center;
     memset(&t->moved[b], 0, sizeof t->moved[b]);
+    now->is_driven = t->moves[b] && x->is_kinematic;
     if (t->moves[b]) {
         now->basis = basis_find(x->rigid, &now->frame);
         t->velocity[b] = motion_of(p, &now->frame, &now->basis, w->age);
-        t->ahead[b] = predict(w, now, &t->velocity[b]);
+        if (now->is_driven) drive_body(w, b);
+        t->ahead[b] = predict(w, b);
         t->middle[b] = find_middle(w, b);
     } else {
         now->basis = (motion_basis){ .inverse_mass = 0 };
@@ -200,13 +242,37 @@ static void wake_sleepers(world *w)
 //<
 
 //> step-pairs
+// Lists without bodies that must not meet, and without what is driven through
+// planes.
+static void drop_pairs(world *w)
+{
+    pair_list *l = &w->rigid.pairs;
+    int kept = 0, walls = 0;
+    for (int k = 0; k < l->walls; k++) {
+        if (w->body[l->wall[k][0]].is_kinematic) continue;
+        l->wall[walls][0] = l->wall[k][0];
+        l->wall[walls++][1] = l->wall[k][1];
+    }
+    l->walls = walls;
+    for (int k = 0; k < l->count; k++) {
+        int a = l->pair[k][0], b = l->pair[k][1];
+        if (!body_meets(&w->body[a], &w->body[b])) continue;
+        l->pair[kept][0] = a;
+        l->pair[kept++][1] = b;
+    }
+    l->count = kept;
+}
+
 static void find_pairs(world *w)
 {
     rigid_tables *t = &w->rigid;
-    pair_query q = { t->ball, t->reach, t->dynamic, w->bodies };
+    pair_query q = { t->ball, t->reach, t->dynamic, w->bodies, w->plane,
+                     w->planes };
     int lost;
     t->is_new_list = pair_list_update(&t->pairs, &q, &lost);
     w->report.dropped += lost;
+    if (t->is_new_list) join_drop_pairs(w);
+    if (t->is_new_list && w->is_choosy) drop_pairs(w);
     w->report.pairs = t->pairs.count;
     wake_sleepers(w);
 }
@@ -220,7 +286,7 @@ static cache_frame what_to_ask(const world *w)
         .body = t->body, .now = t->now, .middle = t->middle,
         .ahead = t->ahead, .moves = t->moves, .bodies = w->bodies,
         .list = &t->pairs, .is_new_list = t->is_new_list,
-        .plane = w->plane, .planes = w->planes, .stay = w->options.stay,
+        .plane = w->plane, .stay = w->options.stay,
         .run = w->options.host.run };
 }
 
@@ -238,6 +304,16 @@ static void find_contacts(world *w)
 //> step-prepare
 // Contacts are damped ten times as much as would just not swing, and push out
 // at 3 m/s at most.  In smaller substeps their springs may be stiffer.
+static real most_restitution(const world *w)
+{
+    real most = w->options.restitution;
+    for (int b = 0; b < w->bodies && w->has_materials; b++)
+        most = real_max(w->rigid.material[b].restitution, most);
+    for (int k = 0; k < w->planes && w->has_materials; k++)
+        most = real_max(w->wall[k].restitution, most);
+    return most;
+}
+
 static solver_frame frame_of(const world *w, int substeps)
 {
     const world_options *o = &w->options;
@@ -247,8 +323,10 @@ static solver_frame frame_of(const world *w, int substeps)
         .placed = w->rigid.cache.placed, .plane = w->plane, .h = h,
         .substeps = substeps,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
+        .material = w->has_materials ? w->rigid.material : NULL,
+        .wall = w->wall,
         .hertz = o->hertz, .damping = 10, .max_speed = 3,
-        .restitution = o->restitution, .gravity = o->gravity,
+        .restitution = most_restitution(w), .gravity = o->gravity,
         .run = o->host.run };
 }
 
@@ -276,9 +354,19 @@ static solver_frame prepare(world *w)
 //<
 
 //> step-substep
+// v' = -d v, by an implicit step: v (1 + h d) is what it was.  No d is too
+// large for it.
+static void damp(const body *b, real h, real u[MOTIONS])
+{
+    real straight = 1 / (1 + h * b->damping);
+    real turning = 1 / (1 + h * b->spin_damping);
+    for (int i = 0; i < MOTIONS; i++)
+        u[i] *= i < MOTION_TURN ? straight : turning;
+}
+
 // A velocity is that in the middle of a substep.  The last one may have been of
 // another length.
-static void fall(world *w, real seconds)
+static void fall(world *w, real seconds, real h)
 {
     vec3 g = vec3_scale(seconds, w->options.gravity);
     for (int b = 0; b < w->bodies; b++) {
@@ -287,6 +375,11 @@ static void fall(world *w, real seconds)
         u[0] += g.x;
         u[1] += g.y;
         u[2] += g.z;
+        if (w->rigid.is_loaded) {
+            motion more = world_load(w, b, h);
+            motion_add(&w->rigid.velocity[b], &more);
+        }
+        if (w->is_damped) damp(&w->body[b], h, u);
     }
 }
 
@@ -301,7 +394,7 @@ static void bounce(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
     const contact *const *table = (const contact *const *)t->cache.active;
-    if (!(w->options.restitution > 0)) return;
+    if (!(f->restitution > 0)) return;
     if (restitution_solve(table, t->cache.actives, f, t->velocity, t->moved))
         solver_see_gaps(&t->solver, f, t->moved);
 }
@@ -309,14 +402,21 @@ static void bounce(world *w, const solver_frame *f)
 static void substep(world *w, const solver_frame *f, int k, real *since)
 {
     rigid_tables *t = &w->rigid;
-    fall(w, k == 0 ? (w->age + f->h) / 2 : f->h);
+    linkage_pass joints = join_pass(w, f);
+    fall(w, k == 0 ? (w->age + f->h) / 2 : f->h, f->h);
+    drive(w, k * f->h);
     w->ledger_ahead = f->h / 2;
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
     solver_begin(&t->solver, f, t->velocity, k == 0);
+    linkage_begin(&w->joints, &joints);
+    linkage_push(&w->joints, &joints);
     solver_push(&t->solver, f, t->velocity, t->moved);
+    linkage_push(&w->joints, &joints);
     advance(w, f->h);
+    drive(w, (k + 1) * f->h);
     w->ledger_ahead = -f->h / 2;
+    linkage_relax(&w->joints, &joints);
     solver_relax(&t->solver, f, t->velocity, t->moved);
     solver_end(&t->solver, t->velocity);
     ledger_book(w, LEDGER_CONTACTS);
@@ -330,6 +430,14 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
 // Bodies that turn little go in one move, those of one shape together.
 enum { ALIKE = TASK_CHUNK };
 
+// What is joined is put where its joints have seen it.
+static int moves_of(const world *w, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    if (linkage_has(&w->joints, b)) return 1;
+    return motion_moves(&t->now[b].basis, &t->moved[b]);
+}
+
 static int find_alike(const world *w, int b, int end, int first[ALIKE])
 {
     const rigid_tables *t = &w->rigid;
@@ -337,7 +445,7 @@ static int find_alike(const world *w, int b, int end, int first[ALIKE])
     for (int k = b; k < end; k++) {
         if (!t->moves[k]) continue;
         if (w->body[k].rigid != w->body[b].rigid) break;
-        if (motion_moves(&t->now[k].basis, &t->moved[k]) > 1) break;
+        if (moves_of(w, k) > 1) break;
         first[n++] = w->body[k].first;
     }
     return n;
@@ -349,8 +457,15 @@ static void begin_moves(world *w, int first, int end)
     for (int b = first; b < end; b++) {
         if (!t->moves[b]) continue;
         const solver_body *now = &t->now[b];
-        motion_begin(w->pool.at + w->body[b].first, &now->frame, &now->basis,
-                     &t->moved[b], motion_moves(&now->basis, &t->moved[b]));
+        particle *p = w->pool.at + w->body[b].first;
+        if (linkage_has(&w->joints, b)) {
+            rigid_frame to = motion_frame_free(&now->frame, &now->basis,
+                                               &t->moved[b]);
+            motion_put(p, &to);
+        } else {
+            motion_begin(p, &now->frame, &now->basis, &t->moved[b],
+                         moves_of(w, b));
+        }
     }
 }
 
@@ -360,7 +475,7 @@ static rigid4_result relax_turning(world *w, int b)
     const body *x = &w->body[b];
     particle *p = w->pool.at + x->first;
     rigid4_result sum = { .worst = 0 };
-    int moves = motion_moves(&w->rigid.now[b].basis, &w->rigid.moved[b]);
+    int moves = moves_of(w, b);
     for (int k = 0; k < moves; k++) {
         if (k > 0) motion_go_on(p);
         rigid4_result r = rigid4_relax(x->rigid, p, w->options.iterations,
@@ -402,10 +517,13 @@ static void end_move(world *w, int b, real h)
     const real *d = t->moved[b].of;
     vec3 way = { d[0], d[1], d[2] };
     vec3 turn = motion_rotation(&t->now[b].basis, &t->moved[b]);
-    motion_end(x->rigid, w->pool.at + x->first, &t->now[b].frame,
-               &t->velocity[b], h);
-    cache_moved(&t->cache, b, vec3_length(way)
-                              + t->now[b].radius * vec3_length(turn));
+    motion u = t->velocity[b];
+    if (t->now[b].is_driven)
+        for (int i = MOTION_TURN; i < MOTIONS; i++) u.of[i] *= 0x1p-20;
+    motion_end_within(x->rigid, w->pool.at + x->first, &t->now[b].frame, &u, h,
+                      linkage_has(&w->joints, b) ? 4 : 1.001);
+    real out = t->now[b].radius - x->shape->round;
+    cache_moved(&t->cache, b, vec3_length(way) + out * vec3_length(turn));
 }
 
 typedef struct {
@@ -444,16 +562,6 @@ static void move_bodies(world *w, real h)
 //<
 
 //> step-sleep
-// What sleeps is pinned where it lies: the other phases only look at what moves.
-static void put_to_sleep(world *w, const body *b)
-{
-    for (int i = b->first; i < b->first + body_particles(b); i++) {
-        particle *p = &w->pool.at[i];
-        p->inverse_mass = 0;
-        p->previous = p->position;
-    }
-}
-
 // Does body b lie pinned?  Particles that were pinned from the start do not show.
 static bool is_put_to_sleep(const world *w, const body *b)
 {
@@ -471,9 +579,11 @@ static void join_islands(world *w)
         const active_contact *x = &s->active[k];
         if (!(x->load > 0)) continue;
         w->report.pushing++;
-        if (x->b >= 0 && !body_is_static(&w->body[x->b]))
+        if (x->b >= 0 && body_is_dynamic(&w->body[x->a])
+            && body_is_dynamic(&w->body[x->b]))
             sleep_touch(&w->sleep, x->a, x->b);
     }
+    join_islands_of_joints(w);
 }
 
 static void observe(world *w)
@@ -500,8 +610,12 @@ static void fall_asleep(world *w)
     for (int b = 0; b < w->bodies; b++) {
         const body *x = &w->body[b];
         if (!w->sleep.asleep[b] || body_is_static(x)) continue;
-        if (!is_put_to_sleep(w, x)) put_to_sleep(w, x);
+        if (!is_put_to_sleep(w, x)) world_pin_sleeper(w, b);
         w->report.asleep++;
     }
+    w->is_still = w->report.asleep > 0
+               && w->report.asleep == w->dynamic_bodies;
+    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++)
+        w->is_still &= !body_is_driven(w, b);
 }
 //<

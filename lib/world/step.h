@@ -9,7 +9,7 @@
 #include "world.h"
 
 // One frame of options.dt: every body moves, is parted from what it met, and is
-// relaxed; what it did is in w->report.  Requires world_begin.  Allocates
+// relaxed; what it did is in w->report.   Allocates
 // nothing and never fails: a body whose numbers are lost touches nothing, and
 // w->report.dropped counts what found no room.
 void world_step(world *w);

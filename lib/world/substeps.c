@@ -17,6 +17,7 @@ static real uneven_pace(const world *w, const contact *c)
 {
     const solver_body *a = &w->rigid.now[c->a], *b = &w->rigid.now[c->b];
     real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
+    if (a->is_driven || b->is_driven) return 0;
     if (!(x > 0 && y > 0) || (x < EVEN * y && y < EVEN * x)) return 0;
     real ratio = x > y ? x / y : y / x, up = x > y ? 1 : -1;
     real bears = up * vec3_dot(c->normal, w->options.gravity);
@@ -65,6 +66,19 @@ static bool is_calm(const world *w)
 }
 //<
 
+//> substeps-joints
+// A body that is pulled at a joint swings about it.  A substep follows a swing
+// of angular frequency w if h w is at most 2 (Verlet); two joints and the next
+// body make it four times as stiff as one joint alone.
+static const real FOLLOWED = 0.6;
+
+static int substeps_for_joints(const world *w)
+{
+    real need = w->options.dt * w->joints.pace / FOLLOWED;
+    return (int)real_min(need, (real)MOST_TIMES * w->options.substeps);
+}
+//<
+
 //> substeps-choose
 // Every change of their number jolts what rests: it rises at once, and falls
 // when it has been too high for PATIENCE frames.
@@ -90,7 +104,9 @@ int substeps_choose(world *w)
         if (need <= 0.75 * usual) n = (3 * usual + 3) / 4;
         if (need > 2 * usual) n = (int)need + 1;
     }
+    n = int_max(n, substeps_for_joints(w));
     n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
+
     if (share < 1) n = int_max(usual, (int)(share * n));
     if (w->softs > 0) n = int_max(n, soft_need(w));
     return int_min(n, int_max((int)(share * most), usual));

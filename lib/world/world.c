@@ -1,5 +1,6 @@
 //> world-options
 #include "world.h"
+#include "table.h"
 
 #include <assert.h>
 #include <stddef.h>
@@ -58,37 +59,70 @@ static status check_options(const world_options *o)
 //<
 
 //> world-init
+// Grows an array that is only added to; doubles, so that adding n elements
+// copies O(n) of them.
+static void *grown(void *old, int count, size_t size)
+{
+    int is_full = count == 0 || (count & (count - 1)) == 0;
+    if (!is_full) return old;
+    return realloc(old, (size_t)(count > 0 ? 2 * count : 1) * size);
+}
+
 status world_init(world *w, world_options options)
 {
     *w = (world){ .options = options,
                   .age = options.dt / options.substeps };
     pool_init(&w->pool);
+    w->rigid.cache.free_entry = -1;
+    w->rigid.lightest = HUGE_VAL;
     return check_options(&options);
+}
+
+// The world's own.
+static material material_of(const world *w)
+{
+    return (material){ w->options.friction, w->options.restitution };
 }
 
 status world_add_plane(world *w, vec3 normal, real offset)
 {
-    real length = vec3_length(normal);
-    assert(!w->is_ready);
-    if (w->planes == PLANES)
-        return status_fail("a world has room for %d planes", PLANES);
-    real away = offset / length;
+    real length = vec3_length(normal), away = offset / length;
     if (!(length > 0) || !(length < HUGE_VAL) || !(away - away == 0))
         return status_fail("plane %d has no finite normal and offset",
                            w->planes);
-    w->plane[w->planes++] = (plane){ vec3_scale(1 / length, normal),
-                                     away };
+    plane *more = grown(w->plane, w->planes, sizeof *more);
+    if (more) w->plane = more;
+    material *wall = grown(w->wall, w->planes, sizeof *wall);
+    if (wall) w->wall = wall;
+    if (!more || !wall) return status_out_of_memory();
+    w->wall[w->planes] = material_of(w);
+    w->plane[w->planes++] = (plane){ vec3_scale(1 / length, normal), away };
+    pair_list_renew(&w->rigid.pairs, -1);
+    for (int b = 0; b < w->bodies; b++) world_wake(w, b);
     return status_ok();
+}
+
+static particle *soft_particle(world *w, int b, int i)
+{
+    assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
+    assert(i >= 0 && i < body_particles(&w->body[b]));
+    world_wake(w, b);
+    return &w->pool.at[w->body[b].first + i];
 }
 
 void world_pin(world *w, int b, int i)
 {
-    assert(!w->is_ready && b >= 0 && b < w->bodies);
-    assert(i >= 0 && i < body_particles(&w->body[b]));
-    assert(body_is_soft(&w->body[b]));
-    particle *p = &w->pool.at[w->body[b].first + i];
-    p->inverse_mass = 0;
+    particle *p = soft_particle(w, b, i);
+    p->inverse_mass = w->inverse_mass[w->body[b].first + i] = 0;
     p->previous = p->position;
+}
+
+void world_unpin(world *w, int b, int i)
+{
+    particle *p = soft_particle(w, b, i);
+    const body *x = &w->body[b];
+    real inverse = body_is_static(x) ? 0 : 1 / x->shape->mass[i];
+    p->inverse_mass = w->inverse_mass[x->first + i] = inverse;
 }
 
 status world_bend(world *w, int b, real stiffness)
@@ -98,6 +132,16 @@ status world_bend(world *w, int b, real stiffness)
         return status_fail("the stiffness of body %d is %g; it must be finite, "
                            "and 0 or more", b, stiffness);
     w->body[b].bending = stiffness;
+    return status_ok();
+}
+
+status world_stretch(world *w, int b, real compliance)
+{
+    assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
+    if (!(compliance >= 0) || !(compliance < HUGE_VAL))
+        return status_fail("the compliance of body %d is %g; it must be "
+                           "finite, and 0 or more", b, compliance);
+    w->body[b].compliance = compliance;
     return status_ok();
 }
 //<
@@ -120,18 +164,17 @@ static vec3 placed(const placement *where, vec3 r)
 }
 
 // A particle of a body, at `at` in the body's frame, with the velocity of one
-// that turns about its centre of mass, appended to the pool.
-static void place_particle(world *w, const placement *where, vec3 at,
-                           vec3 center, real mass)
+// that turns about its centre of mass.
+static particle placed_particle(const world *w, const placement *where,
+                                vec3 at, vec3 center, real mass)
 {
     const vec3 still = { 0, 0, 0 };
     real h = w->age;
     vec3 x = vec3_add(where->position, placed(where, at));
     vec3 r = placed(where, vec3_sub(at, center));
     vec3 v = vec3_add(where->velocity, vec3_cross(where->spin, r));
-    pool_add(&w->pool, where->is_static
-        ? particle_start(x, still, still, 0, h)
-        : particle_start(x, v, w->options.gravity, 1 / mass, h));
+    if (where->is_static) return particle_start(x, still, still, 0, h);
+    return particle_start(x, v, w->options.gravity, 1 / mass, h);
 }
 
 static void place_particles(world *w, const body *b, const placement *where)
@@ -140,22 +183,81 @@ static void place_particles(world *w, const body *b, const placement *where)
     const shape *s = b->shape;
     const rigid4 *f = b->rigid;
     for (int i = 0; i < body_particles(b); i++) {
-        if (f) place_particle(w, where, f->at[i], f->center, f->mass);
-        else   place_particle(w, where, s->at[i], origin, s->mass[i]);
+        particle *p = &w->pool.at[b->first + i];
+        if (f) *p = placed_particle(w, where, f->at[i], f->center, f->mass);
+        else   *p = placed_particle(w, where, s->at[i], origin, s->mass[i]);
     }
 }
 //<
 
-//> world-add
-// Grows an array that is only added to; doubles, so that adding n elements
-// copies O(n) of them.
-static void *grown(void *old, int count, size_t size)
+//> world-wake
+void world_wake(world *w, int b)
 {
-    int is_full = count == 0 || (count & (count - 1)) == 0;
-    if (!is_full) return old;
-    return realloc(old, (size_t)(count > 0 ? 2 * count : 1) * size);
+    assert(b >= 0 && b < w->bodies);
+    if (!w->sleep.asleep[b]) return;
+    sleep_wake(&w->sleep, b);
+    for (int k = 0; k < w->bodies; k++) {
+        const body *x = &w->body[k];
+        if (w->sleep.asleep[k] || x->is_kinematic) continue;
+        for (int i = x->first; i < x->first + body_particles(x); i++)
+            w->pool.at[i].inverse_mass = w->inverse_mass[i];
+    }
+    w->soft.near.trusted = -1;
+    w->is_still = false;
 }
 
+void world_pin_sleeper(world *w, int b)
+{
+    const body *x = &w->body[b];
+    for (int i = x->first; i < x->first + body_particles(x); i++) {
+        particle *p = &w->pool.at[i];
+        p->inverse_mass = 0;
+        p->previous = p->position;
+    }
+}
+
+bool world_wake_near(world *w, int a, int b)
+{
+    int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
+    if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
+    if (body_is_static(&w->body[sleeper])) return false;
+    bool is_moving = w->body[other].is_kinematic
+                   ? body_is_driven(w, other)
+                   : sleep_is_moving(&w->sleep, other);
+    if (!is_moving) return false;
+    world_wake(w, sleeper);
+    return true;
+}
+
+// Around body b, where it is now.
+static sphere ball_of(const world *w, int b)
+{
+    const body *x = &w->body[b];
+    const particle *p = w->pool.at + x->first;
+    int n = body_particles(x);
+    sphere s = { { 0, 0, 0 }, 0 };
+    if (!body_is_soft(x)) return w->rigid.ball[b];
+    for (int i = 0; i < n; i++)
+        s.center = vec3_add_scaled(s.center, 1.0 / n, p[i].position);
+    for (int i = 0; i < n; i++)
+        s.radius = real_max(vec3_distance(s.center, p[i].position), s.radius);
+    s.radius += 2 * x->thickness;
+    return s;
+}
+
+void world_wake_around(world *w, int b)
+{
+    sphere own = ball_of(w, b);
+    for (int k = 0; k < w->bodies; k++) {
+        if (!w->sleep.asleep[k]) continue;
+        sphere other = ball_of(w, k);
+        if (vec3_distance(own.center, other.center)
+            <= own.radius + other.radius) world_wake(w, k);
+    }
+}
+//<
+
+//> world-shape
 // The four particles of the rigid shape s.
 static status make_rigid(const shape *s, rigid4 **f)
 {
@@ -172,10 +274,14 @@ static status make_rigid(const shape *s, rigid4 **f)
 // Enters shape s among those in use, if it is new; its number in *number.
 static status enter_shape(world *w, const shape *s, int *number)
 {
-    for (*number = w->shapes - 1; *number >= 0; (*number)--)
-        if (w->shape[*number].shape == s) return status_ok();
-    *number = w->shapes;
-    shape_entry *more = grown(w->shape, w->shapes, sizeof *more);
+    int place = w->shapes;
+    for (*number = w->shapes - 1; *number >= 0; (*number)--) {
+        const shape_entry *e = &w->shape[*number];
+        if (e->bodies == 0) place = *number;
+        else if (e->shape == s) return status_ok();
+    }
+    shape_entry *more = w->shape;
+    if (place == w->shapes) more = grown(more, w->shapes, sizeof *more);
     if (!more) return status_out_of_memory();
     w->shape = more;
     shape_entry entry = { .shape = s };
@@ -187,142 +293,293 @@ static status enter_shape(world *w, const shape *s, int *number)
         entry.line = line_scratch_new(s);
         if (!entry.line) done = status_out_of_memory();
     }
-    if (done.ok) w->shape[w->shapes++] = entry;
+    *number = place;
+    if (done.ok) w->shape[place] = entry;
+    w->shapes += done.ok && place == w->shapes;
     return done;
 }
 
-static status reserve_body(world *w, const shape *s, int *number)
+static void free_shape(shape_entry *e)
 {
-    body *more = grown(w->body, w->bodies, sizeof *more);
-    if (!more) return status_out_of_memory();
-    w->body = more;
-    status done = enter_shape(w, s, number);
-    // A rigid body has four vertices or more.
-    int need = w->pool.count + s->particles;
-    if (!done.ok || need <= w->pool.capacity) return done;
-    return pool_reserve(&w->pool, 2 * need);
-}
-
-status world_add(world *w, const shape *s, placement where, int *number)
-{
-    assert(!w->is_ready && s->particles > 0);
-    int entry = 0;
-    status done = placement_check(&where, s, w->bodies);
-    if (done.ok) done = reserve_body(w, s, &entry);
-    if (!done.ok) return done;
-
-    body b = { .shape = s, .rigid = w->shape[entry].rigid,
-               .line = w->shape[entry].line,
-               .inner = w->shape[entry].inner, .first = w->pool.count,
-               .mass = HUGE_VAL, .thickness = particle_radius(s) };
-    real mass = 0;
-    for (int i = 0; i < s->particles; i++) mass += s->mass[i];
-    if (!where.is_static) b.mass = mass;
-
-    place_particles(w, &b, &where);
-    w->softs += body_is_soft(&b);
-    w->dynamic_bodies += !body_is_static(&b);
-    if (number) *number = w->bodies;
-    w->body[w->bodies++] = b;
-    return status_ok();
+    line_scratch_free(e->line);
+    if (e->rigid) rigid4_free(e->rigid);
+    free(e->rigid);
+    *e = (shape_entry){ .bodies = 0 };
 }
 //<
 
-//> world-size-rigid
-// Where a static body stands never changes; neither does what kind a body is.
-static void begin_body(world *w, int b)
+//> world-room
+static bool grow_rigid(rigid_tables *t, int old, int room)
+{
+    bool ok = true;
+    TABLE_GROW(ok, t->body, old, room);
+    TABLE_GROW(ok, t->moves, old, room);
+    TABLE_GROW(ok, t->dynamic, old, room);
+    TABLE_GROW(ok, t->now, old, room);
+    TABLE_GROW(ok, t->ball, old, room);
+    TABLE_GROW(ok, t->ahead, old, room);
+    TABLE_GROW(ok, t->middle, old, room);
+    TABLE_GROW(ok, t->reach, old, room);
+    TABLE_GROW(ok, t->relaxed, old, room);
+    TABLE_GROW(ok, t->load, old, room);
+    TABLE_GROW(ok, t->material, old, room);
+    TABLE_GROW(ok, t->drive, old, room);
+    for (int b = old; b < room && ok; b++) t->ball[b].radius = -1;
+    return ok;
+}
+
+static bool grow_motions(rigid_tables *t, int motions)
+{
+    bool ok = true;
+    if (motions <= t->motions) return true;
+    TABLE_GROW_ALIGNED(ok, t->velocity, t->motions, motions);
+    TABLE_GROW_ALIGNED(ok, t->moved, t->motions, motions);
+    if (ok) t->motions = motions;
+    return ok;
+}
+
+static bool grow_tables(world *w, int bodies)
+{
+    int room = table_room(bodies, w->room);
+    bool ok = true;
+    if (bodies <= w->room) return true;
+    TABLE_GROW(ok, w->body, w->bodies, room);
+    ok = ok && grow_rigid(&w->rigid, w->bodies, room);
+    if (ok) w->room = room;
+    return ok;
+}
+
+static bool grow_pool(world *w, int particles)
+{
+    int was = w->pool.capacity, more = 2 * particles;
+    if (particles <= was) return true;
+    bool ok = true;
+    TABLE_GROW(ok, w->inverse_mass, w->pool.count, more);
+    TABLE_GROW(ok, w->owner, w->pool.count, more);
+    return ok && pool_reserve(&w->pool, more).ok;
+}
+
+// For one more body, with so many more particles.
+static status make_room(world *w, int bodies, int particles)
+{
+    rigid_tables *t = &w->rigid;
+    if (!grow_tables(w, bodies) || !grow_pool(w, particles))
+        return status_out_of_memory();
+    status done = sleep_grow(&w->sleep, bodies, particles);
+    if (done.ok) done = pair_list_grow(&t->pairs, bodies);
+    if (done.ok) done = solver_grow(&t->solver, bodies);
+    if (done.ok && !grow_motions(t, t->solver.room + 1))
+        done = status_out_of_memory();
+    return done;
+}
+//<
+
+//> world-start
+// What the tables say of body b, which is new there.  Where a static body stands
+// never changes; neither does what kind a body is.
+static void start_body(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
     const body *x = &w->body[b];
     t->now[b] = (solver_body){ .radius = -1 };
     t->ball[b] = (sphere){ { 0, 0, 0 }, -1 };
+    t->body[b] = (cache_body){ NULL, NULL, 0 };
     t->ahead[b] = (prediction){ .reach = 0 };
     t->reach[b] = 0;
-    t->moves[b] = 0;
+    t->moves[b] = t->dynamic[b] = 0;
+    t->velocity[b] = t->moved[b] = t->solver.before[b] = (motion){ { 0 } };
+    t->load[b] = (body_load){ .force = { 0, 0, 0 } };
+    pair_list_renew(&t->pairs, b);
+    sleep_forget(&w->sleep, b);
+    w->sleep.asleep[b] = false;
+    w->is_still = false;
     if (body_is_soft(x)) return;
     t->dynamic[b] = !body_is_static(x);
-    if (t->dynamic[b]) {
-        t->lightest = real_min(x->mass, t->lightest);
-        t->heaviest = real_max(x->mass, t->heaviest);
-    }
     t->body[b] = (cache_body){ x->shape, x->rigid, x->inner };
     t->now[b].frame = t->middle[b] = rigid4_frame(w->pool.at + x->first);
     t->now[b].radius = 1.02 * x->rigid->reach;
     t->ball[b] = (sphere){ t->now[b].frame.center, t->now[b].radius };
 }
 
-static bool size_rigid(rigid_tables *t, int bodies)
+void world_place(world *w, int b, const placement *where)
 {
-    size_t n = (size_t)bodies + 1;
-    t->body  = calloc(n, sizeof *t->body);
-    t->moves = calloc(n, sizeof *t->moves);
-    t->dynamic = calloc(n, sizeof *t->dynamic);
-    t->now   = calloc(n, sizeof *t->now);
-    t->ball  = calloc(n, sizeof *t->ball);
-    t->ahead = calloc(n, sizeof *t->ahead);
-    t->middle = calloc(n, sizeof *t->middle);
-    t->reach = calloc(n, sizeof *t->reach);
-    t->velocity = aligned_alloc(64, n * sizeof *t->velocity);
-    t->moved    = aligned_alloc(64, n * sizeof *t->moved);
-    t->relaxed  = calloc(n, sizeof *t->relaxed);
-    if (!t->body || !t->moves || !t->dynamic || !t->now || !t->ball
-        || !t->ahead || !t->middle || !t->reach || !t->velocity || !t->moved
-        || !t->relaxed) return false;
-    memset(t->velocity, 0, n * sizeof *t->velocity);
-    memset(t->moved, 0, n * sizeof *t->moved);
-    return true;
+    const body *x = &w->body[b];
+    place_particles(w, x, where);
+    for (int i = x->first; i < x->first + body_particles(x); i++) {
+        particle *p = &w->pool.at[i];
+        if (!x->is_kinematic) p->inverse_mass = w->inverse_mass[i];
+        if (!(p->inverse_mass > 0)) p->previous = p->position;
+    }
+    start_body(w, b);
 }
 
-static status begin_rigid(world *w)
+static void count_mass(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
-    if (!size_rigid(t, w->bodies)) return status_out_of_memory();
-    t->lightest = HUGE_VAL;
-    t->heaviest = 0;
-    for (int b = 0; b < w->bodies; b++) begin_body(w, b);
-    status done = pair_list_init(&t->pairs, w->bodies);
-    if (done.ok) done = cache_init(&t->cache, t->body, w->bodies, w->planes);
-    if (done.ok) done = solver_init(&t->solver, w->bodies);
-    return done;
+    if (!t->dynamic[b] || w->body[b].is_kinematic) return;
+    t->lightest = real_min(w->body[b].mass, t->lightest);
+    t->heaviest = real_max(w->body[b].mass, t->heaviest);
+}
+
+static void count_masses(world *w)
+{
+    w->rigid.lightest = HUGE_VAL;
+    w->rigid.heaviest = 0;
+    for (int b = 0; b < w->bodies; b++) count_mass(w, b);
+}
+
+void world_renew(world *w, int b)
+{
+    cache_forget(&w->rigid.cache, b);
+    soft_forget(&w->soft, b);
+    start_body(w, b);
+    count_masses(w);
 }
 //<
 
-//> world-begin
-status world_begin(world *w)
+//> world-add
+// A free place whose particles are enough, and as few as there are; or a new
+// one.
+static int find_place(const world *w, int particles)
 {
-    assert(!w->is_ready);
-    w->inverse_mass = calloc((size_t)w->pool.count + 1,
-                             sizeof *w->inverse_mass);
-    if (!w->inverse_mass) return status_out_of_memory();
-    for (int i = 0; i < w->pool.count; i++)
-        w->inverse_mass[i] = w->pool.at[i].inverse_mass;
-    status done = begin_rigid(w);
-    if (done.ok) done = sleep_init(&w->sleep, w->bodies, w->pool.count);
-    if (done.ok) done = soft_init(&w->soft, w->body, w->bodies, w->pool.count);
-    w->is_ready = done.ok;
+    int best = w->bodies;
+    for (int b = 0; b < w->bodies && w->gone > 0; b++) {
+        const body *x = &w->body[b];
+        if (!body_is_gone(x) || x->room < particles) continue;
+        if (best == w->bodies || x->room < w->body[best].room) best = b;
+    }
+    return best;
+}
+
+static body body_of(const shape_entry *e, const placement *where)
+{
+    const shape *s = e->shape;
+    body b = { .shape = s, .rigid = e->rigid, .line = e->line,
+               .inner = e->inner, .mass = HUGE_VAL,
+               .thickness = particle_radius(s),
+               .group = 1, .mask = ~0u };
+    real mass = 0;
+    for (int i = 0; i < s->particles; i++) mass += s->mass[i];
+    if (!where->is_static) b.mass = mass;
+    return b;
+}
+
+// Body x takes the place b.
+static status take_place(world *w, int b, body x)
+{
+    int n = body_particles(&x);
+    bool is_new = b == w->bodies;
+    status done = make_room(w, w->bodies + is_new,
+                            w->pool.count + (is_new ? n : 0));
+    if (!done.ok) return done;
+    body was = w->body[b];
+    x.first = is_new ? w->pool.count : was.first;
+    x.room = is_new ? n : was.room;
+    w->body[b] = x;
+    done = cache_add(&w->rigid.cache, b, x.rigid ? x.shape->particles : 0);
+    if (done.ok) done = soft_add(&w->soft, w->body, b, w->bodies + is_new,
+                                 w->pool.capacity);
+    w->body[b] = done.ok || is_new ? x : was;
     return done;
+}
+
+status world_add(world *w, const shape *s, placement where, int *number)
+{
+    assert(s->particles > 0);
+    int entry = 0;
+    status done = placement_check(&where, s, w->bodies);
+    if (done.ok) done = enter_shape(w, s, &entry);
+    if (!done.ok) return done;
+    body x = body_of(&w->shape[entry], &where);
+    int n = body_particles(&x), b = find_place(w, n);
+    done = take_place(w, b, x);
+    if (!done.ok) {
+        if (w->shape[entry].bodies == 0) free_shape(&w->shape[entry]);
+        return done;
+    }
+    if (b < w->bodies) w->gone--;
+    else               w->bodies++;
+    w->shape[entry].bodies++;
+    while (w->pool.count < w->body[b].first + n)
+        pool_add(&w->pool, (particle){ .inverse_mass = 0 });
+    place_particles(w, &w->body[b], &where);
+    for (int i = w->body[b].first; i < w->body[b].first + n; i++) {
+        w->inverse_mass[i] = w->pool.at[i].inverse_mass;
+        w->owner[i] = b;
+    }
+    w->rigid.material[b] = material_of(w);
+    w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
+    w->softs += body_is_soft(&x);
+    w->dynamic_bodies += !body_is_static(&x);
+    start_body(w, b);
+    count_mass(w, b);
+    if (where.is_static) world_wake_around(w, b);
+    if (number) *number = b;
+    return status_ok();
+}
+//<
+
+//> world-remove
+static const shape NOTHING = { .kind = SHAPE_ROPE };
+
+static void leave_shape(world *w, const shape *s)
+{
+    int k = 0;
+    while (w->shape[k].shape != s) k++;
+    if (--w->shape[k].bodies == 0) free_shape(&w->shape[k]);
+}
+
+// What hung on b wakes.
+static void leave_joints(world *w, int b)
+{
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        if (j->kind == JOINT_NONE || (j->a != b && j->b != b)) continue;
+        int other = j->a + j->b - b;
+        if (other >= 0) world_wake(w, other);
+        linkage_remove(&w->joints, k);
+    }
+}
+
+void world_remove(world *w, int b)
+{
+    assert(b >= 0 && b < w->bodies && !body_is_gone(&w->body[b]));
+    body x = w->body[b];
+    leave_joints(w, b);
+    world_wake(w, b);
+    world_wake_around(w, b);
+    cache_forget(&w->rigid.cache, b);
+    soft_remove(&w->soft, w->body, b, w->bodies);
+    leave_shape(w, x.shape);
+    w->softs -= body_is_soft(&x);
+    w->dynamic_bodies -= body_is_dynamic(&x);
+    w->kinematic_bodies -= x.is_kinematic;
+    w->body[b] = (body){ .shape = &NOTHING, .mass = HUGE_VAL,
+                         .first = x.first, .room = x.room };
+    for (int i = x.first; i < x.first + x.room; i++) {
+        w->pool.at[i] = (particle){ .inverse_mass = 0 };
+        w->inverse_mass[i] = 0;
+    }
+    w->gone++;
+    start_body(w, b);
+    count_masses(w);
 }
 //<
 
 //> world-free
-static void free_shape(shape_entry *e)
-{
-    line_scratch_free(e->line);
-    if (e->rigid) rigid4_free(e->rigid);
-    free(e->rigid);
-}
-
 void world_free(world *w)
 {
     rigid_tables *r = &w->rigid;
     for (int k = 0; k < w->shapes; k++) free_shape(&w->shape[k]);
-    void *owned[] = { w->body, w->shape, w->inverse_mass,
+    void *owned[] = { w->body, w->plane, w->wall, w->shape, w->inverse_mass,
+        w->owner,
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
-        r->reach, r->velocity, r->moved, r->relaxed };
+        r->reach, r->velocity, r->moved, r->relaxed, r->load, r->material, r->drive };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);
     solver_free(&r->solver);
+    linkage_free(&w->joints);
     pool_free(&w->pool);
     sleep_free(&w->sleep);
     soft_free(&w->soft);
@@ -341,29 +598,16 @@ void world_vertices(const world *w, const body *b, vec3 *at)
     }
     for (int i = 0; i < b->shape->particles; i++) at[i] = p[i].position;
 }
-//<
 
-//> world-wake
-// Wakes b and all that sleep with it.
-static void rouse(world *w, int b)
+void world_skin(const world *w, const body *b, vec3 *at)
 {
-    sleep_wake(&w->sleep, b);
-    for (int k = 0; k < w->bodies; k++) {
-        const body *x = &w->body[k];
-        if (w->sleep.asleep[k]) continue;
-        for (int i = x->first; i < x->first + body_particles(x); i++)
-            w->pool.at[i].inverse_mass = w->inverse_mass[i];
+    const struct skin *k = &b->shape->skin;
+    if (k->points == 0) {
+        world_vertices(w, b, at);
+        return;
     }
-    w->soft.near.trusted = -1;
-}
-
-bool world_wake_near(world *w, int a, int b)
-{
-    int sleeper = w->sleep.asleep[a] ? a : b, other = a + b - sleeper;
-    if (!w->sleep.asleep[sleeper] || w->sleep.asleep[other]) return false;
-    if (body_is_static(&w->body[sleeper])) return false;
-    if (!sleep_is_moving(&w->sleep, other)) return false;
-    rouse(w, sleeper);
-    return true;
+    rigid_frame frame = rigid4_frame(w->pool.at + b->first);
+    for (int i = 0; i < k->points; i++)
+        at[i] = frame_point(&frame, rigid4_local(b->rigid, k->at[i]));
 }
 //<

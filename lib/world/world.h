@@ -8,6 +8,7 @@
 #define TUMBLE_WORLD_H
 
 #include "cache.h"
+#include "linkage.h"
 #include "sleep.h"
 #include "soft.h"
 
@@ -74,6 +75,8 @@ typedef struct {
                         // smaller body's radius, and bodies whose sticks are
                         // off by a hundredth
     int  dropped;       // contacts or pairs that found no room: should be 0
+    int  broken;        // joints that had to bear more than their strength
+    real parted;        // m, the most by which the points of a joint are apart
 } step_report;
 //<
 
@@ -91,15 +94,24 @@ typedef struct {
 //<
 
 //> world-tables
-enum { PLANES = 6 };
-
 // A shape in use, and what is found once for all bodies built to it.
 typedef struct {
     const struct shape *shape;
+    int  bodies;        // built to it; 0: the entry is free
     rigid4 *rigid;      // NULL unless rigid
     real inner;         // m, see shape_inner
     line_scratch *line; // NULL unless deformable
 } shape_entry;
+
+// What pushes a body all through the next frame, from outside.
+typedef struct {
+    vec3 force, torque; // N, N m
+} body_load;
+
+// How a kinematic body moves.
+typedef struct {
+    vec3 velocity, spin;        // m/s, rad/s
+} body_drive;
 
 typedef struct {
     int now;            // substeps a frame
@@ -113,15 +125,21 @@ typedef struct {
 typedef struct {
     cache_body  *body;      // [bodies]
     char        *dynamic;   // [bodies] rigid, and not static
-    char        *moves;     // [bodies] and not asleep
+    char        *moves;     // [bodies] and neither asleep nor kinematic and
+                            // at rest
     solver_body *now;       // [bodies] where it stands as the frame begins
     sphere      *ball;      // [bodies]
     prediction  *ahead;     // [bodies]
     real        *reach;     // [bodies] of ahead
     rigid_frame *middle;    // [bodies] see cache_frame
-    motion      *velocity;  // [bodies + 1], see solver.h
-    motion      *moved;     // [bodies + 1] since the frame began
+    motion      *velocity;  // [motions], see solver.h
+    motion      *moved;     // [motions] since the frame began
+    int          motions;
     rigid4_result *relaxed; // [bodies] what putting their particles did
+    body_load   *load;      // [bodies]
+    bool is_loaded;         // some are not 0
+    material    *material;  // [bodies] deformable ones, too
+    body_drive  *drive;     // [bodies]
     real lightest, heaviest;            // kg, of those that are not static
     substep_choice substeps;
     pair_list      pairs;
@@ -136,16 +154,27 @@ typedef struct world {
     world_options options;
     particle_pool pool;
     real *inverse_mass;     // [particles] 1/kg, when awake
-    int  bodies, planes, shapes, softs;     // softs: deformable bodies
+    int  bodies;            // places of bodies,
+    int  gone;              // and how many of them are free
+    int  room;              // for so many there are tables
+    int  planes, shapes, softs;     // softs: deformable bodies
     struct body *body;
-    struct plane plane[PLANES];
+    struct plane *plane;
+    material *wall;         // [planes] what each is made of
+    int *owner;             // [particles] of the pool: whose they are
+    bool has_materials;     // not all bodies and planes are of the world's
+    bool is_damped;         // some rigid bodies are
     shape_entry *shape;     // [shapes]
     real time;              // s
     real age;               // s, a particle was at `previous` so long ago
     real frame;             // s, or the part of it that is computed
-    bool is_ready;          // world_begin has sized what stands below
-    int  dynamic_bodies;    // not static
+    bool is_still;          // all slept when the last step ended, and nothing
+                            // has been done to the world since then
+    int  dynamic_bodies;    // neither static nor kinematic
+    int  kinematic_bodies;
+    bool is_choosy;         // some bodies do not meet all others
     rigid_tables rigid;
+    linkage      joints;
     soft_solver  soft;
     sleep_state  sleep;
     step_report  report;
@@ -166,34 +195,67 @@ world_options world_options_default(void);
 status world_init(world *w, world_options options);
 void   world_free(world *w);    // at any time after world_init, or zeroed
 
-// Adds a body to shape s, which must outlive the world and stay where it is; its
-// number in *number (which may be NULL).  Before world_begin.  Fails, adding
-// nothing, if placement_check does, or for want of memory.
+// Adds a body to shape s, which must stay where it is while the body is there;
+// its number in *number (which may be NULL).  At any time between two steps.
+// Fails, adding nothing, if placement_check does, or for want of memory.
 status world_add(world *w, const shape *s, placement where, int *number);
 
-// Adds a half-space that bodies stay out of, x . normal < offset; at most 6.
-// The normal points to the free side; it need not be a unit vector (offset is
-// in m times its length).  Before world_begin.  Fails, adding nothing: a
-// seventh plane, a normal without direction, numbers that are not finite.
+// Takes body b away.  What lay on it, or slept with it, wakes.  Its number goes
+// to a body that is added later; until then it is that of a static body without
+// particles (body_is_gone).
+void   world_remove(world *w, int b);
+
+// Adds a half-space that bodies stay out of, x . normal < offset.  The normal
+// points to the free side; it need not be a unit vector (offset is in m times
+// its length).  At any time.  Fails, adding nothing: a normal without direction,
+// numbers that are not finite, for want of memory.
 status world_add_plane(world *w, vec3 normal, real offset);
 
-// Pins particle i of the deformable body b where it is.  Before world_begin.
+// Pins particle i of the deformable body b where it is.  At any time.
 void   world_pin(world *w, int b, int i);
+// And lets it go.
+void   world_unpin(world *w, int b, int i);
 
 // Gives the deformable body b a stiffness against bending: of a rope in N m^2,
 // of a cloth in N m, see bend.h; 0, as it is added: none.  Fails, changing
 // nothing, if that is negative or not finite.
 status world_bend(world *w, int b, real stiffness);
 
-// Sizes everything that a step needs.  Once, after all is in.  Fails only for
-// want of memory: then world_free is all that may follow.
-status world_begin(world *w);
+// Lets the links of the deformable body b give: of a rope, by how much a newton
+// stretches a metre of it (1/N); of a cloth, a newton for each metre of its
+// width (m/N).  1e-4 m/N: denim.  0, as it is added: not at all.  Fails,
+// changing nothing, if that is negative or not finite.
+status world_stretch(world *w, int b, real compliance);
 
-// Neither static nor asleep.
+// Neither static nor kinematic nor asleep.
 static inline bool body_moves(const world *w, int b)
 {
-    return w->body[b].mass < HUGE_VAL && !w->sleep.asleep[b];
+    return body_is_dynamic(&w->body[b]) && !w->sleep.asleep[b];
 }
+
+// Kinematic, and not at rest.
+static inline bool body_is_driven(const world *w, int b)
+{
+    const body_drive *d = &w->rigid.drive[b];
+    return w->body[b].is_kinematic
+        && (vec3_length_squared(d->velocity) > 0
+            || vec3_length_squared(d->spin) > 0);
+}
+
+// Wakes body b, and all that sleep with it.
+void world_wake(world *w, int b);
+
+// Wakes what sleeps near body b: it may lie on it.
+void world_wake_around(world *w, int b);
+
+// Pins a sleeper where it lies: the other phases only look at what moves.
+void world_pin_sleeper(world *w, int b);
+
+// Body b stands there from now on, and nothing is known of it.
+void world_place(world *w, int b, const placement *where);
+
+// A body is another than it was: it counts as new.
+void world_renew(world *w, int b);
 
 // Body a comes near body b: if one of them sleeps and the other did not lie
 // still in the last frame, the sleeper wakes, in time to take its part of the
@@ -202,6 +264,9 @@ bool world_wake_near(world *w, int a, int b);
 
 // Writes to at where the vertices of body b are now: shape->particles of them.
 void   world_vertices(const world *w, const body *b, vec3 *at);
+
+// The same for the points that are drawn of it, see shape_skin.
+void   world_skin(const world *w, const body *b, vec3 *at);
 
 //<
 

@@ -30,7 +30,6 @@ status world_of_scene(world *w, const scene *s, world_options how)
         else
             world_pin(w, b, s->pin[k].particle);
     }
-    if (done.ok) done = world_begin(w);
     if (!done.ok) world_free(w);
     return done;
 }

@@ -22,7 +22,8 @@ static void begin(int bodies)
 {
     pair_list_free(&list);
     ck_assert(pair_list_init(&list, bodies).ok);
-    query = (pair_query){ ball, reach, moves, bodies };
+    query = (pair_query){ .ball = ball, .reach = reach, .moves = moves,
+                          .bodies = bodies };
 }
 
 static void tear_down(void)
@@ -118,7 +119,7 @@ static int count_wrong(void)
 START_TEST(pairs_that_may_meet_are_listed_in_every_frame)
 {
     int kept = 0, pairs = 0, frames = 0;
-    for (int scene = 0; scene < 20; scene++) {
+    for (int start = 0; start < 20; start++) {
         any_scene();
         for (int f = 0; f < 30; f++, frames++) {
             long before = list.lists;

@@ -22,13 +22,14 @@ enum { KINDS = 4, BOX = 0, SLAB, BALL, DRUM, BODIES = 24 };
 static shape kind[KINDS];
 static rigid4 rigid[KINDS];
 
-static int bodies, pairs;
+static int bodies, pairs, planes;
 static cache_body body[BODIES];
 static solver_body now[BODIES];
 static rigid_frame middle[BODIES];
 static prediction ahead[BODIES];
 static char moves[BODIES];
 static int pair[BODIES * BODIES][2];
+static int body_wall[6 * BODIES][2];
 static pair_list list;
 static plane wall[6];
 static cache_frame frame;
@@ -117,19 +118,32 @@ static void list_all(void)
 
 static void add_floor(void)
 {
-    wall[frame.planes++] = (plane){ UP, 0 };
+    wall[planes++] = (plane){ UP, 0 };
+}
+
+// Every body and every plane.
+static void list_walls(void)
+{
+    list.wall = body_wall;
+    list.walls = 0;
+    for (int b = 0; b < bodies; b++)
+        for (int k = 0; k < planes; k++) {
+            body_wall[list.walls][0] = b;
+            body_wall[list.walls++][1] = k;
+        }
 }
 
 static void begin(void)
 {
     cache_free(&cache);
     frame.bodies = bodies;
-    ck_assert(cache_init(&cache, body, bodies, frame.planes).ok);
+    ck_assert(cache_init(&cache, body, bodies).ok);
 }
 
 static void turn_none(void)
 {
     for (int b = 0; b < bodies; b++) middle[b] = now[b].frame;
+    list_walls();
 }
 
 // Of bodies that do not turn.
@@ -243,7 +257,7 @@ START_TEST(corners_that_may_reach_a_plane_are_contacts)
     int far = add(BOX, vec3_make(5, 0.7, 0), 0.19);
     int under = add(BOX, vec3_make(9, -4, 0), 0);
     add_floor();
-    wall[frame.planes++] = (plane){ { 0, -1, 0 }, -1.3 };
+    wall[planes++] = (plane){ { 0, -1, 0 }, -1.3 };
     frame.stay = 0;
     begin();
     update();
@@ -503,6 +517,7 @@ START_TEST(body_that_turns_is_asked_as_it_stands_in_the_middle)
     middle[drum] = turned(drum, f, vec3_scale(0.5, turn));
     end = turned(drum, f, turn);
     begin();
+    list_walls();
     cache_update(&cache, &frame);
     const contact *c = contact_of(drum, contact_with_plane(0));
     real gap[CONTACT_POINTS], least = HUGE_VAL;
@@ -572,7 +587,7 @@ START_TEST(kept_contacts_are_those_that_would_be_found)
     seed = 3;
     add_heap();
     begin();
-    ck_assert(cache_init(&fresh, body, bodies, frame.planes).ok);
+    ck_assert(cache_init(&fresh, body, bodies).ok);
     for (int f = 0; f < FRAMES; f++) {
         turn_none();
         cache_update(&cache, &frame);
@@ -628,7 +643,7 @@ START_TEST(any_order_of_the_work_gives_the_same_bits)
     int n = 0, items = 0;
     for (int run = 0; run < 2; run++) {
         seed = 5;
-        bodies = pairs = frame.planes = 0;
+        bodies = pairs = planes = 0;
         if (run) frame.run = (tasks){ backwards, &items };
         add_heap();
         begin();
@@ -653,7 +668,7 @@ START_TEST(lost_body_touches_nothing)
 {
     const real bad[] = { (real)NAN, HUGE_VAL };
     for (int k = 0; k < 6; k++) {
-        bodies = pairs = frame.planes = 0;
+        bodies = pairs = planes = 0;
         seed = 5;
         add_heap();
         begin();
@@ -684,7 +699,7 @@ START_TEST(contacts_without_memory_are_counted_until_there_is_some)
     bool enough = false;
     int n = 0, all = 0;
     for (; !enough; n++) {
-        bodies = pairs = frame.planes = 0;
+        bodies = pairs = planes = 0;
         add_heap();
         begin();
         mallocs_left = n;
@@ -713,7 +728,7 @@ START_TEST(refused_memory_leaves_nothing)
     for (; !ok; n++) {
         long before = blocks_held;
         mallocs_left = n;
-        status done = cache_init(&cache, body, bodies, frame.planes);
+        status done = cache_init(&cache, body, bodies);
         mallocs_left = INT_MAX;
         ok = done.ok;
         long held = blocks_held;
@@ -722,7 +737,7 @@ START_TEST(refused_memory_leaves_nothing)
     ck_assert_int_gt(n, 2);
     cache_free(&cache);
     cache_free(&cache);
-    bodies = pairs = frame.planes = 0;
+    bodies = pairs = planes = 0;
     list = (pair_list){ .pair = pair };
     begin();
     update();

@@ -213,17 +213,35 @@ END_TEST
 
 START_TEST(one_file_is_known_by_all_its_names)
 {
-    char plain[200], other[220], link[200];
+    char plain[200], other[220], alias[200];
     snprintf(plain, sizeof plain, "%s", in_folder("named"));
     snprintf(other, sizeof other, "%s/./named", folder);
-    snprintf(link, sizeof link, "%s", in_folder("alias"));
+    snprintf(alias, sizeof alias, "%s", in_folder("alias"));
     ck_assert(output_is_same(plain, other));        // not there yet
     fclose(fopen(plain, "w"));
-    ck_assert_int_eq(symlink(plain, link), 0);
-    ck_assert(output_is_same(plain, other) && output_is_same(link, other));
+    ck_assert_int_eq(symlink(plain, alias), 0);
+    ck_assert(output_is_same(plain, other) && output_is_same(alias, other));
     ck_assert(!output_is_same(plain, in_folder("unnamed")));
     ck_assert(output_is_same("/tumble-none", "/./tumble-none"));
     ck_assert(output_is_same("none/x", "none/x"));
+    // Rejects: a file that is written under another file's name.
+    ck_assert(output_is_same("none/x", "none/x.part"));
+    ck_assert(output_is_same("none/x.part", "none/x"));
+    ck_assert(!output_is_same("none/x", "none/x.parts"));
+    ck_assert_int_eq(link(plain, in_folder("second")), 0);
+    ck_assert(output_is_same(plain, in_folder("second")));
+}
+END_TEST
+
+START_TEST(a_file_is_known_by_its_folder)
+{
+    char path[220];
+    snprintf(path, sizeof path, "%s/./frame-1", folder);
+    ck_assert(output_is_in(path, folder, "frame-"));
+    ck_assert(!output_is_in(path, folder, "frames"));
+    ck_assert(!output_is_in(path, in_folder("frame-"), "frame-"));
+    ck_assert(!output_is_in(path, "/", "frame-"));
+    ck_assert(output_is_in("/frame-1", "/", "frame-"));
 }
 END_TEST
 
@@ -822,6 +840,7 @@ static Suite *painter_suite(void)
     tcase_add_test(t, two_programs_do_not_write_one_file);
     tcase_add_test(t, what_a_killed_program_left_is_taken_over);
     tcase_add_test(t, one_file_is_known_by_all_its_names);
+    tcase_add_test(t, a_file_is_known_by_its_folder);
     tcase_add_test(t, a_check_leaves_no_trace);
     tcase_add_test(t, a_packed_picture_has_the_same_points_in_fewer_bytes);
     tcase_add_test(t, what_is_no_picture_is_not_packed);

@@ -63,19 +63,31 @@ static void check_witness(const sets *s, gjk_result r)
     MUST(set_may_hold(&s->b, r.on_b, off), "on_b is not on B");
 }
 
-// Has the body a triangle that is all but a line?  (A ball, which the bytes may
-// flatten, has too many to be asked.)
-static int has_thin(const body *b)
+// All but a line: its least height is next to nothing beside its longest side.
+// (A real line is none: its points tell GJK nothing that is wrong.)
+static int is_thin(vec3 a, vec3 b, vec3 c)
+{
+    vec3 e = vec3_sub(b, a), f = vec3_sub(c, a);
+    real side = fmax(vec3_distance(b, c),
+                     fmax(vec3_length(e), vec3_length(f)));
+    vec3 n = vec3_cross(vec3_scale(1 / side, e), vec3_scale(1 / side, f));
+    real height = vec3_length(n);
+    return height > 0 && height <= 1e-4;
+}
+
+// Has the body such a triangle, or two points that only rounding tells apart?
+// Then so has A - B.  (A ball, which the bytes may flatten, has too many to be
+// asked.)
+static int has_thin(const sets *s, const body *b)
 {
     if (b->count > 12) return 1;
     for (int i = 0; i < b->count; i++)
-        for (int j = i + 1; j < b->count; j++)
-            for (int k = j + 1; k < b->count; k++) {
-                vec3 e = vec3_unit(vec3_sub(b->at[j], b->at[i]));
-                vec3 f = vec3_unit(vec3_sub(b->at[k], b->at[i]));
-                real sine = vec3_length(vec3_cross(e, f));
-                if (!(sine > 1e-4) && sine > 0) return 1;
-            }
+        for (int j = i + 1; j < b->count; j++) {
+            wide apart = (wide)vec3_distance(b->at[i], b->at[j]);
+            if (apart > 0 && apart <= rounding * s->reach) return 1;
+            for (int k = j + 1; k < b->count; k++)
+                if (is_thin(b->at[i], b->at[j], b->at[k])) return 1;
+        }
     return 0;
 }
 
@@ -97,7 +109,7 @@ static void check_answer(const sets *s, gjk_result r, real margin)
     if (r.status == GJK_OVERLAP) MUST(r.distance <= 0, "%g", r.distance);
     if (r.status == GJK_APART || r.status == GJK_BEYOND) check_bound(s, r);
     // In a sliver neither the weights nor the oracle's plane is sure.
-    if (r.status == GJK_APART && !has_thin(&s->a) && !has_thin(&s->b)) {
+    if (r.status == GJK_APART && !has_thin(s, &s->a) && !has_thin(s, &s->b)) {
         check_witness(s, r);
         check_oracle(s, r);
     }

@@ -419,8 +419,6 @@ trial_fault trial_make(trial *t, unsigned long long seed)
     if (t->fault == TRIAL_WELL) add_planes(t, &c);
     for (int k = 0; k < c.bodies && t->fault == TRIAL_WELL; k++)
         add_body(t, &c, k);
-    if (t->fault == TRIAL_WELL)
-        must_be_made(t, "the world", world_begin(&t->world));
     plan_spoiling(t);
     describe(t, &c);
     return t->fault;

@@ -85,7 +85,6 @@ static void shoot_down(world_options o, real away, vec3 v)
     begin(o);
     add(&plate, ZERO, ZERO, true);
     add(&bullet, vec3_make(0, away, 0), v, false);
-    ck_assert(world_begin(&w).ok);
 }
 
 // 100 m/s are 5/3 m a frame, 42 inner radii.  The frame of the impact is divided
@@ -114,7 +113,6 @@ START_TEST(substeps_stay_within_their_bounds)
     begin(o);
     add(&cloth, ZERO, ZERO, false);
     add(&bullet, vec3_make(0, 1, 0), vec3_make(0, -100, 0), false);
-    ck_assert(world_begin(&w).ok);
     world_step(&w);
     ck_assert_int_eq(w.report.substeps, 10);
 }
@@ -126,7 +124,6 @@ START_TEST(what_meets_a_cloth_goes_slower_still)
     begin(weightless());
     add(&cloth, ZERO, ZERO, false);
     add(&bullet, vec3_make(0, 1, 0), vec3_make(0, -100, 0), false);
-    ck_assert(world_begin(&w).ok);
     world_step(&w);
     int want = (int)((100.0 / 60 + 0.0005) / (shape_inner(&bullet) / 4)) + 1;
     ck_assert_int_eq(w.report.substeps, want);
@@ -145,7 +142,6 @@ START_TEST(other_substeps_change_no_parabola)
     add(&bullet, vec3_make(0, 1, 0), vec3_make(0, -100, 0), false);
     add(&bullet, vec3_make(50, 0, 0), vec3_make(1, 2, 3), false);
     pin_corners(20);
-    ck_assert(world_begin(&w).ok);
     int most = 0, least = 10000;
     for (int f = 1; f <= 30; f++) {
         world_step(&w);
@@ -171,7 +167,6 @@ START_TEST(books_balance_over_other_substeps)
     add(&cloth, ZERO, ZERO, false);
     add(&bullet, vec3_make(0, 1, 0), vec3_make(3, -100, 0), false);
     pin_corners(20);
-    ck_assert(world_begin(&w).ok);
     ledger_entry was = ledger_total(&w);
     for (int f = 0; f < 10; f++) {
         world_step(&w);
@@ -196,7 +191,6 @@ START_TEST(bullet_that_passes_the_rim_feels_nothing)
     begin(weightless());
     add(&plate, ZERO, ZERO, true);
     add(&bullet, vec3_make(0.57, 2, 0), v, false);
-    ck_assert(world_begin(&w).ok);
     for (int f = 0; f < 3; f++) world_step(&w);
     ck_assert(vec3_distance(speed(1), v) < 1e-9);
     ck_assert(vec3_distance(middle(1), vec3_make(0.57, 2 - 15, 0)) < 1e-9);
@@ -214,7 +208,6 @@ START_TEST(bullet_stops_at_a_plate_however_fast)
         begin(weightless());
         add(&wide, ZERO, ZERO, true);
         add(&bullet, vec3_make(0, 1.7, 0), vec3_make(v / 10, -v, 0), false);
-        ck_assert(world_begin(&w).ok);
         for (int f = 0; f < 4 + (int)(120 / v); f++) {
             world_step(&w);
             ck_assert_msg(middle(1).y > 0, "%g m/s", v);
@@ -234,7 +227,6 @@ START_TEST(bullet_and_plate_keep_their_momentum)
     begin(weightless());
     add(&plate, ZERO, ZERO, false);
     add(&bullet, vec3_make(0.2, 1, 0.1), vec3_make(0, -200, 0), false);
-    ck_assert(world_begin(&w).ok);
     for (int f = 0; f < 20; f++) world_step(&w);
     vec3 sum = vec3_add_scaled(speed(0), 0.05, speed(1));
     ck_assert(vec3_distance(sum, vec3_make(0, -10, 0)) < 1e-9);
@@ -253,7 +245,6 @@ START_TEST(heavy_bullet_stops_at_a_light_cloth)
         add(&cloth, ZERO, ZERO, false);
         add(&heavy, vec3_make(0.06, 1.1, 0.04), vec3_make(0, -v, 0), false);
         pin_corners(20);
-        ck_assert(world_begin(&w).ok);
         for (int f = 0; f < 20; f++) world_step(&w);
         ck_assert_msg(middle(1).y > -0.3, "%g m/s", v);
     }
@@ -272,7 +263,6 @@ START_TEST(hammock_holds_what_weighs_fifty_times_as_much)
     add(&cloth, ZERO, ZERO, false);
     add(&cube, vec3_make(0, 0.2, 0), ZERO, false);
     pin_corners(20);
-    ck_assert(world_begin(&w).ok);
     vec3 was = ZERO;
     for (int f = 0; f < 240; f++) {
         world_step(&w);
@@ -293,7 +283,6 @@ static void meet_a_free_cloth(const shape *heavy, real v, real share)
     add(&cloth, ZERO, vec3_make(0, share * v, 0), false);
     add(heavy, vec3_make(0.06, 0.3, 0.04), vec3_make(0, (share - 1) * v, 0),
         false);
-    ck_assert(world_begin(&w).ok);
     vec3 before = vec3_make(0, 0.2 * share * v + 0.5 * (share - 1) * v, 0);
     for (int f = 0; f < 4; f++) world_step(&w);
     vec3 sum = vec3_scale(0.5, speed(1));

@@ -166,6 +166,15 @@ static real foot(const shape *plan)
     return -least;
 }
 
+// m/N.  What hangs by pins is a cotton that 490 N for each metre of its width
+// make longer by a fortieth.
+static const real COTTON = 5e-5;
+
+static void make_cotton(setting *s, int b)
+{
+    if (s->ok.ok) s->ok = world_stretch(&s->w, b, COTTON);
+}
+
 // Pins the particles of body b, a cloth, at which `ends` rims meet, or more: 2,
 // the corners; 1, all of the rim.
 static void pin_rim(setting *s, int b, int ends)
@@ -395,6 +404,7 @@ static void pinned_on_cube(setting *s, const drape *d)
     setting_start(s, awake(d->n));
     add_cube(s);
     int b = drop(s, add_wide_cloth(s, d->n), 20, 0.9, 0);
+    make_cotton(s, b);
     pin_row(s, b, false, false);
 }
 
@@ -403,6 +413,7 @@ static void opposite_on_cube(setting *s, const drape *d)
     setting_start(s, awake(d->n));
     add_cube(s);
     int b = drop(s, add_wide_cloth(s, d->n), 20, 0.9, 0);
+    make_cotton(s, b);
     if (!s->ok.ok) return;
     world_pin(&s->w, b, 0);
     world_pin(&s->w, b, d->n * d->n - 1);
@@ -412,7 +423,7 @@ static void opposite_on_cube(setting *s, const drape *d)
 static void hammock(setting *s, const drape *d)
 {
     setting_start(s, awake(d->n));
-    drop(s, add_cloth(s, d->n, 1, 0.2), 0, 0, 0);
+    make_cotton(s, drop(s, add_cloth(s, d->n, 1, 0.2), 0, 0, 0));
     pin_row(s, 0, false, d->with > 0);
     pin_row(s, 0, true, d->with > 0);
     add_body(s, add_box(s, vec3_make(0.2, 0.2, 0.2), 10),
@@ -497,6 +508,7 @@ static void falling_cubes(setting *s, const drape *d)
     unsigned long long seed = 35;
     setting_start(s, awake(d->n));
     int b = drop(s, add_wide_cloth(s, d->n), 0, 0, 0);
+    make_cotton(s, b);
     pin_rim(s, b, (int)d->with);
     const shape *cube = add_box(s, vec3_make(0.2, 0.2, 0.2), 0.2);
     for (int k = 0; k < 8; k++)
@@ -506,11 +518,13 @@ static void falling_cubes(setting *s, const drape *d)
 
 // ---- 36: fabrics -----------------------------------------------------------
 
-// with: silk, denim or card, 42 cm wide, over a cube of 14 cm; kg/m^2, and N m.
+// with: silk, denim or card, 42 cm wide, over a cube of 14 cm; kg/m^2, N m, and
+// m/N.
 static void fabric(setting *s, const drape *d)
 {
-    static const real known[3][2] = { { 0.06, 5e-6 }, { 0.4, 1e-4 },
-                                      { 0.3, 1.6e-2 } };
+    static const real known[3][3] = { { 0.06, 5e-6, 5e-5 },
+                                      { 0.4, 1e-4, 1e-4 },
+                                      { 0.3, 1.6e-2, 8e-7 } };
     const real *is = known[(int)d->with], wide = 0.42, side = 0.14;
     setting_start(s, awake(d->n));
     add_static(s, add_box(s, vec3_make(side, side, side), 1),
@@ -518,6 +532,7 @@ static void fabric(setting *s, const drape *d)
     int b = drop(s, add_cloth(s, d->n, wide, is[0] * wide * wide), 20,
                  side + 0.02, 0);
     if (s->ok.ok) s->ok = world_bend(&s->w, b, is[1]);
+    if (s->ok.ok) s->ok = world_stretch(&s->w, b, is[2]);
 }
 
 // ---- the table -------------------------------------------------------------

@@ -67,7 +67,6 @@ vec3 velocity(const world *w, int b)
 
 status setting_begin(setting *s)
 {
-    if (s->ok.ok) s->ok = world_begin(&s->w);
     for (int b = 0; s->ok.ok && b < s->w.bodies && b < MOST_BODIES; b++)
         s->start[b] = middle(&s->w, b);
     return s->ok;

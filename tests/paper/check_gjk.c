@@ -411,6 +411,33 @@ START_TEST(a_stale_simplex_does_no_harm)
 }
 END_TEST
 
+// All the corners carried may lie within rounding of the origin, and the bodies
+// be large.  Rejects: a size of the bodies that only those corners tell, and
+// with it, of bodies that all but touch, an axis that does not part them.
+START_TEST(carried_corners_at_the_origin_hide_no_size)
+{
+    unsigned long long seed = 19;
+    int apart = 0;
+    for (int n = 0; n < 20000; n++) {
+        body a = { .count = 3 }, b = { .count = 6 };
+        simplex carried = { .count = 4 };
+        for (int k = 0; k < 9; k++)
+            *(k < 3 ? &a.at[k] : &b.at[k - 3])
+                = random_vector(&seed, 0, k > 6 ? 8 : 1e-14);
+        for (int c = 0; c < 4; c++)
+            carried.of[c] = (corner){ .a = c % 3, .b = (n + c / 2) % 4 };
+        gjk_result r = gjk_distance(body_hull(&a), body_hull(&b), HUGE_VAL,
+                                    &carried);
+        long double parts = -oracle_width(body_hull(&b), body_hull(&a), r.axis);
+        ck_assert(r.status == GJK_APART || r.status == GJK_OVERLAP);
+        if (r.status == GJK_OVERLAP) continue;
+        ck_assert_msg(parts >= -1e-10L, "overlap by %Lg m along it", -parts);
+        apart++;
+    }
+    ck_assert_int_gt(apart, 5);
+}
+END_TEST
+
 START_TEST(carried_it_asks_for_fewer_corners)
 {
     unsigned long long seed = 14;
@@ -766,6 +793,7 @@ int main(void)
     tcase_add_test(t, swapped_bodies_give_the_mirror_image);
     tcase_add_test(t, a_carried_simplex_changes_no_answer);
     tcase_add_test(t, a_stale_simplex_does_no_harm);
+    tcase_add_test(t, carried_corners_at_the_origin_hide_no_size);
     tcase_add_test(t, carried_it_asks_for_fewer_corners);
     tcase_add_test(t, beyond_the_margin_there_is_a_true_bound);
     tcase_add_test(t, beyond_the_margin_the_search_is_shorter);

@@ -4,7 +4,7 @@
 
 tumble=${1:-${TUMBLE:-build/tumble}}
 case $tumble in /*) ;; *) tumble=$PWD/$tumble ;; esac
-data=$(cd "$(dirname "$0")" && pwd)/data
+data=$(cd "$(dirname "$0")/../data" && pwd) || exit 1
 [ -x "$tumble" ] || { echo "check_command: there is no $tumble" >&2; exit 1; }
 
 checks=0 failures=0
@@ -77,7 +77,8 @@ refuses 2 '--no-warm-start takes no value'  room --no-warm-start=1
 refuses 2 '--threads 65: must lie between 1 and 64' room --threads 65
 for option in bodies cloth seconds dt substeps iterations tolerance gravity \
               friction restitution hertz stay most-substeps sleep-speed \
-              time-to-sleep threads seed mesh film frames csv; do
+              time-to-sleep threads seed mesh film frames csv obj every \
+              record replay; do
     refuses 2 "--$option needs a value"     room --$option
     refuses 2 "--$option needs a value"     room --$option --bits
 done
@@ -92,7 +93,7 @@ for option in bodies cloth substeps iterations most-substeps threads; do
     done
 done
 for option in seconds dt tolerance gravity friction restitution hertz stay \
-              sleep-speed time-to-sleep; do
+              sleep-speed time-to-sleep every; do
     for number in ten 3x '' ' 3' 1/x 1//2 1/-2 1/2/3; do
         refuses 2 "--$option .*not a number" room --$option="$number"
     done
@@ -132,6 +133,15 @@ for name in plain ./plain folder/../plain "$folder/plain" new; do
 done
 refuses 1 'name the same file'      room $long --film through --csv folder/inside
 rm through
+# What is being written stands in x.part, so x.part is no name for another file.
+refuses 1 'name the same file'      room $long --csv x --film x.part
+refuses 1 'name the same file'      room $long --film ./x --csv x.part
+mkdir frames
+refuses 1 'name of a frame'  room $long --frames frames --csv frames/frame-00000.png
+refuses 1 'name of a frame'  room $long --frames frames --film ./frames/../frames/frame-x
+ln -s ../plain frames/frame-00000.png
+refuses 1 'is a link'        room --bodies 1 --seconds 0 --frames frames
+rm -r frames
 # A folder made for the frames goes again if the scene cannot be built.
 refuses 1 'none.obj'   room $long --mesh none.obj --frames made
 refuses 1 'none.obj'   room $long --mesh none.obj --csv plain
@@ -172,7 +182,10 @@ cp corners good.obj
 printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >> good.obj
 cp good.obj good.was
 # Steps of a second are more than the contacts bear, and that is said.
-accepts 'not converged' room --dt 1
+run room --dt 1
+verdict 'a long step is named' "$([ $code -eq 0 ] && grep -q 'not converged' "$out" &&
+    grep -q -- '--dt 1 is long' "$err" || echo "exit status $code")"
+accepts ' 20 steps' room --dt 1/20 --seconds 1
 accepts '1 body of good.obj' room --mesh good.obj --bodies 1 --seconds 0.1
 { cat corners; printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\n'; } > open.obj
 { echo v 0 nan 0; cat good.obj; } > nan.obj
@@ -190,18 +203,29 @@ refuses 1 'thin.obj: .*too thin to be solid' room $long --mesh thin.obj
 mkfifo pipe.obj
 refuses 1 'pipe.obj: is not a regular file' room $long --mesh pipe.obj
 ln -s good.obj link.obj
+ln good.obj hard.obj
+cp good.obj x.csv.part
 for option in csv film; do
     refuses 1 "--mesh good.obj and --$option" \
         room $long --mesh good.obj --$option good.obj
     refuses 1 "--mesh good.obj and --$option" \
         room $long --mesh good.obj --$option ./link.obj
+    refuses 1 "--mesh hard.obj and --$option" \
+        room $long --mesh hard.obj --$option good.obj
+    refuses 1 "--mesh x.csv.part and --$option" \
+        room $long --mesh x.csv.part --$option x.csv
 done
+mkdir frames && cp good.obj frames/frame-00001.png
+refuses 1 '--mesh .* has the name of a frame' \
+    room $long --mesh frames/frame-00001.png --frames frames
+verdict 'a mesh among frames is left alone' "$(cmp good.obj frames/frame-00001.png 2>&1)"
+verdict 'a mesh that is named like a .part is left alone' "$(cmp good.obj x.csv.part 2>&1)"
+rm -r frames hard.obj x.csv.part
 verdict 'a mesh that is named twice is left alone' \
     "$(cmp good.obj good.was 2>&1)"
 
 # The meshes of check_obj: these are convex, in every other one is a fault.
 for mesh in "$data"/*.obj; do
-    [ -f "$mesh" ] || continue
     case $(basename "$mesh") in
     cube.obj | octahedron-inwards.obj | tetrahedron.obj)
         accepts '1 body' room --bodies 1 --seconds 0.1 --mesh "$mesh" ;;
@@ -226,7 +250,7 @@ run --list
 for option in bodies cloth seconds dt substeps iterations tolerance seed \
               gravity friction restitution hertz stay most-substeps \
               no-warm-start sleep-speed time-to-sleep threads mesh film frames \
-              csv help list version bits plain paper; do
+              obj every record replay csv help list version bits plain paper; do
     verdict "--list names --$option" \
         "$(grep -q -- "^  --$option " "$out" || echo it does not)"
 done
@@ -281,7 +305,7 @@ accepts 'wrote rows.csv: 30 rows' room --bodies 2 --seconds 0.5 --csv rows.csv
 verdict 'a head and 30 rows of 8 numbers' "$(awk -F, 'NF != 8 { bad = 1 }
     NR > 1 && $0 ~ /nan|inf|[g-z]/ { bad = 1 }
     END { if (bad || NR != 31) print NR " lines" }' rows.csv)"
-accepts '2 pictures' cloth-on-rope --cloth 6 --seconds 0.05 --frames made
+accepts '2 frames' cloth-on-rope --cloth 6 --seconds 0.05 --every 1/30 --frames made
 for picture in film.png made/frame-00000.png made/frame-00001.png; do
     verdict "$picture is a PNG" \
         "$(head -c 8 $picture | od -An -tx1 |
@@ -293,6 +317,89 @@ verdict 'nothing half written is left' "$(ls -A . made | grep part)"
 run cloth-on-cube --cloth 4 --seconds 0.05 --bodies 9
 verdict 'an idle option is named' "$([ $code -eq 0 ] &&
     grep -q -- '--bodies means nothing' "$err" || echo "exit status $code")"
+
+# --- OBJ ------------------------------------------------------------------------
+# read_obj FILE: how many objects, vertices, faces, vertices on lines; then, of
+# each object that is closed, its volume; or a fault: a corner that is no vertex
+# of its own object, a number that is none, a line that the format does not have.
+cat > read_obj.awk <<'END'
+function fault(what) { print FILENAME ", line " FNR ": " what; bad = 1; exit }
+function whole(c) { if (c !~ /^[0-9]+$/ || c <= before || c > v) fault("corner " c) }
+function finish() { if (faces) volumes = volumes sprintf(" %.6f", volume / 6) }
+$1 == "#" { next }
+$1 == "o" { if (NF != 2 || $2 in seen) fault("object " $2)
+            finish(); seen[$2]; objects++; before = v; faces = volume = 0; next }
+$1 == "v" { if (NF != 4) fault(NF - 1 " numbers")
+            for (k = 2; k <= 4; k++) if ($k !~ /^-?[0-9.]+(e[-+][0-9]+)?$/) fault($k)
+            v++; x[v] = $2; y[v] = $3; z[v] = $4; next }
+$1 == "f" { if (NF != 4) fault(NF - 1 " corners")
+            for (k = 2; k <= 4; k++) whole($k)
+            a = $2; b = $3; c = $4; f++; faces++
+            volume += x[a] * (y[b] * z[c] - z[b] * y[c]) + y[a] * (z[b] * x[c] - x[b] * z[c]) \
+                    + z[a] * (x[b] * y[c] - y[b] * x[c]); next }
+$1 == "l" { for (k = 2; k <= NF; k++) whole($k); line += NF - 1; next }
+{ fault("a line of " $1) }
+END { if (!bad) { finish(); print objects, v, f + 0, line + 0 volumes } }
+END
+accepts 'wrote meshes/frame-00000.obj and on: 7 frames' \
+    room --bodies 3 --seconds 0.1 --obj meshes
+for frame in 0 6; do
+    said=$(awk -f read_obj.awk meshes/frame-0000$frame.obj)
+    verdict "frame $frame: three icosahedra of radius .5, seen from outside" \
+        "$([ "$said" = '3 36 60 0 0.317019 0.317019 0.317019' ] || echo "$said")"
+done
+verdict 'and they move' "$(! cmp -s meshes/frame-00000.obj meshes/frame-00006.obj || echo they do not)"
+accepts '3 frames' room --bodies 1 --seconds 0.5 --every 0.2 --obj meshes --mesh "$data/cube.obj"
+said=$(awk -f read_obj.awk meshes/frame-00002.obj)
+verdict 'a cube of radius .5' \
+    "$([ "${said% *}" = '1 8 12 0' ] || echo "$said")"
+accepts '2 frames' cloth-on-rope --cloth 8 --seconds 0.05 --every 1/30 --obj meshes
+said=$(awk -f read_obj.awk meshes/frame-00001.obj)
+verdict 'a rope is a line, a cloth has faces' \
+    "$([ "${said% *}" = '2 115 98 51' ] || echo "$said")"
+accepts '1 frame$' cloth-on-cube --plain --cloth 8 --seconds 0.01 --every 1 --obj meshes
+verdict 'what is not asked for is not there' "$(ls meshes | grep -v '\.obj$')"
+refuses 1 'plain: is not a folder' room $long --obj plain
+refuses 1 'name of a frame'  room $long --obj meshes --csv meshes/frame-00000.obj
+refuses 1 'name of a frame'  room $long --obj meshes --mesh meshes/frame-00000.obj
+
+# --- Record and replay ----------------------------------------------------------
+accepts 'wrote run' room --bodies 4 --seconds 2.5 --friction 0.3 --no-warm-start --record run
+verdict 'the record has a hash every 60 steps and at the end' \
+    "$([ "$(grep -v '^#' run | sed -n 's/^\([0-9]*\) [0-9a-f]\{16\}$/\1/p' | tr '\n' ' ')" = \
+        '0 60 120 150 ' ] || cat run)"
+accepts 'run: 4 hashes equal, to step 150'  --replay run
+accepts '4 hashes equal'   --replay run --threads 2 --csv rows.csv --record again
+verdict 'the record of a replay is the record' "$(grep -v '^#' run > was; grep -v '^#' again | cmp - was)"
+verdict 'the last hash is that of --bits' \
+    "$("$tumble" --replay run --bits | grep -q "$(sed -n 's/^150 /bits /p' run)" || echo no)"
+# parts FILE STEP: says at which step, and fails.
+parts() {
+    run --replay "$1"
+    verdict "$1 parts at step $2" "$([ $code -eq 1 ] &&
+        grep -q "not that of $1: the hashes part at step $2" "$err" || echo "$code: $(cat "$err")")"
+}
+sed 's/^--seed=1$/--seed=2/' run > seed && parts seed '0$'
+sed 's/^--no-warm-start$/--warm-start/' run > word
+refuses 1 'word: there is no option --warm-start; did you mean --no-warm' --replay word
+sed '/^--no-warm-start$/d' run > other && parts other '60, after step 0$'
+sed 's/^120 ./120 g/' run > letter
+refuses 1 'letter, line 11: not a hash' --replay letter
+sed '/^120/s/$/0/' run > digit
+refuses 1 'digit, line 11: not a hash' --replay digit
+sed '/^120/s/ .*/ 0123456789abcdef/' run > hash && parts hash '120, after step 60$'
+sed 's/^120/59/' run > order
+refuses 1 'order, line 11: this step cannot' --replay order
+sed 's/^150/151/' run > late
+refuses 1 'late, line 12: this hash stands after the last' --replay late
+grep -v '^[0-9]' run > none
+refuses 1 'none, line 8: the file ends without a hash' --replay none
+refuses 1 'nothing: cannot be opened' --replay nothing
+refuses 1 'pipe.obj: is not a regular' --replay pipe.obj
+refuses 1 '--replay run and --csv run' --replay run --csv run
+refuses 2 '--bodies is said by the record' --replay run --bodies 4
+refuses 2 'the scene is named by the record' room --replay run
+cmp -s run again || accepts '4 hashes equal' --replay again
 
 # --- Ctrl-C -------------------------------------------------------------------
 # interrupts SIGNAL STATUS OPTIONS: stops, keeps the rows and pictures, says so.
@@ -329,6 +436,36 @@ if env --default-signal=INT true 2> /dev/null; then
 fi
 interrupts TERM 143
 
+# What waits for the other end of a pipe hears a signal, too.
+mkfifo pipe
+for signal in INT TERM; do
+    case $signal in INT) want=130 ;; *) want=143 ;; esac
+    ears=--default-signal=INT
+    env $ears true 2> /dev/null || { ears=; [ $signal = TERM ] || continue; }
+    env $ears "$tumble" room --csv pipe > "$out" 2> "$err" &
+    child=$!
+    sleep 0.5
+    kill -$signal $child
+    (sleep 5; kill -KILL $child) 2> /dev/null & guard=$!
+    wait $child
+    code=$?
+    kill $guard
+    verdict "a pipe without a reader hears $signal" "$([ $code -eq $want ] &&
+        grep -q 'before the first step' "$err" || echo "exit status $code")"
+done
+# Nor does a reader that reads nothing hold it for ever.
+sleep 20 < pipe & reader=$!
+"$tumble" room --bodies 2 --seconds 90000 --csv pipe > "$out" 2> "$err" &
+child=$!
+sleep 2
+kill -TERM $child; sleep 0.3; kill -TERM $child
+wait $child
+code=$?
+kill $reader
+verdict 'a second signal ends it at once' \
+    "$([ $code -eq 143 ] && [ ! -s "$out" ] || echo "exit status $code")"
+rm pipe
+
 # --- Two at once ----------------------------------------------------------------
 # begin FILE: a run without end that writes there.
 begin() {
@@ -357,6 +494,108 @@ wait $child 2> /dev/null
 accepts '3 rows' room --bodies 2 --seconds 0.05 --csv killed.csv
 verdict 'what a killed run left is taken over' "$(ls -A | grep part)"
 rm -f "$out.2" "$err.2"
+
+# --- Sweeps ---------------------------------------------------------------------
+# table TEXT: writes it.
+table() { printf '%b' "$1" > table.csv; }
+table 'scene,bodies,seed,seconds\nroom,4,7,0.5\n\n# two more\nroom,5,2,.1\nroom,,3,.1\n'
+accepts "^1,room,4,7,0.5,30,done,.*,$first,[0-9.e-]*\$" --sweep table.csv --row 1
+accepts '^3,room,,3,.1,6,done' --sweep table.csv --row 3
+refuses 1 'table.csv: has only 3 rows' --sweep table.csv --row 4
+refuses 1 'nothing: cannot be opened'  --sweep nothing
+for bad in 'scene,bodys\nroom,3\n:line 2: there is no option --bodys; did you mean --bodies' \
+           'scene\n:has no row' 'scene,bodies\n\nroom\n:line 3: has 1 cells, and the head 2' \
+           'scene,bodies\nroom,"3"\n:line 2: quotes are not read' \
+           'bodies\n3\n:line 2: no scene is named' \
+           'scene,bodies\nroom,3\nroom,0\n:line 3: --bodies 0: must lie' \
+           'scene,list\nroom,yes\n:line 2: a row is the run of a scene' \
+           'scene,bits\nroom,1\n:line 2: --bits takes no value'; do
+    table "${bad%%:*}"
+    refuses 1 "table.csv.*${bad#*:}" --sweep table.csv
+done
+refuses 2 '--bodies is said by the rows'  --sweep table.csv --bodies 4
+refuses 2 'the scene is named by the table' room --sweep table.csv
+for option in '--jobs 2' --resume '--joblog x' '--sshloginfile x' '--row 1'; do
+    refuses 2 "${option% *} is for a sweep" room $option
+done
+
+table 'scene,bodies,seed,seconds\n'
+for row in 1 2 3 4 5 6 7 8 9 10 11 12; do echo "room,5,$row,0.2" >> table.csv; done
+refuses 1 '--csv table.csv is the table'  --sweep table.csv --csv table.csv
+refuses 1 'good.obj: is no job log'       --sweep table.csv --joblog good.obj
+verdict 'a file that is no job log is left alone' "$(cmp good.obj good.was 2>&1)"
+
+# In the place of GNU Parallel stands another program of its name.
+mkdir fake && printf '#!/bin/sh\necho another\n' > fake/parallel && chmod +x fake/parallel
+PATH=$PWD/fake:$PATH "$tumble" --sweep table.csv > "$out" 2> "$err"
+code=$?
+verdict 'a sweep without GNU Parallel says so' "$([ $code -eq 1 ] &&
+    grep -q 'needs GNU Parallel.*make deps-dev' "$err" || echo "$code: $(cat "$err")")"
+rm -r fake table.csv.joblog.rows
+
+# same FILE: the lines of the first sweep, but for the times.
+same() { cut -d , -f 1-14 "$1" | cmp - lines; }
+if parallel --version 2> /dev/null | grep -q '^GNU parallel'; then
+    accepts 'wrote one.csv: 12 rows' --sweep table.csv --csv one.csv --jobs 1
+    cut -d , -f 1-14 one.csv > lines
+    verdict 'a head and a line a row, in order' "$(awk -F , 'NF != 15 || NR > 1 && ($1 != NR - 1 ||
+        $4 != NR - 1 || $7 != "done" || $14 !~ /^[0-9a-f]+$/) { print "line " NR }' one.csv)"
+    accepts '^12,room,5,12,0.2,12,done' --sweep table.csv --jobs 2 --joblog log
+    grep -v '^parallel:' "$out" > two.csv
+    verdict 'two jobs, the same table' "$(same two.csv)"
+    verdict 'a log has every row' "$([ "$(wc -l < log)" -eq 13 ] || cat log)"
+    # A host that is this machine, behind a stand-in for ssh.
+    printf '#!/bin/sh\nshift 2\nexec sh -c "$*"\n' > ssh && chmod +x ssh
+    echo "1/$folder/ssh there" > hosts
+    accepts '12 rows' --sweep table.csv --csv two.csv --sshloginfile hosts
+    verdict 'another host, the same table' "$(same two.csv)"
+    verdict 'and it ran there' "$([ "$(grep -c 'ssh there' table.csv.joblog)" -eq 12 ] || cat table.csv.joblog)"
+
+    # A row that cannot run: the others are kept, and it is tried again.
+    printf 'scene,bodies,seconds,mesh\nroom,2,.1,\nroom,2,.1,later.obj\n' > some.csv
+    run --sweep some.csv --csv some.out
+    verdict 'a row that fails is named' "$([ $code -eq 1 ] && [ ! -e some.out ] &&
+        grep -q 'later.obj: cannot be opened' "$err" &&
+        grep -q 'some rows failed.*--resume' "$err" || echo "$code: $(cat "$err")")"
+    cp good.obj later.obj
+    accepts 'wrote some.out: 2 rows' --sweep some.csv --csv some.out --resume
+    verdict 'and only that one runs again' \
+        "$([ "$(awk '{ print $1 }' some.csv.joblog | tr '\n' ' ')" = 'Seq 1 2 2 ' ] || cat some.csv.joblog)"
+
+    # Killed in the middle, by two signals, and resumed.  The twelfth row waits
+    # for the reader of a pipe until it is killed.
+    mkfifo wait
+    awk -F , -v OFS=, 'NR == 1 { print $0, "csv"; next } { print $0, NR == 13 ? "wait" : "" }' table.csv > last.csv
+    for signal in KILL TERM; do
+        more=$([ $signal = KILL ] || echo --resume)
+        if command -v setsid > /dev/null; then new=setsid; else new=; fi
+        $new "$tumble" --sweep last.csv --csv two.csv --jobs 2 $more > "$out" 2> "$err" &
+        child=$!
+        tries=0
+        rm -f last.csv.joblog.rows/12
+        until [ -e last.csv.joblog.rows/12 ] && [ "$(cat last.csv.joblog 2> /dev/null | wc -l)" -ge 12 ] || [ $tries -eq 200 ]; do
+            tries=$((tries + 1)); sleep 0.1
+        done
+        [ $signal = TERM ] || refuses 1 'this sweep is being run' --sweep last.csv --resume
+        # Parallel gives every row a group of its own: this one goes on alone.
+        if [ $signal = KILL ] && [ $new ]; then kill -s KILL -- -$child; cat wait > /dev/null
+        else kill -s TERM $child; fi
+        wait $child 2> /dev/null
+        code=$?
+    done
+    verdict 'a stopped sweep says so' "$([ $code -eq 143 ] &&
+        grep -q 'stopped; --resume goes on' "$err" || echo "$code: $(cat "$err")")"
+    refuses 1 'a sweep stopped here: --resume' --sweep last.csv --csv two.csv
+    sed 's/room,5/room,6/' last.csv > other.csv
+    refuses 1 'is not the table' --sweep other.csv --joblog last.csv.joblog --resume
+    rm wait
+    accepts 'wrote two.csv: 12 rows' --sweep last.csv --csv two.csv --jobs 2 --resume
+    cut -d , -f 1-5,7-15 two.csv > rows && same rows > "$out"
+    verdict 'killed and resumed, the same table' "$(cat "$out")"
+    verdict 'no row ran twice but the last' \
+        "$(awk 'NR > 1 { print $1 }' last.csv.joblog | sort -n | uniq -d | grep -v 12)"
+    verdict 'a finished sweep leaves its log alone' "$(ls -d ./*.rows 2> /dev/null)"
+fi
 
 echo "$(((checks - failures) * 100 / checks))%: Checks: $checks," \
      "Failures: $failures, Errors: 0"

@@ -154,6 +154,16 @@ if command -v setsid > /dev/null && env --default-signal=INT true 2> /dev/null; 
 fi
 refuses "one that is not there" 'There is no exercise 01/none' make exercise 01/none
 if grep -qF '***' "$tree/said"; then verdict "make adds no word" no; else verdict "make adds no word" yes; fi
+for name in 99/x nope 9 00/; do
+    refuses "nor is $name"      "There is no exercise $name:" make hint $name
+    if grep -qF '***' "$tree/said"; then verdict "no word about $name" no; else verdict "no word about $name" yes; fi
+done
+says "no such chapter"          'Chapter 99 has no exercises' make hint 99
+if [ "$(wc -l < "$tree/said")" = 1 ]; then verdict "and no list" yes; else verdict "and no list" no; fi
+refuses "the sentence is last"  'There is no exercise 04/none' make exercise 04/none
+if [ "$(wc -l < "$tree/said")" -lt 9 ]; then verdict "and near" yes; else verdict "and near" no; fi
+says "of which of the chapter"  'Of which exercise?  For example:  make hint 04/' make hint 04
+if grep -q '  cc  \|  link' "$tree/said"; then verdict "and builds none" no; else verdict "and builds none" yes; fi
 if make exercise 01/step 01/drag > "$tree/said" 2>&1; then verdict "two at a time" no; else also "two at a time" 'One exercise at a time.'; fi
 says "on paper nothing is run" 'exercises/run.sh reset' make -n reset 01/step
 says "what is well ends well"  '[ ] 01/step' make exercise 01

@@ -76,7 +76,6 @@ START_TEST(cloth_that_lands_flat_stays_down)
 {
     int c = add_at(&cloth, 0, 0.3, 0);
     add_floor();
-    ready();
     bool landed = false;
     for (int f = 0; f < 120; f++) {
         frames(1);
@@ -102,7 +101,6 @@ START_TEST(cloth_and_rope_stay_above_a_plane)
         p.y = vec3_make(-0.8, 0.6, 0);
         add(s[b], p);
     }
-    ready();
     for (int f = 0; f < 180; f++) {
         frames(1);
         for (int b = 0; b < 2; b++) ck_assert(lowest(b) > 0);
@@ -122,7 +120,6 @@ START_TEST(sheared_sheet_straightens)
     o.gravity = ZERO;
     begin(o);
     add_at(&sheet, 0, 0, 0);
-    ready();
     for (int i = 0; i < sheet.particles; i++) {
         particle *p = particle_of(0, i);
         p->position.x += 0.1 * p->position.z;
@@ -151,7 +148,6 @@ START_TEST(loaded_rope_that_is_plucked_holds_its_length)
     p.y = vec3_make(1, 0, 0);
     int b = add(&loaded, p);
     world_pin(&w, b, 0);
-    ready();
     particle_of(b, 10)->position.z += 0.005;
     for (int f = 0; f < 120; f++) {
         frames(1);
@@ -173,7 +169,6 @@ START_TEST(sheet_carries_a_ball)
 {
     int c = add_at(&sheet, 0, 0, 0), b = add_at(&ball, 0.05, 1, 0.02);
     pin_corners(c);
-    ready();
     for (int f = 0; f < 600; f++) {
         frames(1);
         real y = middle(b).y;
@@ -198,7 +193,6 @@ START_TEST(ball_takes_a_free_sheet_along)
         int c = add_at(&sheet, 0, 0, 0);
         int b = add_thrown(&ball, vec3_make(0.03, 0.5, 0.02),
                            vec3_make(0, -speed[k], 0), vec3_make(2, 1, 3));
-        ready();
         vec3 from = middle(c);
         int n = (int)(60 * 4 / speed[k]);
         frames(n);
@@ -238,7 +232,6 @@ START_TEST(corner_that_flies_into_a_held_sheet_is_stopped)
         for (int i = 0; i < 36; i++)
             if (i < 6 || i >= 30 || i % 6 == 0 || i % 6 == 5)
                 world_pin(&w, s, i);
-        ready();
         for (int f = 0; f < 60; f++) {
             frames(1);
             real low = HUGE_VAL;
@@ -265,7 +258,6 @@ START_TEST(spinning_box_stays_on_its_side_of_a_cloth)
         const vec3 spin[] = { { 0, 0, 9 }, { 7, 0, 7 }, { 20, 5, 0 } };
         int b = add_thrown(&ball, vec3_make(0, 0.6, 0), ZERO, spin[k]);
         pin_corners(c);
-        ready();
         for (int f = 0; f < 240; f++) {
             frames(1);
             // Or it has rolled off.
@@ -299,7 +291,6 @@ START_TEST(rope_that_sleeps_wakes_under_a_cloth)
     int r = add_at(&rope, 0, 0.1, 0), c = add_at(&cloth, 0, 9000, 0);
     add_nailed(&box, -0.6, -0.5, 0);
     add_nailed(&box, 0.6, -0.5, 0);
-    ready();
     // It lies on two boxes, and creeps into the gap between them for a while.
     ck_assert(sleeps(r, 2400));
     bring(c, vec3_make(0, 0.5, 0), vec3_make(0, -16, 0));
@@ -320,7 +311,6 @@ START_TEST(box_on_a_cloth_lies_still_and_falls_asleep)
 {
     int c = add_at(&cloth, 0, 0.2, 0), b = add_at(&crate, 0.01, 0.7, 0.02);
     add_floor();
-    ready();
     frames(90);
     vec3 was = middle(b);
     ck_assert(sleeps(b, 120));
@@ -348,7 +338,6 @@ START_TEST(pinned_cloth_that_sleeps_is_pinned_as_a_whole)
         particle_of(c, i)->previous.y += up;
     }
     world_pin(&w, c, 0);
-    ready();
     ck_assert(sleeps(c, 600));
     ck_assert_int_eq(w.report.asleep, 1);
     for (int i = 0; i < cloth.particles; i++) {
@@ -368,7 +357,6 @@ START_TEST(lost_number_stays_in_its_body)
     add_at(&sheet, -4, 1, 0);
     int safe = add_at(&cloth, 4, 1, 0), lost = add_at(&ball, -4, 1.2, 0);
     add_floor();
-    ready();
     frames(2);
     particle_of(lost, 2)->position.x = (real)NAN;
     frames(60);
@@ -399,7 +387,6 @@ START_TEST(cloth_bounces_particle_by_particle)
         p.velocity = vec3_make(0, -2, 0);
         int b = add(&cloth, p);
         add_floor();
-        ready();
         real before = world_measure(&w).kinetic;
         for (int f = 0; f < 60; f++) {
             world_step(&w);
@@ -415,6 +402,18 @@ START_TEST(cloth_bounces_particle_by_particle)
     }
 }
 END_TEST
+
+// Pinned at its first particle, straight down from there.
+static int hang_at(const shape *rope_plan)
+{
+    int b;
+    placement p = placement_at(vec3_make(0, rope_plan->at[0].x, 0));
+    p.x = vec3_make(0, -1, 0);
+    p.y = vec3_make(1, 0, 0);
+    ck_assert(world_add(&w, rope_plan, p, &b).ok);
+    world_pin(&w, b, 0);
+    return b;
+}
 
 // A strip of card, held level at one end, sags under its own weight by
 // q L^4 / (8 E I), of Euler and Bernoulli; the clamp holds the middle of a link.
@@ -437,7 +436,6 @@ START_TEST(card_sags_by_its_stiffness)
         for (int i = 0; i < strip.particles; i++)
             if (i % 12 < 2) world_pin(&w, b, i);
         ck_assert(world_bend(&w, b, 0.016).ok);
-        ready();
         for (int f = 0; f < 300; f++) world_step(&w);
         // The mass of 12 particles is on 11 links, and half too much at the
         // end: the sum of check_bend.c.
@@ -458,14 +456,95 @@ START_TEST(card_sags_by_its_stiffness)
 }
 END_TEST
 
+// A rope of 50 links with a load bears F_k at link k: the load and the rope
+// below.  It gets longer by the sum of its compliance times F_k, whatever the
+// substeps; and stores half of F_k times that.  It is let go unstretched, bounces
+// and comes to rest.
+// Rejects: a compliance that goes by substeps or iterations; one of a link that
+// is taken for that of the rope; books that forget what is stored.
+START_TEST(hanging_rope_is_stretched_by_its_load)
+{
+    const struct { int substeps, iterations, gradient; } how[] = {
+        { 4, 1, GRADIENT_NEW }, { 8, 8, GRADIENT_OLD }, { 20, 3, GRADIENT_NEW }
+    };
+    for (int k = 0; k < 3; k++) {
+        world_options o = world_options_default();
+        o.substeps = how[k].substeps;
+        o.iterations = how[k].iterations;
+        o.relax.gradient = (gradient_kind)how[k].gradient;
+        o.sleep_speed = 0;
+        begin(o);
+        shape line;
+        const real each = 0.001, load = 1, compliance = 1e-4;
+        ck_assert(shape_rope(&line, 50, 1, 51 * each).ok);
+        line.mass[50] = load;
+        int b = hang_at(&line);
+        ck_assert(world_stretch(&w, b, compliance).ok);
+        frames(240);
+        real longer = 0, stored = 0;
+        for (int i = 0; i < 50; i++) {
+            real force = 9.81 * (load + (49 - i) * each);
+            real d = compliance / 50 * force;
+            longer += d;
+            stored += force * d / 2;
+        }
+        real got = -particle_of(b, 50)->position.y - 1;
+        ck_assert_msg(fabs(got / longer - 1) < 1e-6, "%d substeps: longer by "
+                      "%.9g m, wanted %.9g", o.substeps, got, longer);
+        real has = soft_energy(&w.body[b], w.pool.at);
+        ck_assert_msg(fabs(has / stored - 1) < 1e-5, "%.9g J, wanted %.9g",
+                      has, stored);
+        world_free(&w);
+        shape_free(&line);
+    }
+}
+END_TEST
+
+// A stretched rope that is let go shrinks, and swings: it has no more energy
+// than it was given, and momentum stays.
+// Rejects: an explicit spring; a pull without its counterpart.
+START_TEST(what_links_have_stored_is_in_the_books)
+{
+    for (int k = -6; k <= 0; k++) {
+        world_options o = world_options_default();
+        o.gravity = ZERO;
+        o.sleep_speed = 0;
+        begin(o);
+        real compliance = pow(10, k);
+        int b = add_at(&rope, 0, 0, 0);
+        ck_assert(world_stretch(&w, b, compliance).ok);
+        for (int i = 0; i < 13; i++) {
+            particle *p = particle_of(b, i);
+            p->position.x *= 1.1;
+            p->previous = p->position;
+        }
+        real first = ledger_total(&w).energy, before = first;
+        ck_assert(fabs(first / (0.12 * 0.12 / (2 * 1.2 * compliance)) - 1)
+                  < 1e-12);
+        for (int f = 0; f < 60; f++) {
+            world_step(&w);
+            ledger_entry now = ledger_total(&w);
+            ck_assert(now.energy <= before + 1e-9 * first);
+            ck_assert(vec3_length(now.momentum) <= 1e-12 * sqrt(first));
+            before = now.energy;
+        }
+        ck_assert(before < first);
+        world_free(&w);
+    }
+}
+END_TEST
+
 // Rejects: a stiffness that is no number, or would push.
 START_TEST(stiffness_is_a_finite_number)
 {
     int b = add_at(&cloth, 0, 0, 0);
     const real bad[] = { -1, (real)NAN, HUGE_VAL };
-    ck_assert(world_bend(&w, b, 2).ok);
-    for (int k = 0; k < 3; k++) ck_assert(!world_bend(&w, b, bad[k]).ok);
-    ck_assert(w.body[b].bending == 2);
+    ck_assert(world_bend(&w, b, 2).ok && world_stretch(&w, b, 3).ok);
+    for (int k = 0; k < 3; k++) {
+        ck_assert(!world_bend(&w, b, bad[k]).ok);
+        ck_assert(!world_stretch(&w, b, bad[k]).ok);
+    }
+    ck_assert(w.body[b].bending == 2 && w.body[b].compliance == 3);
 }
 END_TEST
 
@@ -482,7 +561,6 @@ START_TEST(bends_are_in_the_books)
     ck_assert(shape_rope(&rod, 10, 1, 1).ok);
     int b = add_at(&rod, 0, 0, 0);
     ck_assert(world_bend(&w, b, 0.5).ok);
-    ready();
     for (int i = 0; i < rod.particles; i++) {
         real a = 0.15 * (i - 5);
         particle *p = particle_of(b, i);
@@ -521,6 +599,8 @@ int main(void)
         lost_number_stays_in_its_body,
         cloth_bounces_particle_by_particle,
         card_sags_by_its_stiffness,
+        hanging_rope_is_stretched_by_its_load,
+        what_links_have_stored_is_in_the_books,
         stiffness_is_a_finite_number,
         bends_are_in_the_books,
     };

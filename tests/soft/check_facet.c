@@ -17,7 +17,8 @@ static void set_up(void)
 {
     ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 1).ok);
     hit = (obstacle){ { cube.at, 8 }, walls,
-                      hull_planes(&cube, cube.at, walls), cube.radius };
+                      hull_planes(&cube, cube.at, walls), cube.radius,
+                      0 };
 }
 
 static void tear_down(void)

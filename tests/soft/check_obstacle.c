@@ -63,7 +63,8 @@ static void stand(const shape *s, axes f, vec3 at)
 static obstacle look_at(const shape *s)
 {
     return (obstacle){ { place, s->particles }, walls,
-                       hull_planes(s, place, walls), s->radius };
+                       hull_planes(s, place, walls), s->radius,
+                       s->round };
 }
 
 static obstacle put(const shape *s, axes f, vec3 at)

@@ -265,6 +265,24 @@ START_TEST(finite_input_gives_finite_output)
 }
 END_TEST
 
+// A static rope is never moved, and so keeps a lost `previous` for ever beside a
+// good position.
+// Rejects: friction from a sliding that is no number.
+START_TEST(particle_that_lost_a_number_touches_nothing)
+{
+    const real lost[] = { (real)NAN, HUGE_VAL, -HUGE_VAL };
+    for (int k = 0; k < 6; k++) {
+        particle p[2] = { at_rest(ORIGIN, 0), at_rest(vec3_make(0, 0, .1), 1) };
+        const particle before = p[1];
+        particle_contact c = { k % 2, 1 - k % 2, 1 };
+        p[0].previous.x = lost[k / 2];
+        ck_assert(particle_contact_separate(c, p, 0.5) == 0);
+        ck_assert(vec3_distance(p[1].position, before.position) == 0);
+        ck_assert(vec3_distance(p[1].previous, before.previous) == 0);
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -280,6 +298,7 @@ int main(void)
         slope_holds_one_degree_below_and_slips_one_above,
         sliding_stops_after_v2_over_2_mu_g,
         finite_input_gives_finite_output,
+        particle_that_lost_a_number_touches_nothing,
     };
     Suite *s = suite_create("separation");
     TCase *t = tcase_create("separation");

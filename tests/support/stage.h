@@ -84,11 +84,6 @@ static inline void add_floor(void)
     ck_assert(world_add_plane(&w, UP, 0).ok);
 }
 
-static inline void ready(void)
-{
-    ck_assert(world_begin(&w).ok);
-}
-
 static inline particle *particle_of(int b, int i)
 {
     return &w.pool.at[w.body[b].first + i];

@@ -112,7 +112,6 @@ START_TEST(books_balance_whatever_happens)
         else if (k < 4) fill_with_cloth();
         else            fill_with_load();
         add_floor();
-        ready();
         ledger_entry was = ledger_total(&w);
         real most = fabs(was.energy);
         int substeps = 0;
@@ -142,7 +141,6 @@ START_TEST(books_balance_while_bodies_fall_asleep_and_wake)
     add_at(&box, 0, 0.5, 0);
     add_floor();
     add_thrown(&ball, vec3_make(0, 40, 0), ZERO, ZERO);
-    ready();
     ledger_entry was = ledger_total(&w);
     bool slept = false, woke = false;
     for (int f = 0; f < 400; f++) {
@@ -167,7 +165,6 @@ START_TEST(ledger_changes_no_bit)
         add_at(&ball, 0.3, 2.4, 0.1);
         add_at(&cloth, 0, 3.2, 0);
         add_floor();
-        ready();
         for (int f = 0; f < 90; f++) world_step(&w);
         ck_assert_int_le(w.pool.count, 200);
         size_t size = (size_t)w.pool.count * sizeof *was;
@@ -188,7 +185,6 @@ START_TEST(contacts_take_what_a_sliding_block_loses)
     begin_booked(true);
     add_thrown(&low, vec3_make(0, 0.25, 0), vec3_make(3, 0, 0), ZERO);
     add_floor();
-    ready();
     real from = vertex_of(0, 0).x;
     for (int f = 0; f < 60; f++) world_step(&w);
     real way = vertex_of(0, 0).x - from;
@@ -210,7 +206,6 @@ START_TEST(cloth_and_ball_keep_their_momentum_in_flight)
     add_at(&cloth, 0, 0, 0);
     add_thrown(&ball, vec3_make(0.1, 1, 0.05), vec3_make(0, -6, 0),
                vec3_make(3, 1, 2));
-    ready();
     int touching = 0;
     for (int f = 0; f < 60; f++) {
         world_step(&w);

@@ -169,7 +169,7 @@ static int points_are_listed(real margin)
                                          &w.rigid.moved[b]);
         rigid4_ride(rigid->rigid, &frame, at, 8);
         obstacle hit = { { at, 8 }, wall, hull_planes(rigid->shape, at, wall),
-                         rigid->shape->radius };
+                         rigid->shape->radius, 0 };
         for (int i = 0; i < w.pool.count; i++) {
             int a = w.bodies - 1;
             while (w.body[a].first > i) a--;
@@ -279,7 +279,6 @@ START_TEST(flat_cloth_at_rest_touches_nothing)
         p.y = vec3_make(-0.48, 0.8, 0.36);
         p.z = vec3_make(-0.64, -0.6, 0.48);
         int sheet = add(&flat, p);
-        ready();
         vec3 was[SIDE * SIDE * 4];
         ck_assert_int_le(flat.particles, SIDE * SIDE * 4);
         for (int i = 0; i < flat.particles; i++)
@@ -309,7 +308,6 @@ static void fold(int b, real gap)
 START_TEST(folded_cloth_touches_itself)
 {
     int b = add_at(&cloth, 0, 1, 0);
-    ready();
     fold(b, cloth.spacing / 2);
     refresh(H);
     read_lists();
@@ -333,7 +331,6 @@ END_TEST
 START_TEST(fold_that_is_wide_enough_touches_nothing)
 {
     int b = add_at(&cloth, 0, 1, 0);
-    ready();
     fold(b, 1.11 * cloth.spacing);
     // Only the two middle columns are one spacing apart, and they are joined.
     refresh(H);
@@ -355,7 +352,6 @@ static void make_heap(real size)
     add(&box, nailed);
     add_at(&cloth, 0, 0.1, 0);
     add_at(&box, -0.4, 0, -0.3);
-    ready();
     for (int b = 0; b < w.bodies; b++) {
         if (!body_is_soft(&w.body[b])) continue;
         for (int i = 0; i < w.body[b].shape->particles; i++) {
@@ -404,7 +400,6 @@ static int lists_after(vec3 one, vec3 other)
     world_free(&w);
     begin(world_options_default());
     int b = add_at(&cloth, 0, 0, 0);
-    ready();
     refresh(H);
     particle *p = particle_of(b, 33), *q = particle_of(b, 44);
     put(p, vec3_add_scaled(p->position, w.soft.near.margin, one));
@@ -446,7 +441,6 @@ START_TEST(lists_are_made_again_when_a_rigid_body_has_come_near)
         begin(world_options_default());
         add_at(&cloth, 0, 0, 0);
         int b = add_at(&box, 0, 1, 0);
-        ready();
         look();
         refresh(H);
         w.rigid.moved[b].of[0] = (k ? 0.51 : 0.49) * w.soft.near.margin;
@@ -472,7 +466,6 @@ START_TEST(lists_are_looked_at_when_the_substep_changes)
     o.gravity = ZERO;
     begin(o);
     int b = add_at(&cloth, 0, 0, 0);
-    ready();
     particle *p = particle_of(b, 44);
     p->previous.y -= w.soft.near.margin / 33;
     refresh(w.age);
@@ -488,7 +481,6 @@ START_TEST(lists_survive_what_is_not_finite)
 {
     int b = add_at(&cloth, 0, 0, 0);
     add_at(&box, 0, 0.3, 0);
-    ready();
     refresh(H);
     particle_of(b, 44)->position.x = (real)NAN;
     w.soft.near.made = 0;
@@ -511,7 +503,6 @@ START_TEST(what_finds_no_room_is_counted)
     add_at(&cloth, 0, 0, 0);
     add_at(&cloth, 0, 0, 0);
     add_at(&box, 0, 0, 0);
-    ready();
     for (int i = 0; i < 2 * cloth.particles; i++)
         put(&w.pool.at[i], vec3_make(1e-4 * i, 0, 0));
     refresh(H);
@@ -590,7 +581,6 @@ START_TEST(nothing_is_missed_while_a_cloth_falls)
     shot.spin = vec3_make(3, 5, 7);
     add(&box, shot);
     world_pin(&w, string, 0);
-    ready();
     int pairs = 0, points = 0, most = 0;
     const int substeps = 900;
     for (int k = 0; k < substeps; k++) {
@@ -619,7 +609,6 @@ END_TEST
 static void cross_links(real gap)
 {
     int a = add_at(&link_, 0, 0, 0), b = add_at(&link_, 0, 0, 0);
-    ready();
     put(particle_of(a, 0), vec3_make(-9, 0, 0));
     put(particle_of(a, 1), vec3_make(0, 0, 0));
     put(particle_of(b, 0), vec3_make(0, gap, 0));
@@ -663,7 +652,6 @@ START_TEST(particle_leaves_a_static_box_by_its_thickness_and_a_third)
         placement nailed = placement_at(vec3_make(0, 0, 0));
         nailed.is_static = 1;
         int b = add(&box, nailed), r = add_at(&rope, 0, 3, 0);
-        ready();
         ck_assert(fabs(soft_gap(&w.body[r], &w.body[b]) - thick)
                   <= ROUNDING);
         put(particle_of(r, 5), move[k].at);
@@ -712,7 +700,6 @@ START_TEST(pushes_between_cloth_and_movable_box_keep_momentum)
         begin(o);
         int b = add_at(&box, 0, 0, 0);
         int s = add_at(&cloth, 0.3 * any(), 0.25, 0.3 * any());
-        ready();
         look();
         for (int i = 0; i < cloth.particles; i++) {
             particle *p = particle_of(s, i);
@@ -738,7 +725,6 @@ START_TEST(particle_meets_a_movable_box_where_it_is_now)
 {
     begin(world_options_default());
     int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, 3, 0);
-    ready();
     look();
     real thick = w.body[r].thickness;
     put(particle_of(r, 5), vec3_make(0, 0.25 + 1.1 * thick, 0));
@@ -778,7 +764,6 @@ START_TEST(particles_share_the_push_of_a_box)
     shape light;
     ck_assert(shape_box(&light, vec3_make(0.5, 0.5, 0.5), 1e-9).ok);
     int b = add_at(&light, 0, 0, 0), r = add_at(&rope, 0, -3, 0);
-    ready();
     look();
     real thick = w.body[r].thickness;
     for (int i = 0; i < 6; i++) {
@@ -805,7 +790,6 @@ START_TEST(box_gives_way_as_a_solid)
         o.friction = 0;
         begin(o);
         int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, -3, 0);
-        ready();
         look();
         real thick = w.body[r].thickness;
         particle *p = particle_of(r, 5);
@@ -847,7 +831,6 @@ START_TEST(friction_stays_in_the_cone)
         o.friction = 0.3;
         begin(o);
         int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, 3, 0);
-        ready();
         look();
         real thick = w.body[r].thickness, depth = 0.5 * thick;
         // The box itself may go along.
@@ -886,7 +869,6 @@ START_TEST(what_hangs_together_holds_together)
         int b = add_at(&box, 0, 0, 0);
         int s = add_at(&cloth, 0, -0.25, 0);
         if (pinned) world_pin(&w, s, 0);
-        ready();
         look();
         refresh(H);
         // One particle is inside, by a fifth of what it is kept away.
@@ -943,7 +925,6 @@ START_TEST(triangle_that_sticks_pull_back_is_held_by_all_of_its_sheet)
         begin(o);
         int b = add_at(&box, 0, 0, 0), s = add_at(&cloth, 0, 0, 0);
         if (pinned) world_pin(&w, s, 0);
-        ready();
         look();
         vec3 n = vec3_unit(vec3_make(1, 1, 1));
         real gap = facet_gap(&w.body[s], &w.body[b]);
@@ -974,7 +955,6 @@ START_TEST(lists_leave_out_what_sleeps_or_is_static)
         placement nailed = placement_at(vec3_make(0, -0.25, 0));
         nailed.is_static = 1;
         add(&box, nailed);
-        ready();
         if (sleepers > 0) w.sleep.asleep[a] = 1;
         if (sleepers > 1) w.sleep.asleep[b] = 1;
         refresh(H);
@@ -1019,7 +999,6 @@ START_TEST(sleepers_near_a_cloth_wake_and_rest_with_it)
         int c = add_at(&cloth, 0, is_near ? 0.4 : 9, 0);
         int b = add_at(is_soft ? &rope : &box, 0, 0, 0);
         int fixed = add_nailed(&box, 0, 0.8, 0);
-        ready();
         lay_to_sleep(b);
         for (int i = 0; i < cloth.particles; i++)
             particle_of(c, i)->previous.y += 0.01;
@@ -1051,7 +1030,6 @@ START_TEST(substeps_are_as_many_as_what_comes_near_needs)
     for (int k = 0; k < 7; k++) {
         begin(o);
         int c = add_at(&cloth, 0, 0, 0), b = add_at(&box, 0, ball[k].away, 0);
-        ready();
         // The inner radius of the box is 0.25 m, a quarter of it 62.5 mm.
         w.rigid.ahead[b] = (prediction){ .reach = ball[k].way };
         w.frame = o.dt;
@@ -1088,7 +1066,6 @@ START_TEST(ends_of_diagonals_are_kept_apart)
         begin(world_options_default());
         int c = add_at(&cell, 0, 0, 0), a = k, b = 3 - k;
         real least = 2 * w.body[c].thickness;
-        ready();
         soft_frame f = soft_frame_of(&w, H);
         // 1.2 of the least, then 0.8 of it.
         vec3 way = vec3_sub(particle_of(c, b)->position,
@@ -1122,7 +1099,6 @@ START_TEST(weight_and_layers_take_more_substeps)
     o.gravity = vec3_make(0, -0.0034 * cloth.spacing * times * times, 0);
     begin(o);
     add_at(&cloth, 0, 0, 0);
-    ready();
     w.frame = o.dt;
     soft_wake(&w);
     ck_assert_int_eq(soft_need(&w), 20);
@@ -1134,7 +1110,6 @@ START_TEST(weight_and_layers_take_more_substeps)
     o.gravity = vec3_make(0, -0.25 * 0.01 / 10.12 * 0.1 * times * times, 0);
     begin(o);
     add_at(&loaded, 0, 0, 0);
-    ready();
     w.frame = o.dt;
     soft_wake(&w);
     ck_assert_int_eq(soft_need(&w), 20);
@@ -1143,7 +1118,6 @@ START_TEST(weight_and_layers_take_more_substeps)
     o.gravity = ZERO;
     begin(o);
     add_at(&cloth, 0, 0, 0);
-    ready();
     w.frame = o.dt;
     const struct { real asked; int wanted; } layers[] = {
         { 3.5, 8 }, { 11.5, 11 }, { 1e9, 14 },
@@ -1166,7 +1140,6 @@ START_TEST(parabola_is_exact_when_the_substep_changes)
 {
     int b = add_thrown(&link_, ZERO, vec3_make(3, 4, 0), ZERO);
     int still = add_at(&link_, 99, 0, 0);
-    ready();
     lay_to_sleep(still);
     vec3 at = particle_of(b, 0)->position;
     real t = 0;
@@ -1196,7 +1169,6 @@ START_TEST(what_is_stretched_by_a_hundredth_is_counted)
         int a = add_at(&rope, 0, 0, 0), still = add_at(&rope, 0, 1, 0);
         add_at(&box, 0, 9, 0);
         int c = add_at(&cloth, 0, 5, 0);
-        ready();
         lay_to_sleep(still);
         particle_of(a, 12)->position.x += stretch[k].by * rope.spacing;
         particle_of(still, 12)->position.x += 1;
@@ -1253,7 +1225,6 @@ START_TEST(corner_lifts_a_triangle_by_its_weights)
         real gap = 0.7 * 0.55 * cloth.spacing, deep = -(0.9 + 0.04 * k) * gap;
         int s = add_at(&cloth, 0, 0, 0);
         add_tip(&small, deep, true);
-        ready();
         refresh(H);
         // What they hold apart themselves is not the matter here.
         w.soft.near.points = w.soft.near.pairs = 0;
@@ -1289,7 +1260,6 @@ START_TEST(corner_that_comes_up_keeps_momentum)
         o.friction = k % 3 * 0.4;
         begin(o);
         int s = add_at(&cloth, 0, 0, 0), b = add_tip(&small, 0, false);
-        ready();
         look();
         motion *u = &w.rigid.velocity[b];
         *u = (motion){ { any(), 3, any(), any(), any(), any() } };
@@ -1322,7 +1292,6 @@ START_TEST(facets_at_a_small_box_are_listed)
         p.position.y *= 0.25;
         p.is_static = k % 2;
         int b = add(&small, p);
-        ready();
         look();
         refresh(H);
         found += facets_of_are_listed(s, b, w.soft.near.margin);
@@ -1341,7 +1310,6 @@ START_TEST(cloth_is_put_back_on_the_side_that_it_came_from)
     shape_tip(&small);
     int s = add_at(&cloth, 0, 0, 0);
     add_tip(&small, 0, true);
-    ready();
     refresh(H);
     separate(H);
     ck_assert_int_ge(w.soft.near.mets, 1);
@@ -1413,7 +1381,6 @@ START_TEST(needle_does_not_pierce_a_cloth)
     p.is_static = true;
     add(&thin, p);
     int s = add_at(&cloth, 0, 0.1, 0);
-    ready();
     for (int k = 0; k < 120; k++) {
         world_step(&w);
         real high = least_over(s, 0.01, 0.005);
@@ -1436,7 +1403,6 @@ START_TEST(link_lies_on_an_edge)
     p.is_static = true;
     add(&thin, p);
     int r = add_at(&rope, 0, 0.001, 0);
-    ready();
     refresh(H);
     w.soft.near.points = w.soft.near.pairs = 0;
     separate(H);
@@ -1461,7 +1427,6 @@ START_TEST(particles_are_kept_off_planes)
     world_pin(&w, b, 0);
     ck_assert(world_add_plane(&w, UP, 0).ok);
     ck_assert(world_add_plane(&w, vec3_make(-1, 0, 0), -9).ok);
-    ready();
     real thick = w.body[b].thickness;
     w.sleep.asleep[still] = 1;
     put(particle_of(still, 2), vec3_make(0, -1, 0));

@@ -1,0 +1,62 @@
+//> table
+// table.h - arrays that grow with a world.
+//
+// Book: chapter 13.
+
+#ifndef TUMBLE_TABLE_H
+#define TUMBLE_TABLE_H
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+// How many elements a table of `room` should have room for, when it needs
+// `need`: at least twice as many as before, so that adding n of them, one by
+// one, copies O(n).
+static inline int table_room(int need, int room)
+{
+    if (need <= room) return room;
+    return need > 2 * room ? need : 2 * room;
+}
+
+// Gives the array whose address is in *array (`array` is the address of a
+// pointer to its elements) room for `room` elements of so many bytes.  The
+// first `kept` stay, the others are zero.  False, changing nothing, if memory is
+// refused.
+static inline bool table_grow(void *array, int kept, int room, size_t size)
+{
+    size_t old = (size_t)kept * size, bytes = (size_t)room * size;
+    void *was, *more;
+    memcpy(&was, array, sizeof was);
+    more = realloc(was, bytes > 0 ? bytes : 1);
+    if (!more) return false;
+    memset((char *)more + old, 0, bytes - old);
+    memcpy(array, &more, sizeof more);
+    return true;
+}
+
+// The same, aligned to 64 bytes.
+static inline bool table_grow_aligned(void *array, int kept, int room,
+                                      size_t size)
+{
+    size_t old = (size_t)kept * size, bytes = (size_t)room * size;
+    void *was, *more = aligned_alloc(64, (bytes + 63) / 64 * 64);
+    if (!more) return false;
+    memcpy(&was, array, sizeof was);
+    if (kept > 0) memcpy(more, was, old);
+    memset((char *)more + old, 0, bytes - old);
+    memcpy(array, &more, sizeof more);
+    free(was);
+    return true;
+}
+
+// One of several tables of one kind of thing: *ok is false, and stays so, if one
+// of them found no memory.
+#define TABLE_GROW(ok, array, kept, room) \
+    ((ok) = (ok) && table_grow(&(array), (kept), (room), sizeof *(array)))
+#define TABLE_GROW_ALIGNED(ok, array, kept, room)               \
+    ((ok) = (ok) && table_grow_aligned(&(array), (kept), (room), \
+                                       sizeof *(array)))
+
+#endif
+//<

@@ -1,0 +1,292 @@
+//> joint-check
+#include "joint.h"
+
+#include <stddef.h>
+#include <string.h>
+
+static status check_distance(const joint_plan *p)
+{
+    if (p->least >= 0 && p->most >= p->least && p->most > 0
+        && p->most < HUGE_VAL) return status_ok();
+    return status_fail("a distance of %g to %g m is none: it must have "
+                       "0 <= least <= most, and most > 0", p->least, p->most);
+}
+
+status joint_check(const joint_plan *p)
+{
+    if (p->kind <= JOINT_NONE || p->kind >= JOINT_KINDS)
+        return status_fail("a joint has no kind %d", (int)p->kind);
+    if (!vec3_is_finite(p->point) || !vec3_is_finite(p->point_b))
+        return status_fail("the point of a joint is not finite");
+    if (!(p->strength >= 0))
+        return status_fail("the strength of a joint is %g; it must be 0 or "
+                           "more", p->strength);
+    real axis = vec3_length(p->axis);
+    if (p->kind == JOINT_HINGE && !(axis > 0 && axis < HUGE_VAL))
+        return status_fail("the axis of a hinge has no direction");
+    return p->kind == JOINT_DISTANCE ? check_distance(p) : status_ok();
+}
+//<
+
+//> joint-make
+const rigid_frame JOINT_WORLD = {
+    { 0, 0, 0 }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }
+};
+
+// The axes of a frame are perpendicular, so each coordinate is found alone.
+static vec3 local_of(const rigid_frame *f, vec3 r)
+{
+    const vec3 *axis = f->axis;
+    return vec3_make(vec3_dot(r, axis[0]) / vec3_length_squared(axis[0]),
+                     vec3_dot(r, axis[1]) / vec3_length_squared(axis[1]),
+                     vec3_dot(r, axis[2]) / vec3_length_squared(axis[2]));
+}
+
+static vec3 direction(const rigid_frame *f, vec3 local)
+{
+    return vec3_sub(frame_point(f, local), f->center);
+}
+
+// Two unit vectors across n, fixed by n alone.
+static void choose_across(vec3 n, vec3 *x, vec3 *y)
+{
+    real a = fabs(n.x), b = fabs(n.y), c = fabs(n.z);
+    vec3 least = { a <= b && a <= c, b < a && b <= c, c < a && c < b };
+    *x = vec3_unit(vec3_cross(n, least));
+    *y = vec3_cross(n, *x);
+}
+
+joint joint_make(const joint_plan *p, const rigid_frame *a,
+                 const rigid_frame *b)
+{
+    vec3 axis[JOINT_AXES] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    bool has_two = p->kind == JOINT_DISTANCE;
+    joint j = { .kind = p->kind, .a = p->a, .b = p->b, .least = p->least,
+                .most = p->most, .particle = p->particle,
+                .may_touch = p->may_touch };
+    j.strength = p->strength > 0 ? p->strength : HUGE_VAL;
+    j.is_limited = has_two && p->least < p->most;
+    if (p->kind == JOINT_HINGE) {
+        axis[0] = vec3_unit(p->axis);
+        choose_across(axis[0], &axis[1], &axis[2]);
+    }
+    j.local_a = local_of(a, vec3_sub(p->point, a->center));
+    j.local_b = local_of(b, vec3_sub(has_two ? p->point_b : p->point,
+                                     b->center));
+    for (int i = 0; i < JOINT_AXES; i++) {
+        j.axis_a[i] = local_of(a, axis[i]);
+        j.axis_b[i] = local_of(b, axis[i]);
+    }
+    return j;
+}
+//<
+
+//> joint-angle
+// arctan x for |x| <= 1.  tan(t/2) = tan t / (1 + sqrt(1 + tan^2 t)), three
+// times: what is left is below 0.1, and its series is good to rounding.
+static real arctan(real x)
+{
+    for (int k = 0; k < 3; k++) x /= 1 + sqrt(1 + x * x);
+    real y = x * x, sum = 0;
+    for (int k = 17; k > 0; k -= 2) sum = 1.0 / k - y * sum;
+    return 8 * x * sum;
+}
+
+// The angle of the vector (x, y), from -pi to pi.
+static real angle_of(real x, real y)
+{
+    const real quarter = 1.5707963267948966;
+    real a = fabs(x), b = fabs(y);
+    real t = a > b ? arctan(b / a) : b > 0 ? quarter - arctan(a / b) : 0;
+    if (x < 0) t = 2 * quarter - t;
+    return y < 0 ? -t : t;
+}
+
+real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b)
+{
+    vec3 arrow = direction(b, j->axis_b[1]);
+    return angle_of(vec3_dot(arrow, direction(a, j->axis_a[1])),
+                    vec3_dot(arrow, direction(a, j->axis_a[2])));
+}
+//<
+
+//> joint-errors
+void joint_points(const joint *j, const rigid_frame *a, const rigid_frame *b,
+                  vec3 *on_a, vec3 *on_b)
+{
+    *on_a = frame_point(a, j->local_a);
+    *on_b = frame_point(b, j->local_b);
+}
+
+// By which small rotation A is ahead of B.  An axis x that has turned by d has
+// gone to x + d x x, and x x (d x x), summed over three perpendicular axes, is
+// 2 d.
+static vec3 twist_between(const joint *j, const rigid_frame *a,
+                          const rigid_frame *b)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int i = 0; i < JOINT_AXES; i++)
+        sum = vec3_add(sum, vec3_cross(direction(b, j->axis_b[i]),
+                                       direction(a, j->axis_a[i])));
+    return vec3_scale(0.5, sum);
+}
+
+// What is left until the limit, of an angle or a length.
+static real room(const joint *j, const joint_rows *r, real value)
+{
+    return r->is_upper ? j->most - value : value - j->least;
+}
+
+void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
+                  const rigid_frame *b, real e[JOINT_ROWS])
+{
+    vec3 on_a, on_b, tilt = { 0, 0, 0 };
+    joint_points(j, a, b, &on_a, &on_b);
+    vec3 gap = vec3_sub(on_a, on_b);
+    if (j->kind == JOINT_DISTANCE) {
+        real length = vec3_length(gap);
+        e[0] = j->is_limited ? room(j, r, length) : length - j->most;
+        return;
+    }
+    e[0] = gap.x;
+    e[1] = gap.y;
+    e[2] = gap.z;
+    if (j->kind == JOINT_FIXED) tilt = twist_between(j, a, b);
+    if (j->kind == JOINT_HINGE)
+        tilt = vec3_cross(direction(b, j->axis_b[0]),
+                          direction(a, j->axis_a[0]));
+    if (j->kind == JOINT_HINGE) {
+        for (int k = 0; k < 2; k++) e[3 + k] = vec3_dot(tilt, r->across[k]);
+        if (j->is_limited) e[5] = room(j, r, joint_angle(j, a, b));
+        return;
+    }
+    e[3] = tilt.x;
+    e[4] = tilt.y;
+    e[5] = tilt.z;
+}
+//<
+
+//> joint-rows
+static const vec3 AXIS[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+
+// How fast a point at `arm` goes along d; how fast a body turns about d.
+static void go_along(real row[MOTIONS], const joint_side *s, vec3 arm, vec3 d,
+                     real sign)
+{
+    vec3 moment = vec3_cross(arm, d);
+    row[0] = sign * d.x;
+    row[1] = sign * d.y;
+    row[2] = sign * d.z;
+    for (int t = 0; t < TURNS; t++)
+        row[MOTION_TURN + t] = sign * vec3_dot(s->basis->turn[t], moment);
+}
+
+static void turn_about(real row[MOTIONS], const joint_side *s, vec3 d,
+                       real sign)
+{
+    row[0] = row[1] = row[2] = 0;
+    for (int t = 0; t < TURNS; t++)
+        row[MOTION_TURN + t] = sign * vec3_dot(s->basis->turn[t], d);
+}
+
+static void turn_apart(joint_rows *r, int k, const joint_side *a,
+                       const joint_side *b, vec3 d)
+{
+    turn_about(r->a[k], a, d, 1);
+    turn_about(r->b[k], b, d, -1);
+}
+
+// Both impulses act in the middle between the two points: what one body gains
+// of angular momentum the other loses.
+static void find_point_rows(joint_rows *r, const joint_side *a,
+                            const joint_side *b, vec3 on_a, vec3 on_b)
+{
+    vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
+    for (int k = 0; k < 3; k++) {
+        go_along(r->a[k], a, vec3_sub(middle, a->frame.center), AXIS[k], 1);
+        go_along(r->b[k], b, vec3_sub(middle, b->frame.center), AXIS[k], -1);
+    }
+    r->held = 3;
+}
+
+static void find_hinge_rows(joint_rows *r, const joint *j, const joint_side *a,
+                            const joint_side *b)
+{
+    for (int k = 0; k < 2; k++) {
+        r->across[k] = direction(&a->frame, j->axis_a[1 + k]);
+        turn_apart(r, 3 + k, a, b, r->across[k]);
+    }
+    r->held = 5;
+    if (!j->is_limited) return;
+    real turned = joint_angle(j, &a->frame, &b->frame);
+    r->is_upper = j->most - turned < turned - j->least;
+    vec3 axis = direction(&a->frame, j->axis_a[0]);
+    turn_apart(r, 5, a, b, vec3_scale(r->is_upper ? 1 : -1, axis));
+}
+
+// A length that must not change is one row; a least and a most are a limit, the
+// nearer of the two.
+static void find_distance_row(joint_rows *r, const joint *j,
+                              const joint_side *a, const joint_side *b,
+                              vec3 on_a, vec3 on_b)
+{
+    vec3 gap = vec3_sub(on_a, on_b);
+    real length = vec3_length(gap), sign = 1;
+    vec3 along = length > 0 ? vec3_scale(1 / length, gap) : AXIS[1];
+    r->held = !j->is_limited;
+    if (j->is_limited) {
+        r->is_upper = j->most - length < length - j->least;
+        sign = r->is_upper ? -1 : 1;
+    }
+    go_along(r->a[0], a, vec3_sub(on_a, a->frame.center), along, sign);
+    go_along(r->b[0], b, vec3_sub(on_b, b->frame.center), along, -sign);
+}
+
+void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
+                     const joint_side *b)
+{
+    vec3 on_a, on_b;
+    joint_points(j, &a->frame, &b->frame, &on_a, &on_b);
+    r->is_upper = false;
+    if (j->kind == JOINT_DISTANCE) {
+        find_distance_row(r, j, a, b, on_a, on_b);
+    } else {
+        find_point_rows(r, a, b, on_a, on_b);
+        if (j->kind == JOINT_HINGE) find_hinge_rows(r, j, a, b);
+        for (int k = 0; k < 3 && j->kind == JOINT_FIXED; k++)
+            turn_apart(r, r->held++, a, b, AXIS[k]);
+    }
+    joint_errors(j, r, &a->frame, &b->frame, r->error);
+}
+//<
+
+//> joint-small
+void small_factor(int n, real m[JOINT_ROWS][JOINT_ROWS])
+{
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k <= i; k++) {
+            real sum = m[i][k];
+            for (int l = 0; l < k; l++) sum -= m[i][l] * m[k][l];
+            if (k < i)  m[i][k] = sum * m[k][k];
+            else        m[i][i] = sum > 0 ? 1 / sqrt(sum) : 0;
+        }
+    }
+}
+
+void small_half(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x)
+{
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < i; k++) x[i] -= m[i][k] * x[k];
+        x[i] *= m[i][i];
+    }
+}
+
+void small_solve(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x)
+{
+    small_half(n, m, x);
+    for (int i = n - 1; i >= 0; i--) {
+        for (int k = i + 1; k < n; k++) x[i] -= m[k][i] * x[k];
+        x[i] *= m[i][i];
+    }
+}
+//<

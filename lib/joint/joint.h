@@ -1,0 +1,129 @@
+//> joint-head
+// joint.h - what holds two rigid bodies together, as rows of a Jacobian.
+//
+// Paper: not asked.  Book: chapter 17.
+// Units: metres, kilograms, seconds, radians.
+
+#ifndef TUMBLE_JOINT_H
+#define TUMBLE_JOINT_H
+
+#include "solver.h"
+
+// A ball joint: a point of A and a point of B stay together.  A hinge: an axis
+// of each as well.  A fixed joint: they move as one.  A distance: two points
+// are at least and at most so far apart.  A pin: a particle of a rope or cloth
+// stays at a place on a rigid body (pin.h).
+typedef enum {
+    JOINT_NONE, JOINT_BALL, JOINT_HINGE, JOINT_FIXED, JOINT_DISTANCE,
+    JOINT_PIN, JOINT_KINDS
+} joint_kind;
+
+// A joint to be made, told as the bodies stand now.
+typedef struct {
+    joint_kind kind;
+    int  a, b;          // bodies; -1: the world, which does not move; of a pin,
+                        // A is the deformable one
+    int  particle;      // of a pin: of A
+    vec3 point;         // m, in the world; of a distance: the point of A
+    vec3 point_b;       // m, of a distance: the point of B
+    vec3 axis;          // of a hinge, in the world; of any length > 0
+    real least, most;   // m, of a distance
+    real strength;      // N: under a greater force it breaks; 0: under none
+    bool may_touch;     // the two bodies may touch each other
+} joint_plan;
+//<
+
+//> joint-struct
+enum { JOINT_ROWS = 6, JOINT_AXES = 3 };
+
+// Points and axes are kept as what they are to their bodies: coordinates in the
+// body's frame, or in the world.
+typedef struct {
+    joint_kind kind;            // JOINT_NONE: there is no joint at this number
+    int  a, b;
+    int  particle;              // of a pin
+    vec3 local_a, local_b;      // the points
+    vec3 axis_a[JOINT_AXES];    // the same three directions, perpendicular, as
+    vec3 axis_b[JOINT_AXES];    // A and as B have them; a hinge turns about [0]
+    real least, most;           // m, of a distance; rad, of a hinge: how far B
+                                // may have turned against A
+    bool is_limited;            // there is a least and a most
+    real strength;              // N; HUGE_VAL: it never breaks
+    bool may_touch;
+    bool is_broken;             // it holds no more
+    real impulse[JOINT_ROWS];   // N s, N m s, of each row, in the last
+                                // substep
+    real force;                 // N, in that substep
+    real own;                   // 1/kg, the pinned particle's, while strands
+    vec3 start;                 // pull, and m, where it was before
+} joint;
+//<
+
+//> joint-rows-struct
+// A joint as its bodies stand now.  The rows of the Jacobian say how fast each
+// error grows: the sum of a[k] times A's velocity and b[k] times B's.
+typedef struct {
+    int  count;                 // rows that hold now
+    int  held;                  // of these, rows that hold always; the next one
+                                // is the limit's, which only pushes
+    vec3 across[2];             // of a hinge: those axes must not turn
+    real a[JOINT_ROWS][MOTIONS], b[JOINT_ROWS][MOTIONS];
+    real error[JOINT_ROWS];         // m, rad; of the limit: what is left
+    bool is_upper;              // the limit is the greater of the two
+    real factor[JOINT_ROWS][JOINT_ROWS];    // of K, see small_factor
+    real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), what a unit impulse leaves
+                                // of what it should change
+    real share;                 // of an error that a substep takes back
+    real swing;                 // 1/(kg m), see linkage.c
+    real want[JOINT_ROWS];      // m/s, rad/s: what the impulses are to change
+} joint_rows;
+
+// One of the two bodies: how it may move, and where it stands.
+typedef struct {
+    const motion_basis *basis;  // zero: it does not
+    rigid_frame frame;
+} joint_side;
+//<
+
+//> joint-declare
+// Fails, with a sentence, if numbers are not finite, a hinge's axis has no
+// direction, a distance has least > most or less than 0, or the kind is none.
+status joint_check(const joint_plan *plan);
+
+// The joint of a plan that has been checked, between bodies that stand as the
+// frames say.
+joint joint_make(const joint_plan *plan, const rigid_frame *a,
+                 const rigid_frame *b);
+
+// The frame of the world: coordinates in it are metres.
+extern const rigid_frame JOINT_WORLD;
+
+// How far a hinge has turned: rad, of B against A, from -pi to pi; 0 as it was
+// made.
+real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b);
+
+// Where the points are: m, of A and of B.
+void joint_points(const joint *j, const rigid_frame *a, const rigid_frame *b,
+                  vec3 *on_a, vec3 *on_b);
+
+// The errors, and the rows by which they change, when the bodies stand so.
+void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
+                     const joint_side *b);
+
+// The errors alone, along the directions of r, when the bodies stand elsewhere.
+void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
+                  const rigid_frame *b, real error[JOINT_ROWS]);
+//<
+
+//> joint-small-declare
+// A symmetric, positive matrix of n <= JOINT_ROWS rows becomes L with L L^T =
+// the matrix (Cholesky), with 1/L_ii on its diagonal.  Only the lower triangle
+// is read and written.  A row that nothing answers is left out.
+void small_factor(int n, real m[JOINT_ROWS][JOINT_ROWS]);
+
+// x becomes the solution y of L y = x; and of L L^T y = x.
+void small_half(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x);
+void small_solve(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x);
+
+#endif
+//<

@@ -1,0 +1,101 @@
+//> linkage-head
+// linkage.h - all joints of a world, and the impulses that hold them.
+//
+// Paper: not asked.  Here: chains and trees of bodies at once (Baraff 1996),
+// what closes a ring one by one.  Book: chapter 17.
+// Units: metres, kilograms, seconds.
+
+#ifndef TUMBLE_LINKAGE_H
+#define TUMBLE_LINKAGE_H
+
+#include "joint.h"
+//<
+
+//> linkage-struct
+// Does a joint hang by itself on the world, or join two bodies of a tree?  All
+// others are solved one after the other.
+typedef enum { JOINT_IDLE, JOINT_ALONE, JOINT_ANCHOR, JOINT_BRANCH } joint_role;
+
+// A body as the joints see it.
+typedef struct {
+    real mass[MOTIONS][MOTIONS];    // of itself and all that hangs on it; L
+    real drive[MOTIONS];    // impulse; then the change of velocity
+    int  group;             // union-find: a body of its tree
+    int  branches, one;     // not yet followed; the last, if there is one
+    bool is_done;
+    long seen;              // the last frame in which it was joined
+} linkage_body;
+
+// From the tips of a tree to its root: a body, and the joint that leads on.
+typedef struct {
+    int body, joint;        // -1: it is the root
+} linkage_step;
+
+typedef struct {
+    joint      *joint;      // [count] JOINT_NONE: a place for the next one
+    joint_rows *rows;       // [count]
+    joint_role *role;       // [count]
+    linkage_step *step;     // [2 count]
+    long long  *apart;      // [count] pairs of bodies that do not meet
+    int  count, capacity, gone, steps;  // gone: places that are free
+    linkage_body *body;     // [bodies]
+    int  bodies;
+    bool is_plain;          // trees, too, are solved joint by joint: to measure
+    long frames;            // so many began
+    bool is_stale;          // one broke in this frame
+    bool is_backward;       // joints that stand alone come last to first
+    int  broken;            // so many, since this was set to 0
+    real pace;              // rad/s, of the fastest swing about a joint in the
+                            // last frame: a substep must follow it
+    real worst;             // m, by which a joint's points are apart
+} linkage;
+//<
+
+//> linkage-declare
+// A zeroed one is empty.
+void linkage_free(linkage *l);
+
+// Adds a joint; its number in *number (which may be NULL).  Fails, adding
+// nothing, for want of memory.
+status linkage_add(linkage *l, const joint *j, int *number);
+
+// Takes a joint away.  Its number goes to a later one.
+void linkage_remove(linkage *l, int number);
+
+// Was body b joined to something when this frame began?
+static inline bool linkage_has(const linkage *l, int b)
+{
+    return b < l->bodies && l->frames > 0 && l->body[b].seen == l->frames;
+}
+
+// Takes those that are joined, and must not touch, out of n pairs of bodies
+// that may meet.  Returns how many are left, in their old order.
+int linkage_drop_pairs(linkage *l, int (*pair)[2], int n);
+
+// The impulses of the joints in a frame, and in each of its substeps.
+// velocity and moved are as solver.h has them.  What joints do to a body is
+// added to `before`, too, which is the solver's: its contacts start warm with
+// what contacts did.
+typedef struct {
+    const solver_frame *f;
+    motion *velocity, *before;
+    const motion *moved;
+} linkage_pass;
+
+// A frame begins: bodies stand as f says, and have not been moved.
+void linkage_prepare(linkage *l, const linkage_pass *q);
+
+// A substep, in this order.  Gives every body the impulses of the last substep
+// (warm starting);
+void linkage_begin(linkage *l, const linkage_pass *q);
+
+// brings the joints together by its end; before the contacts push, and once
+// more after them, so that an impact does not pull a joint apart;
+void linkage_push(linkage *l, const linkage_pass *q);
+
+// after the bodies have moved: the rows for where they stand now; takes back
+// the speed by which errors went; and breaks what had to bear too much.
+void linkage_relax(linkage *l, const linkage_pass *q);
+
+#endif
+//<

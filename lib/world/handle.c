@@ -1,0 +1,281 @@
+//> handle-where
+#include "handle.h"
+
+#include <assert.h>
+
+// A rigid body's axes in its shape are those of its four particles there.
+static rigid_frame rest_of(const rigid4 *f)
+{
+    particle p[FOUR];
+    for (int k = 0; k < FOUR; k++) p[k] = (particle){ .position = f->at[k] };
+    return rigid4_frame(p);
+}
+
+// The direction d of the shape, in the world.
+static vec3 direction(const rigid_frame *now, const rigid_frame *rest, vec3 d)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int i = 0; i < FOUR_AXES; i++) {
+        vec3 a = rest->axis[i];
+        sum = vec3_add_scaled(sum, vec3_dot(a, d) / vec3_length_squared(a),
+                              now->axis[i]);
+    }
+    return sum;
+}
+
+// The velocity of the particles is that in the middle of the last substep.
+// Gravity has gone on since then, where nothing held the body.
+static vec3 since_then(const world *w, int b)
+{
+    const real *did = w->rigid.solver.before[b].of;
+    bool is_held = false;
+    for (int i = 0; i < MOTIONS; i++) is_held |= did[i] != 0;
+    return vec3_scale(is_held ? 0 : w->age / 2, w->options.gravity);
+}
+
+static placement where_rigid(const world *w, int b)
+{
+    const body *x = &w->body[b];
+    const particle *p = w->pool.at + x->first;
+    rigid_frame now = rigid4_frame(p), rest = rest_of(x->rigid);
+    placement at = placement_at(now.center);
+    at.x = direction(&now, &rest, at.x);
+    at.y = direction(&now, &rest, at.y);
+    at.z = direction(&now, &rest, at.z);
+    vec3 out = direction(&now, &rest, x->rigid->center);
+    at.position = vec3_sub(now.center, out);
+    at.is_static = body_is_static(x);
+    if (x->is_kinematic) {
+        at.velocity = w->rigid.drive[b].velocity;
+        at.spin = w->rigid.drive[b].spin;
+    }
+    if (!body_moves(w, b)) return at;
+    motion_basis basis = basis_find(x->rigid, &now);
+    motion u = motion_of(p, &now, &basis, w->age);
+    at.velocity = vec3_add(vec3_make(u.of[0], u.of[1], u.of[2]),
+                           since_then(w, b));
+    at.spin = motion_rotation(&basis, &u);
+    return at;
+}
+
+placement world_where(const world *w, int b)
+{
+    assert(b >= 0 && b < w->bodies);
+    const body *x = &w->body[b];
+    if (!body_is_soft(x)) return where_rigid(w, b);
+    int n = body_particles(x);
+    placement at = placement_at(vec3_make(0, 0, 0));
+    for (int i = x->first; i < x->first + n; i++) {
+        const particle *p = &w->pool.at[i];
+        vec3 way = vec3_sub(p->position, p->previous);
+        at.position = vec3_add_scaled(at.position, 1.0 / n, p->position);
+        at.velocity = vec3_add_scaled(at.velocity, 1 / (n * w->age), way);
+    }
+    at.is_static = body_is_static(x);
+    return at;
+}
+//<
+
+//> handle-put
+// A body that is put elsewhere is one that is gone and has come: only its
+// number, its shape and its particles stay.
+status world_put(world *w, int b, placement where)
+{
+    assert(b >= 0 && b < w->bodies && !body_is_gone(&w->body[b]));
+    const body *x = &w->body[b];
+    status done = placement_check(&where, x->shape, b);
+    if (!done.ok) return done;
+    where.is_static = body_is_static(x);
+    world_wake(w, b);
+    world_wake_around(w, b);
+    cache_forget(&w->rigid.cache, b);
+    soft_forget(&w->soft, b);
+    world_place(w, b, &where);
+    if (x->is_kinematic)
+        w->rigid.drive[b] = (body_drive){ where.velocity, where.spin };
+    world_wake_around(w, b);
+    return done;
+}
+//<
+
+//> handle-push
+// Adds to the velocity of a rigid body: its particles were elsewhere.
+static void add_velocity(world *w, int b, vec3 velocity, vec3 spin)
+{
+    particle *p = w->pool.at + w->body[b].first;
+    rigid_frame now = rigid4_frame(p);
+    for (int k = 0; k < FOUR; k++) {
+        vec3 v = vec3_add(velocity, vec3_cross(spin, frame_arm(&now, k)));
+        p[k].previous = vec3_add_scaled(p[k].previous, -w->age, v);
+    }
+}
+
+static bool wake_rigid(world *w, int b)
+{
+    assert(b >= 0 && b < w->bodies && !body_is_soft(&w->body[b]));
+    if (!body_is_dynamic(&w->body[b])) return false;
+    world_wake(w, b);
+    w->is_still = false;
+    return true;
+}
+
+static void drive(world *w, int b, vec3 velocity, vec3 spin)
+{
+    w->rigid.drive[b] = (body_drive){ velocity, spin };
+    w->is_still = false;
+}
+
+void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin)
+{
+    assert(vec3_is_finite(velocity) && vec3_is_finite(spin));
+    if (w->body[b].is_kinematic) drive(w, b, velocity, spin);
+    if (!wake_rigid(w, b)) return;
+    particle *p = w->pool.at + w->body[b].first;
+    for (int k = 0; k < FOUR; k++) p[k].previous = p[k].position;
+    w->rigid.solver.before[b] = (motion){ { 0 } };
+    velocity = vec3_add_scaled(velocity, -w->age / 2, w->options.gravity);
+    add_velocity(w, b, velocity, spin);
+}
+
+void world_push(world *w, int b, vec3 impulse, vec3 at)
+{
+    assert(vec3_is_finite(impulse) && vec3_is_finite(at));
+    if (!wake_rigid(w, b)) return;
+    const body *x = &w->body[b];
+    rigid_frame now = rigid4_frame(w->pool.at + x->first);
+    motion_basis basis = basis_find(x->rigid, &now);
+    motion u = { { 0 } };
+    motion_push(&u, &basis, vec3_sub(at, now.center), impulse);
+    add_velocity(w, b, vec3_make(u.of[0], u.of[1], u.of[2]),
+                 motion_rotation(&basis, &u));
+}
+
+void world_push_particle(world *w, int b, int i, vec3 impulse)
+{
+    assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
+    assert(i >= 0 && i < body_particles(&w->body[b]));
+    assert(vec3_is_finite(impulse));
+    world_wake(w, b);
+    w->is_still = false;
+    particle *p = &w->pool.at[w->body[b].first + i];
+    p->previous = vec3_add_scaled(p->previous, -w->age * p->inverse_mass,
+                                  impulse);
+}
+//<
+
+//> handle-force
+void world_force(world *w, int b, vec3 force, vec3 torque)
+{
+    assert(vec3_is_finite(force) && vec3_is_finite(torque));
+    if (!wake_rigid(w, b)) return;
+    body_load *load = &w->rigid.load[b];
+    load->force = vec3_add(load->force, force);
+    load->torque = vec3_add(load->torque, torque);
+    w->rigid.is_loaded = true;
+}
+
+motion world_load(const world *w, int b, real seconds)
+{
+    const motion_basis *basis = &w->rigid.now[b].basis;
+    const body_load *load = &w->rigid.load[b];
+    const vec3 center = { 0, 0, 0 };
+    motion u = { { 0 } };
+    motion_push(&u, basis, center, vec3_scale(seconds, load->force));
+    motion_twist(&u, basis, vec3_scale(seconds, load->torque));
+    return u;
+}
+
+void world_forget_loads(world *w)
+{
+    for (int b = 0; b < w->bodies && w->rigid.is_loaded; b++)
+        w->rigid.load[b] = (body_load){ .force = { 0, 0, 0 } };
+    w->rigid.is_loaded = false;
+}
+//<
+
+//> handle-material
+static status take_material(world *w, material *own, material m)
+{
+    if (m.friction < 0) m.friction = w->options.friction;
+    if (m.restitution < 0) m.restitution = w->options.restitution;
+    if (!(m.friction <= 1000))
+        return status_fail("friction is %g; it must be at most 1000",
+                           m.friction);
+    if (!(m.restitution <= 1))
+        return status_fail("restitution is %g; it must be at most 1",
+                           m.restitution);
+    *own = m;
+    w->has_materials = true;
+    return status_ok();
+}
+
+status world_set_material(world *w, int b, material m)
+{
+    assert(b >= 0 && b < w->bodies);
+    world_wake(w, b);
+    return take_material(w, &w->rigid.material[b], m);
+}
+
+status world_set_plane_material(world *w, int k, material m)
+{
+    assert(k >= 0 && k < w->planes);
+    return take_material(w, &w->wall[k], m);
+}
+
+status world_set_damping(world *w, int b, real damping, real spin_damping)
+{
+    assert(b >= 0 && b < w->bodies);
+    if (!(damping >= 0 && damping < HUGE_VAL
+          && spin_damping >= 0 && spin_damping < HUGE_VAL))
+        return status_fail("the damping of body %d is %g and %g; both must be "
+                           "finite, and 0 or more", b, damping, spin_damping);
+    w->body[b].damping = damping;
+    w->body[b].spin_damping = spin_damping;
+    w->is_damped |= damping > 0 || spin_damping > 0;
+    return status_ok();
+}
+//<
+
+//> handle-kinematic
+// To the books it has no mass: what it gives comes from outside.
+void world_set_kinematic(world *w, int b, bool is_kinematic)
+{
+    assert(b >= 0 && b < w->bodies && !body_is_soft(&w->body[b]));
+    body *x = &w->body[b];
+    if (body_is_static(x) || x->is_kinematic == is_kinematic) return;
+    placement at = world_where(w, b);
+    world_wake(w, b);
+    x->is_kinematic = is_kinematic;
+    w->is_choosy = true;
+    w->kinematic_bodies += is_kinematic ? 1 : -1;
+    w->dynamic_bodies -= is_kinematic ? 1 : -1;
+    for (int i = x->first; i < x->first + FOUR; i++) {
+        w->pool.at[i].inverse_mass = 1 / x->rigid->mass;
+        w->inverse_mass[i] = is_kinematic ? 0 : 1 / x->rigid->mass;
+    }
+    world_renew(w, b);
+    w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
+    if (!is_kinematic) world_set_velocity(w, b, at.velocity, at.spin);
+}
+
+void world_set_filter(world *w, int b, unsigned group, unsigned mask)
+{
+    assert(b >= 0 && b < w->bodies);
+    w->body[b].group = group;
+    w->body[b].mask = mask;
+    w->is_choosy = true;
+    world_wake(w, b);
+    world_wake_around(w, b);
+    world_renew(w, b);
+}
+//<
+
+//> handle-sleep
+void world_sleep(world *w, int b)
+{
+    assert(b >= 0 && b < w->bodies);
+    if (!body_moves(w, b)) return;
+    sleep_put(&w->sleep, b);
+    world_pin_sleeper(w, b);
+}
+//<

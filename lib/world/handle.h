@@ -1,0 +1,75 @@
+//> handle-head
+// handle.h - what a program may do to a body between two steps.
+//
+// Paper: not asked; a body there only falls.  Book: chapter 18.
+// Units: metres, seconds, kilograms, newtons, in the world's frame.
+//
+// What is touched from outside wakes, and with it all that sleep with it.
+
+#ifndef TUMBLE_HANDLE_H
+#define TUMBLE_HANDLE_H
+
+#include "world.h"
+//<
+
+//> handle-declare
+// Where body b is, and how it moves: the place and the axes of its shape, the
+// velocity of its centre of mass, and its spin about it.  Of a deformable one:
+// the mean of its particles, their mean velocity, no rotation and no spin.  What
+// is static or asleep stands still.
+placement world_where(const world *w, int b);
+
+// Puts body b elsewhere, at once, with that velocity; a deformable one as its
+// shape is, at rest, with its pins.  What it touched is forgotten, and what lay
+// on it wakes.  Only static bodies stay so: where.is_static is not asked.
+// Fails, changing nothing, as world_add does.
+status world_put(world *w, int b, placement where);
+
+// Gives a rigid body this velocity of its centre of mass, and this spin about
+// it; a kinematic one keeps them.  Nothing happens to a static one.
+void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin);
+
+// Makes a rigid body that is not static kinematic, at rest, or not kinematic any
+// more: then it goes on as it went.  Nothing changes the velocity of a kinematic one but world_set_velocity: it pushes what
+// it meets, carries what lies on it, and goes through what does not move.
+void world_set_kinematic(world *w, int b, bool is_kinematic);
+
+// An impulse (N s) on a rigid body, now, at a point of the world.  A static or
+// kinematic one does not feel it.
+void world_push(world *w, int b, vec3 impulse, vec3 at);
+
+// An impulse (N s) on particle i of a deformable body.  A pinned one does not
+// feel it.
+void world_push_particle(world *w, int b, int i, vec3 impulse);
+
+// A force (N) at the centre of mass of a rigid body, and a torque (N m), all
+// through the next step; what is set twice adds up.
+void world_force(world *w, int b, vec3 force, vec3 torque);
+
+// What they add to the velocity of body b in so many seconds of a frame.
+motion world_load(const world *w, int b, real seconds);
+// A step is over: they are gone.
+void   world_forget_loads(world *w);
+
+// What body b, or plane k, is made of; friction or restitution < 0: as the
+// world's options say now.  Two that meet rub with the root of the product of
+// their frictions, and bounce with the larger restitution.  Fail, changing
+// nothing, if friction is more than 1000, restitution more than 1, or one is no
+// number.
+status world_set_material(world *w, int b, material m);
+status world_set_plane_material(world *w, int k, material m);
+
+// The shares of its velocity and its spin that a body loses, 1/s; a deformable
+// one has no spin.  Fails, changing nothing, if one is negative or not finite.
+status world_set_damping(world *w, int b, real damping, real spin_damping);
+
+// Two bodies meet if the mask of each has a bit of the other's group.  A new one
+// has group 1, and meets all.
+void world_set_filter(world *w, int b, unsigned group, unsigned mask);
+
+// Puts body b to sleep where it is; anything may wake it.  Nothing happens to a
+// static one.
+void world_sleep(world *w, int b);
+
+#endif
+//<

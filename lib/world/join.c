@@ -1,0 +1,155 @@
+//> join
+#include "join.h"
+
+#include <assert.h>
+
+static rigid_frame frame_now(const world *w, int b)
+{
+    if (b < 0 || body_is_soft(&w->body[b])) return JOINT_WORLD;
+    return rigid4_frame(w->pool.at + w->body[b].first);
+}
+
+static vec3 pinned_at(const world *w, const joint_plan *p)
+{
+    const body *soft = &w->body[p->a];
+    assert(p->particle >= 0 && p->particle < body_particles(soft));
+    return w->pool.at[soft->first + p->particle].position;
+}
+
+static bool can_move(const world *w, int b)
+{
+    return b >= 0 && !body_is_static(&w->body[b]);
+}
+
+static bool is_dynamic(const world *w, int b)
+{
+    return b >= 0 && body_is_dynamic(&w->body[b]);
+}
+
+static void wake(world *w, int b)
+{
+    if (!can_move(w, b)) return;
+    world_wake(w, b);
+    pair_list_renew(&w->rigid.pairs, b);
+}
+
+// And whether they may meet is asked again.
+static void wake_both(world *w, const joint *j)
+{
+    wake(w, j->a);
+    wake(w, j->b);
+    w->is_still = false;
+}
+
+status world_join(world *w, joint_plan plan, int *number)
+{
+    assert(plan.a >= -1 && plan.a < w->bodies && plan.a != plan.b);
+    assert(plan.b >= -1 && plan.b < w->bodies);
+    bool is_pin = plan.kind == JOINT_PIN;
+    assert(plan.a < 0 || body_is_soft(&w->body[plan.a]) == is_pin);
+    assert(plan.b < 0 || !body_is_soft(&w->body[plan.b]));
+    if (is_pin) plan.point = pinned_at(w, &plan);
+    status done = joint_check(&plan);
+    if (done.ok && !can_move(w, plan.a) && !can_move(w, plan.b))
+        done = status_fail("neither of the two bodies of a joint can move");
+    if (!done.ok) return done;
+    rigid_frame a = frame_now(w, plan.a), b = frame_now(w, plan.b);
+    joint j = joint_make(&plan, &a, &b);
+    done = linkage_add(&w->joints, &j, number);
+    if (!done.ok) return done;
+    wake_both(w, &j);
+    return done;
+}
+
+static joint *joint_at(const world *w, int number)
+{
+    assert(number >= 0 && number < w->joints.count);
+    assert(w->joints.joint[number].kind != JOINT_NONE);
+    return &w->joints.joint[number];
+}
+
+void world_unjoin(world *w, int number)
+{
+    wake_both(w, joint_at(w, number));
+    linkage_remove(&w->joints, number);
+}
+
+status world_limit_joint(world *w, int number, real least, real most)
+{
+    const real turn = 3.141592653589794;    // pi, rounded up
+    joint *j = joint_at(w, number);
+    bool is_hinge = j->kind == JOINT_HINGE;
+    assert(is_hinge || j->kind == JOINT_DISTANCE);
+    real lowest = is_hinge ? -turn : 0, highest = is_hinge ? turn : 1e300;
+    if (!(least >= lowest && most >= least && most <= highest))
+        return status_fail("%g to %g are no limits of a joint", least, most);
+    j->least = least;
+    j->most = most;
+    j->is_limited = is_hinge || least < most;
+    wake_both(w, j);
+    return status_ok();
+}
+
+real world_joint_gap(const world *w, int number)
+{
+    const joint *j = joint_at(w, number);
+    rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
+    vec3 on_a, on_b;
+    joint_points(j, &a, &b, &on_a, &on_b);
+    if (j->kind == JOINT_PIN)
+        on_a = w->pool.at[w->body[j->a].first + j->particle].position;
+    return vec3_distance(on_a, on_b);
+}
+
+real world_joint_angle(const world *w, int number)
+{
+    const joint *j = joint_at(w, number);
+    rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
+    return joint_angle(j, &a, &b);
+}
+//<
+
+//> join-inside
+linkage_pass join_pass(world *w, const solver_frame *f)
+{
+    rigid_tables *t = &w->rigid;
+    return (linkage_pass){ f, t->velocity, t->solver.before, t->moved };
+}
+
+void join_begin(world *w, const solver_frame *f)
+{
+    linkage_pass q = join_pass(w, f);
+    linkage_prepare(&w->joints, &q);
+}
+
+// What is joined does not meet.
+void join_drop_pairs(world *w)
+{
+    pair_list *l = &w->rigid.pairs;
+    if (w->joints.count > 0)
+        l->count = linkage_drop_pairs(&w->joints, l->pair, l->count);
+}
+
+// What a joint has let go may meet again.
+static void renew_pairs(world *w, const joint *j)
+{
+    if (j->a >= 0) pair_list_renew(&w->rigid.pairs, j->a);
+    if (j->b >= 0) pair_list_renew(&w->rigid.pairs, j->b);
+}
+
+// What is joined sleeps and wakes together.
+void join_islands_of_joints(world *w)
+{
+    linkage *l = &w->joints;
+    w->report.parted = l->worst;
+    w->report.broken = l->broken;
+    for (int k = 0; k < l->count; k++) {
+        const joint *j = &l->joint[k];
+        if (j->is_broken && l->broken > 0) renew_pairs(w, j);
+        if (j->kind == JOINT_NONE || j->is_broken) continue;
+        if (is_dynamic(w, j->a) && is_dynamic(w, j->b))
+            sleep_touch(&w->sleep, j->a, j->b);
+    }
+    l->broken = 0;
+}
+//<

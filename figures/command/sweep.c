@@ -194,8 +194,8 @@ static status open_folder(const char *folder, int is_resumed, int *is_new)
                            strerror(errno));
     status done = lock_folder(folder);
     if (!done.ok || *is_new || is_resumed) return done;
-    return status_fail("%.100s: a sweep stopped here: --resume goes on with it; "
-                       "without this folder it begins again", folder);
+    return status_fail("%.100s: a sweep stopped here: --resume goes on with "
+                       "it; without this folder it begins again", folder);
 }
 
 static status write_file(const char *folder, const char *name, const table *t,

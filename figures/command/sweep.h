@@ -1,9 +1,9 @@
 // sweep.h - many runs: a table of options, a row a run.
 //
 // The table is a CSV file without quotes.  Its head names options, without the
-// two dashes, and `scene`; each row below is one run.  An empty cell: the option
-// is not given.  An option without a value is given by yes.  Empty lines, and
-// those that begin with #, are remarks.
+// two dashes, and `scene`; each row below is one run.  An empty cell, or no:
+// the option is not given.  An option without a value is given by yes.  Empty
+// lines, and those that begin with #, are remarks.
 // A sweep keeps what it has in a folder beside its job log: the table, and a
 // file for each row.  sweep.sh runs the rows and puts their lines together.
 

@@ -442,7 +442,7 @@ static void print_files(const run *r)
                r->replay.equal_step);
 }
 
-// ---- The line of a sweep ------------------------------------------------------
+// ---- The line of a sweep ----------------------------------------------------
 
 static const char row_head[] =
     "steps,end,strain,penetration_m,kinetic_J,momentum_kg_m_s,unconverged,"

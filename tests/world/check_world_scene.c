@@ -546,6 +546,21 @@ START_TEST(mesh_from_a_file_is_thrown_into_the_room)
 }
 END_TEST
 
+// Rejects: a sum that overflows before the cloth is refused.
+START_TEST(options_of_a_cloth_that_is_too_large_are_those_of_the_largest)
+{
+    for (int k = 0; k < SCENES; k++) {
+        int most = world_scene_options((scene_kind)k, 512).substeps;
+        int least = world_scene_options((scene_kind)k, 2).substeps;
+        ck_assert_int_eq(world_scene_options((scene_kind)k, INT_MAX).substeps,
+                         most);
+        ck_assert_int_eq(world_scene_options((scene_kind)k, INT_MIN).substeps,
+                         least);
+        ck_assert_int_ge(least, 1);
+    }
+}
+END_TEST
+
 // --- what cannot be built ----------------------------------------------------
 
 static void is_refused(scene_kind kind, scene_options what, world_options how,
@@ -651,6 +666,7 @@ int main(void)
         cloth_comes_to_hang_on_the_rope,
         cloth_and_cube_are_as_documented,
         rope_starts_as_the_exact_chain,
+        options_of_a_cloth_that_is_too_large_are_those_of_the_largest,
         bad_options_are_refused_with_a_sentence,
         smallest_scenes_can_be_built,
         pile_that_is_awake_lies_still,

@@ -25,7 +25,8 @@ enum {
     FOR_CLOTH = 1 << SCENE_CLOTH_ON_CUBE | 1 << SCENE_CLOTH_ON_ROPE,
     FOR_ALL = FOR_ROOM | FOR_CLOTH,
     FOR_NONE = 0,       // asks for words, not for a scene
-    ASIDE = 1 << 8      // leaves the motion as it is
+    ASIDE = 1 << 8,     // leaves the motion as it is
+    FOR_SWEEP = 1 << 9
 };
 
 typedef struct {
@@ -91,7 +92,7 @@ static const option options[] = {
       offsetof(settings, obj), "write DIR/frame-00000.obj and so on" },
     { "--every", KIND_REAL, "S", 1e-9, 100000, FOR_ALL | ASIDE,
       offsetof(settings, every), "s, from one of these frames to the next" },
-    { "--csv", KIND_PATH, "FILE", 0, 0, FOR_ALL | ASIDE,
+    { "--csv", KIND_PATH, "FILE", 0, 0, FOR_ALL | ASIDE | FOR_SWEEP,
       offsetof(settings, csv), "write a row of measures for every step" },
     { "--record", KIND_PATH, "FILE", 0, 0, FOR_ALL | ASIDE,
       offsetof(settings, record), "keep the options, and a hash every 60 "
@@ -100,6 +101,19 @@ static const option options[] = {
       offsetof(settings, replay), "run that again: are the hashes the same?" },
     { "--bits", KIND_FLAG, "", 0, 0, FOR_ALL | ASIDE,
       offsetof(settings, bits), "print a hash of where everything ends" },
+    { "--sweep", KIND_PATH, "TABLE", 0, 0, FOR_SWEEP | ASIDE,
+      offsetof(settings, sweep), "run its rows, by GNU Parallel; --csv FILE" },
+    { "--jobs", KIND_COUNT, "N", 1, 10000, FOR_SWEEP | ASIDE,
+      offsetof(settings, jobs), "rows at a time; else one a core" },
+    { "--resume", KIND_FLAG, "", 0, 0, FOR_SWEEP | ASIDE,
+      offsetof(settings, resume), "go on with a sweep that was stopped" },
+    { "--joblog", KIND_PATH, "FILE", 0, 0, FOR_SWEEP | ASIDE,
+      offsetof(settings, joblog), "when and how each row ran; else "
+                                  "TABLE.joblog" },
+    { "--sshloginfile", KIND_PATH, "FILE", 0, 0, FOR_SWEEP | ASIDE,
+      offsetof(settings, hosts), "machines, in the words of GNU Parallel" },
+    { "--row", KIND_COUNT, "N", 1, 10000000, FOR_SWEEP | ASIDE,
+      offsetof(settings, row), "run only this one, and print its line" },
     { "--list", KIND_FLAG, "", 0, 0, FOR_NONE,
       offsetof(settings, list), "name the scenes and the options" },
     { "--help", KIND_FLAG, "", 0, 0, FOR_NONE,
@@ -171,10 +185,13 @@ static const char *scene_number_name(int i)
     return scene_name((scene_kind)i);
 }
 
-static status unknown_option(const char *given)
+// text may go on with the option's value.
+static status unknown_option(const char *text)
 {
+    char given[81];
+    snprintf(given, sizeof given, "%.*s", (int)strcspn(text, "="), text);
     const char *meant = nearest_name(given, option_name, OPTIONS);
-    return status_fail("there is no option %.80s%s%s%s", given,
+    return status_fail("there is no option %s%s%s%s", given,
                        meant ? "; did you mean " : " (see tumble --list)",
                        meant ? meant : "", meant ? "?" : "");
 }
@@ -398,6 +415,23 @@ static status check_replay(const settings *s)
     return status_fail("the scene is named by the record of --replay");
 }
 
+// What is for a sweep, and what stands in its table.
+static status check_sweep(const settings *s)
+{
+    for (int k = 0; k < OPTIONS; k++) {
+        const option *o = &options[k];
+        if (!is_given(s, k)) continue;
+        if (s->sweep && !(o->scenes & FOR_SWEEP))
+            return status_fail("%s is said by the rows of the table, and not "
+                               "beside --sweep", o->name);
+        if (!s->sweep && o->scenes == (FOR_SWEEP | ASIDE))
+            return status_fail("%s is for a sweep: --sweep TABLE", o->name);
+    }
+    if (s->sweep && s->scene != SCENES)
+        return status_fail("the scene is named by the table of --sweep");
+    return status_ok();
+}
+
 static status finish_settings(settings *s)
 {
     if (s->scene != SCENES && s->seconds < 0)
@@ -410,6 +444,8 @@ status settings_read(settings *s, int arguments, char *const *argument)
     *s = settings_default();
     status done = read_words(s, arguments - 1, argument + 1);
     if (!done.ok || s->help || s->list || s->version) return done;
+    done = check_sweep(s);
+    if (!done.ok || s->sweep) return done;
     return s->replay ? check_replay(s) : finish_settings(s);
 }
 
@@ -565,6 +601,7 @@ static void print_options(FILE *out)
         int some = o->scenes & FOR_ALL;
         if (some == FOR_ROOM) fprintf(out, "; room only");
         if (some == FOR_CLOTH) fprintf(out, "; cloth only");
+        if (o->scenes == (FOR_SWEEP | ASIDE)) fprintf(out, "; sweeps only");
         print_default(out, o);
         fprintf(out, "\n");
     }
@@ -581,7 +618,9 @@ void settings_print_list(FILE *out)
 void settings_print_help(FILE *out)
 {
     fprintf(out,
-        "tumble SCENE [options]\n\n"
+        "tumble SCENE [options]\n"
+        "tumble --replay FILE [options]\n"
+        "tumble --sweep TABLE [options]\n\n"
         "Animates a scene with particles and sticks, and prints how large the\n"
         "errors were and how long it took.\n\n");
     settings_print_list(out);

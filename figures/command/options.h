@@ -24,12 +24,15 @@ typedef struct {
     const char *mesh, *film, *frames, *obj, *csv, *record, *replay;
                                 // NULL: not asked for
     real every;                 // s, from one frame to the next
+    const char *sweep, *joblog, *hosts;     // NULL: not asked for
+    int  row, jobs;             // 0: all; as many as there are cores
+    int  resume;
     int  help, list, version;
     unsigned long long given;   // bit i: option i of the table was given
 } settings;
 
 // Reads the command line.  Fails with a sentence that names the option.  With
-// --replay it holds no scene, which the record names.
+// --replay it holds no scene, which the record names; with --sweep neither.
 status settings_read(settings *s, int arguments, char *const *argument);
 
 // The words of a record are read after those of the command line.

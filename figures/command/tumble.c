@@ -5,9 +5,11 @@
 
 #define _POSIX_C_SOURCE 200809L
 
+#include "tumble.h"
 #include "frames.h"
 #include "obj.h"
 #include "record.h"
+#include "sweep.h"
 #include "thread.h"
 
 #include <errno.h>
@@ -22,7 +24,6 @@
 #define FLAGS "unknown"
 #endif
 
-#define TUMBLE_VERSION "1.0"
 
 enum { EXIT_WRONG_USE = 2, EXIT_SIGNAL = 128 };
 
@@ -64,6 +65,7 @@ typedef struct {
 
 typedef struct {
     settings set;
+    const char *cells;          // of a row of a sweep; NULL: it is none
     runner   run;
     thread_pool *pool;          // NULL: there is one thread
     long     steps, done;       // wanted; finished
@@ -206,7 +208,7 @@ static status begin_scene(run *r)
 // Everything that can go wrong before the first step goes wrong here.
 static status run_begin(run *r)
 {
-    settings_print_notes(&r->set, stderr);
+    if (!r->cells) settings_print_notes(&r->set, stderr);
     if (r->set.scene != SCENE_ROOM) r->set.mesh = NULL;     // nothing reads it
     status done = check_outputs(r);
     if (!done.ok) return done;
@@ -440,6 +442,26 @@ static void print_files(const run *r)
                r->replay.equal_step);
 }
 
+// ---- The line of a sweep ----------------------------------------------------
+
+static const char row_head[] =
+    "steps,end,strain,penetration_m,kinetic_J,momentum_kg_m_s,unconverged,"
+    "dropped,hash,time_s";
+
+// Times stand last: all before them is the same in every run.
+static void print_row(const run *r)
+{
+    real sum = 0;
+    for (long i = 0; i < r->done; i++) sum += r->step_time[i];
+    const char *end = r->lost ? "lost" : r->replay.parted ? "parted" : "done";
+    printf("%d,%s,%ld,%s,%.9g,%.9g,%.9g,%.9g,%.0f,%ld,", r->set.row, r->cells,
+           r->done, end, r->strain.value, r->penetration.value,
+           r->last.kinetic, vec3_length(r->last.momentum),
+           r->unconverged.value, r->run.dropped);
+    if (!r->lost) printf("%016llx", runner_hash(&r->run));
+    printf(",%.6g\n", sum);
+}
+
 // ---- The whole -------------------------------------------------------------
 
 static int complain(status s, int code)
@@ -467,6 +489,11 @@ static status run_finish(run *r)
         done = record_look(&r->record, &r->run, r->done, 1);
     if (done.ok && r->record.file) done = output_commit(&r->record);
     if (!done.ok) return done;
+    if (r->cells) {
+        // A row that was stopped is run again.
+        if (!stop_signal) print_row(r);
+        return done;
+    }
     print_title(r);
     print_errors(r);
     print_times(r);
@@ -478,6 +505,7 @@ static status run_finish(run *r)
 // Why a run that did not fail ended early, if it did; its exit status.
 static int tell_end(const run *r)
 {
+    if (r->cells && !stop_signal) return EXIT_SUCCESS;
     if (r->lost) {
         fprintf(stderr, "tumble: the motion grew beyond all numbers in step "
                 "%ld of %ld; a smaller --dt or more --substeps may hold it; "
@@ -499,9 +527,9 @@ static int tell_end(const run *r)
     return EXIT_SIGNAL + stop_signal;
 }
 
-static int run_scene(const settings *set)
+static int run_scene(const settings *set, const char *cells)
 {
-    run r = { .set = *set };
+    run r = { .set = *set, .cells = cells };
     catch_signals(0);
     status done = check_names(set);
     if (done.ok && set->replay) done = replay_open(&r.replay, &r.set);
@@ -518,6 +546,26 @@ static int run_scene(const settings *set)
     return code;
 }
 
+// How a row ended stands in its line.
+static int run_row(const settings *set)
+{
+    table t;
+    settings row;
+    char *words = NULL;
+    status done = table_read(&t, set->sweep);
+    if (done.ok && set->row > t.rows)
+        done = status_fail("%.120s: has only %d rows", set->sweep, t.rows);
+    if (done.ok) done = table_row(&t, set->row, &row, &words);
+    int code = EXIT_FAILURE;
+    if (done.ok) {
+        row.row = set->row;
+        code = run_scene(&row, t.row[set->row]);
+    } else complain(done, code);
+    free(words);
+    table_free(&t);
+    return code;
+}
+
 int main(int arguments, char **argument)
 {
     settings set;
@@ -528,6 +576,9 @@ int main(int arguments, char **argument)
     else if (set.list) settings_print_list(stdout);
     else if (set.version)
         printf("tumble %s (%s, %s)\n", TUMBLE_VERSION, __VERSION__, FLAGS);
-    else code = run_scene(&set);
+    else if (set.row > 0) code = run_row(&set);
+    else if (set.sweep)
+        code = complain(sweep_begin(&set, argument[0], row_head), EXIT_FAILURE);
+    else code = run_scene(&set, NULL);
     return close_output(code);
 }

@@ -186,7 +186,7 @@ status output_check(const char *path)
     return s;
 }
 
-// ---- Names that clash --------------------------------------------------------
+// ---- Names that clash -------------------------------------------------------
 
 static int is_part_of(const char *part, const char *path)
 {

@@ -139,10 +139,9 @@ static void add_tetrahedron(polytope *p)
 // until they span a volume.  False if all of A - B lies in a plane.
 static bool begin(polytope *p, const simplex *start)
 {
+    assert(start->count > 0);
     p->corners = p->faces = 0, p->size = 0;
     for (int k = 0; k < start->count; k++) add_corner(p, start->of[k]);
-    if (p->corners == 0)
-        add_corner(p, hull_support(p->a, p->b, vec3_make(1, 0, 0)));
     while (p->corners < 4)
         if (!grow(p)) return false;
     add_tetrahedron(p);

@@ -31,7 +31,8 @@ typedef struct {
 } hit_result;
 
 // The hit face of two hulls that overlap.  start: the last simplex of the
-// gjk_distance that said so.  Allocates nothing; takes 150 kB of stack.
+// gjk_distance that said so, which has a corner at least.  Allocates nothing;
+// takes 150 kB of stack.
 hit_result hit_face_find(hull a, hull b, const simplex *start);
 
 #endif

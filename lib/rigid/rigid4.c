@@ -437,6 +437,16 @@ static bool is_straight(const rigid4 *f, const vec3 y[AXES])
     return true;
 }
 
+// A body whose sticks are all off by no more than this is straight.  They bound
+// the sums of two of the axes' errors, and so each error: |G_ii| <= 2 worst
+// (s_1 + s_2 + s_3), which must be within 2 BENT s_i.
+static real tolerance_of(const rigid4 *f, real asked)
+{
+    const real *s = f->square;
+    real least = real_min(s[0], real_min(s[1], s[2]));
+    return real_min(asked, BENT * least / (s[0] + s[1] + s[2]));
+}
+
 // Makes three axes perpendicular, and as long as the plan has them: the longest
 // keeps its direction.  False if they have none.
 static bool straighten(const rigid4 *f, vec3 y[AXES])
@@ -550,7 +560,7 @@ rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
 {
     rigid4_result all = { .worst = 0 };
     assert(steps > 0);
-    options.tolerance = real_min(options.tolerance, BENT);
+    options.tolerance = tolerance_of(f, options.tolerance);
     for (int b = 0; b < bodies; b += LANES) {
         // Lanes that are left over repeat the last body.
         int n = bodies - b < LANES ? bodies - b : LANES;

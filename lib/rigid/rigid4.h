@@ -89,11 +89,12 @@ typedef struct {
 // them, until none is off by more than options.tolerance, at most `steps` times
 // (at least 1).  Written as a frame of three vectors along the solid's axes,
 // the six can be solved one by one: there is no matrix to be inverted.
-// Gradients as options.gradient says.  A tolerance of more than a twentieth is
-// taken for one.  Where this fails (violent turning), the body is put back to
-// how it lay at `previous`, straightened, and moved on without turning
-// (fell_back = 1); if that is not finite either, it stays as it is (worst =
-// HUGE_VAL).  Pinned bodies stay.
+// Gradients as options.gradient says.  A tolerance that would let an axis be
+// off by more than a tenth is taken for one that does not: a sixtieth for a
+// cube, 5e-8 for a needle a thousand times as long as thick.  Where this fails
+// (violent turning), the body is put back to how it lay at `previous`,
+// straightened, and moved on without turning (fell_back = 1); if that is not
+// finite either, it stays as it is (worst = HUGE_VAL).  Pinned bodies stay.
 rigid4_result rigid4_relax(const rigid4 *f, particle *p, int steps,
                         relax_options options);
 

@@ -68,8 +68,8 @@ static real fastest_drive(const world *w)
 
 // Contacts create no motion: beside what there is, and what bends and links
 // have stored, only gravity does, what pushes from outside, and the speed at
-// which overlaps are pushed out.  sqrt(2 energy / mass) is a length in the space of all
-// velocities: these add up to no more than their sum.
+// which overlaps are pushed out.  sqrt(2 energy / mass) is a length in the space
+// of all velocities: these add up to no more than their sum.
 real guard_most(const world *w, const solver_frame *f)
 {
     motion_sum s = rigid_motion(w);

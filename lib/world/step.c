@@ -5,6 +5,7 @@
 #include "join.h"
 #include "ledger.h"
 #include "restitution.h"
+#include "rolling.h"
 #include "soft_step.h"
 #include "substeps.h"
 
@@ -45,6 +46,7 @@ static void solve(world *w, real *since)
     for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
     solver_store(&w->rigid.solver, w->options.host.run,
                  w->rigid.cache.active);
+    rolling_brake(w, f.substeps);
     w->report.substeps += f.substeps;
     w->age = f.h;
     guard_brake(w, most);

@@ -81,7 +81,8 @@ static void read_words(bytes *in)
     check_settings(&s);
     if (s.help) settings_print_help(nowhere);
     if (s.list) settings_print_list(nowhere);
-    if (s.help || s.list || s.version || s.replay) return;
+    if (s.help || s.list || s.version || s.replay || s.sweep)
+        return;
     MUST(s.scene >= 0 && s.scene < SCENES, "scene %d", (int)s.scene);
     long steps = settings_steps(&s);
     MUST(steps >= 0 && steps <= 10000000, "%ld steps", steps);

@@ -495,6 +495,108 @@ accepts '3 rows' room --bodies 2 --seconds 0.05 --csv killed.csv
 verdict 'what a killed run left is taken over' "$(ls -A | grep part)"
 rm -f "$out.2" "$err.2"
 
+# --- Sweeps ---------------------------------------------------------------------
+# table TEXT: writes it.
+table() { printf '%b' "$1" > table.csv; }
+table 'scene,bodies,seed,seconds\nroom,4,7,0.5\n\n# two more\nroom,5,2,.1\nroom,,3,.1\n'
+accepts "^1,room,4,7,0.5,30,done,.*,$first,[0-9.e-]*\$" --sweep table.csv --row 1
+accepts '^3,room,,3,.1,6,done' --sweep table.csv --row 3
+refuses 1 'table.csv: has only 3 rows' --sweep table.csv --row 4
+refuses 1 'nothing: cannot be opened'  --sweep nothing
+for bad in 'scene,bodys\nroom,3\n:line 2: there is no option --bodys; did you mean --bodies' \
+           'scene\n:has no row' 'scene,bodies\n\nroom\n:line 3: has 1 cells, and the head 2' \
+           'scene,bodies\nroom,"3"\n:line 2: quotes are not read' \
+           'bodies\n3\n:line 2: no scene is named' \
+           'scene,bodies\nroom,3\nroom,0\n:line 3: --bodies 0: must lie' \
+           'scene,list\nroom,yes\n:line 2: a row is the run of a scene' \
+           'scene,bits\nroom,1\n:line 2: --bits takes no value'; do
+    table "${bad%%:*}"
+    refuses 1 "table.csv.*${bad#*:}" --sweep table.csv
+done
+refuses 2 '--bodies is said by the rows'  --sweep table.csv --bodies 4
+refuses 2 'the scene is named by the table' room --sweep table.csv
+for option in '--jobs 2' --resume '--joblog x' '--sshloginfile x' '--row 1'; do
+    refuses 2 "${option% *} is for a sweep" room $option
+done
+
+table 'scene,bodies,seed,seconds\n'
+for row in 1 2 3 4 5 6 7 8 9 10 11 12; do echo "room,5,$row,0.2" >> table.csv; done
+refuses 1 '--csv table.csv is the table'  --sweep table.csv --csv table.csv
+refuses 1 'good.obj: is no job log'       --sweep table.csv --joblog good.obj
+verdict 'a file that is no job log is left alone' "$(cmp good.obj good.was 2>&1)"
+
+# In the place of GNU Parallel stands another program of its name.
+mkdir fake && printf '#!/bin/sh\necho another\n' > fake/parallel && chmod +x fake/parallel
+PATH=$PWD/fake:$PATH "$tumble" --sweep table.csv > "$out" 2> "$err"
+code=$?
+verdict 'a sweep without GNU Parallel says so' "$([ $code -eq 1 ] &&
+    grep -q 'needs GNU Parallel.*make deps-dev' "$err" || echo "$code: $(cat "$err")")"
+rm -r fake table.csv.joblog.rows
+
+# same FILE: the lines of the first sweep, but for the times.
+same() { cut -d , -f 1-14 "$1" | cmp - lines; }
+if parallel --version 2> /dev/null | grep -q '^GNU parallel'; then
+    accepts 'wrote one.csv: 12 rows' --sweep table.csv --csv one.csv --jobs 1
+    cut -d , -f 1-14 one.csv > lines
+    verdict 'a head and a line a row, in order' "$(awk -F , 'NF != 15 || NR > 1 && ($1 != NR - 1 ||
+        $4 != NR - 1 || $7 != "done" || $14 !~ /^[0-9a-f]+$/) { print "line " NR }' one.csv)"
+    accepts '^12,room,5,12,0.2,12,done' --sweep table.csv --jobs 2 --joblog log
+    grep -v '^parallel:' "$out" > two.csv
+    verdict 'two jobs, the same table' "$(same two.csv)"
+    verdict 'a log has every row' "$([ "$(wc -l < log)" -eq 13 ] || cat log)"
+    # A host that is this machine, behind a stand-in for ssh.
+    printf '#!/bin/sh\nshift 2\nexec sh -c "$*"\n' > ssh && chmod +x ssh
+    echo "1/$folder/ssh there" > hosts
+    accepts '12 rows' --sweep table.csv --csv two.csv --sshloginfile hosts
+    verdict 'another host, the same table' "$(same two.csv)"
+    verdict 'and it ran there' "$([ "$(grep -c 'ssh there' table.csv.joblog)" -eq 12 ] || cat table.csv.joblog)"
+
+    # A row that cannot run: the others are kept, and it is tried again.
+    printf 'scene,bodies,seconds,mesh\nroom,2,.1,\nroom,2,.1,later.obj\n' > some.csv
+    run --sweep some.csv --csv some.out
+    verdict 'a row that fails is named' "$([ $code -eq 1 ] && [ ! -e some.out ] &&
+        grep -q 'later.obj: cannot be opened' "$err" &&
+        grep -q 'some rows failed.*--resume' "$err" || echo "$code: $(cat "$err")")"
+    cp good.obj later.obj
+    accepts 'wrote some.out: 2 rows' --sweep some.csv --csv some.out --resume
+    verdict 'and only that one runs again' \
+        "$([ "$(awk '{ print $1 }' some.csv.joblog | tr '\n' ' ')" = 'Seq 1 2 2 ' ] || cat some.csv.joblog)"
+
+    # Killed in the middle, by two signals, and resumed.  The twelfth row waits
+    # for the reader of a pipe until it is killed.
+    mkfifo wait
+    awk -F , -v OFS=, 'NR == 1 { print $0, "csv"; next } { print $0, NR == 13 ? "wait" : "" }' table.csv > last.csv
+    for signal in KILL TERM; do
+        more=$([ $signal = KILL ] || echo --resume)
+        if command -v setsid > /dev/null; then new=setsid; else new=; fi
+        $new "$tumble" --sweep last.csv --csv two.csv --jobs 2 $more > "$out" 2> "$err" &
+        child=$!
+        tries=0
+        rm -f last.csv.joblog.rows/12
+        until [ -e last.csv.joblog.rows/12 ] && [ "$(cat last.csv.joblog 2> /dev/null | wc -l)" -ge 12 ] || [ $tries -eq 200 ]; do
+            tries=$((tries + 1)); sleep 0.1
+        done
+        [ $signal = TERM ] || refuses 1 'this sweep is being run' --sweep last.csv --resume
+        # Parallel gives every row a group of its own: this one goes on alone.
+        if [ $signal = KILL ] && [ $new ]; then kill -s KILL -- -$child; cat wait > /dev/null
+        else kill -s TERM $child; fi
+        wait $child 2> /dev/null
+        code=$?
+    done
+    verdict 'a stopped sweep says so' "$([ $code -eq 143 ] &&
+        grep -q 'stopped; --resume goes on' "$err" || echo "$code: $(cat "$err")")"
+    refuses 1 'a sweep stopped here: --resume' --sweep last.csv --csv two.csv
+    sed 's/room,5/room,6/' last.csv > other.csv
+    refuses 1 'is not the table' --sweep other.csv --joblog last.csv.joblog --resume
+    rm wait
+    accepts 'wrote two.csv: 12 rows' --sweep last.csv --csv two.csv --jobs 2 --resume
+    cut -d , -f 1-5,7-15 two.csv > rows && same rows > "$out"
+    verdict 'killed and resumed, the same table' "$(cat "$out")"
+    verdict 'no row ran twice but the last' \
+        "$(awk 'NR > 1 { print $1 }' last.csv.joblog | sort -n | uniq -d | grep -v 12)"
+    verdict 'a finished sweep leaves its log alone' "$(ls -d ./*.rows 2> /dev/null)"
+fi
+
 echo "$(((checks - failures) * 100 / checks))%: Checks: $checks," \
      "Failures: $failures, Errors: 0"
 [ $failures -eq 0 ]

@@ -18,6 +18,7 @@ header() { echo "#include <$1>" | ${CC:-cc} -E -x c - ; }
 bullet() { echo '#include <btBulletDynamicsCommon.h>' |
            ${CXX:-c++} -E -isystem /usr/include/bullet -x c++ - ; }
 browser() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
+gnu_parallel() { parallel --version | grep '^GNU parallel'; }
 english() { aspell dump dicts | grep -x en_GB; }
 font() { [ -e /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf ] ||
          fc-list | grep -q 'DejaVu Sans'; }
@@ -43,7 +44,8 @@ deps-book)
 deps-dev)
     need clang command -v clang
     need libclang-rt-14-dev fuzzer
-    need valgrind command -v valgrind ;;
+    need valgrind command -v valgrind
+    need parallel gnu_parallel ;;
 deps-peers)
     need libccd-dev header ccd/ccd.h
     need libode-dev header ode/ode.h

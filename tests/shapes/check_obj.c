@@ -451,6 +451,22 @@ START_TEST(more_than_4096_vertices_are_refused)
 }
 END_TEST
 
+// A face of n corners is n - 2 triangles, of which 8,192 would be read.
+START_TEST(more_than_8192_triangles_are_refused)
+{
+    char *text = malloc(8200 * 2 + 200);
+    size_t length = (size_t)sprintf(text, V4 "f");
+    for (int k = 0; k < 8194; k++)
+        length += (size_t)sprintf(text + length, " %d", k % 3 + 1);
+    status s = read_bytes(text, length, &(shape){ 0 });
+    ck_assert(!s.ok && !strstr(s.why, "8192"));
+    sprintf(text + length, " 1");
+    expect_refused(text,
+                   ", line 5: a body may have 8192 triangles at most");
+    free(text);
+}
+END_TEST
+
 START_TEST(file_of_many_megabytes_is_refused)
 {
     size_t length = ((size_t)1 << 24) + 1;
@@ -581,7 +597,8 @@ int main(void)
         bad_numbers_are_named_with_their_line,
         bad_indices_are_named_with_their_line,
         faces_with_too_few_corners_are_named,
-        more_than_4096_vertices_are_refused, file_of_many_megabytes_is_refused,
+        more_than_4096_vertices_are_refused,
+        more_than_8192_triangles_are_refused, file_of_many_megabytes_is_refused,
         complaints_about_the_mesh_name_lines,
         bodies_without_an_inside_are_refused, radius_and_mass_are_checked,
         file_is_closed_again, refused_memory_leaves_nothing

@@ -153,6 +153,22 @@ START_TEST(what_was_never_seen_leaves_by_the_side_that_most_of_it_is_on)
 }
 END_TEST
 
+// Exactly in the middle there is no such side.
+// Rejects: a plane without a direction, that parts nothing from nothing.
+START_TEST(what_is_in_the_middle_leaves_by_some_face)
+{
+    const vec3 end[FACET] = { { 0.25, 0, 0 }, { -0.125, 0.25, 0 },
+                              { -0.125, -0.25, 0 } };
+    facet_touch t;
+    plane between = unknown();
+    ck_assert(facet_nearest(&hit, end, &between, 0.06, &t));
+    ck_assert(fabs(vec3_length(t.at.normal) - 1) <= ROUNDING);
+    ck_assert(vec3_distance(t.at.normal, between.normal) == 0);
+    ck_assert(fabs(facet_height(end, between) - t.gap) <= ROUNDING);
+    ck_assert(fabs(vec3_dot(t.at.normal, t.at.at) - 0.5) <= ROUNDING);
+}
+END_TEST
+
 // Rejects: NaN that is near, or that becomes the plane.
 START_TEST(what_is_not_finite_is_near_nothing)
 {
@@ -177,6 +193,7 @@ int main(void)
         edge_under_an_edge,
         what_cuts_the_body_leaves_by_the_side_it_came_from,
         what_was_never_seen_leaves_by_the_side_that_most_of_it_is_on,
+        what_is_in_the_middle_leaves_by_some_face,
         what_is_not_finite_is_near_nothing,
     };
     Suite *s = suite_create("facet");

@@ -546,6 +546,21 @@ START_TEST(mesh_from_a_file_is_thrown_into_the_room)
 }
 END_TEST
 
+// Rejects: a sum that overflows before the cloth is refused.
+START_TEST(options_of_a_cloth_that_is_too_large_are_those_of_the_largest)
+{
+    for (int k = 0; k < SCENES; k++) {
+        int most = world_scene_options((scene_kind)k, 512).substeps;
+        int least = world_scene_options((scene_kind)k, 2).substeps;
+        ck_assert_int_eq(world_scene_options((scene_kind)k, INT_MAX).substeps,
+                         most);
+        ck_assert_int_eq(world_scene_options((scene_kind)k, INT_MIN).substeps,
+                         least);
+        ck_assert_int_ge(least, 1);
+    }
+}
+END_TEST
+
 // --- what cannot be built ----------------------------------------------------
 
 static void is_refused(scene_kind kind, scene_options what, world_options how,
@@ -585,6 +600,27 @@ START_TEST(bad_options_are_refused_with_a_sentence)
         how.dt = (real)NAN;
         is_refused((scene_kind)kind, scene_options_default(), how, "dt");
     }
+}
+END_TEST
+
+// Rejects: a pin that becomes one of the four particles of a rigid body; a
+// world that is left half built.
+START_TEST(pin_of_a_rigid_body_is_refused_with_a_sentence)
+{
+    scene plan = { .shapes = 0 };
+    shape cube;
+    world w;
+    ck_assert(shape_box(&cube, vec3_make(1, 1, 1), 1).ok);
+    ck_assert(scene_add_shape(&plan, &cube).ok);
+    for (int k = 0; k < 2; k++)
+        ck_assert(scene_add(&plan, 0, placement_at(vec3_make(3 * k, 0, 0))).ok);
+    ck_assert(scene_add_pin(&plan, 1, 7).ok);
+    status done = world_of_scene(&w, &plan, world_options_default());
+    ck_assert(!done.ok);
+    ck_assert_str_eq(done.why, "body 1 is rigid, and cannot be pinned");
+    ck_assert_int_eq(w.bodies, 0);
+    ck_assert_ptr_null(w.pool.at);
+    scene_free(&plan);
 }
 END_TEST
 
@@ -651,7 +687,9 @@ int main(void)
         cloth_comes_to_hang_on_the_rope,
         cloth_and_cube_are_as_documented,
         rope_starts_as_the_exact_chain,
+        options_of_a_cloth_that_is_too_large_are_those_of_the_largest,
         bad_options_are_refused_with_a_sentence,
+        pin_of_a_rigid_body_is_refused_with_a_sentence,
         smallest_scenes_can_be_built,
         pile_that_is_awake_lies_still,
         scenes_have_names,

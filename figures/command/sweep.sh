@@ -1,0 +1,39 @@
+#!/bin/sh
+# sweep.sh - runs the rows of a sweep through GNU Parallel, and puts their lines
+# together in the order of the table.  `tumble --sweep` becomes it:
+#   COMMAND FOLDER ROWS JOBLOG CSV JOBS HOSTS      (the last three may be empty)
+# FOLDER holds the table and the head; row 7 writes its line to FOLDER/7.  Hosts
+# must see this folder, that of the call and the command under the same names.
+
+command=$1 folder=$2 rows=$3 joblog=$4 csv=$5 jobs=$6 hosts=$7
+
+fail() { echo "tumble: $1" >&2; exit "${2:-1}"; }
+again="--resume goes on with it"
+
+# Another program is called parallel, too.
+parallel --version 2> /dev/null | grep -q '^GNU parallel' ||
+    fail "a sweep needs GNU Parallel, which is not here (make deps-dev installs it); $again"
+
+# At its second TERM Parallel ends its rows.
+stop() { kill -TERM $!; sleep 0.2; kill -TERM $! 2> /dev/null; wait $!; fail "the sweep is stopped; $again" "$1"; }
+trap 'stop 129' HUP
+trap 'stop 130' INT
+trap 'stop 143' TERM
+
+set -- --quote --joblog "$joblog" --resume-failed --results "$folder/{#}"
+[ -z "$jobs" ] || set -- "$@" --jobs "$jobs"
+[ -z "$hosts" ] || set -- "$@" --sshloginfile "$hosts" --workdir "$PWD"
+seq "$rows" | parallel "$@" "$command" --sweep "$folder/table" --row > /dev/null &
+wait $! || {
+    cat "$folder"/*.err 2> /dev/null | sort -u | head -n 5 >&2
+    fail "some rows failed, see the column Exitval of $joblog; $again"
+}
+
+# A line a row, each with its number.
+(cd "$folder" && seq "$rows" | xargs cat) > "$folder/lines" &&
+    awk -F , -v rows="$rows" '$1 != NR { exit 1 } END { if (NR != rows) exit 1 }' "$folder/lines" ||
+    fail "$folder: the lines of the rows are not whole"
+if [ -n "$csv" ]; then cat "$folder/head" "$folder/lines" > "$csv"
+else cat "$folder/head" "$folder/lines"; fi || fail "the table cannot be written; $again"
+rm -r "$folder"
+[ -z "$csv" ] || echo "wrote $csv: $rows rows"

@@ -1,0 +1,78 @@
+//> rolling
+#include "rolling.h"
+
+#include <stddef.h>
+
+static const real RESISTANCE = 0.01;        // of the radius
+static const real SLOW = 30;                // times the speed of falling asleep
+static const real EARTH = 9.81, USUAL = 0.5;    // m/s^2, m: see sleep_rule
+
+// m, of the smaller of the two that is round; 0: neither is.
+static real radius_of(const contact *c)
+{
+    if (!(c->round_a > 0)) return c->round_b;
+    return c->round_b > 0 ? real_min(c->round_a, c->round_b) : c->round_a;
+}
+
+static real slow_speed(const world_options *o, real radius)
+{
+    real g = vec3_length(o->gravity);
+    return SLOW * o->sleep_speed * sqrt(g * radius / (EARTH * USUAL));
+}
+
+// The answer of a body to a unit turning impulse about d, 1/(kg m^2).
+static real answer(const motion_basis *basis, vec3 d)
+{
+    real sum = 0;
+    for (int t = 0; t < TURNS; t++) {
+        real row = vec3_dot(basis->turn[t], d);
+        sum += row * row;
+    }
+    return sum;
+}
+
+static void turn(motion *m, const motion_basis *basis, vec3 impulse)
+{
+    for (int t = 0; t < TURNS; t++)
+        m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], impulse);
+}
+
+static void brake(world *w, const contact *c, real load)
+{
+    static const motion_basis immovable = { .inverse_mass = 0 };
+    rigid_tables *t = &w->rigid;
+    const motion_basis *a = &t->now[c->a].basis, *b = &immovable;
+    vec3 spin = motion_rotation(a, &t->velocity[c->a]);
+    real radius = radius_of(c), most = RESISTANCE * radius * load;
+    if (c->b >= 0) {
+        b = &t->now[c->b].basis;
+        spin = vec3_sub(spin, motion_rotation(b, &t->velocity[c->b]));
+    }
+    real speed = vec3_length(spin);
+    if (!(speed > 0)
+        || !(speed * radius < slow_speed(&w->options, radius))) return;
+    vec3 about = vec3_scale(1 / speed, spin);
+    real stops = speed / (answer(a, about) + answer(b, about));
+    vec3 impulse = vec3_scale(real_min(stops, most), about);
+    turn(&t->velocity[c->a], a, vec3_scale(-1, impulse));
+    if (c->b >= 0) turn(&t->velocity[c->b], b, impulse);
+}
+
+static bool has_round(const world *w)
+{
+    for (int k = 0; k < w->shapes; k++)
+        if (w->shape[k].bodies > 0 && w->shape[k].shape->round > 0) return true;
+    return false;
+}
+
+void rolling_brake(world *w, int substeps)
+{
+    const contact_solver *s = &w->rigid.solver;
+    if (!(w->options.sleep_speed > 0) || !has_round(w)) return;
+    for (int k = 0; k < s->contacts; k++) {
+        const contact *c = w->rigid.cache.active[k];
+        real load = s->active[k].load * substeps;
+        if (load > 0 && radius_of(c) > 0) brake(w, c, load);
+    }
+}
+//<

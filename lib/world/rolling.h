@@ -1,0 +1,21 @@
+//> rolling-head
+// rolling.h - what rolls slowly comes to rest.
+//
+// Paper: nothing rolls there.  Book: chapter 18.
+
+#ifndef TUMBLE_ROLLING_H
+#define TUMBLE_ROLLING_H
+
+#include "world.h"
+
+// Friction does not stop a ball that rolls, nor one that spins on its point:
+// alone it would never sleep, and keep awake all that it touches.  So contacts
+// of round bodies that carry something turn against slow turning, as ground
+// does that gives way a little: with a torque of a hundredth of the load times
+// the radius, and no more than stops it.  Slow is up to 30 times the speed at
+// which bodies fall asleep; in a world without sleep nothing is.  After the
+// substeps of a frame, of which there were so many.
+void rolling_brake(world *w, int substeps);
+
+#endif
+//<

@@ -133,11 +133,33 @@ static vec3 turned(vec3 t, vec3 x)
                            vec3_add(once, vec3_cross(t, once)));
 }
 
+// The same so many times, from powers of two: the cosine and the sine of the
+// whole angle.
+static vec3 turned_often(vec3 t, int times, vec3 x)
+{
+    real square = vec3_length_squared(t), tangent = sqrt(square);
+    real c = (1 - square) / (1 + square), s = 2 * tangent / (1 + square);
+    real cosine = 1, sine = 0;
+    vec3 axis = vec3_scale(1 / tangent, t), once = vec3_cross(axis, x);
+    for (; times > 0; times /= 2) {
+        real c2 = c * c - s * s, s2 = 2 * c * s, last = cosine;
+        if (times % 2 == 1) {
+            cosine = last * c - sine * s;
+            sine = last * s + sine * c;
+        }
+        c = c2;
+        s = s2;
+    }
+    x = vec3_add_scaled(x, sine, once);
+    return vec3_add_scaled(x, 1 - cosine, vec3_cross(axis, once));
+}
+
 // In as many moves as motion_begin, each by so small an angle a that
 // tan(a / 2) is a / 2 (1 + a^2 / 12) to a^5 / 240.
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d)
 {
+    enum { A_FEW = 8 };     // are quicker one by one
     vec3 straight = { d->of[0], d->of[1], d->of[2] };
     int moves = motion_moves(basis, d);
     vec3 turn = vec3_scale(1.0 / moves, motion_rotation(basis, d));
@@ -145,9 +167,12 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
     vec3 half = vec3_scale((1 + a2 / 12) / 2, turn);
     rigid_frame now = *frame;
     now.center = vec3_add(frame->center, straight);
-    for (int i = 0; i < FOUR_AXES; i++)
-        for (int k = 0; k < moves; k++)
+    for (int i = 0; i < FOUR_AXES; i++) {
+        if (moves > A_FEW)
+            now.axis[i] = turned_often(half, moves, now.axis[i]);
+        for (int k = 0; k < moves && moves <= A_FEW; k++)
             now.axis[i] = turned(half, now.axis[i]);
+    }
     return now;
 }
 //<

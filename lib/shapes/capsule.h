@@ -1,5 +1,5 @@
 //> round-head
-// capsule.h - rigid bodies that are round: all points near a point or a segment.
+// capsule.h - rigid bodies that are round: all that is near a point or segment.
 //
 // Paper: no such bodies; it tests spheres only to find what is near.
 // Book: chapter 10.

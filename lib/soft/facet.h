@@ -35,7 +35,8 @@ static inline real facet_height(const vec3 end[FACET], plane p)
 
 //> facet-declare
 // Is the facet with these corners nearer than reach (m, > 0) to the body, or in
-// it?  *out says where the two are nearest; no: only its gap is right, or at least a bound.
+// it?  *out says where the two are nearest; if not, only its gap is right, or a
+// bound.
 // `between` is the plane that touched the body, and had the facet in front of
 // it, when that was last known (a normal of 0: never); it receives the new one.
 // A facet has no inside: if it cuts the body, this plane tells by which side it

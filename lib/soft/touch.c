@@ -373,14 +373,16 @@ static bool touch_facet(const near_lists *l, rigid_view *v, const soft_frame *f,
         if (is_near) return part_facet(v, f, pair, x, &t, apart, who);
         up = t.gap;
     }
-    pair->until = l->substeps + substeps_clear(f, x, pair->rigid, up - apart);
+    if (who == BY_PARTICLE)
+        pair->until = l->substeps
+                    + substeps_clear(f, x, pair->rigid, up - apart);
     return false;
 }
 
 int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f,
                  bool is_backward)
 {
-    int n = l->facet.count, of = -1;
+    int n = l->facet.count, of = -1, touching = 0;
     facet_view x;
     l->mets = 0;
     for (int k = 0; k < n; k++) {
@@ -389,10 +391,12 @@ int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f,
         if (pair->until > l->substeps) continue;
         if (pair->rigid != of) x.frame = soft_rigid_frame(f, pair->rigid);
         of = pair->rigid;
-        if (touch_facet(l, v, f, pair, &x, BY_PARTICLE))
-            l->met[l->mets++] = number;
+        touching += touch_facet(l, v, f, pair, &x, BY_PARTICLE);
+        // Its own particles, or those of its neighbours, have moved for it, and
+        // the sticks will pull them back.
+        if (pair->until < l->substeps + TRUST_MOST) l->met[l->mets++] = number;
     }
-    return l->mets;
+    return touching;
 }
 
 void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)

@@ -82,8 +82,8 @@ START_TEST(sizes_out_of_range_are_refused)
     ck_assert(!s.at && !s.skin.at && s.particles == 0);
     expect_why(shape_sphere(&s, NAN, 1), "the radius is nan m: it must be a "
                "number from 1e-30 to 1e+30");
-    expect_why(shape_sphere(&s, 1, -2), "the mass is -2 kg: it must be a number "
-               "from 1e-30 to 1e+30");
+    expect_why(shape_sphere(&s, 1, -2), "the mass is -2 kg: it must be a "
+               "number from 1e-30 to 1e+30");
     expect_why(shape_capsule(&s, -1, 1, 1), "the length is -1 m: it must be a "
                "number from 1e-30 to 1e+30");
     expect_why(shape_capsule(&s, 1, HUGE_VAL, 1), "the radius is inf m: it "

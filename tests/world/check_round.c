@@ -9,6 +9,8 @@
 #include "collide.h"
 #include "measure.h"
 #include "capsule.h"
+#include "facet.h"
+#include "join.h"
 #include "stage.h"
 #include "step.h"
 
@@ -25,7 +27,7 @@ static void expect_close(real got, real wanted)
                   "got %.17g, wanted %.17g", got, wanted);
 }
 
-// --- plans --------------------------------------------------------------------
+// --- plans -------------------------------------------------------------------
 
 // kg m^2, of the four particles about the axis along y and one across it.
 static void expect_inertia(const shape *s, real along, real across)
@@ -88,7 +90,7 @@ START_TEST(capsule_has_the_inertia_of_a_cylinder_and_two_half_balls)
 }
 END_TEST
 
-// --- queries ------------------------------------------------------------------
+// --- queries -----------------------------------------------------------------
 
 static shape ball, small, capsule, box;
 
@@ -268,7 +270,52 @@ START_TEST(swept_ball_touches_when_the_radii_say)
 }
 END_TEST
 
-// --- worlds -------------------------------------------------------------------
+// A particle beside a capsule, and in it.
+// Rejects: the nearest point of the line instead of the segment's.
+START_TEST(particle_finds_the_surface_of_a_round_body)
+{
+    for (int run = 0; run < 2000; run++) {
+        vec3 at[2], x = vec3_scale(.5, any_vec3());
+        any_segment(at, .1);
+        obstacle b = { { at, 2 }, NULL, 0, capsule.radius, capsule.round };
+        real away = to_segment(x, at[0], at[1]) - .1;
+        surface_point p;
+        ck_assert_int_eq(obstacle_nearest(&b, x, 0, .1, &p), away <= .1);
+        if (away > .1) continue;
+        near_real(to_segment(p.at, at[0], at[1]), .1, 1e-12);
+        near_vec3(vec3_add_scaled(p.at, away, p.normal), x, 1e-12);
+        plane under = obstacle_plane(&b, x, 0);
+        near_real(plane_height(under, x), away, 1e-12);
+    }
+}
+END_TEST
+
+// A triangle over a ball, beside it, and cut through its middle: it remembers
+// by which side it came.
+START_TEST(triangle_finds_the_surface_of_a_ball)
+{
+    obstacle b = { { ball.at, 1 }, NULL, 0, ball.radius, ball.round };
+    plane between = { { 0, 0, 0 }, 0 };
+    facet_touch t;
+    for (int k = 0; k < 8; k++) {
+        real y = .16 - .03 * k;
+        vec3 end[FACET] = { { -1, y, -1 }, { 1, y, -1 }, { 0, y, 2 } };
+        ck_assert_int_eq(facet_nearest(&b, end, &between, .04, &t), y < .14);
+        near_real(between.offset, .1, 1e-12);
+        near_real(between.normal.y, y > 0 ? 1 : -1, 1e-12);
+        if (!(y < .14)) continue;
+        near_real(t.gap, fabs(y) - .1, 1e-12);
+        near_vec3(t.at.at, vec3_make(0, y > 0 ? .1 : -.1, 0), 1e-12);
+    }
+    between = (plane){ UP, .1 };
+    vec3 cut[FACET] = { { -1, 0, -1 }, { 1, 0, -1 }, { 0, 0, 2 } };
+    ck_assert(facet_nearest(&b, cut, &between, .04, &t));
+    near_real(t.gap, -.1, 1e-12);
+    near_vec3(t.at.normal, UP, 1e-12);
+}
+END_TEST
+
+// --- worlds ------------------------------------------------------------------
 
 static vec3 middle(int b)
 {
@@ -301,6 +348,15 @@ static placement lying(real x, real y, real z)
     p.y = vec3_make(1, 0, 0);
     p.z = vec3_make(0, 0, -1);
     return p;
+}
+
+static world_options elastic(void)
+{
+    world_options o = world_options_default();
+    o.gravity = ZERO;
+    o.restitution = 1;
+    o.friction = 0;
+    return o;
 }
 
 // The torque of friction turns the ball, so a = g sin / (1 + 2/5).
@@ -354,15 +410,6 @@ START_TEST(marble_rests_on_a_floor_in_a_corner_and_on_two_edges)
 }
 END_TEST
 
-static world_options elastic(void)
-{
-    world_options o = world_options_default();
-    o.gravity = ZERO;
-    o.restitution = 1;
-    o.friction = 0;
-    return o;
-}
-
 // Off the centre by b: along the line of centres of then they change speeds.
 // Rejects: the normal of where they stood when the frame began.
 START_TEST(elastic_impact_changes_speeds_along_the_line_of_centres)
@@ -383,6 +430,37 @@ START_TEST(elastic_impact_changes_speeds_along_the_line_of_centres)
         near_vec3(velocity(a), vec3_add_scaled(vec3_make(3, 0, 0), -hit, n),
                   .003);
     }
+}
+END_TEST
+
+// It slides into the floor without turning.  Friction at its lowest point takes
+// 2/7 of its speed along the floor, and then it rolls; an elastic impact gives
+// back the rest.
+// Rejects: friction at its middle.
+START_TEST(ball_that_bounces_begins_to_roll)
+{
+    world_options o = elastic();
+    o.friction = .5;
+    begin(o);
+    add_floor();
+    int b = add_thrown(&ball, vec3_make(0, 1, 0), vec3_make(1, -2, 0), ZERO);
+    frames(60);
+    near_vec3(velocity(b), vec3_make(5.0 / 7, 2, 0), 1e-6);
+    near_vec3(motion_rotation(&w.rigid.now[b].basis, &w.rigid.velocity[b]),
+              vec3_make(0, 0, -50.0 / 7), 1e-5);
+}
+END_TEST
+
+// Rejects: a reach for its surface, which is where it was; a second contact
+// point in its middle.
+START_TEST(ball_that_spins_reaches_nothing_by_it)
+{
+    add_floor();
+    int b = add_thrown(&ball, vec3_make(0, .1, 0), ZERO, vec3_make(0, 100, 0));
+    frames(2);
+    ck_assert(w.rigid.ahead[b].reach < .01);
+    ck_assert_int_eq(w.rigid.cache.actives, 1);
+    ck_assert_int_eq(w.rigid.cache.active[0]->count, 1);
 }
 END_TEST
 
@@ -524,7 +602,9 @@ START_TEST(measured_overlap_knows_the_radii)
     begin(world_options_default());
     add_at(&ball, 0, 0, 0);
     add_at(&capsule, .17, 0, 0);
-    near_real(world_measure(&w).penetration, .03, 1e-12);
+    add_at(&ball, 3, 0, 0);
+    add_at(&ball, 3, .16, 0);
+    near_real(world_measure(&w).penetration, .04, 1e-12);
 }
 END_TEST
 
@@ -545,7 +625,42 @@ START_TEST(skin_rides_on_the_body)
 }
 END_TEST
 
-// --- cloth --------------------------------------------------------------------
+// Hung by an end of its core, which is half a length d from its centre: the
+// period of small swings is 2 pi sqrt((I + m d^2) / (m g d)), and longer by
+// theta^2 / 16 of it for swings of theta.
+// Rejects: the inertia of a rod without its round ends.
+START_TEST(capsule_swings_with_the_period_of_its_inertia)
+{
+    real theta = .1, d = .2, pi = acos(-1);
+    placement p = placement_at(vec3_make(-d * sin(theta), -d * cos(theta), 0));
+    p.y = vec3_make(sin(theta), cos(theta), 0);
+    p.x = vec3_make(cos(theta), -sin(theta), 0);
+    int b = add(&capsule, p);
+    expect_ok(world_join(&w, (joint_plan){ .kind = JOINT_HINGE, .a = b, .b = -1,
+                                           .axis = { 0, 0, 1 } }, NULL));
+    const rigid4 *f = w.body[b].rigid;
+    real inertia = FOUR * f->mass * (f->square[0] + f->square[1]);
+    real across = FOUR * f->mass * (f->square[1] + f->square[2]);
+    inertia = fmax(inertia, across) + d * d;    // of 1 kg
+    real wanted = 2 * pi * sqrt(inertia / (9.81 * d))
+                * (1 + theta * theta / 16);
+    real last = middle(b).x, first = 0, period = 0;
+    for (int k = 1, times = 0; k < 600 && times < 11; k++) {
+        world_step(&w);
+        real now = middle(b).x;
+        if (last < 0 && now >= 0) {
+            real when = (k - now / (now - last)) / 60;
+            if (times++ == 0) first = when;
+            period = (when - first) / fmax(times - 1, 1);
+        }
+        last = now;
+    }
+    printf("capsule swings in %.5f s, formula %.5f\n", period, wanted);
+    near_real(period, wanted, 1e-3 * wanted);
+}
+END_TEST
+
+// --- cloth -------------------------------------------------------------------
 
 // A cloth falls on a nailed ball, or on a capsule that lies: no particle of it
 // gets inside, none of its triangles' middles, and it hangs down all around.
@@ -594,13 +709,20 @@ int main(void)
         gap_is_the_distance_of_the_cores_less_the_radii,
         ball_and_box_are_as_far_as_formulas_say, equal_centres_have_a_way_out,
         capsule_lies_on_two_points, swept_ball_touches_when_the_radii_say,
-        ball_rolls_down_a_slope_with_five_sevenths, ball_without_friction_slides,
+        particle_finds_the_surface_of_a_round_body,
+        triangle_finds_the_surface_of_a_ball, ball_that_bounces_begins_to_roll,
+        ball_that_spins_reaches_nothing_by_it,
+        ball_rolls_down_a_slope_with_five_sevenths,
+        ball_without_friction_slides,
         marble_rests_on_a_floor_in_a_corner_and_on_two_edges,
         elastic_impact_changes_speeds_along_the_line_of_centres,
-        cradle_hands_its_speed_on, capsule_lies_still_and_falls_over_if_it_leans,
+        cradle_hands_its_speed_on,
+        capsule_lies_still_and_falls_over_if_it_leans,
         capsules_lie_on_each_other, fast_ball_does_not_pass_a_plate,
-        balls_in_one_place_part, slow_balls_come_to_rest, marbles_settle_without_overlap,
+        balls_in_one_place_part, slow_balls_come_to_rest,
+        marbles_settle_without_overlap,
         measured_overlap_knows_the_radii, skin_rides_on_the_body,
+        capsule_swings_with_the_period_of_its_inertia,
         cloth_lies_on_a_ball_and_on_a_capsule
     };
     Suite *suite = suite_create("round");

@@ -1,6 +1,6 @@
 // check.c - tests of the exercise 13/joint.
 
-#include "joint.h"
+#include "shared.h"
 
 #include <check.h>
 #include <string.h>

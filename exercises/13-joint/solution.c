@@ -1,6 +1,6 @@
 // solution.c - a push in three directions at once, that may pull as well.
 
-#include "joint.h"
+#include "shared.h"
 
 // The axes are perpendicular, so each coordinate is found alone.
 vec3 joint_local(const rigid_frame *frame, vec3 point)

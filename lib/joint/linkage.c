@@ -70,7 +70,7 @@ static bool holds(const joint *j)
 // A pair of bodies as one number, the smaller one first.
 static long long key_of(int a, int b)
 {
-    return ((long long)int_min(a, b) << 32) + int_max(a, b);
+    return int_min(a, b) * (1LL << 32) + int_max(a, b);
 }
 
 static int compare(const void *x, const void *y)
@@ -480,12 +480,14 @@ static void begin_trees(linkage *l, const linkage_pass *q, wanting *what)
     for (int s = 0; s < l->steps; s++)
         memset(l->body[l->step[s].body].drive, 0, sizeof l->body->drive);
     for (int k = 0; k < l->count; k++) {
-        real want[JOINT_ROWS], impulse[JOINT_ROWS];
+        real want[JOINT_ROWS] = { 0 }, impulse[JOINT_ROWS];
         joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
         if (l->role[k] < JOINT_ANCHOR) continue;
         what(q, j, r, want);
         memcpy(r->want, want, sizeof r->want);
+        for (int i = 0; i < r->count; i++)
+            l->asked = real_max(l->asked, fabs(want[i]));
         if (l->role[k] == JOINT_BRANCH) continue;
         int b = moves(q->f, j->a) ? j->a : j->b;
         memcpy(impulse, want, sizeof impulse);
@@ -637,9 +639,18 @@ void linkage_begin(linkage *l, const linkage_pass *q)
     }
 }
 
+// Rows are straight, and points go along arcs: a large impact is solved more than
+// once, as Newton does.
+static const real LARGE = 1e-3;         // m, in a substep
+enum { IMPACT_STEPS = 3 };
+
 void linkage_push(linkage *l, const linkage_pass *q)
 {
-    solve_all(l, q, want_together);
+    for (int n = 0; n < IMPACT_STEPS; n++) {
+        l->asked = 0;
+        solve_all(l, q, want_together);
+        if (!(l->asked * q->f->h > LARGE)) return;
+    }
 }
 //<
 

@@ -47,6 +47,7 @@ typedef struct {
     int  broken;            // so many, since this was set to 0
     real pace;              // rad/s, of the fastest swing about a joint in the
                             // last frame: a substep must follow it
+    real asked;             // m/s, rad/s, the most that a tree was to change
     real worst;             // m, by which a joint's points are apart
 } linkage;
 //<

@@ -78,6 +78,18 @@ static void spread_cells(const soft_frame *f, int number)
         }
 }
 
+// Links as long as they should be leave no diagonal longer than two of them, or
+// 1.41 times what it is at rest.  One that has been torn further would be drawn
+// past its other end along what it was a substep ago, and end longer still: see
+// chapter 2.  Along what it is now it cannot be.
+static void draw(stick s, particle *p, relax_options o)
+{
+    vec3 along = vec3_sub(p[s.b].position, p[s.a].position);
+    real most = 1.5 * s.rest_length;
+    if (!(vec3_length_squared(along) <= most * most)) o.gradient = GRADIENT_NEW;
+    stick_relax(s, p, o);
+}
+
 // The diagonals come before the contacts, and both before the strands: what
 // comes last holds best.
 static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
@@ -85,8 +97,8 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     const shape *plan = b->shape;
     int links = shape_links(plan), others = plan->sticks - links;
     if (others == 0) return;
-    sticks_iterate(plan->stick + links, others, f->particle + b->first,
-                   f->relax);
+    for (int k = links; k < plan->sticks; k++)
+        draw(plan->stick[k], f->particle + b->first, f->relax);
     spread_cells(f, (int)(b - f->body));
     s->tested += others;
     s->relaxed += others;

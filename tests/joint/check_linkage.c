@@ -117,14 +117,28 @@ START_TEST(tree_of_joints_is_solved_in_one_pass)
 }
 END_TEST
 
+// kg m^2/s, about the origin.
+static vec3 angular_of(int b)
+{
+    const real *u = velocity[b].of;
+    vec3 momentum = vec3_scale(1 / body[b].basis.inverse_mass,
+                               vec3_make(u[0], u[1], u[2]));
+    return vec3_add(vec3_cross(body[b].frame.center, momentum),
+                    motion_angular(&body[b].basis, &velocity[b]));
+}
+
 START_TEST(impulses_are_handed_from_body_to_body)
 {
-    // Momentum stays, whatever is joined, to rounding; and what the solver is
-    // told that joints did is what they did.
+    // Momentum and angular momentum stay, to rounding, however far the joints
+    // are torn apart; and what the solver is told that joints did is what they
+    // did.  Rejects: two impulses that act in two places.
     throw_bodies();
     for (int b = 1; b < BODIES; b++) join(JOINT_BALL, b - 1, b);
     join(JOINT_HINGE, 0, BODIES - 1);       // a ring
-    vec3 was = { 0, 0, 0 }, now = { 0, 0, 0 };
+    for (int b = 0; b < BODIES; b++)
+        body[b].frame.center = vec3_add_scaled(body[b].frame.center, 0.1,
+                                               any_vec3());
+    vec3 was = { 0, 0, 0 }, now = { 0, 0, 0 }, turns[2] = { was, was };
     motion start[BODIES];
     memcpy(start, velocity, sizeof start);
     for (int after = 0; after < 2; after++) {
@@ -138,12 +152,15 @@ START_TEST(impulses_are_handed_from_body_to_body)
         }
         for (int b = 0; b < BODIES; b++) {
             const real *u = velocity[b].of;
+            turns[after] = vec3_add(turns[after], angular_of(b));
             *sum = vec3_add_scaled(*sum, 1 / body[b].basis.inverse_mass,
                                    vec3_make(u[0], u[1], u[2]));
         }
     }
     ck_assert_msg(vec3_distance(was, now) < 1e-10, "off by %g",
                   vec3_distance(was, now));
+    ck_assert_msg(vec3_distance(turns[0], turns[1]) < 1e-9, "turning: off by %g",
+                  vec3_distance(turns[0], turns[1]));
     for (int b = 0; b < BODIES; b++)
         for (int i = 0; i < MOTIONS; i++)
             ck_assert(fabs(velocity[b].of[i] - start[b].of[i]

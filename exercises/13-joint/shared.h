@@ -1,9 +1,9 @@
-// joint.h - two rigid bodies of four particles that share a point.
+// shared.h - two rigid bodies of four particles that share a point.
 //
 // Units: metres, kilograms.
 
-#ifndef TUMBLE_JOINT_H
-#define TUMBLE_JOINT_H
+#ifndef TUMBLE_SHARED_H
+#define TUMBLE_SHARED_H
 
 #include "motion.h"
 

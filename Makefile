@@ -68,6 +68,18 @@ define ORDER
 18/measure
 18/obj
 18/world_scene
+19/tumble
+19/slots
+19/inside
+19/tumble_turn
+19/tumble_world
+19/tumble_shapes
+19/tumble_bodies
+19/tumble_state
+19/tumble_joints
+19/tumble_ask
+19/tumble_contacts
+19/tumble_draw
 endef
 LINE := $(strip $(ORDER))
 
@@ -106,7 +118,8 @@ PEERS    := $(notdir $(wildcard figures/peers/peers*.c))
 PILES    := $(basename $(notdir $(wildcard figures/peers/piles*.c figures/peers/piles*.cpp)))
 # These, and piles_bullet.cpp, need libccd, ODE and Bullet; nothing else does.
 THEIRS   := peers_ccd.c peers_ode.c piles_ode.c
-PAINTER  := $(filter-out shrink.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c)))
+SCENES   := $(filter-out example_main.c,$(notdir $(wildcard figures/scenes/*.c)))
+PAINTER  := $(filter-out shrink.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c))) $(SCENES)
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
 FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz/fuzz_*.c)))
 
@@ -188,7 +201,7 @@ test:
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make library    build/libtumble.a
-#:   make install    the library, its headers and tumble.pc (PREFIX=/usr/local)
+#:   make install    tumble.h, the library and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS:%=test-%): test-%:
 	$(Q)$(if $(TESTS_$*),YOURS='$(MINE)' sh tests/script/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
 $(MADE): %: test-%
@@ -197,7 +210,7 @@ $(MADE): %: test-%
 
 book:
 	$(Q)mkdir -p $(BUILD)
-	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/*/*.h lib/*/*.c \
+	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/tumble.h lib/*/*.h lib/*/*.c \
 	  tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
 	$(Q)cp $(BUILD)/book.md book.md
 	@echo "book.md: $$(wc -l < book.md) lines"
@@ -208,22 +221,26 @@ html pdf epub:
 
 library: $(BUILD)/libtumble.a
 
-# One header that brings them all, for C and for C++.
+# What is installed: tumble.h, and a library in which no other name is seen.
 PREFIX ?= /usr/local
-INCLUDE = $(DESTDIR)$(PREFIX)/include/tumble
-.PHONY: install
-install: $(BUILD)/libtumble.a
-	$(Q)install -d '$(DESTDIR)$(PREFIX)/lib/pkgconfig' '$(INCLUDE)'
-	$(Q)install -m 644 $(BUILD)/libtumble.a '$(DESTDIR)$(PREFIX)/lib'
-	$(Q)install -m 644 lib/*/*.h '$(INCLUDE)'
-	$(Q){ printf '#ifdef __cplusplus\nextern "C" {\n#endif\n'; \
-	  printf '#include "%s"\n' $(notdir $(wildcard lib/*/*.h)); \
-	  printf '#ifdef __cplusplus\n}\n#endif\n'; } > '$(INCLUDE)/tumble.h'
-	$(Q)printf '%s\n' 'prefix=$(PREFIX)' 'Name: tumble' 'Version: 1.0' \
+TO = $(DESTDIR)$(PREFIX)
+VERSION := $(shell sed -n 's/^\#define TUMBLE_VERSION "\(.*\)"/\1/p' lib/tumble.h)
+MAJOR   := $(firstword $(subst ., ,$(VERSION)))
+.PHONY: install public
+install:
+	$(Q)$(AGAIN) public BUILD=$(BUILD)/public CFLAGS='$(CFLAGS) -fPIC -fvisibility=hidden'
+	$(Q)install -d '$(TO)/lib/pkgconfig' '$(TO)/include'
+	$(Q)install -m 644 $(BUILD)/public/seen.a '$(TO)/lib/libtumble.a'
+	$(Q)install $(BUILD)/public/seen.so '$(TO)/lib/libtumble.so.$(VERSION)'
+	$(Q)ln -sf libtumble.so.$(VERSION) '$(TO)/lib/libtumble.so.$(MAJOR)'
+	$(Q)ln -sf libtumble.so.$(MAJOR) '$(TO)/lib/libtumble.so'
+	$(Q)install -m 644 lib/tumble.h '$(TO)/include'
+	$(Q)printf '%s\n' 'prefix=$(PREFIX)' 'Name: tumble' 'Version: $(VERSION)' \
 	  'Description: rigid and deformable bodies of particles and sticks' \
-	  'Cflags: -I$${prefix}/include/tumble' 'Libs: -L$${prefix}/lib -ltumble -lm' \
-	  > '$(DESTDIR)$(PREFIX)/lib/pkgconfig/tumble.pc'
-	@echo "installed: $(PREFIX)/lib/libtumble.a, include/tumble/tumble.h, tumble.pc"
+	  'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -Wl,-rpath,$${prefix}/lib -ltumble -lm' \
+	  > '$(TO)/lib/pkgconfig/tumble.pc'
+	@echo "installed: $(PREFIX)/include/tumble.h, lib/libtumble.a, lib/libtumble.so, tumble.pc"
+public: $(BUILD)/seen.a $(BUILD)/seen.so
 
 #:
 #: Exercises
@@ -386,7 +403,7 @@ coverage:
 	$(Q)gcov -b -n $(BUILD)/coverage/*/*.gcno 2>/dev/null | awk -f tests/script/coverage.awk
 
 lines:
-	@awk -f tests/script/lines.awk Makefile lib/*/*.h lib/*/*.c | column -s, -t
+	@awk -f tests/script/lines.awk Makefile lib/tumble.h lib/*/*.h lib/*/*.c | column -s, -t
 
 bits:
 	$(Q)sh tests/script/bits.sh '$(AGAIN)' $(BUILD)/compare
@@ -581,6 +598,15 @@ $(BUILD)/lib%.a:
 	@echo "  pack  $@"
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
+# All modules as one object in which only tumble_* is seen from outside.
+$(BUILD)/seen.o: $(ALL)
+	@echo "  pack  $@"
+	$(Q)$(LD) -r $^ -o $@ && objcopy --wildcard --keep-global-symbol='tumble_*' $@
+$(BUILD)/seen.a: $(BUILD)/seen.o
+	$(Q)rm -f $@ && $(AR) rcs $@ $^
+$(BUILD)/seen.so: $(BUILD)/seen.o
+	$(Q)$(CC) -shared -Wl,-soname,libtumble.so.$(MAJOR) $^ -lm -o $@
+
 # -MMD writes beside each object which headers it read.
 define compile
 	@mkdir -p $(@D)
@@ -589,8 +615,8 @@ define compile
 endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
-ROOMS := $(patsubst %,-I%,$(wildcard lib/* tests/support tests/contact tests/soft tests/hard tests/fuzz \
-  figures/draw figures/measure figures/command figures/peers))
+ROOMS := -Ilib $(patsubst %/,-I%,$(wildcard lib/*/ tests/support/ tests/contact/ tests/soft/ tests/hard/ tests/fuzz/ \
+  figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/))
 $(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
 	$(compile)
 $(BUILD)/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(BUILD)/flags

@@ -18,7 +18,7 @@ wants pandoc
 
 # What the three have in common: the text as pandoc reads it, on its way to $1.
 write() {
-    awk -f chapters/weave.awk lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] chapters/[0-9]*.md > "$file.md" &&
+    awk -f chapters/weave.awk lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] chapters/[0-9]*.md > "$file.md" &&
     awk -f chapters/page.awk "$file.md" > "$file.in" &&
     pandoc -f gfm+tex_math_dollars+attributes+footnotes --standalone --mathml \
         --toc --toc-depth=2 --highlight-style=kate --lua-filter chapters/book.lua \

@@ -1,6 +1,6 @@
 # weave.awk - writes the book: the chapters, with the code that they explain.
 #
-#   awk -f weave.awk lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] chapters/[0-9]*.md > book.md
+#   awk -f weave.awk lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] chapters/[0-9]*.md > book.md
 #
 # In the code a region lies between a line "//> name" and a line "//<"; in a
 # chapter the line "@@ name" stands for it, "%% figures/name.csv" for a table of

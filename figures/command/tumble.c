@@ -5,6 +5,7 @@
 
 #define _POSIX_C_SOURCE 200809L
 
+#include "tumble.h"
 #include "frames.h"
 #include "obj.h"
 #include "record.h"
@@ -23,7 +24,6 @@
 #define FLAGS "unknown"
 #endif
 
-#define TUMBLE_VERSION "1.0"
 
 enum { EXIT_WRONG_USE = 2, EXIT_SIGNAL = 128 };
 

@@ -423,19 +423,15 @@ typedef struct {
     const solver_frame *f;
     const contact *const *table;
     const real *reach;
-    real slowest;       // m/s, what closes more slowly does not strike
 } preparation;
 
-static void set_materials(const preparation *p, block *k)
+static void set_friction(const preparation *p, block *k)
 {
     k->friction = real4_all(p->f->friction);
-    k->slowest = real4_all(p->slowest);
     for (int l = 0; l < REAL4 && p->f->material; l++) {
         if (k->contact[l] < 0) continue;
         const active_contact *x = &p->s->active[k->contact[l]];
-        material m = solver_material(p->f, x->a, x->b);
-        real4_set(&k->friction, l, m.friction);
-        if (!(m.restitution > 0)) real4_set(&k->slowest, l, HUGE_VAL);
+        real4_set(&k->friction, l, solver_material(p->f, x->a, x->b).friction);
     }
 }
 
@@ -489,7 +485,7 @@ static void fill_block(const preparation *p, int number)
     transpose(k, &raw, q);
     real4 inverse = real4_add(k->inverse_a, k->inverse_b);
     find_center(k, &raw, center_a, center_b);
-    set_materials(p, k);
+    set_friction(p, k);
     make_points(k, &raw, inverse, center_a);
     make_friction(k, &raw, inverse, center_a, center_b);
 }
@@ -521,7 +517,7 @@ static void keep_chunk(void *data, int item)
     int end = task_end(item, s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
         block *k = &s->block[n];
-        set_materials(p, k);
+        set_friction(p, k);
         for (int l = 0; l < REAL4 && k->contact[l] >= 0; l++) {
             const active_contact *x = &s->active[k->contact[l]];
             for (int j = 0; j < x->count; j++) {
@@ -623,8 +619,7 @@ bool solver_look(contact_solver *s, const solver_frame *f,
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table)
 {
-    preparation p = { .s = s, .f = f, .table = table,
-                      .slowest = 2 * vec3_length(f->gravity) * f->h };
+    preparation p = { .s = s, .f = f, .table = table };
     if (may_keep_blocks(s, f)) {
         tasks_run(f->run, keep_chunk, &p, task_chunks(s->blocks));
         return true;
@@ -737,6 +732,7 @@ typedef struct {
     const motion *moved;
     real per_h;             // 1/s
     real max_speed;
+    real slowest;           // m/s, what closes more slowly does not strike
     softness soft[SIDES];
     int first, count, sides;    // the blocks of a colour
 } pass;
@@ -832,11 +828,11 @@ ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 //> solver-relax
 // How fast the points part, and 0 for those that an impact may part in the next
 // substep: they are open, have not pushed, and close fast.
-static inline real4 leave_impacts(const block *k, const pass *q, real4 speed,
-                                  real4 gap, real4 impulse)
+static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
+                                  real4 impulse)
 {
     const real4 zero = real4_all(0);
-    real4 slow = real4_add(speed, k->slowest);
+    real4 slow = real4_add(speed, real4_all(q->slowest));
     real4 open = real4_mad(gap, real4_all(q->per_h), speed);
     open = real4_if_positive(impulse, open, real4_if_positive(slow, open, zero));
     return real4_if_positive(gap, open, speed);
@@ -855,7 +851,7 @@ ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
         real4 gap = p->now;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
-        speed = has_impacts ? leave_impacts(k, q, speed, gap, p->impulse)
+        speed = has_impacts ? leave_impacts(q, speed, gap, p->impulse)
               : real4_mad(real4_max(gap, zero), per_h, speed);
         push_point(p, real4_sub(p->impulse, real4_mul(p->mass, speed)),
                    inverse, &parting, &sum, &u, two);
@@ -942,7 +938,8 @@ static void run_pass(contact_solver *s, const solver_frame *f,
                      void (*work)(void *data, int item))
 {
     pass q = { .s = s, .velocity = velocity, .moved = moved, .per_h = 1 / f->h,
-               .max_speed = f->max_speed };
+               .max_speed = f->max_speed,
+               .slowest = 2 * vec3_length(f->gravity) * f->h };
     for (int i = 0; i < SIDES; i++) q.soft[i] = softness_of(f, i);
     for (int c = 0; c < s->colors; c++) {
         q.first = s->color[c].first;

@@ -99,7 +99,6 @@ typedef struct {
     real4 twist_mass;                   // kg m^2
     real4 across_impulse[2], twist_impulse;
     real4 friction;
-    real4 slowest;      // m/s, what closes more slowly does not strike
     int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most

@@ -235,6 +235,52 @@ START_TEST(pairs_without_memory_are_counted_until_there_is_some)
 }
 END_TEST
 
+// Rejects: larger balls made anew for all, so that others' pairs change.
+START_TEST(body_that_comes_changes_no_pair_of_the_others)
+{
+    begin(4);
+    for (int b = 0; b < 4; b++) put(b, 2.1 * b, 1, 0.1);
+    ck_assert(update());
+    sphere was[4];
+    memcpy(was, list.listed, sizeof was);
+    ck_assert(pair_list_grow(&list, 5).ok);
+    query.bodies = 5;
+    for (int b = 0; b < 4; b++) ball[b].center.y += 0.01;
+    put(4, -1.5, 1, 0.1);
+    ck_assert(update());
+    ck_assert(!update());
+    for (int b = 0; b < 4; b++)
+        ck_assert(memcmp(&was[b], &list.listed[b], sizeof *was) == 0);
+    ck_assert_int_eq(list.count, 4);
+    ck_assert(is_listed(0, 4) && is_listed(0, 1) && !is_listed(1, 4));
+    put(4, 7.5, 1, 0.1);
+    pair_list_renew(&list, 4);
+    ck_assert(update());
+    ck_assert(is_listed(3, 4) && !is_listed(0, 4));
+    pair_list_renew(&list, -1);
+    ck_assert(update());
+}
+END_TEST
+
+// Rejects: a plane that only the nearest is listed for; one that lies far.
+START_TEST(planes_are_listed_for_what_is_near_them)
+{
+    const plane floor = { { 0, 1, 0 }, 0 }, far = { { 1, 0, 0 }, -100 };
+    const plane both[] = { floor, far };
+    begin(3);
+    for (int b = 0; b < 3; b++) put(b, 5 * b, 1, 0.1);
+    ball[0].center.y = 0.9;
+    ball[1].center.y = 4;
+    ball[2].center.y = (real)NAN;
+    query.plane = both;
+    query.planes = 2;
+    ck_assert(update());
+    ck_assert_int_eq(list.walls, 3);
+    const int want[3][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 } };
+    ck_assert(memcmp(list.wall, want, sizeof want) == 0);
+}
+END_TEST
+
 // Rejects: an answer that is not looked at; a half-made list.
 START_TEST(refused_memory_leaves_nothing)
 {
@@ -274,6 +320,8 @@ int main(void)
         lost_number_spoils_no_other_pair,
         pairs_without_memory_are_counted_until_there_is_some,
         refused_memory_leaves_nothing,
+        body_that_comes_changes_no_pair_of_the_others,
+        planes_are_listed_for_what_is_near_them,
         no_bodies_have_no_pairs,
     };
     Suite *s = suite_create("pairs");

@@ -1,5 +1,6 @@
-# check_install.sh - does README's program build against an installed library,
-# in C and in C++, and say what README says?
+# check_install.sh - is an installed library what others need: does it show no
+# name but its own, do README's program and the scenes build against it, in C and
+# in C++, and do they say what they should?
 
 page=$(pwd)/README.md
 place=$(mktemp -d)
@@ -9,7 +10,14 @@ trap 'rm -rf "$place"' EXIT
 unset MAKEFLAGS MFLAGS
 make -s install BUILD="$place/build" PREFIX="$place/tumble" CFLAGS=-O0 > "$place/said" 2>&1 ||
     { cat "$place/said"; echo "check_install: make install fails"; exit 1; }
+scenes=$(pwd)/figures/scenes
 cd "$place" || exit 1
+
+for library in libtumble.a libtumble.so; do
+    case $library in *.so) dynamic=-D ;; *) dynamic= ;; esac
+    other=$(nm -g $dynamic --defined-only "tumble/lib/$library" | awk 'NF == 3 && $3 !~ /^tumble_/ { print $3 }')
+    [ -z "$other" ] || { echo "check_install: $library also shows" $other; exit 1; }
+done
 
 awk '/^## / { here = /^## Use/ } /^```/ { if (inside) exit
      if (here && $0 == "```c") { inside = 1; next } } inside' "$page" > my.c
@@ -17,7 +25,7 @@ wanted=$(sed -n 's/^and it says `\(.*\)`\. The library.*/\1/p' "$page")
 [ -s my.c ] && [ -n "$wanted" ] || { echo "check_install: README has no program"; exit 1; }
 
 # As pkg-config would say, where there is none.
-flags="-I$place/tumble/include/tumble -L$place/tumble/lib -ltumble -lm"
+flags="-I$place/tumble/include -L$place/tumble/lib -Wl,-rpath,$place/tumble/lib -ltumble -lm"
 if command -v pkg-config > /dev/null; then
     said=$(PKG_CONFIG_PATH="$place/tumble/lib/pkgconfig" pkg-config --cflags --libs tumble)
     [ "$(echo $said)" = "$flags" ] || { echo "check_install: tumble.pc says $said"; exit 1; }
@@ -26,9 +34,41 @@ try() {     # COMPILER...
     "$@" $flags -o my && got=$(./my) && [ "$got" = "$wanted" ] ||
         { echo "check_install: with $1 README's program says '$got', not '$wanted'"; exit 1; }
 }
+cxx=$(for c in g++ clang++; do command -v $c; done)
 try "${CC:-cc}" -std=c11 my.c
 cp my.c my.cpp
-for cxx in g++ clang++; do
-    command -v $cxx > /dev/null && try $cxx -std=c++17 my.cpp
+for c in $cxx; do try $c -std=c++17 my.cpp; done
+
+# A program whose own names are those of our modules, with the archive.
+cat > own.c <<'END'
+#include <stdio.h>
+#include <tumble.h>
+struct body { int world; };
+enum { NORMAL, world };
+typedef double vec3;
+int world_step(struct body *b) { return b->world; }
+vec3 vec3_add(vec3 a, vec3 b) { return a + b; }
+int main(void)
+{
+    struct body body = { 3 };
+    tumble_world *w = tumble_make(NULL);
+    tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), tumble_at(0, 0, 0));
+    tumble_step(w);
+    int fell = tumble_position(w, (tumble_body){ 0, 1 }).y < 0;
+    printf("%d %g %d\n", world_step(&body), vec3_add(1, NORMAL), fell);
+    tumble_free(w);
+}
+END
+"${CC:-cc}" -std=c11 -I"$place/tumble/include" own.c tumble/lib/libtumble.a -lm -o own && said=$(./own) &&
+    [ "$said" = '3 1 1' ] || { echo "check_install: a program with names of its own says '$said'"; exit 1; }
+
+# The scenes, each with what it claims.
+"${CC:-cc}" -std=c11 -O1 -I"$scenes" "$scenes"/*.c $flags -o scenes && ./scenes ||
+    { echo "check_install: a scene does not hold what it claims"; exit 1; }
+mkdir cxx
+for f in "$scenes"/*.c; do cp "$f" "cxx/$(basename "$f" .c).cpp"; done
+for c in $cxx; do
+    $c -std=c++20 -w -I"$scenes" cxx/*.cpp $flags -o scenes && ./scenes pyramid curtain > /dev/null ||
+        { echo "check_install: the scenes do not build with $c"; exit 1; }
 done
-echo "README's program: installed, built in C and C++, run, and as the page says"
+echo "installed: README's program and the scenes, in C and C++; no name but tumble_*"

@@ -40,8 +40,7 @@ for module in $(sed -n '/^define ORDER/,/^endef/p' Makefile | grep /); do
         fault "README.md does not name the module ${module#*/} beside chapter ${module%/*}"
 done
 
-version=$(sed -n 's/^#define TUMBLE_VERSION "\(.*\)"/\1/p' figures/command/tumble.c)
+version=$(sed -n 's/^#define TUMBLE_VERSION "\(.*\)"/\1/p' lib/tumble.h)
 grep -qF "{Version $version, commit" README.md || fault "README.md cites another version than $version"
-grep -q "'Version: $version'" Makefile || fault "tumble.pc has another version than $version"
 
 [ -z "$failed" ] && echo "README: $links links, $(echo "$goals" | wc -l) commands, all there"

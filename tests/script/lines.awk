@@ -1,5 +1,5 @@
 # lines.awk - how long is each module, header and source together, and how long
-# are its functions?   awk -f lines.awk Makefile lib/*/*.h lib/*/*.c
+# are its functions?   awk -f lines.awk Makefile lib/tumble.h lib/*/*.h lib/*/*.c
 # A function's lines are those between its braces.  Lines that only mark a
 # region of the book are not counted.
 

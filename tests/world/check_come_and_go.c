@@ -229,6 +229,49 @@ START_TEST(what_a_body_touched_is_forgotten_with_it)
 }
 END_TEST
 
+// Rejects: contacts of the old body with the neighbours of the new one.
+START_TEST(body_in_the_place_of_another_has_contacts_of_its_own)
+{
+    shape low;
+    ck_assert(shape_box(&low, vec3_make(1, 0.6, 1), 1).ok);
+    int lower = add_nailed(&box, 0, 0.5, 0), upper = add_at(&box, 0, 1.5, 0);
+    add_floor();
+    steps(20);
+    world_remove(&w, lower);
+    ck_assert_int_eq(add_nailed(&low, 0, 0.3, 0), lower);
+    steps(60);
+    near_real(height(upper), 1.1, 0.005);
+    // One that stands as the old one did bears it at once.
+    world_remove(&w, lower);
+    ck_assert_int_eq(add_nailed(&low, 0, 0.3, 0), lower);
+    for (int f = 0; f < 10; f++) {
+        steps(1);
+        near_real(height(upper), 1.1, 0.001);
+    }
+    world_free(&w);
+    shape_free(&low);
+}
+END_TEST
+
+// Blocks that are kept name a spare motion, which is another now.
+START_TEST(no_block_names_a_body_that_came_later)
+{
+    add_floor();
+    for (int k = 0; k < 5; k++) add_at(&box, 3 * k, 0.5, 0);
+    steps(40);
+    ck_assert_int_gt(w.rigid.solver.blocks, 0);
+    for (int k = 0; k < 12; k++) add_at(&box, 3 * k, 50, 0);
+    const contact_solver *s = &w.rigid.solver;
+    for (int k = 0; k < s->blocks; k++)
+        for (int l = 0; l < REAL4; l++) {
+            if (s->block[k].contact[l] < 0)
+                ck_assert_int_eq(s->block[k].a[l], s->room);
+            ck_assert(s->block[k].b[l] < 5 || s->block[k].b[l] == s->room);
+        }
+    ck_assert_int_eq(w.rigid.motions, s->room + 1);
+}
+END_TEST
+
 // --- sleep -------------------------------------------------------------------
 
 // Rejects: a body that sleeps on in the air.
@@ -342,6 +385,8 @@ int main(void)
         body_without_memory_is_refused_and_nothing_has_changed,
         others_keep_their_bits_when_a_far_body_comes_and_goes,
         what_a_body_touched_is_forgotten_with_it,
+        body_in_the_place_of_another_has_contacts_of_its_own,
+        no_block_names_a_body_that_came_later,
         what_lies_on_a_body_that_goes_wakes_and_falls,
         cloth_on_a_body_that_goes_wakes_and_falls,
         plane_may_come_at_any_time,

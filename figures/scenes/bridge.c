@@ -1,0 +1,65 @@
+// bridge.c - a rope bridge: planks between two banks, joined by hinges.
+#include "example.h"
+
+#include <math.h>
+
+enum { PLANKS = 20 };
+static const double LENGTH = 0.5, SPAN = 0.96 * 20 * 0.5;   // m
+static tumble_body plank[PLANKS];
+
+// The end of plank k - 1, and the start of plank k: a V, to begin with.
+static tumble_vec3 joint(int k)
+{
+    double down = LENGTH * sqrt(1 - 0.96 * 0.96);
+    return tumble_v(0.96 * LENGTH * k - SPAN / 2,
+                    -down * (k < PLANKS / 2 ? k : PLANKS - k), 0);
+}
+
+static void build(tumble_world *w)
+{
+    tumble_shape s = tumble_box(w, tumble_v(LENGTH, 0.05, 1.5), 8);
+    for (int k = 0; k < PLANKS; k++) {
+        tumble_vec3 a = joint(k), b = joint(k + 1);
+        tumble_body_options at = tumble_at((a.x + b.x) / 2, (a.y + b.y) / 2, 0);
+        at.pose.rotation = tumble_turn(tumble_v(0, 0, 1),
+                                       atan2(b.y - a.y, b.x - a.x));
+        at.damping = at.spin_damping = 0.5;
+        plank[k] = tumble_add(w, s, at);
+    }
+    for (int k = 0; k <= PLANKS; k++)
+        tumble_hinge(w, k > 0 ? plank[k - 1] : tumble_ground(),
+                     k < PLANKS ? plank[k] : tumble_ground(),
+                     joint(k), tumble_v(0, 0, 1));
+}
+
+// How deep a chain of planks hangs, and how far it spans, if it is pulled at
+// its ends with so many times the weight of a plank.
+static double hangs(double pull, double *span)
+{
+    double deep = *span = 0;
+    for (int k = 0; k < PLANKS / 2; k++) {
+        double slope = (k + 0.5) / pull;
+        *span += 2 * LENGTH / sqrt(1 + slope * slope);
+        deep += LENGTH * slope / sqrt(1 + slope * slope);
+    }
+    return deep;
+}
+
+static double wrong_sag(tumble_world *w)
+{
+    double least = 0.1, most = 1000, span;
+    for (int k = 0; k < 60; k++) {
+        double pull = (least + most) / 2;
+        hangs(pull, &span);
+        *(span < SPAN ? &least : &most) = pull;
+    }
+    double sag = -tumble_position(w, plank[PLANKS / 2]).y;
+    double half = 0.25 * LENGTH / sqrt(1 + 4 * least * least);  // of a plank
+    return fabs(sag + half - hangs(least, &span));
+}
+
+const example bridge = {
+    .name = "bridge", .about = "twenty planks that hang", .seconds = 20,
+    .eye = { 3, 3, 15 }, .target = { 0.2, -0.8, 0 },
+    .build = build, .claim = "it sags as the catenary of planks, to 5 mm",
+    .error = wrong_sag, .most = 0.005 };

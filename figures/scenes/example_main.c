@@ -1,0 +1,41 @@
+// example_main.c - runs the scenes that are named, or all: does each hold what it
+// claims?   cc example_main.c examples.c pyramid.c ... -ltumble -lm
+
+#include "example.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static bool is_wanted(const example *s, int count, char **name)
+{
+    for (int k = 1; k < count; k++)
+        if (strcmp(name[k], s->name) == 0) return true;
+    return count == 1;
+}
+
+static bool run(const example *s)
+{
+    tumble_options o = s->options ? s->options() : tumble_options_default();
+    tumble_world *w = tumble_make(&o);
+    if (w) s->build(w);
+    while (w && tumble_time(w) < s->seconds && !tumble_failure(w)) {
+        if (s->act) s->act(w);
+        tumble_step(w);
+    }
+    const char *why = tumble_failure(w);
+    double error = why ? 0 : s->error(w);
+    bool holds = !why && error <= s->most;
+    if (why) printf("%s: %s\n", s->name, why);
+    else printf("%s: %s: %s (%.3g, at most %.3g)\n", s->name,
+                holds ? "holds" : "FAILS", s->claim, error, s->most);
+    tumble_free(w);
+    return holds;
+}
+
+int main(int count, char **name)
+{
+    bool all = true;
+    for (int k = 0; examples[k]; k++)
+        if (is_wanted(examples[k], count, name)) all = run(examples[k]) && all;
+    return !all;
+}

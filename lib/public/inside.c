@@ -1,0 +1,77 @@
+//> inside
+#include "inside.h"
+
+#include <limits.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+bool inside_is_ok(tumble_world *w, status s)
+{
+    if (!s.ok && w->failure.ok) w->failure = s;
+    return s.ok;
+}
+
+bool inside_fail(tumble_world *w, const char *format, ...)
+{
+    status s = { .ok = false };
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(s.why, sizeof s.why, format, arguments);
+    va_end(arguments);
+    return inside_is_ok(w, s);
+}
+
+// Why is there nothing with this id?
+static void refuse(tumble_world *w, const char *what, unsigned place,
+                   unsigned generation)
+{
+    if (generation == 0)
+        inside_fail(w, "the id of a %s is zero: it was not made", what);
+    else
+        inside_fail(w, "%s %u is gone, or was never in this world", what, place);
+}
+
+shape_place *inside_shape(tumble_world *w, tumble_shape s)
+{
+    shape_place *found = slots_find(&w->shapes, s.place, s.generation);
+    if (!found) refuse(w, "shape", s.place, s.generation);
+    return found;
+}
+
+joint_place *inside_joint(tumble_world *w, tumble_joint j)
+{
+    joint_place *found = slots_find(&w->joints, j.place, j.generation);
+    if (!found) refuse(w, "joint", j.place, j.generation);
+    return found;
+}
+
+const body_place *inside_look(const tumble_world *w, tumble_body b)
+{
+    return slots_find(&w->bodies, b.place, b.generation);
+}
+
+body_place *inside_body(tumble_world *w, tumble_body b)
+{
+    body_place *found = slots_find(&w->bodies, b.place, b.generation);
+    if (!found) refuse(w, "body", b.place, b.generation);
+    return found;
+}
+
+tumble_body tumble_ground(void)
+{
+    return (tumble_body){ UINT_MAX, UINT_MAX };
+}
+
+rigid_frame inside_frame(const tumble_world *w, int b)
+{
+    if (b < 0) return JOINT_WORLD;
+    return rigid4_frame(w->world.pool.at + w->world.body[b].first);
+}
+
+tumble_body inside_owner(const tumble_world *w, int b)
+{
+    if (b < 0) return tumble_ground();
+    int k = w->owner[b];
+    return (tumble_body){ (unsigned)k, slots_generation(&w->bodies, k) };
+}
+//<

@@ -1,0 +1,95 @@
+//> inside-head
+// inside.h - what stands behind the handle that a program holds.
+//
+// Book: chapter 19.
+// The files tumble_*.c look at the ids and numbers that a program hands in, and
+// leave the work to the modules of the engine.
+
+#ifndef TUMBLE_INSIDE_H
+#define TUMBLE_INSIDE_H
+
+#include "slots.h"
+#include "step.h"
+#include "tumble.h"
+
+typedef struct {
+    shape *shape;
+    int bodies;             // pieces that are made of it
+} shape_place;
+
+typedef struct {
+    int number;             // the engine's
+    int shape;              // place of its shape
+} body_piece;
+
+typedef struct {
+    body_piece *piece;      // [pieces]
+    int  pieces;
+    tumble_kind kind;
+    void *user;
+} body_place;
+
+typedef struct {
+    int number;             // the engine's
+} joint_place;
+
+struct tumble_world {
+    world world;
+    slots shapes;           // of shape_place
+    slots bodies;           // of body_place
+    slots joints;           // of joint_place
+    int  *owner;            // [world.bodies] place of the body it belongs to
+    int   owners;           // room
+    vec3 *scratch;          // [4 * most_vertices] for questions and pictures
+    int   most_vertices;    // of a shape
+    tumble_contact *touching;   // those that tumble_events saw
+    int   touchings;
+    status failure;         // the first one
+};
+
+// Keeps the failure, unless there was one before.  Returns false.
+bool inside_fail(tumble_world *w, const char *format, ...);
+// The same for a status that is not ok.  Returns s.ok.
+bool inside_is_ok(tumble_world *w, status s);
+
+// The thing with this id; NULL, with a failure, if it is gone.
+shape_place *inside_shape(tumble_world *w, tumble_shape s);
+body_place  *inside_body(tumble_world *w, tumble_body b);
+joint_place *inside_joint(tumble_world *w, tumble_joint j);
+
+// The engine's number of a rope or cloth that has a vertex i; -1, with a
+// failure, if it has none.
+int inside_vertex(tumble_world *w, tumble_body b, int i);
+
+// The body with this id, without a failure.
+const body_place *inside_look(const tumble_world *w, tumble_body b);
+
+// Where rigid body b of the engine stands; b < 0: the frame of the world.
+rigid_frame inside_frame(const tumble_world *w, int b);
+
+// The quaternion of the rotation whose matrix has the columns x, y and z.
+tumble_quat inside_quat(vec3 x, vec3 y, vec3 z);
+
+// The id of the body that body b of the engine belongs to; b < 0: the ground.
+tumble_body inside_owner(const tumble_world *w, int b);
+
+// Gives back the ids of joints that broke, or went with a body.
+void inside_forget_joints(tumble_world *w);
+
+// Position and axes of p become those of the pose.
+void inside_place(placement *p, tumble_pose pose);
+
+static inline vec3 from_user(tumble_vec3 v)
+{
+    return (vec3){ v.x, v.y, v.z };
+}
+
+static inline tumble_vec3 to_user(vec3 v)
+{
+    return (tumble_vec3){ v.x, v.y, v.z };
+}
+//<
+
+//> inside-end-of-header
+#endif
+//<

@@ -1,0 +1,170 @@
+//> face-ask
+#include "cast.h"
+#include "inside.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+// What is asked about: a thing, where it goes, and which bodies are asked.
+typedef struct {
+    rounded thing;
+    vec3 way;           // m
+    sphere around;      // the thing, before it goes
+    unsigned mask;
+} question;
+
+// The hull of body b of the engine where it stands; its vertices go to at.
+static rounded body_hull(const tumble_world *w, int b, vec3 *at)
+{
+    const body *x = &w->world.body[b];
+    world_vertices(&w->world, x, at);
+    return (rounded){ { at, x->shape->particles }, x->shape->round };
+}
+
+// m^2, how near the way comes to x.
+static real way_to(const question *q, vec3 x)
+{
+    vec3 d = vec3_sub(x, q->around.center);
+    real square = vec3_length_squared(q->way), along = vec3_dot(d, q->way);
+    real t = square > 0 ? along / square : 0;
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    return vec3_length_squared(vec3_add_scaled(d, -t, q->way));
+}
+
+// Is body b of the engine one that is asked, and may it be met?
+static bool is_asked(const tumble_world *w, int b, const question *q)
+{
+    const body *x = &w->world.body[b];
+    if (body_is_soft(x) || !(x->group & q->mask)) return false;
+    vec3 center = rigid4_frame(w->world.pool.at + x->first).center;
+    real near = q->around.radius + x->rigid->reach;
+    // Written so that what is not finite is asked.
+    return !(way_to(q, center) > near * near * (1 + 1e-9));
+}
+
+static sphere ball_around(rounded h)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < h.core.count; k++) sum = vec3_add(sum, h.core.at[k]);
+    vec3 center = vec3_scale(1.0 / h.core.count, sum);
+    real most = 0;
+    for (int k = 0; k < h.core.count; k++)
+        most = real_max(most, vec3_length(vec3_sub(h.core.at[k], center)));
+    return (sphere){ center, most + h.round };
+}
+
+static void take(tumble_hit *best, const cast_result *r, tumble_body b)
+{
+    if (!r->hits || !(r->fraction < best->fraction)) return;
+    *best = (tumble_hit){ b, to_user(r->point), to_user(r->normal),
+                          r->fraction };
+}
+//<
+
+//> face-ask-first
+static bool first_met(const tumble_world *w, const question *q,
+                      tumble_hit *hit)
+{
+    tumble_hit best = { .fraction = HUGE_VAL };
+    const world *all = &w->world;
+    vec3 *at = w->scratch, *scratch = w->scratch + w->most_vertices;
+    for (int b = 0; b < all->bodies; b++) {
+        if (!is_asked(w, b, q)) continue;
+        cast_result r = cast_first(q->thing, q->way, body_hull(w, b, at),
+                                   scratch);
+        take(&best, &r, inside_owner(w, b));
+    }
+    for (int k = 0; k < all->planes; k++) {
+        cast_result r = cast_first_plane(q->thing, q->way, all->plane[k]);
+        take(&best, &r, tumble_ground());
+    }
+    if (best.fraction <= 1) *hit = best;
+    return best.fraction <= 1;
+}
+
+bool tumble_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
+                unsigned mask, tumble_hit *hit)
+{
+    vec3 tip = from_user(from);
+    question q = { { { &tip, 1 }, 0 }, vec3_sub(from_user(to), tip),
+                   .mask = mask };
+    q.around = ball_around(q.thing);
+    return first_met(w, &q, hit);
+}
+
+// The vertices of a shape that stands there, in the world's third room.
+static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
+                  question *q)
+{
+    const shape_place *x = slots_find(&w->shapes, s.place, s.generation);
+    if (!x || x->shape->kind != SHAPE_RIGID) return false;
+    real m[9];
+    vec3 *at = w->scratch + 3 * w->most_vertices;
+    tumble_matrix(pose.rotation, m);
+    for (int k = 0; k < x->shape->particles; k++) {
+        vec3 r = x->shape->at[k];
+        at[k] = (vec3){ m[0] * r.x + m[1] * r.y + m[2] * r.z,
+                        m[3] * r.x + m[4] * r.y + m[5] * r.z,
+                        m[6] * r.x + m[7] * r.y + m[8] * r.z };
+        at[k] = vec3_add(at[k], from_user(pose.position));
+    }
+    q->thing = (rounded){ { at, x->shape->particles }, x->shape->round };
+    q->around = ball_around(q->thing);
+    return true;
+}
+
+bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
+                  tumble_vec3 way, unsigned mask, tumble_hit *hit)
+{
+    question q = { .way = from_user(way), .mask = mask };
+    return stand(w, s, pose, &q) && first_met(w, &q, hit);
+}
+//<
+
+//> face-ask-near
+bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
+                    unsigned mask, tumble_hit *hit)
+{
+    vec3 at = from_user(x);
+    question q = { .around = { at, most }, .mask = mask };
+    tumble_hit best = { .fraction = HUGE_VAL };
+    for (int b = 0; b < w->world.bodies; b++) {
+        if (!is_asked(w, b, &q)) continue;
+        cast_result r = cast_nearest(at, body_hull(w, b, w->scratch), most);
+        take(&best, &r, inside_owner(w, b));
+    }
+    for (int k = 0; k < w->world.planes; k++) {
+        cast_result r = cast_nearest_plane(at, w->world.plane[k], most);
+        take(&best, &r, tumble_ground());
+    }
+    if (best.fraction < HUGE_VAL) *hit = best;
+    return best.fraction < HUGE_VAL;
+}
+
+static bool overlaps(const tumble_world *w, const body_place *x,
+                     const question *q)
+{
+    for (int k = 0; k < x->pieces; k++) {
+        int b = x->piece[k].number;
+        if (is_asked(w, b, q)
+            && cast_overlaps(q->thing, body_hull(w, b, w->scratch))) return true;
+    }
+    return false;
+}
+
+int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
+                   unsigned mask, tumble_body *out, int most)
+{
+    question q = { .mask = mask };
+    int n = 0;
+    if (!stand(w, s, pose, &q)) return 0;
+    for (int k = 0; k < w->bodies.count; k++) {
+        const body_place *x = slots_at(&w->bodies, k);
+        if (!x || !overlaps(w, x, &q)) continue;
+        if (n < most) out[n] = inside_owner(w, x->piece[0].number);
+        n++;
+    }
+    return n;
+}
+//<

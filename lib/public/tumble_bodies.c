@@ -1,0 +1,154 @@
+//> face-add
+#include "handle.h"
+#include "inside.h"
+
+#include <limits.h>
+#include <stdlib.h>
+
+tumble_body_options tumble_at(double x, double y, double z)
+{
+    return (tumble_body_options){
+        .kind = TUMBLE_DYNAMIC, .pose = { { x, y, z }, { 0, 0, 0, 1 } },
+        .friction = -1, .restitution = -1,
+        .group = 1, .mask = UINT_MAX };
+}
+
+void inside_place(placement *p, tumble_pose pose)
+{
+    real m[9];
+    tumble_matrix(pose.rotation, m);
+    p->position = from_user(pose.position);
+    p->x = (vec3){ m[0], m[3], m[6] };
+    p->y = (vec3){ m[1], m[4], m[7] };
+    p->z = (vec3){ m[2], m[5], m[8] };
+}
+
+static placement placement_of(tumble_pose pose, const tumble_body_options *o)
+{
+    placement p = { .velocity = from_user(o->velocity),
+                    .spin = from_user(o->spin),
+                    .is_static = o->kind == TUMBLE_STATIC };
+    inside_place(&p, pose);
+    return p;
+}
+
+static bool reserve_owners(tumble_world *w)
+{
+    int need = w->world.bodies + 1;
+    if (need <= w->owners) return true;
+    int *more = realloc(w->owner, 2 * (size_t)need * sizeof *more);
+    if (!more) return inside_is_ok(w, status_out_of_memory());
+    w->owner = more;
+    w->owners = 2 * need;
+    return true;
+}
+
+// What a new piece has beside its place.
+static bool set_up(tumble_world *w, int number, const tumble_body_options *o)
+{
+    material m = { o->friction, o->restitution };
+    bool is_soft = body_is_soft(&w->world.body[number]);
+    if (is_soft && o->kind == TUMBLE_KINEMATIC)
+        return inside_fail(w, "a rope or a cloth cannot be kinematic: pin it");
+    if (o->kind == TUMBLE_KINEMATIC) {
+        world_set_kinematic(&w->world, number, true);
+        world_set_velocity(&w->world, number, from_user(o->velocity),
+                           from_user(o->spin));
+    }
+    world_set_filter(&w->world, number, o->group, o->mask);
+    return inside_is_ok(w, world_set_material(&w->world, number, m))
+        && inside_is_ok(w, world_set_damping(&w->world, number, o->damping,
+                                             o->spin_damping));
+}
+
+static bool add_piece(tumble_world *w, int place, tumble_shape s,
+                      tumble_pose pose, const tumble_body_options *o)
+{
+    shape_place *made_of = inside_shape(w, s);
+    body_place *x = slots_at(&w->bodies, place);
+    int number;
+    if (!made_of || !reserve_owners(w)) return false;
+    if (!inside_is_ok(w, world_add(&w->world, made_of->shape,
+                                   placement_of(pose, o), &number)))
+        return false;
+    w->owner[number] = place;
+    x->piece[x->pieces++] = (body_piece){ number, (int)s.place };
+    made_of->bodies++;
+    return set_up(w, number, o);
+}
+
+static void take_away(tumble_world *w, int place)
+{
+    body_place *x = slots_at(&w->bodies, place);
+    for (int k = 0; k < x->pieces; k++) {
+        shape_place *s = slots_at(&w->shapes, x->piece[k].shape);
+        world_remove(&w->world, x->piece[k].number);
+        s->bodies--;
+    }
+    free(x->piece);
+    slots_give(&w->bodies, place);
+    inside_forget_joints(w);
+}
+
+static tumble_body add(tumble_world *w, const tumble_shape *s,
+                       const tumble_pose *pose, int n,
+                       const tumble_body_options *o)
+{
+    const tumble_body none = { 0, 0 };
+    body_piece *piece = malloc((size_t)n * sizeof *piece);
+    int place = piece ? slots_take(&w->bodies) : -1;
+    if (place < 0) {
+        free(piece);
+        inside_is_ok(w, status_out_of_memory());
+        return none;
+    }
+    body_place *x = slots_at(&w->bodies, place);
+    *x = (body_place){ .piece = piece, .kind = o->kind, .user = o->user };
+    for (int k = 0; k < n; k++) {
+        if (add_piece(w, place, s[k], pose[k], o)) continue;
+        take_away(w, place);
+        return none;
+    }
+    return (tumble_body){ (unsigned)place, slots_generation(&w->bodies, place) };
+}
+
+tumble_body tumble_add(tumble_world *w, tumble_shape s, tumble_body_options o)
+{
+    return add(w, &s, &o.pose, 1, &o);
+}
+
+tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
+                              const tumble_pose *pose, int n,
+                              tumble_body_options o)
+{
+    o.kind = TUMBLE_STATIC;
+    if (n > 0) return add(w, piece, pose, n, &o);
+    inside_fail(w, "a body of %d pieces is none", n);
+    return (tumble_body){ 0, 0 };
+}
+
+bool tumble_remove(tumble_world *w, tumble_body b)
+{
+    if (!inside_body(w, b)) return false;
+    take_away(w, (int)b.place);
+    return true;
+}
+
+bool tumble_has(const tumble_world *w, tumble_body b)
+{
+    return inside_look(w, b) != NULL;
+}
+
+int tumble_bodies(const tumble_world *w, tumble_body *out, int most)
+{
+    int n = 0;
+    for (int k = 0; k < w->bodies.count; k++) {
+        if (!slots_is_taken(&w->bodies, k)) continue;
+        if (n < most)
+            out[n] = (tumble_body){ (unsigned)k,
+                                    slots_generation(&w->bodies, k) };
+        n++;
+    }
+    return n;
+}
+//<

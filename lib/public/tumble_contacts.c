@@ -1,0 +1,103 @@
+//> face-contacts
+#include "inside.h"
+
+#include <stdlib.h>
+
+// Bodies that sleep are not asked: they touch as they did when they fell asleep.
+static bool lies(const world *w, int b)
+{
+    return b < 0 || !body_moves(w, b);
+}
+
+// The contact that the cache keeps of a pair; NULL if the two do not push each
+// other.
+static const contact *pushing(const world *w, const cache_pair *p)
+{
+    if (p->entry < 0 || p->count == 0) return NULL;
+    const contact *c = &w->rigid.cache.entry[p->entry].contact;
+    bool is_known = p->is_active || (lies(w, c->a) && lies(w, c->b));
+    return is_known && contact_load(c) > 0 ? c : NULL;
+}
+
+static tumble_contact told(const tumble_world *w, const contact *c)
+{
+    tumble_contact t = { .a = inside_owner(w, c->a),
+                         .b = inside_owner(w, c->b),
+                         .normal = to_user(c->normal) };
+    rigid_frame a = inside_frame(w, c->a), b = inside_frame(w, c->b);
+    for (int k = 0; k < c->count; k++) {
+        if (!(c->impulse[k] > 0)) continue;
+        contact_arms arm = contact_arms_of(c, k, &a, c->b < 0 ? NULL : &b);
+        t.point[t.points] = to_user(vec3_add(a.center, arm.a));
+        t.force[t.points++] = c->impulse[k] / w->world.age;
+    }
+    return t;
+}
+
+int tumble_contacts(const tumble_world *w, tumble_contact *out, int most)
+{
+    const contact_cache *cache = &w->world.rigid.cache;
+    const cache_list *list[] = { &cache->pairs, &cache->walls };
+    int n = 0;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < list[i]->count; k++) {
+            const contact *c = pushing(&w->world, &list[i]->pair[k]);
+            if (!c) continue;
+            if (n < most) out[n] = told(w, c);
+            n++;
+        }
+    return n;
+}
+//<
+
+//> face-events
+static int compare(unsigned a, unsigned b)
+{
+    return (a > b) - (a < b);
+}
+
+static int by_bodies(const void *p, const void *q)
+{
+    const tumble_contact *a = p, *b = q;
+    int order = compare(a->a.place, b->a.place);
+    if (order == 0) order = compare(a->a.generation, b->a.generation);
+    if (order == 0) order = compare(a->b.place, b->b.place);
+    return order != 0 ? order : compare(a->b.generation, b->b.generation);
+}
+
+// The pairs that touch now, each once, sorted; n of them.
+static tumble_contact *touching_now(const tumble_world *w, int *n)
+{
+    int all = tumble_contacts(w, NULL, 0);
+    tumble_contact *list = malloc(((size_t)all + 1) * sizeof *list);
+    *n = 0;
+    if (!list) return NULL;
+    tumble_contacts(w, list, all);
+    if (all > 0) qsort(list, (size_t)all, sizeof *list, by_bodies);
+    for (int k = 0; k < all; k++)
+        if (*n == 0 || by_bodies(&list[*n - 1], &list[k]) != 0)
+            list[(*n)++] = list[k];
+    return list;
+}
+
+int tumble_events(tumble_world *w, tumble_event *out, int most)
+{
+    int now, n = 0, i = 0, k = 0;
+    tumble_contact *list = touching_now(w, &now);
+    if (!list) return inside_is_ok(w, status_out_of_memory()), 0;
+    while (i < w->touchings || k < now) {
+        const tumble_contact *was = w->touching + i, *is = list + k;
+        int order = i == w->touchings ? 1 : k == now ? -1 : by_bodies(was, is);
+        if (order != 0 && n < most)
+            out[n] = order < 0 ? (tumble_event){ was->a, was->b, false }
+                               : (tumble_event){ is->a, is->b, true };
+        n += order != 0;
+        i += order <= 0;
+        k += order >= 0;
+    }
+    free(w->touching);
+    w->touching = list;
+    w->touchings = now;
+    return n;
+}
+//<

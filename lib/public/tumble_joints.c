@@ -1,0 +1,159 @@
+//> face-join
+#include "inside.h"
+#include "join.h"
+
+#include <stdlib.h>
+
+// The engine's number of a rigid body, or -1 for the ground; false, with a
+// failure, if it is gone, or no body that can be joined.
+static bool find_side(tumble_world *w, tumble_body b, int *number)
+{
+    *number = -1;
+    if (b.place == tumble_ground().place) return true;
+    const body_place *x = inside_body(w, b);
+    if (!x) return false;
+    *number = x->piece[0].number;
+    if (!body_is_soft(&w->world.body[*number])) return true;
+    return inside_fail(w, "body %u is a rope or a cloth: joints hold rigid "
+                       "bodies", b.place);
+}
+
+static tumble_joint enter(tumble_world *w, joint_plan plan)
+{
+    const tumble_joint none = { 0, 0 };
+    int number;
+    if (!inside_is_ok(w, world_join(&w->world, plan, &number))) return none;
+    int k = slots_take(&w->joints);
+    if (k < 0) {
+        world_unjoin(&w->world, number);
+        inside_is_ok(w, status_out_of_memory());
+        return none;
+    }
+    *(joint_place *)slots_at(&w->joints, k) = (joint_place){ number };
+    return (tumble_joint){ (unsigned)k, slots_generation(&w->joints, k) };
+}
+
+static tumble_joint join(tumble_world *w, tumble_body a, tumble_body b,
+                         joint_plan plan)
+{
+    if (find_side(w, a, &plan.a) && find_side(w, b, &plan.b))
+        return enter(w, plan);
+    return (tumble_joint){ 0, 0 };
+}
+
+tumble_joint tumble_ball(tumble_world *w, tumble_body a, tumble_body b,
+                         tumble_vec3 at)
+{
+    return join(w, a, b, (joint_plan){ .kind = JOINT_BALL,
+                                       .point = from_user(at) });
+}
+
+tumble_joint tumble_hinge(tumble_world *w, tumble_body a, tumble_body b,
+                          tumble_vec3 at, tumble_vec3 axis)
+{
+    return join(w, a, b, (joint_plan){ .kind = JOINT_HINGE,
+                                       .point = from_user(at),
+                                       .axis = from_user(axis) });
+}
+
+tumble_joint tumble_fix(tumble_world *w, tumble_body a, tumble_body b,
+                        tumble_vec3 at)
+{
+    return join(w, a, b, (joint_plan){ .kind = JOINT_FIXED,
+                                       .point = from_user(at) });
+}
+
+tumble_joint tumble_distance(tumble_world *w, tumble_body a, tumble_vec3 at_a,
+                             tumble_body b, tumble_vec3 at_b, double least,
+                             double most)
+{
+    return join(w, a, b, (joint_plan){ .kind = JOINT_DISTANCE,
+                                       .point = from_user(at_a),
+                                       .point_b = from_user(at_b),
+                                       .least = least, .most = most });
+}
+
+tumble_joint tumble_hang(tumble_world *w, tumble_body soft, int i,
+                         tumble_body b)
+{
+    const tumble_joint none = { 0, 0 };
+    joint_plan plan = { .kind = JOINT_PIN, .particle = i };
+    plan.a = inside_vertex(w, soft, i);
+    if (plan.a < 0 || !find_side(w, b, &plan.b)) return none;
+    return enter(w, plan);
+}
+//<
+
+//> face-joint
+bool tumble_unjoin(tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = inside_joint(w, j);
+    if (!x) return false;
+    world_unjoin(&w->world, x->number);
+    slots_give(&w->joints, (int)j.place);
+    return true;
+}
+
+void inside_forget_joints(tumble_world *w)
+{
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint_place *x = slots_at(&w->joints, k);
+        if (!x) continue;
+        const joint *held = &w->world.joints.joint[x->number];
+        if (held->is_broken) world_unjoin(&w->world, x->number);
+        if (held->kind == JOINT_NONE) slots_give(&w->joints, k);
+    }
+}
+
+bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
+                       double most)
+{
+    const joint_place *x = inside_joint(w, j);
+    return x && inside_is_ok(w, world_limit_joint(&w->world, x->number, least,
+                                                  most));
+}
+
+bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)
+{
+    const joint_place *x = inside_joint(w, j);
+    if (!x) return false;
+    if (!(force >= 0))
+        return inside_fail(w, "a joint of strength %g N: it must be 0 or more",
+                           force);
+    joint *held = &w->world.joints.joint[x->number];
+    held->strength = force > 0 ? force : HUGE_VAL;
+    if (held->a >= 0) world_wake(&w->world, held->a);
+    if (held->b >= 0) world_wake(&w->world, held->b);
+    return true;
+}
+//<
+
+//> face-joint-look
+static const joint_place *look(const tumble_world *w, tumble_joint j)
+{
+    return slots_find(&w->joints, j.place, j.generation);
+}
+
+bool tumble_is_joined(const tumble_world *w, tumble_joint j)
+{
+    return look(w, j) != NULL;
+}
+
+double tumble_joint_force(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x ? w->world.joints.joint[x->number].force : 0;
+}
+
+double tumble_joint_gap(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x ? world_joint_gap(&w->world, x->number) : 0;
+}
+
+double tumble_hinge_angle(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x ? world_joint_angle(&w->world, x->number) : 0;
+}
+//<

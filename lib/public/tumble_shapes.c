@@ -1,0 +1,118 @@
+//> face-shapes
+#include "capsule.h"
+#include "hull.h"
+#include "inside.h"
+#include "obj.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// Questions and pictures need room for the vertices of a shape, four times.
+static bool reserve_scratch(tumble_world *w, const shape *s)
+{
+    int n = s->particles > s->skin.points ? s->particles : s->skin.points;
+    if (n <= w->most_vertices) return true;
+    vec3 *more = realloc(w->scratch, 4 * (size_t)n * sizeof *more);
+    if (!more) return false;
+    w->scratch = more;
+    w->most_vertices = n;
+    return true;
+}
+
+// The shape is w's from now on: in a place of its own, if it was made at all.
+static tumble_shape keep(tumble_world *w, shape *made, status done)
+{
+    const tumble_shape none = { 0, 0 };
+    if (!inside_is_ok(w, done)) return none;
+    shape *s = malloc(sizeof *s);
+    int k = s && reserve_scratch(w, made) ? slots_take(&w->shapes) : -1;
+    if (k < 0) {
+        free(s);
+        shape_free(made);
+        inside_is_ok(w, status_out_of_memory());
+        return none;
+    }
+    *s = *made;
+    *(shape_place *)slots_at(&w->shapes, k) = (shape_place){ .shape = s };
+    return (tumble_shape){ (unsigned)k, slots_generation(&w->shapes, k) };
+}
+
+tumble_shape tumble_box(tumble_world *w, tumble_vec3 sides, double mass)
+{
+    shape s;
+    status done = shape_box(&s, from_user(sides), mass);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_icosahedron(tumble_world *w, double radius, double mass)
+{
+    shape s;
+    status done = shape_icosahedron(&s, radius, mass);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_sphere(tumble_world *w, double radius, double mass)
+{
+    shape s;
+    status done = shape_sphere(&s, radius, mass);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_capsule(tumble_world *w, double length, double radius,
+                            double mass)
+{
+    shape s;
+    status done = shape_capsule(&s, length, radius, mass);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_hull(tumble_world *w, const tumble_vec3 *point, int n,
+                         double mass)
+{
+    shape s;
+    vec3 *at = calloc(n > 0 ? (size_t)n : 1, sizeof *at);
+    for (int k = 0; at && k < n; k++) at[k] = from_user(point[k]);
+    status done = at ? shape_hull(&s, at, n, mass) : status_out_of_memory();
+    free(at);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_obj(tumble_world *w, const char *path, double radius,
+                        double mass)
+{
+    shape s;
+    status done = obj_read(path, radius, mass, &s);
+    return keep(w, &s, done);
+}
+
+tumble_shape tumble_rope(tumble_world *w, int n, double length, double mass)
+{
+    shape s;
+    status done = shape_rope(&s, n, length, mass);
+    return keep(w, &s, done);
+}
+
+// A cloth's diagonals are so much softer than its threads.
+static const real DIAGONAL = 0.2;
+
+tumble_shape tumble_cloth(tumble_world *w, int columns, int rows, double width,
+                          double depth, double mass)
+{
+    shape s;
+    status done = shape_cloth(&s, columns, rows, width, depth, mass, DIAGONAL);
+    return keep(w, &s, done);
+}
+
+bool tumble_drop_shape(tumble_world *w, tumble_shape s)
+{
+    shape_place *gone = inside_shape(w, s);
+    if (!gone) return false;
+    if (gone->bodies > 0)
+        return inside_fail(w, "shape %u cannot be dropped: %d bodies are made of "
+                           "it", s.place, gone->bodies);
+    shape_free(gone->shape);
+    free(gone->shape);
+    slots_give(&w->shapes, (int)s.place);
+    return true;
+}
+//<

@@ -1,0 +1,250 @@
+//> face-where
+#include "handle.h"
+#include "inside.h"
+
+#include <stddef.h>
+
+// Where a body is; zeros if there is none.
+static placement where_is(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    return x ? world_where(&w->world, x->piece[0].number)
+             : (placement){ .is_static = true };
+}
+
+tumble_pose tumble_get_pose(const tumble_world *w, tumble_body b)
+{
+    placement p = where_is(w, b);
+    return (tumble_pose){ to_user(p.position), inside_quat(p.x, p.y, p.z) };
+}
+
+tumble_vec3 tumble_position(const tumble_world *w, tumble_body b)
+{
+    return to_user(where_is(w, b).position);
+}
+
+tumble_vec3 tumble_velocity(const tumble_world *w, tumble_body b)
+{
+    return to_user(where_is(w, b).velocity);
+}
+
+tumble_vec3 tumble_spin(const tumble_world *w, tumble_body b)
+{
+    return to_user(where_is(w, b).spin);
+}
+
+double tumble_mass(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    if (!x || x->kind != TUMBLE_DYNAMIC) return 0;
+    return w->world.body[x->piece[0].number].mass;
+}
+
+void *tumble_user(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    return x ? x->user : NULL;
+}
+
+bool tumble_set_user(tumble_world *w, tumble_body b, void *user)
+{
+    body_place *x = inside_body(w, b);
+    if (x) x->user = user;
+    return x != NULL;
+}
+//<
+
+//> face-touch
+// The engine's number of a body that can be moved by hand: rigid, of one piece.
+// -1, with a failure, if it is none, or its numbers are not finite.
+static int find_rigid(tumble_world *w, tumble_body b, tumble_vec3 p,
+                      tumble_vec3 q)
+{
+    const body_place *x = inside_body(w, b);
+    if (!x) return -1;
+    int number = x->piece[0].number;
+    if (body_is_soft(&w->world.body[number]))
+        inside_fail(w, "body %u is a rope or a cloth, and is moved by its "
+                    "vertices", b.place);
+    else if (x->pieces > 1)
+        inside_fail(w, "body %u has %d pieces, and stays where it is", b.place,
+                    x->pieces);
+    else if (!vec3_is_finite(from_user(p)) || !vec3_is_finite(from_user(q)))
+        inside_fail(w, "body %u is given numbers that are not finite", b.place);
+    else
+        return number;
+    return -1;
+}
+
+// The same for one that yields.
+static int find_dynamic(tumble_world *w, tumble_body b, tumble_vec3 p,
+                        tumble_vec3 q)
+{
+    int number = find_rigid(w, b, p, q);
+    if (number < 0) return -1;
+    const body_place *x = inside_body(w, b);
+    if (x->kind == TUMBLE_DYNAMIC) return number;
+    inside_fail(w, "body %u is %s: it does not yield", b.place,
+                x->kind == TUMBLE_STATIC ? "static" : "kinematic");
+    return -1;
+}
+
+bool tumble_set_pose(tumble_world *w, tumble_body b, tumble_pose pose)
+{
+    int number = find_rigid(w, b, pose.position, pose.position);
+    if (number < 0) return false;
+    placement p = world_where(&w->world, number);
+    inside_place(&p, pose);
+    return inside_is_ok(w, world_put(&w->world, number, p));
+}
+
+bool tumble_set_velocity(tumble_world *w, tumble_body b, tumble_vec3 velocity,
+                         tumble_vec3 spin)
+{
+    int number = find_rigid(w, b, velocity, spin);
+    if (number < 0) return false;
+    if (body_is_static(&w->world.body[number]))
+        return inside_fail(w, "body %u is static: it has no velocity", b.place);
+    world_set_velocity(&w->world, number, from_user(velocity), from_user(spin));
+    return true;
+}
+
+bool tumble_push(tumble_world *w, tumble_body b, tumble_vec3 impulse,
+                 tumble_vec3 at)
+{
+    int number = find_dynamic(w, b, impulse, at);
+    if (number >= 0)
+        world_push(&w->world, number, from_user(impulse), from_user(at));
+    return number >= 0;
+}
+
+bool tumble_force(tumble_world *w, tumble_body b, tumble_vec3 force,
+                  tumble_vec3 torque)
+{
+    int number = find_dynamic(w, b, force, torque);
+    if (number >= 0)
+        world_force(&w->world, number, from_user(force), from_user(torque));
+    return number >= 0;
+}
+//<
+
+//> face-sleep
+bool tumble_wake(tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_body(w, b);
+    if (x) world_wake(&w->world, x->piece[0].number);
+    return x != NULL;
+}
+
+bool tumble_sleep(tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_body(w, b);
+    if (x) world_sleep(&w->world, x->piece[0].number);
+    return x != NULL;
+}
+
+bool tumble_is_awake(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    return x && x->kind != TUMBLE_STATIC
+        && !w->world.sleep.asleep[x->piece[0].number];
+}
+//<
+
+//> face-soft
+int inside_vertex(tumble_world *w, tumble_body b, int i)
+{
+    const body_place *x = inside_body(w, b);
+    if (!x) return -1;
+    int number = x->piece[0].number;
+    const body *all = &w->world.body[number];
+    if (!body_is_soft(all))
+        inside_fail(w, "body %u is rigid: its vertices cannot be moved", b.place);
+    else if (i < 0 || i >= all->shape->particles)
+        inside_fail(w, "body %u has no vertex %d", b.place, i);
+    else
+        return number;
+    return -1;
+}
+
+bool tumble_pin(tumble_world *w, tumble_body b, int i)
+{
+    int number = inside_vertex(w, b, i);
+    if (number >= 0) world_pin(&w->world, number, i);
+    return number >= 0;
+}
+
+bool tumble_unpin(tumble_world *w, tumble_body b, int i)
+{
+    int number = inside_vertex(w, b, i);
+    if (number >= 0) world_unpin(&w->world, number, i);
+    return number >= 0;
+}
+
+bool tumble_push_vertex(tumble_world *w, tumble_body b, int i,
+                        tumble_vec3 impulse)
+{
+    int number = inside_vertex(w, b, i);
+    if (number < 0) return false;
+    if (!vec3_is_finite(from_user(impulse)))
+        return inside_fail(w, "vertex %d of body %u is given an impulse that is "
+                           "not finite", i, b.place);
+    world_push_particle(&w->world, number, i, from_user(impulse));
+    return true;
+}
+
+bool tumble_set_bending(tumble_world *w, tumble_body b, double stiffness)
+{
+    int number = inside_vertex(w, b, 0);
+    return number >= 0
+        && inside_is_ok(w, world_bend(&w->world, number, stiffness));
+}
+
+bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance)
+{
+    int number = inside_vertex(w, b, 0);
+    return number >= 0
+        && inside_is_ok(w, world_stretch(&w->world, number, compliance));
+}
+
+tumble_vec3 tumble_vertex(const tumble_world *w, tumble_body b, int i)
+{
+    const body_place *x = inside_look(w, b);
+    const tumble_vec3 none = { 0, 0, 0 };
+    if (!x || i < 0) return none;
+    const body *all = &w->world.body[x->piece[0].number];
+    if (i >= all->shape->particles) return none;
+    world_vertices(&w->world, all, w->scratch);
+    return to_user(w->scratch[i]);
+}
+//<
+
+//> face-material
+bool tumble_set_material(tumble_world *w, tumble_body b, double friction,
+                         double restitution)
+{
+    const body_place *x = inside_body(w, b);
+    material m = { friction, restitution };
+    for (int k = 0; x && k < x->pieces; k++)
+        if (!inside_is_ok(w, world_set_material(&w->world, x->piece[k].number,
+                                                m))) return false;
+    return x != NULL;
+}
+
+bool tumble_set_damping(tumble_world *w, tumble_body b, double damping,
+                        double spin_damping)
+{
+    const body_place *x = inside_body(w, b);
+    return x && inside_is_ok(w, world_set_damping(&w->world, x->piece[0].number,
+                                                  damping, spin_damping));
+}
+
+bool tumble_set_filter(tumble_world *w, tumble_body b, unsigned group,
+                       unsigned mask)
+{
+    const body_place *x = inside_body(w, b);
+    for (int k = 0; x && k < x->pieces; k++)
+        world_set_filter(&w->world, x->piece[k].number, group, mask);
+    return x != NULL;
+}
+//<

@@ -1,0 +1,83 @@
+//> face-turn
+#include "inside.h"
+
+#include <math.h>
+
+// Sine and cosine by their series: so that all machines have the same bits.
+// |x| <= pi / 4.
+static void series(real x, real *sine, real *cosine)
+{
+    real term = 1, square = x * x;
+    *cosine = 1;
+    *sine = x;
+    for (int k = 1; k <= 9; k++) {
+        term *= -square / ((2 * k - 1) * (2 * k));
+        *cosine += term;
+        *sine += term * x / (2 * k + 1);
+    }
+}
+
+// Of the double of an angle: cos 2x = c^2 - s^2, sin 2x = 2 s c.
+static void twice(real *sine, real *cosine)
+{
+    real s = *sine, c = *cosine;
+    *cosine = c * c - s * s;
+    *sine = 2 * s * c;
+}
+
+tumble_quat tumble_turn(tumble_vec3 axis, double by)
+{
+    const real whole = 6.28318530717958647692;
+    tumble_quat none = { 0, 0, 0, 1 };
+    vec3 d = from_user(axis);
+    real length = vec3_length(d), s, c;
+    if (!(length > 0 && length < HUGE_VAL && fabs(by) < 1e9)) return none;
+    real half = (by - whole * nearbyint(by / whole)) / 2;
+    series(half / 2, &s, &c);
+    twice(&s, &c);
+    d = vec3_scale(s / length, d);
+    return (tumble_quat){ d.x, d.y, d.z, c };
+}
+//<
+
+//> face-matrix
+void tumble_matrix(tumble_quat q, double m[9])
+{
+    real square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+    real s = square > 0 ? 2 / square : 0;   // all zero: no rotation
+    real x = s * q.x, y = s * q.y, z = s * q.z;
+    m[0] = 1 - y * q.y - z * q.z;
+    m[1] = x * q.y - z * q.w;
+    m[2] = x * q.z + y * q.w;
+    m[3] = x * q.y + z * q.w;
+    m[4] = 1 - x * q.x - z * q.z;
+    m[5] = y * q.z - x * q.w;
+    m[6] = x * q.z - y * q.w;
+    m[7] = y * q.z + x * q.w;
+    m[8] = 1 - x * q.x - y * q.y;
+}
+
+// The quaternion of a matrix whose columns are x, y and z: of 4 x^2, 4 y^2,
+// 4 z^2 and 4 w^2 the largest is 1 at least, and loses nothing (Shepperd 1978).
+tumble_quat inside_quat(vec3 x, vec3 y, vec3 z)
+{
+    real four[4] = { 1 + x.x - y.y - z.z, 1 - x.x + y.y - z.z,
+                     1 - x.x - y.y + z.z, 1 + x.x + y.y + z.z };
+    int most = 3;
+    for (int k = 0; k < 3; k++)
+        if (four[k] > four[most]) most = k;
+    real root = sqrt(four[most]), s = 0.5 / root;
+    real own = root / 2;
+    if (most == 0)
+        return (tumble_quat){ own, s * (x.y + y.x), s * (z.x + x.z),
+                              s * (y.z - z.y) };
+    if (most == 1)
+        return (tumble_quat){ s * (x.y + y.x), own, s * (y.z + z.y),
+                              s * (z.x - x.z) };
+    if (most == 2)
+        return (tumble_quat){ s * (z.x + x.z), s * (y.z + z.y), own,
+                              s * (x.y - y.x) };
+    return (tumble_quat){ s * (y.z - z.y), s * (z.x - x.z), s * (x.y - y.x),
+                          own };
+}
+//<

@@ -1,0 +1,146 @@
+//> face-world-make
+#include "handle.h"
+#include "inside.h"
+#include "measure.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// Of worlds that could not be made.
+static _Thread_local status unmade = { .ok = true };
+
+tumble_options tumble_options_default(void)
+{
+    world_options o = world_options_default();
+    return (tumble_options){
+        .dt = o.dt, .substeps = o.substeps, .most_substeps = o.most_substeps,
+        .gravity = to_user(o.gravity), .friction = o.friction,
+        .restitution = o.restitution, .sleep_speed = o.sleep_speed,
+        .time_to_sleep = o.time_to_sleep };
+}
+
+static world_options options_of(const tumble_options *o)
+{
+    world_options how = world_options_default();
+    if (!o) return how;
+    how.dt = o->dt;
+    how.substeps = o->substeps;
+    how.most_substeps = o->most_substeps;
+    how.gravity = from_user(o->gravity);
+    how.friction = o->friction;
+    how.restitution = o->restitution;
+    how.sleep_speed = o->sleep_speed;
+    how.time_to_sleep = o->time_to_sleep;
+    how.host.run = (tasks){ o->run, o->context };
+    return how;
+}
+
+tumble_world *tumble_make(const tumble_options *options)
+{
+    tumble_world *w = calloc(1, sizeof *w);
+    unmade = w ? world_init(&w->world, options_of(options))
+               : status_out_of_memory();
+    if (!unmade.ok) {
+        free(w);
+        return NULL;
+    }
+    slots_init(&w->shapes, sizeof(shape_place));
+    slots_init(&w->bodies, sizeof(body_place));
+    slots_init(&w->joints, sizeof(joint_place));
+    w->failure = status_ok();
+    return w;
+}
+
+void tumble_free(tumble_world *w)
+{
+    if (!w) return;
+    world_free(&w->world);
+    for (int k = 0; k < w->bodies.count; k++) {
+        body_place *b = slots_at(&w->bodies, k);
+        if (b) free(b->piece);
+    }
+    for (int k = 0; k < w->shapes.count; k++) {
+        shape_place *s = slots_at(&w->shapes, k);
+        if (s) shape_free(s->shape);
+        if (s) free(s->shape);
+    }
+    slots_free(&w->shapes);
+    slots_free(&w->bodies);
+    slots_free(&w->joints);
+    free(w->owner);
+    free(w->scratch);
+    free(w->touching);
+    free(w);
+}
+
+const char *tumble_failure(const tumble_world *w)
+{
+    const status *s = w ? &w->failure : &unmade;
+    return s->ok ? NULL : s->why;
+}
+
+void tumble_forget_failure(tumble_world *w)
+{
+    if (w) w->failure = status_ok();
+    else unmade = status_ok();
+}
+//<
+
+//> face-world-step
+void tumble_step(tumble_world *w)
+{
+    world_step(&w->world);
+    if (w->world.report.broken > 0) inside_forget_joints(w);
+}
+
+double tumble_time(const tumble_world *w)
+{
+    return w->world.time;
+}
+
+bool tumble_add_plane(tumble_world *w, tumble_vec3 normal, double offset,
+                      double friction)
+{
+    world *all = &w->world;
+    if (!(friction < HUGE_VAL))
+        return inside_fail(w, "a plane's friction is %g: it is not finite",
+                           friction);
+    if (!inside_is_ok(w, world_add_plane(all, from_user(normal), offset)))
+        return false;
+    material m = { friction, -1 };
+    return inside_is_ok(w, world_set_plane_material(all, all->planes - 1, m));
+}
+
+bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity)
+{
+    if (!vec3_is_finite(from_user(gravity)))
+        return inside_fail(w, "gravity is not finite");
+    w->world.options.gravity = from_user(gravity);
+    for (int b = 0; b < w->world.bodies; b++) world_wake(&w->world, b);
+    return true;
+}
+
+tumble_report tumble_last_step(const tumble_world *w)
+{
+    const step_report *r = &w->world.report;
+    return (tumble_report){
+        .substeps = r->substeps, .bodies = tumble_bodies(w, NULL, 0),
+        .asleep = r->asleep, .pairs = r->pairs, .contacts = r->contacts,
+        .unconverged = r->unconverged, .dropped = r->dropped,
+        .broken = r->broken };
+}
+
+tumble_measures tumble_measure(const tumble_world *w)
+{
+    measures m = world_measure(&w->world);
+    return (tumble_measures){
+        .penetration = m.penetration, .strain = m.strain,
+        .kinetic = m.kinetic, .potential = m.potential,
+        .momentum = to_user(m.momentum), .angular = to_user(m.angular) };
+}
+
+unsigned long long tumble_hash(const tumble_world *w)
+{
+    return world_hash(&w->world);
+}
+//<

@@ -1,0 +1,412 @@
+//> tumble-head
+// tumble.h - rigid bodies, rope and cloth of particles and sticks: what a
+// program sees of the library.
+//
+// Book: chapter 19.  C11 and C++17; link with libtumble and the mathematics of
+// the C library.
+// Units: metres, kilograms, seconds, radians, newtons, joules.  Frame: the
+// world's, right-handed; gravity acts along -y unless options say otherwise.
+//
+// What fails changes nothing: it returns false, 0, NULL or an id of zeros, and
+// tumble_failure says in a sentence what failed first, and why.  An id of zeros
+// and one of something that is gone are refused in the same way: so a program
+// may go on, and ask once at its end.  A world is used by one thread at a time.
+
+#ifndef TUMBLE_H
+#define TUMBLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define TUMBLE_VERSION "2.0.0"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#ifdef __GNUC__
+#pragma GCC visibility push(default)
+#endif
+//<
+
+//> tumble-types
+typedef struct tumble_world tumble_world;
+
+// Ids.  They are never used again: an id of what was removed stays refused.
+typedef struct { unsigned place, generation; } tumble_shape;
+typedef struct { unsigned place, generation; } tumble_body;
+typedef struct { unsigned place, generation; } tumble_joint;
+
+typedef struct { double x, y, z; } tumble_vec3;
+
+// A unit quaternion, w + xi + yj + zk; all zero is taken for no rotation.
+typedef struct { double x, y, z, w; } tumble_quat;
+
+// Where a rigid body is: its centre of mass, and how it is turned from the axes
+// of its shape.  Of rope and cloth: the mean of its vertices, and no rotation.
+typedef struct {
+    tumble_vec3 position;       // m
+    tumble_quat rotation;
+} tumble_pose;
+
+static inline tumble_vec3 tumble_v(double x, double y, double z)
+{
+    tumble_vec3 v = { x, y, z };
+    return v;
+}
+
+// The rotation by an angle (rad) about an axis of any length > 0.
+tumble_quat tumble_turn(tumble_vec3 axis, double angle);
+
+// Its matrix, row by row: what it does to a column (x, y, z).
+void tumble_matrix(tumble_quat q, double m[9]);
+//<
+
+//> tumble-world
+// --- The world ---------------------------------------------------------------
+typedef struct {
+    double dt;              // s, a step; 1e-9 to 1, 1/60
+    int    substeps;        // of a step, 1 to 10000, 8: turn up if stacks are
+                            // high, or heavy things lie on light ones
+    int    most_substeps;   // a hard step takes more of them, up to this: 200
+    tumble_vec3 gravity;    // m/s^2, (0, -9.81, 0)
+    double friction;        // of bodies and planes that have none of their own
+    double restitution;     // likewise; 0 to 1: speed after an impact / before
+    double sleep_speed;     // m/s, slower bodies fall asleep, 0.005: turn up if
+                            // they keep awake too long; 0: none sleeps
+    double time_to_sleep;   // s, 0.5
+
+    // Runs work(data, 0) to work(data, items - 1) in any order, or at once on
+    // several threads, and returns when all are done; NULL: one by one.  The
+    // bits of a step do not depend on it.
+    void (*run)(void *context, void (*work)(void *data, int item), void *data,
+                int items);
+    void *context;
+} tumble_options;
+
+tumble_options tumble_options_default(void);
+
+// A world without bodies; options may be NULL.  Fails (NULL) if an option is
+// out of range, or memory is refused: then tumble_failure(NULL) says which.
+tumble_world *tumble_make(const tumble_options *options);
+
+// Frees it with all that is in it.  NULL is fine.
+void tumble_free(tumble_world *w);
+
+// The sentence of the first failure, without a full stop, or NULL if there was
+// none since the last call of tumble_forget_failure.  It stays where it is
+// until then.  w = NULL: of making or loading a world, in this thread.
+const char *tumble_failure(const tumble_world *w);
+void tumble_forget_failure(tumble_world *w);
+
+// One step of options.dt.  Forces that were set act in it, and are gone.
+void tumble_step(tumble_world *w);
+
+// s, that steps have taken in sum.
+double tumble_time(const tumble_world *w);
+
+bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity);
+
+// The free side of a plane: normal . x >= offset (m, in the normal's lengths).
+// friction < 0: the world's.
+bool tumble_add_plane(tumble_world *w, tumble_vec3 normal, double offset,
+                      double friction);
+
+// What the last step did, and what it could not do.
+typedef struct {
+    int substeps;
+    int bodies, asleep;
+    int pairs, contacts;    // of rigid bodies: that may meet; that touch, or
+                            // will soon
+    int unconverged;        // contacts that overlap by a tenth of the smaller
+                            // body's radius, and bodies that are bent or
+                            // stretched by a hundredth
+    int dropped;            // contacts that found no memory
+    int broken;             // joints that broke
+} tumble_report;
+
+tumble_report tumble_last_step(const tumble_world *w);
+
+// How far from right is the world?  From the positions alone, slowly.
+typedef struct {
+    double penetration;     // m, the deepest overlap
+    double strain;          // the largest |length - rest| / rest of a stick
+    double kinetic, potential;          // J; potential: 0 at the origin
+    tumble_vec3 momentum, angular;      // kg m/s; kg m^2/s, about the origin
+} tumble_measures;
+
+tumble_measures tumble_measure(const tumble_world *w);
+
+// FNV-1a of all positions: equal bits, equal hash.
+unsigned long long tumble_hash(const tumble_world *w);
+//<
+
+//> tumble-shapes
+// --- Shapes ------------------------------------------------------------------
+// A shape belongs to its world, and is good for many bodies.  Mass (kg) is that
+// of one body, evenly filled; its origin is its centre of mass.
+tumble_shape tumble_box(tumble_world *w, tumble_vec3 sides, double mass);
+tumble_shape tumble_icosahedron(tumble_world *w, double radius, double mass);
+tumble_shape tumble_sphere(tumble_world *w, double radius, double mass);
+
+// All points within radius of a segment of this length along y.
+tumble_shape tumble_capsule(tumble_world *w, double length, double radius,
+                            double mass);
+
+// The convex hull of n points.  Fails if they are fewer than four, flat, or not
+// finite.
+tumble_shape tumble_hull(tumble_world *w, const tumble_vec3 *point, int n,
+                         double mass);
+
+// A convex body from a Wavefront OBJ file, scaled so that its furthest vertex
+// is at radius.  Fails with the file's name, the line and what is wrong there.
+tumble_shape tumble_obj(tumble_world *w, const char *path, double radius,
+                        double mass);
+
+// A rope of n links along x, with n + 1 vertices.
+tumble_shape tumble_rope(tumble_world *w, int n, double length, double mass);
+
+// A cloth of columns x rows vertices in the plane y = 0: width along x, depth
+// along z.  Vertex (i, j) is number j columns + i.
+tumble_shape tumble_cloth(tumble_world *w, int columns, int rows, double width,
+                          double depth, double mass);
+
+// Fails while a body is made of it.
+bool tumble_drop_shape(tumble_world *w, tumble_shape s);
+//<
+
+//> tumble-bodies
+// --- Bodies ------------------------------------------------------------------
+typedef enum {
+    TUMBLE_DYNAMIC,         // moves as physics wants
+    TUMBLE_STATIC,          // never moves
+    TUMBLE_KINEMATIC        // rigid; moves with the velocity that it is given,
+                            // and pushes what it meets
+} tumble_kind;
+
+typedef struct {
+    tumble_kind kind;
+    tumble_pose pose;
+    tumble_vec3 velocity;   // m/s, of the centre of mass
+    tumble_vec3 spin;       // rad/s, about it
+    double friction;        // < 0: the world's.  Two bodies rub with the root
+                            // of the product of theirs
+    double restitution;     // < 0: the world's.  Two bodies take the larger
+    double damping;         // 1/s: the share of its velocity that is lost
+    double spin_damping;    // 1/s, likewise of its spin
+    unsigned group, mask;   // bits: two bodies meet if the mask of each has a
+                            // bit of the other's group
+    void *user;             // the program's own
+} tumble_body_options;
+
+// Dynamic, at rest, its centre of mass there; meets everything.
+tumble_body_options tumble_at(double x, double y, double z);
+
+// Adds a body, at any time.
+tumble_body tumble_add(tumble_world *w, tumble_shape s, tumble_body_options o);
+
+// Adds one static body of n convex pieces, each with a pose of its own.
+tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
+                              const tumble_pose *pose, int n,
+                              tumble_body_options o);
+
+// Takes a body away, with its joints; what lay on it wakes.
+bool tumble_remove(tumble_world *w, tumble_body b);
+
+// Is it in the world?
+bool tumble_has(const tumble_world *w, tumble_body b);
+
+// All bodies: writes `most` of them, and returns how many there are.
+int tumble_bodies(const tumble_world *w, tumble_body *out, int most);
+
+// Of a body that is not there, all numbers are 0.
+tumble_pose tumble_get_pose(const tumble_world *w, tumble_body b);
+tumble_vec3 tumble_position(const tumble_world *w, tumble_body b);
+tumble_vec3 tumble_velocity(const tumble_world *w, tumble_body b);
+tumble_vec3 tumble_spin(const tumble_world *w, tumble_body b);
+double tumble_mass(const tumble_world *w, tumble_body b);   // static: 0
+void  *tumble_user(const tumble_world *w, tumble_body b);
+
+// Puts a rigid body somewhere else, at once; it keeps its velocity.
+bool tumble_set_pose(tumble_world *w, tumble_body b, tumble_pose pose);
+
+// Of a kinematic body: the velocity that it keeps.
+bool tumble_set_velocity(tumble_world *w, tumble_body b, tumble_vec3 velocity,
+                         tumble_vec3 spin);
+
+// An impulse (N s) at a point of the world, now.  Static and kinematic bodies
+// refuse pushes.
+bool tumble_push(tumble_world *w, tumble_body b, tumble_vec3 impulse,
+                 tumble_vec3 at);
+
+// A force (N) at the centre of mass, and a torque (N m), in the next step; what
+// is set twice adds up.
+bool tumble_force(tumble_world *w, tumble_body b, tumble_vec3 force,
+                  tumble_vec3 torque);
+
+// Sleeping bodies wake when they are pushed or met.
+bool tumble_wake(tumble_world *w, tumble_body b);
+bool tumble_sleep(tumble_world *w, tumble_body b);
+bool tumble_is_awake(const tumble_world *w, tumble_body b);
+
+bool tumble_set_material(tumble_world *w, tumble_body b, double friction,
+                         double restitution);
+bool tumble_set_damping(tumble_world *w, tumble_body b, double damping,
+                        double spin_damping);
+bool tumble_set_filter(tumble_world *w, tumble_body b, unsigned group,
+                       unsigned mask);
+bool tumble_set_user(tumble_world *w, tumble_body b, void *user);
+//<
+
+//> tumble-vertices
+// The vertices of a body, in the world: writes the first `most` of them, and
+// returns how many there are.
+int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
+                    int most);
+
+// Its triangles: three numbers of vertices each, counter-clockwise seen from
+// outside (of a cloth: from above).  They stay as long as its shape does.
+const int *tumble_triangles(const tumble_world *w, tumble_body b, int *count);
+
+// --- Rope and cloth ----------------------------------------------------------
+// Vertex i stays where it is, until it is let go.
+bool tumble_pin(tumble_world *w, tumble_body b, int i);
+bool tumble_unpin(tumble_world *w, tumble_body b, int i);
+tumble_vec3 tumble_vertex(const tumble_world *w, tumble_body b, int i);
+
+// An impulse (N s) on vertex i.
+bool tumble_push_vertex(tumble_world *w, tumble_body b, int i,
+                        tumble_vec3 impulse);
+
+// Stiffness against bending: N m^2 of a rope, N m of a cloth; 0: none.
+bool tumble_set_bending(tumble_world *w, tumble_body b, double stiffness);
+
+// By how much threads give: a newton stretches a metre of a rope by so many
+// metres (1/N), or a cloth, for every metre of its width (m/N).  Denim: 1e-4.
+// 0: not at all.
+bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance);
+//<
+
+//> tumble-joints
+// --- Joints ------------------------------------------------------------------
+// Between two rigid bodies, or a body and the world, which is the id
+// tumble_ground().  Bodies that are joined do not collide with each other.
+// Points and axes are where they are in the world when the joint is made.
+tumble_body tumble_ground(void);
+
+// A point of a and a point of b stay together.
+tumble_joint tumble_ball(tumble_world *w, tumble_body a, tumble_body b,
+                         tumble_vec3 at);
+
+// And an axis of each: b turns about it as seen from a.
+tumble_joint tumble_hinge(tumble_world *w, tumble_body a, tumble_body b,
+                          tumble_vec3 at, tumble_vec3 axis);
+
+// rad, from -pi to pi, of b against a; 0: as they stood when they were joined.
+bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
+                       double most);
+
+// They move as one.
+tumble_joint tumble_fix(tumble_world *w, tumble_body a, tumble_body b,
+                        tumble_vec3 at);
+
+// Two points are at least and at most so far apart (m).
+tumble_joint tumble_distance(tumble_world *w, tumble_body a, tumble_vec3 at_a,
+                             tumble_body b, tumble_vec3 at_b, double least,
+                             double most);
+
+// Vertex i of a rope or cloth stays where it is now, as seen from a rigid body.
+tumble_joint tumble_hang(tumble_world *w, tumble_body soft, int i,
+                         tumble_body b);
+
+// N: a joint that has to bear more breaks, and is gone; 0: it never does.
+bool tumble_set_strength(tumble_world *w, tumble_joint j, double force);
+
+bool tumble_unjoin(tumble_world *w, tumble_joint j);
+bool tumble_is_joined(const tumble_world *w, tumble_joint j);
+
+// m, how far apart are the points that it holds; N, what it bore in the last
+// substep; rad, how far a hinge is turned.
+double tumble_joint_gap(const tumble_world *w, tumble_joint j);
+double tumble_joint_force(const tumble_world *w, tumble_joint j);
+double tumble_hinge_angle(const tumble_world *w, tumble_joint j);
+//<
+
+//> tumble-ask
+// --- What is where -----------------------------------------------------------
+// Only bodies with a bit of their group in `mask` are asked (~0u: all), and
+// planes, whose id is tumble_ground().  Rope and cloth are not.
+typedef struct {
+    tumble_body body;
+    tumble_vec3 point;      // m, on its surface
+    tumble_vec3 normal;     // unit, out of it
+    double fraction;        // of the way, 0 to 1; of the nearest point: the
+                            // distance (m)
+} tumble_hit;
+
+// What does the way from one point to another meet first?  False: nothing.
+bool tumble_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
+                unsigned mask, tumble_hit *hit);
+
+// The point of a body or plane nearest to x, no further away than `most` (m).
+// Of an x inside: x itself.
+bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
+                    unsigned mask, tumble_hit *hit);
+
+// The bodies that a rigid shape there would overlap: writes `most` of them, and
+// returns how many there are.
+int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
+                   unsigned mask, tumble_body *out, int most);
+
+// What does a rigid shape meet first that moves by `way` without turning?
+bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
+                  tumble_vec3 way, unsigned mask, tumble_hit *hit);
+//<
+
+//> tumble-contacts
+// --- Who touches whom --------------------------------------------------------
+enum { TUMBLE_POINTS = 4 };
+
+// Rigid bodies that push each other; b may be tumble_ground(), for a plane.
+typedef struct {
+    tumble_body a, b;
+    tumble_vec3 normal;             // unit, from b to a
+    int points;                     // 1 to TUMBLE_POINTS
+    tumble_vec3 point[TUMBLE_POINTS];   // m
+    double force[TUMBLE_POINTS];    // N, along the normal, in the last substep
+} tumble_contact;
+
+// Of the last step: writes `most` of them, and returns how many there are.
+int tumble_contacts(const tumble_world *w, tumble_contact *out, int most);
+
+// Which began or ended to touch since this was last asked?
+typedef struct {
+    tumble_body a, b;
+    bool begins;
+} tumble_event;
+
+// Writes `most` of them, and returns how many there are; those that found no
+// room are lost.
+int tumble_events(tumble_world *w, tumble_event *out, int most);
+//<
+
+//> tumble-draw
+// --- Drawing -----------------------------------------------------------------
+// What a program's window draws with; a function may be NULL.
+typedef struct {
+    void (*triangle)(void *context, tumble_body b, const tumble_vec3 at[3]);
+    void (*line)(void *context, tumble_body b, const tumble_vec3 at[2]);
+    void (*point)(void *context, tumble_body b, tumble_vec3 at);
+    void *context;
+} tumble_pen;
+
+// Bodies as triangles, ropes and joints as lines, contacts as points.
+void tumble_draw(const tumble_world *w, const tumble_pen *pen);
+
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
+#ifdef __cplusplus
+}
+#endif
+#endif
+//<

@@ -1,0 +1,229 @@
+// fuzz_program.c - tumble.h called in any order, with any ids and numbers.  See
+// fuzz.h.
+//
+// Each call takes a byte or two: which function, which of the ids that are
+// known (those that went are kept, too), and numbers from a list of nasty ones.
+// What is refused must say why; what stands must stay finite.
+
+#include "fuzz.h"
+#include "tumble.h"
+
+#include <math.h>
+
+enum { MOST_IDS = 24, MOST_STEPS = 40, MOST_CALLS = 200 };
+
+static const uint8_t *at, *end;
+static tumble_world *w;
+static tumble_shape shape[MOST_IDS];
+static tumble_body body[MOST_IDS];
+static tumble_joint joint[MOST_IDS];
+static int shapes, bodies, joints, steps;
+static bool is_spoiled;         // a number that is not sensible went in
+
+static unsigned byte(void) { return at < end ? *at++ : 0; }
+
+static double number(void)
+{
+    static const double list[] = {
+        0, 1, -1, 0.5, 0.1, 2, 3, -0.3, 10, 0.01, 1.0 / 3, 4, 5, 0.7, -2, 1.5 };
+    static const double nasty[] = {
+        NAN, INFINITY, -INFINITY, 1e300, -1e17, 1e-300, 1e9, -1e5 };
+    unsigned b = byte();
+    if (b < 240) return list[b % 16];
+    is_spoiled = true;
+    return nasty[b % 8];
+}
+
+static tumble_vec3 triple(void)
+{
+    double x = number(), y = number();
+    return tumble_v(x, y, number());
+}
+
+static tumble_shape any_shape(void)
+{
+    unsigned b = byte();
+    tumble_shape none = { b, b };
+    return shapes > 0 && b < 250 ? shape[b % (unsigned)shapes] : none;
+}
+
+static tumble_body any_body(void)
+{
+    unsigned b = byte();
+    tumble_body none = { b, b };
+    if (b == 249) return tumble_ground();
+    return bodies > 0 && b < 249 ? body[b % (unsigned)bodies] : none;
+}
+
+static tumble_joint any_joint(void)
+{
+    unsigned b = byte();
+    tumble_joint none = { b, b };
+    return joints > 0 && b < 250 ? joint[b % (unsigned)joints] : none;
+}
+
+static int few(void) { return (int)(byte() % 12) - 1; }
+
+static void make_shape(void)
+{
+    tumble_vec3 point[8];
+    tumble_shape s = { 0, 0 };
+    if (shapes == MOST_IDS) return;
+    switch (byte() % 7) {
+    case 0: s = tumble_box(w, triple(), number()); break;
+    case 1: s = tumble_icosahedron(w, number(), number()); break;
+    case 2: s = tumble_sphere(w, number(), number()); break;
+    case 3: { double l = number(), r = number();
+              s = tumble_capsule(w, l, r, number()); break; }
+    case 4: for (int k = 0; k < 8; k++) point[k] = triple();
+            s = tumble_hull(w, point, few(), number()); break;
+    case 5: { int n = few(); double l = number();
+              s = tumble_rope(w, n, l, number()); break; }
+    case 6: { int n = few(), m = few(); double l = number(), d = number();
+              s = tumble_cloth(w, n, m, l, d, number()); break; }
+    }
+    MUST(s.generation != 0 || tumble_failure(w), "refused in silence");
+    if (s.generation != 0) shape[shapes++] = s;
+}
+
+static void make_body(void)
+{
+    tumble_body_options o = tumble_at(0, 0, 0);
+    o.kind = (tumble_kind)(byte() % 3);
+    o.pose.position = triple();
+    o.pose.rotation = tumble_turn(triple(), number());
+    o.velocity = triple();
+    o.spin = triple();
+    o.friction = number();
+    o.restitution = number();
+    o.damping = number();
+    if (byte() % 4 == 0) o.mask = byte();
+    if (bodies == MOST_IDS) return;
+    tumble_body b = tumble_add(w, any_shape(), o);
+    MUST(b.generation != 0 || tumble_failure(w), "refused in silence");
+    if (b.generation != 0) body[bodies++] = b;
+}
+
+static void make_joint(void)
+{
+    tumble_body a = any_body(), b = any_body();
+    tumble_vec3 p = triple(), q = triple();
+    tumble_joint j = { 0, 0 };
+    if (joints == MOST_IDS) return;
+    switch (byte() % 5) {
+    case 0: j = tumble_ball(w, a, b, p); break;
+    case 1: j = tumble_hinge(w, a, b, p, q); break;
+    case 2: j = tumble_fix(w, a, b, p); break;
+    case 3: { double least = number();
+              j = tumble_distance(w, a, p, b, q, least, number()); break; }
+    case 4: j = tumble_hang(w, a, few(), b); break;
+    }
+    MUST(j.generation != 0 || tumble_failure(w), "refused in silence");
+    if (j.generation != 0) joint[joints++] = j;
+}
+
+static void touch(void)
+{
+    tumble_body b = any_body();
+    bool done = false;
+    tumble_vec3 p = triple(), q = triple();
+    tumble_pose pose = { p, tumble_turn(q, number()) };
+    switch (byte() % 14) {
+    case 0:  done = tumble_push(w, b, p, q); break;
+    case 1:  done = tumble_force(w, b, p, q); break;
+    case 2:  done = tumble_set_pose(w, b, pose); break;
+    case 3:  done = tumble_set_velocity(w, b, p, q); break;
+    case 4:  done = tumble_wake(w, b); break;
+    case 5:  done = tumble_sleep(w, b); break;
+    case 6:  done = tumble_set_material(w, b, p.x, p.y); break;
+    case 7:  done = tumble_set_damping(w, b, p.x, p.y); break;
+    case 8:  done = tumble_set_filter(w, b, byte(), byte()); break;
+    case 9:  done = tumble_pin(w, b, few()); break;
+    case 10: done = tumble_unpin(w, b, few()); break;
+    case 11: done = tumble_push_vertex(w, b, few(), p); break;
+    case 12: done = tumble_set_bending(w, b, p.x); break;
+    case 13: done = tumble_remove(w, b); break;
+    }
+    MUST(done || tumble_failure(w), "refused in silence");
+}
+
+static void hold(void)
+{
+    tumble_joint j = any_joint();
+    bool done = false;
+    switch (byte() % 3) {
+    case 0: { double least = number();
+              done = tumble_set_limits(w, j, least, number()); break; }
+    case 1: done = tumble_set_strength(w, j, number()); break;
+    case 2: done = tumble_unjoin(w, j); break;
+    }
+    MUST(done || tumble_failure(w), "refused in silence");
+    (void)(tumble_joint_force(w, j) + tumble_joint_gap(w, j)
+           + tumble_hinge_angle(w, j));
+}
+
+static void look(void)
+{
+    tumble_hit h;
+    tumble_body met[4];
+    tumble_contact c[4];
+    tumble_event e[4];
+    tumble_vec3 p = triple(), q = triple(), v[4];
+    tumble_pose pose = { p, { 0, 0, 0, 1 } };
+    switch (byte() % 6) {
+    case 0: if (tumble_ray(w, p, q, ~0u, &h))
+                MUST(h.fraction >= 0 && h.fraction <= 1, "%g", h.fraction);
+            break;
+    case 1: tumble_nearest(w, p, q.x, byte(), &h); break;
+    case 2: tumble_overlap(w, any_shape(), pose, ~0u, met, 4); break;
+    case 3: tumble_sweep(w, any_shape(), pose, q, ~0u, &h); break;
+    case 4: MUST(tumble_contacts(w, c, 4) >= 0, "contacts"); break;
+    case 5: MUST(tumble_events(w, e, 4) >= 0, "events"); break;
+    }
+    MUST(tumble_vertices(w, any_body(), v, 4) >= 0, "vertices");
+}
+
+// While all that went in was sensible, all that comes out is finite.
+static void check(void)
+{
+    for (int k = 0; k < bodies && !is_spoiled; k++) {
+        tumble_vec3 p = tumble_position(w, body[k]);
+        MUST(p.x - p.x == 0 && p.y - p.y == 0 && p.z - p.z == 0, "body %d", k);
+    }
+    const char *why = tumble_failure(w);
+    MUST(!why || (strlen(why) > 0 && !strchr(why, '\n')), "one sentence");
+    tumble_forget_failure(w);
+}
+
+static void call(void)
+{
+    switch (byte() % 9) {
+    case 0: make_shape(); break;
+    case 1: case 2: make_body(); break;
+    case 3: make_joint(); break;
+    case 4: touch(); break;
+    case 5: hold(); break;
+    case 6: look(); break;
+    case 7: if (byte() % 8 == 0) tumble_add_plane(w, triple(), number(), -1);
+            else if (byte() % 8 == 0) tumble_drop_shape(w, any_shape());
+            break;
+    case 8: for (int k = byte() % 4; k >= 0 && steps < MOST_STEPS; k--, steps++)
+                tumble_step(w);
+            break;
+    }
+    check();
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    tumble_options o = tumble_options_default();
+    at = data, end = data + size;
+    shapes = bodies = joints = steps = 0;
+    is_spoiled = false;
+    o.most_substeps = 20;
+    o.restitution = byte() % 4 == 0 ? 1 : 0;
+    w = tumble_make(&o);
+    for (int k = 0; w && at < end && k < MOST_CALLS; k++) call();
+    tumble_free(w);
+    return 0;
+}

@@ -1,0 +1,510 @@
+// check_program.c - tests of lib/tumble.h: is it what a program expects?
+
+#include "tumble.h"
+
+#include <check.h>
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void near(double got, double wanted, double tolerance)
+{
+    ck_assert_msg(fabs(got - wanted) <= tolerance, "got %.17g, wanted %.17g",
+                  got, wanted);
+}
+
+static void near_vec3(tumble_vec3 got, double x, double y, double z,
+                      double tolerance)
+{
+    near(got.x, x, tolerance);
+    near(got.y, y, tolerance);
+    near(got.z, z, tolerance);
+}
+
+static void expect_failure(tumble_world *w, const char *part)
+{
+    const char *why = tumble_failure(w);
+    ck_assert_ptr_nonnull(why);
+    ck_assert_msg(strstr(why, part) != NULL, "said: %s\nwanted: %s", why, part);
+    tumble_forget_failure(w);
+    ck_assert_ptr_null(tumble_failure(w));
+}
+
+static void expect_fine(const tumble_world *w)
+{
+    const char *why = tumble_failure(w);
+    ck_assert_msg(why == NULL, "failed: %s", why);
+}
+
+static tumble_world *weightless(void)
+{
+    tumble_options o = tumble_options_default();
+    o.gravity = tumble_v(0, 0, 0);
+    tumble_world *w = tumble_make(&o);
+    ck_assert_ptr_nonnull(w);
+    return w;
+}
+
+static tumble_world *with_floor(void)
+{
+    tumble_world *w = tumble_make(NULL);
+    ck_assert_ptr_nonnull(w);
+    ck_assert(tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1));
+    return w;
+}
+
+static void run(tumble_world *w, double seconds)
+{
+    int steps = (int)(seconds * 60 + 0.5);
+    for (int k = 0; k < steps; k++) tumble_step(w);
+}
+
+static tumble_body add_box(tumble_world *w, double x, double y, double z)
+{
+    return tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 2),
+                      tumble_at(x, y, z));
+}
+
+START_TEST(a_world_that_cannot_be_says_which_option)
+{
+    tumble_options o = tumble_options_default();
+    o.dt = 2;
+    ck_assert_ptr_null(tumble_make(&o));
+    expect_failure(NULL, "dt is 2");
+    tumble_free(NULL);
+}
+END_TEST
+
+START_TEST(a_body_falls_as_galileo_says_and_lies)
+{
+    tumble_world *w = with_floor();
+    tumble_body b = add_box(w, 0, 5, 0);
+    run(w, 0.5);
+    near(tumble_position(w, b).y, 5 - 9.81 / 8, 1e-9);
+    near(tumble_time(w), 0.5, 1e-12);
+    run(w, 5);
+    near(tumble_position(w, b).y, 0.5, 1e-3);
+    ck_assert(!tumble_is_awake(w, b));
+    ck_assert_int_eq(tumble_last_step(w).asleep, 1);
+    expect_fine(w);
+    tumble_free(w);
+}
+END_TEST
+
+// Rejects: an id that is a place and nothing else.
+START_TEST(the_id_of_a_body_that_is_gone_is_refused)
+{
+    tumble_world *w = with_floor();
+    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 2);
+    tumble_body car = tumble_add(w, s, tumble_at(0, 2, 0));
+    ck_assert(tumble_remove(w, car));
+    tumble_body crate = tumble_add(w, s, tumble_at(0, 2, 0));
+    ck_assert_uint_eq(car.place, crate.place);
+    ck_assert(!tumble_has(w, car));
+    ck_assert(tumble_has(w, crate));
+    ck_assert(!tumble_push(w, car, tumble_v(1, 0, 0), tumble_v(0, 2, 0)));
+    expect_failure(w, "body 0 is gone");
+    near_vec3(tumble_velocity(w, crate), 0, 0, 0, 1e-12);
+    ck_assert(!tumble_remove(w, car));
+    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 1);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(the_first_failure_is_the_one_that_is_kept)
+{
+    tumble_world *w = with_floor();
+    tumble_shape s = tumble_box(w, tumble_v(1, -1, 1), 2);
+    ck_assert_uint_eq(s.generation, 0);
+    tumble_body b = tumble_add(w, s, tumble_at(0, 0, 0));
+    ck_assert_uint_eq(b.generation, 0);
+    ck_assert(!tumble_wake(w, b));
+    tumble_step(w);
+    expect_failure(w, "side");
+    tumble_wake(w, b);
+    expect_failure(w, "the id of a body is zero");
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_shape_stays_as_long_as_a_body_is_made_of_it)
+{
+    tumble_world *w = with_floor();
+    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 2);
+    tumble_body b = tumble_add(w, s, tumble_at(0, 2, 0));
+    ck_assert(!tumble_drop_shape(w, s));
+    expect_failure(w, "1 bodies");
+    tumble_step(w);
+    tumble_remove(w, b);
+    ck_assert(tumble_drop_shape(w, s));
+    ck_assert(!tumble_drop_shape(w, s));
+    expect_failure(w, "shape 0 is gone");
+    tumble_step(w);
+    tumble_free(w);
+}
+END_TEST
+
+// A cube of 2 kg and side 1: I = m / 6.  An impulse of (0, 0, 3) at an arm of
+// (.5, 0, 0) gives 1.5 m/s, and an angular impulse of (0, -1.5, 0).
+START_TEST(a_push_gives_velocity_and_spin)
+{
+    tumble_world *w = weightless();
+    tumble_body b = add_box(w, 1, 2, 3);
+    ck_assert(tumble_push(w, b, tumble_v(0, 0, 3), tumble_v(1.5, 2, 3)));
+    near_vec3(tumble_velocity(w, b), 0, 0, 1.5, 1e-12);
+    near_vec3(tumble_spin(w, b), 0, -4.5, 0, 1e-12);
+    run(w, 1);
+    near_vec3(tumble_position(w, b), 1, 2, 4.5, 1e-9);
+    near_vec3(tumble_spin(w, b), 0, -4.5, 0, 1e-6);
+    expect_fine(w);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_force_acts_for_one_step)
+{
+    tumble_world *w = weightless();
+    tumble_body b = add_box(w, 0, 0, 0);
+    for (int k = 0; k < 60; k++) {
+        ck_assert(tumble_force(w, b, tumble_v(4, 0, 0), tumble_v(0, 0, 0)));
+        tumble_step(w);
+    }
+    near_vec3(tumble_velocity(w, b), 2, 0, 0, 1e-9);
+    run(w, 1);
+    near_vec3(tumble_velocity(w, b), 2, 0, 0, 1e-9);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_torque_spins_by_the_inertia)
+{
+    tumble_world *w = weightless();
+    tumble_body b = add_box(w, 0, 0, 0);
+    for (int k = 0; k < 60; k++) {
+        tumble_force(w, b, tumble_v(0, 0, 0), tumble_v(0, 0, 1));
+        tumble_step(w);
+    }
+    near_vec3(tumble_spin(w, b), 0, 0, 3, 1e-3);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_sleeper_that_is_pushed_wakes_and_goes)
+{
+    tumble_world *w = with_floor();
+    tumble_body b = add_box(w, 0, 0.5, 0);
+    run(w, 3);
+    ck_assert(!tumble_is_awake(w, b));
+    tumble_push(w, b, tumble_v(8, 0, 0), tumble_position(w, b));
+    ck_assert(tumble_is_awake(w, b));
+    run(w, 3);
+    // Friction of 0.5 stops 4 m/s after v^2 / (2 mu g).
+    near(tumble_position(w, b).x, 16 / (2 * 0.5 * 9.81), 0.1);
+    ck_assert(!tumble_is_awake(w, b));
+    ck_assert(tumble_wake(w, b));
+    ck_assert(tumble_is_awake(w, b));
+    ck_assert(tumble_sleep(w, b));
+    ck_assert(!tumble_is_awake(w, b));
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_pose_comes_back_as_it_was_set)
+{
+    tumble_world *w = weightless();
+    tumble_body b = add_box(w, 0, 0, 0);
+    tumble_pose p = { { 3, -2, 7 }, tumble_turn(tumble_v(1, 2, -1), 2.5) };
+    ck_assert(tumble_set_pose(w, b, p));
+    ck_assert(tumble_set_velocity(w, b, tumble_v(1, 2, 3), tumble_v(0, 1, 0)));
+    tumble_pose q = tumble_get_pose(w, b);
+    near_vec3(q.position, 3, -2, 7, 1e-12);
+    double same = p.rotation.x * q.rotation.x + p.rotation.y * q.rotation.y
+                + p.rotation.z * q.rotation.z + p.rotation.w * q.rotation.w;
+    near(fabs(same), 1, 1e-12);
+    near_vec3(tumble_velocity(w, b), 1, 2, 3, 1e-9);
+    near_vec3(tumble_spin(w, b), 0, 1, 0, 1e-9);
+    p.position.x = NAN;
+    ck_assert(!tumble_set_pose(w, b, p));
+    expect_failure(w, "finite");
+    near_vec3(tumble_position(w, b), 3, -2, 7, 1e-12);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_kinematic_body_carries_what_lies_on_it)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body_options o = tumble_at(0, 0, 0);
+    o.kind = TUMBLE_KINEMATIC;
+    o.velocity = tumble_v(1, 0, 0);
+    tumble_body lift = tumble_add(w, tumble_box(w, tumble_v(4, 1, 4), 1), o);
+    tumble_body load = add_box(w, 0, 1, 0);
+    run(w, 3);
+    near_vec3(tumble_position(w, lift), 3, 0, 0, 1e-9);
+    near(tumble_velocity(w, load).x, 1, 1e-3);
+    near(tumble_position(w, load).y, 1, 2e-3);
+    ck_assert(!tumble_push(w, lift, tumble_v(1, 0, 0), tumble_v(0, 0, 0)));
+    expect_failure(w, "kinematic");
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(bodies_whose_masks_do_not_meet_pass)
+{
+    tumble_world *w = weightless();
+    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body_options o = tumble_at(-3, 0, 0);
+    o.velocity = tumble_v(3, 0, 0);
+    o.group = 2;
+    tumble_body ghost = tumble_add(w, s, o);
+    o = tumble_at(0, 0, 0);
+    o.mask = ~2u;
+    tumble_body box = tumble_add(w, s, o);
+    run(w, 2);
+    near_vec3(tumble_position(w, ghost), 3, 0, 0, 1e-9);
+    near_vec3(tumble_position(w, box), 0, 0, 0, 1e-12);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(user_data_is_the_programs_own)
+{
+    int mine = 7;
+    tumble_world *w = weightless();
+    tumble_body b = add_box(w, 0, 0, 0);
+    ck_assert_ptr_null(tumble_user(w, b));
+    tumble_set_user(w, b, &mine);
+    ck_assert_ptr_eq(tumble_user(w, b), &mine);
+    near(tumble_mass(w, b), 2, 1e-12);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_box_on_a_hinge_swings_as_long_as_its_inertia_says)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body b = add_box(w, 0.05, -1, 0);
+    tumble_joint j = tumble_hinge(w, tumble_ground(), b, tumble_v(0, 0, 0),
+                                  tumble_v(0, 0, 1));
+    double length = sqrt(1 + 0.05 * 0.05), inertia = 2.0 / 6 + 2 * length * length;
+    double period = 2 * acos(-1) * sqrt(inertia / (2 * 9.81 * length));
+    double angle = atan2(0.05, 1);
+    period *= 1 + angle * angle / 16;
+    double last = 1, before = tumble_position(w, b).x;
+    int crossings = 0;
+    double first = 0, at = 0;
+    for (int k = 1; k < 1200 && crossings < 9; k++) {
+        tumble_step(w);
+        double x = tumble_position(w, b).x;
+        if (before > 0 && x <= 0) {
+            at = (k - 1 + before / (before - x)) / 60;
+            if (crossings++ == 0) first = at;
+        }
+        before = x;
+    }
+    (void)last;
+    near((at - first) / 8, period, 1e-3 * period);
+    ck_assert_double_lt(tumble_joint_gap(w, j), 1e-4);
+    ck_assert(tumble_is_joined(w, j));
+    expect_fine(w);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_joint_goes_with_its_body_and_breaks_under_its_load)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body b = add_box(w, 0, 0, 0), c = add_box(w, 3, 0, 0);
+    tumble_joint j = tumble_ball(w, tumble_ground(), b, tumble_v(0, 0.5, 0));
+    tumble_joint k = tumble_ball(w, tumble_ground(), c, tumble_v(3, 0.5, 0));
+    run(w, 2);
+    near(tumble_joint_force(w, j), 2 * 9.81, 0.01);
+    tumble_remove(w, b);
+    ck_assert(!tumble_is_joined(w, j));
+    ck_assert(!tumble_unjoin(w, j));
+    expect_failure(w, "joint 0 is gone");
+    ck_assert(tumble_set_strength(w, k, 19));
+    run(w, 1);
+    ck_assert(!tumble_is_joined(w, k));
+    ck_assert_double_lt(tumble_position(w, c).y, -1);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_ray_meets_the_nearest_and_a_sweep_the_first)
+{
+    tumble_world *w = with_floor();
+    tumble_body_options o = tumble_at(0, 2, 0);
+    o.kind = TUMBLE_STATIC;
+    o.group = 4;
+    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body b = tumble_add(w, s, o);
+    tumble_hit h;
+    ck_assert(tumble_ray(w, tumble_v(0, 5, 0), tumble_v(0, -5, 0), ~0u, &h));
+    ck_assert_uint_eq(h.body.place, b.place);
+    near(h.fraction, 0.25, 1e-9);
+    near_vec3(h.normal, 0, 1, 0, 1e-9);
+    ck_assert(tumble_ray(w, tumble_v(0, 5, 0), tumble_v(0, -5, 0), ~4u, &h));
+    ck_assert_uint_eq(h.body.place, tumble_ground().place);
+    near(h.fraction, 0.5, 1e-9);
+    tumble_pose at = { { 0.9, 5, 0 }, { 0, 0, 0, 0 } };
+    ck_assert(tumble_sweep(w, s, at, tumble_v(0, -4, 0), ~0u, &h));
+    near(h.fraction, 0.5, 1e-9);
+    at.position.y = 2.9;
+    tumble_body met[2];
+    ck_assert_int_eq(tumble_overlap(w, s, at, ~0u, met, 2), 1);
+    ck_assert_uint_eq(met[0].place, b.place);
+    ck_assert(tumble_nearest(w, tumble_v(3, 2, 0), 5, ~0u, &h));
+    near(h.fraction, 2, 1e-9);
+    expect_fine(w);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(contacts_carry_the_weight_and_events_come_once)
+{
+    tumble_world *w = with_floor();
+    tumble_body b = add_box(w, 0, 0.6, 0);
+    tumble_event e[4];
+    tumble_contact c[2];
+    ck_assert_int_eq(tumble_events(w, e, 4), 0);
+    run(w, 1);
+    ck_assert_int_eq(tumble_events(w, e, 4), 1);
+    ck_assert(e[0].begins);
+    ck_assert_int_eq(tumble_events(w, e, 4), 0);
+    ck_assert_int_eq(tumble_contacts(w, c, 2), 1);
+    ck_assert_uint_eq(c[0].a.place, b.place);
+    ck_assert_uint_eq(c[0].b.place, tumble_ground().place);
+    near_vec3(c[0].normal, 0, 1, 0, 1e-9);
+    double sum = 0;
+    for (int k = 0; k < c[0].points; k++) sum += c[0].force[k];
+    near(sum, 2 * 9.81, 0.02);
+    run(w, 3);
+    ck_assert(!tumble_is_awake(w, b));
+    ck_assert_int_eq(tumble_events(w, e, 4), 0);
+    ck_assert_int_eq(tumble_contacts(w, c, 2), 1);
+    tumble_remove(w, b);
+    tumble_step(w);
+    ck_assert_int_eq(tumble_events(w, e, 4), 1);
+    ck_assert(!e[0].begins);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(pieces_are_one_body)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_shape piece[2] = { s, s };
+    tumble_pose pose[2] = { { { -1, 0, 0 }, { 0, 0, 0, 1 } },
+                            { { 1, 0, 0 }, { 0, 0, 0, 1 } } };
+    tumble_body stage = tumble_add_pieces(w, piece, pose, 2,
+                                          tumble_at(0, 0, 0));
+    add_box(w, 1, 1.1, 0);
+    add_box(w, -1, 1.1, 0);
+    run(w, 1);
+    tumble_event e[4];
+    ck_assert_int_eq(tumble_events(w, e, 4), 2);
+    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 3);
+    ck_assert_int_eq(tumble_vertices(w, stage, NULL, 0), 16);
+    ck_assert(tumble_remove(w, stage));
+    run(w, 0.5);
+    ck_assert_int_eq(tumble_contacts(w, NULL, 0), 0);
+    piece[1].generation = 99;
+    tumble_body none = tumble_add_pieces(w, piece, pose, 2, tumble_at(0, 0, 0));
+    ck_assert_uint_eq(none.generation, 0);
+    expect_failure(w, "shape");
+    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 2);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_rope_hangs_from_its_pin_and_carries)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body rope = tumble_add(w, tumble_rope(w, 10, 2, 0.2),
+                                  tumble_at(0, 0, 0));
+    tumble_vec3 nail = tumble_vertex(w, rope, 0);
+    ck_assert(tumble_pin(w, rope, 0));
+    ck_assert(tumble_set_damping(w, rope, 2, 0));
+    run(w, 10);
+    near_vec3(tumble_vertex(w, rope, 0), nail.x, nail.y, nail.z, 0);
+    near(tumble_vertex(w, rope, 10).y, nail.y - 2, 0.02);
+    ck_assert(tumble_unpin(w, rope, 0));
+    ck_assert(tumble_set_damping(w, rope, 0, 0));
+    run(w, 1);
+    ck_assert_double_lt(tumble_vertex(w, rope, 0).y, nail.y - 4);
+    ck_assert(!tumble_pin(w, rope, 11));
+    expect_failure(w, "vertex 11");
+    tumble_free(w);
+}
+END_TEST
+
+typedef struct { int triangles, lines, points; } count;
+static void on_triangle(void *c, tumble_body b, const tumble_vec3 at[3])
+{
+    (void)b, (void)at;
+    ((count *)c)->triangles++;
+}
+static void on_line(void *c, tumble_body b, const tumble_vec3 at[2])
+{
+    (void)b, (void)at;
+    ((count *)c)->lines++;
+}
+static void on_point(void *c, tumble_body b, tumble_vec3 at)
+{
+    (void)b, (void)at;
+    ((count *)c)->points++;
+}
+
+START_TEST(everything_is_drawn)
+{
+    tumble_world *w = with_floor();
+    count c = { 0, 0, 0 };
+    tumble_pen pen = { on_triangle, on_line, on_point, &c };
+    add_box(w, 0, 0.5, 0);
+    tumble_add(w, tumble_rope(w, 5, 1, 1), tumble_at(5, 5, 5));
+    tumble_add(w, tumble_cloth(w, 3, 3, 1, 1, 1), tumble_at(-5, 5, 5));
+    run(w, 0.5);
+    tumble_draw(w, &pen);
+    ck_assert_int_eq(c.triangles, 12 + 8);
+    ck_assert_int_eq(c.lines, 5);
+    ck_assert_int_eq(c.points, 4);
+    tumble_free(w);
+}
+END_TEST
+
+int main(void)
+{
+    Suite *suite = suite_create("program");
+    TCase *t = tcase_create("program");
+    tcase_set_timeout(t, 60);
+    tcase_add_test(t, a_world_that_cannot_be_says_which_option);
+    tcase_add_test(t, a_body_falls_as_galileo_says_and_lies);
+    tcase_add_test(t, the_id_of_a_body_that_is_gone_is_refused);
+    tcase_add_test(t, the_first_failure_is_the_one_that_is_kept);
+    tcase_add_test(t, a_shape_stays_as_long_as_a_body_is_made_of_it);
+    tcase_add_test(t, a_push_gives_velocity_and_spin);
+    tcase_add_test(t, a_force_acts_for_one_step);
+    tcase_add_test(t, a_torque_spins_by_the_inertia);
+    tcase_add_test(t, a_sleeper_that_is_pushed_wakes_and_goes);
+    tcase_add_test(t, a_pose_comes_back_as_it_was_set);
+    tcase_add_test(t, a_kinematic_body_carries_what_lies_on_it);
+    tcase_add_test(t, bodies_whose_masks_do_not_meet_pass);
+    tcase_add_test(t, user_data_is_the_programs_own);
+    tcase_add_test(t, a_box_on_a_hinge_swings_as_long_as_its_inertia_says);
+    tcase_add_test(t, a_joint_goes_with_its_body_and_breaks_under_its_load);
+    tcase_add_test(t, a_ray_meets_the_nearest_and_a_sweep_the_first);
+    tcase_add_test(t, contacts_carry_the_weight_and_events_come_once);
+    tcase_add_test(t, pieces_are_one_body);
+    tcase_add_test(t, a_rope_hangs_from_its_pin_and_carries);
+    tcase_add_test(t, everything_is_drawn);
+    suite_add_tcase(suite, t);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_NORMAL);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed != 0;
+}

@@ -379,6 +379,19 @@ ALWAYS_INLINE void substitute(real *restrict x, real *restrict y,
         z[l] += d.z;
     }
 }
+
+// As above: in a function of its own.
+NEVER_INLINE void substitute_held(real *restrict x, real *restrict y,
+                                  real *restrict z,
+                                  const real *restrict weight,
+                                  const real *restrict hold, int apart,
+                                  real *restrict here,
+                                  const real *restrict after,
+                                  real *restrict pull, real *restrict far)
+{
+    substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 1, pull,
+               far);
+}
 //<
 
 //> line-block
@@ -564,7 +577,11 @@ ALWAYS_INLINE void substitute_lines(block *b, int lanes, int old)
         const real *hold = b->hold.x + k * pitch;
         real *row = b->scratch->link + k * FIELDS * lanes;
         real *after = row + FIELDS * lanes;
-        if (b->held && b->held[k])
+        bool is_held = b->held && b->held[k];
+        if (is_held && lanes == LANES && !old)
+            substitute_held(at.x, at.y, at.z, at.weight, hold, apart, row,
+                            after, pull, far);
+        else if (is_held)
             substitute(at.x, at.y, at.z, at.weight, hold, apart, row, after,
                        lanes, old, 1, pull, far);
         else
@@ -961,7 +978,7 @@ line_result line_solve(strands s, particle *p, int steps,
 // All but the last ask for more than what is wrong.  (Along the old links it
 // would be taken for failure.)  A rope has only one direction, and no need; it
 // takes more than a step only where it touches something.
-static const real MORE = 1.4;
+static const real MORE = 1.2;
 
 line_result lines_relax(const shape *s, particle *p, int sweeps,
                         relax_options options, line_hold *hold, real give,

@@ -256,8 +256,7 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
     if (!obstacle_nearest(&v->hull, p->position, pair.ahead, apart, &at))
         return false;
     if (body_is_static(&f->body[pair.rigid]))
-        return who == BY_PARTICLE
-            && touch_fixed(f, pair.particle, at, apart, m);
+        return touch_fixed(f, pair.particle, at, apart, m);
     touch x = { f, v, &f->body[pair.soft], pair.rigid, 1, { pair.particle },
                 { 1 }, at, apart, m.friction };
     f->hold[pair.particle].state = LINE_FREE;
@@ -275,6 +274,7 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
     real apart = 0;
     for (int k = 0; k < n; k++) {
         point_pair pair = l->point[is_backward ? n - 1 - k : k];
+        if (who == BY_WHOLE && body_is_static(&f->body[pair.rigid])) continue;
         if (pair.soft != last.soft || pair.rigid != last.rigid) {
             rigid_view_look(v, f, pair.rigid);
             apart = share * soft_gap(&f->body[pair.soft],

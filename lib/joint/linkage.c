@@ -7,7 +7,7 @@
 void linkage_free(linkage *l)
 {
     void *owned[] = { l->joint, l->rows, l->role, l->step, l->body,
-                      l->apart };
+                      l->apart, l->tied };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     *l = (linkage){ .count = 0 };
 }
@@ -21,7 +21,8 @@ static bool make_room(linkage *l, const joint *j)
             || !table_grow(&l->rows, n, room, sizeof *l->rows)
             || !table_grow(&l->role, n, room, sizeof *l->role)
             || !table_grow(&l->step, 2 * n, 2 * room, sizeof *l->step)
-            || !table_grow(&l->apart, n, room, sizeof *l->apart)) return false;
+            || !table_grow(&l->apart, n, room, sizeof *l->apart)
+            || !table_grow(&l->tied, n, room, sizeof *l->tied)) return false;
         l->capacity = room;
     }
     if (bodies > l->bodies) {
@@ -30,6 +31,22 @@ static bool make_room(linkage *l, const joint *j)
         l->bodies = bodies;
     }
     return true;
+}
+
+static bool holds(const joint *j)
+{
+    return j->kind != JOINT_NONE && !j->is_broken;
+}
+
+void linkage_list_ties(linkage *l)
+{
+    l->ties = 0;
+    for (int k = 0; k < l->count; k++) {
+        const joint *j = &l->joint[k];
+        if (j->kind != JOINT_PIN || !holds(j) || j->may_touch) continue;
+        l->tied[l->ties][0] = j->a;
+        l->tied[l->ties++][1] = j->b;
+    }
 }
 
 // The place of a joint that has gone, if there is one.
@@ -50,6 +67,7 @@ status linkage_add(linkage *l, const joint *j, int *number)
     l->joint[k] = *j;
     l->rows[k] = (joint_rows){ .count = 0 };
     l->role[k] = JOINT_IDLE;
+    linkage_list_ties(l);
     return status_ok();
 }
 
@@ -60,11 +78,7 @@ void linkage_remove(linkage *l, int number)
     l->joint[number] = (joint){ .kind = JOINT_NONE };
     l->role[number] = JOINT_IDLE;
     l->gone++;
-}
-
-static bool holds(const joint *j)
-{
-    return j->kind != JOINT_NONE && !j->is_broken;
+    linkage_list_ties(l);
 }
 
 // A pair of bodies as one number, the smaller one first.
@@ -619,9 +633,9 @@ static void solve_all(linkage *l, const linkage_pass *q, wanting *what)
 
 void linkage_prepare(linkage *l, const linkage_pass *q)
 {
+    l->pace = l->worst = 0;
     if (l->count == 0) return;
     l->frames++;
-    l->pace = 0;
     choose_roles(l, q);
     for (int k = 0; k < l->count; k++)
         for (int i = 0; i < JOINT_ROWS; i++)
@@ -639,8 +653,8 @@ void linkage_begin(linkage *l, const linkage_pass *q)
     }
 }
 
-// Rows are straight, and points go along arcs: a large impact is solved more than
-// once, as Newton does.
+// Rows are straight, and points go along arcs: a large impact is solved more
+// than once, as Newton does.
 static const real LARGE = 1e-3;         // m, in a substep
 enum { IMPACT_STEPS = 3 };
 

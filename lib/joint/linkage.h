@@ -36,7 +36,9 @@ typedef struct {
     joint_rows *rows;       // [count]
     joint_role *role;       // [count]
     linkage_step *step;     // [2 count]
-    long long  *apart;      // [count] pairs of bodies that do not meet
+    long long  *apart;      // [count] pairs of rigid bodies that do not meet
+    int  (*tied)[2];        // [ties] and of a deformable and a rigid one
+    int  ties;
     int  count, capacity, gone, steps;  // gone: places that are free
     linkage_body *body;     // [bodies]
     int  bodies;
@@ -59,6 +61,9 @@ void linkage_free(linkage *l);
 // Adds a joint; its number in *number (which may be NULL).  Fails, adding
 // nothing, for want of memory.
 status linkage_add(linkage *l, const joint *j, int *number);
+
+// Lists again what is pinned to what, after one has broken.
+void linkage_list_ties(linkage *l);
 
 // Takes a joint away.  Its number goes to a later one.
 void linkage_remove(linkage *l, int number);

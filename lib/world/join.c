@@ -39,6 +39,7 @@ static void wake_both(world *w, const joint *j)
     wake(w, j->a);
     wake(w, j->b);
     w->is_still = false;
+    w->soft.near.trusted = -1;
 }
 
 status world_join(world *w, joint_plan plan, int *number)
@@ -149,6 +150,10 @@ void join_islands_of_joints(world *w)
         if (j->kind == JOINT_NONE || j->is_broken) continue;
         if (is_dynamic(w, j->a) && is_dynamic(w, j->b))
             sleep_touch(&w->sleep, j->a, j->b);
+    }
+    if (l->broken > 0) {
+        linkage_list_ties(l);
+        w->soft.near.trusted = -1;
     }
     l->broken = 0;
 }

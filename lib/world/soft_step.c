@@ -13,6 +13,7 @@ soft_frame soft_frame_of(world *w, real h)
         .body = w->body, .asleep = w->sleep.asleep, .bodies = w->bodies,
         .particle = w->pool.at, .hold = w->soft.hold, .now = t->now, .moved = t->moved,
         .velocity = t->velocity, .ball = t->ball, .ahead = t->ahead,
+        .tied = (const int (*)[2])w->joints.tied, .ties = w->joints.ties,
         .plane = w->plane, .planes = w->planes, .gravity = o->gravity,
         .friction = o->friction, .restitution = o->restitution,
         .material = w->has_materials ? t->material : NULL,

@@ -52,8 +52,8 @@ static real load_energy(const world *w)
     return sum;
 }
 
-// m/s: what is driven gives others its own speed, and as much again if it is hit
-// like a ball.
+// m/s: what is driven gives others its own speed, and as much again if they
+// bounce off it.
 static real fastest_drive(const world *w)
 {
     real most = 0;

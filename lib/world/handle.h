@@ -29,9 +29,10 @@ status world_put(world *w, int b, placement where);
 // it; a kinematic one keeps them.  Nothing happens to a static one.
 void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin);
 
-// Makes a rigid body that is not static kinematic, at rest, or not kinematic any
-// more: then it goes on as it went.  Nothing changes the velocity of a kinematic one but world_set_velocity: it pushes what
-// it meets, carries what lies on it, and goes through what does not move.
+// Makes a rigid body that is not static kinematic, at rest; or not kinematic any
+// more, and it goes on as it went.  Nothing but world_set_velocity changes the
+// velocity of a kinematic body: it pushes what it meets, carries what lies on
+// it, and goes through what does not move.
 void world_set_kinematic(world *w, int b, bool is_kinematic);
 
 // An impulse (N s) on a rigid body, now, at a point of the world.  A static or

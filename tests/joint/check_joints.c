@@ -117,8 +117,8 @@ static real longer(real amplitude)
 
 START_TEST(box_on_a_hinge_swings_in_the_time_of_its_inertia)
 {
-    // T = 2 pi sqrt(I / (m g d)), I = m (a^2 + b^2) / 12 + m d^2.  Rejects: arms of the
-    // frame's start, a row for a hinge's axis that turns the body, an impulse
+    // T = 2 pi sqrt(I / (m g d)), I = m (a^2 + b^2) / 12 + m d^2.
+    // Rejects: arms of the frame's start, a row for a hinge's axis that turns the body, an impulse
     // of the place reached.
     const real amplitude[] = { 0.05, 0.3, 1.0 };
     for (int k = 0; k < COUNT(amplitude); k++) {
@@ -424,10 +424,11 @@ static void add_ragdoll(vec3 at, vec3 spin)
     }
 }
 
-START_TEST(ragdolls_on_a_stair_hold_to_a_millimetre)
+START_TEST(ragdolls_on_a_stair_hold_to_a_fifth_of_a_millimetre)
 {
     // Six of them, thrown down eight steps, for 5 s.  Rejects: joints that
-    // contacts leave apart; joined limbs that push each other off.
+    // contacts leave apart; joined limbs that push each other off; one step of
+    // Newton's for an impact.
     real worst = 0;
     world_options o = world_options_default();
     begin(o);
@@ -443,7 +444,7 @@ START_TEST(ragdolls_on_a_stair_hold_to_a_millimetre)
         worst = real_max(worst, worst_gap());
     }
     for (int k = 0; k < COUNT(BODY); k++) shape_free(&limbs[k]);
-    ck_assert_msg(worst < 1e-3, "a joint came apart by %g mm", 1e3 * worst);
+    ck_assert_msg(worst < 2e-4, "a joint came apart by %g mm", 1e3 * worst);
     ck_assert(worst > 0);
 }
 END_TEST
@@ -469,7 +470,7 @@ END_TEST
 
 START_TEST(broken_joint_parts_nothing)
 {
-    // One box half in the other; the joint breaks at once: they leave each other.
+    // One box half in the other; the joint breaks at once, and they part.
     begin_awake(0, 8);
     const shape *s = box_of(0, vec3_make(1, 1, 1), 1);
     add_at(s, 0, 0, 0);
@@ -733,7 +734,7 @@ int main(void)
         fixed_beam_hardly_sags,
         distance_is_a_rope_between_least_and_most,
         rod_keeps_its_length,
-        ragdolls_on_a_stair_hold_to_a_millimetre,
+        ragdolls_on_a_stair_hold_to_a_fifth_of_a_millimetre,
         joined_bodies_touch_if_asked_only,
         broken_joint_parts_nothing,
         taken_away_a_joint_holds_and_parts_nothing,

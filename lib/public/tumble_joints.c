@@ -36,9 +36,11 @@ static tumble_joint enter(tumble_world *w, joint_plan plan)
 static tumble_joint join(tumble_world *w, tumble_body a, tumble_body b,
                          joint_plan plan)
 {
-    if (find_side(w, a, &plan.a) && find_side(w, b, &plan.b))
-        return enter(w, plan);
-    return (tumble_joint){ 0, 0 };
+    const tumble_joint none = { 0, 0 };
+    if (!find_side(w, a, &plan.a) || !find_side(w, b, &plan.b)) return none;
+    if (plan.a != plan.b) return enter(w, plan);
+    inside_fail(w, "a joint holds two bodies, or one and the ground");
+    return none;
 }
 
 tumble_joint tumble_ball(tumble_world *w, tumble_body a, tumble_body b,

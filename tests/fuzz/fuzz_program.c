@@ -76,7 +76,7 @@ static void make_shape(void)
     case 3: { double l = number(), r = number();
               s = tumble_capsule(w, l, r, number()); break; }
     case 4: for (int k = 0; k < 8; k++) point[k] = triple();
-            s = tumble_hull(w, point, few(), number()); break;
+            s = tumble_hull(w, point, few() % 9, number()); break;
     case 5: { int n = few(); double l = number();
               s = tumble_rope(w, n, l, number()); break; }
     case 6: { int n = few(), m = few(); double l = number(), d = number();

@@ -333,6 +333,25 @@ START_TEST(a_joint_goes_with_its_body_and_breaks_under_its_load)
 }
 END_TEST
 
+START_TEST(a_joint_that_joins_nothing_is_refused)
+{
+    tumble_world *w = with_floor();
+    tumble_body b = add_box(w, 0, 1, 0), ground = tumble_ground();
+    tumble_vec3 at = tumble_v(0, 1, 0);
+    ck_assert_uint_eq(tumble_ball(w, b, b, at).generation, 0);
+    expect_failure(w, "two bodies");
+    ck_assert_uint_eq(tumble_ball(w, ground, ground, at).generation, 0);
+    expect_failure(w, "two bodies");
+    tumble_hinge(w, ground, b, at, tumble_v(0, 0, 0));
+    expect_failure(w, "axis");
+    tumble_distance(w, ground, at, b, at, 2, 1);
+    expect_failure(w, "2");
+    ck_assert(!tumble_set_strength(w, tumble_ball(w, ground, b, at), -1));
+    expect_failure(w, "-1 N");
+    tumble_free(w);
+}
+END_TEST
+
 START_TEST(a_ray_meets_the_nearest_and_a_sweep_the_first)
 {
     tumble_world *w = with_floor();
@@ -496,6 +515,7 @@ int main(void)
     tcase_add_test(t, user_data_is_the_programs_own);
     tcase_add_test(t, a_box_on_a_hinge_swings_as_long_as_its_inertia_says);
     tcase_add_test(t, a_joint_goes_with_its_body_and_breaks_under_its_load);
+    tcase_add_test(t, a_joint_that_joins_nothing_is_refused);
     tcase_add_test(t, a_ray_meets_the_nearest_and_a_sweep_the_first);
     tcase_add_test(t, contacts_carry_the_weight_and_events_come_once);
     tcase_add_test(t, pieces_are_one_body);

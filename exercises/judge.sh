@@ -11,7 +11,7 @@ seconds=${JUDGE_SECONDS:-10}   # of computing, for one test
 warnings='-Wall -Wextra -Wconversion -Wshadow -Wno-unused-parameter -Wno-unused-function -Wno-unused-const-variable'
 exact=$(sed -n 's/^EXACT *:= *//p' Makefile)
 line=$(sed -n '/^define ORDER/,/^endef/p' Makefile | grep / | tr '\n' ' ')
-rooms=$(printf ' -I%s' lib/*)
+rooms=$(printf ' -I%s' lib lib/*/)
 
 # The line of the chapter that tells of exercise NN/name; nothing if none does.
 told() {

@@ -8,6 +8,7 @@
 #include "tumble.h"
 #include "frames.h"
 #include "obj.h"
+#include "play.h"
 #include "record.h"
 #include "sweep.h"
 #include "thread.h"
@@ -569,11 +570,17 @@ static int run_row(const settings *set)
 int main(int arguments, char **argument)
 {
     settings set;
+    const example *e = arguments > 1 ? play_find(argument[1]) : NULL;
+    if (e) return close_output(play(e, arguments - 2, argument + 2));
     status done = settings_read(&set, arguments, argument);
     if (!done.ok) return complain(done, EXIT_WRONG_USE);
     int code = EXIT_SUCCESS;
     if (set.help) settings_print_help(stdout);
-    else if (set.list) settings_print_list(stdout);
+    else if (set.list) {
+        settings_print_list(stdout);
+        printf("\nscenes of figures/scenes, with --seconds S and --film FILE:\n");
+        play_list();
+    }
     else if (set.version)
         printf("tumble %s (%s, %s)\n", TUMBLE_VERSION, __VERSION__, FLAGS);
     else if (set.row > 0) code = run_row(&set);

@@ -1076,10 +1076,11 @@ status solver_init(contact_solver *s, int bodies)
 // Blocks may be kept for the next frame: their spare is another then.
 static void move_spare(contact_solver *s, int spare)
 {
-    for (block *k = s->block; k < s->block + s->blocks; k++)
+    for (int k = 0; k < s->blocks; k++)
         for (int l = 0; l < REAL4; l++) {
-            if (k->a[l] == s->room) k->a[l] = spare;
-            if (k->b[l] == s->room) k->b[l] = spare;
+            block *x = &s->block[k];
+            if (x->a[l] == s->room) x->a[l] = spare;
+            if (x->b[l] == s->room) x->b[l] = spare;
         }
     s->room = spare;
 }

@@ -4,6 +4,7 @@
 #include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 bool inside_is_ok(tumble_world *w, status s)
 {
@@ -36,6 +37,16 @@ shape_place *inside_shape(tumble_world *w, tumble_shape s)
     shape_place *found = slots_find(&w->shapes, s.place, s.generation);
     if (!found) refuse(w, "shape", s.place, s.generation);
     return found;
+}
+
+bool inside_reserve(tumble_world *w, int vertices)
+{
+    if (vertices <= w->most_vertices) return true;
+    vec3 *more = realloc(w->scratch, 4 * (size_t)vertices * sizeof *more);
+    if (!more) return false;
+    w->scratch = more;
+    w->most_vertices = vertices;
+    return true;
 }
 
 joint_place *inside_joint(tumble_world *w, tumble_joint j)

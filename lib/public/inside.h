@@ -52,6 +52,10 @@ bool inside_fail(tumble_world *w, const char *format, ...);
 // The same for a status that is not ok.  Returns s.ok.
 bool inside_is_ok(tumble_world *w, status s);
 
+// Makes the world's scratch large enough for shapes of so many vertices.  False
+// if memory is refused.
+bool inside_reserve(tumble_world *w, int vertices);
+
 // The thing with this id; NULL, with a failure, if it is gone.
 shape_place *inside_shape(tumble_world *w, tumble_shape s);
 body_place  *inside_body(tumble_world *w, tumble_body b);

@@ -7,25 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Questions and pictures need room for the vertices of a shape, four times.
-static bool reserve_scratch(tumble_world *w, const shape *s)
-{
-    int n = s->particles > s->skin.points ? s->particles : s->skin.points;
-    if (n <= w->most_vertices) return true;
-    vec3 *more = realloc(w->scratch, 4 * (size_t)n * sizeof *more);
-    if (!more) return false;
-    w->scratch = more;
-    w->most_vertices = n;
-    return true;
-}
-
 // The shape is w's from now on: in a place of its own, if it was made at all.
 static tumble_shape keep(tumble_world *w, shape *made, status done)
 {
     const tumble_shape none = { 0, 0 };
     if (!inside_is_ok(w, done)) return none;
     shape *s = malloc(sizeof *s);
-    int k = s && reserve_scratch(w, made) ? slots_take(&w->shapes) : -1;
+    bool is_room = s && inside_reserve(w, made->particles)
+                && inside_reserve(w, made->skin.points);
+    int k = is_room ? slots_take(&w->shapes) : -1;
     if (k < 0) {
         free(s);
         shape_free(made);

@@ -38,9 +38,11 @@ static world_options options_of(const tumble_options *o)
 tumble_world *tumble_make(const tumble_options *options)
 {
     tumble_world *w = calloc(1, sizeof *w);
-    unmade = w ? world_init(&w->world, options_of(options))
-               : status_out_of_memory();
+    bool is_there = w && inside_reserve(w, 1);
+    unmade = is_there ? world_init(&w->world, options_of(options))
+                      : status_out_of_memory();
     if (!unmade.ok) {
+        if (w) free(w->scratch);
         free(w);
         return NULL;
     }

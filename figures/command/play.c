@@ -1,0 +1,109 @@
+#include "play.h"
+#include "example_paint.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PANELS = 3, WIDE = 560, HIGH = 460, GAP = 8, LAMPS = 5 };
+
+typedef struct {
+    double seconds;
+    const char *film;
+} wishes;
+
+const example *play_find(const char *name)
+{
+    for (int k = 0; examples[k]; k++)
+        if (strcmp(examples[k]->name, name) == 0) return examples[k];
+    return NULL;
+}
+
+void play_list(void)
+{
+    for (int k = 0; examples[k]; k++)
+        printf("  %-14s %s\n", examples[k]->name, examples[k]->about);
+}
+
+static status read_wishes(const example *e, int words, char **word, wishes *to)
+{
+    *to = (wishes){ .seconds = e->seconds };
+    for (int k = 0; k < words; k += 2) {
+        if (k + 1 == words)
+            return status_fail("%s: what comes behind it?", word[k]);
+        if (strcmp(word[k], "--film") == 0) {
+            to->film = word[k + 1];
+        } else if (strcmp(word[k], "--seconds") == 0) {
+            char *end;
+            to->seconds = strtod(word[k + 1], &end);
+            if (*end || !(to->seconds > 0 && to->seconds <= 3600))
+                return status_fail("--seconds %s: it must be a number above 0, "
+                                   "at most 3600", word[k + 1]);
+        } else {
+            return status_fail("%s: the scene %s takes --seconds and --film",
+                               word[k], e->name);
+        }
+    }
+    return status_ok();
+}
+
+// Runs the scene, and takes a picture after each third of it.
+static status run(const example *e, const wishes *to, tumble_world *w,
+                  picture *film)
+{
+    status done = status_ok();
+    int taken = 0;
+    e->build(w);
+    while (tumble_time(w) < to->seconds && !tumble_failure(w) && done.ok) {
+        if (e->act) e->act(w);
+        tumble_step(w);
+        bool is_due = tumble_time(w) >= to->seconds * (taken + 1) / PANELS;
+        if (!to->film || !is_due || taken == PANELS) continue;
+        done = example_paint(e, w, LAMPS, film, taken * (WIDE + GAP), 0, WIDE,
+                             HIGH);
+        taken++;
+    }
+    return done;
+}
+
+static bool tell(const example *e, const wishes *to, tumble_world *w)
+{
+    double error = e->error(w);
+    bool is_whole = to->seconds >= e->seconds, holds = error <= e->most;
+    tumble_report r = tumble_last_step(w);
+    printf("%s: %s\n", e->name, e->about);
+    printf("after %.3g s: %d bodies, %d asleep\n", tumble_time(w), r.bodies,
+           r.asleep);
+    if (is_whole)
+        printf("%s: %s (%.3g, at most %.3g)\n", holds ? "holds" : "FAILS",
+               e->claim, error, e->most);
+    if (to->film) printf("wrote %s: %d pictures\n", to->film, PANELS);
+    return holds || !is_whole;
+}
+
+int play(const example *e, int words, char **word)
+{
+    wishes to;
+    bool holds = false;
+    picture film = { 0 };
+    tumble_options o = e->options ? e->options() : tumble_options_default();
+    status done = read_wishes(e, words, word, &to);
+    if (!done.ok) {
+        fprintf(stderr, "tumble: %s\n", done.why);
+        return 2;
+    }
+    tumble_world *w = tumble_make(&o);
+    if (!w) done = status_fail("%s", tumble_failure(NULL));
+    if (done.ok && to.film)
+        done = picture_init(&film, PANELS * (WIDE + GAP) - GAP, HIGH,
+                            colour_hex(0xffffff));
+    if (done.ok) done = run(e, &to, w, &film);
+    if (done.ok && tumble_failure(w))
+        done = status_fail("%s", tumble_failure(w));
+    if (done.ok && to.film) done = picture_write(&film, to.film);
+    if (done.ok) holds = tell(e, &to, w);
+    else fprintf(stderr, "tumble: %s\n", done.why);
+    picture_free(&film);
+    tumble_free(w);
+    return holds ? 0 : 1;
+}

@@ -118,8 +118,8 @@ static real longer(real amplitude)
 START_TEST(box_on_a_hinge_swings_in_the_time_of_its_inertia)
 {
     // T = 2 pi sqrt(I / (m g d)), I = m (a^2 + b^2) / 12 + m d^2.
-    // Rejects: arms of the frame's start, a row for a hinge's axis that turns the body, an impulse
-    // of the place reached.
+    // Rejects: arms of the frame's start, a row for a hinge's axis that turns the
+    // body, an impulse of the place reached.
     const real amplitude[] = { 0.05, 0.3, 1.0 };
     for (int k = 0; k < COUNT(amplitude); k++) {
         real a = amplitude[k];

@@ -80,20 +80,29 @@ static tumble_contact *touching_now(const tumble_world *w, int *n)
     return list;
 }
 
+// Which comes first of pair i of those that touched, and pair k of those that
+// touch now?  < 0: the old one, which has ended; 0: they are one pair.
+static int order(const tumble_world *w, int i, const tumble_contact *now, int n,
+                 int k)
+{
+    if (i == w->touchings) return 1;
+    return k == n ? -1 : by_bodies(&w->touching[i], &now[k]);
+}
+
 int tumble_events(tumble_world *w, tumble_event *out, int most)
 {
     int now, n = 0, i = 0, k = 0;
     tumble_contact *list = touching_now(w, &now);
     if (!list) return inside_is_ok(w, status_out_of_memory()), 0;
     while (i < w->touchings || k < now) {
-        const tumble_contact *was = w->touching + i, *is = list + k;
-        int order = i == w->touchings ? 1 : k == now ? -1 : by_bodies(was, is);
-        if (order != 0 && n < most)
-            out[n] = order < 0 ? (tumble_event){ was->a, was->b, false }
-                               : (tumble_event){ is->a, is->b, true };
-        n += order != 0;
-        i += order <= 0;
-        k += order >= 0;
+        int first = order(w, i, list, now, k);
+        if (first != 0 && n < most) {
+            const tumble_contact *c = first < 0 ? &w->touching[i] : &list[k];
+            out[n] = (tumble_event){ c->a, c->b, first > 0 };
+        }
+        n += first != 0;
+        i += first <= 0;
+        k += first >= 0;
     }
     free(w->touching);
     w->touching = list;

@@ -10,7 +10,10 @@
 // What fails changes nothing: it returns false, 0, NULL or an id of zeros, and
 // tumble_failure says in a sentence what failed first, and why.  An id of zeros
 // and one of something that is gone are refused in the same way: so a program
-// may go on, and ask once at its end.  A world is used by one thread at a time.
+// may go on, and ask once at its end.  Questions about a `const` world only
+// return, and keep no sentence.  A world is used by one thread at a time.
+// Pointers point to what they say; one that is written to may be NULL, and is
+// then left out.
 
 #ifndef TUMBLE_H
 #define TUMBLE_H
@@ -65,8 +68,9 @@ void tumble_matrix(tumble_quat q, double m[9]);
 // --- The world ---------------------------------------------------------------
 typedef struct {
     double dt;              // s, a step; 1e-9 to 1, 1/60
-    int    substeps;        // of a step, 1 to 10000, 8: turn up if stacks are
-                            // high, or heavy things lie on light ones
+    int    substeps;        // of a step, 1 to 10000, 8; a calm one takes fewer:
+                            // turn up if stacks are high, or heavy things lie
+                            // on light ones
     int    most_substeps;   // a hard step takes more of them, up to this: 200
     tumble_vec3 gravity;    // m/s^2, (0, -9.81, 0)
     double friction;        // of bodies and planes that have none of their own
@@ -162,7 +166,8 @@ tumble_shape tumble_hull(tumble_world *w, const tumble_vec3 *point, int n,
 tumble_shape tumble_obj(tumble_world *w, const char *path, double radius,
                         double mass);
 
-// A rope of n links along x, with n + 1 vertices.
+// A rope of n links along x, with n + 1 vertices; vertex 0 is at -x.  It is as
+// thick as 1.1 links: to rope and cloth each vertex is a ball of that width.
 tumble_shape tumble_rope(tumble_world *w, int n, double length, double mass);
 
 // A cloth of columns x rows vertices in the plane y = 0: width along x, depth
@@ -204,7 +209,8 @@ tumble_body_options tumble_at(double x, double y, double z);
 // Adds a body, at any time.
 tumble_body tumble_add(tumble_world *w, tumble_shape s, tumble_body_options o);
 
-// Adds one static body of n convex pieces, each with a pose of its own.
+// Adds one static body of n rigid pieces, each with its own pose in the world;
+// of the options, kind and pose are not asked.
 tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
                               const tumble_pose *pose, int n,
                               tumble_body_options o);

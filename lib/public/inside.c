@@ -49,6 +49,13 @@ bool inside_reserve(tumble_world *w, int vertices)
     return true;
 }
 
+bool inside_is_speed(tumble_world *w, tumble_vec3 v)
+{
+    if (vec3_length(from_user(v)) < MOST_SPEED) return true;
+    return inside_fail(w, "a velocity of (%g, %g, %g) is too much to be counted "
+                       "with", v.x, v.y, v.z);
+}
+
 joint_place *inside_joint(tumble_world *w, tumble_joint j)
 {
     joint_place *found = slots_find(&w->joints, j.place, j.generation);

@@ -65,6 +65,11 @@ joint_place *inside_joint(tumble_world *w, tumble_joint j);
 // failure, if it has none.
 int inside_vertex(tumble_world *w, tumble_body b, int i);
 
+// Can a velocity be counted with?  Not, with a failure, if a number of it is not
+// finite, or MOST_SPEED (m/s, rad/s) or more.
+#define MOST_SPEED 1e9
+bool inside_is_speed(tumble_world *w, tumble_vec3 v);
+
 // The body with this id, without a failure.
 const body_place *inside_look(const tumble_world *w, tumble_body b);
 

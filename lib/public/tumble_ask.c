@@ -67,6 +67,8 @@ static bool first_met(const tumble_world *w, const question *q,
                       tumble_hit *hit)
 {
     tumble_hit best = { .fraction = HUGE_VAL };
+    if (!vec3_is_finite(q->way) || !vec3_is_finite(q->around.center))
+        return false;
     const world *all = &w->world;
     vec3 *at = w->scratch, *scratch = w->scratch + w->most_vertices;
     for (int b = 0; b < all->bodies; b++) {
@@ -79,7 +81,7 @@ static bool first_met(const tumble_world *w, const question *q,
         cast_result r = cast_first_plane(q->thing, q->way, all->plane[k]);
         take(&best, &r, tumble_ground());
     }
-    if (best.fraction <= 1) *hit = best;
+    if (hit && best.fraction <= 1) *hit = best;
     return best.fraction <= 1;
 }
 
@@ -138,7 +140,7 @@ bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
         cast_result r = cast_nearest_plane(at, w->world.plane[k], most);
         take(&best, &r, tumble_ground());
     }
-    if (best.fraction < HUGE_VAL) *hit = best;
+    if (hit && best.fraction < HUGE_VAL) *hit = best;
     return best.fraction < HUGE_VAL;
 }
 
@@ -162,7 +164,7 @@ int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
         if (!x || !overlaps(w, x, &q)) continue;
-        if (n < most) out[n] = inside_owner(w, x->piece[0].number);
+        if (out && n < most) out[n] = inside_owner(w, x->piece[0].number);
         n++;
     }
     return n;

@@ -47,9 +47,6 @@ static bool reserve_owners(tumble_world *w)
 static bool set_up(tumble_world *w, int number, const tumble_body_options *o)
 {
     material m = { o->friction, o->restitution };
-    bool is_soft = body_is_soft(&w->world.body[number]);
-    if (is_soft && o->kind == TUMBLE_KINEMATIC)
-        return inside_fail(w, "a rope or a cloth cannot be kinematic: pin it");
     if (o->kind == TUMBLE_KINEMATIC) {
         world_set_kinematic(&w->world, number, true);
         world_set_velocity(&w->world, number, from_user(o->velocity),
@@ -68,6 +65,8 @@ static bool add_piece(tumble_world *w, int place, tumble_shape s,
     body_place *x = slots_at(&w->bodies, place);
     int number;
     if (!made_of || !reserve_owners(w)) return false;
+    if (made_of->shape->kind != SHAPE_RIGID && o->kind == TUMBLE_KINEMATIC)
+        return inside_fail(w, "a rope or a cloth cannot be kinematic: pin it");
     if (!inside_is_ok(w, world_add(&w->world, made_of->shape,
                                    placement_of(pose, o), &number)))
         return false;
@@ -75,6 +74,13 @@ static bool add_piece(tumble_world *w, int place, tumble_shape s,
     x->piece[x->pieces++] = (body_piece){ number, (int)s.place };
     made_of->bodies++;
     return set_up(w, number, o);
+}
+
+static bool check_options(tumble_world *w, const tumble_body_options *o)
+{
+    if ((unsigned)o->kind > TUMBLE_KINEMATIC)
+        return inside_fail(w, "%d is no kind of body", (int)o->kind);
+    return inside_is_speed(w, o->velocity) && inside_is_speed(w, o->spin);
 }
 
 static void take_away(tumble_world *w, int place)
@@ -95,6 +101,7 @@ static tumble_body add(tumble_world *w, const tumble_shape *s,
                        const tumble_body_options *o)
 {
     const tumble_body none = { 0, 0 };
+    if (!check_options(w, o)) return none;
     body_piece *piece = malloc((size_t)n * sizeof *piece);
     int place = piece ? slots_take(&w->bodies) : -1;
     if (place < 0) {
@@ -122,7 +129,7 @@ tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
                               tumble_body_options o)
 {
     o.kind = TUMBLE_STATIC;
-    if (n > 0) return add(w, piece, pose, n, &o);
+    if (n > 0 && piece && pose) return add(w, piece, pose, n, &o);
     inside_fail(w, "a body of %d pieces is none", n);
     return (tumble_body){ 0, 0 };
 }
@@ -144,7 +151,7 @@ int tumble_bodies(const tumble_world *w, tumble_body *out, int most)
     int n = 0;
     for (int k = 0; k < w->bodies.count; k++) {
         if (!slots_is_taken(&w->bodies, k)) continue;
-        if (n < most)
+        if (out && n < most)
             out[n] = (tumble_body){ (unsigned)k,
                                     slots_generation(&w->bodies, k) };
         n++;

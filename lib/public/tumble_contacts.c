@@ -43,7 +43,7 @@ int tumble_contacts(const tumble_world *w, tumble_contact *out, int most)
         for (int k = 0; k < list[i]->count; k++) {
             const contact *c = pushing(&w->world, &list[i]->pair[k]);
             if (!c) continue;
-            if (n < most) out[n] = told(w, c);
+            if (out && n < most) out[n] = told(w, c);
             n++;
         }
     return n;
@@ -96,7 +96,7 @@ int tumble_events(tumble_world *w, tumble_event *out, int most)
     if (!list) return inside_is_ok(w, status_out_of_memory()), 0;
     while (i < w->touchings || k < now) {
         int first = order(w, i, list, now, k);
-        if (first != 0 && n < most) {
+        if (first != 0 && out && n < most) {
             const tumble_contact *c = first < 0 ? &w->touching[i] : &list[k];
             out[n] = (tumble_event){ c->a, c->b, first > 0 };
         }

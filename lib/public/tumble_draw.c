@@ -21,7 +21,7 @@ int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
     for (int k = 0; x && k < x->pieces; k++) {
         struct skin s = place_skin(w, x->piece[k].number);
         for (int i = 0; i < s.points; i++, n++)
-            if (n < most) out[n] = to_user(w->scratch[i]);
+            if (out && n < most) out[n] = to_user(w->scratch[i]);
     }
     return n;
 }
@@ -29,10 +29,10 @@ int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
 const int *tumble_triangles(const tumble_world *w, tumble_body b, int *count)
 {
     const body_place *x = inside_look(w, b);
-    *count = 0;
+    if (count) *count = 0;
     if (!x || x->pieces != 1) return NULL;
     struct skin s = shape_skin(w->world.body[x->piece[0].number].shape);
-    *count = s.faces;
+    if (count) *count = s.faces;
     return s.face;
 }
 //<
@@ -98,6 +98,7 @@ static void draw_contacts(const tumble_world *w, const tumble_pen *pen)
 
 void tumble_draw(const tumble_world *w, const tumble_pen *pen)
 {
+    if (!pen) return;
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
         for (int i = 0; x && i < x->pieces; i++)

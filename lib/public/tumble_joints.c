@@ -111,8 +111,13 @@ bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
                        double most)
 {
     const joint_place *x = inside_joint(w, j);
-    return x && inside_is_ok(w, world_limit_joint(&w->world, x->number, least,
-                                                  most));
+    if (!x) return false;
+    joint_kind kind = w->world.joints.joint[x->number].kind;
+    if (kind != JOINT_HINGE && kind != JOINT_DISTANCE)
+        return inside_fail(w, "joint %u is no hinge and no distance: it has no "
+                           "limits", j.place);
+    return inside_is_ok(w, world_limit_joint(&w->world, x->number, least,
+                                             most));
 }
 
 bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)

@@ -60,6 +60,7 @@ tumble_shape tumble_hull(tumble_world *w, const tumble_vec3 *point, int n,
                          double mass)
 {
     shape s;
+    if (!point) n = 0;
     vec3 *at = calloc(n > 0 ? (size_t)n : 1, sizeof *at);
     for (int k = 0; at && k < n; k++) at[k] = from_user(point[k]);
     status done = at ? shape_hull(&s, at, n, mass) : status_out_of_memory();
@@ -71,7 +72,8 @@ tumble_shape tumble_obj(tumble_world *w, const char *path, double radius,
                         double mass)
 {
     shape s;
-    status done = obj_read(path, radius, mass, &s);
+    status done = path ? obj_read(path, radius, mass, &s)
+                       : status_fail("a mesh without the name of a file");
     return keep(w, &s, done);
 }
 

@@ -15,6 +15,7 @@ static placement where_is(const tumble_world *w, tumble_body b)
 tumble_pose tumble_get_pose(const tumble_world *w, tumble_body b)
 {
     placement p = where_is(w, b);
+    if (!inside_look(w, b)) return (tumble_pose){ { 0, 0, 0 }, { 0, 0, 0, 0 } };
     return (tumble_pose){ to_user(p.position), inside_quat(p.x, p.y, p.z) };
 }
 
@@ -102,29 +103,37 @@ bool tumble_set_velocity(tumble_world *w, tumble_body b, tumble_vec3 velocity,
                          tumble_vec3 spin)
 {
     int number = find_rigid(w, b, velocity, spin);
-    if (number < 0) return false;
+    if (number < 0 || !inside_is_speed(w, velocity)
+        || !inside_is_speed(w, spin)) return false;
     if (body_is_static(&w->world.body[number]))
         return inside_fail(w, "body %u is static: it has no velocity", b.place);
     world_set_velocity(&w->world, number, from_user(velocity), from_user(spin));
     return true;
 }
 
+// Is what an impulse, or a force in a second, gives body `number` a velocity?
+static bool is_bearable(tumble_world *w, int number, tumble_vec3 impulse)
+{
+    vec3 v = vec3_scale(1 / w->world.body[number].mass, from_user(impulse));
+    return inside_is_speed(w, to_user(v));
+}
+
 bool tumble_push(tumble_world *w, tumble_body b, tumble_vec3 impulse,
                  tumble_vec3 at)
 {
     int number = find_dynamic(w, b, impulse, at);
-    if (number >= 0)
-        world_push(&w->world, number, from_user(impulse), from_user(at));
-    return number >= 0;
+    if (number < 0 || !is_bearable(w, number, impulse)) return false;
+    world_push(&w->world, number, from_user(impulse), from_user(at));
+    return true;
 }
 
 bool tumble_force(tumble_world *w, tumble_body b, tumble_vec3 force,
                   tumble_vec3 torque)
 {
     int number = find_dynamic(w, b, force, torque);
-    if (number >= 0)
-        world_force(&w->world, number, from_user(force), from_user(torque));
-    return number >= 0;
+    if (number < 0 || !is_bearable(w, number, force)) return false;
+    world_force(&w->world, number, from_user(force), from_user(torque));
+    return true;
 }
 //<
 
@@ -186,9 +195,12 @@ bool tumble_push_vertex(tumble_world *w, tumble_body b, int i,
 {
     int number = inside_vertex(w, b, i);
     if (number < 0) return false;
-    if (!vec3_is_finite(from_user(impulse)))
-        return inside_fail(w, "vertex %d of body %u is given an impulse that is "
-                           "not finite", i, b.place);
+    const body *all = &w->world.body[number];
+    if (body_is_static(all))
+        return inside_fail(w, "body %u is static: it does not yield", b.place);
+    real mass = all->shape->mass[i];
+    if (!inside_is_speed(w, to_user(vec3_scale(1 / mass, from_user(impulse)))))
+        return false;
     world_push_particle(&w->world, number, i, from_user(impulse));
     return true;
 }

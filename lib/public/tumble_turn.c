@@ -29,7 +29,9 @@ tumble_quat tumble_turn(tumble_vec3 axis, double by)
 {
     const real whole = 6.28318530717958647692;
     tumble_quat none = { 0, 0, 0, 1 };
-    vec3 d = from_user(axis);
+    real most = real_max(fabs(axis.x), real_max(fabs(axis.y), fabs(axis.z)));
+    // Scaled, so that its square is neither too small nor too large.
+    vec3 d = { axis.x / most, axis.y / most, axis.z / most };
     real length = vec3_length(d), s, c;
     if (!(length > 0 && length < HUGE_VAL && fabs(by) < 1e9)) return none;
     real half = (by - whole * nearbyint(by / whole)) / 2;

@@ -13,7 +13,6 @@ define ORDER
 03/body
 03/rigidity
 03/convex
-03/hull
 04/gjk
 05/feature
 05/hit_face
@@ -23,6 +22,7 @@ define ORDER
 08/ordering
 09/scene
 09/system
+10/hull
 10/capsule
 10/query
 11/manifold

@@ -32,10 +32,13 @@ static void build(tumble_world *w)
     tumble_shape s = tumble_sphere(w, 0.05, 0.01);
     tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
     build_funnel(w);
-    for (int k = 0; k < MARBLES; k++)
-        marble[k] = tumble_add(w, s, tumble_at(0.11 * (k % 5 - 2.02),
-                                               2.6 + 0.11 * (k / 25),
-                                               0.11 * (k / 5 % 5 - 2.01)));
+    for (int k = 0; k < MARBLES; k++) {
+        tumble_body_options at = tumble_at(0.11 * (k % 5 - 2.02),
+                                           2.6 + 0.11 * (k / 25),
+                                           0.11 * (k / 5 % 5 - 2.01));
+        at.friction = 0.1;
+        marble[k] = tumble_add(w, s, at);
+    }
 }
 
 // How many have not come through?

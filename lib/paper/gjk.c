@@ -145,13 +145,12 @@ static gjk_status step(gjk_result *r, hull a, hull b, real margin, int *stalls)
     real vv = vec3_dot(s->v, s->v);
     if (vv < 1e-120) return GJK_OVERLAP;
     corner w = hull_support(a, b, vec3_scale(-1, s->v));
-    real bound = vec3_dot(s->v, w.at);
+    real bound = vec3_dot(s->v, w.at), size = vec3_dot(w.at, w.at);
     r->distance = bound / sqrt(vv);
     if (r->distance > margin) return GJK_BEYOND;
     r->distance = sqrt(vv);
     if (vv - bound <= ENOUGH * vv) return GJK_APART;
     bool held = false;
-    real size = vec3_dot(w.at, w.at);
     for (int k = 0; k < s->count; k++) {
         held = held || (s->of[k].a == w.a && s->of[k].b == w.b);
         size = real_max(size, vec3_dot(s->of[k].at, s->of[k].at));

@@ -2,7 +2,7 @@
 // hull.h - a rigid body from points: their convex hull.
 //
 // Paper: section 4 takes meshes; here also points that nothing joins.
-// Book: chapter 3.
+// Book: chapter 10.
 // Quickhull (Barber, Dobkin and Huhdanpaa 1996).
 // Units: metres, kilograms.
 

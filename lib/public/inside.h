@@ -48,6 +48,9 @@ struct tumble_world {
 };
 
 // Keeps the failure, unless there was one before.  Returns false.
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
 bool inside_fail(tumble_world *w, const char *format, ...);
 // The same for a status that is not ok.  Returns s.ok.
 bool inside_is_ok(tumble_world *w, status s);

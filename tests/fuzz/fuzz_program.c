@@ -27,7 +27,7 @@ static double number(void)
     static const double list[] = {
         0, 1, -1, 0.5, 0.1, 2, 3, -0.3, 10, 0.01, 1.0 / 3, 4, 5, 0.7, -2, 1.5 };
     static const double nasty[] = {
-        NAN, INFINITY, -INFINITY, 1e300, -1e17, 1e-300, 1e9, -1e5 };
+        (double)NAN, HUGE_VAL, -HUGE_VAL, 1e300, -1e17, 1e-300, 1e9, -1e5 };
     unsigned b = byte();
     if (b < 240) return list[b % 16];
     is_spoiled = true;

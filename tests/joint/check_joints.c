@@ -713,7 +713,7 @@ START_TEST(lost_body_does_not_take_the_world_along)
     for (int k = 0; k < 3; k++) add_at(s, 2 * k, 0, 0);
     ball(0, 1, vec3_make(1, 0, 0));
     ball(2, -1, vec3_make(4, 1, 0));
-    particle_of(0, 0)->position.x = NAN;
+    particle_of(0, 0)->position.x = (real)NAN;
     steps(30);
     near(centre(2).y, 0, 1e-4, "the height of the box that hangs");
 }

@@ -225,7 +225,7 @@ START_TEST(a_pose_comes_back_as_it_was_set)
     near(fabs(same), 1, 1e-12);
     near_vec3(tumble_velocity(w, b), 1, 2, 3, 1e-9);
     near_vec3(tumble_spin(w, b), 0, 1, 0, 1e-9);
-    p.position.x = NAN;
+    p.position.x = (double)NAN;
     ck_assert(!tumble_set_pose(w, b, p));
     expect_failure(w, "finite");
     near_vec3(tumble_position(w, b), 3, -2, 7, 1e-12);

@@ -213,7 +213,7 @@ END_TEST
 
 START_TEST(what_is_not_finite_meets_nothing)
 {
-    vec3 lost = { NAN, 0, 0 }, far = { INFINITY, 0, 0 };
+    vec3 lost = { (real)NAN, 0, 0 }, far = { HUGE_VAL, 0, 0 };
     ck_assert(!ray(lost, middle, block).hits);
     ck_assert(!ray((vec3){ -5, 0, 0 }, far, block).hits);
     ck_assert(!cast_nearest(lost, block, 1).hits);

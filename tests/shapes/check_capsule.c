@@ -80,7 +80,7 @@ START_TEST(sizes_out_of_range_are_refused)
     expect_why(shape_sphere(&s, 0, 1), "the radius is 0 m: it must be a number "
                "from 1e-30 to 1e+30");
     ck_assert(!s.at && !s.skin.at && s.particles == 0);
-    expect_why(shape_sphere(&s, NAN, 1), "the radius is nan m: it must be a "
+    expect_why(shape_sphere(&s, (real)NAN, 1), "the radius is nan m: it must be a "
                "number from 1e-30 to 1e+30");
     expect_why(shape_sphere(&s, 1, -2), "the mass is -2 kg: it must be a "
                "number from 1e-30 to 1e+30");

@@ -269,7 +269,7 @@ START_TEST(what_spans_no_body_is_refused)
         at[i] = vec3_add_scaled(vec3_scale(any(), along), any(), aside);
     expect_refused(50, "the 50 points stand in one plane, or nearly: they span "
                    "no body");
-    at[7].y = NAN;
+    at[7].y = (real)NAN;
     expect_refused(50, "point 7 is not at a finite place");
     for (int i = 0; i < 50; i++) at[i] = vec3_scale(1e40, anywhere());
     at[0] = vec3_make(0, 0, 0);

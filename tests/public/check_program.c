@@ -495,6 +495,169 @@ START_TEST(everything_is_drawn)
 }
 END_TEST
 
+START_TEST(every_shape_falls_and_lies_as_high_as_it_is)
+{
+    tumble_world *w = with_floor();
+    tumble_vec3 point[8];
+    for (int k = 0; k < 8; k++)
+        point[k] = tumble_v(k & 1 ? 0.2 : -0.2, k & 2 ? 0.1 : -0.1,
+                            k & 4 ? 0.3 : -0.3);
+    tumble_shape s[] = { tumble_sphere(w, 0.3, 1), tumble_hull(w, point, 8, 1),
+                         tumble_capsule(w, 1, 0.2, 1),
+                         tumble_obj(w, "tests/data/cube.obj", 0.5, 1) };
+    const double height[] = { 0.3, 0.1, 0.2, 0.5 / sqrt(3) };
+    tumble_body b[4];
+    for (int k = 0; k < 4; k++) {
+        tumble_body_options o = tumble_at(3 * k, 0.8, 0);
+        if (k == 2) o.pose.rotation = tumble_turn(tumble_v(0, 0, 1), acos(0));
+        b[k] = tumble_add(w, s[k], o);
+    }
+    run(w, 6);
+    for (int k = 0; k < 4; k++) {
+        near(tumble_position(w, b[k]).y, height[k], 2e-3);
+        near(tumble_mass(w, b[k]), 1, 1e-12);
+        int n;
+        ck_assert_ptr_nonnull(tumble_triangles(w, b[k], &n));
+        ck_assert_int_ge(n, 12);
+    }
+    expect_fine(w);
+    near(tumble_measure(w).penetration, 0, 2e-3);
+    ck_assert(tumble_set_gravity(w, tumble_v(0, 9.81, 0)));
+    run(w, 1);
+    near(tumble_position(w, b[0]).y, 0.3 + 9.81 / 2, 0.1);
+    ck_assert(tumble_hash(w) != 0);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(joints_hold_what_they_say)
+{
+    tumble_world *w = weightless();
+    tumble_body a = add_box(w, 0, 0, 0), b = add_box(w, 1.2, 0, 0),
+                c = add_box(w, 5, 0, 0);
+    tumble_joint fixed = tumble_fix(w, a, b, tumble_v(0.6, 0, 0));
+    tumble_joint apart = tumble_distance(w, b, tumble_v(1.7, 0, 0), c,
+                                         tumble_v(4.5, 0, 0), 1, 3);
+    tumble_set_velocity(w, c, tumble_v(4, 0, 0), tumble_v(0, 0, 0));
+    run(w, 2);
+    near(tumble_position(w, b).x - tumble_position(w, a).x, 1.2, 1e-4);
+    ck_assert_double_lt(tumble_joint_gap(w, fixed), 1e-4);
+    ck_assert_double_lt(tumble_position(w, c).x - tumble_position(w, b).x,
+                        4.01);
+    // 2 kg at 4 m/s are shared by three bodies in the end.
+    near(tumble_measure(w).momentum.x, 8, 1e-9);
+    ck_assert(tumble_unjoin(w, apart));
+    ck_assert(!tumble_is_joined(w, apart));
+    ck_assert(!tumble_set_limits(w, fixed, -1, 1));
+    expect_failure(w, "no hinge");
+    tumble_body d = add_box(w, 0, 5, 0);
+    tumble_joint hinge = tumble_hinge(w, tumble_ground(), d,
+                                      tumble_v(0, 5.5, 0), tumble_v(0, 0, 1));
+    ck_assert(tumble_set_limits(w, hinge, -0.2, 0.3));
+    tumble_set_velocity(w, d, tumble_v(1, 0, 0), tumble_v(0, 0, 2));
+    run(w, 1);
+    near(tumble_hinge_angle(w, hinge), 0.3, 0.02);
+    expect_fine(w);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(a_box_hangs_on_a_rope)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body rope = tumble_add(w, tumble_rope(w, 20, 2, 0.2),
+                                  tumble_at(0, 0, 0));
+    tumble_body_options o = tumble_at(1.6, 0, 0);
+    o.damping = 1;
+    tumble_body box = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 5), o);
+    tumble_pin(w, rope, 0);
+    tumble_joint j = tumble_hang(w, rope, 20, box);
+    ck_assert_uint_ne(j.generation, 0);
+    ck_assert(tumble_set_damping(w, rope, 1, 0));
+    run(w, 20);
+    near(tumble_joint_force(w, j), 5 * 9.81, 1);
+    ck_assert_double_lt(tumble_joint_gap(w, j), 1e-3);
+    ck_assert(tumble_vertex(w, rope, 20).y < -1.9);
+    ck_assert_uint_eq(tumble_ball(w, rope, box, tumble_v(0, 0, 0)).generation,
+                      0);
+    expect_failure(w, "joints hold rigid bodies");
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(materials_cloth_and_filters_are_taken)
+{
+    tumble_world *w = with_floor();
+    tumble_body ice = add_box(w, 0, 0.5, 0), wood = add_box(w, 0, 0.5, 5);
+    ck_assert(tumble_set_material(w, ice, 0, 0));
+    tumble_push(w, ice, tumble_v(4, 0, 0), tumble_position(w, ice));
+    tumble_push(w, wood, tumble_v(4, 0, 0), tumble_position(w, wood));
+    run(w, 1);
+    near(tumble_position(w, ice).x, 2, 0.02);
+    near(tumble_position(w, wood).x, 4 / (2 * 0.5 * 9.81), 0.05);
+    ck_assert(tumble_set_damping(w, ice, 5, 5));
+    run(w, 4);
+    ck_assert_double_lt(tumble_position(w, ice).x, 2.6);
+    ck_assert(!tumble_set_material(w, ice, 0.5, 2));
+    ck_assert_ptr_nonnull(tumble_failure(w));
+    tumble_forget_failure(w);
+    tumble_body cloth = tumble_add(w, tumble_cloth(w, 5, 5, 1, 1, 0.1),
+                                   tumble_at(9, 3, 0));
+    ck_assert(tumble_set_bending(w, cloth, 1e-3));
+    ck_assert(tumble_set_stretch(w, cloth, 1e-4));
+    ck_assert(!tumble_set_stretch(w, cloth, -1));
+    tumble_forget_failure(w);
+    ck_assert(tumble_push_vertex(w, cloth, 12, tumble_v(0, 0.01, 0)));
+    ck_assert_double_gt(tumble_velocity(w, cloth).y, 0);
+    ck_assert(!tumble_push(w, cloth, tumble_v(1, 0, 0), tumble_v(9, 3, 0)));
+    expect_failure(w, "vertices");
+    ck_assert(tumble_set_filter(w, ice, 2, 0));
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(nonsense_is_refused_in_a_sentence)
+{
+    tumble_world *w = with_floor();
+    tumble_body b = add_box(w, 0, 1, 0);
+    tumble_hit h;
+    tumble_body_options o = tumble_at(0, 0, 0);
+    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 1);
+    o.kind = (tumble_kind)9;
+    ck_assert_uint_eq(tumble_add(w, s, o).generation, 0);
+    expect_failure(w, "9 is no kind");
+    o = tumble_at(0, 0, 0);
+    o.velocity.y = 1e300;
+    ck_assert_uint_eq(tumble_add(w, s, o).generation, 0);
+    expect_failure(w, "too much");
+    ck_assert(!tumble_push(w, b, tumble_v(1e30, 0, 0), tumble_v(0, 1, 0)));
+    expect_failure(w, "too much");
+    ck_assert(!tumble_ray(w, tumble_v(0, 5, 0), tumble_v(0, -HUGE_VAL, 0), ~0u,
+                          &h));
+    ck_assert(!tumble_add_plane(w, tumble_v(0, 0, 0), 0, -1));
+    expect_failure(w, "plane");
+    ck_assert_uint_eq(tumble_hull(w, NULL, 4, 1).generation, 0);
+    expect_failure(w, "points");
+    ck_assert_uint_eq(tumble_obj(w, "no/such.obj", 1, 1).generation, 0);
+    expect_failure(w, "no/such.obj");
+    ck_assert_uint_eq(tumble_add_pieces(w, NULL, NULL, 0, o).generation, 0);
+    expect_failure(w, "pieces");
+    ck_assert(!tumble_set_gravity(w, tumble_v((double)NAN, 0, 0)));
+    expect_failure(w, "gravity");
+    o = tumble_at(0, 9, 0);
+    o.kind = TUMBLE_STATIC;
+    tumble_body still = tumble_add(w, s, o);
+    ck_assert(!tumble_set_velocity(w, still, tumble_v(1, 0, 0),
+                                   tumble_v(0, 0, 0)));
+    expect_failure(w, "static");
+    tumble_body gone = { 7, 7 };
+    ck_assert(tumble_get_pose(w, gone).rotation.w == 0);
+    ck_assert(!tumble_is_awake(w, gone));
+    ck_assert(tumble_mass(w, still) == 0);
+    tumble_free(w);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("program");
@@ -521,6 +684,11 @@ int main(void)
     tcase_add_test(t, pieces_are_one_body);
     tcase_add_test(t, a_rope_hangs_from_its_pin_and_carries);
     tcase_add_test(t, everything_is_drawn);
+    tcase_add_test(t, every_shape_falls_and_lies_as_high_as_it_is);
+    tcase_add_test(t, joints_hold_what_they_say);
+    tcase_add_test(t, a_box_hangs_on_a_rope);
+    tcase_add_test(t, materials_cloth_and_filters_are_taken);
+    tcase_add_test(t, nonsense_is_refused_in_a_sentence);
     suite_add_tcase(suite, t);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_NORMAL);

@@ -302,8 +302,7 @@ static void find_contacts(world *w)
 //<
 
 //> step-prepare
-// Contacts are damped ten times as much as would just not swing, and push out
-// at 3 m/s at most.  In smaller substeps their springs may be stiffer.
+// The largest of the world, its bodies and its planes.
 static real most_restitution(const world *w)
 {
     real most = w->options.restitution;
@@ -314,6 +313,8 @@ static real most_restitution(const world *w)
     return most;
 }
 
+// Contacts are damped ten times as much as would just not swing, and push out
+// at 3 m/s at most.  In smaller substeps their springs may be stiffer.
 static solver_frame frame_of(const world *w, int substeps)
 {
     const world_options *o = &w->options;

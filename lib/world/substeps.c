@@ -106,7 +106,6 @@ int substeps_choose(world *w)
     }
     n = int_max(n, substeps_for_joints(w));
     n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
-
     if (share < 1) n = int_max(usual, (int)(share * n));
     if (w->softs > 0) n = int_max(n, soft_need(w));
     return int_min(n, int_max((int)(share * most), usual));

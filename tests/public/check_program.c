@@ -412,6 +412,26 @@ START_TEST(contacts_carry_the_weight_and_events_come_once)
 }
 END_TEST
 
+// Rejects: contacts of this step alone, of which a sleeper has none.
+START_TEST(what_sleeps_beside_what_moves_still_touches)
+{
+    tumble_world *w = with_floor();
+    tumble_event e[4];
+    tumble_body sleeper = add_box(w, 0, 0.5, 0), other = add_box(w, 9, 9, 0);
+    for (int k = 0; k < 180; k++) {
+        tumble_push(w, other, tumble_v(0, 2 * 9.81 / 60, 0),
+                    tumble_position(w, other));
+        tumble_step(w);
+        int n = tumble_events(w, e, 4);
+        ck_assert_int_eq(n, k == 0);
+    }
+    ck_assert(!tumble_is_awake(w, sleeper));
+    ck_assert(tumble_is_awake(w, other));
+    ck_assert_int_eq(tumble_contacts(w, NULL, 0), 1);
+    tumble_free(w);
+}
+END_TEST
+
 START_TEST(pieces_are_one_body)
 {
     tumble_world *w = tumble_make(NULL);
@@ -681,6 +701,7 @@ int main(void)
     tcase_add_test(t, a_joint_that_joins_nothing_is_refused);
     tcase_add_test(t, a_ray_meets_the_nearest_and_a_sweep_the_first);
     tcase_add_test(t, contacts_carry_the_weight_and_events_come_once);
+    tcase_add_test(t, what_sleeps_beside_what_moves_still_touches);
     tcase_add_test(t, pieces_are_one_body);
     tcase_add_test(t, a_rope_hangs_from_its_pin_and_carries);
     tcase_add_test(t, everything_is_drawn);

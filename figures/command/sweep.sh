@@ -20,6 +20,10 @@ trap 'stop 129' HUP
 trap 'stop 130' INT
 trap 'stop 143' TERM
 
+# The rows run under sh, also where the environment names another shell or none.
+SHELL=/bin/sh PARALLEL_SHELL=/bin/sh
+export SHELL PARALLEL_SHELL
+
 set -- --quote --joblog "$joblog" --resume-failed --results "$folder/{#}"
 [ -z "$jobs" ] || set -- "$@" --jobs "$jobs"
 [ -z "$hosts" ] || set -- "$@" --sshloginfile "$hosts" --workdir "$PWD"

@@ -49,9 +49,9 @@ accepts() {
     words=$1 why=
     shift
     run "$@"
-    [ $code -eq 0 ] || why="exit status $code: $(cat "$err")"
-    [ -s "$err" ] && why="says \"$(cat "$err")\""
     grep -q -- "$words" "$out" || why="does not print \"$words\""
+    [ $code -eq 0 ] || why="exit status $code: $(cat "$err")"
+    [ -s "$err" ] && why="status $code, says \"$(cat "$err")\""
     verdict "tumble $*" "$why"
 }
 
@@ -547,7 +547,9 @@ if parallel --version 2> /dev/null | grep -q '^GNU parallel'; then
     # A host that is this machine, behind a stand-in for ssh.
     printf '#!/bin/sh\nshift 2\nexec sh -c "$*"\n' > ssh && chmod +x ssh
     echo "1/$folder/ssh there" > hosts
-    accepts '12 rows' --sweep table.csv --csv two.csv --sshloginfile hosts
+    for SHELL in "$SHELL" /bin/false; do
+        accepts '12 rows' --sweep table.csv --csv two.csv --sshloginfile hosts
+    done
     verdict 'another host, the same table' "$(same two.csv)"
     verdict 'and it ran there' "$([ "$(grep -c 'ssh there' table.csv.joblog)" -eq 12 ] || cat table.csv.joblog)"
 

@@ -1,6 +1,9 @@
 # weave.awk - writes the book: the chapters, with the code that they explain.
 #
-#   awk -f weave.awk lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] chapters/[0-9]*.md > book.md
+#   awk -v pages=chapters/woven -f weave.awk CODE chapters/[0-9]*.md > book.md
+#
+# Each chapter becomes a page of its own as well, in the folder `pages`, if one is
+# named (weave.sh says what is CODE, and calls this).
 #
 # In the code a region lies between a line "//> name" and a line "//<"; in a
 # chapter the line "@@ name" stands for it, "%% figures/name.csv" for a table of
@@ -41,8 +44,8 @@ function names_in(path, first, last,    i, line, functions, types) {
 function weave(name,    i, first, last, names) {
     first = from[name] + 1; last = to[name] - 1
     names = names_in(home[name], first, last); if (names) names = ": " names
-    if (first == last) print_later("[" home[name] ", line " first names "](" home[name] "#L" first ")")
-    else print_later("[" home[name] ", lines " first " to " last names "](" home[name] "#L" first "-L" last ")")
+    if (first == last) print_later("[" home[name] ", line " first names "](../" home[name] "#L" first ")")
+    else print_later("[" home[name] ", lines " first " to " last names "](../" home[name] "#L" first "-L" last ")")
     print_later("\n```c")
     for (i = first; i <= last; i++) print_later(text[home[name], i])
     print_later("```")
@@ -51,7 +54,7 @@ function weave(name,    i, first, last, names) {
 # open with # are left out, or of a named table all that do not open with its
 # name.
 function tabulate(csv, name,    got, line, at, rows, head) {
-    print_later("[" csv (name ? ", " name : "") "](" csv ")\n")
+    print_later("[" csv (name ? ", " name : "") "](../" csv ")\n")
     while ((got = (getline line < csv)) > 0) {
         at++
         if (name ? !sub("^#" name "[|] ", "", line) : line ~ /^#/) continue
@@ -85,11 +88,39 @@ function list_functions(    i, header, paragraph, name) {
             gsub(/.*\/|\.h$/, "", name)
             paragraph = "**" name "**, [chapter " substr(told[inside[i]], 1, 2) "](" told[inside[i]] "):"
         } else paragraph = paragraph ","
-        paragraph = paragraph " [`" declared[i] "`](" header "#L" at_line[i] ")"
+        paragraph = paragraph " [`" declared[i] "`](../" header "#L" at_line[i] ")"
     }
     if (header) print_later(paragraph)
 }
-function print_later(line) { book[++lines] = line }
+# What is printed later links from the folder of the chapters: ../lib/, 01-a.md.
+function print_later(line) { book[++lines] = line; from_page[lines] = page }
+# In book.md, which stands a folder higher, a link to a chapter is one to its title.
+function line_of_book(line,    name) {
+    gsub(/\]\(\.\.\//, "](", line)
+    while (match(line, /\]\([0-9][0-9]-[a-z0-9_-]*\.md\)/)) {
+        name = substr(line, RSTART + 2, RLENGTH - 3)
+        if (!(name in chapter)) fail("chapters", 0, "there is no chapter " name)
+        line = substr(line, 1, RSTART + 1) "#" chapter[name] substr(line, RSTART + RLENGTH - 1)
+    }
+    return line
+}
+# A chapter's page stands a folder lower, and ends with the way to the next one.
+function write_pages(    i, k, line) {
+    for (i = 1; i <= lines; i++) {
+        if (from_page[i] != from_page[i - 1]) {
+            k++; page = pages "/" from_page[i]
+            print "<!-- Woven by `make book` from chapters/" from_page[i] " and the code: edit those, not this. -->\n" > page
+        }
+        line = book[i]; gsub(/\]\(\.\.\//, "](../../", line)
+        print line > page
+        if (from_page[i] == from_page[i + 1]) continue
+        print "\n---\n\n" way(k - 1, " · ", "") "[Contents](../../README.md#read)" way(k + 1, "", " · ") > page
+        close(page)
+    }
+}
+function way(k, after, before) {
+    return k in title ? before "[" title[k] "](" file_of[k] ")" after : ""
+}
 function end_of_file() {
     if (open != "") fail(home[open], from[open], "region " open " is never closed")
     if (fence) fail(file, fence, "this ``` block is never closed")
@@ -97,6 +128,7 @@ function end_of_file() {
 }
 
 FNR == 1 { end_of_file(); file = FILENAME; is_code = file ~ /\.[ch]$/ }
+FNR == 1 { page = substr(file, 10) }        # after "chapters/"
 
 # --- code: remember every line, and where each region lies ---
 is_code { text[file, FNR] = $0 }
@@ -131,7 +163,7 @@ fence || /^```/ { print_later($0); next }
     if (NF != 2 || $1 != "@@") fail(file, FNR, "a region is pulled in by @@ name, and nothing more")
     else if (!($2 in home)) fail(file, FNR, "there is no region " $2)
     else if ($2 in used) fail(file, FNR, "region " $2 " is already pulled in by " used[$2])
-    else { used[$2] = file ", line " FNR; told[$2] = substr(file, 10); weave($2) }
+    else { used[$2] = file ", line " FNR; told[$2] = page; weave($2) }
     next
 }
 /^%%/ {
@@ -144,26 +176,23 @@ fence || /^```/ { print_later($0); next }
     fail(file, FNR, "a chapter links from its own folder: write ../figures/, ../lib/")
 }
 /^# / {
-    top = anchor(substr($0, 3)); chapter[substr(file, 10)] = top       # after "chapters/"
-    toc[++entries] = "- **[" substr($0, 3) "](#" top ")**"; gap = "  \n  "
+    title[++entries] = substr($0, 3); file_of[entries] = page
+    top = anchor(title[entries]); chapter[page] = top
+    toc[entries] = "- **[" title[entries] "](#" top ")**"; gap = "  \n  "
 }
 /^## /  { toc[entries] = toc[entries] gap "[" substr($0, 4) "](#" anchor(substr($0, 4)) ")"; gap = " · " }
 /^###+ / { heading = $0; sub(/^#+ /, "", heading); anchor(heading) }
-{ gsub(/\]\(\.\.\//, "]("); print_later($0) }
+{ print_later($0) }
 
 END {
     end_of_file()
     for (i = 1; i <= regions; i++) if (!(region[i] in used))
         fail(home[region[i]], from[region[i]], "region " region[i] " is in no chapter")
-    for (i = 1; i <= lines; i++)        # a link to a chapter's file is one to its title
-        while (match(book[i], /\]\([0-9][0-9]-[a-z0-9_-]*\.md\)/)) {
-            name = substr(book[i], RSTART + 2, RLENGTH - 3)
-            if (!(name in chapter)) fail("chapters", 0, "there is no chapter " name)
-            book[i] = substr(book[i], 1, RSTART + 1) "#" chapter[name] substr(book[i], RSTART + RLENGTH - 1)
-        }
+    for (i = 1; i <= lines; i++) woven[i] = line_of_book(book[i])
     if (failures) exit 1
     print "<!-- Woven by `make book` from chapters/, lib/ and tests/: edit those, not this. -->"
     print "\n# tumble: a world of particles and sticks\n"
     for (i = 1; i <= entries; i++) print toc[i] (i < entries ? "" : "\n")
-    for (i = 1; i <= lines; i++) print book[i]
+    for (i = 1; i <= lines; i++) print woven[i]
+    if (pages) write_pages()
 }

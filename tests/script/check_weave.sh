@@ -19,7 +19,7 @@ sound() {
     printf '# 02. B\n\n## The code\n\n![p](../figures/p.png) [A](01-a.md)\n\n@@ slow\n\n%%%% figures/t.csv\n\n@@ body\n\n%%%% functions\n\n```\n@@ no region\n```\n' > chapters/02-b.md
     echo picture > figures/p.png
 }
-weave() { $awk -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md; }
+weave() { $awk -v pages="$pages" -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md; }
 check() { $awk -f "$root/chapters/check-book.awk" lib/*.h lib/*.c tests/oracle.[hc] book.md; }
 
 verdict() {     # NAME, and whether it went well
@@ -49,6 +49,12 @@ all() {
     cmp -s wanted told && verdict "a table is the CSV's" yes || verdict "a table is the CSV's" no
     grep -qxF '**a**, [chapter 01](#01-a): [`a`](lib/a.h#L2)' book.md &&
     verdict "functions are listed" yes || verdict "functions are listed" no
+    rm -rf pages; mkdir pages; pages=pages weave > printed; cmp -s printed book.md &&
+    grep -qF '[lib/a.h, line 2: a](../../lib/a.h#L2)' pages/01-a.md &&
+    grep -qF '![p](../../figures/p.png) [A](01-a.md)' pages/02-b.md &&
+    [ "$(tail -n 1 pages/01-a.md)" = '[Contents](../../README.md#read) · [02. B](02-b.md)' ] &&
+    ! grep -q '^# 02' pages/01-a.md && cat pages/*.md | grep -c '^```c$' | grep -qx 4 &&
+    verdict "each chapter is a page" yes || verdict "each chapter is a page" no
     if grep -q '//[<>]' book.md; then verdict "markers are not shown" no; else verdict "markers are not shown" yes; fi
 
     # --- the weave ---

@@ -197,7 +197,8 @@ test:
 #:                   and nothing above, its tests, its figures in build/figures,
 #:                   how its exercises stand, and what to read next
 #:   make test-04    its tests alone
-#:   make book       weave chapters/, lib/ and the judges into book.md
+#:   make book       weave chapters/, lib/ and the judges into book.md, and into
+#:                   a page a chapter: chapters/woven
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make library    build/libtumble.a
@@ -209,11 +210,10 @@ $(MADE): %: test-%
 	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh chapter $@
 
 book:
-	$(Q)mkdir -p $(BUILD)
-	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/tumble.h lib/*/*.h lib/*/*.c \
-	  tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
+	$(Q)sh chapters/weave.sh $(BUILD)
 	$(Q)cp $(BUILD)/book.md book.md
-	@echo "book.md: $$(wc -l < book.md) lines"
+	$(Q)rm -rf chapters/woven && cp -R $(BUILD)/woven chapters/woven
+	@echo "book.md: $$(wc -l < book.md) lines; a page a chapter: chapters/woven"
 
 html pdf epub:
 	$(Q)mkdir -p $(BUILD)

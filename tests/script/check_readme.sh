@@ -33,7 +33,7 @@ done
 # The table of chapters: every chapter by its title, every module in its row.
 for page in chapters/[0-9]*.md; do
     title=$(sed -n '1s/^# [0-9]*\. //p' "$page")
-    grep -qF "[$title]($page)" README.md || fault "README.md does not call $page by its title, $title"
+    grep -qF "[$title](chapters/woven/${page#*/})" README.md || fault "README.md does not call $page by its title, $title"
 done
 for module in $(sed -n '/^define ORDER/,/^endef/p' Makefile | grep /); do
     grep "^| ${module%/*} |" README.md | grep -qF "\`${module#*/}\`" ||

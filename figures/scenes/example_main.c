@@ -1,4 +1,4 @@
-// example_main.c - runs the scenes that are named, or all: does each hold what it
+// example_main.c - runs the named scenes, or all: does each hold its claim?
 // claims?   cc example_main.c examples.c pyramid.c ... -ltumble -lm
 
 #include "example.h"

@@ -31,18 +31,21 @@ WASM_CC   ?= clang
 WASM      := $(WASM_CC) --target=wasm32-wasi --sysroot=/usr
 WASM_C     = $(WASM) $(EXACT) -O3 -msimd128 -Wall -Wextra $(ROOMS) -MMD -MP
 WASM_LINK := -nostartfiles -Wl,--no-entry,--strip-debug,--gc-sections,--stack-first,-z,stack-size=1048576
+$(BUILD)/wasm/flags: FORCE
+	$(Q)mkdir -p $(@D)
+	$(Q)echo '$(strip $(WASM_C))' | cmp -s - $@ || echo '$(strip $(WASM_C))' > $@
 define wasm
 	@mkdir -p $(@D)
 	@echo "  wasm  $<"
 	$(Q)$(WASM_C) $1 -c $< -o $@
 endef
-$(BUILD)/wasm/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) figures/live/live.mk
+$(BUILD)/wasm/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/wasm/flags
 	$(call wasm)
-$(BUILD)/wasm/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) figures/live/live.mk
+$(BUILD)/wasm/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(BUILD)/wasm/flags
 	$(call wasm)
-$(BUILD)/wasm/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) figures/live/live.mk
+$(BUILD)/wasm/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(BUILD)/wasm/flags
 	$(call wasm)
-$(BUILD)/wasm/live/%.o: figures/live/%.c figures/live/live.mk
+$(BUILD)/wasm/live/%.o: figures/live/%.c $(BUILD)/wasm/flags
 	$(call wasm)
 $(LIVE:%=$(BUILD)/wasm/%.wasm): $(BUILD)/wasm/%.wasm: $(BUILD)/wasm/live/%.o \
   $(BUILD)/wasm/live/live.o $(BUILD)/wasm/live/live_wasm.o $$(addprefix $(BUILD)/wasm/,$$(WITH_$$*)) \

@@ -5,7 +5,7 @@
 # Without pages: README, and all chapters and exercises but those of LATER,
 # which are not yet rewritten.  The list must only become shorter.
 
-LATER="02 04 05 10 11 12 13 14 15 16 17 18 19 20 21 22 23"
+LATER="02 04 05 11 12 13 14 15 16 17 18 19 20 21 22 23"
 LATER_EXERCISES="00 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19"
 LATER_PAGES="README.md exercises/README.md"
 

@@ -9,8 +9,6 @@
 LATER="
 04
 05
-10
-11
 12
 13
 14
@@ -45,6 +43,7 @@ LATER_EXERCISES="
 18
 19
 "
+LATER_PAGES=""
 LATER_PAGES=""
 
 export LC_ALL=C

@@ -159,7 +159,7 @@ endef
 .SECONDEXPANSION:
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: lines help deps deps-book deps-dev deps-peers demo test checks objects book html pdf epub library \
+.PHONY: lines help deps deps-book deps-site deps-dev deps-peers demo test checks objects book html pdf epub library \
   figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
   $(CHAPTERS:%=test-%) $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
@@ -174,7 +174,7 @@ help:
 	@b=; r=; if [ -t 1 ]; then b=$$(printf '\033[1m'); r=$$(printf '\033[0m'); fi; \
 	sed -n "s/^#: \([A-Z][a-z ]*\)$$/$$b\1$$r/p; t; s/^#: \{0,1\}//p" Makefile
 
-deps deps-book deps-dev deps-peers:
+deps deps-book deps-site deps-dev deps-peers:
 	@CC='$(CC)' sh tests/script/deps.sh $@
 
 demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
@@ -426,8 +426,10 @@ bits:
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
-#: make deps-book adds pandoc and img2webp; make deps-dev adds clang, its fuzzer,
-#: valgrind, and GNU Parallel, which build/tumble --sweep needs.
+#: make deps-book adds pandoc and img2webp; make deps-site adds what makes and
+#: tests the live figures: clang for WebAssembly, node, npm and chromium; make
+#: deps-dev adds clang, its fuzzer, valgrind, and GNU Parallel, which
+#: build/tumble --sweep needs.
 #: NATIVE=1 builds for this very machine.  V=1 shows the commands.
 #: FUZZ_SECONDS=600 fuzzes for longer.
 sanitize:
@@ -457,11 +459,12 @@ clean:
 	$(Q)rm -rf build
 
 # --- How things are made --------------------------------------------------------
-checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits
+checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits $$(LIVE_PROGRAMS)
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 objects: $(ALL) \
   $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/*/*.c))) \
-  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS),$(notdir $(wildcard figures/*/*.c))))
+  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) $(notdir $(wildcard figures/live/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
+  $(patsubst figures/live/%.c,$(BUILD)/live/%.o,$(filter-out %_wasm.c,$(wildcard figures/live/*.c)))
 theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/piles_bullet.o
 
 # A figure with a .gp prints data, which become a chart; one without paints its
@@ -626,7 +629,7 @@ endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
 ROOMS := -Ilib $(patsubst %/,-I%,$(wildcard lib/*/ tests/support/ tests/contact/ tests/soft/ tests/hard/ tests/fuzz/ \
-  figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/))
+  figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/ figures/live/))
 $(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
 	$(compile)
 $(BUILD)/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(BUILD)/flags
@@ -640,6 +643,8 @@ $(BUILD)/%.d: ;
 # again, and not missed.
 lib/%.c tests/%.c figures/%.c: ;
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
+
+include figures/live/live.mk
 
 # Changes when the compiler, its flags or the reader's modules do, and then
 # everything is rebuilt.

@@ -1,5 +1,5 @@
 // example_main.c - runs the named scenes, or all: does each hold its claim?
-// claims?   cc example_main.c examples.c pyramid.c ... -ltumble -lm
+//   cc example_main.c examples.c pyramid.c ... -ltumble -lm
 
 #include "example.h"
 

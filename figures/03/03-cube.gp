@@ -29,7 +29,7 @@ eval box(48, 288, 60, 370)
 eval axes
 
 # Rank.
-set title "Rank, as sticks are added" textcolor rgb ink
+set title "Rank, as sticks are added" textcolor rgb ink font bold
 set xrange [8:28]
 set yrange [8:20]
 set xtics 8,4,28
@@ -45,13 +45,13 @@ unset label
 
 # Speed against error.
 eval box(385, 650, 60, 370)
-set title "Largest error of the shape, 1 to 256 iterations" textcolor rgb ink
+set title "Error of the shape, 1 to 256 iterations" textcolor rgb ink font bold
 set logscale xy
 set xrange [90:60000]
 set yrange [1e-9:3]
 set xtics ("0.1" 100, "1" 1000, "10" 10000)
 set ytics ("1" 1, "10^{−2}" 1e-2, "10^{−4}" 1e-4, "10^{−6}" 1e-6, "10^{−8}" 1e-8)
-set xlabel "µs a step" textcolor rgb ink
+set xlabel "time of a step, µs" textcolor rgb ink
 set label 1 "12 sticks" at 4e3,0.45 left textcolor rgb colour[1]
 set label 2 "16" at 1.6e4,7.5e-2 left textcolor rgb purple
 set label 3 "18" at 1.5e2,5e-2 right textcolor rgb colour[3]

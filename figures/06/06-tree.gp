@@ -1,9 +1,9 @@
 # 06-tree.gp - sh figures/draw/chart.sh figures/06/06-tree.gp DATA.csv CHART.svg
-high = 640
+high = 648
 load "figures/draw/chart.gp"
 set multiplot
 
-eval box(62, 620, 330, 606)
+eval box(62, 620, 338, 614)
 set logscale xy 10
 set title "Which particles of a cloth are near each other? Time, ms"
 set xlabel "particles" textcolor rgb ink

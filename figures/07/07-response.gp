@@ -1,11 +1,11 @@
 # 07-response.gp - sh figures/draw/chart.sh figures/07/07-response.gp DATA.csv CHART.svg
-high = 600
+high = 608
 load "figures/draw/chart.gp"
 set grid ytics lc rgb rule lw 0.5
 set multiplot
 amber = purple
 
-eval box(80, 540, 350, 566)
+eval box(80, 540, 358, 574)
 set title "How much of an overlap is left, after how much work"
 set xlabel "iterations over the sticks" textcolor rgb ink
 set logscale y 10

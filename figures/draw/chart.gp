@@ -11,10 +11,10 @@ pale(colour, share) = sprintf("#%02x%s", 255 * (1 - share), colour[2:7])
 bold = ":Bold"
 small = ",12"
 # Axes; `eval axes` brings them back.
-axes = "set border 3 lc rgb quiet lw 0.7; set tics nomirror scale 0.5 textcolor rgb quiet; set grid xtics ytics lt 1 lc rgb rule lw 0.7"
+axes = "set border 3 lc rgb quiet lw 0.7; set tics nomirror scale 0.5 textcolor rgb quiet; set xtics nomirror; set ytics nomirror; set grid xtics ytics lt 1 lc rgb rule lw 0.7"
 eval axes
 set title textcolor rgb ink font bold offset 0,-0.4
-set xlabel textcolor rgb ink offset 0,0.7
+set xlabel textcolor rgb ink offset 0,0.45
 set ylabel textcolor rgb ink
 unset key
 # The place of one of several plots, in pixels from below: eval box(60, 350, 50, 300).

@@ -162,7 +162,7 @@ endef
 .SECONDEXPANSION:
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: lines help deps deps-book deps-dev deps-peers demo test checks objects book html pdf epub library \
+.PHONY: lines help deps deps-book deps-site deps-dev deps-peers demo test checks objects book html pdf epub library \
   figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
   $(CHAPTERS:%=test-%) $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
@@ -177,7 +177,7 @@ help:
 	@b=; r=; if [ -t 1 ]; then b=$$(printf '\033[1m'); r=$$(printf '\033[0m'); fi; \
 	sed -n "s/^#: \([A-Z][a-z ]*\)$$/$$b\1$$r/p; t; s/^#: \{0,1\}//p" Makefile
 
-deps deps-book deps-dev deps-peers:
+deps deps-book deps-site deps-dev deps-peers:
 	@CC='$(CC)' sh tests/script/deps.sh $@
 
 demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
@@ -187,7 +187,7 @@ demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
 	  $(if $(MINE),echo "The scene $$scene fails with $(MINE); what is not so says\
 	    make test MINE='$(MINE)'" >&2;) exit 1; }; done
 	$(Q)export TUMBLE_QUICK=1; $(foreach f,$(FIGURES_09),$(call draw,$f,$(BUILD)/demo) &&) true
-	@echo "The pictures and charts are in $(BUILD)/demo:" && ls $(BUILD)/demo/*.png
+	@echo "The pictures and charts are in $(BUILD)/demo:" && ls $(BUILD)/demo/*.png $(BUILD)/demo/*.svg
 
 # Every test runs, even if another one fails or does not build.
 test:
@@ -200,7 +200,8 @@ test:
 #:                   and nothing above, its tests, its figures in build/figures,
 #:                   how its exercises stand, and what to read next
 #:   make test-04    its tests alone
-#:   make book       weave chapters/, lib/ and the judges into book.md
+#:   make book       weave chapters/, lib/ and the judges into book.md, and into
+#:                   a page a chapter: chapters/woven
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make library    build/libtumble.a
@@ -212,11 +213,10 @@ $(MADE): %: test-%
 	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh chapter $@
 
 book:
-	$(Q)mkdir -p $(BUILD)
-	$(Q)LC_ALL=C awk -f chapters/weave.awk lib/tumble.h lib/*/*.h lib/*/*.c \
-	  tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] chapters/[0-9]*.md > $(BUILD)/book.md
+	$(Q)sh chapters/weave.sh $(BUILD)
 	$(Q)cp $(BUILD)/book.md book.md
-	@echo "book.md: $$(wc -l < book.md) lines"
+	$(Q)rm -rf chapters/woven && cp -R $(BUILD)/woven chapters/woven
+	@echo "book.md: $$(wc -l < book.md) lines; a page a chapter: chapters/woven"
 
 html pdf epub:
 	$(Q)mkdir -p $(BUILD)
@@ -318,6 +318,7 @@ endif
 #: Measure
 #:   make figures    run every figure's program, renew its data and its picture
 #:   make figure-08  the same for the figures of chapter 08
+#:   make charts     draw every chart from the data as they are; nothing is run
 #:   make moving     the moving picture of README (needs img2webp: make deps-book)
 #:   make coverage   which lines of lib/ do the tests run, which branches both ways?
 #:   make hard       run the hard cases, each beside its target: on the engine
@@ -343,6 +344,15 @@ $(CHAPTERS:%=figure-%):
 	$(Q)$(foreach f,$(FIGURES_$(@:figure-%=%)),$(call draw,$f,$(call room,$f)) &&) true
 $(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%
 	$(Q)$(call draw,$*,$(call room,$*))
+
+CHARTS := $(basename $(notdir $(wildcard figures/[0-9]*/*.gp figures/peers/*.gp)))
+data = $(patsubst %/piles.csv,%/piles-curves.csv,$(1:.gp=.csv))
+redraw = $(foreach f,$(wildcard figures/*/$1.gp),$(call chart,$1,$(call data,$f),$(f:.gp=.svg)))
+.PHONY: charts $(CHARTS:%=chart-%)
+charts:
+	$(Q)$(foreach f,$(CHARTS),$(call redraw,$f) &&) sh figures/draw/stamp.sh -d $(CHARTS)
+$(CHARTS:%=chart-%): chart-%:
+	$(Q)$(call redraw,$*) && sh figures/draw/stamp.sh -d $*
 
 hard: $(BUILD)/hard $(BUILD)/hard-plain
 	$(Q)$(BUILD)/hard --csv figures/tables/hard.csv
@@ -382,7 +392,7 @@ peers_here = printf '\043include <%s>\n' ccd/ccd.h ode/ode.h \
 peers:
 	@$(peers_here) || { echo "make peers measures libccd, ODE and Bullet, which\
 	 are not installed: make deps-peers installs them." >&2; exit 1; }
-	$(Q)$(AGAIN) $(BUILD)/peers $(BUILD)/piles $(BUILD)/shrink
+	$(Q)$(AGAIN) $(BUILD)/peers $(BUILD)/piles
 	$(Q)$(BUILD)/peers > figures/peers/peers.csv.new
 	$(Q)mv figures/peers/peers.csv.new figures/peers/peers.csv
 	$(Q)$(BUILD)/piles > figures/peers/piles-curves.csv.new
@@ -390,12 +400,11 @@ peers:
 	$(Q)$(AGAIN) piles-picture
 # The table and the picture of what was measured.
 .PHONY: piles-picture
-piles-picture: $(BUILD)/shrink
+piles-picture:
 	$(Q)awk -f figures/draw/table.awk -v csv=figures/peers/piles.csv \
 	  -v head='scene,by,a step,overlap,moved,crept from 5 s on,asleep at,with sleeping' \
 	  figures/peers/piles-curves.csv
-	$(Q)LC_ALL=C.UTF-8 gnuplot -e "csv='figures/peers/piles-curves.csv'; png='figures/peers/piles.png'" figures/peers/piles.gp
-	$(Q)$(BUILD)/shrink figures/peers/piles.png && sh figures/draw/stamp.sh piles
+	$(Q)$(AGAIN) chart-piles && sh figures/draw/stamp.sh piles
 
 # Without asserts: what no program may do is a branch that no test can take.
 coverage:
@@ -420,8 +429,10 @@ bits:
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
-#: make deps-book adds pandoc and img2webp; make deps-dev adds clang, its fuzzer,
-#: valgrind, and GNU Parallel, which build/tumble --sweep needs.
+#: make deps-book adds pandoc and img2webp; make deps-site adds what makes and
+#: tests the live figures: clang for WebAssembly, node, npm and chromium; make
+#: deps-dev adds clang, its fuzzer, valgrind, and GNU Parallel, which
+#: build/tumble --sweep needs.
 #: NATIVE=1 builds for this very machine.  V=1 shows the commands.
 #: FUZZ_SECONDS=600 fuzzes for longer.
 sanitize:
@@ -451,22 +462,24 @@ clean:
 	$(Q)rm -rf build
 
 # --- How things are made --------------------------------------------------------
-checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits
+checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits $$(LIVE_PROGRAMS)
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 objects: $(ALL) \
   $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/*/*.c))) \
-  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS),$(notdir $(wildcard figures/*/*.c))))
+  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) $(notdir $(wildcard figures/live/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
+  $(patsubst figures/live/%.c,$(BUILD)/live/%.o,$(filter-out %_wasm.c,$(wildcard figures/live/*.c)))
 theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/piles_bullet.o
 
-# A figure with a .gp prints data, which gnuplot draws; one without paints its
-# own picture, whose name is its argument.  The book's are shrunk.
+# A figure with a .gp prints data, which become a chart; one without paints its
+# own picture, whose name is its argument.  The book's are shrunk and stamped.
 # Where the book's figure 04-rules stands: figures/04.
 room = figures/$(firstword $(subst -, ,$1))
-draw = echo "  draw  $2/$1.png" && $(if $(wildcard figures/*/$1.gp),\
+chart = sh figures/draw/chart.sh $(wildcard figures/*/$1.gp) $2 $3
+draw = $(if $(wildcard figures/*/$1.gp),echo "  draw  $2/$1.svg" && \
   $(BUILD)/figures/$1 > $2/$1.csv.new && mv $2/$1.csv.new $2/$1.csv && \
-  LC_ALL=C.UTF-8 gnuplot -e "csv='$2/$1.csv'; png='$2/$1.png'" $(wildcard figures/*/$1.gp),\
-  $(BUILD)/figures/$1 $2/$1.png)$(if $(filter figures/%,$2), && \
-  $(BUILD)/shrink $2/$1.png && sh figures/draw/stamp.sh $1)
+  $(call chart,$1,$2/$1.csv,$2/$1.svg),\
+  echo "  draw  $2/$1.png" && $(BUILD)/figures/$1 $2/$1.png)$(if $(filter figures/%,$2), && \
+  $(if $(wildcard figures/*/$1.gp),,$(BUILD)/shrink $2/$1.png &&) sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
@@ -619,7 +632,7 @@ endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
 ROOMS := -Ilib $(patsubst %/,-I%,$(wildcard lib/*/ tests/support/ tests/contact/ tests/soft/ tests/hard/ tests/fuzz/ \
-  figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/))
+  figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/ figures/live/))
 $(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
 	$(compile)
 $(BUILD)/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(BUILD)/flags
@@ -633,6 +646,8 @@ $(BUILD)/%.d: ;
 # again, and not missed.
 lib/%.c tests/%.c figures/%.c: ;
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
+
+include figures/live/live.mk
 
 # Changes when the compiler, its flags or the reader's modules do, and then
 # everything is rebuilt.

@@ -1,6 +1,6 @@
 # check-book.awk - does the book tell the truth about the code?
 #
-#   awk -f check-book.awk lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] book.md
+#   awk -f check-book.awk $(sh chapters/weave.sh) book.md
 #
 # Knows nothing of how the book is made: it reads the finished book beside the
 # code.  A caption claims that the block below it is such lines of such a file;

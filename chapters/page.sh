@@ -18,15 +18,14 @@ wants pandoc
 
 # What the three have in common: the text as pandoc reads it, on its way to $1.
 write() {
-    awk -f chapters/weave.awk lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] chapters/[0-9]*.md > "$file.md" &&
-    awk -f chapters/page.awk "$file.md" > "$file.in" &&
+    sh chapters/weave.sh "$file.woven" && awk -f chapters/page.awk "$file.woven/book.md" > "$file.in" &&
     pandoc -f gfm+tex_math_dollars+attributes+footnotes --standalone --mathml \
         --toc --toc-depth=2 --highlight-style=kate --lua-filter chapters/book.lua \
         --metadata title="tumble" --metadata lang=en \
         --metadata subtitle="a world of particles and sticks" \
         "$@" "$file.in"
     status=$?
-    rm -f "$file.in" "$file.md"
+    rm -rf "$file.in" "$file.woven"
     return $status
 }
 

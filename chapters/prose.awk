@@ -5,6 +5,7 @@ FNR == 1 { inside = 0 }
 /^ *```/ { inside = !inside; print ""; next }
 inside || /^(@@|%%) / { print ""; next }
 {
+    gsub(/\{\{[^}]*\}\}/, "1")
     gsub(/\$`[^`]*`\$/, " ")
     gsub(/`[^`]*`/, " ")
     gsub(/\]\([^)]*\)/, "]")

@@ -1,12 +1,22 @@
 # weave.awk - writes the book: the chapters, with the code that they explain.
 #
-#   awk -f weave.awk lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc] tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc] chapters/[0-9]*.md > book.md
+#   awk -v pages=chapters/woven -f weave.awk CODE chapters/[0-9]*.md > book.md
+#
+# Each chapter becomes a page of its own as well, in the folder `pages`, if one is
+# named (weave.sh says what is CODE, and calls this).
 #
 # In the code a region lies between a line "//> name" and a line "//<"; in a
 # chapter the line "@@ name" stands for it, "%% figures/name.csv" for a table of
 # that file, "%% figures/name.csv rooms" for the table of its lines "#rooms| ",
-# and "%% functions" for an index of all that the headers of lib/ declare.  Whatever would let the book and the code drift apart is an error:
-# file, line, a sentence, and no book.
+# and "%% functions" for an index of all that the headers of lib/ declare.
+# Within a line {{02-rope 3; 64; cost}} stands for a number: of
+# figures/02/02-rope.csv, block 3 (of those that two blank lines part, from 0; or
+# a table's name; without one, 0), the row that opens with 64, the column cost.
+# {{02-rope #; words; 2}} is the number after these words in the file's comments.
+# A last field says how: 3 (digits, else 2), "%", "3 %"; and {{a / b; 2}} is the
+# quotient of two such cells.
+# Whatever would let the book and the code drift apart is an error: file, line,
+# a sentence, and no book.
 
 function fail(file, line, sentence) {
     printf "%s:%d: %s\n", file, line, sentence > "/dev/stderr"
@@ -41,8 +51,8 @@ function names_in(path, first, last,    i, line, functions, types) {
 function weave(name,    i, first, last, names) {
     first = from[name] + 1; last = to[name] - 1
     names = names_in(home[name], first, last); if (names) names = ": " names
-    if (first == last) print_later("[" home[name] ", line " first names "](" home[name] "#L" first ")")
-    else print_later("[" home[name] ", lines " first " to " last names "](" home[name] "#L" first "-L" last ")")
+    if (first == last) print_later("[" home[name] ", line " first names "](../" home[name] "#L" first ")")
+    else print_later("[" home[name] ", lines " first " to " last names "](../" home[name] "#L" first "-L" last ")")
     print_later("\n```c")
     for (i = first; i <= last; i++) print_later(text[home[name], i])
     print_later("```")
@@ -51,7 +61,7 @@ function weave(name,    i, first, last, names) {
 # open with # are left out, or of a named table all that do not open with its
 # name.
 function tabulate(csv, name,    got, line, at, rows, head) {
-    print_later("[" csv (name ? ", " name : "") "](" csv ")\n")
+    print_later("[" csv (name ? ", " name : "") "](../" csv ")\n")
     while ((got = (getline line < csv)) > 0) {
         at++
         if (name ? !sub("^#" name "[|] ", "", line) : line ~ /^#/) continue
@@ -75,6 +85,95 @@ function row(line,    cell, out) {
     if (line != "") cells = 0
     return out
 }
+# --- numbers in a sentence ---
+# Reads a CSV once: the rows of each block, their head, and all comments.  The
+# head is the comment above the rows; where cells stand between commas, the
+# first row.
+function read_rows(csv,    got, line, block, blank, head, block_name) {
+    block = -1; blank = 2
+    while ((got = (getline line < csv)) > 0) {
+        if (line ~ /^#[a-z]+[|] /) {
+            block_name = substr(line, 2, index(line, "|") - 2)
+            add_row(csv, block_name, substr(line, length(block_name) + 4)); continue
+        }
+        if (line ~ /^#/) { notes[csv] = notes[csv] "\n" line; head = substr(line, 3); continue }
+        if (line == "") { blank++; continue }
+        if (blank >= 2) block++
+        blank = 0; add_row(csv, block, line, head)
+    }
+    close(csv)
+    return was_read[csv] = got >= 0
+}
+function add_row(csv, block, line, head,    bare) {
+    bare = line; gsub(/"[^"]*"/, "", bare)
+    if (!((csv, block) in heads)) {
+        comma[csv, block] = bare ~ /,/
+        heads[csv, block] = comma[csv, block] ? line : head
+        if (comma[csv, block]) return
+    }
+    row_at[csv, block, ++rows_of[csv, block]] = line
+}
+# Splits a row into cells, and counts them.
+function split_row(line, by_comma, cell,    n) {
+    line = line (by_comma ? "," : " ")
+    while (match(line, by_comma ? "^(\"[^\"]*\"|[^\",]*)," : "^ *(\"[^\"]*\"|[^\" ]+) +")) {
+        cell[++n] = substr(line, 1, RLENGTH - 1); line = substr(line, RLENGTH + 1)
+        gsub(/^ *"?|"? *$/, "", cell[n])
+    }
+    return n
+}
+# The number that "02-rope 3; 64; cost" names; "" and a complaint if none is.
+function number_of(address,    part, where, csv, block, i, k, at, entry, cell, head, n) {
+    split(address, part, /; */); split(part[1], where, " ")
+    csv = where[1] ~ /^[0-9][0-9]-/ ? substr(where[1], 1, 2) "/" where[1] : where[1] ~ /\// ? where[1] : "tables/" where[1]
+    csv = "figures/" csv ".csv"; block = where[2] == "" ? 0 : where[2]
+    if (!(csv in was_read)) read_rows(csv)
+    if (!was_read[csv]) return none("there is no file " csv)
+    if (block == "#") return number_after(notes[csv], part[2], csv)
+    for (i = 1; i <= rows_of[csv, block]; i++) {
+        entry = row_at[csv, block, i]; gsub(/"/, "", entry)
+        if (index(entry " ", part[2] " ") == 1 || index(entry, part[2] ",") == 1) { at = i; k++ }
+    }
+    if (k != 1) return none("in " csv ", " block ", " k + 0 " rows open with " part[2])
+    split_row(row_at[csv, block, at], comma[csv, block], cell); k = part[3] ~ /^[0-9]+$/ ? part[3] : 0
+    n = split_row(heads[csv, block], comma[csv, block], head)
+    for (i = 1; i <= n && !k; i++) if (head[i] == part[3]) k = i
+    if (!(k in cell) || cell[k] !~ /^-?[0-9.]/) return none("in " csv ", " block ", no number stands under " part[3])
+    return cell[k] + 0
+}
+function number_after(text, words, csv,    at) {
+    at = words == "" ? 0 : index(text, words); text = substr(text, at + length(words))
+    if (!at || !match(text, /^[^0-9\n]*-?[0-9][0-9.]*(e[-+]?[0-9]+)?/)) return none("no comment of " csv " has a number after " words)
+    text = substr(text, 1, RLENGTH); sub(/^[^0-9]*/, "", text)
+    return text + 0
+}
+function none(sentence) { fail(file, FNR, sentence); return "" }
+# x in so many digits that count; what is very large or small, with a power of ten.
+function digits(x, n,    power, out, minus) {
+    if (x == 0) return "0"
+    minus = x < 0; if (minus) x = -x
+    out = sprintf("%." (n - 1) "e", x); power = substr(out, index(out, "e") + 1) + 0; sub(/e.*/, "", out)
+    if (power < -4 || power > 7) return "$`" (minus ? "-" : "") out "\\cdot 10^{" power "}`$"
+    out = sprintf("%." (n - 1 > power ? n - 1 - power : 0) "f", out * 10 ^ power)
+    if (power > 5) out = substr(out, 1, power - 5) "," substr(out, power - 4)
+    if (power > 2) { n = length(out) - (index(out, ".") ? length(out) - index(out, ".") + 1 : 0); out = substr(out, 1, n - 3) "," substr(out, n - 2) }
+    return (minus ? "\342\210\222" : "") out
+}
+# What stands for {{inside}}: a cell, or a quotient of two.
+function say_number(inside,    form, cell, x, y) {
+    if (match(inside, /; *([0-9]+ *%?|%)$/)) { form = substr(inside, RSTART + 1); inside = substr(inside, 1, RSTART - 1) }
+    split(inside " / ", cell, / \/ /); x = number_of(cell[1]); y = cell[2] == "" ? 1 : number_of(cell[2])
+    if (x == "" || y == "") return ""
+    return digits((form ~ /%/ ? 100 : 1) * x / y, form + 0 ? form + 0 : 2) (form ~ /%/ ? " %" : "")
+}
+function with_numbers(line,    out, from, past) {
+    while (match(line, /\{\{[^}]*\}\}/)) {
+        from = RSTART; past = RSTART + RLENGTH
+        out = out substr(line, 1, from - 1) say_number(substr(line, from + 2, past - from - 4))
+        line = substr(line, past)
+    }
+    return out line
+}
 # A paragraph for each header, in the order of the alphabet: its functions, and
 # the chapter that they are explained in.
 function list_functions(    i, header, paragraph, name) {
@@ -85,11 +184,39 @@ function list_functions(    i, header, paragraph, name) {
             gsub(/.*\/|\.h$/, "", name)
             paragraph = "**" name "**, [chapter " substr(told[inside[i]], 1, 2) "](" told[inside[i]] "):"
         } else paragraph = paragraph ","
-        paragraph = paragraph " [`" declared[i] "`](" header "#L" at_line[i] ")"
+        paragraph = paragraph " [`" declared[i] "`](../" header "#L" at_line[i] ")"
     }
     if (header) print_later(paragraph)
 }
-function print_later(line) { book[++lines] = line }
+# What is printed later links from the folder of the chapters: ../lib/, 01-a.md.
+function print_later(line) { book[++lines] = line; from_page[lines] = page }
+# In book.md, which stands a folder higher, a link to a chapter is one to its title.
+function line_of_book(line,    name) {
+    gsub(/\]\(\.\.\//, "](", line)
+    while (match(line, /\]\([0-9][0-9]-[a-z0-9_-]*\.md\)/)) {
+        name = substr(line, RSTART + 2, RLENGTH - 3)
+        if (!(name in chapter)) fail("chapters", 0, "there is no chapter " name)
+        line = substr(line, 1, RSTART + 1) "#" chapter[name] substr(line, RSTART + RLENGTH - 1)
+    }
+    return line
+}
+# A chapter's page stands a folder lower, and ends with the way to the next one.
+function write_pages(    i, k, line) {
+    for (i = 1; i <= lines; i++) {
+        if (from_page[i] != from_page[i - 1]) {
+            k++; page = pages "/" from_page[i]
+            print "<!-- Woven by `make book` from chapters/" from_page[i] " and the code: edit those, not this. -->\n" > page
+        }
+        line = book[i]; gsub(/\]\(\.\.\//, "](../../", line)
+        print line > page
+        if (from_page[i] == from_page[i + 1]) continue
+        print "\n---\n\n" way(k - 1, " · ", "") "[Contents](../../README.md#read)" way(k + 1, "", " · ") > page
+        close(page)
+    }
+}
+function way(k, after, before) {
+    return k in title ? before "[" title[k] "](" file_of[k] ")" after : ""
+}
 function end_of_file() {
     if (open != "") fail(home[open], from[open], "region " open " is never closed")
     if (fence) fail(file, fence, "this ``` block is never closed")
@@ -97,6 +224,7 @@ function end_of_file() {
 }
 
 FNR == 1 { end_of_file(); file = FILENAME; is_code = file ~ /\.[ch]$/ }
+FNR == 1 { page = substr(file, 10) }        # after "chapters/"
 
 # --- code: remember every line, and where each region lies ---
 is_code { text[file, FNR] = $0 }
@@ -131,7 +259,7 @@ fence || /^```/ { print_later($0); next }
     if (NF != 2 || $1 != "@@") fail(file, FNR, "a region is pulled in by @@ name, and nothing more")
     else if (!($2 in home)) fail(file, FNR, "there is no region " $2)
     else if ($2 in used) fail(file, FNR, "region " $2 " is already pulled in by " used[$2])
-    else { used[$2] = file ", line " FNR; told[$2] = substr(file, 10); weave($2) }
+    else { used[$2] = file ", line " FNR; told[$2] = page; weave($2) }
     next
 }
 /^%%/ {
@@ -144,26 +272,23 @@ fence || /^```/ { print_later($0); next }
     fail(file, FNR, "a chapter links from its own folder: write ../figures/, ../lib/")
 }
 /^# / {
-    top = anchor(substr($0, 3)); chapter[substr(file, 10)] = top       # after "chapters/"
-    toc[++entries] = "- **[" substr($0, 3) "](#" top ")**"; gap = "  \n  "
+    title[++entries] = substr($0, 3); file_of[entries] = page
+    top = anchor(title[entries]); chapter[page] = top
+    toc[entries] = "- **[" title[entries] "](#" top ")**"; gap = "  \n  "
 }
 /^## /  { toc[entries] = toc[entries] gap "[" substr($0, 4) "](#" anchor(substr($0, 4)) ")"; gap = " · " }
 /^###+ / { heading = $0; sub(/^#+ /, "", heading); anchor(heading) }
-{ gsub(/\]\(\.\.\//, "]("); print_later($0) }
+{ print_later(index($0, "{{") ? with_numbers($0) : $0) }
 
 END {
     end_of_file()
     for (i = 1; i <= regions; i++) if (!(region[i] in used))
         fail(home[region[i]], from[region[i]], "region " region[i] " is in no chapter")
-    for (i = 1; i <= lines; i++)        # a link to a chapter's file is one to its title
-        while (match(book[i], /\]\([0-9][0-9]-[a-z0-9_-]*\.md\)/)) {
-            name = substr(book[i], RSTART + 2, RLENGTH - 3)
-            if (!(name in chapter)) fail("chapters", 0, "there is no chapter " name)
-            book[i] = substr(book[i], 1, RSTART + 1) "#" chapter[name] substr(book[i], RSTART + RLENGTH - 1)
-        }
+    for (i = 1; i <= lines; i++) woven[i] = line_of_book(book[i])
     if (failures) exit 1
     print "<!-- Woven by `make book` from chapters/, lib/ and tests/: edit those, not this. -->"
     print "\n# tumble: a world of particles and sticks\n"
     for (i = 1; i <= entries; i++) print toc[i] (i < entries ? "" : "\n")
-    for (i = 1; i <= lines; i++) print book[i]
+    for (i = 1; i <= lines; i++) print woven[i]
+    if (pages) write_pages()
 }

@@ -1,15 +1,11 @@
-# 04-corners.gp - gnuplot -e "csv='...'; png='...'" figures/04/04-corners.gp
-set encoding utf8
-set terminal pngcairo size 1400,640 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-unset key
+# 04-corners.gp - sh figures/draw/chart.sh figures/04/04-corners.gp DATA.csv CHART.svg
+high = 330
+load "figures/draw/chart.gp"
 unset border
 unset tics
 set size ratio -1
 set multiplot
-a = "#0072b2"; b = "#009e73"; near = "#d55e00"; ink = "#404040"
-bold = "DejaVu Sans Bold,26"
+a = blue; b = green; near = orange
 do for [k=0:1] {
   set lmargin at screen 0.002 + 0.5 * k
   set rmargin at screen 0.498 + 0.5 * k
@@ -17,7 +13,7 @@ do for [k=0:1] {
   set tmargin at screen 0.995
   set xrange [-0.2:4.4]
   set yrange [-0.15:3.95]
-  set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb "#f5f4f2" fs solid noborder
+  set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb pale(grey, 0.08) fs solid noborder
   set label 2 "A" at (k == 0 ? 0.9 : 0.6),(k == 0 ? 0.7 : 1.8) center textcolor rgb a font bold front
   set label 3 "B" at (k == 0 ? 2.1 : 2.05),(k == 0 ? 2.6 : 3.2) center textcolor rgb b font bold front
   stats csv index 3*k+2 using (sqrt(($1-$3)**2+($2-$4)**2)) nooutput
@@ -36,8 +32,8 @@ do for [k=0:1] {
        csv index 3*k+1 using 1:2 with lines lc rgb b lw 2.2, \
        csv index 3*k+2 using 1:2:(k == 0 ? $3-$1 : NaN):($4-$2) with vectors nohead lc rgb ink lw 1.4 dt 2, \
        csv index 3*k+2 using 5:6:(k == 0 ? $7-$5 : NaN):($8-$6) with vectors nohead lc rgb near lw 3.2, \
-       csv index 3*k+2 using (k == 0 ? $5 : NaN):6 with points pt 7 ps 1.3 lc rgb near, \
-       csv index 3*k+2 using (k == 0 ? $7 : NaN):8 with points pt 7 ps 1.3 lc rgb near
+       csv index 3*k+2 using (k == 0 ? $5 : NaN):6 with points pt 7 ps 0.85 lc rgb near, \
+       csv index 3*k+2 using (k == 0 ? $7 : NaN):8 with points pt 7 ps 0.85 lc rgb near
   unset label
 }
 unset multiplot

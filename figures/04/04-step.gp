@@ -1,14 +1,10 @@
-# 04-step.gp - gnuplot -e "csv='...'; png='...'" figures/04/04-step.gp
-set encoding utf8
-set terminal pngcairo size 1400,640 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-unset key
+# 04-step.gp - sh figures/draw/chart.sh figures/04/04-step.gp DATA.csv CHART.svg
+high = 330
+load "figures/draw/chart.gp"
 unset border
 unset tics
 set size ratio -1
-near = "#d55e00"; lower = "#cc79a7"; ink = "#404040"; blue = "#0072b2"
-bold = "DejaVu Sans Bold,24"
+near = orange; lower = purple
 set multiplot
 do for [k=0:1] {
   stats csv index 3 every ::k::k using 1 nooutput
@@ -27,7 +23,7 @@ do for [k=0:1] {
   set tmargin at screen 0.995
   set xrange [-0.75:4.85]
   set yrange [-1.95:3.04]
-  set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb "#f5f4f2" fs solid noborder
+  set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb pale(grey, 0.08) fs solid noborder
   # The line through w, across v, and its distance from the origin.
   fx = bound*vx/len; fy = bound*vy/len
   t = k == 0 ? 1.35 : 1.6; t2 = k == 0 ? 0.75 : 1.6
@@ -39,10 +35,10 @@ do for [k=0:1] {
   set label 4 (k == 0 ? "w reaches further: go on" : "nothing reaches further: done") at graph 0.03,0.94 left textcolor rgb ink
   set label 5 sprintf("|v| = %.2f m", len) at graph 0.97,0.13 right textcolor rgb blue
   set label 6 sprintf("v · w / |v| = %.2f m", bound) at graph 0.97,0.06 right textcolor rgb near
-  plot csv index 0 using 1:2 with filledcurves closed fc rgb "#c9cdd2" fs solid 0.75 noborder, \
-       csv index 1+k using 1:2 with linespoints lc rgb blue lw 2.6 pt 7 ps 1.5, \
-       csv index 3 every ::k::k using 3:4 with points pt 7 ps 1.5 lc rgb near, \
-       "+" using (0):(0) every ::0::0 with points pt 7 ps 1.4 lc rgb ink
+  plot csv index 0 using 1:2 with filledcurves closed fc rgb pale(grey, 0.35) fs solid 0.75 noborder, \
+       csv index 1+k using 1:2 with linespoints lc rgb blue lw 2.6 pt 7 ps 0.98, \
+       csv index 3 every ::k::k using 3:4 with points pt 7 ps 0.98 lc rgb near, \
+       "+" using (0):(0) every ::0::0 with points pt 7 ps 0.91 lc rgb ink
   unset label
   unset arrow
 }

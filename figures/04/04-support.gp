@@ -1,14 +1,10 @@
-# 04-support.gp - gnuplot -e "csv='...'; png='...'" figures/04/04-support.gp
-set encoding utf8
-set terminal pngcairo size 1400,560 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-unset key
+# 04-support.gp - sh figures/draw/chart.sh figures/04/04-support.gp DATA.csv CHART.svg
+high = 290
+load "figures/draw/chart.gp"
 unset border
 unset tics
 set size ratio -1
-a = "#0072b2"; b = "#009e73"; near = "#d55e00"; ink = "#404040"
-bold = "DejaVu Sans Bold,26"
+a = blue; b = green; near = orange
 array X[3]
 array Y[3]
 do for [k=1:3] {
@@ -32,7 +28,7 @@ do for [k=1:3] {
   set tmargin at screen 0.995
   set xrange [CX[k]-2.75:CX[k]+2.75]
   set yrange [CY[k]-3.25:CY[k]+3.35]
-  set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb "#f5f4f2" fs solid noborder
+  set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb pale(grey, 0.08) fs solid noborder
   # The line across d through the support, and d itself from there.
   set arrow 1 from X[k]-1.25*s*(-dy),Y[k]-1.25*s*dx to X[k]+1.25*s*(-dy),Y[k]+1.25*s*dx nohead lc rgb near lw 1.2 dt 2
   set arrow 2 from X[k],Y[k] to X[k]+0.9*s*dx,Y[k]+0.9*s*dy lc rgb near lw 2.4 front
@@ -42,13 +38,13 @@ do for [k=1:3] {
   if (k < 3) {
     plot csv index k-1 using 1:2 with filledcurves closed fc rgb (k == 1 ? a : b) fs transparent solid 0.22 noborder, \
          csv index k-1 using 1:2 with lines lc rgb (k == 1 ? a : b) lw 2.2, \
-         csv index 3 every ::k-1::k-1 using 1:2 with points pt 7 ps 1.8 lc rgb near
+         csv index 3 every ::k-1::k-1 using 1:2 with points pt 7 ps 1.17 lc rgb near
   } else {
     set label 4 "0" at -0.02,-0.25 center textcolor rgb ink font bold
-    plot csv index 2 using 1:2 with filledcurves closed fc rgb "#c9cdd2" fs solid 0.75 noborder, \
-         csv index 2 using 1:2:3:4:($5 == 1 ? 0x0072b2 : 0x009e73) with vectors nohead lc rgb variable lw 2.4, \
-         csv index 3 every ::2::2 using 1:2 with points pt 7 ps 1.8 lc rgb near, \
-         "+" using (0):(0) every ::0::0 with points pt 7 ps 1.2 lc rgb ink
+    plot csv index 2 using 1:2 with filledcurves closed fc rgb pale(grey, 0.35) fs solid 0.75 noborder, \
+         csv index 2 using 1:2:3:4:($5 == 1 ? number(blue) : number(green)) with vectors nohead lc rgb variable lw 2.4, \
+         csv index 3 every ::2::2 using 1:2 with points pt 7 ps 1.17 lc rgb near, \
+         "+" using (0):(0) every ::0::0 with points pt 7 ps 0.78 lc rgb ink
   }
   unset label
   unset arrow

@@ -1,20 +1,15 @@
-# 07-response.gp - gnuplot -e "csv='...'; png='...'" figures/07/07-response.gp
-set encoding utf8
-set terminal pngcairo size 1500,1340 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-set grid ytics lc rgb "#e4e4e4" lw 0.5
-unset key
+# 07-response.gp - sh figures/draw/chart.sh figures/07/07-response.gp DATA.csv CHART.svg
+high = 640
+load "figures/draw/chart.gp"
+set grid ytics lc rgb rule lw 0.5
 set lmargin 13
 set rmargin 24
 set multiplot
-blue = "#0072b2"; red = "#d55e00"; amber = "#b07800"; ink = "#404040"
+amber = purple
 
 set origin 0,0.5
 set size 1,0.5
-set title "How much of an overlap is left, after how much work" font "DejaVu Sans,25" offset 0,-0.3
+set title "How much of an overlap is left, after how much work"
 set xlabel "iterations over the sticks" textcolor rgb ink
 set ylabel "overlap left" textcolor rgb ink offset 1,0
 set logscale y 10
@@ -23,17 +18,17 @@ set xrange [0.9:70]
 set yrange [3e-5:1.6]
 set xtics (1, 2, 4, 8, 16, 32, 64)
 set ytics ("100 %%" 1, "10 %%" 0.1, "1 %%" 1e-2, "0.1 %%" 1e-3, "0.01 %%" 1e-4)
-set label 1 "pushed once,\nbefore the first\n(the paper)" at 76,1.1 textcolor rgb red
-set label 2 "pushed before each:\nthe least move" at 76,6.5e-4 textcolor rgb blue font "DejaVu Sans Bold,22"
+set label 1 "pushed once,\nbefore the first\n(the paper)" at 76,1.1 textcolor rgb orange
+set label 2 "pushed before each:\nthe least move" at 76,6.5e-4 textcolor rgb blue font bold
 set label 3 "Eq. 10, mended" at 76,7e-5 textcolor rgb amber
-plot csv index 0 using 1:3 with linespoints pt 7 ps 0.9 lc rgb red lw 2, \
-     csv index 1 using 1:3 with linespoints pt 7 ps 0.9 lc rgb amber lw 1.5, \
-     csv index 2 using 1:3 with linespoints pt 7 ps 0.9 lc rgb blue lw 2.5
+plot csv index 0 using 1:3 with linespoints pt 7 ps 0.59 lc rgb orange lw 2, \
+     csv index 1 using 1:3 with linespoints pt 7 ps 0.59 lc rgb amber lw 1.5, \
+     csv index 2 using 1:3 with linespoints pt 7 ps 0.59 lc rgb blue lw 2.5
 unset label
 
 set origin 0,0
 set size 1,0.5
-set title "Momentum that one push makes from nothing" font "DejaVu Sans,25" offset 0,-0.3
+set title "Momentum that one push makes from nothing"
 set xlabel "mass of B / mass of A" textcolor rgb ink
 set ylabel "momentum / (m_A d)" textcolor rgb ink offset 0.5,0
 set logscale x 10
@@ -41,10 +36,10 @@ set xrange [0.9:11000]
 set yrange [1e-17:1e5]
 set xtics ("1" 1, "10" 10, "100" 100, "1000" 1000, "10 000" 10000)
 set ytics ("1000" 1e3, "1" 1, "10^{−3}" 1e-3, "10^{−6}" 1e-6, "10^{−9}" 1e-9, "10^{−12}" 1e-12, "10^{−15}" 1e-15)
-set label 1 "Eq. 10\nas printed" at 13000,2e3 textcolor rgb red
+set label 1 "Eq. 10\nas printed" at 13000,2e3 textcolor rgb orange
 set label 2 "Eq. 10, mended" at 13000,1e-1 textcolor rgb amber
-set label 3 "the least move:\nrounding" at 13000,2e-12 textcolor rgb blue font "DejaVu Sans Bold,22"
-plot csv index 3 using 1:2 with linespoints pt 7 ps 0.9 lc rgb red lw 2, \
-     csv index 3 using 1:3 with linespoints pt 7 ps 0.9 lc rgb amber lw 2, \
-     csv index 3 using 1:4 with linespoints pt 7 ps 0.9 lc rgb blue lw 2.5
+set label 3 "the least move:\nrounding" at 13000,2e-12 textcolor rgb blue font bold
+plot csv index 3 using 1:2 with linespoints pt 7 ps 0.59 lc rgb orange lw 2, \
+     csv index 3 using 1:3 with linespoints pt 7 ps 0.59 lc rgb amber lw 2, \
+     csv index 3 using 1:4 with linespoints pt 7 ps 0.59 lc rgb blue lw 2.5
 unset multiplot

@@ -1,12 +1,9 @@
-# 08-blow.gp - gnuplot -e "csv='...'; png='...'" figures/08/08-blow.gp
-set encoding utf8
-set terminal pngcairo size 2000,900 font "DejaVu Sans,20" background "#f6f5f3"
-set output png
-set datafile separator whitespace
+# 08-blow.gp - sh figures/draw/chart.sh figures/08/08-blow.gp DATA.csv CHART.svg
+high = 400
+load "figures/draw/chart.gp"
 unset border
 unset tics
-unset key
-unset colorbox
+unset grid
 set size ratio -1
 set lmargin 0
 set rmargin 0
@@ -14,43 +11,40 @@ set tmargin 0
 set bmargin 0
 set multiplot
 
-# The colour of a strain: its size in powers of ten above 0.01 %, with a sign.
-power(e) = abs(e) < 1e-4 ? 0 : log10(abs(e) / 1e-4)
-shade(e) = e < 0 ? -power(e) : power(e)
-set cbrange [-3.7:3.7]
-set palette defined (-3.7 "#003a60", -2.3 "#0072b2", -1 "#56b4e9", 0 "#d6d3cd", \
-                     1 "#e9b95c", 2.3 "#d55e00", 3.7 "#8a3200")
-
+# A stick is right, off by more than 0.01 %, than 1 % or than 10 %.
+level(e) = abs(e) < 1e-4 ? 0 : abs(e) < 1e-2 ? 1 : abs(e) < 0.1 ? 2 : 3
+array wide[4] = [0.8, 1.2, 2, 3]
+array share[4] = [1, 0.45, 0.75, 1]
 array row[2] = ["in the order\nof its list", "from the blow\noutwards"]
-array after[5] = ["struck", "10 relaxations", "30", "100", "300"]
-left = 0.11
-width = (1 - left) / 5
+array after[5] = ["struck", "10 relaxations", "30", "100 relaxations", "300 relaxations"]
+array shown[4] = [0, 1, 3, 4]
+left = 0.13
+width = (1 - left) / 4
 set xrange [-7.7:7.7]
-set yrange [-8.3:7.5]
+set yrange [-8.9:7.5]
 do for [r = 0:1] {
-  do for [k = 0:4] {
-    i = 5 * r + k
-    set size width, 0.42
-    set origin left + k * width, 0.515 - r * 0.435
+  do for [k = 1:4] {
+    i = 5 * r + shown[k]
+    set size width, 0.44
+    set origin left + (k - 1) * width, 0.5 - r * 0.43
     unset label
-    if (k == 0) { set label 1 row[r+1] at -8.1,0.5 right textcolor rgb "#404040" }
-    if (r == 0) { set label 2 after[k+1] at 0,7.3 center textcolor rgb "#404040" }
-    plot csv index i using 1:2:($3-$1):($4-$2):(shade($5)) with vectors nohead lw 2 lc palette, \
-         csv index i using (abs($5) > 1e-2 ? $1 : NaN):2:($3-$1):($4-$2):(shade($5)) with vectors nohead lw 5 lc palette, \
-         csv index i using 1:2 with points pt 7 ps 0.45 lc rgb "#8f8a82", \
-         csv index i using 3:4 with points pt 7 ps 0.45 lc rgb "#8f8a82", \
-         csv index i every ::0::0 using (0):(-7.5):(sprintf("%d off, the worst %.0f %%", $7, 100 * $6)) with labels textcolor rgb "#808080"
+    if (k == 1) { set label 1 row[r+1] at -8.1,0.9 right textcolor rgb ink }
+    if (r == 0) { set label 2 after[shown[k]+1] at 0,8.2 center textcolor rgb ink }
+    plot csv index i using (level($5) == 0 ? $1 : NaN):2:($3-$1):($4-$2) with vectors nohead lc rgb rule lw 0.8, \
+         for [l = 1:3] csv index i using ($5 < 0 && level($5) == l ? $1 : NaN):2:($3-$1):($4-$2) with vectors nohead lc rgb pale(blue, share[l+1]) lw wide[l+1], \
+         for [l = 1:3] csv index i using ($5 > 0 && level($5) == l ? $1 : NaN):2:($3-$1):($4-$2) with vectors nohead lc rgb pale(orange, share[l+1]) lw wide[l+1], \
+         csv index i every ::0::0 using (0):(-8.2):(sprintf("%d off, worst %.0f %%", $7, 100 * $6)) with labels font small textcolor rgb quiet
   }
 }
 
 # What the colours say, beneath all.
 unset label
-set size noratio 1, 0.08
+set size noratio 1, 0.07
 set origin 0,0
 set xrange [0:100]
 set yrange [0:1]
-set label 1 "too long" at 40,0.5 right textcolor rgb "#d55e00"
-set label 2 "too short" at 42,0.5 textcolor rgb "#0072b2"
-set label 3 "thick: by more than 1 %" at 51,0.5 textcolor rgb "#808080"
+set label 1 "too long" at 42,0.5 right textcolor rgb orange
+set label 2 "too short" at 44,0.5 textcolor rgb blue
+set label 3 "thick: by more than 1 %, and than 10 %" at 56,0.5 textcolor rgb quiet
 plot NaN
 unset multiplot

@@ -1,17 +1,12 @@
-# 08-orders.gp - gnuplot -e "csv='...'; png='...'" figures/08/08-orders.gp
-set encoding utf8
-set terminal pngcairo size 1600,1300 font "DejaVu Sans,21" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-set grid ytics lc rgb "#e4e4e4" lw 0.5
-unset key
+# 08-orders.gp - sh figures/draw/chart.sh figures/08/08-orders.gp DATA.csv CHART.svg
+high = 580
+load "figures/draw/chart.gp"
+set grid ytics lc rgb rule lw 0.5
 set multiplot
-blue = "#0072b2"; red = "#d55e00"; green = "#009e73"; ink = "#404040"
+
 set logscale x 10
 set xrange [0.13:6e-7]
-set xtics font "DejaVu Sans,18" ("10 %%" 1e-1, "1 %%" 1e-2, "" 1e-3, "10^{−4}" 1e-4, "" 1e-5, "10^{−6}" 1e-6)
+set xtics ("10 %%" 1e-1, "1 %%" 1e-2, "" 1e-3, "10^{−4}" 1e-4, "" 1e-5, "10^{−6}" 1e-6)
 set lmargin 10
 set rmargin 14
 set bmargin 4
@@ -19,17 +14,17 @@ set tmargin 3
 set size 0.5,0.5
 
 # Columns of order k = 0 .. 3: relaxed 2 + 3k, looked at 3 + 3k.
-relaxed = "plot csv index i using 1:(column(5)/column(2)) with linespoints pt 7 ps 0.9 lc rgb blue lw 2, csv index i using 1:(column(8)/column(2)) with linespoints pt 7 ps 0.9 lc rgb red lw 2, csv index i using 1:(column(11)/column(2)) with linespoints pt 7 ps 0.9 lc rgb green lw 2, csv index i using 1:(1) with lines lc rgb ink lw 1"
-looked = "plot csv index i using 1:(column(6)/column(3)) with linespoints pt 7 ps 0.9 lc rgb blue lw 2, csv index i using 1:(column(9)/column(3)) with linespoints pt 7 ps 0.9 lc rgb red lw 2, csv index i using 1:(column(12)/column(3)) with linespoints pt 7 ps 0.9 lc rgb green lw 2, csv index i using 1:(1) with lines lc rgb ink lw 1"
+relaxed = "plot csv index i using 1:(column(5)/column(2)) with linespoints pt 7 ps 0.59 lc rgb blue lw 2, csv index i using 1:(column(8)/column(2)) with linespoints pt 7 ps 0.59 lc rgb orange lw 2, csv index i using 1:(column(11)/column(2)) with linespoints pt 7 ps 0.59 lc rgb green lw 2, csv index i using 1:(1) with lines lc rgb ink lw 1"
+looked = "plot csv index i using 1:(column(6)/column(3)) with linespoints pt 7 ps 0.59 lc rgb blue lw 2, csv index i using 1:(column(9)/column(3)) with linespoints pt 7 ps 0.59 lc rgb orange lw 2, csv index i using 1:(column(12)/column(3)) with linespoints pt 7 ps 0.59 lc rgb green lw 2, csv index i using 1:(1) with lines lc rgb ink lw 1"
 
 set yrange [0:1.5]
 set ytics ("0" 0, "½" 0.5, "1" 1, "1½" 1.5)
 set ylabel "relaxations (listed = 1)" textcolor rgb ink offset 1,0
-set arrow 1 from 0.1,0.5 to 1e-6,0.5 nohead lc rgb "#808080" lw 1 dt 2
-set label 9 "what the paper reports" at 0.09,0.42 textcolor rgb "#707070"
+set arrow 1 from 0.1,0.5 to 1e-6,0.5 nohead lc rgb grey lw 1 dt 2
+set label 9 "what the paper reports" at 0.09,0.42 textcolor rgb quiet
 set origin 0,0.5
-set title "Icosahedron, 36 sticks" font "DejaVu Sans,25" textcolor rgb ink
-set label 1 "repeated" at 5e-7,1.27 textcolor rgb red
+set title "Icosahedron, 36 sticks" textcolor rgb ink
+set label 1 "repeated" at 5e-7,1.27 textcolor rgb orange
 set label 2 "listed" at 5e-7,1.08 textcolor rgb ink
 set label 3 "breadth first" at 5e-7,0.93 textcolor rgb blue
 set label 4 "largest first" at 5e-7,0.66 textcolor rgb green

@@ -1,31 +1,26 @@
-# 09-limits.gp - gnuplot -e "csv='...'; png='...'" figures/09/09-limits.gp
+# 09-limits.gp - sh figures/draw/chart.sh figures/09/09-limits.gp DATA.csv CHART.svg
 # Blocks: strain (mended; engine), speed, mass ratio, slope, rest, number.
-set encoding utf8
-set terminal pngcairo size 1800,1500 font "DejaVu Sans,20" linewidth 2 background "#ffffff"
-set output png
+high = 600
+load "figures/draw/chart.gp"
 set datafile separator comma
-mended = "#0072b2"; printed = "#d55e00"; engine = "#009e73"; grey = "#606060"
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
-unset key
+mended = blue; printed = orange; engine = green
 set multiplot layout 3,2
 set lmargin 11
 set rmargin 3
 set tmargin 3.2
 set bmargin 3.6
-set style line 1 lc rgb mended lw 2.4 pt 7 ps 1.2
-set style line 2 lc rgb engine lw 1.6 pt 5 ps 1.2
-set style line 3 lc rgb printed lw 1.6 pt 6 ps 1.1 dt (8,5)
+set style line 1 lc rgb mended lw 2.4 pt 7 ps 0.78
+set style line 2 lc rgb engine lw 1.6 pt 5 ps 0.78
+set style line 3 lc rgb printed lw 1.6 pt 6 ps 0.72 dt (8,5)
 none(y, least) = y > least ? y : least
 
-set title "1. Cloth stretches: strain against time" font "DejaVu Sans,22"
+set title "1. Cloth stretches: strain against time"
 set logscale y 10
 set xrange [0:4]
 set yrange [0.1:30]
 set ytics ("0.1 %%" 0.1, "1 %%" 1, "10 %%" 10)
-set xlabel "ms a step, 4 to 32 substeps" textcolor rgb "#404040"
-set label 1 "as mended" at 2.2,7 textcolor rgb mended font "DejaVu Sans Bold,20"
+set xlabel "ms a step, 4 to 32 substeps" textcolor rgb ink
+set label 1 "as mended" at 2.2,7 textcolor rgb mended font bold
 set label 2 "the engine" at 1.3,0.3 textcolor rgb engine
 plot csv index 0 using 2:3 with linespoints ls 1, \
      csv index 1 using 2:3 with points ls 2
@@ -37,8 +32,8 @@ set xrange [0.8:130]
 set yrange [0.08:400]
 set ytics ("none" 0.1, "1 %%" 1, "10 %%" 10, "100 %%" 100)
 set xtics ("1 m/s" 1, "2" 2, "5" 5, "10" 10, "20" 20, "50" 50, "100" 100)
-set xlabel "closing speed" textcolor rgb "#404040"
-set label 1 "as mended" at 2.4,30 textcolor rgb mended font "DejaVu Sans Bold,20"
+set xlabel "closing speed" textcolor rgb ink
+set label 1 "as mended" at 2.4,30 textcolor rgb mended font bold
 set label 2 "the engine" at 2.4,0.17 textcolor rgb engine
 plot csv index 2 using 1:(none($2, 0.1)) with linespoints ls 1, \
      csv index 2 using 1:(none($3, 0.1)) with linespoints ls 2
@@ -49,8 +44,8 @@ set xrange [0.7:1500]
 set yrange [0.001:10]
 set xtics ("1 : 1" 1, "10 : 1" 10, "100 : 1" 100, "1,000 : 1" 1000)
 set ytics ("1 mm" 0.001, "1 cm" 0.01, "10 cm" 0.1, "1 m" 1, "10 m" 10)
-set xlabel "its mass, to that of the lower one" textcolor rgb "#404040"
-set label 1 "as mended" at 3,0.035 textcolor rgb mended font "DejaVu Sans Bold,20"
+set xlabel "its mass, to that of the lower one" textcolor rgb ink
+set label 1 "as mended" at 3,0.035 textcolor rgb mended font bold
 set label 2 "the engine" at 22,0.0022 textcolor rgb engine
 plot csv index 3 using 1:2 with linespoints ls 1, \
      csv index 3 using 1:3 with linespoints ls 2
@@ -62,8 +57,8 @@ set xrange [0:0.5]
 set yrange [-0.2:6]
 set xtics 0,0.1
 set ytics ("0" 0, "2 mm/s" 2, "4 mm/s" 4, "6 mm/s" 6)
-set xlabel "slope, rise over run; Coulomb's 0.5 holds all of these" textcolor rgb "#404040"
-set label 1 "as mended" at 0.15,2.6 textcolor rgb mended font "DejaVu Sans Bold,20"
+set xlabel "slope, rise over run; Coulomb's 0.5 holds all of these" textcolor rgb ink
+set label 1 "as mended" at 0.15,2.6 textcolor rgb mended font bold
 set label 2 "the engine" at 0.3,0.4 textcolor rgb engine
 plot csv index 4 using 1:2 with linespoints ls 1, \
      csv index 4 using 1:3 with linespoints ls 2
@@ -75,8 +70,8 @@ set xrange [0:20.5]
 set yrange [1e-4:2000]
 set xtics 0,5
 set ytics ("0.1 mJ" 1e-4, "1 mJ" 1e-3, "0.01 J" 0.01, "0.1 J" 0.1, "1 J" 1, "10 J" 10, "100 J" 100)
-set xlabel "seconds" textcolor rgb "#404040"
-set label 1 "as mended" at 7.2,0.35 textcolor rgb mended font "DejaVu Sans Bold,20"
+set xlabel "seconds" textcolor rgb ink
+set label 1 "as mended" at 7.2,0.35 textcolor rgb mended font bold
 set label 2 "the engine\nsleeps" at 5.2,0.0016 textcolor rgb engine
 set label 3 "as printed" at 12,9 textcolor rgb printed
 plot csv index 5 using 1:4 with lines ls 3, \
@@ -90,8 +85,8 @@ set xrange [8:1300]
 set yrange [0.001:100]
 set xtics ("10" 10, "100" 100, "1,000" 1000)
 set ytics ("0.001" 0.001, "0.01" 0.01, "0.1" 0.1, "1" 1, "10" 10, "100" 100)
-set xlabel "bodies in the room" textcolor rgb "#404040"
-set label 1 "as mended" at 13,2.5 textcolor rgb mended font "DejaVu Sans Bold,20"
+set xlabel "bodies in the room" textcolor rgb ink
+set label 1 "as mended" at 13,2.5 textcolor rgb mended font bold
 set label 2 "the engine" at 300,0.3 textcolor rgb engine
 plot csv index 6 using 1:2 with linespoints ls 1, \
      csv index 6 using 1:3 with linespoints ls 2

@@ -1,15 +1,7 @@
-# 10-fewer.gp - gnuplot -e "csv='...'; png='...'" figures/10/10-fewer.gp
-set encoding utf8
-set terminal pngcairo size 1800,860 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
-unset key
-cold = "#d55e00"; warm = "#0072b2"
-bold = "DejaVu Sans Bold,22"
-small = "DejaVu Sans,19"
+# 10-fewer.gp - sh figures/draw/chart.sh figures/10/10-fewer.gp DATA.csv CHART.svg
+high = 340
+load "figures/draw/chart.gp"
+cold = orange; warm = blue
 array title[2] = ["Icosahedra 1 cm apart", "The same, 1 cm deep in each other"]
 # What is only rounding is drawn at the bottom.
 none = 1e-8
@@ -19,21 +11,21 @@ set xrange [2e2:3e4]
 set yrange [4e-9:6e-5]
 set xtics ("0.3 µs" 3e2, "1 µs" 1e3, "3 µs" 3e3, "10 µs" 1e4)
 set ytics ("0.01 mm" 1e-5, "1 µm" 1e-6, "0.1 µm" 1e-7, "rounding" none)
-set xlabel "time of all queries of a frame" textcolor rgb "#404040"
+set xlabel "time of all queries of a frame" textcolor rgb ink
 set multiplot
 set lmargin 11
 set rmargin 2
 set size 0.5,1
 do for [k = 0:1] {
   set origin 0.5 * k,0
-  set title title[k+1] font "DejaVu Sans,26" offset 0,-0.3
+  set title title[k+1] offset 0,-0.3
   if (k == 0) {
-    set label 1 "mean error of the gap" at graph 0.97,0.95 right textcolor rgb "#404040"
+    set label 1 "mean error of the gap" at graph 0.97,0.95 right textcolor rgb ink
     set label 2 "cold" at 8e3,1.5e-6 center textcolor rgb cold font bold
     set label 3 "carried" at 5e2,6e-7 center textcolor rgb warm font bold
   }
-  plot csv index k using 2:(shown($3)) with linespoints pt 7 ps 1.6 lc rgb cold lw 1.5, \
-       csv index k using 4:(shown($5)) with linespoints pt 7 ps 1.6 lc rgb warm lw 2, \
+  plot csv index k using 2:(shown($3)) with linespoints pt 7 ps 1.04 lc rgb cold lw 1.5, \
+       csv index k using 4:(shown($5)) with linespoints pt 7 ps 1.04 lc rgb warm lw 2, \
        csv index k using 2:(shown($3)):1 with labels font small textcolor rgb cold offset 1.6,0.6, \
        csv index k using 4:(shown($5)):1 with labels font small textcolor rgb warm offset 1.6,0.6
   unset label

@@ -1,14 +1,10 @@
-# 12-hold.gp - gnuplot -e "csv='...'; png='...'" figures/12/12-hold.gp
-set encoding utf8
-set terminal pngcairo size 1400,560 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-unset key
+# 12-hold.gp - sh figures/draw/chart.sh figures/12/12-hold.gp DATA.csv CHART.svg
+high = 290
+load "figures/draw/chart.gp"
 unset border
 unset tics
 set size ratio -1
-ink = "#404040"; pull = "#a0a0a0"; move = "#0072b2"; near = "#d55e00"
-bold = "DejaVu Sans Bold,24"
+pull = grey; move = blue; near = orange
 set xrange [-1.35:1.35]
 set yrange [-1.35:1.75]
 set multiplot
@@ -17,9 +13,9 @@ do for [k=1:3] {
   set rmargin at screen k/3.0 - 0.002
   set bmargin at screen 0.005
   set tmargin at screen 0.995
-  set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb "#f5f4f2" fs solid noborder
+  set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb pale(grey, 0.08) fs solid noborder
   if (k > 1) {
-    set object 2 rectangle from -1.35,-1.35 to 1.35,0 behind fc rgb "#d9d6d0" fs solid noborder
+    set object 2 rectangle from -1.35,-1.35 to 1.35,0 behind fc rgb rule fs solid noborder
     set arrow 1 from 0,0 to 0,1.3 lc rgb near lw 2.2 front
     set label 2 "n" at 0.1,1.25 left textcolor rgb near font bold front
   }
@@ -28,7 +24,7 @@ do for [k=1:3] {
        csv using (column(2*k+1)):(column(2*k+2)) with filledcurves closed fc rgb move fs transparent solid 0.25 noborder, \
        csv using (column(2*k+1)):(column(2*k+2)) with lines lc rgb move lw 2, \
        csv using (0):(0):(column(2*k+1)):(column(2*k+2)) every 4 with vectors lc rgb move lw 1.2, \
-       "+" using (0):(0) every ::0::0 with points pt 7 ps 1.8 lc rgb ink
+       "+" using (0):(0) every ::0::0 with points pt 7 ps 1.17 lc rgb ink
   unset label
   unset arrow
   unset object 2

@@ -1,16 +1,8 @@
-# 13-avbd.gp - gnuplot -e "csv='...'; png='...'" figures/13/13-avbd.gp
-set encoding utf8
-set terminal pngcairo size 1800,1700 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
+# 13-avbd.gp - sh figures/draw/chart.sh figures/13/13-avbd.gp DATA.csv CHART.svg
+high = 680
+load "figures/draw/chart.gp"
 set datafile missing "-"
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
-unset key
-soft = "#0072b2"; slow = "#e69f00"; ramp = "#d55e00"; grey = "#606060"
-small = "DejaVu Sans,17"
-bold = "DejaVu Sans Bold,22"
+soft = blue; slow = purple; ramp = orange
 
 # Labels stand at their points, wherever a machine's clock puts these.
 array X[3]; array Y[3]
@@ -33,25 +25,25 @@ set origin 0,0.5
 set size 1,0.5
 set lmargin 11
 set rmargin 2
-set title "Twenty boxes: overlap after ten seconds" font "DejaVu Sans,26" offset 0,-0.3
+set title "Twenty boxes: overlap after ten seconds"
 set xrange [0.5:1.5*end]
 set xtics (1, 2, 5, 10, 20, 50, 100)
-set xlabel "microseconds a frame" textcolor rgb "#404040"
+set xlabel "microseconds a frame" textcolor rgb ink
 set yrange [0.001:500]
 set ytics ("0.01 mm" 0.01, "0.1 mm" 0.1, "1 mm" 1, "1 cm" 10, "10 cm" 100)
 set label 1 "soft contacts, by substeps" at 1.35*X[1],2*Y[1] textcolor rgb soft font bold
 set label 2 "descent, β = 10" at 1.1*X[2],1.3*Y[2] textcolor rgb slow
 set label 3 "descent, β = 1000,\nby iterations" at 0.45*X[3],0.12*Y[3] textcolor rgb ramp
-plot csv index 0 using 2:3 with linespoints pt 7 ps 1.2 lc rgb soft lw 2, \
-     csv index 1 using 2:3 with linespoints pt 6 ps 1.2 lc rgb slow lw 1.6, \
-     csv index 2 using 2:3 with linespoints pt 6 ps 1.2 lc rgb ramp lw 1.6, \
+plot csv index 0 using 2:3 with linespoints pt 7 ps 0.78 lc rgb soft lw 2, \
+     csv index 1 using 2:3 with linespoints pt 6 ps 0.78 lc rgb slow lw 1.6, \
+     csv index 2 using 2:3 with linespoints pt 6 ps 0.78 lc rgb ramp lw 1.6, \
      csv index 0 using 2:3:1 with labels offset 0.4,1 font small textcolor rgb soft, \
      csv index 2 using 2:3:1 with labels offset -0.4,-1 font small textcolor rgb ramp
 unset label
 
 set origin 0,0
 set size 0.5,0.5
-set title "Heavy on light: overlap" offset 0,-0.3
+set title "Heavy on light: overlap"
 set xrange [0.8:13000]
 set xtics ("1" 1, "10" 10, "100" 100, "1000" 1000, "10,000" 10000)
 set xlabel "mass of the upper box, of the lower"
@@ -60,14 +52,14 @@ set label 1 "8 substeps" at 220,60 right textcolor rgb soft font bold
 set label 2 "32 substeps" at 1,0.13 textcolor rgb soft
 set label 3 "10 iterations,\nβ = 10" at 1.2,6.5 textcolor rgb slow
 set label 4 "10 iterations,\nβ = 1000" at 1100,1.1 textcolor rgb ramp
-plot csv index 3 using 1:2 with linespoints pt 7 ps 1.2 lc rgb soft lw 2, \
-     csv index 3 using 1:3 with linespoints pt 6 ps 1.2 lc rgb soft lw 1.6 dt (8,5), \
-     csv index 3 using 1:4 with linespoints pt 6 ps 1.2 lc rgb slow lw 1.6, \
-     csv index 3 using 1:5 with linespoints pt 6 ps 1.2 lc rgb ramp lw 1.6
+plot csv index 3 using 1:2 with linespoints pt 7 ps 0.78 lc rgb soft lw 2, \
+     csv index 3 using 1:3 with linespoints pt 6 ps 0.78 lc rgb soft lw 1.6 dt (8,5), \
+     csv index 3 using 1:4 with linespoints pt 6 ps 0.78 lc rgb slow lw 1.6, \
+     csv index 3 using 1:5 with linespoints pt 6 ps 0.78 lc rgb ramp lw 1.6
 unset label
 
 set origin 0.5,0
-set title "A box runs into nine: momentum lost" offset 0,-0.3
+set title "A box runs into nine: momentum lost"
 set logscale x 2
 set xrange [0.8:160]
 set xtics (1, 2, 4, 8, 16, 32, 64, 128)
@@ -76,5 +68,5 @@ set yrange [0.0005:20]
 set ytics ("0.001 %%" 0.001, "0.01 %%" 0.01, "0.1 %%" 0.1, "1 %%" 1, "10 %%" 10)
 set label 1 "descent" at 10,1.6 textcolor rgb slow
 set label 2 "soft contacts lose none" at 1.1,0.001 textcolor rgb soft font bold
-plot csv index 4 using 1:3 with linespoints pt 6 ps 1.2 lc rgb slow lw 1.6
+plot csv index 4 using 1:3 with linespoints pt 6 ps 0.78 lc rgb slow lw 1.6
 unset multiplot

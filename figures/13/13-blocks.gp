@@ -1,13 +1,8 @@
-# 13-blocks.gp - gnuplot -e "csv='...'; png='...'" figures/13/13-blocks.gp
-set encoding utf8
-set terminal pngcairo size 1500,640 font "DejaVu Sans,21" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-set grid ytics lc rgb "#dcdcdc" lw 0.5 dt 1
-unset key
-plain = "#d55e00"; blocks = "#0072b2"; make = "#909090"
+# 13-blocks.gp - sh figures/draw/chart.sh figures/13/13-blocks.gp DATA.csv CHART.svg
+high = 310
+load "figures/draw/chart.gp"
+set grid ytics lc rgb rule lw 0.5 dt 1
+plain = orange; blocks = blue; make = grey
 set multiplot
 set bmargin 3.6
 set tmargin 2.6
@@ -16,17 +11,17 @@ set origin 0,0
 set size 0.6,1
 set lmargin 10
 set rmargin 2
-set title "Two passes of a substep: ns a contact" font "DejaVu Sans,24" offset 0,-0.3
+set title "Two passes of a substep: ns a contact"
 set style fill solid 0.9 noborder
 set boxwidth 0.24
 set xrange [0.5:4.9]
 set xtics 1,1,4
-set xlabel "points of a contact" textcolor rgb "#404040"
+set xlabel "points of a contact" textcolor rgb ink
 set yrange [0:*]
 stats csv index 0 using 2 nooutput
 top = STATS_max
 set label 1 "one by one" at 2.4,0.9*top right textcolor rgb plain
-set label 2 "four side by side" at 2.4,0.8*top right textcolor rgb blocks font "DejaVu Sans Bold,21"
+set label 2 "four side by side" at 2.4,0.8*top right textcolor rgb blocks font bold
 set label 3 "to make a block" at 2.4,0.7*top right textcolor rgb make
 plot csv index 0 using ($1-0.25):2 with boxes lc rgb plain, \
      csv index 0 using 1:3 with boxes lc rgb blocks, \
@@ -35,12 +30,12 @@ unset label
 
 set origin 0.6,0
 set size 0.4,1
-set title "Lanes in use" offset 0,-0.3
+set title "Lanes in use"
 set logscale x 10
 set xrange [8:4000]
 set xtics (10, 100, 1000)
 set xlabel "contacts"
 set yrange [0:100]
 set ytics ("50 %%" 50, "100 %%" 100)
-plot csv index 1 using 1:2 with linespoints pt 7 ps 1.3 lc rgb blocks lw 2
+plot csv index 1 using 1:2 with linespoints pt 7 ps 0.85 lc rgb blocks lw 2
 unset multiplot

@@ -1,29 +1,26 @@
-# 13-contact.gp - gnuplot -e "csv='...'; png='...'" figures/13/13-contact.gp
-set encoding utf8
-set terminal pngcairo size 1800,720 font "DejaVu Sans,21" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-a = "#e69f00"; b = "#56b4e9"; ink = "#404040"; red = "#d55e00"; green = "#009e73"
+# 13-contact.gp - sh figures/draw/chart.sh figures/13/13-contact.gp DATA.csv CHART.svg
+high = 290
+load "figures/draw/chart.gp"
+a = purple; b = pale(blue, 0.5)
 unset border
 unset tics
-unset key
 set size ratio -1
 set style fill solid 0.22 noborder
 set lmargin 0.5
 set rmargin 0.5
 set tmargin 2.6
 set bmargin 0.5
-set style arrow 1 head filled size screen 0.011,22 lc rgb red lw 2.4
+set style arrow 1 head filled size screen 0.011,22 lc rgb orange lw 2.4
 set style arrow 2 head filled size screen 0.009,24 lc rgb ink lw 1.6
 set style arrow 3 head filled size screen 0.011,22 lc rgb green lw 2.4
 set multiplot layout 1,3
 
 set xrange [-1.15:1.15]
 set yrange [-0.5:1.8]
-set title "where they touch" font "DejaVu Sans,24" textcolor rgb ink
-set label 1 "A" at 0.52,0.98 center font "DejaVu Sans Bold,28" textcolor rgb "#9a6a00" front
-set label 2 "B" at 0.6,-0.15 center font "DejaVu Sans Bold,28" textcolor rgb "#1f6f9f" front
-set label 3 "n" at -0.45,1.06 right textcolor rgb red front
+set title "where they touch" textcolor rgb ink
+set label 1 "A" at 0.52,0.98 center font bold textcolor rgb purple front
+set label 2 "B" at 0.6,-0.15 center font bold textcolor rgb blue front
+set label 3 "n" at -0.45,1.06 right textcolor rgb orange front
 set label 4 "r_A" at -0.1,0.78 textcolor rgb ink front
 set label 5 "r_B" at -0.17,0.28 textcolor rgb ink front
 set label 6 "g" at -0.36,0.48 textcolor rgb ink front
@@ -32,8 +29,8 @@ plot csv index 0 with filledcurves closed lc rgb a, csv index 1 with filledcurve
      csv index 0 with lines lc rgb a, csv index 1 with lines lc rgb b, \
      csv index 4 using 1:2:3:4 with vectors as 2, \
      csv index 5 using 1:2:3:4 with vectors as 1, \
-     csv index 2 with points pt 7 ps 1 lc rgb ink, \
-     csv index 3 with points pt 7 ps 1.4 lc rgb ink
+     csv index 2 with points pt 7 ps 0.65 lc rgb ink, \
+     csv index 3 with points pt 7 ps 0.91 lc rgb ink
 unset arrow
 
 set title "an impulse"
@@ -48,8 +45,8 @@ plot csv index 0 with filledcurves closed lc rgb a, csv index 1 with filledcurve
      csv index 6 using 1:2:3:4 with vectors as 3, \
      for [k=7:8] csv index k using 1:2:3:4 with vectors nohead lc rgb ink lw 1.6, \
      for [k=7:8] csv index k using 1:2:3:4 every ::9::9 with vectors as 2, \
-     csv index 2 with points pt 7 ps 1 lc rgb ink, \
-     csv index 3 with points pt 7 ps 1.4 lc rgb ink
+     csv index 2 with points pt 7 ps 0.65 lc rgb ink, \
+     csv index 3 with points pt 7 ps 0.91 lc rgb ink
 unset label
 unset object
 
@@ -63,10 +60,10 @@ set arrow 2 from 0,0 to 0.36,1.2 as 3
 set arrow 3 from 0,1.2 to 0.6,1.2 nohead lc rgb ink lw 1.4
 set arrow 4 from 0,1.2 to 0.9,1.2 head filled size screen 0.009,22 lc rgb ink lw 1.4 dt (4,4)
 set arrow 5 from 0,0 to 0.6,1.2 as 3
-set label 1 "λ" at -0.06,0.75 right textcolor rgb red front
+set label 1 "λ" at -0.06,0.75 right textcolor rgb orange front
 set label 2 "μ λ" at 0.32,1.3 center textcolor rgb ink front
-set label 3 "holds" at 0.06,0.98 textcolor rgb green font "DejaVu Sans,17" front
-set label 4 "slides" at 0.46,0.72 textcolor rgb green font "DejaVu Sans,17" front
-set label 5 "wanted" at 0.9,1.32 center textcolor rgb ink font "DejaVu Sans,17" front
+set label 3 "holds" at 0.06,0.98 textcolor rgb green font small front
+set label 4 "slides" at 0.46,0.72 textcolor rgb green font small front
+set label 5 "wanted" at 0.9,1.32 center textcolor rgb ink font small front
 plot NaN notitle
 unset multiplot

@@ -1,12 +1,9 @@
-# 13-four.gp - gnuplot -e "csv='...'; png='...'" figures/13/13-four.gp
-set encoding utf8
-set terminal pngcairo size 1500,720 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-orange = "#e69f00"; blue = "#0072b2"; ink = "#404040"; green = "#009e73"; grey = "#b0b0b0"
+# 13-four.gp - sh figures/draw/chart.sh figures/13/13-four.gp DATA.csv CHART.svg
+high = 350
+load "figures/draw/chart.gp"
+
 unset border
 unset tics
-unset key
 set size ratio -1
 set lmargin 0.5
 set rmargin 0.5
@@ -18,13 +15,13 @@ set style arrow 2 head filled size screen 0.012,22 lc rgb green lw 2.4
 
 set origin 0,0
 set size 0.56,1
-set title "four particles and six sticks" font "DejaVu Sans,25" textcolor rgb ink
+set title "four particles and six sticks" textcolor rgb ink
 set xrange [-1.75:1.75]
 set yrange [-1.3:1.3]
 plot csv index 0 using 1:2:3:4 with vectors nohead lc rgb grey lw 1.4, \
      csv index 1 using 1:2:3:4 with vectors nohead lc rgb ink lw 1.2, \
      csv index 3 using 1:2:3:4 with vectors as 1, \
-     csv index 2 with points pt 7 ps 3 lc rgb orange
+     csv index 2 with points pt 7 ps 1.95 lc rgb purple
 
 set origin 0.56,0
 set size 0.44,1
@@ -39,6 +36,6 @@ plot csv index 5 using 1:2:3:4 with vectors nohead lc rgb grey lw 1.6, \
      csv index 4 every ::0::0 using 1:2:3:4 with vectors nohead lc rgb ink lw 1.4, \
      csv index 4 every ::3::3 using 1:2:3:4 with vectors nohead lc rgb ink lw 1.4, \
      csv index 4 every ::1::2 using 1:2:3:4 with vectors as 2, \
-     csv index 4 every ::1::1 using 1:2 with points pt 7 ps 2.4 lc rgb orange, \
-     csv index 4 every ::3::3 using ($1+$3):($2+$4) with points pt 7 ps 2.4 lc rgb orange
+     csv index 4 every ::1::1 using 1:2 with points pt 7 ps 1.56 lc rgb purple, \
+     csv index 4 every ::3::3 using ($1+$3):($2+$4) with points pt 7 ps 1.56 lc rgb purple
 unset multiplot

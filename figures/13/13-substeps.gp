@@ -1,14 +1,7 @@
-# 13-substeps.gp - gnuplot -e "csv='...'; png='...'" figures/13/13-substeps.gp
-set encoding utf8
-set terminal pngcairo size 1800,700 font "DejaVu Sans,20" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
-unset key
-blue = "#0072b2"; orange = "#e69f00"; red = "#d55e00"; ink = "#404040"
-bold = "DejaVu Sans Bold,20"
+# 13-substeps.gp - sh figures/draw/chart.sh figures/13/13-substeps.gp DATA.csv CHART.svg
+high = 280
+load "figures/draw/chart.gp"
+
 set multiplot
 set bmargin 3.6
 set tmargin 2.6
@@ -17,7 +10,7 @@ set origin 0,0
 set size 0.36,1
 set lmargin 9
 set rmargin 9
-set title "A heavy cube on one of 1 kg: sag" font "DejaVu Sans,23" offset 0,-0.3
+set title "A heavy cube on one of 1 kg: sag"
 set logscale xy 10
 set xrange [0.8:1300]
 set xtics ("1" 1, "10" 10, "100" 100, "1000" 1000)
@@ -29,37 +22,37 @@ set label 2 "4" at 1400,350 textcolor rgb ink
 set label 3 "8" at 1400,86 textcolor rgb ink
 set label 4 "16" at 1400,21 textcolor rgb ink
 set label 5 "32" at 1400,5.4 textcolor rgb ink
-plot for [c=2:6] csv index 1 using 1:(column(c) < 400 ? column(c) : NaN) with lines lc rgb orange lw 1.6, \
-     for [c=2:6] csv index 0 using 1:(column(c) < 400 ? column(c) : NaN) with points pt 7 ps 1.3 lc rgb blue
+plot for [c=2:6] csv index 1 using 1:(column(c) < 400 ? column(c) : NaN) with lines lc rgb purple lw 1.6, \
+     for [c=2:6] csv index 0 using 1:(column(c) < 400 ? column(c) : NaN) with points pt 7 ps 0.85 lc rgb blue
 unset label
 
 set origin 0.36,0
 set size 0.31,1
 set rmargin 2
-set title "Ten cubes: sag" offset 0,-0.3
+set title "Ten cubes: sag"
 set logscale x 2
 set xrange [1.7:38]
 set xtics (2, 4, 8, 16, 32)
 set xlabel "passes a frame"
 set yrange [0.2:300]
 set ytics ("1 mm" 1, "1 cm" 10, "10 cm" 100)
-set label 1 "two substeps,\nmore iterations" at 7,52 textcolor rgb red
+set label 1 "two substeps,\nmore iterations" at 7,52 textcolor rgb orange
 set label 2 "more\nsubsteps" at 3.1,3.6 textcolor rgb blue font bold
-plot csv index 3 using 1:2 with linespoints pt 6 ps 1.4 lc rgb red lw 1.6, \
-     csv index 2 using 1:2 with linespoints pt 7 ps 1.4 lc rgb blue lw 2
+plot csv index 3 using 1:2 with linespoints pt 6 ps 0.91 lc rgb orange lw 1.6, \
+     csv index 2 using 1:2 with linespoints pt 7 ps 0.91 lc rgb blue lw 2
 unset label
 
 set origin 0.67,0
 set size 0.33,1
-set title "Ten cubes, 8 substeps: sag" offset 0,-0.3
+set title "Ten cubes, 8 substeps: sag"
 unset logscale
 set xrange [0:1]
 set xtics 0,0.25,1
 set xlabel "s"
 set yrange [0:60]
 set ytics ("2 cm" 20, "4 cm" 40, "6 cm" 60)
-set label 1 "from nothing\nin every substep" at 0.42,49 textcolor rgb red
+set label 1 "from nothing\nin every substep" at 0.42,49 textcolor rgb orange
 set label 2 "warm-started" at 0.5,10 textcolor rgb blue font bold
-plot csv index 5 using 1:2 with lines lc rgb red lw 1.6, \
+plot csv index 5 using 1:2 with lines lc rgb orange lw 1.6, \
      csv index 4 using 1:2 with lines lc rgb blue lw 2
 unset multiplot

@@ -1,14 +1,7 @@
-# 17-measure.gp - gnuplot -e "csv='...'; png='...'" figures/17/17-measure.gp
-set encoding utf8
-set terminal pngcairo size 1800,700 font "DejaVu Sans,20" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
-unset key
-blue = "#0072b2"; orange = "#e69f00"; red = "#d55e00"; ink = "#404040"
-bold = "DejaVu Sans Bold,20"
+# 17-measure.gp - sh figures/draw/chart.sh figures/17/17-measure.gp DATA.csv CHART.svg
+high = 280
+load "figures/draw/chart.gp"
+
 set multiplot
 set bmargin 3.6
 set tmargin 2.6
@@ -24,13 +17,13 @@ set origin 0,0
 set size 0.36,1
 set lmargin 9
 set rmargin 1.5
-set title "Hanging, 50 boxes and 100 kg" font "DejaVu Sans,23" offset 0,-0.3
-set label 1 "joint by joint" at 1.2,300 textcolor rgb red
+set title "Hanging, 50 boxes and 100 kg"
+set label 1 "joint by joint" at 1.2,300 textcolor rgb orange
 set label 2 "as a tree" at 0.3,3e-4 textcolor rgb blue font bold
-plot csv index 1 using 3:2 with linespoints pt 6 ps 1.4 lc rgb red lw 1.6, \
-     csv index 1 using 3:2:1 with labels offset 1.4,0.7 textcolor rgb red font ",16", \
-     csv index 0 using 3:2 with linespoints pt 7 ps 1.4 lc rgb blue lw 2, \
-     csv index 0 using 3:2:1 with labels offset 1.4,0.7 textcolor rgb blue font ",16"
+plot csv index 1 using 3:2 with linespoints pt 6 ps 0.91 lc rgb orange lw 1.6, \
+     csv index 1 using 3:2:1 with labels offset 1.4,0.7 textcolor rgb orange font small, \
+     csv index 0 using 3:2 with linespoints pt 7 ps 0.91 lc rgb blue lw 2, \
+     csv index 0 using 3:2:1 with labels offset 1.4,0.7 textcolor rgb blue font small
 unset label
 
 set origin 0.36,0
@@ -38,12 +31,12 @@ set size 0.33,1
 set lmargin 6
 set title "Thrown from the horizontal"
 set format y ""
-set label 1 "joint by joint" at 0.3,6000 textcolor rgb red
+set label 1 "joint by joint" at 0.3,6000 textcolor rgb orange
 set label 2 "as a tree" at 0.3,3e-4 textcolor rgb blue font bold
-plot csv index 3 using 3:2 with linespoints pt 6 ps 1.4 lc rgb red lw 1.6, \
-     csv index 3 using 3:2:1 with labels offset 1.4,0.7 textcolor rgb red font ",16", \
-     csv index 2 using 3:2 with linespoints pt 7 ps 1.4 lc rgb blue lw 2, \
-     csv index 2 using 3:2:1 with labels offset 1.4,0.7 textcolor rgb blue font ",16"
+plot csv index 3 using 3:2 with linespoints pt 6 ps 0.91 lc rgb orange lw 1.6, \
+     csv index 3 using 3:2:1 with labels offset 1.4,0.7 textcolor rgb orange font small, \
+     csv index 2 using 3:2 with linespoints pt 7 ps 0.91 lc rgb blue lw 2, \
+     csv index 2 using 3:2:1 with labels offset 1.4,0.7 textcolor rgb blue font small
 unset label
 
 set origin 0.69,0
@@ -56,8 +49,8 @@ set xlabel "substeps"
 set format y "%g"
 set yrange [1e-8:1e-3]
 set ytics ("10^{-8}" 1e-8, "10^{-7}" 1e-7, "10^{-6}" 1e-6, "10^{-5}" 1e-5, "10^{-4}" 1e-4, "10^{-3}" 1e-3)
-set label 1 "1 rad" at 20,6e-6 textcolor rgb orange
+set label 1 "1 rad" at 20,6e-6 textcolor rgb purple
 set label 2 "0.3 rad" at 6,3e-7 textcolor rgb blue
-plot csv index 5 using 1:3 with linespoints pt 7 ps 1.4 lc rgb orange lw 2, \
-     csv index 5 using 1:2 with linespoints pt 7 ps 1.4 lc rgb blue lw 2
+plot csv index 5 using 1:3 with linespoints pt 7 ps 0.91 lc rgb purple lw 2, \
+     csv index 5 using 1:2 with linespoints pt 7 ps 0.91 lc rgb blue lw 2
 unset multiplot

@@ -1,17 +1,12 @@
-# 20-blows.gp - gnuplot -e "csv='...'; png='...'" figures/20/20-blows.gp
-set encoding utf8
-set terminal pngcairo size 1600,1500 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-unset key
+# 20-blows.gp - sh figures/draw/chart.sh figures/20/20-blows.gp DATA.csv CHART.svg
+high = 680
+load "figures/draw/chart.gp"
 set style fill solid 1 noborder
 set multiplot
-ours = "#0072b2"
-theirs = "#d55e00"
+ours = blue
+theirs = orange
 
-array colour[5] = [0xe69f00, 0x56b4e9, 0x009e73, 0xcc79a7, 0x0072b2]
+array colour[5] = [number(orange), number(red), number(green), number(purple), number(blue)]
 half = 0.5
 set tmargin at screen 0.935
 set bmargin at screen 0.60
@@ -21,15 +16,14 @@ set xrange [0:0.7]
 set yrange [-3.0:4.0]
 set xtics ("0" 0, "0.1" 0.1, "0.2" 0.2, "0.3" 0.3, "0.4" 0.4, "0.5" 0.5, "0.6" 0.6, "0.7 s" 0.7)
 set ytics ("−2 m" -2, "0" 0, "2 m" 2)
-set title "14.  Newton's cradle: one cube comes in, one flies off, three stay" font "DejaVu Sans,24"
-set label 1 "in: 2 m/s" at 0.055,-2.2 center rotate by 4 front textcolor rgb "#ffffff"
-set label 2 "out: 2.00000000000 m/s" at 0.6,2.9 center rotate by 4 front textcolor rgb "#ffffff"
+set title "14.  Newton's cradle: one cube comes in, one flies off, three stay"
+set label 1 "in: 2 m/s" at 0.055,-2.2 center rotate by 4 front textcolor rgb page
+set label 2 "out: 2.00000000000 m/s" at 0.6,2.9 center rotate by 4 front textcolor rgb page
 plot for [i=1:5] csv index 0 using 1:(column(i+1)-half):(column(i+1)+half) with filledcurves lc rgb colour[i], \
-     for [i=1:5] csv index 0 using 1:(column(i+1)-half) with lines lc rgb "#ffffff" lw 1.5, \
-     for [i=1:5] csv index 0 using 1:(column(i+1)+half) with lines lc rgb "#ffffff" lw 1.5
+     for [i=1:5] csv index 0 using 1:(column(i+1)-half) with lines lc rgb page lw 1.5, \
+     for [i=1:5] csv index 0 using 1:(column(i+1)+half) with lines lc rgb page lw 1.5
 unset label
 
-set grid ytics xtics lc rgb "#e4e4e4" lw 0.5
 set tmargin at screen 0.475
 set bmargin at screen 0.07
 set lmargin at screen 0.075
@@ -39,19 +33,19 @@ set yrange [-0.03:1.08]
 set xtics ("0" 0, "0.5" 0.5, "1" 1, "1.5 s" 1.5)
 set ytics ("0" 0, "0.25" 0.25, "0.5" 0.5, "1 m" 1)
 set title "15.  A bounce: its height at any step"
-set label 1 "e = 1" at 0.9,1.04 center textcolor rgb ours font "DejaVu Sans Bold,22"
-set label 2 "e = 0.5" at 0.705,0.3 center textcolor rgb "#009e73" font "DejaVu Sans Bold,22"
-set label 3 "e = 0" at 1.6,0.05 center textcolor rgb theirs font "DejaVu Sans Bold,22"
-set label 4 "grey: exact\nrings: dt = 1/20 s\ndots: 1/240 s" at 0.9,0.62 center textcolor rgb "#606060" font "DejaVu Sans,18"
-plot csv index 1 using 1:2 with lines lc rgb "#c8c8c8" lw 5, \
-     csv index 4 using 1:2 with lines lc rgb "#c8c8c8" lw 5, \
-     csv index 7 using 1:2 with lines lc rgb "#c8c8c8" lw 5, \
-     csv index 3 using 1:2 every 4 with points pt 7 ps 0.55 lc rgb theirs, \
-     csv index 6 using 1:2 every 4 with points pt 7 ps 0.55 lc rgb "#009e73", \
-     csv index 9 using 1:2 every 4 with points pt 7 ps 0.55 lc rgb ours, \
-     csv index 2 using 1:2 with points pt 6 ps 1.9 lw 1.2 lc rgb theirs, \
-     csv index 5 using 1:2 with points pt 6 ps 1.9 lw 1.2 lc rgb "#009e73", \
-     csv index 8 using 1:2 with points pt 6 ps 1.9 lw 1.2 lc rgb ours
+set label 1 "e = 1" at 0.9,1.04 center textcolor rgb ours font bold
+set label 2 "e = 0.5" at 0.705,0.3 center textcolor rgb green font bold
+set label 3 "e = 0" at 1.6,0.05 center textcolor rgb theirs font bold
+set label 4 "grey: exact\nrings: dt = 1/20 s\ndots: 1/240 s" at 0.9,0.62 center textcolor rgb quiet font small
+plot csv index 1 using 1:2 with lines lc rgb pale(grey, 0.4) lw 5, \
+     csv index 4 using 1:2 with lines lc rgb pale(grey, 0.4) lw 5, \
+     csv index 7 using 1:2 with lines lc rgb pale(grey, 0.4) lw 5, \
+     csv index 3 using 1:2 every 4 with points pt 7 ps 0.36 lc rgb theirs, \
+     csv index 6 using 1:2 every 4 with points pt 7 ps 0.36 lc rgb green, \
+     csv index 9 using 1:2 every 4 with points pt 7 ps 0.36 lc rgb ours, \
+     csv index 2 using 1:2 with points pt 6 ps 1.23 lw 1.2 lc rgb theirs, \
+     csv index 5 using 1:2 with points pt 6 ps 1.23 lw 1.2 lc rgb green, \
+     csv index 8 using 1:2 with points pt 6 ps 1.23 lw 1.2 lc rgb ours
 unset label
 
 set lmargin at screen 0.615
@@ -61,11 +55,11 @@ set yrange [-0.3:10]
 set xtics ("0" 0, "5" 5, "10 s" 10)
 set ytics ("0" 0, "5 m" 5, "10 m" 10)
 set title "16.  A slope of 25 degrees"
-set label 1 "friction for 24:\nit slides" at 6.4,6.3 right textcolor rgb theirs font "DejaVu Sans Bold,22"
-set label 2 "friction for 26: it stays" at 6.75,0.55 center textcolor rgb ours font "DejaVu Sans Bold,22"
-set label 3 "grey: exact" at 6.4,4.6 right textcolor rgb "#808080" font "DejaVu Sans,18"
-plot csv index 10 using 1:3 with lines lc rgb "#c8c8c8" lw 5, \
-     csv index 11 using 1:3 with lines lc rgb "#c8c8c8" lw 5, \
-     csv index 10 using 1:2 with points pt 7 ps 0.9 lc rgb theirs, \
-     csv index 11 using 1:2 with points pt 7 ps 0.9 lc rgb ours
+set label 1 "friction for 24:\nit slides" at 6.4,6.3 right textcolor rgb theirs font bold
+set label 2 "friction for 26: it stays" at 6.75,0.55 center textcolor rgb ours font bold
+set label 3 "grey: exact" at 6.4,4.6 right textcolor rgb grey font small
+plot csv index 10 using 1:3 with lines lc rgb pale(grey, 0.4) lw 5, \
+     csv index 11 using 1:3 with lines lc rgb pale(grey, 0.4) lw 5, \
+     csv index 10 using 1:2 with points pt 7 ps 0.59 lc rgb theirs, \
+     csv index 11 using 1:2 with points pt 7 ps 0.59 lc rgb ours
 unset multiplot

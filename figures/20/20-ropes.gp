@@ -1,17 +1,12 @@
-# 20-ropes.gp - gnuplot -e "csv='...'; png='...'" figures/20/20-ropes.gp
-set encoding utf8
-set terminal pngcairo size 1600,1640 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-unset key
+# 20-ropes.gp - sh figures/draw/chart.sh figures/20/20-ropes.gp DATA.csv CHART.svg
+high = 740
+load "figures/draw/chart.gp"
 set multiplot
-ours = "#0072b2"
-theirs = "#d55e00"
-small = "#009e73"
+ours = blue
+theirs = orange
 
 unset border
 unset tics
-unset colorbox
 set size ratio -1
 set lmargin at screen 0.01
 set rmargin at screen 0.99
@@ -19,22 +14,19 @@ set tmargin at screen 0.95
 set bmargin at screen 0.465
 set xrange [-1.15:1.15]
 set yrange [-1.09:0.08]
-set palette defined (0 "#f0e442", 0.35 "#e69f00", 0.7 "#d55e00", 1 "#cc79a7")
-set label 10 "7.  A chain of 20 links, let go from the horizontal, every 60th of a second" at screen 0.5,0.977 center font "DejaVu Sans,24"
-set label 11 "path of\nits end" at -0.68,-0.74 right textcolor rgb ours font "DejaVu Sans Bold,22"
-set label 12 "0.93 s" at -1.0,-0.1 right textcolor rgb "#cc79a7"
-set label 13 "0 s" at 1.01,0.03 textcolor rgb "#c9b800"
-plot csv index 0 using 1:2:3 with lines lc palette lw 1.1, \
+shade(t) = number(orange) + 0x1000000 * int(255 * (0.75 - 0.75 * t / 0.93))
+set label 10 "7.  A chain of 20 links, let go from the horizontal, every 60th of a second" at screen 0.5,0.977 center
+set label 11 "path of\nits end" at -0.68,-0.74 right textcolor rgb ours font bold
+set label 12 "0.93 s" at -1.0,-0.1 right textcolor rgb orange
+set label 13 "0 s" at 1.01,0.03 textcolor rgb grey
+plot csv index 0 using 1:2:(shade($3)) with lines lc rgb variable lw 1.1, \
      csv index 1 using 1:2 with lines lc rgb ours lw 1.6, \
-     csv index 2 using 1:2 with points pt 7 ps 1.3 lc rgb ours, \
+     csv index 2 using 1:2 with points pt 7 ps 0.85 lc rgb ours, \
      csv index 2 using 1:2:(sprintf("fastest: %.1f m/s", $3)) with labels offset 0,-1.1 textcolor rgb ours, \
-     "<echo 0 0" using 1:2 with points pt 7 ps 1.3 lc rgb "#404040"
+     "<echo 0 0" using 1:2 with points pt 7 ps 0.85 lc rgb ink
 unset label
 
 set size noratio
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-set grid ytics xtics lc rgb "#e4e4e4" lw 0.5
 set tmargin at screen 0.41
 set bmargin at screen 0.07
 set lmargin at screen 0.095
@@ -44,16 +36,16 @@ set xrange [1:1e6]
 set yrange [1e-12:1e4]
 set xtics nomirror ("1" 1, "100" 100, "10^4" 1e4, "10^6" 1e6)
 set ytics nomirror ("10^3" 1e3, "1" 1, "10^{−3}" 1e-3, "10^{−6}" 1e-6, "10^{−9}" 1e-9, "10^{−12}" 1e-12)
-set xlabel "load, in particles of the rope" textcolor rgb "#404040" offset 0,0.3
-set title "8.  A loaded rope: its largest strain" font "DejaVu Sans,24" offset 0,-0.1
+set xlabel "load, in particles of the rope" textcolor rgb ink offset 0,0.3
+set title "8.  A loaded rope: its largest strain"
 set label 1 "10 sweeps" at 6,25 textcolor rgb theirs
-set label 2 "10 small steps" at 25,2e-2 textcolor rgb small
-set label 3 "the line solved, 3 Newton steps" at 1.6,2e-11 textcolor rgb ours font "DejaVu Sans Bold,22"
-set label 4 "target" at 1.6,4e-8 textcolor rgb "#808080"
-plot 1e-8 with lines dt 2 lc rgb "#808080" lw 1, \
-     csv index 3 using 1:2 with linespoints pt 7 ps 0.9 lc rgb theirs lw 1.5, \
-     csv index 4 using 1:2 with linespoints pt 7 ps 0.9 lc rgb small lw 1.5, \
-     csv index 5 using 1:2 with linespoints pt 7 ps 1.1 lc rgb ours lw 2
+set label 2 "10 small steps" at 25,2e-2 textcolor rgb green
+set label 3 "the line solved, 3 Newton steps" at 1.6,2e-11 textcolor rgb ours font bold
+set label 4 "target" at 1.6,4e-8 textcolor rgb grey
+plot 1e-8 with lines dt 2 lc rgb grey lw 1, \
+     csv index 3 using 1:2 with linespoints pt 7 ps 0.59 lc rgb theirs lw 1.5, \
+     csv index 4 using 1:2 with linespoints pt 7 ps 0.59 lc rgb green lw 1.5, \
+     csv index 5 using 1:2 with linespoints pt 7 ps 0.72 lc rgb ours lw 2
 unset label
 unset logscale
 
@@ -67,11 +59,11 @@ set rmargin at screen 0.98
 set xrange [-0.06:1.06]
 set yrange [-0.86:0.04]
 unset title
-set label 5 "9.  A chain finds its rest" at screen 0.79,0.4405 center font "DejaVu Sans,24"
-set label 1 "solved: off by\n1.4·10^{−14} m" at 0.5,-0.44 center textcolor rgb ours font "DejaVu Sans Bold,22"
-set label 2 "grey: exact" at 0.5,-0.18 center textcolor rgb "#808080"
+set label 5 "9.  A chain finds its rest" at screen 0.79,0.4405 center
+set label 1 "solved: off by\n1.4·10^{−14} m" at 0.5,-0.44 center textcolor rgb ours font bold
+set label 2 "grey: exact" at 0.5,-0.18 center textcolor rgb grey
 set label 3 "10 sweeps:\n7 mm too low" at 0.5,-0.27 center textcolor rgb theirs
-plot csv index 6 using 1:2 with lines lc rgb "#c8c8c8" lw 7, \
+plot csv index 6 using 1:2 with lines lc rgb pale(grey, 0.4) lw 7, \
      csv index 8 using 1:2 with lines lc rgb theirs lw 1.2, \
-     csv index 7 using 1:2 with points pt 7 ps 0.75 lc rgb ours
+     csv index 7 using 1:2 with points pt 7 ps 0.49 lc rgb ours
 unset multiplot

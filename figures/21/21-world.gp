@@ -1,17 +1,9 @@
-# 21-world.gp - gnuplot -e "csv='...'; png='...'" figures/21/21-world.gp
-set encoding utf8
-set terminal pngcairo size 1800,1600 font "DejaVu Sans,22" linewidth 2 background "#ffffff"
-set output png
-set datafile separator whitespace
-set border 3 lc rgb "#808080" lw 0.7
-set tics nomirror textcolor rgb "#404040"
-set grid ytics xtics lc rgb "#dcdcdc" lw 0.5 dt 1
-unset key
-ours = "#0072b2"; grey = "#606060"
-array size[4] = ["#56b4e9", "#0072b2", "#009e73", "#e69f00"]
+# 21-world.gp - sh figures/draw/chart.sh figures/21/21-world.gp DATA.csv CHART.svg
+high = 640
+load "figures/draw/chart.gp"
+ours = blue
+array size[4] = [pale(blue, 0.5), blue, green, grey]
 array name[4] = ["20 × 20", "40 × 40", "80 × 80", "160 × 160"]
-bold = "DejaVu Sans Bold,22"
-small = "DejaVu Sans,17"
 set logscale xy 10
 set multiplot
 set lmargin 10
@@ -19,58 +11,58 @@ set rmargin 3
 set size 0.5,0.5
 
 set origin 0,0.5
-set title "Rooms: deepest overlap, of a radius" font "DejaVu Sans,26" offset 0,-0.3
-set xlabel "time of a step" textcolor rgb "#404040"
+set title "Rooms: deepest overlap, of a radius"
+set xlabel "time of a step" textcolor rgb ink
 set xrange [0.02:700]
 set xtics ("0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "100 ms" 100)
 none = 1e-3
 shown(x) = x > none ? x : none
 set yrange [6e-4:4]
 set ytics ("none" none, "1 %%" 1e-2, "10 %%" 1e-1, "100 %%" 1)
-printed = "#d55e00"; mended = "#cc79a7"
+printed = orange; mended = purple
 set label 1 "plain, as printed" at 0.03,2.2 left textcolor rgb printed
 set label 2 "plain, as mended" at 0.03,9e-2 left textcolor rgb mended
 set label 4 "engine" at 30,8e-3 left textcolor rgb ours font bold
-plot csv index 5 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb printed lw 1.5, \
-     csv index 6 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb mended lw 1.5, \
-     csv index 0 using 2:(shown($3)) with linespoints pt 7 ps 1.2 lc rgb ours lw 2, \
+plot csv index 5 using 2:(shown($3)) with linespoints pt 7 ps 0.78 lc rgb printed lw 1.5, \
+     csv index 6 using 2:(shown($3)) with linespoints pt 7 ps 0.78 lc rgb mended lw 1.5, \
+     csv index 0 using 2:(shown($3)) with linespoints pt 7 ps 0.78 lc rgb ours lw 2, \
      csv index 0 using ($1 == 100 || $1 == 300 || $1 == 10000 ? $2 : NaN):(shown($3)):1 with labels font small textcolor rgb ours offset 0.6,0.8, \
      csv index 0 using ($1 == 100 || $1 == 300 || $1 == 10000 ? NaN : $2):(shown($3)):1 with labels font small textcolor rgb ours offset 2,-0.7
 unset label
 set origin 0.5,0.5
-set title "Rooms: time of a step" offset 0,-0.3
+set title "Rooms: time of a step"
 set xlabel "bodies"
 set xrange [8:15000]
 set xtics (10, 100, 1000, 10000)
 set yrange [0.01:1000]
 set ytics ("0.01 ms" 0.01, "0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "100 ms" 100)
-set label 3 "in proportion" at 4e3,0.17 left textcolor rgb grey font small
-plot 0.0001*x with lines lc rgb grey dt 3 lw 1, \
-     csv index 5 using 1:2 with linespoints pt 7 ps 1.2 lc rgb printed lw 1.5, \
-     csv index 6 using 1:2 with linespoints pt 7 ps 1.2 lc rgb mended lw 1.5, \
-     csv index 0 using 1:2 with linespoints pt 7 ps 1.2 lc rgb ours lw 2
+set label 3 "in proportion" at 4e3,0.17 left textcolor rgb quiet font small
+plot 0.0001*x with lines lc rgb quiet dt 3 lw 1, \
+     csv index 5 using 1:2 with linespoints pt 7 ps 0.78 lc rgb printed lw 1.5, \
+     csv index 6 using 1:2 with linespoints pt 7 ps 0.78 lc rgb mended lw 1.5, \
+     csv index 0 using 1:2 with linespoints pt 7 ps 0.78 lc rgb ours lw 2
 unset label
 
 set origin 0,0
-set title "Cloths on the cube: largest strain" offset 0,-0.3
+set title "Cloths on the cube: largest strain"
 set xlabel "time of a step"
 set xrange [0.1:400]
 set xtics ("0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "100 ms" 100)
 set yrange [4e-5:5]
 set ytics ("0.01 %%" 1e-4, "0.1 %%" 1e-3, "1 %%" 1e-2, "10 %%" 1e-1, "100 %%" 1)
-plot for [k = 1:4] csv index k using 2:3 with linespoints pt 7 ps 1.2 lc rgb size[k] lw 1.8, \
+plot for [k = 1:4] csv index k using 2:3 with linespoints pt 7 ps 0.78 lc rgb size[k] lw 1.8, \
      for [k = 1:4] csv index k using 2:3:1 with labels font small textcolor rgb size[k] offset 1.5,0.5, \
      for [k = 1:4] csv index k using 2:3:(name[k]) every 1::0::0 with labels textcolor rgb size[k] offset -1,1.9
 
 set origin 0.5,0
-set title "Cloths: time of a step, 36 substeps" offset 0,-0.3
+set title "Cloths: time of a step, 36 substeps"
 set xlabel "particles"
 set xrange [300:40000]
 set xtics ("20²" 400, "40²" 1600, "80²" 6400, "160²" 25600)
 set yrange [0.1:400]
 set ytics ("0.1 ms" 0.1, "1 ms" 1, "10 ms" 10, "100 ms" 100)
-set label 3 "in proportion" at 9e3,13 left textcolor rgb grey font small
-plot 0.0025*x with lines lc rgb grey dt 3 lw 1, \
-     for [k = 1:4] csv index k using ((10*2**k)**2):2 every 1::2::2 with points pt 7 ps 1.6 lc rgb size[k], \
+set label 3 "in proportion" at 9e3,13 left textcolor rgb quiet font small
+plot 0.0025*x with lines lc rgb quiet dt 3 lw 1, \
+     for [k = 1:4] csv index k using ((10*2**k)**2):2 every 1::2::2 with points pt 7 ps 1.04 lc rgb size[k], \
      '+' using (NaN):(NaN) with points
 unset multiplot

@@ -48,7 +48,7 @@ static status check_link(const char *name)
     return status_fail("%.120s: is a link, which no frame may replace", name);
 }
 
-status frames_add(frames *f, pose now)
+status frames_add(frames *f, const void *now)
 {
     char *name = frame_name(f);
     if (!name) return status_out_of_memory();
@@ -91,8 +91,14 @@ static void write_body(FILE *out, const shape *s, const vec3 *at, int number,
     fputc('\n', out);
 }
 
-status obj_write(pose now, const char *path)
+status frames_picture(const void *pose_now, const char *path)
 {
+    return film_write(*(const pose *)pose_now, path);
+}
+
+status frames_obj(const void *pose_now, const char *path)
+{
+    pose now = *(const pose *)pose_now;
     output o;
     status done = output_open(&o, path);
     if (!done.ok) return done;

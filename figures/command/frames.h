@@ -10,7 +10,7 @@
 typedef struct {
     const char *folder;         // NULL: not asked for
     const char *ending;
-    status (*write)(pose now, const char *path);
+    status (*write)(const void *now, const char *path);     // of frames_add
     int  made;                  // the folder is ours
     long count;                 // written so far
 } frames;
@@ -19,14 +19,17 @@ typedef struct {
 // if it cannot be written to.
 status frames_begin(frames *f);
 
-// Writes the next frame.
-status frames_add(frames *f, pose now);
+// Writes the next frame, of what is now: something that write() understands.
+status frames_add(frames *f, const void *now);
 
 // A folder that was made for nothing goes again.
 void frames_end(frames *f);
 
-// All bodies as objects with names: vertices (m, y up) and faces, whose corners
-// count from 1 through the whole file; a rope is a line.
-status obj_write(pose now, const char *path);
+// Of a pose: a picture.
+status frames_picture(const void *now, const char *path);
+
+// Of a pose: all bodies as objects with names: vertices (m, y up) and faces,
+// whose corners count from 1 through the whole file; a rope is a line.
+status frames_obj(const void *now, const char *path);
 
 #endif

@@ -9,7 +9,8 @@
 const example *play_find(const char *name);
 
 // Runs it to its end, with the words that stand behind its name on the command
-// line: --seconds S, --film FILE.  Says what it claims, and by how much it
+// line (word[words] is NULL): --seconds S, --film FILE, and for a file a step
+// --frames FOLDER, --obj FOLDER.  Says what it claims, and by how much it
 // holds.  Returns the exit status: 0 it holds, 1 it does not or something
 // failed, 2 a word was not understood.
 int play(const example *e, int words, char **word);

@@ -155,9 +155,9 @@ static status check_outputs(run *r)
     if (done.ok && r->set.csv) done = output_check(r->set.csv);
     if (done.ok && r->set.record) done = output_check(r->set.record);
     r->pictures = (frames){ .folder = r->set.frames, .ending = ".png",
-                            .write = film_write };
+                            .write = frames_picture };
     r->meshes = (frames){ .folder = r->set.obj, .ending = ".obj",
-                          .write = obj_write };
+                          .write = frames_obj };
     if (done.ok && r->set.frames) done = frames_begin(&r->pictures);
     if (done.ok && r->set.obj) done = frames_begin(&r->meshes);
     return done;
@@ -250,8 +250,8 @@ static status look_at_run(run *r)
     if (done.ok) done = record_look(&r->record, &r->run, r->done, 0);
     if (done.ok && r->set.film) done = strip_look(&r->strip, now, r->done);
     if (r->done % settings_steps_a_frame(&r->set)) return done;
-    if (done.ok && r->set.frames) done = frames_add(&r->pictures, now);
-    if (done.ok && r->set.obj) done = frames_add(&r->meshes, now);
+    if (done.ok && r->set.frames) done = frames_add(&r->pictures, &now);
+    if (done.ok && r->set.obj) done = frames_add(&r->meshes, &now);
     return done;
 }
 

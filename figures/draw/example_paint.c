@@ -13,14 +13,15 @@ typedef struct {
     int corners, room;
 } sheet;
 
-// The colours of bodies: by their ids, so that a body keeps its own; what does
-// not move is grey.
+// The colours of bodies: by their ids, so that a body keeps its own, and shifted
+// in each row of six, so that walls show their bricks; what does not move is
+// grey.
 static colour colour_of(const tumble_world *w, tumble_body b)
 {
     static const unsigned tone[] = { 0x0072b2, 0xd55e00, 0x009e73, 0xe69f00,
                                      0xcc79a7, 0x56b4e9 };
     if (tumble_mass(w, b) == 0) return colour_hex(0xb8bcc2);
-    return colour_hex(tone[b.place % (sizeof tone / sizeof *tone)]);
+    return colour_hex(tone[(b.place + b.place / 6) % 6]);
 }
 
 static void finish_body(sheet *s)

@@ -1,34 +1,44 @@
-# stamp.sh - which programs drew the figures?  A checksum of each figure's
-# program and plot is kept in figures/tables/made.txt.
-#   sh figures/draw/stamp.sh 10-distance...   these have just been drawn
-#   sh figures/draw/stamp.sh                  which are older than their program?
+# stamp.sh - is each figure as its program would make it?  made.txt in
+# figures/tables keeps two checksums of each: of the program that made it, or its
+# data, and of the data and the .gp from which its chart was drawn.
+#   sh figures/draw/stamp.sh 10-distance...      these have just been made
+#   sh figures/draw/stamp.sh -d 10-distance...   these are drawn from the data as
+#                                                they were
+#   sh figures/draw/stamp.sh                     which are older?
 # README's moving picture is one of them.
 
 made=figures/tables/made.txt
-now() { cat $(ls figures/*/"$1".c figures/*/"$1".gp figures/*/"$1".sh 2> /dev/null) | cksum; }
+sum() { cat $(ls "$@" 2> /dev/null) < /dev/null | cksum; }
+program() { sum figures/*/"$1".c figures/*/"$1".sh; }
+drawing() { sum figures/*/"$1".gp figures/*/"$1".csv figures/*/"$1"-curves.csv; }
 
+again=
+[ "$1" != -d ] || { again=1; shift; }
 for name in "$@"; do
-    { grep -v "^$name " $made; echo "$name $(now "$name")"; } | LC_ALL=C sort > $made.new &&
+    was=$(sed -n "s/^$name \([0-9]* [0-9]*\) .*/\1/p" $made)
+    [ "$again" ] || was=$(program "$name")
+    { grep -v "^$name " $made; echo "$name $was $(drawing "$name")"; } | LC_ALL=C sort > $made.new &&
     mv $made.new $made || exit 1
 done
 [ $# = 0 ] || exit 0
 
 failed=
+complain() { echo "$1"; failed=1; }
 for program in figures/[0-9]*/*.c figures/moving/moving.c figures/peers/piles.c; do
     name=$(basename "$program" .c)
     picture=${program%.c}.png command=figure-$name
+    [ ! -e "${program%.c}.gp" ] || picture=${program%.c}.svg
     [ "$name" != moving ] || picture=figures/moving/moving.webp command=moving
     [ "$name" != piles ] || command=peers
-    grep -qx "$name $(now "$name")" $made && [ -s "$picture" ] || {
-        echo "$picture is older than its program: run make $command"
-        failed=1
-    }
-    grep -qF "$picture" chapters/*.md README.md || {
-        echo "$picture stands in no chapter"
-        failed=1
-    }
+    [ -s "$picture" ] || complain "$picture is missing: run make $command"
+    grep -q "^$name $(program "$name") " $made || complain "$picture is older than its program: run make $command"
+    grep -q "^$name .* $(drawing "$name")$" $made || complain "$picture is older than its data or its .gp: run make chart-$name"
+    grep -qF "$picture" chapters/*.md README.md || complain "$picture stands in no chapter"
 done
-for left in figures/[0-9]*/*.png figures/[0-9]*/*.csv figures/[0-9]*/*.gp; do
-    [ -e "${left%.*}.c" ] || { echo "$left has no program"; failed=1; }
+for left in figures/[0-9]*/*.png figures/[0-9]*/*.svg figures/[0-9]*/*.csv figures/[0-9]*/*.gp; do
+    [ -e "${left%.*}.c" ] || complain "$left has no program"
+done
+for chart in figures/[0-9]*/*.gp; do
+    [ ! -e "${chart%.gp}.png" ] || complain "${chart%.gp}.png: it is a chart now, ${chart%.gp}.svg"
 done
 [ -z "$failed" ]

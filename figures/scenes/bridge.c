@@ -1,6 +1,5 @@
 // bridge.c - a rope bridge: planks between two banks, joined by hinges.
 #include "example.h"
-
 #include <math.h>
 
 enum { PLANKS = 20 };
@@ -21,8 +20,8 @@ static void build(tumble_world *w)
     for (int k = 0; k < PLANKS; k++) {
         tumble_vec3 a = joint(k), b = joint(k + 1);
         tumble_body_options at = tumble_at((a.x + b.x) / 2, (a.y + b.y) / 2, 0);
-        at.pose.rotation = tumble_turn(tumble_v(0, 0, 1),
-                                       atan2(b.y - a.y, b.x - a.x));
+        double slope = atan2(b.y - a.y, b.x - a.x);
+        at.pose.rotation = tumble_turn(tumble_v(0, 0, 1), slope);
         at.damping = at.spin_damping = 0.5;
         plank[k] = tumble_add(w, s, at);
     }
@@ -32,8 +31,7 @@ static void build(tumble_world *w)
                      joint(k), tumble_v(0, 0, 1));
 }
 
-// How deep a chain of planks hangs, and how far it spans, if it is pulled at
-// its ends with so many times the weight of a plank.
+// How deep planks hang, and how far they span; the pull is in weights of one.
 static double hangs(double pull, double *span)
 {
     double deep = *span = 0;
@@ -47,19 +45,16 @@ static double hangs(double pull, double *span)
 
 static double wrong_sag(tumble_world *w)
 {
-    double least = 0.1, most = 1000, span;
-    for (int k = 0; k < 60; k++) {
-        double pull = (least + most) / 2;
+    double pull = 500, span;
+    for (double by = 500; by > 1e-12; by /= 2, pull += span < SPAN ? by : -by)
         hangs(pull, &span);
-        *(span < SPAN ? &least : &most) = pull;
-    }
-    double sag = -tumble_position(w, plank[PLANKS / 2]).y;
-    double half = 0.25 * LENGTH / sqrt(1 + 4 * least * least);  // of a plank
-    return fabs(sag + half - hangs(least, &span));
+    double half = 0.25 * LENGTH / sqrt(1 + 4 * pull * pull);  // of a plank
+    double sag = half - tumble_position(w, plank[PLANKS / 2]).y;
+    return fabs(sag - hangs(pull, &span));
 }
 
 const example bridge = {
     .name = "bridge", .about = "twenty planks that hang", .seconds = 20,
-    .eye = { 3, 3, 15 }, .target = { 0.2, -0.8, 0 },
-    .build = build, .claim = "it sags as the catenary of planks, to 5 mm",
+    .eye = { 3, 3, 15 }, .target = { 0.2, -0.8, 0 }, .build = build,
+    .claim = "it sags as the catenary of planks, to 5 mm",
     .error = wrong_sag, .most = 0.005 };

@@ -1,5 +1,5 @@
-// example_main.c - runs the scenes that are named, or all: does each hold what it
-// claims?   cc example_main.c examples.c pyramid.c ... -ltumble -lm
+// example_main.c - runs the named scenes, or all: does each hold its claim?
+//   cc example_main.c examples.c pyramid.c ... -ltumble -lm
 
 #include "example.h"
 

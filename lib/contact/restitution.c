@@ -2,26 +2,37 @@
 #include "restitution.h"
 
 #include <assert.h>
+#include <string.h>
 
 // What all impacts of a substep have in common.
 typedef struct {
     const solver_frame *f;
     real pull;                  // m/s^2, of gravity
+    real least;                 // m/s: what is passed on more slowly is left
     motion *velocity, *moved;
 } impact_solver;
 
-static bool strike(const impact_solver *s, const contact *c);
+static real strike(const impact_solver *s, const contact *c);
+
+// Of the fastest blow of a substep: bodies that are wedged pass on ever less of
+// it, in rounds without end.
+static const real PASSED_ON = 0.1;
 
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       motion *velocity, motion *moved)
 {
-    impact_solver s = { f, vec3_length(f->gravity), velocity, moved };
+    impact_solver s = { f, vec3_length(f->gravity), 0, velocity, moved };
     int impacts = 0, before = -1;
+    real fastest = 0;
     assert(f->restitution >= 0 && f->restitution <= 1);
     for (int round = 0; round < IMPACT_ROUNDS && before < impacts; round++) {
         before = impacts;
-        for (int i = 0; i < n; i++)
-            impacts += strike(&s, table[round % 2 ? n - 1 - i : i]);
+        for (int i = 0; i < n; i++) {
+            real speed = strike(&s, table[round % 2 ? n - 1 - i : i]);
+            impacts += speed > 0;
+            fastest = real_max(speed, fastest);
+        }
+        s.least = PASSED_ON * fastest;
     }
     return impacts;
 }
@@ -59,8 +70,10 @@ typedef struct {
     real impulse[CONTACT_POINTS];       // N s
 } impact;
 
-static bool meets_fast(const impact_solver *s, const contact *c);
-static impact impact_of(const impact_solver *s, const contact *c);
+static void begin_impact(impact *x, const impact_solver *s, const contact *c);
+static bool meets_fast(const impact_solver *s, impact *x, real slowest);
+static void find_arms(impact *x, const impact_solver *s);
+static void find_touching(impact *x, const impact_solver *s);
 static void push_apart(impact *x, real restitution);
 static void rub(impact *x, real friction);
 static real closing_speed(const impact *x);
@@ -90,22 +103,27 @@ static void settle(const impact_solver *s, int body, const motion *u, real time)
     }
 }
 
-static bool strike(const impact_solver *s, const contact *c)
+// How fast they met (m/s); 0: they did not.
+static real strike(const impact_solver *s, const contact *c)
 {
     const solver_frame *f = s->f;
     material m = solver_material(f, c->a, c->b);
-    if (f->material && !(m.restitution > 0)) return false;
-    if (!meets_fast(s, c)) return false;
-    impact x = impact_of(s, c);
+    real slowest = real_max(slowest_of(s, c), s->least);
+    impact x;
+    if (f->material && !(m.restitution > 0)) return 0;
+    begin_impact(&x, s, c);
+    if (!meets_fast(s, &x, slowest)) return 0;
+    find_touching(&x, s);
     vec3 fallen = vec3_scale(f->h, f->gravity);
     fall(&x.pair, fallen, x.time - 0.5, x.u);
-    if (!(closing_speed(&x) > slowest_of(s, c))) return false;
+    real speed = closing_speed(&x);
+    if (!(speed > slowest)) return 0;
     push_apart(&x, m.restitution);
     rub(&x, m.friction);
     fall(&x.pair, fallen, 0.5 - x.time, x.u);
     if (x.pair.falls[A]) settle(s, c->a, &x.u[A], x.time);
     if (x.pair.falls[B]) settle(s, c->b, &x.u[B], x.time);
-    return true;
+    return speed;
 }
 //<
 
@@ -117,23 +135,30 @@ static real slowest_of(const impact_solver *s, const contact *c)
     return restitution_slowest(radius, s->pull, s->f->h);
 }
 
-// How fast a point of the body can go along n at most.
-static real speed_along(const impact_solver *s, int body, vec3 n)
+// How fast A and B close at their points, at most: of most contacts the bodies
+// alone show that they do not strike, of most others the points.
+static bool meets_fast(const impact_solver *s, impact *x, real slowest)
 {
-    const solver_body *b = &s->f->body[body];
-    const motion *u = &s->velocity[body];
-    vec3 turn = motion_rotation(&b->basis, u);
-    return b->radius * vec3_length(turn)
-         + u->of[0] * n.x + u->of[1] * n.y + u->of[2] * n.z;
-}
-
-// The bodies alone show of most contacts that they do not strike.
-static bool meets_fast(const impact_solver *s, const contact *c)
-{
-    vec3 back = vec3_scale(-1, c->normal);
-    real most = s->pull * s->f->h + speed_along(s, c->a, back);
-    if (c->b >= 0) most += speed_along(s, c->b, c->normal);
-    return most > slowest_of(s, c);
+    const contact *c = x->c;
+    real fallen = s->pull * s->f->h, most = -HUGE_VAL, spin = 0;
+    vec3 way[BODIES], turn[BODIES];
+    for (int side = A; side < BODIES; side++) {
+        int b = side == A ? c->a : c->b;
+        const real *u = x->u[side].of;
+        way[side] = vec3_make(u[0], u[1], u[2]);
+        turn[side] = motion_rotation(x->pair.basis[side], &x->u[side]);
+        if (b >= 0) spin += s->f->body[b].radius * vec3_length(turn[side]);
+    }
+    vec3 closing = vec3_sub(way[B], way[A]);
+    real straight = fallen + vec3_dot(c->normal, closing);
+    if (!(straight + spin > slowest)) return false;
+    find_arms(x, s);
+    for (int k = 0; k < c->count; k++) {
+        vec3 more = vec3_sub(vec3_cross(turn[B], x->arm[k].b),
+                             vec3_cross(turn[A], x->arm[k].a));
+        most = real_max(vec3_dot(c->normal, more), most);
+    }
+    return straight + most > slowest;
 }
 //<
 
@@ -202,6 +227,45 @@ static real closing_speed(const impact *x)
 }
 //<
 
+//> restitution-pair
+static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
+
+// All but the arms, and what touches.
+static void begin_impact(impact *x, const impact_solver *s, const contact *c)
+{
+    const solver_frame *f = s->f;
+    x->c = c;
+    x->pair.basis[A] = &f->body[c->a].basis;
+    x->pair.basis[B] = c->b < 0 ? &IMMOVABLE : &f->body[c->b].basis;
+    x->u[A] = s->velocity[c->a];
+    if (c->b < 0) x->u[B] = (motion){ { 0 } };
+    else          x->u[B] = s->velocity[c->b];
+    for (int side = A; side < BODIES; side++)
+        x->pair.falls[side] = x->pair.basis[side]->inverse_mass > 0;
+    if (f->body[c->a].is_driven) x->pair.falls[A] = false;
+    if (c->b >= 0 && f->body[c->b].is_driven) x->pair.falls[B] = false;
+    memset(x->impulse, 0, sizeof x->impulse);
+}
+
+static void find_arms(impact *x, const impact_solver *s)
+{
+    const contact *c = x->c;
+    const rigid_frame *a = solver_placed(s->f, c->a);
+    const rigid_frame *b = solver_placed(s->f, c->b);
+    for (int k = 0; k < c->count; k++)
+        x->arm[k] = contact_arms_of(c, k, a, b);
+}
+
+static void find_gaps(const impact_solver *s, const contact *c,
+                      real gap[CONTACT_POINTS])
+{
+    const solver_frame *f = s->f;
+    real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
+    const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
+    contact_gaps(c, &f->body[c->a].frame, b, height, gap);
+}
+//<
+
 //> restitution-time
 // When do two points touch whose gap g (m) closes by s (m) in a substep?  What
 // falls on something immovable falls faster and faster: s is the speed in the
@@ -220,16 +284,18 @@ static real time_of_touch(real gap, real closing, real a)
 // What touches a thousandth of a substep too late takes part as well: rounding
 // is not to decide which corners of a face do.  They strike together, when the
 // first of them touches.
-static void find_touching(impact *x, const impact_solver *s,
-                          const real gap[CONTACT_POINTS],
-                          const motion moved[BODIES])
+static void find_touching(impact *x, const impact_solver *s)
 {
     const contact *c = x->c;
     const impact_pair *p = &x->pair;
-    real h = s->f->h;
+    real gap[CONTACT_POINTS], h = s->f->h;
+    motion moved[BODIES] = { s->moved[c->a] };
+    if (c->b >= 0) moved[B] = s->moved[c->b];
+    find_gaps(s, c, gap);
     real a = (p->falls[B] - p->falls[A]) * vec3_dot(s->f->gravity, c->normal)
            * h * h;
     x->time = 1;
+    x->points = 0;
     for (int k = 0; k < c->count; k++) {
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(p, c->normal, arm);
@@ -241,57 +307,109 @@ static void find_touching(impact *x, const impact_solver *s,
         x->time = real_min(x->time, time_of_touch(now, closing, a));
     }
 }
-
-static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
-
-static impact impact_of(const impact_solver *s, const contact *c)
-{
-    const solver_frame *f = s->f;
-    impact x = { .c = c };
-    motion moved[BODIES] = { s->moved[c->a] };
-    real gap[CONTACT_POINTS], height = 0;
-    const rigid_frame *frame = NULL;
-    x.pair.basis[A] = &f->body[c->a].basis;
-    x.pair.basis[B] = &IMMOVABLE;
-    x.u[A] = s->velocity[c->a];
-    if (c->b < 0) {
-        height = f->plane[-1 - c->b].offset;
-    } else {
-        frame = &f->body[c->b].frame;
-        x.pair.basis[B] = &f->body[c->b].basis;
-        x.u[B] = s->velocity[c->b];
-        moved[B] = s->moved[c->b];
-    }
-    for (int side = A; side < BODIES; side++)
-        x.pair.falls[side] = x.pair.basis[side]->inverse_mass > 0;
-    if (f->body[c->a].is_driven) x.pair.falls[A] = false;
-    if (c->b >= 0 && f->body[c->b].is_driven) x.pair.falls[B] = false;
-    contact_gaps(c, &f->body[c->a].frame, frame, height, gap);
-    for (int k = 0; k < c->count; k++)
-        x.arm[k] = contact_arms_of(c, k, solver_placed(f, c->a),
-                                   solver_placed(f, c->b));
-    find_touching(&x, s, gap, moved);
-    return x;
-}
 //<
 
 //> restitution-normal
-// The impulses that stop the points: projected Gauss-Seidel for the least
-// lambda >= 0 that leaves no point closing.  `part` is how fast they part.
-static void stop_points(impact *x, const real part[CONTACT_POINTS],
-                        real k[CONTACT_POINTS][CONTACT_POINTS])
+// What impulses at the points do: K = J M^-1 J^T; and how fast the points part
+// without any.
+typedef struct {
+    real k[CONTACT_POINTS][CONTACT_POINTS], part[CONTACT_POINTS];
+} impact_matrix;
+
+static impact_matrix matrix_of(const impact *x)
 {
-    enum { PASSES = 200 };
-    real fastest = 0, worst = HUGE_VAL;
-    for (int i = 0; i < x->points; i++) fastest = real_max(-part[i], fastest);
-    for (int pass = 0; pass < PASSES && worst > 1e-14 * fastest; pass++) {
-        worst = 0;
-        for (int i = 0; i < x->points; i++) {
-            real now = part[i], was = x->impulse[i];
-            for (int j = 0; j < x->points; j++) now += k[i][j] * x->impulse[j];
-            x->impulse[i] = real_max(was - now / k[i][i], 0);
-            worst = real_max(fabs(x->impulse[i] - was) * k[i][i], worst);
+    impact_matrix m;
+    for (int i = 0; i < x->points; i++) {
+        m.part[i] = row_apart(&x->row[i], x->u);
+        for (int j = 0; j <= i; j++)
+            m.k[i][j] = m.k[j][i] = row_product(&x->pair, &x->row[i],
+                                                &x->row[j]);
+    }
+    return m;
+}
+
+// The points that push, and the impulses (N s) that would just stop them.
+typedef struct {
+    int  count, point[CONTACT_POINTS];
+    real stop[CONTACT_POINTS];
+} active_set;
+
+// K stop = -part for the points of the set, by K = L D L^T.  False if the last
+// of them can do nothing that the others cannot, to rounding.
+static bool stop_set(const impact_matrix *m, active_set *s)
+{
+    real l[CONTACT_POINTS][CONTACT_POINTS], d[CONTACT_POINTS], *z = s->stop;
+    for (int i = 0; i < s->count; i++) {
+        const real *row = m->k[s->point[i]];
+        d[i] = row[s->point[i]];
+        z[i] = -m->part[s->point[i]];
+        for (int j = 0; j < i; j++) {
+            real sum = row[s->point[j]];
+            for (int k = 0; k < j; k++) sum -= l[i][k] * l[j][k] * d[k];
+            l[i][j] = sum / d[j];
+            d[i] -= l[i][j] * sum;
+            z[i] -= l[i][j] * z[j];
         }
+        if (!(d[i] > 1e-12 * row[s->point[i]])) return false;
+    }
+    for (int i = s->count - 1; i >= 0; i--) {
+        z[i] /= d[i];
+        for (int j = i + 1; j < s->count; j++) z[i] -= l[j][i] * z[j];
+    }
+    return true;
+}
+
+// Goes from the impulses that there are towards those of the set, as far as
+// none of them pulls; one that would is dropped.  True if that was all the way.
+static bool go_to_set(active_set *s, real impulse[CONTACT_POINTS])
+{
+    real share = 1;
+    int least = -1, kept = 0;
+    for (int i = 0; i < s->count; i++) {
+        real now = impulse[s->point[i]];
+        if (s->stop[i] > 0 || !(now < share * (now - s->stop[i]))) continue;
+        share = now / (now - s->stop[i]);
+        least = i;
+    }
+    for (int i = 0; i < s->count; i++) {
+        real *now = &impulse[s->point[i]];
+        *now = i == least ? 0 : *now + share * (s->stop[i] - *now);
+        if (i != least) s->point[kept++] = s->point[i];
+    }
+    s->count = kept;
+    return least < 0;
+}
+
+// The point that closes fastest; -1: none does, to rounding.
+static int find_closing(const impact_matrix *m, int n,
+                        const real impulse[CONTACT_POINTS])
+{
+    real fastest = 0, most = 0;
+    int found = -1;
+    for (int i = 0; i < n; i++) fastest = real_max(-m->part[i], fastest);
+    for (int i = 0; i < n; i++) {
+        real closing = -m->part[i];
+        for (int j = 0; j < n; j++) closing -= m->k[i][j] * impulse[j];
+        if (impulse[i] > 0 || !(closing > most)) continue;
+        most = closing;
+        found = i;
+    }
+    return most > 1e-12 * fastest ? found : -1;
+}
+
+// The least impulses >= 0 that leave no point closing, directly: the active set
+// of Lawson and Hanson.  The point that closes fastest joins it, until none
+// does.  Each set of the at most 2^4 comes once, for the energy falls.
+static void stop_points(impact *x, const impact_matrix *m)
+{
+    enum { SETS = 1 << CONTACT_POINTS };
+    active_set s = { .count = 0 };
+    for (int k = 0; k < SETS; k++) {
+        int next = find_closing(m, x->points, x->impulse);
+        if (next < 0 || s.count == CONTACT_POINTS) return;
+        s.point[s.count++] = next;
+        do if (!stop_set(m, &s)) return;
+        while (!go_to_set(&s, x->impulse));
     }
 }
 
@@ -305,18 +423,13 @@ static void stop_points(impact *x, const real part[CONTACT_POINTS],
 // lambda parts them at e times the speed at which they met, or faster.
 static void push_apart(impact *x, real restitution)
 {
-    real k[CONTACT_POINTS][CONTACT_POINTS], part[CONTACT_POINTS];
+    impact_matrix m = matrix_of(x);
     real down = 0, bend = 0;
+    stop_points(x, &m);
     for (int i = 0; i < x->points; i++) {
-        part[i] = row_apart(&x->row[i], x->u);
-        for (int j = 0; j <= i; j++)
-            k[i][j] = k[j][i] = row_product(&x->pair, &x->row[i], &x->row[j]);
-    }
-    stop_points(x, part, k);
-    for (int i = 0; i < x->points; i++) {
-        down -= x->impulse[i] * part[i];
+        down -= x->impulse[i] * m.part[i];
         for (int j = 0; j < x->points; j++)
-            bend += x->impulse[i] * k[i][j] * x->impulse[j];
+            bend += x->impulse[i] * m.k[i][j] * x->impulse[j];
     }
     real scale = bend > 0 ? (1 + restitution) * real_max(down / bend, 0) : 0;
     for (int i = 0; i < x->points; i++) {

@@ -14,9 +14,10 @@
 // The impacts of one substep.  Two bodies whose gap closes within it, and that
 // meet faster than restitution_slowest, part at f->restitution times the speed
 // at which they met, at the time at which they met; friction acts in the
-// impact, too.  Forward and backward over the n contacts, as long as
-// any strikes, at most IMPACT_ROUNDS times: an impact that is passed on, as in
-// Newton's cradle, is one more impact.  Returns how many there were.
+// impact, too.  Forward and backward over the n contacts, at most IMPACT_ROUNDS
+// times: an impact that is passed on, as in Newton's cradle, is one more impact.
+// What is passed on at less than a tenth of the fastest blow's speed strikes no
+// more.  Returns how many there were.
 //
 // velocity and moved, [bodies], say how the bodies move in this substep, with
 // gravity in it, and how far they have gone since the frame began.

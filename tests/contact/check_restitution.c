@@ -8,8 +8,6 @@
 
 // A few roundings of sums of numbers near the largest.
 #define ROUNDING 1e-13
-// What the passes of Gauss-Seidel leave of four points that share a body.
-#define PASSES 1e-9
 
 enum { MOST = 32 };
 
@@ -496,6 +494,21 @@ START_TEST(rounds_are_bounded)
 }
 END_TEST
 
+// Speeds of 1, 0.2 and 0.04 m/s: the third is not worth a round.  Rejects: bodies
+// that are wedged, and cost all rounds of every substep.
+START_TEST(what_is_passed_on_ends_with_a_tenth_of_the_blow)
+{
+    add_ball(vec3_make(0, 0, 0), 1, 0.5);
+    add_ball(vec3_make(-0.9, 0, 0), HUGE_VAL, 0.5);
+    add_ball(vec3_make(0.9, 0, 0), HUGE_VAL, 0.5);
+    set_velocity(0, vec3_make(1, 0, 0));
+    join_balls(0, 1);
+    join_balls(0, 2);
+    ck_assert_int_eq(solve(0.2), 2);
+    expect_close(velocity[0].of[0], 0.04, ROUNDING);
+}
+END_TEST
+
 // --- friction ----------------------------------------------------------------
 
 // A ball comes down at 4 m/s and goes along at v: the normal impulse is
@@ -544,9 +557,9 @@ START_TEST(face_that_spins_is_braked)
         velocity[0].of[MOTION_TURN + 1] = spin * sqrt(i);
         ck_assert_int_eq(solve(0.5), 1);
         real brake = mu * 3 * m * lever / i;
-        expect_vec3(velocity_of(0), vec3_make(0, 1, 0), PASSES);
+        expect_vec3(velocity_of(0), vec3_make(0, 1, 0), ROUNDING);
         expect_vec3(spin_of(0), vec3_make(0, real_max(spin - brake, 0), 0),
-                    PASSES);
+                    ROUNDING);
     }
 }
 END_TEST
@@ -571,8 +584,8 @@ START_TEST(box_that_lands_flat_leaves_flat)
 {
     add_flat_box(vec3_make(0, 0, 0));
     ck_assert_int_eq(solve(0.5), 1);
-    expect_vec3(velocity_of(0), vec3_make(0, 2, 0), PASSES);
-    expect_vec3(spin_of(0), vec3_make(0, 0, 0), PASSES);
+    expect_vec3(velocity_of(0), vec3_make(0, 2, 0), ROUNDING);
+    expect_vec3(spin_of(0), vec3_make(0, 0, 0), ROUNDING);
 }
 END_TEST
 
@@ -582,8 +595,8 @@ START_TEST(each_corner_parts_at_its_own_speed)
 {
     add_flat_box(vec3_make(0.3, 0.7, -0.2));
     ck_assert_int_eq(solve(0.5), 1);
-    expect_vec3(velocity_of(0), vec3_make(0, 2, 0), PASSES);
-    expect_vec3(spin_of(0), vec3_make(-0.15, 0.7, 0.1), PASSES);
+    expect_vec3(velocity_of(0), vec3_make(0, 2, 0), ROUNDING);
+    expect_vec3(spin_of(0), vec3_make(-0.15, 0.7, 0.1), ROUNDING);
 }
 END_TEST
 
@@ -788,7 +801,7 @@ START_TEST(no_point_goes_through)
         advance();
         for (int k = 0; k < made[0].count; k++)
             ck_assert(closed[k] > 0
-                      || gap_at(k) >= -0.05 * fastest * frame.h);
+                      || gap_at(k) >= -1e-9 * (fastest + 20) * frame.h);
     }
     ck_assert_int_ge(hits, 3000);
 }
@@ -837,7 +850,7 @@ START_TEST(every_point_parts_at_restitution_times_its_speed)
         hits++;
         for (int k = 0; k < made[0].count; k++) {
             ck_assert(!(closed[k] > 0)
-                      || apart(k) >= e * closed[k] - 0.05 * fastest);
+                      || apart(k) >= e * closed[k] - 1e-9 * (fastest + 20));
             if (made[0].count == 1)
                 expect_close(apart(k), e * closed[k], 1e-11 * (fastest + 20));
         }
@@ -883,6 +896,7 @@ int main(void)
         cradle_passes_on_as_many_balls_as_come,
         row_between_walls_keeps_its_energy,
         rounds_are_bounded,
+        what_is_passed_on_ends_with_a_tenth_of_the_blow,
         ball_with_friction_leaves_as_the_closed_form_says,
         face_that_spins_is_braked,
         box_that_lands_flat_leaves_flat,

@@ -525,6 +525,17 @@ refuses 1 '--csv table.csv is the table'  --sweep table.csv --csv table.csv
 refuses 1 'good.obj: is no job log'       --sweep table.csv --joblog good.obj
 verdict 'a file that is no job log is left alone' "$(cmp good.obj good.was 2>&1)"
 
+# Scenes that know nothing but tumble.h.
+refuses 2 '--obj: what comes behind it'    wrecker --obj
+refuses 2 'takes --seconds, --film'         wrecker --threads 2
+refuses 1 'good.obj: is not a folder'       wrecker --obj good.obj
+accepts 'wrote steps: 4 frames'             blanket --seconds 0.05 --obj steps
+verdict 'a step of a scene is a mesh: bodies, with triangles of vertices that are there' "$(awk '
+    $1 == "o" { bodies++ } $1 == "v" { v++ }
+    $1 == "f" { for (k = 2; k <= 4; k++) if (!($k >= 1 && $k <= v)) print "face " FNR; faces++ }
+    END { if (bodies < 2 || v != 3 * faces) print bodies " bodies, " v " vertices, " faces " faces" }' steps/frame-00003.obj)"
+rm -r steps
+
 # In the place of GNU Parallel stands another program of its name.
 mkdir fake && printf '#!/bin/sh\necho another\n' > fake/parallel && chmod +x fake/parallel
 PATH=$PWD/fake:$PATH "$tumble" --sweep table.csv > "$out" 2> "$err"

@@ -62,7 +62,9 @@ END
 "${CC:-cc}" -std=c11 -I"$place/tumble/include" own.c tumble/lib/libtumble.a -lm -o own && said=$(./own) &&
     [ "$said" = '3 1 1' ] || { echo "check_install: a program with names of its own says '$said'"; exit 1; }
 
-# The scenes, each with what it claims.
+# The scenes, each with what it claims, and no longer than a page.
+long=$(awk 'FNR == 61 { print FILENAME }' "$scenes"/*.c)
+[ -z "$long" ] || { echo "check_install: more than 60 lines: $long"; exit 1; }
 "${CC:-cc}" -std=c11 -O1 -I"$scenes" "$scenes"/*.c $flags -o scenes && ./scenes ||
     { echo "check_install: a scene does not hold what it claims"; exit 1; }
 mkdir cxx

@@ -21,7 +21,7 @@ head -c 64 $moving | tr -d '\0\n' | LC_ALL=C grep -aq 'RIFF.*WEBP.*ANIM' || faul
 # files: in the help, in blocks of commands, and between backticks.  (Pages are
 # not for echo, which may take the \c of a formula for their end.)
 known=$(make -pn help 2> /dev/null | sed -n 's/^\([a-z0-9][a-z0-9_-]*\):.*/\1/p')
-pages() { cat README.md exercises/README.md chapters/[0-9]*.md; }
+pages() { cat README.md exercises/README.md figures/command/README.md chapters/[0-9]*.md; }
 goals=$({ make -s help | grep -o '^  make [a-z0-9][a-z0-9_ /-]*'
     pages | awk '/^```/ { inside = !inside && /```sh$/ } inside' | grep -o '^make [a-z0-9][a-z0-9_ /-]*'
     pages | grep -o '`make [a-z0-9][a-z0-9_ /-]*'
@@ -33,7 +33,7 @@ done
 # The table of chapters: every chapter by its title, every module in its row.
 for page in chapters/[0-9]*.md; do
     title=$(sed -n '1s/^# [0-9]*\. //p' "$page")
-    grep -qF "[$title]($page)" README.md || fault "README.md does not call $page by its title, $title"
+    grep -qF "[$title](chapters/woven/${page#*/})" README.md || fault "README.md does not call $page by its title, $title"
 done
 for module in $(sed -n '/^define ORDER/,/^endef/p' Makefile | grep /); do
     grep "^| ${module%/*} |" README.md | grep -qF "\`${module#*/}\`" ||

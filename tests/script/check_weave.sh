@@ -19,7 +19,7 @@ sound() {
     printf '# 02. B\n\n## The code\n\n![p](../figures/p.png) [A](01-a.md)\n\n@@ slow\n\n%%%% figures/t.csv\n\n@@ body\n\n%%%% functions\n\n```\n@@ no region\n```\n' > chapters/02-b.md
     echo picture > figures/p.png
 }
-weave() { $awk -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md; }
+weave() { $awk -v pages="$pages" -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md; }
 check() { $awk -f "$root/chapters/check-book.awk" lib/*.h lib/*.c tests/oracle.[hc] book.md; }
 
 verdict() {     # NAME, and whether it went well
@@ -49,6 +49,12 @@ all() {
     cmp -s wanted told && verdict "a table is the CSV's" yes || verdict "a table is the CSV's" no
     grep -qxF '**a**, [chapter 01](#01-a): [`a`](lib/a.h#L2)' book.md &&
     verdict "functions are listed" yes || verdict "functions are listed" no
+    rm -rf pages; mkdir pages; pages=pages weave > printed; cmp -s printed book.md &&
+    grep -qF '[lib/a.h, line 2: a](../../lib/a.h#L2)' pages/01-a.md &&
+    grep -qF '![p](../../figures/p.png) [A](01-a.md)' pages/02-b.md &&
+    [ "$(tail -n 1 pages/01-a.md)" = '[Contents](../../README.md#read) · [02. B](02-b.md)' ] &&
+    ! grep -q '^# 02' pages/01-a.md && cat pages/*.md | grep -c '^```c$' | grep -qx 4 &&
+    verdict "each chapter is a page" yes || verdict "each chapter is a page" no
     if grep -q '//[<>]' book.md; then verdict "markers are not shown" no; else verdict "markers are not shown" yes; fi
 
     # --- the weave ---
@@ -105,6 +111,24 @@ all() {
     refuses "ragged table" weave 'figures/t.csv:6: this row has 3 cells, the head has 2'
     sound; echo '3,a|b' >> figures/t.csv
     refuses "a cell that would end itself" weave 'figures/t.csv:6: a cell may hold no "'
+    # Numbers in a sentence: two blocks, the second with commas, and a comment.
+    numbers() {
+        sound; mkdir -p figures/01
+        printf '# strain 0.0123 with 10 steps\n# n cost "mean error"\n"a b" 1 2e-7\n"a c" 1234.5 8\n\n\nwhat,"error, mm"\nx,0.26\n' > figures/01/01-n.csv
+        echo "$1" >> chapters/01-a.md
+    }
+    numbers 'A {{01-n; a b; mean error}}, {{01-n 0; a c; cost; 3}}, {{01-n 1; x; error, mm; 1 %}}.'
+    weave > book.md; grep -qxF 'A $`2.0\cdot 10^{-7}`$, 1,230, 30 %.' book.md &&
+    verdict "numbers are the CSV's" yes || verdict "numbers are the CSV's" no
+    numbers 'B {{01-n; a c; cost / 01-n; a c; mean error; 4}}, {{01-n #; strain; %}}, {{01-n #; with}}.'
+    weave > book.md; grep -qxF 'B 154.3, 1.2 %, 10.' book.md &&
+    verdict "quotients and comments are the CSV's" yes || verdict "quotients and comments are the CSV's" no
+    numbers '{{01-n 2; x; cost}}'; refuses "number of no block" weave 'chapters/01-a.md:10: in figures/01/01-n.csv, 2, 0 rows open with x'
+    numbers '{{01-n; a; cost}}'; refuses "number of two rows" weave 'in figures/01/01-n.csv, 0, 2 rows open with a'
+    numbers '{{01-n; a b; price}}'; refuses "number of no column" weave 'no number stands under price'
+    numbers '{{01-n 1; x; what}}'; refuses "a cell that is no number" weave 'no number stands under what'
+    numbers '{{01-n #; weight}}'; refuses "number in no comment" weave 'no comment of figures/01/01-n.csv has a number after weight'
+    numbers '{{01-m; a; cost}}'; refuses "number of no file" weave 'there is no file figures/01/01-m.csv'
 
     # --- the finished book ---
     sound; weave > book.md; sed -i.old 's/return 1/return 2/' book.md

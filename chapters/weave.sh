@@ -1,0 +1,11 @@
+# weave.sh - weaves the book into a folder:  sh chapters/weave.sh FOLDER [AWK]
+# writes FOLDER/book.md, and a page a chapter into FOLDER/woven.  With no folder it
+# prints which files are the book's code; each of their lines is in it once.
+
+code="lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc]
+      tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc]"
+[ "$1" ] || { echo $code; exit; }
+
+export LC_ALL=C
+rm -rf "$1/woven" && mkdir -p "$1/woven" &&
+${2:-awk} -v pages="$1/woven" -f chapters/weave.awk $code chapters/[0-9]*.md > "$1/book.md"

@@ -201,14 +201,14 @@ static void check(void)
 static void save_and_load(void)
 {
     size_t size = tumble_save(w, NULL, 0), where = byte() * 256 + byte();
-    unsigned char *bytes = malloc(size);
-    if (!bytes) return;
-    MUST(tumble_save(w, bytes, size) == size, "%zu bytes", size);
-    tumble_world *copy = tumble_load(bytes, size);
+    unsigned char *kept = malloc(size);
+    if (!kept) return;
+    MUST(tumble_save(w, kept, size) == size, "%zu bytes", size);
+    tumble_world *copy = tumble_load(kept, size);
     MUST(copy, "%s", tumble_failure(NULL));
-    bytes[where % size] ^= (unsigned char)(1 << where % 8);
-    MUST(!tumble_load(bytes, size), "byte %zu was altered", where % size);
-    free(bytes);
+    kept[where % size] ^= (unsigned char)(1 << where % 8);
+    MUST(!tumble_load(kept, size), "byte %zu was altered", where % size);
+    free(kept);
     for (int k = 0; k < 4; k++) {
         MUST(tumble_hash(copy) == tumble_hash(w), "%d steps later", k);
         tumble_step(copy);

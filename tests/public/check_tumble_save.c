@@ -405,6 +405,22 @@ START_TEST(what_a_program_holds_is_good_afterwards)
 }
 END_TEST
 
+START_TEST(a_box_in_a_heap_takes_six_kilobytes)
+{
+    enum { BOXES = 200 };
+    tumble_world *w = tumble_make(NULL);
+    tumble_shape s = tumble_box(w, tumble_v(0.5, 0.5, 0.5), 1);
+    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    for (int k = 0; k < BOXES; k++)
+        tumble_add(w, s, tumble_at(0.7 * (k % 6), 0.4 + 0.7 * (k / 36),
+                                   0.71 * (k / 6 % 6)));
+    for (int k = 0; k < 100; k++) tumble_step(w);
+    double each = (double)tumble_save(w, NULL, 0) / BOXES;
+    ck_assert_msg(each > 2000 && each < 6000, "%g bytes", each);
+    tumble_free(w);
+}
+END_TEST
+
 START_TEST(an_empty_world_can_be_saved)
 {
     tumble_world *w = tumble_make(NULL), *copy = copied(w);
@@ -506,6 +522,7 @@ int main(void)
     tcase_add_test(t, twins_are_saved_as_the_same_bytes);
     tcase_add_test(t, one_two_and_four_threads_go_on_alike);
     tcase_add_test(t, what_a_program_holds_is_good_afterwards);
+    tcase_add_test(t, a_box_in_a_heap_takes_six_kilobytes);
     tcase_add_test(t, an_empty_world_can_be_saved);
     tcase_add_test(t, bytes_that_were_cut_or_altered_are_refused);
     tcase_add_test(t, too_little_room_is_told_and_not_overrun);

@@ -7,10 +7,8 @@
 
 # A chapter a line, for merging.
 LATER="
-04
 05
 12
-13
 14
 15
 16
@@ -35,7 +33,6 @@ LATER_EXERCISES="
 10
 11
 12
-13
 14
 15
 16

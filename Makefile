@@ -61,6 +61,7 @@ define ORDER
 18/ledger
 18/soft_step
 18/join
+18/drive
 18/substeps
 18/guard
 18/rolling
@@ -68,6 +69,8 @@ define ORDER
 18/measure
 18/obj
 18/world_scene
+19/store
+19/snapshot
 19/tumble
 19/slots
 19/inside
@@ -80,6 +83,7 @@ define ORDER
 19/tumble_ask
 19/tumble_contacts
 19/tumble_draw
+19/tumble_save
 endef
 LINE := $(strip $(ORDER))
 
@@ -159,7 +163,7 @@ endef
 .SECONDEXPANSION:
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: lines help deps deps-book deps-dev deps-peers demo test checks objects book html pdf epub library \
+.PHONY: lines help deps deps-book deps-site deps-dev deps-peers demo test checks objects book html pdf epub library \
   figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
   $(CHAPTERS:%=test-%) $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
@@ -174,7 +178,7 @@ help:
 	@b=; r=; if [ -t 1 ]; then b=$$(printf '\033[1m'); r=$$(printf '\033[0m'); fi; \
 	sed -n "s/^#: \([A-Z][a-z ]*\)$$/$$b\1$$r/p; t; s/^#: \{0,1\}//p" Makefile
 
-deps deps-book deps-dev deps-peers:
+deps deps-book deps-site deps-dev deps-peers:
 	@CC='$(CC)' sh tests/script/deps.sh $@
 
 demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
@@ -426,8 +430,10 @@ bits:
 #:   make strict     every warning of gcc and of clang is an error
 #:   make clean      remove build/
 #:
-#: make deps-book adds pandoc and img2webp; make deps-dev adds clang, its fuzzer,
-#: valgrind, and GNU Parallel, which build/tumble --sweep needs.
+#: make deps-book adds pandoc and img2webp; make deps-site adds what makes and
+#: tests the live figures: clang for WebAssembly, node, npm and chromium; make
+#: deps-dev adds clang, its fuzzer, valgrind, and GNU Parallel, which
+#: build/tumble --sweep needs.
 #: NATIVE=1 builds for this very machine.  V=1 shows the commands.
 #: FUZZ_SECONDS=600 fuzzes for longer.
 sanitize:
@@ -457,11 +463,12 @@ clean:
 	$(Q)rm -rf build
 
 # --- How things are made --------------------------------------------------------
-checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits
+checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits $$(LIVE_PROGRAMS)
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 objects: $(ALL) \
   $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/*/*.c))) \
-  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS),$(notdir $(wildcard figures/*/*.c))))
+  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) $(notdir $(wildcard figures/live/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
+  $(patsubst figures/live/%.c,$(BUILD)/live/%.o,$(filter-out %_wasm.c,$(wildcard figures/live/*.c)))
 theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/piles_bullet.o
 
 # A figure with a .gp prints data, which become a chart; one without paints its
@@ -479,7 +486,7 @@ draw = $(if $(wildcard figures/*/$1.gp),echo "  draw  $2/$1.svg" && \
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
   rigidity convex hull capsule obj sphere sphere_tree grid ordering \
   line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
-  thread)
+  thread tumble_save)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -498,7 +505,7 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
 # These look at how the figures of chapter 21 count time, and at their threads,
 # which can be refused.
-$(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
+$(addprefix $(BUILD)/tests/check_,clock thread tumble_save): $(BUILD)/libpainter.a
 $(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
 
 # These ask the slow oracle about bodies made for the purpose.
@@ -626,7 +633,7 @@ endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
 ROOMS := -Ilib $(patsubst %/,-I%,$(wildcard lib/*/ tests/support/ tests/contact/ tests/soft/ tests/hard/ tests/fuzz/ \
-  figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/))
+  figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/ figures/live/))
 $(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
 	$(compile)
 $(BUILD)/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(BUILD)/flags
@@ -640,6 +647,8 @@ $(BUILD)/%.d: ;
 # again, and not missed.
 lib/%.c tests/%.c figures/%.c: ;
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
+
+include figures/live/live.mk
 
 # Changes when the compiler, its flags or the reader's modules do, and then
 # everything is rebuilt.

@@ -1,5 +1,5 @@
 # deps.sh - looks for what a command needs and installs what is missing.
-# Called by make deps, deps-book, deps-dev, deps-peers, with that name.
+# Called by make deps, deps-book, deps-site, deps-dev, deps-peers, with that name.
 # It looks for the thing itself, not for a package of a name, so that it is
 # content on any system that has it.
 
@@ -17,6 +17,10 @@ fuzzer() { # clang's own library: does a program link with it?
 header() { echo "#include <$1>" | ${CC:-cc} -E -x c - ; }
 bullet() { echo '#include <btBulletDynamicsCommon.h>' |
            ${CXX:-c++} -E -isystem /usr/include/bullet -x c++ - ; }
+wasm() { # clang's own library for WebAssembly, its linker, and a C library
+    printf '%s\n' '#include <math.h>' 'int main(void) { return 0; }' |
+        clang --target=wasm32-wasi --sysroot=/usr -x c - -o /dev/null
+}
 browser() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
 gnu_parallel() { parallel --version | grep '^GNU parallel'; }
 english() { aspell dump dicts | grep -x en_GB; }
@@ -41,6 +45,15 @@ deps-book)
     need pandoc command -v pandoc
     need chromium browser
     need webp command -v img2webp ;;
+deps-site)
+    need clang command -v clang
+    need lld command -v wasm-ld
+    need wasi-libc wasm
+    need libclang-rt-14-dev-wasm32 wasm
+    need nodejs command -v node
+    need npm command -v npm
+    need chromium browser
+    need webp command -v cwebp ;;
 deps-dev)
     need clang command -v clang
     need libclang-rt-14-dev fuzzer

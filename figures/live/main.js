@@ -1,0 +1,185 @@
+// main.js - makes the live figures of a page: <figure data-live="orbit"> gets a
+// stage, dials, charts and a foot line; its WebAssembly comes when it is near.
+
+import style from './live.css';
+import { make, dark } from './node.js';
+import { makeCore, sentence } from './core.js';
+import { makeLoop, still } from './loop.js';
+import { makeDial, button } from './dials.js';
+import { Chart } from './chart.js';
+import { Flat } from './flat.js';
+
+const FRAMES = 60;              // after which the hash is shown
+const NEAR = '700px';           // so far below the window a figure is made ready
+const folder = document.currentScript.src.replace(/[^/]*$/, '');
+const scripts = {};
+const tumble = window.tumble ||= {};
+tumble.wasm ||= {};
+
+// The folder may be read from a disk, where only plain scripts are let in.
+const script = name => scripts[name] ||= new Promise((done, failed) => document.head.append(
+  make('script', { src: `${folder}${name}.js`, onload: done, onerror: () => failed(Error(`${name}.js is not there`)) })));
+
+class Figure {
+  constructor(node, panel) {
+    Object.assign(this, { node, panel, frames: 0, touched: false });
+    this.usual = this.variant = panel.dials[0]?.choices ? panel.dials[0].value : 0;
+    node.classList.add('live-figure');
+    this.stage = make('div', { class: 'live-stage' });
+    const picture = node.querySelector('img');
+    node.prepend(this.stage);
+    if (picture) this.stage.append(picture);
+    this.isFlat = panel.panes.length > 0;
+    if (this.isFlat) this.stage.style.setProperty('--wide', panel.panes.reduce((sum, box) => sum + box[2] / box[3], 0));
+    this.furnish();
+    this.loop = makeLoop(node, due => this.tick(due), playing => this.play.textContent = playing ? 'Pause' : 'Play');
+  }
+
+  // All but the stage stands from the start, so that no text jumps later.
+  furnish() {
+    const { panel } = this;
+    this.play = button('Pause', () => this.loop.play(!this.loop.playing));
+    const again = button('Start again', () => this.act('begin'));
+    const more = panel.buttons.map((name, k) => button(name, () => this.act('press', k)));
+    this.charts = panel.charts.map(plan => new Chart(this.node, plan));
+    const dials = panel.dials.map((dial, k) => makeDial(dial, value => this.turn(k, value)));
+    this.said = make('p', { class: 'live-said' });
+    this.foot = make('p', { class: 'live-foot' });
+    this.stage.after(
+      make('div', { class: 'live-panel' },
+        make('div', { class: 'live-dials' }, make('div', { class: 'live-buttons' }, this.play, again, ...more), ...dials, this.said),
+        make('div', { class: 'live-charts' }, ...this.charts.map(chart => chart.node))),
+      this.foot);
+    this.tell('');
+  }
+
+  async wake() {
+    await script(this.panel.name);
+    if (!this.isFlat) await script('space');
+    this.core = await makeCore(tumble.wasm[this.panel.name]);
+    this.node.querySelector('.live-stage img')?.remove();
+    this.drawing = this.isFlat
+      ? new Flat(this.node, this.stage, this.panel, (number, x, y) => this.act('move', number, x, y, 0))
+      : new tumble.Space(this.node, this.stage, this.panel);
+    this.drawing.core = this.core;
+    this.drawing.acted = (...what) => this.act(...what);
+    this.drawing.lists = () => this.core.draw();
+    this.drawing.restyle();
+    dark.addEventListener('change', () => { this.drawing.restyle(); this.draw(); });
+    this.guard(() => this.core.call('start'));
+    this.draw();
+    if (still()) this.tick(FRAMES);
+    this.node.dataset.ready = '1';
+    this.loop.update();
+  }
+
+  // --- Frames ---------------------------------------------------------------------
+  tick(due) {
+    if (!this.core || this.stopped) return;
+    for (let k = 0; k < due && !this.stopped; k++) this.step();
+    if (due) this.draw();
+  }
+
+  step() {
+    const from = performance.now();
+    this.guard(() => this.core.call('step'));
+    const took = performance.now() - from;
+    this.frames++;
+    this.slow = this.frames === 1 ? took : 0.9 * this.slow + 0.1 * took;
+    this.guard(() => this.core.call('measure'));
+    if (this.stopped) return;
+    this.note();
+    if (this.frames === FRAMES) this.showHash();
+  }
+
+  note() {
+    const now = this.core.peek();
+    this.charts.forEach((chart, c) => chart.colours.forEach((_, line) => {
+      if (chart.plan.over) chart.set(line, now.curve(c, line));
+      else chart.add(line, chart.plan.time ? this.slow : now.value(c, line));
+    }));
+  }
+
+  draw() {
+    if (this.stopped) return;
+    const lists = this.guard(() => this.core.draw());
+    if (!lists) return;
+    this.drawing.draw(lists);
+    if (this.said.textContent !== lists.said) this.said.textContent = lists.said;
+    for (const chart of this.charts) chart.draw();
+  }
+
+  // --- What the reader does -------------------------------------------------------
+  restart() {
+    this.frames = 0;
+    this.slow = 0;
+    this.charts.forEach(chart => chart.clear());
+    this.tell('');
+  }
+
+  act(name, ...values) {
+    if (!this.core || this.stopped) return;
+    if (name === 'begin') this.restart();
+    else if (this.frames < FRAMES || name === 'move') this.touched = true;
+    this.guard(() => this.core.call(name, ...values));
+    this.redraw();
+  }
+
+  turn(dial, value) {
+    if (!this.core || this.stopped) return;
+    if (dial === 0 && this.panel.dials[0].choices) this.variant = value; else this.touched = true;
+    if (this.guard(() => this.core.call('turn', dial, value))) this.restart();
+    this.redraw();
+  }
+
+  // A figure that stands still shows what was turned all the same.
+  redraw() {
+    if (this.loop.playing && this.loop.seen) return;
+    if (still()) while (this.frames < FRAMES && !this.stopped) this.step(); else this.note();
+    this.draw();
+  }
+
+  // --- The foot line ----------------------------------------------------------------
+  showHash() {
+    const hash = this.core.hash();
+    const isUsual = this.variant === this.usual;
+    const wants = isUsual && this.node.dataset.wants || this.panel.wants[this.variant];
+    if (!this.touched && isUsual) this.node.dataset.hash = hash;
+    const short = hash.slice(0, 8) + '…';
+    if (this.touched) this.tell(`${short} with your settings`, hash);
+    else if (hash === wants) this.tell(`${short} to the last bit as on your machine`, hash);
+    else this.tell(`${short} and not ${wants.slice(0, 8)}… as the book's own modules give`, hash);
+  }
+
+  tell(words, hash = '') {
+    this.foot.textContent = `Frame 60: ${words || '…'}`;
+    this.foot.title = hash;
+  }
+
+  // Calls into the figure's own C, and says what happened if it does not return.
+  guard(call) {
+    try { return call(); } catch (error) {
+      this.stopped = sentence(this.core, error);
+      this.node.dataset.trapped = this.stopped;
+      this.loop.play(false);
+      this.stage.after(make('p', { class: 'live-trap', role: 'alert' }, `Stopped: ${this.stopped}.`));
+      return undefined;
+    }
+  }
+}
+
+function begin() {
+  document.head.append(make('style', {}, style));
+  const near = new IntersectionObserver(all => all.filter(one => one.isIntersecting).forEach(({ target }) => {
+    near.unobserve(target);
+    target.live.wake().catch(error => { target.dataset.failed = error.message; console.error(error); });
+  }), { rootMargin: NEAR });
+  for (const node of document.querySelectorAll('[data-live]')) {
+    const panel = (tumble.panels || {})[node.dataset.live];
+    if (!panel) continue;
+    node.live = new Figure(node, panel);
+    near.observe(node);
+  }
+}
+
+if (document.readyState === 'loading') addEventListener('DOMContentLoaded', begin); else begin();

@@ -7,7 +7,6 @@
 
 # A chapter a line, for merging.
 LATER="
-04
 05
 12
 14

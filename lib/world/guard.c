@@ -1,5 +1,6 @@
 //> guard-most
 #include "guard.h"
+#include "drive.h"
 #include "handle.h"
 
 #include <stddef.h>
@@ -52,24 +53,11 @@ static real load_energy(const world *w)
     return sum;
 }
 
-// m/s: what is driven gives others its own speed, and as much again if they
-// bounce off it.
-static real fastest_drive(const world *w)
-{
-    real most = 0;
-    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++) {
-        const solver_body *now = &w->rigid.now[b];
-        if (w->rigid.moves[b] && now->is_driven)
-            most = real_max(motion_fastest(&now->basis, &w->rigid.velocity[b],
-                                           now->radius), most);
-    }
-    return most;
-}
-
 // Contacts create no motion: beside what there is, and what bends and links
-// have stored, only gravity does, what pushes from outside, and the speed at
-// which overlaps are pushed out.  sqrt(2 energy / mass) is a length in the space
-// of all velocities: these add up to no more than their sum.
+// have stored, only gravity does, what pushes from outside, the speed at which
+// overlaps are pushed out, and what is driven: it gives others its own speed,
+// and as much again if they bounce off it.  sqrt(2 energy / mass) is a length
+// in the space of all velocities: these add up to no more than their sum.
 real guard_most(const world *w, const solver_frame *f)
 {
     motion_sum s = rigid_motion(w);
@@ -77,7 +65,7 @@ real guard_most(const world *w, const solver_frame *f)
         if (body_is_soft(&w->body[b]) && body_moves(w, b))
             add_soft_motion(&s, w, &w->body[b]);
     real more = w->frame * vec3_length(w->options.gravity) + f->max_speed
-              + (1 + f->restitution) * fastest_drive(w);
+              + (1 + f->restitution) * drive_fastest(w);
     real most = sqrt(s.energy) + sqrt(load_energy(w))
               + sqrt(s.mass / 2) * more;
     return most * most;

@@ -205,12 +205,13 @@ static void touch(tumble_world *w, int k)
     tumble_body b = all[k * 7 % n], other = all[(k * 5 + 1) % n];
     tumble_body_options o = tumble_at(0, 6, 0.3);
     tumble_event e[4];
+    const tumble_shape first = { 0, 1 };
     switch (k % 9) {
     case 0: tumble_force(w, b, tumble_v(3, 20, 1), tumble_v(0, 2, 1)); break;
     case 1: tumble_remove(w, b); break;
     case 2: o.restitution = 0.7;
             o.damping = 0.2;
-            tumble_add(w, any_solid(w, k), o); break;
+            tumble_add(w, k % 2 ? first : any_solid(w, k), o); break;
     case 3: tumble_set_material(w, b, 0.9, 0.4); break;
     case 4: tumble_set_filter(w, b, 2, ~0u - 1); break;
     case 5: tumble_push(w, b, tumble_v(1, 2, 0), tumble_position(w, b)); break;

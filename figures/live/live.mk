@@ -57,10 +57,11 @@ $(OURS)/wasm/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(OURS)/
 $(OURS)/wasm/live/%.o: figures/live/%.c $(OURS)/wasm/flags
 	$(call wasm)
 # The reader's own counts the turns of its loops, so that one without end is
-# stopped.
+# stopped, and not taken for a loop with an end.
+COUNTED := -fsanitize-coverage=trace-pc,edge,no-prune -fno-finite-loops
 define wasm_swap
 $(BUILD)/wasm/mine/$(notdir $(1:.c=.o)): $1 $(BUILD)/flags
-	$$(call wasm,-fsanitize-coverage=trace-pc,edge,no-prune -fno-finite-loops) || { echo "$1: does not compile; begin with the first error\
+	$$(call wasm,$$(COUNTED)) || { echo "$1: does not compile; begin with the first error\
 	 above" >&2; exit 1; }
 endef
 $(foreach f,$(MINE),$(eval $(call wasm_swap,$f)))

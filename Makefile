@@ -61,6 +61,7 @@ define ORDER
 18/ledger
 18/soft_step
 18/join
+18/drive
 18/substeps
 18/guard
 18/rolling
@@ -68,6 +69,8 @@ define ORDER
 18/measure
 18/obj
 18/world_scene
+19/store
+19/snapshot
 19/tumble
 19/slots
 19/inside
@@ -80,6 +83,7 @@ define ORDER
 19/tumble_ask
 19/tumble_contacts
 19/tumble_draw
+19/tumble_save
 endef
 LINE := $(strip $(ORDER))
 
@@ -484,7 +488,7 @@ draw = $(if $(wildcard figures/*/$1.gp),echo "  draw  $2/$1.svg" && \
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
   rigidity convex hull capsule obj sphere sphere_tree grid ordering \
   line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
-  thread)
+  thread tumble_save)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -503,7 +507,7 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
 # These look at how the figures of chapter 21 count time, and at their threads,
 # which can be refused.
-$(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
+$(addprefix $(BUILD)/tests/check_,clock thread tumble_save): $(BUILD)/libpainter.a
 $(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
 
 # These ask the slow oracle about bodies made for the purpose.

@@ -73,14 +73,14 @@ function check(sentence, at,    words, bare, pattern) {
 }
 
 # A sentence ends with . ? or ! before a blank and a capital, a digit, or what
-# opens one; not after a single letter, Eq. and the like.
+# opens one; not after Eq. and the like.
 function end_paragraph(    rest, from, stop, at, head) {
     rest = text " "; from = 1; at = 1
     while (match(rest, /[.?!][)"*_]*[ ]+/)) {
         head = substr(rest, 1, RSTART); stop = RSTART + RLENGTH
         held = held head substr(rest, RSTART + 1, RLENGTH - 1)
         rest = substr(rest, stop)
-        if (head ~ /(^|[ (*])([A-Za-z]|Eq|Eqs|Fig|Figs|cf|vs|e\.g|i\.e|approx|et al)\.$/) continue
+        if (head ~ /(^|[ (*])(Eq|Eqs|Fig|Figs|cf|vs|e\.g|i\.e|approx|et al)\.$/) continue
         if (rest != "" && rest !~ /^[("*_[]*[A-Z0-9]/) continue
         check(held, line_of(from)); from = from + length(held); held = ""
     }

@@ -904,6 +904,26 @@ static void mark(const shape *s, line_scratch *scratch, int i)
     scratch->is_held = true;
 }
 
+static bool is_beside(const line_hold *a, const line_hold *b)
+{
+    return b->state != LINE_FREE
+        && vec3_dot(a->normal, b->normal) > 1 - NOTHING;
+}
+
+// Where all neighbours touch the same plane, no link draws a particle into it.
+static bool lies_flat(const shape *s, const line_hold *hold, int i)
+{
+    bool is_flat = true;
+    for (int d = 0; d < shape_directions(s) && is_flat; d++) {
+        strands x = shape_strands(s, d);
+        int k = i / x.along % x.particles;
+        if (k > 0) is_flat = is_beside(&hold[i], &hold[i - x.along]);
+        if (k + 1 < x.particles && is_flat)
+            is_flat = is_beside(&hold[i], &hold[i + x.along]);
+    }
+    return is_flat;
+}
+
 static void hold_begin(const shape *s, line_scratch *scratch,
                        const line_hold *hold)
 {
@@ -911,6 +931,7 @@ static void hold_begin(const shape *s, line_scratch *scratch,
         real *weight = &scratch->now.weight[i];
         if (hold[i].state == LINE_STICKS) *weight *= GIVE;
         if (hold[i].state != LINE_SLIDES || !(*weight > 0)) continue;
+        if (lies_flat(s, hold, i)) continue;
         real m = sqrt((1 - GIVE) * *weight);
         place_set(scratch->hold, i, vec3_scale(m, hold[i].normal));
         mark(s, scratch, i);

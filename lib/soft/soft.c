@@ -261,7 +261,7 @@ static prediction predict(const soft_frame *f, int b)
 
 // Every change of their number jolts a cloth: it rises at once, and falls when
 // it has been too high for PATIENCE frames.
-enum { PATIENCE = 30 };
+enum { PATIENCE = 10 };
 
 static void choose_pace(soft_solver *s)
 {
@@ -326,7 +326,7 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
 
 // What weight alone does in a substep, g h^2, is no more than this share of a
 // spacing: else the first contacts of a small cloth come too late.
-static const real SAG = 0.0034;
+static const real SAG = 0.02;
 
 // A taut link swings sideways with its ends, and longer substeps than a limit
 // make it swing ever wider: chapter 12.  So the weight of all of a rope, which

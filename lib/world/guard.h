@@ -16,6 +16,9 @@ real guard_most(const world *w, const solver_frame *f);
 // stops one whose numbers were lost.
 void guard_brake(world *w, real most);
 
+// Nothing goes through a body that it touches.
+void guard_bodies(world *w);
+
 // No centre of mass goes behind a plane, or further behind than it was.
 void guard_planes(world *w);
 

@@ -41,12 +41,12 @@ world_options world_scene_options(scene_kind kind, int cloth)
     world_options o = world_options_default();
     if (kind == SCENE_ROOM) return o;
     // The finer a cloth is, the more of its spacings does it go in a substep;
-    // and columns and rows, solved in turn, need rounds more.  In small steps
+    // and columns and rows, solved in turn, need more rounds.  In small steps
     // the lines may be solved along the links as they lie, and the diagonals
     // do with the cheaper root.
     // Layers that lie on each other take some more.
     // No scene has a cloth of more than 512 a side.
-    o.substeps = 2 + int_min(int_max(cloth, 20), 512) / 40;
+    o.substeps = 2 + int_min(int_max(cloth, 0), 512) / 100;
     o.iterations = 8;
     o.relax.gradient = GRADIENT_NEW;
     o.relax.root = ROOT_APPROXIMATE;

@@ -5,8 +5,42 @@
 # Without pages: README, and all chapters and exercises but those of LATER,
 # which are not yet rewritten.  The list must only become shorter.
 
-LATER="02 04 05 10 11 12 13 14 15 16 17 18 19 20 21 23"
-LATER_EXERCISES="00 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19"
+# A chapter a line, for merging.
+LATER="
+05
+12
+14
+15
+16
+17
+18
+19
+20
+21
+23
+"
+LATER_EXERCISES="
+00
+01
+02
+03
+04
+05
+06
+07
+08
+09
+10
+11
+12
+14
+15
+16
+17
+18
+19
+"
+LATER_PAGES=""
 LATER_PAGES=""
 
 export LC_ALL=C
@@ -29,7 +63,7 @@ said=$(awk -f chapters/style.awk "$page" | sed 's/.*:\([0-9]*: [^:]*\):.*/\1/' |
 1: who, for a thing or without a noun
 3: 46 words' ] || { echo "style.awk does not see what it should, but: $said"; failed=1; }
 
-listed() { case " $2 " in *" $1 "*) ;; *) false ;; esac; }
+listed() { case " $(echo $2) " in *" $1 "*) ;; *) false ;; esac; }
 chosen() {
     for p in README.md exercises/README.md figures/command/README.md; do listed $p "$LATER_PAGES" || echo $p; done
     for p in chapters/[0-9]*.md; do

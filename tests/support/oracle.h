@@ -5,7 +5,7 @@
 // Every feature of the one is tried with every feature of the other, in long
 // double.  The tests of chapters 4 and 5 compare the fast answers with these.
 // Takes from lib/ the types of its questions, and none of its functions.
-// Book: chapters 4 and 5, the slow way.
+// Book: chapter 10, the slow way.
 
 #ifndef TUMBLE_ORACLE_H
 #define TUMBLE_ORACLE_H

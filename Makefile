@@ -147,7 +147,7 @@ FLOOR = $(if $(filter 00 01 02 03 04 05 06 07 08,$1),$(UPTO_$1),$(ALL))
 
 # After `watch`, `exercise` and their like a chapter says of what: it is no goal
 # of its own.
-ifneq ($(filter watch exercise hint solution reset progress,$(MAKECMDGOALS)),)
+ifneq ($(filter watch live exercise hint solution reset progress,$(MAKECMDGOALS)),)
 NAMED := $(filter $(CHAPTERS),$(MAKECMDGOALS))
 endif
 MADE := $(filter-out $(NAMED),$(CHAPTERS))
@@ -205,6 +205,7 @@ test:
 #:                   a page a chapter: chapters/woven
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
+#:   make live 01    the live figures of chapter 01, in a page (make deps-site)
 #:   make library    build/libtumble.a
 #:   make install    tumble.h, the library and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS:%=test-%): test-%:
@@ -283,7 +284,7 @@ check-exercises:
 	@CC='$(CC)' BUILD='$(BUILD)' sh tests/script/check_exercises.sh
 
 # To make, what is named after the command is a goal: one with nothing to do.
-ifneq ($(and $(WHICH),$(filter $(READER) watch,$(MAKECMDGOALS))),)
+ifneq ($(and $(WHICH),$(filter $(READER) watch live,$(MAKECMDGOALS))),)
 NOTHING := $(NAMED) $(foreach goal,$(WHICH),$(if $(findstring /,$(goal)),$(goal)))
 .PHONY: $(NOTHING)
 $(NOTHING) .DEFAULT:
@@ -294,6 +295,7 @@ endif
 #: Swap in your own
 #:   make test-04 MINE=my/gjk.c    chapter 04's tests, with your gjk for ours
 #:   make demo MINE='my/distance.c my/verlet.c'    the three scenes, with yours
+#:   make live 01 MINE=my/verlet.c    the live figures of chapter 01, with yours
 # The name of a file says which module it is.  It may stand anywhere.
 ifneq ($(MINE),)
 swapped = $(addprefix $(BUILD)/lib/,$(notdir $(1:.c=.o)))

@@ -86,9 +86,24 @@ static void stop_lost(world *w, int b)
     memset(&t->moved[b], 0, sizeof t->moved[b]);
 }
 
+// A body that was fast in a substep between, and is slow again, has gone too
+// far all the same.
+static void shorten_way(world *w, int b, real most)
+{
+    rigid_tables *t = &w->rigid;
+    real energy = motion_energy(&t->now[b].basis, &t->moved[b]);
+    real bound = most * w->frame * w->frame;
+    if (!(energy > bound) || t->now[b].is_driven) return;
+    real share = sqrt(bound / energy);
+    for (int i = 0; i < MOTIONS; i++) t->moved[b].of[i] *= share;
+}
+
 void guard_brake(world *w, real most)
 {
-    for (int b = 0; b < w->bodies; b++) stop_lost(w, b);
+    for (int b = 0; b < w->bodies; b++) {
+        stop_lost(w, b);
+        shorten_way(w, b, most);
+    }
     real now = rigid_motion(w).energy, share = sqrt(most / now);
     if (!(now > most)) return;
     for (int b = 0; b < w->bodies; b++) {

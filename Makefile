@@ -61,6 +61,7 @@ define ORDER
 18/ledger
 18/soft_step
 18/join
+18/drive
 18/substeps
 18/guard
 18/rolling
@@ -68,6 +69,8 @@ define ORDER
 18/measure
 18/obj
 18/world_scene
+19/store
+19/snapshot
 19/tumble
 19/slots
 19/inside
@@ -80,6 +83,7 @@ define ORDER
 19/tumble_ask
 19/tumble_contacts
 19/tumble_draw
+19/tumble_save
 endef
 LINE := $(strip $(ORDER))
 
@@ -143,7 +147,7 @@ FLOOR = $(if $(filter 00 01 02 03 04 05 06 07 08,$1),$(UPTO_$1),$(ALL))
 
 # After `watch`, `exercise` and their like a chapter says of what: it is no goal
 # of its own.
-ifneq ($(filter watch exercise hint solution reset progress,$(MAKECMDGOALS)),)
+ifneq ($(filter watch live exercise hint solution reset progress,$(MAKECMDGOALS)),)
 NAMED := $(filter $(CHAPTERS),$(MAKECMDGOALS))
 endif
 MADE := $(filter-out $(NAMED),$(CHAPTERS))
@@ -199,8 +203,11 @@ test:
 #:   make test-04    its tests alone
 #:   make book       weave chapters/, lib/ and the judges into book.md, and into
 #:                   a page a chapter: chapters/woven
+#:   make site       the book as pages for a browser, with live figures:
+#:                   build/site/index.html (make deps-site)
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
+#:   make live 01    the live figures of chapter 01, in a page (make deps-site)
 #:   make library    build/libtumble.a
 #:   make install    tumble.h, the library and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS:%=test-%): test-%:
@@ -215,9 +222,6 @@ book:
 	$(Q)rm -rf chapters/woven && cp -R $(BUILD)/woven chapters/woven
 	@echo "book.md: $$(wc -l < book.md) lines; a page a chapter: chapters/woven"
 
-html pdf epub:
-	$(Q)mkdir -p $(BUILD)
-	$(Q)sh chapters/page.sh $@ $(BUILD)/book.$@
 
 library: $(BUILD)/libtumble.a
 
@@ -279,7 +283,7 @@ check-exercises:
 	@CC='$(CC)' BUILD='$(BUILD)' sh tests/script/check_exercises.sh
 
 # To make, what is named after the command is a goal: one with nothing to do.
-ifneq ($(and $(WHICH),$(filter $(READER) watch,$(MAKECMDGOALS))),)
+ifneq ($(and $(WHICH),$(filter $(READER) watch live,$(MAKECMDGOALS))),)
 NOTHING := $(NAMED) $(foreach goal,$(WHICH),$(if $(findstring /,$(goal)),$(goal)))
 .PHONY: $(NOTHING)
 $(NOTHING) .DEFAULT:
@@ -290,6 +294,7 @@ endif
 #: Swap in your own
 #:   make test-04 MINE=my/gjk.c    chapter 04's tests, with your gjk for ours
 #:   make demo MINE='my/distance.c my/verlet.c'    the three scenes, with yours
+#:   make live 01 MINE=my/verlet.c    the live figures of chapter 01, with yours
 # The name of a file says which module it is.  It may stand anywhere.
 ifneq ($(MINE),)
 swapped = $(addprefix $(BUILD)/lib/,$(notdir $(1:.c=.o)))
@@ -421,6 +426,8 @@ bits:
 #: Be strict
 #:   make sanitize   the tests under the address and undefined sanitizers
 #:   make valgrind   the tests under valgrind
+#:   make test-site  each page in a real browser, as on a slow phone: errors, links,
+#:                   keys, contrast, width, time, and the bits of live figures
 #:   make fuzz       any bytes for obj, the queries and the options, and random
 #:                   worlds of any seed, 60 s each
 #:   make strict     every warning of gcc and of clang is an error
@@ -482,7 +489,7 @@ draw = $(if $(wildcard figures/*/$1.gp),echo "  draw  $2/$1.svg" && \
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
   rigidity convex hull capsule obj sphere sphere_tree grid ordering \
   line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
-  thread)
+  thread tumble_save)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
@@ -501,7 +508,7 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 
 # These look at how the figures of chapter 21 count time, and at their threads,
 # which can be refused.
-$(addprefix $(BUILD)/tests/check_,clock thread): $(BUILD)/libpainter.a
+$(addprefix $(BUILD)/tests/check_,clock thread tumble_save): $(BUILD)/libpainter.a
 $(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
 
 # These ask the slow oracle about bodies made for the purpose.
@@ -645,6 +652,7 @@ lib/%.c tests/%.c figures/%.c: ;
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 
 include figures/live/live.mk
+include chapters/site/site.mk
 
 # Changes when the compiler, its flags or the reader's modules do, and then
 # everything is rebuilt.

@@ -142,6 +142,26 @@ tumble_measures tumble_measure(const tumble_world *w);
 
 // FNV-1a of all positions: equal bits, equal hash.
 unsigned long long tumble_hash(const tumble_world *w);
+
+// Writes all that w is to `room` bytes at `into`, and returns how many it takes;
+// if those have no room, the bytes are not to be used (room = 0: to ask).  No
+// byte changes in w.
+size_t tumble_save(const tumble_world *w, void *into, size_t room);
+
+// A world from such bytes: every step of it has the bits that the next ones of w
+// had, and ids of w are good for it.  User pointers are the addresses that they
+// were, and it has no threads until tumble_run_on.  Fails (NULL) if the bytes
+// were cut or altered, and outside of the version and the kind of machine that
+// wrote them; then tumble_failure(NULL) says why.  (A checksum tells accidents:
+// bytes that somebody forged are not to be loaded.)
+tumble_world *tumble_load(const void *from, size_t size);
+
+// Steps run as options.run and context say, from now on.
+void tumble_run_on(tumble_world *w,
+                   void (*run)(void *context,
+                               void (*work)(void *data, int item), void *data,
+                               int items),
+                   void *context);
 //<
 
 //> tumble-shapes

@@ -530,12 +530,13 @@ static void keep_chunk(void *data, int item)
 //<
 
 //> solver-prepare
-// Grows an array without keeping what is in it.
+// Grows an array without keeping what is in it; it is zero, for what is never set
+// may be saved.
 static bool grow(void **array, int *capacity, int need, size_t size)
 {
     size_t room = (size_t)need + (size_t)need / 8;
     if (need <= *capacity) return true;
-    void *more = malloc(room * size);
+    void *more = calloc(room, size);
     if (!more) return false;
     free(*array);
     *array = more;

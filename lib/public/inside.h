@@ -52,6 +52,8 @@ struct tumble_world {
 __attribute__((format(printf, 2, 3)))
 #endif
 bool inside_fail(tumble_world *w, const char *format, ...);
+// The same for a world that could not be made: NULL has the failure, or none.
+void inside_not_made(status s);
 // The same for a status that is not ok.  Returns s.ok.
 bool inside_is_ok(tumble_world *w, status s);
 

@@ -9,6 +9,11 @@
 // Of worlds that could not be made.
 static _Thread_local status unmade = { .ok = true };
 
+void inside_not_made(status s)
+{
+    unmade = s;
+}
+
 tumble_options tumble_options_default(void)
 {
     world_options o = world_options_default();
@@ -63,8 +68,9 @@ void tumble_free(tumble_world *w)
     }
     for (int k = 0; k < w->shapes.count; k++) {
         shape_place *s = slots_at(&w->shapes, k);
-        if (s) shape_free(s->shape);
-        if (s) free(s->shape);
+        if (!s || !s->shape) continue;
+        shape_free(s->shape);
+        free(s->shape);
     }
     slots_free(&w->shapes);
     slots_free(&w->bodies);
@@ -89,6 +95,13 @@ void tumble_forget_failure(tumble_world *w)
 //<
 
 //> face-world-step
+void tumble_run_on(tumble_world *w,
+                   void (*run)(void *context, void (*work)(void *, int),
+                               void *data, int items), void *context)
+{
+    w->world.options.host.run = (tasks){ run, context };
+}
+
 void tumble_step(tumble_world *w)
 {
     world_step(&w->world);

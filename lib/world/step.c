@@ -1,5 +1,6 @@
 //> step
 #include "step.h"
+#include "drive.h"
 #include "guard.h"
 #include "handle.h"
 #include "join.h"
@@ -18,7 +19,6 @@ static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static void substep(world *w, const solver_frame *f, int k, real *since);
-static void drive(world *w, real seconds);
 static void move_bodies(world *w, real h);
 static void fall_asleep(world *w);
 
@@ -50,8 +50,9 @@ static void solve(world *w, real *since)
     w->report.substeps += f.substeps;
     w->age = f.h;
     guard_brake(w, most);
+    guard_bodies(w);
     guard_planes(w);
-    drive(w, w->frame);
+    drive_hold(w, w->frame);
     ledger_book(w, LEDGER_CONTACTS);
     move_bodies(w, f.h);
     lap(w, PHASE_MOVE, since);
@@ -148,33 +149,6 @@ static rigid_frame find_middle(const world *w, int b)
 }
 //<
 
-//> step-drive
-// To contacts, what is driven weighs 2^40 times its mass.
-static void drive_body(world *w, int b)
-{
-    solver_body *now = &w->rigid.now[b];
-    const body_drive *d = &w->rigid.drive[b];
-    now->basis.inverse_mass *= 0x1p-40;
-    for (int t = 0; t < TURNS; t++)
-        now->basis.turn[t] = vec3_scale(0x1p-20, now->basis.turn[t]);
-    w->rigid.velocity[b] = motion_make(&now->basis, d->velocity, d->spin);
-}
-
-// And the little that they move it is taken back: so long after the frame began
-// it has gone as far as its velocity says.
-static void drive(world *w, real seconds)
-{
-    rigid_tables *t = &w->rigid;
-    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++) {
-        const body_drive *d = &t->drive[b];
-        if (!t->now[b].is_driven) continue;
-        t->velocity[b] = motion_make(&t->now[b].basis, d->velocity, d->spin);
-        for (int i = 0; i < MOTIONS; i++)
-            t->moved[b].of[i] = seconds * t->velocity[b].of[i];
-    }
-}
-//<
-
 //> step-look-at
 static void look_at_body(world *w, int b)
 {
@@ -193,7 +167,7 @@ static void look_at_body(world *w, int b)
     if (t->moves[b]) {
         now->basis = basis_find(x->rigid, &now->frame);
         t->velocity[b] = motion_of(p, &now->frame, &now->basis, w->age);
-        if (now->is_driven) drive_body(w, b);
+        if (now->is_driven) drive_begin(w, b);
         t->ahead[b] = predict(w, b);
         t->middle[b] = find_middle(w, b);
     } else {
@@ -242,18 +216,11 @@ static void wake_sleepers(world *w)
 //<
 
 //> step-pairs
-// Lists without bodies that must not meet, and without what is driven through
-// planes.
+// A list without bodies that must not meet.
 static void drop_pairs(world *w)
 {
     pair_list *l = &w->rigid.pairs;
-    int kept = 0, walls = 0;
-    for (int k = 0; k < l->walls; k++) {
-        if (w->body[l->wall[k][0]].is_kinematic) continue;
-        l->wall[walls][0] = l->wall[k][0];
-        l->wall[walls++][1] = l->wall[k][1];
-    }
-    l->walls = walls;
+    int kept = 0;
     for (int k = 0; k < l->count; k++) {
         int a = l->pair[k][0], b = l->pair[k][1];
         if (!body_meets(&w->body[a], &w->body[b])) continue;
@@ -273,6 +240,7 @@ static void find_pairs(world *w)
     w->report.dropped += lost;
     if (t->is_new_list) join_drop_pairs(w);
     if (t->is_new_list && w->is_choosy) drop_pairs(w);
+    if (t->is_new_list) drive_drop_walls(w);
     w->report.pairs = t->pairs.count;
     wake_sleepers(w);
 }
@@ -405,7 +373,7 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
     rigid_tables *t = &w->rigid;
     linkage_pass joints = join_pass(w, f);
     fall(w, k == 0 ? (w->age + f->h) / 2 : f->h, f->h);
-    drive(w, k * f->h);
+    drive_hold(w, k * f->h);
     w->ledger_ahead = f->h / 2;
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
@@ -415,7 +383,7 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
     solver_push(&t->solver, f, t->velocity, t->moved);
     linkage_push(&w->joints, &joints);
     advance(w, f->h);
-    drive(w, (k + 1) * f->h);
+    drive_hold(w, (k + 1) * f->h);
     w->ledger_ahead = -f->h / 2;
     linkage_relax(&w->joints, &joints);
     solver_relax(&t->solver, f, t->velocity, t->moved);
@@ -518,9 +486,7 @@ static void end_move(world *w, int b, real h)
     const real *d = t->moved[b].of;
     vec3 way = { d[0], d[1], d[2] };
     vec3 turn = motion_rotation(&t->now[b].basis, &t->moved[b]);
-    motion u = t->velocity[b];
-    if (t->now[b].is_driven)
-        for (int i = MOTION_TURN; i < MOTIONS; i++) u.of[i] *= 0x1p-20;
+    motion u = drive_velocity(w, b);
     motion_end_within(x->rigid, w->pool.at + x->first, &t->now[b].frame, &u, h,
                       linkage_has(&w->joints, b) ? 4 : 1.001);
     real out = t->now[b].radius - x->shape->round;
@@ -615,8 +581,6 @@ static void fall_asleep(world *w)
         w->report.asleep++;
     }
     w->is_still = w->report.asleep > 0
-               && w->report.asleep == w->dynamic_bodies;
-    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++)
-        w->is_still &= !body_is_driven(w, b);
+               && w->report.asleep == w->dynamic_bodies && !drive_any(w);
 }
 //<

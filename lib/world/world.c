@@ -520,7 +520,7 @@ status world_add(world *w, const shape *s, placement where, int *number)
 //<
 
 //> world-remove
-static const shape NOTHING = { .kind = SHAPE_ROPE };
+const shape WORLD_NOTHING = { .kind = SHAPE_ROPE };
 
 static void leave_shape(world *w, const shape *s)
 {
@@ -554,7 +554,7 @@ void world_remove(world *w, int b)
     w->softs -= body_is_soft(&x);
     w->dynamic_bodies -= body_is_dynamic(&x);
     w->kinematic_bodies -= x.is_kinematic;
-    w->body[b] = (body){ .shape = &NOTHING, .mass = HUGE_VAL,
+    w->body[b] = (body){ .shape = &WORLD_NOTHING, .mass = HUGE_VAL,
                          .first = x.first, .room = x.room };
     for (int i = x.first; i < x.first + x.room; i++) {
         w->pool.at[i] = (particle){ .inverse_mass = 0 };

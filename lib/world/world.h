@@ -205,6 +205,9 @@ status world_add(world *w, const shape *s, placement where, int *number);
 // particles (body_is_gone).
 void   world_remove(world *w, int b);
 
+// The shape of such a place.
+extern const shape WORLD_NOTHING;
+
 // Adds a half-space that bodies stay out of, x . normal < offset.  The normal
 // points to the free side; it need not be a unit vector (offset is in m times
 // its length).  At any time.  Fails, adding nothing: a normal without direction,

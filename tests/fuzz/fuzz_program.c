@@ -3,7 +3,8 @@
 //
 // Each call takes a byte or two: which function, which of the ids that are
 // known (those that went are kept, too), and numbers from a list of nasty ones.
-// What is refused must say why; what stands must stay finite.
+// What is refused must say why; what stands must stay finite; and what is saved
+// and loaded must go on with the same bits.
 
 #include "fuzz.h"
 #include "tumble.h"
@@ -195,9 +196,32 @@ static void check(void)
     tumble_forget_failure(w);
 }
 
+// The world is saved and thrown away, and the loaded one goes on as it would
+// have; of bytes of which one is another nothing is loaded.
+static void save_and_load(void)
+{
+    size_t size = tumble_save(w, NULL, 0), where = byte() * 256 + byte();
+    unsigned char *kept = malloc(size);
+    if (!kept) return;
+    MUST(tumble_save(w, kept, size) == size, "%zu bytes", size);
+    tumble_world *copy = tumble_load(kept, size);
+    MUST(copy, "%s", tumble_failure(NULL));
+    kept[where % size] ^= (unsigned char)(1 << where % 8);
+    MUST(!tumble_load(kept, size), "byte %zu was altered", where % size);
+    free(kept);
+    for (int k = 0; k < 4; k++) {
+        MUST(tumble_hash(copy) == tumble_hash(w), "%d steps later", k);
+        tumble_step(copy);
+        tumble_step(w);
+    }
+    tumble_free(w);
+    w = copy;
+    steps += 4;
+}
+
 static void call(void)
 {
-    switch (byte() % 9) {
+    switch (byte() % 10) {
     case 0: make_shape(); break;
     case 1: case 2: make_body(); break;
     case 3: make_joint(); break;
@@ -209,6 +233,8 @@ static void call(void)
             break;
     case 8: for (int k = byte() % 4; k >= 0 && steps < MOST_STEPS; k--, steps++)
                 tumble_step(w);
+            break;
+    case 9: if (steps < MOST_STEPS) save_and_load();
             break;
     }
     check();

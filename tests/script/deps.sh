@@ -46,6 +46,7 @@ deps-book)
     need chromium browser
     need webp command -v img2webp ;;
 deps-site)
+    need pandoc command -v pandoc
     need clang command -v clang
     need lld command -v wasm-ld
     need wasi-libc wasm

@@ -1,0 +1,247 @@
+//> store-head-of-bytes
+#include "store.h"
+
+#include <assert.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+// With these the bytes begin.  Where numbers begin with their other end, MAGIC
+// is another one.
+typedef struct {
+    uint64_t magic;
+    char version[24];       // zeros behind it
+    uint64_t bytes;         // all, with these
+    uint64_t sum;           // of those behind these
+} head;
+
+static const uint64_t MAGIC = 0x656c626d75740a1aU;
+
+// Each word of eight bytes takes its part in the sum by steps that can be undone:
+// so another word gives another sum, whatever the others are.
+static uint64_t sum_of(const char *at, size_t n)
+{
+    uint64_t sum = 0xcbf29ce484222325U;
+    while (n > 0) {
+        uint64_t word = 0;
+        size_t some = n < sizeof word ? n : sizeof word;
+        memcpy(&word, at, some);
+        sum = (sum ^ word) * 0x100000001b3U;
+        sum ^= sum >> 32;
+        at += some;
+        n -= some;
+    }
+    return sum;
+}
+
+static head head_of(const char *version)
+{
+    head h = { .magic = MAGIC };
+    strncpy(h.version, version, sizeof h.version - 1);
+    return h;
+}
+//<
+
+//> store-to
+void store_fail(store *s, status why)
+{
+    if (s->done.ok) s->done = why;
+}
+
+store store_to(void *into, size_t room, const char *version)
+{
+    head h = head_of(version);
+    store s = { .done = status_ok(), .into = into, .room = into ? room : 0,
+                .used = sizeof h };
+    if (s.room >= sizeof h) memcpy(into, &h, sizeof h);
+    return s;
+}
+
+size_t store_end(store *s)
+{
+    head h;
+    if (s->used > s->room) return s->used;
+    memcpy(&h, s->into, sizeof h);
+    h.bytes = s->used;
+    h.sum = sum_of(s->into + sizeof h, s->used - sizeof h);
+    memcpy(s->into, &h, sizeof h);
+    return s->used;
+}
+//<
+
+//> store-from
+static status check_head(const char *from, size_t size, const char *version)
+{
+    head h, wanted = head_of(version);
+    if (size >= sizeof h) memcpy(&h, from, sizeof h);
+    if (size < sizeof h || h.magic != MAGIC)
+        return status_fail("these %zu bytes are no saved world", size);
+    if (memcmp(h.version, wanted.version, sizeof h.version) != 0)
+        return status_fail("the world was saved by another version of the "
+                           "library than %s", version);
+    if (h.bytes != size)
+        return status_fail("a saved world of %llu bytes has %zu",
+                           (unsigned long long)h.bytes, size);
+    if (h.sum != sum_of(from + sizeof h, size - sizeof h))
+        return status_fail("the saved world was altered: its checksum is "
+                           "another one");
+    return status_ok();
+}
+
+store store_from(const void *from, size_t size, const char *version)
+{
+    if (!from) size = 0;
+    return (store){ .done = check_head(from, size, version),
+                    .is_reading = true, .from = from, .room = size,
+                    .used = sizeof(head) };
+}
+//<
+
+//> store-bytes
+static void put(store *s, const void *data, size_t n)
+{
+    if (n > 0 && s->used + n <= s->room) memcpy(s->into + s->used, data, n);
+    s->used += n;
+}
+
+// The checksum was right, and yet the bytes are not what is read.
+static void refuse(store *s)
+{
+    store_fail(s, status_fail("the saved world is of another build of the "
+                              "library"));
+}
+
+static bool get(store *s, void *data, size_t n)
+{
+    if (n > s->room - s->used) refuse(s);
+    if (!s->done.ok) return false;
+    if (n > 0) memcpy(data, s->from + s->used, n);
+    s->used += n;
+    return true;
+}
+
+// So many bytes follow; read, they must be as many.
+static bool agree(store *s, uint64_t n)
+{
+    uint64_t there = n;
+    if (!s->is_reading) put(s, &there, sizeof there);
+    else if (get(s, &there, sizeof there) && there != n) refuse(s);
+    return s->done.ok;
+}
+
+void store_memory(store *s, void *data, size_t n)
+{
+    if (!agree(s, n)) return;
+    s->span[s->depth] = (store_span){ data, n, s->used };
+    if (s->is_reading) get(s, data, n);
+    else               put(s, data, n);
+}
+//<
+
+//> store-forget
+void store_enter(store *s)
+{
+    assert(s->depth < STORE_DEPTH);
+    s->depth++;
+    s->span[s->depth] = (store_span){ NULL, 0, 0 };
+}
+
+void store_leave(store *s)
+{
+    s->depth--;
+}
+
+void store_forget(store *s, const void *field, size_t n)
+{
+    const char *at = field;
+    if (s->is_reading) return;
+    for (int k = s->depth; k >= 0; k--) {
+        store_span x = s->span[k];
+        if (!x.from || at < x.from || at >= x.from + x.size) continue;
+        size_t in = x.at + (size_t)(at - x.from);
+        if (in + n <= s->room) memset(s->into + in, 0, n);
+        return;
+    }
+    assert(!"a field of memory that was not stored");
+}
+//<
+
+//> store-table
+// Room for an array: any other may grow out of it.
+static void *allocate(store *s, int room, size_t size)
+{
+    enum { LINE = 64 };
+    size_t lines = ((size_t)room * size + LINE - 1) / LINE;
+    void *memory = aligned_alloc(LINE, (lines > 0 ? lines : 1) * LINE);
+    if (!memory) store_fail(s, status_out_of_memory());
+    return memory;
+}
+
+// Is there an array?  Then for so many elements.
+static bool is_there(store *s, void *array, int room, size_t size)
+{
+    void *at;
+    memcpy(&at, array, sizeof at);
+    char is = at != NULL;
+    if (!s->is_reading) {
+        store_forget(s, array, sizeof at);
+        put(s, &is, 1);
+        return is;
+    }
+    if (!get(s, &is, 1) || !is) return false;
+    if (room < 0) refuse(s);
+    at = s->done.ok ? allocate(s, room, size) : NULL;
+    memcpy(array, &at, sizeof at);
+    return at;
+}
+
+void store_table(store *s, void *array, int count, int room, size_t size)
+{
+    char *at;
+    size_t n = (size_t)count * size;
+    if (!is_there(s, array, room > count ? room : count, size)) return;
+    memcpy(&at, array, sizeof at);
+    store_memory(s, at, n);
+    if (s->is_reading && room > count)
+        memset(at + n, 0, (size_t)(room - count) * size);
+    if (s->done.ok) return;
+    free(at);
+    at = NULL;
+    memcpy(array, &at, sizeof at);
+}
+
+void store_room(store *s, void *array, int room, size_t size)
+{
+    is_there(s, array, room, size);
+}
+//<
+
+//> store-pointer
+// The number of the thing at this address; -1 if it is none.
+static int number_of(store *s, const void *thing)
+{
+    if (!thing) return -1;
+    for (int k = 0; k < s->things; k++) {
+        int number = (s->last + k) % s->things;
+        if (s->thing(s->owner, number) != thing) continue;
+        return s->last = number;
+    }
+    return -1;
+}
+
+void store_pointer(store *s, void *pointer)
+{
+    const void *thing;
+    memcpy(&thing, pointer, sizeof thing);
+    int number = s->is_reading ? -1 : number_of(s, thing);
+    if (!s->is_reading) {
+        store_forget(s, pointer, sizeof thing);
+        put(s, &number, sizeof number);
+        return;
+    }
+    thing = NULL;
+    if (get(s, &number, sizeof number) && number >= 0 && number < s->things)
+        thing = s->thing(s->owner, number);
+    memcpy(pointer, &thing, sizeof thing);
+}
+//<

@@ -1,0 +1,93 @@
+//> face-save
+#include "inside.h"
+#include "snapshot.h"
+
+#include <stdlib.h>
+
+// The things that a saved world points to are its shapes.
+static const void *shape_at(const void *owner, int number)
+{
+    const tumble_world *w = owner;
+    const shape_place *x = slots_at(&w->shapes, number);
+    return x ? x->shape : NULL;
+}
+
+// If there is no memory for them, there are none.
+static void slots_store(slots *x, store *s)
+{
+    store_table(s, &x->slot, x->count, x->capacity, sizeof *x->slot);
+    store_table(s, &x->thing, x->count, x->capacity, x->size);
+    if (!s->done.ok) slots_free(x);
+}
+
+// Places that are free have an address of something that is gone.
+static void shapes_store(tumble_world *w, store *s)
+{
+    slots_store(&w->shapes, s);
+    store_enter(s);
+    for (int k = 0; k < w->shapes.count; k++) {
+        shape_place *x = (shape_place *)(void *)w->shapes.thing + k;
+        if (!slots_is_taken(&w->shapes, k)) {
+            STORE_FORGET(s, x->shape);
+            continue;
+        }
+        STORE_TABLE(s, x->shape, 1, 1);
+        store_enter(s);
+        if (x->shape) shape_store(x->shape, s);
+        store_leave(s);
+    }
+    store_leave(s);
+}
+
+static void bodies_store(tumble_world *w, store *s)
+{
+    slots_store(&w->bodies, s);
+    store_enter(s);
+    for (int k = 0; k < w->bodies.count; k++) {
+        body_place *x = (body_place *)(void *)w->bodies.thing + k;
+        if (slots_is_taken(&w->bodies, k))
+            STORE_TABLE(s, x->piece, x->pieces, x->pieces);
+        else
+            STORE_FORGET(s, x->piece);
+    }
+    store_leave(s);
+}
+
+// Both ways.
+static void all_store(tumble_world *w, store *s)
+{
+    store_memory(s, w, sizeof *w);
+    store_enter(s);
+    shapes_store(w, s);
+    bodies_store(w, s);
+    slots_store(&w->joints, s);
+    STORE_TABLE(s, w->owner, w->world.bodies, w->owners);
+    STORE_ROOM(s, w->scratch, 4 * w->most_vertices);
+    STORE_TABLE(s, w->touching, w->touchings, w->touchings);
+    s->owner = w;
+    s->thing = shape_at;
+    s->things = w->shapes.count;
+    world_store(&w->world, s);
+    store_leave(s);
+}
+
+size_t tumble_save(const tumble_world *w, void *into, size_t room)
+{
+    tumble_world all = *w;
+    store s = store_to(into, room, TUMBLE_VERSION);
+    all_store(&all, &s);
+    return store_end(&s);
+}
+
+tumble_world *tumble_load(const void *from, size_t size)
+{
+    store s = store_from(from, size, TUMBLE_VERSION);
+    tumble_world *w = s.done.ok ? calloc(1, sizeof *w) : NULL;
+    if (!w) store_fail(&s, status_out_of_memory());
+    if (w) all_store(w, &s);
+    inside_not_made(s.done);
+    if (s.done.ok) return w;
+    tumble_free(w);
+    return NULL;
+}
+//<

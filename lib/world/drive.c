@@ -1,0 +1,75 @@
+//> drive
+#include "drive.h"
+
+// A power of two, and its root, round nothing.  A motion basis has the root of
+// the inverse mass in its turns: the same velocity is as many times more there.
+static const real HEAVIER = 0x1p40, ROOT = 0x1p20;
+
+static void set_velocity(world *w, int b)
+{
+    const body_drive *d = &w->rigid.drive[b];
+    w->rigid.velocity[b] = motion_make(&w->rigid.now[b].basis, d->velocity,
+                                       d->spin);
+}
+
+void drive_begin(world *w, int b)
+{
+    motion_basis *basis = &w->rigid.now[b].basis;
+    basis->inverse_mass /= HEAVIER;
+    for (int t = 0; t < TURNS; t++)
+        basis->turn[t] = vec3_scale(1 / ROOT, basis->turn[t]);
+    set_velocity(w, b);
+}
+
+void drive_hold(world *w, real seconds)
+{
+    rigid_tables *t = &w->rigid;
+    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++) {
+        if (!t->now[b].is_driven) continue;
+        set_velocity(w, b);
+        for (int i = 0; i < MOTIONS; i++)
+            t->moved[b].of[i] = seconds * t->velocity[b].of[i];
+    }
+}
+
+motion drive_velocity(const world *w, int b)
+{
+    motion u = w->rigid.velocity[b];
+    if (w->rigid.now[b].is_driven)
+        for (int i = MOTION_TURN; i < MOTIONS; i++) u.of[i] /= ROOT;
+    return u;
+}
+
+real drive_fastest(const world *w)
+{
+    real most = 0;
+    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++) {
+        const solver_body *now = &w->rigid.now[b];
+        if (w->rigid.moves[b] && now->is_driven)
+            most = real_max(motion_fastest(&now->basis, &w->rigid.velocity[b],
+                                           now->radius), most);
+    }
+    return most;
+}
+
+bool drive_any(const world *w)
+{
+    bool any = false;
+    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++)
+        any |= body_is_driven(w, b);
+    return any;
+}
+
+void drive_drop_walls(world *w)
+{
+    pair_list *l = &w->rigid.pairs;
+    int walls = 0;
+    if (w->kinematic_bodies == 0) return;
+    for (int k = 0; k < l->walls; k++) {
+        if (w->body[l->wall[k][0]].is_kinematic) continue;
+        l->wall[walls][0] = l->wall[k][0];
+        l->wall[walls++][1] = l->wall[k][1];
+    }
+    l->walls = walls;
+}
+//<

@@ -1,0 +1,38 @@
+//> drive-head
+// drive.h - kinematic bodies in a step: a program moves them, and nothing else.
+//
+// Paper: not asked.  Book: chapter 18.
+// One that moves is called driven here.  To contacts and joints it is a body of
+// HEAVIER times its mass, so none of them needs to know of it.
+// Units: metres, seconds.
+
+#ifndef TUMBLE_DRIVE_H
+#define TUMBLE_DRIVE_H
+
+#include "world.h"
+//<
+
+//> drive-declare
+// A frame begins, and body b, which is driven, has its basis: it becomes heavy,
+// and has the velocity that the program gave it.
+void drive_begin(world *w, int b);
+
+// So long (s) after the frame began: all that are driven have that velocity
+// still, and have gone as far as it says.  What contacts did is taken back.
+void drive_hold(world *w, real seconds);
+
+// The velocity of body b in the basis of its own mass.
+motion drive_velocity(const world *w, int b);
+
+// m/s, of any point of a driven body, at most.
+real drive_fastest(const world *w);
+
+// Is any body driven?
+bool drive_any(const world *w);
+
+// A driven body goes through planes: takes it out of the pairs of body and
+// plane that may meet.
+void drive_drop_walls(world *w);
+
+#endif
+//<

@@ -1,0 +1,293 @@
+//> snapshot-shape
+#include "snapshot.h"
+
+#include <stdlib.h>
+
+void shape_store(shape *x, store *s)
+{
+    mesh *m = &x->mesh;
+    STORE_TABLE(s, x->at, x->particles, x->particles);
+    STORE_TABLE(s, x->mass, x->particles, x->particles);
+    STORE_TABLE(s, x->stick, x->sticks, x->sticks);
+    STORE_TABLE(s, x->angle, x->angles, x->angles);
+    STORE_TABLE(s, x->face, 3 * m->faces, 3 * m->faces);
+    STORE_TABLE(s, m->half, 2 * m->edges, 2 * m->edges);
+    STORE_TABLE(s, m->vertex_half, m->vertices, m->vertices);
+    STORE_TABLE(s, m->face_half, m->faces, m->faces);
+    STORE_TABLE(s, x->skin.at, x->skin.points, x->skin.points);
+    STORE_TABLE(s, x->skin.face, 3 * x->skin.faces, 3 * x->skin.faces);
+}
+//<
+
+//> snapshot-pairs
+// Of its tables only the order outlives a call.
+static void broad_store(broad *x, store *s)
+{
+    int n = x->room, places = LANES_A_BODY * n;
+    STORE_TABLE(s, x->order, x->bodies, n);
+    STORE_ROOM(s, x->low, n);
+    STORE_ROOM(s, x->high, n);
+    STORE_ROOM(s, x->first, n + 1);
+    STORE_ROOM(s, x->reach, n);
+    STORE_ROOM(s, x->lane, n + 2);
+    STORE_ROOM(s, x->start, places);
+    STORE_ROOM(s, x->line, places);
+    STORE_ROOM(s, x->who, places);
+    STORE_ROOM(s, x->mover, places + 1);
+}
+
+static void pair_list_store(pair_list *l, store *s)
+{
+    STORE_TABLE(s, l->pair, l->count, l->capacity);
+    STORE_TABLE(s, l->wall, l->walls, l->wall_capacity);
+    STORE_TABLE(s, l->listed, l->bodies, l->room);
+    STORE_TABLE(s, l->is_new, l->bodies, l->room);
+    broad_store(&l->broad, s);
+}
+//<
+
+//> snapshot-contacts
+static void cache_list_store(cache_list *l, store *s)
+{
+    STORE_TABLE(s, l->pair, l->count, l->capacity);
+    STORE_TABLE(s, l->key, l->count, l->capacity);
+    STORE_ROOM(s, l->spare, l->spare_capacity);
+    STORE_ROOM(s, l->spare_key, l->spare_capacity);
+}
+
+static void cache_store(contact_cache *c, store *s)
+{
+    cache_list_store(&c->pairs, s);
+    cache_list_store(&c->walls, s);
+    STORE_TABLE(s, c->entry, c->entries, c->entry_capacity);
+    STORE_TABLE(s, c->placed, c->room, c->room);
+    STORE_TABLE(s, c->placing, c->room, c->room);
+    STORE_TABLE(s, c->vertex, c->vertices, c->vertex_room);
+    STORE_ROOM(s, c->active, c->active_capacity);
+    STORE_ROOM(s, c->of, c->active_capacity);
+    STORE_ROOM(s, c->reach, c->active_capacity);
+    STORE_FORGET(s, c->actives);
+}
+
+// Blocks outlive a frame if its contacts do.
+static void block_store(contact_solver *s, store *to)
+{
+    int starts = s->blocks > 0 ? s->blocks + 1 : 0;
+    STORE_TABLE(to, s->start, starts, s->start_capacity);
+    if (!to->done.ok) return;
+    STORE_TABLE(to, s->point, starts > 0 ? s->start[s->blocks] : 0,
+                s->point_capacity);
+    STORE_TABLE(to, s->block, s->blocks, s->block_capacity);
+    for (int k = 0; k < s->blocks && to->done.ok; k++) {
+        STORE_FORGET(to, s->block[k].point);
+        if (to->is_reading) s->block[k].point = s->point + s->start[k];
+    }
+}
+
+static void contact_solver_store(contact_solver *s, store *to)
+{
+    STORE_TABLE(to, s->active, s->contacts, s->capacity);
+    STORE_TABLE(to, s->order, s->touching, s->capacity);
+    STORE_ROOM(to, s->taken, s->room);
+    STORE_TABLE(to, s->before, s->room + 1, s->room + 1);
+    block_store(s, to);
+}
+//<
+
+//> snapshot-joints
+static void linkage_store(linkage *l, store *s)
+{
+    STORE_TABLE(s, l->joint, l->count, l->capacity);
+    STORE_TABLE(s, l->rows, l->count, l->capacity);
+    STORE_TABLE(s, l->role, l->count, l->capacity);
+    STORE_TABLE(s, l->step, l->steps, 2 * l->capacity);
+    STORE_ROOM(s, l->apart, l->capacity);
+    STORE_TABLE(s, l->tied, l->ties, l->capacity);
+    STORE_TABLE(s, l->body, l->bodies, l->bodies);
+}
+//<
+
+//> snapshot-sleep
+static void sleep_store(sleep_state *x, store *s)
+{
+    STORE_TABLE(s, x->parent, x->bodies, x->room);
+    STORE_TABLE(s, x->island, x->bodies, x->room);
+    STORE_TABLE(s, x->asleep, x->bodies, x->room);
+    STORE_TABLE(s, x->is_restless, x->bodies, x->room);
+    STORE_TABLE(s, x->watch, x->bodies, x->room);
+    for (int k = 0; k < WINDOWS; k++)
+        STORE_TABLE(s, x->start[k], x->particles, x->particle_room);
+}
+//<
+
+//> snapshot-soft
+static void trees_store(near_lists *l, store *s)
+{
+    STORE_TABLE(s, l->tree, l->bodies, l->bodies);
+    if (!l->tree) l->bodies = 0;        // there are none to be freed
+    store_enter(s);
+    for (int b = 0; b < l->bodies; b++) {
+        sphere_tree *t = &l->tree[b];
+        STORE_TABLE(s, t->node, t->nodes, t->nodes);
+        STORE_TABLE(s, t->leaf, t->leaves, t->leaves);
+        STORE_TABLE(s, t->rest, t->leaves, t->leaves);
+    }
+    store_leave(s);
+}
+
+static void grid_store(grid *g, store *s)
+{
+    int points = g->points;
+    STORE_FORGET(s, *g);
+    store_memory(s, &points, sizeof points);
+    if (s->is_reading && s->done.ok && points > 0)
+        store_fail(s, grid_init(g, points));
+}
+
+static void near_store(near_lists *l, store *s)
+{
+    STORE_TABLE(s, l->pair, l->pairs, l->pair_capacity);
+    STORE_TABLE(s, l->point, l->points, l->point_capacity);
+    STORE_TABLE(s, l->facet.at, l->facet.count, l->facet_capacity);
+    STORE_TABLE(s, l->facets_before.at, l->facets_before.count,
+                l->facet_capacity);
+    STORE_TABLE(s, l->met, l->mets, l->facet_capacity);
+    STORE_ROOM(s, l->ahead, l->particles);
+    STORE_ROOM(s, l->at, l->particles);
+    STORE_TABLE(s, l->listed, l->particles, l->particles);
+    STORE_ROOM(s, l->ball, l->bodies);
+    STORE_ROOM(s, l->leaf, l->leaf_capacity);
+    grid_store(&l->grid, s);
+    trees_store(l, s);
+}
+
+// A view is looked at again.
+static void rigid_view_store(rigid_view *v, store *s)
+{
+    STORE_ROOM(s, v->corner, v->corners);
+    STORE_ROOM(s, v->plane, v->faces);
+    STORE_FORGET(s, v->hull);
+    STORE_FORGET(s, v->frame);
+    STORE_FORGET(s, v->moved);
+    STORE_FORGET(s, v->of);
+    if (s->is_reading) v->of = -1;
+}
+
+static void soft_store(soft_solver *x, store *s)
+{
+    near_store(&x->near, s);
+    rigid_view_store(&x->view, s);
+    STORE_ROOM(s, x->ahead, x->bodies);
+    STORE_TABLE(s, x->hold, x->particles, x->particles);
+    STORE_ROOM(s, x->bends, x->rows);
+}
+//<
+
+//> snapshot-bodies
+// What is found for a shape, and memory to work on it.
+static void shape_entry_store(shape_entry *e, store *s)
+{
+    store_pointer(s, &e->shape);
+    STORE_FORGET(s, e->line);
+    bool is_rigid = e->shape && e->shape->kind == SHAPE_RIGID;
+    STORE_TABLE(s, e->rigid, 1, 1);
+    if (is_rigid && e->rigid) {
+        store_enter(s);
+        STORE_TABLE(s, e->rigid->local, e->shape->particles,
+                    e->shape->particles);
+        store_leave(s);
+    }
+    if (!s->is_reading || !e->shape || is_rigid) return;
+    e->line = line_scratch_new(e->shape);
+    if (!e->line) store_fail(s, status_out_of_memory());
+}
+
+// The table of shapes doubles when it is full.
+static int doubled(int count)
+{
+    int room = 1;
+    while (room < count) room *= 2;
+    return room;
+}
+
+static void shapes_store(world *w, store *s)
+{
+    STORE_TABLE(s, w->shape, w->shapes, doubled(w->shapes));
+    if (!w->shape) w->shapes = 0;       // there are none to be freed
+    store_enter(s);
+    for (int k = 0; k < w->shapes; k++) shape_entry_store(&w->shape[k], s);
+    store_leave(s);
+}
+
+// A body of no shape is a place that is free.
+static void find_plan(const world *w, body *x)
+{
+    if (!x->shape) x->shape = &WORLD_NOTHING;
+    for (int k = 0; k < w->shapes; k++) {
+        const shape_entry *e = &w->shape[k];
+        if (e->bodies == 0 || e->shape != x->shape) continue;
+        x->rigid = e->rigid;
+        x->line = e->line;
+    }
+}
+
+static void bodies_store(world *w, store *s)
+{
+    STORE_TABLE(s, w->body, w->bodies, w->room);
+    for (int b = 0; b < w->bodies && s->done.ok; b++) {
+        body *x = &w->body[b];
+        store_pointer(s, &x->shape);
+        STORE_FORGET(s, x->rigid);
+        STORE_FORGET(s, x->line);
+        if (s->is_reading) find_plan(w, x);
+    }
+    STORE_TABLE(s, w->rigid.body, w->bodies, w->room);
+    for (int b = 0; b < w->bodies && s->done.ok; b++) {
+        cache_body *x = &w->rigid.body[b];
+        const body *of = &w->body[b];
+        STORE_FORGET(s, x->shape);
+        STORE_FORGET(s, x->rigid);
+        if (s->is_reading && of->rigid)
+            *x = (cache_body){ of->shape, of->rigid, x->inner };
+    }
+}
+//<
+
+//> snapshot-world
+static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
+{
+    STORE_TABLE(s, t->dynamic, bodies, room);
+    STORE_TABLE(s, t->moves, bodies, room);
+    STORE_TABLE(s, t->now, bodies, room);
+    STORE_TABLE(s, t->ball, bodies, room);
+    STORE_TABLE(s, t->ahead, bodies, room);
+    STORE_TABLE(s, t->reach, bodies, room);
+    STORE_TABLE(s, t->middle, bodies, room);
+    STORE_TABLE(s, t->velocity, t->motions, t->motions);
+    STORE_TABLE(s, t->moved, t->motions, t->motions);
+    STORE_ROOM(s, t->relaxed, room);
+    STORE_TABLE(s, t->load, bodies, room);
+    STORE_TABLE(s, t->material, bodies, room);
+    STORE_TABLE(s, t->drive, bodies, room);
+    pair_list_store(&t->pairs, s);
+    cache_store(&t->cache, s);
+    contact_solver_store(&t->solver, s);
+}
+
+void world_store(world *w, store *s)
+{
+    int particles = w->pool.count, room = w->pool.capacity;
+    STORE_FORGET(s, w->options.host);
+    STORE_TABLE(s, w->pool.at, particles, room);
+    STORE_TABLE(s, w->inverse_mass, particles, room);
+    STORE_TABLE(s, w->owner, particles, room);
+    STORE_TABLE(s, w->plane, w->planes, doubled(w->planes));
+    STORE_TABLE(s, w->wall, w->planes, doubled(w->planes));
+    shapes_store(w, s);
+    bodies_store(w, s);
+    rigid_store(&w->rigid, w->bodies, w->room, s);
+    linkage_store(&w->joints, s);
+    soft_store(&w->soft, s);
+    sleep_store(&w->sleep, s);
+}
+//<

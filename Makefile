@@ -170,8 +170,8 @@ $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
 
 #:
 #: Begin here
-#:   make deps       install what is missing (Check, gnuplot, a font, libpng,
-#:                   and aspell for the spelling of the book)
+#:   make deps       install what is missing (Check, gnuplot, libpng, and
+#:                   aspell for the spelling of the book)
 #:   make demo       run the three scenes, draw them, print a table
 #:   make test       build and run every test, and check the book
 help:
@@ -203,6 +203,8 @@ test:
 #:   make test-04    its tests alone
 #:   make book       weave chapters/, lib/ and the judges into book.md, and into
 #:                   a page a chapter: chapters/woven
+#:   make site       the book as pages for a browser, with live figures:
+#:                   build/site/index.html (make deps-site)
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make live 01    the live figures of chapter 01, in a page (make deps-site)
@@ -220,9 +222,6 @@ book:
 	$(Q)rm -rf chapters/woven && cp -R $(BUILD)/woven chapters/woven
 	@echo "book.md: $$(wc -l < book.md) lines; a page a chapter: chapters/woven"
 
-html pdf epub:
-	$(Q)mkdir -p $(BUILD)
-	$(Q)sh chapters/page.sh $@ $(BUILD)/book.$@
 
 library: $(BUILD)/libtumble.a
 
@@ -427,6 +426,8 @@ bits:
 #: Be strict
 #:   make sanitize   the tests under the address and undefined sanitizers
 #:   make valgrind   the tests under valgrind
+#:   make test-site  each page in a real browser, as on a slow phone: errors, links,
+#:                   keys, contrast, width, time, and the bits of live figures
 #:   make fuzz       any bytes for obj, the queries and the options, and random
 #:                   worlds of any seed, 60 s each
 #:   make strict     every warning of gcc and of clang is an error
@@ -651,6 +652,7 @@ lib/%.c tests/%.c figures/%.c: ;
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 
 include figures/live/live.mk
+include chapters/site/site.mk
 
 # Changes when the compiler, its flags or the reader's modules do, and then
 # everything is rebuilt.

@@ -27,5 +27,5 @@ set arrow 2 from x[3]+r[3],y[3] to x[3]+r[3],bar(7)-0.3 nohead dt 2 lw 0.9 lc rg
 set arrow 3 from -0.2,-0.75 to 13.4,-0.75 head filled size 0.25,20 lw 1.2 lc rgb ink
 set label 20 "x" at 13.55,-0.75 left textcolor rgb ink
 set label 21 "the shadows, sorted by where they begin" at 0,-3.75 left textcolor rgb quiet
-set label 22 "ball 3 is compared with 4 and 5, whose shadows begin before its own ends, and with no other to the right" at 0,-4.2 left textcolor rgb orange
+set label 22 "ball 3 is compared with 4 and 5, whose shadows begin before its own ends" at 0,-4.2 left textcolor rgb orange
 plot NaN

@@ -147,7 +147,7 @@ FLOOR = $(if $(filter 00 01 02 03 04 05 06 07 08,$1),$(UPTO_$1),$(ALL))
 
 # After `watch`, `exercise` and their like a chapter says of what: it is no goal
 # of its own.
-ifneq ($(filter watch exercise hint solution reset progress,$(MAKECMDGOALS)),)
+ifneq ($(filter watch live exercise hint solution reset progress,$(MAKECMDGOALS)),)
 NAMED := $(filter $(CHAPTERS),$(MAKECMDGOALS))
 endif
 MADE := $(filter-out $(NAMED),$(CHAPTERS))
@@ -170,8 +170,8 @@ $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
 
 #:
 #: Begin here
-#:   make deps       install what is missing (Check, gnuplot, a font, libpng,
-#:                   and aspell for the spelling of the book)
+#:   make deps       install what is missing (Check, gnuplot, libpng, and
+#:                   aspell for the spelling of the book)
 #:   make demo       run the three scenes, draw them, print a table
 #:   make test       build and run every test, and check the book
 help:
@@ -203,8 +203,11 @@ test:
 #:   make test-04    its tests alone
 #:   make book       weave chapters/, lib/ and the judges into book.md, and into
 #:                   a page a chapter: chapters/woven
+#:   make site       the book as pages for a browser, with live figures:
+#:                   build/site/index.html (make deps-site)
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
+#:   make live 01    the live figures of chapter 01, in a page (make deps-site)
 #:   make library    build/libtumble.a
 #:   make install    tumble.h, the library and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS:%=test-%): test-%:
@@ -219,9 +222,6 @@ book:
 	$(Q)rm -rf chapters/woven && cp -R $(BUILD)/woven chapters/woven
 	@echo "book.md: $$(wc -l < book.md) lines; a page a chapter: chapters/woven"
 
-html pdf epub:
-	$(Q)mkdir -p $(BUILD)
-	$(Q)sh chapters/page.sh $@ $(BUILD)/book.$@
 
 library: $(BUILD)/libtumble.a
 
@@ -283,7 +283,7 @@ check-exercises:
 	@CC='$(CC)' BUILD='$(BUILD)' sh tests/script/check_exercises.sh
 
 # To make, what is named after the command is a goal: one with nothing to do.
-ifneq ($(and $(WHICH),$(filter $(READER) watch,$(MAKECMDGOALS))),)
+ifneq ($(and $(WHICH),$(filter $(READER) watch live,$(MAKECMDGOALS))),)
 NOTHING := $(NAMED) $(foreach goal,$(WHICH),$(if $(findstring /,$(goal)),$(goal)))
 .PHONY: $(NOTHING)
 $(NOTHING) .DEFAULT:
@@ -294,6 +294,7 @@ endif
 #: Swap in your own
 #:   make test-04 MINE=my/gjk.c    chapter 04's tests, with your gjk for ours
 #:   make demo MINE='my/distance.c my/verlet.c'    the three scenes, with yours
+#:   make live 01 MINE=my/verlet.c    the live figures of chapter 01, with yours
 # The name of a file says which module it is.  It may stand anywhere.
 ifneq ($(MINE),)
 swapped = $(addprefix $(BUILD)/lib/,$(notdir $(1:.c=.o)))
@@ -425,6 +426,8 @@ bits:
 #: Be strict
 #:   make sanitize   the tests under the address and undefined sanitizers
 #:   make valgrind   the tests under valgrind
+#:   make test-site  each page in a real browser, as on a slow phone: errors, links,
+#:                   keys, contrast, width, time, and the bits of live figures
 #:   make fuzz       any bytes for obj, the queries and the options, and random
 #:                   worlds of any seed, 60 s each
 #:   make strict     every warning of gcc and of clang is an error
@@ -649,6 +652,7 @@ lib/%.c tests/%.c figures/%.c: ;
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 
 include figures/live/live.mk
+include chapters/site/site.mk
 
 # Changes when the compiler, its flags or the reader's modules do, and then
 # everything is rebuilt.

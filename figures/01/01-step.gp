@@ -28,14 +28,14 @@ plot csv index 1 using 1:2 with lines lc rgb pale(blue, 0.5) lw 1.5, \
 unset arrow
 unset label
 set size noratio
-set title "What position, velocity and acceleration say"
+set title "What x, v and a say of the curve"
 set xrange [-1.4:2.75]
 set yrange [-0.95:2.0]
 set arrow 1 from 0,-0.75 to 0,0.64 nohead dt 3 lw 1 lc rgb grey
 set label 1 "t" at 0,-0.85 center textcolor rgb quiet
 set label 2 "x(t)" at 1.93,0.0 right textcolor rgb ink
 set label 3 "x" at -1.3,0.74 left textcolor rgb green
-set label 4 "x + v Δt" at 1.3,1.72 right textcolor rgb purple
+set label 4 "x + v Δt" at 1.15,1.72 right textcolor rgb purple
 set label 5 "x + v Δt + ½ a Δt²" at 2.7,1.2 right textcolor rgb blue
 plot csv index 2 using 1:3 with lines lc rgb green lw 2, \
      csv index 2 using 1:($4 > -0.9 && $4 < 1.95 ? column(4) : NaN) with lines lc rgb purple lw 2, \

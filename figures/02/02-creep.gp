@@ -1,7 +1,7 @@
 # 02-creep.gp - sh figures/draw/chart.sh figures/02/02-creep.gp DATA.csv CHART.svg
 high = 420
 load "figures/draw/chart.gp"
-set multiplot layout 1,2 margins 0.08,0.965,0.13,0.88 spacing 0.1
+set multiplot layout 1,2 margins 0.08,0.965,0.155,0.9 spacing 0.1
 set title "The error of each stick"
 set xrange [0:51]
 set yrange [0:1.1]

@@ -3,12 +3,13 @@ high = 410
 load "figures/draw/chart.gp"
 set border 2 lc rgb grey lw 0.7
 unset xtics
-set lmargin 26
-set rmargin 22
+unset grid
+set lmargin 18
+set rmargin 16
 set yrange [3.6:-0.6]
 set xrange [0:*]
 set ytics scale 0 ("bare loop" 0, "PBD,\nexact root" 1, "PBD,\napproximate root" 2, "SHAKE" 3)
-set title "The time of one relaxation: a rope, stick after stick, and even sticks first" offset -4,0
+set title "The time of one relaxation: a rope, stick after stick, and even sticks first"
 set style fill solid 1 noborder
 w = 0.17
 plot csv using (0):0:(0):4:($0-0.19-w):($0-0.19+w) with boxxyerror lc rgb orange, \

@@ -10,8 +10,8 @@ array says[3] = ["both cells fold", "the right cell folds", "nothing folds"]
 do for [k=0:2] {
   set lmargin at screen 0.01 + 0.33 * k
   set rmargin at screen 0.32 + 0.33 * k
-  set bmargin at screen 0.06
-  set tmargin at screen 0.80
+  set bmargin at screen 0.03
+  set tmargin at screen 0.88
   set autoscale
   stats csv index 6 every ::k::k using 2 name "S" nooutput
   stats csv index 6 every ::k::k using 3 name "R" nooutput

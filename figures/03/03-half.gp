@@ -38,9 +38,9 @@ set xrange [-0.5:3.6]
 set yrange [-0.5:3.1]
 set title "A volume is a sum of signed pieces" textcolor rgb ink
 set label 1 "o" at -0.2,-0.15 center textcolor rgb ink
-set label 2 "+" at 2.45,0.95 center textcolor rgb blue font bold
-set label 3 "+" at 0.42,1.35 center textcolor rgb blue font bold
-set label 4 "−" at 2.0,1.53 center textcolor rgb orange font bold
+set label 2 "+" at 2.45,0.95 center textcolor rgb blue font ":Bold,16"
+set label 3 "+" at 0.42,1.35 center textcolor rgb blue font ":Bold,16"
+set label 4 "−" at 2.0,1.53 center textcolor rgb orange font ":Bold,16"
 set style fill transparent solid 0.22 noborder
 plot csv index 4 using 1:($3>0 ? $2 : NaN) with filledcurves closed lc rgb blue, \
      csv index 4 using 1:($3<0 ? $2 : NaN) with filledcurves closed lc rgb orange, \

@@ -2,7 +2,8 @@
 high = 440
 load "figures/draw/chart.gp"
 set datafile separator comma
-set style fill solid 0.9 noborder
+set style fill solid 1 noborder
+unset grid
 set lmargin at screen 0.41
 set rmargin at screen 0.97
 set tmargin at screen 0.86
@@ -12,9 +13,9 @@ unset xtics
 set xrange [0:1050]
 set yrange [11.6:-0.6]
 set ytics nomirror scale 0 textcolor rgb ink
-set label 3 "Wrong answers without one rule, of 21,076 hard pairs" at screen 0.02,0.955 textcolor rgb ink
-set label 1 "overlap or apart mistaken" at screen 0.41,0.895 textcolor rgb orange font bold
-set label 2 "distance wrong" at screen 0.80,0.895 textcolor rgb blue font bold
+set label 3 "Wrong answers without one rule, of 21,076 hard pairs" at screen 0.02,0.955 textcolor rgb ink font bold
+set label 1 "overlap or apart mistaken" at screen 0.41,0.895 textcolor rgb orange
+set label 2 "distance wrong" at screen 0.80,0.895 textcolor rgb blue
 # One bar is six times too long for the picture: it is cut, and its number tells.
 cut(x) = x > 940 ? 940 : x
 sign(x) = cut(x)

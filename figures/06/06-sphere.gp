@@ -7,7 +7,7 @@ set size ratio -1
 set multiplot
 set style fill transparent solid 0.10 border
 
-array says[3] = ["1: one point, and the farthest", "2: a diameter", "3: all inside"]
+array says[3] = ["1: a point, the farthest", "2: a diameter", "3: all inside"]
 do for [k=1:3] {
   set lmargin at screen 0.01 + 0.33 * (k - 1)
   set rmargin at screen 0.32 + 0.33 * (k - 1)
@@ -16,7 +16,7 @@ do for [k=1:3] {
   set xrange [-0.12:1.62]
   set yrange [-0.22:1.48]
   set title says[k] textcolor rgb ink
-  plot csv index k every ::0::0 using 1:2:3 with circles lw 1.6 fc rgb pale(blue, 0.5), \
+  plot csv index k every ::0::0 using 1:2:3 with circles lw 1.6 fc rgb blue, \
        csv index 0 using 1:2 with points pt 7 ps 1.1 lc rgb grey, \
        csv index k every ::1 using ($3==0 ? $1 : NaN):2 with points pt 7 ps 1.69 lc rgb blue, \
        csv index k every ::1 using ($3<0 ? $1 : NaN):2 with points pt 7 ps 1.69 lc rgb orange, \
@@ -26,7 +26,7 @@ do for [k=1:3] {
 array name[2] = ["layered: around the spheres below", "wrapped: around the vertices below"]
 array colour[2] = [orange, blue]
 do for [k=1:2] {
-  set lmargin at screen 0.01 + 0.5 * (k - 1)
+  set lmargin at screen 0.10 + 0.5 * (k - 1)
   set rmargin at screen 0.49 + 0.5 * (k - 1)
   set bmargin at screen 0.01
   set tmargin at screen 0.45

@@ -18,7 +18,7 @@ array share[4] = [1, 0.45, 0.75, 1]
 array row[2] = ["in the order\nof its list", "from the blow\noutwards"]
 array after[5] = ["struck", "10 relaxations", "30", "100 relaxations", "300 relaxations"]
 array shown[4] = [0, 1, 3, 4]
-left = 0.13
+left = 0.155
 width = (1 - left) / 4
 set xrange [-7.7:7.7]
 set yrange [-8.9:7.5]

@@ -4,7 +4,7 @@
 high = 250
 load "figures/draw/chart.gp"
 set datafile separator comma
-a = purple; b = pale(blue, 0.5); normal = orange
+a = purple; b = blue; normal = orange
 unset border
 unset tics
 set size ratio -1

@@ -8,25 +8,20 @@ set xrange [0:108]
 set xtics 0,20,100
 set xlabel "bodies" textcolor rgb ink
 set multiplot
-set bmargin 3.6
-set tmargin 3
-set rmargin 3
-set lmargin 11
 
-set origin 0,0
-set size 0.5,1
+eval box(62, 350, 50, 284)
 set title "Constraints relaxed a step"
 set yrange [0:4000]
 set ytics ("0" 0, "1,000" 1000, "2,000" 2000, "3,000" 3000, "4,000" 4000)
 set label 1 "as listed" at 66,1750 textcolor rgb listed
 set label 2 "along the paper’s lists" at 6,3000 textcolor rgb ordered font bold
-set label 3 "half of “as listed”:\nwhat the paper reports" at 40,480 textcolor rgb listed font small
+set label 3 "half of “as listed”, as\nthe paper reports" at 52,620 textcolor rgb listed font small
 plot csv index 0 using 2:($3/2) with lines lc rgb listed lw 1 dt 3, \
      csv index 0 using 2:3 with linespoints pt 6 ps 0.72 lc rgb listed lw 1.6, \
      csv index 1 using 2:3 with linespoints pt 7 ps 0.72 lc rgb ordered lw 2.4
 unset label
 
-set origin 0.5,0
+eval box(430, 708, 50, 284)
 set title "Constraints looked at a step"
 set yrange [0:20000]
 set ytics ("0" 0, "5,000" 5000, "10,000" 10000, "15,000" 15000, "20,000" 20000)

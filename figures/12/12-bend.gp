@@ -10,8 +10,7 @@ set lmargin at screen 0.1
 set rmargin at screen 0.97
 set tmargin at screen 0.93
 set bmargin at screen 0.42
-set title "A strip held level at one end: how far its free end hangs down"
-set ylabel "sag / length" textcolor rgb ink
+set title "A strip held level at one end: the sag of its free end, of its length"
 set yrange [0:1.05]
 set format x ""
 set xtics ("" 0.1, "" 1, "" 10, "" 100)
@@ -33,13 +32,12 @@ plot csv using 1:2 with lines lc rgb grey lw 3, \
      csv using 1:6 with points pt 7 ps 0.52 lc rgb blue
 unset label
 unset arrow
-unset title
-set tmargin at screen 0.37
+set title "Off theory"
+set tmargin at screen 0.33
 set bmargin at screen 0.1
 set format x
 set xtics ("0.1" 0.1, "1" 1, "10" 10, "100" 100)
-set xlabel "load  q L³ / (E I)" textcolor rgb ink
-set ylabel "off theory" textcolor rgb ink
+set xlabel "load q L³ / (E I): weight against stiffness" textcolor rgb ink
 set logscale y 10
 set yrange [1e-5:0.5]
 set ytics ("10 %%" 0.1, "1 %%" 0.01, "0.1 %%" 1e-3, "0.01 %%" 1e-4)

@@ -9,16 +9,15 @@ set yrange [1e-16:1e4]
 set xtics ("0.1" 0.1, "1" 1, "10" 10, "100" 100)
 set tmargin at screen 0.915
 set bmargin at screen 0.55
-set label 10 "A hanging rope of 50 links: how far it stretches" at screen 0.5,0.978 center
+set label 10 "A hanging rope of 50 links: its largest strain" at screen 0.5,0.978 center font bold textcolor rgb ink
 set label 11 "time a frame (10 sweeps with the exact root = 1)" at screen 0.55,0.497 center textcolor rgb ink
 
 set lmargin at screen 0.115
 set rmargin at screen 0.385
 set title "load 1"
-set ylabel "largest strain" textcolor rgb ink offset 1,0
 set ytics ("10^{3}" 1e3, "1" 1, "10^{−3}" 1e-3, "10^{−6}" 1e-6, "10^{−9}" 1e-9, "10^{−12}" 1e-12, "10^{−15}" 1e-15)
 set label 1 "n sweeps" at 3,8 textcolor rgb orange
-set label 2 "n small\nsteps" at 4,3e-5 textcolor rgb blue
+set label 2 "n small\nsteps" at 0.9,3e-6 textcolor rgb blue
 set label 3 "the line\nsolved: 1,\n2, 3, 4 steps" at 1.6,1e-10 textcolor rgb green font bold
 plot csv index 0 using 2:3 with linespoints pt 7 ps 0.45 lc rgb orange lw 1.5, \
      csv index 1 using 2:3 with linespoints pt 7 ps 0.45 lc rgb blue lw 1.5, \
@@ -47,15 +46,14 @@ set tmargin at screen 0.425
 set bmargin at screen 0.075
 set lmargin at screen 0.115
 set rmargin at screen 0.985
-set title "A taut rope, touched: a zigzag after 200 steps"
-set xlabel "T h² / (m L)" textcolor rgb ink
-set ylabel "grown to so many times" textcolor rgb ink offset 0.5,0
+set title "A taut rope, touched: how many times a zigzag has grown after 200 steps"
+set xlabel "T h² / (m L): pull times step squared" textcolor rgb ink
 set xrange [0.019:1.5]
 set yrange [1e-4:1e13]
 set xtics ("0.02" 0.02, "0.05" 0.05, "0.1" 0.1, "0.2" 0.2, "1/3" 1.0/3, "1" 1)
 set ytics ("10^{12}" 1e12, "10^{9}" 1e9, "10^{6}" 1e6, "10^{3}" 1e3, "1" 1, "10^{−3}" 1e-3)
 set label 1 "along the new links" at 0.3,2e6 right textcolor rgb blue font bold
-set label 2 "along the old links" at 0.95,3e9 right textcolor rgb purple font bold
+set label 2 "along the old links" at 0.9,3e9 right textcolor rgb purple font bold
 plot csv index 9 using 1:2 with lines lc rgb blue lw 2.5, \
      csv index 10 using 1:2 with lines lc rgb purple lw 2.5
 unset multiplot

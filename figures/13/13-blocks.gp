@@ -1,19 +1,14 @@
 # 13-blocks.gp - sh figures/draw/chart.sh figures/13/13-blocks.gp DATA.csv CHART.svg
-high = 310
+high = 330
 load "figures/draw/chart.gp"
 set grid ytics lc rgb rule lw 0.5 dt 1
 plain = orange; blocks = blue; make = grey
 set multiplot
-set bmargin 3.6
-set tmargin 2.6
 
-set origin 0,0
-set size 0.6,1
-set lmargin 10
-set rmargin 2
+eval box(62, 400, 52, 294)
 set title "Two passes of a substep: ns a contact"
-set style fill solid 0.9 noborder
-set boxwidth 0.24
+set style fill solid 1 noborder
+set boxwidth 0.22
 set xrange [0.5:4.9]
 set xtics 1,1,4
 set xlabel "points of a contact" textcolor rgb ink
@@ -28,8 +23,7 @@ plot csv index 0 using ($1-0.25):2 with boxes lc rgb plain, \
      csv index 0 using ($1+0.25):4 with boxes lc rgb make
 unset label
 
-set origin 0.6,0
-set size 0.4,1
+eval box(490, 706, 52, 294)
 set title "Lanes in use"
 set logscale x 10
 set xrange [8:4000]

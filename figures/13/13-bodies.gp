@@ -1,5 +1,5 @@
 # 13-bodies.gp - sh figures/draw/chart.sh figures/13/13-bodies.gp DATA.csv CHART.svg
-high = 680
+high = 636
 load "figures/draw/chart.gp"
 engine = blue; cold = orange; mended = green; printed = orange
 
@@ -17,22 +17,17 @@ stats csv index 2 using 2 nooutput
 end = STATS_max
 
 set multiplot
-set bmargin 3.6
-set tmargin 3
 set logscale xy 10
 set xrange [0.6*X[1]:1.5*end]
-set xtics (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2)
-set xlabel "ms a step" textcolor rgb ink
+set xtics (0.05, 0.1, 0.2, 0.5, 1, 2)
+set xlabel "time of a step, ms" textcolor rgb ink
 
-set origin 0,0.47
-set size 0.5,0.53
-set lmargin 11
-set rmargin 2
-set title "Fifty bodies: deepest overlap, of a radius"
+eval box(66, 345, 332, 602)
+set title "Fifty bodies: overlap, of a radius"
 set yrange [0.1:150]
 set ytics ("0.1 %%" 0.1, "1 %%" 1, "10 %%" 10, "100 %%" 100)
-set label 1 "chapter 09, as printed" at 1.15*X[2],Y[2] left textcolor rgb printed
-set label 2 "chapter 09,\nas mended" at 1.9*X[3],1.2*Y[3] left textcolor rgb mended
+set label 1 "chapter 09,\nas printed" at 1.25*X[2],Y[2] left textcolor rgb printed
+set label 2 "chapter 09,\nas mended" at 1.75*X[3],1.3*Y[3] left textcolor rgb mended
 set label 3 "engine" at X[1],2*Y[1] left textcolor rgb engine font bold
 plot csv index 1 using 2:3 with points pt 9 ps 1.43 lc rgb printed, \
      csv index 2 using 2:3 with linespoints pt 6 ps 0.85 lc rgb mended lw 1.6, \
@@ -41,30 +36,27 @@ plot csv index 1 using 2:3 with points pt 9 ps 1.43 lc rgb printed, \
      csv index 0 using 2:3:1 with labels font small textcolor rgb engine offset 0,-1.1
 unset label
 
-set origin 0.5,0.47
+eval box(440, 706, 332, 602)
 set title "Joules left after six seconds"
 set yrange [1e-24:300]
 set ytics ("10^{-24}" 1e-24, "10^{-18}" 1e-18, "10^{-12}" 1e-12, "10^{-6}" 1e-6, "1" 1)
-set label 1 "chapter 09, as printed" at 1.15*X[2],20*J[2] left textcolor rgb printed
-set label 2 "as mended" at 1.2*X[3],1e-4*J[3] left textcolor rgb mended
-set label 3 "engine" at 1.3*X[1],3e-7 left textcolor rgb engine font bold
+set label 1 "as printed" at 1.3*X[2],J[2] left textcolor rgb printed
+set label 2 "as mended" at 1.2*X[3],2e-4 left textcolor rgb mended
+set label 3 "engine" at 1.9*X[1],1e-9 left textcolor rgb engine font bold
 plot csv index 1 using 2:4 with points pt 9 ps 1.43 lc rgb printed, \
      csv index 2 using 2:4 with linespoints pt 6 ps 0.85 lc rgb mended lw 1.6, \
      csv index 0 using 2:4 with linespoints pt 7 ps 0.85 lc rgb engine lw 2, \
      csv index 0 using 2:4:1 with labels font small textcolor rgb engine offset 1.6,0.6
 unset label
 
-set origin 0,0
-set size 1,0.45
-set lmargin 14
-set rmargin 24
-set title "Ten cubes, one on the other, awake: drift of a cube from 5 to 10 s"
+eval box(76, 580, 52, 242)
+set title "Ten cubes, awake: drift of a cube from 5 to 10 s"
 set xrange [1.8:36]
 set xtics (2, 4, 8, 16, 32)
 set xlabel "substeps of a frame"
 set yrange [0.0002:60000]
-set ytics ("1 {/Symbol m}m" 0.001, "0.01 mm" 0.01, "0.1 mm" 0.1, "1 mm" 1, "1 cm" 10, "10 cm" 100, "1 m" 1000)
-set label 1 "not warm-started" at 38,0.4 textcolor rgb cold
+set ytics ("1 µm" 0.001, "0.01 mm" 0.01, "0.1 mm" 0.1, "1 mm" 1, "1 cm" 10, "10 cm" 100, "1 m" 1000)
+set label 1 "not warm-started" at 38,0.7 textcolor rgb cold
 set label 2 "warm-started" at 38,0.0008 textcolor rgb engine font bold
 set label 3 "falls" at 4.2,11000 textcolor rgb quiet
 plot csv index 3 using 1:($1 < 4 ? NaN : $5) with linespoints pt 6 ps 0.85 lc rgb cold lw 1.6, \

@@ -1,7 +1,7 @@
 # 13-contact.gp - sh figures/draw/chart.sh figures/13/13-contact.gp DATA.csv CHART.svg
 high = 290
 load "figures/draw/chart.gp"
-a = purple; b = pale(blue, 0.5)
+a = purple; b = blue
 unset border
 unset tics
 set size ratio -1

@@ -21,7 +21,7 @@ set yrange [-1.3:1.3]
 plot csv index 0 using 1:2:3:4 with vectors nohead lc rgb grey lw 1.4, \
      csv index 1 using 1:2:3:4 with vectors nohead lc rgb ink lw 1.2, \
      csv index 3 using 1:2:3:4 with vectors as 1, \
-     csv index 2 with points pt 7 ps 1.95 lc rgb purple
+     csv index 2 with points pt 7 ps 1.95 lc rgb orange
 
 set origin 0.56,0
 set size 0.44,1
@@ -36,6 +36,6 @@ plot csv index 5 using 1:2:3:4 with vectors nohead lc rgb grey lw 1.6, \
      csv index 4 every ::0::0 using 1:2:3:4 with vectors nohead lc rgb ink lw 1.4, \
      csv index 4 every ::3::3 using 1:2:3:4 with vectors nohead lc rgb ink lw 1.4, \
      csv index 4 every ::1::2 using 1:2:3:4 with vectors as 2, \
-     csv index 4 every ::1::1 using 1:2 with points pt 7 ps 1.56 lc rgb purple, \
-     csv index 4 every ::3::3 using ($1+$3):($2+$4) with points pt 7 ps 1.56 lc rgb purple
+     csv index 4 every ::1::1 using 1:2 with points pt 7 ps 1.56 lc rgb orange, \
+     csv index 4 every ::3::3 using ($1+$3):($2+$4) with points pt 7 ps 1.56 lc rgb orange
 unset multiplot

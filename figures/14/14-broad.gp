@@ -1,38 +1,31 @@
 # 14-broad.gp - sh figures/draw/chart.sh figures/14/14-broad.gp DATA.csv CHART.svg
-high = 770
+high = 698
 load "figures/draw/chart.gp"
 stats csv index 0 using 6 name "PAIRS" nooutput
 stats csv index 0 using 7 name "WRONG" nooutput
 set multiplot
 
-set origin 0,0.46
-set size 1,0.54
-set lmargin 12
-set rmargin 18
+eval box(72, 590, 374, 664)
 set logscale xy 10
-set title "Which bodies of a room may meet?"
+set title "Which bodies of a room may meet? Time of a frame"
 set xlabel "bodies" textcolor rgb ink
-set ylabel "time a frame" textcolor rgb ink offset 1,0
 set xrange [9:11000]
 set yrange [0.15:200000]
-set xtics ("10" 10, "30" 30, "100" 100, "300" 300, "1000" 1000, "3000" 3000, "10 000" 10000)
+set xtics ("10" 10, "30" 30, "100" 100, "300" 300, "1,000" 1000, "3,000" 3000, "10,000" 10000)
 set ytics ("1 µs" 1, "10 µs" 10, "100 µs" 100, "1 ms" 1000, "10 ms" 10000, "100 ms" 100000)
-set label 1 "every pair" at 12500,100000 textcolor rgb orange
-set label 2 "sorted" at 12500,9500 textcolor rgb blue font bold
-set label 3 "the first call" at 12500,24000 textcolor rgb pale(blue, 0.5)
+set label 1 "every pair" at 12500,180000 textcolor rgb orange
+set label 2 "sorted" at 12500,3600 textcolor rgb blue font bold
+set label 3 "the first call" at 12500,8600 textcolor rgb quiet
 set label 4 sprintf("pairs found in all frames: %.2f million\nby one way and not by the other: %.0f", PAIRS_sum / 1e6, WRONG_sum) at 11,40000 textcolor rgb ink
 plot csv index 0 using 1:3 with linespoints pt 7 ps 0.52 lc rgb orange lw 2, \
-     csv index 0 using 1:4 with lines dt 3 lc rgb pale(blue, 0.5) lw 1.5, \
+     csv index 0 using 1:4 with lines dt 3 lc rgb quiet lw 1.5, \
      csv index 0 using 1:2 with linespoints pt 7 ps 0.52 lc rgb blue lw 2
 unset label
 
-set origin 0,0
-set size 1,0.46
-set lmargin 20
+eval box(130, 640, 52, 282)
 unset logscale y
-set title "A thousand bodies, in a room and elsewhere"
-set xlabel "time a frame"
-unset ylabel
+set title "A thousand bodies, in a room and elsewhere: time of a frame"
+set xlabel "time of a frame"
 set xrange [0.5:4000]
 set xtics ("1 µs" 1, "10 µs" 10, "100 µs" 100, "1 ms" 1000)
 set yrange [7.6:-0.6]

@@ -1,7 +1,7 @@
 # 17-joint.gp - sh figures/draw/chart.sh figures/17/17-joint.gp DATA.csv CHART.svg
 high = 280
 load "figures/draw/chart.gp"
-a = purple; b = pale(blue, 0.5)
+a = purple; b = blue
 unset border
 unset tics
 set size ratio -1

@@ -1,16 +1,14 @@
 # 18-threads.gp - sh figures/draw/chart.sh figures/18/18-threads.gp DATA.csv CHART.svg
 
-high = 410
+high = 400
 load "figures/draw/chart.gp"
 set logscale x
 set xrange [80:7500]
 set yrange [0.3:1.1]
-set bmargin 5
-set xlabel "bodies in the room; share of a frame that can be shared" offset 0,-0.8
-set ylabel "time, in parts of one thread's"
+set xlabel "bodies in the room; share of a frame that can be shared" offset 0,-0.4
+set title "Time of a frame, in parts of one thread's"
+eval box(50, 700, 84, 364)
 set grid ytics lc rgb rule
-set border 3
-set tics nomirror
 # Where each column stands in the end: labels beside the curves.
 stats csv using 3 every ::3::3 nooutput; two = STATS_max
 stats csv using 4 every ::3::3 nooutput; four = STATS_max

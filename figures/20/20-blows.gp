@@ -36,7 +36,7 @@ set title "15.  A bounce: its height at any step"
 set label 1 "e = 1" at 0.9,1.04 center textcolor rgb ours font bold
 set label 2 "e = 0.5" at 0.705,0.3 center textcolor rgb green font bold
 set label 3 "e = 0" at 1.6,0.05 center textcolor rgb theirs font bold
-set label 4 "grey: exact\nrings: dt = 1/20 s\ndots: 1/240 s" at 0.9,0.62 center textcolor rgb quiet font small
+set label 4 "grey: exact\nrings: 1/20 s\ndots: 1/240 s" at 0.9,0.62 center textcolor rgb quiet font small
 plot csv index 1 using 1:2 with lines lc rgb pale(grey, 0.4) lw 5, \
      csv index 4 using 1:2 with lines lc rgb pale(grey, 0.4) lw 5, \
      csv index 7 using 1:2 with lines lc rgb pale(grey, 0.4) lw 5, \

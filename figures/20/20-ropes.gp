@@ -15,7 +15,7 @@ set bmargin at screen 0.465
 set xrange [-1.15:1.15]
 set yrange [-1.09:0.08]
 shade(t) = number(orange) + 0x1000000 * int(255 * (0.75 - 0.75 * t / 0.93))
-set label 10 "7.  A chain of 20 links, let go from the horizontal, every 60th of a second" at screen 0.5,0.977 center
+set label 10 "7.  A chain of 20 links, let go from the horizontal, every 60th of a second" at screen 0.5,0.977 center font bold textcolor rgb ink
 set label 11 "path of\nits end" at -0.68,-0.74 right textcolor rgb ours font bold
 set label 12 "0.93 s" at -1.0,-0.1 right textcolor rgb orange
 set label 13 "0 s" at 1.01,0.03 textcolor rgb grey
@@ -27,6 +27,7 @@ plot csv index 0 using 1:2:(shade($3)) with lines lc rgb variable lw 1.1, \
 unset label
 
 set size noratio
+eval axes
 set tmargin at screen 0.41
 set bmargin at screen 0.07
 set lmargin at screen 0.095
@@ -59,7 +60,7 @@ set rmargin at screen 0.98
 set xrange [-0.06:1.06]
 set yrange [-0.86:0.04]
 unset title
-set label 5 "9.  A chain finds its rest" at screen 0.79,0.4405 center
+set label 5 "9.  A chain finds its rest" at screen 0.79,0.4405 center font bold textcolor rgb ink
 set label 1 "solved: off by\n1.4·10^{−14} m" at 0.5,-0.44 center textcolor rgb ours font bold
 set label 2 "grey: exact" at 0.5,-0.18 center textcolor rgb grey
 set label 3 "10 sweeps:\n7 mm too low" at 0.5,-0.27 center textcolor rgb theirs

@@ -1,32 +1,29 @@
 # 21-constraint.gp - sh figures/draw/chart.sh figures/21/21-constraint.gp DATA.csv CHART.svg
-high = 400
+high = 420
 load "figures/draw/chart.gp"
 exact = orange; near = purple; old = green; direct = blue
 set logscale xy 10
 set xlabel "time of a frame" textcolor rgb ink
 set multiplot
-set lmargin 9
-set rmargin 2
-set size 0.5,1
 
 # A strain that is only rounding is drawn at the bottom.
 none = 1e-13
 shown(e) = e > none ? e : none
 
 do for [k = 0:1] {
-  set origin 0.5 * k,0
+  eval box(56 + 374 * k, 344 + 364 * k, 52, 384)
   if (k == 0) {
     set title "A rope of 50 links swings: strain"
     set xrange [4e2:1.5e5]
     set xtics ("1 µs" 1e3, "10 µs" 1e4, "100 µs" 1e5)
     set yrange [1e-10:30]
     set ytics ("1" 1, "10^{−2}" 1e-2, "10^{−4}" 1e-4, "10^{−6}" 1e-6, "10^{−8}" 1e-8)
-    set label 4 "exact root" at 6e2,2e-3 textcolor rgb exact font small
-    set label 5 "approximate root" at 6e2,7e-4 textcolor rgb near font small
-    set label 6 "old gradient" at 6e2,2.5e-4 textcolor rgb old font small
-    set label 1 "sweeps of one step" at 1.4e5,2.6 right textcolor rgb quiet
-    set label 2 "small steps" at 1.4e5,8e-4 right textcolor rgb quiet
-    set label 3 "the line, solved" at 5.2e3,1e-7 right textcolor rgb direct font bold
+    set label 4 "exact root" at 5e2,2e-6 textcolor rgb exact 
+    set label 5 "approximate root" at 5e2,5.5e-7 textcolor rgb near 
+    set label 6 "old gradient" at 5e2,1.5e-7 textcolor rgb old 
+    set label 1 "sweeps of one step" at 1.4e5,9 right textcolor rgb quiet
+    set label 2 "small steps" at 1.4e5,6e-5 right textcolor rgb quiet
+    set label 3 "the line, solved" at 5e2,5e-9 left textcolor rgb direct font bold
   } else {
     unset label
     set title "A free brick tumbles: strain"
@@ -34,9 +31,9 @@ do for [k = 0:1] {
     set xtics ("0.1 µs" 1e2, "1 µs" 1e3, "10 µs" 1e4)
     set yrange [none/3:1]
     set ytics ("1" 1, "10^{−2}" 1e-2, "10^{−4}" 1e-4, "10^{−6}" 1e-6, "10^{−8}" 1e-8, "10^{−10}" 1e-10, "10^{−12}" 1e-12)
-    set label 1 "sweeps of one step" at 6e3,3e-12 right textcolor rgb quiet
-    set label 2 "small steps" at 2.6e4,2e-4 right textcolor rgb quiet
-    set label 3 "four particles,\nsolved" at 70,1e-8 left textcolor rgb direct font bold
+    set label 1 "sweeps of one step" at 2.6e4,5e-12 right textcolor rgb quiet
+    set label 2 "small steps" at 2.6e4,3e-3 right textcolor rgb quiet
+    set label 3 "four particles,\nsolved" at 70,1e-9 left textcolor rgb direct font bold
   }
   b = 7 * k
   plot csv index (b) using 2:(shown($3)) with linespoints pt 6 ps 0.65 lc rgb exact lw 1.5 dt 2, \

@@ -10,12 +10,14 @@ ink = "#22252a"; quiet = "#5d636d"; rule = "#d9d6cd"; page = "#fffefb"
 pale(colour, share) = sprintf("#%02x%s", 255 * (1 - share), colour[2:7])
 bold = ":Bold"
 small = ",12"
-set border 3 lc rgb quiet lw 0.7
-set tics nomirror scale 0.5 textcolor rgb quiet
-set grid xtics ytics lt 1 lc rgb rule lw 0.7
+# Axes; `eval axes` brings them back.
+axes = "set border 3 lc rgb quiet lw 0.7; set tics nomirror scale 0.5 textcolor rgb quiet; set xtics nomirror; set ytics nomirror; set grid xtics ytics lt 1 lc rgb rule lw 0.7"
+eval axes
 set title textcolor rgb ink font bold offset 0,-0.4
-set xlabel textcolor rgb quiet
-set ylabel textcolor rgb quiet
+set xlabel textcolor rgb ink offset 0,0.45
+set ylabel textcolor rgb ink
 unset key
+# The place of one of several plots, in pixels from below: eval box(60, 350, 50, 300).
+box(left, right, bottom, top) = sprintf("set lmargin at screen %g; set rmargin at screen %g; set bmargin at screen %g; set tmargin at screen %g", 1.0 * left / wide, 1.0 * right / wide, 1.0 * bottom / high, 1.0 * top / high)
 # A colour as a number, for `lc rgb variable`.
 number(colour) = int(real("0x" . colour[2:7]))

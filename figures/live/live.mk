@@ -4,11 +4,20 @@
 # A figure, and the chapter up to which it sees the library.
 define LIVES
 01/orbit
+02/rope
+03/cube
+04/gjk
 09/room
+09/drape
 endef
 # What a figure takes from other folders, beside the library.
+WITH_gjk  := rules/04-distance-1.o
+WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
+
 LIVE := $(notdir $(strip $(LIVES)))
+# With modules of the reader's own, all but these is taken from where ours is.
+OURS := $(BUILD:%/swapped=%)
 LIVE_PROGRAMS := $(LIVE:%=$(BUILD)/live/%)
 live_chapter = $(patsubst %/$1,%,$(filter %/$1,$(strip $(LIVES))))
 live_floor   = $(call FLOOR,$(call live_chapter,$1))
@@ -21,8 +30,14 @@ $(LIVE_PROGRAMS): $(BUILD)/live/%: $(BUILD)/live/%.o $(BUILD)/live/live.o \
 	$(call link,-lm)
 .PHONY: live-programs
 live-programs: $(LIVE_PROGRAMS)
-$(BUILD)/live/%.json: $(BUILD)/live/%
+# What the page builds before the figure itself is there: dials, charts, hashes.
+ifeq ($(OURS),$(BUILD))
+$(OURS)/live/%.json: $(OURS)/live/%
 	$(Q)$< --panel > $@
+else
+$(OURS)/live/%.json: FORCE
+	$(Q)$(AGAIN) -s MINE= BUILD=$(OURS) $@
+endif
 
 # --- In the browser -------------------------------------------------------------
 # The default stack of 64 kB is too small for some scenes, and where it ends
@@ -31,7 +46,7 @@ WASM_CC   ?= clang
 WASM      := $(WASM_CC) --target=wasm32-wasi --sysroot=/usr
 WASM_C     = $(WASM) $(EXACT) -O3 -msimd128 -Wall -Wextra $(ROOMS) -MMD -MP
 WASM_LINK := -nostartfiles -Wl,--no-entry,--strip-debug,--gc-sections,--stack-first,-z,stack-size=1048576
-$(BUILD)/wasm/flags: FORCE
+$(OURS)/wasm/flags: FORCE
 	$(Q)mkdir -p $(@D)
 	$(Q)echo '$(strip $(WASM_C))' | cmp -s - $@ || echo '$(strip $(WASM_C))' > $@
 define wasm
@@ -39,34 +54,50 @@ define wasm
 	@echo "  wasm  $<"
 	$(Q)$(WASM_C) $1 -c $< -o $@
 endef
-$(BUILD)/wasm/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/wasm/flags
+$(OURS)/wasm/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(OURS)/wasm/flags
 	$(call wasm)
-$(BUILD)/wasm/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(BUILD)/wasm/flags
+$(OURS)/wasm/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(OURS)/wasm/flags
 	$(call wasm)
-$(BUILD)/wasm/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(BUILD)/wasm/flags
+$(OURS)/wasm/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(OURS)/wasm/flags
 	$(call wasm)
-$(BUILD)/wasm/live/%.o: figures/live/%.c $(BUILD)/wasm/flags
+$(OURS)/wasm/rules/04-distance-%.o: $(OURS)/rules/04-distance-%.c $(OURS)/wasm/flags
+	$(call wasm,$(foreach f,$(GJK),-D$f=$f_$*))
+$(OURS)/wasm/live/%.o: figures/live/%.c $(OURS)/wasm/flags
 	$(call wasm)
-$(LIVE:%=$(BUILD)/wasm/%.wasm): $(BUILD)/wasm/%.wasm: $(BUILD)/wasm/live/%.o \
-  $(BUILD)/wasm/live/live.o $(BUILD)/wasm/live/live_wasm.o $$(addprefix $(BUILD)/wasm/,$$(WITH_$$*)) \
-  $$(subst $(BUILD)/lib/,$(BUILD)/wasm/lib/,$$(call live_floor,$$*))
+# The reader's own counts the turns of its loops, so that one without end is
+# stopped, and not taken for a loop with an end.
+COUNTED := -fsanitize-coverage=trace-pc,edge,no-prune -fno-finite-loops
+define wasm_swap
+$(BUILD)/wasm/mine/$(notdir $(1:.c=.o)): $1 $(BUILD)/flags
+	$$(call wasm,$$(COUNTED)) || { echo "$1: does not compile; begin with the first error\
+	 above" >&2; exit 1; }
+endef
+$(foreach f,$(MINE),$(eval $(call wasm_swap,$f)))
+WASM_MINE := $(addprefix $(BUILD)/wasm/mine/,$(notdir $(MINE:.c=.o)))
+live_objects = $(filter-out $(WASM_MINE:$(BUILD)/wasm/mine/%=$(OURS)/wasm/lib/%),\
+  $(subst $(BUILD)/lib/,$(OURS)/wasm/lib/,$(call live_floor,$1))) $(WASM_MINE)
+$(LIVE:%=$(BUILD)/wasm/%.wasm): $(BUILD)/wasm/%.wasm: $(OURS)/wasm/live/%.o \
+  $(OURS)/wasm/live/live.o $(OURS)/wasm/live/live_wasm.o \
+  $$(addprefix $(OURS)/wasm/,$$(WITH_$$*)) $$(call live_objects,$$*)
 	@echo "  link  $@"
 	$(Q)$(WASM) $(WASM_LINK) $^ -o $@
--include $(wildcard $(BUILD)/wasm/*/*.d $(BUILD)/live/*.d)
+$(OURS)/wasm/%.d: ;
+-include $(wildcard $(OURS)/wasm/*/*.d)
 
 # A plain script, since file:// lets no other in.
 $(LIVE:%=$(BUILD)/live/%.js): $(BUILD)/live/%.js: $(BUILD)/wasm/%.wasm
+	$(Q)mkdir -p $(@D)
 	$(Q){ printf 'tumble.wasm["$*"]="'; gzip -9nc $< | base64 | tr -d '\n'; echo '";'; } > $@
 
 # --- The page's side --------------------------------------------------------------
 # npm puts what package.json names into build/, not beside the sources.
-$(BUILD)/node/.done: figures/live/package.json figures/live/package-lock.json
+NODE := $(OURS)/node
+$(NODE)/.done: figures/live/package.json figures/live/package-lock.json
 	$(Q)mkdir -p $(@D) && cp $^ figures/live/.npmrc $(@D)
 	$(Q)cd $(@D) && npm ci --no-fund --no-audit --silent && touch .done
-BUNDLE = NODE_PATH=$(BUILD)/node/node_modules $(BUILD)/node/node_modules/.bin/esbuild \
+BUNDLE = NODE_PATH=$(NODE)/node_modules $(NODE)/node_modules/.bin/esbuild \
   --bundle --minify --format=iife --loader:.css=text --legal-comments=none --log-level=warning
-LIVE_JS := $(wildcard figures/live/*.js figures/live/*.css)
-$(BUILD)/live/main.js $(BUILD)/live/space.js: $(BUILD)/live/%.js: $(LIVE_JS) $(BUILD)/node/.done
+$(OURS)/live/main.js $(OURS)/live/space.js: $(OURS)/live/%.js: $(wildcard figures/live/*.js figures/live/*.css) $(NODE)/.done
 	$(Q)mkdir -p $(@D)
 	$(Q)$(BUNDLE) figures/live/$*.js --outfile=$@
 # What the panels of all figures hold, and the bundle.
@@ -80,12 +111,27 @@ LIVE_FILES := $(BUILD)/live/live.js $(BUILD)/live/space.js $(LIVE:%=$(BUILD)/liv
 .PHONY: live-files
 live-files: $(LIVE_FILES)
 
+# --- make live ----------------------------------------------------------------------
+# The chapter that is named, or that of the reader's first module.
+LIVE_CHAPTER := $(firstword $(NAMED) $(foreach f,$(MINE),$(patsubst %/,%,$(dir $(filter %/$(basename $(notdir $f)),$(LINE))))))
+LIVE_SHOWN   := $(notdir $(filter $(LIVE_CHAPTER)/%,$(strip $(LIVES))))
+LIVE_TOOLS    = echo 'int main(void) { return 0; }' | $(WASM) -x c - -o /dev/null 2> /dev/null && command -v npm > /dev/null
+.PHONY: live live-page
+live:
+	@[ -n '$(LIVE_SHOWN)' ] || { echo "make live wants a chapter that has live figures:\
+	  $(sort $(patsubst %/,%,$(dir $(strip $(LIVES)))))" >&2; exit 1; }
+	@if $(LIVE_TOOLS); then $(AGAIN) live-page NAMED=$(LIVE_CHAPTER) && \
+	  sh figures/live/open.sh $(BUILD)/live/$(LIVE_CHAPTER)/index.html; else \
+	  echo "A live page needs clang for WebAssembly and npm: make deps-site installs them. Here is a film instead." >&2; \
+	  $(AGAIN) $(BUILD)/tumble && $(BUILD)/tumble room --film $(BUILD)/live-room.png && ls $(BUILD)/live-room.png; fi
+live-page: $(LIVE_SHOWN:%=$(OURS)/live/%.json) $(LIVE_SHOWN:%=$(BUILD)/live/%.js) $(OURS)/live/main.js $(OURS)/live/space.js
+	$(Q)sh figures/live/page.sh $(LIVE_CHAPTER) $(BUILD)/live/$(LIVE_CHAPTER) $(OURS)/live $(BUILD)/live $(LIVE_SHOWN)
+
 # --- Stills -----------------------------------------------------------------------
-# Those of a chapter's figures alone are on its page.
 .PHONY: $(LIVE:%=still-%)
-$(LIVE:%=still-%): still-%: $(BUILD)/live/%.js $(BUILD)/live/live.js $(BUILD)/live/space.js
-	$(Q)sh figures/live/page.sh $(call live_chapter,$*) $(BUILD)/live $*
-	$(Q)cp figures/live/still.js $(BUILD)/node/ && node $(BUILD)/node/still.js \
-	  $(abspath $(BUILD))/live/$(call live_chapter,$*).html $* $(BUILD)/live/$*.png
+$(LIVE:%=still-%): still-%: $(BUILD)/live/%.js $(BUILD)/live/%.json $(BUILD)/live/main.js $(BUILD)/live/space.js
+	$(Q)sh figures/live/page.sh $(call live_chapter,$*) $(BUILD)/live/still-$* $(BUILD)/live $(BUILD)/live $*
+	$(Q)cp figures/live/still.js $(NODE)/ && node $(NODE)/still.js \
+	  $(abspath $(BUILD)/live/still-$*/index.html) $* $(BUILD)/live/$*.png
 	$(Q)cwebp -quiet -q 82 -m 6 -resize 1200 0 $(BUILD)/live/$*.png -o figures/live/$*.webp
 	@ls -l figures/live/$*.webp

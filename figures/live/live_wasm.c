@@ -9,6 +9,9 @@
 __attribute__((import_module("page"), import_name("failed")))
 void page_failed(const char *what, const char *file, int line, const char *where);
 
+__attribute__((import_module("page"), import_name("endless")))
+void page_endless(void);
+
 // The C library's own would print, and bring all of printf along.
 void __assert_fail(const char *what, const char *file, int line, const char *where)
 {
@@ -29,5 +32,7 @@ void page_fuel(double turns)
 __attribute__((no_sanitize("coverage"))) void __sanitizer_cov_trace_pc(void);
 void __sanitizer_cov_trace_pc(void)
 {
-    if (--fuel < 0) __builtin_trap();
+    if (--fuel >= 0) return;
+    page_endless();
+    __builtin_trap();
 }

@@ -1,8 +1,21 @@
-# page.sh - a page of a chapter's live figures alone, beside their scripts.
-# page.sh CHAPTER FOLDER FIGURE...: writes FOLDER/CHAPTER.html.
+# page.sh - a folder with a page of some live figures of a chapter, and all that
+# it needs.
+# page.sh CHAPTER FOLDER COMMON OWN FIGURE...: writes FOLDER/index.html.  COMMON
+# has the scripts and panels, OWN the figures' WebAssembly.
 
-chapter=$1 folder=$2
-shift 2
+chapter=$1 folder=$2 common=$3 own=$4
+shift 4
+mkdir -p "$folder"
+
+panels() {
+    echo 'window.tumble={wasm:{},panels:{'
+    for figure in "$@"; do printf '%s:%s,' "$figure" "$(cat "$common/$figure.json")"; done
+    echo '}};'
+}
+{ panels "$@"; cat "$common/main.js"; } > "$folder/live.js"
+cp "$common/space.js" "$folder"
+for figure in "$@"; do cp "$own/$figure.js" "$folder"; done
+
 # The caption of a figure, from the picture's line in the chapter.
 caption() {
     sed -n "s|^!\[\(.*\)\](../figures/live/$1.webp)\$|\1|p" chapters/"$chapter"-*.md | head -n 1
@@ -22,5 +35,5 @@ HEAD
     for figure in "$@"; do
         printf '<figure data-live="%s"><figcaption>%s</figcaption></figure>\n' "$figure" "$(caption "$figure")"
     done
-    printf '<script src="live.js"></script>\n'
-} > "$folder/$chapter.html"
+    echo '<script src="live.js"></script>'
+} > "$folder/index.html"

@@ -86,9 +86,24 @@ static void stop_lost(world *w, int b)
     memset(&t->moved[b], 0, sizeof t->moved[b]);
 }
 
+// A body that was fast in a substep between, and is slow again, has gone too
+// far all the same.
+static void shorten_way(world *w, int b, real most)
+{
+    rigid_tables *t = &w->rigid;
+    real energy = motion_energy(&t->now[b].basis, &t->moved[b]);
+    real bound = most * w->frame * w->frame;
+    if (!(energy > bound) || t->now[b].is_driven) return;
+    real share = sqrt(bound / energy);
+    for (int i = 0; i < MOTIONS; i++) t->moved[b].of[i] *= share;
+}
+
 void guard_brake(world *w, real most)
 {
-    for (int b = 0; b < w->bodies; b++) stop_lost(w, b);
+    for (int b = 0; b < w->bodies; b++) {
+        stop_lost(w, b);
+        shorten_way(w, b, most);
+    }
     real now = rigid_motion(w).energy, share = sqrt(most / now);
     if (!(now > most)) return;
     for (int b = 0; b < w->bodies; b++) {
@@ -130,5 +145,155 @@ static void stop_chunk(void *data, int item)
 void guard_planes(world *w)
 {
     tasks_run(w->options.host.run, stop_chunk, w, task_chunks(w->bodies));
+}
+//<
+
+//> guard-through
+// A body that slides along another, and that turns meanwhile, may come to be
+// behind the side that it slides along: its contact is that of the frame's
+// start.  So the centre of the smaller one goes through no other body, as that
+// one sees it: on the straight line from where it was to where it comes.
+typedef struct {
+    int  face;          // through which it goes in; -1: through none
+    real in, out;       // shares of the line
+    int  exit;          // the face through which it goes out; -1: it stays
+} passage;
+
+// Coordinates in a frame: see frame_point.
+static vec3 frame_local(const rigid_frame *f, vec3 x)
+{
+    vec3 d = vec3_sub(x, f->center);
+    real at[FOUR_AXES];
+    for (int i = 0; i < FOUR_AXES; i++)
+        at[i] = vec3_dot(f->axis[i], d) / vec3_length_squared(f->axis[i]);
+    return vec3_make(at[0], at[1], at[2]);
+}
+
+// Out of the body, whose centre is 0.  (In coordinates of a frame, too: what is
+// on which side of a plane, and where a line meets it, is no question of
+// lengths.)
+static vec3 out_of_face(const vec3 *local, const int *v)
+{
+    vec3 n = vec3_cross(vec3_sub(local[v[1]], local[v[0]]),
+                        vec3_sub(local[v[2]], local[v[0]]));
+    return vec3_dot(n, local[v[0]]) < 0 ? vec3_scale(-1, n) : n;
+}
+
+// A line is in a convex body behind all of its faces.
+static passage find_passage(const cache_body *b, vec3 from, vec3 to)
+{
+    const vec3 *local = b->rigid->local;
+    passage x = { -1, 0, 1, -1 };
+    for (int f = 0; f < b->shape->mesh.faces; f++) {
+        const int *v = &b->shape->face[3 * f];
+        vec3 n = out_of_face(local, v);
+        real start = vec3_dot(n, vec3_sub(from, local[v[0]]));
+        real end = vec3_dot(n, vec3_sub(to, local[v[0]]));
+        real share = start / (start - end);
+        if (start > 0 && !(end < 0)) return (passage){ .face = -1 };
+        if (start > 0 && share >= x.in) { x.face = f; x.in = share; }
+        if (!(start > 0) && end > 0 && share < x.out) {
+            x.exit = f;
+            x.out = share;
+        }
+    }
+    if (!(x.in < x.out)) x.face = -1;
+    return x;
+}
+
+// A line that goes out beside where it came in has cut a corner.
+static bool cuts_corner(const cache_body *b, const passage *x)
+{
+    const int *face = b->shape->face;
+    if (x->exit < 0) return false;
+    vec3 in = out_of_face(b->rigid->local, &face[3 * x->face]);
+    vec3 out = out_of_face(b->rigid->local, &face[3 * x->exit]);
+    return vec3_dot(in, out) > -0.5 * vec3_length(in) * vec3_length(out);
+}
+
+// Where the smaller body comes, beside a face of the larger.
+typedef struct {
+    vec3 normal, arm;   // unit, out of it; of that place from its centre
+    real need;          // m, to be as high over the face as it was, or as it is
+                        // where it touches
+} lost_side;
+
+static lost_side side_of(const rigid_tables *t, int large, int face,
+                         const rigid_frame *end, vec3 from, vec3 to, real high)
+{
+    const cache_body *b = &t->body[large];
+    vec3 at[3];
+    for (int k = 0; k < 3; k++)
+        at[k] = frame_point(end, b->rigid->local[b->shape->face[3 * face + k]]);
+    vec3 n = vec3_unit(triangle_normal(at[0], at[1], at[2]));
+    if (vec3_dot(n, vec3_sub(at[0], end->center)) < 0) n = vec3_scale(-1, n);
+    real was = vec3_dot(n, vec3_sub(frame_point(end, from), at[0]));
+    real is = vec3_dot(n, vec3_sub(to, at[0]));
+    return (lost_side){ n, vec3_sub(to, end->center), real_min(was, high) - is };
+}
+
+// Both make way, by their masses.
+static void put_back(rigid_tables *t, int small, int large, const lost_side *s)
+{
+    real x = t->now[small].basis.inverse_mass;
+    real y = t->now[large].basis.inverse_mass;
+    const real n[3] = { s->normal.x, s->normal.y, s->normal.z };
+    for (int i = 0; i < 3; i++) {
+        t->moved[small].of[i] += s->need * x / (x + y) * n[i];
+        t->moved[large].of[i] -= s->need * y / (x + y) * n[i];
+    }
+}
+
+// The impulse after which the smaller one's centre goes no further in.
+static void stop_closing(rigid_tables *t, int small, int large,
+                         const lost_side *s)
+{
+    const motion_basis *a = &t->now[small].basis, *b = &t->now[large].basis;
+    motion *u = &t->velocity[small], *v = &t->velocity[large];
+    vec3 center = { 0, 0, 0 }, twist = vec3_cross(s->arm, s->normal);
+    real k = a->inverse_mass + b->inverse_mass;
+    real apart = vec3_dot(s->normal, vec3_sub(motion_at(a, u, center),
+                                              motion_at(b, v, s->arm)));
+    for (int i = 0; i < TURNS; i++) {
+        real turn = vec3_dot(b->turn[i], twist);
+        k += turn * turn;
+    }
+    if (!(apart < 0)) return;
+    motion_push(u, a, center, vec3_scale(-apart / k, s->normal));
+    motion_push(v, b, s->arm, vec3_scale(apart / k, s->normal));
+}
+
+static void stop_passing(rigid_tables *t, int small, int large)
+{
+    const solver_body *was = &t->now[small], *other = &t->now[large];
+    const real *way = t->moved[small].of;
+    rigid_frame end = motion_frame(&other->frame, &other->basis,
+                                   &t->moved[large]);
+    vec3 to = vec3_add(was->frame.center, vec3_make(way[0], way[1], way[2]));
+    vec3 from = frame_local(&other->frame, was->frame.center);
+    passage x = find_passage(&t->body[large], from, frame_local(&end, to));
+    if (x.face < 0 || cuts_corner(&t->body[large], &x)) return;
+    lost_side s = side_of(t, large, x.face, &end, from, to,
+                          t->body[small].inner);
+    put_back(t, small, large, &s);
+    stop_closing(t, small, large, &s);
+}
+
+// Only where they may go as far as the ball inside the smaller one.
+void guard_bodies(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    bool some = false;
+    for (int b = 0; b < w->bodies; b++)
+        some |= t->moves[b] && 2 * t->reach[b] > t->body[b].inner;
+    for (int k = 0; k < t->cache.actives && some; k++) {
+        int a = t->cache.active[k]->a, b = t->cache.active[k]->b;
+        if (b < 0) continue;
+        bool is_a = t->now[a].radius < t->now[b].radius;
+        int small = is_a ? a : b, large = is_a ? b : a;
+        bool may = t->reach[a] + t->reach[b] > t->body[small].inner;
+        if (may && t->moves[small] && !(t->body[large].shape->round > 0))
+            stop_passing(t, small, large);
+    }
 }
 //<

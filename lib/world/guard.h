@@ -12,9 +12,13 @@
 // have after them.
 real guard_most(const world *w, const solver_frame *f);
 
-// After them: slows rigid bodies, all by the same share, if they have more; and
-// stops one whose numbers were lost.
+// After them: slows rigid bodies, all by the same share, if they have more;
+// stops one whose numbers were lost; and none has gone further than with all of
+// that energy.
 void guard_brake(world *w, real most);
+
+// Nothing goes through a body that it touches.
+void guard_bodies(world *w);
 
 // No centre of mass goes behind a plane, or further behind than it was.
 void guard_planes(world *w);

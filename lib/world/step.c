@@ -50,6 +50,7 @@ static void solve(world *w, real *since)
     w->report.substeps += f.substeps;
     w->age = f.h;
     guard_brake(w, most);
+    guard_bodies(w);
     guard_planes(w);
     drive_hold(w, w->frame);
     ledger_book(w, LEDGER_CONTACTS);

@@ -2,17 +2,19 @@
 # picture and the font are inside, every link within it lands, none leads out
 # of it into the tree.  Where there is no pandoc there is nothing to look at.
 
-command -v pandoc > /dev/null || { echo "no pandoc here: the page was not looked at"; exit 0; }
+command -v pandoc > /dev/null && command -v cwebp > /dev/null || {
+    echo "no pandoc or no cwebp here: the page was not looked at"; exit 0; }
+unset MAKEFLAGS MFLAGS      # a make that called us must not hand down its own
 
 export LC_ALL=C
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
-page=$place/book.html
+page=${BUILD:=build}/book.html
 failed=
 
 complain() { echo "book.html: $1"; failed=1; }
 
-sh chapters/page.sh html "$page" > "$place/said" 2>&1 || { cat "$place/said"; exit 1; }
+make html BUILD="$BUILD" > "$place/said" 2>&1 || { cat "$place/said"; exit 1; }
 grep -i warning "$place/said" && complain "pandoc could not read all of it"
 
 grep -o 'id="[^"]*"' "$page" | sed 's/^id="//; s/"$//' | sort -u > "$place/ids"
@@ -29,7 +31,7 @@ formulas=$(awk '/^```math/ { n++ } { n += gsub(/\$`/, "") } END { print n }' boo
 drawn=$(grep -o '<math' "$page" | wc -l)
 [ "$drawn" -ge "$formulas" ] || complain "$formulas formulas in book.md, $drawn in the page"
 pictures=$(grep -c '^!\[' book.md)
-shown=$(grep -o '<figure>' "$page" | wc -l)
+shown=$(grep -o '<figure id="figure-' "$page" | wc -l)
 [ "$shown" -ge "$pictures" ] || complain "$pictures pictures in book.md, $shown in the page"
 grep -q 'font-face.*font/woff2\|font-face.*data:' "$page" || complain "the font of the formulas is not in it"
 

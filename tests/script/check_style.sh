@@ -7,7 +7,6 @@
 
 # A chapter a line, for merging.
 LATER="
-05
 12
 14
 15
@@ -20,27 +19,21 @@ LATER="
 23
 "
 LATER_EXERCISES="
-00
-01
-02
-03
-04
-05
-06
-07
-08
-09
-10
-11
-12
-14
-15
-16
-17
-18
-19
+x00
+x01
+x02
+x03
+x04
+x05
+x12
+x13
+x14
+x15
+x16
+x17
+x18
+x19
 "
-LATER_PAGES=""
 LATER_PAGES=""
 
 export LC_ALL=C
@@ -70,7 +63,7 @@ chosen() {
         n=${p#chapters/}; listed "${n%%-*}" "$LATER" || echo "$p"
     done
     for p in exercises/*/README.md exercises/*/hints; do
-        n=${p#exercises/}; listed "${n%%-*}" "$LATER_EXERCISES" || echo "$p"
+        n=${p#exercises/}; listed "x${n%%-*}" "$LATER_EXERCISES" || echo "$p"
     done
 }
 [ $# -gt 0 ] || set -- $(chosen)

@@ -1,17 +1,13 @@
-# html.awk - rewrites book.md into what pandoc reads: its own table of
-# contents, its own signs for formulas, code numbered as in lib/.
+# page.awk - rewrites a woven page into what pandoc reads: its own signs for
+# formulas; and the way to the pages before and after is left to the page.
 
-/^# [0-9]/ { begun = 1 }
-!begun { next }                                 # pandoc makes the contents
-
-/^\[.*, lines? [0-9]+/ { first = $0; sub(/.*#L/, "", first); first += 0 }
+/^<!-- Woven|^---$|\]\(\.\.\/\.\.\/README\.md#read\)/ { next }
 /^```math/ { formula = "$$"; next }
 formula != "" {                                 # one line: "+ b" is no list
     if ($0 == "```") { print formula " $$"; formula = "" } else formula = formula " " $0
     next
 }
 /^```/ { inside = !inside }
-/^```c/ && first { print "```{.c .numberLines startFrom=" first "}"; first = 0; next }
 inside || /^```/ { print; next }
 {
     while (match($0, /\$`[^`]*`\$/)) {          # $`a`$ becomes $a$

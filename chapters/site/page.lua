@@ -1,0 +1,318 @@
+-- page.lua - what pandoc needs to be told to make a page of a chapter: pictures and
+-- code with captions, links wherever something of the book is named.
+--
+--   --metadata page=04-gjk     the page that is read
+--   --metadata whole=true      all pages as one: a link leads to an anchor
+
+local here = 'chapters/site/'
+local names = dofile(here .. 'names.lua')
+local size = dofile(here .. 'size.lua')
+local code = dofile(here .. 'code.lua')
+local anchor = dofile(here .. 'headings.lua')
+
+local FOLD = 32             -- lines of code that lie open; more are unfolded by the reader
+local page, whole           -- the page's name; are all pages one?
+local exercises = {}        -- NN/name
+local taken                 -- the anchors that stand already
+for folder in io.popen('ls exercises'):lines() do
+  local number, name = folder:match('^(%d%d)%-(.*)')
+  if number then exercises[number .. '/' .. name] = true end
+end
+
+local function raw(html) return pandoc.RawInline('html', html) end
+local function block(html) return pandoc.RawBlock('html', html) end
+local function html_of(inlines)
+  return pandoc.write(pandoc.Pandoc({ pandoc.Plain(inlines) }), 'html', { html_math_method = 'mathml' })
+end
+
+-- --- where a link leads -----------------------------------------------------------
+
+-- An element of a page, or with no id the page.
+local function place(other, id)
+  if whole then return '#' .. (id and id ~= '' and id or other) end
+  local file = other == page and id and id ~= '' and '' or other .. '.html'
+  return file .. (id and id ~= '' and '#' .. id or '')
+end
+local function place_of_chapter(number)
+  local chapter = names.chapter[number]
+  if chapter and chapter.page ~= page then return place(chapter.page) end
+end
+local function place_of_exercise(name)
+  if exercises[name] and not whole then return 'exercises.html#' .. name:gsub('/', '-') end
+end
+local function place_of_code(name)
+  local other, file = names.place(name, page)
+  if other then return place(other, names.id(name, file)) end
+end
+local function place_of_figure(name)
+  if names.figure[name] then return place(names.figure[name], 'figure-' .. name) end
+end
+-- A file of the tree: its own page, with a line.
+local function place_of_file(path, line)
+  if whole then return nil end
+  if path:match('%.[ch]$') then return 'source/' .. path:match('[^/]*$') .. '.html' .. (line and '#L' .. line or '') end
+  if path:match('%.csv$') then return path end
+  if path:match('^exercises') then return 'exercises.html' end
+end
+
+-- What the words between backticks mean, if the book tells of it.
+local function place_of_words(text)
+  local figure = text:match('^make figure%-(%d%d%-[%w_-]+)$')
+  if figure then return place_of_figure(figure) end
+  local exercise = text:match('^make exercise (%d%d/[%w-]+)$') or text:match('^%d%d/[%w-]+$')
+  if exercise then return place_of_exercise(exercise) end
+  local name = text:match('^([%a_][%w_]*)%(?%)?$')
+  if name and #name > 2 then return place_of_code(name) end
+end
+
+-- A link of a woven page.  What stands between its brackets is not looked at again.
+local function Link(link)
+  local target = link.target
+  local path, line = target:match('^%.%./%.%./([^#]*)#?L?(%d*)')
+  local other, id = target:match('^(%d%d%-[%w_-]+)%.md#?(.*)$')
+  if path then target = place_of_file(path, line ~= '' and line)
+  elseif other then target = place(other, id) end
+  if not path then link.content = { raw(html_of(link.content)) } end
+  if not target then return pandoc.Span(link.content) end
+  return pandoc.Link(link.content, target)
+end
+
+-- --- words ------------------------------------------------------------------------
+
+local function link_to(target, content) return target and pandoc.Link(content, target) end
+
+-- A number of a chapter leads there, with the word before it if there is one.
+local function link_number(str, word)
+  local before, number, after = str.text:match('^(%(?)(%d%d)(%D?.*)$')
+  local target = number and place_of_chapter(number)
+  if not target then return nil end
+  local text = (word and word .. ' ' or '') .. number
+  return pandoc.Span({ pandoc.Str(before), pandoc.Link({ pandoc.Str(text) }, target), pandoc.Str(after) })
+end
+-- "chapter 07", "chapters 07, 08 and 12".
+local joins = { ['and'] = true, ['to'] = true, ['or'] = true }
+local function number_at(list, i) return list[i] and list[i].t == 'Str' and list[i].text:match('^%d%d') end
+local function link_chapters(list)
+  for i = #list - 2, 1, -1 do
+    local before, word = (list[i].text or ''):match('^(%(?)([Cc]hapters?)$')
+    if word and number_at(list, i + 2) then
+      local k, comma = i + 2
+      repeat
+        comma = list[k].text:match('^%d%d,$')
+        list[k] = link_number(list[k], k == i + 2 and word) or list[k]
+        k = k + (comma and number_at(list, k + 2) and 2 or 4)
+      until not number_at(list, k) or not comma and not joins[list[k - 2].text]
+      if list[i + 2].t == 'Span' then
+        list[i] = pandoc.Str(before)
+        list:remove(i + 1)
+      end
+    end
+  end
+end
+
+local function link_str(str)
+  local before, exercise, after = str.text:match('^(%(?)(%d%d/[%a-]+)(.*)$')
+  local target = exercise and place_of_exercise(exercise)
+  if target then
+    return pandoc.Span({ pandoc.Str(before), pandoc.Link({ pandoc.Str(exercise) }, target), pandoc.Str(after) })
+  end
+  local doi, rest = str.text:match('^d?o?i?:?(10%.%d%d%d%d+/.-)([%.,;%)]*)$')
+  if doi then return pandoc.Span({ pandoc.Link({ pandoc.Str('doi:' .. doi) }, 'https://doi.org/' .. doi), pandoc.Str(rest) }) end
+  -- The words of chapter 23 end with the chapters that explain them: (04, 13).
+  if page == '23-words' and str.text:match('^%(?%d%d[,)]') then return link_number(str) end
+end
+
+-- A comma or a bracket stays on the line of the formula or name it belongs to.
+local function keep_whole(list)
+  local function is_short(inline)
+    return inline.t == 'RawInline' or inline.t == 'Code' or inline.t == 'Link' and inline.content[1].t == 'Code'
+  end
+  for i = #list - 1, 1, -1 do
+    local one, two = list[i], list[i + 1]
+    if is_short(one) and two.t == 'Str' and two.text:match('^[%p]') or
+       one.t == 'Str' and one.text:match('%($') and (is_short(two) or two.classes and two.classes[1] == 'whole') then
+      list[i] = pandoc.Span({ one, two }, { class = 'whole' })
+      list:remove(i + 1)
+    end
+  end
+end
+
+-- Formulas without their TeX, which no browser shows.
+local function Math(math)
+  return raw((html_of({ math }):gsub('<annotation.-</annotation>', ''):gsub('</?semantics>', '')))
+end
+
+local function Inlines(list)
+  link_chapters(list)
+  for i, inline in ipairs(list) do
+    if inline.t == 'Code' then list[i] = link_to(place_of_words(inline.text), { inline }) or inline
+    elseif inline.t == 'Str' then list[i] = link_str(inline) or inline end
+  end
+  keep_whole(list)
+  return list
+end
+
+-- --- blocks -----------------------------------------------------------------------
+
+-- Code of the library under its caption; each function that the book means when it
+-- names it is an anchor.
+local function piece_of(caption, piece)
+  local file, lines = caption.text:match('^(%S*), lines? ([%d to]*)')
+  local function name(line)
+    local word = line:match('^[%a].-([%w_]+)%(') or line:match('^} ([%w_]+);')
+    if line:match('^static.*;$') then word = nil end            -- a promise; the function follows
+    local _, best = names.place(word or '', page)
+    local id = best == file and names.id(word, file)
+    if id and not taken[id] then taken[id] = true; return id end
+  end
+  local _, count = piece.text:gsub('\n', '\n')
+  local html, above = code(piece, name), caption.html
+  if count >= FOLD and FORMAT:match('^html') then
+    local what = caption.text:match(': (.*)$') or lines
+    above = above:gsub(': ' .. what, '', 1)
+    html = '<details><summary>' .. what .. ' <span>' .. count + 1 .. ' lines</span></summary>' .. html .. '</details>'
+  end
+  local id = file:match('[^/]*$') .. '-L' .. lines:match('%d+')
+  return block('<figure class="code" id="' .. id .. '"><figcaption>' .. above .. '</figcaption>' .. html .. '</figure>')
+end
+
+-- Columns of numbers stand at the right, and no column has a width of its own.
+local function is_column_of_numbers(body, k)
+  local any = false
+  for _, row in ipairs(body) do
+    local cell = row[2] and row[2][k] or row.cells and row.cells[k]
+    local text = cell and pandoc.utils.stringify(cell.contents or cell.content) or ''
+    if text:match('%d') then any = true end
+    if text ~= '' and not text:match('^[%d%s.,+−%%-]*[%a]?[%d%s.,+-]*%%?$') then return false end
+  end
+  return any
+end
+local function tidy(table)
+  for k, column in ipairs(table.colspecs) do
+    local right = table.bodies[1] and is_column_of_numbers(table.bodies[1].body, k)
+    table.colspecs[k] = { right and 'AlignRight' or column[1], nil }
+  end
+  return table
+end
+
+local function hash_of(name)
+  for line in io.lines('tests/bits/bits.txt') do
+    local hash = line:match('^live ' .. name .. ' (%S+)')
+    if hash then return hash end
+  end
+end
+
+local function picture_in(para)
+  local image = para.t == 'Para' and #para.content == 1 and para.content[1]
+  return image and image.t == 'Image' and image
+end
+local function is_live(para)
+  local image = picture_in(para)
+  return image and image.src:match('figures/live/') ~= nil
+end
+
+-- A picture that stands alone becomes a figure, its text the caption; one of
+-- figures/live is what a script sets in motion.
+local function figure_of(image)
+  local path = image.src:gsub('^%.%./%.%./', '')
+  local folder, name = path:match('figures/([^/]*)/([^/]*)%.%a+$')
+  local wide, high = size(path)
+  local shown = path:gsub('%.png$', '.webp')
+  local data = folder == 'live' and ' class="live" data-live="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' or ''
+  local caption = html_of(image.caption)
+  local source = path:gsub('%.%a+$', '.c')
+  local program = io.open(source) and place_of_file(source)
+  if program then
+    caption = caption .. ' <a class="program" href="' .. program .. '">' .. name .. '.c</a>'
+  end
+  local picture = pandoc.Image({ pandoc.Str(pandoc.utils.stringify(image.caption)) },
+    FORMAT:match('^epub') and path or shown, '',
+    { width = wide and string.format('%.0f', wide), height = high and string.format('%.0f', high),
+      loading = not whole and 'lazy' or nil })
+  return {
+    block('<figure id="figure-' .. name .. '"' .. data .. '>'), pandoc.Plain({ picture }),
+    block('<figcaption>' .. caption .. '</figcaption></figure>'),
+  }
+end
+
+-- The link that stands alone over a piece of code or a table.
+local function caption_in(para)
+  local link = para.t == 'Para' and #para.content == 1 and para.content[1]
+  if not link or link.t ~= 'Link' and link.t ~= 'Span' then return nil end
+  local text = pandoc.utils.stringify(link)
+  if text:match('^[%w_/.-]+, lines? %d') or text:match('^[%w_/.-]+%.csv') then
+    return { text = text, html = html_of(para.content) }
+  end
+end
+
+local function scrolled(table) return { block('<div class="table">'), table, block('</div>') } end
+
+local function Blocks(list)
+  local out = pandoc.List()
+  local i = 1
+  while i <= #list do
+    local one, two = list[i], list[i + 1]
+    local caption = two and caption_in(one)
+    if caption and two.t == 'CodeBlock' then
+      out:insert(piece_of(caption, two)); i = i + 1
+    elseif caption and two.t == 'Table' then
+      out:extend({ block('<figure class="data"><figcaption>' .. caption.html .. '</figcaption>') })
+      out:extend(scrolled(tidy(two))); out:insert(block('</figure>')); i = i + 1
+    elseif one.t == 'Table' then out:extend(scrolled(tidy(one)))
+    elseif one.t == 'CodeBlock' then out:insert(block(code(one)))
+    elseif picture_in(one) then out:extend(figure_of(picture_in(one)))
+    else out:insert(one) end
+    i = i + 1
+  end
+  return out
+end
+
+-- --- the page ---------------------------------------------------------------------
+
+-- The list of a page's headings; each becomes a link to itself.
+local function side_of(blocks)
+  local out = {}
+  for _, header in ipairs(blocks) do
+    if header.t == 'Header' and (header.level == 2 or header.level == 3) then
+      local link = '<a href="#' .. header.identifier .. '">' .. html_of(header.content) .. '</a>'
+      out[#out + 1] = '<li class="h' .. header.level .. '">' .. link .. '</li>'
+      header.content = { raw(whole and html_of(header.content) or link) }
+    end
+  end
+  return '<ol>' .. table.concat(out, '\n') .. '</ol>'
+end
+
+-- The title, with its number in a place of its own.
+local function title_of(header)
+  local number, title = pandoc.utils.stringify(header.content):match('^(%d%d)%. (.*)')
+  if number then header.content = { raw('<span class="number">' .. number .. '</span> ' .. title) } end
+  return number
+end
+
+local filter = { Link = Link, Inlines = Inlines, Math = Math, Blocks = Blocks }
+local function chapter(blocks, meta)
+  if whole then page = names.chapter[pandoc.utils.stringify(blocks[1].content):sub(1, 2)].page end
+  taken = anchor(blocks, whole and page:sub(1, 3) or '')
+  if whole then blocks[1].identifier = page end
+  if not meta.home then meta.side = pandoc.MetaBlocks({ block(side_of(blocks)) }) end
+  meta.live = #blocks:filter(is_live) > 0
+  title_of(blocks[1])
+  return pandoc.walk_block(pandoc.Div(blocks), filter).content
+end
+
+function Pandoc(doc)
+  whole = doc.meta.whole
+  page = doc.meta.page and pandoc.utils.stringify(doc.meta.page)
+  local out, blocks = pandoc.List(), pandoc.List()
+  for i, one in ipairs(doc.blocks) do
+    blocks:insert(one)
+    local next = doc.blocks[i + 1]
+    if not next or next.t == 'Header' and next.level == 1 then
+      out:extend(chapter(blocks, doc.meta))
+      blocks = pandoc.List()
+    end
+  end
+  return pandoc.Pandoc(out, doc.meta)
+end
+
+return { { Pandoc = Pandoc } }

@@ -1,0 +1,79 @@
+# page.sh - woven pages as pandoc makes something of them:
+#   sh page.sh page FILE NN-name       a chapter's page of the site
+#   sh page.sh index FILE              the first page, from index.md and README
+#   sh page.sh exercises FILE          the tasks of all exercises
+#   sh page.sh search FILE             what a search looks through
+#   sh page.sh html|pdf|epub FILE      the whole book
+
+form=$1 file=$2 page=$3
+here=chapters/site
+export LC_ALL=C
+part=$(mktemp -d)
+trap 'rm -rf "$part"' EXIT
+
+# wants PROGRAM...: the first of these that is here, in $found.
+wants() {
+    for found in "$@"; do command -v "$found" > /dev/null && return; done
+    echo "make $form needs $1, which is not here; make deps-book installs it." \
+         "book.md needs nothing: it is the same book." >&2
+    exit 1
+}
+wants pandoc
+
+reader=gfm+tex_math_dollars+attributes+footnotes+fenced_divs+bracketed_spans
+# convert FORMAT OPTION... < what page.awk made: what all forms have in common.
+convert() {
+    format=$1; shift
+    pandoc -f "$reader" \
+        -t "$format" --standalone --mathml --section-divs --wrap=none \
+        --highlight-style=kate --lua-filter $here/page.lua "$@"
+}
+site() { convert html5 --template $here/page.html --metadata page="$page" "$@" -o "$file"; }
+title() { sed -n 's/^# //p; /^# /q' "chapters/woven/$1.md"; }
+pages() { ls chapters/woven | sed 's/\.md$//'; }
+
+# The page before and the page after, with their titles.
+turn() {
+    before=$(pages | grep -B 1 -x "$page" | grep -vx "$page")
+    after=$(pages | grep -A 1 -x "$page" | grep -vx "$page")
+    [ -z "$before" ] || set -- "$@" --metadata before="$before" --metadata before-title="$(title "$before")"
+    [ -z "$after" ] || set -- "$@" --metadata after="$after" --metadata after-title="$(title "$after")"
+    site "$@"
+}
+
+# The tasks under their chapters, each a heading lower.
+tasks() {
+    printf '# Exercises\n\n'
+    cat $here/exercises.md
+    for one in $(pages); do
+        ls exercises/"${one%%-*}"-*/README.md > "$part/of" 2> /dev/null || continue
+        printf '\n## %s\n' "$(title "$one")"
+        while read -r task; do echo; sed 's/^#/###/' "$task"; done < "$part/of"
+    done
+}
+
+book() { for one in $(pages); do awk -f $here/page.awk "chapters/woven/$one.md"; echo; done; }
+whole() {
+    book | convert "$@" --toc --toc-depth=2 --metadata whole=true --resource-path="${BUILD:-build}/site:." \
+        --metadata title=tumble --metadata subtitle="a world of particles and sticks" --metadata lang=en
+}
+embedded() {
+    embed=--embed-resources         # pandoc 3; before it:
+    pandoc --help | grep -q -e "$embed" || embed=--self-contained
+    whole html5 $embed --css $here/style.css --css $here/whole.css -o "$1"
+}
+
+case $form in
+page) awk -f $here/page.awk "chapters/woven/$page.md" | turn --metadata pagetitle="$(title "$page")" ;;
+index) awk -f $here/index.awk $here/index.md README.md | site --metadata home=true --metadata pagetitle="a world of particles and sticks" ;;
+search) { book; tasks | awk -f $here/page.awk; } |
+        pandoc -f "$reader" -t plain --wrap=none --lua-filter $here/search.lua -o "$file" ;;
+exercises) tasks | awk -f $here/page.awk | site --metadata pagetitle=Exercises ;;
+html) embedded "$file" ;;
+pdf)  wants chromium chromium-browser google-chrome
+      embedded "$part/book.html" &&
+      "$found" --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
+          --virtual-time-budget=10000 --print-to-pdf="$file" "file://$part/book.html" 2> /dev/null ;;
+epub) whole epub3 --css $here/epub.css --epub-embed-font $here/math.woff2 -o "$file" ;;
+esac && [ -s "$file" ] || exit 1
+case $form in html|pdf|epub) echo "$file: $(wc -c < "$file") bytes" ;; esac

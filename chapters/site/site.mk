@@ -1,0 +1,73 @@
+# site.mk - the book as pages for a browser: build/site, to be opened from the disk
+# or put on any static host.
+
+SITE  := $(BUILD)/site
+WOVEN := $(patsubst chapters/%,%,$(wildcard chapters/[0-9]*.md))
+SITE_PAGES := $(WOVEN:%.md=$(SITE)/%.html) $(SITE)/index.html $(SITE)/exercises.html
+
+# Pictures: WebP of a PNG, the others as they are; and the data of tables.
+PICTURES   := $(filter figures/%,$(wildcard figures/*/*.png figures/*/*.svg figures/*/*.webp figures/*/*.csv))
+SITE_FILES := $(patsubst %.png,%.webp,$(PICTURES:%=$(SITE)/%))
+# What a caption links to: the book's code, and the programs of the figures.
+SOURCES    := $(shell sh chapters/weave.sh) $(wildcard figures/[0-9]*/*.c figures/peers/*.c)
+SITE_CODE  := $(patsubst %,$(SITE)/source/%.html,$(notdir $(SOURCES)))
+SITE_STYLE := $(patsubst %,$(SITE)/%,style.css site.js icon.svg math.woff2 pagella-regular.woff2 pagella-italic.woff2 pagella-bold.woff2 minisearch.js figures/moving/still.webp)
+SITE_LIVE  := $(LIVE_FILES:$(BUILD)/live/%=$(SITE)/live/%)
+
+.PHONY: site
+site: book
+	+$(Q)$(AGAIN) $(if $(findstring j,$(firstword -$(MAKEFLAGS))),,-j2) site-files
+	@echo "$(SITE)/index.html: $(words $(SITE_PAGES)) pages"
+.PHONY: site-files
+site-files: $(SITE_PAGES) $(SITE_FILES) $(SITE_CODE) $(SITE_STYLE) $(SITE_LIVE) $(SITE)/search.js
+
+PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html)
+define page
+	@mkdir -p $(@D)
+	@echo "  page  $@"
+	$(Q)sh chapters/site/page.sh $1
+endef
+$(SITE)/index.html: chapters/site/index.md chapters/site/index.awk README.md $(PAGE_TOOLS)
+	$(call page,index $@)
+$(SITE)/exercises.html: $(wildcard exercises/*/README.md) $(PAGE_TOOLS)
+	$(call page,exercises $@)
+$(SITE)/%.html: chapters/woven/%.md $(PAGE_TOOLS)
+	$(call page,page $@ $*)
+
+$(SITE)/figures/%.webp: figures/%.png
+	@mkdir -p $(@D)
+	$(Q)cwebp -quiet -preset drawing -q 82 -m 6 $< -o $@
+$(SITE)/figures/%: figures/%
+	@mkdir -p $(@D)
+	$(Q)cp $< $@
+$(SITE)/figures/moving/still.webp: figures/moving/moving.webp
+	@mkdir -p $(@D)
+	$(Q)webpmux -get frame 1 $< -o $@ 2> /dev/null
+$(SITE)/minisearch.js: $(BUILD)/node/.done
+	$(Q)cp $(BUILD)/node/node_modules/minisearch/dist/umd/index.js $@
+$(SITE)/live/%: $(BUILD)/live/%
+	@mkdir -p $(@D)
+	$(Q)cp $< $@
+$(SITE)/%: chapters/site/%
+	@mkdir -p $(@D)
+	$(Q)cp $< $@
+define source
+$(SITE)/source/$(notdir $1).html: $1 chapters/site/source.awk
+	@mkdir -p $$(@D)
+	$(Q)LC_ALL=C awk -f chapters/site/source.awk chapters/woven/*.md $1 > $$@
+endef
+$(foreach f,$(SOURCES),$(eval $(call source,$f)))
+
+# What search looks through.
+$(SITE)/search.js: $(WOVEN:%=chapters/woven/%) chapters/site/search.lua $(PAGE_TOOLS)
+	@echo "  page  $@"
+	$(Q)sh chapters/site/page.sh search $@
+
+# The whole book in one file.
+html pdf epub: $(SITE_FILES)
+	$(Q)BUILD='$(BUILD)' sh chapters/site/page.sh $@ $(BUILD)/book.$@
+
+# The pages in a real browser.
+.PHONY: test-site
+test-site: site $(BUILD)/node/.done
+	$(Q)node tests/site/check_site.mjs $(SITE) $(PAGES)

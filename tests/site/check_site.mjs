@@ -1,0 +1,155 @@
+// check_site.mjs - are the pages of build/site good pages?  Each is opened in a real
+// browser, from a host of our own, as a phone on a slow network would, and looked
+// at in light and dark:   node check_site.mjs FOLDER [PAGE...]
+
+import { createRequire } from 'node:module';
+import { existsSync, readdirSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { resolve } from 'node:path';
+import { serve } from './server.mjs';
+import { checkLinks } from './links.mjs';
+
+const [folder, ...named] = process.argv.slice(2);
+const need = createRequire(resolve(folder, '../node/package.json'));
+const { chromium } = need('playwright-core');
+
+const PHONE = { width: 390, height: 844 };
+const SLOWER = 4;                                   // than this machine's processor
+const NETWORK = { offline: false, latency: 150, downloadThroughput: 1.6e6 / 8, uploadThroughput: .75e6 / 8 };
+const TRIES = 3, LOAD = 2, BYTES = 1.5e6;                      // s, bytes of a page: at most
+const WAIT = 60e3;                                  // ms for a live figure's frame 60
+
+let faults = 0;
+const fault = (page, sentence) => { faults++; console.log(`${page}: ${sentence}`); };
+
+// A page that tells of errors, and of what it asks of other machines.
+async function open(context, name) {
+  const page = await context.newPage();
+  page.on('console', said => said.type() === 'error' && fault(name, `the console says: ${said.text()}`));
+  page.on('pageerror', error => fault(name, `an error: ${error.message}`));
+  page.on('request', request => {
+    if (!/^(http:\/\/127\.0\.0\.1|file:|data:|blob:)/.test(request.url())) fault(name, `asks for ${request.url()}`);
+  });
+  return page;
+}
+
+// The best of some times: what else this machine does is not the page's fault.
+async function load(browser, name, address) {
+  let best;
+  for (let k = 0; k < TRIES && !(best?.seconds <= LOAD); k++) {
+    const one = await loadOnce(await browser.newContext({ viewport: PHONE }), name, address);
+    const worse = best?.seconds < one.seconds ? one : best;
+    best = worse === one ? best : one;
+    await worse?.page.context().close();
+  }
+  if (best.seconds > LOAD) fault(name, `is there after ${best.seconds.toFixed(2)} s`);
+  if (best.bytes > BYTES) fault(name, `has ${best.bytes} bytes`);
+  return best;
+}
+
+// How long it loads, and how many bytes come, on a slow phone.
+async function loadOnce(context, name, address) {
+  const page = await open(context, name);
+  const session = await context.newCDPSession(page);
+  let bytes = 0;
+  session.on('Network.loadingFinished', event => { bytes += event.encodedDataLength; });
+  await session.send('Network.enable');
+  await session.send('Network.emulateNetworkConditions', NETWORK);
+  await session.send('Emulation.setCPUThrottlingRate', { rate: SLOWER });
+  await page.goto(address + name, { waitUntil: 'load' });
+  const seconds = await page.evaluate(() => performance.getEntriesByType('navigation')[0].loadEventEnd / 1e3);
+  await session.send('Emulation.setCPUThrottlingRate', { rate: 1 });
+  await session.send('Network.emulateNetworkConditions', { ...NETWORK, latency: 0, downloadThroughput: -1, uploadThroughput: -1 });
+  return { page, seconds, bytes };
+}
+
+// What sticks out of the window, but for what scrolls in itself.
+async function checkWidth(page, name) {
+  await page.addStyleTag({ content: '* { content-visibility: visible !important }' });
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  if (wide > PHONE.width) fault(name, `is ${wide} pixels wide`);
+}
+
+// Tab has to come to each control, and to what scrolls, and to nothing else.
+async function checkTab(page, name) {
+  const wanted = await page.evaluate(() => {
+    const control = 'a[href], button, input, select, textarea, summary, [tabindex="0"]';
+    const scrolls = node => node.scrollWidth > node.clientWidth && /auto|scroll/.test(getComputedStyle(node).overflowX) && !node.querySelector(control);
+    const stops = [...document.querySelectorAll('body *')].filter(node =>
+      (node.matches(control) || scrolls(node)) && !node.disabled && node.tabIndex >= -1 && node.checkVisibility({ visibilityProperty: true })
+      && !node.closest('details:not([open]) > :not(summary)') && !(node.type === 'radio' && !node.checked));
+    stops.forEach((node, k) => { node.dataset.stop = k; });
+    document.activeElement.blur();
+    scrollTo(0, 0);
+    return stops.map(node => (node.textContent || node.ariaLabel || node.className).trim().slice(0, 40));
+  });
+  const seen = new Set();
+  for (let k = 0; k < wanted.length + 20; k++) {
+    await page.keyboard.press('Tab');
+    const stop = await page.evaluate(() => document.activeElement === document.body ? null
+      : document.activeElement.dataset.stop ?? `${document.activeElement.tagName}.${document.activeElement.className}`);
+    if (stop === null || seen.has(stop)) break;
+    if (!/^\d+$/.test(stop)) fault(name, `Tab comes to ${stop}, which is no control`);
+    seen.add(stop);
+  }
+  wanted.forEach((text, k) => seen.has(String(k)) || fault(name, `Tab does not come to "${text}"`));
+  return wanted.length;
+}
+
+// axe-core judges the contrast of all that is written.
+async function checkContrast(page, name) {
+  if (!await page.evaluate(() => 'axe' in window)) await page.addScriptTag({ path: need.resolve('axe-core') });
+  for (const colorScheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme });
+    const bad = await page.evaluate(async () => (await window.axe.run({ runOnly: ['color-contrast'], resultTypes: ['violations'] }))
+      .violations.flatMap(rule => rule.nodes.map(node => `${node.target.join(' ')}: ${node.any[0]?.message}`)));
+    for (const one of bad.slice(0, 5)) fault(name, `${colorScheme}: ${one}`);
+  }
+}
+
+// Each live figure comes to frame 60 with the bits of a native run.
+async function checkLive(page, name) {
+  const figures = await page.locator('figure[data-live]').all();
+  for (const figure of figures) {
+    await figure.scrollIntoViewIfNeeded();
+    const hash = await figure.evaluate((node, wait) => new Promise(done => {
+      const look = () => node.dataset.hash || node.dataset.trapped;
+      const poll = setInterval(() => look() && (clearInterval(poll), done(look())), 50);
+      setTimeout(() => done(look() ?? 'nothing'), wait);
+    }), WAIT);
+    const [live, wants] = await figure.evaluate(node => [node.dataset.live, node.dataset.wants]);
+    if (hash !== wants) fault(name, `${live} comes to ${hash}, and ${wants} is wanted`);
+  }
+  return figures.length;
+}
+
+// The page as it is read from a disk: only its errors matter.
+async function openFile(context, name) {
+  const page = await open(context, name);
+  await page.goto(pathToFileURL(resolve(folder, name)).href, { waitUntil: 'load' });
+  await page.close();
+}
+
+const { faults: dead, count, pages } = checkLinks(folder);
+dead.forEach(sentence => fault('links', sentence));
+console.log(`${pages} pages, ${count} links`);
+
+const path = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
+const browser = await chromium.launch({ executablePath: path, args: ['--no-sandbox', '--enable-unsafe-swiftshader'] });
+const host = await serve(resolve(folder));
+const names = named.length ? named : readdirSync(folder).filter(file => file.endsWith('.html'));
+for (const name of names) {
+  const { page, seconds, bytes } = await load(browser, name, host.address);
+  const figures = await checkLive(page, name);
+  await checkWidth(page, name);
+  const stops = await checkTab(page, name);
+  await checkContrast(page, name);
+  await openFile(page.context(), name);
+  console.log(`${name.padEnd(24)} ${String(Math.round(bytes / 1e3)).padStart(5)} kB  ${seconds.toFixed(2)} s` +
+    `  ${String(stops).padStart(3)} stops of Tab${figures ? `, ${figures} live figures` : ''}`);
+  await page.context().close();
+}
+await browser.close();
+host.end();
+console.log(faults ? `${faults} faults` : 'the site is sound');
+process.exit(faults ? 1 : 0);

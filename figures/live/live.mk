@@ -4,9 +4,15 @@
 # A figure, and the chapter up to which it sees the library.
 define LIVES
 01/orbit
+02/rope
+03/cube
+04/gjk
 09/room
+09/drape
 endef
 # What a figure takes from other folders, beside the library.
+WITH_gjk  := rules/04-distance-1.o
+WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
 
 LIVE := $(notdir $(strip $(LIVES)))
@@ -54,6 +60,8 @@ $(OURS)/wasm/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(
 	$(call wasm)
 $(OURS)/wasm/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(OURS)/wasm/flags
 	$(call wasm)
+$(OURS)/wasm/rules/04-distance-%.o: $(OURS)/rules/04-distance-%.c $(OURS)/wasm/flags
+	$(call wasm,$(foreach f,$(GJK),-D$f=$f_$*))
 $(OURS)/wasm/live/%.o: figures/live/%.c $(OURS)/wasm/flags
 	$(call wasm)
 # The reader's own counts the turns of its loops, so that one without end is

@@ -85,7 +85,7 @@ class Figure {
     this.guard(() => this.core.call('step'));
     const took = performance.now() - from;
     this.frames++;
-    this.slow = this.frames === 1 ? took : 0.9 * this.slow + 0.1 * took;
+    this.slow = this.frames < 6 ? took : 0.9 * this.slow + 0.1 * took;
     this.guard(() => this.core.call('measure'));
     if (this.stopped) return;
     this.note();
@@ -96,7 +96,7 @@ class Figure {
     const now = this.core.peek();
     this.charts.forEach((chart, c) => chart.colours.forEach((_, line) => {
       if (chart.plan.over) chart.set(line, now.curve(c, line));
-      else chart.add(line, chart.plan.time ? this.slow : now.value(c, line));
+      else chart.add(line, chart.plan.time ? (this.frames < 6 ? NaN : this.slow) : now.value(c, line));
     }));
   }
 

@@ -7,6 +7,7 @@ define LIVES
 02/rope
 03/cube
 04/gjk
+05/epa
 09/room
 09/drape
 endef

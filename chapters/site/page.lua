@@ -40,9 +40,12 @@ end
 local function place_of_exercise(name)
   if exercises[name] and not whole then return 'exercises.html#' .. name:gsub('/', '-') end
 end
+-- A word such as `build` may be a helper of one file, and plain English in another
+-- chapter: without an underscore it leads away only if a header declares it.
 local function place_of_code(name)
   local other, file = names.place(name, page)
-  if other then return place(other, names.id(name, file)) end
+  local is_plain = other ~= page and not name:match('_') and file and file:match('%.c$')
+  if other and not is_plain then return place(other, names.id(name, file)) end
 end
 local function place_of_figure(name)
   if names.figure[name] then return place(names.figure[name], 'figure-' .. name) end

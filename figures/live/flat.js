@@ -22,7 +22,7 @@ export class Flat {
     const node = svg('svg'), shapes = svg('g'), handles = svg('g');
     node.setAttribute('role', 'group');
     node.setAttribute('aria-label', says);
-    node.style.setProperty('--wide', wide / high);
+    node.style.setProperty('--live-aspect', wide / high);
     node.append(shapes, handles);
     stage.append(node);
     return { node, shapes, handles, left, bottom, wide, high, used: 0, held: 0 };

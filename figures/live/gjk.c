@@ -174,7 +174,7 @@ static void draw_difference(void)
     live_dot(LIVE_INK, now.v, 3);
     live_label(LIVE_INK, vec3_add(now.v, vec3_make(0.1, -0.2, 0)), "v");
     live_dot(LIVE_INK, vec3_make(0, 0, 0), 5);
-    live_label(LIVE_INK, vec3_make(-0.3, -0.3, 0), "origin");
+    live_label(LIVE_INK, vec3_make(-0.62, -0.28, 0), "origin");
 }
 
 static void draw(void)

@@ -8,6 +8,7 @@ define LIVES
 03/cube
 04/gjk
 05/epa
+06/tree
 07/shares
 09/room
 09/drape

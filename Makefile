@@ -170,8 +170,8 @@ $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
 
 #:
 #: Begin here
-#:   make deps       install what is missing (Check, gnuplot, a font, libpng,
-#:                   and aspell for the spelling of the book)
+#:   make deps       install what is missing (Check, gnuplot, libpng, and
+#:                   aspell for the spelling of the book)
 #:   make demo       run the three scenes, draw them, print a table
 #:   make test       build and run every test, and check the book
 help:

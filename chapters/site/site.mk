@@ -71,3 +71,4 @@ html pdf epub: $(SITE_FILES)
 .PHONY: test-site
 test-site: site $(BUILD)/node/.done
 	$(Q)node tests/site/check_site.mjs $(SITE) $(PAGES)
+	$(Q)$(if $(PAGES),,node tests/site/check_live.mjs $(BUILD))

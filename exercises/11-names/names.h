@@ -13,7 +13,7 @@ int touch_same(const touch *s, const touch *t);
 
 // Hands what the old touches pushed (kg m) to those that are the same now:
 // begin[i] of now[i] is pushed[k] of the first old[k] that is the same and has
-// not been handed on; 0 if there is none.  What nobody takes is lost.
+// not been handed on; 0 if there is none.  What none takes is lost.
 void names_carry(const touch *old, const real *pushed, int olds,
                  const touch *now, real *begin, int n);
 

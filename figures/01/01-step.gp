@@ -28,7 +28,7 @@ plot csv index 1 using 1:2 with lines lc rgb pale(blue, 0.5) lw 1.5, \
 unset arrow
 unset label
 set size noratio
-set title "What position, velocity and acceleration say"
+set title "What x, v and a say of the curve"
 set xrange [-1.4:2.75]
 set yrange [-0.95:2.0]
 set arrow 1 from 0,-0.75 to 0,0.64 nohead dt 3 lw 1 lc rgb grey

@@ -7,7 +7,7 @@ set size ratio -1
 set multiplot
 set style fill transparent solid 0.10 border
 
-array says[3] = ["1: one point, and the farthest", "2: a diameter", "3: all inside"]
+array says[3] = ["1: a point, the farthest", "2: a diameter", "3: all inside"]
 do for [k=1:3] {
   set lmargin at screen 0.01 + 0.33 * (k - 1)
   set rmargin at screen 0.32 + 0.33 * (k - 1)

@@ -57,7 +57,7 @@ set xrange [0:0.5]
 set yrange [-0.2:6]
 set xtics 0,0.1
 set ytics ("0" 0, "2 mm/s" 2, "4 mm/s" 4, "6 mm/s" 6)
-set xlabel "slope (friction of 0.5 holds all of these)" textcolor rgb ink
+set xlabel "slope; friction 0.5 holds them all" textcolor rgb ink
 set label 1 "as mended" at 0.13,3.2 textcolor rgb mended font bold
 set label 2 "the engine" at 0.3,0.55 textcolor rgb engine
 plot csv index 4 using 1:2 with linespoints ls 1, \
@@ -72,8 +72,8 @@ set yrange [1e-4:2000]
 set xtics 0,5
 set ytics ("0.1 mJ" 1e-4, "10 mJ" 0.01, "1 J" 1, "100 J" 100)
 set xlabel "seconds" textcolor rgb ink
-set label 1 "as mended" at 13.5,0.0025 textcolor rgb mended font bold
-set label 2 "the engine sleeps" at 4.5,7e-4 textcolor rgb engine
+set label 1 "as mended" at 13,6e-4 textcolor rgb mended font bold
+set label 2 "the engine sleeps" at 3.4,3e-3 textcolor rgb engine
 set label 3 "as printed" at 10,15 textcolor rgb printed
 plot csv index 5 using 1:4 with lines ls 3, \
      csv index 5 using 1:2 with lines ls 1, \

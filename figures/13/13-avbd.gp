@@ -23,7 +23,8 @@ set label 3 "descent, β = 1000, by iterations" at 0.9,0.08 textcolor rgb ramp
 plot csv index 0 using 2:3 with linespoints pt 7 ps 0.78 lc rgb soft lw 2, \
      csv index 1 using 2:3 with linespoints pt 6 ps 0.78 lc rgb slow lw 1.6, \
      csv index 2 using 2:3 with linespoints pt 6 ps 0.78 lc rgb ramp lw 1.6, \
-     csv index 0 using 2:3:1 with labels offset 0.6,0.8 font small textcolor rgb soft, \
+     csv index 0 using ($1 < 8 ? $2 : NaN):3:1 with labels offset 0.6,0.8 font small textcolor rgb soft, \
+     csv index 0 using ($1 < 8 ? NaN : $2):3:1 with labels offset -0.7,-0.9 font small textcolor rgb soft, \
      csv index 2 using 2:3:1 with labels offset -0.4,-1 font small textcolor rgb ramp
 unset label
 

@@ -7,7 +7,7 @@ set grid xtics lc rgb rule lw 0.5
 unset ytics
 set ytics scale 0
 set grid noytics
-eval box(190, 660, 52, high - 36)
+eval box(200, 660, 52, high - 36)
 set yrange [8.7:-0.7] 
 set xrange [0:1.75]
 set xtics 0,0.5,1.5

@@ -59,7 +59,7 @@ set yrange [-1.03:1.03]
 unset border
 unset tics
 unset title
-set label 6 "12.  The axis of a top keeps its circle" at screen 0.805,0.517 center font bold textcolor rgb ink
+set label 6 "12.  A top keeps its circle" at screen 0.805,0.517 center font bold textcolor rgb ink
 set object 1 circle at 0,0 size 1 fc rgb rule fs empty border rgb pale(grey, 0.4) lw 1.5
 set label 1 "L" at 0.05,0.06 textcolor rgb quiet font ":Italic"
 set label 2 "" at 0,0 point pt 7 ps 0.78 lc rgb quiet

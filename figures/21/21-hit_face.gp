@@ -45,7 +45,7 @@ set xrange [0:26]
 set xtics 0,5,25
 set xlabel "points of A − B asked for"
 set yrange [0:1.05]
-set ytics ("0" 0, "half of all" 0.5, "all" 1)
+set ytics ("0" 0, "half" 0.5, "all" 1)
 set label 1 "12" at 3.1,0.55 left textcolor rgb face font small
 set label 2 "42" at 7.15,0.55 left textcolor rgb face font small
 set label 3 "162" at 12.1,0.65 left textcolor rgb face font small

@@ -16,7 +16,7 @@ again=
 [ "$1" != -d ] || { again=1; shift; }
 for name in "$@"; do
     was=$(sed -n "s/^$name \([0-9]* [0-9]*\) .*/\1/p" $made)
-    [ "$again" ] || was=$(program "$name")
+    [ "$again" ] && [ "$was" ] || was=$(program "$name")
     { grep -v "^$name " $made; echo "$name $was $(drawing "$name")"; } | LC_ALL=C sort > $made.new &&
     mv $made.new $made || exit 1
 done
@@ -24,21 +24,25 @@ done
 
 failed=
 complain() { echo "$1"; failed=1; }
-for program in figures/[0-9]*/*.c figures/moving/moving.c figures/peers/piles.c; do
-    name=$(basename "$program" .c)
-    picture=${program%.c}.png command=figure-$name
-    [ ! -e "${program%.c}.gp" ] || picture=${program%.c}.svg
+# A .gp without a program is a drawing: it has no data.
+for source in figures/[0-9]*/*.c figures/[0-9]*/*.gp figures/moving/moving.c figures/peers/piles.c; do
+    name=$(basename "$source"); name=${name%.*}
+    picture=${source%.*}.png command=figure-$name
+    [ ! -e "${source%.*}.gp" ] || picture=${source%.*}.svg
+    [ -e "${source%.*}.c" ] || command=chart-$name
     [ "$name" != moving ] || picture=figures/moving/moving.webp command=moving
     [ "$name" != piles ] || command=peers
+    [ "${source%.gp}" = "$source" ] || [ ! -e "${source%.gp}.c" ] || continue
     [ -s "$picture" ] || complain "$picture is missing: run make $command"
     grep -q "^$name $(program "$name") " $made || complain "$picture is older than its program: run make $command"
     grep -q "^$name .* $(drawing "$name")$" $made || complain "$picture is older than its data or its .gp: run make chart-$name"
     grep -qF "$picture" chapters/*.md README.md || complain "$picture stands in no chapter"
 done
-for left in figures/[0-9]*/*.png figures/[0-9]*/*.svg figures/[0-9]*/*.csv figures/[0-9]*/*.gp; do
+for left in figures/[0-9]*/*.png figures/[0-9]*/*.csv; do
     [ -e "${left%.*}.c" ] || complain "$left has no program"
 done
-for chart in figures/[0-9]*/*.gp; do
-    [ ! -e "${chart%.gp}.png" ] || complain "${chart%.gp}.png: it is a chart now, ${chart%.gp}.svg"
+for chart in figures/[0-9]*/*.svg; do
+    [ -e "${chart%.svg}.gp" ] || complain "$chart has no .gp"
+    [ ! -e "${chart%.svg}.png" ] || complain "${chart%.svg}.png: it is a chart now, $chart"
 done
 [ -z "$failed" ]

@@ -28,7 +28,7 @@ export class Chart {
     const legend = names.map((name, k) => make('span', {},
       ...(name ? [make('i', { class: 'live-' + this.colours[k] }), name, ' '] : []), this.now[k]));
     this.node = make('div', { class: 'live-chart' },
-      make('div', { class: 'live-chart-head' }, make('span', {}, plan.name + (plan.unit ? ', ' + plan.unit : '')), ...legend),
+      make('div', { class: 'live-chart-head' + (names.length > 1 ? ' live-named' : '') }, make('span', {}, plan.name + (plan.unit ? ', ' + plan.unit : '')), ...legend),
       this.canvas);
     this.clear();
   }

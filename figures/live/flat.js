@@ -22,7 +22,7 @@ export class Flat {
     const node = svg('svg'), shapes = svg('g'), handles = svg('g');
     node.setAttribute('role', 'group');
     node.setAttribute('aria-label', says);
-    node.style.setProperty('--wide', wide / high);
+    node.style.setProperty('--live-aspect', wide / high);
     node.append(shapes, handles);
     stage.append(node);
     return { node, shapes, handles, left, bottom, wide, high, used: 0, held: 0 };
@@ -53,7 +53,7 @@ export class Flat {
   }
 
   shape(pane, kind, tint, number, points, text) {
-    const at = k => [pane.x + pane.scale * points[2 * k], pane.y - pane.scale * points[2 * k + 1]];
+    const at = k => [within(pane.x + pane.scale * points[2 * k]), within(pane.y - pane.scale * points[2 * k + 1])];
     let node = pane.shapes.childNodes[pane.used++];
     if (!node || node.tagName !== TAGS[kind]) {
       const fresh = svg(TAGS[kind]);
@@ -120,6 +120,9 @@ export class Flat {
 
   restyle() {}
 }
+
+// What has exploded is far outside, or no number.
+const within = px => px > -9999 ? Math.min(px, 9999) : -9999;
 
 function arrow([x, y], [toX, toY]) {
   const length = Math.hypot(toX - x, toY - y) || 1, head = Math.min(9, length / 2);

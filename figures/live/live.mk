@@ -4,9 +4,18 @@
 # A figure, and the chapter up to which it sees the library.
 define LIVES
 01/orbit
+02/rope
+03/cube
+04/gjk
+05/epa
+07/shares
 09/room
+09/drape
+13/pile
 endef
 # What a figure takes from other folders, beside the library.
+WITH_gjk  := rules/04-distance-1.o
+WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
 
 LIVE := $(notdir $(strip $(LIVES)))
@@ -54,6 +63,8 @@ $(OURS)/wasm/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(
 	$(call wasm)
 $(OURS)/wasm/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(OURS)/wasm/flags
 	$(call wasm)
+$(OURS)/wasm/rules/04-distance-%.o: $(OURS)/rules/04-distance-%.c $(OURS)/wasm/flags
+	$(call wasm,$(foreach f,$(GJK),-D$f=$f_$*))
 $(OURS)/wasm/live/%.o: figures/live/%.c $(OURS)/wasm/flags
 	$(call wasm)
 # The reader's own counts the turns of its loops, so that one without end is
@@ -114,8 +125,9 @@ live:
 	  $(sort $(patsubst %/,%,$(dir $(strip $(LIVES)))))" >&2; exit 1; }
 	@if $(LIVE_TOOLS); then $(AGAIN) live-page NAMED=$(LIVE_CHAPTER) && \
 	  sh figures/live/open.sh $(BUILD)/live/$(LIVE_CHAPTER)/index.html; else \
-	  echo "A live page needs clang for WebAssembly and npm: make deps-site installs them. Here is a film instead." >&2; \
-	  $(AGAIN) $(BUILD)/tumble && $(BUILD)/tumble room --film $(BUILD)/live-room.png && ls $(BUILD)/live-room.png; fi
+	  $(AGAIN) $(BUILD)/tumble && $(BUILD)/tumble room --film $(BUILD)/live-room.png > /dev/null && \
+	  echo "A live page needs clang for WebAssembly and npm: make deps-site installs them.\
+	  Here is a film instead: $(BUILD)/live-room.png"; fi
 live-page: $(LIVE_SHOWN:%=$(OURS)/live/%.json) $(LIVE_SHOWN:%=$(BUILD)/live/%.js) $(OURS)/live/main.js $(OURS)/live/space.js
 	$(Q)sh figures/live/page.sh $(LIVE_CHAPTER) $(BUILD)/live/$(LIVE_CHAPTER) $(OURS)/live $(BUILD)/live $(LIVE_SHOWN)
 

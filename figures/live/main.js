@@ -30,7 +30,7 @@ class Figure {
     node.prepend(this.stage);
     if (picture) this.stage.append(picture);
     this.isFlat = panel.panes.length > 0;
-    if (this.isFlat) this.stage.style.setProperty('--wide', panel.panes.reduce((sum, box) => sum + box[2] / box[3], 0));
+    if (this.isFlat) this.stage.style.setProperty('--live-aspect', panel.panes.reduce((sum, box) => sum + box[2] / box[3], 0));
     this.furnish();
     this.loop = makeLoop(node, due => this.tick(due), playing => this.play.textContent = playing ? 'Pause' : 'Play');
   }
@@ -57,10 +57,7 @@ class Figure {
     await script(this.panel.name);
     if (!this.isFlat) await script('space');
     this.core = await makeCore(tumble.wasm[this.panel.name]);
-    this.node.querySelector('.live-stage img')?.remove();
-    this.drawing = this.isFlat
-      ? new Flat(this.node, this.stage, this.panel, (number, x, y) => this.act('move', number, x, y, 0))
-      : new tumble.Space(this.node, this.stage, this.panel);
+    this.drawing = this.makeDrawing();
     this.drawing.core = this.core;
     this.drawing.acted = (...what) => this.act(...what);
     this.drawing.lists = () => this.core.draw();
@@ -71,6 +68,17 @@ class Figure {
     if (still()) this.tick(FRAMES);
     this.node.dataset.ready = '1';
     this.loop.update();
+  }
+
+  // Without WebGL the picture stays; charts and hash go on.
+  makeDrawing() {
+    const picture = this.node.querySelector('.live-stage img');
+    picture?.remove();
+    if (this.isFlat) return new Flat(this.node, this.stage, this.panel, (number, x, y) => this.act('move', number, x, y, 0));
+    try { return new tumble.Space(this.node, this.stage, this.panel); } catch {
+      this.stage.replaceChildren(picture || 'This browser has no WebGL.');
+      return { draw() {}, restyle() {} };
+    }
   }
 
   // --- Frames ---------------------------------------------------------------------
@@ -85,7 +93,7 @@ class Figure {
     this.guard(() => this.core.call('step'));
     const took = performance.now() - from;
     this.frames++;
-    this.slow = this.frames === 1 ? took : 0.9 * this.slow + 0.1 * took;
+    this.slow = this.frames < 6 ? took : 0.9 * this.slow + 0.1 * took;
     this.guard(() => this.core.call('measure'));
     if (this.stopped) return;
     this.note();
@@ -96,7 +104,7 @@ class Figure {
     const now = this.core.peek();
     this.charts.forEach((chart, c) => chart.colours.forEach((_, line) => {
       if (chart.plan.over) chart.set(line, now.curve(c, line));
-      else chart.add(line, chart.plan.time ? this.slow : now.value(c, line));
+      else chart.add(line, chart.plan.time ? (this.frames < 6 ? NaN : this.slow) : now.value(c, line));
     }));
   }
 

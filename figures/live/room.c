@@ -127,7 +127,6 @@ static void measure(void)
     if (run.lost > 0) live_say("%d bodies have left all bounds.", run.lost);
 }
 
-// Turns: 0.5 m is the radius of a body.
 static void draw_room(real side)
 {
     for (int k = 0; k < 8; k++)

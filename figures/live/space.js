@@ -119,8 +119,8 @@ export class Space {
     [box.left, box.right, box.bottom, box.top, box.near, box.far] = [-far / 1.8, far / 1.8, -far / 1.8, far / 1.8, far / 2, 4 * far];
     this.sun.shadow.mapSize.set(1024, 1024);
     this.sun.shadow.radius = 5;
-    this.sun.shadow.bias = -0.0004;
-    this.sun.shadow.normalBias = far * 0.001;
+    this.sun.shadow.bias = -0.0008;
+    this.sun.shadow.normalBias = far * 0.004;
     this.shade = new THREE.ShadowMaterial({ toneMapped: false });
     const floor = new THREE.Mesh(new THREE.PlaneGeometry(40 * far, 40 * far), this.shade);
     floor.rotation.x = -Math.PI / 2;

@@ -9,9 +9,9 @@ set logscale xy 10
 set multiplot
 set xlabel "time of a step" textcolor rgb ink
 set label 1 "● tumble, by substeps" at screen 0.03,0.98 font bold textcolor rgb color[1]
-set label 2 "■ ODE, by iterations" at screen 0.31,0.98 textcolor rgb color[2]
-set label 3 "♦ ODE, dWorldStep" at screen 0.56,0.98 textcolor rgb color[3]
-set label 4 "▲ Bullet, by iterations" at screen 0.79,0.98 textcolor rgb color[4]
+set label 2 "■ ODE, by iterations" at screen 0.29,0.98 textcolor rgb color[2]
+set label 3 "♦ ODE, dWorldStep" at screen 0.53,0.98 textcolor rgb color[3]
+set label 4 "▲ Bullet, by iterations" at screen 0.755,0.98 textcolor rgb color[4]
 
 # Where it lies on the ground how far it rolled says nothing.
 fallen = 3000
@@ -43,7 +43,7 @@ set xtics ("1 ms" 1, "3 ms" 3, "10 ms" 10, "30 ms" 30, "100 ms" 100)
 set yrange [8:1800]
 set ytics ("1 cm" 10, "3 cm" 30, "10 cm" 100, "30 cm" 300, "1 m" 1e3)
 plot for [m = 1:4] csv index m + 7 using 2:3 with linespoints pt mark[m] ps 0.85 lc rgb color[m] lw thick[m], \
-     for [m = 2:4] csv index m + 7 using 2:3:1 with labels font small textcolor rgb color[m] offset 0.9,up[m], \
+     for [m = 2:4] csv index m + 7 using (m == 4 && $1 == 10 ? NaN : $2):3:1 with labels font small textcolor rgb color[m] offset 0.9,up[m], \
      csv index 1 + 7 using ($1 == 16 ? NaN : $2):3:1 with labels font small textcolor rgb color[1] offset -1.6,0, \
      csv index 1 + 7 using ($1 == 16 ? $2 : NaN):3:1 with labels font small textcolor rgb color[1] offset 1.7,0
 

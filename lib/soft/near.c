@@ -243,15 +243,19 @@ static bool may_meet(const near_lists *l, const rigid_view *v,
 {
     vec3 end[FACET];
     int over = 0;
-    for (int k = 0; k < FACET; k++) end[k] = l->at[corner_of[k]];
     for (int k = 0; k < FACET; k++) {
         int ahead = l->ahead[corner_of[k]];
         over += ahead % 2 == 1 && ahead == l->ahead[corner_of[0]];
+        end[k] = l->at[corner_of[k]];
+    }
+    if (over == FACET) return false;
+    for (int k = 0; k < FACET; k++) {
+        int ahead = l->ahead[corner_of[k]];
         if (ahead == OVER_NOTHING) continue;
         plane under = obstacle_plane(&v->hull, end[k], ahead / 2);
         if (facet_height(end, under) > reach) return false;
     }
-    return over < FACET;
+    return true;
 }
 
 static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,

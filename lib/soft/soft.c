@@ -97,8 +97,12 @@ static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
     const shape *plan = b->shape;
     int links = shape_links(plan), others = plan->sticks - links;
     if (others == 0) return;
-    for (int k = links; k < plan->sticks; k++)
-        draw(plan->stick[k], f->particle + b->first, f->relax);
+    if (f->relax.gradient == GRADIENT_NEW)
+        sticks_iterate(plan->stick + links, others, f->particle + b->first,
+                       f->relax);
+    else
+        for (int k = links; k < plan->sticks; k++)
+            draw(plan->stick[k], f->particle + b->first, f->relax);
     spread_cells(f, (int)(b - f->body));
     s->tested += others;
     s->relaxed += others;
@@ -235,7 +239,7 @@ int soft_stretched(const soft_frame *f)
 
 //> soft-begin
 // Its particles' middle goes straight on; beside that each goes as far as the
-// fastest, and as gravity adds, and a hundredth of the radius for impacts.
+// fastest, and as gravity adds, and a quarter of a spacing for impacts.
 static prediction predict(const soft_frame *f, int b)
 {
     const body *x = &f->body[b];
@@ -253,7 +257,7 @@ static prediction predict(const soft_frame *f, int b)
         fastest = real_max(beside, fastest);
     }
     prediction a = { .way = vec3_scale(ages, mean) };
-    a.turn = ages * sqrt(fastest) + x->shape->radius / 100
+    a.turn = ages * sqrt(fastest) + x->shape->spacing / 4
            + vec3_length(f->gravity) * dt * dt / 2;
     a.reach = vec3_length(a.way) + a.turn;
     return a;

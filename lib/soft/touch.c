@@ -401,9 +401,13 @@ int touch_facets(near_lists *l, rigid_view *v, const soft_frame *f,
 
 void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
 {
+    facet_view x;
+    int of = -1;
     for (int k = 0; k < l->mets; k++) {
         facet_pair *pair = &l->facet.at[l->met[k]];
-        facet_view x = { .frame = soft_rigid_frame(f, pair->rigid) };
+        if (pair->rigid != of || !body_is_static(&f->body[pair->rigid]))
+            x.frame = soft_rigid_frame(f, pair->rigid);
+        of = pair->rigid;
         touch_facet(l, v, f, pair, &x, BY_WHOLE);
     }
 }

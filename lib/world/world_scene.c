@@ -47,7 +47,7 @@ world_options world_scene_options(scene_kind kind, int cloth)
     // Layers that lie on each other take some more.
     // No scene has a cloth of more than 512 a side.
     o.substeps = 2 + int_min(int_max(cloth, 0), 512) / 100;
-    o.iterations = 8;
+    o.iterations = 12;
     o.relax.gradient = GRADIENT_NEW;
     o.relax.root = ROOT_APPROXIMATE;
     return o;

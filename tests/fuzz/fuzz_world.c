@@ -40,10 +40,11 @@ static const double MOST = 50;
 #endif
 #endif
 #ifdef IS_SLOW
-static const double LEAST = 2e-3;       // s
+enum { SLOWER = 10 };
 #else
-static const double LEAST = 0.2e-3;     // s
+enum { SLOWER = 1 };
 #endif
+static const double LEAST = SLOWER * 0.2e-3;    // s
 enum { STEPS_A_SECOND = 8 };    // a trial that is slower never ends
 
 // What a trial leaves: shared with the process that runs it.
@@ -174,7 +175,7 @@ static bool try_seed(unsigned long long seed, int steps)
     pid_t child = said ? fork() : -1;
     if (child < 0) { perror("fuzz_world"); exit(2); }
     if (child == 0) {
-        rlim_t longest = (rlim_t)(10 + steps / STEPS_A_SECOND);
+        rlim_t longest = (rlim_t)(SLOWER * (10 + steps / STEPS_A_SECOND));
         struct rlimit most = { longest, longest + 1 };
         setrlimit(RLIMIT_CPU, &most);
         dup2(fileno(said), STDERR_FILENO);

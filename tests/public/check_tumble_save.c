@@ -319,26 +319,6 @@ START_TEST(what_is_loaded_is_saved_as_the_same_bytes)
 }
 END_TEST
 
-// Rejects: an address in the bytes, and whatever was left in the padding.
-START_TEST(twins_are_saved_as_the_same_bytes)
-{
-    for (int k = 0; k < WORLDS; k++) {
-        tumble_world *w = world_of(k, 0), *twin = world_of(k, 0);
-        go_on(w, 0, 130, true);
-        go_on(twin, 0, 130, true);
-        bytes a = saved(w), b = saved(twin);
-        ck_assert_uint_eq(a.size, b.size);
-        for (size_t i = HEAD; i < a.size; i++)
-            ck_assert_msg(a.at[i] == b.at[i], "world %d: byte %zu of %zu", k, i,
-                          a.size);
-        tumble_free(w);
-        tumble_free(twin);
-        free(a.at);
-        free(b.at);
-    }
-}
-END_TEST
-
 START_TEST(one_two_and_four_threads_go_on_alike)
 {
     for (int which = 0; which < 3; which++) {
@@ -520,7 +500,6 @@ int main(void)
     tcase_add_loop_test(t, also_where_all_bounces, 0, WORLDS);
     tcase_add_loop_test(t, bodies_come_and_go_and_are_pushed_alike, 0, WORLDS);
     tcase_add_test(t, what_is_loaded_is_saved_as_the_same_bytes);
-    tcase_add_test(t, twins_are_saved_as_the_same_bytes);
     tcase_add_test(t, one_two_and_four_threads_go_on_alike);
     tcase_add_test(t, what_a_program_holds_is_good_afterwards);
     tcase_add_test(t, a_box_in_a_heap_takes_six_kilobytes);

@@ -1,13 +1,32 @@
 # check_charts.sh - does every chart follow the page it stands on?  Each .gp has
 # its SVG; outside of the style, which sets a colour for light pages and one for
 # dark, no shape has a colour of its own; its words are text; it asks for nothing
-# outside of itself and is small.  chart.awk refuses what is not in the palette.
+# outside of itself, is small, no word leaves it and none stands on another.
+# chart.awk refuses what is not in the palette.
 
 export LC_ALL=C
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 failed=
 complain() { echo "$1"; failed=1; }
+
+# words CHART.svg: those that leave the picture, in a wide font, or stand in others.
+words() {
+    awk '/^<svg/ { high = $0; sub(/.*" height="/, "", high); high += 0 }
+    /^<text/ && !/rotate/ {
+        head = $0; sub(/>.*/, "", head)
+        x = head; sub(/.* x="/, "", x); y = head; sub(/.* y="/, "", y); x += 0; y += 0
+        size = 13; if (head ~ / font-size=/) { size = head; sub(/.* font-size="/, "", size); size += 0 }
+        words = $0; gsub(/<[^>]*>/, "", words); gsub(/&[a-z]*;/, "x", words); gsub(/[\200-\277]/, "", words)
+        long = length(words) * size * ($0 ~ /bold/ ? 0.62 : 0.54)
+        left = x - long * (head ~ /"end"/ ? 1 : head ~ /"middle"/ ? 0.5 : 0)
+        if (left < 0 || left + long > 720 || y < 8 || y > high - 3) print "cuts off: " words
+        n++; L[n] = left; R[n] = left + 0.98 * long; top[n] = y - 0.72 * size; low[n] = y; said[n] = words
+        for (i = 1; i < n; i++)
+            if (L[i] < R[n] - 1 && L[n] < R[i] - 1 && top[i] < low[n] - 1 && top[n] < low[i] - 1)
+                print "writes one thing over another: " said[i] " and " words
+    }' "$1"
+}
 
 # faults CHART.svg: what is wrong with it.
 faults() {
@@ -21,8 +40,9 @@ faults() {
     for size in $(grep -o '<text[^>]* font-size="[0-9]*"' "$place/body" | sed 's/.*="//; s/"//' | sort -u); do
         [ "$size" -ge 12 ] && [ "$size" -le 16 ] || echo "has type of $size px"
     done
-    words=$(sed 's/.*class="\([a-z]*\).*/\1/; /^[<.@]/d' "$place/body" | sort -u)
-    for class in $words; do
+    words "$1"
+    shades=$(sed 's/.*class="\([a-z]*\).*/\1/; /^[<.@]/d' "$place/body" | sort -u)
+    for class in $shades; do
         [ "$(grep -c "[.]$class{color:#" "$1")" = 2 ] || echo "$class has no colour for light and dark"
     done
 }
@@ -44,6 +64,8 @@ broken '/^<path class="page/s/class="page fill"/fill="#ffffff"/' 'sets a colour 
 broken '/^@media/d' 'does not follow a dark page'
 broken 's/<text/<text font-size="9"/' 'has type of 9 px'
 broken 's/class="ink"/class="mauve"/' 'mauve has no colour'
+broken 's/<text class="ink" x="[0-9.]*"/<text class="ink" x="700"/' 'cuts off'
+broken '/^<text/p' 'writes one thing over another'
 broken 's/<\/svg>/<image href="x.png"\/><\/svg>/' 'asks for something outside'
 
 # refuses WHAT LINE: chart.awk says so, and fails.

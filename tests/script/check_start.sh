@@ -4,7 +4,9 @@
 page=$(pwd)/chapters/00-start.md
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-cp -R Makefile lib "$tree" && cd "$tree" && mkdir build || exit 1
+mkdir -p "$tree/figures/live" "$tree/chapters/site" "$tree/build" &&
+cp -R Makefile lib "$tree" && cp figures/live/live.mk "$tree/figures/live" &&
+cp chapters/site/site.mk "$tree/chapters/site" && cd "$tree" || exit 1
 
 # block LANGUAGE: the first block in it under "Your first program".
 block() {

@@ -8,7 +8,6 @@
 # A chapter a line, for merging.
 LATER="
 12
-14
 15
 16
 17
@@ -19,18 +18,6 @@ LATER="
 23
 "
 LATER_EXERCISES="
-x00
-x01
-x02
-x03
-x04
-x05
-x06
-x07
-x08
-x09
-x10
-x11
 x12
 x13
 x14

@@ -24,8 +24,6 @@ wasm() { # clang's own library for WebAssembly, its linker, and a C library
 browser() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
 gnu_parallel() { parallel --version | grep '^GNU parallel'; }
 english() { aspell dump dicts | grep -x en_GB; }
-font() { [ -e /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf ] ||
-         fc-list | grep -q 'DejaVu Sans'; }
 
 command -v "${CC:-cc}" > /dev/null || {
     echo "There is no C compiler named ${CC:-cc}: install gcc or clang first." >&2
@@ -36,7 +34,6 @@ case $1 in
 deps)
     need check header check.h
     need gnuplot-nox command -v gnuplot
-    need fonts-dejavu-core font
     need libpng-dev header png.h
     need mawk command -v awk
     need aspell command -v aspell

@@ -1,0 +1,176 @@
+// drape.c - a cloth on a cube or on a rope: as printed, as mended, and under the
+// engine of Part II (chapter 9).
+
+#include "handle.h"
+#include "live.h"
+#include "runner.h"
+
+enum { SYSTEM, SCENE, CLOTH, SUBSTEPS };        // dials
+enum { STRAIN, TIME };                          // charts
+enum { PRINTED, MENDED, ENGINE };
+enum { BELOW, ON_TOP, BODIES };                 // cube or rope; the cloth
+static const runner_kind KIND[] = { AS_PRINTED, BY_PLAIN, BY_ENGINE };
+static const real PULL = 400, BRAKE = 20;       // 1/s^2, 1/s
+static const real ROPE_RADIUS = 0.03;           // m, as it is drawn
+
+static runner run;
+static bool is_ready;
+static int cuts, held = -1, held_particle, frame;
+static vec3 held_at;
+
+static scene_kind kind(void)
+{
+    return live_choice(SCENE) ? SCENE_CLOTH_ON_ROPE : SCENE_CLOTH_ON_CUBE;
+}
+
+static int substeps(int usual)
+{
+    static const real TIMES[] = { 0.5, 1, 2, 4 };
+    return int_max(1, (int)(usual * TIMES[live_choice(SUBSTEPS)]));
+}
+
+static status begin_system(runner_kind by, scene_options what)
+{
+    system_options how = runner_options(by);
+    how.substeps = substeps(how.substeps);
+    if (by == AS_PRINTED) what.diagonal = 1;
+    return runner_begin_system(&run, by, kind(), what, how);
+}
+
+static status begin_engine(scene_options what)
+{
+    world_options how = world_scene_options(kind(), what.cloth);
+    how.substeps = substeps(how.substeps);
+    return runner_begin_world(&run, kind(), what, how);
+}
+
+static void begin(void)
+{
+    if (is_ready) runner_free(&run);
+    scene_options what = scene_options_default();
+    what.cloth = (int)live_dial(CLOTH);
+    runner_kind by = KIND[live_choice(SYSTEM)];
+    status done = by == BY_ENGINE ? begin_engine(what) : begin_system(by, what);
+    is_ready = done.ok;
+    held = -1;
+    cuts = frame = 0;
+    if (!done.ok) live_say("%s", done.why);
+}
+
+static const vec3 *places(int b)
+{
+    return b == BELOW ? run.at : run.at + scene_shape(&run.scene, BELOW)->particles;
+}
+
+// --- Hands ------------------------------------------------------------------------
+// The two ends of the rope are pinned: one is let go.
+static void press(int button)
+{
+    (void)button;
+    if (!is_ready || kind() != SCENE_CLOTH_ON_ROPE || cuts == run.scene.pins) return;
+    scene_pin p = run.scene.pin[cuts++];
+    if (run.kind == BY_ENGINE) {
+        world_unpin(&run.world, p.body, p.particle);
+        return;
+    }
+    const shape *s = scene_shape(&run.scene, p.body);
+    run.plain.pool.at[run.plain.body[p.body].first + p.particle].inverse_mass = 1 / s->mass[p.particle];
+}
+
+static void move(int number, vec3 to)
+{
+    if (!is_ready) return;
+    held_at = to;
+    if (held == number) return;
+    held = number;
+    held_particle = 0;
+    const vec3 *at = places(held);
+    for (int i = 1; i < scene_shape(&run.scene, held)->particles; i++)
+        if (vec3_distance(at[i], to) < vec3_distance(at[held_particle], to)) held_particle = i;
+}
+
+static void release(int number)
+{
+    (void)number;
+    held = -1;
+}
+
+static void pull_engine(vec3 dv)
+{
+    real mass = scene_shape(&run.scene, held)->mass[held_particle];
+    world_push_particle(&run.world, held, held_particle, vec3_scale(20 * mass, dv));
+}
+
+static void pull_system(vec3 dv)
+{
+    particle *p = &run.plain.pool.at[run.plain.body[held].first + held_particle];
+    real h = run.plain.options.dt / run.plain.options.substeps;
+    if (p->inverse_mass > 0) p->previous = vec3_add_scaled(p->previous, -h, dv);
+}
+
+static void pull_held(void)
+{
+    vec3 way = vec3_sub(held_at, places(held)[held_particle]);
+    vec3 dv = vec3_scale(PULL / 60, way);
+    if (run.kind == BY_ENGINE) pull_engine(vec3_scale(1 / BRAKE, dv));
+    else                       pull_system(vec3_scale(1 / BRAKE, dv));
+}
+
+// --- Frames -----------------------------------------------------------------------
+static void step(void)
+{
+    if (!is_ready) return;
+    if (held >= 0) pull_held();
+    runner_step(&run);
+    frame++;
+}
+
+static void measure(void)
+{
+    if (!is_ready || frame % 4) return;
+    poses p = runner_poses(&run);
+    live_value(STRAIN, 0, 100 * p.strain);
+    if (!p.finite) live_say("The cloth has flown off: its numbers are lost.");
+    else if (p.particles_in > 0) live_say("%d particles of the cloth stand in the cube.", p.particles_in);
+    else live_say("The worst stick is wrong by %.1f %%.", 100 * p.strain);
+}
+
+static void draw_rope(const vec3 *at, int n)
+{
+    for (int i = 1; i < n; i++) live_tube(BELOW, LIVE_ORANGE, at[i - 1], at[i], ROPE_RADIUS);
+    for (int k = cuts; k < run.scene.pins; k++)
+        live_ball(-1, LIVE_INK, at[run.scene.pin[k].particle], 2 * ROPE_RADIUS);
+}
+
+static void draw(void)
+{
+    if (!is_ready) return;
+    const shape *below = scene_shape(&run.scene, BELOW), *cloth = scene_shape(&run.scene, ON_TOP);
+    if (below->kind == SHAPE_ROPE) draw_rope(places(BELOW), below->particles);
+    else live_mesh(-1, LIVE_GREY, places(BELOW), below->particles, below->face, below->mesh.faces, false);
+    live_mesh(ON_TOP, LIVE_BLUE, places(ON_TOP), cloth->particles, cloth->face, cloth->mesh.faces, true);
+}
+
+static unsigned long long hash(void)
+{
+    return is_ready ? runner_hash(&run) : 0;
+}
+
+const live_figure figure = {
+    .name = "drape",
+    .says = "A cloth falls on a cube, or on a rope that hangs from two pins",
+    .camera = { .distance = 4.7, .turn = 0.55, .rise = 0.4, .target = { 0, 0.66, 0 }, .has_floor = true },
+    .dial = {
+        [SYSTEM] = { "system", NULL, 0, 2, 1, MENDED, "as printed|as mended|engine", true },
+        [SCENE] = { "on", NULL, 0, 1, 1, 0, "a cube|a rope", true },
+        [CLOTH] = { "particles a side", NULL, 10, 40, 1, 32, NULL, true },
+        [SUBSTEPS] = { "substeps", NULL, 0, 3, 1, 1, "half|usual|double|4 ×", true },
+    },
+    .button = { "Cut a pin of the rope" },
+    .chart = {
+        [STRAIN] = { "largest strain", "%", { NULL }, 0.1, 10, true, false, NULL },
+        [TIME] = { "time of a frame", "ms", { NULL }, 0, 1, false, true, NULL },
+    },
+    .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,
+    .press = press, .move = move, .release = release,
+};

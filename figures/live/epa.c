@@ -1,0 +1,270 @@
+// epa.c - the expanding polytope, one iteration after the other, in the plane
+// (chapter 5).
+//
+// The polygon grows here, by the supports of lib/paper/gjk.c; the depth, the
+// normal and the contact points are those of lib/paper/hit_face.c, for the two
+// shapes as long prisms.
+
+#include "hit_face.h"
+#include "live.h"
+
+#include <string.h>
+
+enum { CORNERS_A, TURN };                       // dials
+enum { LOWER, UPPER };                          // lines of the chart
+enum { SHAPES, DIFFERENCE };                    // panes
+enum { PACE = 30, REST = 100 };                 // frames an iteration, at the end
+enum { MOST_A = 32, CORNERS_B = 5, MOST = MOST_A + CORNERS_B + 3 };
+
+static const real HALF = 20;                    // m, of the prisms' length
+static const vec3 B_START[CORNERS_B] = {
+    { -0.85, -0.7, 0 }, { 0.5, -0.95, 0 }, { 1.05, 0.1, 0 }, { 0.3, 0.95, 0 }, { -0.8, 0.55, 0 }
+};
+
+static vec3 place_a = { 0.75, 0.5, 0 }, place_b = { -0.2, -0.2, 0 };
+static vec3 at_a[2 * MOST_A], at_b[2 * CORNERS_B];  // front, then back
+static int corners_a;
+static vec3 grown[MOST], w;                     // counter-clockwise; the next corner
+static int corners, closest, count, frame;
+static bool overlaps, is_done, is_paced = true; // paced: goes on by itself
+static real bound[2][MOST];
+static hit_result hit;
+
+// Corners of an ellipse: four, and then one more between every two.
+static int ellipse(vec3 *at, int n)
+{
+    static const vec3 FIRST[] = { { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 } };
+    int have = 4;
+    memcpy(at, FIRST, sizeof FIRST);
+    for (; have < n; have *= 2)
+        for (int i = have - 1; i >= 0; i--) {
+            vec3 next = at[i == have - 1 ? 0 : 2 * i + 2];
+            at[2 * i] = at[i];
+            at[2 * i + 1] = vec3_unit(vec3_add(at[i], next));
+        }
+    for (int i = 0; i < n; i++) at[i] = vec3_make(1.25 * at[i].x, 0.95 * at[i].y, 0);
+    return n;
+}
+
+// Turns by an angle with the tangent of its half, t: no sine is needed.
+static vec3 turned(vec3 d, real t)
+{
+    real c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
+    return vec3_make(c * d.x - s * d.y, s * d.x + c * d.y, 0);
+}
+
+static void lengthen(vec3 *at, int n)
+{
+    for (int i = 0; i < n; i++) {
+        at[n + i] = vec3_make(at[i].x, at[i].y, -HALF);
+        at[i].z = HALF;
+    }
+}
+
+static hull prism_a(void) { return (hull){ at_a, 2 * corners_a }; }
+static hull prism_b(void) { return (hull){ at_b, 2 * CORNERS_B }; }
+
+// The corner of the flat A - B: only fronts are asked.
+static vec3 support(vec3 d)
+{
+    return hull_support((hull){ at_a, corners_a }, (hull){ at_b, CORNERS_B }, d).at;
+}
+
+static void place_shapes(void)
+{
+    corners_a = ellipse(at_a, 4 << live_choice(CORNERS_A));
+    for (int i = 0; i < corners_a; i++) at_a[i] = vec3_add(place_a, turned(at_a[i], 0.2));
+    for (int i = 0; i < CORNERS_B; i++)
+        at_b[i] = vec3_add(place_b, turned(B_START[i], live_dial(TURN)));
+    lengthen(at_a, corners_a);
+    lengthen(at_b, CORNERS_B);
+}
+
+// --- The polygon that grows -------------------------------------------------------
+static vec3 outward(int k)
+{
+    vec3 e = vec3_unit(vec3_sub(grown[(k + 1) % corners], grown[k]));
+    return vec3_make(e.y, -e.x, 0);
+}
+
+static real height(int k)
+{
+    return vec3_dot(outward(k), grown[k]);
+}
+
+// Looks for the closest edge, and for the corner of A - B beyond it.
+static void look(void)
+{
+    closest = 0;
+    for (int k = 1; k < corners; k++)
+        if (height(k) < height(closest)) closest = k;
+    w = support(outward(closest));
+    bound[LOWER][count] = real_max(0, height(closest));
+    bound[UPPER][count] = vec3_dot(outward(closest), w);
+    is_done = bound[UPPER][count] <= bound[LOWER][count] + 1e-12;
+}
+
+static void expand(void)
+{
+    for (int k = corners++; k > closest + 1; k--) grown[k] = grown[k - 1];
+    grown[closest + 1] = w;
+    count++;
+    look();
+}
+
+// GJK ends with a segment or a triangle that holds the origin.
+static void begin_polygon(const simplex *last)
+{
+    corners = int_min(3, last->count);
+    for (int k = 0; k < corners; k++) grown[k] = last->of[k].at;
+    vec3 n = vec3_cross(vec3_sub(grown[1], grown[0]), vec3_sub(grown[corners - 1], grown[0]));
+    if (n.z >= 0) return;
+    vec3 swap = grown[1];
+    grown[1] = grown[2], grown[2] = swap;
+}
+
+static void show(void)
+{
+    for (int k = LOWER; k <= UPPER && overlaps; k++) live_curve(0, k, bound[k], count + 1);
+    if (!overlaps)
+        live_say("A and B are apart: there is no depth. Drag one into the other.");
+    else if (is_done)
+        live_say("Done after %d iterations: w is no further out than the edge. The depth is %.4f m; hit_face_find says %.4f m.",
+                 count, bound[LOWER][count], hit.depth);
+    else
+        live_say("Iteration %d: the closest edge is %.3f m away, w reaches %.3f m. The depth is between them.",
+                 count + 1, bound[LOWER][count], bound[UPPER][count]);
+}
+
+static void begin(void)
+{
+    place_shapes();
+    count = frame = 0;
+    gjk_result flat = gjk_distance((hull){ at_a, corners_a }, (hull){ at_b, CORNERS_B }, 0, NULL);
+    gjk_result whole = gjk_distance(prism_a(), prism_b(), 0, NULL);
+    overlaps = flat.status == GJK_OVERLAP && flat.last.count > 1 && whole.status == GJK_OVERLAP;
+    if (overlaps) {
+        hit = hit_face_find(prism_a(), prism_b(), &whole.last);
+        begin_polygon(&flat.last);
+        look();
+    }
+    show();
+}
+
+static void iterate(void)
+{
+    frame = 0;
+    if (!overlaps || is_done || corners == MOST) begin();
+    else expand();
+}
+
+static void step(void)
+{
+    if (++frame >= (is_done ? REST : PACE) && is_paced) iterate();
+    show();
+}
+
+static void press(int button)
+{
+    (void)button;
+    is_paced = false;
+    iterate();
+}
+
+static void move(int number, vec3 to)
+{
+    *(number == 0 ? &place_a : &place_b) = vec3_make(to.x, to.y, 0);
+    begin();
+}
+
+// --- Drawing ----------------------------------------------------------------------
+static vec3 beside(vec3 at, real x, real y)
+{
+    return vec3_add(at, vec3_make(x, y, 0));
+}
+
+// A moves out, as far as the depth says.
+static void draw_way_out(void)
+{
+    vec3 out[MOST_A + 1], way = vec3_scale(hit.depth, hit.normal);
+    real part = real_min(1, (real)frame / (REST / 2));
+    for (int i = 0; i <= corners_a; i++)
+        out[i] = vec3_add_scaled(at_a[i % corners_a], part, way);
+    live_dashes(LIVE_GREEN, out, corners_a + 1);
+    live_arrow(LIVE_GREEN, hit.on_a, hit.on_b);
+}
+
+static void draw_shapes(void)
+{
+    live_pane(SHAPES);
+    live_area(LIVE_BLUE, at_a, corners_a);
+    live_area(LIVE_ORANGE, at_b, CORNERS_B);
+    if (overlaps && is_done) draw_way_out();
+    live_label(LIVE_BLUE, beside(place_a, 0.15, 0.1), "A");
+    live_label(LIVE_ORANGE, beside(place_b, -0.45, -0.2), "B");
+    live_handle(0, LIVE_BLUE, place_a, "shape A");
+    live_handle(1, LIVE_ORANGE, place_b, "shape B");
+}
+
+static int difference(vec3 *out)
+{
+    int n = 0;
+    for (int k = 0; k < 720 && n < MOST; k++) {
+        vec3 c = support(turned(vec3_make(k < 360 ? 1 : -1, 0, 0), (k % 360 - 180) / 180.0));
+        if (n == 0 || vec3_distance(c, out[n - 1]) > 0) out[n++] = c;
+    }
+    return n;
+}
+
+static void draw_closest(void)
+{
+    vec3 n = outward(closest), edge[] = { grown[closest], grown[(closest + 1) % corners] };
+    vec3 top = vec3_scale(bound[UPPER][count], n), side = vec3_make(-n.y, n.x, 0);
+    live_dashes(LIVE_GREEN, (vec3[]){ vec3_add_scaled(top, -9, side), vec3_add_scaled(top, 9, side) }, 2);
+    live_line(LIVE_RED, edge, 2);
+    live_arrow(LIVE_RED, vec3_make(0, 0, 0), vec3_scale(height(closest), n));
+    live_dot(LIVE_GREEN, w, 5);
+    live_label(LIVE_GREEN, vec3_add_scaled(beside(w, 0.08, -0.05), 0.2, n), "w");
+}
+
+static void draw_difference(void)
+{
+    vec3 outline[MOST];
+    live_pane(DIFFERENCE);
+    live_area(LIVE_GREY, outline, difference(outline));
+    live_label(LIVE_QUIET, beside(vec3_sub(place_a, place_b), 0.5, 1.1), "A − B");
+    if (overlaps) {
+        live_area(LIVE_PURPLE, grown, corners);
+        for (int k = 0; k < corners; k++) live_dot(LIVE_PURPLE, grown[k], 4);
+        draw_closest();
+    }
+    live_dot(LIVE_INK, vec3_make(0, 0, 0), 5);
+    live_label(LIVE_INK, vec3_make(0.12, 0.12, 0), "origin");
+}
+
+static void draw(void)
+{
+    draw_shapes();
+    draw_difference();
+}
+
+static unsigned long long hash(void)
+{
+    unsigned long long h = live_hash(LIVE_HASH, grown, (size_t)corners * sizeof(vec3));
+    h = live_hash(h, &hit.depth, sizeof(real));
+    h = live_hash(h, &hit.normal, sizeof(vec3));
+    return live_hash(h, &hit.on_a, sizeof(vec3));
+}
+
+const live_figure figure = {
+    .name = "epa",
+    .says = "Left two overlapping shapes, A and B; right their difference, A - B, and in it the polygon of EPA that grows to the edge closest to the origin",
+    .pane = { [SHAPES] = { -2.0, -1.75, 4.6, 4.174 }, [DIFFERENCE] = { -2.2, -2.1, 5.8, 5.263 } },
+    .dial = {
+        [CORNERS_A] = { "corners of A", NULL, 0, 3, 1, 1, "4|8|16|32", true },
+        [TURN] = { "turn of B", NULL, -1, 1, 0.02, 0.2, NULL, true },
+    },
+    .button = { "Next iteration" },
+    .chart = { { "bounds of the depth, m", NULL, { [LOWER] = "closest edge", [UPPER] = "w" }, 0, 1, false, false, "iteration" } },
+    .begin = begin, .step = step, .draw = draw, .hash = hash, .press = press, .move = move,
+};

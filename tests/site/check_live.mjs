@@ -1,0 +1,149 @@
+// check_live.mjs - do the live figures do what a reader expects of them?  Dials
+// move the charts, only what is seen runs, unwanted motion stands still, a picture
+// stands where scripts are off; and a module of the reader's own runs in the page,
+// or the page says what is wrong with it:   node check_live.mjs BUILD
+
+import { createRequire } from 'node:module';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { resolve } from 'node:path';
+
+const build = resolve(process.argv[2]);
+const { chromium } = createRequire(`${build}/node/package.json`)('playwright-core');
+const WAIT = { timeout: 60e3 };
+
+let checks = 0, faults = 0;
+function check(holds, sentence) {
+  checks++;
+  if (!holds) { faults++; console.log(`not so: ${sentence}`); }
+}
+
+const path = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
+const browser = await chromium.launch({ executablePath: path, args: ['--no-sandbox', '--enable-unsafe-swiftshader'] });
+
+// A page, and all errors that its console tells of.
+async function open(file, options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1300, height: 900 }, ...options });
+  page.errors = [];
+  page.on('console', said => said.type() === 'error' && page.errors.push(said.text()));
+  page.on('pageerror', error => page.errors.push(error.message));
+  await page.goto(pathToFileURL(file).href);
+  return page;
+}
+
+const settled = (page, name) => page.waitForSelector(`[data-live="${name}"]:is([data-hash], [data-trapped], [data-failed])`, WAIT);
+const frames = figure => figure.evaluate(node => node.live.frames);
+
+// --- The figures of a page, with motion unwanted: each stands at frame 60 -------
+async function checkPage(file, names) {
+  const page = await open(file, { reducedMotion: 'reduce' });
+  for (const name of names) {
+    const figure = page.locator(`[data-live="${name}"]`);
+    await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+    await settled(page, name);
+    const { hash, wants, running } = await figure.evaluate(node => ({ ...node.dataset }));
+    check(hash === wants, `${name} has the native hash ${wants}, not ${hash}`);
+    check(running === '0' && await frames(figure) === 60, `${name} stands at frame 60 where motion is unwanted`);
+    await checkDials(page, figure, name);
+  }
+  check(page.errors.length === 0, `${file} has no error in its console: ${page.errors[0]}`);
+  await page.close();
+}
+
+// What the charts and the drawing show, as one string.
+const look = figure => figure.evaluate(node => [...node.querySelectorAll('.live-chart canvas')].map(chart => chart.toDataURL()).join() +
+  node.querySelector('.live-flat')?.innerHTML + node.querySelector('.live-said').textContent);
+
+// Every slider, reached by its label and turned by a key, changes what is seen.
+async function checkDials(page, figure, name) {
+  for (const dial of await figure.locator('input[type=range]').all()) {
+    const label = await dial.evaluate(node => node.labels[0].firstChild.textContent);
+    const before = await look(figure);
+    await dial.focus();
+    await page.keyboard.press(await dial.evaluate(node => node.value === node.max) ? 'Home' : 'End');
+    await figure.evaluate(node => { node.live.tick(4); });
+    check(await look(figure) !== before, `${name}: the dial "${label}" changes a chart or the drawing`);
+  }
+}
+
+// --- Motion: only what is seen runs ---------------------------------------------
+async function checkMotion(file, name) {
+  const page = await open(file, { viewport: { width: 1300, height: 500 } });
+  const figure = page.locator(`[data-live="${name}"]`);
+  await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+  await settled(page, name);
+  check(await figure.getAttribute('data-running') === '1', `${name} runs while it is seen`);
+  await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
+  await page.waitForSelector(`[data-live="${name}"][data-running="0"]`, WAIT);
+  const stands = await frames(figure);
+  await page.waitForTimeout(300);
+  check(await frames(figure) === stands, `${name} stands while it is not seen`);
+  await figure.getByRole('button', { name: 'Pause' }).press('Enter');
+  check(await figure.getByRole('button', { name: 'Play' }).count() === 1, `${name} is paused by a key`);
+  await page.close();
+}
+
+async function checkDrag(file) {
+  const page = await open(file, { reducedMotion: 'reduce' });
+  const ring = page.locator('[data-live="orbit"] .live-handle');
+  await ring.scrollIntoViewIfNeeded();
+  const before = await ring.getAttribute('cx');
+  await ring.focus();
+  await page.keyboard.press('ArrowRight');
+  const moved = await ring.getAttribute('cx');
+  check(moved !== before, 'the start of the planet moves by an arrow key');
+  const box = await ring.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 60, box.y + 20);
+  await page.mouse.up();
+  check(await ring.getAttribute('cx') !== moved, 'and is dragged by the mouse');
+  await page.close();
+}
+
+async function checkStill(file, names) {
+  const context = await browser.newContext({ javaScriptEnabled: false });
+  const page = await context.newPage();
+  await page.goto(pathToFileURL(file).href);
+  for (const name of names) check(await page.locator(`[data-live="${name}"] img`).count() === 1, `${name} is a picture where scripts are off`);
+  await context.close();
+}
+
+const site = `${build}/site`, of = {};
+for (const file of readdirSync(site).filter(file => file.endsWith('.html'))) {
+  const names = [...readFileSync(`${site}/${file}`, 'utf8').matchAll(/data-live="(\w+)"/g)].map(found => found[1]);
+  if (names.length) of[file] = names;
+}
+for (const [file, names] of Object.entries(of)) {
+  await checkPage(`${site}/${file}`, names);
+  await checkStill(`${site}/${file}`, names);
+}
+await checkMotion(`${site}/01-verlet.html`, 'orbit');
+await checkDrag(`${site}/01-verlet.html`);
+
+// --- Modules of the reader's own ------------------------------------------------
+const awk = (...rest) => execFileSync('awk', [...rest], { encoding: 'utf8' });
+const folder = `${build}/live/mine`, edits = ['-f', 'exercises/wrong.awk', 'tests/site/mine.edits'];
+
+async function checkMine(what, source, says) {
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(`${folder}/verlet.c`, source);
+  execFileSync('make', ['-s', 'live', '01', `MINE=${folder}/verlet.c`, `BUILD=${build}`], { stdio: ['ignore', 'ignore', 'pipe'] });
+  const page = await open(`${build}/swapped/live/01/index.html`);
+  await settled(page, 'orbit');
+  const said = await page.locator('[data-live="orbit"]').evaluate(node => (node.dataset.trapped ?? '') + node.querySelector('.live-foot').textContent);
+  check(RegExp(says).test(said), `${what}: the page says "${said}"`);
+  await page.close();
+}
+
+const told = word => [...readFileSync('tests/site/mine.edits', 'utf8').matchAll(RegExp(`^${word} +(.*)$`, 'gm'))].map(found => found[1]);
+const verlet = 'lib/particles/verlet.c';
+await checkMine('a right module', readFileSync(verlet, 'utf8'), 'to the last bit');
+const says = told('test');
+for (const [k, what] of told('wrong').entries())
+  await checkMine(what, awk('-v', `want=${k + 1}`, ...edits, verlet), says[k]);
+
+await browser.close();
+console.log(`live figures: ${checks} checks, ${faults} faults, ${Object.values(of).flat().length} figures on ${Object.keys(of).length} pages`);
+process.exit(faults ? 1 : 0);

@@ -50,7 +50,7 @@ end
 -- A file of the tree: its own page, with a line.
 local function place_of_file(path, line)
   if whole then return nil end
-  if path:match('%.[ch]$') then return 'source/' .. path:match('[^/]*$') .. '.html' .. (line and '#L' .. line or '') end
+  if path:match('%.[ch]$') then return 'source/' .. path:gsub('/', '-') .. '.html' .. (line and '#L' .. line or '') end
   if path:match('%.csv$') then return path end
   if path:match('^exercises') then return 'exercises.html' end
 end

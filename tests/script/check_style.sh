@@ -8,7 +8,6 @@
 # A chapter a line, for merging.
 LATER="
 12
-15
 16
 17
 18

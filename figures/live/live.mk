@@ -13,6 +13,7 @@ define LIVES
 09/room
 09/drape
 13/pile
+17/chain
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk  := rules/04-distance-1.o

@@ -33,6 +33,13 @@ begin() {
     echo "  make hint $name        gives the next of three hints"
 }
 
+# A module that the reader has built moves in its chapter's live figures.
+say_live() {
+    module=$(sed -n 's/^module //p' "$dir/exercise")
+    [ "$module" ] && grep -q "^${name%%/*}/" figures/live/live.mk || return 0
+    echo "See it move in a page:  cp $mine build/$module.c; make live ${name%%/*} MINE=build/$module.c"
+}
+
 exercise() {
     [ -f "$mine" ] || { begin; return 0; }
     prepare "$(library_parts)" "$(test_parts)" || { echo "$name: the tests could not be built, see above" >&2; return 1; }
@@ -41,6 +48,7 @@ exercise() {
     case $? in
     0)  write_passed "$name"
         show
+        say_live
         echo "Compare with the book's answer:  make solution $name"
         next_of "${name%%/*}" "$(states)"
         return 0 ;;

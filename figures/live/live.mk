@@ -8,8 +8,12 @@ define LIVES
 03/cube
 04/gjk
 05/epa
+06/tree
+07/shares
 09/room
 09/drape
+13/pile
+17/chain
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk  := rules/04-distance-1.o

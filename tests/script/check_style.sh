@@ -8,9 +8,7 @@
 # A chapter a line, for merging.
 LATER="
 12
-15
 16
-17
 18
 19
 20

@@ -9,7 +9,6 @@
 LATER="
 12
 16
-19
 23
 "
 LATER_EXERCISES="

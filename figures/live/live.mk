@@ -14,6 +14,7 @@ define LIVES
 09/room
 09/drape
 13/pile
+15/bullet
 16/fabric
 17/chain
 endef

@@ -10,9 +10,12 @@ define LIVES
 05/epa
 06/tree
 07/shares
+08/blow
 09/room
 09/drape
 13/pile
+15/bullet
+16/fabric
 17/chain
 endef
 # What a figure takes from other folders, beside the library.

@@ -9,10 +9,6 @@
 LATER="
 12
 16
-18
-19
-20
-21
 23
 "
 LATER_EXERCISES="

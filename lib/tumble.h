@@ -327,7 +327,9 @@ tumble_joint tumble_ball(tumble_world *w, tumble_body a, tumble_body b,
 tumble_joint tumble_hinge(tumble_world *w, tumble_body a, tumble_body b,
                           tumble_vec3 at, tumble_vec3 axis);
 
-// rad, from -pi to pi, of b against a; 0: as they stood when they were joined.
+// rad, from -pi to pi, of b against a; 0: as they stood when they were joined.  Of
+// a distance: m.  Beyond -pi, beyond pi and below 0 m there is no limit: -HUGE_VAL
+// and HUGE_VAL take both off.
 bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
                        double most);
 

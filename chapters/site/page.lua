@@ -53,7 +53,7 @@ end
 -- A file of the tree: its own page, with a line.
 local function place_of_file(path, line)
   if whole then return nil end
-  if path:match('%.[ch]$') then return 'source/' .. path:match('[^/]*$') .. '.html' .. (line and '#L' .. line or '') end
+  if path:match('%.[ch]$') then return 'source/' .. path:gsub('/', '-') .. '.html' .. (line and '#L' .. line or '') end
   if path:match('%.csv$') then return path end
   if path:match('^exercises') then return 'exercises.html' end
 end
@@ -121,8 +121,8 @@ local function link_str(str)
   end
   local doi, rest = str.text:match('^d?o?i?:?(10%.%d%d%d%d+/.-)([%.,;%)]*)$')
   if doi then return pandoc.Span({ pandoc.Link({ pandoc.Str('doi:' .. doi) }, 'https://doi.org/' .. doi), pandoc.Str(rest) }) end
-  -- The words of chapter 23 end with the chapters that explain them: (04, 13).
-  if page == '23-words' and str.text:match('^%(?%d%d[,)]') then return link_number(str) end
+  -- In chapter 23 such numbers are the chapters that explain a word: (04, 13).
+  if page == '23-words' and str.text:match('^%(?%d%d[,.;)]*$') then return link_number(str) end
 end
 
 -- A comma or a bracket stays on the line of the formula or name it belongs to.
@@ -140,9 +140,12 @@ local function keep_whole(list)
   end
 end
 
--- Formulas without their TeX, which no browser shows.
+-- Formulas without their TeX, which no browser shows.  As in TeX, a bracket grows
+-- only after \left; and the letter l is no operator.
 local function Math(math)
-  return raw((html_of({ math }):gsub('<annotation.-</annotation>', ''):gsub('</?semantics>', '')))
+  local html = html_of({ math }):gsub('<annotation.-</annotation>', ''):gsub('</?semantics>', '')
+  if not math.text:match('\\left') then html = html:gsub('stretchy="true"', 'stretchy="false"') end
+  return raw((html:gsub('<mo>ℓ</mo>', '<mi>ℓ</mi>')))
 end
 
 local function Inlines(list)
@@ -171,8 +174,8 @@ local function piece_of(caption, piece)
   local _, count = piece.text:gsub('\n', '\n')
   local html, above = code(piece, name), caption.html
   if count >= FOLD and FORMAT:match('^html') then
-    local what = caption.text:match(': (.*)$') or lines
-    above = above:gsub(': ' .. what, '', 1)
+    local what = caption.text:match(': (.*)$') or 'lines ' .. lines
+    above = above:gsub(':[^:>]*</a>', '</a>')
     html = '<details><summary>' .. what .. ' <span>' .. count + 1 .. ' lines</span></summary>' .. html .. '</details>'
   end
   local id = file:match('[^/]*$') .. '-L' .. lines:match('%d+')
@@ -186,7 +189,7 @@ local function is_column_of_numbers(body, k)
     local cell = row[2] and row[2][k] or row.cells and row.cells[k]
     local text = cell and pandoc.utils.stringify(cell.contents or cell.content) or ''
     if text:match('%d') then any = true end
-    if text ~= '' and not text:match('^[%d%s.,+−%%-]*[%a]?[%d%s.,+-]*%%?$') then return false end
+    if text:match('^%d%d,') or text ~= '' and not text:match('^[%d%s.,+−%%-]*[%a]?[%d%s.,+-]*%%?$') then return false end
   end
   return any
 end
@@ -232,6 +235,8 @@ local function figure_of(image)
     FORMAT:match('^epub') and path or shown, '',
     { width = wide and string.format('%.0f', wide), height = high and string.format('%.0f', high),
       loading = not whole and 'lazy' or nil })
+  -- By itself it can be looked at as large as it is.
+  if not whole and folder ~= 'live' then picture = pandoc.Link({ picture }, shown) end
   return {
     block('<figure id="figure-' .. name .. '"' .. data .. '>'), pandoc.Plain({ picture }),
     block('<figcaption>' .. caption .. '</figcaption></figure>'),

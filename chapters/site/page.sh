@@ -34,6 +34,7 @@ pages() { ls chapters/woven | sed 's/\.md$//'; }
 
 # The page before and the page after, with their titles.
 turn() {
+    set -- "$@" --metadata turn=true
     before=$(pages | grep -B 1 -x "$page" | grep -vx "$page")
     after=$(pages | grep -A 1 -x "$page" | grep -vx "$page")
     [ -z "$before" ] || set -- "$@" --metadata before="$before" --metadata before-title="$(title "$before")"
@@ -47,7 +48,7 @@ tasks() {
     cat $here/exercises.md
     for one in $(pages); do
         ls exercises/"${one%%-*}"-*/README.md > "$part/of" 2> /dev/null || continue
-        printf '\n## %s\n' "$(title "$one")"
+        printf '\n## %s\n\nThey belong to [chapter %s](%s.md).\n' "$(title "$one")" "${one%%-*}" "$one"
         while read -r task; do echo; sed 's/^#/###/' "$task"; done < "$part/of"
     done
 }
@@ -58,9 +59,25 @@ whole() {
         --metadata title=tumble --metadata subtitle="a world of particles and sticks" --metadata lang=en
 }
 embedded() {
+    to=$1; shift
     embed=--embed-resources         # pandoc 3; before it:
     pandoc --help | grep -q -e "$embed" || embed=--self-contained
-    whole html5 $embed --css $here/style.css --css $here/whole.css -o "$1"
+    whole html5 $embed --css $here/style.css --css $here/whole.css "$@" -o "$to"
+}
+
+# What says to those who listen how a page is built is most of its bytes.
+pack() {
+    if command -v qpdf > /dev/null; then qpdf --object-streams=generate "$1" "$file"; else cp "$1" "$file"; fi
+}
+
+# On paper each chapter has its title over its pages.
+heads() {
+    echo '<style>'
+    for one in $(pages); do
+        printf '[id="%s"] { page: c%s } @page c%s { @top-left { content: "%s" } }\n' \
+            "$one" "${one%%-*}" "${one%%-*}" "$(title "$one")"
+    done
+    echo '</style>'
 }
 
 case $form in
@@ -71,9 +88,10 @@ search) { book; tasks | awk -f $here/page.awk; } |
 exercises) tasks | awk -f $here/page.awk | site --metadata pagetitle=Exercises ;;
 html) embedded "$file" ;;
 pdf)  wants chromium chromium-browser google-chrome
-      embedded "$part/book.html" &&
+      heads > "$part/heads" && embedded "$part/book.html" --include-in-header "$part/heads" &&
       "$found" --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
-          --virtual-time-budget=10000 --print-to-pdf="$file" "file://$part/book.html" 2> /dev/null ;;
+          --virtual-time-budget=10000 --print-to-pdf="$part/book.pdf" "file://$part/book.html" 2> /dev/null &&
+      pack "$part/book.pdf" ;;
 epub) whole epub3 --css $here/epub.css --epub-embed-font $here/math.woff2 -o "$file" ;;
 esac && [ -s "$file" ] || exit 1
 case $form in html|pdf|epub) echo "$file: $(wc -c < "$file") bytes" ;; esac

@@ -23,6 +23,7 @@ if (side) {
     if (at === now) return;
     links.get(now?.id)?.classList.remove('here');
     links.get(at?.id)?.classList.add('here');
+    side.scrollTop = (links.get(at?.id)?.offsetTop ?? 0) - side.clientHeight / 2;
     now = at;
   };
   addEventListener('scroll', () => requestAnimationFrame(follow), { passive: true });

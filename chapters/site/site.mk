@@ -9,8 +9,8 @@ SITE_PAGES := $(WOVEN:%.md=$(SITE)/%.html) $(SITE)/index.html $(SITE)/exercises.
 PICTURES   := $(filter figures/%,$(wildcard figures/*/*.png figures/*/*.svg figures/*/*.webp figures/*/*.csv))
 SITE_FILES := $(patsubst %.png,%.webp,$(PICTURES:%=$(SITE)/%))
 # What a caption links to: the book's code, and the programs of the figures.
-SOURCES    := $(shell sh chapters/weave.sh) $(wildcard figures/[0-9]*/*.c figures/peers/*.c)
-SITE_CODE  := $(patsubst %,$(SITE)/source/%.html,$(notdir $(SOURCES)))
+SOURCES    := $(shell sh chapters/weave.sh) $(wildcard figures/[0-9]*/*.c figures/peers/*.c figures/live/*.c)
+SITE_CODE  := $(patsubst %,$(SITE)/source/%.html,$(subst /,-,$(SOURCES)))
 SITE_STYLE := $(patsubst %,$(SITE)/%,style.css site.js icon.svg math.woff2 pagella-regular.woff2 pagella-italic.woff2 pagella-bold.woff2 minisearch.js figures/moving/still.webp)
 SITE_LIVE  := $(LIVE_FILES:$(BUILD)/live/%=$(SITE)/live/%)
 
@@ -52,7 +52,7 @@ $(SITE)/%: chapters/site/%
 	@mkdir -p $(@D)
 	$(Q)cp $< $@
 define source
-$(SITE)/source/$(notdir $1).html: $1 chapters/site/source.awk
+$(SITE)/source/$(subst /,-,$1).html: $1 chapters/site/source.awk
 	@mkdir -p $$(@D)
 	$(Q)LC_ALL=C awk -f chapters/site/source.awk chapters/woven/*.md $1 > $$@
 endef

@@ -186,8 +186,10 @@ function begin() {
     const panel = (tumble.panels || {})[node.dataset.live];
     if (!panel) continue;
     node.live = new Figure(node, panel);
-    near.observe(node);
   }
+  // What moves comes after all that is read.
+  const watch = () => document.querySelectorAll('[data-live]').forEach(node => node.live && near.observe(node));
+  if (document.readyState === 'complete') watch(); else addEventListener('load', watch);
 }
 
 if (document.readyState === 'loading') addEventListener('DOMContentLoaded', begin); else begin();

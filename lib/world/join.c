@@ -82,11 +82,11 @@ status world_limit_joint(world *w, int number, real least, real most)
     bool is_hinge = j->kind == JOINT_HINGE;
     assert(is_hinge || j->kind == JOINT_DISTANCE);
     real lowest = is_hinge ? -turn : 0, highest = is_hinge ? turn : 1e300;
-    if (!(least >= lowest && most >= least && most <= highest))
+    if (!(least <= most && least <= highest && most >= lowest))
         return status_fail("%g to %g are no limits of a joint", least, most);
-    j->least = least;
-    j->most = most;
-    j->is_limited = is_hinge || least < most;
+    j->least = real_max(least, lowest);
+    j->most = real_min(most, highest);
+    j->is_limited = is_hinge ? least > lowest || most < highest : least < most;
     wake_both(w, j);
     return status_ok();
 }

@@ -19,8 +19,9 @@ status world_join(world *w, joint_plan plan, int *number);
 void world_unjoin(world *w, int number);
 
 // Limits to a hinge: rad, of B against A, from how they stood when they were
-// joined; -pi <= least <= most <= pi.  Or to a distance: m.  Fails, changing
-// nothing, if these are none.
+// joined, from -pi to pi.  Or to a distance: m, from 0.  What lies beyond that is
+// no limit, so -HUGE_VAL and HUGE_VAL take both off.  Fails, changing nothing, if
+// these are none.
 status world_limit_joint(world *w, int number, real least, real most);
 
 // How far the points of a joint are apart: m.  How far a hinge has turned: rad.

@@ -577,6 +577,13 @@ START_TEST(joints_hold_what_they_say)
     tumble_set_velocity(w, d, tumble_v(1, 0, 0), tumble_v(0, 0, 2));
     run(w, 1);
     near(tumble_hinge_angle(w, hinge), 0.3, 0.02);
+    // Let go, it turns on past where it was stopped.
+    ck_assert(tumble_set_limits(w, hinge, -HUGE_VAL, 3.1416));
+    tumble_set_velocity(w, d, tumble_v(1, 0, 0), tumble_v(0, 0, 2));
+    run(w, 0.5);
+    near(tumble_hinge_angle(w, hinge), 1.3, 0.05);
+    ck_assert(!tumble_set_limits(w, hinge, 4, HUGE_VAL));
+    expect_failure(w, "no limits");
     expect_fine(w);
     tumble_free(w);
 }

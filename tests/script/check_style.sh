@@ -8,13 +8,7 @@
 # A chapter a line, for merging.
 LATER="
 12
-15
 16
-17
-18
-19
-20
-21
 23
 "
 LATER_EXERCISES="

@@ -41,6 +41,7 @@ deps)
 deps-book)
     need pandoc command -v pandoc
     need chromium browser
+    need qpdf command -v qpdf
     need webp command -v img2webp ;;
 deps-site)
     need pandoc command -v pandoc

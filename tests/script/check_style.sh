@@ -7,9 +7,7 @@
 
 # A chapter a line, for merging.
 LATER="
-12
 16
-19
 23
 "
 LATER_EXERCISES="

@@ -255,6 +255,7 @@ public: $(BUILD)/seen.a $(BUILD)/seen.so
 #:   make reset 01/step       begin again (what you had is kept)
 #:   make progress            a bar for each chapter (exercises/progress.txt)
 #:   make watch 01/step       judge it again whenever you save it
+#:   make live 01/step        the chapter's live figures, with what you wrote
 #:   make watch 01            the tests of chapter 01 whenever you save a file,
 #:                            and any exercise whose file you save
 #:   make check-exercises     is every exercise sound, and the runner?

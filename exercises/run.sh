@@ -37,7 +37,7 @@ begin() {
 say_live() {
     module=$(sed -n 's/^module //p' "$dir/exercise")
     [ "$module" ] && grep -q "^${name%%/*}/" figures/live/live.mk || return 0
-    echo "See it move in a page:  cp $mine build/$module.c; make live ${name%%/*} MINE=build/$module.c"
+    echo "See it move in a page:           make live $name"
 }
 
 exercise() {

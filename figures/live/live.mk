@@ -10,9 +10,14 @@ define LIVES
 05/epa
 06/tree
 07/shares
+08/blow
 09/room
 09/drape
+11/slab
+12/strand
 13/pile
+15/bullet
+16/fabric
 17/chain
 endef
 # What a figure takes from other folders, beside the library.
@@ -71,7 +76,7 @@ $(OURS)/wasm/live/%.o: figures/live/%.c $(OURS)/wasm/flags
 	$(call wasm)
 # The reader's own counts the turns of its loops, so that one without end is
 # stopped, and not taken for a loop with an end.
-COUNTED := -fsanitize-coverage=trace-pc,edge,no-prune -fno-finite-loops
+COUNTED := -Wno-unused -Wno-unused-parameter -fsanitize-coverage=trace-pc,edge,no-prune -fno-finite-loops
 define wasm_swap
 $(BUILD)/wasm/mine/$(notdir $(1:.c=.o)): $1 $(BUILD)/flags
 	$$(call wasm,$$(COUNTED)) || { echo "$1: does not compile; begin with the first error\
@@ -121,7 +126,14 @@ live-files: $(LIVE_FILES)
 LIVE_CHAPTER := $(firstword $(NAMED) $(foreach f,$(MINE),$(patsubst %/,%,$(dir $(filter %/$(basename $(notdir $f)),$(LINE))))))
 LIVE_SHOWN   := $(notdir $(filter $(LIVE_CHAPTER)/%,$(strip $(LIVES))))
 LIVE_TOOLS    = echo 'int main(void) { return 0; }' | $(WASM) -x c - -o /dev/null 2> /dev/null && command -v npm > /dev/null
+# An exercise that builds a module: what the reader wrote takes its place.
+LIVE_EXERCISE := $(firstword $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal))))
 .PHONY: live live-page
+ifneq ($(LIVE_EXERCISE),)
+live:
+	@file=$$(sh figures/live/exercise.sh $(LIVE_EXERCISE) $(BUILD)/live/mine) && \
+	  $(AGAIN) live $(firstword $(subst /, ,$(LIVE_EXERCISE))) MINE=$$file
+else
 live:
 	@[ -n '$(LIVE_SHOWN)' ] || { echo "make live wants a chapter that has live figures:\
 	  $(sort $(patsubst %/,%,$(dir $(strip $(LIVES)))))" >&2; exit 1; }
@@ -130,6 +142,7 @@ live:
 	  $(AGAIN) $(BUILD)/tumble && $(BUILD)/tumble room --film $(BUILD)/live-room.png > /dev/null && \
 	  echo "A live page needs clang for WebAssembly and npm: make deps-site installs them.\
 	  Here is a film instead: $(BUILD)/live-room.png"; fi
+endif
 live-page: $(LIVE_SHOWN:%=$(OURS)/live/%.json) $(LIVE_SHOWN:%=$(BUILD)/live/%.js) $(OURS)/live/main.js $(OURS)/live/space.js
 	$(Q)sh figures/live/page.sh $(LIVE_CHAPTER) $(BUILD)/live/$(LIVE_CHAPTER) $(OURS)/live $(BUILD)/live $(LIVE_SHOWN)
 

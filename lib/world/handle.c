@@ -227,8 +227,8 @@ status world_set_damping(world *w, int b, real damping, real spin_damping)
     assert(b >= 0 && b < w->bodies);
     if (!(damping >= 0 && damping < HUGE_VAL
           && spin_damping >= 0 && spin_damping < HUGE_VAL))
-        return status_fail("the damping of body %d is %g and %g; both must be "
-                           "finite, and 0 or more", b, damping, spin_damping);
+        return status_fail("the damping of a body is %g and %g; both must be "
+                           "finite, and 0 or more", damping, spin_damping);
     w->body[b].damping = damping;
     w->body[b].spin_damping = spin_damping;
     w->is_damped |= damping > 0 || spin_damping > 0;

@@ -88,8 +88,7 @@ status world_add_plane(world *w, vec3 normal, real offset)
 {
     real length = vec3_length(normal), away = offset / length;
     if (!(length > 0) || !(length < HUGE_VAL) || !(away - away == 0))
-        return status_fail("plane %d has no finite normal and offset",
-                           w->planes);
+        return status_fail("a plane needs a finite normal and offset");
     plane *more = grown(w->plane, w->planes, sizeof *more);
     if (more) w->plane = more;
     material *wall = grown(w->wall, w->planes, sizeof *wall);
@@ -129,8 +128,8 @@ status world_bend(world *w, int b, real stiffness)
 {
     assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
     if (!(stiffness >= 0) || !(stiffness < HUGE_VAL))
-        return status_fail("the stiffness of body %d is %g; it must be finite, "
-                           "and 0 or more", b, stiffness);
+        return status_fail("the stiffness of a body is %g; it must be finite, "
+                           "and 0 or more", stiffness);
     w->body[b].bending = stiffness;
     return status_ok();
 }
@@ -139,8 +138,8 @@ status world_stretch(world *w, int b, real compliance)
 {
     assert(b >= 0 && b < w->bodies && body_is_soft(&w->body[b]));
     if (!(compliance >= 0) || !(compliance < HUGE_VAL))
-        return status_fail("the compliance of body %d is %g; it must be "
-                           "finite, and 0 or more", b, compliance);
+        return status_fail("the compliance of a body is %g; it must be "
+                           "finite, and 0 or more", compliance);
     w->body[b].compliance = compliance;
     return status_ok();
 }

@@ -7,13 +7,7 @@
 
 # A chapter a line, for merging.
 LATER="
-12
 16
-17
-18
-19
-20
-21
 23
 "
 LATER_EXERCISES="

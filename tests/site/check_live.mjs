@@ -102,6 +102,26 @@ async function checkDrag(file) {
   await page.close();
 }
 
+async function checkTouch(file) {
+  const page = await open(file, { reducedMotion: 'reduce' });
+  const figure = page.locator('[data-live="cube"]');
+  await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+  await settled(page, 'cube');
+  // Numbers below 100 are sticks.
+  const stick = await figure.evaluate(node => {
+    const { left, top, width, height } = node.querySelector('.live-stage canvas').getBoundingClientRect();
+    for (let y = top + height / 4; y < top + height; y += 4)
+      for (let x = left; x < left + width; x += 4) {
+        const number = node.live.drawing.pick({ clientX: x, clientY: y });
+        if (number >= 0 && number < 100) return { x, y };
+      }
+    return null;
+  });
+  await page.mouse.click(stick.x, stick.y);
+  check(/^21 sticks/.test(await figure.locator('.live-said').textContent()), 'a stick of the cube that is touched is taken away');
+  await page.close();
+}
+
 async function checkStill(file, names) {
   const context = await browser.newContext({ javaScriptEnabled: false });
   const page = await context.newPage();
@@ -120,6 +140,7 @@ for (const [file, names] of Object.entries(of)) {
   await checkStill(`${site}/${file}`, names);
 }
 await checkMotion(`${site}/01-verlet.html`, 'orbit');
+await checkTouch(`${site}/03-body.html`);
 await checkDrag(`${site}/01-verlet.html`);
 
 // --- Modules of the reader's own ------------------------------------------------

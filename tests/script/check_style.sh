@@ -11,14 +11,6 @@ LATER="
 23
 "
 LATER_EXERCISES="
-x12
-x13
-x14
-x15
-x16
-x17
-x18
-x19
 "
 LATER_PAGES=""
 

@@ -16,6 +16,7 @@ define LIVES
 11/slab
 12/strand
 13/pile
+14/crowd
 15/bullet
 16/fabric
 17/chain

@@ -10,13 +10,13 @@ set xtics ("0.1" 0.1, "1" 1, "10" 10, "100" 100)
 set tmargin at screen 0.915
 set bmargin at screen 0.55
 set label 10 "A hanging rope of 50 links: its largest strain" at screen 0.5,0.978 center font bold textcolor rgb ink
-set label 11 "time a frame (10 sweeps with the exact root = 1)" at screen 0.55,0.497 center textcolor rgb ink
+set label 11 "time a frame (10 iterations with the exact root = 1)" at screen 0.55,0.497 center textcolor rgb ink
 
 set lmargin at screen 0.115
 set rmargin at screen 0.385
 set title "load 1"
 set ytics ("10^{3}" 1e3, "1" 1, "10^{−3}" 1e-3, "10^{−6}" 1e-6, "10^{−9}" 1e-9, "10^{−12}" 1e-12, "10^{−15}" 1e-15)
-set label 1 "n sweeps" at 3,8 textcolor rgb orange
+set label 1 "n iterations" at 3,8 textcolor rgb orange
 set label 2 "n small\nsteps" at 0.9,3e-6 textcolor rgb blue
 set label 3 "the line\nsolved: 1,\n2, 3, 4 steps" at 1.6,1e-10 textcolor rgb green font bold
 plot csv index 0 using 2:3 with linespoints pt 7 ps 0.45 lc rgb orange lw 1.5, \

@@ -13,6 +13,8 @@ define LIVES
 08/blow
 09/room
 09/drape
+11/slab
+12/strand
 13/pile
 15/bullet
 16/fabric

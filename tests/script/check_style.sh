@@ -7,7 +7,6 @@
 
 # A chapter a line, for merging.
 LATER="
-12
 16
 23
 "

@@ -39,7 +39,7 @@ function names_in(path, first, last,    i, line, functions, types) {
         line = text[path, i]
         if (line ~ /^[a-z][a-z0-9_ ]*[ *][a-z0-9_]+\(/ && line !~ /^typedef/) {
             sub(/\(.*/, "", line); sub(/.*[ *]/, "", line)
-            functions = functions ", " line
+            if (!index(functions ", ", ", " line ", ")) functions = functions ", " line
         } else if (line ~ /^} [a-z0-9_]+;/) {
             gsub(/^} |;.*/, "", line)
             types = types ", " line

@@ -40,9 +40,12 @@ end
 local function place_of_exercise(name)
   if exercises[name] and not whole then return 'exercises.html#' .. name:gsub('/', '-') end
 end
+-- A word such as `build` may be a helper of one file, and plain English in another
+-- chapter: without an underscore it leads away only if a header declares it.
 local function place_of_code(name)
   local other, file = names.place(name, page)
-  if other then return place(other, names.id(name, file)) end
+  local is_plain = other ~= page and not name:match('_') and file and file:match('%.c$')
+  if other and not is_plain then return place(other, names.id(name, file)) end
 end
 local function place_of_figure(name)
   if names.figure[name] then return place(names.figure[name], 'figure-' .. name) end
@@ -116,7 +119,7 @@ local function link_str(str)
   if target then
     return pandoc.Span({ pandoc.Str(before), pandoc.Link({ pandoc.Str(exercise) }, target), pandoc.Str(after) })
   end
-  local doi, rest = str.text:match('^d?o?i?:?(10%.%d%d%d%d+/.-)([%.,;%)]*)$')
+  local doi, rest = str.text:match('^d?o?i?:?(10%.%d%d%d%d+/.-)([%.,:;%)]*)$')
   if doi then return pandoc.Span({ pandoc.Link({ pandoc.Str('doi:' .. doi) }, 'https://doi.org/' .. doi), pandoc.Str(rest) }) end
   -- In chapter 23 such numbers are the chapters that explain a word: (04, 13).
   if page == '23-words' and str.text:match('^%(?%d%d[,.;)]*$') then return link_number(str) end

@@ -52,7 +52,7 @@ function Pandoc(doc)
   table.sort(all)
   for _, name in ipairs(all) do
     local page, file = names.place(name, '')
-    if page then row(page, names.id(name, file), name, file) end
+    if page then row(page, names.id(name, file), name, file:match('[^/]*$')) end
   end
   return pandoc.Pandoc({ pandoc.RawBlock('plain', 'window.sections=[\n' .. table.concat(rows, ',\n') .. '];') })
 end

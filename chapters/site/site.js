@@ -55,7 +55,8 @@ const read = () => index ||= Promise.all([script('minisearch.js'), script('searc
   const search = new MiniSearch({
     fields: ['head', 'text'], storeFields: ['page', 'id', 'head', 'text'], idField: 'key',
     tokenize: text => text.split(/[^\p{L}\p{N}_]+/u).filter(Boolean),
-    searchOptions: { boost: { head: 6 }, prefix: true, combineWith: 'AND', fuzzy: term => term.length > 5 ? .15 : 0 },
+    searchOptions: { boostDocument: (key, term, row) => row.id === 'sources' ? .2 : 1,
+      boost: { head: 6 }, prefix: true, combineWith: 'AND', fuzzy: term => term.length > 5 ? .15 : 0 },
   });
   search.addAll(window.sections.map(([page, id, head, text], key) => ({ key, page, id, head, text })));
   return search;

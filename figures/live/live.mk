@@ -13,7 +13,10 @@ define LIVES
 08/blow
 09/room
 09/drape
+11/slab
+12/strand
 13/pile
+14/crowd
 15/bullet
 16/fabric
 17/chain

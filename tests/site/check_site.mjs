@@ -123,6 +123,23 @@ async function checkLive(page, name) {
   return figures.length;
 }
 
+// What is typed into the field of a page on the disk finds the code, and the prose.
+async function checkSearch(browser, name, finds) {
+  const page = await open(await browser.newContext({ viewport: PHONE }), name);
+  await page.goto(pathToFileURL(resolve(folder, name)).href);
+  for (const [words, wanted] of finds) {
+    await page.keyboard.press('/');
+    await page.fill('input[type="search"]', words);
+    await page.waitForSelector('.found:not([hidden]) a', { timeout: 10e3 }).catch(() => fault(name, `a search for ${words} finds nothing`));
+    const first = await page.locator('.found a').first().getAttribute('href');
+    if (!first?.startsWith(wanted)) fault(name, `a search for ${words} leads to ${first}, and ${wanted} is wanted`);
+    await page.keyboard.press('Enter');
+    await page.waitForURL(url => url.href.includes(wanted), { timeout: 10e3 }).catch(() => fault(name, `Enter does not lead to ${wanted}`));
+  }
+  console.log(`${finds.length} searches`);
+  await page.context().close();
+}
+
 // The page as it is read from a disk: only its errors matter.
 async function openFile(context, name) {
   const page = await open(context, name);
@@ -149,6 +166,9 @@ for (const name of names) {
     `  ${String(stops).padStart(3)} stops of Tab${figures ? `, ${figures} live figures` : ''}`);
   await page.context().close();
 }
+await checkSearch(browser, 'index.html', [
+  ['gjk_distance', '04-gjk.html#gjk_distance'], ['minkowski diff', '04-gjk.html'],
+]);
 await browser.close();
 host.end();
 console.log(faults ? `${faults} faults` : 'the site is sound');

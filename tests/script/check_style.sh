@@ -7,7 +7,6 @@
 
 # A chapter a line, for merging.
 LATER="
-16
 23
 "
 LATER_EXERCISES="

@@ -10,7 +10,7 @@ enum { STRAIN, TIME };                          // charts
 enum { PRINTED, MENDED, ENGINE };
 enum { BELOW, ON_TOP, BODIES };                 // cube or rope; the cloth
 static const runner_kind KIND[] = { AS_PRINTED, BY_PLAIN, BY_ENGINE };
-static const real PULL = 400, BRAKE = 20;       // 1/s^2, 1/s
+static const real PULL = 20, REACH = 0.2;       // 1/s; m, what comes along
 static const real ROPE_RADIUS = 0.03;           // m, as it is drawn
 
 static runner run;
@@ -95,25 +95,25 @@ static void release(int number)
     held = -1;
 }
 
-static void pull_engine(vec3 dv)
+// Makes one vertex of the held body faster by dv.
+static void hurry(int i, vec3 dv)
 {
-    real mass = scene_shape(&run.scene, held)->mass[held_particle];
-    world_push_particle(&run.world, held, held_particle, vec3_scale(20 * mass, dv));
-}
-
-static void pull_system(vec3 dv)
-{
-    particle *p = &run.plain.pool.at[run.plain.body[held].first + held_particle];
+    if (run.kind == BY_ENGINE) {
+        world_push_particle(&run.world, held, i, vec3_scale(scene_shape(&run.scene, held)->mass[i], dv));
+        return;
+    }
+    particle *p = &run.plain.pool.at[run.plain.body[held].first + i];
     real h = run.plain.options.dt / run.plain.options.substeps;
     if (p->inverse_mass > 0) p->previous = vec3_add_scaled(p->previous, -h, dv);
 }
 
+// A hand takes what is near the vertex, too: one alone weighs a gram.
 static void pull_held(void)
 {
-    vec3 way = vec3_sub(held_at, places(held)[held_particle]);
-    vec3 dv = vec3_scale(PULL / 60, way);
-    if (run.kind == BY_ENGINE) pull_engine(vec3_scale(1 / BRAKE, dv));
-    else                       pull_system(vec3_scale(1 / BRAKE, dv));
+    const vec3 *at = places(held);
+    vec3 centre = at[held_particle], way = vec3_sub(held_at, centre);
+    for (int i = 0; i < scene_shape(&run.scene, held)->particles; i++)
+        if (vec3_distance(at[i], centre) < REACH) hurry(i, vec3_scale(PULL, way));
 }
 
 // --- Frames -----------------------------------------------------------------------

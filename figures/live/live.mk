@@ -16,9 +16,11 @@ define LIVES
 11/slab
 12/strand
 13/pile
+14/crowd
 15/bullet
 16/fabric
 17/chain
+19/dominoes
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk  := rules/04-distance-1.o

@@ -7,18 +7,9 @@
 
 # A chapter a line, for merging.
 LATER="
-16
 23
 "
 LATER_EXERCISES="
-x12
-x13
-x14
-x15
-x16
-x17
-x18
-x19
 "
 LATER_PAGES=""
 

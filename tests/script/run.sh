@@ -3,6 +3,10 @@
 # UNBUILT: set if some of them could not be built.  YOURS: the reader's modules
 # that they judge; then their answers are told in sentences.
 
+# A test that never ends is stopped after a minute, also on a busy machine; one
+# that judges a reader's module after Check's own four seconds.
+[ -n "$YOURS" ] || export CK_DEFAULT_TIMEOUT="${CK_DEFAULT_TIMEOUT:-60}"
+
 failed= programs=0 checks=0 faults=
 [ $# -gt 0 ] || { echo "FAILED: there is no test to run" >&2; exit 1; }
 output=$(mktemp)

@@ -1,0 +1,194 @@
+// crowd.c - balls fly about in a plane: which of them are compared, on one axis
+// and in lanes? (chapter 14)
+
+#include "broad.h"
+#include "live.h"
+
+#include <string.h>
+
+enum { ROOM, BALLS, RADIUS, SPEED };            // dials
+enum { EVERY, AXIS, LANES, FOUND };             // lines of the chart
+enum { MOST = 1000, PAIRS = 100000, ROUND = 8 };
+static const vec3 HALF[] = { { 2.5, 1.4, 0 }, { 2.5, 0.15, 0 }, { 0.2, 1.4, 0 } };  // m
+
+typedef enum { ALONE, ON_AXIS, IN_LANE, TOUCHES } relation;     // to the watched ball
+static const live_colour COLOUR[] = { LIVE_GREY, LIVE_BLUE, LIVE_ORANGE, LIVE_RED };
+
+static broad sorted;
+static sphere ball[MOST];
+static vec3 velocity[MOST];
+static char moves[MOST];
+static relation to_watched[MOST];
+static int pair[PAIRS][2], plain[PAIRS][2];
+static int balls, found, by_axis, by_lane, frame;
+static bool is_equal;
+
+// From -1 to 1, always the same.
+static real any(unsigned long long *seed)
+{
+    *seed = *seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (real)(*seed >> 11) / 4503599627370496.0 - 1;
+}
+
+static void begin(void)
+{
+    unsigned long long seed = 5;
+    vec3 half = HALF[live_choice(ROOM)];
+    broad_free(&sorted);
+    balls = (int)live_dial(BALLS);
+    for (int i = 0; i < balls; i++) {
+        real number[4];
+        for (int k = 0; k < 4; k++) number[k] = any(&seed);
+        ball[i] = (sphere){ vec3_make(half.x * number[0], half.y * number[1], 0), live_dial(RADIUS) };
+        velocity[i] = vec3_make(number[2], number[3], 0);
+        moves[i] = 1;
+    }
+    ball[0].center = vec3_make(0.1, 0.05, 0);
+    velocity[0] = vec3_scale(0.3, velocity[0]);
+    frame = 0;
+    if (!broad_init(&sorted, balls).ok) balls = 0;
+}
+
+// --- Frames -----------------------------------------------------------------------
+static real bounced(real x, real half, real *v)
+{
+    if (x > half && *v > 0) *v = -*v;
+    if (x < -half && *v < 0) *v = -*v;
+    return real_max(-half, real_min(half, x));
+}
+
+static void fly(void)
+{
+    vec3 half = HALF[live_choice(ROOM)];
+    for (int i = 0; i < balls; i++) {
+        vec3 *x = &ball[i].center;
+        *x = vec3_add_scaled(*x, live_dial(SPEED) / 60, velocity[i]);
+        x->x = bounced(x->x, half.x, &velocity[i].x);
+        x->y = bounced(x->y, half.y, &velocity[i].y);
+    }
+}
+
+static void relate(int a, int b, relation how)
+{
+    if (a > 0 && b > 0) return;
+    int other = a > 0 ? a : b;
+    if (how > to_watched[other]) to_watched[other] = how;
+}
+
+// On one axis, all are compared whose shadows overlap.
+static void count_axis(void)
+{
+    by_axis = 0;
+    for (int a = 0; a < balls; a++)
+        for (int b = a + 1; b < balls; b++)
+            if (fabs(ball[a].center.x - ball[b].center.x) <= ball[a].radius + ball[b].radius) {
+                by_axis++;
+                relate(a, b, ON_AXIS);
+            }
+}
+
+// In lanes: as the library's walk goes, place by place.
+static void count_lanes(void)
+{
+    by_lane = 0;
+    for (int l = 0; l < sorted.lanes[0] * sorted.lanes[1]; l++)
+        for (int i = sorted.lane[l]; i < sorted.lane[l + 1]; i++)
+            for (int k = i + 1; k < sorted.lane[l + 1]; k++) {
+                if (sorted.start[k] > sorted.line[i].center.x + sorted.line[i].radius) break;
+                by_lane++;
+                relate(sorted.who[i], sorted.who[k], IN_LANE);
+            }
+}
+
+static void step(void)
+{
+    fly();
+    frame++;
+    found = broad_pairs(&sorted, ball, moves, pair, PAIRS);
+}
+
+static void measure(void)
+{
+    int all = broad_pairs_all(ball, moves, balls, plain, PAIRS);
+    is_equal = all == found && memcmp(pair, plain, (size_t)found * sizeof *pair) == 0;
+    memset(to_watched, 0, sizeof to_watched);
+    count_axis();
+    count_lanes();
+    for (int k = 0; k < found; k++) relate(pair[k][0], pair[k][1], TOUCHES);
+    live_value(0, EVERY, balls * (balls - 1) / 2);
+    live_value(0, AXIS, by_axis);
+    live_value(0, LANES, by_lane);
+    live_value(0, FOUND, found);
+    live_say("%d lane%s. The sorted search and the one that compares every pair find %s.",
+             sorted.lanes[0], sorted.lanes[0] == 1 ? "" : "s", is_equal ? "the same pairs" : "different pairs");
+}
+
+static void move(int number, vec3 to)
+{
+    (void)number;
+    vec3 half = HALF[live_choice(ROOM)];
+    ball[0].center = vec3_make(real_max(-half.x, real_min(half.x, to.x)), real_max(-half.y, real_min(half.y, to.y)), 0);
+    velocity[0] = vec3_make(0, 0, 0);
+}
+
+// --- Drawing ----------------------------------------------------------------------
+static void draw_ball(int i)
+{
+    vec3 rim[ROUND];
+    for (int k = 0; k < ROUND; k++) {
+        real t = (k % (ROUND / 2)) / (ROUND / 4.0) - 1, r = k < ROUND / 2 ? ball[i].radius : -ball[i].radius;
+        rim[k] = vec3_add(ball[i].center, vec3_make(r * (1 - t * t) / (1 + t * t), r * 2 * t / (1 + t * t), 0));
+    }
+    live_area(i == 0 ? LIVE_INK : COLOUR[to_watched[i]], rim, ROUND);
+}
+
+// The lanes, side by side along y, in which the watched ball stands.
+static void draw_lanes(void)
+{
+    real low = HUGE_VAL, high = -HUGE_VAL;
+    if (!sorted.lane || sorted.lanes[0] <= 1) return;
+    for (int i = 0; i < balls; i++) {
+        low = real_min(low, ball[i].center.y - ball[i].radius);
+        high = real_max(high, ball[i].center.y + ball[i].radius);
+    }
+    for (int side = 0; side < 2; side++) {
+        int lane = side ? sorted.reach[0][0].last + 1 : sorted.reach[0][0].first;
+        real y = low + lane * (high - low) / sorted.lanes[0];
+        live_dashes(LIVE_ORANGE, (vec3[]){ { -2.6, y, 0 }, { 2.6, y, 0 } }, 2);
+    }
+}
+
+static void draw(void)
+{
+    vec3 x = ball[0].center;
+    draw_lanes();
+    for (int side = -1; side < 2; side += 2) {
+        real at = x.x + side * ball[0].radius;
+        live_dashes(LIVE_BLUE, (vec3[]){ { at, -1.75, 0 }, { at, 1.5, 0 } }, 2);
+    }
+    live_line(LIVE_QUIET, (vec3[]){ { -2.6, -1.65, 0 }, { 2.6, -1.65, 0 } }, 2);
+    live_line(LIVE_INK, (vec3[]){ { x.x - ball[0].radius, -1.65, 0 }, { x.x + ball[0].radius, -1.65, 0 } }, 2);
+    live_label(LIVE_QUIET, vec3_make(1.95, -1.62, 0), "x axis");
+    for (int i = 1; i < balls; i++) draw_ball(i);
+    draw_ball(0);
+    live_handle(0, LIVE_INK, x, "the ball that is watched");
+}
+
+static unsigned long long hash(void)
+{
+    return live_hash(live_hash(LIVE_HASH, ball, sizeof ball), pair, (size_t)found * sizeof *pair);
+}
+
+const live_figure figure = {
+    .name = "crowd",
+    .says = "Balls fly about in a plane; those that are compared with one of them are coloured",
+    .pane = { { -2.7, -1.8, 5.4, 3.4 } },
+    .dial = {
+        [ROOM] = { "they fly in a", NULL, 0, 2, 1, 0, "room|row|tower", true },
+        [BALLS] = { "balls", NULL, 20, MOST, 20, 400, NULL, true },
+        [RADIUS] = { "radius", "m", 0.02, 0.2, 0.01, 0.04, NULL, true },
+        [SPEED] = { "speed", "m/s", 0, 5, 0.1, 0.5, NULL, false },
+    },
+    .chart = { { "comparisons a frame", NULL, { "every pair", "one axis", "lanes", "pairs found" }, 10, 10000, true, false, NULL } },
+    .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash, .move = move,
+};

@@ -138,7 +138,7 @@ const live_figure figure = {
     .pane = { { -3.2, -1.8, 6.4, 3.6 } },
     .dial = {
         [STEPS] = { "steps a revolution", NULL, 12, 240, 1, 60, NULL, true },
-        [WORK] = { "RK4 takes", NULL, 0, 1, 1, 0, "as many steps as they|as many forces", true },
+        [WORK] = { "the same for all three", NULL, 0, 1, 1, 0, "steps|forces", true },
     },
     .chart = { { "error of the energy", NULL, { "Euler", "Verlet", "RK4" }, 1e-7, 1, true, false, NULL } },
     .begin = begin, .step = step, .draw = draw, .hash = hash, .move = move,

@@ -15,10 +15,20 @@ local function row(...)
   rows[#rows + 1] = '[' .. table.concat(cells, ',') .. ']'
 end
 
+-- A formula as it is read, without the signs of its notation.
+local function formula(math)
+  return pandoc.Str((math.text:gsub('\\[,;:! ]', ' '):gsub('[\\{}]', '')))
+end
+-- The points of a list are parted by spaces.
+local function point(plain)
+  plain.content:insert(pandoc.Space())
+  return plain
+end
+
 -- The words of a section: no code and no tables, and no captions of code.
 local function words(block)
   if block.t == 'CodeBlock' or block.t == 'Table' then return '' end
-  local text = pandoc.utils.stringify(block)
+  local text = pandoc.utils.stringify(block:walk({ Math = formula, Plain = point, Para = point }))
   return text:match('^[%w_/.-]+, lines? %d') and '' or text
 end
 

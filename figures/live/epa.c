@@ -262,7 +262,7 @@ const live_figure figure = {
     .pane = { [SHAPES] = { -2.0, -1.75, 4.6, 4.174 }, [DIFFERENCE] = { -2.2, -2.1, 5.8, 5.263 } },
     .dial = {
         [CORNERS_A] = { "corners of A", NULL, 0, 3, 1, 1, "4|8|16|32", true },
-        [TURN] = { "turn of B", NULL, -1, 1, 0.02, 0.2, NULL, true },
+        [TURN] = { "turn of B", "rad", -1, 1, 0.02, 0.2, NULL, true },
     },
     .button = { "Next iteration" },
     .chart = { { "bounds of the depth, m", NULL, { [LOWER] = "closest edge", [UPPER] = "w" }, 0, 1, false, false, "iteration" } },

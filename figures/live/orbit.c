@@ -107,13 +107,13 @@ static void draw(void)
 {
     static const char *const name[METHODS] = { "Euler", "Verlet", "RK4" };
     live_dot(LIVE_INK, vec3_make(0, 0, 0), 7);
-    live_label(LIVE_QUIET, vec3_make(0.06, -0.16, 0), "sun");
+    live_label(LIVE_QUIET, vec3_make(0.12, -0.22, 0), "sun");
     for (int m = 0; m < METHODS; m++) {
         live_line(COLOUR[m], trail[m], trails);
         live_dot(COLOUR[m], x[m], 5);
     }
     for (int m = 0; m < METHODS; m++)
-        live_label(COLOUR[m], vec3_make(-3.05, 1.62 - 0.24 * m, 0), name[m]);
+        live_label(COLOUR[m], vec3_make(-3.05, 1.5 - 0.27 * m, 0), name[m]);
     live_handle(0, LIVE_INK, start, "the start of the planet");
 }
 

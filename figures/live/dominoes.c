@@ -1,0 +1,174 @@
+// dominoes.c - a ring of dominoes and a pyramid, by tumble.h alone (chapter 19).
+
+#include "live.h"
+#include "tumble.h"
+
+enum { DOMINOES, FRICTION, SLEEP };             // dials
+enum { AWAKE, TIME };                           // charts
+enum { MOST = 60, ROWS = 5, BALLS = 12, PYRAMID = ROWS * (ROWS + 1) / 2,
+       BODIES = MOST + PYRAMID + BALLS, CORNERS = 8 };
+static const double RADIUS = 0.14;              // m, of a ball
+
+static tumble_world *world;
+static tumble_body body[BODIES];
+static tumble_shape ball_shape;
+static int bodies, boxes, held = -1;
+static vec3 held_at;
+
+static tumble_vec3 given(vec3 v)
+{
+    return tumble_v(v.x, v.y, v.z);
+}
+
+static vec3 taken(tumble_vec3 v)
+{
+    return vec3_make(v.x, v.y, v.z);
+}
+
+static void add(tumble_shape s, tumble_body_options o)
+{
+    if (bodies < BODIES) body[bodies++] = tumble_add(world, s, o);
+}
+
+// On most of a circle: each turned from the one before by the same rotation,
+// which needs no sine.
+static void add_dominoes(void)
+{
+    tumble_shape s = tumble_box(world, tumble_v(0.06, 0.5, 0.24), 0.5);
+    int n = (int)live_dial(DOMINOES);
+    double t = 2.3 / n, c = (1 - t * t) / (1 + t * t), d = 2 * t / (1 + t * t);
+    tumble_quat turn = { 0, 0, 0, 1 };
+    vec3 at = { 0, 0.25, 1.6 };
+    for (int k = 0; k < n; k++) {
+        tumble_body_options o = tumble_at(at.x, at.y, at.z);
+        o.pose.rotation = turn;
+        add(s, o);
+        at = vec3_make(c * at.x + d * at.z, at.y, c * at.z - d * at.x);
+        double w = 1 / sqrt(1 + t * t);
+        turn = (tumble_quat){ 0, w * (turn.y + t * turn.w), 0, w * (turn.w - t * turn.y) };
+    }
+}
+
+static void add_pyramid(void)
+{
+    tumble_shape s = tumble_box(world, tumble_v(0.24, 0.24, 0.24), 0.5);
+    for (int row = 0; row < ROWS; row++)
+        for (int k = 0; k < ROWS - row; k++)
+            add(s, tumble_at(0.26 * (k - (ROWS - 1 - row) / 2.0), 0.12 + 0.24 * row, 0));
+}
+
+static void begin(void)
+{
+    tumble_options o = tumble_options_default();
+    o.friction = live_dial(FRICTION);
+    if (!live_choice(SLEEP)) o.sleep_speed = 0;
+    tumble_free(world);
+    world = tumble_make(&o);
+    bodies = 0;
+    held = -1;
+    if (!world) return;
+    tumble_add_plane(world, tumble_v(0, 1, 0), 0, -1);
+    ball_shape = tumble_sphere(world, RADIUS, 2);
+    add_dominoes();
+    add_pyramid();
+    boxes = bodies;
+    tumble_push(world, body[0], tumble_v(0.45, 0, 0), tumble_v(0, 0.45, 1.6));
+}
+
+// --- Hands ------------------------------------------------------------------------
+static void press(int button)
+{
+    (void)button;
+    if (!world || bodies == BODIES) return;
+    tumble_body_options o = tumble_at(0.1 * (bodies % 5) - 0.2, 0.9, 3);
+    o.velocity = tumble_v(0, 1.5, -6);
+    add(ball_shape, o);
+}
+
+static void move(int number, vec3 to)
+{
+    held = number;
+    held_at = to;
+}
+
+static void release(int number)
+{
+    (void)number;
+    held = -1;
+}
+
+static void tap(int number, vec3 along)
+{
+    if (number < 0 || number >= bodies) return;
+    vec3 J = vec3_scale(2.5 * tumble_mass(world, body[number]), along);
+    tumble_push(world, body[number], given(J), tumble_position(world, body[number]));
+}
+
+static void pull_held(void)
+{
+    tumble_vec3 at = tumble_position(world, body[held]);
+    vec3 a = vec3_scale(60, vec3_sub(held_at, taken(at)));
+    a = vec3_add_scaled(a, -12, taken(tumble_velocity(world, body[held])));
+    tumble_push(world, body[held], given(vec3_scale(tumble_mass(world, body[held]) / 60, a)), at);
+}
+
+// --- Frames -----------------------------------------------------------------------
+static void step(void)
+{
+    if (!world) return;
+    if (held >= 0) pull_held();
+    tumble_step(world);
+}
+
+static void measure(void)
+{
+    if (!world) return;
+    tumble_report r = tumble_last_step(world);
+    live_value(AWAKE, 0, r.bodies - r.asleep);
+    if (tumble_failure(world)) live_say("%s.", tumble_failure(world));
+    else live_say("%d bodies, %d asleep; %d contacts, %d substeps.", r.bodies, r.asleep, r.contacts, r.substeps);
+}
+
+static void draw_box(int k)
+{
+    tumble_vec3 vertex[CORNERS];
+    vec3 at[CORNERS];
+    int faces;
+    const int *face = tumble_triangles(world, body[k], &faces);
+    tumble_vertices(world, body[k], vertex, CORNERS);
+    for (int i = 0; i < CORNERS; i++) at[i] = taken(vertex[i]);
+    live_colour awake = k < boxes - PYRAMID ? LIVE_BLUE : LIVE_ORANGE;
+    live_mesh(k, tumble_is_awake(world, body[k]) ? awake : LIVE_GREY, at, CORNERS, face, faces, false);
+}
+
+static void draw(void)
+{
+    if (!world) return;
+    for (int k = 0; k < boxes; k++) draw_box(k);
+    for (int k = boxes; k < bodies; k++)
+        live_ball(k, tumble_is_awake(world, body[k]) ? LIVE_GREEN : LIVE_GREY,
+                  taken(tumble_position(world, body[k])), RADIUS);
+}
+
+static unsigned long long hash(void)
+{
+    return world ? tumble_hash(world) : 0;
+}
+
+const live_figure figure = {
+    .name = "dominoes",
+    .says = "A ring of dominoes falls around a pyramid of boxes; what sleeps is grey",
+    .camera = { .distance = 6.2, .turn = 0.5, .rise = 0.5, .target = { 0, 0.3, 0 }, .has_floor = true },
+    .dial = {
+        [DOMINOES] = { "dominoes", NULL, 10, MOST, 1, 40, NULL, true },
+        [FRICTION] = { "friction", NULL, 0, 1, 0.05, 0.5, NULL, true },
+        [SLEEP] = { "bodies at rest", NULL, 0, 1, 1, 1, "keep awake|fall asleep", true },
+    },
+    .button = { "Throw a ball" },
+    .chart = {
+        [AWAKE] = { "bodies awake", NULL, { NULL }, 0, 10, false, false, NULL },
+        [TIME] = { "time of a frame", "ms", { NULL }, 0, 0.2, false, true, NULL },
+    },
+    .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,
+    .press = press, .move = move, .release = release, .tap = tap,
+};

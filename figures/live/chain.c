@@ -144,7 +144,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "chain",
     .says = "A chain of boxes swings from a hook, with a heavy load at its end; links whose joints are torn are red",
-    .camera = { .distance = 10, .turn = 0.25, .rise = 0.14, .target = { 0.3, 2.4, 0 }, .has_floor = true },
+    .camera = { .distance = 9, .turn = 0.25, .rise = 0.14, .target = { 0.4, 2.35, 0 }, .has_floor = true },
     .dial = {
         [SOLVER] = { "joints are solved", NULL, 0, 1, 1, ONE_BY_ONE, "one by one|as a tree", true },
         [LINKS] = { "links of 1 kg", NULL, 1, MOST - 1, 1, 16, NULL, true },

@@ -143,7 +143,7 @@ static void draw_frame(live_colour c, const vec3 *corners)
 {
     for (int i = 0; i < CORNERS; i++)
         for (int d = 1; d < CORNERS; d *= 2)
-            if (!(i & d)) live_tube(-1, c, corners[i], corners[i | d], 0.008);
+            if (!(i & d)) live_tube(-1, c, corners[i], corners[i | d], 0.012);
 }
 
 // The box is drawn as its edges and its lower side, so that the points are seen.
@@ -157,7 +157,7 @@ static void draw(void)
     live_mesh(0, LIVE_BLUE, now, CORNERS, lower, 2, false);
     draw_frame(LIVE_BLUE, now);
     for (int c = 0; c < contacts; c++)
-        live_ball(-1, LIVE_RED, feature_position(&contact[c].a, p), 0.04);
+        live_ball(-1, LIVE_RED, feature_position(&contact[c].a, p), 0.06);
 }
 
 static unsigned long long hash(void)
@@ -168,7 +168,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "slab",
     .says = "A flat box, drawn as a frame, is set down on a slab; red balls mark the points in which they touch",
-    .camera = { .distance = 5.6, .turn = 0.5, .rise = 0.4, .target = { 0, 0.05, 0 } },
+    .camera = { .distance = 4.6, .turn = 0.5, .rise = 0.4, .target = { 0, 0, 0 } },
     .dial = {
         [POINTS] = { "contact points", NULL, 0, 1, 1, ONE, "one|up to four", true },
         [LEAN] = { "lean at the start", "°", 0, 10, 0.5, 0.5, NULL, true },

@@ -137,9 +137,9 @@ const live_figure figure = {
     .pane = { { -1.15, -1.75, 2.3, 2.05 }, { -1.15, -1.75, 2.3, 2.05 } },
     .dial = {
         [LOAD] = { "load, in particles", NULL, 0, 2, 1, 2, "1|100|1,000", true },
-        [ITERATIONS] = { "iterations, left", NULL, 1, 1000, 1, 16, NULL, false },
+        [ITERATIONS] = { "iterations, left", NULL, 1, 300, 1, 16, NULL, false },
         [NEWTON] = { "Newton steps, right", NULL, 1, 6, 1, 4, NULL, false },
-        [SUBSTEPS] = { "substeps a frame", NULL, 1, 32, 1, 8, NULL, true },
+        [SUBSTEPS] = { "substeps a frame", NULL, 1, 16, 1, 8, NULL, true },
     },
     .chart = {
         [ALONG] = { "strain along the rope", NULL, { "stick by stick", "at once" }, 1e-6, 10, true, false, "link, from the pin" },

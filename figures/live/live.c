@@ -45,7 +45,7 @@ static void clear_charts(void)
 {
     for (int c = 0; c < LIVE_CHARTS; c++)
         for (int k = 0; k < LIVE_LINES; k++) {
-            page.value[c][k] = NAN;
+            page.value[c][k] = (real)NAN;
             page.points[c][k] = 0;
         }
 }
@@ -254,10 +254,14 @@ const live_page *page_draw(void)
 }
 
 // --- What lies under the finger? ----------------------------------------------
+static vec3 place_of(const float *p)
+{
+    return vec3_make((real)p[0], (real)p[1], (real)p[2]);
+}
+
 static vec3 place(int i)
 {
-    const float *p = page.place.at + 3 * i;
-    return vec3_make(p[0], p[1], p[2]);
+    return place_of(page.place.at + 3 * i);
 }
 
 // How far along the ray is the triangle?  HUGE_VAL: the ray misses it.
@@ -304,12 +308,12 @@ int page_pick(double x, double y, double z, double ax, double ay, double az)
                place(c[2])), &hit, &best);
     }
     for (const float *b = page.ball.at; b && b < page.ball.at + page.ball.count; b += 8) {
-        vec3 at = { b[0], b[1], b[2] };
-        nearer((int)b[7], ray_segment(from, along, at, at, b[3]), &hit, &best);
+        vec3 at = place_of(b);
+        nearer((int)b[7], ray_segment(from, along, at, at, (real)b[3]), &hit, &best);
     }
     for (const float *t = page.tube.at; t && t < page.tube.at + page.tube.count; t += 11)
-        nearer((int)t[10], ray_segment(from, along, vec3_make(t[0], t[1], t[2]),
-               vec3_make(t[3], t[4], t[5]), t[6]), &hit, &best);
+        nearer((int)t[10], ray_segment(from, along, place_of(t), place_of(t + 3),
+               (real)t[6]), &hit, &best);
     page.hit = best;
     return hit;
 }

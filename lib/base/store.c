@@ -162,7 +162,7 @@ void store_forget(store *s, const void *field, size_t n)
         if (in + n <= s->room) memset(s->into + in, 0, n);
         return;
     }
-    assert(!"a field of memory that was not stored");
+    assert(s->is_reading && "a field of memory that was not stored");
 }
 //<
 

@@ -156,7 +156,7 @@ class Figure {
     const short = hash.slice(0, 8) + '…';
     if (this.touched) this.tell(`${short} with your settings`, hash);
     else if (hash === wants) this.tell(`${short} to the last bit as on your machine`, hash);
-    else this.tell(`${short} and not ${wants.slice(0, 8)}… as the book's own modules give`, hash);
+    else this.tell(`${short}; the book's own modules give ${wants.slice(0, 8)}… (sums in another order are enough for that)`, hash);
   }
 
   tell(words, hash = '') {

@@ -20,7 +20,7 @@ define LIVES
 15/bullet
 16/fabric
 17/chain
-19/dominoes
+19/topple
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk  := rules/04-distance-1.o

@@ -1,4 +1,4 @@
-// dominoes.c - a ring of dominoes and a pyramid, by tumble.h alone (chapter 19).
+// topple.c - a ring of dominoes and a pyramid, by tumble.h alone (chapter 19).
 
 #include "live.h"
 #include "tumble.h"
@@ -156,7 +156,7 @@ static unsigned long long hash(void)
 }
 
 const live_figure figure = {
-    .name = "dominoes",
+    .name = "topple",
     .says = "A ring of dominoes falls around a pyramid of boxes; what sleeps is grey",
     .camera = { .distance = 6.2, .turn = 0.5, .rise = 0.5, .target = { 0, 0.3, 0 }, .has_floor = true },
     .dial = {

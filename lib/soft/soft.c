@@ -360,7 +360,7 @@ static int substeps_for_weight(const soft_frame *f, int a)
 // few more where layers press on each other, where all sweeps have left a link
 // off by 1 %, and where a cloth is pinned.  (Blows press, too, but small steps
 // hardly make those softer.)
-enum { MORE_WHEN_PRESSED = 6 };
+enum { MORE_WHEN_PRESSED = 9 };
 
 int soft_substeps(const soft_solver *s, const soft_frame *f)
 {

@@ -301,7 +301,7 @@ int main(void)
            "# name sorted_us all_us first_us pairs wrong compared passed\n"
            "#scenes| scene,\"compared, a body\",\"passed, a body\",pairs,"
            "\"every pair, µs\",\"sorted, µs\"\n");
-    print_case("nobody awake", room(1000), 0, 0);
+    print_case("all asleep", room(1000), 0, 0);
     print_case("one awake", room(1000), 0, 1);
     print_case("a row along x", vec3_make(1000, 1, 1), 0, 1000);
     print_case("a floor", vec3_make(40, 0.5, 40), 0, 1000);

@@ -2,6 +2,11 @@
 # only modules to its left, and libc's own headers?  (The linker cannot see an
 # arrow that goes through a header.)
 
+# What is built of figures/ lies side by side, so no two of its programs share a
+# name: the object of one would be taken for the other.
+twice=$(ls figures/*/*.c | sed "s/.*\///" | sort | uniq -d)
+[ -z "$twice" ] || { echo "figures/: two programs have the name $twice"; exit 1; }
+
 awk '
 FILENAME == "Makefile" {
     if ($1 == "define" && $2 == "ORDER") open = 1

@@ -11,13 +11,11 @@ enum { SOLVER, LINKS, LOAD, SUBSTEPS };         // dials
 enum { GAP, TIME };                             // charts
 enum { MOST = 41, CORNERS = 8, ONE_BY_ONE = 0 };
 static const real LENGTH = 0.2, HIGH = 4.4;     // m, a link; the hook
-static const real PULL = 60, BRAKE = 8;         // 1/s^2, 1/s
 
 static world chain;
 static shape link_shape, load_shape;
 static bool is_ready, is_cut;
-static int bodies, held = -1;
-static vec3 held_at;
+static int bodies;
 
 static status add_bodies(void)
 {
@@ -58,30 +56,16 @@ static void begin(void)
     is_ready = done.ok;
     chain.joints.is_plain = live_choice(SOLVER) == ONE_BY_ONE;
     is_cut = false;
-    held = -1;
     if (!done.ok) live_say("%s", done.why);
 }
 
 // --- Hands ------------------------------------------------------------------------
-static void pull_held(void)
+static void pull(int b)
 {
-    placement now = world_where(&chain, held);
-    vec3 a = vec3_scale(PULL, vec3_sub(held_at, now.position));
-    a = vec3_add_scaled(a, -BRAKE, now.velocity);
-    real mass = real_max(5, chain.body[held].mass);
-    world_push(&chain, held, vec3_scale(mass / 60, a), now.position);
-}
-
-static void move(int number, vec3 to)
-{
-    held = number;
-    held_at = to;
-}
-
-static void release(int number)
-{
-    (void)number;
-    held = -1;
+    placement now = world_where(&chain, b);
+    vec3 a = live_pull(now.position, now.velocity);
+    real mass = real_max(5, chain.body[b].mass);
+    world_push(&chain, b, vec3_scale(mass / 60, a), now.position);
 }
 
 static void press(int button)
@@ -100,7 +84,7 @@ static void press(int button)
 static void step(void)
 {
     if (!is_ready) return;
-    if (held >= 0) pull_held();
+    if (live_held() >= 0) pull(live_held());
     world_step(&chain);
 }
 
@@ -157,5 +141,5 @@ const live_figure figure = {
         [TIME] = { "time of a frame", "ms", { NULL }, 0, 0.1, false, true, NULL },
     },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,
-    .press = press, .move = move, .release = release,
+    .press = press,
 };

@@ -29,6 +29,8 @@ static void put(live_list *l, int n, const float *value)
 static live_page page;
 static float palette[LIVE_COLOURS][3];
 static double dial[LIVE_DIALS];
+static int hand = -1;           // what it holds
+static vec3 hand_at;
 
 // --- Dials ------------------------------------------------------------------------
 double live_dial(int k)
@@ -53,6 +55,7 @@ static void clear_charts(void)
 void page_begin(void)
 {
     page.said[0] = 0;
+    hand = -1;
     clear_charts();
     figure.begin();
 }
@@ -69,6 +72,19 @@ int page_turn(int k, double value)
     if (figure.dial[k].begins) page_begin();
     else if (figure.turn) figure.turn(k);
     return figure.dial[k].begins;
+}
+
+// --- The hand --------------------------------------------------------------------
+int live_held(void)
+{
+    return hand;
+}
+
+vec3 live_pull(vec3 at, vec3 velocity)
+{
+    const real pull = 60, brake = 12;       // 1/s^2, 1/s
+    vec3 way = vec3_sub(hand_at, at);
+    return vec3_add_scaled(vec3_scale(pull, way), -brake, velocity);
 }
 
 // --- Charts and the sentence --------------------------------------------------
@@ -341,11 +357,14 @@ void page_press(int button)
 
 void page_move(int number, double x, double y, double z)
 {
-    if (figure.move) figure.move(number, vec3_make(x, y, z));
+    hand = number;
+    hand_at = vec3_make(x, y, z);
+    if (figure.move) figure.move(number, hand_at);
 }
 
 void page_release(int number)
 {
+    hand = -1;
     if (figure.release) figure.release(number);
 }
 

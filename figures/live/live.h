@@ -70,7 +70,7 @@ typedef struct {
     unsigned long long (*hash)(void);   // of the state
     void (*turn)(int dial);     // a dial has another value
     void (*press)(int button);
-    void (*move)(int number, vec3 to);  // a thing is dragged there ...
+    void (*move)(int number, vec3 to);  // a thing is dragged there (NULL: live_pull)
     void (*release)(int number);        // ... and let go
     void (*tap)(int number, vec3 along);// touched; along: unit, from the eye
 } live_figure;
@@ -88,6 +88,13 @@ void live_value(int chart, int line, real value);
 void live_curve(int chart, int line, const real *value, int n);
 // The sentence below the drawing, as printf would write it.
 void live_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+// The hand that drags: a figure without move() of its own asks for it in step().
+// The number of what it holds; -1: nothing.
+int  live_held(void);
+// m/s², how it pulls what it holds, which is at that place with that velocity: a
+// damped spring.
+vec3 live_pull(vec3 at, vec3 velocity);
 
 // --- What draw() may call -------------------------------------------------------
 // In a flat drawing z is not looked at.

@@ -9,14 +9,13 @@ enum { WARM, HEAVIEST, SUBSTEPS };              // dials
 enum { OVERLAP, SWAY };                         // charts
 enum { BOXES = 10, CORNERS = 8 };
 static const real SIDE = 0.5;                   // m
-static const real PULL = 60, BRAKE = 12;        // 1/s^2, 1/s
 static const live_colour COLOUR[] = { LIVE_BLUE, LIVE_ORANGE, LIVE_GREEN, LIVE_PURPLE };
 
 static world piles;
 static shape light, heavy;
 static bool is_ready;
-static vec3 start[BOXES], held_at;
-static int held = -1, frame;
+static vec3 start[BOXES];
+static int frame;
 
 static void drop_all(void)
 {
@@ -49,30 +48,16 @@ static void begin(void)
     how.sleep_speed = 0;
     status done = build(how);
     is_ready = done.ok;
-    held = -1;
     frame = 0;
     if (!done.ok) live_say("%s", done.why);
 }
 
 // --- Hands ------------------------------------------------------------------------
-static void pull_held(void)
+static void pull(int b)
 {
-    placement now = world_where(&piles, held);
-    vec3 a = vec3_scale(PULL, vec3_sub(held_at, now.position));
-    a = vec3_add_scaled(a, -BRAKE, now.velocity);
-    world_push(&piles, held, vec3_scale(piles.body[held].mass / 60, a), now.position);
-}
-
-static void move(int number, vec3 to)
-{
-    held = number;
-    held_at = to;
-}
-
-static void release(int number)
-{
-    (void)number;
-    held = -1;
+    placement now = world_where(&piles, b);
+    vec3 a = live_pull(now.position, now.velocity);
+    world_push(&piles, b, vec3_scale(piles.body[b].mass / 60, a), now.position);
 }
 
 static void push(int b, vec3 along)
@@ -92,7 +77,7 @@ static void press(int button)
 static void step(void)
 {
     if (!is_ready) return;
-    if (held >= 0) pull_held();
+    if (live_held() >= 0) pull(live_held());
     world_step(&piles);
     frame++;
 }
@@ -138,5 +123,5 @@ const live_figure figure = {
         [SWAY] = { "highest box, aside", "mm", { NULL }, 0.1, 100, true, false, NULL },
     },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,
-    .press = press, .move = move, .release = release, .tap = push,
+    .press = press, .tap = push,
 };

@@ -10,12 +10,10 @@ enum { OVERLAP, TIME };                         // charts
 enum { PRINTED, MENDED, ENGINE };
 static const runner_kind KIND[] = { AS_PRINTED, BY_PLAIN, BY_ENGINE };
 static const live_colour COLOUR[] = { LIVE_BLUE, LIVE_ORANGE, LIVE_GREY, LIVE_GREEN, LIVE_RED, LIVE_PURPLE };
-static const real PULL = 60, BRAKE = 12;        // 1/s^2, 1/s
 
 static runner run;
 static bool is_ready;
-static int held = -1, frame;
-static vec3 held_at;
+static int frame;
 
 static status begin_system(scene_options what, real times)
 {
@@ -43,7 +41,6 @@ static void begin(void)
     bool is_engine = live_choice(SYSTEM) == ENGINE;
     status done = is_engine ? begin_engine(what, times) : begin_system(what, times);
     is_ready = done.ok;
-    held = -1;
     frame = 0;
     if (!done.ok) live_say("%s", done.why);
 }
@@ -79,23 +76,10 @@ static void hurry(int b, vec3 dv)
     }
 }
 
-static void pull_held(void)
+static void pull(int b)
 {
-    vec3 way = vec3_sub(held_at, runner_middle(&run, held));
-    vec3 a = vec3_add_scaled(vec3_scale(PULL, way), -BRAKE, velocity_of(held));
-    hurry(held, vec3_scale(1.0 / 60, a));
-}
-
-static void move(int number, vec3 to)
-{
-    held = number;
-    held_at = to;
-}
-
-static void release(int number)
-{
-    (void)number;
-    held = -1;
+    vec3 a = live_pull(runner_middle(&run, b), velocity_of(b));
+    hurry(b, vec3_scale(1.0 / 60, a));
 }
 
 static void throw_body(int b, vec3 along)
@@ -114,7 +98,7 @@ static void press(int button)
 static void step(void)
 {
     if (!is_ready) return;
-    if (held >= 0) pull_held();
+    if (live_held() >= 0) pull(live_held());
     runner_step(&run);
     frame++;
 }
@@ -174,5 +158,5 @@ const live_figure figure = {
         [TIME] = { "time of a frame", "ms", { NULL }, 0, 1, false, true, NULL },
     },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,
-    .press = press, .move = move, .release = release, .tap = throw_body,
+    .press = press, .tap = throw_body,
 };

@@ -12,8 +12,7 @@ static const double RADIUS = 0.14;              // m, of a ball
 static tumble_world *world;
 static tumble_body body[BODIES];
 static tumble_shape ball_shape;
-static int bodies, boxes, held = -1;
-static vec3 held_at;
+static int bodies, boxes;
 
 static tumble_vec3 given(vec3 v)
 {
@@ -65,7 +64,6 @@ static void begin(void)
     tumble_free(world);
     world = tumble_make(&o);
     bodies = 0;
-    held = -1;
     if (!world) return;
     tumble_add_plane(world, tumble_v(0, 1, 0), 0, -1);
     ball_shape = tumble_sphere(world, RADIUS, 2);
@@ -85,18 +83,6 @@ static void press(int button)
     add(ball_shape, o);
 }
 
-static void move(int number, vec3 to)
-{
-    held = number;
-    held_at = to;
-}
-
-static void release(int number)
-{
-    (void)number;
-    held = -1;
-}
-
 static void tap(int number, vec3 along)
 {
     if (number < 0 || number >= bodies) return;
@@ -104,19 +90,18 @@ static void tap(int number, vec3 along)
     tumble_push(world, body[number], given(J), tumble_position(world, body[number]));
 }
 
-static void pull_held(void)
+static void pull(int k)
 {
-    tumble_vec3 at = tumble_position(world, body[held]);
-    vec3 a = vec3_scale(60, vec3_sub(held_at, taken(at)));
-    a = vec3_add_scaled(a, -12, taken(tumble_velocity(world, body[held])));
-    tumble_push(world, body[held], given(vec3_scale(tumble_mass(world, body[held]) / 60, a)), at);
+    tumble_vec3 at = tumble_position(world, body[k]);
+    vec3 a = live_pull(taken(at), taken(tumble_velocity(world, body[k])));
+    tumble_push(world, body[k], given(vec3_scale(tumble_mass(world, body[k]) / 60, a)), at);
 }
 
 // --- Frames -----------------------------------------------------------------------
 static void step(void)
 {
     if (!world) return;
-    if (held >= 0) pull_held();
+    if (live_held() >= 0) pull(live_held());
     tumble_step(world);
 }
 
@@ -170,5 +155,5 @@ const live_figure figure = {
         [TIME] = { "time of a frame", "ms", { NULL }, 0, 0.2, false, true, NULL },
     },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,
-    .press = press, .move = move, .release = release, .tap = tap,
+    .press = press, .tap = tap,
 };

@@ -1,5 +1,5 @@
 // check_restitution.c - do bodies part as fast as they should, and no faster?
-// Book: chapter 13.
+// Book: chapter 15.
 
 #include <check.h>
 #include <string.h>

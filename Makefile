@@ -37,13 +37,13 @@ define ORDER
 13/material
 13/contact
 13/solver
-13/restitution
 14/broad
 14/pairs
 14/grid
 15/swept
 15/collide
 15/cast
+15/restitution
 16/placed
 16/separation
 16/obstacle

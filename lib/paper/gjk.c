@@ -22,6 +22,7 @@ corner hull_support(hull a, hull b, vec3 d)
     return (corner){ i, j, vec3_sub(a.at[i], b.at[j]) };
 }
 //<
+
 //> gjk-normal
 // The part of v along e.
 static vec3 along(vec3 v, vec3 e)
@@ -38,6 +39,7 @@ vec3 triangle_normal(vec3 a, vec3 b, vec3 c)
     return vec3_sub(n, along(n, ab));
 }
 //<
+
 //> gjk-weigh
 void triangle_weigh(vec3 n, vec3 a, vec3 b, vec3 c, real w[3])
 {
@@ -73,6 +75,7 @@ static bool weigh(simplex *s)
     return inside;
 }
 //<
+
 //> gjk-point
 // The point of these weights.  A short one is a small difference of long ones,
 // tilted by rounding: so it is made perpendicular to the edge or the triangle.
@@ -88,6 +91,7 @@ static vec3 weighted_point(const simplex *s)
     return along(v, triangle_normal(c[0].at, c[1].at, c[2].at));
 }
 //<
+
 //> gjk-nearest
 // Keeps the part of s nearest the origin: all of s, if the origin projects
 // inside; else part of a side, one opposite to a corner of weight <= 0.
@@ -106,6 +110,7 @@ static void nearest(simplex *s)
     *s = best;
 }
 //<
+
 //> gjk-begin
 // A NaN is not <= anything, either.
 bool hull_in_range(hull h)
@@ -133,6 +138,7 @@ static void begin(simplex *s, hull a, hull b)
     nearest(s);
 }
 //<
+
 //> gjk-step
 enum { CAP = 100, STALLS = 5 };      // iterations; those without a shorter v
 static const real ENOUGH = 1e-13;    // relative error of the squared distance
@@ -167,6 +173,7 @@ static gjk_status step(gjk_result *r, hull a, hull b, real margin, int *stalls)
     return bound > 0 || vv > TOUCHING * size ? GJK_APART : GJK_OVERLAP;
 }
 //<
+
 //> gjk-distance
 gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried)
 {

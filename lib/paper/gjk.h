@@ -38,6 +38,7 @@ typedef struct {
     int     iterations;
 } gjk_result;
 //<
+
 //> gjk-declare
 // Normal of a triangle by the right-hand rule; its length is twice the area.
 vec3 triangle_normal(vec3 a, vec3 b, vec3 c);

@@ -10,6 +10,7 @@
 #include "ledger.h"
 #include "stage.h"
 #include "step.h"
+#include "suite.h"
 
 #define EARTH 9.81
 #define PI 3.14159265358979
@@ -721,7 +722,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         box_on_a_hinge_swings_in_the_time_of_its_inertia,
         swing_keeps_its_height,
         joined_pair_in_free_flight_keeps_its_momenta,
@@ -747,17 +748,9 @@ int main(void)
         pin_breaks_under_its_strength,
         what_makes_no_joint_is_refused_with_a_sentence,
         lost_body_does_not_take_the_world_along,
+        NULL
     };
-    Suite *s = suite_create("joints");
-    TCase *t = tcase_create("joints");
-    tcase_add_checked_fixture(t, NULL, tear_down);
-    tcase_set_timeout(t, 60);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "joints", .tests = tests, .tear_down = tear_down, .seconds = 60
+    });
 }

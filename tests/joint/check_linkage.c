@@ -6,6 +6,7 @@
 
 #include "expect.h"
 #include "linkage.h"
+#include "suite.h"
 
 enum { BODIES = 24 };
 
@@ -232,22 +233,15 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         tree_of_joints_is_solved_in_one_pass,
         impulses_are_handed_from_body_to_body,
         limit_gives_back_what_it_pushed_too_much,
         pairs_that_are_joined_are_dropped,
         nothing_joined_costs_nothing,
+        NULL
     };
-    Suite *s = suite_create("linkage");
-    TCase *t = tcase_create("linkage");
-    tcase_add_checked_fixture(t, NULL, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "linkage", .tests = tests, .tear_down = tear_down
+    });
 }

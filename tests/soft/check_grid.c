@@ -1,6 +1,7 @@
 // check_grid.c - does the grid find what all pairs find, and nothing else?
 #include "grid.h"
 #include "scarce.h"
+#include "suite.h"
 
 #include <check.h>
 #include <limits.h>
@@ -175,17 +176,13 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("grid");
-    TCase *t = tcase_create("grid");
-    tcase_add_test(t, it_finds_what_all_pairs_find);
-    tcase_add_test(t, size_and_place_do_not_matter);
-    tcase_add_test(t, who_is_far_away_is_left_to_a_tree);
-    tcase_add_test(t, what_finds_no_room_is_counted);
-    tcase_add_test(t, refused_memory_leaves_it_empty);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        it_finds_what_all_pairs_find,
+        size_and_place_do_not_matter,
+        who_is_far_away_is_left_to_a_tree,
+        what_finds_no_room_is_counted,
+        refused_memory_leaves_it_empty,
+        NULL
+    };
+    return suite_run((suite){ .name = "grid", .tests = tests });
 }

@@ -10,6 +10,7 @@
 #include "soft_step.h"
 #include "step.h"
 #include "stage.h"
+#include "suite.h"
 
 // Two particles that are parted stand where a square root and a division put
 // them.
@@ -1547,17 +1548,10 @@ int main(void)
         cloth_is_put_back_on_the_side_that_it_came_from,
         needle_does_not_pierce_a_cloth,
         link_lies_on_an_edge,
+        NULL
     };
-    Suite *s = suite_create("soft");
-    TCase *t = tcase_create("soft");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_set_timeout(t, 20);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "soft", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down, .seconds = 20
+    });
 }

@@ -121,6 +121,7 @@ static void add_near(near_lists *l, const body *a, const body *b,
 // The ends of a link do not collide, the stick holds them apart: in a square
 // grid they stand at 0.91 diameters.  Nor do, here, those of a cell's diagonals,
 // at 1.29: they are looked after in every substep.  The next stand at 1.82.
+// The grid knows the neighbours by their places, the tree by this distance.
 static const real LINKED = 1.5;
 
 // A body against itself: equal balls, which a grid sorts fastest.  Where one is
@@ -132,8 +133,8 @@ static void list_self(near_lists *l, const soft_frame *f, int b)
     const vec3 *at = l->at + a->first;
     real touching = 2 * a->thickness;
     int found = grid_pairs(&l->grid, at, a->shape->particles,
-                           touching + l->margin, a->shape->at,
-                           LINKED * touching, l->leaf, l->leaf_capacity);
+                           touching + l->margin, a->shape->columns, l->leaf,
+                           l->leaf_capacity);
     if (found < 0) {
         sphere_tree_refresh(tree, at);
         add_near(l, a, a, sphere_tree_self(tree, at, l->margin, LINKED,
@@ -174,10 +175,11 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
 void facet_corners(const body *b, int k, int end[FACET])
 {
     const shape *s = b->shape;
-    const stick *link = &s->stick[k];
-    const int ends[FACET] = { link->a, link->b, link->b };
-    const int *v = s->mesh.faces > 0 ? &s->face[FACET * k] : ends;
-    for (int i = 0; i < FACET; i++) end[i] = b->first + v[i];
+    bool is_face = s->mesh.faces > 0;
+    const int *v = is_face ? &s->face[FACET * k] : NULL;
+    end[0] = b->first + (is_face ? v[0] : s->stick[k].a);
+    end[1] = b->first + (is_face ? v[1] : s->stick[k].b);
+    end[2] = b->first + (is_face ? v[2] : s->stick[k].b);
 }
 
 // A particle keeps 0.55 of a spacing from a face, and a cell's diagonal over a

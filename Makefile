@@ -25,6 +25,7 @@ define ORDER
 10/hull
 10/capsule
 10/query
+10/obj
 11/manifold
 12/inline
 12/line
@@ -37,13 +38,13 @@ define ORDER
 13/material
 13/contact
 13/solver
-13/restitution
 14/broad
 14/pairs
 14/grid
 15/swept
 15/collide
 15/cast
+15/restitution
 16/placed
 16/separation
 16/obstacle
@@ -67,7 +68,6 @@ define ORDER
 18/rolling
 18/step
 18/measure
-18/obj
 18/world_scene
 19/store
 19/snapshot

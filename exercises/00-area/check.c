@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 00/area.
 
 #include "area.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -181,22 +182,18 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("area");
-    TCase *t = tcase_create("area");
-    tcase_add_test(t, square_has_its_area_and_its_side);
-    tcase_add_test(t, triangle_of_3_and_4_has_6);
-    tcase_add_test(t, dent_counts_against);
-    tcase_add_test(t, corner_in_a_line_changes_nothing);
-    tcase_add_test(t, nothing_is_lost_far_away);
-    tcase_add_test(t, closed_body_has_no_area_in_all);
-    tcase_add_test(t, bent_quadrilateral_has_half_the_product_of_its_diagonals);
-    tcase_add_test(t, corner_that_comes_twice_adds_nothing);
-    tcase_add_test(t, what_has_no_area_has_the_mean_of_its_corners);
-    tcase_add_test(t, no_corner_is_no_trouble);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        square_has_its_area_and_its_side,
+        triangle_of_3_and_4_has_6,
+        dent_counts_against,
+        corner_in_a_line_changes_nothing,
+        nothing_is_lost_far_away,
+        closed_body_has_no_area_in_all,
+        bent_quadrilateral_has_half_the_product_of_its_diagonals,
+        corner_that_comes_twice_adds_nothing,
+        what_has_no_area_has_the_mean_of_its_corners,
+        no_corner_is_no_trouble,
+        NULL
+    };
+    return suite_run((suite){ .name = "area", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 00/segment.
 
 #include "segment.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -116,18 +117,14 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("segment");
-    TCase *t = tcase_create("segment");
-    tcase_add_test(t, beside_a_segment_the_projection_counts);
-    tcase_add_test(t, beyond_its_ends_a_segment_has_no_more_points);
-    tcase_add_test(t, segment_without_length_is_a_point);
-    tcase_add_test(t, size_does_not_matter);
-    tcase_add_test(t, height_is_counted_along_the_normal);
-    tcase_add_test(t, mirror_image_is_as_far_behind);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        beside_a_segment_the_projection_counts,
+        beyond_its_ends_a_segment_has_no_more_points,
+        segment_without_length_is_a_point,
+        size_does_not_matter,
+        height_is_counted_along_the_normal,
+        mirror_image_is_as_far_behind,
+        NULL
+    };
+    return suite_run((suite){ .name = "segment", .tests = tests });
 }

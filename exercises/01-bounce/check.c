@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 01/bounce.
 
 #include "bounce.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -121,20 +122,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("bounce");
-    TCase *t = tcase_create("bounce");
-    tcase_add_test(t, in_the_air_it_flies_a_parabola);
-    tcase_add_test(t, bounce_happens_at_its_moment);
-    tcase_add_test(t, second_bounce_is_in_the_same_step);
-    tcase_add_test(t, long_step_is_as_good_as_short_ones);
-    tcase_add_test(t, infinitely_many_bounces_end);
-    tcase_add_test(t, without_loss_it_never_ends);
-    tcase_add_test(t, day_of_bounces_takes_no_time);
-    tcase_add_test(t, ball_without_bounce_stays_down);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        in_the_air_it_flies_a_parabola,
+        bounce_happens_at_its_moment,
+        second_bounce_is_in_the_same_step,
+        long_step_is_as_good_as_short_ones,
+        infinitely_many_bounces_end,
+        without_loss_it_never_ends,
+        day_of_bounces_takes_no_time,
+        ball_without_bounce_stays_down,
+        NULL
+    };
+    return suite_run((suite){ .name = "bounce", .tests = tests });
 }

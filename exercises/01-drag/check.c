@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 01/drag.
 
 #include "drag.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -161,20 +162,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("drag");
-    TCase *t = tcase_create("drag");
-    tcase_add_test(t, without_drag_it_is_verlet);
-    tcase_add_test(t, each_step_slows_by_its_factor);
-    tcase_add_test(t, fall_ends_at_the_speed_where_drag_is_weight);
-    tcase_add_test(t, feather_goes_with_the_wind);
-    tcase_add_test(t, no_drag_is_too_large);
-    tcase_add_test(t, it_is_of_order_2);
-    tcase_add_test(t, every_particle_is_moved_and_no_other);
-    tcase_add_test(t, pinned_particle_stays);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        without_drag_it_is_verlet,
+        each_step_slows_by_its_factor,
+        fall_ends_at_the_speed_where_drag_is_weight,
+        feather_goes_with_the_wind,
+        no_drag_is_too_large,
+        it_is_of_order_2,
+        every_particle_is_moved_and_no_other,
+        pinned_particle_stays,
+        NULL
+    };
+    return suite_run((suite){ .name = "drag", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 01/eight.
 
 #include "eight.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -190,20 +191,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("eight");
-    TCase *t = tcase_create("eight");
-    tcase_add_test(t, two_bodies_attract_by_the_square_of_their_distance);
-    tcase_add_test(t, forces_begin_at_nothing);
-    tcase_add_test(t, bodies_in_one_place_do_not_attract);
-    tcase_add_test(t, action_is_reaction_among_many);
-    tcase_add_test(t, area_is_half_a_parallelogram);
-    tcase_add_test(t, planet_sweeps_equal_areas);
-    tcase_add_test(t, two_bodies_keep_the_third_law);
-    tcase_add_test(t, three_bodies_dance_on_a_figure_eight);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        two_bodies_attract_by_the_square_of_their_distance,
+        forces_begin_at_nothing,
+        bodies_in_one_place_do_not_attract,
+        action_is_reaction_among_many,
+        area_is_half_a_parallelogram,
+        planet_sweeps_equal_areas,
+        two_bodies_keep_the_third_law,
+        three_bodies_dance_on_a_figure_eight,
+        NULL
+    };
+    return suite_run((suite){ .name = "eight", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 01/hiccup.
 
 #include "hiccup.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -104,17 +105,13 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("hiccup");
-    TCase *t = tcase_create("hiccup");
-    tcase_add_test(t, parabola_is_exact_when_the_step_changes);
-    tcase_add_test(t, unchanged_step_is_the_plain_step);
-    tcase_add_test(t, pinned_particle_stays);
-    tcase_add_test(t, each_particle_has_its_own_force);
-    tcase_add_test(t, spring_is_followed_through_long_and_short_steps);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        parabola_is_exact_when_the_step_changes,
+        unchanged_step_is_the_plain_step,
+        pinned_particle_stays,
+        each_particle_has_its_own_force,
+        spring_is_followed_through_long_and_short_steps,
+        NULL
+    };
+    return suite_run((suite){ .name = "hiccup", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 01/rk4.
 
 #include "rk4.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -163,21 +164,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("rk4");
-    TCase *t = tcase_create("rk4");
-    tcase_add_test(t, without_a_force_it_goes_straight_on);
-    tcase_add_test(t, parabola_is_exact);
-    tcase_add_test(t, step_of_no_time_changes_nothing);
-    tcase_add_test(t, force_that_depends_on_time_is_asked_at_the_right_times);
-    tcase_add_test(t, drag_is_the_exponential_series_up_to_the_fourth_power);
-    tcase_add_test(t, spring_is_the_series_of_the_cosine);
-    tcase_add_test(t, it_is_of_order_4);
-    tcase_add_test(t, it_loses_energy_by_its_law);
-    tcase_add_test(t, force_is_asked_four_times);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        without_a_force_it_goes_straight_on,
+        parabola_is_exact,
+        step_of_no_time_changes_nothing,
+        force_that_depends_on_time_is_asked_at_the_right_times,
+        drag_is_the_exponential_series_up_to_the_fourth_power,
+        spring_is_the_series_of_the_cosine,
+        it_is_of_order_4,
+        it_loses_energy_by_its_law,
+        force_is_asked_four_times,
+        NULL
+    };
+    return suite_run((suite){ .name = "rk4", .tests = tests });
 }

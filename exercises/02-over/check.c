@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 02/over.
 
 #include "over.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -205,21 +206,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("over");
-    TCase *t = tcase_create("over");
-    tcase_add_test(t, one_stick_goes_too_far_by_omega);
-    tcase_add_test(t, omega_1_is_the_plain_iteration);
-    tcase_add_test(t, jacobi_corrects_one_stick_at_once);
-    tcase_add_test(t, jacobi_is_the_same_in_any_order);
-    tcase_add_test(t, nowhere_to_go_stays);
-    tcase_add_test(t, jacobi_leaves_a_cosine_of_the_slowest_wave);
-    tcase_add_test(t, best_omega_is_youngs);
-    tcase_add_test(t, above_the_best_the_rate_is_omega_less_one);
-    tcase_add_test(t, fifty_sticks_take_fewer_than_200_iterations);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        one_stick_goes_too_far_by_omega,
+        omega_1_is_the_plain_iteration,
+        jacobi_corrects_one_stick_at_once,
+        jacobi_is_the_same_in_any_order,
+        nowhere_to_go_stays,
+        jacobi_leaves_a_cosine_of_the_slowest_wave,
+        best_omega_is_youngs,
+        above_the_best_the_rate_is_omega_less_one,
+        fifty_sticks_take_fewer_than_200_iterations,
+        NULL
+    };
+    return suite_run((suite){ .name = "over", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 02/pulley.
 
 #include "pulley.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -171,21 +172,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("pulley");
-    TCase *t = tcase_create("pulley");
-    tcase_add_test(t, rope_too_long_gets_its_length_again);
-    tcase_add_test(t, tackle_counts_its_parts_squared);
-    tcase_add_test(t, slanting_rope_pulls_along_itself);
-    tcase_add_test(t, slack_rope_does_not_push);
-    tcase_add_test(t, end_at_its_wheel_leaves_it_to_the_other);
-    tcase_add_test(t, both_pinned_reports_and_stays);
-    tcase_add_test(t, not_a_number_is_reported);
-    tcase_add_test(t, atwoods_machine_falls_slowly);
-    tcase_add_test(t, one_holds_two_by_a_tackle);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        rope_too_long_gets_its_length_again,
+        tackle_counts_its_parts_squared,
+        slanting_rope_pulls_along_itself,
+        slack_rope_does_not_push,
+        end_at_its_wheel_leaves_it_to_the_other,
+        both_pinned_reports_and_stays,
+        not_a_number_is_reported,
+        atwoods_machine_falls_slowly,
+        one_holds_two_by_a_tackle,
+        NULL
+    };
+    return suite_run((suite){ .name = "pulley", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 02/spring.
 
 #include "spring.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -188,21 +189,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("spring");
-    TCase *t = tcase_create("spring");
-    tcase_add_test(t, without_compliance_it_is_a_stick);
-    tcase_add_test(t, spring_gives_as_much_as_it_pulls);
-    tcase_add_test(t, second_relaxation_finds_nothing_to_do);
-    tcase_add_test(t, spring_too_short_pushes);
-    tcase_add_test(t, nowhere_to_go_changes_nothing);
-    tcase_add_test(t, weight_hangs_by_its_weight_times_compliance);
-    tcase_add_test(t, two_springs_in_a_row_give_twice_as_much);
-    tcase_add_test(t, each_step_takes_its_part_of_the_swing);
-    tcase_add_test(t, no_spring_is_too_stiff);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        without_compliance_it_is_a_stick,
+        spring_gives_as_much_as_it_pulls,
+        second_relaxation_finds_nothing_to_do,
+        spring_too_short_pushes,
+        nowhere_to_go_changes_nothing,
+        weight_hangs_by_its_weight_times_compliance,
+        two_springs_in_a_row_give_twice_as_much,
+        each_step_takes_its_part_of_the_swing,
+        no_spring_is_too_stiff,
+        NULL
+    };
+    return suite_run((suite){ .name = "spring", .tests = tests });
 }

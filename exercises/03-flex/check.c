@@ -2,6 +2,7 @@
 
 #include "flex.h"
 #include "scarce.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -220,21 +221,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("flex");
-    TCase *t = tcase_create("flex");
-    tcase_add_test(t, pair_flies_apart);
-    tcase_add_test(t, hinge_flaps);
-    tcase_add_test(t, stick_twice_forbids_once);
-    tcase_add_test(t, cubes_fold_until_they_have_eighteen);
-    tcase_add_test(t, schoenhardts_prism_is_shaky);
-    tcase_add_test(t, particles_in_a_line_turn_two_ways);
-    tcase_add_test(t, stick_without_length_asks_nothing);
-    tcase_add_test(t, far_away_it_folds_alike);
-    tcase_add_test(t, refused_memory_is_answered);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        pair_flies_apart,
+        hinge_flaps,
+        stick_twice_forbids_once,
+        cubes_fold_until_they_have_eighteen,
+        schoenhardts_prism_is_shaky,
+        particles_in_a_line_turn_two_ways,
+        stick_without_length_asks_nothing,
+        far_away_it_folds_alike,
+        refused_memory_is_answered,
+        NULL
+    };
+    return suite_run((suite){ .name = "flex", .tests = tests });
 }

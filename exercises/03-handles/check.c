@@ -2,6 +2,7 @@
 
 #include "handles.h"
 #include "scarce.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -185,22 +186,18 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("handles");
-    TCase *t = tcase_create("handles");
-    tcase_add_test(t, tetrahedron_is_a_ball);
-    tcase_add_test(t, torus_has_a_handle);
-    tcase_add_test(t, triangle_has_a_rim);
-    tcase_add_test(t, tube_has_two_rims);
-    tcase_add_test(t, cup_has_a_handle_and_an_open_top);
-    tcase_add_test(t, three_links_are_three_pieces);
-    tcase_add_test(t, vertices_alone_do_not_count);
-    tcase_add_test(t, nothing_is_nothing);
-    tcase_add_test(t, long_strip_is_one_piece);
-    tcase_add_test(t, refused_memory_is_answered);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        tetrahedron_is_a_ball,
+        torus_has_a_handle,
+        triangle_has_a_rim,
+        tube_has_two_rims,
+        cup_has_a_handle_and_an_open_top,
+        three_links_are_three_pieces,
+        vertices_alone_do_not_count,
+        nothing_is_nothing,
+        long_strip_is_one_piece,
+        refused_memory_is_answered,
+        NULL
+    };
+    return suite_run((suite){ .name = "handles", .tests = tests });
 }

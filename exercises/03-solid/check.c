@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 03/solid.
 
 #include "solid.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -210,20 +211,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("solid");
-    TCase *t = tcase_create("solid");
-    tcase_add_test(t, tetrahedron_is_its_five_particles);
-    tcase_add_test(t, box_has_a_twelfth_of_its_sides_squared);
-    tcase_add_test(t, place_does_not_matter);
-    tcase_add_test(t, turned_box_has_mixed_sums);
-    tcase_add_test(t, hollow_body_lacks_what_is_not_there);
-    tcase_add_test(t, inside_out_is_negative);
-    tcase_add_test(t, no_mass_is_all_zeros);
-    tcase_add_test(t, numbers_of_the_chapter_are_right);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        tetrahedron_is_its_five_particles,
+        box_has_a_twelfth_of_its_sides_squared,
+        place_does_not_matter,
+        turned_box_has_mixed_sums,
+        hollow_body_lacks_what_is_not_there,
+        inside_out_is_negative,
+        no_mass_is_all_zeros,
+        numbers_of_the_chapter_are_right,
+        NULL
+    };
+    return suite_run((suite){ .name = "solid", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 04/gilbert.
 
 #include "gilbert.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -238,23 +239,19 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("gilbert");
-    TCase *t = tcase_create("gilbert");
-    tcase_add_test(t, segment_has_a_foot_or_an_end);
-    tcase_add_test(t, points_are_apart_by_their_distance);
-    tcase_add_test(t, boxes_are_apart_by_their_gap);
-    tcase_add_test(t, the_distance_lies_between_the_bounds);
-    tcase_add_test(t, the_lower_bound_never_falls);
-    tcase_add_test(t, bodies_in_each_other_have_no_distance);
-    tcase_add_test(t, cap_is_kept);
-    tcase_add_test(t, most_pairs_are_answered_by_one_question);
-    tcase_add_test(t, yes_or_no_agrees_with_gjk);
-    tcase_add_test(t, what_is_not_finite_is_said);
-    tcase_add_test(t, it_gets_there_in_a_zigzag);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        segment_has_a_foot_or_an_end,
+        points_are_apart_by_their_distance,
+        boxes_are_apart_by_their_gap,
+        the_distance_lies_between_the_bounds,
+        the_lower_bound_never_falls,
+        bodies_in_each_other_have_no_distance,
+        cap_is_kept,
+        most_pairs_are_answered_by_one_question,
+        yes_or_no_agrees_with_gjk,
+        what_is_not_finite_is_said,
+        it_gets_there_in_a_zigzag,
+        NULL
+    };
+    return suite_run((suite){ .name = "gilbert", .tests = tests });
 }

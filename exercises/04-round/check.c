@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 04/round.
 
 #include "round.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -178,25 +179,21 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("round");
-    TCase *t = tcase_create("support");
-    tcase_add_test(t, support_of_a_ball_lies_on_the_ball);
-    tcase_add_test(t, support_is_further_than_the_core_by_the_radius);
-    tcase_add_test(t, support_of_no_direction_is_a_point_of_the_body);
-    suite_add_tcase(suite, t);
-    t = tcase_create("distance");
-    tcase_add_test(t, balls_are_apart_by_their_centres_less_their_radii);
-    tcase_add_test(t, ball_meets_the_side_and_the_end_of_a_capsule);
-    tcase_add_test(t, crossing_capsules_are_apart_at_their_middles);
-    tcase_add_test(t, overlap_is_a_negative_gap_with_the_same_normal);
-    tcase_add_test(t, overlapping_cores_have_no_normal_and_no_nan);
-    tcase_add_test(t, radius_zero_is_gjk_itself);
-    tcase_add_test(t, points_lie_on_the_surfaces_and_the_gap_between_them);
-    tcase_add_test(t, what_is_not_finite_leaves_nothing);
-    suite_add_tcase(suite, t);
-    SRunner *r = srunner_create(suite);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        // Support.
+        support_of_a_ball_lies_on_the_ball,
+        support_is_further_than_the_core_by_the_radius,
+        support_of_no_direction_is_a_point_of_the_body,
+        // Distance.
+        balls_are_apart_by_their_centres_less_their_radii,
+        ball_meets_the_side_and_the_end_of_a_capsule,
+        crossing_capsules_are_apart_at_their_middles,
+        overlap_is_a_negative_gap_with_the_same_normal,
+        overlapping_cores_have_no_normal_and_no_nan,
+        radius_zero_is_gjk_itself,
+        points_lie_on_the_surfaces_and_the_gap_between_them,
+        what_is_not_finite_leaves_nothing,
+        NULL
+    };
+    return suite_run((suite){ .name = "round", .tests = tests });
 }

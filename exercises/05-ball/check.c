@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 05/ball.
 
 #include "ball.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -147,19 +148,15 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("ball");
-    TCase *t = tcase_create("ball");
-    tcase_add_test(t, ball_above_a_face);
-    tcase_add_test(t, ball_beside_an_edge_and_a_corner);
-    tcase_add_test(t, centre_inside_leaves_by_the_nearest_face);
-    tcase_add_test(t, middle_of_the_box_has_a_way_out);
-    tcase_add_test(t, centre_on_the_surface_has_a_normal);
-    tcase_add_test(t, nothing_jumps_when_the_centre_goes_in);
-    tcase_add_test(t, gjk_and_the_hit_face_agree);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        ball_above_a_face,
+        ball_beside_an_edge_and_a_corner,
+        centre_inside_leaves_by_the_nearest_face,
+        middle_of_the_box_has_a_way_out,
+        centre_on_the_surface_has_a_normal,
+        nothing_jumps_when_the_centre_goes_in,
+        gjk_and_the_hit_face_agree,
+        NULL
+    };
+    return suite_run((suite){ .name = "ball", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 05/fifteen.
 
 #include "fifteen.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -207,20 +208,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("fifteen");
-    TCase *t = tcase_create("fifteen");
-    tcase_add_test(t, box_on_a_box);
-    tcase_add_test(t, boxes_apart_have_a_negative_depth);
-    tcase_add_test(t, small_box_turned_on_a_large_one);
-    tcase_add_test(t, crossed_beams_touch_edge_on_edge);
-    tcase_add_test(t, box_in_its_own_place);
-    tcase_add_test(t, edges_that_are_nearly_parallel_do_no_harm);
-    tcase_add_test(t, long_beams_cross_at_a_small_angle);
-    tcase_add_test(t, random_boxes_agree_with_the_hit_face);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        box_on_a_box,
+        boxes_apart_have_a_negative_depth,
+        small_box_turned_on_a_large_one,
+        crossed_beams_touch_edge_on_edge,
+        box_in_its_own_place,
+        edges_that_are_nearly_parallel_do_no_harm,
+        long_beams_cross_at_a_small_angle,
+        random_boxes_agree_with_the_hit_face,
+        NULL
+    };
+    return suite_run((suite){ .name = "fifteen", .tests = tests });
 }

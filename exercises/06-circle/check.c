@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 06/circle.
 
 #include "circle.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -185,22 +186,18 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("circle");
-    TCase *t = tcase_create("circle");
-    tcase_add_test(t, few_points_are_known);
-    tcase_add_test(t, acute_triangle_has_all_three_on_it);
-    tcase_add_test(t, obtuse_triangle_has_two);
-    tcase_add_test(t, points_in_a_line_have_two);
-    tcase_add_test(t, points_in_one_place_have_no_radius);
-    tcase_add_test(t, nothing_and_no_number_say_so);
-    tcase_add_test(t, no_smaller_circle_holds_them);
-    tcase_add_test(t, points_on_a_circle_are_on_it);
-    tcase_add_test(t, far_from_the_origin_it_is_the_same);
-    tcase_add_test(t, twenty_thousand_take_no_time);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        few_points_are_known,
+        acute_triangle_has_all_three_on_it,
+        obtuse_triangle_has_two,
+        points_in_a_line_have_two,
+        points_in_one_place_have_no_radius,
+        nothing_and_no_number_say_so,
+        no_smaller_circle_holds_them,
+        points_on_a_circle_are_on_it,
+        far_from_the_origin_it_is_the_same,
+        twenty_thousand_take_no_time,
+        NULL
+    };
+    return suite_run((suite){ .name = "circle", .tests = tests });
 }

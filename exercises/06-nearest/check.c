@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 06/nearest.
 
 #include "nearest_leaf.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -159,19 +160,15 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("nearest");
-    TCase *t = tcase_create("nearest");
-    tcase_add_test(t, one_leaf_is_nearest);
-    tcase_add_test(t, of_a_row_each_is_found);
-    tcase_add_test(t, cloud_has_the_slow_answer);
-    tcase_add_test(t, points_in_one_place_are_all_nearest);
-    tcase_add_test(t, tree_that_was_refreshed_counts_as_it_is);
-    tcase_add_test(t, from_nowhere_nothing_is_near);
-    tcase_add_test(t, most_of_the_tree_is_left_out);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        one_leaf_is_nearest,
+        of_a_row_each_is_found,
+        cloud_has_the_slow_answer,
+        points_in_one_place_are_all_nearest,
+        tree_that_was_refreshed_counts_as_it_is,
+        from_nowhere_nothing_is_near,
+        most_of_the_tree_is_left_out,
+        NULL
+    };
+    return suite_run((suite){ .name = "nearest", .tests = tests });
 }

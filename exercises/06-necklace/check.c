@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 06/necklace.
 
 #include "necklace.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -183,20 +184,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("necklace");
-    TCase *t = tcase_create("necklace");
-    tcase_add_test(t, ball_reaches_as_far_as_the_links);
-    tcase_add_test(t, stretch_is_in_its_ball_however_it_lies);
-    tcase_add_test(t, straight_rope_has_its_neighbours_only);
-    tcase_add_test(t, coil_meets_itself);
-    tcase_add_test(t, tangle_has_the_slow_answer);
-    tcase_add_test(t, pairs_beyond_capacity_are_counted_not_stored);
-    tcase_add_test(t, short_ropes_have_no_pairs);
-    tcase_add_test(t, straight_rope_takes_time_by_its_length);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        ball_reaches_as_far_as_the_links,
+        stretch_is_in_its_ball_however_it_lies,
+        straight_rope_has_its_neighbours_only,
+        coil_meets_itself,
+        tangle_has_the_slow_answer,
+        pairs_beyond_capacity_are_counted_not_stored,
+        short_ropes_have_no_pairs,
+        straight_rope_takes_time_by_its_length,
+        NULL
+    };
+    return suite_run((suite){ .name = "necklace", .tests = tests });
 }

@@ -2,6 +2,7 @@
 
 #include "slabs.h"
 #include "gjk.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -226,21 +227,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("slabs");
-    TCase *t = tcase_create("slabs");
-    tcase_add_test(t, points_lie_between_their_slabs);
-    tcase_add_test(t, ball_is_wider_along_a_longer_direction);
-    tcase_add_test(t, join_holds_both);
-    tcase_add_test(t, margin_is_in_metres);
-    tcase_add_test(t, one_direction_is_enough);
-    tcase_add_test(t, empty_meets_nothing);
-    tcase_add_test(t, what_is_no_number_meets_everything);
-    tcase_add_test(t, nothing_near_is_lost);
-    tcase_add_test(t, slabs_raise_fewer_false_alarms);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        points_lie_between_their_slabs,
+        ball_is_wider_along_a_longer_direction,
+        join_holds_both,
+        margin_is_in_metres,
+        one_direction_is_enough,
+        empty_meets_nothing,
+        what_is_no_number_meets_everything,
+        nothing_near_is_lost,
+        slabs_raise_fewer_false_alarms,
+        NULL
+    };
+    return suite_run((suite){ .name = "slabs", .tests = tests });
 }

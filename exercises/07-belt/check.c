@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 07/belt.
 
 #include "belt.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -201,23 +202,19 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("belt");
-    TCase *t = tcase_create("belt");
-    tcase_add_test(t, above_the_belt_nothing_happens);
-    tcase_add_test(t, parcel_lands_on_the_surface);
-    tcase_add_test(t, parcel_gains_speed_at_mu_g);
-    tcase_add_test(t, parcel_rides_without_a_tremor);
-    tcase_add_test(t, parcel_lags_by_u2_over_2_mu_g);
-    tcase_add_test(t, parcel_that_is_too_fast_is_braked);
-    tcase_add_test(t, steep_belt_carries_if_mu_exceeds_the_slope);
-    tcase_add_test(t, too_steep_a_belt_lets_it_slide_down);
-    tcase_add_test(t, belt_runs_across_too);
-    tcase_add_test(t, belt_without_friction_carries_nothing);
-    tcase_add_test(t, pinned_parcel_stays);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        above_the_belt_nothing_happens,
+        parcel_lands_on_the_surface,
+        parcel_gains_speed_at_mu_g,
+        parcel_rides_without_a_tremor,
+        parcel_lags_by_u2_over_2_mu_g,
+        parcel_that_is_too_fast_is_braked,
+        steep_belt_carries_if_mu_exceeds_the_slope,
+        too_steep_a_belt_lets_it_slide_down,
+        belt_runs_across_too,
+        belt_without_friction_carries_nothing,
+        pinned_parcel_stays,
+        NULL
+    };
+    return suite_run((suite){ .name = "belt", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 07/bounce.
 
 #include "bounce.h"
+#include "suite.h"
 
 #include <check.h>
 #include <float.h>
@@ -165,18 +166,14 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("bounce");
-    TCase *t = tcase_create("bounce");
-    tcase_add_test(t, ball_bounces_to_e_squared_of_its_height);
-    tcase_add_test(t, bounce_keeps_momentum_and_positions);
-    tcase_add_test(t, pair_that_parts_keeps_its_speed);
-    tcase_add_test(t, sliding_is_left);
-    tcase_add_test(t, two_walls_stay);
-    tcase_add_test(t, finite_input_gives_finite_output);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        ball_bounces_to_e_squared_of_its_height,
+        bounce_keeps_momentum_and_positions,
+        pair_that_parts_keeps_its_speed,
+        sliding_is_left,
+        two_walls_stay,
+        finite_input_gives_finite_output,
+        NULL
+    };
+    return suite_run((suite){ .name = "bounce", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 07/cone.
 
 #include "cone.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -194,25 +195,21 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("cone");
-    TCase *t = tcase_create("cone");
-    tcase_add_test(t, wish_in_the_cone_is_granted);
-    tcase_add_test(t, pulling_gets_nothing);
-    tcase_add_test(t, wish_outside_gets_its_foot_on_the_rim);
-    tcase_add_test(t, much_sideways_leans_on_the_surface);
-    tcase_add_test(t, wish_without_length_is_no_nan);
-    tcase_add_test(t, no_push_of_the_cone_is_nearer);
-    suite_add_tcase(s, t);
-    t = tcase_create("grip");
-    tcase_add_test(t, block_holds_up_to_the_angle_of_friction);
-    tcase_add_test(t, climber_holds_by_pressing_harder);
-    tcase_add_test(t, log_lies_in_its_groove);
-    tcase_add_test(t, what_cannot_be_held_is_missing);
-    tcase_add_test(t, old_pushes_are_forgotten);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        // Cone.
+        wish_in_the_cone_is_granted,
+        pulling_gets_nothing,
+        wish_outside_gets_its_foot_on_the_rim,
+        much_sideways_leans_on_the_surface,
+        wish_without_length_is_no_nan,
+        no_push_of_the_cone_is_nearer,
+        // Grip.
+        block_holds_up_to_the_angle_of_friction,
+        climber_holds_by_pressing_harder,
+        log_lies_in_its_groove,
+        what_cannot_be_held_is_missing,
+        old_pushes_are_forgotten,
+        NULL
+    };
+    return suite_run((suite){ .name = "cone", .tests = tests });
 }

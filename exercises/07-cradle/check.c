@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 07/cradle.
 
 #include "cradle.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -233,24 +234,20 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("cradle");
-    TCase *t = tcase_create("cradle");
-    tcase_add_test(t, light_and_heavy_bounce_as_in_the_textbook);
-    tcase_add_test(t, one_comes_in_and_one_leaves);
-    tcase_add_test(t, it_works_from_the_right_as_well);
-    tcase_add_test(t, two_come_in_and_two_leave);
-    tcase_add_test(t, balls_that_part_are_left);
-    tcase_add_test(t, pinned_ball_is_a_wall);
-    tcase_add_test(t, two_walls_do_not_bounce);
-    tcase_add_test(t, tower_of_balls_throws_the_last);
-    tcase_add_test(t, without_restitution_they_leave_as_one);
-    tcase_add_test(t, cap_is_kept);
-    tcase_add_test(t, only_previous_moves);
-    tcase_add_test(t, momentum_stays_and_energy_does_not_grow);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        light_and_heavy_bounce_as_in_the_textbook,
+        one_comes_in_and_one_leaves,
+        it_works_from_the_right_as_well,
+        two_come_in_and_two_leave,
+        balls_that_part_are_left,
+        pinned_ball_is_a_wall,
+        two_walls_do_not_bounce,
+        tower_of_balls_throws_the_last,
+        without_restitution_they_leave_as_one,
+        cap_is_kept,
+        only_previous_moves,
+        momentum_stays_and_energy_does_not_grow,
+        NULL
+    };
+    return suite_run((suite){ .name = "cradle", .tests = tests });
 }

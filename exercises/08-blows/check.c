@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 08/blows.
 
 #include "blows.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -212,19 +213,15 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("blows");
-    TCase *t = tcase_create("blows");
-    tcase_add_test(t, one_blow_gives_the_list_of_one);
-    tcase_add_test(t, both_ends_of_a_chain);
-    tcase_add_test(t, every_particle_is_struck);
-    tcase_add_test(t, no_blow_is_the_order_of_the_shape);
-    tcase_add_test(t, what_no_path_reaches_stands_last);
-    tcase_add_test(t, distance_is_that_of_the_nearest_blow);
-    tcase_add_test(t, rope_struck_at_both_ends_is_mended_sooner);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        one_blow_gives_the_list_of_one,
+        both_ends_of_a_chain,
+        every_particle_is_struck,
+        no_blow_is_the_order_of_the_shape,
+        what_no_path_reaches_stands_last,
+        distance_is_that_of_the_nearest_blow,
+        rope_struck_at_both_ends_is_mended_sooner,
+        NULL
+    };
+    return suite_run((suite){ .name = "blows", .tests = tests });
 }

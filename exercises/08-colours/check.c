@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 08/colours.
 
 #include "colours.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -258,23 +259,19 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("colours");
-    TCase *t = tcase_create("colours");
-    tcase_add_test(t, rope_is_red_and_black_in_turn);
-    tcase_add_test(t, rope_may_be_listed_backwards);
-    tcase_add_test(t, net_is_a_chessboard);
-    tcase_add_test(t, cube_can_be_coloured_and_its_faces_have_no_diagonals);
-    tcase_add_test(t, every_piece_begins_with_red);
-    tcase_add_test(t, triangle_shows_itself);
-    tcase_add_test(t, pentagon_shows_itself);
-    tcase_add_test(t, tail_of_a_kite_is_no_part_of_its_ring);
-    tcase_add_test(t, figure_7_of_the_paper_cannot_be_coloured);
-    tcase_add_test(t, random_bodies_are_coloured_or_refuted);
-    tcase_add_test(t, within_a_colour_no_order_matters);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        rope_is_red_and_black_in_turn,
+        rope_may_be_listed_backwards,
+        net_is_a_chessboard,
+        cube_can_be_coloured_and_its_faces_have_no_diagonals,
+        every_piece_begins_with_red,
+        triangle_shows_itself,
+        pentagon_shows_itself,
+        tail_of_a_kite_is_no_part_of_its_ring,
+        figure_7_of_the_paper_cannot_be_coloured,
+        random_bodies_are_coloured_or_refuted,
+        within_a_colour_no_order_matters,
+        NULL
+    };
+    return suite_run((suite){ .name = "colours", .tests = tests });
 }

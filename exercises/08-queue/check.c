@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 08/queue.
 
 #include "queue.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -256,23 +257,19 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("queue");
-    TCase *t = tcase_create("queue");
-    tcase_add_test(t, blow_travels_along_a_rope);
-    tcase_add_test(t, stick_within_tolerance_is_left);
-    tcase_add_test(t, first_come_is_first_served);
-    tcase_add_test(t, neighbours_send_each_other_back);
-    tcase_add_test(t, line_is_full_and_goes_round);
-    tcase_add_test(t, every_look_is_counted);
-    tcase_add_test(t, stick_between_pins_sends_none);
-    tcase_add_test(t, particle_without_sticks_has_no_work);
-    tcase_add_test(t, budget_counts_relaxations);
-    tcase_add_test(t, budget_ends_what_cannot_converge);
-    tcase_add_test(t, same_bits_as_a_plain_list);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        blow_travels_along_a_rope,
+        stick_within_tolerance_is_left,
+        first_come_is_first_served,
+        neighbours_send_each_other_back,
+        line_is_full_and_goes_round,
+        every_look_is_counted,
+        stick_between_pins_sends_none,
+        particle_without_sticks_has_no_work,
+        budget_counts_relaxations,
+        budget_ends_what_cannot_converge,
+        same_bits_as_a_plain_list,
+        NULL
+    };
+    return suite_run((suite){ .name = "queue", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 08/tournament.
 
 #include "tournament.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -203,19 +204,15 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("tournament");
-    TCase *t = tcase_create("tournament");
-    tcase_add_test(t, winner_is_the_largest);
-    tcase_add_test(t, winner_follows_every_change);
-    tcase_add_test(t, changes_are_cheap);
-    tcase_add_test(t, relaxes_as_the_plain_search_does);
-    tcase_add_test(t, looks_only_where_something_moved);
-    tcase_add_test(t, most_is_kept);
-    tcase_add_test(t, hopeless_stick_ends_it);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        winner_is_the_largest,
+        winner_follows_every_change,
+        changes_are_cheap,
+        relaxes_as_the_plain_search_does,
+        looks_only_where_something_moved,
+        most_is_kept,
+        hopeless_stick_ends_it,
+        NULL
+    };
+    return suite_run((suite){ .name = "tournament", .tests = tests });
 }

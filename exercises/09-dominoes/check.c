@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 09/dominoes.
 
 #include "dominoes.h"
+#include "suite.h"
 
 #include <check.h>
 #include <string.h>
@@ -216,22 +217,20 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("dominoes");
-    TCase *t = tcase_create("dominoes");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, least_spin_lifts_the_centre_over_the_edge);
-    tcase_add_test(t, thin_ones_need_little_and_not_nothing);
-    tcase_add_test(t, row_stands_where_it_should);
-    tcase_add_test(t, first_turns_about_its_edge);
-    tcase_add_test(t, lean_is_an_angle);
-    tcase_add_test(t, less_comes_back_and_more_falls);
-    tcase_add_test(t, row_falls_one_after_the_other);
-    tcase_add_test(t, gap_that_is_too_wide_ends_it);
-    tcase_add_test(t, what_is_no_place_is_refused);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        least_spin_lifts_the_centre_over_the_edge,
+        thin_ones_need_little_and_not_nothing,
+        row_stands_where_it_should,
+        first_turns_about_its_edge,
+        lean_is_an_angle,
+        less_comes_back_and_more_falls,
+        row_falls_one_after_the_other,
+        gap_that_is_too_wide_ends_it,
+        what_is_no_place_is_refused,
+        NULL
+    };
+    return suite_run((suite){
+        .name = "dominoes", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

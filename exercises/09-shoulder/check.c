@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 09/shoulder.
 
 #include "shoulder.h"
+#include "suite.h"
 
 #include <check.h>
 #include <string.h>
@@ -323,24 +324,22 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("shoulder");
-    TCase *t = tcase_create("shoulder");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, end_is_the_mean_of_its_particles);
-    tcase_add_test(t, two_points_meet_where_their_masses_say);
-    tcase_add_test(t, rod_keeps_its_distance);
-    tcase_add_test(t, point_gets_where_it_should_in_one_go);
-    tcase_add_test(t, one_sided_rods_are_content);
-    tcase_add_test(t, what_cannot_move_is_left);
-    tcase_add_test(t, momentum_and_its_moment_stay);
-    tcase_add_test(t, passes_end_when_all_hold);
-    tcase_add_test(t, box_swings_like_a_pendulum);
-    tcase_add_test(t, arm_with_two_joints_does_not_come_apart);
-    tcase_add_test(t, elbow_stops_where_it_was_told_to);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        end_is_the_mean_of_its_particles,
+        two_points_meet_where_their_masses_say,
+        rod_keeps_its_distance,
+        point_gets_where_it_should_in_one_go,
+        one_sided_rods_are_content,
+        what_cannot_move_is_left,
+        momentum_and_its_moment_stay,
+        passes_end_when_all_hold,
+        box_swings_like_a_pendulum,
+        arm_with_two_joints_does_not_come_apart,
+        elbow_stops_where_it_was_told_to,
+        NULL
+    };
+    return suite_run((suite){
+        .name = "shoulder", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 09/whole.
 
 #include "whole.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -233,21 +234,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("whole");
-    TCase *t = tcase_create("whole");
-    tcase_add_test(t, thrown_particle_flies_and_nothing_else);
-    tcase_add_test(t, heavy_ones_count_more);
-    tcase_add_test(t, box_turns_about_its_own_axes);
-    tcase_add_test(t, flight_adds_no_turning);
-    tcase_add_test(t, crooked_body_turns_about_the_axis_it_is_given);
-    tcase_add_test(t, ring_that_widens_does_not_turn);
-    tcase_add_test(t, stick_whirls_but_not_about_itself);
-    tcase_add_test(t, three_energies_add_up_to_all);
-    tcase_add_test(t, pins_do_not_count);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        thrown_particle_flies_and_nothing_else,
+        heavy_ones_count_more,
+        box_turns_about_its_own_axes,
+        flight_adds_no_turning,
+        crooked_body_turns_about_the_axis_it_is_given,
+        ring_that_widens_does_not_turn,
+        stick_whirls_but_not_about_itself,
+        three_energies_add_up_to_all,
+        pins_do_not_count,
+        NULL
+    };
+    return suite_run((suite){ .name = "whole", .tests = tests });
 }

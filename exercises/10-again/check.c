@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/again.
 
 #include "again.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdbool.h>
@@ -158,18 +159,14 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("again");
-    TCase *t = tcase_create("again");
-    tcase_add_test(t, gap_of_boxes_along_any_direction);
-    tcase_add_test(t, every_answer_is_that_of_gjk);
-    tcase_add_test(t, apart_by_less_than_the_margin_is_not_beyond);
-    tcase_add_test(t, what_stays_far_is_not_asked_of_gjk);
-    tcase_add_test(t, what_stays_near_is_asked_for_one_support);
-    tcase_add_test(t, what_is_not_finite_is_seen);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        gap_of_boxes_along_any_direction,
+        every_answer_is_that_of_gjk,
+        apart_by_less_than_the_margin_is_not_beyond,
+        what_stays_far_is_not_asked_of_gjk,
+        what_stays_near_is_asked_for_one_support,
+        what_is_not_finite_is_seen,
+        NULL
+    };
+    return suite_run((suite){ .name = "again", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/angle.
 
 #include "angle.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -117,19 +118,15 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("angle");
-    TCase *t = tcase_create("angle");
-    tcase_add_test(t, right_angle_is_one);
-    tcase_add_test(t, known_angles_have_their_tangent);
-    tcase_add_test(t, small_angles_keep_their_digits);
-    tcase_add_test(t, nearly_opposite_ones_too);
-    tcase_add_test(t, lengths_do_not_matter);
-    tcase_add_test(t, alike_is_nothing_and_opposite_is_infinite);
-    tcase_add_test(t, no_direction_is_no_angle);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        right_angle_is_one,
+        known_angles_have_their_tangent,
+        small_angles_keep_their_digits,
+        nearly_opposite_ones_too,
+        lengths_do_not_matter,
+        alike_is_nothing_and_opposite_is_infinite,
+        no_direction_is_no_angle,
+        NULL
+    };
+    return suite_run((suite){ .name = "angle", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/deep.
 
 #include "deep.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -179,20 +180,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("deep");
-    TCase *t = tcase_create("deep");
-    tcase_add_test(t, balls_side_by_side);
-    tcase_add_test(t, ball_with_its_centre_in_a_cube);
-    tcase_add_test(t, crossing_capsules_know_the_way);
-    tcase_add_test(t, capsules_in_one_line_and_balls_in_one_place);
-    tcase_add_test(t, capsule_falls_through_a_capsule);
-    tcase_add_test(t, capsule_falls_through_a_box);
-    tcase_add_test(t, random_bodies_touch_once_they_have_moved);
-    tcase_add_test(t, what_is_not_finite_gives_zeros);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        balls_side_by_side,
+        ball_with_its_centre_in_a_cube,
+        crossing_capsules_know_the_way,
+        capsules_in_one_line_and_balls_in_one_place,
+        capsule_falls_through_a_capsule,
+        capsule_falls_through_a_box,
+        random_bodies_touch_once_they_have_moved,
+        what_is_not_finite_gives_zeros,
+        NULL
+    };
+    return suite_run((suite){ .name = "deep", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/side.
 
 #include "side.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -133,19 +134,15 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("side");
-    TCase *t = tcase_create("side");
-    tcase_add_test(t, left_is_1_and_right_is_minus_1);
-    tcase_add_test(t, one_bit_beside_the_diagonal_is_seen);
-    tcase_add_test(t, whole_numbers_know_the_answer);
-    tcase_add_test(t, last_bits_of_all_six_products_count);
-    tcase_add_test(t, exchanged_points_change_the_sign);
-    tcase_add_test(t, very_large_and_very_small_in_one);
-    tcase_add_test(t, no_number_is_on_no_side);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        left_is_1_and_right_is_minus_1,
+        one_bit_beside_the_diagonal_is_seen,
+        whole_numbers_know_the_answer,
+        last_bits_of_all_six_products_count,
+        exchanged_points_change_the_sign,
+        very_large_and_very_small_in_one,
+        no_number_is_on_no_side,
+        NULL
+    };
+    return suite_run((suite){ .name = "side", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/sum.
 
 #include "sum.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -137,19 +138,15 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("sum");
-    TCase *t = tcase_create("sum");
-    tcase_add_test(t, error_of_a_sum_is_a_number);
-    tcase_add_test(t, sum_and_error_are_the_whole_truth);
-    tcase_add_test(t, equal_numbers_double_without_error);
-    tcase_add_test(t, every_number_is_in_it_once);
-    tcase_add_test(t, million_tenths_are_a_hundred_thousand);
-    tcase_add_test(t, small_ones_survive_large_ones);
-    tcase_add_test(t, too_much_is_infinite);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        error_of_a_sum_is_a_number,
+        sum_and_error_are_the_whole_truth,
+        equal_numbers_double_without_error,
+        every_number_is_in_it_once,
+        million_tenths_are_a_hundred_thousand,
+        small_ones_survive_large_ones,
+        too_much_is_infinite,
+        NULL
+    };
+    return suite_run((suite){ .name = "sum", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/when.
 
 #include "when.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -257,25 +258,21 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("when");
-    TCase *t = tcase_create("when");
-    tcase_add_test(t, point_flies_at_a_box);
-    tcase_add_test(t, oblique_flight_takes_some_jumps);
-    tcase_add_test(t, box_meets_box);
-    tcase_add_test(t, bullet_does_not_fly_through_a_sheet);
-    tcase_add_test(t, overtaking_takes_longer);
-    tcase_add_test(t, side_by_side_is_never);
-    tcase_add_test(t, leaving_is_never);
-    tcase_add_test(t, passing_by_is_never);
-    tcase_add_test(t, too_late_is_never);
-    tcase_add_test(t, overlap_is_now);
-    tcase_add_test(t, cap_is_kept);
-    tcase_add_test(t, what_is_not_finite_is_said);
-    tcase_add_test(t, nobody_has_touched_before);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        point_flies_at_a_box,
+        oblique_flight_takes_some_jumps,
+        box_meets_box,
+        bullet_does_not_fly_through_a_sheet,
+        overtaking_takes_longer,
+        side_by_side_is_never,
+        leaving_is_never,
+        passing_by_is_never,
+        too_late_is_never,
+        overlap_is_now,
+        cap_is_kept,
+        what_is_not_finite_is_said,
+        nobody_has_touched_before,
+        NULL
+    };
+    return suite_run((suite){ .name = "when", .tests = tests });
 }

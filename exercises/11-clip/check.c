@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 11/clip.
 
 #include "clip.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -227,23 +228,19 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("clip");
-    TCase *t = tcase_create("clip");
-    tcase_add_test(t, half_of_a_square_is_left);
-    tcase_add_test(t, line_through_corners_finds_them_once);
-    tcase_add_test(t, what_overlaps_is_left);
-    tcase_add_test(t, square_on_a_turned_square_shares_an_octagon);
-    tcase_add_test(t, what_only_touches_shares_nothing);
-    tcase_add_test(t, no_line_and_no_polygon);
-    tcase_add_test(t, two_halves_make_the_whole);
-    tcase_add_test(t, dents_are_cut_rightly);
-    tcase_add_test(t, nothing_is_lost_far_away);
-    tcase_add_test(t, room_is_not_exceeded);
-    tcase_add_test(t, corner_that_is_no_number_is_left_out);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        half_of_a_square_is_left,
+        line_through_corners_finds_them_once,
+        what_overlaps_is_left,
+        square_on_a_turned_square_shares_an_octagon,
+        what_only_touches_shares_nothing,
+        no_line_and_no_polygon,
+        two_halves_make_the_whole,
+        dents_are_cut_rightly,
+        nothing_is_lost_far_away,
+        room_is_not_exceeded,
+        corner_that_is_no_number_is_left_out,
+        NULL
+    };
+    return suite_run((suite){ .name = "clip", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 11/names.
 
 #include "names.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -204,19 +205,15 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("names");
-    TCase *t = tcase_create("names");
-    tcase_add_test(t, vertex_is_the_same_over_whatever_face);
-    tcase_add_test(t, edges_are_known_by_both);
-    tcase_add_test(t, faces_are_known_in_any_order);
-    tcase_add_test(t, another_order_changes_nothing);
-    tcase_add_test(t, who_is_new_begins_with_nothing);
-    tcase_add_test(t, push_is_handed_on_once);
-    tcase_add_test(t, box_slides_and_keeps_its_corners);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        vertex_is_the_same_over_whatever_face,
+        edges_are_known_by_both,
+        faces_are_known_in_any_order,
+        another_order_changes_nothing,
+        who_is_new_begins_with_nothing,
+        push_is_handed_on_once,
+        box_slides_and_keeps_its_corners,
+        NULL
+    };
+    return suite_run((suite){ .name = "names", .tests = tests });
 }

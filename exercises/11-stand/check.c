@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 11/stand.
 
 #include "stand.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -181,22 +182,18 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("stand");
-    TCase *t = tcase_create("stand");
-    tcase_add_test(t, table_stands_on_its_four_legs);
-    tcase_add_test(t, over_a_corner_it_is_the_corner_that_is_near);
-    tcase_add_test(t, three_legs_are_a_triangle);
-    tcase_add_test(t, contacts_in_between_change_nothing);
-    tcase_add_test(t, slope_moves_the_foot);
-    tcase_add_test(t, legs_need_not_be_equally_long);
-    tcase_add_test(t, knife_and_needle_hold_nothing);
-    tcase_add_test(t, many_contacts_are_nearly_a_circle);
-    tcase_add_test(t, nothing_is_lost_far_away);
-    tcase_add_test(t, what_is_no_answer_says_so);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        table_stands_on_its_four_legs,
+        over_a_corner_it_is_the_corner_that_is_near,
+        three_legs_are_a_triangle,
+        contacts_in_between_change_nothing,
+        slope_moves_the_foot,
+        legs_need_not_be_equally_long,
+        knife_and_needle_hold_nothing,
+        many_contacts_are_nearly_a_circle,
+        nothing_is_lost_far_away,
+        what_is_no_answer_says_so,
+        NULL
+    };
+    return suite_run((suite){ .name = "stand", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 12/ring.
 
 #include "closed.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -227,20 +228,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("ring");
-    TCase *t = tcase_create("ring");
-    tcase_add_test(t, three_in_a_ring_are_solved);
-    tcase_add_test(t, ring_without_symmetry_is_solved);
-    tcase_add_test(t, large_ring_takes_no_time);
-    tcase_add_test(t, ring_without_an_answer_is_refused);
-    tcase_add_test(t, regular_ring_takes_herons_step);
-    tcase_add_test(t, error_is_squared_and_the_centre_stays);
-    tcase_add_test(t, necklace_bears_its_jewel);
-    tcase_add_test(t, ring_in_one_point_moves_nobody);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        three_in_a_ring_are_solved,
+        ring_without_symmetry_is_solved,
+        large_ring_takes_no_time,
+        ring_without_an_answer_is_refused,
+        regular_ring_takes_herons_step,
+        error_is_squared_and_the_centre_stays,
+        necklace_bears_its_jewel,
+        ring_in_one_point_moves_nobody,
+        NULL
+    };
+    return suite_run((suite){ .name = "ring", .tests = tests });
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "line.h"
+#include "suite.h"
 
 // Some hundred roundings, in systems whose pivots are not small.
 static const real ROUNDING = 1e-12;
@@ -252,22 +253,18 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("thomas");
-    TCase *t = tcase_create("thomas");
-    tcase_add_test(t, three_equations_are_solved);
-    tcase_add_test(t, system_without_symmetry_is_solved);
-    tcase_add_test(t, corners_are_not_looked_at);
-    tcase_add_test(t, answer_may_take_the_place_of_the_right_side);
-    tcase_add_test(t, hundred_thousand_rows_take_no_time);
-    tcase_add_test(t, system_without_an_answer_is_refused);
-    tcase_add_test(t, one_link_takes_herons_step);
-    tcase_add_test(t, step_is_the_librarys);
-    tcase_add_test(t, rope_holds_ten_thousand_times_its_particle);
-    tcase_add_test(t, links_without_an_answer_move_nobody);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        three_equations_are_solved,
+        system_without_symmetry_is_solved,
+        corners_are_not_looked_at,
+        answer_may_take_the_place_of_the_right_side,
+        hundred_thousand_rows_take_no_time,
+        system_without_an_answer_is_refused,
+        one_link_takes_herons_step,
+        step_is_the_librarys,
+        rope_holds_ten_thousand_times_its_particle,
+        links_without_an_answer_move_nobody,
+        NULL
+    };
+    return suite_run((suite){ .name = "thomas", .tests = tests });
 }

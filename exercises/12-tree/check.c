@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 12/tree.
 
 #include "tree.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -292,20 +293,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("tree");
-    TCase *t = tcase_create("tree");
-    tcase_add_test(t, one_stick_takes_herons_step);
-    tcase_add_test(t, tree_step_is_that_of_the_full_system);
-    tcase_add_test(t, centre_of_mass_stays_and_the_error_is_squared);
-    tcase_add_test(t, nails_stay_and_nobody_is_lost);
-    tcase_add_test(t, straight_rope_between_nails_is_not_lost);
-    tcase_add_test(t, chandelier_hangs_still);
-    tcase_add_test(t, long_rope_bears_its_weight);
-    tcase_add_test(t, particle_alone_stays);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        one_stick_takes_herons_step,
+        tree_step_is_that_of_the_full_system,
+        centre_of_mass_stays_and_the_error_is_squared,
+        nails_stay_and_nobody_is_lost,
+        straight_rope_between_nails_is_not_lost,
+        chandelier_hangs_still,
+        long_rope_bears_its_weight,
+        particle_alone_stays,
+        NULL
+    };
+    return suite_run((suite){ .name = "tree", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 13/bumper.
 
 #include "bumper.h"
+#include "suite.h"
 
 #include <check.h>
 #include <string.h>
@@ -242,23 +243,19 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("bumper");
-    TCase *t = tcase_create("bumper");
-    tcase_add_test(t, bumper_leans_by_its_load_over_its_stiffness);
-    tcase_add_test(t, damped_bumper_leans_no_less);
-    tcase_add_test(t, bumper_is_a_spring_and_a_damper);
-    tcase_add_test(t, no_stiffness_explodes);
-    tcase_add_test(t, bumper_does_not_pull);
-    tcase_add_test(t, looking_twice_changes_nothing);
-    tcase_add_test(t, what_was_pushed_too_much_is_taken_back);
-    tcase_add_test(t, momentum_stays_and_no_energy_comes);
-    tcase_add_test(t, two_nails_stay);
-    tcase_add_test(t, tower_stands);
-    tcase_add_test(t, rounds_are_counted_and_capped);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        bumper_leans_by_its_load_over_its_stiffness,
+        damped_bumper_leans_no_less,
+        bumper_is_a_spring_and_a_damper,
+        no_stiffness_explodes,
+        bumper_does_not_pull,
+        looking_twice_changes_nothing,
+        what_was_pushed_too_much_is_taken_back,
+        momentum_stays_and_no_energy_comes,
+        two_nails_stay,
+        tower_stands,
+        rounds_are_counted_and_capped,
+        NULL
+    };
+    return suite_run((suite){ .name = "bumper", .tests = tests });
 }

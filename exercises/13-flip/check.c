@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 13/flip.
 
 #include "flip.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -242,21 +243,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("flip");
-    TCase *t = tcase_create("flip");
-    tcase_add_test(t, start_bends_no_stick);
-    tcase_add_test(t, start_is_where_it_should_be);
-    tcase_add_test(t, centre_flies_straight);
-    tcase_add_test(t, start_spins_by_the_right_hand);
-    tcase_add_test(t, spin_comes_back);
-    tcase_add_test(t, flight_is_no_spin);
-    tcase_add_test(t, what_has_no_inertia_has_no_spin);
-    tcase_add_test(t, top_nods_at_the_textbooks_rate);
-    tcase_add_test(t, wing_nut_turns_over_in_time);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        start_bends_no_stick,
+        start_is_where_it_should_be,
+        centre_flies_straight,
+        start_spins_by_the_right_hand,
+        spin_comes_back,
+        flight_is_no_spin,
+        what_has_no_inertia_has_no_spin,
+        top_nods_at_the_textbooks_rate,
+        wing_nut_turns_over_in_time,
+        NULL
+    };
+    return suite_run((suite){ .name = "flip", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 13/joint.
 
 #include "shared.h"
+#include "suite.h"
 
 #include <check.h>
 #include <string.h>
@@ -288,19 +289,15 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("joint");
-    TCase *t = tcase_create("joint");
-    tcase_add_test(t, coordinates_of_corners_are_those_of_the_plan);
-    tcase_add_test(t, body_that_hangs_on_a_point_answers_as_the_textbook_says);
-    tcase_add_test(t, gap_is_closed_at_once);
-    tcase_add_test(t, momenta_stay);
-    tcase_add_test(t, rod_swings_in_its_time);
-    tcase_add_test(t, chain_of_boxes_falls_and_holds);
-    tcase_add_test(t, pinned_bodies_stay);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        coordinates_of_corners_are_those_of_the_plan,
+        body_that_hangs_on_a_point_answers_as_the_textbook_says,
+        gap_is_closed_at_once,
+        momenta_stay,
+        rod_swings_in_its_time,
+        chain_of_boxes_falls_and_holds,
+        pinned_bodies_stay,
+        NULL
+    };
+    return suite_run((suite){ .name = "joint", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 13/masses.
 
 #include "masses.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -161,18 +162,14 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("masses");
-    TCase *t = tcase_create("masses");
-    tcase_add_test(t, equal_shares_stand_on_the_corners_of_a_tetrahedron);
-    tcase_add_test(t, random_shares_do_what_is_asked);
-    tcase_add_test(t, one_may_have_nearly_all);
-    tcase_add_test(t, points_ride_by_their_weights);
-    tcase_add_test(t, box_with_a_heavy_handle_has_its_inertia);
-    tcase_add_test(t, shares_that_are_none_are_refused);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        equal_shares_stand_on_the_corners_of_a_tetrahedron,
+        random_shares_do_what_is_asked,
+        one_may_have_nearly_all,
+        points_ride_by_their_weights,
+        box_with_a_heavy_handle_has_its_inertia,
+        shares_that_are_none_are_refused,
+        NULL
+    };
+    return suite_run((suite){ .name = "masses", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 14/axis.
 
 #include "axis.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -136,18 +137,14 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("axis");
-    TCase *t = tcase_create("axis");
-    tcase_add_test(t, spread_is_the_mean_square_from_the_mean);
-    tcase_add_test(t, nobody_is_spread_by_nothing);
-    tcase_add_test(t, widest_axis_is_taken);
-    tcase_add_test(t, far_from_the_origin_nothing_is_lost);
-    tcase_add_test(t, lost_bodies_are_left_out);
-    tcase_add_test(t, row_that_turns_changes_its_axis_once);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        spread_is_the_mean_square_from_the_mean,
+        nobody_is_spread_by_nothing,
+        widest_axis_is_taken,
+        far_from_the_origin_nothing_is_lost,
+        lost_bodies_are_left_out,
+        row_that_turns_changes_its_axis_once,
+        NULL
+    };
+    return suite_run((suite){ .name = "axis", .tests = tests });
 }

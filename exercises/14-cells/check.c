@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 14/cells.
 
 #include "cells.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -209,19 +210,15 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("cells");
-    TCase *t = tcase_create("cells");
-    tcase_add_test(t, place_has_its_cell);
-    tcase_add_test(t, same_points_give_the_same_table);
-    tcase_add_test(t, neighbours_across_the_border_are_found);
-    tcase_add_test(t, each_pair_comes_once_even_in_a_table_of_one_slot);
-    tcase_add_test(t, scenes_agree_with_all_pairs);
-    tcase_add_test(t, room_is_asked_in_proportion_to_its_bodies);
-    tcase_add_test(t, what_has_no_cell_is_refused);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        place_has_its_cell,
+        same_points_give_the_same_table,
+        neighbours_across_the_border_are_found,
+        each_pair_comes_once_even_in_a_table_of_one_slot,
+        scenes_agree_with_all_pairs,
+        room_is_asked_in_proportion_to_its_bodies,
+        what_has_no_cell_is_refused,
+        NULL
+    };
+    return suite_run((suite){ .name = "cells", .tests = tests });
 }

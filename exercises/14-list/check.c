@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 14/list.
 
 #include "list.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -210,20 +211,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("list");
-    TCase *t = tcase_create("list");
-    tcase_add_test(t, first_question_makes_a_list);
-    tcase_add_test(t, list_is_good_until_two_could_have_met);
-    tcase_add_test(t, the_two_that_moved_furthest_count_in_any_order);
-    tcase_add_test(t, slow_drift_makes_a_new_list_in_time);
-    tcase_add_test(t, frames_agree_with_all_pairs);
-    tcase_add_test(t, too_little_room_loses_nobody);
-    tcase_add_test(t, lost_point_does_no_harm);
-    tcase_add_test(t, nobody_has_no_neighbours);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        first_question_makes_a_list,
+        list_is_good_until_two_could_have_met,
+        the_two_that_moved_furthest_count_in_any_order,
+        slow_drift_makes_a_new_list_in_time,
+        frames_agree_with_all_pairs,
+        too_little_room_loses_nobody,
+        lost_point_does_no_harm,
+        nobody_has_no_neighbours,
+        NULL
+    };
+    return suite_run((suite){ .name = "list", .tests = tests });
 }

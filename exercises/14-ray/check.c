@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 14/ray.
 
 #include "ray.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -241,21 +242,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("ray");
-    TCase *t = tcase_create("ray");
-    tcase_add_test(t, ray_meets_a_box_at_its_side);
-    tcase_add_test(t, what_lies_behind_is_not_met);
-    tcase_add_test(t, ray_along_a_side_touches_it);
-    tcase_add_test(t, what_is_no_number_meets_nothing);
-    tcase_add_test(t, reaches_never_shrink);
-    tcase_add_test(t, row_is_met_from_both_sides);
-    tcase_add_test(t, of_equals_the_lowest_is_met);
-    tcase_add_test(t, line_agrees_with_all_boxes);
-    tcase_add_test(t, row_asks_few);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        ray_meets_a_box_at_its_side,
+        what_lies_behind_is_not_met,
+        ray_along_a_side_touches_it,
+        what_is_no_number_meets_nothing,
+        reaches_never_shrink,
+        row_is_met_from_both_sides,
+        of_equals_the_lowest_is_met,
+        line_agrees_with_all_boxes,
+        row_asks_few,
+        NULL
+    };
+    return suite_run((suite){ .name = "ray", .tests = tests });
 }

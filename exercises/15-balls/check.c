@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 15/balls.
 
 #include "balls.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -206,22 +207,18 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("balls");
-    TCase *t = tcase_create("balls");
-    tcase_add_test(t, two_balls_meet_head_on);
-    tcase_add_test(t, slant_ball_meets_at_its_side);
-    tcase_add_test(t, who_passes_by_a_hair_does_not_touch);
-    tcase_add_test(t, who_parts_does_not_touch);
-    tcase_add_test(t, who_comes_too_late_does_not_touch);
-    tcase_add_test(t, overlap_is_now);
-    tcase_add_test(t, digits_are_kept);
-    tcase_add_test(t, nobody_was_nearer_before);
-    tcase_add_test(t, what_is_not_finite_touches_nobody);
-    tcase_add_test(t, limit_is_the_inner_radius);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        two_balls_meet_head_on,
+        slant_ball_meets_at_its_side,
+        who_passes_by_a_hair_does_not_touch,
+        who_parts_does_not_touch,
+        who_comes_too_late_does_not_touch,
+        overlap_is_now,
+        digits_are_kept,
+        nobody_was_nearer_before,
+        what_is_not_finite_touches_nobody,
+        limit_is_the_inner_radius,
+        NULL
+    };
+    return suite_run((suite){ .name = "balls", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 15/cubic.
 
 #include "cubic.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -306,28 +307,24 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("cubic");
-    TCase *t = tcase_create("cubic");
-    tcase_add_test(t, three_roots_are_found_in_order);
-    tcase_add_test(t, roots_outside_are_not_named);
-    tcase_add_test(t, ends_belong_to_the_way);
-    tcase_add_test(t, touch_without_crossing_is_a_root);
-    tcase_add_test(t, two_roots_close_together_are_two);
-    tcase_add_test(t, lower_degrees_are_solved);
-    tcase_add_test(t, size_does_not_matter);
-    tcase_add_test(t, nothing_and_no_numbers);
-    tcase_add_test(t, random_curves_lose_no_root);
-    tcase_add_test(t, corner_falls_on_a_triangle);
-    tcase_add_test(t, corner_passes_beside);
-    tcase_add_test(t, corner_overtakes_a_triangle);
-    tcase_add_test(t, triangle_comes_from_aside);
-    tcase_add_test(t, second_crossing_may_be_the_one);
-    tcase_add_test(t, what_lies_in_one_plane_is_not_told);
-    tcase_add_test(t, random_meetings_are_not_missed);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        three_roots_are_found_in_order,
+        roots_outside_are_not_named,
+        ends_belong_to_the_way,
+        touch_without_crossing_is_a_root,
+        two_roots_close_together_are_two,
+        lower_degrees_are_solved,
+        size_does_not_matter,
+        nothing_and_no_numbers,
+        random_curves_lose_no_root,
+        corner_falls_on_a_triangle,
+        corner_passes_beside,
+        corner_overtakes_a_triangle,
+        triangle_comes_from_aside,
+        second_crossing_may_be_the_one,
+        what_lies_in_one_plane_is_not_told,
+        random_meetings_are_not_missed,
+        NULL
+    };
+    return suite_run((suite){ .name = "cubic", .tests = tests });
 }

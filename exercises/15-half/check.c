@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 15/half.
 
 #include "half.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -215,20 +216,16 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("half");
-    TCase *t = tcase_create("half");
-    tcase_add_test(t, link_and_point_share_their_distance);
-    tcase_add_test(t, nearest_point_may_be_an_end);
-    tcase_add_test(t, link_without_length_is_a_point);
-    tcase_add_test(t, who_may_go_gets_his_wish);
-    tcase_add_test(t, who_may_not_goes_as_far_as_he_may);
-    tcase_add_test(t, what_is_no_number_moves_nobody);
-    tcase_add_test(t, chains_never_cross);
-    tcase_add_test(t, spider_stays_in_its_ring);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        link_and_point_share_their_distance,
+        nearest_point_may_be_an_end,
+        link_without_length_is_a_point,
+        who_may_go_gets_his_wish,
+        who_may_not_goes_as_far_as_he_may,
+        what_is_no_number_moves_nobody,
+        chains_never_cross,
+        spider_stays_in_its_ring,
+        NULL
+    };
+    return suite_run((suite){ .name = "half", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 15/turn.
 
 #include "turn.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -246,21 +247,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("turn");
-    TCase *t = tcase_create("turn");
-    tcase_add_test(t, place_of_a_point_that_turns);
-    tcase_add_test(t, end_of_a_rod_meets_the_floor);
-    tcase_add_test(t, coin_that_spins_on_a_table_never_touches);
-    tcase_add_test(t, both_may_turn);
-    tcase_add_test(t, ways_count_as_seen_from_each_other);
-    tcase_add_test(t, bat_hits_a_ball);
-    tcase_add_test(t, frame_has_an_end);
-    tcase_add_test(t, nobody_moves_and_nobody_touches);
-    tcase_add_test(t, nobody_has_touched_before);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        place_of_a_point_that_turns,
+        end_of_a_rod_meets_the_floor,
+        coin_that_spins_on_a_table_never_touches,
+        both_may_turn,
+        ways_count_as_seen_from_each_other,
+        bat_hits_a_ball,
+        frame_has_an_end,
+        nobody_moves_and_nobody_touches,
+        nobody_has_touched_before,
+        NULL
+    };
+    return suite_run((suite){ .name = "turn", .tests = tests });
 }

@@ -2,6 +2,7 @@
 
 #include "text.h"
 #include "measure.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -222,23 +223,20 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("text");
-    TCase *t = tcase_create("text");
-    tcase_add_checked_fixture(t, NULL, tear_down);
-    tcase_add_test(t, text_becomes_a_world);
-    tcase_add_test(t, last_body_is_thrown_and_spun);
-    tcase_add_test(t, static_one_stays);
-    tcase_add_test(t, blanks_and_comments_mean_nothing);
-    tcase_add_test(t, scene_runs);
-    tcase_add_test(t, mistakes_are_named_with_their_line);
-    tcase_add_test(t, numbers_have_to_be_finite);
-    tcase_add_test(t, what_builders_refuse_is_passed_on);
-    tcase_add_test(t, long_lines_and_many_bodies_find_an_end);
-    tcase_add_test(t, freed_twice_is_freed_once);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        text_becomes_a_world,
+        last_body_is_thrown_and_spun,
+        static_one_stays,
+        blanks_and_comments_mean_nothing,
+        scene_runs,
+        mistakes_are_named_with_their_line,
+        numbers_have_to_be_finite,
+        what_builders_refuse_is_passed_on,
+        long_lines_and_many_bodies_find_an_end,
+        freed_twice_is_freed_once,
+        NULL
+    };
+    return suite_run((suite){
+        .name = "text", .tests = tests, .tear_down = tear_down
+    });
 }

@@ -1,5 +1,5 @@
 # 13-bodies.gp - sh figures/draw/chart.sh figures/13/13-bodies.gp DATA.csv CHART.svg
-high = 636
+high = 346
 load "figures/draw/chart.gp"
 engine = blue; cold = orange; mended = green; printed = orange
 
@@ -22,7 +22,7 @@ set xrange [0.6*X[1]:1.5*end]
 set xtics (0.05, 0.1, 0.2, 0.5, 1, 2)
 set xlabel "time of a step, ms" textcolor rgb ink
 
-eval box(66, 345, 332, 602)
+eval box(66, 345, 52, 312)
 set title "Fifty bodies: overlap, of a radius"
 set yrange [0.1:150]
 set ytics ("0.1 %%" 0.1, "1 %%" 1, "10 %%" 10, "100 %%" 100)
@@ -36,7 +36,7 @@ plot csv index 1 using 2:3 with points pt 9 ps 1.43 lc rgb printed, \
      csv index 0 using 2:3:1 with labels font small textcolor rgb engine offset 0,-1.1
 unset label
 
-eval box(440, 706, 332, 602)
+eval box(440, 706, 52, 312)
 set title "Joules left after six seconds"
 set yrange [1e-24:300]
 set ytics ("10^{-24}" 1e-24, "10^{-18}" 1e-18, "10^{-12}" 1e-12, "10^{-6}" 1e-6, "1" 1)
@@ -46,19 +46,5 @@ set label 3 "engine" at 1.9*X[1],1e-9 left textcolor rgb engine font bold
 plot csv index 1 using 2:4 with points pt 9 ps 1.43 lc rgb printed, \
      csv index 2 using 2:4 with linespoints pt 6 ps 0.85 lc rgb mended lw 1.6, \
      csv index 0 using 2:4 with linespoints pt 7 ps 0.85 lc rgb engine lw 2, \
-     csv index 0 using 2:4:1 with labels font small textcolor rgb engine offset 1.6,0.6
-unset label
-
-eval box(76, 580, 52, 242)
-set title "Ten cubes, awake: drift of a cube from 5 to 10 s"
-set xrange [1.8:36]
-set xtics (2, 4, 8, 16, 32)
-set xlabel "substeps of a frame"
-set yrange [0.0002:60000]
-set ytics ("1 µm" 0.001, "0.01 mm" 0.01, "0.1 mm" 0.1, "1 mm" 1, "1 cm" 10, "10 cm" 100, "1 m" 1000)
-set label 1 "not warm-started" at 38,0.7 textcolor rgb cold
-set label 2 "warm-started" at 38,0.0008 textcolor rgb engine font bold
-set label 3 "falls" at 4.2,11000 textcolor rgb quiet
-plot csv index 3 using 1:($1 < 4 ? NaN : $5) with linespoints pt 6 ps 0.85 lc rgb cold lw 1.6, \
-     csv index 3 using 1:3 with linespoints pt 7 ps 0.85 lc rgb engine lw 2
+     csv index 0 using 2:4:1 with labels font small textcolor rgb engine offset -1.4,0.4
 unset multiplot

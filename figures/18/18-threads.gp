@@ -17,8 +17,6 @@ wall = wall - two < 0.06 ? two + 0.06 : wall
 set label 1 "two threads,\nwall-clock time" at 3300,wall + 0.02 tc rgb orange
 set label 2 "two, if handing\nout were free" at 3300,two - 0.01 tc rgb blue
 set label 3 "four, if handing\nout were free" at 3300,four + 0.01 tc rgb green
-set arrow 1 from 800,0.6 to 1250,0.6 nohead dt 2 lc rgb quiet
-set label 4 "target" at 840,0.575 tc rgb quiet
 plot csv using 1:3:xtic(sprintf("%d\n%.0f %%", $1, 100 * $2)) with linespoints pt 7 ps 0.98 lc rgb blue, \
      csv using 1:4 with linespoints pt 7 ps 0.98 lc rgb green, \
      csv using 1:6 with points pt 6 ps 1.17 lc rgb green, \

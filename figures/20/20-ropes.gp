@@ -39,7 +39,7 @@ set xtics nomirror ("1" 1, "100" 100, "10^4" 1e4, "10^6" 1e6)
 set ytics nomirror ("10^3" 1e3, "1" 1, "10^{−3}" 1e-3, "10^{−6}" 1e-6, "10^{−9}" 1e-9, "10^{−12}" 1e-12)
 set xlabel "load, in particles of the rope" textcolor rgb ink offset 0,0.3
 set title "8.  A loaded rope: its largest strain"
-set label 1 "10 sweeps" at 6,25 textcolor rgb theirs
+set label 1 "10 iterations" at 6,25 textcolor rgb theirs
 set label 2 "10 small steps" at 25,2e-2 textcolor rgb green
 set label 3 "the line solved, 3 Newton steps" at 1.6,2e-11 textcolor rgb ours font bold
 set label 4 "target" at 1.6,4e-8 textcolor rgb grey
@@ -63,7 +63,7 @@ unset title
 set label 5 "9.  A chain finds its rest" at screen 0.79,0.4405 center font bold textcolor rgb ink
 set label 1 "solved: off by\n1.4·10^{−14} m" at 0.5,-0.44 center textcolor rgb ours font bold
 set label 2 "grey: exact" at 0.5,-0.18 center textcolor rgb grey
-set label 3 "10 sweeps:\n7 mm too low" at 0.5,-0.27 center textcolor rgb theirs
+set label 3 "10 iterations:\n7 mm too low" at 0.5,-0.27 center textcolor rgb theirs
 plot csv index 6 using 1:2 with lines lc rgb pale(grey, 0.4) lw 7, \
      csv index 8 using 1:2 with lines lc rgb theirs lw 1.2, \
      csv index 7 using 1:2 with points pt 7 ps 0.49 lc rgb ours

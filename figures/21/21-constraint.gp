@@ -21,7 +21,7 @@ do for [k = 0:1] {
     set label 4 "exact root" at 5e2,2e-6 textcolor rgb exact 
     set label 5 "approximate root" at 5e2,5.5e-7 textcolor rgb near 
     set label 6 "old gradient" at 5e2,1.5e-7 textcolor rgb old 
-    set label 1 "sweeps of one step" at 1.4e5,9 right textcolor rgb quiet
+    set label 1 "iterations on one step" at 1.4e5,9 right textcolor rgb quiet
     set label 2 "small steps" at 1.4e5,6e-5 right textcolor rgb quiet
     set label 3 "the line, solved" at 5e2,5e-9 left textcolor rgb direct font bold
   } else {
@@ -31,7 +31,7 @@ do for [k = 0:1] {
     set xtics ("0.1 µs" 1e2, "1 µs" 1e3, "10 µs" 1e4)
     set yrange [none/3:1]
     set ytics ("1" 1, "10^{−2}" 1e-2, "10^{−4}" 1e-4, "10^{−6}" 1e-6, "10^{−8}" 1e-8, "10^{−10}" 1e-10, "10^{−12}" 1e-12)
-    set label 1 "sweeps of one step" at 2.6e4,5e-12 right textcolor rgb quiet
+    set label 1 "iterations on one step" at 2.6e4,5e-12 right textcolor rgb quiet
     set label 2 "small steps" at 2.6e4,3e-3 right textcolor rgb quiet
     set label 3 "four particles,\nsolved" at 70,1e-9 left textcolor rgb direct font bold
   }

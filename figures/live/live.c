@@ -153,6 +153,11 @@ void live_dot(live_colour c, vec3 at, double radius)
     item(LIVE_ITEM_DOT, c, radius, &at, 1);
 }
 
+void live_circle(live_colour c, vec3 middle, double radius)
+{
+    item(LIVE_ITEM_CIRCLE, c, radius, &middle, 1);
+}
+
 void live_arrow(live_colour c, vec3 from, vec3 to)
 {
     item(LIVE_ITEM_ARROW, c, 0, (vec3[]){ from, to }, 2);

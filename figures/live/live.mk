@@ -3,6 +3,7 @@
 
 # A figure, and the chapter up to which it sees the library.
 define LIVES
+00/bounce
 01/orbit
 02/rope
 03/cube
@@ -13,6 +14,7 @@ define LIVES
 08/blow
 09/room
 09/drape
+10/nearest
 11/slab
 12/strand
 13/pile
@@ -20,25 +22,31 @@ define LIVES
 15/bullet
 16/fabric
 17/chain
+18/energy
 19/topple
 endef
 # What a figure takes from other folders, beside the library.
-WITH_gjk  := rules/04-distance-1.o
+WITH_gjk := rules/04-distance-1.o live/plane.o
+WITH_epa := live/plane.o
+WITH_shares := live/plane.o
 WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
+$(foreach f,pile fabric chain energy,$(eval WITH_$f := live/live_world.o))
+# The first program of the book runs on a module of the next chapter.
+FLOOR_bounce := 01
 
 LIVE := $(notdir $(strip $(LIVES)))
 # With modules of the reader's own, all but these is taken from where ours is.
 OURS := $(BUILD:%/swapped=%)
 LIVE_PROGRAMS := $(LIVE:%=$(BUILD)/live/%)
 live_chapter = $(patsubst %/$1,%,$(filter %/$1,$(strip $(LIVES))))
-live_floor   = $(call FLOOR,$(call live_chapter,$1))
+live_floor   = $(call FLOOR,$(or $(FLOOR_$1),$(call live_chapter,$1)))
 
 # --- On this machine ------------------------------------------------------------
 $(BUILD)/live/%.o: figures/live/%.c $(BUILD)/flags
 	$(compile)
 $(LIVE_PROGRAMS): $(BUILD)/live/%: $(BUILD)/live/%.o $(BUILD)/live/live.o \
-  $(BUILD)/live/live_main.o $$(addprefix $(BUILD)/,$$(WITH_$$*)) $$(call live_floor,$$*)
+  $(BUILD)/live/live_main.o $(BUILD)/live/live_film.o $$(addprefix $(BUILD)/,$$(WITH_$$*)) $$(call live_floor,$$*)
 	$(call link,-lm)
 .PHONY: live-programs
 live-programs: $(LIVE_PROGRAMS)
@@ -130,7 +138,7 @@ LIVE_SHOWN   := $(notdir $(filter $(LIVE_CHAPTER)/%,$(strip $(LIVES))))
 LIVE_TOOLS    = echo 'int main(void) { return 0; }' | $(WASM) -x c - -o /dev/null 2> /dev/null && command -v npm > /dev/null
 # An exercise that builds a module: what the reader wrote takes its place.
 LIVE_EXERCISE := $(firstword $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal))))
-.PHONY: live live-page
+.PHONY: live live-page live-film
 ifneq ($(LIVE_EXERCISE),)
 live:
 	@file=$$(sh figures/live/exercise.sh $(LIVE_EXERCISE) $(BUILD)/live/mine) && \
@@ -141,10 +149,11 @@ live:
 	  $(sort $(patsubst %/,%,$(dir $(strip $(LIVES)))))" >&2; exit 1; }
 	@if $(LIVE_TOOLS); then $(AGAIN) live-page NAMED=$(LIVE_CHAPTER) && \
 	  sh figures/live/open.sh $(BUILD)/live/$(LIVE_CHAPTER)/index.html; else \
-	  $(AGAIN) $(BUILD)/tumble && $(BUILD)/tumble room --film $(BUILD)/live-room.png > /dev/null && \
-	  echo "A live page needs clang for WebAssembly and npm: make deps-site installs them.\
-	  Here is a film instead: $(BUILD)/live-room.png"; fi
+	  echo "A live page needs clang for WebAssembly and npm: make deps-site installs them. Here are films instead." && \
+	  $(AGAIN) live-film NAMED=$(LIVE_CHAPTER) && sh figures/live/open.sh $(BUILD)/live/$(LIVE_CHAPTER)/index.html; fi
 endif
+live-film: $(LIVE_SHOWN:%=$(BUILD)/live/%)
+	$(Q)sh figures/live/page.sh $(LIVE_CHAPTER) $(BUILD)/live/$(LIVE_CHAPTER) film $(BUILD)/live $(LIVE_SHOWN)
 live-page: $(LIVE_SHOWN:%=$(OURS)/live/%.json) $(LIVE_SHOWN:%=$(BUILD)/live/%.js) $(OURS)/live/main.js $(OURS)/live/space.js
 	$(Q)sh figures/live/page.sh $(LIVE_CHAPTER) $(BUILD)/live/$(LIVE_CHAPTER) $(OURS)/live $(BUILD)/live $(LIVE_SHOWN)
 

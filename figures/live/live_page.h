@@ -13,7 +13,8 @@
 
 typedef enum {
     LIVE_ITEM_PANE, LIVE_ITEM_LINE, LIVE_ITEM_DASHES, LIVE_ITEM_AREA,
-    LIVE_ITEM_DOT, LIVE_ITEM_ARROW, LIVE_ITEM_LABEL, LIVE_ITEM_HANDLE
+    LIVE_ITEM_DOT, LIVE_ITEM_ARROW, LIVE_ITEM_LABEL, LIVE_ITEM_HANDLE,
+    LIVE_ITEM_CIRCLE
 } live_item;
 
 typedef struct {
@@ -53,5 +54,8 @@ PAGE(paint)   void page_paint(int colour, double r, double g, double b);
 // What does a ray meet first?  Its number, or -1.
 PAGE(pick)    int  page_pick(double x, double y, double z,
                              double ax, double ay, double az);
+
+// On this machine: prints the figure's first two seconds as an SVG film.
+void live_film(void);
 
 #endif

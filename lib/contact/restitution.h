@@ -1,7 +1,7 @@
 //> restitution-head
 // restitution.h - bodies that meet fast part again: impacts.
 //
-// Paper: section 6.1 only parts what overlaps.  Book: chapter 13.
+// Paper: section 6.1 only parts what overlaps.  Book: chapter 15.
 // Units: metres, kilograms, seconds.  Normals point from B to A.
 
 #ifndef TUMBLE_RESTITUTION_H

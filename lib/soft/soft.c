@@ -279,14 +279,19 @@ void soft_begin(soft_solver *s, const soft_frame *f)
     choose_pace(s);
     s->touching = s->fell_back = 0;
     s->tested = s->relaxed = 0;
-    near_begin(&s->near, f);
     for (int b = 0; b < f->bodies; b++)
         s->ahead[b] = body_is_soft(&f->body[b]) ? predict(f, b) : f->ahead[b];
+    near_begin(&s->near, f, s->ahead);
 }
 
 static bool balls_meet(sphere a, sphere b, real margin)
 {
     return vec3_distance(a.center, b.center) <= a.radius + b.radius + margin;
+}
+
+bool soft_is_clear(soft_solver *s, const soft_frame *f, int a, int b)
+{
+    return touch_is_clear(&s->view, f, a, b);
 }
 
 // Twice the margin of the lists is room for what a frame will bring.

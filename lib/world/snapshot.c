@@ -102,7 +102,7 @@ static void linkage_store(linkage *l, store *s)
     STORE_TABLE(s, l->role, l->count, l->capacity);
     STORE_TABLE(s, l->step, l->steps, 2 * l->capacity);
     STORE_ROOM(s, l->apart, l->capacity);
-    STORE_TABLE(s, l->tied, l->ties, l->capacity);
+    STORE_TABLE(s, l->tied, l->ties, l->tie_room);
     STORE_TABLE(s, l->body, l->bodies, l->bodies);
 }
 //<
@@ -156,6 +156,8 @@ static void near_store(near_lists *l, store *s)
     STORE_ROOM(s, l->at, l->particles);
     STORE_TABLE(s, l->listed, l->particles, l->particles);
     STORE_ROOM(s, l->ball, l->bodies);
+    STORE_TABLE(s, l->who, l->whos, l->bodies);
+    STORE_ROOM(s, l->is_near, l->bodies);
     STORE_ROOM(s, l->leaf, l->leaf_capacity);
     grid_store(&l->grid, s);
     trees_store(l, s);

@@ -6,6 +6,7 @@
 
 #define NAME real4_run_vectors
 #include "real4_forms.h"
+#include "suite.h"
 
 static unsigned long long seed = 5;
 
@@ -107,14 +108,10 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("real4");
-    TCase *t = tcase_create("real4");
-    tcase_add_test(t, four_at_once_are_the_bits_of_each_alone_in_both_forms);
-    tcase_add_test(t, three_lanes_take_a_vector);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        four_at_once_are_the_bits_of_each_alone_in_both_forms,
+        three_lanes_take_a_vector,
+        NULL
+    };
+    return suite_run((suite){ .name = "real4", .tests = tests });
 }

@@ -3,11 +3,11 @@
 // Book: chapter 0.
 
 #include <check.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "scarce.h"
 #include "status.h"
+#include "suite.h"
 
 // Fills the stack that the next call will use, so that what it leaves unwritten
 // is not zero by chance.
@@ -79,18 +79,13 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("status");
-    TCase *answers = tcase_create("answers");
-    tcase_add_test(answers, ok_has_nothing_to_say);
-    tcase_add_test(answers, failure_says_its_sentence);
-    tcase_add_test(answers, long_sentence_is_cut_to_fit);
-    tcase_add_test(answers, two_failures_keep_their_own_sentences);
-    tcase_add_test(answers, refused_memory_is_a_failure_with_a_sentence);
-    suite_add_tcase(suite, answers);
-
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0 ? EXIT_FAILURE : EXIT_SUCCESS;
+    const TTest *const tests[] = {
+        ok_has_nothing_to_say,
+        failure_says_its_sentence,
+        long_sentence_is_cut_to_fit,
+        two_failures_keep_their_own_sentences,
+        refused_memory_is_a_failure_with_a_sentence,
+        NULL
+    };
+    return suite_run((suite){ .name = "status", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check_store.c - memory turned into bytes and back.
 
 #include "store.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -182,18 +183,14 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("store");
-    TCase *t = tcase_create("store");
-    tcase_add_test(t, what_is_listed_comes_back);
-    tcase_add_test(t, no_table_stays_none);
-    tcase_add_test(t, equal_things_have_equal_bytes);
-    tcase_add_test(t, cut_altered_or_foreign_bytes_are_refused);
-    tcase_add_test(t, two_signs_that_change_are_seen);
-    tcase_add_test(t, a_table_of_another_size_is_refused);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        what_is_listed_comes_back,
+        no_table_stays_none,
+        equal_things_have_equal_bytes,
+        cut_altered_or_foreign_bytes_are_refused,
+        two_signs_that_change_are_seen,
+        a_table_of_another_size_is_refused,
+        NULL
+    };
+    return suite_run((suite){ .name = "store", .tests = tests });
 }

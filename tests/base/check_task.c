@@ -3,6 +3,7 @@
 #include <check.h>
 
 #include "task.h"
+#include "suite.h"
 
 enum { ITEMS = 7 };
 
@@ -40,13 +41,9 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("task");
-    TCase *t = tcase_create("task");
-    tcase_add_test(t, every_item_is_done_once);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        every_item_is_done_once,
+        NULL
+    };
+    return suite_run((suite){ .name = "task", .tests = tests });
 }

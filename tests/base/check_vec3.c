@@ -5,9 +5,9 @@
 
 #include <check.h>
 #include <float.h>
-#include <stdlib.h>
 
 #include "vec3.h"
+#include "suite.h"
 
 // One rounding of a product or a sum moves a number by at most half of
 // DBL_EPSILON of its size.  A product of vectors makes five of them, a length
@@ -185,26 +185,21 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("vec3");
-    TCase *laws = tcase_create("laws");
-    tcase_add_test(laws, larger_and_smaller_hold_the_bound_against_nan);
-    tcase_add_test(laws, maker_keeps_the_order_of_the_components);
-    tcase_add_test(laws, sums_and_differences_go_component_by_component);
-    tcase_add_test(laws, a_step_along_b_starts_at_a);
-    tcase_add_test(laws, products_are_rounded_before_they_are_added);
-    tcase_add_test(laws, dot_product_weighs_each_axis_alone);
-    tcase_add_test(laws, cross_product_turns_x_to_y_into_z);
-    tcase_add_test(laws, cross_product_is_perpendicular_and_as_long_as_the_area);
-    tcase_add_test(laws, lengths_and_distances_are_those_of_pythagoras);
-    tcase_add_test(laws, unit_vector_has_length_one_and_keeps_its_direction);
-    tcase_add_test(laws, lengths_hold_from_the_smallest_to_the_largest_world);
-    tcase_add_test(laws, zero_vector_has_no_direction_and_stays_zero);
-    tcase_add_test(laws, infinity_and_nan_are_seen_in_every_component);
-    suite_add_tcase(suite, laws);
-
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0 ? EXIT_FAILURE : EXIT_SUCCESS;
+    const TTest *const tests[] = {
+        larger_and_smaller_hold_the_bound_against_nan,
+        maker_keeps_the_order_of_the_components,
+        sums_and_differences_go_component_by_component,
+        a_step_along_b_starts_at_a,
+        products_are_rounded_before_they_are_added,
+        dot_product_weighs_each_axis_alone,
+        cross_product_turns_x_to_y_into_z,
+        cross_product_is_perpendicular_and_as_long_as_the_area,
+        lengths_and_distances_are_those_of_pythagoras,
+        unit_vector_has_length_one_and_keeps_its_direction,
+        lengths_hold_from_the_smallest_to_the_largest_world,
+        zero_vector_has_no_direction_and_stays_zero,
+        infinity_and_nan_are_seen_in_every_component,
+        NULL
+    };
+    return suite_run((suite){ .name = "vec3", .tests = tests });
 }

@@ -8,6 +8,7 @@
 
 #include "broad.h"
 #include "scarce.h"
+#include "suite.h"
 
 enum { MANY = 2000, MOST_PAIRS = MANY * (MANY - 1) / 2 };
 
@@ -647,7 +648,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         neighbours_are_found_in_order,
         balls_of_whole_numbers_are_judged_exactly,
         exact_touch_is_found_and_a_hair_less_is_not,
@@ -673,16 +674,10 @@ int main(void)
         few_large_balls_leave_room_for_all,
         refused_memory_leaves_nothing,
         query_asks_for_no_memory,
+        NULL
     };
-    Suite *suite = suite_create("broad");
-    TCase *t = tcase_create("broad");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "broad", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

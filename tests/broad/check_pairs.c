@@ -8,6 +8,7 @@
 
 #include "pairs.h"
 #include "scarce.h"
+#include "suite.h"
 
 enum { BODIES = 40 };
 
@@ -323,16 +324,9 @@ int main(void)
         body_that_comes_changes_no_pair_of_the_others,
         planes_are_listed_for_what_is_near_them,
         no_bodies_have_no_pairs,
+        NULL
     };
-    Suite *s = suite_create("pairs");
-    TCase *t = tcase_create("pairs");
-    tcase_add_checked_fixture(t, NULL, tear_down);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "pairs", .tests = tests, .tear_down = tear_down
+    });
 }

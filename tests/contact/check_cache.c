@@ -9,6 +9,7 @@
 #include "cache.h"
 #include "convex.h"
 #include "scarce.h"
+#include "suite.h"
 
 // A few products of numbers near 1.
 #define ROUNDING 1e-13
@@ -763,16 +764,10 @@ int main(void)
         lost_body_touches_nothing,
         contacts_without_memory_are_counted_until_there_is_some,
         refused_memory_leaves_nothing,
+        NULL
     };
-    Suite *s = suite_create("cache");
-    TCase *t = tcase_create("cache");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "cache", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

@@ -3,6 +3,7 @@
 
 #include "contact.h"
 #include "solids.h"
+#include "suite.h"
 
 static const vec3 UP = { 0, 1, 0 }, ZERO = { 0, 0, 0 };
 
@@ -188,7 +189,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         gaps_are_those_of_the_points_by_hand,
         gaps_follow_bodies_wherever_they_go,
         gap_to_a_plane_is_the_height_over_it,
@@ -196,16 +197,10 @@ int main(void)
         impulses_act_at_one_place_or_each_at_its_own,
         each_impulse_goes_to_the_nearest_new_point,
         impulses_along_another_normal_are_forgotten,
+        NULL
     };
-    Suite *s = suite_create("contact");
-    TCase *t = tcase_create("contact");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "contact", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

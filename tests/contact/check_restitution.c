@@ -1,10 +1,11 @@
 // check_restitution.c - do bodies part as fast as they should, and no faster?
-// Book: chapter 13.
+// Book: chapter 15.
 
 #include <check.h>
 #include <string.h>
 
 #include "restitution.h"
+#include "suite.h"
 
 // A few roundings of sums of numbers near the largest.
 #define ROUNDING 1e-13
@@ -883,7 +884,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         balls_that_meet_head_on_part_at_restitution_times_their_speed,
         bodies_go_on_from_where_they_meet,
         bodies_that_overlap_strike_at_once,
@@ -908,16 +909,9 @@ int main(void)
         no_point_goes_through,
         enough_friction_stops_the_point,
         numbers_that_are_not_finite_strike_nothing,
+        NULL
     };
-    Suite *s = suite_create("restitution");
-    TCase *t = tcase_create("restitution");
-    tcase_add_checked_fixture(t, set_up, NULL);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "restitution", .tests = tests, .set_up = set_up
+    });
 }

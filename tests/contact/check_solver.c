@@ -8,6 +8,7 @@
 
 #include "pile.h"
 #include "scarce.h"
+#include "suite.h"
 
 static pile one, other;
 static contact_solver solver;
@@ -803,17 +804,10 @@ int main(void)
         any_order_of_the_work_gives_the_same_bits,
         lost_body_loses_no_other_that_it_does_not_touch,
         refused_memory_leaves_no_contact,
+        NULL
     };
-    Suite *s = suite_create("solver");
-    TCase *t = tcase_create("solver");
-    tcase_set_timeout(t, 30);
-    tcase_add_checked_fixture(t, begin_test, end_test);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "solver", .tests = tests, .set_up = begin_test,
+        .tear_down = end_test, .seconds = 30
+    });
 }

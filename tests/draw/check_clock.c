@@ -6,10 +6,10 @@
 
 #include <check.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "ball.h"
 #include "clock.h"
+#include "suite.h"
 
 // Powers of ten, taken to pieces by logarithms and put together again.
 static const real ROUNDING = 1e-12;
@@ -154,26 +154,20 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("clock");
-    TCase *times = tcase_create("times");
-    tcase_add_test(times, median_is_in_the_middle);
-    tcase_add_test(times, curve_is_met_on_a_straight_line_of_logarithms);
-    tcase_add_test(times, curve_is_not_continued);
-    tcase_add_test(times, quickest_of_all_points_counts);
-    tcase_add_test(times, what_exploded_does_not_count);
-    suite_add_tcase(suite, times);
-    TCase *races = tcase_create("races");
-    tcase_add_test(races, every_way_runs_once_in_every_round);
-    tcase_add_test(races, short_work_is_repeated);
-    tcase_add_test(races, ratio_is_to_the_first_way);
-    suite_add_tcase(suite, races);
-    TCase *balls = tcase_create("balls");
-    tcase_add_test(balls, ball_has_its_corners_on_the_sphere);
-    suite_add_tcase(suite, balls);
-
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0 ? EXIT_FAILURE : EXIT_SUCCESS;
+    const TTest *const tests[] = {
+        // Times.
+        median_is_in_the_middle,
+        curve_is_met_on_a_straight_line_of_logarithms,
+        curve_is_not_continued,
+        quickest_of_all_points_counts,
+        what_exploded_does_not_count,
+        // Races.
+        every_way_runs_once_in_every_round,
+        short_work_is_repeated,
+        ratio_is_to_the_first_way,
+        // Balls.
+        ball_has_its_corners_on_the_sphere,
+        NULL
+    };
+    return suite_run((suite){ .name = "clock", .tests = tests });
 }

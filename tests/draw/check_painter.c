@@ -7,6 +7,7 @@
 #include "output.h"
 #include "pack.h"
 #include "painter.h"
+#include "suite.h"
 
 #include <check.h>
 #include <png.h>
@@ -825,60 +826,53 @@ START_TEST(nothing_is_painted_of_nothing)
 }
 END_TEST
 
-static Suite *painter_suite(void)
-{
-    Suite *suite = suite_create("painter");
-    TCase *t = tcase_create("painter");
-    tcase_set_timeout(t, 20);
-    suite_add_tcase(suite, t);
-    tcase_add_test(t, every_byte_comes_back);
-    tcase_add_test(t, impossible_light_is_black_or_white);
-    tcase_add_test(t, sizes_out_of_range_are_refused);
-    tcase_add_test(t, a_file_that_cannot_be_leaves_nothing);
-    tcase_add_test(t, an_old_file_stays_until_the_new_one_is_whole);
-    tcase_add_test(t, a_link_stays_a_link);
-    tcase_add_test(t, two_programs_do_not_write_one_file);
-    tcase_add_test(t, what_a_killed_program_left_is_taken_over);
-    tcase_add_test(t, one_file_is_known_by_all_its_names);
-    tcase_add_test(t, a_file_is_known_by_its_folder);
-    tcase_add_test(t, a_check_leaves_no_trace);
-    tcase_add_test(t, a_packed_picture_has_the_same_points_in_fewer_bytes);
-    tcase_add_test(t, what_is_no_picture_is_not_packed);
-    tcase_add_test(t, every_letter_is_drawn_and_no_two_alike);
-    tcase_add_test(t, letters_are_cut_at_the_rim);
-    tcase_add_test(t, text_is_as_wide_as_it_measures);
-    tcase_add_test(t, the_nearer_hides_the_farther);
-    tcase_add_test(t, right_is_right_and_up_is_up);
-    tcase_add_test(t, a_square_covers_its_area);
-    tcase_add_test(t, a_rim_is_smooth);
-    tcase_add_test(t, the_back_has_its_own_colour);
-    tcase_add_test(t, what_cannot_be_seen_is_left_out);
-    tcase_add_test(t, a_box_is_kept_to);
-    tcase_add_test(t, an_empty_floor_is_evenly_lit);
-    tcase_add_test(t, a_back_is_lit_as_a_front);
-    tcase_add_test(t, the_first_thing_met_throws_the_shadow);
-    tcase_add_test(t, a_shadow_lies_right_in_perspective);
-    tcase_add_test(t, a_shadow_falls_away_from_the_lamp);
-    tcase_add_test(t, the_higher_the_softer);
-    tcase_add_test(t, a_ball_is_smoothly_shaded);
-    tcase_add_test(t, a_rope_is_whole_whichever_way_it_runs);
-    tcase_add_test(t, a_rope_of_coincident_points_is_finite);
-    tcase_add_test(t, only_bent_edges_are_creases);
-    tcase_add_test(t, nothing_is_painted_of_nothing);
-    return suite;
-}
-
 int main(void)
 {
+    const TTest *const tests[] = {
+        every_byte_comes_back,
+        impossible_light_is_black_or_white,
+        sizes_out_of_range_are_refused,
+        a_file_that_cannot_be_leaves_nothing,
+        an_old_file_stays_until_the_new_one_is_whole,
+        a_link_stays_a_link,
+        two_programs_do_not_write_one_file,
+        what_a_killed_program_left_is_taken_over,
+        one_file_is_known_by_all_its_names,
+        a_file_is_known_by_its_folder,
+        a_check_leaves_no_trace,
+        a_packed_picture_has_the_same_points_in_fewer_bytes,
+        what_is_no_picture_is_not_packed,
+        every_letter_is_drawn_and_no_two_alike,
+        letters_are_cut_at_the_rim,
+        text_is_as_wide_as_it_measures,
+        the_nearer_hides_the_farther,
+        right_is_right_and_up_is_up,
+        a_square_covers_its_area,
+        a_rim_is_smooth,
+        the_back_has_its_own_colour,
+        what_cannot_be_seen_is_left_out,
+        a_box_is_kept_to,
+        an_empty_floor_is_evenly_lit,
+        a_back_is_lit_as_a_front,
+        the_first_thing_met_throws_the_shadow,
+        a_shadow_lies_right_in_perspective,
+        a_shadow_falls_away_from_the_lamp,
+        the_higher_the_softer,
+        a_ball_is_smoothly_shaded,
+        a_rope_is_whole_whichever_way_it_runs,
+        a_rope_of_coincident_points_is_finite,
+        only_bent_edges_are_creases,
+        nothing_is_painted_of_nothing,
+        NULL
+    };
     if (!mkdtemp(folder)) return 2;
-    SRunner *runner = srunner_create(painter_suite());
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
+    int failed = suite_run((suite){
+        .name = "painter", .tests = tests, .seconds = 20
+    });
     const char *made[] = { "bytes.png", "odd.png", "old", "link", "target",
                            "pack.png" };
     for (size_t i = 0; i < sizeof made / sizeof *made; i++)
         remove(in_folder(made[i]));
     rmdir(folder);
-    return failed != 0;
+    return failed;
 }

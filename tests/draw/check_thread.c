@@ -6,6 +6,7 @@
 
 #include "scarce.h"
 #include "step.h"
+#include "suite.h"
 #include "thread.h"
 #include "world_scene.h"
 
@@ -368,25 +369,22 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("thread");
-    TCase *t = tcase_create("thread");
-    tcase_set_timeout(t, 60);
-    tcase_add_loop_test(t, every_item_is_done_once, 1, MOST + 1);
-    tcase_add_test(t, threads_that_sleep_are_woken);
-    tcase_add_test(t, two_threads_work_at_once);
-    tcase_add_test(t, one_long_item_holds_up_no_other);
-    tcase_add_test(t, a_call_within_an_item_is_done);
-    tcase_add_test(t, two_threads_may_share_a_pool);
-    tcase_add_test(t, a_world_has_the_same_bits_in_any_number_of_threads);
-    tcase_add_test(t, a_worker_that_is_late_is_left_alone_for_a_time);
-    tcase_add_test(t, a_pool_ends_at_any_time);
-    tcase_add_test(t, a_pool_of_one_is_plain);
-    tcase_add_test(t, a_refused_thread_or_block_leaves_nothing);
-    tcase_add_test(t, a_call_asks_for_no_memory);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        threads_that_sleep_are_woken,
+        two_threads_work_at_once,
+        one_long_item_holds_up_no_other,
+        a_call_within_an_item_is_done,
+        two_threads_may_share_a_pool,
+        a_world_has_the_same_bits_in_any_number_of_threads,
+        a_worker_that_is_late_is_left_alone_for_a_time,
+        a_pool_ends_at_any_time,
+        a_pool_of_one_is_plain,
+        a_refused_thread_or_block_leaves_nothing,
+        a_call_asks_for_no_memory,
+        NULL
+    };
+    return suite_run((suite){
+        .name = "thread", .tests = tests, .seconds = 60,
+        .repeated = { { every_item_is_done_once, 1, MOST + 1 } }
+    });
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "worlds.h"
+#include "suite.h"
 
 enum { SEEDS = 40, MOMENTS = 20 };
 
@@ -48,16 +49,12 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("worlds");
-    TCase *c = tcase_create("worlds");
-    tcase_add_checked_fixture(c, NULL, tear_down);
-    tcase_set_timeout(c, 60);
-    tcase_add_loop_test(c, numbers_stay_numbers, 1, SEEDS + 1);
-    tcase_add_test(c, same_seed_is_the_same_trial);
-    suite_add_tcase(s, c);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_ENV);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed > 0;
+    const TTest *const tests[] = {
+        same_seed_is_the_same_trial,
+        NULL
+    };
+    return suite_run((suite){
+        .name = "worlds", .tests = tests, .tear_down = tear_down, .seconds = 60,
+        .repeated = { { numbers_stay_numbers, 1, SEEDS + 1 } }
+    });
 }

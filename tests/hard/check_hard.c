@@ -4,6 +4,7 @@
 // hold.
 
 #include "hard.h"
+#include "suite.h"
 
 #include <check.h>
 #include <math.h>
@@ -94,7 +95,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         free_flight_is_a_parabola,
         an_oscillator_keeps_the_discrete_period,
         a_spinning_stick_keeps_its_speed,
@@ -118,18 +119,9 @@ int main(void)
         a_nan_falls_short,
         a_nan_is_the_worst_for_good,
         an_order_is_a_slope,
+        NULL
     };
-    Suite *s = suite_create("hard");
-    TCase *t = tcase_create("hard");
     // The short forms take a second together; without optimisation, under
     // valgrind or the sanitizers, much more.
-    tcase_set_timeout(t, 60);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "hard", .tests = tests, .seconds = 60 });
 }

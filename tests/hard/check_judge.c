@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "hard_drape_set.h"
+#include "suite.h"
 
 #define ROUNDING 1e-9
 
@@ -240,17 +241,10 @@ int main(void)
         calmed_sheet_is_slow,
         worst_frame_is_not_forgotten,
         scenes_begin_without_a_fault,
+        NULL
     };
-    Suite *suite = suite_create("judge");
-    TCase *t = tcase_create("judge");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_set_timeout(t, 30);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "judge", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down, .seconds = 30
+    });
 }

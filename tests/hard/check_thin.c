@@ -7,6 +7,7 @@
 #include "guard.h"
 #include "ledger.h"
 #include "step.h"
+#include "suite.h"
 
 // Sums over some hundred substeps, of metres.
 #define ROUNDING 1e-9
@@ -411,36 +412,28 @@ START_TEST(bullet_and_free_cloth_keep_their_momentum)
 }
 END_TEST
 
-static Suite *suite(void)
-{
-    Suite *s = suite_create("thin");
-    TCase *t = tcase_create("thin things");
-    tcase_set_timeout(t, 60);    // without optimisation, under gcov
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_add_test(t, bullet_at_a_plate_takes_few_more_substeps);
-    tcase_add_test(t, substeps_stay_within_their_bounds);
-    tcase_add_test(t, what_meets_a_cloth_goes_slower_still);
-    tcase_add_test(t, other_substeps_change_no_parabola);
-    tcase_add_test(t, books_balance_over_other_substeps);
-    tcase_add_test(t, bullet_that_passes_the_rim_feels_nothing);
-    tcase_add_test(t, bullet_stops_at_a_plate_however_fast);
-    tcase_add_test(t, bullet_and_plate_keep_their_momentum);
-    tcase_add_test(t,
-                   bullet_that_slides_along_a_turning_plate_stays_before_it);
-    tcase_add_test(t, centre_goes_through_a_face_and_not_round_a_rim);
-    tcase_add_test(t, both_make_way_by_their_masses);
-    tcase_add_test(t, heavy_bullet_stops_at_a_light_cloth);
-    tcase_add_test(t, hammock_holds_what_weighs_fifty_times_as_much);
-    tcase_add_test(t, bullet_and_free_cloth_keep_their_momentum);
-    suite_add_tcase(s, t);
-    return s;
-}
-
 int main(void)
 {
-    SRunner *runner = srunner_create(suite());
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        bullet_at_a_plate_takes_few_more_substeps,
+        substeps_stay_within_their_bounds,
+        what_meets_a_cloth_goes_slower_still,
+        other_substeps_change_no_parabola,
+        books_balance_over_other_substeps,
+        bullet_that_passes_the_rim_feels_nothing,
+        bullet_stops_at_a_plate_however_fast,
+        bullet_and_plate_keep_their_momentum,
+        bullet_that_slides_along_a_turning_plate_stays_before_it,
+        centre_goes_through_a_face_and_not_round_a_rim,
+        both_make_way_by_their_masses,
+        heavy_bullet_stops_at_a_light_cloth,
+        hammock_holds_what_weighs_fifty_times_as_much,
+        bullet_and_free_cloth_keep_their_momentum,
+        NULL
+    };
+    // A minute is for programs without optimisation, under gcov.
+    return suite_run((suite){
+        .name = "thin", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down, .seconds = 60
+    });
 }

@@ -6,6 +6,7 @@
 
 #include "expect.h"
 #include "joint.h"
+#include "suite.h"
 
 static unsigned long long seed = 7;
 
@@ -170,20 +171,12 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         rows_say_how_fast_errors_change,
         joint_as_made_has_no_error,
         hinge_measures_angles_all_around,
         small_systems_are_solved,
+        NULL
     };
-    Suite *s = suite_create("joint");
-    TCase *t = tcase_create("joint");
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "joint", .tests = tests });
 }

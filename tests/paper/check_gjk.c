@@ -6,6 +6,7 @@
 #include "bodies.h"
 #include "gjk.h"
 #include "oracle.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -771,49 +772,45 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("gjk");
-    TCase *t = tcase_create("gjk");
-    tcase_add_test(t, support_is_the_highest_vertex_less_the_lowest);
-    tcase_add_test(t, support_sees_a_nanometre_a_thousand_kilometres_away);
-    tcase_add_test(t, a_normal_is_twice_the_area_long_and_right_handed);
-    tcase_add_test(t, the_normal_of_a_thin_triangle_is_upright_on_it);
-    tcase_add_test(t, weights_of_a_triangle_are_barycentric);
-    tcase_add_test(t, two_points_are_as_far_as_they_are);
-    tcase_add_test(t, a_point_on_itself_overlaps);
-    tcase_add_test(t, crossing_segments_are_their_gap_apart);
-    tcase_add_test(t, boxes_face_edge_and_vertex_apart);
-    tcase_add_test(t, exact_touch_is_overlap);
-    tcase_add_test(t, identical_and_concentric_cubes_overlap);
-    tcase_add_test(t, a_point_is_inside_or_outside_a_cube);
-    tcase_add_test(t, balls_of_points_are_apart_by_the_gap);
-    tcase_add_test(t, upper_and_lower_bound_agree);
-    tcase_add_test(t, random_pairs_agree_with_every_pair_of_features);
-    tcase_add_test(t, overlap_ends_where_the_depth_says);
-    tcase_add_test(t, stored_pairs_have_their_exact_distance);
-    tcase_add_test(t, swapped_bodies_give_the_mirror_image);
-    tcase_add_test(t, a_carried_simplex_changes_no_answer);
-    tcase_add_test(t, a_stale_simplex_does_no_harm);
-    tcase_add_test(t, carried_corners_at_the_origin_hide_no_size);
-    tcase_add_test(t, carried_it_asks_for_fewer_corners);
-    tcase_add_test(t, beyond_the_margin_there_is_a_true_bound);
-    tcase_add_test(t, beyond_the_margin_the_search_is_shorter);
-    tcase_add_test(t, far_from_the_origin_nothing_more_is_lost);
-    tcase_add_test(t, size_does_not_matter);
-    tcase_add_test(t, small_gaps_between_large_bodies_are_seen);
-    tcase_add_test(t, nearly_parallel_edges_keep_their_gap);
-    tcase_add_test(t, a_tilted_plate_is_found_by_its_lower_edge);
-    tcase_add_test(t, a_body_overlaps_its_near_copy);
-    tcase_add_test(t, a_flat_curve_is_followed_to_its_nearest_corner);
-    tcase_add_test(t, points_that_say_nothing_new_change_nothing);
-    tcase_add_test(t, many_points_on_a_line_are_a_segment);
-    tcase_add_test(t, the_cap_is_never_reached);
-    tcase_add_test(t, what_is_not_finite_gets_a_status);
-    tcase_add_test(t, a_carried_simplex_does_not_hide_a_nan);
-    tcase_add_test(t, no_number_that_leaves_is_nan);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        support_is_the_highest_vertex_less_the_lowest,
+        support_sees_a_nanometre_a_thousand_kilometres_away,
+        a_normal_is_twice_the_area_long_and_right_handed,
+        the_normal_of_a_thin_triangle_is_upright_on_it,
+        weights_of_a_triangle_are_barycentric,
+        two_points_are_as_far_as_they_are,
+        a_point_on_itself_overlaps,
+        crossing_segments_are_their_gap_apart,
+        boxes_face_edge_and_vertex_apart,
+        exact_touch_is_overlap,
+        identical_and_concentric_cubes_overlap,
+        a_point_is_inside_or_outside_a_cube,
+        balls_of_points_are_apart_by_the_gap,
+        upper_and_lower_bound_agree,
+        random_pairs_agree_with_every_pair_of_features,
+        overlap_ends_where_the_depth_says,
+        stored_pairs_have_their_exact_distance,
+        swapped_bodies_give_the_mirror_image,
+        a_carried_simplex_changes_no_answer,
+        a_stale_simplex_does_no_harm,
+        carried_corners_at_the_origin_hide_no_size,
+        carried_it_asks_for_fewer_corners,
+        beyond_the_margin_there_is_a_true_bound,
+        beyond_the_margin_the_search_is_shorter,
+        far_from_the_origin_nothing_more_is_lost,
+        size_does_not_matter,
+        small_gaps_between_large_bodies_are_seen,
+        nearly_parallel_edges_keep_their_gap,
+        a_tilted_plate_is_found_by_its_lower_edge,
+        a_body_overlaps_its_near_copy,
+        a_flat_curve_is_followed_to_its_nearest_corner,
+        points_that_say_nothing_new_change_nothing,
+        many_points_on_a_line_are_a_segment,
+        the_cap_is_never_reached,
+        what_is_not_finite_gets_a_status,
+        a_carried_simplex_does_not_hide_a_nan,
+        no_number_that_leaves_is_nan,
+        NULL
+    };
+    return suite_run((suite){ .name = "gjk", .tests = tests });
 }

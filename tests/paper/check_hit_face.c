@@ -5,6 +5,7 @@
 #include "bodies.h"
 #include "hit_face.h"
 #include "oracle.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdbool.h>
@@ -718,33 +719,36 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
+    const TTest *const tests[] = {
         a_cube_pushed_in_comes_out_the_short_way,
         a_box_at_the_edge_of_a_floor_comes_out_at_the_top,
-        a_vertex_and_a_face_are_named, two_edges_are_named,
-        a_point_inside_a_cube, moved_by_the_depth_they_only_touch,
-        random_pairs_agree_with_every_direction, equal_bodies_side_by_side,
+        a_vertex_and_a_face_are_named,
+        two_edges_are_named,
+        a_point_inside_a_cube,
+        moved_by_the_depth_they_only_touch,
+        random_pairs_agree_with_every_direction,
+        equal_bodies_side_by_side,
         copies_turned_by_next_to_nothing,
         of_equal_faces_the_one_with_the_projection_counts,
-        ridges_that_are_nearly_parallel, stored_pairs_have_their_exact_depth,
+        ridges_that_are_nearly_parallel,
+        stored_pairs_have_their_exact_depth,
         touching_is_depth_zero_with_a_proper_normal,
-        identical_and_concentric_cubes, a_body_in_its_own_place,
+        identical_and_concentric_cubes,
+        a_body_in_its_own_place,
         boxes_a_hair_apart_leave_no_corner_inside,
         prisms_stand_on_prisms,
-        far_from_the_origin_nothing_more_is_lost, size_does_not_matter,
-        a_grain_in_a_boulder, squares_in_one_plane_are_flat,
-        points_and_segments_are_flat, repeated_vertices_change_nothing,
-        a_full_polytope_says_so, what_is_not_finite_gets_a_status,
-        what_is_out_of_range_is_said_or_right
+        far_from_the_origin_nothing_more_is_lost,
+        size_does_not_matter,
+        a_grain_in_a_boulder,
+        squares_in_one_plane_are_flat,
+        points_and_segments_are_flat,
+        repeated_vertices_change_nothing,
+        a_full_polytope_says_so,
+        what_is_not_finite_gets_a_status,
+        what_is_out_of_range_is_said_or_right,
+        NULL
     };
-    Suite *suite = suite_create("hit_face");
-    TCase *all = tcase_create("all");
-    tcase_set_timeout(all, 60);
-    for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "hit_face", .tests = tests, .seconds = 60
+    });
 }

@@ -6,6 +6,7 @@
 
 #include "constraint.h"
 #include "response.h"
+#include "suite.h"
 
 // A sum of a dozen products, each rounded once.
 #define ROUNDING 1e-14
@@ -698,52 +699,40 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("response");
-    TCase *t = tcase_create("points and overlaps");
-    tcase_add_test(t, feature_is_the_mean_of_its_particles);
-    tcase_add_test(t, face_is_three_times_as_heavy_as_its_corner);
-    tcase_add_test(t, depth_is_positive_in_overlap);
-    tcase_add_test(t, features_apart_are_left);
-    suite_add_tcase(s, t);
-
-    t = tcase_create("the move");
-    tcase_add_test(t, features_meet_after_one_push);
-    tcase_add_test(t, no_move_closes_the_gap_for_less);
-    tcase_add_test(t, equations_8_and_9_are_the_case_of_equal_masses);
-    tcase_add_test(t, push_keeps_momentum);
-    tcase_add_test(t, vertex_and_face_share_three_to_one);
-    tcase_add_test(t, distance_is_kept);
-    tcase_add_test(t, push_leaves_the_previous_positions);
-    tcase_add_test(t, static_side_takes_nothing);
-    tcase_add_test(t, two_static_sides_stay);
-    tcase_add_test(t, pinned_corner_stays);
-    tcase_add_test(t, sides_may_be_exchanged);
-    suite_add_tcase(s, t);
-
-    t = tcase_create("friction");
-    tcase_add_test(t, little_sliding_is_undone_and_no_more);
-    tcase_add_test(t, much_sliding_is_braked_by_mu_times_the_push);
-    tcase_add_test(t, smooth_features_are_not_braked);
-    tcase_add_test(t, slope_holds_one_degree_below_and_slips_one_above);
-    tcase_add_test(t, sliding_stops_after_v2_over_2_mu_g);
-    suite_add_tcase(s, t);
-
-    t = tcase_create("the paper's way");
-    tcase_add_test(t, fly_and_elephant);
-    tcase_add_test(t, bodies_meet_at_q);
-    tcase_add_test(t, leaves_part_as_in_equation_11);
-    tcase_add_test(t, printed_direction_goes_deeper);
-    suite_add_tcase(s, t);
-
-    t = tcase_create("bodies and bad input");
-    tcase_add_test(t, sticks_take_back_all_but_a_quarter_or_a_twelfth);
-    tcase_add_test(t, finite_input_gives_finite_output);
-    tcase_add_test(t, nan_is_not_an_overlap);
-    suite_add_tcase(s, t);
-
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        // Points and overlaps.
+        feature_is_the_mean_of_its_particles,
+        face_is_three_times_as_heavy_as_its_corner,
+        depth_is_positive_in_overlap,
+        features_apart_are_left,
+        // The move.
+        features_meet_after_one_push,
+        no_move_closes_the_gap_for_less,
+        equations_8_and_9_are_the_case_of_equal_masses,
+        push_keeps_momentum,
+        vertex_and_face_share_three_to_one,
+        distance_is_kept,
+        push_leaves_the_previous_positions,
+        static_side_takes_nothing,
+        two_static_sides_stay,
+        pinned_corner_stays,
+        sides_may_be_exchanged,
+        // Friction.
+        little_sliding_is_undone_and_no_more,
+        much_sliding_is_braked_by_mu_times_the_push,
+        smooth_features_are_not_braked,
+        slope_holds_one_degree_below_and_slips_one_above,
+        sliding_stops_after_v2_over_2_mu_g,
+        // The paper's way.
+        fly_and_elephant,
+        bodies_meet_at_q,
+        leaves_part_as_in_equation_11,
+        printed_direction_goes_deeper,
+        // Bodies and bad input.
+        sticks_take_back_all_but_a_quarter_or_a_twelfth,
+        finite_input_gives_finite_output,
+        nan_is_not_an_overlap,
+        NULL
+    };
+    return suite_run((suite){ .name = "response", .tests = tests });
 }

@@ -8,6 +8,7 @@
 
 #include "scarce.h"
 #include "scene.h"
+#include "suite.h"
 
 // A chain of 50 links: fifty sums of numbers near 1.
 #define ROUNDING 1e-13
@@ -363,7 +364,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         particles_start_where_the_placement_says,
         static_bodies_have_no_velocity,
         bad_placements_and_planes_are_refused_with_a_sentence,
@@ -379,15 +380,7 @@ int main(void)
         every_refusal_of_memory_is_told_and_leaves_nothing,
         refused_room_leaves_the_lists_as_they_were,
         scenes_have_names,
+        NULL
     };
-    Suite *suite = suite_create("scene");
-    TCase *t = tcase_create("scene");
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "scene", .tests = tests });
 }

@@ -1,6 +1,7 @@
 // check_sphere.c - is it the smallest, and does it hold everything?
 #include "families.h"
 #include "sphere.h"
+#include "suite.h"
 
 #include <check.h>
 #include <string.h>
@@ -295,23 +296,19 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
-        ball_encloses_every_point, ball_is_the_smallest,
-        a_point_just_outside_is_let_in, centre_is_the_mean_of_its_supports,
+    const TTest *const tests[] = {
+        ball_encloses_every_point,
+        ball_is_the_smallest,
+        a_point_just_outside_is_let_in,
+        centre_is_the_mean_of_its_supports,
         ball_far_from_the_origin_is_the_same,
         ball_of_a_smaller_body_is_smaller_by_as_much,
-        ball_of_few_points_is_known, ball_of_a_bad_point_says_so,
+        ball_of_few_points_is_known,
+        ball_of_a_bad_point_says_so,
         ball_of_points_beyond_all_numbers_is_infinite,
-        ball_of_two_balls_spans_both, a_ball_inside_another_changes_nothing
+        ball_of_two_balls_spans_both,
+        a_ball_inside_another_changes_nothing,
+        NULL
     };
-    Suite *suite = suite_create("sphere");
-    TCase *all = tcase_create("all");
-    for (size_t k = 0; k < sizeof tests / sizeof *tests; k++)
-        tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "sphere", .tests = tests });
 }

@@ -2,6 +2,7 @@
 #include "families.h"
 #include "scarce.h"
 #include "sphere_tree.h"
+#include "suite.h"
 
 #include <check.h>
 #include <limits.h>
@@ -763,8 +764,9 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
-        tree_is_a_tree, leaves_are_halved_across_the_longest_side,
+    const TTest *const tests[] = {
+        tree_is_a_tree,
+        leaves_are_halved_across_the_longest_side,
         every_node_holds_what_is_below_it,
         wrapped_nodes_follow_a_rigid_motion,
         wrapped_nodes_are_updated_only_when_visited,
@@ -773,24 +775,20 @@ int main(void)
         a_wrapped_ball_is_never_larger_than_a_layered_one,
         pairs_are_those_of_all_against_all,
         wrapped_trees_miss_no_triangles_that_come_near,
-        self_pairs_are_those_of_all_against_all, flat_cloth_has_no_pairs,
+        self_pairs_are_those_of_all_against_all,
+        flat_cloth_has_no_pairs,
         triangles_apart_may_be_tangent_at_rest,
         folded_cloth_reports_the_particles_above_each_other,
         pairs_beyond_capacity_are_counted_not_stored,
-        two_builds_are_the_same_to_the_bit, one_leaf_is_a_tree,
-        touching_spheres_are_not_a_pair, bad_point_is_refused_with_a_sentence,
+        two_builds_are_the_same_to_the_bit,
+        one_leaf_is_a_tree,
+        touching_spheres_are_not_a_pair,
+        bad_point_is_refused_with_a_sentence,
         small_body_near_a_large_one_takes_few_visits,
-        a_bad_point_is_met_by_everything, refused_memory_leaves_nothing,
-        refreshes_are_counted_round
+        a_bad_point_is_met_by_everything,
+        refused_memory_leaves_nothing,
+        refreshes_are_counted_round,
+        NULL
     };
-    Suite *suite = suite_create("sphere_tree");
-    TCase *all = tcase_create("all");
-    for (size_t k = 0; k < sizeof tests / sizeof *tests; k++)
-        tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "sphere_tree", .tests = tests });
 }

@@ -8,6 +8,7 @@
 
 #include "poses.h"
 #include "scarce.h"
+#include "suite.h"
 #include "system.h"
 
 // Some thousand steps of numbers near 1, divided by a step of 1/480 s.
@@ -831,7 +832,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         what_falls_freely_falls_on_a_parabola,
         a_free_spin_lasts_as_mended_and_dies_as_printed,
         two_bodies_that_meet_keep_their_momentum,
@@ -863,17 +864,10 @@ int main(void)
         every_refusal_of_memory_is_told_and_leaves_nothing,
         contacts_without_room_are_counted,
         a_settled_step_asks_for_no_memory,
+        NULL
     };
-    Suite *suite = suite_create("system");
-    TCase *t = tcase_create("system");
-    tcase_set_timeout(t, 120);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    tcase_add_loop_test(t, the_room_holds_both_ways, 0, 3);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "system", .tests = tests, .seconds = 120,
+        .repeated = { { the_room_holds_both_ways, 0, 3 } }
+    });
 }

@@ -1,6 +1,7 @@
 // check_constraint.c - tests of chapter 2.  Each names the mistake it rejects.
 
 #include "constraint.h"
+#include "suite.h"
 
 #include <check.h>
 #include <string.h>
@@ -708,73 +709,47 @@ START_TEST(pinned_elbow_reports_and_stays)
 }
 END_TEST
 
-static TCase *stick_tests(void)
-{
-    TCase *t = tcase_create("stick");
-    tcase_add_test(t, stick_has_its_length_again);
-    tcase_add_test(t, ends_share_by_inverse_mass);
-    tcase_add_test(t, centre_of_mass_stays);
-    tcase_add_test(t, pinned_end_stays);
-    tcase_add_test(t, both_ends_pinned_report_and_stay);
-    tcase_add_test(t, coincident_ends_stay_finite);
-    tcase_add_test(t, soft_stick_corrects_its_share);
-    tcase_add_test(t, one_sided_sticks_push_one_way);
-    tcase_add_test(t, satisfied_stick_is_not_moved);
-    tcase_add_test(t, approximate_root_never_ends_too_long);
-    tcase_add_test(t, approximate_root_is_quadratic);
-    tcase_add_test(t, old_gradient_pushes_along_the_old_stick);
-    tcase_add_test(t, turned_stick_is_left_alone);
-    tcase_add_test(t, not_a_number_does_not_leave_quietly);
-    tcase_add_test(t, size_does_not_matter);
-    return t;
-}
-
-static TCase *motion_tests(void)
-{
-    TCase *t = tcase_create("motion");
-    tcase_add_test(t, old_gradient_keeps_the_spin);
-    tcase_add_test(t, new_gradient_brakes_the_spin_by_its_law);
-    tcase_add_test(t, default_options_are_right_for_a_pendulum);
-    tcase_add_test(t, old_gradient_is_of_order_2);
-    tcase_add_test(t, free_body_keeps_its_momenta_in_any_order);
-    tcase_add_test(t, new_gradient_loses_angular_momentum);
-    return t;
-}
-
-static TCase *iteration_tests(void)
-{
-    TCase *t = tcase_create("iteration");
-    tcase_add_test(t, chain_converges_at_its_rate);
-    tcase_add_test(t, iteration_counts_and_measures_before);
-    tcase_add_test(t, worst_is_a_strain_and_not_a_length);
-    tcase_add_test(t, iteration_is_its_sticks_one_by_one);
-    tcase_add_test(t, dead_band_leaves_small_errors_alone);
-    tcase_add_test(t, relax_stops_at_the_tolerance);
-    tcase_add_test(t, relax_stops_at_the_cap);
-    tcase_add_test(t, sticks_that_cannot_be_had_say_so);
-    return t;
-}
-
-static TCase *angle_tests(void)
-{
-    TCase *t = tcase_create("angle");
-    tcase_add_test(t, elbow_takes_its_angle);
-    tcase_add_test(t, angle_is_quadratic_near_its_goal);
-    tcase_add_test(t, straight_elbow_has_no_side_to_turn_to);
-    tcase_add_test(t, pinned_elbow_reports_and_stays);
-    return t;
-}
-
 int main(void)
 {
-    Suite *s = suite_create("constraint");
-    suite_add_tcase(s, stick_tests());
-    suite_add_tcase(s, motion_tests());
-    suite_add_tcase(s, iteration_tests());
-    suite_add_tcase(s, angle_tests());
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        // Stick.
+        stick_has_its_length_again,
+        ends_share_by_inverse_mass,
+        centre_of_mass_stays,
+        pinned_end_stays,
+        both_ends_pinned_report_and_stay,
+        coincident_ends_stay_finite,
+        soft_stick_corrects_its_share,
+        one_sided_sticks_push_one_way,
+        satisfied_stick_is_not_moved,
+        approximate_root_never_ends_too_long,
+        approximate_root_is_quadratic,
+        old_gradient_pushes_along_the_old_stick,
+        turned_stick_is_left_alone,
+        not_a_number_does_not_leave_quietly,
+        size_does_not_matter,
+        // Motion.
+        old_gradient_keeps_the_spin,
+        new_gradient_brakes_the_spin_by_its_law,
+        default_options_are_right_for_a_pendulum,
+        old_gradient_is_of_order_2,
+        free_body_keeps_its_momenta_in_any_order,
+        new_gradient_loses_angular_momentum,
+        // Iteration.
+        chain_converges_at_its_rate,
+        iteration_counts_and_measures_before,
+        worst_is_a_strain_and_not_a_length,
+        iteration_is_its_sticks_one_by_one,
+        dead_band_leaves_small_errors_alone,
+        relax_stops_at_the_tolerance,
+        relax_stops_at_the_cap,
+        sticks_that_cannot_be_had_say_so,
+        // Angle.
+        elbow_takes_its_angle,
+        angle_is_quadratic_near_its_goal,
+        straight_elbow_has_no_side_to_turn_to,
+        pinned_elbow_reports_and_stays,
+        NULL
+    };
+    return suite_run((suite){ .name = "constraint", .tests = tests });
 }

@@ -7,6 +7,7 @@
 
 #include "ordering.h"
 #include "scarce.h"
+#include "suite.h"
 
 // A body relaxed to this strain has its lengths to nine figures.
 static const real FINE = 1e-9;
@@ -590,43 +591,36 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("ordering");
-    TCase *t = tcase_create("lists");
-    tcase_add_test(t, figure_7_by_distance);
-    tcase_add_test(t, figure_7_repeated);
-    tcase_add_test(t, repeats_halve_with_distance);
-    tcase_add_test(t, repeats_are_spread_over_the_list);
-    tcase_add_test(t, chain_listed_backwards_has_its_distances);
-    tcase_add_test(t, chain_of_forty_keeps_all_its_sticks);
-    tcase_add_test(t, every_list_holds_every_stick);
-    tcase_add_test(t, sticks_without_a_path_stand_last);
-    tcase_add_test(t, refused_memory_leaves_no_lists);
-    tcase_add_test(t, most_moved_is_the_first_of_the_furthest);
-    suite_add_tcase(s, t);
-
-    t = tcase_create("relaxing");
-    tcase_add_test(t, every_order_reaches_the_tolerance);
-    tcase_add_test(t, every_order_keeps_the_centre_of_mass);
-    tcase_add_test(t, list_of_the_blow_is_followed);
-    tcase_add_test(t, listed_order_is_the_plain_one);
-    tcase_add_test(t, dead_band_leaves_what_is_within);
-    tcase_add_test(t, largest_comes_first);
-    tcase_add_test(t, largest_needs_fewest_relaxations);
-    tcase_add_test(t, hopeless_sticks_end);
-    tcase_add_test(t, cap_ends_what_cannot_converge);
-    tcase_add_test(t, sticks_that_need_several_relaxations_converge);
-    tcase_add_test(t, nan_does_not_pass_quietly);
-    tcase_add_test(t, nothing_to_relax);
-    suite_add_tcase(s, t);
-
-    t = tcase_create("long lists");
-    tcase_set_timeout(t, 60);
-    tcase_add_test(t, lists_too_long_to_number_are_refused);
-    suite_add_tcase(s, t);
-
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        // Lists.
+        figure_7_by_distance,
+        figure_7_repeated,
+        repeats_halve_with_distance,
+        repeats_are_spread_over_the_list,
+        chain_listed_backwards_has_its_distances,
+        chain_of_forty_keeps_all_its_sticks,
+        every_list_holds_every_stick,
+        sticks_without_a_path_stand_last,
+        refused_memory_leaves_no_lists,
+        most_moved_is_the_first_of_the_furthest,
+        // Relaxing.
+        every_order_reaches_the_tolerance,
+        every_order_keeps_the_centre_of_mass,
+        list_of_the_blow_is_followed,
+        listed_order_is_the_plain_one,
+        dead_band_leaves_what_is_within,
+        largest_comes_first,
+        largest_needs_fewest_relaxations,
+        hopeless_sticks_end,
+        cap_ends_what_cannot_converge,
+        sticks_that_need_several_relaxations_converge,
+        nan_does_not_pass_quietly,
+        nothing_to_relax,
+        // Long lists.
+        lists_too_long_to_number_are_refused,
+        NULL
+    };
+    return suite_run((suite){
+        .name = "ordering", .tests = tests, .seconds = 60
+    });
 }

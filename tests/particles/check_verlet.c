@@ -1,6 +1,7 @@
 // check_verlet.c - tests of chapter 1.  Each names the mistake it rejects.
 
 #include "scarce.h"
+#include "suite.h"
 #include "verlet.h"
 
 #include <check.h>
@@ -454,36 +455,32 @@ END_TEST
 
 int main(void)
 {
-    Suite *s = suite_create("verlet");
-    TCase *t = tcase_create("verlet");
-    suite_add_tcase(s, t);
-    tcase_add_test(t, pool_keeps_what_is_added);
-    tcase_add_test(t, empty_pool_owns_nothing);
-    tcase_add_test(t, pool_too_large_to_number_is_refused);
-    tcase_add_test(t, refused_memory_leaves_the_pool);
-    tcase_add_test(t, parabola_is_exact_to_the_last_bit);
-    tcase_add_test(t, parabola_is_exact_to_rounding);
-    tcase_add_test(t, force_and_gravity_add_up);
-    tcase_add_test(t, far_from_the_origin_gravity_still_pulls);
-    tcase_add_test(t, pinned_particle_stays);
-    tcase_add_test(t, pinned_particle_forgets_its_motion);
-    tcase_add_test(t, each_particle_has_its_own_force);
-    tcase_add_test(t, explicit_euler_is_of_order_1);
-    tcase_add_test(t, symplectic_euler_is_of_order_1);
-    tcase_add_test(t, verlet_is_of_order_2);
-    tcase_add_test(t, careless_start_costs_an_order);
-    tcase_add_test(t, careless_verlet_is_symplectic_euler);
-    tcase_add_test(t, explicit_euler_spirals_out);
-    tcase_add_test(t, oscillator_keeps_the_period_law);
-    tcase_add_test(t, oscillator_is_bounded_below_two_and_not_above);
-    tcase_add_test(t, modified_energy_is_kept);
-    tcase_add_test(t, reversed_run_comes_home);
-    tcase_add_test(t, velocity_is_of_order_2);
-    tcase_add_test(t, start_and_velocity_agree);
-    tcase_add_test(t, energy_of_an_orbit_stays_bounded);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    const TTest *const tests[] = {
+        pool_keeps_what_is_added,
+        empty_pool_owns_nothing,
+        pool_too_large_to_number_is_refused,
+        refused_memory_leaves_the_pool,
+        parabola_is_exact_to_the_last_bit,
+        parabola_is_exact_to_rounding,
+        force_and_gravity_add_up,
+        far_from_the_origin_gravity_still_pulls,
+        pinned_particle_stays,
+        pinned_particle_forgets_its_motion,
+        each_particle_has_its_own_force,
+        explicit_euler_is_of_order_1,
+        symplectic_euler_is_of_order_1,
+        verlet_is_of_order_2,
+        careless_start_costs_an_order,
+        careless_verlet_is_symplectic_euler,
+        explicit_euler_spirals_out,
+        oscillator_keeps_the_period_law,
+        oscillator_is_bounded_below_two_and_not_above,
+        modified_energy_is_kept,
+        reversed_run_comes_home,
+        velocity_is_of_order_2,
+        start_and_velocity_agree,
+        energy_of_an_orbit_stays_bounded,
+        NULL
+    };
+    return suite_run((suite){ .name = "verlet", .tests = tests });
 }

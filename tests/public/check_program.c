@@ -1,6 +1,7 @@
 // check_program.c - tests of lib/tumble.h: is it what a program expects?
 
 #include "tumble.h"
+#include "suite.h"
 
 #include <check.h>
 #include <float.h>
@@ -687,40 +688,37 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("program");
-    TCase *t = tcase_create("program");
-    tcase_set_timeout(t, 60);
-    tcase_add_test(t, a_world_that_cannot_be_says_which_option);
-    tcase_add_test(t, a_body_falls_as_galileo_says_and_lies);
-    tcase_add_test(t, the_id_of_a_body_that_is_gone_is_refused);
-    tcase_add_test(t, the_first_failure_is_the_one_that_is_kept);
-    tcase_add_test(t, a_shape_stays_as_long_as_a_body_is_made_of_it);
-    tcase_add_test(t, a_push_gives_velocity_and_spin);
-    tcase_add_test(t, a_force_acts_for_one_step);
-    tcase_add_test(t, a_torque_spins_by_the_inertia);
-    tcase_add_test(t, a_sleeper_that_is_pushed_wakes_and_goes);
-    tcase_add_test(t, a_pose_comes_back_as_it_was_set);
-    tcase_add_test(t, a_kinematic_body_carries_what_lies_on_it);
-    tcase_add_test(t, bodies_whose_masks_do_not_meet_pass);
-    tcase_add_test(t, user_data_is_the_programs_own);
-    tcase_add_test(t, a_box_on_a_hinge_swings_as_long_as_its_inertia_says);
-    tcase_add_test(t, a_joint_goes_with_its_body_and_breaks_under_its_load);
-    tcase_add_test(t, a_joint_that_joins_nothing_is_refused);
-    tcase_add_test(t, a_ray_meets_the_nearest_and_a_sweep_the_first);
-    tcase_add_test(t, contacts_carry_the_weight_and_events_come_once);
-    tcase_add_test(t, what_sleeps_beside_what_moves_still_touches);
-    tcase_add_test(t, pieces_are_one_body);
-    tcase_add_test(t, a_rope_hangs_from_its_pin_and_carries);
-    tcase_add_test(t, everything_is_drawn);
-    tcase_add_test(t, every_shape_falls_and_lies_as_high_as_it_is);
-    tcase_add_test(t, joints_hold_what_they_say);
-    tcase_add_test(t, a_box_hangs_on_a_rope);
-    tcase_add_test(t, materials_cloth_and_filters_are_taken);
-    tcase_add_test(t, nonsense_is_refused_in_a_sentence);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        a_world_that_cannot_be_says_which_option,
+        a_body_falls_as_galileo_says_and_lies,
+        the_id_of_a_body_that_is_gone_is_refused,
+        the_first_failure_is_the_one_that_is_kept,
+        a_shape_stays_as_long_as_a_body_is_made_of_it,
+        a_push_gives_velocity_and_spin,
+        a_force_acts_for_one_step,
+        a_torque_spins_by_the_inertia,
+        a_sleeper_that_is_pushed_wakes_and_goes,
+        a_pose_comes_back_as_it_was_set,
+        a_kinematic_body_carries_what_lies_on_it,
+        bodies_whose_masks_do_not_meet_pass,
+        user_data_is_the_programs_own,
+        a_box_on_a_hinge_swings_as_long_as_its_inertia_says,
+        a_joint_goes_with_its_body_and_breaks_under_its_load,
+        a_joint_that_joins_nothing_is_refused,
+        a_ray_meets_the_nearest_and_a_sweep_the_first,
+        contacts_carry_the_weight_and_events_come_once,
+        what_sleeps_beside_what_moves_still_touches,
+        pieces_are_one_body,
+        a_rope_hangs_from_its_pin_and_carries,
+        everything_is_drawn,
+        every_shape_falls_and_lies_as_high_as_it_is,
+        joints_hold_what_they_say,
+        a_box_hangs_on_a_rope,
+        materials_cloth_and_filters_are_taken,
+        nonsense_is_refused_in_a_sentence,
+        NULL
+    };
+    return suite_run((suite){
+        .name = "program", .tests = tests, .seconds = 60
+    });
 }

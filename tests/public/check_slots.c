@@ -1,6 +1,7 @@
 // check_slots.c - tests of lib/public/slots: are ids never used twice?
 
 #include "slots.h"
+#include "suite.h"
 
 #include <check.h>
 #include <limits.h>
@@ -99,17 +100,13 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("slots");
-    TCase *t = tcase_create("slots");
-    tcase_add_test(t, things_are_found_by_place_and_generation);
-    tcase_add_test(t, an_id_of_what_is_gone_finds_nothing_even_where_another_stands);
-    tcase_add_test(t, zero_and_what_never_was_find_nothing);
-    tcase_add_test(t, coming_and_going_needs_no_more_room);
-    tcase_add_test(t, a_place_without_generations_left_is_not_taken);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        things_are_found_by_place_and_generation,
+        an_id_of_what_is_gone_finds_nothing_even_where_another_stands,
+        zero_and_what_never_was_find_nothing,
+        coming_and_going_needs_no_more_room,
+        a_place_without_generations_left_is_not_taken,
+        NULL
+    };
+    return suite_run((suite){ .name = "slots", .tests = tests });
 }

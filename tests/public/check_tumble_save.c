@@ -2,6 +2,7 @@
 // never had been?
 
 #include "scarce.h"
+#include "suite.h"
 #include "thread.h"
 #include "tumble.h"
 
@@ -493,24 +494,21 @@ END_TEST
 int main(void)
 {
     mallopt(M_PERTURB, 0xa5);
-    Suite *suite = suite_create("tumble_save");
-    TCase *t = tcase_create("tumble_save");
-    tcase_set_timeout(t, 120);
-    tcase_add_loop_test(t, a_loaded_world_goes_on_with_the_same_bits, 0, WORLDS);
-    tcase_add_loop_test(t, also_where_all_bounces, 0, WORLDS);
-    tcase_add_loop_test(t, bodies_come_and_go_and_are_pushed_alike, 0, WORLDS);
-    tcase_add_test(t, what_is_loaded_is_saved_as_the_same_bytes);
-    tcase_add_test(t, one_two_and_four_threads_go_on_alike);
-    tcase_add_test(t, what_a_program_holds_is_good_afterwards);
-    tcase_add_test(t, a_box_in_a_heap_takes_six_kilobytes);
-    tcase_add_test(t, an_empty_world_can_be_saved);
-    tcase_add_test(t, bytes_that_were_cut_or_altered_are_refused);
-    tcase_add_test(t, too_little_room_is_told_and_not_overrun);
-    tcase_add_test(t, where_memory_runs_out_nothing_is_loaded_and_nothing_lost);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        what_is_loaded_is_saved_as_the_same_bytes,
+        one_two_and_four_threads_go_on_alike,
+        what_a_program_holds_is_good_afterwards,
+        a_box_in_a_heap_takes_six_kilobytes,
+        an_empty_world_can_be_saved,
+        bytes_that_were_cut_or_altered_are_refused,
+        too_little_room_is_told_and_not_overrun,
+        where_memory_runs_out_nothing_is_loaded_and_nothing_lost,
+        NULL
+    };
+    return suite_run((suite){
+        .name = "tumble_save", .tests = tests, .seconds = 120,
+        .repeated = { { a_loaded_world_goes_on_with_the_same_bits, 0, WORLDS },
+                      { also_where_all_bounces, 0, WORLDS },
+                      { bodies_come_and_go_and_are_pushed_alike, 0, WORLDS } }
+    });
 }

@@ -3,6 +3,7 @@
 
 #include "cast.h"
 #include "axes.h"
+#include "suite.h"
 
 #include <check.h>
 #include <math.h>
@@ -227,23 +228,19 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("cast");
-    TCase *t = tcase_create("cast");
-    tcase_add_test(t, a_ray_meets_the_face_in_front);
-    tcase_add_test(t, a_ray_that_ends_before_or_passes_beside_meets_nothing);
-    tcase_add_test(t, a_ray_meets_a_ball_where_the_quadratic_says);
-    tcase_add_test(t, a_ray_meets_the_side_and_the_cap_of_a_capsule);
-    tcase_add_test(t, a_ray_that_begins_inside_meets_at_once);
-    tcase_add_test(t, random_rays_agree_with_slabs_and_quadratic);
-    tcase_add_test(t, a_body_that_goes_meets_with_its_own_extent);
-    tcase_add_test(t, a_plane_is_met_from_its_free_side_only);
-    tcase_add_test(t, the_nearest_point_lies_on_the_surface);
-    tcase_add_test(t, bodies_overlap_when_their_radii_reach);
-    tcase_add_test(t, what_is_not_finite_meets_nothing);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        a_ray_meets_the_face_in_front,
+        a_ray_that_ends_before_or_passes_beside_meets_nothing,
+        a_ray_meets_a_ball_where_the_quadratic_says,
+        a_ray_meets_the_side_and_the_cap_of_a_capsule,
+        a_ray_that_begins_inside_meets_at_once,
+        random_rays_agree_with_slabs_and_quadratic,
+        a_body_that_goes_meets_with_its_own_extent,
+        a_plane_is_met_from_its_free_side_only,
+        the_nearest_point_lies_on_the_surface,
+        bodies_overlap_when_their_radii_reach,
+        what_is_not_finite_meets_nothing,
+        NULL
+    };
+    return suite_run((suite){ .name = "cast", .tests = tests });
 }

@@ -6,6 +6,7 @@
 #include "axes.h"
 #include "collide.h"
 #include "convex.h"
+#include "suite.h"
 
 // Bodies of size 1 near the origin; a corner is turned, a foot is a mean of
 // three: a few dozen roundings.
@@ -485,9 +486,9 @@ START_TEST(no_vertex_touches_twice)
 }
 END_TEST
 
-static Suite *suite(void)
+int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         corner_over_a_face_is_one_vertex_against_a_point_of_the_face,
         crossed_edges_touch_in_their_middles,
         first_touch_is_the_distance_or_the_depth,
@@ -500,21 +501,10 @@ static Suite *suite(void)
         corners_of_the_lower_body_carry_a_wide_one,
         shifted_boxes_share_one_corner_each_and_two_crossings,
         no_vertex_touches_twice,
+        NULL
     };
-    Suite *s = suite_create("collide");
-    TCase *t = tcase_create("collide");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    return s;
-}
-
-int main(void)
-{
-    SRunner *runner = srunner_create(suite());
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "collide", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

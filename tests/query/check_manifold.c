@@ -6,6 +6,7 @@
 
 #include "convex.h"
 #include "manifold.h"
+#include "suite.h"
 
 // Bodies of size 1 near the origin; a corner is seen, crossed, weighed: a few
 // dozen roundings.
@@ -1298,7 +1299,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         equal_cubes_stacked_touch_in_their_four_corners,
         shifted_cubes_touch_in_the_corners_of_a_rectangle,
         turned_cube_stands_on_four_corners_of_an_octagon,
@@ -1325,16 +1326,10 @@ int main(void)
         numbers_that_are_not_finite_add_no_touch,
         touches_are_the_corners_of_the_overlap,
         touches_of_leaning_bodies_are_the_corners_that_are_near,
+        NULL
     };
-    Suite *s = suite_create("manifold");
-    TCase *t = tcase_create("manifold");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "manifold", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

@@ -8,6 +8,7 @@
 #include "bodies.h"
 #include "oracle.h"
 #include "query.h"
+#include "suite.h"
 
 // Bodies of size 1 near the origin: a few dozen roundings.
 #define ROUNDING 1e-13
@@ -237,9 +238,9 @@ START_TEST(a_cache_is_small)
 }
 END_TEST
 
-static Suite *suite(void)
+int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         gap_and_points_are_those_of_the_oracle,
         margin_decides_to_the_last_digit,
         carried_or_cold_the_answer_is_the_same,
@@ -247,21 +248,10 @@ static Suite *suite(void)
         what_is_not_finite_is_near_nothing_and_leaves_the_cache,
         bodies_pressed_flat_into_one_plane_are_near_nothing,
         a_cache_is_small,
+        NULL
     };
-    Suite *s = suite_create("query");
-    TCase *t = tcase_create("query");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    return s;
-}
-
-int main(void)
-{
-    SRunner *runner = srunner_create(suite());
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "query", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

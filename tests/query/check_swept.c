@@ -3,6 +3,7 @@
 
 #include "bodies.h"
 #include "oracle.h"
+#include "suite.h"
 #include "swept.h"
 
 #include <check.h>
@@ -774,35 +775,30 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("swept");
-    TCase *t = tcase_create("swept");
-    tcase_set_timeout(t, 60);
-    tcase_add_test(t, point_meets_plate_at_an_angle);
-    tcase_add_test(t, apart_is_a_distance_to_be_kept);
-    tcase_add_test(t, cubes_meet_face_edge_and_corner_on);
-    tcase_add_test(t, crossing_edges_meet_where_they_cross);
-    tcase_add_test(t, balls_meet_where_the_quadratic_says);
-    tcase_add_test(t, balls_of_points_meet_tip_to_tip);
-    tcase_add_test(t, whoever_passes_beside_or_turns_away_passes);
-    tcase_add_test(t, a_graze_of_a_billionth_passes_and_a_clip_touches);
-    tcase_add_test(t, a_corner_is_passed_or_met_at_every_angle);
-    tcase_add_test(t, nothing_flat_is_ever_crossed);
-    tcase_add_test(t, random_ways_agree_with_the_clipped_way);
-    tcase_add_test(t, ways_past_flat_and_thin_agree_with_the_least_distance);
-    tcase_add_test(t, the_further_to_keep_apart_the_sooner_they_touch);
-    tcase_add_test(t, far_from_the_origin_nothing_more_is_lost);
-    tcase_add_test(t, size_does_not_matter);
-    tcase_add_test(t, swapped_roles_give_the_mirror_image);
-    tcase_add_test(t, at_the_start_there_may_be_nothing_left_to_find);
-    tcase_add_test(t, what_is_not_finite_gets_a_status);
-    tcase_add_test(t, what_is_beyond_measure_gets_a_status);
-    tcase_add_test(t, smallest_numbers_give_no_nan);
-    tcase_add_test(t, few_distances_are_asked_for);
-    if (bits_are_ours()) tcase_add_test(t, the_same_bits_everywhere);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        point_meets_plate_at_an_angle,
+        apart_is_a_distance_to_be_kept,
+        cubes_meet_face_edge_and_corner_on,
+        crossing_edges_meet_where_they_cross,
+        balls_meet_where_the_quadratic_says,
+        balls_of_points_meet_tip_to_tip,
+        whoever_passes_beside_or_turns_away_passes,
+        a_graze_of_a_billionth_passes_and_a_clip_touches,
+        a_corner_is_passed_or_met_at_every_angle,
+        nothing_flat_is_ever_crossed,
+        random_ways_agree_with_the_clipped_way,
+        ways_past_flat_and_thin_agree_with_the_least_distance,
+        the_further_to_keep_apart_the_sooner_they_touch,
+        far_from_the_origin_nothing_more_is_lost,
+        size_does_not_matter,
+        swapped_roles_give_the_mirror_image,
+        at_the_start_there_may_be_nothing_left_to_find,
+        what_is_not_finite_gets_a_status,
+        what_is_beyond_measure_gets_a_status,
+        smallest_numbers_give_no_nan,
+        few_distances_are_asked_for,
+        bits_are_ours() ? the_same_bits_everywhere : NULL,
+        NULL
+    };
+    return suite_run((suite){ .name = "swept", .tests = tests, .seconds = 60 });
 }

@@ -6,6 +6,7 @@
 
 #include "motion.h"
 #include "solids.h"
+#include "suite.h"
 
 static const relax_options OLD = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 };
 
@@ -659,7 +660,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         basis_is_the_root_of_the_inverse_inertia,
         box_and_ball_have_the_moments_of_the_textbook,
         motion_has_the_momentum_of_the_particles,
@@ -673,17 +674,10 @@ int main(void)
         body_gains_no_energy_by_how_it_lies,
         immovable_body_answers_nothing,
         lost_body_takes_one_move_and_a_mad_one_at_most_so_many,
+        NULL
     };
-    Suite *s = suite_create("motion");
-    TCase *t = tcase_create("motion");
-    tcase_set_timeout(t, 30);
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "motion", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down, .seconds = 30
+    });
 }

@@ -8,6 +8,7 @@
 
 #include "scarce.h"
 #include "solids.h"
+#include "suite.h"
 
 // --- the plan ----------------------------------------------------------------
 
@@ -792,7 +793,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         four_particles_have_mass_center_and_inertia_of_the_solid,
         vertices_ride_where_the_shape_has_them,
         sticks_and_radii_are_those_of_the_particles,
@@ -815,16 +816,10 @@ int main(void)
         mirror_image_is_known,
         whatever_happens_to_a_body_it_is_never_mirrored_nor_lost,
         thin_plate_is_never_mirrored,
+        NULL
     };
-    Suite *s = suite_create("rigid4");
-    TCase *t = tcase_create("rigid4");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "rigid4", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

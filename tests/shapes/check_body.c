@@ -2,6 +2,7 @@
 
 #include "scarce.h"
 #include "shapes.h"
+#include "suite.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -361,29 +362,26 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
+    const TTest *const tests[] = {
         box_has_8_particles_12_faces_and_22_sticks,
         box_has_its_sides_volume_and_radius,
         icosahedron_has_12_particles_20_faces_and_36_sticks,
-        icosahedron_is_regular, rope_is_a_line_of_equal_links,
-        rope_of_a_million_links_is_built, cloth_has_its_counts,
-        cloth_lies_flat_and_looks_up, cloth_diagonals_alternate_and_come_last,
+        icosahedron_is_regular,
+        rope_is_a_line_of_equal_links,
+        rope_of_a_million_links_is_built,
+        cloth_has_its_counts,
+        cloth_lies_flat_and_looks_up,
+        cloth_diagonals_alternate_and_come_last,
         neighbouring_sticks_of_a_cloth_share_no_particle,
-        mirror_image_satisfies_every_stick, numbers_that_are_none_are_refused,
+        mirror_image_satisfies_every_stick,
+        numbers_that_are_none_are_refused,
         counts_out_of_range_are_refused,
         stiffness_of_diagonals_lies_above_0_and_at_most_1,
         freeing_nothing_is_harmless,
         stick_without_a_length_is_refused,
         angles_are_kept_in_their_order,
-        refused_memory_leaves_nothing
+        refused_memory_leaves_nothing,
+        NULL
     };
-    Suite *suite = suite_create("body");
-    TCase *all = tcase_create("all");
-    for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "body", .tests = tests });
 }

@@ -3,6 +3,7 @@
 #include "expect.h"
 #include "capsule.h"
 #include "scarce.h"
+#include "suite.h"
 #include "validate.h"
 
 #include <math.h>
@@ -112,17 +113,12 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
-        core_of_a_capsule_is_an_edge, skin_is_closed_and_on_the_surface,
-        sizes_out_of_range_are_refused, refused_memory_leaves_nothing
+    const TTest *const tests[] = {
+        core_of_a_capsule_is_an_edge,
+        skin_is_closed_and_on_the_surface,
+        sizes_out_of_range_are_refused,
+        refused_memory_leaves_nothing,
+        NULL
     };
-    Suite *suite = suite_create("capsule");
-    TCase *all = tcase_create("all");
-    for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "capsule", .tests = tests });
 }

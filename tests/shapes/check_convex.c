@@ -5,6 +5,7 @@
 #include "rigidity.h"
 #include "scarce.h"
 #include "shapes.h"
+#include "suite.h"
 #include "validate.h"
 
 #include <limits.h>
@@ -592,31 +593,32 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
+    const TTest *const tests[] = {
         equal_masses_exaggerate_inertia_by_3_and_2_3_and_5,
         tetrahedron_needs_its_six_edges_only,
-        fan_joins_vertex_0_to_every_other, fan_alone_leaves_flat_vertices_free,
-        vertices_inside_flat_sides_are_held, thin_plate_has_no_stick_twice,
+        fan_joins_vertex_0_to_every_other,
+        fan_alone_leaves_flat_vertices_free,
+        vertices_inside_flat_sides_are_held,
+        thin_plate_has_no_stick_twice,
         rounder_ball_is_rigid,
         bad_meshes_are_refused_with_the_mesh_own_sentence,
         schoenhardt_polyhedron_is_refused_and_shaky,
-        radius_out_of_range_is_refused, convex_bodies_take_no_index_on_trust,
-        shapes_are_sound_and_convex, convexity_does_not_depend_on_the_size,
+        radius_out_of_range_is_refused,
+        convex_bodies_take_no_index_on_trust,
+        shapes_are_sound_and_convex,
+        convexity_does_not_depend_on_the_size,
         convexity_ends_at_the_stated_tolerance,
-        dent_is_named_with_face_and_vertex, open_mesh_is_not_convex,
-        unused_vertex_is_named, two_bodies_are_not_one, flat_triangle_is_named,
-        body_without_thickness_is_named, coincident_vertices_are_named,
+        dent_is_named_with_face_and_vertex,
+        open_mesh_is_not_convex,
+        unused_vertex_is_named,
+        two_bodies_are_not_one,
+        flat_triangle_is_named,
+        body_without_thickness_is_named,
+        coincident_vertices_are_named,
         places_that_are_no_numbers_are_named,
         turned_mesh_has_negative_volume_and_is_named,
-        convexity_does_not_depend_on_the_place
+        convexity_does_not_depend_on_the_place,
+        NULL
     };
-    Suite *suite = suite_create("convex");
-    TCase *all = tcase_create("all");
-    for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "convex", .tests = tests });
 }

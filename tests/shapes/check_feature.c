@@ -2,6 +2,7 @@
 // a face, by weights.
 
 #include "feature.h"
+#include "suite.h"
 
 #include <check.h>
 
@@ -77,20 +78,13 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
+    const TTest *const tests[] = {
         the_same_vertex_again_gains_weight,
         first_and_last_may_be_the_same_vertex,
         a_new_vertex_has_only_its_own_weight,
         a_point_is_the_weighted_mean_of_its_vertices,
-        far_from_the_origin_equal_vertices_give_their_place
+        far_from_the_origin_equal_vertices_give_their_place,
+        NULL
     };
-    Suite *suite = suite_create("feature");
-    TCase *all = tcase_create("all");
-    for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "feature", .tests = tests });
 }

@@ -3,6 +3,7 @@
 #include "hull.h"
 #include "expect.h"
 #include "scarce.h"
+#include "suite.h"
 #include "validate.h"
 
 #include <math.h>
@@ -306,22 +307,17 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
+    const TTest *const tests[] = {
         cube_with_points_inside_is_a_cube,
         grids_in_any_pose_have_eight_vertices,
-        every_point_of_a_sphere_is_a_vertex, random_clouds_lie_in_their_hull,
-        points_said_twice_are_one, rough_cubes_have_hulls,
-        hull_does_not_depend_on_the_size, what_spans_no_body_is_refused,
-        refused_memory_leaves_nothing
+        every_point_of_a_sphere_is_a_vertex,
+        random_clouds_lie_in_their_hull,
+        points_said_twice_are_one,
+        rough_cubes_have_hulls,
+        hull_does_not_depend_on_the_size,
+        what_spans_no_body_is_refused,
+        refused_memory_leaves_nothing,
+        NULL
     };
-    Suite *suite = suite_create("hull");
-    TCase *all = tcase_create("all");
-    tcase_set_timeout(all, 120);
-    for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "hull", .tests = tests, .seconds = 120 });
 }

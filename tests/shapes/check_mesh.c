@@ -2,6 +2,7 @@
 
 #include "meshes.h"
 #include "scarce.h"
+#include "suite.h"
 #include "validate.h"
 
 #include <limits.h>
@@ -513,31 +514,36 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
+    const TTest *const tests[] = {
         tetrahedron_has_six_edges_and_no_rim,
-        faces_come_back_as_they_went_in, empty_mesh_is_a_mesh,
-        large_strip_is_built_in_no_time, large_cone_is_built_in_no_time,
-        turn_is_clockwise, turns_around_all_vertices_meet_every_half_edge_once,
+        faces_come_back_as_they_went_in,
+        empty_mesh_is_a_mesh,
+        large_strip_is_built_in_no_time,
+        large_cone_is_built_in_no_time,
+        turn_is_clockwise,
+        turns_around_all_vertices_meet_every_half_edge_once,
         rim_walks_once_around_the_hole,
-        belt_has_two_rims_and_euler_number_zero, index_out_of_range_is_named,
-        vertex_used_twice_is_named, edge_with_three_triangles_is_named,
-        neighbours_that_turn_opposite_ways_are_named, pinched_vertex_is_named,
-        sizes_are_checked_before_they_overflow, refused_memory_leaves_nothing,
+        belt_has_two_rims_and_euler_number_zero,
+        index_out_of_range_is_named,
+        vertex_used_twice_is_named,
+        edge_with_three_triangles_is_named,
+        neighbours_that_turn_opposite_ways_are_named,
+        pinched_vertex_is_named,
+        sizes_are_checked_before_they_overflow,
+        refused_memory_leaves_nothing,
         volume_of_the_corner_tetrahedron_is_a_sixth,
         volume_does_not_depend_on_the_place,
-        volume_of_a_turned_mesh_is_negative, sound_meshes_pass,
-        validator_names_bad_indices, validator_names_bad_edges,
-        validator_names_bad_successors, validator_names_a_face_of_six_sides,
-        validator_names_bad_faces, validator_names_bad_vertices,
-        validator_names_a_pinched_vertex, validator_names_bad_counts
+        volume_of_a_turned_mesh_is_negative,
+        sound_meshes_pass,
+        validator_names_bad_indices,
+        validator_names_bad_edges,
+        validator_names_bad_successors,
+        validator_names_a_face_of_six_sides,
+        validator_names_bad_faces,
+        validator_names_bad_vertices,
+        validator_names_a_pinched_vertex,
+        validator_names_bad_counts,
+        NULL
     };
-    Suite *suite = suite_create("mesh");
-    TCase *all = tcase_create("all");
-    for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "mesh", .tests = tests });
 }

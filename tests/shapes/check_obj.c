@@ -8,6 +8,7 @@
 #include "obj.h"
 #include "rigidity.h"
 #include "scarce.h"
+#include "suite.h"
 #include "validate.h"
 
 #include <check.h>
@@ -584,33 +585,37 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
-        cube_of_squares_is_read, negative_indices_count_from_the_end,
-        mesh_that_looks_inwards_is_turned_round, every_spelling_is_read,
-        backslash_joins_two_lines, unused_vertices_are_dropped,
+    const TTest *const tests[] = {
+        cube_of_squares_is_read,
+        negative_indices_count_from_the_end,
+        mesh_that_looks_inwards_is_turned_round,
+        every_spelling_is_read,
+        backslash_joins_two_lines,
+        unused_vertices_are_dropped,
         lines_are_right_after_dropping,
         long_line_is_read_and_a_longer_one_refused,
-        numbers_are_read_to_fifteen_digits, locale_does_not_matter,
-        size_in_the_file_does_not_matter, file_that_cannot_be_opened_is_named,
-        folder_is_no_file, file_without_a_body_is_named,
-        bytes_that_are_no_text_are_named, damaged_files_do_no_harm,
+        numbers_are_read_to_fifteen_digits,
+        locale_does_not_matter,
+        size_in_the_file_does_not_matter,
+        file_that_cannot_be_opened_is_named,
+        folder_is_no_file,
+        file_without_a_body_is_named,
+        bytes_that_are_no_text_are_named,
+        damaged_files_do_no_harm,
         bad_numbers_are_named_with_their_line,
         bad_indices_are_named_with_their_line,
         faces_with_too_few_corners_are_named,
         more_than_4096_vertices_are_refused,
-        more_than_8192_triangles_are_refused, file_of_many_megabytes_is_refused,
+        more_than_8192_triangles_are_refused,
+        file_of_many_megabytes_is_refused,
         complaints_about_the_mesh_name_lines,
-        bodies_without_an_inside_are_refused, radius_and_mass_are_checked,
-        file_is_closed_again, refused_memory_leaves_nothing
+        bodies_without_an_inside_are_refused,
+        radius_and_mass_are_checked,
+        file_is_closed_again,
+        refused_memory_leaves_nothing,
+        NULL
     };
-    Suite *suite = suite_create("obj");
-    TCase *all = tcase_create("all");
-    tcase_add_checked_fixture(all, enter, leave);
-    for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "obj", .tests = tests, .set_up = enter, .tear_down = leave
+    });
 }

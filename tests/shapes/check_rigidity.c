@@ -3,6 +3,7 @@
 #include "rigidity.h"
 #include "scarce.h"
 #include "shapes.h"
+#include "suite.h"
 
 #include <stdio.h>
 
@@ -167,22 +168,17 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
+    const TTest *const tests[] = {
         edges_and_main_diagonals_of_a_cube_have_rank_15,
         every_choice_of_side_diagonals_has_rank_18,
-        box_and_icosahedron_are_rigid, rank_does_not_depend_on_the_size,
+        box_and_icosahedron_are_rigid,
+        rank_does_not_depend_on_the_size,
         rank_counts_what_is_independent,
         short_stick_counts_as_much_as_a_long_one,
-        flat_cloth_is_rigid_in_its_plane_only, rope_has_the_rank_of_its_links,
-        refused_memory_is_said
+        flat_cloth_is_rigid_in_its_plane_only,
+        rope_has_the_rank_of_its_links,
+        refused_memory_is_said,
+        NULL
     };
-    Suite *suite = suite_create("rigidity");
-    TCase *all = tcase_create("all");
-    for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "rigidity", .tests = tests });
 }

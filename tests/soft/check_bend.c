@@ -2,6 +2,7 @@
 // names the mistake that it rejects.
 
 #include "bend.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
@@ -237,16 +238,9 @@ int main(void)
         straight_strands_stay,
         pins_stay_and_all_others_come_to_rest,
         lost_strand_is_left,
+        NULL
     };
-    Suite *s = suite_create("bend");
-    TCase *t = tcase_create("bend");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t k = 0; k < sizeof tests / sizeof *tests; k++)
-        tcase_add_test(t, tests[k]);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "bend", .tests = tests, .set_up = set_up, .tear_down = tear_down
+    });
 }

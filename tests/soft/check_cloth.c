@@ -9,6 +9,7 @@
 #include "soft_step.h"
 #include "stage.h"
 #include "step.h"
+#include "suite.h"
 
 static shape box, crate, ball, cloth, sheet, rope;
 
@@ -627,17 +628,10 @@ int main(void)
         what_links_have_stored_is_in_the_books,
         stiffness_is_a_finite_number,
         bends_are_in_the_books,
+        NULL
     };
-    Suite *s = suite_create("cloth");
-    TCase *t = tcase_create("cloth");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_set_timeout(t, 30);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "cloth", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down, .seconds = 30
+    });
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "facet.h"
+#include "suite.h"
 
 // A cube of size 1; a query is a few dozen roundings.
 #define ROUNDING 1e-13
@@ -195,16 +196,10 @@ int main(void)
         what_was_never_seen_leaves_by_the_side_that_most_of_it_is_on,
         what_is_in_the_middle_leaves_by_some_face,
         what_is_not_finite_is_near_nothing,
+        NULL
     };
-    Suite *s = suite_create("facet");
-    TCase *t = tcase_create("facet");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "facet", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

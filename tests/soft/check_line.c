@@ -4,6 +4,7 @@
 #include "line.h"
 #include "plain_strand.h"
 #include "scarce.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -1266,41 +1267,45 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
-        one_link_takes_herons_step, step_is_that_of_the_full_system,
-        error_is_squared, line_at_rest_stays, steps_end_at_the_tolerance,
+    const TTest *const tests[] = {
+        one_link_takes_herons_step,
+        step_is_that_of_the_full_system,
+        error_is_squared,
+        line_at_rest_stays,
+        steps_end_at_the_tolerance,
         lines_side_by_side_are_solved_as_if_alone,
         relaxing_all_lines_is_solving_one_direction_after_the_other,
-        rounds_but_the_last_ask_for_more, asking_for_more_leaves_less,
-        columns_and_rows_go_home, nailed_particles_stay, momenta_stay,
-        hanging_rope_holds_any_load, disturbed_rope_holds_any_load,
+        rounds_but_the_last_ask_for_more,
+        asking_for_more_leaves_less,
+        columns_and_rows_go_home,
+        nailed_particles_stay,
+        momenta_stay,
+        hanging_rope_holds_any_load,
+        disturbed_rope_holds_any_load,
         taut_rope_is_a_string_that_swings_sideways,
         swinging_chain_keeps_length_and_energy,
-        link_without_length_is_left, short_link_is_doubled_at_most,
+        link_without_length_is_left,
+        short_link_is_doubled_at_most,
         straight_rope_between_nails_stays_near,
-        rope_nailed_too_short_does_not_explode, lost_line_stays_alone,
+        rope_nailed_too_short_does_not_explode,
+        lost_line_stays_alone,
         numbers_out_of_all_bounds_give_no_nan,
         old_gradient_falls_back_to_the_start,
         old_gradient_that_gains_little_is_given_up,
-        only_the_line_that_fails_falls_back, size_and_mass_do_not_matter,
+        only_the_line_that_fails_falls_back,
+        size_and_mass_do_not_matter,
         leash_is_as_long_as_the_line_is_large,
         leash_lets_go_as_far_as_the_errors_ask,
         line_at_rest_but_for_rounding_is_content_at_any_size,
         shape_without_strands_has_an_empty_scratch,
-        refused_scratch_is_none, solving_asks_for_no_memory,
+        refused_scratch_is_none,
+        solving_asks_for_no_memory,
         strands_that_are_held_are_those_of_the_plain_form,
         particle_on_a_floor_bears_what_hangs_on_it,
         floors_let_go_and_friction_does_not,
         what_lies_flat_is_left_free,
-        links_that_give_pull_by_how_much_they_are_too_long
+        links_that_give_pull_by_how_much_they_are_too_long,
+        NULL
     };
-    Suite *suite = suite_create("line");
-    TCase *all = tcase_create("all");
-    for (int k = 0; k < COUNT(tests); k++) tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "line", .tests = tests });
 }

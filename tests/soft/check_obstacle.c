@@ -8,6 +8,7 @@
 #include "axes.h"
 #include "convex.h"
 #include "obstacle.h"
+#include "suite.h"
 
 // Bodies of size 1 near the origin; a corner is turned, a foot is a mean of
 // three: a few dozen roundings.
@@ -408,9 +409,9 @@ START_TEST(particle_that_is_not_finite_touches_nothing)
 }
 END_TEST
 
-static Suite *suite(void)
+int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         cube_has_six_planes_and_icosahedron_twenty,
         plane_ahead_is_the_one_furthest_behind,
         particle_inside_leaves_by_the_nearest_face,
@@ -424,21 +425,10 @@ static Suite *suite(void)
         particle_on_a_strained_face_is_near_it,
         particle_over_the_fold_of_a_strained_side_finds_the_fold,
         particle_that_is_not_finite_touches_nothing,
+        NULL
     };
-    Suite *s = suite_create("obstacle");
-    TCase *t = tcase_create("obstacle");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    return s;
-}
-
-int main(void)
-{
-    SRunner *runner = srunner_create(suite());
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "obstacle", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "separation.h"
+#include "suite.h"
 
 // A sum of a dozen products, each rounded once.
 #define ROUNDING 1e-14
@@ -299,15 +300,7 @@ int main(void)
         sliding_stops_after_v2_over_2_mu_g,
         finite_input_gives_finite_output,
         particle_that_lost_a_number_touches_nothing,
+        NULL
     };
-    Suite *s = suite_create("separation");
-    TCase *t = tcase_create("separation");
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *r = srunner_create(s);
-    srunner_run_all(r, CK_NORMAL);
-    int failed = srunner_ntests_failed(r);
-    srunner_free(r);
-    return failed != 0;
+    return suite_run((suite){ .name = "separation", .tests = tests });
 }

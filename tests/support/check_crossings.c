@@ -6,6 +6,7 @@
 
 #include "body.h"
 #include "crossings.h"
+#include "suite.h"
 
 static unsigned long long seed = 5;
 
@@ -276,17 +277,9 @@ int main(void)
         depth_is_the_way_to_the_nearest_side,
         edges_that_pass_through_are_counted_once,
         link_cuts_a_box,
+        NULL
     };
-    Suite *s = suite_create("crossings");
-    TCase *t = tcase_create("crossings");
-    tcase_add_checked_fixture(t, set_up, NULL);
-    tcase_set_timeout(t, 30);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "crossings", .tests = tests, .set_up = set_up, .seconds = 30
+    });
 }

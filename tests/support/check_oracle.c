@@ -3,6 +3,7 @@
 
 #include "bodies.h"
 #include "oracle.h"
+#include "suite.h"
 
 #include <check.h>
 #include <stdio.h>
@@ -144,20 +145,17 @@ END_TEST
 
 int main(void)
 {
-    Suite *suite = suite_create("oracle");
-    TCase *t = tcase_create("oracle");
-    tcase_set_timeout(t, 60);
-    tcase_add_test(t, cubes_apart_by_face_edge_and_vertex);
-    tcase_add_test(t, points_and_segments_have_distances);
-    tcase_add_test(t, a_vertex_over_a_face);
-    tcase_add_test(t, edges_that_cross_have_a_depth);
-    tcase_add_test(t, depth_is_the_shortest_way_out);
-    tcase_add_test(t, without_a_volume_there_is_no_depth);
-    tcase_add_test(t, stored_pairs_have_their_exact_answers);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    const TTest *const tests[] = {
+        cubes_apart_by_face_edge_and_vertex,
+        points_and_segments_have_distances,
+        a_vertex_over_a_face,
+        edges_that_cross_have_a_depth,
+        depth_is_the_shortest_way_out,
+        without_a_volume_there_is_no_depth,
+        stored_pairs_have_their_exact_answers,
+        NULL
+    };
+    return suite_run((suite){
+        .name = "oracle", .tests = tests, .seconds = 60
+    });
 }

@@ -4,6 +4,7 @@
 #include <check.h>
 
 #include "poses.h"
+#include "suite.h"
 
 // Sums of a few numbers near 1.
 #define ROUNDING 1e-12
@@ -182,7 +183,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         overlap_is_the_deepest_of_all_pairs,
         static_pairs_do_not_count,
         depth_behind_planes_and_bodies_outside_are_told,
@@ -191,15 +192,7 @@ int main(void)
         crossings_are_counted,
         kinetic_energy_is_that_of_the_velocities,
         what_is_not_finite_is_told,
+        NULL
     };
-    Suite *suite = suite_create("poses");
-    TCase *t = tcase_create("poses");
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){ .name = "poses", .tests = tests });
 }

@@ -7,6 +7,7 @@
 #include "ledger.h"
 #include "stage.h"
 #include "step.h"
+#include "suite.h"
 
 // Of what the largest account holds: sums over hundreds of substeps.
 #define BOOKS 1e-11
@@ -227,17 +228,10 @@ int main(void)
         ledger_changes_no_bit,
         contacts_take_what_a_sliding_block_loses,
         cloth_and_ball_keep_their_momentum_in_flight,
+        NULL
     };
-    Suite *s = suite_create("books");
-    TCase *t = tcase_create("books");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_set_timeout(t, 30);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "books", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down, .seconds = 30
+    });
 }

@@ -2,13 +2,13 @@
 // Book: chapter 18.
 
 #include <check.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "measure.h"
 #include "scarce.h"
 #include "stage.h"
 #include "step.h"
+#include "suite.h"
 
 static shape box, slab, ball, cloth, rope, small_cloth;
 
@@ -392,17 +392,10 @@ int main(void)
         plane_may_come_at_any_time,
         particle_may_be_pinned_and_let_go,
         anything_may_come_and_go,
+        NULL
     };
-    Suite *s = suite_create("come and go");
-    TCase *t = tcase_create("come and go");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_set_timeout(t, 120);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    return suite_run((suite){
+        .name = "come and go", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down, .seconds = 120
+    });
 }

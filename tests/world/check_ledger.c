@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "ledger.h"
+#include "suite.h"
 
 // Sums over a few dozen particles, of numbers up to a thousand.
 #define ROUNDING 1e-11
@@ -400,16 +401,10 @@ int main(void)
         fall_in_substeps_of_changing_length_books_no_energy,
         books_add_up_under_their_names,
         ledger_that_is_off_or_cleared_holds_nothing,
+        NULL
     };
-    Suite *s = suite_create("ledger");
-    TCase *t = tcase_create("ledger");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "ledger", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

@@ -8,6 +8,7 @@
 #include "scarce.h"
 #include "stage.h"
 #include "step.h"
+#include "suite.h"
 
 // Sums over a few dozen particles, each rounded; of numbers near 1.
 #define ROUNDING 1e-13
@@ -453,16 +454,10 @@ int main(void)
         what_is_not_finite_is_shown,
         penetration_that_cannot_be_measured_is_no_number,
         measuring_changes_no_bit_of_the_motion,
+        NULL
     };
-    Suite *s = suite_create("measure");
-    TCase *t = tcase_create("measure");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "measure", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

@@ -13,6 +13,7 @@
 #include "join.h"
 #include "stage.h"
 #include "step.h"
+#include "suite.h"
 
 static const real TINY = 1e-13;
 
@@ -703,14 +704,17 @@ END_TEST
 
 int main(void)
 {
-    const TTest *tests[] = {
+    const TTest *const tests[] = {
         ball_has_two_fifths_of_its_mass_times_its_square,
         capsule_has_the_inertia_of_a_cylinder_and_two_half_balls,
         gap_is_the_distance_of_the_cores_less_the_radii,
-        ball_and_box_are_as_far_as_formulas_say, equal_centres_have_a_way_out,
-        capsule_lies_on_two_points, swept_ball_touches_when_the_radii_say,
+        ball_and_box_are_as_far_as_formulas_say,
+        equal_centres_have_a_way_out,
+        capsule_lies_on_two_points,
+        swept_ball_touches_when_the_radii_say,
         particle_finds_the_surface_of_a_round_body,
-        triangle_finds_the_surface_of_a_ball, ball_that_bounces_begins_to_roll,
+        triangle_finds_the_surface_of_a_ball,
+        ball_that_bounces_begins_to_roll,
         ball_that_spins_reaches_nothing_by_it,
         ball_rolls_down_a_slope_with_five_sevenths,
         ball_without_friction_slides,
@@ -718,23 +722,19 @@ int main(void)
         elastic_impact_changes_speeds_along_the_line_of_centres,
         cradle_hands_its_speed_on,
         capsule_lies_still_and_falls_over_if_it_leans,
-        capsules_lie_on_each_other, fast_ball_does_not_pass_a_plate,
-        balls_in_one_place_part, slow_balls_come_to_rest,
+        capsules_lie_on_each_other,
+        fast_ball_does_not_pass_a_plate,
+        balls_in_one_place_part,
+        slow_balls_come_to_rest,
         marbles_settle_without_overlap,
-        measured_overlap_knows_the_radii, skin_rides_on_the_body,
+        measured_overlap_knows_the_radii,
+        skin_rides_on_the_body,
         capsule_swings_with_the_period_of_its_inertia,
-        cloth_lies_on_a_ball_and_on_a_capsule
+        cloth_lies_on_a_ball_and_on_a_capsule,
+        NULL
     };
-    Suite *suite = suite_create("round");
-    TCase *all = tcase_create("all");
-    tcase_set_timeout(all, 120);
-    tcase_add_checked_fixture(all, set_up, tear_down);
-    for (size_t k = 0; k < sizeof tests / sizeof *tests; k++)
-        tcase_add_test(all, tests[k]);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "round", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down, .seconds = 120
+    });
 }

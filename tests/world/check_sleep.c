@@ -7,6 +7,7 @@
 
 #include "scarce.h"
 #include "sleep.h"
+#include "suite.h"
 
 #define TIME_TO_SLEEP 0.5
 #define EARTH 9.81
@@ -685,7 +686,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         what_never_moved_sleeps_after_three_windows,
         what_slides_from_rest_goes_on,
         what_slides_faster_and_faster_goes_on,
@@ -717,17 +718,9 @@ int main(void)
         what_is_not_observed_does_not_sleep,
         no_bodies_are_no_trouble,
         refused_memory_leaves_nothing,
+        NULL
     };
-    Suite *s = suite_create("sleep");
-    TCase *t = tcase_create("sleep");
-    tcase_add_checked_fixture(t, NULL, tear_down);
-    tcase_set_timeout(t, 30);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "sleep", .tests = tests, .tear_down = tear_down, .seconds = 30
+    });
 }

@@ -7,6 +7,7 @@
 #include "convex.h"
 #include "expect.h"
 #include "step.h"
+#include "suite.h"
 
 #define EARTH 9.81
 #define PI 3.14159265358979
@@ -393,7 +394,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         slope_beyond_the_cone_is_slid_down,
         slopes_are_the_same_for_a_pebble_and_a_mountain,
         cube_on_its_edge_falls,
@@ -406,17 +407,10 @@ int main(void)
         what_is_hit_wakes_and_its_island_with_it,
         without_sleep_speed_no_body_sleeps,
         time_to_sleep_is_the_time_to_sleep,
+        NULL
     };
-    Suite *s = suite_create("sleep in a world");
-    TCase *t = tcase_create("sleep in a world");
-    tcase_add_checked_fixture(t, NULL, tear_down);
-    tcase_set_timeout(t, 60);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "sleep in a world", .tests = tests, .tear_down = tear_down,
+        .seconds = 60
+    });
 }

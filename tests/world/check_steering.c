@@ -1,12 +1,12 @@
 // check_steering.c - do bodies do what a program asks of them?  Book: chapter 18.
 
 #include <check.h>
-#include <stdlib.h>
 
 #include "handle.h"
 #include "measure.h"
 #include "stage.h"
 #include "step.h"
+#include "suite.h"
 
 // Positions near 10 m, of which a velocity is 480 times the difference.
 #define ROUNDING 1e-14
@@ -805,16 +805,10 @@ int main(void)
         kinematic_body_goes_through_what_does_not_move,
         bodies_meet_as_their_groups_and_masks_say,
         body_that_is_put_to_sleep_hangs_in_the_air_until_it_is_woken,
+        NULL
     };
-    Suite *s = suite_create("steering");
-    TCase *t = tcase_create("steering");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    return suite_run((suite){
+        .name = "steering", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

@@ -10,6 +10,7 @@
 #include "scarce.h"
 #include "stage.h"
 #include "step.h"
+#include "suite.h"
 
 // A second is 480 sums of positions near 10; each one's rounding goes on as a
 // velocity, so that errors grow as 480^2 / 2 * 1e-15.
@@ -1322,19 +1323,12 @@ int main(void)
         turning_body_reaches_no_further_than_across,
         body_is_asked_as_it_stands_in_the_middle_of_a_frame,
         divided_frame_takes_no_more_substeps_than_it_may,
+        NULL
     };
-    Suite *s = suite_create("step");
-    TCase *t = tcase_create("step");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    tcase_set_timeout(t, 20);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    tcase_add_loop_test(t, towers_stand, 0, 3);
-    tcase_add_loop_test(t, nothing_leaves_a_closed_room_however_fast, 0, 3);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "step", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down, .seconds = 20,
+        .repeated = { { towers_stand, 0, 3 },
+                      { nothing_leaves_a_closed_room_however_fast, 0, 3 } }
+    });
 }

@@ -8,6 +8,7 @@
 #include "convex.h"
 #include "scarce.h"
 #include "stage.h"
+#include "suite.h"
 #include "world.h"
 
 // A position is a sum of four products, its previous one of two more.
@@ -593,16 +594,10 @@ int main(void)
         many_bodies_share_their_shapes,
         world_has_everything_in_its_place,
         vertices_ride_on_the_particles,
+        NULL
     };
-    Suite *s = suite_create("world");
-    TCase *t = tcase_create("world");
-    tcase_add_checked_fixture(t, set_up, tear_down);
-    for (size_t i = 0; i < sizeof tests / sizeof *tests; i++)
-        tcase_add_test(t, tests[i]);
-    suite_add_tcase(s, t);
-    SRunner *runner = srunner_create(s);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "world", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down
+    });
 }

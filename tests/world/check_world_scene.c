@@ -11,6 +11,7 @@
 
 #include "scarce.h"
 #include "obj.h"
+#include "suite.h"
 #include "world_scene.h"
 #include "step.h"
 
@@ -680,7 +681,7 @@ END_TEST
 
 int main(void)
 {
-    const TTest *const test[] = {
+    const TTest *const tests[] = {
         crossing_test_knows_what_crosses,
         same_seed_gives_the_same_bits_and_another_seed_others,
         cloth_comes_to_lie_on_the_cube,
@@ -698,18 +699,11 @@ int main(void)
         room_is_as_documented,
         measuring_changes_no_bit,
         mesh_from_a_file_is_thrown_into_the_room,
+        NULL
     };
-    Suite *suite = suite_create("scene");
-    TCase *t = tcase_create("scene");
-    tcase_set_timeout(t, 60);
-    for (size_t i = 0; i < sizeof test / sizeof *test; i++)
-        tcase_add_test(t, test[i]);
-    // Three seeds.
-    tcase_add_loop_test(t, room_comes_to_rest_within_its_bounds, 0, 3);
-    suite_add_tcase(suite, t);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
+    return suite_run((suite){
+        .name = "scene", .tests = tests, .seconds = 60,
+        // Three seeds.
+        .repeated = { { room_comes_to_rest_within_its_bounds, 0, 3 } }
+    });
 }

@@ -9,7 +9,8 @@ void shape_store(shape *x, store *s)
     STORE_TABLE(s, x->at, x->particles, x->particles);
     STORE_TABLE(s, x->mass, x->particles, x->particles);
     STORE_TABLE(s, x->stick, x->sticks, x->sticks);
-    STORE_TABLE(s, x->angle, x->angles, x->angles);
+    STORE_FORGET(s, x->angle);      // chapter 02's
+    STORE_FORGET(s, x->angles);
     STORE_TABLE(s, x->face, 3 * m->faces, 3 * m->faces);
     STORE_TABLE(s, m->half, 2 * m->edges, 2 * m->edges);
     STORE_TABLE(s, m->vertex_half, m->vertices, m->vertices);
@@ -39,7 +40,7 @@ static void broad_store(broad *x, store *s)
 static void pair_list_store(pair_list *l, store *s)
 {
     STORE_TABLE(s, l->pair, l->count, l->capacity);
-    STORE_TABLE(s, l->wall, l->walls, l->wall_capacity);
+    STORE_ROOM(s, l->wall, l->wall_capacity);
     STORE_TABLE(s, l->listed, l->bodies, l->room);
     STORE_TABLE(s, l->is_new, l->bodies, l->room);
     broad_store(&l->broad, s);
@@ -87,7 +88,7 @@ static void block_store(contact_solver *s, store *to)
 static void contact_solver_store(contact_solver *s, store *to)
 {
     STORE_TABLE(to, s->active, s->contacts, s->capacity);
-    STORE_TABLE(to, s->order, s->touching, s->capacity);
+    STORE_ROOM(to, s->order, s->capacity);
     STORE_ROOM(to, s->taken, s->room);
     STORE_TABLE(to, s->before, s->room + 1, s->room + 1);
     block_store(s, to);
@@ -99,21 +100,21 @@ static void linkage_store(linkage *l, store *s)
 {
     STORE_TABLE(s, l->joint, l->count, l->capacity);
     STORE_TABLE(s, l->rows, l->count, l->capacity);
-    STORE_TABLE(s, l->role, l->count, l->capacity);
-    STORE_TABLE(s, l->step, l->steps, 2 * l->capacity);
+    STORE_ROOM(s, l->role, l->capacity);
+    STORE_ROOM(s, l->step, 2 * l->capacity);
     STORE_ROOM(s, l->apart, l->capacity);
     STORE_TABLE(s, l->tied, l->ties, l->tie_room);
-    STORE_TABLE(s, l->body, l->bodies, l->bodies);
+    STORE_ZEROS(s, l->body, l->bodies);
 }
 //<
 
 //> snapshot-sleep
 static void sleep_store(sleep_state *x, store *s)
 {
-    STORE_TABLE(s, x->parent, x->bodies, x->room);
+    STORE_ROOM(s, x->parent, x->room);
     STORE_TABLE(s, x->island, x->bodies, x->room);
     STORE_TABLE(s, x->asleep, x->bodies, x->room);
-    STORE_TABLE(s, x->is_restless, x->bodies, x->room);
+    STORE_ROOM(s, x->is_restless, x->room);
     STORE_TABLE(s, x->watch, x->bodies, x->room);
     for (int k = 0; k < WINDOWS; k++)
         STORE_TABLE(s, x->start[k], x->particles, x->particle_room);
@@ -149,9 +150,8 @@ static void near_store(near_lists *l, store *s)
     STORE_TABLE(s, l->pair, l->pairs, l->pair_capacity);
     STORE_TABLE(s, l->point, l->points, l->point_capacity);
     STORE_TABLE(s, l->facet.at, l->facet.count, l->facet_capacity);
-    STORE_TABLE(s, l->facets_before.at, l->facets_before.count,
-                l->facet_capacity);
-    STORE_TABLE(s, l->met, l->mets, l->facet_capacity);
+    STORE_ROOM(s, l->facets_before.at, l->facet_capacity);
+    STORE_ROOM(s, l->met, l->facet_capacity);
     STORE_ROOM(s, l->ahead, l->particles);
     STORE_ROOM(s, l->at, l->particles);
     STORE_TABLE(s, l->listed, l->particles, l->particles);
@@ -256,17 +256,20 @@ static void bodies_store(world *w, store *s)
 //<
 
 //> snapshot-world
+// Of what moves the next frame finds ahead, reach, velocity and moved; of all
+// else they are zeros.  Planes are read from a new list, or where the cache found
+// no memory for the last one.
 static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
 {
     STORE_TABLE(s, t->dynamic, bodies, room);
-    STORE_TABLE(s, t->moves, bodies, room);
+    STORE_ROOM(s, t->moves, room);
     STORE_TABLE(s, t->now, bodies, room);
     STORE_TABLE(s, t->ball, bodies, room);
-    STORE_TABLE(s, t->ahead, bodies, room);
-    STORE_TABLE(s, t->reach, bodies, room);
-    STORE_TABLE(s, t->middle, bodies, room);
-    STORE_TABLE(s, t->velocity, t->motions, t->motions);
-    STORE_TABLE(s, t->moved, t->motions, t->motions);
+    STORE_ZEROS(s, t->ahead, room);
+    STORE_ZEROS(s, t->reach, room);
+    STORE_ROOM(s, t->middle, room);
+    STORE_ZEROS(s, t->velocity, t->motions);
+    STORE_ZEROS(s, t->moved, t->motions);
     STORE_ROOM(s, t->relaxed, room);
     STORE_TABLE(s, t->load, bodies, room);
     STORE_TABLE(s, t->material, bodies, room);
@@ -274,6 +277,14 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     pair_list_store(&t->pairs, s);
     cache_store(&t->cache, s);
     contact_solver_store(&t->solver, s);
+    t->pairs.has_new |= s->is_reading && t->cache.walls.count != t->pairs.walls;
+}
+
+// As if it had moved: the next frame looks where it is.
+static void look_again(world *w)
+{
+    for (int b = 0; b < w->bodies; b++)
+        w->rigid.moves[b] = !body_is_soft(&w->body[b]);
 }
 
 void world_store(world *w, store *s)
@@ -291,5 +302,6 @@ void world_store(world *w, store *s)
     linkage_store(&w->joints, s);
     soft_store(&w->soft, s);
     sleep_store(&w->sleep, s);
+    if (s->is_reading && s->done.ok) look_again(w);
 }
 //<

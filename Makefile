@@ -25,6 +25,7 @@ define ORDER
 10/hull
 10/capsule
 10/query
+10/obj
 11/manifold
 12/inline
 12/line
@@ -67,7 +68,6 @@ define ORDER
 18/rolling
 18/step
 18/measure
-18/obj
 18/world_scene
 19/store
 19/snapshot

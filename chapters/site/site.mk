@@ -34,9 +34,11 @@ $(SITE)/exercises.html: $(wildcard exercises/*/README.md) $(PAGE_TOOLS)
 $(SITE)/%.html: chapters/woven/%.md $(PAGE_TOOLS)
 	$(call page,page $@ $*)
 
+# No wider than twice the column for pictures: a PNG tells its width in bytes 19, 20.
 $(SITE)/figures/%.webp: figures/%.png
 	@mkdir -p $(@D)
-	$(Q)cwebp -quiet -preset drawing -q 82 -m 6 $< -o $@
+	$(Q)wide=$$(od -An -tu1 -j18 -N2 $< | awk '{ print 256 * $$1 + $$2 }'); [ "$$wide" -gt 1472 ] && shrink='-resize 1472 0'; \
+	  cwebp -quiet -preset drawing -q 75 -m 6 $$shrink $< -o $@
 $(SITE)/figures/%: figures/%
 	@mkdir -p $(@D)
 	$(Q)cp $< $@

@@ -9,8 +9,8 @@ set ytics scale 0
 set grid noytics
 eval box(200, 660, 52, high - 36)
 set yrange [8.7:-0.7] 
-set xrange [0:1.75]
-set xtics 0,0.5,1.5
+set xrange [0:1.5]
+set xtics 0,0.5,1
 set xlabel "time of a step, the same 200 boxes with nothing more = 1" textcolor rgb ink
 set title "What one more thing costs a falling pile"
 set style fill solid 1 noborder

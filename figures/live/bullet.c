@@ -8,7 +8,7 @@
 enum { AIM, SPEED, THICKNESS };                 // dials
 enum { BY_END, BY_SUBSTEPS, AHEAD, SWEPT, WAYS };   // lanes and lines of charts
 enum { THROUGH_CHART, PUSHED_CHART };
-enum { CORNERS = 12, PLATE = 8, SPEEDS = 31, SHOTS = 24, FLIGHT = 90, REST = 50, ROUND = 16 };
+enum { CORNERS = 12, PLATE = 8, SPEEDS = 31, SHOTS = 24, FLIGHT = 90, REST = 50 };
 typedef enum { FLIES, STOPPED, THROUGH } outcome;
 static const char *const NAME[WAYS] = { "end of frame", "substeps", "looking ahead", "swept" };
 static const real RADIUS = 0.05, FRAME = 1.0 / 60, SPACE = 0.56;    // m, s; lanes
@@ -158,16 +158,6 @@ static void measure(void)
 }
 
 // --- Drawing ----------------------------------------------------------------------
-static void draw_ball(live_colour c, vec3 at)
-{
-    vec3 rim[ROUND];
-    for (int k = 0; k < ROUND; k++) {
-        real t = (k % (ROUND / 2)) / (ROUND / 4.0) - 1, sign = k < ROUND / 2 ? RADIUS : -RADIUS;
-        rim[k] = vec3_add(at, vec3_make(sign * (1 - t * t) / (1 + t * t), sign * 2 * t / (1 + t * t), 0));
-    }
-    live_area(c, rim, ROUND);
-}
-
 static void draw_lane(int by)
 {
     vec3 lane = { 0, (WAYS - 1 - by) * SPACE, 0 }, way = { live_dial(SPEED) * FRAME, 0, 0 };
@@ -180,7 +170,7 @@ static void draw_lane(int by)
     for (vec3 seen = at; seen.x < (has_ended ? stop[by].x : x); seen = vec3_add(seen, way))
         live_dot(LIVE_QUIET, vec3_add(seen, lane), 2);
     at = has_ended ? stop[by] : vec3_make(x, at.y, 0);
-    draw_ball(is_wrong ? LIVE_RED : has_ended || x > 0.1 ? LIVE_GREEN : LIVE_BLUE, vec3_add(at, lane));
+    live_circle(is_wrong ? LIVE_RED : has_ended || x > 0.1 ? LIVE_GREEN : LIVE_BLUE, vec3_add(at, lane), RADIUS);
     live_label(LIVE_INK, vec3_add(lane, vec3_make(LEFT, 0.14, 0)), NAME[by]);
 }
 

@@ -1,15 +1,15 @@
 // chain.c - a chain of boxes with a load, its joints solved one by one or as a
 // tree (chapter 17).
 
-#include "handle.h"
 #include "join.h"
 #include "live.h"
+#include "live_world.h"
 #include "measure.h"
 #include "step.h"
 
 enum { SOLVER, LINKS, LOAD, SUBSTEPS };         // dials
 enum { GAP, TIME };                             // charts
-enum { MOST = 41, CORNERS = 8, ONE_BY_ONE = 0 };
+enum { MOST = 41, ONE_BY_ONE = 0 };
 static const real LENGTH = 0.2, HIGH = 4.4;     // m, a link; the hook
 
 static world chain;
@@ -60,20 +60,11 @@ static void begin(void)
 }
 
 // --- Hands ------------------------------------------------------------------------
-static void pull(int b)
-{
-    placement now = world_where(&chain, b);
-    vec3 a = live_pull(now.position, now.velocity);
-    real mass = real_max(5, chain.body[b].mass);
-    world_push(&chain, b, vec3_scale(mass / 60, a), now.position);
-}
-
 static void press(int button)
 {
     if (!is_ready) return;
     if (button == 0) {
-        vec3 kick = vec3_make(2.5 * chain.body[bodies - 1].mass, 0, -1.5 * chain.body[bodies - 1].mass);
-        world_push(&chain, bodies - 1, kick, world_where(&chain, bodies - 1).position);
+        live_world_hurry(&chain, bodies - 1, vec3_make(2.5, 0, -1.5));
     } else if (!is_cut) {
         world_unjoin(&chain, bodies / 2);
         is_cut = true;
@@ -84,7 +75,7 @@ static void press(int button)
 static void step(void)
 {
     if (!is_ready) return;
-    if (live_held() >= 0) pull(live_held());
+    if (live_held() >= 0) live_world_pull(&chain, live_held(), 5);
     world_step(&chain);
 }
 
@@ -105,12 +96,9 @@ static void measure(void)
 
 static void draw_body(int b)
 {
-    const shape *s = b == bodies - 1 ? &load_shape : &link_shape;
-    vec3 at[CORNERS];
-    world_vertices(&chain, &chain.body[b], at);
     bool is_torn = gap_of(b) > 0.01 || (b + 1 < bodies && gap_of(b + 1) > 0.01);
     live_colour c = b == bodies - 1 ? LIVE_ORANGE : is_torn ? LIVE_RED : LIVE_BLUE;
-    live_mesh(b, c, at, CORNERS, s->face, s->mesh.faces, false);
+    live_world_body(&chain, b, c);
 }
 
 static void draw(void)

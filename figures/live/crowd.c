@@ -8,7 +8,7 @@
 
 enum { ROOM, BALLS, RADIUS, SPEED };            // dials
 enum { EVERY, AXIS, LANES, FOUND };             // lines of the chart
-enum { MOST = 1000, PAIRS = 100000, ROUND = 8 };
+enum { MOST = 1000, PAIRS = 100000 };
 static const vec3 HALF[] = { { 2.5, 1.4, 0 }, { 2.5, 0.15, 0 }, { 0.2, 1.4, 0 } };  // m
 
 typedef enum { ALONE, ON_AXIS, IN_LANE, TOUCHES } relation;     // to the watched ball
@@ -134,12 +134,7 @@ static void move(int number, vec3 to)
 // --- Drawing ----------------------------------------------------------------------
 static void draw_ball(int i)
 {
-    vec3 rim[ROUND];
-    for (int k = 0; k < ROUND; k++) {
-        real t = (k % (ROUND / 2)) / (ROUND / 4.0) - 1, r = k < ROUND / 2 ? ball[i].radius : -ball[i].radius;
-        rim[k] = vec3_add(ball[i].center, vec3_make(r * (1 - t * t) / (1 + t * t), r * 2 * t / (1 + t * t), 0));
-    }
-    live_area(i == 0 ? LIVE_INK : COLOUR[to_watched[i]], rim, ROUND);
+    live_circle(i == 0 ? LIVE_INK : COLOUR[to_watched[i]], ball[i].center, ball[i].radius);
 }
 
 // The lanes, side by side along y, in which the watched ball stands.

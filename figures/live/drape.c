@@ -8,14 +8,16 @@
 enum { SYSTEM, SCENE, CLOTH, SUBSTEPS };        // dials
 enum { STRAIN, TIME };                          // charts
 enum { PRINTED, MENDED, ENGINE };
-enum { BELOW, ON_TOP, BODIES };                 // cube or rope; the cloth
+enum { BELOW, ON_TOP, PIN };                    // cube or rope; the cloth; pins from here on
+enum { ROPE_PINS = 2, PINS = 4 };               // then those of two corners of the cloth
 static const runner_kind KIND[] = { AS_PRINTED, BY_PLAIN, BY_ENGINE };
 static const real PULL = 20, REACH = 0.2;       // 1/s; m, what comes along
-static const real ROPE_RADIUS = 0.03;           // m, as it is drawn
+static const real ROPE_RADIUS = 0.03, PIN_RADIUS = 0.05;   // m, as they are drawn
 
 static runner run;
 static bool is_ready;
-static int cuts, held = -1, held_particle, frame;
+static bool is_pinned[PINS];
+static int held = -1, held_particle, frame;
 static vec3 held_at;
 
 static scene_kind kind(void)
@@ -53,7 +55,8 @@ static void begin(void)
     status done = by == BY_ENGINE ? begin_engine(what) : begin_system(by, what);
     is_ready = done.ok;
     held = -1;
-    cuts = frame = 0;
+    frame = 0;
+    for (int k = 0; k < PINS; k++) is_pinned[k] = done.ok && k < run.scene.pins;
     if (!done.ok) live_say("%s", done.why);
 }
 
@@ -63,23 +66,50 @@ static const vec3 *places(int b)
 }
 
 // --- Hands ------------------------------------------------------------------------
-// The two ends of the rope are pinned: one is let go.
-static void press(int button)
+static scene_pin pin(int k)
 {
-    (void)button;
-    if (!is_ready || kind() != SCENE_CLOTH_ON_ROPE || cuts == run.scene.pins) return;
-    scene_pin p = run.scene.pin[cuts++];
+    if (k < ROPE_PINS) return run.scene.pin[k];
+    return (scene_pin){ ON_TOP, k == ROPE_PINS ? 0 : scene_shape(&run.scene, ON_TOP)->columns - 1 };
+}
+
+static void set_pin(int k, bool holds)
+{
+    scene_pin p = pin(k);
+    is_pinned[k] = holds;
     if (run.kind == BY_ENGINE) {
-        world_unpin(&run.world, p.body, p.particle);
+        if (holds) world_pin(&run.world, p.body, p.particle);
+        else       world_unpin(&run.world, p.body, p.particle);
         return;
     }
-    const shape *s = scene_shape(&run.scene, p.body);
-    run.plain.pool.at[run.plain.body[p.body].first + p.particle].inverse_mass = 1 / s->mass[p.particle];
+    particle *at = &run.plain.pool.at[run.plain.body[p.body].first + p.particle];
+    at->inverse_mass = holds ? 0 : 1 / scene_shape(&run.scene, p.body)->mass[p.particle];
+    at->previous = at->position;
+}
+
+static void press(int button)
+{
+    if (!is_ready) return;
+    if (button == 0) {
+        for (int k = ROPE_PINS; k < PINS; k++) set_pin(k, true);
+        return;
+    }
+    for (int k = PINS - 1; k >= 0; k--)
+        if (is_pinned[k]) {
+            set_pin(k, false);
+            return;
+        }
+}
+
+// A pin that is touched is cut.
+static void tap(int number, vec3 along)
+{
+    (void)along;
+    if (number >= PIN) set_pin(number - PIN, false);
 }
 
 static void move(int number, vec3 to)
 {
-    if (!is_ready) return;
+    if (!is_ready || number >= PIN) return;
     held_at = to;
     if (held == number) return;
     held = number;
@@ -138,8 +168,12 @@ static void measure(void)
 static void draw_rope(const vec3 *at, int n)
 {
     for (int i = 1; i < n; i++) live_tube(BELOW, LIVE_ORANGE, at[i - 1], at[i], ROPE_RADIUS);
-    for (int k = cuts; k < run.scene.pins; k++)
-        live_ball(-1, LIVE_INK, at[run.scene.pin[k].particle], 2 * ROPE_RADIUS);
+}
+
+static void draw_pins(void)
+{
+    for (int k = 0; k < PINS; k++)
+        if (is_pinned[k]) live_ball(PIN + k, LIVE_INK, places(pin(k).body)[pin(k).particle], PIN_RADIUS);
 }
 
 static void draw(void)
@@ -149,6 +183,7 @@ static void draw(void)
     if (below->kind == SHAPE_ROPE) draw_rope(places(BELOW), below->particles);
     else live_mesh(-1, LIVE_GREY, places(BELOW), below->particles, below->face, below->mesh.faces, false);
     live_mesh(ON_TOP, LIVE_BLUE, places(ON_TOP), cloth->particles, cloth->face, cloth->mesh.faces, true);
+    draw_pins();
 }
 
 static unsigned long long hash(void)
@@ -166,11 +201,11 @@ const live_figure figure = {
         [CLOTH] = { "particles a side", NULL, 10, 40, 1, 32, NULL, true },
         [SUBSTEPS] = { "substeps", NULL, 0, 3, 1, 1, "half|usual|double|4 ×", true },
     },
-    .button = { "Cut a pin of the rope" },
+    .button = { "Pin two corners", "Cut a pin" },
     .chart = {
         [STRAIN] = { "largest strain", "%", { NULL }, 0.1, 10, true, false, NULL },
         [TIME] = { "time of a frame", "ms", { NULL }, 0, 1, false, true, NULL },
     },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,
-    .press = press, .move = move, .release = release,
+    .press = press, .tap = tap, .move = move, .release = release,
 };

@@ -46,13 +46,6 @@ static int ellipse(vec3 *at, int n)
     return n;
 }
 
-// Turns by an angle with the tangent of its half, t: no sine is needed.
-static vec3 turned(vec3 d, real t)
-{
-    real c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
-    return vec3_make(c * d.x - s * d.y, s * d.x + c * d.y, 0);
-}
-
 static void lengthen(vec3 *at, int n)
 {
     for (int i = 0; i < n; i++) {
@@ -73,9 +66,9 @@ static vec3 support(vec3 d)
 static void place_shapes(void)
 {
     corners_a = ellipse(at_a, 4 << live_choice(CORNERS_A));
-    for (int i = 0; i < corners_a; i++) at_a[i] = vec3_add(place_a, turned(at_a[i], 0.2));
+    for (int i = 0; i < corners_a; i++) at_a[i] = vec3_add(place_a, live_turned(at_a[i], 0.2));
     for (int i = 0; i < CORNERS_B; i++)
-        at_b[i] = vec3_add(place_b, turned(B_START[i], live_dial(TURN)));
+        at_b[i] = vec3_add(place_b, live_turned(B_START[i], live_dial(TURN)));
     lengthen(at_a, corners_a);
     lengthen(at_b, CORNERS_B);
 }
@@ -210,7 +203,7 @@ static int difference(vec3 *out)
 {
     int n = 0;
     for (int k = 0; k < 720 && n < MOST; k++) {
-        vec3 c = support(turned(vec3_make(k < 360 ? 1 : -1, 0, 0), (k % 360 - 180) / 180.0));
+        vec3 c = support(live_turned(vec3_make(k < 360 ? 1 : -1, 0, 0), (k % 360 - 180) / 180.0));
         if (n == 0 || vec3_distance(c, out[n - 1]) > 0) out[n++] = c;
     }
     return n;

@@ -4,13 +4,14 @@
 #include "capsule.h"
 #include "handle.h"
 #include "live.h"
+#include "live_world.h"
 #include "measure.h"
 #include "step.h"
 #include "world_scene.h"
 
 enum { FABRIC, SIDE, SUBSTEPS };                // dials
 enum { STRAIN, TIME };                          // charts
-enum { BALL, CLOTH };                           // bodies
+enum { BALL, CLOTH, PIN };                      // bodies; pins from here on
 enum { MOST = 40, PINS = 2 };
 static const real WIDTH = 0.42, HIGH = 0.33, RADIUS = 0.075;     // m
 static const real PACE = 2.5;                   // 1/s, of the ball, times 2 pi
@@ -24,9 +25,10 @@ static world room;
 static shape ball_shape, cloth_shape;
 static bool is_ready, is_led;
 static vec3 led_to, aim, aim_velocity, pulled_to;
-static int pins, pulled = -1, frame;
+static bool is_pinned[PINS];
+static int pulled = -1, frame;
 
-static int pinned(int k)
+static int corner_of(int k)
 {
     int side = (int)live_dial(SIDE);
     return k == 0 ? 0 : side - 1;
@@ -63,7 +65,8 @@ static void begin(void)
     is_ready = done.ok;
     is_led = false;
     pulled = -1;
-    pins = frame = 0;
+    frame = 0;
+    for (int k = 0; k < PINS; k++) is_pinned[k] = false;
     if (done.ok) world_set_kinematic(&room, BALL, true);
     else         live_say("%s", done.why);
 }
@@ -78,7 +81,7 @@ static vec3 particle_at(int i)
 
 static void move(int number, vec3 to)
 {
-    if (!is_ready) return;
+    if (!is_ready || number >= PIN) return;
     if (number == BALL) {
         is_led = true;
         led_to = vec3_make(to.x, real_max(to.y, RADIUS + 0.01), to.z);
@@ -96,11 +99,26 @@ static void release(int number)
     if (number == CLOTH) pulled = -1;
 }
 
+static void set_pin(int k, bool holds)
+{
+    if (holds == is_pinned[k]) return;
+    is_pinned[k] = holds;
+    if (holds) world_pin(&room, CLOTH, corner_of(k));
+    else       world_unpin(&room, CLOTH, corner_of(k));
+}
+
 static void press(int button)
 {
     if (!is_ready) return;
-    if (button == 0) for (; pins < PINS; pins++) world_pin(&room, CLOTH, pinned(pins));
-    else if (pins > 0) world_unpin(&room, CLOTH, pinned(--pins));
+    if (button == 0) for (int k = 0; k < PINS; k++) set_pin(k, true);
+    else             set_pin(is_pinned[1] ? 1 : 0, false);
+}
+
+// A pin that is touched is cut.
+static void tap(int number, vec3 along)
+{
+    (void)along;
+    if (number >= PIN) set_pin(number - PIN, false);
 }
 
 // --- Frames -----------------------------------------------------------------------
@@ -138,12 +156,11 @@ static void measure(void)
 
 static void draw(void)
 {
-    static vec3 at[MOST * MOST];
     if (!is_ready) return;
     live_ball(BALL, LIVE_ORANGE, world_where(&room, BALL).position, RADIUS - 0.004);
-    world_vertices(&room, &room.body[CLOTH], at);
-    live_mesh(CLOTH, LIVE_BLUE, at, cloth_shape.particles, cloth_shape.face, cloth_shape.mesh.faces, true);
-    for (int k = 0; k < pins; k++) live_ball(-1, LIVE_INK, at[pinned(k)], 0.007);
+    live_world_body(&room, CLOTH, LIVE_BLUE);
+    for (int k = 0; k < PINS; k++)
+        if (is_pinned[k]) live_ball(PIN + k, LIVE_INK, particle_at(corner_of(k)), 0.009);
 }
 
 static unsigned long long hash(void)
@@ -160,11 +177,11 @@ const live_figure figure = {
         [SIDE] = { "particles a side", NULL, 8, MOST, 1, 24, NULL, true },
         [SUBSTEPS] = { "substeps", NULL, 0, 3, 1, 1, "half|usual|double|4 ×", true },
     },
-    .button = { "Pin two corners", "Let a pin go" },
+    .button = { "Pin two corners", "Cut a pin" },
     .chart = {
         [STRAIN] = { "longest link, error", "%", { NULL }, 0.01, 10, true, false, NULL },
         [TIME] = { "time of a frame", "ms", { NULL }, 0, 0.5, false, true, NULL },
     },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,
-    .press = press, .move = move, .release = release,
+    .press = press, .tap = tap, .move = move, .release = release,
 };

@@ -3,13 +3,13 @@
 
 import { svg, COLOURS } from './node.js';
 
-const PANE = 0, LINE = 1, DASHES = 2, AREA = 3, DOT = 4, ARROW = 5, LABEL = 6, HANDLE = 7;
-const TAGS = { [LINE]: 'polyline', [DASHES]: 'polyline', [AREA]: 'polygon', [DOT]: 'circle', [ARROW]: 'path', [LABEL]: 'text' };
+const PANE = 0, LINE = 1, DASHES = 2, AREA = 3, DOT = 4, ARROW = 5, LABEL = 6, HANDLE = 7, CIRCLE = 8;
+const TAGS = { [LINE]: 'polyline', [DASHES]: 'polyline', [AREA]: 'polygon', [DOT]: 'circle', [ARROW]: 'path', [LABEL]: 'text', [CIRCLE]: 'circle' };
 const NARROW = 560;             // px; below, panes stand one over the other
 
 export class Flat {
-  constructor(figure, stage, panel, moved) {
-    Object.assign(this, { figure, moved });
+  constructor(figure, stage, panel) {
+    this.figure = figure;
     this.panes = panel.panes.map(box => this.makePane(stage, box, panel.says));
     stage.classList.add('live-flat');
     new ResizeObserver(() => {
@@ -60,13 +60,14 @@ export class Flat {
       if (node) node.replaceWith(fresh); else pane.shapes.append(fresh);
       node = fresh;
     }
-    const name = ['', 'line', 'dashes', 'area', 'dot', 'arrow', 'label'][kind];
+    const name = ['', 'line', 'dashes', 'area', 'dot', 'arrow', 'label', '', 'area'][kind];
     node.setAttribute('class', `live-${name} live-${tint}`);
     if (kind <= AREA) {
       let out = '';
       for (let k = 0; k < points.length / 2; k++) out += at(k).map(v => v.toFixed(1)).join() + ' ';
       node.setAttribute('points', out);
     } else if (kind === DOT) this.place(node, at(0), number);
+    else if (kind === CIRCLE) this.place(node, at(0), (number * pane.scale).toFixed(1));
     else if (kind === ARROW) node.setAttribute('d', arrow(at(0), at(1)));
     else {
       node.setAttribute('x', at(0)[0].toFixed(1));
@@ -96,14 +97,20 @@ export class Flat {
   }
 
   makeHandle(pane) {
-    const node = svg('circle'), inside = (x, y) => this.moved(node.number,
+    const node = svg('circle'), inside = (x, y) => this.acted('move', node.number,
       Math.min(Math.max(x, pane.left), pane.left + pane.wide),
-      Math.min(Math.max(y, pane.bottom), pane.bottom + pane.high));
+      Math.min(Math.max(y, pane.bottom), pane.bottom + pane.high), 0);
+    const letGo = () => {
+      if (node.held) this.acted('release', node.number);
+      node.held = false;
+    };
     node.setAttribute('tabindex', 0);
     node.setAttribute('role', 'button');
     node.addEventListener('pointerdown', event => { node.setPointerCapture(event.pointerId); node.held = true; });
-    node.addEventListener('pointerup', () => { node.held = false; });
-    node.addEventListener('pointercancel', () => { node.held = false; });
+    node.addEventListener('pointerup', letGo);
+    node.addEventListener('pointercancel', letGo);
+    node.addEventListener('keyup', letGo);
+    node.addEventListener('blur', letGo);
     node.addEventListener('pointermove', event => {
       if (!node.held) return;
       const box = pane.node.getBoundingClientRect();
@@ -113,6 +120,7 @@ export class Flat {
       const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
       if (!way) return;
       event.preventDefault();
+      node.held = true;
       inside(node.at[0] + way[0] * pane.wide / 100, node.at[1] + way[1] * pane.wide / 100);
     });
     return node;

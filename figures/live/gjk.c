@@ -24,26 +24,12 @@ static real bound[2][ITERATIONS];
 static hull shape_a(void) { return (hull){ at_a, A_CORNERS }; }
 static hull shape_b(void) { return (hull){ at_b, B_CORNERS }; }
 
-static vec3 middle(const vec3 *at, int n)
-{
-    vec3 sum = { 0, 0, 0 };
-    for (int i = 0; i < n; i++) sum = vec3_add_scaled(sum, 1.0 / n, at[i]);
-    return sum;
-}
-
-// B turns by an angle with the tangent of its half, t: no sine is needed.
-static vec3 turned(vec3 d, real t)
-{
-    real c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
-    return vec3_make(c * d.x - s * d.y, s * d.x + c * d.y, 0);
-}
-
 static void place_shapes(void)
 {
-    vec3 m = middle(POLYGON_B, B_CORNERS), to = vec3_add(m, place_b);
+    vec3 m = live_middle(POLYGON_B, B_CORNERS), to = vec3_add(m, place_b);
     for (int i = 0; i < A_CORNERS; i++) at_a[i] = vec3_add(POLYGON_A[i], place_a);
     for (int i = 0; i < B_CORNERS; i++)
-        at_b[i] = vec3_add(to, turned(vec3_sub(POLYGON_B[i], m), live_dial(TURN)));
+        at_b[i] = vec3_add(to, live_turned(vec3_sub(POLYGON_B[i], m), live_dial(TURN)));
 }
 
 // The support that the next iteration asks for.
@@ -84,7 +70,7 @@ static void tell(void)
 static void begin(void)
 {
     place_shapes();
-    vec3 away = vec3_sub(middle(at_a, A_CORNERS), middle(at_b, B_CORNERS));
+    vec3 away = vec3_sub(live_middle(at_a, A_CORNERS), live_middle(at_b, B_CORNERS));
     corner far = hull_support(shape_a(), shape_b(), away);
     now = (simplex){ .count = 1, .of = { far }, .weight = { 1 }, .v = far.at };
     state = GJK_CAPPED;
@@ -122,8 +108,8 @@ static void press(int button)
 
 static void move(int number, vec3 to)
 {
-    if (number == 0) place_a = vec3_sub(to, middle(POLYGON_A, A_CORNERS));
-    else             place_b = vec3_sub(to, middle(POLYGON_B, B_CORNERS));
+    if (number == 0) place_a = vec3_sub(to, live_middle(POLYGON_A, A_CORNERS));
+    else             place_b = vec3_sub(to, live_middle(POLYGON_B, B_CORNERS));
     begin();
 }
 
@@ -140,7 +126,7 @@ static void draw_shapes(void)
         live_dot(LIVE_BLUE, at_a[now.of[k].a], 5);
         live_dot(LIVE_ORANGE, at_b[now.of[k].b], 5);
     }
-    vec3 a = middle(at_a, A_CORNERS), b = middle(at_b, B_CORNERS);
+    vec3 a = live_middle(at_a, A_CORNERS), b = live_middle(at_b, B_CORNERS);
     live_label(LIVE_BLUE, vec3_add(a, vec3_make(0.2, -0.05, 0)), "A");
     live_label(LIVE_ORANGE, vec3_add(b, vec3_make(0.2, -0.05, 0)), "B");
     live_handle(0, LIVE_BLUE, a, "polygon A");
@@ -166,7 +152,7 @@ static void draw_difference(void)
     for (int k = 0; k < now.count; k++) at[k] = now.of[k].at;
     live_pane(DIFFERENCE);
     live_area(LIVE_GREY, outline, n);
-    live_label(LIVE_QUIET, vec3_add(middle(outline, n), vec3_make(-0.2, 0, 0)), "A − B");
+    live_label(LIVE_QUIET, vec3_add(live_middle(outline, n), vec3_make(-0.2, 0, 0)), "A − B");
     if (state != GJK_OVERLAP) draw_support();
     live_area(LIVE_PURPLE, at, now.count);
     for (int k = 0; k < now.count; k++) live_dot(LIVE_PURPLE, at[k], 5);

@@ -102,7 +102,8 @@ void live_pane(int k);          // what follows belongs there; at first: 0
 void live_line(live_colour c, const vec3 *at, int n);
 void live_dashes(live_colour c, const vec3 *at, int n);
 void live_area(live_colour c, const vec3 *at, int n);   // filled, lightly
-void live_dot(live_colour c, vec3 at, double radius);   // radius: px
+void live_dot(live_colour c, vec3 at, double radius);   // px
+void live_circle(live_colour c, vec3 middle, double radius);    // m; filled, lightly
 void live_arrow(live_colour c, vec3 from, vec3 to);
 void live_label(live_colour c, vec3 at, const char *text);
 // A dot that can be dragged, by mouse, finger or arrow keys.
@@ -114,6 +115,13 @@ void live_mesh(int number, live_colour c, const vec3 *at, int n,
 void live_ball(int number, live_colour c, vec3 at, real radius);
 void live_tube(int number, live_colour c, vec3 a, vec3 b, real radius);
 void live_edge(live_colour c, vec3 a, vec3 b);          // a thin line
+
+// --- Flat shapes ------------------------------------------------------------------
+// Turns d in the plane by the angle whose half has the tangent t: no sine is
+// needed, so the bits are the same on all machines.
+vec3 live_turned(vec3 d, real t);
+// The mean of n places.
+vec3 live_middle(const vec3 *at, int n);
 
 // --- Hashes ---------------------------------------------------------------------
 // FNV-1a of some bytes, carried on from h.

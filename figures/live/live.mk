@@ -3,6 +3,7 @@
 
 # A figure, and the chapter up to which it sees the library.
 define LIVES
+00/bounce
 01/orbit
 02/rope
 03/cube
@@ -13,6 +14,7 @@ define LIVES
 08/blow
 09/room
 09/drape
+10/nearest
 11/slab
 12/strand
 13/pile
@@ -20,19 +22,23 @@ define LIVES
 15/bullet
 16/fabric
 17/chain
+18/energy
 19/topple
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk  := rules/04-distance-1.o
 WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
+$(foreach f,pile fabric chain energy,$(eval WITH_$f := live/live_world.o))
+# The first program of the book runs on a module of the next chapter.
+FLOOR_bounce := 01
 
 LIVE := $(notdir $(strip $(LIVES)))
 # With modules of the reader's own, all but these is taken from where ours is.
 OURS := $(BUILD:%/swapped=%)
 LIVE_PROGRAMS := $(LIVE:%=$(BUILD)/live/%)
 live_chapter = $(patsubst %/$1,%,$(filter %/$1,$(strip $(LIVES))))
-live_floor   = $(call FLOOR,$(call live_chapter,$1))
+live_floor   = $(call FLOOR,$(or $(FLOOR_$1),$(call live_chapter,$1)))
 
 # --- On this machine ------------------------------------------------------------
 $(BUILD)/live/%.o: figures/live/%.c $(BUILD)/flags

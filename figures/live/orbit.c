@@ -5,7 +5,7 @@
 
 enum { STEPS, WORK };                           // dials
 enum { EULER, VERLET, RK4, METHODS };
-enum { TRAIL = 480, FRAMES_A_REVOLUTION = 240 };
+enum { TRAIL = 480, FRAMES_A_REVOLUTION = 80 };
 static const real PI = 3.14159265358979323846;
 static const live_colour COLOUR[METHODS] = { LIVE_ORANGE, LIVE_BLUE, LIVE_GREEN };
 

@@ -2,12 +2,13 @@
 
 #include "handle.h"
 #include "live.h"
+#include "live_world.h"
 #include "measure.h"
 #include "step.h"
 
 enum { WARM, HEAVIEST, SUBSTEPS };              // dials
 enum { OVERLAP, SWAY };                         // charts
-enum { BOXES = 10, CORNERS = 8 };
+enum { BOXES = 10 };
 static const real SIDE = 0.5;                   // m
 static const live_colour COLOUR[] = { LIVE_BLUE, LIVE_ORANGE, LIVE_GREEN, LIVE_PURPLE };
 
@@ -53,18 +54,9 @@ static void begin(void)
 }
 
 // --- Hands ------------------------------------------------------------------------
-static void pull(int b)
-{
-    placement now = world_where(&piles, b);
-    vec3 a = live_pull(now.position, now.velocity);
-    world_push(&piles, b, vec3_scale(piles.body[b].mass / 60, a), now.position);
-}
-
 static void push(int b, vec3 along)
 {
-    if (!is_ready) return;
-    vec3 level = vec3_make(along.x, 0, along.z);
-    world_push(&piles, b, vec3_scale(1.2 * piles.body[b].mass, level), world_where(&piles, b).position);
+    if (is_ready) live_world_hurry(&piles, b, vec3_make(1.2 * along.x, 0, 1.2 * along.z));
 }
 
 static void press(int button)
@@ -77,7 +69,7 @@ static void press(int button)
 static void step(void)
 {
     if (!is_ready) return;
-    if (live_held() >= 0) pull(live_held());
+    if (live_held() >= 0) live_world_pull(&piles, live_held(), 0);
     world_step(&piles);
     frame++;
 }
@@ -95,12 +87,8 @@ static void measure(void)
 
 static void draw(void)
 {
-    for (int b = 0; b < BOXES && is_ready; b++) {
-        const shape *s = b == BOXES - 1 ? &heavy : &light;
-        vec3 at[CORNERS];
-        world_vertices(&piles, &piles.body[b], at);
-        live_mesh(b, b == BOXES - 1 ? LIVE_RED : COLOUR[b % 4], at, CORNERS, s->face, s->mesh.faces, false);
-    }
+    for (int b = 0; b < BOXES && is_ready; b++)
+        live_world_body(&piles, b, b == BOXES - 1 ? LIVE_RED : COLOUR[b % 4]);
 }
 
 static unsigned long long hash(void)

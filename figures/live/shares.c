@@ -28,13 +28,6 @@ static feature_contact touch;
 static real depth;                              // m; 0: they are apart
 static int frame;
 
-static vec3 middle(const vec3 *at, int n)
-{
-    vec3 sum = { 0, 0, 0 };
-    for (int i = 0; i < n; i++) sum = vec3_add_scaled(sum, 1.0 / n, at[i]);
-    return sum;
-}
-
 // --- Where do they touch? ---------------------------------------------------------
 // Flat shapes have no volume: the query sees them as long prisms, front and back.
 static hull prism(const vec3 *flat, int n, vec3 *at)
@@ -166,7 +159,7 @@ static void move(int number, vec3 to)
 {
     const vec3 *at = number == 0 ? START : START + A_CORNERS;
     vec3 *place = number == 0 ? &place_a : &place_b;
-    *place = vec3_sub(vec3_make(to.x, to.y, 0), middle(at, number == 0 ? A_CORNERS : B_CORNERS));
+    *place = vec3_sub(vec3_make(to.x, to.y, 0), live_middle(at, number == 0 ? A_CORNERS : B_CORNERS));
     begin();
 }
 
@@ -200,15 +193,15 @@ static void draw(void)
         draw_body(LIVE_ORANGE, now + A_CORNERS, B_CORNERS, false);
         for (int i = 0; i < CORNERS; i++)
             if (vec3_distance(now[i], at[i]) > 0.02) live_arrow(LIVE_INK, now[i], at[i]);
-        label_share(LIVE_BLUE, "A", &touch.a, vec3_add(middle(now, A_CORNERS), vec3_make(-2.0, 0.4, 0)));
-        label_share(LIVE_ORANGE, "B", &touch.b, vec3_add(middle(now + A_CORNERS, B_CORNERS), vec3_make(-0.6, -0.4, 0)));
+        label_share(LIVE_BLUE, "A", &touch.a, vec3_add(live_middle(now, A_CORNERS), vec3_make(-2.0, 0.4, 0)));
+        label_share(LIVE_ORANGE, "B", &touch.b, vec3_add(live_middle(now + A_CORNERS, B_CORNERS), vec3_make(-0.6, -0.4, 0)));
     } else if (depth > 0) {
         live_dot(LIVE_BLUE, feature_at(&touch.a, now), 5);
         live_dot(LIVE_ORANGE, feature_at(&touch.b, now), 5);
         live_arrow(LIVE_GREEN, feature_at(&touch.a, now), feature_at(&touch.b, now));
     }
-    live_handle(0, LIVE_BLUE, middle(now, A_CORNERS), "body A");
-    live_handle(1, LIVE_ORANGE, middle(now + A_CORNERS, B_CORNERS), "body B");
+    live_handle(0, LIVE_BLUE, live_middle(now, A_CORNERS), "body A");
+    live_handle(1, LIVE_ORANGE, live_middle(now + A_CORNERS, B_CORNERS), "body B");
 }
 
 static unsigned long long hash(void)

@@ -1,7 +1,7 @@
 //> obj-head
 // obj.h - a convex body from a Wavefront OBJ file.
 //
-// Book: chapter 18.  Of the format: lines `v x y z` and `f i j k ...` (also
+// Book: chapter 10.  Of the format: lines `v x y z` and `f i j k ...` (also
 // i/t/n; negative indices count back; polygons are cut into fans), in any
 // order.  A backslash at the end of a line joins it to the next.  All other
 // lines are ignored.

@@ -2,6 +2,7 @@
 #include "grid.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 
 // Cells for a point.  In a box around a cloth most cells are empty, and the
@@ -13,18 +14,19 @@ status grid_init(grid *g, int points)
     assert(points >= 0);
     size_t n = (size_t)points, cells = CELLS_A_POINT * n + 1;
     *g = (grid){ .points = points, .cells = CELLS_A_POINT * points + 1 };
-    g->start  = malloc((cells + 1) * sizeof *g->start);
+    g->start  = malloc((cells + 2) * sizeof *g->start);
     g->cell   = malloc((n + 1) * sizeof *g->cell);
     g->sorted = malloc((n + 1) * sizeof *g->sorted);
-    real *real_room = malloc((4 * n + 1) * sizeof *real_room);
+    real *real_room = malloc((5 * n + 1) * sizeof *real_room);
     int *int_room = malloc((2 * n + 1) * sizeof *int_room);
-    g->crowd = (crowd){ real_room, NULL, NULL, NULL, int_room, NULL };
+    g->crowd = (crowd){ .x = real_room, .number = int_room };
     if (!g->start || !g->cell || !g->sorted || !real_room || !int_room) {
         grid_free(g);
         return status_out_of_memory();
     }
     g->crowd = (crowd){ real_room, real_room + n, real_room + 2 * n,
-                        real_room + 3 * n, int_room, int_room + n };
+                        real_room + 3 * n, real_room + 4 * n,
+                        int_room, int_room + n };
     return status_ok();
 }
 
@@ -76,6 +78,10 @@ static int cut_box(cut *c, const vec3 *at, int n, real reach, int cells)
 //<
 
 //> grid-sort
+// Two rows of the sheet are parted by so many empty places: so no point at the
+// end of a row is beside one at the beginning of the next.
+enum { MARGIN = 2 };
+
 // Rounding may put the outermost point beyond the last cell.
 static int cell_along(real x, real least, real side, int n)
 {
@@ -84,24 +90,27 @@ static int cell_along(real x, real least, real side, int n)
 }
 
 // A counting sort: how many there are in each cell says where the next begins.
-// (While the points are placed, start[c] runs from the first of cell c to the
-// first of c + 1; it is shifted back by one in the end.)
-static void sort_points(grid *g, const cut *c, const vec3 *at, int n)
+// It counts two cells further on.  So, while the points are placed, the first
+// free place of cell c stands in start[c + 1], and in the end where c + 1 begins.
+static void sort_points(grid *g, const cut *c, const vec3 *at, int n,
+                        int columns)
 {
-    int cells = c->nx * c->ny * c->nz;
-    for (int k = 0; k <= cells; k++) g->start[k] = 0;
+    int cells = c->nx * c->ny * c->nz, column = 0, place = 0;
+    for (int k = 0; k <= cells + 1; k++) g->start[k] = 0;
     for (int i = 0; i < n; i++) {
         int x = cell_along(at[i].x, c->least.x, c->side, c->nx);
         int y = cell_along(at[i].y, c->least.y, c->side, c->ny);
         int z = cell_along(at[i].z, c->least.z, c->side, c->nz);
         g->cell[i] = (z * c->ny + y) * c->nx + x;
-        g->start[g->cell[i] + 1]++;
+        g->start[g->cell[i] + 2]++;
     }
-    for (int k = 0; k < cells; k++) g->start[k + 1] += g->start[k];
-    for (int i = 0; i < n; i++)
-        g->sorted[g->start[g->cell[i]]++] = (grid_point){ at[i], i };
-    for (int k = cells; k > 0; k--) g->start[k] = g->start[k - 1];
-    g->start[0] = 0;
+    for (int k = 1; k <= cells; k++) g->start[k + 1] += g->start[k];
+    for (int i = 0; i < n; i++) {
+        g->sorted[g->start[g->cell[i] + 1]++] = (grid_point){ at[i], i, place };
+        bool is_last = ++column == columns;
+        column = is_last ? 0 : column;
+        place += is_last ? 1 + MARGIN : 1;
+    }
 }
 //<
 
@@ -109,8 +118,8 @@ static void sort_points(grid *g, const cut *c, const vec3 *at, int n)
 typedef struct {
     grid *g;
     cut  c;
-    real reach2, linked2;       // m^2
-    const vec3 *rest;
+    real reach2;        // m^2
+    real pitch;         // places from one row of the sheet to the next
     leaf_pair *out;
     int found, capacity;
 } search;
@@ -123,39 +132,43 @@ static int crowd_add(crowd c, int n, const grid_point *from,
         c.x[n] = from->at.x;
         c.y[n] = from->at.y;
         c.z[n] = from->at.z;
+        c.place[n] = from->place;
         c.number[n] = from->number;
     }
     return n;
 }
 
-// The squares of the distances of number i from those that come after it.
+// Measures number i and those that come after it.
 static void measure(const real *restrict x, const real *restrict y,
-                    const real *restrict z, real *restrict d2, int i, int n)
+                    const real *restrict z, const real *restrict place,
+                    real *restrict d2, int i, int n, real pitch)
 {
-    real x0 = x[i], y0 = y[i], z0 = z[i];
+    real x0 = x[i], y0 = y[i], z0 = z[i], place0 = place[i];
     for (int k = i + 1; k < n; k++) {
         real dx = x[k] - x0, dy = y[k] - y0, dz = z[k] - z0;
-        d2[k] = dx * dx + dy * dy + dz * dz;
+        real square = dx * dx + dy * dy + dz * dz;
+        real steps = fabs(place[k] - place0), rows = fabs(steps - pitch);
+        real least = steps < rows ? steps : rows;
+        d2[k] = least <= 1 ? HUGE_VAL : square;
     }
 }
 
-// Neither loop asks a question whose answer a processor would have to guess:
-// what may be wanted is written, and stays if the count moves over it.
+// The loop asks no question whose answer a processor would have to guess: what
+// may be wanted is written, and stays if the count moves over it.
 static void look(search *s, crowd c, int i, int n)
 {
     int near = 0, p = c.number[i];
-    measure(c.x, c.y, c.z, c.d2, i, n);
+    int room = s->capacity - s->found;
+    measure(c.x, c.y, c.z, c.place, c.d2, i, n, s->pitch);
     for (int k = i + 1; k < n; k++) {
         c.near[near] = c.number[k];
         near += c.d2[k] < s->reach2;
     }
-    vec3 rest = s->rest[p];
-    for (int k = 0; k < near; k++) {
-        int q = c.near[k], a = p < q ? p : q, b = p < q ? q : p;
-        if (s->found < s->capacity) s->out[s->found] = (leaf_pair){ a, b };
-        s->found += vec3_length_squared(vec3_sub(rest, s->rest[q]))
-                 >= s->linked2;
+    for (int k = 0; k < near && k < room; k++) {
+        int q = c.near[k];
+        s->out[s->found + k] = (leaf_pair){ p < q ? p : q, p < q ? q : p };
     }
+    s->found += near;
 }
 //<
 
@@ -183,15 +196,15 @@ static void look_around(search *s, int cell)
     for (int i = 0; i < own; i++) look(s, s->g->crowd, i, n);
 }
 
-int grid_pairs(grid *g, const vec3 *at, int n, real reach, const vec3 *rest,
-               real linked, leaf_pair *out, int capacity)
+int grid_pairs(grid *g, const vec3 *at, int n, real reach, int columns,
+               leaf_pair *out, int capacity)
 {
-    assert(n <= g->points && reach > 0 && capacity >= 0);
-    search s = { .g = g, .reach2 = reach * reach, .linked2 = linked * linked,
-                 .rest = rest, .out = out, .capacity = capacity };
+    assert(n <= g->points && reach > 0 && columns > 0 && capacity >= 0);
+    search s = { .g = g, .reach2 = reach * reach, .pitch = columns + MARGIN,
+                 .out = out, .capacity = capacity };
     if (n == 0) return 0;
     if (!cut_box(&s.c, at, n, reach, g->cells)) return -1;
-    sort_points(g, &s.c, at, n);
+    sort_points(g, &s.c, at, n, columns);
     for (int k = 0; k < n;) {
         int cell = g->cell[g->sorted[k].number];
         look_around(&s, cell);

@@ -13,19 +13,22 @@
 typedef struct {
     vec3 at;
     int  number;
+    int  place;         // in the sheet: see grid_pairs
 } grid_point;
 
 // A cell's points and those around it, while it is looked at.
 typedef struct crowd {
     real *x, *y, *z;    // [points] m
-    real *d2;           // [points] m^2, squares of distances from one of them
+    real *place;        // [points]
+    real *d2;           // [points] m^2, squares of distances from one of them;
+                        // HUGE_VAL of its neighbours in the sheet
     int  *number;       // [points]
     int  *near;         // [points] the numbers of those near that one
 } crowd;
 
 typedef struct grid {
     int points, cells;  // for so many there is room
-    int *start;         // [cells + 1] the first point of each cell
+    int *start;         // [cells + 2] the first point of each cell
     int *cell;          // [points] where each point is
     grid_point *sorted; // [points] by cell, then by number
     struct crowd crowd;
@@ -38,13 +41,13 @@ status grid_init(grid *g, int points);
 void   grid_free(grid *g);      // an empty or zeroed one is fine
 
 // The pairs of n points at `at` (n <= g->points) that are nearer than reach (m,
-// > 0), each once, a < b, in an order fixed by the places.  Left out are those
-// that stood nearer than linked (m) at rest, when the points were at `rest`.
-// Writes at most capacity of them to out, and returns how many there are; or
-// -1, where a tree does better: one point is so far from the others that the
-// cells would have to be wide, or is not finite.
-int grid_pairs(grid *g, const vec3 *at, int n, real reach, const vec3 *rest,
-               real linked, leaf_pair *out, int capacity);
+// > 0), each once, a < b, in an order fixed by the places.  They are a sheet of
+// so many columns (>= 1), row by row; each point's neighbours there, of which
+// it has up to eight, are left out.  Writes at most capacity of them to out, and
+// returns how many there are; or -1, where a tree does better: one point is so
+// far from the others that the cells would have to be wide, or is not finite.
+int grid_pairs(grid *g, const vec3 *at, int n, real reach, int columns,
+               leaf_pair *out, int capacity);
 
 #endif
 //<

@@ -81,7 +81,8 @@ static bool lists_are_good(near_lists *l, const soft_frame *f)
     }
     // What stands still has moved by nothing, and that is in the box, too.
     moves m = { .longest = 0 };
-    for (int b = 0; b < f->bodies; b++) {
+    for (int k = 0; k < l->whos; k++) {
+        int b = l->who[k];
         if (!soft_moves(f, b)) continue;
         if (body_is_soft(&f->body[b])) add_soft_moves(&m, l, f, &f->body[b]);
         else                           add_rigid_moves(&m, l, f, b);
@@ -120,6 +121,7 @@ static void add_near(near_lists *l, const body *a, const body *b,
 // The ends of a link do not collide, the stick holds them apart: in a square
 // grid they stand at 0.91 diameters.  Nor do, here, those of a cell's diagonals,
 // at 1.29: they are looked after in every substep.  The next stand at 1.82.
+// The grid knows the neighbours by their places, the tree by this distance.
 static const real LINKED = 1.5;
 
 // A body against itself: equal balls, which a grid sorts fastest.  Where one is
@@ -131,8 +133,8 @@ static void list_self(near_lists *l, const soft_frame *f, int b)
     const vec3 *at = l->at + a->first;
     real touching = 2 * a->thickness;
     int found = grid_pairs(&l->grid, at, a->shape->particles,
-                           touching + l->margin, a->shape->at,
-                           LINKED * touching, l->leaf, l->leaf_capacity);
+                           touching + l->margin, a->shape->columns, l->leaf,
+                           l->leaf_capacity);
     if (found < 0) {
         sphere_tree_refresh(tree, at);
         add_near(l, a, a, sphere_tree_self(tree, at, l->margin, LINKED,
@@ -173,10 +175,11 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
 void facet_corners(const body *b, int k, int end[FACET])
 {
     const shape *s = b->shape;
-    const stick *link = &s->stick[k];
-    const int ends[FACET] = { link->a, link->b, link->b };
-    const int *v = s->mesh.faces > 0 ? &s->face[FACET * k] : ends;
-    for (int i = 0; i < FACET; i++) end[i] = b->first + v[i];
+    bool is_face = s->mesh.faces > 0;
+    const int *v = is_face ? &s->face[FACET * k] : NULL;
+    end[0] = b->first + (is_face ? v[0] : s->stick[k].a);
+    end[1] = b->first + (is_face ? v[1] : s->stick[k].b);
+    end[2] = b->first + (is_face ? v[2] : s->stick[k].b);
 }
 
 // A particle keeps 0.55 of a spacing from a face, and a cell's diagonal over a
@@ -371,11 +374,91 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
     l->pairs = l->points = l->trusted = 0;
     l->substeps = 0;
     l->made++;
-    for (int b = 0; b < f->bodies; b++) note_places(l, f, b);
-    for (int a = 0; a < f->bodies; a++) {
-        if (is_moving_soft(f, a)) list_self(l, f, a);
-        for (int b = a + 1; b < f->bodies; b++) list_pair(l, v, f, a, b);
+    for (int k = 0; k < l->whos; k++) note_places(l, f, l->who[k]);
+    for (int k = 0; k < l->whos; k++) {
+        if (is_moving_soft(f, l->who[k])) list_self(l, f, l->who[k]);
+        for (int j = k + 1; j < l->whos; j++)
+            list_pair(l, v, f, l->who[k], l->who[j]);
     }
+}
+//<
+
+//> near-who
+typedef struct {
+    vec3 least, most;   // m
+} box;
+
+static box box_around(const vec3 *at, int n)
+{
+    box x = { at[0], at[0] };
+    for (int i = 1; i < n; i++) {
+        x.least = (vec3){ real_min(x.least.x, at[i].x),
+                          real_min(x.least.y, at[i].y),
+                          real_min(x.least.z, at[i].z) };
+        x.most = (vec3){ real_max(x.most.x, at[i].x),
+                         real_max(x.most.y, at[i].y),
+                         real_max(x.most.z, at[i].z) };
+    }
+    return x;
+}
+
+// m, beyond 0 outside of the two ends; a NaN stays one.
+static real outside(real x, real least, real most)
+{
+    return x < least ? least - x : x > most ? x - most : x - x;
+}
+
+static bool is_far(box x, sphere ball, real reach)
+{
+    vec3 d = { outside(ball.center.x, x.least.x, x.most.x),
+               outside(ball.center.y, x.least.y, x.most.y),
+               outside(ball.center.z, x.least.z, x.most.z) };
+    real apart = ball.radius + reach;
+    return vec3_length_squared(d) > apart * apart;
+}
+
+// Two bodies that are further apart than this (m) cannot be near in the frame, if
+// nothing gets faster than twice the fastest.
+static real frame_reach(const near_lists *l, const soft_frame *f,
+                        const prediction *ahead)
+{
+    real fastest = 0;
+    for (int b = 0; b < f->bodies; b++) {
+        real reach = ahead[b].reach;
+        if (reach > fastest || reach != reach) fastest = reach;
+    }
+    return 4 * fastest + 2 * l->margin;
+}
+
+static void mark_near(near_lists *l, const soft_frame *f, int a, real reach)
+{
+    const body *soft = &f->body[a];
+    if (soft->shape->particles == 0) return;
+    box around = box_around(l->at + soft->first, soft->shape->particles);
+    l->is_near[a] = true;
+    for (int b = 0; b < f->bodies; b++)
+        if (!body_is_soft(&f->body[b]))
+            l->is_near[b] |= !is_far(around, f->ball[b],
+                                     reach + soft->thickness);
+}
+
+// Whom deformable bodies may meet in this frame: if one of those was not asked
+// about when the lists were made, they are no longer good.
+static void choose_who(near_lists *l, const soft_frame *f,
+                       const prediction *ahead)
+{
+    real reach = frame_reach(l, f, ahead);
+    int missing = 0;
+    for (int b = 0; b < f->bodies; b++) l->is_near[b] = false;
+    for (int a = 0; a < f->bodies; a++)
+        if (body_is_soft(&f->body[a])) mark_near(l, f, a, reach);
+    for (int b = 0; b < f->bodies; b++) missing += l->is_near[b];
+    for (int k = 0; k < l->whos; k++) missing -= l->is_near[l->who[k]];
+    if (missing == 0) return;
+    l->trusted = -1;
+    l->whos = 0;
+    for (int b = 0; b < f->bodies; b++)
+        if (l->is_near[b]) l->who[l->whos++] = b;
 }
 //<
 
@@ -384,21 +467,15 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
 static sphere ball_around(const vec3 *at, int n)
 {
     if (n == 0) return (sphere){ { 0, 0, 0 }, -HUGE_VAL };
-    vec3 least = at[0], most = at[0];
+    box all = box_around(at, n);
+    vec3 middle = vec3_scale(0.5, vec3_add(all.least, all.most));
     real far2 = 0;
-    for (int i = 1; i < n; i++) {
-        least = (vec3){ real_min(least.x, at[i].x), real_min(least.y, at[i].y),
-                        real_min(least.z, at[i].z) };
-        most = (vec3){ real_max(most.x, at[i].x), real_max(most.y, at[i].y),
-                       real_max(most.z, at[i].z) };
-    }
-    vec3 middle = vec3_scale(0.5, vec3_add(least, most));
     for (int i = 0; i < n; i++)
         far2 = longer(far2, vec3_sub(at[i], middle));
     return (sphere){ middle, sqrt(far2) };
 }
 
-void near_begin(near_lists *l, const soft_frame *f)
+void near_begin(near_lists *l, const soft_frame *f, const prediction *ahead)
 {
     l->made = l->dropped = 0;
     for (int b = 0; b < f->bodies; b++) {
@@ -411,6 +488,7 @@ void near_begin(near_lists *l, const soft_frame *f)
         l->ball[b] = ball_around(at, f->body[b].shape->particles);
         l->ball[b].radius += f->body[b].thickness;
     }
+    choose_who(l, f, ahead);
 }
 //<
 
@@ -461,6 +539,8 @@ static bool make_room(near_lists *l, int bodies, int particles)
     if (room > l->bodies) {
         TABLE_GROW(ok, l->tree, l->bodies, room);
         TABLE_GROW(ok, l->ball, l->bodies, room);
+        TABLE_GROW(ok, l->is_near, l->bodies, room);
+        TABLE_GROW(ok, l->who, l->whos, room);
         if (ok) l->bodies = room;
     }
     if (particle_room > l->particles) {
@@ -514,7 +594,7 @@ status near_add(near_lists *l, const body *all, int b, int bodies,
 void near_free(near_lists *l)
 {
     for (int b = 0; b < l->bodies; b++) sphere_tree_free(&l->tree[b]);
-    void *owned[] = { l->tree, l->ball, l->at, l->listed, l->pair, l->point,
+    void *owned[] = { l->tree, l->ball, l->is_near, l->who, l->at, l->listed, l->pair, l->point,
                       l->leaf, l->ahead, l->met, l->facet.at,
                       l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);

@@ -129,6 +129,8 @@ typedef struct {
     vec3 *listed;       // [particles] when the lists were made
     sphere_tree *tree;  // [bodies] of deformable ones
     sphere *ball;       // [bodies] around each, as the frame begins
+    int  *who, whos;    // deformable bodies, and rigid ones that they may meet
+    bool *is_near;      // [bodies] is it one, as this frame begins?
     int  bodies, particles;     // for so many there is room
     struct leaf_pair *leaf;     // room for a traversal of two trees
     int  leaf_capacity;
@@ -155,8 +157,8 @@ void   near_forget(near_lists *l, int b);
 // It is taken away, as well.
 void   near_remove(near_lists *l, const body *all, int b, int bodies);
 
-// A frame begins: where is everything?
-void near_begin(near_lists *l, const soft_frame *f);
+// A frame begins: where is everything, and what may meet?
+void near_begin(near_lists *l, const soft_frame *f, const prediction *ahead);
 
 // Brings the lists up to date for a substep.
 void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f);

@@ -279,9 +279,9 @@ void soft_begin(soft_solver *s, const soft_frame *f)
     choose_pace(s);
     s->touching = s->fell_back = 0;
     s->tested = s->relaxed = 0;
-    near_begin(&s->near, f);
     for (int b = 0; b < f->bodies; b++)
         s->ahead[b] = body_is_soft(&f->body[b]) ? predict(f, b) : f->ahead[b];
+    near_begin(&s->near, f, s->ahead);
 }
 
 static bool balls_meet(sphere a, sphere b, real margin)

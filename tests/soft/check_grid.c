@@ -14,24 +14,28 @@ enum { SIDE = 24, N = SIDE * SIDE, MOST = 64 * N };
 static unsigned long long seed;
 
 static grid g;
-static vec3 at[N], rest[N];
+static vec3 at[N];
 static leaf_pair found[MOST], wanted[MOST];
 
 static void lay_flat(void)
 {
     for (int i = 0; i < N; i++)
-        at[i] = rest[i] = vec3_make(i % SIDE, 0, i / SIDE);
+        at[i] = vec3_make(i % SIDE, 0, i / SIDE);
+}
+
+static bool are_neighbours(int a, int b)
+{
+    return abs(a / SIDE - b / SIDE) <= 1 && abs(a % SIDE - b % SIDE) <= 1;
 }
 
 // All pairs, by a and then b.
-static int all_pairs(int n, real reach, real linked)
+static int all_pairs(int n, real reach)
 {
     int pairs = 0;
     for (int a = 0; a < n; a++)
         for (int b = a + 1; b < n; b++) {
-            vec3 d = vec3_sub(at[a], at[b]), r = vec3_sub(rest[a], rest[b]);
-            if (vec3_length_squared(d) < reach * reach
-                && vec3_length_squared(r) >= linked * linked)
+            vec3 d = vec3_sub(at[a], at[b]);
+            if (vec3_length_squared(d) < reach * reach && !are_neighbours(a, b))
                 wanted[pairs++] = (leaf_pair){ a, b };
         }
     return pairs;
@@ -44,10 +48,10 @@ static int by_number(const void *p, const void *q)
                         : (x->b > y->b) - (x->b < y->b);
 }
 
-static void expect_all_pairs(int n, real reach, real linked)
+static void expect_all_pairs(int n, real reach)
 {
-    int pairs = grid_pairs(&g, at, n, reach, rest, linked, found, MOST);
-    ck_assert_int_eq(pairs, all_pairs(n, reach, linked));
+    int pairs = grid_pairs(&g, at, n, reach, SIDE, found, MOST);
+    ck_assert_int_eq(pairs, all_pairs(n, reach));
     qsort(found, (size_t)pairs, sizeof *found, by_number);
     for (int k = 0; k < pairs; k++)
         ck_assert_msg(found[k].a == wanted[k].a && found[k].b == wanted[k].b,
@@ -57,7 +61,8 @@ static void expect_all_pairs(int n, real reach, real linked)
 
 // Sheets flat, crumpled, in a ball and in a line; few points and many; cells
 // with one of them and cells with hundreds.  Rejects: a cell that is left out,
-// a pair that comes twice, neighbours at rest, rows that go on around a corner.
+// a pair that comes twice, neighbours in the sheet, cells that go on around a
+// corner, the end of a row beside the beginning of the next.
 START_TEST(it_finds_what_all_pairs_find)
 {
     static const int count[6] = { 1, 2, 3, 33, 200, N };
@@ -80,7 +85,7 @@ START_TEST(it_finds_what_all_pairs_find)
                 }
                 if (s == 2 && count[k] == N && reach > 2) continue; // too many
                 if (s == 3 && count[k] < N) continue;   // far apart: see below
-                expect_all_pairs(count[k], reach, 1.2);
+                expect_all_pairs(count[k], reach);
             }
     grid_free(&g);
 }
@@ -97,9 +102,8 @@ START_TEST(size_and_place_do_not_matter)
             vec3 d = vec3_add(vec3_make(-7e5, 3e5, 9),
                               random_vec3(&seed, 0.4));
             at[i] = vec3_scale(size, vec3_add(at[i], d));
-            rest[i] = vec3_scale(size, rest[i]);
         }
-        expect_all_pairs(N, 1.7 * size, 1.2 * size);
+        expect_all_pairs(N, 2.2 * size);
     }
     grid_free(&g);
 }
@@ -119,10 +123,9 @@ START_TEST(who_is_far_away_is_left_to_a_tree)
             at[1].y = 9;
             real *x = axis == 0 ? &at[77].x : axis == 1 ? &at[77].y : &at[77].z;
             *x = far[k];
-            ck_assert_int_eq(grid_pairs(&g, at, N, 1.5, rest, 1.2, found, MOST),
-                             -1);
+            ck_assert_int_eq(grid_pairs(&g, at, N, 2.1, SIDE, found, MOST), -1);
             lay_flat();
-            expect_all_pairs(N, 1.5, 1.2);
+            expect_all_pairs(N, 2.1);
         }
     grid_free(&g);
 }
@@ -133,13 +136,13 @@ START_TEST(what_finds_no_room_is_counted)
 {
     ck_assert(grid_init(&g, N).ok);
     lay_flat();
-    int all = grid_pairs(&g, at, N, 1.5, rest, 1.2, found, MOST);
-    ck_assert_int_eq(all, 2 * (SIDE - 1) * (SIDE - 1));
+    int all = grid_pairs(&g, at, N, 2.1, SIDE, found, MOST);
+    ck_assert_int_eq(all, 2 * SIDE * (SIDE - 2));
     found[100] = (leaf_pair){ -7, -7 };
-    ck_assert_int_eq(grid_pairs(&g, at, N, 1.5, rest, 1.2, found, 100), all);
+    ck_assert_int_eq(grid_pairs(&g, at, N, 2.1, SIDE, found, 100), all);
     ck_assert_int_eq(found[100].a, -7);
-    ck_assert_int_eq(grid_pairs(&g, at, N, 1.5, rest, 1.2, NULL, 0), all);
-    ck_assert_int_eq(grid_pairs(&g, at, 0, 1.5, rest, 1.2, NULL, 0), 0);
+    ck_assert_int_eq(grid_pairs(&g, at, N, 2.1, SIDE, NULL, 0), all);
+    ck_assert_int_eq(grid_pairs(&g, at, 0, 2.1, SIDE, NULL, 0), 0);
     grid_free(&g);
 }
 END_TEST

@@ -9,7 +9,7 @@ enum { SYSTEM, SCENE, CLOTH, SUBSTEPS };        // dials
 enum { STRAIN, TIME };                          // charts
 enum { PRINTED, MENDED, ENGINE };
 enum { BELOW, ON_TOP, PIN };                    // cube or rope; the cloth; pins from here on
-enum { ROPE_PINS = 2, PINS = 4 };               // then those of two corners of the cloth
+enum { ROPE_PINS = 2, PINS = 4 };               // then two corners of the cloth, in front
 static const runner_kind KIND[] = { AS_PRINTED, BY_PLAIN, BY_ENGINE };
 static const real PULL = 20, REACH = 0.2;       // 1/s; m, what comes along
 static const real ROPE_RADIUS = 0.03, PIN_RADIUS = 0.05;   // m, as they are drawn
@@ -69,7 +69,8 @@ static const vec3 *places(int b)
 static scene_pin pin(int k)
 {
     if (k < ROPE_PINS) return run.scene.pin[k];
-    return (scene_pin){ ON_TOP, k == ROPE_PINS ? 0 : scene_shape(&run.scene, ON_TOP)->columns - 1 };
+    const shape *cloth = scene_shape(&run.scene, ON_TOP);
+    return (scene_pin){ ON_TOP, cloth->particles - (k == ROPE_PINS ? 1 : cloth->columns) };
 }
 
 static void set_pin(int k, bool holds)

@@ -7,8 +7,7 @@
 
 #include "hit_face.h"
 #include "live.h"
-
-#include <string.h>
+#include "plane.h"
 
 enum { CORNERS_A, TURN };                       // dials
 enum { LOWER, UPPER };                          // lines of the chart
@@ -16,13 +15,12 @@ enum { SHAPES, DIFFERENCE };                    // panes
 enum { PACE = 30, REST = 100 };                 // frames an iteration, at the end
 enum { MOST_A = 32, CORNERS_B = 5, MOST = MOST_A + CORNERS_B + 3 };
 
-static const real HALF = 20;                    // m, of the prisms' length
 static const vec3 B_START[CORNERS_B] = {
     { -0.85, -0.7, 0 }, { 0.5, -0.95, 0 }, { 1.05, 0.1, 0 }, { 0.3, 0.95, 0 }, { -0.8, 0.55, 0 }
 };
 
 static vec3 place_a = { 0.75, 0.5, 0 }, place_b = { -0.2, -0.2, 0 };
-static vec3 at_a[2 * MOST_A], at_b[2 * CORNERS_B];  // front, then back
+static vec3 at_a[MOST_A], at_b[CORNERS_B];
 static int corners_a;
 static vec3 grown[MOST], w;                     // counter-clockwise; the next corner
 static int corners, closest, count, frame;
@@ -30,47 +28,21 @@ static bool overlaps, is_done, is_paced = true; // paced: goes on by itself
 static real bound[2][MOST];
 static hit_result hit;
 
-// Corners of an ellipse: four, and then one more between every two.
-static int ellipse(vec3 *at, int n)
-{
-    static const vec3 FIRST[] = { { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 } };
-    int have = 4;
-    memcpy(at, FIRST, sizeof FIRST);
-    for (; have < n; have *= 2)
-        for (int i = have - 1; i >= 0; i--) {
-            vec3 next = at[i == have - 1 ? 0 : 2 * i + 2];
-            at[2 * i] = at[i];
-            at[2 * i + 1] = vec3_unit(vec3_add(at[i], next));
-        }
-    for (int i = 0; i < n; i++) at[i] = vec3_make(1.25 * at[i].x, 0.95 * at[i].y, 0);
-    return n;
-}
+static hull shape_a(void) { return (hull){ at_a, corners_a }; }
+static hull shape_b(void) { return (hull){ at_b, CORNERS_B }; }
 
-static void lengthen(vec3 *at, int n)
-{
-    for (int i = 0; i < n; i++) {
-        at[n + i] = vec3_make(at[i].x, at[i].y, -HALF);
-        at[i].z = HALF;
-    }
-}
-
-static hull prism_a(void) { return (hull){ at_a, 2 * corners_a }; }
-static hull prism_b(void) { return (hull){ at_b, 2 * CORNERS_B }; }
-
-// The corner of the flat A - B: only fronts are asked.
-static vec3 support(vec3 d)
-{
-    return hull_support((hull){ at_a, corners_a }, (hull){ at_b, CORNERS_B }, d).at;
-}
-
+// A's corners lie on an ellipse, half by half.
 static void place_shapes(void)
 {
-    corners_a = ellipse(at_a, 4 << live_choice(CORNERS_A));
-    for (int i = 0; i < corners_a; i++) at_a[i] = vec3_add(place_a, live_turned(at_a[i], 0.2));
-    for (int i = 0; i < CORNERS_B; i++)
-        at_b[i] = vec3_add(place_b, live_turned(B_START[i], live_dial(TURN)));
-    lengthen(at_a, corners_a);
-    lengthen(at_b, CORNERS_B);
+    vec3 rest[MOST_A];
+    corners_a = 4 << live_choice(CORNERS_A);
+    for (int i = 0; i < corners_a; i++) {
+        int half = corners_a / 2;
+        vec3 on_circle = plane_turned(vec3_make(i < half ? 1 : -1, 0, 0), (2.0 * (i % half) + 1) / half - 1);
+        rest[i] = vec3_make(1.25 * on_circle.x, 0.95 * on_circle.y, 0);
+    }
+    plane_place(rest, corners_a, place_a, 0.2, at_a);
+    plane_place(B_START, CORNERS_B, place_b, live_dial(TURN), at_b);
 }
 
 // --- The polygon that grows -------------------------------------------------------
@@ -91,7 +63,7 @@ static void look(void)
     closest = 0;
     for (int k = 1; k < corners; k++)
         if (height(k) < height(closest)) closest = k;
-    w = support(outward(closest));
+    w = hull_support(shape_a(), shape_b(), outward(closest)).at;
     bound[LOWER][count] = real_max(0, height(closest));
     bound[UPPER][count] = vec3_dot(outward(closest), w);
     is_done = bound[UPPER][count] <= bound[LOWER][count] + 1e-12;
@@ -131,13 +103,15 @@ static void show(void)
 
 static void begin(void)
 {
+    vec3 a[2 * MOST_A], b[2 * CORNERS_B];
     place_shapes();
     count = frame = 0;
-    gjk_result flat = gjk_distance((hull){ at_a, corners_a }, (hull){ at_b, CORNERS_B }, 0, NULL);
-    gjk_result whole = gjk_distance(prism_a(), prism_b(), 0, NULL);
+    hull prism_a = plane_prism(at_a, corners_a, a), prism_b = plane_prism(at_b, CORNERS_B, b);
+    gjk_result flat = gjk_distance(shape_a(), shape_b(), 0, NULL);
+    gjk_result whole = gjk_distance(prism_a, prism_b, 0, NULL);
     overlaps = flat.status == GJK_OVERLAP && flat.last.count > 1 && whole.status == GJK_OVERLAP;
     if (overlaps) {
-        hit = hit_face_find(prism_a(), prism_b(), &whole.last);
+        hit = hit_face_find(prism_a, prism_b, &whole.last);
         begin_polygon(&flat.last);
         look();
     }
@@ -199,16 +173,6 @@ static void draw_shapes(void)
     live_handle(1, LIVE_ORANGE, place_b, "shape B");
 }
 
-static int difference(vec3 *out)
-{
-    int n = 0;
-    for (int k = 0; k < 720 && n < MOST; k++) {
-        vec3 c = support(live_turned(vec3_make(k < 360 ? 1 : -1, 0, 0), (k % 360 - 180) / 180.0));
-        if (n == 0 || vec3_distance(c, out[n - 1]) > 0) out[n++] = c;
-    }
-    return n;
-}
-
 static void draw_closest(void)
 {
     vec3 n = outward(closest), edge[] = { grown[closest], grown[(closest + 1) % corners] };
@@ -224,7 +188,7 @@ static void draw_difference(void)
 {
     vec3 outline[MOST];
     live_pane(DIFFERENCE);
-    live_area(LIVE_GREY, outline, difference(outline));
+    live_area(LIVE_GREY, outline, plane_difference(shape_a(), shape_b(), outline, MOST));
     live_label(LIVE_QUIET, beside(vec3_sub(place_a, place_b), 0.5, 1.1), "A − B");
     if (overlaps) {
         live_area(LIVE_PURPLE, grown, corners);

@@ -31,7 +31,7 @@ static int pulled = -1, frame;
 static int corner_of(int k)
 {
     int side = (int)live_dial(SIDE);
-    return k == 0 ? 0 : side - 1;
+    return side * side - (k == 0 ? 1 : side);
 }
 
 static status add_all(void)

@@ -5,6 +5,7 @@
 
 #include "../04/04-polygons.h"
 #include "live.h"
+#include "plane.h"
 
 gjk_result gjk_distance_1(hull a, hull b, real margin, simplex *carried);
 
@@ -26,10 +27,8 @@ static hull shape_b(void) { return (hull){ at_b, B_CORNERS }; }
 
 static void place_shapes(void)
 {
-    vec3 m = live_middle(POLYGON_B, B_CORNERS), to = vec3_add(m, place_b);
-    for (int i = 0; i < A_CORNERS; i++) at_a[i] = vec3_add(POLYGON_A[i], place_a);
-    for (int i = 0; i < B_CORNERS; i++)
-        at_b[i] = vec3_add(to, live_turned(vec3_sub(POLYGON_B[i], m), live_dial(TURN)));
+    plane_place(POLYGON_A, A_CORNERS, place_a, 0, at_a);
+    plane_place(POLYGON_B, B_CORNERS, place_b, live_dial(TURN), at_b);
 }
 
 // The support that the next iteration asks for.
@@ -70,7 +69,7 @@ static void tell(void)
 static void begin(void)
 {
     place_shapes();
-    vec3 away = vec3_sub(live_middle(at_a, A_CORNERS), live_middle(at_b, B_CORNERS));
+    vec3 away = vec3_sub(plane_middle(at_a, A_CORNERS), plane_middle(at_b, B_CORNERS));
     corner far = hull_support(shape_a(), shape_b(), away);
     now = (simplex){ .count = 1, .of = { far }, .weight = { 1 }, .v = far.at };
     state = GJK_CAPPED;
@@ -108,8 +107,8 @@ static void press(int button)
 
 static void move(int number, vec3 to)
 {
-    if (number == 0) place_a = vec3_sub(to, live_middle(POLYGON_A, A_CORNERS));
-    else             place_b = vec3_sub(to, live_middle(POLYGON_B, B_CORNERS));
+    if (number == 0) place_a = vec3_sub(to, plane_middle(POLYGON_A, A_CORNERS));
+    else             place_b = vec3_sub(to, plane_middle(POLYGON_B, B_CORNERS));
     begin();
 }
 
@@ -126,7 +125,7 @@ static void draw_shapes(void)
         live_dot(LIVE_BLUE, at_a[now.of[k].a], 5);
         live_dot(LIVE_ORANGE, at_b[now.of[k].b], 5);
     }
-    vec3 a = live_middle(at_a, A_CORNERS), b = live_middle(at_b, B_CORNERS);
+    vec3 a = plane_middle(at_a, A_CORNERS), b = plane_middle(at_b, B_CORNERS);
     live_label(LIVE_BLUE, vec3_add(a, vec3_make(0.2, -0.05, 0)), "A");
     live_label(LIVE_ORANGE, vec3_add(b, vec3_make(0.2, -0.05, 0)), "B");
     live_handle(0, LIVE_BLUE, a, "polygon A");
@@ -145,14 +144,12 @@ static void draw_support(void)
 
 static void draw_difference(void)
 {
-    corner c[MOST];
     vec3 outline[MOST], at[4];
-    int n = corners_of(shape_a(), shape_b(), c);
-    for (int k = 0; k < n; k++) outline[k] = c[k].at;
+    int n = plane_difference(shape_a(), shape_b(), outline, MOST);
     for (int k = 0; k < now.count; k++) at[k] = now.of[k].at;
     live_pane(DIFFERENCE);
     live_area(LIVE_GREY, outline, n);
-    live_label(LIVE_QUIET, vec3_add(live_middle(outline, n), vec3_make(-0.2, 0, 0)), "A − B");
+    live_label(LIVE_QUIET, vec3_add(plane_middle(outline, n), vec3_make(-0.2, 0, 0)), "A − B");
     if (state != GJK_OVERLAP) draw_support();
     live_area(LIVE_PURPLE, at, now.count);
     for (int k = 0; k < now.count; k++) live_dot(LIVE_PURPLE, at[k], 5);

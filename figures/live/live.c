@@ -378,19 +378,6 @@ void page_tap(int number, double x, double y, double z)
     if (figure.tap) figure.tap(number, vec3_unit(vec3_make(x, y, z)));
 }
 
-vec3 live_turned(vec3 d, real t)
-{
-    real c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
-    return vec3_make(c * d.x - s * d.y, s * d.x + c * d.y, 0);
-}
-
-vec3 live_middle(const vec3 *at, int n)
-{
-    vec3 sum = { 0, 0, 0 };
-    for (int i = 0; i < n; i++) sum = vec3_add_scaled(sum, 1.0 / n, at[i]);
-    return sum;
-}
-
 unsigned long long live_hash(unsigned long long h, const void *bytes, size_t n)
 {
     const unsigned char *b = bytes;

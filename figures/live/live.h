@@ -116,13 +116,6 @@ void live_ball(int number, live_colour c, vec3 at, real radius);
 void live_tube(int number, live_colour c, vec3 a, vec3 b, real radius);
 void live_edge(live_colour c, vec3 a, vec3 b);          // a thin line
 
-// --- Flat shapes ------------------------------------------------------------------
-// Turns d in the plane by the angle whose half has the tangent t: no sine is
-// needed, so the bits are the same on all machines.
-vec3 live_turned(vec3 d, real t);
-// The mean of n places.
-vec3 live_middle(const vec3 *at, int n);
-
 // --- Hashes ---------------------------------------------------------------------
 // FNV-1a of some bytes, carried on from h.
 #define LIVE_HASH 0xcbf29ce484222325ULL

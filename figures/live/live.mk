@@ -26,7 +26,9 @@ define LIVES
 19/topple
 endef
 # What a figure takes from other folders, beside the library.
-WITH_gjk  := rules/04-distance-1.o
+WITH_gjk := rules/04-distance-1.o live/plane.o
+WITH_epa := live/plane.o
+WITH_shares := live/plane.o
 WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
 $(foreach f,pile fabric chain energy,$(eval WITH_$f := live/live_world.o))
@@ -44,7 +46,7 @@ live_floor   = $(call FLOOR,$(or $(FLOOR_$1),$(call live_chapter,$1)))
 $(BUILD)/live/%.o: figures/live/%.c $(BUILD)/flags
 	$(compile)
 $(LIVE_PROGRAMS): $(BUILD)/live/%: $(BUILD)/live/%.o $(BUILD)/live/live.o \
-  $(BUILD)/live/live_main.o $$(addprefix $(BUILD)/,$$(WITH_$$*)) $$(call live_floor,$$*)
+  $(BUILD)/live/live_main.o $(BUILD)/live/live_film.o $$(addprefix $(BUILD)/,$$(WITH_$$*)) $$(call live_floor,$$*)
 	$(call link,-lm)
 .PHONY: live-programs
 live-programs: $(LIVE_PROGRAMS)
@@ -136,7 +138,7 @@ LIVE_SHOWN   := $(notdir $(filter $(LIVE_CHAPTER)/%,$(strip $(LIVES))))
 LIVE_TOOLS    = echo 'int main(void) { return 0; }' | $(WASM) -x c - -o /dev/null 2> /dev/null && command -v npm > /dev/null
 # An exercise that builds a module: what the reader wrote takes its place.
 LIVE_EXERCISE := $(firstword $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal))))
-.PHONY: live live-page
+.PHONY: live live-page live-film
 ifneq ($(LIVE_EXERCISE),)
 live:
 	@file=$$(sh figures/live/exercise.sh $(LIVE_EXERCISE) $(BUILD)/live/mine) && \
@@ -147,10 +149,11 @@ live:
 	  $(sort $(patsubst %/,%,$(dir $(strip $(LIVES)))))" >&2; exit 1; }
 	@if $(LIVE_TOOLS); then $(AGAIN) live-page NAMED=$(LIVE_CHAPTER) && \
 	  sh figures/live/open.sh $(BUILD)/live/$(LIVE_CHAPTER)/index.html; else \
-	  $(AGAIN) $(BUILD)/tumble && $(BUILD)/tumble room --film $(BUILD)/live-room.png > /dev/null && \
-	  echo "A live page needs clang for WebAssembly and npm: make deps-site installs them.\
-	  Here is a film instead: $(BUILD)/live-room.png"; fi
+	  echo "A live page needs clang for WebAssembly and npm: make deps-site installs them. Here are films instead." && \
+	  $(AGAIN) live-film NAMED=$(LIVE_CHAPTER) && sh figures/live/open.sh $(BUILD)/live/$(LIVE_CHAPTER)/index.html; fi
 endif
+live-film: $(LIVE_SHOWN:%=$(BUILD)/live/%)
+	$(Q)sh figures/live/page.sh $(LIVE_CHAPTER) $(BUILD)/live/$(LIVE_CHAPTER) film $(BUILD)/live $(LIVE_SHOWN)
 live-page: $(LIVE_SHOWN:%=$(OURS)/live/%.json) $(LIVE_SHOWN:%=$(BUILD)/live/%.js) $(OURS)/live/main.js $(OURS)/live/space.js
 	$(Q)sh figures/live/page.sh $(LIVE_CHAPTER) $(BUILD)/live/$(LIVE_CHAPTER) $(OURS)/live $(BUILD)/live $(LIVE_SHOWN)
 

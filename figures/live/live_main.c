@@ -1,5 +1,6 @@
 // live_main.c - a live figure on this machine: prints the hash of frame 60, as
-// tests/bits/bits.txt keeps it; or, with --panel, what the page builds from it.
+// tests/bits/bits.txt keeps it; with --panel, what the page builds from it; with
+// --film, a film.
 
 #include "live_page.h"
 
@@ -99,6 +100,10 @@ int main(int arguments, char **argument)
 {
     if (arguments > 1 && strcmp(argument[1], "--panel") == 0) {
         print_panel();
+        return 0;
+    }
+    if (arguments > 1 && strcmp(argument[1], "--film") == 0) {
+        live_film();
         return 0;
     }
     int usual = figure.dial[0].choices ? (int)figure.dial[0].value : 0;

@@ -55,4 +55,7 @@ PAGE(paint)   void page_paint(int colour, double r, double g, double b);
 PAGE(pick)    int  page_pick(double x, double y, double z,
                              double ax, double ay, double az);
 
+// On this machine: prints the figure's first two seconds as an SVG film.
+void live_film(void);
+
 #endif

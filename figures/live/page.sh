@@ -1,7 +1,8 @@
 # page.sh - a folder with a page of some live figures of a chapter, and all that
 # it needs.
 # page.sh CHAPTER FOLDER COMMON OWN FIGURE...: writes FOLDER/index.html.  COMMON
-# has the scripts and panels, OWN the figures' WebAssembly.
+# has the scripts and panels, OWN the figures' WebAssembly; or COMMON is film, and
+# OWN has the figures' programs, which make films.
 
 chapter=$1 folder=$2 common=$3 own=$4
 shift 4
@@ -12,9 +13,11 @@ panels() {
     for figure in "$@"; do printf '%s:%s,' "$figure" "$(cat "$common/$figure.json")"; done
     echo '}};'
 }
-{ panels "$@"; cat "$common/main.js"; } > "$folder/live.js"
-cp "$common/space.js" "$folder"
-for figure in "$@"; do cp "$own/$figure.js" "$folder"; done
+if [ "$common" != film ]; then
+    { panels "$@"; cat "$common/main.js"; } > "$folder/live.js"
+    cp "$common/space.js" "$folder"
+    for figure in "$@"; do cp "$own/$figure.js" "$folder"; done
+fi
 
 # The caption of a figure, from the picture's line in the chapter.
 caption() {
@@ -33,7 +36,13 @@ HEAD
     title=$(sed -n '1s/^# //p' chapters/"$chapter"-*.md)
     printf '<title>%s</title>\n<h1>%s</h1>\n' "$title" "$title"
     for figure in "$@"; do
-        printf '<figure data-live="%s"><figcaption>%s</figcaption></figure>\n' "$figure" "$(caption "$figure")"
+        printf '<figure data-live="%s">' "$figure"
+        [ "$common" != film ] || "$own/$figure" --film
+        printf '<figcaption>%s</figcaption></figure>\n' "$(caption "$figure")"
     done
-    echo '<script src="live.js"></script>'
+    if [ "$common" = film ]; then
+        echo '<p>Films of two seconds. With clang for WebAssembly and npm (<code>make deps-site</code>) the figures run here, and their dials turn.</p>'
+    else
+        echo '<script src="live.js"></script>'
+    fi
 } > "$folder/index.html"

@@ -4,6 +4,7 @@
 #include "constraint.h"
 #include "hit_face.h"
 #include "live.h"
+#include "plane.h"
 #include "response.h"
 
 #include <stdio.h>
@@ -14,7 +15,6 @@ enum { PRINTED, MENDED, LEAST, RULES };         // and lines of the charts
 enum { LEFT, MOMENTUM };                        // charts
 enum { A_CORNERS = 3, B_CORNERS = 4, CORNERS = A_CORNERS + B_CORNERS, STICKS = 3 + 6 };
 enum { ITERATIONS = 16, BEFORE = 30, PUSHED = 100, PACE = 4, REST = 60 };   // frames
-static const real HALF = 20;                    // m, of the prisms' length
 static const vec3 START[CORNERS] = {
     { 0.42, 0.72, 0 }, { 1.25, 2.0, 0 }, { -0.1, 2.15, 0 },
     { -1.3, 0, 0 }, { 1.3, 0, 0 }, { 1.3, 1.1, 0 }, { -1.3, 1.1, 0 },
@@ -29,14 +29,6 @@ static real depth;                              // m; 0: they are apart
 static int frame;
 
 // --- Where do they touch? ---------------------------------------------------------
-// Flat shapes have no volume: the query sees them as long prisms, front and back.
-static hull prism(const vec3 *flat, int n, vec3 *at)
-{
-    for (int i = 0; i < 2 * n; i++)
-        at[i] = vec3_make(flat[i % n].x, flat[i % n].y, i < n ? HALF : -HALF);
-    return (hull){ at, 2 * n };
-}
-
 static feature_point flat_feature(const feature_point *f, int n, int first)
 {
     feature_point flat = { 0 };
@@ -47,7 +39,7 @@ static feature_point flat_feature(const feature_point *f, int n, int first)
 static void find_contact(void)
 {
     vec3 a[2 * A_CORNERS], b[2 * B_CORNERS];
-    hull hull_a = prism(now, A_CORNERS, a), hull_b = prism(now + A_CORNERS, B_CORNERS, b);
+    hull hull_a = plane_prism(now, A_CORNERS, a), hull_b = plane_prism(now + A_CORNERS, B_CORNERS, b);
     gjk_result apart = gjk_distance(hull_a, hull_b, 0, NULL);
     depth = 0;
     if (apart.status != GJK_OVERLAP) return;
@@ -159,7 +151,7 @@ static void move(int number, vec3 to)
 {
     const vec3 *at = number == 0 ? START : START + A_CORNERS;
     vec3 *place = number == 0 ? &place_a : &place_b;
-    *place = vec3_sub(vec3_make(to.x, to.y, 0), live_middle(at, number == 0 ? A_CORNERS : B_CORNERS));
+    *place = vec3_sub(vec3_make(to.x, to.y, 0), plane_middle(at, number == 0 ? A_CORNERS : B_CORNERS));
     begin();
 }
 
@@ -193,15 +185,15 @@ static void draw(void)
         draw_body(LIVE_ORANGE, now + A_CORNERS, B_CORNERS, false);
         for (int i = 0; i < CORNERS; i++)
             if (vec3_distance(now[i], at[i]) > 0.02) live_arrow(LIVE_INK, now[i], at[i]);
-        label_share(LIVE_BLUE, "A", &touch.a, vec3_add(live_middle(now, A_CORNERS), vec3_make(-2.0, 0.4, 0)));
-        label_share(LIVE_ORANGE, "B", &touch.b, vec3_add(live_middle(now + A_CORNERS, B_CORNERS), vec3_make(-0.6, -0.4, 0)));
+        label_share(LIVE_BLUE, "A", &touch.a, vec3_add(plane_middle(now, A_CORNERS), vec3_make(-2.0, 0.4, 0)));
+        label_share(LIVE_ORANGE, "B", &touch.b, vec3_add(plane_middle(now + A_CORNERS, B_CORNERS), vec3_make(-0.6, -0.4, 0)));
     } else if (depth > 0) {
         live_dot(LIVE_BLUE, feature_at(&touch.a, now), 5);
         live_dot(LIVE_ORANGE, feature_at(&touch.b, now), 5);
         live_arrow(LIVE_GREEN, feature_at(&touch.a, now), feature_at(&touch.b, now));
     }
-    live_handle(0, LIVE_BLUE, live_middle(now, A_CORNERS), "body A");
-    live_handle(1, LIVE_ORANGE, live_middle(now + A_CORNERS, B_CORNERS), "body B");
+    live_handle(0, LIVE_BLUE, plane_middle(now, A_CORNERS), "body A");
+    live_handle(1, LIVE_ORANGE, plane_middle(now + A_CORNERS, B_CORNERS), "body B");
 }
 
 static unsigned long long hash(void)

@@ -7,7 +7,6 @@
 
 # A chapter a line, for merging.
 LATER="
-23
 "
 LATER_EXERCISES="
 "

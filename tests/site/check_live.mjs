@@ -32,7 +32,7 @@ async function open(file, options = {}) {
   return page;
 }
 
-const settled = (page, name) => page.waitForSelector(`[data-live="${name}"]:is([data-hash], [data-trapped], [data-failed])`, WAIT);
+const settled = (page, name) => page.waitForSelector(`[data-live="${name}"]:is([data-ready][data-hash], [data-trapped], [data-failed])`, WAIT);
 const frames = figure => figure.evaluate(node => node.live.frames);
 
 // --- The figures of a page, with motion unwanted: each stands at frame 60 -------
@@ -113,18 +113,68 @@ async function checkTouch(file) {
   const figure = page.locator('[data-live="cube"]');
   await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
   await settled(page, 'cube');
-  // Numbers below 100 are sticks.
-  const stick = await figure.evaluate(node => {
-    const { left, top, width, height } = node.querySelector('.live-stage canvas').getBoundingClientRect();
-    for (let y = top + height / 4; y < top + height; y += 4)
-      for (let x = left; x < left + width; x += 4) {
-        const number = node.live.drawing.pick({ clientX: x, clientY: y });
-        if (number >= 0 && number < 100) return { x, y };
-      }
-    return null;
-  });
+  const stick = await find(figure, 0, 100);         // from 100 on: corners
   await page.mouse.click(stick.x, stick.y);
   check(/^21 sticks/.test(await figure.locator('.live-said').textContent()), 'a stick of the cube that is touched is taken away');
+  await page.close();
+}
+
+// Numbers of what is drawn: the first of them that the eye can touch at a place.
+const find = (figure, least, most) => figure.evaluate((node, [least, most]) => {
+  const { left, top, width, height } = node.querySelector('.live-stage canvas').getBoundingClientRect();
+  for (let y = top; y < top + height; y += 4)
+    for (let x = left; x < left + width; x += 4) {
+      const number = node.live.drawing.pick({ clientX: x, clientY: y });
+      if (number >= least && number < most) return { x, y };
+    }
+  return null;
+}, [least, most]);
+
+// Pins of the cloth are put by a button, and cut by a touch.
+async function checkPins(file) {
+  const page = await open(file, { reducedMotion: 'reduce' });
+  const figure = page.locator('[data-live="drape"]');
+  await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+  await settled(page, 'drape');
+  check(await find(figure, 2, 100) === null, 'the cloth on the cube has no pin');
+  await figure.getByRole('button', { name: 'Pin two corners' }).press('Enter');
+  for (const left of [1, 0]) {
+    const pin = await find(figure, 2, 100);
+    await page.mouse.click(pin.x, pin.y);
+    check((await find(figure, 2, 100) === null) === (left === 0), `a touch cuts a pin of the cloth: ${left} left`);
+  }
+  await page.close();
+}
+
+// What is dragged in a flat figure is let go with the finger.
+async function checkRelease(file) {
+  const page = await open(file);
+  const figure = page.locator('[data-live="bounce"]'), ball = figure.locator('.live-handle');
+  await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+  await settled(page, 'bounce');
+  const box = await ball.boundingBox(), stage = await figure.locator('svg').boundingBox();
+  await page.mouse.move(box.x + 9, box.y + 9);
+  await page.mouse.down();
+  await page.mouse.move(stage.x + stage.width / 2, stage.y + 30, { steps: 4 });
+  const comes = (least, most, sentence) => page.waitForFunction(([least, most]) => {
+    const high = +document.querySelector('[data-live="bounce"] .live-handle').getAttribute('cy');
+    return high > least && high < most;
+  }, [least, most], WAIT).catch(() => check(false, sentence));
+  await comes(28, 32, 'the ball is held where the finger is');
+  await page.waitForTimeout(300);
+  check(Math.abs(await ball.getAttribute('cy') - 30) < 2, 'and stays there');
+  await page.mouse.up();
+  await comes(60, 1e4, 'the ball that is let go falls');
+  await page.close();
+}
+
+// The hash comes for figures that nobody has scrolled to, too.
+async function checkUnseen(file, names) {
+  const page = await open(file, { viewport: { width: 1300, height: 300 } });
+  for (const name of names) {
+    const hash = await (await page.waitForSelector(`[data-live="${name}"][data-hash]`, { ...WAIT, state: 'attached' })).getAttribute('data-hash');
+    check(hash === await page.locator(`[data-live="${name}"]`).getAttribute('data-wants'), `${name} has its hash unseen`);
+  }
   await page.close();
 }
 
@@ -146,6 +196,9 @@ for (const [file, names] of Object.entries(of)) {
   await checkStill(`${site}/${file}`, names);
 }
 await checkMotion(`${site}/01-verlet.html`, 'orbit');
+await checkUnseen(`${site}/09-system.html`, of['09-system.html']);
+await checkPins(`${site}/09-system.html`);
+await checkRelease(`${site}/00-start.html`);
 await checkTouch(`${site}/03-body.html`);
 await checkDrag(`${site}/01-verlet.html`);
 

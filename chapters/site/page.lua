@@ -8,6 +8,7 @@ local here = 'chapters/site/'
 local names = dofile(here .. 'names.lua')
 local size = dofile(here .. 'size.lua')
 local code = dofile(here .. 'code.lua')
+local formula = dofile(here .. 'formula.lua')
 local anchor = dofile(here .. 'headings.lua')
 
 local FOLD = 32             -- lines of code that lie open; more are unfolded by the reader
@@ -140,12 +141,10 @@ local function keep_whole(list)
   end
 end
 
--- Formulas without their TeX, which no browser shows.  As in TeX, a bracket grows
--- only after \left; and the letter l is no operator.
 local function Math(math)
-  local html = html_of({ math }):gsub('<annotation.-</annotation>', ''):gsub('</?semantics>', '')
-  if not math.text:match('\\left') then html = html:gsub('stretchy="true"', 'stretchy="false"') end
-  return raw((html:gsub('<mo>ℓ</mo>', '<mi>ℓ</mi>')))
+  return raw(formula(math.text, math.mathtype == 'DisplayMath', function(tex)
+    return html_of({ pandoc.Math('InlineMath', tex) })
+  end))
 end
 
 local function Inlines(list)
@@ -235,6 +234,14 @@ local function figure_of(image)
     FORMAT:match('^epub') and path or shown, '',
     { width = wide and string.format('%.0f', wide), height = high and string.format('%.0f', high),
       loading = not whole and 'lazy' or nil })
+  -- A phone gets the chart as phone.mjs lays it out.
+  local narrow = not whole and path:match('%.svg$') and path:gsub('%.svg$', '-phone.svg')
+  if narrow then
+    local w, h = size((os.getenv('BUILD') or 'build') .. '/site/' .. narrow)
+    picture = pandoc.Span({
+      raw('<picture><source media="(max-width: 40rem)" srcset="' .. narrow .. '"' .. (w and ' width="' .. w .. '" height="' .. h .. '"' or '') .. '>'),
+      picture, raw('</picture>') })
+  end
   -- By itself it can be looked at as large as it is.
   if not whole and folder ~= 'live' then picture = pandoc.Link({ picture }, shown) end
   return {

@@ -21,11 +21,18 @@ site: book
 .PHONY: site-files
 site-files: $(SITE_PAGES) $(SITE_FILES) $(SITE_CODE) $(SITE_STYLE) $(SITE_LIVE) $(SITE)/search.js
 
+# Charts, laid out for a narrow page.
+CHARTS_SITE := $(filter %.svg,$(PICTURES))
+$(SITE)/phone.done: $(CHARTS_SITE) chapters/site/phone.mjs
+	@mkdir -p $(dir $(CHARTS_SITE:%=$(SITE)/%))
+	$(Q)node chapters/site/phone.mjs $(foreach f,$(CHARTS_SITE),$f $(SITE)/$(f:.svg=-phone.svg)) && touch $@
+$(SITE_PAGES): | $(SITE)/phone.done
+
 PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html)
 define page
 	@mkdir -p $(@D)
 	@echo "  page  $@"
-	$(Q)sh chapters/site/page.sh $1
+	$(Q)BUILD='$(BUILD)' sh chapters/site/page.sh $1
 endef
 $(SITE)/index.html: chapters/site/index.md chapters/site/index.awk README.md $(PAGE_TOOLS)
 	$(call page,index $@)
@@ -72,5 +79,6 @@ html pdf epub: $(SITE_FILES)
 # The pages in a real browser.
 .PHONY: test-site
 test-site: site $(BUILD)/node/.done
+	$(Q)sh tests/script/check_charts.sh $(CHARTS_SITE:%.svg=$(SITE)/%-phone.svg)
 	$(Q)node tests/site/check_site.mjs $(SITE) $(PAGES)
 	$(Q)$(if $(PAGES),,node tests/site/check_live.mjs $(BUILD))

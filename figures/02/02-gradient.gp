@@ -14,7 +14,7 @@ set lmargin 1
 set rmargin 1
 set tmargin 1
 set bmargin 1
-set xrange [-0.75:1.68]
+set xrange [-0.75:1.55]
 set yrange [-0.13:1.2]
 set style arrow 1 head filled size 0.045,20 lw 3
 set parametric
@@ -27,11 +27,11 @@ set arrow 5 from 0,0 to bx,by nohead lw 2 lc rgb pale(grey, 0.4)
 set arrow 6 from 0,0 to nx,ny nohead lw 4 lc rgb ink
 set arrow 7 from 0,0 to px,py nohead lw 4 lc rgb pale(blue, 0.5)
 set arrow 8 from 0,0 to hx,hy nohead lw 4 lc rgb orange
-set label 1 "one step earlier" at bx-0.03,by+0.05 right textcolor rgb grey
-set label 2 "before the step" at nx+0.02,ny+0.08 center textcolor rgb ink
-set label 3 "Verlet: straight on" at sx+0.03,sy+0.06 left textcolor rgb quiet
-set label 4 "PBD: along the stick\nas it lies after the step" at 0.83,0.955 left textcolor rgb blue
-set label 5 "SHAKE: along the stick\nas it lay before the step" at 0.79,0.71 left textcolor rgb orange
+set label 1 "one step\nearlier" at bx-0.05,by+0.06 right textcolor rgb grey
+set label 2 "before the step" at nx-0.02,ny+0.08 center textcolor rgb ink
+set label 3 "Verlet: straight on" at sx-0.06,sy+0.17 left textcolor rgb quiet
+set label 4 "PBD: along\nthe stick as it lies\nafter the step" at 0.93,0.99 left textcolor rgb blue
+set label 5 "SHAKE: along\nthe stick as it lay\nbefore the step" at 0.86,0.6 left textcolor rgb orange
 set label 6 "pinned" at 0.04,-0.05 left textcolor rgb ink
 plot cos(t), sin(t) with lines dt 3 lw 1.2 lc rgb grey, \
      csv using 2:3 with points pt 7 ps 1.04 lc rgb ink, \

@@ -24,16 +24,16 @@ do for [k = 0:1] {
   unset arrow
   unset object
   set title title[k + 1] textcolor rgb ink
-  set object 1 rectangle from -2.6,-1.4 to 2,0 fc rgb pale(grey, 0.2) fs solid 1 noborder behind
+  set object 1 rectangle from -2.57,-1.4 to 1.97,0 fc rgb pale(grey, 0.2) fs solid 1 noborder behind
   set object 2 polygon from 0,-1 to -mu,0 to mu,0 to 0,-1 fc rgb pale(green, 0.25) fs solid 1 noborder
-  set arrow 1 from -2.6,0 to 2,0 nohead lw 1.5 lc rgb ink
+  set arrow 1 from -2.57,0 to 1.97,0 nohead lw 1.5 lc rgb ink
   set arrow 2 from -mu,0 to mu,0 nohead lw 5 lc rgb green
   set arrow 3 from P_min_x,P_min_y to 0,-1 lw 2 dt 2 lc rgb ink head size 0.1,22 filled
   set arrow 4 from 0,-1 to E_min_x,E_min_y lw 3 lc rgb blue head size 0.11,24 filled front
   set arrow 5 from P_min_x,P_min_y to P_min_x,0 nohead lw 1 dt 3 lc rgb grey
   set arrow 6 from 1.0,-1 to 1.0,0 heads size 0.09,22 filled lw 1.5 lc rgb ink
   set label 1 "d" at 1.08,-0.5 font ":Italic" textcolor rgb ink
-  set label 2 "previous" at P_min_x-0.1,P_min_y+0.02 right textcolor rgb ink
+  set label 2 "previous" at P_min_x+0.12,P_min_y+0.08 left textcolor rgb ink
   set label 3 "position" at 0.1,-1.13 textcolor rgb ink
   set label 4 "μ d" at mu/2,0.17 center textcolor rgb green
   set arrow 7 from 0.02,0.08 to mu,0.08 heads size 0.06,22 filled lw 1.2 lc rgb green

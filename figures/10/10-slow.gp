@@ -8,7 +8,6 @@ set yrange [100:1e8]
 set xtics (4, 6, 8, 12, 16, 24)
 set ytics ("0.1 µs" 1e2, "1 µs" 1e3, "10 µs" 1e4, "0.1 ms" 1e5, "1 ms" 1e6, "10 ms" 1e7, "0.1 s" 1e8)
 set xlabel "points of each body" textcolor rgb ink
-set ylabel "time of an answer" textcolor rgb ink
 set title "Every feature with every other, and the quick way"
 set label 1 "depth: all normals and\ncrossings of edges" at 26,2.6e7 textcolor rgb orange font bold
 set label 2 "distance: all pairs\nof features" at 26,4e6 textcolor rgb purple font bold

@@ -3,11 +3,11 @@ high = 680
 load "figures/draw/chart.gp"
 set multiplot
 
-eval box(30, 690, 290, 640)
+eval box(30, 690, 310, 645)
 set title "Two faces seen along the normal, and what they share"
 set size ratio -1
 set xrange [-1.05:1.6]
-set yrange [-0.62:1.0]
+set yrange [-0.6:1.0]
 unset border
 unset xtics
 unset ytics
@@ -17,8 +17,7 @@ set label 2 "face of A" at 0.62,0.7 right textcolor rgb quiet front
 set label 3 "a vertex of A\nover B" at -0.54,0.47 right textcolor rgb green front
 set label 4 "a vertex of\nB under A" at 0.45,0.42 right textcolor rgb blue front
 set label 5 "an edge of A\nover one of B" at 0.56,-0.37 left textcolor rgb orange front
-set label 6 "ringed: the touches\nthat are kept" at 1.0,0.62 left textcolor rgb ink front
-set label 7 "×: where GJK found\nthem nearest" at 1.0,0.4 left textcolor rgb ink front
+set label 6 "ringed: the touches that are kept;  ×: where GJK found them nearest" at 0.28,-0.68 center textcolor rgb quiet front
 plot csv index 2 using 1:2 with filledcurves closed fc rgb pale(grey, 0.12), \
      csv index 3 using 1:2 with filledcurves closed fc rgb pale(blue, 0.15), \
      csv index 2 using 1:2 with lines lc rgb quiet lw 1.2, \

@@ -22,9 +22,9 @@ set label 2 "denim" at 36,0.3 right textcolor rgb ink
 set label 3 "silk" at 126,0.3 textcolor rgb ink
 set label 4 "theory" at 3.4,0.31 textcolor rgb ink
 set label 5 "5 links" at 0.42,0.93 textcolor rgb orange
-set label 6 "10" at 0.95,0.93 textcolor rgb purple
-set label 7 "20" at 1.4,0.93 textcolor rgb green
-set label 8 "40" at 2.05,0.93 textcolor rgb blue
+set label 6 "10" at 0.42,0.86 textcolor rgb purple
+set label 7 "20" at 0.42,0.79 textcolor rgb green
+set label 8 "40" at 0.42,0.72 textcolor rgb blue
 plot csv using 1:2 with lines lc rgb grey lw 3, \
      csv using 1:3 with points pt 7 ps 0.72 lc rgb orange, \
      csv using 1:4 with points pt 7 ps 0.65 lc rgb purple, \

@@ -19,7 +19,7 @@ set yrange [0.0003:500]
 set ytics ("0.01 mm" 0.01, "0.1 mm" 0.1, "1 mm" 1, "1 cm" 10, "10 cm" 100)
 set label 1 "soft contacts, by substeps" at 9,30 textcolor rgb soft font bold
 set label 2 "descent, β = 10" at 26,3.6 textcolor rgb slow
-set label 3 "descent, β = 1000, by iterations" at 0.9,0.08 textcolor rgb ramp
+set label 3 "descent, β = 1000,\nby iterations" at 0.9,0.013 textcolor rgb ramp
 plot csv index 0 using 2:3 with linespoints pt 7 ps 0.78 lc rgb soft lw 2, \
      csv index 1 using 2:3 with linespoints pt 6 ps 0.78 lc rgb slow lw 1.6, \
      csv index 2 using 2:3 with linespoints pt 6 ps 0.78 lc rgb ramp lw 1.6, \

@@ -16,7 +16,7 @@ set ytics ("1 µs" 1, "10 µs" 10, "100 µs" 100, "1 ms" 1000, "10 ms" 10000, "1
 set label 1 "every pair" at 12500,180000 textcolor rgb orange
 set label 2 "sorted" at 12500,3600 textcolor rgb blue font bold
 set label 3 "the first call" at 12500,8600 textcolor rgb quiet
-set label 4 sprintf("pairs found in all frames: %.2f million\nby one way and not by the other: %.0f", PAIRS_sum / 1e6, WRONG_sum) at 11,40000 textcolor rgb ink
+set label 4 sprintf("%.2f million pairs\nin all frames; by one\nway only: %.0f", PAIRS_sum / 1e6, WRONG_sum) at 11,90000 textcolor rgb ink
 plot csv index 0 using 1:3 with linespoints pt 7 ps 0.52 lc rgb orange lw 2, \
      csv index 0 using 1:4 with lines dt 3 lc rgb quiet lw 1.5, \
      csv index 0 using 1:2 with linespoints pt 7 ps 0.52 lc rgb blue lw 2
@@ -30,7 +30,7 @@ set xrange [0.5:4000]
 set xtics ("1 µs" 1, "10 µs" 10, "100 µs" 100, "1 ms" 1000)
 set yrange [7.6:-0.6]
 set grid noytics
-set label 1 "sorted" at 330,-0.8 center textcolor rgb blue font bold
+set label 1 "sorted" at 30,-0.8 center textcolor rgb blue font bold
 set label 2 "every pair" at 2300,-0.8 center textcolor rgb orange
 set yrange [7.6:-1.3]
 unset ytics

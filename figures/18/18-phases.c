@@ -1,5 +1,5 @@
-// 18-phases.c - one frame of the engine, phase by phase: three boxes stand on
-// one another's shoulders, and a fourth flies into them.  18-phases FILE.png
+// 18-phases.c - one frame of the engine, phase by phase: six boxes stand in a
+// pyramid, and a seventh flies into them.  18-phases FILE.png
 //
 // What is drawn is what the tables of the world hold when the frame is over:
 // balls and ways, pairs, contacts, impulses of the last substep, particles.
@@ -11,16 +11,16 @@
 
 #include <stdio.h>
 
-enum { BOXES = 7, CORNERS = 8, PANELS = 5, WIDTH = 470, HEIGHT = 520, GAP = 6,
-       FLYING = BOXES - 1, FRAMES = 300 };
+enum { BOXES = 7, CORNERS = 8, PANELS = 6, COLUMNS = 3, WIDTH = 470, HEIGHT = 470,
+       GAP = 6, FLYING = BOXES - 1, FRAMES = 300 };
 
 static const char *const name[PANELS] = {
-    "bodies", "pairs", "contacts", "impulses", "positions"
+    "bodies", "pairs", "contacts", "impulses", "positions", "bodies again"
 };
 static const char *const what[PANELS] = {
     "a ball and a way for each", "whose balls may meet",
     "points, and their normals", "to both sides of a point",
-    "four particles each"
+    "four particles each", "the next frame begins"
 };
 
 static const unsigned INK = 0x4a525d, PALE = 0xb8bec6, BLUE = 0x0072b2,
@@ -124,7 +124,7 @@ static void box_as_it_began(painter *p, const world *w, int b, unsigned tone)
 
 static const real LONGEST = 1.1;            // m, of an impulse's arrow
 
-// --- the five pictures ---------------------------------------------------------
+// --- the pictures ---------------------------------------------------------
 
 static void draw_bodies(painter *p, const world *w)
 {
@@ -192,7 +192,7 @@ static void draw(painter *p, const world *w, int panel)
 {
     stroke(p, vec3_make(-9, 0, -0.5), vec3_make(9, 0, -0.5), THIN, INK);
     stroke(p, vec3_make(-9, 0, 0.5), vec3_make(9, 0, 0.5), THIN, INK);
-    if (panel == 0) draw_bodies(p, w);
+    if (panel == 0 || panel == 5) draw_bodies(p, w);
     if (panel == 1) draw_pairs(p, w);
     if (panel == 2) draw_contacts(p, w, false);
     if (panel == 3) draw_contacts(p, w, true);
@@ -202,14 +202,15 @@ static void draw(painter *p, const world *w, int panel)
 static status paint(const world *w, picture *out, int panel)
 {
     painter p;
-    int left = panel * (WIDTH + GAP);
+    int left = panel % COLUMNS * (WIDTH + GAP);
+    int top = panel / COLUMNS * (HEIGHT + GAP);
     painter_init(&p);
     painter_look(&p, vec3_make(2.2, 4.6, 22), vec3_make(-0.35, 1.85, 0), 13.5);
     draw(&p, w, panel);
-    status done = painter_paint(&p, out, left, 0, WIDTH, HEIGHT);
+    status done = painter_paint(&p, out, left, top, WIDTH, HEIGHT);
     painter_free(&p);
-    picture_text(out, left + 22, 44, 26, colour_hex(INK), name[panel]);
-    picture_text(out, left + 22, 74, 16, colour_hex(INK), what[panel]);
+    picture_text(out, left + 20, top + 42, 26, colour_hex(INK), name[panel]);
+    picture_text(out, left + 20, top + 76, 21, colour_hex(INK), what[panel]);
     return done;
 }
 
@@ -221,13 +222,16 @@ int main(int arguments, char **argument)
         fprintf(stderr, "usage: 18-phases FILE.png\n");
         return 2;
     }
-    status done = picture_init(&out, PANELS * (WIDTH + GAP) - GAP, HEIGHT,
+    status done = picture_init(&out, COLUMNS * (WIDTH + GAP) - GAP,
+                               PANELS / COLUMNS * (HEIGHT + GAP) - GAP,
                                colour_hex(0xffffff));
     if (done.ok) done = build(&s);
     for (int k = 0; k < FRAMES && done.ok && !has_struck(&s.world); k++)
         world_step(&s.world);
-    for (int k = 0; k < PANELS && done.ok; k++)
+    for (int k = 0; k < PANELS && done.ok; k++) {
+        if (k == PANELS - 1) world_step(&s.world);
         done = paint(&s.world, &out, k);
+    }
     if (done.ok) done = picture_write(&out, argument[1]);
     picture_free(&out);
     world_free(&s.world);

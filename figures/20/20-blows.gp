@@ -17,8 +17,8 @@ set yrange [-3.0:4.0]
 set xtics ("0" 0, "0.1" 0.1, "0.2" 0.2, "0.3" 0.3, "0.4" 0.4, "0.5" 0.5, "0.6" 0.6, "0.7 s" 0.7)
 set ytics ("−2 m" -2, "0" 0, "2 m" 2)
 set title "14.  Newton's cradle: one cube comes in, one flies off, three stay"
-set label 1 "in: 2 m/s" at 0.055,-2.2 center rotate by 4 front textcolor rgb page
-set label 2 "out: 2.00000000000 m/s" at 0.6,2.9 center rotate by 4 front textcolor rgb page
+set label 1 "in: 2 m/s" at 0.1,-2.13 center rotate by 4 front textcolor rgb page
+set label 2 "out: 2.00000000000 m/s" at 0.47,2.66 center rotate by 4 front textcolor rgb page
 plot for [i=1:5] csv index 0 using 1:(column(i+1)-half):(column(i+1)+half) with filledcurves lc rgb colour[i], \
      for [i=1:5] csv index 0 using 1:(column(i+1)-half) with lines lc rgb page lw 1.5, \
      for [i=1:5] csv index 0 using 1:(column(i+1)+half) with lines lc rgb page lw 1.5

@@ -23,11 +23,10 @@ set label 4 "" at 1.0/60,3e-3 point pt 6 ps 1.69 lw 1.2 lc rgb ink
 plot csv index 1 using 1:2 with linespoints pt 7 ps 0.65 lc rgb theirs lw 1.5, \
      csv index 0 using 1:2 with linespoints pt 7 ps 0.78 lc rgb ours lw 2
 unset label
-set label 1 "step" at screen 0.5325,0.574 center textcolor rgb ink
 
 set lmargin at screen 0.585
 set rmargin at screen 0.97
-set title "6.  So does that of a double pendulum"
+set title "6.  A double pendulum’s, too"
 plot csv index 3 using 1:2 with linespoints pt 7 ps 0.65 lc rgb theirs lw 1.5, \
      csv index 2 using 1:2 with linespoints pt 7 ps 0.78 lc rgb ours lw 2
 unset logscale

@@ -21,9 +21,15 @@ static bool make_room(linkage *l, const joint *j)
             || !table_grow(&l->rows, n, room, sizeof *l->rows)
             || !table_grow(&l->role, n, room, sizeof *l->role)
             || !table_grow(&l->step, 2 * n, 2 * room, sizeof *l->step)
-            || !table_grow(&l->apart, n, room, sizeof *l->apart)
-            || !table_grow(&l->tied, n, room, sizeof *l->tied)) return false;
+            || !table_grow(&l->apart, n, room, sizeof *l->apart))
+            return false;
         l->capacity = room;
+    }
+    int ties = table_room(l->ties + 1, l->tie_room);
+    if (ties > l->tie_room) {
+        if (!table_grow(&l->tied, l->ties, ties, sizeof *l->tied))
+            return false;
+        l->tie_room = ties;
     }
     if (bodies > l->bodies) {
         if (!table_grow(&l->body, l->bodies, bodies, sizeof *l->body))
@@ -38,15 +44,37 @@ static bool holds(const joint *j)
     return j->kind != JOINT_NONE && !j->is_broken;
 }
 
-void linkage_list_ties(linkage *l)
+// A joint that is added brings one more at most.
+static body_tie *tie_of(linkage *l, int soft, int rigid)
 {
-    l->ties = 0;
+    int k = 0;
+    while (k < l->ties
+           && (l->tied[k].soft != soft || l->tied[k].rigid != rigid)) k++;
+    if (k == l->ties) l->tied[l->ties++] = (body_tie){ soft, rigid, 0 };
+    return &l->tied[k];
+}
+
+void linkage_count_pins(linkage *l)
+{
+    for (int k = 0; k < l->ties; k++) l->tied[k].pins = 0;
     for (int k = 0; k < l->count; k++) {
         const joint *j = &l->joint[k];
-        if (j->kind != JOINT_PIN || !holds(j) || j->may_touch) continue;
-        l->tied[l->ties][0] = j->a;
-        l->tied[l->ties++][1] = j->b;
+        if (j->kind != JOINT_PIN || !holds(j) || j->may_touch || j->b < 0)
+            continue;
+        tie_of(l, j->a, j->b)->pins++;
     }
+}
+
+void linkage_untie(linkage *l, int k)
+{
+    assert(k >= 0 && k < l->ties && l->tied[k].pins == 0);
+    l->tied[k] = l->tied[--l->ties];
+}
+
+void linkage_untie_body(linkage *l, int b)
+{
+    for (int k = l->ties - 1; k >= 0; k--)
+        if (l->tied[k].soft == b || l->tied[k].rigid == b) linkage_untie(l, k);
 }
 
 // The place of a joint that has gone, if there is one.
@@ -67,7 +95,7 @@ status linkage_add(linkage *l, const joint *j, int *number)
     l->joint[k] = *j;
     l->rows[k] = (joint_rows){ .count = 0 };
     l->role[k] = JOINT_IDLE;
-    linkage_list_ties(l);
+    linkage_count_pins(l);
     return status_ok();
 }
 
@@ -78,7 +106,7 @@ void linkage_remove(linkage *l, int number)
     l->joint[number] = (joint){ .kind = JOINT_NONE };
     l->role[number] = JOINT_IDLE;
     l->gone++;
-    linkage_list_ties(l);
+    linkage_count_pins(l);
 }
 
 // A pair of bodies as one number, the smaller one first.

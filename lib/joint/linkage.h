@@ -9,6 +9,7 @@
 #define TUMBLE_LINKAGE_H
 
 #include "joint.h"
+#include "placed.h"
 //<
 
 //> linkage-struct
@@ -37,8 +38,8 @@ typedef struct {
     joint_role *role;       // [count]
     linkage_step *step;     // [2 count]
     long long  *apart;      // [count] pairs of rigid bodies that do not meet
-    int  (*tied)[2];        // [ties] and of a deformable and a rigid one
-    int  ties;
+    body_tie *tied;         // [ties] and of a deformable and a rigid one
+    int  ties, tie_room;
     int  count, capacity, gone, steps;  // gone: places that are free
     linkage_body *body;     // [bodies]
     int  bodies;
@@ -62,8 +63,14 @@ void linkage_free(linkage *l);
 // nothing, for want of memory.
 status linkage_add(linkage *l, const joint *j, int *number);
 
-// Lists again what is pinned to what, after one has broken.
-void linkage_list_ties(linkage *l);
+// Counts again what is pinned to what, after one has broken.  What was pinned
+// stays tied, until
+void linkage_count_pins(linkage *l);
+
+// tie k, which has no pins, is forgotten: the last takes its place; or body b
+// has gone, and all of its ties.
+void linkage_untie(linkage *l, int k);
+void linkage_untie_body(linkage *l, int b);
 
 // Takes a joint away.  Its number goes to a later one.
 void linkage_remove(linkage *l, int number);

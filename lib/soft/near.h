@@ -32,8 +32,8 @@ typedef struct {
     motion *velocity;           // [bodies] and how fast they are
     const sphere *ball;         // [bodies] around them, as the frame begins
     const prediction *ahead;    // [bodies] how they may move in the frame
-    const int (*tied)[2];       // [ties] a deformable body, and the rigid one
-    int  ties;                  // that it is pinned to: they do not meet
+    const body_tie *tied;       // [ties] who do not meet
+    int  ties;
     const plane *plane;
     int  planes;
     vec3 gravity;               // m/s^2
@@ -69,8 +69,8 @@ static inline material soft_material(const soft_frame *f, int a, int b)
 static inline bool soft_meets(const soft_frame *f, int a, int b)
 {
     for (int k = 0; k < f->ties; k++)
-        if ((f->tied[k][0] == a && f->tied[k][1] == b)
-            || (f->tied[k][0] == b && f->tied[k][1] == a)) return false;
+        if ((f->tied[k].soft == a && f->tied[k].rigid == b)
+            || (f->tied[k].soft == b && f->tied[k].rigid == a)) return false;
     return body_meets(&f->body[a], &f->body[b]);
 }
 static inline bool is_moving_soft(const soft_frame *f, int b)

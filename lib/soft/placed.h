@@ -64,5 +64,12 @@ static inline bool body_meets(const body *a, const body *b)
         && (body_is_dynamic(a) || body_is_dynamic(b));
 }
 
+// A deformable body and a rigid one that do not meet: particles are pinned to
+// it; or none is any more, but the two have not been apart since.
+typedef struct {
+    int soft, rigid;
+    int pins;
+} body_tie;
+
 #endif
 //<

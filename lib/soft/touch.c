@@ -413,6 +413,36 @@ void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
 }
 //<
 
+//> touch-clear
+static bool facet_is_clear(const rigid_view *v, const soft_frame *f, int a,
+                           int k, real apart)
+{
+    int number[FACET];
+    vec3 end[FACET];
+    plane between = { { 0, 0, 0 }, 0 };
+    facet_touch t;
+    facet_corners(&f->body[a], k, number);
+    for (int i = 0; i < FACET; i++) end[i] = f->particle[number[i]].position;
+    return !facet_nearest(&v->hull, end, &between, apart, &t);
+}
+
+bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b)
+{
+    const body *soft = &f->body[a], *rigid = &f->body[b];
+    const shape *s = soft->shape;
+    int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks;
+    real apart = soft_gap(soft, rigid);
+    surface_point at;
+    rigid_view_look(v, f, b);
+    for (int i = soft->first; i < soft->first + s->particles; i++)
+        if (obstacle_nearest(&v->hull, f->particle[i].position, 0, apart, &at))
+            return false;
+    for (int k = 0; k < facets; k++)
+        if (!facet_is_clear(v, f, a, k, facet_gap(soft, rigid))) return false;
+    return true;
+}
+//<
+
 //> touch-particles
 static bool touch_plane(const soft_frame *f, int i, plane wall, real apart,
                         material m)

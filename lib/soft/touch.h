@@ -29,5 +29,8 @@ int  touch_facets(near_lists *l, rigid_view *v, const soft_frame *f,
                   bool is_backward);
 void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f);
 
+// Does all of the deformable body a keep its distance from the rigid body b?
+bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b);
+
 #endif
 //<

@@ -152,7 +152,7 @@ void join_islands_of_joints(world *w)
             sleep_touch(&w->sleep, j->a, j->b);
     }
     if (l->broken > 0) {
-        linkage_list_ties(l);
+        linkage_count_pins(l);
         w->soft.near.trusted = -1;
     }
     l->broken = 0;

@@ -102,7 +102,7 @@ static void linkage_store(linkage *l, store *s)
     STORE_TABLE(s, l->role, l->count, l->capacity);
     STORE_TABLE(s, l->step, l->steps, 2 * l->capacity);
     STORE_ROOM(s, l->apart, l->capacity);
-    STORE_TABLE(s, l->tied, l->ties, l->capacity);
+    STORE_TABLE(s, l->tied, l->ties, l->tie_room);
     STORE_TABLE(s, l->body, l->bodies, l->bodies);
 }
 //<

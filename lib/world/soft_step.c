@@ -13,7 +13,7 @@ soft_frame soft_frame_of(world *w, real h)
         .body = w->body, .asleep = w->sleep.asleep, .bodies = w->bodies,
         .particle = w->pool.at, .hold = w->soft.hold, .now = t->now, .moved = t->moved,
         .velocity = t->velocity, .ball = t->ball, .ahead = t->ahead,
-        .tied = (const int (*)[2])w->joints.tied, .ties = w->joints.ties,
+        .tied = w->joints.tied, .ties = w->joints.ties,
         .plane = w->plane, .planes = w->planes, .gravity = o->gravity,
         .friction = o->friction, .restitution = o->restitution,
         .material = w->has_materials ? t->material : NULL,
@@ -23,9 +23,25 @@ soft_frame soft_frame_of(world *w, real h)
         .h = h };
 }
 
+// A pin holds a particle inside of a body, or nearer than the two may come.  When
+// it lets go, they must have been apart before they meet again: they would be
+// thrown apart.
+static void forget_ties(world *w)
+{
+    soft_frame f = soft_frame_of(w, w->age);
+    for (int k = w->joints.ties - 1; k >= 0; k--) {
+        const body_tie *t = &w->joints.tied[k];
+        if (t->pins > 0 || !soft_is_clear(&w->soft, &f, t->soft, t->rigid))
+            continue;
+        linkage_untie(&w->joints, k);
+        w->soft.near.trusted = -1;
+    }
+}
+
 bool soft_wake(world *w)
 {
     bool woke = false;
+    forget_ties(w);
     soft_frame f = soft_frame_of(w, w->age);
     soft_begin(&w->soft, &f);
     for (int a = 0; a < w->bodies; a++) {

@@ -538,6 +538,7 @@ static void leave_joints(world *w, int b)
         if (other >= 0) world_wake(w, other);
         linkage_remove(&w->joints, k);
     }
+    linkage_untie_body(&w->joints, b);
 }
 
 void world_remove(world *w, int b)

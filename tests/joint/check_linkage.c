@@ -14,7 +14,7 @@ enum { BODIES = 24 };
 static unsigned long long seed = 11;
 
 static linkage l;
-static solver_body body[BODIES];
+static solver_body solid[BODIES];
 static motion velocity[BODIES], before[BODIES], moved[BODIES];
 static solver_frame frame;
 
@@ -25,7 +25,7 @@ static void tear_down(void)
 
 static linkage_pass pass(void)
 {
-    frame = (solver_frame){ .body = body, .bodies = BODIES, .h = 1 / 480.0,
+    frame = (solver_frame){ .body = solid, .bodies = BODIES, .h = 1 / 480.0,
                             .substeps = 8, .warm = 1, .max_speed = 3 };
     return (linkage_pass){ &frame, velocity, before, moved };
 }
@@ -36,11 +36,11 @@ static void throw_bodies(void)
     for (int b = 0; b < BODIES; b++) {
         real heavy = random_real(&seed) * random_real(&seed)
              * random_real(&seed) + 1.001;
-        body[b].frame = JOINT_WORLD;
-        body[b].frame.center = random_vec3(&seed, 1);
-        body[b].basis.inverse_mass = 10 * heavy;
+        solid[b].frame = JOINT_WORLD;
+        solid[b].frame.center = random_vec3(&seed, 1);
+        solid[b].basis.inverse_mass = 10 * heavy;
         for (int t = 0; t < TURNS; t++)
-            body[b].basis.turn[t] = vec3_scale((2 + t) * sqrt(10 * heavy),
+            solid[b].basis.turn[t] = vec3_scale((2 + t) * sqrt(10 * heavy),
                                                JOINT_WORLD.axis[t]);
         memset(&moved[b], 0, sizeof moved[b]);
         memset(&before[b], 0, sizeof before[b]);
@@ -55,8 +55,8 @@ static void join(joint_kind kind, int a, int b)
                      .point = random_vec3(&seed, 1),
                      .axis = random_vec3(&seed, 1), .least = 0, .most = 1 };
     p.point_b = p.point;
-    joint j = joint_make(&p, a < 0 ? &JOINT_WORLD : &body[a].frame,
-                         b < 0 ? &JOINT_WORLD : &body[b].frame);
+    joint j = joint_make(&p, a < 0 ? &JOINT_WORLD : &solid[a].frame,
+                         b < 0 ? &JOINT_WORLD : &solid[b].frame);
     expect_ok(linkage_add(&l, &j, NULL));
 }
 
@@ -114,10 +114,10 @@ END_TEST
 static vec3 angular_of(int b)
 {
     const real *u = velocity[b].of;
-    vec3 momentum = vec3_scale(1 / body[b].basis.inverse_mass,
+    vec3 momentum = vec3_scale(1 / solid[b].basis.inverse_mass,
                                vec3_make(u[0], u[1], u[2]));
-    return vec3_add(vec3_cross(body[b].frame.center, momentum),
-                    motion_angular(&body[b].basis, &velocity[b]));
+    return vec3_add(vec3_cross(solid[b].frame.center, momentum),
+                    motion_angular(&solid[b].basis, &velocity[b]));
 }
 
 START_TEST(impulses_are_handed_from_body_to_body)
@@ -129,7 +129,7 @@ START_TEST(impulses_are_handed_from_body_to_body)
     for (int b = 1; b < BODIES; b++) join(JOINT_BALL, b - 1, b);
     join(JOINT_HINGE, 0, BODIES - 1);       // a ring
     for (int b = 0; b < BODIES; b++)
-        body[b].frame.center = vec3_add_scaled(body[b].frame.center, 0.1,
+        solid[b].frame.center = vec3_add_scaled(solid[b].frame.center, 0.1,
                                                random_vec3(&seed, 1));
     vec3 was = { 0, 0, 0 }, now = { 0, 0, 0 }, turns[2] = { was, was };
     motion start[BODIES];
@@ -146,7 +146,7 @@ START_TEST(impulses_are_handed_from_body_to_body)
         for (int b = 0; b < BODIES; b++) {
             const real *u = velocity[b].of;
             turns[after] = vec3_add(turns[after], angular_of(b));
-            *sum = vec3_add_scaled(*sum, 1 / body[b].basis.inverse_mass,
+            *sum = vec3_add_scaled(*sum, 1 / solid[b].basis.inverse_mass,
                                    vec3_make(u[0], u[1], u[2]));
         }
     }
@@ -173,7 +173,7 @@ START_TEST(limit_gives_back_what_it_pushed_too_much)
     j->most = 0;
     vec3 axis = j->axis_a[0];       // the world's coordinates
     for (int t = 0; t < TURNS; t++) {
-        vec3 turn = body[0].basis.turn[t];
+        vec3 turn = solid[0].basis.turn[t];
         velocity[0].of[MOTION_TURN + t] = -vec3_dot(axis, turn)
                                         / vec3_length_squared(turn);
     }
@@ -185,7 +185,7 @@ START_TEST(limit_gives_back_what_it_pushed_too_much)
     linkage_push(&l, &q);
     linkage_relax(&l, &q);
     ck_assert_msg(j->impulse[5] >= 0, "it pulls: %g", j->impulse[5]);
-    ck_assert(vec3_dot(axis, motion_rotation(&body[0].basis, &velocity[0]))
+    ck_assert(vec3_dot(axis, motion_rotation(&solid[0].basis, &velocity[0]))
               < -0.01);
 }
 END_TEST

@@ -2,6 +2,7 @@
 # write, whichever awk writes them, and does it show each line of lib/ and of the judges once?
 # (chapters/check-book.awk)  Does every test and function exist that it names?
 # Is every figure in it, and as its program would draw it today?
+# Does chapter 23 list all sources (chapters/sources.awk)?
 # Are its words, the exercises' and README's spelt as a dictionary has them?
 
 export LC_ALL=C
@@ -28,6 +29,7 @@ for name in $(grep -oh '`[a-z0-9]*_[a-z0-9]*_[a-z0-9_]*`' chapters/*.md README.m
     }
 done
 sh figures/draw/stamp.sh || failed=1
+awk -f chapters/sources.awk chapters/23-words.md chapters/[0-9]*.md || failed=1
 
 # The speller itself is shown a mistake first.
 echo "Wether \`wich\` is sayd in code or not." > "$fresh/wrong"

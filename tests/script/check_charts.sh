@@ -2,7 +2,8 @@
 # its SVG; outside of the style, which sets a colour for light pages and one for
 # dark, no shape has a colour of its own; its words are text; it asks for nothing
 # outside of itself, is small, no word leaves it and none stands on another.
-# chart.awk refuses what is not in the palette.
+# chart.awk refuses what is not in the palette.  With arguments, only the words
+# of these charts are looked at.
 
 export LC_ALL=C
 place=$(mktemp -d)
@@ -12,7 +13,7 @@ complain() { echo "$1"; failed=1; }
 
 # words CHART.svg: those that leave the picture, in a wide font, or stand in others.
 words() {
-    awk '/^<svg/ { high = $0; sub(/.*" height="/, "", high); high += 0 }
+    awk '/^<svg/ { high = wide = $0; sub(/.*" height="/, "", high); high += 0; sub(/.* width="/, "", wide); wide += 0 }
     /^<text/ && !/rotate/ {
         head = $0; sub(/>.*/, "", head)
         x = head; sub(/.* x="/, "", x); y = head; sub(/.* y="/, "", y); x += 0; y += 0
@@ -20,7 +21,7 @@ words() {
         words = $0; gsub(/<[^>]*>/, "", words); gsub(/&[a-z]*;/, "x", words); gsub(/[\200-\277]/, "", words)
         long = length(words) * size * ($0 ~ /bold/ ? 0.62 : 0.54)
         left = x - long * (head ~ /"end"/ ? 1 : head ~ /"middle"/ ? 0.5 : 0)
-        if (left < 0 || left + long > 720 || y < 8 || y > high - 3) print "cuts off: " words
+        if (left < 0 || left + long > wide || y < 8 || y > high - 3) print "cuts off: " words
         n++; L[n] = left; R[n] = left + 0.98 * long; top[n] = y - 0.72 * size; low[n] = y; said[n] = words
         for (i = 1; i < n; i++)
             if (L[i] < R[n] - 1 && L[n] < R[i] - 1 && top[i] < low[n] - 1 && top[n] < low[i] - 1)
@@ -47,6 +48,10 @@ faults() {
     done
 }
 
+if [ $# -gt 0 ]; then
+    for chart in "$@"; do words "$chart" | sed "s|^|$chart: |"; done | grep . && exit 1
+    exit 0
+fi
 for plot in figures/[0-9]*/*.gp figures/peers/*.gp; do
     chart=${plot%.gp}.svg
     found=$(faults "$chart")

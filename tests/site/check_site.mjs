@@ -17,6 +17,7 @@ const PHONE = { width: 390, height: 844 };
 const SLOWER = 4;                                   // than this machine's processor
 const NETWORK = { offline: false, latency: 150, downloadThroughput: 1.6e6 / 8, uploadThroughput: .75e6 / 8 };
 const TRIES = 3, LOAD = 2, BYTES = 1.5e6;                      // s, bytes of a page: at most
+const TYPE = 12;                                    // pixels, at least
 const WAIT = 60e3;                                  // ms for a live figure's frame 60
 
 let faults = 0;
@@ -68,6 +69,14 @@ async function checkWidth(page, name) {
   await page.addStyleTag({ content: '* { content-visibility: visible !important }' });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   if (wide > PHONE.width) fault(name, `is ${wide} pixels wide`);
+}
+
+// The words of a chart have 13 pixels where the chart is drawn at its own size.
+async function checkCharts(page, name) {
+  const small = await page.evaluate(least => [...document.querySelectorAll('picture')]
+    .filter(({ firstElementChild: narrow, lastElementChild: chart }) => 13 * chart.clientWidth / narrow.width < least)
+    .map(picture => picture.lastElementChild.getAttribute('src')), TYPE);
+  for (const chart of small) fault(name, `the words of ${chart} have less than ${TYPE} pixels`);
 }
 
 // Tab has to come to each control, and to what scrolls, and to nothing else.
@@ -159,6 +168,7 @@ for (const name of names) {
   const { page, seconds, bytes } = await load(browser, name, host.address);
   const figures = await checkLive(page, name);
   await checkWidth(page, name);
+  await checkCharts(page, name);
   const stops = await checkTab(page, name);
   await checkContrast(page, name);
   await openFile(page.context(), name);

@@ -11,7 +11,7 @@ function read(path) {
   return {
     ids: new Set([...text.matchAll(/ id="([^"]*)"/g)].map(found => found[1])),
     twice: [...text.matchAll(/ id="([^"]*)"/g)].map(found => found[1]).filter((id, k, list) => list.indexOf(id) !== k),
-    links: [...text.matchAll(/ (?:href|src|data-moving)="([^"]*)"/g)].map(found => found[1]),
+    links: [...text.matchAll(/ (?:href|src|srcset|data-moving)="([^"]*)"/g)].map(found => found[1]),
   };
 }
 

@@ -1,4 +1,4 @@
-// 13-avbd.c - a stack of boxes by soft contacts in substeps, and by augmented
+// 21-avbd.c - a stack of boxes by soft contacts in substeps, and by augmented
 // vertex block descent (Giles, Diaz and Yuksel 2025): time against error, a
 // heavy box on a light one, and the momentum that an impact leaves.
 //

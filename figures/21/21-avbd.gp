@@ -1,4 +1,4 @@
-# 13-avbd.gp - sh figures/draw/chart.sh figures/13/13-avbd.gp DATA.csv CHART.svg
+# 21-avbd.gp - sh figures/draw/chart.sh figures/21/21-avbd.gp DATA.csv CHART.svg
 high = 636
 load "figures/draw/chart.gp"
 set datafile missing "-"

@@ -174,7 +174,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "nearest",
     .says = "Two convex bodies, one of which turns; dark balls mark their nearest points, red ones those that ride with them since they were last asked for, green ones the corners that are carried to the next frame",
-    .camera = { .distance = 3.2, .turn = -0.4, .rise = 0.3, .target = { 0, 0, 0 } },
+    .camera = { .distance = 3.3, .turn = 0, .rise = 0.22, .target = { 0, 0, 0 } },
     .dial = {
         [KIND] = { "the body that turns", NULL, 0, 2, 1, ICOSAHEDRON, "box|icosahedron|stone", true },
         [DISTANCE] = { "distance of the middles", "m", 0.5, 2, 0.01, 1.35, NULL, true },

@@ -99,16 +99,20 @@ addEventListener('keydown', event => {
 });
 addEventListener('click', event => { if (!field.form.contains(event.target)) found.hidden = true; });
 
-// --- the moving picture: after all else has come, and not if the reader wants rest ---
+// --- moving pictures: after all else has come, while they are seen, and not if the
+// reader wants rest ---
 for (const figure of all('.moving')) {
   const picture = figure.querySelector('img'), still = picture.src;
   const button = make('button', { type: 'button' });
+  let isStopped = matchMedia('(prefers-reduced-motion: reduce)').matches;
   const move = moving => {
     picture.src = moving ? figure.dataset.moving : still;
     button.textContent = moving ? 'Stop' : 'Play';
-    button.onclick = () => move(!moving);
+    button.onclick = () => { isStopped = moving; move(!moving); };
   };
-  figure.append(button);
+  picture.after(button);
   move(false);
-  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) addEventListener('load', () => setTimeout(move, 300, true));
+  addEventListener('load', () => setTimeout(() => new IntersectionObserver(([seen]) => {
+    if (!isStopped) move(seen.isIntersecting);
+  }, { threshold: .5 }).observe(picture), 300));
 }

@@ -181,7 +181,7 @@ static void draw_closest(void)
     live_line(LIVE_RED, edge, 2);
     live_arrow(LIVE_RED, vec3_make(0, 0, 0), vec3_scale(height(closest), n));
     live_dot(LIVE_GREEN, w, 5);
-    live_label(LIVE_GREEN, vec3_add_scaled(beside(w, 0.08, -0.05), 0.2, n), "w");
+    live_label(LIVE_GREEN, vec3_add_scaled(beside(w, -0.06, -0.06), -0.25, n), "w");
 }
 
 static void draw_difference(void)

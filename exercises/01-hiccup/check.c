@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 01/hiccup.
 
 #include "hiccup.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -26,10 +27,9 @@ START_TEST(parabola_is_exact_when_the_step_changes)
     vec3 speed = { 3, 4, 0 };
     real dt = 0.01, t = 0;
     particle p = particle_start(NO_GRAVITY, speed, GRAVITY, 1, dt);
-    unsigned dice = 1;
+    unsigned long long seed = 1;
     for (int k = 0; k < 200; k++) {
-        dice = dice * 1664525u + 1013904223u;
-        real next = 0.004 + 0.01 * (real)(dice >> 24) / 256;
+        real next = random_between(&seed, 0.004, 0.014);
         step_changed(&p, 1, GRAVITY, NULL, dt, next);
         dt = next;
         t += dt;

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 04/round.
 
 #include "round.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -26,19 +27,7 @@ static round_body around(const vec3 *at, int count, real radius)
     return (round_body){ { at, count }, radius };
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 4;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(void)
-{
-    real x = random_real(), y = random_real();
-    return (vec3){ x, y, random_real() };
-}
+static unsigned long long seed = 4;
 
 START_TEST(support_of_a_ball_lies_on_the_ball)
 {
@@ -58,7 +47,7 @@ START_TEST(support_is_further_than_the_core_by_the_radius)
     vec3 at[2] = { { -1, 0, 0 }, { 1, 0.5, 0 } };
     round_body capsule = around(at, 2, 0.25);
     for (int k = 0; k < 1000; k++) {
-        vec3 d = vec3_scale(5, random_vec3());
+        vec3 d = random_vec3(&seed, 5);
         real core = fmax(vec3_dot(d, at[0]), vec3_dot(d, at[1]));
         near(vec3_dot(d, round_support(capsule, d)),
              core + 0.25 * vec3_length(d), "height along d");
@@ -153,8 +142,8 @@ START_TEST(points_lie_on_the_surfaces_and_the_gap_between_them)
 {
     // Rejects: radii exchanged; a sign that only shows when nothing is 0.
     for (int k = 0; k < 500; k++) {
-        vec3 s[2] = { random_vec3(), random_vec3() };
-        vec3 t[2] = { random_vec3(), random_vec3() };
+        vec3 s[2] = { random_vec3(&seed, 1), random_vec3(&seed, 1) };
+        vec3 t[2] = { random_vec3(&seed, 1), random_vec3(&seed, 1) };
         round_body a = around(s, 2, 0.1), b = around(t, 2, 0.3);
         round_result r = round_distance(a, b), q = round_distance(b, a);
         near_point(vec3_sub(r.on_a, r.on_b), vec3_scale(r.gap, r.normal),

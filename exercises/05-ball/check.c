@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 05/ball.
 
 #include "ball.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -39,13 +40,7 @@ static void expect(vec3 centre, real radius, real gap, vec3 normal, vec3 on_box)
     near_vec3(c.on_box, on_box, what);
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 5;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
+static unsigned long long seed = 5;
 
 START_TEST(ball_above_a_face)
 {
@@ -129,8 +124,8 @@ START_TEST(gjk_and_the_hit_face_agree)
                         i & 4 ? HALF.z : -HALF.z };
     hull box = { at, 8 };
     for (int k = 0; k < 1000; k++) {
-        real x = 1.5 * random_real(), y = 3 * random_real();
-        vec3 c = { x, y, 4 * random_real() };
+        real x = 1.5 * random_real(&seed), y = 3 * random_real(&seed);
+        vec3 c = { x, y, 4 * random_real(&seed) };
         hull point = { &c, 1 };
         gjk_result g = gjk_distance(point, box, HUGE_VAL, NULL);
         real gap = g.distance;

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 05/fifteen.
 
 #include "fifteen.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -41,26 +42,14 @@ static void turn(box *x, int k, real sine, real cosine)
     x->axis[j] = vec3_add_scaled(vec3_scale(cosine, v), -sine, u);
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 15;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(void)
-{
-    real x = random_real(), y = random_real();
-    return (vec3){ x, y, random_real() };
-}
+static unsigned long long seed = 15;
 
 static box random_box(void)
 {
-    vec3 c = random_vec3(), h = random_vec3();
+    vec3 c = random_vec3(&seed, 1), h = random_vec3(&seed, 1);
     box x = upright(c, (vec3){ 1.2 + h.x, 1.2 + h.y, 1.2 + h.z });
     for (int k = 0; k < 3; k++) {
-        real angle = 3 * random_real();
+        real angle = 3 * random_real(&seed);
         turn(&x, k, sin(angle), cos(angle));
     }
     return x;

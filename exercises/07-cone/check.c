@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 07/cone.
 
 #include "cone.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -28,19 +29,7 @@ static void near_vec3(vec3 got, vec3 wanted, const char *what)
                   got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 7;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(void)
-{
-    real x = random_real(), y = random_real();
-    return (vec3){ x, y, random_real() };
-}
+static unsigned long long seed = 7;
 
 // What is missing, asked of surfaces in memory that ends behind the last.
 static real missing(const vec3 *normal, int n, real mu, vec3 load)
@@ -118,15 +107,16 @@ START_TEST(no_push_of_the_cone_is_nearer)
     // What is missing looks away from every push of the cone: if not, a step
     // towards that push would come nearer.
     for (int k = 0; k < 1000; k++) {
-        vec3 normal = vec3_unit(random_vec3()), wish = random_vec3();
-        real mu = 1 + random_real();
+        vec3 normal = vec3_unit(random_vec3(&seed, 1)),
+             wish = random_vec3(&seed, 1);
+        real mu = 1 + random_real(&seed);
         vec3 got = cone_nearest(wish, normal, mu);
         real out = vec3_dot(got, normal);
         vec3 across = vec3_add_scaled(got, -out, normal);
         ck_assert_msg(vec3_length(across) <= mu * out + ROUNDING,
                       "got a push with %g across and %g along the normal, and "
                       "mu is only %g", vec3_length(across), out, mu);
-        vec3 side = vec3_cross(normal, random_vec3());
+        vec3 side = vec3_cross(normal, random_vec3(&seed, 1));
         vec3 other = vec3_add_scaled(normal, mu / vec3_length(side), side);
         vec3 left = vec3_sub(wish, got);
         ck_assert_msg(vec3_dot(left, vec3_sub(other, got)) <= 10 * ROUNDING,

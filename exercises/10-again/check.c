@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/again.
 
 #include "again.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -17,19 +18,7 @@ static void near(real got, real wanted, const char *what)
                   what, got, wanted);
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 10;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(real size)
-{
-    real x = random_real(), y = random_real(), z = random_real();
-    return vec3_scale(size, vec3_make(x, y, z));
-}
+static unsigned long long seed = 10;
 
 // Two bodies that drift: eight random points of a box of 2 m each.
 typedef struct {
@@ -39,10 +28,10 @@ typedef struct {
 
 static pair drifting(vec3 apart, real speed)
 {
-    pair p = { .way = random_vec3(speed) };
+    pair p = { .way = random_vec3(&seed, speed) };
     for (int i = 0; i < POINTS; i++) {
-        p.a[i] = vec3_add(apart, random_vec3(1));
-        p.b[i] = random_vec3(1);
+        p.a[i] = vec3_add(apart, random_vec3(&seed, 1));
+        p.b[i] = random_vec3(&seed, 1);
     }
     return p;
 }
@@ -94,7 +83,7 @@ static void compare(const pair *p, gjk_result r, real margin)
 START_TEST(every_answer_is_that_of_gjk)
 {
     for (int k = 0; k < PAIRS; k++) {
-        pair p = drifting(random_vec3(4), 0.3);
+        pair p = drifting(random_vec3(&seed, 4), 0.3);
         for (int f = 0; f < FRAMES; f++, move_on(&p))
             compare(&p, ask_again(hull_a(&p), hull_b(&p), 0.1, &p.known), 0.1);
     }

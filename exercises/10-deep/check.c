@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/deep.
 
 #include "deep.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -38,19 +39,7 @@ static deep_contact ask(round_body a, round_body b)
     return c;
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 55;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(void)
-{
-    real x = random_real(), y = random_real();
-    return (vec3){ x, y, random_real() };
-}
+static unsigned long long seed = 55;
 
 static void cube_make(vec3 at[8])
 {
@@ -152,8 +141,8 @@ START_TEST(random_bodies_touch_once_they_have_moved)
     for (int k = 0; k < 100; k++) {
         vec3 s[6], t[6];
         for (int i = 0; i < 6; i++) {
-            s[i] = random_vec3();
-            t[i] = vec3_add_scaled(random_vec3(), (real)(k % 5) / 2,
+            s[i] = random_vec3(&seed, 1);
+            t[i] = vec3_add_scaled(random_vec3(&seed, 1), (real)(k % 5) / 2,
                                    (vec3){ 1, 0, 0 });
         }
         round_body a = around(s, 6, 0.1), b = around(t, 6, 0.3);

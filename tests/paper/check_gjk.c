@@ -6,6 +6,7 @@
 #include "bodies.h"
 #include "gjk.h"
 #include "oracle.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -570,9 +571,9 @@ START_TEST(nearly_parallel_edges_keep_their_gap)
 {
     unsigned long long seed = 17;
     for (int n = 0; n < 2000; n++) {
-        real angle = pow(10, -3 - 7 * random_unit(&seed));
-        real gap = pow(10, -7 + 6 * random_unit(&seed));
-        real end = random_unit(&seed);
+        real angle = pow(10, -3 - 7 * random_fraction(&seed));
+        real gap = pow(10, -7 + 6 * random_fraction(&seed));
+        real end = random_fraction(&seed);
         body a = { .count = 2 }, b = a;
         a.at[0] = (vec3){ -1, 0, 0 };
         a.at[1] = (vec3){ 1, 0, 0 };
@@ -595,7 +596,7 @@ START_TEST(a_tilted_plate_is_found_by_its_lower_edge)
 {
     unsigned long long seed = 22;
     for (int n = 0; n < 300; n++) {
-        real gap = 1e-5, tilt = 1e-6 * random_unit(&seed);
+        real gap = 1e-5, tilt = 1e-6 * random_fraction(&seed);
         body a = { .count = 4 }, b = a;
         for (int i = 0; i < 4; i++) {
             real x = i % 2 ? 1 : -1, y = i / 2 ? 1 : -1;
@@ -755,7 +756,7 @@ START_TEST(no_number_that_leaves_is_nan)
         for (int i = 0; i < a.count + b.count; i++) {
             real x[3];
             for (int k = 0; k < 3; k++)
-                x[k] = odd[(int)(15 * random_unit(&seed))];
+                x[k] = odd[(int)(15 * random_fraction(&seed))];
             *(i < a.count ? &a.at[i] : &b.at[i - a.count]) =
                 (vec3){ x[0], x[1], x[2] };
         }

@@ -5,6 +5,7 @@
 #include "bodies.h"
 #include "hit_face.h"
 #include "oracle.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -275,7 +276,7 @@ START_TEST(equal_bodies_side_by_side)
     for (int n = 0; n < 1500; n++) {
         body a, b;
         body_any(&a, n % 3 == 1 ? 2 : n % 3, &seed);
-        if (n % 3 == 2) body_scale(&a, 1e-3 + random_unit(&seed));
+        if (n % 3 == 2) body_scale(&a, 1e-3 + random_fraction(&seed));
         b = a;
         if (n % 2) body_scale(&b, 1 + 1e-15 * (n % 7));
         body_move(&b, random_vector(&seed, 0, n % 5 ? 0.3 : 1e-12));
@@ -329,7 +330,7 @@ START_TEST(of_equal_faces_the_one_with_the_projection_counts)
         body_any(&a, n % 2, &seed);
         b = a;
         vec3 axis = random_direction(&seed);
-        real angle = random_unit(&seed) / (1 << (20 + n % 10));
+        real angle = random_fraction(&seed) / (1 << (20 + n % 10));
         for (int i = 0; i < b.count; i++)
             b.at[i] = vec3_add_scaled(b.at[i], angle,
                                       vec3_cross(axis, b.at[i]));
@@ -608,7 +609,7 @@ START_TEST(squares_in_one_plane_are_flat)
         body a, b;
         body_square(&a);
         b = a;
-        body_move(&b, (vec3){ random_unit(&seed) - 0.5, 0.25, 0 });
+        body_move(&b, (vec3){ random_fraction(&seed) - 0.5, 0.25, 0 });
         hit_result r = hit(&a, &b);
         ck_assert_int_eq(r.status, HIT_FLAT);
         near(r.depth, 0, 0);

@@ -8,6 +8,7 @@
 #include "bodies.h"
 #include "oracle.h"
 #include "query.h"
+#include "random.h"
 #include "suite.h"
 
 // Bodies of size 1 near the origin: a few dozen roundings.

@@ -3,6 +3,7 @@
 
 #include "line.h"
 #include "plain_strand.h"
+#include "random.h"
 #include "scarce.h"
 #include "suite.h"
 
@@ -42,19 +43,7 @@ static void expect_same_places(const particle *p, const particle *q, int n)
     }
 }
 
-static unsigned dice = 1;
-
-static real any(void)
-{
-    dice = dice * 1664525u + 1013904223u;
-    return (real)(dice >> 8) / 8388608 - 1;
-}
-
-static vec3 any_vector(real most)
-{
-    real x = any(), y = any();
-    return vec3_make(most * x, most * y, most * any());
-}
+static unsigned long long seed = 1;
 
 // The options of both gradients; tolerance 0: every step is taken.
 static relax_options along(int old)
@@ -127,7 +116,7 @@ static void disturb(real most)
 {
     for (int i = 0; i < plan.particles; i++)
         if (p[i].inverse_mass > 0)
-            p[i].position = vec3_add(p[i].position, any_vector(most));
+            p[i].position = vec3_add(p[i].position, random_vec3(&seed, most));
 }
 
 static line_result solve(int direction, int steps, relax_options o)
@@ -244,14 +233,15 @@ START_TEST(step_is_that_of_the_full_system)
         int old = round % 2;
         lay_rope(LINKS, LINKS);
         for (int i = 0; i <= LINKS; i++) {
-            p[i].inverse_mass = 1.5 + any();
+            p[i].inverse_mass = 1.5 + random_real(&seed);
             p[i].position.y = p[i].previous.y = 0.7 * (i % 3);
-            p[i].previous = vec3_add(p[i].previous, any_vector(0.1));
+            p[i].previous = vec3_add(p[i].previous, random_vec3(&seed, 0.1));
         }
         if (round % 3 == 0) nail(round % LINKS);
         for (int i = 0; i <= LINKS; i++)
             if (p[i].inverse_mass > 0)
-                p[i].position = vec3_add(p[i].position, any_vector(0.05));
+                p[i].position =
+                    vec3_add(p[i].position, random_vec3(&seed, 0.05));
         // So near its length that nothing is held back.
         strand[0].rest_length = 1.2;
         remember();
@@ -319,7 +309,7 @@ START_TEST(steps_end_at_the_tolerance)
     int before = 100;
     for (int k = 0; k < 4; k++) {
         o.tolerance = tolerance[k];
-        dice = 7;
+        seed = 7;
         lay_rope(30, 0.3);
         disturb(0.0001);
         line_result r = solve(0, 50, o);
@@ -343,7 +333,7 @@ START_TEST(lines_side_by_side_are_solved_as_if_alone)
         int old = round & 1, d = round >> 1;
         lay_cloth(11, 9);
         for (int i = 0; i < plan.particles; i++)
-            p[i].inverse_mass = 1.5 + any();
+            p[i].inverse_mass = 1.5 + random_real(&seed);
         nail(5);
         disturb(0.05);
         remember();
@@ -375,7 +365,7 @@ START_TEST(relaxing_all_lines_is_solving_one_direction_after_the_other)
         relax_options o = along(old);
         lay_cloth(round & 4 ? 19 : 8, round & 4 ? 5 : 9);
         for (int i = 0; i < plan.particles; i++)
-            p[i].inverse_mass = 1.5 + any();
+            p[i].inverse_mass = 1.5 + random_real(&seed);
         nail(5);
         disturb(0.02);
         if (is_lost) p[13].position.z = (real)NAN;
@@ -437,7 +427,7 @@ START_TEST(rounds_but_the_last_ask_for_more)
     for (int trial = 0; trial < 4; trial++) {
         lay_cloth(LINKS + 1, LINKS + 1);
         for (int i = 0; i < plan.particles && trial & 1; i++)
-            p[i].inverse_mass = 1.5 + any();
+            p[i].inverse_mass = 1.5 + random_real(&seed);
         if (trial & 2) nail(40);
         disturb(0.02);
         remember();
@@ -561,7 +551,8 @@ START_TEST(momenta_stay)
     for (int round = 0; round < 40; round++) {
         int old = round % 2;
         lay_rope(30, 30);
-        for (int i = 0; i <= 30; i++) p[i].inverse_mass = 1.5 + any();
+        for (int i = 0; i <= 30; i++)
+            p[i].inverse_mass = 1.5 + random_real(&seed);
         disturb(0.05);
         vec3 before = centre(p, 31), turned = turning(31);
         line_result r = solve(0, 1 + round % 3, along(old));
@@ -582,7 +573,7 @@ static void hang(real load, real off)
     lay_rope(50, 1);
     for (int i = 0; i <= 50; i++) {
         vec3 x = vec3_make(0, -i / 50.0, 0);
-        if (i > 0) x = vec3_add(x, any_vector(off));
+        if (i > 0) x = vec3_add(x, random_vec3(&seed, off));
         p[i] = (particle){ x, x, i > 0 };
     }
     p[50].inverse_mass = 1 / load;
@@ -851,7 +842,7 @@ START_TEST(numbers_out_of_all_bounds_give_no_nan)
         for (int k = 0; k < 4; k++) {
             lay_rope(10, 10);
             for (int i = 0; i <= 10; i++)
-                p[i].position = vec3_scale(size[k], any_vector(1));
+                p[i].position = vec3_scale(size[k], random_vec3(&seed, 1));
             solve(0, 3, along(old));
             ck_assert(all_finite());
             tear_down();
@@ -894,7 +885,7 @@ START_TEST(only_the_line_that_fails_falls_back)
 {
     lay_cloth(11, 9);
     for (int i = 0; i < plan.particles; i++)
-        p[i].previous = vec3_add(p[i].previous, any_vector(0.1));
+        p[i].previous = vec3_add(p[i].previous, random_vec3(&seed, 0.1));
     for (int j = 0; j < 9; j++)
         p[11 * j + 5].previous = vec3_make(5, j, 0);
     disturb(0.01);
@@ -1098,9 +1089,10 @@ START_TEST(strands_that_are_held_are_those_of_the_plain_form)
         else           lay_cloth(n[0], n[1]);
         line_hold hold[900];
         for (int i = 0; i < plan.particles; i++) {
-            p[i].inverse_mass = 1.5 + any();
-            hold[i] = hold_of((line_state)(3 * (any() + 1) / 2 * 0.999),
-                              any_vector(1));
+            p[i].inverse_mass = 1.5 + random_real(&seed);
+            hold[i] = hold_of((line_state)(3 * random_fraction(&seed)
+                                           * 0.999),
+                              random_vec3(&seed, 1));
         }
         nail(3);
         disturb(0.02);
@@ -1235,7 +1227,7 @@ START_TEST(links_that_give_pull_by_how_much_they_are_too_long)
         line_hold free_of_all[900] = { { .state = LINE_FREE } };
         real give = round < 4 ? 0.5 : 4, moved[900][3] = { { 0 } };
         for (int i = 0; i < plan.particles; i++)
-            p[i].inverse_mass = 1.5 + any();
+            p[i].inverse_mass = 1.5 + random_real(&seed);
         nail(3);
         disturb(1e-7);
         remember();

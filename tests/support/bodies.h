@@ -27,12 +27,6 @@ typedef struct {
     body   a, b;
 } pair_known;
 
-// Random numbers, the same on every machine: uniform in [0, 1); a unit vector;
-// a vector with its length between two numbers.
-double random_unit(unsigned long long *state);
-vec3   random_direction(unsigned long long *state);
-vec3   random_vector(unsigned long long *state, real least, real most);
-
 hull body_hull(const body *b);
 void body_box(body *b, vec3 low, vec3 high);
 body body_cube(real x, real y, real z);     // of side 1, its middle there

@@ -65,8 +65,10 @@ static int fountain(int *next, int n)
     for (int k = 0; k < n; k++, ++*next) {
         int b = *next % 100, now = -1;
         world_remove(&w, b);
-        placement p = placement_at(vec3_make(2 * any(), 6 + any(), 2 * any()));
-        p.velocity = vec3_scale(3, any_vec3());
+        placement p = placement_at(vec3_make(2 * random_real(&seed),
+                                             6 + random_real(&seed),
+                                             2 * random_real(&seed)));
+        p.velocity = random_vec3(&seed, 3);
         faults += !world_add(&w, *next % 3 ? &box : &ball, p, &now).ok;
         faults += now != b;
         world_step(&w);
@@ -81,7 +83,9 @@ START_TEST(bodies_come_and_go_on_the_same_memory)
 {
     int next = 0;
     add_floor();
-    for (int k = 0; k < 100; k++) add_at(&ball, 3 * any(), 2 + 0.1 * k, 3 * any());
+    for (int k = 0; k < 100; k++)
+        add_at(&ball, 3 * random_real(&seed), 2 + 0.1 * k,
+               3 * random_real(&seed));
     ck_assert_int_eq(fountain(&next, 1000), 0);
     ck_assert_int_eq(w.bodies, 100);
     ck_assert_int_eq(w.pool.count, 100 * FOUR);
@@ -359,12 +363,14 @@ START_TEST(anything_may_come_and_go)
         begin(world_options_default());
         add_floor();
         for (int f = 0; f < 150; f++) {
-            int kind = (int)(3 + 3 * any()), b = (int)(8 + 8 * any());
+            int kind = (int)(3 + 3 * random_real(&seed)),
+                b = (int)(8 + 8 * random_real(&seed));
             placement p = anywhere(2, 2, 3);
             p.position.y += 4;
             p.is_static = kind == 4;
-            if (any() > 0.5) add(all[kind], p);
-            if (any() > 0.5 && b < w.bodies && !body_is_gone(&w.body[b]))
+            if (random_real(&seed) > 0.5) add(all[kind], p);
+            if (random_real(&seed) > 0.5 && b < w.bodies
+                && !body_is_gone(&w.body[b]))
                 world_remove(&w, b);
             steps(1);
         }

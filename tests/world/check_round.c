@@ -141,7 +141,7 @@ static real of_segments(const vec3 a[2], const vec3 b[2])
 
 static void any_segment(vec3 at[2], real far)
 {
-    vec3 middle = vec3_scale(far, any_vec3()), half = any_unit();
+    vec3 middle = random_vec3(&seed, far), half = random_direction(&seed);
     at[0] = vec3_add_scaled(middle, -.2, half);
     at[1] = vec3_add_scaled(middle, .2, half);
 }
@@ -176,7 +176,7 @@ END_TEST
 START_TEST(ball_and_box_are_as_far_as_formulas_say)
 {
     for (int run = 0; run < 20000; run++) {
-        vec3 x = vec3_scale(.8, any_vec3());
+        vec3 x = random_vec3(&seed, .8);
         vec3 q = { fmax(-.5, fmin(x.x, .5)), fmax(-.5, fmin(x.y, .5)),
                    fmax(-.5, fmin(x.z, .5)) };
         real out = vec3_distance(x, q);
@@ -276,7 +276,7 @@ END_TEST
 START_TEST(particle_finds_the_surface_of_a_round_body)
 {
     for (int run = 0; run < 2000; run++) {
-        vec3 at[2], x = vec3_scale(.5, any_vec3());
+        vec3 at[2], x = random_vec3(&seed, .5);
         any_segment(at, .1);
         obstacle b = { { at, 2 }, NULL, 0, capsule.radius, capsule.round };
         real away = to_segment(x, at[0], at[1]) - .1;
@@ -584,8 +584,9 @@ START_TEST(marbles_settle_without_overlap)
         expect_ok(world_add_plane(&w, n, -1.1));
     }
     for (int k = 0; k < 200; k++)
-        add_at(&ball, -.91 + .26 * (k % 8) + .001 * any(), .15 + .25 * (k / 64),
-               -.91 + .26 * (k / 8 % 8) + .001 * any());
+        add_at(&ball, -.91 + .26 * (k % 8) + .001 * random_real(&seed),
+               .15 + .25 * (k / 64),
+               -.91 + .26 * (k / 8 % 8) + .001 * random_real(&seed));
     frames(600);
     measures m = world_measure(&w);
     printf("200 marbles: deepest overlap %.4f of a radius, %d asleep, %.2g J\n",

@@ -367,8 +367,9 @@ static void make_heap(real size)
     for (int b = 0; b < w.bodies; b++) {
         if (!body_is_soft(&w.body[b])) continue;
         for (int i = 0; i < w.body[b].shape->particles; i++) {
-            real x = any(), y = any();
-            put(particle_of(b, i), vec3_scale(size, vec3_make(x, y, any())));
+            real x = random_real(&seed), y = random_real(&seed);
+            put(particle_of(b, i),
+                vec3_scale(size, vec3_make(x, y, random_real(&seed))));
         }
     }
 }
@@ -757,12 +758,14 @@ START_TEST(pushes_between_cloth_and_movable_box_keep_momentum)
         o.friction = k % 3 * 0.4;
         begin(o);
         int b = add_at(&box, 0, 0, 0);
-        int s = add_at(&cloth, 0.3 * any(), 0.25, 0.3 * any());
+        int s = add_at(&cloth, 0.3 * random_real(&seed), 0.25,
+                       0.3 * random_real(&seed));
         look();
         for (int i = 0; i < cloth.particles; i++) {
             particle *p = particle_of(s, i);
-            p->position.y += 0.05 * any();
-            vec3 way = { any(), -10 - any(), any() };
+            p->position.y += 0.05 * random_real(&seed);
+            vec3 way = { random_real(&seed), -10 - random_real(&seed),
+                         random_real(&seed) };
             p->previous = vec3_add_scaled(p->position, -0.02, way);
         }
         vec3 before = momentum_of(H);
@@ -851,7 +854,9 @@ START_TEST(box_gives_way_as_a_solid)
         look();
         real thick = w.body[r].thickness;
         particle *p = particle_of(r, 5);
-        put(p, vec3_make(0.2 * any(), -0.25 - 0.5 * thick, 0.2 * any()));
+        put(p,
+            vec3_make(0.2 * random_real(&seed), -0.25 - 0.5 * thick,
+                      0.2 * random_real(&seed)));
         // Even ones came in this substep; the others lay there before.
         bool is_new = k % 2 == 0;
         if (is_new) p->previous.y -= thick;
@@ -1211,7 +1216,7 @@ START_TEST(parabola_is_exact_when_the_substep_changes)
     vec3 at = particle_of(b, 0)->position;
     real t = 0;
     for (int k = 0; k < 200; k++) {
-        real h = 0.01 + 0.006 * any();
+        real h = 0.01 + 0.006 * random_real(&seed);
         soft_step(&w, h);
         ck_assert(w.age == h);
         t += h;
@@ -1329,7 +1334,9 @@ START_TEST(corner_that_comes_up_keeps_momentum)
         int s = add_at(&cloth, 0, 0, 0), b = add_tip(&small, 0, false);
         look();
         motion *u = &w.rigid.velocity[b];
-        *u = (motion){ { any(), 3, any(), any(), any(), any() } };
+        *u = (motion){ { random_real(&seed), 3, random_real(&seed),
+                         random_real(&seed), random_real(&seed),
+                         random_real(&seed) } };
         for (int i = 0; i < MOTIONS; i++) w.rigid.moved[b].of[i] = H * u->of[i];
         vec3 before = momentum_of(H);
         refresh(H);

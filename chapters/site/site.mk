@@ -62,10 +62,15 @@ $(SITE)/live/%: $(BUILD)/live/%
 $(SITE)/%: chapters/site/%
 	@mkdir -p $(@D)
 	$(Q)cp $< $@
+# Where the book has which lines: file, line, page.
+$(BUILD)/places: $(WOVEN:%=chapters/woven/%)
+	$(Q)for p in $^; do \
+	    sed -n "s|^\[\([^],]*\), lines* \([0-9]*\).*|\1 \2 $$(basename $$p .md)|p" $$p; done > $@.new
+	$(Q)cmp -s $@.new $@ || cp $@.new $@
 define source
-$(SITE)/source/$(subst /,-,$1).html: $1 chapters/site/source.awk
+$(SITE)/source/$(subst /,-,$1).html: $1 chapters/site/source.awk $(BUILD)/places
 	@mkdir -p $$(@D)
-	$(Q)LC_ALL=C awk -f chapters/site/source.awk chapters/woven/*.md $1 > $$@
+	$(Q)LC_ALL=C awk -f chapters/site/source.awk $(BUILD)/places $1 > $$@
 endef
 $(foreach f,$(SOURCES),$(eval $(call source,$f)))
 

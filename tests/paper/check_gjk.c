@@ -4,6 +4,7 @@
 // among equal answers: any right GJK passes.
 
 #include "bodies.h"
+#include "expect.h"
 #include "gjk.h"
 #include "oracle.h"
 #include "random.h"
@@ -27,19 +28,6 @@ static gjk_result ask(const body *a, const body *b)
     return gjk_distance(body_hull(a), body_hull(b), HUGE_VAL, NULL);
 }
 
-static void near(real got, real wanted, real tolerance)
-{
-    ck_assert_msg(fabs(got - wanted) <= tolerance, "got %.17g, wanted %.17g",
-                  got, wanted);
-}
-
-static void near_vector(vec3 got, vec3 wanted, real tolerance)
-{
-    near(got.x, wanted.x, tolerance);
-    near(got.y, wanted.y, tolerance);
-    near(got.z, wanted.z, tolerance);
-}
-
 // ---- support and areas
 
 START_TEST(support_is_the_highest_vertex_less_the_lowest)
@@ -51,7 +39,7 @@ START_TEST(support_is_the_highest_vertex_less_the_lowest)
         body_any(&b, n / 5 % 5, &seed);
         vec3 d = random_vector(&seed, 0.1, 3);
         corner c = hull_support(body_hull(&a), body_hull(&b), d);
-        near_vector(c.at, vec3_sub(a.at[c.a], b.at[c.b]), 0);
+        near_vec3(c.at, vec3_sub(a.at[c.a], b.at[c.b]), 0);
         for (int i = 0; i < a.count; i++)
             for (int k = 0; k < b.count; k++)
                 ck_assert(vec3_dot(d, vec3_sub(a.at[i], b.at[k]))
@@ -76,10 +64,10 @@ END_TEST
 START_TEST(a_normal_is_twice_the_area_long_and_right_handed)
 {
     vec3 a = { 1, 1, 5 }, b = { 4, 1, 5 }, c = { 1, 3, 5 };
-    near_vector(triangle_normal(a, b, c), (vec3){ 0, 0, 6 }, ROUNDING);
-    near_vector(triangle_normal(a, c, b), (vec3){ 0, 0, -6 }, ROUNDING);
-    near_vector(triangle_normal(a, b, b), (vec3){ 0, 0, 0 }, 0);
-    near_vector(triangle_normal(a, a, a), (vec3){ 0, 0, 0 }, 0);
+    near_vec3(triangle_normal(a, b, c), (vec3){ 0, 0, 6 }, ROUNDING);
+    near_vec3(triangle_normal(a, c, b), (vec3){ 0, 0, -6 }, ROUNDING);
+    near_vec3(triangle_normal(a, b, b), (vec3){ 0, 0, 0 }, 0);
+    near_vec3(triangle_normal(a, a, a), (vec3){ 0, 0, 0 }, 0);
 }
 END_TEST
 
@@ -133,9 +121,9 @@ START_TEST(two_points_are_as_far_as_they_are)
     gjk_result r = gjk_distance(a, b, HUGE_VAL, NULL);
     ck_assert_int_eq(r.status, GJK_APART);
     near(r.distance, 5, 0);
-    near_vector(r.axis, (vec3){ -3, -4, 0 }, 0);    // rejects: from A to B
-    near_vector(r.on_a, p, 0);
-    near_vector(r.on_b, q, 0);
+    near_vec3(r.axis, (vec3){ -3, -4, 0 }, 0);    // rejects: from A to B
+    near_vec3(r.on_a, p, 0);
+    near_vec3(r.on_b, q, 0);
     ck_assert_int_eq(r.last.count, 1);
     near(r.last.weight[0], 1, 0);
 }
@@ -148,7 +136,7 @@ START_TEST(a_point_on_itself_overlaps)
     gjk_result r = gjk_distance(a, a, HUGE_VAL, NULL);
     ck_assert_int_eq(r.status, GJK_OVERLAP);
     near(r.distance, 0, 0);
-    near_vector(r.on_a, p, 0);
+    near_vec3(r.on_a, p, 0);
 }
 END_TEST
 
@@ -159,8 +147,8 @@ START_TEST(crossing_segments_are_their_gap_apart)
     hull a = { s, 2 }, b = { t, 2 };
     gjk_result r = gjk_distance(a, b, HUGE_VAL, NULL);
     near(r.distance, 0.25, ROUNDING);
-    near_vector(r.on_a, (vec3){ 0.5, 0, 0 }, ROUNDING);
-    near_vector(r.on_b, (vec3){ 0.5, 0, 0.25 }, ROUNDING);
+    near_vec3(r.on_a, (vec3){ 0.5, 0, 0 }, ROUNDING);
+    near_vec3(r.on_b, (vec3){ 0.5, 0, 0.25 }, ROUNDING);
 }
 END_TEST
 
@@ -172,7 +160,7 @@ START_TEST(boxes_face_edge_and_vertex_apart)
     near(ask(&a, &f).distance, 1, ROUNDING);
     near(ask(&a, &e).distance, sqrt(2.0), ROUNDING);
     near(ask(&a, &v).distance, sqrt(3.0), ROUNDING);
-    near_vector(ask(&a, &v).axis, (vec3){ -1, 1, -1 }, ROUNDING);
+    near_vec3(ask(&a, &v).axis, (vec3){ -1, 1, -1 }, ROUNDING);
 }
 END_TEST
 
@@ -204,11 +192,11 @@ START_TEST(a_point_is_inside_or_outside_a_cube)
     hull p = { &in, 1 }, q = { &out, 1 }, cube = body_hull(&c);
     gjk_result r = gjk_distance(p, cube, HUGE_VAL, NULL);
     ck_assert_int_eq(r.status, GJK_OVERLAP);
-    near_vector(r.on_a, in, ROUNDING);
-    near_vector(r.on_b, in, ROUNDING);
+    near_vec3(r.on_a, in, ROUNDING);
+    near_vec3(r.on_b, in, ROUNDING);
     r = gjk_distance(q, cube, HUGE_VAL, NULL);
     near(r.distance, 0.25, ROUNDING);
-    near_vector(r.on_b, (vec3){ 0.3, 0.2, 0.5 }, ROUNDING);
+    near_vec3(r.on_b, (vec3){ 0.3, 0.2, 0.5 }, ROUNDING);
 }
 END_TEST
 
@@ -237,16 +225,16 @@ static void check_answer(const body *a, const body *b, gjk_result r)
         real w = r.last.weight[c];
         at[0] = vec3_add_scaled(at[0], w, a->at[r.last.of[c].a]);
         at[1] = vec3_add_scaled(at[1], w, b->at[r.last.of[c].b]);
-        near_vector(r.last.of[c].at, vec3_sub(a->at[r.last.of[c].a],
+        near_vec3(r.last.of[c].at, vec3_sub(a->at[r.last.of[c].a],
                                               b->at[r.last.of[c].b]), 0);
         ck_assert(w > 0);
         sum += w;
     }
     near(sum, 1, ROUNDING);
-    near_vector(r.on_a, at[0], ROUNDING);
-    near_vector(r.on_b, at[1], 100 * ROUNDING);
-    near_vector(vec3_sub(r.on_a, r.on_b), r.axis, ROUNDING);
-    near_vector(r.last.v, r.axis, 0);
+    near_vec3(r.on_a, at[0], ROUNDING);
+    near_vec3(r.on_b, at[1], 100 * ROUNDING);
+    near_vec3(vec3_sub(r.on_a, r.on_b), r.axis, ROUNDING);
+    near_vec3(r.last.v, r.axis, 0);
     near(r.distance, r.status == GJK_OVERLAP ? 0 : vec3_length(r.axis),
          ROUNDING);
 }
@@ -362,7 +350,7 @@ START_TEST(swapped_bodies_give_the_mirror_image)
         gjk_result there = ask(&a, &b), back = ask(&b, &a);
         ck_assert_int_eq(there.status, back.status);
         near(there.distance, back.distance, ROUNDING);
-        near_vector(there.axis, vec3_scale(-1, back.axis), 1e-6);
+        near_vec3(there.axis, vec3_scale(-1, back.axis), 1e-6);
     }
 }
 END_TEST
@@ -522,7 +510,7 @@ START_TEST(far_from_the_origin_nothing_more_is_lost)
     body_move(&b, far);
     gjk_result away = ask(&a, &b);
     near(away.distance, home.distance, ROUNDING);
-    near_vector(away.axis, home.axis, ROUNDING);
+    near_vec3(away.axis, home.axis, ROUNDING);
 }
 END_TEST
 
@@ -722,8 +710,8 @@ START_TEST(what_is_not_finite_gets_a_status)
             ck_assert_int_eq(r.status, GJK_NOT_FINITE);
             ck_assert_int_eq(s.status, GJK_NOT_FINITE);
             near(r.distance, 0, 0);
-            near_vector(r.axis, (vec3){ 0, 0, 0 }, 0);
-            near_vector(r.on_a, (vec3){ 0, 0, 0 }, 0);
+            near_vec3(r.axis, (vec3){ 0, 0, 0 }, 0);
+            near_vec3(r.on_a, (vec3){ 0, 0, 0 }, 0);
             ck_assert_int_eq(r.last.count, 0);
         }
 }

@@ -3,6 +3,7 @@
 // comes out, nor after how many iterations.
 
 #include "bodies.h"
+#include "expect.h"
 #include "hit_face.h"
 #include "oracle.h"
 #include "random.h"
@@ -45,12 +46,6 @@ static real size_of(const body *a, const body *b)
     for (int i = 0; i < b->count; i++)
         most = real_max(most, vec3_distance(b->at[i], b->at[0]));
     return most;
-}
-
-static void near(real got, real wanted, real tolerance)
-{
-    ck_assert_msg(fabs(got - wanted) <= tolerance,
-                  "got %.17g, wanted %.17g", got, wanted);
 }
 
 static vec3 sum_of(const body *b, const feature_point *f)

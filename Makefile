@@ -322,7 +322,7 @@ endif
 #:   make figures    run every figure's program, renew its data and its picture
 #:   make figure-08  the same for the figures of chapter 08
 #:   make charts     draw every chart from the data as they are; nothing is run
-#:   make moving     the moving picture of README (needs img2webp: make deps-book)
+#:   make moving     the moving pictures of README and chapter 18 (make deps-book)
 #:   make coverage   which lines of lib/ do the tests run, which branches both ways?
 #:   make hard       run the hard cases, each beside its target: on the engine
 #:                   (figures/tables/hard.csv), and on the system of Part I
@@ -342,6 +342,7 @@ figures: $(FIGURES:%=$(BUILD)/figures/%) moving
 moving: $(BUILD)/figures/moving
 	@echo "  draw  figures/moving/moving.webp"
 	$(Q)sh figures/moving/moving.sh $< figures/moving/moving.webp
+	$(Q)for s in room cloth-on-cube cloth-on-rope; do sh figures/moving/moving.sh $< figures/moving/$$s.webp $$s || exit 1; done
 figures $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%) speed profile: $(BUILD)/shrink
 $(CHAPTERS:%=figure-%):
 	$(Q)$(foreach f,$(FIGURES_$(@:figure-%=%)),$(call draw,$f,$(call room,$f)) &&) true

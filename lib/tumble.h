@@ -38,6 +38,7 @@ typedef struct tumble_world tumble_world;
 typedef struct { unsigned place, generation; } tumble_shape;
 typedef struct { unsigned place, generation; } tumble_body;
 typedef struct { unsigned place, generation; } tumble_joint;
+typedef struct { unsigned place, generation; } tumble_plane;
 
 typedef struct { double x, y, z; } tumble_vec3;
 
@@ -62,6 +63,9 @@ tumble_quat tumble_turn(tumble_vec3 axis, double angle);
 
 // Its matrix, row by row: what it does to a column (x, y, z).
 void tumble_matrix(tumble_quat q, double m[9]);
+
+// The rotation that has this matrix.
+tumble_quat tumble_from_matrix(const double m[9]);
 //<
 
 //> tumble-world
@@ -111,9 +115,10 @@ double tumble_time(const tumble_world *w);
 bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity);
 
 // The free side of a plane: normal . x >= offset (m, in the normal's lengths).
-// friction < 0: the world's.
-bool tumble_add_plane(tumble_world *w, tumble_vec3 normal, double offset,
-                      double friction);
+// friction < 0: the world's.  All bodies wake when one comes or goes.
+tumble_plane tumble_add_plane(tumble_world *w, tumble_vec3 normal,
+                              double offset, double friction);
+bool tumble_remove_plane(tumble_world *w, tumble_plane p);
 
 // What the last step did, and what it could not do.
 typedef struct {
@@ -255,7 +260,7 @@ void  *tumble_user(const tumble_world *w, tumble_body b);
 // Puts a rigid body somewhere else, at once; it keeps its velocity.
 bool tumble_set_pose(tumble_world *w, tumble_body b, tumble_pose pose);
 
-// Of a kinematic body: the velocity that it keeps.
+// Gives a rigid body a velocity and a spin: a kinematic one keeps them.
 bool tumble_set_velocity(tumble_world *w, tumble_body b, tumble_vec3 velocity,
                          tumble_vec3 spin);
 

@@ -23,10 +23,10 @@ site-files: $(SITE_PAGES) $(SITE_FILES) $(SITE_CODE) $(SITE_STYLE) $(SITE_LIVE) 
 
 # Charts, laid out for a narrow page.
 CHARTS_SITE := $(filter %.svg,$(PICTURES))
-$(SITE)/phone.done: $(CHARTS_SITE) chapters/site/phone.mjs
+$(BUILD)/phone.done: $(CHARTS_SITE) chapters/site/phone.mjs
 	@mkdir -p $(dir $(CHARTS_SITE:%=$(SITE)/%))
 	$(Q)node chapters/site/phone.mjs $(foreach f,$(CHARTS_SITE),$f $(SITE)/$(f:.svg=-phone.svg)) && touch $@
-$(SITE_PAGES): | $(SITE)/phone.done
+$(SITE_PAGES): | $(BUILD)/phone.done
 
 PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html)
 define page

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 00/segment.
 
 #include "segment.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -15,19 +16,7 @@ static void expect(const char *what, vec3 got, vec3 wanted, real error)
                   what, got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
-static unsigned dice = 1;
-
-static real random_real(void)
-{
-    dice = dice * 1664525u + 1013904223u;
-    return (real)(dice >> 8) / 8388608 - 1;
-}
-
-static vec3 random_vec3(void)
-{
-    real x = random_real(), y = random_real(), z = random_real();
-    return vec3_make(x, y, z);
-}
+static unsigned long long seed = 1;
 
 START_TEST(beside_a_segment_the_projection_counts)
 {
@@ -37,8 +26,9 @@ START_TEST(beside_a_segment_the_projection_counts)
            segment_nearest(vec3_make(1, 1, 0), vec3_make(5, 1, 0),
                            vec3_make(2, 4, 0)), vec3_make(2, 1, 0), ROUNDING);
     for (int i = 0; i < 200; i++) {
-        vec3 a = random_vec3(), d = random_vec3(), c = random_vec3();
-        real t = (random_real() + 1) / 2;
+        vec3 a = random_vec3(&seed, 1), d = random_vec3(&seed, 1),
+             c = random_vec3(&seed, 1);
+        real t = random_fraction(&seed);
         vec3 nearest = vec3_add_scaled(a, t, d);
         vec3 p = vec3_add(nearest, vec3_cross(c, d));
         expect("a random segment, and a point straight above its inside",
@@ -100,8 +90,8 @@ START_TEST(mirror_image_is_as_far_behind)
     // Rejects: the projection, not the image; a normal that must have
     // length 1.
     for (int i = 0; i < 200; i++) {
-        vec3 at = random_vec3(), up = vec3_scale(3, random_vec3());
-        vec3 p = random_vec3(), q = plane_mirror(at, up, p);
+        vec3 at = random_vec3(&seed, 1), up = random_vec3(&seed, 3);
+        vec3 p = random_vec3(&seed, 1), q = plane_mirror(at, up, p);
         vec3 middle = vec3_scale(0.5, vec3_add(p, q));
         real off = vec3_dot(vec3_sub(middle, at), vec3_unit(up));
         ck_assert_msg(fabs(off) <= ROUNDING,

@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 01/hiccup.
 
 #include "hiccup.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -13,12 +15,6 @@ static const real ORDER_SLACK = 0.1;
 static const vec3 GRAVITY = { 0, -9.8125, 0 };
 static const vec3 NO_GRAVITY = { 0, 0, 0 };
 
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
-
 START_TEST(parabola_is_exact_when_the_step_changes)
 {
     // Rejects: the plain step; a ratio that is upside down; a dt^2 or a
@@ -26,10 +22,9 @@ START_TEST(parabola_is_exact_when_the_step_changes)
     vec3 speed = { 3, 4, 0 };
     real dt = 0.01, t = 0;
     particle p = particle_start(NO_GRAVITY, speed, GRAVITY, 1, dt);
-    unsigned dice = 1;
+    unsigned long long seed = 1;
     for (int k = 0; k < 200; k++) {
-        dice = dice * 1664525u + 1013904223u;
-        real next = 0.004 + 0.01 * (real)(dice >> 24) / 256;
+        real next = random_between(&seed, 0.004, 0.014);
         step_changed(&p, 1, GRAVITY, NULL, dt, next);
         dt = next;
         t += dt;

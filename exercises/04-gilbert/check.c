@@ -1,18 +1,14 @@
 // check.c - tests of the exercise 04/gilbert.
 
 #include "gilbert.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
 
 // Some dozen roundings of numbers up to 10.
 static const real ROUNDING = 1e-13;
-
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.12g, wanted %.12g",
-                  what, got, wanted);
-}
 
 static void foot(vec3 p, vec3 q, vec3 wanted, const char *what)
 {
@@ -35,24 +31,12 @@ static hull box(vec3 at[8], vec3 low, vec3 high)
     return set(at, 8);
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 1966;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(void)
-{
-    real x = random_real(), y = random_real();
-    return (vec3){ x, y, random_real() };
-}
+static unsigned long long seed = 1966;
 
 // A hull of eight random points around a place.
 static hull cloud(vec3 at[8], vec3 centre)
 {
-    for (int i = 0; i < 8; i++) at[i] = vec3_add(centre, random_vec3());
+    for (int i = 0; i < 8; i++) at[i] = vec3_add(centre, random_vec3(&seed, 1));
     return set(at, 8);
 }
 
@@ -99,7 +83,7 @@ START_TEST(the_distance_lies_between_the_bounds)
     for (int k = 0; k < 300; k++) {
         vec3 at[8], bt[8];
         hull a = cloud(at, (vec3){ 0, 0, 0 });
-        hull b = cloud(bt, vec3_scale(3, random_vec3()));
+        hull b = cloud(bt, random_vec3(&seed, 3));
         real true_one = gjk_distance(a, b, HUGE_VAL, NULL).distance;
         gilbert_result r = gilbert_distance(a, b, 1e-3, 1 + k % 7);
         ck_assert_msg(r.ok && r.least >= 0, "least is %g", r.least);
@@ -187,7 +171,7 @@ START_TEST(yes_or_no_agrees_with_gjk)
     for (int k = 0; k < 500; k++) {
         vec3 at[8], bt[8];
         hull a = cloud(at, (vec3){ 0, 0, 0 });
-        hull b = cloud(bt, vec3_scale(4, random_vec3()));
+        hull b = cloud(bt, random_vec3(&seed, 4));
         real true_one = gjk_distance(a, b, HUGE_VAL, NULL).distance;
         real margin = k % 2 ? 0.5 : 2;
         int wanted = true_one > margin;

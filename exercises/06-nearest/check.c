@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 06/nearest.
 
 #include "nearest_leaf.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -14,19 +15,7 @@ enum { MOST = 2048 };
 
 static vec3 at[MOST];
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 66;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(void)
-{
-    real x = random_real(), y = random_real();
-    return (vec3){ x, y, random_real() };
-}
+static unsigned long long seed = 66;
 
 static void build(sphere_tree *t, int n)
 {
@@ -88,10 +77,10 @@ START_TEST(cloud_has_the_slow_answer)
     // From inside and from outside.  Rejects: the way downhill only, a bound
     // without the radius, one with the wrong sign.
     sphere_tree t;
-    for (int i = 0; i < 300; i++) at[i] = random_vec3();
+    for (int i = 0; i < 300; i++) at[i] = random_vec3(&seed, 1);
     build(&t, 300);
     for (int i = 0; i < 1000; i++)
-        expect("a cloud", &t, vec3_scale(i % 2 ? 1 : 4, random_vec3()));
+        expect("a cloud", &t, vec3_scale(i % 2 ? 1 : 4, random_vec3(&seed, 1)));
     sphere_tree_free(&t);
 }
 END_TEST
@@ -116,11 +105,12 @@ START_TEST(tree_that_was_refreshed_counts_as_it_is)
 {
     // Rejects: places remembered from the build (`rest`).
     sphere_tree t;
-    for (int i = 0; i < 100; i++) at[i] = random_vec3();
+    for (int i = 0; i < 100; i++) at[i] = random_vec3(&seed, 1);
     build(&t, 100);
-    for (int i = 0; i < 100; i++) at[i] = vec3_scale(2, random_vec3());
+    for (int i = 0; i < 100; i++) at[i] = random_vec3(&seed, 2);
     sphere_tree_refresh(&t, at);
-    for (int i = 0; i < 100; i++) expect("a new cloud", &t, random_vec3());
+    for (int i = 0; i < 100; i++)
+        expect("a new cloud", &t, random_vec3(&seed, 1));
     sphere_tree_free(&t);
 }
 END_TEST
@@ -144,11 +134,11 @@ START_TEST(most_of_the_tree_is_left_out)
     // Rejects: a search of everything; the farther child first.
     sphere_tree t;
     long all = 0;
-    for (int i = 0; i < MOST; i++) at[i] = random_vec3();
+    for (int i = 0; i < MOST; i++) at[i] = random_vec3(&seed, 1);
     build(&t, MOST);
     for (int i = 0; i < 500; i++)
         all += expect("a cloud of 2,048", &t,
-                      vec3_add_scaled(at[i], 0.02, random_vec3()));
+                      vec3_add_scaled(at[i], 0.02, random_vec3(&seed, 1)));
     sphere_tree_free(&t);
     real mean = (real)all / 500;
     printf("2,048 particles, 4,095 nodes: %g visited on average\n", mean);

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 06/necklace.
 
 #include "necklace.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -17,13 +18,7 @@ enum { MOST = 4096, FEW = 300 };
 static vec3 at[MOST];
 static leaf_pair out[FEW * FEW];
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 8;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
+static unsigned long long seed = 8;
 
 // Compares with all pairs, each looked at once.
 static tree_result expect(const char *what, necklace n, real near, int apart)
@@ -80,7 +75,7 @@ START_TEST(stretch_is_in_its_ball_however_it_lies)
     for (int k = 0; k < 200; k++) {
         vec3 here = { 0, 0, 0 };
         for (int i = 0; i < 50; i++) {
-            vec3 d = { random_real(), random_real(), random_real() };
+            vec3 d = random_vec3(&seed, 1);
             if (k % 3 == 0) d = (vec3){ 1, 0, 0 };
             at[i] = here;
             here = vec3_add(here, vec3_unit(d));
@@ -128,7 +123,7 @@ START_TEST(tangle_has_the_slow_answer)
         int beads = 2 + 15 * k;
         vec3 here = { 0, 0, 0 };
         for (int i = 0; i < beads; i++) {
-            vec3 d = { random_real(), random_real(), random_real() };
+            vec3 d = random_vec3(&seed, 1);
             at[i] = here;
             here = vec3_add_scaled(here, i % 7 ? 0.3 : 1, vec3_unit(d));
         }

@@ -2,6 +2,7 @@
 
 #include "slabs.h"
 #include "gjk.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -12,19 +13,7 @@ static const real ROUNDING = 1e-14;
 
 static const real ROOT_3 = 1.7320508075688772;
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 14;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(void)
-{
-    real x = random_real(), y = random_real();
-    return (vec3){ x, y, random_real() };
-}
+static unsigned long long seed = 14;
 
 static void expect(const char *what, const slabs *s, int k, real low,
                    real high)
@@ -160,10 +149,10 @@ END_TEST
 // A long thin body around the middle: four corners.
 static void long_stick(vec3 *at, vec3 middle)
 {
-    vec3 along = vec3_scale(4, vec3_unit(random_vec3()));
+    vec3 along = vec3_scale(4, vec3_unit(random_vec3(&seed, 1)));
     for (int i = 0; i < 4; i++)
         at[i] = vec3_add(vec3_add_scaled(middle, i % 2 ? 1 : -1, along),
-                         vec3_scale(0.1, random_vec3()));
+                         random_vec3(&seed, 0.1));
 }
 
 static real gap(const vec3 *a, const vec3 *b)
@@ -178,7 +167,7 @@ START_TEST(nothing_near_is_lost)
     for (int i = 0; i < 2000; i++) {
         vec3 a[4], b[4];
         long_stick(a, (vec3){ 0, 0, 0 });
-        long_stick(b, vec3_scale(4, random_vec3()));
+        long_stick(b, random_vec3(&seed, 4));
         slabs s = slabs_of_points(a, 4), t = slabs_of_points(b, 4);
         real d = gap(a, b);
         ck_assert_msg(d >= 0.5 || slabs_meet(&s, &t, 0.5), "pose %d: GJK finds "
@@ -209,7 +198,7 @@ START_TEST(slabs_raise_fewer_false_alarms)
     for (int i = 0; i < 2000; i++) {
         vec3 a[4], b[4];
         long_stick(a, (vec3){ 0, 0, 0 });
-        long_stick(b, vec3_scale(4, random_vec3()));
+        long_stick(b, random_vec3(&seed, 4));
         slabs s = slabs_of_points(a, 4), t = slabs_of_points(b, 4);
         if (!(gap(a, b) > 0)) continue;
         apart++;

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 07/bounce.
 
 #include "bounce.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -12,25 +13,13 @@ static const vec3 UP = { 0, 1, 0 };
 
 static unsigned long long seed;
 
-static real within(real low, real high)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * ((real)(seed >> 11) / 9007199254740992.0);
-}
-
-static vec3 any_vec3(real size)
-{
-    real x = within(-size, size), y = within(-size, size);
-    return vec3_make(x, y, within(-size, size));
-}
-
 static feature_point any_feature(int first, int count)
 {
     feature_point f = { .count = count };
     real sum = 0;
     for (int i = 0; i < count; i++) {
         f.vertex[i] = first + i;
-        f.weight[i] = within(0.05, 1);
+        f.weight[i] = random_between(&seed, 0.05, 1);
         sum += f.weight[i];
     }
     for (int i = 0; i < count; i++) f.weight[i] /= sum;
@@ -81,13 +70,15 @@ START_TEST(bounce_keeps_momentum_and_positions)
     seed = 23;
     for (int k = 0; k < 90; k++) {
         particle p[6], old[6];
-        real dt = 0.01, approach = within(0.1, 3), e = within(0, 1);
+        real dt = 0.01, approach = random_between(&seed, 0.1, 3),
+             e = random_between(&seed, 0, 1);
         int na = 1 + k % 3, nb = 1 + k / 3 % 3;
         feature_contact c = { .a = any_feature(0, na), .b = any_feature(na, nb),
-                              .normal = vec3_unit(any_vec3(1)) };
+                              .normal = vec3_unit(random_vec3(&seed, 1)) };
         for (int i = 0; i < 6; i++) {
-            real mass = within(0.5, 2) * (i < na ? 1 : 10);
-            p[i] = (particle){ any_vec3(1), any_vec3(1), 1 / mass };
+            real mass = random_between(&seed, 0.5, 2) * (i < na ? 1 : 10);
+            p[i] = (particle){ random_vec3(&seed, 1), random_vec3(&seed, 1),
+                               1 / mass };
             old[i] = p[i];
         }
         bounce(&c, p, e, approach, dt);

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 07/cradle.
 
 #include "cradle.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -55,13 +56,7 @@ static int play(int n, const real *in, const real *out, const char *what)
     return bounces;
 }
 
-// Uniform in [0, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 17;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 9007199254740992.0;
-}
+static unsigned long long seed = 17;
 
 START_TEST(light_and_heavy_bounce_as_in_the_textbook)
 {
@@ -202,11 +197,11 @@ START_TEST(momentum_stays_and_energy_does_not_grow)
     // runs into another.
     for (int k = 0; k < 200; k++) {
         int n = 2 + k % (MOST - 1);
-        real mass[MOST], speed[MOST], e = k % 2 ? 1 : random_real();
+        real mass[MOST], speed[MOST], e = k % 2 ? 1 : random_fraction(&seed);
         real momentum = 0, energy = 0;
         for (int i = 0; i < n; i++) {
-            mass[i] = 0.25 + 4 * random_real();
-            speed[i] = 2 * random_real() - 1;
+            mass[i] = 0.25 + 4 * random_fraction(&seed);
+            speed[i] = 2 * random_fraction(&seed) - 1;
         }
         row r = row_make(n, mass, speed);
         for (int i = 0; i < n; i++) {

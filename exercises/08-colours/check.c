@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 08/colours.
 
 #include "colours.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -185,15 +186,13 @@ END_TEST
 
 START_TEST(random_bodies_are_coloured_or_refuted)
 {
-    unsigned long long state = 8;
+    unsigned long long seed = 8;
     int coloured = 0;
     for (int k = 0; k < 300; k++) {
         stick s[14];
         int n = 4 + k % 11;
         for (int i = 0; i < n; i++) {
-            state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-            int a = (int)(state >> 40) % 12;
-            int b = (int)(state >> 20 & 0xfff) % 11;
+            int a = random_below(&seed, 12), b = random_below(&seed, 11);
             s[i] = between(a, b < a ? b : b + 1);
         }
         answer r = ask(s, n, 12);

@@ -1,18 +1,13 @@
 // check.c - tests of the exercise 08/tournament.
 
 #include "tournament.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
 
 static unsigned long long seed;
-
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 9007199254740992.0;
-}
 
 // A tournament in memory that ends behind its last match.
 static tournament make(int n, const real *value)
@@ -38,7 +33,7 @@ static real *some(int n)
 {
     real *value = malloc((size_t)n * sizeof *value + (n == 0));
     ck_assert_ptr_nonnull(value);
-    for (int k = 0; k < n; k++) value[k] = (int)(8 * any());
+    for (int k = 0; k < n; k++) value[k] = (int)(8 * random_fraction(&seed));
     return value;
 }
 
@@ -67,8 +62,8 @@ START_TEST(winner_follows_every_change)
         tournament t = make(n, value);
         tournament_begin(&t);
         for (int again = 0; again < 100; again++) {
-            int k = (int)(any() * n);
-            value[k] = (int)(8 * any());
+            int k = (int)(random_fraction(&seed) * n);
+            value[k] = (int)(8 * random_fraction(&seed));
             tournament_change(&t, k);
             ck_assert_msg(t.winner[1] == search(value, n), "value %d of %d has "
                           "changed: %d wins, wanted %d", k, n, t.winner[1],
@@ -89,8 +84,8 @@ START_TEST(changes_are_cheap)
     tournament t = make(MANY, value);
     tournament_begin(&t);
     for (int again = 0; again < 200000; again++) {
-        int k = (int)(any() * MANY);
-        value[k] = any();
+        int k = (int)(random_fraction(&seed) * MANY);
+        value[k] = random_fraction(&seed);
         tournament_change(&t, k);
     }
     ck_assert_int_eq(t.winner[1], search(value, MANY));

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 09/shoulder.
 
 #include "shoulder.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -131,13 +132,7 @@ START_TEST(what_cannot_move_is_left)
 }
 END_TEST
 
-// Uniform in [-1, 1), the same on every machine.
-static real any(void)
-{
-    static unsigned long long state = 31;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
+static unsigned long long seed = 31;
 
 START_TEST(momentum_and_its_moment_stay)
 {
@@ -145,8 +140,8 @@ START_TEST(momentum_and_its_moment_stay)
     for (int k = 0; k < 200; k++) {
         particle p[7], old[7];
         for (int i = 0; i < 7; i++) {
-            real x = any(), y = any();
-            p[i] = at(x, y, any(), 1.5 + any());
+            real x = random_real(&seed), y = random_real(&seed);
+            p[i] = at(x, y, random_real(&seed), 1.5 + random_real(&seed));
         }
         memcpy(old, p, sizeof p);
         rod r = { mean(4, 0, 1), mean(3, 4, 1), 0.5 * (k % 3), STICK_EXACT };

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 09/whole.
 
 #include "whole.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -46,19 +47,7 @@ static particle moving(vec3 x, vec3 v, real mass)
                        mass > 0 ? 1 / mass : 0 };
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real any(void)
-{
-    static unsigned long long state = 11;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 any3(void)
-{
-    real x = any(), y = any();
-    return (vec3){ x, y, any() };
-}
+static unsigned long long seed = 11;
 
 // A box of 1, 2 and 3 m of eight particles, 0.5 kg each: about its axes it has
 // 4 kg times (4 + 9) / 4, (1 + 9) / 4, (1 + 4) / 4 m^2.
@@ -138,11 +127,11 @@ START_TEST(crooked_body_turns_about_the_axis_it_is_given)
     // Its inertia has entries beside the diagonal, and L is not along the spin.
     for (int k = 0; k < 200; k++) {
         particle p[5];
-        vec3 x[5], mean = ZERO, spin = any3();
+        vec3 x[5], mean = ZERO, spin = random_vec3(&seed, 1);
         real m[5], mass = 0;
         for (int i = 0; i < 5; i++) {
-            x[i] = any3();
-            m[i] = 1.5 + any();
+            x[i] = random_vec3(&seed, 1);
+            m[i] = 1.5 + random_real(&seed);
             mass += m[i];
             mean = vec3_add_scaled(mean, m[i], x[i]);
         }
@@ -180,7 +169,9 @@ START_TEST(stick_whirls_but_not_about_itself)
     // Any direction: a determinant of 0, or of a rounding.
     // Rejects: 0 / 0; noise divided by noise.
     for (int k = 0; k < 100; k++) {
-        vec3 d = vec3_unit(any3()), side = vec3_cross(d, any3()), from = any3();
+        vec3 d = vec3_unit(random_vec3(&seed, 1)),
+             side = vec3_cross(d, random_vec3(&seed, 1)),
+             from = random_vec3(&seed, 1);
         particle p[3];
         for (int i = 0; i < 3; i++)
             p[i] = moving(vec3_add_scaled(from, i, d), vec3_scale(i, side), 2);
@@ -199,9 +190,9 @@ START_TEST(three_energies_add_up_to_all)
         particle p[7];
         real all = 0;
         for (int i = 0; i < 7; i++) {
-            vec3 v = any3();
-            real m = 1.5 + any();
-            p[i] = moving(any3(), v, m);
+            vec3 v = random_vec3(&seed, 1);
+            real m = 1.5 + random_real(&seed);
+            p[i] = moving(random_vec3(&seed, 1), v, m);
             all += m * vec3_length_squared(v) / 2;
         }
         whole w = ask(p, 7);

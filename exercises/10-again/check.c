@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 10/again.
 
 #include "again.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -11,25 +13,7 @@ static const real ROUNDING = 1e-13;
 
 enum { POINTS = 8, PAIRS = 1000, FRAMES = 20 };
 
-static void near(real got, real wanted, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= ROUNDING, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
-
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 10;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(real size)
-{
-    real x = random_real(), y = random_real(), z = random_real();
-    return vec3_scale(size, vec3_make(x, y, z));
-}
+static unsigned long long seed = 10;
 
 // Two bodies that drift: eight random points of a box of 2 m each.
 typedef struct {
@@ -39,10 +23,10 @@ typedef struct {
 
 static pair drifting(vec3 apart, real speed)
 {
-    pair p = { .way = random_vec3(speed) };
+    pair p = { .way = random_vec3(&seed, speed) };
     for (int i = 0; i < POINTS; i++) {
-        p.a[i] = vec3_add(apart, random_vec3(1));
-        p.b[i] = random_vec3(1);
+        p.a[i] = vec3_add(apart, random_vec3(&seed, 1));
+        p.b[i] = random_vec3(&seed, 1);
     }
     return p;
 }
@@ -64,11 +48,13 @@ START_TEST(gap_of_boxes_along_any_direction)
         bt[i] = vec3_make(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
     }
     hull a = { at, 8 }, b = { bt, 8 };
-    near(gap_along(a, b, vec3_make(1, 0, 0)), 3, "along x");
-    near(gap_along(a, b, vec3_make(7, 0, 0)), 3, "along x, n of length 7");
-    near(gap_along(a, b, vec3_make(0.6, 0.8, 0)), 0.2, "along 0.6, 0.8, 0");
-    near(gap_along(a, b, vec3_make(0, 2, 0)), -2, "along y");
-    near(gap_along(a, b, vec3_make(-1, 0, 0)), -7, "against x");
+    near(gap_along(a, b, vec3_make(1, 0, 0)), 3, ROUNDING, "along x");
+    near(gap_along(a, b, vec3_make(7, 0, 0)), 3, ROUNDING,
+         "along x, n of length 7");
+    near(gap_along(a, b, vec3_make(0.6, 0.8, 0)), 0.2, ROUNDING,
+         "along 0.6, 0.8, 0");
+    near(gap_along(a, b, vec3_make(0, 2, 0)), -2, ROUNDING, "along y");
+    near(gap_along(a, b, vec3_make(-1, 0, 0)), -7, ROUNDING, "against x");
 }
 END_TEST
 
@@ -85,7 +71,7 @@ static void compare(const pair *p, gjk_result r, real margin)
         ck_assert_msg(gap_along(hull_a(p), hull_b(p), r.axis)
                       >= r.distance - ROUNDING, "the axis does not part them");
     } else {
-        near(r.distance, g.distance, "distance");
+        near(r.distance, g.distance, ROUNDING, "distance");
         ck_assert_int_eq(r.status == GJK_OVERLAP, g.status == GJK_OVERLAP);
     }
 }
@@ -94,7 +80,7 @@ static void compare(const pair *p, gjk_result r, real margin)
 START_TEST(every_answer_is_that_of_gjk)
 {
     for (int k = 0; k < PAIRS; k++) {
-        pair p = drifting(random_vec3(4), 0.3);
+        pair p = drifting(random_vec3(&seed, 4), 0.3);
         for (int f = 0; f < FRAMES; f++, move_on(&p))
             compare(&p, ask_again(hull_a(&p), hull_b(&p), 0.1, &p.known), 0.1);
     }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 11/clip.
 
 #include "clip.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -39,13 +40,12 @@ static void expect(const char *what, const polygon *p, int count, real wanted)
 // A triangle anyhow, counter-clockwise; the same on every machine.
 static polygon any_triangle(void)
 {
-    static unsigned long long state = 23;
+    static unsigned long long seed = 23;
     polygon p = { 3, { { 0, 0, 0 } } };
     for (int k = 0; k < 3; k++) {
         real *c[2] = { &p.at[k].x, &p.at[k].y };
         for (int i = 0; i < 2; i++) {
-            state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-            *c[i] = (real)(state >> 11) / 4503599627370496.0 - 1;
+            *c[i] = random_real(&seed);
         }
     }
     if (area(&p) < 0) {

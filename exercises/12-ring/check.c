@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 12/ring.
 
 #include "closed.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -8,12 +10,6 @@
 
 // Some hundred roundings, in systems whose pivots are not small.
 static const real ROUNDING = 1e-12;
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 // Memory that ends behind its last number.
 static real *numbers(int n)
@@ -23,13 +19,7 @@ static real *numbers(int n)
     return x;
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 12;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
+static unsigned long long seed = 12;
 
 // Solves in memory of just this size.
 static int solve(int n, const real *lower, const real *diagonal,
@@ -64,10 +54,10 @@ START_TEST(ring_without_symmetry_is_solved)
     for (int round = 0; round < 300; round++) {
         int n = 3 + round % 38;
         for (int k = 0; k < n; k++) {
-            l[k] = random_real();
-            u[k] = random_real();
-            d[k] = (k % 3 ? 1 : -1) * (2.5 + random_real() / 4);
-            wanted[k] = random_real();
+            l[k] = random_real(&seed);
+            u[k] = random_real(&seed);
+            d[k] = (k % 3 ? 1 : -1) * (2.5 + random_real(&seed) / 4);
+            wanted[k] = random_real(&seed);
         }
         for (int k = 0; k < n; k++)
             x[k] = l[k] * wanted[(k + n - 1) % n] + d[k] * wanted[k]
@@ -174,8 +164,8 @@ START_TEST(error_is_squared_and_the_centre_stays)
         vec3 moved = { 0, 0, 0 };
         lay(N, 1);
         for (int k = 0; k < N; k++) {
-            vec3 aside = { random_real(), random_real(), random_real() };
-            ring[k].inverse_mass = 1.5 + random_real();
+            vec3 aside = random_vec3(&seed, 1);
+            ring[k].inverse_mass = 1.5 + random_real(&seed);
             ring[k].position = vec3_add_scaled(ring[k].position, 1e-3, aside);
             ring[k].previous = ring[k].position;
         }

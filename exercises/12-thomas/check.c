@@ -6,17 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "expect.h"
 #include "line.h"
+#include "random.h"
 #include "suite.h"
 
 // Some hundred roundings, in systems whose pivots are not small.
 static const real ROUNDING = 1e-12;
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 // Memory that ends behind its last number.
 static real *numbers(int n)
@@ -26,13 +22,7 @@ static real *numbers(int n)
     return x;
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 11;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
+static unsigned long long seed = 11;
 
 // Solves in memory of just this size, x apart from right.
 static int solve(int n, const real *lower, const real *diagonal,
@@ -72,10 +62,10 @@ START_TEST(system_without_symmetry_is_solved)
     real l[N], d[N], u[N], right[N], x[N], wanted[N];
     for (int round = 0; round < 200; round++) {
         for (int k = 0; k < N; k++) {
-            l[k] = random_real();
-            u[k] = random_real();
-            d[k] = (k % 2 ? 1 : -1) * (2.5 + random_real() / 4);
-            wanted[k] = random_real();
+            l[k] = random_real(&seed);
+            u[k] = random_real(&seed);
+            d[k] = (k % 2 ? 1 : -1) * (2.5 + random_real(&seed) / 4);
+            wanted[k] = random_real(&seed);
         }
         for (int k = 0; k < N; k++)
             right[k] = (k > 0 ? l[k] * wanted[k - 1] : 0) + d[k] * wanted[k]
@@ -195,9 +185,9 @@ START_TEST(step_is_the_librarys)
     for (int round = 0; round < 100; round++) {
         lay(LINKS, 1);
         for (int k = 0; k <= LINKS; k++) {
-            rope[k].inverse_mass = 1.5 + random_real();
+            rope[k].inverse_mass = 1.5 + random_real(&seed);
             rope[k].position.y = 0.6 * (k % 3);
-            rope[k].position.z = 0.05 * random_real();
+            rope[k].position.z = 0.05 * random_real(&seed);
         }
         if (round % 3) rope[round % LINKS].inverse_mass = 0;
         strands s = shape_strands(&plan, 0);

@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 12/tree.
 
 #include "tree.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -16,25 +18,7 @@ static particle p[MOST], q[MOST];
 static int parent[MOST];
 static real rest[MOST];
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
-
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 13;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(real most)
-{
-    real x = random_real(), y = random_real();
-    return vec3_scale(most, vec3_make(x, y, random_real()));
-}
+static unsigned long long seed = 13;
 
 // A step in memory that ends behind the last particle.
 static real step(int n)
@@ -65,14 +49,14 @@ static void grow(int n, real most)
 {
     p[0] = (particle){ { 0, 0, 0 }, { 0, 0, 0 }, 1 };
     for (int i = 0; i < n; i++) {
-        parent[i] = i ? (int)((random_real() + 1) / 2 * i) : -7;
-        vec3 way = vec3_unit(random_vec3(1));
+        parent[i] = i ? (int)(random_fraction(&seed) * i) : -7;
+        vec3 way = vec3_unit(random_vec3(&seed, 1));
         if (i) p[i].position = vec3_add(p[parent[i]].position, way);
-        p[i].inverse_mass = 1.5 + random_real();
+        p[i].inverse_mass = 1.5 + random_real(&seed);
         rest[i] = i ? 1 : -7;
     }
     for (int i = 0; i < n; i++) {
-        p[i].position = vec3_add(p[i].position, random_vec3(most));
+        p[i].position = vec3_add(p[i].position, random_vec3(&seed, most));
         p[i].previous = p[i].position;
     }
 }
@@ -198,7 +182,7 @@ START_TEST(straight_rope_between_nails_is_not_lost)
     // Its nails are a thousandth too far apart.  What is straight gives nothing
     // along itself once one end is held: what is left of it is rounding.
     for (int round = 0; round < 50; round++) {
-        vec3 way = vec3_unit(random_vec3(1));
+        vec3 way = vec3_unit(random_vec3(&seed, 1));
         for (int i = 0; i < MOST; i++) {
             vec3 x = vec3_scale(1.001 * i, way);
             p[i] = (particle){ x, x, i > 0 && i < MOST - 1 };

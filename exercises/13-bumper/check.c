@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 13/bumper.
 
 #include "bumper.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -17,19 +19,7 @@ enum { MOST = 8 };
 static particle p[MOST];
 static bumper c[MOST];
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
-
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 5;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
+static unsigned long long seed = 5;
 
 // A particle of this mass (0: nailed) at a height, falling.
 static void put(int i, real mass, real height, real fall)
@@ -145,9 +135,11 @@ START_TEST(looking_twice_changes_nothing)
 {
     // Rejects: a sum that forgets what has been pushed.
     for (int round = 0; round < 100; round++) {
-        put(0, 2 + random_real(), 0.1 * random_real(), random_real());
-        put(1, 2 + random_real(), 0.8 + 0.1 * random_real(), random_real());
-        make(0, 1e4 * (1.5 + random_real()), 10);
+        put(0, 2 + random_real(&seed), 0.1 * random_real(&seed),
+            random_real(&seed));
+        put(1, 2 + random_real(&seed), 0.8 + 0.1 * random_real(&seed),
+            random_real(&seed));
+        make(0, 1e4 * (1.5 + random_real(&seed)), 10);
         real first = bumper_push(c, p, h), sum = c->pushed;
         near(sum, first, ROUNDING, "the sum after one push");
         near(bumper_push(c, p, h), 0, ROUNDING, "the second push");
@@ -176,11 +168,12 @@ START_TEST(momentum_stays_and_no_energy_comes)
     // that of the spring, is no more than before.
     for (int round = 0; round < 200; round++) {
         vec3 moved = { 0, 0, 0 };
-        real had = 0, has = 0, k = 1000 * (1.1 + random_real());
-        put(0, 2 + random_real(), 0, 0);
-        put(1, 2 + random_real(), 1, 1);
-        make(0, k, 5 * (1 + random_real()));
-        c->normal = vec3_unit(vec3_make(random_real(), 3, random_real()));
+        real had = 0, has = 0, k = 1000 * (1.1 + random_real(&seed));
+        put(0, 2 + random_real(&seed), 0, 0);
+        put(1, 2 + random_real(&seed), 1, 1);
+        make(0, k, 5 * (1 + random_real(&seed)));
+        c->normal =
+            vec3_unit(vec3_make(random_real(&seed), 3, random_real(&seed)));
         p[1].position = vec3_add(p[0].position, c->normal);
         p[1].previous = vec3_add_scaled(p[1].position, h, c->normal);
         for (int i = 0; i < 2; i++)

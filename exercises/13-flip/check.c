@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 13/flip.
 
 #include "flip.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -13,25 +15,7 @@ static shape box;
 static rigid4 plan;
 static particle p[FOUR];
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.12g, wanted %.12g",
-                  what, got, wanted);
-}
-
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 85;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(real most)
-{
-    real x = random_real(), y = random_real();
-    return vec3_scale(most, vec3_make(x, y, random_real()));
-}
+static unsigned long long seed = 85;
 
 static void make(vec3 sides, real mass)
 {
@@ -63,8 +47,9 @@ START_TEST(start_bends_no_stick)
     // Rejects: a chord for an arc.
     make(vec3_make(1, 2, 3), 6);
     for (int round = 0; round < 100; round++) {
-        vec3 spin = vec3_scale(30, vec3_unit(random_vec3(1)));
-        flip_start(&plan, random_vec3(9), random_vec3(5), spin, 1 / 60.0, p);
+        vec3 spin = vec3_scale(30, vec3_unit(random_vec3(&seed, 1)));
+        flip_start(&plan, random_vec3(&seed, 9), random_vec3(&seed, 5), spin,
+                   1 / 60.0, p);
         near(worst_strain(0), 0, ROUNDING, "strain now");
         near(worst_strain(1), 0, ROUNDING, "strain a step ago");
     }
@@ -98,8 +83,9 @@ START_TEST(centre_flies_straight)
     // Whatever the spin is.
     make(vec3_make(1, 2, 3), 6);
     for (int round = 0; round < 100; round++) {
-        vec3 at = random_vec3(9), v = random_vec3(5), middle = NONE;
-        flip_start(&plan, at, v, random_vec3(20), 1 / 60.0, p);
+        vec3 at = random_vec3(&seed, 9), v = random_vec3(&seed, 5),
+             middle = NONE;
+        flip_start(&plan, at, v, random_vec3(&seed, 20), 1 / 60.0, p);
         for (int k = 0; k < FOUR; k++)
             middle = vec3_add_scaled(middle, 0.25, p[k].previous);
         near(vec3_distance(middle, vec3_add_scaled(at, -1 / 60.0, v)), 0,
@@ -128,9 +114,10 @@ START_TEST(spin_comes_back)
     // the angle, and so the spin is tan of it: of the order h^2.
     make(vec3_make(1, 2, 3), 6);
     for (int round = 0; round < 200; round++) {
-        vec3 spin = random_vec3(5);
+        vec3 spin = random_vec3(&seed, 5);
         real h = 1e-3;
-        flip_start(&plan, random_vec3(9), random_vec3(5), spin, h, p);
+        flip_start(&plan, random_vec3(&seed, 9), random_vec3(&seed, 5), spin, h,
+                   p);
         near(vec3_distance(flip_spin(p, h), spin), 0, 1e-4, "spin is off by");
     }
     unmake();

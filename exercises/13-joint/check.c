@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 13/joint.
 
 #include "shared.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -17,25 +19,7 @@ static particle p[FOUR * BODIES];
 static shape box;
 static rigid4 plan;
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
-
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 5;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(void)
-{
-    real x = random_real(), y = random_real();
-    return vec3_make(x, y, random_real());
-}
+static unsigned long long seed = 5;
 
 static void make(vec3 sides, real mass)
 {
@@ -138,14 +122,14 @@ END_TEST
 // Two bodies somewhere, with a gap of up to 2 mm between a corner of each.
 static joint any_two(real gap)
 {
-    put(0, random_vec3(), 0);
-    int v = (int)(4 * (random_real() + 1));
+    put(0, random_vec3(&seed, 1), 0);
+    int v = (int)(4 * (random_real(&seed) + 1));
     vec3 at = vec3_add(vec3_sub(centre(0), box.at[v]), box.at[7 - v]);
     put(1, at, 0);
     joint j = joint_of(0, box.at[7 - v], 1, box.at[v]);
     for (int b = 0; b < 2; b++) {
-        vec3 way = vec3_scale(gap, random_vec3());
-        vec3 turn = vec3_scale(gap, random_vec3());
+        vec3 way = random_vec3(&seed, gap);
+        vec3 turn = random_vec3(&seed, gap);
         for (int k = 0; k < FOUR; k++) {
             vec3 r = vec3_cross(turn, plan.at[k]);
             particle *x = &p[FOUR * b + k];
@@ -167,7 +151,8 @@ START_TEST(gap_is_closed_at_once)
         near(vec3_distance(point(0, j.local_a), point(1, j.local_b)), 0,
              10 * ROUNDING, "gap afterwards");
         near(worst_strain(2), 0, 1e-4, "strain");
-        near(joint_close(&j, &plan, p), 0, 10 * ROUNDING, "gap the second time");
+        near(joint_close(&j, &plan, p), 0, 10 * ROUNDING,
+             "gap the second time");
     }
     unmake();
 }

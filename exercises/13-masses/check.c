@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 13/masses.
 
 #include "masses.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -8,19 +10,7 @@
 // Sums of four terms near 1, or as large as they may get: relative to them.
 static const real ROUNDING = 1e-14;
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
-
-// Uniform in [0, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 12;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 9007199254740992.0;
-}
+static unsigned long long seed = 12;
 
 static real coordinate(vec3 a, int i)
 {
@@ -65,7 +55,7 @@ END_TEST
 static void random_shares(real share[4])
 {
     real sum = 0;
-    for (int k = 0; k < 4; k++) sum += share[k] = 0.02 + random_real();
+    for (int k = 0; k < 4; k++) sum += share[k] = 0.02 + random_fraction(&seed);
     for (int k = 0; k < 4; k++) share[k] /= sum;
 }
 
@@ -107,7 +97,8 @@ START_TEST(points_ride_by_their_weights)
     for (int round = 0; round < 1000; round++) {
         real share[4], weight[4] = { 0 }, sum = 0;
         vec3 t[4] = { { 0, 0, 0 } }, at = { 0, 0, 0 };
-        vec3 y = { random_real(), 5 * random_real(), -random_real() };
+        vec3 y = { random_fraction(&seed), 5 * random_fraction(&seed),
+                   -random_fraction(&seed) };
         random_shares(share);
         ck_assert(masses_directions(share, t));
         masses_weigh(share, t, y, weight);

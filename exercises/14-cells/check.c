@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 14/cells.
 
 #include "cells.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -11,17 +12,11 @@ enum { MOST = 120, ALL = MOST * (MOST - 1) / 2 };
 
 static vec3 at[MOST];
 
-// Whole numbers from 0 to n - 1, the same on every machine.
-static int any(int n)
-{
-    static unsigned long long state = 31;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (int)((state >> 33) % (unsigned long long)n);
-}
+static unsigned long long seed = 31;
 
 static real anywhere(real side)
 {
-    return side * (any(1 << 30) / (real)(1 << 29) - 1);
+    return side * (random_below(&seed, 1 << 30) / (real)(1 << 29) - 1);
 }
 
 // A table in memory of just its size, with rubbish in it.
@@ -67,7 +62,8 @@ START_TEST(same_points_give_the_same_table)
     // Each slot holds its points, from the lowest to the highest; also when
     // the table has been used before.
     for (int round = 0; round < 200; round++) {
-        int points = any(MOST), slots = 1 << any(8);
+        int points = random_below(&seed, MOST),
+            slots = 1 << random_below(&seed, 8);
         cells g = begin(points, slots);
         for (int again = 0; again < 2; again++) {
             for (int p = 0; p < points; p++)
@@ -154,13 +150,18 @@ START_TEST(scenes_agree_with_all_pairs)
 {
     // Many on whole numbers, just within reach.
     for (int round = 0; round < 300; round++) {
-        cells g = begin(any(MOST), 1 << any(10));
-        real size = 1 + any(3), reach = size - (any(2) ? 0 : 0.5);
+        cells g =
+            begin(random_below(&seed, MOST), 1 << random_below(&seed, 10));
+        real size = 1 + random_below(&seed, 3),
+             reach = size - (random_below(&seed, 2) ? 0 : 0.5);
         for (int p = 0; p < g.points; p++)
-            at[p] = any(2) ? vec3_make(any(12) - 6, any(12) - 6, any(12) - 6)
+            at[p] = random_below(&seed, 2)
+                ? vec3_make(random_below(&seed, 12) - 6,
+                            random_below(&seed, 12) - 6,
+                            random_below(&seed, 12) - 6)
                   : vec3_make(anywhere(6), anywhere(6), anywhere(6));
         int n = agreed(&g, size, reach, ALL);
-        agreed(&g, size, reach, any(n + 1));
+        agreed(&g, size, reach, random_below(&seed, n + 1));
         end(&g);
     }
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 14/list.
 
 #include "list.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -11,19 +12,7 @@ enum { MOST = 200, ALL = MOST * (MOST - 1) / 2 };
 static vec3 at[MOST];
 static near_list l;
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 67;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(real most)
-{
-    real x = random_real(), y = random_real();
-    return vec3_scale(most, vec3_make(x, y, random_real()));
-}
+static unsigned long long seed = 67;
 
 // A list in memory of just its size.
 static void begin(int points, real reach, real margin, int capacity)
@@ -148,8 +137,8 @@ START_TEST(frames_agree_with_all_pairs)
     static vec3 speed[MOST];
     begin(MOST, 1, 0.5, ALL);
     for (int i = 0; i < MOST; i++) {
-        at[i] = random_vec3(4);
-        speed[i] = random_vec3(0.01);
+        at[i] = random_vec3(&seed, 4);
+        speed[i] = random_vec3(&seed, 0.01);
     }
     for (int frame = 0; frame < 500; frame++) {
         for (int i = 0; i < MOST; i++) {

@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 14/ray.
 
 #include "ray.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -10,19 +12,7 @@ static const real ROUNDING = 1e-12;
 
 static const crate UNIT = { { 0, 0, 0 }, { 1, 1, 1 } };
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
-
-// Uniform whole numbers from 0 to n - 1, the same on every machine.
-static int any(int n)
-{
-    static unsigned long long state = 13;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (int)((state >> 33) % (unsigned long long)n);
-}
+static unsigned long long seed = 13;
 
 static ray make(real x, real y, real z, real vx, real vy, real vz)
 {
@@ -178,16 +168,19 @@ START_TEST(line_agrees_with_all_boxes)
 {
     // Whole numbers, so that many touch and many are equal.
     for (int round = 0; round < 20000; round++) {
-        int n = any(MOST);
+        int n = random_below(&seed, MOST);
         for (int k = 0; k < n; k++) {
-            vec3 low = { any(20), any(8), any(8) };
-            vec3 size = { any(any(8) ? 3 : 20), any(4), any(4) };
+            vec3 low = { random_below(&seed, 20), random_below(&seed, 8),
+                         random_below(&seed, 8) };
+            vec3 size = { random_below(&seed, random_below(&seed, 8) ? 3 : 20),
+                          random_below(&seed, 4), random_below(&seed, 4) };
             box[k] = (crate){ low, vec3_add(low, size) };
         }
         qsort(box, (size_t)n, sizeof *box, by_low);
-        ray r = make(any(24) - 2, any(12) - 2, any(12) - 2, any(5) - 2,
-                     any(5) - 2, any(5) - 2);
-        if (any(2)) r.most = any(8);
+        ray r = make(random_below(&seed, 24) - 2, random_below(&seed, 12) - 2,
+                     random_below(&seed, 12) - 2, random_below(&seed, 5) - 2,
+                     random_below(&seed, 5) - 2, random_below(&seed, 5) - 2);
+        if (random_below(&seed, 2)) r.most = random_below(&seed, 8);
         ray_hit wanted = { -1, r.most, 0 }, hit = first(n, r);
         for (int k = 0; k < n; k++) {
             real time = 0;

@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 15/balls.
 
 #include "balls.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -9,25 +11,7 @@ static const real ROUNDING = 1e-13;
 
 static const vec3 STILL = { 0, 0, 0 };
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
-
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 14;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(real most)
-{
-    real x = random_real(), y = random_real();
-    return vec3_scale(most, vec3_make(x, y, random_real()));
-}
+static unsigned long long seed = 14;
 
 static flying_ball make(real x, real y, real radius, vec3 way)
 {
@@ -153,8 +137,10 @@ START_TEST(nobody_was_nearer_before)
 {
     int met = 0;
     for (int round = 0; round < 20000; round++) {
-        flying_ball a = { random_vec3(5), 1 + random_real(), random_vec3(6) };
-        flying_ball b = { random_vec3(5), 1 + random_real(), random_vec3(6) };
+        flying_ball a = { random_vec3(&seed, 5), 1 + random_real(&seed),
+                          random_vec3(&seed, 6) };
+        flying_ball b = { random_vec3(&seed, 5), 1 + random_real(&seed),
+                          random_vec3(&seed, 6) };
         real t = 1, r = a.radius + b.radius;
         vec3 n = STILL;
         int is_met = balls_touch(&a, &b, &t, &n);

@@ -1,29 +1,13 @@
 // check.c - tests of the exercise 15/cubic.
 
 #include "cubic.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
-
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 3;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(void)
-{
-    real x = random_real(), y = random_real();
-    return vec3_make(x, y, random_real());
-}
+static unsigned long long seed = 3;
 
 // scale (t - a) (t - b) (t - d)
 static void product(real scale, real a, real b, real d, real c[4])
@@ -145,7 +129,7 @@ START_TEST(random_curves_lose_no_root)
     // where there is none.
     for (int round = 0; round < 2000; round++) {
         real c[4], root[3], before = 0;
-        for (int k = 0; k < 4; k++) c[k] = random_real();
+        for (int k = 0; k < 4; k++) c[k] = random_real(&seed);
         c[0] *= 0.2;
         int n = cubic_roots(c, root), changes = 0;
         for (int k = 0; k <= 500; k++) {
@@ -280,8 +264,8 @@ START_TEST(random_meetings_are_not_missed)
         meeting m;
         real before = 0, time = 2;
         for (int i = 0; i < 4; i++) {
-            m.at[i] = random_vec3();
-            m.way[i] = vec3_scale(2, random_vec3());
+            m.at[i] = random_vec3(&seed, 1);
+            m.way[i] = random_vec3(&seed, 2);
         }
         int hit = corner_hits(&m, &time);
         for (int k = 0; k <= 100 && k / 100.0 < time - 0.02; k++) {

@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 15/half.
 
 #include "half.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -15,19 +17,7 @@ static vec3 at[MOST];
 static half_link link[MOST];
 static real room[MOST];
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
-
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 45;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
+static unsigned long long seed = 45;
 
 // Asks in memory that ends behind the last point and link.
 static void ask(int points, int links, real most)
@@ -155,7 +145,8 @@ static void shove(int points, int links, int round)
 {
     vec3 want[MOST], was[MOST], now[MOST];
     for (int i = 0; i < points; i++) {
-        want[i] = vec3_make(50 * random_real(), 50 * random_real(), 0);
+        want[i] =
+            vec3_make(50 * random_real(&seed), 50 * random_real(&seed), 0);
         if (round % 2) want[i] = vec3_add_scaled(at[i], 0.1, want[i]);
         was[i] = at[i];
     }

@@ -1,6 +1,8 @@
 // check.c - tests of the exercise 15/turn.
 
 #include "turn.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 #include <check.h>
@@ -11,12 +13,6 @@ static const real PI = 3.14159265358979324;
 static const vec3 NONE = { 0, 0, 0 }, Z = { 0, 0, 1 };
 
 enum { CAP = 1000 };
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.12g, wanted %.12g",
-                  what, got, wanted);
-}
 
 static turning box(vec3 at[8], vec3 center, vec3 half)
 {
@@ -62,19 +58,7 @@ static void expect(turn_result r, turn_status wanted, const char *what)
                       " no time and no normal", what);
 }
 
-// Uniform in [-1, 1), the same on every machine.
-static real random_real(void)
-{
-    static unsigned long long state = 41;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 random_vec3(real most)
-{
-    real x = random_real(), y = random_real();
-    return vec3_scale(most, vec3_make(x, y, random_real()));
-}
+static unsigned long long seed = 41;
 
 START_TEST(place_of_a_point_that_turns)
 {
@@ -214,15 +198,15 @@ START_TEST(nobody_has_touched_before)
     for (int round = 0; round < 200; round++) {
         vec3 s[6], t[6], x[6], y[6];
         turning b[2] = { { { s, 6 }, { 3, 0, 0 }, { -3, 0, 0 }, Z,
-                           4 * random_real() },
-                         { { t, 6 }, NONE, random_vec3(1), Z,
-                           4 * random_real() } };
+                           4 * random_real(&seed) },
+                         { { t, 6 }, NONE, random_vec3(&seed, 1), Z,
+                           4 * random_real(&seed) } };
         for (int i = 0; i < 6; i++) {
-            s[i] = vec3_add(b[0].center, random_vec3(1));
-            t[i] = random_vec3(1);
+            s[i] = vec3_add(b[0].center, random_vec3(&seed, 1));
+            t[i] = random_vec3(&seed, 1);
         }
         for (int k = 0; k < 2; k++)
-            b[k].axis = vec3_unit(vec3_add(Z, random_vec3(0.9)));
+            b[k].axis = vec3_unit(vec3_add(Z, random_vec3(&seed, 0.9)));
         turn_result r = ask(&b[0], &b[1], CAP);
         ck_assert_msg(r.status == TURN_TOUCH || r.status == TURN_NEVER,
                       "status %d after %d looks", (int)r.status, r.looks);

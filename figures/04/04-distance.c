@@ -13,6 +13,7 @@
 
 #include "clock.h"
 #include "gjk.h"
+#include "random.h"
 
 #include <stdio.h>
 
@@ -39,21 +40,6 @@ static simplex carried[PAIRS];
 static real truth[PAIRS], moved_truth[PAIRS];
 static unsigned long long seed;
 
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) * 0x1p-53;
-}
-
-static vec3 any_direction(void)
-{
-    for (;;) {
-        vec3 v = { 2 * any() - 1, 2 * any() - 1, 2 * any() - 1 };
-        real l = vec3_length(v);
-        if (l > 0.1 && l <= 1) return vec3_scale(1 / l, v);
-    }
-}
-
 // Turned by an angle (rad) about a unit axis (Rodrigues).
 static vec3 turned(vec3 p, vec3 axis, real angle)
 {
@@ -66,8 +52,8 @@ static body any_icosahedron(void)
 {
     const real golden = (1 + sqrt(5.0)) / 2;
     const real k = 0.5 / sqrt(1 + golden * golden);
-    vec3 axis = any_direction();
-    real angle = 6.283185307179586 * any();
+    vec3 axis = random_direction(&seed);
+    real angle = 6.283185307179586 * random_fraction(&seed);
     body b;
     for (int i = 0; i < CORNERS; i++) {
         real one = i & 1 ? k : -k, phi = golden * (i & 2 ? k : -k);
@@ -91,8 +77,10 @@ static gjk_result ask(find *f, const body *a, const body *b, simplex *s)
 // Up to 0.5 degree and 2.5 mm further.
 static body nudged(const body *b)
 {
-    vec3 axis = any_direction(), by = vec3_scale(0.0025 * any(), any_direction());
-    real angle = 0.5 / 180 * 3.141592653589793 * any();
+    vec3 axis = random_direction(&seed),
+         by = vec3_scale(0.0025 * random_fraction(&seed),
+                         random_direction(&seed));
+    real angle = 0.5 / 180 * 3.141592653589793 * random_fraction(&seed);
     body out = *b;
     for (int i = 0; i < CORNERS; i++) {
         vec3 r = vec3_sub(b->at[i], b->at[0]);
@@ -106,7 +94,7 @@ static body nudged(const body *b)
 static void make_pair(int i, real gap)
 {
     real wanted = gap > 1e-6 ? gap : 1e-6;
-    vec3 way = any_direction();
+    vec3 way = random_direction(&seed);
     pair[i].a = any_icosahedron();
     pair[i].b = any_icosahedron();
     move(&pair[i].b, vec3_scale(1.5, way));

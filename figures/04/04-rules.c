@@ -14,6 +14,7 @@
 #include "bodies.h"
 #include "gjk.h"
 #include "oracle.h"
+#include "random.h"
 
 #include <stdio.h>
 
@@ -94,7 +95,7 @@ static real power(real base, real exponent)
 static void make_edges(body *a, body *b, real angle, real gap,
                        unsigned long long *seed)
 {
-    real end = random_unit(seed);
+    real end = random_fraction(seed);
     a->count = b->count = 2;
     a->at[0] = (vec3){ -1, 0, 0 }, a->at[1] = (vec3){ 1, 0, 0 };
     b->at[0] = (vec3){ end - 1, -angle, gap };
@@ -110,7 +111,7 @@ static void make_edges(body *a, body *b, real angle, real gap,
 static real make_plates(body *a, body *b, real gap, real far,
                         unsigned long long *seed)
 {
-    real tilt = power(0.1, 1 + 12 * random_unit(seed));
+    real tilt = power(0.1, 1 + 12 * random_fraction(seed));
     a->count = b->count = 4;
     for (int i = 0; i < 4; i++) {
         real x = i % 2 ? 1 : -1, y = i / 2 ? 1 : -1;
@@ -130,7 +131,7 @@ static real make_plates(body *a, body *b, real gap, real far,
 static real make_boxes(body *a, body *b, real gap, real scale,
                        unsigned long long *seed)
 {
-    real x = random_unit(seed) - 0.5, y = random_unit(seed) - 0.5;
+    real x = random_fraction(seed) - 0.5, y = random_fraction(seed) - 0.5;
     body_box(a, (vec3){ -1, -1, -1 }, (vec3){ 1, 1, 0 });
     body_box(b, (vec3){ x, y, gap }, (vec3){ x + 0.3, y + 0.2, gap + 0.5 });
     body_scale(a, scale);
@@ -140,7 +141,7 @@ static real make_boxes(body *a, body *b, real gap, real scale,
 
 static real make_pair(int n, body *a, body *b, unsigned long long *seed)
 {
-    real u = random_unit(seed), v = random_unit(seed);
+    real u = random_fraction(seed), v = random_fraction(seed);
     real gap = power(0.1, 1 + 9 * u);
     if (n % 4 == 0) make_edges(a, b, power(0.1, 3 + 9 * v) * u, gap, seed);
     if (n % 4 == 1)

@@ -7,6 +7,7 @@
 
 #include "clock.h"
 #include "hit_face.h"
+#include "random.h"
 
 #include <stdio.h>
 
@@ -19,30 +20,13 @@ typedef struct { vec3 at[CORNERS]; } icosahedron;
 
 static struct { icosahedron a, b; real truth; } pair[PAIRS];
 
-static real random_unit(void)
-{
-    static unsigned long long state = 1;
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) * 0x1p-53;
-}
-
-static vec3 random_direction(void)
-{
-    for (;;) {
-        vec3 v;
-        v.x = 2 * random_unit() - 1;
-        v.y = 2 * random_unit() - 1;
-        v.z = 2 * random_unit() - 1;
-        real length = vec3_length(v);
-        if (length > 0.1 && length <= 1) return vec3_scale(1 / length, v);
-    }
-}
+static unsigned long long seed = 1;
 
 static icosahedron make_icosahedron(void)
 {
     const real golden = (1 + sqrt(5.0)) / 2;
     const real k = 0.5 / sqrt(1 + golden * golden);
-    vec3 z = random_direction(), other = random_direction();
+    vec3 z = random_direction(&seed), other = random_direction(&seed);
     vec3 x = vec3_unit(vec3_cross(z, other)), y = vec3_cross(z, x);
     icosahedron body;
     int n = 0;
@@ -66,7 +50,7 @@ static void shift(icosahedron *b, vec3 by)
 // b is brought to a micrometre from a, and then pushed in by 0.1 m.
 static void make_pair(icosahedron *a, icosahedron *b)
 {
-    vec3 way = random_direction();
+    vec3 way = random_direction(&seed);
     *a = make_icosahedron();
     *b = make_icosahedron();
     shift(b, vec3_scale(1.5, way));

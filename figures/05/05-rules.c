@@ -15,6 +15,7 @@
 #include "bodies.h"
 #include "hit_face.h"
 #include "oracle.h"
+#include "random.h"
 
 #include <stdio.h>
 
@@ -109,7 +110,7 @@ static void tilt(body *b, real angle, unsigned long long *seed)
 
 static int below(int most, unsigned long long *seed)
 {
-    return (int)(most * random_unit(seed));
+    return (int)(most * random_fraction(seed));
 }
 
 // A box whose corners are whole numbers.
@@ -135,7 +136,7 @@ static void make_roofs(body *a, body *b, real angle, real deep,
         a->at[i] = (vec3){ x - angle * y, y + angle * x, z + 1 - deep };
         b->at[i] = (vec3){ x, y, z };
     }
-    body_move(b, (vec3){ random_unit(seed) - 0.5, 0, 0 });
+    body_move(b, (vec3){ random_fraction(seed) - 0.5, 0, 0 });
     unsigned long long same = *seed;
     body_turn(a, &same);
     body_turn(b, seed);

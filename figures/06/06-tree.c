@@ -5,6 +5,7 @@
 #include "body.h"
 #include "clock.h"
 #include "gjk.h"
+#include "random.h"
 #include "sphere_tree.h"
 
 #include <stdio.h>
@@ -25,12 +26,6 @@ static void must(int good, const char *what)
 }
 
 static unsigned long long seed = 1;
-
-static real dice(void)                  // -1 to 1
-{
-    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
 
 // ---- a cloth of 2 m x 2 m, n x n particles ---------------------------------
 
@@ -383,7 +378,8 @@ static void print_balls(void)
         double time = 0;
         for (int run = 0; run < runs; run++) {
             for (int i = 0; i < n; i++) {
-                real x = dice(), y = dice(), z = dice();
+                real x = random_real(&seed), y = random_real(&seed),
+                     z = random_real(&seed);
                 at[i] = vec3_make(x, y, z);
                 index[i] = i;
             }
@@ -456,7 +452,8 @@ static void print_strain(void)
         char below[12];
         real size = 1e-3;
         for (int i = 0; i < 12; i++) {
-            real x = dice(), y = dice(), z = dice();
+            real x = random_real(&seed), y = random_real(&seed),
+                 z = random_real(&seed);
             move[i] = vec3_make(x, y, z);
         }
         for (int k = 0; k < 6; k++) {   // the strain is nearly linear in size

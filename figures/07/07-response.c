@@ -5,6 +5,7 @@
 
 #include "body.h"
 #include "clock.h"
+#include "random.h"
 #include "response.h"
 
 #include <stdio.h>
@@ -32,28 +33,13 @@ static void part(way how, const feature_contact *c, particle *p)
     else                     response_printed(c, p, errata);
 }
 
-static real any(void)
-{
-    static unsigned long long seed = 1;
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 9007199254740992.0;
-}
-
-static vec3 any_direction(void)
-{
-    vec3 v;
-    do {
-        real x = 2 * any() - 1, y = 2 * any() - 1;
-        v = vec3_make(x, y, 2 * any() - 1);
-    } while (vec3_length_squared(v) > 1 || vec3_length_squared(v) < 0.01);
-    return vec3_unit(v);
-}
+static unsigned long long seed = 1;
 
 // The shape, turned somehow.
 static void turn(const shape *s, particle *p)
 {
-    vec3 x = any_direction();
-    vec3 y = vec3_unit(vec3_cross(x, any_direction()));
+    vec3 x = random_direction(&seed);
+    vec3 y = vec3_unit(vec3_cross(x, random_direction(&seed)));
     vec3 z = vec3_cross(x, y);
     for (int i = 0; i < CORNERS; i++) {
         vec3 v = vec3_scale(s->at[i].x, x);
@@ -66,7 +52,8 @@ static void turn(const shape *s, particle *p)
 // A point of face f of B, somewhere inside it.
 static feature_point any_point(const shape *s, int f)
 {
-    real u = 0.1 + 0.7 * any(), v = (0.9 - u) * any() + 0.05;
+    real u = 0.1 + 0.7 * random_fraction(&seed),
+         v = (0.9 - u) * random_fraction(&seed) + 0.05;
     const int *corner = &s->face[3 * f];
     return (feature_point){ 3, { CORNERS + corner[0], CORNERS + corner[1],
                                  CORNERS + corner[2] }, { u, v, 1 - u - v } };
@@ -79,7 +66,7 @@ static pair make(const shape *s)
     particle *b = q.p + CORNERS;
     turn(s, q.p);
     turn(s, b);
-    int f = (int)(any() * s->mesh.faces), low = 0;
+    int f = (int)(random_fraction(&seed) * s->mesh.faces), low = 0;
     const int *corner = &s->face[3 * f];
     vec3 first = b[corner[0]].position;
     vec3 normal = vec3_cross(vec3_sub(b[corner[1]].position, first),

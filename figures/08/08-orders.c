@@ -3,6 +3,7 @@
 
 #include "clock.h"
 #include "ordering.h"
+#include "random.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,12 +31,7 @@ typedef struct {
     double relaxed, tested, us;
 } cost;
 
-static real any(void)
-{
-    static unsigned long long seed = 1;
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 9007199254740992.0 * 2 - 1;
-}
+static unsigned long long seed = 1;
 
 static void add_corner(solid *b, vec3 v)
 {
@@ -152,8 +148,8 @@ static void table(const char *title, solid *b, int again)
     int struck[BLOWS];
     vec3 blow[BLOWS];
     for (int k = 0; k < BLOWS; k++) {
-        real x = any(), y = any();
-        blow[k] = vec3_unit(vec3_make(x, y, any()));
+        real x = random_real(&seed), y = random_real(&seed);
+        blow[k] = vec3_unit(vec3_make(x, y, random_real(&seed)));
         struck[k] = k * b->particles / BLOWS;
     }
     printf("\n\n# %s: %d particles, %d sticks\n# tolerance", title,

@@ -43,8 +43,8 @@ static void make_group(group *g, real gap)
     static pair_at_gap pair[SOME];
     make_pairs(pair, SOME, gap);
     for (int i = 0; i < SOME; i++) {
-        vec3 way = vec3_scale(0.005, random_direction());
-        vec3 axis = random_direction(), middle = { 0, 0, 0 };
+        vec3 way = vec3_scale(0.005, random_direction(&seed));
+        vec3 axis = random_direction(&seed), middle = { 0, 0, 0 };
         for (int k = 0; k < CORNERS; k++)
             middle = vec3_add_scaled(middle, 1.0 / CORNERS, pair[i].a.at[k]);
         g->b[i] = pair[i].b;

@@ -10,6 +10,7 @@
 #include "clock.h"
 #include "hit_face.h"
 #include "oracle.h"
+#include "random.h"
 
 #include <stdio.h>
 

@@ -5,6 +5,7 @@
 
 #include "clock.h"
 #include "manifold.h"
+#include "random.h"
 #include "response.h"
 
 #include <stdio.h>
@@ -16,12 +17,7 @@
 enum { CORNERS = 8, MOST = 12, FRAMES = 180, SUBSTEPS = 8, PASSES = 2 };
 static const real DT = 1.0 / 60;
 
-static real any(void)
-{
-    static unsigned long long seed = 10;
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
+static unsigned long long seed = 10;
 
 // --- the query ---------------------------------------------------------------
 
@@ -207,34 +203,25 @@ typedef struct {
     query_result q;
 } pair;
 
-static vec3 any_direction(void)
-{
-    vec3 v;
-    do {
-        real x = any(), y = any();
-        v = vec3_make(x, y, any());
-    } while (vec3_length_squared(v) > 1 || vec3_length_squared(v) < 0.01);
-    return vec3_unit(v);
-}
-
 // kind 0: cubes stacked exactly; 1: turned about the normal; 2: anyhow.
 static pair any_pair(const shape *s, int kind)
 {
     pair p;
     do {
-        vec3 x = any_direction(), y = vec3_unit(vec3_cross(x, any_direction()));
+        vec3 x = random_direction(&seed),
+             y = vec3_unit(vec3_cross(x, random_direction(&seed)));
         vec3 z = vec3_cross(x, y), off = vec3_scale(1.001, z);
-        real c = any(), d = sqrt(1 - c * c);
+        real c = random_real(&seed), d = sqrt(1 - c * c);
         vec3 u = x, v = y, w = z;
         if (kind == 1) {
             u = vec3_add_scaled(vec3_scale(c, x), d, y);
             v = vec3_add_scaled(vec3_scale(c, y), -d, x);
-            off = vec3_add_scaled(off, 0.4 * any(), x);
+            off = vec3_add_scaled(off, 0.4 * random_real(&seed), x);
         } else if (kind == 2) {
-            u = any_direction();
-            v = vec3_unit(vec3_cross(u, any_direction()));
+            u = random_direction(&seed);
+            v = vec3_unit(vec3_cross(u, random_direction(&seed)));
             w = vec3_cross(u, v);
-            off = vec3_scale(0.95, any_direction());
+            off = vec3_scale(0.95, random_direction(&seed));
         }
         for (int i = 0; i < s->particles; i++) {
             vec3 r = s->at[i];

@@ -6,6 +6,7 @@
 
 #include "clock.h"
 #include "plain_solver.h"
+#include "random.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,18 +18,6 @@
 enum { BODIES = 1000, CONTACTS = 3000, PLAIN = 0, BLOCKS, MAKE, WAYS };
 
 static unsigned long long seed = 3;
-
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 any_vec3(void)
-{
-    real x = any(), y = any();
-    return vec3_make(x, y, any());
-}
 
 static solver_body body[BODIES];
 static contact table[CONTACTS], *list[CONTACTS];
@@ -64,11 +53,11 @@ static void make_contacts(int n, int points)
         contact *c = &table[k];
         if (k % 15 == 0) b = contact_with_plane(0);
         *c = (contact){ .a = a, .b = b, .count = points,
-                        .normal = vec3_unit(any_vec3()) };
+                        .normal = vec3_unit(random_vec3(&seed, 1)) };
         for (int j = 0; j < points; j++) {
-            c->point[j].local_a = vec3_scale(0.5, any_vec3());
-            c->point[j].local_b = vec3_scale(0.5, any_vec3());
-            c->point[j].offset = 1e-3 * any();
+            c->point[j].local_a = random_vec3(&seed, 0.5);
+            c->point[j].local_b = random_vec3(&seed, 0.5);
+            c->point[j].offset = 1e-3 * random_real(&seed);
         }
         list[k] = c;
         reach[k] = HUGE_VAL;

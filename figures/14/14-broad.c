@@ -5,6 +5,7 @@
 
 #include "broad.h"
 #include "clock.h"
+#include "random.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,22 +30,16 @@ typedef struct {
     long pairs, wrong, tests, shifts;
 } cost;
 
-// In -1 .. 1.
-static real any(void)
-{
-    static unsigned long long seed = 1;
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 9007199254740992.0 * 2 - 1;
-}
+static unsigned long long seed = 1;
 
 // Radius 0.5 m, and 0.1 m of looking ahead; +-5 m/s along each axis.
 static void begin(int bodies, vec3 box)
 {
     for (int b = 0; b < bodies; b++) {
-        real x = (any() + 1) / 2, y = (any() + 1) / 2, z = (any() + 1) / 2;
+        real x = random_fraction(&seed), y = random_fraction(&seed),
+             z = random_fraction(&seed);
         ball[b] = (sphere){ { x * box.x, y * box.y, z * box.z }, 0.6 };
-        x = 5 * any(), y = 5 * any(), z = 5 * any();
-        velocity[b] = vec3_make(x, y, z);
+        velocity[b] = random_vec3(&seed, 5);
         moves[b] = 1;
     }
 }

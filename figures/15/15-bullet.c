@@ -13,6 +13,7 @@
 
 #include "clock.h"
 #include "hit_face.h"
+#include "random.h"
 #include "swept.h"
 
 #include <stdio.h>
@@ -52,29 +53,13 @@ static int never_seen;
 
 // ---- the shots
 
-static real any(real least, real most)
-{
-    static unsigned long long seed = 1;
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return least + (most - least) * (real)(seed >> 11) * 0x1p-53;
-}
-
-static vec3 any_direction(void)
-{
-    for (;;) {
-        vec3 v;
-        v.x = any(-1, 1);
-        v.y = any(-1, 1);
-        v.z = any(-1, 1);
-        real l = vec3_length(v);
-        if (l > 0.1 && l <= 1) return vec3_scale(1 / l, v);
-    }
-}
+static unsigned long long seed = 1;
 
 static void make_ball(vec3 *at)
 {
     const real golden = (1 + sqrt(5.0)) / 2;
-    vec3 x = any_direction(), y = vec3_unit(vec3_cross(x, any_direction()));
+    vec3 x = random_direction(&seed),
+         y = vec3_unit(vec3_cross(x, random_direction(&seed)));
     vec3 z = vec3_cross(x, y);
     real k = RADIUS / sqrt(1 + golden * golden);
     int n = 0;
@@ -93,10 +78,11 @@ static void make_ball(vec3 *at)
 static void make_shot(shot *s, int beside)
 {
     make_ball(s->at);
-    do s->along = any_direction(); while (s->along.z > -0.5);
-    s->through = vec3_make(any(-0.4, 0.4), any(-0.4, 0.4), 0);
-    if (beside) s->through.x = any(0.5, 0.9);
-    s->phase = any(0, 1);
+    do s->along = random_direction(&seed); while (s->along.z > -0.5);
+    s->through = vec3_make(random_between(&seed, -0.4, 0.4),
+                           random_between(&seed, -0.4, 0.4), 0);
+    if (beside) s->through.x = random_between(&seed, 0.5, 0.9);
+    s->phase = random_between(&seed, 0, 1);
 }
 
 static hull placed(const shot *s, vec3 where, vec3 *at)

@@ -10,6 +10,7 @@
 #include "ball.h"
 #include "clock.h"
 #include "convex.h"
+#include "random.h"
 #include "rigid4.h"
 #include "interleave.h"
 
@@ -89,12 +90,6 @@ typedef struct {
 
 static unsigned long long seed = 1;
 
-static real any(void)                   // -1 to 1
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 9007199254740992.0 * 2 - 1;
-}
-
 // The edges of the mesh, and a stick between any two opposite corners.
 static void add_diagonals(body_of *b)
 {
@@ -134,8 +129,8 @@ static int body_make(body_of *b, int which)
         return 0;
     b->inertia = inertia(solid_moments(&b->plan, b->mass));
     for (int k = 0; k < BLOWS; k++) {
-        real x = any(), y = any();
-        b->push[k] = vec3_unit(vec3_make(x, y, any()));
+        real x = random_real(&seed), y = random_real(&seed);
+        b->push[k] = vec3_unit(vec3_make(x, y, random_real(&seed)));
         b->struck[k] = k % b->plan.particles;
     }
     return 1;

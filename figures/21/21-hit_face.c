@@ -47,9 +47,9 @@ static int zoo_make(zoo *z)
     for (int k = 0; k < SIZES; k++) {
         if (!ball_shape(&z->plan[k], k, 0.5, 1).ok) return 0;
         for (int q = 0; q < QUERIES; q++) {
-            vec3 one = random_direction(), other = random_direction();
-            vec3 away = vec3_scale(1 - DEPTH, random_direction());
-            real turn = 6 * random_unit();
+            vec3 one = random_direction(&seed), other = random_direction(&seed);
+            vec3 away = vec3_scale(1 - DEPTH, random_direction(&seed));
+            real turn = 6 * random_fraction(&seed);
             for (int i = 0; i < z->plan[k].particles; i++) {
                 vec3 x = z->plan[k].at[i];
                 z->at[k][q][0][i] = turned(x, one, turn);

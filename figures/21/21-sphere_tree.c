@@ -14,6 +14,7 @@
 #include "ball.h"
 #include "clock.h"
 #include "gjk.h"
+#include "random.h"
 #include "sphere_tree.h"
 
 #include <stdio.h>
@@ -37,12 +38,6 @@ static void must(int good)
 }
 
 static unsigned long long seed = 1;
-
-static real any(void)                   // -1 to 1
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 9007199254740992.0 * 2 - 1;
-}
 
 static real faces_apart(const int *f, const vec3 *at_f, const int *g,
                         const vec3 *at_g)
@@ -238,8 +233,8 @@ static void shake(const shape *s, real strain, vec3 *at)
     vec3 move[BALL_CORNERS];
     real size = 0.01 * strain;
     for (int i = 0; i < s->particles; i++) {
-        real x = any(), y = any();
-        move[i] = vec3_make(x, y, any());
+        real x = random_real(&seed), y = random_real(&seed);
+        move[i] = vec3_make(x, y, random_real(&seed));
     }
     for (int k = 0; k < 8; k++) {
         real worst = 0;

@@ -91,7 +91,8 @@ static void measure(void)
     for (int k = 0; k < bodies && is_ready; k++)
         if (gap_of(k) > worst) worst = gap_of(k), where = k;
     live_value(GAP, 0, 1000 * worst);
-    live_say("Joint %d of %d is torn furthest, by %.3g mm.", where + 1, bodies, 1000 * worst);
+    live_say(worst < 1 ? "Joint %d of %d is torn furthest, by %.3g mm." : "Joint %d of %d is torn furthest, by %.1f m.",
+             where + 1, bodies, worst < 1 ? 1000 * worst : worst);
 }
 
 static void draw_body(int b)
@@ -125,7 +126,7 @@ const live_figure figure = {
     },
     .button = { "Push the load", "Cut the chain" },
     .chart = {
-        [GAP] = { "widest joint", "mm", { NULL }, 0.001, 1000, true, false, NULL },
+        [GAP] = { "widest gap of a joint", "mm", { NULL }, 0.001, 1000, true, false, NULL },
         [TIME] = { "time of a frame", "ms", { NULL }, 0, 0.1, false, true, NULL },
     },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,

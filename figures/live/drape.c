@@ -195,7 +195,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "drape",
     .says = "A cloth falls on a cube, or on a rope that hangs from two pins",
-    .camera = { .distance = 4.7, .turn = 0.55, .rise = 0.4, .target = { 0, 0.66, 0 }, .has_floor = true },
+    .camera = { .distance = 3.7, .turn = 0.55, .rise = 0.36, .target = { 0, 0.62, 0 }, .has_floor = true },
     .dial = {
         [SYSTEM] = { "system", NULL, 0, 2, 1, MENDED, "as printed|as mended|engine", true },
         [SCENE] = { "on", NULL, 0, 1, 1, 0, "a cube|a rope", true },

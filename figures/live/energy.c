@@ -154,7 +154,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "energy",
     .says = "Boxes, balls, rods and icosahedra fall into a room and come to rest; what sleeps is grey",
-    .camera = { .distance = 6.4, .turn = 0.6, .rise = 0.45, .target = { 0, 0.75, 0 }, .has_floor = true },
+    .camera = { .distance = 6, .turn = 0.6, .rise = 0.42, .target = { 0, 0.65, 0 }, .has_floor = true },
     .dial = {
         [MEMORY] = { "what was found in the last frame is", NULL, 0, 1, 1, 0, "kept|forgotten", true },
         [BODIES] = { "bodies of 1 kg", NULL, 8, 160, 8, 80, NULL, true },

@@ -4,6 +4,7 @@
 #include "capsule.h"
 #include "hull.h"
 #include "live.h"
+#include "plane.h"
 #include "query.h"
 
 enum { KIND, DISTANCE, TURN, EVERY };           // dials
@@ -105,10 +106,9 @@ static vec3 turned(vec3 r, vec3 axis, real t)
 static void step(void)
 {
     if (!is_ready) return;
-    real half = live_dial(TURN) * 3.14159265358979 / 360;
     vec3 axis = vec3_unit(AXIS);
     for (int i = 0; i < solid[A].particles; i++)
-        arm[A][i] = turned(arm[A][i], axis, half + half * half * half / 3);
+        arm[A][i] = turned(arm[A][i], axis, plane_tangent(live_dial(TURN)));
     frame++;
     place();
     ask();
@@ -174,7 +174,7 @@ static unsigned long long hash(void)
 const live_figure figure = {
     .name = "nearest",
     .says = "Two convex bodies, one of which turns; dark balls mark their nearest points, red ones those that ride with them since they were last asked for, green ones the corners that are carried to the next frame",
-    .camera = { .distance = 3.2, .turn = -0.4, .rise = 0.3, .target = { 0, 0, 0 } },
+    .camera = { .distance = 3.3, .turn = 0, .rise = 0.22, .target = { 0, 0, 0 } },
     .dial = {
         [KIND] = { "the body that turns", NULL, 0, 2, 1, ICOSAHEDRON, "box|icosahedron|stone", true },
         [DISTANCE] = { "distance of the middles", "m", 0.5, 2, 0.01, 1.35, NULL, true },

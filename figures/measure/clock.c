@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "clock.h"
+#include "random.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -52,9 +53,7 @@ static long times_of(const race *r, int way)
 static void shuffle(int *order, int n, unsigned long long *seed)
 {
     for (int k = n - 1; k > 0; k--) {
-        *seed = *seed * 6364136223846793005ULL + 1442695040888963407ULL;
-        int j = (int)((*seed >> 33) % (unsigned long long)(k + 1));
-        int kept = order[k];
+        int j = random_below(seed, k + 1), kept = order[k];
         order[k] = order[j];
         order[j] = kept;
     }

@@ -9,6 +9,7 @@
 
 #include "clock.h"
 #include "gjk.h"
+#include "random.h"
 
 #include <stddef.h>
 
@@ -17,26 +18,7 @@ enum { PAIRS = 20000, BLOCK = 500, CORNERS = 12 };
 typedef struct { vec3 at[CORNERS]; } icosahedron;
 typedef struct { icosahedron a, b, moved_a, moved_b; } pair_at_gap;
 
-static unsigned long long random_state = 1;
-
-static double random_unit(void)
-{
-    random_state = random_state * 6364136223846793005ULL
-                 + 1442695040888963407ULL;
-    return (double)(random_state >> 11) * 0x1p-53;
-}
-
-static vec3 random_direction(void)
-{
-    for (;;) {
-        vec3 v;
-        v.x = 2 * random_unit() - 1;
-        v.y = 2 * random_unit() - 1;
-        v.z = 2 * random_unit() - 1;
-        real l = vec3_length(v);
-        if (l > 0.1 && l <= 1) return vec3_scale(1 / l, v);
-    }
-}
+static unsigned long long seed = 1;
 
 // Turned by `angle` about a unit axis (Rodrigues).
 static vec3 turned(vec3 p, vec3 axis, real angle)
@@ -80,9 +62,10 @@ static gjk_result ask_pair(const icosahedron *a, const icosahedron *b)
 static icosahedron nudged(const icosahedron *body)
 {
     const real degree = 3.14159265358979 / 180;
-    vec3 axis = random_direction(), centre = { 0, 0, 0 };
-    real angle = 0.5 * degree * random_unit();
-    vec3 by = vec3_scale(0.0025 * random_unit(), random_direction());
+    vec3 axis = random_direction(&seed), centre = { 0, 0, 0 };
+    real angle = 0.5 * degree * random_fraction(&seed);
+    vec3 by =
+        vec3_scale(0.0025 * random_fraction(&seed), random_direction(&seed));
     icosahedron out;
     for (int i = 0; i < CORNERS; i++)
         centre = vec3_add_scaled(centre, 1.0 / CORNERS, body->at[i]);
@@ -105,10 +88,12 @@ static inline void make_pairs(pair_at_gap *pair, int n, real gap)
 {
     real wanted = gap > 1e-6 ? gap : 1e-6;
     for (int i = 0; i < n; i++) {
-        vec3 axis = random_direction(), way = random_direction();
-        pair[i].a = icosahedron_turned(axis, 6.28318530718 * random_unit());
-        axis = random_direction();
-        pair[i].b = icosahedron_turned(axis, 6.28318530718 * random_unit());
+        vec3 axis = random_direction(&seed), way = random_direction(&seed);
+        pair[i].a =
+            icosahedron_turned(axis, 6.28318530718 * random_fraction(&seed));
+        axis = random_direction(&seed);
+        pair[i].b =
+            icosahedron_turned(axis, 6.28318530718 * random_fraction(&seed));
         shift(&pair[i].b, vec3_scale(1.5, way));
         gjk_result r = ask_pair(&pair[i].a, &pair[i].b);
         for (int tries = 0; tries < 60; tries++) {

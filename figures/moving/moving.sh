@@ -1,5 +1,5 @@
-# moving.sh - the moving picture of README: the frames of a program, 25 a second,
-# the last one held.   sh figures/moving/moving.sh PROGRAM FILE.webp
+# moving.sh - a moving picture: the frames of a program, 25 a second, the last one
+# held.   sh figures/moving/moving.sh PROGRAM FILE.webp [SCENE]
 
 command -v img2webp > /dev/null || {
     echo "  $2 is left as it was: there is no img2webp (make deps-book installs it)"
@@ -7,7 +7,7 @@ command -v img2webp > /dev/null || {
 }
 frames=$(mktemp -d) || exit 1
 trap 'rm -rf "$frames" "$2.part"' EXIT
-"$1" "$frames" || exit 1
+"$1" "$frames" $3 || exit 1
 for last in "$frames"/frame-*.png; do :; done
 mv "$last" "$frames/last.png"
 

@@ -7,6 +7,7 @@
 #include "hard_set.h"
 #include "hit_face.h"
 #include "oracle.h"
+#include "random.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -58,8 +59,10 @@ static void move(solid *s, vec3 by)
 static solid moved_on(solid s, unsigned long long *seed)
 {
     const real most = 0.5 * 3.14159265358979 / 180;
-    real turn = most * any_share(seed), far = 0.0025 * any_share(seed);
-    vec3 axis = any_direction(seed), by = vec3_scale(far, any_direction(seed));
+    real turn = most * random_fraction(seed),
+         far = 0.0025 * random_fraction(seed);
+    vec3 axis = random_direction(seed),
+         by = vec3_scale(far, random_direction(seed));
     real c = cos(turn), k = sin(turn);
     for (int i = 0; i < CORNERS; i++) {
         vec3 r = vec3_sub(s.at[i], s.middle);
@@ -91,7 +94,7 @@ static couple pair_at(const shape *plan, real gap, unsigned long long *seed)
     const real wanted = fmax(gap, 1e-6);
     const vec3 origin = { 0, 0, 0 };
     couple c = { .a = solid_at(plan, turned_anyhow(origin, seed)) };
-    vec3 course = any_direction(seed);
+    vec3 course = random_direction(seed);
     c.b = solid_at(plan, turned_anyhow(vec3_scale(2, course), seed));
     make_ready(&c);
     gjk_result r = distance(&c, HUGE_VAL, NULL);
@@ -111,7 +114,8 @@ static void make_pairs(real least, real most)
     unsigned long long seed = 4;
     if (!shape_icosahedron(&plan, 0.5, 1).ok) give_up("no icosahedron");
     for (int i = 0; i < PAIRS; i++) {
-        real gap = least + (most - least) * (i + any_share(&seed)) / PAIRS;
+        real gap = least + (most - least) * (i + random_fraction(&seed))
+             / PAIRS;
         before[i] = pair_at(&plan, gap, &seed);
         after[i].a = moved_on(before[i].a, &seed);
         after[i].b = moved_on(before[i].b, &seed);

@@ -9,6 +9,7 @@
 #include "hard_set.h"
 #include "hit_face.h"
 #include "oracle.h"
+#include "random.h"
 #include "step.h"
 
 #include <math.h>
@@ -31,8 +32,8 @@ static int grid_cells(int bodies)
 
 static vec3 throw_of(real most, unsigned long long *seed)
 {
-    real x = 2 * any_share(seed) - 1, y = 2 * any_share(seed) - 1;
-    real z = 2 * any_share(seed) - 1;
+    real x = 2 * random_fraction(seed) - 1, y = 2 * random_fraction(seed) - 1;
+    real z = 2 * random_fraction(seed) - 1;
     return vec3_make(most * x, most * y, most * z);
 }
 

@@ -2,6 +2,7 @@
 // the cloth, which no other C library has, beside what was measured elsewhere.
 
 #include "peers.h"
+#include "random.h"
 #include "rigid4.h"
 #include "hard_set.h"
 #include "line.h"
@@ -28,8 +29,8 @@ static int first_of[BODIES];    // in the pool
 
 static vec3 shaken(vec3 at, real most, unsigned long long *seed)
 {
-    vec3 d = any_direction(seed);
-    return vec3_add_scaled(at, most * any_share(seed), d);
+    vec3 d = random_direction(seed);
+    return vec3_add_scaled(at, most * random_fraction(seed), d);
 }
 
 // Each of the four has gone its own way in a substep, as much as when a body

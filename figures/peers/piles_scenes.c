@@ -1,39 +1,18 @@
 // piles_scenes.c - a pyramid, a tower, boxes that are dropped, and thrown ones.
 
 #include "piles.h"
+#include "random.h"
 
 #include <stdlib.h>
 
 static const vec3 X = { 1, 0, 0 }, Y = { 0, 1, 0 }, Z = { 0, 0, 1 };
 
-// ---- Random numbers, the same on every machine -----------------------------
-
 static unsigned long long state;
-
-// Uniform in [-most, most).
-static real any(real most)
-{
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return most * ((real)(state >> 11) * 0x1p-52 - 1);
-}
-
-static vec3 any_vec3(real most)
-{
-    real x = any(most), y = any(most);
-    return vec3_make(x, y, any(most));
-}
-
-static vec3 any_unit(void)
-{
-    vec3 d = any_vec3(1);
-    real l = vec3_length(d);
-    return l > 0.1 && l < 1 ? vec3_scale(1 / l, d) : any_unit();
-}
 
 static void turn_anyhow(pose *p)
 {
-    p->x = any_unit();
-    p->y = vec3_unit(vec3_cross(p->x, any_unit()));
+    p->x = random_direction(&state);
+    p->y = vec3_unit(vec3_cross(p->x, random_direction(&state)));
     p->z = vec3_cross(p->x, p->y);
 }
 
@@ -113,7 +92,8 @@ pile pile_drop(int boxes)
     int cells = cells_for(boxes);
     for (int k = 0; k < boxes; k++) {
         vec3 c = cell(k, cells, wide);
-        put(&p, k, c.x + any(0.03), c.y + 1, c.z + any(0.03));
+        put(&p, k, c.x + 0.03 * random_real(&state), c.y + 1,
+            c.z + 0.03 * random_real(&state));
         turn_anyhow(&p.box[k].at);
     }
     add_wall(&p, Y, 0);
@@ -131,8 +111,8 @@ pile pile_thrown(int boxes)
         vec3 c = cell(k, cells, wide);
         put(&p, k, c.x, c.y + wide / 2, c.z);
         turn_anyhow(&p.box[k].at);
-        p.box[k].velocity = any_vec3(5);
-        p.box[k].spin = any_vec3(5);
+        p.box[k].velocity = random_vec3(&state, 5);
+        p.box[k].spin = random_vec3(&state, 5);
     }
     add_wall(&p, Y, 0);
     add_wall(&p, vec3_scale(-1, Y), -side);

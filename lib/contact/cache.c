@@ -660,12 +660,13 @@ void cache_free(contact_cache *c)
 //<
 
 //> cache-forget
-// Of body b, or of all (-1).
-static void clear_list(contact_cache *c, cache_list *l, bool is_walls, int b)
+// Those whose first is a, or whose second is b; or all of them.
+enum { ALL = -1, NONE = -2 };
+
+static void clear_list(contact_cache *c, cache_list *l, int a, int b)
 {
     for (int k = 0; k < l->count; k++) {
-        bool is_its = l->key[k][0] == b || (!is_walls && l->key[k][1] == b);
-        if (b >= 0 && !is_its) continue;
+        if (a != ALL && l->key[k][0] != a && l->key[k][1] != b) continue;
         if (l->pair[k].entry >= 0)
             c->entry[l->pair[k].entry].contact.count = 0;
         release(c, &l->pair[k]);
@@ -675,15 +676,20 @@ static void clear_list(contact_cache *c, cache_list *l, bool is_walls, int b)
 
 void cache_forget(contact_cache *c, int b)
 {
-    clear_list(c, &c->pairs, false, b);
-    clear_list(c, &c->walls, true, b);
+    clear_list(c, &c->pairs, b, b);
+    clear_list(c, &c->walls, b, NONE);
     c->placing[b].number = 0;
+}
+
+void cache_forget_plane(contact_cache *c, int k)
+{
+    clear_list(c, &c->walls, NONE, k);
 }
 
 void cache_clear(contact_cache *c)
 {
-    clear_list(c, &c->pairs, false, -1);
-    clear_list(c, &c->walls, true, -1);
+    clear_list(c, &c->pairs, ALL, ALL);
+    clear_list(c, &c->walls, ALL, ALL);
     for (int b = 0; b < c->room; b++) c->placing[b].number = 0;
 }
 //<

@@ -119,6 +119,8 @@ void cache_moved(contact_cache *c, int b, real way);
 // What is kept of body b is forgotten: it goes, or is put elsewhere.  In the
 // next frame the list of pairs must be a new one.
 void cache_forget(contact_cache *c, int b);
+// Likewise of plane k.
+void cache_forget_plane(contact_cache *c, int k);
 
 // Everything that is kept is forgotten: the next frame asks all.  (With this
 // before every frame contacts know no past: the oracle.)

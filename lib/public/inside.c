@@ -22,20 +22,19 @@ bool inside_fail(tumble_world *w, const char *format, ...)
     return inside_is_ok(w, s);
 }
 
-// Why is there nothing with this id?
-static void refuse(tumble_world *w, const char *what, unsigned place,
+bool inside_refuse(tumble_world *w, const char *what, unsigned place,
                    unsigned generation)
 {
     if (generation == 0)
-        inside_fail(w, "the id of a %s is zero: it was not made", what);
-    else
-        inside_fail(w, "%s %u is gone, or was never in this world", what, place);
+        return inside_fail(w, "the id of a %s is zero: it was not made", what);
+    return inside_fail(w, "%s %u is gone, or was never in this world", what,
+                       place);
 }
 
 shape_place *inside_shape(tumble_world *w, tumble_shape s)
 {
     shape_place *found = slots_find(&w->shapes, s.place, s.generation);
-    if (!found) refuse(w, "shape", s.place, s.generation);
+    if (!found) inside_refuse(w, "shape", s.place, s.generation);
     return found;
 }
 
@@ -59,7 +58,7 @@ bool inside_is_speed(tumble_world *w, tumble_vec3 v)
 joint_place *inside_joint(tumble_world *w, tumble_joint j)
 {
     joint_place *found = slots_find(&w->joints, j.place, j.generation);
-    if (!found) refuse(w, "joint", j.place, j.generation);
+    if (!found) inside_refuse(w, "joint", j.place, j.generation);
     return found;
 }
 
@@ -71,7 +70,7 @@ const body_place *inside_look(const tumble_world *w, tumble_body b)
 body_place *inside_body(tumble_world *w, tumble_body b)
 {
     body_place *found = slots_find(&w->bodies, b.place, b.generation);
-    if (!found) refuse(w, "body", b.place, b.generation);
+    if (!found) inside_refuse(w, "body", b.place, b.generation);
     return found;
 }
 

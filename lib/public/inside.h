@@ -33,11 +33,16 @@ typedef struct {
     int number;             // the engine's
 } joint_place;
 
+typedef struct {
+    int number;             // the engine's
+} plane_place;
+
 struct tumble_world {
     world world;
     slots shapes;           // of shape_place
     slots bodies;           // of body_place
     slots joints;           // of joint_place
+    slots planes;           // of plane_place
     int  *owner;            // [world.bodies] place of the body it belongs to
     int   owners;           // room
     vec3 *scratch;          // [4 * most_vertices] for questions and pictures
@@ -56,6 +61,10 @@ bool inside_fail(tumble_world *w, const char *format, ...);
 void inside_not_made(status s);
 // The same for a status that is not ok.  Returns s.ok.
 bool inside_is_ok(tumble_world *w, status s);
+
+// Says why there is nothing with this id.  Returns false.
+bool inside_refuse(tumble_world *w, const char *what, unsigned place,
+                   unsigned generation);
 
 // Makes the world's scratch large enough for shapes of so many vertices.  False
 // if memory is refused.

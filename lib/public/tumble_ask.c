@@ -78,6 +78,7 @@ static bool first_met(const tumble_world *w, const question *q,
         take(&best, &r, inside_owner(w, b));
     }
     for (int k = 0; k < all->planes; k++) {
+        if (!world_has_plane(all, k)) continue;
         cast_result r = cast_first_plane(q->thing, q->way, all->plane[k]);
         take(&best, &r, tumble_ground());
     }
@@ -137,6 +138,7 @@ bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
         take(&best, &r, inside_owner(w, b));
     }
     for (int k = 0; k < w->world.planes; k++) {
+        if (!world_has_plane(&w->world, k)) continue;
         cast_result r = cast_nearest_plane(at, w->world.plane[k], most);
         take(&best, &r, tumble_ground());
     }

@@ -61,6 +61,7 @@ static void all_store(tumble_world *w, store *s)
     shapes_store(w, s);
     bodies_store(w, s);
     slots_store(&w->joints, s);
+    slots_store(&w->planes, s);
     STORE_TABLE(s, w->owner, w->world.bodies, w->owners);
     STORE_ROOM(s, w->scratch, 4 * w->most_vertices);
     STORE_TABLE(s, w->touching, w->touchings, w->touchings);

@@ -82,4 +82,10 @@ tumble_quat inside_quat(vec3 x, vec3 y, vec3 z)
     return (tumble_quat){ s * (y.z - z.y), s * (z.x - x.z), s * (x.y - y.x),
                           own };
 }
+
+tumble_quat tumble_from_matrix(const double m[9])
+{
+    return inside_quat((vec3){ m[0], m[3], m[6] }, (vec3){ m[1], m[4], m[7] },
+                       (vec3){ m[2], m[5], m[8] });
+}
 //<

@@ -54,6 +54,7 @@ tumble_world *tumble_make(const tumble_options *options)
     slots_init(&w->shapes, sizeof(shape_place));
     slots_init(&w->bodies, sizeof(body_place));
     slots_init(&w->joints, sizeof(joint_place));
+    slots_init(&w->planes, sizeof(plane_place));
     w->failure = status_ok();
     return w;
 }
@@ -75,6 +76,7 @@ void tumble_free(tumble_world *w)
     slots_free(&w->shapes);
     slots_free(&w->bodies);
     slots_free(&w->joints);
+    slots_free(&w->planes);
     free(w->owner);
     free(w->scratch);
     free(w->touching);
@@ -113,17 +115,40 @@ double tumble_time(const tumble_world *w)
     return w->world.time;
 }
 
-bool tumble_add_plane(tumble_world *w, tumble_vec3 normal, double offset,
-                      double friction)
+static bool add_plane(tumble_world *w, vec3 normal, double offset,
+                      double friction, int place)
 {
     world *all = &w->world;
+    int k = world_next_plane(all);
+    if (place < 0) return inside_is_ok(w, status_out_of_memory());
     if (!(friction < HUGE_VAL))
         return inside_fail(w, "a plane's friction is %g: it is not finite",
                            friction);
-    if (!inside_is_ok(w, world_add_plane(all, from_user(normal), offset)))
-        return false;
+    if (!inside_is_ok(w, world_add_plane(all, normal, offset))) return false;
+    *(plane_place *)slots_at(&w->planes, place) = (plane_place){ k };
     material m = { friction, -1 };
-    return inside_is_ok(w, world_set_plane_material(all, all->planes - 1, m));
+    if (inside_is_ok(w, world_set_plane_material(all, k, m))) return true;
+    world_remove_plane(all, k);
+    return false;
+}
+
+tumble_plane tumble_add_plane(tumble_world *w, tumble_vec3 normal,
+                              double offset, double friction)
+{
+    int k = slots_take(&w->planes);
+    if (add_plane(w, from_user(normal), offset, friction, k))
+        return (tumble_plane){ (unsigned)k, slots_generation(&w->planes, k) };
+    if (k >= 0) slots_give(&w->planes, k);
+    return (tumble_plane){ 0, 0 };
+}
+
+bool tumble_remove_plane(tumble_world *w, tumble_plane p)
+{
+    const plane_place *x = slots_find(&w->planes, p.place, p.generation);
+    if (!x) return inside_refuse(w, "plane", p.place, p.generation);
+    world_remove_plane(&w->world, x->number);
+    slots_give(&w->planes, (int)p.place);
+    return true;
 }
 
 bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity)

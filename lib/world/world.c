@@ -84,21 +84,56 @@ static material material_of(const world *w)
     return (material){ w->options.friction, w->options.restitution };
 }
 
-status world_add_plane(world *w, vec3 normal, real offset)
+static const plane NO_PLANE = { { 0, 1, 0 }, -1e300 };
+
+bool world_has_plane(const world *w, int k)
 {
-    real length = vec3_length(normal), away = offset / length;
-    if (!(length > 0) || !(length < HUGE_VAL) || !(away - away == 0))
-        return status_fail("a plane needs a finite normal and offset");
+    assert(k >= 0 && k < w->planes);
+    return w->plane[k].offset > NO_PLANE.offset;
+}
+
+int world_next_plane(const world *w)
+{
+    int k = 0;
+    while (k < w->planes && world_has_plane(w, k)) k++;
+    return k;
+}
+
+// Plane k is another one now.
+static void set_plane(world *w, int k, plane p)
+{
+    w->plane[k] = p;
+    w->wall[k] = material_of(w);
+    pair_list_renew(&w->rigid.pairs, -1);
+    for (int b = 0; b < w->bodies; b++) world_wake(w, b);
+}
+
+static bool make_plane_room(world *w)
+{
     plane *more = grown(w->plane, w->planes, sizeof *more);
     if (more) w->plane = more;
     material *wall = grown(w->wall, w->planes, sizeof *wall);
     if (wall) w->wall = wall;
-    if (!more || !wall) return status_out_of_memory();
-    w->wall[w->planes] = material_of(w);
-    w->plane[w->planes++] = (plane){ vec3_scale(1 / length, normal), away };
-    pair_list_renew(&w->rigid.pairs, -1);
-    for (int b = 0; b < w->bodies; b++) world_wake(w, b);
+    return more && wall;
+}
+
+status world_add_plane(world *w, vec3 normal, real offset)
+{
+    real length = vec3_length(normal), away = offset / length;
+    int k = world_next_plane(w);
+    if (!(length > 0) || !(length < HUGE_VAL) || !(fabs(away) < 1e300))
+        return status_fail("a plane needs a finite normal and offset");
+    if (k == w->planes && !make_plane_room(w)) return status_out_of_memory();
+    w->planes += k == w->planes;
+    set_plane(w, k, (plane){ vec3_scale(1 / length, normal), away });
     return status_ok();
+}
+
+void world_remove_plane(world *w, int k)
+{
+    assert(world_has_plane(w, k));
+    cache_forget_plane(&w->rigid.cache, k);
+    set_plane(w, k, NO_PLANE);
 }
 
 static particle *soft_particle(world *w, int b, int i)

@@ -157,7 +157,7 @@ typedef struct world {
     int  bodies;            // places of bodies,
     int  gone;              // and how many of them are free
     int  room;              // for so many there are tables
-    int  planes, shapes, softs;     // softs: deformable bodies
+    int  planes, shapes, softs;     // places of planes; softs: deformable bodies
     struct body *body;
     struct plane *plane;
     material *wall;         // [planes] what each is made of
@@ -213,6 +213,12 @@ extern const shape WORLD_NOTHING;
 // its length).  At any time.  Fails, adding nothing: a normal without direction,
 // numbers that are not finite, for want of memory.
 status world_add_plane(world *w, vec3 normal, real offset);
+
+// The number that it gets.  A plane that is removed leaves its place to a later
+// one, and stands far below everything until then.
+int    world_next_plane(const world *w);
+void   world_remove_plane(world *w, int k);
+bool   world_has_plane(const world *w, int k);
 
 // Pins particle i of the deformable body b where it is.  At any time.
 void   world_pin(world *w, int b, int i);

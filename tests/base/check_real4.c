@@ -6,6 +6,7 @@
 
 #define NAME real4_run_vectors
 #include "real4_forms.h"
+#include "random.h"
 #include "suite.h"
 
 static unsigned long long seed = 5;
@@ -14,8 +15,8 @@ static unsigned long long seed = 5;
 static real any_bits(void)
 {
     real x;
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    unsigned long long bits = seed ^ seed >> 31;
+    unsigned long long bits = random_bits(&seed);
+    bits ^= bits >> 31;
     memcpy(&x, &bits, sizeof x);
     return x;
 }
@@ -26,7 +27,7 @@ static real any_number(int n)
                          5e-324, -5e-324, 1.7e308 };
     real x = any_bits();
     if (n % 3 == 0) return odd[seed >> 40 & 7];
-    if (n % 3 == 1) return (real)(seed >> 11) / 4503599627370496.0 - 1;
+    if (n % 3 == 1) return random_real(&seed);
     return x;
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "broad.h"
+#include "random.h"
 #include "scarce.h"
 #include "suite.h"
 
@@ -31,16 +32,9 @@ static const sphere EMPTY = { { 0, 0, 0 }, -1 };
 
 static unsigned long long seed;
 
-// In 0 .. n - 1.
-static int any(int n)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (int)((seed >> 33) % (unsigned long long)n);
-}
-
 static real anywhere(real side)
 {
-    return side * any(1 << 30) / (1 << 30);
+    return side * random_below(&seed, 1 << 30) / (1 << 30);
 }
 
 static sphere any_ball(real side, real radius)
@@ -151,12 +145,14 @@ END_TEST
 START_TEST(balls_of_whole_numbers_are_judged_exactly)
 {
     for (int round = 0; round < 3000; round++) {
-        int n = any(60), side = 2 + any(14), right = 0, at[60][4];
+        int n = random_below(&seed, 60), side = 2 + random_below(&seed, 14),
+            right = 0, at[60][4];
         begin(n);
         for (int b = 0; b < n; b++) {
-            for (int k = 0; k < 3; k++) at[b][k] = any(side);
-            at[b][3] = any(4) - (any(8) == 0 ? 3 : 0);
-            moves[b] = (char)any(2);
+            for (int k = 0; k < 3; k++) at[b][k] = random_below(&seed, side);
+            at[b][3] = random_below(&seed, 4)
+                - (random_below(&seed, 8) == 0 ? 3 : 0);
+            moves[b] = (char)random_below(&seed, 2);
             ball[b] = (sphere){ { at[b][0], at[b][1], at[b][2] }, at[b][3] };
         }
         for (int a = 0; a < n; a++)
@@ -172,7 +168,7 @@ START_TEST(balls_of_whole_numbers_are_judged_exactly)
         int n_found = broad_pairs(&s, ball, moves, found, MOST_PAIRS);
         ck_assert_int_eq(n_found, right);
         same_pairs(right);
-        agreed(any(right + 2));
+        agreed(random_below(&seed, right + 2));
     }
 }
 END_TEST
@@ -207,7 +203,7 @@ START_TEST(rounded_ends_lose_nobody)
         real far = round % 2 ? 1 : 0x1p30;
         real ra = anywhere(1) / 3, rb = anywhere(1) / 3;
         real x = far * (anywhere(2) - 1) / 3;
-        int left = any(2);
+        int left = random_below(&seed, 2);
         ball[left]  = (sphere){ { x, 0, 0 }, ra };
         ball[!left] = (sphere){ { x + (ra + rb), 0, 0 }, rb };
         touching += agreed(1);
@@ -220,7 +216,7 @@ END_TEST
 
 static real odd_number(void)
 {
-    switch (any(6)) {
+    switch (random_below(&seed, 6)) {
     case 0:  return (real)NAN;
     case 1:  return HUGE_VAL;
     case 2:  return -HUGE_VAL;
@@ -238,23 +234,27 @@ static void begin_kind(int n, int kind)
     for (int b = 0; b < n; b++) {
         sphere *at = &ball[b];
         if (kind == 1) *at = any_ball(1, anywhere(0.2));
-        if (kind == 2) at->center = vec3_make(3 * any(4), 3 * any(4), any(4));
+        if (kind == 2)
+            at->center = vec3_make(3 * random_below(&seed, 4),
+                                   3 * random_below(&seed, 4),
+                                   random_below(&seed, 4));
         if (kind == 3) at->center = vec3_make(anywhere(0.1), b * 0.9, 0);
-        if (kind == 5 && any(8) == 0) *part(at, any(4)) = odd_number();
-        if (any(16) == 0) at->radius = -anywhere(1);
-        moves[b] = any(4) > 0;
+        if (kind == 5 && random_below(&seed, 8) == 0)
+            *part(at, random_below(&seed, 4)) = odd_number();
+        if (random_below(&seed, 16) == 0) at->radius = -anywhere(1);
+        moves[b] = random_below(&seed, 4) > 0;
     }
-    if (kind == 4 && n > 0) ball[any(1 + n / 4)].radius = 1000;
+    if (kind == 4 && n > 0) ball[random_below(&seed, 1 + n / 4)].radius = 1000;
 }
 
 // Rejects: nearly everything.
 START_TEST(small_scenes_agree)
 {
     for (int round = 0; round < SMALL_SCENES; round++) {
-        begin_kind(any(90), round % 6);
+        begin_kind(random_below(&seed, 90), round % 6);
         int n = agreed(MOST_PAIRS);
         // Again, now from an order that is right, and with too little room.
-        agreed(any(n + 1));
+        agreed(random_below(&seed, n + 1));
     }
 }
 END_TEST
@@ -300,8 +300,10 @@ START_TEST(size_does_not_matter)
     static const int power[] = { -1070, -1022, -600, -480, 480, 600, 1015 };
     begin(200);
     for (int b = 0; b < 200; b++) {
-        ball[b] = (sphere){ { any(40), any(40), any(40) }, any(5) };
-        moves[b] = any(3) > 0;
+        ball[b] = (sphere){ { random_below(&seed, 40), random_below(&seed, 40),
+                              random_below(&seed, 40) },
+                            random_below(&seed, 5) };
+        moves[b] = random_below(&seed, 3) > 0;
     }
     int n = agreed(MOST_PAIRS);
     ck_assert_int_gt(n, 100);
@@ -528,7 +530,9 @@ START_TEST(history_leaves_no_trace)
         if (history > 0) agreed(MOST_PAIRS);
         seed = 99;
         for (int b = 0; b < 500; b++)
-            ball[b] = (sphere){ { any(20), any(20), any(4) }, 1 };
+            ball[b] = (sphere){ { random_below(&seed, 20),
+                                  random_below(&seed, 20),
+                                  random_below(&seed, 4) }, 1 };
         ball[7] = EMPTY;
         ball[9].center.y = (real)NAN;
         memset(moves, 1, sizeof moves);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "pairs.h"
+#include "random.h"
 #include "scarce.h"
 #include "suite.h"
 
@@ -39,18 +40,6 @@ static bool update(void)
 
 static unsigned long long seed = 7;
 
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 any_vec3(void)
-{
-    real x = any(), y = any();
-    return vec3_make(x, y, any());
-}
-
 static void put(int b, real x, real radius, real far)
 {
     ball[b] = (sphere){ { x, 0, 0 }, radius };
@@ -79,9 +68,9 @@ static void any_scene(void)
 {
     begin(BODIES);
     for (int b = 0; b < BODIES; b++) {
-        ball[b].center = vec3_scale(4, any_vec3());
-        ball[b].radius = b % 11 == 10 ? -1 : 0.6 + any() / 2;
-        reach[b] = 0.02 + any() / 60;
+        ball[b].center = random_vec3(&seed, 4);
+        ball[b].radius = b % 11 == 10 ? -1 : 0.6 + random_real(&seed) / 2;
+        reach[b] = 0.02 + random_real(&seed) / 60;
         moves[b] = b % 7 != 0;
     }
 }
@@ -90,9 +79,9 @@ static void any_scene(void)
 static void drift(void)
 {
     for (int b = 0; b < BODIES; b++) {
-        vec3 way = vec3_scale(reach[b] / 2, any_vec3());
+        vec3 way = vec3_scale(reach[b] / 2, random_vec3(&seed, 1));
         if (moves[b]) ball[b].center = vec3_add(ball[b].center, way);
-        reach[b] *= 1 + any() / 10;
+        reach[b] *= 1 + random_real(&seed) / 10;
     }
 }
 

@@ -8,6 +8,8 @@
 
 #include "cache.h"
 #include "convex.h"
+#include "expect.h"
+#include "random.h"
 #include "scarce.h"
 #include "suite.h"
 
@@ -180,13 +182,6 @@ static real least_gap(const contact *c)
                  c->b < 0 ? wall[-1 - c->b].offset : 0, gap);
     for (int k = 0; k < c->count; k++) least = fmin(least, gap[k]);
     return least;
-}
-
-static void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
 // Turns body b by a small rotation w about its centre, and moves it.  Returns
@@ -534,18 +529,6 @@ END_TEST
 
 static unsigned long long seed;
 
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 any_vec3(void)
-{
-    real x = any(), y = any();
-    return vec3_make(x, y, any());
-}
-
 // A heap: shapes by turns, on a grid of 1 m.
 static void add_heap(void)
 {
@@ -562,8 +545,8 @@ static void add_heap(void)
 static void shake(real size)
 {
     for (int b = 0; b < bodies; b++) {
-        vec3 way = vec3_scale(size / 4, any_vec3());
-        vec3 w = vec3_scale(size / 4, any_vec3());
+        vec3 way = random_vec3(&seed, size / 4);
+        vec3 w = random_vec3(&seed, size / 4);
         cache_moved(&cache, b, nudge(b, way, w));
     }
 }

@@ -16,8 +16,9 @@ static rigid_frame any_frame(vec3 at)
 
 static contact_point any_point(void)
 {
-    return (contact_point){ .local_a = any_vec3(), .local_b = any_vec3(),
-                            .offset = any() / 10 };
+    return (contact_point){ .local_a = random_vec3(&seed, 1),
+                            .local_b = random_vec3(&seed, 1),
+                            .offset = random_real(&seed) / 10 };
 }
 
 // --- gaps --------------------------------------------------------------------
@@ -52,9 +53,10 @@ END_TEST
 START_TEST(gaps_follow_bodies_wherever_they_go)
 {
     for (int n = 0; n < 500; n++) {
-        rigid_frame a = any_frame(vec3_scale(3, any_vec3()));
-        rigid_frame b = any_frame(vec3_scale(3, any_vec3()));
-        contact c = { .a = 3, .b = 5, .count = n % 5, .normal = any_unit() };
+        rigid_frame a = any_frame(random_vec3(&seed, 3));
+        rigid_frame b = any_frame(random_vec3(&seed, 3));
+        contact c = { .a = 3, .b = 5, .count = n % 5,
+                      .normal = random_direction(&seed) };
         for (int k = 0; k < c.count; k++) c.point[k] = any_point();
         real gap[CONTACT_POINTS];
         contact_gaps(&c, &a, &b, 17, gap);
@@ -72,12 +74,12 @@ END_TEST
 START_TEST(gap_to_a_plane_is_the_height_over_it)
 {
     for (int n = 0; n < 200; n++) {
-        rigid_frame a = any_frame(any_vec3());
+        rigid_frame a = any_frame(random_vec3(&seed, 1));
         contact c = { .a = 0, .b = contact_with_plane(n % 3), .count = 3,
-                      .normal = any_unit() };
+                      .normal = random_direction(&seed) };
         ck_assert_int_eq(-1 - c.b, n % 3);
         for (int k = 0; k < 3; k++) c.point[k] = any_point();
-        real gap[CONTACT_POINTS], height = any();
+        real gap[CONTACT_POINTS], height = random_real(&seed);
         contact_gaps(&c, &a, NULL, height, gap);
         for (int k = 0; k < 3; k++) {
             vec3 x = frame_point(&a, c.point[k].local_a);
@@ -95,7 +97,8 @@ END_TEST
 START_TEST(impulses_act_at_one_place_or_each_at_its_own)
 {
     for (int n = 0; n < 200; n++) {
-        rigid_frame a = any_frame(any_vec3()), b = any_frame(any_vec3());
+        rigid_frame a = any_frame(random_vec3(&seed, 1)),
+            b = any_frame(random_vec3(&seed, 1));
         contact c = { .b = n % 4 ? 1 : -1, .count = 4,
                       .shared = (signed char)(n % 5) };
         for (int k = 0; k < 4; k++) {
@@ -132,13 +135,14 @@ END_TEST
 START_TEST(each_impulse_goes_to_the_nearest_new_point)
 {
     for (int n = 0; n < 2000; n++) {
-        contact was = { .count = n % 5, .normal = UP, .friction = any_vec3(),
-                        .twist = any() };
+        contact was = { .count = n % 5, .normal = UP,
+                        .friction = random_vec3(&seed, 1),
+                        .twist = random_real(&seed) };
         contact now = { .count = n / 5 % 5, .normal = UP };
         real wanted[CONTACT_POINTS] = { 0 };
         for (int k = 0; k < was.count; k++) {
             was.point[k] = any_point();
-            was.impulse[k] = 1 + any();
+            was.impulse[k] = 1 + random_real(&seed);
         }
         for (int k = 0; k < now.count; k++) now.point[k] = any_point();
         for (int k = 0; k < was.count && now.count > 0; k++) {
@@ -170,9 +174,9 @@ END_TEST
 START_TEST(impulses_along_another_normal_are_forgotten)
 {
     for (int n = 0; n < 1000; n++) {
-        contact was = { .count = 3, .normal = any_unit(),
-                        .friction = any_vec3(), .twist = 1 };
-        contact now = { .count = 4, .normal = any_unit() };
+        contact was = { .count = 3, .normal = random_direction(&seed),
+                        .friction = random_vec3(&seed, 1), .twist = 1 };
+        contact now = { .count = 4, .normal = random_direction(&seed) };
         for (int k = 0; k < 3; k++) {
             was.point[k] = any_point();
             was.impulse[k] = 1 + k;

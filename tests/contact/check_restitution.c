@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "restitution.h"
+#include "expect.h"
+#include "random.h"
 #include "suite.h"
 
 // A few roundings of sums of numbers near the largest.
@@ -16,29 +18,10 @@ enum { MOST = 32 };
 
 static unsigned long long seed;
 
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 any_vec3(void)
-{
-    real x = any(), y = any();
-    return vec3_make(x, y, any());
-}
-
-static vec3 any_unit(void)
-{
-    vec3 d = any_vec3();
-    real length = vec3_length(d);
-    return length > 0.1 && length < 1 ? vec3_scale(1 / length, d) : any_unit();
-}
-
 // Between 10^-n and 10^n, all powers alike.
 static real any_size(real n)
 {
-    return exp(n * any() * log(10));
+    return exp(n * random_real(&seed) * log(10));
 }
 
 // --- a world of a few bodies -------------------------------------------------
@@ -185,12 +168,6 @@ static int substep_with_solver(int n, real restitution)
     return impacts;
 }
 
-static void expect_close(real got, real wanted, real tolerance)
-{
-    ck_assert_msg(fabs(got - wanted) <= tolerance, "got %.17g, wanted %.17g",
-                  got, wanted);
-}
-
 static void expect_vec3(vec3 got, vec3 wanted, real tolerance)
 {
     ck_assert_msg(vec3_distance(got, wanted) <= tolerance,
@@ -295,7 +272,7 @@ END_TEST
 START_TEST(slow_bodies_do_not_bounce)
 {
     real slowest = restitution_slowest(0.5, 9.81, 0.001);
-    expect_close(slowest, sqrt(2 * 9.81 * 0.5) / 3, ROUNDING);
+    near(slowest, sqrt(2 * 9.81 * 0.5) / 3, ROUNDING);
     ck_assert(restitution_slowest(0.5, 9.81, 0.1) == 2 * 9.81 * 0.1);
     ck_assert(restitution_slowest(0.5, 0, 0.1) == 0);
     for (int k = 0; k < 2; k++) {
@@ -373,7 +350,7 @@ static void expect_bounces(real h, real e, int n, bool on_plane, real tolerance)
         if (!hit) continue;
         k++;
         wanted = (wanted + beside) * e * e - beside;
-        expect_close(energy_of_fall(0) - floor, wanted, tolerance);
+        near(energy_of_fall(0) - floor, wanted, tolerance);
     }
     solver_free(&solver);
 }
@@ -466,7 +443,7 @@ START_TEST(row_between_walls_keeps_its_energy)
         bool is_wall = b == 0 || b == BALLS + 1;
         add_ball(vec3_make(1.1 * b, 0, 0), is_wall ? HUGE_VAL : any_size(0.5),
                  0.5);
-        if (!is_wall) set_velocity(b, vec3_make(3 * any(), 0, 0));
+        if (!is_wall) set_velocity(b, vec3_make(3 * random_real(&seed), 0, 0));
         if (b > 0) join_balls(b - 1, b);
     }
     real before = energy_of_all();
@@ -474,7 +451,7 @@ START_TEST(row_between_walls_keeps_its_energy)
     for (int n = 0; n < 20000; n++) hits += substep_with_solver(n, 1);
     solver_free(&solver);
     ck_assert_int_ge(hits, 1000);
-    expect_close(energy_of_all(), before, 1e-9 * before);
+    near(energy_of_all(), before, 1e-9 * before);
     for (int b = 0; b <= BALLS; b++)
         ck_assert(moved[b + 1].of[0] - moved[b].of[0] >= -0.1 - 1e-6);
 }
@@ -491,7 +468,7 @@ START_TEST(rounds_are_bounded)
     join_balls(0, 1);
     join_balls(0, 2);
     ck_assert_int_eq(solve(1), IMPACT_ROUNDS);
-    expect_close(fabs(velocity[0].of[0]), 1, ROUNDING);
+    near(fabs(velocity[0].of[0]), 1, ROUNDING);
 }
 END_TEST
 
@@ -506,7 +483,7 @@ START_TEST(what_is_passed_on_ends_with_a_tenth_of_the_blow)
     join_balls(0, 1);
     join_balls(0, 2);
     ck_assert_int_eq(solve(0.2), 2);
-    expect_close(velocity[0].of[0], 0.04, ROUNDING);
+    near(velocity[0].of[0], 0.04, ROUNDING);
 }
 END_TEST
 
@@ -636,25 +613,28 @@ static vec3 any_inertia(real mass, real r)
 static void any_pair(void)
 {
     begin(0.01 * any_size(1));
-    int points = 1 + (int)(2 + 2 * any());
-    frame.friction = any() > 0 ? any_size(1) : 0;
-    if (any() > 0) gravity = vec3_scale(10, any_unit());
-    vec3 n = any_unit(), middle = any_vec3();
-    vec3 across = vec3_unit(vec3_cross(n, any_unit()));
+    int points = 1 + (int)(2 + 2 * random_real(&seed));
+    frame.friction = random_real(&seed) > 0 ? any_size(1) : 0;
+    if (random_real(&seed) > 0)
+        gravity = vec3_scale(10, random_direction(&seed));
+    vec3 n = random_direction(&seed), middle = random_vec3(&seed, 1);
+    vec3 across = vec3_unit(vec3_cross(n, random_direction(&seed)));
     vec3 aside = vec3_cross(n, across);
     for (int b = 0; b < 2; b++) {
         real mass = any_size(3), r = any_size(0.5);
-        bool moves = b == 1 || any() < 0.7;
+        bool moves = b == 1 || random_real(&seed) < 0.7;
         vec3 inertia = any_inertia(mass, r);
-        add(vec3_add_scaled(middle, r, any_unit()), moves ? mass : HUGE_VAL,
+        add(vec3_add_scaled(middle, r, random_direction(&seed)),
+            moves ? mass : HUGE_VAL,
             inertia, r);
         for (int k = 0; k < MOTIONS && moves; k++)
-            velocity[b].of[k] = 20 * any() * (k < 3 ? 1 : sqrt(mass) * r);
+            velocity[b].of[k] = 20 * random_real(&seed)
+                * (k < 3 ? 1 : sqrt(mass) * r);
     }
     contact *c = add_contact(0, 1, n);
     for (int k = 0; k < points; k++) {
-        vec3 at = vec3_add_scaled(middle, any(), across);
-        at = vec3_add_scaled(at, any(), aside);
+        vec3 at = vec3_add_scaled(middle, random_real(&seed), across);
+        at = vec3_add_scaled(at, random_real(&seed), aside);
         add_point(c, vec3_sub(at, body[0].frame.center),
                   vec3_sub(at, body[1].frame.center));
     }
@@ -714,7 +694,7 @@ START_TEST(no_impact_gives_energy)
     seed = 11;
     for (int round = 0; round < 20000; round++) {
         any_pair();
-        real e = round % 3 == 0 ? 1 : (any() + 1) / 2;
+        real e = round % 3 == 0 ? 1 : random_fraction(&seed);
         real before = energy_of_pair(), size = fabs(before);
         for (int b = 0; b < 2; b++)
             size += motion_energy(&body[b].basis, &velocity[b]);
@@ -725,7 +705,7 @@ START_TEST(no_impact_gives_energy)
         ck_assert_msg(after <= before + ROUNDING * size,
                       "round %d: %.17g, before %.17g", round, after, before);
         if (e < 1 || frame.friction > 0) continue;
-        expect_close(after, before, hit * ROUNDING * size);
+        near(after, before, hit * ROUNDING * size);
         kept++;
     }
     ck_assert_int_ge(hits, 5000);
@@ -743,7 +723,7 @@ START_TEST(impact_keeps_momentum_and_angular_momentum)
         if (!(body[0].basis.inverse_mass > 0)) continue;
         vec3 p = momentum_of_pair(), l = angular_momentum_of_pair();
         real size = scale_of_momentum();
-        if (!solve((any() + 1) / 2)) continue;
+        if (!solve(random_fraction(&seed))) continue;
         hits++;
         expect_vec3(momentum_of_pair(), p, ROUNDING * size);
         expect_vec3(angular_momentum_of_pair(), l, ROUNDING * size);
@@ -765,7 +745,7 @@ static void open_gaps(void)
 {
     contact *c = &made[0];
     for (int k = 0; k < c->count; k++) {
-        real gap = 10 * frame.h * real_max(any(), 0);
+        real gap = 10 * frame.h * real_max(random_real(&seed), 0);
         vec3 *arm = &c->point[k].local_b;
         *arm = vec3_add_scaled(*arm, -gap, c->normal);
     }
@@ -797,7 +777,7 @@ START_TEST(no_point_goes_through)
             closed[k] = gap_at(k) + frame.h * apart(k);
             fastest = real_max(-apart(k), fastest);
         }
-        if (solve((any() + 1) / 2) != 1) continue;
+        if (solve(random_fraction(&seed)) != 1) continue;
         hits++;
         advance();
         for (int k = 0; k < made[0].count; k++)
@@ -842,7 +822,8 @@ START_TEST(every_point_parts_at_restitution_times_its_speed)
         any_pair();
         frame.friction = 0;
         gravity = vec3_make(0, 0, 0);
-        real closed[CONTACT_POINTS], e = (any() + 1) / 2, fastest = 0;
+        real closed[CONTACT_POINTS], e = random_fraction(&seed),
+             fastest = 0;
         for (int k = 0; k < made[0].count; k++) {
             closed[k] = -apart(k);
             fastest = real_max(closed[k], fastest);
@@ -853,7 +834,7 @@ START_TEST(every_point_parts_at_restitution_times_its_speed)
             ck_assert(!(closed[k] > 0)
                       || apart(k) >= e * closed[k] - 1e-9 * (fastest + 20));
             if (made[0].count == 1)
-                expect_close(apart(k), e * closed[k], 1e-11 * (fastest + 20));
+                near(apart(k), e * closed[k], 1e-11 * (fastest + 20));
         }
     }
     ck_assert_int_ge(hits, 5000);

@@ -130,7 +130,7 @@ static void jolt(pile *p)
     for (int b = 0; b < p->frame.bodies; b++)
         for (int k = 0; k < MOTIONS; k++)
             if (p->body[b].basis.inverse_mass > 0)
-                p->moved[b].of[k] += 1e-4 * any();
+                p->moved[b].of[k] += 1e-4 * random_real(&seed);
 }
 
 // The same substeps by blocks (p) and one by one (q).  After each push both are
@@ -207,10 +207,11 @@ static void place_aside(const pile *p, rigid_frame placed[PILE_BODIES])
 {
     for (int b = 0; b < p->frame.bodies; b++) {
         placed[b] = p->body[b].frame;
-        placed[b].center = vec3_add_scaled(placed[b].center, 0.1, any_vec3());
+        placed[b].center =
+            vec3_add_scaled(placed[b].center, 0.1, random_vec3(&seed, 1));
         for (int k = 0; k < FOUR_AXES; k++)
             placed[b].axis[k] = vec3_add_scaled(placed[b].axis[k], 0.1,
-                                                any_vec3());
+                                                random_vec3(&seed, 1));
     }
 }
 
@@ -271,7 +272,7 @@ START_TEST(points_out_of_reach_take_no_part)
         pile_any(&one, 20, 40, 0);
         other = one;
         for (int k = 0; k < one.contacts; k++) {
-            one.reach[k] = n % 4 ? 0.01 * any() : -1;
+            one.reach[k] = n % 4 ? 0.01 * random_real(&seed) : -1;
             contact *c = &other.contact[k];
             real gap[CONTACT_POINTS];
             int left = 0, shared = c->shared;
@@ -343,7 +344,7 @@ static void run_frames(pile *p, bool anew)
         }
         for (int k = 0; k < p->contacts; k++)
             for (int j = 0; j < p->contact[k].count; j++)
-                p->contact[k].point[j].offset += 0.003 * any();
+                p->contact[k].point[j].offset += 0.003 * random_real(&seed);
     }
     seed = start;
 }
@@ -356,7 +357,7 @@ START_TEST(blocks_that_are_kept_give_the_bits_of_new_ones)
     for (int n = 0; n < 1000; n++) {
         pile_any(&one, 10, n % 10 ? 1 : 20, 0);
         for (int k = 0; k < one.contacts; k++)
-            one.reach[k] = n % 2 ? 0.005 * any() : HUGE_VAL;
+            one.reach[k] = n % 2 ? 0.005 * random_real(&seed) : HUGE_VAL;
         // So large that no gap counts as wide: a kept block has the middle of
         // its points as it was.
         for (int b = 0; b < one.frame.bodies; b++) one.body[b].radius = 10;

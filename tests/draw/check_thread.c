@@ -5,6 +5,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "scarce.h"
+#include "random.h"
 #include "step.h"
 #include "suite.h"
 #include "thread.h"
@@ -73,23 +74,18 @@ static void expect_each_once(tasks run, int items, int wait)
                   "was done once", items);
 }
 
-static unsigned next_random(unsigned *state)
-{
-    return (*state = *state * 1664525u + 1013904223u) >> 8;
-}
-
 // Rejects: an item that is done twice, or not at all, or not yet done on
 // return; a late worker that takes an item of the next call.
 START_TEST(every_item_is_done_once)
 {
     enum { CALLS = 100000 / MOST };
     thread_pool *pool = pool_of(_i);
-    unsigned state = (unsigned)_i;
+    unsigned long long seed = (unsigned long long)_i;
     for (int k = 0; k < CALLS; k++) {
-        int items = (int)(next_random(&state) % (MOST_ITEMS + 1));
+        int items = random_below(&seed, MOST_ITEMS + 1);
         if (k % 4) items %= 6;
         expect_each_once(thread_pool_tasks(pool), items,
-                         (int)(next_random(&state) % 100));
+                         random_below(&seed, 100));
     }
     thread_pool_free(pool);
 }

@@ -18,7 +18,8 @@ static tumble_world *w;
 static tumble_shape shape[MOST_IDS];
 static tumble_body body[MOST_IDS];
 static tumble_joint joint[MOST_IDS];
-static int shapes, bodies, joints, steps;
+static tumble_plane wall[MOST_IDS];
+static int shapes, bodies, joints, walls, steps;
 static bool is_spoiled;         // a number that is not sensible went in
 
 static unsigned byte(void) { return at < end ? *at++ : 0; }
@@ -219,6 +220,22 @@ static void save_and_load(void)
     steps += 4;
 }
 
+static void change_walls(void)
+{
+    unsigned b = byte();
+    tumble_vec3 normal = triple();
+    if (b % 2 == 0 && walls < MOST_IDS) {
+        tumble_plane p = tumble_add_plane(w, normal, number(), number());
+        MUST(p.generation != 0 || tumble_failure(w), "refused in silence");
+        if (p.generation != 0) wall[walls++] = p;
+    } else {
+        tumble_plane p = { b, b };
+        if (walls > 0 && b < 250) p = wall[b % (unsigned)walls];
+        MUST(tumble_remove_plane(w, p) || tumble_failure(w),
+             "refused in silence");
+    }
+}
+
 static void call(void)
 {
     switch (byte() % 10) {
@@ -228,7 +245,7 @@ static void call(void)
     case 4: touch(); break;
     case 5: hold(); break;
     case 6: look(); break;
-    case 7: if (byte() % 8 == 0) tumble_add_plane(w, triple(), number(), -1);
+    case 7: if (byte() % 8 == 0) change_walls();
             else if (byte() % 8 == 0) tumble_drop_shape(w, any_shape());
             break;
     case 8: for (int k = byte() % 4; k >= 0 && steps < MOST_STEPS; k--, steps++)
@@ -244,7 +261,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     tumble_options o = tumble_options_default();
     at = data, end = data + size;
-    shapes = bodies = joints = steps = 0;
+    shapes = bodies = joints = walls = steps = 0;
     is_spoiled = false;
     o.most_substeps = 20;
     o.restitution = byte() % 4 == 0 ? 1 : 0;

@@ -3,6 +3,7 @@
 #include "hard.h"
 #include "hard_set.h"
 #include "measure.h"
+#include "random.h"
 #include "step.h"
 
 #include <math.h>
@@ -22,13 +23,13 @@ static void build_collision(setting *s, world_options o, real ratio, real speed,
     setting_start(s, weightless(o));
     const shape *light = add_box(s, vec3_make(1, 0.8, 0.6), 1);
     const shape *heavy = add_box(s, vec3_make(1, 0.8, 0.6), ratio);
-    vec3 off = vec3_scale(0.3, any_direction(seed));
+    vec3 off = vec3_scale(0.3, random_direction(seed));
     placement a = turned_anyhow(vec3_make(-0.75, 0, 0), seed);
     placement b = turned_anyhow(vec3_make(0.75, off.y, off.z), seed);
     a.velocity = vec3_make(speed, 0, 0);
     b.velocity = vec3_make(-speed, 0, 0);
-    a.spin = vec3_scale(2, any_direction(seed));
-    b.spin = vec3_scale(2, any_direction(seed));
+    a.spin = vec3_scale(2, random_direction(seed));
+    b.spin = vec3_scale(2, random_direction(seed));
     add_body(s, light, a);
     add_body(s, heavy, b);
 }
@@ -70,7 +71,7 @@ static void two_bodies(hard_report *r, int fast)
         blow worst = { 0, 0, 0, 0 };
         for (int n = 0; n < (fast ? 10 : 100); n++) {
             world_options o = best(8);
-            real speed = 2 + 4 * any_share(&seed);
+            real speed = 2 + 4 * random_fraction(&seed);
             o.restitution = n % 3 / 2.0;
             setting s;
             build_collision(&s, o, ratio, speed, &seed);

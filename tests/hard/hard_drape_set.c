@@ -2,6 +2,7 @@
 
 #include "convex.h"
 #include "hard_drape_set.h"
+#include "random.h"
 #include "soft.h"
 #include "world_scene.h"
 
@@ -12,7 +13,7 @@ static const real PI = 3.14159265358979323846;
 
 real any_signed(unsigned long long *seed)
 {
-    return 2 * any_share(seed) - 1;
+    return 2 * random_fraction(seed) - 1;
 }
 
 void perturb(world *w, int number, unsigned long long seed)

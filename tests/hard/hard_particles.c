@@ -4,6 +4,7 @@
 #include "convex.h"
 #include "hard.h"
 #include "line.h"
+#include "random.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -666,9 +667,9 @@ static real change(const wide a[3], const wide b[3], real of)
 // A box, an icosahedron, or a stretched one as a convex body from a mesh.
 static status free_shape(shape *s, int kind, unsigned long long *seed)
 {
-    vec3 size = { 0.5 + random_unit(seed), 0, 0 };
-    size.y = 0.5 + random_unit(seed);
-    size.z = 0.5 + random_unit(seed);
+    vec3 size = { 0.5 + random_fraction(seed), 0, 0 };
+    size.y = 0.5 + random_fraction(seed);
+    size.z = 0.5 + random_fraction(seed);
     if (kind == 0) return shape_box(s, size, 8);
     shape round;
     status made = shape_icosahedron(&round, 0.7, 12);
@@ -691,7 +692,7 @@ static status free_shape(shape *s, int kind, unsigned long long *seed)
 static void shuffle(stick *s, int n, unsigned long long *seed)
 {
     for (int i = n - 1; i > 0; i--) {
-        int k = (int)((i + 1) * random_unit(seed));
+        int k = (int)((i + 1) * random_fraction(seed));
         stick keep = s[i];
         s[i] = s[k];
         s[k] = keep;
@@ -713,7 +714,7 @@ static void fly_start(const shape *s, particle *p, real spin, real speed,
     vec3 v = vec3_scale(speed, random_direction(seed)), center = ORIGIN;
     real mass[12], total = 0;
     for (int i = 0; i < s->particles; i++) {
-        mass[i] = 0.5 + random_unit(seed);
+        mass[i] = 0.5 + random_fraction(seed);
         total += mass[i];
         center = vec3_add_scaled(center, mass[i], s->at[i]);
     }
@@ -759,7 +760,7 @@ static flight fly_many(int kind, int bodies, real spin, real speed,
             return f;
         }
         shuffle(s.stick, s.sticks, seed);
-        fly(&s, spin * (0.1 + 0.9 * random_unit(seed)), speed, seed, &f);
+        fly(&s, spin * (0.1 + 0.9 * random_fraction(seed)), speed, seed, &f);
         shape_free(&s);
     }
     return f;

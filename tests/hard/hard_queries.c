@@ -13,6 +13,7 @@
 #include "hard.h"
 #include "hit_face.h"
 #include "oracle.h"
+#include "random.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -29,7 +30,7 @@ typedef long double wide;
 
 static real between(dice *d, real low, real high)
 {
-    return low + (high - low) * random_unit(d);
+    return low + (high - low) * random_fraction(d);
 }
 
 // 10 to a power between low and high.
@@ -38,7 +39,7 @@ static real power(dice *d, real low, real high)
     return exp(log(10) * between(d, low, high));
 }
 
-static int pick(dice *d, int n) { return (int)(n * random_unit(d)); }
+static int pick(dice *d, int n) { return (int)(n * random_fraction(d)); }
 
 static void stretch(body *b, real x, real y, real z)
 {
@@ -593,7 +594,7 @@ static void random_pairs(tally *t, long pairs, int every)
         // Each pair has numbers of its own: any of them can be made alone.
         dice d = (dice)n * 2862933555777941757ULL + 3037000493ULL;
         int kind = (int)(n % FAMILIES);
-        for (int k = 0; k < 3; k++) random_unit(&d);
+        for (int k = 0; k < 3; k++) random_fraction(&d);
         a.has_ring = b.has_ring = 0;
         family[kind].make(&a, &b, &d);
         judge(&a, &b, n / FAMILIES % every == 0, family[kind].name, t);

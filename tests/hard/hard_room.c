@@ -1,6 +1,7 @@
 // hard_room.c - case 26: the room, from 50 to 1000 bodies, and thrown fast.
 
 #include "hard.h"
+#include "random.h"
 #include "world_scene.h"
 #include "step.h"
 
@@ -87,30 +88,13 @@ typedef struct {
     int  seed;
 } room;
 
-// Uniform in [-1, 1), the same on every machine.
-static real any_share(unsigned long long *seed)
-{
-    *seed = *seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(*seed >> 11) * 0x1p-52 - 1;
-}
-
-static vec3 any_direction(unsigned long long *seed)
-{
-    for (;;) {
-        real x = any_share(seed), y = any_share(seed), z = any_share(seed);
-        vec3 v = { x, y, z };
-        real square = vec3_length_squared(v);
-        if (square > 0.01 && square < 1) return vec3_unit(v);
-    }
-}
-
 // Whoever was so far back a substep ago flies at that speed.
 static void throw_all(world *w, real speed, unsigned long long seed)
 {
     real way = speed * w->options.dt / w->options.substeps;
     for (int k = 0; k < w->bodies && speed > 0; k++) {
         const body *b = &w->body[k];
-        vec3 d = any_direction(&seed);
+        vec3 d = random_direction(&seed);
         for (int i = b->first; i < b->first + body_particles(b); i++) {
             particle *p = &w->pool.at[i];
             p->previous = vec3_add_scaled(p->previous, -way, d);

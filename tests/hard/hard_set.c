@@ -2,6 +2,7 @@
 
 #include "convex.h"
 #include "hard_set.h"
+#include "random.h"
 #include "step.h"
 
 #include <math.h>
@@ -78,30 +79,11 @@ void run_for(setting *s, real seconds)
     for (int f = 0; f < frames; f++) world_step(&s->w);
 }
 
-// ---- Chance ----------------------------------------------------------------
-
-real any_share(unsigned long long *seed)
-{
-    *seed = *seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(*seed >> 11) * 0x1p-53;
-}
-
-vec3 any_direction(unsigned long long *seed)
-{
-    for (;;) {
-        vec3 v = { 2 * any_share(seed) - 1, 2 * any_share(seed) - 1,
-                   2 * any_share(seed) - 1 };
-        real square = vec3_length_squared(v);
-        if (square > 0.01 && square < 1) return vec3_unit(v);
-    }
-}
-
-// Two random axes, made perpendicular.
 placement turned_anyhow(vec3 position, unsigned long long *seed)
 {
     placement p = placement_at(position);
-    p.x = any_direction(seed);
-    p.z = vec3_unit(vec3_cross(p.x, any_direction(seed)));
+    p.x = random_direction(seed);
+    p.z = vec3_unit(vec3_cross(p.x, random_direction(seed)));
     p.y = vec3_cross(p.z, p.x);
     return p;
 }

@@ -35,10 +35,7 @@ void run_for(setting *s, real seconds);
 vec3 middle(const world *w, int b);
 vec3 velocity(const world *w, int b);
 
-// Random numbers, the same on every machine: uniform in [0, 1); a direction;
-// any rotation.  (Those of bodies.h are about bodies of another kind.)
-real any_share(unsigned long long *seed);
-vec3 any_direction(unsigned long long *seed);
+// Turned in any way: two random axes, made perpendicular.
 placement turned_anyhow(vec3 position, unsigned long long *seed);
 
 // Our best, with so many substeps; without sleep; for a pile, with friction;

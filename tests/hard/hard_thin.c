@@ -2,6 +2,7 @@
 
 #include "hard.h"
 #include "hard_set.h"
+#include "random.h"
 #include "step.h"
 
 #include <math.h>
@@ -35,10 +36,10 @@ static shot any_shot(vec3 to, real speed, real before, unsigned long long *seed)
 {
     shot s = { .turned = turned_anyhow(to, seed) };
     vec3 d;
-    do d = any_direction(seed); while (d.y > -0.5);
+    do d = random_direction(seed); while (d.y > -0.5);
     s.way = vec3_scale(speed, d);
     s.from = vec3_add_scaled(to, -before, s.way);
-    s.spin = vec3_scale(50 * any_share(seed), any_direction(seed));
+    s.spin = vec3_scale(50 * random_fraction(seed), random_direction(seed));
     return s;
 }
 
@@ -136,9 +137,9 @@ static int count_through(hard_report *r, int target, real speed, int shots)
     int through = 0;
     for (int n = 0; n < shots; n++) {
         setting s;
-        vec3 to = { 0.6 * any_share(&seed) - 0.3, 0,
-                    0.6 * any_share(&seed) - 0.3 };
-        real before = 0.2 / speed + any_share(&seed) / 30;
+        vec3 to = { 0.6 * random_fraction(&seed) - 0.3, 0,
+                    0.6 * random_fraction(&seed) - 0.3 };
+        real before = 0.2 / speed + random_fraction(&seed) / 30;
         build_target(&s, target, n % 2);
         shot x = any_shot(to, speed, before, &seed);
         add_bullet(&s, x, MASS[target == PLATE_FREE ? 0 : n % MASSES]);
@@ -156,8 +157,8 @@ static int count_ghosts(hard_report *r, real speed, int shots)
     int ghosts = 0;
     for (int n = 0; n < shots; n++) {
         setting s;
-        vec3 to = { 0.5 + BULLET + 0.01 + 0.29 * any_share(&seed), 0, 0 };
-        shot x = any_shot(to, speed, 0.2 / speed + any_share(&seed) / 30,
+        vec3 to = { 0.5 + BULLET + 0.01 + 0.29 * random_fraction(&seed), 0, 0 };
+        shot x = any_shot(to, speed, 0.2 / speed + random_fraction(&seed) / 30,
                           &seed);
         x.way = vec3_make(0, -speed, 0);
         x.from = vec3_make(to.x, fabs(x.from.y), to.z);

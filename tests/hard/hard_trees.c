@@ -7,6 +7,7 @@
 #include "convex.h"
 #include "hard.h"
 #include "body.h"
+#include "random.h"
 #include "sphere_tree.h"
 
 #include <math.h>
@@ -160,8 +161,8 @@ static void stretch_and_move(form *f, dice *d)
     y = vec3_unit(vec3_cross(x, y));
     vec3 z = vec3_cross(x, y);
     real by[3];
-    for (int k = 0; k < 3; k++) by[k] = 1 + 0.01 * (2 * random_unit(d) - 1);
-    by[(int)(3 * random_unit(d))] = random_unit(d) < 0.5 ? 1.01 : 0.99;
+    for (int k = 0; k < 3; k++) by[k] = 1 + 0.01 * (2 * random_fraction(d) - 1);
+    by[(int)(3 * random_fraction(d))] = random_fraction(d) < 0.5 ? 1.01 : 0.99;
     for (int i = 0; i < f->points; i++) {
         vec3 p = f->rest[i], q = away;
         q = vec3_add_scaled(q, by[0] * vec3_dot(u, p), x);
@@ -271,7 +272,7 @@ static void jolt_outwards(form *f, sphere_tree *t, dice *d)
     for (int i = 0; i < f->points; i++) best[i] = random_vector(d, 0, 1);
     for (int tries = 0; tries < 2000; tries++, size *= 0.998) {
         memcpy(way, best, sizeof way);
-        int i = (int)(f->points * random_unit(d));
+        int i = (int)(f->points * random_fraction(d));
         way[i] = vec3_add(way[i], random_vector(d, 0, size));
         strain_along(f, way);
         real out = escape_of(t, f).furthest;

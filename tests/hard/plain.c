@@ -12,6 +12,7 @@
 #include "hit_face.h"
 #include "measure.h"
 #include "poses.h"
+#include "random.h"
 #include "step.h"
 #include "system.h"
 
@@ -211,7 +212,8 @@ static void free_bodies(hard_report *r)
     for (int n = 0; n < 20; n++) {
         plain p = { .borrowed = 0 };
         placement where = turned_anyhow(vec3_make(0, 0, 0), &seed);
-        where.spin = vec3_scale(2 + 8 * any_share(&seed), any_direction(&seed));
+        real spin = 2 + 8 * random_fraction(&seed);
+        where.spin = vec3_scale(spin, random_direction(&seed));
         if (add_box_to(r, &p, vec3_make(1, 0.7, 0.4), 1, where)
             && begin(r, &p, floating())) {
             run(&p, 1 / 60.0);
@@ -429,8 +431,8 @@ static void bullets(hard_report *r)
             shape ball;
             placement plate = placement_at(vec3_make(0, 0, 0));
             plate.is_static = true;
-            placement shot = turned_anyhow(vec3_make(0, 1 + any_share(&seed), 0),
-                                           &seed);
+            real above = 1 + random_fraction(&seed);
+            placement shot = turned_anyhow(vec3_make(0, above, 0), &seed);
             shot.velocity.y = -speed[k];
             if (add_box_to(r, &p, vec3_make(1, 0.01, 1), 1, plate)
                 && hard_ok(r, shape_icosahedron(&ball, 0.05, 0.5))

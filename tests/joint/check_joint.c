@@ -6,27 +6,10 @@
 
 #include "expect.h"
 #include "joint.h"
+#include "random.h"
 #include "suite.h"
 
 static unsigned long long seed = 7;
-
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 any_vec3(void)
-{
-    real x = any(), y = any();
-    return vec3_make(x, y, any());
-}
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 // A body somewhere, with axes of any lengths, and its basis: I = a diagonal.
 typedef struct {
@@ -36,14 +19,15 @@ typedef struct {
 
 static thing any_thing(void)
 {
-    thing t = { .basis = { .inverse_mass = 1.5 + any() } };
-    vec3 x = vec3_unit(vec3_add(any_vec3(), vec3_make(2, 0, 0)));
-    vec3 y = vec3_unit(vec3_cross(x, any_vec3())), z = vec3_cross(x, y);
+    thing t = { .basis = { .inverse_mass = 1.5 + random_real(&seed) } };
+    vec3 x = vec3_unit(vec3_add(random_vec3(&seed, 1), vec3_make(2, 0, 0)));
+    vec3 y = vec3_unit(vec3_cross(x, random_vec3(&seed, 1))),
+         z = vec3_cross(x, y);
     vec3 axis[3] = { x, y, z };
-    t.frame.center = any_vec3();
+    t.frame.center = random_vec3(&seed, 1);
     for (int i = 0; i < 3; i++) {
-        t.frame.axis[i] = vec3_scale(1.5 + any(), axis[i]);
-        t.basis.turn[i] = vec3_scale(1.5 + any(), axis[i]);
+        t.frame.axis[i] = vec3_scale(1.5 + random_real(&seed), axis[i]);
+        t.basis.turn[i] = vec3_scale(1.5 + random_real(&seed), axis[i]);
     }
     return t;
 }
@@ -58,14 +42,16 @@ static rigid_frame moved(const thing *t, const motion *u, real seconds)
 static motion any_motion(void)
 {
     motion u = { { 0 } };
-    for (int i = 0; i < MOTIONS; i++) u.of[i] = any();
+    for (int i = 0; i < MOTIONS; i++) u.of[i] = random_real(&seed);
     return u;
 }
 
 static joint any_joint(joint_kind kind, const thing *a, const thing *b)
 {
-    joint_plan p = { .kind = kind, .a = 0, .b = 1, .point = any_vec3(),
-                     .point_b = any_vec3(), .axis = any_vec3(), .most = 1 };
+    joint_plan p = { .kind = kind, .a = 0, .b = 1,
+                     .point = random_vec3(&seed, 1),
+                     .point_b = random_vec3(&seed, 1),
+                     .axis = random_vec3(&seed, 1), .most = 1 };
     expect_ok(joint_check(&p));
     joint j = joint_make(&p, &a->frame, &b->frame);
     if (kind == JOINT_HINGE) {
@@ -147,9 +133,10 @@ START_TEST(small_systems_are_solved)
         real root[JOINT_ROWS][JOINT_ROWS], m[JOINT_ROWS][JOINT_ROWS];
         real x[JOINT_ROWS], y[JOINT_ROWS] = { 0 };
         for (int i = 0; i < n; i++)
-            for (int k = 0; k < n; k++) root[i][k] = any() + 2 * (i == k);
+            for (int k = 0; k < n; k++) root[i][k] = random_real(&seed)
+                + 2 * (i == k);
         for (int i = 0; i < n; i++) {
-            x[i] = any();
+            x[i] = random_real(&seed);
             for (int k = 0; k < n; k++) {
                 m[i][k] = 0;
                 for (int l = 0; l < n; l++) m[i][k] += root[i][l] * root[k][l];

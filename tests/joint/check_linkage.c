@@ -6,23 +6,12 @@
 
 #include "expect.h"
 #include "linkage.h"
+#include "random.h"
 #include "suite.h"
 
 enum { BODIES = 24 };
 
 static unsigned long long seed = 11;
-
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 any_vec3(void)
-{
-    real x = any(), y = any();
-    return vec3_make(x, y, any());
-}
 
 static linkage l;
 static solver_body solid[BODIES];
@@ -45,23 +34,26 @@ static linkage_pass pass(void)
 static void throw_bodies(void)
 {
     for (int b = 0; b < BODIES; b++) {
-        real heavy = any() * any() * any() + 1.001;
+        real heavy = random_real(&seed) * random_real(&seed)
+             * random_real(&seed) + 1.001;
         solid[b].frame = JOINT_WORLD;
-        solid[b].frame.center = any_vec3();
+        solid[b].frame.center = random_vec3(&seed, 1);
         solid[b].basis.inverse_mass = 10 * heavy;
         for (int t = 0; t < TURNS; t++)
             solid[b].basis.turn[t] = vec3_scale((2 + t) * sqrt(10 * heavy),
                                                JOINT_WORLD.axis[t]);
         memset(&moved[b], 0, sizeof moved[b]);
         memset(&before[b], 0, sizeof before[b]);
-        for (int i = 0; i < MOTIONS; i++) velocity[b].of[i] = any();
+        for (int i = 0; i < MOTIONS; i++)
+            velocity[b].of[i] = random_real(&seed);
     }
 }
 
 static void join(joint_kind kind, int a, int b)
 {
-    joint_plan p = { .kind = kind, .a = a, .b = b, .point = any_vec3(),
-                     .axis = any_vec3(), .least = 0, .most = 1 };
+    joint_plan p = { .kind = kind, .a = a, .b = b,
+                     .point = random_vec3(&seed, 1),
+                     .axis = random_vec3(&seed, 1), .least = 0, .most = 1 };
     p.point_b = p.point;
     joint j = joint_make(&p, a < 0 ? &JOINT_WORLD : &solid[a].frame,
                          b < 0 ? &JOINT_WORLD : &solid[b].frame);
@@ -101,7 +93,7 @@ START_TEST(tree_of_joints_is_solved_in_one_pass)
             throw_bodies();
             for (int b = 1; b < BODIES; b++)
                 join((joint_kind)(JOINT_BALL + b % 3),
-                     (int)((any() + 1) / 2 * b), b);
+                     (int)(random_fraction(&seed) * b), b);
             if (round % 2) join(JOINT_BALL, 0, -1);
             l.is_plain = is_plain;
             linkage_pass q = pass();
@@ -138,7 +130,7 @@ START_TEST(impulses_are_handed_from_body_to_body)
     join(JOINT_HINGE, 0, BODIES - 1);       // a ring
     for (int b = 0; b < BODIES; b++)
         solid[b].frame.center = vec3_add_scaled(solid[b].frame.center, 0.1,
-                                               any_vec3());
+                                               random_vec3(&seed, 1));
     vec3 was = { 0, 0, 0 }, now = { 0, 0, 0 }, turns[2] = { was, was };
     motion start[BODIES];
     memcpy(start, velocity, sizeof start);

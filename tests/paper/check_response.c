@@ -5,6 +5,9 @@
 #include <stdlib.h>
 
 #include "constraint.h"
+#include "expect.h"
+#include "hostile.h"
+#include "random.h"
 #include "response.h"
 #include "suite.h"
 
@@ -18,25 +21,7 @@ static const vec3 DOWN = { 0, -1, 0 };
 static const response_errata MENDED = { false, false };
 static const response_errata PRINTED = { true, true };
 
-// Numbers in [0, 1) from a linear congruence; the same on every machine.
 static unsigned long long seed;
-
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 9007199254740992.0;
-}
-
-static real within(real low, real high)
-{
-    return low + (high - low) * any();
-}
-
-static vec3 any_vec3(real size)
-{
-    real x = within(-size, size), y = within(-size, size);
-    return vec3_make(x, y, within(-size, size));
-}
 
 static particle at_rest(vec3 x, real mass)
 {
@@ -55,7 +40,7 @@ static feature_point any_feature(int first, int count)
     real sum = 0;
     for (int i = 0; i < count; i++) {
         f.vertex[i] = first + i;
-        f.weight[i] = within(0.05, 1);
+        f.weight[i] = random_between(&seed, 0.05, 1);
         sum += f.weight[i];
     }
     for (int i = 0; i < count; i++) f.weight[i] /= sum;
@@ -67,15 +52,16 @@ static feature_point any_feature(int first, int count)
 static feature_contact any_contact(particle *p, int na, int nb, real heavy)
 {
     feature_contact c = { .a = any_feature(0, na), .b = any_feature(na, nb),
-                          .normal = vec3_unit(any_vec3(1)), .mass_a = 1,
-                          .mass_b = heavy };
+                          .normal = vec3_unit(random_vec3(&seed, 1)),
+                          .mass_a = 1, .mass_b = heavy };
     for (int i = 0; i < na + nb; i++) {
-        real mass = within(0.5, 2) * (i < na ? 1 : heavy);
-        p[i] = at_rest(any_vec3(1), mass);
+        real mass = random_between(&seed, 0.5, 2) * (i < na ? 1 : heavy);
+        p[i] = at_rest(random_vec3(&seed, 1), mass);
     }
     vec3 across = vec3_sub(feature_position(&c.a, p),
                            feature_position(&c.b, p));
-    vec3 by = vec3_sub(vec3_scale(-within(0.01, 0.2), c.normal), across);
+    vec3 by = vec3_sub(vec3_scale(-random_between(&seed, 0.01, 0.2), c.normal),
+                       across);
     for (int i = 0; i < na; i++) {
         p[i].position = vec3_add(p[i].position, by);
         p[i].previous = p[i].position;
@@ -99,12 +85,6 @@ static feature_contact on_plane(vec3 normal)
 {
     return (feature_contact){ .a = vertex(0), .normal = normal, .mass_a = 1,
                               .mass_b = HUGE_VAL };
-}
-
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.12g, wanted %.12g",
-                  what, got, wanted);
 }
 
 // --- the point, the overlap -----------------------------------------------
@@ -251,7 +231,7 @@ START_TEST(push_keeps_momentum)
         for (int k = 0; k < 300; k++) {
             particle p[6];
             feature_contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, heavy);
-            vec3 slide = any_vec3(0.05);
+            vec3 slide = random_vec3(&seed, 0.05);
             for (int i = 0; i < c.a.count; i++)
                 p[i].previous = vec3_sub(p[i].previous, slide);
             particle old[6];
@@ -371,7 +351,7 @@ START_TEST(sides_may_be_exchanged)
         particle p[6], q[6];
         feature_contact c = any_contact(p, 1 + k % 3, 1 + k / 3 % 3, 4);
         for (int i = 0; i < 6; i++) {
-            p[i].previous = vec3_add(p[i].previous, any_vec3(0.1));
+            p[i].previous = vec3_add(p[i].previous, random_vec3(&seed, 0.1));
             q[i] = p[i];
         }
         feature_contact d = c;
@@ -634,22 +614,6 @@ END_TEST
 
 // --- nothing that is not finite -------------------------------------------
 
-static const real HOSTILE[] = { 0, DBL_TRUE_MIN, DBL_MIN, 1e-200, 1e-20, 1,
-                                1e20, 1e150 };
-enum { HOSTILE_COUNT = sizeof HOSTILE / sizeof HOSTILE[0] };
-
-static real hostile(void)
-{
-    return HOSTILE[(int)(any() * HOSTILE_COUNT)];
-}
-
-static vec3 hostile_vec3(void)
-{
-    real sign = any() < 0.5 ? -1 : 1;
-    real x = sign * hostile(), y = -sign * hostile();
-    return vec3_make(x, y, hostile());
-}
-
 // Numbers of every size, zero normals and levers without length: nothing that
 // is not finite comes out.
 // Rejects: 1 / (a tiny sum), a normal made of a zero length.
@@ -659,22 +623,21 @@ START_TEST(finite_input_gives_finite_output)
     for (int k = 0; k < 40000; k++) {
         particle p[6];
         for (int i = 0; i < 6; i++) {
-            real w = hostile();
-            p[i] = (particle){ hostile_vec3(), hostile_vec3(),
+            real w = hostile(&seed);
+            p[i] = (particle){ hostile_vec3(&seed), hostile_vec3(&seed),
                                w < 1e100 ? w : 0 };
         }
         feature_contact c = { .a = any_feature(0, 1 + k % 3),
                               .b = any_feature(3, k / 3 % 4),
-                              .normal = vec3_unit(any_vec3(
-                                  any() < 0.1 ? 0 : 1)),
-                              .apart = hostile(), .mass_a = 1e-20 + hostile(),
-                              .mass_b = k % 5 ? 1e-20 + hostile() : HUGE_VAL,
+                              .normal = hostile_normal(&seed),
+                              .apart = hostile(&seed), .mass_a = 1e-20 + hostile(&seed),
+                              .mass_b = k % 5 ? 1e-20 + hostile(&seed) : HUGE_VAL,
                               .soft_a = k % 2, .soft_b = k % 7 < 3 };
-        if (c.a.count > 1 && any() < 0.3) {
-            c.a.weight[0] = hostile() < 1 ? 1e-160 : 1e-20;
+        if (c.a.count > 1 && random_fraction(&seed) < 0.3) {
+            c.a.weight[0] = hostile(&seed) < 1 ? 1e-160 : 1e-20;
             c.a.weight[1] = 1;
         }
-        response_separate(&c, p, any());
+        response_separate(&c, p, random_fraction(&seed));
         response_printed(&c, p, k % 3 ? PRINTED : MENDED);
         int finite = 1;
         for (int i = 0; i < 6; i++)

@@ -253,7 +253,7 @@ START_TEST(slack_holds_a_body_stretched_by_as_much)
 {
     cloth c = cloth_make(7, 0.25, 1);
     seed = 7;
-    for (int i = 0; i < c.points; i++) c.rest[i].y = dice();
+    for (int i = 0; i < c.points; i++) c.rest[i].y = random_real(&seed);
     sphere_tree t = tree_of(&c, TREE_WRAPPED, 0, 0.01);
     sphere_tree tight = tree_of(&c, TREE_WRAPPED, 0, 0);
     // Stretched by 1 % along (1, 1, 1), squeezed by 1 % across.
@@ -286,7 +286,7 @@ START_TEST(layered_nodes_follow_a_deformation)
         sphere_tree t = tree_of(&c, TREE_LAYERED, 0.01, 0);
         seed = 8;
         for (int i = 0; i < c.points; i++)
-            c.at[i] = vec3_scale(3, dice3());
+            c.at[i] = random_vec3(&seed, 3);
         sphere_tree_refresh(&t, c.at);
         assert_tree_holds(&t, c.at, BALL);
         sphere_tree_free(&t);
@@ -469,7 +469,7 @@ START_TEST(self_pairs_are_those_of_all_against_all)
         seed = (unsigned)run;
         if (kind == TREE_LAYERED) cloth_fold(&c, 0.1);
         for (int i = 0; kind == TREE_LAYERED && i < c.points; i++)
-            c.at[i] = vec3_add_scaled(c.at[i], 0.1, dice3());
+            c.at[i] = vec3_add_scaled(c.at[i], 0.1, random_vec3(&seed, 1));
         sphere_tree_refresh(&t, c.at);
         if (kind == TREE_WRAPPED) visit_all(&t, c.at);
         int want = 0;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "poses.h"
+#include "random.h"
 #include "scarce.h"
 #include "suite.h"
 #include "system.h"
@@ -568,10 +569,7 @@ START_TEST(deep_overlap_loses_no_body)
         ck_assert(scene_add_plane(&stage, vec3_make(0, 1, 0), 0).ok);
         for (int k = 0; k < 6; k++) {
             real u[4];
-            for (int i = 0; i < 4; i++) {
-                seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-                u[i] = (real)(seed >> 11) / 9007199254740992.0;
-            }
+            for (int i = 0; i < 4; i++) u[i] = random_fraction(&seed);
             shape thrown;
             ck_assert(shape_icosahedron(&thrown, 0.1 + u[3], 1).ok);
             ck_assert(scene_add_shape(&stage, &thrown).ok);

@@ -52,7 +52,7 @@ static tumble_world *with_floor(void)
 {
     tumble_world *w = tumble_make(NULL);
     ck_assert_ptr_nonnull(w);
-    ck_assert(tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1));
+    ck_assert(tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1).generation > 0);
     return w;
 }
 
@@ -234,6 +234,22 @@ START_TEST(a_pose_comes_back_as_it_was_set)
 }
 END_TEST
 
+// Rejects: a matrix taken by its columns; a small divisor.
+START_TEST(a_matrix_is_the_rotation_that_made_it)
+{
+    for (int k = 0; k < 64; k++) {
+        tumble_vec3 axis = tumble_v(k % 4 - 1.5, k / 4 % 4 - 1.5, k / 16 - 1);
+        tumble_quat q = tumble_turn(axis, 0.1 * k - 3.1);
+        double m[9], back[9];
+        tumble_matrix(q, m);
+        tumble_matrix(tumble_from_matrix(m), back);
+        for (int i = 0; i < 9; i++) near(back[i], m[i], 1e-15);
+    }
+    const double quarter[9] = { 0, -1, 0, 1, 0, 0, 0, 0, 1 };   // about z
+    near(tumble_from_matrix(quarter).z, sqrt(0.5), 1e-15);
+}
+END_TEST
+
 START_TEST(a_kinematic_body_carries_what_lies_on_it)
 {
     tumble_world *w = tumble_make(NULL);
@@ -331,6 +347,67 @@ START_TEST(a_joint_goes_with_its_body_and_breaks_under_its_load)
     ck_assert(!tumble_is_joined(w, k));
     ck_assert_double_lt(tumble_position(w, c).y, -1);
     tumble_free(w);
+}
+END_TEST
+
+// Of two boxes on one plane one stands on a static box, too.
+// Rejects: what lies on a plane that goes and sleeps on; a plane in the place of
+// another one that has its contacts, its id or its friction; a ray or a nearest
+// point that meets what is gone.
+START_TEST(what_lies_on_a_plane_that_goes_falls)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_vec3 up = tumble_v(0, 1, 0);
+    tumble_hit h;
+    tumble_plane floor = tumble_add_plane(w, up, 0, 0);
+    tumble_plane wall = tumble_add_plane(w, tumble_v(1, 0, 0), -9, -1);
+    tumble_body b = add_box(w, 0, 0.5, 0);
+    run(w, 2);
+    ck_assert(!tumble_is_awake(w, b));
+    ck_assert(tumble_remove_plane(w, floor));
+    ck_assert(tumble_is_awake(w, b));
+    ck_assert(!tumble_remove_plane(w, floor));
+    expect_failure(w, "plane 0 is gone");
+    ck_assert(!tumble_ray(w, tumble_v(3, 1, 0), tumble_v(3, -9, 0), ~0u, &h));
+    ck_assert(tumble_nearest(w, tumble_v(9, 0, 0), HUGE_VAL, ~0u, &h));
+    near(h.fraction, 8.5, 1e-9);
+    run(w, 0.5);
+    near(tumble_position(w, b).y, 0.5 - 9.81 / 8, 0.03);
+    // In its place comes another, at once, under a box that slides.
+    tumble_plane lower = tumble_add_plane(w, up, -4, -1);
+    ck_assert_uint_eq(lower.place, floor.place);
+    ck_assert_uint_ne(lower.generation, floor.generation);
+    run(w, 2);
+    near(tumble_position(w, b).y, -3.5, 0.005);
+    tumble_push(w, b, tumble_v(4, 0, 0), tumble_position(w, b));
+    ck_assert(tumble_remove_plane(w, lower));
+    lower = tumble_add_plane(w, up, -4, 0);
+    run(w, 1);
+    near(tumble_velocity(w, b).x, 2, 1e-3);
+    ck_assert(tumble_remove_plane(w, lower) && tumble_remove_plane(w, wall));
+    ck_assert(!tumble_nearest(w, tumble_v(9, 9, 9), 1, ~0u, &h));
+    expect_fine(w);
+    tumble_free(w);
+}
+END_TEST
+
+// A box sleeps on a floor, which becomes a slope without friction through the
+// same point.  Rejects: contacts of the plane that has gone.
+START_TEST(a_plane_in_the_place_of_another_has_contacts_of_its_own)
+{
+    for (int k = 0; k < 2; k++) {
+        tumble_world *w = tumble_make(NULL);
+        tumble_vec3 slope = tumble_v(0.1, 1, 0);
+        tumble_plane p = { 0, 0 };
+        if (k == 1) p = tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+        tumble_body b = add_box(w, 0, 0.5, 0);
+        if (k == 1) run(w, 2);
+        if (k == 1) ck_assert(tumble_remove_plane(w, p));
+        tumble_add_plane(w, slope, 0, 0);
+        run(w, 1);
+        near(tumble_velocity(w, b).x, 9.81 * 0.1 / 1.01, 0.2);
+        tumble_free(w);
+    }
 }
 END_TEST
 
@@ -662,7 +739,8 @@ START_TEST(nonsense_is_refused_in_a_sentence)
     expect_failure(w, "too much");
     ck_assert(!tumble_ray(w, tumble_v(0, 5, 0), tumble_v(0, -HUGE_VAL, 0), ~0u,
                           &h));
-    ck_assert(!tumble_add_plane(w, tumble_v(0, 0, 0), 0, -1));
+    tumble_plane p = tumble_add_plane(w, tumble_v(0, 0, 0), 0, -1);
+    ck_assert(!tumble_remove_plane(w, p));
     expect_failure(w, "plane");
     ck_assert_uint_eq(tumble_hull(w, NULL, 4, 1).generation, 0);
     expect_failure(w, "points");
@@ -699,11 +777,14 @@ int main(void)
         a_torque_spins_by_the_inertia,
         a_sleeper_that_is_pushed_wakes_and_goes,
         a_pose_comes_back_as_it_was_set,
+        a_matrix_is_the_rotation_that_made_it,
         a_kinematic_body_carries_what_lies_on_it,
         bodies_whose_masks_do_not_meet_pass,
         user_data_is_the_programs_own,
         a_box_on_a_hinge_swings_as_long_as_its_inertia_says,
         a_joint_goes_with_its_body_and_breaks_under_its_load,
+        what_lies_on_a_plane_that_goes_falls,
+        a_plane_in_the_place_of_another_has_contacts_of_its_own,
         a_joint_that_joins_nothing_is_refused,
         a_ray_meets_the_nearest_and_a_sweep_the_first,
         contacts_carry_the_weight_and_events_come_once,

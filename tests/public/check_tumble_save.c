@@ -2,6 +2,7 @@
 // never had been?
 
 #include "scarce.h"
+#include "random.h"
 #include "suite.h"
 #include "thread.h"
 #include "tumble.h"
@@ -53,18 +54,13 @@ static void add_walls(tumble_world *w, double far)
         tumble_add_plane(w, normal[k], k == 0 ? 0 : -far, k == 4 ? 0.2 : -1);
 }
 
-static unsigned seed;
-
-static double any(double least, double most)
-{
-    seed = seed * 1664525u + 1013904223u;
-    return least + (most - least) * (seed >> 8) / (1 << 24);
-}
+static unsigned long long seed;
 
 static tumble_vec3 any_vec3(double most)
 {
-    double x = any(-most, most), y = any(-most, most);
-    return tumble_v(x, y, any(-most, most));
+    double x = random_between(&seed, -most, most),
+        y = random_between(&seed, -most, most);
+    return tumble_v(x, y, random_between(&seed, -most, most));
 }
 
 static tumble_shape any_solid(tumble_world *w, int k)
@@ -226,7 +222,7 @@ static void touch(tumble_world *w, int k)
 
 static void go_on(tumble_world *w, int from, int steps, bool is_touched)
 {
-    seed = (unsigned)from;
+    seed = (unsigned long long)from;
     for (int k = from; k < from + steps; k++) {
         if (is_touched && k % 10 == 0) touch(w, k / 10);
         tumble_step(w);

@@ -6,6 +6,7 @@
 
 #include "convex.h"
 #include "manifold.h"
+#include "random.h"
 #include "suite.h"
 
 // Bodies of size 1 near the origin; a corner is seen, crossed, weighed: a few
@@ -14,24 +15,11 @@
 // Where the normal comes from a search, which stops at its own bound.
 #define SEARCH 1e-9
 
-// Numbers in [-1, 1) from a linear congruence; the same on every machine.
 static unsigned long long seed;
-
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 any_vec3(real size)
-{
-    real x = any(), y = any();
-    return vec3_scale(size, vec3_make(x, y, any()));
-}
 
 static int any_of(int n)
 {
-    return (int)((any() + 1) / 2 * n);
+    return (int)(random_fraction(&seed) * n);
 }
 
 // --- bodies ------------------------------------------------------------------
@@ -196,8 +184,8 @@ static axes about_z(real by)
 
 static axes any_axes(void)
 {
-    vec3 up = any_vec3(1);
-    return then(about_y(3 * any()), axes_up(up));
+    vec3 up = random_vec3(&seed, 1);
+    return then(about_y(3 * random_real(&seed)), axes_up(up));
 }
 
 // A body that stands in the world.
@@ -384,8 +372,8 @@ START_TEST(equal_cubes_stacked_touch_in_their_four_corners)
 {
     for (int k = 0; k < 300; k++) {
         axes f = k ? any_axes() : UPRIGHT;
-        real gap = k % 3 ? 0.01 * any() : 0.001;
-        vec3 spot = any_vec3(k % 2 ? 3 : 0);
+        real gap = k % 3 ? 0.01 * random_real(&seed) : 0.001;
+        vec3 spot = random_vec3(&seed, k % 2 ? 3 : 0);
         standing b = stand(&cube, f, spot);
         standing a = stand(&cube, f, vec3_add_scaled(spot, 1 + gap, f.y));
         answer r = ask(&a, &b, 0.05);
@@ -407,7 +395,8 @@ START_TEST(shifted_cubes_touch_in_the_corners_of_a_rectangle)
 {
     standing b = stand(&cube, UPRIGHT, vec3_make(0, 0, 0));
     for (int k = 0; k < 200; k++) {
-        real x = 0.9 * any(), z = 0.9 * any(), gap = 0.04 * any();
+        real x = 0.9 * random_real(&seed), z = 0.9 * random_real(&seed),
+             gap = 0.04 * random_real(&seed);
         standing a = stand(&cube, UPRIGHT, vec3_make(x, 1 + gap, z));
         answer r = { .normal = { 0, 1, 0 } };
         // Any corner of each: not across from each other, but on the patches.
@@ -456,8 +445,9 @@ START_TEST(small_cube_stands_on_the_wide_face_under_it)
         standing b = stand(k % 2 ? &plate : &grid, UPRIGHT,
                            vec3_make(0, 0, 0));
         real top = k % 2 ? 0.01 : 0.5, height = top + 0.1;
-        vec3 spot = vec3_make(0.3 * any(), height + 0.01, 0.3 * any());
-        standing a = stand(&cube, about_y(3 * any()), spot);
+        vec3 spot = vec3_make(0.3 * random_real(&seed), height + 0.01,
+                              0.3 * random_real(&seed));
+        standing a = stand(&cube, about_y(3 * random_real(&seed)), spot);
         for (int i = 0; i < 8; i++)
             a.at[i] = vec3_add(spot, vec3_scale(0.2, vec3_sub(a.at[i], spot)));
         answer r = ask(&a, &b, 0.05);
@@ -582,8 +572,9 @@ START_TEST(card_on_its_edge_stands_on_four_corners)
     standing b = stand(&plate, UPRIGHT, vec3_make(0, -0.01, 0));
     for (int k = 0; k < 200; k++) {
         // It leans by up to 0.5 degrees.
-        axes f = then(then(about_y(3 * any()), about_z(0.009 * any())),
-                      about_y(3 * any()));
+        axes f = then(then(about_y(3 * random_real(&seed)),
+                           about_z(0.009 * random_real(&seed))),
+                      about_y(3 * random_real(&seed)));
         standing a = stand(&card, f, vec3_make(0, 0.505, 0));
         for (int i = 0; i < 8; i++) {
             a.at[i].x *= 0.5;
@@ -607,11 +598,13 @@ START_TEST(crossed_edges_and_vertices_touch_where_they_are_nearest)
 {
     const real quarter = acos(-1.0) / 4;
     for (int k = 0; k < 200; k++) {
-        axes f = about_z(quarter), g = then(f, about_y(2 * quarter
-                                                       + 0.7 * any()));
+        real by = 2 * quarter + 0.7 * random_real(&seed);
+        axes f = about_z(quarter), g = then(f, about_y(by));
         standing b = stand(&cube, f, vec3_make(0, 0, 0));
-        standing a = stand(&cube, g, vec3_make(0.2 * any(),
-                           2 * sqrt(0.5) + 0.01 * any(), 0.2 * any()));
+        vec3 spot = vec3_make(0.2 * random_real(&seed),
+                              2 * sqrt(0.5) + 0.01 * random_real(&seed),
+                              0.2 * random_real(&seed));
+        standing a = stand(&cube, g, spot);
         answer r = ask(&a, &b, 0.05);
         ck_assert_int_eq(r.count, 1);
         ck_assert(same_bits(&r.of[0], &r.nearest));
@@ -619,7 +612,8 @@ START_TEST(crossed_edges_and_vertices_touch_where_they_are_nearest)
         // A corner straight down on anything.
         axes down = back(axes_up(vec3_make(1, 1, 1)));
         b = stand(k % 2 ? &cube : &plate, UPRIGHT, vec3_make(0, -1, 0));
-        a = stand(&cube, down, vec3_make(0.3 * any(), 1, 0.3 * any()));
+        spot = vec3_make(0.3 * random_real(&seed), 1, 0.3 * random_real(&seed));
+        a = stand(&cube, down, spot);
         r = ask(&a, &b, 5);
         ck_assert_int_eq(r.count, 1);
         ck_assert(same_bits(&r.of[0], &r.nearest));
@@ -636,9 +630,9 @@ START_TEST(edges_side_by_side_touch_in_the_ends_of_what_they_share)
     axes f = about_z(quarter);
     standing b = stand(&cube, f, vec3_make(0, 0, 0));
     for (int k = 0; k < 300; k++) {
-        real yaw = (k % 3 ? 0.45 : 0) * degree * any();
-        real z = k ? 0.8 * any() : 0;
-        real gap = 0.01 * (1 + any());
+        real yaw = (k % 3 ? 0.45 : 0) * degree * random_real(&seed);
+        real z = k ? 0.8 * random_real(&seed) : 0;
+        real gap = 0.01 * (1 + random_real(&seed));
         standing a = stand(&cube, then(f, about_y(yaw)),
                            vec3_make(0, 2 * sqrt(0.5) + gap, z));
         answer r = { .normal = { 0, 1, 0 } };
@@ -670,11 +664,15 @@ END_TEST
 START_TEST(far_side_of_a_plate_never_touches)
 {
     for (int k = 0; k < 2000; k++) {
-        axes lean = then(about_z(0.2 * any()), about_y(3 * any()));
-        axes f = then(then(about_y(3 * any()), lean), about_y(3 * any()));
+        axes lean = then(about_z(0.2 * random_real(&seed)),
+                         about_y(3 * random_real(&seed)));
+        axes f = then(then(about_y(3 * random_real(&seed)), lean),
+                      about_y(3 * random_real(&seed)));
         standing b = stand(k % 2 ? &cube : &plate, UPRIGHT,
                            vec3_make(0, k % 2 ? -0.5 : -0.01, 0));
-        vec3 spot = vec3_make(0.7 * any(), 0.02 + 0.05 * any(), 0.7 * any());
+        vec3 spot = vec3_make(0.7 * random_real(&seed),
+                              0.02 + 0.05 * random_real(&seed),
+                              0.7 * random_real(&seed));
         standing a = stand(&plate, f, spot);
         answer r;
         if (!query(&a, &b, &r) || r.normal.y < 0.98) continue;
@@ -776,9 +774,12 @@ START_TEST(tilted_face_touches_with_its_deepest_corner_first)
 {
     standing b = stand(&plate, UPRIGHT, vec3_make(0, -0.01, 0));
     for (int k = 0; k < 1000; k++) {
-        axes lean = then(about_y(-3 * any()), about_z(0.1 * any()));
-        axes f = then(lean, about_y(3 * any()));
-        standing a = stand(&cube, f, vec3_make(0.1 * any(), 0.5, 0.1 * any()));
+        axes lean = then(about_y(-3 * random_real(&seed)),
+                         about_z(0.1 * random_real(&seed)));
+        axes f = then(lean, about_y(3 * random_real(&seed)));
+        vec3 spot = vec3_make(0.1 * random_real(&seed), 0.5,
+                              0.1 * random_real(&seed));
+        standing a = stand(&cube, f, spot);
         answer r = { .normal = { 0, 1, 0 } };
         int lowest = 0;
         for (int i = 0; i < 8; i++) {
@@ -854,8 +855,9 @@ START_TEST(foot_beside_a_narrow_side_is_on_its_rim)
         // Its corners are on B's corners, or along the edges of B's upper side;
         // B's wide sides are seen from their edge, but for rounding.
         axes world = k % 5 ? any_axes() : UPRIGHT;
-        real along = k % 2 ? 0 : 0.4 * any();
-        vec3 shift = vec3_make(along + off * any(), 1.001, off * any());
+        real along = k % 2 ? 0 : 0.4 * random_real(&seed);
+        vec3 shift = vec3_make(along + off * random_real(&seed), 1.001,
+                               off * random_real(&seed));
         standing b = stand(&card, world, vec3_make(0, 0, 0));
         standing a = stand(&card, world, turned(world, shift));
         answer r = { .normal = world.y };
@@ -907,9 +909,10 @@ static int any_pair(int k, standing *a, standing *b, answer *r)
 {
     const shape *sa = EVERY[any_of(SHAPES)], *sb = EVERY[any_of(SHAPES)];
     int fa = any_of(sa->mesh.faces), fb = any_of(sb->mesh.faces);
-    real yaw = k % 3 ? 3 * any() : any_of(4) * acos(-1.0) / 2;
-    real lean = k % 2 ? 0 : 0.15 * any(), gap = 0.02 * any();
-    vec3 shift = any_vec3(k % 5 ? 0.4 : 0);
+    real yaw = k % 3 ? 3 * random_real(&seed) : any_of(4) * acos(-1.0) / 2;
+    real lean = k % 2 ? 0 : 0.15 * random_real(&seed),
+         gap = 0.02 * random_real(&seed);
+    vec3 shift = random_vec3(&seed, k % 5 ? 0.4 : 0);
     face_to_face(sa, fa, sb, fb, yaw, lean, shift, gap, any_axes(), a, b);
     return query(a, b, r);
 }
@@ -986,7 +989,7 @@ START_TEST(stack_far_away_touches_in_its_four_corners)
 {
     for (int k = 0; k < 300; k++) {
         axes f = any_axes();
-        vec3 spot = any_vec3(1e8);
+        vec3 spot = random_vec3(&seed, 1e8);
         standing b = stand(&cube, f, spot);
         standing a = stand(&cube, f, vec3_add_scaled(spot, 1.001, f.y));
         answer r;
@@ -1007,15 +1010,16 @@ START_TEST(strained_bodies_still_stand_on_their_sides)
     const real STRAIN = 0.005;
     for (int k = 0; k < 3000; k++) {
         const shape *s = k % 3 ? &cube : k % 2 ? &wedge : &grid;
-        vec3 shift = any_vec3(0.3);
+        vec3 shift = random_vec3(&seed, 0.3);
         standing b = stand(&cube, UPRIGHT, vec3_make(0, 0, 0));
-        standing a = stand(s, about_y(3 * any()),
+        standing a = stand(s, about_y(3 * random_real(&seed)),
                            vec3_make(shift.x, 1.01, shift.z));
         for (int i = 0; i < s->particles; i++)
-            a.at[i] = vec3_add(a.at[i], any_vec3(s == &grid ? STRAIN / 4
+            a.at[i] =
+                vec3_add(a.at[i], random_vec3(&seed, s == &grid ? STRAIN / 4
                                                             : STRAIN));
         for (int i = 0; i < 8; i++)
-            b.at[i] = vec3_add(b.at[i], any_vec3(STRAIN));
+            b.at[i] = vec3_add(b.at[i], random_vec3(&seed, STRAIN));
         answer r = ask(&a, &b, 0.1);
         is_sound(&r, &a, &b, 0.1, SEARCH, 1e-6);
         if (r.normal.y < 0.995) continue;

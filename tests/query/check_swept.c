@@ -2,7 +2,9 @@
 // and do those that do not, pass?
 
 #include "bodies.h"
+#include "expect.h"
 #include "oracle.h"
+#include "random.h"
 #include "suite.h"
 #include "swept.h"
 
@@ -49,12 +51,6 @@ static swept_result sweep(const body *a, vec3 way, const body *b, real apart,
                           real tolerance)
 {
     return sweep_sets(body_hull(a), way, body_hull(b), apart, tolerance);
-}
-
-static void near(real got, real wanted, real tolerance)
-{
-    ck_assert_msg(fabs(got - wanted) <= tolerance, "got %.17g, wanted %.17g",
-                  got, wanted);
 }
 
 static void same_bits(real got, real wanted)
@@ -162,7 +158,8 @@ START_TEST(balls_meet_where_the_quadratic_says)
     for (int n = 0; n < 10000; n++) {
         vec3 x = random_vector(&seed, 1.5, 3);
         vec3 aim = random_vector(&seed, 0, 1.5);
-        vec3 way = vec3_scale(0.5 + 2 * random_unit(&seed), vec3_sub(aim, x));
+        real by = 0.5 + 2 * random_fraction(&seed);
+        vec3 way = vec3_scale(by, vec3_sub(aim, x));
         real ww = vec3_length_squared(way), xw = vec3_dot(x, way);
         real root = xw * xw - ww * (vec3_length_squared(x) - 1);
         body a = body_point(x.x, x.y, x.z);
@@ -274,10 +271,11 @@ START_TEST(a_corner_is_passed_or_met_at_every_angle)
     body cube = body_cube(-0.5, -0.5, 0);   // an edge at x = y = 0
     for (int n = 0; n < 20000; n++) {
         // Down to the right: its normal is the diagonal's side of the edge.
-        vec3 d = { 0.05 + random_unit(&seed), -0.05 - random_unit(&seed),
-                   random_unit(&seed) - 0.5 };
+        vec3 d = { 0.05 + random_fraction(&seed),
+                   -0.05 - random_fraction(&seed),
+                   random_fraction(&seed) - 0.5 };
         vec3 side = vec3_unit((vec3){ -d.y, d.x, 0 });
-        real back = 0.5 + 3 * random_unit(&seed);
+        real back = 0.5 + 3 * random_fraction(&seed);
         for (int sign = -1; sign < 2; sign += 2) {
             vec3 at = vec3_add_scaled((vec3){ 0, 0, 0 }, sign * graze, side);
             vec3 from = vec3_add_scaled(at, -0.4 * back, d);
@@ -308,7 +306,7 @@ START_TEST(nothing_flat_is_ever_crossed)
         vec3 d = random_direction(&seed);
         // Its first point goes through a place well within the sheet.
         body_move(&a, vec3_scale(-1, a.at[0]));
-        vec3 x = vec3_scale(0.9 * random_unit(&seed), plate.at[0]);
+        vec3 x = vec3_scale(0.9 * random_fraction(&seed), plate.at[0]);
         vec3 way = vec3_scale(far, d);
         body_move(&a, vec3_add_scaled(x, -0.3 - 0.4 * far, d));
         swept_result r = sweep(&a, way, &plate, 0, 1e-30);
@@ -405,7 +403,7 @@ static void random_case(int n, unsigned long long *seed, body *a, body *b,
     body_any(b, any ? n / 75 % 3 : 2, seed);
     if (!any) a->count = b->count = 4;
     vec3 from = random_vector(seed, 0.5, 4), to = random_vector(seed, 0, 2);
-    *way = vec3_scale(0.25 + 2 * random_unit(seed), vec3_sub(to, from));
+    *way = vec3_scale(0.25 + 2 * random_fraction(seed), vec3_sub(to, from));
     body_move(a, from);
 }
 
@@ -499,9 +497,9 @@ START_TEST(ways_past_flat_and_thin_agree_with_the_least_distance)
         if (b.count > 4) b.count = 4;
         vec3 from = random_vector(&seed, 2.5, 4);
         vec3 way = vec3_sub(random_vector(&seed, 0, 2.5), from);
-        real apart = 0.3 * random_unit(&seed);
+        real apart = 0.3 * random_fraction(&seed);
         body_move(&a, from);
-        way = vec3_scale(0.5 + 1.5 * random_unit(&seed), way);
+        way = vec3_scale(0.5 + 1.5 * random_fraction(&seed), way);
         swept_result r = sweep(&a, way, &b, apart, fine);
         real t = nearest_time(&a, way, &b), least = truth_at(&a, way, t, &b);
         if (r.status == SWEPT_TOUCHES) {
@@ -552,8 +550,8 @@ START_TEST(far_from_the_origin_nothing_more_is_lost)
     for (int n = 0; n < 2000; n++) {
         body a = body_cube(2, 0, 0), b = body_cube(0, 0, 0);
         for (int i = 0; i < 8; i++) {
-            a.at[i].x += floor(1024 * random_unit(&seed)) / 1024;
-            b.at[i].y += floor(1024 * random_unit(&seed)) / 1024;
+            a.at[i].x += floor(1024 * random_fraction(&seed)) / 1024;
+            b.at[i].y += floor(1024 * random_fraction(&seed)) / 1024;
         }
         vec3 way = random_vector(&seed, 1, 4);
         swept_result home = sweep(&a, way, &b, 0, fine);
@@ -728,10 +726,10 @@ START_TEST(few_distances_are_asked_for)
         ck_assert_int_ge(r.supports, r.iterations);
     }
     for (int n = 0; n < 3000; n++) {
-        real gap = (n % 3 - 1) * 1e-15 * exp2(random_unit(&seed) * 40);
+        real gap = (n % 3 - 1) * 1e-15 * exp2(random_fraction(&seed) * 40);
         body p = body_point(-1.2, 0.5 + gap, 0), q = body_point(0, 0, 0);
-        swept_result r = sweep(&p, (vec3){ 3 * random_unit(&seed), 0, 0 }, &q,
-                               0.5, 1e-15);
+        swept_result r = sweep(&p, (vec3){ 3 * random_fraction(&seed), 0, 0 },
+                               &q, 0.5, 1e-15);
         ck_assert_int_ne(r.status, SWEPT_CAPPED);
         most_grazing = r.iterations > most_grazing ? r.iterations
                                                    : most_grazing;

@@ -63,7 +63,7 @@ static void try_basis(int i, const matrix *m)
     motion_basis b = basis_find(&f, &frame);
     real mass = FOUR * f.mass;
     ck_assert(fabs(b.inverse_mass * mass - 1) <= ROUNDING);
-    vec3 x = any_unit(), y = turns_of(&b, x);
+    vec3 x = random_direction(&seed), y = turns_of(&b, x);
     vec3 back = inertia_times(i, m, &turn, mass, y);
     ck_assert_msg(vec3_distance(back, x) <= LONG_BODY, "solid %d: off by %g", i,
                   vec3_distance(back, x));
@@ -161,10 +161,11 @@ START_TEST(motion_has_the_momentum_of_the_particles)
         particle p[FOUR];
         stand(p);
         // Half of them bend while they move: only what is rigid counts.
-        vec3 v = any_vec3(), spin = any_vec3();
+        vec3 v = random_vec3(&seed, 1), spin = random_vec3(&seed, 1);
         set_moving(p, v, spin, h);
         for (int k = 0; k < FOUR && n % 2; k++)
-            p[k].previous = vec3_add_scaled(p[k].previous, h, any_vec3());
+            p[k].previous =
+                vec3_add_scaled(p[k].previous, h, random_vec3(&seed, 1));
         rigid_frame frame = rigid4_frame(p);
         motion_basis b = basis_find(&f, &frame);
         motion u = motion_of(p, &frame, &b, h);
@@ -179,7 +180,7 @@ START_TEST(motion_has_the_momentum_of_the_particles)
         ck_assert(vec3_distance(sum, had) <= 1e-12);
         ck_assert(vec3_distance(turning, angular_momentum(p, h)) <= 1e-11);
         if (n % 2 == 0) {
-            vec3 arm = any_vec3();
+            vec3 arm = random_vec3(&seed, 1);
             ck_assert(vec3_distance(motion_at(&b, &u, arm),
                                     vec3_add(v, vec3_cross(spin, arm)))
                       <= 1e-10);
@@ -198,7 +199,7 @@ START_TEST(motion_has_the_energy_and_spin_of_the_particles)
         shape s = any_image(n % SOLIDS, &m);
         particle p[FOUR];
         stand(p);
-        set_moving(p, any_vec3(), any_vec3(), h);
+        set_moving(p, random_vec3(&seed, 1), random_vec3(&seed, 1), h);
         rigid_frame frame = rigid4_frame(p);
         motion_basis b = basis_find(&f, &frame);
         motion u = motion_of(p, &frame, &b, h);
@@ -230,8 +231,9 @@ static real worst_answer(real aspect, int n)
 {
     real worst = 0;
     for (int i = 0; i < n; i++) {
-        vec3 sides = { 1, 1 + (aspect - 1) * (any() + 1) / 2, aspect };
-        real mass = 2 + any();
+        vec3 sides =
+            { 1, 1 + (aspect - 1) * random_fraction(&seed), aspect };
+        real mass = 2 + random_real(&seed);
         shape s;
         particle p[FOUR];
         expect_ok(shape_box(&s, sides, mass));
@@ -240,7 +242,7 @@ static real worst_answer(real aspect, int n)
         rigid_frame frame = rigid4_frame(p);
         motion_basis b = basis_find(&f, &frame);
         motion u = { { 0 } };
-        vec3 j = any_vec3(), r = s.at[i % 8];
+        vec3 j = random_vec3(&seed, 1), r = s.at[i % 8];
         motion_push(&u, &b, times(&turn, r), times(&turn, j));
         vec3 spin = textbook_spin(sides, mass, vec3_cross(r, j));
         vec3 v = { u.of[0], u.of[1], u.of[2] };
@@ -306,11 +308,13 @@ START_TEST(six_ways_are_what_the_sticks_leave)
         shape s = any_image(n % SOLIDS, &m);
         particle p[FOUR];
         stand(p);
-        real weight[FOUR] = { any(), any(), any() };
+        real weight[FOUR] = { random_real(&seed), random_real(&seed),
+                              random_real(&seed) };
         weight[3] = 1 - weight[0] - weight[1] - weight[2];
         rigid_frame frame = rigid4_frame(p);
         motion_basis b = basis_find(&f, &frame);
-        vec3 at[FOUR], arm = { 0, 0, 0 }, j = any_unit(), told[FOUR];
+        vec3 at[FOUR], arm = { 0, 0, 0 }, j = random_direction(&seed),
+             told[FOUR];
         for (int k = 0; k < FOUR; k++) {
             at[k] = p[k].position;
             arm = vec3_add_scaled(arm, weight[k], frame_arm(&frame, k));
@@ -363,7 +367,8 @@ START_TEST(momentum_and_angular_momentum_last_for_1e5_frames)
         expect_ok(rigid4_build(&f, &solid[i].plan));
         particle p[FOUR];
         stand(p);
-        set_moving(p, vec3_make(1e-3, 0, 2e-3), vec3_scale(5, any_unit()), dt);
+        set_moving(p, vec3_make(1e-3, 0, 2e-3),
+                   vec3_scale(5, random_direction(&seed)), dt);
         vec3 linear = linear_momentum(p, dt), angular = angular_momentum(p, dt);
         for (int n = 0; n < 100000; n++) free_frame(p, dt);
         real off = vec3_distance(angular_momentum(p, dt), angular)
@@ -454,7 +459,7 @@ START_TEST(frame_inside_a_frame_is_turned_and_moved)
         stand(p);
         rigid_frame frame = rigid4_frame(p);
         motion_basis b = basis_find(&f, &frame);
-        vec3 axis = any_unit(), way = any_vec3();
+        vec3 axis = random_direction(&seed), way = random_vec3(&seed, 1);
         real by = angles[n % COUNT(angles)];
         motion d = { { way.x, way.y, way.z } };
         for (int t = 0; t < TURNS; t++)
@@ -587,7 +592,8 @@ START_TEST(body_gains_no_energy_by_how_it_lies)
         stand(p);
         rigid_frame was = rigid4_frame(p);
         motion_basis b = basis_find(&f, &was);
-        motion u = { { 1, 2, 3, any(), any(), any() } };
+        motion u = { { 1, 2, 3, random_real(&seed), random_real(&seed),
+                       random_real(&seed) } };
         stand(p);
         vec3 had = motion_angular(&b, &u);
         motion_end(&f, p, &was, &u, h);
@@ -621,11 +627,11 @@ START_TEST(immovable_body_answers_nothing)
     memcpy(was, p, sizeof p);
     rigid_frame frame = rigid4_frame(p);
     motion u = motion_of(p, &frame, &none, 1.0 / 60);
-    motion_push(&u, &none, any_vec3(), any_vec3());
+    motion_push(&u, &none, random_vec3(&seed, 1), random_vec3(&seed, 1));
     for (int k = 0; k < MOTIONS; k++) ck_assert(u.of[k] == 0);
     ck_assert(motion_energy(&none, &u) == 0);
     ck_assert(vec3_length(motion_angular(&none, &u)) == 0);
-    ck_assert(vec3_length(motion_at(&none, &u, any_vec3())) == 0);
+    ck_assert(vec3_length(motion_at(&none, &u, random_vec3(&seed, 1))) == 0);
     ck_assert_int_eq(motion_moves(&none, &u), 1);
     motion_begin(p, &frame, &none, &u, 1);
     for (int k = 0; k < FOUR; k++) {

@@ -74,7 +74,7 @@ static void try_ride(int i)
 {
     for (int n = 0; n < 100; n++) {
         matrix m = any_affine(), turn = any_rotation();
-        vec3 away = vec3_scale(10, any_vec3()), at[12], mean = { 0, 0, 0 };
+        vec3 away = random_vec3(&seed, 10), at[12], mean = { 0, 0, 0 };
         shape s;
         make_image(&s, &solid[i].plan, &m);
         expect_ok(rigid4_build(&f, &s));
@@ -308,7 +308,7 @@ START_TEST(step_of_the_frame_is_newtons_step_of_the_six_sticks)
         stand(p);
         for (int k = 0; k < FOUR; k++)
             p[k].position = vec3_add_scaled(p[k].position, 1e-3 * f.radius,
-                                            any_vec3());
+                                            random_vec3(&seed, 1));
         memcpy(q, p, sizeof q);
         for (int k = 0; k < FOUR; k++)
             o[k] = n % 2 ? p[k].previous : p[k].position;
@@ -342,7 +342,8 @@ START_TEST(one_step_squares_the_error)
         stand(p);
         real size = f.radius * (n % 5 == 0 ? 1e-2 : n % 5 == 1 ? 1e-3 : 1e-4);
         for (int k = 0; k < FOUR; k++)
-            p[k].position = vec3_add_scaled(p[k].position, size, any_vec3());
+            p[k].position =
+                vec3_add_scaled(p[k].position, size, random_vec3(&seed, 1));
         real before = worst_strain(p);
         const relax_options *o = n % 2 ? &OLD : &NEW;
         rigid4_result r = rigid4_relax(&f, p, 1, *o);
@@ -369,7 +370,7 @@ START_TEST(relaxing_keeps_momentum_and_angular_momentum)
         // Up to 0.15 of its radius: some bodies need several steps.
         for (int k = 0; k < FOUR; k++)
             p[k].position = vec3_add_scaled(p[k].position, 0.1 * f.radius,
-                                            any_vec3());
+                                            random_vec3(&seed, 1));
         vec3 linear = momentum(p), angular = turning(p);
         real size = FOUR * f.mass * f.radius;
         rigid4_result r = rigid4_relax(&f, p, 20, OLD);
@@ -398,7 +399,8 @@ static void try_spin(int i)
     const real h = 1.0 / 240;
     expect_ok(rigid4_build(&f, &solid[i].plan));
     for (int n = 0; n < 6; n++) {
-        vec3 spin = vec3_scale(30, any_unit()), v = vec3_scale(3, any_unit());
+        vec3 spin = vec3_scale(30, random_direction(&seed)),
+             v = vec3_scale(3, random_direction(&seed));
         particle p[FOUR];
         for (int k = 0; k < FOUR; k++) {
             vec3 r = vec3_sub(f.at[k], f.center);
@@ -440,7 +442,7 @@ START_TEST(pinned_body_is_not_relaxed)
     particle p[FOUR], was[FOUR];
     stand(p);
     for (int k = 0; k < FOUR; k++) {
-        p[k].position = vec3_add(p[k].position, any_vec3());
+        p[k].position = vec3_add(p[k].position, random_vec3(&seed, 1));
         p[k].inverse_mass = 0;
     }
     memcpy(was, p, sizeof p);
@@ -475,7 +477,8 @@ START_TEST(steps_are_counted_and_capped)
     for (int steps = 1; steps < 6; steps++) {
         particle p[FOUR];
         stand(p);
-        p[1].position = vec3_add_scaled(p[1].position, 0.02, any_unit());
+        p[1].position =
+            vec3_add_scaled(p[1].position, 0.02, random_direction(&seed));
         rigid4_result r = rigid4_relax(&f, p, steps, never);
         ck_assert_int_le(r.iterations, steps);
         if (steps < 3) ck_assert_int_eq(r.iterations, steps);
@@ -523,19 +526,19 @@ enum { SCATTERED, CRUSHED, PRESSED, MIRRORED, PIERCED, FLUNG, TINY, WRECKS };
 // What may become of the particles in a step; they stood well before it.
 static void wreck(particle *p, int kind)
 {
-    vec3 mean = { 0, 0, 0 }, n = any_unit();
+    vec3 mean = { 0, 0, 0 }, n = random_direction(&seed);
     for (int k = 0; k < FOUR; k++)
         mean = vec3_add_scaled(mean, 1.0 / FOUR, p[k].position);
     for (int k = 0; k < FOUR; k++) {
         vec3 *x = &p[k].position, d = vec3_sub(*x, mean);
         real up = vec3_dot(d, n);
         switch (kind) {
-        case SCATTERED: *x = vec3_scale(5 * f.radius, any_vec3()); break;
+        case SCATTERED: *x = random_vec3(&seed, 5 * f.radius); break;
         case CRUSHED:   *x = mean; break;
         case PRESSED:   *x = vec3_add_scaled(*x, -up, n); break;
         case MIRRORED:  *x = vec3_add_scaled(*x, -2 * up, n); break;
         case PIERCED:   if (k == 0) *x = vec3_add_scaled(mean, -2, d); break;
-        case FLUNG:     *x = vec3_scale(LIMIT, any_vec3()); break;
+        case FLUNG:     *x = random_vec3(&seed, LIMIT); break;
         default:        *x = vec3_add_scaled(mean, 1e-200, d); break;
         }
     }
@@ -589,7 +592,7 @@ static void try_plate(int i)
     for (int n = 0; n < 400; n++) {
         particle p[FOUR];
         matrix turn = stand(p);
-        real share = n % 4 == 0 ? 2 : 1.5 + any() / 2;
+        real share = n % 4 == 0 ? 2 : 1.5 + random_real(&seed) / 2;
         for (int k = 0; k < FOUR; k++) {
             real up = vec3_dot(vec3_sub(p[k].position, p[0].position), turn.y);
             p[k].position = vec3_add_scaled(p[k].position, -share * up, turn.y);
@@ -647,11 +650,12 @@ START_TEST(bodies_relaxed_together_get_the_bits_of_each_alone)
         for (int b = 0; b < bodies; b++) {
             particle *p = one + b * FOUR;
             first[(b + n) % bodies] = b * FOUR;
-            int kind = (int)(12 * (any() + 1));
+            int kind = (int)(12 * (random_real(&seed) + 1));
             stand(p);
             for (int k = 0; k < FOUR && kind > 2 && kind != 5; k++)
                 p[k].position = vec3_add_scaled(p[k].position, 0.05 * f.radius
-                                                * (any() + 1), any_vec3());
+                                                * (random_real(&seed) + 1),
+                                                random_vec3(&seed, 1));
             for (int k = 0; k < FOUR && kind == 1; k++) p[k].inverse_mass = 0;
             if (kind == 2) wreck(p, n % WRECKS);
             if (kind == 3) p[n % FOUR].position.z = bad[n % 2];
@@ -698,7 +702,7 @@ static void bend_needle(bent_needle *x, int thin, particle *p)
         if (f.square[i] < 1e-6)
             x->bad.axis[i] = vec3_scale(f.square[i] < 1.5e-7 ? 1.8 : sqrt(0.44),
                                         x->was.axis[i]);
-    x->bad.center = vec3_add(x->was.center, any_vec3());
+    x->bad.center = vec3_add(x->was.center, random_vec3(&seed, 1));
     for (int k = 0; k < FOUR; k++)
         p[k].position = vec3_add(x->bad.center, frame_arm(&x->bad, k));
     ck_assert(worst_strain(p) <= 1e-5);
@@ -764,8 +768,8 @@ START_TEST(body_that_was_bent_is_put_back_straight)
         stand(p);
         for (int k = 0; k < FOUR; k++) {
             p[k].previous = vec3_add_scaled(p[k].previous, 0.2 * f.radius,
-                                            any_vec3());
-            p[k].position = vec3_scale(5 * f.radius, any_vec3());
+                                            random_vec3(&seed, 1));
+            p[k].position = random_vec3(&seed, 5 * f.radius);
         }
         rigid4_result r = rigid4_relax(&f, p, 1, OLD);
         if (r.fell_back) ck_assert(worst_strain(p) <= ROUNDING && r.worst == 0);

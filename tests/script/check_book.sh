@@ -39,6 +39,6 @@ case $said in
 *:1:*Wether*:1:*sayd*) ;;
 *) echo "the speller overlooks mistakes: $said"; failed=1 ;;
 esac
-sh chapters/spell.sh README.md chapters/[0-9]*.md chapters/site/*.md exercises/README.md figures/command/README.md \
+sh chapters/spell.sh README.md chapters/[0-9]*.md chapters/site/*.md exercises/README.md figures/README.md figures/command/README.md lib/README.md \
     exercises/*/README.md exercises/*/hints || failed=1
 [ -z "$failed" ]

@@ -23,7 +23,7 @@ limit() {   # MODULE COLUMN LIMIT WHAT
     is=$(awk -F, -v m="$1" -v c="$2" '$2 == m { print $c }' /tmp/lines.$$)
     [ -n "$is" ] && [ "$is" -le "$3" ] || fault "$1: $4 ${is:-missing}, more than $3"
 }
-limit gjk      3 240  lines
+limit gjk      3 230  lines
 limit hit_face 3 310  lines
 limit system   3 640  lines
 limit "Part I" 3 4500 lines

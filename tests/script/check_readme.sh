@@ -1,15 +1,17 @@
-# check_readme.sh - do the links of README lead somewhere, does its table name each
-# chapter and module, is the moving picture one, and is every command there that
-# README, the exercises' page, a chapter or make's own help names?
+# check_readme.sh - do the links of README and of the folders' pages lead somewhere,
+# do their tables name each chapter and module, is the moving picture one, and is
+# every command there that they, a chapter or make's own help name?
 
 unset MAKEFLAGS MFLAGS      # a make that called us must not hand down its own
 failed=
 fault() { echo "$1"; failed=1; }
 
-links=0
-for link in $(grep -o '](\([^)]*\))' README.md | sed 's/^](//; s/)$//; s/#.*//' | sort -u); do
-    links=$((links + 1))
-    case $link in http*) ;; *) [ -e "$link" ] || fault "README.md links to $link, which is not there" ;; esac
+links=0 folders='exercises/README.md figures/README.md figures/command/README.md lib/README.md'
+for page in README.md $folders; do
+    for link in $(grep -o '](\([^)]*\))' $page | sed 's/^](//; s/)$//; s/#.*//' | sort -u); do
+        links=$((links + 1))
+        case $link in http*) ;; *) [ -e "$(dirname $page)/$link" ] || fault "$page links to $link, which is not there" ;; esac
+    done
 done
 
 # A WebP says so at its beginning, and in its first lines that it is animated.
@@ -21,7 +23,7 @@ head -c 64 $moving | tr -d '\0\n' | LC_ALL=C grep -aq 'RIFF.*WEBP.*ANIM' || faul
 # files: in the help, in blocks of commands, and between backticks.  (Pages are
 # not for echo, which may take the \c of a formula for their end.)
 known=$(make -pn help 2> /dev/null | sed -n 's/^\([a-z0-9][a-z0-9_-]*\):.*/\1/p')
-pages() { cat README.md exercises/README.md figures/command/README.md chapters/[0-9]*.md; }
+pages() { cat README.md $folders chapters/[0-9]*.md; }
 goals=$({ make -s help | grep -o '^  make [a-z0-9][a-z0-9_ /-]*'
     pages | awk '/^```/ { inside = !inside && /```sh$/ } inside' | grep -o '^make [a-z0-9][a-z0-9_ /-]*'
     pages | grep -o '`make [a-z0-9][a-z0-9_ /-]*'
@@ -30,14 +32,14 @@ for goal in $goals; do
     echo "$known" | grep -qx "$goal" || fault "there is no command  make $goal"
 done
 
-# The table of chapters: every chapter by its title, every module in its row.
+# README's table: every chapter by its title; that of lib/: every module in its row.
 for page in chapters/[0-9]*.md; do
     title=$(sed -n '1s/^# [0-9]*\. //p' "$page")
     grep -qF "[$title](chapters/woven/${page#*/})" README.md || fault "README.md does not call $page by its title, $title"
 done
 for module in $(sed -n '/^define ORDER/,/^endef/p' Makefile | grep /); do
-    grep "^| ${module%/*} |" README.md | grep -qF "\`${module#*/}\`" ||
-        fault "README.md does not name the module ${module#*/} beside chapter ${module%/*}"
+    grep "^| ${module%/*} |" lib/README.md | grep -qF "\`${module#*/}\`" ||
+        fault "lib/README.md does not name the module ${module#*/} beside chapter ${module%/*}"
 done
 
 version=$(sed -n 's/^#define TUMBLE_VERSION "\(.*\)"/\1/p' lib/tumble.h)

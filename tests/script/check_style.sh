@@ -34,7 +34,7 @@ said=$(awk -f chapters/style.awk "$page" | sed 's/.*:\([0-9]*: [^:]*\):.*/\1/' |
 
 listed() { case " $(echo $2) " in *" $1 "*) ;; *) false ;; esac; }
 chosen() {
-    for p in README.md exercises/README.md figures/command/README.md; do listed $p "$LATER_PAGES" || echo $p; done
+    for p in README.md exercises/README.md figures/README.md figures/command/README.md lib/README.md; do listed $p "$LATER_PAGES" || echo $p; done
     for p in chapters/[0-9]*.md; do
         n=${p#chapters/}; listed "${n%%-*}" "$LATER" || echo "$p"
     done

@@ -1,7 +1,7 @@
 # lines.awk - how long is each module, header and source together, and how long
 # are its functions?   awk -f lines.awk Makefile lib/tumble.h lib/*/*.h lib/*/*.c
 # A function's lines are those between its braces.  Lines that only mark a
-# region of the book are not counted.
+# region of the book, and the blank line between two regions, are not counted.
 
 FILENAME == "Makefile" {
     if ($1 == "define" && $2 == "ORDER") inside = 1
@@ -10,7 +10,9 @@ FILENAME == "Makefile" {
     next
 }
 FNR == 1 { name = FILENAME; sub(/.*\//, "", name); sub(/\.[ch]$/, "", name) }
-/^\/\/[<>]/ { next }
+/^\/\/[<>]/ { marked = 1; next }
+marked && /^$/ { marked = 0; next }
+{ marked = 0 }
 { lines[name]++ }
 /^\{/ { open = FNR }
 /^\}/ && open { note(name, FNR - open - 1); open = 0 }

@@ -2,6 +2,7 @@
 
 #include "hull.h"
 #include "expect.h"
+#include "random.h"
 #include "scarce.h"
 #include "suite.h"
 #include "validate.h"
@@ -15,24 +16,11 @@ enum { MOST = 20000 };
 static vec3 at[MOST];
 static unsigned long long state;
 
-// -1 to 1.
-static real any(void)
-{
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(state >> 11) / (real)(1ULL << 52) - 1;
-}
-
-static vec3 anywhere(void)
-{
-    real x = any(), y = any();
-    return vec3_make(x, y, any());
-}
-
 // A rotation, as the three vectors that the axes become.
 static void any_rotation(vec3 axis[3])
 {
-    axis[0] = vec3_unit(anywhere());
-    axis[1] = vec3_unit(vec3_cross(axis[0], anywhere()));
+    axis[0] = vec3_unit(random_vec3(&state, 1));
+    axis[1] = vec3_unit(vec3_cross(axis[0], random_vec3(&state, 1)));
     axis[2] = vec3_cross(axis[0], axis[1]);
 }
 
@@ -109,7 +97,9 @@ START_TEST(cube_with_points_inside_is_a_cube)
     shape s;
     int n = fill_grid(1, 1, 1, vec3_make(1, 2, 3));
     for (; n < 200; n++)
-        at[n] = vec3_make(.5 + .4 * any(), 1 + .8 * any(), 1.5 + 1.4 * any());
+        at[n] = vec3_make(.5 + .4 * random_real(&state),
+                          1 + .8 * random_real(&state),
+                          1.5 + 1.4 * random_real(&state));
     real volume = expect_hull(n, &s);
     ck_assert_int_eq(s.particles, 8);
     ck_assert(fabs(volume - 6) < 1e-13 * 6);
@@ -133,7 +123,7 @@ START_TEST(grids_in_any_pose_have_eight_vertices)
         for (int pose = 0; pose < 20; pose++) {
             int n = fill_grid(cells[c][0], cells[c][1], cells[c][2],
                               vec3_make(.3, .7, .1));
-            vec3 axis[3], away = vec3_scale(pose, anywhere());
+            vec3 axis[3], away = random_vec3(&state, pose);
             any_rotation(axis);
             for (int i = 0; i < n && pose > 0; i++)
                 at[i] = vec3_add(away, turned(axis, at[i]));
@@ -174,9 +164,9 @@ START_TEST(random_clouds_lie_in_their_hull)
         int n = run < 300 ? 4 + run / 4 : 10 * run;
         vec3 wide = vec3_make(1, run % 3 == 1 ? 1e-3 : 1,
                               run % 3 == 2 ? 100 : 1);
-        vec3 away = vec3_scale(run % 5, anywhere());
+        vec3 away = vec3_scale(run % 5, random_vec3(&state, 1));
         for (int i = 0; i < n; i++) {
-            vec3 p = anywhere();
+            vec3 p = random_vec3(&state, 1);
             at[i] = vec3_make(away.x + wide.x * p.x, away.y + wide.y * p.y,
                               away.z + wide.z * p.z);
         }
@@ -216,7 +206,7 @@ START_TEST(rough_cubes_have_hulls)
             int n = fill_grid(5, 5, 5, vec3_make(.2, .2, .2));
             real rough = pow(10, -power);
             for (int i = 0; i < n; i++)
-                at[i] = vec3_add_scaled(at[i], rough, anywhere());
+                at[i] = vec3_add_scaled(at[i], rough, random_vec3(&state, 1));
             shape s;
             real volume = expect_hull_within(n, &s, 1e-8);
             real out = furthest_out(&s, n);
@@ -237,7 +227,7 @@ START_TEST(hull_does_not_depend_on_the_size)
         shape s;
         state = 1;
         for (int i = 0; i < 300; i++)
-            at[i] = vec3_scale(pow(10, power), anywhere());
+            at[i] = vec3_scale(pow(10, power), random_vec3(&state, 1));
         expect_hull(300, &s);
         ck_assert_int_eq(s.particles, 49);
         shape_free(&s);
@@ -261,18 +251,20 @@ START_TEST(what_spans_no_body_is_refused)
                    "16777216");
     expect_refused(-1, "the number of points is -1: it must be from 4 to "
                    "16777216");
-    vec3 along = vec3_unit(anywhere()), aside = vec3_unit(anywhere());
+    vec3 along = vec3_unit(random_vec3(&state, 1)),
+         aside = vec3_unit(random_vec3(&state, 1));
     for (int i = 0; i < 50; i++)
-        at[i] = vec3_scale(any(), along);
+        at[i] = vec3_scale(random_real(&state), along);
     expect_refused(50, "the 50 points stand in one line, or nearly: they span "
                    "no body");
     for (int i = 0; i < 50; i++)
-        at[i] = vec3_add_scaled(vec3_scale(any(), along), any(), aside);
+        at[i] = vec3_add_scaled(vec3_scale(random_real(&state), along),
+                                random_real(&state), aside);
     expect_refused(50, "the 50 points stand in one plane, or nearly: they span "
                    "no body");
     at[7].y = (real)NAN;
     expect_refused(50, "point 7 is not at a finite place");
-    for (int i = 0; i < 50; i++) at[i] = vec3_scale(1e40, anywhere());
+    for (int i = 0; i < 50; i++) at[i] = random_vec3(&state, 1e40);
     at[0] = vec3_make(0, 0, 0);
     at[1] = vec3_make(3e40, 0, 0);
     expect_refused(50, "the points measure 3e+40 m: it must be from 1e-30 to "

@@ -122,7 +122,7 @@ async function checkLive(page, name) {
   for (const figure of figures) {
     await figure.scrollIntoViewIfNeeded();
     const hash = await figure.evaluate((node, wait) => new Promise(done => {
-      const look = () => node.dataset.hash || node.dataset.trapped;
+      const look = () => node.dataset.ready && node.dataset.hash || node.dataset.trapped;
       const poll = setInterval(() => look() && (clearInterval(poll), done(look())), 50);
       setTimeout(() => done(look() ?? 'nothing'), wait);
     }), WAIT);

@@ -1,5 +1,6 @@
 // check_grid.c - does the grid find what all pairs find, and nothing else?
 #include "grid.h"
+#include "random.h"
 #include "scarce.h"
 #include "suite.h"
 
@@ -11,18 +12,6 @@
 enum { SIDE = 24, N = SIDE * SIDE, MOST = 64 * N };
 
 static unsigned long long seed;
-
-static real dice(void)  // -1 to 1, the same on every machine
-{
-    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 dice3(void)
-{
-    real x = dice(), y = dice(), z = dice();
-    return vec3_make(x, y, z);
-}
 
 static grid g;
 static vec3 at[N];
@@ -87,7 +76,7 @@ START_TEST(it_finds_what_all_pairs_find)
             for (real reach = 0.7; reach < 4; reach *= 1.5) {
                 lay_flat();
                 for (int i = 0; i < N; i++) {
-                    vec3 d = dice3();
+                    vec3 d = random_vec3(&seed, 1);
                     if (s == 2 || s == 3) at[i] = (vec3){ 0, 0, 0 };
                     if (s == 4) at[i].x = 0;
                     at[i] = vec3_add(at[i], vec3_make(shape[s].x * d.x,
@@ -111,7 +100,7 @@ START_TEST(size_and_place_do_not_matter)
         lay_flat();
         for (int i = 0; i < N; i++) {
             vec3 d = vec3_add(vec3_make(-7e5, 3e5, 9),
-                              vec3_scale(0.4, dice3()));
+                              random_vec3(&seed, 0.4));
             at[i] = vec3_scale(size, vec3_add(at[i], d));
         }
         expect_all_pairs(N, 2.2 * size);

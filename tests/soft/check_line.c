@@ -2,7 +2,9 @@
 // cloth, solved at one stroke.  Each names the mistake that it rejects.
 
 #include "line.h"
+#include "expect.h"
 #include "plain_strand.h"
+#include "random.h"
 #include "scarce.h"
 #include "suite.h"
 
@@ -21,12 +23,6 @@ static const real ROUNDING = 1e-11;
 static const vec3 GRAVITY = { 0, -9.81, 0 };
 static const vec3 NOTHING = { 0, 0, 0 };
 
-static void expect_near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
-
 static void expect_below(real got, real most, const char *what)
 {
     ck_assert_msg(got <= most, "%s: %g, more than %g", what, got, most);
@@ -42,19 +38,7 @@ static void expect_same_places(const particle *p, const particle *q, int n)
     }
 }
 
-static unsigned dice = 1;
-
-static real any(void)
-{
-    dice = dice * 1664525u + 1013904223u;
-    return (real)(dice >> 8) / 8388608 - 1;
-}
-
-static vec3 any_vector(real most)
-{
-    real x = any(), y = any();
-    return vec3_make(most * x, most * y, most * any());
-}
+static unsigned long long seed = 1;
 
 // The options of both gradients; tolerance 0: every step is taken.
 static relax_options along(int old)
@@ -127,7 +111,7 @@ static void disturb(real most)
 {
     for (int i = 0; i < plan.particles; i++)
         if (p[i].inverse_mass > 0)
-            p[i].position = vec3_add(p[i].position, any_vector(most));
+            p[i].position = vec3_add(p[i].position, random_vec3(&seed, most));
 }
 
 static line_result solve(int direction, int steps, relax_options o)
@@ -168,11 +152,11 @@ START_TEST(one_link_takes_herons_step)
         relax_options o = along(old);
         o.tolerance = 1;            // the old gradient is not judged
         line_result r = solve(0, 1, o);
-        expect_near(vec3_distance(p[0].position, p[1].position),
+        near(vec3_distance(p[0].position, p[1].position),
                     (1.5 * 1.5 + 1) / (2 * 1.5), EXACT, "length");
         real a = -0.5 - p[0].position.x, b = p[1].position.x - 1;
-        expect_near(a / b, 3, ROUNDING, "share");
-        expect_near(r.worst, (1.5 * 1.5 - 1) / 2, EXACT, "error before");
+        near(a / b, 3, ROUNDING, "share");
+        near(r.worst, (1.5 * 1.5 - 1) / 2, EXACT, "error before");
         ck_assert_int_eq(r.steps, 1);
         ck_assert_int_eq(r.fell_back, 0);
         tear_down();
@@ -244,14 +228,15 @@ START_TEST(step_is_that_of_the_full_system)
         int old = round % 2;
         lay_rope(LINKS, LINKS);
         for (int i = 0; i <= LINKS; i++) {
-            p[i].inverse_mass = 1.5 + any();
+            p[i].inverse_mass = 1.5 + random_real(&seed);
             p[i].position.y = p[i].previous.y = 0.7 * (i % 3);
-            p[i].previous = vec3_add(p[i].previous, any_vector(0.1));
+            p[i].previous = vec3_add(p[i].previous, random_vec3(&seed, 0.1));
         }
         if (round % 3 == 0) nail(round % LINKS);
         for (int i = 0; i <= LINKS; i++)
             if (p[i].inverse_mass > 0)
-                p[i].position = vec3_add(p[i].position, any_vector(0.05));
+                p[i].position =
+                    vec3_add(p[i].position, random_vec3(&seed, 0.05));
         // So near its length that nothing is held back.
         strand[0].rest_length = 1.2;
         remember();
@@ -266,7 +251,7 @@ START_TEST(step_is_that_of_the_full_system)
         }
         solve_in_full(1.2, old);
         for (int i = 0; i <= LINKS; i++)
-            expect_near(vec3_distance(p[i].position, q[i].position), 0,
+            near(vec3_distance(p[i].position, q[i].position), 0,
                         1e3 * EXACT, "place");
         tear_down();
     }
@@ -319,7 +304,7 @@ START_TEST(steps_end_at_the_tolerance)
     int before = 100;
     for (int k = 0; k < 4; k++) {
         o.tolerance = tolerance[k];
-        dice = 7;
+        seed = 7;
         lay_rope(30, 0.3);
         disturb(0.0001);
         line_result r = solve(0, 50, o);
@@ -343,7 +328,7 @@ START_TEST(lines_side_by_side_are_solved_as_if_alone)
         int old = round & 1, d = round >> 1;
         lay_cloth(11, 9);
         for (int i = 0; i < plan.particles; i++)
-            p[i].inverse_mass = 1.5 + any();
+            p[i].inverse_mass = 1.5 + random_real(&seed);
         nail(5);
         disturb(0.05);
         remember();
@@ -375,7 +360,7 @@ START_TEST(relaxing_all_lines_is_solving_one_direction_after_the_other)
         relax_options o = along(old);
         lay_cloth(round & 4 ? 19 : 8, round & 4 ? 5 : 9);
         for (int i = 0; i < plan.particles; i++)
-            p[i].inverse_mass = 1.5 + any();
+            p[i].inverse_mass = 1.5 + random_real(&seed);
         nail(5);
         disturb(0.02);
         if (is_lost) p[13].position.z = (real)NAN;
@@ -437,7 +422,7 @@ START_TEST(rounds_but_the_last_ask_for_more)
     for (int trial = 0; trial < 4; trial++) {
         lay_cloth(LINKS + 1, LINKS + 1);
         for (int i = 0; i < plan.particles && trial & 1; i++)
-            p[i].inverse_mass = 1.5 + any();
+            p[i].inverse_mass = 1.5 + random_real(&seed);
         if (trial & 2) nail(40);
         disturb(0.02);
         remember();
@@ -453,9 +438,9 @@ START_TEST(rounds_but_the_last_ask_for_more)
                     worst = fmax(worst, round_in_full(&strand[d], l,
                                                       k < 2 ? 1.2 : 1));
         }
-        expect_near(r.worst, worst, ROUNDING, "worst");
+        near(r.worst, worst, ROUNDING, "worst");
         for (int i = 0; i < plan.particles; i++)
-            expect_near(vec3_distance(p[i].position, q[i].position), 0,
+            near(vec3_distance(p[i].position, q[i].position), 0,
                         ROUNDING, "place");
         tear_down();
     }
@@ -530,7 +515,7 @@ START_TEST(nailed_particles_stay)
         expect_same_places(p + 7, q + 7, 2);
         for (int k = 0; k < 20; k++)
             if (k != 7)
-                expect_near(vec3_distance(p[k].position, p[k + 1].position), 1,
+                near(vec3_distance(p[k].position, p[k + 1].position), 1,
                             k < 9 ? 0.3 : 0.1, "other links");
         tear_down();
     }
@@ -561,14 +546,15 @@ START_TEST(momenta_stay)
     for (int round = 0; round < 40; round++) {
         int old = round % 2;
         lay_rope(30, 30);
-        for (int i = 0; i <= 30; i++) p[i].inverse_mass = 1.5 + any();
+        for (int i = 0; i <= 30; i++)
+            p[i].inverse_mass = 1.5 + random_real(&seed);
         disturb(0.05);
         vec3 before = centre(p, 31), turned = turning(31);
         line_result r = solve(0, 1 + round % 3, along(old));
-        expect_near(vec3_distance(centre(p, 31), before), 0, ROUNDING,
+        near(vec3_distance(centre(p, 31), before), 0, ROUNDING,
                     "centre of mass");
         if (r.fell_back || !old) { tear_down(); continue; }
-        expect_near(vec3_distance(turning(31), turned), 0, ROUNDING, "turning");
+        near(vec3_distance(turning(31), turned), 0, ROUNDING, "turning");
         tear_down();
     }
 }
@@ -582,7 +568,7 @@ static void hang(real load, real off)
     lay_rope(50, 1);
     for (int i = 0; i <= 50; i++) {
         vec3 x = vec3_make(0, -i / 50.0, 0);
-        if (i > 0) x = vec3_add(x, any_vector(off));
+        if (i > 0) x = vec3_add(x, random_vec3(&seed, off));
         p[i] = (particle){ x, x, i > 0 };
     }
     p[50].inverse_mass = 1 / load;
@@ -713,7 +699,7 @@ START_TEST(swinging_chain_keeps_length_and_energy)
     printf("line: swinging, 20 substeps of 2 steps: strain %.2g, energy "
            "%+.2g\n", worst, mean);
     expect_below(worst, 1e-5, "strain");
-    expect_near(mean, 0, 1e-3, "energy");
+    near(mean, 0, 1e-3, "energy");
     ck_assert_int_eq(fell_back, 0);
     tear_down();
 }
@@ -737,7 +723,7 @@ START_TEST(link_without_length_is_left)
     remember();
     line_result r = solve(0, 3, along(0));
     expect_same_places(p, q, 10);
-    expect_near(r.worst, 0.5, 0, "worst");
+    near(r.worst, 0.5, 0, "worst");
     tear_down();
 }
 END_TEST
@@ -750,7 +736,7 @@ START_TEST(short_link_is_doubled_at_most)
         p[0].position = NOTHING;
         p[1].position = vec3_make(d, 0, 0);
         solve(0, 1, along(0));
-        expect_near(vec3_distance(p[0].position, p[1].position), 2 * d,
+        near(vec3_distance(p[0].position, p[1].position), 2 * d,
                     EXACT * d, "length");
         solve(0, 40, along(0));
         expect_below(strain_of(strand), EXACT, "in the end");
@@ -851,7 +837,7 @@ START_TEST(numbers_out_of_all_bounds_give_no_nan)
         for (int k = 0; k < 4; k++) {
             lay_rope(10, 10);
             for (int i = 0; i <= 10; i++)
-                p[i].position = vec3_scale(size[k], any_vector(1));
+                p[i].position = vec3_scale(size[k], random_vec3(&seed, 1));
             solve(0, 3, along(old));
             ck_assert(all_finite());
             tear_down();
@@ -894,7 +880,7 @@ START_TEST(only_the_line_that_fails_falls_back)
 {
     lay_cloth(11, 9);
     for (int i = 0; i < plan.particles; i++)
-        p[i].previous = vec3_add(p[i].previous, any_vector(0.1));
+        p[i].previous = vec3_add(p[i].previous, random_vec3(&seed, 0.1));
     for (int j = 0; j < 9; j++)
         p[11 * j + 5].previous = vec3_make(5, j, 0);
     disturb(0.01);
@@ -959,7 +945,7 @@ START_TEST(leash_lets_go_as_far_as_the_errors_ask)
         line_result r = solve(0, 1, along(old));
         ck_assert_int_eq(r.fell_back, 0);
         real heron = (d * d + rest * rest) / (2 * d);
-        expect_near(strain_of(&strand[0]), heron / rest - 1, ROUNDING,
+        near(strain_of(&strand[0]), heron / rest - 1, ROUNDING,
                     "strain");
         tear_down();
     }
@@ -1098,9 +1084,10 @@ START_TEST(strands_that_are_held_are_those_of_the_plain_form)
         else           lay_cloth(n[0], n[1]);
         line_hold hold[900];
         for (int i = 0; i < plan.particles; i++) {
-            p[i].inverse_mass = 1.5 + any();
-            hold[i] = hold_of((line_state)(3 * (any() + 1) / 2 * 0.999),
-                              any_vector(1));
+            p[i].inverse_mass = 1.5 + random_real(&seed);
+            hold[i] = hold_of((line_state)(3 * random_fraction(&seed)
+                                           * 0.999),
+                              random_vec3(&seed, 1));
         }
         nail(3);
         disturb(0.02);
@@ -1110,7 +1097,7 @@ START_TEST(strands_that_are_held_are_those_of_the_plain_form)
             for (int l = 0; l < strand[d].lines; l++)
                 plain_round(&strand[d], hold, l);
         for (int i = 0; i < plan.particles; i++)
-            expect_near(vec3_distance(p[i].position, q[i].position), 0,
+            near(vec3_distance(p[i].position, q[i].position), 0,
                         ROUNDING, "place");
         remember();
         lines_relax(&plan, p, 1, along(0), NULL, 0, scratch);
@@ -1136,9 +1123,9 @@ START_TEST(particle_on_a_floor_bears_what_hangs_on_it)
                           hold_of(LINE_FREE, vec3_make(0, 1, 0)) };
     lines_relax(&plan, p, 1, along(0), hold, 0, scratch);
     real lambda = 1.5 / (4 * (1 + 0.3 + 0.0035));
-    expect_near(p[1].position.y, -2 + 2 * lambda, EXACT, "lower");
-    expect_near(p[0].position.y, -0.3 * 2 * lambda, EXACT, "upper");
-    expect_near(hold[0].pull.y, -2 * lambda, EXACT, "pull");
+    near(p[1].position.y, -2 + 2 * lambda, EXACT, "lower");
+    near(p[0].position.y, -0.3 * 2 * lambda, EXACT, "upper");
+    near(hold[0].pull.y, -2 * lambda, EXACT, "pull");
     tear_down();
 }
 END_TEST
@@ -1164,8 +1151,8 @@ START_TEST(floors_let_go_and_friction_does_not)
         real lambda = (now - 1) / 2 / (both * now);
         vec3 pull = vec3_scale(lambda, down);
         vec3 to = vec3_scale(k == 2 ? 0.3 : 1, pull);
-        expect_near(vec3_distance(p[0].position, to), 0, EXACT, "place");
-        expect_near(vec3_distance(hold[0].pull, pull), 0, EXACT, "pull");
+        near(vec3_distance(p[0].position, to), 0, EXACT, "place");
+        near(vec3_distance(hold[0].pull, pull), 0, EXACT, "pull");
         tear_down();
     }
 }
@@ -1235,7 +1222,7 @@ START_TEST(links_that_give_pull_by_how_much_they_are_too_long)
         line_hold free_of_all[900] = { { .state = LINE_FREE } };
         real give = round < 4 ? 0.5 : 4, moved[900][3] = { { 0 } };
         for (int i = 0; i < plan.particles; i++)
-            p[i].inverse_mass = 1.5 + any();
+            p[i].inverse_mass = 1.5 + random_real(&seed);
         nail(3);
         disturb(1e-7);
         remember();
@@ -1258,7 +1245,7 @@ START_TEST(links_that_give_pull_by_how_much_they_are_too_long)
         for (int i = 0; i < plan.particles; i++) {
             vec3 sum = { moved[i][0], moved[i][1], moved[i][2] };
             vec3 to = vec3_add_scaled(q[i].position, q[i].inverse_mass, sum);
-            expect_near(vec3_distance(p[i].position, to), 0, 1e-12, "place");
+            near(vec3_distance(p[i].position, to), 0, 1e-12, "place");
         }
         tear_down();
     }

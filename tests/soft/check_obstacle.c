@@ -7,6 +7,7 @@
 
 #include "axes.h"
 #include "convex.h"
+#include "expect.h"
 #include "obstacle.h"
 #include "suite.h"
 
@@ -91,13 +92,6 @@ static real height_over(const surface_point *p, vec3 x)
     return vec3_dot(vec3_sub(x, p->at), p->normal);
 }
 
-static void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%g, %g, %g), wanted (%g, %g, %g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
-}
-
 // The point lies on the surface, and x straight over it, or under it.
 static void is_sound(const obstacle *b, const surface_point *p, vec3 x)
 {
@@ -118,7 +112,7 @@ START_TEST(cube_has_six_planes_and_icosahedron_twenty)
     const shape *s[2] = { &cube, &ball };
     for (int k = 0; k < 200; k++) {
         const shape *now = s[k % 2];
-        vec3 spot = any_vec3(5);
+        vec3 spot = random_vec3(&seed, 5);
         obstacle b = put(now, any_axes(), spot);
         ck_assert_int_eq(b.planes, k % 2 ? 20 : 6);
         for (int i = 0; i < b.planes; i++) {
@@ -161,7 +155,7 @@ START_TEST(plane_ahead_is_the_one_furthest_behind)
 {
     obstacle b = put(&cube, UPRIGHT, vec3_make(0, 0, 0));
     for (int k = 0; k < 500; k++) {
-        vec3 x = any_vec3(k % 2 ? 2 : 0.4);
+        vec3 x = random_vec3(&seed, k % 2 ? 2 : 0.4);
         int ahead = hull_ahead(x, walls, b.planes);
         for (int i = 0; i < b.planes; i++) {
             real up = plane_height(walls[i], x);
@@ -263,9 +257,9 @@ START_TEST(particle_finds_what_the_search_finds)
     int faces = 0, edges = 0, insides = 0;
     for (int k = 0; k < 20000; k++) {
         const shape *s = solid[k % 4];
-        vec3 spot = any_vec3(1);
+        vec3 spot = random_vec3(&seed, 1);
         obstacle b = put(s, any_axes(), spot);
-        vec3 x = vec3_add(spot, any_vec3(s == &slab ? 2.5 : 1.5));
+        vec3 x = vec3_add(spot, random_vec3(&seed, s == &slab ? 2.5 : 1.5));
         gjk_result g = distance_to(&b, x);
         bool is_outside = g.status == GJK_APART;
         surface_point p;
@@ -294,7 +288,7 @@ START_TEST(reach_counts_to_the_last_digit)
     for (int k = 0; k < 5000; k++) {
         obstacle b = put(k % 2 ? &ball : &wedge, any_axes(),
                          vec3_make(0, 0, 0));
-        vec3 x = vec3_scale(1.2, vec3_unit(any_vec3(1)));
+        vec3 x = vec3_scale(1.2, vec3_unit(random_vec3(&seed, 1)));
         gjk_result g = distance_to(&b, x);
         if (g.status != GJK_APART) continue;
         for (int i = -1; i < 2; i++) {
@@ -321,9 +315,9 @@ START_TEST(plane_known_before_changes_nothing)
     const shape *const solid[] = { &cube, &ball, &wedge };
     int near = 0;
     for (int k = 0; k < 5000; k++) {
-        vec3 spot = any_vec3(1);
+        vec3 spot = random_vec3(&seed, 1);
         obstacle b = put(solid[k % 3], any_axes(), spot);
-        vec3 x = vec3_add(spot, any_vec3(0.9));
+        vec3 x = vec3_add(spot, random_vec3(&seed, 0.9));
         surface_point wanted, got;
         bool is_near = ask(&b, x, 0.1, &wanted);
         near += is_near;
@@ -345,13 +339,14 @@ START_TEST(particle_on_a_strained_face_is_near_it)
 {
     const real STRAIN = 1e-4;
     for (int k = 0; k < 2000; k++) {
-        vec3 spot = any_vec3(1);
+        vec3 spot = random_vec3(&seed, 1);
         stand(&cube, any_axes(), spot);
         for (int i = 0; i < 8; i++)
-            place[i] = vec3_add(place[i], any_vec3(STRAIN));
+            place[i] = vec3_add(place[i], random_vec3(&seed, STRAIN));
         obstacle b = look_at(&cube);
         const int *v = &cube.face[3 * (k % 12)];
-        real u = (any() + 1) / 2, w = (any() + 1) / 2 * (1 - u);
+        real u = random_fraction(&seed),
+             w = random_fraction(&seed) * (1 - u);
         vec3 x = vec3_add(vec3_scale(1 - u - w, place[v[0]]),
                  vec3_add(vec3_scale(u, place[v[1]]),
                           vec3_scale(w, place[v[2]])));
@@ -369,7 +364,7 @@ END_TEST
 START_TEST(particle_over_the_fold_of_a_strained_side_finds_the_fold)
 {
     for (int k = 0; k < 2000; k++) {
-        vec3 spot = any_vec3(1);
+        vec3 spot = random_vec3(&seed, 1);
         stand(&cube, any_axes(), spot);
         const int *v = &cube.face[3 * (k % 12)];
         int side = k % 3;
@@ -381,7 +376,7 @@ START_TEST(particle_over_the_fold_of_a_strained_side_finds_the_fold)
             place[end] = vec3_add_scaled(place[end], 1e-5, up);
         }
         obstacle b = look_at(&cube);
-        real u = (any() + 1) / 2;
+        real u = random_fraction(&seed);
         vec3 x = vec3_add(vec3_scale(u, p), vec3_scale(1 - u, q));
         x = vec3_add_scaled(x, 0.05, up);
         gjk_result g = distance_to(&b, x);

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 
 #include "separation.h"
+#include "hostile.h"
+#include "random.h"
 #include "suite.h"
 
 // A sum of a dozen products, each rounded once.
@@ -15,25 +17,7 @@
 static const vec3 UP = { 0, 1, 0 };
 static const vec3 ORIGIN = { 0, 0, 0 };
 
-// Numbers in [0, 1) from a linear congruence; the same on every machine.
 static unsigned long long seed;
-
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 9007199254740992.0;
-}
-
-static real within(real low, real high)
-{
-    return low + (high - low) * any();
-}
-
-static vec3 any_vec3(real size)
-{
-    real x = within(-size, size), y = within(-size, size);
-    return vec3_make(x, y, within(-size, size));
-}
 
 static particle at_rest(vec3 x, real mass)
 {
@@ -65,10 +49,11 @@ START_TEST(parted_particles_keep_their_momentum)
     for (int k = 0; k < 1000; k++) {
         particle p[2];
         for (int i = 0; i < 2; i++)
-            p[i] = (particle){ any_vec3(0.4), any_vec3(0.4), within(0.1, 10) };
+            p[i] = (particle){ random_vec3(&seed, 0.4), random_vec3(&seed, 0.4),
+                               random_between(&seed, 0.1, 10) };
         vec3 before[2] = { p[0].position, p[1].position };
         ck_assert(particle_contact_separate((particle_contact){ 0, 1, 2 }, p,
-                                            any()) > 0);
+                                            random_fraction(&seed)) > 0);
         vec3 a = vec3_scale(1 / p[0].inverse_mass,
                             vec3_sub(p[0].position, before[0]));
         vec3 b = vec3_scale(1 / p[1].inverse_mass,
@@ -226,22 +211,6 @@ END_TEST
 
 // --- nothing that is not finite -------------------------------------------
 
-static const real HOSTILE[] = { 0, DBL_TRUE_MIN, DBL_MIN, 1e-200, 1e-20, 1,
-                                1e20, 1e150 };
-enum { HOSTILE_COUNT = sizeof HOSTILE / sizeof HOSTILE[0] };
-
-static real hostile(void)
-{
-    return HOSTILE[(int)(any() * HOSTILE_COUNT)];
-}
-
-static vec3 hostile_vec3(void)
-{
-    real sign = any() < 0.5 ? -1 : 1;
-    real x = sign * hostile(), y = -sign * hostile();
-    return vec3_make(x, y, hostile());
-}
-
 // Numbers of every size, and zero normals: nothing that is not finite comes
 // out.
 // Rejects: 1 / (a tiny sum), a normal made of a zero length.
@@ -251,15 +220,15 @@ START_TEST(finite_input_gives_finite_output)
     for (int k = 0; k < 40000; k++) {
         particle p[2];
         for (int i = 0; i < 2; i++) {
-            real w = hostile();
-            p[i] = (particle){ hostile_vec3(), hostile_vec3(),
+            real w = hostile(&seed);
+            p[i] = (particle){ hostile_vec3(&seed), hostile_vec3(&seed),
                                w < 1e100 ? w : 0 };
         }
-        particle_contact_separate((particle_contact){ 0, 1, hostile() }, p,
-                                  any());
-        surface_separate(&p[k % 2], hostile_vec3(),
-                         vec3_unit(any_vec3(any() < 0.1 ? 0 : 1)), hostile(),
-                         any());
+        particle_contact_separate((particle_contact){ 0, 1, hostile(&seed) }, p,
+                                  random_fraction(&seed));
+        surface_separate(&p[k % 2], hostile_vec3(&seed),
+                         hostile_normal(&seed), hostile(&seed),
+                         random_fraction(&seed));
         for (int i = 0; i < 2; i++)
             ck_assert_msg(vec3_is_finite(p[i].position), "case %d", k);
     }

@@ -1,25 +1,11 @@
-// axes.h - numbers that look random, and bodies that stand askew: which is here
-// and which there does not matter, but it is the same on every machine.
+// axes.h - axes of any direction, for bodies that stand askew.
 
 #ifndef TUMBLE_TEST_AXES_H
 #define TUMBLE_TEST_AXES_H
 
-#include "vec3.h"
+#include "random.h"
 
-// Numbers in [-1, 1) from a linear congruence; the same on every machine.
 static unsigned long long seed;
-
-static inline real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static inline vec3 any_vec3(real size)
-{
-    real x = any(), y = any();
-    return vec3_scale(size, vec3_make(x, y, any()));
-}
 
 typedef struct {
     vec3 x, y, z;
@@ -39,8 +25,8 @@ static inline axes axes_up(vec3 y)
 
 static inline axes any_axes(void)
 {
-    axes f = axes_up(any_vec3(1));
-    real by = any() * 3, c = cos(by), s = sin(by);
+    axes f = axes_up(random_vec3(&seed, 1));
+    real by = random_real(&seed) * 3, c = cos(by), s = sin(by);
     vec3 x = vec3_add(vec3_scale(c, f.x), vec3_scale(s, f.z));
     return (axes){ x, f.y, vec3_cross(x, f.y) };
 }

@@ -1,36 +1,11 @@
 // bodies.c - see bodies.h.
 
 #include "bodies.h"
+#include "random.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-double random_unit(unsigned long long *state)
-{
-    *state = *state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (double)(*state >> 11) * 0x1p-53;
-}
-
-vec3 random_direction(unsigned long long *state)
-{
-    for (int tries = 0; tries < 100; tries++) {
-        // One by one: C leaves the order within an expression open.
-        vec3 v;
-        v.x = 2 * random_unit(state) - 1;
-        v.y = 2 * random_unit(state) - 1;
-        v.z = 2 * random_unit(state) - 1;
-        real l = vec3_length(v);
-        if (l > 0.1 && l <= 1) return vec3_scale(1 / l, v);
-    }
-    return (vec3){ 1, 0, 0 };
-}
-
-vec3 random_vector(unsigned long long *state, real least, real most)
-{
-    real length = least + (most - least) * random_unit(state);
-    return vec3_scale(length, random_direction(state));
-}
 
 hull body_hull(const body *b)
 {
@@ -141,9 +116,10 @@ void body_any(body *b, int kind, unsigned long long *state)
     switch (kind) {
     case 0: *b = body_cube(0, 0, 0); break;
     case 1: body_icosahedron(b, 0.6); break;
-    case 2: body_random(b, 4 + (int)(5 * random_unit(state)), state); break;
+    case 2: body_random(b, 4 + (int)(5 * random_fraction(state)), state); break;
     case 3: body_square(b); break;
-    default: body_random(b, 1 + (int)(3 * random_unit(state)), state); break;
+    default: body_random(b, 1 + (int)(3 * random_fraction(state)),
+                         state); break;
     }
     body_turn(b, state);
 }
@@ -189,6 +165,46 @@ int pair_read(void *stream, pair_known *p)
              ? 1 : -1;
     }
     return 0;
+}
+
+void pair_any(body *a, body *b, int n, int kinds, real least, real most,
+              unsigned long long *state)
+{
+    body_any(a, n % kinds, state);
+    body_any(b, n / kinds % kinds, state);
+    body_move(b, random_vector(state, least, most));
+}
+
+void pair_move(body *a, body *b, vec3 by)
+{
+    body_move(a, by);
+    body_move(b, by);
+}
+
+void pair_scale(body *a, body *b, real by)
+{
+    body_scale(a, by);
+    body_scale(b, by);
+}
+
+void pair_turn(body *a, body *b, unsigned long long *state)
+{
+    unsigned long long same = *state;
+    body_turn(a, &same);
+    body_turn(b, state);
+}
+
+static real body_size(const body *b)
+{
+    real most = 0;
+    for (int i = 0; i < b->count; i++)
+        most = real_max(most, vec3_distance(b->at[i], b->at[0]));
+    return most;
+}
+
+real pair_size(const body *a, const body *b)
+{
+    return real_max(body_size(a), body_size(b));
 }
 
 int bits_are_ours(void)

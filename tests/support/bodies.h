@@ -27,12 +27,6 @@ typedef struct {
     body   a, b;
 } pair_known;
 
-// Random numbers, the same on every machine: uniform in [0, 1); a unit vector;
-// a vector with its length between two numbers.
-double random_unit(unsigned long long *state);
-vec3   random_direction(unsigned long long *state);
-vec3   random_vector(unsigned long long *state, real least, real most);
-
 hull body_hull(const body *b);
 void body_box(body *b, vec3 low, vec3 high);
 body body_cube(real x, real y, real z);     // of side 1, its middle there
@@ -48,6 +42,15 @@ void body_turn(body *b, unsigned long long *state);     // any rotation
 void body_any(body *b, int kind, unsigned long long *state);
 void body_move(body *b, vec3 by);
 void body_scale(body *b, real by);
+
+// Pair n of a family: two bodies of the first `kinds` kinds, all in their turn;
+// B is moved by `least` to `most` in any direction.
+void pair_any(body *a, body *b, int n, int kinds, real least, real most,
+              unsigned long long *state);
+void pair_move(body *a, body *b, vec3 by);
+void pair_scale(body *a, body *b, real by);
+void pair_turn(body *a, body *b, unsigned long long *state); // both alike
+real pair_size(const body *a, const body *b);   // of the larger, from vertex 0
 
 // 0 while a module of the reader's own is judged (YOURS is set): it may be right
 // to the last tolerance, and have other bits.

@@ -6,22 +6,10 @@
 
 #include "body.h"
 #include "crossings.h"
+#include "random.h"
 #include "suite.h"
 
 static unsigned long long seed = 5;
-
-// Numbers in [-1, 1) from a linear congruence; the same on every machine.
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 any_vec3(void)
-{
-    real x = any(), y = any();
-    return vec3_make(x, y, any());
-}
 
 static patch triangle(const vec3 at[3], int first)
 {
@@ -145,10 +133,10 @@ START_TEST(quick_count_is_the_slow_count)
     for (int round = 0; round < 8; round++) {
         real size = round % 4 == 0 ? 0.02 : round % 4 == 1 ? 0.1 : 0.5;
         for (int i = 0; i < MANY; i++) {
-            vec3 middle = any_vec3(), at[3];
+            vec3 middle = random_vec3(&seed, 1), at[3];
             if (round == 7) middle.z = 0;
             for (int k = 0; k < 3; k++)
-                at[k] = vec3_add_scaled(middle, size, any_vec3());
+                at[k] = vec3_add_scaled(middle, size, random_vec3(&seed, 1));
             // Some are neighbours.
             x[i] = triangle(at, 2 * i);
         }
@@ -208,7 +196,7 @@ START_TEST(cut_is_that_of_thirteen_axes)
     int cuts = 0, without_corner = 0;
     for (int i = 0; i < 20000; i++) {
         vec3 at[3];
-        for (int k = 0; k < 3; k++) at[k] = vec3_scale(1.5, any_vec3());
+        for (int k = 0; k < 3; k++) at[k] = random_vec3(&seed, 1.5);
         patch p = triangle(at, 0);
         bool cut = triangle_cuts_box(at, half);
         ck_assert_msg(solid_is_cut(&box, &p) == cut, "triangle %d", i);

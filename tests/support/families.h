@@ -1,24 +1,12 @@
-// families.h - numbers that look random, and point sets of twelve families: what
-// the tests of spheres and of their trees share.
+// families.h - point sets of twelve families: what the tests of spheres and of
+// their trees share.
 
 #ifndef TUMBLE_FAMILIES_H
 #define TUMBLE_FAMILIES_H
 
-#include "vec3.h"
+#include "random.h"
 
 static unsigned long long seed;
-
-static real dice(void)  // -1 to 1, the same on every machine
-{
-    seed = seed * 6364136223846793005ull + 1442695040888963407ull;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static vec3 dice3(void)
-{
-    real x = dice(), y = dice(), z = dice();
-    return vec3_make(x, y, z);
-}
 
 enum { N = 12, FAMILIES = 12 };
 
@@ -26,8 +14,8 @@ enum { N = 12, FAMILIES = 12 };
 static void family(int kind, vec3 *at, int n)
 {
     for (int i = 0; i < n; i++) {
-        vec3 p = dice3();
-        real t = dice();
+        vec3 p = random_vec3(&seed, 1);
+        real t = random_real(&seed);
         switch (kind) {
         case 1: p = vec3_scale(t, vec3_make(1, 2, -3)); break;      // in line
         case 2: p.z = 2 * p.x - p.y; break;                         // flat

@@ -96,17 +96,18 @@ static inline void pile_point(pile *p, contact *c, vec3 arm_a, vec3 arm_b,
 
 static inline int any_below(int n)
 {
-    int k = (int)((any() + 1) / 2 * n);
+    int k = (int)(random_fraction(&seed) * n);
     return k < n ? k : n - 1;
 }
 
 // Some mass between 10^-d and 10^d; every eighth body is static.
 static inline void pile_any_body(pile *p, int decades)
 {
-    vec3 at = vec3_scale(3, any_vec3());
-    vec3 sides = { 1 + any() / 2, 1 + any() / 2, 1 + any() / 2 };
+    vec3 at = random_vec3(&seed, 3);
+    vec3 sides = { 1 + random_real(&seed) / 2, 1 + random_real(&seed) / 2,
+                   1 + random_real(&seed) / 2 };
     real mass = 1;
-    for (int k = 0; k < decades; k++) mass *= any() > 0 ? 5 : 0.2;
+    for (int k = 0; k < decades; k++) mass *= random_real(&seed) > 0 ? 5 : 0.2;
     int i = pile_box(p, at, sides, any_below(8) ? mass : 0);
     matrix turn = any_rotation();
     solver_body *b = &p->body[i];
@@ -115,7 +116,7 @@ static inline void pile_any_body(pile *p, int decades)
         b->basis.turn[t] = times(&turn, b->basis.turn[t]);
     }
     for (int k = 0; k < MOTIONS && b->basis.inverse_mass > 0; k++)
-        p->velocity[i].of[k] = any();
+        p->velocity[i].of[k] = random_real(&seed);
 }
 
 // A contact of any two bodies, that pushed a little before.  If `meeting`, its
@@ -123,20 +124,20 @@ static inline void pile_any_body(pile *p, int decades)
 static inline void pile_any_contact(pile *p, int a, int b, bool meeting)
 {
     contact *c = pile_contact(p, a, b, b < 0 ? p->plane[-1 - b].normal
-                                             : any_unit());
+                                             : random_direction(&seed));
     int count = 1 + any_below(4);
     for (int k = 0; k < count; k++) {
-        vec3 arm_a = vec3_scale(0.7, any_vec3());
-        vec3 arm_b = vec3_scale(0.7, any_vec3());
+        vec3 arm_a = random_vec3(&seed, 0.7);
+        vec3 arm_b = random_vec3(&seed, 0.7);
         vec3 there = vec3_add(p->body[a].frame.center, arm_a);
         if (meeting && b >= 0)
             arm_b = vec3_sub(there, p->body[b].frame.center);
-        pile_point(p, c, arm_a, arm_b, 0.01 * any());
-        c->impulse[k] = real_max(0, 1e-3 * any());
+        pile_point(p, c, arm_a, arm_b, 0.01 * random_real(&seed));
+        c->impulse[k] = real_max(0, 1e-3 * random_real(&seed));
     }
     if (b >= 0) c->shared = (signed char)any_below(count + 1);
-    c->friction = vec3_scale(1e-4, any_vec3());
-    c->twist = 1e-5 * any();
+    c->friction = random_vec3(&seed, 1e-4);
+    c->twist = 1e-5 * random_real(&seed);
 }
 
 static inline void pile_any(pile *p, int bodies, int contacts, int decades)

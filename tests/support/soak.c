@@ -8,6 +8,7 @@
 // Ends with 0 if all is well, 1 if not, 2 if it was not understood.
 
 #include "ledger.h"
+#include "random.h"
 #include "world_scene.h"
 #include "step.h"
 
@@ -145,12 +146,6 @@ static void check_seldom(soak *k)
 
 // ---- Stirring --------------------------------------------------------------
 
-static real any_share(soak *k)
-{
-    k->seed = k->seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(k->seed >> 11) * 0x1p-53;
-}
-
 // Gravity points to wall n.
 static void turn_gravity(world *w, int n)
 {
@@ -161,8 +156,10 @@ static void turn_gravity(world *w, int n)
 static void throw_one(soak *k)
 {
     world *w = &k->s.world;
-    const body *b = &w->body[(int)(any_share(k) * BODIES)];
-    vec3 way = { any_share(k) - 0.5, any_share(k) - 0.5, any_share(k) - 0.5 };
+    const body *b = &w->body[(int)(random_fraction(&k->seed) * BODIES)];
+    vec3 way = { random_fraction(&k->seed) - 0.5,
+                 random_fraction(&k->seed) - 0.5,
+                 random_fraction(&k->seed) - 0.5 };
     way = vec3_scale(10 * w->age, vec3_unit(way));
     for (int i = b->first; i < b->first + FOUR; i++)
         w->pool.at[i].previous = vec3_sub(w->pool.at[i].previous, way);
@@ -171,8 +168,8 @@ static void throw_one(soak *k)
 static void stir(soak *k)
 {
     real before = ledger_total(&k->s.world).energy;
-    if (any_share(k) < 0.5) throw_one(k);
-    else turn_gravity(&k->s.world, (int)(any_share(k) * 6));
+    if (random_fraction(&k->seed) < 0.5) throw_one(k);
+    else turn_gravity(&k->s.world, (int)(random_fraction(&k->seed) * 6));
     real gave = ledger_total(&k->s.world).energy - before;
     k->given += gave;
     k->moved += fabs(gave);

@@ -8,6 +8,7 @@
 
 #include "convex.h"
 #include "expect.h"
+#include "random.h"
 #include "rigid4.h"
 
 // A few roundings of the largest term: sums of up to a hundred.
@@ -19,26 +20,6 @@
 // --- chance ------------------------------------------------------------------
 
 static unsigned long long seed;
-
-// Numbers in [-1, 1) from a linear congruence; the same on every machine.
-static inline real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static inline vec3 any_vec3(void)
-{
-    real x = any(), y = any();
-    return vec3_make(x, y, any());
-}
-
-static inline vec3 any_unit(void)
-{
-    vec3 d = any_vec3();
-    real length = vec3_length(d);
-    return length > 0.1 && length < 1 ? vec3_scale(1 / length, d) : any_unit();
-}
 
 // Columns: where x, y and z go.
 typedef struct {
@@ -53,8 +34,8 @@ static inline vec3 times(const matrix *m, vec3 a)
 
 static inline matrix any_rotation(void)
 {
-    matrix m = { .x = any_unit() };
-    m.y = vec3_unit(vec3_cross(m.x, any_unit()));
+    matrix m = { .x = random_direction(&seed) };
+    m.y = vec3_unit(vec3_cross(m.x, random_direction(&seed)));
     m.z = vec3_cross(m.x, m.y);
     return m;
 }
@@ -62,7 +43,8 @@ static inline matrix any_rotation(void)
 // Any turning, stretching and shearing that neither flattens nor mirrors.
 static inline matrix any_affine(void)
 {
-    matrix m = { any_vec3(), any_vec3(), any_vec3() };
+    matrix m = { random_vec3(&seed, 1), random_vec3(&seed, 1),
+                 random_vec3(&seed, 1) };
     real volume = vec3_dot(m.x, vec3_cross(m.y, m.z));
     return volume > 0.1 ? m : any_affine();
 }
@@ -152,7 +134,7 @@ static inline void make_image(shape *s, const shape *of, const matrix *m)
 static inline matrix stand(particle *p)
 {
     matrix turn = any_rotation();
-    vec3 away = any_vec3();
+    vec3 away = random_vec3(&seed, 1);
     for (int k = 0; k < FOUR; k++) {
         vec3 x = vec3_add(away, times(&turn, f.at[k]));
         p[k] = (particle){ x, x, 1 / f.mass };

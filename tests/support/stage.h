@@ -5,6 +5,8 @@
 #ifndef TUMBLE_STAGE_H
 #define TUMBLE_STAGE_H
 
+#include "random.h"
+#include "expect.h"
 #include "world.h"
 
 static const vec3 ZERO = { 0, 0, 0 }, UP = { 0, 1, 0 };
@@ -19,26 +21,6 @@ static inline void begin(world_options o)
 }
 
 static unsigned long long seed = 3;
-
-// Numbers in [-1, 1) from a linear congruence; the same on every machine.
-static inline real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
-static inline vec3 any_vec3(void)
-{
-    real x = any(), y = any();
-    return vec3_make(x, y, any());
-}
-
-static inline vec3 any_unit(void)
-{
-    vec3 d = any_vec3();
-    real length = vec3_length(d);
-    return length > 0.1 && length < 1 ? vec3_scale(1 / length, d) : any_unit();
-}
 
 static inline int add(const shape *s, placement where)
 {
@@ -70,12 +52,12 @@ static inline int add_thrown(const shape *s, vec3 at, vec3 velocity, vec3 spin)
 
 static inline placement anywhere(real far, real fast, real quick)
 {
-    placement p = placement_at(vec3_scale(far, any_vec3()));
-    p.x = any_unit();
-    p.y = vec3_unit(vec3_cross(p.x, any_unit()));
+    placement p = placement_at(random_vec3(&seed, far));
+    p.x = random_direction(&seed);
+    p.y = vec3_unit(vec3_cross(p.x, random_direction(&seed)));
     p.z = vec3_cross(p.x, p.y);
-    p.velocity = vec3_scale(fast, any_vec3());
-    p.spin = vec3_scale(quick, any_vec3());
+    p.velocity = random_vec3(&seed, fast);
+    p.spin = random_vec3(&seed, quick);
     return p;
 }
 
@@ -105,19 +87,6 @@ static inline vec3 vertex_of(int b, int i)
     ck_assert_int_le(w.body[b].shape->particles, MOST_VERTICES);
     world_vertices(&w, &w.body[b], at);
     return at[i];
-}
-
-static inline void near_real(real got, real wanted, real error)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "got %.17g, wanted %.17g",
-                  got, wanted);
-}
-
-static inline void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
 #endif

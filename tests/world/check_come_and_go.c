@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "measure.h"
+#include "expect.h"
 #include "scarce.h"
 #include "stage.h"
 #include "step.h"
@@ -65,8 +66,10 @@ static int fountain(int *next, int n)
     for (int k = 0; k < n; k++, ++*next) {
         int b = *next % 100, now = -1;
         world_remove(&w, b);
-        placement p = placement_at(vec3_make(2 * any(), 6 + any(), 2 * any()));
-        p.velocity = vec3_scale(3, any_vec3());
+        placement p = placement_at(vec3_make(2 * random_real(&seed),
+                                             6 + random_real(&seed),
+                                             2 * random_real(&seed)));
+        p.velocity = random_vec3(&seed, 3);
         faults += !world_add(&w, *next % 3 ? &box : &ball, p, &now).ok;
         faults += now != b;
         world_step(&w);
@@ -81,7 +84,9 @@ START_TEST(bodies_come_and_go_on_the_same_memory)
 {
     int next = 0;
     add_floor();
-    for (int k = 0; k < 100; k++) add_at(&ball, 3 * any(), 2 + 0.1 * k, 3 * any());
+    for (int k = 0; k < 100; k++)
+        add_at(&ball, 3 * random_real(&seed), 2 + 0.1 * k,
+               3 * random_real(&seed));
     ck_assert_int_eq(fountain(&next, 1000), 0);
     ck_assert_int_eq(w.bodies, 100);
     ck_assert_int_eq(w.pool.count, 100 * FOUR);
@@ -222,9 +227,9 @@ START_TEST(what_a_body_touched_is_forgotten_with_it)
                 ck_assert_int_eq(w.rigid.cache.active[k]->count, 0);
         real start = height(upper), dt = w.options.dt;
         steps(6);
-        near_real(start - height(upper), 9.81 * 36 * dt * dt / 2, 0.004);
+        near(start - height(upper), 9.81 * 36 * dt * dt / 2, 0.004);
         if (again == 0) continue;
-        near_real(9 - height(lower), 9.81 * 36 * dt * dt / 2, 1e-9);
+        near(9 - height(lower), 9.81 * 36 * dt * dt / 2, 1e-9);
     }
 }
 END_TEST
@@ -240,13 +245,13 @@ START_TEST(body_in_the_place_of_another_has_contacts_of_its_own)
     world_remove(&w, lower);
     ck_assert_int_eq(add_nailed(&low, 0, 0.3, 0), lower);
     steps(60);
-    near_real(height(upper), 1.1, 0.005);
+    near(height(upper), 1.1, 0.005);
     // One that stands as the old one did bears it at once.
     world_remove(&w, lower);
     ck_assert_int_eq(add_nailed(&low, 0, 0.3, 0), lower);
     for (int f = 0; f < 10; f++) {
         steps(1);
-        near_real(height(upper), 1.1, 0.001);
+        near(height(upper), 1.1, 0.001);
     }
     world_free(&w);
     shape_free(&low);
@@ -287,7 +292,7 @@ START_TEST(what_lies_on_a_body_that_goes_wakes_and_falls)
         world_remove(&w, lower);
         ck_assert(!w.sleep.asleep[upper] && w.sleep.asleep[other]);
         steps(100);
-        near_real(height(upper), 0.5, 0.005);
+        near(height(upper), 0.5, 0.005);
         steps_to_sleep();
         world_remove(&w, other);
         ck_assert(w.sleep.asleep[upper]);
@@ -326,7 +331,7 @@ START_TEST(plane_may_come_at_any_time)
     steps(10);
     add_floor();
     steps_to_sleep();
-    near_real(height(b), 0.5, 0.005);
+    near(height(b), 0.5, 0.005);
     ck_assert(world_add_plane(&w, vec3_unit(vec3_make(1, 1, 0)), 0.9).ok);
     ck_assert(!w.sleep.asleep[b]);
     steps(60);
@@ -359,12 +364,14 @@ START_TEST(anything_may_come_and_go)
         begin(world_options_default());
         add_floor();
         for (int f = 0; f < 150; f++) {
-            int kind = (int)(3 + 3 * any()), b = (int)(8 + 8 * any());
+            int kind = (int)(3 + 3 * random_real(&seed)),
+                b = (int)(8 + 8 * random_real(&seed));
             placement p = anywhere(2, 2, 3);
             p.position.y += 4;
             p.is_static = kind == 4;
-            if (any() > 0.5) add(all[kind], p);
-            if (any() > 0.5 && b < w.bodies && !body_is_gone(&w.body[b]))
+            if (random_real(&seed) > 0.5) add(all[kind], p);
+            if (random_real(&seed) > 0.5 && b < w.bodies
+                && !body_is_gone(&w.body[b]))
                 world_remove(&w, b);
             steps(1);
         }

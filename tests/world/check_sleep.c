@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "scarce.h"
+#include "random.h"
 #include "sleep.h"
 #include "suite.h"
 
@@ -603,10 +604,8 @@ START_TEST(islands_are_what_can_be_reached)
         int touching[2 * MANY + 1], color[MANY], n = 0;
         begin(MANY);
         for (int k = 0; k < MANY * 3 / 4; k++)
-            for (int side = 0; side < 2; side++) {
-                seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-                touching[n++] = (int)(seed >> 33) % MANY;
-            }
+            for (int side = 0; side < 2; side++)
+                touching[n++] = random_below(&seed, MANY);
         touching[n] = -1;
         for (int b = 0; b < MANY; b++) color[b] = b;
         for (int again = 1; again;) {

@@ -6,6 +6,7 @@
 
 #include "convex.h"
 #include "expect.h"
+#include "random.h"
 #include "step.h"
 #include "suite.h"
 
@@ -306,12 +307,6 @@ END_TEST
 
 static unsigned long long seed;
 
-static real any(void)
-{
-    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(seed >> 11) / 4503599627370496.0 - 1;
-}
-
 // 100 cubes, let go in a room: asleep within 15 s, and then nothing moves.
 static void drop(real restitution)
 {
@@ -326,7 +321,7 @@ static void drop(real restitution)
     }
     for (int k = 0; k < 100; k++) {
         real x = k % 4 - 1.5, z = k / 4 % 4 - 1.5;
-        add(turned(vec3_make(x, 0.5 + k / 16, z), PI * any()));
+        add(turned(vec3_make(x, 0.5 + k / 16, z), PI * random_real(&seed)));
     }
     real t = run(15, 100);
     ck_assert_msg(t < 15, "restitution %g: %d asleep", restitution,

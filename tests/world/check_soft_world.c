@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "measure.h"
+#include "expect.h"
 #include "soft_step.h"
 #include "step.h"
 #include "stage.h"
@@ -367,8 +368,9 @@ static void make_heap(real size)
     for (int b = 0; b < w.bodies; b++) {
         if (!body_is_soft(&w.body[b])) continue;
         for (int i = 0; i < w.body[b].shape->particles; i++) {
-            real x = any(), y = any();
-            put(particle_of(b, i), vec3_scale(size, vec3_make(x, y, any())));
+            real x = random_real(&seed), y = random_real(&seed);
+            put(particle_of(b, i),
+                vec3_scale(size, vec3_make(x, y, random_real(&seed))));
         }
     }
 }
@@ -757,12 +759,14 @@ START_TEST(pushes_between_cloth_and_movable_box_keep_momentum)
         o.friction = k % 3 * 0.4;
         begin(o);
         int b = add_at(&box, 0, 0, 0);
-        int s = add_at(&cloth, 0.3 * any(), 0.25, 0.3 * any());
+        int s = add_at(&cloth, 0.3 * random_real(&seed), 0.25,
+                       0.3 * random_real(&seed));
         look();
         for (int i = 0; i < cloth.particles; i++) {
             particle *p = particle_of(s, i);
-            p->position.y += 0.05 * any();
-            vec3 way = { any(), -10 - any(), any() };
+            p->position.y += 0.05 * random_real(&seed);
+            vec3 way = { random_real(&seed), -10 - random_real(&seed),
+                         random_real(&seed) };
             p->previous = vec3_add_scaled(p->position, -0.02, way);
         }
         vec3 before = momentum_of(H);
@@ -832,7 +836,7 @@ START_TEST(particles_share_the_push_of_a_box)
     w.soft.near.pairs = 0;
     separate(H);
     ck_assert_int_eq(w.soft.near.points, 6);
-    near_real(w.rigid.moved[b].of[1], 0.5 * thick, 1e-6 * thick);
+    near(w.rigid.moved[b].of[1], 0.5 * thick, 1e-6 * thick);
     shape_free(&light);
 }
 END_TEST
@@ -851,7 +855,9 @@ START_TEST(box_gives_way_as_a_solid)
         look();
         real thick = w.body[r].thickness;
         particle *p = particle_of(r, 5);
-        put(p, vec3_make(0.2 * any(), -0.25 - 0.5 * thick, 0.2 * any()));
+        put(p,
+            vec3_make(0.2 * random_real(&seed), -0.25 - 0.5 * thick,
+                      0.2 * random_real(&seed)));
         // Even ones came in this substep; the others lay there before.
         bool is_new = k % 2 == 0;
         if (is_new) p->previous.y -= thick;
@@ -863,11 +869,11 @@ START_TEST(box_gives_way_as_a_solid)
         refresh(H);
         separate(H);
         ck_assert_int_eq(w.soft.touching, 1);
-        near_real(was.y - p->position.y, push * p->inverse_mass, 1e-12);
-        near_real(back.y - p->previous.y,
+        near(was.y - p->position.y, push * p->inverse_mass, 1e-12);
+        near(back.y - p->previous.y,
                   is_new ? 0 : push * p->inverse_mass, 1e-12);
-        near_real(8 * w.rigid.moved[b].of[1], push, 1e-12);
-        near_real(8 * w.rigid.velocity[b].of[1], is_new ? push / H : 0,
+        near(8 * w.rigid.moved[b].of[1], push, 1e-12);
+        near(8 * w.rigid.velocity[b].of[1], is_new ? push / H : 0,
                   1e-12 / H);
         vec3 turn = motion_rotation(&w.rigid.now[b].basis, &w.rigid.moved[b]);
         vec3 moment = vec3_cross(was, vec3_make(0, push, 0));
@@ -903,11 +909,11 @@ START_TEST(friction_stays_in_the_cone)
         const real *u = w.rigid.velocity[b].of;
         real push = -8 * H * u[1], got = 8 * H * (u[0] - along);
         real give = 1 / 8.0 + p->inverse_mass;
-        near_real(push, depth / give, 1e-12);
+        near(push, depth / give, 1e-12);
         // At the top of the box a push across turns it, too: I = M s^2 / 6.
         real across = give + 0.25 * 0.25 / (8 * 0.25 / 6);
         real whole = slide[k % 3] / across, most = 0.3 * push;
-        near_real(got, whole < most ? whole : most, 1e-12);
+        near(got, whole < most ? whole : most, 1e-12);
         ck_assert(k % 3 != 0 || whole < most);
         ck_assert(k % 3 != 2 || whole > most);
     }
@@ -940,8 +946,8 @@ START_TEST(what_hangs_together_holds_together)
         real came = thick / (SIDE * SIDE), depth = 0.2 * thick;
         real give = 1 / 8.0 + (pinned ? 0 : 1);
         real old = real_max(depth - (pinned ? 0 : came), 0);
-        near_real(8 * w.rigid.moved[b].of[1], depth / give, 1e-12);
-        near_real(8 * H * w.rigid.velocity[b].of[1], (depth - old) / give,
+        near(8 * w.rigid.moved[b].of[1], depth / give, 1e-12);
+        near(8 * H * w.rigid.velocity[b].of[1], (depth - old) / give,
                   1e-12);
         for (int i = 1; i < cloth.particles; i++)
             if (i != 44)
@@ -1211,7 +1217,7 @@ START_TEST(parabola_is_exact_when_the_substep_changes)
     vec3 at = particle_of(b, 0)->position;
     real t = 0;
     for (int k = 0; k < 200; k++) {
-        real h = 0.01 + 0.006 * any();
+        real h = 0.01 + 0.006 * random_real(&seed);
         soft_step(&w, h);
         ck_assert(w.age == h);
         t += h;
@@ -1307,9 +1313,9 @@ START_TEST(corner_lifts_a_triangle_by_its_weights)
             square += x.y * x.y;
         }
         // c_i = y_i / sum, and so the corner's place is their mean.
-        near_real(at_x / sum, 0.03, 1e-9);
-        near_real(at_z / sum, 0, 1e-9);
-        near_real(square / sum, gap + deep, 1e-9);
+        near(at_x / sum, 0.03, 1e-9);
+        near(at_z / sum, 0, 1e-9);
+        near(square / sum, gap + deep, 1e-9);
     }
     shape_free(&small);
 }
@@ -1329,7 +1335,9 @@ START_TEST(corner_that_comes_up_keeps_momentum)
         int s = add_at(&cloth, 0, 0, 0), b = add_tip(&small, 0, false);
         look();
         motion *u = &w.rigid.velocity[b];
-        *u = (motion){ { any(), 3, any(), any(), any(), any() } };
+        *u = (motion){ { random_real(&seed), 3, random_real(&seed),
+                         random_real(&seed), random_real(&seed),
+                         random_real(&seed) } };
         for (int i = 0; i < MOTIONS; i++) w.rigid.moved[b].of[i] = H * u->of[i];
         vec3 before = momentum_of(H);
         refresh(H);
@@ -1396,7 +1404,7 @@ START_TEST(cloth_is_put_back_on_the_side_that_it_came_from)
         facet_pair pair = w.soft.near.facet.at[k];
         if (pair.number != met.number) continue;
         near_vec3(pair.between.normal, met.between.normal, 0);
-        near_real(pair.between.offset, met.between.offset, 0);
+        near(pair.between.offset, met.between.offset, 0);
     }
     w.soft.near.points = w.soft.near.pairs = 0;
     separate(H);

@@ -462,7 +462,7 @@ START_TEST(full_restitution_never_gives_energy)
             add_thrown(&ball, vec3_make(cell * (b % 3 + 0.5),
                                         cell * (b / 9 + 0.5),
                                         cell * (b / 3 % 3 + 0.5)),
-                       vec3_scale(k ? 5 : 1, any_vec3()), any_vec3());
+                       random_vec3(&seed, k ? 5 : 1), random_vec3(&seed, 1));
         const vec3 wall[3] = { { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 1 } };
         for (int i = 0; i < 3; i++) {
             ck_assert(world_add_plane(&w, wall[i], 0).ok);
@@ -930,7 +930,7 @@ START_TEST(nothing_leaves_a_closed_room_however_fast)
         add_thrown(&ball, vec3_make(cell * (b % side + 0.5),
                                     cell * (b / side % side + 0.5),
                                     cell * (b / side / side + 0.5)),
-                   vec3_scale(1000, any_unit()), ZERO);
+                   vec3_scale(1000, random_direction(&seed)), ZERO);
     const vec3 wall[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
     for (int k = 0; k < 3; k++) {
         ck_assert(world_add_plane(&w, wall[k], 0).ok);
@@ -1202,7 +1202,8 @@ START_TEST(contacts_create_no_motion)
     o.dt = 0.2;
     begin(o);
     for (int b = 0; b < 24; b++)
-        add_thrown(&needle, vec3_scale(0.006, any_vec3()), any_vec3(), ZERO);
+        add_thrown(&needle, random_vec3(&seed, 0.006), random_vec3(&seed, 1),
+                   ZERO);
     add_walls(0.012);
     for (int f = 0; f < 200; f++) {
         real most = sqrt(kinetic()) + sqrt(24 / 2.0) * (1000 * o.dt + 12);

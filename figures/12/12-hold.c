@@ -14,8 +14,8 @@ int main(void)
     // The pulls turn by a twelfth of a right angle at a time.
     const real cosine = 0.99144486137381038, sine = 0.13052619222005157;
     plain_particle free = { .weight = 1 }, slides = free, sticks = free;
-    slides.hold.y = sqrt(0.8);
-    sticks.weight = 0.2;
+    slides.hold.y = sqrt(0.7);
+    sticks.weight = 0.3;
     vec3 pull = { 1, 0, 0 };
     printf("# 12-hold: moves of a particle under a pull of 1 kg m\n"
            "# compiler %s, flags %s\n", __VERSION__, FLAGS);

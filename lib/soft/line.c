@@ -235,7 +235,7 @@ static const real NOTHING = 1e-9;
 
 // A link that lies along the normals of what holds its ends asks for what they
 // hardly give.  It gets a little less than it asks for.
-static const real LESS = 0.02;
+static const real LESS = 0.005;
 
 static inline vec3 row_link(const real *at, int apart, int pitch, int l)
 {
@@ -886,7 +886,7 @@ real shape_width(const shape *s, int direction)
 
 //> line-hold
 // What is held gives way by this share of what it would.
-static const real GIVE = 0.2;
+static const real GIVE = 0.3;
 
 // Marks particle i in its blocks.  The last one may share lines with the one
 // before it.

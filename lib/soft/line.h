@@ -20,8 +20,8 @@ typedef struct {
 } strands;
 
 // A particle that touches something that does not move.  Into it, and to all
-// sides where it sticks, it gives way as if it were five times as heavy; away
-// from it, freely.
+// sides where it sticks, it gives way by 0.3 of what it would; away from it,
+// freely.
 typedef enum { LINE_FREE, LINE_SLIDES, LINE_STICKS } line_state;
 
 typedef struct {

@@ -265,7 +265,7 @@ static prediction predict(const soft_frame *f, int b)
 
 // Every change of their number jolts a cloth: it rises at once, and falls when
 // it has been too high for PATIENCE frames.
-enum { PATIENCE = 10 };
+enum { PATIENCE = 3 };
 
 static void choose_pace(soft_solver *s)
 {
@@ -317,9 +317,11 @@ static int substeps_for(const soft_frame *f, int b, real far, real share)
 }
 
 // What a deformable body may meet: itself, where its parts go different ways;
-// and others.  A rigid body drives the light particles of a cloth before it,
-// their sticks pull them back, and it must not be past them before their whole
-// weight has stopped it: a quarter of its radius.
+// and others.  Into a rigid body that is thicker a particle may go by a whole
+// spacing: it comes out where it went in.  A rigid body drives the light
+// particles of a cloth before it, their sticks pull them back, and it must not
+// be past them before their whole weight has stopped it: a quarter of its
+// radius.
 static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
                             int b)
 {
@@ -328,8 +330,9 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
     if (a == b) return substeps_for(f, a, x->turn, 1);
     if (!soft_meets(f, a, b)) return 0;
     if (!balls_meet(ball[a], ball[b], x->reach + y->reach)) return 0;
-    int n = substeps_for(f, a, x->reach, 1);
-    if (body_is_soft(&f->body[b])) return n;
+    if (body_is_soft(&f->body[b])) return substeps_for(f, a, x->reach, 1);
+    bool is_thick = f->body[b].inner > f->body[a].shape->spacing;
+    int n = substeps_for(f, a, x->reach, is_thick ? 2 : 1);
     return int_max(n, substeps_for(f, b, y->reach, 0.25));
 }
 

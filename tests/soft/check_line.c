@@ -1058,8 +1058,8 @@ static void plain_round(const strands *s, const line_hold *hold, int line)
     plain_particle x[40];
     for (int k = 0; k < s->particles; k++) {
         int i = line * s->across + k * s->along;
-        real w = q[i].inverse_mass * (hold[i].state == LINE_STICKS ? 0.2 : 1);
-        real m = hold[i].state == LINE_SLIDES ? sqrt(0.8 * w) : 0;
+        real w = q[i].inverse_mass * (hold[i].state == LINE_STICKS ? 0.3 : 1);
+        real m = hold[i].state == LINE_SLIDES ? sqrt(0.7 * w) : 0;
         x[k] = (plain_particle){ q[i].position, w,
                                  vec3_scale(m, hold[i].normal) };
     }
@@ -1110,7 +1110,7 @@ START_TEST(strands_that_are_held_are_those_of_the_plain_form)
 END_TEST
 
 // A link twice too long hangs from a particle that lies on a floor.  Weights
-// 1 and 1: in the floor's direction the upper one has 0.2, and 0.02 * 0.8 is
+// 1 and 1: in the floor's direction the upper one has 0.3, and 0.005 * 0.7 is
 // not asked for.
 // Rejects: a surface that gives way as if it were not there, or not at all; a
 // pull that is the particle's move.
@@ -1122,9 +1122,9 @@ START_TEST(particle_on_a_floor_bears_what_hangs_on_it)
     line_hold hold[2] = { hold_of(LINE_SLIDES, vec3_make(0, 1, 0)),
                           hold_of(LINE_FREE, vec3_make(0, 1, 0)) };
     lines_relax(&plan, p, 1, along(0), hold, 0, scratch);
-    real lambda = 1.5 / (4 * (1 + 0.2 + 0.016));
+    real lambda = 1.5 / (4 * (1 + 0.3 + 0.0035));
     near(p[1].position.y, -2 + 2 * lambda, EXACT, "lower");
-    near(p[0].position.y, -0.2 * 2 * lambda, EXACT, "upper");
+    near(p[0].position.y, -0.3 * 2 * lambda, EXACT, "upper");
     near(hold[0].pull.y, -2 * lambda, EXACT, "pull");
     tear_down();
 }
@@ -1147,10 +1147,10 @@ START_TEST(floors_let_go_and_friction_does_not)
                               hold_of(LINE_FREE, vec3_make(0, 1, 0)) };
         lines_relax(&plan, p, 1, along(0), hold, 0, scratch);
         real now = vec3_length_squared(down);
-        real both = k == 0 ? 1.2 + 0.016 : k == 1 ? 2.016 : 1.2;
+        real both = k == 0 ? 1.3 + 0.0035 : k == 1 ? 2.0035 : 1.3;
         real lambda = (now - 1) / 2 / (both * now);
         vec3 pull = vec3_scale(lambda, down);
-        vec3 to = vec3_scale(k == 2 ? 0.2 : 1, pull);
+        vec3 to = vec3_scale(k == 2 ? 0.3 : 1, pull);
         near(vec3_distance(p[0].position, to), 0, EXACT, "place");
         near(vec3_distance(hold[0].pull, pull), 0, EXACT, "pull");
         tear_down();
@@ -1184,7 +1184,7 @@ START_TEST(what_lies_flat_is_left_free)
             }
             for (int k = 1; k < 5; k++)
                 q[beside[k]].inverse_mass = p[beside[k]].inverse_mass
-                    * (hold[beside[k]].state == LINE_STICKS ? 0.2 : 1);
+                    * (hold[beside[k]].state == LINE_STICKS ? 0.3 : 1);
             lines_relax(&plan, p, 1, along(0), hold, 0, scratch);
             lines_relax(&plan, q, 1, along(0), NULL, 0, scratch);
             real apart = 0;

@@ -13,7 +13,7 @@ static vec3 answer(const plain_particle *p, vec3 pull)
 // From what holds its ends, a link does not ask for quite all.
 static real spared(const plain_particle *p, vec3 link)
 {
-    return 0.02 * vec3_length_squared(p->hold) * vec3_length_squared(link);
+    return 0.005 * vec3_length_squared(p->hold) * vec3_length_squared(link);
 }
 
 // Downwards: lambda_k = g_k - h_k lambda_(k+1).

@@ -28,6 +28,7 @@ typedef struct {
     line_state state;
     vec3 normal;        // unit, out of what it touches
     vec3 pull;          // m, how far the strands would have moved it, free
+    vec3 gave;          // m, how far they did, though it stuck; or nothing
 } line_hold;
 
 // Memory for lines: one for each thread that solves.

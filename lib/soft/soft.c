@@ -50,6 +50,7 @@ static void forget_holds(const soft_frame *f, const body *b)
     for (int i = b->first; i < b->first + body_particles(b); i++) {
         line_hold *h = &f->hold[i];
         h->pull = vec3_scale(h->state == LINE_FREE ? 0 : times, h->pull);
+        if (h->state == LINE_FREE) h->gave = h->pull;
         h->state = LINE_FREE;
     }
 }

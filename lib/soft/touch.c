@@ -173,16 +173,30 @@ static void share_with_all(const touch *x, const particle *before,
 //<
 
 //> touch-fixed
-// How far the strands will let it slide is what they did in the last substep.
-static void slide(particle *p, line_hold *hold, real most)
+static vec3 along(vec3 way, vec3 normal)
 {
-    vec3 n = hold->normal, went = vec3_sub(p->position, p->previous);
-    vec3 would = vec3_add(went, hold->pull);
-    went = vec3_add_scaled(went, -vec3_dot(went, n), n);
-    would = vec3_add_scaled(would, -vec3_dot(would, n), n);
+    return vec3_add_scaled(way, -vec3_dot(way, normal), normal);
+}
+
+// What sticks goes back to where it stuck, or it would creep: by this share of
+// the distance kept, at most, in a substep, for its strands must follow.
+static const real RETURN = 0.01;
+
+static vec3 way_back(const line_hold *hold, real apart)
+{
+    real far = vec3_length(hold->gave), most = RETURN * apart;
+    return far > most ? vec3_scale(most / far, hold->gave) : hold->gave;
+}
+
+// How far the strands will let it slide is what they did in the last substep.
+static void slide(particle *p, line_hold *hold, real most, real apart)
+{
+    vec3 went = vec3_sub(p->position, p->previous);
+    vec3 would = along(vec3_add(went, hold->pull), hold->normal);
+    vec3 back = along(vec3_add(went, way_back(hold, apart)), hold->normal);
     real far = vec3_length(would);
     hold->state = far <= most ? LINE_STICKS : LINE_SLIDES;
-    p->position = far <= most ? vec3_sub(p->position, went)
+    p->position = far <= most ? vec3_sub(p->position, back)
                 : vec3_add_scaled(p->position, -most / far, would);
 }
 
@@ -200,23 +214,30 @@ static bool bounce(const soft_frame *f, particle *p, vec3 normal, real came,
     return true;
 }
 
-// A particle leaves what does not move by the shortest way.  If the strands
-// press it on, they will find it held; where two things do, they hold it to all
-// sides.
+// m, how far the strands will press it into what it touched in the last substep.
+static real pressed_into(const line_hold *hold, vec3 normal)
+{
+    return real_max(-vec3_dot(hold->pull, normal), 0);
+}
+
+// A particle leaves what does not move by the shortest way.  Its diagonals may
+// have lifted it off; if the strands will press it on, it goes back, for what
+// counts is the sum of both.  They will find it held; where two things do, they
+// hold it to all sides.
 static bool touch_fixed(const soft_frame *f, int i, surface_point at,
                         real apart, material m)
 {
     particle *p = &f->particle[i];
     line_hold *hold = &f->hold[i];
     real depth = apart - vec3_dot(vec3_sub(p->position, at.at), at.normal);
-    if (!(depth > 0) || !(depth < HUGE_VAL)) return false;
+    real pressed = depth + pressed_into(hold, at.normal);
+    if (!(pressed > 0) || !(pressed < HUGE_VAL)) return false;
     if (p->inverse_mass == 0) return true;
-    real pressed = depth + real_max(-vec3_dot(hold->pull, at.normal), 0);
     real came = vec3_dot(vec3_sub(p->previous, p->position), at.normal);
     p->position = vec3_add_scaled(p->position, depth, at.normal);
     bool is_held = hold->state != LINE_FREE;
     hold->normal = at.normal;
-    slide(p, hold, m.friction * pressed);
+    slide(p, hold, m.friction * pressed, apart);
     if (is_held) hold->state = LINE_STICKS;
     if (bounce(f, p, at.normal, came, apart, m.restitution))
         hold->state = LINE_FREE;
@@ -253,10 +274,12 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
     particle *p = &f->particle[pair.particle];
     surface_point at;
     material m = soft_material(f, pair.soft, pair.rigid);
-    if (!obstacle_nearest(&v->hull, p->position, pair.ahead, apart, &at))
+    bool is_fixed = body_is_static(&f->body[pair.rigid]);
+    real reach = apart;
+    if (is_fixed) reach += vec3_length(f->hold[pair.particle].pull);
+    if (!obstacle_nearest(&v->hull, p->position, pair.ahead, reach, &at))
         return false;
-    if (body_is_static(&f->body[pair.rigid]))
-        return touch_fixed(f, pair.particle, at, apart, m);
+    if (is_fixed) return touch_fixed(f, pair.particle, at, apart, m);
     touch x = { f, v, &f->body[pair.soft], pair.rigid, 1, { pair.particle },
                 { 1 }, at, apart, m.friction };
     f->hold[pair.particle].state = LINE_FREE;

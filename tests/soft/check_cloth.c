@@ -308,6 +308,30 @@ START_TEST(rope_that_sleeps_wakes_under_a_cloth)
 }
 END_TEST
 
+// A rope of 1.2 m lies on a box, and 0.3 m of it hang down beside it: a third of
+// the other part's weight, and friction is 0.5.
+// Rejects: friction that lets a particle that sticks move with what pulls it, by
+// a little in each substep: 11 mm in these ten seconds.
+START_TEST(rope_that_friction_holds_does_not_creep)
+{
+    enum { CORNER = 9 };
+    int r = add_at(&rope, 0, 2, 0);
+    add_nailed(&box, 0, 0, 0);
+    w.options.sleep_speed = 0;
+    real off = 1.001 * w.body[r].thickness, link = rope.spacing;
+    for (int i = 0; i < rope.particles; i++) {
+        real x = fmin(i - CORNER, 0), y = fmin(CORNER - i, 0);
+        particle *p = particle_of(r, i);
+        p->position = vec3_make(0.5 + off + x * link, 0.5 + off + y * link, 0);
+        p->previous = p->position;
+    }
+    frames(120);
+    vec3 was = particle_of(r, 0)->position;
+    frames(600);
+    near_vec3(particle_of(r, 0)->position, was, 1e-5);
+}
+END_TEST
+
 // A box on a cloth on the floor, friction 0.5.
 // Rejects: a cloth that never sleeps, or not together with what lies on it; a
 // box that creeps over particles which push it one after the other.
@@ -620,6 +644,7 @@ int main(void)
         corner_that_flies_into_a_held_sheet_is_stopped,
         spinning_box_stays_on_its_side_of_a_cloth,
         rope_that_sleeps_wakes_under_a_cloth,
+        rope_that_friction_holds_does_not_creep,
         box_on_a_cloth_lies_still_and_falls_asleep,
         pinned_cloth_that_sleeps_is_pinned_as_a_whole,
         torn_cloth_is_not_thrown_by_its_diagonals,

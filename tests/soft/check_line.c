@@ -1050,7 +1050,7 @@ END_TEST
 static line_hold hold_of(line_state state, vec3 normal)
 {
     return (line_hold){ state, vec3_scale(1 / vec3_length(normal), normal),
-                        NOTHING };
+                        NOTHING, NOTHING };
 }
 
 static void plain_round(const strands *s, const line_hold *hold, int line)

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 02/bend.
 
 #include "hinge.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -11,12 +12,6 @@
 static const real EXACT = 1e-14;
 static const real ROUNDING = 1e-12;
 static const real not_a_number = (real)NAN;
-
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
 
 static particle at(real x, real y, real z, real inverse_mass)
 {

@@ -126,7 +126,7 @@ const live_figure figure = {
     },
     .button = { "Push the load", "Cut the chain" },
     .chart = {
-        [GAP] = { "widest joint", "mm", { NULL }, 0.001, 1000, true, false, NULL },
+        [GAP] = { "widest gap of a joint", "mm", { NULL }, 0.001, 1000, true, false, NULL },
         [TIME] = { "time of a frame", "ms", { NULL }, 0, 0.1, false, true, NULL },
     },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,

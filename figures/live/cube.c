@@ -167,7 +167,7 @@ const live_figure figure = {
     .camera = { .distance = 3.6, .turn = 0.5, .rise = 0.3, .target = { 0, 0.66, 0 }, .has_floor = true },
     .dial = {
         [KIND] = { "sticks", NULL, 0, 2, 1, 2, "12|18|22", true },
-        [ITERATIONS] = { "iterations", NULL, 1, 64, 1, 32, NULL, false },
+        [ITERATIONS] = { "iterations a step", NULL, 1, 64, 1, 32, NULL, false },
     },
     .button = { "Take one away" },
     .chart = {

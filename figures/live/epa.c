@@ -42,7 +42,7 @@ static void place_shapes(void)
         rest[i] = vec3_make(1.25 * on_circle.x, 0.95 * on_circle.y, 0);
     }
     plane_place(rest, corners_a, place_a, 0.2, at_a);
-    plane_place(B_START, CORNERS_B, place_b, live_dial(TURN), at_b);
+    plane_place(B_START, CORNERS_B, place_b, plane_tangent(live_dial(TURN)), at_b);
 }
 
 // --- The polygon that grows -------------------------------------------------------
@@ -181,7 +181,7 @@ static void draw_closest(void)
     live_line(LIVE_RED, edge, 2);
     live_arrow(LIVE_RED, vec3_make(0, 0, 0), vec3_scale(height(closest), n));
     live_dot(LIVE_GREEN, w, 5);
-    live_label(LIVE_GREEN, vec3_add_scaled(beside(w, 0.08, -0.05), 0.2, n), "w");
+    live_label(LIVE_GREEN, vec3_add_scaled(beside(w, -0.06, -0.06), -0.25, n), "w");
 }
 
 static void draw_difference(void)
@@ -219,7 +219,7 @@ const live_figure figure = {
     .pane = { [SHAPES] = { -2.0, -1.75, 4.6, 4.174 }, [DIFFERENCE] = { -2.2, -2.1, 5.8, 5.263 } },
     .dial = {
         [CORNERS_A] = { "corners of A", NULL, 0, 3, 1, 1, "4|8|16|32", true },
-        [TURN] = { "turn of B", "rad", -1, 1, 0.02, 0.2, NULL, true },
+        [TURN] = { "turn of B", "°", -90, 90, 1, 23, NULL, true },
     },
     .button = { "Next iteration" },
     .chart = { { "bounds of the depth, m", NULL, { [LOWER] = "closest edge", [UPPER] = "w" }, 0, 1, false, false, "iteration" } },

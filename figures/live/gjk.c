@@ -28,7 +28,7 @@ static hull shape_b(void) { return (hull){ at_b, B_CORNERS }; }
 static void place_shapes(void)
 {
     plane_place(POLYGON_A, A_CORNERS, place_a, 0, at_a);
-    plane_place(POLYGON_B, B_CORNERS, place_b, live_dial(TURN), at_b);
+    plane_place(POLYGON_B, B_CORNERS, place_b, plane_tangent(live_dial(TURN)), at_b);
 }
 
 // The support that the next iteration asks for.
@@ -180,7 +180,7 @@ const live_figure figure = {
     .name = "gjk",
     .says = "Left two polygons, A and B; right their difference, A - B, the origin, and the simplex that GJK holds",
     .pane = { [SHAPES] = { -0.5, -0.95, 5.2, 4.77 }, [DIFFERENCE] = { -0.95, -1.75, 5.2, 4.77 } },
-    .dial = { [TURN] = { "turn of B", "rad", -1, 1, 0.02, 0, NULL, true } },
+    .dial = { [TURN] = { "turn of B", "°", -90, 90, 1, 0, NULL, true } },
     .button = { "Next iteration" },
     .chart = { { "bounds of the distance, m", NULL, { [UPPER] = "|v|", [LOWER] = "lower bound" }, 0, 1, false, false, "iteration" } },
     .begin = begin, .step = step, .draw = draw, .hash = hash, .press = press, .move = move,

@@ -27,8 +27,7 @@ define LIVES
 endef
 # What a figure takes from other folders, beside the library.
 WITH_gjk := rules/04-distance-1.o live/plane.o
-WITH_epa := live/plane.o
-WITH_shares := live/plane.o
+$(foreach f,epa shares nearest slab,$(eval WITH_$f := live/plane.o))
 WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
 $(foreach f,pile fabric chain energy,$(eval WITH_$f := live/live_world.o))

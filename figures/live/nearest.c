@@ -4,6 +4,7 @@
 #include "capsule.h"
 #include "hull.h"
 #include "live.h"
+#include "plane.h"
 #include "query.h"
 
 enum { KIND, DISTANCE, TURN, EVERY };           // dials
@@ -105,10 +106,9 @@ static vec3 turned(vec3 r, vec3 axis, real t)
 static void step(void)
 {
     if (!is_ready) return;
-    real half = live_dial(TURN) * 3.14159265358979 / 360;
     vec3 axis = vec3_unit(AXIS);
     for (int i = 0; i < solid[A].particles; i++)
-        arm[A][i] = turned(arm[A][i], axis, half + half * half * half / 3);
+        arm[A][i] = turned(arm[A][i], axis, plane_tangent(live_dial(TURN)));
     frame++;
     place();
     ask();

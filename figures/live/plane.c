@@ -8,6 +8,14 @@ vec3 plane_turned(vec3 d, real t)
     return vec3_make(c * d.x - s * d.y, s * d.x + c * d.y, 0);
 }
 
+// Lambert's fraction: tan x = x / (1 - xx / (3 - xx / (5 - ...))).
+real plane_tangent(real degrees)
+{
+    real x = degrees * 3.14159265358979 / 360, below = 15;
+    for (int k = 13; k > 0; k -= 2) below = k - x * x / below;
+    return x / below;
+}
+
 vec3 plane_middle(const vec3 *at, int n)
 {
     vec3 sum = { 0, 0, 0 };

@@ -9,6 +9,8 @@
 // Turns d by the angle whose half has the tangent t: no sine is needed, so the
 // bits are the same on all machines.
 vec3 plane_turned(vec3 d, real t);
+// The tangent of half of an angle of up to 150 degrees, to eleven digits.
+real plane_tangent(real degrees);
 // The mean of n places.
 vec3 plane_middle(const vec3 *at, int n);
 // Where `rest` stands: turned about its middle, and that moved by `to`.

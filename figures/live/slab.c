@@ -3,6 +3,7 @@
 
 #include "live.h"
 #include "manifold.h"
+#include "plane.h"
 #include "response.h"
 
 enum { POINTS, LEAN, TURN, SUBSTEPS };          // dials
@@ -30,7 +31,7 @@ static void place(void)
 {
     real lean = live_dial(LEAN) * 3.14159265358979 / 180, low = 0;
     for (int i = 0; i < CORNERS; i++) {
-        at[i] = placed(box.at[i], live_dial(TURN), lean);
+        at[i] = placed(box.at[i], plane_tangent(live_dial(TURN)), lean);
         low = real_min(low, at[i].y);
     }
     for (int i = 0; i < CORNERS; i++) {
@@ -172,11 +173,11 @@ const live_figure figure = {
     .dial = {
         [POINTS] = { "contact points", NULL, 0, 1, 1, ONE, "one|up to four", true },
         [LEAN] = { "lean at the start", "°", 0, 10, 0.5, 0.5, NULL, true },
-        [TURN] = { "turn of the box", NULL, -0.5, 0.5, 0.02, 0.1, NULL, true },
+        [TURN] = { "turn of the box", "°", -45, 45, 1, 11, NULL, true },
         [SUBSTEPS] = { "substeps a frame", NULL, 1, 32, 1, 8, NULL, true },
     },
     .button = { "Tip it" },
-    .chart = { { "lean", "degrees", { NULL }, 1e-4, 100, true, false, NULL } },
+    .chart = { { "lean", "°", { NULL }, 1e-4, 100, true, false, NULL } },
     .begin = begin, .step = step, .measure = measure, .draw = draw, .hash = hash,
     .press = press, .move = move, .release = release,
 };

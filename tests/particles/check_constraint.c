@@ -1,6 +1,7 @@
 // check_constraint.c - tests of chapter 2.  Each names the mistake it rejects.
 
 #include "constraint.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -15,19 +16,6 @@ static const real ROUNDING = 1e-12;
 
 static const real not_a_number = (real)NAN;
 static const vec3 NO_GRAVITY = { 0, 0, 0 };
-
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
-
-static void same(vec3 got, vec3 wanted)
-{
-    ck_assert_msg(got.x == wanted.x && got.y == wanted.y && got.z == wanted.z,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
-}
 
 static particle at(real x, real y, real z, real inverse_mass)
 {
@@ -115,7 +103,7 @@ START_TEST(pinned_end_stays)
     // Rejects: half the error for the free end.
     particle p[2] = { at(0, 0, 0, 0), at(0, 3, 0, 2) };
     stick_relax(bar(0, 1, 1), p, way(0));
-    same(p[0].position, (vec3){ 0, 0, 0 });
+    near_vec3(p[0].position, (vec3){ 0, 0, 0 }, 0);
     near(p[1].position.y, 1, EXACT, "free end");
 }
 END_TEST
@@ -129,7 +117,7 @@ START_TEST(both_ends_pinned_report_and_stay)
         stick_result r = stick_relax(s, p, way(k));
         ck_assert_int_eq(r.moved, 0);
         ck_assert(r.error > 0.99);
-        same(p[1].position, (vec3){ 0, 2, 0 });
+        near_vec3(p[1].position, (vec3){ 0, 2, 0 }, 0);
         relax_result all = sticks_iterate(&s, 1, p, way(k));
         ck_assert(all.tested == 1 && all.relaxed == 0 && all.worst > 0.99);
     }
@@ -144,8 +132,8 @@ START_TEST(coincident_ends_stay_finite)
         stick_result r = stick_relax(bar(0, 1, 1), p, way(k));
         ck_assert_int_eq(r.moved, 0);
         ck_assert(r.error < 0);
-        same(p[0].position, (vec3){ 1, 2, 3 });
-        same(p[1].position, (vec3){ 1, 2, 3 });
+        near_vec3(p[0].position, (vec3){ 1, 2, 3 }, 0);
+        near_vec3(p[1].position, (vec3){ 1, 2, 3 }, 0);
     }
 }
 END_TEST
@@ -668,7 +656,7 @@ START_TEST(angle_is_quadratic_near_its_goal)
     p[0] = at(1, 0, 0, 1), p[1] = at(0, 0, 0, 0), p[2] = at(1e-4, 1, 0, 0);
     angle_relax(c, p);
     near(cosine_at(p, 0, 1, 2) / 1e-4, 0.75, 1e-3, "soft");
-    same(p[1].position, (vec3){ 0, 0, 0 });
+    near_vec3(p[1].position, (vec3){ 0, 0, 0 }, 0);
 }
 END_TEST
 

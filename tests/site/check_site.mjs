@@ -116,16 +116,18 @@ async function checkContrast(page, name) {
   }
 }
 
-// Each live figure comes to frame 60 with the bits of a native run.
+// Each live figure comes to frame 60 with the bits of a native run.  It runs while it
+// is seen: what is above it may be laid out meanwhile, and push it away.
 async function checkLive(page, name) {
   const figures = await page.locator('figure[data-live]').all();
   for (const figure of figures) {
-    await figure.scrollIntoViewIfNeeded();
-    const hash = await figure.evaluate((node, wait) => new Promise(done => {
-      const look = () => node.dataset.ready && node.dataset.hash || node.dataset.trapped;
-      const poll = setInterval(() => look() && (clearInterval(poll), done(look())), 50);
-      setTimeout(() => done(look() ?? 'nothing'), wait);
-    }), WAIT);
+    let hash;
+    for (const end = Date.now() + WAIT; !hash && Date.now() < end;) {
+      await figure.scrollIntoViewIfNeeded();
+      await page.waitForTimeout(100);
+      hash = await figure.evaluate(node => node.dataset.hash || node.dataset.trapped);
+    }
+    hash ??= 'nothing';
     const [live, wants] = await figure.evaluate(node => [node.dataset.live, node.dataset.wants]);
     if (hash !== wants) fault(name, `${live} comes to ${hash}, and ${wants} is wanted`);
   }

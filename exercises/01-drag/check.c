@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 01/drag.
 
 #include "drag.h"
+#include "expect.h"
 #include "suite.h"
 
 #include <check.h>
@@ -16,14 +17,6 @@ static const real SPEED_SLACK = 1e-7;
 
 static const vec3 NOTHING = { 0, 0, 0 };
 static const vec3 DOWN = { 0, -9.8125, 0 };
-
-static void near(real got, real wanted, real slack, const char *what,
-                 const char *reason)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack,
-                  "%s: got %.15g, wanted %.15g.  %s", what, got, wanted,
-                  reason);
-}
 
 // Starts at the origin with a last move of this, and no other history.
 static particle moving(vec3 last_move, real inverse_mass)

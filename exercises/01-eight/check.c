@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 01/eight.
 
 #include "eight.h"
+#include "expect.h"
 #include "suite.h"
 
 #include <check.h>
@@ -15,22 +16,6 @@ static const real ROUND_SLACK = 1e-3;
 
 static const real PI = 3.14159265358979323846;
 
-static void near(real got, real wanted, real slack, const char *what,
-                 const char *reason)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack,
-                  "%s: got %.15g, wanted %.15g.  %s", what, got, wanted,
-                  reason);
-}
-
-static void near_vector(vec3 got, vec3 wanted, real slack, const char *what,
-                        const char *reason)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= slack,
-                  "%s: got (%g, %g, %g), wanted (%g, %g, %g).  %s", what,
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z, reason);
-}
-
 static particle at(real x, real y, real z)
 {
     return (particle){ { x, y, z }, { x, y, z }, 1 };
@@ -44,9 +29,9 @@ START_TEST(two_bodies_attract_by_the_square_of_their_distance)
     real mass[2] = { 2, 5 };
     vec3 force[2] = { { 0, 0, 0 } };
     attract(p, mass, 2, 10, force);
-    near_vector(force[0], (vec3){ 2.4, 3.2, 0 }, ROUNDING, "on the first",
+    near_vec3(force[0], (vec3){ 2.4, 3.2, 0 }, ROUNDING, "on the first",
                 "G m m' / d^2 is 4 N, towards the other.");
-    near_vector(force[1], (vec3){ -2.4, -3.2, 0 }, ROUNDING, "on the second",
+    near_vec3(force[1], (vec3){ -2.4, -3.2, 0 }, ROUNDING, "on the second",
                 "As much as on the first, the other way.");
 }
 END_TEST
@@ -58,11 +43,11 @@ START_TEST(forces_begin_at_nothing)
     real mass[2] = { 1, 1 };
     vec3 force[2] = { { 7, 8, 9 }, { 7, 8, 9 } };
     attract(p, mass, 2, 1, force);
-    near_vector(force[0], (vec3){ 1, 0, 0 }, ROUNDING, "on the first",
+    near_vec3(force[0], (vec3){ 1, 0, 0 }, ROUNDING, "on the first",
                 "The array came with (7, 8, 9) in it.");
     force[0] = (vec3){ 7, 8, 9 };
     attract(p, mass, 1, 1, force);
-    near_vector(force[0], (vec3){ 0, 0, 0 }, 0, "on a body alone",
+    near_vec3(force[0], (vec3){ 0, 0, 0 }, 0, "on a body alone",
                 "Nothing attracts it, itself least of all.");
 }
 END_TEST
@@ -74,9 +59,9 @@ START_TEST(bodies_in_one_place_do_not_attract)
     real mass[3] = { 1, 1, 1 };
     vec3 force[3] = { { 0, 0, 0 } };
     attract(p, mass, 3, 4, force);
-    near_vector(force[0], (vec3){ 0, 0, 1 }, ROUNDING, "on the first", "");
-    near_vector(force[1], (vec3){ 0, 0, 1 }, ROUNDING, "on the second", "");
-    near_vector(force[2], (vec3){ 0, 0, -2 }, ROUNDING, "on the third", "");
+    near_vec3(force[0], (vec3){ 0, 0, 1 }, ROUNDING, "on the first", "");
+    near_vec3(force[1], (vec3){ 0, 0, 1 }, ROUNDING, "on the second", "");
+    near_vec3(force[2], (vec3){ 0, 0, -2 }, ROUNDING, "on the third", "");
 }
 END_TEST
 
@@ -89,14 +74,14 @@ START_TEST(action_is_reaction_among_many)
     real mass[6] = { 1, 1, 1, 1, 8, 1000 };
     vec3 force[6] = { { 0, 0, 0 } }, sum = { 0, 0, 0 };
     attract(p, mass, 5, 1, force);
-    near_vector(force[4], (vec3){ 0, 0, 0 }, 10 * ROUNDING, "in the middle",
+    near_vec3(force[4], (vec3){ 0, 0, 0 }, 10 * ROUNDING, "in the middle",
                 "Four equal pulls, from four sides.");
     near(force[0].x, -8 - 0.25 - 1 / sqrt(2.0), 10 * ROUNDING, "on the ring",
          "The middle pulls with 8 N, the opposite with 1/4, two neighbours "
          "with 1/2 each along their lines.");
     attract(p, mass, 6, 1, force);
     for (int i = 0; i < 6; i++) sum = vec3_add(sum, force[i]);
-    near_vector(sum, (vec3){ 0, 0, 0 }, 10 * ROUNDING, "sum of all forces",
+    near_vec3(sum, (vec3){ 0, 0, 0 }, 10 * ROUNDING, "sum of all forces",
                 "Nothing outside pulls.");
 }
 END_TEST
@@ -106,9 +91,9 @@ START_TEST(area_is_half_a_parallelogram)
     // Rejects: the whole of it, clockwise for counter-clockwise, a sun that is
     // always at the origin.
     particle p = { .previous = { 3, 1, 1 }, .position = { 1, 4, 1 } };
-    near_vector(area_swept(&p, (vec3){ 1, 1, 1 }), (vec3){ 0, 0, 3 }, ROUNDING,
+    near_vec3(area_swept(&p, (vec3){ 1, 1, 1 }), (vec3){ 0, 0, 3 }, ROUNDING,
                 "triangle with sides of 2 m and 3 m", "");
-    near_vector(area_swept(&p, (vec3){ 5, 1, 1 }), (vec3){ 0, 0, -3 }, ROUNDING,
+    near_vec3(area_swept(&p, (vec3){ 5, 1, 1 }), (vec3){ 0, 0, -3 }, ROUNDING,
                 "seen from the other side", "");
 }
 END_TEST
@@ -134,7 +119,7 @@ START_TEST(planet_sweeps_equal_areas)
                   "0.056: v dt / 2 at 1 m from the sun", first);
     for (int k = 0; k < 1000; k++) {
         step(p, mass, 2, dt);
-        near_vector(area_swept(&p[0], sun), (vec3){ 0, 0, first }, AREA_SLACK,
+        near_vec3(area_swept(&p[0], sun), (vec3){ 0, 0, first }, AREA_SLACK,
                     "area", "Only a pull along the line to the sun keeps it.");
     }
 }
@@ -155,10 +140,10 @@ START_TEST(two_bodies_keep_the_third_law)
                        vec3_scale(-square, b), 1, dt)
     };
     for (int k = 0; k < 1000; k++) step(p, mass, 2, dt);
-    near_vector(p[1].position, (vec3){ -1.5, 0, 0 }, ROUND_SLACK,
+    near_vec3(p[1].position, (vec3){ -1.5, 0, 0 }, ROUND_SLACK,
                 "after half a period", "It should stand opposite its start.");
     for (int k = 0; k < 1000; k++) step(p, mass, 2, dt);
-    near_vector(p[1].position, b, ROUND_SLACK, "after a period",
+    near_vec3(p[1].position, b, ROUND_SLACK, "after a period",
                 "It should be back.");
 }
 END_TEST
@@ -180,11 +165,11 @@ START_TEST(three_bodies_dance_on_a_figure_eight)
     for (int i = 0; i < 3; i++)
         p[i] = particle_start(x0[i], v0[i], force[i], 1, dt);
     for (int k = 0; k < 1000; k++) step(p, mass, 3, dt);
-    near_vector(p[2].position, x0[1], ROUND_SLACK, "after a third of a period",
+    near_vec3(p[2].position, x0[1], ROUND_SLACK, "after a third of a period",
                 "The one from the middle should stand where the second began.");
     for (int k = 0; k < 2000; k++) step(p, mass, 3, dt);
     for (int i = 0; i < 3; i++)
-        near_vector(p[i].position, x0[i], ROUND_SLACK, "after a period",
+        near_vec3(p[i].position, x0[i], ROUND_SLACK, "after a period",
                     "Each should be back where it began.");
 }
 END_TEST

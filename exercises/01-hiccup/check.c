@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 01/hiccup.
 
 #include "hiccup.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -13,12 +14,6 @@ static const real ORDER_SLACK = 0.1;
 
 static const vec3 GRAVITY = { 0, -9.8125, 0 };
 static const vec3 NO_GRAVITY = { 0, 0, 0 };
-
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 START_TEST(parabola_is_exact_when_the_step_changes)
 {

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 01/rk4.
 
 #include "rk4.h"
+#include "expect.h"
 #include "suite.h"
 
 #include <check.h>
@@ -9,12 +10,6 @@
 static const real ROUNDING = 1e-14;
 // A measured order misses the whole number by the next term of the series.
 static const real ORDER_SLACK = 0.05;
-
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
 
 static motion along_x(real x, real v)
 {

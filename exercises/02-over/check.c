@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 02/over.
 
 #include "over.h"
+#include "expect.h"
 #include "suite.h"
 
 #include <check.h>
@@ -17,14 +18,6 @@ static const real SWING = 0.01;
 static const real PI = 3.14159265358979323846;
 
 enum { MOST = 64 };
-
-static void near(real got, real wanted, real slack, const char *what,
-                 const char *reason)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack,
-                  "%s: got %.15g, wanted %.15g.  %s", what, got, wanted,
-                  reason);
-}
 
 static particle at(real x, real y, real z, real inverse_mass)
 {

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 02/pulley.
 
 #include "pulley.h"
+#include "expect.h"
 #include "suite.h"
 
 #include <check.h>
@@ -11,14 +12,6 @@ static const real ROUNDING = 1e-13;
 static const real PATH_SLACK = 1e-8;
 
 static const vec3 DOWN = { 0, -9.8125, 0 };
-
-static void near(real got, real wanted, real slack, const char *what,
-                 const char *reason)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack,
-                  "%s: got %.15g, wanted %.15g.  %s", what, got, wanted,
-                  reason);
-}
 
 static particle at(real x, real y, real z, real inverse_mass)
 {

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 02/spring.
 
 #include "spring.h"
+#include "expect.h"
 #include "suite.h"
 
 #include <check.h>
@@ -13,14 +14,6 @@ static const real REST_SLACK = 1e-9;
 static const real SWEEP_SLACK = 1e-6;
 
 static const vec3 DOWN = { 0, -9.8125, 0 };
-
-static void near(real got, real wanted, real slack, const char *what,
-                 const char *reason)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack,
-                  "%s: got %.15g, wanted %.15g.  %s", what, got, wanted,
-                  reason);
-}
 
 static particle at(real x, real y, real z, real inverse_mass)
 {
@@ -97,7 +90,8 @@ START_TEST(nowhere_to_go_changes_nothing)
     p[0] = at(0, 0, 0, 0), p[1] = at(3, 0, 0, 0);
     spring_relax((spring){ 0, 1, 2, 1 }, p, 0.5, &lambda);
     near(p[1].position.x, 3, 0, "x of a pinned end", "");
-    near(lambda, 0.25, 0, "lambda between two pinned ends", "No move, no change.");
+    near(lambda, 0.25, 0, "lambda between two pinned ends",
+         "No move, no change.");
 }
 END_TEST
 

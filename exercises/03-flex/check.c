@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 03/flex.
 
 #include "flex.h"
+#include "expect.h"
 #include "scarce.h"
 #include "suite.h"
 
@@ -11,14 +12,6 @@ static const real ROUNDING = 1e-12;
 static const real PI = 3.14159265358979323846;
 
 enum { MOST = 32 };
-
-static void near(real got, real wanted, real slack, const char *what,
-                 const char *reason)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack,
-                  "%s: got %.12g, wanted %.12g.  %s", what, got, wanted,
-                  reason);
-}
 
 static int list(stick *s, const int (*pair)[2], int n)
 {

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 03/solid.
 
 #include "solid.h"
+#include "expect.h"
 #include "suite.h"
 
 #include <check.h>
@@ -11,23 +12,6 @@ static const real ROUNDING = 1e-13;
 static const real FAR = 1e-8;
 // The chapter gives its ratios with four decimals.
 static const real DECIMALS = 5e-5;
-
-static void near(real got, real wanted, real slack, const char *what,
-                 const char *reason)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack,
-                  "%s: got %.15g, wanted %.15g.  %s", what, got, wanted,
-                  reason);
-}
-
-static void near_place(vec3 got, vec3 wanted, real slack, const char *what,
-                       const char *reason)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= slack,
-                  "%s: got (%.9g, %.9g, %.9g), wanted (%.9g, %.9g, %.9g).  %s",
-                  what, got.x, got.y, got.z, wanted.x, wanted.y, wanted.z,
-                  reason);
-}
 
 static const int FOUR[4][3] = { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 },
                                 { 1, 2, 3 } };
@@ -61,7 +45,7 @@ START_TEST(tetrahedron_is_its_five_particles)
     solid s = solid_measure(&m, at, 3);
     mesh_free(&m);
     near(s.mass, 4, ROUNDING, "mass", "3 kg/m^3 times 4/3 m^3.");
-    near_place(s.centre, (vec3){ 0.5, 0.5, 0.5 }, ROUNDING, "centre",
+    near_vec3(s.centre, (vec3){ 0.5, 0.5, 0.5 }, ROUNDING, "centre",
                "The middle of its corners.");
     near(s.xx, 0.6, ROUNDING, "xx", "m (2^2 / 10 - 1/4).");
     near(s.zz, 0.6, ROUNDING, "zz", "The same along every axis.");
@@ -76,7 +60,7 @@ START_TEST(box_has_a_twelfth_of_its_sides_squared)
     // Rejects: a centre or a spread as seen from a vertex, not taken back.
     solid s = box_at((vec3){ 2, 4, 6 }, (vec3){ 0, 0, 0 }, 0.5);
     near(s.mass, 24, ROUNDING, "mass", "48 m^3 of 0.5 kg/m^3.");
-    near_place(s.centre, (vec3){ 0, 0, 0 }, ROUNDING, "centre",
+    near_vec3(s.centre, (vec3){ 0, 0, 0 }, ROUNDING, "centre",
                "The box stands about the origin.");
     near(s.xx, 24 * 4 / 12.0, 10 * ROUNDING, "xx", "m side^2 / 12.");
     near(s.yy, 24 * 16 / 12.0, 10 * ROUNDING, "yy", "m side^2 / 12.");
@@ -92,7 +76,7 @@ START_TEST(place_does_not_matter)
     vec3 where = { 1e6, -2e6, 1e6 };
     solid s = box_at((vec3){ 1, 1, 1 }, where, 1);
     near(s.mass, 1, FAR, "mass", "Measure from a vertex, not from the origin.");
-    near_place(s.centre, where, FAR, "centre", "In the world's frame again.");
+    near_vec3(s.centre, where, FAR, "centre", "In the world's frame again.");
     near(s.xx, 1 / 12.0, FAR, "xx", "Measure from a vertex, and correct at the "
          "end by mass times the way to the centre, squared.");
     near(s.xy, 0, FAR, "xy", "Mixed sums are corrected, too.");
@@ -141,7 +125,7 @@ START_TEST(hollow_body_lacks_what_is_not_there)
                                              / (full - hole);
     near(s.mass, full - hole, 10 * ROUNDING, "mass",
          "Faces that look inwards take away.");
-    near_place(s.centre, (vec3){ c, c, c }, ROUNDING, "centre",
+    near_vec3(s.centre, (vec3){ c, c, c }, ROUNDING, "centre",
                "It moves away from the hole.");
     near(s.xx, full * 6.4 - hole * (0.15 + 2.25) - (full - hole) * c * c,
          1e-11, "xx", "The spread of the hole is taken away, too.");
@@ -159,7 +143,7 @@ START_TEST(inside_out_is_negative)
     mesh_free(&m);
     near(s.mass, -4, ROUNDING, "mass", "All faces look inwards.");
     near(s.xx, -0.6, ROUNDING, "xx", "All faces look inwards.");
-    near_place(s.centre, (vec3){ 0.5, 0.5, 0.5 }, ROUNDING, "centre",
+    near_vec3(s.centre, (vec3){ 0.5, 0.5, 0.5 }, ROUNDING, "centre",
                "Minus by minus.");
 }
 END_TEST
@@ -173,7 +157,7 @@ START_TEST(no_mass_is_all_zeros)
     solid nothing = solid_measure(&none, at, 3);
     mesh_free(&m);
     near(flat.mass, 0, 0, "mass of a flat mesh", "");
-    near_place(flat.centre, (vec3){ 0, 0, 0 }, 0, "centre of a flat mesh",
+    near_vec3(flat.centre, (vec3){ 0, 0, 0 }, 0, "centre of a flat mesh",
                "Without mass there is no centre.");
     near(nothing.mass, 0, 0, "mass of no faces", "");
 }

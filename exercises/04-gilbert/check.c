@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 04/gilbert.
 
 #include "gilbert.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -8,12 +9,6 @@
 
 // Some dozen roundings of numbers up to 10.
 static const real ROUNDING = 1e-13;
-
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.12g, wanted %.12g",
-                  what, got, wanted);
-}
 
 static void foot(vec3 p, vec3 q, vec3 wanted, const char *what)
 {

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 05/ball.
 
 #include "ball.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -12,19 +13,6 @@ static const real ROUNDING = 1e-14;
 
 static const vec3 HALF = { 1, 2, 3 };           // m
 
-static void near(real got, real wanted, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= ROUNDING, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
-
-static void near_vec3(vec3 got, vec3 wanted, const char *what)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= ROUNDING,
-                  "%s: got (%g, %g, %g), wanted (%g, %g, %g)", what, got.x,
-                  got.y, got.z, wanted.x, wanted.y, wanted.z);
-}
-
 static void expect(vec3 centre, real radius, real gap, vec3 normal, vec3 on_box)
 {
     ball_contact c = ball_meets_box(HALF, centre, radius);
@@ -33,11 +21,11 @@ static void expect(vec3 centre, real radius, real gap, vec3 normal, vec3 on_box)
              centre.x, centre.y, centre.z);
     char what[120];
     snprintf(what, sizeof what, "%sgap", where);
-    near(c.gap, gap, what);
+    near(c.gap, gap, ROUNDING, what);
     snprintf(what, sizeof what, "%snormal", where);
-    near_vec3(c.normal, normal, what);
+    near_vec3(c.normal, normal, ROUNDING, what);
     snprintf(what, sizeof what, "%snearest point of the box", where);
-    near_vec3(c.on_box, on_box, what);
+    near_vec3(c.on_box, on_box, ROUNDING, what);
 }
 
 static unsigned long long seed = 5;
@@ -86,7 +74,8 @@ START_TEST(middle_of_the_box_has_a_way_out)
     // Rejects: a normal without length.
     expect((vec3){ 0, 0, 0 }, 0.5, -1.5, (vec3){ 1, 0, 0 }, (vec3){ 1, 0, 0 });
     ball_contact c = ball_meets_box((vec3){ 1, 1, 1 }, (vec3){ 0, 0, 0 }, 0);
-    near_vec3(c.normal, (vec3){ 1, 0, 0 }, "middle of a cube, normal");
+    near_vec3(c.normal, (vec3){ 1, 0, 0 }, ROUNDING,
+              "middle of a cube, normal");
 }
 END_TEST
 
@@ -96,8 +85,9 @@ START_TEST(centre_on_the_surface_has_a_normal)
     expect((vec3){ 0.25, -2, 1 }, 0.5, -0.5, (vec3){ 0, -1, 0 },
            (vec3){ 0.25, -2, 1 });
     ball_contact c = ball_meets_box(HALF, HALF, 0.5);
-    near(c.gap, -0.5, "centre on a corner, gap");
-    near(vec3_length(c.normal), 1, "centre on a corner, length of the normal");
+    near(c.gap, -0.5, ROUNDING, "centre on a corner, gap");
+    near(vec3_length(c.normal), 1, ROUNDING,
+         "centre on a corner, length of the normal");
 }
 END_TEST
 
@@ -110,7 +100,7 @@ START_TEST(nothing_jumps_when_the_centre_goes_in)
         ball_contact c = ball_meets_box(HALF, (vec3){ 0, y, 0 }, 0.75);
         char what[60];
         snprintf(what, sizeof what, "centre at y = %g, gap", y);
-        near(c.gap, y - 2 - 0.75, what);
+        near(c.gap, y - 2 - 0.75, ROUNDING, what);
     }
 }
 END_TEST

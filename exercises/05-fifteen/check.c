@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 05/fifteen.
 
 #include "fifteen.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -9,17 +10,11 @@
 // Some dozen roundings of numbers up to 10.
 static const real ROUNDING = 1e-13;
 
-static void near(real got, real wanted, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= ROUNDING, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
-
 static void expect(const box *a, const box *b, real depth, vec3 normal,
                    int direction, const char *what)
 {
     fifteen_result r = boxes_depth(a, b);
-    near(r.depth, depth, what);
+    near(r.depth, depth, ROUNDING, what);
     ck_assert_msg(vec3_distance(r.normal, normal) <= ROUNDING,
                   "%s: the normal is (%g, %g, %g), wanted (%g, %g, %g)", what,
                   r.normal.x, r.normal.y, r.normal.z, normal.x, normal.y,
@@ -110,8 +105,8 @@ START_TEST(crossed_beams_touch_edge_on_edge)
     turn(&a, 0, sqrt(0.5), sqrt(0.5));
     turn(&b, 2, sqrt(0.5), sqrt(0.5));
     fifteen_result r = boxes_depth(&a, &b);
-    near(r.depth, 2 * sqrt(2.0) - 2.75, "depth of crossed beams");
-    near(r.normal.y, 1, "y of the normal");
+    near(r.depth, 2 * sqrt(2.0) - 2.75, ROUNDING, "depth of crossed beams");
+    near(r.normal.y, 1, ROUNDING, "y of the normal");
     ck_assert_msg(r.direction == 6 + 3 * 0 + 2, "edge 0 of A against edge 2 of "
                   "B is direction 8, got %d", r.direction);
 }
@@ -121,8 +116,8 @@ START_TEST(box_in_its_own_place)
 {
     box a = upright((vec3){ 3, 3, 3 }, (vec3){ 2, 1, 3 });
     fifteen_result r = boxes_depth(&a, &a);
-    near(r.depth, 2, "depth of a box in itself");
-    near(fabs(r.normal.y), 1, "y of the normal, either way");
+    near(r.depth, 2, ROUNDING, "depth of a box in itself");
+    near(fabs(r.normal.y), 1, ROUNDING, "y of the normal, either way");
 }
 END_TEST
 
@@ -139,7 +134,7 @@ START_TEST(edges_that_are_nearly_parallel_do_no_harm)
         fifteen_result r = boxes_depth(&a, &b);
         ck_assert_msg(fabs(r.depth - 0.25) < 3 * angle + ROUNDING, "turned by "
                       "%g: depth %.12g, wanted nearly 0.25", angle, r.depth);
-        near(vec3_length(r.normal), 1, "length of the normal");
+        near(vec3_length(r.normal), 1, ROUNDING, "length of the normal");
         angle /= 10;
     }
 }
@@ -176,7 +171,7 @@ START_TEST(random_boxes_agree_with_the_hit_face)
         hull pa = corners(&a, p), pb = corners(&b, q);
         gjk_result g = gjk_distance(pa, pb, HUGE_VAL, NULL);
         fifteen_result r = boxes_depth(&a, &b);
-        near(vec3_length(r.normal), 1, "length of the normal");
+        near(vec3_length(r.normal), 1, ROUNDING, "length of the normal");
         if (g.status == GJK_APART) {
             apart++;
             ck_assert_msg(r.depth < 0 && -r.depth <= g.distance + ROUNDING,
@@ -186,9 +181,10 @@ START_TEST(random_boxes_agree_with_the_hit_face)
         }
         edges += r.direction >= 6;
         hit_result h = hit_face_find(pa, pb, &g.last);
-        near(r.depth, h.depth, "depth, as the hit face has it");
+        near(r.depth, h.depth, ROUNDING, "depth, as the hit face has it");
         a.centre = vec3_add_scaled(a.centre, r.depth, r.normal);
-        near(boxes_depth(&a, &b).depth, 0, "depth after moving A out by it");
+        near(boxes_depth(&a, &b).depth, 0, ROUNDING,
+             "depth after moving A out by it");
     }
     ck_assert_msg(edges > 100 && apart > 20, "%d by edges, %d apart: every "
                   "kind is to be tried", edges, apart);

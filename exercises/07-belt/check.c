@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 07/belt.
 
 #include "belt.h"
+#include "expect.h"
 #include "suite.h"
 
 #include <check.h>
@@ -12,12 +13,6 @@ static const real SPEED = 1e-9;
 
 static const real dt = 1e-3;                    // s
 static const real g = 10;                       // m/s^2
-
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.12g, wanted %.12g",
-                  what, got, wanted);
-}
 
 // A belt through the origin that rises at an angle with this sine and cosine,
 // and runs uphill at u.

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/again.
 
 #include "again.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -11,12 +12,6 @@
 static const real ROUNDING = 1e-13;
 
 enum { POINTS = 8, PAIRS = 1000, FRAMES = 20 };
-
-static void near(real got, real wanted, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= ROUNDING, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
 
 static unsigned long long seed = 10;
 
@@ -53,11 +48,13 @@ START_TEST(gap_of_boxes_along_any_direction)
         bt[i] = vec3_make(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
     }
     hull a = { at, 8 }, b = { bt, 8 };
-    near(gap_along(a, b, vec3_make(1, 0, 0)), 3, "along x");
-    near(gap_along(a, b, vec3_make(7, 0, 0)), 3, "along x, n of length 7");
-    near(gap_along(a, b, vec3_make(0.6, 0.8, 0)), 0.2, "along 0.6, 0.8, 0");
-    near(gap_along(a, b, vec3_make(0, 2, 0)), -2, "along y");
-    near(gap_along(a, b, vec3_make(-1, 0, 0)), -7, "against x");
+    near(gap_along(a, b, vec3_make(1, 0, 0)), 3, ROUNDING, "along x");
+    near(gap_along(a, b, vec3_make(7, 0, 0)), 3, ROUNDING,
+         "along x, n of length 7");
+    near(gap_along(a, b, vec3_make(0.6, 0.8, 0)), 0.2, ROUNDING,
+         "along 0.6, 0.8, 0");
+    near(gap_along(a, b, vec3_make(0, 2, 0)), -2, ROUNDING, "along y");
+    near(gap_along(a, b, vec3_make(-1, 0, 0)), -7, ROUNDING, "against x");
 }
 END_TEST
 
@@ -74,7 +71,7 @@ static void compare(const pair *p, gjk_result r, real margin)
         ck_assert_msg(gap_along(hull_a(p), hull_b(p), r.axis)
                       >= r.distance - ROUNDING, "the axis does not part them");
     } else {
-        near(r.distance, g.distance, "distance");
+        near(r.distance, g.distance, ROUNDING, "distance");
         ck_assert_int_eq(r.status == GJK_OVERLAP, g.status == GJK_OVERLAP);
     }
 }

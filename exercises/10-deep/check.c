@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/deep.
 
 #include "deep.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -9,19 +10,6 @@
 
 // A dozen roundings of numbers up to 10.
 static const real ROUNDING = 1e-13;
-
-static void near(real got, real wanted, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= ROUNDING, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
-
-static void near_vec3(vec3 got, vec3 wanted, const char *what)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= ROUNDING,
-                  "%s: got (%g, %g, %g), wanted (%g, %g, %g)", what, got.x,
-                  got.y, got.z, wanted.x, wanted.y, wanted.z);
-}
 
 static round_body around(const vec3 *at, int count, real radius)
 {
@@ -33,8 +21,8 @@ static deep_contact ask(round_body a, round_body b)
 {
     deep_contact c = deep_contact_find(a, b);
     ck_assert_msg(c.ok, "there is an answer, and ok is 0");
-    near(vec3_length(c.normal), 1, "length of the normal");
-    near_vec3(vec3_sub(c.on_a, c.on_b), vec3_scale(c.gap, c.normal),
+    near(vec3_length(c.normal), 1, ROUNDING, "length of the normal");
+    near_vec3(vec3_sub(c.on_a, c.on_b), vec3_scale(c.gap, c.normal), ROUNDING,
               "on A - on B, which is to be gap times normal");
     return c;
 }
@@ -51,12 +39,13 @@ START_TEST(balls_side_by_side)
 {
     vec3 p = { 0, 0, 0 }, q = { 3, 4, 0 };
     deep_contact c = ask(around(&p, 1, 1), around(&q, 1, 2));
-    near(c.gap, 2, "gap of balls that are apart");
-    near_vec3(c.normal, (vec3){ -0.6, -0.8, 0 }, "normal, from B to A");
+    near(c.gap, 2, ROUNDING, "gap of balls that are apart");
+    near_vec3(c.normal, (vec3){ -0.6, -0.8, 0 }, ROUNDING,
+              "normal, from B to A");
     c = ask(around(&p, 1, 4), around(&q, 1, 2));
-    near(c.gap, -1, "gap of balls that overlap");
-    near_vec3(c.on_a, (vec3){ 2.4, 3.2, 0 }, "on A");
-    near_vec3(c.on_b, (vec3){ 1.8, 2.4, 0 }, "on B");
+    near(c.gap, -1, ROUNDING, "gap of balls that overlap");
+    near_vec3(c.on_a, (vec3){ 2.4, 3.2, 0 }, ROUNDING, "on A");
+    near_vec3(c.on_b, (vec3){ 1.8, 2.4, 0 }, ROUNDING, "on B");
 }
 END_TEST
 
@@ -67,10 +56,11 @@ START_TEST(ball_with_its_centre_in_a_cube)
     vec3 at[8], p = { 0.25, 0.75, -0.5 };
     cube_make(at);
     deep_contact c = ask(around(&p, 1, 0.5), around(at, 8, 0));
-    near(c.gap, -0.75, "gap");
-    near_vec3(c.normal, (vec3){ 0, 1, 0 }, "normal");
-    near_vec3(c.on_a, (vec3){ 0.25, 0.25, -0.5 }, "lowest point of the ball");
-    near_vec3(c.on_b, (vec3){ 0.25, 1, -0.5 }, "point of the face");
+    near(c.gap, -0.75, ROUNDING, "gap");
+    near_vec3(c.normal, (vec3){ 0, 1, 0 }, ROUNDING, "normal");
+    near_vec3(c.on_a, (vec3){ 0.25, 0.25, -0.5 }, ROUNDING,
+              "lowest point of the ball");
+    near_vec3(c.on_b, (vec3){ 0.25, 1, -0.5 }, ROUNDING, "point of the face");
 }
 END_TEST
 
@@ -81,8 +71,8 @@ START_TEST(crossing_capsules_know_the_way)
     vec3 s[2] = { { -1, 0, 0 }, { 1, 0, 0 } };
     vec3 t[2] = { { 0, -1, 0 }, { 0, 1, 0 } };
     deep_contact c = ask(around(s, 2, 0.25), around(t, 2, 0.5));
-    near(c.gap, -0.75, "gap");
-    near(fabs(c.normal.z), 1, "normal along z");
+    near(c.gap, -0.75, ROUNDING, "gap");
+    near(fabs(c.normal.z), 1, ROUNDING, "normal along z");
 }
 END_TEST
 
@@ -92,10 +82,10 @@ START_TEST(capsules_in_one_line_and_balls_in_one_place)
     vec3 s[2] = { { -1, 0, 0 }, { 1, 0, 0 } };
     vec3 t[2] = { { 0.5, 0, 0 }, { 2.5, 0, 0 } }, p = { 1, 2, 3 };
     deep_contact c = ask(around(s, 2, 0.25), around(t, 2, 0.5));
-    near(c.gap, -0.75, "gap of capsules in one line");
-    near(c.normal.x, 0, "normal, along the line");
+    near(c.gap, -0.75, ROUNDING, "gap of capsules in one line");
+    near(c.normal.x, 0, ROUNDING, "normal, along the line");
     c = ask(around(&p, 1, 0.25), around(&p, 1, 0.5));
-    near(c.gap, -0.75, "gap of balls with one centre");
+    near(c.gap, -0.75, ROUNDING, "gap of balls with one centre");
 }
 END_TEST
 
@@ -110,7 +100,7 @@ START_TEST(capsule_falls_through_a_capsule)
         deep_contact c = ask(around(s, 2, 0.25), around(t, 2, 0.5));
         char what[60];
         snprintf(what, sizeof what, "capsule at z = %g, gap", z);
-        near(c.gap, z - 0.75, what);
+        near(c.gap, z - 0.75, ROUNDING, what);
     }
 }
 END_TEST
@@ -128,7 +118,7 @@ START_TEST(capsule_falls_through_a_box)
         char what[60];
         snprintf(what, sizeof what, "lower end at y = %g, gap", y);
         real up = y - 1 - 0.375, aside = -0.9 - 0.375;
-        near(c.gap, up > aside ? up : aside, what);
+        near(c.gap, up > aside ? up : aside, ROUNDING, what);
     }
 }
 END_TEST
@@ -150,7 +140,7 @@ START_TEST(random_bodies_touch_once_they_have_moved)
         deep += c.gap < -0.4;
         for (int i = 0; i < 6; i++)
             s[i] = vec3_add_scaled(s[i], -c.gap, c.normal);
-        near(ask(a, b).gap, 0, "gap after moving by it");
+        near(ask(a, b).gap, 0, ROUNDING, "gap after moving by it");
     }
     ck_assert_msg(deep > 20 && deep < 80, "%d of 100 have overlapping cores: "
                   "both kinds are to be tried", deep);

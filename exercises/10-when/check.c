@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 10/when.
 
 #include "when.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -10,12 +11,6 @@
 // s: the gap that is left, a micrometre, at some m/s.
 static const real WITHIN = 1e-6, SOON = 1e-5;
 enum { CAP = 100 };
-
-static void near(real got, real wanted, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= SOON, "%s: got %.9g, wanted %.9g",
-                  what, got, wanted);
-}
 
 static hull box(vec3 at[8], vec3 low, vec3 high)
 {
@@ -62,7 +57,7 @@ static void expect_meeting(when_result r, real time, vec3 normal,
                            const char *what)
 {
     expect_status(r, WHEN_MEET, what);
-    near(r.time, time, what);
+    near(r.time, time, SOON, what);
     ck_assert_msg(vec3_distance(r.normal, normal) < 1e-9, "%s: the normal is "
                   "(%g, %g, %g), wanted (%g, %g, %g)", what, r.normal.x,
                   r.normal.y, r.normal.z, normal.x, normal.y, normal.z);

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 12/ring.
 
 #include "closed.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -9,12 +10,6 @@
 
 // Some hundred roundings, in systems whose pivots are not small.
 static const real ROUNDING = 1e-12;
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 // Memory that ends behind its last number.
 static real *numbers(int n)

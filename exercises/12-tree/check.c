@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 12/tree.
 
 #include "tree.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -16,12 +17,6 @@ enum { MOST = 24 };
 static particle p[MOST], q[MOST];
 static int parent[MOST];
 static real rest[MOST];
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 static unsigned long long seed = 13;
 

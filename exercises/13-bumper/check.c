@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 13/bumper.
 
 #include "bumper.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -17,12 +18,6 @@ enum { MOST = 8 };
 
 static particle p[MOST];
 static bumper c[MOST];
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 static unsigned long long seed = 5;
 

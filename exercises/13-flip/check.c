@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 13/flip.
 
 #include "flip.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -13,12 +14,6 @@ static const vec3 NONE = { 0, 0, 0 };
 static shape box;
 static rigid4 plan;
 static particle p[FOUR];
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.12g, wanted %.12g",
-                  what, got, wanted);
-}
 
 static unsigned long long seed = 85;
 

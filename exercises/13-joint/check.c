@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 13/joint.
 
 #include "shared.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -17,12 +18,6 @@ enum { BODIES = 5 };
 static particle p[FOUR * BODIES];
 static shape box;
 static rigid4 plan;
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 static unsigned long long seed = 5;
 
@@ -156,7 +151,8 @@ START_TEST(gap_is_closed_at_once)
         near(vec3_distance(point(0, j.local_a), point(1, j.local_b)), 0,
              10 * ROUNDING, "gap afterwards");
         near(worst_strain(2), 0, 1e-4, "strain");
-        near(joint_close(&j, &plan, p), 0, 10 * ROUNDING, "gap the second time");
+        near(joint_close(&j, &plan, p), 0, 10 * ROUNDING,
+             "gap the second time");
     }
     unmake();
 }

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 13/masses.
 
 #include "masses.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -8,12 +9,6 @@
 
 // Sums of four terms near 1, or as large as they may get: relative to them.
 static const real ROUNDING = 1e-14;
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
 
 static unsigned long long seed = 12;
 

@@ -1,18 +1,13 @@
 // check.c - tests of the exercise 14/axis.
 
 #include "axis.h"
+#include "expect.h"
 #include "suite.h"
 
 #include <check.h>
 #include <stdlib.h>
 
 static const real ROUNDING = 1e-13;
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 // Both, in memory that ends behind the last point.
 static void spreads(const vec3 *at, int n, real spread[3])

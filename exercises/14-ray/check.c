@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 14/ray.
 
 #include "ray.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -10,12 +11,6 @@
 static const real ROUNDING = 1e-12;
 
 static const crate UNIT = { { 0, 0, 0 }, { 1, 1, 1 } };
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 static unsigned long long seed = 13;
 

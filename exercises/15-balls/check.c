@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 15/balls.
 
 #include "balls.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -9,12 +10,6 @@
 static const real ROUNDING = 1e-13;
 
 static const vec3 STILL = { 0, 0, 0 };
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 static unsigned long long seed = 14;
 

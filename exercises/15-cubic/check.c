@@ -1,16 +1,11 @@
 // check.c - tests of the exercise 15/cubic.
 
 #include "cubic.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
 #include <check.h>
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
 
 static unsigned long long seed = 3;
 

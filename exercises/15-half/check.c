@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 15/half.
 
 #include "half.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -15,12 +16,6 @@ enum { MOST = 32 };
 static vec3 at[MOST];
 static half_link link[MOST];
 static real room[MOST];
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
 
 static unsigned long long seed = 45;
 

@@ -1,6 +1,7 @@
 // check.c - tests of the exercise 15/turn.
 
 #include "turn.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -12,12 +13,6 @@ static const real PI = 3.14159265358979324;
 static const vec3 NONE = { 0, 0, 0 }, Z = { 0, 0, 1 };
 
 enum { CAP = 1000 };
-
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.12g, wanted %.12g",
-                  what, got, wanted);
-}
 
 static turning box(vec3 at[8], vec3 center, vec3 half)
 {

@@ -8,6 +8,7 @@
 
 #include "cache.h"
 #include "convex.h"
+#include "expect.h"
 #include "random.h"
 #include "scarce.h"
 #include "suite.h"
@@ -181,13 +182,6 @@ static real least_gap(const contact *c)
                  c->b < 0 ? wall[-1 - c->b].offset : 0, gap);
     for (int k = 0; k < c->count; k++) least = fmin(least, gap[k]);
     return least;
-}
-
-static void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
 // Turns body b by a small rotation w about its centre, and moves it.  Returns

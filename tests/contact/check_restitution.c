@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "restitution.h"
+#include "expect.h"
 #include "random.h"
 #include "suite.h"
 
@@ -167,12 +168,6 @@ static int substep_with_solver(int n, real restitution)
     return impacts;
 }
 
-static void expect_close(real got, real wanted, real tolerance)
-{
-    ck_assert_msg(fabs(got - wanted) <= tolerance, "got %.17g, wanted %.17g",
-                  got, wanted);
-}
-
 static void expect_vec3(vec3 got, vec3 wanted, real tolerance)
 {
     ck_assert_msg(vec3_distance(got, wanted) <= tolerance,
@@ -277,7 +272,7 @@ END_TEST
 START_TEST(slow_bodies_do_not_bounce)
 {
     real slowest = restitution_slowest(0.5, 9.81, 0.001);
-    expect_close(slowest, sqrt(2 * 9.81 * 0.5) / 3, ROUNDING);
+    near(slowest, sqrt(2 * 9.81 * 0.5) / 3, ROUNDING);
     ck_assert(restitution_slowest(0.5, 9.81, 0.1) == 2 * 9.81 * 0.1);
     ck_assert(restitution_slowest(0.5, 0, 0.1) == 0);
     for (int k = 0; k < 2; k++) {
@@ -355,7 +350,7 @@ static void expect_bounces(real h, real e, int n, bool on_plane, real tolerance)
         if (!hit) continue;
         k++;
         wanted = (wanted + beside) * e * e - beside;
-        expect_close(energy_of_fall(0) - floor, wanted, tolerance);
+        near(energy_of_fall(0) - floor, wanted, tolerance);
     }
     solver_free(&solver);
 }
@@ -456,7 +451,7 @@ START_TEST(row_between_walls_keeps_its_energy)
     for (int n = 0; n < 20000; n++) hits += substep_with_solver(n, 1);
     solver_free(&solver);
     ck_assert_int_ge(hits, 1000);
-    expect_close(energy_of_all(), before, 1e-9 * before);
+    near(energy_of_all(), before, 1e-9 * before);
     for (int b = 0; b <= BALLS; b++)
         ck_assert(moved[b + 1].of[0] - moved[b].of[0] >= -0.1 - 1e-6);
 }
@@ -473,7 +468,7 @@ START_TEST(rounds_are_bounded)
     join_balls(0, 1);
     join_balls(0, 2);
     ck_assert_int_eq(solve(1), IMPACT_ROUNDS);
-    expect_close(fabs(velocity[0].of[0]), 1, ROUNDING);
+    near(fabs(velocity[0].of[0]), 1, ROUNDING);
 }
 END_TEST
 
@@ -488,7 +483,7 @@ START_TEST(what_is_passed_on_ends_with_a_tenth_of_the_blow)
     join_balls(0, 1);
     join_balls(0, 2);
     ck_assert_int_eq(solve(0.2), 2);
-    expect_close(velocity[0].of[0], 0.04, ROUNDING);
+    near(velocity[0].of[0], 0.04, ROUNDING);
 }
 END_TEST
 
@@ -710,7 +705,7 @@ START_TEST(no_impact_gives_energy)
         ck_assert_msg(after <= before + ROUNDING * size,
                       "round %d: %.17g, before %.17g", round, after, before);
         if (e < 1 || frame.friction > 0) continue;
-        expect_close(after, before, hit * ROUNDING * size);
+        near(after, before, hit * ROUNDING * size);
         kept++;
     }
     ck_assert_int_ge(hits, 5000);
@@ -839,7 +834,7 @@ START_TEST(every_point_parts_at_restitution_times_its_speed)
             ck_assert(!(closed[k] > 0)
                       || apart(k) >= e * closed[k] - 1e-9 * (fastest + 20));
             if (made[0].count == 1)
-                expect_close(apart(k), e * closed[k], 1e-11 * (fastest + 20));
+                near(apart(k), e * closed[k], 1e-11 * (fastest + 20));
         }
     }
     ck_assert_int_ge(hits, 5000);

@@ -11,12 +11,6 @@
 
 static unsigned long long seed = 7;
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.15g, wanted %.15g",
-                  what, got, wanted);
-}
-
 // A body somewhere, with axes of any lengths, and its basis: I = a diagonal.
 typedef struct {
     rigid_frame frame;

@@ -71,12 +71,6 @@ static vec3 centre(int b)
     return rigid4_frame(particle_of(b, 0)).center;
 }
 
-static void near(real got, real wanted, real error, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "%s: got %.12g, wanted %.12g",
-                  what, got, wanted);
-}
-
 // A box on a hinge, let go at `angle` (rad) aside.
 static int hang_box(vec3 sides, real aside)
 {

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "constraint.h"
+#include "expect.h"
 #include "hostile.h"
 #include "random.h"
 #include "response.h"
@@ -84,12 +85,6 @@ static feature_contact on_plane(vec3 normal)
 {
     return (feature_contact){ .a = vertex(0), .normal = normal, .mass_a = 1,
                               .mass_b = HUGE_VAL };
-}
-
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.12g, wanted %.12g",
-                  what, got, wanted);
 }
 
 // --- the point, the overlap -----------------------------------------------

@@ -1,6 +1,7 @@
 // check_verlet.c - tests of chapter 1.  Each names the mistake it rejects.
 
 #include "scarce.h"
+#include "expect.h"
 #include "suite.h"
 #include "verlet.h"
 
@@ -17,19 +18,6 @@ static const real ORDER_SLACK = 0.05;
 static const real PI = 3.14159265358979323846;
 static const vec3 NO_GRAVITY = { 0, 0, 0 };
 static const vec3 GRAVITY = { 0, -9.81, 0 };
-
-static void near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
-
-static void same(vec3 got, vec3 wanted)
-{
-    ck_assert_msg(got.x == wanted.x && got.y == wanted.y && got.z == wanted.z,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
-}
 
 // ---- The pool
 
@@ -48,8 +36,8 @@ START_TEST(pool_keeps_what_is_added)
     ck_assert(pool_reserve(&pool, 3).ok);
     ck_assert_int_eq(pool.capacity, room);
     for (int i = 0; i < 100; i++) {
-        same(pool.at[i].position, (vec3){ i, 0, 0 });
-        same(pool.at[i].previous, (vec3){ 0, i, 0 });
+        near_vec3(pool.at[i].position, (vec3){ i, 0, 0 }, 0);
+        near_vec3(pool.at[i].previous, (vec3){ 0, i, 0 }, 0);
     }
     pool_free(&pool);
     ck_assert(pool.at == NULL && pool.count == 0 && pool.capacity == 0);
@@ -77,7 +65,7 @@ START_TEST(pool_too_large_to_number_is_refused)
     status s = pool_reserve(&pool, INT_MAX);
     ck_assert(!s.ok && strstr(s.why, "2147483647 particles is too large"));
     ck_assert(pool.count == 1 && pool.capacity == 4);
-    same(pool.at[0].previous, (vec3){ 4, 5, 6 });
+    near_vec3(pool.at[0].previous, (vec3){ 4, 5, 6 }, 0);
     // Less than nothing is there already.
     ck_assert(pool_reserve(&pool, -3).ok && pool.capacity == 4);
     pool_free(&pool);
@@ -101,7 +89,7 @@ START_TEST(refused_memory_leaves_the_pool)
         ck_assert(pool_reserve(&pool, 4).ok);
         if (!room) pool_add(&pool, (particle){ { 1, 2, 3 }, { 4, 5, 6 }, 7 });
     }
-    same(pool.at[0].position, (vec3){ 1, 2, 3 });
+    near_vec3(pool.at[0].position, (vec3){ 1, 2, 3 }, 0);
     long held = blocks_held;
     pool_free(&pool);
     held -= blocks_held;
@@ -126,7 +114,7 @@ START_TEST(parabola_is_exact_to_the_last_bit)
     particle p = particle_start(x0, v0, a, 2, dt);
     for (int k = 1; k <= 640; k++) {
         verlet_step(&p, 1, a, NULL, dt);
-        same(p.position, parabola(x0, v0, a, k * dt));
+        near_vec3(p.position, parabola(x0, v0, a, k * dt), 0);
     }
 }
 END_TEST
@@ -181,12 +169,12 @@ START_TEST(pinned_particle_stays)
     // Rejects: gravity on a pinned particle, a velocity left in previous.
     particle p = particle_start((vec3){ 1, 2, 3 }, (vec3){ 4, 5, 6 }, GRAVITY,
                                 0, 0.01);
-    same(p.previous, p.position);
+    near_vec3(p.previous, p.position, 0);
     vec3 force = { 1e9, 0, 0 };
     for (int k = 0; k < 10; k++) verlet_step(&p, 1, GRAVITY, &force, 0.01);
-    same(p.position, (vec3){ 1, 2, 3 });
-    same(p.previous, (vec3){ 1, 2, 3 });
-    same(verlet_velocity(&p, GRAVITY, 0.01), (vec3){ 0, 0, 0 });
+    near_vec3(p.position, (vec3){ 1, 2, 3 }, 0);
+    near_vec3(p.previous, (vec3){ 1, 2, 3 }, 0);
+    near_vec3(verlet_velocity(&p, GRAVITY, 0.01), (vec3){ 0, 0, 0 }, 0);
 }
 END_TEST
 
@@ -196,8 +184,8 @@ START_TEST(pinned_particle_forgets_its_motion)
     // would fly on the moment it is set free.
     particle p = { { 1, 0, 0 }, { 0, 0, 0 }, 0 };
     verlet_step(&p, 1, GRAVITY, NULL, 0.01);
-    same(p.position, (vec3){ 1, 0, 0 });
-    same(p.previous, (vec3){ 1, 0, 0 });
+    near_vec3(p.position, (vec3){ 1, 0, 0 }, 0);
+    near_vec3(p.previous, (vec3){ 1, 0, 0 }, 0);
 }
 END_TEST
 
@@ -209,7 +197,7 @@ START_TEST(each_particle_has_its_own_force)
     for (int i = 0; i < 3; i++)
         p[i] = (particle){ { 0, 0, 0 }, { 0, 0, 0 }, 1 };
     verlet_step(p, 3, NO_GRAVITY, force, 1);
-    for (int i = 0; i < 3; i++) same(p[i].position, force[i]);
+    for (int i = 0; i < 3; i++) near_vec3(p[i].position, force[i], 0);
     verlet_step(p, 0, NO_GRAVITY, force, 1);
 }
 END_TEST

@@ -3,6 +3,7 @@
 
 #include "cast.h"
 #include "axes.h"
+#include "expect.h"
 #include "suite.h"
 
 #include <check.h>
@@ -10,19 +11,6 @@
 
 // Of coordinates of a few metres: a hundred times what cast.h promises.
 static const real fine = 1e-10;
-
-static void near(real got, real wanted)
-{
-    ck_assert_msg(fabs(got - wanted) <= fine, "got %.17g, wanted %.17g", got,
-                  wanted);
-}
-
-static void near_vec3(vec3 got, vec3 wanted)
-{
-    near(got.x, wanted.x);
-    near(got.y, wanted.y);
-    near(got.z, wanted.z);
-}
 
 static const vec3 cube[8] = {
     { -1, -1, -1 }, { 1, -1, -1 }, { -1, 1, -1 }, { 1, 1, -1 },
@@ -46,9 +34,9 @@ START_TEST(a_ray_meets_the_face_in_front)
 {
     cast_result r = ray((vec3){ -5, .25, .5 }, (vec3){ 3, .25, .5 }, block);
     ck_assert(r.hits);
-    near(r.fraction, 0.5);
-    near_vec3(r.point, (vec3){ -1, .25, .5 });
-    near_vec3(r.normal, (vec3){ -1, 0, 0 });
+    near(r.fraction, 0.5, fine);
+    near_vec3(r.point, (vec3){ -1, .25, .5 }, fine);
+    near_vec3(r.normal, (vec3){ -1, 0, 0 }, fine);
 }
 END_TEST
 
@@ -66,9 +54,9 @@ START_TEST(a_ray_meets_a_ball_where_the_quadratic_says)
 {
     cast_result r = ray((vec3){ -4, 1.2, 0 }, (vec3){ 4, 1.2, 0 }, ball);
     ck_assert(r.hits);
-    near(r.fraction, 0.3);
-    near_vec3(r.point, (vec3){ -1.6, 1.2, 0 });
-    near_vec3(r.normal, (vec3){ -.8, .6, 0 });
+    near(r.fraction, 0.3, fine);
+    near_vec3(r.point, (vec3){ -1.6, 1.2, 0 }, fine);
+    near_vec3(r.normal, (vec3){ -.8, .6, 0 }, fine);
 }
 END_TEST
 
@@ -76,12 +64,12 @@ START_TEST(a_ray_meets_the_side_and_the_cap_of_a_capsule)
 {
     cast_result side = ray((vec3){ -4, 2, .6 }, (vec3){ 4, 2, .6 }, capsule);
     ck_assert(side.hits);
-    near_vec3(side.point, (vec3){ -.8, 2, .6 });
-    near_vec3(side.normal, (vec3){ -.8, 0, .6 });
+    near_vec3(side.point, (vec3){ -.8, 2, .6 }, fine);
+    near_vec3(side.normal, (vec3){ -.8, 0, .6 }, fine);
     cast_result cap = ray((vec3){ -4, 3.6, 0 }, (vec3){ 4, 3.6, 0 }, capsule);
     ck_assert(cap.hits);
-    near_vec3(cap.point, (vec3){ -.8, 3.6, 0 });
-    near_vec3(cap.normal, (vec3){ -.8, .6, 0 });
+    near_vec3(cap.point, (vec3){ -.8, 3.6, 0 }, fine);
+    near_vec3(cap.normal, (vec3){ -.8, .6, 0 }, fine);
 }
 END_TEST
 
@@ -89,8 +77,8 @@ START_TEST(a_ray_that_begins_inside_meets_at_once)
 {
     cast_result r = ray(middle, (vec3){ 9, 0, 0 }, block);
     ck_assert(r.hits);
-    near(r.fraction, 0);
-    near_vec3(r.normal, (vec3){ -1, 0, 0 });
+    near(r.fraction, 0, fine);
+    near_vec3(r.normal, (vec3){ -1, 0, 0 }, fine);
     ck_assert(ray((vec3){ 1.5, 0, 0 }, (vec3){ 9, 0, 0 }, ball).hits);
 }
 END_TEST
@@ -126,9 +114,9 @@ static void agrees(cast_result r, real wanted, vec3 from, vec3 way)
     }
     ck_assert(r.hits);
     // A ray that grazes is as long within the tolerance as it is flat.
-    near((r.fraction - wanted) * vec3_dot(way, r.normal), 0);
-    near_vec3(r.point, vec3_add_scaled(from, r.fraction, way));
-    near(vec3_length(r.normal), 1);
+    near((r.fraction - wanted) * vec3_dot(way, r.normal), 0, fine);
+    near_vec3(r.point, vec3_add_scaled(from, r.fraction, way), fine);
+    near(vec3_length(r.normal), 1, fine);
     ck_assert(vec3_dot(r.normal, way) < 0);
 }
 
@@ -159,14 +147,14 @@ START_TEST(a_body_that_goes_meets_with_its_own_extent)
     vec3 down = { 0, -10, 0 }, left = { -10, 0, 0 };
     cast_result r = cast_first_plane(a, down, (plane){ { 0, 1, 0 }, 2 });
     ck_assert(r.hits);
-    near(r.fraction, .55);
-    near(r.point.y, 2);
+    near(r.fraction, .55, fine);
+    near(r.point.y, 2, fine);
     ck_assert(!cast_first(a, left, block, scratch).hits);
     for (int k = 0; k < 8; k++) at[k].y -= 8.5;
     r = cast_first(a, left, block, scratch);
     ck_assert(r.hits);
-    near(r.fraction, .65);
-    near_vec3(r.normal, (vec3){ 1, 0, 0 });
+    near(r.fraction, .65, fine);
+    near_vec3(r.normal, (vec3){ 1, 0, 0 }, fine);
 }
 END_TEST
 
@@ -179,9 +167,9 @@ START_TEST(a_plane_is_met_from_its_free_side_only)
     ck_assert(!cast_first_plane(tip, (vec3){ 0, -1.9, 0 }, floor).hits);
     cast_result r = cast_first_plane(tip, (vec3){ 4, -4, 0 }, floor);
     ck_assert(r.hits);
-    near(r.fraction, .5);
-    near_vec3(r.point, (vec3){ 3, 1, 2 });
-    near_vec3(r.normal, (vec3){ 0, 1, 0 });
+    near(r.fraction, .5, fine);
+    near_vec3(r.point, (vec3){ 3, 1, 2 }, fine);
+    near_vec3(r.normal, (vec3){ 0, 1, 0 }, fine);
 }
 END_TEST
 
@@ -189,17 +177,17 @@ START_TEST(the_nearest_point_lies_on_the_surface)
 {
     cast_result r = cast_nearest((vec3){ 3, .5, 0 }, block, 5);
     ck_assert(r.hits);
-    near(r.fraction, 2);
-    near_vec3(r.point, (vec3){ 1, .5, 0 });
-    near_vec3(r.normal, (vec3){ 1, 0, 0 });
+    near(r.fraction, 2, fine);
+    near_vec3(r.point, (vec3){ 1, .5, 0 }, fine);
+    near_vec3(r.normal, (vec3){ 1, 0, 0 }, fine);
     r = cast_nearest((vec3){ 0, 6, 8 }, ball, 9);
-    near(r.fraction, 8);
-    near_vec3(r.point, (vec3){ 0, 1.2, 1.6 });
+    near(r.fraction, 8, fine);
+    near_vec3(r.point, (vec3){ 0, 1.2, 1.6 }, fine);
     ck_assert(!cast_nearest((vec3){ 0, 6, 8 }, ball, 7.9).hits);
     r = cast_nearest((vec3){ .2, .3, 0 }, block, 1);
     ck_assert(r.hits);
-    near(r.fraction, 0);
-    near_vec3(r.point, (vec3){ .2, .3, 0 });
+    near(r.fraction, 0, fine);
+    near_vec3(r.point, (vec3){ .2, .3, 0 }, fine);
 }
 END_TEST
 

@@ -6,6 +6,7 @@
 #include "axes.h"
 #include "collide.h"
 #include "convex.h"
+#include "expect.h"
 #include "suite.h"
 
 // Bodies of size 1 near the origin; a corner is turned, a foot is a mean of
@@ -55,13 +56,6 @@ static manifold touches(collider a, collider b, real margin)
 {
     query_cache fresh = { .count = 0 };
     return collide_rigid(&a, &b, margin, 0, &fresh);
-}
-
-static void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%g, %g, %g), wanted (%g, %g, %g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
 // Everything that a manifold promises: a unit normal; points that are points of

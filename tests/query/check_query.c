@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "bodies.h"
+#include "expect.h"
 #include "oracle.h"
 #include "query.h"
 #include "random.h"
@@ -70,13 +71,6 @@ static void random_pair(int k, standing *a, standing *b)
 {
     *a = stand(k % 2 ? &cube : &ball, random_vector(&seed, 0, 1.5));
     *b = stand(k % 3 ? &cube : &ball, vec3_make(0, 0, 0));
-}
-
-static void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%g, %g, %g), wanted (%g, %g, %g)", got.x, got.y, got.z,
-                  wanted.x, wanted.y, wanted.z);
 }
 
 static void is_point_of(const feature_point *f, const standing *x)

@@ -2,6 +2,7 @@
 // and do those that do not, pass?
 
 #include "bodies.h"
+#include "expect.h"
 #include "oracle.h"
 #include "random.h"
 #include "suite.h"
@@ -50,12 +51,6 @@ static swept_result sweep(const body *a, vec3 way, const body *b, real apart,
                           real tolerance)
 {
     return sweep_sets(body_hull(a), way, body_hull(b), apart, tolerance);
-}
-
-static void near(real got, real wanted, real tolerance)
-{
-    ck_assert_msg(fabs(got - wanted) <= tolerance, "got %.17g, wanted %.17g",
-                  got, wanted);
 }
 
 static void same_bits(real got, real wanted)

@@ -1,6 +1,7 @@
 // check_body.c - tests of lib/shapes/body.c: shapes and their sticks.
 
 #include "scarce.h"
+#include "expect.h"
 #include "shapes.h"
 #include "suite.h"
 
@@ -47,8 +48,8 @@ START_TEST(box_has_its_sides_volume_and_radius)
     expect_ok(shape_box(&s, vec3_make(1, 2, 3), 4));
     ck_assert(s.at[0].x == -0.5 && s.at[0].y == -1 && s.at[0].z == -1.5);
     ck_assert(s.at[6].x == -0.5 && s.at[6].y == 1 && s.at[6].z == 1.5);
-    expect_near(mesh_volume(&s.mesh, s.at), 6, ROUNDING);
-    expect_near(s.radius, sqrt(14) / 2, ROUNDING);
+    near_relative(mesh_volume(&s.mesh, s.at), 6, ROUNDING);
+    near_relative(s.radius, sqrt(14) / 2, ROUNDING);
     ck_assert(s.spacing == 1);
     shape_free(&s);
 }
@@ -77,13 +78,13 @@ START_TEST(icosahedron_is_regular)
     real r = 2.5, a = 4 * r / sqrt(10 + 2 * sqrt(5));
     expect_ok(shape_icosahedron(&s, r, 1));
     for (int i = 0; i < 12; i++)
-        expect_near(vec3_length(s.at[i]), r, ROUNDING);
+        near_relative(vec3_length(s.at[i]), r, ROUNDING);
     for (int e = 0; e < 30; e++)
-        expect_near(vec3_distance(s.at[s.mesh.half[2 * e].origin],
+        near_relative(vec3_distance(s.at[s.mesh.half[2 * e].origin],
                                   s.at[s.mesh.half[2 * e + 1].origin]),
                     a, ROUNDING);
-    expect_near(s.spacing, a, ROUNDING);
-    expect_near(mesh_volume(&s.mesh, s.at),
+    near_relative(s.spacing, a, ROUNDING);
+    near_relative(mesh_volume(&s.mesh, s.at),
                 5 * (3 + sqrt(5)) * a * a * a / 12, ROUNDING);
     shape_free(&s);
 }
@@ -156,15 +157,15 @@ START_TEST(cloth_lies_flat_and_looks_up)
     for (int j = 0; j < 4; j++)
         for (int i = 0; i < 5; i++) {
             vec3 a = s.at[j * 5 + i], b = s.at[(3 - j) * 5 + 4 - i];
-            expect_near(a.x + 1, 2 * i / 4.0, ROUNDING);
-            expect_near(a.z + 1.5, 3 * j / 3.0, ROUNDING);
+            near_relative(a.x + 1, 2 * i / 4.0, ROUNDING);
+            near_relative(a.z + 1.5, 3 * j / 3.0, ROUNDING);
             ck_assert(a.y == 0 && a.x == -b.x && a.z == -b.z);
         }
     for (int f = 0; f < s.mesh.faces; f++) {
         const int *v = &s.face[3 * f];
         vec3 n = vec3_cross(vec3_sub(s.at[v[1]], s.at[v[0]]),
                             vec3_sub(s.at[v[2]], s.at[v[0]]));
-        expect_near(n.y, 0.5, ROUNDING);            // twice half a cell
+        near_relative(n.y, 0.5, ROUNDING);            // twice half a cell
         ck_assert(n.x == 0 && n.z == 0);
     }
     shape_free(&s);

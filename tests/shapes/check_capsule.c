@@ -12,12 +12,6 @@
 
 static const real TINY = 1e-13;
 
-static void expect_close(real got, real wanted)
-{
-    ck_assert_msg(fabs(got - wanted) <= TINY * fabs(wanted),
-                  "got %.17g, wanted %.17g", got, wanted);
-}
-
 // The core of a capsule is an edge that leads to its other end from either.
 START_TEST(core_of_a_capsule_is_an_edge)
 {
@@ -51,7 +45,7 @@ static void expect_skin(const shape *s, real volume)
     for (int i = 0; i < k.points; i++) {
         vec3 x = k.at[i];
         real y = fmax(fabs(x.y) - half, 0);
-        expect_close(sqrt(x.x * x.x + y * y + x.z * x.z), s->round);
+        near_relative(sqrt(x.x * x.x + y * y + x.z * x.z), s->round, TINY);
     }
     mesh_free(&m);
 }

@@ -1,6 +1,7 @@
 // check_convex.c - rigid bodies from convex meshes.
 
 #include "convex.h"
+#include "expect.h"
 #include "meshes.h"
 #include "rigidity.h"
 #include "scarce.h"
@@ -128,18 +129,18 @@ START_TEST(equal_masses_exaggerate_inertia_by_3_and_2_3_and_5)
     shape s;
     expect_ok(shape_box(&s, vec3_make(1, 2, 3), 4));
     vec3 p = particle_moments(&s), q = solid_moments(&s, 4);
-    expect_near(p.x / q.x, 3, ROUNDING);
-    expect_near(p.y / q.y, 3, ROUNDING);
-    expect_near(p.z / q.z, 3, ROUNDING);
+    near_relative(p.x / q.x, 3, ROUNDING);
+    near_relative(p.y / q.y, 3, ROUNDING);
+    near_relative(p.z / q.z, 3, ROUNDING);
     printf("inertia: box %.4f", p.x / q.x);
     shape_free(&s);
 
     expect_ok(shape_icosahedron(&s, 2, 1));
     real golden = (1 + sqrt(5)) / 2, ratio = 5 * sqrt(5) / (3 * golden);
     p = particle_moments(&s), q = solid_moments(&s, 1);
-    expect_near(p.x / q.x, ratio, ROUNDING);
-    expect_near(p.y / q.y, ratio, ROUNDING);
-    expect_near(p.z / q.z, ratio, ROUNDING);
+    near_relative(p.x / q.x, ratio, ROUNDING);
+    near_relative(p.y / q.y, ratio, ROUNDING);
+    near_relative(p.z / q.z, ratio, ROUNDING);
     printf(", icosahedron %.4f", p.x / q.x);
     shape_free(&s);
 
@@ -149,7 +150,7 @@ START_TEST(equal_masses_exaggerate_inertia_by_3_and_2_3_and_5)
         { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 1, 3, 2 } };
     expect_ok(shape_convex(&s, 4, at, 4, t, 1));
     p = particle_moments(&s), q = solid_moments(&s, 1);
-    expect_near(p.x / q.x, 5, ROUNDING);
+    near_relative(p.x / q.x, 5, ROUNDING);
     printf(", tetrahedron %.4f times the solid's\n", p.x / q.x);
     shape_free(&s);
 }
@@ -167,7 +168,7 @@ START_TEST(tetrahedron_needs_its_six_edges_only)
     expect_sound(&s, 2);
     ck_assert_int_eq(s.sticks, 6);
     ck_assert_int_eq(shape_rank(&s), 6);
-    expect_near(s.at[0].x, -0.25, ROUNDING);    // the mean of 10, 11, 10, 10
+    near_relative(s.at[0].x, -0.25, ROUNDING);    // the mean of 10, 11, 10, 10
     shape_free(&s);
 }
 END_TEST

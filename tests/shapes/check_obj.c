@@ -5,6 +5,7 @@
 #define _XOPEN_SOURCE 700
 
 #include "convex.h"
+#include "expect.h"
 #include "obj.h"
 #include "random.h"
 #include "rigidity.h"
@@ -26,27 +27,10 @@
 // Roundings on the way from the file to the body: centre, scale, centre.
 static const real ROUNDING = 1e-14;
 
-static void expect_near(real got, real wanted, real tolerance)
-{
-    ck_assert_msg(fabs(got - wanted) <= tolerance,
-                  "got %.17g, wanted %.17g", got, wanted);
-}
-
-static void expect_ok(status s)
-{
-    ck_assert_msg(s.ok, "refused: %s", s.why);
-}
-
 static void expect_empty(const shape *s)
 {
     ck_assert(s->particles == 0 && s->sticks == 0 && s->mesh.edges == 0);
     ck_assert(!s->at && !s->mass && !s->stick && !s->face && !s->mesh.half);
-}
-
-static void expect_why(status s, const char *why)
-{
-    ck_assert_msg(!s.ok, "accepted, wanted: %s", why);
-    ck_assert_msg(strcmp(s.why, why) == 0, "said: %s\nwanted: %s", s.why, why);
 }
 
 // Each test runs in a process and a folder of its own; a file of these bytes is
@@ -92,7 +76,7 @@ static void expect_read(const char *text, int particles)
     shape s;
     expect_ok(read_bytes(text, strlen(text), &s));
     ck_assert_int_eq(s.particles, particles);
-    expect_near(s.radius, 1, ROUNDING);
+    near(s.radius, 1, ROUNDING);
     expect_ok(mesh_validate(&s.mesh));
     expect_ok(mesh_check_convex(&s.mesh, s.at));
     shape_free(&s);
@@ -113,12 +97,12 @@ START_TEST(cube_of_squares_is_read)
     ck_assert_int_eq(s.particles, 8);
     ck_assert_int_eq(s.mesh.faces, 12);
     ck_assert_int_eq(s.sticks, 18 + 1);     // and the diagonal from vertex 0
-    expect_near(s.radius, 3, 3 * ROUNDING);
+    near(s.radius, 3, 3 * ROUNDING);
     for (int i = 0; i < 8; i++) {
-        expect_near(vec3_length(s.at[i]), 3, 3 * ROUNDING);
-        expect_near(s.mass[i], 0.25, 0);
+        near(vec3_length(s.at[i]), 3, 3 * ROUNDING);
+        near(s.mass[i], 0.25, 0);
     }
-    expect_near(mesh_volume(&s.mesh, s.at), 8 * 3 * sqrt(3), 1e-12);
+    near(mesh_volume(&s.mesh, s.at), 8 * 3 * sqrt(3), 1e-12);
     ck_assert_int_eq(shape_rank(&s), 18);
     shape_free(&s);
 }
@@ -130,7 +114,7 @@ START_TEST(negative_indices_count_from_the_end)
     expect_ok(obj_read(DATA "tetrahedron.obj", 1, 1, &s));
     ck_assert_int_eq(s.particles, 4);
     ck_assert_int_eq(s.sticks, 6);
-    expect_near(s.at[1].y, -1 / sqrt(3), ROUNDING);
+    near(s.at[1].y, -1 / sqrt(3), ROUNDING);
     shape_free(&s);
 }
 END_TEST
@@ -139,7 +123,7 @@ START_TEST(mesh_that_looks_inwards_is_turned_round)
 {
     shape s;
     expect_ok(obj_read(DATA "octahedron-inwards.obj", 1, 1, &s));
-    expect_near(mesh_volume(&s.mesh, s.at), 4.0 / 3, ROUNDING);
+    near(mesh_volume(&s.mesh, s.at), 4.0 / 3, ROUNDING);
     shape_free(&s);
 }
 END_TEST
@@ -195,7 +179,7 @@ START_TEST(unused_vertices_are_dropped)
     expect_read(text, 4);
     expect_ok(read_bytes(text, sizeof text - 1, &s));
     for (int i = 0; i < 4; i++)
-        expect_near(vec3_length(s.at[i]), 1, ROUNDING);
+        near(vec3_length(s.at[i]), 1, ROUNDING);
     shape_free(&s);
 }
 END_TEST
@@ -255,7 +239,7 @@ START_TEST(numbers_are_read_to_fifteen_digits)
         shape s;
         expect_ok(read_bytes(text, strlen(text), &s));
         real got = (s.at[1].x - s.at[0].x) / (s.at[3].z - s.at[0].z);
-        expect_near(got / x, 1, 2e-15);
+        near(got / x, 1, 2e-15);
         shape_free(&s);
     }
 }

@@ -179,7 +179,7 @@ for (const name of names) {
   await page.context().close();
 }
 await checkSearch(browser, 'index.html', [
-  ['gjk_distance', '04-gjk.html#gjk_distance'], ['minkowski diff', '04-gjk.html'],
+  ['gjk_distance', '04-gjk.html#gjk_distance'], ['minkowski diff', '04-gjk.html'], ['why does my cloth stretch', '16-cloth.html'],
 ]);
 await browser.close();
 host.end();

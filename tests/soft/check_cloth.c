@@ -4,6 +4,7 @@
 #include <check.h>
 #include <stdlib.h>
 
+#include "expect.h"
 #include "ledger.h"
 #include "measure.h"
 #include "soft_step.h"
@@ -322,7 +323,7 @@ START_TEST(box_on_a_cloth_lies_still_and_falls_asleep)
     near_vec3(middle(b), was, 1e-3);
     // Its lower side is a thickness over the cloth, which is one over the
     // floor.
-    near_real(middle(b).y, 0.2 + 2 * w.body[c].thickness, 1e-3);
+    near(middle(b).y, 0.2 + 2 * w.body[c].thickness, 1e-3);
 }
 END_TEST
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "facet.h"
+#include "expect.h"
 #include "suite.h"
 
 // A cube of size 1; a query is a few dozen roundings.
@@ -27,17 +28,10 @@ static void tear_down(void)
     shape_free(&cube);
 }
 
-static void near_vec3(vec3 got, vec3 wanted)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= ROUNDING,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
-}
-
 static void near_weights(const facet_touch *t, real a, real b, real c)
 {
     near_vec3(vec3_make(t->weight[0], t->weight[1], t->weight[2]),
-              vec3_make(a, b, c));
+              vec3_make(a, b, c), ROUNDING);
 }
 
 static plane unknown(void)
@@ -75,10 +69,10 @@ START_TEST(corner_under_a_triangle)
         over_corner(end, gap[k]);
         ck_assert(facet_nearest(&hit, end, &between, 0.06, &t));
         near_weights(&t, 0.5, 0.3, 0.2);
-        near_vec3(t.at.at, vec3_make(0.5, 0.5, 0.5));
-        near_vec3(t.at.normal, n);
+        near_vec3(t.at.at, vec3_make(0.5, 0.5, 0.5), ROUNDING);
+        near_vec3(t.at.normal, n, ROUNDING);
         ck_assert(fabs(t.gap - gap[k]) <= ROUNDING);
-        near_vec3(between.normal, n);
+        near_vec3(between.normal, n, ROUNDING);
         ck_assert(fabs(between.offset - sqrt(0.75)) <= ROUNDING);
         ck_assert(fabs(facet_height(end, between) - gap[k]) <= ROUNDING);
         ck_assert(!facet_nearest(&hit, end, &between, 0.9 * gap[k], &t));
@@ -106,8 +100,8 @@ START_TEST(edge_under_an_edge)
         end[2] = is_link ? end[1] : vec3_add_scaled(here, 0.5, n);
         ck_assert(facet_nearest(&hit, end, &between, 0.1, &t));
         near_weights(&t, 0.75, 0.25, 0);
-        near_vec3(t.at.at, vec3_make(0.5, 0.5, 0.1));
-        near_vec3(t.at.normal, n);
+        near_vec3(t.at.at, vec3_make(0.5, 0.5, 0.1), ROUNDING);
+        near_vec3(t.at.normal, n, ROUNDING);
         ck_assert(fabs(t.gap - gap) <= ROUNDING);
     }
 }
@@ -127,7 +121,7 @@ START_TEST(what_cuts_the_body_leaves_by_the_side_it_came_from)
         over_corner(end, -0.01 * k);
         ck_assert(facet_nearest(&hit, end, &between, 0.02, &t));
         near_weights(&t, 0.5, 0.3, 0.2);
-        near_vec3(t.at.normal, n);
+        near_vec3(t.at.normal, n, ROUNDING);
         ck_assert(fabs(t.gap + 0.01 * k) <= ROUNDING);
     }
 }
@@ -180,7 +174,7 @@ START_TEST(what_is_not_finite_is_near_nothing)
         over_corner(end, -0.01);
         end[k].y = (real)NAN;
         ck_assert(!facet_nearest(&hit, end, &between, 0.02, &t));
-        near_vec3(between.normal, vec3_make(0, 1, 0));
+        near_vec3(between.normal, vec3_make(0, 1, 0), ROUNDING);
         real up = facet_height(end, between);
         ck_assert(up != up);
     }

@@ -2,6 +2,7 @@
 // cloth, solved at one stroke.  Each names the mistake that it rejects.
 
 #include "line.h"
+#include "expect.h"
 #include "plain_strand.h"
 #include "random.h"
 #include "scarce.h"
@@ -21,12 +22,6 @@ static const real ROUNDING = 1e-11;
 
 static const vec3 GRAVITY = { 0, -9.81, 0 };
 static const vec3 NOTHING = { 0, 0, 0 };
-
-static void expect_near(real got, real wanted, real slack, const char *what)
-{
-    ck_assert_msg(fabs(got - wanted) <= slack, "%s: got %.17g, wanted %.17g",
-                  what, got, wanted);
-}
 
 static void expect_below(real got, real most, const char *what)
 {
@@ -157,11 +152,11 @@ START_TEST(one_link_takes_herons_step)
         relax_options o = along(old);
         o.tolerance = 1;            // the old gradient is not judged
         line_result r = solve(0, 1, o);
-        expect_near(vec3_distance(p[0].position, p[1].position),
+        near(vec3_distance(p[0].position, p[1].position),
                     (1.5 * 1.5 + 1) / (2 * 1.5), EXACT, "length");
         real a = -0.5 - p[0].position.x, b = p[1].position.x - 1;
-        expect_near(a / b, 3, ROUNDING, "share");
-        expect_near(r.worst, (1.5 * 1.5 - 1) / 2, EXACT, "error before");
+        near(a / b, 3, ROUNDING, "share");
+        near(r.worst, (1.5 * 1.5 - 1) / 2, EXACT, "error before");
         ck_assert_int_eq(r.steps, 1);
         ck_assert_int_eq(r.fell_back, 0);
         tear_down();
@@ -256,7 +251,7 @@ START_TEST(step_is_that_of_the_full_system)
         }
         solve_in_full(1.2, old);
         for (int i = 0; i <= LINKS; i++)
-            expect_near(vec3_distance(p[i].position, q[i].position), 0,
+            near(vec3_distance(p[i].position, q[i].position), 0,
                         1e3 * EXACT, "place");
         tear_down();
     }
@@ -443,9 +438,9 @@ START_TEST(rounds_but_the_last_ask_for_more)
                     worst = fmax(worst, round_in_full(&strand[d], l,
                                                       k < 2 ? 1.2 : 1));
         }
-        expect_near(r.worst, worst, ROUNDING, "worst");
+        near(r.worst, worst, ROUNDING, "worst");
         for (int i = 0; i < plan.particles; i++)
-            expect_near(vec3_distance(p[i].position, q[i].position), 0,
+            near(vec3_distance(p[i].position, q[i].position), 0,
                         ROUNDING, "place");
         tear_down();
     }
@@ -520,7 +515,7 @@ START_TEST(nailed_particles_stay)
         expect_same_places(p + 7, q + 7, 2);
         for (int k = 0; k < 20; k++)
             if (k != 7)
-                expect_near(vec3_distance(p[k].position, p[k + 1].position), 1,
+                near(vec3_distance(p[k].position, p[k + 1].position), 1,
                             k < 9 ? 0.3 : 0.1, "other links");
         tear_down();
     }
@@ -556,10 +551,10 @@ START_TEST(momenta_stay)
         disturb(0.05);
         vec3 before = centre(p, 31), turned = turning(31);
         line_result r = solve(0, 1 + round % 3, along(old));
-        expect_near(vec3_distance(centre(p, 31), before), 0, ROUNDING,
+        near(vec3_distance(centre(p, 31), before), 0, ROUNDING,
                     "centre of mass");
         if (r.fell_back || !old) { tear_down(); continue; }
-        expect_near(vec3_distance(turning(31), turned), 0, ROUNDING, "turning");
+        near(vec3_distance(turning(31), turned), 0, ROUNDING, "turning");
         tear_down();
     }
 }
@@ -704,7 +699,7 @@ START_TEST(swinging_chain_keeps_length_and_energy)
     printf("line: swinging, 20 substeps of 2 steps: strain %.2g, energy "
            "%+.2g\n", worst, mean);
     expect_below(worst, 1e-5, "strain");
-    expect_near(mean, 0, 1e-3, "energy");
+    near(mean, 0, 1e-3, "energy");
     ck_assert_int_eq(fell_back, 0);
     tear_down();
 }
@@ -728,7 +723,7 @@ START_TEST(link_without_length_is_left)
     remember();
     line_result r = solve(0, 3, along(0));
     expect_same_places(p, q, 10);
-    expect_near(r.worst, 0.5, 0, "worst");
+    near(r.worst, 0.5, 0, "worst");
     tear_down();
 }
 END_TEST
@@ -741,7 +736,7 @@ START_TEST(short_link_is_doubled_at_most)
         p[0].position = NOTHING;
         p[1].position = vec3_make(d, 0, 0);
         solve(0, 1, along(0));
-        expect_near(vec3_distance(p[0].position, p[1].position), 2 * d,
+        near(vec3_distance(p[0].position, p[1].position), 2 * d,
                     EXACT * d, "length");
         solve(0, 40, along(0));
         expect_below(strain_of(strand), EXACT, "in the end");
@@ -950,7 +945,7 @@ START_TEST(leash_lets_go_as_far_as_the_errors_ask)
         line_result r = solve(0, 1, along(old));
         ck_assert_int_eq(r.fell_back, 0);
         real heron = (d * d + rest * rest) / (2 * d);
-        expect_near(strain_of(&strand[0]), heron / rest - 1, ROUNDING,
+        near(strain_of(&strand[0]), heron / rest - 1, ROUNDING,
                     "strain");
         tear_down();
     }
@@ -1102,7 +1097,7 @@ START_TEST(strands_that_are_held_are_those_of_the_plain_form)
             for (int l = 0; l < strand[d].lines; l++)
                 plain_round(&strand[d], hold, l);
         for (int i = 0; i < plan.particles; i++)
-            expect_near(vec3_distance(p[i].position, q[i].position), 0,
+            near(vec3_distance(p[i].position, q[i].position), 0,
                         ROUNDING, "place");
         remember();
         lines_relax(&plan, p, 1, along(0), NULL, 0, scratch);
@@ -1128,9 +1123,9 @@ START_TEST(particle_on_a_floor_bears_what_hangs_on_it)
                           hold_of(LINE_FREE, vec3_make(0, 1, 0)) };
     lines_relax(&plan, p, 1, along(0), hold, 0, scratch);
     real lambda = 1.5 / (4 * (1 + 0.2 + 0.016));
-    expect_near(p[1].position.y, -2 + 2 * lambda, EXACT, "lower");
-    expect_near(p[0].position.y, -0.2 * 2 * lambda, EXACT, "upper");
-    expect_near(hold[0].pull.y, -2 * lambda, EXACT, "pull");
+    near(p[1].position.y, -2 + 2 * lambda, EXACT, "lower");
+    near(p[0].position.y, -0.2 * 2 * lambda, EXACT, "upper");
+    near(hold[0].pull.y, -2 * lambda, EXACT, "pull");
     tear_down();
 }
 END_TEST
@@ -1156,8 +1151,8 @@ START_TEST(floors_let_go_and_friction_does_not)
         real lambda = (now - 1) / 2 / (both * now);
         vec3 pull = vec3_scale(lambda, down);
         vec3 to = vec3_scale(k == 2 ? 0.2 : 1, pull);
-        expect_near(vec3_distance(p[0].position, to), 0, EXACT, "place");
-        expect_near(vec3_distance(hold[0].pull, pull), 0, EXACT, "pull");
+        near(vec3_distance(p[0].position, to), 0, EXACT, "place");
+        near(vec3_distance(hold[0].pull, pull), 0, EXACT, "pull");
         tear_down();
     }
 }
@@ -1250,7 +1245,7 @@ START_TEST(links_that_give_pull_by_how_much_they_are_too_long)
         for (int i = 0; i < plan.particles; i++) {
             vec3 sum = { moved[i][0], moved[i][1], moved[i][2] };
             vec3 to = vec3_add_scaled(q[i].position, q[i].inverse_mass, sum);
-            expect_near(vec3_distance(p[i].position, to), 0, 1e-12, "place");
+            near(vec3_distance(p[i].position, to), 0, 1e-12, "place");
         }
         tear_down();
     }

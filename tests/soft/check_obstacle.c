@@ -7,6 +7,7 @@
 
 #include "axes.h"
 #include "convex.h"
+#include "expect.h"
 #include "obstacle.h"
 #include "suite.h"
 
@@ -89,13 +90,6 @@ static bool ask(const obstacle *b, vec3 x, real reach, surface_point *p)
 static real height_over(const surface_point *p, vec3 x)
 {
     return vec3_dot(vec3_sub(x, p->at), p->normal);
-}
-
-static void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%g, %g, %g), wanted (%g, %g, %g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
 // The point lies on the surface, and x straight over it, or under it.

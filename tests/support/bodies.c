@@ -167,6 +167,46 @@ int pair_read(void *stream, pair_known *p)
     return 0;
 }
 
+void pair_any(body *a, body *b, int n, int kinds, real least, real most,
+              unsigned long long *state)
+{
+    body_any(a, n % kinds, state);
+    body_any(b, n / kinds % kinds, state);
+    body_move(b, random_vector(state, least, most));
+}
+
+void pair_move(body *a, body *b, vec3 by)
+{
+    body_move(a, by);
+    body_move(b, by);
+}
+
+void pair_scale(body *a, body *b, real by)
+{
+    body_scale(a, by);
+    body_scale(b, by);
+}
+
+void pair_turn(body *a, body *b, unsigned long long *state)
+{
+    unsigned long long same = *state;
+    body_turn(a, &same);
+    body_turn(b, state);
+}
+
+static real body_size(const body *b)
+{
+    real most = 0;
+    for (int i = 0; i < b->count; i++)
+        most = real_max(most, vec3_distance(b->at[i], b->at[0]));
+    return most;
+}
+
+real pair_size(const body *a, const body *b)
+{
+    return real_max(body_size(a), body_size(b));
+}
+
 int bits_are_ours(void)
 {
     const char *yours = getenv("YOURS");

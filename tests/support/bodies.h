@@ -43,6 +43,15 @@ void body_any(body *b, int kind, unsigned long long *state);
 void body_move(body *b, vec3 by);
 void body_scale(body *b, real by);
 
+// Pair n of a family: two bodies of the first `kinds` kinds, all in their turn;
+// B is moved by `least` to `most` in any direction.
+void pair_any(body *a, body *b, int n, int kinds, real least, real most,
+              unsigned long long *state);
+void pair_move(body *a, body *b, vec3 by);
+void pair_scale(body *a, body *b, real by);
+void pair_turn(body *a, body *b, unsigned long long *state); // both alike
+real pair_size(const body *a, const body *b);   // of the larger, from vertex 0
+
 // 0 while a module of the reader's own is judged (YOURS is set): it may be right
 // to the last tolerance, and have other bits.
 int bits_are_ours(void);

@@ -2,6 +2,7 @@
 // hand, and those that were found elsewhere in exact integers.
 
 #include "bodies.h"
+#include "expect.h"
 #include "oracle.h"
 #include "suite.h"
 
@@ -25,12 +26,6 @@ static real distance(const body *a, const body *b)
 static real depth(const body *a, const body *b)
 {
     return (real)oracle_depth(body_hull(a), body_hull(b));
-}
-
-static void near(real got, real wanted, real tolerance)
-{
-    ck_assert_msg(fabs(got - wanted) <= tolerance, "got %.17g, wanted %.17g",
-                  got, wanted);
 }
 
 START_TEST(cubes_apart_by_face_edge_and_vertex)

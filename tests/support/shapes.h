@@ -12,12 +12,6 @@
 // A few roundings of numbers near 1: sums of up to a thousand terms.
 static const real ROUNDING = 1e-13;
 
-static inline void expect_near(real got, real wanted, real tolerance)
-{
-    ck_assert_msg(fabs(got - wanted) <= tolerance * fabs(wanted),
-                  "got %.17g, wanted %.17g", got, wanted);
-}
-
 static inline void expect_empty(const shape *s)
 {
     static const shape empty = { 0 };
@@ -38,7 +32,7 @@ static inline void expect_equal_masses(const shape *s, real mass)
         sum += s->mass[i];
         moment = vec3_add_scaled(moment, s->mass[i], s->at[i]);
     }
-    expect_near(sum, mass, s->particles * 1e-15);
+    near_relative(sum, mass, s->particles * 1e-15);
     ck_assert(vec3_length(moment) <= ROUNDING * mass * s->radius);
 }
 
@@ -50,7 +44,7 @@ static inline void expect_good_sticks(const shape *s)
         ck_assert(t.a >= 0 && t.a < s->particles);
         ck_assert(t.b >= 0 && t.b < s->particles && t.a != t.b);
         ck_assert(t.kind == STICK_EXACT && t.rest_length > 0);
-        expect_near(vec3_distance(s->at[t.a], s->at[t.b]), t.rest_length,
+        near_relative(vec3_distance(s->at[t.a], s->at[t.b]), t.rest_length,
                     ROUNDING * s->radius / t.rest_length);
         if (t.rest_length < shortest) shortest = t.rest_length;
         for (int j = 0; j < k && s->sticks < 2000; j++) {

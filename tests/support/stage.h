@@ -6,6 +6,7 @@
 #define TUMBLE_STAGE_H
 
 #include "random.h"
+#include "expect.h"
 #include "world.h"
 
 static const vec3 ZERO = { 0, 0, 0 }, UP = { 0, 1, 0 };
@@ -86,19 +87,6 @@ static inline vec3 vertex_of(int b, int i)
     ck_assert_int_le(w.body[b].shape->particles, MOST_VERTICES);
     world_vertices(&w, &w.body[b], at);
     return at[i];
-}
-
-static inline void near_real(real got, real wanted, real error)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "got %.17g, wanted %.17g",
-                  got, wanted);
-}
-
-static inline void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
 #endif

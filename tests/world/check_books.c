@@ -4,6 +4,7 @@
 #include <check.h>
 #include <string.h>
 
+#include "expect.h"
 #include "ledger.h"
 #include "stage.h"
 #include "step.h"
@@ -60,7 +61,7 @@ static ledger_entry sum_of_books(void)
 static void books_balance(ledger_entry was, real error)
 {
     ledger_entry now = ledger_total(&w), sum = sum_of_books();
-    near_real(sum.energy, now.energy - was.energy, error);
+    near(sum.energy, now.energy - was.energy, error);
     near_vec3(sum.momentum, vec3_sub(now.momentum, was.momentum), error);
     near_vec3(sum.angular, vec3_sub(now.angular, was.angular), error);
 }
@@ -125,7 +126,7 @@ START_TEST(books_balance_whatever_happens)
         if (k == 4) ck_assert_int_gt(substeps, 2 * o.substeps);
         books_balance(was, BOOKS * most);
         // Sticks hold to 1e-9 when a frame begins.
-        near_real(w.ledger[LEDGER_INTEGRATE].energy, 0, 1e-8 * most);
+        near(w.ledger[LEDGER_INTEGRATE].energy, 0, 1e-8 * most);
         ledger_clear(&w);
         for (int i = 0; i < LEDGERS; i++)
             ck_assert(w.ledger[i].energy == 0
@@ -151,7 +152,7 @@ START_TEST(books_balance_while_bodies_fall_asleep_and_wake)
         books_balance(was, BOOKS * 2000);
     }
     ck_assert(slept && woke);
-    near_real(w.ledger[LEDGER_SLEEP].energy, 0, 1e-2);
+    near(w.ledger[LEDGER_SLEEP].energy, 0, 1e-2);
 }
 END_TEST
 
@@ -189,9 +190,9 @@ START_TEST(contacts_take_what_a_sliding_block_loses)
     real from = vertex_of(0, 0).x;
     for (int f = 0; f < 60; f++) world_step(&w);
     real way = vertex_of(0, 0).x - from;
-    near_real(way, 9 / (2 * 0.5 * 9.81), SLIDING);
-    near_real(w.ledger[LEDGER_CONTACTS].energy, -18, SLIDING * 18);
-    near_real(w.ledger[LEDGER_CONTACTS].momentum.x, -12, 1e-9);
+    near(way, 9 / (2 * 0.5 * 9.81), SLIDING);
+    near(w.ledger[LEDGER_CONTACTS].energy, -18, SLIDING * 18);
+    near(w.ledger[LEDGER_CONTACTS].momentum.x, -12, 1e-9);
 }
 END_TEST
 

@@ -4,6 +4,7 @@
 #include <check.h>
 #include <string.h>
 
+#include "expect.h"
 #include "measure.h"
 #include "scarce.h"
 #include "stage.h"
@@ -226,9 +227,9 @@ START_TEST(what_a_body_touched_is_forgotten_with_it)
                 ck_assert_int_eq(w.rigid.cache.active[k]->count, 0);
         real start = height(upper), dt = w.options.dt;
         steps(6);
-        near_real(start - height(upper), 9.81 * 36 * dt * dt / 2, 0.004);
+        near(start - height(upper), 9.81 * 36 * dt * dt / 2, 0.004);
         if (again == 0) continue;
-        near_real(9 - height(lower), 9.81 * 36 * dt * dt / 2, 1e-9);
+        near(9 - height(lower), 9.81 * 36 * dt * dt / 2, 1e-9);
     }
 }
 END_TEST
@@ -244,13 +245,13 @@ START_TEST(body_in_the_place_of_another_has_contacts_of_its_own)
     world_remove(&w, lower);
     ck_assert_int_eq(add_nailed(&low, 0, 0.3, 0), lower);
     steps(60);
-    near_real(height(upper), 1.1, 0.005);
+    near(height(upper), 1.1, 0.005);
     // One that stands as the old one did bears it at once.
     world_remove(&w, lower);
     ck_assert_int_eq(add_nailed(&low, 0, 0.3, 0), lower);
     for (int f = 0; f < 10; f++) {
         steps(1);
-        near_real(height(upper), 1.1, 0.001);
+        near(height(upper), 1.1, 0.001);
     }
     world_free(&w);
     shape_free(&low);
@@ -291,7 +292,7 @@ START_TEST(what_lies_on_a_body_that_goes_wakes_and_falls)
         world_remove(&w, lower);
         ck_assert(!w.sleep.asleep[upper] && w.sleep.asleep[other]);
         steps(100);
-        near_real(height(upper), 0.5, 0.005);
+        near(height(upper), 0.5, 0.005);
         steps_to_sleep();
         world_remove(&w, other);
         ck_assert(w.sleep.asleep[upper]);
@@ -330,7 +331,7 @@ START_TEST(plane_may_come_at_any_time)
     steps(10);
     add_floor();
     steps_to_sleep();
-    near_real(height(b), 0.5, 0.005);
+    near(height(b), 0.5, 0.005);
     ck_assert(world_add_plane(&w, vec3_unit(vec3_make(1, 1, 0)), 0.9).ok);
     ck_assert(!w.sleep.asleep[b]);
     steps(60);

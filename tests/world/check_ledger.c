@@ -5,6 +5,7 @@
 #include <check.h>
 #include <string.h>
 
+#include "expect.h"
 #include "ledger.h"
 #include "suite.h"
 
@@ -60,19 +61,6 @@ static void add(const shape *s, placement where)
     ck_assert(world_add(&w, s, where, NULL).ok);
 }
 
-static void near_real(real got, real wanted, real error)
-{
-    ck_assert_msg(fabs(got - wanted) <= error, "got %.17g, wanted %.17g",
-                  got, wanted);
-}
-
-static void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
-}
-
 // J/kg, what a particle under gravity has above the middle of its two places,
 // which lies (g h^2)/8 under the parabola of its fall.
 static real above_middle(void)
@@ -103,7 +91,7 @@ START_TEST(total_is_the_sum_over_particles)
                          + above_middle());
     }
     ledger_entry sum = ledger_total(&w);
-    near_real(sum.energy, energy, ROUNDING);
+    near(sum.energy, energy, ROUNDING);
     near_vec3(sum.momentum, linear, ROUNDING);
     near_vec3(sum.angular, angular, ROUNDING);
 }
@@ -124,12 +112,12 @@ START_TEST(total_counts_sleepers_and_nothing_static)
     for (int i = 0; i < w.pool.count; i++)
         w.pool.at[i].previous = w.pool.at[i].position;
     real wanted = 9.81 * (2 * 5 + 1.5 * 3) + 3.5 * above_middle();
-    near_real(ledger_total(&w).energy, wanted, ROUNDING);
+    near(ledger_total(&w).energy, wanted, ROUNDING);
     // Asleep, it is pinned for the time being.
     for (int i = 0; i < body_particles(&w.body[1]); i++)
         w.pool.at[w.body[1].first + i].inverse_mass = 0;
     w.sleep.asleep[1] = true;
-    near_real(ledger_total(&w).energy, wanted - 2 * above_middle(), ROUNDING);
+    near(ledger_total(&w).energy, wanted - 2 * above_middle(), ROUNDING);
 }
 END_TEST
 
@@ -158,7 +146,7 @@ START_TEST(free_fall_books_no_energy_and_gravitys_momentum)
         ledger_book(&w, LEDGER_INTEGRATE);
     }
     const ledger_entry *booked = &w.ledger[LEDGER_INTEGRATE];
-    near_real(booked->energy, 0, 100 * ROUNDING);
+    near(booked->energy, 0, 100 * ROUNDING);
     near_vec3(booked->momentum, vec3_scale(mass * h * STEPS, w.options.gravity),
               100 * ROUNDING);
     near_vec3(booked->angular, torque, 1000 * ROUNDING);
@@ -195,7 +183,7 @@ START_TEST(fall_in_substeps_of_changing_length_books_no_energy)
         step_changed(w.pool.at, w.pool.count, w.options.gravity, w.age, next);
         w.age = next;
         ledger_book(&w, LEDGER_INTEGRATE);
-        near_real(w.ledger[LEDGER_INTEGRATE].energy, 0, CHANGING);
+        near(w.ledger[LEDGER_INTEGRATE].energy, 0, CHANGING);
     }
 }
 END_TEST
@@ -236,7 +224,7 @@ START_TEST(bodies_have_in_a_frame_what_their_particles_have)
     for (int i = 0; i < 8; i++) w.pool.at[i].position = ZERO;
     w.ledger_ahead = -w.age / 2;
     ledger_entry now = ledger_total(&w);
-    near_real(now.energy, was.energy, ROUNDING);
+    near(now.energy, was.energy, ROUNDING);
     near_vec3(now.momentum, was.momentum, ROUNDING);
     near_vec3(now.angular, was.angular, ROUNDING);
     ck_assert(vec3_length(was.angular) > 10);
@@ -263,13 +251,13 @@ START_TEST(fall_within_a_frame_books_no_energy)
                 w.rigid.velocity[b].of[1] += seconds * g.y;
             w.ledger_ahead = h / 2;
             ledger_book(&w, LEDGER_INTEGRATE);
-            near_real(w.ledger[LEDGER_INTEGRATE].energy, 0, CHANGING);
+            near(w.ledger[LEDGER_INTEGRATE].energy, 0, CHANGING);
             for (int b = 0; b < 2; b++)
                 for (int i = 0; i < MOTIONS; i++)
                     w.rigid.moved[b].of[i] += h * w.rigid.velocity[b].of[i];
             w.ledger_ahead = -h / 2;
             ledger_book(&w, LEDGER_CONTACTS);
-            near_real(w.ledger[LEDGER_CONTACTS].energy, 0, CHANGING);
+            near(w.ledger[LEDGER_CONTACTS].energy, 0, CHANGING);
         }
         real fell = (w.age - h) / 2 + 20 * h;
         near_vec3(w.ledger[LEDGER_INTEGRATE].momentum, vec3_scale(8 * fell, g),
@@ -299,7 +287,7 @@ START_TEST(impulses_within_a_frame_are_booked)
     vec3 after = motion_at(basis, u, arm);
     ledger_book(&w, LEDGER_CONTACTS);
     const ledger_entry *e = &w.ledger[LEDGER_CONTACTS];
-    near_real(e->energy, vec3_dot(impulse, vec3_add(before, after)) / 2,
+    near(e->energy, vec3_dot(impulse, vec3_add(before, after)) / 2,
               ROUNDING);
     near_vec3(e->momentum, impulse, ROUNDING);
     vec3 at = vec3_add(w.rigid.now[0].frame.center, arm);
@@ -348,9 +336,9 @@ START_TEST(books_add_up_under_their_names)
     push_up(0.005);
     ledger_book(&w, LEDGER_CONTACTS);
     ledger_entry d = ledger_total(&w);
-    near_real(w.ledger[LEDGER_CONTACTS].energy,
+    near(w.ledger[LEDGER_CONTACTS].energy,
               b.energy - a.energy + d.energy - c.energy, ROUNDING);
-    near_real(w.ledger[LEDGER_STICKS].energy, c.energy - b.energy, ROUNDING);
+    near(w.ledger[LEDGER_STICKS].energy, c.energy - b.energy, ROUNDING);
     near_vec3(w.ledger[LEDGER_STICKS].momentum,
               vec3_sub(c.momentum, b.momentum), ROUNDING);
     push_up(7);

@@ -4,6 +4,7 @@
 #include <check.h>
 #include <stdlib.h>
 
+#include "expect.h"
 #include "measure.h"
 #include "scarce.h"
 #include "stage.h"
@@ -53,9 +54,9 @@ START_TEST(world_as_built_has_nothing_to_report)
     add_at(&stick_, 0, 9, 0);
     ck_assert(world_add_plane(&w, vec3_make(0, 1, 0), -2).ok);
     measures m = world_measure(&w);
-    near_real(m.strain, 0, ROUNDING);
-    near_real(m.strain_rms, 0, ROUNDING);
-    near_real(m.shear, 0, ROUNDING);
+    near(m.strain, 0, ROUNDING);
+    near(m.strain_rms, 0, ROUNDING);
+    near(m.shear, 0, ROUNDING);
     ck_assert(m.penetration == 0);
 }
 END_TEST
@@ -69,8 +70,8 @@ START_TEST(stretched_stick_shows_its_strain)
     for (int k = 0; k < 3; k++) {
         particle_of(b, 1)->position.x = x[k];
         measures m = world_measure(&w);
-        near_real(m.strain, strain[k], ROUNDING);
-        near_real(m.strain_rms, strain[k], ROUNDING);
+        near(m.strain, strain[k], ROUNDING);
+        near(m.strain_rms, strain[k], ROUNDING);
         ck_assert(m.shear == 0);
     }
 }
@@ -86,9 +87,9 @@ START_TEST(strain_is_the_largest_and_rms_the_mean_over_all_sticks)
     particle_of(a, 1)->position.x += 0.06;
     particle_of(b, 1)->position.x -= 0.08;
     measures m = world_measure(&w);
-    near_real(m.strain, 0.04, ROUNDING);
+    near(m.strain, 0.04, ROUNDING);
     real sticks = 2 + FOUR_STICKS;
-    near_real(m.strain_rms, sqrt((0.03 * 0.03 + 0.04 * 0.04) / sticks),
+    near(m.strain_rms, sqrt((0.03 * 0.03 + 0.04 * 0.04) / sticks),
               ROUNDING);
 }
 END_TEST
@@ -113,10 +114,10 @@ START_TEST(soft_diagonals_count_as_shear)
         real against = 1 - sqrt((1 - by) * (1 - by) + 1) / rest;
         real most = along > against ? along : against;
         measures m = world_measure(&w);
-        near_real(m.shear, hard ? 0 : most, ROUNDING / cell);
-        near_real(m.strain, hard ? most : column, ROUNDING / cell);
+        near(m.shear, hard ? 0 : most, ROUNDING / cell);
+        near(m.strain, hard ? most : column, ROUNDING / cell);
         // Half of the hard sticks are rows, which stay.
-        if (!hard) near_real(m.strain_rms, column / rest, ROUNDING / cell);
+        if (!hard) near(m.strain_rms, column / rest, ROUNDING / cell);
         world_free(&w);
         shape_free(&sheet);
         begin(world_options_default());
@@ -134,8 +135,8 @@ START_TEST(strain_of_a_body_is_that_of_its_own_sticks)
         *x = vec3_scale(1.03, *x);
     }
     measures m = world_measure(&w);
-    near_real(m.strain, 0.03, ROUNDING);
-    near_real(m.strain_rms, 0.03, ROUNDING);
+    near(m.strain, 0.03, ROUNDING);
+    near(m.strain_rms, 0.03, ROUNDING);
     ck_assert(m.shear == 0);
 }
 END_TEST
@@ -166,11 +167,11 @@ START_TEST(cubes_that_overlap_by_a_tenth_are_a_tenth_deep)
         b.is_static = k == 2;
         add(&cube, a);
         int second = add(&cube, b);
-        near_real(world_measure(&w).penetration, 0.1, ROUNDING);
+        near(world_measure(&w).penetration, 0.1, ROUNDING);
         // Pulled apart after the look: measured as it stands now.
         int n = body_particles(&w.body[second]);
         for (int i = 0; i < n; i++) particle_of(second, i)->position.y += 0.06;
-        near_real(world_measure(&w).penetration, 0.04, ROUNDING);
+        near(world_measure(&w).penetration, 0.04, ROUNDING);
         for (int i = 0; i < n; i++) particle_of(second, i)->position.y += 0.06;
         ck_assert(world_measure(&w).penetration == 0);
     }
@@ -196,9 +197,9 @@ START_TEST(penetration_of_a_plane_is_that_of_the_deepest_particle)
     add(&ball, static_at(-9, -9, 0));
     ck_assert(world_add_plane(&w, vec3_make(3, 4, 0), -2.5).ok);
     // The cube's lowest corner along (0.6, 0.8) is at -0.7; the plane at -0.5.
-    near_real(world_measure(&w).penetration, 0.2, ROUNDING);
+    near(world_measure(&w).penetration, 0.2, ROUNDING);
     particle_of(b, 0)->position = vec3_make(-1, -1, 0);
-    near_real(world_measure(&w).penetration, 0.9, ROUNDING);
+    near(world_measure(&w).penetration, 0.9, ROUNDING);
 }
 END_TEST
 
@@ -216,7 +217,7 @@ START_TEST(cloth_particle_in_a_cube_is_as_deep_as_its_way_out)
         ck_assert(world_measure(&w).penetration == 0);
         // 0.05 inside the side x = 1.5, deeper in than out of any other.
         particle_of(s, 12)->position = vec3_make(1.45, 2.1, 3.2);
-        near_real(world_measure(&w).penetration, 0.05, ROUNDING);
+        near(world_measure(&w).penetration, 0.05, ROUNDING);
         particle_of(s, 12)->position = vec3_make(1.51, 2.1, 3.2);
         ck_assert(world_measure(&w).penetration == 0);
         ck_assert_int_ne(c, s);
@@ -245,7 +246,7 @@ START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
     real h = w.options.dt / w.options.substeps, mass = 3;
     vec3 v = vec3_add_scaled(v0, -h / 2, w.options.gravity);
     near_vec3(m.momentum, vec3_scale(mass, v), 100 * SPEED_ROUNDING);
-    near_real(m.potential, mass * 9.81 * at.y, 100 * ROUNDING);
+    near(m.potential, mass * 9.81 * at.y, 100 * ROUNDING);
 
     real kinetic = 0;
     vec3 angular = { 0, 0, 0 };
@@ -258,7 +259,7 @@ START_TEST(thrown_and_spinning_body_has_its_momentum_and_energy)
         vec3 x = vec3_add_scaled(vec3_add(at, r), -h / 2, u);
         angular = vec3_add_scaled(angular, mass / FOUR, vec3_cross(x, u));
     }
-    near_real(m.kinetic, kinetic, 1000 * SPEED_ROUNDING);
+    near(m.kinetic, kinetic, 1000 * SPEED_ROUNDING);
     near_vec3(m.angular, angular, 1000 * SPEED_ROUNDING);
 }
 END_TEST
@@ -277,7 +278,7 @@ START_TEST(spinning_ball_has_the_energy_of_the_solid)
     real phi2 = (3 + sqrt(5.0)) / 2, edge2 = 4 * 0.25 / (1 + phi2);
     real inertia = 3 * edge2 * phi2 / 10;
     measures m = world_measure(&w);
-    near_real(m.kinetic, inertia * 9 / 2, 1e-11);
+    near(m.kinetic, inertia * 9 / 2, 1e-11);
     near_vec3(m.angular, vec3_scale(inertia, p.spin), 1e-11);
 }
 END_TEST
@@ -299,7 +300,7 @@ START_TEST(flight_without_gravity_keeps_momentum_and_energy)
     near_vec3(last.momentum, first.momentum, 1e-11);
     near_vec3(last.angular, first.angular, 1e-10);
     // A chord is shorter than its arc, by (spin h)^2 / 24 of it: 1e-6.
-    near_real(last.kinetic, first.kinetic, 1e-5 * first.kinetic);
+    near(last.kinetic, first.kinetic, 1e-5 * first.kinetic);
     ck_assert(last.potential == 0 && first.potential == 0);
 }
 END_TEST
@@ -314,10 +315,10 @@ START_TEST(potential_counts_what_can_fall)
     add(&cube, static_at(7, 7, 7));
     world_pin(&w, b, 0);
     real wanted = 9.81 * (8 * 2 + 0.25 * 5);
-    near_real(world_measure(&w).potential, wanted, 1e-11);
+    near(world_measure(&w).potential, wanted, 1e-11);
     for (int i = 0; i < body_particles(&w.body[a]); i++)
         particle_of(a, i)->inverse_mass = 0;
-    near_real(world_measure(&w).potential, wanted, 1e-11);
+    near(world_measure(&w).potential, wanted, 1e-11);
 }
 END_TEST
 
@@ -355,9 +356,9 @@ START_TEST(penetration_that_cannot_be_measured_is_no_number)
         held -= blocks_held;
         ck_assert_int_eq(held, 0);
         bool is_known = m.penetration == m.penetration;
-        if (is_known) near_real(m.penetration, 0.1, ROUNDING);
+        if (is_known) near(m.penetration, 0.1, ROUNDING);
         refused += !is_known;
-        near_real(m.potential, 8 * 9.81 * 0.9, ROUNDING * 100);
+        near(m.potential, 8 * 9.81 * 0.9, ROUNDING * 100);
     }
     ck_assert_int_gt(refused, 1);
     ck_assert_int_lt(refused, 9);

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "collide.h"
+#include "expect.h"
 #include "measure.h"
 #include "capsule.h"
 #include "facet.h"
@@ -16,17 +17,6 @@
 #include "suite.h"
 
 static const real TINY = 1e-13;
-
-static void expect_ok(status s)
-{
-    ck_assert_msg(s.ok, "%s", s.why);
-}
-
-static void expect_close(real got, real wanted)
-{
-    ck_assert_msg(fabs(got - wanted) <= TINY * fabs(wanted),
-                  "got %.17g, wanted %.17g", got, wanted);
-}
 
 // --- plans -------------------------------------------------------------------
 
@@ -42,11 +32,11 @@ static void expect_inertia(const shape *s, real along, real across)
         y += f.mass * (a.x * a.x + a.z * a.z);
         z += f.mass * (a.x * a.x + a.y * a.y);
     }
-    expect_close(y, along);
-    expect_close(x, across);
-    expect_close(z, across);
+    near_relative(y, along, TINY);
+    near_relative(x, across, TINY);
+    near_relative(z, across, TINY);
     ck_assert(vec3_length(f.center) == 0);
-    expect_close(f.reach, s->radius);
+    near_relative(f.reach, s->radius, TINY);
     rigid4_free(&f);
 }
 
@@ -62,7 +52,7 @@ START_TEST(ball_has_two_fifths_of_its_mass_times_its_square)
     rigid4 f;
     expect_ok(rigid4_build(&f, &s));
     for (int k = 0; k < FOUR; k++)
-        expect_close(vec3_length(f.at[k]), 3 * sqrt(.6));
+        near_relative(vec3_length(f.at[k]), 3 * sqrt(.6), TINY);
     rigid4_free(&f);
     shape_free(&s);
 }
@@ -82,7 +72,7 @@ START_TEST(capsule_has_the_inertia_of_a_cylinder_and_two_half_balls)
         shape s;
         expect_ok(shape_capsule(&s, length, r, mass));
         ck_assert_int_eq(s.particles, 2);
-        expect_close(s.radius, length / 2 + r);
+        near_relative(s.radius, length / 2 + r, TINY);
         ck_assert(shape_inner(&s) == r);
         expect_inertia(&s, a * r * r / 2 + b * .4 * r * r,
                        a * (r * r / 4 + length * length / 12) + half_ball);
@@ -162,8 +152,8 @@ START_TEST(gap_is_the_distance_of_the_cores_less_the_radii)
         ck_assert_int_eq(r.near, wanted <= margin);
         if (!r.near) continue;
         met++;
-        near_real(r.at.gap, wanted, 1e-12);
-        near_real(vec3_length(r.normal), 1, 1e-12);
+        near(r.at.gap, wanted, 1e-12);
+        near(vec3_length(r.normal), 1, 1e-12);
         // The two points are so far apart, along the normal.
         vec3 way = vec3_sub(feature_at(&r.at.a, a), feature_at(&r.at.b, b));
         near_vec3(way, vec3_scale(r.at.gap + .2, r.normal), 1e-11);
@@ -186,10 +176,10 @@ START_TEST(ball_and_box_are_as_far_as_formulas_say)
         query_cache none = { .count = 0 };
         query_result r = query_nearest(&a, &b, HUGE_VAL, &none);
         ck_assert(r.near);
-        near_real(r.at.gap, out - .1, 1e-12);
+        near(r.at.gap, out - .1, 1e-12);
         manifold m = manifold_find(&a, &b, &r, HUGE_VAL, 0);
         ck_assert_int_eq(m.count, 1);
-        near_real(m.point[0].gap, out - .1, 1e-12);
+        near(m.point[0].gap, out - .1, 1e-12);
     }
 }
 END_TEST
@@ -206,10 +196,10 @@ START_TEST(equal_centres_have_a_way_out)
             query_cache none = { .count = 0 };
             query_result r = query_nearest(&a, &b, 0, &none);
             ck_assert(r.near);
-            near_real(vec3_length(r.normal), 1, 1e-12);
+            near(vec3_length(r.normal), 1, 1e-12);
             // Across the segment, if one of them is a segment.
-            if (i + j > 0) near_real(r.normal.y, 0, 1e-12);
-            near_real(r.at.gap, -.2, 1e-12);
+            if (i + j > 0) near(r.normal.y, 0, 1e-12);
+            near(r.at.gap, -.2, 1e-12);
         }
     // Two capsules that cross: out of their plane.
     vec3 across[2] = { { -.2, .05, 0 }, { .2, .05, 0 } };
@@ -217,8 +207,8 @@ START_TEST(equal_centres_have_a_way_out)
     query_cache none = { .count = 0 };
     query_result r = query_nearest(&a, &b, 0, &none);
     ck_assert(r.near);
-    near_real(fabs(r.normal.z), 1, 1e-12);
-    near_real(r.at.gap, -.2, 1e-12);
+    near(fabs(r.normal.z), 1, 1e-12);
+    near(r.at.gap, -.2, 1e-12);
 }
 END_TEST
 
@@ -265,7 +255,7 @@ START_TEST(swept_ball_touches_when_the_radii_say)
     ck_assert_int_eq(collide_swept(&a, &b, way, 0, scratch, &m),
                      SWEPT_TOUCHES);
     near_vec3(m.normal, vec3_make(-sqrt(.75), .5, 0), 2e-3);
-    near_real(m.point[0].gap, vec3_dot(from, m.normal) - .2, 1e-12);
+    near(m.point[0].gap, vec3_dot(from, m.normal) - .2, 1e-12);
     from.y = .21;
     ck_assert_int_eq(collide_swept(&a, &b, way, 0, scratch, &m), SWEPT_PASSES);
 }
@@ -283,10 +273,10 @@ START_TEST(particle_finds_the_surface_of_a_round_body)
         surface_point p;
         ck_assert_int_eq(obstacle_nearest(&b, x, 0, .1, &p), away <= .1);
         if (away > .1) continue;
-        near_real(to_segment(p.at, at[0], at[1]), .1, 1e-12);
+        near(to_segment(p.at, at[0], at[1]), .1, 1e-12);
         near_vec3(vec3_add_scaled(p.at, away, p.normal), x, 1e-12);
         plane under = obstacle_plane(&b, x, 0);
-        near_real(plane_height(under, x), away, 1e-12);
+        near(plane_height(under, x), away, 1e-12);
     }
 }
 END_TEST
@@ -302,16 +292,16 @@ START_TEST(triangle_finds_the_surface_of_a_ball)
         real y = .16 - .03 * k;
         vec3 end[FACET] = { { -1, y, -1 }, { 1, y, -1 }, { 0, y, 2 } };
         ck_assert_int_eq(facet_nearest(&b, end, &between, .04, &t), y < .14);
-        near_real(between.offset, .1, 1e-12);
-        near_real(between.normal.y, y > 0 ? 1 : -1, 1e-12);
+        near(between.offset, .1, 1e-12);
+        near(between.normal.y, y > 0 ? 1 : -1, 1e-12);
         if (!(y < .14)) continue;
-        near_real(t.gap, fabs(y) - .1, 1e-12);
+        near(t.gap, fabs(y) - .1, 1e-12);
         near_vec3(t.at.at, vec3_make(0, y > 0 ? .1 : -.1, 0), 1e-12);
     }
     between = (plane){ UP, .1 };
     vec3 cut[FACET] = { { -1, 0, -1 }, { 1, 0, -1 }, { 0, 0, 2 } };
     ck_assert(facet_nearest(&b, cut, &between, .04, &t));
-    near_real(t.gap, -.1, 1e-12);
+    near(t.gap, -.1, 1e-12);
     near_vec3(t.at.normal, UP, 1e-12);
 }
 END_TEST
@@ -373,8 +363,8 @@ START_TEST(ball_rolls_down_a_slope_with_five_sevenths)
     real far = vec3_distance(middle(b), vec3_scale(.1, n));
     real a = 9.81 * sin(slope) * 5 / 7, wanted = a * 4 / 2;
     printf("rolled %.6f m in 2 s, formula %.6f\n", far, wanted);
-    near_real(far, wanted, 1e-3 * wanted);
-    near_real(vec3_dot(middle(b), n), .1, 1e-4);
+    near(far, wanted, 1e-3 * wanted);
+    near(vec3_dot(middle(b), n), .1, 1e-4);
 }
 END_TEST
 
@@ -390,7 +380,7 @@ START_TEST(ball_without_friction_slides)
     int b = add(&ball, placement_at(vec3_scale(.1, n)));
     frames(120);
     real far = vec3_distance(middle(b), vec3_scale(.1, n));
-    near_real(far, 9.81 * sin(slope) * 2, 1e-3 * far);
+    near(far, 9.81 * sin(slope) * 2, 1e-3 * far);
 }
 END_TEST
 
@@ -498,8 +488,8 @@ START_TEST(capsule_lies_still_and_falls_over_if_it_leans)
     frames(290);
     const int both[] = { a, b };
     for (int k = 0; k < 2; k++) {
-        near_real(vertex_of(both[k], 0).y, .1, 1e-3 * .1);
-        near_real(vertex_of(both[k], 1).y, .1, 1e-3 * .1);
+        near(vertex_of(both[k], 0).y, .1, 1e-3 * .1);
+        near(vertex_of(both[k], 1).y, .1, 1e-3 * .1);
         ck_assert(w.sleep.asleep[both[k]]);
     }
 }
@@ -566,10 +556,10 @@ START_TEST(slow_balls_come_to_rest)
         int c = add_thrown(&ball, vec3_make(0, .1, 6), ZERO,
                            vec3_make(0, .5, 0));
         frames(300);
-        near_real(middle(b).x, 1.5, 1e-3);
+        near(middle(b).x, 1.5, 1e-3);
         if (sleeps) ck_assert(w.sleep.asleep[a] && w.sleep.asleep[c]);
         if (sleeps) ck_assert(middle(a).x > .01 && middle(a).x < .1);
-        else        near_real(middle(a).x, .25, 1e-3);
+        else        near(middle(a).x, .25, 1e-3);
     }
 }
 END_TEST
@@ -600,13 +590,13 @@ START_TEST(measured_overlap_knows_the_radii)
 {
     add_floor();
     add_at(&ball, 0, .09, 0);
-    near_real(world_measure(&w).penetration, .01, 1e-12);
+    near(world_measure(&w).penetration, .01, 1e-12);
     begin(world_options_default());
     add_at(&ball, 0, 0, 0);
     add_at(&capsule, .17, 0, 0);
     add_at(&ball, 3, 0, 0);
     add_at(&ball, 3, .16, 0);
-    near_real(world_measure(&w).penetration, .04, 1e-12);
+    near(world_measure(&w).penetration, .04, 1e-12);
 }
 END_TEST
 
@@ -658,7 +648,7 @@ START_TEST(capsule_swings_with_the_period_of_its_inertia)
         last = now;
     }
     printf("capsule swings in %.5f s, formula %.5f\n", period, wanted);
-    near_real(period, wanted, 1e-3 * wanted);
+    near(period, wanted, 1e-3 * wanted);
 }
 END_TEST
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "expect.h"
 #include "measure.h"
 #include "soft_step.h"
 #include "step.h"
@@ -835,7 +836,7 @@ START_TEST(particles_share_the_push_of_a_box)
     w.soft.near.pairs = 0;
     separate(H);
     ck_assert_int_eq(w.soft.near.points, 6);
-    near_real(w.rigid.moved[b].of[1], 0.5 * thick, 1e-6 * thick);
+    near(w.rigid.moved[b].of[1], 0.5 * thick, 1e-6 * thick);
     shape_free(&light);
 }
 END_TEST
@@ -868,11 +869,11 @@ START_TEST(box_gives_way_as_a_solid)
         refresh(H);
         separate(H);
         ck_assert_int_eq(w.soft.touching, 1);
-        near_real(was.y - p->position.y, push * p->inverse_mass, 1e-12);
-        near_real(back.y - p->previous.y,
+        near(was.y - p->position.y, push * p->inverse_mass, 1e-12);
+        near(back.y - p->previous.y,
                   is_new ? 0 : push * p->inverse_mass, 1e-12);
-        near_real(8 * w.rigid.moved[b].of[1], push, 1e-12);
-        near_real(8 * w.rigid.velocity[b].of[1], is_new ? push / H : 0,
+        near(8 * w.rigid.moved[b].of[1], push, 1e-12);
+        near(8 * w.rigid.velocity[b].of[1], is_new ? push / H : 0,
                   1e-12 / H);
         vec3 turn = motion_rotation(&w.rigid.now[b].basis, &w.rigid.moved[b]);
         vec3 moment = vec3_cross(was, vec3_make(0, push, 0));
@@ -908,11 +909,11 @@ START_TEST(friction_stays_in_the_cone)
         const real *u = w.rigid.velocity[b].of;
         real push = -8 * H * u[1], got = 8 * H * (u[0] - along);
         real give = 1 / 8.0 + p->inverse_mass;
-        near_real(push, depth / give, 1e-12);
+        near(push, depth / give, 1e-12);
         // At the top of the box a push across turns it, too: I = M s^2 / 6.
         real across = give + 0.25 * 0.25 / (8 * 0.25 / 6);
         real whole = slide[k % 3] / across, most = 0.3 * push;
-        near_real(got, whole < most ? whole : most, 1e-12);
+        near(got, whole < most ? whole : most, 1e-12);
         ck_assert(k % 3 != 0 || whole < most);
         ck_assert(k % 3 != 2 || whole > most);
     }
@@ -945,8 +946,8 @@ START_TEST(what_hangs_together_holds_together)
         real came = thick / (SIDE * SIDE), depth = 0.2 * thick;
         real give = 1 / 8.0 + (pinned ? 0 : 1);
         real old = real_max(depth - (pinned ? 0 : came), 0);
-        near_real(8 * w.rigid.moved[b].of[1], depth / give, 1e-12);
-        near_real(8 * H * w.rigid.velocity[b].of[1], (depth - old) / give,
+        near(8 * w.rigid.moved[b].of[1], depth / give, 1e-12);
+        near(8 * H * w.rigid.velocity[b].of[1], (depth - old) / give,
                   1e-12);
         for (int i = 1; i < cloth.particles; i++)
             if (i != 44)
@@ -1312,9 +1313,9 @@ START_TEST(corner_lifts_a_triangle_by_its_weights)
             square += x.y * x.y;
         }
         // c_i = y_i / sum, and so the corner's place is their mean.
-        near_real(at_x / sum, 0.03, 1e-9);
-        near_real(at_z / sum, 0, 1e-9);
-        near_real(square / sum, gap + deep, 1e-9);
+        near(at_x / sum, 0.03, 1e-9);
+        near(at_z / sum, 0, 1e-9);
+        near(square / sum, gap + deep, 1e-9);
     }
     shape_free(&small);
 }
@@ -1403,7 +1404,7 @@ START_TEST(cloth_is_put_back_on_the_side_that_it_came_from)
         facet_pair pair = w.soft.near.facet.at[k];
         if (pair.number != met.number) continue;
         near_vec3(pair.between.normal, met.between.normal, 0);
-        near_real(pair.between.offset, met.between.offset, 0);
+        near(pair.between.offset, met.between.offset, 0);
     }
     w.soft.near.points = w.soft.near.pairs = 0;
     separate(H);

@@ -2,6 +2,7 @@
 
 #include <check.h>
 
+#include "expect.h"
 #include "handle.h"
 #include "measure.h"
 #include "stage.h"
@@ -152,14 +153,14 @@ START_TEST(body_that_is_put_elsewhere_is_met_there)
         steps(1);
         ck_assert_int_eq(w.report.pushing, fixed ? 0 : 1);
         steps_to_sleep();
-        near_real(world_where(&w, up).position.y, 0.5, 0.005);
+        near(world_where(&w, up).position.y, 0.5, 0.005);
         ck_assert(world_put(&w, up, placement_at(vec3_make(20, 1.2, 0))).ok);
         steps_to_sleep();
-        near_real(world_where(&w, up).position.y, 1, 0.005);
-        near_real(world_where(&w, low).position.x, 20, 0.005);
+        near(world_where(&w, up).position.y, 1, 0.005);
+        near(world_where(&w, low).position.x, 20, 0.005);
         placement bad = placement_at(vec3_make((real)NAN, 0, 0));
         ck_assert(!world_put(&w, up, bad).ok);
-        near_real(world_where(&w, up).position.y, 1, 0.005);
+        near(world_where(&w, up).position.y, 1, 0.005);
     }
     world_free(&w);
     shape_free(&slab);
@@ -303,7 +304,8 @@ START_TEST(constant_torque_gives_torque_times_time_by_inertia)
             world_force(&w, b, ZERO, vec3_scale(0.8, axis[i]));
             steps(1);
         }
-        near_vec3(world_where(&w, b).spin, vec3_scale(0.8 / inertia(i), axis[i]),
+        near_vec3(world_where(&w, b).spin,
+                  vec3_scale(0.8 / inertia(i), axis[i]),
                   1e-9);
         near_vec3(world_where(&w, b).position, p.position, 1e-10);
     }
@@ -321,7 +323,7 @@ START_TEST(strong_force_on_a_light_body_in_a_heap_is_not_braked)
         world_force(&w, b, vec3_make(-600, 0, 0), ZERO);
         steps(1);
     }
-    near_real(world_where(&w, b).velocity.x, -100, 1e-9);
+    near(world_where(&w, b).velocity.x, -100, 1e-9);
 }
 END_TEST
 
@@ -333,7 +335,7 @@ START_TEST(force_of_its_weight_holds_a_body)
         world_force(&w, b, vec3_make(0, 2 * 9.81, 0), ZERO);
         steps(1);
     }
-    near_real(world_where(&w, b).position.y, 5, 9.81 / 480 * 2);
+    near(world_where(&w, b).position.y, 5, 9.81 / 480 * 2);
 }
 END_TEST
 
@@ -386,7 +388,7 @@ START_TEST(each_box_slides_with_a_friction_of_its_own)
             real pull = 9.81 * (0.6 - mu * 0.8);
             placement q = world_where(&w, box_of[k]);
             // It falls on the slope for half a substep, and gives a little.
-            near_real(vec3_length(q.velocity), real_max(pull, 0) / 2, 0.04);
+            near(vec3_length(q.velocity), real_max(pull, 0) / 2, 0.04);
         }
     }
     world_free(&w);
@@ -406,7 +408,7 @@ START_TEST(cloth_slides_with_a_friction_of_its_own)
         ck_assert(world_set_material(&w, b, (material){ 0.2 * k, -1 }).ok);
         steps(30);
         real pull = 9.81 * (0.6 - sqrt(0.8 * 0.2 * k) * 0.8);
-        near_real(vec3_length(world_where(&w, b).velocity), pull / 2, 0.05);
+        near(vec3_length(world_where(&w, b).velocity), pull / 2, 0.05);
     }
 }
 END_TEST
@@ -432,7 +434,7 @@ START_TEST(two_bounce_with_the_larger_restitution)
     }
     for (int b = 0; b < 5; b++) {
         real e = real_max(own[b], 0.4);
-        near_real(top[b], e * e, 0.01);
+        near(top[b], e * e, 0.01);
     }
     world_free(&w);
     shape_free(&cube);
@@ -526,8 +528,8 @@ START_TEST(kinematic_body_goes_its_way_to_the_last_bit)
     near_vec3(world_where(&w, pusher).position, vec3_make(2, 1, 0), 1e-12);
     for (int k = 0; k < 10; k++) {
         placement q = world_where(&w, box_of[k]);
-        near_real(q.position.x, 3, 0.02);
-        near_real(q.velocity.x, 0.5, 0.02);
+        near(q.position.x, 3, 0.02);
+        near(q.velocity.x, 0.5, 0.02);
     }
     near_vec3(world_where(&w, pusher).velocity, vec3_make(0.5, 0, 0), 0);
     world_free(&w);
@@ -568,7 +570,7 @@ START_TEST(platform_carries_what_lies_on_it)
     world_remove(&w, roof);
     world_set_velocity(&w, deck, ZERO, ZERO);
     steps_to_sleep();
-    near_real(world_where(&w, b).position.y, 2, 0.005);
+    near(world_where(&w, b).position.y, 2, 0.005);
     world_free(&w);
     shape_free(&heavy);
     shape_free(&plate);
@@ -590,7 +592,7 @@ START_TEST(fast_pusher_takes_a_body_along_at_once)
                  - world_where(&w, pusher).position.x;
         ck_assert_msg(gap > 0.99, "frame %d: %g", f, gap);
     }
-    near_real(world_where(&w, b).velocity.x, 10.2, 0.3);
+    near(world_where(&w, b).velocity.x, 10.2, 0.3);
     world_free(&w);
     shape_free(&cube);
 }
@@ -614,7 +616,7 @@ START_TEST(body_bounces_off_a_plate_that_rises)
         // They meet when high - g t^2 / 2 = t: v = g t.
         real t = (sqrt(1 + 2 * 9.81 * high) - 1) / 9.81, v = 9.81 * t;
         steps(42);
-        near_real(world_where(&w, b).velocity.y, v + 2 - 9.81 * (0.7 - t),
+        near(world_where(&w, b).velocity.y, v + 2 - 9.81 * (0.7 - t),
                   0.002);
     }
     world_free(&w);
@@ -653,7 +655,7 @@ START_TEST(body_that_is_turned_throws)
     // It is struck at the arm r = 1.41 m, by w = 1 rad/s, and slides along the
     // bat without friction to its end R = 2 m: there it goes w R with the bat,
     // and w sqrt(R^2 - r^2) along it.
-    near_real(vec3_length(world_where(&w, b).velocity), sqrt(4.0 + 4 - 2), 0.1);
+    near(vec3_length(world_where(&w, b).velocity), sqrt(4.0 + 4 - 2), 0.1);
     near_vec3(world_where(&w, 0).position, vec3_make(2, 0, 0), 1e-12);
     world_free(&w);
     shape_free(&bat);
@@ -679,7 +681,7 @@ START_TEST(kinematic_body_carries_cloth)
     real top = 0;
     for (int i = 0; i < cloth.particles; i++)
         top = real_max(top, particle_of(sheet, i)->position.y);
-    near_real(top, 2.7, 0.12);
+    near(top, 2.7, 0.12);
     world_free(&w);
     shape_free(&ram);
 }
@@ -700,21 +702,21 @@ START_TEST(kinematic_body_goes_through_what_does_not_move)
     int up = add_at(&cube, 0, 1.5, 0);
     steps(60);
     ck_assert_int_eq(w.report.unconverged, 0);
-    near_real(world_where(&w, b).position.y, 0, 1e-12);
+    near(world_where(&w, b).position.y, 0, 1e-12);
     steps(60);
-    near_real(world_where(&w, other).position.y, 2, 1e-12);
+    near(world_where(&w, other).position.y, 2, 1e-12);
     // It has lifted the cube by half a metre, and with its speed.
     placement q = world_where(&w, up);
-    near_real(q.position.y, 2, 0.02);
+    near(q.position.y, 2, 0.02);
     real gave = 0, has = 9.81 * (q.position.y - 1.5)
                        + vec3_length_squared(q.velocity) / 2;
     for (int k = 0; k < LEDGERS; k++) gave += w.ledger[k].energy;
-    near_real(gave, has, 0.06);
+    near(gave, has, 0.06);
     world_set_kinematic(&w, b, false);
     world_set_kinematic(&w, other, false);
     near_vec3(world_where(&w, other).velocity, vec3_make(0, 1, 0), 1e-9);
     steps_to_sleep();
-    near_real(world_where(&w, other).position.y, 0.5, 0.01);
+    near(world_where(&w, other).position.y, 0.5, 0.01);
     ck_assert_int_eq(w.dynamic_bodies, 3);
     world_free(&w);
     shape_free(&cube);
@@ -771,7 +773,7 @@ START_TEST(body_that_is_put_to_sleep_hangs_in_the_air_until_it_is_woken)
     world_wake(&w, b);
     steps(60);
     // (What stood still stood still half a substep ago.)
-    near_real(world_where(&w, b).position.y, was.y - 9.81 / 2, 9.81 / 900);
+    near(world_where(&w, b).position.y, was.y - 9.81 / 2, 9.81 / 900);
 }
 END_TEST
 

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "scarce.h"
+#include "expect.h"
 #include "obj.h"
 #include "suite.h"
 #include "world_scene.h"
@@ -69,13 +70,6 @@ static vec3 carried(int b, int i, int before)
 static vec3 place_of(int b, int i)
 {
     return carried(b, i, 0);
-}
-
-static void near_vec3(vec3 got, vec3 wanted, real error)
-{
-    ck_assert_msg(vec3_distance(got, wanted) <= error,
-                  "got (%.17g, %.17g, %.17g), wanted (%.17g, %.17g, %.17g)",
-                  got.x, got.y, got.z, wanted.x, wanted.y, wanted.z);
 }
 
 static void is_finite_everywhere(int frame)

@@ -121,23 +121,12 @@ async function checkContrast(page, name) {
 async function checkLive(page, name) {
   const figures = await page.locator('figure[data-live]').all();
   for (const figure of figures) {
-<<<<<<< HEAD
-=======
-    // Sections that were not rendered grow as they come near, and move the figure
-    // out of view: a reader goes on scrolling.
->>>>>>> t24-live
     let hash;
     for (const end = Date.now() + WAIT; !hash && Date.now() < end;) {
       await figure.scrollIntoViewIfNeeded();
       await page.waitForTimeout(100);
-<<<<<<< HEAD
-      hash = await figure.evaluate(node => node.dataset.hash || node.dataset.trapped);
-    }
-    hash ??= 'nothing';
-=======
       hash = await figure.evaluate(({ dataset }) => dataset.trapped || dataset.ready && dataset.hash);
     }
->>>>>>> t24-live
     const [live, wants] = await figure.evaluate(node => [node.dataset.live, node.dataset.wants]);
     if (hash !== wants) fault(name, `${live} comes to ${hash}, and ${wants} is wanted`);
   }

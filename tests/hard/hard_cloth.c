@@ -194,7 +194,7 @@ static void falling_cloth(hard_report *r, int fast)
         add_inside(r, &f, "the table", n);
     }
     if (!fast) fold_harder(r, 40, e);
-    check_counting(r, fast ? 30 : 40, e.frames);
+    check_counting(r, 40, e.frames);
 }
 
 // ---- 25: a flat cloth at rest ----------------------------------------------

@@ -116,11 +116,12 @@ async function checkContrast(page, name) {
   }
 }
 
-// Each live figure comes to frame 60 with the bits of a native run.  It runs while it
-// is seen: what is above it may be laid out meanwhile, and push it away.
+// Each live figure comes to frame 60 with the bits of a native run.
 async function checkLive(page, name) {
   const figures = await page.locator('figure[data-live]').all();
   for (const figure of figures) {
+    // Sections that were not rendered grow as they come near, and move the figure
+    // out of view: a reader goes on scrolling.
     let hash;
     for (const end = Date.now() + WAIT; !hash && Date.now() < end;) {
       await figure.scrollIntoViewIfNeeded();

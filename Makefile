@@ -325,7 +325,8 @@ endif
 #:   make moving     the moving pictures of README and chapter 18 (make deps-book)
 #:   make coverage   which lines of lib/ do the tests run, which branches both ways?
 #:   make hard       run the hard cases, each beside its target: on the engine
-#:                   (figures/tables/hard.csv), and on the system of Part I
+#:                   (figures/tables/hard.csv), and on the system of Part I,
+#:                   which falls short in many; fails if the engine does
 #:   make drape      cloth and rope on all kinds of things, a line of numbers each
 #:                   (DRAPE='--starts 1 --up-to 40 cube': fewer)
 #:   make speed      time against error, module by module: figures/tables/speed.csv
@@ -359,8 +360,9 @@ $(CHARTS:%=chart-%): chart-%:
 	$(Q)$(call redraw,$*) && sh figures/draw/stamp.sh -d $*
 
 hard: $(BUILD)/hard $(BUILD)/hard-plain
-	$(Q)$(BUILD)/hard --csv figures/tables/hard.csv
-	$(Q)$(BUILD)/hard-plain --csv figures/tables/hard-plain.csv
+	$(Q)ended=0; $(BUILD)/hard --csv figures/tables/hard.csv || ended=$$?; \
+	  $(BUILD)/hard-plain --csv figures/tables/hard-plain.csv || [ $$? -eq 1 ] || ended=2; \
+	  exit $$ended
 
 .PHONY: drape
 drape: $(BUILD)/drape
@@ -512,6 +514,8 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 # which can be refused.
 $(addprefix $(BUILD)/tests/check_,clock thread tumble_save): $(BUILD)/libpainter.a
 $(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
+# This one reads one table after the other of a saved world as zeros.
+$(BUILD)/tests/check_tumble_save: LDFLAGS += -Wl,--wrap=store_table
 
 # These ask the slow oracle about bodies made for the purpose.
 ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face query swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)

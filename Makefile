@@ -342,7 +342,7 @@ figures: $(FIGURES:%=$(BUILD)/figures/%) moving
 moving: $(BUILD)/figures/moving
 	@echo "  draw  figures/moving/moving.webp"
 	$(Q)sh figures/moving/moving.sh $< figures/moving/moving.webp
-	$(Q)for s in room cloth-on-cube cloth-on-rope; do sh figures/moving/moving.sh $< figures/moving/$$s.webp $$s || exit 1; done
+	$(Q)for s in room cloth-on-cube cloth-on-rope; do sh figures/moving/moving.sh $< figures/moving/$$s.webp $$s 60 || exit 1; done
 figures $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%) speed profile: $(BUILD)/shrink
 $(CHAPTERS:%=figure-%):
 	$(Q)$(foreach f,$(FIGURES_$(@:figure-%=%)),$(call draw,$f,$(call room,$f)) &&) true

@@ -217,13 +217,16 @@ local function is_live(para)
 end
 
 -- A picture that stands alone becomes a figure, its text the caption; one of
--- figures/live is what a script sets in motion.
+-- figures/live is what a script sets in motion, one of figures/moving stands still
+-- until a script plays it.
 local function figure_of(image)
   local path = image.src:gsub('^%.%./%.%./', '')
   local folder, name = path:match('figures/([^/]*)/([^/]*)%.%a+$')
   local wide, high = size(path)
   local shown = path:gsub('%.png$', '.webp')
-  local data = folder == 'live' and ' class="live" data-live="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' or ''
+  local still = folder == 'moving' and path:gsub('%.webp$', '-still.webp')
+  if still then shown = still end
+  local data = still and ' class="moving" data-moving="' .. path .. '"' or folder == 'live' and ' class="live" data-live="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' or ''
   local caption = html_of(image.caption)
   local source = path:gsub('%.%a+$', '.c')
   local program = io.open(source) and place_of_file(source)
@@ -231,7 +234,7 @@ local function figure_of(image)
     caption = caption .. ' <a class="program" href="' .. program .. '">' .. name .. '.c</a>'
   end
   local picture = pandoc.Image({ pandoc.Str(pandoc.utils.stringify(image.caption)) },
-    FORMAT:match('^epub') and path or shown, '',
+    FORMAT:match('^epub') and not still and path or shown, '',
     { width = wide and string.format('%.0f', wide), height = high and string.format('%.0f', high),
       loading = not whole and 'lazy' or nil })
   -- A phone gets the chart as phone.mjs lays it out.
@@ -243,7 +246,7 @@ local function figure_of(image)
       picture, raw('</picture>') })
   end
   -- By itself it can be looked at as large as it is.
-  if not whole and folder ~= 'live' then picture = pandoc.Link({ picture }, shown) end
+  if not whole and folder ~= 'live' and not still then picture = pandoc.Link({ picture }, shown) end
   return {
     block('<figure id="figure-' .. name .. '"' .. data .. '>'), pandoc.Plain({ picture }),
     block('<figcaption>' .. caption .. '</figcaption></figure>'),

@@ -80,6 +80,20 @@ heads() {
     echo '</style>'
 }
 
+# print BROWSER PAGE FILE: a page on paper.
+print() {
+    "$1" --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
+        --virtual-time-budget=10000 --print-to-pdf="$3" "file://$2" 2> /dev/null
+}
+# The contents know their pages only when all has been printed once.
+number_contents() {
+    command -v qpdf > /dev/null || return 0
+    qpdf --json --json-key=outlines "$2" | sed -n 's/^      "destpageposfrom1": \([0-9]*\),/\1/p' | sed 1d > "$part/numbers"
+    awk 'NR == FNR { page[NR] = $1; next }
+         /^<li><a href="#[0-9][0-9]-[^"]*"><span class="number">/ { sub(/<\/a>/, "<span class=\"at\">" page[++k] "</span></a>") } { print }' \
+        "$part/numbers" "$1" > "$1.new" && mv "$1.new" "$1" && print "$found" "$1" "$2"
+}
+
 case $form in
 page) awk -f $here/page.awk "chapters/woven/$page.md" | turn --metadata pagetitle="$(title "$page")" ;;
 index) awk -f $here/index.awk $here/index.md README.md | site --metadata home=true --metadata pagetitle="a world of particles and sticks" ;;
@@ -89,8 +103,7 @@ exercises) tasks | awk -f $here/page.awk | site --metadata pagetitle=Exercises ;
 html) embedded "$file" ;;
 pdf)  wants chromium chromium-browser google-chrome
       heads > "$part/heads" && embedded "$part/book.html" --include-in-header "$part/heads" &&
-      "$found" --headless --no-sandbox --disable-gpu --no-pdf-header-footer --generate-pdf-document-outline \
-          --virtual-time-budget=10000 --print-to-pdf="$part/book.pdf" "file://$part/book.html" 2> /dev/null &&
+      print "$found" "$part/book.html" "$part/book.pdf" && number_contents "$part/book.html" "$part/book.pdf" &&
       pack "$part/book.pdf" ;;
 epub) whole epub3 --css $here/epub.css --epub-embed-font $here/math.woff2 -o "$file" ;;
 esac && [ -s "$file" ] || exit 1

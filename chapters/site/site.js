@@ -49,14 +49,21 @@ if (pieces.length) {
 // --- search ---
 const field = document.querySelector('input[type="search"]');
 const script = src => new Promise((done, failed) => document.head.append(make('script', { src, onload: done, onerror: failed })));
+// A summary names everything, and a name of code is meant where it is written so.
+const weight = (key, term, row) => row.id === 'sources' ? .2 : /^(in-short|what-the-paper-says)$/.test(row.id) || /_/.test(row.head) && !/_/.test(term) ? .5 : 1;
+// What is asked in a sentence: its small words are left out, its endings too.
+const small = new Set('a an and are at be can do does for from how i in is it me my of on or the this to what when where which who why with'.split(' '));
+function stem(word) {
+  const term = word.toLowerCase();
+  return small.has(term) ? null : /_/.test(term) || term.length < 6 ? term : term.replace(/(ing|ed|es|s)$/, '');
+}
 let index;
 // Read when the field is first used: a row of search.js is a section or a name of code.
 const read = () => index ||= Promise.all([script('minisearch.js'), script('search.js')]).then(() => {
   const search = new MiniSearch({
     fields: ['head', 'text'], storeFields: ['page', 'id', 'head', 'text'], idField: 'key',
     tokenize: text => text.split(/[^\p{L}\p{N}_]+/u).filter(Boolean),
-    searchOptions: { boostDocument: (key, term, row) => row.id === 'sources' ? .2 : 1,
-      boost: { head: 6 }, prefix: true, combineWith: 'AND', fuzzy: term => term.length > 5 ? .15 : 0 },
+    searchOptions: { boostDocument: weight, processTerm: stem, boost: { head: 6 }, prefix: true, fuzzy: term => term.length > 5 ? .15 : 0 },
   });
   search.addAll(window.sections.map(([page, id, head, text], key) => ({ key, page, id, head, text })));
   return search;
@@ -73,7 +80,8 @@ field.after(found);
 async function look() {
   const wanted = field.value.trim();
   if (!wanted) { found.hidden = true; return; }
-  const hits = (await read()).search(wanted).slice(0, 12);
+  const search = await read(), whole = search.search(wanted, { combineWith: 'AND' });
+  const hits = (whole.length ? whole : search.search(wanted)).slice(0, 12);
   if (field.value.trim() !== wanted) return;
   found.replaceChildren(...hits.map(hit => make('li', {},
     make('a', { href: `${hit.page}.html${hit.id ? '#' + hit.id : ''}` },
@@ -99,16 +107,20 @@ addEventListener('keydown', event => {
 });
 addEventListener('click', event => { if (!field.form.contains(event.target)) found.hidden = true; });
 
-// --- the moving picture: after all else has come, and not if the reader wants rest ---
+// --- moving pictures: after all else has come, while they are seen, and not if the
+// reader wants rest ---
 for (const figure of all('.moving')) {
   const picture = figure.querySelector('img'), still = picture.src;
   const button = make('button', { type: 'button' });
+  let isStopped = matchMedia('(prefers-reduced-motion: reduce)').matches;
   const move = moving => {
     picture.src = moving ? figure.dataset.moving : still;
     button.textContent = moving ? 'Stop' : 'Play';
-    button.onclick = () => move(!moving);
+    button.onclick = () => { isStopped = moving; move(!moving); };
   };
-  figure.append(button);
+  picture.after(button);
   move(false);
-  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) addEventListener('load', () => setTimeout(move, 300, true));
+  addEventListener('load', () => setTimeout(() => new IntersectionObserver(([seen]) => {
+    if (!isStopped) move(seen.isIntersecting);
+  }, { threshold: .5 }).observe(picture), 300));
 }

@@ -11,7 +11,9 @@ SITE_FILES := $(patsubst %.png,%.webp,$(PICTURES:%=$(SITE)/%))
 # What a caption links to: the book's code, and the programs of the figures.
 SOURCES    := $(shell sh chapters/weave.sh) $(wildcard figures/[0-9]*/*.c figures/peers/*.c figures/live/*.c)
 SITE_CODE  := $(patsubst %,$(SITE)/source/%.html,$(subst /,-,$(SOURCES)))
-SITE_STYLE := $(patsubst %,$(SITE)/%,style.css site.js icon.svg math.woff2 pagella-regular.woff2 pagella-italic.woff2 pagella-bold.woff2 minisearch.js figures/moving/still.webp)
+# The first frames of what moves.
+STILLS     := $(patsubst %.webp,%-still.webp,$(wildcard figures/moving/*.webp))
+SITE_STYLE := $(patsubst %,$(SITE)/%,style.css site.js icon.svg math.woff2 pagella-regular.woff2 pagella-italic.woff2 pagella-bold.woff2 minisearch.js $(STILLS))
 SITE_LIVE  := $(LIVE_FILES:$(BUILD)/live/%=$(SITE)/live/%)
 
 .PHONY: site
@@ -49,7 +51,7 @@ $(SITE)/figures/%.webp: figures/%.png
 $(SITE)/figures/%: figures/%
 	@mkdir -p $(@D)
 	$(Q)cp $< $@
-$(SITE)/figures/moving/still.webp: figures/moving/moving.webp
+$(SITE)/figures/moving/%-still.webp: figures/moving/%.webp
 	@mkdir -p $(@D)
 	$(Q)webpmux -get frame 1 $< -o $@ 2> /dev/null
 $(SITE)/minisearch.js: $(BUILD)/node/.done
@@ -60,10 +62,15 @@ $(SITE)/live/%: $(BUILD)/live/%
 $(SITE)/%: chapters/site/%
 	@mkdir -p $(@D)
 	$(Q)cp $< $@
+# Where the book has which lines: file, line, page.
+$(BUILD)/places: $(WOVEN:%=chapters/woven/%)
+	$(Q)for p in $^; do \
+	    sed -n "s|^\[\([^],]*\), lines* \([0-9]*\).*|\1 \2 $$(basename $$p .md)|p" $$p; done > $@.new
+	$(Q)cmp -s $@.new $@ || cp $@.new $@
 define source
-$(SITE)/source/$(subst /,-,$1).html: $1 chapters/site/source.awk
+$(SITE)/source/$(subst /,-,$1).html: $1 chapters/site/source.awk $(BUILD)/places
 	@mkdir -p $$(@D)
-	$(Q)LC_ALL=C awk -f chapters/site/source.awk chapters/woven/*.md $1 > $$@
+	$(Q)LC_ALL=C awk -f chapters/site/source.awk $(BUILD)/places $1 > $$@
 endef
 $(foreach f,$(SOURCES),$(eval $(call source,$f)))
 
@@ -73,7 +80,7 @@ $(SITE)/search.js: $(WOVEN:%=chapters/woven/%) chapters/site/search.lua $(PAGE_T
 	$(Q)sh chapters/site/page.sh search $@
 
 # The whole book in one file.
-html pdf epub: $(SITE_FILES)
+html pdf epub: $(SITE_FILES) $(STILLS:%=$(SITE)/%)
 	$(Q)BUILD='$(BUILD)' sh chapters/site/page.sh $@ $(BUILD)/book.$@
 
 # The pages in a real browser.

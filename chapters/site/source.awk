@@ -1,7 +1,7 @@
 # source.awk - a file of C as a page on which each line has an anchor, and each
 # region's opening leads to where the book explains it.
 #
-#   awk -f source.awk chapters/woven/*.md lib/paper/gjk.c > gjk.c.html
+#   awk -f source.awk build/places lib/paper/gjk.c > gjk.c.html
 
 function escaped(s) { gsub(/&/, "\\&amp;", s); gsub(/</, "\\&lt;", s); return s }
 # Words of the language, strings and comments have the colours of the book.
@@ -22,15 +22,8 @@ BEGIN {
     split("bool char double float int long short signed size_t unsigned void", word, " ")
     for (i in word) kind[word[i]] = "dt"
 }
-# Where the book has the lines from here: its page, and the first name in them.
-FILENAME ~ /\.md$/ {
-    if (match($0, /^\[[^],]*, lines? [0-9]+/)) {
-        split(substr($0, 2, RLENGTH - 1), at, /, lines? /)
-        page = FILENAME; sub(/.*\//, "", page); sub(/\.md$/, "", page)
-        told[at[1], at[2] + 0] = page
-    }
-    next
-}
+# Which page has the lines from here.
+FILENAME ~ /places$/ { told[$1, $2] = $3; next }
 FNR == 1 {
     print "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">" \
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">" \

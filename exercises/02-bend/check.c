@@ -2,6 +2,7 @@
 
 #include "hinge.h"
 #include "expect.h"
+#include "gains.h"
 #include "random.h"
 #include "suite.h"
 
@@ -19,21 +20,6 @@ static particle at(real x, real y, real z, real inverse_mass)
 }
 
 static unsigned long long seed = 1;
-
-// Momentum and angular momentum that n particles gained in one relaxation.
-static void gains_nothing(const particle *before, const particle *after, int n)
-{
-    vec3 push = { 0, 0, 0 }, torque = { 0, 0, 0 };
-    for (int i = 0; i < n; i++) {
-        if (after[i].inverse_mass == 0) continue;
-        vec3 move = vec3_sub(after[i].position, before[i].position);
-        vec3 m = vec3_scale(1 / after[i].inverse_mass, move);
-        push = vec3_add(push, m);
-        torque = vec3_add(torque, vec3_cross(before[i].position, m));
-    }
-    near(vec3_length(push), 0, ROUNDING, "momentum");
-    near(vec3_length(torque), 0, ROUNDING, "angular momentum");
-}
 
 static void strip(particle *p, real fold)
 {
@@ -72,7 +58,7 @@ START_TEST(folded_strip_lies_flat_after_one_relaxation)
         stick_result r = bend_relax(b, p);
         near(r.error, sin(fold / 2), 4 * EXACT, "gap");
         ck_assert(r.moved);
-        gains_nothing(q, p, 4);
+        gains_nothing(q, p, 4, ROUNDING);
         near(bend_relax(b, p).error, 0, 4 * EXACT, "flat");
     }
     strip(p, 1);
@@ -99,7 +85,7 @@ START_TEST(skewed_strip_too)
         particle q[4];
         memcpy(q, p, sizeof p);
         ck_assert(bend_relax(b, p).error > 0);
-        gains_nothing(q, p, 4);
+        gains_nothing(q, p, 4, ROUNDING);
         near(bend_relax(b, p).error, 0, 16 * EXACT, "flat again");
     }
 }
@@ -115,7 +101,7 @@ START_TEST(rope_bends_at_its_middle)
     particle q[3];
     memcpy(q, p, sizeof p);
     near(bend_relax(b, p).error, 0.6, EXACT, "gap");
-    gains_nothing(q, p, 3);
+    gains_nothing(q, p, 3, ROUNDING);
     near(bend_relax(b, p).error, 0, EXACT, "straight");
 }
 END_TEST

@@ -51,18 +51,10 @@ typedef struct {
 
 static tally stored[VARIANTS], made[VARIANTS];
 
-static real size_of(const body *b)
-{
-    real most = 0;
-    for (int i = 0; i < b->count; i++)
-        most = real_max(most, vec3_distance(b->at[i], b->at[0]));
-    return most;
-}
-
 // truth: m, > 0 apart; < 0 minus the depth; 0 touching, where either is right.
 static void ask_all(const body *a, const body *b, real truth, tally *t)
 {
-    real size = real_max(size_of(a), size_of(b));
+    real size = pair_size(a, b);
     for (int k = 0; k < VARIANTS; k++, t++) {
         gjk_result r = variant[k].ask(body_hull(a), body_hull(b), HUGE_VAL,
                                       NULL);

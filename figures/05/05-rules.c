@@ -49,14 +49,6 @@ typedef struct {
 
 static tally stored[VARIANTS], made[VARIANTS];
 
-static real size_of(const body *b)
-{
-    real most = 0;
-    for (int i = 0; i < b->count; i++)
-        most = real_max(most, vec3_distance(b->at[i], b->at[0]));
-    return most;
-}
-
 // Is the move along the normal long enough, and from point to point?
 static int is_off(const body *a, const body *b, hit_result r, real size)
 {
@@ -73,7 +65,7 @@ static void ask_all(const body *a, const body *b, real truth, tally *t)
 {
     gjk_result g = gjk_distance(body_hull(a), body_hull(b), HUGE_VAL, NULL);
     if (g.status != GJK_OVERLAP) return;
-    real size = real_max(size_of(a), size_of(b));
+    real size = pair_size(a, b);
     for (int k = 0; k < VARIANTS; k++, t++) {
         hit_result r = variant[k].ask(body_hull(a), body_hull(b), &g.last);
         real error = fabs(r.depth - truth);

@@ -3,6 +3,7 @@
 
 #include "broad.h"
 #include "live.h"
+#include "random.h"
 
 #include <string.h>
 
@@ -23,13 +24,6 @@ static int pair[PAIRS][2], plain[PAIRS][2];
 static int balls, found, by_axis, by_lane, frame;
 static bool is_equal;
 
-// From -1 to 1, always the same.
-static real any(unsigned long long *seed)
-{
-    *seed = *seed * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (real)(*seed >> 11) / 4503599627370496.0 - 1;
-}
-
 static void begin(void)
 {
     unsigned long long seed = 5;
@@ -38,7 +32,7 @@ static void begin(void)
     balls = (int)live_dial(BALLS);
     for (int i = 0; i < balls; i++) {
         real number[4];
-        for (int k = 0; k < 4; k++) number[k] = any(&seed);
+        for (int k = 0; k < 4; k++) number[k] = random_real(&seed);
         ball[i] = (sphere){ vec3_make(half.x * number[0], half.y * number[1], 0), live_dial(RADIUS) };
         velocity[i] = vec3_make(number[2], number[3], 0);
         moves[i] = 1;

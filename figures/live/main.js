@@ -198,6 +198,13 @@ class Figure {
 
 const fail = node => error => { node.dataset.failed = error.message; console.error(error); };
 
+// A section of the page that is not laid out before it is near has a height that
+// is guessed: what leads to a figure in it would miss it, and it would not run.
+function layOut(node) {
+  const section = node.closest('section.level2');
+  if (section) section.style.contentVisibility = 'visible';
+}
+
 function begin() {
   document.head.append(make('style', {}, style));
   const near = new IntersectionObserver(all => all.filter(one => one.isIntersecting).forEach(({ target }) => {
@@ -208,7 +215,7 @@ function begin() {
   for (const node of figures) node.live = new Figure(node, tumble.panels[node.dataset.live]);
   // What moves comes after all that is read.
   const watch = async () => {
-    figures.forEach(node => near.observe(node));
+    figures.forEach(node => { layOut(node); near.observe(node); });
     await pause(CALM);
     // A module that does not return says so where it is seen.
     for (const node of figures) await node.live.prove().catch(() => {});

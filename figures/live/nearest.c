@@ -6,6 +6,7 @@
 #include "live.h"
 #include "plane.h"
 #include "query.h"
+#include "random.h"
 
 enum { KIND, DISTANCE, TURN, EVERY };           // dials
 enum { ASKED, OFF };                            // charts
@@ -24,21 +25,12 @@ static simplex last;                            // of the frame before
 static query_cache kept;
 static query_result true_now, ridden;
 
-// Points in a cube, those inside a ball left and drawn out to its surface: a
-// stone.  The numbers are as good as thrown dice, and the same on all machines.
+// Points of a ball, thrown as dice are: a stone.
 static status make_stone(shape *s, int points, real radius)
 {
-    unsigned seed = 12345;
+    unsigned long long seed = 13;
     vec3 p[POINTS];
-    for (int n = 0; n < points; ) {
-        real c[3];
-        for (int k = 0; k < 3; k++) {
-            seed = seed * 1664525u + 1013904223u;
-            c[k] = (seed >> 8) / 8388608.0 - 1;
-        }
-        vec3 d = { c[0], c[1], c[2] };
-        if (vec3_length(d) < 1 && vec3_length(d) > 0.1) p[n++] = vec3_scale(radius, vec3_unit(d));
-    }
+    for (int i = 0; i < points; i++) p[i] = vec3_scale(radius, random_direction(&seed));
     return shape_hull(s, p, points, 1);
 }
 

@@ -9,7 +9,7 @@
 #include <string.h>
 
 enum { WIDTH = 316, HEIGHT = 300, GAP = 6, LAMPS = 2, FRAMES = 96 };
-enum { WIDTH_ALONE = 560, HEIGHT_ALONE = 350 };
+enum { WIDTH_ALONE = 480, HEIGHT_ALONE = 300 };
 
 // The scenes first to last, each so large.
 typedef struct {

@@ -4,8 +4,8 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "ledger.h"
 #include "expect.h"
+#include "ledger.h"
 #include "measure.h"
 #include "soft_step.h"
 #include "stage.h"

@@ -82,15 +82,25 @@ static inline void near_vec3_or_fail(near_vec3s n)
 
 // ---- A status
 
-static inline void expect_why(status s, const char *why)
+// expect_why(status, why): the test fails, in this line, unless the status is a
+// refusal in these words.
+#define expect_why(...) why_or_fail(__FILE__, __LINE__, __VA_ARGS__)
+#define expect_ok(...)  ok_or_fail(__FILE__, __LINE__, __VA_ARGS__)
+
+static inline void why_or_fail(const char *file, int line, status s,
+                               const char *why)
 {
-    ck_assert_msg(!s.ok, "accepted, wanted: %s", why);
-    ck_assert_msg(strcmp(s.why, why) == 0, "said: %s\nwanted: %s", s.why, why);
+    _mark_point(file, line);
+    if (s.ok) _ck_assert_failed(file, line, "refused", "accepted, wanted: %s",
+                                why);
+    if (strcmp(s.why, why) == 0) return;
+    _ck_assert_failed(file, line, "why", "said: %s\nwanted: %s", s.why, why);
 }
 
-static inline void expect_ok(status s)
+static inline void ok_or_fail(const char *file, int line, status s)
 {
-    ck_assert_msg(s.ok, "refused: %s", s.why);
+    _mark_point(file, line);
+    if (!s.ok) _ck_assert_failed(file, line, "ok", "refused: %s", s.why);
 }
 
 #endif

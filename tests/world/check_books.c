@@ -4,8 +4,8 @@
 #include <check.h>
 #include <string.h>
 
-#include "ledger.h"
 #include "expect.h"
+#include "ledger.h"
 #include "stage.h"
 #include "step.h"
 #include "suite.h"

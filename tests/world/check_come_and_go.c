@@ -4,8 +4,8 @@
 #include <check.h>
 #include <string.h>
 
-#include "measure.h"
 #include "expect.h"
+#include "measure.h"
 #include "scarce.h"
 #include "stage.h"
 #include "step.h"

@@ -5,8 +5,8 @@
 #include <check.h>
 #include <string.h>
 
-#include "ledger.h"
 #include "expect.h"
+#include "ledger.h"
 #include "suite.h"
 
 // Sums over a few dozen particles, of numbers up to a thousand.

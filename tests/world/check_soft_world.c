@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "measure.h"
 #include "expect.h"
+#include "measure.h"
 #include "soft_step.h"
 #include "step.h"
 #include "stage.h"

@@ -2,8 +2,8 @@
 
 #include <check.h>
 
-#include "handle.h"
 #include "expect.h"
+#include "handle.h"
 #include "measure.h"
 #include "stage.h"
 #include "step.h"

@@ -514,8 +514,6 @@ $(BUILD)/tests/check_painter: $(BUILD)/libpainter.a
 # which can be refused.
 $(addprefix $(BUILD)/tests/check_,clock thread tumble_save): $(BUILD)/libpainter.a
 $(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
-# This one reads one table after the other of a saved world as zeros.
-$(BUILD)/tests/check_tumble_save: LDFLAGS += -Wl,--wrap=store_table
 
 # These ask the slow oracle about bodies made for the purpose.
 ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face query swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)

@@ -49,8 +49,8 @@ static void forget_holds(const soft_frame *f, const body *b)
     real longer = f->h / f->age, times = longer * longer;
     for (int i = b->first; i < b->first + body_particles(b); i++) {
         line_hold *h = &f->hold[i];
-        h->pull = vec3_scale(h->state == LINE_FREE ? 0 : times, h->pull);
-        if (h->state == LINE_FREE) h->gave = h->pull;
+        if (h->state == LINE_FREE) h->pull = h->crept = (vec3){ 0, 0, 0 };
+        h->pull = vec3_scale(times, h->pull);
         h->state = LINE_FREE;
     }
 }

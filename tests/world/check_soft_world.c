@@ -482,11 +482,11 @@ START_TEST(lists_ask_only_about_what_may_come_near)
     look();
     w.rigid.ahead[b].reach = 0.2;
     refresh(H);
-    ck_assert_int_eq(w.soft.near.whos, 1);
+    ck_assert_int_eq(w.soft.near.candidates, 1);
     w.rigid.ahead[b].reach = 0.22;
     refresh(H);
-    ck_assert_int_eq(w.soft.near.whos, 2);
-    ck_assert_int_eq(w.soft.near.who[1], b);
+    ck_assert_int_eq(w.soft.near.candidates, 2);
+    ck_assert_int_eq(w.soft.near.candidate[1], b);
     ck_assert_int_eq(w.soft.near.made, 2);
     // What has been asked about is known until another comes.
     w.rigid.ahead[b].reach = 0;
@@ -495,7 +495,7 @@ START_TEST(lists_ask_only_about_what_may_come_near)
     // Lost numbers may be anywhere.
     w.rigid.ball[1].center.x = (real)NAN;
     refresh(H);
-    ck_assert_int_eq(w.soft.near.who[1], 1);
+    ck_assert_int_eq(w.soft.near.candidate[1], 1);
 }
 END_TEST
 

@@ -120,7 +120,7 @@ TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/*/check_*
 FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*/*.c)))
 PEERS    := $(notdir $(wildcard figures/peers/peers*.c))
 PILES    := $(basename $(notdir $(wildcard figures/peers/piles*.c figures/peers/piles*.cpp)))
-# These, and piles_bullet.cpp, need libccd, ODE and Bullet; nothing else does.
+# These, and piles_bullet.cpp, need libccd, ODE and Bullet; box3d_mover.c needs Box3D.
 THEIRS   := peers_ccd.c peers_ode.c piles_ode.c
 SCENES   := $(filter-out example_main.c,$(notdir $(wildcard figures/scenes/*.c)))
 PAINTER  := $(filter-out shrink.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c))) $(SCENES)
@@ -499,7 +499,7 @@ checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits $$(LIVE_PROGRAMS)
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 objects: $(ALL) \
   $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/*/*.c))) \
-  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) $(notdir $(wildcard figures/live/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
+  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) box3d_mover.c $(notdir $(wildcard figures/live/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
   $(patsubst figures/live/%.c,$(BUILD)/live/%.o,$(filter-out %_wasm.c,$(wildcard figures/live/*.c)))
 theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/piles_bullet.o
 

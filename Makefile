@@ -497,6 +497,9 @@ SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 
+# This one reads tables of a saved world as garbage.
+$(BUILD)/tests/check_tumble_save: LDFLAGS += -Wl,--wrap=store_table
+
 # This one has the plain form of four numbers beside the other.
 $(BUILD)/tests/check_real4: $(BUILD)/tests/real4_plain.o
 # The plain contact solver, which judges the fast one and draws figures.

@@ -322,6 +322,34 @@ START_TEST(a_body_takes_its_options_at_once_or_later)
 }
 END_TEST
 
+// A box of a metre may be a million kilometres away, where a double knows a tenth
+// of a micrometre, and no further; what is refused changes nothing.
+START_TEST(what_is_too_far_for_its_numbers_is_refused)
+{
+    const double far[] = { 2e9, 1e15, 1e17, 1e300, HUGE_VAL };
+    tumble_world *w = weightless();
+    tumble_body_options o = tumble_at(9e8, 0, 0);
+    o.spin = tumble_v(0, 1, 0);
+    tumble_body b = tumble_add(w, a_box(w), o);
+    for (int k = 0; k < 5; k++) {
+        tumble_pose there = { { 0, far[k], 0 }, { 0, 0, 0, 1 } };
+        tumble_body none = tumble_add(w, a_box(w), tumble_at(0, far[k], 0));
+        ck_assert_uint_eq(none.generation, 0);
+        ck_assert_ptr_nonnull(tumble_failure(w));
+        tumble_forget_failure(w);
+        ck_assert(!tumble_set_pose(w, b, there));
+        ck_assert_ptr_nonnull(tumble_failure(w));
+        tumble_forget_failure(w);
+    }
+    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 1);
+    run(w, 1);
+    near(tumble_position(w, b).x, 9e8, 1e-5);
+    near(tumble_spin(w, b).y, 1, 1e-3);
+    ck_assert_double_lt(tumble_measure(w).strain, 1e-5);
+    tumble_free(w);
+}
+END_TEST
+
 // Half a turn in a second.
 START_TEST(a_kinematic_body_turns_as_it_was_told)
 {
@@ -556,6 +584,7 @@ int main(void)
         a_report_counts_what_there_is,
         measures_are_those_of_the_textbook,
         a_body_takes_its_options_at_once_or_later,
+        what_is_too_far_for_its_numbers_is_refused,
         a_kinematic_body_turns_as_it_was_told,
         all_pieces_take_what_a_body_is_given,
         what_is_put_elsewhere_wakes_what_it_left_and_what_it_meets,

@@ -247,36 +247,38 @@ START_TEST(what_moves_goes_through_nothing_that_stands)
 }
 END_TEST
 
-// A wedge of 20 degrees, its edge along z at x = 0, and a bullet that goes down
-// before the edge, through the planes of both sides.
-// Rejects: a line that meets a side where it has left the body.
+// A prism of three sides, its edge along z at x = 0, and a bullet that goes down
+// through the planes of the two sides: before the edge, or through the prism.
+// Rejects: a line that comes in through a side where it has left the body.
 START_TEST(what_passes_an_edge_is_not_stopped)
 {
-    shape wedge;
-    const real rise = 0.176;        // tan(10 degrees)
-    vec3 at[6];
-    for (int k = 0; k < 6; k++)
-        at[k] = vec3_make(k < 2 ? 0 : -1, k < 2 ? 0 : k < 4 ? rise : -rise,
-                          k % 2 - 0.5);
-    expect_ok(shape_hull(&wedge, at, 6, 5));
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 40; k++) {
+        bool passes = k % 2 == 0;
+        real rise = 0.1 + 0.01 * k;
+        shape prism;
+        vec3 at[6];
+        for (int i = 0; i < 6; i++)
+            at[i] = vec3_make(i < 2 ? 0 : -1, i < 2 ? 0 : i < 4 ? rise : -rise,
+                              i % 2 - 0.5);
+        expect_ok(shape_hull(&prism, at, 6, 5));
         begin_falling(0, 1.0 / 60);
-        vec3 tip = vec3_make(vec3_sub(at[0], wedge.at[0]).x, 0, 0);
-        placement p = placement_at(tip);
+        placement p = placement_at(vec3_make(0, 0, 0));
+        for (int i = 0; i < 6; i++)     // where its edge is
+            p.position.x = real_min(p.position.x, -prism.at[i].x);
         p.is_static = true;
-        real x = k == 0 ? 0.03 : -0.5, y = k == 0 ? 0.03 : 0.15;
-        add(&wedge, p);
+        real x = passes ? 0.03 : -0.5, y = passes ? 0.03 : rise / 2 + 0.06;
+        add(&prism, p);
         add_thrown(&bullet, vec3_make(x, y, 0.1), vec3_make(0, -0.2, 0), ZERO);
         world_step(&w);
         ck_assert_int_eq(w.rigid.cache.actives, 1);
         w.rigid.reach[1] = 1;
         go(1, vec3_make(0, -2 * y, 0), vec3_make(0, -1, 0));
         guard_bodies(&w);
-        if (k == 0) near_vec3(way_of(1), vec3_make(0, -2 * y, 0), 0);
+        if (passes) near_vec3(way_of(1), vec3_make(0, -2 * y, 0), 0);
         else        ck_assert(way_of(1).y > -y);
         world_free(&w);
+        shape_free(&prism);
     }
-    shape_free(&wedge);
 }
 END_TEST
 

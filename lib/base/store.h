@@ -60,7 +60,7 @@ void store_memory(store *s, void *data, size_t n);
 // last, or was entered; there the bytes have 0 instead.
 void store_table(store *s, void *array, int count, int room, size_t size);
 // The same for an array whose elements mean nothing between two frames: read,
-// it is there, and they may be anything; or they are zeros.
+// it is there, and they may be anything (STORE_ROOM), or zeros (STORE_ZEROS).
 void store_room(store *s, void *array, int room, size_t size);
 #define STORE_TABLE(s, array, count, room) \
     store_table((s), &(array), (count), (room), sizeof *(array))

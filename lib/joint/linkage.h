@@ -64,12 +64,13 @@ void linkage_free(linkage *l);
 status linkage_add(linkage *l, const joint *j, int *number);
 
 // Counts again what is pinned to what, after one has broken.  What was pinned
-// stays tied, until
+// stays tied until one of the next two says otherwise.
 void linkage_count_pins(linkage *l);
 
-// tie k, which has no pins, is forgotten: the last takes its place; or body b
-// has gone, and all of its ties.
+// Forgets tie k, which has no pins; the last tie takes its number.
 void linkage_untie(linkage *l, int k);
+
+// Forgets all ties of body b, which is gone.
 void linkage_untie_body(linkage *l, int b);
 
 // Takes a joint away.  Its number goes to a later one.

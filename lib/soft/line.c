@@ -946,8 +946,9 @@ static void hold_end(const shape *s, const line_scratch *scratch,
         if (hold[i].state == LINE_FREE) continue;
         vec3 d = vec3_sub(place_get(scratch->now, i), p[i].position);
         real into = vec3_dot(d, hold[i].normal);
-        hold[i].gave = hold[i].state == LINE_STICKS ? d : (vec3){ 0, 0, 0 };
-        if (hold[i].state == LINE_STICKS)
+        bool sticks = hold[i].state == LINE_STICKS;
+        hold[i].crept = sticks ? vec3_add(hold[i].crept, d) : (vec3){ 0, 0, 0 };
+        if (sticks)
             d = vec3_scale(1 / GIVE, d);
         else if (into < 0)
             d = vec3_add_scaled(d, into * (1 / GIVE - 1), hold[i].normal);

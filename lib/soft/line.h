@@ -20,15 +20,15 @@ typedef struct {
 } strands;
 
 // A particle that touches something that does not move.  Into it, and to all
-// sides where it sticks, it gives way by 0.3 of what it would; away from it,
-// freely.
+// sides where it sticks, it gives way by a share of what it would; away from
+// it, freely.
 typedef enum { LINE_FREE, LINE_SLIDES, LINE_STICKS } line_state;
 
 typedef struct {
     line_state state;
     vec3 normal;        // unit, out of what it touches
     vec3 pull;          // m, how far the strands would have moved it, free
-    vec3 gave;          // m, how far they did, though it stuck; or nothing
+    vec3 crept;         // m, how far it is from where it stuck
 } line_hold;
 
 // Memory for lines: one for each thread that solves.

@@ -81,8 +81,8 @@ static bool lists_are_good(near_lists *l, const soft_frame *f)
     }
     // What stands still has moved by nothing, and that is in the box, too.
     moves m = { .longest = 0 };
-    for (int k = 0; k < l->whos; k++) {
-        int b = l->who[k];
+    for (int k = 0; k < l->candidates; k++) {
+        int b = l->candidate[k];
         if (!soft_moves(f, b)) continue;
         if (body_is_soft(&f->body[b])) add_soft_moves(&m, l, f, &f->body[b]);
         else                           add_rigid_moves(&m, l, f, b);
@@ -374,16 +374,17 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
     l->pairs = l->points = l->trusted = 0;
     l->substeps = 0;
     l->made++;
-    for (int k = 0; k < l->whos; k++) note_places(l, f, l->who[k]);
-    for (int k = 0; k < l->whos; k++) {
-        if (is_moving_soft(f, l->who[k])) list_self(l, f, l->who[k]);
-        for (int j = k + 1; j < l->whos; j++)
-            list_pair(l, v, f, l->who[k], l->who[j]);
+    const int *c = l->candidate;
+    for (int k = 0; k < l->candidates; k++) note_places(l, f, c[k]);
+    for (int k = 0; k < l->candidates; k++) {
+        if (is_moving_soft(f, c[k])) list_self(l, f, c[k]);
+        for (int j = k + 1; j < l->candidates; j++)
+            list_pair(l, v, f, c[k], c[j]);
     }
 }
 //<
 
-//> near-who
+//> near-candidates
 typedef struct {
     vec3 least, most;   // m
 } box;
@@ -442,10 +443,10 @@ static void mark_near(near_lists *l, const soft_frame *f, int a, real reach)
                                      reach + soft->thickness);
 }
 
-// Whom deformable bodies may meet in this frame: if one of those was not asked
-// about when the lists were made, they are no longer good.
-static void choose_who(near_lists *l, const soft_frame *f,
-                       const prediction *ahead)
+// What deformable bodies may meet in this frame.  If one of these was no
+// candidate when the lists were made, they are no longer good.
+static void choose_candidates(near_lists *l, const soft_frame *f,
+                              const prediction *ahead)
 {
     real reach = frame_reach(l, f, ahead);
     int missing = 0;
@@ -453,12 +454,13 @@ static void choose_who(near_lists *l, const soft_frame *f,
     for (int a = 0; a < f->bodies; a++)
         if (body_is_soft(&f->body[a])) mark_near(l, f, a, reach);
     for (int b = 0; b < f->bodies; b++) missing += l->is_near[b];
-    for (int k = 0; k < l->whos; k++) missing -= l->is_near[l->who[k]];
+    for (int k = 0; k < l->candidates; k++)
+        missing -= l->is_near[l->candidate[k]];
     if (missing == 0) return;
     l->trusted = -1;
-    l->whos = 0;
+    l->candidates = 0;
     for (int b = 0; b < f->bodies; b++)
-        if (l->is_near[b]) l->who[l->whos++] = b;
+        if (l->is_near[b]) l->candidate[l->candidates++] = b;
 }
 //<
 
@@ -488,7 +490,7 @@ void near_begin(near_lists *l, const soft_frame *f, const prediction *ahead)
         l->ball[b] = ball_around(at, f->body[b].shape->particles);
         l->ball[b].radius += f->body[b].thickness;
     }
-    choose_who(l, f, ahead);
+    choose_candidates(l, f, ahead);
 }
 //<
 
@@ -540,7 +542,7 @@ static bool make_room(near_lists *l, int bodies, int particles)
         TABLE_GROW(ok, l->tree, l->bodies, room);
         TABLE_GROW(ok, l->ball, l->bodies, room);
         TABLE_GROW(ok, l->is_near, l->bodies, room);
-        TABLE_GROW(ok, l->who, l->whos, room);
+        TABLE_GROW(ok, l->candidate, l->candidates, room);
         if (ok) l->bodies = room;
     }
     if (particle_room > l->particles) {
@@ -594,9 +596,9 @@ status near_add(near_lists *l, const body *all, int b, int bodies,
 void near_free(near_lists *l)
 {
     for (int b = 0; b < l->bodies; b++) sphere_tree_free(&l->tree[b]);
-    void *owned[] = { l->tree, l->ball, l->is_near, l->who, l->at, l->listed, l->pair, l->point,
-                      l->leaf, l->ahead, l->met, l->facet.at,
-                      l->facets_before.at };
+    void *owned[] = { l->tree, l->ball, l->is_near, l->candidate, l->at,
+                      l->listed, l->pair, l->point, l->leaf, l->ahead, l->met,
+                      l->facet.at, l->facets_before.at };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     grid_free(&l->grid);
     *l = (near_lists){ .trusted = -1 };

@@ -32,7 +32,7 @@ typedef struct {
     motion *velocity;           // [bodies] and how fast they are
     const sphere *ball;         // [bodies] around them, as the frame begins
     const prediction *ahead;    // [bodies] how they may move in the frame
-    const body_tie *tied;       // [ties] who do not meet
+    const body_tie *tied;       // [ties] pairs that do not meet
     int  ties;
     const plane *plane;
     int  planes;
@@ -45,7 +45,7 @@ typedef struct {
     int  iterations;            // over strands, at most
     relax_options relax;
     int  substeps, most_substeps;   // of a frame: usual, and at most
-    real frame;                 // s
+    real frame, whole;          // s; it may be a part of a divided one
     real age;                   // s, a particle was at `previous` so long ago
     real h;                     // s, this substep
 } soft_frame;
@@ -129,8 +129,9 @@ typedef struct {
     vec3 *listed;       // [particles] when the lists were made
     sphere_tree *tree;  // [bodies] of deformable ones
     sphere *ball;       // [bodies] around each, as the frame begins
-    int  *who, whos;    // deformable bodies, and rigid ones that they may meet
-    bool *is_near;      // [bodies] is it one, as this frame begins?
+    int  *candidate;    // [candidates] deformable bodies, and rigid ones that
+    int  candidates;    // they may meet in this frame, by their numbers
+    bool *is_near;      // [bodies] is it a candidate, as this frame begins?
     int  bodies, particles;     // for so many there is room
     struct leaf_pair *leaf;     // room for a traversal of two trees
     int  leaf_capacity;

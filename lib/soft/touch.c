@@ -178,14 +178,22 @@ static vec3 along(vec3 way, vec3 normal)
     return vec3_add_scaled(way, -vec3_dot(way, normal), normal);
 }
 
-// What sticks goes back to where it stuck, or it would creep: by this share of
-// the distance kept, at most, in a substep, for its strands must follow.
-static const real RETURN = 0.01;
-
-static vec3 way_back(const line_hold *hold, real apart)
+static vec3 at_most(vec3 way, real most)
 {
-    real far = vec3_length(hold->gave), most = RETURN * apart;
-    return far > most ? vec3_scale(most / far, hold->gave) : hold->gave;
+    real far = vec3_length(way);
+    return far > most ? vec3_scale(most / far, way) : way;
+}
+
+// What sticks goes back to where it stuck, or it would creep: in a substep by
+// this share of the distance kept, at most, for its strands must follow.
+static const real RETURN = 0.1;
+
+static vec3 go_back(line_hold *hold, real apart)
+{
+    vec3 crept = along(hold->crept, hold->normal);
+    vec3 back = at_most(crept, RETURN * apart);
+    hold->crept = vec3_sub(crept, back);
+    return back;
 }
 
 // How far the strands will let it slide is what they did in the last substep.
@@ -193,11 +201,11 @@ static void slide(particle *p, line_hold *hold, real most, real apart)
 {
     vec3 went = vec3_sub(p->position, p->previous);
     vec3 would = along(vec3_add(went, hold->pull), hold->normal);
-    vec3 back = along(vec3_add(went, way_back(hold, apart)), hold->normal);
-    real far = vec3_length(would);
-    hold->state = far <= most ? LINE_STICKS : LINE_SLIDES;
-    p->position = far <= most ? vec3_sub(p->position, back)
-                : vec3_add_scaled(p->position, -most / far, would);
+    vec3 back = at_most(would, most);
+    hold->state = vec3_length(would) <= most ? LINE_STICKS : LINE_SLIDES;
+    if (hold->state == LINE_STICKS)
+        back = vec3_add(along(went, hold->normal), go_back(hold, apart));
+    p->position = vec3_sub(p->position, back);
 }
 
 // Every particle bounces for itself, if it strikes fast: it came by `came` (m)

@@ -44,7 +44,8 @@ CASE(24, a_cloth_that_falls_or_folds_never_crosses_itself)
 CASE(25, a_flat_cloth_lies_still)
 CASE(26, a_full_room_stays_whole)
 CASE(27, a_cloth_on_the_cube_crosses_nothing)
-CASE(32, a_cloth_that_lands_flat_takes_no_long_frame)
+CASE(32, a_cloth_that_lands_flat_is_not_torn)
+CASE(36, silk_denim_and_card_stay_on_a_small_cube)
 
 // ---- the frame -------------------------------------------------------------
 
@@ -114,7 +115,8 @@ int main(void)
         a_flat_cloth_lies_still,
         a_full_room_stays_whole,
         a_cloth_on_the_cube_crosses_nothing,
-        a_cloth_that_lands_flat_takes_no_long_frame,
+        a_cloth_that_lands_flat_is_not_torn,
+        silk_denim_and_card_stay_on_a_small_cube,
         the_worst_part_speaks_for_its_case,
         a_nan_falls_short,
         a_nan_is_the_worst_for_good,

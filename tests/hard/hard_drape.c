@@ -25,7 +25,7 @@ static void add_targets(hard_report *r, const drape *d, const verdict *v,
     hard_add(r, (double)(v->inside + v->cutting + v->edges), 0, "",
              "inside, cutting, edges; %s", which);
     if (d->floor > -HUGE_VAL)
-        hard_add(r, v->passed, 0, "", "came through; %s", which);
+        hard_add(r, v->passed, 0, "", "ended below; %s", which);
 }
 
 // A case in its short form has one start a row, no cloth above 40, and nothing

@@ -599,9 +599,9 @@ const drape drape_table[] = {
       ANY, ANY },
     { "cubes, rim", 35, falling_cubes, 40, 1, 300, 4, -.5, .02, ANY, ANY, ANY,
       ANY },
-    { "silk", 36, fabric, 40, 0, 300, 2, -ANY, .02, ANY, ANY, ANY, ANY },
-    { "denim", 36, fabric, 40, 1, 300, 2, -ANY, .02, ANY, ANY, ANY, ANY },
-    { "card", 36, fabric, 40, 2, 300, 2, -ANY, .02, ANY, ANY, ANY, ANY },
+    { "silk", 36, fabric, 40, 0, 300, 6, -.1, .02, ANY, ANY, ANY, ANY },
+    { "denim", 36, fabric, 40, 1, 300, 6, -.1, .02, ANY, ANY, ANY, ANY },
+    { "card", 36, fabric, 40, 2, 300, 6, -.1, .02, ANY, ANY, ANY, ANY },
     { NULL, 0, NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 };
 

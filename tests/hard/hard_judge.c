@@ -160,19 +160,24 @@ bool judge_look(const world *w, verdict *v)
 
 // ---- a run -----------------------------------------------------------------
 
-static int count_below(const world *w, real floor)
+static real mean_height(const world *w, const body *x)
 {
     static vec3 at[SOLID_CORNERS];
+    int n = x->shape->particles;
+    real height = 0;
+    if (!body_is_soft(x)) world_vertices(w, x, at);
+    for (int i = 0; i < n; i++)
+        height += (body_is_soft(x) ? w->pool.at[x->first + i].position.y
+                                   : at[i].y) / n;
+    return height;
+}
+
+static int count_below(const world *w, real floor)
+{
     int below = 0;
-    for (int b = 0; b < w->bodies; b++) {
-        const body *x = &w->body[b];
-        if (body_is_soft(x) || body_is_static(x)) continue;
-        int n = x->shape->particles;
-        real height = 0;
-        world_vertices(w, x, at);
-        for (int i = 0; i < n; i++) height += at[i].y / n;
-        below += !(height >= floor);
-    }
+    for (int b = 0; b < w->bodies; b++)
+        if (!body_is_static(&w->body[b]))
+            below += !(mean_height(w, &w->body[b]) >= floor);
     return below;
 }
 

@@ -28,10 +28,11 @@ typedef struct {
     int  frames, runs;
 } verdict;
 
-// How long; below which height a rigid body that moves has come through what it
-// was to stay on (-HUGE_VAL: no height); and for how many frames, the first
-// ones, cloth and rope are slowed by 5 % a frame, so that what moves later does
-// not swing on, but is shaken.
+// How long; the height that the middle of no moving body may end below, for then
+// it has come through what it was to stay on, or has slid off it (-HUGE_VAL: no
+// height); and the number of frames, the first ones, in which cloth and rope are
+// slowed by 5 % a frame, so that what moves later does not swing on, but is
+// shaken.
 typedef struct {
     int  frames;
     real floor;         // m

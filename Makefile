@@ -518,9 +518,12 @@ draw = $(if $(wildcard figures/*/$1.gp),echo "  draw  $2/$1.svg" && \
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
   rigidity convex hull capsule obj sphere sphere_tree grid ordering \
   line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
-  thread tumble_save)
+  thread tumble_save given)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
+
+# This one reads tables of a saved world as garbage.
+$(BUILD)/tests/check_tumble_save: LDFLAGS += -Wl,--wrap=store_table
 
 # This one has the plain form of four numbers beside the other.
 $(BUILD)/tests/check_real4: $(BUILD)/tests/real4_plain.o

@@ -84,7 +84,7 @@ static int run_row(const drape *d, const options *o)
         ok = s.ok.ok;
         if (!ok) fprintf(stderr, "drape: %s: %s\n", d->name, s.ok.why);
         else
-            ok = judge_watch(&s.w, drape_plan(d), &v);
+            ok = drape_watch(d, &s.w, &v);
         setting_free(&s);
     }
     if (ok) print_row(d, &v);

@@ -766,36 +766,48 @@ static inline void look_at_links(places at, int pitch, real rest2,
     }
 }
 
-// m^2, the largest |now - rest^2| / 2 of a block of LANES lines; HUGE_VAL for
-// NaN.  Columns or rows, one of the two lies side by side in the body.
-static real block_worst(const block *b)
+static inline real largest(const real of[LANES])
+{
+    real most = of[0];
+    for (int l = 1; l < LANES; l++) most = of[l] > most ? of[l] : most;
+    return most;
+}
+
+// One look in so many asks whether what was seen is too much already.
+enum { PEEK = 4 };
+
+// m^2, the largest |now - rest^2| of a block of LANES lines; HUGE_VAL for NaN,
+// and where it is more than enough.  Columns or rows, one of the two lies side by
+// side in the body.
+static real block_worst(const block *b, real enough)
 {
     strands s = b->s;
     bool is_across = s.across == 1;
     int links = s.particles - 1, side = is_across ? b->lanes : links;
     int steps = is_across ? links : b->lanes;
-    real rest2 = s.rest_length * s.rest_length, most = 0;
+    real rest2 = s.rest_length * s.rest_length;
     real worst[LANES] = { 0 }, sum[LANES] = { 0 };
     if (side < LANES) return HUGE_VAL;
-    for (int k = 0; k < steps; k++)
+    for (int k = 0; k < steps; k++) {
+        if (k % PEEK == 1 && largest(worst) > enough) return HUGE_VAL;
         for (int q = 0; q < side; q += LANES) {
             int i = (q < side - LANES ? q : side - LANES)
                   + k * (is_across ? s.along : s.across);
             look_at_links(places_from(b->scratch->now, b->start + i), s.along,
                           rest2, worst, sum);
         }
-    for (int l = 0; l < LANES; l++) {
-        if (!(sum[l] < HUGE_VAL)) return HUGE_VAL;
-        most = worst[l] > most ? worst[l] : most;
     }
-    return most / 2;
+    for (int l = 0; l < LANES; l++)
+        if (!(sum[l] < HUGE_VAL)) return HUGE_VAL;
+    return largest(worst);
 }
 
 static bool is_good(const block *b, real tolerance, line_result *r)
 {
-    real worst = block_worst(b) / (b->s.rest_length * b->s.rest_length);
-    if (!(worst <= tolerance)) return false;
-    r->worst = fmax(r->worst, worst);
+    real rest2 = b->s.rest_length * b->s.rest_length;
+    real enough = 2 * tolerance * rest2, worst = block_worst(b, enough);
+    if (!(worst <= enough)) return false;
+    r->worst = fmax(r->worst, worst / (2 * rest2));
     return true;
 }
 //<

@@ -45,7 +45,7 @@ typedef struct {
     int  iterations;            // over strands, at most
     relax_options relax;
     int  substeps, most_substeps;   // of a frame: usual, and at most
-    real frame;                 // s
+    real frame, whole;          // s; it may be a part of a divided one
     real age;                   // s, a particle was at `previous` so long ago
     real h;                     // s, this substep
 } soft_frame;

@@ -91,19 +91,39 @@ static void draw(stick s, particle *p, relax_options o)
     stick_relax(s, p, o);
 }
 
+// A cloth takes up to so many substeps more than usual for itself.
+enum { MORE_WHEN_PRESSED = 9 };
+
+// A stick that corrects a share of its error in each substep is a spring that
+// is four times as stiff in half the substep.  Where something else asks for
+// short ones, a sheet must not lock for that: it stays as stiff as in the
+// shortest ones that it takes for itself.
+static real stiffness_in(const soft_frame *f, real stiffness)
+{
+    real own = f->whole / (f->substeps + MORE_WHEN_PRESSED);
+    real times = own / f->h;
+    if (!(times > 1)) return stiffness;
+    return stiffness / (stiffness + (1 - stiffness) * times * times);
+}
+
 // The diagonals come before the contacts, and both before the strands: what
-// comes last holds best.
+// comes last holds best.  All of them are alike.
 static void draw_diagonals(soft_solver *s, const soft_frame *f, const body *b)
 {
     const shape *plan = b->shape;
     int links = shape_links(plan), others = plan->sticks - links;
     if (others == 0) return;
-    if (f->relax.gradient == GRADIENT_NEW)
-        sticks_iterate(plan->stick + links, others, f->particle + b->first,
-                       f->relax);
+    const stick *diagonal = plan->stick + links;
+    real stiffness = stiffness_in(f, diagonal->stiffness);
+    bool is_usual = stiffness == diagonal->stiffness;
+    if (is_usual && f->relax.gradient == GRADIENT_NEW)
+        sticks_iterate(diagonal, others, f->particle + b->first, f->relax);
     else
-        for (int k = links; k < plan->sticks; k++)
-            draw(plan->stick[k], f->particle + b->first, f->relax);
+        for (int k = 0; k < others; k++) {
+            stick x = diagonal[k];
+            x.stiffness = stiffness;
+            draw(x, f->particle + b->first, f->relax);
+        }
     spread_cells(f, (int)(b - f->body));
     s->tested += others;
     s->relaxed += others;
@@ -366,16 +386,22 @@ static int substeps_for_weight(const soft_frame *f, int a)
     return need < f->most_substeps ? (int)need : f->most_substeps;
 }
 
+// A part of a divided frame takes its share, rounded up.
+static int share_of(const soft_frame *f, int substeps)
+{
+    real share = f->frame / f->whole * substeps;
+    return (int)share + ((int)share < share);
+}
+
 // The strands of a deformable body count on all of the usual substeps, and on a
 // few more where layers press on each other, where all sweeps have left a link
 // off by 1 %, and where a cloth is pinned.  (Blows press, too, but small steps
 // hardly make those softer.)
-enum { MORE_WHEN_PRESSED = 9 };
-
 int soft_substeps(const soft_solver *s, const soft_frame *f)
 {
     int n = 0, usual = f->substeps;
-    real pressed = real_min(f->frame * s->pace, usual + MORE_WHEN_PRESSED);
+    real pressed = real_min(f->frame * s->pace,
+                            share_of(f, usual + MORE_WHEN_PRESSED));
     if (pressed > usual) usual = (int)pressed;
     for (int a = 0; a < f->bodies; a++) {
         if (!body_is_soft(&f->body[a])) continue;

@@ -19,7 +19,8 @@ soft_frame soft_frame_of(world *w, real h)
         .material = w->has_materials ? t->material : NULL,
         .wall = w->wall, .owner = w->owner, .iterations = o->iterations,
         .relax = o->relax, .substeps = o->substeps,
-        .most_substeps = o->most_substeps, .frame = w->frame, .age = w->age,
+        .most_substeps = o->most_substeps, .frame = w->frame,
+        .whole = o->dt, .age = w->age,
         .h = h };
 }
 

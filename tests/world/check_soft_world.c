@@ -1167,6 +1167,63 @@ START_TEST(ends_of_diagonals_are_kept_apart)
 }
 END_TEST
 
+// Which share of what is wrong with the diagonal of a cell is gone after soft_draw
+// in a substep of h?
+static real share_drawn(const shape *cell, real h)
+{
+    const stick *diagonal = &cell->stick[shape_links(cell)];
+    real off = 1e-5 * diagonal->rest_length;
+    int c = add_at(cell, 0, 0, 0);
+    particle *a = particle_of(c, diagonal->a), *b = particle_of(c, diagonal->b);
+    soft_frame f = soft_frame_of(&w, h);
+    vec3 out = vec3_unit(vec3_sub(b->position, a->position));
+    put(b, vec3_add_scaled(b->position, off, out));
+    soft_draw(&w.soft, &f);
+    return 1 - (vec3_distance(a->position, b->position)
+                - diagonal->rest_length) / off;
+}
+
+// A spring's share is k in a substep of h, and 1 / (1 + (1 / k - 1) 4) in half of
+// that.  Rejects: diagonals that correct as much in every substep, so that a
+// sheet is four times as stiff in half of one; softer ones in long substeps.
+START_TEST(diagonals_are_no_stiffer_in_short_substeps)
+{
+    shape cell;
+    world_options o = world_options_default();
+    const struct { real substeps, wanted; } is[] = {
+        { 1, 0.2 }, { 8, 0.2 }, { 17, 0.2 }, { 34, 1.0 / 17 },
+        { 170, 1.0 / 401 },
+    };
+    ck_assert(shape_cloth(&cell, 2, 2, 1, 1, 1, 0.2).ok);
+    for (int k = 0; k < 10; k++) {
+        o.relax.gradient = k < 5 ? GRADIENT_OLD : GRADIENT_NEW;
+        begin(o);
+        near(share_drawn(&cell, o.dt / is[k % 5].substeps), is[k % 5].wanted,
+             1e-4);
+    }
+    shape_free(&cell);
+}
+END_TEST
+
+// A frame of 11 substeps in four parts is one of 12.  Rejects: a part that takes
+// as many as all of the frame.
+START_TEST(parts_of_a_frame_share_its_substeps)
+{
+    world_options o = world_options_default();
+    o.gravity = ZERO;
+    o.substeps = 2;
+    begin(o);
+    int c = add_at(&cloth, 0, 0, 0);
+    world_pin(&w, c, 0);
+    for (int parts = 1; parts <= 4; parts += 3) {
+        w.frame = o.dt / parts;
+        w.soft.pressed = HUGE_VAL;
+        soft_wake(&w);
+        ck_assert_int_eq(soft_need(&w), parts == 1 ? 11 : 3);
+    }
+}
+END_TEST
+
 // Rejects: a rule for weight that forgets the spacing, or a load; layers that ask for no
 // substeps, or without bound; a number that falls at once, or never.
 START_TEST(weight_and_layers_take_more_substeps)
@@ -1546,6 +1603,8 @@ int main(void)
         sleepers_near_a_cloth_wake_and_rest_with_it,
         ends_of_diagonals_are_kept_apart,
         weight_and_layers_take_more_substeps,
+        diagonals_are_no_stiffer_in_short_substeps,
+        parts_of_a_frame_share_its_substeps,
         substeps_are_as_many_as_what_comes_near_needs,
         parabola_is_exact_when_the_substep_changes,
         what_is_stretched_by_a_hundredth_is_counted,

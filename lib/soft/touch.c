@@ -351,12 +351,15 @@ static int substeps_clear(const soft_frame *f, const facet_view *x, int b,
                           real room)
 {
     const motion_basis *basis = &f->now[b].basis;
+    bool is_static = body_is_static(&f->body[b]);
     real pace = 0;
     for (int k = 0; k < FACET; k++) {
         vec3 arm = vec3_sub(x->end[k], x->frame.center);
-        vec3 way = vec3_scale(f->h, motion_at(basis, &f->velocity[b], arm));
         vec3 went = vec3_sub(x->end[k], f->particle[x->number[k]].previous);
-        real up = vec3_dot(vec3_sub(went, way), x->between.normal);
+        if (!is_static)
+            went = vec3_add_scaled(went, -f->h, motion_at(basis,
+                                                    &f->velocity[b], arm));
+        real up = vec3_dot(went, x->between.normal);
         pace = real_max(pace, -2 * up);
     }
     pace += TRUST_MOST * f->h * f->h * vec3_length(f->gravity);

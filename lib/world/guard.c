@@ -98,19 +98,22 @@ static void shorten_way(world *w, int b, real most)
     for (int i = 0; i < MOTIONS; i++) t->moved[b].of[i] *= share;
 }
 
+static void slow_down(world *w, int b, real share)
+{
+    if (w->rigid.now[b].is_driven) return;
+    for (int i = 0; i < MOTIONS; i++) {
+        w->rigid.velocity[b].of[i] *= share;
+        w->rigid.moved[b].of[i] *= share;
+    }
+}
+
 void guard_brake(world *w, real most)
 {
-    for (int b = 0; b < w->bodies; b++) {
-        stop_lost(w, b);
-        shorten_way(w, b, most);
-    }
+    for (int b = 0; b < w->bodies; b++) stop_lost(w, b);
     real now = rigid_motion(w).energy, share = sqrt(most / now);
-    if (!(now > most)) return;
     for (int b = 0; b < w->bodies; b++) {
-        for (int i = 0; i < MOTIONS && w->rigid.moves[b]; i++) {
-            w->rigid.velocity[b].of[i] *= share;
-            w->rigid.moved[b].of[i] *= share;
-        }
+        if (now > most) slow_down(w, b, share);
+        shorten_way(w, b, most);
     }
 }
 //<
@@ -201,14 +204,16 @@ static passage find_passage(const cache_body *b, vec3 from, vec3 to)
     return x;
 }
 
-// A line that goes out beside where it came in has cut a corner.
+// A line that goes out beside where it came in has cut a corner.  In coordinates
+// of a frame the normals of two sides of a prism of three stand at 120 degrees,
+// however flat it is: what goes through it has cut none.
 static bool cuts_corner(const cache_body *b, const passage *x)
 {
     const int *face = b->shape->face;
     if (x->exit < 0) return false;
     vec3 in = out_of_face(b->rigid->local, &face[3 * x->face]);
     vec3 out = out_of_face(b->rigid->local, &face[3 * x->exit]);
-    return vec3_dot(in, out) > -0.5 * vec3_length(in) * vec3_length(out);
+    return vec3_dot(in, out) > -0.45 * vec3_length(in) * vec3_length(out);
 }
 
 // Where the smaller body comes, beside a face of the larger.
@@ -292,8 +297,7 @@ void guard_bodies(world *w)
         bool is_a = t->now[a].radius < t->now[b].radius;
         int small = is_a ? a : b, large = is_a ? b : a;
         bool may = t->reach[a] + t->reach[b] > t->body[small].inner;
-        if (may && t->moves[small] && !(t->body[large].shape->round > 0))
-            stop_passing(t, small, large);
+        if (may) stop_passing(t, small, large);
     }
 }
 //<

@@ -1,8 +1,11 @@
 // check_tumble_save.c - does a world that was saved and loaded go on as if it
 // never had been?
 
+#define _DEFAULT_SOURCE
+
 #include "scarce.h"
 #include "random.h"
+#include "store.h"
 #include "suite.h"
 #include "thread.h"
 #include "tumble.h"
@@ -12,6 +15,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 enum { EACH = 60, MOST = 400, HEAD = 48 };
 
@@ -176,10 +182,23 @@ static void make_hard(tumble_world *w)
     tumble_add(w, tumble_box(w, tumble_v(2, 0.1, 0.1), 1), o);
 }
 
+// A sheet that stands on its edge, and crumples, and a rope whose box has more
+// cells than its grid, so that the tree is asked.
+static void make_spread(tumble_world *w)
+{
+    add_walls(w, 40);
+    tumble_body_options o = tumble_at(0, 1.1, 0);
+    o.pose.rotation = tumble_turn(tumble_v(1, 0.1, 0), 1.5);
+    tumble_add(w, tumble_cloth(w, 14, 14, 2, 2, 1), o);
+    o = tumble_at(0, 9, 9);
+    o.pose.rotation = tumble_turn(tumble_v(0, -1, 1), 0.955);
+    tumble_add(w, tumble_rope(w, 400, 20, 0.1), o);
+}
+
 typedef void making(tumble_world *w);
 static making *const MAKE[] = { make_room, make_pile, make_cloth, make_joints,
-                                make_driven, make_hard };
-enum { WORLDS = sizeof MAKE / sizeof *MAKE };
+                                make_driven, make_hard, make_spread };
+enum { ALL_WORLDS = sizeof MAKE / sizeof *MAKE, WORLDS = ALL_WORLDS - 1 };
 
 static tumble_world *world_of(int which, double restitution)
 {
@@ -487,6 +506,169 @@ START_TEST(where_memory_runs_out_nothing_is_loaded_and_nothing_lost)
 }
 END_TEST
 
+// --- Is each table needed? ---------------------------------------------------
+// A place in the code that stores a table, by the address behind its call.
+enum { MOST_PLACES = 400 };
+static const void *place[MOST_PLACES];
+static bool is_needed[MOST_PLACES];
+static int places, spoilt = -1, garbage;
+
+static int place_of(const void *address)
+{
+    int k = 0;
+    while (k < places && place[k] != address) k++;
+    if (k == MOST_PLACES) abort();
+    if (k == places) place[places++] = address;
+    return k;
+}
+
+void __real_store_table(store *s, void *array, int count, int room,
+                        size_t size);
+void __wrap_store_table(store *s, void *array, int count, int room,
+                        size_t size);
+
+// As store_table; but the tables of one place are read as garbage.
+void __wrap_store_table(store *s, void *array, int count, int room,
+                        size_t size)
+{
+    const void *address = __builtin_return_address(0);
+    char *at;
+    __real_store_table(s, array, count, room, size);
+    memcpy(&at, array, sizeof at);
+    if (s->is_reading && count > 0 && at && place_of(address) == spoilt)
+        memset(at, garbage, (size_t)count * size);
+}
+
+static void add_to(unsigned long long *sum, const void *data, size_t n)
+{
+    const unsigned char *at = data;
+    for (size_t k = 0; k < n; k++) *sum = (*sum ^ at[k]) * 0x100000001b3U;
+}
+
+static void add_triangle(void *sum, tumble_body b, const tumble_vec3 at[3])
+{
+    (void)b;
+    add_to(sum, at, 3 * sizeof *at);
+}
+
+// What a program may see of a world.
+static void add_sight(const tumble_world *w, unsigned long long *sum)
+{
+    tumble_body all[MOST];
+    tumble_report r = tumble_last_step(w);
+    tumble_pen pen = { .triangle = add_triangle, .context = sum };
+    int n = tumble_bodies(w, all, MOST);
+    int touches = tumble_contacts(w, NULL, 0);
+    for (int k = 0; k < n; k++) {
+        tumble_vec3 v = tumble_velocity(w, all[k]);
+        add_to(sum, &v, sizeof v);
+    }
+    add_to(sum, &touches, sizeof touches);
+    add_to(sum, &r, sizeof r);
+    tumble_draw(w, &pen);
+}
+
+// With ids of what was made before it was saved.
+static void use_ids(tumble_world *w, unsigned long long *sum)
+{
+    tumble_event e[4] = { { .begins = false } };
+    int events = tumble_events(w, e, 4);
+    add_to(sum, &events, sizeof events);
+    for (unsigned k = 0; k < 12; k++) {
+        int done[3] = { tumble_is_joined(w, (tumble_joint){ k, 1 }) };
+        done[1] = tumble_drop_shape(w, (tumble_shape){ k, 1 });
+        tumble_remove(w, (tumble_body){ k, 1 });
+        done[2] = tumble_drop_shape(w, (tumble_shape){ k, 1 });
+        add_to(sum, done, sizeof done);
+        tumble_unjoin(w, (tumble_joint){ k, 1 });
+        tumble_unpin(w, (tumble_body){ k, 1 }, 0);
+        tumble_add(w, (tumble_shape){ k, 1 }, tumble_at(3 * k, 9, 3));
+    }
+    for (unsigned k = 0; k < 5; k++)
+        tumble_remove_plane(w, (tumble_plane){ k, 1 });
+}
+
+// What a saved world looks like on its way; a trial ends where it differs.
+static unsigned long long seen[16];
+static bool is_trial;
+
+static void compare(const tumble_world *w, unsigned long long *sum, int at)
+{
+    add_sight(w, sum);
+    if (is_trial && seen[at] != *sum) _exit(1);
+    seen[at] = *sum;
+}
+
+static void follow(bytes b)
+{
+    unsigned long long sum = 1;
+    tumble_world *w = tumble_load(b.at, b.size);
+    if (!w) _exit(1);
+    for (int k = 0; k < 12; k++) {
+        compare(w, &sum, k);
+        go_on(w, k, k < 4 ? 1 : 8, false);
+    }
+    use_ids(w, &sum);
+    go_on(w, 0, 20, false);
+    compare(w, &sum, 12);
+    tumble_free(w);
+}
+
+// In a process of its own, which may break.
+static bool goes_elsewhere(bytes b)
+{
+    int ended;
+    pid_t child = fork();
+    ck_assert_int_ge(child, 0);
+    if (child == 0) {
+        const struct rlimit none = { 0, 0 }, seconds = { 2, 2 };
+        setrlimit(RLIMIT_CORE, &none);
+        setrlimit(RLIMIT_CPU, &seconds);
+        fclose(stderr);
+        is_trial = true;
+        follow(b);
+        _exit(0);
+    }
+    ck_assert_int_eq(waitpid(child, &ended, 0), child);
+    return ended != 0;
+}
+
+// Garbage of three kinds: zeros, large numbers, and none at all.
+static void look_for_needed(const tumble_world *w)
+{
+    const int kind[] = { 0, 0x5a, 0xff };
+    bytes b = saved(w);
+    follow(b);
+    for (int i = 0; i < 3 * places; i++) {
+        garbage = kind[i % 3];
+        spoilt = i / 3;
+        if (!is_needed[spoilt]) is_needed[spoilt] = goes_elsewhere(b);
+    }
+    spoilt = -1;
+    free(b.at);
+}
+
+// Rejects: a table that is saved, and that nothing reads.
+START_TEST(what_reads_garbage_for_a_table_goes_elsewhere)
+{
+    const int moment[] = { 37, 98, 400 };
+    int needed = 0;
+    for (int k = 0; k < 3 * ALL_WORLDS; k++) {
+        int when = k / ALL_WORLDS;
+        tumble_world *w = world_of(k % ALL_WORLDS, 0.3);
+        go_on(w, 0, moment[when], when == 1);
+        if (when != 1) touch(w, 8);
+        look_for_needed(w);
+        tumble_free(w);
+    }
+    for (int k = 0; k < places; k++) {
+        needed += is_needed[k];
+        if (!is_needed[k]) fprintf(stderr, "not needed: tumble_load + %td\n", (const char *)place[k] - (const char *)(size_t)tumble_load);
+    }
+    ck_assert_int_eq(needed, places);
+}
+END_TEST
+
 int main(void)
 {
     mallopt(M_PERTURB, 0xa5);
@@ -499,6 +681,7 @@ int main(void)
         bytes_that_were_cut_or_altered_are_refused,
         too_little_room_is_told_and_not_overrun,
         where_memory_runs_out_nothing_is_loaded_and_nothing_lost,
+        what_reads_garbage_for_a_table_goes_elsewhere,
         NULL
     };
     return suite_run((suite){

@@ -1,0 +1,602 @@
+// check_given.c - tests of lib/tumble.h: does everything that a world, a body or a
+// joint is given have its effect?
+
+#include "scarce.h"
+#include "suite.h"
+#include "tumble.h"
+
+#include <check.h>
+#include <math.h>
+
+static void near(double got, double wanted, double tolerance)
+{
+    ck_assert_msg(fabs(got - wanted) <= tolerance, "got %.17g, wanted %.17g",
+                  got, wanted);
+}
+
+static void run(tumble_world *w, double seconds)
+{
+    for (int k = 0; k < (int)(seconds * 60 + 0.5); k++) tumble_step(w);
+}
+
+static tumble_world *of(const tumble_options *o)
+{
+    tumble_world *w = tumble_make(o);
+    ck_assert_ptr_nonnull(w);
+    return w;
+}
+
+static tumble_world *weightless(void)
+{
+    tumble_options o = tumble_options_default();
+    o.gravity = tumble_v(0, 0, 0);
+    return of(&o);
+}
+
+static tumble_world *with_floor(const tumble_options *o)
+{
+    tumble_world *w = of(o);
+    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    return w;
+}
+
+static tumble_shape a_box(tumble_world *w)
+{
+    return tumble_box(w, tumble_v(1, 1, 1), 2);
+}
+
+static tumble_body add_box(tumble_world *w, double x, double y, double z)
+{
+    return tumble_add(w, a_box(w), tumble_at(x, y, z));
+}
+
+static void expect_fine(const tumble_world *w)
+{
+    const char *why = tumble_failure(w);
+    ck_assert_msg(why == NULL, "failed: %s", why);
+}
+
+// --- Options of a world ------------------------------------------------------
+
+// A box slides at 4 m/s: it stops after v^2 / (2 mu g).  Those of the body and of
+// the plane meet in the root of their product.
+START_TEST(friction_is_the_worlds_or_a_planes_or_a_bodys)
+{
+    const double world[] = { 0.2, 0.2, 0.2 }, plane[] = { -1, 0.8, 0.8 };
+    const double body[] = { -1, -1, 0.4 };
+    for (int k = 0; k < 3; k++) {
+        tumble_options o = tumble_options_default();
+        o.friction = world[k];
+        tumble_world *w = of(&o);
+        tumble_add_plane(w, tumble_v(0, 1, 0), 0, plane[k]);
+        tumble_body_options p = tumble_at(0, 0.5, 0);
+        p.friction = body[k];
+        p.velocity = tumble_v(4, 0, 0);
+        tumble_body b = tumble_add(w, a_box(w), p);
+        double of_plane = plane[k] < 0 ? world[k] : plane[k];
+        double of_body = body[k] < 0 ? world[k] : body[k];
+        run(w, 5);
+        near(tumble_position(w, b).x,
+             16 / (2 * sqrt(of_plane * of_body) * 9.81), 0.08);
+        expect_fine(w);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// A ball falls a metre and comes back to e^2.
+START_TEST(restitution_is_the_worlds_or_a_bodys)
+{
+    const double world[] = { 0.7, 0, 0.1 }, body[] = { -1, 0.5, 0.8 };
+    for (int k = 0; k < 3; k++) {
+        tumble_options o = tumble_options_default();
+        o.restitution = world[k];
+        tumble_world *w = with_floor(&o);
+        tumble_body_options p = tumble_at(0, 1.5, 0);
+        p.restitution = body[k];
+        tumble_body b = tumble_add(w, tumble_sphere(w, 0.5, 1), p);
+        double e = body[k] < 0 ? world[k] : body[k], high = 0;
+        run(w, 0.5);
+        for (int i = 0; i < 60; i++) {
+            tumble_step(w);
+            high = fmax(high, tumble_position(w, b).y - 0.5);
+        }
+        near(high, e * e, 0.02);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+static int steps_to_sleep(double sleep_speed, double time_to_sleep)
+{
+    tumble_options o = tumble_options_default();
+    o.sleep_speed = sleep_speed;
+    o.time_to_sleep = time_to_sleep;
+    tumble_world *w = with_floor(&o);
+    tumble_body b = add_box(w, 0, 0.5, 0);
+    int k = 0;
+    while (k < 400 && tumble_is_awake(w, b)) {
+        tumble_step(w);
+        k++;
+    }
+    ck_assert_int_eq(tumble_last_step(w).asleep, k < 400);
+    tumble_free(w);
+    return k;
+}
+
+START_TEST(sleep_is_as_options_say)
+{
+    ck_assert_int_eq(steps_to_sleep(0, 0.5), 400);
+    int soon = steps_to_sleep(0.005, 0.5), late = steps_to_sleep(0.005, 2);
+    ck_assert_int_ge(soon, 30);
+    ck_assert_int_ge(late, 120);
+    ck_assert_int_lt(late, 240);
+    ck_assert_int_lt(soon, 60);
+}
+END_TEST
+
+static int substeps_of(tumble_world *w)
+{
+    int most = 0;
+    for (int i = 0; i < 60; i++) {
+        tumble_step(w);
+        int now = tumble_last_step(w).substeps;
+        most = now > most ? now : most;
+    }
+    return most;
+}
+
+START_TEST(substeps_are_as_many_as_options_let_them_be)
+{
+    for (int k = 0; k < 2; k++) {
+        tumble_options o = tumble_options_default();
+        o.substeps = k ? 3 : 12;
+        o.most_substeps = k ? 5 : 12;
+        o.restitution = 0.5;
+        tumble_world *w = with_floor(&o);
+        for (int i = 0; i < 5; i++) add_box(w, 0.1 * i, 0.5 + i, 0);
+        int most = substeps_of(w);
+        ck_assert_int_ge(most, o.substeps / 2);
+        ck_assert_int_le(most, o.most_substeps);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// A rope of twenty links that bears 5,000 times its weight takes many.
+START_TEST(a_hard_step_takes_no_more_substeps_than_it_may)
+{
+    int taken[2];
+    for (int k = 0; k < 2; k++) {
+        tumble_options o = tumble_options_default();
+        if (k == 1) o.most_substeps = 12;
+        tumble_world *w = of(&o);
+        tumble_body rope = tumble_add(w, tumble_rope(w, 20, 1, 0.01),
+                                      tumble_at(0, 0, 0));
+        tumble_body load = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 50),
+                                      tumble_at(0.5, -0.5, 0));
+        tumble_pin(w, rope, 0);
+        tumble_hang(w, rope, 20, load);
+        taken[k] = substeps_of(w);
+        tumble_free(w);
+    }
+    ck_assert_int_gt(taken[0], 12);
+    ck_assert_int_le(taken[1], 12);
+}
+END_TEST
+
+static int items_run;
+
+static void backwards(void *context, void (*work)(void *data, int item),
+                      void *data, int items)
+{
+    ck_assert_ptr_eq(context, &items_run);
+    for (int k = items - 1; k >= 0; k--) work(data, k);
+    items_run += items;
+}
+
+// From the start, or later, or no more.
+START_TEST(work_is_run_by_the_program_if_it_wants)
+{
+    unsigned long long hash[3];
+    for (int k = 0; k < 3; k++) {
+        tumble_options o = tumble_options_default();
+        if (k == 1) o.run = backwards, o.context = &items_run;
+        tumble_world *w = with_floor(&o);
+        for (int i = 0; i < 60; i++)
+            add_box(w, 1.1 * (i % 5), 0.5 + i / 20, 1.1 * (i / 5 % 4));
+        items_run = 0;
+        if (k == 2) tumble_run_on(w, backwards, &items_run);
+        run(w, 0.2);
+        ck_assert(k == 0 ? items_run == 0 : items_run > 24);
+        items_run = 0;
+        tumble_run_on(w, NULL, NULL);
+        run(w, 0.2);
+        ck_assert_int_eq(items_run, 0);
+        hash[k] = tumble_hash(w);
+        tumble_free(w);
+    }
+    ck_assert(hash[0] == hash[1] && hash[0] == hash[2]);
+}
+END_TEST
+
+// --- What a step reports -----------------------------------------------------
+
+START_TEST(a_report_counts_what_there_is)
+{
+    tumble_world *w = with_floor(NULL);
+    add_box(w, 0, 0.5, 0);
+    add_box(w, 0, 1.5, 0);
+    tumble_body hung = add_box(w, 9, 5, 0);
+    tumble_joint j = tumble_ball(w, tumble_ground(), hung, tumble_v(9, 6, 0));
+    run(w, 0.2);
+    tumble_report r = tumble_last_step(w);
+    ck_assert_int_eq(r.bodies, 3);
+    ck_assert_int_eq(r.asleep, 0);
+    ck_assert_int_ge(r.pairs, 1);
+    ck_assert_int_eq(r.contacts, 2);
+    ck_assert_int_ge(r.substeps, 1);
+    ck_assert_int_eq(r.unconverged + r.dropped + r.broken, 0);
+    tumble_set_strength(w, j, 1);
+    tumble_step(w);
+    ck_assert_int_eq(tumble_last_step(w).broken, 1);
+    tumble_step(w);
+    ck_assert_int_eq(tumble_last_step(w).broken, 0);
+    // Two in one place have to part first.
+    add_box(w, 20, 0.5, 0);
+    add_box(w, 20.1, 0.6, 0);
+    tumble_step(w);
+    ck_assert_int_ge(tumble_last_step(w).unconverged, 1);
+    ck_assert_double_gt(tumble_measure(w).penetration, 0.1);
+    // And without memory there are contacts that found none.
+    for (int k = 0; k < 40; k++) add_box(w, 1.1 * (k % 7), 0.5, 5 + k / 7 * 1.1);
+    mallocs_left = 0;
+    tumble_step(w);
+    mallocs_left = INT_MAX;
+    ck_assert_int_gt(tumble_last_step(w).dropped, 0);
+    tumble_step(w);
+    ck_assert_int_eq(tumble_last_step(w).dropped, 0);
+    tumble_free(w);
+}
+END_TEST
+
+// A cube of 2 kg and side 1: I = m / 6.  About the origin the angular momentum is
+// that of its spin and of its way.
+START_TEST(measures_are_those_of_the_textbook)
+{
+    tumble_world *w = with_floor(NULL);
+    tumble_body_options o = tumble_at(3, 7, 0);
+    o.velocity = tumble_v(0, 0, 5);
+    o.spin = tumble_v(0, 6, 0);
+    tumble_add(w, a_box(w), o);
+    tumble_body rope = tumble_add(w, tumble_rope(w, 4, 4, 1),
+                                  tumble_at(0, 90, 0));
+    tumble_measures m = tumble_measure(w);
+    near(m.potential, 2 * 9.81 * 7 + 9.81 * 90, 1e-9);
+    near(m.kinetic, 25 + 0.5 * 36 / 3, 1e-3);
+    near(m.momentum.z, 10, 1e-9);
+    near(m.angular.x, 7 * 10, 1e-9);
+    near(m.angular.y, 2 - 3 * 10, 1e-9);
+    near(m.strain, 0, 1e-12);
+    tumble_pin(w, rope, 0);
+    tumble_set_stretch(w, rope, 1e-2);
+    run(w, 0.5);
+    ck_assert_double_gt(tumble_measure(w).strain, 0.01);
+    tumble_free(w);
+}
+END_TEST
+
+// --- Bodies ------------------------------------------------------------------
+
+// What is said when a body is added, and what is set afterwards, are the same.
+START_TEST(a_body_takes_its_options_at_once_or_later)
+{
+    unsigned long long hash[3];
+    for (int k = 0; k < 3; k++) {
+        tumble_world *w = with_floor(NULL);
+        tumble_body_options o = tumble_at(0, 0.7, 0), full = o;
+        full.velocity = tumble_v(2, 1, 0);
+        full.spin = tumble_v(0, 1, 0.5);
+        full.friction = 0.1;
+        full.restitution = 0.6;
+        full.damping = 0.3;
+        full.spin_damping = 0.7;
+        full.group = 2;
+        full.mask = 5;
+        add_box(w, 0.2, 2.5, 0);
+        tumble_body b = tumble_add(w, a_box(w), k == 0 ? full : o);
+        if (k == 1) {
+            tumble_set_velocity(w, b, full.velocity, full.spin);
+            tumble_set_material(w, b, full.friction, full.restitution);
+            tumble_set_damping(w, b, full.damping, full.spin_damping);
+            tumble_set_filter(w, b, full.group, full.mask);
+        }
+        near(tumble_spin(w, b).y, k < 2, 1e-9);
+        run(w, 1.5);
+        hash[k] = tumble_hash(w);
+        expect_fine(w);
+        tumble_free(w);
+    }
+    ck_assert(hash[0] == hash[1]);
+    ck_assert(hash[0] != hash[2]);
+}
+END_TEST
+
+// A box of a metre may be a million kilometres away, where a double knows a tenth
+// of a micrometre, and no further; what is refused changes nothing.
+START_TEST(what_is_too_far_for_its_numbers_is_refused)
+{
+    const double far[] = { 2e9, 1e15, 1e17, 1e300, HUGE_VAL };
+    tumble_world *w = weightless();
+    tumble_body_options o = tumble_at(9e8, 0, 0);
+    o.spin = tumble_v(0, 1, 0);
+    tumble_body b = tumble_add(w, a_box(w), o);
+    for (int k = 0; k < 5; k++) {
+        tumble_pose there = { { 0, far[k], 0 }, { 0, 0, 0, 1 } };
+        tumble_body none = tumble_add(w, a_box(w), tumble_at(0, far[k], 0));
+        ck_assert_uint_eq(none.generation, 0);
+        ck_assert_ptr_nonnull(tumble_failure(w));
+        tumble_forget_failure(w);
+        ck_assert(!tumble_set_pose(w, b, there));
+        ck_assert_ptr_nonnull(tumble_failure(w));
+        tumble_forget_failure(w);
+    }
+    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 1);
+    run(w, 1);
+    near(tumble_position(w, b).x, 9e8, 1e-5);
+    near(tumble_spin(w, b).y, 1, 1e-3);
+    ck_assert_double_lt(tumble_measure(w).strain, 1e-5);
+    tumble_free(w);
+}
+END_TEST
+
+// Half a turn in a second.
+START_TEST(a_kinematic_body_turns_as_it_was_told)
+{
+    const double pi = acos(-1);
+    for (int k = 0; k < 2; k++) {
+        tumble_world *w = of(NULL);
+        tumble_body_options o = tumble_at(0, 0, 0);
+        o.kind = TUMBLE_KINEMATIC;
+        if (k == 0) o.spin = tumble_v(0, pi, 0);
+        tumble_body b = tumble_add(w, a_box(w), o);
+        if (k == 1)
+            tumble_set_velocity(w, b, tumble_v(0, 0, 0), tumble_v(0, pi, 0));
+        run(w, 1);
+        near(fabs(tumble_get_pose(w, b).rotation.y), 1, 1e-6);
+        near(tumble_spin(w, b).y, pi, 1e-9);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// Two tiles, and a box on each that is pushed: both tiles are ice, and then both
+// let it through.
+START_TEST(all_pieces_take_what_a_body_is_given)
+{
+    tumble_world *w = of(NULL);
+    tumble_shape tile = tumble_box(w, tumble_v(8, 1, 8), 1);
+    const tumble_shape piece[2] = { tile, tile };
+    const tumble_pose where[2] = { { { 0, -0.5, 0 }, { 0, 0, 0, 1 } },
+                                   { { 0, -0.5, 20 }, { 0, 0, 0, 1 } } };
+    tumble_body stage = tumble_add_pieces(w, piece, where, 2,
+                                          tumble_at(0, 0, 0));
+    tumble_body b[2] = { add_box(w, 0, 0.5, 0), add_box(w, 0, 0.5, 20) };
+    ck_assert(tumble_set_material(w, stage, 0, 0));
+    for (int k = 0; k < 2; k++)
+        tumble_push(w, b[k], tumble_v(2, 0, 0), tumble_position(w, b[k]));
+    run(w, 1);
+    for (int k = 0; k < 2; k++) near(tumble_position(w, b[k]).x, 1, 0.01);
+    ck_assert(tumble_set_filter(w, stage, 4, 0));
+    run(w, 0.5);
+    for (int k = 0; k < 2; k++)
+        near(tumble_position(w, b[k]).y, 0.5 - 9.81 / 8, 0.1);
+    tumble_free(w);
+}
+END_TEST
+
+// Two boxes lie on each other, and a third one beside them: the lower one is put on
+// the third.
+START_TEST(what_is_put_elsewhere_wakes_what_it_left_and_what_it_meets)
+{
+    tumble_world *w = with_floor(NULL);
+    tumble_body low = add_box(w, 0, 0.5, 0), high = add_box(w, 0, 1.5, 0);
+    tumble_body far = add_box(w, 9, 0.5, 0);
+    run(w, 3);
+    ck_assert_int_eq(tumble_last_step(w).asleep, 3);
+    tumble_pose there = { { 9, 1.45, 0 }, { 0, 0, 0, 1 } };
+    ck_assert(tumble_set_pose(w, low, there));
+    ck_assert(tumble_is_awake(w, high));
+    ck_assert(tumble_is_awake(w, far));
+    run(w, 2);
+    near(tumble_position(w, high).y, 0.5, 2e-3);
+    near(tumble_position(w, low).y, 1.5, 4e-3);
+    tumble_free(w);
+}
+END_TEST
+
+// A sheet lies on a static box that is put aside, and then back over the floor, under
+// it.  Rejects: a ghost of the box that the sheet still lies on.
+START_TEST(cloth_meets_a_body_where_it_was_put)
+{
+    tumble_world *w = with_floor(NULL);
+    tumble_body_options o = tumble_at(0, 1, 0);
+    o.kind = TUMBLE_STATIC;
+    tumble_body b = tumble_add(w, a_box(w), o);
+    tumble_body sheet = tumble_add(w, tumble_cloth(w, 9, 9, 0.8, 0.8, 0.1),
+                                   tumble_at(0, 1.6, 0));
+    run(w, 1);
+    near(tumble_vertex(w, sheet, 40).y, 1.5, 0.1);
+    ck_assert(tumble_set_pose(w, b, (tumble_pose){ { 9, 1, 0 },
+                                                   { 0, 0, 0, 1 } }));
+    run(w, 0.4);
+    double fallen = tumble_vertex(w, sheet, 40).y;
+    near(fallen, 1.5 - 9.81 * 0.16 / 2, 0.15);
+    ck_assert(tumble_set_pose(w, b, (tumble_pose){ { 0, fallen - 0.7, 0 },
+                                                   { 0, 0, 0, 1 } }));
+    run(w, 2);
+    near(tumble_vertex(w, sheet, 40).y, fallen - 0.2, 0.1);
+    tumble_free(w);
+}
+END_TEST
+
+// A vertex of 0.1 kg: the impulse of 0.2 N s gives it 2 m/s, and the rope of 0.5 kg
+// 0.4 m/s.
+START_TEST(an_impulse_on_a_vertex_is_divided_by_its_mass)
+{
+    tumble_world *w = weightless();
+    tumble_body rope = tumble_add(w, tumble_rope(w, 4, 4, 0.5),
+                                  tumble_at(0, 0, 0));
+    ck_assert(tumble_push_vertex(w, rope, 2, tumble_v(0, 0.2, 0)));
+    near(tumble_measure(w).momentum.y, 0.2, 1e-9);
+    near(tumble_velocity(w, rope).y, 0.4, 0.1);
+    run(w, 1);
+    near(tumble_measure(w).momentum.y, 0.2, 1e-9);
+    tumble_free(w);
+}
+END_TEST
+
+// 1 kg on a rope of a metre that gives by 0.01 / N.
+START_TEST(a_rope_gives_as_it_was_told)
+{
+    for (int k = 0; k < 2; k++) {
+        tumble_world *w = of(NULL);
+        tumble_body rope = tumble_add(w, tumble_rope(w, 5, 1, 0.001),
+                                      tumble_at(0, 0, 0));
+        tumble_body_options o = tumble_at(1.5, 0, 0);
+        o.damping = 3;
+        tumble_body b = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), o);
+        tumble_pin(w, rope, 0);
+        tumble_hang(w, rope, 5, b);
+        ck_assert(tumble_set_damping(w, rope, 3, 0));
+        if (k == 1) ck_assert(tumble_set_stretch(w, rope, 0.01));
+        run(w, 20);
+        double top = tumble_vertex(w, rope, 0).y;
+        near(top - tumble_vertex(w, rope, 5).y, k ? 1 + 0.01 * 9.81 : 1, 0.01);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// A strip of a metre is held at one end.  A limp one hangs down, a stiff one
+// hardly: at its end a beam sags by q L^4 / (8 EI).
+START_TEST(a_strip_is_as_stiff_as_it_was_told)
+{
+    for (int k = 0; k < 2; k++) {
+        const double q = 0.1 * 9.81, stiff = 2;
+        tumble_world *w = of(NULL);
+        tumble_body rope = tumble_add(w, tumble_rope(w, 20, 1, 0.1),
+                                      tumble_at(0, 0, 0));
+        tumble_pin(w, rope, 0);
+        tumble_pin(w, rope, 1);
+        tumble_set_damping(w, rope, 2, 0);
+        if (k == 1) ck_assert(tumble_set_bending(w, rope, stiff));
+        run(w, 15);
+        double sag = tumble_vertex(w, rope, 0).y - tumble_vertex(w, rope, 20).y;
+        if (k == 0) ck_assert_double_gt(sag, 0.8);
+        else near(sag, q * pow(0.95, 4) / (8 * stiff), 0.2 * sag);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// --- Joints ------------------------------------------------------------------
+
+START_TEST(a_joint_of_strength_zero_never_breaks)
+{
+    tumble_world *w = of(NULL);
+    tumble_body b = add_box(w, 0, 0, 0);
+    tumble_joint j = tumble_ball(w, tumble_ground(), b, tumble_v(0, 0.5, 0));
+    tumble_set_strength(w, j, 1);
+    ck_assert(tumble_set_strength(w, j, 0));
+    run(w, 0.2);
+    tumble_push(w, b, tumble_v(0, -100, 0), tumble_position(w, b));
+    run(w, 0.2);
+    ck_assert(tumble_is_joined(w, j));
+    tumble_free(w);
+}
+END_TEST
+
+// A box of 2 kg hangs in the middle of a rope by a joint that bears 10 N more than
+// its weight.
+START_TEST(a_vertex_is_held_and_let_go_when_it_bears_too_much)
+{
+    tumble_world *w = of(NULL);
+    tumble_body rope = tumble_add(w, tumble_rope(w, 10, 2, 0.1),
+                                  tumble_at(0, 0, 0));
+    tumble_body box = add_box(w, 0, -0.7, 0);
+    tumble_vec3 was = tumble_vertex(w, rope, 0);
+    tumble_joint held = tumble_hang(w, rope, 0, tumble_ground());
+    tumble_joint hung = tumble_hang(w, rope, 5, box);
+    tumble_set_damping(w, rope, 2, 0);
+    tumble_set_damping(w, box, 2, 2);
+    run(w, 10);
+    expect_fine(w);
+    tumble_vec3 is = tumble_vertex(w, rope, 0), mid = tumble_vertex(w, rope, 5);
+    near(hypot(is.x - was.x, hypot(is.y - was.y, is.z - was.z)), 0, 1e-9);
+    near(is.y - mid.y, 1, 0.02);
+    near(tumble_joint_force(w, hung), 2 * 9.81, 1);
+    tumble_vec3 at = tumble_position(w, box);
+    near(hypot(at.x - mid.x, hypot(at.y - mid.y, at.z - mid.z)), 0.7, 0.01);
+    ck_assert(tumble_set_strength(w, hung, 2 * 9.81 + 10));
+    run(w, 1);
+    ck_assert(tumble_is_joined(w, hung));
+    tumble_push(w, box, tumble_v(0, -20, 0), at);
+    run(w, 0.5);
+    ck_assert(!tumble_is_joined(w, hung));
+    ck_assert(tumble_is_joined(w, held));
+    ck_assert_double_lt(tumble_position(w, box).y, at.y - 1);
+    tumble_free(w);
+}
+END_TEST
+
+// A door that sleeps is opened by its limits, and a box by its distance.
+START_TEST(new_limits_wake_what_they_move)
+{
+    tumble_world *w = with_floor(NULL);
+    tumble_body door = add_box(w, 0, 0.5, 0);
+    tumble_joint h = tumble_hinge(w, tumble_ground(), door,
+                                  tumble_v(-0.5, 0.5, 0), tumble_v(0, 1, 0));
+    tumble_body box = add_box(w, 5, 0.5, 0);
+    tumble_joint d = tumble_distance(w, tumble_ground(), tumble_v(8, 0.5, 0),
+                                     box, tumble_v(5, 0.5, 0), 0, 3);
+    run(w, 3);
+    ck_assert(!tumble_is_awake(w, door) && !tumble_is_awake(w, box));
+    ck_assert(tumble_set_limits(w, h, 0.3, 0.5));
+    ck_assert(tumble_set_limits(w, d, 0, 2.5));
+    ck_assert(tumble_is_awake(w, door) && tumble_is_awake(w, box));
+    run(w, 2);
+    near(tumble_hinge_angle(w, h), 0.3, 0.02);
+    near(tumble_position(w, box).x, 5.5, 0.02);
+    tumble_free(w);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {
+        friction_is_the_worlds_or_a_planes_or_a_bodys,
+        restitution_is_the_worlds_or_a_bodys,
+        sleep_is_as_options_say,
+        substeps_are_as_many_as_options_let_them_be,
+        a_hard_step_takes_no_more_substeps_than_it_may,
+        work_is_run_by_the_program_if_it_wants,
+        a_report_counts_what_there_is,
+        measures_are_those_of_the_textbook,
+        a_body_takes_its_options_at_once_or_later,
+        what_is_too_far_for_its_numbers_is_refused,
+        a_kinematic_body_turns_as_it_was_told,
+        all_pieces_take_what_a_body_is_given,
+        what_is_put_elsewhere_wakes_what_it_left_and_what_it_meets,
+        cloth_meets_a_body_where_it_was_put,
+        an_impulse_on_a_vertex_is_divided_by_its_mass,
+        a_rope_gives_as_it_was_told,
+        a_strip_is_as_stiff_as_it_was_told,
+        a_joint_of_strength_zero_never_breaks,
+        a_vertex_is_held_and_let_go_when_it_bears_too_much,
+        new_limits_wake_what_they_move,
+        NULL
+    };
+    return suite_run((suite){ .name = "given", .tests = tests,
+                              .seconds = 60 });
+}

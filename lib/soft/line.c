@@ -1027,11 +1027,14 @@ static void forget_pulls(const shape *s, line_scratch *scratch)
 //<
 
 //> line-taut
-static real *drawn_of(const line_scratch *scratch, strands x, int d, int line)
+// How a line has pulled, link after link, each `lanes` numbers from the last.
+static real *drawn_of(const line_scratch *scratch, strands x, int d, int line,
+                      int *lanes)
 {
-    int lanes = x.lines < LANES ? 1 : LANES, last = x.lines - lanes;
-    int number = line / lanes, begin = int_min(number * lanes, last);
-    return scratch->drawn[d] + number * x.particles * lanes + line - begin;
+    int first = x.lines < LANES ? line : line / LANES * LANES;
+    *lanes = lanes_for(x.lines, first);
+    int begin = int_min(first, x.lines - *lanes);
+    return scratch->drawn[d] + first * x.particles + line - begin;
 }
 
 // Is a link of the line so taut, if it joins the lightest particles of all?
@@ -1067,9 +1070,10 @@ static void step_string(const shape *s, const line_scratch *scratch, int d,
                         int line, const particle *p, const line_hold *hold)
 {
     strands x = shape_strands(s, d);
-    int lanes = x.lines < LANES ? 1 : LANES, first = line * x.across;
+    int first = line * x.across, lanes;
     places at = places_from(scratch->now, first);
-    real *stiffness = scratch->link, *drawn = drawn_of(scratch, x, d, line);
+    real *drawn = drawn_of(scratch, x, d, line, &lanes);
+    real *stiffness = scratch->link;
     find_stiffness(s, d, p + first, hold + first, stiffness);
     taut_step((taut_string){ x.particles, x.along, at.x, at.y, at.z, at.weight,
                              stiffness }, stiffness + x.particles);
@@ -1115,9 +1119,9 @@ static void remember_strings(const shape *s, const line_scratch *scratch,
 {
     for (int d = 0; d < shape_directions(s); d++) {
         strands x = shape_strands(s, d);
-        int lanes = x.lines < LANES ? 1 : LANES;
         for (int line = 0; line < x.lines; line++) {
-            const real *drawn = drawn_of(scratch, x, d, line);
+            int lanes;
+            const real *drawn = drawn_of(scratch, x, d, line, &lanes);
             line_hold *first = hold + line * x.across;
             for (int k = 0; k + 1 < x.particles; k++)
                 first[k * x.along].push[d] = drawn[k * lanes];

@@ -85,13 +85,11 @@ static places cut(real **memory, size_t n)
     return (places){ at, at + n, at + 2 * n, at + 3 * n };
 }
 
+// The m themselves have been taken away one by one.
 static void hold_nothing(line_scratch *scratch)
 {
     size_t room = (size_t)scratch->room;
-    if (!scratch->is_held) return;
-    for (size_t i = 0; i < room; i++)
-        scratch->hold.x[i] = scratch->hold.y[i] = scratch->hold.z[i] = 0;
-    memset(scratch->held[0], 0, 2 * room);
+    if (scratch->is_held) memset(scratch->held[0], 0, 2 * room);
     scratch->is_held = false;
 }
 
@@ -126,6 +124,8 @@ line_scratch *line_scratch_new(const shape *s)
     scratch->held[1] = scratch->held[0] + room;
     scratch->is_held = true;
     hold_nothing(scratch);
+    memset(scratch->hold.x, 0, 4 * (size_t)(scratch->hold.y - scratch->hold.x)
+                               * sizeof(real));
     return scratch;
 }
 
@@ -982,11 +982,12 @@ static void hold_begin(const shape *s, line_scratch *scratch,
 }
 
 // p: as they were before.
-static void hold_end(const shape *s, const line_scratch *scratch,
-                     const particle *p, line_hold *hold)
+static void hold_end(const shape *s, line_scratch *scratch, const particle *p,
+                     line_hold *hold)
 {
     for (int i = 0; i < s->particles; i++) {
         if (hold[i].state == LINE_FREE) continue;
+        place_set(scratch->hold, i, (vec3){ 0, 0, 0 });
         vec3 d = vec3_sub(place_get(scratch->now, i), p[i].position);
         real into = vec3_dot(d, hold[i].normal);
         bool sticks = hold[i].state == LINE_STICKS;

@@ -5,6 +5,7 @@
 
 #include "line.h"
 #include "inline.h"
+#include "taut.h"
 
 #include <assert.h>
 #include <math.h>
@@ -84,13 +85,11 @@ static places cut(real **memory, size_t n)
     return (places){ at, at + n, at + 2 * n, at + 3 * n };
 }
 
+// The m themselves have been taken away one by one.
 static void hold_nothing(line_scratch *scratch)
 {
     size_t room = (size_t)scratch->room;
-    if (!scratch->is_held) return;
-    for (size_t i = 0; i < room; i++)
-        scratch->hold.x[i] = scratch->hold.y[i] = scratch->hold.z[i] = 0;
-    memset(scratch->held[0], 0, 2 * room);
+    if (scratch->is_held) memset(scratch->held[0], 0, 2 * room);
     scratch->is_held = false;
 }
 
@@ -125,6 +124,8 @@ line_scratch *line_scratch_new(const shape *s)
     scratch->held[1] = scratch->held[0] + room;
     scratch->is_held = true;
     hold_nothing(scratch);
+    memset(scratch->hold.x, 0, 4 * (size_t)(scratch->hold.y - scratch->hold.x)
+                               * sizeof(real));
     return scratch;
 }
 
@@ -428,7 +429,8 @@ typedef struct {
     int  direction;             // of the strands; -1: one that is not held
     real give;                  // 1/kg, by how much (m) a pull of 1 kg m
                                 // stretches a link
-    real *drawn;                // [links][lanes] kg m, how they have pulled
+    real *drawn;                // [links][lanes] kg m, how they have pulled; or
+                                // NULL: none asks
     places at, hold;            // particle k of lane l is number k pitch + l
     const char *held;           // [particles] is one of the lanes held?  Or
                                 // NULL: none is
@@ -451,7 +453,7 @@ static void block_begin(block *b, int first)
     b->start = begin * b->s.across;
     for (int l = 0; l < b->lanes; l++) b->open[l] = begin + l >= first;
     b->held = NULL;
-    if (b->give > 0)
+    if (b->drawn)
         b->drawn = b->scratch->drawn[b->direction]
                  + first * b->s.particles;
     if (b->direction >= 0 && b->scratch->is_held)
@@ -700,12 +702,14 @@ static void hold_back(block *b, int l, int old)
         row_at(b, k)[SOLVED * b->lanes + l] *= 1 + back;
 }
 
-// What the links have pulled is remembered: it is that which stretches them.
-static void remember_pulls(const block *b)
+// What the links have pulled is remembered: it is that which stretches them, and
+// makes them strings.
+static void remember_pulls(const block *b, const int *done)
 {
     for (int k = 0; k + 1 < b->s.particles; k++) {
         const real *row = row_at(b, k);
         for (int l = 0; l < b->lanes; l++) {
+            if (!done[l]) continue;
             vec3 link = lane_get(row, PUSH, b->lanes, l);
             real solved = row[SOLVED * b->lanes + l];
             b->drawn[k * b->lanes + l] += solved * vec3_length(link);
@@ -723,7 +727,6 @@ static void block_step(block *b, int old)
     block_substitute(b, old);
     for (int l = 0; l < b->lanes; l++)
         if (b->t.far[l] > rest * rest / 4) hold_back(b, l, old);
-    if (b->give > 0) remember_pulls(b);
 }
 
 // Newton steps for all lanes, from where the particles are.  Returns how many.
@@ -777,6 +780,7 @@ static int block_close(block *b, const int *solved, const real *worst,
         }
         open += b->open[l];
     }
+    if (b->drawn) remember_pulls(b, solved);
     block_store(b, solved);
     return open;
 }
@@ -978,11 +982,12 @@ static void hold_begin(const shape *s, line_scratch *scratch,
 }
 
 // p: as they were before.
-static void hold_end(const shape *s, const line_scratch *scratch,
-                     const particle *p, line_hold *hold)
+static void hold_end(const shape *s, line_scratch *scratch, const particle *p,
+                     line_hold *hold)
 {
     for (int i = 0; i < s->particles; i++) {
         if (hold[i].state == LINE_FREE) continue;
+        place_set(scratch->hold, i, (vec3){ 0, 0, 0 });
         vec3 d = vec3_sub(place_get(scratch->now, i), p[i].position);
         real into = vec3_dot(d, hold[i].normal);
         bool sticks = hold[i].state == LINE_STICKS;
@@ -1022,6 +1027,110 @@ static void forget_pulls(const shape *s, line_scratch *scratch)
 }
 //<
 
+//> line-taut
+// How a line has pulled, link after link, each `lanes` numbers from the last.
+static real *drawn_of(const line_scratch *scratch, strands x, int d, int line,
+                      int *lanes)
+{
+    int first = x.lines < LANES ? line : line / LANES * LANES;
+    *lanes = lanes_for(x.lines, first);
+    int begin = int_min(first, x.lines - *lanes);
+    return scratch->drawn[d] + first * x.particles + line - begin;
+}
+
+// Is a link of the line so taut, if it joins the lightest particles of all?
+static bool may_be_taut(strands x, int d, const line_hold *hold, real most)
+{
+    real hardest = 0;
+    for (int k = 0; k + 1 < x.particles; k++) {
+        real push = hold[k * x.along].push[d];
+        hardest = push > hardest ? push : hardest;
+    }
+    return hardest > most * x.rest_length && hardest < HUGE_VAL;
+}
+
+// By how much each link, as it was a substep ago, is tauter than an explicit
+// step bears.
+static void find_stiffness(const shape *s, int d, const particle *p,
+                           const line_hold *hold, real *stiffness)
+{
+    strands x = shape_strands(s, d);
+    for (int k = 0; k + 1 < x.particles; k++) {
+        const particle *a = p + k * x.along, *b = a + x.along;
+        real w = real_max(a->inverse_mass, b->inverse_mass), more = 0;
+        real length = vec3_distance(a->previous, b->previous);
+        if (w > 0 && length > 0)
+            more = hold[k * x.along].push[d] / length
+                 - taut_most(w, shape_directions(s));
+        stiffness[k] = real_max(more, 0);
+    }
+}
+
+// What it has pulled then is known to the links, as if they had done it.
+static void step_string(const shape *s, const line_scratch *scratch, int d,
+                        int line, const particle *p, const line_hold *hold)
+{
+    strands x = shape_strands(s, d);
+    int first = line * x.across, lanes;
+    places at = places_from(scratch->now, first);
+    real *drawn = drawn_of(scratch, x, d, line, &lanes);
+    real *stiffness = scratch->link;
+    find_stiffness(s, d, p + first, hold + first, stiffness);
+    taut_step((taut_string){ x.particles, x.along, at.x, at.y, at.z, at.weight,
+                             stiffness }, stiffness + x.particles);
+    for (int k = 0; k + 1 < x.particles; k++)
+        drawn[k * lanes] = stiffness[k]
+                         * vec3_length(lane_link(at, x.along, k * x.along));
+}
+
+// As the links do, a string moves what slides by only a share into what it
+// touches.
+static void hold_strings(const shape *s, const line_scratch *scratch,
+                         const particle *p, const line_hold *hold)
+{
+    for (int i = 0; i < s->particles; i++) {
+        if (hold[i].state != LINE_SLIDES) continue;
+        vec3 at = place_get(scratch->now, i);
+        real into = vec3_dot(vec3_sub(at, p[i].position), hold[i].normal);
+        if (into < 0)
+            place_set(scratch->now, i, vec3_add_scaled(
+                at, (GIVE - 1) * into, hold[i].normal));
+    }
+}
+
+static void step_strings(const shape *s, const line_scratch *scratch,
+                         const particle *p, const line_hold *hold)
+{
+    bool is_any = false;
+    if (!(scratch->lightest > 0)) return;
+    real most = taut_most(scratch->lightest, shape_directions(s));
+    for (int d = 0; d < shape_directions(s); d++) {
+        strands x = shape_strands(s, d);
+        for (int line = 0; line < x.lines; line++) {
+            if (!may_be_taut(x, d, hold + line * x.across, most)) continue;
+            step_string(s, scratch, d, line, p, hold);
+            is_any = true;
+        }
+    }
+    if (is_any) hold_strings(s, scratch, p, hold);
+}
+
+static void remember_strings(const shape *s, const line_scratch *scratch,
+                             line_hold *hold)
+{
+    for (int d = 0; d < shape_directions(s); d++) {
+        strands x = shape_strands(s, d);
+        for (int line = 0; line < x.lines; line++) {
+            int lanes;
+            const real *drawn = drawn_of(scratch, x, d, line, &lanes);
+            line_hold *first = hold + line * x.across;
+            for (int k = 0; k + 1 < x.particles; k++)
+                first[k * x.along].push[d] = drawn[k * lanes];
+        }
+    }
+}
+//<
+
 //> line-relax
 line_result line_solve(strands s, particle *p, int steps,
                        relax_options options, line_scratch *scratch)
@@ -1052,9 +1161,11 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
     int most = directions > 1 || hold ? sweeps : 1;
     if (give > 0) options.gradient = GRADIENT_NEW;
     int is_new = options.gradient == GRADIENT_NEW;
+    bool is_drawn = give > 0 || (hold && directions == 1);
     gather_all(scratch, p, s->particles, options);
     if (hold) hold_begin(s, scratch, hold);
-    if (give > 0) forget_pulls(s, scratch);
+    if (is_drawn) forget_pulls(s, scratch);
+    if (is_drawn && hold) step_strings(s, scratch, p, hold);
     do {
         real more = is_new && directions > 1 && done + 1 < most ? MORE : 1;
         r.worst = 0;
@@ -1062,11 +1173,13 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
                     .may_skip = directions > 1 && done > 0 && !(give > 0) };
         for (b.direction = 0; b.direction < directions; b.direction++) {
             b.s = shape_strands(s, b.direction);
+            b.drawn = is_drawn ? scratch->drawn[b.direction] : NULL;
             b.give = give * b.s.rest_length / shape_width(s, b.direction);
             solve(b, p, 1, options, &r);
         }
     } while (++done < most && !(r.worst <= options.tolerance));
     if (hold) hold_end(s, scratch, p, hold);
+    if (is_drawn && hold) remember_strings(s, scratch, hold);
     scatter(scratch->now, p, s->particles);
     r.steps = done;
     return r;

@@ -51,6 +51,8 @@ static void forget_holds(const soft_frame *f, const body *b)
         line_hold *h = &f->hold[i];
         if (h->state == LINE_FREE) h->pull = h->crept = (vec3){ 0, 0, 0 };
         h->pull = vec3_scale(times, h->pull);
+        h->push[0] *= times;
+        h->push[1] *= times;
         h->state = LINE_FREE;
     }
 }

@@ -277,11 +277,10 @@ static bool part(const touch *x, answering who)
 }
 
 static bool touch_body(const rigid_view *v, const soft_frame *f,
-                       point_pair pair, real apart, answering who)
+                       point_pair pair, real apart, material m, answering who)
 {
     particle *p = &f->particle[pair.particle];
     surface_point at;
-    material m = soft_material(f, pair.soft, pair.rigid);
     bool is_fixed = body_is_static(&f->body[pair.rigid]);
     real reach = apart;
     if (is_fixed) reach += vec3_length(f->hold[pair.particle].pull);
@@ -303,6 +302,7 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
     int touching = 0, n = l->points;
     point_pair last = { .soft = -1 };
     real apart = 0;
+    material m = { 0 };
     for (int k = 0; k < n; k++) {
         point_pair pair = l->point[is_backward ? n - 1 - k : k];
         if (who == BY_WHOLE && body_is_static(&f->body[pair.rigid])) continue;
@@ -310,9 +310,10 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
             rigid_view_look(v, f, pair.rigid);
             apart = share * soft_gap(&f->body[pair.soft],
                                      &f->body[pair.rigid]);
+            m = soft_material(f, pair.soft, pair.rigid);
         }
         last = pair;
-        touching += touch_body(v, f, pair, apart, who);
+        touching += touch_body(v, f, pair, apart, m, who);
     }
     return touching;
 }

@@ -28,6 +28,7 @@ define ORDER
 10/obj
 11/manifold
 12/inline
+12/taut
 12/line
 12/bend
 13/rigid4

@@ -4,7 +4,8 @@
 # hard` calls it:
 #   AGAIN FOLDER ROWS JOBLOG CSV JOBS HOSTS COMMAND [WORD ...]
 # `COMMAND WORD ... 7` prints the line of row 7, which begins with 7, and remarks,
-# which begin with #: they go to FOLDER/7.  FOLDER holds the head of the table.
+# which begin with #: they go to FOLDER/7, and what it says on stderr to
+# FOLDER/7.err, to be seen at the end.  FOLDER holds the head of the table.
 # AGAIN says how to go on when it was stopped.  CSV, JOBS and HOSTS may be empty.
 # Hosts must see FOLDER, that of the call and the command under the same names.
 
@@ -40,6 +41,7 @@ wait $! || {
 (cd "$folder" && seq "$rows" | xargs cat) > "$folder/lines" &&
     awk -F , -v rows="$rows" '!/^#/ && $1 != ++n { exit 1 } END { if (n != rows) exit 1 }' "$folder/lines" ||
     fail "$folder: the lines of the rows are not whole"
+(cd "$folder" && seq "$rows" | sed 's/$/.err/' | xargs cat) >&2
 if [ -n "$csv" ]; then cat "$folder/head" "$folder/lines" > "$csv"
 else cat "$folder/head" "$folder/lines"; fi || fail "the table cannot be written; $again"
 rm -r "$folder"

@@ -12,6 +12,7 @@ sweep() {
     program=$build/$1 rows=$build/$1.rows table=$tables/$1.csv
     [ "$rows/head" -nt "$program" ] || rm -rf "$rows" "$rows.joblog"
     cases=$("$program" --list | wc -l)
+    echo "$1: $cases cases; $rows.joblog says which are done"
     mkdir -p "$rows" &&
         { [ -e "$rows/head" ] || "$program" --head > "$rows/head"; } &&
         "$build/tumble-sweep" 'make hard goes on with it' "$rows" $cases \

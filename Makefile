@@ -28,6 +28,7 @@ define ORDER
 10/obj
 11/manifold
 12/inline
+12/taut
 12/line
 12/bend
 13/rigid4
@@ -120,7 +121,7 @@ TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/*/check_*
 FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*/*.c)))
 PEERS    := $(notdir $(wildcard figures/peers/peers*.c))
 PILES    := $(basename $(notdir $(wildcard figures/peers/piles*.c figures/peers/piles*.cpp)))
-# These, and piles_bullet.cpp, need libccd, ODE and Bullet; nothing else does.
+# These, and piles_bullet.cpp, need libccd, ODE and Bullet; box3d_mover.c needs Box3D.
 THEIRS   := peers_ccd.c peers_ode.c piles_ode.c
 SCENES   := $(filter-out example_main.c,$(notdir $(wildcard figures/scenes/*.c)))
 PAINTER  := $(filter-out shrink.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c))) $(SCENES)
@@ -329,6 +330,7 @@ endif
 #:                   which falls short in many; fails if the engine does.  On
 #:                   all cores (JOBS=1: one at a time); stopped, it goes on
 #:   make drape      cloth and rope on all kinds of things, a line of numbers each
+#:   make apart      cloth with and without chapter 12's rules of contact
 #:                   (DRAPE='--starts 1 --up-to 40 cube': fewer)
 #:   make speed      time against error, module by module: figures/tables/speed.csv
 #:   make profile    where a step's time goes, in the three scenes
@@ -338,6 +340,8 @@ endif
 #:   make peers      the same work by us and by libccd, ODE and Bullet (make
 #:                   deps-peers installs them), each with its errors: the CSVs
 #:                   of figures/peers, and its picture
+#:   make box3d BOX3D=FOLDER    rooms and piles by us and by Box3D, whose sources
+#:                   lie in FOLDER; THROW=2: thrown another way
 figures: $(FIGURES:%=$(BUILD)/figures/%) moving
 	$(Q)$(foreach f,$(FIGURES),$(call draw,$f,$(call room,$f)) &&) true
 .PHONY: moving
@@ -345,6 +349,8 @@ moving: $(BUILD)/figures/moving
 	@echo "  draw  figures/moving/moving.webp"
 	$(Q)sh figures/moving/moving.sh $< figures/moving/moving.webp
 	$(Q)for s in room cloth-on-cube cloth-on-rope; do sh figures/moving/moving.sh $< figures/moving/$$s.webp $$s 60 || exit 1; done
+	$(Q)sh figures/moving/moving.sh $< figures/moving/moving-dark.webp '' 60
+	$(Q)for s in room cloth-on-cube cloth-on-rope; do sh figures/moving/moving.sh $< figures/moving/$$s-dark.webp $$s 60 || exit 1; done
 figures $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%) speed profile: $(BUILD)/shrink
 $(CHAPTERS:%=figure-%):
 	$(Q)$(foreach f,$(FIGURES_$(@:figure-%=%)),$(call draw,$f,$(call room,$f)) &&) true
@@ -363,9 +369,15 @@ $(CHARTS:%=chart-%): chart-%:
 hard: $(BUILD)/hard $(BUILD)/hard-plain $(BUILD)/tumble-sweep
 	$(Q)sh tests/hard/hard.sh $(BUILD) figures/tables $(JOBS)
 
-.PHONY: drape
+.PHONY: drape apart
 drape: $(BUILD)/drape
 	$(Q)$(BUILD)/drape $(DRAPE)
+# Chapter 12's rules of contact and strand, and what comes without them.
+APART = --substeps 4 --starts 3 --from 40 --up-to 40
+apart: $(BUILD)/drape $(BUILD)/drape-apart
+	$(Q)echo 'all rules:' && $(BUILD)/drape $(APART) 27 ball pole
+	$(Q)echo 'contacts apart, strands last:' && $(BUILD)/drape-apart $(APART) 27 ball pole
+	$(Q)echo 'and contacts once more:' && AGAIN=1 $(BUILD)/drape-apart $(APART) 27 ball pole
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
@@ -410,6 +422,20 @@ piles-picture:
 	  -v head='scene,by,a step,overlap,moved,crept from 5 s on,asleep at,with sleeping' \
 	  figures/peers/piles-curves.csv
 	$(Q)$(AGAIN) chart-piles && sh figures/draw/stamp.sh piles
+
+# Box3D is in no package, so its sources are built here.
+.PHONY: box3d
+box3d:
+	@[ -f '$(BOX3D)/include/box3d/box3d.h' ] && command -v cmake > /dev/null || { echo "make box3d BOX3D=FOLDER\
+	 wants cmake, and Box3D's sources in FOLDER (the book's numbers are of commit 30c67b5)." >&2; exit 1; }
+	$(Q)cmake -S '$(BOX3D)' -B $(BUILD)/box3d-made -DCMAKE_BUILD_TYPE=Release -DBOX3D_SAMPLES=OFF \
+	  -DBOX3D_UNIT_TESTS=OFF -DBOX3D_BENCHMARKS=OFF > $(BUILD)/box3d.log \
+	  && cmake --build $(BUILD)/box3d-made >> $(BUILD)/box3d.log
+	$(Q)$(AGAIN) $(BUILD)/box3d
+	$(Q)$(BUILD)/box3d $(THROW) > $(BUILD)/box3d-points.csv
+	$(Q)awk -f figures/draw/table.awk -v csv=$(if $(THROW),$(BUILD),figures/peers)/box3d.csv \
+	  -v head='scene,by,a step,overlap,moved,crept from 5 s on,asleep at,with sleeping' \
+	  $(BUILD)/box3d-points.csv
 
 # Without asserts: what no program may do is a branch that no test can take.
 coverage:
@@ -473,7 +499,7 @@ checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits $$(LIVE_PROGRAMS)
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 objects: $(ALL) \
   $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/*/*.c))) \
-  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) $(notdir $(wildcard figures/live/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
+  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) box3d_mover.c $(notdir $(wildcard figures/live/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
   $(patsubst figures/live/%.c,$(BUILD)/live/%.o,$(filter-out %_wasm.c,$(wildcard figures/live/*.c)))
 theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/piles_bullet.o
 
@@ -486,7 +512,7 @@ draw = $(if $(wildcard figures/*/$1.gp),echo "  draw  $2/$1.svg" && \
   $(BUILD)/figures/$1 > $2/$1.csv.new && mv $2/$1.csv.new $2/$1.csv && \
   $(call chart,$1,$2/$1.csv,$2/$1.svg),\
   echo "  draw  $2/$1.png" && $(BUILD)/figures/$1 $2/$1.png)$(if $(filter figures/%,$2), && \
-  $(if $(wildcard figures/*/$1.gp),,$(BUILD)/shrink $2/$1.png &&) sh figures/draw/stamp.sh $1)
+  $(if $(wildcard figures/*/$1.gp),,$(BUILD)/shrink $2/$1.png && sh figures/draw/dark.sh $(BUILD)/figures/$1 $2/$1.png &&) sh figures/draw/stamp.sh $1)
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
@@ -556,7 +582,9 @@ $(BUILD)/hard-plain: $(BUILD)/tests/plain.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/hard: $(BUILD)/tests/hard.o $(HARD) $(ALL)
 	$(call link,-lm)
-$(BUILD)/drape: $(BUILD)/tests/drape.o $(HARD) $(ALL)
+$(BUILD)/drape-apart: LDFLAGS += -Wl,--wrap=lines_relax,--wrap=soft_relax,--wrap=soft_hold
+$(BUILD)/drape-apart: $(BUILD)/tests/apart.o
+$(BUILD)/drape $(BUILD)/drape-apart: $(BUILD)/tests/drape.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/soak: $(BUILD)/tests/soak.o $(ALL)
 	$(call link,-lm)
@@ -609,6 +637,11 @@ $(BUILD)/piles: $(PILES:%=$(BUILD)/figures/%.o) $(BUILD)/figures/clock.o \
   $(BUILD)/tests/oracle.o $(ALL)
 	@echo "  link  $@"
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) $^ -lode -lccd -lBulletDynamics -lBulletCollision -lLinearMath -lm -o $@
+
+$(BUILD)/figures/box3d_mover.o: CPPFLAGS += -isystem $(BOX3D)/include
+$(BUILD)/box3d: $(patsubst %,$(BUILD)/figures/%.o,box3d box3d_mover piles_run piles_scenes piles_judge piles_tumble clock) \
+  $(BUILD)/tests/oracle.o $(ALL)
+	$(call link,$(BUILD)/box3d-made/src/libbox3d.a -lpthread -lm)
 
 $(BUILD)/bits: $(BUILD)/tests/bits.o $(BUILD)/figures/thread.o $(ALL)
 	$(call link,-lm)

@@ -59,12 +59,24 @@ local function place_of_file(path, line)
   if path:match('^exercises') then return 'exercises.html' end
 end
 
+-- The header of an exercise, if only one has that name.
+local headers = {}
+for file in io.popen('ls exercises/*/*.h'):lines() do
+  local name = file:match('[^/]*$')
+  headers[name] = headers[name] and 'two' or file
+end
+local function place_of_header(name)
+  local file = headers[name]
+  return file and file ~= 'two' and place_of_file(file)
+end
+
 -- What the words between backticks mean, if the book tells of it.
 local function place_of_words(text)
   local figure = text:match('^make figure%-(%d%d%-[%w_-]+)$')
   if figure then return place_of_figure(figure) end
   local exercise = text:match('^make exercise (%d%d/[%w-]+)$') or text:match('^%d%d/[%w-]+$')
   if exercise then return place_of_exercise(exercise) end
+  if text:match('^%w+%.h$') then return place_of_header(text) end
   local name = text:match('^([%a_][%w_]*)%(?%)?$')
   if name and #name > 2 then return place_of_code(name) end
 end
@@ -237,6 +249,17 @@ local function figure_of(image)
     FORMAT:match('^epub') and not still and path or shown, '',
     { width = wide and string.format('%.0f', wide), height = high and string.format('%.0f', high),
       loading = not whole and 'lazy' or nil })
+  -- On dark paper a painting has another light.
+  local dark = path:gsub('%.%a+$', '-dark.webp')
+  local shade = not whole and io.open(dark)
+  if shade then
+    shade:close()
+    local first = still and dark:gsub('%.webp$', '-still.webp') or dark
+    picture = pandoc.Span({
+      raw('<picture><source media="(prefers-color-scheme: dark)" srcset="' .. first .. '">'),
+      picture, raw('</picture>') })
+    if still then data = data .. ' data-dark="' .. dark .. '"' end
+  end
   -- A phone gets the chart as phone.mjs lays it out.
   local narrow = not whole and path:match('%.svg$') and path:gsub('%.svg$', '-phone.svg')
   if narrow then

@@ -111,14 +111,16 @@ addEventListener('click', event => { if (!field.form.contains(event.target)) fou
 // reader wants rest ---
 for (const figure of all('.moving')) {
   const picture = figure.querySelector('img'), still = picture.src;
+  const dark = figure.querySelector('source'), darkStill = dark?.srcset;
   const button = make('button', { type: 'button' });
   let isStopped = matchMedia('(prefers-reduced-motion: reduce)').matches;
   const move = moving => {
     picture.src = moving ? figure.dataset.moving : still;
+    if (dark) dark.srcset = moving ? figure.dataset.dark : darkStill;
     button.textContent = moving ? 'Stop' : 'Play';
     button.onclick = () => { isStopped = moving; move(!moving); };
   };
-  picture.after(button);
+  picture.parentNode.after(button);
   move(false);
   addEventListener('load', () => setTimeout(() => new IntersectionObserver(([seen]) => {
     if (!isStopped) move(seen.isIntersecting);

@@ -8,8 +8,9 @@ SITE_PAGES := $(WOVEN:%.md=$(SITE)/%.html) $(SITE)/index.html $(SITE)/exercises.
 # Pictures: WebP of a PNG, the others as they are; and the data of tables.
 PICTURES   := $(filter figures/%,$(wildcard figures/*/*.png figures/*/*.svg figures/*/*.webp figures/*/*.csv))
 SITE_FILES := $(patsubst %.png,%.webp,$(PICTURES:%=$(SITE)/%))
-# What a caption links to: the book's code, and the programs of the figures.
-SOURCES    := $(shell sh chapters/weave.sh) $(wildcard figures/[0-9]*/*.c figures/peers/*.c figures/live/*.c)
+# What a caption links to: the book's code, the programs of the figures, and what
+# the exercises declare.
+SOURCES    := $(shell sh chapters/weave.sh) $(wildcard figures/[0-9]*/*.c figures/peers/*.c figures/live/*.c exercises/*/*.h)
 SITE_CODE  := $(patsubst %,$(SITE)/source/%.html,$(subst /,-,$(SOURCES)))
 # The first frames of what moves.
 STILLS     := $(patsubst %.webp,%-still.webp,$(wildcard figures/moving/*.webp))

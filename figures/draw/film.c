@@ -145,8 +145,7 @@ static status paint_walls(painter *p, real side)
         0, 1, 2,  1, 3, 2,   4, 6, 5,  5, 6, 7,     // z low, z high
         0, 2, 4,  2, 6, 4,   1, 5, 3,  3, 5, 7      // x low, x high
     };
-    // Whiter than white, for the light that walls throw at each other.
-    const colour c = vec3_scale(1.12, colour_hex(0xfdfaf6));
+    const colour c = p->wall;
     vec3 at[8];
     for (int i = 0; i < 8; i++) at[i] = room_corner(side, i);
     painted_mesh m = { .vertices = 8, .at = at, .faces = 8, .face = face,

@@ -17,10 +17,13 @@ enum { SHIFTS = 9 };            // pictures in a painting: 3 x 3
 
 void painter_init(painter *p)
 {
+    bool dark = picture_is_dark();
     *p = (painter){ 0 };
-    p->floor = colour_hex(0xf1eee9);
-    p->haze = colour_hex(0xf7f6f4);
-    p->sky = colour_hex(0xe9eef5);
+    p->floor = colour_hex(dark ? 0x3d4148 : 0xf1eee9);
+    p->haze = colour_hex(dark ? 0x23262b : 0xf7f6f4);
+    p->sky = colour_hex(dark ? 0x1d2025 : 0xe9eef5);
+    // Whiter than white, for the light that walls throw at each other.
+    p->wall = vec3_scale(1.12, colour_hex(dark ? 0x33373d : 0xfdfaf6));
     p->lamp = vec3_unit(vec3_make(-0.45, 1, 0.5));
     p->lamp_size = 0.13;
     p->lamps = 6;

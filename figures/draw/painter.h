@@ -52,7 +52,7 @@ typedef struct {
     vec3   floor_centre;        // m
     real   floor_radius;        // m, where it is all haze
     real   tile;                // m
-    colour floor, haze, sky;
+    colour floor, haze, sky, wall;
     // The light.
     vec3 lamp;                  // unit, towards the lamp
     real lamp_size;             // its radius over its distance
@@ -60,7 +60,7 @@ typedef struct {
                                 // nine pictures: 4 quick, 12 fine
 } painter;
 
-// A pale studio without a floor; 6 lamps.
+// A studio without a floor, pale or (picture_is_dark) dark; 6 lamps.
 void painter_init(painter *p);
 void painter_free(painter *p);
 

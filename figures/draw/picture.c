@@ -38,6 +38,15 @@ colour colour_mix(colour a, colour b, real t)
     return vec3_add_scaled(vec3_scale(1 - t, a), t, b);
 }
 
+// ---- Paper and ink ---------------------------------------------------------
+
+enum { DARK_PAPER = 0x16181c, LIGHT_INK = 0xe4e2dc };
+
+bool picture_is_dark(void)
+{
+    return getenv("TUMBLE_DARK") != NULL;
+}
+
 // ---- Points ----------------------------------------------------------------
 
 enum { LARGEST_SIDE = 16384 };
@@ -53,6 +62,7 @@ status picture_init(picture *p, int width, int height, colour background)
     if (!p->at) return status_out_of_memory();
     p->width = width;
     p->height = height;
+    if (picture_is_dark()) background = colour_hex(DARK_PAPER);
     picture_box(p, 0, 0, width, height, background);
     return status_ok();
 }
@@ -252,6 +262,7 @@ real picture_text(picture *p, real x, real y, real size, colour ink,
                   const char *text)
 {
     real unit = size / 7;
+    if (picture_is_dark()) ink = colour_mix(ink, colour_hex(LIGHT_INK), 0.6);
     for (; *text; text++) {
         pen_path path = pen_letter(*text);
         if (p && path.count > 0) letter_draw(p, &path, x, y, unit, ink);

@@ -24,6 +24,10 @@ typedef struct {
     colour *at;         // [width * height], row by row, from the top left
 } picture;
 
+// For a page with light letters on dark paper?  TUMBLE_DARK says so, and then
+// pictures are dark where they are empty, and ink is light.
+bool picture_is_dark(void);
+
 // Sides of 1 to 16384 points.  Fails, and leaves *p empty, for want of memory
 // or if a side is out of range.
 status picture_init(picture *p, int width, int height, colour background);

@@ -215,7 +215,7 @@ static unsigned long long hash(void)
 
 const live_figure figure = {
     .name = "epa",
-    .says = "Left two overlapping shapes, A and B; right their difference, A - B, and in it the polygon of EPA that grows to the edge closest to the origin",
+    .says = "Two overlapping shapes, A and B, and their difference, A - B, with the polygon of EPA that grows to the edge closest to the origin",
     .pane = { [SHAPES] = { -2.0, -1.75, 4.6, 4.174 }, [DIFFERENCE] = { -2.2, -2.1, 5.8, 5.263 } },
     .dial = {
         [CORNERS_A] = { "corners of A", NULL, 0, 3, 1, 1, "4|8|16|32", true },

@@ -178,7 +178,7 @@ static unsigned long long hash(void)
 
 const live_figure figure = {
     .name = "gjk",
-    .says = "Left two polygons, A and B; right their difference, A - B, the origin, and the simplex that GJK holds",
+    .says = "Two polygons, A and B, and their difference, A - B, the origin, and the simplex that GJK holds",
     .pane = { [SHAPES] = { -0.5, -0.95, 5.2, 4.77 }, [DIFFERENCE] = { -0.95, -1.75, 5.2, 4.77 } },
     .dial = { [TURN] = { "turn of B", "°", -90, 90, 1, 0, NULL, true } },
     .button = { "Next iteration" },

@@ -126,7 +126,7 @@ static unsigned long long hash(void)
 
 const live_figure figure = {
     .name = "rope",
-    .says = "A rope of springs, left, and a rope of sticks, right, swing from a pin; links that are wrong by more than a hundredth are red",
+    .says = "A rope of springs and a rope of sticks, each in a panel of its own, swing from a pin; links that are wrong by more than a hundredth are red",
     .pane = { { -0.8, -0.02, 1.6, 1.28 }, { -0.8, -0.02, 1.6, 1.28 } },
     .dial = {
         [STEPS] = { "steps a frame", NULL, 1, 60, 1, 28, NULL, true },

@@ -133,7 +133,7 @@ static unsigned long long hash(void)
 
 const live_figure figure = {
     .name = "strand",
-    .says = "Two ropes swing with a heavy load; left their links are corrected one after the other, right all at once",
+    .says = "Two ropes swing with a heavy load: the links of one are corrected one after the other, those of the other all at once",
     .pane = { { -1.15, -1.75, 2.3, 2.05 }, { -1.15, -1.75, 2.3, 2.05 } },
     .dial = {
         [LOAD] = { "mass of the load, in particles", NULL, 0, 2, 1, 2, "1|100|1,000", true },

@@ -7,6 +7,7 @@ command -v img2webp > /dev/null || {
 }
 frames=$(mktemp -d) || exit 1
 trap 'rm -rf "$frames" "$2.part"' EXIT
+case $2 in *-dark.webp) export TUMBLE_DARK=1 ;; esac    # for dark paper
 "$1" "$frames" $3 || exit 1
 for last in "$frames"/frame-*.png; do :; done
 mv "$last" "$frames/last.png"

@@ -1,5 +1,5 @@
-// piles.h - boxes in piles: the same scenes for this library and for others,
-// and one judge of them all.
+// piles.h - boxes in piles, and icosahedra in rooms: the same scenes for this
+// library and for others, and one judge of them all.
 //
 // Units: metres, seconds, kilograms.  Frame: y points up.  Also read as C++.
 
@@ -20,13 +20,23 @@ typedef struct {
     vec3 velocity, spin;    // m/s, rad/s
 } start;
 
-enum { PILE_WALLS = 6 };
+enum { PILE_WALLS = 6, PILE_CORNERS = 12 };
 
-// Cubes of 1 kg that are all the same size, on y = 0 or in a pit or a room.
+// A convex body about its middle, which is its own mirror image there: of two
+// directions that are opposite, one is listed.
+typedef struct {
+    int  corners, normals, edges;
+    vec3 corner[PILE_CORNERS / 2], normal[10], edge[15];    // m; unit; unit
+} solid;
+
+// Cubes, or icosahedra, of 1 kg that are all the same size, on y = 0 or in a pit
+// or a room.
 typedef struct {
     const char *name;
     int    boxes, frames;
-    real   half;            // m, half an edge
+    solid  body;
+    real   half;            // m, half an edge of a cube; 0: icosahedra
+    real   radius;          // m, from the middle to a corner
     start *box;             // [boxes]
     vec3   normal[PILE_WALLS];      // unit, to the free side
     real   offset[PILE_WALLS];      // m, x . normal of the wall
@@ -39,6 +49,7 @@ pile pile_pyramid(int rows);
 pile pile_tower(int boxes);
 pile pile_drop(int boxes);      // in a grid over a pit, turned anyhow
 pile pile_thrown(int boxes);    // into a closed room
+pile pile_room(int bodies, int frames, int seed);   // icosahedra, thrown
 void pile_free(pile *p);
 
 // ---- What moves it ---------------------------------------------------------
@@ -62,10 +73,29 @@ extern "C" {
 extern const mover mover_tumble;    // setting: substeps
 extern const mover mover_ode;       // iterations of quickstep; 0: dWorldStep
 extern const mover mover_bullet;    // iterations
+extern const mover mover_box3d;     // substeps
 NEVER_RETURNS void give_up(const char *why);
 #ifdef __cplusplus
 }
 #endif
+
+// ---- A run -----------------------------------------------------------------
+
+enum { SETTINGS = 6 };
+
+// A mover with the settings of its curve.  The one in `as_it_comes` is what its
+// users get who set nothing.
+typedef struct {
+    const mover *is;
+    const char  *name, *unit;
+    real longest;       // s, a run that takes more is cut off
+    int  settings, setting[SETTINGS], as_it_comes;
+    bool may_sleep;     // once more, as it comes
+} contender;
+
+// Runs and judges a scene by all of them in turn, prints a block for each and
+// the rows of the table, and frees the scene.
+void run_scene(pile p, const contender *list, int count);
 
 // ---- The judge -------------------------------------------------------------
 
@@ -80,8 +110,8 @@ typedef struct {
     real pair;              // m, so deep
 } verdict;
 
-// m, how deep two cubes are in each other; negative: so far apart at least.
-real cubes_depth(const pose *a, const pose *b, real half);
+// m, how deep two bodies are in each other; negative: so far apart at least.
+real solids_depth(const solid *s, const pose *a, const pose *b);
 
 // Looks at all boxes.
 void judge_overlap(const pile *p, const pose *at, verdict *v);

@@ -1,6 +1,8 @@
-// piles_scenes.c - a pyramid, a tower, boxes that are dropped, and thrown ones.
+// piles_scenes.c - a pyramid, a tower, boxes that are dropped, and thrown ones;
+// icosahedra in a room.
 
 #include "piles.h"
+#include "body.h"
 #include "random.h"
 
 #include <stdlib.h>
@@ -18,13 +20,54 @@ static void turn_anyhow(pose *p)
 
 // ---- Parts -----------------------------------------------------------------
 
-static pile pile_of(const char *name, int boxes, real half, int frames)
+static solid cube_of(real half)
 {
-    pile p = { .name = name, .boxes = boxes, .frames = frames, .half = half,
+    solid s = { .corners = 4, .normals = 3, .edges = 3,
+                .normal = { X, Y, Z }, .edge = { X, Y, Z } };
+    for (int k = 0; k < 4; k++)
+        s.corner[k] = vec3_make(k & 1 ? half : -half, k & 2 ? half : -half, half);
+    return s;
+}
+
+static void add_direction(vec3 *list, int *n, vec3 d)
+{
+    for (int k = 0; k < *n; k++)
+        if (fabs(vec3_dot(list[k], d)) > 0.999) return;
+    list[(*n)++] = d;
+}
+
+static solid solid_of(const shape *s)
+{
+    solid to = { 0 };
+    for (int k = 0; k < s->particles; k++)
+        if (k < (k ^ 3)) to.corner[to.corners++] = s->at[k];
+    for (int f = 0; f < s->mesh.faces; f++) {
+        const int *v = &s->face[3 * f];
+        vec3 p = vec3_sub(s->at[v[1]], s->at[v[0]]), q = vec3_sub(s->at[v[2]], s->at[v[0]]);
+        add_direction(to.normal, &to.normals, vec3_unit(vec3_cross(p, q)));
+        add_direction(to.edge, &to.edges, vec3_unit(p));
+        add_direction(to.edge, &to.edges, vec3_unit(q));
+        add_direction(to.edge, &to.edges, vec3_unit(vec3_sub(p, q)));
+    }
+    return to;
+}
+
+static pile pile_begin(const char *name, int bodies, int frames)
+{
+    pile p = { .name = name, .boxes = bodies, .frames = frames,
                .friction = 0.6, .dt = 1.0 / 60 };
-    p.box = calloc((size_t)boxes, sizeof *p.box);
+    p.box = calloc((size_t)bodies, sizeof *p.box);
     if (!p.box) give_up("there is no memory for a pile");
     state = 12;
+    return p;
+}
+
+static pile pile_of(const char *name, int boxes, real half, int frames)
+{
+    pile p = pile_begin(name, boxes, frames);
+    p.half = half;
+    p.radius = sqrt(3) * half;
+    p.body = cube_of(half);
     return p;
 }
 
@@ -101,22 +144,48 @@ pile pile_drop(int boxes)
     return p;
 }
 
+// Into a closed room, one in each cell of a grid, turned anyhow.  Returns how wide
+// a cell is (m).
+static real throw_all(pile *p, real side)
+{
+    int cells = cells_for(p->boxes);
+    real wide = side / cells;
+    p->friction = 0.5;
+    for (int k = 0; k < p->boxes; k++) {
+        vec3 c = cell(k, cells, wide);
+        put(p, k, c.x, c.y + wide / 2, c.z);
+        turn_anyhow(&p->box[k].at);
+        p->box[k].velocity = random_vec3(&state, 5);
+        p->box[k].spin = random_vec3(&state, 5);
+    }
+    add_wall(p, Y, 0);
+    add_wall(p, vec3_scale(-1, Y), -side);
+    add_sides(p, side / 2);
+    return wide;
+}
+
 pile pile_thrown(int boxes)
 {
     pile p = pile_of("thrown", boxes, 0.3, 600);
-    int cells = cells_for(boxes);
-    real side = cbrt(2.1 * boxes), wide = side / cells;
-    p.friction = 0.5;
-    for (int k = 0; k < boxes; k++) {
-        vec3 c = cell(k, cells, wide);
-        put(&p, k, c.x, c.y + wide / 2, c.z);
-        turn_anyhow(&p.box[k].at);
-        p.box[k].velocity = random_vec3(&state, 5);
-        p.box[k].spin = random_vec3(&state, 5);
+    throw_all(&p, cbrt(2.1 * boxes));
+    return p;
+}
+
+pile pile_room(int bodies, int frames, int seed)
+{
+    shape icosahedron;
+    pile p = pile_begin("room", bodies, frames);
+    p.radius = 0.5;
+    if (!shape_icosahedron(&icosahedron, p.radius, 1).ok)
+        give_up("there is no memory for an icosahedron");
+    p.body = solid_of(&icosahedron);
+    shape_free(&icosahedron);
+    state += (unsigned long long)seed;
+    real wide = throw_all(&p, fmax(cbrt(0.317 / 0.15 * bodies), 2 * p.radius * cells_for(bodies)));
+    for (int k = 0; k < bodies; k++) {
+        vec3 off = random_vec3(&state, fmax(0, wide / 2 - p.radius));
+        p.box[k].at.middle = vec3_add(p.box[k].at.middle, off);
     }
-    add_wall(&p, Y, 0);
-    add_wall(&p, vec3_scale(-1, Y), -side);
-    add_sides(&p, side / 2);
     return p;
 }
 

@@ -5,6 +5,7 @@
 
 #include "line.h"
 #include "inline.h"
+#include "taut.h"
 
 #include <assert.h>
 #include <math.h>
@@ -13,9 +14,21 @@
 #include <string.h>
 
 // So many lines are solved side by side.  Their numbers lie next to each other,
-// so that one instruction works on two, four or eight of them.  A rope, which
-// is alone, takes one lane.
-enum { LANES = 8 };
+// so that one instruction works on two, four or eight of them.  The last lines
+// of a cloth take half as many lanes where these are enough; a rope, which is
+// alone, takes one.
+enum { LANES = 8, HALF = LANES / 2 };
+
+static int lanes_for(int lines, int first)
+{
+    return lines < LANES ? 1 : lines - first <= HALF ? HALF : LANES;
+}
+
+// Of the block that line number `line` is solved in.
+static int block_number(strands s, int line)
+{
+    return s.lines < LANES ? line : line / LANES;
+}
 
 // Many particles, each coordinate for itself.  The four stand in one piece of
 // memory, one after the other, equally far apart.
@@ -72,13 +85,11 @@ static places cut(real **memory, size_t n)
     return (places){ at, at + n, at + 2 * n, at + 3 * n };
 }
 
+// The m themselves have been taken away one by one.
 static void hold_nothing(line_scratch *scratch)
 {
     size_t room = (size_t)scratch->room;
-    if (!scratch->is_held) return;
-    for (size_t i = 0; i < room; i++)
-        scratch->hold.x[i] = scratch->hold.y[i] = scratch->hold.z[i] = 0;
-    memset(scratch->held[0], 0, 2 * room);
+    if (scratch->is_held) memset(scratch->held[0], 0, 2 * room);
     scratch->is_held = false;
 }
 
@@ -113,6 +124,8 @@ line_scratch *line_scratch_new(const shape *s)
     scratch->held[1] = scratch->held[0] + room;
     scratch->is_held = true;
     hold_nothing(scratch);
+    memset(scratch->hold.x, 0, 4 * (size_t)(scratch->hold.y - scratch->hold.x)
+                               * sizeof(real));
     return scratch;
 }
 
@@ -336,11 +349,15 @@ ALWAYS_INLINE void eliminate(const real *restrict at, const real *restrict hold,
 // a compiler knows that these pointers lead to different things.
 NEVER_INLINE void eliminate_held(const real *restrict at,
                                  const real *restrict hold, int apart,
-                                 int pitch, real *restrict before, real rest2,
-                                 real half, tally *restrict t)
+                                 int pitch, real *restrict before, int lanes,
+                                 real rest2, real half, tally *restrict t)
 {
-    eliminate(at, hold, apart, pitch, before, LANES, 0, 1, rest2, half, NULL,
-              0, t);
+    if (lanes == LANES)
+        eliminate(at, hold, apart, pitch, before, LANES, 0, 1, rest2, half,
+                  NULL, 0, t);
+    else
+        eliminate(at, hold, apart, pitch, before, HALF, 0, 1, rest2, half,
+                  NULL, 0, t);
 }
 //<
 
@@ -386,11 +403,15 @@ NEVER_INLINE void substitute_held(real *restrict x, real *restrict y,
                                   const real *restrict weight,
                                   const real *restrict hold, int apart,
                                   real *restrict here,
-                                  const real *restrict after,
+                                  const real *restrict after, int lanes,
                                   real *restrict pull, real *restrict far)
 {
-    substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 1, pull,
-               far);
+    if (lanes == LANES)
+        substitute(x, y, z, weight, hold, apart, here, after, LANES, 0, 1,
+                   pull, far);
+    else
+        substitute(x, y, z, weight, hold, apart, here, after, HALF, 0, 1,
+                   pull, far);
 }
 //<
 
@@ -400,7 +421,7 @@ typedef struct {
     strands s;
     const line_scratch *scratch;
     real more;                  // what is asked for, in what is wrong
-    int  lanes;                 // 1 or LANES
+    int  lanes;                 // 1, HALF or LANES
     int  start;                 // where in the body the line of lane 0 begins
     int  open[LANES];           // 1: not solved yet
     int  in_place;              // 1: solved where the body's places are
@@ -408,7 +429,8 @@ typedef struct {
     int  direction;             // of the strands; -1: one that is not held
     real give;                  // 1/kg, by how much (m) a pull of 1 kg m
                                 // stretches a link
-    real *drawn;                // [links][lanes] kg m, how they have pulled
+    real *drawn;                // [links][lanes] kg m, how they have pulled; or
+                                // NULL: none asks
     places at, hold;            // particle k of lane l is number k pitch + l
     const char *held;           // [particles] is one of the lanes held?  Or
                                 // NULL: none is
@@ -422,20 +444,21 @@ static inline real *row_at(const block *b, int k)
     return b->scratch->link + (k + 1) * FIELDS * b->lanes;
 }
 
-// The lines from number first on.  Where fewer than LANES are left, it begins
-// with lines of the block before: what comes out there is not looked at.
+// The lines from number first on.  Where fewer are left than it has lanes, it
+// begins with lines of the block before: what comes out there is not looked at.
 static void block_begin(block *b, int first)
 {
+    b->lanes = lanes_for(b->s.lines, first);
     int last = b->s.lines - b->lanes, begin = first < last ? first : last;
     b->start = begin * b->s.across;
     for (int l = 0; l < b->lanes; l++) b->open[l] = begin + l >= first;
     b->held = NULL;
-    if (b->give > 0)
+    if (b->drawn)
         b->drawn = b->scratch->drawn[b->direction]
-                 + first / b->lanes * b->s.particles * b->lanes;
+                 + first * b->s.particles;
     if (b->direction >= 0 && b->scratch->is_held)
         b->held = b->scratch->held[b->direction]
-                + first / b->lanes * b->s.particles;
+                + block_number(b->s, first) * b->s.particles;
 }
 //<
 
@@ -451,35 +474,37 @@ static int fits_in_place(const block *b, int old)
 }
 
 // One particle of all lanes, and back.
-static inline void lanes_in(real *restrict to, const real *restrict from,
-                            int across)
+ALWAYS_INLINE void lanes_in(real *restrict to, const real *restrict from,
+                            int across, int lanes)
 {
-    for (int l = 0; l < LANES; l++) to[l] = from[l * across];
+    for (int l = 0; l < lanes; l++) to[l] = from[l * across];
 }
 
-static inline void lanes_out(real *restrict to, const real *restrict from,
-                             int across)
+ALWAYS_INLINE void lanes_out(real *restrict to, const real *restrict from,
+                             int across, int lanes)
 {
-    for (int l = 0; l < LANES; l++) to[l * across] = from[l];
+    for (int l = 0; l < lanes; l++) to[l * across] = from[l];
+}
+
+ALWAYS_INLINE void copy_lanes(const block *b, int lanes, places to, places from)
+{
+    int across = b->s.across;
+    from = places_from(from, b->start);
+    for (int k = 0; k < b->s.particles; k++) {
+        lanes_in(to.x, from.x, across, lanes);
+        lanes_in(to.y, from.y, across, lanes);
+        lanes_in(to.z, from.z, across, lanes);
+        lanes_in(to.weight, from.weight, across, lanes);
+        to = places_from(to, lanes);
+        from = places_from(from, b->s.along);
+    }
 }
 
 static void block_copy(const block *b, places to, places from)
 {
-    int lanes = b->lanes, across = b->s.across;
-    from = places_from(from, b->start);
-    for (int k = 0; k < b->s.particles; k++) {
-        if (lanes == 1) {
-            place_set(to, 0, place_get(from, 0));
-            to.weight[0] = from.weight[0];
-        } else {
-            lanes_in(to.x, from.x, across);
-            lanes_in(to.y, from.y, across);
-            lanes_in(to.z, from.z, across);
-            lanes_in(to.weight, from.weight, across);
-        }
-        to = places_from(to, lanes);
-        from = places_from(from, b->s.along);
-    }
+    if (b->lanes == LANES)     copy_lanes(b, LANES, to, from);
+    else if (b->lanes == HALF) copy_lanes(b, HALF, to, from);
+    else                       copy_lanes(b, 1, to, from);
 }
 
 static void block_fetch(block *b)
@@ -516,19 +541,19 @@ static void block_load(block *b, int old)
 // The lanes that are solved go where they came from.
 static void block_store(const block *b, const int *solved)
 {
-    int all = b->lanes == LANES;
+    int lanes = b->lanes, all = lanes > 1;
     if (b->in_place) return;
-    for (int l = 0; l < b->lanes; l++) all &= solved[l];
+    for (int l = 0; l < lanes; l++) all &= solved[l];
     for (int k = 0; k < b->s.particles; k++) {
-        places from = places_from(b->at, k * b->lanes);
+        places from = places_from(b->at, k * lanes);
         places to = places_from(b->scratch->now, b->start + k * b->s.along);
-        for (int l = 0; l < b->lanes && !all; l++)
+        for (int l = 0; l < lanes && !all; l++)
             if (solved[l])
                 place_set(to, l * b->s.across, place_get(from, l));
         if (!all) continue;
-        lanes_out(to.x, from.x, b->s.across);
-        lanes_out(to.y, from.y, b->s.across);
-        lanes_out(to.z, from.z, b->s.across);
+        lanes_out(to.x, from.x, b->s.across, lanes);
+        lanes_out(to.y, from.y, b->s.across, lanes);
+        lanes_out(to.z, from.z, b->s.across, lanes);
     }
 }
 //<
@@ -550,8 +575,9 @@ ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
         if (!old && b->give > 0)
             eliminate(at, hold, apart, pitch, row, lanes, 0, is_held, rest2,
                       half, b->drawn + (k - 1) * lanes, b->give, &t);
-        else if (is_held && lanes == LANES && !old)
-            eliminate_held(at, hold, apart, pitch, row, rest2, half, &t);
+        else if (is_held && lanes > 1 && !old)
+            eliminate_held(at, hold, apart, pitch, row, lanes, rest2, half,
+                           &t);
         else if (is_held)
             eliminate(at, hold, apart, pitch, row, lanes, old, 1, rest2, half,
                       NULL, 0, &t);
@@ -578,9 +604,9 @@ ALWAYS_INLINE void substitute_lines(block *b, int lanes, int old)
         real *row = b->scratch->link + k * FIELDS * lanes;
         real *after = row + FIELDS * lanes;
         bool is_held = b->held && b->held[k];
-        if (is_held && lanes == LANES && !old)
+        if (is_held && lanes > 1 && !old)
             substitute_held(at.x, at.y, at.z, at.weight, hold, apart, row,
-                            after, pull, far);
+                            after, lanes, pull, far);
         else if (is_held)
             substitute(at.x, at.y, at.z, at.weight, hold, apart, row, after,
                        lanes, old, 1, pull, far);
@@ -596,18 +622,22 @@ ALWAYS_INLINE void substitute_lines(block *b, int lanes, int old)
 // and the compiler knows how many numbers lie side by side.
 static void block_eliminate(block *b, int old)
 {
-    if (b->lanes == 1 && old) eliminate_lines(b, 1, 1);
-    else if (b->lanes == 1)   eliminate_lines(b, 1, 0);
-    else if (old)             eliminate_lines(b, LANES, 1);
-    else                      eliminate_lines(b, LANES, 0);
+    if (b->lanes == LANES && old)     eliminate_lines(b, LANES, 1);
+    else if (b->lanes == LANES)       eliminate_lines(b, LANES, 0);
+    else if (b->lanes == HALF && old) eliminate_lines(b, HALF, 1);
+    else if (b->lanes == HALF)        eliminate_lines(b, HALF, 0);
+    else if (old)                     eliminate_lines(b, 1, 1);
+    else                              eliminate_lines(b, 1, 0);
 }
 
 static void block_substitute(block *b, int old)
 {
-    if (b->lanes == 1 && old) substitute_lines(b, 1, 1);
-    else if (b->lanes == 1)   substitute_lines(b, 1, 0);
-    else if (old)             substitute_lines(b, LANES, 1);
-    else                      substitute_lines(b, LANES, 0);
+    if (b->lanes == LANES && old)     substitute_lines(b, LANES, 1);
+    else if (b->lanes == LANES)       substitute_lines(b, LANES, 0);
+    else if (b->lanes == HALF && old) substitute_lines(b, HALF, 1);
+    else if (b->lanes == HALF)        substitute_lines(b, HALF, 0);
+    else if (old)                     substitute_lines(b, 1, 1);
+    else                              substitute_lines(b, 1, 0);
 }
 
 static void block_measure(block *b)
@@ -672,12 +702,14 @@ static void hold_back(block *b, int l, int old)
         row_at(b, k)[SOLVED * b->lanes + l] *= 1 + back;
 }
 
-// What the links have pulled is remembered: it is that which stretches them.
-static void remember_pulls(const block *b)
+// What the links have pulled is remembered: it is that which stretches them, and
+// makes them strings.
+static void remember_pulls(const block *b, const int *done)
 {
     for (int k = 0; k + 1 < b->s.particles; k++) {
         const real *row = row_at(b, k);
         for (int l = 0; l < b->lanes; l++) {
+            if (!done[l]) continue;
             vec3 link = lane_get(row, PUSH, b->lanes, l);
             real solved = row[SOLVED * b->lanes + l];
             b->drawn[k * b->lanes + l] += solved * vec3_length(link);
@@ -695,7 +727,6 @@ static void block_step(block *b, int old)
     block_substitute(b, old);
     for (int l = 0; l < b->lanes; l++)
         if (b->t.far[l] > rest * rest / 4) hold_back(b, l, old);
-    if (b->give > 0) remember_pulls(b);
 }
 
 // Newton steps for all lanes, from where the particles are.  Returns how many.
@@ -749,6 +780,7 @@ static int block_close(block *b, const int *solved, const real *worst,
         }
         open += b->open[l];
     }
+    if (b->drawn) remember_pulls(b, solved);
     block_store(b, solved);
     return open;
 }
@@ -766,36 +798,48 @@ static inline void look_at_links(places at, int pitch, real rest2,
     }
 }
 
-// m^2, the largest |now - rest^2| / 2 of a block of LANES lines; HUGE_VAL for
-// NaN.  Columns or rows, one of the two lies side by side in the body.
-static real block_worst(const block *b)
+static inline real largest(const real of[LANES])
+{
+    real most = of[0];
+    for (int l = 1; l < LANES; l++) most = of[l] > most ? of[l] : most;
+    return most;
+}
+
+// One look in so many asks whether what was seen is too much already.
+enum { PEEK = 4 };
+
+// m^2, the largest |now - rest^2| of a block of lines; HUGE_VAL for NaN,
+// and where it is more than enough.  Columns or rows, one of the two lies side by
+// side in the body.
+static real block_worst(const block *b, real enough)
 {
     strands s = b->s;
     bool is_across = s.across == 1;
     int links = s.particles - 1, side = is_across ? b->lanes : links;
     int steps = is_across ? links : b->lanes;
-    real rest2 = s.rest_length * s.rest_length, most = 0;
+    real rest2 = s.rest_length * s.rest_length;
     real worst[LANES] = { 0 }, sum[LANES] = { 0 };
-    if (side < LANES) return HUGE_VAL;
-    for (int k = 0; k < steps; k++)
+    if (!is_across && side < LANES) return HUGE_VAL;
+    for (int k = 0; k < steps; k++) {
+        if (k % PEEK == 1 && largest(worst) > enough) return HUGE_VAL;
         for (int q = 0; q < side; q += LANES) {
             int i = (q < side - LANES ? q : side - LANES)
                   + k * (is_across ? s.along : s.across);
             look_at_links(places_from(b->scratch->now, b->start + i), s.along,
                           rest2, worst, sum);
         }
-    for (int l = 0; l < LANES; l++) {
-        if (!(sum[l] < HUGE_VAL)) return HUGE_VAL;
-        most = worst[l] > most ? worst[l] : most;
     }
-    return most / 2;
+    for (int l = 0; l < LANES; l++)
+        if (!(sum[l] < HUGE_VAL)) return HUGE_VAL;
+    return largest(worst);
 }
 
 static bool is_good(const block *b, real tolerance, line_result *r)
 {
-    real worst = block_worst(b) / (b->s.rest_length * b->s.rest_length);
-    if (!(worst <= tolerance)) return false;
-    r->worst = fmax(r->worst, worst);
+    real rest2 = b->s.rest_length * b->s.rest_length;
+    real enough = 2 * tolerance * rest2, worst = block_worst(b, enough);
+    if (!(worst <= enough)) return false;
+    r->worst = fmax(r->worst, worst / (2 * rest2));
     return true;
 }
 //<
@@ -841,7 +885,6 @@ static void solve(block b, const particle *p, int steps, relax_options options,
                   line_result *r)
 {
     assert(b.s.particles <= b.scratch->particles);
-    b.lanes = b.s.lines < LANES ? 1 : LANES;
     for (int first = 0; first < b.s.lines; first += b.lanes) {
         block_begin(&b, first);
         if (b.may_skip && is_good(&b, options.tolerance, r)) continue;
@@ -895,9 +938,9 @@ static void mark(const shape *s, line_scratch *scratch, int i)
     for (int d = 0; d < shape_directions(s); d++) {
         strands x = shape_strands(s, d);
         int line = i / x.across % x.lines, k = i / x.along % x.particles;
-        int lanes = x.lines < LANES ? 1 : LANES;
-        int last = (x.lines - 1) / lanes;
-        scratch->held[d][line / lanes * x.particles + k] = 1;
+        int last = block_number(x, x.lines - 1);
+        int lanes = lanes_for(x.lines, last * LANES);
+        scratch->held[d][block_number(x, line) * x.particles + k] = 1;
         if (line >= x.lines - lanes)
             scratch->held[d][last * x.particles + k] = 1;
     }
@@ -939,11 +982,12 @@ static void hold_begin(const shape *s, line_scratch *scratch,
 }
 
 // p: as they were before.
-static void hold_end(const shape *s, const line_scratch *scratch,
-                     const particle *p, line_hold *hold)
+static void hold_end(const shape *s, line_scratch *scratch, const particle *p,
+                     line_hold *hold)
 {
     for (int i = 0; i < s->particles; i++) {
         if (hold[i].state == LINE_FREE) continue;
+        place_set(scratch->hold, i, (vec3){ 0, 0, 0 });
         vec3 d = vec3_sub(place_get(scratch->now, i), p[i].position);
         real into = vec3_dot(d, hold[i].normal);
         bool sticks = hold[i].state == LINE_STICKS;
@@ -983,6 +1027,110 @@ static void forget_pulls(const shape *s, line_scratch *scratch)
 }
 //<
 
+//> line-taut
+// How a line has pulled, link after link, each `lanes` numbers from the last.
+static real *drawn_of(const line_scratch *scratch, strands x, int d, int line,
+                      int *lanes)
+{
+    int first = x.lines < LANES ? line : line / LANES * LANES;
+    *lanes = lanes_for(x.lines, first);
+    int begin = int_min(first, x.lines - *lanes);
+    return scratch->drawn[d] + first * x.particles + line - begin;
+}
+
+// Is a link of the line so taut, if it joins the lightest particles of all?
+static bool may_be_taut(strands x, int d, const line_hold *hold, real most)
+{
+    real hardest = 0;
+    for (int k = 0; k + 1 < x.particles; k++) {
+        real push = hold[k * x.along].push[d];
+        hardest = push > hardest ? push : hardest;
+    }
+    return hardest > most * x.rest_length && hardest < HUGE_VAL;
+}
+
+// By how much each link, as it was a substep ago, is tauter than an explicit
+// step bears.
+static void find_stiffness(const shape *s, int d, const particle *p,
+                           const line_hold *hold, real *stiffness)
+{
+    strands x = shape_strands(s, d);
+    for (int k = 0; k + 1 < x.particles; k++) {
+        const particle *a = p + k * x.along, *b = a + x.along;
+        real w = real_max(a->inverse_mass, b->inverse_mass), more = 0;
+        real length = vec3_distance(a->previous, b->previous);
+        if (w > 0 && length > 0)
+            more = hold[k * x.along].push[d] / length
+                 - taut_most(w, shape_directions(s));
+        stiffness[k] = real_max(more, 0);
+    }
+}
+
+// What it has pulled then is known to the links, as if they had done it.
+static void step_string(const shape *s, const line_scratch *scratch, int d,
+                        int line, const particle *p, const line_hold *hold)
+{
+    strands x = shape_strands(s, d);
+    int first = line * x.across, lanes;
+    places at = places_from(scratch->now, first);
+    real *drawn = drawn_of(scratch, x, d, line, &lanes);
+    real *stiffness = scratch->link;
+    find_stiffness(s, d, p + first, hold + first, stiffness);
+    taut_step((taut_string){ x.particles, x.along, at.x, at.y, at.z, at.weight,
+                             stiffness }, stiffness + x.particles);
+    for (int k = 0; k + 1 < x.particles; k++)
+        drawn[k * lanes] = stiffness[k]
+                         * vec3_length(lane_link(at, x.along, k * x.along));
+}
+
+// As the links do, a string moves what slides by only a share into what it
+// touches.
+static void hold_strings(const shape *s, const line_scratch *scratch,
+                         const particle *p, const line_hold *hold)
+{
+    for (int i = 0; i < s->particles; i++) {
+        if (hold[i].state != LINE_SLIDES) continue;
+        vec3 at = place_get(scratch->now, i);
+        real into = vec3_dot(vec3_sub(at, p[i].position), hold[i].normal);
+        if (into < 0)
+            place_set(scratch->now, i, vec3_add_scaled(
+                at, (GIVE - 1) * into, hold[i].normal));
+    }
+}
+
+static void step_strings(const shape *s, const line_scratch *scratch,
+                         const particle *p, const line_hold *hold)
+{
+    bool is_any = false;
+    if (!(scratch->lightest > 0)) return;
+    real most = taut_most(scratch->lightest, shape_directions(s));
+    for (int d = 0; d < shape_directions(s); d++) {
+        strands x = shape_strands(s, d);
+        for (int line = 0; line < x.lines; line++) {
+            if (!may_be_taut(x, d, hold + line * x.across, most)) continue;
+            step_string(s, scratch, d, line, p, hold);
+            is_any = true;
+        }
+    }
+    if (is_any) hold_strings(s, scratch, p, hold);
+}
+
+static void remember_strings(const shape *s, const line_scratch *scratch,
+                             line_hold *hold)
+{
+    for (int d = 0; d < shape_directions(s); d++) {
+        strands x = shape_strands(s, d);
+        for (int line = 0; line < x.lines; line++) {
+            int lanes;
+            const real *drawn = drawn_of(scratch, x, d, line, &lanes);
+            line_hold *first = hold + line * x.across;
+            for (int k = 0; k + 1 < x.particles; k++)
+                first[k * x.along].push[d] = drawn[k * lanes];
+        }
+    }
+}
+//<
+
 //> line-relax
 line_result line_solve(strands s, particle *p, int steps,
                        relax_options options, line_scratch *scratch)
@@ -1013,9 +1161,11 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
     int most = directions > 1 || hold ? sweeps : 1;
     if (give > 0) options.gradient = GRADIENT_NEW;
     int is_new = options.gradient == GRADIENT_NEW;
+    bool is_drawn = give > 0 || (hold && directions == 1);
     gather_all(scratch, p, s->particles, options);
     if (hold) hold_begin(s, scratch, hold);
-    if (give > 0) forget_pulls(s, scratch);
+    if (is_drawn) forget_pulls(s, scratch);
+    if (is_drawn && hold) step_strings(s, scratch, p, hold);
     do {
         real more = is_new && directions > 1 && done + 1 < most ? MORE : 1;
         r.worst = 0;
@@ -1023,11 +1173,13 @@ line_result lines_relax(const shape *s, particle *p, int sweeps,
                     .may_skip = directions > 1 && done > 0 && !(give > 0) };
         for (b.direction = 0; b.direction < directions; b.direction++) {
             b.s = shape_strands(s, b.direction);
+            b.drawn = is_drawn ? scratch->drawn[b.direction] : NULL;
             b.give = give * b.s.rest_length / shape_width(s, b.direction);
             solve(b, p, 1, options, &r);
         }
     } while (++done < most && !(r.worst <= options.tolerance));
     if (hold) hold_end(s, scratch, p, hold);
+    if (is_drawn && hold) remember_strings(s, scratch, hold);
     scatter(scratch->now, p, s->particles);
     r.steps = done;
     return r;

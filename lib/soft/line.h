@@ -29,6 +29,8 @@ typedef struct {
     vec3 normal;        // unit, out of what it touches
     vec3 pull;          // m, how far the strands would have moved it, free
     vec3 crept;         // m, how far it is from where it stuck
+    real push[2];       // kg m, T h^2 of the links that begin at it, one in
+                        // each direction, in the last substep; or 0
 } line_hold;
 
 // Memory for lines: one for each thread that solves.
@@ -90,7 +92,9 @@ line_result line_solve(strands s, particle *p, int steps,
 // side by side, are left.
 // (A lost line goes back to where it was before them all.)
 // hold: [particles], or NULL: nothing is touched; writes the pull of all that
-// are not LINE_FREE.
+// are not LINE_FREE, and the pushes of ropes and of strands that give.  A strand
+// that pushed too hard for an explicit step is stepped as a string first
+// (taut.h).
 // give: compliance / h^2 in a substep of h (s).  0: the links keep their
 // length.  Else each ends as long as what it then pulls stretches it, which is
 // Euler's implicit step, always along the new gradient; an error is what is

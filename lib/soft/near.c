@@ -172,16 +172,6 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
 //<
 
 //> near-facets
-void facet_corners(const body *b, int k, int end[FACET])
-{
-    const shape *s = b->shape;
-    bool is_face = s->mesh.faces > 0;
-    const int *v = is_face ? &s->face[FACET * k] : NULL;
-    end[0] = b->first + (is_face ? v[0] : s->stick[k].a);
-    end[1] = b->first + (is_face ? v[1] : s->stick[k].b);
-    end[2] = b->first + (is_face ? v[2] : s->stick[k].b);
-}
-
 // A particle keeps 0.55 of a spacing from a face, and a cell's diagonal over a
 // right-angled edge 0.05: that much, and some more, facets keep from all.  What
 // is about as thin as a cell may be sharp, too, and be through in a substep: it
@@ -272,8 +262,8 @@ static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
         int end[FACET];
         facet_corners(soft, k, end);
         const int *ahead = l->ahead;
-        if (int_max(ahead[end[0]], int_max(ahead[end[1]], ahead[end[2]]))
-            == OVER_NOTHING || !may_meet(l, v, end, reach)) continue;
+        int all = ahead[end[0]] & ahead[end[1]] & ahead[end[2]];
+        if (all == OVER_NOTHING || !may_meet(l, v, end, reach)) continue;
         if (room_for(l, 1, l->facet_capacity - l->facet.count) < 1) continue;
         facet_pair pair = { .soft = a, .rigid = b, .number = k };
         pair.between = known_plane(&l->facets_before, &pair);
@@ -307,13 +297,17 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
     real far = f->now[b].radius + wide;
     vec3 center = soft_rigid_frame(f, b).center;
     bool is_ready = false;
+    int ahead = 0;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
         vec3 x = l->at[i];
         l->ahead[i] = OVER_NOTHING;
         if (vec3_length_squared(vec3_sub(x, center)) > far * far) continue;
         if (!is_ready) rigid_view_look(v, f, b);
         is_ready = true;
-        int ahead = hull_ahead(x, v->plane, v->hull.planes);
+        // Most that are far are in front of the plane that the last one was.
+        if (v->hull.planes > 0 && plane_height(v->plane[ahead], x) > wide)
+            continue;
+        ahead = hull_ahead(x, v->plane, v->hull.planes);
         real up = plane_height(obstacle_plane(&v->hull, x, ahead), x);
         if (up > wide) continue;
         l->ahead[i] = 2 * ahead;

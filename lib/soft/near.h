@@ -171,7 +171,15 @@ rigid_frame soft_rigid_frame(const soft_frame *f, int b);
 void rigid_view_look(rigid_view *v, const soft_frame *f, int b);
 
 // The particles of facet k of b: a link says its last one twice.
-void facet_corners(const body *b, int k, int end[FACET]);
+static inline void facet_corners(const body *b, int k, int end[FACET])
+{
+    const shape *s = b->shape;
+    bool is_face = s->mesh.faces > 0;
+    const int *v = is_face ? &s->face[FACET * k] : NULL;
+    end[0] = b->first + (is_face ? v[0] : s->stick[k].a);
+    end[1] = b->first + (is_face ? v[1] : s->stick[k].b);
+    end[2] = b->first + (is_face ? v[2] : s->stick[k].b);
+}
 
 // m, how far particles of `soft` are kept from the surface of `rigid`.
 real soft_gap(const body *soft, const body *rigid);

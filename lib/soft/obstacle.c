@@ -68,12 +68,40 @@ static bool stands_over(const obstacle *b, vec3 x, int k)
 }
 //<
 
+//> obstacle-over-edge
+// Two planes that meet at less than a thousandth of a radian have no edge that
+// rounding could tell.
+static const real SHARP = 1e-6;
+
+// Of the planes that the foot of x on plane k is in front of, the foremost is
+// the face beyond an edge, if one is.  The point of that edge under x is x less
+// a times the one normal and b times the other.  If it is on the body, and a and
+// b are positive, none is nearer: all of the body is behind the plane through it
+// at right angles to the way to x.
+static bool stands_over_edge(const obstacle *b, vec3 x, int k,
+                             surface_point *out)
+{
+    plane p = b->plane[k];
+    plane q = b->plane[hull_ahead(under(b, x, k).at, b->plane, b->planes)];
+    real up = plane_height(p, x), beyond = plane_height(q, x);
+    real both = vec3_dot(p.normal, q.normal), sine2 = 1 - both * both;
+    real of_p = up - both * beyond, of_q = beyond - both * up;
+    if (!(sine2 > SHARP && of_p > 0 && of_q > 0)) return false;
+    vec3 way = vec3_add_scaled(vec3_scale(of_p / sine2, p.normal),
+                               of_q / sine2, q.normal);
+    *out = (surface_point){ vec3_sub(x, way), vec3_unit(way) };
+    return is_inside(b, out->at);
+}
+//<
+
 //> obstacle-edge
-// Outside, over no face: an edge or a corner is nearest.  The query of two
-// bodies finds it, one of them being a point.
-static bool nearest_on_edge(const obstacle *b, vec3 x, real reach,
+// Over no face: an edge or a corner is nearest.  Of a corner, or an edge that is
+// not seen at once, the query of two bodies finds it, one of them being a point.
+static bool nearest_on_edge(const obstacle *b, vec3 x, int ahead, real reach,
                             surface_point *out)
 {
+    if (stands_over_edge(b, x, ahead, out))
+        return vec3_dot(vec3_sub(x, out->at), out->normal) <= reach;
     hull point = { &x, 1 };
     gjk_result g = gjk_distance(point, b->vertices, reach, NULL);
     if (g.status != GJK_APART || g.distance > reach) return false;
@@ -134,7 +162,7 @@ bool obstacle_nearest(const obstacle *b, vec3 x, int ahead, real reach,
         real up = plane_height(b->plane[ahead], x);
         if (!(up <= reach)) return false;
         if (up > 0 && !stands_over(b, x, ahead))
-            return nearest_on_edge(b, x, reach, out);
+            return nearest_on_edge(b, x, ahead, reach, out);
     }
     *out = under(b, x, ahead);
     return true;

@@ -51,6 +51,8 @@ static void forget_holds(const soft_frame *f, const body *b)
         line_hold *h = &f->hold[i];
         if (h->state == LINE_FREE) h->pull = h->crept = (vec3){ 0, 0, 0 };
         h->pull = vec3_scale(times, h->pull);
+        h->push[0] *= times;
+        h->push[1] *= times;
         h->state = LINE_FREE;
     }
 }
@@ -241,9 +243,10 @@ static bool is_stretched(const shape *s, const particle *p)
     for (int k = 0; k < shape_links(s); k++) {
         const stick *link = &s->stick[k];
         vec3 across = vec3_sub(p[link->b].position, p[link->a].position);
-        real times = vec3_length_squared(across)
-                   / (link->rest_length * link->rest_length);
-        if (!(times >= 0.99 * 0.99 && times <= 1.01 * 1.01)) return true;
+        real rest2 = link->rest_length * link->rest_length;
+        real now = vec3_length_squared(across);
+        if (!(now >= 0.99 * 0.99 * rest2 && now <= 1.01 * 1.01 * rest2))
+            return true;
     }
     return false;
 }

@@ -277,11 +277,10 @@ static bool part(const touch *x, answering who)
 }
 
 static bool touch_body(const rigid_view *v, const soft_frame *f,
-                       point_pair pair, real apart, answering who)
+                       point_pair pair, real apart, material m, answering who)
 {
     particle *p = &f->particle[pair.particle];
     surface_point at;
-    material m = soft_material(f, pair.soft, pair.rigid);
     bool is_fixed = body_is_static(&f->body[pair.rigid]);
     real reach = apart;
     if (is_fixed) reach += vec3_length(f->hold[pair.particle].pull);
@@ -303,6 +302,7 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
     int touching = 0, n = l->points;
     point_pair last = { .soft = -1 };
     real apart = 0;
+    material m = { 0 };
     for (int k = 0; k < n; k++) {
         point_pair pair = l->point[is_backward ? n - 1 - k : k];
         if (who == BY_WHOLE && body_is_static(&f->body[pair.rigid])) continue;
@@ -310,9 +310,10 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
             rigid_view_look(v, f, pair.rigid);
             apart = share * soft_gap(&f->body[pair.soft],
                                      &f->body[pair.rigid]);
+            m = soft_material(f, pair.soft, pair.rigid);
         }
         last = pair;
-        touching += touch_body(v, f, pair, apart, who);
+        touching += touch_body(v, f, pair, apart, m, who);
     }
     return touching;
 }
@@ -351,12 +352,15 @@ static int substeps_clear(const soft_frame *f, const facet_view *x, int b,
                           real room)
 {
     const motion_basis *basis = &f->now[b].basis;
+    bool is_static = body_is_static(&f->body[b]);
     real pace = 0;
     for (int k = 0; k < FACET; k++) {
         vec3 arm = vec3_sub(x->end[k], x->frame.center);
-        vec3 way = vec3_scale(f->h, motion_at(basis, &f->velocity[b], arm));
         vec3 went = vec3_sub(x->end[k], f->particle[x->number[k]].previous);
-        real up = vec3_dot(vec3_sub(went, way), x->between.normal);
+        if (!is_static)
+            went = vec3_add_scaled(went, -f->h, motion_at(basis,
+                                                    &f->velocity[b], arm));
+        real up = vec3_dot(went, x->between.normal);
         pace = real_max(pace, -2 * up);
     }
     pace += TRUST_MOST * f->h * f->h * vec3_length(f->gravity);

@@ -2,8 +2,11 @@
 
 #include <check.h>
 #include <math.h>
+#include <string.h>
 
+#include "expect.h"
 #include "hard_drape_set.h"
+#include "hard_springs.h"
 #include "suite.h"
 
 #define ROUNDING 1e-9
@@ -227,6 +230,96 @@ START_TEST(scenes_begin_without_a_fault)
 }
 END_TEST
 
+// A wave runs down from the row that is pinned, and back: the upper links are
+// then twice as long as they hang in the end, when each row carries all below.
+// Rejects: links without a weight to carry, or as stiff as if the sheet were
+// narrower; a diagonal that helps them.
+START_TEST(sheet_of_springs_swings_to_twice_its_stretch)
+{
+    enum { N = 10 };
+    const real GIVE = 0.01;     // m/N
+    shape *cloth = &s.plan[s.plans++];
+    placement p = placement_at(vec3_make(0, 0, 0));
+    p.x = vec3_make(0, 1, 0);
+    p.y = vec3_make(-1, 0, 0);
+    s.ok = shape_cloth(cloth, N, N, 1, 1, 1, 0.2);
+    int b = add_body(&s, cloth, p);
+    for (int i = 0; s.ok.ok && i < N * N; i++)
+        if (s.w.pool.at[i].position.y > 0.499) world_pin(&s.w, b, i);
+    s.ok = world_stretch(&s.w, b, GIVE);
+    s.w.options.gravity = vec3_make(0, -9.81, 0);
+    ck_assert_msg(setting_begin(&s).ok, "%s", s.ok.why);
+    real hangs = 0.9 * 9.81 * GIVE;
+    near_relative(springs_strain(&s.w, 0, 1), 2 * hangs, 0.06);
+}
+END_TEST
+
+static const drape *row_of(const char *name)
+{
+    const drape *d = drape_table;
+    while (d->name && strcmp(d->name, name) != 0) d++;
+    ck_assert_msg(d->name != NULL, "no %s", name);
+    return d;
+}
+
+// In short substeps the library and the springs find the same, to what chance
+// leaves.  N/m: diagonals as in those substeps.
+START_TEST(springs_find_what_short_substeps_find)
+{
+    const char *name[] = { "cubes, corners", "cubes, rim" };
+    for (int k = 0; k < 2; k++) {
+        drape d = *row_of(name[k]);
+        setting x;
+        d.n = 8;
+        drape_build(&x, &d, 1);
+        ck_assert_msg(x.ok.ok, "%s", x.ok.why);
+        real h = 1.0 / 60 / 109, shear = 0.25 / (2 * d.n * d.n * h * h);
+        real springs = springs_strain(&x.w, shear, 1.2);
+        x.w.options.substeps = 100;
+        x.w.options.most_substeps = 1000;
+        verdict now = { .strain = 0 };
+        ck_assert(judge_watch(&x.w, (watch_plan){ 72, -HUGE_VAL, 0 }, &now));
+        near_relative(now.strain, springs, 0.25);
+        setting_free(&x);
+    }
+}
+END_TEST
+
+// Rejects: an error that is all of the strain, that of the last run, or that of
+// one run beside the springs of another; springs for what is to hold its length.
+START_TEST(strain_is_judged_beside_that_of_springs)
+{
+    drape d = *row_of("cubes, rim");
+    d.n = 8;
+    d.frames = 60;
+    real most = 0;
+    v.strain = 0.5;     // of a run before
+    for (int start = 1; start <= 2; start++) {
+        setting x;
+        verdict one = { .strain = 0 };
+        drape_build(&x, &d, start);
+        ck_assert(drape_watch(&d, &x.w, &one));
+        ck_assert(one.must > 0);
+        ck_assert(one.off == fabs(one.strain - one.must));
+        most = fmax(most, one.off);
+        setting_free(&x);
+        drape_build(&x, &d, start);
+        ck_assert(drape_watch(&d, &x.w, &v));
+        setting_free(&x);
+    }
+    ck_assert(v.off == most && v.strain == 0.5 && v.runs == 2);
+
+    verdict cube = { .strain = 0 };
+    setting x;
+    d = *row_of("cube");
+    d.frames = 30;
+    drape_build(&x, &d, 1);
+    ck_assert(drape_watch(&d, &x.w, &cube));
+    ck_assert(cube.must == 0 && cube.strain > 0 && cube.off == cube.strain);
+    setting_free(&x);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -241,6 +334,9 @@ int main(void)
         calmed_sheet_is_slow,
         worst_frame_is_not_forgotten,
         scenes_begin_without_a_fault,
+        sheet_of_springs_swings_to_twice_its_stretch,
+        springs_find_what_short_substeps_find,
+        strain_is_judged_beside_that_of_springs,
         NULL
     };
     return suite_run((suite){

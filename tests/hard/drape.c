@@ -1,10 +1,12 @@
 // drape.c - cloth and rope, scene by scene: a line of numbers each.
 //
-//     build/drape [--starts K] [--from N] [--up-to N] [SCENE ...]
+//     build/drape [--starts K] [--from N] [--up-to N] [--substeps N]
+//                 [--compliance C] [SCENE ...]
 //
 // SCENE: the beginning of a name, or the number of a case.  K perturbed starts,
 // else as many as the scene has; 0: the scene as it is.  A number that exceeds
-// its target has an asterisk.  Counts are the most in any frame.
+// its target has an asterisk.  Counts are the most in any frame.  N substeps a
+// frame, whatever the cloth asks for; links of cloth that give by C (m/N).
 
 #include "hard.h"
 #include "hard_drape_set.h"
@@ -15,7 +17,8 @@
 #include <string.h>
 
 typedef struct {
-    int  starts, least, largest, names;
+    int  starts, least, largest, substeps, names;
+    real compliance;            // m/N; < 0: the scene's own
     char **name;
 } options;
 
@@ -62,17 +65,26 @@ static void print_row(const drape *d, const verdict *v)
     fflush(stdout);
 }
 
-static int run_row(const drape *d, int starts)
+static void alter(setting *s, const options *o)
+{
+    world *w = &s->w;
+    if (o->substeps > 0) w->options.substeps = w->options.most_substeps = o->substeps;
+    for (int b = 0; b < w->bodies && s->ok.ok && o->compliance >= 0; b++)
+        if (w->body[b].shape->kind == SHAPE_CLOTH) s->ok = world_stretch(w, b, o->compliance);
+}
+
+static int run_row(const drape *d, const options *o)
 {
     verdict v = { .strain = 0 };
-    int ok = 1;
+    int ok = 1, starts = o->starts >= 0 ? o->starts : d->starts;
     for (int k = 0; k < (starts > 0 ? starts : 1) && ok; k++) {
         setting s;
         drape_build(&s, d, starts > 0 ? k + 1 : 0);
+        alter(&s, o);
         ok = s.ok.ok;
         if (!ok) fprintf(stderr, "drape: %s: %s\n", d->name, s.ok.why);
         else
-            ok = judge_watch(&s.w, drape_plan(d), &v);
+            ok = drape_watch(d, &s.w, &v);
         setting_free(&s);
     }
     if (ok) print_row(d, &v);
@@ -81,18 +93,20 @@ static int run_row(const drape *d, int starts)
 
 int main(int count, char **word)
 {
-    options o = { .starts = -1 };
+    options o = { .starts = -1, .compliance = -1 };
     int k = 1, ok = 1;
     for (; k + 1 < count && strncmp(word[k], "--", 2) == 0; k += 2) {
         if (strcmp(word[k], "--starts") == 0) o.starts = atoi(word[k + 1]);
         else if (strcmp(word[k], "--from") == 0) o.least = atoi(word[k + 1]);
         else if (strcmp(word[k], "--up-to") == 0)
             o.largest = atoi(word[k + 1]);
+        else if (strcmp(word[k], "--substeps") == 0) o.substeps = atoi(word[k + 1]);
+        else if (strcmp(word[k], "--compliance") == 0) o.compliance = atof(word[k + 1]);
         else break;
     }
     if (k < count && word[k][0] == '-') {
         fprintf(stderr, "usage: drape [--starts K] [--from N] [--up-to N] "
-                        "[SCENE ...]\n");
+                        "[--substeps N] [--compliance C] [SCENE ...]\n");
         return 2;
     }
     o.names = count - k;
@@ -100,6 +114,6 @@ int main(int count, char **word)
     print_head();
     for (const drape *d = drape_table; d->name; d++)
         if (is_wanted(&o, d))
-            ok &= run_row(d, o.starts >= 0 ? o.starts : d->starts);
+            ok &= run_row(d, &o);
     return !ok;
 }

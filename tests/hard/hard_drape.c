@@ -42,7 +42,7 @@ static verdict run_row(hard_report *r, const drape *d, int fast)
         setting s;
         drape_build(&s, d, k);
         if (hard_ok(r, s.ok))
-            if (!judge_watch(&s.w, drape_plan(d), &v))
+            if (!drape_watch(d, &s.w, &v))
                 hard_ok(r, status_out_of_memory());
         setting_free(&s);
     }
@@ -62,6 +62,12 @@ static void run_case(hard_report *r, int number, int fast)
                       "%.2f ms, at most %.0f; substeps %.1f", d->name, d->n,
                       v.strain, v.end, 1e3 * v.mean, 1e3 * v.slowest,
                       v.substeps);
+        if (v.must > 0)
+            hard_note(r, "springs beside %s, %d: strained by %.4f", d->name,
+                      d->n, v.must);
+        if (v.must > 0)
+            hard_note(r, "off the springs, %s, %d: at most by %.4f", d->name,
+                      d->n, v.off);
         if (number != 27 || sizes == ROWS) continue;
         particles[sizes] = (real)d->n * d->n;
         seconds[sizes++] = v.mean;

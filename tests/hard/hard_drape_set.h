@@ -53,6 +53,10 @@ extern const drape drape_table[];
 // How a row is watched, see hard_judge.h.
 watch_plan drape_plan(const drape *d);
 
+// The same as judge_watch, for a world that drape_build has just made; and says
+// by how much the cloth must be stretched (hard_springs.h).
+bool drape_watch(const drape *d, world *w, verdict *v);
+
 // The world of a row, begun; start 0: as it is; 1, 2, ...: perturbed, each in
 // its own way.
 void drape_build(setting *s, const drape *d, int start);

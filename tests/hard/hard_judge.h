@@ -13,6 +13,9 @@
 // What was found at worst, over all frames of all runs that were watched.
 typedef struct {
     real strain;        // of a stick that is to hold, in any frame
+    real must;          // what springs, pulled as hard, are stretched by; 0:
+                        // it must not be strained
+    real off;           // between the two, in one run
     real end;           // in the last frame
     real rest;          // in the last second
     long crossings;     // pairs of triangles, most in a frame

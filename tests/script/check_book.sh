@@ -28,6 +28,9 @@ for name in $(grep -oh '`[a-z0-9]*_[a-z0-9]*_[a-z0-9_]*`' chapters/*.md README.m
         failed=1
     }
 done
+# A table goes on from row to row: what a blank line cuts off is no table.
+awk '!/^\|/ { rows = 0 } /^\|/ && ++rows == 2 && !/^\|[-:| ]*$/ { print FILENAME ": a table without a head, at line " FNR; bad = 1 }
+     END { exit bad }' chapters/[0-9]*.md README.md || failed=1
 sh figures/draw/stamp.sh || failed=1
 awk -f chapters/sources.awk chapters/23-words.md chapters/[0-9]*.md || failed=1
 

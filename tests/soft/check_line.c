@@ -669,6 +669,159 @@ START_TEST(taut_rope_is_a_string_that_swings_sideways)
 }
 END_TEST
 
+// --------------------------------------------------------------- strings
+
+static line_hold hold_of(line_state state, vec3 normal)
+{
+    return (line_hold){ state, vec3_scale(1 / vec3_length(normal), normal),
+                        NOTHING, NOTHING, { 0, 0 } };
+}
+
+// The same rope, but it remembers how it pulled, and is stepped as a string
+// where that is too much.  Its links may give.  At the end the load hangs where
+// it should, and the links pull as they should.  Returns how far it is aside.
+static real string_after(real share, int old, real give)
+{
+    lay_rope(20, 1);
+    line_hold free_of_all[21] = { { .state = LINE_FREE } };
+    real pull = 1000 * 9.81, h2 = share * (1 / 20.0) / pull, worst = 0;
+    for (int i = 0; i <= 20; i++) {
+        vec3 x = vec3_make(i % 2 ? 1e-9 : 0, -i / 20.0, 0);
+        p[i] = (particle){ x, x, i > 0 };
+    }
+    p[20].inverse_mass = 1e-3;
+    for (int k = 0; k < 400; k++) {
+        verlet_step(p, 21, GRAVITY, NULL, sqrt(h2));
+        lines_relax(&plan, p, 2, along(old), free_of_all, give, scratch);
+    }
+    for (int i = 0; i <= 20; i++) worst = fmax(worst, fabs(p[i].position.x));
+    near(p[20].position.y, -1 - give / 20 * h2 * 9.81 * 20190, 1e-9, "load");
+    near_relative(free_of_all[10].push[0],
+                  h2 * 9.81 * 1009, 1e-9, "pull");
+    tear_down();
+    return worst;
+}
+
+// Rejects: strands that are not stepped as strings, or forget how they pulled.
+START_TEST(taut_strands_do_not_shake)
+{
+    static const real share[5] = { 0.2, 0.9, 1.1, 10, 1000 };
+    for (int k = 0; k < 5; k++) {
+        expect_below(string_after(share[k], 0, 0), 1e-9, "new");
+        expect_below(string_after(share[k], 1, 0), 1e-8, "old");
+        expect_below(string_after(share[k], 0, 1e-4), 1e-9, "gives");
+    }
+}
+END_TEST
+
+// As disturbed_rope_holds_any_load, with the substeps that were too few there.
+START_TEST(disturbed_string_holds_any_load_at_any_step)
+{
+    line_hold free_of_all[51] = { { .state = LINE_FREE } };
+    real worst = 0;
+    hang(10000, 0.002);
+    for (int k = 0; k < 180 * 8; k++) {
+        verlet_step(p, plan.particles, GRAVITY, NULL, 1.0 / 480);
+        lines_relax(&plan, p, 3, along(0), free_of_all, 0, scratch);
+        if (k >= 120 * 8) worst = fmax(worst, strain_of(strand));
+    }
+    printf("line: disturbed string, load 10000, 8 substeps: strain %.2g\n",
+           worst);
+    expect_below(worst, 1e-8, "strain");
+    tear_down();
+}
+END_TEST
+
+// Each link that gives is as much too long as it pushes.
+static void expect_pushes(const line_hold *hold, real give)
+{
+    for (int d = 0; d < shape_directions(&plan); d++) {
+        strands s = strand[d];
+        real of_link = give * s.rest_length / shape_width(&plan, d);
+        for (int i = 0; i < s.lines * (s.particles - 1); i++) {
+            int a = i % s.lines * s.across + i / s.lines * s.along;
+            real length = vec3_distance(p[a].position,
+                                        p[a + s.along].position);
+            near(of_link * hold[a].push[d], length - s.rest_length, 1e-9,
+                 "push");
+        }
+    }
+}
+
+// Rejects: a push without its counterpart, where a string hands its pulls over
+// to the links; lanes that take, or remember, those of another line.
+START_TEST(taut_strands_keep_momentum)
+{
+    static const int size[4][2] = { { 30, 1 }, { 16, 24 }, { 19, 21 },
+                                    { 13, 12 } };
+    for (int round = 0; round < 8; round++) {
+        const int *n = size[round % 4];
+        line_hold hold[900] = { { .state = LINE_FREE } };
+        vec3 sum = NOTHING;
+        if (n[1] == 1) lay_rope(n[0], n[0]);
+        else           lay_cloth(n[0], n[1]);
+        disturb(1e-2);
+        remember();
+        for (int i = 0; i < plan.particles; i++)
+            for (int d = 0; d < 2; d++)
+                hold[i].push[d] = random_between(&seed, -1, 5)
+                                / p[i].inverse_mass;
+        real give = (round < 4 ? 1 : 0.1) * p[0].inverse_mass;
+        lines_relax(&plan, p, 300, along(0), hold, give, scratch);
+        for (int i = 0; i < plan.particles; i++)
+            sum = vec3_add(sum, vec3_scale(1 / p[i].inverse_mass,
+                                           vec3_sub(p[i].position,
+                                                    q[i].position)));
+        near_vec3(sum, NOTHING, 1e-10, "momentum");
+        expect_pushes(hold, give);
+        tear_down();
+    }
+}
+END_TEST
+
+// Rejects: strings where the links alone do.
+START_TEST(what_hangs_loosely_is_no_string)
+{
+    for (int old = 0; old < 2; old++) {
+        line_hold loose[31] = { { .state = LINE_FREE } };
+        line_hold slack[31] = { { .state = LINE_FREE } };
+        lay_rope(30, 30);
+        disturb(1e-3);
+        remember();
+        for (int i = 0; i <= 30; i++)
+            loose[i].push[0] = 0.99 / 4 / p[i].inverse_mass;
+        lines_relax(&plan, p, 1, along(old), loose, 0, scratch);
+        lines_relax(&plan, q, 1, along(old), slack, 0, scratch);
+        expect_same_places(p, q, plan.particles);
+        tear_down();
+    }
+}
+END_TEST
+
+// A taut rope of two links lies over something flat, and presses on it where it
+// slides.  Links of 1 m that were half as long at rest.  Rejects: a string that moves
+// what slides further into what it touches than links do.
+START_TEST(string_presses_on_what_it_slides_on)
+{
+    const real give = 2, aside = 1e-4, w = 1;
+    lay_rope(2, 1);
+    for (int i = 0; i < 3; i++)
+        p[i].position = p[i].previous = vec3_make(i - 1, i == 1 ? 0 : -aside, 0);
+    for (int i = 0; i < 3; i++) p[i].inverse_mass = i == 1 ? w : 0;
+    real pull = 0.5 / (0.5 * give), excess = pull - 1 / (4 * w);
+    line_hold hold[3] = { hold_of(LINE_FREE, vec3_make(0, 1, 0)),
+                          hold_of(LINE_SLIDES, vec3_make(0, 1, 0)),
+                          hold_of(LINE_FREE, vec3_make(0, 1, 0)) };
+    for (int i = 0; i < 3; i++) hold[i].push[0] = pull;
+    lines_relax(&plan, p, 4, along(0), hold, give, scratch);
+    real string = 2 * w * excess * aside / (1 + 2 * w * excess);
+    real links = 2 * w / (4 * w) * (aside - 0.3 * string);
+    near_relative(-p[1].position.y, 0.3 * (string + links), 1e-3, "into");
+    near_relative(-hold[1].pull.y, string + links, 1e-3, "pull");
+    tear_down();
+}
+END_TEST
+
 // --------------------------------------------------------------- swinging
 
 static real energy(int n, real h)
@@ -1053,12 +1206,6 @@ END_TEST
 
 // ------------------------------------------------------------- what holds it
 
-static line_hold hold_of(line_state state, vec3 normal)
-{
-    return (line_hold){ state, vec3_scale(1 / vec3_length(normal), normal),
-                        NOTHING, NOTHING };
-}
-
 static void plain_round(const strands *s, const line_hold *hold, int line)
 {
     plain_particle x[40];
@@ -1276,6 +1423,11 @@ int main(void)
         hanging_rope_holds_any_load,
         disturbed_rope_holds_any_load,
         taut_rope_is_a_string_that_swings_sideways,
+        taut_strands_do_not_shake,
+        disturbed_string_holds_any_load_at_any_step,
+        taut_strands_keep_momentum,
+        what_hangs_loosely_is_no_string,
+        string_presses_on_what_it_slides_on,
         swinging_chain_keeps_length_and_energy,
         link_without_length_is_left,
         short_link_is_doubled_at_most,

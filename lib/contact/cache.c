@@ -175,15 +175,19 @@ static void decide_chunk(void *data, int item)
 //<
 
 //> cache-place
-// How far a point of the body can be from where it was when its vertices were
-// placed, about: a corner has coordinates of up to two.
+// As long as bodies only move, all gaps of a contact change alike, and its
+// points stay the deepest.  When a body turns, others become so.  Hence a turn
+// counts six times the way that it carries the corners, whose coordinates are
+// two at most.
+static const real TURN = 12;
+
 static bool has_left(const rigid_frame *was, const rigid_frame *now, real far)
 {
     vec3 way = vec3_sub(now->center, was->center);
     real square = vec3_length_squared(way);
     for (int i = 0; i < FOUR_AXES; i++) {
         vec3 turn = vec3_sub(now->axis[i], was->axis[i]);
-        square += 4 * vec3_length_squared(turn);
+        square += TURN * TURN * vec3_length_squared(turn);
     }
     return !(square <= far * far);
 }

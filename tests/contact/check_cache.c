@@ -375,6 +375,15 @@ START_TEST(bodies_that_stay_are_not_asked_again)
     ck_assert_int_eq(cache.queries, 1);
     update();
     ck_assert_int_eq(cache.queries, 0);
+    // A turn that carries the corners by a fifteenth of that is not asked about,
+    // and by a third it is.
+    real fifteenth = room / 15 / now[box].radius;
+    nudge(box, vec3_make(0, 0, 0), vec3_make(0, fifteenth, 0));
+    update();
+    ck_assert_int_eq(cache.queries, 0);
+    nudge(box, vec3_make(0, 0, 0), vec3_make(0, 4 * fifteenth, 0));
+    update();
+    ck_assert_int_eq(cache.queries, 1);
     nudge(box, vec3_make(0, 0, 0), vec3_make(0, 0.1, 0));
     update();
     ck_assert_int_eq(cache.queries, 1);

@@ -5,8 +5,10 @@
 //
 // SCENE: the beginning of a name, or the number of a case.  K perturbed starts,
 // else as many as the scene has; 0: the scene as it is.  A number that exceeds
-// its target has an asterisk.  Counts are the most in any frame.  N substeps a
-// frame, whatever the cloth asks for; links of cloth that give by C (m/N).
+// its target has an asterisk; the strain of a cloth that must be stretched, if
+// it is further off that of springs.  Counts are the most in any frame.  N
+// substeps a frame, whatever the cloth asks for; links of cloth that give by C
+// (m/N).
 
 #include "hard.h"
 #include "hard_drape_set.h"
@@ -50,7 +52,7 @@ static void print_row(const drape *d, const verdict *v)
 {
     real ratio = v->median > 0 ? v->slowest / v->median : 0;
     printf("%-2d %-17s %3d %2d ", d->hard, d->name, d->n, v->runs);
-    printf("%7.2g%s %7.2g%s %7.2g%s ", v->strain, mark(v->strain, d->strain),
+    printf("%7.2g%s %7.2g%s %7.2g%s ", v->strain, mark(v->off, d->strain),
            v->end, mark(v->end, d->end), v->rest, mark(v->rest, d->rest));
     printf("%4ld%s %4ld%s %4ld%s %4ld%s %6.2f %5d%s ",
            v->crossings, mark((real)v->crossings, 0),

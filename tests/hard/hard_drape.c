@@ -10,7 +10,8 @@ static void add_targets(hard_report *r, const drape *d, const verdict *v,
                         const char *which, int fast)
 {
     if (d->strain < HUGE_VAL)
-        hard_add(r, v->strain, d->strain, "", "strain; %s", which);
+        hard_add(r, v->off, d->strain, "", v->must > 0
+                 ? "strain off springs; %s" : "strain; %s", which);
     if (d->end < HUGE_VAL)
         hard_add(r, v->end, d->end, "", "strain at the end; %s", which);
     if (d->rest < HUGE_VAL)

@@ -263,14 +263,17 @@ static status call_script(const settings *set, const char *program,
                           const char *folder, const char *joblog, int rows)
 {
     char count[24], jobs[24] = "", place[4096];
+    char *rows_of = path_join(folder, "/table");
     const char *slash = strrchr(program, '/');
     int length = slash ? (int)(slash + 1 - program) : 0;
     snprintf(place, sizeof place, "%.*stumble-sweep", length, program);
     snprintf(count, sizeof count, "%d", rows);
     if (set->jobs > 0) snprintf(jobs, sizeof jobs, "%d", set->jobs);
-    execlp(place, place, program, folder, count, joblog,
+    if (!rows_of) return status_out_of_memory();
+    execlp(place, place, "--resume goes on with it", folder, count, joblog,
            set->csv ? set->csv : "", jobs, set->hosts ? set->hosts : "",
-           (char *)NULL);
+           program, "--sweep", rows_of, "--row", (char *)NULL);
+    free(rows_of);
     return status_fail("%.120s: cannot be run: %s", place, strerror(errno));
 }
 

@@ -1,14 +1,19 @@
 #!/bin/sh
-# sweep.sh - runs the rows of a sweep through GNU Parallel, and puts their lines
-# together in the order of the table.  `tumble --sweep` becomes it:
-#   COMMAND FOLDER ROWS JOBLOG CSV JOBS HOSTS      (the last three may be empty)
-# FOLDER holds the table and the head; row 7 writes its line to FOLDER/7.  Hosts
-# must see this folder, that of the call and the command under the same names.
+# sweep.sh - runs the rows of a sweep through GNU Parallel, and puts what they
+# print together in the order of the rows.  `tumble --sweep` becomes it, and `make
+# hard` calls it:
+#   AGAIN FOLDER ROWS JOBLOG CSV JOBS HOSTS COMMAND [WORD ...]
+# `COMMAND WORD ... 7` prints the line of row 7, which begins with 7, and remarks,
+# which begin with #: they go to FOLDER/7, and what it says on stderr to
+# FOLDER/7.err, to be seen at the end.  FOLDER holds the head of the table.
+# AGAIN says how to go on when it was stopped.  CSV, JOBS and HOSTS may be empty.
+# Hosts must see FOLDER, that of the call and the command under the same names.
 
-command=$1 folder=$2 rows=$3 joblog=$4 csv=$5 jobs=$6 hosts=$7
+again=$1 folder=$2 rows=$3 joblog=$4 csv=$5 jobs=$6 hosts=$7
+shift 7
+name=$(basename "$1")
 
-fail() { echo "tumble: $1" >&2; exit "${2:-1}"; }
-again="--resume goes on with it"
+fail() { echo "$name: $1" >&2; exit "${2:-1}"; }
 
 # Another program is called parallel, too.
 parallel --version 2> /dev/null | grep -q '^GNU parallel' ||
@@ -24,10 +29,9 @@ trap 'stop 143' TERM
 SHELL=/bin/sh PARALLEL_SHELL=/bin/sh
 export SHELL PARALLEL_SHELL
 
-set -- --quote --joblog "$joblog" --resume-failed --results "$folder/{#}"
-[ -z "$jobs" ] || set -- "$@" --jobs "$jobs"
-[ -z "$hosts" ] || set -- "$@" --sshloginfile "$hosts" --workdir "$PWD"
-seq "$rows" | parallel "$@" "$command" --sweep "$folder/table" --row > /dev/null &
+[ -z "$hosts" ] || set -- --sshloginfile "$hosts" --workdir "$PWD" "$@"
+[ -z "$jobs" ] || set -- --jobs "$jobs" "$@"
+seq "$rows" | parallel --quote --joblog "$joblog" --resume-failed --results "$folder/{#}" "$@" > /dev/null &
 wait $! || {
     cat "$folder"/*.err 2> /dev/null | sort -u | head -n 5 >&2
     fail "some rows failed, see the column Exitval of $joblog; $again"
@@ -35,8 +39,9 @@ wait $! || {
 
 # A line a row, each with its number.
 (cd "$folder" && seq "$rows" | xargs cat) > "$folder/lines" &&
-    awk -F , -v rows="$rows" '$1 != NR { exit 1 } END { if (NR != rows) exit 1 }' "$folder/lines" ||
+    awk -F , -v rows="$rows" '!/^#/ && $1 != ++n { exit 1 } END { if (n != rows) exit 1 }' "$folder/lines" ||
     fail "$folder: the lines of the rows are not whole"
+(cd "$folder" && seq "$rows" | sed 's/$/.err/' | xargs cat) >&2
 if [ -n "$csv" ]; then cat "$folder/head" "$folder/lines" > "$csv"
 else cat "$folder/head" "$folder/lines"; fi || fail "the table cannot be written; $again"
 rm -r "$folder"

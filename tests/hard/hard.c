@@ -4,9 +4,12 @@
 //   hard 3 17             some
 //   hard --fast           the short forms, those that make test runs
 //   hard --parts          every number of a case, and its notes, under its line
-//   hard --csv FILE       writes every number to FILE as well
+//   hard --list           numbers and names
+//   hard --head           the head of figures/tables/hard.csv
+//   hard --row 3          what case 3 writes below it; its line goes to stderr
 //
-// Ends with 0 if all hold, 1 if some fall short, 2 if it was not understood.
+// Ends with 0 if all hold, 1 if some fall short, 2 if it was not understood; with
+// --row, 0 if it was run.
 
 #include "hard.h"
 
@@ -20,15 +23,15 @@
 #endif
 
 typedef struct {
-    int fast, parts, some;
+    int fast, parts, some, list, head, row;
     int chosen[HARD_LAST + 1];
-    const char *csv;
 } options;
 
 static int refuse(const char *what, const char *word)
 {
     fprintf(stderr, "hard: %s %s\n"
-            "usage: hard [--fast] [--parts] [--csv FILE] [NUMBER ...]\n",
+            "usage: hard [--fast] [--parts] [NUMBER ...]\n"
+            "       hard --list | --head | --row NUMBER\n",
             what, word);
     return 0;
 }
@@ -49,10 +52,10 @@ static int read_options(options *o, int count, char **word)
     for (int i = 1; i < count; i++) {
         if (strcmp(word[i], "--fast") == 0)       o->fast = 1;
         else if (strcmp(word[i], "--parts") == 0) o->parts = 1;
-        else if (strcmp(word[i], "--csv") == 0) {
-            if (++i == count) return refuse("--csv wants", "a file");
-            o->csv = word[i];
-        } else if (!choose(o, word[i])) return 0;
+        else if (strcmp(word[i], "--list") == 0)  o->list = 1;
+        else if (strcmp(word[i], "--head") == 0)  o->head = 1;
+        else if (strcmp(word[i], "--row") == 0)   o->row = 1;
+        else if (!choose(o, word[i])) return 0;
     }
     return 1;
 }
@@ -62,40 +65,39 @@ static const char *verdict(const hard_part *p)
     return hard_holds(p) ? "holds" : "FALLS SHORT";
 }
 
-static void print_line(const hard_case *c, const hard_report *r,
+static void print_line(FILE *out, const hard_case *c, const hard_report *r,
                        double seconds, int parts)
 {
     const hard_part *w = hard_worst(r);
-    printf("%2d  %-31s %-44s %9.2e %9.2e %-5s %6.2f s  %s\n", c->number,
-           c->name, w->what, w->error, w->target, w->unit, seconds, verdict(w));
+    fprintf(out, "%2d  %-31s %-44s %9.2e %9.2e %-5s %6.2f s  %s\n", c->number,
+            c->name, w->what, w->error, w->target, w->unit, seconds,
+            verdict(w));
     for (int i = 0; parts && i < r->parts; i++) {
         const hard_part *p = &r->part[i];
-        printf("    %-31s %-44s %9.2e %9.2e %-5s %8s  %s\n", "", p->what,
-               p->error, p->target, p->unit, "", verdict(p));
+        fprintf(out, "    %-31s %-44s %9.2e %9.2e %-5s %8s  %s\n", "", p->what,
+                p->error, p->target, p->unit, "", verdict(p));
     }
     for (int i = 0; parts && i < r->notes; i++)
-        printf("    - %s\n", r->note[i]);
-    fflush(stdout);
+        fprintf(out, "    - %s\n", r->note[i]);
+    fflush(out);
 }
 
-// The lines of the table; below them, as comments, every number and note.
-static void write_csv(FILE *file, const hard_case *c, const hard_report *r,
-                      double seconds)
+// The line of the table; below it, as comments, every number and note.
+static void write_row(const hard_case *c, const hard_report *r, double seconds)
 {
     const hard_part *w = hard_worst(r);
-    fprintf(file, "%d,\"%s\",\"%s\",%.2g %s,%.2g %s,%.1f,%s\n", c->number,
-            c->name, w->what, w->error, w->unit, w->target, w->unit, seconds,
-            verdict(w));
+    printf("%d,\"%s\",\"%s\",%.2g %s,%.2g %s,%.1f,%s\n", c->number, c->name,
+           w->what, w->error, w->unit, w->target, w->unit, seconds, verdict(w));
     for (int i = 0; i < r->parts; i++) {
         const hard_part *p = &r->part[i];
-        fprintf(file, "# %d: %s: %.6g %s, target %.6g, %s\n", c->number,
-                p->what, p->error, p->unit, p->target, verdict(p));
+        printf("# %d: %s: %.6g %s, target %.6g, %s\n", c->number, p->what,
+               p->error, p->unit, p->target, verdict(p));
     }
     for (int i = 0; i < r->notes; i++)
-        fprintf(file, "# %d: %s\n", c->number, r->note[i]);
+        printf("# %d: %s\n", c->number, r->note[i]);
 }
 
-static int run_case(const hard_case *c, const options *o, FILE *csv)
+static int run_case(const hard_case *c, const options *o)
 {
     hard_report *r = calloc(1, sizeof *r);
     if (!r) {
@@ -105,47 +107,63 @@ static int run_case(const hard_case *c, const options *o, FILE *csv)
     clock_t start = clock();
     c->run(r, o->fast);
     double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
-    print_line(c, r, seconds, o->parts);
-    if (csv) write_csv(csv, c, r, seconds);
+    print_line(o->row ? stderr : stdout, c, r, seconds, o->parts);
+    if (o->row) write_row(c, r, seconds);
     int holds = hard_holds(hard_worst(r));
     free(r);
     return holds;
 }
 
-static int run_all(const options *o, FILE *csv)
+static int is_chosen(const hard_case *c, const options *o)
+{
+    return c && (!o->some || o->chosen[c->number]) && (!o->fast || c->fast);
+}
+
+static int run_all(const options *o)
 {
     int run = 0, hold = 0;
     printf("    %-31s %-44s %9s %9s\n", "case", "measured (the worst)", "error",
            "target");
     for (int number = 1; number <= HARD_LAST; number++) {
         const hard_case *c = hard_find(number);
-        if (!c || (o->some && !o->chosen[number])) continue;
-        if (o->fast && !c->fast) continue;
+        if (!is_chosen(c, o)) continue;
         run++;
-        hold += run_case(c, o, csv);
+        hold += run_case(c, o);
     }
     printf("%d of %d hold\n", hold, run);
     return hold == run;
+}
+
+static int list_all(void)
+{
+    for (int number = 1; number <= HARD_LAST; number++)
+        if (hard_find(number))
+            printf("%2d  %s\n", number, hard_find(number)->name);
+    return 0;
+}
+
+static int print_head(void)
+{
+    printf("# The hard cases: of each the worst number beside its target\n"
+           "# compiler: %s; flags: %s\n"
+           "number,case,measured,error,target,seconds,verdict\n", __VERSION__,
+           FLAGS);
+    return 0;
+}
+
+static int run_rows(const options *o)
+{
+    for (int number = 1; number <= HARD_LAST; number++)
+        if (o->chosen[number]) run_case(hard_find(number), o);
+    return fflush(stdout) == 0 ? 0 : 2;
 }
 
 int main(int count, char **word)
 {
     options o = { 0 };
     if (!read_options(&o, count, word)) return 2;
-    FILE *csv = o.csv ? fopen(o.csv, "w") : NULL;
-    if (o.csv && !csv) {
-        fprintf(stderr, "hard: cannot write %s\n", o.csv);
-        return 2;
-    }
-    if (csv)
-        fprintf(csv, "# The hard cases: of each the worst number beside its "
-                "target\n# compiler: %s; flags: %s\n"
-                "number,case,measured,error,target,seconds,verdict\n",
-                __VERSION__, FLAGS);
-    int all = run_all(&o, csv);
-    if (csv && fclose(csv) != 0) {
-        fprintf(stderr, "hard: cannot write %s\n", o.csv);
-        return 2;
-    }
-    return all ? 0 : 1;
+    if (o.list) return list_all();
+    if (o.head) return print_head();
+    if (o.row)  return run_rows(&o);
+    return run_all(&o) ? 0 : 1;
 }

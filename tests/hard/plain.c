@@ -5,7 +5,9 @@
 // the engine's own experiment is run; elsewhere a shorter one of the same kind.
 //
 //   hard-plain                  all of them
-//   hard-plain --csv FILE       writes the lines to FILE as well
+//   hard-plain --list           numbers and names
+//   hard-plain --head           the head of figures/tables/hard-plain.csv
+//   hard-plain --row 3          what case 3 writes below it; its line: to stderr
 
 #include "hard.h"
 #include "hard_set.h"
@@ -542,32 +544,51 @@ static void print(FILE *out, const hard_case *c, const hard_report *r, int csv)
     fflush(out);
 }
 
+static int run_case(const hard_case *c, int is_row)
+{
+    hard_report *r = calloc(1, sizeof *r);
+    if (!c || !r) exit(2);
+    if (experiment[c->number]) experiment[c->number](r);
+    else                       c->run(r, 1);
+    int holds = hard_holds(hard_worst(r));
+    print(is_row ? stderr : stdout, c, r, 0);
+    if (is_row) print(stdout, c, r, 1);
+    free(r);
+    return holds;
+}
+
+static int run_all(void)
+{
+    int hold = 0;
+    for (int number = 1; number <= PLAIN_LAST; number++)
+        hold += run_case(hard_find(number), 0);
+    printf("%d of %d hold on the paper's system\n", hold, PLAIN_LAST);
+    return 0;
+}
+
+static int list_all(void)
+{
+    for (int number = 1; number <= PLAIN_LAST; number++)
+        printf("%2d  %s\n", number, hard_find(number)->name);
+    return 0;
+}
+
+static int print_head(void)
+{
+    printf("# The hard cases once on the paper's system, mended: of each the "
+           "worst number beside the engine's target\n"
+           "number,case,measured,error,target,verdict\n");
+    return 0;
+}
+
 int main(int count, char **word)
 {
-    FILE *csv = NULL;
-    int run_so_far = 0, hold = 0;
-    if (count == 3 && strcmp(word[1], "--csv") == 0) csv = fopen(word[2], "w");
-    if (count != 1 && !csv) {
-        fprintf(stderr, "usage: hard-plain [--csv FILE]\n");
-        return 2;
-    }
-    if (csv)
-        fprintf(csv, "# The hard cases once on the paper's system, mended: of "
-                "each the worst number beside the engine's target\n"
-                "number,case,measured,error,target,verdict\n");
-    for (int number = 1; number <= PLAIN_LAST; number++) {
-        const hard_case *c = hard_find(number);
-        hard_report *r = calloc(1, sizeof *r);
-        if (!c || !r) return 2;
-        if (experiment[number]) experiment[number](r);
-        else                    c->run(r, 1);
-        hold += hard_holds(hard_worst(r));
-        run_so_far++;
-        print(stdout, c, r, 0);
-        if (csv) print(csv, c, r, 1);
-        free(r);
-    }
-    printf("%d of %d hold on the paper's system\n", hold, run_so_far);
-    if (csv) fprintf(csv, "#%d of %d hold\n", hold, run_so_far);
-    return csv && fclose(csv) != 0 ? 2 : 0;
+    int number = count == 3 ? atoi(word[2]) : 0;
+    if (count == 1) return run_all();
+    if (count == 2 && strcmp(word[1], "--list") == 0) return list_all();
+    if (count == 2 && strcmp(word[1], "--head") == 0) return print_head();
+    if (strcmp(word[1], "--row") == 0 && number >= 1 && number <= PLAIN_LAST)
+        return run_case(hard_find(number), 1), 0;
+    fprintf(stderr, "usage: hard-plain [--list | --head | --row NUMBER]\n");
+    return 2;
 }

@@ -61,9 +61,9 @@ let index;
 // Read when the field is first used: a row of search.js is a section or a name of code.
 const read = () => index ||= Promise.all([script('minisearch.js'), script('search.js')]).then(() => {
   const search = new MiniSearch({
-    fields: ['head', 'text'], storeFields: ['page', 'id', 'head', 'text'], idField: 'key',
+    fields: ['head', 'text', 'page'], storeFields: ['page', 'id', 'head', 'text'], idField: 'key',
     tokenize: text => text.split(/[^\p{L}\p{N}_]+/u).filter(Boolean),
-    searchOptions: { boostDocument: weight, processTerm: stem, boost: { head: 6 }, prefix: true, fuzzy: term => term.length > 5 ? .15 : 0 },
+    searchOptions: { boostDocument: weight, processTerm: stem, boost: { head: 6, page: 10 }, prefix: true, fuzzy: term => term.length > 5 ? .15 : 0 },
   });
   search.addAll(window.sections.map(([page, id, head, text], key) => ({ key, page, id, head, text })));
   return search;

@@ -137,8 +137,8 @@ const live_figure figure = {
     .pane = { { -1.15, -1.75, 2.3, 2.05 }, { -1.15, -1.75, 2.3, 2.05 } },
     .dial = {
         [LOAD] = { "mass of the load, in particles", NULL, 0, 2, 1, 2, "1|100|1,000", true },
-        [ITERATIONS] = { "iterations, left", NULL, 1, 300, 1, 16, NULL, false },
-        [NEWTON] = { "Newton steps, right", NULL, 1, 6, 1, 4, NULL, false },
+        [ITERATIONS] = { "iterations, one by one", NULL, 1, 300, 1, 16, NULL, false },
+        [NEWTON] = { "Newton steps, at once", NULL, 1, 6, 1, 4, NULL, false },
         [SUBSTEPS] = { "substeps a frame", NULL, 1, 16, 1, 8, NULL, true },
     },
     .chart = {

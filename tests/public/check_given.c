@@ -365,6 +365,12 @@ START_TEST(a_kinematic_body_turns_as_it_was_told)
         run(w, 1);
         near(fabs(tumble_get_pose(w, b).rotation.y), 1, 1e-6);
         near(tumble_spin(w, b).y, pi, 1e-9);
+        // What moves it stands outside of the books.
+        tumble_set_velocity(w, b, tumble_v(3, 0, 0), tumble_v(0, pi, 0));
+        run(w, 0.1);
+        ck_assert(tumble_mass(w, b) == 0);
+        near(tumble_measure(w).kinetic, 0, 0);
+        near(tumble_measure(w).momentum.x, 0, 0);
         tumble_free(w);
     }
 }

@@ -50,7 +50,7 @@ static status paint(const world *w, const fabric *f, int left, picture *out)
     painter p;
     painter_init(&p);
     p.lamps = LAMPS;
-    painter_look(&p, vec3_make(0.62, 0.46, 0.8), vec3_make(0, -0.02, 0), 26);
+    painter_look(&p, vec3_make(0.62, 0.46, 0.8), vec3_make(0, -0.02, 0), 29);
     p.lamp = vec3_unit(vec3_make(-0.6, 1, 0.4));
     status done = paint_body(&p, w, 0, colour_hex(0xb8bcc2),
                              colour_hex(0xb8bcc2));

@@ -175,21 +175,20 @@ static void decide_chunk(void *data, int item)
 //<
 
 //> cache-place
-// As long as bodies only move, all gaps of a contact change alike, and its
-// points stay the deepest.  When a body turns, others become so.  Hence a turn
-// counts six times the way that it carries the corners, whose coordinates are
-// two at most.
-static const real TURN = 12;
-
-static bool has_left(const rigid_frame *was, const rigid_frame *now, real far)
+// m, how far a corner, which has coordinates of up to two, may be from where it
+// was when the vertices were placed.  As long as bodies only move, all gaps of a
+// contact change alike, and its points stay the deepest.  When a body turns that
+// stands on fewer than four, others become so: there a turn counts six times.
+static real far_from(const rigid_frame *was, const rigid_frame *now,
+                     bool is_on_corners)
 {
-    vec3 way = vec3_sub(now->center, was->center);
-    real square = vec3_length_squared(way);
+    real times = is_on_corners ? 12 : 2, turned = 0;
     for (int i = 0; i < FOUR_AXES; i++) {
         vec3 turn = vec3_sub(now->axis[i], was->axis[i]);
-        square += TURN * TURN * vec3_length_squared(turn);
+        turned += vec3_length_squared(turn);
     }
-    return !(square <= far * far);
+    vec3 way = vec3_sub(now->center, was->center);
+    return sqrt(vec3_length_squared(way) + times * times * turned);
 }
 
 static void place_body(contact_cache *c, const cache_frame *f, int b)
@@ -198,8 +197,8 @@ static void place_body(contact_cache *c, const cache_frame *f, int b)
     const rigid_frame *now = &f->middle[b];
     const cache_body *body = &f->body[b];
     if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
-    if (p->number > 0 && !has_left(&c->placed[b], now,
-                                   f->stay * f->now[b].radius)) return;
+    if (p->number > 0 && far_from(&c->placed[b], now, p->is_on_corners)
+                         <= f->stay * f->now[b].radius) return;
     c->placed[b] = *now;
     p->number++;
     rigid4_ride(body->rigid, now, c->vertex + p->first,
@@ -546,8 +545,13 @@ static void query_chunk(void *data, int item)
 static void gather(contact_cache *c, cache_pair *p)
 {
     if (!p->is_active) return;
+    contact *now = &c->entry[p->entry].contact;
+    if (p->count < CONTACT_POINTS && contact_load(now) > 0) {
+        c->placing[now->a].is_on_corners = true;
+        if (now->b >= 0) c->placing[now->b].is_on_corners = true;
+    }
     c->fast += p->seen[0] < 0;
-    c->active[c->actives] = &c->entry[p->entry].contact;
+    c->active[c->actives] = now;
     c->of[c->actives++] = p;
 }
 
@@ -583,6 +587,7 @@ static void gather_active(contact_cache *c, const cache_frame *f)
         c->lost += c->entries;
         return;
     }
+    for (int b = 0; b < f->bodies; b++) c->placing[b].is_on_corners = false;
     for (int k = 0; k < c->pairs.count; k++) gather(c, &c->pairs.pair[k]);
     for (int k = 0; k < c->walls.count; k++) gather(c, &c->walls.pair[k]);
     update u = { c, f };

@@ -81,6 +81,8 @@ typedef struct {
         int  first;     // in vertex,
         int  vertices;  // where so many have room
         real path;      // m, how far any of its points has gone at most
+        bool is_on_corners;     // a contact of fewer than four points
+                        // carried something in the last frame
     } *placing;         // [room]
     vec3 *vertex;       // m
     int vertices, vertex_room;

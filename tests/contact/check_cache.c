@@ -375,15 +375,6 @@ START_TEST(bodies_that_stay_are_not_asked_again)
     ck_assert_int_eq(cache.queries, 1);
     update();
     ck_assert_int_eq(cache.queries, 0);
-    // A turn that carries the corners by a fifteenth of that is not asked about,
-    // and by a third it is.
-    real fifteenth = room / 15 / now[box].radius;
-    nudge(box, vec3_make(0, 0, 0), vec3_make(0, fifteenth, 0));
-    update();
-    ck_assert_int_eq(cache.queries, 0);
-    nudge(box, vec3_make(0, 0, 0), vec3_make(0, 4 * fifteenth, 0));
-    update();
-    ck_assert_int_eq(cache.queries, 1);
     nudge(box, vec3_make(0, 0, 0), vec3_make(0, 0.1, 0));
     update();
     ck_assert_int_eq(cache.queries, 1);
@@ -404,6 +395,39 @@ START_TEST(bodies_that_stay_are_not_asked_again)
     stand(box, vec3_make(1.01 * room, 0.76 + 1e-9, 0));
     update();
     ck_assert_int_eq(cache.queries, 1);
+}
+END_TEST
+
+// The corners of an icosahedron are carried by a fifth of what it may move.  If
+// three of them carry it, another may be deeper by then; if nothing does, there
+// is none to come deeper; and a box lies on four.
+// Rejects: a measure of all that a body does that does not ask what it lies on.
+START_TEST(body_that_turns_on_few_corners_is_asked_again)
+{
+    const int kinds[] = { BALL, BOX };
+    for (int k = 0; k < 2; k++)
+        for (int is_pressed = 0; is_pressed < 2; is_pressed++) {
+            bodies = planes = 0;
+            add_floor();
+            real low = 0;
+            for (int i = 0; i < kind[kinds[k]].particles; i++)
+                low = fmin(low, kind[kinds[k]].at[i].y);
+            int b = add(kinds[k], vec3_make(0, -low, 0), 0.01);
+            begin();
+            frame.is_new_list = true;
+            update();
+            contact_of(b, contact_with_plane(0))->impulse[0] = is_pressed;
+            update();
+            ck_assert_int_eq(cache.queries, 0);
+            int few = contact_of(b, contact_with_plane(0))->count < 4;
+            ck_assert_int_eq(few, kinds[k] == BALL);
+            nudge(b, vec3_make(0, 0, 0), vec3_make(0, 0.001, 0));
+            update();
+            ck_assert_int_eq(cache.queries, 0);
+            nudge(b, vec3_make(0, 0, 0), vec3_make(0, 0.006, 0));
+            update();
+            ck_assert_int_eq(cache.queries, few && is_pressed);
+        }
 }
 END_TEST
 
@@ -747,6 +771,7 @@ int main(void)
         bullet_has_a_touch_and_a_guard,
         bullet_that_passes_by_touches_nothing,
         bodies_that_stay_are_not_asked_again,
+        body_that_turns_on_few_corners_is_asked_again,
         pair_that_is_listed_no_more_gives_its_entry_back,
         load_is_handed_over_when_a_pair_is_asked_again,
         contact_is_left_out_until_its_gap_may_close,

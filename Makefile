@@ -331,6 +331,7 @@ endif
 #:                   all cores (JOBS=1: one at a time); stopped, it goes on
 #:   make drape      cloth and rope on all kinds of things, a line of numbers each
 #:   make apart      cloth with and without chapter 12's rules of contact
+#:   make strings    what hangs by pins, with and without chapter 12's strings
 #:                   (DRAPE='--starts 1 --up-to 40 cube': fewer)
 #:   make speed      time against error, module by module: figures/tables/speed.csv
 #:   make profile    where a step's time goes, in the three scenes
@@ -369,7 +370,7 @@ $(CHARTS:%=chart-%): chart-%:
 hard: $(BUILD)/hard $(BUILD)/hard-plain $(BUILD)/tumble-sweep
 	$(Q)sh tests/hard/hard.sh $(BUILD) figures/tables $(JOBS)
 
-.PHONY: drape apart
+.PHONY: drape apart strings
 drape: $(BUILD)/drape
 	$(Q)$(BUILD)/drape $(DRAPE)
 # Chapter 12's rules of contact and strand, and what comes without them.
@@ -378,6 +379,10 @@ apart: $(BUILD)/drape $(BUILD)/drape-apart
 	$(Q)echo 'all rules:' && $(BUILD)/drape $(APART) 27 ball pole
 	$(Q)echo 'contacts apart, strands last:' && $(BUILD)/drape-apart $(APART) 27 ball pole
 	$(Q)echo 'and contacts once more:' && AGAIN=1 $(BUILD)/drape-apart $(APART) 27 ball pole
+# What hangs by pins, with chapter 12's strings and by the links alone.
+strings: $(BUILD)/drape $(BUILD)/drape-links
+	$(Q)echo 'with strings:' && $(BUILD)/drape 31
+	$(Q)echo 'links alone:' && $(BUILD)/drape-links 31
 
 # The figures that set time against error, in the book's order; others do it in
 # passing.  What they say in a line is gathered in a table.
@@ -584,7 +589,9 @@ $(BUILD)/hard: $(BUILD)/tests/hard.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/drape-apart: LDFLAGS += -Wl,--wrap=lines_relax,--wrap=soft_relax,--wrap=soft_hold
 $(BUILD)/drape-apart: $(BUILD)/tests/apart.o
-$(BUILD)/drape $(BUILD)/drape-apart: $(BUILD)/tests/drape.o $(HARD) $(ALL)
+$(BUILD)/drape-links: LDFLAGS += -Wl,--wrap=taut_most
+$(BUILD)/drape-links: $(BUILD)/tests/no_strings.o
+$(BUILD)/drape $(BUILD)/drape-apart $(BUILD)/drape-links: $(BUILD)/tests/drape.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/soak: $(BUILD)/tests/soak.o $(ALL)
 	$(call link,-lm)

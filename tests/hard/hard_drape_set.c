@@ -401,11 +401,12 @@ static void flying_spike(setting *s, const drape *d)
 
 // ---- 31: pins --------------------------------------------------------------
 
-// Two corners of the cloth hang as high as it was over the cube.
-static void pinned_on_cube(setting *s, const drape *d)
+// Two corners of the cloth hang as high as it was over the cube; with: 0, there
+// is no cube.
+static void by_two_pins(setting *s, const drape *d)
 {
     setting_start(s, awake(d->n));
-    add_cube(s);
+    if (d->with > 0) add_cube(s);
     int b = drop(s, add_wide_cloth(s, d->n), 20, 0.9, 0);
     make_cotton(s, b);
     pin_row(s, b, false, false);
@@ -571,9 +572,11 @@ const drape drape_table[] = {
       ANY, ANY },
     { "spike at 10 m/s", 30, flying_spike, 40, 10, 120, 4, -.3, .05, ANY, ANY,
       ANY, ANY },
-    { "two pins, cube", 31, pinned_on_cube, 20, 0, 900, 2, -ANY, ANY, ANY,
+    { "two pins, air", 31, by_two_pins, 40, 0, 900, 2, -ANY, ANY, ANY, .01,
+      .001, ANY },
+    { "two pins, cube", 31, by_two_pins, 20, 1, 900, 2, -ANY, ANY, ANY,
       .01, .001, ANY },
-    { "two pins, cube", 31, pinned_on_cube, 40, 0, 900, 2, -ANY, ANY, ANY,
+    { "two pins, cube", 31, by_two_pins, 40, 1, 900, 2, -ANY, ANY, ANY,
       .01, .001, ANY },
     { "opposite pins", 31, opposite_on_cube, 20, 0, 900, 2, -ANY, ANY, ANY,
       .01, .001, ANY },

@@ -137,12 +137,14 @@ static void share_out(const touch *x, const particle *before,
 
 //> touch-whole
 // At that point the cloth as a whole: a particle that weighs what the cloth
-// weighs, and moves as its centre of mass does; pinned, if any of it is.
+// weighs with what hangs on it, and moves as its centre of mass does; pinned, if
+// any of it is.
 static particle whole_cloth(const touch *x)
 {
     const body *soft = x->soft;
     particle whole = stand_in(x);
     vec3 sum = { 0, 0, 0 };
+    real mass = 0;
     whole.previous = whole.position;
     whole.inverse_mass = 0;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
@@ -150,8 +152,9 @@ static particle whole_cloth(const touch *x)
         if (p->inverse_mass == 0) return whole;
         vec3 step = vec3_sub(p->position, p->previous);
         sum = vec3_add_scaled(sum, 1 / p->inverse_mass, step);
+        mass += 1 / p->inverse_mass;
     }
-    whole.inverse_mass = 1 / soft->mass;
+    whole.inverse_mass = 1 / mass;
     whole.previous = vec3_add_scaled(whole.position, -whole.inverse_mass, sum);
     return whole;
 }

@@ -98,7 +98,7 @@ START_TEST(ring_without_an_answer_is_refused)
         real x[8] = { 1, 2, 3 };
         ck_assert_msg(!solve(n, side, two, side, x), "(-1, 2, -1) round a ring"
                       " of %d: got %g, ...", n, x[0]);
-        ck_assert_msg(!solve(n, side, zero, side, x), "a diagonal of zeros");
+        ck_assert_msg(!solve(n, zero, zero, zero, x), "nothing but zeros");
         ck_assert_msg(!solve(n, side, lost, side, x), "a NaN");
     }
 }

@@ -89,7 +89,7 @@ END_TEST
 
 START_TEST(ring_without_an_answer_is_refused)
 {
-    // All rows of (-1, 2, -1) add up to nothing: whoever solves it finds that
+    // All rows of (-1, 2, -1) add up to nothing: a solver finds that
     // all may be raised alike.  And zeros, and a NaN.
     const real side[8] = { -1, -1, -1, -1, -1, -1, -1, -1 };
     const real two[8] = { 2, 2, 2, 2, 2, 2, 2, 2 }, zero[8] = { 0 };
@@ -98,7 +98,7 @@ START_TEST(ring_without_an_answer_is_refused)
         real x[8] = { 1, 2, 3 };
         ck_assert_msg(!solve(n, side, two, side, x), "(-1, 2, -1) round a ring"
                       " of %d: got %g, ...", n, x[0]);
-        ck_assert_msg(!solve(n, side, zero, side, x), "a diagonal of zeros");
+        ck_assert_msg(!solve(n, zero, zero, zero, x), "nothing but zeros");
         ck_assert_msg(!solve(n, side, lost, side, x), "a NaN");
     }
 }
@@ -206,7 +206,7 @@ START_TEST(necklace_bears_its_jewel)
 }
 END_TEST
 
-START_TEST(ring_in_one_point_moves_nobody)
+START_TEST(ring_in_one_point_moves_nothing)
 {
     for (int k = 0; k < 5; k++)
         ring[k] = (particle){ { 1, 2, 3 }, { 1, 2, 3 }, 1 };
@@ -226,7 +226,7 @@ int main(void)
         regular_ring_takes_herons_step,
         error_is_squared_and_the_centre_stays,
         necklace_bears_its_jewel,
-        ring_in_one_point_moves_nobody,
+        ring_in_one_point_moves_nothing,
         NULL
     };
     return suite_run((suite){ .name = "ring", .tests = tests });

@@ -18,7 +18,7 @@ int ring_solve(int n, const real *lower, const real *diagonal,
 // One step of Newton for a ring of n >= 3 particles: link k joins p[k] and the
 // next one, the last link p[n - 1] and p[0]; each ought to be `rest` (m) long.
 // room is for 7 n numbers.  Returns 1; or 0 if the links have no answer: then
-// nobody has moved.
+// nothing has moved.
 int ring_step(particle *p, int n, real rest, real *room);
 
 #endif

@@ -56,8 +56,8 @@ static vec3 link_of(const particle *p, int n, int k)
     return vec3_sub(p[(k + 1) % n].position, p[k].position);
 }
 
-// As for a rope, but everybody has two neighbours.  The pull of the last link,
-// which is the first that particle 0 needs, is looked at before anybody moves.
+// As for a rope, but each particle has two neighbours.  The pull of the last
+// link, which particle 0 needs first, is looked at before any particle moves.
 int ring_step(particle *p, int n, real rest, real *room)
 {
     real *lower = room, *diagonal = lower + n, *upper = diagonal + n;

@@ -223,7 +223,7 @@ START_TEST(rope_holds_ten_thousand_times_its_particle)
 }
 END_TEST
 
-START_TEST(links_without_an_answer_move_nobody)
+START_TEST(links_without_an_answer_move_nothing)
 {
     // All particles in one place; a link between two nails.
     particle kept[4];
@@ -253,7 +253,7 @@ int main(void)
         one_link_takes_herons_step,
         step_is_the_librarys,
         rope_holds_ten_thousand_times_its_particle,
-        links_without_an_answer_move_nobody,
+        links_without_an_answer_move_nothing,
         NULL
     };
     return suite_run((suite){ .name = "thomas", .tests = tests });

@@ -17,7 +17,7 @@ int thomas_solve(int n, const real *lower, const real *diagonal,
 
 // One step of Newton for all links of a rope: link k joins p[k] and p[k + 1],
 // and ought to be `rest` (m) long.  room is for 5 numbers a link.  Returns 1; or
-// 0 if the links have no answer: then nobody has moved.
+// 0 if the links have no answer: then nothing has moved.
 int rope_step(particle *p, int links, real rest, real *room);
 
 #endif

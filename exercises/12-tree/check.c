@@ -147,7 +147,7 @@ START_TEST(centre_of_mass_stays_and_the_error_is_squared)
 }
 END_TEST
 
-START_TEST(nails_stay_and_nobody_is_lost)
+START_TEST(nails_stay_and_none_is_lost)
 {
     // A leaf that is nailed, beside its nailed parent and at a free one; a
     // stick without length.  Rejects: 0 / 0.
@@ -281,7 +281,7 @@ int main(void)
         one_stick_takes_herons_step,
         tree_step_is_that_of_the_full_system,
         centre_of_mass_stays_and_the_error_is_squared,
-        nails_stay_and_nobody_is_lost,
+        nails_stay_and_none_is_lost,
         straight_rope_between_nails_is_not_lost,
         chandelier_hangs_still,
         long_rope_bears_its_weight,

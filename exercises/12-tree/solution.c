@@ -8,7 +8,7 @@ static vec3 times(const vec3 m[3], vec3 a)
            vec3_add(vec3_scale(a.y, m[1]), vec3_scale(a.z, m[2])));
 }
 
-// What hangs on a stick d is to whoever holds it a mass along d and no more.
+// What hangs on a stick d is to what holds it a mass along d and no more.
 // The child wants to go by `free`, and takes the stick's error with it:
 //     wrong = (d^2 - rest^2) / 2 + d . free.
 // If the parent goes by x, the stick's multiplier must mend wrong - d . x, and
@@ -16,8 +16,8 @@ static vec3 times(const vec3 m[3], vec3 a)
 //     (wrong - d . x)^2 / (2 yield),
 // a mass d d^T / yield that wants to be at d . x = wrong.  After Sherman and
 // Morrison its own give loses q q^T / (yield + d . q), q = give d, and it would
-// go by q (wrong - d . free) / (yield + d . q) further.  (Whoever knows
-// Kalman's filter has seen this before.)
+// go by q (wrong - d . free) / (yield + d . q) further.  (Kalman's
+// filter does the same.)
 static void hang_on(tree_node *above, const tree_node *below)
 {
     vec3 d = below->stick, q = times(above->give, d);

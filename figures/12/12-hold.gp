@@ -19,7 +19,7 @@ do for [k=1:3] {
     set arrow 1 from 0,0 to 0,1.3 lc rgb near lw 2.2 front
     set label 2 "n" at 0.1,1.25 left textcolor rgb near font bold front
   }
-  set label 1 (k == 1 ? "free:  w" : k == 2 ? "slides:  w − m m^T" : "sticks:  w / 5") at 0,1.55 center textcolor rgb ink font bold front
+  set label 1 (k == 1 ? "free:  w" : k == 2 ? "slides:  w − m m^T" : "sticks:  0.3 w") at 0,1.55 center textcolor rgb ink font bold front
   plot csv using (0):(0):1:2 every 4 with vectors nohead lc rgb pull lw 0.8, \
        csv using (column(2*k+1)):(column(2*k+2)) with filledcurves closed fc rgb move fs transparent solid 0.25 noborder, \
        csv using (column(2*k+1)):(column(2*k+2)) with lines lc rgb move lw 2, \

@@ -17,16 +17,16 @@ status grid_init(grid *g, int points)
     g->start  = malloc((cells + 2) * sizeof *g->start);
     g->cell   = malloc((n + 1) * sizeof *g->cell);
     g->sorted = malloc((n + 1) * sizeof *g->sorted);
-    real *real_room = malloc((5 * n + 1) * sizeof *real_room);
-    int *int_room = malloc((2 * n + 1) * sizeof *int_room);
-    g->crowd = (crowd){ .x = real_room, .number = int_room };
+    real *real_room = malloc((4 * n + 1) * sizeof *real_room);
+    int *int_room = malloc((3 * n + 1) * sizeof *int_room);
+    g->crowd = (crowd){ .x = real_room, .place = int_room };
     if (!g->start || !g->cell || !g->sorted || !real_room || !int_room) {
         grid_free(g);
         return status_out_of_memory();
     }
     g->crowd = (crowd){ real_room, real_room + n, real_room + 2 * n,
-                        real_room + 3 * n, real_room + 4 * n,
-                        int_room, int_room + n };
+                        real_room + 3 * n,
+                        int_room, int_room + n, int_room + 2 * n };
     return status_ok();
 }
 
@@ -36,7 +36,7 @@ void grid_free(grid *g)
     free(g->cell);
     free(g->sorted);
     free(g->crowd.x);
-    free(g->crowd.number);
+    free(g->crowd.place);
     *g = (grid){ 0 };
 }
 //<
@@ -119,7 +119,7 @@ typedef struct {
     grid *g;
     cut  c;
     real reach2;        // m^2
-    real pitch;         // places from one row of the sheet to the next
+    int pitch;          // places from one row of the sheet to the next
     leaf_pair *out;
     int found, capacity;
 } search;
@@ -140,35 +140,39 @@ static int crowd_add(crowd c, int n, const grid_point *from,
 
 // Measures number i and those that come after it.
 static void measure(const real *restrict x, const real *restrict y,
-                    const real *restrict z, const real *restrict place,
-                    real *restrict d2, int i, int n, real pitch)
+                    const real *restrict z, real *restrict d2, int i, int n)
 {
-    real x0 = x[i], y0 = y[i], z0 = z[i], place0 = place[i];
+    real x0 = x[i], y0 = y[i], z0 = z[i];
     for (int k = i + 1; k < n; k++) {
         real dx = x[k] - x0, dy = y[k] - y0, dz = z[k] - z0;
-        real square = dx * dx + dy * dy + dz * dz;
-        real steps = fabs(place[k] - place0), rows = fabs(steps - pitch);
-        real least = steps < rows ? steps : rows;
-        d2[k] = least <= 1 ? HUGE_VAL : square;
+        d2[k] = dx * dx + dy * dy + dz * dz;
     }
 }
 
-// The loop asks no question whose answer a processor would have to guess: what
-// may be wanted is written, and stays if the count moves over it.
+// By their places: neighbours in the sheet?
+static bool is_beside(int a, int b, int pitch)
+{
+    int steps = abs(a - b);
+    return steps <= 1 || abs(steps - pitch) <= 1;
+}
+
+// The first loop asks no question whose answer a processor would have to guess:
+// what may be near is written, and stays if the count moves over it.
 static void look(search *s, crowd c, int i, int n)
 {
     int near = 0, p = c.number[i];
-    int room = s->capacity - s->found;
-    measure(c.x, c.y, c.z, c.place, c.d2, i, n, s->pitch);
+    measure(c.x, c.y, c.z, c.d2, i, n);
     for (int k = i + 1; k < n; k++) {
-        c.near[near] = c.number[k];
+        c.near[near] = k;
         near += c.d2[k] < s->reach2;
     }
-    for (int k = 0; k < near && k < room; k++) {
-        int q = c.near[k];
-        s->out[s->found + k] = (leaf_pair){ p < q ? p : q, p < q ? q : p };
+    for (int k = 0; k < near; k++) {
+        int q = c.number[c.near[k]];
+        if (is_beside(c.place[i], c.place[c.near[k]], s->pitch)) continue;
+        if (s->found < s->capacity)
+            s->out[s->found] = (leaf_pair){ p < q ? p : q, p < q ? q : p };
+        s->found++;
     }
-    s->found += near;
 }
 //<
 

@@ -19,11 +19,10 @@ typedef struct {
 // A cell's points and those around it, while it is looked at.
 typedef struct crowd {
     real *x, *y, *z;    // [points] m
-    real *place;        // [points]
-    real *d2;           // [points] m^2, squares of distances from one of them;
-                        // HUGE_VAL of its neighbours in the sheet
+    real *d2;           // [points] m^2, squares of distances from one of them
+    int  *place;        // [points]
     int  *number;       // [points]
-    int  *near;         // [points] the numbers of those near that one
+    int  *near;         // [points] which of them are near that one
 } crowd;
 
 typedef struct grid {

@@ -294,6 +294,7 @@ static inline real wrong_length(real now, real rest, real longer)
 //     h_(k-1) = upper_(k-1) / pivot_(k-1)
 //     pivot_k = diagonal_k - lower_k h_(k-1)
 //     g_k     = (wrong_k + lower_k g_(k-1)) / pivot_k.
+// h_(k-1) waits until now: along the old links upper_(k-1) needs link k.
 // A link without length, between two nails, or that the ones before it leave
 // no freedom has no pivot: its multiplier is 0.  A link shorter than about
 // L / sqrt(3) asks for no more than twice its length.

@@ -230,22 +230,28 @@ static plane known_plane(facet_list *last, const facet_pair *x)
     return (plane){ { 0, 0, 0 }, 0 };
 }
 
-// May a facet with these corners come within reach?
+// Are all corners over the same face?
+static bool is_over_face(const int *ahead, const int corner_of[FACET])
+{
+    int first = ahead[corner_of[0]];
+    return first % 2 == 1 && ahead[corner_of[1]] == first
+        && ahead[corner_of[2]] == first;
+}
+
+// May a facet with these corners come within reach?  All planes that a corner is
+// in front of are asked; most often it is the same one.
 static bool may_meet(const near_lists *l, const rigid_view *v,
                      const int corner_of[FACET], real reach)
 {
     vec3 end[FACET];
-    int over = 0;
+    int asked = OVER_NOTHING;
+    for (int k = 0; k < FACET; k++) end[k] = l->at[corner_of[k]];
     for (int k = 0; k < FACET; k++) {
         int ahead = l->ahead[corner_of[k]];
-        over += ahead % 2 == 1 && ahead == l->ahead[corner_of[0]];
-        end[k] = l->at[corner_of[k]];
-    }
-    if (over == FACET) return false;
-    for (int k = 0; k < FACET; k++) {
-        int ahead = l->ahead[corner_of[k]];
-        if (ahead == OVER_NOTHING) continue;
-        plane under = obstacle_plane(&v->hull, end[k], ahead / 2);
+        bool is_asked = v->hull.planes > 0 && ahead / 2 == asked;
+        if (ahead == OVER_NOTHING || is_asked) continue;
+        asked = ahead / 2;
+        plane under = obstacle_plane(&v->hull, end[k], asked);
         if (facet_height(end, under) > reach) return false;
     }
     return true;
@@ -263,7 +269,8 @@ static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
         facet_corners(soft, k, end);
         const int *ahead = l->ahead;
         int all = ahead[end[0]] & ahead[end[1]] & ahead[end[2]];
-        if (all == OVER_NOTHING || !may_meet(l, v, end, reach)) continue;
+        if (all == OVER_NOTHING || is_over_face(ahead, end)) continue;
+        if (!may_meet(l, v, end, reach)) continue;
         if (room_for(l, 1, l->facet_capacity - l->facet.count) < 1) continue;
         facet_pair pair = { .soft = a, .rigid = b, .number = k };
         pair.between = known_plane(&l->facets_before, &pair);
@@ -307,14 +314,16 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
         // Most that are far are in front of the plane that the last one was.
         if (v->hull.planes > 0 && plane_height(v->plane[ahead], x) > wide)
             continue;
-        ahead = hull_ahead(x, v->plane, v->hull.planes);
+        int over = is_over(v, x, ahead, facet);
+        if (!over) ahead = hull_ahead(x, v->plane, v->hull.planes);
         real up = plane_height(obstacle_plane(&v->hull, x, ahead), x);
         if (up > wide) continue;
         l->ahead[i] = 2 * ahead;
         if (up > reach) continue;
-        l->ahead[i] += is_over(v, x, ahead, facet);
+        over = over || is_over(v, x, ahead, facet);
+        l->ahead[i] += over;
         if (room_for(l, 1, l->point_capacity - l->points) == 1)
-            l->point[l->points++] = (point_pair){ i, a, b, ahead };
+            l->point[l->points++] = (point_pair){ i, a, b, ahead, over };
     }
     if (is_ready) list_facets(l, v, f, a, b);
 }

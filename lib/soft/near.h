@@ -95,6 +95,7 @@ typedef struct {
     int particle;       // of a deformable body, in the pool
     int soft, rigid;    // that body; the rigid one
     int ahead;          // the plane of the rigid one that it was in front of
+    int over;           // 1: and over that face, nowhere near its rim
 } point_pair;
 
 // A triangle or a link that may meet an edge or a corner.

@@ -50,7 +50,7 @@ static void forget_holds(const soft_frame *f, const body *b)
     for (int i = b->first; i < b->first + body_particles(b); i++) {
         line_hold *h = &f->hold[i];
         if (h->state == LINE_FREE) h->pull = h->crept = (vec3){ 0, 0, 0 };
-        h->pull = vec3_scale(times, h->pull);
+        else h->pull = vec3_scale(times, h->pull);
         h->push[0] *= times;
         h->push[1] *= times;
         h->state = LINE_FREE;
@@ -60,24 +60,24 @@ static void forget_holds(const soft_frame *f, const body *b)
 // A crease can shear a cell until the ends of one of its diagonals, of which
 // only every second has a stick, meet, and the triangles around them cross.
 // They are kept apart as any two particles are.
-static void part_ends(const soft_frame *f, particle_contact c, real friction)
+static void part_ends(particle *p, particle_contact c, real friction)
 {
-    if (particle_contact_overlaps(&c, f->particle))
-        particle_contact_separate(c, f->particle, friction);
+    if (particle_contact_overlaps(&c, p))
+        particle_contact_separate(c, p, friction);
 }
 
 static void spread_cells(const soft_frame *f, int number)
 {
     const body *b = &f->body[number];
-    const shape *s = b->shape;
+    int columns = b->shape->columns, rows = b->shape->rows;
     real distance = 2 * b->thickness;
     real friction = soft_material(f, number, number).friction;
-    for (int k = 0; k + 1 < s->rows; k++)
-        for (int i = 0; i + 1 < s->columns; i++) {
-            int a = b->first + k * s->columns + i;
-            int c = a + s->columns;
-            part_ends(f, (particle_contact){ a, c + 1, distance }, friction);
-            part_ends(f, (particle_contact){ a + 1, c, distance }, friction);
+    particle *row = f->particle + b->first;
+    for (int k = 0; k + 1 < rows; k++, row += columns)
+        for (int i = 0; i + 1 < columns; i++) {
+            int c = i + columns;
+            part_ends(row, (particle_contact){ i, c + 1, distance }, friction);
+            part_ends(row, (particle_contact){ i + 1, c, distance }, friction);
         }
 }
 
@@ -189,10 +189,11 @@ static const real CLOTH_TOLERANCE = 0.0025;
 // substep before has pulled it in.
 static void calm(particle *p, const line_hold *h)
 {
+    if (h->state == LINE_FREE) return;
     real up = vec3_dot(vec3_sub(p->position, p->previous), h->normal);
     if (h->state == LINE_STICKS)
         p->previous = p->position;
-    else if (h->state == LINE_SLIDES && up > 0)
+    else if (up > 0)
         p->previous = vec3_add_scaled(p->previous, up, h->normal);
 }
 
@@ -240,7 +241,8 @@ real soft_energy(const body *b, const particle *all)
 // Squares spare the root.  A NaN is no strain of at most a hundredth.
 static bool is_stretched(const shape *s, const particle *p)
 {
-    for (int k = 0; k < shape_links(s); k++) {
+    int links = shape_links(s);
+    for (int k = 0; k < links; k++) {
         const stick *link = &s->stick[k];
         vec3 across = vec3_sub(p[link->b].position, p[link->a].position);
         real rest2 = link->rest_length * link->rest_length;

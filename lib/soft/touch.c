@@ -102,6 +102,37 @@ static void part_from_moving(const touch *x, particle *p)
 }
 //<
 
+//> touch-held
+// How straight something fixed holds a particle against the body: 1, straight; 0,
+// not at all.
+static real held_against(const touch *x, int i)
+{
+    const line_hold *h = &x->f->hold[i];
+    if (h->state == LINE_FREE) return 0;
+    return real_max(-vec3_dot(h->normal, x->at.normal), 0);
+}
+
+// A particle on something fixed goes along it, and not into it: the straighter it
+// is pushed against it, the less it answers.  If it answered as a free one, it
+// would be pushed back in every substep, and be a spring, the stiffer the shorter
+// these are.
+static real inverse_of(const touch *x, int i)
+{
+    real against = held_against(x, i);
+    return x->f->particle[i].inverse_mass * (1 - against * against);
+}
+
+// And by what the fixed thing has moved it, it has not come nearer.
+static vec3 previous_of(const touch *x, int i)
+{
+    const particle *p = &x->f->particle[i];
+    real against = held_against(x, i);
+    vec3 n = x->at.normal;
+    real nearer = real_min(vec3_dot(vec3_sub(p->position, p->previous), n), 0);
+    return vec3_add_scaled(p->previous, against * against * nearer, n);
+}
+//<
+
 //> touch-stand-in
 // The point as a particle: it stands in for those that it is a mean of.  A push
 // moves each by its weight and its inverse mass, so the point by the sum of
@@ -113,8 +144,9 @@ static particle stand_in(const touch *x)
         const particle *p = &x->f->particle[x->corner[k]];
         real c = x->weight[k];
         mean.position = vec3_add_scaled(mean.position, c, p->position);
-        mean.previous = vec3_add_scaled(mean.previous, c, p->previous);
-        mean.inverse_mass += c * c * p->inverse_mass;
+        mean.previous = vec3_add_scaled(mean.previous, c,
+                                        previous_of(x, x->corner[k]));
+        mean.inverse_mass += c * c * inverse_of(x, x->corner[k]);
     }
     return mean;
 }
@@ -128,7 +160,8 @@ static void share_out(const touch *x, const particle *before,
     if (!(before->inverse_mass > 0)) return;
     for (int k = 0; k < x->corners; k++) {
         particle *p = &x->f->particle[x->corner[k]];
-        real share = x->weight[k] * p->inverse_mass / before->inverse_mass;
+        real share = x->weight[k] * inverse_of(x, x->corner[k])
+                   / before->inverse_mass;
         p->position = vec3_add_scaled(p->position, share, now);
         p->previous = vec3_add_scaled(p->previous, share, then);
     }
@@ -137,12 +170,14 @@ static void share_out(const touch *x, const particle *before,
 
 //> touch-whole
 // At that point the cloth as a whole: a particle that weighs what the cloth
-// weighs, and moves as its centre of mass does; pinned, if any of it is.
+// weighs with what hangs on it, and moves as its centre of mass does; pinned, if
+// any of it is.
 static particle whole_cloth(const touch *x)
 {
     const body *soft = x->soft;
     particle whole = stand_in(x);
     vec3 sum = { 0, 0, 0 };
+    real mass = 0;
     whole.previous = whole.position;
     whole.inverse_mass = 0;
     for (int i = soft->first; i < soft->first + soft->shape->particles; i++) {
@@ -150,8 +185,9 @@ static particle whole_cloth(const touch *x)
         if (p->inverse_mass == 0) return whole;
         vec3 step = vec3_sub(p->position, p->previous);
         sum = vec3_add_scaled(sum, 1 / p->inverse_mass, step);
+        mass += 1 / p->inverse_mass;
     }
-    whole.inverse_mass = 1 / soft->mass;
+    whole.inverse_mass = 1 / mass;
     whole.previous = vec3_add_scaled(whole.position, -whole.inverse_mass, sum);
     return whole;
 }
@@ -266,14 +302,25 @@ static bool push_off(const touch *x, particle *p)
 
 static bool part(const touch *x, answering who)
 {
-    if (who == BY_PARTICLE && x->corners == 1)
-        return push_off(x, &x->f->particle[x->corner[0]]);
     particle before = who == BY_WHOLE ? whole_cloth(x) : stand_in(x);
     particle after = before;
     if (!push_off(x, &after)) return false;
     if (who == BY_WHOLE) share_with_all(x, &before, &after);
     else                 share_out(x, &before, &after);
     return true;
+}
+
+// Over a face and nowhere near its rim, when it was listed, a particle is over
+// it while the lists are good.
+static bool nearest(const obstacle *b, vec3 x, const point_pair *pair,
+                    real reach, surface_point *at)
+{
+    if (!pair->over) return obstacle_nearest(b, x, pair->ahead, reach, at);
+    plane face = b->plane[pair->ahead];
+    real up = plane_height(face, x);
+    if (!(up > 0)) return obstacle_nearest(b, x, pair->ahead, reach, at);
+    *at = (surface_point){ vec3_add_scaled(x, -up, face.normal), face.normal };
+    return up <= reach;
 }
 
 static bool touch_body(const rigid_view *v, const soft_frame *f,
@@ -284,12 +331,12 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
     bool is_fixed = body_is_static(&f->body[pair.rigid]);
     real reach = apart;
     if (is_fixed) reach += vec3_length(f->hold[pair.particle].pull);
-    if (!obstacle_nearest(&v->hull, p->position, pair.ahead, reach, &at))
-        return false;
+    if (!nearest(&v->hull, p->position, &pair, reach, &at)) return false;
     if (is_fixed) return touch_fixed(f, pair.particle, at, apart, m);
     touch x = { f, v, &f->body[pair.soft], pair.rigid, 1, { pair.particle },
                 { 1 }, at, apart, m.friction };
-    f->hold[pair.particle].state = LINE_FREE;
+    if (!(held_against(&x, pair.particle) > 0))
+        f->hold[pair.particle].state = LINE_FREE;
     return part(&x, who);
 }
 

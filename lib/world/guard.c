@@ -61,6 +61,7 @@ static real load_energy(const world *w)
 real guard_most(const world *w, const solver_frame *f)
 {
     motion_sum s = rigid_motion(w);
+    if (s.mass == 0) return 0;      // nothing that could be braked
     for (int b = 0; b < w->bodies && w->softs > 0; b++)
         if (body_is_soft(&w->body[b]) && body_moves(w, b))
             add_soft_motion(&s, w, &w->body[b]);

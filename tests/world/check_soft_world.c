@@ -977,6 +977,33 @@ static void lay_over_corner(int s, real gap)
                             at[k][1] / 2, y));
 }
 
+// A sheet with a weight of a hundred sheets at its corner, and a box in it, all go
+// up by 1 m/s.  Nothing has come nearer, so the overlap is parted without a speed.
+// Rejects: a sum over all that hangs there, over the mass of the sheet alone, by
+// which the sheet seems to come at 100 m/s.
+START_TEST(what_hangs_on_a_sheet_counts_with_it)
+{
+    world_options o = world_options_default();
+    o.gravity = ZERO;
+    o.friction = 0;
+    begin(o);
+    int b = add_at(&box, 0, 0, 0), s = add_at(&cloth, 0, 0, 0);
+    real apart = soft_gap(&w.body[s], &w.body[b]);
+    look();
+    for (int i = 0; i < cloth.particles; i++) {
+        particle *p = particle_of(s, i);
+        p->position.y -= 0.25 + 0.3 * apart;
+        p->previous = vec3_add_scaled(p->position, -H, UP);
+    }
+    particle_of(s, 0)->inverse_mass /= 1e4;
+    w.rigid.velocity[b].of[1] = 1;
+    refresh(H);
+    hold(H);
+    near(w.rigid.velocity[b].of[1], 1, 1e-9, "the speed of the box");
+    ck_assert(w.rigid.moved[b].of[1] > 0.1 * apart);
+}
+END_TEST
+
 // A triangle meets the corner of a box, or comes near it, and its sticks pull it
 // over that.
 // Rejects: tips and edges that are asked before the sticks alone, or after them
@@ -1598,6 +1625,7 @@ int main(void)
         friction_stays_in_the_cone,
         what_hangs_together_holds_together,
         triangle_that_sticks_pull_back_is_held_by_all_of_its_sheet,
+        what_hangs_on_a_sheet_counts_with_it,
         lists_leave_out_what_sleeps_or_is_static,
         particles_are_kept_off_planes,
         sleepers_near_a_cloth_wake_and_rest_with_it,

@@ -9,7 +9,7 @@
 #include "world.h"
 
 // J, before the substeps of a frame: how much kinetic energy rigid bodies may
-// have after them.
+// have after them.  0 where none moves by itself.
 real guard_most(const world *w, const solver_frame *f);
 
 // After them: slows rigid bodies, all by the same share, if they have more;

@@ -659,12 +659,32 @@ static void solve_all(linkage *l, const linkage_pass *q, wanting *what)
     }
 }
 
+static void remember(const joint *j, joint_rows *r)
+{
+    memcpy(r->begun, j->impulse, sizeof r->begun);
+    r->was_upper = r->is_upper;
+    r->was_broken = j->is_broken;
+}
+
+void linkage_rewind(linkage *l)
+{
+    for (int k = 0; k < l->count; k++) {
+        joint *j = &l->joint[k];
+        joint_rows *r = &l->rows[k];
+        memcpy(j->impulse, r->begun, sizeof r->begun);
+        r->is_upper = r->was_upper;
+        l->broken -= j->is_broken && !r->was_broken;
+        j->is_broken = r->was_broken;
+    }
+}
+
 void linkage_prepare(linkage *l, const linkage_pass *q)
 {
     l->pace = l->worst = 0;
     if (l->count == 0) return;
     l->frames++;
     choose_roles(l, q);
+    for (int k = 0; k < l->count; k++) remember(&l->joint[k], &l->rows[k]);
     for (int k = 0; k < l->count; k++)
         for (int i = 0; i < JOINT_ROWS; i++)
             l->joint[k].impulse[i] *= q->f->warm;

@@ -99,6 +99,9 @@ typedef struct {
 // A frame begins: bodies stand as f says, and have not been moved.
 void linkage_prepare(linkage *l, const linkage_pass *q);
 
+// Undoes what the joints did in this frame, which is to be prepared again.
+void linkage_rewind(linkage *l);
+
 // A substep, in this order.  Gives every body the impulses of the last substep
 // (warm starting);
 void linkage_begin(linkage *l, const linkage_pass *q);

@@ -222,6 +222,23 @@ void motion_put(particle *p, const rigid_frame *frame)
 }
 //<
 
+//> motion-change
+// |turn|^2 is one over a moment of inertia.
+real motion_change(const motion_basis *basis, const motion *m)
+{
+    real sum = 0, inverse[TURNS];
+    for (int t = 0; t < TURNS; t++)
+        inverse[t] = vec3_length_squared(basis->turn[t]);
+    for (int t = 0; t < TURNS; t++) {
+        real a = inverse[(t + 1) % TURNS], b = inverse[(t + 2) % TURNS];
+        real unlike = real_max(a, b) > 0 ? (a - b) / real_max(a, b) : 0;
+        real spin = m->of[MOTION_TURN + t] * sqrt(inverse[t]);
+        sum += unlike * spin * (unlike * spin);
+    }
+    return sqrt(sum);
+}
+//<
+
 //> motion-end
 // The rotation of the motion in a basis with an angular momentum L.
 static vec3 rotation_with(const motion_basis *basis, vec3 angular)

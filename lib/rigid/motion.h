@@ -60,6 +60,11 @@ static inline vec3 motion_rotation(const motion_basis *basis, const motion *m)
                            w[2], basis->turn[2]);
 }
 
+// rad/s: how fast its moments of inertia change, as the world sees them.  A turn
+// about one axis takes the other two round, which counts as far as their moments
+// differ: not at all for a ball or a cube, nor for a wheel about its axle.
+real motion_change(const motion_basis *basis, const motion *m);
+
 // How the point at `arm` (m, from the centre) moves: m/s, or m.
 static inline vec3 motion_at(const motion_basis *basis, const motion *m,
                              vec3 arm)

@@ -1,6 +1,8 @@
 //> ledger-total
 #include "ledger.h"
 
+#include <string.h>
+
 // A mass that goes from one place to the next has its velocity at the moment
 // halfway, so its height and its lever arm are taken there, too.  A free fall
 // then keeps kinetic and potential energy in balance exactly:
@@ -82,6 +84,20 @@ void ledger_book(world *w, int account)
     entry->angular = vec3_add(entry->angular,
                               vec3_sub(now.angular, was->angular));
     *was = now;
+}
+
+ledger_page ledger_mark(const world *w)
+{
+    ledger_page page = { .now = w->ledger_now };
+    memcpy(page.account, w->ledger, sizeof page.account);
+    return page;
+}
+
+void ledger_go_back(world *w, const ledger_page *to)
+{
+    memcpy(w->ledger, to->account, sizeof w->ledger);
+    w->ledger_now = to->now;
+    w->ledger_ahead = 0;
 }
 
 void ledger_clear(world *w)

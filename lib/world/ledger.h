@@ -26,6 +26,14 @@ void ledger_open(world *w);
 // nothing unless options.ledger is set.
 void ledger_book(world *w, int account);
 
+// What is booked so far, and back to that: a frame is begun again.
+typedef struct {
+    ledger_entry account[LEDGERS], now;
+} ledger_page;
+
+ledger_page ledger_mark(const world *w);
+void ledger_go_back(world *w, const ledger_page *to);
+
 // Empties all accounts.
 void ledger_clear(world *w);
 //<

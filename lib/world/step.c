@@ -18,6 +18,7 @@ static void look_at_bodies(world *w);
 static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
+static solver_frame frame_of(const world *w, int substeps);
 static void substep(world *w, const solver_frame *f, int k, real *since);
 static void move_bodies(world *w, real h);
 static void fall_asleep(world *w);
@@ -36,18 +37,43 @@ static void find(world *w, real seconds, real *since)
     lap(w, PHASE_CONTACTS, since);
 }
 
+static void go(world *w, const solver_frame *f, real *since)
+{
+    join_begin(w, f);
+    for (int k = 0; k < f->substeps; k++) substep(w, f, k, since);
+    w->report.substeps += f->substeps;
+}
+
+// The bodies stand where they did, and are as fast, when the frame began.
+static solver_frame go_back(world *w, int substeps, const ledger_page *page)
+{
+    const contact *const *table =
+        (const contact *const *)w->rigid.cache.active;
+    solver_frame f = frame_of(w, substeps);
+    look_at_bodies(w);
+    linkage_rewind(&w->joints);
+    ledger_go_back(w, page);
+    if (!solver_prepare(&w->rigid.solver, &f, table))
+        w->report.dropped += w->rigid.cache.actives;
+    return f;
+}
+
 // The impulses that part it, and where they take everything.
 static void solve(world *w, real *since)
 {
     solver_frame f = prepare(w);
     real most = guard_most(w, &f);
+    ledger_page page = ledger_mark(w);
     lap(w, PHASE_PREPARE, since);
-    join_begin(w, &f);
-    for (int k = 0; k < f.substeps; k++) substep(w, &f, k, since);
+    go(w, &f, since);
+    int more = substeps_again(w, f.substeps);
+    if (more > 0) {
+        f = go_back(w, more, &page);
+        go(w, &f, since);
+    }
     solver_store(&w->rigid.solver, w->options.host.run,
                  w->rigid.cache.active);
     rolling_brake(w, f.substeps);
-    w->report.substeps += f.substeps;
     w->age = f.h;
     guard_brake(w, most);
     guard_bodies(w);
@@ -60,7 +86,14 @@ static void solve(world *w, real *since)
 
 // Where something flies by more than its own size in a frame, and may hit, the
 // frame is divided: after the impact everything goes elsewhere than was found.
+// So it is where what is joined turns far.
 enum { FAST_PARTS = 4 };
+
+static int parts_of(const world *w)
+{
+    int parts = parts_for_turns(w);
+    return w->rigid.cache.fast > 0 ? int_max(parts, FAST_PARTS) : parts;
+}
 
 // A world in which everything sleeps has nothing to do: nothing in it can wake.
 static bool sleeps_on(world *w)
@@ -80,9 +113,9 @@ void world_step(world *w)
     ledger_open(w);
     sleep_begin(&w->sleep);
     find(w, dt, &since);
-    bool is_divided = w->rigid.cache.fast > 0;
-    for (int k = 0; k < (is_divided ? FAST_PARTS : 1); k++) {
-        if (is_divided) find(w, dt / FAST_PARTS, &since);
+    int parts = parts_of(w);
+    for (int k = 0; k < parts; k++) {
+        if (parts > 1) find(w, dt / parts, &since);
         solve(w, &since);
     }
     fall_asleep(w);

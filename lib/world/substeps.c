@@ -79,6 +79,39 @@ static int substeps_for_joints(const world *w)
 }
 //<
 
+//> substeps-parts
+// rad, in a part; and no more parts than these.
+static const real FAR_TURN = 0.5;
+enum { MOST_PARTS = 16 };
+
+int parts_for_turns(const world *w)
+{
+    real most = 0;
+    for (int b = 0; b < w->bodies && w->joints.count > 0; b++)
+        if (w->rigid.moves[b] && linkage_has(&w->joints, b))
+            most = real_max(most, motion_change(&w->rigid.now[b].basis,
+                                                &w->rigid.velocity[b]));
+    real parts = w->frame * most / FAR_TURN;
+    return parts < MOST_PARTS ? 1 + (int)parts : MOST_PARTS;
+}
+//<
+
+//> substeps-again
+// A chain that comes taut pulls a hundred times as hard as in the frame before.
+// Where joints swung so much faster than the substeps that there were could
+// follow, the frame is to be solved again.
+static const real TOO_FAST = 1.3;
+
+int substeps_again(const world *w, int had)
+{
+    real share = w->frame / w->options.dt;
+    real need = w->frame * w->joints.pace / FOLLOWED;
+    int most = (int)(share * w->options.most_substeps);
+    if (w->softs > 0 || had >= most || !(need > TOO_FAST * had)) return 0;
+    return need < most ? (int)need + 1 : most;
+}
+//<
+
 //> substeps-choose
 // Every change of their number jolts what rests: it rises at once, and falls
 // when it has been too high for PATIENCE frames.

@@ -190,6 +190,42 @@ START_TEST(limit_gives_back_what_it_pushed_too_much)
 }
 END_TEST
 
+// Two joints, of which one breaks, for a substep.
+static void run_substep(const linkage_pass *q)
+{
+    linkage_prepare(&l, q);
+    linkage_begin(&l, q);
+    linkage_push(&l, q);
+    linkage_relax(&l, q);
+}
+
+START_TEST(what_is_begun_again_goes_as_it_went)
+{
+    // Bit for bit, after the caller has put back the velocities: impulses, and
+    // what broke and holds again.
+    throw_bodies();
+    join(JOINT_BALL, -1, 0);
+    join(JOINT_BALL, 0, 1);
+    linkage_pass q = pass();
+    run_substep(&q);
+    motion start[BODIES], end[BODIES];
+    memcpy(start, velocity, sizeof start);
+    joint first[2] = { l.joint[0], l.joint[1] };
+    l.joint[1].strength = 1e-6;
+    run_substep(&q);
+    memcpy(end, velocity, sizeof end);
+    ck_assert(l.joint[1].is_broken && l.broken == 1);
+    linkage_rewind(&l);
+    ck_assert(!l.joint[1].is_broken && l.broken == 0);
+    for (int k = 0; k < 2; k++)
+        ck_assert(memcmp(l.joint[k].impulse, first[k].impulse,
+                         sizeof first[k].impulse) == 0);
+    memcpy(velocity, start, sizeof start);
+    run_substep(&q);
+    ck_assert(memcmp(velocity, end, sizeof end) == 0 && l.broken == 1);
+}
+END_TEST
+
 START_TEST(pairs_that_are_joined_are_dropped)
 {
     int pair[6][2] = { { 0, 1 }, { 0, 2 }, { 1, 2 }, { 2, 3 }, { 3, 9 },
@@ -229,6 +265,7 @@ int main(void)
         tree_of_joints_is_solved_in_one_pass,
         impulses_are_handed_from_body_to_body,
         limit_gives_back_what_it_pushed_too_much,
+        what_is_begun_again_goes_as_it_went,
         pairs_that_are_joined_are_dropped,
         nothing_joined_costs_nothing,
         NULL

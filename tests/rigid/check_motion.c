@@ -617,6 +617,28 @@ END_TEST
 // --- what does not move, and what is lost ------------------------------------
 
 // Rejects: a body of no inverse mass that is divided by; one that goes.
+START_TEST(moments_of_a_rod_change_when_it_turns_across)
+{
+    // 2 rad/s about each axis of a rod, with the moments 0, I, I, of a cube, and
+    // of a disc, with I, I, 2 I.
+    // Rejects: turns about the axis of symmetry that count.
+    const real light[3][TURNS] = { { 1e6, 4, 4 }, { 4, 4, 4 }, { 4, 4, 2 } };
+    const real wanted[3][TURNS] = { { 0, 2, 2 }, { 0, 0, 0 }, { 1, 1, 0 } };
+    for (int s = 0; s < 3; s++)
+        for (int t = 0; t < TURNS; t++) {
+            motion_basis b = { .inverse_mass = 1 };
+            motion u = { { 0 } };
+            for (int i = 0; i < TURNS; i++)
+                b.turn[i] = vec3_scale(sqrt(light[s][i]),
+                                       vec3_make(i == 0, i == 1, i == 2));
+            u.of[MOTION_TURN + t] = 2 / sqrt(light[s][t]);
+            near(motion_change(&b, &u), wanted[s][t], 1e-4, "rad/s");
+        }
+    const motion_basis none = { .inverse_mass = 0 };
+    ck_assert(motion_change(&none, &(motion){ { 0 } }) == 0);
+}
+END_TEST
+
 START_TEST(immovable_body_answers_nothing)
 {
     const motion_basis none = { .inverse_mass = 0 };
@@ -678,6 +700,7 @@ int main(void)
         frame_inside_a_frame_is_turned_and_moved,
         lopsided_body_precesses_with_order_two,
         body_gains_no_energy_by_how_it_lies,
+        moments_of_a_rod_change_when_it_turns_across,
         immovable_body_answers_nothing,
         lost_body_takes_one_move_and_a_mad_one_at_most_so_many,
         NULL

@@ -201,8 +201,8 @@ static void run_substep(const linkage_pass *q)
 
 START_TEST(what_is_begun_again_goes_as_it_went)
 {
-    // Bit for bit, after the caller has put back the velocities: impulses, and
-    // what broke and holds again.
+    // Bit for bit, after the caller has put back the velocities: impulses, limits,
+    // and what broke and holds again.
     throw_bodies();
     join(JOINT_BALL, -1, 0);
     join(JOINT_BALL, 0, 1);
@@ -215,8 +215,9 @@ START_TEST(what_is_begun_again_goes_as_it_went)
     run_substep(&q);
     memcpy(end, velocity, sizeof end);
     ck_assert(l.joint[1].is_broken && l.broken == 1);
+    l.rows[0].is_upper = true;      // it came to its other limit
     linkage_rewind(&l);
-    ck_assert(!l.joint[1].is_broken && l.broken == 0);
+    ck_assert(!l.joint[1].is_broken && l.broken == 0 && !l.rows[0].is_upper);
     for (int k = 0; k < 2; k++)
         ck_assert(memcmp(l.joint[k].impulse, first[k].impulse,
                          sizeof first[k].impulse) == 0);

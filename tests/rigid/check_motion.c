@@ -616,7 +616,6 @@ END_TEST
 
 // --- what does not move, and what is lost ------------------------------------
 
-// Rejects: a body of no inverse mass that is divided by; one that goes.
 START_TEST(moments_of_a_rod_change_when_it_turns_across)
 {
     // 2 rad/s about each axis of a rod, with the moments 0, I, I, of a cube, and
@@ -639,6 +638,7 @@ START_TEST(moments_of_a_rod_change_when_it_turns_across)
 }
 END_TEST
 
+// Rejects: a body of no inverse mass that is divided by; one that goes.
 START_TEST(immovable_body_answers_nothing)
 {
     const motion_basis none = { .inverse_mass = 0 };

@@ -75,7 +75,8 @@ typedef struct {
     int    substeps;        // of a step, 1 to 10000, 8; a calm one takes fewer:
                             // turn up if stacks are high, or heavy things lie
                             // on light ones
-    int    most_substeps;   // a hard step takes more of them, up to this: 200
+    int    most_substeps;   // a hard step takes more of them, up to this, 200;
+                            // one that is solved again, after its first ones
     tumble_vec3 gravity;    // m/s^2, (0, -9.81, 0)
     double friction;        // of bodies and planes that have none of their own
     double restitution;     // likewise; 0 to 1: speed after an impact / before

@@ -19,7 +19,8 @@ int substeps_choose(world *w);
 
 // With how many substeps that frame, or part, which had so many, must be solved
 // again, because its joints swung faster than those could follow; 0, if it need
-// not.  Not where there is cloth or rope, which has moved.  As many at most.
+// not.  Not where there is cloth or rope, which has moved.  These, too, are at most
+// options.most_substeps in a frame; those of the first time are on top.
 int substeps_again(const world *w, int had);
 
 #endif

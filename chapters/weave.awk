@@ -1,6 +1,6 @@
 # weave.awk - writes the book: the chapters, with the code that they explain.
 #
-#   awk -v pages=chapters/woven -f weave.awk CODE chapters/[0-9]*.md > book.md
+#   awk -v pages=chapters/woven -f numbers.awk -f weave.awk CODE chapters/[0-9]*.md > book.md
 #
 # Each chapter becomes a page of its own as well, in the folder `pages`, if one is
 # named (weave.sh says what is CODE, and calls this).
@@ -9,12 +9,7 @@
 # chapter the line "@@ name" stands for it, "%% figures/name.csv" for a table of
 # that file, "%% figures/name.csv rooms" for the table of its lines "#rooms| ",
 # and "%% functions" for an index of all that the headers of lib/ declare.
-# Within a line {{02-rope 3; 64; cost}} stands for a number: of
-# figures/02/02-rope.csv, block 3 (of those that two blank lines part, from 0; or
-# a table's name; without one, 0), the row that opens with 64, the column cost.
-# {{02-rope #; words; 2}} is the number after these words in the file's comments.
-# A last field says how: 3 (digits, else 2), "%", "3 %"; and {{a / b; 2}} is the
-# quotient of two such cells.
+# {{02-rope 3; 64; cost}} within a line is a number of a table: numbers.awk.
 # Whatever would let the book and the code drift apart is an error: file, line,
 # a sentence, and no book.
 
@@ -84,95 +79,6 @@ function row(line,    cell, out) {
     }
     if (line != "") cells = 0
     return out
-}
-# --- numbers in a sentence ---
-# Reads a CSV once: the rows of each block, their head, and all comments.  The
-# head is the comment above the rows; where cells stand between commas, the
-# first row.
-function read_rows(csv,    got, line, block, blank, head, block_name) {
-    block = -1; blank = 2
-    while ((got = (getline line < csv)) > 0) {
-        if (line ~ /^#[a-z]+[|] /) {
-            block_name = substr(line, 2, index(line, "|") - 2)
-            add_row(csv, block_name, substr(line, length(block_name) + 4)); continue
-        }
-        if (line ~ /^#/) { notes[csv] = notes[csv] "\n" line; head = substr(line, 3); continue }
-        if (line == "") { blank++; continue }
-        if (blank >= 2) block++
-        blank = 0; add_row(csv, block, line, head)
-    }
-    close(csv)
-    return was_read[csv] = got >= 0
-}
-function add_row(csv, block, line, head,    bare) {
-    bare = line; gsub(/"[^"]*"/, "", bare)
-    if (!((csv, block) in heads)) {
-        comma[csv, block] = bare ~ /,/
-        heads[csv, block] = comma[csv, block] ? line : head
-        if (comma[csv, block]) return
-    }
-    row_at[csv, block, ++rows_of[csv, block]] = line
-}
-# Splits a row into cells, and counts them.
-function split_row(line, by_comma, cell,    n) {
-    line = line (by_comma ? "," : " ")
-    while (match(line, by_comma ? "^(\"[^\"]*\"|[^\",]*)," : "^ *(\"[^\"]*\"|[^\" ]+) +")) {
-        cell[++n] = substr(line, 1, RLENGTH - 1); line = substr(line, RLENGTH + 1)
-        gsub(/^ *"?|"? *$/, "", cell[n])
-    }
-    return n
-}
-# The number that "02-rope 3; 64; cost" names; "" and a complaint if none is.
-function number_of(address,    part, where, csv, block, i, k, at, entry, cell, head, n) {
-    split(address, part, /; */); split(part[1], where, " ")
-    csv = where[1] ~ /^[0-9][0-9]-/ ? substr(where[1], 1, 2) "/" where[1] : where[1] ~ /\// ? where[1] : "tables/" where[1]
-    csv = "figures/" csv ".csv"; block = where[2] == "" ? 0 : where[2]
-    if (!(csv in was_read)) read_rows(csv)
-    if (!was_read[csv]) return none("there is no file " csv)
-    if (block == "#") return number_after(notes[csv], part[2], csv)
-    for (i = 1; i <= rows_of[csv, block]; i++) {
-        entry = row_at[csv, block, i]; gsub(/"/, "", entry)
-        if (index(entry " ", part[2] " ") == 1 || index(entry, part[2] ",") == 1) { at = i; k++ }
-    }
-    if (k != 1) return none("in " csv ", " block ", " k + 0 " rows open with " part[2])
-    split_row(row_at[csv, block, at], comma[csv, block], cell); k = part[3] ~ /^[0-9]+$/ ? part[3] : 0
-    n = split_row(heads[csv, block], comma[csv, block], head)
-    for (i = 1; i <= n && !k; i++) if (head[i] == part[3]) k = i
-    if (!(k in cell) || cell[k] !~ /^-?[0-9.]/) return none("in " csv ", " block ", no number stands under " part[3])
-    return cell[k] + 0
-}
-function number_after(text, words, csv,    at) {
-    at = words == "" ? 0 : index(text, words); text = substr(text, at + length(words))
-    if (!at || !match(text, /^[^0-9\n]*-?[0-9][0-9.]*(e[-+]?[0-9]+)?/)) return none("no comment of " csv " has a number after " words)
-    text = substr(text, 1, RLENGTH); sub(/^[^0-9]*/, "", text)
-    return text + 0
-}
-function none(sentence) { fail(file, FNR, sentence); return "" }
-# x in so many digits that count; what is very large or small, with a power of ten.
-function digits(x, n,    power, out, minus) {
-    if (x == 0) return "0"
-    minus = x < 0; if (minus) x = -x
-    out = sprintf("%." (n - 1) "e", x); power = substr(out, index(out, "e") + 1) + 0; sub(/e.*/, "", out)
-    if (power < -4 || power > 7) return "$`" (minus ? "-" : "") out "\\cdot 10^{" power "}`$"
-    out = sprintf("%." (n - 1 > power ? n - 1 - power : 0) "f", out * 10 ^ power)
-    if (power > 5) out = substr(out, 1, power - 5) "," substr(out, power - 4)
-    if (power > 2) { n = length(out) - (index(out, ".") ? length(out) - index(out, ".") + 1 : 0); out = substr(out, 1, n - 3) "," substr(out, n - 2) }
-    return (minus ? "\342\210\222" : "") out
-}
-# What stands for {{inside}}: a cell, or a quotient of two.
-function say_number(inside,    form, cell, x, y) {
-    if (match(inside, /; *([0-9]+ *%?|%)$/)) { form = substr(inside, RSTART + 1); inside = substr(inside, 1, RSTART - 1) }
-    split(inside " / ", cell, / \/ /); x = number_of(cell[1]); y = cell[2] == "" ? 1 : number_of(cell[2])
-    if (x == "" || y == "") return ""
-    return digits((form ~ /%/ ? 100 : 1) * x / y, form + 0 ? form + 0 : 2) (form ~ /%/ ? " %" : "")
-}
-function with_numbers(line,    out, from, past) {
-    while (match(line, /\{\{[^}]*\}\}/)) {
-        from = RSTART; past = RSTART + RLENGTH
-        out = out substr(line, 1, from - 1) say_number(substr(line, from + 2, past - from - 4))
-        line = substr(line, past)
-    }
-    return out line
 }
 # A paragraph for each header, in the order of the alphabet: its functions, and
 # the chapter that they are explained in.

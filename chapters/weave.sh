@@ -8,4 +8,4 @@ code="lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/p
 
 export LC_ALL=C
 rm -rf "$1/woven" && mkdir -p "$1/woven" &&
-${2:-awk} -v pages="$1/woven" -f chapters/weave.awk $code chapters/[0-9]*.md > "$1/book.md"
+${2:-awk} -v pages="$1/woven" -f chapters/numbers.awk -f chapters/weave.awk $code chapters/[0-9]*.md > "$1/book.md"

@@ -19,7 +19,7 @@ sound() {
     printf '# 02. B\n\n## The code\n\n![p](../figures/p.png) [A](01-a.md)\n\n@@ slow\n\n%%%% figures/t.csv\n\n@@ body\n\n%%%% functions\n\n```\n@@ no region\n```\n' > chapters/02-b.md
     echo picture > figures/p.png
 }
-weave() { $awk -v pages="$pages" -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md; }
+weave() { $awk -v pages="$pages" -f "$root/chapters/numbers.awk" -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md; }
 check() { $awk -f "$root/chapters/check-book.awk" lib/*.h lib/*.c tests/oracle.[hc] book.md; }
 
 verdict() {     # NAME, and whether it went well
@@ -128,6 +128,23 @@ all() {
     numbers '{{01-n; a b; price}}'; refuses "number of no column" weave 'no number stands under price'
     numbers '{{01-n 1; x; what}}'; refuses "a cell that is no number" weave 'no number stands under what'
     numbers '{{01-n #; weight}}'; refuses "number in no comment" weave 'no comment of figures/01/01-n.csv has a number after weight'
+    numbers 'C {{01-n #; steps .. error; 2}}{{claim: 01-n; a c; cost > 1000}}, {{01-n #; settled .. balls:}}.'; sed -i.old '1i # 3: settled; 50 balls: -0.25 m\
+# with 12 steps: error 7' figures/01/01-n.csv
+    weave > book.md; grep -qxF 'C 7.0, −0.25.' book.md &&
+    verdict "words before words, signs and true claims" yes || verdict "words before words, signs and true claims" no
+    numbers '{{01-n #; settled; 50 balls:; 2}}'; sed -i.old '1i # 3: settled; 50 balls: 0.25 m' figures/01/01-n.csv
+    refuses "separator in a key" weave '{{01-n #; settled; 50 balls:}} has 3 fields'
+    numbers '{{01-n; a b; c; cost}}'; refuses "separator in a row" weave '{{01-n; a b; c; cost}} has 4 fields'
+    numbers '{{01-n #; with}}'; sed -i.old '1i # with 9' figures/01/01-n.csv
+    refuses "words that stand twice" weave 'the comments of figures/01/01-n.csv have with 2 times'
+    numbers '{{01-n #; gcc}}'; sed -i.old '1i # gcc 12.2.0' figures/01/01-n.csv
+    refuses "a version for a number" weave 'what follows gcc in the comments of figures/01/01-n.csv is no number'
+    numbers '{{01-n; a c; cost}}'; sed -i.old 's/1234.5/3x/' figures/01/01-n.csv
+    refuses "text for a number" weave 'no number stands under cost'
+    numbers '{{01-n; a c; cost}}'; sed -i.old 's/1234.5/nan/' figures/01/01-n.csv
+    refuses "no number for a number" weave 'no number stands under cost'
+    numbers '{{claim: 01-n; a c; cost < 1000}}'; refuses "a false claim" weave 'this is not so: 01-n; a c; cost < 1000 (1234.5 and 1000)'
+    numbers '{{claim: 01-n; a c; cost}}'; refuses "a claim of nothing" weave 'a claim is a < b or a > b'
     numbers '{{01-m; a; cost}}'; refuses "number of no file" weave 'there is no file figures/01/01-m.csv'
 
     # --- the finished book ---

@@ -140,7 +140,7 @@ endef
 $(foreach m,$(LINE),$(eval $(call module,$m)))
 TESTS_09 += check_poses
 UPTO_poses := $(UPTO_09)
-TESTS_20 := check_hard
+TESTS_20 := check_hard check_families
 TESTS_21 := check_clock check_thread
 # The figures of 00 to 08 see Part I up to their chapter; later ones may ask what
 # a module does to the whole, and chapter 09 sets the engine beside its system.
@@ -327,7 +327,9 @@ endif
 #:   make coverage   which lines of lib/ do the tests run, which branches both ways?
 #:   make hard       run the hard cases, each beside its target: on the engine
 #:                   (figures/tables/hard.csv), and on the system of Part I,
-#:                   which falls short in many; fails if the engine does.  On
+#:                   which falls short in many; fails if the engine does.  Then
+#:                   the families (figures/tables/families.csv): properties
+#:                   through tumble.h; fails if one is worse than committed.  On
 #:                   all cores (JOBS=1: one at a time); stopped, it goes on
 #:   make drape      cloth and rope on all kinds of things, a line of numbers each
 #:   make apart      cloth with and without chapter 12's rules of contact
@@ -367,7 +369,7 @@ charts:
 $(CHARTS:%=chart-%): chart-%:
 	$(Q)$(call redraw,$*) && sh figures/draw/stamp.sh -d $*
 
-hard: $(BUILD)/hard $(BUILD)/hard-plain $(BUILD)/tumble-sweep
+hard: $(BUILD)/hard $(BUILD)/hard-plain $(BUILD)/families $(BUILD)/tumble-sweep
 	$(Q)sh tests/hard/hard.sh $(BUILD) figures/tables $(JOBS)
 
 .PHONY: drape apart strings
@@ -587,6 +589,12 @@ $(BUILD)/hard-plain: $(BUILD)/tests/plain.o $(HARD) $(ALL)
 	$(call link,-lm)
 $(BUILD)/hard: $(BUILD)/tests/hard.o $(HARD) $(ALL)
 	$(call link,-lm)
+# Families see of the library what a program sees, and nothing else.
+FAMILY := $(patsubst %.c,$(BUILD)/tests/%.o,families.c $(notdir $(wildcard tests/hard/family*.c))) \
+  $(BUILD)/tests/hard_report.o
+$(BUILD)/families: $(BUILD)/tests/hard.o $(FAMILY) $(BUILD)/seen.a
+	$(call link,-lm)
+$(BUILD)/tests/check_families: $(FAMILY)
 $(BUILD)/drape-apart: LDFLAGS += -Wl,--wrap=lines_relax,--wrap=soft_relax,--wrap=soft_hold
 $(BUILD)/drape-apart: $(BUILD)/tests/apart.o
 $(BUILD)/drape-links: LDFLAGS += -Wl,--wrap=taut_most

@@ -1,11 +1,12 @@
-// hard.c - runs the hard cases: one line each, and a count.
+// hard.c - runs hard cases, one line each, and counts them: `hard` those of the
+// engine, `families` those through tumble.h.
 //
 //   hard                  all of them
 //   hard 3 17             some
 //   hard --fast           the short forms, those that make test runs
 //   hard --parts          every number of a case, and its notes, under its line
 //   hard --list           numbers and names
-//   hard --head           the head of figures/tables/hard.csv
+//   hard --head           the head of its table in figures/tables
 //   hard --row 3          what case 3 writes below it; its line goes to stderr
 //
 // Ends with 0 if all hold, 1 if some fall short, 2 if it was not understood; with
@@ -29,10 +30,10 @@ typedef struct {
 
 static int refuse(const char *what, const char *word)
 {
-    fprintf(stderr, "hard: %s %s\n"
-            "usage: hard [--fast] [--parts] [NUMBER ...]\n"
-            "       hard --list | --head | --row NUMBER\n",
-            what, word);
+    fprintf(stderr, "%s: %s %s\n"
+            "usage: [--fast] [--parts] [NUMBER ...]\n"
+            "       --list | --head | --row NUMBER\n",
+            hard_all.program, what, word);
     return 0;
 }
 
@@ -101,7 +102,8 @@ static int run_case(const hard_case *c, const options *o)
 {
     hard_report *r = calloc(1, sizeof *r);
     if (!r) {
-        fprintf(stderr, "hard: there is no memory for case %d\n", c->number);
+        fprintf(stderr, "%s: there is no memory for case %d\n",
+                hard_all.program, c->number);
         return 0;
     }
     clock_t start = clock();
@@ -144,10 +146,9 @@ static int list_all(void)
 
 static int print_head(void)
 {
-    printf("# The hard cases: of each the worst number beside its target\n"
-           "# compiler: %s; flags: %s\n"
-           "number,case,measured,error,target,seconds,verdict\n", __VERSION__,
-           FLAGS);
+    printf("# %s\n# compiler: %s; flags: %s\n"
+           "number,case,measured,error,target,seconds,verdict\n",
+           hard_all.title, __VERSION__, FLAGS);
     return 0;
 }
 

@@ -9,7 +9,7 @@
 
 #include "status.h"
 
-enum { HARD_PARTS = 48, HARD_NOTES = 12 };
+enum { HARD_PARTS = 48, HARD_NOTES = 48 };
 
 // One number beside its target.
 typedef struct {
@@ -23,7 +23,7 @@ typedef struct {
 typedef struct {
     int  parts, notes;
     hard_part part[HARD_PARTS];
-    char note[HARD_NOTES][160];     // what a reader of the numbers should know
+    char note[HARD_NOTES][192];     // what a reader of the numbers should know
 } hard_report;
 
 typedef struct {
@@ -33,14 +33,18 @@ typedef struct {
     void (*run)(hard_report *r, int fast);
 } hard_case;
 
-// The cases, one list a file.
-extern const hard_case hard_particles[], hard_turning[], hard_queries[],
-    hard_trees[], hard_bodies[], hard_thin[], hard_cloth[], hard_room[],
-    hard_drape[];
+// What a program runs: hard_list.c has the engine's cases, families.c those
+// through tumble.h.
+typedef struct {
+    const char *program;    // its name
+    const char *title;      // what its table is
+    const hard_case *const *list;       // one a file; NULL ends them
+} hard_catalogue;
+extern const hard_catalogue hard_all;
 
 // The case of this number, or NULL.
 const hard_case *hard_find(int number);
-enum { HARD_LAST = 36 };            // the largest number there may be
+enum { HARD_LAST = 199 };           // the largest number there may be
 
 // Adds a number, or a note, with the sentence that printf would make.
 #if defined(__GNUC__)

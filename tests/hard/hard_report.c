@@ -7,16 +7,10 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-// A new file of cases is entered here.
-static const hard_case *const list[] = {
-    hard_particles, hard_turning, hard_queries, hard_trees,
-    hard_bodies, hard_thin, hard_cloth, hard_room, hard_drape
-};
-
 const hard_case *hard_find(int number)
 {
-    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
-        for (const hard_case *c = list[k]; c->number > 0; c++)
+    for (const hard_case *const *l = hard_all.list; *l; l++)
+        for (const hard_case *c = *l; c->number > 0; c++)
             if (c->number == number) return c;
     return NULL;
 }

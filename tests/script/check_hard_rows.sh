@@ -32,6 +32,20 @@ esac
 END
 chmod +x build/hard
 sed 's/ran/plain-ran/; s/stand-in/plain/' build/hard > build/hard-plain && chmod +x build/hard-plain
+
+# The rows of families have numbers with gaps, and one number each, in `number`.
+cat > build/families <<'END'
+#!/bin/sh
+case $1 in
+--list) printf '101  a\n105  b\n' ;;
+--head) printf '# stand-in\nnumber,case,verdict\n' ;;
+--row)  read -r number target verdict < number
+        printf '%s,"case, %s",%s\n' "$2" "$2" "$verdict"
+        printf '# %s: it: it is: %s m, target %s, %s\n' "$2" "$number" "$target" "$verdict"
+        printf '# %s: it: it is: %s of 9 beyond the target, worst\n' "$2" "$(cat beyond)" ;;
+esac
+END
+chmod +x build/families; echo '.5 1 holds' > number; echo 0 > beyond
 : > bad; : > short; : > go
 run() { sh "$root/tests/hard/hard.sh" build tables "$@" > out 2> err; code=$?; }
 
@@ -54,6 +68,26 @@ verdict 'what cannot be run is told' "$([ $code -eq 2 ] && grep -q 'make hard go
 cp tables/hard.csv before; : > bad; rm -f ran plain-ran
 run
 verdict 'and only that is run again' "$([ $code -eq 0 ] && [ "$(cat plain-ran)" = 6 ] || echo "$code: $(cat plain-ran out err)")"
+
+# A number of families that was worse is not lost in a table.
+families() {    # NAME CODE WORDS: the next run ends so, and says so
+    run
+    verdict "$1" "$([ $code -eq "$2" ] && grep -q "$3" out || echo "$code: $(cat out err)")"
+}
+families 'families hold' 0 '^families: 2 of 2 hold'
+echo '3 1 FALLS SHORT' > number
+families 'what held falls short' 1 'worse: 105: it: it is: 3 m falls short'
+families 'what fell short may' 0 'falls short: 101 '
+echo '3.1 1 FALLS SHORT' > number
+families 'but not by more' 1 'worse: 101: it: it is: 3.1 m, was 3'
+echo 'nan 1 FALLS SHORT' > number
+families 'NaN is worse than any number' 1 'worse: 101: it: it is: nan m'
+echo '2 1 FALLS SHORT' > number; run; echo 4 > beyond
+families 'nor oftener' 1 'worse: 101: it: it is: 4 of 9 trials'
+sed -i 's/^# 105: .*target.*/# 105: another: 1 m, target 2, holds/' tables/families.csv
+families 'nor be gone' 1 'worse: 105: another: is gone'
+echo '.5 1 holds' > number
+families 'what holds now is told' 0 'holds now: 101: it: it is'
 
 # Stopped while row 5 runs.
 rm -f go ran plain-ran build/*.joblog

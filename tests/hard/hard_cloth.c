@@ -6,6 +6,7 @@
 #include "hard.h"
 #include "hard_drape_set.h"
 #include "hard_judge.h"
+#include "probe.h"
 #include "world_scene.h"
 #include "soft.h"
 #include "step.h"
@@ -132,7 +133,7 @@ static void check_counting(hard_report *r, int n, int frames)
     if (!hard_ok(r, world_scene_build(&s, kind, what,
                                       world_scene_options(kind, what.cloth))))
         return;
-    s.world.soft.near.pair_capacity = 0;
+    probe_lists(&s.world)->pair_capacity = 0;
     for (int k = 0; k < frames; k++) world_step(&s.world);
     int patches = patches_make(&s.world, 1, sheet);
     long found = crossings_count(sheet, patches);
@@ -234,8 +235,8 @@ static stillness lie_still(world *w, int frames)
     for (int i = 0; i < n; i++) was[i] = w->pool.at[b->first + i].position;
     for (int f = 0; f < frames; f++) {
         world_step(w);
-        for (int k = 0; k < w->soft.near.pairs; k++)
-            s.touching += particle_contact_overlaps(&w->soft.near.pair[k],
+        for (int k = 0; k < probe_lists(w)->pairs; k++)
+            s.touching += particle_contact_overlaps(&probe_lists(w)->pair[k],
                                                     w->pool.at);
         for (int i = 0; i < n; i++)
             s.drift = hard_worse(s.drift, vec3_distance(

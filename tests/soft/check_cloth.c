@@ -60,8 +60,8 @@ static real lowest(int b)
 
 static bool sleeps(int b, int most)
 {
-    for (int f = 0; f < most && !w.sleep.asleep[b]; f++) world_step(&w);
-    return w.sleep.asleep[b];
+    for (int f = 0; f < most && !probe_sleeps(&w, b); f++) world_step(&w);
+    return probe_sleeps(&w, b);
 }
 
 static void pin_corners(int b)
@@ -286,7 +286,7 @@ static void bring(int b, vec3 to, vec3 velocity)
         p->previous = vec3_add_scaled(p->position, -w.age, velocity);
         p->inverse_mass = w.inverse_mass[w.body[b].first + i];
     }
-    sleep_forget(&w.sleep, b);
+    probe_forget_sleep(&w, b);
 }
 
 // Rejects: a deformable body that nothing wakes: a rope at rest would catch a
@@ -302,7 +302,7 @@ START_TEST(rope_that_sleeps_wakes_under_a_cloth)
     bool woke = false;
     for (int f = 0; f < 30; f++) {
         frames(1);
-        woke |= !w.sleep.asleep[r];
+        woke |= !probe_sleeps(&w, r);
     }
     ck_assert(woke);
     ck_assert(middle(c).y < 0.4);
@@ -343,7 +343,7 @@ START_TEST(box_on_a_cloth_lies_still_and_falls_asleep)
     frames(90);
     vec3 was = middle(b);
     ck_assert(sleeps(b, 120));
-    ck_assert(w.sleep.asleep[c]);
+    ck_assert(probe_sleeps(&w, c));
     ck_assert_int_eq(w.report.asleep, 2);
     near_vec3(middle(b), was, 1e-3);
     // Its lower side is a thickness over the cloth, which is one over the
@@ -414,7 +414,7 @@ START_TEST(torn_cloth_is_not_thrown_by_its_diagonals)
         p->position = vec3_add(p->position, vec3_make(x[0], x[1], x[2]));
     }
     soft_frame f = soft_frame_of(&w, w.age);
-    soft_draw(&w.soft, &f);
+    probe_draw(&w, &f);
     for (int i = 0; i < cloth.particles; i++) {
         real far = vec3_length(particle_of(b, i)->position);
         ck_assert_msg(far <= 3, "particle %d: %g m", i, far);

@@ -7,6 +7,7 @@
 
 #include "random.h"
 #include "expect.h"
+#include "probe.h"
 #include "world.h"
 
 static const vec3 ZERO = { 0, 0, 0 }, UP = { 0, 1, 0 };
@@ -75,7 +76,7 @@ static inline particle *particle_of(int b, int i)
 static inline void begin_frame(void)
 {
     w.report = (step_report){ .substeps = w.options.substeps };
-    sleep_begin(&w.sleep);
+    probe_begin_sleep(&w);
 }
 
 enum { MOST_VERTICES = 100 };

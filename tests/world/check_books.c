@@ -147,8 +147,8 @@ START_TEST(books_balance_while_bodies_fall_asleep_and_wake)
     bool slept = false, woke = false;
     for (int f = 0; f < 400; f++) {
         world_step(&w);
-        slept |= w.sleep.asleep[0];
-        woke |= slept && !w.sleep.asleep[0];
+        slept |= probe_sleeps(&w, 0);
+        woke |= slept && !probe_sleeps(&w, 0);
         books_balance(was, BOOKS * 2000);
     }
     ck_assert(slept && woke);

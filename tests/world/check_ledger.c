@@ -7,6 +7,7 @@
 
 #include "expect.h"
 #include "ledger.h"
+#include "probe.h"
 #include "suite.h"
 
 // Sums over a few dozen particles, of numbers up to a thousand.
@@ -116,7 +117,7 @@ START_TEST(total_counts_sleepers_and_nothing_static)
     // Asleep, it is pinned for the time being.
     for (int i = 0; i < body_particles(&w.body[1]); i++)
         w.pool.at[w.body[1].first + i].inverse_mass = 0;
-    w.sleep.asleep[1] = true;
+    probe_lay(&w, 1);
     near(ledger_total(&w).energy, wanted - 2 * above_middle(), ROUNDING);
 }
 END_TEST
@@ -188,21 +189,6 @@ START_TEST(fall_in_substeps_of_changing_length_books_no_energy)
 }
 END_TEST
 
-// As the step begins a frame: bodies hand over to the tables.
-static void look(void)
-{
-    for (int b = 0; b < w.bodies; b++) {
-        const body *x = &w.body[b];
-        const particle *p = w.pool.at + x->first;
-        solver_body *now = &w.rigid.now[b];
-        if (body_is_soft(x)) continue;
-        now->frame = rigid4_frame(p);
-        now->basis = basis_find(x->rigid, &now->frame);
-        w.rigid.velocity[b] = motion_of(p, &now->frame, &now->basis, w.age);
-        w.rigid.moved[b] = (motion){ { 0 } };
-    }
-}
-
 static void add_some(void)
 {
     add(&box, thrown(vec3_make(1, 2, 3), vec3_make(4, 5, -6),
@@ -220,7 +206,7 @@ START_TEST(bodies_have_in_a_frame_what_their_particles_have)
     begin(booked());
     add_some();
     ledger_entry was = ledger_total(&w);
-    look();
+    probe_look(&w);
     for (int i = 0; i < 8; i++) w.pool.at[i].position = ZERO;
     w.ledger_ahead = -w.age / 2;
     ledger_entry now = ledger_total(&w);
@@ -242,19 +228,21 @@ START_TEST(fall_within_a_frame_books_no_energy)
         begin(booked());
         add_some();
         ledger_open(&w);
-        look();
+        probe_look(&w);
         real h = share[n] * w.age;
         vec3 g = w.options.gravity;
         for (int k = 0; k < 20; k++) {
             real seconds = k == 0 ? (w.age + h) / 2 : h;
             for (int b = 0; b < 2; b++)
-                w.rigid.velocity[b].of[1] += seconds * g.y;
+                probe_velocity(&w, b)->of[1] += seconds * g.y;
             w.ledger_ahead = h / 2;
             ledger_book(&w, LEDGER_INTEGRATE);
             near(w.ledger[LEDGER_INTEGRATE].energy, 0, CHANGING);
-            for (int b = 0; b < 2; b++)
-                for (int i = 0; i < MOTIONS; i++)
-                    w.rigid.moved[b].of[i] += h * w.rigid.velocity[b].of[i];
+            for (int b = 0; b < 2; b++) {
+                const real *u = probe_velocity(&w, b)->of;
+                real *d = probe_move(&w, b)->of;
+                for (int i = 0; i < MOTIONS; i++) d[i] += h * u[i];
+            }
             w.ledger_ahead = -h / 2;
             ledger_book(&w, LEDGER_CONTACTS);
             near(w.ledger[LEDGER_CONTACTS].energy, 0, CHANGING);
@@ -278,10 +266,10 @@ START_TEST(impulses_within_a_frame_are_booked)
     begin(o);
     add_some();
     ledger_open(&w);
-    look();
+    probe_look(&w);
     w.ledger_ahead = w.age / 2;
-    motion *u = &w.rigid.velocity[0];
-    const motion_basis *basis = &w.rigid.now[0].basis;
+    motion *u = probe_velocity(&w, 0);
+    const motion_basis *basis = &probe_start(&w, 0)->basis;
     vec3 before = motion_at(basis, u, arm);
     motion_push(u, basis, arm, impulse);
     vec3 after = motion_at(basis, u, arm);
@@ -290,7 +278,7 @@ START_TEST(impulses_within_a_frame_are_booked)
     near(e->energy, vec3_dot(impulse, vec3_add(before, after)) / 2,
               ROUNDING);
     near_vec3(e->momentum, impulse, ROUNDING);
-    vec3 at = vec3_add(w.rigid.now[0].frame.center, arm);
+    vec3 at = vec3_add(probe_start(&w, 0)->frame.center, arm);
     near_vec3(e->angular, vec3_cross(at, impulse), ROUNDING);
 }
 END_TEST

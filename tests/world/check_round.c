@@ -397,7 +397,8 @@ START_TEST(marble_rests_on_a_floor_in_a_corner_and_on_two_edges)
     near_vec3(middle(a), vec3_make(3, .1, 3), 1e-3 * .1);
     near_vec3(middle(b), vec3_make(.1, .1, .1), 1e-3 * .1);
     near_vec3(middle(c), vec3_make(6, 1 + sqrt(.01 - .0025), 5), 1e-3 * .1);
-    ck_assert(w.sleep.asleep[a] && w.sleep.asleep[b] && w.sleep.asleep[c]);
+    ck_assert(probe_sleeps(&w, a) && probe_sleeps(&w, b)
+              && probe_sleeps(&w, c));
 }
 END_TEST
 
@@ -437,7 +438,8 @@ START_TEST(ball_that_bounces_begins_to_roll)
     int b = add_thrown(&ball, vec3_make(0, 1, 0), vec3_make(1, -2, 0), ZERO);
     frames(60);
     near_vec3(velocity(b), vec3_make(5.0 / 7, 2, 0), 1e-6);
-    near_vec3(motion_rotation(&w.rigid.now[b].basis, &w.rigid.velocity[b]),
+    near_vec3(motion_rotation(&probe_start(&w, b)->basis,
+                              probe_velocity(&w, b)),
               vec3_make(0, 0, -50.0 / 7), 1e-5);
 }
 END_TEST
@@ -449,9 +451,9 @@ START_TEST(ball_that_spins_reaches_nothing_by_it)
     add_floor();
     int b = add_thrown(&ball, vec3_make(0, .1, 0), ZERO, vec3_make(0, 100, 0));
     frames(2);
-    ck_assert(w.rigid.ahead[b].reach < .01);
-    ck_assert_int_eq(w.rigid.cache.actives, 1);
-    ck_assert_int_eq(w.rigid.cache.active[0]->count, 1);
+    ck_assert(*probe_reach(&w, b) < .01);
+    ck_assert_int_eq(probe_contacts(&w), 1);
+    ck_assert_int_eq(probe_points(&w, b), 1);
 }
 END_TEST
 
@@ -490,7 +492,7 @@ START_TEST(capsule_lies_still_and_falls_over_if_it_leans)
     for (int k = 0; k < 2; k++) {
         near(vertex_of(both[k], 0).y, .1, 1e-3 * .1);
         near(vertex_of(both[k], 1).y, .1, 1e-3 * .1);
-        ck_assert(w.sleep.asleep[both[k]]);
+        ck_assert(probe_sleeps(&w, both[k]));
     }
 }
 END_TEST
@@ -508,7 +510,8 @@ START_TEST(capsules_lie_on_each_other)
     near_vec3(middle(a), vec3_make(0, .6, 0), .01);
     near_vec3(middle(b), vec3_make(0, .8, 0), .01);
     near_vec3(middle(c), vec3_make(0, 1, 0), .01);
-    ck_assert(w.sleep.asleep[a] && w.sleep.asleep[b] && w.sleep.asleep[c]);
+    ck_assert(probe_sleeps(&w, a) && probe_sleeps(&w, b)
+              && probe_sleeps(&w, c));
 }
 END_TEST
 
@@ -557,7 +560,7 @@ START_TEST(slow_balls_come_to_rest)
                            vec3_make(0, .5, 0));
         frames(300);
         near(middle(b).x, 1.5, 1e-3);
-        if (sleeps) ck_assert(w.sleep.asleep[a] && w.sleep.asleep[c]);
+        if (sleeps) ck_assert(probe_sleeps(&w, a) && probe_sleeps(&w, c));
         if (sleeps) ck_assert(middle(a).x > .01 && middle(a).x < .1);
         else        near(middle(a).x, .25, 1e-3);
     }

@@ -6,6 +6,7 @@
 
 #include "convex.h"
 #include "expect.h"
+#include "probe.h"
 #include "random.h"
 #include "step.h"
 #include "suite.h"
@@ -239,7 +240,7 @@ START_TEST(what_drifts_in_space_goes_on)
         p.spin.z = 0;
         add(p);
         ck_assert(run(20, 2) == HUGE_VAL);
-        ck_assert(w.sleep.asleep[2]);
+        ck_assert(probe_sleeps(&w, 2));
         ck_assert(fabs(center(0).x - 20 * speed[k]) < 1e-9);
         ck_assert(fabs(upright(1).x + sin(20 * speed[k])) < 1e-6);
     }

@@ -49,38 +49,21 @@ static void put(particle *p, vec3 x)
     p->position = p->previous = x;
 }
 
-// As the step does when a frame begins: rigid bodies stand where their
-// particles are, and have the velocity that these have.
-static void look(void)
-{
-    for (int b = 0; b < w.bodies; b++) {
-        const body *x = &w.body[b];
-        const particle *p = w.pool.at + x->first;
-        solver_body *now = &w.rigid.now[b];
-        if (body_is_soft(x) || body_is_static(x)) continue;
-        now->frame = rigid4_frame(p);
-        now->basis = basis_find(x->rigid, &now->frame);
-        w.rigid.velocity[b] = motion_of(p, &now->frame, &now->basis, w.age);
-        w.rigid.moved[b] = (motion){ { 0 } };
-        w.rigid.ball[b].center = now->frame.center;
-    }
-}
-
 // What the world's step does of a substep, one by one.
 static void renew(real h)
 {
     soft_frame f = soft_frame_of(&w, h);
     f.age = h;
-    near_refresh(&w.soft.near, &w.soft.view, &f);
+    probe_refresh(&w, &f);
 }
 
 // As if a frame began with it, in which nothing is fast.
 static void refresh(real h)
 {
     soft_frame f = soft_frame_of(&w, h);
-    int made = w.soft.near.made;
-    near_begin(&w.soft.near, &f, w.rigid.ahead);
-    w.soft.near.made = made;
+    int made = probe_lists(&w)->made;
+    probe_begin_lists(&w, &f);
+    probe_lists(&w)->made = made;
     renew(h);
 }
 
@@ -88,13 +71,13 @@ static void separate(real h)
 {
     soft_frame f = soft_frame_of(&w, h);
     f.age = h;
-    soft_separate(&w.soft, &f);
+    probe_separate(&w, &f);
 }
 
 static void hold(real h)
 {
     soft_frame f = soft_frame_of(&w, h);
-    soft_hold(&w.soft, &f);
+    probe_hold(&w, &f);
 }
 
 static int stretched(void)
@@ -113,14 +96,14 @@ static void read_lists(void)
     ck_assert_int_le(w.pool.count, MOST);
     for (int i = 0; i < w.pool.count; i++)
         for (int j = 0; j < w.pool.count; j++) listed[i][j] = pointed[i][j] = 0;
-    for (int k = 0; k < w.soft.near.pairs; k++) {
-        particle_contact c = w.soft.near.pair[k];
+    for (int k = 0; k < probe_lists(&w)->pairs; k++) {
+        particle_contact c = probe_lists(&w)->pair[k];
         ck_assert_msg(!listed[c.a][c.b], "pair (%d, %d) is listed twice",
                       c.a, c.b);
         listed[c.a][c.b] = listed[c.b][c.a] = 1;
     }
-    for (int k = 0; k < w.soft.near.points; k++) {
-        point_pair p = w.soft.near.point[k];
+    for (int k = 0; k < probe_lists(&w)->points; k++) {
+        point_pair p = probe_lists(&w)->point[k];
         ck_assert_msg(!pointed[p.particle][p.rigid],
                       "particle %d is listed twice", p.particle);
         pointed[p.particle][p.rigid] = 1;
@@ -177,9 +160,7 @@ static int points_are_listed(real margin)
         const body *rigid = &w.body[b];
         if (body_is_soft(rigid)) continue;
         vec3 at[8];
-        rigid_frame frame = motion_frame(&w.rigid.now[b].frame,
-                                         &w.rigid.now[b].basis,
-                                         &w.rigid.moved[b]);
+        rigid_frame frame = probe_frame(&w, b);
         rigid4_ride(rigid->rigid, &frame, at, 8);
         obstacle hit = { { at, 8 }, wall, hull_planes(rigid->shape, at, wall),
                          rigid->shape->radius, 0 };
@@ -220,7 +201,7 @@ static bool is_over_face(const rigid_frame *r, const vec3 end[FACET], real room)
 
 static bool is_listed(int soft, int rigid, int number)
 {
-    const facet_list *l = &w.soft.near.facet;
+    const facet_list *l = &probe_lists(&w)->facet;
     for (int k = 0; k < l->count; k++)
         if (l->at[k].soft == soft && l->at[k].rigid == rigid
             && l->at[k].number == number) return true;
@@ -236,8 +217,7 @@ static int facets_of_are_listed(int a, int b, real margin)
     real reach = facet_gap(soft, rigid) + margin - EDGE;
     int facets = s->mesh.faces > 0 ? s->mesh.faces : s->sticks, found = 0;
     vec3 at[8], end[FACET];
-    rigid_frame frame = motion_frame(&w.rigid.now[b].frame,
-                                     &w.rigid.now[b].basis, &w.rigid.moved[b]);
+    rigid_frame frame = probe_frame(&w, b);
     rigid4_ride(rigid->rigid, &frame, at, 8);
     for (int k = 0; k < facets; k++) {
         int corners[FACET];
@@ -298,9 +278,9 @@ START_TEST(flat_cloth_at_rest_touches_nothing)
             was[i] = particle_of(sheet, i)->position;
         refresh(H);
         separate(H);
-        ck_assert_int_eq(w.soft.near.pairs + w.soft.near.points, 0);
-        ck_assert_int_eq(w.soft.touching, 0);
-        ck_assert_int_eq(w.soft.near.dropped, 0);
+        ck_assert_int_eq(probe_lists(&w)->pairs + probe_lists(&w)->points, 0);
+        ck_assert_int_eq(probe_touching(&w), 0);
+        ck_assert_int_eq(probe_lists(&w)->dropped, 0);
         ck_assert(same_places(was));
         begin(world_options_default());
         shape_free(&flat);
@@ -326,7 +306,7 @@ START_TEST(folded_cloth_touches_itself)
     read_lists();
     ck_assert_int_gt(pairs_are_listed(0, 0), 2 * SIDE);
     separate(H);
-    ck_assert_int_gt(w.soft.touching, 2 * SIDE);
+    ck_assert_int_gt(probe_touching(&w), 2 * SIDE);
     // The upper layer has gone up, the lower one down.
     real up = 0, down = 0;
     for (int i = 0; i < cloth.particles; i++) {
@@ -335,7 +315,7 @@ START_TEST(folded_cloth_touches_itself)
         else down += dy;
     }
     ck_assert_msg(up > 0 && down < 0, "up %g, down %g", up, down);
-    ck_assert_int_eq(w.soft.near.dropped, 0);
+    ck_assert_int_eq(probe_lists(&w)->dropped, 0);
 }
 END_TEST
 
@@ -347,9 +327,9 @@ START_TEST(fold_that_is_wide_enough_touches_nothing)
     fold(b, 1.11 * cloth.spacing);
     // Only the two middle columns are one spacing apart, and they are joined.
     refresh(H);
-    ck_assert_int_gt(w.soft.near.pairs, 0);
+    ck_assert_int_gt(probe_lists(&w)->pairs, 0);
     separate(H);
-    ck_assert_int_eq(w.soft.touching, 0);
+    ck_assert_int_eq(probe_touching(&w), 0);
 }
 END_TEST
 
@@ -384,16 +364,16 @@ START_TEST(lists_hold_what_all_pairs_within_the_margin_hold)
         begin(world_options_default());
         make_heap(size[k % 4]);
         refresh(H);
-        ck_assert_int_eq(w.soft.near.dropped, 0);
+        ck_assert_int_eq(probe_lists(&w)->dropped, 0);
         read_lists();
-        int pairs = pairs_are_listed(w.soft.near.margin, 1);
-        int points = points_are_listed(w.soft.near.margin);
-        ck_assert_int_eq(pairs, w.soft.near.pairs);
+        int pairs = pairs_are_listed(probe_lists(&w)->margin, 1);
+        int points = points_are_listed(probe_lists(&w)->margin);
+        ck_assert_int_eq(pairs, probe_lists(&w)->pairs);
         ck_assert_int_gt(pairs, 0);
-        ck_assert_int_ge(w.soft.near.points, points);
+        ck_assert_int_ge(probe_lists(&w)->points, points);
         if (size[k % 4] < 1) ck_assert_int_gt(points, 10);
-        for (int i = 0; i < w.soft.near.pairs; i++) {
-            const particle_contact *c = &w.soft.near.pair[i];
+        for (int i = 0; i < probe_lists(&w)->pairs; i++) {
+            const particle_contact *c = &probe_lists(&w)->pair[i];
             real thick[2];
             const int end[2] = { c->a, c->b };
             for (int s = 0; s < 2; s++) {
@@ -416,10 +396,10 @@ static int lists_after(vec3 one, vec3 other)
     int b = add_at(&cloth, 0, 0, 0);
     refresh(H);
     particle *p = particle_of(b, 33), *q = particle_of(b, 44);
-    put(p, vec3_add_scaled(p->position, w.soft.near.margin, one));
-    put(q, vec3_add_scaled(q->position, w.soft.near.margin, other));
+    put(p, vec3_add_scaled(p->position, probe_lists(&w)->margin, one));
+    put(q, vec3_add_scaled(q->position, probe_lists(&w)->margin, other));
     refresh(H);
-    return w.soft.near.made;
+    return probe_lists(&w)->made;
 }
 
 // Rejects: lists made in every substep, which would cost all that they spare;
@@ -455,18 +435,19 @@ START_TEST(lists_are_made_again_when_a_rigid_body_has_come_near)
         begin(world_options_default());
         add_at(&cloth, 0, 0, 0);
         int b = add_at(&box, 0, 0.3, 0);
-        look();
+        probe_look(&w);
         refresh(H);
-        w.rigid.moved[b].of[0] = (k ? 0.51 : 0.49) * w.soft.near.margin;
+        probe_move(&w, b)->of[0] = (k ? 0.51 : 0.49) * probe_lists(&w)->margin;
         refresh(H);
-        ck_assert_int_eq(w.soft.near.made, 1 + k);
+        ck_assert_int_eq(probe_lists(&w)->made, 1 + k);
         // Its vertices may take 0.049 of the margin in a substep, and what
         // comes against them as much, and both twice as much: 0.196.
-        w.rigid.moved[b] = (motion){ { 0 } };
-        w.rigid.velocity[b] = (motion){ { 0.0245 * w.soft.near.margin / H } };
-        w.soft.near.trusted = 0;
+        *probe_move(&w, b) = (motion){ { 0 } };
+        *probe_velocity(&w, b) = (motion){ { 0 } };
+        probe_velocity(&w, b)->of[0] = 0.0245 * probe_lists(&w)->margin / H;
+        probe_lists(&w)->trusted = 0;
         if (k == 0) refresh(H);
-        if (k == 0) ck_assert_int_eq(w.soft.near.trusted, 5);
+        if (k == 0) ck_assert_int_eq(probe_lists(&w)->trusted, 5);
     }
 }
 END_TEST
@@ -479,23 +460,23 @@ START_TEST(lists_ask_only_about_what_may_come_near)
     add_at(&cloth, 0, 0, 0);
     for (int k = 0; k < 8; k++) add_at(&box, 20 + 2 * k, 0, 0);
     int b = add_at(&box, 2, 0, 0);
-    look();
-    w.rigid.ahead[b].reach = 0.2;
+    probe_look(&w);
+    *probe_reach(&w, b) = 0.2;
     refresh(H);
-    ck_assert_int_eq(w.soft.near.candidates, 1);
-    w.rigid.ahead[b].reach = 0.22;
+    ck_assert_int_eq(probe_lists(&w)->candidates, 1);
+    *probe_reach(&w, b) = 0.22;
     refresh(H);
-    ck_assert_int_eq(w.soft.near.candidates, 2);
-    ck_assert_int_eq(w.soft.near.candidate[1], b);
-    ck_assert_int_eq(w.soft.near.made, 2);
+    ck_assert_int_eq(probe_lists(&w)->candidates, 2);
+    ck_assert_int_eq(probe_lists(&w)->candidate[1], b);
+    ck_assert_int_eq(probe_lists(&w)->made, 2);
     // What has been asked about is known until another comes.
-    w.rigid.ahead[b].reach = 0;
+    *probe_reach(&w, b) = 0;
     refresh(H);
-    ck_assert_int_eq(w.soft.near.made, 2);
+    ck_assert_int_eq(probe_lists(&w)->made, 2);
     // Lost numbers may be anywhere.
-    w.rigid.ball[1].center.x = (real)NAN;
+    probe_ball(&w, 1)->center.x = (real)NAN;
     refresh(H);
-    ck_assert_int_eq(w.soft.near.candidate[1], 1);
+    ck_assert_int_eq(probe_lists(&w)->candidate[1], 1);
 }
 END_TEST
 
@@ -509,12 +490,12 @@ START_TEST(lists_are_looked_at_when_the_substep_changes)
     begin(o);
     int b = add_at(&cloth, 0, 0, 0);
     particle *p = particle_of(b, 44);
-    p->previous.y -= w.soft.near.margin / 33;
+    p->previous.y -= probe_lists(&w)->margin / 33;
     refresh(w.age);
     refresh(w.age);
-    ck_assert_int_eq(w.soft.near.trusted, 8);
+    ck_assert_int_eq(probe_lists(&w)->trusted, 8);
     soft_step(&w, 50 * w.age);
-    ck_assert_int_eq(w.soft.near.made, 2);
+    ck_assert_int_eq(probe_lists(&w)->made, 2);
 }
 END_TEST
 
@@ -525,12 +506,12 @@ START_TEST(lists_survive_what_is_not_finite)
     add_at(&box, 0, 0.3, 0);
     refresh(H);
     particle_of(b, 44)->position.x = (real)NAN;
-    w.soft.near.made = 0;
+    probe_lists(&w)->made = 0;
     for (int k = 0; k < 3; k++) {
         refresh(H);
         separate(H);
     }
-    ck_assert_int_gt(w.soft.near.made, 0);
+    ck_assert_int_gt(probe_lists(&w)->made, 0);
     // A speed that is no number, of a particle that is in its place.
     particle_of(b, 44)->position = cloth.at[44];
     refresh(H);
@@ -548,9 +529,9 @@ START_TEST(what_finds_no_room_is_counted)
     for (int i = 0; i < 2 * cloth.particles; i++)
         put(&w.pool.at[i], vec3_make(1e-4 * i, 0, 0));
     refresh(H);
-    ck_assert_int_gt(w.soft.near.dropped, 0);
-    ck_assert_int_le(w.soft.near.pairs, w.soft.near.pair_capacity);
-    ck_assert_int_le(w.soft.near.points, w.soft.near.point_capacity);
+    ck_assert_int_gt(probe_lists(&w)->dropped, 0);
+    ck_assert_int_le(probe_lists(&w)->pairs, probe_lists(&w)->pair_capacity);
+    ck_assert_int_le(probe_lists(&w)->points, probe_lists(&w)->point_capacity);
 }
 END_TEST
 
@@ -559,7 +540,7 @@ END_TEST
 // A rigid body goes as it went, under gravity.
 static void go_on(int b, real h)
 {
-    real *u = w.rigid.velocity[b].of, *d = w.rigid.moved[b].of;
+    real *u = probe_velocity(&w, b)->of, *d = probe_move(&w, b)->of;
     if (body_is_soft(&w.body[b]) || body_is_static(&w.body[b])) return;
     u[1] += h * w.options.gravity.y;
     for (int i = 0; i < MOTIONS; i++) d[i] += h * u[i];
@@ -579,8 +560,8 @@ static void substep(real h)
     read_lists();
     pairs_are_listed(0, 0);
     points_are_listed(0);
-    bool is_new = w.soft.near.substeps == 0;
-    facets_met += facets_are_listed(is_new ? w.soft.near.margin : 0);
+    bool is_new = probe_lists(&w)->substeps == 0;
+    facets_met += facets_are_listed(is_new ? probe_lists(&w)->margin : 0);
     separate(h);
     for (int b = 0; b < w.bodies; b++)
         if (body_is_soft(&w.body[b]))
@@ -593,13 +574,13 @@ static void follow(void)
 {
     for (int b = 0; b < w.bodies; b++) {
         const body *x = &w.body[b];
-        const solver_body *now = &w.rigid.now[b];
+        const solver_body *now = probe_start(&w, b);
         if (body_is_soft(x) || body_is_static(x)) continue;
         motion_begin(particle_of(b, 0), &now->frame, &now->basis,
-                     &w.rigid.moved[b], 1);
+                     probe_move(&w, b), 1);
         rigid4_relax(x->rigid, particle_of(b, 0), 6, w.options.relax);
         motion_end(x->rigid, particle_of(b, 0), &now->frame,
-                   &w.rigid.velocity[b], w.age);
+                   probe_velocity(&w, b), w.age);
     }
 }
 
@@ -608,14 +589,14 @@ static void foresee(int substeps)
 {
     w.frame = substeps * w.age;
     for (int b = 0; b < w.bodies; b++) {
-        const real *u = w.rigid.velocity[b].of;
+        const real *u = probe_velocity(&w, b)->of;
         real speed = vec3_length((vec3){ u[0], u[1], u[2] });
         speed += vec3_length(w.options.gravity) * w.frame;
-        w.rigid.ahead[b].reach = body_is_static(&w.body[b]) ? 0
+        *probe_reach(&w, b) = body_is_static(&w.body[b]) ? 0
                                : w.frame * speed;
     }
     soft_frame f = soft_frame_of(&w, w.age);
-    soft_begin(&w.soft, &f);
+    probe_begin_soft(&w, &f);
 }
 
 // A cloth that falls over a nailed box and a rope, and is hit from below by a
@@ -642,17 +623,17 @@ START_TEST(nothing_is_missed_while_a_cloth_falls)
     const int substeps = 900;
     for (int k = 0; k < substeps; k++) {
         if (k % o.substeps == 0) {
-            made += w.soft.near.made;
-            look();
+            made += probe_lists(&w)->made;
+            probe_look(&w);
             foresee(o.substeps);
         }
         substep(w.age);
         if ((k + 1) % o.substeps == 0) follow();
-        pairs += w.soft.near.pairs;
-        points += w.soft.near.points;
-        if (w.soft.touching > most) most = w.soft.touching;
+        pairs += probe_lists(&w)->pairs;
+        points += probe_lists(&w)->points;
+        if (probe_touching(&w) > most) most = probe_touching(&w);
     }
-    ck_assert_int_eq(w.soft.near.dropped, 0);
+    ck_assert_int_eq(probe_lists(&w)->dropped, 0);
     ck_assert_int_gt(pairs, 10 * substeps);
     ck_assert_int_gt(points, 10 * substeps);
     ck_assert_int_gt(most, 30);
@@ -680,17 +661,17 @@ START_TEST(particles_part_to_the_sum_of_their_radii)
 {
     cross_links(0.2);
     refresh(H);
-    ck_assert_int_eq(w.soft.near.pairs, 1);
+    ck_assert_int_eq(probe_lists(&w)->pairs, 1);
     separate(H);
-    ck_assert_int_eq(w.soft.near.pairs + w.soft.near.points, 1);
-    ck_assert_int_eq(w.soft.touching, 1);
+    ck_assert_int_eq(probe_lists(&w)->pairs + probe_lists(&w)->points, 1);
+    ck_assert_int_eq(probe_touching(&w), 1);
     real half = w.body[0].thickness;
     ck_assert(fabs(particle_of(0, 1)->position.y - (0.1 - half)) <= ROUNDING);
     ck_assert(fabs(particle_of(1, 0)->position.y - (0.1 + half)) <= ROUNDING);
     ck_assert(particle_of(0, 0)->position.y == 0);
     ck_assert(particle_of(1, 1)->position.y == 9);
     separate(H);
-    ck_assert_int_le(w.soft.touching, 1);
+    ck_assert_int_le(probe_touching(&w), 1);
     ck_assert(fabs(particle_of(1, 0)->position.y - (0.1 + half)) <= ROUNDING);
 }
 END_TEST
@@ -717,12 +698,12 @@ START_TEST(particle_leaves_a_static_box_by_its_thickness_and_a_third)
         put(particle_of(r, 5), move[k].at);
         refresh(H);
         // Its links may go through the box.
-        w.soft.near.facet.count = 0;
+        probe_lists(&w)->facet.count = 0;
         separate(H);
         vec3 x = particle_of(r, 5)->position;
         ck_assert_msg(vec3_distance(x, move[k].to) <= 1e-12,
                       "case %d: (%g, %g, %g)", k, x.x, x.y, x.z);
-        ck_assert_int_eq(w.soft.touching, 1);
+        ck_assert_int_eq(probe_touching(&w), 1);
         for (int i = 0; i < 8; i++)
             ck_assert(vec3_distance(vertex_of(b, i), box.at[i]) <= ROUNDING);
     }
@@ -733,7 +714,7 @@ static vec3 momentum_of(real h)
 {
     vec3 sum = ZERO;
     for (int b = 0; b < w.bodies; b++) {
-        const real *u = w.rigid.velocity[b].of;
+        const real *u = probe_velocity(&w, b)->of;
         if (!body_is_soft(&w.body[b])) {
             sum = vec3_add_scaled(sum, w.body[b].mass,
                                   vec3_make(u[0], u[1], u[2]));
@@ -761,7 +742,7 @@ START_TEST(pushes_between_cloth_and_movable_box_keep_momentum)
         int b = add_at(&box, 0, 0, 0);
         int s = add_at(&cloth, 0.3 * random_real(&seed), 0.25,
                        0.3 * random_real(&seed));
-        look();
+        probe_look(&w);
         for (int i = 0; i < cloth.particles; i++) {
             particle *p = particle_of(s, i);
             p->position.y += 0.05 * random_real(&seed);
@@ -772,10 +753,10 @@ START_TEST(pushes_between_cloth_and_movable_box_keep_momentum)
         vec3 before = momentum_of(H);
         refresh(H);
         separate(H);
-        ck_assert_int_gt(w.soft.touching, 5);
+        ck_assert_int_gt(probe_touching(&w), 5);
         real size = vec3_length(before);
         near_vec3(momentum_of(H), before, 1e-13 * size);
-        real down = -8 * w.rigid.velocity[b].of[1];
+        real down = -8 * probe_velocity(&w, b)->of[1];
         ck_assert_msg(down > size / 50, "the box got %g of %g", down, size);
     }
 }
@@ -787,27 +768,27 @@ START_TEST(particle_meets_a_movable_box_where_it_is_now)
 {
     begin(world_options_default());
     int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, 3, 0);
-    look();
+    probe_look(&w);
     real thick = w.body[r].thickness;
     put(particle_of(r, 5), vec3_make(0, 0.25 + 1.1 * thick, 0));
     refresh(H);
-    ck_assert_int_eq(w.soft.near.points, 1);
+    ck_assert_int_eq(probe_lists(&w)->points, 1);
     separate(H);
-    ck_assert_int_eq(w.soft.touching, 0);
-    w.rigid.moved[b].of[1] = 0.2 * thick;
+    ck_assert_int_eq(probe_touching(&w), 0);
+    probe_move(&w, b)->of[1] = 0.2 * thick;
     separate(H);
-    ck_assert_int_eq(w.soft.touching, 1);
+    ck_assert_int_eq(probe_touching(&w), 1);
     // Turned by 45 degrees, its edge is up: 0.35 over its middle.
     put(particle_of(r, 5), vec3_make(0.1, 0.25 + 0.9 * thick, 0));
     real quarter = acos(-1) / 4;
     motion turned = { { 0 } };
-    const motion_basis *basis = &w.rigid.now[b].basis;
+    const motion_basis *basis = &probe_start(&w, b)->basis;
     for (int t = 0; t < TURNS; t++)
         turned.of[MOTION_TURN + t] = quarter * basis->turn[t].z
                                    / vec3_length_squared(basis->turn[t]);
-    w.rigid.moved[b] = turned;
+    *probe_move(&w, b) = turned;
     separate(H);
-    ck_assert_int_eq(w.soft.touching, 1);
+    ck_assert_int_eq(probe_touching(&w), 1);
     vec3 x = particle_of(r, 5)->position, edge = { 0, 0.25 * sqrt(2), 0 };
     ck_assert_msg(vec3_dot(vec3_sub(x, edge), vec3_make(1, 1, 0))
                   >= 0.9 * sqrt(2) * thick, "stands at (%g, %g)", x.x, x.y);
@@ -826,17 +807,17 @@ START_TEST(particles_share_the_push_of_a_box)
     shape light;
     ck_assert(shape_box(&light, vec3_make(0.5, 0.5, 0.5), 1e-9).ok);
     int b = add_at(&light, 0, 0, 0), r = add_at(&rope, 0, -3, 0);
-    look();
+    probe_look(&w);
     real thick = w.body[r].thickness;
     for (int i = 0; i < 6; i++) {
         put(particle_of(r, i), vec3_make(0, -0.25 - 0.5 * thick, 0));
         particle_of(r, i)->previous.y -= thick;
     }
     refresh(H);
-    w.soft.near.pairs = 0;
+    probe_lists(&w)->pairs = 0;
     separate(H);
-    ck_assert_int_eq(w.soft.near.points, 6);
-    near(w.rigid.moved[b].of[1], 0.5 * thick, 1e-6 * thick);
+    ck_assert_int_eq(probe_lists(&w)->points, 6);
+    near(probe_move(&w, b)->of[1], 0.5 * thick, 1e-6 * thick);
     shape_free(&light);
 }
 END_TEST
@@ -852,7 +833,7 @@ START_TEST(box_gives_way_as_a_solid)
         o.friction = 0;
         begin(o);
         int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, -3, 0);
-        look();
+        probe_look(&w);
         real thick = w.body[r].thickness;
         particle *p = particle_of(r, 5);
         put(p,
@@ -868,14 +849,15 @@ START_TEST(box_gives_way_as_a_solid)
         real give = box_gives + p->inverse_mass, push = 0.5 * thick / give;
         refresh(H);
         separate(H);
-        ck_assert_int_eq(w.soft.touching, 1);
+        ck_assert_int_eq(probe_touching(&w), 1);
         near(was.y - p->position.y, push * p->inverse_mass, 1e-12);
         near(back.y - p->previous.y,
                   is_new ? 0 : push * p->inverse_mass, 1e-12);
-        near(8 * w.rigid.moved[b].of[1], push, 1e-12);
-        near(8 * w.rigid.velocity[b].of[1], is_new ? push / H : 0,
+        near(8 * probe_move(&w, b)->of[1], push, 1e-12);
+        near(8 * probe_velocity(&w, b)->of[1], is_new ? push / H : 0,
                   1e-12 / H);
-        vec3 turn = motion_rotation(&w.rigid.now[b].basis, &w.rigid.moved[b]);
+        vec3 turn = motion_rotation(&probe_start(&w, b)->basis,
+                                    probe_move(&w, b));
         vec3 moment = vec3_cross(was, vec3_make(0, push, 0));
         near_vec3(turn, vec3_scale(6 / (8 * side2), moment), 1e-12);
     }
@@ -895,18 +877,18 @@ START_TEST(friction_stays_in_the_cone)
         o.friction = 0.3;
         begin(o);
         int b = add_at(&box, 0, 0, 0), r = add_at(&rope, 0, 3, 0);
-        look();
+        probe_look(&w);
         real thick = w.body[r].thickness, depth = 0.5 * thick;
         // The box itself may go along.
         real along = k < 3 ? 0 : 0.05 / H;
-        w.rigid.velocity[b].of[0] = along;
+        probe_velocity(&w, b)->of[0] = along;
         particle *p = particle_of(r, 5);
         put(p, vec3_make(0, 0.25 + 0.5 * thick, 0));
         p->previous.x -= slide[k % 3] + H * along;
         p->previous.y += thick;
         refresh(H);
         separate(H);
-        const real *u = w.rigid.velocity[b].of;
+        const real *u = probe_velocity(&w, b)->of;
         real push = -8 * H * u[1], got = 8 * H * (u[0] - along);
         real give = 1 / 8.0 + p->inverse_mass;
         near(push, depth / give, 1e-12);
@@ -933,7 +915,7 @@ START_TEST(what_hangs_together_holds_together)
         int b = add_at(&box, 0, 0, 0);
         int s = add_at(&cloth, 0, -0.25, 0);
         if (pinned) world_pin(&w, s, 0);
-        look();
+        probe_look(&w);
         refresh(H);
         // One particle is inside, by a fifth of what it is kept away.
         real thick = w.body[s].thickness;
@@ -946,8 +928,8 @@ START_TEST(what_hangs_together_holds_together)
         real came = thick / (SIDE * SIDE), depth = 0.2 * thick;
         real give = 1 / 8.0 + (pinned ? 0 : 1);
         real old = real_max(depth - (pinned ? 0 : came), 0);
-        near(8 * w.rigid.moved[b].of[1], depth / give, 1e-12);
-        near(8 * H * w.rigid.velocity[b].of[1], (depth - old) / give,
+        near(8 * probe_move(&w, b)->of[1], depth / give, 1e-12);
+        near(8 * H * probe_velocity(&w, b)->of[1], (depth - old) / give,
                   1e-12);
         for (int i = 1; i < cloth.particles; i++)
             if (i != 44)
@@ -989,18 +971,18 @@ START_TEST(what_hangs_on_a_sheet_counts_with_it)
     begin(o);
     int b = add_at(&box, 0, 0, 0), s = add_at(&cloth, 0, 0, 0);
     real apart = soft_gap(&w.body[s], &w.body[b]);
-    look();
+    probe_look(&w);
     for (int i = 0; i < cloth.particles; i++) {
         particle *p = particle_of(s, i);
         p->position.y -= 0.25 + 0.3 * apart;
         p->previous = vec3_add_scaled(p->position, -H, UP);
     }
     particle_of(s, 0)->inverse_mass /= 1e4;
-    w.rigid.velocity[b].of[1] = 1;
+    probe_velocity(&w, b)->of[1] = 1;
     refresh(H);
     hold(H);
-    near(w.rigid.velocity[b].of[1], 1, 1e-9, "the speed of the box");
-    ck_assert(w.rigid.moved[b].of[1] > 0.1 * apart);
+    near(probe_velocity(&w, b)->of[1], 1, 1e-9, "the speed of the box");
+    ck_assert(probe_move(&w, b)->of[1] > 0.1 * apart);
 }
 END_TEST
 
@@ -1019,7 +1001,7 @@ START_TEST(triangle_that_sticks_pull_back_is_held_by_all_of_its_sheet)
         begin(o);
         int b = add_at(&box, 0, 0, 0), s = add_at(&cloth, 0, 0, 0);
         if (pinned) world_pin(&w, s, 0);
-        look();
+        probe_look(&w);
         vec3 n = vec3_unit(vec3_make(1, 1, 1));
         real gap = facet_gap(&w.body[s], &w.body[b]);
         lay_over_corner(s, meets ? 0.9 * gap : 1.5 * gap);
@@ -1031,14 +1013,14 @@ START_TEST(triangle_that_sticks_pull_back_is_held_by_all_of_its_sheet)
         }
         refresh(H);
         separate(H);
-        ck_assert_int_eq(w.soft.touching, meets);
+        ck_assert_int_eq(probe_touching(&w), meets);
         // Nothing has gone to where it lies now: the overlap is an old one.
-        w.rigid.velocity[b] = w.rigid.moved[b] = (motion){ { 0 } };
+        *probe_velocity(&w, b) = *probe_move(&w, b) = (motion){ { 0 } };
         lay_over_corner(s, 0.3 * gap);
         vec3 was = particle_of(s, 0)->position;
         hold(H);
         real push = 0.2 * gap / (1 / 8.0 + (pinned ? 0 : 1));
-        const real *d = w.rigid.moved[b].of, *u = w.rigid.velocity[b].of;
+        const real *d = probe_move(&w, b)->of, *u = probe_velocity(&w, b)->of;
         near_vec3(vec3_make(d[0], d[1], d[2]), vec3_scale(-push / 8, n), 1e-12);
         near_vec3(vec3_make(u[0], u[1], u[2]), ZERO, 1e-12 / H);
         near_vec3(vec3_sub(particle_of(s, 0)->position, was),
@@ -1055,15 +1037,15 @@ START_TEST(lists_leave_out_what_sleeps_or_is_static)
         placement nailed = placement_at(vec3_make(0, -0.25, 0));
         nailed.is_static = 1;
         add(&box, nailed);
-        if (sleepers > 0) w.sleep.asleep[a] = 1;
-        if (sleepers > 1) w.sleep.asleep[b] = 1;
+        if (sleepers > 0) probe_lay(&w, a);
+        if (sleepers > 1) probe_lay(&w, b);
         refresh(H);
         if (sleepers == 2) {
-            ck_assert_int_eq(w.soft.near.pairs, 0);
-            ck_assert_int_eq(w.soft.near.points, 0);
+            ck_assert_int_eq(probe_lists(&w)->pairs, 0);
+            ck_assert_int_eq(probe_lists(&w)->points, 0);
         } else {
-            ck_assert_int_gt(w.soft.near.pairs, SIDE * SIDE / 2);
-            ck_assert_int_gt(w.soft.near.points, 10);
+            ck_assert_int_gt(probe_lists(&w)->pairs, SIDE * SIDE / 2);
+            ck_assert_int_gt(probe_lists(&w)->points, 10);
         }
         world_free(&w);
         begin(world_options_default());
@@ -1073,16 +1055,10 @@ END_TEST
 
 // --- a frame begins ----------------------------------------------------------
 
-static int island_of(int b)
-{
-    while (w.sleep.parent[b] != b) b = w.sleep.parent[b];
-    return b;
-}
-
 static void lay_to_sleep(int b)
 {
-    w.sleep.asleep[b] = true;
-    w.sleep.island[b] = b;
+    probe_lay(&w, b);
+    
     for (int i = 0; i < body_particles(&w.body[b]); i++) {
         particle_of(b, i)->inverse_mass = 0;
         particle_of(b, i)->previous = particle_of(b, i)->position;
@@ -1102,13 +1078,13 @@ START_TEST(sleepers_near_a_cloth_wake_and_rest_with_it)
         lay_to_sleep(b);
         for (int i = 0; i < cloth.particles; i++)
             particle_of(c, i)->previous.y += 0.01;
-        w.sleep.watch[c].is_moving = true;
-        sleep_begin(&w.sleep);
+        probe_stir(&w, c);
+        probe_begin_sleep(&w);
         ck_assert(soft_wake(&w) == is_near);
-        ck_assert(w.sleep.asleep[b] == !is_near);
+        ck_assert(probe_sleeps(&w, b) == !is_near);
         ck_assert((particle_of(b, 0)->inverse_mass > 0) == is_near);
-        ck_assert((island_of(b) == island_of(c)) == is_near);
-        ck_assert_int_ne(island_of(fixed), island_of(c));
+        ck_assert((probe_joined(&w, b) == probe_joined(&w, c)) == is_near);
+        ck_assert_int_ne(probe_joined(&w, fixed), probe_joined(&w, c));
     }
 }
 END_TEST
@@ -1131,9 +1107,9 @@ START_TEST(substeps_are_as_many_as_what_comes_near_needs)
         begin(o);
         int c = add_at(&cloth, 0, 0, 0), b = add_at(&box, 0, ball[k].away, 0);
         // The inner radius of the box is 0.25 m, a quarter of it 62.5 mm.
-        w.rigid.ahead[b] = (prediction){ .reach = ball[k].way };
+        *probe_reach(&w, b) = ball[k].way;
         w.frame = o.dt;
-        sleep_begin(&w.sleep);
+        probe_begin_sleep(&w);
         soft_wake(&w);
         int own = soft_need(&w), wanted = int_max(ball[k].wanted, 8);
         ck_assert_msg(own == wanted, "case %d: %d", k, own);
@@ -1146,7 +1122,7 @@ START_TEST(substeps_are_as_many_as_what_comes_near_needs)
         own = soft_need(&w);
         wanted = int_max(ball[k].wanted, ball[k].meets ? 21 : 8);
         ck_assert_msg(own == wanted, "case %d: %d with the cloth's", k, own);
-        w.rigid.ahead[b].reach = 0;
+        *probe_reach(&w, b) = 0;
         w.body[b].inner = cloth.spacing;
         soft_wake(&w);
         ck_assert_int_eq(soft_need(&w), ball[k].away < 1 ? 41 : 8);
@@ -1177,14 +1153,14 @@ START_TEST(ends_of_diagonals_are_kept_apart)
         way = vec3_scale(least / vec3_length(way), way);
         put(particle_of(c, b),
             vec3_add_scaled(particle_of(c, a)->position, 1.2, way));
-        soft_draw(&w.soft, &f);
+        probe_draw(&w, &f);
         real far = vec3_distance(particle_of(c, a)->position,
                                  particle_of(c, b)->position);
         ck_assert(fabs(far / least - 1.2) < 0.01);
         particle_of(c, a)->inverse_mass = 0;
         vec3 was = particle_of(c, a)->position;
         put(particle_of(c, b), vec3_add_scaled(was, 0.8, way));
-        soft_draw(&w.soft, &f);
+        probe_draw(&w, &f);
         ck_assert(vec3_distance(particle_of(c, a)->position, was) == 0);
         far = vec3_distance(was, particle_of(c, b)->position);
         ck_assert_msg(fabs(far - least) < EDGE, "%d: %g of %g", k, far,
@@ -1205,7 +1181,7 @@ static real share_drawn(const shape *cell, real h)
     soft_frame f = soft_frame_of(&w, h);
     vec3 out = vec3_unit(vec3_sub(b->position, a->position));
     put(b, vec3_add_scaled(b->position, off, out));
-    soft_draw(&w.soft, &f);
+    probe_draw(&w, &f);
     return 1 - (vec3_distance(a->position, b->position)
                 - diagonal->rest_length) / off;
 }
@@ -1244,7 +1220,7 @@ START_TEST(parts_of_a_frame_share_its_substeps)
     world_pin(&w, c, 0);
     for (int parts = 1; parts <= 4; parts += 3) {
         w.frame = o.dt / parts;
-        w.soft.pressed = HUGE_VAL;
+        probe_press(&w, HUGE_VAL);
         soft_wake(&w);
         ck_assert_int_eq(soft_need(&w), parts == 1 ? 11 : 3);
     }
@@ -1284,7 +1260,7 @@ START_TEST(weight_and_layers_take_more_substeps)
         { 3.5, 8 }, { 11.5, 11 }, { 1e9, 17 },
     };
     for (int k = 0; k < 3; k++) {
-        w.soft.pressed = layers[k].asked / o.dt;
+        probe_press(&w, layers[k].asked / o.dt);
         soft_wake(&w);
         ck_assert_int_eq(soft_need(&w), layers[k].wanted);
     }
@@ -1388,9 +1364,9 @@ START_TEST(corner_lifts_a_triangle_by_its_weights)
         add_tip(&small, deep, true);
         refresh(H);
         // What they hold apart themselves is not the matter here.
-        w.soft.near.points = w.soft.near.pairs = 0;
+        probe_lists(&w)->points = probe_lists(&w)->pairs = 0;
         separate(H);
-        ck_assert_int_eq(w.soft.near.mets, 1);
+        ck_assert_int_eq(probe_lists(&w)->mets, 1);
         real sum = 0, at_x = 0, at_z = 0, square = 0;
         ck_assert_int_eq(lifted(s), 3);
         for (int i = 0; i < cloth.particles; i++) {
@@ -1421,17 +1397,18 @@ START_TEST(corner_that_comes_up_keeps_momentum)
         o.friction = k % 3 * 0.4;
         begin(o);
         int s = add_at(&cloth, 0, 0, 0), b = add_tip(&small, 0, false);
-        look();
-        motion *u = &w.rigid.velocity[b];
+        probe_look(&w);
+        motion *u = probe_velocity(&w, b);
         *u = (motion){ { random_real(&seed), 3, random_real(&seed),
                          random_real(&seed), random_real(&seed),
                          random_real(&seed) } };
-        for (int i = 0; i < MOTIONS; i++) w.rigid.moved[b].of[i] = H * u->of[i];
+        for (int i = 0; i < MOTIONS; i++)
+            probe_move(&w, b)->of[i] = H * u->of[i];
         vec3 before = momentum_of(H);
         refresh(H);
-        w.soft.near.points = w.soft.near.pairs = 0;
+        probe_lists(&w)->points = probe_lists(&w)->pairs = 0;
         separate(H);
-        ck_assert_int_ge(w.soft.near.mets, 1);
+        ck_assert_int_ge(probe_lists(&w)->mets, 1);
         ck_assert_int_ge(lifted(s), 3);
         near_vec3(momentum_of(H), before, 1e-13 * vec3_length(before));
         ck_assert(u->of[1] < 3);
@@ -1455,9 +1432,9 @@ START_TEST(facets_at_a_small_box_are_listed)
         p.position.y *= 0.25;
         p.is_static = k % 2;
         int b = add(&small, p);
-        look();
+        probe_look(&w);
         refresh(H);
-        found += facets_of_are_listed(s, b, w.soft.near.margin);
+        found += facets_of_are_listed(s, b, probe_lists(&w)->margin);
     }
     ck_assert_int_gt(found, 200);
     shape_free(&small);
@@ -1475,8 +1452,8 @@ START_TEST(cloth_is_put_back_on_the_side_that_it_came_from)
     add_tip(&small, 0, true);
     refresh(H);
     separate(H);
-    ck_assert_int_ge(w.soft.near.mets, 1);
-    facet_pair met = w.soft.near.facet.at[w.soft.near.met[0]];
+    ck_assert_int_ge(probe_lists(&w)->mets, 1);
+    facet_pair met = probe_lists(&w)->facet.at[probe_lists(&w)->met[0]];
     ck_assert(met.between.normal.x != 0);
     real deep = 0.02;
     for (int i = 0; i < cloth.particles; i++)
@@ -1485,16 +1462,16 @@ START_TEST(cloth_is_put_back_on_the_side_that_it_came_from)
     vec3 was[SIDE * SIDE];
     for (int i = 0; i < cloth.particles; i++)
         was[i] = particle_of(s, i)->position;
-    w.soft.near.trusted = -1;
+    probe_lists(&w)->trusted = -1;
     refresh(H);
-    ck_assert_int_eq(w.soft.near.substeps, 0);
-    for (int k = 0; k < w.soft.near.facet.count; k++) {
-        facet_pair pair = w.soft.near.facet.at[k];
+    ck_assert_int_eq(probe_lists(&w)->substeps, 0);
+    for (int k = 0; k < probe_lists(&w)->facet.count; k++) {
+        facet_pair pair = probe_lists(&w)->facet.at[k];
         if (pair.number != met.number) continue;
         near_vec3(pair.between.normal, met.between.normal, 0);
         near(pair.between.offset, met.between.offset, 0);
     }
-    w.soft.near.points = w.soft.near.pairs = 0;
+    probe_lists(&w)->points = probe_lists(&w)->pairs = 0;
     separate(H);
     int up = 0;
     for (int i = 0; i < cloth.particles; i++) {
@@ -1567,13 +1544,13 @@ START_TEST(link_lies_on_an_edge)
     add(&thin, p);
     int r = add_at(&rope, 0, 0.001, 0);
     refresh(H);
-    w.soft.near.points = w.soft.near.pairs = 0;
+    probe_lists(&w)->points = probe_lists(&w)->pairs = 0;
     separate(H);
     real gap = facet_gap(&w.body[r], &w.body[0]);
     int up = 0;
     for (int i = 0; i < rope.particles; i++)
         up += particle_of(r, i)->position.y > 0.001;
-    ck_assert_int_eq(w.soft.near.mets, 1);
+    ck_assert_int_eq(probe_lists(&w)->mets, 1);
     ck_assert_int_eq(up, 2);
     ck_assert(gap > 0.001);
     shape_free(&thin);
@@ -1591,12 +1568,12 @@ START_TEST(particles_are_kept_off_planes)
     ck_assert(world_add_plane(&w, UP, 0).ok);
     ck_assert(world_add_plane(&w, vec3_make(-1, 0, 0), -9).ok);
     real thick = w.body[b].thickness;
-    w.sleep.asleep[still] = 1;
+    probe_lay(&w, still);
     put(particle_of(still, 2), vec3_make(0, -1, 0));
     put(particle_of(b, 5), vec3_make(10, 4, 0));
     refresh(H);
     separate(H);
-    ck_assert_int_ge(w.soft.touching, cloth.particles);
+    ck_assert_int_ge(probe_touching(&w), cloth.particles);
     for (int i = 0; i < cloth.particles; i++) {
         vec3 x = particle_of(b, i)->position;
         if (i == 0) ck_assert(x.y == 0);

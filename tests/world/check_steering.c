@@ -149,7 +149,7 @@ START_TEST(body_that_is_put_elsewhere_is_met_there)
         add_floor();
         steps_to_sleep();
         ck_assert(world_put(&w, low, placement_at(vec3_make(20, 0.25, 0))).ok);
-        ck_assert(!w.sleep.asleep[up] && w.sleep.asleep[far]);
+        ck_assert(!probe_sleeps(&w, up) && probe_sleeps(&w, far));
         steps(1);
         ck_assert_int_eq(w.report.pushing, fixed ? 0 : 1);
         steps_to_sleep();
@@ -238,8 +238,8 @@ START_TEST(sleeper_that_is_pushed_wakes_with_its_island_and_sleeps_again)
         if (how == 1) world_force(&w, 1, vec3_make(60, 0, 0), ZERO);
         if (how == 2) world_set_velocity(&w, 1, vec3_make(0.6, 0, 0), ZERO);
         if (how == 3) world_wake(&w, 1);
-        ck_assert(!w.sleep.asleep[0] && !w.sleep.asleep[1]);
-        ck_assert(w.sleep.asleep[2]);
+        ck_assert(!probe_sleeps(&w, 0) && !probe_sleeps(&w, 1));
+        ck_assert(probe_sleeps(&w, 2));
         for (int i = 0; i < 2 * FOUR; i++)
             ck_assert(w.pool.at[i].inverse_mass == 4);
         steps(5);

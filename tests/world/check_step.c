@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "guard.h"
 #include "ledger.h"
 #include "scarce.h"
 #include "stage.h"
@@ -825,7 +824,7 @@ static outcome drop(const shape *s, bool keeps)
     }
     outcome r = { .deepest = 0 };
     for (int f = 0; f < 240; f++) {
-        if (!keeps) cache_clear(&w.rigid.cache);
+        if (!keeps) probe_forget_contacts(&w);
         frames(1);
         r.deepest = fmax(r.deepest, penetration());
     }
@@ -843,7 +842,7 @@ static real slide(bool keeps)
     add_thrown(&low, vec3_make(0, 0.25, 0), vec3_make(3, 0, 0), ZERO);
     add_floor();
     for (int f = 0; f < 90; f++) {
-        if (!keeps) cache_clear(&w.rigid.cache);
+        if (!keeps) probe_forget_contacts(&w);
         frames(1);
     }
     return middle(0).x;
@@ -976,7 +975,7 @@ START_TEST(lost_number_stays_in_its_body)
             ck_assert_msg(vec3_distance(w.pool.at[i].position,
                                         first[i].position) < 1e-3,
                           "%g spreads", lost[k]);
-        ck_assert(!w.sleep.asleep[bad]);
+        ck_assert(!probe_sleeps(&w, bad));
     }
 }
 END_TEST
@@ -1167,22 +1166,28 @@ START_TEST(no_centre_leaves_a_closed_room)
 }
 END_TEST
 
-// Rejects: a pebble in a cloth that turned by 1e19 rad within a frame, was slow
-// at its end, and had lost its place to rounding.
+// A pebble in a cloth that wraps it, pinned at its corners, thrown ever faster.
+// Rejects: a body that turns by 1e19 rad within a frame, is slow at its end,
+// and has lost its place to rounding.
 START_TEST(no_body_goes_further_than_its_energy_takes_it)
 {
-    begin(without_sleep());
-    add_thrown(&brick, ZERO, vec3_make(1, 0, 0), ZERO);
-    frames(1);
-    real energy = motion_energy(&w.rigid.now[0].basis, &w.rigid.velocity[0]);
-    real far = w.rigid.moved[0].of[0];
-    guard_brake(&w, 2 * energy);
-    ck_assert(w.rigid.moved[0].of[0] == far);
-    w.rigid.moved[0] = (motion){ { 3, 0, 4, 5e18, 0, 0 } };
-    guard_brake(&w, 4 * energy);
-    real way = motion_energy(&w.rigid.now[0].basis, &w.rigid.moved[0]);
-    real most = 4 * energy * w.frame * w.frame;
-    ck_assert(fabs(way - most) < 1e-12 * most);
+    for (int k = 0; k < 4; k++) {
+        begin(without_gravity());
+        int sheet = add_at(&cloth, 0, 0, 0), last = cloth.particles - 1;
+        world_pin(&w, sheet, 0);
+        world_pin(&w, sheet, last);
+        real speed = 3 * pow(10, k);
+        int b = add_thrown(&ball, vec3_make(0, 0.8, 0),
+                           vec3_make(0, -speed, 0), vec3_make(0, 0, speed));
+        for (int f = 0; f < 60; f++) {
+            vec3 was = middle(b);
+            real most = sqrt(2 * kinetic() / w.body[b].mass) * w.options.dt;
+            frames(1);
+            real way = vec3_distance(middle(b), was);
+            ck_assert_msg(way <= 1.01 * most + 1e-3, "%g m/s, frame %d: %g of "
+                          "%g m", speed, f, way, most);
+        }
+    }
 }
 END_TEST
 
@@ -1223,43 +1228,8 @@ START_TEST(turning_body_reaches_no_further_than_across)
     add_thrown(&ball, ZERO, ZERO, vec3_make(0, 1e5, 0));
     add_at(&ball, 10, 0, 0);
     frames(3);
+    ck_assert_int_eq(w.report.pairs, 0);
     ck_assert_int_eq(w.report.contacts, 0);
-    ck_assert(w.rigid.reach[0] <= 2.1 * w.rigid.now[0].radius);
-}
-END_TEST
-
-// rad, of the axis that has turned most.
-static real angle_between(const rigid_frame *a, const rigid_frame *b)
-{
-    real most = 0;
-    for (int i = 0; i < FOUR_AXES; i++) {
-        vec3 x = vec3_unit(a->axis[i]), y = vec3_unit(b->axis[i]);
-        most = fmax(most, 2 * asin(vec3_distance(x, y) / 2));
-    }
-    return most;
-}
-
-// Boxes turn about an axis of their own, one by a sixth of a radian in a frame,
-// the other by one and a half.
-// Rejects: a body that is asked where it stands, or where it goes; one that is
-// asked as it stands a whole impact later.
-START_TEST(body_is_asked_as_it_stands_in_the_middle_of_a_frame)
-{
-    const real spin[2] = { 10, 90 }, half[2] = { 10.0 / 120, 0.25 };
-    begin(without_gravity());
-    for (int k = 0; k < 2; k++)
-        add_thrown(&box, vec3_make(3 * k, 0, 0), vec3_make(0, 1, 0),
-                   vec3_make(0, spin[k], 0));
-    for (int f = 0; f < 5; f++) {
-        frames(1);
-        for (int b = 0; b < 2; b++) {
-            const rigid_frame *was = &w.rigid.now[b].frame;
-            const rigid_frame *asked = &w.rigid.middle[b];
-            real turn = angle_between(was, asked);
-            ck_assert_msg(fabs(turn - half[b]) <= 1e-3, "%.9g", turn);
-            ck_assert(vec3_distance(was->center, asked->center) <= FALL_ROUNDING);
-        }
-    }
 }
 END_TEST
 
@@ -1322,7 +1292,6 @@ int main(void)
         contacts_create_no_motion,
         no_body_goes_further_than_its_energy_takes_it,
         turning_body_reaches_no_further_than_across,
-        body_is_asked_as_it_stands_in_the_middle_of_a_frame,
         divided_frame_takes_no_more_substeps_than_it_may,
         NULL
     };

@@ -464,19 +464,20 @@ START_TEST(world_has_everything_in_its_place)
     add(&box, still);
     add(&ball, placement_at(vec3_make(0, 9, 0)));
     add(&cloth, placement_at(vec3_make(8, 9, 0)));
-    const rigid_tables *t = &w.rigid;
     for (int i = 0; i < w.pool.count; i++)
         ck_assert(w.inverse_mass[i] == w.pool.at[i].inverse_mass);
     for (int b = 0; b < 2; b++) {
-        ck_assert_int_eq(t->dynamic[b], b == 1);
-        near_vec3(t->now[b].frame.center,
+        const sphere *around = probe_ball(&w, b);
+        ck_assert_int_eq(probe_is_dynamic(&w, b), b == 1);
+        near_vec3(probe_start(&w, b)->frame.center,
                   b ? vec3_make(0, 9, 0) : still.position, 10 * ROUNDING);
         for (int i = 0; i < w.body[b].shape->particles; i++)
-            ck_assert(vec3_distance(t->ball[b].center, vertex_of(b, i))
-                      <= t->ball[b].radius);
-        ck_assert(t->ball[b].radius <= 1.1 * w.body[b].shape->radius);
+            ck_assert(vec3_distance(around->center, vertex_of(b, i))
+                      <= around->radius);
+        ck_assert(around->radius <= 1.1 * w.body[b].shape->radius);
     }
-    ck_assert(t->ball[2].radius < 0 && !t->dynamic[2] && !t->body[2].rigid);
+    ck_assert(probe_ball(&w, 2)->radius < 0);
+    ck_assert(!probe_is_dynamic(&w, 2) && !probe_is_rigid(&w, 2));
 }
 END_TEST
 
@@ -492,9 +493,9 @@ START_TEST(thickness_is_the_radius_of_the_particles)
     // Two sheets of spacing s must keep more than s apart.
     ck_assert(w.body[1].thickness > cloth.spacing / 2);
     ck_assert(w.body[2].thickness > rope.spacing / 2);
-    ck_assert_int_eq(w.soft.near.tree[0].leaves, 0);
-    ck_assert_int_eq(w.soft.near.tree[1].leaves, cloth.particles);
-    ck_assert_int_eq(w.soft.near.tree[2].leaves, rope.particles);
+    ck_assert_int_eq(probe_lists(&w)->tree[0].leaves, 0);
+    ck_assert_int_eq(probe_lists(&w)->tree[1].leaves, cloth.particles);
+    ck_assert_int_eq(probe_lists(&w)->tree[2].leaves, rope.particles);
 }
 END_TEST
 

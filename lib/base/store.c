@@ -1,5 +1,6 @@
 //> store-head-of-bytes
 #include "store.h"
+#include "table.h"
 
 #include <assert.h>
 #include <stdint.h>
@@ -170,9 +171,7 @@ void store_forget(store *s, const void *field, size_t n)
 // Room for an array: any other may grow out of it.
 static void *allocate(store *s, int room, size_t size)
 {
-    enum { LINE = 64 };
-    size_t lines = ((size_t)room * size + LINE - 1) / LINE;
-    void *memory = aligned_alloc(LINE, (lines > 0 ? lines : 1) * LINE);
+    void *memory = table_lines((size_t)room * size);
     if (!memory) store_fail(s, status_out_of_memory());
     return memory;
 }

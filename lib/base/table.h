@@ -35,12 +35,27 @@ static inline bool table_grow(void *array, int kept, int room, size_t size)
     return true;
 }
 
-// The same, aligned to 64 bytes.
+// Memory that begins with a cache line, where the system has a call for that
+// whose memory may be freed as any other; Windows has none.  Only speed depends
+// on it: no type of tumble needs more than the 16 bytes of malloc.
+static inline void *table_lines(size_t bytes)
+{
+    enum { LINE = 64 };
+    size_t lines = (bytes + LINE - 1) / LINE;
+    size_t whole = (lines > 0 ? lines : 1) * LINE;
+#ifdef _WIN32
+    return malloc(whole);
+#else
+    return aligned_alloc(LINE, whole);
+#endif
+}
+
+// The same, in memory that begins with a cache line.
 static inline bool table_grow_aligned(void *array, int kept, int room,
                                       size_t size)
 {
     size_t old = (size_t)kept * size, bytes = (size_t)room * size;
-    void *was, *more = aligned_alloc(64, (bytes + 63) / 64 * 64);
+    void *was, *more = table_lines(bytes);
     if (!more) return false;
     memcpy(&was, array, sizeof was);
     if (kept > 0) memcpy(more, was, old);

@@ -3,8 +3,14 @@
 #include "inside.h"
 #include "measure.h"
 
+#include <stdalign.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+
+// A world comes from calloc, whose memory is aligned for these types only.
+_Static_assert(alignof(tumble_world) <= alignof(max_align_t),
+               "a world must not need more than calloc gives");
 
 // Of worlds that could not be made.
 static _Thread_local status unmade = { .ok = true };

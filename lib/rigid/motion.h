@@ -22,11 +22,15 @@ typedef struct {
 } motion_basis;
 
 // A velocity (m/s, and kg^(1/2) m/s), or a displacement (m, and kg^(1/2) m).
-// Aligned for real4_gather2.
-enum { MOTION_TURN = 3, MOTIONS = 6 };
+// Its address is a multiple of 16 bytes, as real4_gather2 needs it.  Memory of
+// malloc has that, so a struct that holds one may come from anywhere.  Its size
+// is that of a cache line: in a table that begins with a line, as those of
+// table_grow_aligned do, no motion lies on two.
+enum { MOTION_TURN = 3, MOTIONS = 6, MOTION_LINE = 8 };
 
 typedef struct {
-    alignas(64) real of[MOTIONS];  // of the centre along x, y, z; three turns
+    alignas(16) real of[MOTION_LINE];   // of the centre along x, y, z; three
+                                        // turns; two that are not used
 } motion;
 
 // How a body may move in a frame.

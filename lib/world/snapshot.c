@@ -104,7 +104,7 @@ static void linkage_store(linkage *l, store *s)
     STORE_ROOM(s, l->step, 2 * l->capacity);
     STORE_ROOM(s, l->apart, l->capacity);
     STORE_TABLE(s, l->tied, l->ties, l->tie_room);
-    STORE_ZEROS(s, l->body, l->bodies);
+    STORE_TABLE(s, l->body, l->bodies, l->bodies);
 }
 //<
 

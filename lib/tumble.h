@@ -9,9 +9,10 @@
 //
 // What fails changes nothing: it returns false, 0, NULL or an id of zeros, and
 // tumble_failure says in a sentence what failed first, and why.  An id of zeros
-// and one of something that is gone are refused in the same way: so a program
-// may go on, and ask once at its end.  Questions about a `const` world only
-// return, and keep no sentence.  A world is used by one thread at a time.
+// and one of something that is gone are refused in the same way, and so is a
+// world that is NULL: a program may go on, and ask once at its end.  Questions
+// about a `const` world only return, and keep no sentence.  A world is used by
+// one thread at a time.
 // Pointers point to what they say; one that is written to may be NULL, and is
 // then left out.
 
@@ -103,7 +104,8 @@ void tumble_free(tumble_world *w);
 
 // The sentence of the first failure, without a full stop, or NULL if there was
 // none since the last call of tumble_forget_failure.  It stays where it is
-// until then.  w = NULL: of making or loading a world, in this thread.
+// until then.  w = NULL: of making or loading a world, or of using one that is
+// NULL, in this thread.
 const char *tumble_failure(const tumble_world *w);
 void tumble_forget_failure(tumble_world *w);
 
@@ -225,7 +227,8 @@ typedef struct {
     double damping;         // 1/s: the share of its velocity that is lost
     double spin_damping;    // 1/s, likewise of its spin
     unsigned group, mask;   // bits: two bodies meet if the mask of each has a
-                            // bit of the other's group
+                            // bit of the other's group; group 0 is refused,
+                            // and with it options that are all zeros
     void *user;             // the program's own
 } tumble_body_options;
 

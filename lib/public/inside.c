@@ -8,8 +8,10 @@
 
 bool inside_is_ok(tumble_world *w, status s)
 {
-    if (!s.ok && w->failure.ok) w->failure = s;
-    return s.ok;
+    if (s.ok) return true;
+    if (!w)                   inside_not_made(s);
+    else if (w->failure.ok)   w->failure = s;
+    return false;
 }
 
 bool inside_fail(tumble_world *w, const char *format, ...)
@@ -20,6 +22,11 @@ bool inside_fail(tumble_world *w, const char *format, ...)
     vsnprintf(s.why, sizeof s.why, format, arguments);
     va_end(arguments);
     return inside_is_ok(w, s);
+}
+
+bool inside_is_world(tumble_world *w)
+{
+    return w || inside_fail(w, "there is no world: it was not made");
 }
 
 bool inside_refuse(tumble_world *w, const char *what, unsigned place,
@@ -33,6 +40,7 @@ bool inside_refuse(tumble_world *w, const char *what, unsigned place,
 
 shape_place *inside_shape(tumble_world *w, tumble_shape s)
 {
+    if (!inside_is_world(w)) return NULL;
     shape_place *found = slots_find(&w->shapes, s.place, s.generation);
     if (!found) inside_refuse(w, "shape", s.place, s.generation);
     return found;
@@ -55,8 +63,16 @@ bool inside_is_speed(tumble_world *w, tumble_vec3 v)
                        "with", v.x, v.y, v.z);
 }
 
+bool inside_is_group(tumble_world *w, unsigned group)
+{
+    return group != 0
+        || inside_fail(w, "a body of group 0 meets nothing, and no question "
+                       "finds it: options begin with tumble_at");
+}
+
 joint_place *inside_joint(tumble_world *w, tumble_joint j)
 {
+    if (!inside_is_world(w)) return NULL;
     joint_place *found = slots_find(&w->joints, j.place, j.generation);
     if (!found) inside_refuse(w, "joint", j.place, j.generation);
     return found;
@@ -64,11 +80,12 @@ joint_place *inside_joint(tumble_world *w, tumble_joint j)
 
 const body_place *inside_look(const tumble_world *w, tumble_body b)
 {
-    return slots_find(&w->bodies, b.place, b.generation);
+    return w ? slots_find(&w->bodies, b.place, b.generation) : NULL;
 }
 
 body_place *inside_body(tumble_world *w, tumble_body b)
 {
+    if (!inside_is_world(w)) return NULL;
     body_place *found = slots_find(&w->bodies, b.place, b.generation);
     if (!found) inside_refuse(w, "body", b.place, b.generation);
     return found;

@@ -61,6 +61,8 @@ bool inside_fail(tumble_world *w, const char *format, ...);
 void inside_not_made(status s);
 // The same for a status that is not ok.  Returns s.ok.
 bool inside_is_ok(tumble_world *w, status s);
+// Is there a world?  NULL is none, and NULL has the failure.
+bool inside_is_world(tumble_world *w);
 
 // Says why there is nothing with this id.  Returns false.
 bool inside_refuse(tumble_world *w, const char *what, unsigned place,
@@ -83,6 +85,10 @@ int inside_vertex(tumble_world *w, tumble_body b, int i);
 // finite, or MOST_SPEED (m/s, rad/s) or more.
 #define MOST_SPEED 1e9
 bool inside_is_speed(tumble_world *w, tumble_vec3 v);
+
+// Is there a body in such groups?  Not, with a failure, if they are none: nothing
+// would meet it, and no question would find it.  Options of zeros are so.
+bool inside_is_group(tumble_world *w, unsigned group);
 
 // The body with this id, without a failure.
 const body_place *inside_look(const tumble_world *w, tumble_body b);

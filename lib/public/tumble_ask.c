@@ -67,6 +67,7 @@ static bool first_met(const tumble_world *w, const question *q,
                       tumble_hit *hit)
 {
     tumble_hit best = { .fraction = HUGE_VAL };
+    if (!w) return false;
     if (!vec3_is_finite(q->way) || !vec3_is_finite(q->around.center))
         return false;
     const world *all = &w->world;
@@ -100,6 +101,7 @@ bool tumble_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
 static bool stand(const tumble_world *w, tumble_shape s, tumble_pose pose,
                   question *q)
 {
+    if (!w) return false;
     const shape_place *x = slots_find(&w->shapes, s.place, s.generation);
     if (!x || x->shape->kind != SHAPE_RIGID) return false;
     real m[9];
@@ -132,6 +134,7 @@ bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
     vec3 at = from_user(x);
     question q = { .around = { at, most }, .mask = mask };
     tumble_hit best = { .fraction = HUGE_VAL };
+    if (!w) return false;
     for (int b = 0; b < w->world.bodies; b++) {
         if (!is_asked(w, b, &q)) continue;
         cast_result r = cast_nearest(at, body_hull(w, b, w->scratch), most);

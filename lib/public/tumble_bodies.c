@@ -78,6 +78,7 @@ static bool add_piece(tumble_world *w, int place, tumble_shape s,
 
 static bool check_options(tumble_world *w, const tumble_body_options *o)
 {
+    if (!inside_is_world(w) || !inside_is_group(w, o->group)) return false;
     if ((unsigned)o->kind > TUMBLE_KINEMATIC)
         return inside_fail(w, "%d is no kind of body", (int)o->kind);
     return inside_is_speed(w, o->velocity) && inside_is_speed(w, o->spin);
@@ -149,7 +150,7 @@ bool tumble_has(const tumble_world *w, tumble_body b)
 int tumble_bodies(const tumble_world *w, tumble_body *out, int most)
 {
     int n = 0;
-    for (int k = 0; k < w->bodies.count; k++) {
+    for (int k = 0; w && k < w->bodies.count; k++) {
         if (!slots_is_taken(&w->bodies, k)) continue;
         if (out && n < most)
             out[n] = (tumble_body){ (unsigned)k,

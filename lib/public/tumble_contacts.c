@@ -36,6 +36,7 @@ static tumble_contact told(const tumble_world *w, const contact *c)
 
 int tumble_contacts(const tumble_world *w, tumble_contact *out, int most)
 {
+    if (!w) return 0;
     const contact_cache *cache = &w->world.rigid.cache;
     const cache_list *list[] = { &cache->pairs, &cache->walls };
     int n = 0;
@@ -92,6 +93,7 @@ static int order(const tumble_world *w, int i, const tumble_contact *now, int n,
 int tumble_events(tumble_world *w, tumble_event *out, int most)
 {
     int now, n = 0, i = 0, k = 0;
+    if (!inside_is_world(w)) return 0;
     tumble_contact *list = touching_now(w, &now);
     if (!list) return inside_is_ok(w, status_out_of_memory()), 0;
     while (i < w->touchings || k < now) {

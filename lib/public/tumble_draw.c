@@ -98,7 +98,7 @@ static void draw_contacts(const tumble_world *w, const tumble_pen *pen)
 
 void tumble_draw(const tumble_world *w, const tumble_pen *pen)
 {
-    if (!pen) return;
+    if (!w || !pen) return;
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
         for (int i = 0; x && i < x->pieces; i++)

@@ -138,7 +138,7 @@ bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)
 //> face-joint-look
 static const joint_place *look(const tumble_world *w, tumble_joint j)
 {
-    return slots_find(&w->joints, j.place, j.generation);
+    return w ? slots_find(&w->joints, j.place, j.generation) : NULL;
 }
 
 bool tumble_is_joined(const tumble_world *w, tumble_joint j)

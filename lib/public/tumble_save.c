@@ -74,6 +74,7 @@ static void all_store(tumble_world *w, store *s)
 
 size_t tumble_save(const tumble_world *w, void *into, size_t room)
 {
+    if (!w) return 0;
     tumble_world all = *w;
     store s = store_to(into, room, TUMBLE_VERSION);
     all_store(&all, &s);
@@ -86,6 +87,7 @@ tumble_world *tumble_load(const void *from, size_t size)
     tumble_world *w = s.done.ok ? calloc(1, sizeof *w) : NULL;
     if (!w) store_fail(&s, status_out_of_memory());
     if (w) all_store(w, &s);
+    tumble_forget_failure(NULL);
     inside_not_made(s.done);
     if (s.done.ok) return w;
     tumble_free(w);

@@ -12,6 +12,10 @@ static tumble_shape keep(tumble_world *w, shape *made, status done)
 {
     const tumble_shape none = { 0, 0 };
     if (!inside_is_ok(w, done)) return none;
+    if (!inside_is_world(w)) {
+        shape_free(made);
+        return none;
+    }
     shape *s = malloc(sizeof *s);
     bool is_room = s && inside_reserve(w, made->particles)
                 && inside_reserve(w, made->skin.points);

@@ -255,6 +255,7 @@ bool tumble_set_filter(tumble_world *w, tumble_body b, unsigned group,
                        unsigned mask)
 {
     const body_place *x = inside_body(w, b);
+    if (x && !inside_is_group(w, group)) return false;
     for (int k = 0; x && k < x->pieces; k++)
         world_set_filter(&w->world, x->piece[k].number, group, mask);
     return x != NULL;

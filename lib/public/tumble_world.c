@@ -17,7 +17,7 @@ static _Thread_local status unmade = { .ok = true };
 
 void inside_not_made(status s)
 {
-    unmade = s;
+    if (unmade.ok) unmade = s;
 }
 
 tumble_options tumble_options_default(void)
@@ -49,6 +49,7 @@ static world_options options_of(const tumble_options *o)
 tumble_world *tumble_make(const tumble_options *options)
 {
     tumble_world *w = calloc(1, sizeof *w);
+    unmade = status_ok();
     bool is_there = w && inside_reserve(w, 1);
     unmade = is_there ? world_init(&w->world, options_of(options))
                       : status_out_of_memory();
@@ -107,18 +108,19 @@ void tumble_run_on(tumble_world *w,
                    void (*run)(void *context, void (*work)(void *, int),
                                void *data, int items), void *context)
 {
-    w->world.options.host.run = (tasks){ run, context };
+    if (inside_is_world(w)) w->world.options.host.run = (tasks){ run, context };
 }
 
 void tumble_step(tumble_world *w)
 {
+    if (!inside_is_world(w)) return;
     world_step(&w->world);
     if (w->world.report.broken > 0) inside_forget_joints(w);
 }
 
 double tumble_time(const tumble_world *w)
 {
-    return w->world.time;
+    return w ? w->world.time : 0;
 }
 
 static bool add_plane(tumble_world *w, vec3 normal, double offset,
@@ -141,6 +143,7 @@ static bool add_plane(tumble_world *w, vec3 normal, double offset,
 tumble_plane tumble_add_plane(tumble_world *w, tumble_vec3 normal,
                               double offset, double friction)
 {
+    if (!inside_is_world(w)) return (tumble_plane){ 0, 0 };
     int k = slots_take(&w->planes);
     if (add_plane(w, from_user(normal), offset, friction, k))
         return (tumble_plane){ (unsigned)k, slots_generation(&w->planes, k) };
@@ -150,6 +153,7 @@ tumble_plane tumble_add_plane(tumble_world *w, tumble_vec3 normal,
 
 bool tumble_remove_plane(tumble_world *w, tumble_plane p)
 {
+    if (!inside_is_world(w)) return false;
     const plane_place *x = slots_find(&w->planes, p.place, p.generation);
     if (!x) return inside_refuse(w, "plane", p.place, p.generation);
     world_remove_plane(&w->world, x->number);
@@ -159,6 +163,7 @@ bool tumble_remove_plane(tumble_world *w, tumble_plane p)
 
 bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity)
 {
+    if (!inside_is_world(w)) return false;
     if (!vec3_is_finite(from_user(gravity)))
         return inside_fail(w, "gravity is not finite");
     w->world.options.gravity = from_user(gravity);
@@ -168,6 +173,7 @@ bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity)
 
 tumble_report tumble_last_step(const tumble_world *w)
 {
+    if (!w) return (tumble_report){ .substeps = 0 };
     const step_report *r = &w->world.report;
     return (tumble_report){
         .substeps = r->substeps, .bodies = tumble_bodies(w, NULL, 0),
@@ -178,6 +184,7 @@ tumble_report tumble_last_step(const tumble_world *w)
 
 tumble_measures tumble_measure(const tumble_world *w)
 {
+    if (!w) return (tumble_measures){ .penetration = 0 };
     measures m = world_measure(&w->world);
     return (tumble_measures){
         .penetration = m.penetration, .strain = m.strain,
@@ -187,6 +194,6 @@ tumble_measures tumble_measure(const tumble_world *w)
 
 unsigned long long tumble_hash(const tumble_world *w)
 {
-    return world_hash(&w->world);
+    return w ? world_hash(&w->world) : 0;
 }
 //<

@@ -210,6 +210,7 @@ bool sleep_is_moving(const sleep_state *s, int b)
 int sleep_end(sleep_state *s)
 {
     int fallen = 0;
+    s->may_sleep = false;
     for (int b = 0; b < s->bodies; b++) s->is_restless[b] = false;
     for (int b = 0; b < s->bodies; b++)
         if (s->watch[b].still < HALVES_TO_SLEEP)
@@ -218,7 +219,7 @@ int sleep_end(sleep_state *s)
         int root = island_of(s, b);
         if (s->is_restless[root]) continue;
         fallen += !s->asleep[b];
-        s->asleep[b] = true;
+        s->asleep[b] = s->may_sleep = true;
         s->island[b] = root;
     }
     return fallen;
@@ -233,7 +234,7 @@ void sleep_forget(sleep_state *s, int b)
 void sleep_put(sleep_state *s, int b)
 {
     assert(b >= 0 && b < s->bodies);
-    s->asleep[b] = true;
+    s->asleep[b] = s->may_sleep = true;
     s->island[b] = b;
     s->watch[b].still = HALVES_TO_SLEEP;
 }

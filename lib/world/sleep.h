@@ -51,6 +51,7 @@ typedef struct {
     int  *island;       // [bodies] the island it fell asleep with, by the body
                         // that stood for it; means nothing while awake
     bool *asleep;       // [bodies]
+    bool may_sleep;     // false: none of them does
     bool *is_restless;  // [bodies] of the body that stands for an island: one
                         // in it has not been still for long enough
     sleep_watch *watch; // [bodies]

@@ -110,6 +110,7 @@ void world_step(world *w)
     real dt = w->options.dt;
     real since = w->options.host.clock ? w->options.host.clock() : 0;
     w->report = (step_report){ .substeps = 0 };
+    world_weigh(w);
     ledger_open(w);
     sleep_begin(&w->sleep);
     find(w, dt, &since);

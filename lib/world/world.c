@@ -74,7 +74,6 @@ status world_init(world *w, world_options options)
                   .age = options.dt / options.substeps };
     pool_init(&w->pool);
     w->rigid.cache.free_entry = -1;
-    w->rigid.lightest = HUGE_VAL;
     return check_options(&options);
 }
 
@@ -282,7 +281,7 @@ static sphere ball_of(const world *w, int b)
 void world_wake_around(world *w, int b)
 {
     sphere own = ball_of(w, b);
-    for (int k = 0; k < w->bodies; k++) {
+    for (int k = 0; k < w->bodies && w->sleep.may_sleep; k++) {
         if (!w->sleep.asleep[k]) continue;
         sphere other = ball_of(w, k);
         if (vec3_distance(own.center, other.center)
@@ -426,7 +425,7 @@ static void start_body(world *w, int b)
     pair_list_renew(&t->pairs, b);
     sleep_forget(&w->sleep, b);
     w->sleep.asleep[b] = false;
-    w->is_still = false;
+    w->is_still = t->is_weighed = false;
     if (body_is_soft(x)) return;
     t->dynamic[b] = !body_is_static(x);
     t->body[b] = (cache_body){ x->shape, x->rigid, x->inner };
@@ -447,19 +446,18 @@ void world_place(world *w, int b, const placement *where)
     start_body(w, b);
 }
 
-static void count_mass(world *w, int b)
+void world_weigh(world *w)
 {
     rigid_tables *t = &w->rigid;
-    if (!t->dynamic[b] || w->body[b].is_kinematic) return;
-    t->lightest = real_min(w->body[b].mass, t->lightest);
-    t->heaviest = real_max(w->body[b].mass, t->heaviest);
-}
-
-static void count_masses(world *w)
-{
-    w->rigid.lightest = HUGE_VAL;
-    w->rigid.heaviest = 0;
-    for (int b = 0; b < w->bodies; b++) count_mass(w, b);
+    if (t->is_weighed) return;
+    t->is_weighed = true;
+    t->lightest = HUGE_VAL;
+    t->heaviest = 0;
+    for (int b = 0; b < w->bodies; b++) {
+        if (!t->dynamic[b] || w->body[b].is_kinematic) continue;
+        t->lightest = real_min(w->body[b].mass, t->lightest);
+        t->heaviest = real_max(w->body[b].mass, t->heaviest);
+    }
 }
 
 void world_renew(world *w, int b)
@@ -467,7 +465,6 @@ void world_renew(world *w, int b)
     cache_forget(&w->rigid.cache, b);
     soft_forget(&w->soft, b);
     start_body(w, b);
-    count_masses(w);
 }
 //<
 
@@ -546,7 +543,6 @@ status world_add(world *w, const shape *s, placement where, int *number)
     w->softs += body_is_soft(&x);
     w->dynamic_bodies += !body_is_static(&x);
     start_body(w, b);
-    count_mass(w, b);
     if (where.is_static) world_wake_around(w, b);
     if (number) *number = b;
     return status_ok();
@@ -597,7 +593,6 @@ void world_remove(world *w, int b)
     }
     w->gone++;
     start_body(w, b);
-    count_masses(w);
 }
 //<
 

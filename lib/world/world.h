@@ -140,6 +140,7 @@ typedef struct {
     bool is_loaded;         // some are not 0
     material    *material;  // [bodies] deformable ones, too
     body_drive  *drive;     // [bodies]
+    bool is_weighed;        // the next two are those of the bodies there are
     real lightest, heaviest;            // kg, of those that are not static
     substep_choice substeps;
     pair_list      pairs;
@@ -265,6 +266,10 @@ void world_place(world *w, int b, const placement *where);
 
 // A body is another than it was: it counts as new.
 void world_renew(world *w, int b);
+
+// Finds the lightest and the heaviest body again, if one has come, gone or
+// changed since.  A step does so as it begins: n bodies are added in O(n).
+void world_weigh(world *w);
 
 // Body a comes near body b: if one of them sleeps and the other did not lie
 // still in the last frame, the sleeper wakes, in time to take its part of the

@@ -764,9 +764,181 @@ START_TEST(nonsense_is_refused_in_a_sentence)
 }
 END_TEST
 
+// --- No world ----------------------------------------------------------------
+// Each returns what says that nothing was done, and the first sentence stays.
+static void expect_no_world(const char *what, bool is_nothing)
+{
+    ck_assert_msg(is_nothing, "%s", what);
+    expect_failure(NULL, "there is no world");
+    tumble_forget_failure(NULL);
+}
+
+#define REFUSED(call) expect_no_world(#call, !(call))
+#define NO_ID(call) expect_no_world(#call, (call).generation == 0)
+#define NOTHING(call)                                  \
+    do {                                               \
+        ck_assert_msg(!(call), "%s", #call);           \
+        ck_assert_ptr_null(tumble_failure(NULL));      \
+    } while (0)
+#define DONE(call) expect_no_world(#call, ((call), true))
+
+static tumble_world *const NONE;
+static const tumble_vec3 ZERO, UP = { 0, 1, 0 };
+static const tumble_pose POSE;
+
+// Rejects: any function that looks into the world before it asks whether there
+// is one, or refuses without a sentence.
+START_TEST(what_makes_makes_nothing_in_no_world)
+{
+    const tumble_shape s = { 0, 0 };
+    const tumble_body b = { 0, 1 }, ground = tumble_ground();
+    const tumble_vec3 corner[4] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+                                    { 0, 0, 1 } };
+    tumble_forget_failure(NONE);
+    NO_ID(tumble_box(NONE, tumble_v(1, 1, 1), 1));
+    NO_ID(tumble_icosahedron(NONE, 1, 1));
+    NO_ID(tumble_sphere(NONE, 1, 1));
+    NO_ID(tumble_capsule(NONE, 1, 1, 1));
+    NO_ID(tumble_hull(NONE, corner, 4, 1));
+    NO_ID(tumble_obj(NONE, "tests/data/cube.obj", 1, 1));
+    NO_ID(tumble_rope(NONE, 3, 1, 1));
+    NO_ID(tumble_cloth(NONE, 3, 3, 1, 1, 1));
+    NO_ID(tumble_add_plane(NONE, UP, 0, -1));
+    NO_ID(tumble_add(NONE, s, tumble_at(0, 0, 0)));
+    NO_ID(tumble_add_pieces(NONE, &s, &POSE, 1, tumble_at(0, 0, 0)));
+    NO_ID(tumble_ball(NONE, b, ground, ZERO));
+    NO_ID(tumble_hinge(NONE, b, ground, ZERO, UP));
+    NO_ID(tumble_fix(NONE, b, ground, ZERO));
+    NO_ID(tumble_distance(NONE, ground, ZERO, b, UP, 0, 1));
+    NO_ID(tumble_hang(NONE, b, 0, ground));
+}
+END_TEST
+
+START_TEST(what_changes_changes_nothing_in_no_world)
+{
+    const tumble_body b = { 0, 1 };
+    const tumble_joint j = { 0, 1 };
+    tumble_forget_failure(NONE);
+    DONE(tumble_step(NONE));
+    DONE(tumble_run_on(NONE, NULL, NULL));
+    REFUSED(tumble_set_gravity(NONE, UP));
+    REFUSED(tumble_remove_plane(NONE, (tumble_plane){ 0, 1 }));
+    REFUSED(tumble_drop_shape(NONE, (tumble_shape){ 0, 1 }));
+    REFUSED(tumble_remove(NONE, b));
+    REFUSED(tumble_set_pose(NONE, b, POSE));
+    REFUSED(tumble_set_velocity(NONE, b, ZERO, ZERO));
+    REFUSED(tumble_push(NONE, b, UP, ZERO));
+    REFUSED(tumble_force(NONE, b, UP, ZERO));
+    REFUSED(tumble_wake(NONE, b));
+    REFUSED(tumble_sleep(NONE, b));
+    REFUSED(tumble_set_material(NONE, b, 0, 0));
+    REFUSED(tumble_set_damping(NONE, b, 0, 0));
+    REFUSED(tumble_set_filter(NONE, b, 1, 1));
+    REFUSED(tumble_set_user(NONE, b, NULL));
+    REFUSED(tumble_pin(NONE, b, 0));
+    REFUSED(tumble_unpin(NONE, b, 0));
+    REFUSED(tumble_push_vertex(NONE, b, 0, UP));
+    REFUSED(tumble_set_bending(NONE, b, 0));
+    REFUSED(tumble_set_stretch(NONE, b, 0));
+    REFUSED(tumble_set_limits(NONE, j, 0, 1));
+    REFUSED(tumble_set_strength(NONE, j, 1));
+    REFUSED(tumble_unjoin(NONE, j));
+    REFUSED(tumble_events(NONE, NULL, 0));
+}
+END_TEST
+
+static bool is_zero(tumble_vec3 v)
+{
+    return v.x == 0 && v.y == 0 && v.z == 0;
+}
+
+START_TEST(a_question_about_no_world_has_the_answer_zero)
+{
+    const tumble_body b = { 0, 1 };
+    const tumble_joint j = { 0, 1 };
+    const tumble_shape s = { 0, 1 };
+    const tumble_pen pen = { NULL, NULL, NULL, NULL };
+    int triangles = 7;
+    tumble_forget_failure(NONE);
+    NOTHING(tumble_time(NONE) != 0);
+    NOTHING(tumble_last_step(NONE).bodies);
+    NOTHING(tumble_measure(NONE).kinetic != 0);
+    NOTHING(tumble_hash(NONE));
+    NOTHING(tumble_save(NONE, NULL, 0));
+    ck_assert_ptr_null(tumble_load(NULL, 0));
+    tumble_forget_failure(NULL);
+    NOTHING(tumble_has(NONE, b));
+    NOTHING(tumble_bodies(NONE, NULL, 0));
+    NOTHING(tumble_get_pose(NONE, b).rotation.w != 0);
+    NOTHING(!is_zero(tumble_position(NONE, b)));
+    NOTHING(!is_zero(tumble_velocity(NONE, b)));
+    NOTHING(!is_zero(tumble_spin(NONE, b)));
+    NOTHING(tumble_mass(NONE, b) != 0);
+    NOTHING(tumble_user(NONE, b));
+    NOTHING(tumble_is_awake(NONE, b));
+    NOTHING(tumble_vertices(NONE, b, NULL, 0));
+    NOTHING(tumble_triangles(NONE, b, &triangles) || triangles);
+    NOTHING(!is_zero(tumble_vertex(NONE, b, 0)));
+    NOTHING(tumble_is_joined(NONE, j));
+    NOTHING(tumble_joint_gap(NONE, j) != 0);
+    NOTHING(tumble_joint_force(NONE, j) != 0);
+    NOTHING(tumble_hinge_angle(NONE, j) != 0);
+    NOTHING(tumble_ray(NONE, ZERO, UP, ~0u, NULL));
+    NOTHING(tumble_nearest(NONE, ZERO, 1, ~0u, NULL));
+    NOTHING(tumble_overlap(NONE, s, POSE, ~0u, NULL, 0));
+    NOTHING(tumble_sweep(NONE, s, POSE, UP, ~0u, NULL));
+    NOTHING(tumble_contacts(NONE, NULL, 0));
+    NOTHING((tumble_draw(NONE, &pen), false));
+}
+END_TEST
+
+// The first sentence says more than the later ones.
+START_TEST(a_world_that_was_not_made_says_why_to_the_end)
+{
+    tumble_options o = tumble_options_default();
+    o.dt = 2;
+    tumble_world *w = tumble_make(&o);
+    tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), tumble_at(0, 0, 0));
+    tumble_step(w);
+    expect_failure(NULL, "dt is 2");
+}
+END_TEST
+
+// Rejects: options that are all zeros make a body without friction that meets
+// nothing.
+START_TEST(options_that_were_not_begun_are_refused)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_shape box = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_pose at = { { 0, 5, 0 }, { 0, 0, 0, 1 } };
+    tumble_body_options zero = { 0 };
+    ck_assert_int_eq((int)tumble_add(w, box, zero).generation, 0);
+    expect_failure(w, "options begin with tumble_at");
+    tumble_forget_failure(w);
+    ck_assert_int_eq((int)tumble_add_pieces(w, &box, &at, 1, zero).generation,
+                     0);
+    expect_failure(w, "options begin with tumble_at");
+    tumble_forget_failure(w);
+    tumble_body b = tumble_add(w, box, tumble_at(0, 1, 0));
+    ck_assert(!tumble_set_filter(w, b, 0, 0));
+    expect_failure(w, "group 0");
+    tumble_forget_failure(w);
+    ck_assert(tumble_set_filter(w, b, 1, 0));
+    tumble_options none = { 0 };
+    ck_assert_ptr_null(tumble_make(&none));
+    expect_failure(NULL, "dt is 0");
+    tumble_free(w);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
+        what_makes_makes_nothing_in_no_world,
+        what_changes_changes_nothing_in_no_world,
+        a_question_about_no_world_has_the_answer_zero,
+        a_world_that_was_not_made_says_why_to_the_end,
+        options_that_were_not_begun_are_refused,
         a_world_that_cannot_be_says_which_option,
         a_body_falls_as_galileo_says_and_lies,
         the_id_of_a_body_that_is_gone_is_refused,

@@ -9,6 +9,13 @@
 
 #include "world.h"
 
+// The lightest body's mass; NAN while it has not been asked for since the last
+// body came or went.
+static inline real probe_lightest(const world *w)
+{
+    return w->rigid.is_weighed ? w->rigid.lightest : (real)NAN;
+}
+
 // --- Sleep -------------------------------------------------------------------
 
 static inline bool probe_sleeps(const world *w, int b)
@@ -19,7 +26,7 @@ static inline bool probe_sleeps(const world *w, int b)
 // Marks body b as asleep, and nothing else.
 static inline void probe_lay(world *w, int b)
 {
-    w->sleep.asleep[b] = true;
+    w->sleep.asleep[b] = w->sleep.may_sleep = true;
     w->sleep.island[b] = b;
 }
 

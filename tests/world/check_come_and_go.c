@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "expect.h"
+#include "handle.h"
 #include "measure.h"
 #include "scarce.h"
 #include "stage.h"
@@ -374,9 +375,31 @@ START_TEST(anything_may_come_and_go)
 }
 END_TEST
 
+// Rejects: all bodies are looked at whenever one comes, which for n of them takes
+// n^2; and masses of bodies that are gone.
+START_TEST(bodies_are_weighed_once_a_step)
+{
+    int b, heavy = add_at(&slab, 5, 3, 0);
+    for (int k = 0; k < 20; k++) {
+        b = add_at(&ball, 2 * k, 9, 0);
+        world_set_filter(&w, b, 1, ~0u);
+        ck_assert(isnan(probe_lightest(&w)));
+    }
+    world_step(&w);
+    ck_assert(probe_lightest(&w) == w.body[b].mass);
+    ck_assert(w.body[heavy].mass > w.body[b].mass);
+    for (int k = 0; k < w.bodies; k++)
+        if (k != heavy) world_remove(&w, k);
+    ck_assert(isnan(probe_lightest(&w)));
+    world_step(&w);
+    ck_assert(probe_lightest(&w) == w.body[heavy].mass);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
+        bodies_are_weighed_once_a_step,
         bodies_come_and_go_on_the_same_memory,
         places_and_shapes_are_used_again,
         body_without_memory_is_refused_and_nothing_has_changed,

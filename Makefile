@@ -320,7 +320,10 @@ endif
 
 #:
 #: Measure
-#:   make figures    run every figure's program, renew its data and its picture
+#:   make stale      which figures and tables are older than what makes them, and
+#:                   than what of it
+#:   make figures    run the program of every such figure, renew its data and its
+#:                   picture (ALL=1: of every figure), and gather the tables
 #:   make figure-08  the same for the figures of chapter 08
 #:   make charts     draw every chart from the data as they are; nothing is run
 #:   make moving     the moving pictures of README and chapter 18 (make deps-book)
@@ -345,16 +348,21 @@ endif
 #:                   of figures/peers, and its picture
 #:   make box3d BOX3D=FOLDER    rooms and piles by us and by Box3D, whose sources
 #:                   lie in FOLDER; THROW=2: thrown another way
-figures: $(FIGURES:%=$(BUILD)/figures/%) moving
-	$(Q)$(foreach f,$(FIGURES),$(call draw,$f,$(call room,$f)) &&) true
-.PHONY: moving
+stale:
+	@sh figures/draw/stamp.sh && echo "Every figure and table is as its program would make it now." || true
+figures:
+	$(Q)older="$(if $(ALL),$(FIGURES:%=figure-%) moving,$$(sh figures/draw/stamp.sh -n | grep '^figure-\|^moving$$'))"; \
+	  for f in $$older; do $(AGAIN) $$f || exit 1; done
+	$(Q)for f in $$(sh figures/draw/stamp.sh -n | grep '^chart-'); do $(AGAIN) $$f || exit 1; done
+	$(Q)$(AGAIN) tables
+.PHONY: moving stale tables
 moving: $(BUILD)/figures/moving
 	@echo "  draw  figures/moving/moving.webp"
 	$(Q)sh figures/moving/moving.sh $< figures/moving/moving.webp
 	$(Q)for s in room cloth-on-cube cloth-on-rope; do sh figures/moving/moving.sh $< figures/moving/$$s.webp $$s 60 || exit 1; done
 	$(Q)sh figures/moving/moving.sh $< figures/moving/moving-dark.webp '' 60
 	$(Q)for s in room cloth-on-cube cloth-on-rope; do sh figures/moving/moving.sh $< figures/moving/$$s-dark.webp $$s 60 || exit 1; done
-figures $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%) speed profile: $(BUILD)/shrink
+$(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%) speed profile: $(BUILD)/shrink
 $(CHAPTERS:%=figure-%):
 	$(Q)$(foreach f,$(FIGURES_$(@:figure-%=%)),$(call draw,$f,$(call room,$f)) &&) true
 $(FIGURES:%=figure-%): figure-%: $(BUILD)/figures/%
@@ -370,7 +378,8 @@ $(CHARTS:%=chart-%): chart-%:
 	$(Q)$(call redraw,$*) && sh figures/draw/stamp.sh -d $*
 
 hard: $(BUILD)/hard $(BUILD)/hard-plain $(BUILD)/families $(BUILD)/tumble-sweep
-	$(Q)sh tests/hard/hard.sh $(BUILD) figures/tables $(JOBS)
+	$(Q)sh tests/hard/hard.sh $(BUILD) figures/tables $(JOBS); short=$$?; [ $$short -gt 1 ] || \
+	  $(STAMP) $(notdir $(basename $(wildcard figures/tables/hard*.csv figures/tables/families.csv))) && exit $$short
 
 .PHONY: drape apart strings
 drape: $(BUILD)/drape
@@ -394,14 +403,19 @@ SPEED := 21-verlet 21-constraint 21-body 10-fewer 21-hit_face \
 .PHONY: speed profile
 speed: $(SPEED:%=$(BUILD)/figures/%)
 	$(Q)$(foreach f,$(SPEED),$(call draw,$f,$(call room,$f)) &&) true
+	$(Q)$(AGAIN) tables
+profile: $(BUILD)/figures/21-profile
+	$(Q)$(call draw,21-profile,figures/21)
+	$(Q)$(AGAIN) tables
+# What these measured, and other figures in passing, as two tables.
+tables:
 	$(Q)awk -f figures/draw/table.awk -v csv=figures/tables/speed.csv \
 	  -v machine=figures/tables/machine.csv \
 	  -v head='module,what,at this error,best,beside,takes times as long' \
 	  $(foreach f,$(SPEED),$(call room,$f)/$f.csv)
-profile: $(BUILD)/figures/21-profile
-	$(Q)$(call draw,21-profile,figures/21)
 	$(Q)awk -f figures/draw/table.awk -v csv=figures/tables/profile.csv \
 	  -v head='phase,room,cloth on a cube,cloth on a rope' figures/21/21-profile.csv
+	$(Q)$(STAMP) speed profile
 
 SOAK_STEPS ?= 1000000
 .PHONY: soak
@@ -418,7 +432,7 @@ peers:
 	 are not installed: make deps-peers installs them." >&2; exit 1; }
 	$(Q)$(AGAIN) $(BUILD)/peers $(BUILD)/piles
 	$(Q)$(BUILD)/peers > figures/peers/peers.csv.new
-	$(Q)mv figures/peers/peers.csv.new figures/peers/peers.csv
+	$(Q)mv figures/peers/peers.csv.new figures/peers/peers.csv && $(STAMP) peers
 	$(Q)$(BUILD)/piles > figures/peers/piles-curves.csv.new
 	$(Q)mv figures/peers/piles-curves.csv.new figures/peers/piles-curves.csv
 	$(Q)$(AGAIN) piles-picture
@@ -428,7 +442,7 @@ piles-picture:
 	$(Q)awk -f figures/draw/table.awk -v csv=figures/peers/piles.csv \
 	  -v head='scene,by,a step,overlap,moved,crept from 5 s on,asleep at,with sleeping' \
 	  figures/peers/piles-curves.csv
-	$(Q)$(AGAIN) chart-piles && sh figures/draw/stamp.sh piles
+	$(Q)$(AGAIN) chart-piles && $(STAMP) piles
 
 # Box3D is in no package, so its sources are built here.
 .PHONY: box3d
@@ -443,6 +457,7 @@ box3d:
 	$(Q)awk -f figures/draw/table.awk -v csv=$(if $(THROW),$(BUILD),figures/peers)/box3d.csv \
 	  -v head='scene,by,a step,overlap,moved,crept from 5 s on,asleep at,with sleeping' \
 	  $(BUILD)/box3d-points.csv
+	$(Q)$(if $(THROW),,$(STAMP) box3d)
 
 # Without asserts: what no program may do is a branch that no test can take.
 coverage:
@@ -512,6 +527,8 @@ theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/piles_bullet.o
 
 # A figure with a .gp prints data, which become a chart; one without paints its
 # own picture, whose name is its argument.  The book's are shrunk and stamped.
+# A stamp says what made it, and with which settings.
+STAMP = SETTINGS='$(EXACT) $(CFLAGS)' CC='$(CC)' sh figures/draw/stamp.sh
 # Where the book's figure 04-rules stands: figures/04.
 room = figures/$(firstword $(subst -, ,$1))
 chart = sh figures/draw/chart.sh $(wildcard figures/*/$1.gp) $2 $3
@@ -519,7 +536,7 @@ draw = $(if $(wildcard figures/*/$1.gp),echo "  draw  $2/$1.svg" && \
   $(BUILD)/figures/$1 > $2/$1.csv.new && mv $2/$1.csv.new $2/$1.csv && \
   $(call chart,$1,$2/$1.csv,$2/$1.svg),\
   echo "  draw  $2/$1.png" && $(BUILD)/figures/$1 $2/$1.png)$(if $(filter figures/%,$2), && \
-  $(if $(wildcard figures/*/$1.gp),,$(BUILD)/shrink $2/$1.png && sh figures/draw/dark.sh $(BUILD)/figures/$1 $2/$1.png &&) sh figures/draw/stamp.sh $1)
+  $(if $(wildcard figures/*/$1.gp),,$(BUILD)/shrink $2/$1.png && sh figures/draw/dark.sh $(BUILD)/figures/$1 $2/$1.png &&) $(STAMP) $1)
 
 # These count the memory of what they test, and refuse it.
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \

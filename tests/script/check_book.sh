@@ -31,7 +31,10 @@ done
 # A table goes on from row to row: what a blank line cuts off is no table.
 awk '!/^\|/ { rows = 0 } /^\|/ && ++rows == 2 && !/^\|[-:| ]*$/ { print FILENAME ": a table without a head, at line " FNR; bad = 1 }
      END { exit bad }' chapters/[0-9]*.md README.md || failed=1
-sh figures/draw/stamp.sh || failed=1
+sh figures/draw/stamp.sh > "$fresh/older" || {
+    echo "$(wc -l < "$fresh/older") figures or tables are not as their programs would make them now; make stale lists them, make figures renews most:"
+    head -n 3 "$fresh/older"; failed=1
+}
 awk -f chapters/sources.awk chapters/23-words.md chapters/[0-9]*.md || failed=1
 
 # The speller itself is shown a mistake first.

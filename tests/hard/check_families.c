@@ -79,12 +79,52 @@ START_TEST(what_is_refused_does_not_hold)
 }
 END_TEST
 
+// ---- rows that hold --------------------------------------------------------
+
+static void must_hold(int number)
+{
+    const hard_case *c = hard_find(number);
+    ck_assert_msg(c != NULL, "no row %d", number);
+    hard_report *r = new_report();
+    c->run(r, 1);
+    ck_assert_int_gt(r->parts, 0);
+    for (int i = 0; i < r->parts; i++)
+        ck_assert_msg(hard_holds(&r->part[i]), "row %d: %s: %g, not %g",
+                      number, r->part[i].what, r->part[i].error,
+                      r->part[i].target);
+    free(r);
+}
+
+#define ROW(number, name) START_TEST(name) { must_hold(number); } END_TEST
+
+ROW(116, a_plate_on_a_circle_takes_its_rider_along)
+ROW(118, a_body_on_a_belt_slips_as_far_as_friction_says)
+ROW(126, elastic_bodies_keep_their_energy_without_gravity)
+ROW(128, a_ball_with_spin_strikes_by_coulombs_law)
+ROW(136, a_tower_sags_by_its_law)
+ROW(146, friction_has_no_direction)
+ROW(147, nothing_gains_energy)
+ROW(150, what_falls_freely_is_on_its_parabola)
+ROW(155, a_ball_bounces_in_a_geometric_series)
+
+// Rejects: two rows of one number, of which only the first is run.
+START_TEST(every_number_stands_once)
+{
+    for (const hard_case *const *l = hard_all.list; *l; l++)
+        for (const hard_case *c = *l; c->number > 0; c++) {
+            ck_assert_int_le(c->number, HARD_LAST);
+            ck_assert_msg(hard_find(c->number) == c, "%d twice", c->number);
+        }
+}
+END_TEST
+
 START_TEST(rotations_follow_each_other)
 {
     family_seed s = 1;
     tumble_quat a = family_rotation(&s), b = family_rotation(&s);
     tumble_vec3 x = family_direction(&s);
-    tumble_vec3 once = v_turn(q_times(a, b), x), twice = v_turn(a, v_turn(b, x));
+    tumble_vec3 once = v_turn(q_times(a, b), x);
+    tumble_vec3 twice = v_turn(a, v_turn(b, x));
     ck_assert_double_le(v_distance(once, twice), 1e-14);
     ck_assert_double_eq_tol(v_length(once), 1, 1e-14);
 }
@@ -106,6 +146,16 @@ int main(void)
         a_trial_of_nan_is_beyond_every_target,
         a_row_without_a_trial_does_not_hold,
         what_is_refused_does_not_hold,
+        a_plate_on_a_circle_takes_its_rider_along,
+        a_body_on_a_belt_slips_as_far_as_friction_says,
+        elastic_bodies_keep_their_energy_without_gravity,
+        a_ball_with_spin_strikes_by_coulombs_law,
+        a_tower_sags_by_its_law,
+        friction_has_no_direction,
+        nothing_gains_energy,
+        what_falls_freely_is_on_its_parabola,
+        a_ball_bounces_in_a_geometric_series,
+        every_number_stands_once,
         rotations_follow_each_other,
         a_second_has_sixty_steps,
         NULL

@@ -87,11 +87,13 @@ static void turntable(hard_report *r, int fast)
     for (int k = 0; k < (fast ? 1 : 3); k++)
         for (int m = 0; m < (fast ? 1 : 3); m++)
             for (int n = 0; n < (fast ? 1 : STEPS); n++)
-                for (int i = 0; i < SHARES; i++)
-                    family_trial(&creep, ride_turntable(r, radius[k], size[k],
-                                                        mu[m], share[i], dt[n]),
-                                 "%g of friction, radius %g m, mu %g, dt 1/%.0f",
-                                 share[i], radius[k], mu[m], 1 / dt[n]);
+                for (int i = 0; i < SHARES; i++) {
+                    double way = ride_turntable(r, radius[k], size[k], mu[m],
+                                                share[i], dt[n]);
+                    family_trial(&creep, way, "%g of friction, radius %g m, "
+                                 "mu %g, dt 1/%.0f", share[i], radius[k], mu[m],
+                                 1 / dt[n]);
+                }
     family_add(r, &creep, "m", "creep in 10 s");
 }
 

@@ -1,5 +1,5 @@
-// family_impact.c - rows 125 to 134: restitution, impacts with a formula, blades
-// that turn, and thin plates.
+// family_impact.c - rows 125 to 134: restitution, impacts with a formula,
+// blades that turn, and thin plates.
 
 #include "family.h"
 
@@ -103,8 +103,10 @@ static void meet(hard_report *r, family_worst *off, double step, family_seed *s)
 {
     double e = family_random(s), size = family_log_between(s, 0.1, 10);
     double speed = size * family_log_between(s, 0.5, 60);
-    double a = size * family_between(s, 0.2, 1), b = size * family_between(s, 0.2, 1);
-    double ma = family_log_between(s, 0.1, 10), mb = family_log_between(s, 0.1, 10);
+    double a = size * family_between(s, 0.2, 1);
+    double b = size * family_between(s, 0.2, 1);
+    double ma = family_log_between(s, 0.1, 10);
+    double mb = family_log_between(s, 0.1, 10);
     tumble_world *w = weightless(step, 0, e);
     tumble_quat q = family_rotation(s);
     // b comes along x, and passes a's centre by a share of a + b.
@@ -123,8 +125,9 @@ static void meet(hard_report *r, family_worst *off, double step, family_seed *s)
     double error = v_distance(tumble_velocity(w, first), given)
                  + v_distance(tumble_velocity(w, second),
                               v_add(p.velocity, taken));
-    family_trial(off, error / speed, "e %.2f, past by %.2f of a + b, %.2g sizes "
-                 "a step, dt 1/%.0f", e, sine, speed * step / size, 1 / step);
+    family_trial(off, error / speed, "e %.2f, past by %.2f of a + b, %.2g "
+                 "sizes a step, dt 1/%.0f", e, sine, speed * step / size,
+                 1 / step);
     family_ok(r, w);
     tumble_free(w);
 }
@@ -133,7 +136,8 @@ static void two_balls(hard_report *r, int fast)
 {
     family_worst off = { .target = 1e-6 };
     family_seed seed = 127;
-    for (int n = 0; n < (fast ? 20 : 500); n++) meet(r, &off, dt[n % 3], &seed);
+    for (int n = 0; n < (fast ? 20 : 2000); n++)
+        meet(r, &off, dt[n % 3], &seed);
     family_add(r, &off, "", "velocities after, from the formula");
 }
 
@@ -142,11 +146,13 @@ static void two_balls(hard_report *r, int fast)
 // Coulomb's impulse is at most mu times the normal one, m (1 + e) v: it slides
 // with that, or it takes the whole slip u, of which a ball's effective mass
 // 2/7 m needs 2/7 m u.
-static void strike(hard_report *r, family_worst *off, double step, family_seed *s)
+static void strike(hard_report *r, family_worst *off, double step,
+                   family_seed *s)
 {
     double e = family_random(s), mu = family_log_between(s, 0.02, 2);
     double a = family_log_between(s, 0.01, 1), down = family_between(s, 1, 10);
-    double along = family_between(s, -10, 10), spin = family_between(s, -10, 10) / a;
+    double along = family_between(s, -10, 10);
+    double spin = family_between(s, -10, 10) / a;
     tumble_world *w = weightless(step, mu, e);
     tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
     double high = a + down * step * family_between(s, 1, 3);
@@ -163,8 +169,9 @@ static void strike(hard_report *r, family_worst *off, double step, family_seed *
     double error = v_distance(tumble_velocity(w, b), v)
                  + a * fabs(tumble_spin(w, b).z - turns);
     double speed = fabs(along) + down + fabs(spin * a);
-    family_trial(off, error / speed, "e %.2f, mu %.2f, radius %.3f m, down %.1f, "
-                 "along %.1f m/s, dt 1/%.0f", e, mu, a, down, along, 1 / step);
+    family_trial(off, error / speed, "e %.2f, mu %.2f, radius %.3f m, "
+                 "down %.1f, along %.1f m/s, dt 1/%.0f", e, mu, a, down, along,
+                 1 / step);
     family_ok(r, w);
     tumble_free(w);
 }
@@ -173,7 +180,8 @@ static void spin_and_strike(hard_report *r, int fast)
 {
     family_worst off = { .target = 1e-3 };
     family_seed seed = 128;
-    for (int n = 0; n < (fast ? 20 : 500); n++) strike(r, &off, dt[n % 3], &seed);
+    for (int n = 0; n < (fast ? 20 : 2000); n++)
+        strike(r, &off, dt[n % 3], &seed);
     family_add(r, &off, "", "velocity and spin after / speeds before");
 }
 
@@ -185,7 +193,8 @@ static void sweep(hard_report *r, family_worst *missed, int free_blade,
                   double step, family_seed *s)
 {
     double thick = family_log_between(s, 0.005, 0.1);
-    double spin = family_log_between(s, 5, 1000) * (family_random(s) < 0.5 ? -1 : 1);
+    double spin = family_log_between(s, 5, 1000);
+    if (family_random(s) < 0.5) spin = -spin;
     double a = family_log_between(s, 0.02, 0.1);
     double away = family_between(s, 0.4, 0.95);
     double angle = family_between(s, 0.15 * FAMILY_PI, 0.85 * FAMILY_PI);
@@ -193,7 +202,12 @@ static void sweep(hard_report *r, family_worst *missed, int free_blade,
     tumble_body_options o = tumble_at(0, 0, 0);
     o.kind = free_blade ? TUMBLE_DYNAMIC : TUMBLE_KINEMATIC;
     o.spin = tumble_v(0, spin, 0);
-    tumble_add(w, tumble_box(w, tumble_v(2, 0.2, thick), 1000), o);
+    tumble_shape blade = tumble_box(w, tumble_v(2, 0.2, thick), 1000);
+    if (family_random(s) < 0.25) {      // a round bar
+        blade = tumble_capsule(w, 2, thick, 1000);
+        o.pose.rotation = tumble_turn(tumble_v(0, 0, 1), FAMILY_PI / 2);
+    }
+    tumble_add(w, blade, o);
     tumble_body_options p = tumble_at(away * cos(angle), 0, away * sin(angle));
     tumble_body ball = tumble_add(w, tumble_sphere(w, a, 0.01), p);
     // Half a turn brings one of its two ends there.
@@ -209,7 +223,7 @@ static void sweeps(hard_report *r, int free_blade, int fast)
 {
     family_worst missed = { .target = 0 };
     family_seed seed = 129;
-    for (int n = 0; n < (fast ? 40 : 800); n++)
+    for (int n = 0; n < (fast ? 40 : 4000); n++)
         sweep(r, &missed, free_blade, dt[n % 3], &seed);
     hard_add(r, (double)missed.beyond, 0, "", "balls that are missed, of %d",
              missed.trials);
@@ -240,7 +254,8 @@ static void shoot(hard_report *r, family_worst *through, double step,
     tumble_world *w = weightless(step, 0.3, family_random(s) < 0.5 ? 0 : 0.5);
     tumble_body_options o = tumble_at(0, 0, 0), p = tumble_at(0, 0, 0);
     o.kind = is_free ? TUMBLE_DYNAMIC : TUMBLE_STATIC;
-    tumble_body plate = tumble_add(w, tumble_box(w, tumble_v(3, thick, 3), 20), o);
+    tumble_shape sheet = tumble_box(w, tumble_v(3, thick, 3), 20);
+    tumble_body plate = tumble_add(w, sheet, o);
     p.velocity = tumble_v(speed * sin(slant), -speed * cos(slant), 0);
     tumble_vec3 aim = { family_between(s, -0.5, 0.5), thick / 2 + a,
                         family_between(s, -0.5, 0.5) };
@@ -253,13 +268,14 @@ static void shoot(hard_report *r, family_worst *through, double step,
         tumble_pose q = tumble_get_pose(w, plate);
         tumble_quat back = { -q.rotation.x, -q.rotation.y, -q.rotation.z,
                              q.rotation.w };
-        tumble_vec3 x = v_turn(back, v_sub(tumble_position(w, ball), q.position));
+        tumble_vec3 x = tumble_position(w, ball);
+        x = v_turn(back, v_sub(x, q.position));
         if (fabs(x.x) > 1.5 || fabs(x.z) > 1.5) { if (n > 3) break; }
         else lost = x.y < 0;
     }
-    family_trial(through, lost, "%s plate of %.2g mm, %.0f m/s, ball of %.3f m, "
-                 "dt 1/%.0f", is_free ? "free" : "static", 1e3 * thick, speed, a,
-                 1 / step);
+    family_trial(through, lost, "%s plate of %.2g mm, %.0f m/s, ball of "
+                 "%.3f m, dt 1/%.0f", is_free ? "free" : "static", 1e3 * thick,
+                 speed, a, 1 / step);
     family_ok(r, w);
     tumble_free(w);
 }
@@ -268,7 +284,7 @@ static void thin_plates(hard_report *r, int fast)
 {
     family_worst through = { .target = 0 };
     family_seed seed = 131;
-    for (int n = 0; n < (fast ? 40 : 2000); n++)
+    for (int n = 0; n < (fast ? 40 : 10000); n++)
         shoot(r, &through, dt[n % 3], &seed);
     hard_add(r, (double)through.beyond, 0, "", "balls that are through, of %d",
              through.trials);

@@ -93,7 +93,8 @@ static void collide(hard_report *r, family_worst *linear, family_worst *angular,
 
 static void collisions(hard_report *r, int bodies, double friction, int times)
 {
-    static const double size[] = { 0.5, 0.01, 10 }, dt[] = { 1 / 60.0, 1 / 240.0 };
+    static const double size[] = { 0.5, 0.01, 10 };
+    static const double dt[] = { 1 / 60.0, 1 / 240.0 };
     static const double ratio[] = { 1, 10, 1000 };
     // A velocity is a difference of positions: it is rounded by ulp(x) / h.
     family_worst linear = { .target = 1e-11 }, angular = { .target = 1e-9 };
@@ -112,22 +113,22 @@ static void collisions(hard_report *r, int bodies, double friction, int times)
 
 static void pairs_smooth(hard_report *r, int fast)
 {
-    collisions(r, 2, 0, fast ? 6 : 120);
+    collisions(r, 2, 0, fast ? 6 : 600);
 }
 
 static void pairs_rough(hard_report *r, int fast)
 {
-    collisions(r, 2, 0.5, fast ? 6 : 120);
+    collisions(r, 2, 0.5, fast ? 6 : 600);
 }
 
 static void clouds_smooth(hard_report *r, int fast)
 {
-    collisions(r, 40, 0, fast ? 1 : 12);
+    collisions(r, 40, 0, fast ? 1 : 24);
 }
 
 static void clouds_rough(hard_report *r, int fast)
 {
-    collisions(r, 40, 0.5, fast ? 1 : 12);
+    collisions(r, 40, 0.5, fast ? 1 : 24);
 }
 
 const hard_case family_momentum[] = {

@@ -14,14 +14,16 @@ static void parabola(hard_report *r, family_worst *off, double step,
                      family_seed *s)
 {
     tumble_options o = family_options(step, 0.5);
-    double g = family_log_between(s, 0.1, 100), speed = family_log_between(s, 0.1, 300);
+    double g = family_log_between(s, 0.1, 100);
+    double speed = family_log_between(s, 0.1, 300);
     tumble_vec3 down = v_scale(g, family_direction(s));
     o.gravity = down;
     tumble_world *w = tumble_make(&o);
     tumble_body_options b = tumble_at(0, 0, 0);
     b.velocity = v_scale(speed, family_direction(s));
     b.spin = v_scale(family_log_between(s, 0.1, 50), family_direction(s));
-    tumble_body body = tumble_add(w, tumble_box(w, tumble_v(1, 0.6, 0.3), 2), b);
+    tumble_shape box = tumble_box(w, tumble_v(1, 0.6, 0.3), 2);
+    tumble_body body = tumble_add(w, box, b);
     family_run(w, 2);
     double t = tumble_time(w);
     tumble_vec3 x = v_add(v_scale(t, b.velocity), v_scale(t * t / 2, down));
@@ -36,16 +38,17 @@ static void free_fall(hard_report *r, int fast)
 {
     family_worst off = { .target = 1e-10 };
     family_seed seed = 150;
-    for (int n = 0; n < (fast ? 20 : 200); n++) parabola(r, &off, dt[n % 3], &seed);
+    for (int n = 0; n < (fast ? 20 : 1000); n++)
+        parabola(r, &off, dt[n % 3], &seed);
     family_add(r, &off, "", "distance from the parabola / way");
 }
 
 // ---- 151: rolling down -----------------------------------------------------
 
 // What rolls without slip is as heavy again by I / a^2: a ball goes down with
-// 5/7 g sin, if friction holds: tan <= 7/2 mu.  It begins at rest, or rolls with
-// a speed of sqrt(g a) / 5 already.  The engine brakes what rolls slowly, so that
-// balls come to rest (chapter 18), and this makes the difference.
+// 5/7 g sin, if friction holds: tan <= 7/2 mu.  It begins at rest, or rolls
+// with a speed of sqrt(g a) / 5 already.  The engine brakes what rolls slowly,
+// so that balls come to rest (chapter 18), and this makes the difference.
 static void roll(hard_report *r, family_worst off[2], double slope, double a,
                  double step, int rolls)
 {
@@ -73,7 +76,8 @@ static void roll(hard_report *r, family_worst off[2], double slope, double a,
 
 static void rolling(hard_report *r, int fast)
 {
-    static const double slope[] = { 2, 10, 30, 60 }, radius[] = { 0.1, 0.01, 1, 10 };
+    static const double slope[] = { 2, 10, 30, 60 };
+    static const double radius[] = { 0.1, 0.01, 1, 10 };
     for (int rolls = 1; rolls >= 0; rolls--) {
         family_worst off[2] = { { .target = 1e-3 }, { .target = 1e-3 } };
         for (int i = 0; i < 4; i++)
@@ -81,8 +85,9 @@ static void rolling(hard_report *r, int fast)
                 for (int n = 0; n < (fast ? 1 : 3); n++)
                     roll(r, off, slope[i] * FAMILY_PI / 180, radius[k], dt[n],
                          rolls);
-        family_add(r, &off[0], "", rolls ? "way of one that rolls, from its own"
-                                         : "way from rest, from 5/14 g sin t^2");
+        family_add(r, &off[0], "", rolls
+                   ? "way of one that rolls, from its own"
+                   : "way from rest, from 5/14 g sin t^2");
         family_add(r, &off[1], "", rolls ? "slip of one that rolls / speed"
                                          : "slip from rest / speed");
     }
@@ -90,8 +95,8 @@ static void rolling(hard_report *r, int fast)
 
 // ---- 152: from sliding to rolling ------------------------------------------
 
-// A ball that is set down with v and no spin slides for 2 v / (7 mu g), and then
-// rolls with 5/7 v: its way until T is 5/7 v T + 2 v^2 / (49 mu g).
+// A ball that is set down with v and no spin slides for 2 v / (7 mu g), and
+// then rolls with 5/7 v: its way until T is 5/7 v T + 2 v^2 / (49 mu g).
 static void begin_to_roll(hard_report *r, family_worst *off, double speed,
                           double mu, double a, double step)
 {
@@ -149,7 +154,8 @@ static void euler(const double inertia[3], const double y[7], double out[7])
 
 static void runge_kutta(const double inertia[3], double y[7], double h)
 {
-    static const double share[4] = { 0, 0.5, 0.5, 1 }, weight[4] = { 1, 2, 2, 1 };
+    static const double share[4] = { 0, 0.5, 0.5, 1 };
+    static const double weight[4] = { 1, 2, 2, 1 };
     double sum[7] = { 0 }, k[7] = { 0 };
     for (int stage = 0; stage < 4; stage++) {
         double at[7];
@@ -171,8 +177,8 @@ static tumble_quat true_rotation(tumble_vec3 sides, tumble_vec3 spin, double t)
     return q;
 }
 
-// How far the tips of the body's axes are from where they should be, in parts of
-// its length.
+// How far the tips of the body's axes are from where they should be, in parts
+// of its length.
 static double turned_wrong(tumble_quat a, tumble_quat b)
 {
     double worst = 0;
@@ -183,8 +189,8 @@ static double turned_wrong(tumble_quat a, tumble_quat b)
     return worst;
 }
 
-static tumble_world *spin_freely(double step, tumble_vec3 sides, tumble_vec3 spin,
-                                 tumble_body *body)
+static tumble_world *spin_freely(double step, tumble_vec3 sides,
+                                 tumble_vec3 spin, tumble_body *body)
 {
     tumble_options o = family_options(step, 0.5);
     o.gravity = tumble_v(0, 0, 0);
@@ -219,12 +225,13 @@ static void spin_once(hard_report *r, family_worst of[4], tumble_vec3 sides,
         family_ok(r, w);
         tumble_free(w);
     }
-    // A symmetric step is off by a twelfth of its angle squared, for every radian.
+    // A symmetric step is off by a twelfth of its angle squared, every radian.
     double angle = v_length(spin) * step[0], radians = 2 * v_length(spin);
     family_trial(&of[0], error[0] / (radians * angle * angle / 12), HERE);
     // Where rounding is all that is left there is no order to be seen.
     if (error[LEVELS - 1] > 1e-9)
-        family_trial(&of[1], fmax(2 - hard_order(step, error, LEVELS), 0), HERE);
+        family_trial(&of[1], fmax(2 - hard_order(step, error, LEVELS), 0),
+                     HERE);
 #undef HERE
 }
 
@@ -262,8 +269,8 @@ static int topples(hard_report *r, double side, double shape, double part,
     tumble_world *w = tumble_make(&o);
     tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
     tumble_vec3 sides = { shape * side, side, shape * side };
-    tumble_body b = tumble_add(w, tumble_box(w, sides, 1000 * side * side * side),
-                               tumble_at(0, side / 2, 0));
+    tumble_shape block = tumble_box(w, sides, 1000 * side * side * side);
+    tumble_body b = tumble_add(w, block, tumble_at(0, side / 2, 0));
     family_run(w, 10);
     tumble_vec3 up = v_turn(tumble_get_pose(w, b).rotation, tumble_v(0, 1, 0));
     family_ok(r, w);
@@ -273,7 +280,8 @@ static int topples(hard_report *r, double side, double shape, double part,
 
 static void toppling(hard_report *r, int fast)
 {
-    static const double side[] = { 1, 0.1, 0.01, 10 }, shape[] = { 0.2, 0.5, 1 };
+    static const double side[] = { 1, 0.1, 0.01, 10 };
+    static const double shape[] = { 0.2, 0.5, 1 };
     family_worst early = { .target = 0 }, late = { .target = 0 };
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < 3; i++)
@@ -301,14 +309,16 @@ static void bounces(hard_report *r, family_worst *off, double e, double a,
     o.restitution = e;
     tumble_world *w = tumble_make(&o);
     tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
-    tumble_body b = tumble_add(w, tumble_sphere(w, a, 1), tumble_at(0, a + height, 0));
+    tumble_body b = tumble_add(w, tumble_sphere(w, a, 1),
+                               tumble_at(0, a + height, 0));
     double fall = sqrt(2 * height / FAMILY_G), worst = 0;
     // Three bounces: later ones may be too slow to bounce.
     double end = fall * (1 + 2 * e + 2 * e * e + e * e * e);
     int steps = (int)(end / step);
     for (int n = 0; n < steps; n++) {
         tumble_step(w);
-        double t = tumble_time(w) + fall, flight = 2 * fall, up = FAMILY_G * fall;
+        double t = tumble_time(w) + fall, flight = 2 * fall;
+        double up = FAMILY_G * fall;
         while (t > flight) { t -= flight; flight *= e; up *= e; }
         double high = up * t - FAMILY_G * t * t / 2;
         worst = hard_worse(worst, fabs(tumble_position(w, b).y - a - high));

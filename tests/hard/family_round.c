@@ -84,10 +84,10 @@ static void all_shapes(hard_report *r, int on_box, int fast)
     for (int c = 0; c < 7; c++)
         for (int h = 0; h < 3; h++)
             for (int k = 0; k < (fast ? 1 : 3); k++)
-                for (int start = fast ? 1 : 0; start < (fast ? 2 : 4); start++) {
+                for (int i = fast ? 1 : 0; i < (fast ? 2 : 4); i++) {
                     trial t = { corners[c], radius[k], height[h] * radius[k],
-                                start, on_box, (c + h) % 3 ? 1 / 60.0
-                                                           : 1 / 120.0 };
+                                i, on_box, (c + h) % 3 ? 1 / 60.0
+                                                       : 1 / 120.0 };
                     let_fall(r, &a, &t, &seed);
                 }
     family_add(r, &a.deepest, "", "deepest in any frame / size");

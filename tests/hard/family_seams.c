@@ -1,5 +1,5 @@
-// family_seams.c - rows 101 to 109: floors of pieces, and bodies that slide over
-// their seams.
+// family_seams.c - rows 101 to 109: floors of pieces, and bodies that slide
+// over their seams.
 //
 // A floor of pieces that lie flush is a plane.  So a body that slides stops
 // after v^2 / (2 mu g), without friction it keeps its speed, a ball ends by
@@ -317,7 +317,8 @@ static void gliding(hard_report *r, int fast)
 // about the step's edge would lift it too little up to 4.5 m/s (at 0.4 m).
 static void real_step(hard_report *r, int fast)
 {
-    static const double speed[] = { 0.7, 1.4, 2.1, 3 }, size[] = { 0.4, 0.02, 4 };
+    static const double speed[] = { 0.7, 1.4, 2.1, 3 };
+    static const double size[] = { 0.4, 0.02, 4 };
     family_worst past = { .target = 0.01 }, before = { .target = 0.01 };
     for (int f = PIECES; f <= DYNAMICS; f++)
         for (int b = BOX; b <= COIN; b += COIN - BOX)

@@ -1,9 +1,9 @@
 // family_symmetry.c - rows 140 to 149: the same scene scaled, moved, turned,
 // mirrored and built in another order.
 //
-// Mechanics has no unit of its own, no place, no direction, no hand and no frame
-// at rest.  So a scene that is built in another one, and seen from there, is the
-// same scene.
+// Mechanics has no unit of its own, no place, no direction, no hand and no
+// frame at rest.  So a scene that is built in another one, and seen from there,
+// is the same scene.
 
 #include "family.h"
 
@@ -47,9 +47,9 @@ static tumble_vec3 put_position(const view *f, tumble_vec3 x, double time)
 
 // ---- Scenes ----------------------------------------------------------------
 
-// Calm: a tower of four, boxes that slide, balls that roll and bounce.  Pairs: six
-// times a body falls on another, off its middle.  A heap: twelve bodies fall on
-// each other; every impact makes small differences larger, so only equal bits
+// Calm: a tower of four, boxes that slide, balls that roll and bounce.  Pairs:
+// six times a body falls on another, off its middle.  A heap: twelve bodies fall
+// on each other; every impact makes small differences larger, so only equal bits
 // can be asked of it.  All begin a little above the floor, since what touches
 // exactly may touch or not touch in another view.
 typedef enum { CALM, PAIRS, HEAP, SCENES } scene;
@@ -174,7 +174,8 @@ static double apart(hard_report *r, const view *f, scene k)
     play(r, f, k, there);
     double worst = 0;
     for (int i = 0; i < BODIES; i++) {
-        tumble_vec3 right = put_position(f, here[i], f->time * frames[k] / 60.0);
+        double time = f->time * frames[k] / 60.0;
+        tumble_vec3 right = put_position(f, here[i], time);
         worst = hard_worse(worst, v_distance(there[i], right) / f->length);
     }
     return worst;
@@ -224,10 +225,10 @@ static void tell(hard_report *r, const family_worst of[HEAP])
         family_add(r, &of[k], "m", scene_name[k]);
 }
 
-// Rounding is 1e-16 of a metre, and an impact makes it ten times as large.  What
-// is more than this allows comes from a choice between equals: which points a
-// manifold keeps, which contact an iteration begins with.  The bodies are half a
-// metre wide.
+// Rounding is 1e-16 of a metre, and an impact makes it ten times as large.
+// What is more than this allows comes from a choice between equals: which
+// points a manifold keeps, which contact an iteration begins with.  The bodies
+// are half a metre wide.
 #define WORSTS { { .target = 1e-4 }, { .target = 1e-3 } }
 
 static void turned(hard_report *r, int fast)
@@ -299,7 +300,8 @@ static void push_over(hard_report *r, family_worst *way, family_worst *aside,
     tumble_body_options b = tumble_at(0, 0.1, 0);
     b.velocity = v_scale(speed, ahead);
     b.pose.rotation = tumble_turn(tumble_v(0, 1, 0), turn);
-    tumble_body box = tumble_add(w, tumble_box(w, tumble_v(0.4, 0.2, 0.4), 10), b);
+    tumble_shape slider = tumble_box(w, tumble_v(0.4, 0.2, 0.4), 10);
+    tumble_body box = tumble_add(w, slider, b);
     family_run(w, 1.5 * speed / (mu * FAMILY_G));
     tumble_vec3 x = tumble_position(w, box);
     double ideal = speed * speed / (2 * mu * FAMILY_G), along = v_dot(x, ahead);

@@ -1,4 +1,4 @@
-// family_towers.c - rows 135 to 139: towers of all sizes, and a paddle in a bin.
+// family_towers.c - rows 135 to 139: towers of all sizes, a paddle in a bin.
 
 #include "family.h"
 
@@ -29,9 +29,9 @@ static void stand(hard_report *r, int n, double side, tumble_options o,
 }
 
 // What carries k cubes is pressed into the one below it, as a soft contact is:
-// by h^2 k g times a constant, h the substep.  So a tower of n sags by h^2 g n^2
-// in all, and a share h^2 g n / side of its height: as the square of the
-// substep, as n, and as 1 / side.
+// by c h^2 k g, where h is the substep.  So a tower of n sags by
+// c h^2 g n^2 / 2 in all, and by c h^2 g n / (2 side) of its height: as the
+// square of the substep, as n, and as 1 / side.
 static void towers(hard_report *r, int fast)
 {
     static const int n[] = { 5, 10, 20, 40, 60 };
@@ -79,6 +79,8 @@ static void sag_law(hard_report *r, int fast)
         hard_note(r, "%d cubes of 1 m at the defaults: sag / height %.4f", n[i],
                   at[i]);
     }
+    double c = 2 * at[1] / (step[0] * step[0] * FAMILY_G * n[1]);
+    hard_note(r, "sag / height = c h^2 g n / (2 side) with c = %.2f", c);
     hard_add(r, fabs(hard_order(many, at, 3) - 1), 0.2, "",
              "slope against the number, from 1");
     for (int i = 0; i < 3; i++) {
@@ -115,7 +117,8 @@ static void stir(hard_report *r, family_worst *deep, family_worst *fast_one,
     tumble_body_options p = tumble_at(0, 1.5 * size, 0);
     p.kind = TUMBLE_KINEMATIC;
     p.spin = tumble_v(0, tips / (3 * size), 0);
-    tumble_add(w, tumble_box(w, tumble_v(6 * size, 2 * size, 0.5 * size), 1), p);
+    tumble_vec3 sides = { 6 * size, 2 * size, 0.5 * size };
+    tumble_add(w, tumble_box(w, sides, 1), p);
     tumble_shape cube = tumble_box(w, tumble_v(size, size, size), mass);
     tumble_shape ball = tumble_sphere(w, size / 2, mass);
     tumble_body body[BODIES];
@@ -131,8 +134,10 @@ static void stir(hard_report *r, family_worst *deep, family_worst *fast_one,
     for (double time = 0; time < 10; time += step) {
         tumble_step(w);
         deepest = hard_worse(deepest, tumble_measure(w).penetration);
-        for (int i = 0; i < BODIES; i++)
-            fastest = hard_worse(fastest, v_length(tumble_velocity(w, body[i])));
+        for (int i = 0; i < BODIES; i++) {
+            double speed = v_length(tumble_velocity(w, body[i]));
+            fastest = hard_worse(fastest, speed);
+        }
     }
 #define HERE "bodies of %g m, tips at %.3g m/s, dt 1/%.0f", size, tips, 1 / step
     family_trial(deep, deepest / size, HERE);

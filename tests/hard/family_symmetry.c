@@ -48,10 +48,10 @@ static tumble_vec3 put_position(const view *f, tumble_vec3 x, double time)
 // ---- Scenes ----------------------------------------------------------------
 
 // Calm: a tower of four, boxes that slide, balls that roll and bounce.  Pairs:
-// six times a body falls on another, off its middle.  A heap: twelve bodies fall
-// on each other; every impact makes small differences larger, so only equal bits
-// can be asked of it.  All begin a little above the floor, since what touches
-// exactly may touch or not touch in another view.
+// six times a body falls on another, off its middle.  A heap: twelve bodies
+// fall on each other; every impact makes small differences larger, so only equal
+// bits can be asked of it.  All begin a little above the floor, since what
+// touches exactly may touch or not touch in another view.
 typedef enum { CALM, PAIRS, HEAP, SCENES } scene;
 static const char *const scene_name[SCENES] = { "the calm scene", "the pairs",
                                                 "the heap" };

@@ -74,8 +74,8 @@ static const char *const head[CELLS] = {
 
 static const char *verdict(const row *r)
 {
-    if (!(r->ratio > 0) && !(r->most > 0))
-        return r->is_quoted ? "not measured here" : "";
+    if (r->is_quoted) return "not measured here";
+    if (!(r->ratio > 0) && !(r->most > 0)) return "";
     int is_slow = (r->ratio > 0 && !(r->ours <= r->ratio * r->theirs))
                || (r->most > 0 && !(r->ours <= r->most));
     return is_slow || r->is_wrong ? "falls short" : "holds";

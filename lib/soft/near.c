@@ -283,8 +283,8 @@ static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
 // Between two particles on both sides of a right-angled edge, at the distance r
 // of it, a triangle's side cuts the corner: one as long as 2.83 r touches it.
 // The longest, the diagonal of a cell, would do with half a spacing, and we
-// have 0.55.  But the sticks come last, and pull them nearer: so a quarter
-// more, of what is static.  What is not makes way.
+// have 0.55.  But the sticks come last, and pull them nearer: so a third more
+// of what is static.  What is not makes way.
 static const real SPARE = 1.35;
 
 real soft_gap(const body *soft, const body *rigid)

@@ -13,6 +13,7 @@ define ORDER
 03/body
 03/rigidity
 03/convex
+04/wide
 04/gjk
 05/feature
 05/hit_face
@@ -340,6 +341,8 @@ endif
 #:                   (DRAPE='--starts 1 --up-to 40 cube': fewer)
 #:   make speed      time against error, module by module: figures/tables/speed.csv
 #:   make profile    where a step's time goes, in the three scenes
+#:   make queries-exact  hard pairs of bodies against exact truth, 1,000 of each
+#:                   of 16 families (QUERIES="SEED PAIRS": others)
 #:   make soak       a million steps of the room, stirred (SOAK_STEPS=1000: less)
 #:   make lines      how long each module is, and its functions
 #:   make bits       do gcc and clang, -O0 and -O3, give the same bits?
@@ -418,7 +421,9 @@ tables:
 	$(Q)$(STAMP) speed profile
 
 SOAK_STEPS ?= 1000000
-.PHONY: soak
+.PHONY: soak queries-exact
+queries-exact: $(BUILD)/queries-exact
+	$(Q)$(BUILD)/queries-exact $(QUERIES)
 soak: $(BUILD)/soak
 	$(Q)$(BUILD)/soak $(SOAK_STEPS)
 
@@ -617,6 +622,11 @@ $(BUILD)/drape-apart: $(BUILD)/tests/apart.o
 $(BUILD)/drape-links: LDFLAGS += -Wl,--wrap=taut_most
 $(BUILD)/drape-links: $(BUILD)/tests/no_strings.o
 $(BUILD)/drape $(BUILD)/drape-apart $(BUILD)/drape-links: $(BUILD)/tests/drape.o $(HARD) $(ALL)
+	$(call link,-lm)
+# Pairs of hard families against exact truth: many, and a few as a test.
+EXACTLY := $(addprefix $(BUILD)/tests/,exact_judge.o made_pairs.o truth.o)
+$(BUILD)/tests/check_exact_pairs: $(EXACTLY)
+$(BUILD)/queries-exact: $(BUILD)/tests/exact.o $(EXACTLY) $(ALL)
 	$(call link,-lm)
 $(BUILD)/soak: $(BUILD)/tests/soak.o $(ALL)
 	$(call link,-lm)

@@ -18,20 +18,21 @@
 
 #include <stdio.h>
 
-enum { VARIANTS = 12, MADE = 20000 };
+enum { VARIANTS = 13, MADE = 20000 };
 
 typedef gjk_result find(hull a, hull b, real margin, simplex *carried);
 
 find gjk_distance_1, gjk_distance_2, gjk_distance_3, gjk_distance_4,
      gjk_distance_5, gjk_distance_6, gjk_distance_7, gjk_distance_8,
      gjk_distance_9, gjk_distance_10,
-     gjk_distance_11;
+     gjk_distance_11, gjk_distance_12;
 
 static const struct {
     const char *name;
     find *ask;
 } variant[VARIANTS] = {
     { "nothing", gjk_distance },
+    { "the proof at the end", gjk_distance_12 },
     { "touching: below 1e-6 m", gjk_distance_1 },
     { "touching: below 1e-10 of the size", gjk_distance_2 },
     { "heights from the world's origin", gjk_distance_3 },
@@ -40,7 +41,7 @@ static const struct {
     { "normals by the cross product alone", gjk_distance_6 },
     { "done when v shrinks no more", gjk_distance_10 },
     { "then apart in any case", gjk_distance_7 },
-    { "then apart only if a plane proves it", gjk_distance_8 },
+    { "then apart beyond 2e-12 of the size", gjk_distance_8 },
     { "a corner may be taken twice", gjk_distance_11 },
     { "done when the bounds agree to 1e-6", gjk_distance_9 }
 };

@@ -24,7 +24,7 @@ typedef enum {
     GJK_APART,          // distance, axis and nearest points hold
     GJK_BEYOND,         // further apart than the margin: distance is a bound,
                         // axis separates, the points are not nearest
-    GJK_OVERLAP,        // they meet, or nearly: within rounding, or 1e-60 m
+    GJK_OVERLAP,        // they meet; or nearly, to rounding or to 1e-60 m
     GJK_NOT_FINITE,     // a coordinate is NaN or beyond 1e60 m: all is 0
     GJK_CAPPED          // out of iterations: the best so far
 } gjk_status;
@@ -36,6 +36,7 @@ typedef struct {
     vec3    on_a, on_b; // m, the nearest (witness) points, of bodies apart
     simplex last;       // the final simplex, from which hit_face goes on
     int     iterations;
+    bool    wide;       // rounding hid the answer: 106 bits found it
 } gjk_result;
 //<
 

@@ -744,7 +744,7 @@ END_TEST
 
 // The number was printed by this test itself; gcc and clang agree on it at -O0,
 // -O2 and -O3.  A change of it is a change of answers.
-static const unsigned long long known_digest = 0xc8545aae5d71a3f9ULL;
+static const unsigned long long known_digest = 0xeddbd999f85c9de1ULL;
 
 static unsigned long long digest(unsigned long long h, const swept_result *r)
 {

@@ -23,10 +23,13 @@ limit() {   # MODULE COLUMN LIMIT WHAT
     is=$(awk -F, -v m="$1" -v c="$2" '$2 == m { print $c }' /tmp/lines.$$)
     [ -n "$is" ] && [ "$is" -le "$3" ] || fault "$1: $4 ${is:-missing}, more than $3"
 }
-limit gjk      3 230  lines
+# Of gjk's lines 230 are the plain search; the others are what it takes to be right
+# where rounding hides the answer.
+limit wide     3 120  lines
+limit gjk      3 390  lines
 limit hit_face 3 310  lines
 limit system   3 640  lines
-limit "Part I" 3 4500 lines
+limit "Part I" 3 4700 lines
 limit "Part I" 5 10   "median lines of a function"
 limit "Part I" 6 30   "longest function"
 [ -n "$failed" ] || awk -F, '$2 == "Part I" {

@@ -122,7 +122,8 @@ TESTS    += $(filter-out $(TESTS),$(basename $(notdir $(wildcard tests/*/check_*
 FIGURES  := $(basename $(notdir $(wildcard figures/[0-9]*/*.c)))
 PEERS    := $(notdir $(wildcard figures/peers/peers*.c))
 PILES    := $(basename $(notdir $(wildcard figures/peers/piles*.c figures/peers/piles*.cpp)))
-# These, and piles_bullet.cpp, need libccd, ODE and Bullet; box3d_mover.c needs Box3D.
+# These, and piles_bullet.cpp, need libccd, ODE and Bullet; box3d_mover.c needs Box3D and
+# jolt_mover.cpp Jolt.
 THEIRS   := peers_ccd.c peers_ode.c piles_ode.c
 SCENES   := $(filter-out example_main.c,$(notdir $(wildcard figures/scenes/*.c)))
 PAINTER  := $(filter-out shrink.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c))) $(SCENES)
@@ -349,8 +350,10 @@ endif
 #:   make peers      the same work by us and by libccd, ODE and Bullet (make
 #:                   deps-peers installs them), each with its errors: the CSVs
 #:                   of figures/peers, and its picture
-#:   make box3d BOX3D=FOLDER    rooms and piles by us and by Box3D, whose sources
-#:                   lie in FOLDER; THROW=2: thrown another way
+#:   make box3d BOX3D=FOLDER    rooms, piles and joints by us and by Box3D, whose
+#:                   sources lie in FOLDER: figures/peers/box3d*.csv
+#:   make jolt JOLT=FOLDER      the same, and cloth, by us and by Jolt (both: ten
+#:                   minutes; QUICK=1: one, and no table is renewed)
 stale:
 	@sh figures/draw/stamp.sh && echo "Every figure and table is as its program would make it now." || true
 figures:
@@ -449,20 +452,40 @@ piles-picture:
 	  figures/peers/piles-curves.csv
 	$(Q)$(AGAIN) chart-piles && $(STAMP) piles
 
-# Box3D is in no package, so its sources are built here.
-.PHONY: box3d
+# Box3D and Jolt are in no package, so their sources are built here, as they come
+# but for a library that is small and has no checks.  QUICK=1: two short throws.
+THROWS ?= 20
+FOR_BOX3D := -DCMAKE_BUILD_TYPE=Release -DBOX3D_SAMPLES=OFF -DBOX3D_UNIT_TESTS=OFF \
+  -DBOX3D_BENCHMARKS=OFF -DBOX3D_VALIDATE=OFF
+FOR_JOLT := -DCMAKE_BUILD_TYPE=Distribution -DTARGET_UNIT_TESTS=OFF -DTARGET_HELLO_WORLD=OFF \
+  -DTARGET_PERFORMANCE_TEST=OFF -DTARGET_SAMPLES=OFF -DTARGET_VIEWER=OFF -DINTERPROCEDURAL_OPTIMIZATION=OFF
+BOX3D_MADE ?= $(BUILD)/box3d-made
+JOLT_MADE ?= $(BUILD)/jolt-made
+RACES := $(if $(QUICK),$(BUILD)/races,figures/peers)
+# 1: box3d or jolt; 2: the folder of its sources; 3: of what cmake reads there; 4:
+# its options; 5: where it is built.
+define raced
+	$(Q)cmake -S '$3' -B '$5' $4 > $(BUILD)/$1.log \
+	  && cmake --build '$5' >> $(BUILD)/$1.log
+	$(Q)$(AGAIN) $(BUILD)/$1
+	$(Q)mkdir -p $(BUILD)/races && $(BUILD)/$1 $(BUILD)/races $(if $(QUICK),0,$(THROWS)) > $(BUILD)/races/$1.txt
+	$(Q)awk -f figures/draw/table.awk -v csv=$(BUILD)/races/none -v machine=$(BUILD)/races/$1-machine.csv \
+	  $(BUILD)/races/$1.txt > /dev/null
+	$(Q)commit=$$(git -C '$2' rev-parse --short HEAD) && sed -i "1s/$$/,commit of $1/; 2s/$$/,$$commit/" \
+	  $(BUILD)/races/$1-machine.csv
+	$(Q)[ $(RACES) = $(BUILD)/races ] || cp $(BUILD)/races/$1*.csv $(RACES)
+	$(Q)$(if $(QUICK),,$(STAMP) $1)
+	@column -s, -t $(RACES)/$1-times.csv; column -s, -t $(RACES)/$1.csv
+endef
+.PHONY: box3d jolt
 box3d:
 	@[ -f '$(BOX3D)/include/box3d/box3d.h' ] && command -v cmake > /dev/null || { echo "make box3d BOX3D=FOLDER\
 	 wants cmake, and Box3D's sources in FOLDER (the book's numbers are of commit 30c67b5)." >&2; exit 1; }
-	$(Q)cmake -S '$(BOX3D)' -B $(BUILD)/box3d-made -DCMAKE_BUILD_TYPE=Release -DBOX3D_SAMPLES=OFF \
-	  -DBOX3D_UNIT_TESTS=OFF -DBOX3D_BENCHMARKS=OFF > $(BUILD)/box3d.log \
-	  && cmake --build $(BUILD)/box3d-made >> $(BUILD)/box3d.log
-	$(Q)$(AGAIN) $(BUILD)/box3d
-	$(Q)$(BUILD)/box3d $(THROW) > $(BUILD)/box3d-points.csv
-	$(Q)awk -f figures/draw/table.awk -v csv=$(if $(THROW),$(BUILD),figures/peers)/box3d.csv \
-	  -v head='scene,by,a step,overlap,moved,crept from 5 s on,asleep at,with sleeping' \
-	  $(BUILD)/box3d-points.csv
-	$(Q)$(if $(THROW),,$(STAMP) box3d)
+	$(call raced,box3d,$(BOX3D),$(BOX3D),$(FOR_BOX3D),$(BOX3D_MADE))
+jolt:
+	@[ -f '$(JOLT)/Jolt/Jolt.h' ] && command -v cmake > /dev/null || { echo "make jolt JOLT=FOLDER\
+	 wants cmake, and Jolt's sources in FOLDER (the book's numbers are of commit 3b47ec39)." >&2; exit 1; }
+	$(call raced,jolt,$(JOLT),$(JOLT)/Build,$(FOR_JOLT),$(JOLT_MADE))
 
 # Without asserts: what no program may do is a branch that no test can take.
 coverage:
@@ -680,10 +703,21 @@ $(BUILD)/piles: $(PILES:%=$(BUILD)/figures/%.o) $(BUILD)/figures/clock.o \
 	@echo "  link  $@"
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) $^ -lode -lccd -lBulletDynamics -lBulletCollision -lLinearMath -lm -o $@
 
+RACE := $(patsubst %,$(BUILD)/figures/%.o,race_run race_scenes race_judge race_tumble clock) \
+  $(BUILD)/tests/oracle.o $(BUILD)/tests/crossings.o $(BUILD)/seen.a
 $(BUILD)/figures/box3d_mover.o: CPPFLAGS += -isystem $(BOX3D)/include
-$(BUILD)/box3d: $(patsubst %,$(BUILD)/figures/%.o,box3d box3d_mover piles_run piles_scenes piles_judge piles_tumble clock) \
-  $(BUILD)/tests/oracle.o $(ALL)
-	$(call link,$(BUILD)/box3d-made/src/libbox3d.a -lpthread -lm)
+$(BUILD)/box3d: $(patsubst %,$(BUILD)/figures/%.o,box3d box3d_mover) $(RACE)
+	$(call link,$(BOX3D_MADE)/src/libbox3d.a -lpthread -lm)
+
+# What Jolt's library was built for, its headers have to know.
+JOLT_FLAGS = $(filter-out -Werror,$(shell sed -n 's/^CXX_[DF][EL][A-Z]* = //p' $(JOLT_MADE)/CMakeFiles/Jolt.dir/flags.make))
+$(BUILD)/figures/jolt_mover.o: figures/peers/jolt_mover.cpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	@echo "  c++   $<"
+	$(Q)$(CXX) $(JOLT_FLAGS) -Wextra $(ROOMS) -isystem '$(JOLT)' -MMD -MP -c $< -o $@
+$(BUILD)/jolt: $(patsubst %,$(BUILD)/figures/%.o,jolt jolt_mover) $(RACE)
+	@echo "  link  $@"
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) $^ $(JOLT_MADE)/libJolt.a -lpthread -lm -o $@
 
 $(BUILD)/bits: $(BUILD)/tests/bits.o $(BUILD)/figures/thread.o $(ALL)
 	$(call link,-lm)

@@ -8,7 +8,7 @@
     there[$0] = 1
     if (folder ~ /^figures\/[0-9]/) {
         if (kind == "c" || (kind == "gp" && !(name in room))) add(name, folder)
-    } else if (folder ~ /^figures\/(tables|peers)$/ && kind == "csv" && name !~ /^(machine|piles-curves)$/) add(name, folder)
+    } else if (folder ~ /^figures\/(tables|peers)$/ && kind == "csv" && name !~ /^(machine|piles-curves|(box3d|jolt)-[a-z]*)$/) add(name, folder)
     else if (folder ~ /^tests\// && kind == "c") test[name] = $0
 }
 END {
@@ -23,7 +23,7 @@ function those(list,    part, i, m, out) {
     return out == "" ? "-" : out
 }
 function print_line(name, folder,    own, program, data, drawn, from, picture, command, part, i, m) {
-    own = folder "/" name; data = those(own ".csv " own "-curves.csv"); from = drawn = picture = "-"
+    own = folder "/" name; data = those(own ".csv " own "-curves.csv " own "-times.csv " own "-cloth.csv " own "-machine.csv"); from = drawn = picture = "-"
     program = those(own ".c " own ".cpp " own ".edits " own ".sh"); command = "figure-" name
     if (those(own ".gp") != "-") {
         picture = own ".svg"

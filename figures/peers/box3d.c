@@ -1,10 +1,10 @@
-// box3d.c - rooms and piles by this library and by Box3D, each as it comes, in
-// one run: what a step costs, beside what is wrong with it.
+// box3d.c - what a step costs by this library and by Box3D, and what is wrong with
+// it.
 //
-//     build/box3d [THROW]      another throw of the rooms: 1, 2, 3 ...
+//     build/box3d FOLDER [THROWS]      the tables go there; 0: a quick race
 
 #include "clock.h"
-#include "piles.h"
+#include "race.h"
 
 #include <stdlib.h>
 
@@ -12,29 +12,37 @@
 #define FLAGS "unknown"
 #endif
 
-enum { COUNT = 2, WHOLE = 600, SECOND = 60 };    // frames
+enum { BOTH = 2, ALL = 8 };
 
-static const contender LIST[COUNT] = {
-    { &mover_tumble, "tumble", "substeps", 600, 1, { 8 }, 8, true },
-    { &mover_box3d, "Box3D", "substeps", 600, 1, { 4 }, 4, true },
-};
-static const contender AWAKE[COUNT] = {
-    { &mover_tumble, "tumble", "substeps", 600, 1, { 8 }, 8, false },
-    { &mover_box3d, "Box3D", "substeps", 600, 1, { 4 }, 4, false },
+// The first two are the engines as they come.
+static const contender LIST[ALL] = {
+    { &tumble_mover, "tumble", 0 },
+    { &box3d_mover, "Box3D", 0 },
+    { &box3d_mover, "Box3D 1 substep", 1 },
+    { &box3d_mover, "Box3D 2 substeps", 2 },
+    { &box3d_mover, "Box3D 8 substeps", 8 },
+    { &box3d_mover, "Box3D 16 substeps", 16 },
+    { &tumble_mover, "tumble 2 substeps", 2 },
+    { &tumble_mover, "tumble 4 substeps", 4 },
 };
 
 int main(int count, char **word)
 {
-    int seed = count > 1 ? atoi(word[1]) : 1;
-    clock_print_head("Rooms and piles: ms a step and what is wrong", FLAGS);
-    run_scene(pile_room(50, WHOLE, seed), LIST, COUNT);
-    run_scene(pile_room(200, WHOLE, seed), LIST, COUNT);
-    run_scene(pile_room(1000, WHOLE, seed), LIST, COUNT);
-    run_scene(pile_room(5000, SECOND, seed), AWAKE, COUNT);
-    run_scene(pile_room(10000, SECOND, seed), AWAKE, COUNT);
-    run_scene(pile_pyramid(20), LIST, COUNT);
-    run_scene(pile_tower(20), LIST, COUNT);
-    run_scene(pile_drop(1000), LIST, COUNT);
-    run_scene(pile_thrown(200), LIST, COUNT);
+    if (count < 2) give_up("wants a folder");
+    race_form f = race_begin(word[1], "box3d", count > 2 ? atoi(word[2]) : 20, false);
+    clock_print_head("Rooms, piles and joints beside Box3D", FLAGS);
+    race_scene(&f, make_room, 50, LIST, BOTH);
+    race_scene(&f, make_room, 200, LIST, ALL);
+    race_scene(&f, make_pyramid, 20, LIST, ALL);
+    race_scene(&f, make_tower, 20, LIST, ALL);
+    race_scene(&f, make_stacks, 30, LIST, BOTH);
+    race_scene(&f, make_hard_pair, 30, LIST, BOTH);
+    race_scene(&f, make_sizes, 300, LIST, BOTH);
+    race_scene(&f, make_rolling, 1000, LIST, BOTH);
+    race_scene(&f, make_chain, 50, LIST, ALL - 2);
+    race_scene(&f, make_dolls, 30, LIST, ALL - 2);
+    race_scene(&f, make_drop, 1000, LIST, BOTH);
+    race_scene(&f, make_room, 1000, LIST, BOTH);
+    race_end(&f);
     return 0;
 }

@@ -1,5 +1,5 @@
-// piles.h - boxes in piles, and icosahedra in rooms: the same scenes for this
-// library and for others, and one judge of them all.
+// piles.h - boxes in piles: the same scenes for this library and for others, and
+// one judge of them all.
 //
 // Units: metres, seconds, kilograms.  Frame: y points up.  Also read as C++.
 
@@ -29,13 +29,12 @@ typedef struct {
     vec3 corner[PILE_CORNERS / 2], normal[10], edge[15];    // m; unit; unit
 } solid;
 
-// Cubes, or icosahedra, of 1 kg that are all the same size, on y = 0 or in a pit
-// or a room.
+// Cubes of 1 kg that are all the same size, on y = 0 or in a pit or a room.
 typedef struct {
     const char *name;
     int    boxes, frames;
     solid  body;
-    real   half;            // m, half an edge of a cube; 0: icosahedra
+    real   half;            // m, half an edge
     real   radius;          // m, from the middle to a corner
     start *box;             // [boxes]
     vec3   normal[PILE_WALLS];      // unit, to the free side
@@ -47,9 +46,8 @@ typedef struct {
 
 pile pile_pyramid(int rows);
 pile pile_tower(int boxes);
-pile pile_drop(int boxes);      // in a grid over a pit, turned anyhow
+pile pile_drop(int boxes);      // in a grid over a pit, turned at random
 pile pile_thrown(int boxes);    // into a closed room
-pile pile_room(int bodies, int frames, int seed);   // icosahedra, thrown
 void pile_free(pile *p);
 
 // ---- What moves it ---------------------------------------------------------
@@ -73,7 +71,6 @@ extern "C" {
 extern const mover mover_tumble;    // setting: substeps
 extern const mover mover_ode;       // iterations of quickstep; 0: dWorldStep
 extern const mover mover_bullet;    // iterations
-extern const mover mover_box3d;     // substeps
 NEVER_RETURNS void give_up(const char *why);
 #ifdef __cplusplus
 }

@@ -1,8 +1,6 @@
-// piles_scenes.c - a pyramid, a tower, boxes that are dropped, and thrown ones;
-// icosahedra in a room.
+// piles_scenes.c - a pyramid, a tower, boxes that are dropped, and thrown ones.
 
 #include "piles.h"
-#include "body.h"
 #include "random.h"
 
 #include <stdlib.h>
@@ -27,29 +25,6 @@ static solid cube_of(real half)
     for (int k = 0; k < 4; k++)
         s.corner[k] = vec3_make(k & 1 ? half : -half, k & 2 ? half : -half, half);
     return s;
-}
-
-static void add_direction(vec3 *list, int *n, vec3 d)
-{
-    for (int k = 0; k < *n; k++)
-        if (fabs(vec3_dot(list[k], d)) > 0.999) return;
-    list[(*n)++] = d;
-}
-
-static solid solid_of(const shape *s)
-{
-    solid to = { 0 };
-    for (int k = 0; k < s->particles; k++)
-        if (k < (k ^ 3)) to.corner[to.corners++] = s->at[k];
-    for (int f = 0; f < s->mesh.faces; f++) {
-        const int *v = &s->face[3 * f];
-        vec3 p = vec3_sub(s->at[v[1]], s->at[v[0]]), q = vec3_sub(s->at[v[2]], s->at[v[0]]);
-        add_direction(to.normal, &to.normals, vec3_unit(vec3_cross(p, q)));
-        add_direction(to.edge, &to.edges, vec3_unit(p));
-        add_direction(to.edge, &to.edges, vec3_unit(q));
-        add_direction(to.edge, &to.edges, vec3_unit(vec3_sub(p, q)));
-    }
-    return to;
 }
 
 static pile pile_begin(const char *name, int bodies, int frames)
@@ -144,9 +119,8 @@ pile pile_drop(int boxes)
     return p;
 }
 
-// Into a closed room, one in each cell of a grid, turned anyhow.  Returns how wide
-// a cell is (m).
-static real throw_all(pile *p, real side)
+// Into a closed room, one in each cell of a grid, turned at random.
+static void throw_all(pile *p, real side)
 {
     int cells = cells_for(p->boxes);
     real wide = side / cells;
@@ -161,31 +135,12 @@ static real throw_all(pile *p, real side)
     add_wall(p, Y, 0);
     add_wall(p, vec3_scale(-1, Y), -side);
     add_sides(p, side / 2);
-    return wide;
 }
 
 pile pile_thrown(int boxes)
 {
     pile p = pile_of("thrown", boxes, 0.3, 600);
     throw_all(&p, cbrt(2.1 * boxes));
-    return p;
-}
-
-pile pile_room(int bodies, int frames, int seed)
-{
-    shape icosahedron;
-    pile p = pile_begin("room", bodies, frames);
-    p.radius = 0.5;
-    if (!shape_icosahedron(&icosahedron, p.radius, 1).ok)
-        give_up("there is no memory for an icosahedron");
-    p.body = solid_of(&icosahedron);
-    shape_free(&icosahedron);
-    state += (unsigned long long)seed;
-    real wide = throw_all(&p, fmax(cbrt(0.317 / 0.15 * bodies), 2 * p.radius * cells_for(bodies)));
-    for (int k = 0; k < bodies; k++) {
-        vec3 off = random_vec3(&state, fmax(0, wide / 2 - p.radius));
-        p.box[k].at.middle = vec3_add(p.box[k].at.middle, off);
-    }
     return p;
 }
 

@@ -20,8 +20,7 @@ static placement placement_of(const start *s)
 static status make_shape(shape *s, const pile *p)
 {
     real side = 2 * p->half;
-    return side > 0 ? shape_box(s, vec3_make(side, side, side), 1)
-                    : shape_icosahedron(s, p->radius, 1);
+    return shape_box(s, vec3_make(side, side, side), 1);
 }
 
 static void *begin(const pile *p, int substeps, bool may_sleep)

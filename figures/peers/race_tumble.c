@@ -19,9 +19,12 @@ static tumble_vec3 out(vec3 v)
 static tumble_shape add_form(tumble_world *w, const body_form *f)
 {
     switch (f->kind) {
-    case FORM_BOX:         return tumble_box(w, out(vec3_scale(2, f->half)), f->mass);
-    case FORM_ICOSAHEDRON: return tumble_icosahedron(w, f->radius, f->mass);
-    case FORM_BALL:        break;
+    case FORM_BOX:
+        return tumble_box(w, out(vec3_scale(2, f->half)), f->mass);
+    case FORM_ICOSAHEDRON:
+        return tumble_icosahedron(w, f->radius, f->mass);
+    case FORM_BALL:
+        break;
     }
     return tumble_sphere(w, f->radius, f->mass);
 }

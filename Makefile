@@ -221,6 +221,7 @@ $(MADE): %: test-%
 
 book:
 	$(Q)sh chapters/weave.sh $(BUILD)
+	$(Q)awk -f chapters/numbers.awk -f chapters/readme.awk README.md > $(BUILD)/README.md && cp $(BUILD)/README.md README.md
 	$(Q)cp $(BUILD)/book.md book.md
 	$(Q)rm -rf chapters/woven && cp -R $(BUILD)/woven chapters/woven
 	@echo "book.md: $$(wc -l < book.md) lines; a page a chapter: chapters/woven"

@@ -5,8 +5,9 @@
 # a table's name; without one, 0), the row that opens with 64, the column cost.
 # {{02-rope #; words}} is the number after these words in the file's comments,
 # and {{02-rope #; words .. more words}} that of the comment with both, in turn.
-# A last field says how: 3 (digits, else 2), "%", "3 %"; and {{a / b; 2}} is the
-# quotient of two such cells.  Fields may hold no ";".
+# A last field says how: 3 (digits, else 2), "%", "3 %", or "3 mm", with the unit
+# behind it: a table may say 0.12 m in one row and 98 mm in the next.  {{a / b; 2}}
+# is the quotient of two such cells.  Fields may hold no ";".
 # {{claim: a < b}} prints nothing and fails where it is false: a and b are such
 # cells, quotients or bare numbers, with < or > between them.
 # A program that reads this file has a function fail(file, line, sentence), and sets file.
@@ -70,7 +71,13 @@ function number_of(address,    part, parts, where, csv, block, i, k, at, entry, 
     n = split_row(heads[csv, block], comma[csv, block], head)
     for (i = 1; i <= n && !k; i++) if (head[i] == part[3]) k = i
     if (!(k in cell) || !is_number(cell[k])) return none("in " csv ", " block ", no number stands under " part[3])
+    scale = scale_of(cell[k])
     return cell[k] + 0
+}
+# How many metres or seconds are one of the cell's unit; 0: it names neither.
+function scale_of(cell) {
+    if (!sub(/^[^ ]+ /, "", cell)) return 0
+    return cell == "m" || cell == "s" ? 1 : cell == "cm" ? 1e-2 : cell == "mm" || cell == "ms" ? 1e-3 : cell == "us" || cell == "\302\265m" || cell == "\302\265s" ? 1e-6 : cell == "ns" ? 1e-9 : 0
 }
 # A number, perhaps with a unit behind a blank: 12.2.0, 3x or nan are none.
 function is_number(cell) { return cell ~ /^-?([0-9]+\.?[0-9]*|\.[0-9]+)(e[-+]?[0-9]+)?( [^0-9].*)?$/ }
@@ -105,21 +112,32 @@ function digits(x, n,    power, out, minus) {
     return (minus ? "\342\210\222" : "") out
 }
 # A cell, a quotient of two, or a bare number; "" if there is none.
-function value_of(inside,    cell, x, y) {
-    if (is_number(inside)) return inside + 0
-    split(inside " / ", cell, / \/ /); x = number_of(cell[1]); y = cell[2] == "" ? 1 : number_of(cell[2])
-    if (x == "" || y == "") return ""
+function value_of(inside,    cell, x, y, mine) {
+    if (is_number(inside)) { scale = 0; return inside + 0 }
+    split(inside " / ", cell, / \/ /); scale = 0; x = number_of(cell[1])
+    if (x == "" || cell[2] == "") return x
+    mine = scale; scale = 0; y = number_of(cell[2])
+    if (y == "") return ""
     if (y == 0) return none("{{" inside "}} divides by zero")
-    return x / y
+    x = mine > 0 && scale > 0 ? x * mine / (y * scale) : x / y
+    scale = 0
+    return x
 }
 # What stands for {{inside}}.
-function say_number(inside,    form, side, x, y, less) {
+function say_number(inside,    form, side, x, y, less, unit) {
     if (sub(/^claim: */, "", inside)) {
         less = index(inside, " < ")
         if (split(inside, side, / [<>] /) != 2) return none("a claim is a < b or a > b: " inside)
         x = value_of(side[1]); y = value_of(side[2])
         if (x != "" && y != "" && (less ? x >= y : x <= y)) fail(file, FNR, "this is not so: " inside " (" x " and " y ")")
         return ""
+    }
+    if (match(inside, /; *[0-9]+ (m|cm|mm|s|ms|us|ns)$/)) {
+        unit = substr(inside, RSTART + 1); inside = substr(inside, 1, RSTART - 1); form = unit + 0; sub(/^[ 0-9]*/, "", unit)
+        x = value_of(inside)
+        if (x == "") return ""
+        if (!scale) return none("{{" inside "}} has no unit to become " unit)
+        return digits(x * scale / scale_of("1 " unit), form ? form : 2) " " unit
     }
     if (match(inside, /; *([0-9]+ *%?|%)$/)) { form = substr(inside, RSTART + 1); inside = substr(inside, 1, RSTART - 1) }
     x = value_of(inside)

@@ -42,6 +42,12 @@ for module in $(sed -n '/^define ORDER/,/^endef/p' Makefile | grep /); do
         fault "lib/README.md does not name the module ${module#*/} beside chapter ${module%/*}"
 done
 
+# Its numbers are those of the tables.
+fresh=$(mktemp)
+awk -f chapters/numbers.awk -f chapters/readme.awk README.md > "$fresh" || failed=1
+cmp -s "$fresh" README.md || { fault "README.md has other numbers than its tables: run make book"; diff "$fresh" README.md | head -n 4; }
+rm -f "$fresh"
+
 version=$(sed -n 's/^#define TUMBLE_VERSION "\(.*\)"/\1/p' lib/tumble.h)
 grep -qF "{Version $version, commit" README.md || fault "README.md cites another version than $version"
 

@@ -132,6 +132,11 @@ all() {
 # with 12 steps: error 7' figures/01/01-n.csv
     weave > book.md; grep -qxF 'C 7.0, −0.25.' book.md &&
     verdict "words before words, signs and true claims" yes || verdict "words before words, signs and true claims" no
+    numbers 'D {{01-n 1; x; error, mm; 3 mm}}, {{01-n 1; x; error, mm / 01-n 1; y; error, mm}}.'
+    printf 'x,0.26 m\ny,130 mm\n' | cat figures/01/01-n.csv - | sed '/^x,0.26$/d' > u; mv u figures/01/01-n.csv
+    weave > book.md; grep -qxF 'D 260 mm, 2.0.' book.md &&
+    verdict "units are one" yes || verdict "units are one" no
+    numbers '{{01-n 1; x; error, mm; 3 mm}}'; refuses "a unit of nothing" weave 'has no unit to become mm'
     numbers '{{01-n #; settled; 50 balls:; 2}}'; sed -i.old '1i # 3: settled; 50 balls: 0.25 m' figures/01/01-n.csv
     refuses "separator in a key" weave '{{01-n #; settled; 50 balls:}} has 3 fields'
     numbers '{{01-n; a b; c; cost}}'; refuses "separator in a row" weave '{{01-n; a b; c; cost}} has 4 fields'

@@ -25,6 +25,7 @@ define ORDER
 09/system
 10/hull
 10/capsule
+10/search
 10/query
 10/obj
 11/manifold
@@ -355,6 +356,8 @@ endif
 #:                   sources lie in FOLDER: figures/peers/box3d*.csv
 #:   make jolt JOLT=FOLDER      the same, and cloth, by us and by Jolt (both: ten
 #:                   minutes; QUICK=1: one, and no table is renewed)
+#:   make queries-race GJK=FOLDER JOLT=FOLDER BOX3D=FOLDER    distance, yes or no
+#:                   and depth by us and by openGJK, Jolt and Box3D
 stale:
 	@sh figures/draw/stamp.sh && echo "Every figure and table is as its program would make it now." || true
 figures:
@@ -488,6 +491,16 @@ jolt:
 	 wants cmake, and Jolt's sources in FOLDER (the book's numbers are of commit 3b47ec39)." >&2; exit 1; }
 	$(call raced,jolt,$(JOLT),$(JOLT)/Build,$(FOR_JOLT),$(JOLT_MADE))
 
+# Each of GJK, JOLT and BOX3D is optional: whose folder is not given is not asked.
+.PHONY: queries-race
+queries-race:
+	$(Q)[ -z '$(BOX3D)' ] || { cmake -S '$(BOX3D)' -B $(BOX3D_MADE) -DCMAKE_BUILD_TYPE=Release -DBOX3D_SAMPLES=OFF \
+	  -DBOX3D_UNIT_TESTS=OFF -DBOX3D_BENCHMARKS=OFF > $(BUILD)/queries.log && cmake --build $(BOX3D_MADE) >> $(BUILD)/queries.log; }
+	$(Q)rm -f $(BUILD)/figures/queries.o
+	$(Q)$(AGAIN) $(BUILD)/queries
+	$(Q)$(BUILD)/queries > figures/peers/queries.csv.new
+	$(Q)mv figures/peers/queries.csv.new figures/peers/queries.csv
+
 # Without asserts: what no program may do is a branch that no test can take.
 coverage:
 	$(Q)rm -rf $(BUILD)/coverage
@@ -550,7 +563,7 @@ checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits $$(LIVE_PROGRAMS)
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 objects: $(ALL) \
   $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/*/*.c))) \
-  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) box3d_mover.c $(notdir $(wildcard figures/live/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
+  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) box3d_mover.c queries_gjk.c queries_box3d.c $(notdir $(wildcard figures/live/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
   $(patsubst figures/live/%.c,$(BUILD)/live/%.o,$(filter-out %_wasm.c,$(wildcard figures/live/*.c)))
 theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/piles_bullet.o
 
@@ -600,7 +613,7 @@ $(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
 ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face query swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
-$(addprefix $(BUILD)/tests/check_,support exact nearest): $(BUILD)/tests/bodies.o
+$(addprefix $(BUILD)/tests/check_,support exact nearest search): $(BUILD)/tests/bodies.o
 
 # Figures that change a module, one change at a time: build/rules/05-rules-1.o is
 # lib/paper/hit_face.c with the first change of figures/05/05-rules.edits, and
@@ -614,9 +627,9 @@ $(BUILD)/rules/$1-%.o: CPPFLAGS += $(foreach f,$3,-D$f=$f_$$*)
 $(BUILD)/rules/$1-%.o: $(BUILD)/rules/$1-%.c $(BUILD)/flags
 	$$(compile)
 endef
-GJK := gjk_distance hull_support hull_in_range triangle_normal triangle_weigh
-$(eval $(call variants,04-rules,gjk,$(GJK)))
-$(eval $(call variants,04-distance,gjk,$(GJK)))
+GJK_NAMES := gjk_distance gjk_search hull_support hull_in_range triangle_normal triangle_weigh
+$(eval $(call variants,04-rules,gjk,$(GJK_NAMES)))
+$(eval $(call variants,04-distance,gjk,$(GJK_NAMES)))
 $(eval $(call variants,05-rules,hit_face,hit_face_find))
 $(eval $(call variants,05-bounds,hit_face,hit_face_find))
 
@@ -703,6 +716,23 @@ $(BUILD)/piles: $(PILES:%=$(BUILD)/figures/%.o) $(BUILD)/figures/clock.o \
   $(BUILD)/tests/oracle.o $(ALL)
 	@echo "  link  $@"
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) $^ -lode -lccd -lBulletDynamics -lBulletCollision -lLinearMath -lm -o $@
+
+# openGJK in doubles, as it is; of Jolt the headers alone, for the instructions that its own build takes.
+RACERS := $(if $(GJK),gjk) $(if $(BOX3D),box3d) $(if $(JOLT),jolt)
+$(BUILD)/figures/queries.o: CPPFLAGS += $(if $(GJK),-DWITH_GJK) $(if $(BOX3D),-DWITH_BOX3D) $(if $(JOLT),-DWITH_JOLT)
+$(BUILD)/figures/queries_gjk.o: CPPFLAGS += -isystem $(GJK)/scalar/include
+$(BUILD)/figures/queries_box3d.o: CPPFLAGS += -isystem $(BOX3D)/include
+$(BUILD)/figures/queries_jolt.o: figures/peers/queries_jolt.cpp figures/peers/queries.h
+	@mkdir -p $(@D)
+	@echo "  c++   $<"
+	$(Q)$(CXX) -std=c++17 -O3 -DNDEBUG -mavx2 -mfma -mbmi -mlzcnt -mf16c -mpopcnt -isystem $(JOLT) -c $< -o $@
+$(BUILD)/figures/openGJK.o: $(GJK)/scalar/openGJK.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -O3 -DNDEBUG -I$(GJK)/scalar/include -c $< -o $@
+$(BUILD)/queries: $(patsubst %,$(BUILD)/figures/%.o,queries ball clock $(RACERS:%=queries_%) $(if $(GJK),openGJK)) \
+  $(BUILD)/tests/oracle.o $(ALL)
+	@echo "  link  $@"
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) $^ $(if $(BOX3D),$(BOX3D_MADE)/src/libbox3d.a) -lm -o $@
 
 RACE := $(patsubst %,$(BUILD)/figures/%.o,race_run race_scenes race_judge race_tumble clock) \
   $(BUILD)/tests/oracle.o $(BUILD)/tests/crossings.o $(BUILD)/seen.a

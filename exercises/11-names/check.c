@@ -175,7 +175,7 @@ START_TEST(box_slides_and_keeps_its_corners)
         }
         query_result nearest = { true, { 0, 1, 0 },
             { { 1, { low }, { 1 } }, { 1, { 2 }, { 1 } }, at[low].y - 1 } };
-        collider a = { &small, at }, b = { &large, large.at };
+        collider a = { &small, at, false }, b = { &large, large.at, false };
         manifold m = manifold_find(&a, &b, &nearest, 0.05, 0);
         const touch *now = m.point;
         int n = m.count;

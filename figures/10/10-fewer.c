@@ -33,7 +33,7 @@ static group all[GROUPS];
 static query_result ask(const icosahedron *a, const icosahedron *b,
                         query_cache *carried)
 {
-    collider ca = { &ball, a->at }, cb = { &ball, b->at };
+    collider ca = { &ball, a->at, false }, cb = { &ball, b->at, false };
     return query_nearest(&ca, &cb, 0.05, carried);
 }
 

@@ -33,7 +33,7 @@ static posed pose(const shape *s, real x, real y, real cosine, real sine)
 
 static query_result ask(const posed *a, const posed *b)
 {
-    collider ca = { a->shape, a->at }, cb = { b->shape, b->at };
+    collider ca = { a->shape, a->at, false }, cb = { b->shape, b->at, false };
     query_cache none = { .count = 0 };
     return query_nearest(&ca, &cb, HUGE_VAL, &none);
 }

@@ -24,7 +24,7 @@ static unsigned long long seed = 10;
 static query_result query(const shape *a, const vec3 *at_a, const shape *b,
                           const vec3 *at_b, real margin)
 {
-    collider ca = { a, at_a }, cb = { b, at_b };
+    collider ca = { a, at_a, false }, cb = { b, at_b, false };
     query_cache none = { .count = 0 };
     return query_nearest(&ca, &cb, margin, &none);
 }
@@ -32,7 +32,7 @@ static query_result query(const shape *a, const vec3 *at_a, const shape *b,
 static manifold touches(const shape *a, const vec3 *at_a, const shape *b,
                         const vec3 *at_b, const query_result *q, real margin)
 {
-    collider ca = { a, at_a }, cb = { b, at_b };
+    collider ca = { a, at_a, false }, cb = { b, at_b, false };
     return manifold_find(&ca, &cb, q, margin, 0);
 }
 

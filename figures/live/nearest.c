@@ -45,7 +45,7 @@ static status make_a(void)
 
 static collider body(int b)
 {
-    return (collider){ &solid[b], at[b] };
+    return (collider){ &solid[b], at[b], false };
 }
 
 static void ask(void)

@@ -59,7 +59,7 @@ static void begin(void)
 static void find_contacts(void)
 {
     for (int i = 0; i < 2 * CORNERS; i++) at[i] = p[i].position;
-    collider a = { &box, at }, b = { &slab, at + CORNERS };
+    collider a = { &box, at, false }, b = { &slab, at + CORNERS, false };
     query_cache none = { .count = 0 };
     query_result q = query_nearest(&a, &b, MARGIN, &none);
     contacts = 0;

@@ -203,6 +203,8 @@ static void place_body(contact_cache *c, const cache_frame *f, int b)
     p->number++;
     rigid4_ride(body->rigid, now, c->vertex + p->first,
                 body->shape->particles);
+    p->in_range = hull_in_range((hull){ c->vertex + p->first,
+                                        body->shape->particles });
 }
 
 static void place_chunk(void *data, int item)
@@ -368,6 +370,7 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
         return false;
     }
     round->at = at;
+    round->in_range = false;
     for (int k = 0; ; k++) {
         for (int v = 0; v < round->shape->particles; v++)
             at[v] = vec3_add_scaled(now[v], is_a ? gone : -gone, way);
@@ -384,6 +387,12 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
 //<
 
 //> cache-pair
+static collider placed_body(const contact_cache *c, const cache_frame *f, int b)
+{
+    const struct placing *p = &c->placing[b];
+    return (collider){ f->body[b].shape, c->vertex + p->first, p->in_range };
+}
+
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
@@ -391,8 +400,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     if (p->count > 0) was = *now;
     else was.count = 0, was.normal = (vec3){ 0, 0, 0 };     // bequeaths nothing
     int a = now->a, b = now->b;
-    collider x = { f->body[a].shape, c->vertex + c->placing[a].first };
-    collider y = { f->body[b].shape, c->vertex + c->placing[b].first };
+    collider x = placed_body(c, f, a), y = placed_body(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
     p->seen[0] = p->seen[1] = -1;

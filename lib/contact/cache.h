@@ -81,6 +81,7 @@ typedef struct {
         int  first;     // in vertex,
         int  vertices;  // where so many have room
         real path;      // m, how far any of its points has gone at most
+        bool in_range;          // its vertices, for queries
         bool is_on_corners;     // a contact of fewer than four points
                         // carried something in the last frame
     } *placing;         // [room]

@@ -326,12 +326,10 @@ static gjk_status search_wide(gjk_result *r, hull a, hull b)
 //<
 
 //> gjk-distance
-gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried)
+gjk_result gjk_search(hull a, hull b, real margin, simplex *carried)
 {
     assert(a.count >= 1 && b.count >= 1 && margin >= 0);
     gjk_result r = { .status = GJK_CAPPED };
-    if (!hull_in_range(a) || !hull_in_range(b))
-        return (gjk_result){ .status = GJK_NOT_FINITE };
     if (carried) r.last = *carried;
     begin(&r.last, a, b);
     progress p = { 0, 0 };
@@ -347,5 +345,12 @@ gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried)
     r.on_b = vec3_sub(r.on_a, r.axis);
     if (carried) *carried = r.last;
     return r;
+}
+
+gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried)
+{
+    if (!hull_in_range(a) || !hull_in_range(b))
+        return (gjk_result){ .status = GJK_NOT_FINITE };
+    return gjk_search(a, b, margin, carried);
 }
 //<

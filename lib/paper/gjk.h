@@ -58,5 +58,8 @@ bool hull_in_range(hull h);
 // it is surely more than margin (m, >= 0; HUGE_VAL: never).  carried (or NULL):
 // the last simplex of the pair, for a warm start; receives the new one.
 gjk_result gjk_distance(hull a, hull b, real margin, simplex *carried);
+
+// The same of hulls that are known to be in range.
+gjk_result gjk_search(hull a, hull b, real margin, simplex *carried);
 #endif
 //<

@@ -86,8 +86,10 @@ cast_result cast_nearest_plane(vec3 x, plane p, real most)
 bool cast_overlaps(rounded a, rounded b)
 {
     real apart = a.round + b.round;
-    gjk_result g = gjk_distance(a.core, b.core, apart, NULL);
-    if (g.status == GJK_OVERLAP) return true;
-    return g.status == GJK_APART && g.distance <= apart;
+    vec3 axis = { 0, 0, 0 };
+    if (!(apart >= 0) || !hull_in_range(a.core) || !hull_in_range(b.core))
+        return false;
+    const hull_mesh in_a = { a.core, NULL }, in_b = { b.core, NULL };
+    return !search_apart(in_a, in_b, apart, &axis);
 }
 //<

@@ -9,6 +9,7 @@
 #define TUMBLE_CAST_H
 
 #include "scene.h"
+#include "search.h"
 #include "swept.h"
 
 // All points no further than `round` (m, >= 0) from a convex hull: a ray's tip

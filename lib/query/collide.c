@@ -22,7 +22,7 @@ static manifold touch_ahead(const collider *a, const collider *b, vec3 way,
     vec3 gone = vec3_scale(s->time, way);
     for (int v = 0; v < a->shape->particles; v++)
         scratch[v] = vec3_add(a->at[v], gone);
-    const collider ahead = { a->shape, scratch };
+    const collider ahead = { a->shape, scratch, false };
     manifold m = collide_rigid(&ahead, b, near, 0, &none);
     if (m.count == 0) {
         m = (manifold){ 1, s->normal, { { .gap = near } } };

@@ -64,16 +64,24 @@ real query_round(const collider *a, const collider *b)
     return a->shape->round + b->shape->round;
 }
 
+static bool is_in_range(const collider *c)
+{
+    return c->in_range || hull_in_range(query_hull(c));
+}
+
 query_result query_nearest(const collider *a, const collider *b, real margin,
                            query_cache *carried)
 {
     assert(!(margin < 0));
     query_result none = { .near = false };
     if (!(margin >= 0)) return none;
+    if (!is_in_range(a) || !is_in_range(b)) return none;
     hull ha = query_hull(a), hb = query_hull(b);
     simplex s = cache_read(carried);
     real round = query_round(a, b);
-    gjk_result g = gjk_distance(ha, hb, margin + round, &s);
+    gjk_result g = search_nearest((hull_mesh){ ha, &a->shape->mesh },
+                                  (hull_mesh){ hb, &b->shape->mesh },
+                                  margin + round, &s);
     cache_write(carried, &s);
     if (g.status == GJK_OVERLAP) {
         hit_result h = hit_face_find(ha, hb, &g.last);
@@ -82,5 +90,15 @@ query_result query_nearest(const collider *a, const collider *b, real margin,
     bool known = g.status == GJK_APART || g.status == GJK_CAPPED;
     if (!known || g.last.count > 3 || g.distance > margin + round) return none;
     return apart_result(&g, round);
+}
+//<
+
+//> query-apart
+bool query_apart(const collider *a, const collider *b, real margin, vec3 *axis)
+{
+    if (!(margin >= 0) || !is_in_range(a) || !is_in_range(b)) return false;
+    return search_apart((hull_mesh){ query_hull(a), &a->shape->mesh },
+                        (hull_mesh){ query_hull(b), &b->shape->mesh },
+                        margin + query_round(a, b), axis);
 }
 //<

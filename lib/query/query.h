@@ -9,12 +9,15 @@
 
 #include "body.h"
 #include "hit_face.h"
+#include "search.h"
 
 // A convex body as the queries see it.  Of a round one they see the core: what
 // is nearest on that is nearest on the body, by its radius less.
 typedef struct {
     const struct shape *shape;  // rigid
     const vec3 *at;             // [shape->particles] where its vertices are
+    bool in_range;              // true: hull_in_range has said so, and is not
+                                // asked again
 } collider;
 
 // A point of A and a point of B across from it, along the normal.  Vertices are
@@ -52,6 +55,10 @@ void query_features(const simplex *s, feature_point *a, feature_point *b);
 
 // The convex hull of a body's vertices.
 hull query_hull(const collider *c);
+
+// Are a and b, at their surfaces, further apart than margin (m, >= 0)?  Says no
+// if they or the margin are NaN or out of range.  axis: see search_apart.
+bool query_apart(const collider *a, const collider *b, real margin, vec3 *axis);
 
 // m, the sum of the radii around the cores of two; 0 unless they are round.
 real query_round(const collider *a, const collider *b);

@@ -76,8 +76,8 @@ static void measure_planes(const world *w, const sight *s, int b, measures *m)
 static void measure_rigid_pair(const world *w, const sight *s, int a, int b,
                                measures *m)
 {
-    collider x = { w->body[a].shape, s->at + s->first[a] };
-    collider y = { w->body[b].shape, s->at + s->first[b] };
+    collider x = { w->body[a].shape, s->at + s->first[a], false };
+    collider y = { w->body[b].shape, s->at + s->first[b], false };
     query_cache none = { .count = 0 };
     query_result r = query_nearest(&x, &y, 0, &none);
     if (r.near) deepen(m, -r.at.gap);

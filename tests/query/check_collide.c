@@ -32,7 +32,7 @@ static collider stand(const shape *s, int where, axes f, vec3 at)
 {
     for (int i = 0; i < s->particles; i++)
         place[where][i] = vec3_add(at, turned(f, s->at[i]));
-    return (collider){ s, place[where] };
+    return (collider){ s, place[where], false };
 }
 
 static shape cube, slab, ball;
@@ -293,7 +293,7 @@ START_TEST(balls_in_one_place_are_parted_all_the_same)
 {
     shape fine;
     make_fine_ball(&fine);
-    collider a = { &fine, fine.at };
+    collider a = { &fine, fine.at, false };
     hull p = query_hull(&a);
     gjk_result g = gjk_distance(p, p, HUGE_VAL, NULL);
     ck_assert_int_eq(hit_face_find(p, p, &g.last).status, HIT_CAPPED);

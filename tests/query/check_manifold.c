@@ -214,7 +214,7 @@ typedef struct {
 // The nearest points.
 static bool query(const standing *a, const standing *b, answer *r)
 {
-    collider ca = { a->plan, a->at }, cb = { b->plan, b->at };
+    collider ca = { a->plan, a->at, false }, cb = { b->plan, b->at, false };
     query_cache fresh = { .count = 0 };
     query_result q = query_nearest(&ca, &cb, HUGE_VAL, &fresh);
     r->normal = q.normal;
@@ -224,7 +224,7 @@ static bool query(const standing *a, const standing *b, answer *r)
 
 static void find(const standing *a, const standing *b, real margin, answer *r)
 {
-    collider ca = { a->plan, a->at }, cb = { b->plan, b->at };
+    collider ca = { a->plan, a->at, false }, cb = { b->plan, b->at, false };
     query_result nearest = { true, r->normal, r->nearest };
     manifold m = manifold_find(&ca, &cb, &nearest, margin, 0);
     ck_assert_msg(m.count >= 1 && m.count <= MANIFOLD_POINTS, "%d touches",

@@ -50,7 +50,7 @@ static standing stand(const shape *s, vec3 at)
 
 static collider collider_of(const standing *x)
 {
-    return (collider){ x->plan, x->now.at };
+    return (collider){ x->plan, x->now.at, false };
 }
 
 static query_result ask(const standing *a, const standing *b, real margin,

@@ -47,7 +47,7 @@ static answer engine(const made *a, const made *b, query_cache *carried)
 {
     struct shape sa = { .particles = a->count, .round = a->round };
     struct shape sb = { .particles = b->count, .round = b->round };
-    collider ca = { &sa, a->at }, cb = { &sb, b->at };
+    collider ca = { &sa, a->at, false }, cb = { &sb, b->at, false };
     query_result q = query_nearest(&ca, &cb, HUGE_VAL, carried);
     // Flat bodies in one plane have no way out: near nothing.
     if (!q.near) return (answer){ .known = 2 };

@@ -145,7 +145,7 @@ START_TEST(gap_is_the_distance_of_the_cores_less_the_radii)
         vec3 a[2], b[2];
         any_segment(a, .3);
         any_segment(b, .3);
-        collider x = { &capsule, a }, y = { &capsule, b };
+        collider x = { &capsule, a, false }, y = { &capsule, b, false };
         query_cache none = { .count = 0 };
         real wanted = of_segments(a, b) - .2, margin = .05;
         query_result r = query_nearest(&x, &y, margin, &none);
@@ -172,7 +172,7 @@ START_TEST(ball_and_box_are_as_far_as_formulas_say)
         real out = vec3_distance(x, q);
         if (out == 0)
             out = fmax(fabs(x.x), fmax(fabs(x.y), fabs(x.z))) - .5;
-        collider a = { &ball, &x }, b = { &box, box.at };
+        collider a = { &ball, &x, false }, b = { &box, box.at, false };
         query_cache none = { .count = 0 };
         query_result r = query_nearest(&a, &b, HUGE_VAL, &none);
         ck_assert(r.near);
@@ -190,7 +190,8 @@ START_TEST(equal_centres_have_a_way_out)
     const shape *of[2] = { &ball, &capsule };
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++) {
-            collider a = { of[i], of[i]->at }, b = { of[j], of[j]->at };
+            collider a = { of[i], of[i]->at, false };
+            collider b = { of[j], of[j]->at, false };
             vec3 origin = ZERO;
             if (i == 0) a.at = &origin;
             query_cache none = { .count = 0 };
@@ -203,7 +204,8 @@ START_TEST(equal_centres_have_a_way_out)
         }
     // Two capsules that cross: out of their plane.
     vec3 across[2] = { { -.2, .05, 0 }, { .2, .05, 0 } };
-    collider a = { &capsule, across }, b = { &capsule, capsule.at };
+    collider a = { &capsule, across, false };
+    collider b = { &capsule, capsule.at, false };
     query_cache none = { .count = 0 };
     query_result r = query_nearest(&a, &b, 0, &none);
     ck_assert(r.near);
@@ -215,7 +217,7 @@ END_TEST
 static int touches_of(const shape *s, vec3 at[2], const shape *t,
                       const vec3 *of)
 {
-    collider a = { s, at }, b = { t, of };
+    collider a = { s, at, false }, b = { t, of, false };
     query_cache none = { .count = 0 };
     manifold m = collide_rigid(&a, &b, .01, 0, &none);
     for (int k = 0; k < m.count; k++)
@@ -250,7 +252,7 @@ END_TEST
 START_TEST(swept_ball_touches_when_the_radii_say)
 {
     vec3 from = { -2, .1, 0 }, to = ZERO, scratch[2], way = { 4, 0, 0 };
-    collider a = { &ball, &from }, b = { &ball, &to };
+    collider a = { &ball, &from, false }, b = { &ball, &to, false };
     manifold m;
     ck_assert_int_eq(collide_swept(&a, &b, way, 0, scratch, &m),
                      SWEPT_TOUCHES);

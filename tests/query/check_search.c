@@ -1,0 +1,260 @@
+// check_search.c - tests of lib/query/search: the quick answers are those of
+// chapter 4, which has its own tests.
+
+#include "bodies.h"
+#include "expect.h"
+#include "random.h"
+#include "search.h"
+#include "suite.h"
+
+#include <check.h>
+#include <math.h>
+#include <stddef.h>
+
+// Of the distance, and of coordinates and sizes: gjk_distance's relative 1e-13 of the
+// squared distance, and some dozens of roundings.
+static const real ALIKE = 1e-12, ROUNDING = 1e-14;
+
+static hull_mesh bare(const body *b)
+{
+    return (hull_mesh){ body_hull(b), NULL };
+}
+
+static real reach(const body *a, const body *b)
+{
+    real most = 0;
+    for (int i = 0; i < a->count; i++)
+        most = fmax(most, vec3_length(a->at[i]));
+    for (int i = 0; i < b->count; i++)
+        most = fmax(most, vec3_length(b->at[i]));
+    return most;
+}
+
+// The same status, if more than rounding parts them, value, and points that lie in the bodies that far apart.
+static void same_answer(const body *a, const body *b, const gjk_result *fast,
+                        const gjk_result *plain)
+{
+    real fine = ALIKE * plain->distance + ROUNDING * reach(a, b);
+    real finest = ALIKE * plain->distance + ROUNDING * pair_size(a, b);
+    vec3 on_b = { 0, 0, 0 };
+    if (fast->distance > finest || plain->distance > finest)
+        ck_assert_int_eq(fast->status, plain->status);
+    if (fast->status != GJK_APART || plain->status != GJK_APART) return;
+    near(fast->distance, plain->distance, finest);
+    near(vec3_length(fast->axis), plain->distance, fine);
+    for (int k = 0; k < fast->last.count; k++) {
+        ck_assert(fast->last.weight[k] > 0);
+        on_b = vec3_add_scaled(on_b, fast->last.weight[k],
+                               b->at[fast->last.of[k].b]);
+    }
+    near_vec3(on_b, fast->on_b, fine);
+    near_vec3(vec3_sub(fast->on_a, fast->on_b), fast->axis, fine);
+}
+
+// A pair of any kind and place: near or far, near the origin or not, small or
+// large.
+static void any_pair(body *a, body *b, int n, unsigned long long *seed)
+{
+    const real from[4] = { 0.3, 1, 1.5, 2 };
+    pair_any(a, b, n, 5, from[n / 25 % 4], from[n / 25 % 4] + 0.5, seed);
+    if (n / 100 % 4 == 1) pair_move(a, b, random_vector(seed, 1e6, 1e6));
+    if (n / 100 % 4 == 2) pair_scale(a, b, 1e-20);
+    if (n / 100 % 4 == 3) pair_scale(a, b, 1e20);
+}
+
+// Rejects: an end that is not proved; a sliver's weights; an inside that is not.
+START_TEST(quick_answers_are_those_of_chapter_4)
+{
+    unsigned long long seed = 5;
+    int apart = 0, inside = 0;
+    for (int n = 0; n < 20000; n++) {
+        body a, b;
+        any_pair(&a, &b, n, &seed);
+        gjk_result plain = gjk_distance(body_hull(&a), body_hull(&b), HUGE_VAL,
+                                        NULL);
+        gjk_result fast = search_nearest(bare(&a), bare(&b), HUGE_VAL, NULL);
+        same_answer(&a, &b, &fast, &plain);
+        apart += plain.status == GJK_APART;
+        inside += plain.status == GJK_OVERLAP;
+    }
+    ck_assert_int_gt(apart, 5000);
+    ck_assert_int_gt(inside, 2000);
+}
+END_TEST
+
+// Rejects: a carried simplex of which one side, or the base, is never tried.
+START_TEST(carried_answers_are_those_of_chapter_4)
+{
+    unsigned long long seed = 6;
+    for (int n = 0; n < 400; n++) {
+        body a, b;
+        simplex carried = { .count = 0 };
+        any_pair(&a, &b, n, &seed);
+        vec3 step = vec3_scale(0.1 * pair_size(&a, &b),
+                               random_direction(&seed));
+        for (int k = 0; k < 20; k++) {
+            gjk_result plain = gjk_distance(body_hull(&a), body_hull(&b),
+                                            HUGE_VAL, NULL);
+            gjk_result fast = search_nearest(bare(&a), bare(&b), HUGE_VAL,
+                                             &carried);
+            same_answer(&a, &b, &fast, &plain);
+            body_move(&b, step);
+        }
+    }
+}
+END_TEST
+
+// Rejects: apart where the guess was right once, or by a bound that rounding
+// made; a margin that is forgotten.
+START_TEST(apart_is_what_the_distance_says)
+{
+    unsigned long long seed = 7;
+    int yes = 0;
+    for (int n = 0; n < 10000; n++) {
+        body a, b;
+        any_pair(&a, &b, n, &seed);
+        gjk_result g = gjk_distance(body_hull(&a), body_hull(&b), HUGE_VAL,
+                                    NULL);
+        const real part[4] = { 0, 0.5, 1 - 1e-6, 1 + 1e-6 };
+        vec3 axis = random_direction(&seed);
+        if (n % 3 == 0) axis = (vec3){ 0, 0, 0 };
+        for (int k = 0; k < 4; k++) {
+            real margin = part[k] * g.distance;
+            bool is_apart = g.status == GJK_APART && k < 3;
+            ck_assert_int_eq(search_apart(bare(&a), bare(&b), margin, &axis),
+                             is_apart);
+            if (!is_apart) continue;
+            corner w = hull_support(body_hull(&a), body_hull(&b),
+                                    vec3_scale(-1, axis));
+            real by = vec3_dot(axis, w.at) / vec3_length(axis);
+            ck_assert(by > margin * (1 - ALIKE));
+            yes++;
+        }
+    }
+    ck_assert_int_gt(yes, 5000);
+}
+END_TEST
+
+// A cube's side is a metre, and its corners are on the lattice: what is between
+// two is exact.  Rejects: a plane that rounding alone puts between two bodies.
+START_TEST(a_last_bit_between_two_cubes_is_a_gap_and_none_is_none)
+{
+    vec3 axis[3] = { { -1, 0, 0 }, { 0, 0, 0 }, { -1, 0.1, 0.2 } };
+    for (int k = 0; k < 3; k++) {
+        body a = body_cube(0, 0, 0), b = body_cube(1, 0, 0);
+        ck_assert(!search_apart(bare(&a), bare(&b), 0, &axis[k]));
+        body c = body_cube(1 + 0x1p-30, 0.25, 0);
+        ck_assert(search_apart(bare(&a), bare(&c), 0, &axis[k]));
+        ck_assert(!search_apart(bare(&a), bare(&c), 0x1p-30, &axis[k]));
+    }
+}
+END_TEST
+
+// The vertices p and q - r / 2, q + r / 2 of two bodies stand in one point, which
+// all numbers name exactly, a kilometre away.  Rejects: a plane between the
+// bodies that rounding made.
+START_TEST(a_corner_in_the_middle_of_an_edge_touches_it)
+{
+    unsigned long long seed = 9;
+    for (int n = 0; n < 2000; n++) {
+        vec3 p = { 1000 + n, 500, -700 }, half = random_vector(&seed, 0.5, 1);
+        half = vec3_make(rint(half.x * 0x1p20) * 0x1p-20,
+                         rint(half.y * 0x1p20) * 0x1p-20,
+                         rint(half.z * 0x1p20) * 0x1p-20);
+        vec3 up = vec3_unit(vec3_cross(half, random_direction(&seed)));
+        vec3 a[2] = { p, vec3_add(p, up) };
+        vec3 b[3] = { vec3_add(p, half), vec3_sub(p, half), vec3_sub(p, up) };
+        hull_mesh ha = { { a, 2 }, NULL }, hb = { { b, 3 }, NULL };
+        ck_assert(!search_apart(ha, hb, 0, &up));
+    }
+}
+END_TEST
+
+// A table whose top of 64 corners is uneven by 10^-10 of its size, which a mesh
+// may be, on one corner below.
+enum { SIDE = 8, TOP = SIDE * SIDE, FACES = 2 * (SIDE - 1) * (SIDE + 1) };
+
+static int (*add_face(int (*face)[3], int i, int j, int k))[3]
+{
+    (*face)[0] = i, (*face)[1] = j, (*face)[2] = k;
+    return face + 1;
+}
+
+static status uneven_table(struct mesh *m)
+{
+    int face[FACES][3], (*f)[3] = face, end = SIDE - 1;
+    for (int i = 0; i < end; i++)
+        for (int j = 0; j < end; j++) {
+            int k = i + j * SIDE;
+            f = add_face(f, k, k + 1, k + 1 + SIDE);
+            f = add_face(f, k, k + 1 + SIDE, k + SIDE);
+        }
+    for (int i = 0; i < end; i++) {
+        f = add_face(f, i + 1, i, TOP);
+        f = add_face(f, end * SIDE + i, end * SIDE + i + 1, TOP);
+        f = add_face(f, end + (i + 1) * SIDE, end + i * SIDE, TOP);
+        f = add_face(f, i * SIDE, (i + 1) * SIDE, TOP);
+    }
+    return mesh_build(m, TOP + 1, (const int (*)[3])face, FACES);
+}
+
+// Rejects: a climb that is believed, though it ended in front of a dent.
+START_TEST(a_climb_that_ends_at_a_dent_is_not_believed)
+{
+    unsigned long long seed = 8;
+    struct mesh m;
+    ck_assert(uneven_table(&m).ok);
+    for (int n = 0; n < 200; n++) {
+        vec3 at[TOP + 1], fly = random_vector(&seed, 0.1, 0.2);
+        for (int k = 0; k < TOP; k++)
+            at[k] = vec3_make(k % SIDE - 3.5, k / SIDE - 3.5,
+                              1e-9 * random_fraction(&seed));
+        at[TOP] = vec3_make(0, 0, -5);
+        fly.z = 0.1;
+        hull table = { at, TOP + 1 }, point = { &fly, 1 };
+        hull_mesh a = { point, NULL }, b = { table, &m };
+        gjk_result plain = gjk_distance(point, table, HUGE_VAL, NULL);
+        gjk_result fast = search_nearest(a, b, HUGE_VAL, NULL);
+        near(fast.distance, plain.distance, 1e-14);
+        vec3 axis = plain.axis;
+        ck_assert(search_apart(a, b, plain.distance * (1 - 1e-11), &axis));
+        ck_assert(!search_apart(a, b, plain.distance * (1 + 1e-11), &axis));
+    }
+    mesh_free(&m);
+}
+END_TEST
+
+// Rejects: an inside of a tetrahedron that has none.
+START_TEST(squares_in_one_plane_answer_as_in_chapter_4)
+{
+    unsigned long long seed = 10;
+    for (int n = 0; n < 2000; n++) {
+        body a, b;
+        body_square(&a);
+        body_square(&b);
+        vec3 by = random_vector(&seed, 0.2, 1.5);
+        by.z = 0;
+        body_move(&b, by);
+        pair_turn(&a, &b, &seed);
+        gjk_result plain = gjk_distance(body_hull(&a), body_hull(&b), HUGE_VAL,
+                                        NULL);
+        gjk_result fast = search_nearest(bare(&a), bare(&b), HUGE_VAL, NULL);
+        same_answer(&a, &b, &fast, &plain);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {
+        quick_answers_are_those_of_chapter_4,
+        carried_answers_are_those_of_chapter_4,
+        apart_is_what_the_distance_says,
+        a_last_bit_between_two_cubes_is_a_gap_and_none_is_none,
+        a_corner_in_the_middle_of_an_edge_touches_it,
+        a_climb_that_ends_at_a_dent_is_not_believed,
+        squares_in_one_plane_answer_as_in_chapter_4,
+        NULL
+    };
+    return suite_run((suite){ .name = "search", .tests = tests });
+}

@@ -235,8 +235,8 @@ static void patch_walk(patch *p, const view *w, int h)
 
 //> manifold-edge
 // The end of the edge that goes from vertex `from` to `to`, and straight on
-// over further vertices, to within half a degree (sine squared 1e-4).
-static int edge_end(const patch *p, int from, int to)
+// over further vertices, as far as rounding can tell (slack, m).
+static int edge_end(const patch *p, int from, int to, real slack)
 {
     const mesh *m = &p->shape->mesh;
     vec3 d = vec3_sub(p->at[to], p->at[from]);
@@ -245,8 +245,8 @@ static int edge_end(const patch *p, int from, int to)
         int next = mesh_target(m, h);
         vec3 e = vec3_sub(p->at[next], p->at[to]), off = vec3_cross(d, e);
         h = mesh_around(m, h);
-        if (vec3_dot(d, e) > 0 && vec3_dot(off, off)
-            <= 1e-4 * vec3_dot(d, d) * vec3_dot(e, e)) {
+        if (vec3_dot(d, e) > 0
+            && vec3_dot(off, off) <= slack * slack * vec3_dot(d, d)) {
             to = next;
             h = start = m->vertex_half[to];
             step++;
@@ -334,8 +334,8 @@ static void patch_draw(patch *p, const view *w)
     if (p->half >= 0) {
         patch_walk(p, w, p->half);
     } else {
-        patch_add(p, edge_end(p, p->end, p->tip), w);
-        patch_add(p, edge_end(p, p->tip, p->end), w);
+        patch_add(p, edge_end(p, p->end, p->tip, w->slack), w);
+        patch_add(p, edge_end(p, p->tip, p->end, w->slack), w);
     }
     patch_close(p, w);
 }
@@ -670,58 +670,47 @@ static int furthest_from(const meetings *m, vec3 p)
     return best;
 }
 
-// The corner furthest from the line through p and q; -1: none further than
-// m->same.  (The cross product is the distance, times the length of e.)
-static int furthest_beside(const meetings *m, vec3 p, vec3 q)
-{
-    vec3 e = vec3_sub(q, p);
-    real most = m->same * sqrt(dot2(e, e));
-    int best = -1;
-    for (int k = 0; k < m->count; k++) {
-        real off = fabs(cross2(e, vec3_sub(m->at[k], p)));
-        if (beats(off, most)) { most = off; best = k; }
-    }
-    return best;
-}
+// A corner across from the first, and on either side of the line to it the one
+// furthest off; -1: none further than m->same.  Twice the area of all four.
+typedef struct {
+    int  across, left, right;
+    real area;
+} spread;
 
-// The corner that adds most to triangle t, beyond one of its sides; -1: none
-// adds anything.
-static int furthest_out(const meetings *m, const vec3 t[3])
+// (A cross product is the distance from the line, times the length of e.)
+static spread spread_across(const meetings *m, vec3 first, int across)
 {
-    vec3 e = vec3_sub(t[1], t[0]), f = vec3_sub(t[2], t[1]);
-    vec3 g = vec3_sub(t[0], t[2]);
-    real turn = cross2(e, f) > 0 ? -1 : 1;
-    real most = m->same * sqrt(dot2(e, e) + dot2(f, f));
-    int best = -1;
+    vec3 e = vec3_sub(m->at[across], first);
+    real left = m->same * sqrt(dot2(e, e)), right = left;
+    spread s = { across, -1, -1, 0 };
     for (int k = 0; k < m->count; k++) {
-        real beyond_e = turn * cross2(e, vec3_sub(m->at[k], t[0]));
-        real beyond_f = turn * cross2(f, vec3_sub(m->at[k], t[1]));
-        real beyond_g = turn * cross2(g, vec3_sub(m->at[k], t[2]));
-        real out = beyond_e > beyond_f ? beyond_e : beyond_f;
-        out = beyond_g > out ? beyond_g : out;
-        if (beats(out, most)) { most = out; best = k; }
+        real off = cross2(e, vec3_sub(m->at[k], first));
+        if (beats(off, left)) { left = off; s.left = k; }
+        if (beats(-off, right)) { right = -off; s.right = k; }
     }
-    return best;
+    s.area = left + right;
+    return s;
 }
 //<
 
 //> manifold-choose
-// out[0] is chosen, and stands at `first`.  Then come the corner furthest
-// from it; the one furthest from the line of the two; and the one that adds
-// most to the triangle of the three.  Returns how many there are.
+// out[0] is chosen, and stands at `first`.  With it come the three that span the
+// largest area.  Of many corners, which are near each other, not all are tried
+// as the one across.  Returns how many there are.
 static int choose_widest(const meetings *m, vec3 first, touch *out)
 {
-    vec3 t[3] = { first };
-    int k = furthest_from(m, first);
-    if (k < 0) return 1;
-    out[1] = m->of[k];
-    t[1] = m->at[k];
-    if ((k = furthest_beside(m, t[0], t[1])) < 0) return 2;
-    out[2] = m->of[k];
-    t[2] = m->at[k];
-    if ((k = furthest_out(m, t)) < 0) return 3;
-    out[3] = m->of[k];
-    return 4;
+    enum { TRIES = 16 };
+    int n = 1, k = furthest_from(m, first), step = 1 + m->count / TRIES;
+    if (k < 0) return n;
+    spread best = spread_across(m, first, k);
+    for (k = 0; k < m->count; k += step) {
+        spread s = spread_across(m, first, k);
+        if (beats(s.area, best.area)) best = s;
+    }
+    out[n++] = m->of[best.across];
+    if (best.left >= 0) out[n++] = m->of[best.left];
+    if (best.right >= 0) out[n++] = m->of[best.right];
+    return n;
 }
 
 // Bodies that turn by more than this (rad) come to touch where they are nearest,
@@ -749,16 +738,12 @@ static int choose(const meetings *m, const touch *nearest, real slack,
                   touch out[MANIFOLD_POINTS])
 {
     int deepest = 0, n = 1;
-    real reach = 0;
-    for (int k = 0; k < m->count; k++) {
+    for (int k = 0; k < m->count; k++)
         if (m->of[k].gap < m->of[deepest].gap - slack) deepest = k;
-        real far = dot2(m->at[k], m->at[k]);
-        reach = far > reach ? far : reach;
-    }
     // A patch that bulges: the view's origin is where the bodies are nearest.
     real bulge = m->of[deepest].gap - nearest->gap;
     out[0] = *nearest;
-    if (bulge > 0 && bulge * bulge > 1e-4 * reach)
+    if (bulge > slack)
         return choose_widest(m, vec3_make(0, 0, 0), out);
     out[0] = m->of[deepest];
     if (m->count > MANIFOLD_POINTS)

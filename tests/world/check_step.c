@@ -1035,9 +1035,9 @@ END_TEST
 // Rejects: a crash; contacts that are lost without a word, or for good.
 START_TEST(frame_without_memory_says_so_and_goes_on)
 {
-    enum { MOST = 64 };     // allocations: how many there are, the heap decides
+    enum { ENOUGH = 64 };   // allocations: how many there are, the heap decides
     int least = INT_MAX;
-    for (int n = 0; n < MOST; n++) {
+    for (int n = 0; n < ENOUGH; n++) {
         begin(world_options_default());
         add_heap();
         int dropped = 0;
@@ -1058,7 +1058,7 @@ START_TEST(frame_without_memory_says_so_and_goes_on)
         if (!is_refused) break;
     }
     ck_assert_int_gt(least, 3);
-    ck_assert_int_lt(least, MOST);
+    ck_assert_int_lt(least, ENOUGH);
 }
 END_TEST
 

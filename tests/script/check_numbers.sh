@@ -1,5 +1,7 @@
-# check_numbers.sh - does a number that is older than its source, or was changed
-# by hand, fail?  In a small tree each fault in turn; the sentence must name it.
+# check_numbers.sh - does a number that is older than its source, was changed by
+# hand, or was typed by hand, fail?  In a small tree each fault in turn; the
+# sentence must name it.  Then the book itself: is each numeral of it a reference,
+# given, or quoted (chapters/numerals.sh)?
 # (What a reference may not be: check_weave.sh.)
 
 export LC_ALL=C
@@ -24,10 +26,14 @@ sound() {
     printf 'number,error\n1,0.5\n' > figures/tables/hard.csv; printf 'what\nn,2\n' > figures/tables/speed.csv
     echo x > figures/moving/moving.webp; echo 'int main(void) {}' > figures/moving/moving.c
     : > figures/tables/made.txt
+    printf '# given\n' > chapters/given.txt; printf '# quoted\n' > chapters/quoted.txt
     printf '# 01. A\n\nIt is 3 m long, ![p](../figures/01/01-n.svg) and {{01-n; 1; b}} wide. It took 5 ms.\n' > chapters/01-a.md
-    printf '# A\n\n![m](figures/moving/moving.webp) It takes 2.0<!--{{01-n; 1; b}}--> ms.\n' > README.md
+    printf '# A\n\n![m](figures/moving/moving.webp) It takes <!--{{01-n; 1; b}}-->2.0<!----> ms.\n' > README.md
+    sh chapters/numerals.sh given 01
     sh figures/draw/stamp.sh 01-n hard speed moving
 }
+numerals() { sh chapters/numerals.sh; }
+readme() { awk -f chapters/numbers.awk -f chapters/readme.awk README.md > fresh && cmp fresh README.md; }
 stamps() { sh figures/draw/stamp.sh; }
 verdict() {
     tests=$((tests + 1))
@@ -61,6 +67,25 @@ refuses "a chart is older than its script" stamps 'figures/01/01-n.svg is older 
 sound; printf 'a\n1\n' > figures/peers/box3d.csv
 refuses "a table without a program" stamps 'figures/peers/box3d.csv has no stamp: run make box3d BOX3D=FOLDER'
 
+sound; accepts "numerals that are given pass" numerals; accepts "README says what its table says" readme
+sed -i.old 's/It is 3 m long/It is 3 m\
+    long/' chapters/01-a.md; accepts "lines may be broken elsewhere" numerals
+sound; echo 'A rope stretches by 2.5 %.' >> chapters/01-a.md
+refuses "a numeral typed by hand" numerals '01:3: typed by hand: 2.5 %, in: A rope stretches by 2.5 %.'
+sound; sed -i.old 's/5 ms/6 ms/' chapters/01-a.md
+refuses "a numeral changed by hand" numerals '01:3: typed by hand: 6 ms'
+sound; echo 'It is 1.3 times as fast.' >> README.md
+refuses "a numeral typed by hand in README" numerals 'README.md:3: typed by hand: 1.3 times'
+sound; sed -i.old 's/2[.]0<!---->/1.9<!---->/' README.md
+refuses "a number of README changed by hand" readme 'differ'
+sound; echo 'A rope stretches by 2.5 %.' >> chapters/01-a.md; sh chapters/numerals.sh quoted 01
+refuses "a quoted line without a source" numerals 'quoted.txt:2: no source: 01'
+sed -i.old 's/ |  |  |  | ?.*/ | a machine | abc | 2026-01-01 | make n/' chapters/quoted.txt
+accepts "a quoted line with all of it" numerals
+sed -i.old '$d' chapters/01-a.md
+refuses "a quoted line of no sentence" numerals 'lists what is not in the book: 01'
+
 cd "$root" || exit 1
+sh chapters/numerals.sh || failed=$((failed + 1))
 echo "numbers: $tests trials, $failed failed"
 [ $failed -eq 0 ]

@@ -1,7 +1,7 @@
 // families.c - the second list, 101 and up: a row is a property, through
 // tumble.h alone, at its defaults, over ranges of size, speed, shape and step.
 
-#include "hard.h"
+#include "family.h"
 
 #include <stddef.h>
 

@@ -164,7 +164,7 @@ void family_add(hard_report *r, const family_worst *f, const char *unit,
 {
     hard_add(r, f->trials > 0 ? f->worst : HUGE_VAL, f->target, unit, "%s",
              what);
-    hard_note(r, "%s: %d of %d beyond the target, worst: %s", what, f->beyond,
+    hard_note(r, "of %s: %d of %d beyond the target, worst: %s", what, f->beyond,
               f->trials, f->where);
 }
 

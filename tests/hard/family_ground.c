@@ -252,10 +252,50 @@ static void boarding(hard_report *r, int fast)
     family_add(r, &slip, "", "slip, from v^2 / (2 mu g)");
 }
 
+// ---- 119: a ball in a lift -------------------------------------------------
+
+// At a constant speed a lift is as good a floor as the ground: a ball that is set
+// on it with v and no spin ends by rolling with 5/7 v.
+static void roll_in_lift(hard_report *r, family_worst *rolls, double lifting,
+                         double along, double speed, double step)
+{
+    const double mu = 0.5, a = 0.25;
+    tumble_options o = family_options(step, mu);
+    tumble_world *w = tumble_make(&o);
+    tumble_quat level = { 0, 0, 0, 1 };
+    tumble_body floor = add_plate(w, 40, level);
+    tumble_vec3 moves = { along, lifting, 0 }, still = { 0, 0, 0 };
+    tumble_set_velocity(w, floor, moves, still);
+    tumble_body_options b = tumble_at(0, a, 0);
+    b.velocity = v_add(moves, tumble_v(0, 0, speed));
+    tumble_body ball = tumble_add(w, tumble_sphere(w, a, 1), b);
+    family_run(w, 4 * speed / (7 * mu * FAMILY_G) + 10 * step);
+    double now = tumble_velocity(w, ball).z;
+    family_trial(rolls, fabs(now / speed * 7 / 5 - 1), "%g m/s up, %g along, "
+                 "ball at %g m/s, dt 1/%.0f", lifting, along, speed, 1 / step);
+    family_ok(r, w);
+    tumble_free(w);
+}
+
+static void ball_in_lift(hard_report *r, int fast)
+{
+    static const double lifting[] = { 1, 0, -1, 0.1, 10, -10, 100 };
+    static const double along[] = { 0, 1, 30 }, speed[] = { 2, 8 };
+    family_worst rolls = { .target = 0.01 };
+    for (int k = 0; k < (fast ? 2 : 7); k++)
+        for (int i = 0; i < 3; i++)
+            for (int v = 0; v < 2; v++)
+                for (int n = 0; n < (fast ? 1 : STEPS); n++)
+                    roll_in_lift(r, &rolls, lifting[k], along[i], speed[v],
+                                 dt[n]);
+    family_add(r, &rolls, "", "speed of a ball that rolls, from 5/7 v");
+}
+
 const hard_case family_ground[] = {
     { 115, "creep on a turntable", 1, turntable },
     { 116, "creep on a plate on a circle", 1, circling },
     { 117, "creep in a lift with a slope", 1, lift },
     { 118, "boarding a moving belt", 1, boarding },
+    { 119, "a ball in a lift", 1, ball_in_lift },
     { 0, NULL, 0, NULL }
 };

@@ -107,8 +107,8 @@ static void collisions(hard_report *r, int bodies, double friction, int times)
             t.speed = t.size * family_log_between(&seed, 2, 40);
             collide(r, &linear, &angular, &t, &seed);
         }
-    family_add(r, &linear, "", "sum m v / sum of m |v|");
-    family_add(r, &angular, "", "angular momentum / sum of m |v| size");
+    family_add(r, &linear, "", "linear momentum / sum of m v");
+    family_add(r, &angular, "", "angular momentum / sum of m v size");
 }
 
 static void pairs_smooth(hard_report *r, int fast)

@@ -42,7 +42,7 @@ case $1 in
 --row)  read -r number target verdict < number
         printf '%s,"case, %s",%s\n' "$2" "$2" "$verdict"
         printf '# %s: it: it is: %s m, target %s, %s\n' "$2" "$number" "$target" "$verdict"
-        printf '# %s: it: it is: %s of 9 beyond the target, worst\n' "$2" "$(cat beyond)" ;;
+        printf '# %s: of it: it is: %s of 9 beyond the target, worst\n' "$2" "$(cat beyond)" ;;
 esac
 END
 chmod +x build/families; echo '.5 1 holds' > number; echo 0 > beyond
@@ -83,7 +83,7 @@ families 'but not by more' 1 'worse: 101: it: it is: 3.1 m, was 3'
 echo 'nan 1 FALLS SHORT' > number
 families 'NaN is worse than any number' 1 'worse: 101: it: it is: nan m'
 echo '2 1 FALLS SHORT' > number; run; echo 4 > beyond
-families 'nor oftener' 1 'worse: 101: it: it is: 4 of 9 trials'
+families 'nor oftener' 1 'worse: 101: of it: it is: 4 of 9 trials'
 sed -i 's/^# 105: .*target.*/# 105: another: 1 m, target 2, holds/' tables/families.csv
 families 'nor be gone' 1 'worse: 105: another: is gone'
 echo '.5 1 holds' > number

@@ -54,7 +54,7 @@ function csv_of(short) {
     return "figures/" short ".csv"
 }
 # The number that "02-rope 3; 64; cost" names; "" and a complaint if none is.
-function number_of(address,    part, parts, where, csv, block, i, k, at, entry, cell, head, n) {
+function number_of(address,    part, parts, where, csv, block, i, k, at, entry, cell, head, n, comma_or_blank) {
     parts = split(address, part, /; */); split(part[1], where, " ")
     csv = csv_of(where[1]); block = where[2] == "" ? 0 : where[2]
     if (!(csv in was_read)) read_rows(csv)
@@ -62,9 +62,10 @@ function number_of(address,    part, parts, where, csv, block, i, k, at, entry, 
     if (parts != (block == "#" ? 2 : 3))
         return none("{{" address "}} has " parts " fields: a file, a " (block == "#" ? "few words of its comments" : "row and a column") ", and none of them may hold a ;")
     if (block == "#") return number_after(notes[csv], part[2], csv)
+    comma_or_blank = comma[csv, block] ? "," : " "
     for (i = 1; i <= rows_of[csv, block]; i++) {
         entry = row_at[csv, block, i]; gsub(/"/, "", entry)
-        if (index(entry " ", part[2] " ") == 1 || index(entry, part[2] ",") == 1) { at = i; k++ }
+        if (index(entry comma_or_blank, part[2] comma_or_blank) == 1) { at = i; k++ }
     }
     if (k != 1) return none("in " csv ", " block ", " k + 0 " rows open with " part[2])
     split_row(row_at[csv, block, at], comma[csv, block], cell); k = part[3] ~ /^[0-9]+$/ ? part[3] : 0

@@ -1,7 +1,9 @@
 # check_same.sh - does a figure's program still write the same numbers, but for
 # times?  The figures of a chapter that the commit draws at random are run again:
 # all that are no older than their sources and take at most ten seconds
-# (figures/times.txt).  CHAPTER=10 says which chapter instead.
+# (figures/times.txt).  CHAPTER=10 says which chapter instead.  After a run of all,
+#   AGAINST=HEAD sh tests/script/check_same.sh
+# names what changed since that commit in any of them, and is no time.
 
 export LC_ALL=C
 unset MAKEFLAGS MFLAGS TUMBLE_QUICK
@@ -14,6 +16,13 @@ failed=
 # same NAME DATA AGAIN
 same() { awk -v name="$1" -f figures/draw/same.awk part=1 figures/times.txt part=2 "$2" part=3 "$3"; }
 
+if [ "$AGAINST" ]; then
+    for data in figures/[0-9]*/*.csv; do
+        name=${data##*/}
+        git show "$AGAINST:$data" > "$work/was" 2> /dev/null && { same "${name%.csv}" "$work/was" "$data" || failed=1; }
+    done
+    exit ${failed:-0}
+fi
 sh figures/draw/stamp.sh -n > "$work/older"
 for data in figures/[0-9]*/*.csv; do
     name=${data##*/}; name=${name%.csv}

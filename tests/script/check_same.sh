@@ -1,6 +1,6 @@
 # check_same.sh - does a figure's program still write the same numbers, but for
 # times?  The figures of a chapter that the commit draws at random are run again:
-# all that are no older than their sources and take at most ten seconds
+# all that are no older than their sources and take at most five seconds
 # (figures/times.txt).  CHAPTER=10 says which chapter instead.  After a run of all,
 #   AGAINST=HEAD sh tests/script/check_same.sh
 # names what changed since that commit in any of them, and is no time.
@@ -27,7 +27,7 @@ sh figures/draw/stamp.sh -n > "$work/older"
 for data in figures/[0-9]*/*.csv; do
     name=${data##*/}; name=${name%.csv}
     ! grep -qx "figure-$name" "$work/older" &&
-        awk -v name="$name" '$1 == name && $2 == "takes" && $3 > 10 { slow = 1 } END { exit slow }' figures/times.txt &&
+        awk -v name="$name" '$1 == name && $2 == "takes" && $3 > 5 { slow = 1 } END { exit slow }' figures/times.txt &&
         echo "$name"
 done > "$work/quick"
 if [ ! -s "$work/quick" ]; then

@@ -694,8 +694,8 @@ static spread spread_across(const meetings *m, vec3 first, int across)
 //<
 
 //> manifold-choose
-// out[0] is chosen, and stands at `first`.  With it come the three that span the
-// largest area.  Of many corners, which are near each other, not all are tried
+// out[0] is chosen, and stands at `first`.  Then come the three that span the
+// largest area with it.  Of many corners, near each other, not all are tried
 // as the one across.  Returns how many there are.
 static int choose_widest(const meetings *m, vec3 first, touch *out)
 {

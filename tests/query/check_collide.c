@@ -7,6 +7,7 @@
 #include "collide.h"
 #include "convex.h"
 #include "expect.h"
+#include "hull.h"
 #include "suite.h"
 
 // Bodies of size 1 near the origin; a corner is turned, a foot is a mean of
@@ -268,18 +269,17 @@ static void cut_face(int f, int *vertices)
     for (int k = 0; k < 3; k++) fine_face[f][k] = m[k];
 }
 
-// An icosahedron, each face of which is cut three times.
-static void make_fine_ball(shape *s)
+// An icosahedron, each face of which is cut in four `rounds` times.
+static void make_fine_ball(shape *s, int rounds, int corners)
 {
     int vertices = ball.particles;
     fine_faces = 0;
     for (int i = 0; i < vertices; i++) fine_at[i] = vec3_unit(ball.at[i]);
     for (int f = 0; f < ball.mesh.faces; f++)
         add_face(ball.face[3 * f], ball.face[3 * f + 1], ball.face[3 * f + 2]);
-    for (int round = 0; round < 3; round++)
+    for (int round = 0; round < rounds; round++)
         for (int f = fine_faces - 1; f >= 0; f--) cut_face(f, &vertices);
-    ck_assert_int_eq(vertices, FINE);
-    ck_assert_int_eq(fine_faces, 1280);
+    ck_assert_int_eq(vertices, corners);
     status done = shape_convex(s, vertices, fine_at, fine_faces,
                                (const int (*)[3])fine_face, 1);
     ck_assert_msg(done.ok, "%s", done.why);
@@ -292,7 +292,7 @@ static void make_fine_ball(shape *s)
 START_TEST(balls_in_one_place_are_parted_all_the_same)
 {
     shape fine;
-    make_fine_ball(&fine);
+    make_fine_ball(&fine, 3, FINE);
     collider a = { &fine, fine.at, false };
     hull p = query_hull(&a);
     gjk_result g = gjk_distance(p, p, HUGE_VAL, NULL);
@@ -305,6 +305,79 @@ START_TEST(balls_in_one_place_are_parted_all_the_same)
     ck_assert_msg(-gap > 0.97 * least && -gap < 1.001 * least,
                   "gap %g, the least way out %g", gap, least);
     shape_free(&fine);
+}
+END_TEST
+
+// Rejects: corners of the patch alone, of which none is as deep as the nearest
+// pair between them: depths up to 8 % too small.
+START_TEST(of_round_bodies_the_deepest_point_is_kept)
+{
+    static vec3 at[2][FINE];
+    shape fine;
+    make_fine_ball(&fine, 2, 162);
+    for (int k = 0; k < 300; k++) {
+        vec3 off = vec3_scale(1.5 + 0.5 * random_fraction(&seed),
+                              random_direction(&seed));
+        axes f = any_axes(), g = any_axes();
+        for (int i = 0; i < fine.particles; i++) {
+            at[A][i] = vec3_add(off, turned(f, fine.at[i]));
+            at[B][i] = turned(g, fine.at[i]);
+        }
+        collider a = { &fine, at[A], false }, b = { &fine, at[B], false };
+        query_cache fresh = { .count = 0 };
+        query_result q = query_nearest(&a, &b, 0.1, &fresh);
+        manifold m = touches(a, b, 0.1);
+        real least = HUGE_VAL;
+        for (int i = 0; i < m.count; i++)
+            least = fmin(least, m.point[i].gap);
+        near(least, q.at.gap, SLACK);
+    }
+    shape_free(&fine);
+}
+END_TEST
+
+// Rejects: the difference of two points a nanometre apart as the normal, which
+// rounding tilts by some 1e-8.
+START_TEST(aligned_boxes_a_nanometre_apart_have_the_normal_of_their_faces)
+{
+    for (int k = 0; k < 1000; k++) {
+        axes f = any_axes();
+        vec3 off = vec3_make(k % 4 ? random_fraction(&seed) - 0.5 : 0, 1 + 1e-9,
+                             k % 3 ? random_fraction(&seed) - 0.5 : 0);
+        collider b = stand(&cube, B, f, vec3_make(0.3, 0.1, 0.2));
+        collider a = stand(&cube, A, f, vec3_add(vec3_make(0.3, 0.1, 0.2),
+                                                 turned(f, off)));
+        manifold m = touches(a, b, 0.05);
+        ck_assert_int_eq(m.count, 4);
+        near_vec3(m.normal, turned(f, UP), ROUNDING);
+    }
+}
+END_TEST
+
+// A roof upside down, whose ridge is bent by a third of a degree in its middle,
+// lies along the ridge of a box on its edge.
+// Rejects: a bent ridge taken for a straight edge, so that touches lie below
+// the surface.
+START_TEST(touches_on_a_bent_ridge_lie_on_it)
+{
+    const real bent = 0.003;
+    const vec3 corners[] = { { 0, 0, 0 }, { 1, bent, 0 }, { -1, bent, 0 },
+        { 1, 1, 1 }, { 1, 1, -1 }, { -1, 1, 1 }, { -1, 1, -1 } };
+    const real s = sqrt(0.5);
+    const axes on_edge = { { 1, 0, 0 }, { 0, s, s }, { 0, -s, s } };
+    shape roof;
+    ck_assert(shape_hull(&roof, corners, 7, 1).ok);
+    vec3 lift = vec3_sub(corners[0], roof.at[0]);
+    collider a = stand(&roof, A, UPRIGHT, lift);
+    collider b = stand(&cube, B, on_edge, vec3_make(0.1, -s - 0.001, 0));
+    manifold m = touches(a, b, 0.05);
+    ck_assert_int_ge(m.count, 1);
+    near(m.point[0].gap, 0.001, SLACK);
+    for (int k = 0; k < m.count; k++) {
+        vec3 x = feature_at(&m.point[k].a, a.at);
+        near(x.y, bent * fabs(x.x), SLACK);
+    }
+    shape_free(&roof);
 }
 END_TEST
 
@@ -490,6 +563,9 @@ int main(void)
         margin_is_where_touches_begin,
         bodies_that_are_not_finite_have_no_touch,
         balls_in_one_place_are_parted_all_the_same,
+        of_round_bodies_the_deepest_point_is_kept,
+        aligned_boxes_a_nanometre_apart_have_the_normal_of_their_faces,
+        touches_on_a_bent_ridge_lie_on_it,
         cube_on_its_way_touches_where_it_first_will,
         bodies_that_pass_or_overlap_have_no_touch_on_their_way,
         face_on_a_face_stands_on_its_four_corners,

@@ -32,7 +32,7 @@ function print_line(name, folder,    own, program, data, drawn, from, picture, c
     } else if (folder ~ /\/[0-9]/) picture = own ".png"
     if (name == "moving") { picture = own ".webp"; command = "moving" }
     if (folder == "figures/tables") { program = (name == "hard-plain" ? test["plain"] : test[name]); command = "hard" }
-    if (folder == "figures/peers") command = name == "piles" ? "peers" : name == "box3d" ? "box3d~BOX3D=FOLDER" : name == "queries" ? "queries-race" : name == "jolt" ? "jolt~JOLT=FOLDER" : name
+    if (folder == "figures/peers") command = name == "piles" ? "peers" : name == "box3d" ? "box3d~BOX3D=FOLDER" : name == "jolt" ? "jolt~JOLT=FOLDER" : name == "queries" ? "queries-race~GJK=FOLDER~JOLT=FOLDER~BOX3D=FOLDER" : name
     if (name == "speed" || name == "profile") {
         m = split(name == "speed" ? speed : "21-profile", part, " "); list = ""
         for (i = 1; i <= m; i++) list = list " figures/" substr(part[i], 1, 2) "/" part[i] ".csv"

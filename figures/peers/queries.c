@@ -329,7 +329,6 @@ typedef struct {
     real ns[ROUNDS];
     int  wrong;         // by more than TIGHT, or a wrong yes or no
     int  rough;         // by more than ROUGH
-    real worst;         // m, of all
 } timing;
 
 static timing timings[WAYS];
@@ -345,7 +344,7 @@ static void time_way(const way *w, timing *l, int round)
 
 static void judge_way(const way *w, timing *l)
 {
-    l->wrong = l->rough = 0, l->worst = 0;
+    l->wrong = l->rough = 0;
     for (int k = 0; k < PAIRS; k++) {
         real t = truth[w->is_moved][k], off = fabs(answer[k] - t);
         if (w->kind == SIGN) {
@@ -354,7 +353,6 @@ static void judge_way(const way *w, timing *l)
         }
         l->wrong += !(off <= TIGHT * fmax(fabs(t), 0.5));
         l->rough += !(off <= ROUGH * fabs(t));
-        l->worst = fmax(l->worst, off);
     }
 }
 
@@ -363,22 +361,19 @@ static void judge_way(const way *w, timing *l)
 static void print_way(const char *name, const way *w, const timing *ours,
                       const timing *l)
 {
-    real ns[ROUNDS], ratio[ROUNDS], least = HUGE_VAL, most = 0;
+    real mine[ROUNDS], ns[ROUNDS], ratio[ROUNDS], least = HUGE_VAL, most = 0;
     for (int r = 0; r < ROUNDS; r++) {
+        mine[r] = ours->ns[r];
         ns[r] = l->ns[r];
         ratio[r] = ours->ns[r] / l->ns[r];
         least = fmin(least, ratio[r]);
         most = fmax(most, ratio[r]);
     }
-    printf("%s,\"%s\",%s,%.0f,", name, w->question, w->by,
-           clock_median(ns, ROUNDS));
-    if (l == ours) printf(",,,,");
-    else printf("%.2f,%.2f,%.2f,", clock_median(ratio, ROUNDS), least, most);
-    if (l != ours && w->target > 0) printf("%.1f", w->target);
-    if (l != ours) printf(",");
-    printf("%d,%d,%d,", (int)PAIRS, l->wrong, l->rough);
-    if (w->kind == DISTANCE) printf("%.1e", l->worst);
-    printf("\n");
+    printf("%s,\"%s\",%.0f,%s,%.0f,%.2f,%.2f,%.2f,", name, w->question,
+           clock_median(mine, ROUNDS), w->by, clock_median(ns, ROUNDS),
+           clock_median(ratio, ROUNDS), least, most);
+    if (w->target > 0) printf("%.1f", w->target);
+    printf(",%d,%d,%d\n", ours->wrong, l->wrong, l->rough);
     fflush(stdout);
 }
 
@@ -398,7 +393,7 @@ static void race_pairs(const char *name, bool are_apart)
         if (ways[w].are_apart != are_apart
             || (ways[w].most && plan.particles > ways[w].most)) continue;
         if (strcmp(ways[w].by, "ours") == 0) ours = w;
-        print_way(name, &ways[w], &timings[ours], &timings[w]);
+        else print_way(name, &ways[w], &timings[ours], &timings[w]);
     }
 }
 
@@ -421,8 +416,8 @@ int main(int argc, char **argv)
     printf("# a ratio is ours over theirs, round by round: median, least,"
            " largest; wrong: off by more than %g of the distance, or the wrong"
            " yes or no; rough: by more than a hundredth\n", TIGHT);
-    printf("bodies,question,by,ns,ratio,least,largest,target,pairs,wrong,"
-           "rough,largest error\n");
+    printf("bodies,question,ns,beside,its ns,ratio,least,largest,target,wrong,"
+           "its wrong,its rough\n");
     race_body(only, "cubes", shape_box(&plan, (vec3){ .577, .577, .577 }, 1));
     race_body(only, "icosahedra", shape_icosahedron(&plan, 0.5, 1));
     race_body(only, "balls of 162", ball_shape(&plan, 2, 0.5, 1));

@@ -495,7 +495,7 @@ jolt:
 .PHONY: queries-race
 queries-race:
 	$(Q)[ -z '$(BOX3D)' ] || { cmake -S '$(BOX3D)' -B $(BOX3D_MADE) -DCMAKE_BUILD_TYPE=Release -DBOX3D_SAMPLES=OFF \
-	  -DBOX3D_UNIT_TESTS=OFF -DBOX3D_BENCHMARKS=OFF > $(BUILD)/queries.log && cmake --build $(BOX3D_MADE) >> $(BUILD)/queries.log; }
+	  -DBOX3D_UNIT_TESTS=OFF -DBOX3D_BENCHMARKS=OFF > $(BUILD)/queries.log && cmake --build $(BOX3D_MADE) >> $(BUILD)/queries.log 2>&1; }
 	$(Q)rm -f $(BUILD)/figures/queries.o
 	$(Q)$(AGAIN) $(BUILD)/queries
 	$(Q)$(BUILD)/queries > figures/peers/queries.csv.new

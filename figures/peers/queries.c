@@ -159,11 +159,13 @@ static void put_corners(int k, const couple *c)
     }
 }
 
+#if defined(WITH_GJK) || defined(WITH_BOX3D) || defined(WITH_JOLT)
 static query_pair theirs(const couple *c)
 {
     return (query_pair){ plan.particles, &c->a[0].x, &c->b[0].x,
                          { -c->from_b.x, -c->from_b.y, -c->from_b.z } };
 }
+#endif
 
 static void put_ours(int k)
 {

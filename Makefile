@@ -479,7 +479,7 @@ define raced
 	  $(BUILD)/races/$1-machine.csv
 	$(Q)[ $(RACES) = $(BUILD)/races ] || cp $(BUILD)/races/$1*.csv $(RACES)
 	$(Q)$(if $(QUICK),,$(STAMP) $1)
-	@column -s, -t $(RACES)/$1-times.csv; column -s, -t $(RACES)/$1.csv
+	@for t in $(RACES)/$1*.csv; do column -s, -t $$t; done
 endef
 .PHONY: box3d jolt
 box3d:

@@ -23,7 +23,7 @@ function those(list,    part, i, m, out) {
     return out == "" ? "-" : out
 }
 function print_line(name, folder,    own, program, data, drawn, from, picture, command, part, i, m) {
-    own = folder "/" name; data = those(own ".csv " own "-curves.csv " own "-times.csv " own "-cloth.csv " own "-machine.csv"); from = drawn = picture = "-"
+    own = folder "/" name; data = those(own ".csv " own "-curves.csv " own "-times.csv " own "-default.csv " own "-cloth.csv " own "-machine.csv"); from = drawn = picture = "-"
     program = those(own ".c " own ".cpp " own ".edits " own ".sh"); command = "figure-" name
     if (those(own ".gp") != "-") {
         picture = own ".svg"

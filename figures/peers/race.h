@@ -129,11 +129,12 @@ typedef struct {
 typedef struct {
     int   throws;
     bool  is_quick;         // a fifth of the frames
-    FILE *times, *errors, *cloths;
+    FILE *times[2];         // awake; as it comes
+    FILE *errors, *cloths;
 } race_form;
 
-// Opens the tables PEER.csv, PEER-times.csv and PEER-cloth.csv in a folder.
-// throws = 0: a quick race.
+// Opens the tables PEER.csv, PEER-times.csv, PEER-default.csv and PEER-cloth.csv in
+// a folder.  throws = 0: a quick race.
 race_form race_begin(const char *folder, const char *peer, int throws,
                      bool has_cloth);
 void race_end(race_form *f);

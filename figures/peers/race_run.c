@@ -226,24 +226,18 @@ static real asleep_at(const outcome *o)
     return o->asleep_at < 0 ? HUGE_VAL : o->asleep_at;
 }
 
+// Awake, or as it comes, with the step at which all slept.
 static void print_times(FILE *to, const char *name, const contender *by, int k,
-                        int throws)
+                        int how, int throws)
 {
+    if (!all[k][how][0].was_run) return;
     fprintf(to, "%s,%s,%d", name, by->name, throws);
-    for (int how = 0; how < 2; how++) {
-        if (!all[k][how][0].was_run) {
-            fprintf(to, ",,,,,,");
-            continue;
-        }
-        print_spread(to, spread_by(all[k][how], throws, ms_of));
-        print_spread(to, ratio_of(k, how, throws));
-    }
-    if (!all[k][1][0].was_run) fprintf(to, ",\n");
-    else {
-        real at = spread_by(all[k][1], throws, asleep_at).median;
-        if (at < 1e9) fprintf(to, ",%.0f\n", at);
-        else          fprintf(to, ",never\n");
-    }
+    print_spread(to, spread_by(all[k][how], throws, ms_of));
+    print_spread(to, ratio_of(k, how, throws));
+    real at = spread_by(all[k][how], throws, asleep_at).median;
+    if (!how)          fprintf(to, "\n");
+    else if (at < 1e9) fprintf(to, ",%.0f\n", at);
+    else               fprintf(to, ",never\n");
 }
 
 static int count_falls(const scene *s, const outcome *o, int throws)
@@ -310,10 +304,10 @@ race_form race_begin(const char *folder, const char *peer, int throws,
                      bool has_cloth)
 {
     race_form f = { .throws = throws > 0 ? throws : 2, .is_quick = throws <= 0 };
-    f.times = begin_table(folder, peer, "-times",
-        "scene,by,throws,ms awake,from,to,ours / theirs,ratio from,ratio to,"
-        "ms asleep,asleep from,asleep to,ours / theirs asleep,"
-        "asleep ratio from,asleep ratio to,asleep at step");
+    f.times[0] = begin_table(folder, peer, "-times",
+        "scene,by,throws,ms a step,from,to,ratio,ratio from,ratio to");
+    f.times[1] = begin_table(folder, peer, "-default",
+        "scene,by,throws,ms a step,from,to,ratio,ratio from,ratio to,asleep at step");
     f.errors = begin_table(folder, peer, "",
         "scene,by,throws,overlap mm,from,to,99 of 100 mm,"
         "gap mm,crept mm,falls,lost");
@@ -325,7 +319,8 @@ race_form race_begin(const char *folder, const char *peer, int throws,
 
 void race_end(race_form *f)
 {
-    fclose(f->times);
+    fclose(f->times[0]);
+    fclose(f->times[1]);
     fclose(f->errors);
     if (f->cloths) fclose(f->cloths);
 }
@@ -347,10 +342,12 @@ void race_scene(const race_form *f, scene_maker *make, int size,
     scene s = make(size, 1);
     if (f->is_quick) s.frames = s.timed_from + s.frames / 5;
     for (int k = 0; k < count; k++) {
-        print_times(f->times, name, &list[k], k, throws);
+        for (int how = 0; how < 2; how++)
+            print_times(f->times[how], name, &list[k], k, how, throws);
         if (s.sheet.side) print_cloth(f->cloths, name, &list[k], k, throws);
         else print_errors(f->errors, &s, name, &list[k], k, throws);
     }
     scene_free(&s);
+    fflush(NULL);
     fprintf(stderr, "%s: %.0f s so far\n", name, thread_seconds());
 }

@@ -18,12 +18,12 @@ enum { BOTH = 2, ALL = 8 };
 static const contender LIST[ALL] = {
     { &tumble_mover, "tumble", 0 },
     { &box3d_mover, "Box3D", 0 },
-    { &box3d_mover, "Box3D 1 substep", 1 },
-    { &box3d_mover, "Box3D 2 substeps", 2 },
-    { &box3d_mover, "Box3D 8 substeps", 8 },
-    { &box3d_mover, "Box3D 16 substeps", 16 },
-    { &tumble_mover, "tumble 2 substeps", 2 },
-    { &tumble_mover, "tumble 4 substeps", 4 },
+    { &box3d_mover, "Box3D: 1 substep", 1 },
+    { &box3d_mover, "Box3D: 2 substeps", 2 },
+    { &box3d_mover, "Box3D: 8 substeps", 8 },
+    { &box3d_mover, "Box3D: 16 substeps", 16 },
+    { &tumble_mover, "tumble: 2 substeps", 2 },
+    { &tumble_mover, "tumble: 4 substeps", 4 },
 };
 
 int main(int count, char **word)

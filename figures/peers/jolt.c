@@ -18,16 +18,16 @@ enum { BOTH = 2, ALL = 5, CLOTHS = 5 };
 static const contender LIST[ALL] = {
     { &tumble_mover, "tumble", 0 },
     { &jolt_mover, "Jolt", 0 },
-    { &jolt_mover, "Jolt 2 collision steps", 2 },
-    { &jolt_mover, "Jolt 4 collision steps", 4 },
-    { &jolt_mover, "Jolt 40 iterations", -40 },
+    { &jolt_mover, "Jolt: 2 collision steps", 2 },
+    { &jolt_mover, "Jolt: 4 collision steps", 4 },
+    { &jolt_mover, "Jolt: 40 iterations", -40 },
 };
 static const contender CLOTH[CLOTHS] = {
     { &tumble_mover, "tumble", 0 },
     { &jolt_mover, "Jolt", 0 },
-    { &jolt_mover, "Jolt 20 iterations", -20 },
-    { &jolt_mover, "Jolt 80 iterations", -80 },
-    { &tumble_mover, "tumble 4 substeps", 4 },
+    { &jolt_mover, "Jolt: 20 iterations", -20 },
+    { &jolt_mover, "Jolt: 80 iterations", -80 },
+    { &tumble_mover, "tumble: 4 substeps", 4 },
 };
 
 int main(int count, char **word)

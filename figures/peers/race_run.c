@@ -275,6 +275,10 @@ static void print_cloth(FILE *to, const char *name, const contender *by, int k,
 {
     const outcome *o = all[k][0];
     fprintf(to, "%s,%s,%d", name, by->name, throws);
+    if (count_lost(o, throws) == throws) {
+        fprintf(to, ",lost,,,,,,,,%d\n", throws);
+        return;
+    }
     print_spread(to, spread_by(o, throws, percent));
     fprintf(to, ",%.3g", spread_by(o, throws, percent_end).median);
     print_spread(to, spread_by(o, throws, crossings));

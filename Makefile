@@ -650,7 +650,7 @@ $(BUILD)/hard: $(BUILD)/tests/hard.o $(HARD) $(ALL)
 	$(call link,-lm)
 # Families see of the library what a program sees, and nothing else.
 FAMILY := $(patsubst %.c,$(BUILD)/tests/%.o,families.c $(notdir $(wildcard tests/hard/family*.c))) \
-  $(BUILD)/tests/hard_report.o
+  $(addprefix $(BUILD)/tests/,hard_report.o crossings.o)
 $(BUILD)/families: $(BUILD)/tests/hard.o $(FAMILY) $(BUILD)/seen.a
 	$(call link,-lm)
 $(BUILD)/tests/check_families: $(FAMILY)

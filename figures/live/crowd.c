@@ -21,7 +21,7 @@ static vec3 velocity[MOST];
 static char moves[MOST];
 static relation to_watched[MOST];
 static int pair[PAIRS][2], plain[PAIRS][2];
-static int balls, found, by_axis, by_lane, frame;
+static int balls, found, listed, by_axis, by_lane, frame;
 static bool is_equal;
 
 static void begin(void)
@@ -99,16 +99,17 @@ static void step(void)
     fly();
     frame++;
     found = broad_pairs(&sorted, ball, moves, pair, PAIRS);
+    listed = int_min(found, PAIRS);     // what has no room is only counted
 }
 
 static void measure(void)
 {
     int all = broad_pairs_all(ball, moves, balls, plain, PAIRS);
-    is_equal = all == found && memcmp(pair, plain, (size_t)found * sizeof *pair) == 0;
+    is_equal = all == found && memcmp(pair, plain, (size_t)listed * sizeof *pair) == 0;
     memset(to_watched, 0, sizeof to_watched);
     count_axis();
     count_lanes();
-    for (int k = 0; k < found; k++) relate(pair[k][0], pair[k][1], TOUCHES);
+    for (int k = 0; k < listed; k++) relate(pair[k][0], pair[k][1], TOUCHES);
     live_value(0, EVERY, balls * (balls - 1) / 2);
     live_value(0, AXIS, by_axis);
     live_value(0, LANES, by_lane);
@@ -165,7 +166,7 @@ static void draw(void)
 
 static unsigned long long hash(void)
 {
-    return live_hash(live_hash(LIVE_HASH, ball, sizeof ball), pair, (size_t)found * sizeof *pair);
+    return live_hash(live_hash(LIVE_HASH, ball, sizeof ball), pair, (size_t)listed * sizeof *pair);
 }
 
 const live_figure figure = {

@@ -25,7 +25,7 @@ const pause = ms => new Promise(done => setTimeout(done, ms));
 
 class Figure {
   constructor(node, panel) {
-    Object.assign(this, { node, panel, frames: 0, touched: false });
+    Object.assign(this, { node, panel, frames: 0, touched: false, turned: [] });
     this.usual = this.variant = panel.dials[0]?.choices ? panel.dials[0].value : 0;
     node.classList.add('live-figure');
     this.stage = make('div', { class: 'live-stage' });
@@ -128,7 +128,24 @@ class Figure {
     this.tell('');
   }
 
+  // What stopped has a memory that nothing may be read from any more: a new one
+  // begins, with the dials as they stand.
+  async renew() {
+    this.core = this.drawing.core = await makeCore(tumble.wasm[this.panel.name]);
+    this.stopped = undefined;
+    delete this.node.dataset.trapped;
+    this.node.querySelectorAll('.live-trap').forEach(node => node.remove());
+    this.guard(() => this.core.call('start'));
+    this.turned.forEach((value, dial) => this.guard(() => this.core.call('turn', dial, value)));
+    this.act('begin');
+    this.loop.play(true);
+  }
+
   act(name, ...values) {
+    if (this.core && this.stopped && name === 'begin') {
+      this.renew().catch(error => console.error(error));
+      return;
+    }
     if (!this.core || this.stopped) return;
     if (name === 'begin') this.restart();
     else if (this.frames < FRAMES || name === 'move') this.touched = true;
@@ -137,6 +154,7 @@ class Figure {
   }
 
   turn(dial, value) {
+    this.turned[dial] = value;
     if (!this.core || this.stopped) return;
     if (dial === 0 && this.panel.dials[0].choices) this.variant = value; else this.touched = true;
     if (this.guard(() => this.core.call('turn', dial, value))) this.restart();

@@ -131,7 +131,9 @@ typedef struct {
                             // will soon
     int unconverged;        // contacts that overlap by a tenth of the smaller
                             // body's radius, and bodies that are bent or
-                            // stretched by a hundredth
+                            // stretched by a hundredth, and bodies that were
+                            // stopped, for their numbers were lost: that is a
+                            // failure, too, and has a sentence
     int dropped;            // contacts that found no memory
     int broken;             // joints that broke
 } tumble_report;
@@ -140,7 +142,8 @@ tumble_report tumble_last_step(const tumble_world *w);
 
 // How far from right is the world?  From the positions alone, slowly.
 typedef struct {
-    double penetration;     // m, the deepest overlap
+    double penetration;     // m, the deepest overlap; that of joined bodies
+                            // counts, too, though they may overlap
     double strain;          // the largest |length - rest| / rest of a stick
     double kinetic, potential;          // J; potential: 0 at the origin
     tumble_vec3 momentum, angular;      // kg m/s; kg m^2/s, about the origin
@@ -338,7 +341,8 @@ tumble_joint tumble_hinge(tumble_world *w, tumble_body a, tumble_body b,
 
 // rad, from -pi to pi, of b against a; 0: as they stood when they were joined.  Of
 // a distance: m.  Beyond -pi, beyond pi and below 0 m there is no limit: -HUGE_VAL
-// and HUGE_VAL take both off.
+// and HUGE_VAL take both off.  Equal limits hold it there: moved a little in
+// every step, they drive it.
 bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
                        double most);
 

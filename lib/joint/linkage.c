@@ -666,6 +666,12 @@ static void remember(const joint *j, joint_rows *r)
     r->was_broken = j->is_broken;
 }
 
+void linkage_forget_impulses(linkage *l)
+{
+    for (int k = 0; k < l->count; k++)
+        memset(l->joint[k].impulse, 0, sizeof l->joint[k].impulse);
+}
+
 void linkage_rewind(linkage *l)
 {
     for (int k = 0; k < l->count; k++) {

@@ -99,6 +99,10 @@ typedef struct {
 // A frame begins: bodies stand as f says, and have not been moved.
 void linkage_prepare(linkage *l, const linkage_pass *q);
 
+// The next frame starts cold: after one in which numbers were lost.  Impulses
+// that are none would stop the bodies again, in every frame to come.
+void linkage_forget_impulses(linkage *l);
+
 // Undoes what the joints did in this frame, which is to be prepared again.
 void linkage_rewind(linkage *l);
 

@@ -114,7 +114,12 @@ void tumble_run_on(tumble_world *w,
 void tumble_step(tumble_world *w)
 {
     if (!inside_is_world(w)) return;
+    double time = w->world.time;
     world_step(&w->world);
+    if (w->world.report.lost > 0)
+        inside_fail(w, "in the step from %g s %d bodies were so fast that their "
+                    "numbers were lost, and they were stopped: it needs more "
+                    "substeps", time, w->world.report.lost);
     if (w->world.report.broken > 0) inside_forget_joints(w);
 }
 

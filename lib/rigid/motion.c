@@ -195,6 +195,7 @@ rigid_frame motion_frame_free(const rigid_frame *frame,
 {
     vec3 straight = { d->of[0], d->of[1], d->of[2] }, tau[TURNS];
     int moves = motion_moves(basis, d);
+    if (moves > FREE_MOVES) return motion_frame(frame, basis, d);
     vec3 angular = vec3_scale(1.0 / moves, motion_angular(basis, d));
     rigid_frame now = *frame;
     now.center = vec3_add(frame->center, straight);

@@ -121,6 +121,7 @@ void world_step(world *w)
     }
     fall_asleep(w);
     world_forget_loads(w);
+    w->report.unconverged += w->report.lost;
     ledger_book(w, LEDGER_SLEEP);
     w->time += dt;
     lap(w, PHASE_SLEEP, &since);

@@ -74,6 +74,8 @@ typedef struct {
     int  unconverged;   // contacts that overlap by more than a tenth of the
                         // smaller body's radius, and bodies whose sticks are
                         // off by a hundredth
+    int  lost;          // bodies that had no numbers after the substeps of a
+                        // part of the frame, and were stopped: should be 0
     int  dropped;       // contacts or pairs that found no room: should be 0
     int  broken;        // joints that had to bear more than their strength
     real parted;        // m, the most by which the points of a joint are apart

@@ -686,10 +686,33 @@ START_TEST(lost_body_takes_one_move_and_a_mad_one_at_most_so_many)
 }
 END_TEST
 
+// Rejects: a joint that computes a thousand moves, several times in each substep;
+// numbers that are lost on the way.
+START_TEST(a_spin_that_no_joint_can_follow_is_quickly_done)
+{
+    expect_ok(rigid4_build(&f, &solid[HOUSE].plan));
+    particle p[FOUR];
+    stand(p);
+    rigid_frame frame = rigid4_frame(p);
+    motion_basis b = basis_find(&f, &frame);
+    for (real turn = 1; turn < 1e9; turn *= 10) {
+        vec3 spin = vec3_scale(turn, vec3_unit(vec3_make(1, 2, 3)));
+        motion d = motion_make(&b, vec3_make(1, 0, 0), spin);
+        rigid_frame held = motion_frame(&frame, &b, &d);
+        rigid_frame free = motion_frame_free(&frame, &b, &d);
+        bool is_alike = memcmp(&held, &free, sizeof held) == 0;
+        ck_assert_int_eq(is_alike, motion_moves(&b, &d) > FREE_MOVES);
+        for (int i = 0; i < FOUR_AXES; i++)
+            ck_assert(vec3_is_finite(free.axis[i]));
+    }
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
         basis_is_the_root_of_the_inverse_inertia,
+        a_spin_that_no_joint_can_follow_is_quickly_done,
         box_and_ball_have_the_moments_of_the_textbook,
         motion_has_the_momentum_of_the_particles,
         motion_has_the_energy_and_spin_of_the_particles,

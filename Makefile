@@ -627,7 +627,7 @@ $(BUILD)/rules/$1-%.o: CPPFLAGS += $(foreach f,$3,-D$f=$f_$$*)
 $(BUILD)/rules/$1-%.o: $(BUILD)/rules/$1-%.c $(BUILD)/flags
 	$$(compile)
 endef
-GJK_NAMES := gjk_distance gjk_search hull_support hull_in_range triangle_normal triangle_weigh
+GJK_NAMES := triangle_nearest_wide gjk_distance gjk_search hull_support hull_in_range triangle_normal triangle_weigh
 $(eval $(call variants,04-rules,gjk,$(GJK_NAMES)))
 $(eval $(call variants,04-distance,gjk,$(GJK_NAMES)))
 $(eval $(call variants,05-rules,hit_face,hit_face_find))

@@ -273,6 +273,28 @@ static void nearest_wide(wide_simplex *s)
     *s = best;
 }
 
+static void join_wide(wide_simplex *s, hull a, hull b, int i, int j)
+{
+    s->of[s->count] = (corner){ i, j, vec3_sub(a.at[i], b.at[j]) };
+    s->at[s->count++] = wide3_between(a.at[i], b.at[j]);
+}
+
+vec3 triangle_nearest_wide(simplex *s, hull a, hull b)
+{
+    wide_simplex w = { .count = 0 };
+    for (int k = 0; k < 3; k++) join_wide(&w, a, b, s->of[k].a, s->of[k].b);
+    vec3 normal = wide3_rounded(wide_normal(w.at));
+    nearest_wide(&w);
+    s->v = wide3_rounded(w.v);
+    for (int k = 0; k < 3; k++) {
+        s->weight[k] = 0;
+        for (int i = 0; i < w.count; i++)
+            if (w.of[i].a == s->of[k].a && w.of[i].b == s->of[k].b)
+                s->weight[k] = w.weight[i].high;
+    }
+    return normal;
+}
+
 static int furthest_wide(hull h, wide3 d)
 {
     int best = 0;
@@ -282,12 +304,6 @@ static int furthest_wide(hull h, wide3 d)
         if (wide_less(most, height)) most = height, best = k;
     }
     return best;
-}
-
-static void join_wide(wide_simplex *s, hull a, hull b, int i, int j)
-{
-    s->of[s->count] = (corner){ i, j, vec3_sub(a.at[i], b.at[j]) };
-    s->at[s->count++] = wide3_between(a.at[i], b.at[j]);
 }
 
 // One iteration.  GJK_CAPPED: go on.

@@ -51,6 +51,11 @@ void triangle_weigh(vec3 n, vec3 a, vec3 b, vec3 c, real w[3]);
 // The corner of A - B that lies furthest along d, a vector of any length.
 corner hull_support(hull a, hull b, vec3 d);
 
+// The same of a triangle of corners of A - B, in 106 bits: where it is nearest to
+// the origin.  s has three corners; fills in v and the weights (>= 0), and returns
+// the normal.
+vec3 triangle_nearest_wide(simplex *s, hull a, hull b);
+
 // Do products of four coordinates not overflow?  They do from 1e60 m on.
 bool hull_in_range(hull h);
 

@@ -11,7 +11,8 @@ enum { CORNERS = 512, FACES = 2 * CORNERS };    // Euler: F = 2 V - 4
 
 // Times the size of the polytope: lengths below are rounding errors.
 static const real ROUNDING = 1e-14;
-static const real THIN = 1e-2;      // times its square: areas of slivers
+static const real THIN = 1e-5;      // times its square: areas of slivers
+static const real ENOUGH = 2e-15;   // a dozen roundings: w is no further out
 
 typedef struct {
     int  of[3];         // corners, counter-clockwise as seen from outside
@@ -39,18 +40,16 @@ static void add_corner(polytope *p, corner c)
     p->corner[p->corners++] = c;
 }
 
-// In a sliver, rounding leaves v wrong along the length.  So weight is shifted
-// along each edge until v is perpendicular to it.
-static void settle(const polytope *p, face *t)
+// In a sliver the weights, and so v, are rounding errors: it takes 106 bits.
+static void measure_wide(const polytope *p, face *t)
 {
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3;
-        vec3 e = vec3_sub(p->corner[t->of[j]].at, p->corner[t->of[i]].at);
-        real shift = -vec3_dot(t->v, e) / vec3_dot(e, e);
-        shift = real_max(-t->weight[j], real_min(shift, t->weight[i]));
-        t->weight[i] -= shift, t->weight[j] += shift;
-        t->v = vec3_add_scaled(t->v, shift, e);
-    }
+    simplex s = { .count = 3 };
+    for (int k = 0; k < 3; k++) s.of[k] = p->corner[t->of[k]];
+    t->normal = triangle_nearest_wide(&s, p->a, p->b);
+    t->v = s.v;
+    for (int k = 0; k < 3; k++) t->weight[k] = s.weight[k];
+    t->area = vec3_length(t->normal);
+    t->distance = t->area > 0 ? vec3_length(t->v) : HUGE_VAL;
 }
 
 // Where the origin projects outside the triangle, a negative weight becomes 0:
@@ -65,8 +64,8 @@ static void add_face(polytope *p, int i, int j, int k)
     for (int n = 0; n < 3; n++)
         t.v = vec3_add_scaled(t.v, w[n] /= sum, p->corner[t.of[n]].at);
     t.area = vec3_length(t.normal);
-    if (t.area < THIN * p->size * p->size) settle(p, &t);
     t.distance = sum > 0 ? vec3_length(t.v) : HUGE_VAL;     // 0: no area
+    if (t.area < THIN * p->size * p->size) measure_wide(p, &t);
     p->face[p->faces++] = t;
 }
 
@@ -241,13 +240,14 @@ static hit_result flat_result(const polytope *p, const simplex *start)
     return r;
 }
 
-static hit_result face_result(const polytope *p, face *t)
+// The depth is how far A - B reaches along the normal: to w.
+static hit_result face_result(const polytope *p, face *t, vec3 w)
 {
     corner hit[3];
     for (int k = 0; k < 3; k++) hit[k] = p->corner[t->of[k]];
     hit_result r = result_of(p, hit, t->weight, 3);
     r.normal = vec3_unit(vec3_scale(-1, t->normal));
-    r.depth = real_max(-vec3_dot(r.normal, t->v), 0);
+    r.depth = real_max(-vec3_dot(r.normal, w), 0);
     return r;
 }
 //<
@@ -260,6 +260,7 @@ hit_result hit_face_find(hull a, hull b, const simplex *start)
     assert(a.count >= 1 && b.count >= 1);
     polytope p;
     face t;
+    corner w = start->of[0];
     bool found = false;
     int iterations = 0;
     p.a = a, p.b = b;
@@ -269,11 +270,11 @@ hit_result hit_face_find(hull a, hull b, const simplex *start)
         int closest = closest_face(&p);
         t = p.face[closest];
         vec3 n = vec3_unit(t.normal);
-        corner w = hull_support(a, b, n);
-        found = !(vec3_dot(n, vec3_sub(w.at, t.v)) > ROUNDING * p.size);
+        w = hull_support(a, b, n);
+        found = !(vec3_dot(n, vec3_sub(w.at, t.v)) > ENOUGH * p.size);
         if (!found) expand(&p, closest, w);
     }
-    hit_result r = face_result(&p, &t);
+    hit_result r = face_result(&p, &t, found ? w.at : t.v);
     r.status = found ? HIT_FOUND : HIT_CAPPED;
     r.iterations = iterations;
     return vec3_length(r.normal) > 0 && vec3_is_finite(r.on_b) ? r : NOTHING;

@@ -93,12 +93,14 @@ LINE := $(strip $(ORDER))
 # --- The compiler -------------------------------------------------------------
 # May be set by hand: make test CC=clang CFLAGS=-O0 BUILD=build/clang
 BUILD  := build
-# With modules of the reader's own (MINE=) nothing goes where ours is built.
+# With modules of the reader's own (MINE=) programs go to a folder of their own.
+# All objects but those modules' are ours, and are built where ours are.
 ifneq ($(MINE),)
 ifeq ($(findstring /swapped,$(BUILD)),)
 override BUILD := $(BUILD)/swapped
 endif
 endif
+OURS := $(BUILD:%/swapped=%)
 CFLAGS ?= -O3 -g
 ifdef NATIVE
 CFLAGS += -march=native
@@ -112,6 +114,9 @@ COMPILE   = $(CC) $(EXACT) $(CFLAGS) $(WARNINGS)
 CHECK_LIBS ?= -lcheck -lsubunit -lm -lrt -lpthread
 Q     := $(if $(V),,@)
 AGAIN := $(MAKE) --no-print-directory
+# What is built is built by all cores (JOBS=1: by one), unless make has its own -j.
+CORES := $(or $(JOBS),$(shell nproc 2> /dev/null || echo 2))
+BUILT  = +$(Q)$(AGAIN) $(if $(filter -j%,$(MAKEFLAGS)),,-j$(CORES) -O)
 
 # --- What there is ------------------------------------------------------------
 MODULES  := $(notdir $(LINE))
@@ -159,8 +164,9 @@ MADE := $(filter-out $(NAMED),$(CHAPTERS))
 # What the commands `make 04`, `make test-04` and `make figure-04` need.
 define chapter
 FIGURES_$1 := $(filter $1-%,$(FIGURES))
-test-$1: $(UPTO_$1) $(TESTS_$1:%=$(BUILD)/tests/%)
-$(filter $1,$(MADE)) figure-$1: $(patsubst %,$(BUILD)/figures/%,$(filter $1-%,$(FIGURES)))
+tests-of-$1: $(UPTO_$1) $(TESTS_$1:%=$(BUILD)/tests/%)
+figures-of-$1: $(patsubst %,$(BUILD)/figures/%,$(filter $1-%,$(FIGURES)))
+figure-$1: figures-of-$1
 endef
 
 .DEFAULT_GOAL := help
@@ -169,7 +175,8 @@ endef
 .DELETE_ON_ERROR:
 .PHONY: lines help deps deps-book deps-site deps-dev deps-peers demo test checks objects book html pdf epub library \
   figures hard coverage bits sanitize valgrind fuzz fuzzers strict clean FORCE $(CHAPTERS) \
-  $(CHAPTERS:%=test-%) $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%)
+  $(CHAPTERS:%=test-%) $(CHAPTERS:%=figure-%) $(FIGURES:%=figure-%) \
+  $(CHAPTERS:%=tests-of-%) $(CHAPTERS:%=figures-of-%) demo-programs
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,$c)))
 
 #:
@@ -185,9 +192,12 @@ help:
 deps deps-book deps-site deps-dev deps-peers:
 	@CC='$(CC)' sh tests/script/deps.sh $@
 
-demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
+DEMO := room cloth-on-cube cloth-on-rope
+demo-programs: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
+demo:
+	$(BUILT) demo-programs
 	$(Q)mkdir -p $(BUILD)/demo
-	$(Q)for scene in room cloth-on-cube cloth-on-rope; do \
+	$(Q)for scene in $(DEMO); do \
 	  $(BUILD)/tumble $$scene --film $(BUILD)/demo/$$scene.png || { \
 	  $(if $(MINE),echo "The scene $$scene fails with $(MINE); what is not so says\
 	    make test MINE='$(MINE)'" >&2;) exit 1; }; done
@@ -196,8 +206,10 @@ demo: $(BUILD)/tumble $(FIGURES_09:%=$(BUILD)/figures/%)
 
 # Every test runs, even if another one fails or does not build.
 test:
-	@unbuilt=; $(MAKE) -k --no-print-directory checks || unbuilt=1; \
-	MINE= YOURS='$(MINE)' BUILD='$(BUILD)' UNBUILT=$$unbuilt sh tests/script/run.sh $(CHECKS) $(wildcard tests/script/check_*.sh)
+	$(BUILT) -k checks || touch $(BUILD)/unbuilt
+	@unbuilt=; ! rm $(BUILD)/unbuilt 2> /dev/null || unbuilt=1; \
+	MINE= YOURS='$(MINE)' BUILD='$(BUILD)' JOBS=$(CORES) UNBUILT=$$unbuilt \
+	  sh tests/script/run.sh $(CHECKS) $(wildcard tests/script/check_*.sh)
 
 #:
 #: Read and learn
@@ -215,8 +227,10 @@ test:
 #:   make library    build/libtumble.a
 #:   make install    tumble.h, the library and tumble.pc (PREFIX=/usr/local)
 $(CHAPTERS:%=test-%): test-%:
-	$(Q)$(if $(TESTS_$*),YOURS='$(MINE)' sh tests/script/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
+	$(BUILT) tests-of-$*
+	$(Q)$(if $(TESTS_$*),MINE= YOURS='$(MINE)' JOBS=$(CORES) sh tests/script/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
 $(MADE): %: test-%
+	$(BUILT) figures-of-$@
 	$(Q)export TUMBLE_QUICK=1; $(foreach f,$(FIGURES_$@),$(call draw,$f,$(BUILD)/figures) &&) true
 	@CC='$(CC)' BUILD='$(BUILD)' sh exercises/run.sh chapter $@
 
@@ -228,7 +242,8 @@ book:
 	@echo "book.md: $$(wc -l < book.md) lines; a page a chapter: chapters/woven"
 
 
-library: $(BUILD)/libtumble.a
+library:
+	$(BUILT) $(BUILD)/libtumble.a
 
 # What is installed: tumble.h, and a library in which no other name is seen.
 PREFIX ?= /usr/local
@@ -237,7 +252,7 @@ VERSION := $(shell sed -n 's/^\#define TUMBLE_VERSION "\(.*\)"/\1/p' lib/tumble.
 MAJOR   := $(firstword $(subst ., ,$(VERSION)))
 .PHONY: install public
 install:
-	$(Q)$(AGAIN) public BUILD=$(BUILD)/public CFLAGS='$(CFLAGS) -fPIC -fvisibility=hidden'
+	$(BUILT) public BUILD=$(BUILD)/public CFLAGS='$(CFLAGS) -fPIC -fvisibility=hidden'
 	$(Q)install -d '$(TO)/lib/pkgconfig' '$(TO)/include'
 	$(Q)install -m 644 $(BUILD)/public/seen.a '$(TO)/lib/libtumble.a'
 	$(Q)install $(BUILD)/public/seen.so '$(TO)/lib/libtumble.so.$(VERSION)'
@@ -315,11 +330,20 @@ $(call refuse,$(filter-out 1,$(words $(filter %/$(notdir $1),$(MINE:%=./%)))),\
 $(foreach c,$(filter $(CHAPTERS),$(MAKECMDGOALS:test-%=%)),$(call \
   refuse,$(if $(filter $(call swapped,$1),$(or $(UPTO_$c),$(ALL))),,x),$1: \
   its module comes after chapter $c))
-$(call swapped,$1): $1 $(BUILD)/flags
+$(call swapped,$1): $1 $(BUILD)/flags $(BUILD)/mine
 	$$(compile) || { echo "$1: does not compile; begin with the first error\
 	 above" >&2; exit 1; }
 endef
 $(foreach f,$(MINE),$(eval $(call swap,$f)))
+# Every other object is ours.  What was another's before is taken anew.
+TAKEN := $(filter-out $(foreach f,$(MINE),$(call swapped,$f)),$(ALL))
+$(TAKEN): $(BUILD)/mine
+$(TAKEN) $(foreach d,tests figures,$(patsubst %.c,$(BUILD)/$d/%.o,$(notdir \
+  $(wildcard $d/*/*.c)))): $(BUILD)/%: $(OURS)/%
+	$(Q)mkdir -p $(@D) && cp $< $@
+$(BUILD)/mine: FORCE
+	@mkdir -p $(@D)
+	@echo '$(MINE)' | cmp -s - $@ || echo '$(MINE)' > $@
 endif
 
 #:
@@ -783,26 +807,24 @@ $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
 ROOMS := -Ilib $(patsubst %/,-I%,$(wildcard lib/*/ tests/support/ tests/contact/ tests/soft/ tests/hard/ tests/fuzz/ \
   figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/ figures/live/))
-$(BUILD)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(BUILD)/flags
+$(OURS)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(OURS)/flags
 	$(compile)
-$(BUILD)/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(BUILD)/flags
+$(OURS)/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(OURS)/flags
 	$(compile)
-$(BUILD)/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(BUILD)/flags
+$(OURS)/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(OURS)/flags
 	$(compile)
-$(BUILD)/%.o: %.c $(BUILD)/flags
+$(OURS)/%.o: %.c $(OURS)/flags
 	$(compile)
-$(BUILD)/%.d: ;
+$(OURS)/%.d: ;
 # A source that has moved is still named by what was built of it: that is built
 # again, and not missed.
 lib/%.c tests/%.c figures/%.c: ;
--include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
+-include $(wildcard $(OURS)/*/*.d $(OURS)/*/*/*.d)
 
 include figures/live/live.mk
 include chapters/site/site.mk
 
-# Changes when the compiler, its flags or the reader's modules do, and then
-# everything is rebuilt.
-$(BUILD)/flags: FORCE
+# Changes when the compiler or its flags do, and then everything is rebuilt.
+$(sort $(BUILD)/flags $(OURS)/flags): FORCE
 	@mkdir -p $(@D)
-	@echo '$(strip $(COMPILE) $(MINE))' | cmp -s - $@ || \
-	  echo '$(strip $(COMPILE) $(MINE))' > $@
+	@echo '$(strip $(COMPILE))' | cmp -s - $@ || echo '$(strip $(COMPILE))' > $@

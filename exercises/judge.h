@@ -8,8 +8,9 @@
 
 #include <check.h>
 
-// Is the test asked for?  ONLY, in the environment, may name a single one; one
-// that compares bits with ours is asked of nobody.
+// Is the test asked for?  ONLY, in the environment, may name a single one, and
+// LEAVE those that are not asked for; one that compares bits with ours is asked
+// of nobody.
 int judge_wants(const char *name);
 
 // Runs the test, unless one before it did not end, and says on stderr when it

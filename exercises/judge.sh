@@ -7,7 +7,10 @@ build=${BUILD:-build}/exercises
 cc=${CC:-cc}
 check_libs=${CHECK_LIBS:--lcheck -lsubunit -lm -lrt -lpthread}
 sanitize='-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer'
-seconds=${JUDGE_SECONDS:-10}   # of computing, for one test
+wall=15                      # times four seconds, for a test that only waits
+# Of computing, for one test.  One that takes longer is timed with the book's own
+# answer, on this machine and now, and may take twenty times as long.
+seconds=${JUDGE_SECONDS:-2}
 warnings='-Wall -Wextra -Wconversion -Wshadow -Wno-unused-parameter -Wno-unused-function -Wno-unused-const-variable'
 exact=$(sed -n 's/^EXACT *:= *//p' Makefile)
 line=$(sed -n '/^define ORDER/,/^endef/p' Makefile | grep / | tr '\n' ' ')
@@ -34,13 +37,14 @@ names() {
 
 # load NN/name: reads the file `exercise`.  One of `module` (its module of lib/ is
 # rebuilt, and judged by the module's tests) and `after` (a new thing, which may
-# use the line up to that module); the functions that the reader writes; and the
-# tests that a reader should hear of first.
+# use the line up to that module); the functions that the reader writes; the
+# tests that a reader should hear of first; and those that ask for nothing that
+# the reader writes, and take long.
 load() {
     name=$1
     dir=$exercises/${1%%/*}-${1#*/}
     out=$build/${1%%/*}-${1#*/}
-    module='' after='' empty='' remove='' first=''
+    module='' after='' empty='' remove='' first='' leave=''
     [ -f "$dir/exercise" ] || return 1
     while read -r word rest; do
         case $word in
@@ -49,6 +53,7 @@ load() {
         empty)  empty="$empty $rest" ;;
         remove) remove="$remove $rest" ;;
         first)  first="$first $rest" ;;
+        leave)  leave="$leave $rest" ;;
         *) echo "$dir/exercise: what is $word?" >&2; return 1 ;;
         esac
     done < "$dir/exercise"
@@ -61,9 +66,22 @@ load() {
     then solution=$(ls lib/*/"$module.c") tests=$(ls tests/*/"check_$module.c")
     else solution=$dir/solution.c tests=$dir/check.c
     fi
-    objects=
-    mkdir -p "$out"
+    objects= times=
+    mkdir -p "$out" 2> /dev/null && [ -w "$out" ] || {
+        echo "$out cannot be written, and exercises are built there: is this folder yours?" >&2
+        return 2
+    }
 }
+
+# alone FOLDER: is no other command at work in it?  Whose it is says a link that
+# leads to the number of its process, until leave_it.
+alone() {
+    ln -s $$ "$1/busy" 2> /dev/null && return
+    other=$(readlink "$1/busy")
+    [ "$other" != $$ ] && kill -0 "${other:-none}" 2> /dev/null && return 1
+    ln -sfn $$ "$1/busy"
+}
+leave_it() { rm -f "$1/busy"; }
 
 # stub SOURCE: the source with the reader's functions emptied.
 stub() { awk -v empty="$empty" -v remove="$remove" -f exercises/cut.awk "$1"; }
@@ -90,13 +108,18 @@ test_parts() {
 }
 
 # prepare LIBRARY_PARTS TEST_PARTS: builds those, with the Makefile's own rules, if
-# they are not up to date.
+# they are not up to date.  One command at a time does.
 prepare() {
     flags="-O1 -g $sanitize"
+    cores=$(nproc 2> /dev/null || echo 2)
+    until alone "$build"; do sleep 0.2; done
     # shellcheck disable=SC2086
-    MAKEFLAGS='' make -s -j2 CC="$cc" BUILD="$build" CFLAGS="$flags" $1 > /dev/null &&
-    MAKEFLAGS='' make -s -j2 CC="$cc" BUILD="$build" CFLAGS="$flags" \
+    MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="$build" CFLAGS="$flags" $1 > /dev/null &&
+    MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="$build" CFLAGS="$flags" \
         CPPFLAGS='-D_XOPEN_SOURCE=700 -include exercises/judge.h' $2 > /dev/null
+    prepared=$?
+    leave_it "$build"
+    return $prepared
 }
 
 # compile FILE: to $out/mine.o.  Not optimised: the optimiser would take away a
@@ -113,9 +136,9 @@ show() {
         "$out/mine.o" $(library_parts | grep -v /judge.o) -lm -o "$out/show" && "$out/show"
 }
 
-# judge FILE [TEST]: what was compiled of FILE, against all tests or against one.
-# Returns what tell.awk does, and says what it says.
-judge() {
+# run_judge FILE [TEST]: what was compiled of FILE, against all tests or against
+# one.  What was said is in $out/said, the outcomes in $out/tap.
+run_judge() {
     if [ -z "$objects" ]; then
         objects="$(test_parts) $(library_parts)"
         # Some tests refuse memory to what they test (tests/support/scarce.c).
@@ -131,11 +154,40 @@ judge() {
     : > "$out/said"
     (
         ulimit -f 40000         # 20 MB, for code that prints without end
-        YOURS=$1 ONLY=$2 JUDGE_STOP=$out/stop JUDGE_SECONDS=$seconds \
-        CK_FORK=yes CK_TIMEOUT_MULTIPLIER=15 CK_TAP_LOG_FILE_NAME=$out/tap \
+        YOURS=$1 ONLY=$2 LEAVE=$leave JUDGE_STOP=$out/stop \
+        JUDGE_SECONDS=$seconds JUDGE_TIMES=$times \
+        CK_FORK=yes CK_TIMEOUT_MULTIPLIER=$wall CK_TAP_LOG_FILE_NAME=$out/tap \
         ASAN_OPTIONS=print_legend=0:$ASAN_OPTIONS \
         "$out/judge" > "$out/summary" 2> "$out/said" < /dev/null
-    )
-    awk -v name="$name" -v mine="${1##*/}" -v seconds="$seconds" -v early="$first" \
+    ) 2> /dev/null
+    true
+}
+
+# judge FILE [TEST]: runs it.  Returns what tell.awk does, and says what it says.
+judge() {
+    run_judge "$@" || return 2
+    tell "$1"
+}
+tell() {
+    awk -v name="$name" -v mine="${1##*/}" -v seconds="$seconds" -v times="$times" -v early="$first" \
         -f exercises/tell.awk "$tests" "$out/said" "$out/tap"
+}
+
+# judge_fairly FILE: as judge; but if a test was stopped, the book's own answer is
+# timed, and the file has three times what is allowed: what ends by then is too
+# slow, and what does not is said not to end.
+judge_fairly() {
+    times= wall=15
+    run_judge "$1" || return 2
+    if [ -e "$out/stop" ]; then
+        compile "$solution" 2> /dev/null && wall=150 && (seconds=600; run_judge "$solution") || return 2
+        awk -v least="$seconds" '$1 == "judge:" && $2 == "end" && $4 > most[$3] + 0 { most[$3] = $4 }
+            $1 == "judge:" && $2 == "end" { seen[$3] }
+            END { for (test in seen) {
+                allowed = 20 * most[test] > least ? 20 * most[test] : least
+                print test, 3 * allowed, most[test] + 0 } }' "$out/said" > "$out/times"
+        times=$out/times
+        compile "$1" 2> /dev/null && run_judge "$1" || return 2
+    fi
+    tell "$1"
 }

@@ -7,6 +7,8 @@
 #   sh exercises/run.sh reset NN/name         begin again; the old file is kept
 #   sh exercises/run.sh chapter NN            how its exercises stand, what is next
 #   sh exercises/run.sh progress              a bar for each chapter
+#   sh exercises/run.sh counts MODULE         the reader's own module has passed its
+#                                             tests: so have its exercises
 #
 # What is the reader's: in exercises/NN-name/ mine.c, mine.old.c and mine.hints (how
 # many were shown), and exercises/progress.txt (follow.sh).
@@ -42,9 +44,11 @@ say_live() {
 
 exercise() {
     [ -f "$mine" ] || { begin; return 0; }
+    alone "$out" || { echo "$name is being judged by another command: try again when that has ended." >&2; return 1; }
+    trap 'leave_it "$out"' EXIT
     prepare "$(library_parts)" "$(test_parts)" || { echo "$name: the tests could not be built, see above" >&2; return 1; }
     compile "$mine" || { echo; echo "$name: $mine does not compile: begin with the first error above."; return 1; }
-    judge "$mine"
+    judge_fairly "$mine"
     case $? in
     0)  write_passed "$name"
         show
@@ -92,8 +96,20 @@ reset() {
     echo "$mine is as it was at the beginning."
 }
 
+# The exercises that ask for a part of this module.
+counts() {
+    theirs=
+    for each in $(names); do
+        grep -qx "module *$1" "$exercises/${each%%/*}-${each#*/}/exercise" || continue
+        write_passed "$each"
+        theirs="$theirs${theirs:+, }$each"
+    done
+    [ -z "$theirs" ] || echo "  It counts for its exercises: $theirs (make progress)."
+}
+
 command=$1
 case $command in
+counts) counts "$2"; exit ;;
 exercise|hint|solution|reset) ;;
 chapter) chapter "$2"; exit ;;
 progress) bars; exit ;;
@@ -113,9 +129,18 @@ case $2 in
         echo "Of which exercise?  For example:  make $command $(names | grep -m 1 "^$2/")"
     exit 0 ;;
 esac
-load "$2" || {
+load "$2"
+case $? in
+0)  ;;
+2)  exit 2 ;;
+*)  {
     if names | grep -q "^${2%%/*}/"; then list "${2%%/*}/"; fi
     echo "There is no exercise $2:  make exercise  lists them all."
-    exit 1
-} >&2
+    } >&2
+    exit 1 ;;
+esac
+[ "$command" = solution ] || [ -w "$dir" ] || {
+    echo "$dir cannot be written, and your file stands there: work in a copy that is yours." >&2
+    exit 2
+}
 $command

@@ -39,8 +39,16 @@ file == 2 && $1 == "judge:" && $2 == "begin" {
     report = ""
     next
 }
-file == 2 && $1 == "judge:" && $2 == "end" { unended[now]--; next }
-file == 2 && $1 == "judge:" && $2 == "endless" { report = "endless"; fault[now] = "does not end (stopped after " seconds " seconds of computing)"; next }
+file == 2 && $1 == "judge:" && $2 == "end" {
+    unended[now]--
+    if (now in own && $4 > most(now)) fault[now] = "is too slow (" short($4) " seconds of computing, where the book's own answer takes " short(own[now]) ", and " short(most(now)) " are allowed)"
+    next
+}
+file == 2 && $1 == "judge:" && $2 == "endless" {
+    report = "endless"
+    fault[now] = "does not end (stopped after " short($3) " seconds of computing" (now in own ? ", where the book's own answer takes " short(own[now]) : "") ")"
+    next
+}
 file == 2 && now == "" { next }
 
 file == 2 && /ERROR: (Address|Leak)Sanitizer:/ { report = "memory"; kind = $3 }
@@ -85,6 +93,10 @@ file == 2 {
 !known { message[test] = message[test] "\n" $0 }
 
 # ---- sentences
+
+# What a test may take that the book's own answer was timed with.
+function most(test) { return 20 * own[test] > seconds ? 20 * own[test] : seconds }
+function short(x) { return x < 0.01 ? "less than 0.01" : x < 10 ? sprintf("%.2g", x) : sprintf("%.0f", x) }
 
 function memory_fault(kind, all)
 {
@@ -187,7 +199,11 @@ function wrapped(text,    n, word, i, all, length_now)
 BEGIN {
     mine_pattern = mine; gsub(/\./, "[.]", mine_pattern)
     test_pattern = ARGV[1]; sub(/.*\//, "", test_pattern); gsub(/\./, "[.]", test_pattern)
-    if (!seconds) seconds = 5
+    if (!seconds) seconds = 2
+    while (times != "" && (getline row < (times)) > 0) {
+        split(row, part, " ")
+        own[part[1]] = part[3]
+    }
 }
 
 END {

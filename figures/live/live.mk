@@ -35,8 +35,6 @@ $(foreach f,pile fabric chain energy,$(eval WITH_$f := live/live_world.o))
 FLOOR_bounce := 01
 
 LIVE := $(notdir $(strip $(LIVES)))
-# With modules of the reader's own, all but these is taken from where ours is.
-OURS := $(BUILD:%/swapped=%)
 LIVE_PROGRAMS := $(LIVE:%=$(BUILD)/live/%)
 live_chapter = $(patsubst %/$1,%,$(filter %/$1,$(strip $(LIVES))))
 live_floor   = $(call FLOOR,$(or $(FLOOR_$1),$(call live_chapter,$1)))
@@ -87,7 +85,7 @@ $(OURS)/wasm/live/%.o: figures/live/%.c $(OURS)/wasm/flags
 # stopped, and not taken for a loop with an end.
 COUNTED := -Wno-unused -Wno-unused-parameter -fsanitize-coverage=trace-pc,edge,no-prune -fno-finite-loops
 define wasm_swap
-$(BUILD)/wasm/mine/$(notdir $(1:.c=.o)): $1 $(BUILD)/flags
+$(BUILD)/wasm/mine/$(notdir $(1:.c=.o)): $1 $(BUILD)/flags $(BUILD)/mine
 	$$(call wasm,$$(COUNTED)) || { echo "$1: does not compile; begin with the first error\
 	 above" >&2; exit 1; }
 endef

@@ -12,7 +12,7 @@ trap 'kill $real 2> /dev/null; rm -rf "$tree"' EXIT
 EXERCISES=$tree; export EXERCISES
 CHAPTERS=$tree; export CHAPTERS
 BUILD=$tree/build; export BUILD
-JUDGE_SECONDS=1; export JUDGE_SECONDS
+JUDGE_SECONDS=0.2; export JUDGE_SECONDS
 dir=$tree/99-sum
 trials=0 failed=0
 
@@ -30,6 +30,7 @@ sound() {
 #include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 
 int spare = 1;
 
@@ -196,13 +197,15 @@ tells "a wrong answer"     'got -6, wanted 6'              'for (int i = 0; i < 
 also "what the test rejects" 'Rejects: a difference.'
 also "where it stands"     '99-sum/check.c, line 4'
 tells "no number"          'nan is no number'              'all = 0 / (all - n * all);'
-tells "a null pointer"     'Your code follows a null pointer (a segmentation fault): mine.c, line 13' 'x = NULL; all = x[0];'
+tells "a null pointer"     'Your code follows a null pointer (a segmentation fault): mine.c, line 14' 'x = NULL; all = x[0];'
 tells "a segfault"         'Your code follows a pointer that leads nowhere (a segmentation fault)' 'x += 1ll << 44; all = x[n];'
-tells "an endless loop"    'Your code does not end (stopped after 1 seconds of computing)' 'while (spare) all += x[0];'
-if $lines; then also "where it turns" "mine.c, line 13, called from $dir/check.c, line 7."; fi
+tells "an endless loop"    'Your code does not end (stopped after 0.6 seconds of computing, where the book'\''s own answer takes less than 0.01)' 'while (spare) all += x[0];'
+if $lines; then also "where it turns" "mine.c, line 14, called from $dir/check.c, line 7."; fi
 also "the tests after it"  '1 more were not tried'
+tells "one that is too slow" 'Your code is too slow (0.' 'while (clock() < CLOCKS_PER_SEC * 4 / 10) all = 0; for (int i = 0; i < n; i++) all += x[i];'
+also "and what is allowed" "seconds of computing, where the book's own answer takes less than 0.01, and 0.2 are allowed)"
 tells "a loop that is called" 'Your code does not end' 'static int deep; if (deep++) while (spare) all += x[0];\n all = sum(x, n);'
-if $lines; then also "by whom" 'mine.c, line 13, called from line 14, called from'; fi
+if $lines; then also "by whom" 'mine.c, line 14, called from line 15, called from'; fi
 change check.c 's/real got = sum(some, 3);/real got = sum(some, 3); while (got != 6) ;/'
 tells "a test that is kept waiting" 'The test does not end' 'all = 7;'
 if $lines; then also "by what" "what your code gives keeps it waiting, $dir/check.c, line 7."; fi
@@ -210,7 +213,7 @@ sound
 tells "a leak"             'Your code does not free all that it allocates (a leak of 7 bytes): mine.c' 'for (int i = 0; i < n; i++) all += x[i]; char *volatile lost = malloc(7); lost = NULL;'
 tells "an exit"            'Your code ends the whole program (exit)' 'exit(spare - 1);'
 tells "an overrun"         'Your code reads outside an array' 'for (int i = 0; i <= n; i++) all += x[i];'
-if $lines; then also "where it reads" 'outside an array: mine.c, line 13'; fi
+if $lines; then also "where it reads" 'outside an array: mine.c, line 14'; fi
 tells "an overrun by writing" 'Your code writes outside an array' 'char *volatile p = malloc(3); p[n] = 1; free(p);'
 tells "a sentence that is too long" 'Your code writes outside an array' 'char why[8]; sprintf(why, "%0999d", n); all = why[0];'
 tells "an overrun that the compiler sees" 'Your code reaches outside an array' 'volatile char p[3]; p[n] = 1; all = p[0];'
@@ -239,6 +242,21 @@ answers "a hint for a chapter"   'For example:  make hint 99/sum' hint 99
 sh exercises/run.sh exercise 99/sun 2>&1 | tail -n 1 > "$tree/said"
 also "an exercise that is not there" 'There is no exercise 99/sun:'
 if grep -q '^99/sum passed 2' "$tree/progress.txt"; then verdict "what passed is kept" yes; else verdict "what passed is kept" no; fi
+cp "$dir/solution.c" "$dir/mine.c"
+change check.c 's/real got = sum(some, 3);/&\n    while (clock() < CLOCKS_PER_SEC * 3 \/ 10) got += 0;/; 1i #include <time.h>'
+answers "a slow machine: what ours takes, a reader may" 'all 2 tests pass' exercise 99/sum
+sound; cp "$dir/solution.c" "$dir/mine.c"
+sleep 60 & other=$!
+ln -s $other "$BUILD/exercises/99-sum/busy"
+if sh exercises/run.sh exercise 99/sum > "$tree/said" 2>&1; then verdict "two at once" no
+else also "two at once" '99/sum is being judged by another command'; fi
+[ "$(wc -l < "$tree/said")" = 1 ] && verdict "in one sentence" yes || verdict "in one sentence" no
+{ kill $other; wait $other; } 2> /dev/null
+answers "one that has ended is not waited for" 'all 2 tests pass' exercise 99/sum
+: > "$tree/file"
+if BUILD=$tree/file sh exercises/run.sh exercise 99/sum > "$tree/said" 2>&1; then verdict "a build folder that cannot be" no
+else also "a build folder that cannot be" '99-sum cannot be written'; fi
+[ "$(wc -l < "$tree/said")" = 1 ] && verdict "said once" yes || verdict "said once" no
 answers "a new beginning"  'mine.old.c'                    reset 99/sum
 if grep -q 'passed 2' "$tree/progress.txt"; then verdict "and begins again" no; else verdict "and begins again" yes; fi
 if cmp -s "$dir/solution.c" "$dir/mine.old.c"; then verdict "nothing is lost" yes; else verdict "nothing is lost" no; fi

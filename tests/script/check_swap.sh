@@ -7,6 +7,7 @@ unset MAKEFLAGS MFLAGS      # a make that called us must not hand down its own
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 mkdir "$tree/a" "$tree/b"
+PROGRESS=$tree/progress.txt; export PROGRESS
 trials=0 failed=0
 
 verdict() {     # NAME, and whether it went well
@@ -36,16 +37,20 @@ refuses "a wrong module is seen"    'FAILED: check_verlet'  build test-01 MINE="
 also    "and how many tests"        "check_verlet: 12 of 24 tests pass with $tree/b/verlet.c.  These do not:"
 also    "which, and where"          "  force_and_gravity_add_up  (tests/particles/check_verlet.c, line $(sed -n '/(force_and_gravity/=' tests/particles/check_verlet.c))"
 also    "and what it wanted"        '  x: got -1.875, wanted 1.5'
+also    "and the test's comment"    '      Rejects: '
+if [ -e "$PROGRESS" ]; then verdict "it counts for nothing" no; else verdict "it counts for nothing" yes; fi
 if grep -q ':F:\|Running suite' "$tree/said"; then verdict "and no line of Check's" no; else verdict "and no line of Check's" yes; fi
 says    "a right one passes"        'All passed: 1 programs' build test-01 MINE="$tree/a/verlet.c"
 also    "with its name"             "check_verlet: all 24 tests pass with $tree/a/verlet.c."
+also    "it counts for its exercises" "It counts for its exercises: $(grep -lx 'module *verlet' exercises/*/exercise | head -n 1 | sed 's/.*s.\(..\)-\(.*\).exercise/\1\/\2/')"
+if grep -q '^01/step passed' "$PROGRESS"; then verdict "and that is kept" yes; else verdict "and that is kept" no; fi
 refuses "the older one is seen"     'FAILED: check_verlet'  build test-01 MINE="$tree/b/verlet.c"
 wrong > "$tree/a/verlet.c"
 refuses "a change is seen"          'FAILED: check_verlet'  build test-01 MINE="$tree/a/verlet.c"
-if [ -e "$tree/build/lib" ]; then verdict "ours is not touched" no; else verdict "ours is not touched" yes; fi
+if [ -e "$tree/build/lib/verlet.o" ]; then verdict "ours is not touched" no; else verdict "ours is not touched" yes; fi
 sed 's|^    assert(n >= 0 .. dt > 0|    abort();\n&|; 1i #include <stdlib.h>' lib/particles/verlet.c > "$tree/b/verlet.c"
 refuses "one that stops"            'It stops the program: Aborted.' build test-01 MINE="$tree/b/verlet.c"
-refuses "stops the demo"            "The scene cloth-on-cube fails with $tree/b/verlet.c" build demo MINE="$tree/b/verlet.c"
+refuses "stops the demo"            "The scene cloth-on-cube fails with $tree/b/verlet.c" build demo DEMO=cloth-on-cube MINE="$tree/b/verlet.c"
 wrong > "$tree/b/verlet.c"
 says    "without it, ours is back"  'All passed: 1 programs' build test-01
 says    "several files"             'All passed: 1 programs' build test-02 MINE="$tree/a/constraint.c lib/particles/verlet.c"

@@ -278,7 +278,8 @@ public: $(BUILD)/seen.a $(BUILD)/seen.so
 #:   make live 01/step        the chapter's live figures, with what you wrote
 #:   make watch 01            the tests of chapter 01 whenever you save a file,
 #:                            and any exercise whose file you save
-#:   make check-exercises     is every exercise sound, and the runner?
+#:   make check-exercises     is every exercise sound, with all its wrong
+#:                            answers (make test tries two), and the runner?
 READER := exercise hint solution reset progress
 WHICH  := $(NAMED) $(foreach goal,$(MAKECMDGOALS),$(if $(findstring /,$(goal)),$(goal)))
 # The runner says what no exercise has for its name.
@@ -301,7 +302,7 @@ watch:
 	@AGAIN='$(AGAIN)' MINE='$(MINE)' CC='$(CC)' BUILD='$(BUILD)' \
 	  exec sh exercises/watch.sh $(WHICH)
 check-exercises:
-	@CC='$(CC)' BUILD='$(BUILD)' sh tests/script/check_exercises.sh
+	@CC='$(CC)' BUILD='$(BUILD)' WRONGS= sh tests/script/check_exercises.sh
 
 # To make, what is named after the command is a goal: one with nothing to do.
 ifneq ($(and $(WHICH),$(filter $(READER) watch live,$(MAKECMDGOALS))),)

@@ -3,7 +3,8 @@
 # The stub compiles, without a warning, and fails; the solution passes; every
 # wrong variant compiles and is rejected by the test that it names; there are
 # three hints, a task, and no stray file.  Prints one line for each exercise, and
-# one sentence for each fault.  What was sound, and has not changed since, nor
+# one sentence for each fault.  WRONGS=2: of the wrong variants only so many, from
+# the first to the last (all are read).  What was sound, and has not changed since, nor
 # anything that it was made of, is not tried again.
 
 . exercises/judge.sh
@@ -86,6 +87,10 @@ compile_fast() { $cc $exact -O0 -w $rooms -I"$dir" -c "$1" -o "$out/mine.o"; }
 
 check_wrong() {
     seconds=2
+    awk -v most="${WRONGS:-0}" '{ line[NR] = $0 }
+        END { if (!most || most > NR) most = NR
+              for (k = 1; k <= most; k++) print line[most > 1 ? 1 + int((k - 1) * (NR - 1) / (most - 1)) : 1] }' "$out/list" > "$out/tried"
+    tried=$(wc -l < "$out/tried")
     while read -r number test told; do
         wrong=$out/wrong-$number.c
         compile_fast "$wrong" 2> "$out/errors" || { fault "wrong $number ($told) does not compile: $(first_error)"; continue; }
@@ -99,13 +104,13 @@ check_wrong() {
         0) fault "wrong $number ($told) is not rejected by $test" ;;
         2) fault "wrong $number ($told): $test has not run" ;;
         esac
-    done < "$out/list"
+    done < "$out/tried"
 }
 
 # One number for all that an exercise is made of.
 key() {
     {
-        echo "$cc $exact"
+        echo "$cc $exact $WRONGS"
         cat "$dir"/[!m]* exercises/*.* lib/*/*.h "$tests" tests/*/[!c]*.[ch] "$solution"
         for object in $(library_parts); do object=${object##*/}; cat lib/*/"${object%.o}.c"; done
     } 2> /dev/null | cksum
@@ -119,7 +124,7 @@ check() {
     check_list
     [ $faults -eq $before ] || return
     if [ "$(key)" = "$(cat "$out/sound" 2> /dev/null)" ]; then
-        echo "$name: sound, $wrongs wrong variants rejected, as before"
+        echo "$name: sound, $(cat "$out/tried-of"), as before"
         return
     fi
     check_stub
@@ -128,7 +133,9 @@ check() {
     check_wrong
     [ $faults -eq $before ] || return
     key > "$out/sound"
-    echo "$name: sound, $wrongs wrong variants rejected"
+    [ "$tried" = "$wrongs" ] || wrongs="$tried of $wrongs"
+    echo "$wrongs wrong variants rejected" > "$out/tried-of"
+    echo "$name: sound, $(cat "$out/tried-of")"
 }
 
 # All that they share is built before, at once; a test that does not build shows

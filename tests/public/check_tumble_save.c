@@ -19,7 +19,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { EACH = 60, MOST = 400, HEAD = 48 };
+enum { EACH = 20, MOST = 400, HEAD = 48 };
 
 typedef struct {
     unsigned char *at;
@@ -316,7 +316,7 @@ START_TEST(a_loaded_world_goes_on_with_the_same_bits)
     for (int m = 0; m < 4; m++) {
         tumble_world *w = world_of(_i, 0);
         go_on(w, 0, moment[m], false);
-        expect_same(w, _i, m == 2 ? 600 : 240, false);
+        expect_same(w, _i, m == 2 ? 240 : 60, false);
     }
 }
 END_TEST
@@ -325,7 +325,7 @@ START_TEST(also_where_all_bounces)
 {
     tumble_world *w = world_of(_i, 0.8);
     go_on(w, 0, 25, false);
-    expect_same(w, _i, 300, false);
+    expect_same(w, _i, 100, false);
 }
 END_TEST
 
@@ -351,14 +351,16 @@ START_TEST(what_spins_on_a_joint_goes_on_alike)
 }
 END_TEST
 
-// Some are pushed when they are saved.
+// Some are pushed when they are saved.  What spins on joints that are closed to
+// rings takes most of all substeps, and is saved once.
 START_TEST(bodies_come_and_go_and_are_pushed_alike)
 {
-    for (int k = 15; k < 200; k += 70) {
+    int last = MAKE[_i] == make_spinning ? 15 : 155;
+    for (int k = 15; k <= last; k += 70) {
         tumble_world *w = world_of(_i, 0.3);
         go_on(w, 0, k, true);
         touch(w, 8);
-        expect_same(w, _i, 240, true);
+        expect_same(w, _i, 60, true);
     }
 }
 END_TEST

@@ -89,7 +89,8 @@ check_wrong() {
     seconds=2
     awk -v most="${WRONGS:-0}" '{ line[NR] = $0 }
         END { if (!most || most > NR) most = NR
-              for (k = 1; k <= most; k++) print line[most > 1 ? 1 + int((k - 1) * (NR - 1) / (most - 1)) : 1] }' "$out/list" > "$out/tried"
+              apart = most == 1 ? 0 : (NR - 1) / (most - 1)
+              for (k = 0; k < most; k++) print line[1 + int(k * apart)] }' "$out/list" > "$out/tried"
     tried=$(wc -l < "$out/tried")
     while read -r number test told; do
         wrong=$out/wrong-$number.c
@@ -143,7 +144,7 @@ check() {
 prepare_all() {
     for name in "$@"; do load "$name" 2> /dev/null && library_parts && test_parts; done |
         sort -u > "$build/parts"
-    prepare "$(grep -v /check "$build/parts")" "$(grep /check "$build/parts")"
+    prepare "$(cat "$build/parts")"
 }
 
 # Every second exercise, from the one given on.

@@ -86,13 +86,13 @@ leave_it() { rm -f "$1/busy"; }
 # stub SOURCE: the source with the reader's functions emptied.
 stub() { awk -v empty="$empty" -v remove="$remove" -f exercises/cut.awk "$1"; }
 
-# What the reader's object is linked with: the line to the left of it, and the
-# tests with what they include.
+# What the reader's object is linked with: the line to the left of it, as it is
+# built anyway, and the tests with what they include, which have the sanitizers.
 library_parts() {
     for entry in $line; do
         part=${entry#*/}
         [ "$part" = "$module" ] && break
-        ls lib/*/"$part.c" > /dev/null 2>&1 && echo "$build/lib/$part.o"
+        ls lib/*/"$part.c" > /dev/null 2>&1 && echo "${BUILD:-build}/lib/$part.o"
         [ "$part" = "$after" ] && break
     done
     echo "$build/exercises/judge.o"
@@ -103,20 +103,24 @@ test_parts() {
     *)       echo "$build/${tests%.c}.o" ;;
     esac
     for header in $(sed -n 's/^#include "\(.*\)\.h"/\1/p' "$tests"); do
-        ls tests/*/"$header.c" > /dev/null 2>&1 && echo "$build/tests/$header.o"
+        for at in tests/*/"$header.h"; do
+            [ ! -f "${at%.h}.c" ] || echo "$build/tests/$header.o"
+        done
     done
 }
 
-# prepare LIBRARY_PARTS TEST_PARTS: builds those, with the Makefile's own rules, if
-# they are not up to date.  One command at a time does.
+# prepare PARTS: builds those, with the Makefile's own rules, if they are not up to
+# date: the library as it is for all, the tests with the sanitizers and the judge.
+# One command at a time does.
 prepare() {
-    flags="-O1 -g $sanitize"
     cores=$(nproc 2> /dev/null || echo 2)
+    plain=$(echo "$1" | grep -v "^$build/")
     until alone "$build"; do sleep 0.2; done
     # shellcheck disable=SC2086
-    MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="$build" CFLAGS="$flags" $1 > /dev/null &&
-    MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="$build" CFLAGS="$flags" \
-        CPPFLAGS='-D_XOPEN_SOURCE=700 -include exercises/judge.h' $2 > /dev/null
+    { [ -z "$plain" ] || MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="${BUILD:-build}" $plain > /dev/null; } &&
+    MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="$build" CFLAGS="-O1 -g $sanitize" \
+        CPPFLAGS='-D_XOPEN_SOURCE=700 -include exercises/judge.h' \
+        $(echo "$1" | grep "^$build/") > /dev/null
     prepared=$?
     leave_it "$build"
     return $prepared

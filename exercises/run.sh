@@ -46,7 +46,7 @@ exercise() {
     [ -f "$mine" ] || { begin; return 0; }
     alone "$out" || { echo "$name is being judged by another command: try again when that has ended." >&2; return 1; }
     trap 'leave_it "$out"' EXIT
-    prepare "$(library_parts)" "$(test_parts)" || { echo "$name: the tests could not be built, see above" >&2; return 1; }
+    prepare "$(library_parts; test_parts)" || { echo "$name: the tests could not be built, see above" >&2; return 1; }
     compile "$mine" || { echo; echo "$name: $mine does not compile: begin with the first error above."; return 1; }
     judge_fairly "$mine"
     case $? in

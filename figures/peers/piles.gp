@@ -52,7 +52,7 @@ set title "200 boxes thrown: deepest overlap"
 set xrange [0.15:30]
 set xtics ("0.3 ms" 0.3, "1 ms" 1, "3 ms" 3, "10 ms" 10, "30 ms" 30)
 plot for [m = 1:4] csv index m + 11 using 2:3 with linespoints pt mark[m] ps 0.85 lc rgb color[m] lw thick[m], \
-     for [m = 2:4] csv index m + 11 using 2:3:1 with labels font small textcolor rgb color[m] offset 0.9,up[m], \
+     for [m = 2:4] csv index m + 11 using (m == 4 && $1 == 10 ? NaN : $2):3:1 with labels font small textcolor rgb color[m] offset 0.9,up[m], \
      csv index 1 + 11 using ($1 == 16 || $1 == 2 ? NaN : $2):3:1 with labels font small textcolor rgb color[1] offset -1.6,0, \
      csv index 1 + 11 using ($1 == 16 ? $2 : NaN):3:1 with labels font small textcolor rgb color[1] offset 1.7,0
 unset multiplot

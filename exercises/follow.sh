@@ -58,9 +58,13 @@ states() {
 title_of() { sed -n '1s/^# [^:]*: //p' "$exercises/${1%%/*}-${1#*/}/README.md"; }
 
 # The chapters' files, in order; chapter NN, its file; file, its title.
-chapter_files() { for file in "$chapters"/[0-9][0-9]-*.md; do [ -f "$file" ] && echo "$file"; done; }
+chapter_files() { for file in "$chapters"/[0-9][0-9]*-*.md; do [ -f "$file" ] && echo "$file"; done | LC_ALL=C sort; }
 chapter_file() { chapter_files | grep "/$1-[^/]*\$"; }
-chapter_title() { sed -n '1s/^# [0-9]*\. //p' "$1"; }
+no_chapter() {
+    echo "There is no chapter $1: there are $(chapter_files | sed 's|.*/||; s/-.*//' | sed -n '1p; $p' | paste -s -d - | sed 's/-/ to /')." >&2
+    return 1
+}
+chapter_title() { sed -n '1s/^# [0-9]*[a-z]\{0,1\}\. //p' "$1"; }
 
 # next_of CHAPTER STATES: what to read or to write now, if it is that chapter
 # where the reader stands.
@@ -85,7 +89,7 @@ next_of() {
 # The end of `make NN`: the chapter's exercises, and what to do now.
 chapter() {
     file=$(chapter_file "$1")
-    [ -n "$file" ] || { echo "There is no chapter $1." >&2; return 1; }
+    [ -n "$file" ] || { no_chapter "$1"; return; }
     all=$(states)
     echo
     echo "Chapter $1, $(chapter_title "$file"): $file"

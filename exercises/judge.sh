@@ -16,22 +16,26 @@ exact=$(sed -n 's/^EXACT *:= *//p' Makefile)
 line=$(sed -n '/^define ORDER/,/^endef/p' Makefile | grep / | tr '\n' ' ')
 rooms=$(printf ' -I%s' lib lib/*/)
 
-# The line of the chapter that tells of exercise NN/name; nothing if none does.
+# The line of the chapter that tells of exercise NN/name, or of one of the chapters
+# NNb and NNc behind it, a million lines on for each; nothing if none does.
 told() {
-    for chapter in "$chapters/${1%%/*}"-*.md; do
-        [ -f "$chapter" ] && grep -n "make exercise $1\`" "$chapter" | sed 's/:.*//; q'
+    at=0
+    for chapter in "$chapters/${1%%/*}"*-*.md; do
+        [ -f "$chapter" ] && grep -n "make exercise $1\`" "$chapter" | sed 's/:.*//; q' |
+            { read -r place && echo $((at + place)); } && return
+        at=$((at + 1000000))
     done
 }
 
 # Every exercise, NN/name, in the order in which the chapters tell of them: from
 # the easy to the hard.
 names() {
-    for file in "$exercises"/[0-9][0-9]-*/exercise; do
+    for file in "$exercises"/[0-9][0-9]*-*/exercise; do
         [ -f "$file" ] || continue
         folder=${file%/exercise} folder=${folder##*/}
         name=${folder%%-*}/${folder#*-}
         place=$(told "$name")
-        echo "${folder%%-*} ${place:-99999} $name"
+        echo "${folder%%-*} ${place:-99999999} $name"
     done | sort -k 1,1 -k 2,2n -k 3 | sed 's/.* //'
 }
 

@@ -6,7 +6,7 @@
 #   sh exercises/run.sh solution NN/name      asks, then shows it
 #   sh exercises/run.sh reset NN/name         begin again; the old file is kept
 #   sh exercises/run.sh chapter NN            how its exercises stand, what is next
-#   sh exercises/run.sh progress              a bar for each chapter
+#   sh exercises/run.sh progress [NN]         a bar for each chapter, or as above
 #   sh exercises/run.sh counts MODULE         the reader's own module has passed its
 #                                             tests: so have its exercises
 #
@@ -112,22 +112,24 @@ case $command in
 counts) counts "$2"; exit ;;
 exercise|hint|solution|reset) ;;
 chapter) chapter "$2"; exit ;;
-progress) bars; exit ;;
+progress) if [ $# -gt 1 ]; then chapter "$2"; else bars; fi; exit ;;
 *) echo "run.sh: exercise, hint, solution or reset?" >&2; exit 2 ;;
 esac
 [ $# -le 2 ] || { echo "One exercise at a time." >&2; exit 2; }
 if [ $# -eq 1 ]; then
     list
-    [ "$command" = exercise ] || echo "Of which exercise?  For example:  make $command 01/step"
-    exit 0
+    [ "$command" = exercise ] && exit
+    echo "Of which exercise?  For example:  make $command 01/step" >&2
+    exit 2
 fi
 case $2 in
-[0-9][0-9])
+[0-9][0-9]|[0-9][0-9][a-z])
+    [ -n "$(chapter_file "$2")" ] || names | grep -q "^$2/" || no_chapter "$2" || exit
     names | grep -q "^$2/" || { echo "Chapter $2 has no exercises with tests."; exit 0; }
-    list "$2"
-    [ "$command" = exercise ] ||
-        echo "Of which exercise?  For example:  make $command $(names | grep -m 1 "^$2/")"
-    exit 0 ;;
+    list "$2/"
+    [ "$command" = exercise ] && exit
+    echo "Of which exercise?  For example:  make $command $(names | grep -m 1 "^$2/")" >&2
+    exit 2 ;;
 esac
 load "$2"
 case $? in

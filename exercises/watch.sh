@@ -9,15 +9,20 @@
 #
 # AGAIN: the make to run.  MINE, CC, BUILD: as in the Makefile.
 
-exercises=${EXERCISES:-exercises}
+. exercises/judge.sh
+. exercises/follow.sh
 chapter=${1%%/*}
 
+[ $# -le 1 ] || { echo "One chapter or exercise at a time." >&2; exit 2; }
 case $1 in
 '')  echo "Watch which chapter or exercise?  For example:  make watch 04, or  make watch 10/when" >&2; exit 2 ;;
 */*) places=$exercises/$chapter-${1#*/}
      [ -d "$places" ] || { echo "There is no exercise $1:  make exercise  lists them." >&2; exit 2; } ;;
-*)   places="lib tests figures $exercises $MINE" ;;
+*)   [ -n "$(chapter_file "$1")" ] || { no_chapter "$1"; exit 2; }
+     places="lib tests figures $exercises $MINE" ;;
 esac
+{ mkdir -p "$build" && [ -w "$build" ]; } 2> /dev/null ||
+    { echo "$build cannot be written, and what is watched is built there: is this folder yours?" >&2; exit 2; }
 
 stamp=$(mktemp) || exit 1
 trap 'rm -f "$stamp" "$stamp.next" "$stamp.goals"' EXIT

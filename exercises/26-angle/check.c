@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 10/angle.
+// check.c - tests of the exercise 26/angle.
 
 #include "angle.h"
 #include "suite.h"

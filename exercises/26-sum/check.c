@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 10/sum.
+// check.c - tests of the exercise 26/sum.
 
 #include "sum.h"
 #include "random.h"

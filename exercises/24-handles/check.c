@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 03/handles.
+// check.c - tests of the exercise 24/handles.
 
 #include "handles.h"
 #include "scarce.h"

@@ -1,4 +1,4 @@
-// check.c - tests of the exercise 10/side.
+// check.c - tests of the exercise 26/side.
 
 #include "side.h"
 #include "random.h"

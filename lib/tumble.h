@@ -70,6 +70,8 @@ tumble_quat tumble_from_matrix(const double m[9]);
 //<
 
 //> tumble-world
+//>   A world has options, and each says when to turn it up. Most programs need
+//>   none of them.
 // --- The world ---------------------------------------------------------------
 typedef struct {
     double dt;              // s, a step; 1e-9 to 1, 1/60
@@ -77,7 +79,9 @@ typedef struct {
                             // turn up if stacks are high, or heavy things lie
                             // on light ones
     int    most_substeps;   // a hard step takes more of them, up to this, 200;
-                            // one that is solved again, after its first ones
+                            // one that is solved again, after its first ones;
+                            // none takes more than 10000 in all: one that would
+                            // have more, for it is divided, is a failure
     tumble_vec3 gravity;    // m/s^2, (0, -9.81, 0)
     double friction;        // of bodies and planes that have none of their own
     double restitution;     // likewise; 0 to 1: speed after an impact / before
@@ -176,6 +180,8 @@ void tumble_run_on(tumble_world *w,
 //<
 
 //> tumble-shapes
+//>   Shapes are made once, from sizes in metres or from a file, and serve any
+//>   number of bodies.
 // --- Shapes ------------------------------------------------------------------
 // A shape belongs to its world, and is good for many bodies.  Mass (kg) is that
 // of one body, evenly filled; its origin is its centre of mass.
@@ -296,6 +302,8 @@ bool tumble_set_user(tumble_world *w, tumble_body b, void *user);
 //<
 
 //> tumble-vertices
+//>   What is drawn is asked for as vertices and triangles. Rope and cloth have
+//>   particles that can be pinned, pushed and measured one by one.
 // The vertices of a body, in the world: writes the first `most` of them, and
 // returns how many there are.
 int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
@@ -325,6 +333,8 @@ bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance);
 //<
 
 //> tumble-joints
+//>   Joints are made where the bodies stand (chapter 17). Each kind has a
+//>   function of its own, because each needs other arguments.
 // --- Joints ------------------------------------------------------------------
 // Between two rigid bodies, or a body and the world, which is the id
 // tumble_ground().  Bodies that are joined do not collide with each other.
@@ -373,6 +383,10 @@ double tumble_hinge_angle(const tumble_world *w, tumble_joint j);
 //<
 
 //> tumble-ask
+//>   A program asks what is where in four ways, and one query answers all of
+//>   them: the distance of chapter 04. A ray is a point that moves (chapter 15,
+//>   *Rays*). A point or a shape that stands still needs only its distance from
+//>   each body.
 // --- What is where -----------------------------------------------------------
 // Only bodies with a bit of their group in `mask` are asked (~0u: all), and
 // planes, whose id is tumble_ground().  Rope and cloth are not.
@@ -404,6 +418,8 @@ bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
 //<
 
 //> tumble-contacts
+//>   A game wants to know what touches, and above all what has *begun* to
+//>   touch.
 // --- Who touches whom --------------------------------------------------------
 enum { TUMBLE_POINTS = 4 };
 
@@ -431,6 +447,8 @@ int tumble_events(tumble_world *w, tumble_event *out, int most);
 //<
 
 //> tumble-draw
+//>   The last part is for the moment when something goes wrong: lines for all
+//>   that the engine knows, to be drawn over the picture.
 // --- Drawing -----------------------------------------------------------------
 // What a program's window draws with; a function may be NULL.
 typedef struct {

@@ -1,4 +1,6 @@
 //> inline
+//>   Much of what such a loop decides is known when its caller is compiled. Put
+//>   into the caller, the loop loses these branches.
 // inline.h - what a compiler makes a part of every caller, and what of none.
 //
 // Book: chapter 12.

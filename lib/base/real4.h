@@ -18,6 +18,7 @@ enum { REAL4 = 4 };
 //<
 
 //> real4-plain
+//>   Four numbers with an operation for each need, as a loop.
 #if !defined(__GNUC__) || defined(TUMBLE_PLAIN_REAL4)
 typedef struct {
     real x[REAL4];
@@ -94,6 +95,8 @@ static inline void real4_scatter2(real *const to[REAL4], int k, real4 even,
 //<
 
 //> real4-vectors
+//>   The same as two registers, with the same bits
+//>   (`four_at_once_are_the_bits_of_each_alone_in_both_forms`).
 #else
 // Two registers of 16 bytes, which every x86-64 and every 64-bit ARM has.
 typedef real real2 __attribute__((vector_size(16)));
@@ -202,6 +205,7 @@ static inline void real4_scatter2(real *const to[REAL4], int k, real4 even,
 //<
 
 //> real4-sums
+//>   Sums and dot products of them.
 static inline real4 real4_all(real s)
 {
     return real4_make(s, s, s, s);
@@ -246,5 +250,6 @@ static inline void real4_set3(real4 to[3], int l, vec3 a)
 //<
 
 //> real4-end
+//>   The header ends.
 #endif
 //<

@@ -1,4 +1,6 @@
 //> store-head-of-bytes
+//>   The head of the bytes: a number that no other file has, the version, the
+//>   length, and a checksum.
 #include "store.h"
 #include "table.h"
 
@@ -44,6 +46,8 @@ static head head_of(const char *version)
 //<
 
 //> store-to
+//>   Writing counts first and copies second, so that a program can ask how many
+//>   bytes it needs.
 void store_fail(store *s, status why)
 {
     if (s->done.ok) s->done = why;
@@ -71,6 +75,8 @@ size_t store_end(store *s)
 //<
 
 //> store-from
+//>   Reading believes nothing: a head that is wrong, a sum that is wrong, a
+//>   length that is too long are each refused with a sentence.
 static status check_head(const char *from, size_t size, const char *version)
 {
     head h, wanted = head_of(version);
@@ -99,6 +105,8 @@ store store_from(const void *from, size_t size, const char *version)
 //<
 
 //> store-bytes
+//>   One function moves bytes, whichever way they go. Where both ways must
+//>   agree on a number, it compares them.
 static void put(store *s, const void *data, size_t n)
 {
     if (n > 0 && s->used + n <= s->room) memcpy(s->into + s->used, data, n);
@@ -140,6 +148,8 @@ void store_memory(store *s, void *data, size_t n)
 //<
 
 //> store-forget
+//>   What has been read is remembered in a list, so that it can be freed if the
+//>   rest cannot be read.
 void store_enter(store *s)
 {
     assert(s->depth < STORE_DEPTH);
@@ -216,6 +226,7 @@ void store_room(store *s, void *array, int room, size_t size)
 //<
 
 //> store-pointer
+//>   A pointer to a thing that was stored becomes the number of the thing.
 // The number of the thing at this address; -1 if it is none.
 static int number_of(store *s, const void *thing)
 {

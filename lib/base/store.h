@@ -42,6 +42,8 @@ typedef struct {
 //<
 
 //> store-declare
+//>   Every function works in both directions. Which one it is, only the store
+//>   knows.
 // Bytes of this version, to be written to `room` bytes at `into`.
 store  store_to(void *into, size_t room, const char *version);
 // They are complete: returns how many they are.  They are good if so many had
@@ -84,5 +86,6 @@ void store_fail(store *s, status why);
 //<
 
 //> store-end-of-header
+//>   The header ends.
 #endif
 //<

@@ -1,4 +1,5 @@
 //> table
+//>   A world may get more bodies at any time, so its tables grow.
 // table.h - arrays that grow with a world.
 //
 // Book: chapter 13.

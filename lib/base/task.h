@@ -1,4 +1,7 @@
 //> task-head
+//>   Blocks of a colour do not touch each other's bodies, so any thread may
+//>   solve any of them, at any time: the bits are the same
+//>   (`any_order_of_the_work_gives_the_same_bits`).
 // task.h - work on n items, which the caller may hand to several threads.
 //
 // Paper: not asked.  Book: chapter 18.

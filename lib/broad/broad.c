@@ -1,4 +1,6 @@
 //> broad-init
+//>   Memory comes next. The arrays double when bodies are added, so that a
+//>   world to which bodies come one by one does not copy all of them each time.
 #include "broad.h"
 #include "table.h"
 
@@ -121,6 +123,7 @@ static void find_ends(broad *s, const sphere *ball)
 //<
 
 //> broad-sort
+//>   Ends are sorted by insertion; from frame to frame little has changed.
 static int is_left_of(const broad *s, int a, int b)
 {
     return s->low[a] < s->low[b] || (s->low[a] == s->low[b] && a < b);
@@ -201,6 +204,9 @@ static int lane_of(real x, real low, real per_metre, int lanes)
 //<
 
 //> broad-divide
+//>   The lanes are chosen so that a ball stands in four of them at most, on
+//>   average. Few bodies need no lanes: below four hundred it takes longer to
+//>   lay them out than to walk down one line.
 // Into which lanes does each ball reach?  One that is not finite, into all.
 // Returns how many places they take together.
 static real find_reach(broad *s, const sphere *ball, const spread along[2])
@@ -245,6 +251,9 @@ static void divide(broad *s, const sphere *ball)
 //<
 
 //> broad-line
+//>   The lanes need not be sorted. A walk down the sorted line that sends each
+//>   body to its lanes leaves every lane sorted. The balls are copied in the
+//>   order of their lane, so that the sweep reads memory from front to back.
 // How many stand in each lane, as of two further on; then where each lane, as
 // of one further on, begins.  Laying out moves that to its end, which is where
 // the next one begins.
@@ -390,6 +399,8 @@ static void sort_pairs(broad *s, int (*pair)[2])
 //<
 
 //> broad-all
+//>   The paper's way is short, and hard to get wrong. It is the oracle of the
+//>   tests.
 int broad_pairs_all(const sphere *ball, const char *moves, int bodies,
                     int (*out)[2], int capacity)
 {

@@ -1,4 +1,6 @@
 //> broad-head
+//>   One struct holds what is kept from frame to frame, which is only the
+//>   order, and the arrays that each call fills again.
 // broad.h - which bodies may meet?  Sorted, instead of every pair.
 //
 // Paper: section 5 tests every pair.  Sweep and prune after Baraff (1992).
@@ -42,6 +44,8 @@ typedef struct broad {
 //<
 
 //> broad-declare
+//>   Two functions give the same answer in different times, so that one can
+//>   test the other.
 // For that many bodies, >= 0.  Fails, leaving *s empty, if memory is refused.
 status broad_init(broad *s, int bodies);
 // For more of them, if there were fewer.  Fails, changing nothing.

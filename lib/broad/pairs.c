@@ -1,4 +1,6 @@
 //> pairs-holds
+//>   Does the list still hold? That takes one distance a body. The comparison
+//>   is again written with a *not*, so that a body at NaN makes a new list.
 #include "pairs.h"
 #include "table.h"
 
@@ -99,6 +101,8 @@ void pair_list_renew(pair_list *l, int b)
 //<
 
 //> pairs-init
+//>   The rest is memory. The list of pairs grows by half when it is too short,
+//>   and keeps nothing, because it is about to be made again.
 status pair_list_init(pair_list *l, int bodies)
 {
     *l = (pair_list){ .bodies = 0 };

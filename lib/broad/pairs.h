@@ -1,4 +1,6 @@
 //> pairs-head
+//>   What is asked and what is kept are two structs, because the question
+//>   belongs to the caller and changes in every frame.
 // pairs.h - which bodies may meet in this frame, as long as the answer holds.
 //
 // Paper: section 5.2 tests every pair of spheres.  Book: chapter 14.
@@ -40,6 +42,8 @@ typedef struct {
 //<
 
 //> pairs-declare
+//>   One function answers. It says whether the list is a new one, because
+//>   tables that go along with the pairs must follow it.
 // For that many bodies.  Fails, leaving *l empty, for want of memory.
 status pair_list_init(pair_list *l, int bodies);
 // For more of them, if there were fewer.  Fails, changing nothing.

@@ -1,4 +1,5 @@
 //> cache-update
+//>   An update has six rounds, which the next pieces of code take in turn.
 #include "cache.h"
 #include "table.h"
 
@@ -36,6 +37,7 @@ void cache_update(contact_cache *c, const cache_frame *f)
 //<
 
 //> cache-follow
+//>   Both lists of pairs are sorted, so one walk hands on what is kept.
 static void release(contact_cache *c, cache_pair *p)
 {
     if (p->entry < 0) return;
@@ -97,6 +99,8 @@ static void follow_lists(contact_cache *c, const cache_frame *f)
 //<
 
 //> cache-decide
+//>   A pair is asked again when one of its bodies has been placed again, or may
+//>   get further than the answer looked ahead.
 // m, how far a body may be from where it was placed, while it counts as there.
 // One that goes further than that in this frame is placed again in each.
 static real slack_of_body(const cache_frame *f, int b)
@@ -175,6 +179,9 @@ static void decide_chunk(void *data, int item)
 //<
 
 //> cache-place
+//>   A body's vertices are *placed*, computed from its frame, only when it has
+//>   gone further than `stay` of its radius, or, on fewer than four points, has
+//>   turned by a sixth of that.
 // m, how far a corner, which has coordinates of up to two, may be from where it
 // was when the vertices were placed.  As long as bodies only move, all gaps of a
 // contact change alike, and its points stay the deepest.  When a body turns that
@@ -216,6 +223,7 @@ static void place_chunk(void *data, int item)
 //<
 
 //> cache-entries
+//>   One thread hands out entries for the answers, in the order of the pairs.
 // An entry for whatever is asked: -1 where memory is refused.
 static int new_entry(contact_cache *c)
 {
@@ -264,6 +272,8 @@ static void make_entries(contact_cache *c)
 //<
 
 //> cache-point
+//>   An answer names features of the two shapes. As a contact it is a point on
+//>   each body, in coordinates of its four particles.
 // Coordinates, in the frame of the four particles, of a point of a feature.
 static vec3 local_of(const rigid4 *r, const feature_point *f)
 {
@@ -292,6 +302,8 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
 //<
 
 //> cache-guard
+//>   What is fast or spins gets one point more, the *guard* of chapter 15, at
+//>   the centre of the smaller body.
 // A bullet is stopped at one point.  The rest of it would turn about that, and
 // be through before the next frame asks.  So the ball inside the smaller body
 // is kept in front of the plane of touch as well: a second point, its middle.
@@ -319,6 +331,8 @@ static const real SPINS = 0.5;
 //<
 
 //> cache-query
+//>   Slow bodies are asked where they touch (chapters 10 and 11), fast ones
+//>   when they first touch (chapter 15).
 // Bodies that pass each other by more than the smaller one's inner radius in a
 // frame may be lost to each other: they are asked when they first touch.
 static bool is_fast(const cache_frame *f, int a, int b)
@@ -387,6 +401,7 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
 //<
 
 //> cache-pair
+//>   The answer goes into its entry, and inherits the impulses of the last one.
 static collider placed_body(const contact_cache *c, const cache_frame *f, int b)
 {
     const struct placing *p = &c->placing[b];
@@ -423,6 +438,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 //<
 
 //> cache-walls
+//>   A plane needs no search: the lowest vertices of a body are its contact.
 // Of the vertices of a body near a plane, the four lowest.  Of several at one
 // height, as the rim of a cylinder that stands, those that span the most: the
 // first, the one farthest from it, the one farthest from their line, and the
@@ -509,6 +525,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 //<
 
 //> cache-near
+//>   Is a contact nearer than its margin?
 static real paths_of(const contact_cache *c, int a, int b)
 {
     return c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);
@@ -530,6 +547,7 @@ static void activate(const contact_cache *c, const cache_frame *f,
 //<
 
 //> cache-query-all
+//>   All threads ask. None writes where another reads.
 static void query_chunk(void *data, int item)
 {
     const update *u = data;
@@ -550,6 +568,7 @@ static void query_chunk(void *data, int item)
 //<
 
 //> cache-active
+//>   The others are gathered in the order of the pairs.
 static void gather(contact_cache *c, cache_pair *p)
 {
     if (!p->is_active) return;
@@ -614,6 +633,7 @@ void cache_moved(contact_cache *c, int b, real way)
 //<
 
 //> cache-init
+//>   Memory for contacts, made and given back.
 status cache_init(contact_cache *c, const cache_body *body, int bodies)
 {
     *c = (contact_cache){ .free_entry = -1 };

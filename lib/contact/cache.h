@@ -1,4 +1,5 @@
 //> cache-head
+//>   This is what the cache reads of a body.
 // cache.h - the contacts of rigid bodies, from frame to frame.
 //
 // Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 18.
@@ -39,6 +40,8 @@ typedef struct {
 //<
 
 //> cache-struct
+//>   And this is what it keeps of a pair: the last answer, and until when it is
+//>   good.
 // What is kept of a pair, or of a body and a plane: small, for it is read in
 // every frame.
 typedef struct {

@@ -1,4 +1,5 @@
 //> contact-gaps
+//>   The gap of each point, where its bodies are now.
 #include "contact.h"
 
 #include <stddef.h>
@@ -28,6 +29,8 @@ void contact_gaps(const contact *c, const rigid_frame *a, const rigid_frame *b,
 //<
 
 //> contact-arms
+//>   A ball that rolls touches with another point in every moment. So a round
+//>   body keeps the point of its core, and impulses act a radius away from it.
 static vec3 arm_at(const rigid_frame *f, vec3 local)
 {
     return vec3_add_scaled(vec3_add_scaled(vec3_scale(local.x, f->axis[0]),
@@ -53,6 +56,8 @@ contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
 //<
 
 //> contact-load
+//>   In the next frame a contact may have other points. Each old point hands
+//>   its impulse to the new point nearest to it.
 real contact_load(const contact *c)
 {
     real sum = 0;
@@ -62,6 +67,8 @@ real contact_load(const contact *c)
 //<
 
 //> contact-inherit
+//>   A point takes over the impulses of the point that was nearest to it in the
+//>   frame before.
 static int nearest_point(const contact *c, vec3 local)
 {
     int best = 0;

@@ -40,6 +40,8 @@ typedef struct {
 //<
 
 //> contact-declare
+//>   What a frame asks of contacts: their gaps, their arms, and what they
+//>   inherit.
 static inline int contact_with_plane(int number)
 {
     return -1 - number;
@@ -82,5 +84,6 @@ static inline void contact_expect(const contact *c)
 //<
 
 //> contact-end-of-header
+//>   The header ends.
 #endif
 //<

@@ -1,4 +1,6 @@
 //> material
+//>   Where two materials meet, friction is the root of the product of their
+//>   coefficients, as is usual, and restitution the larger of the two.
 // material.h - what a body is made of, as far as contacts ask.
 //
 // Paper: no friction.  Book: chapter 13.

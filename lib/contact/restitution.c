@@ -1,4 +1,6 @@
 //> restitution
+//>   An impact that is passed on is one more impact. In Newton's cradle the
+//>   first round goes through the whole row.
 #include "restitution.h"
 
 #include <assert.h>
@@ -128,6 +130,7 @@ static real strike(const impact_solver *s, const contact *c)
 //<
 
 //> restitution-slowest
+//>   The slowest part of a step that all impacts share.
 static real slowest_of(const impact_solver *s, const contact *c)
 {
     real radius = s->f->body[c->a].radius;
@@ -163,6 +166,7 @@ static bool meets_fast(const impact_solver *s, impact *x, real slowest)
 //<
 
 //> restitution-row
+//>   An impact as a row: its direction, and what it does to both bodies.
 static void set_turns(impact_row *r, const impact_pair *p, int side,
                       vec3 moment)
 {
@@ -440,6 +444,7 @@ static void push_apart(impact *x, real restitution)
 //<
 
 //> restitution-friction
+//>   Friction comes last: whatever it takes, it takes from the energy.
 // Where friction acts: at the mean of the points, weighted by their impulses.
 // Returns the sum of these.
 static real center_of(const impact *x, vec3 arm[BODIES])

@@ -46,5 +46,6 @@ real restitution_slowest(real radius, real gravity, real h);
 //<
 
 //> restitution-end-of-header
+//>   The header ends.
 #endif
 //<

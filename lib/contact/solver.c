@@ -1,4 +1,5 @@
 //> solver-active
+//>   Which contacts take part, and in which order.
 #include "solver.h"
 #include "table.h"
 
@@ -68,6 +69,8 @@ static bool is_same(const active_contact *x, const active_contact *y)
 //<
 
 //> solver-color
+//>   The 64 colours of a body are 64 bits. Contacts that find none free, on a
+//>   table with a hundred cups, stand one in a block.
 // The lowest colour that neither body has yet; the last is for all that find
 // none.
 static void choose_color(contact_solver *s, active_contact *x)
@@ -128,6 +131,8 @@ static void list_colors(contact_solver *s, const int end[BINS])
 //<
 
 //> solver-lane
+//>   Now the blocks are made. A contact whose A does not move is turned round,
+//>   so that A always moves.
 // A contact on its way into a lane of a block, turned so that A moves.
 typedef struct {
     int  a, b;
@@ -499,6 +504,8 @@ static void fill_chunk(void *data, int item)
 //<
 
 //> solver-keep
+//>   While a heap lies still its contacts are kept (chapter 18), and so are
+//>   their blocks. Only the gaps are new.
 // Are these the contacts of the frame before, with the same points?  Then their
 // blocks, made for where the bodies stood when they were found, are good still.
 static bool may_keep_blocks(const contact_solver *s, const solver_frame *f)
@@ -632,6 +639,7 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
 //<
 
 //> solver-sides
+//>   Compare the passes with the plain solver, line by line.
 // Six numbers of four bodies: three of the centre, three turns.
 ALWAYS_INLINE void gather(const motion *m, const int body[REAL4],
                           real4 to[MOTIONS])
@@ -814,6 +822,7 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
 //<
 
 //> solver-see
+//>   What a caller may look at.
 ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 {
     sides4 d = take_sides(k, q->moved, two);
@@ -827,6 +836,8 @@ ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 //<
 
 //> solver-relax
+//>   Where bodies bounce, the relax pass leaves a point alone that is open and
+//>   closes fast: it will have an impact (chapter 15).
 // How fast the points part, and 0 for those that an impact may part in the next
 // substep: they are open, have not pushed, and close fast.
 static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
@@ -880,6 +891,7 @@ ALWAYS_INLINE void relax_to_impacts(block *k, const pass *q, bool two)
 //<
 
 //> solver-warm
+//>   Warm start: the impulses of the last substep act again.
 ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
 {
     sides4 u = take_sides(k, q->velocity, two);
@@ -973,6 +985,9 @@ void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
 //<
 
 //> solver-begin
+//>   Only in the first substep of a frame does every contact warm-start by
+//>   itself. In the others, what they did to a body in the last substep is
+//>   added at once.
 // In the first substep the contacts push one by one; in the others each body
 // gets at once what its contacts did to it in the last: s->before.
 void solver_begin(contact_solver *s, const solver_frame *f, motion *velocity,
@@ -998,6 +1013,7 @@ void solver_end(contact_solver *s, const motion *velocity)
 //<
 
 //> solver-store
+//>   The impulses go back to the contacts that they came from.
 static void clear_impulses(contact *c)
 {
     for (int j = 0; j < c->count; j++) c->impulse[j] = 0;
@@ -1063,9 +1079,20 @@ void solver_store(contact_solver *s, tasks run, contact *const *table)
     tasks_run(run, clear_chunk, &q, task_chunks(s->contacts));
     tasks_run(run, store_chunk, &q, task_chunks(s->blocks));
 }
+
+// Blocks are not good for the next frame, either.
+void solver_forget(contact_solver *s, contact *const *table)
+{
+    for (int k = 0; k < s->contacts; k++) {
+        clear_impulses(table[k]);
+        s->active[k].load = 0;
+    }
+    s->known = -1;
+}
 //<
 
 //> solver-init
+//>   Memory: made once, grown between frames, given back.
 status solver_init(contact_solver *s, int bodies)
 {
     *s = (contact_solver){ .bodies = 0 };

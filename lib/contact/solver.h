@@ -1,4 +1,7 @@
 //> solver-head
+//>   A **block** holds four contacts that share no body: otherwise two lanes
+//>   would read the same velocity, and the second would overwrite what the
+//>   first has written.
 // solver.h - the impulses of all contacts at once.
 //
 // Paper: section 6.1 parts one pair after the other, once a step.  Here:
@@ -108,6 +111,10 @@ typedef struct {
 //<
 
 //> solver-struct
+//>   So the contacts are *coloured*. Each takes the lowest colour that neither
+//>   of its bodies has yet, and any four of one colour make a block. What does
+//>   not move cannot be overwritten; contacts with it have colours of their
+//>   own, and come last.
 // Blocks of one colour share no body, so that they may be solved in any order,
 // or at once.  Contacts with what does not move have colours of their own, and
 // come last: what is immovable has the last word.
@@ -205,8 +212,12 @@ void solver_end(contact_solver *s, const motion *velocity);
 // Writes the impulses of the last substep to the contacts that were prepared,
 // and their loads to s->active.
 void solver_store(contact_solver *s, tasks run, contact *const *table);
+
+// After it: these impulses did not solve the frame, and are not kept.
+void solver_forget(contact_solver *s, contact *const *table);
 //<
 
 //> solver-end
+//>   The header ends.
 #endif
 //<

@@ -1,4 +1,6 @@
 //> joint-check
+//>   A plan is checked before anything is changed, and a refusal is a sentence
+//>   that names the number.
 #include "joint.h"
 
 #include <stddef.h>
@@ -29,6 +31,8 @@ status joint_check(const joint_plan *p)
 //<
 
 //> joint-make
+//>   To make the joint, points and axes are put into the coordinates of both
+//>   bodies. As it is made, no joint has an error.
 const rigid_frame JOINT_WORLD = {
     { 0, 0, 0 }, { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }
 };
@@ -82,6 +86,9 @@ joint joint_make(const joint_plan *p, const rigid_frame *a,
 //<
 
 //> joint-angle
+//>   A hinge with a limit needs to know its angle. The arctangent of the C
+//>   library has other last digits on another machine. So we compute our own,
+//>   with a few divisions and roots.
 // arctan x for |x| <= 1.  tan(t/2) = tan t / (1 + sqrt(1 + tan^2 t)), three
 // times: what is left is below 0.1, and its series is good to rounding.
 static real arctan(real x)
@@ -111,6 +118,8 @@ real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b)
 //<
 
 //> joint-errors
+//>   Here are the errors, in a few lines each. They are the formulas of the
+//>   idea, for bodies that stand anywhere.
 void joint_points(const joint *j, const rigid_frame *a, const rigid_frame *b,
                   vec3 *on_a, vec3 *on_b)
 {
@@ -261,6 +270,9 @@ void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
 //<
 
 //> joint-small
+//>   This is Cholesky's root of a small matrix. It needs sums and products, and
+//>   one division and one square root a row. If no body can move along a row,
+//>   its division would be by zero, and the row is left out.
 void small_factor(int n, real m[JOINT_ROWS][JOINT_ROWS])
 {
     for (int i = 0; i < n; i++) {

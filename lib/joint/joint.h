@@ -1,4 +1,6 @@
 //> joint-head
+//>   A joint is made where the bodies stand, from a point and an axis in the
+//>   world's coordinates. This is the plan of one.
 // joint.h - what holds two rigid bodies together, as rows of a Jacobian.
 //
 // Paper: not asked.  Book: chapter 17.
@@ -34,6 +36,9 @@ typedef struct {
 //<
 
 //> joint-struct
+//>   It is kept in the coordinates of each of its bodies, because these do not
+//>   change when the bodies move. The impulse of each row is kept as well, for
+//>   the warm start.
 enum { JOINT_ROWS = 6, JOINT_AXES = 3 };
 
 // Points and axes are kept as what they are to their bodies: coordinates in the
@@ -88,6 +93,8 @@ typedef struct {
 //<
 
 //> joint-declare
+//>   The functions of a joint know two bodies and no world, so that a test can
+//>   hold one joint in its hand.
 // Fails, with a sentence, if numbers are not finite, a hinge's axis has no
 // direction, a distance has least > most or less than 0, or the kind is none.
 status joint_check(const joint_plan *plan);
@@ -118,6 +125,8 @@ void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
 //<
 
 //> joint-small-declare
+//>   Each joint is a small linear system, and so is each body of a tree. Three
+//>   functions solve both.
 // A symmetric, positive matrix of n <= JOINT_ROWS rows becomes L with L L^T =
 // the matrix (Cholesky), with 1/L_ii on its diagonal.  Only the lower triangle
 // is read and written.  A row that nothing answers is left out.

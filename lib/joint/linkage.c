@@ -1,4 +1,7 @@
 //> linkage-add
+//>   Joints come and go between frames. The place of one that has gone is used
+//>   again: a program may add and remove joints for hours, and needs no more
+//>   memory. Joined bodies are taken out of the list of pairs that may meet.
 #include "linkage.h"
 #include "table.h"
 
@@ -142,6 +145,8 @@ int linkage_drop_pairs(linkage *l, int (*pair)[2], int n)
 //<
 
 //> linkage-sides
+//>   Where do bodies stand now, and where will they be at the end of the
+//>   substep? Both are one question, with a different time.
 static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
 
 static const motion_basis *basis_of(const solver_frame *f, int b)
@@ -170,6 +175,8 @@ static joint_side side_of(const linkage_pass *q, int b, real seconds)
 //<
 
 //> linkage-apply
+//>   A row gives a speed, and takes an impulse. Both walk over the six numbers
+//>   of each body's motion.
 static real speed_of(const linkage_pass *q, const real row[MOTIONS], int b)
 {
     real sum = 0;
@@ -205,6 +212,9 @@ static real speed_of_row(const linkage_pass *q, const joint *j,
 //<
 
 //> linkage-want
+//>   Before the bodies move, the impulses must close the gap at the end of the
+//>   substep. After the move they must stop the relative speed. Only what is
+//>   wanted differs, so it is an argument of all that follows.
 // How fast a joint's errors must change.  A body that turns takes a point along
 // an arc: where the points will be at the end of the substep is looked up.
 //
@@ -240,6 +250,9 @@ typedef void wanting(const linkage_pass *q, const joint *j,
 //<
 
 //> linkage-alone
+//>   A joint can be solved by itself, as in the exercise of chapter 13. This is
+//>   the plain form. Joints that close a ring are solved like this, and with
+//>   `is_plain` all are, to measure what the trees are worth.
 // A unit impulse along row k moves the bodies along row l by K_kl.
 static real coupling(const linkage_pass *q, const joint *j,
                      const joint_rows *r, int k, int l)
@@ -289,6 +302,8 @@ static void solve_alone(const linkage_pass *q, joint *j, joint_rows *r,
 //<
 
 //> linkage-limit
+//>   The active set changes here: a limit that pulls is dropped, and a limit
+//>   that is passed is added.
 // A limit only pushes, as a contact does.  While it does it is one row more;
 // where it would pull, or is not reached, it is none.  Returns whether that has
 // changed.
@@ -344,12 +359,20 @@ static void add_branch(linkage *l, int b, int k)
     l->body[b].one ^= k;    // when one is left, it stands here
 }
 
-// A joint that would close a ring stands alone.
+// What is driven goes its way, whatever pulls it.
+static bool yields(const solver_frame *f, int b)
+{
+    return moves(f, b) && !f->body[b].is_driven;
+}
+
+// A joint that would close a ring stands alone.  One of which neither end yields
+// has nothing to move: its impulses would grow in every substep.
 static joint_role choose_role(linkage *l, const linkage_pass *q, int k)
 {
     const joint *j = &l->joint[k];
     bool moves_a = moves(q->f, j->a), moves_b = moves(q->f, j->b);
-    if (!holds(j) || j->kind == JOINT_PIN || (!moves_a && !moves_b))
+    if (!holds(j) || j->kind == JOINT_PIN
+        || (!yields(q->f, j->a) && !yields(q->f, j->b)))
         return JOINT_IDLE;
     if (l->is_plain) return JOINT_ALONE;
     if (!moves_a || !moves_b) return JOINT_ANCHOR;
@@ -473,6 +496,9 @@ static void factor_trees(linkage *l, const linkage_pass *q)
 //<
 
 //> linkage-solve
+//>   And here are the two walks. The velocities that they find are not given to
+//>   the bodies. Only the impulses are, each to A and its opposite to B, so
+//>   momentum stays to rounding, however inexact the matrices are.
 // drive += rows^T impulse; and speed -= rows velocity.
 static void drive_by(real drive[MOTIONS], const joint_rows *r,
                      real (*row)[MOTIONS], const real *impulse)
@@ -570,6 +596,9 @@ static void solve_trees(linkage *l, const linkage_pass *q, wanting *what)
 //<
 
 //> linkage-pass
+//>   The parts come together in four functions, one for each moment of a
+//>   substep. Joints that stand alone go first, in an order that turns round
+//>   every time; then come the trees, which hold best.
 // By how much (m) the points are not where they should be.
 static real apart(const joint *j, const joint_rows *r)
 {
@@ -668,8 +697,11 @@ static void remember(const joint *j, joint_rows *r)
 
 void linkage_forget_impulses(linkage *l)
 {
-    for (int k = 0; k < l->count; k++)
-        memset(l->joint[k].impulse, 0, sizeof l->joint[k].impulse);
+    for (int k = 0; k < l->count; k++) {
+        joint *j = &l->joint[k];
+        memset(j->impulse, 0, sizeof j->impulse);
+        if (!(j->force < HUGE_VAL)) j->force = 0;
+    }
 }
 
 void linkage_rewind(linkage *l)
@@ -723,6 +755,8 @@ void linkage_push(linkage *l, const linkage_pass *q)
 //<
 
 //> linkage-break
+//>   After the substep each joint knows its force. It says how fast its bodies
+//>   swing, and breaks if the force is too great.
 static real force_of(const joint *j, real h)
 {
     const real *p = j->impulse;

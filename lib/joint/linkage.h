@@ -1,4 +1,5 @@
 //> linkage-head
+//>   One module holds all joints of a world, and the trees that they form.
 // linkage.h - all joints of a world, and the impulses that hold them.
 //
 // Paper: not asked.  Here: chains and trees of bodies at once (Baraff 1996),
@@ -13,6 +14,8 @@
 //<
 
 //> linkage-struct
+//>   Each body that is joined has a small record: the mass matrix of itself and
+//>   all that hangs on it, and what it needs while its tree is found.
 // Does a joint hang by itself on the world, or join two bodies of a tree?  All
 // others are solved one after the other.
 typedef enum { JOINT_IDLE, JOINT_ALONE, JOINT_ANCHOR, JOINT_BRANCH } joint_role;
@@ -56,6 +59,8 @@ typedef struct {
 //<
 
 //> linkage-declare
+//>   The order of a substep is written into the declarations: warm start, push,
+//>   move, relax.
 // A zeroed one is empty.
 void linkage_free(linkage *l);
 
@@ -100,7 +105,8 @@ typedef struct {
 void linkage_prepare(linkage *l, const linkage_pass *q);
 
 // The next frame starts cold: after one in which numbers were lost.  Impulses
-// that are none would stop the bodies again, in every frame to come.
+// that are none would stop the bodies again, in every frame to come.  A force
+// that is no number is 0.
 void linkage_forget_impulses(linkage *l);
 
 // Undoes what the joints did in this frame, which is to be prepared again.

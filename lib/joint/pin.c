@@ -1,4 +1,6 @@
 //> pin-meet
+//>   One exact impulse brings the particle to its place on the body, as a ball
+//>   joint would.
 #include "pin.h"
 
 static particle *particle_of(const soft_frame *f, const joint *j)
@@ -72,6 +74,9 @@ static void meet(const soft_frame *f, joint *j)
 //<
 
 //> pin-weigh
+//>   While strands are solved the particle gets the inverse mass of both
+//>   together; afterwards it gets its own again, and the body its share of the
+//>   impulse.
 // Together a particle and a body are as hard to move as the sum of what they
 // weigh.  A point of a body weighs least along some direction; at least so much
 // it weighs along all.  What cannot be moved is taken for a million particles.

@@ -1,4 +1,6 @@
 //> pin-head
+//>   A pin joins a particle to a body. It has two moments: before the strands
+//>   are solved, and after.
 // pin.h - a particle of a rope or a cloth that is tied to a rigid body.
 //
 // Book: chapter 17.

@@ -216,6 +216,8 @@ static void expand(polytope *p, int closest, corner w)
 //<
 
 //> hit-face-answer
+//>   What the hit face says: the normal from B to A, the depth, and the
+//>   features with their weights.
 static hit_result result_of(const polytope *p, const corner *c, const real *w,
                             int count)
 {

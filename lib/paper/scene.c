@@ -1,4 +1,5 @@
 //> scene-lists
+//>   A scene grows as it is added to, and owns what it is given.
 // scene.c - what a simulation starts from, and the paper's three experiments.
 #include "scene.h"
 
@@ -32,6 +33,9 @@ static void *grown(void *list, int count, size_t size)
 //<
 
 //> scene-add
+//>   What is added is checked first. A body on axes that are not perpendicular
+//>   would be bent from its first moment on; a body too far from the origin
+//>   would have no digits left for its sticks.
 status scene_add_shape(scene *s, shape *moved)
 {
     shape *more = grown(s->shape, s->shapes, sizeof *more);
@@ -103,6 +107,7 @@ status scene_add_pin(scene *s, int body, int pinned)
 //<
 
 //> scene-read
+//>   A scene is built from a description.
 placement placement_at(vec3 position)
 {
     return (placement){ .position = position, .x = { 1, 0, 0 },
@@ -141,6 +146,8 @@ vec3 scene_velocity(const scene *s, int body, int i)
 //<
 
 //> scene-options
+//>   The options are held to their ranges, and then one of three builders
+//>   begins.
 const char *scene_name(scene_kind kind)
 {
     static const char *const name[SCENES] = {
@@ -197,6 +204,8 @@ status scene_build(scene *s, scene_kind kind, scene_options what)
 //<
 
 //> scene-random
+//>   Where the bodies are thrown from is left to chance, but to the same chance
+//>   everywhere: a seed gives the same room on every machine.
 // SplitMix64 (Steele, Lea, Flood 2014): every state gives a well-mixed number,
 // so any seed will do.
 static unsigned long long random_bits(unsigned long long *state)
@@ -244,6 +253,8 @@ static void random_axes(unsigned long long *state, placement *where)
 //<
 
 //> scene-room
+//>   An icosahedron of radius 0.5 m has a volume of 0.317 m³, and the room is
+//>   so large that the bodies fill 15 % of it.
 // Of v >= 1, by Newton's method: from v, which is at least the root, it falls
 // to it by a third at most in each step, and stays there.
 static real cube_root(real v)
@@ -401,6 +412,7 @@ static status hang(scene *s, int b, vec3 from, real span)
 //<
 
 //> scene-rope
+//>   What is left is to put rope and cloth into one scene.
 static status build_cloth_on_rope(scene *s, const scene_options *what)
 {
     const real height = 1.5, span = 2.6;

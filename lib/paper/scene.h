@@ -1,4 +1,7 @@
 //> scene-head
+//>   A system has no scene built in. It starts from a description: shapes,
+//>   where bodies of these shapes are placed and how they move, planes, and
+//>   particles that are pinned.
 // scene.h - what a simulation starts from: shapes, and where they are placed.
 //
 // Paper: section 7, Figure 8.  Book: chapter 9.
@@ -15,6 +18,8 @@
 //<
 
 //> scene-types
+//>   The engine of Part II reads the same description. So the two can be put
+//>   side by side on the same scene.
 // Where a body starts, and how it moves.
 typedef struct {
     vec3 position;      // m, of the shape's origin
@@ -55,6 +60,7 @@ typedef struct scene {
 //<
 
 //> scene-declare
+//>   Each of these is added by a function that may refuse it.
 void   scene_init(scene *s);        // empty, owns nothing
 void   scene_free(scene *s);        // and its shapes; an empty one is fine
 
@@ -93,6 +99,7 @@ vec3 scene_velocity(const scene *s, int body, int i);
 //<
 
 //> scene-declare-paper
+//>   Three functions build them.
 typedef enum {
     SCENE_ROOM,         // icosahedra thrown into a cubic room
     SCENE_CLOTH_ON_CUBE,

@@ -1,4 +1,6 @@
 //> sphere-weights
+//>   The recipe comes first: the centre of two, three or four points as a
+//>   weighted mean. These are the three cases above.
 #include "sphere.h"
 
 #include <assert.h>
@@ -56,6 +58,10 @@ static bool weigh(const vec3 *q, int n, real weight[4])
 //<
 
 //> sphere-trial
+//>   A `trial` is a sphere under test, and `fix_by` makes one from a set of
+//>   support points. All positions are relative to the first point. Far from
+//>   the origin, sums of world coordinates would lose the digits that tell one
+//>   point from the next.
 // A sphere on trial, fixed by its support points.  Positions are relative to
 // the first point given, so that a body far from the origin loses no digits.
 typedef struct {

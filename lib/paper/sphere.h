@@ -1,4 +1,5 @@
 //> sphere-head
+//>   A sphere is a centre and a radius.
 // sphere.h - the smallest sphere around points, and around two spheres.
 //
 // Paper: section 5.2.  Book: chapter 6.
@@ -16,6 +17,8 @@ typedef struct {
 //<
 
 //> sphere-declare
+//>   Two functions make one: from points, and from two spheres. The first also
+//>   returns the recipe for the centre, support points and weights.
 // The smallest sphere that encloses the n points at[index[..]] (Welzl,
 // Gaertner).  At most four of them fix it, the support points: writes their
 // indices to support, their number to *supports, and to weight the weights

@@ -1,4 +1,5 @@
 //> tree-split
+//>   Leaves are halved along the axis in which they lie furthest apart.
 #include "sphere_tree.h"
 
 #include <assert.h>
@@ -106,6 +107,7 @@ static int build_above(builder *b, int first, int n)
 //<
 
 //> tree-build
+//>   The rest of the build is memory and the check of what comes in.
 // 2^30 leaves at most, so that an int numbers 2 n - 1 nodes.
 enum { LEVELS_MAX = 30, LEAVES_MAX = 1 << LEVELS_MAX };
 
@@ -282,6 +284,8 @@ static void compare_self(query *q, int k)
 //<
 
 //> tree-pairs
+//>   The two public functions only fill in the query, and start it at the
+//>   roots.
 tree_result sphere_tree_pairs(sphere_tree *a, const vec3 *at_a,
                               sphere_tree *b, const vec3 *at_b,
                               real margin, leaf_pair *out, int capacity)

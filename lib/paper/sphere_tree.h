@@ -60,6 +60,7 @@ typedef struct {
 //<
 
 //> tree-declare
+//>   A tree is built once, and told when its points have moved.
 // Builds a tree over n leaves with vertices at positions at, top-down: the
 // leaves below a node are halved across the longest side of the box around
 // their centres, ties by number (Quinlan).  slack, a fraction such as 0.01,
@@ -84,6 +85,8 @@ sphere sphere_tree_root(sphere_tree *t, const vec3 *at);
 //<
 
 //> tree-declare-pairs
+//>   There are two queries: two trees against each other, and one tree against
+//>   itself.
 // Pairs of leaves of a and of b whose spheres come nearer than margin, m, >= 0.
 // Writes at most capacity of them to out.  A wrapped tree leaves out pairs that
 // the spheres above them show to be apart.

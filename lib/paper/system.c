@@ -130,6 +130,9 @@ static void forget_contacts(particle_system *s)
 //<
 
 //> system-rigid
+//>   The hull of a body is its particles, where they are now. The function
+//>   `hulls_meet` is chapters 04 and 05 in one. GJK says how far apart the
+//>   hulls are; if they overlap, the hit face says which way out is shortest.
 static hull body_hull(const particle_system *s, const system_body *x)
 {
     return (hull){ s->at + x->first, x->shape->particles };
@@ -187,6 +190,9 @@ static void find_rigid(particle_system *s, int i, int j)
 //<
 
 //> system-mixed
+//>   The paper goes down both trees, to leaves of both. Here only the leaves of
+//>   the deformable body are asked, and the rigid body is taken whole. It is
+//>   convex, so GJK answers for all of its faces at once.
 // A leaf's point: the mean of its particles.
 static feature_point leaf_point(const system_body *x, int leaf)
 {
@@ -236,6 +242,8 @@ static void find_mixed(particle_system *s, system_body *a, system_body *b)
 //<
 
 //> system-soft
+//>   Two leaves part along the line between their centres, until their spheres
+//>   touch. The pairs come from the trees.
 // Section 6.1, Eq. 11: two leaves part along the line between the centres of
 // their spheres, until the spheres touch.
 static void find_leaves(particle_system *s, const system_body *a, int leaf_a,
@@ -286,6 +294,7 @@ static void find_soft(particle_system *s, system_body *a, system_body *b)
 //<
 
 //> system-planes
+//>   A plane needs no query: a dot product says how far a particle is from it.
 // Every particle that is behind a plane, or soon may be, is a contact with the
 // immovable world.
 static void find_planes(particle_system *s, const system_body *x)
@@ -380,6 +389,8 @@ static void relax_bodies(particle_system *s)
 //<
 
 //> system-defaults
+//>   Each option has two defaults. They are the whole argument between the
+//>   paper and us.
 system_options system_options_mended(void)
 {
     return (system_options){
@@ -405,6 +416,8 @@ system_options system_options_printed(void)
 //<
 
 //> system-check
+//>   Options come from outside, so each is held to a range before anything is
+//>   built.
 // Names the first option that is out of its range (NaN is out of every range).
 static status check_options(const system_options *o)
 {
@@ -433,6 +446,9 @@ static status check_options(const system_options *o)
 //<
 
 //> system-trees
+//>   Then the bodies: their particles, their trees, and, as printed, their
+//>   lists. What has a known size is allocated here. Only two lists grow in the
+//>   steps, and once they are long enough a step allocates nothing.
 // What leaf k of a body's tree encloses: a particle, a face, or a rope's link.
 static leaf_feature feature_of_leaf(const shape *s, bool is_particle, int k)
 {

@@ -1,4 +1,5 @@
 //> system-head
+//>   The system uses all that Part I has built.
 // system.h - the paper's system: particles, constraints, contacts, one step.
 //
 // Paper: sections 3 to 7.  Book: chapter 9.
@@ -51,6 +52,10 @@ typedef struct {
 //<
 
 //> system-types
+//>   A body is a range of the particles, and a shape that it may share with
+//>   others. It has no position of its own: its particles are where they are.
+//>   Beside the bodies stand what the queries carry on, two lists that grow,
+//>   and a report.
 // A body: a range of the particles.
 typedef struct {
     const shape *shape;
@@ -107,6 +112,7 @@ typedef struct {
 //<
 
 //> system-declare
+//>   Three functions are public: begin, step, end.
 // The paper's system mended, the default; and as printed.
 system_options system_options_mended(void);
 system_options system_options_printed(void);

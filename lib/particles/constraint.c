@@ -173,6 +173,11 @@ relax_result sticks_relax(const stick *s, int n, particle *p,
 //<
 
 //> angle-gradients
+//>   A move of an arm's end turns its unit vector $`u`$ by the part of the move
+//>   across $`u`$, divided by the arm's length. In the product with $`v`$ only
+//>   the part of $`v`$ across $`u`$ counts, so the gradient at that end is $`(v
+//>   - (u \cdot v)\,u)/U`$. If all three particles move alike, nothing changes:
+//>   the three gradients add up to zero.
 // Arms whose sine is below this are in one line, as far as rounding can tell.
 static const real STRAIGHT = 1e-8;
 
@@ -205,6 +210,8 @@ static elbow elbow_at(angle c, const particle *p)
 //<
 
 //> angle-relax
+//>   Each particle moves along its gradient, in proportion to its inverse mass,
+//>   with one factor for all three.
 // The least move, weighed by mass, that takes C away is k w gradient, with
 //     k = -C / (sum of w |gradient|^2).
 // C is cut off at the sine, which turns an arm by one radian: near the straight

@@ -104,6 +104,8 @@ relax_result sticks_relax(const stick *s, int n, particle *p,
 //<
 
 //> angle-declare
+//>   An angle between two sticks from one corner: $`u \cdot v = \cos\theta`$,
+//>   for unit vectors along the arms.
 // Two sticks from one corner, held at an angle theta: C = 0, where
 // C = (u . v) / (|u| |v|) - cos theta, u = a - corner, v = b - corner.
 typedef struct angle {

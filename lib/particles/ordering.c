@@ -50,6 +50,8 @@ static int find_distances(const graph *g, int v)
 //<
 
 //> ordering-list
+//>   The ruler is `has_turn`. A list is then three loops, one inside the other:
+//>   rounds, distances, sticks.
 // Has a stick of distance d a turn in round r of n?  Distance 1 has one in
 // every round, 2 in every second, 3 in every fourth: n / 2^(d - 1) in all.  A
 // stick without a turn by then has one in the last round.
@@ -136,6 +138,7 @@ void stick_lists_free(stick_lists *l)
 //<
 
 //> most-moved
+//>   The list that is used is that of the particle that moved most.
 int most_moved(const particle *p, const vec3 *before, int n)
 {
     int most = -1;
@@ -150,6 +153,9 @@ int most_moved(const particle *p, const vec3 *before, int n)
 //<
 
 //> sticks-relax-from
+//>   Relaxation along the list of one particle. With lists that repeat it is
+//>   the paper's way, with lists that do not, breadth first, with no list,
+//>   Jakobsen's.
 // Relaxes one stick, and counts it in *r.
 static void relax_one(stick s, particle *p, relax_options options,
                       relax_result *r)
@@ -181,6 +187,7 @@ relax_result sticks_relax_from(const stick_lists *l, int from,
 //<
 
 //> sticks-relax-largest
+//>   Southwell's way: find the largest strain, relax that stick, find again.
 // The stick with the largest strain, the first of equals; -1 if none has any.
 static int most_strained(const stick *s, int n, const particle *p, real *worst)
 {

@@ -19,6 +19,8 @@ typedef struct {
 //<
 
 //> ordering-declare
+//>   Building the lists, freeing them, and finding the particle that moved
+//>   most: that is all the book-keeping.
 // The lists: sticks in increasing distance from v in the constraint graph; of
 // equal distance in the order of the body.  A stick with an end at v has
 // distance 1, its neighbours 2, and so on; one that no path reaches stands
@@ -38,6 +40,7 @@ int most_moved(const particle *p, const vec3 *before, int n);
 //<
 
 //> ordering-declare-relax
+//>   Now two ways to relax.
 // Goes through the list of particle `from` again and again, and relaxes each
 // stick that it names, until every stick is within options.tolerance, none can
 // move, or max_iterations are done.  from = -1: the order of the body; then l

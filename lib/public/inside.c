@@ -1,4 +1,6 @@
 //> inside
+//>   Every function of the library begins with one of these: look up an id, or
+//>   keep a sentence and return nothing.
 #include "inside.h"
 
 #include <limits.h>

@@ -1,4 +1,6 @@
 //> inside-head
+//>   Behind the pointer stands a world of the engine, a table for each kind of
+//>   id, and the first failure.
 // inside.h - what stands behind the handle that a program holds.
 //
 // Book: chapter 19.
@@ -120,5 +122,6 @@ static inline tumble_vec3 to_user(vec3 v)
 //<
 
 //> inside-end-of-header
+//>   The header ends.
 #endif
 //<

@@ -48,5 +48,6 @@ void *slots_at(const slots *s, int k);
 //<
 
 //> slots-end-of-header
+//>   The header ends.
 #endif
 //<

@@ -1,4 +1,6 @@
 //> face-ask
+//>   Queries of the world walk over all bodies, and leave out by a bounding
+//>   sphere what is too far away.
 #include "cast.h"
 #include "inside.h"
 
@@ -63,6 +65,9 @@ static void take(tumble_hit *best, const cast_result *r, tumble_body b)
 //<
 
 //> face-ask-first
+//>   What does a ray or a moving shape meet first? Of all answers the earliest
+//>   counts; of two at the same time, the body that was added first, so that
+//>   the answer is always the same.
 static bool first_met(const tumble_world *w, const question *q,
                       tumble_hit *hit)
 {
@@ -128,6 +133,8 @@ bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
 //<
 
 //> face-ask-near
+//>   What is nearest to a point, and what overlaps a shape? These two need one
+//>   distance a body.
 bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
                     unsigned mask, tumble_hit *hit)
 {

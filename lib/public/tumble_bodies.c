@@ -1,4 +1,7 @@
 //> face-add
+//>   A body can have several convex pieces, and each of them is a body of the
+//>   engine. If one cannot be added, those before it are removed again, so that
+//>   a body is there whole or not at all.
 #include "handle.h"
 #include "inside.h"
 

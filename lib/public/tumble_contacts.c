@@ -1,4 +1,6 @@
 //> face-contacts
+//>   What touches: a list is made when a program asks, and of sleeping bodies
+//>   it holds what they touched when they fell asleep.
 #include "inside.h"
 
 #include <stdlib.h>

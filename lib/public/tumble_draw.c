@@ -1,4 +1,6 @@
 //> face-vertices
+//>   To draw a body of several pieces, its points and triangles are written one
+//>   piece after the other.
 #include "inside.h"
 
 #include <stdlib.h>
@@ -38,6 +40,8 @@ const int *tumble_triangles(const tumble_world *w, tumble_body b, int *count)
 //<
 
 //> face-draw
+//>   The lines for debugging are handed to a function of the program, one at a
+//>   time, so that the library needs no graphics.
 static void draw_triangles(const tumble_world *w, struct skin s,
                            tumble_body id, const tumble_pen *pen)
 {

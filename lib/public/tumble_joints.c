@@ -1,4 +1,7 @@
 //> face-join
+//>   To join two bodies, both ids are looked up; the id of the ground stands
+//>   for the world, which does not move. Nothing else here is more than a
+//>   change of types.
 #include "inside.h"
 #include "join.h"
 
@@ -87,6 +90,8 @@ tumble_joint tumble_hang(tumble_world *w, tumble_body soft, int i,
 //<
 
 //> face-joint
+//>   A joint that has broken or gone is refused as a body is. When a body goes,
+//>   its joints go first.
 bool tumble_unjoin(tumble_world *w, tumble_joint j)
 {
     const joint_place *x = inside_joint(w, j);
@@ -136,6 +141,7 @@ bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)
 //<
 
 //> face-joint-look
+//>   A joint can be asked for its force, its gap and its angle.
 static const joint_place *look(const tumble_world *w, tumble_joint j)
 {
     return w ? slots_find(&w->joints, j.place, j.generation) : NULL;

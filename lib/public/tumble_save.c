@@ -1,4 +1,5 @@
 //> face-save
+//>   Save and load: the world and the ids that a program holds.
 #include "inside.h"
 #include "snapshot.h"
 

@@ -1,4 +1,6 @@
 //> face-shapes
+//>   Each shape is a shape of chapter 03, made, kept and counted. It cannot be
+//>   dropped while a body is made of it.
 #include "capsule.h"
 #include "hull.h"
 #include "inside.h"

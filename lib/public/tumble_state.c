@@ -1,4 +1,6 @@
 //> face-where
+//>   To ask a body where it is, its position and rotation are taken out of its
+//>   four particles (chapter 18, *From outside*).
 #include "handle.h"
 #include "inside.h"
 
@@ -56,6 +58,8 @@ bool tumble_set_user(tumble_world *w, tumble_body b, void *user)
 //<
 
 //> face-touch
+//>   Pushing looks at its numbers first. An impulse that would give a body a
+//>   speed beyond counting is refused, because one such body can spoil a world.
 // The engine's number of a body that can be moved by hand: rigid, of one piece.
 // -1, with a failure, if it is none, or its numbers are not finite.
 static int find_rigid(tumble_world *w, tumble_body b, tumble_vec3 p,
@@ -138,6 +142,7 @@ bool tumble_force(tumble_world *w, tumble_body b, tumble_vec3 force,
 //<
 
 //> face-sleep
+//>   A program may wake a body, or send it to sleep.
 bool tumble_wake(tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_body(w, b);
@@ -161,6 +166,7 @@ bool tumble_is_awake(const tumble_world *w, tumble_body b)
 //<
 
 //> face-soft
+//>   The particles of ropes and cloth are named by their number in the shape.
 int inside_vertex(tumble_world *w, tumble_body b, int i)
 {
     const body_place *x = inside_body(w, b);
@@ -232,6 +238,8 @@ tumble_vec3 tumble_vertex(const tumble_world *w, tumble_body b, int i)
 //<
 
 //> face-material
+//>   Material, damping and filter are set body by body, and asked for again in
+//>   the next step.
 bool tumble_set_material(tumble_world *w, tumble_body b, double friction,
                          double restitution)
 {

@@ -43,6 +43,8 @@ tumble_quat tumble_turn(tumble_vec3 axis, double by)
 //<
 
 //> face-matrix
+//>   From the quaternion comes the matrix that graphics libraries load, and
+//>   from a matrix the engine's answer comes back.
 void tumble_matrix(tumble_quat q, double m[9])
 {
     real square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;

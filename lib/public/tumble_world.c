@@ -1,4 +1,5 @@
 //> face-world-make
+//>   A world is made of options, and given back.
 #include "handle.h"
 #include "inside.h"
 #include "measure.h"
@@ -104,6 +105,8 @@ void tumble_forget_failure(tumble_world *w)
 //<
 
 //> face-world-step
+//>   A step, what may be asked of a whole world, and planes: one that is
+//>   removed takes its contacts with it.
 void tumble_run_on(tumble_world *w,
                    void (*run)(void *context, void (*work)(void *, int),
                                void *data, int items), void *context)
@@ -120,6 +123,10 @@ void tumble_step(tumble_world *w)
         inside_fail(w, "in the step from %g s %d bodies were so fast that their "
                     "numbers were lost, and they were stopped: it needs more "
                     "substeps", time, w->world.report.lost);
+    if (w->world.report.cut > 0)
+        inside_fail(w, "the step from %g s was divided for what moves fast in "
+                    "it, and has no more than %d substeps in all: its parts "
+                    "had fewer than the options say", time, ALL_SUBSTEPS);
     if (w->world.report.broken > 0) inside_forget_joints(w);
 }
 

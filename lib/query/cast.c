@@ -1,4 +1,7 @@
 //> cast
+//>   The only thing that `swept` does not say is where the surface is. The
+//>   nearest point of B lies on its hull, and the surface lies further out
+//>   along the normal, by B's radius.
 #include "cast.h"
 
 #include <math.h>
@@ -39,6 +42,7 @@ cast_result cast_first(rounded a, vec3 way, rounded b, vec3 *scratch)
 //<
 
 //> cast-plane
+//>   A plane needs no search: the lowest point of the body meets it first.
 cast_result cast_first_plane(rounded a, vec3 way, plane p)
 {
     real lowest = HUGE_VAL, down = -vec3_dot(way, p.normal);
@@ -61,6 +65,7 @@ cast_result cast_first_plane(rounded a, vec3 way, plane p)
 //<
 
 //> cast-near
+//>   What is near a point, and what overlaps a shape.
 cast_result cast_nearest(vec3 x, rounded b, real most)
 {
     gjk_result g = gjk_distance((hull){ &x, 1 }, b.core, HUGE_VAL, NULL);
@@ -90,6 +95,6 @@ bool cast_overlaps(rounded a, rounded b)
     if (!(apart >= 0) || !hull_in_range(a.core) || !hull_in_range(b.core))
         return false;
     const hull_mesh in_a = { a.core, NULL }, in_b = { b.core, NULL };
-    return !search_apart(in_a, in_b, apart, &axis);
+    return !search_apart(&in_a, &in_b, apart, &axis);
 }
 //<

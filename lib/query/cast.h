@@ -29,6 +29,8 @@ typedef struct {
 //<
 
 //> cast-declare
+//>   Five questions can be asked: two of them about a moving body, three about
+//>   one that stands still.
 // Where does a, which goes straight by `way` without turning, first touch b?
 // To 1e-12 of the way and the sizes.  What overlaps at the start is met at 0.
 // What is not finite meets nothing.  scratch: room for the points of both.
@@ -47,5 +49,6 @@ bool cast_overlaps(rounded a, rounded b);
 //<
 
 //> cast-end-of-header
+//>   The header ends.
 #endif
 //<

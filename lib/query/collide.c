@@ -1,4 +1,6 @@
 //> collide-rigid
+//>   The first puts the query of chapter 10 and the manifold of chapter 11
+//>   together.
 // collide.c - see collide.h.
 
 #include "collide.h"

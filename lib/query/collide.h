@@ -1,4 +1,8 @@
 //> collide-head
+//>   The engine asks two questions about a pair of rigid bodies, and so there
+//>   are two functions: where do they touch now, and where will they first
+//>   touch on their way? Both answer with a contact manifold, so that a solver
+//>   need not know which question was asked.
 // collide.h - where do two rigid bodies touch, or where will they?
 //
 // Paper: sections 5.1 and 6.1.  Book: chapter 15.

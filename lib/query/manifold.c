@@ -1,4 +1,6 @@
 //> manifold-view
+//>   First the view: two axes across the normal. Its origin is the place where
+//>   B is nearest, so that nothing is lost far out.
 #include "manifold.h"
 
 #include <assert.h>
@@ -70,6 +72,8 @@ static real dot2(vec3 v, vec3 w)
 //<
 
 //> manifold-look
+//>   Does a face belong to the patch? This is the rule of 8 degrees, in
+//>   squares.
 // A body that rests on its face, strained or rocking a little, still stands on
 // all of its corners; one that leans more stands on an edge.
 static const real LEAN_SINE = 0.14142135623730951;     // 8 degrees
@@ -152,6 +156,7 @@ static int has_flat_corner(const patch *p, real slack)
 //<
 
 //> manifold-add
+//>   There is room for 32 corners. A new one pushes out the flattest.
 static void patch_drop(patch *p, int k)
 {
     p->count--;
@@ -234,6 +239,8 @@ static void patch_walk(patch *p, const view *w, int h)
 //<
 
 //> manifold-edge
+//>   An edge may go on straight over several vertices. Its patch ends where it
+//>   turns.
 // The end of the edge that goes from vertex `from` to `to`, and straight on
 // over further vertices, as far as rounding can tell (slack, m).
 static int edge_end(const patch *p, int from, int to, real slack)
@@ -259,6 +266,8 @@ static int edge_end(const patch *p, int from, int to, real slack)
 //<
 
 //> manifold-ahead
+//>   Which kind of patch is it? A look at the faces and edges around the
+//>   nearest vertex decides.
 // Of the faces at vertex v, the one that looks ahead best, as the half-edge of
 // it that leaves v; -1: none looks ahead.
 static int face_ahead(const patch *p, int v)
@@ -299,6 +308,9 @@ static int edge_across(const patch *p, int v)
 //<
 
 //> manifold-find-patch
+//>   Most pairs in a pile of icosahedra are a vertex and a face. For them that
+//>   look settles everything, and no polygon is drawn. So `patch_begin` comes
+//>   first for both bodies, and `patch_draw` only where it is needed.
 // The vertex that carries most of f: none lies nearer the other body.
 static int main_vertex(const feature_point *f)
 {
@@ -342,6 +354,8 @@ static void patch_draw(patch *p, const view *w)
 //<
 
 //> manifold-foot
+//>   Now the foot of a corner. Over which triangle of B does a vertex of A
+//>   stand, and with which weights? We measure one triangle.
 // A face, and where a point lies in it, as seen.
 typedef struct {
     int  face;
@@ -384,6 +398,8 @@ static void footing_in(footing *g, const patch *p, const view *w, int f,
 //<
 
 //> manifold-foot-find
+//>   We know one triangle of the patch, and walk: out over the edge that the
+//>   point is furthest outside of, and again.
 // The face on the other side of the edge across from vertex k of face f.
 static int face_across(const patch *p, int f, int k)
 {
@@ -450,6 +466,7 @@ static real part_between(vec3 from, vec3 to, vec3 point)
 //<
 
 //> manifold-foot-feature
+//>   A point that is outside by less is drawn in to the rim.
 // A point just outside face f, across from its vertex k, is drawn in to the
 // edge there.
 static void at_rim(feature_point *f, const patch *p, const view *w, int face,
@@ -487,6 +504,8 @@ static void at_foot(feature_point *f, const patch *p, const view *w,
 //<
 
 //> manifold-meet
+//>   Now the corners of the overlap. The list keeps no corner twice, and none
+//>   that is further apart than the margin.
 // Two convex polygons of n and m corners overlap in one of at most n + m, but
 // where rounding cannot tell, corners are kept twice.
 enum { MOST_MEETINGS = 4 * PATCH_CORNERS };
@@ -581,6 +600,7 @@ static void meet_corners(const patch *p, const patch *q, depths inside,
 //<
 
 //> manifold-cross
+//>   Rule 2, and with it the three cases are complete.
 // One in front, the other behind, and neither on the line?  | and & do not
 // branch: half of the answers are yes, in no order that could be predicted.
 static int parted(real u, real v, real slack)

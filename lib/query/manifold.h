@@ -1,4 +1,5 @@
 //> manifold-head
+//>   A manifold is a normal that all touches share, and up to four touches.
 // manifold.h - where two bodies touch, when they touch in more than one point.
 //
 // Paper: section 5.1 treats one pair of features; two faces touch in a polygon.
@@ -21,6 +22,8 @@ typedef struct {
 //<
 
 //> manifold-declare
+//>   It begins with the answer of a query, and gives back at least that one
+//>   touch.
 // The touches of rigid bodies a and b where their surfaces run alike across the
 // normal, as far as they are nearer than margin (m): the corners of the polygon
 // in which the patch of A (a face, an edge or a vertex that looks against the

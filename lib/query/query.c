@@ -59,6 +59,11 @@ hull query_hull(const collider *c)
     return (hull){ c->at, c->shape->particles };
 }
 
+static hull_mesh mesh_of(const collider *c)
+{
+    return (hull_mesh){ query_hull(c), &c->shape->mesh };
+}
+
 real query_round(const collider *a, const collider *b)
 {
     return a->shape->round + b->shape->round;
@@ -76,15 +81,13 @@ query_result query_nearest(const collider *a, const collider *b, real margin,
     query_result none = { .near = false };
     if (!(margin >= 0)) return none;
     if (!is_in_range(a) || !is_in_range(b)) return none;
-    hull ha = query_hull(a), hb = query_hull(b);
+    hull_mesh ma = mesh_of(a), mb = mesh_of(b);
     simplex s = cache_read(carried);
     real round = query_round(a, b);
-    gjk_result g = search_nearest((hull_mesh){ ha, &a->shape->mesh },
-                                  (hull_mesh){ hb, &b->shape->mesh },
-                                  margin + round, &s);
+    gjk_result g = search_nearest(&ma, &mb, margin + round, &s);
     cache_write(carried, &s);
     if (g.status == GJK_OVERLAP) {
-        hit_result h = hit_face_find(ha, hb, &g.last);
+        hit_result h = hit_face_find(ma.hull, mb.hull, &g.last);
         return overlap_result(&h, round);
     }
     bool known = g.status == GJK_APART || g.status == GJK_CAPPED;
@@ -97,8 +100,7 @@ query_result query_nearest(const collider *a, const collider *b, real margin,
 bool query_apart(const collider *a, const collider *b, real margin, vec3 *axis)
 {
     if (!(margin >= 0) || !is_in_range(a) || !is_in_range(b)) return false;
-    return search_apart((hull_mesh){ query_hull(a), &a->shape->mesh },
-                        (hull_mesh){ query_hull(b), &b->shape->mesh },
-                        margin + query_round(a, b), axis);
+    hull_mesh ma = mesh_of(a), mb = mesh_of(b);
+    return search_apart(&ma, &mb, margin + query_round(a, b), axis);
 }
 //<

@@ -1,4 +1,6 @@
 //> query-head
+//>   A body is its shape, and where its vertices are. A `touch` is a point of A
+//>   and a point of B in terms of the vertices, so that it can ride with them.
 // query.h - the nearest points of two rigid bodies, asked again every frame.
 //
 // Paper: section 5.1.  Book: chapter 10.
@@ -43,6 +45,8 @@ typedef struct {
 //<
 
 //> query-declare
+//>   One function asks; its answer says whether the two are near, along which
+//>   normal, and where.
 // Where bodies a and b are nearest, if that is no further apart than margin
 // (m, >= 0; HUGE_VAL: however far).  carried: of the same pair in the same
 // order; the answer does not depend on it by more than rounding.  Bodies or a

@@ -21,15 +21,15 @@ static int scan(hull h, vec3 d)
 
 //> search-climb
 // From vertex v uphill along the edges, to the highest neighbour of each.
-static int climb(hull_mesh b, vec3 d, int v)
+static int climb(const hull_mesh *b, vec3 d, int v)
 {
-    const mesh *m = b.mesh;
-    real most = vec3_dot(d, b.hull.at[v]);
-    for (int steps = 0; steps < b.hull.count; steps++) {
+    const mesh *m = b->mesh;
+    real most = vec3_dot(d, b->hull.at[v]);
+    for (int steps = 0; steps < b->hull.count; steps++) {
         int best = v, h = m->vertex_half[v], start = h;
         do {
             half_edge back = m->half[mesh_twin(h)];
-            real height = vec3_dot(d, b.hull.at[back.origin]);
+            real height = vec3_dot(d, b->hull.at[back.origin]);
             best = height > most ? back.origin : best;
             most = height > most ? height : most;
             h = back.next;
@@ -43,26 +43,10 @@ static int climb(hull_mesh b, vec3 d, int v)
 // From so many vertices on climbing is quicker than to look at all.
 enum { MANY = 48 };
 
-static bool climbs(hull_mesh b)
+static bool climbs(const hull_mesh *b)
 {
-    return b.hull.count >= MANY && b.mesh && b.mesh->vertices == b.hull.count;
-}
-
-// The corner of A - B furthest against v.  from: where to begin to climb.
-static corner support(hull_mesh a, hull_mesh b, vec3 v, const corner *from)
-{
-    vec3 d = vec3_scale(-1, v);
-    int i = climbs(a) ? climb(a, d, from->a) : scan(a.hull, d);
-    int j = climbs(b) ? climb(b, v, from->b) : scan(b.hull, v);
-    return (corner){ i, j, vec3_sub(a.hull.at[i], b.hull.at[j]) };
-}
-
-// The same of all vertices: a mesh is convex to 1e-9 of its size, and a climb
-// may end in front of a dent that is no deeper.
-static corner surest(hull_mesh a, hull_mesh b, vec3 v)
-{
-    const hull_mesh all[2] = { { a.hull, NULL }, { b.hull, NULL } };
-    return support(all[0], all[1], v, NULL);
+    return b->hull.count >= MANY && b->mesh
+        && b->mesh->vertices == b->hull.count;
 }
 //<
 
@@ -79,6 +63,7 @@ static const vec3 ORIGIN = { 0, 0, 0 };
 //<
 
 //> search-edge
+//>   A part of a simplex is a corner, an edge or a triangle of it.
 static void set_corner(part *p, const corner *c, int i)
 {
     p->count = 1;
@@ -129,6 +114,9 @@ static void part_of_triangle(part *p, const corner *c, int i, int j, int k)
 //<
 
 //> search-tetrahedron
+//>   Of a tetrahedron, only the faces that the origin is beyond are tried.
+//>   Mostly it is one. If it is beyond none, it is inside, and the bodies
+//>   overlap.
 // A tetrahedron is thin where its volume, or the share of a corner in the point
 // inside, is less than this part of what it could be.
 static const real THIN = 1e-6;
@@ -137,45 +125,100 @@ static const real THIN = 1e-6;
 static const int FACE[4][3] = { { 1, 2, 3 }, { 2, 0, 3 }, { 0, 1, 3 },
                                 { 0, 1, 2 } };
 
-// Of the faces that the origin is beyond the nearest.  If it is beyond none it
-// is inside, if it surely is.
-static void part_of_tetrahedron(part *p, const corner *c)
+// Of the faces that the origin is beyond the nearest: w[k] <= 0.
+static bool nearest_face(part *p, const corner *c, const int of[4],
+                         const real w[4])
 {
-    vec3 a = c[3].at, e[3];
-    for (int k = 0; k < 3; k++) e[k] = vec3_sub(c[k].at, a);
+    part other, *to = p;
+    for (int k = 0; k < 4; k++) {
+        if (w[k] > 0) continue;
+        const int *f = FACE[k];
+        part_of_triangle(to, c, of[f[0]], of[f[1]], of[f[2]]);
+        if (to == &other && vec3_dot(other.v, other.v) < vec3_dot(p->v, p->v))
+            *p = other;
+        to = &other;
+    }
+    return to == &other;
+}
+
+// If the origin is beyond no face it is inside, if it surely is.
+static void part_of_tetrahedron(part *p, const corner *c, const int of[4])
+{
+    vec3 a = c[of[3]].at, e[3];
+    for (int k = 0; k < 3; k++) e[k] = vec3_sub(c[of[k]].at, a);
     vec3 n = vec3_cross(e[1], e[2]);
     real volume = vec3_dot(e[0], n), share = -1 / volume, w[4];
     w[0] = share * vec3_dot(a, n);
     w[1] = share * vec3_dot(a, vec3_cross(e[2], e[0]));
     w[2] = share * vec3_dot(a, vec3_cross(e[0], e[1]));
     w[3] = 1 - w[0] - w[1] - w[2];
+    if (nearest_face(p, c, of, w)) return;
     real least = real_min(real_min(w[0], w[1]), real_min(w[2], w[3]));
-    real nearest = HUGE_VAL;
-    for (int k = 0; k < 4 && !(least > 0); k++) {
-        if (w[k] > 0) continue;
-        part now;
-        part_of_triangle(&now, c, FACE[k][0], FACE[k][1], FACE[k][2]);
-        real vv = vec3_dot(now.v, now.v);
-        if (vv < nearest) nearest = vv, *p = now;
-    }
-    if (nearest < HUGE_VAL) return;
     p->is_thin = !(least > THIN) || !(volume * volume > THIN * THIN
         * vec3_dot(e[0], e[0]) * vec3_dot(e[1], e[1]) * vec3_dot(e[2], e[2]));
     p->count = 4;
     p->v = ORIGIN;
-    for (int k = 0; k < 4; k++) p->of[k] = k, p->weight[k] = w[k];
+    for (int k = 0; k < 4; k++) p->of[k] = of[k], p->weight[k] = w[k];
 }
 
-static void nearest_part(part *p, const corner *c, int count)
+// Of the corners of[0] to of[count - 1], the newest last.
+static void nearest_part(part *p, const corner *c, const int *of, int count)
 {
-    if (count == 4) part_of_tetrahedron(p, c);
-    if (count == 3) part_of_triangle(p, c, 0, 1, 2);
-    if (count == 2) part_of_edge(p, c, 0, 1);
-    if (count == 1) set_corner(p, c, 0);
+    if (count == 4) part_of_tetrahedron(p, c, of);
+    if (count == 3) part_of_triangle(p, c, of[0], of[1], of[2]);
+    if (count == 2) part_of_edge(p, c, of[0], of[1]);
+    if (count == 1) set_corner(p, c, of[0]);
 }
 //<
 
 //> search-step
+// A search.  Corners stay where they are put; a part names them by their place.
+typedef struct {
+    const hull_mesh *a, *b;
+    corner at[4];
+    part   parts[2], *now, *next;   // the nearest part so far, and a nearer one
+    int    steps;
+    real   vv, bound;   // m^2, |v|^2 and the least v . w
+} search;
+
+static void begin(search *s, const hull_mesh *a, const hull_mesh *b)
+{
+    s->a = a, s->b = b;
+    s->now = &s->parts[0], s->next = &s->parts[1];
+    s->now->count = 0;
+}
+
+// A place that no corner of the nearest part has.
+static int free_place(const part *p)
+{
+    static const int FREE[8] = { 0, 1, 0, 2, 0, 1, 0, 3 };
+    int taken = 0;
+    for (int k = 0; k < p->count; k++) taken |= 1 << p->of[k];
+    return FREE[taken & 7];
+}
+
+// Of vertices i of A and j of B.
+static void set(const search *s, corner *w, int i, int j)
+{
+    w->a = i, w->b = j;
+    w->at = vec3_sub(s->a->hull.at[i], s->b->hull.at[j]);
+}
+
+// The corner of A - B furthest against v.  from: where to begin to climb.
+static void support(const search *s, vec3 v, const corner *from, corner *w)
+{
+    vec3 d = vec3_scale(-1, v);
+    set(s, w, climbs(s->a) ? climb(s->a, d, from->a) : scan(s->a->hull, d),
+              climbs(s->b) ? climb(s->b, v, from->b) : scan(s->b->hull, v));
+}
+
+// The same of all vertices: a mesh is convex to 1e-9 of its size, and a climb
+// may end in front of a dent that is no deeper.
+static void surest(const search *s, vec3 v, corner *w)
+{
+    set(s, w, scan(s->a->hull, vec3_scale(-1, v)), scan(s->b->hull, v));
+}
+
 // The mean of some vertices.
 static vec3 middle(hull h)
 {
@@ -185,16 +228,10 @@ static vec3 middle(hull h)
     return vec3_scale(1 / (real)n, sum);
 }
 
-// Keeps a part of the simplex.  Its corners are in the order of a cycle.
-static void keep(corner *c, const part *p)
+static vec3 between_middles(const search *s)
 {
-    corner x = c[p->of[0]];
-    if (p->count == 1) { c[0] = x; return; }
-    corner y = c[p->of[1]];
-    if (p->count == 3) c[2] = c[p->of[2]];
-    c[0] = x, c[1] = y;
+    return vec3_sub(middle(s->a->hull), middle(s->b->hull));
 }
-
 //<
 
 //> search-loop
@@ -202,88 +239,97 @@ enum { MOST_STEPS = 40 };
 
 typedef enum { FOUND, BEYOND, INSIDE, UNSURE } ending;
 
-// A search, from some corners on.
-typedef struct {
-    corner of[4];
-    int    count, steps;
-    part   now;
-    real   vv, bound;   // m^2, |v|^2 and the least v . w
-} search;
-
 // What the corner w, furthest against v, says: that v is the nearest point, to
 // a relative 1e-13 of its square; that all of A - B is further away than
 // margin; or nothing yet.
 static ending judged(const search *s, vec3 w, real margin)
 {
-    real bound = vec3_dot(s->now.v, w);
+    real bound = vec3_dot(s->now->v, w);
     if (bound > 0 && bound * bound > margin * margin * s->vv) return BEYOND;
     return s->vv - bound <= 1e-13 * s->vv ? FOUND : UNSURE;
 }
 
 // Are the bodies so near, or so far out, that their coordinates, like those of
 // the corner c, may be rounded by more than a 10^-13th of their distance?
-static bool is_doubtful(const search *s, hull a, const corner *c)
+static bool is_doubtful(const search *s, const corner *c, real vv)
 {
-    vec3 at = a.at[c->a];
+    vec3 at = s->a->hull.at[c->a];
     real far = real_max(vec3_dot(at, at), vec3_dot(c->at, c->at));
-    return !(s->vv > 1e-5 * far);
+    return !(vv > 1e-5 * far);
 }
 
 // What the furthest of all vertices says, unless rounding may have said it.
-static ending proved(search *s, hull_mesh a, hull_mesh b, real margin)
+static ending proved(search *s, corner *w, real margin)
 {
-    corner *w = &s->of[s->count];
-    if (climbs(a) || climbs(b)) *w = surest(a, b, s->now.v);
-    s->bound = vec3_dot(s->now.v, w->at);
-    if (is_doubtful(s, a.hull, w)) return UNSURE;
+    if (climbs(s->a) || climbs(s->b)) surest(s, s->now->v, w);
+    s->bound = vec3_dot(s->now->v, w->at);
+    if (is_doubtful(s, w, s->vv)) return UNSURE;
     return judged(s, w->at, margin);
 }
 
-// Adds corners until one proves the end, or none brings v nearer.
-static ending run(search *s, hull_mesh a, hull_mesh b, real margin)
+// The nearest part of so many corners becomes the one of now, if it is nearer.
+static bool comes_nearer(search *s, int count)
 {
-    part *p = &s->now;
-    nearest_part(p, s->of, s->count);
-    s->vv = vec3_dot(p->v, p->v);
-    if (p->count < 4 && is_doubtful(s, a.hull, &s->of[0])) return UNSURE;
+    nearest_part(s->next, s->at, s->now->of, count);
+    part *p = s->next;
+    real vv = vec3_dot(p->v, p->v);
+    if (p->count < 4 && !(vv < s->vv)) return false;
+    s->next = s->now, s->now = p, s->vv = vv;
+    return true;
+}
+
+// Adds corners until one proves the end, or none brings v nearer.
+static ending run(search *s, real margin)
+{
+    s->vv = HUGE_VAL;
+    const corner *first = &s->at[s->now->of[0]];
+    if (!comes_nearer(s, s->now->count)) return UNSURE;
+    if (s->now->count < 4 && is_doubtful(s, first, s->vv)) {
+        s->now = s->next;       // chapter 4 goes on from all corners
+        return UNSURE;
+    }
     for (s->steps = 1; s->steps < MOST_STEPS; s->steps++) {
-        s->count = p->count;
+        part *p = s->now;
         if (p->count == 4) return p->is_thin ? UNSURE : INSIDE;
-        keep(s->of, p);
-        corner *w = &s->of[s->count];
-        *w = support(a, b, p->v, w - 1);
-        if (judged(s, w->at, margin) != UNSURE) return proved(s, a, b, margin);
-        nearest_part(p, s->of, s->count + 1);
-        real vv = vec3_dot(p->v, p->v);
-        if (p->count < 4 && !(vv < s->vv)) return UNSURE;
-        s->vv = vv;
+        int place = free_place(p);
+        corner *w = &s->at[place];
+        support(s, p->v, &s->at[p->of[p->count - 1]], w);
+        if (judged(s, w->at, margin) != UNSURE) return proved(s, w, margin);
+        p->of[p->count] = place;
+        if (!comes_nearer(s, p->count + 1)) return UNSURE;
     }
     return UNSURE;
 }
 //<
 
 //> search-nearest
-static void carry_on(search *s, hull_mesh a, hull_mesh b, const simplex *from)
+//>   Then `gjk_search` goes on, which is `gjk_distance` without the test of the
+//>   range, from the simplex of the quick search. So an answer is either proven
+//>   here or given by chapter 04.
+static void add(search *s, int i, int j)
 {
-    s->count = from->count;
-    for (int k = 0; k < s->count; k++) {
-        int i = from->of[k].a, j = from->of[k].b;
-        s->of[k] = (corner){ i, j, vec3_sub(a.hull.at[i], b.hull.at[j]) };
-    }
+    part *p = s->now;
+    set(s, &s->at[p->count], i, j);
+    p->of[p->count] = p->count;
+    p->count++;
 }
 
-static void begin(search *s, hull_mesh a, hull_mesh b)
+// From the corners of the last search, or the one between the two middles.
+static void start(search *s, const simplex *from)
 {
-    vec3 d = vec3_sub(middle(a.hull), middle(b.hull));
-    const corner first = { .a = 0 };
-    s->of[s->count++] = support(a, b, d, &first);
+    const corner zero = { .a = 0 };
+    for (int k = 0; from && k < from->count; k++)
+        add(s, from->of[k].a, from->of[k].b);
+    if (s->now->count > 0) return;
+    support(s, between_middles(s), &zero, &s->at[0]);
+    s->now->of[s->now->count++] = 0;
 }
 
 // What the search found: not where it is unsure.
-static gjk_result result_of(const search *s, ending end, hull a)
+static gjk_result result_of(const search *s, ending end)
 {
     gjk_result r;
-    const part *p = &s->now;
+    const part *p = s->now;
     r.status = end == INSIDE ? GJK_OVERLAP : end == BEYOND ? GJK_BEYOND
                                                            : GJK_APART;
     real length = sqrt(s->vv);
@@ -291,12 +337,14 @@ static gjk_result result_of(const search *s, ending end, hull a)
     r.axis = r.last.v = p->v;
     r.on_a = ORIGIN;
     r.iterations = s->steps;
-    r.last.count = s->count;
+    r.wide = false;
+    r.last.count = p->count;
     for (int k = 0; k < 4; k++) {
-        r.last.of[k] = s->of[k < s->count ? k : 0];
-        r.last.weight[k] = k < s->count ? p->weight[k] : 0;
-        if (k < s->count)
-            r.on_a = vec3_add_scaled(r.on_a, p->weight[k], a.at[s->of[k].a]);
+        r.last.of[k] = s->at[p->of[k < p->count ? k : 0]];
+        r.last.weight[k] = k < p->count ? p->weight[k] : 0;
+        if (k < p->count)
+            r.on_a = vec3_add_scaled(r.on_a, p->weight[k],
+                                     s->a->hull.at[r.last.of[k].a]);
     }
     r.on_b = vec3_sub(r.on_a, r.axis);
     return r;
@@ -304,58 +352,60 @@ static gjk_result result_of(const search *s, ending end, hull a)
 
 static void carry(simplex *to, const search *s)
 {
-    to->count = s->count;
-    for (int k = 0; k < s->count; k++) to->of[k] = s->of[k];
+    to->count = s->now->count;
+    for (int k = 0; k < to->count; k++) to->of[k] = s->at[s->now->of[k]];
 }
 
-gjk_result search_nearest(hull_mesh a, hull_mesh b, real margin,
+gjk_result search_nearest(const hull_mesh *a, const hull_mesh *b, real margin,
                           simplex *carried)
 {
-    assert(a.hull.count >= 1 && b.hull.count >= 1 && margin >= 0);
+    assert(a->hull.count >= 1 && b->hull.count >= 1 && margin >= 0);
     search s;
-    s.count = 0;
-    if (carried) carry_on(&s, a, b, carried);
-    if (s.count == 0) begin(&s, a, b);
-    ending end = run(&s, a, b, margin);
+    begin(&s, a, b);
+    start(&s, carried);
+    ending end = run(&s, margin);
     if (carried) carry(carried, &s);
-    if (end != UNSURE) return result_of(&s, end, a.hull);
+    if (end != UNSURE) return result_of(&s, end);
     simplex last;
     carry(&last, &s);
-    return gjk_search(a.hull, b.hull, margin, carried ? carried : &last);
+    return gjk_search(a->hull, b->hull, margin, carried ? carried : &last);
 }
 //<
 
 //> search-apart
 // Is all of A - B further along d than margin, beyond what rounding may hide?
-static bool separates(hull_mesh a, hull_mesh b, vec3 d, real margin, corner *w)
+static bool separates(search *s, vec3 d, real margin)
 {
-    *w = surest(a, b, d);
-    vec3 p = a.hull.at[w->a], q = b.hull.at[w->b];
+    corner *w = &s->at[0];
+    surest(s, d, w);
+    vec3 p = s->a->hull.at[w->a], q = s->b->hull.at[w->b];
     real far = fabs(p.x) + fabs(p.y) + fabs(p.z)
              + fabs(q.x) + fabs(q.y) + fabs(q.z);
     return vec3_dot(d, w->at) > (margin + 0x1p-50 * far) * vec3_length(d);
 }
 
-bool search_apart(hull_mesh a, hull_mesh b, real margin, vec3 *axis)
+bool search_apart(const hull_mesh *a, const hull_mesh *b, real margin,
+                  vec3 *axis)
 {
-    assert(a.hull.count >= 1 && b.hull.count >= 1 && margin >= 0);
+    assert(a->hull.count >= 1 && b->hull.count >= 1 && margin >= 0);
     search s;
-    s.count = 1;
+    begin(&s, a, b);
     vec3 d = *axis;
-    if (!(vec3_dot(d, d) > 0)) d = vec3_sub(middle(a.hull), middle(b.hull));
-    if (separates(a, b, d, margin, &s.of[0])) {
+    if (!(vec3_dot(d, d) > 0)) d = between_middles(&s);
+    if (separates(&s, d, margin)) {
         *axis = d;
         return true;
     }
-    ending end = run(&s, a, b, margin);
+    s.now->of[s.now->count++] = 0;
+    ending end = run(&s, margin);
     if (end == INSIDE) return false;
     if (end == FOUND || end == BEYOND) {
-        *axis = s.now.v;
+        *axis = s.now->v;
         return s.bound > margin * sqrt(s.vv);
     }
     simplex last;
     carry(&last, &s);
-    gjk_result g = gjk_search(a.hull, b.hull, margin, &last);
+    gjk_result g = gjk_search(a->hull, b->hull, margin, &last);
     if (vec3_dot(g.axis, g.axis) > 0) *axis = g.axis;
     return g.status == GJK_BEYOND
         || (g.status == GJK_APART && g.distance > margin);

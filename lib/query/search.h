@@ -23,14 +23,15 @@ typedef struct {
 // What gjk_distance answers, by the same last step: a search that does not mind
 // rounding finds the simplex, and gjk_distance's proves it.
 // Requires: both hulls in range (hull_in_range).
-gjk_result search_nearest(hull_mesh a, hull_mesh b, real margin,
+gjk_result search_nearest(const hull_mesh *a, const hull_mesh *b, real margin,
                           simplex *carried);
 
 // Are a and b further apart than margin (m, >= 0)?  axis (m, from B to A, of any
 // length): a guess of a direction that separates them, as a last answer gave
 // it; 0: none.  Receives one, if they are apart.
 // Requires: both hulls in range (hull_in_range).
-bool search_apart(hull_mesh a, hull_mesh b, real margin, vec3 *axis);
+bool search_apart(const hull_mesh *a, const hull_mesh *b, real margin,
+                  vec3 *axis);
 
 #endif
 //<

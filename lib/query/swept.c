@@ -1,4 +1,6 @@
 //> swept-sweep
+//>   The differences are small and mostly exact, and all points of A are moved
+//>   by the same vector.
 #include "swept.h"
 
 #include <assert.h>
@@ -35,6 +37,8 @@ static real copy_about_first(hull p, vec3 *out)
 //<
 
 //> swept-begin
+//>   The copying also finds the size, and any number that is not finite. The
+//>   size gives the tolerance its floor.
 static real coordinates(vec3 v)
 {
     return fabs(v.x) + fabs(v.y) + fabs(v.z);
@@ -141,6 +145,9 @@ swept_result swept_first_touch(hull a, vec3 way, hull b, real apart,
 //<
 
 //> swept-inner
+//>   How far may a body go before it can be lost behind another one? The
+//>   largest ball inside it gives a bound. As long as two such balls cannot
+//>   have passed each other, neither have the bodies.
 // The origin lies behind every face, and so far behind the nearest; on the core
 // of a body that is round.
 real shape_inner(const shape *s)

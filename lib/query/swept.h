@@ -1,4 +1,6 @@
 //> swept-head
+//>   The result says what became of the two bodies, and when. Time is a
+//>   fraction of the way, so the query knows nothing of seconds.
 // swept.h - when do two bodies on their way first touch?
 //
 // Paper: section 7 asks for very small time steps when objects are thin; here:
@@ -37,6 +39,9 @@ typedef struct {
 //<
 
 //> swept-declare
+//>   A body that turns does not go straight. Its outermost point leaves the
+//>   straight way by no more than the arc of its turning. Put that arc into
+//>   `apart`, and nothing is missed, though the answer comes a little early.
 enum { SWEPT_CAP = 64 };        // distances, at most
 
 // Hull a goes straight by `way` (m) as seen from b, without turning (a body

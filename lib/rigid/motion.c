@@ -1,4 +1,5 @@
 //> motion-basis
+//>   Six coordinates of a motion: three along the axes, three about them.
 #include "motion.h"
 
 #include <assert.h>
@@ -13,6 +14,8 @@ motion_basis basis_find(const rigid4 *f, const rigid_frame *frame)
 //<
 
 //> motion-of
+//>   The motion of four particles is the one with their momentum and angular
+//>   momentum.
 // With v = w x r, w = sum_t u_t turn_t, the angular momentum L of a body is
 // that for which turn_t . L = u_t: the turns are perpendicular in energy.
 motion motion_of(const particle *p, const rigid_frame *frame,
@@ -48,6 +51,7 @@ motion motion_make(const motion_basis *basis, vec3 velocity, vec3 spin)
 //<
 
 //> motion-push
+//>   An impulse at a point changes all six.
 void motion_push(motion *m, const motion_basis *basis, vec3 arm, vec3 impulse)
 {
     vec3 moment = vec3_cross(arm, impulse);
@@ -81,6 +85,7 @@ vec3 motion_angular(const motion_basis *basis, const motion *m)
 //<
 
 //> motion-moves
+//>   A body moves on, in parts of a frame if it turns far.
 static const real FURTHEST = 1.0 / 3;       // rad, in one move
 
 int motion_moves(const motion_basis *basis, const motion *d)
@@ -125,6 +130,8 @@ void motion_go_on(particle *p)
 //<
 
 //> motion-frame
+//>   Cloth asks where a body is within a frame, before its particles have
+//>   moved. A frame is turned without a sine.
 // x, turned by the angle 2 arctan |t| about t (Cayley).
 static vec3 turned(vec3 t, vec3 x)
 {

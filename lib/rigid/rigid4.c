@@ -1,4 +1,5 @@
 //> rigid4-solid
+//>   The solid that a mesh encloses is summed over tetrahedra.
 #include "rigid4.h"
 
 #include <assert.h>
@@ -54,6 +55,7 @@ static solid solid_of(const shape *s)
 //<
 
 //> rigid4-round
+//>   For a ball or a capsule each integral is a formula.
 // Of a round one, with a core along y: a cylinder of the length 2 half, and two
 // half balls.  Over the cylinder the mean of y^2 is half^2 / 3, over a half ball
 // half^2 + 2 half (3/8 r) + r^2 / 5.  Across it means are r^2 / 4 and r^2 / 5.
@@ -73,6 +75,7 @@ static solid solid_of_round(const shape *s)
 //<
 
 //> rigid4-root
+//>   The root is Cholesky's; then its columns are turned.
 // spread = L L^T, L lower triangular (Cholesky).  0 if the solid is flat: a
 // pivot below a billionth of a billionth of the largest spread is rounding's.
 static int root_of(real spread[3][3], real root[3][3])
@@ -227,6 +230,7 @@ status rigid4_build(rigid4 *f, const shape *s)
 //<
 
 //> rigid4-ride
+//>   What rides on a body is a weighted mean of its four particles.
 void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n)
 {
     for (int v = 0; v < n; v++) at[v] = frame_point(frame, f->local[v]);
@@ -278,6 +282,10 @@ rigid_frame rigid4_frame(const particle *p)
 //<
 
 //> rigid4-batch
+//>   A room is full of bodies that all need the same arithmetic. So four of
+//>   them are laid side by side, and each step is a loop over the four in which
+//>   nothing depends on a choice. A compiler turns that into vector
+//>   instructions.
 // Bodies of one plan side by side: numbers of one kind lie next to each other,
 // one for each body, so that a processor takes two or more at a time.  There
 // are LANES bodies, or a single one: `lanes` is a constant wherever it is
@@ -509,6 +517,8 @@ static inline void batch_solve(const int lanes, const rigid4 *f,
 //<
 
 //> rigid4-relax
+//>   A single body takes the same way with one lane, and gets the same bits
+//>   (`bodies_relaxed_together_get_the_bits_of_each_alone`).
 static void add_result(rigid4_result *all, rigid4_result r)
 {
     all->tested += r.tested;

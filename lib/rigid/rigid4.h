@@ -1,4 +1,5 @@
 //> rigid4-head
+//>   What follows from a shape alone is computed once.
 // rigid4.h - any rigid body is four particles and six sticks.
 //
 // Paper: section 4 puts a particle at every vertex, whose inertia is 2.3 to 5
@@ -112,5 +113,6 @@ int rigid4_is_mirrored(const rigid4 *f, const particle *p);
 //<
 
 //> rigid4-end
+//>   The header ends.
 #endif
 //<

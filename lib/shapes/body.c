@@ -1,4 +1,7 @@
 //> body-check
+//>   Every number that comes from outside is checked. The comparison asks
+//>   whether the number lies between the least and the greatest that are
+//>   allowed. A NaN does not, so it is refused, too.
 #include "body.h"
 
 #include <assert.h>
@@ -27,6 +30,7 @@ static status check_count(const char *name, int value, int least, int most)
 //<
 
 //> body-begin
+//>   A shape is begun with its particles, then its surface is spanned.
 status shape_begin(shape *s, shape_kind kind, int particles, int most_sticks,
                    real mass)
 {
@@ -54,6 +58,7 @@ status shape_span(shape *s, const int (*triangle)[3], int faces)
 //<
 
 //> body-add
+//>   Then come the sticks, one by one or along all edges of the mesh.
 static void add_stick(shape *s, int a, int b, real length, real stiffness)
 {
     s->stick[s->sticks++] = (stick){ .a = a, .b = b, .rest_length = length,
@@ -86,6 +91,8 @@ status shape_add_angle(shape *s, angle c)
 //<
 
 //> body-finish
+//>   At the end the shape is measured. If anything went wrong on the way, all
+//>   of it is freed.
 static void measure(shape *s)
 {
     s->radius = 0;
@@ -173,6 +180,8 @@ status shape_box(shape *s, vec3 sides, real mass)
 //<
 
 //> body-icosahedron
+//>   The vertices of an icosahedron are the corners of three golden rectangles
+//>   that cross at right angles. So no sine is needed.
 // The corners of three golden rectangles, one in each coordinate plane: vertex
 // 4 axis + k is (0, +-1, +-g) with its coordinates moved on by axis places.
 // Bits 0 and 1 of k are the signs; the vertex opposite flips both.
@@ -214,6 +223,9 @@ status shape_icosahedron(shape *s, real radius, real mass)
 //<
 
 //> body-rope
+//>   A rope is a row of sticks. A cloth is a grid with one diagonal in each
+//>   cell. The diagonals are sticks like the others, but soft; chapter 09 shows
+//>   why.
 status shape_rope(shape *s, int n, real length, real mass)
 {
     *s = (shape){ .kind = SHAPE_ROPE };
@@ -292,6 +304,8 @@ static status span_cloth(shape *s, int columns, int rows)
 //<
 
 //> body-cloth
+//>   A cloth: particles in rows, sticks between neighbours, two triangles a
+//>   cell.
 static status check_cloth(int columns, int rows, real width, real depth,
                           real diagonal)
 {

@@ -1,4 +1,6 @@
 //> body-head
+//>   A **shape** describes a body at rest: its particles, their masses, the
+//>   sticks and the mesh. Many bodies can share one shape.
 // body.h - shapes: particles, the sticks between them and the mesh around them.
 //
 // Paper: section 4.  Book: chapter 3.
@@ -46,6 +48,7 @@ typedef struct shape {
 //<
 
 //> body-declare-solids
+//>   Two solids come ready-made.
 // Every particle of a shape has the same mass.  A function that makes a shape
 // fails, and leaves *s empty, if a number is not finite, not positive or out of
 // range, or memory is refused.
@@ -61,6 +64,7 @@ status shape_icosahedron(shape *s, real radius, real mass);
 //<
 
 //> body-declare-thin
+//>   And two thin things, a rope and a cloth.
 // A rope of n links of equal length along x, 1 to 1,000,000: n + 1 particles,
 // n sticks.  Link k joins particles k and k + 1.
 status shape_rope(shape *s, int n, real length, real mass);
@@ -74,6 +78,7 @@ status shape_cloth(shape *s, int columns, int rows, real width, real depth,
 //<
 
 //> body-declare-make
+//>   Other modules make shapes of their own, from these parts.
 // To make a shape of one's own: begin, fill s->at, span a mesh (or none), add
 // sticks, finish.  shape_begin gives all particles the same mass, and
 // room for most_sticks.  Requires: particles >= 1, most_sticks >= 0.

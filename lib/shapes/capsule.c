@@ -1,4 +1,5 @@
 //> round-skin
+//>   For the eye there is a skin of triangles, which nothing else looks at.
 #include "capsule.h"
 
 #include <assert.h>
@@ -78,6 +79,8 @@ static status make_skin(struct skin *k, real half, real radius)
 //<
 
 //> round-make
+//>   Mass and inertia are those of the solid, so that chapter 13 can build its
+//>   four particles.
 static status check_size(const char *name, real value)
 {
     if (value >= 1e-30 && value <= 1e30) return status_ok();

@@ -1,4 +1,6 @@
 //> mesh-convex-form
+//>   Is the mesh a closed convex surface? All tolerances are fractions of its
+//>   size.
 #include "convex.h"
 
 #include <assert.h>
@@ -99,6 +101,7 @@ static status check_face(const mesh *m, const vec3 *at, int f, real size)
 //<
 
 //> mesh-check-convex
+//>   A mesh that is not convex is refused with a sentence that names the face.
 status mesh_check_convex(const mesh *m, const vec3 *at)
 {
     assert(m && (at || m->vertices == 0));
@@ -177,6 +180,7 @@ static int farthest_below(const shape *s, int v)
 //<
 
 //> convex-make
+//>   And the whole method.
 // A mesh of sphere type over n vertices has 3 n - 6 edges.  With a stick to
 // vertex 0 and one across for each vertex, 5 n are enough.
 enum { MOST_CONVEX = 16384 };

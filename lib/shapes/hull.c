@@ -1,4 +1,6 @@
 //> convex-hull-facet
+//>   A face knows its neighbours and the list of its points; the builder holds
+//>   the faces.
 #include "hull.h"
 
 #include <assert.h>
@@ -51,6 +53,7 @@ typedef struct {
 //<
 
 //> convex-hull-room
+//>   Memory is allocated once, in a block for each list.
 static void builder_free(builder *b)
 {
     void *owned[] = { b->at, b->after, b->facet, b->spare, b->open, b->seen,
@@ -89,6 +92,7 @@ static status builder_make(builder *b, const vec3 *at, int n)
 //<
 
 //> convex-hull-first
+//>   Step 1: the four points. Each is as far from those before as can be.
 // The point for which `far` is largest.  Where several are equally far, as on a
 // flat side, the furthest of them from any one point is a corner of that side.
 typedef struct {
@@ -138,6 +142,7 @@ static status find_first(const builder *b, int v[4])
 //<
 
 //> convex-hull-outside
+//>   A new face, and a point given to it.
 static real height_over(const facet *f, vec3 x)
 {
     return vec3_dot(f->normal, x) - f->offset;
@@ -172,6 +177,8 @@ static bool give_point(builder *b, int i, int n)
 //<
 
 //> convex-hull-tetrahedron
+//>   With these the four points become four faces, joined side to side, and
+//>   take their points.
 // Side k of facet f is side j of facet g, the other way round.
 static void join(builder *b, int f, int k, int g, int j)
 {
@@ -287,6 +294,7 @@ static void hand_over(builder *b, int point)
 //<
 
 //> convex-hull-points
+//>   The loop takes the steps in turn.
 // The furthest point outside of facet n is a corner of the hull.  Points of its
 // list alone would not do: of a side's points, those at the corners may be in
 // the lists of others.
@@ -384,6 +392,7 @@ static bool drop_slivers(builder *b, real thin)
 //<
 
 //> convex-hull-centre
+//>   The shape's origin becomes the centre of mass of the solid.
 // Moves the shape so that its centre of mass is the origin: the tetrahedra from
 // the origin over all faces have their centres a quarter of the way from three
 // corners and the origin.

@@ -1,4 +1,6 @@
 //> obj-file
+//>   Every refusal names the line of the file, because that is what an author
+//>   can find.
 #include "obj.h"
 #include "convex.h"
 
@@ -36,6 +38,8 @@ static status refuse(const obj_file *o, const char *what)
 //<
 
 //> obj-text
+//>   A line is read character by character, so that a comment needs no memory
+//>   and a zero byte is noticed.
 // A newline ends the line, unless the text ends in a backslash: then the next
 // line goes on with the same statement.  Comments are not in the text.
 static bool is_joined(obj_file *o, int *length)
@@ -76,6 +80,7 @@ static status next_line(obj_file *o, FILE *in, bool *more)
 //<
 
 //> obj-words
+//>   The words of a line, one after the other.
 static const char SPACES[] = " \t\r\v\f";
 
 static const char *skip_space(const char *c) { return c + strspn(c, SPACES); }
@@ -90,6 +95,8 @@ static status refuse_word(const obj_file *o, const char *word, const char *what)
 //<
 
 //> obj-number
+//>   We read numbers ourselves. In a German locale the C library takes a comma
+//>   for the decimal point.
 static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // digits * 10^power.  Powers of ten are exact up to 1e22: the up to 15 digits
@@ -167,6 +174,8 @@ static status read_vertex(obj_file *o, const char *c)
 //<
 
 //> obj-face
+//>   A corner of a face may name a texture and a normal after slashes, and may
+//>   count from the end. Larger faces are cut into a fan.
 // Reads `7`, `7/1`, `7//3` or `7/1/3`, or with a minus sign, which counts back
 // from the last vertex above the line.  *corner counts from 0; its vertex may
 // still be to come.
@@ -251,6 +260,7 @@ static status check_indices(const obj_file *o)
 //<
 
 //> obj-drop-unused
+//>   A vertex that no face uses would move the centre, so it is dropped.
 // Drops the vertices that no face uses; the others keep their order.
 static void drop_unused(obj_file *o)
 {
@@ -272,6 +282,8 @@ static void drop_unused(obj_file *o)
 //<
 
 //> obj-scale
+//>   A mesh in millimetres would be a giant, so each is scaled to the size that
+//>   is asked for.
 // Moves the centre of mass to the origin, the farthest vertex to `radius`.
 static status centre_and_scale(obj_file *o, real radius)
 {
@@ -290,6 +302,8 @@ static status centre_and_scale(obj_file *o, real radius)
 //<
 
 //> obj-turn
+//>   If all faces are turned inwards, the volume is negative, and they are
+//>   turned round. If only some are, nothing can be guessed.
 // A closed mesh of negative volume looks inwards: some programs count the
 // corners clockwise.  Turns every triangle round.
 static void turn_outwards(obj_file *o)
@@ -309,6 +323,8 @@ static void turn_outwards(obj_file *o)
 //<
 
 //> obj-translate
+//>   The mesh names a faulty triangle by its number, from 0. An author wants
+//>   the line of the file, so the sentence is translated.
 // A sentence about the mesh says `triangle 7` and `vertex 12`; the author of
 // the file knows lines.  `vertex 7` may grow to 29 characters: four times the
 // room holds a sentence full of them.
@@ -332,6 +348,8 @@ static status translate(const obj_file *o, status s)
 //<
 
 //> obj-read
+//>   A file becomes a mesh, or a sentence that says what is wrong with it, and
+//>   in which line.
 static status read_file(obj_file *o, const char *path, real radius, real mass,
                         shape *s)
 {

@@ -1,4 +1,5 @@
 //> obj-head
+//>   `tumble --mesh` throws a body of your own, from an OBJ file.
 // obj.h - a convex body from a Wavefront OBJ file.
 //
 // Book: chapter 10.  Of the format: lines `v x y z` and `f i j k ...` (also

@@ -1,4 +1,8 @@
 //> bend-energy
+//>   The energy: bending is a spring between three particles, pushed with
+//>   (1, -2, 1), which add up to 0, so that momentum stays. The system M + h^2 K
+//>   is positive definite, so elimination is stable for every stiffness, and the
+//>   step never gives back more energy than was stored.
 #include "bend.h"
 
 #include <assert.h>
@@ -46,6 +50,7 @@ real bend_energy(const shape *s, real stiffness, const particle *p)
 //<
 
 //> bend-rows
+//>   A row of the system, with pins left out.
 // How often is i the left, the middle and the right of three?
 static bool is_middle(const strand *s, int i)
 {
@@ -80,6 +85,7 @@ static bend_row row_of(const strand *s, int i, real stiff)
 //<
 
 //> bend-solve
+//>   Elimination looks like Thomas's, with two numbers kept in place of one.
 // L D L^T: each row takes from the two that follow what it knows of them.
 static void eliminate(bend_row *row, int i, int n)
 {
@@ -114,6 +120,7 @@ static bool solve(bend_row *row, int n)
 //<
 
 //> bend-relax
+//>   The whole step, strand after strand.
 int bend_rows(const shape *s)
 {
     return int_max(int_max(s->columns, s->rows), 0);

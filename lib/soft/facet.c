@@ -1,4 +1,6 @@
 //> facet-between
+//>   A new pair has no plane yet. It gets the one through the side that most of
+//>   the facet is on.
 #include "facet.h"
 #include "query.h"
 

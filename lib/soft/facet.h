@@ -34,6 +34,8 @@ static inline real facet_height(const vec3 end[FACET], plane p)
 //<
 
 //> facet-declare
+//>   One function answers, with the nearest points and the weights of the
+//>   corners.
 // Is the facet with these corners nearer than reach (m, > 0) to the body, or in
 // it?  *out says where the two are nearest; if not, only its gap is right, or a
 // bound.

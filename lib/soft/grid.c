@@ -1,4 +1,6 @@
 //> grid-init
+//>   Memory is asked for once, for the largest cloth, so that a step never
+//>   fails for want of it.
 #include "grid.h"
 
 #include <assert.h>
@@ -78,6 +80,9 @@ static int cut_box(cut *c, const vec3 *at, int n, real reach, int cells)
 //<
 
 //> grid-sort
+//>   Now the points are sorted into the cells. Each cell counts its points, the
+//>   counts are added up, and each point goes to its place. This is a *counting
+//>   sort*, in time proportional to points and cells.
 // Two rows of the sheet are parted by so many empty places: so no point at the
 // end of a row is beside one at the beginning of the next.
 enum { MARGIN = 2 };
@@ -177,6 +182,7 @@ static void look(search *s, crowd c, int i, int n)
 //<
 
 //> grid-pairs
+//>   What is left is the walk over all cells that hold a point.
 // Of the 26 cells around one, 13 come after it: the next one in its row, and
 // three in each of four rows.  Those of a row stand in one piece.
 static void look_around(search *s, int cell)

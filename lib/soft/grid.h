@@ -35,6 +35,8 @@ typedef struct grid {
 //<
 
 //> grid-declare
+//>   It has one question. The neighbours of a point in its sheet, beside it and
+//>   across the cells, are left out at once, because they are near by nature.
 // For that many points, >= 0.  Fails, leaving *g empty, if memory is refused.
 status grid_init(grid *g, int points);
 void   grid_free(grid *g);      // an empty or zeroed one is fine

@@ -1,4 +1,6 @@
 //> line-rows
+//>   The coordinates of many particles lie apart, each in an array of its own
+//>   (*structure of arrays*).
 // line.c - ropes, and the columns and rows of a cloth, solved at one stroke.
 //
 // Paper: section 3.2.  Book: chapter 12.
@@ -48,6 +50,8 @@ enum {
 //<
 
 //> line-scratch
+//>   All memory of a solve is one block a thread, asked for when the body is
+//>   added.
 // Row 0 of the links, and of a block's particles, are zeros, for what reads
 // the one before the first: link k and particle k are in row k + 1.
 struct line_scratch {
@@ -136,6 +140,8 @@ void line_scratch_free(line_scratch *scratch)
 //<
 
 //> line-gather
+//>   Of a particle's seven numbers the solver needs four. They are fetched once
+//>   a substep, and brought back at the end.
 // Returns the largest weight.
 static real gather(places to, const particle *p, int n)
 {
@@ -194,6 +200,7 @@ static inline places places_from(places p, int i)
 //<
 
 //> line-lane
+//>   Three small functions read and write the lanes.
 // A vector in lane l of a row of links.
 static inline vec3 lane_get(const real *row, int field, int lanes, int l)
 {
@@ -217,6 +224,7 @@ static inline vec3 lane_link(places here, int pitch, int l)
 //<
 
 //> line-tally
+//>   What a block of lines reports while it is solved.
 // What the lanes of a block report.
 typedef struct {
     real worst[LANES];  // m^2, the largest |now - rest^2| / 2 before the step
@@ -363,6 +371,8 @@ NEVER_INLINE void eliminate_held(const real *restrict at,
 //<
 
 //> line-substitute
+//>   A row of eight with no held particle leaves the rank-one correction out.
+//>   The walk up moves the particles.
 // Upwards: the multiplier of link k, `here`, is g_k + h_k times that of link
 // k + 1, `after`.  Then the particle between them knows where to go, for link
 // k + 1 has left in `pull` what it asks:
@@ -417,6 +427,8 @@ NEVER_INLINE void substitute_held(real *restrict x, real *restrict y,
 //<
 
 //> line-block
+//>   Neighbouring columns lie side by side already, and are solved where they
+//>   are.
 // Up to LANES neighbouring lines of a body, on their way through the solver.
 typedef struct {
     strands s;
@@ -464,6 +476,8 @@ static void block_begin(block *b, int first)
 //<
 
 //> line-load
+//>   Rows lie the other way. Eight of them are turned into columns on their way
+//>   into a small block of memory, and back on their way out.
 // Neighbouring columns lie side by side in the body, and are solved where they
 // are.  Rows, and what must not be solved twice or may have to be taken back
 // (the old gradient), are copied.
@@ -560,6 +574,8 @@ static void block_store(const block *b, const int *solved)
 //<
 
 //> line-sweeps
+//>   A compiler must assume that two pointers may point to the same thing.
+//>   `restrict` says that they do not.
 // What these loops count stands in variables of their own, to which no pointer
 // leads: else a compiler would have to load and store them in every row.
 ALWAYS_INLINE void eliminate_lines(block *b, int lanes, int old)
@@ -656,6 +672,7 @@ static void block_measure(block *b)
 //<
 
 //> line-too-far
+//>   The limit of Newton's step.
 // A line that is nearly straight between two nails hardly answers to its
 // multipliers, and they grow without bounds.  To correct all its errors one
 // after the other no particle needs to move farther than their sum; if one has
@@ -720,6 +737,10 @@ static void remember_pulls(const block *b, const int *done)
 //<
 
 //> line-newton
+//>   Row k of the system, times its multiplier, summed over all rows, is the sum
+//>   of all squared moves, each divided by its inverse mass. Elimination has that
+//>   sum at hand: what stood over each pivot, times its g. If it is small, no
+//>   particle has gone too far; and a NaN never leaves a sum.
 // Where all moves together are short, each is.
 static void block_step(block *b, int old)
 {
@@ -754,6 +775,7 @@ static int is_lost(const block *b, int l)
 //<
 
 //> line-settle
+//>   The judge of the old gradient.
 // Newton's step squares a small error.  One that leaves more than an eighth of
 // it did not work, unless what it leaves is rounding: in strain,
 static const real ROUNDING = 1e-9;
@@ -788,6 +810,8 @@ static int block_close(block *b, const int *solved, const real *worst,
 //<
 
 //> line-look
+//>   After a few iterations most blocks have converged. To find that out is
+//>   cheaper than to solve them.
 // Twice what is wrong with eight links whose first ends stand side by side.
 static inline void look_at_links(places at, int pitch, real rest2,
                                  real worst[LANES], real sum[LANES])
@@ -846,6 +870,7 @@ static bool is_good(const block *b, real tolerance, line_result *r)
 //<
 
 //> line-solve
+//>   One direction is solved block by block.
 // Along the old links.  Returns how many lanes are open still.
 static int block_solve_old(block *b, int steps, real tolerance, line_result *r)
 {
@@ -899,6 +924,7 @@ static void solve(block b, const particle *p, int steps, relax_options options,
 //<
 
 //> line-strands
+//>   From a cloth's columns and rows follow its lines.
 int shape_directions(const shape *s)
 {
     return (s->rows > 1) + (s->columns > 1);
@@ -929,6 +955,9 @@ real shape_width(const shape *s, int direction)
 //<
 
 //> line-hold
+//>   What is held is marked before the first iteration. A particle that slides,
+//>   and whose neighbours all touch the same plane, is left free, because no
+//>   link draws it down. Afterwards the pulls are read off the moves.
 // What is held gives way by this share of what it would.
 static const real GIVE = 0.3;
 
@@ -1003,6 +1032,7 @@ static void hold_end(const shape *s, line_scratch *scratch, const particle *p,
 //<
 
 //> line-give
+//>   How much a link gives way, if what it is made of is elastic.
 real links_energy(const shape *s, real compliance, const particle *p)
 {
     real sum = 0;
@@ -1133,6 +1163,9 @@ static void remember_strings(const shape *s, const line_scratch *scratch,
 //<
 
 //> line-relax
+//>   Then the directions take turns, until nothing is off by more than the
+//>   tolerance. In a cloth such a step costs what one iteration over its links
+//>   costs (chapter 21), and gives the answer that thousands would not.
 line_result line_solve(strands s, particle *p, int steps,
                        relax_options options, line_scratch *scratch)
 {

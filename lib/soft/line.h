@@ -1,4 +1,7 @@
 //> line-head
+//>   A line has two strides: how far apart its particles are in the list, and
+//>   how far apart neighbouring lines are. So ropes, columns and rows are one
+//>   thing to the solver.
 // line.h - ropes, and the columns and rows of a cloth, solved at one stroke.
 //
 // Paper: section 3.2 relaxes them stick by stick.  Here: Newton's step for all

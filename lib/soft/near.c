@@ -1,4 +1,5 @@
 //> near-stale
+//>   Are they still good? Both bounds come from one walk over all moves.
 #include "near.h"
 #include "table.h"
 
@@ -98,6 +99,10 @@ static bool lists_are_good(near_lists *l, const soft_frame *f)
 //<
 
 //> near-pairs
+//>   A particle must not collide with its neighbours in the sheet, because
+//>   their links hold it nearer than two radii. What stood nearer than 1.5
+//>   diameters in the flat sheet is left out: four neighbours at one spacing,
+//>   and four across diagonals, at 1.41.
 // The pairs of a traversal that found room; the others are counted.
 static int room_for(near_lists *l, int found, int room)
 {
@@ -155,6 +160,7 @@ static void list_soft_pair(near_lists *l, const soft_frame *f, int a, int b)
 //<
 
 //> near-view
+//>   What the lists say of a particle over a face.
 void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
 {
     const body *rigid = &f->body[b];
@@ -172,6 +178,10 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
 //<
 
 //> near-facets
+//>   Which facets are listed? Those whose particles are near enough. But a
+//>   sheet on a flat face must not become a thousand facets: what three
+//>   particles hold off one face needs nothing more, as long as all three stand
+//>   over it and nowhere near its rim.
 // A particle keeps 0.55 of a spacing from a face, and a cell's diagonal over a
 // right-angled edge 0.05: that much, and some more, facets keep from all.  What
 // is about as thin as a cell may be sharp, too, and be through in a substep: it
@@ -330,6 +340,7 @@ static void list_points(near_lists *l, rigid_view *v, const soft_frame *f,
 //<
 
 //> near-refresh
+//>   When the lists are made again, the places of that moment are noted.
 static void list_pair(near_lists *l, rigid_view *v, const soft_frame *f, int a,
                       int b)
 {
@@ -388,6 +399,7 @@ void near_refresh(near_lists *l, rigid_view *v, const soft_frame *f)
 //<
 
 //> near-candidates
+//>   Which bodies are asked at all.
 typedef struct {
     vec3 least, most;   // m
 } box;
@@ -468,6 +480,7 @@ static void choose_candidates(near_lists *l, const soft_frame *f,
 //<
 
 //> near-begin
+//>   A frame begins with a ball around each body.
 // Around the middle of the box of all.  What has no particles meets nothing.
 static sphere ball_around(const vec3 *at, int n)
 {
@@ -498,6 +511,7 @@ void near_begin(near_lists *l, const soft_frame *f, const prediction *ahead)
 //<
 
 //> near-init
+//>   Its memory.
 // Leaves are single particles.
 static status build_tree(sphere_tree *tree, const body *b)
 {
@@ -630,6 +644,7 @@ void rigid_view_free(rigid_view *v)
 //<
 
 //> near-forget
+//>   And when a body goes, what names it is forgotten.
 // Facets remember on which side of a body they are.
 static void forget_facets(facet_list *list, int b)
 {

@@ -80,6 +80,8 @@ static inline bool is_moving_soft(const soft_frame *f, int b)
 //<
 
 //> near-struct
+//>   The lists hold pairs of particles, particles beside rigid bodies, and
+//>   facets.
 // A rigid body as particles meet it: where its vertices and planes are.
 typedef struct {
     vec3 *corner;       // [corners] of the body that has most

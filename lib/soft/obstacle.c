@@ -1,4 +1,6 @@
 //> hull-planes
+//>   Triangles that lie in one plane give it once, so a cube has six planes and
+//>   not twelve.
 #include "obstacle.h"
 
 #include <assert.h>
@@ -44,6 +46,9 @@ int hull_ahead(vec3 x, const plane *p, int count)
 //<
 
 //> obstacle-over
+//>   A particle that touches mostly stands over a face, the one that it stood
+//>   over before. If its foot on that plane lies on the body, no other plane is
+//>   as far below it, and none needs to be compared.
 static surface_point under(const obstacle *b, vec3 x, int k)
 {
     plane p = b->plane[k];
@@ -95,6 +100,8 @@ static bool stands_over_edge(const obstacle *b, vec3 x, int k,
 //<
 
 //> obstacle-edge
+//>   Over a corner, GJK finds the nearest point, with the particle as a body of
+//>   one point.
 // Over no face: an edge or a corner is nearest.  Of a corner, or an edge that is
 // not seen at once, the query of two bodies finds it, one of them being a point.
 static bool nearest_on_edge(const obstacle *b, vec3 x, int ahead, real reach,
@@ -111,6 +118,8 @@ static bool nearest_on_edge(const obstacle *b, vec3 x, int ahead, real reach,
 //<
 
 //> obstacle-round
+//>   A ball or a capsule has no planes. One formula gives the nearest point of
+//>   its core, and the surface is a radius further out.
 // The nearest point of the core, and out of it along the way to x.  From a point
 // of the core itself all ways out are as long: straight up, or across it.
 static surface_point round_point(const obstacle *b, vec3 x)

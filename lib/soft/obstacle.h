@@ -1,4 +1,8 @@
 //> obstacle-head
+//>   A convex body is what lies behind the planes of all its faces. A particle
+//>   that is in front of one of them by more than its *gap*, the distance that
+//>   it keeps, does not touch. Most likely the same plane shows that in the
+//>   next substep.
 // obstacle.h - convex bodies, as the particles of a cloth meet them.
 //
 // Paper: sections 5.1 and 6.1.  Book: chapter 16.
@@ -35,6 +39,7 @@ static inline real plane_height(plane p, vec3 x)
 //<
 
 //> obstacle-declare
+//>   The planes of a body are found when it is looked at.
 // The planes of the faces of rigid shape s, whose vertices are at `at`;
 // coplanar faces once.  Writes at most s->mesh.faces of them, and returns their
 // number, which may change with a body's strain: the triangles of a side are

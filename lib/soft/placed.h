@@ -1,4 +1,5 @@
 //> placed-head
+//>   A body is a shape, and a range of particles in the world's one pool.
 // placed.h - bodies: shapes that were placed, with their particles in one pool.
 //
 // Book: chapter 16.
@@ -13,6 +14,8 @@
 //<
 
 //> placed
+//>   Its material, what it may meet, and whether it moves are said when it is
+//>   added.
 // A body: a range of the pool, built to a shape that it may share.  The place of
 // one that was taken away is left to one of a shape without particles: static,
 // deformable, and nowhere.

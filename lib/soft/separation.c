@@ -1,4 +1,6 @@
 //> separation-friction
+//>   The push goes along the normal, and friction across it. What is divided may
+//>   be zero or beyond all numbers, so each quotient is looked at before it is used.
 #include "separation.h"
 
 static bool is_finite(real x)
@@ -25,6 +27,7 @@ static vec3 push_apart(vec3 normal, real depth, real mass, vec3 s,
 //<
 
 //> particle-contact-separate
+//>   Two particles share the push by their masses.
 real particle_contact_separate(particle_contact c, particle *p, real friction)
 {
     particle *a = &p[c.a], *b = &p[c.b];
@@ -50,6 +53,7 @@ real particle_contact_separate(particle_contact c, particle *p, real friction)
 //<
 
 //> surface-separate
+//>   A surface does not move, so the particle takes all of it.
 real surface_separate(particle *p, vec3 foot, vec3 normal, real distance,
                       real friction)
 {

@@ -1,4 +1,6 @@
 //> separation-head
+//>   So particles are kept apart from each other, and from static surfaces.
+//>   Both are the least move of chapter 07, with friction.
 // separation.h - particles kept apart, from each other and from surfaces.
 //
 // Paper: section 6.1.  Book: chapter 16.
@@ -17,6 +19,8 @@ typedef struct {
 //<
 
 //> separation-declare
+//>   Two functions part, and a third asks cheaply whether there is anything to
+//>   do.
 // Are the two nearer than they may be?  Quick to ask: most pairs are not.
 static inline bool particle_contact_overlaps(const particle_contact *c,
                                              const particle *p)

@@ -1,4 +1,5 @@
 //> soft-move
+//>   Move and draw: fall, bend, and what the diagonals take back.
 #include "soft.h"
 #include "table.h"
 
@@ -151,6 +152,7 @@ void soft_draw(soft_solver *s, const soft_frame *f)
 //<
 
 //> soft-separate
+//>   *Separate* and *Hold* call what stands above.
 // What presses layers of cloth on each other drives them into each other by a
 // length that grows with the square of the substep.  So a frame takes so many
 // substeps that no pair of particles overlaps by more than this share of their
@@ -229,6 +231,8 @@ void soft_relax(soft_solver *s, const soft_frame *f)
 //<
 
 //> soft-energy
+//>   The report gets the energy, and the number of bodies strained by 1 % that
+//>   must not give.
 real soft_energy(const body *b, const particle *all)
 {
     const particle *p = all + b->first;
@@ -264,6 +268,9 @@ int soft_stretched(const soft_frame *f)
 //<
 
 //> soft-begin
+//>   When a frame begins, a cloth's bounding sphere stands for it. What may
+//>   touch that sphere is woken by the cloth, or wakes it, and falls asleep
+//>   only together with it.
 // Its particles' middle goes straight on; beside that each goes as far as the
 // fastest, and as gravity adds, and a quarter of a spacing for impacts.
 static prediction predict(const soft_frame *f, int b)
@@ -329,6 +336,10 @@ bool soft_may_touch(const soft_solver *s, int a, int b)
 //<
 
 //> soft-substeps
+//>   Where all iterations have left a link off by 1 %, or a cloth is pinned,
+//>   nine more are taken at once. A frame that is divided for something fast
+//>   (chapter 15) takes as many in its four parts together. The number rises at
+//>   once, and falls after three frames.
 // In a substep nothing should go further than a share of its own radius: the
 // inner one of a rigid body, half the spacing of a deformable one.  One whose
 // numbers are lost asks for nothing.
@@ -419,6 +430,7 @@ int soft_substeps(const soft_solver *s, const soft_frame *f)
 //<
 
 //> soft-init
+//>   Memory grows when a body is added, so that no substep needs any.
 static bool make_room(soft_solver *s, const body *b, int bodies, int particles)
 {
     int room = table_room(bodies, s->bodies);

@@ -11,6 +11,7 @@
 //<
 
 //> soft-struct
+//>   What is kept from frame to frame.
 // What cloth and rope keep from frame to frame, and what a frame counts.
 typedef struct {
     near_lists near;
@@ -32,6 +33,7 @@ typedef struct {
 //<
 
 //> soft-declare
+//>   The five phases are functions of their own.
 // Body b of `all` is new; there are so many now, with so many particles in the
 // pool.  Costs nothing before one is deformable.  Fails, adding nothing, for
 // want of memory.

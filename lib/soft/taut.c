@@ -1,4 +1,5 @@
 //> taut-step
+//>   A string that is taken where it will be: Thomas, with three right-hand sides.
 // taut.c - a string under tension, stepped by the pull at the substep's end.
 //
 // Paper: nothing.  Book: chapter 12.

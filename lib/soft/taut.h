@@ -19,6 +19,8 @@ typedef struct {
 //<
 
 //> taut-declare
+//>   One function says how taut a link may be before it needs this, and one
+//>   takes the step.
 // The most (kg) that T h^2 / length of a link may be to leave it to an explicit
 // step, if strands of so many directions meet at its lighter end, which has this
 // inverse mass.

@@ -1,4 +1,5 @@
 //> touch-push
+//>   A push on a body that moves.
 #include "touch.h"
 #include "restitution.h"
 
@@ -209,6 +210,9 @@ static void share_with_all(const touch *x, const particle *before,
 //<
 
 //> touch-fixed
+//>   What does not move needs no such care. The particle leaves it, and
+//>   remembers the normal, and whether friction holds it; the strands do the
+//>   rest (chapter 12).
 static vec3 along(vec3 way, vec3 normal)
 {
     return vec3_add_scaled(way, -vec3_dot(way, normal), normal);
@@ -290,6 +294,9 @@ static bool touch_fixed(const soft_frame *f, int i, surface_point at,
 //<
 
 //> touch-bodies
+//>   With restitution every particle bounces for itself. A sheet that lands
+//>   flat is a thousand impacts; the strands share them out in the same
+//>   substep.
 // Whatever answers at that point: *p.
 static bool push_off(const touch *x, particle *p)
 {
@@ -496,6 +503,8 @@ void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
 //<
 
 //> touch-clear
+//>   Joints ask the same two queries whether a cloth is clear of a body
+//>   (chapter 17, *Pins*).
 static bool facet_is_clear(const rigid_view *v, const soft_frame *f, int a,
                            int k, real apart)
 {
@@ -526,6 +535,7 @@ bool touch_is_clear(rigid_view *v, const soft_frame *f, int a, int b)
 //<
 
 //> touch-particles
+//>   Planes and pairs of particles need only a loop.
 static bool touch_plane(const soft_frame *f, int i, plane wall, real apart,
                         material m)
 {

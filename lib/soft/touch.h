@@ -10,6 +10,7 @@
 //<
 
 //> touch-declare
+//>   Planes and pairs of particles come first, then bodies, then facets.
 // Each parts what is listed and overlaps, and returns how many it parted.
 // Particles and planes,
 int touch_planes(const soft_frame *f);

@@ -1,8 +1,11 @@
 //> guard-most
+//>   How much energy may there be? What there was, and what gravity, motors and
+//>   forces may add.
 #include "guard.h"
 #include "drive.h"
 #include "handle.h"
 
+#include <float.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -124,6 +127,7 @@ static void report_lost(world *w, int lost, bool is_wild)
     int all = 0;
     if (lost == 0 && !is_wild) return;
     linkage_forget_impulses(&w->joints);
+    solver_forget(&w->rigid.solver, w->rigid.cache.active);
     for (int b = 0; b < w->bodies; b++) {
         if (!w->rigid.moves[b]) continue;
         sleep_forget(&w->sleep, b);
@@ -145,7 +149,39 @@ void guard_brake(world *w, real most)
 }
 //<
 
+//> guard-soft
+// A pin on a body that turns by radians in a substep feeds the rope that it
+// holds, without end.  When a particle has gone so far that the spacing of its
+// strand is less than the last digit of the way, nothing is left of the rope.
+static bool is_lost(const body *x, const particle *p)
+{
+    real spacing = x->shape->spacing;
+    for (int i = 0; i < body_particles(x); i++) {
+        vec3 way = vec3_sub(p[i].position, p[i].previous);
+        real digit = DBL_EPSILON * vec3_length(way);
+        if (!(digit < spacing)) return true;
+    }
+    return false;
+}
+
+void guard_soft(world *w)
+{
+    int lost = 0;
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        particle *p = w->pool.at + x->first;
+        if (!body_is_soft(x) || !body_moves(w, b) || !is_lost(x, p)) continue;
+        for (int i = 0; i < body_particles(x); i++)
+            p[i].position = p[i].previous;
+        sleep_forget(&w->sleep, b);
+        lost++;
+    }
+    w->report.lost = int_max(w->report.lost, lost);
+}
+//<
+
 //> guard-planes
+//>   A centre that would go behind a plane stops on it.
 // Contacts are those of the frame's start, and what was hit hard may turn past
 // them: but no centre goes behind a plane, or further behind than it was.
 static void stop_at_plane(world *w, int b, plane p)
@@ -179,6 +215,9 @@ void guard_planes(world *w)
 //<
 
 //> guard-through
+//>   Seen from the larger body, the centre of the smaller one has gone along a
+//>   line. If the line has entered through a face, the centre comes back over
+//>   that face, and both bodies make way by their masses.
 // A body that slides along another, and that turns meanwhile, may come to be
 // behind the side that it slides along: its contact is that of the frame's
 // start.  So the centre of the smaller one goes through no other body, as that

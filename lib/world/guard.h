@@ -17,6 +17,10 @@ real guard_most(const world *w, const solver_frame *f);
 // that energy.
 void guard_brake(world *w, real most);
 
+// After the substep of rope and cloth: what has lost its numbers in it stands
+// again where the substep began, at rest, and is reported.
+void guard_soft(world *w);
+
 // Nothing goes through a body that it touches.
 void guard_bodies(world *w);
 

@@ -1,4 +1,7 @@
 //> handle-where
+//>   Verlet's velocity is half a substep old. Gravity has given a falling body
+//>   some speed since, which is added. For a body at rest contacts have
+//>   cancelled it.
 #include "handle.h"
 
 #include <assert.h>
@@ -77,6 +80,7 @@ placement world_where(const world *w, int b)
 //<
 
 //> handle-put
+//>   To put a body elsewhere is to remove it and to add it again.
 // A body that is put elsewhere is one that is gone and has come: only its
 // number, its shape and its particles stay.
 status world_put(world *w, int b, placement where)
@@ -99,6 +103,8 @@ status world_put(world *w, int b, placement where)
 //<
 
 //> handle-push
+//>   A sleeper is pinned, so its particles get their masses back before it is
+//>   pushed.
 // Adds to the velocity of a rigid body: its particles were elsewhere.
 static void add_velocity(world *w, int b, vec3 velocity, vec3 spin)
 {
@@ -164,6 +170,8 @@ void world_push_particle(world *w, int b, int i, vec3 impulse)
 //<
 
 //> handle-force
+//>   A force acts through the next frame, with an equal part in each substep
+//>   (`constant_force_gives_force_times_time_by_mass`).
 void world_force(world *w, int b, vec3 force, vec3 torque)
 {
     assert(vec3_is_finite(force) && vec3_is_finite(torque));
@@ -194,6 +202,7 @@ void world_forget_loads(world *w)
 //<
 
 //> handle-material
+//>   Friction, restitution and damping of a body.
 static status take_material(world *w, material *own, material m)
 {
     if (m.friction < 0) m.friction = w->options.friction;
@@ -271,6 +280,7 @@ void world_set_filter(world *w, int b, unsigned group, unsigned mask)
 //<
 
 //> handle-sleep
+//>   A body is woken, or sent to sleep.
 void world_sleep(world *w, int b)
 {
     assert(b >= 0 && b < w->bodies);

@@ -1,4 +1,8 @@
 //> handle-head
+//>   A program wants to know where a body is, and to push it. But there are
+//>   only four particles. Their frame in the shape and their frame now differ
+//>   by a rotation: that is how the body is turned. An impulse changes a
+//>   motion, which is then written into `previous`.
 // handle.h - what a program may do to a body between two steps.
 //
 // Paper: not asked; a body there only falls.  Book: chapter 18.

@@ -1,4 +1,6 @@
 //> join
+//>   Whatever changes about a joint wakes its bodies and asks again which pairs
+//>   may meet; everything else is passed on.
 #include "join.h"
 
 #include <assert.h>
@@ -111,6 +113,8 @@ real world_joint_angle(const world *w, int number)
 //<
 
 //> join-inside
+//>   In the step, joined bodies are taken from the pairs, and they sleep and
+//>   wake as one island.
 linkage_pass join_pass(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;

@@ -1,4 +1,6 @@
 //> join-head
+//>   To the world a joint is a number. Five functions make it, take it away and
+//>   look at it.
 // join.h - the joints of a world.
 //
 // Book: chapter 17.
@@ -30,6 +32,7 @@ real world_joint_angle(const world *w, int number);
 //<
 
 //> join-declare-inside
+//>   Four more are for the step, and not for a program.
 // A frame's part of the work, for step.c.
 linkage_pass join_pass(world *w, const solver_frame *f);
 void join_begin(world *w, const solver_frame *f);

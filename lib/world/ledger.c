@@ -1,4 +1,6 @@
 //> ledger-total
+//>   Before the move of a rigid body the halfway position is half a substep
+//>   ahead, and after it half a substep behind.
 #include "ledger.h"
 
 #include <string.h>
@@ -68,6 +70,8 @@ ledger_entry ledger_total(const world *w)
 //<
 
 //> ledger-book
+//>   All accounts together give what has changed, to rounding
+//>   (`books_balance_whatever_happens`).
 void ledger_open(world *w)
 {
     if (w->options.ledger) w->ledger_now = ledger_total(w);

@@ -11,6 +11,8 @@
 //<
 
 //> ledger-declare
+//>   Without the option `ledger` none of this runs. With it, no bit of the
+//>   motion changes.
 // What the bodies have: kinetic energy by the velocities in the
 // middle of a substep, and potential energy, momentum and angular momentum at
 // the places of that moment; and what is stored in bends and links.  Under gravity alone a step changes none of this
@@ -39,5 +41,6 @@ void ledger_clear(world *w);
 //<
 
 //> ledger-end
+//>   The header ends.
 #endif
 //<

@@ -1,4 +1,5 @@
 //> measure-strain
+//>   Strain is the worst of all links and sticks.
 #include "measure.h"
 
 #include <stddef.h>
@@ -49,6 +50,7 @@ static void measure_motion(const world *w, measures *m)
 //<
 
 //> measure-penetration
+//>   Overlap needs the queries of chapters 04 and 05, for every kind of pair.
 // Where everything is, and room for the planes of one body.
 typedef struct {
     vec3 *at;           // m, the vertices of all bodies
@@ -114,6 +116,7 @@ static void measure_pair(const world *w, const sight *s, int a, int b,
 //<
 
 //> measure-look
+//>   The whole of it: overlaps, strains and motion.
 static sphere ball_around(const vec3 *at, int n)
 {
     sphere s = { { 0, 0, 0 }, 0 };
@@ -173,6 +176,7 @@ static void measure_penetration(const world *w, measures *m)
 //<
 
 //> world-measure
+//>   The same as a function of the world.
 measures world_measure(const world *w)
 {
     measures m = { .strain = 0 };
@@ -184,6 +188,8 @@ measures world_measure(const world *w)
 //<
 
 //> world-hash
+//>   `build/tumble room --bits` prints a hash of all positions, and two runs,
+//>   or two compilers, must agree.
 unsigned long long world_hash(const world *w)
 {
     unsigned long long hash = 0xcbf29ce484222325ULL;

@@ -1,4 +1,7 @@
 //> measure-head
+//>   How good is a step? A contact list that missed a pair shows no overlap. So
+//>   the measures use nothing that the step found: they ask every pair whose
+//>   spheres meet.
 // measure.h - how far from right is the world?
 //
 // Paper: section 7 measures time only.  Book: chapter 18.

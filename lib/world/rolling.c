@@ -1,4 +1,6 @@
 //> rolling
+//>   It acts only on what turns slowly
+//>   (`ball_rolls_down_a_slope_with_five_sevenths`).
 #include "rolling.h"
 
 #include <stddef.h>

@@ -1,4 +1,5 @@
 //> sleep-init
+//>   Memory for islands and windows.
 #include "sleep.h"
 #include "table.h"
 
@@ -56,6 +57,7 @@ void sleep_free(sleep_state *s)
 //<
 
 //> sleep-touch
+//>   Islands are joined by union-find, with path halving.
 // The body that stands for b's island.  Every step shortens the way for the
 // next one (path halving).  Only such a body is ever given a parent, and one of
 // another island: no way leads back, so it ends.
@@ -118,6 +120,7 @@ static sleep_limits limits_of(const sleep_rule *rule, real radius)
 //<
 
 //> sleep-observe
+//>   Each frame adds what the body has done to its windows.
 // The largest distance (m) of n particles from where they were.
 static real furthest(const particle *p, const vec3 *from, int n)
 {
@@ -207,6 +210,7 @@ bool sleep_is_moving(const sleep_state *s, int b)
 //<
 
 //> sleep-end
+//>   An island in which any body is not still stays awake as a whole.
 int sleep_end(sleep_state *s)
 {
     int fallen = 0;

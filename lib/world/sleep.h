@@ -61,6 +61,8 @@ typedef struct {
 //<
 
 //> sleep-declare
+//>   A body has two windows at a time, half a window apart, so that a stop is
+//>   noticed soon.
 // All bodies awake.  Fails, leaving *s empty, if memory is refused.
 status sleep_init(sleep_state *s, int bodies, int particles);
 // More of them, if there were fewer; these are awake.  Fails, changing nothing.
@@ -107,5 +109,6 @@ void sleep_forget(sleep_state *s, int b);
 //<
 
 //> sleep-end-of-header
+//>   The header ends.
 #endif
 //<

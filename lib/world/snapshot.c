@@ -1,4 +1,5 @@
 //> snapshot-shape
+//>   A shape is its points, its faces and its sticks.
 #include "snapshot.h"
 
 #include <stdlib.h>
@@ -21,6 +22,8 @@ void shape_store(shape *x, store *s)
 //<
 
 //> snapshot-pairs
+//>   The list of pairs keeps its order, because the order of impulses follows
+//>   from it.
 // Of its tables only the order outlives a call.
 static void broad_store(broad *x, store *s)
 {
@@ -48,6 +51,8 @@ static void pair_list_store(pair_list *l, store *s)
 //<
 
 //> snapshot-contacts
+//>   The cache keeps its contacts with their impulses, and the solver its
+//>   blocks.
 static void cache_list_store(cache_list *l, store *s)
 {
     STORE_TABLE(s, l->pair, l->count, l->capacity);
@@ -96,6 +101,10 @@ static void contact_solver_store(contact_solver *s, store *to)
 //<
 
 //> snapshot-joints
+//>   Joints keep the impulses of the last substep, for the warm start. Their
+//>   bodies keep the number of the last frame in which they were joined: a
+//>   frame is divided into parts if what is joined spins fast, and that is
+//>   decided before its joints are prepared.
 static void linkage_store(linkage *l, store *s)
 {
     STORE_TABLE(s, l->joint, l->count, l->capacity);
@@ -109,6 +118,7 @@ static void linkage_store(linkage *l, store *s)
 //<
 
 //> snapshot-sleep
+//>   Sleep keeps its windows, or a pile would start its count again.
 static void sleep_store(sleep_state *x, store *s)
 {
     STORE_ROOM(s, x->parent, x->room);
@@ -122,6 +132,7 @@ static void sleep_store(sleep_state *x, store *s)
 //<
 
 //> snapshot-soft
+//>   Cloth has most tables, and most of them are only room.
 static void trees_store(near_lists *l, store *s)
 {
     STORE_TABLE(s, l->tree, l->bodies, l->bodies);
@@ -186,6 +197,8 @@ static void soft_store(soft_solver *x, store *s)
 //<
 
 //> snapshot-bodies
+//>   A body points to its shape, which may be shared, so shapes are stored
+//>   first and bodies name them by number.
 // What is found for a shape, and memory to work on it.
 static void shape_entry_store(shape_entry *e, store *s)
 {
@@ -256,6 +269,8 @@ static void bodies_store(world *w, store *s)
 //<
 
 //> snapshot-world
+//>   At last the world, which goes whole and then names its tables in the order
+//>   of its parts.
 // Of what moves the next frame finds ahead, reach, velocity and moved; of all
 // else they are zeros.  Planes are read from a new list, or where the cache found
 // no memory for the last one.

@@ -14,6 +14,7 @@
 //<
 
 //> snapshot-declare
+//>   It has one function for a world, and one for a shape.
 // The tables of a world, which lies in memory that was entered.  The things of
 // the store are the shapes of its bodies.  Read, it has no clock and no threads
 // of its host.
@@ -24,5 +25,6 @@ void shape_store(shape *x, store *s);
 //<
 
 //> snapshot-end-of-header
+//>   The header ends.
 #endif
 //<

@@ -1,4 +1,6 @@
 //> soft-step-wake
+//>   The view holds pointers to what the cloth may read and move, and nothing
+//>   else.
 #include "soft_step.h"
 #include "ledger.h"
 #include "pin.h"
@@ -60,6 +62,7 @@ bool soft_wake(world *w)
 //<
 
 //> soft-step
+//>   The cloth says how many substeps it needs, takes them, and reports.
 int soft_need(world *w)
 {
     soft_frame f = soft_frame_of(w, w->age);

@@ -1,4 +1,6 @@
 //> soft-step-head
+//>   The step lends the world to the cloth of chapter 16, and wakes what it
+//>   meets.
 // soft_step.h - cloth and rope in the world's step.
 //
 // Book: chapter 18.

@@ -86,13 +86,29 @@ static void solve(world *w, real *since)
 
 // Where something flies by more than its own size in a frame, and may hit, the
 // frame is divided: after the impact everything goes elsewhere than was found.
-// So it is where what is joined turns far.
+// So it is where what is joined turns far, and where what is driven turns its
+// far end by more than the size of what it may hit: the side that was found is
+// another one by then.
 enum { FAST_PARTS = 4 };
+
+static bool is_swept(const world *w)
+{
+    const rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->cache.actives && w->kinematic_bodies > 0; k++) {
+        int a = t->cache.active[k]->a, b = t->cache.active[k]->b;
+        if (b < 0 || t->now[a].is_driven == t->now[b].is_driven) continue;
+        int driven = t->now[a].is_driven ? a : b, other = a + b - driven;
+        real far = t->ahead[driven].angle * t->now[driven].radius;
+        if (far > t->body[other].inner) return true;
+    }
+    return false;
+}
 
 static int parts_of(const world *w)
 {
     int parts = parts_for_turns(w);
-    return w->rigid.cache.fast > 0 ? int_max(parts, FAST_PARTS) : parts;
+    bool is_fast = w->rigid.cache.fast > 0 || is_swept(w);
+    return is_fast ? int_max(parts, FAST_PARTS) : parts;
 }
 
 // A world in which everything sleeps has nothing to do: nothing in it can wake.
@@ -137,6 +153,8 @@ static void lap(world *w, int phase, real *since)
 //<
 
 //> step-look
+//>   A body that does not move gets a motion basis of zeros: it answers no
+//>   impulse, and no other phase needs to ask why.
 // How far a body may get in this frame: as fast as it is now, with what gravity
 // adds and what else pushes it, and a hundredth of its radius for what impacts
 // add.  However far it turns, no vertex gets further than across; and a ball
@@ -185,6 +203,7 @@ static rigid_frame find_middle(const world *w, int b)
 //<
 
 //> step-look-at
+//>   Bodies are shared among threads, 32 at a time.
 static void look_at_body(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
@@ -228,6 +247,8 @@ static void look_at_bodies(world *w)
 //<
 
 //> step-wake
+//>   A sleeper that a moving body may reach in this frame is woken *before* the
+//>   impact, or it would be a rock for one frame.
 // Are two bodies so near that they may meet in this frame?
 static bool may_meet(const rigid_tables *t, int a, int b)
 {
@@ -251,6 +272,7 @@ static void wake_sleepers(world *w)
 //<
 
 //> step-pairs
+//>   Chapter 14 finds the pairs, and keeps them while the balls hold.
 // A list without bodies that must not meet.
 static void drop_pairs(world *w)
 {
@@ -282,6 +304,7 @@ static void find_pairs(world *w)
 //<
 
 //> step-contacts
+//>   The step lends it the bodies, and gets back the contacts of the frame.
 static cache_frame what_to_ask(const world *w)
 {
     const rigid_tables *t = &w->rigid;
@@ -305,6 +328,7 @@ static void find_contacts(world *w)
 //<
 
 //> step-prepare
+//>   Before the substeps, blocks are made of the contacts (chapter 13).
 // The largest of the world, its bodies and its planes.
 static real most_restitution(const world *w)
 {
@@ -425,12 +449,17 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
     solver_end(&t->solver, t->velocity);
     ledger_book(w, LEDGER_CONTACTS);
     lap(w, PHASE_SOLVE, since);
-    if (w->softs > 0) soft_step(w, f->h);
+    if (w->softs > 0) {
+        soft_step(w, f->h);
+        guard_soft(w);
+    }
     lap(w, PHASE_SOFT, since);
 }
 //<
 
 //> step-move
+//>   The particles follow the displacement of the frame, and SHAKE keeps the
+//>   body's shape (chapter 13).
 // Bodies that turn little go in one move, those of one shape together.
 enum { ALIKE = TASK_CHUNK };
 
@@ -514,6 +543,7 @@ static void relax_moves(world *w, int b, int end)
 //<
 
 //> step-move-end
+//>   The end of a frame: bodies are put where their substeps have brought them.
 static void end_move(world *w, int b, real h)
 {
     rigid_tables *t = &w->rigid;
@@ -564,6 +594,9 @@ static void move_bodies(world *w, real h)
 //<
 
 //> step-sleep
+//>   In the step, a contact that pushes joins two bodies to an island. To the
+//>   other phases a sleeping body is immovable. Where all sleep, a step does
+//>   nothing at all.
 // Does body b lie pinned?  Particles that were pinned from the start do not show.
 static bool is_put_to_sleep(const world *w, const body *b)
 {

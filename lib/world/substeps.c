@@ -39,6 +39,7 @@ static int substeps_for_heavy(const world *w)
 //<
 
 //> substeps-stack
+//>   A stack is judged by the impulses of the last frame.
 // Where nothing goes further than a sixteenth of its radius in a frame, three
 // quarters of the usual substeps do, unless a stack needs all of them; or more
 // than twice as many, as small bodies do, which gravity takes further beside
@@ -97,6 +98,14 @@ int parts_for_turns(const world *w)
 //<
 
 //> substeps-again
+// A frame of 16 parts has as many times the substeps that options ask for: if
+// they ask for thousands, it would last minutes.  What a program may ask for is
+// all that a frame has.
+static int all_of_part(const world *w)
+{
+    return int_max((int)(w->frame / w->options.dt * ALL_SUBSTEPS), 1);
+}
+
 // A chain that comes taut pulls a hundred times as hard as in the frame before.
 // Where joints swung so much faster than the substeps that there were could
 // follow, the frame is to be solved again.
@@ -106,13 +115,16 @@ int substeps_again(const world *w, int had)
 {
     real share = w->frame / w->options.dt;
     real need = w->frame * w->joints.pace / FOLLOWED;
-    int most = (int)(share * w->options.most_substeps);
+    int most = int_min((int)(share * w->options.most_substeps),
+                       all_of_part(w) - had);
     if (w->softs > 0 || had >= most || !(need > TOO_FAST * had)) return 0;
     return need < most ? (int)need + 1 : most;
 }
 //<
 
 //> substeps-choose
+//>   The largest demand counts. It is obeyed at once, and released after half a
+//>   second.
 // Every change of their number jolts what rests: it rises at once, and falls
 // when it has been too high for PATIENCE frames.
 enum { PATIENCE = 30 };
@@ -141,6 +153,8 @@ int substeps_choose(world *w)
     n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
     if (share < 1) n = int_max(usual, (int)(share * n));
     if (w->softs > 0) n = int_max(n, soft_need(w));
-    return int_min(n, int_max((int)(share * most), usual));
+    n = int_min(n, int_max((int)(share * most), usual));
+    w->report.cut += n > all_of_part(w);
+    return int_min(n, all_of_part(w));
 }
 //<

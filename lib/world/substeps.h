@@ -14,7 +14,8 @@ int parts_for_turns(const world *w);
 
 // For the frame, or the part of it, whose contacts the solver has looked at:
 // the usual number, fewer where all is calm, more under heavy loads, for small
-// things, and for cloth.  At most options.most_substeps in a frame.
+// things, and for cloth.  At most options.most_substeps in a frame, and never
+// more than ALL_SUBSTEPS: what has fewer for that is counted in report.cut.
 int substeps_choose(world *w);
 
 // With how many substeps that frame, or part, which had so many, must be solved

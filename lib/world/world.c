@@ -1,4 +1,6 @@
 //> world-options
+//>   The defaults are those of a scene in metres on Earth at sixty frames a
+//>   second.
 #include "world.h"
 #include "table.h"
 
@@ -22,6 +24,7 @@ world_options world_options_default(void)
 //<
 
 //> world-check
+//>   Options are checked once, so that no step needs to doubt them.
 static status check_range(const char *name, real value, real least, real most)
 {
     if (value >= least && value <= most) return status_ok();
@@ -34,8 +37,8 @@ static status check_options(const world_options *o)
 {
     struct { const char *name; real value, least, most; } rule[] = {
         { "dt",            o->dt,              1e-9, 1 },
-        { "substeps",      o->substeps,        1, 10000 },
-        { "most_substeps", o->most_substeps,   1, 10000 },
+        { "substeps",      o->substeps,        1, ALL_SUBSTEPS },
+        { "most_substeps", o->most_substeps,   1, ALL_SUBSTEPS },
         { "friction",      o->friction,        0, 1000 },
         { "restitution",   o->restitution,     0, 1 },
         { "hertz",         o->hertz,           1e-3, 1e6 },
@@ -59,6 +62,8 @@ static status check_options(const world_options *o)
 //<
 
 //> world-init
+//>   A world begins empty. A table grows when the first thing comes that needs
+//>   it.
 // Grows an array that is only added to; doubles, so that adding n elements
 // copies O(n) of them.
 static void *grown(void *old, int count, size_t size)
@@ -180,6 +185,7 @@ status world_stretch(world *w, int b, real compliance)
 //<
 
 //> world-radius
+//>   A particle of a cloth has a ball around it (chapter 16).
 // Particles of deformable bodies are balls of 0.55 of its spacing: where two
 // sheets lie on each other, no diagonal of one can then pass between the
 // particles of the other, which are 1.1 spacings away.
@@ -190,6 +196,8 @@ static real particle_radius(const shape *s)
 //<
 
 //> world-place
+//>   A body is placed by moving its shape's particles. Verlet's previous
+//>   positions carry the velocity, half a substep old.
 static vec3 placed(const placement *where, vec3 r)
 {
     return vec3_add(vec3_scale(r.x, where->x),
@@ -224,6 +232,8 @@ static void place_particles(world *w, const body *b, const placement *where)
 //<
 
 //> world-wake
+//>   A body that does not move wakes nothing, or two piles that lean on each
+//>   other would wake each other for ever.
 void world_wake(world *w, int b)
 {
     assert(b >= 0 && b < w->bodies);
@@ -291,6 +301,7 @@ void world_wake_around(world *w, int b)
 //<
 
 //> world-shape
+//>   What follows from a shape alone is computed once a shape.
 // The four particles of the rigid shape s.
 static status make_rigid(const shape *s, rigid4 **f)
 {
@@ -342,6 +353,7 @@ static void free_shape(shape_entry *e)
 //<
 
 //> world-room
+//>   Room for what comes: tables grow between frames.
 static bool grow_rigid(rigid_tables *t, int old, int room)
 {
     bool ok = true;
@@ -550,6 +562,7 @@ status world_add(world *w, const shape *s, placement where, int *number)
 //<
 
 //> world-remove
+//>   A body goes, and all that names it.
 const shape WORLD_NOTHING = { .kind = SHAPE_ROPE };
 
 static void leave_shape(world *w, const shape *s)
@@ -597,6 +610,7 @@ void world_remove(world *w, int b)
 //<
 
 //> world-free
+//>   A world is given back.
 void world_free(world *w)
 {
     rigid_tables *r = &w->rigid;
@@ -618,6 +632,7 @@ void world_free(world *w)
 //<
 
 //> world-vertices
+//>   To draw a body, its vertices are computed from its frame.
 void world_vertices(const world *w, const body *b, vec3 *at)
 {
     const particle *p = w->pool.at + b->first;

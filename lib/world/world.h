@@ -1,4 +1,6 @@
 //> world-head
+//>   What can be chosen is an option. The section *Options* says when to turn
+//>   it.
 // world.h - the system: bodies in one pool of particles, and the step.
 //
 // Paper: sections 5 to 7.  Book: chapter 18.
@@ -18,11 +20,14 @@ typedef struct {
     tasks run;              // threads; see task.h
 } world_host;
 
+// In all parts of a frame, and where it is solved again, together.
+enum { ALL_SUBSTEPS = 10000 };
+
 typedef struct {
     real dt;            // s, a frame: one call of world_step; to 1
     int  substeps;      // of a frame: the more, the stiffer are contacts, and
                         // the higher may stacks be, the heavier what rests on
-                        // light; 1 to 10000
+                        // light; 1 to ALL_SUBSTEPS
     int  most_substeps; // a frame takes more, up to this, for a cloth that
                         // something fast comes near, and for a load that is
                         // great beside what carries it; no more in its
@@ -51,6 +56,7 @@ typedef struct {
 //<
 
 //> report-struct
+//>   A step reports what it did.
 enum { PHASE_PAIRS, PHASE_CONTACTS, PHASE_PREPARE, PHASE_SOLVE, PHASE_SOFT,
        PHASE_MOVE, PHASE_SLEEP, PHASES };
 
@@ -76,6 +82,8 @@ typedef struct {
                         // off by a hundredth
     int  lost;          // bodies that had no numbers after the substeps of a
                         // part of the frame, and were stopped: should be 0
+    int  cut;           // parts of the frame that had fewer substeps than
+                        // options ask for, for ALL_SUBSTEPS are all: should be 0
     int  dropped;       // contacts or pairs that found no room: should be 0
     int  broken;        // joints that had to bear more than their strength
     real parted;        // m, the most by which the points of a joint are apart
@@ -83,6 +91,7 @@ typedef struct {
 //<
 
 //> ledger-struct
+//>   Each phase books the energy and momentum that it gave.
 // What energy and momentum may come from, and go to: gravity and motion,
 // contacts with their friction, sticks, falling asleep.
 enum { LEDGER_INTEGRATE, LEDGER_CONTACTS, LEDGER_STICKS, LEDGER_SLEEP,
@@ -153,6 +162,8 @@ typedef struct {
 //<
 
 //> world-struct
+//>   The world owns all tables, and lends them as `const` to the phases that
+//>   only read them.
 typedef struct world {
     world_options options;
     particle_pool pool;
@@ -190,6 +201,8 @@ typedef struct world {
 //<
 
 //> world-declare
+//>   A program makes a world, adds bodies, and steps. The rest is for the
+//>   modules of the step.
 // 8 substeps of 1/480 s, friction 0.5, restitution 0.
 world_options world_options_default(void);
 
@@ -287,5 +300,6 @@ void   world_skin(const world *w, const body *b, vec3 *at);
 //<
 
 //> world-end-of-header
+//>   The header ends.
 #endif
 //<

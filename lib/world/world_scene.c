@@ -1,4 +1,6 @@
 //> world-scene-fill
+//>   A rope's shape is straight, but a slack rope hangs from the start: its
+//>   positions are set here.
 #include "world_scene.h"
 
 #include <assert.h>
@@ -36,6 +38,7 @@ status world_of_scene(world *w, const scene *s, world_options how)
 //<
 
 //> world-scene-options
+//>   Finer cloth needs more substeps.
 world_options world_scene_options(scene_kind kind, int cloth)
 {
     world_options o = world_options_default();
@@ -55,6 +58,7 @@ world_options world_scene_options(scene_kind kind, int cloth)
 //<
 
 //> world-scene-build
+//>   A new world, filled with what the scene describes.
 status world_scene_build(world_scene *s, scene_kind kind, scene_options what,
                          world_options how)
 {

@@ -1,4 +1,5 @@
 //> world-scene-head
+//>   The world is filled from chapter 09's description of a scene.
 // world_scene.h - the engine's world from a scene, and the paper's experiments.
 //
 // Paper: section 7, Figure 8.  Book: chapter 18.

@@ -38,6 +38,9 @@ function end_table() {
     close(csv); csv = ""
 }
 
+# A block shows the lines that its captions claim, one claim after the other.
+function open_claim(k) { which = k; name = claimed[k]; at = begins[k]; end = ends[k] }
+
 # A caption's names: each opens a function in these lines, or closes a type.
 function check_names(list, name, at, end,    n, word, i, k, found) {
     n = split(list, word, ", ")
@@ -66,14 +69,19 @@ FILENAME != "book.md" && FILENAME !~ /\/book\.md$/ {
     if (half[2] != link) fail(book, FNR, "the caption and its link disagree")
     if (!(name in length_of)) fail(book, FNR, "there is no file " name)
     if (sub(/.*[0-9]: /, "", half[1])) check_names(half[1], name, at, end)
+    claims = caption && caption == FNR - 1 ? claims + 1 : 1
+    claimed[claims] = name; begins[claims] = at; ends[claims] = end
     caption = FNR; next
 }
-caption && FNR == caption + 2 { if ($0 != "```c") fail(book, FNR, "here a block of code should open"); inside = 1; next }
+caption && FNR == caption + 2 { if ($0 != "```c") fail(book, FNR, "here a block of code should open"); inside = 1; open_claim(1); next }
+# Between the pieces of a block there may be a blank line.
+caption && inside && $0 == "" && which > 1 && at <= begins[which] + (lib[name, begins[which]] == "") && lib[name, at] != "" { next }
 caption && inside && at <= end {
     if ($0 != lib[name, at]) fail(book, FNR, "this is not line " at " of " name)
     if (!(shown[name, at]++)) where[name, at] = FNR
     else fail(book, FNR, "line " at " of " name " was shown before, on line " where[name, at])
-    at++; next
+    if (++at > end && which < claims) open_claim(which + 1)
+    next
 }
 caption && inside { if ($0 != "```") fail(book, FNR, "here the block of code should close"); caption = inside = 0; next }
 /^```/ { fence = !fence }

@@ -48,10 +48,11 @@ function split_row(line, by_comma, cell,    n) {
     }
     return n
 }
-# The file that "02-rope" is short for.
+# The file that "02-rope" is short for.  "little" is what the little program's
+# stages print.
 function csv_of(short) {
-    short = short ~ /^[0-9][0-9]-/ ? substr(short, 1, 2) "/" short : short ~ /\// ? short : "tables/" short
-    return "figures/" short ".csv"
+    short = short ~ /^[0-9][0-9][a-z]?-/ ? substr(short, 1, index(short, "-") - 1) "/" short : short ~ /\// ? short : "tables/" short
+    return short == "tables/little" ? "chapters/little/measured.csv" : "figures/" short ".csv"
 }
 # The number that "02-rope 3; 64; cost" names; "" and a complaint if none is.
 function number_of(address,    part, parts, where, csv, block, i, k, at, entry, cell, head, n, comma_or_blank) {

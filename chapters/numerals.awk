@@ -11,7 +11,7 @@ BEGIN {
     numeral = number "( %| per cent| " unit "([^a-zA-Z0-9]|$)| of (a|the|its|one) )"
     for (i = 1; i < 256; i++) code[sprintf("%c", i)] = i
 }
-FNR == 1 { flush(); page = FILENAME; sub(/.*\//, "", page); if (page ~ /^[0-9]/) page = substr(page, 1, 2); inside = 0 }
+FNR == 1 { flush(); page = FILENAME; sub(/.*\//, "", page); if (page ~ /^[0-9]/) sub(/-.*/, "", page); inside = 0 }
 /^ *```/ { flush(); inside = !inside; next }
 inside || /^(@@|%%) / || /^<!--/ { next }
 /^ *$/ { flush(); next }

@@ -10,7 +10,7 @@ inside || /^(@@|%%) / { print ""; next }
     gsub(/`[^`]*`/, " ")
     gsub(/<[a-z\/][^>]*>/, " ")
     gsub(/\]\([^)]*\)/, "]")
-    gsub(/[0-9][0-9]\/[a-z0-9-]+/, " ")
+    gsub(/[0-9][0-9][a-z]?\/[a-z0-9-]+/, " ")
     gsub(/[A-Za-z0-9]*_[A-Za-z0-9_]+|[a-z0-9]+\(/, " ")     # hints have bare code
     print
 }

@@ -11,7 +11,7 @@ function key(title) {
     return substr(title, 1, 24)
 }
 
-FNR == 1 { inside = 0; files++; match(FILENAME, /[0-9][0-9]-/); number = substr(FILENAME, RSTART, 2) }
+FNR == 1 { inside = 0; files++; match(FILENAME, /[0-9][0-9][a-z]?-/); number = substr(FILENAME, RSTART, RLENGTH - 1) }
 /^## / { inside = /^## Sources/ }
 !inside { next }
 {
@@ -20,11 +20,11 @@ FNR == 1 { inside = 0; files++; match(FILENAME, /[0-9][0-9]-/); number = substr(
         title = substr(line, RSTART + 1, RLENGTH - 2); line = substr(line, RSTART + RLENGTH)
         if (files == 1) {
             # The brackets behind a title name its chapters.
-            named = match(line, /\([^()]*([0-9][0-9]|all)\)/) ? substr(line, RSTART, RLENGTH) : ""
+            named = match(line, /\([^()]*([0-9][0-9][a-z]?|all)\)/) ? substr(line, RSTART, RLENGTH) : ""
             at[key(title)] = at[key(title)] named
         } else if (number == 23 || length(title) < 9) continue
         else if (!(key(title) in at)) fail("chapter 23 does not list " title)
-        else if (at[key(title)] !~ "all|" number) fail("chapter 23 does not say that chapter " number " names " title)
+        else if (at[key(title)] !~ "all|[( ]" number "[,)]") fail("chapter 23 does not say that chapter " number " names " title)
     }
 }
 END { exit failures > 0 }

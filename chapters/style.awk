@@ -111,7 +111,7 @@ sources { next }
     gsub(/`[^`]*`/, "XX", s)
     gsub(/\]\([^)]*\)/, "]", s)
     gsub(/<[^>]*>/, "", s)
-    gsub(/make [a-z]*[- ]?[0-9][0-9]\/[a-z0-9-]+|[0-9][0-9]\/[a-z0-9-]+/, "XX", s)
+    gsub(/make [a-z]*[- ]?[0-9][0-9][a-z]?\/[a-z0-9-]+|[0-9][0-9][a-z]?\/[a-z0-9-]+/, "XX", s)
     if (FILENAME ~ /hints$/) gsub(/[A-Za-z0-9]*_[A-Za-z0-9_]+|[a-z0-9]+\(/, "XX", s)
     if (FILENAME ~ /words/) sub(/^\*\*[^*]*\*\*/, "XX", s)
     add(s)

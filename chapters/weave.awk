@@ -1,13 +1,17 @@
 # weave.awk - writes the book: the chapters, with the code that they explain.
 #
-#   awk -v pages=chapters/woven -f numbers.awk -f weave.awk CODE chapters/[0-9]*.md > book.md
+#   awk -v pages=chapters/woven -f numbers.awk -f pieces.awk -f weave.awk CODE chapters/[0-9]*.md > book.md
 #
 # Each chapter becomes a page of its own as well, in the folder `pages`, if one is
 # named (weave.sh says what is CODE, and calls this).
 #
 # In the code a region lies between a line "//> name" and a line "//<"; in a
-# chapter the line "@@ name" stands for it, "%% figures/name.csv" for a table of
-# that file, "%% figures/name.csv rooms" for the table of its lines "#rooms| ",
+# chapter the line "@@ name" stands for it.  What no chapter pulls in is shown by
+# the reference, "The library, line by line": a page a module, written here, in
+# the order that `order` names.  There a region's text is that of the lines
+# "//>   A sentence." below its marker, or the comment that it begins with.
+# "%% figures/name.csv" stands for a table of that file, "%% figures/name.csv
+# rooms" for the table of its lines "#rooms| ",
 # and "%% functions" for an index of all that the headers of lib/ declare.
 # {{02-rope 3; 64; cost}} within a line is a number of a table: numbers.awk.
 # Whatever would let the book and the code drift apart is an error: file, line,
@@ -42,15 +46,42 @@ function names_in(path, first, last,    i, line, functions, types) {
     }
     return substr(functions ? functions : types, 3)
 }
-# A region under its caption.
-function weave(name,    i, first, last, names) {
+function lines_of(name) {
+    return from[name] + 2 == to[name] ? "line " to[name] - 1 : "lines " from[name] + 1 " to " to[name] - 1
+}
+function chapter_of(page) { sub(/-.*/, "", page); return page }
+# A region under its caption; above a piece, where it goes.  Pieces that are typed
+# in one go share a block: "@@ little_a little_b".
+function weave(name) { weave_all(1, one_of, name) }
+function weave_all(n, names, name,    k) {
+    if (name != "") names[1] = name
+    if (names[1] in comes) print_later(where_it_goes(n, names) "\n")
+    for (k = 1; k <= n; k++) print_later(caption_of(names[k]))
+    print_later("\n```c")
+    for (k = 1; k <= n; k++) {
+        if (k > 1 && text[home[names[k]], from[names[k]] - 1] == "" && text[home[names[k]], from[names[k]] + 1] != "") print_later("")
+        print_lines(names[k])
+    }
+    print_later("```")
+}
+function caption_of(name,    first, last, names) {
     first = from[name] + 1; last = to[name] - 1
     names = names_in(home[name], first, last); if (names) names = ": " names
-    if (first == last) print_later("[" home[name] ", line " first names "](../" home[name] "#L" first ")")
-    else print_later("[" home[name] ", lines " first " to " last names "](../" home[name] "#L" first "-L" last ")")
-    print_later("\n```c")
-    for (i = first; i <= last; i++) print_later(text[home[name], i])
-    print_later("```")
+    return "[" home[name] ", " lines_of(name) names "](../" home[name] "#L" first (first == last ? "" : "-L" last) ")"
+}
+function print_lines(name,    i) {
+    for (i = from[name] + 1; i < to[name]; i++) print_later(text[home[name], i])
+}
+# The line "@@ name" of a chapter, or "@@ little_a little_b".
+function pull_in(n, names,    k) {
+    for (k = 1; k <= n; k++) {
+        if (!(names[k] in home)) fail(file, FNR, "there is no region " names[k])
+        else if (k > 1 && !(names[k] in comes && names[1] in comes)) fail(file, FNR, "only pieces of the little program share a block")
+        else if (names[k] in used) fail(file, FNR, "region " names[k] " is already pulled in by " used[names[k]])
+        else { used[names[k]] = file ", line " FNR; told[names[k]] = page; continue }
+        return
+    }
+    weave_all(n, names)
 }
 # A CSV under its caption, as a table: its first row is the head.  Lines that
 # open with # are left out, or of a named table all that do not open with its
@@ -82,24 +113,23 @@ function row(line,    cell, out) {
 }
 # A paragraph for each header, in the order of the alphabet: its functions, and
 # the chapter that they are explained in.
-function list_functions(    i, header, paragraph, name) {
+function list_functions(    i, header, list, name) {
     for (i = 1; i <= functions; i++) {
         if (place[i] != header) {
-            if (header) print_later(paragraph "\n")
-            header = place[i]; name = header
-            gsub(/.*\/|\.h$/, "", name)
-            paragraph = "**" name "**, [chapter " substr(told[inside[i]], 1, 2) "](" told[inside[i]] "):"
-        } else paragraph = paragraph ","
-        paragraph = paragraph " [`" declared[i] "`](../" header "#L" at_line[i] ")"
+            header = place[i]; name = module_of(header)
+            list = list (list == "" ? "" : "\n\n") "**" name "**, " \
+                (inside[i] in told ? "[chapter " chapter_of(told[inside[i]]) "](" told[inside[i]] "):" : "[line by line](" reference(name) "):")
+        } else list = list ","
+        list = list " [`" declared[i] "`](../" header "#L" at_line[i] ")"
     }
-    if (header) print_later(paragraph)
+    return list
 }
 # What is printed later links from the folder of the chapters: ../lib/, 01-a.md.
 function print_later(line) { book[++lines] = line; from_page[lines] = page }
 # In book.md, which stands a folder higher, a link to a chapter is one to its title.
 function line_of_book(line,    name) {
     gsub(/\]\(\.\.\//, "](", line)
-    while (match(line, /\]\([0-9][0-9]-[a-z0-9_-]*\.md\)/)) {
+    while (match(line, /\]\(([0-9][0-9]|lib-)[a-z0-9_-]*\.md\)/)) {
         name = substr(line, RSTART + 2, RLENGTH - 3)
         if (!(name in chapter)) fail("chapters", 0, "there is no chapter " name)
         line = substr(line, 1, RSTART + 1) "#" chapter[name] substr(line, RSTART + RLENGTH - 1)
@@ -111,7 +141,7 @@ function write_pages(    i, k, line) {
     for (i = 1; i <= lines; i++) {
         if (from_page[i] != from_page[i - 1]) {
             k++; page = pages "/" from_page[i]
-            print "<!-- Woven by `make book` from chapters/" from_page[i] " and the code: edit those, not this. -->\n" > page
+            print "<!-- Woven by `make book` from " (from_page[i] ~ /^lib-/ ? "lib/" : "chapters/" from_page[i] " and the code") ": edit those, not this. -->\n" > page
         }
         line = book[i]; gsub(/\]\(\.\.\//, "](../../", line)
         print line > page
@@ -122,6 +152,59 @@ function write_pages(    i, k, line) {
 }
 function way(k, after, before) {
     return k in title ? before "[" title[k] "](" file_of[k] ")" after : ""
+}
+# lib/paper/gjk.c and gjk.h are of the module gjk.
+function module_of(path) {
+    if (path ~ /^chapters\/little\//) return "little"
+    sub(/.*\//, "", path); sub(/\.[ch]$/, "", path)
+    return path
+}
+function reference(module) { return "lib-" module ".md" }
+# A page a module: what the chapters do not show of it, and where the rest is.
+function write_reference(    n, m, i, k, module, listed, some, shown) {
+    n = split(order, module, " ")
+    for (m = 1; m <= n; m++) listed[module[m]]
+    for (i = 1; i <= regions; i++) if (!((k = module_of(home[region[i]])) in listed)) { module[++n] = k; listed[k] }
+    for (m = 1; m <= n; m++) {
+        for (i = k = 0; i < regions && !k; ) k = module_of(home[region[++i]]) == module[m] && !(region[i] in used)
+        if (k) shown[++some] = module[m]
+    }
+    if (some) write_index(some, shown)
+    for (m = 1; m <= some; m++) write_module(shown[m])
+}
+function write_index(n, shown,    m, list) {
+    begin_page("lib-index.md", "The library, line by line")
+    for (m = 1; m <= n; m++) list = list (m > 1 ? " · " : "") "[`" shown[m] "`](" reference(shown[m]) ")"
+    print_later("Each module that the chapters do not show whole, in the book's order. With the chapters these pages hold each line of the library once.\n\n" list "\n")
+}
+function begin_page(file, name) {
+    page = file
+    title[++pages_of] = name; file_of[pages_of] = page
+    chapter[page] = anchor(name)
+    print_later("# " name "\n")
+}
+function write_module(module,    i, name, first) {
+    begin_page(reference(module), module ", line by line")
+    listing = listing (listing ? " · " : "  \n  ") "[" module "](#" chapter[page] ")"
+    print_later("The lines of " module " that no chapter shows, in the order of its " (module == "little" ? "stages" : "files") ".\n")
+    if (module == "little") { write_pieces(); return }
+    for (i = 1; i <= regions; i++) if (module_of(home[name = region[i]]) == module) {
+        if (!(name in used)) show_in_reference(name)
+        else if (!first) first = name
+        if (!first || same_place(first, region[i + 1])) continue
+        print_later("From [line " from[first] + 1 "](../" home[first] "#L" from[first] + 1 ") of " home[first] " to line " to[name] - 1 ": [chapter " chapter_of(told[first]) "](" told[first] ").\n")
+        first = ""
+    }
+}
+# Are both in one file, and shown in one chapter?
+function same_place(a, b) {
+    return b in used && home[a] == home[b] && told[a] == told[b]
+}
+function show_in_reference(name) {
+    if (sentence[name] != "") print_later(sentence[name] "\n")
+    else if (!(name in comes) && text[home[name], from[name] + 1] !~ /^\/\//)
+        fail(home[name], from[name], "region " name " is in no chapter, and has no sentence for the reference")
+    weave(name); print_later("")
 }
 function end_of_file() {
     if (open != "") fail(home[open], from[open], "region " open " is never closed")
@@ -134,7 +217,7 @@ FNR == 1 { page = substr(file, 10) }        # after "chapters/"
 
 # --- code: remember every line, and where each region lies ---
 is_code { text[file, FNR] = $0 }
-is_code && /^\/\/> [a-z0-9-]+$/ {
+is_code && /^\/\/> ([a-z0-9-]+|little_[a-z0-9_]+( [0-9][0-9][a-z])+)$/ {
     if (open != "") fail(file, FNR, "region " $2 " opens inside region " open)
     open = $2
     if (open in home) {
@@ -142,6 +225,11 @@ is_code && /^\/\/> [a-z0-9-]+$/ {
         open = open "-again"
     } else region[++regions] = open
     home[open] = file; from[open] = FNR
+    if (NF > 2) note_piece(regions, NF)
+    next
+}
+is_code && /^\/\/>   [^ ]/ && open != "" && from[open] == FNR - 1 {
+    sentence[open] = sentence[open] (sentence[open] == "" ? "" : " ") substr($0, 7); from[open] = FNR
     next
 }
 is_code && /^\/\/<$/ {
@@ -162,14 +250,12 @@ is_code { next }
 /^```/ { fence = fence ? 0 : FNR }
 fence || /^```/ { print_later($0); next }
 /^@@/ {
-    if (NF != 2 || $1 != "@@") fail(file, FNR, "a region is pulled in by @@ name, and nothing more")
-    else if (!($2 in home)) fail(file, FNR, "there is no region " $2)
-    else if ($2 in used) fail(file, FNR, "region " $2 " is already pulled in by " used[$2])
-    else { used[$2] = file ", line " FNR; told[$2] = page; weave($2) }
+    if (NF < 2 || $1 != "@@" || $0 !~ /^@@( [a-z0-9_-]+)+$/) fail(file, FNR, "a region is pulled in by @@ name, and nothing more")
+    else { split("", asked); for (k = 2; k <= NF; k++) asked[k - 1] = $k; pull_in(NF - 1, asked) }
     next
 }
 /^%%/ {
-    if (NF == 2 && $1 == "%%" && $2 == "functions") list_functions()
+    if (NF == 2 && $1 == "%%" && $2 == "functions") { print_later(""); index_at = lines }
     else if (NF <= 3 && $1 == "%%" && $2 ~ /\.csv$/ && $3 ~ /^[a-z]*$/) tabulate($2, $3)
     else fail(file, FNR, "a table is pulled in by %% figures/name.csv, perhaps its name, and nothing more")
     next
@@ -178,7 +264,7 @@ fence || /^```/ { print_later($0); next }
     fail(file, FNR, "a chapter links from its own folder: write ../figures/, ../lib/")
 }
 /^# / {
-    title[++entries] = substr($0, 3); file_of[entries] = page
+    title[++entries] = substr($0, 3); file_of[entries] = page; pages_of = entries
     top = anchor(title[entries]); chapter[page] = top
     toc[entries] = "- **[" title[entries] "](#" top ")**"; gap = "  \n  "
 }
@@ -188,8 +274,9 @@ fence || /^```/ { print_later($0); next }
 
 END {
     end_of_file()
-    for (i = 1; i <= regions; i++) if (!(region[i] in used))
-        fail(home[region[i]], from[region[i]], "region " region[i] " is in no chapter")
+    if (index_at) book[index_at] = list_functions()
+    write_reference()
+    if (listing) toc[++entries] = "- **[The library, line by line](#" chapter["lib-index.md"] ")**" listing
     for (i = 1; i <= lines; i++) woven[i] = line_of_book(book[i])
     if (failures) exit 1
     print "<!-- Woven by `make book` from chapters/, lib/ and tests/: edit those, not this. -->"

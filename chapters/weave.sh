@@ -3,9 +3,9 @@
 # prints which files are the book's code; each of their lines is in it once.
 
 code="lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc]
-      tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc]"
+      chapters/little/*.c tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc]"
 [ "$1" ] || { echo $code; exit; }
 
 export LC_ALL=C
 rm -rf "$1/woven" && mkdir -p "$1/woven" &&
-${2:-awk} -v pages="$1/woven" -f chapters/numbers.awk -f chapters/weave.awk $code chapters/[0-9]*.md > "$1/book.md"
+${2:-awk} -v pages="$1/woven" -v order="$(sed -n '/^define ORDER/,/^endef/s/^[0-9].*\///p' Makefile | tr '\n' ' ')" -f chapters/numbers.awk -f chapters/pieces.awk -f chapters/weave.awk $code chapters/[0-9]*.md > "$1/book.md"

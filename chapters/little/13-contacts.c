@@ -1,0 +1,266 @@
+//> little_spin_naive 13a 13a
+// Turns the axes by h w x axis, and leaves the spin as it is.
+static void body_move(body *b, real h)
+{
+    vec3 *column[3] = { &b->axes.x, &b->axes.y, &b->axes.z };
+    b->position = vec3_add_scaled(b->position, h, b->velocity);
+    for (int i = 0; i < 3; i++) {
+        vec3 turn = vec3_cross(b->spin, *column[i]);
+        *column[i] = vec3_add_scaled(*column[i], h, turn);
+    }
+    body_turn_inverse(b);
+}
+//<
+
+//> little_momentum 13a
+static vec3 body_angular_momentum(const body *b)
+{
+    vec3 own = mat3_back(b->axes, b->spin);
+    own = mat3_apply(b->shape->inertia, own);
+    return vec3_scale(1 / b->inverse_mass, mat3_apply(b->axes, own));
+}
+//<
+
+//> little_body_move 13b
+// Moves and turns; its angular momentum stays, so that its spin may change.
+static void body_move(body *b, real h)
+{
+    vec3 momentum = body_angular_momentum(b);
+    b->position = vec3_add_scaled(b->position, h, b->velocity);
+    b->axes = mat3_turned(b->axes, vec3_scale(h, b->spin));
+//<
+//> little_body_move_path 13g
+    real turning = b->shape->radius * vec3_length(b->spin);
+    real way = h * (vec3_length(b->velocity) + turning);
+    b->path += way;
+//<
+//> little_body_move_moved 18a
+    b->moved += way;
+//<
+//> little_body_move_end 13b
+    body_turn_inverse(b);
+    b->spin = mat3_apply(b->inverse, momentum);
+}
+//<
+
+//> little_push 13c
+// m/s, of the end of an arm from the centre.
+static vec3 body_velocity_at(const body *b, vec3 arm)
+{
+    return vec3_add(b->velocity, vec3_cross(b->spin, arm));
+}
+
+// An impulse of s p (kg m/s) at the end of an arm.
+static void body_push(body *b, vec3 arm, real s, vec3 p)
+{
+    if (b->inverse_mass == 0) return;
+    vec3 turn = mat3_apply(b->inverse, vec3_cross(arm, p));
+    b->velocity = vec3_add_scaled(b->velocity, s * b->inverse_mass, p);
+    b->spin = vec3_add_scaled(b->spin, s, turn);
+}
+
+// m/s along d, of the end of an arm, for an impulse of 1 along d there: one
+// over the effective mass.
+static real body_answer(const body *b, vec3 arm, vec3 d)
+{
+    if (b->inverse_mass == 0) return 0;
+    vec3 t = vec3_cross(arm, d);
+    return b->inverse_mass + vec3_dot(t, mat3_apply(b->inverse, t));
+}
+//<
+
+//> little_contacts 13c
+enum { CONTACTS = 8 * BODIES };
+static contact contact_pool[2][CONTACTS], *contacts = contact_pool[0];
+static int     contact_count;
+
+// Arms, gaps and effective masses where the bodies are now.
+static void contact_renew(contact *c)
+{
+    body *a = c->a, *b = c->b;
+//<
+//> little_renew_fresh 13g
+    if (a->path + b->path < c->fresh) return;
+    c->fresh = a->path + b->path + 1e-6;
+//<
+//> little_renew 13c
+    for (contact_point *p = c->point; p < c->point + c->count; p++) {
+        p->ra = mat3_apply(a->axes, p->local_a);
+        p->rb = mat3_apply(b->axes, p->local_b);
+        vec3 apart = vec3_add(vec3_sub(a->position, b->position),
+                              vec3_sub(p->ra, p->rb));
+        p->gap = vec3_dot(c->normal, apart);
+        // What has slid apart meets half-way: one line of action for both.
+        vec3 slid = vec3_add_scaled(apart, -p->gap, c->normal);
+        p->ra = vec3_add_scaled(p->ra, -0.5, slid);
+        p->rb = vec3_add_scaled(p->rb, 0.5, slid);
+        p->mass = 1 / (body_answer(a, p->ra, c->normal)
+                     + body_answer(b, p->rb, c->normal));
+    }
+}
+//<
+
+//> little_point_push 13c
+// m/s, a's point as seen from b's.
+static vec3 point_velocity(const contact *c, const contact_point *p)
+{
+    return vec3_sub(body_velocity_at(c->a, p->ra),
+                    body_velocity_at(c->b, p->rb));
+}
+
+static void point_give(const contact *c, const contact_point *p, vec3 impulse)
+{
+    body_push(c->a, p->ra, 1, impulse);
+    body_push(c->b, p->rb, -1, impulse);
+}
+
+// Gives what is missing to an impulse in sum.
+static void point_push_to(const contact *c, contact_point *p, real impulse)
+{
+    point_give(c, p, vec3_scale(impulse - p->push, c->normal));
+    p->push = impulse;
+}
+//<
+
+//> little_rub 13c
+static vec3 vec3_across(vec3 a, vec3 normal)
+{
+    return vec3_add_scaled(a, -vec3_dot(a, normal), normal);
+}
+
+// Coulomb's law: friction stops sliding, by at most friction times the push.
+static void point_rub(const contact *c, contact_point *p)
+{
+    vec3 slide = vec3_across(point_velocity(c, p), c->normal), old = p->rub;
+    real speed = vec3_length(slide), most = c->friction * p->push;
+    if (speed > 0) {
+        vec3 d = vec3_scale(1 / speed, slide);
+        real answer = body_answer(c->a, p->ra, d) + body_answer(c->b, p->rb, d);
+        p->rub = vec3_add_scaled(p->rub, -1 / answer, slide);
+    }
+    p->rub = vec3_across(p->rub, c->normal);
+    real all = vec3_length(p->rub);
+    if (all > most) p->rub = vec3_scale(most / all, p->rub);
+    point_give(c, p, vec3_sub(p->rub, old));
+}
+//<
+
+//> little_press_hard 13c 13e
+// What nears must stop, and a fifth of an overlap goes in a step.
+static void contact_press(contact *c, real h)
+{
+    for (contact_point *p = c->point; p < c->point + c->count; p++) {
+        real lack = vec3_dot(point_velocity(c, p), c->normal);
+        lack += p->gap > 0 ? p->gap / h : 0.2 * p->gap / h;
+        point_push_to(c, p, real_max(0, p->push - p->mass * lack));
+    }
+}
+//<
+
+//> little_soft 13f
+// --- Soft contacts (Catto): springs as stiff as a step can follow ------------
+
+// rate (1/s): of the overlap; mass: the share of the effective mass; leak: the
+// share of the impulse that goes.
+typedef struct { real rate, mass, leak; } softness;
+
+// An eighth of a turn in a step, strongly damped.  stiffer: against what is
+// static, where only one body can give way.
+static softness soft_spring(real h, real stiffer)
+{
+    real omega = 2 * 3.14159265358979 * stiffer * 0.125 / h;
+    real zeta = 10 / stiffer, a = 2 * zeta + h * omega, b = h * omega * a;
+    return (softness){ omega / a, b / (1 + b), 1 / (1 + b) };
+}
+
+// Was one of the points still wrong by half a millimetre?
+static bool contact_press_once(contact *c, real h, softness s)
+{
+    bool is_wrong = false;
+    for (contact_point *p = c->point; p < c->point + c->count; p++) {
+        real lack = vec3_dot(point_velocity(c, p), c->normal), leak = 0;
+        real before = p->push;
+        if (p->gap > 0) lack += p->gap / h;
+        else if (s.rate > 0) {
+            lack = s.mass * (lack + real_max(s.rate * p->gap, -3));
+            leak = s.leak * p->push;
+        }
+        point_push_to(c, p, real_max(0, p->push - p->mass * lack - leak));
+        if (fabs(p->push - before) * h > 0.0005 * p->mass) is_wrong = true;
+//<
+//> little_press_pushed 15c
+        if (p->push > 0) p->was_pushed = true;
+//<
+//> little_soft_end 13f
+    }
+    return is_wrong;
+}
+
+// The points of a hard impact disturb each other: again, until they agree.
+static void contact_press(contact *c, real h, softness s)
+{
+    for (int i = 0; i < 10; i++)
+        if (!contact_press_once(c, h, s)) break;
+}
+//<
+
+//> little_warm 13e
+// --- Contacts that remember --------------------------------------------------
+
+static contact *before = contact_pool[1];
+static int      before_count;
+
+// Begins with the impulses of the step before.
+static void contact_warm(const contact *c)
+{
+    for (const contact_point *p = c->point; p < c->point + c->count; p++)
+        point_give(c, p, vec3_add_scaled(p->rub, p->push, c->normal));
+}
+//<
+
+//> little_inherit 13e
+// A point keeps its impulses if it is where one was.
+static void contact_inherit(contact *c, const contact *old)
+{
+    real near = 0.2 * real_min(c->a->shape->radius, c->b->shape->radius);
+    for (contact_point *p = c->point; p < c->point + c->count; p++) {
+        real best = near;
+        for (int i = 0; i < old->count; i++) {
+            const contact_point *q = &old->point[i];
+            real d = vec3_distance(q->local_a, p->local_a);
+            if (d >= best) continue;
+            best = d;
+            p->push = q->push;
+            p->rub = q->rub;
+        }
+    }
+}
+//<
+
+//> little_table 13e
+// The contacts of the step before, by their pair; what is taken gives the next
+// place.
+enum { TABLE = 4 * CONTACTS };
+static int table[TABLE];        // 1 + the index; 0: none
+
+static int *table_place(const body *a, const body *b)
+{
+    unsigned i = (unsigned)(a - bodies), j = (unsigned)(b - bodies);
+    unsigned k = (i * 7919u + j * 104729u) % TABLE;
+    while (table[k] && (before[table[k] - 1].a != a
+                     || before[table[k] - 1].b != b)) k = (k + 1) % TABLE;
+    return &table[k];
+}
+
+static void contacts_remember(void)
+{
+    contact *swap = before;
+    for (int i = 0; i < TABLE; i++) table[i] = 0;
+    before = contacts;
+    before_count = contact_count;
+    contacts = swap;
+    for (int i = 0; i < before_count; i++)
+        *table_place(before[i].a, before[i].b) = i + 1;
+    contact_count = 0;
+}
+//<

@@ -1,0 +1,561 @@
+//> little_show_sides 10a 10z
+// --- Scenes ------------------------------------------------------------------
+
+static void show_sides(const char *name, const shape *s)
+{
+    int most = 0;
+    for (int f = 0; f < s->sides; f++)
+        if (s->corners[f] > most) most = s->corners[f];
+    printf("%s: sides %d faces\n", name, s->sides);
+    printf("%s: corners of a side %d vertices\n", name, most);
+//<
+//> little_show_weight 10b 10b
+    printf("%s: volume %.6f m^3\n", name, s->volume);
+    printf("%s: inertia %.6f m^2\n", name, s->inertia.x.x);
+//<
+//> little_show_sides_end 10a 10z
+}
+
+//<
+//> little_show_corners 10b 10b
+// What do the corners of a box alone weigh, an eighth of 1 kg each?
+static void show_corners(const shape *s)
+{
+    real sum = 0;
+    for (int i = 0; i < s->count; i++) {
+        vec3 x = s->vertex[i];
+        sum += (vec3_dot(x, x) - x.x * x.x) / s->count;
+    }
+    printf("eight particles: inertia %.6f m^2\n", sum);
+}
+
+//<
+//> little_main_10 10a 10z
+int main(void)
+{
+    const shape *box = box_make(1, 1, 1);
+    show_sides("box", box);
+    show_sides("icosahedron", icosahedron_make(0.5));
+//<
+//> little_main_10b 10b 10b
+    show_corners(box);
+//<
+//> little_main_10_end 10a 10z
+}
+//<
+
+//> little_show_manifold 11a 13b
+// --- Scenes ------------------------------------------------------------------
+
+// A box of 1 m lies on another, turned, and 1 mm deep.
+static void show_manifold(void)
+{
+    contact c = { .reach = MARGIN };
+    const shape *box = box_make(1, 1, 1);
+    c.b = body_add(box, vec3_make(0, 0, 0), 1);
+    c.a = body_add(box, vec3_make(0, 0.999, 0), 1);
+    body_turn(c.a, vec3_make(0, 0.8, 0));
+    bool met = contact_meet(&c);
+    real wide = 0;
+    for (int i = 0; i < c.count; i++)
+        for (int j = 0; j < i; j++) {
+            const contact_point *p = &c.point[i], *q = &c.point[j];
+            wide = real_max(wide, vec3_distance(p->local_b, q->local_b));
+        }
+    printf("points %d points\n", met ? c.count : 0);
+    printf("as wide as %.3f m\n", wide);
+    printf("normal %.6f up\n", c.normal.y);
+}
+//<
+//> little_main_11 11a 11z
+
+int main(void)
+{
+    show_manifold();
+}
+//<
+
+//> little_main_12 12a 12z
+// A rope swings down with a load, for 5 s in substeps of 1/480 s: its worst
+// strain, and the last.
+static void show_rope(int links, real load, int rounds)
+{
+    real worst = 0;
+    hang_rope(links, load);
+    for (int i = 0; i < 2400; i++) {
+        rope_step(rounds, 1 / 480.0);
+        worst = real_max(worst, strain());
+    }
+    printf("%d links, %g kg, rounds %d: strain %.2f %%\n", links, load, rounds,
+           100 * worst);
+    printf("%d links, %g kg, rounds %d: at the end %.4f %%\n", links, load,
+           rounds, 100 * strain());
+}
+
+int main(void)
+{
+    show_manifold();
+    show_rope(10, 100, 12);
+    show_rope(20, 100, 12);
+    show_rope(40, 100, 12);
+    show_rope(40, 100, 64);
+}
+//<
+
+//> little_main_13a 13a 13b
+// A box spins for 10 s; nothing acts on it.
+int main(void)
+{
+    show_manifold();
+    body *b = body_add(box_make(1, 2, 3), vec3_make(0, 0, 0), 1);
+    b->spin = vec3_make(1, 3, 0.5);
+    vec3 momentum = body_angular_momentum(b);
+    for (int i = 0; i < 600; i++) body_move(b, 1 / 60.0);
+    vec3 lost = vec3_sub(body_angular_momentum(b), momentum);
+    real share = vec3_length(lost) / vec3_length(momentum);
+    real stretch = fabs(vec3_length(b->axes.x) - 1);
+    printf("angular momentum lost %.2g %%\n", 100 * share);
+    printf("axes stretched %.2g %%\n", 100 * stretch);
+}
+//<
+
+//> little_scenes_bodies 13c
+// --- Scenes ------------------------------------------------------------------
+
+static void clear(void)
+{
+    body_count = contact_count = 0;
+//<
+//> little_clear_substeps 18b
+    substeps = 4;
+//<
+//> little_clear_joints 17a
+    joint_count = 0;
+//<
+//> little_clear_soft 16a
+    particle_count = strand_count = soft_count = touch_count = 0;
+//<
+//> little_scenes_floor 13c
+}
+
+//<
+//> little_floor_add 13c 14z 15c
+static void floor_add(void)
+{
+    body_add(box_make(40, 1, 40), vec3_make(0, -0.5, 0), 0);
+}
+
+//<
+//> little_rigid_overlap 13c 15z 18a
+// m, the deepest overlap of two bodies.
+static real overlap(void)
+{
+    real deepest = 0;
+    for (body *a = bodies; a < bodies + body_count; a++)
+        for (body *b = bodies; b < a; b++) {
+            simplex s = { .count = 0 };
+            real near = a->shape->radius + b->shape->radius;
+            if (a->inverse_mass + b->inverse_mass == 0
+                || vec3_distance(a->position, b->position) > near) continue;
+//<
+//> little_overlap_joined 18a
+            if (bodies_joined(a, b)) continue;
+//<
+//> little_overlap_end 13c 15z 18a
+            if (gjk(body_hull(a), body_hull(b), &s, 0) > 0) continue;
+            deepest = real_max(deepest, epa(body_hull(a), body_hull(b), &s));
+        }
+    return deepest;
+}
+
+//<
+//> little_show_pile 13c 14z 18a
+// Boxes of 1 kg on each other, the top one of another mass.
+static void pile_add(int count, real top)
+{
+    clear();
+    floor_add();
+    const shape *s = box_make(1, 1, 1);
+    for (int i = 0; i < count; i++)
+        body_add(s, vec3_make(0, i + 0.5, 0), i + 1 < count ? 1 : top);
+}
+
+// m, how far is a body from the y axis?
+static real drift(void)
+{
+    real worst = 0;
+    for (int i = 1; i < body_count; i++) {
+        vec3 x = bodies[i].position;
+        worst = real_max(worst, sqrt(x.x * x.x + x.z * x.z));
+    }
+    return worst;
+}
+
+static void show_pile(const char *name, int count, real top, int frames)
+{
+    real deepest = 0;
+    pile_add(count, top);
+    for (int i = 0; i < frames; i++) {
+        step(1 / 60.0);
+        if (i % 10 == 9) deepest = real_max(deepest, overlap());
+    }
+    printf("%s: moved %.2f mm\n", name, 1000 * drift());
+    printf("%s: overlap %.2f mm\n", name, 1000 * deepest);
+    printf("%s: the top is at %.2f m\n", name, bodies[count].position.y);
+}
+//<
+
+//> little_main_13c 13c 13d
+int main(void)
+{
+    show_pile("two boxes", 2, 1, 600);
+    show_pile("ten boxes", 10, 1, 600);
+    printf("asked %ld pairs\n", asked);
+}
+//<
+//> little_main_13e 13e 13e
+int main(void)
+{
+    show_pile("ten boxes", 10, 1, 600);
+    show_pile("ten boxes, 20 kg", 10, 20, 600);
+    printf("asked %ld pairs\n", asked);
+}
+//<
+
+//> little_room 13f 15z 18a
+// A room of that width, full of icosahedra that fly.  Walls are boxes.
+static void room_add(int cells, real side)
+{
+    clear();
+    const shape *wall = box_make(side + 2, side + 2, 1);
+    const shape *across = box_make(1, side + 2, side + 2);
+    const shape *floor = box_make(side + 2, 1, side + 2);
+    for (int k = -1; k <= 1; k += 2) {
+        real d = k * (side / 2 + 0.5), up = side / 2;
+        body_add(wall, vec3_make(0, up, d), 0);
+        body_add(across, vec3_make(d, up, 0), 0);
+        body_add(floor, vec3_make(0, up + d, 0), 0);
+    }
+    vec3 low = { 0.55 - side / 2, 0.55, 0.55 - side / 2 };
+    const shape *ball = icosahedron_make(0.5);
+    real far = (side - 1.1) / (cells - 1);
+    for (int k = 0; k < cells * cells * cells; k++) {
+        vec3 cell = { k % cells, k / cells % cells, k / cells / cells };
+        body *b = body_add(ball, vec3_add_scaled(low, far, cell), 1);
+        b->velocity = random_vec3(5);
+        b->spin = random_vec3(5);
+        body_turn(b, random_vec3(2));
+    }
+}
+
+static void show_room(const char *name, int cells, real side, int frames)
+{
+    real deepest = 0;
+    room_add(cells, side);
+    asked = 0;
+//<
+//> little_room_compared 14a 15z
+    compared = 0;
+//<
+//> little_room_run 13f 15z 18a
+    for (int i = 0; i < frames; i++) {
+        step(1 / 60.0);
+        if (i % 10 == 9) deepest = real_max(deepest, overlap());
+    }
+    printf("%s: overlap %.2f mm\n", name, 1000 * deepest);
+    printf("%s: overlap at the end %.2f mm\n", name, 1000 * overlap());
+    printf("%s: asked %ld pairs/frame\n", name, asked / frames);
+//<
+//> little_room_print 14a 15z
+    printf("%s: compared %ld pairs/frame\n", name, compared / frames);
+//<
+//> little_room_asleep 18a
+    int awake = 0;
+    for (int i = 0; i < body_count; i++) awake += bodies[i].awake;
+    printf("%s: awake %d bodies\n", name, awake);
+//<
+//> little_room_end 13f 15z 18a
+}
+//<
+
+//> little_main_13f 13f 13g
+int main(void)
+{
+    show_pile("ten boxes", 10, 1, 600);
+    show_pile("ten boxes, 20 kg", 10, 20, 600);
+    show_room("room of 64", 4, 4.8, 120);
+}
+//<
+
+//> little_main_14 14a 14z
+int main(void)
+{
+    show_pile("ten boxes, 20 kg", 10, 20, 600);
+    show_room("room of 64", 4, 4.8, 120);
+    show_room("room of 216", 6, 7.8, 60);
+}
+//<
+
+//> little_bullets 15a 15z
+// Bullets of 50 to 990 m/s at a plate of 2 mm: how many are behind it?
+static void show_bullets(void)
+{
+    int through = 0;
+    clear();
+    body_add(box_make(0.002, 4, 4), vec3_make(0, 2, 0), 0);
+    const shape *s = box_make(0.02, 0.02, 0.02);
+    for (int i = 0; i < 100; i++) {
+        real y = 0.3 + 0.35 * (i % 10), z = 0.35 * (i / 10) - 1.6;
+        body *b = body_add(s, vec3_make(-1 - 0.01 * i, y, z), 0.01);
+        b->velocity = vec3_make(50 + 9.5 * i, random_real(), random_real());
+        b->spin = random_vec3(30);
+    }
+    bool behind[101] = { false };
+    for (int i = 0; i < 30; i++) {
+        step(1 / 60.0);
+        for (int k = 1; k <= 100; k++) {
+            vec3 x = bodies[k].position;
+            bool beside = fabs(x.y - 2) > 2 || fabs(x.z) > 2;
+            if (x.x > 0 && !beside) behind[k] = true;
+        }
+    }
+    for (int k = 1; k <= 100; k++) through += behind[k];
+    printf("through %d bullets\n", through);
+}
+//<
+//> little_drop 15c 15z
+// A ball falls by 1 m, with a restitution.  The height of its middle again.
+static void show_drop(real restitution)
+{
+    real again = 0, before = 0;
+    bool was_down = false;
+    clear();
+    floor_add();
+    body *b = body_add(icosahedron_make(0.1), vec3_make(0, 1.1, 0), 1);
+    b->restitution = restitution;
+    for (int i = 0; i < 90; i++) {
+        before = b->velocity.y;
+        step(1 / 60.0);
+        if (b->velocity.y > before + 1) was_down = true;
+        if (was_down) again = real_max(again, b->position.y);
+    }
+    printf("restitution %g: up again %.3f m\n", restitution, again);
+}
+//<
+//> little_main_15 15a 15z
+int main(void)
+{
+    show_room("room of 64", 4, 4.8, 120);
+    show_bullets();
+//<
+//> little_main_15c 15c 15c
+    show_drop(0);
+    show_drop(0.8);
+//<
+//> little_main_15_end 15a 15z
+}
+//<
+
+//> little_cuts 16a 16z
+// How many pieces of cloth cut a body?
+static int cuts(void)
+{
+    int count = 0;
+    for (body *b = bodies; b < bodies + body_count; b++)
+        for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++) {
+            vec3 at[3];
+            simplex s = { .count = 0 };
+            for (int k = 0; k < p->count; k++) at[k] = piece_corner(p, k);
+            count += gjk((hull){ at, p->count }, body_hull(b), &s, 0) == 0;
+        }
+    return count;
+}
+
+// Does the edge from p to q go through a triangle?
+static bool edge_crosses(vec3 p, vec3 q, const vec3 *t)
+{
+    vec3 n = vec3_cross(vec3_sub(t[1], t[0]), vec3_sub(t[2], t[0]));
+    real a = vec3_dot(n, vec3_sub(p, t[0])), b = vec3_dot(n, vec3_sub(q, t[0]));
+    if (a * b >= 0) return false;
+    vec3 x = vec3_add_scaled(p, a / (a - b), vec3_sub(q, p));
+    for (int k = 0; k < 3; k++) {
+        vec3 edge = vec3_sub(t[(k + 1) % 3], t[k]);
+        if (vec3_dot(n, vec3_cross(edge, vec3_sub(x, t[k]))) <= 0) return false;
+    }
+    return true;
+}
+
+// How many threads cross a triangle that they are no corner of?
+static int crossings(void)
+{
+    int count = 0;
+    for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++)
+        for (strand *s = strands; p->count == 3 && s < strands + strand_count;
+             s++)
+            for (int i = 0; i < s->links; i++) {
+                vec3 t[3];
+                bool shared = false;
+                for (int k = 0; k < 3; k++) {
+                    t[k] = piece_corner(p, k);
+                    if (p->vertex[k] == s->at[i]
+                        || p->vertex[k] == s->at[i + 1]) shared = true;
+                }
+                if (!shared)
+                    count += edge_crosses(particles[s->at[i]].position,
+                                          particles[s->at[i + 1]].position, t);
+            }
+    return count;
+}
+
+//<
+//> little_show_cloth 16a
+// Runs what is there, and counts every 20 frames.
+static void show_cloth(const char *name, int frames)
+{
+    real worst = 0;
+//<
+//> little_show_cuts 16a 16z
+    int cut = 0, crossed = 0;
+//<
+//> little_show_cloth_run 16a
+    for (int i = 1; i <= frames; i++) {
+        step(1 / 60.0);
+        worst = real_max(worst, strain());
+//<
+//> little_show_cuts_count 16a 16z
+        if (i % 20 > 0) continue;
+        int now = cuts(), crossing = crossings();
+        cut = now > cut ? now : cut;
+        crossed = crossing > crossed ? crossing : crossed;
+//<
+//> little_show_cloth_end 16a
+    }
+//<
+//> little_show_cuts_print 16a 16z
+    printf("%s: cut %d triangles\n", name, cut);
+    printf("%s: crossed %d edges\n", name, crossed);
+//<
+//> little_show_strain 16a
+    printf("%s: strain %.2f %%\n", name, 100 * worst);
+    printf("%s: strain at the end %.2f %%\n", name, 100 * strain());
+}
+
+static void cloth_on_cube(int n, vec3 at)
+{
+    clear();
+    floor_add();
+    body_add(box_make(0.8, 0.8, 0.8), vec3_make(0, 0.4, 0), 0);
+    cloth_add(n, 2, at);
+}
+//<
+//> little_main_16 16a 16z
+int main(void)
+{
+    cloth_on_cube(20, vec3_make(0, 0.9, 0));
+    show_cloth("cloth on a cube", 120);
+    cloth_on_cube(16, vec3_make(0.3, 1.5, 0.2));
+    for (int i = 0; i < particle_count; i++)
+        particles[i].previous.y += 40 / 480.0;
+    show_cloth("thrown at 40 m/s", 60);
+    printf("sought %ld times\n", sought);
+}
+//<
+
+//> little_joint_scenes 17a
+static real joint_gaps(void)
+{
+    real worst = 0;
+    for (joint *j = joints; j < joints + joint_count; j++)
+        worst = real_max(worst, vec3_length(joint_gap(j)));
+    return worst;
+}
+
+// A chain of links of 0.2 m and 1 kg hangs down, with a load.
+static void chain_add(int links, real load)
+{
+    clear();
+    const shape *s = box_make(0.05, 0.2, 0.05);
+    body *last = body_add(s, vec3_make(0, 0.1, 0), 0);
+    for (int i = 0; i < links; i++) {
+        body *b = body_add(s, vec3_make(0, -0.1 - 0.2 * i, 0), 1);
+        joint_add(last, b, vec3_make(0, -0.2 * i, 0));
+        last = b;
+    }
+    vec3 low = vec3_make(0, -0.2 * links - 0.25, 0);
+    body *b = body_add(box_make(0.5, 0.5, 0.5), low, load);
+    joint_add(last, b, vec3_make(0, -0.2 * links, 0));
+    b->velocity.x = 1;
+}
+
+static void show_chain(int links, real load)
+{
+    real worst = 0;
+    chain_add(links, load);
+    for (int i = 0; i < 300; i++) {
+        step(1 / 60.0);
+        worst = real_max(worst, joint_gaps());
+    }
+    printf("chain of %d, %g kg: gap %.4f mm\n", links, load, 1000 * worst);
+}
+//<
+//> little_door 17c
+// A door is struck, also across its hinge, for 10 s.
+static void show_door(void)
+{
+    real worst = 0, tilt = 0;
+    clear();
+    body *post = body_add(box_make(0.1, 0.1, 0.1), vec3_make(0, 2, 0), 0);
+    body *door = body_add(box_make(1, 2, 0.1), vec3_make(0.6, 2, 0), 10);
+    joint *j = joint_add(post, door, vec3_make(0.05, 2, 0));
+    joint_make_hinge(j, vec3_make(0, 1, 0));
+    door->spin = vec3_make(3, 3, 0);
+    for (int i = 0; i < 600; i++) {
+        step(1 / 60.0);
+        worst = real_max(worst, joint_gaps());
+        tilt = real_max(tilt, 1 - door->axes.y.y);
+    }
+    printf("the door: gap %.4f mm\n", 1000 * worst);
+    printf("the door: tilted %.2g rad\n", sqrt(2 * tilt));
+}
+//<
+//> little_main_17 17a 17z
+int main(void)
+{
+    cloth_on_cube(12, vec3_make(0, 0.9, 0));
+    show_cloth("cloth on a cube", 100);
+    show_chain(5, 1);
+    show_chain(50, 100);
+//<
+//> little_main_17c 17c 17c
+    show_door();
+//<
+//> little_main_17_end 17a 17z
+}
+//<
+
+//> little_main_18a 18a 18a
+int main(void)
+{
+    show_pile("ten boxes, 20 kg", 10, 20, 600);
+    show_pile("1000 kg on 1 kg", 2, 1000, 300);
+    show_room("room of 64", 4, 4.8, 600);
+    cloth_on_cube(12, vec3_make(0, 0.9, 0));
+    show_cloth("cloth on a cube", 100);
+    show_chain(50, 100);
+    show_door();
+}
+//<
+//> little_main_18b 18b 18b
+int main(void)
+{
+    time_to_sleep = 1e9;
+    show_pile("ten boxes, 20 kg", 10, 20, 600);
+    show_pile("1000 kg on 1 kg", 2, 1000, 300);
+    time_to_sleep = 0.5;
+    show_room("room of 64", 4, 4.8, 600);
+    cloth_on_cube(20, vec3_make(0, 0.9, 0));
+    show_cloth("cloth on a cube", 120);
+    show_chain(50, 100);
+    show_door();
+}
+//<

@@ -1,0 +1,197 @@
+# pieces.awk - functions for weave.awk: the little program's pieces.
+#
+# A piece is a region of chapters/little/ with the stages that it is in:
+# "//> little_name FROM UNTIL ...".  Above its code the book says in which stage
+# it comes, and what it replaces, or after what it goes: always by what a reader
+# has typed so far.  stages.txt, beside the pieces, names all stages in order.
+
+function read_stages(list,    line, part) {
+    while ((getline line < list) > 0)
+        if (split(line, part, / *\| */) > 1 && part[1] ~ /^[0-9][0-9][a-z]$/) id_of[++stages] = part[1]
+    close(list)
+}
+# The number of a stage, or of the last one before it: 09z is the end of 09.
+function stage_of(id,    i) {
+    for (i = stages; i > 0 && id_of[i] "" > id ""; i--) ;
+    return i
+}
+# The n-th region is a piece, whose marker is in fields 3 to last.
+function note_piece(n, fields,    i) {
+    if (!stages) read_stages("chapters/little/stages.txt")
+    if (id_of[stage_of($3)] != $3) fail(FILENAME, FNR, $3 " is no stage of stages.txt")
+    number_in[$2] = n
+    comes[$2] = $3; pairs[$2] = fields - 2
+    for (i = 3; i <= fields; i++) at_stage[$2, i - 2] = stage_of($i)
+}
+function is_in(name, stage,    i) {
+    for (i = 1; i <= pairs[name]; i += 2)
+        if (stage >= at_stage[name, i] && (i == pairs[name] || stage <= at_stage[name, i + 1])) return 1
+    return 0
+}
+# The names that a piece defines, as "a, b".
+function defined(name) { return names_in(home[name], from[name] + 1, to[name] - 1) }
+# The first line of code of a piece, or the last: one that is not blank, and no
+# comment.
+function code_line(name, back,    i, line) {
+    for (i = back ? to[name] - 1 : from[name] + 1; i > from[name] && i < to[name]; i += back ? -1 : 1) {
+        line = text[home[name], i]
+        if (line !~ /^[ \t]*$/ && line !~ /^\/\//) break
+    }
+    return line
+}
+# Does the piece begin, or end, within a function or a type?
+function is_inside(name) { return code_line(name, 0) ~ /^([ \t]|})/ }
+function is_open(name) { return code_line(name, 1) ~ /^([ \t]|\{$|typedef struct \{$)/ }
+function quoted(line) {
+    sub(/^[ \t]+/, "", line); sub(/[ \t]*\/\/.*/, "", line)
+    return "`" line "`"
+}
+# The piece that opens what this one lies in, at that stage.
+function opener(name, stage,    k) {
+    for (k = number_in[name] - 1; k > 0; k--)
+        if (is_in(region[k], stage) && is_open(region[k]) && (!is_inside(region[k]) || defined(region[k]) != "")) return region[k]
+    return ""
+}
+# What a piece is the end of: the type that its first line closes, or what it defines.
+function closed(name,    line) {
+    line = code_line(name, 0)
+    if (line !~ /^} [a-z0-9_]+;/) return defined(name)
+    gsub(/^} |;.*/, "", line)
+    return line
+}
+# What that opens: its last function, or the type that is closed further down.
+function opened(name, stage,    k, names) {
+    names = defined(name)
+    for (k = number_in[name]; names == "" && k <= regions; k++) if (is_in(region[k], stage)) names = closed(region[k])
+    sub(/.*, /, "", names)
+    return "`" names "`"
+}
+# What a reader sees at the end of a piece: the line, or what is defined there.
+function last_of(name, stage,    names, line) {
+    line = code_line(name, 1)
+    names = defined(name); sub(/.*, /, "", names)
+    if (is_open(name) || line !~ /^}/ && (names == "" || !index(line, names "("))) return quoted(line)
+    return names == "" && is_inside(name) ? opened(opener(name, stage), stage) : "`" names "`"
+}
+# Has the reader of a stage this piece by now?
+function is_typed(name, stage) {
+    if ((name, stage) in typed || returns(name, stage)) return 1
+    return stage_of(comes[name]) != stage && is_in(name, stage - 1) && !((name, stage) in gone)
+}
+# Does it come back, after stages without it?
+function returns(name, stage) { return stage_of(comes[name]) < stage && is_in(name, stage) && !is_in(name, stage - 1) }
+# What does, as "`a`, `b` of stage 12c".
+function taken_back(stage,    k, i, name, names, of, out, was) {
+    for (k = 1; k <= regions; k++) {
+        name = region[k]
+        if (!(name in comes) || !returns(name, stage)) continue
+        names = defined(name); gsub(/, /, "`, `", names)
+        if (names == "") continue
+        for (i = stage - 1; !is_in(name, i); i--) ;
+        if (was && of != i) out = out " of stage " id_of[of]
+        out = out (was++ ? ", `" : "`") names "`"; of = i
+    }
+    return was ? out " of stage " id_of[of] : ""
+}
+function comes_in(name, stage) { return stage_of(comes[name]) == stage }
+# Which piece of a stage takes the place of one that ends: the one that defines the
+# same, or else the next one in its file, if nothing that stays is between them.
+function heir(name, stage,    k, way, list, i, n) {
+    n = split(defined(name), list, ", ")
+    if (!n && is_inside(name)) {
+        k = opener(name, stage - 1)
+        if (k != "" && is_in(k, stage - 1) && !is_in(k, stage)) return heir(k, stage)
+    }
+    for (k = 1; k <= regions; k++)
+        if (region[k] in comes && comes_in(region[k], stage))
+            for (i = 1; i <= n; i++) if (index(", " defined(region[k]) ",", ", " list[i] ",")) return region[k]
+    for (way = 1; way >= -1; way -= 2)
+        for (k = number_in[name] + way; k > 0 && k <= regions && home[region[k]] == home[name]; k += way) {
+            if (comes_in(region[k], stage)) return region[k]
+            if (is_in(region[k], stage)) break
+        }
+    return ""
+}
+# All that a piece holds at the margin, as "`a`, `int b;`".
+function everything(name,    i, line, out) {
+    for (i = from[name] + 1; i < to[name]; i++) {
+        line = text[home[name], i]
+        if (line ~ /^} [a-z0-9_]+;/) { gsub(/^} |;.*/, "", line); line = "`" line "`" }
+        else if (line ~ /^[a-z][a-z0-9_ ]*[ *][a-z0-9_]+\(/ && line !~ /^typedef/) { sub(/\(.*/, "", line); sub(/.*[ *]/, "", line); line = "`" line "`" }
+        else if (line ~ /^[a-z].*;/) line = quoted(line)
+        else continue
+        out = out (out == "" ? "" : ", ") line
+    }
+    return out
+}
+# What ends at that stage and has such an heir, as a list for a reader.  `is_far`
+# is set if that lay elsewhere.
+function ended(stage, piece,    k, name, out, names) {
+    for (k = 1; k <= regions; k++) {
+        name = region[k]
+        if (!(name in comes) || !is_in(name, stage - 1) || is_in(name, stage) || heir(name, stage) != piece) continue
+        gone[name, stage]
+        is_far = is_far || home[name] != home[piece] || is_between(number_in[name], number_in[piece], stage)
+        names = everything(name)
+        if (!is_inside(name) && names == "") names = opened(name, stage - 1)
+        if (names != "") ;
+        else if (!is_in(opener(name, stage - 1), stage)) continue
+        else if (code_line(name, 0) == code_line(name, 1)) names = quoted(code_line(name, 0))
+        else names = "the lines from " quoted(code_line(name, 0)) " to " quoted(code_line(name, 1))
+        if (piece == "" && is_inside(name)) names = names " in " opened(opener(name, stage), stage)
+        if (!index(", " out ",", ", " names ",")) out = out (out == "" ? "" : ", ") names
+    }
+    return out
+}
+# Does something new come between two pieces?
+function is_between(k, until, stage) {
+    for (k++; k < until; k++) if ((region[k], stage) in typed) return 1
+    return 0
+}
+# "Stage 01b, in place of `euler_step`:" or "Stage 01b, after `gravity`:" of pieces
+# that come together.
+function where_it_goes(n, names,    k, stage, says, old, more) {
+    stage = stage_of(comes[names[1]])
+    says = "*Stage " comes[names[1]] "*"
+    if (!(stage in begun)) {
+        begun[stage]
+        old = ended(stage, "")
+        if (old != "") says = says " (delete " old ")"
+        old = taken_back(stage)
+        if (old != "") says = says " (take back " old ")"
+    }
+    old = ""; is_far = 0
+    for (k = 1; k <= n; k++) {
+        more = ended(stage, names[k])
+        if (more != "") old = old (old == "" ? "" : ", ") more
+    }
+    if (is_inside(names[1])) says = says ", in " opened(opener(names[1], stage), stage)
+    says = says (old == "" || is_far ? place_of(names[1], stage) : "") (old == "" ? "" : ", in place of " old) ":"
+    for (k = 1; k <= n; k++) typed[names[k], stage]
+    return says
+}
+function place_of(name, stage,    k, last, next_one) {
+    for (k = number_in[name] - 1; k > 0 && !last; k--) if (region[k] in comes && is_typed(region[k], stage)) last = region[k]
+    for (k = number_in[name] + 1; k <= regions && !next_one; k++) if (region[k] in comes && is_typed(region[k], stage)) next_one = region[k]
+    if (!next_one) return last ? ", at the end" : ", the first lines"
+    if (last && is_inside(name) && code_line(last, 1) ~ /^[ \t]*}$/) return code_line(next_one, 0) == "}" ? ", at its end" : ", before " quoted(code_line(next_one, 0))
+    return last && code_line(last, 1) != "{" ? ", after " last_of(last, stage) : ", at the top"
+}
+# The next piece of that stage.
+function beside(k, stage) {
+    for (k++; k <= regions && (region[k] in comes); k++) if (is_in(region[k], stage)) return k
+    return 0
+}
+# What no chapter shows, stage by stage: pieces that lie together share a block.
+function write_pieces(    stage, k, n, names, last) {
+    for (stage = 1; stage <= stages; stage++) {
+        n = 0
+        for (k = 1; k <= regions; k++) {
+            if (!(region[k] in comes) || !comes_in(region[k], stage) || region[k] in used) continue
+            if (!n && !(stage in headed)) { headed[stage]; print_later("## Stage " id_of[stage] "\n") }
+            if (n && beside(last, stage) != k) { weave_all(n, names); print_later(""); n = 0 }
+            names[++n] = region[k]; last = k
+        }
+        if (n) { weave_all(n, names); print_later("") }
+    }
+}

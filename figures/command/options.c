@@ -1,6 +1,7 @@
 // options.c - a table of options, and what reads and prints it.
 
 #include "options.h"
+#include "play.h"
 #include "thread.h"
 
 #include <ctype.h>
@@ -117,7 +118,7 @@ static const option options[] = {
     { "--list", KIND_FLAG, "", 0, 0, FOR_NONE,
       offsetof(settings, list), "name the scenes and the options" },
     { "--help", KIND_FLAG, "", 0, 0, FOR_NONE,
-      offsetof(settings, help), "print this" },
+      offsetof(settings, help), "print this; so does -h" },
     { "--version", KIND_FLAG, "", 0, 0, FOR_NONE,
       offsetof(settings, version), "print the version" },
 };
@@ -180,9 +181,28 @@ static const char *option_name(int i)
     return options[i].name;
 }
 
-static const char *scene_number_name(int i)
+// The three scenes, and behind them those of figures/scenes.
+static const char *any_scene_name(int i)
 {
-    return scene_name((scene_kind)i);
+    return i < SCENES ? scene_name((scene_kind)i) : examples[i - SCENES]->name;
+}
+
+static int count_scenes(void)
+{
+    int n = 0;
+    while (examples[n]) n++;
+    return SCENES + n;
+}
+
+// "a, b and c", of all scenes.
+static const char *scene_names(char *text, size_t room)
+{
+    int n = count_scenes();
+    size_t at = 0;
+    for (int i = 0; i < n && at < room; i++)
+        at += (size_t)snprintf(text + at, room - at, "%s%s", i == 0 ? ""
+                               : i < n - 1 ? ", " : " and ", any_scene_name(i));
+    return text;
 }
 
 // text may go on with the option's value.
@@ -198,14 +218,15 @@ static status unknown_option(const char *text)
 
 static status unknown_scene(const char *given)
 {
-    const char *meant = nearest_name(given, scene_number_name, SCENES);
+    if (play_find(given))
+        return status_fail("the scene %s stands first: tumble %s, and then its "
+                           "options", given, given);
+    const char *meant = nearest_name(given, any_scene_name, count_scenes());
     if (meant)
         return status_fail("there is no scene \"%.80s\"; did you mean %s?",
                            given, meant);
-    return status_fail("there is no scene \"%.80s\"; there are %s, %s and %s",
-                       given, scene_name(SCENE_ROOM),
-                       scene_name(SCENE_CLOTH_ON_CUBE),
-                       scene_name(SCENE_CLOTH_ON_ROPE));
+    return status_fail("there is no scene \"%.80s\" (see tumble --list)",
+                       given);
 }
 
 // ---- Values ----------------------------------------------------------------
@@ -302,11 +323,17 @@ static settings settings_default(void)
 // Finds --name in "--name" or "--name=value"; -1: there is none.
 static int find_option(const char *text)
 {
+    if (!strcmp(text, "-h")) text = "--help";
     size_t n = strcspn(text, "=");
     for (int i = 0; i < OPTIONS; i++)
         if (strlen(options[i].name) == n && !strncmp(options[i].name, text, n))
             return i;
     return -1;
+}
+
+static bool is_given(const settings *s, int k)
+{
+    return s->given & 1ull << k;
 }
 
 // Reads the option that stands at argument[*i], and its value if it has one.
@@ -317,11 +344,13 @@ static status read_option(settings *s, int arguments, char *const *argument,
     int k = find_option(text);
     if (k < 0) return unknown_option(text);
     const option *o = &options[k];
+    bool again = is_given(s, k);
     s->given |= 1ull << k;
     if (value) value++;
     if (o->kind == KIND_FLAG || o->kind == KIND_OFF)
         return value ? status_fail("%s takes no value", o->name)
                      : read_value(o, NULL, s);
+    if (again) return status_fail("%s is given twice", o->name);
     // The next word is the value, unless it is itself an option.
     if (!value && *i + 1 < arguments && strncmp(argument[*i + 1], "--", 2))
         value = argument[++*i];
@@ -356,11 +385,6 @@ static bool is_engine_only(const option *o)
            (is_engine_field(o) && o->at != ENGINE(friction));
 }
 
-static bool is_given(const settings *s, int k)
-{
-    return s->given & 1ull << k;
-}
-
 static status check_runner(const settings *s)
 {
     for (int k = 0; k < OPTIONS; k++)
@@ -373,11 +397,10 @@ static status check_runner(const settings *s)
 // What no single word can tell.
 static status check_together(const settings *s)
 {
+    char names[170];
     if (s->scene == SCENES)
-        return status_fail("no scene is named; there are %s, %s and %s",
-                           scene_name(SCENE_ROOM),
-                           scene_name(SCENE_CLOTH_ON_CUBE),
-                           scene_name(SCENE_CLOTH_ON_ROPE));
+        return status_fail("no scene is named; there are %s",
+                           scene_names(names, sizeof names));
     if (s->paper && s->plain)
         return status_fail("--paper and --plain are two ways to run a scene; "
                            "one at a time");

@@ -47,6 +47,9 @@ static status read_wishes(const example *e, int words, char **word, wishes *to)
         const char *value = word[k + 1];        // argv ends with NULL
         if (!value)
             return status_fail("%s: what comes behind it?", word[k]);
+        for (int before = 0; before < k; before += 2)
+            if (strcmp(word[before], word[k]) == 0)
+                return status_fail("%s is given twice", word[k]);
         if (strcmp(word[k], "--film") == 0) to->film = value;
         else if (strcmp(word[k], "--frames") == 0) to->pictures.folder = value;
         else if (strcmp(word[k], "--obj") == 0) to->meshes.folder = value;
@@ -59,10 +62,11 @@ static status read_wishes(const example *e, int words, char **word, wishes *to)
     return done;
 }
 
-static status begin_frames(wishes *to)
+// What cannot be written is told before anything is drawn.
+static status check_files(wishes *to)
 {
-    status done = status_ok();
-    if (to->pictures.folder) done = frames_begin(&to->pictures);
+    status done = to->film ? picture_check(to->film) : status_ok();
+    if (done.ok && to->pictures.folder) done = frames_begin(&to->pictures);
     if (done.ok && to->meshes.folder) done = frames_begin(&to->meshes);
     return done;
 }
@@ -117,8 +121,17 @@ static bool tell(const example *e, const wishes *to, tumble_world *w)
     return holds || !is_whole;
 }
 
+static int help(const example *e)
+{
+    printf("tumble %s [--seconds S] [--film FILE.png] [--frames DIR] "
+           "[--obj DIR]\n\n%s (%g s)\n", e->name, e->about, e->seconds);
+    return 0;
+}
+
 int play(const example *e, int words, char **word)
 {
+    if (words > 0 && (!strcmp(word[0], "--help") || !strcmp(word[0], "-h")))
+        return help(e);
     wishes to;
     bool holds = false;
     picture film = { 0 };
@@ -133,7 +146,7 @@ int play(const example *e, int words, char **word)
     if (done.ok && to.film)
         done = picture_init(&film, PANELS * (WIDE + GAP) - GAP, HIGH,
                             colour_hex(0xffffff));
-    if (done.ok) done = begin_frames(&to);
+    if (done.ok) done = check_files(&to);
     if (done.ok) done = run(e, &to, w, &film);
     if (done.ok && tumble_failure(w))
         done = status_fail("%s", tumble_failure(w));

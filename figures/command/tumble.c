@@ -151,7 +151,7 @@ static status check_names(const settings *set)
 static status check_outputs(run *r)
 {
     status done = check_names(&r->set);
-    if (done.ok && r->set.film) done = output_check(r->set.film);
+    if (done.ok && r->set.film) done = picture_check(r->set.film);
     if (done.ok && r->set.csv) done = output_check(r->set.csv);
     if (done.ok && r->set.record) done = output_check(r->set.record);
     r->pictures = (frames){ .folder = r->set.frames, .ending = ".png",

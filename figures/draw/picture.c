@@ -1,5 +1,7 @@
 // picture.c - points, stroked letters, PNG.
 
+#define _XOPEN_SOURCE 700
+
 #include "picture.h"
 #include "output.h"
 
@@ -7,6 +9,8 @@
 #include <png.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
 
 // ---- Colour ----------------------------------------------------------------
 
@@ -284,6 +288,22 @@ static unsigned char *picture_bytes(const picture *p)
         bytes[3 * i + 2] = byte_of(p->at[i].z);
     }
     return bytes;
+}
+
+status picture_check(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *dot = strrchr(name, '.');
+    if (dot && strcasecmp(dot, ".png") != 0)
+        return status_fail("%.120s: a picture is written as PNG, and its name "
+                           "ends in .png", path);
+    struct stat there, none;
+    // /dev/null takes everything; /dev/full, a terminal and their like do not.
+    if (stat(path, &there) == 0 && S_ISCHR(there.st_mode)
+        && stat("/dev/null", &none) == 0 && there.st_rdev != none.st_rdev)
+        return status_fail("%.120s: cannot write: it is a device, and no place "
+                           "for a picture", path);
+    return output_check(path);
 }
 
 status picture_write(const picture *p, const char *path)

@@ -53,4 +53,8 @@ real picture_text(picture *p, real x, real y, real size, colour ink,
 // names the file, and leaves nothing behind.
 status picture_write(const picture *p, const char *path);
 
+// Could picture_write(p, path) succeed?  Leaves no trace.  A name that ends like
+// another kind of file is refused.
+status picture_check(const char *path);
+
 #endif

@@ -8,7 +8,7 @@
     there[$0] = 1
     if (folder ~ /^figures\/[0-9]/) {
         if (kind == "c" || (kind == "gp" && !(name in room))) add(name, folder)
-    } else if (folder ~ /^figures\/(tables|peers)$/ && kind == "csv" && name !~ /^(machine|piles-curves|(box3d|jolt)-[a-z]*)$/) add(name, folder)
+    } else if (folder ~ /^figures\/(tables|peers)$/ && kind == "csv" && name !~ /^(machine|stages|piles-curves|(box3d|jolt)-[a-z]*)$/) add(name, folder)
     else if (folder ~ /^tests\// && kind == "c") test[name] = $0
 }
 END {
@@ -35,7 +35,7 @@ function print_line(name, folder,    own, program, data, drawn, from, picture, c
     if (folder == "figures/peers") command = name == "piles" ? "peers" : name == "box3d" ? "box3d~BOX3D=FOLDER" : name == "jolt" ? "jolt~JOLT=FOLDER" : name == "queries" ? "queries-race~GJK=FOLDER~JOLT=FOLDER~BOX3D=FOLDER" : name
     if (name == "speed" || name == "profile") {
         m = split(name == "speed" ? speed : "21-profile", part, " "); list = ""
-        for (i = 1; i <= m; i++) list = list " figures/" substr(part[i], 1, 2) "/" part[i] ".csv"
+        for (i = 1; i <= m; i++) list = list " figures/" substr(part[i], 1, index(part[i], "-") - 1) "/" part[i] ".csv"
         from = those(list); program = "figures/draw/table.awk"; command = "tables"
     }
     if (name == "20-margins") from = "figures/tables/hard.csv"

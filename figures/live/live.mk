@@ -4,6 +4,9 @@
 # A figure, and the chapter up to which it sees the library.
 define LIVES
 00/bounce
+00b/carts
+00b/swing
+00b/spin
 01/orbit
 02/rope
 03/cube
@@ -78,7 +81,7 @@ $(OURS)/wasm/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(
 $(OURS)/wasm/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(OURS)/wasm/flags
 	$(call wasm)
 $(OURS)/wasm/rules/04-distance-%.o: $(OURS)/rules/04-distance-%.c $(OURS)/wasm/flags
-	$(call wasm,$(foreach f,$(GJK),-D$f=$f_$*))
+	$(call wasm,$(foreach f,$(GJK_NAMES),-D$f=$f_$*))
 $(OURS)/wasm/live/%.o: figures/live/%.c $(OURS)/wasm/flags
 	$(call wasm)
 # The reader's own counts the turns of its loops, so that one without end is
@@ -156,7 +159,7 @@ live-page: $(LIVE_SHOWN:%=$(OURS)/live/%.json) $(LIVE_SHOWN:%=$(BUILD)/live/%.js
 
 # --- Stills -----------------------------------------------------------------------
 .PHONY: $(LIVE:%=still-%)
-$(LIVE:%=still-%): still-%: $(BUILD)/live/%.js $(BUILD)/live/%.json $(BUILD)/live/main.js $(BUILD)/live/space.js
+$(LIVE:%=still-%): still-%: need-browser $(BUILD)/live/%.js $(BUILD)/live/%.json $(BUILD)/live/main.js $(BUILD)/live/space.js
 	$(Q)sh figures/live/page.sh $(call live_chapter,$*) $(BUILD)/live/still-$* $(BUILD)/live $(BUILD)/live $*
 	$(Q)cp figures/live/still.js $(NODE)/ && node $(NODE)/still.js \
 	  $(abspath $(BUILD)/live/still-$*/index.html) $* $(BUILD)/live/$*.png

@@ -59,18 +59,26 @@ class Figure {
   async wake() {
     await script(this.panel.name);
     if (!this.isFlat) await script('space');
-    this.core = await makeCore(tumble.wasm[this.panel.name]);
-    this.drawing = this.makeDrawing();
-    this.drawing.core = this.core;
+    await this.fill();
     this.drawing.acted = (...what) => this.act(...what);
     this.drawing.lists = () => this.core.draw();
-    this.drawing.restyle();
     dark.addEventListener('change', () => { this.drawing.restyle(); this.draw(); });
-    this.guard(() => this.core.call('start'));
-    this.draw();
     if (still()) this.tick(FRAMES);
     this.node.dataset.ready = '1';
     this.loop.update();
+  }
+
+  // A new memory, which has the page's colours, and nothing of what stopped.
+  async fill() {
+    this.core = await makeCore(tumble.wasm[this.panel.name]);
+    this.stopped = undefined;
+    delete this.node.dataset.trapped;
+    this.node.querySelectorAll('.live-trap').forEach(node => node.remove());
+    this.drawing ||= this.makeDrawing();
+    this.drawing.core = this.core;
+    this.drawing.restyle();
+    this.guard(() => this.core.call('start'));
+    this.draw();                // the core's lists have a place from now on
   }
 
   // Without WebGL the picture stays; charts and hash go on.
@@ -131,14 +139,10 @@ class Figure {
   // What stopped has a memory that nothing may be read from any more: a new one
   // begins, with the dials as they stand.
   async renew() {
-    this.core = this.drawing.core = await makeCore(tumble.wasm[this.panel.name]);
-    this.stopped = undefined;
-    delete this.node.dataset.trapped;
-    this.node.querySelectorAll('.live-trap').forEach(node => node.remove());
-    this.guard(() => this.core.call('start'));
+    await this.fill();
     this.turned.forEach((value, dial) => this.guard(() => this.core.call('turn', dial, value)));
     this.act('begin');
-    this.loop.play(true);
+    this.loop.play(!still());
   }
 
   act(name, ...values) {

@@ -126,8 +126,8 @@ static void make_pairs(bool are_apart)
         after[k] = before[k];
         move_on(&after[k], &seed);
         before[k].axis = before[k].from_b;
-        search_apart(side_of(before[k].a), side_of(before[k].b), 0,
-                     &before[k].axis);
+        hull_mesh a = side_of(before[k].a), b = side_of(before[k].b);
+        search_apart(&a, &b, 0, &before[k].axis);
         plain(&before[k], &before[k].found);
         truth[0][k] = true_gap(&before[k]);
         truth[1][k] = true_gap(&after[k]);
@@ -195,21 +195,21 @@ static real ask_plain_carried(int k)
 
 static real ask_distance(int k)
 {
-    return search_nearest(here(k, 0), here(k, 1), HUGE_VAL,
-                          &now[k].found).distance;
+    hull_mesh a = here(k, 0), b = here(k, 1);
+    return search_nearest(&a, &b, HUGE_VAL, &now[k].found).distance;
 }
 
 static real ask_apart(int k)
 {
-    return search_apart(here(k, 0), here(k, 1), 0,
-                        &now[k].axis) ? 1 : -1;
+    hull_mesh a = here(k, 0), b = here(k, 1);
+    return search_apart(&a, &b, 0, &now[k].axis) ? 1 : -1;
 }
 
 static real ask_depth(int k)
 {
     hull_mesh a = here(k, 0), b = here(k, 1);
     simplex s = { .count = 0 };
-    gjk_result g = search_nearest(a, b, 0, &s);
+    gjk_result g = search_nearest(&a, &b, 0, &s);
     if (g.status != GJK_OVERLAP) return 0;
     return -hit_face_find(a.hull, b.hull, &g.last).depth;
 }

@@ -75,6 +75,7 @@ static real response(const pair *p, const vec3 arm[2], vec3 d, vec3 e)
 //<
 
 //> plain-softness
+//>   The three numbers of a soft contact, as in your program.
 softness plain_softness(const solver_frame *f, bool both_move)
 {
     const real pi = 3.141592653589793;
@@ -244,6 +245,8 @@ void plain_relax(plain_solver *s)
 //<
 
 //> plain-warm
+//>   The start of a frame, and the warm start of a substep: the impulses along
+//>   the normals, the friction in the middle of the points, and the twist.
 void plain_begin(plain_solver *s)
 {
     for (int i = 0; i < s->contacts; i++) {

@@ -1,5 +1,5 @@
-// family_impact.c - rows 125 to 134: restitution, impacts with a formula,
-// blades that turn, and thin plates.
+// family_impact.c - rows 125 to 134, and 189: restitution, impacts with a
+// formula, blades that turn, thin plates, and bodies at one place.
 
 #include "family.h"
 
@@ -291,6 +291,48 @@ static void thin_plates(hard_report *r, int fast)
     hard_note(r, "the first: %s", through.where);
 }
 
+// ---- 189: coincident bodies part -------------------------------------------
+
+// Overlaps are pushed out at 3 m/s.  A body that overlaps many is pushed out at
+// that speed in all, whoever the others are: so n bodies that begin at one place
+// have no more energy, once they are apart, than if each went at 3 m/s.
+static void part_from(hard_report *r, family_worst *f, family_seed *seed, int n,
+                      double jitter, int round, double step)
+{
+    const double out = 3;       // m/s
+    tumble_world *w = weightless(step, 0.5, 0);
+    tumble_shape s = round ? tumble_sphere(w, 0.5, 1)
+                           : tumble_box(w, tumble_v(1, 1, 1), 1);
+    for (int i = 0; i < n; i++) {
+        tumble_vec3 at = v_scale(jitter, family_direction(seed));
+        tumble_add(w, s, tumble_at(at.x, at.y, at.z));
+    }
+    double speed = 0;
+    for (double time = 0; time < 5; time += step) {
+        tumble_step(w);
+        double energy = tumble_measure(w).kinetic;
+        speed = hard_worse(speed, sqrt(2 * energy / n));
+    }
+    family_trial(f, speed / out, "%d %s, %g m apart, dt 1/%.0f", n,
+                 round ? "balls" : "cubes", jitter, 1 / step);
+    family_ok(r, w);
+    tumble_free(w);
+}
+
+static void coincident(hard_report *r, int fast)
+{
+    static const int many[] = { 2, 5, 15, 50 };
+    static const double jitter[] = { 0, 0.01, 0.3 };
+    family_worst speed = { .target = 1 };
+    family_seed seed = 189;
+    for (int k = 0; k < (fast ? 2 : 4); k++)
+        for (int i = 0; i < 3; i++)
+            for (int n = 0; n < (fast ? 1 : 4); n++)
+                part_from(r, &speed, &seed, many[k], jitter[i], n % 2,
+                          dt[n / 2]);
+    family_add(r, &speed, "", "speed / that of pushing out");
+}
+
 const hard_case family_impact[] = {
     { 125, "restitution 1 under gravity", 1, elastic_fall },
     { 126, "restitution 1 without gravity", 1, elastic_gas },
@@ -299,5 +341,6 @@ const hard_case family_impact[] = {
     { 129, "driven blades miss nothing", 1, driven_blades },
     { 130, "free blades miss nothing", 1, free_blades },
     { 131, "thin plates let nothing through", 1, thin_plates },
+    { 189, "bodies at one place part", 0, coincident },
     { 0, NULL, 0, NULL }
 };

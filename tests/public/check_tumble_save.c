@@ -16,7 +16,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { EACH = 20, MOST = 400, HEAD = 48 };
@@ -666,16 +668,20 @@ static void follow(bytes b)
     tumble_free(w);
 }
 
-// In a process of its own, which may break.
-static bool goes_elsewhere(bytes b)
+// In a process of its own, which may break, and may turn without end: it has five
+// times as long as the world took whose tables are right.
+static bool goes_elsewhere(bytes b, double seconds)
 {
     int ended;
     pid_t child = fork();
     ck_assert_int_ge(child, 0);
     if (child == 0) {
-        const struct rlimit none = { 0, 0 }, seconds = { 2, 2 };
+        const struct rlimit none = { 0, 0 };
+        long most = (long)(5e6 * (seconds + 0.01));
+        struct itimerval timer = { .it_value = { most / 1000000,
+                                                 most % 1000000 } };
         setrlimit(RLIMIT_CORE, &none);
-        setrlimit(RLIMIT_CPU, &seconds);
+        setitimer(ITIMER_PROF, &timer, NULL);
         fclose(stderr);
         is_trial = true;
         follow(b);
@@ -692,12 +698,14 @@ static void look_for_needed(const tumble_world *w)
     const int kind[] = { 0, 0x5a, 0xff };
     bytes b = saved(w);
     memset(is_used, 0, sizeof is_used);
+    clock_t began = clock();
     follow(b);
+    double seconds = (double)(clock() - began) / CLOCKS_PER_SEC;
     for (int i = 0; i < 3 * places; i++) {
         garbage = kind[i % 3];
         spoilt = i / 3;
         if (is_used[spoilt] && !is_needed[spoilt])
-            is_needed[spoilt] = goes_elsewhere(b);
+            is_needed[spoilt] = goes_elsewhere(b, seconds);
     }
     spoilt = -1;
     free(b.at);

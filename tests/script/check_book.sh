@@ -23,7 +23,7 @@ done
 
 # Names of three words and more, `like_this_one`; two words may be formulas.
 for name in $(grep -oh '`[a-z0-9]*_[a-z0-9]*_[a-z0-9_]*`' chapters/*.md README.md | tr -d '`' | sort -u); do
-    grep -rqw "$name" lib tests/*/*.[ch] figures/*/*.[ch] exercises/*/check.c || {
+    grep -rqw "$name" lib tests/*/*.[ch] figures/*/*.[ch] chapters/little/*.c exercises/*/check.c || {
         echo "the book names $name, and nothing in the tree is called that"
         failed=1
     }

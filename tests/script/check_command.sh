@@ -56,10 +56,12 @@ accepts() {
 }
 
 # --- The command line is wrong: 2 ---------------------------------------------
-refuses 2 'no scene is named' 
+refuses 2 'no scene is named; there are room.* cloth-on-rope.* pyramid.* and blanket'
 refuses 2 'no scene is named'               --bodies 3
 refuses 2 'did you mean room'               rom
-refuses 2 'there is no scene "beach"'       beach
+refuses 2 'there is no scene "beach" (see'  beach
+refuses 2 'did you mean pyramid'            piramid
+refuses 2 'pyramid stands first'            --seconds 2 pyramid
 refuses 2 'there is no scene ""'            ''
 refuses 2 'two scenes are named'            room cloth-on-cube
 refuses 2 'no option --bodys; did you mean --bodies' room --bodys 3
@@ -83,6 +85,9 @@ for option in bodies cloth seconds dt substeps iterations tolerance gravity \
     refuses 2 "--$option needs a value"     room --$option --bits
 done
 refuses 2 '--film: the name is empty'       room --film ''
+refuses 2 '--csv is given twice'            room --csv a --csv b
+refuses 2 '--seed is given twice'           room --seed=1 --bodies 2 --seed 1
+refuses 2 '--film is given twice'           pyramid --film a.png --film b.png
 refuses 2 '--csv: the name is empty'        room --csv=
 for option in bodies cloth substeps iterations most-substeps threads; do
     for number in ten 3x 1.5 1e3 '' ' 3' nan 0x10; do
@@ -136,6 +141,9 @@ rm through
 # What is being written stands in x.part, so x.part is no name for another file.
 refuses 1 'name the same file'      room $long --csv x --film x.part
 refuses 1 'name the same file'      room $long --film ./x --csv x.part
+# A picture is a PNG, whatever it is called.
+refuses 1 'its name ends in .png'   room $long --film a.jpg
+refuses 1 'its name ends in .png'   marbles --seconds 3600 --film a.jpg
 mkdir frames
 refuses 1 'name of a frame'  room $long --frames frames --csv frames/frame-00000.png
 refuses 1 'name of a frame'  room $long --frames frames --film ./frames/../frames/frame-x
@@ -157,8 +165,10 @@ fi
 if [ -c /dev/full ]; then
     brief='--seconds 0.05 --bodies 2'
     refuses 1 '/dev/full: cannot write: No space' room $brief --csv /dev/full
-    refuses 1 '/dev/full: cannot write: No space' \
-        room --seconds 0 --film /dev/full
+    refuses 1 '/dev/full: cannot write: it is a device' room $long --film /dev/full
+    refuses 1 '/dev/full: cannot write: it is a device' \
+        marbles --seconds 3600 --film /dev/full
+    accepts 'wrote /dev/null'  room $brief --film /dev/null
     "$tumble" room $brief > /dev/full 2> "$err"
     code=$?
     verdict 'a full disk behind stdout' "$([ $code -eq 1 ] &&
@@ -237,6 +247,8 @@ done
 accepts 'cloth-on-rope'     --list
 accepts '--substeps N'      --list
 accepts 'Exit status'       --help
+accepts 'Exit status'       -h
+accepts 'tumble wrecker .--seconds S. .--film FILE.png'  wrecker --help
 accepts '^tumble [0-9]'     --version
 accepts 'largest strain'    room --bodies 2 --seconds 0.1
 accepts 'largest strain'    room --seconds 0
@@ -268,7 +280,8 @@ verdict '--plain has other bits than the engine' \
 
 # The same seed gives the same bits, another seed others.
 bits() {
-    "$tumble" room --bodies 4 --seconds 0.5 --bits "$@" | sed -n 's/^bits //p'
+    case $1 in --bodies) ;; *) set -- --bodies 4 --seconds 0.5 "$@" ;; esac
+    "$tumble" room --bits "$@" | sed -n 's/^bits //p'
 }
 first=$(bits --seed 7)
 verdict 'bits are 16 hexadecimal digits' \

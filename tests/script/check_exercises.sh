@@ -240,7 +240,8 @@ answers "what it shows"    'together 7'                    exercise 99/sum
 rm "$dir/show.c"
 answers "the list"         '[x] 99/sum'                    exercise
 answers "the list of a chapter"  '[x] 99/sum'              exercise 99
-answers "a hint for a chapter"   'For example:  make hint 99/sum' hint 99
+sh exercises/run.sh hint 99 > "$tree/said" 2>&1 && verdict "a chapter has no hint" no
+also "a hint for a chapter"      'For example:  make hint 99/sum'
 sh exercises/run.sh exercise 99/sun 2>&1 | tail -n 1 > "$tree/said"
 also "an exercise that is not there" 'There is no exercise 99/sun:'
 if grep -q '^99/sum passed 2' "$tree/progress.txt"; then verdict "what passed is kept" yes; else verdict "what passed is kept" no; fi

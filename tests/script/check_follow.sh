@@ -38,6 +38,10 @@ says() {
     if "$@" > "$tree/said" 2>&1 && grep -qF -- "$sentence" "$tree/said"
     then verdict "$name" yes; else verdict "$name" no; fi
 }
+refuses() {     # NAME SENTENCE COMMAND...
+    name=$1 sentence=$2; shift 2
+    if "$@" > "$tree/said" 2>&1; then verdict "$name" no; else also "$name" "$sentence"; fi
+}
 # also NAME SENTENCE: it said this, too.
 also() { if grep -qF -- "$2" "$tree/said"; then verdict "$1" yes; else verdict "$1" no; fi; }
 run() { sh exercises/run.sh "$@"; }
@@ -60,7 +64,30 @@ says "each chapter has its own" 'not begun         02/root' run chapter 02
 if grep -q '01/' "$tree/said"; then verdict "and no others" no; else verdict "and no others" yes; fi
 says "no exercises"             'It has no exercises.' run chapter 03
 also "the end"                  'This was the last chapter.'
-if run chapter 04 > "$tree/said" 2>&1; then verdict "no such chapter" no; else also "no such chapter" 'There is no chapter 04.'; fi
+if run chapter 04 > "$tree/said" 2>&1; then verdict "no such chapter" no; else also "no such chapter" 'There is no chapter 04: there are 01 to 03.'; fi
+
+# A chapter that came later has a letter: 01b stands between 01 and 02.
+later() {
+    course
+    dir=$EXERCISES/01b-carry; mkdir "$dir"
+    echo 'after  vec3' > "$dir/exercise"; echo '# 01b/carry: about carry' > "$dir/README.md"
+    printf '# 01b. Carrying\n\n`make exercise 01b/carry`\n' > "$CHAPTERS/01b-carrying.md"
+}
+later
+printf '01/sum passed 2026-11-21\n01/more passed 2026-11-21\n' > "$progress"
+says "a letter is next"         'Next: chapter 01b, Carrying: read it in book.md, and  make 01b' run chapter 01
+if grep -q '01b/' "$tree/said"; then verdict "and is another chapter" no; else verdict "and is another chapter" yes; fi
+says "it is a chapter"          'not begun         01b/carry' run chapter 01b
+also "with its title"           "Chapter 01b, Carrying: $CHAPTERS/01b-carrying.md"
+says "its own list"             '[ ] 01b/carry' run exercise 01b
+if grep -q '] 01/' "$tree/said"; then verdict "without its neighbour's" no; else verdict "without its neighbour's" yes; fi
+says "its neighbour's"          '[x] 01/sum' run exercise 01
+if grep -q '] 01b/' "$tree/said"; then verdict "without its own" no; else verdict "without its own" yes; fi
+refuses "of which of it"        'For example:  make hint 01b/carry' run hint 01b
+echo '01b/carry passed 2026-11-22' >> "$progress"
+says "then the next number"     'Next: chapter 02, Roots' run chapter 01b
+says "its bar"                  '01b Carrying                             ####################  1 of 1' run progress
+says "all, in the book's order" '01/sum 01/more 01b/carry 02/root' sh -c '. exercises/judge.sh; echo $(names)'
 
 # ---- progress.txt, and make progress
 
@@ -100,6 +127,7 @@ says "a file that cannot be"    'that 01/sum passed is not kept' judged write_pa
 unset EXERCISES CHAPTERS
 says "make ends with it"        'Chapter 22, What the paper got wrong: chapters/22-errata.md' make -s 22
 says "make progress"            '04 GJK ' make -s progress
+says "of a chapter"             'Chapter 04, GJK: chapters/04-gjk.md' make -s progress 04
 
 # ---- make watch: it runs, runs again when a file is saved, and ends with Ctrl-C.
 # A shell starts what is in the background deaf to INT: env opens its ears, and
@@ -126,10 +154,6 @@ interrupt() {   # NAME
     while kill -s 0 -- -$watcher 2> /dev/null && [ $tries -lt 50 ]; do tries=$((tries + 1)); sleep 0.1; done
     if [ $tries -eq 50 ] || grep -q '\*\*\*' "$tree/said" || [ -n "$(ls "$TMPDIR")" ]
     then verdict "$1" no; else verdict "$1" yes; fi
-}
-refuses() {     # NAME SENTENCE COMMAND...
-    name=$1 sentence=$2; shift 2
-    if "$@" > "$tree/said" 2>&1; then verdict "$name" no; else also "$name" "$sentence"; fi
 }
 if command -v setsid > /dev/null && env --default-signal=INT true 2> /dev/null; then
     TMPDIR=$tree/temporary; export TMPDIR
@@ -158,11 +182,14 @@ for name in 99/x nope 9 00/; do
     refuses "nor is $name"      "There is no exercise $name:" make hint $name
     if grep -qF '***' "$tree/said"; then verdict "no word about $name" no; else verdict "no word about $name" yes; fi
 done
-says "no such chapter"          'Chapter 99 has no exercises' make hint 99
+refuses "no such chapter"       'There is no chapter 99: there are 00 to ' make hint 99
 if [ "$(grep -vc '^make' "$tree/said")" = 1 ]; then verdict "and no list" yes; else verdict "and no list" no; fi
 refuses "the sentence is last"  'There is no exercise 04/none' make exercise 04/none
 if [ "$(wc -l < "$tree/said")" -lt 9 ]; then verdict "and near" yes; else verdict "and near" no; fi
-says "of which of the chapter"  'Of which exercise?  For example:  make hint 04/' make hint 04
+refuses "nor any bar for it"    'There is no chapter 99: there are 00 to ' make progress 99
+refuses "nor its tests"         'There is no chapter 99: there are 00 to ' make -s watch 99
+refuses "a hint for nothing"    'Of which exercise?  For example:  make hint 01/step' make hint
+refuses "of which of the chapter"  'Of which exercise?  For example:  make hint 04/' make hint 04
 if grep -q '  cc  \|  link' "$tree/said"; then verdict "and builds none" no; else verdict "and builds none" yes; fi
 if make exercise 01/step 01/drag > "$tree/said" 2>&1; then verdict "two at a time" no; else also "two at a time" 'One exercise at a time.'; fi
 says "on paper nothing is run" 'exercises/run.sh reset' make -n reset 01/step

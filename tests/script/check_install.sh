@@ -10,6 +10,19 @@ trap 'rm -rf "$place"' EXIT
 unset MAKEFLAGS MFLAGS
 make -s install BUILD="$place/build" PREFIX="$place/tumble" CFLAGS=-O1 > "$place/said" 2>&1 ||
     { cat "$place/said"; echo "check_install: make install fails"; exit 1; }
+[ -s "$place/tumble/share/licenses/tumble/LICENSE" ] || { echo "check_install: no licence is installed"; exit 1; }
+
+# For a system's own folders, in a place of its own: the loader looks there, so no
+# program is told where the library stands; and all of it goes again.
+own="install BUILD=$place/build DESTDIR=$place/root PREFIX=/usr LIBDIR=/usr/lib64 INCLUDEDIR=/usr/include/tumble CFLAGS=-O1"
+# shellcheck disable=SC2086
+make -s $own > "$place/said" 2>&1 && ! grep -q rpath "$place/root/usr/lib64/pkgconfig/tumble.pc" &&
+    grep -qx 'libdir=${prefix}/lib64' "$place/root/usr/lib64/pkgconfig/tumble.pc" &&
+    [ -s "$place/root/usr/include/tumble/tumble.h" ] && [ -s "$place/root/usr/lib64/libtumble.so" ] ||
+    { cat "$place/said"; echo "check_install: DESTDIR, LIBDIR and INCLUDEDIR are not obeyed, or an rpath is /usr's"; exit 1; }
+# shellcheck disable=SC2086
+make -s un$own > "$place/said" 2>&1 && [ -z "$(find "$place/root" ! -type d)" ] ||
+    { find "$place/root" ! -type d; echo "check_install: make uninstall leaves these"; exit 1; }
 scenes=$(pwd)/figures/scenes
 cd "$place" || exit 1
 

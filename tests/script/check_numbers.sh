@@ -50,6 +50,10 @@ refuses "a module is changed" stamps 'figures/01/01-n.csv is older than lib/a: r
 grep -qF 'figures/tables/hard.csv is older than lib/a: run make hard' said; verdict "its table, too" $([ $? = 0 ] && echo yes)
 sound; echo 'int b;' >> figures/01/01-n.c
 refuses "a program is changed" stamps 'figures/01/01-n.csv is older than its program'
+mkdir figures/01b; echo 'int main(void) {}' > figures/01b/01b-n.c; printf '1 2\n' > figures/01b/01b-n.csv
+sed -i.old 's/SPEED := .*/SPEED := 01b-n/' Makefile; sh figures/draw/stamp.sh 01b-n speed; echo '1 3' > figures/01b/01b-n.csv
+refuses "a figure of a chapter with a letter" stamps 'figures/01b/01b-n.csv is not what its program wrote'
+refuses "and a table that is gathered from it" stamps 'figures/tables/speed.csv is older than the tables that it is gathered from'
 sound; sed -i.old 's/1 2/1 3/' figures/01/01-n.csv
 refuses "a CSV is changed by hand" stamps 'figures/01/01-n.csv is not what its program wrote'
 sh figures/draw/stamp.sh -d 01-n
@@ -72,6 +76,9 @@ sed -i.old 's/It is 3 m long/It is 3 m\
     long/' chapters/01-a.md; accepts "lines may be broken elsewhere" numerals
 sound; echo 'A rope stretches by 2.5 %.' >> chapters/01-a.md
 refuses "a numeral typed by hand" numerals '01:3: typed by hand: 2.5 %, in: A rope stretches by 2.5 %.'
+sound; printf '# 01b. B\n\nA rope stretches by 2.5 %%.\n' > chapters/01b-b.md
+refuses "a numeral of a chapter with a letter" numerals '01b:3: typed by hand: 2.5 %'
+sh chapters/numerals.sh given 01b; accepts "and given there" numerals
 sound; sed -i.old 's/5 ms/6 ms/' chapters/01-a.md
 refuses "a numeral changed by hand" numerals '01:3: typed by hand: 6 ms'
 sound; echo 'It is 1.3 times as fast.' >> README.md

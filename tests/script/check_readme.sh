@@ -34,7 +34,7 @@ done
 
 # README's table: every chapter by its title; that of lib/: every module in its row.
 for page in chapters/[0-9]*.md; do
-    title=$(sed -n '1s/^# [0-9]*\. //p' "$page")
+    title=$(sed -n '1s/^# [0-9]*[a-z]\{0,1\}\. //p' "$page")
     grep -qF "[$title](chapters/woven/${page#*/})" README.md || fault "README.md does not call $page by its title, $title"
 done
 for module in $(sed -n '/^define ORDER/,/^endef/p' Makefile | grep /); do

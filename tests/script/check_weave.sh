@@ -19,7 +19,7 @@ sound() {
     printf '# 02. B\n\n## The code\n\n![p](../figures/p.png) [A](01-a.md)\n\n@@ slow\n\n%%%% figures/t.csv\n\n@@ body\n\n%%%% functions\n\n```\n@@ no region\n```\n' > chapters/02-b.md
     echo picture > figures/p.png
 }
-weave() { $awk -v pages="$pages" -f "$root/chapters/numbers.awk" -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md; }
+weave() { $awk -v pages="$pages" -f "$root/chapters/numbers.awk" -f "$root/chapters/pieces.awk" -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/[0-9]*.md; }
 check() { $awk -f "$root/chapters/check-book.awk" lib/*.h lib/*.c tests/oracle.[hc] book.md; }
 
 verdict() {     # NAME, and whether it went well
@@ -57,13 +57,49 @@ all() {
     verdict "each chapter is a page" yes || verdict "each chapter is a page" no
     if grep -q '//[<>]' book.md; then verdict "markers are not shown" no; else verdict "markers are not shown" yes; fi
 
+    # What came later stands between two chapters, with a letter.
+    sound; mkdir -p figures/01b
+    printf '# n cost\n1 0.5\n' > figures/01b/01b-n.csv
+    printf '# 01b. C\n\nIt costs {{01b-n; 1; cost}}, see [B](02-b.md).\n' > chapters/01b-c.md; echo '[C](01b-c.md)' >> chapters/01-a.md
+    rm -rf pages; mkdir pages; pages=pages weave > book.md 2> said
+    grep -qxF 'It costs 0.50, see [B](#02-b).' book.md && grep -qxF '[C](#01b-c)' book.md &&
+    [ "$(tail -n 1 pages/01b-c.md)" = '[01. A](01-a.md) · [Contents](../../README.md#read) · [02. B](02-b.md)' ] &&
+    verdict "a chapter may have a letter" yes || verdict "a chapter may have a letter" no
+
+    # The little program's pieces say where they go.
+    little() {
+        sound; mkdir -p chapters/little
+        printf '00a | one | x > 1\n01a | two | x < 1\n' > chapters/little/stages.txt
+        printf '//> little_a 00a\nint x;\n//<\n\n//> little_b 00a 00z\nint old(void)\n{\n    return 1;\n}\n//<\n\n//> little_c 01a\nint new(void)\n{\n    return 2;\n}\n//<\n\n//> little_d 00a\nint main(void) { return 0; }\n//<\n' > chapters/little/a.c
+        echo '@@ little_c' >> chapters/01-a.md
+    }
+    weave_little() { $awk -v pages="$pages" -f "$root/chapters/numbers.awk" -f "$root/chapters/pieces.awk" -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/little/*.c chapters/[0-9]*.md; }
+    little; weave_little > book.md 2> said
+    grep -qxF '*Stage 01a*, in place of `old`:' book.md && [ ! -s said ] &&
+    verdict "a piece says where it goes" yes || verdict "a piece says where it goes" no
+    little; sed -i.old 's/little_c$/little_c little_d/' chapters/01-a.md; weave_little > book.md 2> said
+    printf '%s\n' '*Stage 01a*, in place of `old`:' '' '[chapters/little/a.c, lines 13 to 16: new](chapters/little/a.c#L13-L16)' '[chapters/little/a.c, line 20: main](chapters/little/a.c#L20)' '' '```c' 'int new(void)' '{' '    return 2;' '}' '' 'int main(void) { return 0; }' '```' > wanted
+    sed -n '/^.Stage 01a/,/^```$/p' book.md | cmp -s - wanted && [ ! -s said ] &&
+    $awk -f "$root/chapters/check-book.awk" lib/*.h lib/*.c tests/oracle.[hc] chapters/little/*.c book.md > /dev/null 2>> said &&
+    verdict "pieces that are typed together share a block" yes || verdict "pieces that are typed together share a block" no
+    little; sed -i.old 's/little_c 01a/little_c 02a/' chapters/little/a.c
+    refuses "a piece of no stage" weave_little 'chapters/little/a.c:12: 02a is no stage of stages.txt'
+
     # --- the weave ---
     sound; printf '\n@@ gone\n' >> chapters/01-a.md
     refuses "unknown region" weave 'chapters/01-a.md:11: there is no region gone'
     sound; printf '\n@@ head\n' >> chapters/02-b.md
     refuses "region used twice" weave 'chapters/02-b.md:19: region head is already pulled in by chapters/01-a.md, line 5'
     sound; sed -i.old '/@@ head/d' chapters/01-a.md
-    refuses "region in no chapter" weave 'lib/a.c:1: region head is in no chapter'
+    refuses "region in no chapter, without a sentence" weave 'lib/a.c:1: region head is in no chapter, and has no sentence for the reference'
+    sed -i.old 's|^//> head$|&\n//>   What a needs,\n//>   line by line:|' lib/a.c
+    rm -rf pages; mkdir pages; pages=pages weave > book.md 2> said && check > /dev/null 2>> said &&
+    printf '%s\n' 'From [line 2](../../lib/a.h#L2) of lib/a.h to line 2: [chapter 01](01-a.md).' '' 'What a needs, line by line:' '' '[lib/a.c, line 4](../../lib/a.c#L4)' '' '```c' '#include "a.h"' '```' '' 'From [line 8](../../lib/a.c#L8) of lib/a.c to line 12: [chapter 02](02-b.md).' > wanted &&
+    sed -n '7,17p' pages/lib-a.md | cmp -s - wanted && grep -qF '[a](#a-line-by-line)' book.md &&
+    verdict "what no chapter shows is in the reference" yes || verdict "what no chapter shows is in the reference" no
+    sound; sed -i.old '/@@ body/d' chapters/02-b.md; sed -i.old 's|^//> body$|&\n//>   It returns one.|' lib/a.c
+    weave > book.md 2> said; grep -v '^It returns one' book.md > other; mv other book.md; sed -i.old 's/return 1/return 2/' lib/a.c
+    refuses "reference older than the code" check 'this is not line 10 of lib/a.c'
     sound; echo 'int b;' >> lib/a.c
     refuses "line in no region" weave 'lib/a.c:12: this line is in no region'
     sound; sed -i.old '$d' lib/a.c
@@ -81,7 +117,9 @@ all() {
     sound; sed -i.old 's|^{|  //> Inner|' lib/a.c
     refuses "malformed marker" weave 'lib/a.c:7: a marker is //> name or //<'
     sound; sed -i.old 's|@@ head|@@ head and more|' chapters/01-a.md
-    refuses "malformed code line" weave 'chapters/01-a.md:5: a region is pulled in by @@ name'
+    refuses "malformed code line" weave 'chapters/01-a.md:5: there is no region and'
+    sound; sed -i.old 's|@@ head|@@ head body|' chapters/01-a.md
+    refuses "a block of two regions" weave 'chapters/01-a.md:5: only pieces of the little program share a block'
     sound; echo '```' >> chapters/01-a.md
     refuses "unclosed block" weave 'chapters/01-a.md:10: this ``` block is never closed'
     sound; echo '![p](figures/p.png)' >> chapters/01-a.md

@@ -1,13 +1,18 @@
 # deps.sh - looks for what a command needs and installs what is missing.
 # Called by make deps, deps-book, deps-site, deps-dev, deps-peers, with that name.
+#   deps.sh deps-site npm webp    only looks for these two of that name's packages,
+#                                 and says what installs them
 # It looks for the thing itself, not for a package of a name, so that it is
 # content on any system that has it.
 
+group=$1; shift
+only=$*
 missing=
 
 # need PACKAGE COMMAND...: the package is missing if the command fails.
 need() {
     package=$1; shift
+    case " $only " in "  " | *" $package "*) ;; *) return ;; esac
     "$@" > /dev/null 2>&1 || missing="$missing $package"
 }
 fuzzer() { # clang's own library: does a program link with it?
@@ -30,7 +35,7 @@ command -v "${CC:-cc}" > /dev/null || {
     exit 1
 }
 
-case $1 in
+case $group in
 deps)
     need check header check.h
     need gnuplot-nox command -v gnuplot
@@ -65,8 +70,13 @@ deps-peers)
     need libbullet-dev bullet ;;
 esac
 
-[ -n "$missing" ] || { echo "$1: nothing is missing"; exit 0; }
-echo "$1: missing:$missing (names of Debian and Ubuntu)"
+[ -n "$only" ] && {
+    [ -z "$missing" ] && exit
+    echo "This needs$missing (names of Debian and Ubuntu): make $group installs it." >&2
+    exit 1
+}
+[ -n "$missing" ] || { echo "$group: nothing is missing"; exit 0; }
+echo "$group: missing:$missing (names of Debian and Ubuntu)"
 
 command -v apt-get > /dev/null || {
     echo "There is no apt-get here: install these with your own packages." >&2

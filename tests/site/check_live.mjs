@@ -3,14 +3,13 @@
 // stands where scripts are off; and a module of the reader's own runs in the page,
 // or the page says what is wrong with it:   node check_live.mjs BUILD
 
-import { createRequire } from 'node:module';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
+import { launch } from './browser.mjs';
 
 const build = resolve(process.argv[2]);
-const { chromium } = createRequire(`${build}/node/package.json`)('playwright-core');
 const WAIT = { timeout: 60e3 };
 
 let checks = 0, faults = 0;
@@ -19,8 +18,7 @@ function check(holds, sentence) {
   if (!holds) { faults++; console.log(`not so: ${sentence}`); }
 }
 
-const path = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
-const browser = await chromium.launch({ executablePath: path, args: ['--no-sandbox', '--enable-unsafe-swiftshader'] });
+const browser = await launch(build);
 
 // A page, and all errors that its console tells of.
 async function open(file, options = {}) {
@@ -46,6 +44,7 @@ async function checkPage(file, names) {
     check(hash === wants, `${name} has the native hash ${wants}, not ${hash}`);
     check(running === '0' && await frames(figure) === 60, `${name} stands at frame 60 where motion is unwanted`);
     await checkDials(page, figure, name);
+    await checkAgain(figure, name);
   }
   check(page.errors.length === 0, `${file} has no error in its console: ${page.errors[0]}`);
   await page.close();
@@ -71,6 +70,27 @@ async function checkDials(page, figure, name) {
     check(after !== before, `${name}: the dial "${label}" changes what is seen`);
     before = after;
   }
+}
+
+// Start again begins a figure that goes on in the memory that it has, and one that
+// has stopped in a new one: with the dials as they stand, the same colours, and
+// no motion where it is unwanted.
+async function checkAgain(figure, name) {
+  const again = figure.getByRole('button', { name: 'Start again' });
+  await figure.evaluate(node => { node.old = node.live.core; });
+  await again.press('Enter');
+  check(await figure.evaluate(node => node.live.core === node.old), `${name} starts again in the memory that it has`);
+  const usual = await look(figure);
+  await figure.evaluate(({ live }) => live.guard(() => { throw new WebAssembly.RuntimeError('unreachable'); }));
+  check(await figure.locator('.live-trap').count() === 1, `${name} that has stopped says so`);
+  await again.press('Enter');
+  const goesOn = await figure.page().waitForFunction(node => !node.live.stopped, await figure.elementHandle(), { timeout: 5e3 }).catch(() => null);
+  check(goesOn, `${name} that has stopped starts again`);
+  if (!goesOn) return;
+  check(await figure.evaluate(node => node.live.core !== node.old), `${name} that has stopped has a new memory`);
+  check(await figure.locator('.live-trap').count() === 0, `${name} that goes on says no more that it has stopped`);
+  check(await figure.getAttribute('data-running') === '0', `${name} starts again, and stands at frame 60`);
+  check(await look(figure) === usual, `${name} that has stopped starts again with its dials and colours`);
 }
 
 // --- Motion: only what is seen runs ---------------------------------------------
@@ -213,14 +233,42 @@ await checkDrag(`${site}/01-verlet.html`);
 const awk = (...rest) => execFileSync('awk', [...rest], { encoding: 'utf8' });
 const folder = `${build}/live/mine`, edits = ['-f', 'exercises/wrong.awk', 'tests/site/mine.edits'];
 
-async function checkMine(what, source, says) {
+async function openMine(source) {
   mkdirSync(folder, { recursive: true });
   writeFileSync(`${folder}/verlet.c`, source);
   execFileSync('make', ['-s', 'live', '01', `MINE=${folder}/verlet.c`, `BUILD=${build}`], { stdio: ['ignore', 'ignore', 'pipe'] });
-  const page = await open(`${build}/swapped/live/01/index.html`);
+  return open(`${build}/swapped/live/01/index.html`);
+}
+
+async function checkMine(what, source, says) {
+  const page = await openMine(source);
   await settled(page, 'orbit');
   const said = await page.locator('[data-live="orbit"]').evaluate(node => (node.dataset.trapped ?? '') + node.querySelector('.live-foot').textContent);
   check(RegExp(says).test(said), `${what}: the page says "${said}"`);
+  await page.close();
+}
+
+// The memory of a module that stopped is not used again: this one counts its calls,
+// and would stop at once.
+async function checkRenewal(source) {
+  const page = await openMine(source);
+  const figure = page.locator('[data-live="orbit"]');
+  const stops = async () => {
+    await page.waitForSelector('[data-live="orbit"][data-trapped]', WAIT);
+    return frames(figure);
+  };
+  const again = async () => {
+    await figure.getByRole('button', { name: 'Start again' }).press('Enter');
+    await page.waitForSelector('[data-live="orbit"]:not([data-trapped])', WAIT);
+    return stops();
+  };
+  const first = await stops();
+  check(first > 60, `a module that counts stops after frame 60, not at ${first}`);
+  const second = await again();
+  check(second === first, `a module that counts stops at frame ${first} again, not at ${second}`);
+  await figure.getByLabel('steps a revolution').press('End');
+  const third = await again();
+  check(third > first / 5 && third < first / 3, `four times the steps stop it at a quarter of ${first}, not at ${third}`);
   await page.close();
 }
 
@@ -230,6 +278,7 @@ await checkMine('a right module', readFileSync(verlet, 'utf8'), 'to the last bit
 const says = told('test');
 for (const [k, what] of told('wrong').entries())
   await checkMine(what, awk('-v', `want=${k + 1}`, ...edits, verlet), says[k]);
+await checkRenewal(readFileSync(verlet, 'utf8').replace('    vec3 here', '    static int calls;\n    assert(calls++ < 60);\n    vec3 here'));
 
 await browser.close();
 console.log(`live figures: ${checks} checks, ${faults} faults, ${Object.values(of).flat().length} figures on ${Object.keys(of).length} pages`);

@@ -30,6 +30,8 @@ static wide clamp(wide t) { return t < 0 ? 0 : t > 1 ? 1 : t; }
 //<
 
 //> oracle-vertex-edge
+//>   The arithmetic is in `long double`. A point and a segment are the first
+//>   pair.
 // Squared distance of p from the segment a, b (which may be one point).
 static wide vertex_edge(vec p, vec a, vec b)
 {
@@ -72,6 +74,7 @@ static wide vertex_face(vec p, vec a, vec b, vec c)
 //<
 
 //> oracle-distance
+//>   The distance is the least over all of them.
 // The vertices of b against all triangles that the points of a span.
 static wide vertices_faces(hull b, hull a)
 {

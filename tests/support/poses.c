@@ -1,4 +1,5 @@
 //> poses-strain
+//>   Strain first, over all sticks of all bodies.
 // poses.c - how far from right do the bodies of a scene lie?
 #include "poses.h"
 #include "hit_face.h"
@@ -48,6 +49,8 @@ static void measure_strain(survey *v)
 //<
 
 //> poses-overlap
+//>   Overlaps come from GJK and the hit face; boxes around the bodies sort out
+//>   most pairs.
 static hull hull_of(const scene *s, int body, const vec3 *at)
 {
     return (hull){ at, scene_shape(s, body)->particles };
@@ -103,6 +106,7 @@ static void measure_overlaps(survey *v)
 //<
 
 //> poses-planes
+//>   Then the planes, and the kinetic energy.
 static void measure_planes(survey *v, int body, const vec3 *at)
 {
     int n = scene_shape(v->scene, body)->particles;
@@ -150,6 +154,8 @@ real poses_kinetic(const scene *s, const vec3 *before, const vec3 *at, real dt)
 //<
 
 //> poses-triangles
+//>   For cloth it is not enough to look at particles. A triangle may stand in a
+//>   corner of the cube while its three particles are outside.
 int poses_triangles_in(const scene *s, const vec3 *at)
 {
     int count = 0;
@@ -172,6 +178,8 @@ int poses_triangles_in(const scene *s, const vec3 *at)
 //<
 
 //> poses-crossings
+//>   And a cloth may pass through itself: then a link of it passes through a
+//>   triangle.
 // Does the segment from p to q pass through the triangle?
 static bool passes_through(vec3 p, vec3 q, const vec3 t[3])
 {

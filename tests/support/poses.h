@@ -1,4 +1,8 @@
 //> poses-head
+//>   A simulation that looks right may be wrong by a tenth of a body. So we
+//>   measure. The ruler needs a scene, and where its particles are; so it fits
+//>   every system in this book. It stands with the tests, beside the slow
+//>   oracle of chapter 10.
 // poses.h - how far from right do the bodies of a scene lie?
 //
 // Paper: section 7 measures time only.  Book: chapter 9.
@@ -13,6 +17,8 @@
 //<
 
 //> poses-declare
+//>   It measures strain, overlap, and what has passed through what it should
+//>   not.
 typedef struct {
     bool finite;        // every position is
     real strain;        // largest of |length - rest| / rest, stiff sticks

@@ -1,0 +1,13 @@
+// browser.mjs - the browser of all tests of the site.
+
+import { createRequire } from 'node:module';
+import { existsSync } from 'node:fs';
+import { resolve } from 'node:path';
+
+// BUILD is the folder in which npm put what the tests need.
+export const needs = build => createRequire(resolve(build, 'node/package.json'));
+
+export const launch = build => needs(build)('playwright-core').chromium.launch({
+  executablePath: ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync),
+  args: ['--no-sandbox', '--enable-unsafe-swiftshader'],
+});

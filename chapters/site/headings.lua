@@ -3,7 +3,7 @@
 
 local function slug(header)
   local words = pandoc.utils.stringify(header.content):lower()
-  local number, exercise = words:match('^(%d%d)/([%w-]+):')
+  local number, exercise = words:match('^(%d%d%l?)/([%w-]+):')
   if number then return number .. '-' .. exercise end
   return (words:gsub('[^%w%s_-]', ''):gsub('%s+', '-'):gsub('^-+', ''):gsub('-+$', ''))
 end

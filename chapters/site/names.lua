@@ -1,8 +1,8 @@
--- names.lua - where what the book names is told of: the chapters, their figures,
--- and the pieces of code in which functions and types stand.  It reads the woven
--- pages; page.lua makes links of it.
+-- names.lua - where what the book names is told of: the pages by their titles, the
+-- chapters, their figures, and the pieces of code in which functions and types
+-- stand.  It reads the woven pages; page.lua makes links of it.
 
-local names = { chapter = {}, figure = {}, code = {} }
+local names = { chapter = {}, page = {}, figure = {}, code = {} }
 local folder = 'chapters/woven'
 
 -- In `code` each name has the pages that define it: [page] = file.
@@ -14,10 +14,11 @@ local function tell(name, page, file)
 end
 
 local function read(page)
-  local number = page:match('^%d%d')
+  local number = page:match('^%d%d%l?')
   for line in io.lines(folder .. '/' .. page .. '.md') do
     local title = line:match('^# (.*)')
-    if title then names.chapter[number] = { page = page, title = title } end
+    if title then names.page[title] = page end
+    if title and number then names.chapter[number] = { page = page, title = title } end
     local figure = line:match('^!%[.*%]%(%.%./%.%./figures/.*/([^/]*)%.%a+%)$')
     if figure then names.figure[figure] = page end
     local file, all = line:match('^%[(%S*), lines? [%d to]*: (.*)%]%(')

@@ -16,7 +16,7 @@ local page, whole           -- the page's name; are all pages one?
 local exercises = {}        -- NN/name
 local taken                 -- the anchors that stand already
 for folder in io.popen('ls exercises'):lines() do
-  local number, name = folder:match('^(%d%d)%-(.*)')
+  local number, name = folder:match('^(%d%d%l?)%-(.*)')
   if number then exercises[number .. '/' .. name] = true end
 end
 
@@ -72,9 +72,9 @@ end
 
 -- What the words between backticks mean, if the book tells of it.
 local function place_of_words(text)
-  local figure = text:match('^make figure%-(%d%d%-[%w_-]+)$')
+  local figure = text:match('^make figure%-(%d%d%l?%-[%w_-]+)$')
   if figure then return place_of_figure(figure) end
-  local exercise = text:match('^make exercise (%d%d/[%w-]+)$') or text:match('^%d%d/[%w-]+$')
+  local exercise = text:match('^make exercise (%d%d%l?/[%w-]+)$') or text:match('^%d%d%l?/[%w-]+$')
   if exercise then return place_of_exercise(exercise) end
   if text:match('^%w+%.h$') then return place_of_header(text) end
   local name = text:match('^([%a_][%w_]*)%(?%)?$')
@@ -85,7 +85,7 @@ end
 local function Link(link)
   local target = link.target
   local path, line = target:match('^%.%./%.%./([^#]*)#?L?(%d*)')
-  local other, id = target:match('^(%d%d%-[%w_-]+)%.md#?(.*)$')
+  local other, id = target:match('^([%w_-]+)%.md#?(.*)$')
   if path then target = place_of_file(path, line ~= '' and line)
   elseif other then target = place(other, id) end
   if not path then link.content = { raw(html_of(link.content)) } end
@@ -99,7 +99,7 @@ local function link_to(target, content) return target and pandoc.Link(content, t
 
 -- A number of a chapter leads there, with the word before it if there is one.
 local function link_number(str, word)
-  local before, number, after = str.text:match('^(%(?)(%d%d)(%D?.*)$')
+  local before, number, after = str.text:match('^(%(?)(%d%d%l?)(%D?.*)$')
   local target = number and place_of_chapter(number)
   if not target then return nil end
   local text = (word and word .. ' ' or '') .. number
@@ -114,7 +114,7 @@ local function link_chapters(list)
     if word and number_at(list, i + 2) then
       local k, comma = i + 2
       repeat
-        comma = list[k].text:match('^%d%d,$')
+        comma = list[k].text:match('^%d%d%l?,$')
         list[k] = link_number(list[k], k == i + 2 and word) or list[k]
         k = k + (comma and number_at(list, k + 2) and 2 or 4)
       until not number_at(list, k) or not comma and not joins[list[k - 2].text]
@@ -127,7 +127,7 @@ local function link_chapters(list)
 end
 
 local function link_str(str)
-  local before, exercise, after = str.text:match('^(%(?)(%d%d/[%a-]+)(.*)$')
+  local before, exercise, after = str.text:match('^(%(?)(%d%d%l?/[%a-]+)(.*)$')
   local target = exercise and place_of_exercise(exercise)
   if target then
     return pandoc.Span({ pandoc.Str(before), pandoc.Link({ pandoc.Str(exercise) }, target), pandoc.Str(after) })
@@ -135,7 +135,7 @@ local function link_str(str)
   local doi, rest = str.text:match('^d?o?i?:?(10%.%d%d%d%d+/.-)([%.,:;%)]*)$')
   if doi then return pandoc.Span({ pandoc.Link({ pandoc.Str('doi:' .. doi) }, 'https://doi.org/' .. doi), pandoc.Str(rest) }) end
   -- In chapter 23 such numbers are the chapters that explain a word: (04, 13).
-  if page == '23-words' and str.text:match('^%(?%d%d[,.;)]*$') then return link_number(str) end
+  if page == '23-words' and str.text:match('^%(?%d%d%l?[,.;)]*$') then return link_number(str) end
 end
 
 -- A comma or a bracket stays on the line of the formula or name it belongs to.
@@ -171,26 +171,34 @@ end
 
 -- --- blocks -----------------------------------------------------------------------
 
--- Code of the library under its caption; each function that the book means when it
+-- Code of the book under its caption; each function that the book means when it
 -- names it is an anchor.
 local function piece_of(caption, piece)
   local file, lines = caption.text:match('^(%S*), lines? ([%d to]*)')
+  local ids, files = {}, {}
+  for where, line in caption.text:gmatch('(%S+%.[ch]), lines? (%d+)') do
+    ids[#ids + 1] = where:match('[^/]*$') .. '-L' .. line
+    files[where] = true
+  end
   local function name(line)
     local word = line:match('^[%a].-([%w_]+)%(') or line:match('^} ([%w_]+);')
     if line:match('^static.*;$') then word = nil end            -- a promise; the function follows
     local _, best = names.place(word or '', page)
-    local id = best == file and names.id(word, file)
+    local id = files[best] and names.id(word, best)
     if id and not taken[id] then taken[id] = true; return id end
   end
   local _, count = piece.text:gsub('\n', '\n')
   local html, above = code(piece, name), caption.html
   if count >= FOLD and FORMAT:match('^html') then
-    local what = caption.text:match(': (.*)$') or 'lines ' .. lines
+    local what = {}
+    for some in caption.text:gmatch(': ([^:]*)') do what[#what + 1] = some:gsub(' %S+, lines? .*', '') end
+    what = what[1] and table.concat(what, ', ') or 'lines ' .. lines
     above = above:gsub(':[^:>]*</a>', '</a>')
     html = '<details><summary>' .. what .. ' <span>' .. count + 1 .. ' lines</span></summary>' .. html .. '</details>'
   end
-  local id = file:match('[^/]*$') .. '-L' .. lines:match('%d+')
-  return block('<figure class="code" id="' .. id .. '"><figcaption>' .. above .. '</figcaption>' .. html .. '</figure>')
+  -- A block of several pieces has an anchor for each.
+  for k = 2, #ids do above = '<span id="' .. ids[k] .. '"></span>' .. above end
+  return block('<figure class="code" id="' .. ids[1] .. '"><figcaption>' .. above .. '</figcaption>' .. html .. '</figure>')
 end
 
 -- Columns of numbers stand at the right, and no column has a width of its own.
@@ -276,11 +284,14 @@ local function figure_of(image)
   }
 end
 
--- The link that stands alone over a piece of code or a table.
+-- The link that stands alone over a piece of code or a table; over pieces of the
+-- little program that share a block, a link each.
 local function caption_in(para)
-  local link = para.t == 'Para' and #para.content == 1 and para.content[1]
-  if not link or link.t ~= 'Link' and link.t ~= 'Span' then return nil end
-  local text = pandoc.utils.stringify(link)
+  if para.t ~= 'Para' then return nil end
+  for _, one in ipairs(para.content) do
+    if one.t ~= 'Link' and one.t ~= 'Span' and one.t ~= 'SoftBreak' then return nil end
+  end
+  local text = pandoc.utils.stringify(para.content)
   if text:match('^[%w_/.-]+, lines? %d') or text:match('^[%w_/.-]+%.csv') then
     return { text = text, html = html_of(para.content) }
   end
@@ -325,15 +336,15 @@ end
 
 -- The title, with its number in a place of its own.
 local function title_of(header)
-  local number, title = pandoc.utils.stringify(header.content):match('^(%d%d)%. (.*)')
+  local number, title = pandoc.utils.stringify(header.content):match('^(%d%d%l?)%. (.*)')
   if number then header.content = { raw('<span class="number">' .. number .. '</span> ' .. title) } end
   return number
 end
 
 local filter = { Link = Link, Inlines = Inlines, Math = Math, Blocks = Blocks }
 local function chapter(blocks, meta)
-  if whole then page = names.chapter[pandoc.utils.stringify(blocks[1].content):sub(1, 2)].page end
-  taken = anchor(blocks, whole and page:sub(1, 3) or '')
+  if whole then page = names.page[pandoc.utils.stringify(blocks[1].content)] end
+  taken = anchor(blocks, whole and (page:match('^%d%d%l?%-') or page .. '-') or '')
   if whole then blocks[1].identifier = page end
   if not meta.home then meta.side = pandoc.MetaBlocks({ block(side_of(blocks)) }) end
   meta.live = #blocks:filter(is_live) > 0

@@ -75,7 +75,7 @@ heads() {
     echo '<style>'
     for one in $(pages); do
         printf '[id="%s"] { page: c%s } @page c%s { @top-left { content: "%s" } }\n' \
-            "$one" "${one%%-*}" "${one%%-*}" "$(title "$one")"
+            "$one" "$one" "$one" "$(title "$one")"
     done
     echo '</style>'
 }
@@ -90,7 +90,7 @@ number_contents() {
     command -v qpdf > /dev/null || return 0
     qpdf --json --json-key=outlines "$2" | sed -n 's/^      "destpageposfrom1": \([0-9]*\),/\1/p' | sed 1d > "$part/numbers"
     awk 'NR == FNR { page[NR] = $1; next }
-         /^<li><a href="#[0-9][0-9]-[^"]*"><span class="number">/ { sub(/<\/a>/, "<span class=\"at\">" page[++k] "</span></a>") } { print }' \
+         /^<li><a href="#[0-9][0-9][a-z]?-[^"]*"><span class="number">/ { sub(/<\/a>/, "<span class=\"at\">" page[++k] "</span></a>") } { print }' \
         "$part/numbers" "$1" > "$1.new" && mv "$1.new" "$1" && print "$found" "$1" "$2"
 }
 

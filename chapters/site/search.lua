@@ -34,8 +34,7 @@ end
 
 local function sections(blocks)
   local title = pandoc.utils.stringify(blocks[1].content)
-  local number = title:match('^(%d%d)%. ')
-  local page = number and names.chapter[number].page or 'exercises'
+  local page = names.page[title] or 'exercises'
   anchor(blocks, '')
   local head, text = blocks[1], {}
   local function close()

@@ -2,7 +2,7 @@
 # or put on any static host.
 
 SITE  := $(BUILD)/site
-WOVEN := $(patsubst chapters/%,%,$(wildcard chapters/[0-9]*.md))
+WOVEN := $(patsubst chapters/woven/%,%,$(wildcard chapters/woven/*.md))
 SITE_PAGES := $(WOVEN:%.md=$(SITE)/%.html) $(SITE)/index.html $(SITE)/exercises.html
 
 # Pictures: WebP of a PNG, the others as they are; and the data of tables.
@@ -18,7 +18,7 @@ SITE_STYLE := $(patsubst %,$(SITE)/%,style.css site.js icon.svg math.woff2 pagel
 SITE_LIVE  := $(LIVE_FILES:$(BUILD)/live/%=$(SITE)/live/%)
 
 .PHONY: site
-site: book
+site: need-site book
 	+$(Q)$(AGAIN) $(if $(findstring j,$(firstword -$(MAKEFLAGS))),,-j2) site-files
 	@echo "$(SITE)/index.html: $(words $(SITE_PAGES)) pages"
 .PHONY: site-files
@@ -81,12 +81,15 @@ $(SITE)/search.js: $(WOVEN:%=chapters/woven/%) chapters/site/search.lua $(PAGE_T
 	$(Q)sh chapters/site/page.sh search $@
 
 # The whole book in one file.
-html pdf epub: $(SITE_FILES) $(STILLS:%=$(SITE)/%)
+html pdf epub: need-book $(SITE_FILES) $(STILLS:%=$(SITE)/%)
 	$(Q)BUILD='$(BUILD)' sh chapters/site/page.sh $@ $(BUILD)/book.$@
 
-# The pages in a real browser.
+# The pages in a real browser: what moves first, then how long pages load.  All run,
+# even if one fails.  SEED repeats a random walk over dials.
 .PHONY: test-site
-test-site: site $(BUILD)/node/.done
+test-site: need-browser site $(BUILD)/node/.done
 	$(Q)sh tests/script/check_charts.sh $(CHARTS_SITE:%.svg=$(SITE)/%-phone.svg)
-	$(Q)node tests/site/check_site.mjs $(SITE) $(PAGES)
-	$(Q)$(if $(PAGES),,node tests/site/check_live.mjs $(BUILD))
+	$(Q)bad=; \
+	  $(if $(PAGES),,node tests/site/check_live.mjs $(BUILD) || bad=1; \
+	    node tests/site/check_dials.mjs $(BUILD) $(SEED) || bad=1;) \
+	  node tests/site/check_site.mjs $(SITE) $(PAGES) || bad=1; [ -z "$$bad" ]

@@ -33,7 +33,7 @@ FNR == 1 {
         "<main><h1>" FILENAME "</h1>\n<pre tabindex=\"0\"><code>"
 }
 /^\/\/>/ && (FILENAME, FNR + 1) in told {
-    page = told[FILENAME, FNR + 1]
+    page = number = told[FILENAME, FNR + 1]; sub(/-.*/, "", number)
     base = FILENAME; sub(/.*\//, "", base)
     print "<a id=\"L" FNR "\" class=\"told\" href=\"../" page ".html#" base "-L" FNR + 1 "\">chapter " substr(page, 1, 2) ": " $2 "</a>"
     next

@@ -11,6 +11,9 @@ wall=15                      # times four seconds, for a test that only waits
 # Of computing, for one test.  One that takes longer is timed with the book's own
 # answer, on this machine and now, and may take twenty times as long.
 seconds=${JUDGE_SECONDS:-2}
+# Blocks of 512 bytes: 10 MB for each of these seconds.  A loop that prints is
+# stopped by this long before its time is up.
+printout=$(awk "BEGIN { print 20000 * $seconds }")
 warnings='-Wall -Wextra -Wconversion -Wshadow -Wno-unused-parameter -Wno-unused-function -Wno-unused-const-variable'
 exact=$(sed -n 's/^EXACT *:= *//p' Makefile)
 line=$(sed -n '/^define ORDER/,/^endef/p' Makefile | grep / | tr '\n' ' ')
@@ -161,7 +164,7 @@ run_judge() {
     rm -f "$out/tap" "$out/stop"
     : > "$out/said"
     (
-        ulimit -f 40000         # 20 MB, for code that prints without end
+        ulimit -f $printout
         YOURS=$1 ONLY=$2 LEAVE=$leave JUDGE_STOP=$out/stop \
         JUDGE_SECONDS=$seconds JUDGE_TIMES=$times \
         CK_FORK=yes CK_TIMEOUT_MULTIPLIER=$wall CK_TAP_LOG_FILE_NAME=$out/tap \

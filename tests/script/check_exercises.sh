@@ -16,7 +16,7 @@ CHAPTERS=$tree; export CHAPTERS
 BUILD=$tree/build; export BUILD
 JUDGE_SECONDS=0.2; export JUDGE_SECONDS
 dir=$tree/99-sum
-trials=0 failed=0
+trials=0 failed=0 which=''
 
 # A sound exercise: add up n numbers.
 sound() {
@@ -88,7 +88,7 @@ END
 
 verdict() {     # NAME, and whether it went well
     trials=$((trials + 1))
-    [ "$2" = yes ] || { failed=$((failed + 1)); echo "exercises: $1: FAILED"; cat "$tree/said"; }
+    [ "$2" = yes ] || { failed=$((failed + 1)); which="$which; $1"; echo "exercises: $1: FAILED"; cat "$tree/said"; }
 }
 # accepts NAME: the checker finds nothing.
 accepts() {
@@ -267,6 +267,6 @@ if cmp -s "$dir/solution.c" "$dir/mine.old.c"; then verdict "nothing is lost" ye
 wait $real
 sound=$?
 grep ': sound, ' "$tree/sound"
-echo "exercises: $trials trials of the runner, $failed failed"
 grep -v ': sound, ' "$tree/sound"
+echo "exercises: $trials trials of the runner, $failed failed$which"
 [ $sound -eq 0 ] && [ $failed -eq 0 ]

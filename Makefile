@@ -94,7 +94,7 @@ LINE := $(strip $(ORDER))
 # May be set by hand: make test CC=clang CFLAGS=-O0 BUILD=build/clang
 BUILD  := build
 # make little has a program of the reader's own, and no module.
-ifneq ($(filter little little-film,$(MAKECMDGOALS)),)
+ifneq ($(filter little little-film little-page,$(MAKECMDGOALS)),)
 LITTLE := $(MINE)
 override MINE :=
 endif
@@ -325,23 +325,26 @@ public: $(BUILD)/seen.a $(BUILD)/seen.so
 #: The little program
 #:   make little      its stages, and how far yours is (my/little.c, or MINE=FILE)
 #:   make little 07b  that stage, run; yours beside it, and what differs
-#:   make little-film  the room of Part I, moving: yours, or ours
+#:   make little-film     the room of Part I, moving: yours, or ours
+#:   make little-film 18  the engine of Part II
+#:   make little-page 18  a page of it, yours beside ours, to send to a friend
+#:   make little-films    those of the book, renewed: figures/little/*.webp
 #:   make little-measured   what all stages print, renewed: the book's numbers
 #:   make little-beside    its last stage beside the library: figures/little/beside.csv
 STAGES := $(shell sed -n 's/^\([0-9][0-9][a-z]\) .*/\1/p' chapters/little/stages.txt)
-STAGE  := $(filter-out little,$(MAKECMDGOALS))
-.PHONY: little little-film little-measured $(filter-out $(CHAPTERS),$(STAGES))
+STAGE  := $(filter-out little little-film little-films little-page,$(MAKECMDGOALS))
+.PHONY: little little-film little-films little-page little-measured $(filter-out $(CHAPTERS),$(STAGES))
 little-measured:
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' sh chapters/little/little.sh measured > $(BUILD)/measured.csv && mv $(BUILD)/measured.csv chapters/little/measured.csv
 	$(Q)BUILD='$(BUILD)' sh chapters/little/little.sh table > $(BUILD)/stages.csv && mv $(BUILD)/stages.csv figures/tables/stages.csv
-little-film:
-	$(Q)MINE='$(LITTLE)' CC='$(CC)' BUILD='$(BUILD)' AGAIN='$(AGAIN)' sh chapters/little/little.sh film
+little-film little-films little-page:
+	$(Q)MINE='$(if $(filter %films,$@),,$(LITTLE))' CC='$(CC)' BUILD='$(BUILD)' AGAIN='$(AGAIN)' sh chapters/little/little.sh $(@:little-%=%) $(firstword $(STAGE))
 little-beside: $(BUILD)/libtumble.a
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' sh figures/little/beside.sh > $(BUILD)/beside.csv && mv $(BUILD)/beside.csv figures/little/beside.csv
 little:
 	$(Q)MINE='$(LITTLE)' CC='$(CC)' BUILD='$(BUILD)' AGAIN='$(AGAIN)' sh chapters/little/little.sh $(if $(STAGE),run $(firstword $(STAGE)),list)
 # After `little` a stage, or a chapter, says of what: it is no goal of its own.
-ifneq ($(filter little,$(MAKECMDGOALS)),)
+ifneq ($(filter little little-film little-page,$(MAKECMDGOALS)),)
 .PHONY: $(STAGE)
 $(STAGE):
 	@:

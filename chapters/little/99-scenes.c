@@ -169,7 +169,7 @@ static real overlap(void)
 }
 
 //<
-//> little_show_pile 13c 14z 18a
+//> little_show_pile 13c 14z 18a 18b
 // Boxes of 1 kg on each other, the top one of another mass.
 static void pile_add(int count, real top)
 {
@@ -222,7 +222,7 @@ int main(void)
 }
 //<
 
-//> little_room 13f 15z 18a
+//> little_room 13f 15z 18a 18b
 // A room of that width, full of icosahedra that fly.  Walls are boxes.
 static void room_add(int cells, real side)
 {
@@ -257,7 +257,7 @@ static void show_room(const char *name, int cells, real side, int frames)
 //> little_room_compared 14a 15z
     compared = 0;
 //<
-//> little_room_run 13f 15z 18a
+//> little_room_run 13f 15z 18a 18b
     for (int i = 0; i < frames; i++) {
         step(1 / 60.0);
         if (i % 10 == 9) deepest = real_max(deepest, overlap());
@@ -269,12 +269,12 @@ static void show_room(const char *name, int cells, real side, int frames)
 //> little_room_print 14a 15z
     printf("%s: compared %ld pairs/frame\n", name, compared / frames);
 //<
-//> little_room_asleep 18a
+//> little_room_asleep 18a 18b
     int awake = 0;
     for (int i = 0; i < body_count; i++) awake += bodies[i].awake;
     printf("%s: awake %d bodies\n", name, awake);
 //<
-//> little_room_end 13f 15z 18a
+//> little_room_end 13f 15z 18a 18b
 }
 //<
 
@@ -408,7 +408,7 @@ static int crossings(void)
 }
 
 //<
-//> little_show_cloth 16a
+//> little_show_cloth 16a 18b
 // Runs what is there, and counts every 20 frames.
 static void show_cloth(const char *name, int frames)
 {
@@ -417,7 +417,7 @@ static void show_cloth(const char *name, int frames)
 //> little_show_cuts 16a 16z
     int cut = 0, crossed = 0;
 //<
-//> little_show_cloth_run 16a
+//> little_show_cloth_run 16a 18b
     for (int i = 1; i <= frames; i++) {
         step(1 / 60.0);
         worst = real_max(worst, strain());
@@ -428,18 +428,20 @@ static void show_cloth(const char *name, int frames)
         cut = now > cut ? now : cut;
         crossed = crossing > crossed ? crossing : crossed;
 //<
-//> little_show_cloth_end 16a
+//> little_show_cloth_end 16a 18b
     }
 //<
 //> little_show_cuts_print 16a 16z
     printf("%s: cut %d triangles\n", name, cut);
     printf("%s: crossed %d edges\n", name, crossed);
 //<
-//> little_show_strain 16a
+//> little_show_strain 16a 18b
     printf("%s: strain %.2f %%\n", name, 100 * worst);
     printf("%s: strain at the end %.2f %%\n", name, 100 * strain());
 }
+//<
 
+//> little_cloth_on_cube 16a
 static void cloth_on_cube(int n, vec3 at)
 {
     clear();
@@ -461,7 +463,7 @@ int main(void)
 }
 //<
 
-//> little_joint_scenes 17a
+//> little_joint_gaps 17a
 static real joint_gaps(void)
 {
     real worst = 0;
@@ -469,7 +471,9 @@ static real joint_gaps(void)
         worst = real_max(worst, vec3_length(joint_gap(j)));
     return worst;
 }
+//<
 
+//> little_joint_scenes 17a 18b
 // A chain of links of 0.2 m and 1 kg hangs down, with a load.
 static void chain_add(int links, real load)
 {
@@ -498,7 +502,7 @@ static void show_chain(int links, real load)
     printf("chain of %d, %g kg: gap %.4f mm\n", links, load, 1000 * worst);
 }
 //<
-//> little_door 17c
+//> little_door 17c 18b
 // A door is struck, also across its hinge, for 10 s.
 static void show_door(void)
 {

@@ -2,7 +2,10 @@
 #   sh little.sh cut STAGE FILE   cuts it
 #   sh little.sh list             all stages, and how far the reader is
 #   sh little.sh run STAGE        ours, and the reader's beside it
-#   sh little.sh film STAGE       the reader's, or ours: build/little/film.webp
+#   sh little.sh film STAGE       a moving picture of the reader's, or of ours
+#   sh little.sh page STAGE       both beside each other: build/little/page.html
+#   sh little.sh films            those of the book: figures/little/little-*.webp
+#   sh little.sh films-of         checksums of what these are made of
 #   sh little.sh table            the table of stages, as CSV: figures/tables/stages.csv
 #   sh little.sh measured         what each stage prints, as CSV: chapters/little/measured.csv
 # BUILD: where to build.  MINE: the reader's program, or my/little.c.
@@ -19,6 +22,9 @@ mkdir -p "$build"
 stages() { sed -n 's/^\([0-9][0-9][a-z]\) .*/\1/p' $here/stages.txt; }
 title() { sed -n "s/^$1 *| *\([^|]*[^| ]\).*/\1/p" $here/stages.txt; }
 cut_stage() { awk -v stage="$1" -f $here/cut.awk $here/*.c > "$2"; }
+
+# The last stage of a chapter, 09; a stage is itself.
+last_of() { case $1 in [0-9][0-9]) stages | grep "^$1" | tail -n 1 | grep . || echo "$1" ;; *) echo "$1" ;; esac; }
 
 # Runs a program for a minute at most.
 run() { timeout 60 "$1" $3 > "$2"; }
@@ -131,28 +137,65 @@ run_stage() {
     return 0
 }
 
-# A moving picture of what the program draws: of the reader's, or ours.
+# film PROGRAM FILE.webp [QUALITY]: a moving picture of what it draws.
 film() {
     command -v img2webp > /dev/null || { echo "there is no img2webp (make deps-book installs it)" >&2; exit 1; }
-    if [ "$mine" ]; then compile_mine; program=$build/mine
-    else
-        cut_stage "$1" "$build/stage-$1.c" && $cc $exact -O2 "$build/stage-$1.c" -o "$build/stage-$1" -lm || exit 1
-        program=$build/stage-$1
-    fi
     ${AGAIN:-make} -s "${BUILD:-build}/paint-little" || exit 1
     rm -rf "$build/film" && mkdir "$build/film" || exit 1
-    run "$program" "$build/frames" draw
+    run "$1" "$build/frames" draw
+    grep -q frame "$build/frames" || { echo "$1 draws nothing: stages 09 and 18c do, with the argument draw" >&2; exit 1; }
     "${BUILD:-build}/paint-little" "$build/film" film < "$build/frames" || exit 1
-    img2webp -loop 0 -kmin 0 -kmax 1 -lossy -q 70 -m 4 -d 67 "$build"/film/frame-*.png -o "$build/film.webp" > "$build/film.log" 2>&1 \
-        && rm -r "$build/film" && echo "a film: $build/film.webp"
+    img2webp -loop 0 -kmin 0 -kmax 1 -lossy -q ${3:-70} -m 4 -d 67 "$build"/film/frame-*.png -o "$2" > "$build/film.log" 2>&1 \
+        && rm -r "$build/film" && echo "a film: $2"
+}
+film_ours() {   # STAGE [FILE QUALITY]
+    cut_stage "$1" "$build/stage-$1.c" && $cc $exact -O2 "$build/stage-$1.c" -o "$build/stage-$1" -lm || exit 1
+    film "$build/stage-$1" "${2:-$build/$1.webp}" $3
+}
+film_mine() { compile_mine; film "$build/mine" "$build/yours.webp"; }
+
+# The book's two films, and what they were made of.
+films() {
+    film_ours 09b "$build/little-room.webp" 40 && film_ours 18c "$build/little-engine.webp" 40 &&
+        mv "$build/little-room.webp" "$build/little-engine.webp" figures/little && films_of > figures/little/films.txt
+}
+films_of() { for s in 09b 18c; do cut_stage $s "$build/cut.c"; echo "$s $(cksum < "$build/cut.c")"; done; }
+
+# A page with both films, and what differs: one file, which can be sent to a friend.
+page() {
+    film_ours "$1"
+    run "$build/stage-$1" "$build/ours.txt" || exit 1
+    {
+        echo '<!DOCTYPE html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+        echo "<title>$(title $1)</title><style>body { font: 18px/1.5 serif; max-width: 66em; margin: 2em auto; padding: 0 1em }"
+        echo 'figure { display: inline-block; width: 48%; min-width: 19em; margin: 0 } img { width: 100% } pre { font-size: 14px }</style>'
+        echo "<h1>$(title $1)</h1>"
+        if [ "$mine" ]; then
+            film_mine >&2
+            run "$build/mine" "$build/mine.txt"
+            moving "Mine: $(grep -c '' "$mine") lines of C" "$build/yours.webp"
+        fi
+        moving "The book's: $(grep -c '' "$build/stage-$1.c") lines of C" "$build/$1.webp"
+        echo '<pre>'
+        if [ "$mine" ]; then compare "$build/ours.txt" "$build/mine.txt"; else cat "$build/ours.txt"; fi |
+            sed 's/&/\&amp;/g; s/</\&lt;/g'
+        echo '</pre></html>'
+    } > "$build/page.html"
+    echo "a page: $build/page.html"
+}
+moving() {
+    echo "<figure><img alt=\"$1\" src=\"data:image/webp;base64,$(base64 "$2" | tr -d '\n')\"><figcaption>$1</figcaption></figure>"
 }
 
 case $1 in
-film)  film "${2:-09b}" ;;
+film)  if [ "$mine" ]; then film_mine; else film_ours "$(last_of "${2:-09b}")"; fi ;;
+films) films ;;
+films-of) films_of ;;
+page)  page "$(last_of "${2:-09b}")" ;;
 cut)   cut_stage "$2" "$3" ;;
 list)  list ;;
 table) echo 'stage,lines,added,removed,title,shows'; table ;;
 measured) measured ;;
-run)   case $2 in [0-9][0-9]) s=$(stages | grep "^$2" | tail -n 1) ;; *) s=$2 ;; esac; run_stage "${s:-$2}" ;;
-*)     sed -n '2,8s/^# //p' "$0"; exit 1 ;;
+run)   run_stage "$(last_of "$2")" ;;
+*)     sed -n '2,11s/^# //p' "$0"; exit 1 ;;
 esac

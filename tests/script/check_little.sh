@@ -48,6 +48,8 @@ judge 01a; grep -q 'highest: yours 1.785 m, ours 1.000 m' "$work/said" && grep -
 
 BUILD=$work sh $here/little.sh table | cmp -s - figures/tables/stages.csv \
     || { echo "figures/tables/stages.csv is another than the stages': make little-measured"; failed="$failed table"; }
+sh $here/little.sh films-of | cmp -s - figures/little/films.txt \
+    || { echo "figures/little/*.webp were made of other stages: make little-films"; failed="$failed films"; }
 [ "$n" -gt 0 ] || { echo "FAILED: there are no stages"; exit 1; }
 [ "$(sed -n 's/^# of //p' figures/little/beside.csv)" = "$(sh figures/little/beside.sh of)" ] || {
     echo "figures/little/beside.csv is older than the little program or lib/: make little-beside"; failed="$failed beside"; }

@@ -66,6 +66,7 @@ define ORDER
 18/soft_step
 18/join
 18/drive
+18/advance
 18/substeps
 18/guard
 18/rolling

@@ -283,6 +283,12 @@ static vec3 local_of(const rigid4 *r, const feature_point *f)
     return sum;
 }
 
+// A vertex takes its point along; the side of the other body slides.
+static real own_of(const touch *p)
+{
+    return p->a.count == 1 ? 1 : p->b.count == 1 ? 0 : 0.5;
+}
+
 // Sides that are far apart, of bodies that will meet later in the frame, are
 // pushed each where it is.
 static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
@@ -297,7 +303,8 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
         c->point[k] = (contact_point){
             .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
             .local_b = local_of(f->body[c->b].rigid, &m->point[k].b),
-            .offset = c->round_a + c->round_b };
+            .offset = c->round_a + c->round_b,
+            .own = own_of(&m->point[k]) };
 }
 //<
 
@@ -513,7 +520,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     for (int k = 0; k < n; k++)
         now->point[k] = (contact_point){
             .local_a = f->body[a].rigid->local[low[k].vertex],
-            .offset = round };
+            .offset = round, .own = 1 };
     if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
     p->seen[0] = c->placing[a].number;

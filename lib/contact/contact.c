@@ -38,8 +38,8 @@ static vec3 arm_at(const rigid_frame *f, vec3 local)
                            local.z, f->axis[2]);
 }
 
-// Both impulses act in the middle between the two sides: what one body gains of
-// angular momentum the other loses.
+// Both impulses act at one place: what one body gains of angular momentum the
+// other loses.  It is where the vertex is, while the face slides along under it.
 contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
                              const rigid_frame *b)
 {
@@ -49,9 +49,11 @@ contact_arms contact_arms_of(const contact *c, int k, const rigid_frame *a,
     if (!b) return arm;
     arm.b = vec3_add_scaled(arm_at(b, p->local_b), c->round_b, c->normal);
     if (k >= c->shared) return arm;
-    vec3 sum = vec3_add(arm.a, arm.b), way = vec3_sub(a->center, b->center);
-    return (contact_arms){ vec3_scale(0.5, vec3_sub(sum, way)),
-                           vec3_scale(0.5, vec3_add(sum, way)) };
+    vec3 way = vec3_sub(a->center, b->center);
+    vec3 seen = vec3_sub(arm.b, way);       // B's point, from A's centre
+    arm.a = vec3_add(vec3_scale(p->own, arm.a), vec3_scale(1 - p->own, seen));
+    arm.b = vec3_add(arm.a, way);
+    return arm;
 }
 //<
 

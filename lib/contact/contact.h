@@ -17,6 +17,8 @@ typedef struct {
     vec3 local_a, local_b;  // where they ride: in the frames of the two bodies;
                             // of one that is round, on its core
     real offset;            // m, the gap that is kept between them
+    real own;               // 1: they push where A's point is, a vertex on a
+                            // face of B; 0: where B's is; 1/2: halfway
 } contact_point;
 
 // All contact of one pair of bodies: up to four points with one normal, and one

@@ -254,8 +254,8 @@ static void begin_impact(impact *x, const impact_solver *s, const contact *c)
 static void find_arms(impact *x, const impact_solver *s)
 {
     const contact *c = x->c;
-    const rigid_frame *a = solver_placed(s->f, c->a);
-    const rigid_frame *b = solver_placed(s->f, c->b);
+    const rigid_frame *a = &s->f->body[c->a].frame;
+    const rigid_frame *b = c->b < 0 ? NULL : &s->f->body[c->b].frame;
     for (int k = 0; k < c->count; k++)
         x->arm[k] = contact_arms_of(c, k, a, b);
 }

@@ -136,16 +136,12 @@ static void list_colors(contact_solver *s, const int end[BINS])
 // A contact on its way into a lane of a block, turned so that A moves.
 typedef struct {
     int  a, b;
-    const motion_basis *basis_a, *basis_b;
     vec3 normal, across, aside;
     real across_impulse, aside_impulse, twist;
-    real per_near;              // 1/m, of a gap that is all but closed
-    real round_a, round_b;      // m, see contact
-    real has[CONTACT_POINTS];   // 1: it has this point; 0: not
-    real gap[CONTACT_POINTS], impulse[CONTACT_POINTS];
-    real shared[CONTACT_POINTS];    // 1: both push at one place
-    const rigid_frame *placed_a, *placed_b;
-    const vec3 *local_a[CONTACT_POINTS], *local_b[CONTACT_POINTS];
+    real per_near, round_a, round_b;
+    real has[CONTACT_POINTS], own[CONTACT_POINTS], shared[CONTACT_POINTS];
+    real offset[CONTACT_POINTS], impulse[CONTACT_POINTS];
+    vec3 local_a[CONTACT_POINTS], local_b[CONTACT_POINTS];
 } lane_source;
 
 // Two unit vectors across n, fixed by n alone.
@@ -160,65 +156,47 @@ static void choose_across(lane_source *q, vec3 friction)
     q->aside_impulse = vec3_dot(friction, q->aside);
 }
 
-// Of as many points as the block has; a contact that has fewer has none there.
-static const vec3 ORIGIN = { 0, 0, 0 };
-static const rigid_frame NOWHERE = { .center = { 0, 0, 0 } };
-
+// A contact that has fewer points than its block has none there.
 static void choose_points(lane_source *q, const contact *c,
-                          const active_contact *x, real warm, int points)
+                          const active_contact *x, const solver_frame *f)
 {
+    real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
     for (int j = 0; j < x->count; j++) {
         int k = x->point[j];
         const contact_point *p = &c->point[k];
-        q->local_a[j] = x->is_swapped ? &p->local_b : &p->local_a;
-        q->local_b[j] = x->is_swapped ? &p->local_a : &p->local_b;
+        q->local_a[j] = x->is_swapped ? p->local_b : p->local_a;
+        q->local_b[j] = x->is_swapped ? p->local_a : p->local_b;
+        q->own[j] = x->is_swapped ? 1 - p->own : p->own;
         q->has[j] = 1;
         q->shared[j] = k < c->shared;
-        q->gap[j] = x->gap[j];
-        q->impulse[j] = warm * c->impulse[k];
-    }
-    for (int j = x->count; j < points; j++) {
-        q->local_a[j] = q->local_b[j] = &ORIGIN;
-        q->has[j] = q->shared[j] = q->gap[j] = q->impulse[j] = 0;
+        q->offset[j] = p->offset + height;
+        q->impulse[j] = f->warm * c->impulse[k];
     }
 }
 
 // A contact whose A does not move is solved the other way round: its normal,
 // and what acts along it, change sign; a twist does not, for both its axis and
 // the bodies change places.
-static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
-
 static void choose_lane(lane_source *q, const contact *c,
                         const active_contact *x, const solver_frame *f,
-                        int spare, int points)
+                        int spare)
 {
     real sign = x->is_swapped ? -1 : 1;
-    q->a = x->a;
-    q->b = x->sides == TWO_SIDED ? x->b : spare;
-    q->basis_a = &f->body[x->a].basis;
-    q->basis_b = &IMMOVABLE;
-    if (x->sides == TWO_SIDED) q->basis_b = &f->body[x->b].basis;
+    *q = (lane_source){ .a = x->a, .b = spare };
+    if (x->sides == TWO_SIDED) q->b = x->b;
     q->normal = vec3_scale(sign, c->normal);
     q->per_near = 25 / radius_of(x, f);
     q->round_a = x->is_swapped ? c->round_b : c->round_a;
     q->round_b = x->is_swapped ? c->round_a : c->round_b;
     q->twist = x->count > 1 ? f->warm * c->twist : 0;
     choose_across(q, vec3_scale(sign * f->warm, c->friction));
-    q->placed_a = solver_placed(f, x->a);
-    q->placed_b = x->b < 0 ? &NOWHERE : solver_placed(f, x->b);
-    choose_points(q, c, x, f->warm, points);
+    choose_points(q, c, x, f);
 }
 
-// A lane that is left over is of a body that weighs a kilogram and has no
-// points: it pushes nothing.
-static void leave_lane(lane_source *q, int spare, int points)
+// A lane that is left over has no points: it pushes nothing.
+static void leave_lane(lane_source *q, int spare)
 {
-    static const motion_basis light = { .inverse_mass = 1 };
-    static const active_contact none = { .count = 0 };
-    *q = (lane_source){ .a = spare, .b = spare, .basis_a = &light,
-                        .basis_b = &IMMOVABLE, .placed_a = &NOWHERE,
-                        .placed_b = &NOWHERE };
-    choose_points(q, NULL, &none, 0, points);
+    *q = (lane_source){ .a = spare, .b = spare };
 }
 //<
 
@@ -235,98 +213,184 @@ static void leave_lane(lane_source *q, int spare, int points)
         (to)[2] = LANES_OF(q, vector.z);        \
     } while (0)
 
-// What the rows of a block are made of.
-typedef struct {
-    real4 turn_a[TURNS][3], turn_b[TURNS][3];
-    real4 arm_a[CONTACT_POINTS][3], arm_b[CONTACT_POINTS][3];   // m
-    real4 has[CONTACT_POINTS], per_near;
-} raw_block;
-
-// As contact_arms_of has them.
-static inline void find_arms(real4 arm_a[3], real4 arm_b[3], real4 shared,
-                             real4 a[1 + FOUR_AXES][3],
-                             real4 b[1 + FOUR_AXES][3],
-                             const real4 local_a[3], const real4 local_b[3])
+static void transpose_place(block_place *p, const lane_source q[REAL4], int j)
 {
-    const real4 half = real4_all(0.5);
-    for (int i = 0; i < 3; i++) {
-        real4 x = real4_mul(local_a[0], a[1][i]);
-        real4 y = real4_mul(local_b[0], b[1][i]);
-        for (int k = 1; k < FOUR_AXES; k++) {
-            x = real4_mad(local_a[k], a[1 + k][i], x);
-            y = real4_mad(local_b[k], b[1 + k][i], y);
-        }
-        real4 sum = real4_add(x, y), way = real4_sub(a[0][i], b[0][i]);
-        real4 mid_a = real4_mul(half, real4_sub(sum, way));
-        real4 mid_b = real4_mul(half, real4_add(sum, way));
-        arm_a[i] = real4_if_positive(shared, mid_a, x);
-        arm_b[i] = real4_if_positive(shared, mid_b, y);
-    }
+    LANES3_OF(p->local_a, q, local_a[j]);
+    LANES3_OF(p->local_b, q, local_b[j]);
+    p->offset = LANES_OF(q, offset[j]);
+    p->own = LANES_OF(q, own[j]);
+    p->shared = LANES_OF(q, shared[j]);
+    p->has = LANES_OF(q, has[j]);
 }
 
-// From the cores of bodies that are round to their surfaces.
-static void shift_arms(raw_block *raw, const lane_source q[REAL4], int points)
-{
-    real4 normal[3], minus_a = LANES_OF(q, round_a), b = LANES_OF(q, round_b);
-    minus_a = real4_sub(real4_all(0), minus_a);
-    real4 mid = real4_mul(real4_all(0.5), real4_add(minus_a, b));
-    LANES3_OF(normal, q, normal);
-    for (int j = 0; j < points; j++) {
-        real4 shared = LANES_OF(q, shared[j]);
-        real4_add3(raw->arm_a[j], normal,
-                   real4_if_positive(shared, mid, minus_a));
-        real4_add3(raw->arm_b[j], normal, real4_if_positive(shared, mid, b));
-    }
-}
-
-static bool is_round(const lane_source q[REAL4])
-{
-    real most = 0;
-    for (int l = 0; l < REAL4; l++)
-        most = real_max(most, q[l].round_a + q[l].round_b);
-    return most > 0;
-}
-
-static void transpose_arms(raw_block *raw, const lane_source q[REAL4],
-                           int points)
-{
-    real4 a[1 + FOUR_AXES][3], b[1 + FOUR_AXES][3], local_a[3], local_b[3];
-    LANES3_OF(a[0], q, placed_a->center);
-    LANES3_OF(b[0], q, placed_b->center);
-    for (int k = 0; k < FOUR_AXES; k++) {
-        LANES3_OF(a[1 + k], q, placed_a->axis[k]);
-        LANES3_OF(b[1 + k], q, placed_b->axis[k]);
-    }
-    for (int j = 0; j < points; j++) {
-        LANES3_OF(local_a, q, local_a[j][0]);
-        LANES3_OF(local_b, q, local_b[j][0]);
-        find_arms(raw->arm_a[j], raw->arm_b[j], LANES_OF(q, shared[j]), a, b,
-                  local_a, local_b);
-    }
-    if (is_round(q)) shift_arms(raw, q, points);
-}
-
-static void transpose(block *k, raw_block *raw, const lane_source q[REAL4])
+static void transpose(block *k, const lane_source q[REAL4])
 {
     LANES3_OF(k->normal, q, normal);
     LANES3_OF(k->across[0], q, across);
     LANES3_OF(k->across[1], q, aside);
-    k->inverse_a = LANES_OF(q, basis_a->inverse_mass);
-    k->inverse_b = LANES_OF(q, basis_b->inverse_mass);
     k->across_impulse[0] = LANES_OF(q, across_impulse);
     k->across_impulse[1] = LANES_OF(q, aside_impulse);
     k->twist_impulse = LANES_OF(q, twist);
-    raw->per_near = LANES_OF(q, per_near);
-    for (int t = 0; t < TURNS; t++) {
-        LANES3_OF(raw->turn_a[t], q, basis_a->turn[t]);
-        LANES3_OF(raw->turn_b[t], q, basis_b->turn[t]);
-    }
+    k->per_near = LANES_OF(q, per_near);
+    k->round_a = LANES_OF(q, round_a);
+    k->round_b = LANES_OF(q, round_b);
+    k->is_round = real4_any(real4_add(k->round_a, k->round_b));
     for (int j = 0; j < k->points; j++) {
-        raw->has[j] = LANES_OF(q, has[j]);
-        k->point[j].gap = LANES_OF(q, gap[j]);
+        transpose_place(&k->place[j], q, j);
         k->point[j].impulse = LANES_OF(q, impulse[j]);
     }
-    transpose_arms(raw, q, k->points);
+}
+//<
+
+//> solver-stand
+//>   Where do the bodies of a block stand now?
+// The frames and the turns of four bodies.
+typedef struct {
+    real4 center[3], axis[FOUR_AXES][3], turn[TURNS][3], inverse;
+} bodies4;
+
+// A lane that is left over is of a body that weighs a kilogram; a plane does
+// not move, and its height is in the offsets of its points.
+static const solver_body LIGHT = { .basis = { .inverse_mass = 1 } };
+static const solver_body NOWHERE = { .basis = { .inverse_mass = 0 } };
+
+static const solver_body *body_at(const solver_frame *f, int b)
+{
+    return b < 0 ? &NOWHERE : &f->body[b];
+}
+
+static void find_sides(const contact_solver *s, const block *k,
+                       const solver_frame *f, const solver_body *a[REAL4],
+                       const solver_body *b[REAL4])
+{
+    for (int l = 0; l < REAL4; l++) {
+        bool is_left = k->contact[l] < 0;
+        a[l] = is_left ? &LIGHT : &f->body[k->a[l]];
+        b[l] = is_left ? &NOWHERE : body_at(f, s->active[k->contact[l]].b);
+    }
+}
+
+#define LANES_AT(q, number) \
+    real4_make((q)[0]->number, (q)[1]->number, (q)[2]->number, (q)[3]->number)
+
+#define LANES3_AT(to, q, vector)                \
+    do {                                        \
+        (to)[0] = LANES_AT(q, vector.x);        \
+        (to)[1] = LANES_AT(q, vector.y);        \
+        (to)[2] = LANES_AT(q, vector.z);        \
+    } while (0)
+
+static void take_frames(bodies4 *to, const rigid_frame *const from[REAL4])
+{
+    LANES3_AT(to->center, from, center);
+    for (int i = 0; i < FOUR_AXES; i++) LANES3_AT(to->axis[i], from, axis[i]);
+}
+
+static void take_bodies(bodies4 *to, const solver_body *const from[REAL4])
+{
+    const rigid_frame *const frame[REAL4] = {
+        &from[0]->frame, &from[1]->frame, &from[2]->frame, &from[3]->frame };
+    take_frames(to, frame);
+    for (int t = 0; t < TURNS; t++)
+        LANES3_AT(to->turn[t], from, basis.turn[t]);
+    to->inverse = LANES_AT(from, basis.inverse_mass);
+}
+
+// m, from the centres.
+static inline void find_arm(real4 arm[3], const bodies4 *b,
+                            const real4 local[3])
+{
+    for (int i = 0; i < 3; i++) {
+        arm[i] = real4_mul(local[0], b->axis[0][i]);
+        for (int k = 1; k < FOUR_AXES; k++)
+            arm[i] = real4_mad(local[k], b->axis[k][i], arm[i]);
+    }
+}
+
+// What the rows of a block are made of.
+typedef struct {
+    bodies4 a, b;
+    real4 way[3];               // m, from B's centre to A's
+    real4 arm_a[CONTACT_POINTS][3], arm_b[CONTACT_POINTS][3];   // m
+} raw_block;
+
+// As contact_arms_of has them: one place for both, or each its own.
+static inline void share_arms(raw_block *raw, const block_place *p, int j)
+{
+    for (int i = 0; i < 3; i++) {
+        real4 x = raw->arm_a[j][i], y = raw->arm_b[j][i], w = raw->way[i];
+        real4 seen = real4_sub(y, w);
+        real4 at = real4_mad(p->own, real4_sub(x, seen), seen);
+        raw->arm_a[j][i] = real4_if_positive(p->shared, at, x);
+        raw->arm_b[j][i] = real4_if_positive(p->shared, real4_add(at, w), y);
+    }
+}
+
+static void find_arms(const block *k, raw_block *raw)
+{
+    real4 minus_a = real4_sub(real4_all(0), k->round_a);
+    for (int i = 0; i < 3; i++)
+        raw->way[i] = real4_sub(raw->a.center[i], raw->b.center[i]);
+    for (int j = 0; j < k->points; j++) {
+        find_arm(raw->arm_a[j], &raw->a, k->place[j].local_a);
+        find_arm(raw->arm_b[j], &raw->b, k->place[j].local_b);
+        if (k->is_round) {
+            real4_add3(raw->arm_a[j], k->normal, minus_a);
+            real4_add3(raw->arm_b[j], k->normal, k->round_b);
+        }
+    }
+}
+
+// The arms are of both sides still.  From the cores of what is round its
+// surfaces are a radius away, which the offsets hold.
+static void find_gaps(block *k, const raw_block *raw)
+{
+    real4 out = real4_add(k->round_a, k->round_b);
+    for (int j = 0; j < k->points; j++) {
+        real4 d[3];
+        for (int i = 0; i < 3; i++)
+            d[i] = real4_add(raw->way[i], real4_sub(raw->arm_a[j][i],
+                                                    raw->arm_b[j][i]));
+        real4 gap = real4_add(real4_dot(k->normal, d), out);
+        k->point[j].gap = real4_sub(gap, k->place[j].offset);
+        k->point[j].now = k->point[j].gap;
+    }
+}
+
+// What touches a driven body is pushed where it was halfway through the
+// substep: the velocities are those of its middle.
+static void stand_halfway(const contact_solver *s, const block *k,
+                          const solver_frame *f, raw_block *raw)
+{
+    const solver_body *a[REAL4], *b[REAL4];
+    const rigid_frame *at_a[REAL4], *at_b[REAL4];
+    find_sides(s, k, f, a, b);
+    for (int l = 0; l < REAL4; l++) {
+        bool is_driven = a[l]->is_driven || b[l]->is_driven;
+        at_a[l] = &a[l]->frame;
+        at_b[l] = &b[l]->frame;
+        if (!is_driven) continue;
+        at_a[l] = &f->halfway[k->a[l]];
+        at_b[l] = &f->halfway[s->active[k->contact[l]].b];
+    }
+    take_frames(&raw->a, at_a);
+    take_frames(&raw->b, at_b);
+    find_arms(k, raw);
+}
+
+static void stand(const contact_solver *s, block *k, const solver_frame *f,
+                  raw_block *raw)
+{
+    const solver_body *a[REAL4], *b[REAL4];
+    find_sides(s, k, f, a, b);
+    take_bodies(&raw->a, a);
+    take_bodies(&raw->b, b);
+    k->inverse_a = raw->a.inverse;
+    k->inverse_b = raw->b.inverse;
+    find_arms(k, raw);
+    find_gaps(k, raw);
+    if (k->is_driven && f->halfway) stand_halfway(s, k, f, raw);
+    for (int j = 0; j < k->points; j++) share_arms(raw, &k->place[j], j);
 }
 //<
 
@@ -346,9 +410,9 @@ static inline real4 make_rows(real4 row_a[TURNS], real4 row_b[TURNS],
 {
     real4 moment[3];
     real4_cross(arm_a, along, moment);
-    real4 square = make_row(row_a, raw->turn_a, moment);
+    real4 square = make_row(row_a, raw->a.turn, moment);
     real4_cross(arm_b, along, moment);
-    return real4_add(square, make_row(row_b, raw->turn_b, moment));
+    return real4_add(square, make_row(row_b, raw->b.turn, moment));
 }
 
 // Friction acts where the points are that touch; one that is wide open counts
@@ -360,10 +424,10 @@ static inline void find_center(const block *k, const raw_block *raw,
     real4 sum = zero;
     for (int i = 0; i < 3; i++) center_a[i] = center_b[i] = zero;
     for (int j = 0; j < k->points; j++) {
-        real4 open = real4_mul(k->point[j].gap, raw->per_near);
+        real4 open = real4_mul(k->point[j].gap, k->per_near);
         real4 share = real4_sub(real4_all(2), open);
         share = real4_min(one, real4_max(share, real4_all(0.01)));
-        share = real4_mul(share, raw->has[j]);
+        share = real4_mul(share, k->place[j].has);
         sum = real4_add(sum, share);
         real4_add3(center_a, raw->arm_a[j], share);
         real4_add3(center_b, raw->arm_b[j], share);
@@ -387,8 +451,7 @@ static inline void make_points(block *k, raw_block *raw, real4 inverse,
         for (int i = 0; i < 3; i++)
             d[i] = real4_sub(raw->arm_a[j][i], center_a[i]);
         p->lever = real4_sqrt(real4_dot(d, d));
-        p->mass = real4_div(raw->has[j], real4_add(inverse, square));
-        p->now = p->gap;
+        p->mass = real4_div(k->place[j].has, real4_add(inverse, square));
     }
 }
 
@@ -412,8 +475,8 @@ static inline void make_friction(block *k, raw_block *raw, real4 inverse,
     mass[0] = real4_mul(own[1], per_volume);
     mass[1] = real4_sub(real4_all(0), real4_mul(cross, per_volume));
     mass[2] = real4_mul(own[0], per_volume);
-    twist = real4_add(make_row(k->twist_a, raw->turn_a, k->normal),
-                      make_row(k->twist_b, raw->turn_b, k->normal));
+    twist = real4_add(make_row(k->twist_a, raw->a.turn, k->normal),
+                      make_row(k->twist_b, raw->b.turn, k->normal));
     twist = real4_if_positive(twist, twist, real4_all(1));
     k->twist_mass = real4_div(real4_all(1), twist);
 }
@@ -465,34 +528,54 @@ static int lanes_of(const contact_solver *s, int number, int *first)
     return int_min(each, s->color[color].contacts - each * in);
 }
 
+// The rows of a block, for bodies that stand as they do now.
+static void make_rows_of(const contact_solver *s, block *k,
+                         const solver_frame *f)
+{
+    raw_block raw;
+    real4 center_a[3], center_b[3];
+    stand(s, k, f, &raw);
+    real4 inverse = real4_add(k->inverse_a, k->inverse_b);
+    find_center(k, &raw, center_a, center_b);
+    make_points(k, &raw, inverse, center_a);
+    make_friction(k, &raw, inverse, center_a, center_b);
+}
+
+static bool has_driven(const block *k, const solver_frame *f, int spare)
+{
+    bool some = false;
+    for (int l = 0; l < REAL4; l++) {
+        some |= k->a[l] != spare && f->body[k->a[l]].is_driven;
+        some |= k->b[l] != spare && f->body[k->b[l]].is_driven;
+    }
+    return some;
+}
+
 static void fill_block(const preparation *p, int number)
 {
     contact_solver *s = p->s;
     block *k = &s->block[number];
     lane_source q[REAL4];
-    raw_block raw;
-    real4 center_a[3], center_b[3];
     int first, lanes = lanes_of(s, number, &first);
     const int *list = s->order + first;
     k->rubs = true;
     k->points = s->start[number + 1] - s->start[number];
     k->point = s->point + s->start[number];
+    k->place = s->place + s->start[number];
     for (int l = 0; l < REAL4; l++) {
         if (l < lanes)
             choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
-                        s->room, k->points);
+                        s->room);
         else
-            leave_lane(&q[l], s->room, k->points);
+            leave_lane(&q[l], s->room);
         k->contact[l] = l < lanes ? list[l] : -1;
         k->a[l] = q[l].a;
         k->b[l] = q[l].b;
     }
-    transpose(k, &raw, q);
-    real4 inverse = real4_add(k->inverse_a, k->inverse_b);
-    find_center(k, &raw, center_a, center_b);
+    transpose(k, q);
+    k->is_driven = has_driven(k, p->f, s->room);
     set_friction(p, k);
-    make_points(k, &raw, inverse, center_a);
-    make_friction(k, &raw, inverse, center_a, center_b);
+    make_rows_of(s, k, p->f);
 }
 
 static void fill_chunk(void *data, int item)
@@ -507,7 +590,7 @@ static void fill_chunk(void *data, int item)
 //>   While a heap lies still its contacts are kept (chapter 18), and so are
 //>   their blocks. Only the gaps are new.
 // Are these the contacts of the frame before, with the same points?  Then their
-// blocks, made for where the bodies stood when they were found, are good still.
+// blocks are good still: only the rows are made again.
 static bool may_keep_blocks(const contact_solver *s, const solver_frame *f)
 {
     if (s->known != s->contacts || f->h != s->h || !(f->warm == 1))
@@ -520,19 +603,40 @@ static bool may_keep_blocks(const contact_solver *s, const solver_frame *f)
 static void keep_chunk(void *data, int item)
 {
     const preparation *p = data;
-    contact_solver *s = p->s;
-    int end = task_end(item, s->blocks);
+    int end = task_end(item, p->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
-        block *k = &s->block[n];
+        block *k = &p->s->block[n];
+        k->is_driven = has_driven(k, p->f, p->s->room);
         set_friction(p, k);
-        for (int l = 0; l < REAL4 && k->contact[l] >= 0; l++) {
-            const active_contact *x = &s->active[k->contact[l]];
-            for (int j = 0; j < x->count; j++) {
-                real4_set(&k->point[j].gap, l, x->gap[j]);
-                real4_set(&k->point[j].now, l, x->gap[j]);
-            }
-        }
+        make_rows_of(p->s, k, p->f);
     }
+}
+//<
+
+//> solver-renew
+static bool is_fresh(const block *k, const solver_frame *f, int spare)
+{
+    bool some = !f->fresh;
+    for (int l = 0; l < REAL4 && !some; l++)
+        some = (k->a[l] != spare && f->fresh[k->a[l]])
+            || (k->b[l] != spare && f->fresh[k->b[l]]);
+    return some;
+}
+
+static void renew_chunk(void *data, int item)
+{
+    const preparation *p = data;
+    contact_solver *s = p->s;
+    int end = task_last(item, s->blocks, FEW_BLOCKS);
+    for (int n = item * FEW_BLOCKS; n < end; n++)
+        if (is_fresh(&s->block[n], p->f, s->room))
+            make_rows_of(s, &s->block[n], p->f);
+}
+
+void solver_renew(contact_solver *s, const solver_frame *f)
+{
+    preparation p = { .s = s, .f = f };
+    tasks_run(f->run, renew_chunk, &p, task_items(s->blocks, FEW_BLOCKS));
 }
 //<
 
@@ -591,7 +695,9 @@ static bool make_block_room(contact_solver *s)
                  sizeof *s->start)) return false;
     count_points(s);
     return grow((void **)&s->point, &s->point_capacity, s->start[s->blocks],
-                sizeof *s->point);
+                sizeof *s->point)
+        && grow((void **)&s->place, &s->place_capacity, s->start[s->blocks],
+                sizeof *s->place);
 }
 
 static bool make_blocks(contact_solver *s, preparation *p)
@@ -985,30 +1091,46 @@ void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
 //<
 
 //> solver-begin
-//>   Only in the first substep of a frame does every contact warm-start by
-//>   itself. In the others, what they did to a body in the last substep is
-//>   added at once.
-// In the first substep the contacts push one by one; in the others each body
-// gets at once what its contacts did to it in the last: s->before.
-void solver_begin(contact_solver *s, const solver_frame *f, motion *velocity,
-                  bool is_first)
+//>   Every contact starts a substep with the impulses of the last.
+void solver_warm(contact_solver *s, const solver_frame *f, motion *velocity)
 {
-    s->bodies = f->bodies;
-    for (int b = 0; b < s->bodies; b++) {
-        for (int i = 0; i < MOTIONS; i++) {
-            real did = is_first ? 0 : s->before[b].of[i];
-            s->before[b].of[i] = velocity[b].of[i];
-            velocity[b].of[i] += did;
-        }
-    }
-    if (is_first) run_pass(s, f, velocity, NULL, warm_chunk);
+    run_pass(s, f, velocity, NULL, warm_chunk);
 }
 
-void solver_end(contact_solver *s, const motion *velocity)
+void solver_mark(contact_solver *s)
 {
-    for (int b = 0; b < s->bodies; b++)
-        for (int i = 0; i < MOTIONS; i++)
-            s->before[b].of[i] = velocity[b].of[i] - s->before[b].of[i];
+    for (int n = 0; n < s->blocks; n++) {
+        block *k = &s->block[n];
+        for (int j = 0; j < k->points; j++)
+            k->place[j].began = k->point[j].impulse;
+        for (int i = 0; i < 2; i++) k->began[i] = k->across_impulse[i];
+        k->began[2] = k->twist_impulse;
+    }
+}
+
+void solver_rewind(contact_solver *s)
+{
+    for (int n = 0; n < s->blocks; n++) {
+        block *k = &s->block[n];
+        for (int j = 0; j < k->points; j++)
+            k->point[j].impulse = k->place[j].began;
+        for (int i = 0; i < 2; i++) k->across_impulse[i] = k->began[i];
+        k->twist_impulse = k->began[2];
+        k->rubs = true;
+    }
+}
+
+void solver_scale(contact_solver *s, real times)
+{
+    const real4 by = real4_all(times);
+    for (int n = 0; n < s->blocks; n++) {
+        block *k = &s->block[n];
+        for (int j = 0; j < k->points; j++)
+            k->point[j].impulse = real4_mul(by, k->point[j].impulse);
+        for (int i = 0; i < 2; i++)
+            k->across_impulse[i] = real4_mul(by, k->across_impulse[i]);
+        k->twist_impulse = real4_mul(by, k->twist_impulse);
+    }
 }
 //<
 
@@ -1095,7 +1217,7 @@ void solver_forget(contact_solver *s, contact *const *table)
 //>   Memory: made once, grown between frames, given back.
 status solver_init(contact_solver *s, int bodies)
 {
-    *s = (contact_solver){ .bodies = 0 };
+    *s = (contact_solver){ .contacts = 0 };
     status done = solver_grow(s, bodies);
     if (!done.ok) solver_free(s);
     return done;
@@ -1119,7 +1241,6 @@ status solver_grow(contact_solver *s, int bodies)
     bool ok = true;
     if (s->taken && bodies <= s->room) return status_ok();
     TABLE_GROW(ok, s->taken, 0, room);
-    TABLE_GROW_ALIGNED(ok, s->before, s->room, room + 1);
     if (!ok) return status_out_of_memory();
     move_spare(s, room);
     return status_ok();
@@ -1131,9 +1252,9 @@ void solver_free(contact_solver *s)
     free(s->order);
     free(s->block);
     free(s->point);
+    free(s->place);
     free(s->start);
     free(s->taken);
-    free(s->before);
-    *s = (contact_solver){ .bodies = 0 };
+    *s = (contact_solver){ .contacts = 0 };
 }
 //<

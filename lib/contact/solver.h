@@ -31,7 +31,8 @@ typedef struct {
 // A rigid body as the solver reads it.
 typedef struct {
     motion_basis basis; // zero: immovable
-    rigid_frame frame;  // where it stands at the start of the frame
+    rigid_frame frame;  // where it stood when its basis was made: it has been
+                        // moved since then, see solver_push
     real radius;        // m, around its centre
     bool is_driven;     // its velocity is set, whatever pushes it: its basis is
                         // that of a body so heavy that no push shows
@@ -41,8 +42,10 @@ typedef struct {
 typedef struct {
     const solver_body *body;    // [bodies]
     int  bodies;
-    const rigid_frame *placed;  // [bodies] where they stood when their contacts
-                                // were found; NULL: where they stand now
+    const char *fresh;          // [bodies] has it a new frame and basis since
+                                // rows were made?  NULL: all have
+    const rigid_frame *halfway; // [bodies] where they were in the middle of the
+                                // last substep; NULL: there was none
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
     int  substeps;              // of this frame, or part of it
@@ -62,15 +65,6 @@ typedef struct {
 } solver_frame;
 //<
 
-//> solver-placed
-// Where body b stood when its contacts were found; NULL for a plane.
-static inline const rigid_frame *solver_placed(const solver_frame *f, int b)
-{
-    if (b < 0) return NULL;
-    return f->placed ? &f->placed[b] : &f->body[b].frame;
-}
-//<
-
 //> solver-material
 // Where bodies a and b meet, or a and a plane (b < 0).
 static inline material solver_material(const solver_frame *f, int a, int b)
@@ -81,12 +75,25 @@ static inline material solver_material(const solver_frame *f, int a, int b)
 }
 //<
 
+//> solver-place
+// Where a point of each of four contacts rides on its bodies.  Rows are made of
+// it, and no pass reads it.
+typedef struct {
+    real4 local_a[3], local_b[3];   // coordinates in the frames of the bodies
+    real4 offset;       // m, of the gap
+    real4 own;          // 1: they push where A's point is; 0: where B's is
+    real4 shared;       // 1: both push at one place; 0: each at its own
+    real4 has;          // 1: there is such a point; 0: not
+    real4 began;        // N s, its impulse before this substep
+} block_place;
+//<
+
 //> solver-block
 // Four contacts side by side: each number of each kind stands in a lane of its
 // own.  The contacts of a block share no body.
 typedef struct {
     real4 turn_a[TURNS], turn_b[TURNS]; // kg^(-1/2), Jacobian row of the turns
-    real4 gap, now;     // m, at the start of the frame; when last relaxed
+    real4 gap, now;     // m, when the row was made; when last relaxed
     real4 mass;         // kg, effective, along the normal
     real4 impulse;      // N s
     real4 lever;        // m, from the point where friction acts
@@ -106,7 +113,13 @@ typedef struct {
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
     bool  rubs;                         // friction's impulses may not be 0
+    bool  is_round, is_driven;          // some are
+    real4 round_a, round_b;             // m, see contact
+    real4 per_near;                     // 1/m, of a gap that is all but closed
+    real4 began[3];                     // N s, N m s, friction's impulses before
+                                        // this substep
     block_point *point;                 // [points] of the solver's
+    block_place *place;                 // [points]
 } block;
 //<
 
@@ -154,14 +167,13 @@ typedef struct {
     block *block;
     int  blocks, block_capacity;
     block_point *point;                 // of block after block
-    int  point_capacity;
+    block_place *place;
+    int  point_capacity, place_capacity;
     int  *start;                        // [blocks + 1] where they begin
     int  start_capacity;
     block_color color[SIDES * COLORS];
     int  colors;
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each
-    motion *before;                     // [bodies] see solver_begin
-    int  bodies;                        // in the last solver_begin
     int  room;                          // for so many there is room
     int  touching;                      // contacts that may touch in this frame
     real h;                             // s, the substeps that blocks are for
@@ -189,25 +201,32 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table);
 
 // One substep, in this order.  velocity and moved are [s->room + 1]: the last is
-// spare, for lanes that are left over.
+// spare, for lanes that are left over.  moved: since a body got its frame and
+// basis; no further than rows stay good.
 //
-// Gives every body the impulses of the last substep once more (warm starting);
-// those that the contacts were prepared with, if it is the first of the frame.
-void solver_begin(contact_solver *s, const solver_frame *f, motion *velocity,
-                  bool is_first);
+// Gives every body the impulses of the last substep once more (warm starting).
+void solver_warm(contact_solver *s, const solver_frame *f, motion *velocity);
 // Solves the normals: gaps close at most, and overlaps are pushed out.
 void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
                  const motion *moved);
-// After the bodies have moved: takes back the speed of pushing out, and solves
+// After the bodies have moved: makes the rows of those that f->fresh names for
+// where they stand now.  What touches a driven body has rows for the middle of
+// the substep, whose velocities they are.
+void solver_renew(contact_solver *s, const solver_frame *f);
+// Takes back the speed of pushing out, and solves
 // friction.  Points that have not touched yet, and close fast, are left to the
 // impacts of the next substep, if there are any (restitution.h).
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
                   const motion *moved);
-// After impacts, before solver_push: `moved` has changed, and with it the gaps.
+// After impacts, before solver_warm: `moved` has changed, and with it the gaps.
 void solver_see_gaps(contact_solver *s, const solver_frame *f,
                      const motion *moved);
-// Keeps what the contacts did to each body, for the next substep.
-void solver_end(contact_solver *s, const motion *velocity);
+// Before a substep that may have to be done again; and to do it again: the
+// impulses are what they were.
+void solver_mark(contact_solver *s);
+void solver_rewind(contact_solver *s);
+// The next substep is so many times as long: its impulses are, too.
+void solver_scale(contact_solver *s, real times);
 
 // Writes the impulses of the last substep to the contacts that were prepared,
 // and their loads to s->active.

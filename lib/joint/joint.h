@@ -75,7 +75,7 @@ typedef struct {
     real a[JOINT_ROWS][MOTIONS], b[JOINT_ROWS][MOTIONS];
     real error[JOINT_ROWS];         // m, rad; of the limit: what is left
     bool is_upper;              // the limit is the greater of the two
-    real begun[JOINT_ROWS];     // the joint's impulse when the frame began,
+    real begun[JOINT_ROWS];     // the joint's impulse when the substep began,
     bool was_upper, was_broken; // and the rest, to begin it again
     real factor[JOINT_ROWS][JOINT_ROWS];    // of K, see small_factor
     real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), what a unit impulse leaves

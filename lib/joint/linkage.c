@@ -191,9 +191,8 @@ static void push_body(const linkage_pass *q, const real row[MOTIONS], int b,
     real inverse = basis_of(q->f, b)->inverse_mass;
     if (!(inverse > 0)) return;
     for (int i = 0; i < MOTIONS; i++) {
-        real change = (i < MOTION_TURN ? inverse : 1) * row[i] * impulse;
-        q->velocity[b].of[i] += change;
-        q->before[b].of[i] += change;
+        real share = i < MOTION_TURN ? inverse : 1;
+        q->velocity[b].of[i] += share * row[i] * impulse;
     }
 }
 
@@ -704,7 +703,18 @@ void linkage_forget_impulses(linkage *l)
     }
 }
 
-void linkage_rewind(linkage *l)
+void linkage_mark(linkage *l)
+{
+    for (int k = 0; k < l->count; k++) remember(&l->joint[k], &l->rows[k]);
+}
+
+void linkage_scale(linkage *l, real times)
+{
+    for (int k = 0; k < l->count; k++)
+        for (int i = 0; i < JOINT_ROWS; i++) l->joint[k].impulse[i] *= times;
+}
+
+void linkage_rewind(linkage *l, const linkage_pass *q)
 {
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
@@ -714,6 +724,8 @@ void linkage_rewind(linkage *l)
         l->broken -= j->is_broken && !r->was_broken;
         j->is_broken = r->was_broken;
     }
+    choose_roles(l, q);
+    find_rows(l, q);
 }
 
 void linkage_prepare(linkage *l, const linkage_pass *q)
@@ -722,10 +734,7 @@ void linkage_prepare(linkage *l, const linkage_pass *q)
     if (l->count == 0) return;
     l->frames++;
     choose_roles(l, q);
-    for (int k = 0; k < l->count; k++) remember(&l->joint[k], &l->rows[k]);
-    for (int k = 0; k < l->count; k++)
-        for (int i = 0; i < JOINT_ROWS; i++)
-            l->joint[k].impulse[i] *= q->f->warm;
+    linkage_scale(l, q->f->warm);
     find_rows(l, q);
 }
 
@@ -741,7 +750,7 @@ void linkage_begin(linkage *l, const linkage_pass *q)
 
 // Rows are straight, and points go along arcs: a large impact is solved more
 // than once, as Newton does.
-static const real LARGE = 1e-3;         // m, in a substep
+static const real LARGE = 1e-5;         // m, in a substep
 enum { IMPACT_STEPS = 3 };
 
 void linkage_push(linkage *l, const linkage_pass *q)
@@ -767,11 +776,12 @@ static real force_of(const joint *j, real h)
 
 static void break_overloaded(linkage *l, real h)
 {
+    l->swing = 0;
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         if (l->role[k] == JOINT_IDLE) continue;
         j->force = force_of(j, h);
-        l->pace = real_max(l->pace, sqrt(j->force * l->rows[k].swing));
+        l->swing = real_max(l->swing, sqrt(j->force * l->rows[k].swing));
         if (!(j->force > j->strength)) continue;
         j->is_broken = l->is_stale = true;
         l->role[k] = JOINT_IDLE;
@@ -785,6 +795,7 @@ void linkage_relax(linkage *l, const linkage_pass *q)
     find_rows(l, q);
     solve_all(l, q, want_rest);
     break_overloaded(l, q->f->h);
+    l->pace = real_max(l->pace, l->swing);
     if (!l->is_stale) return;
     choose_roles(l, q);
     find_rows(l, q);

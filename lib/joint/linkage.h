@@ -51,8 +51,9 @@ typedef struct {
     bool is_stale;          // one broke in this frame
     bool is_backward;       // joints that stand alone come last to first
     int  broken;            // so many, since this was set to 0
-    real pace;              // rad/s, of the fastest swing about a joint in the
-                            // last frame: a substep must follow it
+    real swing;             // rad/s, of the fastest swing about a joint in the
+                            // last substep, which must follow it
+    real pace;              // rad/s, the most of the frame
     real asked;             // m/s, rad/s, the most that a tree was to change
     real worst;             // m, by which a joint's points are apart
 } linkage;
@@ -92,12 +93,10 @@ static inline bool linkage_has(const linkage *l, int b)
 int linkage_drop_pairs(linkage *l, int (*pair)[2], int n);
 
 // The impulses of the joints in a frame, and in each of its substeps.
-// velocity and moved are as solver.h has them.  What joints do to a body is
-// added to `before`, too, which is the solver's: its contacts start warm with
-// what contacts did.
+// velocity and moved are as solver.h has them.
 typedef struct {
     const solver_frame *f;
-    motion *velocity, *before;
+    motion *velocity;
     const motion *moved;
 } linkage_pass;
 
@@ -109,8 +108,13 @@ void linkage_prepare(linkage *l, const linkage_pass *q);
 // that is no number is 0.
 void linkage_forget_impulses(linkage *l);
 
-// Undoes what the joints did in this frame, which is to be prepared again.
-void linkage_rewind(linkage *l);
+// Before a substep that may have to be done again; and to do it again, when the
+// bodies stand where they did.
+void linkage_mark(linkage *l);
+void linkage_rewind(linkage *l, const linkage_pass *q);
+
+// The next substep is so many times as long: its impulses are, too.
+void linkage_scale(linkage *l, real times);
 
 // A substep, in this order.  Gives every body the impulses of the last substep
 // (warm starting);

@@ -2,7 +2,8 @@
 //>   Six coordinates of a motion: three along the axes, three about them.
 #include "motion.h"
 
-#include <assert.h>
+#include <math.h>
+#include <string.h>
 
 motion_basis basis_find(const rigid4 *f, const rigid_frame *frame)
 {
@@ -88,44 +89,14 @@ vec3 motion_angular(const motion_basis *basis, const motion *m)
 //>   A body moves on, in parts of a frame if it turns far.
 static const real FURTHEST = 1.0 / 3;       // rad, in one move
 
-int motion_moves(const motion_basis *basis, const motion *d)
+enum { TURN_MOVES = 1000 };                  // at most
+
+// So many equal moves are a turn by d.
+static int moves_of(const motion_basis *basis, const motion *d)
 {
     real moves = vec3_length(motion_rotation(basis, d)) / FURTHEST;
     if (moves < TURN_MOVES - 1) return 1 + (int)moves;
     return moves - moves == 0 ? TURN_MOVES : 1;     // one for NaN and infinity
-}
-
-// sin(a) / a by its series, for a of no more than FURTHEST: to 1e-16.
-static real chord(real a)
-{
-    real x = a * a;
-    return 1 - x * (1.0 / 6) * (1 - x * (1.0 / 20) * (1 - x * (1.0 / 42)
-           * (1 - x * (1.0 / 72) * (1 - x * (1.0 / 110)))));
-}
-
-// A particle on a circle that goes straight along its tangent by r sin(a), and
-// is then drawn back to the circle along its old radius, has turned by a.
-void motion_begin(particle *p, const rigid_frame *frame,
-                  const motion_basis *basis, const motion *d, int moves)
-{
-    real share = 1.0 / moves;
-    vec3 straight = { share * d->of[0], share * d->of[1], share * d->of[2] };
-    vec3 turn = vec3_scale(share, motion_rotation(basis, d));
-    turn = vec3_scale(chord(real_min(vec3_length(turn), 1)), turn);
-    for (int k = 0; k < FOUR; k++) {
-        vec3 way = vec3_add(straight, vec3_cross(turn, frame_arm(frame, k)));
-        p[k].previous = p[k].position;
-        p[k].position = vec3_add(p[k].position, way);
-    }
-}
-
-void motion_go_on(particle *p)
-{
-    for (int k = 0; k < FOUR; k++) {
-        vec3 here = p[k].position;
-        p[k].position = vec3_add(here, vec3_sub(here, p[k].previous));
-        p[k].previous = here;
-    }
 }
 //<
 
@@ -168,7 +139,7 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
 {
     enum { A_FEW = 8 };     // are quicker one by one
     vec3 straight = { d->of[0], d->of[1], d->of[2] };
-    int moves = motion_moves(basis, d);
+    int moves = moves_of(basis, d);
     vec3 turn = vec3_scale(1.0 / moves, motion_rotation(basis, d));
     real a2 = vec3_length_squared(turn);
     vec3 half = vec3_scale((1 + a2 / 12) / 2, turn);
@@ -184,127 +155,134 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
 }
 //<
 
-//> motion-frame-free
-// A body that turns by t, a small part of a turn, does so about an axis that
-// goes on moving.  Euler's equations change the angular velocity by
-// I^-1 (I t x t) in that time, so the turn by half of it.  And I^-1 y is the sum
-// of tau (tau . y).
-static vec3 precessed(const vec3 tau[TURNS], vec3 angular, vec3 t)
+//> motion-advance
+//>   Every substep a body goes on by itself: it flies straight on, and turns so
+//>   that its angular momentum stays.
+// A body that turns freely: its axes, how fast each turns it for a unit of
+// angular momentum, and that angular momentum.
+typedef struct {
+    rigid_frame frame;
+    real scale[TURNS];  // motion_basis.turn beside frame.axis
+    vec3 angular;       // kg m^2/s
+} turning;
+
+// It turns by t, a small part of a turn.  tan(a / 2) is a / 2 (1 + a^2 / 12) to
+// a^5 / 240.
+static void turn_by(turning *x, vec3 t)
 {
-    vec3 moment = vec3_cross(angular, t), sum = t;
-    for (int i = 0; i < TURNS; i++)
-        sum = vec3_add_scaled(sum, vec3_dot(tau[i], moment) / 2, tau[i]);
-    return sum;
+    vec3 half = vec3_scale((1 + vec3_length_squared(t) / 12) / 2, t);
+    for (int i = 0; i < FOUR_AXES; i++)
+        x->frame.axis[i] = turned(half, x->frame.axis[i]);
+}
+
+// In h (s), about its own axis k alone: rad.
+static vec3 turn_about(const turning *x, int k, real h)
+{
+    vec3 axis = x->frame.axis[k];
+    real speed = x->scale[k] * x->scale[k] * vec3_dot(axis, x->angular);
+    return vec3_scale(h * speed, axis);
+}
+
+// A turn about one of its own axes is exact, whatever the other two moments are.
+// Three of them, and back in the other order, are a symmetric splitting: what it
+// gets wrong in energy it takes back.
+static void turn_freely(turning *x, real h)
+{
+    static const int order[] = { 0, 1, 2, 1, 0 };
+    for (int i = 0; i < 2 * TURNS - 1; i++) {
+        real part = order[i] == TURNS - 1 ? h : h / 2;
+        turn_by(x, turn_about(x, order[i], part));
+    }
+}
+
+// A ball, a cube, an icosahedron: all moments are one, and it turns steadily.
+static bool turns_steadily(const motion_basis *basis)
+{
+    real a = vec3_length_squared(basis->turn[0]);
+    real b = vec3_length_squared(basis->turn[1]);
+    real c = vec3_length_squared(basis->turn[2]);
+    return fabs(a - b) + fabs(b - c) <= 1e-9 * a;
+}
+
+// The basis and the velocity of a body that stands so.
+static void turn_basis(const turning *x, motion_basis *basis, motion *u)
+{
+    for (int t = 0; t < TURNS; t++) {
+        basis->turn[t] = vec3_scale(x->scale[t], x->frame.axis[t]);
+        u->of[MOTION_TURN + t] = vec3_dot(basis->turn[t], x->angular);
+    }
+}
+
+static turning turning_of(const rigid_frame *frame, const motion_basis *basis,
+                          const motion *u)
+{
+    turning x = { .frame = *frame, .angular = motion_angular(basis, u) };
+    for (int t = 0; t < TURNS; t++)
+        x.scale[t] = vec3_dot(basis->turn[t], frame->axis[t])
+                   / vec3_length_squared(frame->axis[t]);
+    return x;
+}
+
+void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h)
+{
+    vec3 straight = { u->of[0], u->of[1], u->of[2] };
+    vec3 turn = vec3_scale(h, motion_rotation(basis, u));
+    bool is_steady = turns_steadily(basis);
+    real parts = vec3_length(turn) / FURTHEST;
+    int n = parts < FREE_MOVES ? 1 + (int)parts : FREE_MOVES;
+    turning x = turning_of(frame, basis, u);
+    x.frame.center = vec3_add_scaled(x.frame.center, h, straight);
+    for (int k = 0; k < n; k++) {
+        if (is_steady) turn_by(&x, vec3_scale(1.0 / n, turn));
+        else           turn_freely(&x, h / n);
+    }
+    turn_basis(&x, basis, u);
+    *frame = x.frame;
+}
+
+void motion_displace(rigid_frame *frame, motion_basis *basis, motion *u,
+                     const motion *d)
+{
+    turning x = turning_of(frame, basis, u);
+    x.frame = motion_frame(frame, basis, d);
+    turn_basis(&x, basis, u);
+    *frame = x.frame;
 }
 
 rigid_frame motion_frame_free(const rigid_frame *frame,
                               const motion_basis *basis, const motion *d)
 {
-    vec3 straight = { d->of[0], d->of[1], d->of[2] }, tau[TURNS];
-    int moves = motion_moves(basis, d);
-    if (moves > FREE_MOVES) return motion_frame(frame, basis, d);
-    vec3 angular = vec3_scale(1.0 / moves, motion_angular(basis, d));
-    rigid_frame now = *frame;
-    now.center = vec3_add(frame->center, straight);
-    for (int i = 0; i < TURNS; i++) tau[i] = basis->turn[i];
-    for (int k = 0; k < moves; k++) {
-        vec3 turn = { 0, 0, 0 };
-        for (int i = 0; i < TURNS; i++)
-            turn = vec3_add_scaled(turn, vec3_dot(tau[i], angular), tau[i]);
-        turn = precessed(tau, angular, turn);
-        vec3 half = vec3_scale((1 + vec3_length_squared(turn) / 12) / 2, turn);
-        for (int i = 0; i < FOUR_AXES; i++) {
-            now.axis[i] = turned(half, now.axis[i]);
-            tau[i] = turned(half, tau[i]);
-        }
-    }
-    return now;
+    rigid_frame to = *frame;
+    motion_basis turned_basis = *basis;
+    motion u = *d;
+    motion_advance(&to, &turned_basis, &u, 1);
+    return to;
 }
 
-void motion_put(particle *p, const rigid_frame *frame)
+// With unit vectors e, Newton's step towards right angles and unit lengths is
+// e_i - sum_j (e_i . e_j - delta_ij) e_j / 2.
+void motion_straighten(const rigid4 *f, rigid_frame *frame)
 {
-    for (int k = 0; k < FOUR; k++) {
-        p[k].previous = p[k].position;
-        p[k].position = vec3_add(frame->center, frame_arm(frame, k));
-    }
-}
-//<
-
-//> motion-change
-// |turn|^2 is one over a moment of inertia.
-real motion_change(const motion_basis *basis, const motion *m)
-{
-    real sum = 0, inverse[TURNS];
-    for (int t = 0; t < TURNS; t++)
-        inverse[t] = vec3_length_squared(basis->turn[t]);
-    for (int t = 0; t < TURNS; t++) {
-        real a = inverse[(t + 1) % TURNS], b = inverse[(t + 2) % TURNS];
-        real unlike = real_max(a, b) > 0 ? (a - b) / real_max(a, b) : 0;
-        real spin = m->of[MOTION_TURN + t] * sqrt(inverse[t]);
-        sum += unlike * spin * (unlike * spin);
-    }
-    return sqrt(sum);
-}
-//<
-
-//> motion-end
-// The rotation of the motion in a basis with an angular momentum L.
-static vec3 rotation_with(const motion_basis *basis, vec3 angular)
-{
-    motion m = { { 0 } };
-    for (int t = 0; t < TURNS; t++)
-        m.of[MOTION_TURN + t] = vec3_dot(basis->turn[t], angular);
-    return motion_rotation(basis, &m);
-}
-
-// The angular momentum of four particles of this mass that turn: 4 m times the
-// sum of y_i x (w x y_i) over the axes.
-static vec3 carried(const rigid_frame *frame, real mass, vec3 turn)
-{
-    vec3 sum = { 0, 0, 0 };
+    vec3 was[FOUR_AXES];
+    memcpy(was, frame->axis, sizeof was);
     for (int i = 0; i < FOUR_AXES; i++)
-        sum = vec3_add(sum, vec3_cross(frame->axis[i],
-                                       vec3_cross(turn, frame->axis[i])));
-    return vec3_scale(FOUR * mass, sum);
+        for (int j = 0; j < FOUR_AXES; j++) {
+            real off = vec3_dot(was[i], was[j]) - (i == j) * f->square[i];
+            frame->axis[i] = vec3_add_scaled(frame->axis[i],
+                                             -off / (2 * f->square[j]), was[j]);
+        }
 }
 
-// A body that turns freely keeps its energy.  One that was hit on the way has
-// an angular momentum that does not fit how it lies now: a needle that is to
-// turn about its length would have a thousand times the energy.  It is braked.
-static vec3 braked(const rigid_frame *now, real mass, const motion *u,
-                   vec3 turn, real most)
-{
-    const real *w = u->of + MOTION_TURN;
-    real before = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
-    real after = vec3_dot(turn, carried(now, mass, turn));
-    return after > most * before ? vec3_scale(sqrt(before / after), turn)
-                                 : turn;
-}
-
-// The sticks hold to a tolerance only, and so do the turns of a basis.  What
-// the particles lack of the angular momentum is given to them once more:
-// without it a spin would drift by the tolerance in every frame.
-void motion_end_within(const rigid4 *f, particle *p, const rigid_frame *frame,
-                       const motion *u, real h, real most)
+void motion_put(particle *p, const rigid_frame *frame,
+                const motion_basis *basis, const motion *u, real h)
 {
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
-    motion_basis basis = basis_find(f, frame);
-    vec3 angular = motion_angular(&basis, u);
-    rigid_frame now = rigid4_frame(p);
-    motion_basis new_basis = basis_find(f, &now);
-    vec3 turn = rotation_with(&new_basis, angular);
-    vec3 lacking = vec3_sub(angular, carried(&now, f->mass, turn));
-    turn = vec3_add(turn, rotation_with(&new_basis, lacking));
-    turn = braked(&now, f->mass, u, turn, most);
+    vec3 turn = motion_rotation(basis, u);
     for (int k = 0; k < FOUR; k++) {
-        vec3 way = vec3_add(straight, vec3_cross(turn, frame_arm(&now, k)));
+        vec3 arm = frame_arm(frame, k);
+        vec3 way = vec3_add(straight, vec3_cross(turn, arm));
+        p[k].position = vec3_add(frame->center, arm);
         p[k].previous = vec3_add_scaled(p[k].position, -h, way);
     }
-}
-
-void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
-                const motion *u, real h)
-{
-    motion_end_within(f, p, frame, u, h, 1.001);
 }
 //<

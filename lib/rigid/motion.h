@@ -68,11 +68,6 @@ static inline vec3 motion_rotation(const motion_basis *basis, const motion *m)
                            w[2], basis->turn[2]);
 }
 
-// rad/s: how fast its moments of inertia change, as the world sees them.  A turn
-// about one axis takes the other two round, which counts as far as their moments
-// differ: not at all for a ball or a cube, nor for a wheel about its axle.
-real motion_change(const motion_basis *basis, const motion *m);
-
 // How the point at `arm` (m, from the centre) moves: m/s, or m.
 static inline vec3 motion_at(const motion_basis *basis, const motion *m,
                              vec3 arm)
@@ -113,34 +108,26 @@ real motion_energy(const motion_basis *basis, const motion *m);
 vec3 motion_angular(const motion_basis *basis, const motion *m);
 //<
 
-//> motion-frame-declare
-// The end of a frame of dt (s), in which a body was moved by d.  In how many
-// equal moves is it to go?  One that turns by more than a third of a radian
-// goes in several, at most TURN_MOVES.
-enum { TURN_MOVES = 1000 };
-int motion_moves(const motion_basis *basis, const motion *d);
+//> motion-advance-declare
+// A body that stands as the frame says, and whose velocity in that basis is u,
+// goes on freely for h (s).  Its angular momentum stays as the world sees it, so
+// u changes: it is given in the new basis.  Of order 2, and symmetric in time:
+// the energy of a top does not drift.
+void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h);
 
-// The first of those moves: the particles go straight along, d / moves, and
-// leave `previous` where they were.  Then rigid4_relax brings the sticks to
-// their lengths along their old directions (SHAKE), which turns a straight move
-// into a rotation by the angle of d.
-void motion_begin(particle *p, const rigid_frame *frame,
-                  const motion_basis *basis, const motion *d, int moves);
+// The same body, displaced by d, as an impact or a cloth displaces it: its
+// angular momentum stays, too.
+void motion_displace(rigid_frame *frame, motion_basis *basis, motion *u,
+                     const motion *d);
 
-// Every other one: on by as much as the last move, as Verlet does.
-void motion_go_on(particle *p);
+// Rounding bends a frame a little with every turn.  Its axes get their lengths
+// and their right angles again, to the square of what they lacked.
+void motion_straighten(const rigid4 *f, rigid_frame *frame);
 
-// After the last one: the velocity that the body has now, from u as it was in
-// the frame's own basis: the same momentum, and the same angular momentum,
-// unless that would have more energy than u.  Written as `previous`, a substep of
-// h (s) ago.
-void motion_end(const rigid4 *f, particle *p, const rigid_frame *frame,
-                const motion *u, real h);
-
-// The same, where more than 1.001 times that energy may be right: `most` times.
-// A joint hands energy to and fro as its bodies turn.
-void motion_end_within(const rigid4 *f, particle *p, const rigid_frame *frame,
-                       const motion *u, real h, real most);
+// The end of a frame: the particles stand as the frame says, with the velocity u
+// in its basis, written as `previous`, a substep of h (s) ago.
+void motion_put(particle *p, const rigid_frame *frame,
+                const motion_basis *basis, const motion *u, real h);
 //<
 
 //> motion-frame-declare-inside
@@ -158,10 +145,6 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
 enum { FREE_MOVES = 32 };
 rigid_frame motion_frame_free(const rigid_frame *frame,
                               const motion_basis *basis, const motion *d);
-
-// In place of motion_begin and what follows: the particles stand as the frame
-// says, at once.
-void motion_put(particle *p, const rigid_frame *frame);
 //<
 
 //> motion-end-of-header

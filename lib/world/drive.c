@@ -23,23 +23,20 @@ void drive_begin(world *w, int b)
     set_velocity(w, b);
 }
 
-void drive_hold(world *w, real seconds)
+void drive_hold(world *w)
 {
-    rigid_tables *t = &w->rigid;
-    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++) {
-        if (!t->now[b].is_driven) continue;
-        set_velocity(w, b);
-        for (int i = 0; i < MOTIONS; i++)
-            t->moved[b].of[i] = seconds * t->velocity[b].of[i];
-    }
+    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++)
+        if (w->rigid.now[b].is_driven) set_velocity(w, b);
 }
 
-motion drive_velocity(const world *w, int b)
+void drive_advance(world *w, int b, real h)
 {
-    motion u = w->rigid.velocity[b];
-    if (w->rigid.now[b].is_driven)
-        for (int i = MOTION_TURN; i < MOTIONS; i++) u.of[i] /= ROOT;
-    return u;
+    solver_body *now = &w->rigid.now[b];
+    motion d = w->rigid.velocity[b];
+    for (int i = 0; i < MOTIONS; i++) d.of[i] *= h;
+    now->frame = motion_frame(&now->frame, &now->basis, &d);
+    now->basis = basis_find(w->body[b].rigid, &now->frame);
+    drive_begin(w, b);
 }
 
 real drive_fastest(const world *w)

@@ -13,16 +13,15 @@
 //<
 
 //> drive-declare
-// A frame begins, and body b, which is driven, has its basis: it becomes heavy,
-// and has the velocity that the program gave it.
+// Body b, which is driven, has its basis: it becomes heavy, and has the velocity
+// that the program gave it.
 void drive_begin(world *w, int b);
 
-// So long (s) after the frame began: all that are driven have that velocity
-// still, and have gone as far as it says.  What contacts did is taken back.
-void drive_hold(world *w, real seconds);
+// All that are driven have that velocity still: what contacts did is taken back.
+void drive_hold(world *w);
 
-// The velocity of body b in the basis of its own mass.
-motion drive_velocity(const world *w, int b);
+// Body b, which is driven, goes on for h (s).
+void drive_advance(world *w, int b, real h);
 
 // m/s, of any point of a driven body, at most.
 real drive_fastest(const world *w);

@@ -77,42 +77,10 @@ real guard_most(const world *w, const solver_frame *f)
 //<
 
 //> guard-brake
-// The rows of a contact are those of the frame's start.  Where bodies turn by
-// radians in a frame, and friction is strong, impulses along them may give what
-// nothing had: that is taken back.  A body that has no numbers after the
-// substeps stands still, and is reported.
-static bool stop_lost(world *w, int b)
-{
-    rigid_tables *t = &w->rigid;
-    const motion_basis *basis = &t->now[b].basis;
-    real energy = motion_energy(basis, &t->velocity[b])
-                + motion_energy(basis, &t->moved[b]);
-    if (energy < HUGE_VAL) return false;
-    memset(&t->velocity[b], 0, sizeof t->velocity[b]);
-    memset(&t->moved[b], 0, sizeof t->moved[b]);
-    memset(&t->solver.before[b], 0, sizeof t->solver.before[b]);
-    return true;
-}
-
-// A body that was fast in a substep between, and is slow again, has gone too
-// far all the same.
-static void shorten_way(world *w, int b, real most)
-{
-    rigid_tables *t = &w->rigid;
-    real energy = motion_energy(&t->now[b].basis, &t->moved[b]);
-    real bound = most * w->frame * w->frame;
-    if (!(energy > bound) || t->now[b].is_driven) return;
-    real share = sqrt(bound / energy);
-    for (int i = 0; i < MOTIONS; i++) t->moved[b].of[i] *= share;
-}
-
 static void slow_down(world *w, int b, real share)
 {
     if (w->rigid.now[b].is_driven) return;
-    for (int i = 0; i < MOTIONS; i++) {
-        w->rigid.velocity[b].of[i] *= share;
-        w->rigid.moved[b].of[i] *= share;
-    }
+    for (int i = 0; i < MOTIONS; i++) w->rigid.velocity[b].of[i] *= share;
 }
 
 // With more than so many times the energy that is right, no body of the frame
@@ -136,16 +104,11 @@ static void report_lost(world *w, int lost, bool is_wild)
     w->report.lost = int_max(w->report.lost, is_wild ? all : lost);
 }
 
-void guard_brake(world *w, real most)
+void guard_brake(world *w, real most, int lost)
 {
-    int lost = 0;
-    for (int b = 0; b < w->bodies; b++) lost += stop_lost(w, b);
     real now = rigid_motion(w).energy, share = sqrt(most / now);
     report_lost(w, lost, now > WILD * most);
-    for (int b = 0; b < w->bodies; b++) {
-        if (now > most) slow_down(w, b, share);
-        shorten_way(w, b, most);
-    }
+    for (int b = 0; b < w->bodies && now > most; b++) slow_down(w, b, share);
 }
 //<
 
@@ -186,17 +149,15 @@ void guard_soft(world *w)
 // them: but no centre goes behind a plane, or further behind than it was.
 static void stop_at_plane(world *w, int b, plane p)
 {
-    real *way = w->rigid.moved[b].of, *u = w->rigid.velocity[b].of;
+    vec3 *center = &w->rigid.now[b].frame.center;
+    real *u = w->rigid.velocity[b].of;
     real n[3] = { p.normal.x, p.normal.y, p.normal.z };
-    real was = plane_height(p, w->rigid.now[b].frame.center);
-    real up = n[0] * way[0] + n[1] * way[1] + n[2] * way[2];
+    real was = plane_height(p, w->rigid.began[b].center);
+    real low = real_min(was, 0) - plane_height(p, *center);
     real speed = n[0] * u[0] + n[1] * u[1] + n[2] * u[2];
-    real least = -real_max(was, 0);
-    if (!(up < least)) return;
-    for (int i = 0; i < 3; i++) {
-        way[i] += (least - up) * n[i];
-        u[i] -= real_min(speed, 0) * n[i];
-    }
+    if (!(low > 0)) return;
+    *center = vec3_add_scaled(*center, low, p.normal);
+    for (int i = 0; i < 3; i++) u[i] -= real_min(speed, 0) * n[i];
 }
 
 static void stop_chunk(void *data, int item)
@@ -306,13 +267,12 @@ static lost_side side_of(const rigid_tables *t, int large, int face,
 // Both make way, by their masses.
 static void put_back(rigid_tables *t, int small, int large, const lost_side *s)
 {
-    real x = t->now[small].basis.inverse_mass;
-    real y = t->now[large].basis.inverse_mass;
-    const real n[3] = { s->normal.x, s->normal.y, s->normal.z };
-    for (int i = 0; i < 3; i++) {
-        t->moved[small].of[i] += s->need * x / (x + y) * n[i];
-        t->moved[large].of[i] -= s->need * y / (x + y) * n[i];
-    }
+    solver_body *a = &t->now[small], *b = &t->now[large];
+    real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
+    a->frame.center = vec3_add_scaled(a->frame.center, s->need * x / (x + y),
+                                      s->normal);
+    b->frame.center = vec3_add_scaled(b->frame.center, -s->need * y / (x + y),
+                                      s->normal);
 }
 
 // The impulse after which the smaller one's centre goes no further in.
@@ -336,15 +296,12 @@ static void stop_closing(rigid_tables *t, int small, int large,
 
 static void stop_passing(rigid_tables *t, int small, int large)
 {
-    const solver_body *was = &t->now[small], *other = &t->now[large];
-    const real *way = t->moved[small].of;
-    rigid_frame end = motion_frame(&other->frame, &other->basis,
-                                   &t->moved[large]);
-    vec3 to = vec3_add(was->frame.center, vec3_make(way[0], way[1], way[2]));
-    vec3 from = frame_local(&other->frame, was->frame.center);
-    passage x = find_passage(&t->body[large], from, frame_local(&end, to));
+    const rigid_frame *end = &t->now[large].frame;
+    vec3 to = t->now[small].frame.center;
+    vec3 from = frame_local(&t->began[large], t->began[small].center);
+    passage x = find_passage(&t->body[large], from, frame_local(end, to));
     if (x.face < 0 || cuts_corner(&t->body[large], &x)) return;
-    lost_side s = side_of(t, large, x.face, &end, from, to,
+    lost_side s = side_of(t, large, x.face, end, from, to,
                           t->body[small].inner);
     put_back(t, small, large, &s);
     stop_closing(t, small, large, &s);

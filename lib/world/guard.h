@@ -12,10 +12,9 @@
 // have after them.  0 where none moves by itself.
 real guard_most(const world *w, const solver_frame *f);
 
-// After them: slows rigid bodies, all by the same share, if they have more;
-// stops one whose numbers were lost; and none has gone further than with all of
-// that energy.
-void guard_brake(world *w, real most);
+// After them, when so many have lost their numbers and were stopped: slows rigid
+// bodies, all by the same share, if they have more.
+void guard_brake(world *w, real most, int lost);
 
 // After the substep of rope and cloth: what has lost its numbers in it stands
 // again where the substep began, at rest, and is reported.

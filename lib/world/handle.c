@@ -30,10 +30,7 @@ static vec3 direction(const rigid_frame *now, const rigid_frame *rest, vec3 d)
 // Gravity has gone on since then, where nothing held the body.
 static vec3 since_then(const world *w, int b)
 {
-    const real *did = w->rigid.solver.before[b].of;
-    bool is_held = false;
-    for (int i = 0; i < MOTIONS; i++) is_held |= did[i] != 0;
-    return vec3_scale(is_held ? 0 : w->age / 2, w->options.gravity);
+    return vec3_scale(w->rigid.held[b] ? 0 : w->age / 2, w->options.gravity);
 }
 
 static placement where_rigid(const world *w, int b)
@@ -138,7 +135,7 @@ void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin)
     if (!wake_rigid(w, b)) return;
     particle *p = w->pool.at + w->body[b].first;
     for (int k = 0; k < FOUR; k++) p[k].previous = p[k].position;
-    w->rigid.solver.before[b] = (motion){ { 0 } };
+    w->rigid.held[b] = false;
     velocity = vec3_add_scaled(velocity, -w->age / 2, w->options.gravity);
     add_velocity(w, b, velocity, spin);
 }

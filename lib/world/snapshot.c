@@ -83,10 +83,15 @@ static void block_store(contact_solver *s, store *to)
     if (!to->done.ok) return;
     STORE_TABLE(to, s->point, starts > 0 ? s->start[s->blocks] : 0,
                 s->point_capacity);
+    STORE_TABLE(to, s->place, starts > 0 ? s->start[s->blocks] : 0,
+                s->place_capacity);
     STORE_TABLE(to, s->block, s->blocks, s->block_capacity);
     for (int k = 0; k < s->blocks && to->done.ok; k++) {
         STORE_FORGET(to, s->block[k].point);
-        if (to->is_reading) s->block[k].point = s->point + s->start[k];
+        STORE_FORGET(to, s->block[k].place);
+        if (!to->is_reading) continue;
+        s->block[k].point = s->point + s->start[k];
+        s->block[k].place = s->place + s->start[k];
     }
 }
 
@@ -95,7 +100,6 @@ static void contact_solver_store(contact_solver *s, store *to)
     STORE_TABLE(to, s->active, s->contacts, s->capacity);
     STORE_ROOM(to, s->order, s->capacity);
     STORE_ROOM(to, s->taken, s->room);
-    STORE_TABLE(to, s->before, s->room + 1, s->room + 1);
     block_store(s, to);
 }
 //<
@@ -285,7 +289,13 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     STORE_ROOM(s, t->middle, room);
     STORE_ZEROS(s, t->velocity, t->motions);
     STORE_ZEROS(s, t->moved, t->motions);
-    STORE_ROOM(s, t->relaxed, room);
+    STORE_ROOM(s, t->began, room);
+    STORE_ROOM(s, t->fresh, room);
+    STORE_ROOM(s, t->going, room);
+    STORE_ROOM(s, t->now_then, room);
+    STORE_ROOM(s, t->velocity_then, room);
+    STORE_ROOM(s, t->moved_then, room);
+    STORE_TABLE(s, t->held, bodies, room);
     STORE_TABLE(s, t->load, bodies, room);
     STORE_TABLE(s, t->material, bodies, room);
     STORE_TABLE(s, t->drive, bodies, room);

@@ -1,5 +1,6 @@
 //> step
 #include "step.h"
+#include "advance.h"
 #include "drive.h"
 #include "guard.h"
 #include "handle.h"
@@ -19,8 +20,8 @@ static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
 static solver_frame frame_of(const world *w, int substeps);
-static void substep(world *w, const solver_frame *f, int k, real *since);
-static void move_bodies(world *w, real h);
+static void substep(world *w, const solver_frame *f, real *since);
+static void redo(world *w, solver_frame *f, real times, const ledger_page *p);
 static void fall_asleep(world *w);
 
 // What may touch in the next `seconds`.  Paper: bodies move, then overlaps are
@@ -37,25 +38,23 @@ static void find(world *w, real seconds, real *since)
     lap(w, PHASE_CONTACTS, since);
 }
 
-static void go(world *w, const solver_frame *f, real *since)
+// The substeps: so many of equal length, or more and shorter ones where joints
+// ask for them.
+static void go(world *w, solver_frame f, real *since)
 {
-    join_begin(w, f);
-    for (int k = 0; k < f->substeps; k++) substep(w, f, k, since);
-    w->report.substeps += f->substeps;
-}
-
-// The bodies stand where they did, and are as fast, when the frame began.
-static solver_frame go_back(world *w, int substeps, const ledger_page *page)
-{
-    const contact *const *table =
-        (const contact *const *)w->rigid.cache.active;
-    solver_frame f = frame_of(w, substeps);
-    look_at_bodies(w);
-    linkage_rewind(&w->joints);
-    ledger_go_back(w, page);
-    if (!solver_prepare(&w->rigid.solver, &f, table))
-        w->report.dropped += w->rigid.cache.actives;
-    return f;
+    int left = f.substeps;
+    join_begin(w, &f);
+    advance_begin(w);
+    while (left > 0) {
+        ledger_page page = ledger_mark(w);
+        if (w->joints.count > 0) advance_mark(w);
+        substep(w, &f, since);
+        w->report.substeps++;
+        int more = substeps_again(w, f.h, left);
+        if (more > 0) redo(w, &f, (real)left / more, &page);
+        left = more > 0 ? more : left - 1;
+        if (more == 0) w->age = f.h;
+    }
 }
 
 // The impulses that part it, and where they take everything.
@@ -63,32 +62,28 @@ static void solve(world *w, real *since)
 {
     solver_frame f = prepare(w);
     real most = guard_most(w, &f);
-    ledger_page page = ledger_mark(w);
     lap(w, PHASE_PREPARE, since);
-    go(w, &f, since);
-    int more = substeps_again(w, f.substeps);
-    if (more > 0) {
-        f = go_back(w, more, &page);
-        go(w, &f, since);
-    }
+    go(w, f, since);
     solver_store(&w->rigid.solver, w->options.host.run,
                  w->rigid.cache.active);
     rolling_brake(w, f.substeps);
-    w->age = f.h;
-    guard_brake(w, most);
+    guard_brake(w, most, advance_end(w));
     guard_bodies(w);
     guard_planes(w);
-    drive_hold(w, w->frame);
+    drive_hold(w);
+    w->ledger_ahead = -w->age / 2;
     ledger_book(w, LEDGER_CONTACTS);
-    move_bodies(w, f.h);
+    advance_put(w);
+    w->ledger_ahead = 0;
+    ledger_book(w, LEDGER_STICKS);
+    if (w->softs > 0) soft_report(w);
     lap(w, PHASE_MOVE, since);
 }
 
 // Where something flies by more than its own size in a frame, and may hit, the
 // frame is divided: after the impact everything goes elsewhere than was found.
-// So it is where what is joined turns far, and where what is driven turns its
-// far end by more than the size of what it may hit: the side that was found is
-// another one by then.
+// So it is where what is driven turns its far end by more than the size of what
+// it may hit: the side that was found is another one by then.
 enum { FAST_PARTS = 4 };
 
 static bool is_swept(const world *w)
@@ -106,9 +101,7 @@ static bool is_swept(const world *w)
 
 static int parts_of(const world *w)
 {
-    int parts = parts_for_turns(w);
-    bool is_fast = w->rigid.cache.fast > 0 || is_swept(w);
-    return is_fast ? int_max(parts, FAST_PARTS) : parts;
+    return w->rigid.cache.fast > 0 || is_swept(w) ? FAST_PARTS : 1;
 }
 
 // A world in which everything sleeps has nothing to do: nothing in it can wake.
@@ -347,8 +340,7 @@ static solver_frame frame_of(const world *w, int substeps)
     const world_options *o = &w->options;
     real h = w->frame / substeps;
     return (solver_frame){
-        .body = w->rigid.now, .bodies = w->bodies,
-        .placed = w->rigid.cache.placed, .plane = w->plane, .h = h,
+        .body = w->rigid.now, .bodies = w->bodies, .plane = w->plane, .h = h,
         .substeps = substeps,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
         .material = w->has_materials ? w->rigid.material : NULL,
@@ -394,9 +386,9 @@ static void damp(const body *b, real h, real u[MOTIONS])
 
 // A velocity is that in the middle of a substep.  The last one may have been of
 // another length.
-static void fall(world *w, real seconds, real h)
+static void fall(world *w, real h)
 {
-    vec3 g = vec3_scale(seconds, w->options.gravity);
+    vec3 g = vec3_scale((w->age + h) / 2, w->options.gravity);
     for (int b = 0; b < w->bodies; b++) {
         if (!w->rigid.moves[b]) continue;
         real *u = w->rigid.velocity[b].of;
@@ -411,13 +403,6 @@ static void fall(world *w, real seconds, real h)
     }
 }
 
-static void advance(world *w, real h)
-{
-    for (int b = 0; b < w->bodies; b++)
-        for (int i = 0; i < MOTIONS; i++)
-            w->rigid.moved[b].of[i] += h * w->rigid.velocity[b].of[i];
-}
-
 static void bounce(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
@@ -427,26 +412,33 @@ static void bounce(world *w, const solver_frame *f)
         solver_see_gaps(&t->solver, f, t->moved);
 }
 
-static void substep(world *w, const solver_frame *f, int k, real *since)
+static void renew(world *w, solver_frame f)
+{
+    f.fresh = w->rigid.fresh;
+    f.halfway = w->rigid.middle;
+    solver_renew(&w->rigid.solver, &f);
+}
+
+static void substep(world *w, const solver_frame *f, real *since)
 {
     rigid_tables *t = &w->rigid;
     linkage_pass joints = join_pass(w, f);
-    fall(w, k == 0 ? (w->age + f->h) / 2 : f->h, f->h);
-    drive_hold(w, k * f->h);
+    fall(w, f->h);
+    drive_hold(w);
     w->ledger_ahead = f->h / 2;
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
-    solver_begin(&t->solver, f, t->velocity, k == 0);
+    solver_warm(&t->solver, f, t->velocity);
     linkage_begin(&w->joints, &joints);
     linkage_push(&w->joints, &joints);
     solver_push(&t->solver, f, t->velocity, t->moved);
     linkage_push(&w->joints, &joints);
-    advance(w, f->h);
-    drive_hold(w, (k + 1) * f->h);
+    drive_hold(w);
+    advance_bodies(w, f->h);
+    renew(w, *f);
     w->ledger_ahead = -f->h / 2;
     linkage_relax(&w->joints, &joints);
     solver_relax(&t->solver, f, t->velocity, t->moved);
-    solver_end(&t->solver, t->velocity);
     ledger_book(w, LEDGER_CONTACTS);
     lap(w, PHASE_SOLVE, since);
     if (w->softs > 0) {
@@ -455,141 +447,18 @@ static void substep(world *w, const solver_frame *f, int k, real *since)
     }
     lap(w, PHASE_SOFT, since);
 }
-//<
 
-//> step-move
-//>   The particles follow the displacement of the frame, and SHAKE keeps the
-//>   body's shape (chapter 13).
-// Bodies that turn little go in one move, those of one shape together.
-enum { ALIKE = TASK_CHUNK };
-
-// What is joined is put where its joints have seen it.
-static int moves_of(const world *w, int b)
+// Back to where the substep began, for one that is so many times as long.
+static void redo(world *w, solver_frame *f, real times, const ledger_page *page)
 {
-    const rigid_tables *t = &w->rigid;
-    if (linkage_has(&w->joints, b)) return 1;
-    return motion_moves(&t->now[b].basis, &t->moved[b]);
-}
-
-static int find_alike(const world *w, int b, int end, int first[ALIKE])
-{
-    const rigid_tables *t = &w->rigid;
-    int n = 0;
-    for (int k = b; k < end; k++) {
-        if (!t->moves[k]) continue;
-        if (w->body[k].rigid != w->body[b].rigid) break;
-        if (moves_of(w, k) > 1) break;
-        first[n++] = w->body[k].first;
-    }
-    return n;
-}
-
-static void begin_moves(world *w, int first, int end)
-{
-    rigid_tables *t = &w->rigid;
-    for (int b = first; b < end; b++) {
-        if (!t->moves[b]) continue;
-        const solver_body *now = &t->now[b];
-        particle *p = w->pool.at + w->body[b].first;
-        if (linkage_has(&w->joints, b)) {
-            rigid_frame to = motion_frame_free(&now->frame, &now->basis,
-                                               &t->moved[b]);
-            motion_put(p, &to);
-        } else {
-            motion_begin(p, &now->frame, &now->basis, &t->moved[b],
-                         moves_of(w, b));
-        }
-    }
-}
-
-// Body b alone, in several moves.
-static rigid4_result relax_turning(world *w, int b)
-{
-    const body *x = &w->body[b];
-    particle *p = w->pool.at + x->first;
-    rigid4_result sum = { .worst = 0 };
-    int moves = moves_of(w, b);
-    for (int k = 0; k < moves; k++) {
-        if (k > 0) motion_go_on(p);
-        rigid4_result r = rigid4_relax(x->rigid, p, w->options.iterations,
-                                       w->options.relax);
-        sum.tested += r.tested;
-        sum.relaxed += r.relaxed;
-        sum.fell_back |= r.fell_back;
-        sum.worst = fmax(sum.worst, r.worst);
-    }
-    return sum;
-}
-
-static void relax_moves(world *w, int b, int end)
-{
-    int first[ALIKE];
-    while (b < end) {
-        if (!w->rigid.moves[b]) {
-            b++;
-            continue;
-        }
-        int n = find_alike(w, b, end, first), start = b;
-        if (n == 0) {
-            w->rigid.relaxed[b] = relax_turning(w, b);
-            b++;
-            continue;
-        }
-        w->rigid.relaxed[start] = rigid4_relax_all(w->body[b].rigid,
-            w->pool.at, first, n, w->options.iterations, w->options.relax);
-        for (; n > 0; b++) n -= w->rigid.moves[b];
-    }
-}
-//<
-
-//> step-move-end
-//>   The end of a frame: bodies are put where their substeps have brought them.
-static void end_move(world *w, int b, real h)
-{
-    rigid_tables *t = &w->rigid;
-    const body *x = &w->body[b];
-    const real *d = t->moved[b].of;
-    vec3 way = { d[0], d[1], d[2] };
-    vec3 turn = motion_rotation(&t->now[b].basis, &t->moved[b]);
-    motion u = drive_velocity(w, b);
-    motion_end_within(x->rigid, w->pool.at + x->first, &t->now[b].frame, &u, h,
-                      linkage_has(&w->joints, b) ? 4 : 1.001);
-    real out = t->now[b].radius - x->shape->round;
-    cache_moved(&t->cache, b, vec3_length(way) + out * vec3_length(turn));
-}
-
-typedef struct {
-    world *w;
-    real h;
-} moving;
-
-static void move_chunk(void *data, int item)
-{
-    const moving *m = data;
-    world *w = m->w;
-    int first = task_first(item), end = task_end(item, w->bodies);
-    for (int b = first; b < end; b++)
-        w->rigid.relaxed[b] = (rigid4_result){ .worst = 0 };
-    begin_moves(w, first, end);
-    relax_moves(w, first, end);
-    for (int b = first; b < end; b++)
-        if (w->rigid.moves[b]) end_move(w, b, m->h);
-}
-
-static void move_bodies(world *w, real h)
-{
-    moving m = { w, h };
-    tasks_run(w->options.host.run, move_chunk, &m, task_chunks(w->bodies));
-    for (int b = 0; b < w->bodies; b++) {
-        const rigid4_result *r = &w->rigid.relaxed[b];
-        w->report.tested += r->tested;
-        w->report.relaxed += r->relaxed;
-        w->report.fell_back += r->fell_back;
-        w->report.unconverged += !(r->worst <= 0.01);
-    }
-    if (w->softs > 0) soft_report(w);
-    w->ledger_ahead = 0;
-    ledger_book(w, LEDGER_STICKS);
+    linkage_pass q = join_pass(w, f);
+    advance_back(w);
+    linkage_rewind(&w->joints, &q);
+    ledger_go_back(w, page);
+    f->h *= times;
+    solver_scale(&w->rigid.solver, times);
+    linkage_scale(&w->joints, times);
+    solver_renew(&w->rigid.solver, f);
 }
 //<
 
@@ -610,10 +479,13 @@ static void join_islands(world *w)
 {
     const contact_solver *s = &w->rigid.solver;
     w->report.pushing = 0;
+    for (int b = 0; b < w->bodies; b++) w->rigid.held[b] &= !w->rigid.moves[b];
     for (int k = 0; k < s->contacts; k++) {
         const active_contact *x = &s->active[k];
         if (!(x->load > 0)) continue;
         w->report.pushing++;
+        w->rigid.held[x->a] = true;
+        if (x->b >= 0) w->rigid.held[x->b] = true;
         if (x->b >= 0 && body_is_dynamic(&w->body[x->a])
             && body_is_dynamic(&w->body[x->b]))
             sleep_touch(&w->sleep, x->a, x->b);

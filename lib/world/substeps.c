@@ -80,44 +80,25 @@ static int substeps_for_joints(const world *w)
 }
 //<
 
-//> substeps-parts
-// rad, in a part; and no more parts than these.
-static const real FAR_TURN = 0.5;
-enum { MOST_PARTS = 16 };
-
-int parts_for_turns(const world *w)
-{
-    real most = 0;
-    for (int b = 0; b < w->bodies && w->joints.count > 0; b++)
-        if (w->rigid.moves[b] && linkage_has(&w->joints, b))
-            most = real_max(most, motion_change(&w->rigid.now[b].basis,
-                                                &w->rigid.velocity[b]));
-    real parts = w->frame * most / FAR_TURN;
-    return parts < MOST_PARTS ? 1 + (int)parts : MOST_PARTS;
-}
-//<
-
 //> substeps-again
-// A frame of 16 parts has as many times the substeps that options ask for: if
-// they ask for thousands, it would last minutes.  What a program may ask for is
-// all that a frame has.
+// What a program may ask for is all that a frame has.  A part of a divided one
+// has its share.
 static int all_of_part(const world *w)
 {
     return int_max((int)(w->frame / w->options.dt * ALL_SUBSTEPS), 1);
 }
 
-// A chain that comes taut pulls a hundred times as hard as in the frame before.
-// Where joints swung so much faster than the substeps that there were could
-// follow, the frame is to be solved again.
+// A chain that comes taut pulls a hundred times as hard as in the substep before.
+// Where joints swung so much faster than it could follow, it is done again.
 static const real TOO_FAST = 1.3;
 
-int substeps_again(const world *w, int had)
+int substeps_again(const world *w, real h, int left)
 {
-    real share = w->frame / w->options.dt;
-    real need = w->frame * w->joints.pace / FOLLOWED;
-    int most = int_min((int)(share * w->options.most_substeps),
-                       all_of_part(w) - had);
-    if (w->softs > 0 || had >= most || !(need > TOO_FAST * had)) return 0;
+    real need = left * h * w->joints.swing / FOLLOWED;
+    real shortest = w->options.dt / w->options.most_substeps;
+    int most = int_min((int)(left * h / shortest),
+                       all_of_part(w) - w->report.substeps);
+    if (w->softs > 0 || left >= most || !(need > TOO_FAST * left)) return 0;
     return need < most ? (int)need + 1 : most;
 }
 //<

@@ -365,7 +365,13 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
     TABLE_GROW(ok, t->ahead, old, room);
     TABLE_GROW(ok, t->middle, old, room);
     TABLE_GROW(ok, t->reach, old, room);
-    TABLE_GROW(ok, t->relaxed, old, room);
+    TABLE_GROW(ok, t->began, old, room);
+    TABLE_GROW(ok, t->fresh, old, room);
+    TABLE_GROW(ok, t->going, old, room);
+    TABLE_GROW(ok, t->now_then, old, room);
+    TABLE_GROW(ok, t->velocity_then, old, room);
+    TABLE_GROW(ok, t->moved_then, old, room);
+    TABLE_GROW(ok, t->held, old, room);
     TABLE_GROW(ok, t->load, old, room);
     TABLE_GROW(ok, t->material, old, room);
     TABLE_GROW(ok, t->drive, old, room);
@@ -432,7 +438,8 @@ static void start_body(world *w, int b)
     t->ahead[b] = (prediction){ .reach = 0 };
     t->reach[b] = 0;
     t->moves[b] = t->dynamic[b] = 0;
-    t->velocity[b] = t->moved[b] = t->solver.before[b] = (motion){ { 0 } };
+    t->velocity[b] = t->moved[b] = (motion){ { 0 } };
+    t->held[b] = false;
     t->load[b] = (body_load){ .force = { 0, 0, 0 } };
     pair_list_renew(&t->pairs, b);
     sleep_forget(&w->sleep, b);
@@ -618,7 +625,9 @@ void world_free(world *w)
     void *owned[] = { w->body, w->plane, w->wall, w->shape, w->inverse_mass,
         w->owner,
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
-        r->reach, r->velocity, r->moved, r->relaxed, r->load, r->material, r->drive };
+        r->reach, r->velocity, r->moved, r->load, r->material, r->drive,
+        r->began, r->fresh, r->going, r->now_then, r->velocity_then,
+        r->moved_then, r->held };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);

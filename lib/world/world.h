@@ -138,15 +138,21 @@ typedef struct {
     char        *dynamic;   // [bodies] rigid, and not static
     char        *moves;     // [bodies] and neither asleep nor kinematic and
                             // at rest
-    solver_body *now;       // [bodies] where it stands as the frame begins
+    solver_body *now;       // [bodies] where it stands
     sphere      *ball;      // [bodies]
     prediction  *ahead;     // [bodies]
     real        *reach;     // [bodies] of ahead
-    rigid_frame *middle;    // [bodies] see cache_frame
+    rigid_frame *middle;    // [bodies] see cache_frame; in the substeps, where
+                            // it was in the middle of the last one
+    rigid_frame *began;     // [bodies] when they began
     motion      *velocity;  // [motions], see solver.h
-    motion      *moved;     // [motions] since the frame began
+    motion      *moved;     // [motions] since it got its frame and basis
+    char        *fresh;     // [bodies] it got them in the last substep
+    char        *going;     // [bodies] see advance.c
     int          motions;
-    rigid4_result *relaxed; // [bodies] what putting their particles did
+    solver_body *now_then;  // [bodies] before this substep, which may have to be
+    motion *velocity_then, *moved_then;         // done again
+    char        *held;      // [bodies] by contacts, in the last substep
     body_load   *load;      // [bodies]
     bool is_loaded;         // some are not 0
     material    *material;  // [bodies] deformable ones, too

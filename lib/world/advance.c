@@ -1,0 +1,197 @@
+//> advance-kinds
+#include "advance.h"
+#include "drive.h"
+
+#include <stddef.h>
+#include <string.h>
+
+// What flies, or hangs on a joint, gets a new frame in every substep.  So does
+// what touches a driven body, in two halves: their rows are those of the middle.
+// What lies among others gets one when it has moved by more than a LITTLE.
+typedef enum { GOES_EXACTLY, GOES_BY_HALVES, GOES_LAZILY } going;
+
+static void lie_among(world *w, int b)
+{
+    if (b >= 0 && w->rigid.going[b] == GOES_EXACTLY
+        && !linkage_has(&w->joints, b)) w->rigid.going[b] = GOES_LAZILY;
+}
+
+static void touch_driven(world *w, int a, int b)
+{
+    const solver_body *now = w->rigid.now;
+    if (b < 0 || !(now[a].is_driven || now[b].is_driven)) return;
+    w->rigid.going[a] = w->rigid.going[b] = GOES_BY_HALVES;
+}
+
+void advance_begin(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int b = 0; b < w->bodies; b++) {
+        t->going[b] = GOES_EXACTLY;
+        t->began[b] = t->now[b].frame;
+    }
+    for (int k = 0; k < t->solver.contacts; k++) {
+        const active_contact *x = &t->solver.active[k];
+        if (x->count == 0) continue;
+        lie_among(w, x->a);
+        lie_among(w, x->b);
+        if (w->kinematic_bodies > 0) touch_driven(w, x->a, x->b);
+    }
+}
+//<
+
+//> advance-bodies
+// rad, and radii: rows that are off by so much do not show.  With half of it a
+// pile's substep takes longer, with twice as much its overlaps grow.
+static const real LITTLE = 1e-3;
+
+static bool is_little(const solver_body *now, const motion *d)
+{
+    vec3 way = { d->of[0], d->of[1], d->of[2] };
+    vec3 turn = motion_rotation(&now->basis, d);
+    real far = LITTLE * now->radius;
+    return vec3_length_squared(way) <= far * far
+        && vec3_length_squared(turn) <= LITTLE * LITTLE;
+}
+
+// A body that is displaced, too, gets a frame for it.
+static void displace(world *w, int b)
+{
+    rigid_tables *t = &w->rigid;
+    solver_body *now = &t->now[b];
+    bool some = false;
+    for (int i = 0; i < MOTIONS; i++) some |= t->moved[b].of[i] != 0;
+    if (!some) return;
+    motion_displace(&now->frame, &now->basis, &t->velocity[b], &t->moved[b]);
+    t->moved[b] = (motion){ { 0 } };
+}
+
+static void advance_exactly(world *w, int b, real h)
+{
+    rigid_tables *t = &w->rigid;
+    solver_body *now = &t->now[b];
+    if (now->is_driven) drive_advance(w, b, h);
+    else motion_advance(&now->frame, &now->basis, &t->velocity[b], h);
+}
+
+static void advance_body(world *w, int b, real h)
+{
+    rigid_tables *t = &w->rigid;
+    motion sum = t->moved[b];
+    for (int i = 0; i < MOTIONS; i++) sum.of[i] += h * t->velocity[b].of[i];
+    t->fresh[b] = !(t->going[b] == GOES_LAZILY && is_little(&t->now[b], &sum));
+    if (!t->fresh[b]) {
+        t->moved[b] = sum;
+        return;
+    }
+    displace(w, b);
+    if (t->going[b] == GOES_BY_HALVES) {
+        advance_exactly(w, b, h / 2);
+        t->middle[b] = t->now[b].frame;
+        h /= 2;
+    }
+    advance_exactly(w, b, h);
+}
+
+typedef struct {
+    world *w;
+    real h;
+} advance;
+
+static void advance_chunk(void *data, int item)
+{
+    const advance *a = data;
+    int end = task_end(item, a->w->bodies);
+    for (int b = task_first(item); b < end; b++)
+        if (a->w->rigid.moves[b]) advance_body(a->w, b, a->h);
+}
+
+void advance_bodies(world *w, real h)
+{
+    advance a = { w, h };
+    tasks_run(w->options.host.run, advance_chunk, &a, task_chunks(w->bodies));
+}
+//<
+
+//> advance-back
+void advance_mark(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    size_t bodies = (size_t)w->bodies;
+    memcpy(t->now_then, t->now, bodies * sizeof *t->now);
+    memcpy(t->velocity_then, t->velocity, bodies * sizeof *t->velocity);
+    memcpy(t->moved_then, t->moved, bodies * sizeof *t->moved);
+    solver_mark(&t->solver);
+    linkage_mark(&w->joints);
+}
+
+void advance_back(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    size_t bodies = (size_t)w->bodies;
+    memcpy(t->now, t->now_then, bodies * sizeof *t->now);
+    memcpy(t->velocity, t->velocity_then, bodies * sizeof *t->velocity);
+    memcpy(t->moved, t->moved_then, bodies * sizeof *t->moved);
+    solver_rewind(&t->solver);
+}
+//<
+
+//> advance-end
+static bool is_lost(const world *w, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    real energy = motion_energy(&t->now[b].basis, &t->velocity[b]);
+    return !(energy < HUGE_VAL) || !vec3_is_finite(t->now[b].frame.center);
+}
+
+int advance_end(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    int lost = 0;
+    for (int b = 0; b < w->bodies; b++) {
+        if (!t->moves[b]) continue;
+        displace(w, b);
+        motion_straighten(w->body[b].rigid, &t->now[b].frame);
+        if (!is_lost(w, b)) continue;
+        t->now[b].frame = t->began[b];
+        t->velocity[b] = t->moved[b] = (motion){ { 0 } };
+        lost++;
+    }
+    return lost;
+}
+//<
+
+//> advance-put
+// m: no vertex has gone further.  Three unit axes that turn by an angle go by
+// sqrt(8) sin(angle / 2) together, a vertex by twice its radius times that sine.
+static real gone(const world *w, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    const rigid_frame *was = &t->began[b], *now = &t->now[b].frame;
+    const real *square = w->body[b].rigid->square;
+    real turned = 0, out = t->now[b].radius - w->body[b].shape->round;
+    for (int i = 0; i < FOUR_AXES; i++) {
+        vec3 d = vec3_sub(now->axis[i], was->axis[i]);
+        turned += vec3_length_squared(d) / square[i];
+    }
+    return vec3_distance(now->center, was->center) + out * sqrt(turned / 2);
+}
+
+static void put_chunk(void *data, int item)
+{
+    world *w = data;
+    rigid_tables *t = &w->rigid;
+    int end = task_end(item, w->bodies);
+    for (int b = task_first(item); b < end; b++) {
+        if (!t->moves[b]) continue;
+        motion_put(w->pool.at + w->body[b].first, &t->now[b].frame,
+                   &t->now[b].basis, &t->velocity[b], w->age);
+        cache_moved(&t->cache, b, gone(w, b));
+    }
+}
+
+void advance_put(world *w)
+{
+    tasks_run(w->options.host.run, put_chunk, w, task_chunks(w->bodies));
+}
+//<

@@ -1,0 +1,37 @@
+//> advance-head
+// advance.h - in every substep everything is where it is.
+//
+// Paper: not asked.  Book: chapter 18.
+// A body's frame and basis follow it through the substeps, and the rows of its
+// contacts with them.  One that lies among others hardly moves: it is only
+// displaced (rigid.moved) until that is too much for its rows.
+// Units: metres, seconds, radians.
+
+#ifndef TUMBLE_ADVANCE_H
+#define TUMBLE_ADVANCE_H
+
+#include "world.h"
+//<
+
+//> advance-declare
+// The substeps begin: the bodies stand as they were looked at, and the solver
+// has its contacts.
+void advance_begin(world *w);
+
+// A substep of h (s): all bodies go on as fast as they are.  rigid.fresh says
+// which have a new frame and basis, and rigid.middle where all were halfway.
+void advance_bodies(world *w, real h);
+
+// Before a substep that may have to be done again; and to do it again.
+void advance_mark(world *w);
+void advance_back(world *w);
+
+// The substeps have ended: no body is displaced any more.  One whose numbers are
+// lost stands where it did when they began, at rest; returns how many.
+int advance_end(world *w);
+
+// The particles follow.
+void advance_put(world *w);
+
+#endif
+//<

@@ -945,15 +945,16 @@ ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 //>   Where bodies bounce, the relax pass leaves a point alone that is open and
 //>   closes fast: it will have an impact (chapter 15).
 // How fast the points part, and 0 for those that an impact may part in the next
-// substep: they are open, have not pushed, and close fast.
+// substep: they have not pushed, and close fast.  (A corner comes along an arc,
+// and may be there a little earlier than its speed says.)
 static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
                                   real4 impulse)
 {
     const real4 zero = real4_all(0);
     real4 slow = real4_add(speed, real4_all(q->slowest));
-    real4 open = real4_mad(gap, real4_all(q->per_h), speed);
-    open = real4_if_positive(impulse, open, real4_if_positive(slow, open, zero));
-    return real4_if_positive(gap, open, speed);
+    real4 left = real4_mad(real4_max(gap, zero), real4_all(q->per_h), speed);
+    return real4_if_positive(impulse, left,
+                             real4_if_positive(slow, left, zero));
 }
 
 ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)

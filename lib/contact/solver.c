@@ -357,25 +357,26 @@ static void find_gaps(block *k, const raw_block *raw)
     }
 }
 
-// What touches a driven body is pushed where it was halfway through the
-// substep: the velocities are those of its middle.
-static void stand_halfway(const contact_solver *s, const block *k,
-                          const solver_frame *f, raw_block *raw)
+// Rows are made elsewhere for what lies, and for what touches a driven body.
+static bool stand_elsewhere(const contact_solver *s, const block *k,
+                            const solver_frame *f, raw_block *raw)
 {
-    const solver_body *a[REAL4], *b[REAL4];
     const rigid_frame *at_a[REAL4], *at_b[REAL4];
-    find_sides(s, k, f, a, b);
+    bool some = false;
     for (int l = 0; l < REAL4; l++) {
-        bool is_driven = a[l]->is_driven || b[l]->is_driven;
-        at_a[l] = &a[l]->frame;
-        at_b[l] = &b[l]->frame;
-        if (!is_driven) continue;
-        at_a[l] = &f->halfway[k->a[l]];
-        at_b[l] = &f->halfway[s->active[k->contact[l]].b];
+        int n = k->contact[l], a = k->a[l], b = n < 0 ? -1 : s->active[n].b;
+        bool from_a = n >= 0 && f->is_elsewhere[a];
+        bool from_b = b >= 0 && f->is_elsewhere[b];
+        some |= from_a || from_b;
+        at_a[l] = n < 0 ? &LIGHT.frame : from_a ? &f->rows_at[a]
+                                                : &f->body[a].frame;
+        at_b[l] = b < 0 ? &NOWHERE.frame : from_b ? &f->rows_at[b]
+                                                  : &f->body[b].frame;
     }
+    if (!some) return false;
     take_frames(&raw->a, at_a);
     take_frames(&raw->b, at_b);
-    find_arms(k, raw);
+    return true;
 }
 
 static void stand(const contact_solver *s, block *k, const solver_frame *f,
@@ -389,7 +390,7 @@ static void stand(const contact_solver *s, block *k, const solver_frame *f,
     k->inverse_b = raw->b.inverse;
     find_arms(k, raw);
     find_gaps(k, raw);
-    if (k->is_driven && f->halfway) stand_halfway(s, k, f, raw);
+    if (f->is_elsewhere && stand_elsewhere(s, k, f, raw)) find_arms(k, raw);
     for (int j = 0; j < k->points; j++) share_arms(raw, &k->place[j], j);
 }
 //<
@@ -541,16 +542,6 @@ static void make_rows_of(const contact_solver *s, block *k,
     make_friction(k, &raw, inverse, center_a, center_b);
 }
 
-static bool has_driven(const block *k, const solver_frame *f, int spare)
-{
-    bool some = false;
-    for (int l = 0; l < REAL4; l++) {
-        some |= k->a[l] != spare && f->body[k->a[l]].is_driven;
-        some |= k->b[l] != spare && f->body[k->b[l]].is_driven;
-    }
-    return some;
-}
-
 static void fill_block(const preparation *p, int number)
 {
     contact_solver *s = p->s;
@@ -573,7 +564,6 @@ static void fill_block(const preparation *p, int number)
         k->b[l] = q[l].b;
     }
     transpose(k, q);
-    k->is_driven = has_driven(k, p->f, s->room);
     set_friction(p, k);
     make_rows_of(s, k, p->f);
 }
@@ -606,7 +596,6 @@ static void keep_chunk(void *data, int item)
     int end = task_end(item, p->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
         block *k = &p->s->block[n];
-        k->is_driven = has_driven(k, p->f, p->s->room);
         set_friction(p, k);
         make_rows_of(p->s, k, p->f);
     }

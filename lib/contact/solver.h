@@ -44,8 +44,8 @@ typedef struct {
     int  bodies;
     const char *fresh;          // [bodies] has it a new frame and basis since
                                 // rows were made?  NULL: all have
-    const rigid_frame *halfway; // [bodies] where they were in the middle of the
-                                // last substep; NULL: there was none
+    const rigid_frame *rows_at; // [bodies] where rows are made, if not where
+    const char *is_elsewhere;   // [bodies] it stands; NULL: none is elsewhere
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
     int  substeps;              // of this frame, or part of it
@@ -113,7 +113,7 @@ typedef struct {
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
     bool  rubs;                         // friction's impulses may not be 0
-    bool  is_round, is_driven;          // some are
+    bool  is_round;                     // some are
     real4 round_a, round_b;             // m, see contact
     real4 per_near;                     // 1/m, of a gap that is all but closed
     real4 began[3];                     // N s, N m s, friction's impulses before
@@ -210,8 +210,7 @@ void solver_warm(contact_solver *s, const solver_frame *f, motion *velocity);
 void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
                  const motion *moved);
 // After the bodies have moved: makes the rows of those that f->fresh names for
-// where they stand now.  What touches a driven body has rows for the middle of
-// the substep, whose velocities they are.
+// where they stand now, or f->rows_at says.
 void solver_renew(contact_solver *s, const solver_frame *f);
 // Takes back the speed of pushing out, and solves
 // friction.  Points that have not touched yet, and close fast, are left to the

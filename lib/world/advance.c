@@ -5,15 +5,25 @@
 #include <stddef.h>
 #include <string.h>
 
-// What flies, or hangs on a joint, gets a new frame in every substep.  So does
-// what touches a driven body, in two halves: their rows are those of the middle.
-// What lies among others gets one when it has moved by more than a LITTLE.
-typedef enum { GOES_EXACTLY, GOES_BY_HALVES, GOES_LAZILY } going;
+// What moves freely has a new frame in every substep, and its rows are made
+// there.  What touches a driven body goes by halves: its rows are made in the
+// middle, whose velocities they have.  What lies has its rows where its contacts
+// were found: it is displaced, until it leaves the margin that they have.
+typedef enum { GOES_EXACTLY, GOES_BY_HALVES, LIES } going;
 
-static void lie_among(world *w, int b)
+static bool lies(const world *w, int b)
 {
-    if (b >= 0 && w->rigid.going[b] == GOES_EXACTLY
-        && !linkage_has(&w->joints, b)) w->rigid.going[b] = GOES_LAZILY;
+    const rigid_tables *t = &w->rigid;
+    return t->moves[b] && !linkage_has(&w->joints, b)
+        && t->ahead[b].reach <= w->options.stay * t->now[b].radius;
+}
+
+static void lie(world *w, int b)
+{
+    rigid_tables *t = &w->rigid;
+    if (b < 0 || t->going[b] != GOES_EXACTLY || !lies(w, b)) return;
+    t->going[b] = LIES;
+    t->middle[b] = t->cache.placed[b];
 }
 
 static void touch_driven(world *w, int a, int b)
@@ -21,6 +31,8 @@ static void touch_driven(world *w, int a, int b)
     const solver_body *now = w->rigid.now;
     if (b < 0 || !(now[a].is_driven || now[b].is_driven)) return;
     w->rigid.going[a] = w->rigid.going[b] = GOES_BY_HALVES;
+    w->rigid.middle[a] = now[a].frame;
+    w->rigid.middle[b] = now[b].frame;
 }
 
 void advance_begin(world *w)
@@ -33,25 +45,21 @@ void advance_begin(world *w)
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
         if (x->count == 0) continue;
-        lie_among(w, x->a);
-        lie_among(w, x->b);
+        lie(w, x->a);
+        lie(w, x->b);
         if (w->kinematic_bodies > 0) touch_driven(w, x->a, x->b);
     }
 }
 //<
 
 //> advance-bodies
-// rad, and radii: rows that are off by so much do not show.  With half of it a
-// pile's substep takes longer, with twice as much its overlaps grow.
-static const real LITTLE = 1e-3;
-
-static bool is_little(const solver_body *now, const motion *d)
+static bool is_within(const solver_body *now, const motion *d, real margin)
 {
     vec3 way = { d->of[0], d->of[1], d->of[2] };
     vec3 turn = motion_rotation(&now->basis, d);
-    real far = LITTLE * now->radius;
+    real far = margin * now->radius;
     return vec3_length_squared(way) <= far * far
-        && vec3_length_squared(turn) <= LITTLE * LITTLE;
+        && vec3_length_squared(turn) <= margin * margin;
 }
 
 // A body that is displaced, too, gets a frame for it.
@@ -79,16 +87,18 @@ static void advance_body(world *w, int b, real h)
     rigid_tables *t = &w->rigid;
     motion sum = t->moved[b];
     for (int i = 0; i < MOTIONS; i++) sum.of[i] += h * t->velocity[b].of[i];
-    t->fresh[b] = !(t->going[b] == GOES_LAZILY && is_little(&t->now[b], &sum));
+    t->fresh[b] = !(t->going[b] == LIES
+                    && is_within(&t->now[b], &sum, w->options.stay));
     if (!t->fresh[b]) {
         t->moved[b] = sum;
         return;
     }
     displace(w, b);
+    if (t->going[b] == LIES) t->going[b] = GOES_EXACTLY;
     if (t->going[b] == GOES_BY_HALVES) {
-        advance_exactly(w, b, h / 2);
-        t->middle[b] = t->now[b].frame;
         h /= 2;
+        advance_exactly(w, b, h);
+        t->middle[b] = t->now[b].frame;
     }
     advance_exactly(w, b, h);
 }

@@ -44,7 +44,6 @@ static void go(world *w, solver_frame f, real *since)
 {
     int left = f.substeps;
     join_begin(w, &f);
-    advance_begin(w);
     while (left > 0) {
         ledger_page page = ledger_mark(w);
         if (w->joints.count > 0) advance_mark(w);
@@ -341,6 +340,7 @@ static solver_frame frame_of(const world *w, int substeps)
     real h = w->frame / substeps;
     return (solver_frame){
         .body = w->rigid.now, .bodies = w->bodies, .plane = w->plane, .h = h,
+        .rows_at = w->rigid.middle, .is_elsewhere = w->rigid.going,
         .substeps = substeps,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
         .material = w->has_materials ? w->rigid.material : NULL,
@@ -364,6 +364,7 @@ static solver_frame prepare(world *w)
     const contact *const *table = (const contact *const *)t->cache.active;
     bool done = solver_look(&t->solver, &f, table, t->cache.reach,
                             t->cache.actives);
+    advance_begin(w);
     f = frame_of(w, substeps_choose(w));
     done = done && solver_prepare(&t->solver, &f, table);
     if (!done) w->report.dropped += t->cache.actives;
@@ -415,7 +416,6 @@ static void bounce(world *w, const solver_frame *f)
 static void renew(world *w, solver_frame f)
 {
     f.fresh = w->rigid.fresh;
-    f.halfway = w->rigid.middle;
     solver_renew(&w->rigid.solver, &f);
 }
 

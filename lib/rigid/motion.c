@@ -103,6 +103,15 @@ static int moves_of(const motion_basis *basis, const motion *d)
 //> motion-frame
 //>   Cloth asks where a body is within a frame, before its particles have
 //>   moved. A frame is turned without a sine.
+// t, a rotation by a small part of a turn, as Cayley's map takes it: as long as
+// tan(|t| / 2), by its series.  At FURTHEST it is good to 1e-9.
+static vec3 half_tangent(vec3 t)
+{
+    real a = vec3_length_squared(t);
+    return vec3_scale((1 + a * (1.0 / 12 + a * (1.0 / 120 + a * (17.0 / 20160))))
+                      / 2, t);
+}
+
 // x, turned by the angle 2 arctan |t| about t (Cayley).
 static vec3 turned(vec3 t, vec3 x)
 {
@@ -132,8 +141,7 @@ static vec3 turned_often(vec3 t, int times, vec3 x)
     return vec3_add_scaled(x, 1 - cosine, vec3_cross(axis, once));
 }
 
-// In as many moves as motion_begin, each by so small an angle a that
-// tan(a / 2) is a / 2 (1 + a^2 / 12) to a^5 / 240.
+// In several moves, if it turns far.
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d)
 {
@@ -141,8 +149,7 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
     vec3 straight = { d->of[0], d->of[1], d->of[2] };
     int moves = moves_of(basis, d);
     vec3 turn = vec3_scale(1.0 / moves, motion_rotation(basis, d));
-    real a2 = vec3_length_squared(turn);
-    vec3 half = vec3_scale((1 + a2 / 12) / 2, turn);
+    vec3 half = half_tangent(turn);
     rigid_frame now = *frame;
     now.center = vec3_add(frame->center, straight);
     for (int i = 0; i < FOUR_AXES; i++) {
@@ -166,11 +173,9 @@ typedef struct {
     vec3 angular;       // kg m^2/s
 } turning;
 
-// It turns by t, a small part of a turn.  tan(a / 2) is a / 2 (1 + a^2 / 12) to
-// a^5 / 240.
 static void turn_by(turning *x, vec3 t)
 {
-    vec3 half = vec3_scale((1 + vec3_length_squared(t) / 12) / 2, t);
+    vec3 half = half_tangent(t);
     for (int i = 0; i < FOUR_AXES; i++)
         x->frame.axis[i] = turned(half, x->frame.axis[i]);
 }

@@ -38,6 +38,7 @@ static void touch_driven(world *w, int a, int b)
 void advance_begin(world *w)
 {
     rigid_tables *t = &w->rigid;
+    t->elapsed = 0;
     for (int b = 0; b < w->bodies; b++) {
         t->going[b] = GOES_EXACTLY;
         t->began[b] = t->now[b].frame;
@@ -74,11 +75,12 @@ static void displace(world *w, int b)
     t->moved[b] = (motion){ { 0 } };
 }
 
-static void advance_exactly(world *w, int b, real h)
+// For h (s) from `seconds` after the substeps began.
+static void advance_exactly(world *w, int b, real seconds, real h)
 {
     rigid_tables *t = &w->rigid;
     solver_body *now = &t->now[b];
-    if (now->is_driven) drive_advance(w, b, h);
+    if (now->is_driven) drive_go(w, b, seconds + h);
     else motion_advance(&now->frame, &now->basis, &t->velocity[b], h);
 }
 
@@ -95,12 +97,14 @@ static void advance_body(world *w, int b, real h)
     }
     displace(w, b);
     if (t->going[b] == LIES) t->going[b] = GOES_EXACTLY;
+    real seconds = t->elapsed;
     if (t->going[b] == GOES_BY_HALVES) {
         h /= 2;
-        advance_exactly(w, b, h);
+        advance_exactly(w, b, seconds, h);
         t->middle[b] = t->now[b].frame;
+        seconds += h;
     }
-    advance_exactly(w, b, h);
+    advance_exactly(w, b, seconds, h);
 }
 
 typedef struct {
@@ -120,6 +124,7 @@ void advance_bodies(world *w, real h)
 {
     advance a = { w, h };
     tasks_run(w->options.host.run, advance_chunk, &a, task_chunks(w->bodies));
+    w->rigid.elapsed += h;
 }
 //<
 
@@ -131,6 +136,7 @@ void advance_mark(world *w)
     memcpy(t->now_then, t->now, bodies * sizeof *t->now);
     memcpy(t->velocity_then, t->velocity, bodies * sizeof *t->velocity);
     memcpy(t->moved_then, t->moved, bodies * sizeof *t->moved);
+    t->elapsed_then = t->elapsed;
     solver_mark(&t->solver);
     linkage_mark(&w->joints);
 }
@@ -142,6 +148,7 @@ void advance_back(world *w)
     memcpy(t->now, t->now_then, bodies * sizeof *t->now);
     memcpy(t->velocity, t->velocity_then, bodies * sizeof *t->velocity);
     memcpy(t->moved, t->moved_then, bodies * sizeof *t->moved);
+    t->elapsed = t->elapsed_then;
     solver_rewind(&t->solver);
 }
 //<
@@ -151,7 +158,10 @@ static bool is_lost(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     real energy = motion_energy(&t->now[b].basis, &t->velocity[b]);
-    return !(energy < HUGE_VAL) || !vec3_is_finite(t->now[b].frame.center);
+    const rigid_frame *f = &t->now[b].frame;
+    bool stands = vec3_is_finite(f->center);
+    for (int i = 0; i < FOUR_AXES; i++) stands &= vec3_is_finite(f->axis[i]);
+    return !(energy < HUGE_VAL) || !stands;
 }
 
 int advance_end(world *w)
@@ -164,6 +174,7 @@ int advance_end(world *w)
         motion_straighten(w->body[b].rigid, &t->now[b].frame);
         if (!is_lost(w, b)) continue;
         t->now[b].frame = t->began[b];
+        t->now[b].basis = basis_find(w->body[b].rigid, &t->began[b]);
         t->velocity[b] = t->moved[b] = (motion){ { 0 } };
         lost++;
     }

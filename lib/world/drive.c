@@ -29,12 +29,15 @@ void drive_hold(world *w)
         if (w->rigid.now[b].is_driven) set_velocity(w, b);
 }
 
-void drive_advance(world *w, int b, real h)
+void drive_go(world *w, int b, real seconds)
 {
     solver_body *now = &w->rigid.now[b];
-    motion d = w->rigid.velocity[b];
-    for (int i = 0; i < MOTIONS; i++) d.of[i] *= h;
-    now->frame = motion_frame(&now->frame, &now->basis, &d);
+    const body_drive *d = &w->rigid.drive[b];
+    const rigid_frame *began = &w->rigid.began[b];
+    motion_basis basis = basis_find(w->body[b].rigid, began);
+    motion way = motion_make(&basis, vec3_scale(seconds, d->velocity),
+                             vec3_scale(seconds, d->spin));
+    now->frame = motion_frame(began, &basis, &way);
     now->basis = basis_find(w->body[b].rigid, &now->frame);
     drive_begin(w, b);
 }

@@ -20,8 +20,9 @@ void drive_begin(world *w, int b);
 // All that are driven have that velocity still: what contacts did is taken back.
 void drive_hold(world *w);
 
-// Body b, which is driven, goes on for h (s).
-void drive_advance(world *w, int b, real h);
+// Body b, which is driven, stands where it does so long (s) after the substeps
+// began.
+void drive_go(world *w, int b, real seconds);
 
 // m/s, of any point of a driven body, at most.
 real drive_fastest(const world *w);

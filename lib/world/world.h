@@ -149,6 +149,7 @@ typedef struct {
     motion      *moved;     // [motions] since it got its frame and basis
     char        *fresh;     // [bodies] it got them in the last substep
     char        *going;     // [bodies] see advance.c
+    real elapsed, elapsed_then;         // s, since the substeps began
     int          motions;
     solver_body *now_then;  // [bodies] before this substep, which may have to be
     motion *velocity_then, *moved_then;         // done again

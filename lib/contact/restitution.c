@@ -62,7 +62,7 @@ typedef struct {
 
 // What strikes: the points of a contact that touch in this substep.
 typedef struct {
-    const contact *c;
+    contact c;                  // as it is at the time of the impact
     impact_pair pair;
     contact_arms arm[CONTACT_POINTS];   // of all points of the contact
     motion u[BODIES];           // velocities at the time of the impact
@@ -74,7 +74,9 @@ typedef struct {
 
 static void begin_impact(impact *x, const impact_solver *s, const contact *c);
 static bool meets_fast(const impact_solver *s, impact *x, real slowest);
-static void find_arms(impact *x, const impact_solver *s);
+static void stand_at(const impact *x, const impact_solver *s, real t,
+                     rigid_frame at[BODIES]);
+static void find_arms(impact *x, const rigid_frame at[BODIES]);
 static void find_touching(impact *x, const impact_solver *s);
 static void push_apart(impact *x, real restitution);
 static void rub(impact *x, real friction);
@@ -142,7 +144,7 @@ static real slowest_of(const impact_solver *s, const contact *c)
 // alone show that they do not strike, of most others the points.
 static bool meets_fast(const impact_solver *s, impact *x, real slowest)
 {
-    const contact *c = x->c;
+    const contact *c = &x->c;
     real fallen = s->pull * s->f->h, most = -HUGE_VAL, spin = 0;
     vec3 way[BODIES], turn[BODIES];
     for (int side = A; side < BODIES; side++) {
@@ -155,7 +157,9 @@ static bool meets_fast(const impact_solver *s, impact *x, real slowest)
     vec3 closing = vec3_sub(way[B], way[A]);
     real straight = fallen + vec3_dot(c->normal, closing);
     if (!(straight + spin > slowest)) return false;
-    find_arms(x, s);
+    rigid_frame at[BODIES];
+    stand_at(x, s, 0, at);
+    find_arms(x, at);
     for (int k = 0; k < c->count; k++) {
         vec3 more = vec3_sub(vec3_cross(turn[B], x->arm[k].b),
                              vec3_cross(turn[A], x->arm[k].a));
@@ -238,7 +242,8 @@ static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
 static void begin_impact(impact *x, const impact_solver *s, const contact *c)
 {
     const solver_frame *f = s->f;
-    x->c = c;
+    x->c = *c;
+    x->c.shared = (signed char)c->count;
     x->pair.basis[A] = &f->body[c->a].basis;
     x->pair.basis[B] = c->b < 0 ? &IMMOVABLE : &f->body[c->b].basis;
     x->u[A] = s->velocity[c->a];
@@ -251,22 +256,44 @@ static void begin_impact(impact *x, const impact_solver *s, const contact *c)
     memset(x->impulse, 0, sizeof x->impulse);
 }
 
-static void find_arms(impact *x, const impact_solver *s)
+// Where the two bodies are at a time t (a share of the substep).
+static void stand_at(const impact *x, const impact_solver *s, real t,
+                     rigid_frame at[BODIES])
 {
-    const contact *c = x->c;
-    const rigid_frame *a = &s->f->body[c->a].frame;
-    const rigid_frame *b = c->b < 0 ? NULL : &s->f->body[c->b].frame;
-    for (int k = 0; k < c->count; k++)
-        x->arm[k] = contact_arms_of(c, k, a, b);
+    const contact *c = &x->c;
+    for (int side = A; side < BODIES; side++) {
+        int b = side == A ? c->a : c->b;
+        if (b < 0) continue;
+        motion d = s->moved[b];
+        for (int i = 0; i < MOTIONS; i++) d.of[i] += t * s->f->h * x->u[side].of[i];
+        at[side] = motion_frame(&s->f->body[b].frame, &s->f->body[b].basis, &d);
+    }
 }
 
-static void find_gaps(const impact_solver *s, const contact *c,
-                      real gap[CONTACT_POINTS])
+// Two balls meet along the line of their centres.
+static void face_each_other(contact *c, const rigid_frame at[BODIES])
 {
-    const solver_frame *f = s->f;
-    real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
-    const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
-    contact_gaps(c, &f->body[c->a].frame, b, height, gap);
+    const contact_point *p = &c->point[0];
+    vec3 origin = { 0, 0, 0 };
+    if (c->b < 0 || c->count != 1 || !(c->round_a > 0 && c->round_b > 0)
+        || vec3_distance(p->local_a, origin) > 0
+        || vec3_distance(p->local_b, origin) > 0) return;
+    c->normal = vec3_unit(vec3_sub(at[A].center, at[B].center));
+}
+
+static void find_arms(impact *x, const rigid_frame at[BODIES])
+{
+    for (int k = 0; k < x->c.count; k++)
+        x->arm[k] = contact_arms_of(&x->c, k, &at[A],
+                                    x->c.b < 0 ? NULL : &at[B]);
+}
+
+static void find_gaps(const impact *x, const impact_solver *s,
+                      const rigid_frame at[BODIES], real gap[CONTACT_POINTS])
+{
+    const contact *c = &x->c;
+    real height = c->b < 0 ? s->f->plane[-1 - c->b].offset : 0;
+    contact_gaps(c, &at[A], c->b < 0 ? NULL : &at[B], height, gap);
 }
 //<
 
@@ -285,31 +312,73 @@ static real time_of_touch(real gap, real closing, real a)
     return u > 0 ? real_min(2 * high / (u + root), 1) : 1;
 }
 
+// How much later than `time` do they first touch, as they stand and go then?  A
+// share of the substep, < 0: they have touched.
+static real until_touch(impact *x, const impact_solver *s,
+                        const rigid_frame at[BODIES], real acceleration)
+{
+    const impact_pair *p = &x->pair;
+    real gap[CONTACT_POINTS], least = HUGE_VAL, h = s->f->h;
+    find_gaps(x, s, at, gap);
+    for (int k = 0; k < x->c.count; k++) {
+        const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
+        impact_row row = row_along(p, x->c.normal, arm);
+        real closing = -h * row_apart(&row, x->u);
+        if (!(closing > 0 && gap[k] < 1.001 * closing)) continue;
+        real later = gap[k] > 0 ? time_of_touch(gap[k], closing, acceleration)
+                                : gap[k] / closing;
+        least = real_min(least, later);
+    }
+    return least;
+}
+
 // What touches a thousandth of a substep too late takes part as well: rounding
 // is not to decide which corners of a face do.  They strike together, when the
 // first of them touches.
-static void find_touching(impact *x, const impact_solver *s)
+static void take_touching(impact *x, const impact_solver *s,
+                          const rigid_frame at[BODIES])
 {
-    const contact *c = x->c;
-    const impact_pair *p = &x->pair;
     real gap[CONTACT_POINTS], h = s->f->h;
-    motion moved[BODIES] = { s->moved[c->a] };
-    if (c->b >= 0) moved[B] = s->moved[c->b];
-    find_gaps(s, c, gap);
-    real a = (p->falls[B] - p->falls[A]) * vec3_dot(s->f->gravity, c->normal)
-           * h * h;
-    x->time = 1;
+    find_gaps(x, s, at, gap);
     x->points = 0;
-    for (int k = 0; k < c->count; k++) {
+    for (int k = 0; k < x->c.count; k++) {
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
-        impact_row row = row_along(p, c->normal, arm);
-        real now = gap[k] + row_apart(&row, moved);
+        impact_row row = row_along(&x->pair, x->c.normal, arm);
         real closing = -h * row_apart(&row, x->u);
-        if (!(closing > 0 && now < 1.001 * closing)) continue;
+        if (!(closing > 0 && gap[k] < 0.001 * closing)) continue;
         x->point[x->points] = k;
         x->row[x->points++] = row;
-        x->time = real_min(x->time, time_of_touch(now, closing, a));
     }
+}
+
+// The time of the impact: Newton's steps to where the first gap is closed, each
+// with the bodies as they stand at the time that was found last.
+enum { TOUCH_STEPS = 4 };
+
+static void find_touching(impact *x, const impact_solver *s)
+{
+    const impact_pair *p = &x->pair;
+    real h = s->f->h;
+    real a = (p->falls[B] - p->falls[A])
+           * vec3_dot(s->f->gravity, x->c.normal) * h * h;
+    rigid_frame at[BODIES];
+    x->time = 0;
+    for (int n = 0; n < TOUCH_STEPS; n++) {
+        stand_at(x, s, x->time, at);
+        face_each_other(&x->c, at);
+        find_arms(x, at);
+        real later = until_touch(x, s, at, a);
+        x->points = 0;
+        if (!(later < HUGE_VAL)) return;
+        real time = real_max(real_min(x->time + later, 1), 0);
+        bool is_there = fabs(time - x->time) < 1e-9;
+        x->time = time;
+        if (is_there) break;
+    }
+    stand_at(x, s, x->time, at);
+    face_each_other(&x->c, at);
+    find_arms(x, at);
+    take_touching(x, s, at);
 }
 //<
 
@@ -468,7 +537,7 @@ static real center_of(const impact *x, vec3 arm[BODIES])
 static void stop_sliding(impact *x, const vec3 arm[BODIES], real most)
 {
     const impact_pair *p = &x->pair;
-    vec3 n = x->c->normal;
+    vec3 n = x->c.normal;
     vec3 v = vec3_sub(motion_at(p->basis[A], &x->u[A], arm[A]),
                       motion_at(p->basis[B], &x->u[B], arm[B]));
     real whole = vec3_length(v);
@@ -493,7 +562,7 @@ static void stop_twisting(impact *x, const vec3 arm[BODIES], real friction)
     impact_row r = { .along = { 0, 0, 0 } };
     real most = 0;
     for (int side = A; side < BODIES; side++)
-        set_turns(&r, p, side, x->c->normal);
+        set_turns(&r, p, side, x->c.normal);
     for (int i = 0; i < x->points; i++)
         most += friction * x->impulse[i]
               * vec3_distance(x->arm[x->point[i]].a, arm[A]);

@@ -841,9 +841,19 @@ typedef struct {
     int first, count, sides;    // the blocks of a colour
 } pass;
 
+// An open point that closes fast, and has not pushed, is left to an impact: it is
+// as if its gap would just close.
+static inline real4 leave_impacts(const pass *q, real4 speed, real4 impulse)
+{
+    const real4 zero = real4_all(0);
+    real4 slow = real4_add(speed, real4_all(q->slowest));
+    return real4_if_positive(impulse, speed,
+                             real4_if_positive(slow, speed, zero));
+}
+
 // An open gap may close, but no further; an overlap is pushed out as a spring
 // and a damper would.
-ALWAYS_INLINE void push_block(block *k, const pass *q, bool two)
+ALWAYS_INLINE void push(block *k, const pass *q, bool two, bool has_impacts)
 {
     const softness *soft = &q->soft[two ? TWO_SIDED : ONE_SIDED];
     const real4 one = real4_all(1), zero = real4_all(0);
@@ -859,6 +869,9 @@ ALWAYS_INLINE void push_block(block *k, const pass *q, bool two)
         real4 gap = p->now;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
+        if (has_impacts)
+            speed = real4_if_positive(gap, leave_impacts(q, speed, p->impulse),
+                                      speed);
         real4 bias = real4_if_positive(gap, real4_mul(gap, per_h),
                                        real4_max(real4_mul(rate, gap), most));
         real4 mass = real4_if_positive(gap, one, soft_mass);
@@ -933,19 +946,6 @@ ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 //> solver-relax
 //>   Where bodies bounce, the relax pass leaves a point alone that is open and
 //>   closes fast: it will have an impact (chapter 15).
-// How fast the points part, and 0 for those that an impact may part in the next
-// substep: they have not pushed, and close fast.  (A corner comes along an arc,
-// and may be there a little earlier than its speed says.)
-static inline real4 leave_impacts(const pass *q, real4 speed, real4 gap,
-                                  real4 impulse)
-{
-    const real4 zero = real4_all(0);
-    real4 slow = real4_add(speed, real4_all(q->slowest));
-    real4 left = real4_mad(real4_max(gap, zero), real4_all(q->per_h), speed);
-    return real4_if_positive(impulse, left,
-                             real4_if_positive(slow, left, zero));
-}
-
 ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
@@ -959,8 +959,8 @@ ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
         real4 gap = p->now;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
-        speed = has_impacts ? leave_impacts(q, speed, gap, p->impulse)
-              : real4_mad(real4_max(gap, zero), per_h, speed);
+        if (has_impacts) speed = leave_impacts(q, speed, p->impulse);
+        speed = real4_mad(real4_max(gap, zero), per_h, speed);
         push_point(p, real4_sub(p->impulse, real4_mul(p->mass, speed)),
                    inverse, &parting, &sum, &u, two);
         along = real4_add(along, p->impulse);
@@ -973,6 +973,16 @@ ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
         k->rubs = real4_any(along);
     }
     give_sides(k, q->velocity, &u, two);
+}
+
+ALWAYS_INLINE void push_block(block *k, const pass *q, bool two)
+{
+    push(k, q, two, false);
+}
+
+ALWAYS_INLINE void push_to_impacts(block *k, const pass *q, bool two)
+{
+    push(k, q, two, true);
 }
 
 ALWAYS_INLINE void relax_block(block *k, const pass *q, bool two)
@@ -1026,6 +1036,7 @@ ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
 PASS(see_chunk, see_block)
 PASS(warm_chunk, warm_block)
 PASS(push_chunk, push_block)
+PASS(push_to_impacts_chunk, push_to_impacts)
 PASS(relax_chunk, relax_block)
 PASS(relax_to_impacts_chunk, relax_to_impacts)
 
@@ -1069,7 +1080,8 @@ void solver_see_gaps(contact_solver *s, const solver_frame *f,
 void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
                  const motion *moved)
 {
-    run_pass(s, f, velocity, moved, push_chunk);
+    run_pass(s, f, velocity, moved,
+             f->restitution > 0 ? push_to_impacts_chunk : push_chunk);
 }
 
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,

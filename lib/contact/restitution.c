@@ -62,7 +62,8 @@ typedef struct {
 
 // What strikes: the points of a contact that touch in this substep.
 typedef struct {
-    contact c;                  // as it is at the time of the impact
+    const contact *found;
+    contact c;                  // the same, as it is at the time of the impact
     impact_pair pair;
     contact_arms arm[CONTACT_POINTS];   // of all points of the contact
     motion u[BODIES];           // velocities at the time of the impact
@@ -114,7 +115,7 @@ static real strike(const impact_solver *s, const contact *c)
     material m = solver_material(f, c->a, c->b);
     real slowest = real_max(slowest_of(s, c), s->least);
     impact x;
-    if (f->material && !(m.restitution > 0)) return 0;
+    if (!solver_strikes(f, c)) return 0;
     begin_impact(&x, s, c);
     if (!meets_fast(s, &x, slowest)) return 0;
     find_touching(&x, s);
@@ -144,7 +145,7 @@ static real slowest_of(const impact_solver *s, const contact *c)
 // alone show that they do not strike, of most others the points.
 static bool meets_fast(const impact_solver *s, impact *x, real slowest)
 {
-    const contact *c = &x->c;
+    const contact *c = x->found;
     real fallen = s->pull * s->f->h, most = -HUGE_VAL, spin = 0;
     vec3 way[BODIES], turn[BODIES];
     for (int side = A; side < BODIES; side++) {
@@ -157,12 +158,12 @@ static bool meets_fast(const impact_solver *s, impact *x, real slowest)
     vec3 closing = vec3_sub(way[B], way[A]);
     real straight = fallen + vec3_dot(c->normal, closing);
     if (!(straight + spin > slowest)) return false;
-    rigid_frame at[BODIES];
-    stand_at(x, s, 0, at);
-    find_arms(x, at);
+    const rigid_frame *a = &s->f->body[c->a].frame;
+    const rigid_frame *b = c->b < 0 ? NULL : &s->f->body[c->b].frame;
     for (int k = 0; k < c->count; k++) {
-        vec3 more = vec3_sub(vec3_cross(turn[B], x->arm[k].b),
-                             vec3_cross(turn[A], x->arm[k].a));
+        contact_arms arm = contact_arms_of(c, k, a, b);
+        vec3 more = vec3_sub(vec3_cross(turn[B], arm.b),
+                             vec3_cross(turn[A], arm.a));
         most = real_max(vec3_dot(c->normal, more), most);
     }
     return straight + most > slowest;
@@ -242,8 +243,7 @@ static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
 static void begin_impact(impact *x, const impact_solver *s, const contact *c)
 {
     const solver_frame *f = s->f;
-    x->c = *c;
-    x->c.shared = (signed char)c->count;
+    x->found = c;
     x->pair.basis[A] = &f->body[c->a].basis;
     x->pair.basis[B] = c->b < 0 ? &IMMOVABLE : &f->body[c->b].basis;
     x->u[A] = s->velocity[c->a];
@@ -260,7 +260,7 @@ static void begin_impact(impact *x, const impact_solver *s, const contact *c)
 static void stand_at(const impact *x, const impact_solver *s, real t,
                      rigid_frame at[BODIES])
 {
-    const contact *c = &x->c;
+    const contact *c = x->found;
     for (int side = A; side < BODIES; side++) {
         int b = side == A ? c->a : c->b;
         if (b < 0) continue;
@@ -360,9 +360,11 @@ static void find_touching(impact *x, const impact_solver *s)
     const impact_pair *p = &x->pair;
     real h = s->f->h;
     real a = (p->falls[B] - p->falls[A])
-           * vec3_dot(s->f->gravity, x->c.normal) * h * h;
+           * vec3_dot(s->f->gravity, x->found->normal) * h * h;
     rigid_frame at[BODIES];
     x->time = 0;
+    x->c = *x->found;
+    x->c.shared = (signed char)x->c.count;
     for (int n = 0; n < TOUCH_STEPS; n++) {
         stand_at(x, s, x->time, at);
         face_each_other(&x->c, at);

@@ -494,13 +494,14 @@ typedef struct {
     const real *reach;
 } preparation;
 
-static void set_friction(const preparation *p, block *k)
+static void set_material(const preparation *p, block *k)
 {
-    k->friction = real4_all(p->f->friction);
-    for (int l = 0; l < REAL4 && p->f->material; l++) {
+    k->friction = k->strikes = real4_all(0);
+    for (int l = 0; l < REAL4; l++) {
         if (k->contact[l] < 0) continue;
-        const active_contact *x = &p->s->active[k->contact[l]];
-        real4_set(&k->friction, l, solver_material(p->f, x->a, x->b).friction);
+        const contact *c = p->table[k->contact[l]];
+        real4_set(&k->friction, l, solver_material(p->f, c->a, c->b).friction);
+        real4_set(&k->strikes, l, solver_strikes(p->f, c));
     }
 }
 
@@ -564,7 +565,7 @@ static void fill_block(const preparation *p, int number)
         k->b[l] = q[l].b;
     }
     transpose(k, q);
-    set_friction(p, k);
+    set_material(p, k);
     make_rows_of(s, k, p->f);
 }
 
@@ -596,7 +597,7 @@ static void keep_chunk(void *data, int item)
     int end = task_end(item, p->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
         block *k = &p->s->block[n];
-        set_friction(p, k);
+        set_material(p, k);
         make_rows_of(p->s, k, p->f);
     }
 }
@@ -722,6 +723,9 @@ bool solver_look(contact_solver *s, const solver_frame *f,
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table)
 {
+    s->strikes = false;
+    for (int k = 0; k < s->contacts && !s->strikes; k++)
+        s->strikes = s->active[k].count > 0 && solver_strikes(f, table[k]);
     preparation p = { .s = s, .f = f, .table = table };
     if (may_keep_blocks(s, f)) {
         tasks_run(f->run, keep_chunk, &p, task_chunks(s->blocks));
@@ -843,12 +847,14 @@ typedef struct {
 
 // An open point that closes fast, and has not pushed, is left to an impact: it is
 // as if its gap would just close.
-static inline real4 leave_impacts(const pass *q, real4 speed, real4 impulse)
+static inline real4 leave_impacts(const block *k, const pass *q, real4 speed,
+                                  real4 impulse)
 {
     const real4 zero = real4_all(0);
     real4 slow = real4_add(speed, real4_all(q->slowest));
-    return real4_if_positive(impulse, speed,
-                             real4_if_positive(slow, speed, zero));
+    real4 left = real4_if_positive(impulse, speed,
+                                   real4_if_positive(slow, speed, zero));
+    return real4_if_positive(k->strikes, left, speed);
 }
 
 // An open gap may close, but no further; an overlap is pushed out as a spring
@@ -870,7 +876,7 @@ ALWAYS_INLINE void push(block *k, const pass *q, bool two, bool has_impacts)
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
         if (has_impacts)
-            speed = real4_if_positive(gap, leave_impacts(q, speed, p->impulse),
+            speed = real4_if_positive(gap, leave_impacts(k, q, speed, p->impulse),
                                       speed);
         real4 bias = real4_if_positive(gap, real4_mul(gap, per_h),
                                        real4_max(real4_mul(rate, gap), most));
@@ -959,7 +965,7 @@ ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
         real4 gap = p->now;
         real4 speed = real4_add(parting,
                                 part_turns(p->turn_a, p->turn_b, &u, two));
-        if (has_impacts) speed = leave_impacts(q, speed, p->impulse);
+        if (has_impacts) speed = leave_impacts(k, q, speed, p->impulse);
         speed = real4_mad(real4_max(gap, zero), per_h, speed);
         push_point(p, real4_sub(p->impulse, real4_mul(p->mass, speed)),
                    inverse, &parting, &sum, &u, two);
@@ -1081,14 +1087,14 @@ void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
                  const motion *moved)
 {
     run_pass(s, f, velocity, moved,
-             f->restitution > 0 ? push_to_impacts_chunk : push_chunk);
+             s->strikes ? push_to_impacts_chunk : push_chunk);
 }
 
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
                   const motion *moved)
 {
     run_pass(s, f, velocity, moved,
-             f->restitution > 0 ? relax_to_impacts_chunk : relax_chunk);
+             s->strikes ? relax_to_impacts_chunk : relax_chunk);
 }
 //<
 

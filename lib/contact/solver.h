@@ -75,6 +75,16 @@ static inline material solver_material(const solver_frame *f, int a, int b)
 }
 //<
 
+//> solver-strikes
+// Is contact c one of impacts in time: do its bodies bounce, or meet later in the
+// frame than where they are now?
+static inline bool solver_strikes(const solver_frame *f, const contact *c)
+{
+    return c->shared < c->count
+        || solver_material(f, c->a, c->b).restitution > 0;
+}
+//<
+
 //> solver-place
 // Where a point of each of four contacts rides on its bodies.  Rows are made of
 // it, and no pass reads it.
@@ -109,6 +119,7 @@ typedef struct {
     real4 twist_mass;                   // kg m^2
     real4 across_impulse[2], twist_impulse;
     real4 friction;
+    real4 strikes;                      // 1: see solver_strikes; 0: it does not
     int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
@@ -176,6 +187,7 @@ typedef struct {
     unsigned long long (*taken)[SIDES]; // [bodies] colours of each
     int  room;                          // for so many there is room
     int  touching;                      // contacts that may touch in this frame
+    bool strikes;                       // some of these strike
     real h;                             // s, the substeps that blocks are for
 } contact_solver;
 //<

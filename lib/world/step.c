@@ -408,7 +408,7 @@ static void bounce(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
     const contact *const *table = (const contact *const *)t->cache.active;
-    if (!(f->restitution > 0)) return;
+    if (!t->solver.strikes) return;
     if (restitution_solve(table, t->cache.actives, f, t->velocity, t->moved))
         solver_see_gaps(&t->solver, f, t->moved);
 }

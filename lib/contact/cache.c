@@ -326,6 +326,7 @@ static void add_guard(contact *c, const cache_frame *f)
     c->shared = (signed char)int_min(c->shared, c->count);
     contact_point *p = &c->point[c->count];
     *p = c->point[0];
+    p->own = is_a;
     if (is_a) p->local_a = f->body[a].rigid->middle;
     else      p->local_b = f->body[b].rigid->middle;
     p->offset = f->body[small].inner + (is_a ? c->round_b : c->round_a);

@@ -314,15 +314,20 @@ typedef struct {
     real4 arm_a[CONTACT_POINTS][3], arm_b[CONTACT_POINTS][3];   // m
 } raw_block;
 
-// As contact_arms_of has them: one place for both, or each its own.
-static inline void share_arms(raw_block *raw, const block_place *p, int j)
+// As contact_arms_of has them: one place for both, or each its own.  What is all
+// but closed has one place, wherever it was found.
+static inline void share_arms(raw_block *raw, const block *k, int j)
 {
+    const block_place *p = &k->place[j];
+    real4 one = real4_all(1);
+    real4 open = real4_mul(k->point[j].gap, k->per_near);
+    real4 shared = real4_if_positive(real4_sub(one, open), one, p->shared);
     for (int i = 0; i < 3; i++) {
         real4 x = raw->arm_a[j][i], y = raw->arm_b[j][i], w = raw->way[i];
         real4 seen = real4_sub(y, w);
         real4 at = real4_mad(p->own, real4_sub(x, seen), seen);
-        raw->arm_a[j][i] = real4_if_positive(p->shared, at, x);
-        raw->arm_b[j][i] = real4_if_positive(p->shared, real4_add(at, w), y);
+        raw->arm_a[j][i] = real4_if_positive(shared, at, x);
+        raw->arm_b[j][i] = real4_if_positive(shared, real4_add(at, w), y);
     }
 }
 
@@ -391,7 +396,7 @@ static void stand(const contact_solver *s, block *k, const solver_frame *f,
     find_arms(k, raw);
     find_gaps(k, raw);
     if (f->is_elsewhere && stand_elsewhere(s, k, f, raw)) find_arms(k, raw);
-    for (int j = 0; j < k->points; j++) share_arms(raw, &k->place[j], j);
+    for (int j = 0; j < k->points; j++) share_arms(raw, k, j);
 }
 //<
 

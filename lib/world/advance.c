@@ -15,6 +15,7 @@ static bool lies(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     return t->moves[b] && !linkage_has(&w->joints, b)
+        && vec3_length_squared(w->options.gravity) > 0
         && t->ahead[b].reach <= w->options.stay * t->now[b].radius;
 }
 

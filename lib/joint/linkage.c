@@ -159,17 +159,28 @@ static bool moves(const solver_frame *f, int b)
     return basis_of(f, b)->inverse_mass > 0;
 }
 
-// Body b, when it has been moved, and goes on as it goes for so long (s).
-static joint_side side_of(const linkage_pass *q, int b, real seconds)
+// Body b, where it stands now.
+static joint_side side_of(const linkage_pass *q, int b)
+{
+    joint_side s = { basis_of(q->f, b), JOINT_WORLD };
+    if (b < 0) return s;
+    s.frame = q->f->body[b].frame;
+    if (moves(q->f, b))
+        s.frame = motion_frame(&s.frame, s.basis, &q->moved[b]);
+    return s;
+}
+
+// And at the end of the substep.
+static joint_side side_ahead(const linkage_pass *q, int b)
 {
     joint_side s = { basis_of(q->f, b), JOINT_WORLD };
     if (b < 0) return s;
     s.frame = q->f->body[b].frame;
     if (!moves(q->f, b)) return s;
-    motion d = q->moved[b];
+    motion more;
     for (int i = 0; i < MOTIONS; i++)
-        d.of[i] += seconds * q->velocity[b].of[i];
-    s.frame = motion_frame_free(&s.frame, s.basis, &d);
+        more.of[i] = q->f->h * (q->velocity[b].of[i] - q->free[b].of[i]);
+    s.frame = motion_frame(&q->ahead[b], s.basis, &more);
     return s;
 }
 //<
@@ -225,7 +236,7 @@ static void want_together(const linkage_pass *q, const joint *j,
                           const joint_rows *r, real want[JOINT_ROWS])
 {
     real h = q->f->h, then[JOINT_ROWS];
-    joint_side a = side_of(q, j->a, h), b = side_of(q, j->b, h);
+    joint_side a = side_ahead(q, j->a), b = side_ahead(q, j->b);
     joint_errors(j, r, &a.frame, &b.frame, then);
     for (int k = 0; k <= r->held && k < JOINT_ROWS; k++) {
         bool is_open = k == r->held && r->error[k] > 0;
@@ -634,7 +645,7 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
 {
     joint *j = &l->joint[k];
     joint_rows *r = &l->rows[k];
-    joint_side a = side_of(q, j->a, 0), b = side_of(q, j->b, 0);
+    joint_side a = side_of(q, j->a), b = side_of(q, j->b);
     bool was_upper = r->is_upper;
     joint_find_rows(r, j, &a, &b);
     if (j->is_limited && r->is_upper != was_upper) j->impulse[r->held] = 0;

@@ -94,10 +94,15 @@ int linkage_drop_pairs(linkage *l, int (*pair)[2], int n);
 
 // The impulses of the joints in a frame, and in each of its substeps.
 // velocity and moved are as solver.h has them.
+//
+// Where will a body be at the end of the substep?  With its velocity `free` it
+// comes to where `ahead` says; what it has more than that moves it further, as a
+// straight line and a rotation: the rows of the joints say how far.
 typedef struct {
     const solver_frame *f;
     motion *velocity;
-    const motion *moved;
+    const motion *moved, *free;         // [bodies]
+    const rigid_frame *ahead;           // [bodies] those that are joined
 } linkage_pass;
 
 // A frame begins: bodies stand as f says, and have not been moved.

@@ -76,6 +76,50 @@ static void displace(world *w, int b)
     t->moved[b] = (motion){ { 0 } };
 }
 
+// Where a body that is displaced, and goes as it goes, comes in h (s).
+static void predict(world *w, int b, real h)
+{
+    rigid_tables *t = &w->rigid;
+    solver_body to = t->now[b];
+    motion u = t->free[b] = t->velocity[b], d;
+    for (int i = 0; i < MOTIONS; i++) d.of[i] = h * u.of[i];
+    t->free_end[b] = motion_frame(&to.frame, &to.basis, &d);
+    if (to.is_driven) return;
+    motion_displace(&to.frame, &to.basis, &u, &t->moved[b]);
+    motion_advance(&to.frame, &to.basis, &u, h);
+    t->free_end[b] = to.frame;
+}
+
+void advance_predict(world *w, real h)
+{
+    for (int b = 0; b < w->bodies && w->joints.count > 0; b++)
+        if (w->rigid.moves[b] && linkage_has(&w->joints, b)) predict(w, b, h);
+}
+
+static rigid_frame halfway(const solver_body *now, const motion *u, real h)
+{
+    motion d;
+    for (int i = 0; i < MOTIONS; i++) d.of[i] = h / 2 * u->of[i];
+    return motion_frame(&now->frame, &now->basis, &d);
+}
+
+// Where it was predicted to come, and further by what it has been given since.
+static void advance_joined(world *w, int b, real h)
+{
+    rigid_tables *t = &w->rigid;
+    solver_body *now = &t->now[b];
+    motion *u = &t->velocity[b], more;
+    for (int i = 0; i < MOTIONS; i++)
+        more.of[i] = h * (u->of[i] - t->free[b].of[i]);
+    vec3 angular = motion_angular(&now->basis, u);
+    if (t->going[b] == GOES_BY_HALVES) t->middle[b] = halfway(now, u, h);
+    now->frame = motion_frame(&t->free_end[b], &now->basis, &more);
+    now->basis = basis_find(w->body[b].rigid, &now->frame);
+    for (int i = 0; i < TURNS; i++)
+        u->of[MOTION_TURN + i] = vec3_dot(now->basis.turn[i], angular);
+    t->moved[b] = (motion){ { 0 } };
+}
+
 // For h (s) from `seconds` after the substeps began.
 static void advance_exactly(world *w, int b, real seconds, real h)
 {
@@ -94,6 +138,10 @@ static void advance_body(world *w, int b, real h)
                     && is_within(&t->now[b], &sum, w->options.stay));
     if (!t->fresh[b]) {
         t->moved[b] = sum;
+        return;
+    }
+    if (!t->now[b].is_driven && linkage_has(&w->joints, b)) {
+        advance_joined(w, b, h);
         return;
     }
     displace(w, b);

@@ -296,6 +296,8 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     STORE_ROOM(s, t->velocity_then, room);
     STORE_ROOM(s, t->moved_then, room);
     STORE_TABLE(s, t->held, bodies, room);
+    STORE_ROOM(s, t->free, room);
+    STORE_ROOM(s, t->free_end, room);
     STORE_TABLE(s, t->load, bodies, room);
     STORE_TABLE(s, t->material, bodies, room);
     STORE_TABLE(s, t->drive, bodies, room);

@@ -430,6 +430,7 @@ static void substep(world *w, const solver_frame *f, real *since)
     bounce(w, f);
     solver_warm(&t->solver, f, t->velocity);
     linkage_begin(&w->joints, &joints);
+    advance_predict(w, f->h);
     linkage_push(&w->joints, &joints);
     solver_push(&t->solver, f, t->velocity, t->moved);
     linkage_push(&w->joints, &joints);

@@ -125,7 +125,7 @@ int substeps_choose(world *w)
     int most = int_max(w->options.most_substeps, usual);
     real share = w->frame / w->options.dt;
     int n = usual;
-    if (w->softs == 0 && is_calm(w)) {
+    if (w->softs == 0 && w->joints.count == 0 && is_calm(w)) {
         real need = substeps_for_stack(w);
         if (need <= 0.75 * usual) n = (3 * usual + 3) / 4;
         if (need > 2 * usual) n = (int)need + 1;

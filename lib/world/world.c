@@ -372,6 +372,8 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
     TABLE_GROW(ok, t->velocity_then, old, room);
     TABLE_GROW(ok, t->moved_then, old, room);
     TABLE_GROW(ok, t->held, old, room);
+    TABLE_GROW(ok, t->free, old, room);
+    TABLE_GROW(ok, t->free_end, old, room);
     TABLE_GROW(ok, t->load, old, room);
     TABLE_GROW(ok, t->material, old, room);
     TABLE_GROW(ok, t->drive, old, room);
@@ -627,7 +629,7 @@ void world_free(world *w)
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
         r->reach, r->velocity, r->moved, r->load, r->material, r->drive,
         r->began, r->fresh, r->going, r->now_then, r->velocity_then,
-        r->moved_then, r->held };
+        r->moved_then, r->held, r->free, r->free_end };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);

@@ -785,14 +785,24 @@ static real force_of(const joint *j, real h)
     return sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / h;
 }
 
-static void break_overloaded(linkage *l, real h)
+// rad/s
+static real spin_of(const linkage_pass *q, int b)
 {
+    return moves(q->f, b) ? vec3_length(motion_rotation(basis_of(q->f, b),
+                                                        &q->velocity[b])) : 0;
+}
+
+static void break_overloaded(linkage *l, const linkage_pass *q)
+{
+    real h = q->f->h;
     l->swing = 0;
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         if (l->role[k] == JOINT_IDLE) continue;
         j->force = force_of(j, h);
         l->swing = real_max(l->swing, sqrt(j->force * l->rows[k].swing));
+        l->swing = real_max(l->swing, real_max(spin_of(q, j->a),
+                                               spin_of(q, j->b)));
         if (!(j->force > j->strength)) continue;
         j->is_broken = l->is_stale = true;
         l->role[k] = JOINT_IDLE;
@@ -805,7 +815,7 @@ void linkage_relax(linkage *l, const linkage_pass *q)
     if (l->count == 0) return;
     find_rows(l, q);
     solve_all(l, q, want_rest);
-    break_overloaded(l, q->f->h);
+    break_overloaded(l, q);
     l->pace = real_max(l->pace, l->swing);
     if (!l->is_stale) return;
     choose_roles(l, q);

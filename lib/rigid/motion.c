@@ -169,10 +169,12 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
 // angular momentum, and that angular momentum.
 typedef struct {
     rigid_frame frame;
-    real scale[TURNS];  // motion_basis.turn beside frame.axis
-    vec3 angular;       // kg m^2/s
+    real scale[TURNS];      // motion_basis.turn beside frame.axis
+    real inverse[TURNS];    // 1/(kg m^2), one over each moment of inertia
+    vec3 angular;           // kg m^2/s
 } turning;
 
+// It turns by t, a small part of a turn.
 static void turn_by(turning *x, vec3 t)
 {
     vec3 half = half_tangent(t);
@@ -180,33 +182,49 @@ static void turn_by(turning *x, vec3 t)
         x->frame.axis[i] = turned(half, x->frame.axis[i]);
 }
 
-// In h (s), about its own axis k alone: rad.
-static vec3 turn_about(const turning *x, int k, real h)
+static const real ALIKE = 1e-12;        // moments, to rounding
+
+// About its own axis k, as if the moment there were one over `inverse`.
+static void turn_about(turning *x, int k, real inverse, real h)
 {
     vec3 axis = x->frame.axis[k];
-    real speed = x->scale[k] * x->scale[k] * vec3_dot(axis, x->angular);
-    return vec3_scale(h * speed, axis);
+    real share = vec3_dot(axis, x->angular) / vec3_length_squared(axis);
+    if (fabs(inverse) > ALIKE * x->inverse[k])
+        turn_by(x, vec3_scale(h * inverse * share, axis));
 }
 
-// A turn about one of its own axes is exact, whatever the other two moments are.
-// Three of them, and back in the other order, are a symmetric splitting: what it
-// gets wrong in energy it takes back.
+// Of the three moments two are nearest to each other, `ball` and `like`.
+typedef struct {
+    int ball, like, odd;
+} moments;
+
+static moments compare_moments(const turning *x)
+{
+    moments best = { 0, 1, 2 };
+    real least = HUGE_VAL;
+    for (int k = 0; k < TURNS; k++) {
+        int i = (k + 1) % TURNS, j = (k + 2) % TURNS;
+        real apart = fabs(x->inverse[i] - x->inverse[j]);
+        if (!(apart < least)) continue;
+        least = apart;
+        best = (moments){ i, j, k };
+    }
+    return best;
+}
+
+// The energy is that of a ball with the first moment, and what the other two
+// axes have more or less.  A ball turns steadily about its angular momentum, and
+// a turn about an own axis is exact, whatever the other moments are.  The first
+// changes nothing for the others, so only these two are split, symmetrically in
+// time.  A top, a wheel or a needle, with two moments alike, turns exactly.
 static void turn_freely(turning *x, real h)
 {
-    static const int order[] = { 0, 1, 2, 1, 0 };
-    for (int i = 0; i < 2 * TURNS - 1; i++) {
-        real part = order[i] == TURNS - 1 ? h : h / 2;
-        turn_by(x, turn_about(x, order[i], part));
-    }
-}
-
-// A ball, a cube, an icosahedron: all moments are one, and it turns steadily.
-static bool turns_steadily(const motion_basis *basis)
-{
-    real a = vec3_length_squared(basis->turn[0]);
-    real b = vec3_length_squared(basis->turn[1]);
-    real c = vec3_length_squared(basis->turn[2]);
-    return fabs(a - b) + fabs(b - c) <= 1e-9 * a;
+    moments m = compare_moments(x);
+    real ball = x->inverse[m.ball];
+    turn_by(x, vec3_scale(h * ball, x->angular));
+    turn_about(x, m.like, x->inverse[m.like] - ball, h / 2);
+    turn_about(x, m.odd, x->inverse[m.odd] - ball, h);
+    turn_about(x, m.like, x->inverse[m.like] - ball, h / 2);
 }
 
 // The basis and the velocity of a body that stands so.
@@ -222,25 +240,23 @@ static turning turning_of(const rigid_frame *frame, const motion_basis *basis,
                           const motion *u)
 {
     turning x = { .frame = *frame, .angular = motion_angular(basis, u) };
-    for (int t = 0; t < TURNS; t++)
+    for (int t = 0; t < TURNS; t++) {
         x.scale[t] = vec3_dot(basis->turn[t], frame->axis[t])
                    / vec3_length_squared(frame->axis[t]);
+        x.inverse[t] = vec3_length_squared(basis->turn[t]);
+    }
     return x;
 }
 
 void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h)
 {
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
-    vec3 turn = vec3_scale(h, motion_rotation(basis, u));
-    bool is_steady = turns_steadily(basis);
-    real parts = vec3_length(turn) / FURTHEST;
+    real turn = h * vec3_length(motion_rotation(basis, u));
+    real parts = turn / FURTHEST;
     int n = parts < FREE_MOVES ? 1 + (int)parts : FREE_MOVES;
     turning x = turning_of(frame, basis, u);
     x.frame.center = vec3_add_scaled(x.frame.center, h, straight);
-    for (int k = 0; k < n; k++) {
-        if (is_steady) turn_by(&x, vec3_scale(1.0 / n, turn));
-        else           turn_freely(&x, h / n);
-    }
+    for (int k = 0; k < n; k++) turn_freely(&x, h / n);
     turn_basis(&x, basis, u);
     *frame = x.frame;
 }

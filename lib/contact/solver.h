@@ -80,7 +80,7 @@ static inline material solver_material(const solver_frame *f, int a, int b)
 // frame than where they are now?
 static inline bool solver_strikes(const solver_frame *f, const contact *c)
 {
-    return c->shared < c->count
+    return (c->b >= 0 && c->shared < c->count)
         || solver_material(f, c->a, c->b).restitution > 0;
 }
 //<

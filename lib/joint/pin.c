@@ -27,7 +27,7 @@ static pin_place place_of(const soft_frame *f, const joint *j)
     const solver_body *now = &f->now[j->b];
     rigid_frame at = now->frame;
     if (now->basis.inverse_mass > 0)
-        at = motion_frame_free(&at, &now->basis, &f->moved[j->b]);
+        at = motion_frame(&at, &now->basis, &f->moved[j->b]);
     x.at = frame_point(&at, j->local_b);
     x.arm = vec3_sub(x.at, at.center);
     x.inverse_mass = now->basis.inverse_mass;

@@ -270,16 +270,6 @@ void motion_displace(rigid_frame *frame, motion_basis *basis, motion *u,
     *frame = x.frame;
 }
 
-rigid_frame motion_frame_free(const rigid_frame *frame,
-                              const motion_basis *basis, const motion *d)
-{
-    rigid_frame to = *frame;
-    motion_basis turned_basis = *basis;
-    motion u = *d;
-    motion_advance(&to, &turned_basis, &u, 1);
-    return to;
-}
-
 // With unit vectors e, Newton's step towards right angles and unit lengths is
 // e_i - sum_j (e_i . e_j - delta_ij) e_j / 2.
 void motion_straighten(const rigid4 *f, rigid_frame *frame)

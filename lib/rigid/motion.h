@@ -135,16 +135,6 @@ void motion_put(particle *p, const rigid_frame *frame,
 // says.
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d);
-
-// The same for a body whose angular momentum stays while it is moved: as the
-// axis of a lopsided body moves on, so does what it turns about.  To order 2.
-// Joints ask for it several times in every substep: in one that would take more
-// than FREE_MOVES, of a third of a radian each, the axis is held.  That is 640
-// rad/s in a frame of 1/60 s; with half of them 320, and wild spins are twice as
-// quickly done.
-enum { FREE_MOVES = 32 };
-rigid_frame motion_frame_free(const rigid_frame *frame,
-                              const motion_basis *basis, const motion *d);
 //<
 
 //> motion-end-of-header

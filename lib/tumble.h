@@ -79,9 +79,9 @@ typedef struct {
                             // turn up if stacks are high, or heavy things lie
                             // on light ones
     int    most_substeps;   // a hard step takes more of them, up to this, 200;
-                            // one that is solved again, after its first ones;
-                            // none takes more than 10000 in all: one that would
-                            // have more, for it is divided, is a failure
+                            // what is done again, and shorter, is on top; none
+                            // takes more than 10000 in all: one that would have
+                            // more, for it is divided, is a failure
     tumble_vec3 gravity;    // m/s^2, (0, -9.81, 0)
     double friction;        // of bodies and planes that have none of their own
     double restitution;     // likewise; 0 to 1: speed after an impact / before

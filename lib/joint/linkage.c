@@ -761,7 +761,7 @@ void linkage_begin(linkage *l, const linkage_pass *q)
 
 // Rows are straight, and points go along arcs: a large impact is solved more
 // than once, as Newton does.
-static const real LARGE = 1e-5;         // m, in a substep
+static const real LARGE = 1e-3;         // m, in a substep
 enum { IMPACT_STEPS = 3 };
 
 void linkage_push(linkage *l, const linkage_pass *q)

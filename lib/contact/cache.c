@@ -438,82 +438,25 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 //<
 
 //> cache-walls
-//>   A plane needs no search: the lowest vertices of a body are its contact.
-// Of the vertices of a body near a plane, the four lowest.  Of several at one
-// height, as the rim of a cylinder that stands, those that span the most: the
-// first, the one farthest from it, the one farthest from their line, and the
-// one farthest on its other side.
-typedef struct {
-    int  vertex;
-    real height;
-    vec3 at;
-} low_vertex;
-
-static void keep_lowest(low_vertex low[CONTACT_POINTS], int *n, low_vertex v)
-{
-    int at = *n;
-    if (*n == CONTACT_POINTS) {
-        if (!(v.height < low[CONTACT_POINTS - 1].height)) return;
-        at = CONTACT_POINTS - 1;
-    } else {
-        (*n)++;
-    }
-    for (; at > 0 && low[at - 1].height > v.height; at--) low[at] = low[at - 1];
-    low[at] = v;
-}
-
-static real span(const low_vertex *low, int n, vec3 at, vec3 normal)
-{
-    if (n == 1) return vec3_length_squared(vec3_sub(at, low[0].at));
-    vec3 side = vec3_cross(normal, vec3_sub(low[1].at, low[0].at));
-    real across = vec3_dot(side, vec3_sub(at, low[0].at));
-    if (n == 2) return fabs(across);
-    real third = vec3_dot(side, vec3_sub(low[2].at, low[0].at));
-    return third > 0 ? -across : across;
-}
-
-// Replaces all but the first by those of the same height that span more.
-static void widen(low_vertex low[CONTACT_POINTS], const vec3 *at, int vertices,
-                  plane p, real even)
-{
-    real top = low[CONTACT_POINTS - 1].height + even;
-    for (int n = 1; n < CONTACT_POINTS; n++) {
-        real most = span(low, n, low[n].at, p.normal);
-        for (int v = 0; v < vertices; v++) {
-            real height = vec3_dot(p.normal, at[v]) - p.offset;
-            real far = span(low, n, at[v], p.normal);
-            if (!(height <= top) || !(far > most)) continue;
-            low[n] = (low_vertex){ v, height, at[v] };
-            most = far;
-        }
-    }
-}
-
+//>   A plane needs no search: it is a face below the lowest vertex.
 static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
-    low_vertex low[CONTACT_POINTS];
     contact *now = &c->entry[p->entry].contact, was = *now;
-    int a = now->a, n = 0, vertices = f->body[a].shape->particles;
+    int a = now->a;
     plane wall = f->plane[-1 - now->b];
-    const vec3 *at = c->vertex + c->placing[a].first;
+    collider body = placed_body(c, f, a);
     if (p->count == 0) was.count = 0;       // bequeaths nothing
     real slack = slack_of(f, a, -1), reach = reach_of(f, a, -1);
-    real round = f->body[a].shape->round;
-    for (int v = 0; v < vertices; v++) {
-        real height = vec3_dot(wall.normal, at[v]) - wall.offset - round;
-        if (height <= reach + 2 * slack)
-            keep_lowest(low, &n, (low_vertex){ v, height, at[v] });
-    }
-    if (n == CONTACT_POINTS && vertices > 8)
-        widen(low, at, vertices, wall, slack);
+    manifold m = manifold_on_plane(&body, wall.normal, wall.offset,
+                                   reach + 2 * slack, f->ahead[a].angle);
     now->normal = wall.normal;
-    now->count = n;
-    now->round_a = round;
+    now->count = m.count;
+    now->round_a = body.shape->round;
     now->round_b = 0;
-    for (int k = 0; k < n; k++)
+    for (int k = 0; k < m.count; k++)
         now->point[k] = (contact_point){
-            .local_a = f->body[a].rigid->local[low[k].vertex],
-            .offset = round };
+            .local_a = local_of(f->body[a].rigid, &m.point[k].a),
+            .offset = now->round_a };
     if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
     p->seen[0] = c->placing[a].number;

@@ -1,6 +1,7 @@
 //> cache-update
-//>   An update has six rounds, which the next pieces of code take in turn.
+//>   An update has seven rounds, which the next pieces of code take in turn.
 #include "cache.h"
+#include "seams.h"
 #include "table.h"
 
 #include <stddef.h>
@@ -32,6 +33,7 @@ void cache_update(contact_cache *c, const cache_frame *f)
     tasks_run(f->run, decide_chunk, &u, items);
     make_entries(c);
     tasks_run(f->run, query_chunk, &u, items);
+    seams_mend(c, f);
     gather_active(c, f);
 }
 //<
@@ -122,6 +124,7 @@ static real reach_of(const cache_frame *f, int a, int b)
 static void forget(cache_pair *p)
 {
     p->count = 0;
+    p->is_merged = false;
     p->seen[0] = p->seen[1] = -1;
 }
 
@@ -233,10 +236,10 @@ static int new_entry(contact_cache *c)
     } else {
         if (c->entries == c->entry_capacity) {
             int room = c->entry_capacity + c->entry_capacity / 8 + 64;
-            cache_entry *more = realloc(c->entry,
-                                        (size_t)room * sizeof *more);
-            if (!more) return -1;
-            c->entry = more;
+            bool ok = true;
+            TABLE_GROW(ok, c->was, c->entries, room);
+            TABLE_GROW(ok, c->entry, c->entries, room);
+            if (!ok) return -1;
             c->entry_capacity = room;
         }
         k = c->entries++;
@@ -408,12 +411,26 @@ static collider placed_body(const contact_cache *c, const cache_frame *f, int b)
     return (collider){ f->body[b].shape, c->vertex + p->first, p->in_range };
 }
 
+// What it carried, for seams that find a contact on a floor again.
+static cache_load load_of(const contact *was, bool is_a)
+{
+    real sign = is_a ? 1 : -1;
+    cache_load l = { vec3_scale(sign, was->normal),
+                     vec3_scale(sign, was->friction), was->twist, was->count,
+                     { { 0, 0, 0 } }, { 0 } };
+    for (int k = 0; k < was->count; k++) {
+        l.local[k] = is_a ? was->point[k].local_a : was->point[k].local_b;
+        l.impulse[k] = was->impulse[k];
+    }
+    return l;
+}
+
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
     contact was, *now = &e->contact;
     if (p->count > 0) was = *now;
-    else was.count = 0, was.normal = (vec3){ 0, 0, 0 };     // bequeaths nothing
+    else was = (contact){ .count = 0 };     // bequeaths nothing
     int a = now->a, b = now->b;
     collider x = placed_body(c, f, a), y = placed_body(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
@@ -433,6 +450,9 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     }
     p->count = (signed char)now->count;
     p->near = -HUGE_VAL;
+    p->is_merged = false;
+    int slides = seams_slider(f, a, b);
+    if (slides >= 0) c->was[p->entry] = load_of(&was, slides == a);
     contact_inherit(now, &was);
 }
 //<
@@ -595,6 +615,7 @@ static bool make_room(contact_cache *c, int bodies, int vertices)
     if (room > c->room) {
         TABLE_GROW(ok, c->placed, c->room, room);
         TABLE_GROW(ok, c->placing, c->room, room);
+        ok = ok && table_grow(&c->first, 0, room + 2, sizeof *c->first);
         if (ok) c->room = room;
     }
     if (ok && vertex_room > c->vertex_room) {
@@ -629,6 +650,9 @@ void cache_free(contact_cache *c)
         free(list[k]->spare_key);
     }
     free(c->entry);
+    free(c->was);
+    free(c->first);
+    free(c->met);
     free(c->placed);
     free(c->placing);
     free(c->vertex);

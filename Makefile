@@ -58,6 +58,8 @@ define ORDER
 17/joint
 17/linkage
 17/pin
+18/cache_tables
+18/seams
 18/cache
 18/sleep
 18/world

@@ -1,6 +1,7 @@
 //> cache-update
-//>   An update has six rounds, which the next pieces of code take in turn.
+//>   An update has seven rounds, which the next pieces of code take in turn.
 #include "cache.h"
+#include "seams.h"
 #include "table.h"
 
 #include <stddef.h>
@@ -32,6 +33,7 @@ void cache_update(contact_cache *c, const cache_frame *f)
     tasks_run(f->run, decide_chunk, &u, items);
     make_entries(c);
     tasks_run(f->run, query_chunk, &u, items);
+    seams_mend(c, f);
     gather_active(c, f);
 }
 //<
@@ -122,6 +124,7 @@ static real reach_of(const cache_frame *f, int a, int b)
 static void forget(cache_pair *p)
 {
     p->count = 0;
+    p->is_merged = false;
     p->seen[0] = p->seen[1] = -1;
 }
 
@@ -233,10 +236,10 @@ static int new_entry(contact_cache *c)
     } else {
         if (c->entries == c->entry_capacity) {
             int room = c->entry_capacity + c->entry_capacity / 8 + 64;
-            cache_entry *more = realloc(c->entry,
-                                        (size_t)room * sizeof *more);
-            if (!more) return -1;
-            c->entry = more;
+            bool ok = true;
+            TABLE_GROW(ok, c->was, c->entries, room);
+            TABLE_GROW(ok, c->entry, c->entries, room);
+            if (!ok) return -1;
             c->entry_capacity = room;
         }
         k = c->entries++;
@@ -283,12 +286,6 @@ static vec3 local_of(const rigid4 *r, const feature_point *f)
     return sum;
 }
 
-// A vertex takes its point along; the side of the other body slides.
-static real own_of(const touch *p)
-{
-    return p->a.count == 1 ? 1 : p->b.count == 1 ? 0 : 0.5;
-}
-
 // Sides that are far apart, of bodies that will meet later in the frame, are
 // pushed each where it is.
 static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
@@ -304,7 +301,7 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
             .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
             .local_b = local_of(f->body[c->b].rigid, &m->point[k].b),
             .offset = c->round_a + c->round_b,
-            .own = own_of(&m->point[k]) };
+            .own = contact_own(&m->point[k]) };
 }
 //<
 
@@ -416,12 +413,26 @@ static collider placed_body(const contact_cache *c, const cache_frame *f, int b)
     return (collider){ f->body[b].shape, c->vertex + p->first, p->in_range };
 }
 
+// What it carried, for seams that find a contact on a floor again.
+static cache_load load_of(const contact *was, bool is_a)
+{
+    real sign = is_a ? 1 : -1;
+    cache_load l = { vec3_scale(sign, was->normal),
+                     vec3_scale(sign, was->friction), was->twist, was->count,
+                     { { 0, 0, 0 } }, { 0 } };
+    for (int k = 0; k < was->count; k++) {
+        l.local[k] = is_a ? was->point[k].local_a : was->point[k].local_b;
+        l.impulse[k] = was->impulse[k];
+    }
+    return l;
+}
+
 static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     cache_entry *e = &c->entry[p->entry];
     contact was, *now = &e->contact;
     if (p->count > 0) was = *now;
-    else was.count = 0, was.normal = (vec3){ 0, 0, 0 };     // bequeaths nothing
+    else was = (contact){ .count = 0 };     // bequeaths nothing
     int a = now->a, b = now->b;
     collider x = placed_body(c, f, a), y = placed_body(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
@@ -441,87 +452,33 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     }
     p->count = (signed char)now->count;
     p->near = -HUGE_VAL;
+    p->is_merged = false;
+    int slides = seams_slider(f, a, b);
+    if (slides >= 0) c->was[p->entry] = load_of(&was, slides == a);
     contact_inherit(now, &was);
 }
 //<
 
 //> cache-walls
-//>   A plane needs no search: the lowest vertices of a body are its contact.
-// Of the vertices of a body near a plane, the four lowest.  Of several at one
-// height, as the rim of a cylinder that stands, those that span the most: the
-// first, the one farthest from it, the one farthest from their line, and the
-// one farthest on its other side.
-typedef struct {
-    int  vertex;
-    real height;
-    vec3 at;
-} low_vertex;
-
-static void keep_lowest(low_vertex low[CONTACT_POINTS], int *n, low_vertex v)
-{
-    int at = *n;
-    if (*n == CONTACT_POINTS) {
-        if (!(v.height < low[CONTACT_POINTS - 1].height)) return;
-        at = CONTACT_POINTS - 1;
-    } else {
-        (*n)++;
-    }
-    for (; at > 0 && low[at - 1].height > v.height; at--) low[at] = low[at - 1];
-    low[at] = v;
-}
-
-static real span(const low_vertex *low, int n, vec3 at, vec3 normal)
-{
-    if (n == 1) return vec3_length_squared(vec3_sub(at, low[0].at));
-    vec3 side = vec3_cross(normal, vec3_sub(low[1].at, low[0].at));
-    real across = vec3_dot(side, vec3_sub(at, low[0].at));
-    if (n == 2) return fabs(across);
-    real third = vec3_dot(side, vec3_sub(low[2].at, low[0].at));
-    return third > 0 ? -across : across;
-}
-
-// Replaces all but the first by those of the same height that span more.
-static void widen(low_vertex low[CONTACT_POINTS], const vec3 *at, int vertices,
-                  plane p, real even)
-{
-    real top = low[CONTACT_POINTS - 1].height + even;
-    for (int n = 1; n < CONTACT_POINTS; n++) {
-        real most = span(low, n, low[n].at, p.normal);
-        for (int v = 0; v < vertices; v++) {
-            real height = vec3_dot(p.normal, at[v]) - p.offset;
-            real far = span(low, n, at[v], p.normal);
-            if (!(height <= top) || !(far > most)) continue;
-            low[n] = (low_vertex){ v, height, at[v] };
-            most = far;
-        }
-    }
-}
-
+//>   A plane needs no search: it is a face below the lowest vertex.
 static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
-    low_vertex low[CONTACT_POINTS];
     contact *now = &c->entry[p->entry].contact, was = *now;
-    int a = now->a, n = 0, vertices = f->body[a].shape->particles;
+    int a = now->a;
     plane wall = f->plane[-1 - now->b];
-    const vec3 *at = c->vertex + c->placing[a].first;
+    collider body = placed_body(c, f, a);
     if (p->count == 0) was.count = 0;       // bequeaths nothing
     real slack = slack_of(f, a, -1), reach = reach_of(f, a, -1);
-    real round = f->body[a].shape->round;
-    for (int v = 0; v < vertices; v++) {
-        real height = vec3_dot(wall.normal, at[v]) - wall.offset - round;
-        if (height <= reach + 2 * slack)
-            keep_lowest(low, &n, (low_vertex){ v, height, at[v] });
-    }
-    if (n == CONTACT_POINTS && vertices > 8)
-        widen(low, at, vertices, wall, slack);
+    manifold m = manifold_on_plane(&body, wall.normal, wall.offset,
+                                   reach + 2 * slack, f->ahead[a].angle);
     now->normal = wall.normal;
-    now->count = n;
-    now->round_a = round;
+    now->count = m.count;
+    now->round_a = body.shape->round;
     now->round_b = 0;
-    for (int k = 0; k < n; k++)
+    for (int k = 0; k < m.count; k++)
         now->point[k] = (contact_point){
-            .local_a = f->body[a].rigid->local[low[k].vertex],
-            .offset = round, .own = 1 };
+            .local_a = local_of(f->body[a].rigid, &m.point[k].a),
+            .offset = now->round_a, .own = 1 };
     if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
     p->seen[0] = c->placing[a].number;
@@ -660,6 +617,7 @@ static bool make_room(contact_cache *c, int bodies, int vertices)
     if (room > c->room) {
         TABLE_GROW(ok, c->placed, c->room, room);
         TABLE_GROW(ok, c->placing, c->room, room);
+        ok = ok && table_grow(&c->first, 0, room + 2, sizeof *c->first);
         if (ok) c->room = room;
     }
     if (ok && vertex_room > c->vertex_room) {
@@ -694,6 +652,9 @@ void cache_free(contact_cache *c)
         free(list[k]->spare_key);
     }
     free(c->entry);
+    free(c->was);
+    free(c->first);
+    free(c->met);
     free(c->placed);
     free(c->placing);
     free(c->vertex);

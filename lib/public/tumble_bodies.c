@@ -74,6 +74,7 @@ static bool add_piece(tumble_world *w, int place, tumble_shape s,
                                    placement_of(pose, o), &number)))
         return false;
     w->owner[number] = place;
+    world_set_family(&w->world, number, place + 1);
     x->piece[x->pieces++] = (body_piece){ number, (int)s.place };
     made_of->bodies++;
     return set_up(w, number, o);

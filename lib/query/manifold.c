@@ -42,7 +42,8 @@ typedef struct {
     const struct shape *shape;
     const vec3  *at;
     vec3 ahead;         // unit, towards the other body
-    real lean;          // sine squared, of the faces that belong to it
+    real lean;          // sine squared, of the face that may begin it
+    vec3 side;          // unit, the normal of that face
     real turn;          // 1 if corners run counter-clockwise in the view, -1
     int  tip;           // the vertex where the body is nearest
     int  half, face;    // from it, into a face of the patch; -1: no face
@@ -78,8 +79,17 @@ static real dot2(vec3 v, vec3 w)
 // all of its corners; one that leans more stands on an edge.
 static const real LEAN_SINE = 0.14142135623730951;     // 8 degrees
 
-// The sine, squared, of that and what the bodies turn against each other (rad)
-// while the touches are to be used: what will lie flat by then takes part.
+// A side may be of many triangles, which lie in one plane up to what its points
+// are off.  But a rim of flat sides is no side: of a drum on three of them the
+// outer corners are kept, and it sinks between these, by no more than the square
+// of this angle times its radius: a quarter of a per cent.  (Twice the angle: a
+// whole one.  A quarter of it: sides that are off by half a per cent are taken
+// for several.)
+static const real BEND_SINE = 0.05;                    // 3 degrees
+
+// The sine, squared, of 8 degrees and what the bodies turn against each other
+// (rad) while the touches are to be used: a face that will lie flat by then may
+// begin the patch.
 static real lean_squared(real turn)
 {
     real t = real_min(turn, 0.5), sine = t - t * t * t / 6;
@@ -94,11 +104,16 @@ typedef struct {
     real whole, along;
 } look;
 
-static look face_look(const shape *s, const vec3 *at, int f, vec3 d)
+static vec3 face_area(const shape *s, const vec3 *at, int f)
 {
     const int *v = &s->face[3 * f];
-    vec3 m = vec3_cross(vec3_sub(at[v[1]], at[v[0]]),
-                        vec3_sub(at[v[2]], at[v[0]]));
+    return vec3_cross(vec3_sub(at[v[1]], at[v[0]]),
+                      vec3_sub(at[v[2]], at[v[0]]));
+}
+
+static look face_look(const shape *s, const vec3 *at, int f, vec3 d)
+{
+    vec3 m = face_area(s, at, f);
     real along = vec3_dot(m, d);
     return (look){ vec3_dot(m, m), along > 0 ? along * along : 0 };
 }
@@ -114,8 +129,8 @@ static int belongs(const patch *p, int h)
 {
     int f = p->shape->mesh.half[h].face;
     if (f < 0) return 0;
-    look l = face_look(p->shape, p->at, f, p->ahead);
-    return l.along > 0 && l.along >= (1 - p->lean) * l.whole;
+    look l = face_look(p->shape, p->at, f, p->side);
+    return l.along > 0 && l.along >= (1 - BEND_SINE * BEND_SINE) * l.whole;
 }
 //<
 
@@ -325,9 +340,9 @@ static int main_vertex(const feature_point *f)
 // than a vertex.
 static int patch_begin(patch *p, const collider *body, real turn,
                        const view *w, const feature_point *nearest,
-                       real lean)
+                       real turns)
 {
-    p->lean = lean;
+    p->lean = lean_squared(turns);
     p->shape = body->shape;
     p->at = body->at;
     p->ahead = vec3_scale(turn, w->z);
@@ -337,6 +352,8 @@ static int patch_begin(patch *p, const collider *body, real turn,
     p->half = face_ahead(p, p->tip);
     p->face = p->half < 0 ? -1 : p->shape->mesh.half[p->half].face;
     p->end = p->half < 0 ? edge_across(p, p->tip) : -1;
+    if (p->half >= 0) 
+        p->side = vec3_unit(face_area(p->shape, p->at, p->face));
     return p->half >= 0 || p->end >= 0;
 }
 
@@ -775,6 +792,15 @@ static int choose(const meetings *m, const touch *nearest, real slack,
 //<
 
 //> manifold-find
+// What is kept of the corners that were met, beside the pair.
+static int keep(meetings *m, const touch *pair, const view *w, real turn,
+                touch out[MANIFOLD_POINTS])
+{
+    out[0] = *pair;
+    if (turn > TURNING && m->count > MANIFOLD_POINTS) drop_open(m, turn);
+    return m->count > 1 ? choose(m, pair, w->slack, out) : 1;
+}
+
 // The manifold of two cores, or of bodies that are not round.
 static manifold find_between(const collider *a, const collider *b,
                              const touch *pair, vec3 normal, real margin,
@@ -783,13 +809,12 @@ static manifold find_between(const collider *a, const collider *b,
     view w = view_along(normal, feature_at(&pair->b, b->at),
                         fmax(a->shape->radius, b->shape->radius));
     manifold found = { 1, normal, { *pair } };
-    real lean = lean_squared(turn);
     patch p, q;
     meetings m;
 
     // A vertex touches in one point, whatever it stands on.
-    if (!patch_begin(&p, a, -1, &w, &pair->a, lean)
-        || !patch_begin(&q, b, 1, &w, &pair->b, lean)) return found;
+    if (!patch_begin(&p, a, -1, &w, &pair->a, turn)
+        || !patch_begin(&q, b, 1, &w, &pair->b, turn)) return found;
     patch_draw(&p, &w);
     patch_draw(&q, &w);
     if (p.count < 2 || q.count < 2) return found;
@@ -799,8 +824,7 @@ static manifold find_between(const collider *a, const collider *b,
     m.count = 0;
     if (p.count == 2 && q.count == 2) meet_edges(&p, &q, &m);
     else                              meet_polygons(&p, &q, &w, &m);
-    if (turn > TURNING && m.count > MANIFOLD_POINTS) drop_open(&m, turn);
-    if (m.count > 1) found.count = choose(&m, pair, w.slack, found.point);
+    found.count = keep(&m, pair, &w, turn, found.point);
     return found;
 }
 
@@ -815,5 +839,74 @@ manifold manifold_find(const collider *a, const collider *b,
                               turn);
     for (int k = 0; k < m.count; k++) m.point[k].gap -= round;
     return m;
+}
+//<
+
+//> manifold-plane
+//>   A plane is a face without a rim: all of the body's patch lies over it.
+static int lowest_vertex(const collider *a, vec3 normal)
+{
+    int best = 0;
+    real least = HUGE_VAL;
+    for (int v = 0; v < a->shape->particles; v++) {
+        real height = vec3_dot(a->at[v], normal);
+        if (height < least) least = height, best = v;
+    }
+    return best;
+}
+
+static int vertex_of(const touch *t)
+{
+    return t->a.vertex[0];
+}
+
+// A solver takes the points in turn.  In this order a tower of 60 cubes stands
+// under seven gravities of seven; in that of the rim under six.
+static void sort_by_depth(manifold *m)
+{
+    for (int i = 1; i < m->count; i++) {
+        touch t = m->point[i];
+        int k = i;
+        for (; k > 0 && (t.gap < m->point[k - 1].gap
+                         || (t.gap <= m->point[k - 1].gap
+                             && vertex_of(&t) < vertex_of(&m->point[k - 1])));
+             k--) m->point[k] = m->point[k - 1];
+        m->point[k] = t;
+    }
+}
+
+// All corners of the patch, of which the lowest vertex has that gap.
+static void meet_plane(const patch *p, real gap, meetings *m)
+{
+    const feature_point none = { .count = 0 };
+    for (int k = 0; k < p->count; k++) {
+        feature_point self = at_corner(p, k);
+        if (!is_known(m, p->corner[k]))
+            meet(m, &self, &none, gap + p->corner[k].z, p->corner[k]);
+    }
+}
+
+manifold manifold_on_plane(const collider *a, vec3 normal, real offset,
+                           real margin, real turn)
+{
+    int lowest = lowest_vertex(a, normal);
+    touch pair = { .a = { 1, { lowest }, { 1 } } };
+    manifold found = { 0, normal, { pair } };
+    patch p;
+    meetings m;
+
+    pair.gap = vec3_dot(a->at[lowest], normal) - offset - a->shape->round;
+    if (!(pair.gap <= margin)) return found;
+    found = (manifold){ 1, normal, { pair } };
+    view w = view_along(normal, a->at[lowest], a->shape->radius);
+    if (!patch_begin(&p, a, -1, &w, &pair.a, turn)) return found;
+    patch_draw(&p, &w);
+    m.margin = margin;
+    m.same = 64 * w.slack;
+    m.count = 0;
+    meet_plane(&p, pair.gap, &m);
+    found.count = keep(&m, &pair, &w, turn, found.point);
+    sort_by_depth(&found);
+    return found;
 }
 //<

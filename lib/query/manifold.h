@@ -29,7 +29,8 @@ typedef struct {
 // in which the patch of A (a face, an edge or a vertex that looks against the
 // normal) and that of B (which looks along it) overlap, seen along the normal.
 // Each is a vertex of A over a face of B, a face of A over a vertex of B, or an
-// edge over an edge.  To run alike is to lean by no more than 8 degrees, and by
+// edge over an edge.  To run alike is to lean by no more than 8 degrees; the
+// faces of a patch are off the one that leans least by no more than 3.  Both by
 // turn (rad, >= 0) more: so far the bodies may turn against each other before
 // they are asked again.
 // nearest is the pair of nearest (or deepest) points that a query found, and
@@ -44,6 +45,12 @@ typedef struct {
 // pair as it was given may be all.
 manifold manifold_find(const collider *a, const collider *b,
                        const query_result *nearest, real margin, real turn);
+
+// The touches of body a and a plane with that unit normal, n . x = offset (m):
+// as on a face without a rim.  Each is a vertex of A; point[].b is empty.  count
+// 0: further apart than the margin, or a number is not finite.
+manifold manifold_on_plane(const collider *a, vec3 normal, real offset,
+                           real margin, real turn);
 
 // Does face f of a body with vertices at `at` look along the unit vector d, to
 // within 8 degrees (cosine squared 0.98)?

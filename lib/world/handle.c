@@ -274,6 +274,12 @@ void world_set_filter(world *w, int b, unsigned group, unsigned mask)
     world_wake_around(w, b);
     world_renew(w, b);
 }
+
+void world_set_family(world *w, int b, int family)
+{
+    assert(b >= 0 && b < w->bodies && family >= 0);
+    w->rigid.body[b].family = family;
+}
 //<
 
 //> handle-sleep

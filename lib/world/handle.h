@@ -72,6 +72,10 @@ status world_set_damping(world *w, int b, real damping, real spin_damping);
 // has group 1, and meets all.
 void world_set_filter(world *w, int b, unsigned group, unsigned mask);
 
+// Pieces of one body, of one material, have the same number > 0, so that a floor
+// of them is one floor.  A new one has 0, and is alone.
+void world_set_family(world *w, int b, int family);
+
 // Puts body b to sleep where it is; anything may wake it.  Nothing happens to a
 // static one.
 void world_sleep(world *w, int b);

@@ -66,6 +66,9 @@ static void cache_store(contact_cache *c, store *s)
     cache_list_store(&c->pairs, s);
     cache_list_store(&c->walls, s);
     STORE_TABLE(s, c->entry, c->entries, c->entry_capacity);
+    STORE_ROOM(s, c->was, c->entry_capacity);
+    STORE_ROOM(s, c->first, c->room + 2);
+    STORE_ROOM(s, c->met, c->met_capacity);
     STORE_TABLE(s, c->placed, c->room, c->room);
     STORE_TABLE(s, c->placing, c->room, c->room);
     STORE_TABLE(s, c->vertex, c->vertices, c->vertex_room);
@@ -267,7 +270,7 @@ static void bodies_store(world *w, store *s)
         STORE_FORGET(s, x->shape);
         STORE_FORGET(s, x->rigid);
         if (s->is_reading && of->rigid)
-            *x = (cache_body){ of->shape, of->rigid, x->inner };
+            *x = (cache_body){ of->shape, of->rigid, x->inner, x->family };
     }
 }
 //<

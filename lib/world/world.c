@@ -436,7 +436,8 @@ static void start_body(world *w, int b)
     const body *x = &w->body[b];
     t->now[b] = (solver_body){ .radius = -1 };
     t->ball[b] = (sphere){ { 0, 0, 0 }, -1 };
-    t->body[b] = (cache_body){ NULL, NULL, 0 };
+    int family = t->body[b].family;
+    t->body[b] = (cache_body){ NULL, NULL, 0, family };
     t->ahead[b] = (prediction){ .reach = 0 };
     t->reach[b] = 0;
     t->moves[b] = t->dynamic[b] = 0;
@@ -449,7 +450,7 @@ static void start_body(world *w, int b)
     w->is_still = t->is_weighed = false;
     if (body_is_soft(x)) return;
     t->dynamic[b] = !body_is_static(x);
-    t->body[b] = (cache_body){ x->shape, x->rigid, x->inner };
+    t->body[b] = (cache_body){ x->shape, x->rigid, x->inner, family };
     t->now[b].frame = t->middle[b] = rigid4_frame(w->pool.at + x->first);
     t->now[b].radius = 1.02 * x->rigid->reach;
     t->ball[b] = (sphere){ t->now[b].frame.center, t->now[b].radius };
@@ -560,6 +561,7 @@ status world_add(world *w, const shape *s, placement where, int *number)
         w->owner[i] = b;
     }
     w->rigid.material[b] = material_of(w);
+    w->rigid.body[b].family = 0;
     w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
     w->softs += body_is_soft(&x);
     w->dynamic_bodies += !body_is_static(&x);

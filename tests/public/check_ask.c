@@ -333,10 +333,13 @@ END_TEST
 // A box that stands on both pieces of a stage touches one body.
 START_TEST(a_pair_begins_once_however_many_pieces_touch)
 {
-    tumble_world *w = empty();
+    // Gravity pushes the box against a floor and a wall of one body.
+    tumble_options o = tumble_options_default();
+    o.gravity = tumble_v(-9, -9, 0);
+    tumble_world *w = tumble_make(&o);
     tumble_shape box = tumble_box(w, tumble_v(1, 1, 1), 1);
     const tumble_shape piece[2] = { box, box };
-    const tumble_pose where[2] = { at(-0.5, 0, 0), at(0.5, 0, 0) };
+    const tumble_pose where[2] = { at(0, 0, 0), at(-1, 1, 0) };
     tumble_body stage = tumble_add_pieces(w, piece, where, 2,
                                           tumble_at(0, 0, 0));
     tumble_body b = tumble_add(w, box, tumble_at(0, 1, 0));

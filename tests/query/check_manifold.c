@@ -26,6 +26,9 @@ static int any_of(int n)
 
 enum { MOST_POINTS = 130, MOST_FACES = 260 };
 
+// m: the top and the bottom of the dish are cones of a degree and a half.
+static const real DOME = 0.5 * 0.025;
+
 static shape cube, plate, card, ball, needle, wedge, coin, grid, dish;
 
 // n corners around y at the bottom, and n at the top, turned not at all: a
@@ -125,8 +128,7 @@ static void set_up(void)
     make_wedge(&wedge);
     column(&coin, 24, 0.5, 0.5, 0.1, 1, 0);
     make_grid(&grid);
-    // Its top and bottom are cones of 5 degrees.
-    column(&dish, 12, 0.5, 0.5, 0.2, 1, 0.5 * 0.0875);
+    column(&dish, 12, 0.5, 0.5, 0.2, 1, DOME);
 }
 
 static void tear_down(void)
@@ -754,18 +756,105 @@ END_TEST
 START_TEST(patch_that_bulges_keeps_its_deepest_point)
 {
     standing b = stand(&cube, UPRIGHT, vec3_make(0, -0.5, 0));
-    standing a = stand(&dish, UPRIGHT, vec3_make(0, 0.1 + 0.5 * 0.0875 + 0.01,
-                                                 0));
+    standing a = stand(&dish, UPRIGHT, vec3_make(0, 0.1 + DOME + 0.01, 0));
     answer r = ask(&a, &b, 0.2);
     is_sound(&r, &a, &b, 0.2, SEARCH, SEARCH);
     ck_assert_int_eq(r.count, 4);
     ck_assert(same_bits(&r.of[0], &r.nearest));
     ck_assert(fabs(r.of[0].gap - 0.01) <= SEARCH);
     for (int k = 1; k < 4; k++)
-        ck_assert(fabs(r.of[k].gap - 0.01 - 0.5 * 0.0875) <= SEARCH);
+        ck_assert(fabs(r.of[k].gap - 0.01 - DOME) <= SEARCH);
     // Where the rim is too far, the middle is all.
-    r = ask(&a, &b, 0.03);
+    r = ask(&a, &b, 0.01 + DOME / 2);
     ck_assert_int_eq(r.count, 1);
+}
+END_TEST
+
+// A drum of 48 sides lies on one of them: 7.5 degrees from it to the next.
+// Rejects: sides beside it that count as the same, so that two of the four
+// corners between which it lies are dropped for higher ones.
+START_TEST(drum_on_its_side_lies_on_one_of_its_faces)
+{
+    shape drum;
+    column(&drum, 48, 0.5, 0.5, 1, 0, 0);
+    standing b = stand(&cube, UPRIGHT, vec3_make(0, -0.5, 0));
+    const real half = acos(-1.0) / 48, lying = acos(-1.0) / 2;
+    real low = 0.5 * cos(half), side = 0.5 * sin(half);
+    axes f = then(about_y(half), (axes){ { 1, 0, 0 }, { 0, cos(lying), 1 },
+                                         { 0, -1, cos(lying) } });
+    f = then(f, about_z(11 * 2 * half));
+    standing a = stand(&drum, f, vec3_make(0, low + 0.01, 0));
+    answer r = ask(&a, &b, 0.2);
+    vec3 wanted[4] = { { -side, 0, -0.5 }, { side, 0, -0.5 },
+                       { -side, 0, 0.5 }, { side, 0, 0.5 } };
+    touches_at(&r, &b, wanted, 4, 1e-6);
+    shape_free(&drum);
+}
+END_TEST
+
+// Does the plane y = 0 touch the body where a wide slab with that top does?
+static int as_on_a_slab(const standing *a, const standing *slab, real margin)
+{
+    collider body = { a->plan, a->at, false };
+    answer r;
+    manifold m = manifold_on_plane(&body, vec3_make(0, 1, 0), 0, margin, 0);
+    query(a, slab, &r);
+    if (r.nearest.gap > margin) {
+        ck_assert_int_eq(m.count, 0);
+        return 0;
+    }
+    find(a, slab, margin, &r);
+    ck_assert_int_eq(m.count, r.count);
+    ck_assert(fabs(m.point[0].gap - r.of[0].gap) <= SEARCH);
+    for (int k = 0; k < m.count; k++) {
+        int v = m.point[k].a.vertex[0], met = r.count < 4 ? 0 : 1;
+        ck_assert(fabs(a->at[v].y - m.point[k].gap) <= ROUNDING);
+        ck_assert(k == 0 || m.point[k].gap >= m.point[k - 1].gap);
+        // (Of more than four corners rounding chooses.)
+        for (int i = 0; i < r.count; i++)
+            met |= r.of[i].a.count == 1 && r.of[i].a.vertex[0] == v;
+        ck_assert_msg(met, "vertex %d is not touched on a slab", v);
+    }
+    return m.count;
+}
+
+// Rejects: the four lowest vertices, of a rim that leans those of one side;
+// corners of a face that are beyond the margin; a plane that a body touches from
+// outside only.
+START_TEST(plane_touches_as_the_top_of_a_slab_does)
+{
+    int touches[MANIFOLD_POINTS + 1] = { 0 };
+    shape wide;
+    ck_assert(shape_box(&wide, vec3_make(8, 8, 8), 1).ok);
+    standing slab = stand(&wide, UPRIGHT, vec3_make(0, -4, 0));
+    for (int k = 0; k < 3000; k++) {
+        const shape *s = EVERY[k % SHAPES];
+        axes f = k % 4 ? then(about_z(0.2 * random_real(&seed)),
+                              about_y(3 * random_real(&seed))) : any_axes();
+        standing a = stand(s, f, vec3_make(0, 0, 0));
+        real lowest = HUGE_VAL, up = 0.04 + 0.05 * random_real(&seed);
+        for (int v = 0; v < s->particles; v++)
+            lowest = fmin(lowest, a.at[v].y);
+        for (int v = 0; v < s->particles; v++) a.at[v].y += up - lowest;
+        touches[as_on_a_slab(&a, &slab, k % 3 ? 0.05 : 0.2)]++;
+    }
+    for (int n = 0; n <= MANIFOLD_POINTS; n++)
+        ck_assert_msg(touches[n] > 30, "%d had %d touches", touches[n], n);
+    shape_free(&wide);
+}
+END_TEST
+
+// Rejects: NaN that finds its way into a touch with a plane.
+START_TEST(body_that_is_not_finite_touches_no_plane)
+{
+    standing a = stand(&cube, UPRIGHT, vec3_make(0, 0.5, 0));
+    collider body = { a.plan, a.at, false };
+    vec3 up = { 0, 1, 0 };
+    for (int v = 0; v < 8; v++) a.at[v].y = NAN;
+    ck_assert_int_eq(manifold_on_plane(&body, up, 0, 1, 0).count, 0);
+    a = stand(&cube, UPRIGHT, vec3_make(0, 0.5, 0));
+    ck_assert_int_eq(manifold_on_plane(&body, up, NAN, 1, 0).count, 0);
+    ck_assert_int_eq(manifold_on_plane(&body, up, 0, NAN, 0).count, 0);
 }
 END_TEST
 
@@ -1319,6 +1408,9 @@ int main(void)
         side_of_many_triangles_is_one_side,
         rounder_sides_than_there_is_room_for_stay_wide,
         patch_that_bulges_keeps_its_deepest_point,
+        drum_on_its_side_lies_on_one_of_its_faces,
+        plane_touches_as_the_top_of_a_slab_does,
+        body_that_is_not_finite_touches_no_plane,
         tilted_face_touches_with_its_deepest_corner_first,
         face_that_leans_by_8_degrees_is_an_edge,
         edge_that_leans_by_8_degrees_is_a_vertex,

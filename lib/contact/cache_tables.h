@@ -1,0 +1,132 @@
+//> cache-head
+//>   This is what the cache reads of a body.
+// cache_tables.h - what is read of bodies to find contacts, and what is kept.
+//
+// Paper: section 6.1, where contacts do not outlive a step.  Book: chapter 18.
+// Units: metres, kilograms, seconds.  Normals point from B to A.
+
+#ifndef TUMBLE_CACHE_TABLES_H
+#define TUMBLE_CACHE_TABLES_H
+
+#include "collide.h"
+#include "pairs.h"
+#include "solver.h"
+
+// What the narrow phase reads of a rigid body, beside its solver_body.
+typedef struct {
+    const shape *shape; // NULL: it is not rigid
+    const rigid4 *rigid;
+    real inner;         // m, its inner radius
+    int family;         // pieces of one body have one number; 0: it is alone
+} cache_body;
+
+typedef struct {
+    const cache_body *body;     // [bodies]
+    const solver_body *now;     // [bodies]
+    const rigid_frame *middle;  // [bodies] where it is asked: there, but turned
+                                // as it will be in the middle of the frame
+    const prediction *ahead;    // [bodies]
+    const char *moves;          // [bodies]
+    int bodies;
+    const pair_list *list;
+    bool is_new_list;
+    const plane *plane;         // those that walls of the list name
+    real stay;          // of a body's radius; see world_options
+    tasks run;
+} cache_frame;
+//<
+
+//> cache-struct
+//>   And this is what it keeps of a pair: the last answer, and until when it is
+//>   good.
+// What is kept of a pair, or of a body and a plane: small, for it is read in
+// every frame.
+typedef struct {
+    int  entry;         // in the table of contacts; -1: none
+    int  seen[2];       // of which placing of each body it was found; -1: it is
+                        // good for this frame only
+    bool is_asked, is_active;   // in this frame
+    bool is_merged;     // a neighbour's contact has its points
+    signed char count;  // points
+    real margin;        // m, everything nearer was found
+    real near;          // m, its least gap, and how far both bodies had gone by
+                        // then: it closes when they have gone so far
+} cache_pair;
+
+typedef struct {
+    query_cache carried;
+    int next;           // the next free entry
+    contact contact;
+} cache_entry;
+
+// What a contact carried before it was asked again in this frame.
+typedef struct {
+    vec3 normal;                // from the floor to what slides on it
+    vec3 friction;              // N s, on that
+    real twist;                 // N m s
+    int  count;
+    vec3 local[CONTACT_POINTS]; // of the body that slides, in its frame
+    real impulse[CONTACT_POINTS];       // N s
+} cache_load;
+
+// What is kept of the pairs of a list, and whose it is.
+typedef struct {
+    cache_pair *pair;   // [count], as in the list
+    int (*key)[2];      // [count] two bodies, or a body and a plane's number
+    int count, capacity;
+    cache_pair *spare;          // [spare_capacity] for the next list
+    int (*spare_key)[2];
+    int spare_capacity;
+} cache_list;
+
+typedef struct {
+    cache_list pairs, walls;
+    cache_entry *entry;
+    cache_load  *was;           // [entries] of those on a floor, see seams.h
+    int entries, entry_capacity, free_entry;
+
+    int room;                   // bodies
+    rigid_frame *placed;        // [room] where it was when its vertices were
+                                // last placed
+    struct placing {
+        int  number;    // how often they were placed
+        int  first;     // in vertex,
+        int  vertices;  // where so many have room
+        real path;      // m, how far any of its points has gone at most
+        bool in_range;          // its vertices, for queries
+        bool is_on_corners;     // a contact of fewer than four points
+                        // carried something in the last frame
+    } *placing;         // [room]
+    vec3 *vertex;       // m
+    int vertices, vertex_room;
+
+    // Whose contacts are which, see seams.h.
+    int *first;                 // [room + 2] in met
+    int *met;                   // [met_capacity] pair k, or ~k: wall k
+    int met_capacity;
+
+    // The contacts of this frame, and how near their points may come in it.
+    contact **active;   // [actives]
+    cache_pair **of;    // [actives] where they are kept
+    real *reach;        // [actives] m
+    int actives, active_capacity;
+    long queries;       // asked in this frame
+    long found;         // contacts, ever
+    int  lost;          // contacts that found no memory
+    int  fast;          // contacts of bodies that meet later in the frame
+} contact_cache;
+//<
+
+//> cache-own
+// Where do both push that touch so?  A vertex takes its place along, while the
+// face under it slides: see contact_point.
+static inline real contact_own(const touch *p)
+{
+    return p->a.count == 1 ? 1 : p->b.count == 1 ? 0 : 0.5;
+}
+//<
+
+//> cache-tables-end
+//>   The header ends.
+#endif
+//<

@@ -1,0 +1,690 @@
+//> seams-side
+//>   What a slider touches: a side of a piece, or of a plane.
+#include "seams.h"
+#include "manifold.h"
+
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Pieces whose faces are off by less, of the smaller radius, lie flush: half a
+// millimetre for a box of 0.4 m.  A step of that height is not met.  (Half and
+// twice as much show in no scene that was tried.)
+static const real FLUSH = 0.002;
+
+// The cosine of 0.8 degrees: normals nearer to each other are those of one side.
+static const real ALIKE = 0.9999;
+
+enum { MOST_SIDES = 64, MOST_VERTICES = 256 };
+
+// Body A touches B, which is a body or a plane (< 0), along n.
+typedef struct {
+    cache_pair *pair;
+    contact *contact;
+    int  b;
+    vec3 n;             // unit, from B to A
+    real height;        // m, of B's highest point of touch along n
+    int  points;
+    vec3 at[CONTACT_POINTS];    // m, on B's surface
+    bool is_new;        // found in this frame, and B is a floor for A
+    bool is_hidden;
+} side;
+
+// Body A, and all that it touches.
+typedef struct {
+    contact_cache *c;
+    const cache_frame *f;
+    int  a, sides;
+    side side[MOST_SIDES];
+} slider;
+
+static vec3 normal_to(const slider *s, const contact *t)
+{
+    return t->a == s->a ? t->normal : vec3_scale(-1, t->normal);
+}
+
+// Its contact seen from A.  (A guard is no point of touch.)
+static void see_side(const slider *s, side *x)
+{
+    const contact *t = x->contact;
+    bool is_a = t->a == s->a;
+    x->n = normal_to(s, t);
+    x->height = x->b < 0 ? s->f->plane[-1 - x->b].offset : -HUGE_VAL;
+    x->points = 0;
+    for (int k = 0; k < t->count && x->b >= 0; k++) {
+        const contact_point *p = &t->point[k];
+        if (p->offset != t->round_a + t->round_b) continue;
+        vec3 at = frame_point(&s->c->placed[x->b],
+                              is_a ? p->local_b : p->local_a);
+        at = vec3_add_scaled(at, is_a ? t->round_b : t->round_a, x->n);
+        x->at[x->points++] = at;
+        x->height = real_max(x->height, vec3_dot(at, x->n));
+    }
+}
+//<
+
+//> seams-hold
+//>   Three questions to a piece: how high does it reach, does it stand out
+//>   further than that, and does a point lie in it?
+static collider asked_body(const slider *s, int b)
+{
+    const struct placing *p = &s->c->placing[b];
+    return (collider){ s->f->body[b].shape, s->c->vertex + p->first,
+                       p->in_range };
+}
+
+static int furthest(const collider *x, vec3 d)
+{
+    int best = 0;
+    for (int v = 1; v < x->shape->particles; v++)
+        if (vec3_dot(x->at[v], d) > vec3_dot(x->at[best], d)) best = v;
+    return best;
+}
+
+// m, of body b along n, with what is round of it.
+static real height_of(const slider *s, int b, vec3 n)
+{
+    collider x = asked_body(s, b);
+    return vec3_dot(x.at[furthest(&x, n)], n) + x.shape->round;
+}
+
+// Does body or plane b reach higher than that along n?  (Its ball answers most.)
+static bool stands_out(const slider *s, int b, vec3 n, real height)
+{
+    if (b < 0) return vec3_dot(s->f->plane[-1 - b].normal, n) < ALIKE;
+    real center = vec3_dot(s->f->now[b].frame.center, n);
+    if (center > height) return true;
+    return center + s->f->now[b].radius > height
+        && height_of(s, b, n) > height;
+}
+
+static bool is_in_ball(const slider *s, int b, vec3 p, real flush)
+{
+    real far = s->f->now[b].radius + flush;
+    vec3 d = vec3_sub(p, s->f->now[b].frame.center);
+    return vec3_length_squared(d) <= far * far;
+}
+
+static vec3 face_area(const collider *x, int face)
+{
+    const int *v = &x->shape->face[3 * face];
+    return vec3_cross(vec3_sub(x->at[v[1]], x->at[v[0]]),
+                      vec3_sub(x->at[v[2]], x->at[v[0]]));
+}
+
+// Is p in body or plane b, or outside by no more than flush?  (A round body
+// hides nothing.)
+static bool holds_point(const slider *s, int b, vec3 p, real flush)
+{
+    if (b < 0) {
+        plane w = s->f->plane[-1 - b];
+        return vec3_dot(w.normal, p) <= w.offset + flush;
+    }
+    collider x = asked_body(s, b);
+    if (x.shape->round > 0 || !is_in_ball(s, b, p, flush)) return false;
+    for (int k = 0; k < x.shape->mesh.faces; k++) {
+        vec3 m = face_area(&x, k);
+        real over = vec3_dot(m, vec3_sub(p, x.at[x.shape->face[3 * k]]));
+        if (over > 0 && over * over > flush * flush * vec3_dot(m, m))
+            return false;
+    }
+    return true;
+}
+//<
+
+//> seams-rules
+static real flush_of(const slider *s, int b)
+{
+    real radius = s->f->now[s->a].radius;
+    return FLUSH * (b < 0 ? radius : real_min(radius, s->f->now[b].radius));
+}
+
+// Of A's radius: what moves by no more in a frame stays as it lies.  (Half and
+// twice as much show in no scene that was tried.)
+static const real STAYS = 0.01;
+
+// m, what a corner of B goes as B turns in the frame.
+static real turns_of(const slider *s, int b)
+{
+    return b < 0 ? 0 : s->f->ahead[b].angle * s->f->now[b].radius;
+}
+
+// Do B and C stay as they lie to each other in this frame?  What a driven blade
+// hides now, it hides no more when it has gone on.
+static bool stay_together(const slider *s, int b, int c)
+{
+    const cache_frame *f = s->f;
+    vec3 way = f->ahead[b].way;
+    if (c >= 0) {
+        if (f->body[b].family > 0 && f->body[b].family == f->body[c].family)
+            return true;
+        way = vec3_sub(way, f->ahead[c].way);
+    }
+    return vec3_length(way) + turns_of(s, b) + turns_of(s, c)
+           <= STAYS * f->now[s->a].radius;
+}
+
+// Rule 1.  All of B lies behind the plane in which A touches C.  C keeps A away
+// from B, unless it lies behind B's plane as well.
+static bool is_behind(const slider *s, const side *b, const side *c)
+{
+    real flush = flush_of(s, b->b);
+    return vec3_dot(b->n, c->n) < ALIKE && stay_together(s, b->b, c->b)
+        && !stands_out(s, b->b, c->n, c->height + flush)
+        && stands_out(s, c->b, b->n, b->height + flush);
+}
+
+// Rule 2.  All points in which A touches B lie in C, or on it, and C stands out
+// further: there is no side of B there.
+static bool is_covered(const slider *s, const side *b, int c)
+{
+    real flush = flush_of(s, b->b);
+    if (!stay_together(s, b->b, c)) return false;
+    for (int k = 0; k < b->points && c >= 0; k++)
+        if (!is_in_ball(s, c, b->at[k], flush)) return false;
+    if (!stands_out(s, c, b->n, b->height + flush)) return false;
+    for (int k = 0; k < b->points; k++)
+        if (!holds_point(s, c, b->at[k], flush)) return false;
+    return b->points > 0;
+}
+
+static bool is_covered_by_any(const slider *s, const side *b)
+{
+    for (int i = 0; i < s->sides; i++)
+        if (s->side[i].b != b->b && is_covered(s, b, s->side[i].b)) return true;
+    return false;
+}
+
+static bool is_behind_any(const slider *s, const side *b)
+{
+    for (int i = 0; i < s->sides; i++)
+        if (s->side[i].b != b->b && is_behind(s, b, &s->side[i])) return true;
+    return false;
+}
+//<
+
+//> seams-straighten
+//>   A body that rocks a little on a floor touches it along its own face or the
+//>   floor's, by turns.
+// Rule 0.  The normal of a floor's face, if it is that up to 0.8 degrees, is the
+// normal: so pieces that lie flush have one and the same, as a plane has.  (Not
+// that of a floor that turns in the frame.)
+static void straighten(const slider *s, side *x)
+{
+    collider b = asked_body(s, x->b);
+    contact *t = x->contact;
+    real most = ALIKE * ALIKE;      // the cosine, squared
+    vec3 n = x->n;
+    if (b.shape->round > 0 || turns_of(s, x->b) > STAYS * s->f->now[s->a].radius)
+        return;
+    for (int k = 0; k < b.shape->mesh.faces; k++) {
+        vec3 m = face_area(&b, k);
+        real along = vec3_dot(m, x->n), square = vec3_dot(m, m);
+        if (!(along > 0 && along * along > most * square)) continue;
+        most = along * along / square;
+        n = m;
+    }
+    x->n = vec3_unit(n);
+    t->normal = t->a == s->a ? x->n : vec3_scale(-1, x->n);
+}
+//<
+
+//> seams-along
+//>   A contact that is found again is one along a given normal.
+// The point of a face of x that looks along m, over or under p.
+static bool find_foot(const collider *x, vec3 m, vec3 p, feature_point *foot)
+{
+    for (int k = 0; k < x->shape->mesh.faces; k++) {
+        const int *v = &x->shape->face[3 * k];
+        real w[3], sum = 0;
+        if (!face_looks(x->shape, x->at, k, m)) continue;
+        for (int i = 0; i < 3; i++) {
+            vec3 e = vec3_sub(x->at[v[(i + 1) % 3]], p);
+            vec3 g = vec3_sub(x->at[v[(i + 2) % 3]], p);
+            w[i] = vec3_dot(m, vec3_cross(e, g));
+            sum += w[i];
+        }
+        if (!(real_min(w[0], real_min(w[1], w[2])) >= -1e-9 * sum)) continue;
+        *foot = (feature_point){ 3, { v[0], v[1], v[2] },
+                                 { w[0] / sum, w[1] / sum, w[2] / sum } };
+        return true;
+    }
+    return false;
+}
+
+// The touches of a and b along m (from b to a): those of the patches at their
+// tips, or where one's tip is over a face of the other.  count 0: it is not.
+static manifold touches_along(const collider *a, const collider *b, vec3 m,
+                              real margin, real turn)
+{
+    int tip_a = furthest(a, vec3_scale(-1, m)), tip_b = furthest(b, m);
+    query_result r = { true, m, { { 1, { tip_a }, { 1 } },
+                                  { 1, { tip_b }, { 1 } }, 0 } };
+    feature_point foot;
+    bool is_over = true;
+    if (find_foot(b, m, a->at[tip_a], &foot))                       r.at.b = foot;
+    else if (find_foot(a, vec3_scale(-1, m), b->at[tip_b], &foot))  r.at.a = foot;
+    else is_over = b->shape->particles == 1;
+    vec3 apart = vec3_sub(feature_at(&r.at.a, a->at), feature_at(&r.at.b, b->at));
+    r.at.gap = vec3_dot(m, apart) - query_round(a, b);
+    manifold found = manifold_find(a, b, &r, margin, turn);
+    if (found.count == 1 && !is_over) found.count = 0;
+    return found;
+}
+
+// m, as far as the bodies of a contact may come nearer until they are asked.
+static real reach_of(const slider *s, const contact *x)
+{
+    const cache_frame *f = s->f;
+    real slack = f->stay * (f->now[x->a].radius + f->now[x->b].radius);
+    return f->ahead[x->a].reach + f->ahead[x->b].reach + 2 * slack;
+}
+
+// The same for the bodies of contact x, when its a has gone its way of the frame
+// across m, as b sees it: where they will touch.
+static manifold find_along(const slider *s, const contact *x, vec3 m)
+{
+    const cache_frame *f = s->f;
+    collider a = asked_body(s, x->a), b = asked_body(s, x->b);
+    vec3 moved[MOST_VERTICES];
+    if (a.shape->particles > MOST_VERTICES) return (manifold){ .count = 0 };
+    vec3 way = vec3_sub(f->ahead[x->a].way, f->ahead[x->b].way);
+    way = vec3_add_scaled(way, -vec3_dot(way, m), m);
+    for (int v = 0; v < a.shape->particles; v++)
+        moved[v] = vec3_add(a.at[v], way);
+    a.at = moved;
+    return touches_along(&a, &b, m, reach_of(s, x),
+                         f->ahead[x->a].angle + f->ahead[x->b].angle);
+}
+//<
+
+//> seams-take
+//>   The contact gets other points, and the load that it had.
+static vec3 local_at(const rigid4 *r, const feature_point *f)
+{
+    vec3 sum = { 0, 0, 0 };
+    for (int k = 0; k < f->count; k++)
+        sum = vec3_add_scaled(sum, f->weight[k], r->local[f->vertex[k]]);
+    return sum;
+}
+
+static void carry_nothing(contact *x)
+{
+    for (int k = 0; k < x->count; k++) x->impulse[k] = 0;
+    x->friction = vec3_make(0, 0, 0);
+    x->twist = 0;
+}
+
+static int nearest_own(const contact *x, bool is_a, vec3 local)
+{
+    int best = 0;
+    real least = HUGE_VAL;
+    for (int k = 0; k < x->count; k++) {
+        vec3 own = is_a ? x->point[k].local_a : x->point[k].local_b;
+        real square = vec3_length_squared(vec3_sub(own, local));
+        if (square < least) least = square, best = k;
+    }
+    return best;
+}
+
+// Each point of what was hands its impulse to the nearest, as contact_inherit
+// does; none, if the normal was further off than that (a cosine).
+static void carry(const slider *s, const side *x, const cache_load *was,
+                  real alike)
+{
+    contact *t = x->contact;
+    bool is_a = t->a == s->a;
+    if (!(vec3_dot(x->n, was->normal) >= alike) || t->count == 0) return;
+    for (int k = 0; k < was->count; k++)
+        t->impulse[nearest_own(t, is_a, was->local[k])] += was->impulse[k];
+    t->friction = vec3_add_scaled(t->friction, is_a ? 1 : -1, was->friction);
+    t->twist += was->twist;
+}
+
+static void take(const slider *s, side *x, const manifold *m)
+{
+    contact *t = x->contact;
+    t->count = m->count;
+    t->shared = 0;
+    t->normal = m->normal;
+    for (int k = 0; k < m->count; k++)
+        t->point[k] = (contact_point){
+            local_at(s->f->body[t->a].rigid, &m->point[k].a),
+            local_at(s->f->body[t->b].rigid, &m->point[k].b),
+            t->round_a + t->round_b, contact_own(&m->point[k]) };
+    see_side(s, x);
+    carry_nothing(t);
+    carry(s, x, &s->c->was[x->pair->entry], 0.7);
+}
+
+static bool aim(const slider *s, side *x, vec3 m)
+{
+    vec3 to_a = x->contact->a == s->a ? m : vec3_scale(-1, m);
+    manifold found = find_along(s, x->contact, to_a);
+    if (found.count > 0) take(s, x, &found);
+    return found.count > 0;
+}
+
+// m, how far A and B are apart along m; < 0: they overlap.
+static real apart_along(const slider *s, int b, vec3 m)
+{
+    return -height_of(s, s->a, vec3_scale(-1, m)) - height_of(s, b, m);
+}
+//<
+
+//> seams-face
+//>   Which face of B, if the one that was met is covered? The one that A is
+//>   furthest outside of.
+static real best_face(const slider *s, const side *x, vec3 *best)
+{
+    collider b = asked_body(s, x->b);
+    real most = -HUGE_VAL;
+    for (int k = 0; k < b.shape->mesh.faces; k++) {
+        vec3 m = vec3_unit(face_area(&b, k));
+        if (vec3_dot(m, x->n) > ALIKE) continue;
+        real apart = apart_along(s, x->b, m);
+        if (apart > most) most = apart, *best = m;
+    }
+    return most;
+}
+
+// A tenth of its radius inside of a face, A came by another.
+static bool aim_at_face(const slider *s, side *x)
+{
+    vec3 m;
+    return best_face(s, x, &m) > -0.1 * s->f->now[s->a].radius
+        && aim(s, x, m) && !is_covered_by_any(s, x);
+}
+//<
+
+//> seams-mend
+//>   What is hidden is found again along another normal, or left out.
+// Along the normal of what holds A away from B; of several, of that which holds
+// it furthest.
+static bool find_holder(const slider *s, const side *x, vec3 *n)
+{
+    real most = -HUGE_VAL;
+    for (int i = 0; i < s->sides; i++) {
+        const side *c = &s->side[i];
+        if (c->b == x->b || c->is_hidden || !is_behind(s, x, c)) continue;
+        real apart = apart_along(s, x->b, c->n);
+        if (apart > most) most = apart, *n = c->n;
+    }
+    return most > -HUGE_VAL;
+}
+
+static void drop(side *x)
+{
+    x->contact->count = x->points = 0;
+    x->pair->count = 0;
+    x->pair->is_active = false;
+}
+
+static void mend_side(const slider *s, side *x, bool is_covered_side)
+{
+    vec3 n;
+    if (find_holder(s, x, &n)) {
+        if (!aim(s, x, n)) drop(x);
+    } else if (is_covered_side) {
+        if (!aim_at_face(s, x)) drop(x);
+    }
+    x->pair->count = (signed char)x->contact->count;
+}
+
+// First all that is hidden is found, then mended: no side hides another that is
+// hidden itself, whatever their order.
+static void mend_sides(slider *s)
+{
+    bool is_covered_side[MOST_SIDES];
+    for (int i = 0; i < s->sides; i++) {
+        side *x = &s->side[i];
+        is_covered_side[i] = x->is_new && is_covered_by_any(s, x);
+        x->is_hidden = is_covered_side[i] || (x->is_new && is_behind_any(s, x));
+    }
+    for (int i = 0; i < s->sides; i++)
+        if (s->side[i].is_hidden)
+            mend_side(s, &s->side[i], is_covered_side[i]);
+}
+//<
+
+//> seams-merge
+//>   Pieces of one body in one plane under A are one floor: A touches that plane,
+//>   in one contact.
+// May x be merged with others?  (What comes down fast, or spins, has points of
+// its own.)
+static bool is_floor(const slider *s, const side *x)
+{
+    const real spins = 0.5;     // rad
+    const prediction *ahead = &s->f->ahead[s->a];
+    return x->is_new && x->points > 0 && !s->f->moves[x->b]
+        && s->f->body[x->b].family > 0 && ahead->angle <= spins
+        && -vec3_dot(ahead->way, x->n) <= s->f->body[s->a].inner;
+}
+
+// All sides in the plane of the first; returns how many.
+static int find_floor(const slider *s, int first, int *of)
+{
+    int n = 0, family = s->f->body[s->side[first].b].family;
+    const side *x = &s->side[first];
+    for (int i = first; i < s->sides; i++) {
+        const side *y = &s->side[i];
+        if (is_floor(s, y) && s->f->body[y->b].family == family
+            && vec3_dot(x->n, y->n) > ALIKE
+            && fabs(x->height - y->height) <= flush_of(s, x->b)) of[n++] = i;
+    }
+    return n;
+}
+
+// Does p lie over one of the pieces?
+static bool is_over(const slider *s, const int *of, int n, vec3 p)
+{
+    feature_point foot;
+    for (int i = 0; i < n; i++) {
+        const side *y = &s->side[of[i]];
+        collider piece = asked_body(s, y->b);
+        if (find_foot(&piece, y->n, p, &foot)) return true;
+    }
+    return false;
+}
+
+// The coordinates of point p in a frame.
+static vec3 local_in(const rigid_frame *f, vec3 p)
+{
+    vec3 d = vec3_sub(p, f->center), local;
+    real *out[FOUR_AXES] = { &local.x, &local.y, &local.z };
+    for (int i = 0; i < FOUR_AXES; i++)
+        *out[i] = vec3_dot(d, f->axis[i]) / vec3_length_squared(f->axis[i]);
+    return local;
+}
+
+// Contact x with the floor's plane.  (Its points are given to the one piece,
+// whichever they lie over: the pieces move as one.)
+static void take_plane(const slider *s, side *x, const manifold *m)
+{
+    contact *t = x->contact;
+    collider a = asked_body(s, s->a);
+    t->count = m->count;
+    t->shared = (signed char)m->count;
+    for (int k = 0; k < m->count; k++) {
+        int v = m->point[k].a.vertex[0];
+        real down = m->point[k].gap + a.shape->round;
+        vec3 own = s->f->body[s->a].rigid->local[v];
+        vec3 foot = local_in(&s->c->placed[x->b],
+                             vec3_add_scaled(a.at[v], -down, x->n));
+        bool is_a = t->a == s->a;
+        t->point[k] = (contact_point){ is_a ? own : foot, is_a ? foot : own,
+                                       t->round_a + t->round_b, is_a };
+    }
+    x->pair->count = (signed char)t->count;
+}
+
+// What the pieces carried, and those that A has left.
+static void carry_floor(const slider *s, const side *x, const int *of, int n)
+{
+    carry_nothing(x->contact);
+    for (int i = 0; i < s->sides; i++) {
+        const side *y = &s->side[i];
+        bool is_one = false;
+        for (int k = 0; k < n; k++) is_one |= of[k] == i;
+        if (y->is_new && (is_one || y->points == 0))
+            carry(s, x, &s->c->was[y->pair->entry], ALIKE);
+    }
+}
+
+// Not where a corner lies over no piece: there the floor ends.
+static void merge_floor(slider *s, const int *of, int n)
+{
+    side *x = &s->side[of[0]];
+    collider a = asked_body(s, s->a);
+    manifold m = manifold_on_plane(&a, x->n, x->height, reach_of(s, x->contact),
+                                   s->f->ahead[s->a].angle);
+    for (int k = 0; k < m.count; k++)
+        if (!is_over(s, of, n, a.at[m.point[k].a.vertex[0]])) return;
+    if (m.count == 0) return;
+    take_plane(s, x, &m);
+    carry_floor(s, x, of, n);
+    for (int i = 1; i < n; i++) {
+        drop(&s->side[of[i]]);
+        s->side[of[i]].pair->is_merged = true;
+    }
+}
+
+static void merge_floors(slider *s)
+{
+    bool is_done[MOST_SIDES] = { false };
+    int of[MOST_SIDES];
+    for (int i = 0; i < s->sides; i++) {
+        if (is_done[i] || !is_floor(s, &s->side[i])) continue;
+        int n = find_floor(s, i, of);
+        for (int k = 0; k < n; k++) is_done[of[k]] = true;
+        if (n > 1) merge_floor(s, of, n);
+    }
+}
+//<
+
+//> seams-lists
+//>   Whose contacts are which?
+int seams_slider(const cache_frame *f, int a, int b)
+{
+    if (b < 0) return a;
+    bool is_free_a = f->moves[a] && !f->now[a].is_driven;
+    bool is_free_b = f->moves[b] && !f->now[b].is_driven;
+    if (is_free_a && is_free_b) {
+        if (2 * f->now[a].radius < f->now[b].radius) return a;
+        return 2 * f->now[b].radius < f->now[a].radius ? b : -1;
+    }
+    return is_free_a ? a : is_free_b ? b : -1;
+}
+
+// Pieces whose points a neighbour's contact has can still cover.
+static bool is_met(const cache_pair *p)
+{
+    return p->entry >= 0 && (p->count > 0 || p->is_merged);
+}
+
+static bool is_new_on_floor(const cache_frame *f, const cache_pair *p,
+                            const int key[2])
+{
+    return p->is_asked && p->count > 0 && seams_slider(f, key[0], key[1]) >= 0;
+}
+
+static bool make_lists(contact_cache *c)
+{
+    int need = 2 * c->pairs.count + c->walls.count;
+    if (need <= c->met_capacity) return true;
+    free(c->met);
+    c->met_capacity = need + need / 8 + 64;
+    c->met = malloc((size_t)c->met_capacity * sizeof *c->met);
+    if (!c->met) c->met_capacity = 0;
+    return c->met != NULL;
+}
+
+// Calls with `do_write` false count; then places are known.
+static void list_met(contact_cache *c, bool do_write)
+{
+    const cache_list *list[2] = { &c->pairs, &c->walls };
+    for (int l = 0; l < 2; l++)
+        for (int k = 0; k < list[l]->count; k++) {
+            if (!is_met(&list[l]->pair[k])) continue;
+            for (int i = 0; i < 2 - l; i++) {
+                int *next = &c->first[list[l]->key[k][i] + (do_write ? 1 : 2)];
+                if (do_write) c->met[*next] = l ? ~k : k;
+                ++*next;
+            }
+        }
+}
+
+static void find_lists(contact_cache *c, int bodies)
+{
+    memset(c->first, 0, ((size_t)bodies + 2) * sizeof *c->first);
+    list_met(c, false);
+    for (int b = 0; b <= bodies; b++) c->first[b + 1] += c->first[b];
+    list_met(c, true);
+}
+//<
+
+//> seams
+//>   So each body that slides sees to its own contacts, and no two of them to
+//>   the same: all may be asked at once.
+// Contacts of which another body is the slider belong to that.
+static void add_side(slider *s, int k)
+{
+    contact_cache *c = s->c;
+    cache_list *l = k < 0 ? &c->walls : &c->pairs;
+    cache_pair *p = &l->pair[k < 0 ? ~k : k];
+    contact *t = &c->entry[p->entry].contact;
+    int b = t->b < 0 ? t->b : t->a == s->a ? t->b : t->a;
+    int owner = seams_slider(s->f, t->a, t->b);
+    if (owner >= 0 && owner != s->a) return;
+    side *x = &s->side[s->sides++];
+    *x = (side){ .pair = p, .contact = t, .b = b,
+                 .is_new = owner == s->a && b >= 0 && p->is_asked
+                           && p->count > 0,
+                 .n = normal_to(s, t) };
+}
+
+static void mend_body(contact_cache *c, const cache_frame *f, int a)
+{
+    int end = c->first[a + 1], is_new = 0;
+    if (end == c->first[a] || !f->moves[a]) return;
+    slider s;
+    s.c = c, s.f = f, s.a = a, s.sides = 0;
+    for (int i = c->first[a]; i < end && s.sides < MOST_SIDES; i++)
+        add_side(&s, c->met[i]);
+    for (int i = 0; i < s.sides; i++) {
+        is_new |= s.side[i].is_new;
+        if (s.side[i].is_new) straighten(&s, &s.side[i]);
+    }
+    if (!is_new || s.sides < 2) return;
+    for (int i = 0; i < s.sides; i++) see_side(&s, &s.side[i]);
+    mend_sides(&s);
+    merge_floors(&s);
+}
+
+typedef struct {
+    contact_cache *c;
+    const cache_frame *f;
+} mending;
+
+static void mend_chunk(void *data, int item)
+{
+    const mending *m = data;
+    int end = task_end(item, m->f->bodies);
+    for (int b = task_first(item); b < end; b++) mend_body(m->c, m->f, b);
+}
+
+void seams_mend(contact_cache *c, const cache_frame *f)
+{
+    mending m = { c, f };
+    bool is_any = false;
+    for (int k = 0; k < c->pairs.count && !is_any; k++)
+        is_any = is_new_on_floor(f, &c->pairs.pair[k], c->pairs.key[k]);
+    if (!is_any) return;
+    if (!make_lists(c)) {
+        c->lost++;
+        return;
+    }
+    find_lists(c, f->bodies);
+    tasks_run(f->run, mend_chunk, &m, task_chunks(f->bodies));
+}
+//<

@@ -1,0 +1,187 @@
+// check_floors.c - what slides over a floor of several pieces, through tumble.h:
+// as over a plane.  Book: chapter 11.
+
+#include "tumble.h"
+#include "suite.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+static const double PI = 3.14159265358979323846, G = 9.81;
+
+enum { TILES = 24 };
+
+typedef enum { PLANE, PIECES, BODIES } floor_kind;
+
+// Tiles of 1 m, flush, their top at y = 0.
+static void lay(tumble_world *w, floor_kind kind)
+{
+    tumble_shape tile[TILES];
+    tumble_pose at[TILES];
+    if (kind == PLANE) tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    for (int k = 0; k < TILES && kind != PLANE; k++) {
+        tumble_body_options o = tumble_at(k - 1, -0.25, 0);
+        o.kind = TUMBLE_STATIC;
+        tile[k] = k > 0 ? tile[0]
+                        : tumble_box(w, tumble_v(1, 0.5, 4), 1);
+        at[k] = o.pose;
+        if (kind == BODIES) tumble_add(w, tile[0], o);
+    }
+    if (kind == PIECES)
+        tumble_add_pieces(w, tile, at, TILES, tumble_at(0, 0, 0));
+}
+
+static tumble_shape coin(tumble_world *w)
+{
+    tumble_vec3 p[32];
+    for (int k = 0; k < 32; k++) {
+        double a = 2 * PI * (k % 16 + 0.5) / 16;
+        p[k] = tumble_v(0.2 * cos(a), k < 16 ? -0.05 : 0.05, 0.2 * sin(a));
+    }
+    return tumble_hull(w, p, 32, 1);
+}
+
+typedef struct {
+    double x, z, hop;           // m
+} end;
+
+// A box (turned by half a radian) or a coin, for two seconds.
+static end slide(floor_kind kind, bool is_coin, double speed, double friction)
+{
+    tumble_options options = tumble_options_default();
+    options.friction = friction;
+    tumble_world *w = tumble_make(&options);
+    lay(w, kind);
+    double half = is_coin ? 0.05 : 0.1;
+    tumble_body_options o = tumble_at(0, half, 0.03);
+    o.velocity = tumble_v(speed, 0, 0);
+    if (!is_coin) o.pose.rotation = tumble_turn(tumble_v(0, 1, 0), 0.5);
+    tumble_shape s = is_coin ? coin(w)
+                             : tumble_box(w, tumble_v(0.4, 0.2, 0.4), 1);
+    tumble_body b = tumble_add(w, s, o);
+    end e = { 0, 0, 0 };
+    for (int k = 0; k < 120; k++) {
+        tumble_step(w);
+        e.hop = fmax(e.hop, tumble_position(w, b).y - half);
+    }
+    e.x = tumble_position(w, b).x;
+    e.z = tumble_position(w, b).z - 0.03;
+    ck_assert_ptr_null(tumble_failure(w));
+    tumble_free(w);
+    return e;
+}
+
+// Rejects: a seam that stops, lifts or turns what slides over it; a friction for
+// each piece, of which none knows the others' load.
+START_TEST(pieces_of_one_body_are_slid_over_as_a_plane_is)
+{
+    const double speed[] = { 2, 5, 10 };
+    for (int k = 0; k < 6; k++) {
+        end on = slide(PIECES, k % 2, speed[k / 2], 0.3);
+        end plane = slide(PLANE, k % 2, speed[k / 2], 0.3);
+        ck_assert_msg(fabs(on.x - plane.x) < 1e-4 * plane.x
+                      && fabs(on.z) < 1e-4 && on.hop < 1e-4,
+                      "%g m/s: %g m and not %g, %g aside, %g up", speed[k / 2],
+                      on.x, plane.x, on.z, on.hop);
+    }
+}
+END_TEST
+
+// Rejects: hidden sides of bodies that are no pieces of one.
+START_TEST(bodies_side_by_side_do_not_stop_what_slides)
+{
+    for (int k = 0; k < 2; k++) {
+        end with = slide(BODIES, k, 5, 0.3), without = slide(BODIES, k, 5, 0);
+        double way = 25 / (2 * 0.3 * G);
+        ck_assert_msg(fabs(with.x / way - 1) < 0.01, "%g m of %g", with.x, way);
+        ck_assert_msg(fabs(without.x / 10 - 1) < 1e-4, "%g m of 10", without.x);
+        ck_assert(with.hop < 1e-3 && without.hop < 1e-3);
+    }
+}
+END_TEST
+
+// --- bits --------------------------------------------------------------------
+
+static void backwards(void *context, void (*work)(void *data, int item),
+                      void *data, int items)
+{
+    (void)context;
+    for (int k = items - 1; k >= 0; k--) work(data, k);
+}
+
+static tumble_world *rain(void)
+{
+    tumble_world *w = tumble_make(NULL);
+    lay(w, PIECES);
+    tumble_shape s[2] = { tumble_box(w, tumble_v(0.5, 0.3, 0.4), 1), coin(w) };
+    for (int k = 0; k < 90; k++) {
+        tumble_body_options o = tumble_at(0.13 * k, 0.5 + 0.2 * (k % 5),
+                                          0.37 * (k % 7) - 1.1);
+        o.velocity = tumble_v(3, 0, 1);
+        tumble_add(w, s[k % 2], o);
+    }
+    return w;
+}
+
+// Rejects: a contact that two bodies mend; a mending that knows of the frame
+// before, of which nothing is saved.
+START_TEST(any_order_and_a_copy_give_the_same_bits)
+{
+    tumble_world *w = rain(), *other = rain(), *copy = NULL;
+    tumble_run_on(other, backwards, NULL);
+    for (int k = 0; k < 90; k++) {
+        tumble_step(w);
+        tumble_step(other);
+        if (copy) tumble_step(copy);
+        if (k != 40) continue;
+        size_t size = tumble_save(w, NULL, 0);
+        void *bytes = malloc(size);
+        tumble_save(w, bytes, size);
+        copy = tumble_load(bytes, size);
+        ck_assert_ptr_nonnull(copy);
+        free(bytes);
+    }
+    ck_assert_uint_eq(tumble_hash(w), tumble_hash(other));
+    ck_assert_uint_eq(tumble_hash(w), tumble_hash(copy));
+    tumble_free(w);
+    tumble_free(other);
+    tumble_free(copy);
+}
+END_TEST
+
+// --- who touches whom --------------------------------------------------------
+
+// A box lies on the seam of two.
+static int touched(floor_kind kind)
+{
+    tumble_world *w = tumble_make(NULL);
+    lay(w, kind);
+    tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), tumble_at(0.5, 0.5, 0));
+    tumble_event e[8];
+    for (int k = 0; k < 10; k++) tumble_step(w);
+    int n = tumble_events(w, e, 8);
+    tumble_free(w);
+    return n;
+}
+
+// Rejects: a body that is touched, and not told, because its neighbour is.
+START_TEST(each_body_that_is_touched_is_told)
+{
+    ck_assert_int_eq(touched(PIECES), 1);
+    ck_assert_int_eq(touched(BODIES), 2);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {
+        pieces_of_one_body_are_slid_over_as_a_plane_is,
+        bodies_side_by_side_do_not_stop_what_slides,
+        any_order_and_a_copy_give_the_same_bits,
+        each_body_that_is_touched_is_told,
+        NULL
+    };
+    return suite_run((suite){ .name = "floors", .tests = tests, .seconds = 60 });
+}

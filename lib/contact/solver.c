@@ -314,20 +314,31 @@ typedef struct {
     real4 arm_a[CONTACT_POINTS][3], arm_b[CONTACT_POINTS][3];   // m
 } raw_block;
 
-// As contact_arms_of has them: one place for both, or each its own.  What is all
-// but closed has one place, wherever it was found.
+// As contact_arms_of has them: one place for both, or each its own.  Two that have
+// met have one place, however they were found: their gap is all but closed, and
+// they are beside each other, to half of the smaller radius.
+enum { BESIDE = 12 };                   // in units of 1 / per_near
+
 static inline void share_arms(raw_block *raw, const block *k, int j)
 {
     const block_place *p = &k->place[j];
-    real4 one = real4_all(1);
-    real4 open = real4_mul(k->point[j].gap, k->per_near);
-    real4 shared = real4_if_positive(real4_sub(one, open), one, p->shared);
+    real4 one = real4_all(1), seen[3], off[3];
     for (int i = 0; i < 3; i++) {
-        real4 x = raw->arm_a[j][i], y = raw->arm_b[j][i], w = raw->way[i];
-        real4 seen = real4_sub(y, w);
-        real4 at = real4_mad(p->own, real4_sub(x, seen), seen);
-        raw->arm_a[j][i] = real4_if_positive(shared, at, x);
-        raw->arm_b[j][i] = real4_if_positive(shared, real4_add(at, w), y);
+        seen[i] = real4_sub(raw->arm_b[j][i], raw->way[i]);
+        off[i] = real4_sub(raw->arm_a[j][i], seen[i]);
+    }
+    real4 open = real4_mul(k->point[j].gap, k->per_near);
+    real4 square = real4_mul(k->per_near, k->per_near);
+    real4 apart = real4_mul(real4_dot(off, off), square);
+    real4 met = real4_min(real4_sub(one, open),
+                          real4_sub(real4_all(BESIDE * BESIDE), apart));
+    real4 shared = real4_if_positive(met, one, p->shared);
+    for (int i = 0; i < 3; i++) {
+        real4 at = real4_mad(p->own, off[i], seen[i]);
+        raw->arm_a[j][i] = real4_if_positive(shared, at, raw->arm_a[j][i]);
+        raw->arm_b[j][i] = real4_if_positive(shared,
+                                             real4_add(at, raw->way[i]),
+                                             raw->arm_b[j][i]);
     }
 }
 

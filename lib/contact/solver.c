@@ -584,7 +584,7 @@ static void fill_chunk(void *data, int item)
 
 //> solver-keep
 //>   While a heap lies still its contacts are kept (chapter 18), and so are
-//>   their blocks. Only the gaps are new.
+//>   their blocks. Only the rows and gaps are new.
 // Are these the contacts of the frame before, with the same points?  Then their
 // blocks are good still: only the rows are made again.
 static bool may_keep_blocks(const contact_solver *s, const solver_frame *f)

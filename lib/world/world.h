@@ -20,7 +20,7 @@ typedef struct {
     tasks run;              // threads; see task.h
 } world_host;
 
-// In all parts of a frame, and where it is solved again, together.
+// In all parts of a frame, with those that are done again, together.
 enum { ALL_SUBSTEPS = 10000 };
 
 typedef struct {
@@ -47,8 +47,8 @@ typedef struct {
     real sleep_speed;   // m/s, of a body half a metre in radius under 9.81
                         // m/s^2, see sleep.h: slower ones fall asleep; 0: none
     real time_to_sleep; // s, so long all of an island must have been slow
-    int  iterations;    // over the sticks of a body in a substep, or over a
-                        // cloth's columns and rows, at most; 1 to 10000
+    int  iterations;    // over a cloth's columns and rows in a substep, at
+                        // most; 1 to 10000
     relax_options relax;    // of sticks
     bool ledger;        // what gives and takes energy is booked
     world_host host;

@@ -490,7 +490,10 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 //<
 
 //> cache-near
-//>   Is a contact nearer than its margin?
+//>   Can a contact push in this frame at all? The solver notes the least gap
+//>   that it has seen, and each body how far it has gone since. The gap can
+//>   have shrunk by no more than the sum of both: one subtraction, and in a
+//>   falling heap it spares most contacts.
 static real paths_of(const contact_cache *c, int a, int b)
 {
     return c->placing[a].path + (b < 0 ? 0 : c->placing[b].path);

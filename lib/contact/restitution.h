@@ -20,7 +20,7 @@
 // more.  Returns how many there were.
 //
 // velocity and moved, [bodies], say how the bodies move in this substep, with
-// gravity in it, and how far they have gone since the frame began.
+// gravity in it, and how far they have gone since they got their frames.
 // moved changes as well, so that the end of the substep is where a body comes
 // that has its old velocity before the impact and the new one after it.
 //
@@ -30,10 +30,8 @@
 // when they touch, the angular momentum.  Numbers that are not finite strike
 // nothing.
 //
-// To be called before solver_begin; and if there were any, solver_see_gaps
-// must follow.  Then the solver's sum of what contacts did in a substep, which
-// it begins the next one with, has no impact in it, and bodies that part after
-// one are not held by the solver.
+// To be called before solver_warm; and if there were any, solver_see_gaps must
+// follow: bodies that part after an impact are not held by the solver.
 enum { IMPACT_ROUNDS = 8 };
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       motion *velocity, motion *moved);

@@ -243,7 +243,9 @@ static void transpose(block *k, const lane_source q[REAL4])
 //<
 
 //> solver-stand
-//>   Where do the bodies of a block stand now?
+//>   Where do the bodies of a block stand now? Arms and gaps follow from it. Of
+//>   what lies, and of what touches a driven body, arms are taken elsewhere
+//>   (chapter 18).
 // The frames and the turns of four bodies.
 typedef struct {
     real4 center[3], axis[FOUR_AXES][3], turn[TURNS][3], inverse;
@@ -595,7 +597,7 @@ static void fill_chunk(void *data, int item)
 
 //> solver-keep
 //>   While a heap lies still its contacts are kept (chapter 18), and so are
-//>   their blocks. Only the gaps are new.
+//>   their blocks. Only rows and gaps are made again.
 // Are these the contacts of the frame before, with the same points?  Then their
 // blocks are good still: only the rows are made again.
 static bool may_keep_blocks(const contact_solver *s, const solver_frame *f)
@@ -966,8 +968,8 @@ ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 //<
 
 //> solver-relax
-//>   Where bodies bounce, the relax pass leaves a point alone that is open and
-//>   closes fast: it will have an impact (chapter 15).
+//>   As the push does, the relax pass leaves a point alone that is open and
+//>   closes fast, if it will have an impact (chapter 15).
 ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);

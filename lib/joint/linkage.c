@@ -146,7 +146,8 @@ int linkage_drop_pairs(linkage *l, int (*pair)[2], int n)
 
 //> linkage-sides
 //>   Where do bodies stand now, and where will they be at the end of the
-//>   substep? Both are one question, with a different time.
+//>   substep? Where they freely come (chapter 18 has computed it), and further
+//>   by what joints and contacts have given them.
 static const motion_basis IMMOVABLE = { .inverse_mass = 0 };
 
 static const motion_basis *basis_of(const solver_frame *f, int b)

@@ -86,7 +86,7 @@ vec3 motion_angular(const motion_basis *basis, const motion *m)
 //<
 
 //> motion-moves
-//>   A body moves on, in parts of a frame if it turns far.
+//>   One that turns far goes in several moves.
 static const real FURTHEST = 1.0 / 3;       // rad, in one move
 
 enum { TURN_MOVES = 1000 };                  // at most
@@ -101,8 +101,8 @@ static int moves_of(const motion_basis *basis, const motion *d)
 //<
 
 //> motion-frame
-//>   Cloth asks where a body is within a frame, before its particles have
-//>   moved. A frame is turned without a sine.
+//>   Cloth, impacts and joints ask where a body would be. A frame is turned
+//>   without a sine: the tangent of half an angle is a short series.
 // t, a rotation by a small part of a turn, as Cayley's map takes it: as long as
 // tan(|t| / 2), by its series.  At FURTHEST it is good to 1e-9.
 static vec3 half_tangent(vec3 t)
@@ -162,9 +162,7 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
 }
 //<
 
-//> motion-advance
-//>   Every substep a body goes on by itself: it flies straight on, and turns so
-//>   that its angular momentum stays.
+//> motion-turning
 // A body that turns freely: its axes, how fast each turns it for a unit of
 // angular momentum, and that angular momentum.
 typedef struct {
@@ -192,7 +190,10 @@ static void turn_about(turning *x, int k, real inverse, real h)
     if (fabs(inverse) > ALIKE * x->inverse[k])
         turn_by(x, vec3_scale(h * inverse * share, axis));
 }
+//<
 
+//> motion-moments
+//>   Which two moments are nearest to each other?
 // Of the three moments two are nearest to each other, `ball` and `like`.
 typedef struct {
     int ball, like, odd;
@@ -211,7 +212,9 @@ static moments compare_moments(const turning *x)
     }
     return best;
 }
+//<
 
+//> motion-freely
 // The energy is that of a ball with the first moment, and what the other two
 // axes have more or less.  A ball turns steadily about its angular momentum, and
 // a turn about an own axis is exact, whatever the other moments are.  The first
@@ -226,7 +229,11 @@ static void turn_freely(turning *x, real h)
     turn_about(x, m.odd, x->inverse[m.odd] - ball, h);
     turn_about(x, m.like, x->inverse[m.like] - ball, h / 2);
 }
+//<
 
+//> motion-advance
+//>   Every substep a body flies straight on, and turns. Its velocity follows from
+//>   the angular momentum.
 // The basis and the velocity of a body that stands so.
 static void turn_basis(const turning *x, motion_basis *basis, motion *u)
 {
@@ -260,7 +267,10 @@ void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h)
     turn_basis(&x, basis, u);
     *frame = x.frame;
 }
+//<
 
+//> motion-displace
+//>   What is put elsewhere keeps its angular momentum, too.
 void motion_displace(rigid_frame *frame, motion_basis *basis, motion *u,
                      const motion *d)
 {
@@ -269,7 +279,11 @@ void motion_displace(rigid_frame *frame, motion_basis *basis, motion *u,
     turn_basis(&x, basis, u);
     *frame = x.frame;
 }
+//<
 
+//> motion-put
+//>   At the end of a frame the axes are made straight again, and the particles
+//>   follow.
 // With unit vectors e, Newton's step towards right angles and unit lengths is
 // e_i - sum_j (e_i . e_j - delta_ij) e_j / 2.
 void motion_straighten(const rigid4 *f, rigid_frame *frame)

@@ -1,8 +1,7 @@
 //> motion-head
 //>   A box that is thrown about no special axis wobbles. Beside Euler's
-//>   equations, solved by a finer program, its axes are off by 2 mrad after a
-//>   second at 60 frames a second, and by a quarter as much at 120: order 2
-//>   (`lopsided_body_precesses_with_order_two`).
+//>   equations, solved by a finer program, half of the step leaves a quarter of
+//>   the error: order 2.
 // motion.h - the six ways in which a rigid body of four particles can move.
 //
 // Paper: not asked; a body there moves particle by particle.  Book: chapter 13.

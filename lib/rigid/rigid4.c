@@ -282,10 +282,11 @@ rigid_frame rigid4_frame(const particle *p)
 //<
 
 //> rigid4-batch
-//>   A room is full of bodies that all need the same arithmetic. So four of
-//>   them are laid side by side, and each step is a loop over the four in which
-//>   nothing depends on a choice. A compiler turns that into vector
-//>   instructions.
+//>   The plain form of chapter 13: particles fly, and their sticks are solved.
+//>   Bodies of one shape need the same arithmetic. So four of them are laid
+//>   side by side, and each step is a loop over the four in which nothing
+//>   depends on a choice. A compiler turns that into vector instructions. (The
+//>   world of chapter 18 puts its particles, so their sticks hold already.)
 // Bodies of one plan side by side: numbers of one kind lie next to each other,
 // one for each body, so that a processor takes two or more at a time.  There
 // are LANES bodies, or a single one: `lanes` is a constant wherever it is

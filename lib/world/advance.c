@@ -54,7 +54,8 @@ void advance_begin(world *w)
 }
 //<
 
-//> advance-bodies
+//> advance-displace
+//>   What is displaced gets a frame for it when it leaves its margin.
 static bool is_within(const solver_body *now, const motion *d, real margin)
 {
     vec3 way = { d->of[0], d->of[1], d->of[2] };
@@ -76,6 +77,11 @@ static void displace(world *w, int b)
     t->moved[b] = (motion){ { 0 } };
 }
 
+//<
+
+//> advance-joined
+//>   What is joined is sent ahead as it would freely go. Joints correct that
+//>   place (chapter 17), and there it is put.
 // Where a body that is displaced, and goes as it goes, comes in h (s).
 static void predict(world *w, int b, real h)
 {
@@ -120,6 +126,9 @@ static void advance_joined(world *w, int b, real h)
     t->moved[b] = (motion){ { 0 } };
 }
 
+//<
+
+//> advance-body
 // For h (s) from `seconds` after the substeps began.
 static void advance_exactly(world *w, int b, real seconds, real h)
 {
@@ -156,6 +165,10 @@ static void advance_body(world *w, int b, real h)
     advance_exactly(w, b, seconds, h);
 }
 
+//<
+
+//> advance-bodies
+//>   Bodies are shared among threads, 32 at a time.
 typedef struct {
     world *w;
     real h;
@@ -178,6 +191,7 @@ void advance_bodies(world *w, real h)
 //<
 
 //> advance-back
+//>   A substep that joints swing too fast for is done again, from here.
 void advance_mark(world *w)
 {
     rigid_tables *t = &w->rigid;
@@ -203,6 +217,8 @@ void advance_back(world *w)
 //<
 
 //> advance-end
+//>   When the substeps are over, what was displaced gets its frame. A body
+//>   whose numbers are lost goes back to where it was.
 static bool is_lost(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
@@ -232,6 +248,7 @@ int advance_end(world *w)
 //<
 
 //> advance-put
+//>   The particles follow, and the cache learns how far each body has gone.
 // m: no vertex has gone further.  Three unit axes that turn by an angle go by
 // sqrt(8) sin(angle / 2) together, a vertex by twice its radius times that sine.
 static real gone(const world *w, int b)

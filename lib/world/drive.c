@@ -1,6 +1,6 @@
 //> drive
-//>   A kinematic body goes its way, and what contacts add to its motion is
-//>   taken back.
+//>   A kinematic body goes its way by the clock, and what contacts add to its
+//>   motion is taken back.
 #include "drive.h"
 
 // A power of two, and its root, round nothing.  A motion basis has the root of

@@ -77,6 +77,7 @@ real guard_most(const world *w, const solver_frame *f)
 //<
 
 //> guard-brake
+//>   If there is more than that, all are slowed by the same share.
 static void slow_down(world *w, int b, real share)
 {
     if (w->rigid.now[b].is_driven) return;

@@ -1,4 +1,8 @@
 //> ledger-head
+//>   After each phase the ledger adds up all energy, and books the difference
+//>   to that phase. Verlet's velocity is that of the moment halfway between
+//>   two positions, so height and lever arm are taken there, too. Then a free
+//>   fall books nothing (`free_fall_books_no_energy_and_gravitys_momentum`).
 // ledger.h - what gave energy and momentum to the world, and what took them?
 //
 // Paper: not asked.  Book: chapter 18.

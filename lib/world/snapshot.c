@@ -108,10 +108,8 @@ static void contact_solver_store(contact_solver *s, store *to)
 //<
 
 //> snapshot-joints
-//>   Joints keep the impulses of the last substep, for the warm start. Their
-//>   bodies keep the number of the last frame in which they were joined: a
-//>   frame is divided into parts if what is joined spins fast, and that is
-//>   decided before its joints are prepared.
+//>   Joints keep the impulses of the last substep, for the warm start, and the
+//>   number of the last frame in which their bodies were joined.
 static void linkage_store(linkage *l, store *s)
 {
     STORE_TABLE(s, l->joint, l->count, l->capacity);

@@ -20,7 +20,7 @@ typedef struct {
     tasks run;              // threads; see task.h
 } world_host;
 
-// In all parts of a frame, and where it is solved again, together.
+// In all parts of a frame, with those that are done again, together.
 enum { ALL_SUBSTEPS = 10000 };
 
 typedef struct {
@@ -47,9 +47,9 @@ typedef struct {
     real sleep_speed;   // m/s, of a body half a metre in radius under 9.81
                         // m/s^2, see sleep.h: slower ones fall asleep; 0: none
     real time_to_sleep; // s, so long all of an island must have been slow
-    int  iterations;    // over the sticks of a body in a substep, or over a
-                        // cloth's columns and rows, at most; 1 to 10000
-    relax_options relax;    // of sticks
+    int  iterations;    // over a cloth's columns and rows in a substep, at
+                        // most; 1 to 10000
+    relax_options relax;    // of a cloth's links
     bool ledger;        // what gives and takes energy is booked
     world_host host;
 } world_options;
@@ -74,12 +74,11 @@ typedef struct {
     int  rebuilt;       // how often that list was made
     long tested;        // sticks looked at
     long relaxed;       // sticks moved
-    int  fell_back;     // rigid bodies, bent too far to be relaxed at once, and
-                        // strands that turned too far in a substep
+    int  fell_back;     // strands that turned too far in a substep
     int  asleep;        // bodies
     int  unconverged;   // contacts that overlap by more than a tenth of the
-                        // smaller body's radius, and bodies whose sticks are
-                        // off by a hundredth
+                        // smaller body's radius, and ropes and cloths with a
+                        // link that is off by a hundredth
     int  lost;          // bodies that had no numbers after the substeps of a
                         // part of the frame, and were stopped: should be 0
     int  cut;           // parts of the frame that had fewer substeps than

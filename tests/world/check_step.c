@@ -755,26 +755,20 @@ START_TEST(hertz_and_substeps_make_contacts_stiffer)
 }
 END_TEST
 
-// At 100 rad/s a body turns by 95 degrees in a frame.
-// Rejects: an option that is not read.
-START_TEST(iterations_straighten_what_turns_violently)
+// At 100 rad/s a body turns by 95 degrees in a frame.  It is turned as a whole.
+// Rejects: sticks that lag behind; a frame that rounding bends, frame by frame.
+START_TEST(what_turns_violently_keeps_its_shape)
 {
-    real strain[2] = { 0, 0 };
-    for (int k = 0; k < 2; k++) {
-        world_options o = without_gravity();
-        o.iterations = k ? 8 : 1;
-        begin(o);
-        add_thrown(&low, ZERO, ZERO, vec3_make(20, 30, 90));
-        for (int f = 0; f < 60; f++) {
-            frames(1);
-            for (int i = 0; i < FOUR_STICKS; i++)
-                strain[k] = fmax(strain[k], stick_strain(
-                    w.body[0].rigid->stick[i], particle_of(0, 0)));
-        }
+    real strain = 0;
+    begin(without_gravity());
+    add_thrown(&low, ZERO, ZERO, vec3_make(20, 30, 90));
+    for (int f = 0; f < 3600; f++) {
+        frames(1);
+        for (int i = 0; i < FOUR_STICKS; i++)
+            strain = fmax(strain, stick_strain(w.body[0].rigid->stick[i],
+                                               particle_of(0, 0)));
     }
-    ck_assert_msg(strain[1] <= 2e-6 && strain[0] > 10 * strain[1],
-                  "strain %g with one iteration, %g with eight", strain[0],
-                  strain[1]);
+    ck_assert_msg(strain <= 1e-14, "strain %g", strain);
 }
 END_TEST
 
@@ -1278,7 +1272,7 @@ int main(void)
         old_overlap_is_pushed_out_and_not_thrown,
         warm_start_carries_a_stack,
         hertz_and_substeps_make_contacts_stiffer,
-        iterations_straighten_what_turns_violently,
+        what_turns_violently_keeps_its_shape,
         every_option_carries_a_box,
         world_that_keeps_nothing_behaves_alike,
         any_number_of_tasks_gives_the_same_bits,

@@ -126,7 +126,6 @@ static bool is_left(const solver_frame *f, const contact *c, real was,
 // Where the rows of body b are made: where it is.
 static const rigid_frame *place_of(const plain_solver *s, int b)
 {
-    if (b < 0) return NULL;
     return lies(s, b) ? &s->frame->rows_at[b] : &s->body[b].frame;
 }
 
@@ -146,7 +145,8 @@ static contact_arms arms_of(const plain_solver *s, int i, int k)
 {
     contact c = *s->contact[i];
     if (s->gap[i][k] < near_of(s, &c)) c.shared = CONTACT_POINTS;
-    return contact_arms_of(&c, k, place_of(s, c.a), place_of(s, c.b));
+    return contact_arms_of(&c, k, place_of(s, c.a),
+                           c.b < 0 ? NULL : place_of(s, c.b));
 }
 
 static void solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
@@ -185,8 +185,9 @@ void plain_push(plain_solver *s)
 //<
 
 //> plain-center
-// Where friction acts: the middle of the points that touch.  One counts fully
-// up to a gap of a 25th of a radius, and for a hundredth from two 25ths on.
+// Where friction acts: the middle of the points that touch, of the first body
+// that moves; on the other at the same place.  One counts fully up to a gap of a
+// 25th of a radius, and for a hundredth from two 25ths on.
 typedef struct {
     vec3 arm[2];            // m, from both bodies
     real lever;             // N m s: the sum of impulses times distances
@@ -197,21 +198,22 @@ static friction_center center_of(const plain_solver *s, int i, const pair *p)
     const contact *c = s->contact[i];
     friction_center f = { .lever = 0 };
     real near = near_of(s, c), sum = 0;
+    bool of_b = !(p->basis[0]->inverse_mass > 0);
+    vec3 *arm = &f.arm[of_b];
     for (int k = 0; k < c->count; k++) {
         real share = real_min(1, real_max(0.01, 2 - s->gap[i][k] / near));
-        sum += share;
         contact_arms at = arms_of(s, i, k);
-        f.arm[0] = vec3_add_scaled(f.arm[0], share, at.a);
-        f.arm[1] = vec3_add_scaled(f.arm[1], share, at.b);
+        sum += share;
+        *arm = vec3_add_scaled(*arm, share, of_b ? at.b : at.a);
     }
-    for (int side = 0; side < 2; side++)
-        f.arm[side] = vec3_scale(1 / sum, f.arm[side]);
-    bool of_b = !(p->basis[0]->inverse_mass > 0);
+    *arm = vec3_scale(1 / sum, *arm);
     for (int k = 0; k < c->count; k++) {
         contact_arms at = arms_of(s, i, k);
-        f.lever += c->impulse[k] * vec3_distance(of_b ? at.b : at.a,
-                                                 f.arm[of_b]);
+        f.lever += c->impulse[k] * vec3_distance(of_b ? at.b : at.a, *arm);
     }
+    if (c->b < 0) return f;
+    vec3 way = vec3_sub(place_of(s, c->a)->center, place_of(s, c->b)->center);
+    f.arm[!of_b] = vec3_add_scaled(*arm, of_b ? -1 : 1, way);
     return f;
 }
 //<

@@ -29,7 +29,8 @@ static solver_frame frame = { .body = body, .bodies = BODIES, .plane = &ground,
     .max_speed = 3 };
 static contact_solver solver;
 static plain_solver plain = { .frame = &frame, .contact = list, .gap = gap,
-                              .velocity = velocity, .moved = moved };
+                              .velocity = velocity, .moved = moved,
+                              .body = body };
 
 // Icosahedra of 1 kg, with a radius of half a metre.
 static void make_bodies(void)
@@ -53,6 +54,7 @@ static void make_contacts(int n, int points)
         contact *c = &table[k];
         if (k % 15 == 0) b = contact_with_plane(0);
         *c = (contact){ .a = a, .b = b, .count = points,
+                        .shared = (signed char)points,
                         .normal = vec3_unit(random_vec3(&seed, 1)) };
         for (int j = 0; j < points; j++) {
             c->point[j].local_a = random_vec3(&seed, 0.5);

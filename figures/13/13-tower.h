@@ -34,10 +34,12 @@ static void tower_add(tower *t, real mass)
     *c = (contact){ .a = b, .b = b - 1, .count = CORNERS,
                     .normal = { 0, 1, 0 } };
     t->list[b] = c;
+    c->shared = CORNERS;
     for (int k = 0; k < CORNERS; k++) {
         // Bit 1 of a corner's number says that it is an upper one.
         int low = (k & 1) | (k & 2) << 1, high = low | 2;
         c->point[k].local_a = t->rigid[b].local[low];
+        c->point[k].own = 1;
         if (b > 0) c->point[k].local_b = t->rigid[b - 1].local[high];
     }
     for (int k = 0; k < FOUR; k++) {
@@ -89,17 +91,10 @@ static void tower_forget(tower *t)
 
 static void tower_put(tower *t)
 {
-    const relax_options exact = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 };
     for (int b = 0; b < t->cubes; b++) {
-        const solver_body *x = &t->body[b];
-        int moves = motion_moves(&x->basis, &t->moved[b]);
-        motion_begin(t->p[b], &x->frame, &x->basis, &t->moved[b], moves);
-        for (int k = 0; k < moves; k++) {
-            if (k > 0) motion_go_on(t->p[b]);
-            rigid4_relax(&t->rigid[b], t->p[b], 10, exact);
-        }
-        motion_end(&t->rigid[b], t->p[b], &x->frame, &t->velocity[b],
-                   t->frame.h);
+        solver_body *x = &t->body[b];
+        motion_straighten(&t->rigid[b], &x->frame);
+        motion_put(t->p[b], &x->frame, &x->basis, &t->velocity[b], t->frame.h);
     }
 }
 
@@ -107,7 +102,7 @@ static void tower_frame(tower *t)
 {
     tower_find(t);
     plain_solver s = { &t->frame, t->list, t->cubes, t->gap, t->velocity,
-                       t->moved };
+                       t->moved, t->body };
     plain_begin(&s);
     for (int n = 0; n < t->substeps; n++) {
         for (int b = 0; b < t->cubes; b++)

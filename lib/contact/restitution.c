@@ -312,9 +312,9 @@ static real time_of_touch(real gap, real closing, real a)
     return u > 0 ? real_min(2 * high / (u + root), 1) : 1;
 }
 
-// How much later than `time` do they first touch, as they stand and go then?  A
-// share of the substep, < 0: they have touched.
-static real until_touch(impact *x, const impact_solver *s,
+// When do they first touch, as they stand and go at the time x->time?  A share
+// of the substep.
+static real first_touch(impact *x, const impact_solver *s,
                         const rigid_frame at[BODIES], real acceleration)
 {
     const impact_pair *p = &x->pair;
@@ -324,10 +324,9 @@ static real until_touch(impact *x, const impact_solver *s,
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(p, x->c.normal, arm);
         real closing = -h * row_apart(&row, x->u);
-        if (!(closing > 0 && gap[k] < 1.001 * closing)) continue;
-        real later = gap[k] > 0 ? time_of_touch(gap[k], closing, acceleration)
-                                : gap[k] / closing;
-        least = real_min(least, later);
+        real began = gap[k] + x->time * closing;
+        if (!(closing > 0 && began < 1.001 * closing)) continue;
+        least = real_min(least, time_of_touch(began, closing, acceleration));
     }
     return least;
 }
@@ -364,19 +363,19 @@ static void find_touching(impact *x, const impact_solver *s)
     rigid_frame at[BODIES];
     x->time = 0;
     x->c = *x->found;
-    x->c.shared = (signed char)x->c.count;
+    x->c.shared = 0;            // a gap closes as each point goes
     for (int n = 0; n < TOUCH_STEPS; n++) {
         stand_at(x, s, x->time, at);
         face_each_other(&x->c, at);
         find_arms(x, at);
-        real later = until_touch(x, s, at, a);
+        real time = first_touch(x, s, at, a);
         x->points = 0;
-        if (!(later < HUGE_VAL)) return;
-        real time = real_max(real_min(x->time + later, 1), 0);
+        if (!(time < HUGE_VAL)) return;
         bool is_there = fabs(time - x->time) < 1e-9;
         x->time = time;
         if (is_there) break;
     }
+    x->c.shared = (signed char)x->c.count;
     stand_at(x, s, x->time, at);
     face_each_other(&x->c, at);
     find_arms(x, at);

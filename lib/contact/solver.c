@@ -434,14 +434,14 @@ static inline real4 make_rows(real4 row_a[TURNS], real4 row_b[TURNS],
     return real4_add(square, make_row(row_b, raw->b.turn, moment));
 }
 
-// Friction acts where the points are that touch; one that is wide open counts
-// for a hundredth.
+// Friction acts where the points are that touch, of both bodies at one place; one
+// that is wide open counts for a hundredth.
 static inline void find_center(const block *k, const raw_block *raw,
                                real4 center_a[3], real4 center_b[3])
 {
     const real4 zero = real4_all(0), one = real4_all(1);
     real4 sum = zero;
-    for (int i = 0; i < 3; i++) center_a[i] = center_b[i] = zero;
+    for (int i = 0; i < 3; i++) center_a[i] = zero;
     for (int j = 0; j < k->points; j++) {
         real4 open = real4_mul(k->point[j].gap, k->per_near);
         real4 share = real4_sub(real4_all(2), open);
@@ -449,12 +449,11 @@ static inline void find_center(const block *k, const raw_block *raw,
         share = real4_mul(share, k->place[j].has);
         sum = real4_add(sum, share);
         real4_add3(center_a, raw->arm_a[j], share);
-        real4_add3(center_b, raw->arm_b[j], share);
     }
     real4 per_sum = real4_div(one, real4_if_positive(sum, sum, one));
     for (int i = 0; i < 3; i++) {
         center_a[i] = real4_mul(center_a[i], per_sum);
-        center_b[i] = real4_mul(center_b[i], per_sum);
+        center_b[i] = real4_add(center_a[i], raw->way[i]);
     }
 }
 

@@ -65,16 +65,28 @@ static bool is_within(const solver_body *now, const motion *d, real margin)
         && vec3_length_squared(turn) <= margin * margin;
 }
 
-// A body that is displaced, too, gets a frame for it.
-static void displace(world *w, int b)
+// A body that is displaced, too, gets a frame for it.  Was it?
+static bool displace(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
     solver_body *now = &t->now[b];
     bool some = false;
     for (int i = 0; i < MOTIONS; i++) some |= t->moved[b].of[i] != 0;
-    if (!some) return;
+    if (!some) return false;
     motion_displace(&now->frame, &now->basis, &t->velocity[b], &t->moved[b]);
     t->moved[b] = (motion){ { 0 } };
+    return true;
+}
+
+// The rows of joints are made already, in the basis that bodies have.
+void advance_struck(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int b = 0; b < w->bodies; b++) {
+        bool is_free = t->moves[b] && t->going[b] == GOES_EXACTLY
+                    && !t->now[b].is_driven && !linkage_has(&w->joints, b);
+        t->fresh[b] = is_free && displace(w, b);
+    }
 }
 
 //<

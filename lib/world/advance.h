@@ -18,6 +18,10 @@
 // has its contacts.
 void advance_begin(world *w);
 
+// After impacts, which displace bodies: those that go freely have a frame for it,
+// and rigid.fresh says which.
+void advance_struck(world *w);
+
 // Where what is joined would come in a substep of h (s) as fast as it is now: in
 // rigid.free_end.  The joints correct that.
 void advance_predict(world *w, real h);

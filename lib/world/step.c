@@ -404,19 +404,22 @@ static void fall(world *w, real h)
     }
 }
 
+static void renew(world *w, solver_frame f)
+{
+    f.fresh = w->rigid.fresh;
+    solver_renew(&w->rigid.solver, &f);
+}
+
 static void bounce(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
     const contact *const *table = (const contact *const *)t->cache.active;
     if (!t->solver.strikes) return;
-    if (restitution_solve(table, t->cache.actives, f, t->velocity, t->moved))
-        solver_see_gaps(&t->solver, f, t->moved);
-}
-
-static void renew(world *w, solver_frame f)
-{
-    f.fresh = w->rigid.fresh;
-    solver_renew(&w->rigid.solver, &f);
+    if (!restitution_solve(table, t->cache.actives, f, t->velocity, t->moved))
+        return;
+    advance_struck(w);
+    renew(w, *f);
+    solver_see_gaps(&t->solver, f, t->moved);
 }
 
 static void substep(world *w, const solver_frame *f, real *since)

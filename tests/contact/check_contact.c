@@ -18,7 +18,8 @@ static contact_point any_point(void)
 {
     return (contact_point){ .local_a = random_vec3(&seed, 1),
                             .local_b = random_vec3(&seed, 1),
-                            .offset = random_real(&seed) / 10 };
+                            .offset = random_real(&seed) / 10,
+                            .own = floor(3 * random_fraction(&seed)) / 2 };
 }
 
 // --- gaps --------------------------------------------------------------------
@@ -92,8 +93,9 @@ END_TEST
 
 // --- arms --------------------------------------------------------------------
 
-// Rejects: an arm from the origin; a middle that is not the same for both; a
-// point of its own that is moved to the middle.
+// A vertex pushes where it is, two edges halfway between them.
+// Rejects: an arm from the origin; a place that is not the same for both; a
+// point of its own that is moved there; the vertex of the other body.
 START_TEST(impulses_act_at_one_place_or_each_at_its_own)
 {
     for (int n = 0; n < 200; n++) {
@@ -106,8 +108,9 @@ START_TEST(impulses_act_at_one_place_or_each_at_its_own)
             contact_arms arm = contact_arms_of(&c, k, &a, c.b < 0 ? NULL : &b);
             vec3 on_a = frame_point(&a, p.local_a);
             vec3 on_b = frame_point(&b, p.local_b);
-            vec3 middle = vec3_scale(0.5, vec3_add(on_a, on_b));
-            if (c.b >= 0 && k < c.shared) on_a = on_b = middle;
+            vec3 place = vec3_add(vec3_scale(p.own, on_a),
+                                  vec3_scale(1 - p.own, on_b));
+            if (c.b >= 0 && k < c.shared) on_a = on_b = place;
             if (c.b < 0) on_b = b.center;
             ck_assert(vec3_distance(vec3_add(a.center, arm.a), on_a)
                       <= 10 * ROUNDING);

@@ -5,7 +5,7 @@ void plain_substep(plain_solver *s, vec3 gravity)
 {
     const solver_frame *f = s->frame;
     for (int b = 0; b < f->bodies; b++) {
-        if (f->body[b].basis.inverse_mass == 0) continue;
+        if (s->body[b].basis.inverse_mass == 0) continue;
         s->velocity[b].of[0] += f->h * gravity.x;
         s->velocity[b].of[1] += f->h * gravity.y;
         s->velocity[b].of[2] += f->h * gravity.z;
@@ -16,11 +16,36 @@ void plain_substep(plain_solver *s, vec3 gravity)
     plain_relax(s);
 }
 
+// What lies is displaced: its rows stay where its contacts were found.  All else
+// goes to where it is now.
+static bool lies(const plain_solver *s, int b)
+{
+    return s->frame->is_elsewhere && s->frame->is_elsewhere[b];
+}
+
 void plain_move(plain_solver *s)
 {
-    for (int b = 0; b < s->frame->bodies; b++)
-        for (int i = 0; i < MOTIONS; i++)
-            s->moved[b].of[i] += s->frame->h * s->velocity[b].of[i];
+    real h = s->frame->h;
+    for (int b = 0; b < s->frame->bodies; b++) {
+        solver_body *x = &s->body[b];
+        motion *u = &s->velocity[b];
+        if (x->basis.inverse_mass == 0) continue;
+        if (!lies(s, b))
+            motion_advance(&x->frame, &x->basis, u, h);
+        for (int i = 0; i < MOTIONS && lies(s, b); i++)
+            s->moved[b].of[i] += h * u->of[i];
+    }
+    plain_measure(s);
+}
+
+void plain_measure(plain_solver *s)
+{
+    for (int i = 0; i < s->contacts; i++) {
+        const contact *c = s->contact[i];
+        const rigid_frame *b = c->b < 0 ? NULL : &s->body[c->b].frame;
+        real height = c->b < 0 ? s->frame->plane[-1 - c->b].offset : 0;
+        contact_gaps(c, &s->body[c->a].frame, b, height, s->gap[i]);
+    }
 }
 //<
 
@@ -34,7 +59,7 @@ typedef struct {
 static pair pair_of(const plain_solver *s, const contact *c)
 {
     static const motion_basis immovable = { .inverse_mass = 0 };
-    const solver_body *body = s->frame->body;
+    const solver_body *body = s->body;
     int a = c->a, b = c->b < 0 ? s->frame->bodies : c->b;
     return (pair){
         { &body[a].basis, c->b < 0 ? &immovable : &body[b].basis },
@@ -90,17 +115,38 @@ softness plain_softness(const solver_frame *f, bool both_move)
 
 //> plain-normals
 // What is open, has not pushed and closes fast is left to the impacts of the
-// next substep, if there are any.
-static bool is_left(const solver_frame *f, real gap, real was, real speed)
+// next substep, if there are any.  After the bodies have moved it may overlap.
+static bool is_left(const solver_frame *f, const contact *c, real was,
+                    real speed)
 {
     real slowest = 2 * vec3_length(f->gravity) * f->h;
-    return f->restitution > 0 && gap > 0 && was == 0 && speed <= -slowest;
+    return solver_strikes(f, c) && was == 0 && speed <= -slowest;
 }
 
-static contact_arms arms_of(const plain_solver *s, const contact *c, int k)
+// Where the rows of body b are made: where it is.
+static const rigid_frame *place_of(const plain_solver *s, int b)
 {
-    return contact_arms_of(c, k, solver_placed(s->frame, c->a),
-                           solver_placed(s->frame, c->b));
+    return lies(s, b) ? &s->frame->rows_at[b] : &s->body[b].frame;
+}
+
+// m: the 25th of the radius of the smaller of those that move.
+static real near_of(const plain_solver *s, const contact *c)
+{
+    real near = HUGE_VAL;
+    const int side[2] = { c->a, c->b };
+    for (int i = 0; i < 2; i++)
+        if (side[i] >= 0 && s->body[side[i]].basis.inverse_mass > 0)
+            near = real_min(near, s->body[side[i]].radius / 25);
+    return near;
+}
+
+// The arms of point k of contact i.  What is all but closed pushes at one place.
+static contact_arms arms_of(const plain_solver *s, int i, int k)
+{
+    contact c = *s->contact[i];
+    if (s->gap[i][k] < near_of(s, &c)) c.shared = CONTACT_POINTS;
+    return contact_arms_of(&c, k, place_of(s, c.a),
+                           c.b < 0 ? NULL : place_of(s, c.b));
 }
 
 static void solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
@@ -109,12 +155,12 @@ static void solve_normals(plain_solver *s, int i, softness soft, bool relaxes)
     pair p = pair_of(s, c);
     vec3 n = c->normal;
     for (int k = 0; k < c->count; k++) {
-        contact_arms at = arms_of(s, c, k);
+        contact_arms at = arms_of(s, i, k);
         const vec3 arm[2] = { at.a, at.b };
         real was = c->impulse[k];
         real gap = s->gap[i][k] + parting(&p, p.moved, arm, n);
         real speed = parting(&p, p.velocity, arm, n);
-        if (relaxes && is_left(s->frame, gap, was, speed)) continue;
+        if ((relaxes || gap > 0) && is_left(s->frame, c, was, speed)) continue;
         real mass = 1 / response(&p, arm, n, n);
         real lacking = speed + gap / s->frame->h, leak = 0;
         if (gap <= 0) {
@@ -139,8 +185,9 @@ void plain_push(plain_solver *s)
 //<
 
 //> plain-center
-// Where friction acts: the middle of the points that touch.  One counts fully
-// up to a gap of a 25th of a radius, and for a hundredth from two 25ths on.
+// Where friction acts: the middle of the points that touch, of the first body
+// that moves; on the other at the same place.  One counts fully up to a gap of a
+// 25th of a radius, and for a hundredth from two 25ths on.
 typedef struct {
     vec3 arm[2];            // m, from both bodies
     real lever;             // N m s: the sum of impulses times distances
@@ -150,26 +197,23 @@ static friction_center center_of(const plain_solver *s, int i, const pair *p)
 {
     const contact *c = s->contact[i];
     friction_center f = { .lever = 0 };
-    real near = HUGE_VAL, sum = 0;
-    for (int side = 0; side < 2; side++)
-        if (p->basis[side]->inverse_mass > 0)
-            near = real_min(near, s->frame->body[side ? c->b : c->a].radius
-                                  / 25);
+    real near = near_of(s, c), sum = 0;
+    bool of_b = !(p->basis[0]->inverse_mass > 0);
+    vec3 *arm = &f.arm[of_b];
     for (int k = 0; k < c->count; k++) {
         real share = real_min(1, real_max(0.01, 2 - s->gap[i][k] / near));
+        contact_arms at = arms_of(s, i, k);
         sum += share;
-        contact_arms at = arms_of(s, c, k);
-        f.arm[0] = vec3_add_scaled(f.arm[0], share, at.a);
-        f.arm[1] = vec3_add_scaled(f.arm[1], share, at.b);
+        *arm = vec3_add_scaled(*arm, share, of_b ? at.b : at.a);
     }
-    for (int side = 0; side < 2; side++)
-        f.arm[side] = vec3_scale(1 / sum, f.arm[side]);
-    bool of_b = !(p->basis[0]->inverse_mass > 0);
+    *arm = vec3_scale(1 / sum, *arm);
     for (int k = 0; k < c->count; k++) {
-        contact_arms at = arms_of(s, c, k);
-        f.lever += c->impulse[k] * vec3_distance(of_b ? at.b : at.a,
-                                                 f.arm[of_b]);
+        contact_arms at = arms_of(s, i, k);
+        f.lever += c->impulse[k] * vec3_distance(of_b ? at.b : at.a, *arm);
     }
+    if (c->b < 0) return f;
+    vec3 way = vec3_sub(place_of(s, c->a)->center, place_of(s, c->b)->center);
+    f.arm[!of_b] = vec3_add_scaled(*arm, of_b ? -1 : 1, way);
     return f;
 }
 //<
@@ -251,10 +295,6 @@ void plain_begin(plain_solver *s)
 {
     for (int i = 0; i < s->contacts; i++) {
         contact *c = s->contact[i];
-        const solver_frame *f = s->frame;
-        const rigid_frame *b = c->b < 0 ? NULL : &f->body[c->b].frame;
-        real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
-        contact_gaps(c, &f->body[c->a].frame, b, height, s->gap[i]);
         // One point cannot hold a twist that more have held.
         if (c->count == 1) c->twist = 0;
         // The normal may have turned since the last frame.
@@ -262,6 +302,7 @@ void plain_begin(plain_solver *s)
                                       -vec3_dot(c->normal, c->friction),
                                       c->normal);
     }
+    plain_measure(s);
 }
 
 void plain_warm_start(plain_solver *s)
@@ -270,7 +311,7 @@ void plain_warm_start(plain_solver *s)
         contact *c = s->contact[i];
         pair p = pair_of(s, c);
         for (int k = 0; k < c->count; k++) {
-            contact_arms at = arms_of(s, c, k);
+            contact_arms at = arms_of(s, i, k);
             const vec3 arm[2] = { at.a, at.b };
             apply(&p, arm, vec3_scale(c->impulse[k], c->normal));
         }

@@ -15,7 +15,8 @@ static unsigned long long seed = 11;
 
 static linkage l;
 static solver_body solid[BODIES];
-static motion velocity[BODIES], before[BODIES], moved[BODIES];
+static motion velocity[BODIES], moved[BODIES], free_speed[BODIES];
+static rigid_frame ahead[BODIES];
 static solver_frame frame;
 
 static void tear_down(void)
@@ -27,7 +28,18 @@ static linkage_pass pass(void)
 {
     frame = (solver_frame){ .body = solid, .bodies = BODIES, .h = 1 / 480.0,
                             .substeps = 8, .warm = 1, .max_speed = 3 };
-    return (linkage_pass){ &frame, velocity, before, moved };
+    return (linkage_pass){ &frame, velocity, moved, free_speed, ahead };
+}
+
+// Where the bodies come in a substep, as fast as they are.
+static void predict(void)
+{
+    for (int b = 0; b < BODIES; b++) {
+        motion u = free_speed[b] = velocity[b];
+        motion_basis basis = solid[b].basis;
+        ahead[b] = solid[b].frame;
+        motion_advance(&ahead[b], &basis, &u, 1 / 480.0);
+    }
 }
 
 // Bodies of 0.01 to 100 kg, here and there, as they were thrown.
@@ -43,7 +55,6 @@ static void throw_bodies(void)
             solid[b].basis.turn[t] = vec3_scale((2 + t) * sqrt(10 * heavy),
                                                JOINT_WORLD.axis[t]);
         memset(&moved[b], 0, sizeof moved[b]);
-        memset(&before[b], 0, sizeof before[b]);
         for (int i = 0; i < MOTIONS; i++)
             velocity[b].of[i] = random_real(&seed);
     }
@@ -123,8 +134,7 @@ static vec3 angular_of(int b)
 START_TEST(impulses_are_handed_from_body_to_body)
 {
     // Momentum and angular momentum stay, to rounding, however far the joints
-    // are torn apart; and what the solver is told that joints did is what they
-    // did.  Rejects: two impulses that act in two places.
+    // are torn apart.  Rejects: two impulses that act in two places.
     throw_bodies();
     for (int b = 1; b < BODIES; b++) join(JOINT_BALL, b - 1, b);
     join(JOINT_HINGE, 0, BODIES - 1);       // a ring
@@ -132,14 +142,13 @@ START_TEST(impulses_are_handed_from_body_to_body)
         solid[b].frame.center = vec3_add_scaled(solid[b].frame.center, 0.1,
                                                random_vec3(&seed, 1));
     vec3 was = { 0, 0, 0 }, now = { 0, 0, 0 }, turns[2] = { was, was };
-    motion start[BODIES];
-    memcpy(start, velocity, sizeof start);
     for (int after = 0; after < 2; after++) {
         vec3 *sum = after ? &now : &was;
         linkage_pass q = pass();
         if (after) {
             linkage_prepare(&l, &q);
             linkage_begin(&l, &q);
+            predict();
             linkage_push(&l, &q);
             linkage_relax(&l, &q);
         }
@@ -154,10 +163,6 @@ START_TEST(impulses_are_handed_from_body_to_body)
                   vec3_distance(was, now));
     real turned = vec3_distance(turns[0], turns[1]);
     ck_assert_msg(turned < 1e-9, "angular momentum: off by %g", turned);
-    for (int b = 0; b < BODIES; b++)
-        for (int i = 0; i < MOTIONS; i++)
-            ck_assert(fabs(velocity[b].of[i] - start[b].of[i]
-                           - before[b].of[i]) < 1e-10);
 }
 END_TEST
 
@@ -182,6 +187,7 @@ START_TEST(limit_gives_back_what_it_pushed_too_much)
     j->impulse[5] = 1e-3;
     linkage_prepare(&l, &q);
     linkage_begin(&l, &q);
+    predict();
     linkage_push(&l, &q);
     linkage_relax(&l, &q);
     ck_assert_msg(j->impulse[5] >= 0, "it pulls: %g", j->impulse[5]);
@@ -195,6 +201,7 @@ static void run_substep(const linkage_pass *q)
 {
     linkage_prepare(&l, q);
     linkage_begin(&l, q);
+    predict();
     linkage_push(&l, q);
     linkage_relax(&l, q);
 }
@@ -212,11 +219,12 @@ START_TEST(what_is_begun_again_goes_as_it_went)
     memcpy(start, velocity, sizeof start);
     joint first[2] = { l.joint[0], l.joint[1] };
     l.joint[1].strength = 1e-6;
+    linkage_mark(&l);
     run_substep(&q);
     memcpy(end, velocity, sizeof end);
     ck_assert(l.joint[1].is_broken && l.broken == 1);
     l.rows[0].is_upper = true;      // it came to its other limit
-    linkage_rewind(&l);
+    linkage_rewind(&l, &q);
     ck_assert(!l.joint[1].is_broken && l.broken == 0 && !l.rows[0].is_upper);
     for (int k = 0; k < 2; k++)
         ck_assert(memcmp(l.joint[k].impulse, first[k].impulse,
@@ -252,6 +260,7 @@ START_TEST(nothing_joined_costs_nothing)
     linkage_pass q = pass();
     linkage_prepare(&l, &q);
     linkage_begin(&l, &q);
+    predict();
     linkage_push(&l, &q);
     linkage_relax(&l, &q);
     ck_assert(!linkage_has(&l, 0));

@@ -985,7 +985,7 @@ static void spin_a_rope(double spin)
         ck_assert(isfinite(p.x + p.y + p.z + v.x + v.y + v.z));
         ck_assert(isfinite(tumble_joint_force(w, pin)));
     }
-    expect_failure(w, "numbers were lost");
+    expect_fine(w);
     tumble_free(w);
 }
 
@@ -997,14 +997,12 @@ START_TEST(a_pinned_rope_keeps_its_numbers)
 END_TEST
 
 // A ton hits a cube on a joint at 10 km/s, and begins inside of it.
-// Rejects: contacts that hand impulses which are no numbers to the next step,
-// and with them the loss, for ever; a joint whose force is no number.
-START_TEST(what_was_lost_is_not_lost_again)
+static bool loses_numbers(double light)
 {
     tumble_world *w = weightless();
     tumble_body_options fast = tumble_at(0, 0, 0);
     fast.velocity = tumble_v(1e4, 5e3, 3e3);
-    tumble_shape cube = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_shape cube = tumble_box(w, tumble_v(1, 1, 1), light);
     tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1000), fast);
     tumble_body b = tumble_add(w, cube, tumble_at(0.6, 0.3, 0.2));
     tumble_joint j = tumble_ball(w, b, tumble_ground(), tumble_v(2, 1, 3));
@@ -1015,9 +1013,19 @@ START_TEST(what_was_lost_is_not_lost_again)
         if (k < 30) tumble_forget_failure(w);
         ck_assert(isfinite(tumble_joint_force(w, j)));
     }
-    ck_assert(was_lost);
     expect_fine(w);
     tumble_free(w);
+    return was_lost;
+}
+
+// Rejects: contacts that hand impulses which are no numbers to the next step,
+// and with them the loss, for ever; a joint whose force is no number.
+START_TEST(what_was_lost_is_not_lost_again)
+{
+    int lost = 0;
+    for (double light = 1; light > 1e-8; light /= 1000)
+        lost += loses_numbers(light);
+    ck_assert_int_gt(lost, 0);
 }
 END_TEST
 
@@ -1039,7 +1047,7 @@ START_TEST(a_joint_of_what_does_not_yield_bears_nothing)
 }
 END_TEST
 
-// A plate tumbles on a joint: the step is divided into 16 parts.
+// A bullet comes: the step is divided into four parts.
 // Rejects: 10000 substeps in each of them; fewer than were asked for, without a
 // word.
 START_TEST(a_step_has_no_more_substeps_than_the_most)
@@ -1047,11 +1055,10 @@ START_TEST(a_step_has_no_more_substeps_than_the_most)
     tumble_options o = tumble_options_default();
     o.substeps = 10000;
     tumble_world *w = tumble_make(&o);
-    tumble_body_options spun = tumble_at(0, 0, 0);
-    spun.spin = tumble_v(1000, 1000, 1000);
-    tumble_shape plate = tumble_box(w, tumble_v(1, 0.5, 0.1), 1);
-    tumble_body b = tumble_add(w, plate, spun);
-    tumble_ball(w, b, tumble_ground(), tumble_v(0.1, 0, 0));
+    tumble_body_options fast = tumble_at(-3, 0, 0);
+    fast.velocity = tumble_v(300, 0, 0);
+    tumble_add(w, tumble_box(w, tumble_v(0.1, 0.1, 0.1), 1), fast);
+    tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1), tumble_at(0, 0, 0));
     for (int k = 0; k < 3; k++) {
         tumble_step(w);
         ck_assert_int_le(tumble_last_step(w).substeps, 10000);

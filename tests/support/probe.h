@@ -7,6 +7,7 @@
 #ifndef TUMBLE_PROBE_H
 #define TUMBLE_PROBE_H
 
+#include "drive.h"
 #include "world.h"
 
 // The lightest body's mass; NAN while it has not been asked for since the last
@@ -60,7 +61,7 @@ static inline void probe_forget_sleep(world *w, int b)
 
 // --- Rigid bodies within a frame ---------------------------------------------
 
-// In motion coordinates, see motion.h: m/s, and m since the frame began.
+// In motion coordinates, see motion.h: m/s, and m since it got its frame.
 static inline motion *probe_velocity(world *w, int b)
 {
     return &w->rigid.velocity[b];
@@ -71,7 +72,7 @@ static inline motion *probe_move(world *w, int b)
     return &w->rigid.moved[b];
 }
 
-// Where body b stood when the frame began.
+// Where body b stood when it got its frame, and with which basis.
 static inline const solver_body *probe_start(const world *w, int b)
 {
     return &w->rigid.now[b];
@@ -121,6 +122,18 @@ static inline void probe_look(world *w)
         w->rigid.velocity[b] = motion_of(p, &now->frame, &now->basis, w->age);
         w->rigid.moved[b] = (motion){ { 0 } };
         w->rigid.ball[b].center = now->frame.center;
+    }
+}
+
+// And what is driven has its velocity: the substeps may begin.
+static inline void probe_begin_substeps(world *w)
+{
+    probe_look(w);
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        w->rigid.moves[b] = !body_is_soft(x) && !body_is_static(x);
+        w->rigid.now[b].is_driven = x->is_kinematic;
+        if (x->is_kinematic) drive_begin(w, b);
     }
 }
 

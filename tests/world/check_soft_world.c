@@ -576,11 +576,11 @@ static void follow(void)
         const body *x = &w.body[b];
         const solver_body *now = probe_start(&w, b);
         if (body_is_soft(x) || body_is_static(x)) continue;
-        motion_begin(particle_of(b, 0), &now->frame, &now->basis,
-                     probe_move(&w, b), 1);
-        rigid4_relax(x->rigid, particle_of(b, 0), 6, w.options.relax);
-        motion_end(x->rigid, particle_of(b, 0), &now->frame,
-                   probe_velocity(&w, b), w.age);
+        rigid_frame frame = now->frame;
+        motion_basis basis = now->basis;
+        motion u = *probe_velocity(&w, b);
+        motion_displace(&frame, &basis, &u, probe_move(&w, b));
+        motion_put(particle_of(b, 0), &frame, &basis, &u, w.age);
     }
 }
 

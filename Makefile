@@ -219,7 +219,7 @@ NEED_site     := deps-site pandoc clang lld wasi-libc nodejs npm webp
 NEED_browser  := deps-site nodejs chromium webp
 NEED_valgrind := deps-dev valgrind
 NEED_clang    := deps-dev clang
-NEED_fuzz     := deps-dev clang libclang-rt-14-dev
+NEED_fuzz     := deps-dev clang libclang-rt-dev
 NEEDS := $(patsubst NEED_%,need-%,$(filter NEED_%,$(.VARIABLES)))
 .PHONY: $(NEEDS)
 $(NEEDS): need-%:

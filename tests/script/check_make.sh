@@ -30,6 +30,10 @@ refuses 'did you mean  make library?'   libary
 refuses 'did you mean  make exercise 04/search?' 04/search
 refuses 'There is no chapter 99: there are 00 to ' 99
 refuses 'There is no chapter 99: there are 00 to ' test-99
+refuses 'There is no chapter 99: there are 00 to ' figure-99
+refuses 'There is no figure 04-rulez: figure-04-' figure-04-rulez
+refuses 'There is no figure 99-x: chapter 99 has none.' figure-99-x
+refuses 'did you mean  make figures?'  figur
 refuses 'no command and no file nosuch' nosuch
 
 # ---- A name that make or the shell would take for more: nothing of it is run

@@ -398,7 +398,9 @@ NOTHING := $(NAMED) $(foreach goal,$(WHICH),$(if $(findstring /,$(goal)),$(goal)
 $(NOTHING) .DEFAULT:
 	$(QUIETLY)@:
 else
-.DEFAULT:
+# Nor is a folder's name a command, though make would call it up to date.
+.PHONY: chapters exercises lib tests
+chapters exercises lib tests .DEFAULT:
 	@sh tests/script/meant.sh '$@' $(CHAPTERS)
 endif
 

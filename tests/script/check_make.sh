@@ -34,6 +34,10 @@ refuses 'There is no chapter 99: there are 00 to ' figure-99
 refuses 'There is no figure 04-rulez: figure-04-' figure-04-rulez
 refuses 'There is no figure 99-x: chapter 99 has none.' figure-99-x
 refuses 'did you mean  make figures?'  figur
+refuses 'did you mean  make exercise?' exercises
+refuses 'did you mean  make test?'     tests
+refuses 'did you mean  make library?'  lib
+refuses 'did you mean  make book?'     chapters
 refuses 'no command and no file nosuch' nosuch
 
 # ---- A name that make or the shell would take for more: nothing of it is run

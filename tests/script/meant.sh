@@ -9,6 +9,8 @@ for last in "$@"; do :; done
 case $given in
 [0-9][0-9]/*) meant="exercise $given" ;;
 */*)    meant= ;;
+lib)    meant=library ;;
+chapters) meant=book ;;
 [0-9] | test-[0-9] | figure-[0-9])
     meant=${what}0$number ;;
 figure-[0-9]*-*)

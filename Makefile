@@ -222,7 +222,7 @@ NEED_site     := deps-site pandoc clang lld wasi-libc nodejs npm webp
 NEED_browser  := deps-site nodejs chromium webp
 NEED_valgrind := deps-dev valgrind
 NEED_clang    := deps-dev clang
-NEED_fuzz     := deps-dev clang libclang-rt-14-dev
+NEED_fuzz     := deps-dev clang libclang-rt-dev
 NEEDS := $(patsubst NEED_%,need-%,$(filter NEED_%,$(.VARIABLES)))
 .PHONY: $(NEEDS)
 $(NEEDS): need-%:
@@ -401,7 +401,9 @@ NOTHING := $(NAMED) $(foreach goal,$(WHICH),$(if $(findstring /,$(goal)),$(goal)
 $(NOTHING) .DEFAULT:
 	$(QUIETLY)@:
 else
-.DEFAULT:
+# Nor is a folder's name a command, though make would call it up to date.
+.PHONY: chapters exercises lib tests
+chapters exercises lib tests .DEFAULT:
 	@sh tests/script/meant.sh '$@' $(CHAPTERS)
 endif
 

@@ -69,6 +69,7 @@ function opened(name, stage,    k, names) {
 # What a reader sees at the end of a piece: the line, or what is defined there.
 function last_of(name, stage,    names, line) {
     line = code_line(name, 1)
+    if (!is_in(name, stage)) stage--
     names = defined(name); sub(/.*, /, "", names)
     if (is_open(name) || line !~ /^}/ && (names == "" || !index(line, names "("))) return quoted(line)
     return names == "" && is_inside(name) ? opened(opener(name, stage), stage) : "`" names "`"
@@ -80,18 +81,53 @@ function is_typed(name, stage) {
 }
 # Does it come back, after stages without it?
 function returns(name, stage) { return stage_of(comes[name]) < stage && is_in(name, stage) && !is_in(name, stage - 1) }
-# What does, as "`a`, `b` of stage 12c".
-function taken_back(stage,    k, i, name, names, of, out, was) {
+# What stays of the stage before, where most of it goes.
+function kept(stage,    k, name, names, out) {
     for (k = 1; k <= regions; k++) {
         name = region[k]
-        if (!(name in comes) || !returns(name, stage)) continue
-        names = defined(name); gsub(/, /, "`, `", names)
-        if (names == "") continue
-        for (i = stage - 1; !is_in(name, i); i--) ;
-        if (was && of != i) out = out " of stage " id_of[of]
-        out = out (was++ ? ", `" : "`") names "`"; of = i
+        if (!(name in comes) || !is_in(name, stage - 1) || !is_in(name, stage)) continue
+        names = everything(name)
+        if (names != "") out = out (out == "" ? "" : ", ") names
     }
-    return was ? out " of stage " id_of[of] : ""
+    return "the lines with `#include`, " out
+}
+# What does, and where to: "`a`, `b` of stage 12c, after `c`; `d;` of stage 11c, in `f`,
+# after `e;`".
+function taken_back(stage,    k, i, name, names, out, of, ending, next_to, start) {
+    for (k = 1; k <= regions; k++) {
+        name = region[k]
+        if (!(name in comes)) continue
+        if (!returns(name, stage)) { if (is_in(name, stage) && !(comes_in(name, stage) && is_inside(name))) { next_to = 0; start = "" }; continue }
+        if (start == "" && !is_inside(name)) start = name
+        names = everything(name)
+        if (is_inside(name) && !returns(opener(name, stage), stage)) { names = line_span(name); next_to = 0; start = name }
+        else if (names == "" || index(", " out ",", ", " names ",")) continue
+        for (i = stage - 1; !is_in(name, i); i--) ;
+        if (next_to && of == i) { out = out ", " names; continue }
+        if (out != "") out = out ending ";"
+        if (next_to) start = name
+        of = i
+        ending = " of stage " id_of[of] (is_inside(start) ? ", in " opened(opener(start, stage), stage) : "") place_of(start, stage)
+        out = out " " names
+        next_to = !is_inside(start)
+        if (!next_to) start = ""
+    }
+    return out == "" ? "" : substr(out, 2) ending
+}
+# The lines of a piece, for a reader.
+function line_span(name) {
+    if (code_line(name, 0) == code_line(name, 1)) return quoted(code_line(name, 0))
+    return "the lines from " quoted(code_line(name, 0)) " to " quoted(code_line(name, 1))
+}
+# The stage before this one in which a reader has that piece: the last one, or that
+# from which the function around it is taken back.  0 if there is none.
+function last_seen(name, stage,    i, around) {
+    if (is_in(name, stage - 1)) return stage - 1
+    if (!is_inside(name)) return 0
+    for (i = stage - 1; i > 0 && !is_in(name, i); i--) ;
+    if (!i) return 0
+    around = opener(name, i)
+    return around != "" && returns(around, stage) && !is_in(around, i + 1) ? i : 0
 }
 function comes_in(name, stage) { return stage_of(comes[name]) == stage }
 # Which piece of a stage takes the place of one that ends: the one that defines the
@@ -99,7 +135,7 @@ function comes_in(name, stage) { return stage_of(comes[name]) == stage }
 function heir(name, stage,    k, way, list, i, n) {
     n = split(defined(name), list, ", ")
     if (!n && is_inside(name)) {
-        k = opener(name, stage - 1)
+        k = opener(name, last_seen(name, stage))
         if (k != "" && is_in(k, stage - 1) && !is_in(k, stage)) return heir(k, stage)
     }
     for (k = 1; k <= regions; k++)
@@ -129,41 +165,41 @@ function everything(name,    i, line, out) {
 function ended(stage, piece,    k, name, out, names) {
     for (k = 1; k <= regions; k++) {
         name = region[k]
-        if (!(name in comes) || !is_in(name, stage - 1) || is_in(name, stage) || heir(name, stage) != piece) continue
+        if (!(name in comes) || is_in(name, stage) || !last_seen(name, stage) || heir(name, stage) != piece) continue
         gone[name, stage]
         is_far = is_far || home[name] != home[piece] || is_between(number_in[name], number_in[piece], stage)
         names = everything(name)
         if (!is_inside(name) && names == "") names = opened(name, stage - 1)
         if (names != "") ;
-        else if (!is_in(opener(name, stage - 1), stage)) continue
-        else if (code_line(name, 0) == code_line(name, 1)) names = quoted(code_line(name, 0))
-        else names = "the lines from " quoted(code_line(name, 0)) " to " quoted(code_line(name, 1))
-        if (piece == "" && is_inside(name)) names = names " in " opened(opener(name, stage), stage)
+        else if (!is_in(opener(name, last_seen(name, stage)), stage)) continue
+        else names = line_span(name)
+        if (piece == "" && is_inside(name) && everything(name) == "") names = names " in " opened(opener(name, stage), stage)
         if (!index(", " out ",", ", " names ",")) out = out (out == "" ? "" : ", ") names
     }
     return out
 }
-# Does something new come between two pieces?
+# Does something new come between two pieces, or has something that stays been there?
 function is_between(k, until, stage) {
-    for (k++; k < until; k++) if ((region[k], stage) in typed) return 1
+    for (k++; k < until; k++)
+        if ((region[k], stage) in typed || ((region[k] in comes) && is_in(region[k], stage - 1) && is_in(region[k], stage) && !is_inside(region[k]))) return 1
     return 0
 }
 # "Stage 01b, in place of `euler_step`:" or "Stage 01b, after `gravity`:" of pieces
 # that come together.
-function where_it_goes(n, names,    k, stage, says, old, more) {
+function where_it_goes(n, names,    k, stage, says, old, more, list) {
     stage = stage_of(comes[names[1]])
     says = "*Stage " comes[names[1]] "*"
     if (!(stage in begun)) {
         begun[stage]
-        old = ended(stage, "")
+        old = ended(stage, ""); more = taken_back(stage)
+        if (more != "") says = says " (take back " more ")"
+        if (split(old, list, ", ") > 40) { restarted[stage]; old = "" ; says = says " (keep " kept(stage) "; delete all else)" }
         if (old != "") says = says " (delete " old ")"
-        old = taken_back(stage)
-        if (old != "") says = says " (take back " old ")"
     }
     old = ""; is_far = 0
     for (k = 1; k <= n; k++) {
         more = ended(stage, names[k])
-        if (more != "") old = old (old == "" ? "" : ", ") more
+        if (more != "" && !(stage in restarted)) old = old (old == "" ? "" : ", ") more
     }
     if (is_inside(names[1])) says = says ", in " opened(opener(names[1], stage), stage)
     says = says (old == "" || is_far ? place_of(names[1], stage) : "") (old == "" ? "" : ", in place of " old) ":"
@@ -174,7 +210,7 @@ function place_of(name, stage,    k, last, next_one) {
     for (k = number_in[name] - 1; k > 0 && !last; k--) if (region[k] in comes && is_typed(region[k], stage)) last = region[k]
     for (k = number_in[name] + 1; k <= regions && !next_one; k++) if (region[k] in comes && is_typed(region[k], stage)) next_one = region[k]
     if (!next_one) return last ? ", at the end" : ", the first lines"
-    if (last && is_inside(name) && code_line(last, 1) ~ /^[ \t]*}$/) return code_line(next_one, 0) == "}" ? ", at its end" : ", before " quoted(code_line(next_one, 0))
+    if (last && is_inside(name) && code_line(last, 1) ~ /^[ \t]*(}|return;)$/) return code_line(next_one, 0) == "}" ? ", at its end" : ", before " quoted(code_line(next_one, 0))
     return last && code_line(last, 1) != "{" ? ", after " last_of(last, stage) : ", at the top"
 }
 # The next piece of that stage.

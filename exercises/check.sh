@@ -27,6 +27,10 @@ check_files() {
     for test in $first; do
         grep -q "^START_TEST($test)" "$tests" || fault "first names the test $test, which is not in $tests"
     done
+    for test in $leave; do
+        grep -q "^START_TEST($test)" "$tests" || fault "leave names the test $test, which is not in $tests"
+        ! grep -q "^test  *$test\$" "$dir/wrong" || fault "leave names the test $test, which is to reject a wrong variant"
+    done
     for chapter in "$chapters/${name%%/*}"-*.md; do
         [ ! -f "$chapter" ] || [ -n "$(told "$name")" ] ||
             fault "$chapter does not tell of it:  make exercise $name"

@@ -137,7 +137,8 @@ case $? in
 2)  exit 2 ;;
 *)  {
     if names | grep -q "^${2%%/*}/"; then list "${2%%/*}/"; fi
-    echo "There is no exercise $2:  make exercise  lists them all."
+    if names | grep -qx "0$2"; then echo "There is no exercise $2; did you mean  make $command 0$2?"
+    else echo "There is no exercise $2:  make exercise  lists them all."; fi
     } >&2
     exit 1 ;;
 esac

@@ -226,12 +226,15 @@ static bool contact_meet(contact *c)
 //> little_meet_restitution 15c
     c->restitution = real_max(c->a->restitution, c->b->restitution);
 //<
-//> little_meet_clip 11b 13b 13d
+//> little_meet_clip 11b 13b
     if (contact_clip(c)) return true;
 //<
 //> little_meet_clip_or_not 13c 13c
     bool one_point = true;      // first without the sides
     if (!one_point && contact_clip(c)) return true;
+//<
+//> little_meet_clip_again 13d
+    if (contact_clip(c)) return true;
 //<
 //> little_meet_point 11a
     point_add(c, simplex_on(&s, a.at, false), simplex_on(&s, b.at, true));

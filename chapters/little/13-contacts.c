@@ -255,7 +255,9 @@ static int *table_place(const body *a, const body *b)
 static void contacts_remember(void)
 {
     contact *swap = before;
-    for (int i = 0; i < TABLE; i++) table[i] = 0;
+    // The last goes first, so that none loses its way to the rest.
+    for (int i = before_count - 1; i >= 0; i--)
+        *table_place(before[i].a, before[i].b) = 0;
     before = contacts;
     before_count = contact_count;
     contacts = swap;

@@ -114,7 +114,7 @@ compare() {
 paint() {
     grep -q 'drawing' "$3" || return 0
     painter=${BUILD:-build}/paint-little
-    [ -x "$painter" ] || ${AGAIN:-make} -s "$painter" > "$build/painter.log" 2>&1 || { echo "no picture: the painter cannot be built ($build/painter.log)"; return 0; }
+    [ -x "$painter" ] || ${AGAIN:-make} -s MINE= "$painter" > "$build/painter.log" 2>&1 || { echo "no picture: the painter cannot be built ($build/painter.log)"; return 0; }
     run "$1" "$build/frames" draw && "$painter" "$2" 3 < "$build/frames" && echo "drawn: $2"
 }
 
@@ -140,7 +140,7 @@ run_stage() {
 # film PROGRAM FILE.webp [QUALITY]: a moving picture of what it draws.
 film() {
     command -v img2webp > /dev/null || { echo "there is no img2webp (make deps-book installs it)" >&2; exit 1; }
-    ${AGAIN:-make} -s "${BUILD:-build}/paint-little" || exit 1
+    ${AGAIN:-make} -s MINE= "${BUILD:-build}/paint-little" || exit 1
     rm -rf "$build/film" && mkdir "$build/film" || exit 1
     run "$1" "$build/frames" draw
     grep -q frame "$build/frames" || { echo "$1 draws nothing: stages 09 and 18c do, with the argument draw" >&2; exit 1; }

@@ -302,10 +302,11 @@ static ending run(search *s, real margin)
 }
 //<
 
-//> search-nearest
-//>   Then `gjk_search` goes on, which is `gjk_distance` without the test of the
-//>   range, from the simplex of the quick search. So an answer is either proven
-//>   here or given by chapter 04.
+//> search-start
+//>   A search begins with the corners of the last one. If there are none, each
+//>   body is asked for what it has furthest towards the other: a small one for
+//>   two vertices, which takes one scan, as for one. They make a triangle of
+//>   corners, mostly near the answer.
 static void add(search *s, int i, int j)
 {
     part *p = s->now;
@@ -314,17 +315,53 @@ static void add(search *s, int i, int j)
     p->count++;
 }
 
-// From the corners of the last search, or the one between the two middles.
-static void start(search *s, const simplex *from)
+// The vertex furthest along d, and the next; a single one is both.
+static void scan_two(hull h, vec3 d, int of[2])
 {
-    const corner zero = { .a = 0 };
-    for (int k = 0; from && k < from->count; k++)
-        add(s, from->of[k].a, from->of[k].b);
-    if (s->now->count > 0) return;
-    support(s, between_middles(s), &zero, &s->at[0]);
-    s->now->of[s->now->count++] = 0;
+    real most = vec3_dot(d, h.at[0]), next = -HUGE_VAL;
+    of[0] = of[1] = 0;
+    for (int k = 1; k < h.count; k++) {
+        real height = vec3_dot(d, h.at[k]);
+        if (height > most) {
+            next = most, of[1] = of[0];
+            most = height, of[0] = k;
+        } else if (height > next) {
+            next = height, of[1] = k;
+        }
+    }
 }
 
+// The corner between the two middles comes last, as the newest.
+static void start_cold(search *s)
+{
+    const corner zero = { .a = 0 };
+    vec3 d = between_middles(s);
+    int i[2], j[2];
+    if (climbs(s->a) || climbs(s->b)) {
+        corner w;
+        support(s, d, &zero, &w);
+        add(s, w.a, w.b);
+        return;
+    }
+    scan_two(s->a->hull, vec3_scale(-1, d), i);
+    scan_two(s->b->hull, d, j);
+    if (i[1] != i[0]) add(s, i[1], j[0]);
+    if (j[1] != j[0]) add(s, i[0], j[1]);
+    add(s, i[0], j[0]);
+}
+
+static void start(search *s, const simplex *from)
+{
+    for (int k = 0; from && k < from->count; k++)
+        add(s, from->of[k].a, from->of[k].b);
+    if (s->now->count == 0) start_cold(s);
+}
+//<
+
+//> search-nearest
+//>   Then `gjk_search` goes on, which is `gjk_distance` without the test of the
+//>   range, from the simplex of the quick search. So an answer is either proven
+//>   here or given by chapter 04.
 // What the search found: not where it is unsure.
 static gjk_result result_of(const search *s, ending end)
 {

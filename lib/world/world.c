@@ -125,8 +125,9 @@ status world_add_plane(world *w, vec3 normal, real offset)
 {
     real length = vec3_length(normal), away = offset / length;
     int k = world_next_plane(w);
-    if (!(length > 0) || !(length < HUGE_VAL) || !(fabs(away) < 1e300))
-        return status_fail("a plane needs a finite normal and offset");
+    if (!(length > 0) || !(length < HUGE_VAL) || !(fabs(away) <= 1e60))
+        return status_fail("a plane needs a finite normal, and an offset of at "
+                           "most 1e60 m, as corners do");
     if (k == w->planes && !make_plane_room(w)) return status_out_of_memory();
     w->planes += k == w->planes;
     set_plane(w, k, (plane){ vec3_scale(1 / length, normal), away });

@@ -235,7 +235,7 @@ extern const shape WORLD_NOTHING;
 // Adds a half-space that bodies stay out of, x . normal < offset.  The normal
 // points to the free side; it need not be a unit vector (offset is in m times
 // its length).  At any time.  Fails, adding nothing: a normal without direction,
-// numbers that are not finite, for want of memory.
+// numbers that are not finite, or 1e60 m away; for want of memory.
 status world_add_plane(world *w, vec3 normal, real offset);
 
 // The number that it gets.  A plane that is removed leaves its place to a later

@@ -20,7 +20,6 @@ static tumble_body body[MOST_IDS];
 static tumble_joint joint[MOST_IDS];
 static tumble_plane wall[MOST_IDS];
 static int shapes, bodies, joints, walls, steps;
-static bool is_spoiled;         // a number that is not sensible went in
 
 static unsigned byte(void) { return at < end ? *at++ : 0; }
 
@@ -32,7 +31,6 @@ static double number(void)
         (double)NAN, HUGE_VAL, -HUGE_VAL, 1e300, -1e17, 1e-300, 1e9, -1e5 };
     unsigned b = byte();
     if (b < 240) return list[b % 16];
-    is_spoiled = true;
     return nasty[b % 8];
 }
 
@@ -185,10 +183,10 @@ static void look(void)
     MUST(tumble_vertices(w, any_body(), v, 4) >= 0, "vertices");
 }
 
-// While all that went in was sensible, all that comes out is finite.
+// Whatever number was accepted, all that comes out is finite.
 static void check(void)
 {
-    for (int k = 0; k < bodies && !is_spoiled; k++) {
+    for (int k = 0; k < bodies; k++) {
         tumble_vec3 p = tumble_position(w, body[k]);
         MUST(p.x - p.x == 0 && p.y - p.y == 0 && p.z - p.z == 0, "body %d", k);
     }
@@ -262,7 +260,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     tumble_options o = tumble_options_default();
     at = data, end = data + size;
     shapes = bodies = joints = walls = steps = 0;
-    is_spoiled = false;
     o.most_substeps = 20;
     o.restitution = byte() % 4 == 0 ? 1 : 0;
     w = tumble_make(&o);

@@ -255,6 +255,26 @@ START_TEST(squares_in_one_plane_answer_as_in_chapter_4)
 }
 END_TEST
 
+// Two cubes apart, turned anyhow.  Rejects: a search that begins with one corner,
+// and takes as many rounds as chapter 4's.
+START_TEST(two_vertices_of_each_body_spare_the_first_rounds)
+{
+    unsigned long long seed = 11;
+    int rounds = 0, plain = 0;
+    for (int n = 0; n < 1000; n++) {
+        body a = body_cube(0, 0, 0), b = body_cube(0, 0, 0);
+        body_turn(&b, &seed);
+        body_move(&b, vec3_scale(2.2, random_direction(&seed)));
+        pair_turn(&a, &b, &seed);
+        rounds += nearest(&a, &b, NULL).iterations;
+        plain += gjk_distance(body_hull(&a), body_hull(&b), HUGE_VAL,
+                              NULL).iterations;
+    }
+    ck_assert_msg(3 * rounds < 2 * plain, "%d rounds, and chapter 4 takes %d",
+                  rounds, plain);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -265,6 +285,7 @@ int main(void)
         a_corner_in_the_middle_of_an_edge_touches_it,
         a_climb_that_ends_at_a_dent_is_not_believed,
         squares_in_one_plane_answer_as_in_chapter_4,
+        two_vertices_of_each_body_spare_the_first_rounds,
         NULL
     };
     return suite_run((suite){ .name = "search", .tests = tests });

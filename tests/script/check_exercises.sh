@@ -171,6 +171,10 @@ sound; change check.c 's/suite_run/suite_ran/'
 refuses "tests that do not build" 'no test has run'
 sound; echo 'first  no_such_test' >> "$dir/exercise"
 refuses "a first test that is not there" 'first names the test no_such_test'
+sound; echo 'leave  no_such_test' >> "$dir/exercise"
+refuses "a left test that is not there" 'leave names the test no_such_test'
+sound; echo 'leave  no_number_is_zero' >> "$dir/exercise"
+refuses "a left test that is wanted" 'leave names the test no_number_is_zero, which is to reject a wrong variant'
 sound; change exercise 's/vec3/vec4/'
 refuses "a module that is not there" 'there is no module vec4'
 sound; rm "$dir/exercise"

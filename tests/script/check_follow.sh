@@ -182,6 +182,7 @@ for name in 99/x nope 9 00/; do
     refuses "nor is $name"      "There is no exercise $name:" make hint $name
     if grep -qF '***' "$tree/said"; then verdict "no word about $name" no; else verdict "no word about $name" yes; fi
 done
+refuses "a nought is missing"   'There is no exercise 4/search; did you mean  make hint 04/search?' make hint 4/search
 refuses "no such chapter"       'There is no chapter 99: there are 00 to ' make hint 99
 if [ "$(grep -vc '^make' "$tree/said")" = 1 ]; then verdict "and no list" yes; else verdict "and no list" no; fi
 refuses "the sentence is last"  'There is no exercise 04/none' make exercise 04/none

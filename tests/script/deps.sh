@@ -53,14 +53,14 @@ deps-site)
     need clang command -v clang
     need lld command -v wasm-ld
     need wasi-libc wasm
-    need libclang-rt-14-dev-wasm32 wasm
+    need libclang-rt-dev-wasm32 wasm
     need nodejs command -v node
     need npm command -v npm
     need chromium browser
     need webp command -v cwebp ;;
 deps-dev)
     need clang command -v clang
-    need libclang-rt-14-dev fuzzer
+    need libclang-rt-dev fuzzer
     need valgrind command -v valgrind
     need parallel gnu_parallel ;;
 deps-peers)

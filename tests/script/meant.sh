@@ -9,13 +9,20 @@ for last in "$@"; do :; done
 case $given in
 [0-9][0-9]/*) meant="exercise $given" ;;
 */*)    meant= ;;
+lib)    meant=library ;;
+chapters) meant=book ;;
 [0-9] | test-[0-9] | figure-[0-9])
     meant=${what}0$number ;;
-[0-9]* | test-[0-9]*)
+figure-[0-9]*-*)
+    chapter=${number%%-*}
+    have=$(cd figures && ls "$chapter"/*.c 2> /dev/null | sed 's|.*/|figure-|; s/\.c$//' | paste -s -d ' ' -)
+    echo "There is no figure $number: ${have:-chapter $chapter has none.}" >&2
+    exit 1 ;;
+[0-9]* | test-[0-9]* | figure-[0-9]*)
     echo "There is no chapter $number: there are $1 to $last." >&2
     exit 1 ;;
 *)  # The nearest name of make's own help: so many letters put in, left out or changed.
-    meant=$(make -s help | sed -n 's/^  make \([a-z][a-z-]*\).*/\1/p' | awk -v given="$given" '
+    meant=$(make -s help | sed -n 's/^  make \([a-z][a-z-]*\)\( .*\)\{0,1\}$/\1/p' | awk -v given="$given" '
         function least(a, b) { return a < b ? a : b }
         {
             for (j = 0; j <= length($0); j++) row[j] = j

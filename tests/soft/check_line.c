@@ -452,7 +452,7 @@ END_TEST
 // itself.
 static real hung_by_two_corners(int at_once)
 {
-    const int n = 24, hertz = 600;
+    const int n = 12, hertz = 600;
     relax_options o = along(0);
     real worst = 0;
     ck_assert(shape_cloth(&plan, n, n, 2, 2, 1, 0.2).ok);

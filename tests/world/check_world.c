@@ -433,7 +433,8 @@ START_TEST(world_has_as_many_planes_as_one_likes)
 END_TEST
 
 // Rejects: a normal without direction; one so long that its length overflows
-// and leaves none; an offset that is not finite.
+// and leaves none; an offset that is not finite, or so large that the cloth which
+// it pushes is lost (NaN).
 START_TEST(plane_without_a_finite_normal_and_offset_is_refused)
 {
     const struct { vec3 normal; real offset; } bad[] = {
@@ -441,6 +442,7 @@ START_TEST(plane_without_a_finite_normal_and_offset_is_refused)
         { { 0, HUGE_VAL, 0 }, 0 }, { { 0, 1, 0 }, (real)NAN },
         { { 0, 1, 0 }, HUGE_VAL }, { { 0, 1, 0 }, -HUGE_VAL },
         { { 0, 1e200, 0 }, 1 }, { { 0, 1e-10, 0 }, 1e300 },
+        { { 0.5, 4, 1.5 }, 1e300 }, { { 0, 1, 0 }, -1e61 },
     };
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
         status done = world_add_plane(&w, bad[k].normal, bad[k].offset);

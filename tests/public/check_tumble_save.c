@@ -222,10 +222,28 @@ static void make_spread(tumble_world *w)
     tumble_add(w, tumble_rope(w, 400, 20, 0.1), o);
 }
 
+// Boxes that lie on a slope: what is kept of their contacts has skew normals.
+static void make_slope(tumble_world *w)
+{
+    tumble_body_options o = tumble_at(0, 0, 0);
+    o.kind = TUMBLE_STATIC;
+    o.pose.rotation = tumble_turn(tumble_v(0.6, 0, 0.8), 0.2);
+    tumble_add(w, tumble_box(w, tumble_v(8, 1, 8), 1), o);
+    o.kind = TUMBLE_DYNAMIC;
+    tumble_shape box = tumble_box(w, tumble_v(1, 0.6, 0.8), 1);
+    for (int k = -1; k < 2; k++) {
+        // A point on the axis, and from there up: turned by 0.2 rad.
+        double x = 1.5 * k, up = 0.81;
+        o.pose.position = tumble_v(0.6 * x - 0.8 * sin(0.2) * up, cos(0.2) * up,
+                                   0.8 * x + 0.6 * sin(0.2) * up);
+        tumble_add(w, box, o);
+    }
+}
+
 typedef void making(tumble_world *w);
 static making *const MAKE[] = { make_room, make_pile, make_cloth, make_joints,
                                 make_driven, make_hard, make_spinning,
-                                make_spread };
+                                make_slope, make_spread };
 enum { ALL_WORLDS = sizeof MAKE / sizeof *MAKE, WORLDS = ALL_WORLDS - 1 };
 
 static tumble_world *world_of(int which, double restitution)

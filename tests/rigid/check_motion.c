@@ -674,7 +674,7 @@ START_TEST(lost_body_and_a_mad_one_are_quickly_done)
     particle p[FOUR];
     stand(p);
     const rigid_frame was = rigid4_frame(p);
-    for (int n = 0; n < 100000; n++)
+    for (int n = 0; n < 5000; n++)
         for (int k = 0; k < 4; k++) {
             rigid_frame frame = was;
             motion_basis b = basis_find(&f, &frame);

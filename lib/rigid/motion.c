@@ -104,7 +104,7 @@ static int moves_of(const motion_basis *basis, const motion *d)
 //>   Cloth, impacts and joints ask where a body would be. A frame is turned
 //>   without a sine: the tangent of half an angle is a short series.
 // t, a rotation by a small part of a turn, as Cayley's map takes it: as long as
-// tan(|t| / 2), by its series.  At FURTHEST it is good to 1e-9.
+// tan(|t| / 2), by its series.  At FURTHEST it is good to 5e-9.
 static vec3 half_tangent(vec3 t)
 {
     real a = vec3_length_squared(t);

@@ -224,6 +224,8 @@ void advance_back(world *w)
     memcpy(t->velocity, t->velocity_then, bodies * sizeof *t->velocity);
     memcpy(t->moved, t->moved_then, bodies * sizeof *t->moved);
     t->elapsed = t->elapsed_then;
+    for (int b = 0; b < w->bodies; b++)
+        if (t->going[b] == GOES_BY_HALVES) t->middle[b] = t->now[b].frame;
     solver_rewind(&t->solver);
 }
 //<

@@ -86,8 +86,8 @@ static void tear_down(void)
 // Vertex v of a box is at +x, +y, +z for bits 0, 1, 2.
 static contact_point touch_of(int a, int va, int b, int vb)
 {
-    return (contact_point){ body[a].rigid->local[va], body[b].rigid->local[vb],
-                            0 };
+    return (contact_point){ .local_a = body[a].rigid->local[va],
+                            .local_b = body[b].rigid->local[vb], .own = 1 };
 }
 
 // Body A has been found to touch b along n, with its vertices va at b's vb.

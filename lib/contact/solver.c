@@ -318,8 +318,9 @@ typedef struct {
 
 // As contact_arms_of has them: one place for both, or each its own.  Two that have
 // met have one place, however they were found: their gap is all but closed, and
-// they are beside each other, to half of the smaller radius.
-enum { BESIDE = 12 };                   // in units of 1 / per_near
+// they are beside each other, to the smaller radius.  (A ball over a floor has a
+// corner of the next tile in one plane with it, ten radii away.)
+enum { BESIDE = 25 };                   // in units of 1 / per_near
 
 static inline void share_arms(raw_block *raw, const block *k, int j)
 {

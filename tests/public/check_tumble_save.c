@@ -732,13 +732,13 @@ static void look_for_needed(const tumble_world *w)
 // Rejects: a table that is saved, and that nothing reads.
 START_TEST(what_reads_garbage_for_a_table_goes_elsewhere)
 {
-    const int moment[] = { 37, 98, 400, 160 };
+    const int moment[] = { 37, 98, 400, 160, 220, 300 };
     int needed = 0;
-    for (int k = 0; k < 4 * ALL_WORLDS; k++) {
+    for (int k = 0; k < 6 * ALL_WORLDS; k++) {
         int when = k / ALL_WORLDS;
         tumble_world *w = world_of(k % ALL_WORLDS, 0.3);
         go_on(w, 0, moment[when], when == 1);
-        if (when != 1) touch(w, 8);
+        if (when != 1 && when < 4) touch(w, 8);
         look_for_needed(w);
         tumble_free(w);
     }

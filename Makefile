@@ -486,7 +486,7 @@ figures:
 	$(Q)for f in $$(sh figures/draw/stamp.sh -n | grep '^chart-'); do $(AGAIN) $$f || exit 1; done
 	$(Q)$(AGAIN) tables
 .PHONY: moving stale tables
-moving: need-moving $(BUILD)/figures/moving
+moving: $(BUILD)/figures/moving need-moving
 	@echo "  draw  figures/moving/moving.webp"
 	$(Q)sh figures/moving/moving.sh $< figures/moving/moving.webp
 	$(Q)for s in room cloth-on-cube cloth-on-rope; do sh figures/moving/moving.sh $< figures/moving/$$s.webp $$s 60 || exit 1; done

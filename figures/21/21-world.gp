@@ -19,7 +19,7 @@ set ytics ("none" none, "1 %%" 1e-2, "10 %%" 1e-1, "100 %%" 1)
 printed = orange; mended = purple
 set label 1 "plain, as printed" at 0.03,2.2 left textcolor rgb printed
 set label 2 "plain, as mended" at 0.03,9e-2 left textcolor rgb mended
-set label 4 "engine" at 30,8e-3 left textcolor rgb ours font bold
+set label 4 "engine" at 60,1.6e-3 left textcolor rgb ours font bold
 plot csv index 5 using 2:(shown($3)) with linespoints pt 7 ps 0.78 lc rgb printed lw 1.5, \
      csv index 6 using 2:(shown($3)) with linespoints pt 7 ps 0.78 lc rgb mended lw 1.5, \
      csv index 0 using 2:(shown($3)) with linespoints pt 7 ps 0.78 lc rgb ours lw 2, \

@@ -10,9 +10,9 @@
 
 #include "world.h"
 
-// One frame of options.dt: every body moves, is parted from what it met, and is
-// relaxed; what it did is in w->report.   Allocates
-// nothing and never fails: a body whose numbers are lost touches nothing, and
+// One frame of options.dt: every body moves, and is parted from what it met;
+// threads keep their lengths.  What it did is in w->report.  Allocates nothing
+// and never fails: a body whose numbers are lost touches nothing, and
 // w->report.dropped counts what found no room.
 void world_step(world *w);
 

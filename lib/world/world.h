@@ -142,7 +142,7 @@ typedef struct {
     prediction  *ahead;     // [bodies]
     real        *reach;     // [bodies] of ahead
     rigid_frame *middle;    // [bodies] see cache_frame; in the substeps, where
-                            // it was in the middle of the last one
+                            // its rows are made, see advance.c
     rigid_frame *began;     // [bodies] when they began
     motion      *velocity;  // [motions], see solver.h
     motion      *moved;     // [motions] since it got its frame and basis

@@ -15,6 +15,7 @@ define ORDER
 03/convex
 04/wide
 04/gjk
+05/climb
 05/feature
 05/hit_face
 06/sphere
@@ -752,8 +753,8 @@ endef
 GJK_NAMES := triangle_nearest_wide gjk_distance gjk_search hull_support hull_in_range triangle_normal triangle_weigh
 $(eval $(call variants,04-rules,gjk,$(GJK_NAMES)))
 $(eval $(call variants,04-distance,gjk,$(GJK_NAMES)))
-$(eval $(call variants,05-rules,hit_face,hit_face_find))
-$(eval $(call variants,05-bounds,hit_face,hit_face_find))
+$(eval $(call variants,05-rules,hit_face,hit_face_find hit_face_climb))
+$(eval $(call variants,05-bounds,hit_face,hit_face_find hit_face_climb))
 
 # This one counts triangles that cross.
 $(BUILD)/tests/check_crossings: $(BUILD)/tests/crossings.o

@@ -29,7 +29,7 @@ typedef struct {
     vec3 a[CORNERS], b[CORNERS];
     vec3 from_b;        // m, from the middle of B to that of A
     simplex found;      // of the pair before it moved
-    vec3 axis;          // that parted it then
+    separating_axis parted; // by what, then
 } couple;
 
 static couple before[PAIRS], after[PAIRS];
@@ -46,7 +46,7 @@ static _Noreturn void give_up(const char *why)
 
 static hull_mesh side_of(const vec3 *at)
 {
-    return (hull_mesh){ { at, plan.particles }, &plan.mesh };
+    return (hull_mesh){ { at, plan.particles }, &plan.mesh, 2 * plan.radius };
 }
 
 static gjk_result plain(const couple *c, simplex *from)
@@ -125,9 +125,9 @@ static void make_pairs(bool are_apart)
         make_pair(&before[k], are_apart ? gap : -gap / 2, &seed);
         after[k] = before[k];
         move_on(&after[k], &seed);
-        before[k].axis = before[k].from_b;
+        before[k].parted = (separating_axis){ before[k].from_b, -1, -1 };
         hull_mesh a = side_of(before[k].a), b = side_of(before[k].b);
-        search_apart(&a, &b, 0, &before[k].axis);
+        search_apart(&a, &b, 0, &before[k].parted);
         plain(&before[k], &before[k].found);
         truth[0][k] = true_gap(&before[k]);
         truth[1][k] = true_gap(&after[k]);
@@ -141,7 +141,7 @@ static void make_pairs(bool are_apart)
 static vec3 corners_now[PAIRS * 2 * CORNERS];
 static struct {
     simplex found;
-    vec3 axis;
+    separating_axis parted;
 } now[PAIRS];
 static real answer[PAIRS];
 
@@ -170,14 +170,14 @@ static query_pair theirs(const couple *c)
 static void put_ours(int k)
 {
     put_corners(k, &before[k]);
-    now[k].axis = before[k].from_b;
+    now[k].parted = (separating_axis){ before[k].from_b, -1, -1 };
     now[k].found.count = 0;
 }
 
 static void put_ours_moved(int k)
 {
     put_corners(k, &after[k]);
-    now[k].axis = before[k].axis;
+    now[k].parted = before[k].parted;
     now[k].found = before[k].found;
 }
 
@@ -202,7 +202,7 @@ static real ask_distance(int k)
 static real ask_apart(int k)
 {
     hull_mesh a = here(k, 0), b = here(k, 1);
-    return search_apart(&a, &b, 0, &now[k].axis) ? 1 : -1;
+    return search_apart(&a, &b, 0, &now[k].parted) ? 1 : -1;
 }
 
 static real ask_depth(int k)
@@ -211,7 +211,7 @@ static real ask_depth(int k)
     simplex s = { .count = 0 };
     gjk_result g = search_nearest(&a, &b, 0, &s);
     if (g.status != GJK_OVERLAP) return 0;
-    return -hit_face_find(a.hull, b.hull, &g.last).depth;
+    return -hit_face_climb(&a, &b, &g.last).depth;
 }
 
 static real ask_plain_depth(int k)

@@ -24,7 +24,7 @@ typedef struct {
 } face;
 
 typedef struct {
-    hull   a, b;
+    hull_mesh a, b;
     corner corner[CORNERS];
     face   face[FACES];
     int    corners, faces;
@@ -45,7 +45,7 @@ static void measure_wide(const polytope *p, face *t)
 {
     simplex s = { .count = 3 };
     for (int k = 0; k < 3; k++) s.of[k] = p->corner[t->of[k]];
-    t->normal = triangle_nearest_wide(&s, p->a, p->b);
+    t->normal = triangle_nearest_wide(&s, p->a.hull, p->b.hull);
     t->v = s.v;
     for (int k = 0; k < 3; k++) t->weight[k] = s.weight[k];
     t->area = vec3_length(t->normal);
@@ -111,7 +111,7 @@ static bool grow(polytope *p)
     real most = ROUNDING * p->size;
     for (int k = 0; k < 6; k++) {
         vec3 d = direction_off(p, k);
-        corner c = hull_support(p->a, p->b, d);
+        corner c = hull_support(p->a.hull, p->b.hull, d);
         real off = vec3_dot(d, vec3_sub(c.at, p->corner[0].at));
         if (off > most) most = off, best = c;
     }
@@ -227,8 +227,8 @@ static hit_result result_of(const polytope *p, const corner *c, const real *w,
         feature_add(&r.a, c[k].a, w[k]);
         feature_add(&r.b, c[k].b, w[k]);
     }
-    r.on_a = feature_at(&r.a, p->a.at);
-    r.on_b = feature_at(&r.b, p->b.at);
+    r.on_a = feature_at(&r.a, p->a.hull.at);
+    r.on_b = feature_at(&r.b, p->b.hull.at);
     r.kind = r.a.count < r.b.count ? TOUCH_VERTEX_FACE
            : r.a.count > r.b.count ? TOUCH_FACE_VERTEX : TOUCH_EDGE_EDGE;
     return r;
@@ -255,30 +255,58 @@ static hit_result face_result(const polytope *p, face *t, vec3 w)
 //<
 
 //> hit-face-find
+// How far beyond the face t, along its unit normal n, lies the corner w?
+static real beyond(const face *t, vec3 n, const corner *w)
+{
+    return vec3_dot(n, vec3_sub(w->at, t->v));
+}
+
+// The corner of A - B furthest along n.  Where a climb from the face finds none
+// beyond it, all are looked at.
+static corner furthest_beyond(const polytope *p, const face *t, vec3 n)
+{
+    const hull_mesh *a = &p->a, *b = &p->b;
+    corner w = p->corner[t->of[0]];
+    if (hull_climbs(a) || hull_climbs(b)) {
+        w.a = hull_climb(a, n, w.a);
+        w.b = hull_climb(b, vec3_scale(-1, n), w.b);
+        w.at = vec3_sub(a->hull.at[w.a], b->hull.at[w.b]);
+        if (beyond(t, n, &w) > ENOUGH * p->size) return w;
+    }
+    return hull_support(a->hull, b->hull, n);
+}
+
 static const hit_result NOTHING = { .status = HIT_NOT_FINITE };
 
-hit_result hit_face_find(hull a, hull b, const simplex *start)
+hit_result hit_face_climb(const hull_mesh *a, const hull_mesh *b,
+                          const simplex *start)
 {
-    assert(a.count >= 1 && b.count >= 1);
+    assert(a->hull.count >= 1 && b->hull.count >= 1);
     polytope p;
     face t;
     corner w = start->of[0];
     bool found = false;
     int iterations = 0;
-    p.a = a, p.b = b;
-    if (!hull_in_range(a) || !hull_in_range(b)) return NOTHING;
+    p.a = *a, p.b = *b;
     if (!begin(&p, start)) return flat_result(&p, start);
     for (; !found && p.faces > 0 && p.corners < CORNERS; iterations++) {
         int closest = closest_face(&p);
         t = p.face[closest];
         vec3 n = vec3_unit(t.normal);
-        w = hull_support(a, b, n);
-        found = !(vec3_dot(n, vec3_sub(w.at, t.v)) > ENOUGH * p.size);
+        w = furthest_beyond(&p, &t, n);
+        found = !(beyond(&t, n, &w) > ENOUGH * p.size);
         if (!found) expand(&p, closest, w);
     }
     hit_result r = face_result(&p, &t, found ? w.at : t.v);
     r.status = found ? HIT_FOUND : HIT_CAPPED;
     r.iterations = iterations;
     return vec3_length(r.normal) > 0 && vec3_is_finite(r.on_b) ? r : NOTHING;
+}
+
+hit_result hit_face_find(hull a, hull b, const simplex *start)
+{
+    const hull_mesh of_a = { .hull = a }, of_b = { .hull = b };
+    if (!hull_in_range(a) || !hull_in_range(b)) return NOTHING;
+    return hit_face_climb(&of_a, &of_b, start);
 }
 //<

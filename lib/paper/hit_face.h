@@ -9,8 +9,8 @@
 #ifndef TUMBLE_HIT_FACE_H
 #define TUMBLE_HIT_FACE_H
 
+#include "climb.h"
 #include "feature.h"
-#include "gjk.h"
 
 typedef enum {
     HIT_FOUND,
@@ -34,6 +34,11 @@ typedef struct {
 // gjk_distance that said so, which has a corner at least.  Allocates nothing;
 // takes 150 kB of stack.
 hit_result hit_face_find(hull a, hull b, const simplex *start);
+
+// The same of bodies in range whose meshes may be known: then of many vertices
+// few are asked.
+hit_result hit_face_climb(const hull_mesh *a, const hull_mesh *b,
+                          const simplex *start);
 
 #endif
 //<

@@ -91,10 +91,10 @@ cast_result cast_nearest_plane(vec3 x, plane p, real most)
 bool cast_overlaps(rounded a, rounded b)
 {
     real apart = a.round + b.round;
-    vec3 axis = { 0, 0, 0 };
+    separating_axis none = { .a = -1 };
     if (!(apart >= 0) || !hull_in_range(a.core) || !hull_in_range(b.core))
         return false;
-    const hull_mesh in_a = { a.core, NULL }, in_b = { b.core, NULL };
-    return !search_apart(&in_a, &in_b, apart, &axis);
+    hull_mesh in_a = hull_bare(a.core), in_b = hull_bare(b.core);
+    return !search_apart(&in_a, &in_b, apart, &none);
 }
 //<

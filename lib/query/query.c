@@ -61,7 +61,7 @@ hull query_hull(const collider *c)
 
 static hull_mesh mesh_of(const collider *c)
 {
-    return (hull_mesh){ query_hull(c), &c->shape->mesh };
+    return (hull_mesh){ query_hull(c), &c->shape->mesh, 2 * c->shape->radius };
 }
 
 real query_round(const collider *a, const collider *b)
@@ -87,7 +87,7 @@ query_result query_nearest(const collider *a, const collider *b, real margin,
     gjk_result g = search_nearest(&ma, &mb, margin + round, &s);
     cache_write(carried, &s);
     if (g.status == GJK_OVERLAP) {
-        hit_result h = hit_face_find(ma.hull, mb.hull, &g.last);
+        hit_result h = hit_face_climb(&ma, &mb, &g.last);
         return overlap_result(&h, round);
     }
     bool known = g.status == GJK_APART || g.status == GJK_CAPPED;
@@ -97,10 +97,11 @@ query_result query_nearest(const collider *a, const collider *b, real margin,
 //<
 
 //> query-apart
-bool query_apart(const collider *a, const collider *b, real margin, vec3 *axis)
+bool query_apart(const collider *a, const collider *b, real margin,
+                 separating_axis *carried)
 {
     if (!(margin >= 0) || !is_in_range(a) || !is_in_range(b)) return false;
     hull_mesh ma = mesh_of(a), mb = mesh_of(b);
-    return search_apart(&ma, &mb, margin + query_round(a, b), axis);
+    return search_apart(&ma, &mb, margin + query_round(a, b), carried);
 }
 //<

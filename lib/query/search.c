@@ -1,4 +1,4 @@
-//> search-support
+//> search-simplex
 // search.c - see search.h.
 
 #include "search.h"
@@ -6,51 +6,6 @@
 #include <assert.h>
 #include <stddef.h>
 
-// The vertex furthest along d, of any number.
-static int scan(hull h, vec3 d)
-{
-    int best = 0;
-    real most = vec3_dot(d, h.at[0]);
-    for (int k = 1; k < h.count; k++) {
-        real height = vec3_dot(d, h.at[k]);
-        if (height > most) most = height, best = k;
-    }
-    return best;
-}
-//<
-
-//> search-climb
-// From vertex v uphill along the edges, to the highest neighbour of each.
-static int climb(const hull_mesh *b, vec3 d, int v)
-{
-    const mesh *m = b->mesh;
-    real most = vec3_dot(d, b->hull.at[v]);
-    for (int steps = 0; steps < b->hull.count; steps++) {
-        int best = v, h = m->vertex_half[v], start = h;
-        do {
-            half_edge back = m->half[mesh_twin(h)];
-            real height = vec3_dot(d, b->hull.at[back.origin]);
-            best = height > most ? back.origin : best;
-            most = height > most ? height : most;
-            h = back.next;
-        } while (h != start);
-        if (best == v) break;
-        v = best;
-    }
-    return v;
-}
-
-// From so many vertices on climbing is quicker than to look at all.
-enum { MANY = 48 };
-
-static bool climbs(const hull_mesh *b)
-{
-    return b->hull.count >= MANY && b->mesh
-        && b->mesh->vertices == b->hull.count;
-}
-//<
-
-//> search-simplex
 // Of a simplex, the corner, edge or triangle nearest the origin.
 typedef struct {
     int  count, of[4];  // which corners; 4: the origin is inside
@@ -208,15 +163,14 @@ static void set(const search *s, corner *w, int i, int j)
 static void support(const search *s, vec3 v, const corner *from, corner *w)
 {
     vec3 d = vec3_scale(-1, v);
-    set(s, w, climbs(s->a) ? climb(s->a, d, from->a) : scan(s->a->hull, d),
-              climbs(s->b) ? climb(s->b, v, from->b) : scan(s->b->hull, v));
+    set(s, w, hull_climb(s->a, d, from->a), hull_climb(s->b, v, from->b));
 }
 
 // The same of all vertices: a mesh is convex to 1e-9 of its size, and a climb
 // may end in front of a dent that is no deeper.
 static void surest(const search *s, vec3 v, corner *w)
 {
-    set(s, w, scan(s->a->hull, vec3_scale(-1, v)), scan(s->b->hull, v));
+    set(s, w, hull_scan(s->a->hull, vec3_scale(-1, v)), hull_scan(s->b->hull, v));
 }
 
 // The mean of some vertices.
@@ -261,7 +215,7 @@ static bool is_doubtful(const search *s, const corner *c, real vv)
 // What the furthest of all vertices says, unless rounding may have said it.
 static ending proved(search *s, corner *w, real margin)
 {
-    if (climbs(s->a) || climbs(s->b)) surest(s, s->now->v, w);
+    if (hull_climbs(s->a) || hull_climbs(s->b)) surest(s, s->now->v, w);
     s->bound = vec3_dot(s->now->v, w->at);
     if (is_doubtful(s, w, s->vv)) return UNSURE;
     return judged(s, w->at, margin);
@@ -334,12 +288,11 @@ static void scan_two(hull h, vec3 d, int of[2])
 // The corner between the two middles comes last, as the newest.
 static void start_cold(search *s)
 {
-    const corner zero = { .a = 0 };
     vec3 d = between_middles(s);
     int i[2], j[2];
-    if (climbs(s->a) || climbs(s->b)) {
+    if (hull_climbs(s->a) || hull_climbs(s->b)) {
         corner w;
-        support(s, d, &zero, &w);
+        surest(s, d, &w);
         add(s, w.a, w.b);
         return;
     }
@@ -410,40 +363,91 @@ gjk_result search_nearest(const hull_mesh *a, const hull_mesh *b, real margin,
 //<
 
 //> search-apart
-// Is all of A - B further along d than margin, beyond what rounding may hide?
-static bool separates(search *s, vec3 d, real margin)
+// By how much a vertex of b may stand higher along d than v, where a climb ended.
+// A mesh is convex to 1e-9 of its size, and its place is rounded: no vertex is
+// further above the plane of a face than `uneven`.  Let c, a point of b, lie below
+// v and at least r below all planes of the faces at v.  If x is a vertex, the
+// point p = c + s (x - c) with s = r / (r + uneven) is above none of the planes.
+// So it is no higher than v, because the edges from v lead down, and c is below.
+// Then x is higher than v by no more than uneven / r of what c is lower.  The
+// sine of an angle of a face makes r less where edges lead down by rounding.
+static real dent(const hull_mesh *b, vec3 d, int v)
 {
-    corner *w = &s->at[0];
-    surest(s, d, w);
-    vec3 p = s->a->hull.at[w->a], q = s->b->hull.at[w->b];
-    real far = fabs(p.x) + fabs(p.y) + fabs(p.z)
-             + fabs(q.x) + fabs(q.y) + fabs(q.z);
-    return vec3_dot(d, w->at) > (margin + 0x1p-50 * far) * vec3_length(d);
+    const mesh *m = b->mesh;
+    const vec3 *at = b->hull.at;
+    vec3 up = vec3_sub(at[v], middle(b->hull));
+    real r = HUGE_VAL, far = vec3_length(at[v]) + b->size;
+    int h = m->vertex_half[v], start = h;
+    do {
+        vec3 e = vec3_sub(at[mesh_target(m, h)], at[v]);
+        h = mesh_around(m, h);
+        vec3 f = vec3_sub(at[mesh_target(m, h)], at[v]);
+        real sides = sqrt(vec3_dot(e, e) * vec3_dot(f, f));
+        r = real_min(vec3_dot(vec3_cross(f, e), up) / sides, r);
+    } while (h != start);
+    real uneven = 1e-9 * b->size + 0x1p-50 * far, low = vec3_dot(d, up);
+    return r > 0 && low > 0 ? uneven / r * low : HUGE_VAL;
+}
+
+// A height along d that no vertex of b is above, but for rounding.  Of a body
+// that climbs, v is a vertex to begin with, or -1: then all are looked at.
+// Receives the highest.
+static real top(const hull_mesh *b, vec3 d, int *v)
+{
+    const vec3 *at = b->hull.at;
+    real most = -HUGE_VAL;
+    if (hull_climbs(b)) {
+        bool is_known = *v >= 0;
+        *v = is_known ? hull_climb(b, d, *v) : hull_scan(b->hull, d);
+        return vec3_dot(d, at[*v]) + (is_known ? dent(b, d, *v) : 0);
+    }
+    for (int k = 0; k < b->hull.count; k++)
+        most = real_max(vec3_dot(d, at[k]), most);
+    return most;
+}
+
+// m, no vertex of b is further from the origin.
+static real furthest_out(const hull_mesh *b)
+{
+    vec3 x = b->hull.at[0];
+    return fabs(x.x) + fabs(x.y) + fabs(x.z) + b->size;
+}
+
+// Is all of A - B further along the axis than margin, beyond what rounding may
+// hide?
+static bool separates(const hull_mesh *a, const hull_mesh *b, real margin,
+                      separating_axis *s)
+{
+    real gap = -top(a, vec3_scale(-1, s->axis), &s->a)
+             - top(b, s->axis, &s->b);
+    real far = furthest_out(a) + furthest_out(b);
+    return gap > (margin + 0x1p-50 * far) * vec3_length(s->axis);
 }
 
 bool search_apart(const hull_mesh *a, const hull_mesh *b, real margin,
-                  vec3 *axis)
+                  separating_axis *carried)
 {
     assert(a->hull.count >= 1 && b->hull.count >= 1 && margin >= 0);
     search s;
     begin(&s, a, b);
-    vec3 d = *axis;
-    if (!(vec3_dot(d, d) > 0)) d = between_middles(&s);
-    if (separates(&s, d, margin)) {
-        *axis = d;
-        return true;
-    }
+    if (!(vec3_dot(carried->axis, carried->axis) > 0))
+        *carried = (separating_axis){ between_middles(&s), -1, -1 };
+    if (separates(a, b, margin, carried)) return true;
+    corner w = { .a = carried->a, .b = carried->b };
+    support(&s, carried->axis, &w, &s.at[0]);
     s.now->of[s.now->count++] = 0;
     ending end = run(&s, margin);
     if (end == INSIDE) return false;
+    w = s.at[s.now->of[0]];
     if (end == FOUND || end == BEYOND) {
-        *axis = s.now->v;
+        *carried = (separating_axis){ s.now->v, w.a, w.b };
         return s.bound > margin * sqrt(s.vv);
     }
     simplex last;
     carry(&last, &s);
     gjk_result g = gjk_search(a->hull, b->hull, margin, &last);
-    if (vec3_dot(g.axis, g.axis) > 0) *axis = g.axis;
+    if (vec3_dot(g.axis, g.axis) > 0)
+        *carried = (separating_axis){ g.axis, w.a, w.b };
     return g.status == GJK_BEYOND
         || (g.status == GJK_APART && g.distance > margin);
 }

@@ -8,15 +8,7 @@
 #ifndef TUMBLE_SEARCH_H
 #define TUMBLE_SEARCH_H
 
-#include "gjk.h"
-#include "mesh.h"
-
-// A convex body: its vertices, and the mesh that they are the vertices of.
-// NULL: none is known.  Where there are many, the search climbs along it.
-typedef struct {
-    hull hull;
-    const struct mesh *mesh;
-} hull_mesh;
+#include "climb.h"
 //<
 
 //> search-declare
@@ -26,12 +18,18 @@ typedef struct {
 gjk_result search_nearest(const hull_mesh *a, const hull_mesh *b, real margin,
                           simplex *carried);
 
-// Are a and b further apart than margin (m, >= 0)?  axis (m, from B to A, of any
-// length): a guess of a direction that separates them, as a last answer gave
-// it; 0: none.  Receives one, if they are apart.
+// What parted two bodies: a direction from B to A (of any length; 0: none), and
+// a vertex of A and one of B (-1: none) near those that are nearest along it.
+typedef struct {
+    vec3 axis;
+    int  a, b;
+} separating_axis;
+
+// Are a and b further apart than margin (m, >= 0)?  carried: a guess, as a last
+// answer gave it.  Receives an axis, if they are apart.
 // Requires: both hulls in range (hull_in_range).
 bool search_apart(const hull_mesh *a, const hull_mesh *b, real margin,
-                  vec3 *axis);
+                  separating_axis *carried);
 
 #endif
 //<

@@ -17,7 +17,7 @@ static const real ALIKE = 1e-12, ROUNDING = 1e-14;
 
 static hull_mesh bare(const body *b)
 {
-    return (hull_mesh){ body_hull(b), NULL };
+    return hull_bare(body_hull(b));
 }
 
 static gjk_result nearest(const body *a, const body *b, simplex *carried)
@@ -26,7 +26,8 @@ static gjk_result nearest(const body *a, const body *b, simplex *carried)
     return search_nearest(&ha, &hb, HUGE_VAL, carried);
 }
 
-static bool apart(const body *a, const body *b, real margin, vec3 *axis)
+static bool apart(const body *a, const body *b, real margin,
+                  separating_axis *axis)
 {
     const hull_mesh ha = bare(a), hb = bare(b);
     return search_apart(&ha, &hb, margin, axis);
@@ -127,8 +128,8 @@ START_TEST(apart_is_what_the_distance_says)
         gjk_result g = gjk_distance(body_hull(&a), body_hull(&b), HUGE_VAL,
                                     NULL);
         const real part[4] = { 0, 0.5, 1 - 1e-6, 1 + 1e-6 };
-        vec3 axis = random_direction(&seed);
-        if (n % 3 == 0) axis = (vec3){ 0, 0, 0 };
+        separating_axis axis = { random_direction(&seed), -1, -1 };
+        if (n % 3 == 0) axis = (separating_axis){ .a = 0 };
         for (int k = 0; k < 4; k++) {
             real margin = part[k] * g.distance;
             bool is_apart = g.status == GJK_APART && k < 3;
@@ -136,8 +137,8 @@ START_TEST(apart_is_what_the_distance_says)
                              is_apart);
             if (!is_apart) continue;
             corner w = hull_support(body_hull(&a), body_hull(&b),
-                                    vec3_scale(-1, axis));
-            real by = vec3_dot(axis, w.at) / vec3_length(axis);
+                                    vec3_scale(-1, axis.axis));
+            real by = vec3_dot(axis.axis, w.at) / vec3_length(axis.axis);
             ck_assert(by > margin * (1 - ALIKE));
             yes++;
         }
@@ -150,7 +151,8 @@ END_TEST
 // two is exact.  Rejects: a plane that rounding alone puts between two bodies.
 START_TEST(a_last_bit_between_two_cubes_is_a_gap_and_none_is_none)
 {
-    vec3 axis[3] = { { -1, 0, 0 }, { 0, 0, 0 }, { -1, 0.1, 0.2 } };
+    separating_axis axis[3] = { { { -1, 0, 0 }, 3, 4 }, { .a = 0 },
+                                { { -1, 0.1, 0.2 }, -1, -1 } };
     for (int k = 0; k < 3; k++) {
         body a = body_cube(0, 0, 0), b = body_cube(1, 0, 0);
         ck_assert(!apart(&a, &b, 0, &axis[k]));
@@ -175,8 +177,9 @@ START_TEST(a_corner_in_the_middle_of_an_edge_touches_it)
         vec3 up = vec3_unit(vec3_cross(half, random_direction(&seed)));
         vec3 a[2] = { p, vec3_add(p, up) };
         vec3 b[3] = { vec3_add(p, half), vec3_sub(p, half), vec3_sub(p, up) };
-        hull_mesh ha = { { a, 2 }, NULL }, hb = { { b, 3 }, NULL };
-        ck_assert(!search_apart(&ha, &hb, 0, &up));
+        hull_mesh ha = hull_bare((hull){ a, 2 }), hb = hull_bare((hull){ b, 3 });
+        separating_axis axis = { up, -1, -1 };
+        ck_assert(!search_apart(&ha, &hb, 0, &axis));
     }
 }
 END_TEST
@@ -223,11 +226,12 @@ START_TEST(a_climb_that_ends_at_a_dent_is_not_believed)
         at[TOP] = vec3_make(0, 0, -5);
         fly.z = 0.1;
         hull table = { at, TOP + 1 }, point = { &fly, 1 };
-        hull_mesh a = { point, NULL }, b = { table, &m };
+        hull_mesh a = hull_bare(point), b = hull_bare(table);
+        b.mesh = &m;
         gjk_result plain = gjk_distance(point, table, HUGE_VAL, NULL);
         gjk_result fast = search_nearest(&a, &b, HUGE_VAL, NULL);
         near(fast.distance, plain.distance, 1e-14);
-        vec3 axis = plain.axis;
+        separating_axis axis = { plain.axis, 0, 0 };
         ck_assert(search_apart(&a, &b, plain.distance * (1 - 1e-11), &axis));
         ck_assert(!search_apart(&a, &b, plain.distance * (1 + 1e-11), &axis));
     }

@@ -736,7 +736,7 @@ $(BUILD)/tests/check_thread: LDFLAGS += -Wl,--wrap=pthread_create
 ASKS := $(addprefix $(BUILD)/tests/check_,oracle gjk hit_face query swept) $(addprefix $(BUILD)/figures/,04-rules 05-rules 10-slow)
 $(ASKS): $(BUILD)/tests/oracle.o $(BUILD)/tests/bodies.o
 # These only make them.
-$(addprefix $(BUILD)/tests/check_,support exact nearest search): $(BUILD)/tests/bodies.o
+$(addprefix $(BUILD)/tests/check_,support exact nearest climb search): $(BUILD)/tests/bodies.o
 
 # Figures that change a module, one change at a time: build/rules/05-rules-1.o is
 # lib/paper/hit_face.c with the first change of figures/05/05-rules.edits, and

@@ -1,15 +1,6 @@
-//> climb-scan
+//> climb
 // climb.c - see climb.h.
-
 #include "climb.h"
-
-hull_mesh hull_bare(hull h)
-{
-    real most = 0;
-    for (int k = 1; k < h.count; k++)
-        most = real_max(most, vec3_distance(h.at[k], h.at[0]));
-    return (hull_mesh){ .hull = h, .size = 2 * most };
-}
 
 int hull_scan(hull h, vec3 d)
 {
@@ -21,25 +12,16 @@ int hull_scan(hull h, vec3 d)
     }
     return best;
 }
-//<
 
-//> climb-up
-// From so many vertices on climbing is quicker than to look at all.
-enum { MANY = 48 };
-
-bool hull_climbs(const hull_mesh *b)
+// To the highest neighbour, from there to the highest of its own.
+int hull_climb(const hull_mesh *b, vec3 d, int from)
 {
-    return b->hull.count >= MANY && b->mesh
-        && b->mesh->vertices == b->hull.count;
-}
-
-// From vertex v uphill along the edges, to the highest neighbour of each.
-static int climb(const hull_mesh *b, vec3 d, int v)
-{
+    if (!hull_climbs(b)) return hull_scan(b->hull, d);
     const mesh *m = b->mesh;
-    real most = vec3_dot(d, b->hull.at[v]);
-    for (int steps = 0; steps < b->hull.count; steps++) {
-        int best = v, h = m->vertex_half[v], start = h;
+    int best = from, v = -1;
+    real most = vec3_dot(d, b->hull.at[from]);
+    for (int steps = 0; best != v && steps < b->hull.count; steps++) {
+        int h = m->vertex_half[v = best], start = h;
         do {
             half_edge back = m->half[mesh_twin(h)];
             real height = vec3_dot(d, b->hull.at[back.origin]);
@@ -47,14 +29,7 @@ static int climb(const hull_mesh *b, vec3 d, int v)
             most = height > most ? height : most;
             h = back.next;
         } while (h != start);
-        if (best == v) break;
-        v = best;
     }
-    return v;
-}
-
-int hull_climb(const hull_mesh *b, vec3 d, int from)
-{
-    return hull_climbs(b) ? climb(b, d, from) : hull_scan(b->hull, d);
+    return best;
 }
 //<

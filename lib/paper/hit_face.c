@@ -255,10 +255,10 @@ static hit_result face_result(const polytope *p, face *t, vec3 w)
 //<
 
 //> hit-face-find
-// How far beyond the face t, along its unit normal n, lies the corner w?
-static real beyond(const face *t, vec3 n, const corner *w)
+// Is the corner w clearly beyond the face t, which has the unit normal n?
+static bool is_beyond(const polytope *p, const face *t, vec3 n, corner w)
 {
-    return vec3_dot(n, vec3_sub(w->at, t->v));
+    return vec3_dot(n, vec3_sub(w.at, t->v)) > ENOUGH * p->size;
 }
 
 // The corner of A - B furthest along n.  Where a climb from the face finds none
@@ -271,7 +271,7 @@ static corner furthest_beyond(const polytope *p, const face *t, vec3 n)
         w.a = hull_climb(a, n, w.a);
         w.b = hull_climb(b, vec3_scale(-1, n), w.b);
         w.at = vec3_sub(a->hull.at[w.a], b->hull.at[w.b]);
-        if (beyond(t, n, &w) > ENOUGH * p->size) return w;
+        if (is_beyond(p, t, n, w)) return w;
     }
     return hull_support(a->hull, b->hull, n);
 }
@@ -294,7 +294,7 @@ hit_result hit_face_climb(const hull_mesh *a, const hull_mesh *b,
         t = p.face[closest];
         vec3 n = vec3_unit(t.normal);
         w = furthest_beyond(&p, &t, n);
-        found = !(beyond(&t, n, &w) > ENOUGH * p.size);
+        found = !is_beyond(&p, &t, n, w);
         if (!found) expand(&p, closest, w);
     }
     hit_result r = face_result(&p, &t, found ? w.at : t.v);

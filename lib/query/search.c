@@ -363,6 +363,14 @@ gjk_result search_nearest(const hull_mesh *a, const hull_mesh *b, real margin,
 //<
 
 //> search-apart
+hull_mesh hull_bare(hull h)
+{
+    real most = 0;
+    for (int k = 1; k < h.count; k++)
+        most = real_max(most, vec3_distance(h.at[k], h.at[0]));
+    return (hull_mesh){ .hull = h, .size = 2 * most };
+}
+
 // By how much a vertex of b may stand higher along d than v, where a climb ended.
 // A mesh is convex to 1e-9 of its size, and its place is rounded: no vertex is
 // further above the plane of a face than `uneven`.  Let c, a point of b, lie below
@@ -389,21 +397,27 @@ static real dent(const hull_mesh *b, vec3 d, int v)
     return r > 0 && low > 0 ? uneven / r * low : HUGE_VAL;
 }
 
-// A height along d that no vertex of b is above, but for rounding.  Of a body
-// that climbs, v is a vertex to begin with, or -1: then all are looked at.
-// Receives the highest.
-static real top(const hull_mesh *b, vec3 d, int *v)
+// A height along d that no vertex of b is above, but for rounding.
+static real highest(hull h, vec3 d)
 {
-    const vec3 *at = b->hull.at;
-    real most = -HUGE_VAL;
-    if (hull_climbs(b)) {
-        bool is_known = *v >= 0;
-        *v = is_known ? hull_climb(b, d, *v) : hull_scan(b->hull, d);
-        return vec3_dot(d, at[*v]) + (is_known ? dent(b, d, *v) : 0);
-    }
-    for (int k = 0; k < b->hull.count; k++)
-        most = real_max(vec3_dot(d, at[k]), most);
+    real most = vec3_dot(d, h.at[0]);
+    for (int k = 1; k < h.count; k++)
+        most = real_max(vec3_dot(d, h.at[k]), most);
     return most;
+}
+
+// The same of a body that climbs.  v: a vertex to begin with, or -1: then all are
+// looked at.  Receives the highest.
+static real climbed(const hull_mesh *b, vec3 d, int *v)
+{
+    bool is_known = *v >= 0;
+    *v = is_known ? hull_climb(b, d, *v) : hull_scan(b->hull, d);
+    return vec3_dot(d, b->hull.at[*v]) + (is_known ? dent(b, d, *v) : 0);
+}
+
+static inline real top(const hull_mesh *b, vec3 d, int *v)
+{
+    return hull_climbs(b) ? climbed(b, d, v) : highest(b->hull, d);
 }
 
 // m, no vertex of b is further from the origin.

@@ -12,6 +12,9 @@
 //<
 
 //> search-declare
+// A body whose mesh is not known.
+hull_mesh hull_bare(hull h);
+
 // What gjk_distance answers, by the same last step: a search that does not mind
 // rounding finds the simplex, and gjk_distance's proves it.
 // Requires: both hulls in range (hull_in_range).

@@ -3,6 +3,7 @@
 
 #include "bodies.h"
 #include "expect.h"
+#include "hit_face.h"
 #include "random.h"
 #include "search.h"
 #include "suite.h"
@@ -184,48 +185,18 @@ START_TEST(a_corner_in_the_middle_of_an_edge_touches_it)
 }
 END_TEST
 
-// A table whose top of 64 corners is uneven by 10^-10 of its size, which a mesh
-// may be, on one corner below.
-enum { SIDE = 8, TOP = SIDE * SIDE, FACES = 2 * (SIDE - 1) * (SIDE + 1) };
-
-static int (*add_face(int (*face)[3], int i, int j, int k))[3]
-{
-    (*face)[0] = i, (*face)[1] = j, (*face)[2] = k;
-    return face + 1;
-}
-
-static status uneven_table(struct mesh *m)
-{
-    int face[FACES][3], (*f)[3] = face, end = SIDE - 1;
-    for (int i = 0; i < end; i++)
-        for (int j = 0; j < end; j++) {
-            int k = i + j * SIDE;
-            f = add_face(f, k, k + 1, k + 1 + SIDE);
-            f = add_face(f, k, k + 1 + SIDE, k + SIDE);
-        }
-    for (int i = 0; i < end; i++) {
-        f = add_face(f, i + 1, i, TOP);
-        f = add_face(f, end * SIDE + i, end * SIDE + i + 1, TOP);
-        f = add_face(f, end + (i + 1) * SIDE, end + i * SIDE, TOP);
-        f = add_face(f, i * SIDE, (i + 1) * SIDE, TOP);
-    }
-    return mesh_build(m, TOP + 1, (const int (*)[3])face, FACES);
-}
-
 // Rejects: a climb that is believed, though it ended in front of a dent.
 START_TEST(a_climb_that_ends_at_a_dent_is_not_believed)
 {
     unsigned long long seed = 8;
     struct mesh m;
-    ck_assert(uneven_table(&m).ok);
+    ck_assert(table_mesh(&m).ok);
     for (int n = 0; n < 200; n++) {
-        vec3 at[TOP + 1], fly = random_vector(&seed, 0.1, 0.2);
-        for (int k = 0; k < TOP; k++)
-            at[k] = vec3_make(k % SIDE - 3.5, k / SIDE - 3.5,
-                              1e-9 * random_fraction(&seed));
-        at[TOP] = vec3_make(0, 0, -5);
+        body uneven;
+        vec3 fly = random_vector(&seed, 0.1, 0.2);
+        body_table(&uneven, 1e-9, &seed);
         fly.z = 0.1;
-        hull table = { at, TOP + 1 }, point = { &fly, 1 };
+        hull table = body_hull(&uneven), point = { &fly, 1 };
         hull_mesh a = hull_bare(point), b = hull_bare(table);
         b.mesh = &m;
         gjk_result plain = gjk_distance(point, table, HUGE_VAL, NULL);
@@ -236,6 +207,76 @@ START_TEST(a_climb_that_ends_at_a_dent_is_not_believed)
         ck_assert(!search_apart(&a, &b, plain.distance * (1 + 1e-11), &axis));
     }
     mesh_free(&m);
+}
+END_TEST
+
+// Tables that are flat, uneven, or a dome, and any other body: the vertices that
+// are carried may be any, on the far side, too.  Rejects: the end of a climb as
+// the highest vertex; a plane believed because it parted the bodies once.
+START_TEST(a_carried_axis_and_any_vertices_prove_nothing_false)
+{
+    const real rough[3] = { 0, 1e-9, -1 }, place[3] = { 0, 0, 1e5 };
+    unsigned long long seed = 12;
+    struct mesh m;
+    int yes = 0, no = 0;
+    ck_assert(table_mesh(&m).ok);
+    for (int n = 0; n < 6000; n++) {
+        body a, b;
+        body_table(&a, rough[n % 3], &seed);
+        body_any(&b, n % 5, &seed);
+        body_move(&b, random_vector(&seed, 1, 4));
+        pair_turn(&a, &b, &seed);
+        pair_move(&a, &b, random_vector(&seed, place[n / 3 % 3], 1));
+        hull_mesh ha = hull_bare(body_hull(&a)), hb = hull_bare(body_hull(&b));
+        ha.mesh = &m;
+        gjk_result g = gjk_distance(ha.hull, hb.hull, HUGE_VAL, NULL);
+        vec3 axis = vec3_add_scaled(g.axis, n % 4 * 1e-3, random_direction(&seed));
+        if (n % 2) axis = random_direction(&seed);
+        const real part[4] = { 0, 0.5, 1 - 1e-6, 1 + 1e-6 };
+        for (int k = 0; k < 4; k++) {
+            separating_axis carried = { axis, random_below(&seed, a.count),
+                                        random_below(&seed, b.count) };
+            bool is_apart = g.status == GJK_APART && k < 3;
+            ck_assert_int_eq(search_apart(&ha, &hb, part[k] * g.distance,
+                                          &carried), is_apart);
+            yes += is_apart, no += !is_apart;
+        }
+    }
+    mesh_free(&m);
+    ck_assert_int_gt(yes, 5000);
+    ck_assert_int_gt(no, 5000);
+}
+END_TEST
+
+// Rejects: the same where EPA believes the end of a climb.
+START_TEST(many_vertices_are_as_deep_as_if_all_were_looked_at)
+{
+    const real rough[3] = { 0, 1e-9, -1 };
+    unsigned long long seed = 13;
+    struct mesh m;
+    int deep = 0;
+    ck_assert(table_mesh(&m).ok);
+    for (int n = 0; n < 3000; n++) {
+        body a, b;
+        body_table(&a, rough[n % 3], &seed);
+        body_any(&b, n % 4, &seed);
+        body_move(&b, random_vector(&seed, 1, 3));
+        pair_turn(&a, &b, &seed);
+        hull_mesh ha = hull_bare(body_hull(&a)), hb = hull_bare(body_hull(&b));
+        ha.mesh = &m;
+        gjk_result g = gjk_distance(ha.hull, hb.hull, 0, NULL);
+        if (g.status != GJK_OVERLAP) continue;
+        hit_result all = hit_face_find(ha.hull, hb.hull, &g.last);
+        hit_result few = hit_face_climb(&ha, &hb, &g.last);
+        ck_assert_int_eq(few.status, all.status);
+        near(few.depth, all.depth, 1e-13 * pair_size(&a, &b));
+        corner w = hull_support(ha.hull, hb.hull, vec3_scale(-1, few.normal));
+        near(-vec3_dot(few.normal, w.at), few.depth,
+             1e-13 * pair_size(&a, &b));
+        deep++;
+    }
+    mesh_free(&m);
+    ck_assert_int_gt(deep, 1000);
 }
 END_TEST
 
@@ -288,6 +329,8 @@ int main(void)
         a_last_bit_between_two_cubes_is_a_gap_and_none_is_none,
         a_corner_in_the_middle_of_an_edge_touches_it,
         a_climb_that_ends_at_a_dent_is_not_believed,
+        a_carried_axis_and_any_vertices_prove_nothing_false,
+        many_vertices_are_as_deep_as_if_all_were_looked_at,
         squares_in_one_plane_answer_as_in_chapter_4,
         two_vertices_of_each_body_spare_the_first_rounds,
         NULL

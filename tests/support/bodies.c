@@ -212,3 +212,43 @@ int bits_are_ours(void)
     const char *yours = getenv("YOURS");
     return !yours || !*yours;
 }
+
+enum { SIDE = 8, TOP = SIDE * SIDE, FACES = 2 * (SIDE - 1) * (SIDE + 1) };
+
+// A dome is what a projection from below makes of a paraboloid on straight walls,
+// so its sides are convex, too.
+void body_table(body *b, real rough, unsigned long long *state)
+{
+    *b = (body){ .count = TOP + 1 };
+    for (int k = 0; k < TOP; k++) {
+        vec3 x = { k % SIDE - 3.5, k / SIDE - 3.5, 5 };
+        real part = 1 / (1 + 0.02 * (x.x * x.x + x.y * x.y));
+        b->at[k] = rough < 0 ? vec3_scale(part, x) : x;
+        b->at[k].z += real_max(rough, 0) * random_fraction(state) - 5;
+    }
+    b->at[TOP] = vec3_make(0, 0, -5);
+}
+
+static int (*add_face(int (*face)[3], int i, int j, int k))[3]
+{
+    (*face)[0] = i, (*face)[1] = j, (*face)[2] = k;
+    return face + 1;
+}
+
+status table_mesh(struct mesh *m)
+{
+    int face[FACES][3], (*f)[3] = face, end = SIDE - 1;
+    for (int i = 0; i < end; i++)
+        for (int j = 0; j < end; j++) {
+            int k = i + j * SIDE;
+            f = add_face(f, k, k + 1, k + 1 + SIDE);
+            f = add_face(f, k, k + 1 + SIDE, k + SIDE);
+        }
+    for (int i = 0; i < end; i++) {
+        f = add_face(f, i + 1, i, TOP);
+        f = add_face(f, end * SIDE + i, end * SIDE + i + 1, TOP);
+        f = add_face(f, end + (i + 1) * SIDE, end + i * SIDE, TOP);
+        f = add_face(f, i * SIDE, (i + 1) * SIDE, TOP);
+    }
+    return mesh_build(m, TOP + 1, (const int (*)[3])face, FACES);
+}

@@ -378,7 +378,8 @@ hull_mesh hull_bare(hull h)
 // point p = c + s (x - c) with s = r / (r + uneven) is above none of the planes.
 // So it is no higher than v, because the edges from v lead down, and c is below.
 // Then x is higher than v by no more than uneven / r of what c is lower.  The
-// sine of an angle of a face makes r less where edges lead down by rounding.
+// sine of an angle of a face makes r less where edges lead down by rounding, and
+// what is itself rounding, r or how much c is lower, proves nothing.
 static real dent(const hull_mesh *b, vec3 d, int v)
 {
     const mesh *m = b->mesh;
@@ -393,8 +394,9 @@ static real dent(const hull_mesh *b, vec3 d, int v)
         real sides = sqrt(vec3_dot(e, e) * vec3_dot(f, f));
         r = real_min(vec3_dot(vec3_cross(f, e), up) / sides, r);
     } while (h != start);
-    real uneven = 1e-9 * b->size + 0x1p-50 * far, low = vec3_dot(d, up);
-    return r > 0 && low > 0 ? uneven / r * low : HUGE_VAL;
+    real uneven = 2e-9 * b->size + 0x1p-49 * far, low = vec3_dot(d, up);
+    bool is_below = r > 2 * uneven && low > uneven * vec3_length(d);
+    return is_below ? uneven / (r - uneven) * low : HUGE_VAL;
 }
 
 // A height along d that no vertex of b is above, but for rounding.

@@ -16,8 +16,8 @@ START_TEST(a_climb_over_a_dome_ends_as_high_as_a_look_at_all)
     unsigned long long seed = 3;
     struct mesh m;
     body dome;
-    ck_assert(table_mesh(&m).ok);
-    body_table(&dome, -1, &seed);
+    ck_assert(table_mesh(&m, TABLE_FOOT).ok);
+    body_table(&dome, TABLE_FOOT, -1, &seed);
     hull_mesh b = { body_hull(&dome), &m, 20 };
     ck_assert(hull_climbs(&b));
     for (int n = 0; n < 2000; n++) {
@@ -37,8 +37,8 @@ START_TEST(a_climb_may_end_on_a_plain)
     unsigned long long seed = 4;
     struct mesh m;
     body flat;
-    ck_assert(table_mesh(&m).ok);
-    body_table(&flat, 0, &seed);
+    ck_assert(table_mesh(&m, TABLE_FOOT).ok);
+    body_table(&flat, TABLE_FOOT, 0, &seed);
     hull_mesh b = { body_hull(&flat), &m, 20 };
     vec3 down = { 0, 0, -1 };
     ck_assert_int_eq(hull_climb(&b, down, 27), 27);
@@ -54,8 +54,8 @@ START_TEST(without_a_mesh_of_its_own_all_of_a_body_is_looked_at)
     unsigned long long seed = 5;
     struct mesh m;
     body flat;
-    ck_assert(table_mesh(&m).ok);
-    body_table(&flat, 0, &seed);
+    ck_assert(table_mesh(&m, TABLE_FOOT).ok);
+    body_table(&flat, TABLE_FOOT, 0, &seed);
     vec3 down = { 0, 0, -1 };
     hull_mesh none = { body_hull(&flat), NULL, 20 }, other = none;
     flat.at[flat.count++] = vec3_make(0, 0, -6);

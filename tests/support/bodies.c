@@ -217,7 +217,7 @@ enum { SIDE = 8, TOP = SIDE * SIDE, FACES = 2 * (SIDE - 1) * (SIDE + 1) };
 
 // A dome is what a projection from below makes of a paraboloid on straight walls,
 // so its sides are convex, too.
-void body_table(body *b, real rough, unsigned long long *state)
+void body_table(body *b, int foot, real rough, unsigned long long *state)
 {
     *b = (body){ .count = TOP + 1 };
     for (int k = 0; k < TOP; k++) {
@@ -226,7 +226,8 @@ void body_table(body *b, real rough, unsigned long long *state)
         b->at[k] = rough < 0 ? vec3_scale(part, x) : x;
         b->at[k].z += real_max(rough, 0) * random_fraction(state) - 5;
     }
-    b->at[TOP] = vec3_make(0, 0, -5);
+    b->at[TOP] = b->at[foot];
+    b->at[foot] = vec3_make(0, 0, -5);
 }
 
 static int (*add_face(int (*face)[3], int i, int j, int k))[3]
@@ -235,7 +236,7 @@ static int (*add_face(int (*face)[3], int i, int j, int k))[3]
     return face + 1;
 }
 
-status table_mesh(struct mesh *m)
+status table_mesh(struct mesh *m, int foot)
 {
     int face[FACES][3], (*f)[3] = face, end = SIDE - 1;
     for (int i = 0; i < end; i++)
@@ -249,6 +250,10 @@ status table_mesh(struct mesh *m)
         f = add_face(f, end * SIDE + i, end * SIDE + i + 1, TOP);
         f = add_face(f, end + (i + 1) * SIDE, end + i * SIDE, TOP);
         f = add_face(f, i * SIDE, (i + 1) * SIDE, TOP);
+    }
+    for (int k = 0; k < 3 * FACES; k++) {
+        int *v = &face[k / 3][k % 3];
+        *v = *v == TOP ? foot : *v == foot ? TOP : *v;
     }
     return mesh_build(m, TOP + 1, (const int (*)[3])face, FACES);
 }

@@ -37,10 +37,12 @@ void body_icosphere(body *b, int level, real radius);
 void body_random(body *b, int count, unsigned long long *state);
 // A square of side 1 in the plane z = 0.
 void body_square(body *b);
-// A table, 7 m wide, of 64 vertices on one below: its top is uneven by `rough` (m;
-// a mesh may be by 1e-9 of its size), or < 0: a dome.  And the mesh of all.
-void body_table(body *b, real rough, unsigned long long *state);
-status table_mesh(struct mesh *m);
+// A table, 7 m wide, of 64 vertices on one below, which is vertex `foot`: its top
+// is uneven by `rough` (m; a mesh may be by 1e-9 of its size), or < 0: a dome.  And
+// the mesh of all.
+enum { TABLE_FOOT = 64 };
+void body_table(body *b, int foot, real rough, unsigned long long *state);
+status table_mesh(struct mesh *m, int foot);
 void body_turn(body *b, unsigned long long *state);     // any rotation
 // Turned anyhow, kind 0: a cube; 1: an icosahedron; 2: a few points; 3: a
 // square; 4: at most three points.

@@ -46,13 +46,15 @@ forget_passed() {
 # Every exercise with its state, a line each: NN/name passed day, NN/name begun
 # or NN/name not begun.
 states() {
-    done=$(passed)
-    for each in $(names); do
-        day=$(echo "$done" | sed -n "s|^$each ||p")
-        if [ -n "$day" ]; then echo "$each passed $day"
-        elif [ -f "$exercises/${each%%/*}-${each#*/}/mine.c" ]; then echo "$each begun"
-        else echo "$each not begun"; fi
-    done
+    {
+        for each in $(names); do
+            if [ -f "$exercises/${each%%/*}-${each#*/}/mine.c" ]; then echo "$each begun"; else echo "$each not begun"; fi
+        done
+        passed
+    } | awk '
+    $2 ~ /begun$|^not$/ { name[++n] = $1; how[$1] = substr($0, length($1) + 2); next }
+    { how[$1] = "passed " $2 }
+    END { for (k = 1; k <= n; k++) print name[k], how[name[k]] }'
 }
 
 title_of() { sed -n '1s/^# [^:]*: //p' "$exercises/${1%%/*}-${1#*/}/README.md"; }

@@ -33,13 +33,10 @@ told() {
 # Every exercise, NN/name, in the order in which the chapters tell of them: from
 # the easy to the hard.
 names() {
-    for file in "$exercises"/[0-9][0-9]*-*/exercise; do
-        [ -f "$file" ] || continue
-        folder=${file%/exercise} folder=${folder##*/}
-        name=${folder%%-*}/${folder#*-}
-        place=$(told "$name")
-        echo "${folder%%-*} ${place:-99999999} $name"
-    done | sort -k 1,1 -k 2,2n -k 3 | sed 's/.* //'
+    set --
+    for file in "$chapters"/[0-9][0-9]*-*.md; do [ ! -f "$file" ] || set -- "$@" "$file"; done
+    for file in "$exercises"/[0-9][0-9]*-*/exercise; do [ ! -f "$file" ] || echo "$file"; done |
+        awk -f exercises/names.awk "$@" - | sort -k 1,1 -k 2,2n -k 3 | sed 's/.* //'
 }
 
 # load NN/name: reads the file `exercise`.  One of `module` (its module of lib/ is

@@ -11,33 +11,40 @@ function read_stages(list,    line, part) {
     close(list)
 }
 # The number of a stage, or of the last one before it: 09z is the end of 09.
+# What is asked again and again is kept: was_stage, was_in and their like.
 function stage_of(id,    i) {
+    if (id in was_stage) return was_stage[id]
     for (i = stages; i > 0 && id_of[i] "" > id ""; i--) ;
-    return i
+    return was_stage[id] = i
 }
 # The n-th region is a piece, whose marker is in fields 3 to last.
 function note_piece(n, fields,    i) {
     if (!stages) read_stages("chapters/little/stages.txt")
     if (id_of[stage_of($3)] != $3) fail(FILENAME, FNR, $3 " is no stage of stages.txt")
-    number_in[$2] = n
+    number_in[$2] = n; piece[++pieces] = $2
     comes[$2] = $3; pairs[$2] = fields - 2
     for (i = 3; i <= fields; i++) at_stage[$2, i - 2] = stage_of($i)
 }
-function is_in(name, stage,    i) {
+function is_in(name, stage,    i, is) {
+    if ((name, stage) in was_in) return was_in[name, stage]
     for (i = 1; i <= pairs[name]; i += 2)
-        if (stage >= at_stage[name, i] && (i == pairs[name] || stage <= at_stage[name, i + 1])) return 1
-    return 0
+        if (stage >= at_stage[name, i] && (i == pairs[name] || stage <= at_stage[name, i + 1])) is = 1
+    return was_in[name, stage] = is + 0
 }
 # The names that a piece defines, as "a, b".
-function defined(name) { return names_in(home[name], from[name] + 1, to[name] - 1) }
+function defined(name) {
+    if (!(name in defines)) defines[name] = names_in(home[name], from[name] + 1, to[name] - 1)
+    return defines[name]
+}
 # The first line of code of a piece, or the last: one that is not blank, and no
 # comment.
 function code_line(name, back,    i, line) {
+    if ((name, back) in was_line) return was_line[name, back]
     for (i = back ? to[name] - 1 : from[name] + 1; i > from[name] && i < to[name]; i += back ? -1 : 1) {
         line = text[home[name], i]
         if (line !~ /^[ \t]*$/ && line !~ /^\/\//) break
     }
-    return line
+    return was_line[name, back] = line
 }
 # Does the piece begin, or end, within a function or a type?
 function is_inside(name) { return code_line(name, 0) ~ /^([ \t]|})/ }
@@ -83,9 +90,9 @@ function is_typed(name, stage) {
 function returns(name, stage) { return stage_of(comes[name]) < stage && is_in(name, stage) && !is_in(name, stage - 1) }
 # What stays of the stage before, where most of it goes.
 function kept(stage,    k, name, names, out) {
-    for (k = 1; k <= regions; k++) {
-        name = region[k]
-        if (!(name in comes) || !is_in(name, stage - 1) || !is_in(name, stage)) continue
+    for (k = 1; k <= pieces; k++) {
+        name = piece[k]
+        if (!is_in(name, stage - 1) || !is_in(name, stage)) continue
         names = everything(name)
         if (names != "") out = out (out == "" ? "" : ", ") names
     }
@@ -94,9 +101,8 @@ function kept(stage,    k, name, names, out) {
 # What does, and where to: "`a`, `b` of stage 12c, after `c`; `d;` of stage 11c, in `f`,
 # after `e;`".
 function taken_back(stage,    k, i, name, names, out, of, ending, next_to, start) {
-    for (k = 1; k <= regions; k++) {
-        name = region[k]
-        if (!(name in comes)) continue
+    for (k = 1; k <= pieces; k++) {
+        name = piece[k]
         if (!returns(name, stage)) { if (is_in(name, stage) && !(comes_in(name, stage) && is_inside(name))) { next_to = 0; start = "" }; continue }
         if (start == "" && !is_inside(name)) start = name
         names = everything(name)
@@ -132,15 +138,19 @@ function last_seen(name, stage,    i, around) {
 function comes_in(name, stage) { return stage_of(comes[name]) == stage }
 # Which piece of a stage takes the place of one that ends: the one that defines the
 # same, or else the next one in its file, if nothing that stays is between them.
-function heir(name, stage,    k, way, list, i, n) {
+function heir(name, stage) {
+    if (!((name, stage) in was_heir)) was_heir[name, stage] = find_heir(name, stage)
+    return was_heir[name, stage]
+}
+function find_heir(name, stage,    k, way, list, i, n) {
     n = split(defined(name), list, ", ")
     if (!n && is_inside(name)) {
         k = opener(name, last_seen(name, stage))
         if (k != "" && is_in(k, stage - 1) && !is_in(k, stage)) return heir(k, stage)
     }
-    for (k = 1; k <= regions; k++)
-        if (region[k] in comes && comes_in(region[k], stage))
-            for (i = 1; i <= n; i++) if (index(", " defined(region[k]) ",", ", " list[i] ",")) return region[k]
+    for (k = 1; k <= pieces; k++)
+        if (comes_in(piece[k], stage))
+            for (i = 1; i <= n; i++) if (index(", " defined(piece[k]) ",", ", " list[i] ",")) return piece[k]
     for (way = 1; way >= -1; way -= 2)
         for (k = number_in[name] + way; k > 0 && k <= regions && home[region[k]] == home[name]; k += way) {
             if (comes_in(region[k], stage)) return region[k]
@@ -162,21 +172,33 @@ function everything(name,    i, line, out) {
 }
 # What ends at that stage and has such an heir, as a list for a reader.  `is_far`
 # is set if that lay elsewhere.
-function ended(stage, piece,    k, name, out, names) {
-    for (k = 1; k <= regions; k++) {
-        name = region[k]
-        if (!(name in comes) || is_in(name, stage) || !last_seen(name, stage) || heir(name, stage) != piece) continue
+function ended(stage, heir_is,    k, n, list, name, out, names) {
+    n = split(ending_at(stage), list, " ")
+    for (k = 1; k <= n; k++) {
+        name = list[k]
+        if (heir(name, stage) != heir_is) continue
         gone[name, stage]
-        is_far = is_far || home[name] != home[piece] || is_between(number_in[name], number_in[piece], stage)
+        is_far = is_far || home[name] != home[heir_is] || is_between(number_in[name], number_in[heir_is], stage)
         names = everything(name)
         if (!is_inside(name) && names == "") names = opened(name, stage - 1)
         if (names != "") ;
         else if (!is_in(opener(name, last_seen(name, stage)), stage)) continue
         else names = line_span(name)
-        if (piece == "" && is_inside(name) && everything(name) == "") names = names " in " opened(opener(name, stage), stage)
+        if (heir_is == "" && is_inside(name) && everything(name) == "") names = names " in " opened(opener(name, stage), stage)
         if (!index(", " out ",", ", " names ",")) out = out (out == "" ? "" : ", ") names
     }
     return out
+}
+# The pieces that a reader has before that stage, and not in it.
+function ending_at(stage,    k, name) {
+    if (!(stage in was_ending)) {
+        was_ending[stage] = ""
+        for (k = 1; k <= pieces; k++) {
+            name = piece[k]
+            if (!is_in(name, stage) && last_seen(name, stage)) was_ending[stage] = was_ending[stage] " " name
+        }
+    }
+    return was_ending[stage]
 }
 # Does something new come between two pieces, or has something that stays been there?
 function is_between(k, until, stage) {

@@ -11,8 +11,7 @@ trap 'rm -rf "$fresh"' EXIT
 failed=
 
 code=$(sh chapters/weave.sh)
-for awk in awk mawk gawk; do
-    command -v $awk > /dev/null || continue
+for awk in $(sh tests/script/awks.sh); do
     sh chapters/weave.sh "$fresh" $awk || { failed=1; break; }
     cmp -s "$fresh/book.md" book.md && diff -rq "$fresh/woven" chapters/woven || {
         echo "book.md, or a page of chapters/woven, is not what $awk weaves now: run make book"
@@ -22,12 +21,10 @@ for awk in awk mawk gawk; do
 done
 
 # Names of three words and more, `like_this_one`; two words may be formulas.
-for name in $(grep -oh '`[a-z0-9]*_[a-z0-9]*_[a-z0-9_]*`' chapters/*.md README.md | tr -d '`' | sort -u); do
-    grep -rqw "$name" lib tests/*/*.[ch] figures/*/*.[ch] chapters/little/*.c exercises/*/check.c || {
-        echo "the book names $name, and nothing in the tree is called that"
-        failed=1
-    }
-done
+grep -oh '`[a-z0-9]*_[a-z0-9]*_[a-z0-9_]*`' chapters/*.md README.md | tr -d '`' | sort -u > "$fresh/names"
+grep -rohwF -f "$fresh/names" lib tests/*/*.[ch] figures/*/*.[ch] chapters/little/*.c exercises/*/check.c | sort -u |
+    comm -23 "$fresh/names" - > "$fresh/nowhere"
+[ ! -s "$fresh/nowhere" ] || { sed 's/.*/the book names &, and nothing in the tree is called that/' "$fresh/nowhere"; failed=1; }
 # A table goes on from row to row: what a blank line cuts off is no table.
 awk '!/^\|/ { rows = 0 } /^\|/ && ++rows == 2 && !/^\|[-:| ]*$/ { print FILENAME ": a table without a head, at line " FNR; bad = 1 }
      END { exit bad }' chapters/[0-9]*.md README.md || failed=1

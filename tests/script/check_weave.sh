@@ -227,8 +227,7 @@ all() {
 }
 
 awks=
-for awk in awk mawk gawk; do
-    command -v $awk > /dev/null || continue
+for awk in $(sh tests/script/awks.sh); do
     awks="$awks $awk"; all
 done
 echo "weave and check-book: $tests trials ($awks ), $failed failed"

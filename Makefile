@@ -305,9 +305,9 @@ install:
 	$(Q)for d in $(LIBDIR)/pkgconfig $(LIBDIR) $(INCLUDEDIR) $(LICENCE); do \
 	  install -d '$(DESTDIR)'$$d 2> /dev/null && [ -w '$(DESTDIR)'$$d ] || { echo "make install:\
 	  $(DESTDIR)$$d cannot be written; PREFIX=FOLDER installs elsewhere" >&2; exit 1; }; done
-	$(BUILT) public BUILD=$(BUILD)/public CFLAGS='$(CFLAGS) -fPIC -fvisibility=hidden'
-	$(Q)install -m 644 $(BUILD)/public/seen.a '$(DESTDIR)$(LIBDIR)/libtumble.a'
-	$(Q)install $(BUILD)/public/seen.so '$(DESTDIR)$(LIBDIR)/libtumble.so.$(VERSION)'
+	$(BUILT) public
+	$(Q)install -m 644 $(BUILD)/seen.a '$(DESTDIR)$(LIBDIR)/libtumble.a'
+	$(Q)install $(BUILD)/seen.so '$(DESTDIR)$(LIBDIR)/libtumble.so.$(VERSION)'
 	$(Q)ln -sf libtumble.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libtumble.so.$(MAJOR)'
 	$(Q)ln -sf libtumble.so.$(MAJOR) '$(DESTDIR)$(LIBDIR)/libtumble.so'
 	$(Q)install -m 644 lib/tumble.h '$(DESTDIR)$(INCLUDEDIR)'
@@ -913,14 +913,18 @@ $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
 ROOMS := -Ilib $(patsubst %/,-I%,$(wildcard lib/*/ tests/support/ tests/contact/ tests/soft/ tests/hard/ tests/fuzz/ \
   figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/ figures/live/))
+# What a program is linked with may be an archive or a shared library: one form of an
+# object does for both, and is the same code as without.
+SHARED := -fPIC -fvisibility=hidden
+$(sort $(OURS)/lib/%.o $(BUILD)/lib/%.o): CPPFLAGS += $(SHARED)
 $(OURS)/lib/%.o: $$(or $$(wildcard lib/*/$$*.c),lib/*/$$*.c) $(OURS)/flags
 	$(compile)
 $(OURS)/tests/%.o: $$(or $$(wildcard tests/*/$$*.c),tests/*/$$*.c) $(OURS)/flags
 	$(compile)
-# The time of a test passes in lib/, so its own file is compiled in half the time,
-# but not where what it tests is all in a header.
+# The time of a test passes in lib/, so its own file is compiled for a debugger, in
+# less than half the time, but not where what it tests is all in a header.
 ifneq ($(filter -O3,$(CFLAGS)),)
-$(patsubst %,$(OURS)/tests/%.o,$(filter-out check_vec3 check_real4 check_task,$(TESTS))): CPPFLAGS += -O1
+$(patsubst %,$(OURS)/tests/%.o,$(filter-out check_vec3 check_real4 check_task,$(TESTS))): CPPFLAGS += -Og
 endif
 $(OURS)/figures/%.o: $$(or $$(wildcard figures/*/$$*.c),figures/*/$$*.c) $(OURS)/flags
 	$(compile)
@@ -939,4 +943,4 @@ include chapters/site/site.mk
 $(sort $(BUILD)/flags $(OURS)/flags): FORCE
 	@mkdir -p $(@D) 2> /dev/null && [ -w $(@D) ] || { echo "$(@D) cannot be written:\
 	 is this folder yours?  BUILD=FOLDER builds elsewhere." >&2; exit 1; }
-	@echo '$(strip $(COMPILE))' | cmp -s - $@ || echo '$(strip $(COMPILE))' > $@
+	@echo '$(strip $(COMPILE) $(SHARED))' | cmp -s - $@ || echo '$(strip $(COMPILE) $(SHARED))' > $@

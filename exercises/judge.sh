@@ -124,7 +124,7 @@ prepare() {
     until alone "$build"; do sleep 0.2; done
     # shellcheck disable=SC2086
     { [ -z "$plain" ] || MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="${BUILD:-build}" $plain > /dev/null; } &&
-    MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="$build" CFLAGS="-O1 -g $sanitize" \
+    MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="$build" CFLAGS="-Og -g $sanitize" \
         CPPFLAGS='-D_XOPEN_SOURCE=700 -include exercises/judge.h' \
         $(echo "$1" | grep "^$build/") > /dev/null
     prepared=$?

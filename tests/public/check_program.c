@@ -931,35 +931,34 @@ START_TEST(options_that_were_not_begun_are_refused)
 }
 END_TEST
 
-// A chain of 50 on which 100 kg hang swings faster than so few substeps follow.
-// Rejects: bodies that were stopped in mid-air, with no word about it; impulses
-// that are no numbers, and are kept.
+// A chain of 20 that bears far more than so few substeps follow: its numbers are
+// lost, and it is stopped.  Rejects: bodies that were stopped in mid-air, with no
+// word about it; impulses that are no numbers, and are kept.
 START_TEST(what_is_stopped_in_mid_air_is_reported)
 {
     tumble_options o = tumble_options_default();
     o.substeps = o.most_substeps = _i;
     tumble_world *w = tumble_make(&o);
     tumble_shape link = tumble_box(w, tumble_v(0.3, 0.1, 0.1), 1);
-    tumble_shape load = tumble_sphere(w, 0.3, 100);
+    tumble_shape load = tumble_sphere(w, 0.3, _i == 1 ? 100 : 1e6);
     tumble_body last = tumble_ground();
-    for (int k = 0; k <= 50; k++) {
-        bool is_load = k == 50;
+    for (int k = 0; k <= 20; k++) {
+        bool is_load = k == 20;
         double x = 0.3 * k + (is_load ? 0.3 : 0.15);
         tumble_body b = tumble_add(w, is_load ? load : link,
                                    tumble_at(x, 20, 0));
         tumble_ball(w, last, b, tumble_v(0.3 * k, 20, 0));
         last = b;
     }
-    int stopped = 0;
-    for (int k = 0; k < 500; k++) {
+    int unconverged = 0;
+    for (int k = 0; k < 100; k++) {
         tumble_step(w);
-        tumble_vec3 v = tumble_velocity(w, last);
-        if (!is_zero(v)) continue;
-        stopped++;
-        ck_assert_int_gt(tumble_last_step(w).unconverged, 0);
-        ck_assert_ptr_nonnull(tumble_failure(w));
+        unconverged += tumble_last_step(w).unconverged;
+        tumble_vec3 p = tumble_position(w, last), v = tumble_velocity(w, last);
+        ck_assert(isfinite(p.x + p.y + p.z + v.x + v.y + v.z));
+        ck_assert(!tumble_failure(w) || unconverged > 0);
     }
-    if (stopped > 0) expect_failure(w, "more substeps");
+    expect_failure(w, "more substeps");
     tumble_free(w);
 }
 END_TEST
@@ -1140,6 +1139,6 @@ int main(void)
     };
     return suite_run((suite){
         .name = "program", .tests = tests, .seconds = 60,
-        .repeated = { { what_is_stopped_in_mid_air_is_reported, 2, 8 } }
+        .repeated = { { what_is_stopped_in_mid_air_is_reported, 1, 3 } }
     });
 }

@@ -13,6 +13,7 @@ wall=15                      # times four seconds, for a test that only waits
 seconds=${JUDGE_SECONDS:-2}
 # Blocks of 512 bytes: 10 MB for each of these seconds.  A loop that prints is
 # stopped by this long before its time is up.
+linker=
 printout=$(awk "BEGIN { print 20000 * $seconds }")
 warnings='-Wall -Wextra -Wconversion -Wshadow -Wno-unused-parameter -Wno-unused-function -Wno-unused-const-variable'
 exact=$(sed -n 's/^EXACT *:= *//p' Makefile)
@@ -146,6 +147,15 @@ show() {
         "$out/mine.o" $(library_parts | grep -v /judge.o) -lm -o "$out/show" && "$out/show"
 }
 
+# Linking is much of a judge's time: gold, where the compiler has it, takes a quarter.
+find_linker() {
+    linker=' '
+    echo 'int main(void) { return 0; }' > "$out/linker.c"
+    # shellcheck disable=SC2086
+    $cc $sanitize -fuse-ld=gold "$out/linker.c" -o "$out/linker" 2> /dev/null && "$out/linker" && linker=-fuse-ld=gold
+    rm -f "$out/linker.c" "$out/linker"
+}
+
 # run_judge FILE [TEST]: what was compiled of FILE, against all tests or against
 # one.  What was said is in $out/said, the outcomes in $out/tap.
 run_judge() {
@@ -158,8 +168,9 @@ run_judge() {
                 objects="$objects -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free"
         done
     fi
+    [ -n "$linker" ] || find_linker
     # shellcheck disable=SC2086
-    $cc $sanitize "$out/mine.o" $objects $check_libs -o "$out/judge" || return 2
+    $cc $sanitize $linker "$out/mine.o" $objects $check_libs -o "$out/judge" || return 2
     rm -f "$out/tap" "$out/stop"
     : > "$out/said"
     (

@@ -2,6 +2,7 @@
 //>   A plan is checked before anything is changed, and a refusal is a sentence
 //>   that names the number.
 #include "joint.h"
+#include "inline.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -270,35 +271,29 @@ void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
 //<
 
 //> joint-small
-//>   This is Cholesky's root of a small matrix. It needs sums and products, and
-//>   one division and one square root a row. If no body can move along a row,
-//>   its division would be by zero, and the row is left out.
-void small_factor(int n, real m[JOINT_ROWS][JOINT_ROWS])
+//>   Gauss and Jordan: one unknown after the other trades places with its
+//>   equation. It takes one division a row. If no body can move along a row,
+//>   its division would be by zero, and the row is left out. Most matrices have
+//>   three rows or six, and a loop whose length is known is quicker.
+ALWAYS_INLINE void invert(int n, real m[JOINT_ROWS][JOINT_ROWS])
 {
-    for (int i = 0; i < n; i++) {
-        for (int k = 0; k <= i; k++) {
-            real sum = m[i][k];
-            for (int l = 0; l < k; l++) sum -= m[i][l] * m[k][l];
-            if (k < i)  m[i][k] = sum * m[k][k];
-            else        m[i][i] = sum > 0 ? 1 / sqrt(sum) : 0;
+    for (int k = 0; k < n; k++) {
+        real row[JOINT_ROWS], one = m[k][k] > 0 ? 1 / m[k][k] : 0;
+        for (int l = 0; l < n; l++) row[l] = one * m[k][l];
+        row[k] = one;
+        for (int i = 0; i < n; i++) {
+            real times = m[i][k];
+            m[i][k] = 0;
+            for (int l = 0; l < n; l++) m[i][l] -= times * row[l];
         }
+        for (int l = 0; l < n; l++) m[k][l] = row[l];
     }
 }
 
-void small_half(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x)
+void small_invert(int n, real m[JOINT_ROWS][JOINT_ROWS])
 {
-    for (int i = 0; i < n; i++) {
-        for (int k = 0; k < i; k++) x[i] -= m[i][k] * x[k];
-        x[i] *= m[i][i];
-    }
-}
-
-void small_solve(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x)
-{
-    small_half(n, m, x);
-    for (int i = n - 1; i >= 0; i--) {
-        for (int k = i + 1; k < n; k++) x[i] -= m[k][i] * x[k];
-        x[i] *= m[i][i];
-    }
+    if (n == 3)         invert(3, m);
+    else if (n == 6)    invert(6, m);
+    else                invert(n, m);
 }
 //<

@@ -75,14 +75,23 @@ typedef struct {
     real a[JOINT_ROWS][MOTIONS], b[JOINT_ROWS][MOTIONS];
     real error[JOINT_ROWS];         // m, rad; of the limit: what is left
     bool is_upper;              // the limit is the greater of the two
-    real begun[JOINT_ROWS];     // the joint's impulse when the substep began,
-    bool was_upper, was_broken; // and the rest, to begin it again
-    real factor[JOINT_ROWS][JOINT_ROWS];    // of K, see small_factor
+    real given[JOINT_ROWS];     // N s, N m s: of the next substep's impulse,
+                                // what the bodies have got already
+    real begun[2][JOINT_ROWS];  // the joint's impulse, and given, when the
+    bool was_upper, was_broken; // substep began, and the rest: to begin again
+    real inverse[JOINT_ROWS][JOINT_ROWS];   // of K
+    real beyond[JOINT_ROWS][JOINT_ROWS];    // of K, if only the tree beyond the
+                                            // joint moved
+    real answer[JOINT_ROWS][MOTIONS];       // how a unit impulse along a row
+    real answer_on[JOINT_ROWS][MOTIONS];    // moves the body beyond, and the
+                                            // one that leads on
     real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), what a unit impulse leaves
                                 // of what it should change
     real share;                 // of an error that a substep takes back
     real swing;                 // 1/(kg m), see linkage.c
+    real size;                  // m, the smaller radius of the two bodies
     real want[JOINT_ROWS];      // m/s, rad/s: what the impulses are to change
+    int  next;                  // joint of the same tree; -1: none
 } joint_rows;
 
 // One of the two bodies: how it may move, and where it stands.
@@ -125,16 +134,20 @@ void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
 //<
 
 //> joint-small-declare
-//>   Each joint is a small linear system, and so is each body of a tree. Three
-//>   functions solve both.
-// A symmetric, positive matrix of n <= JOINT_ROWS rows becomes L with L L^T =
-// the matrix (Cholesky), with 1/L_ii on its diagonal.  Only the lower triangle
-// is read and written.  A row that nothing answers is left out.
-void small_factor(int n, real m[JOINT_ROWS][JOINT_ROWS]);
+//>   Each joint is a small linear system, and so is each body of a tree. Both
+//>   are solved by an inverse, which serves several times.
+// A symmetric, positive matrix of n <= JOINT_ROWS rows becomes its inverse.  A
+// row that nothing answers becomes zeros.
+void small_invert(int n, real m[JOINT_ROWS][JOINT_ROWS]);
 
-// x becomes the solution y of L y = x; and of L L^T y = x.
-void small_half(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x);
-void small_solve(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x);
+// x becomes m x.
+static inline void small_times(int n, real m[JOINT_ROWS][JOINT_ROWS], real *x)
+{
+    real y[JOINT_ROWS] = { 0 };
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i < n; i++) y[i] += m[k][i] * x[k];
+    for (int i = 0; i < n; i++) x[i] = y[i];
+}
 
 #endif
 //<

@@ -3,6 +3,7 @@
 //>   again: a program may add and remove joints for hours, and needs no more
 //>   memory. Joined bodies are taken out of the list of pairs that may meet.
 #include "linkage.h"
+#include "inline.h"
 #include "table.h"
 
 #include <assert.h>
@@ -160,29 +161,41 @@ static bool moves(const solver_frame *f, int b)
     return basis_of(f, b)->inverse_mass > 0;
 }
 
-// Body b, where it stands now.
-static joint_side side_of(const linkage_pass *q, int b)
+static const rigid_frame *frame_of(const linkage_pass *q, int b)
 {
-    joint_side s = { basis_of(q->f, b), JOINT_WORLD };
-    if (b < 0) return s;
-    s.frame = q->f->body[b].frame;
-    if (moves(q->f, b))
-        s.frame = motion_frame(&s.frame, s.basis, &q->moved[b]);
-    return s;
+    return b < 0 ? &JOINT_WORLD : &q->f->body[b].frame;
 }
 
-// And at the end of the substep.
-static joint_side side_ahead(const linkage_pass *q, int b)
+// Is it where it was when this was last asked?
+static bool find_end(linkage *l, const linkage_pass *q, int b)
 {
-    joint_side s = { basis_of(q->f, b), JOINT_WORLD };
-    if (b < 0) return s;
-    s.frame = q->f->body[b].frame;
-    if (!moves(q->f, b)) return s;
+    if (!moves(q->f, b)) return true;
+    linkage_body *x = &l->body[b];
+    bool is_known = x->has_end, is_free = true;
     motion more;
-    for (int i = 0; i < MOTIONS; i++)
+    for (int i = 0; i < MOTIONS; i++) {
         more.of[i] = q->f->h * (q->velocity[b].of[i] - q->free[b].of[i]);
-    s.frame = motion_frame(&q->ahead[b], s.basis, &more);
-    return s;
+        is_known &= more.of[i] == x->more.of[i];
+        is_free &= more.of[i] == 0;
+    }
+    if (is_known) return true;
+    x->has_end = true;
+    x->more = more;
+    x->end = is_free ? q->ahead[b]
+           : motion_frame(&q->ahead[b], basis_of(q->f, b), &more);
+    return false;
+}
+
+const rigid_frame *linkage_end(linkage *l, const linkage_pass *q, int b)
+{
+    find_end(l, q, b);
+    return &l->body[b].end;
+}
+
+
+static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
+{
+    return moves(q->f, b) ? &l->body[b].end : frame_of(q, b);
 }
 //<
 
@@ -197,28 +210,47 @@ static real speed_of(const linkage_pass *q, const real row[MOTIONS], int b)
     return sum;
 }
 
-static void push_body(const linkage_pass *q, const real row[MOTIONS], int b,
-                      real impulse)
-{
-    real inverse = basis_of(q->f, b)->inverse_mass;
-    if (!(inverse > 0)) return;
-    for (int i = 0; i < MOTIONS; i++) {
-        real share = i < MOTION_TURN ? inverse : 1;
-        q->velocity[b].of[i] += share * row[i] * impulse;
-    }
-}
-
-static void push_row(const linkage_pass *q, const joint *j,
-                     const joint_rows *r, int k, real impulse)
-{
-    push_body(q, r->a[k], j->a, impulse);
-    push_body(q, r->b[k], j->b, impulse);
-}
-
 static real speed_of_row(const linkage_pass *q, const joint *j,
                          const joint_rows *r, int k)
 {
     return speed_of(q, r->a[k], j->a) + speed_of(q, r->b[k], j->b);
+}
+
+// drive += rows^T impulse; and speed -= rows velocity.
+ALWAYS_INLINE void drive_by(real drive[MOTIONS], int rows, real (*row)[MOTIONS],
+                     const real *impulse)
+{
+    for (int k = 0; k < rows; k++)
+        for (int i = 0; i < MOTIONS; i++) drive[i] += row[k][i] * impulse[k];
+}
+
+ALWAYS_INLINE void take_speed(real *speed, int rows, real (*row)[MOTIONS],
+                       const real velocity[MOTIONS])
+{
+    for (int k = 0; k < rows; k++)
+        for (int i = 0; i < MOTIONS; i++) speed[k] -= row[k][i] * velocity[i];
+}
+
+ALWAYS_INLINE void push_body(const linkage_pass *q, int rows,
+                             real (*row)[MOTIONS], int b, const real *impulse)
+{
+    real inverse = basis_of(q->f, b)->inverse_mass, sum[MOTIONS] = { 0 };
+    if (!(inverse > 0)) return;
+    drive_by(sum, rows, row, impulse);
+    for (int i = 0; i < MOTIONS; i++)
+        q->velocity[b].of[i] += (i < MOTION_TURN ? inverse : 1) * sum[i];
+}
+
+static void push_both(const linkage_pass *q, const joint *j, joint_rows *r,
+                      const real *impulse)
+{
+    if (r->count == 3) {
+        push_body(q, 3, r->a, j->a, impulse);
+        push_body(q, 3, r->b, j->b, impulse);
+    } else {
+        push_body(q, r->count, r->a, j->a, impulse);
+        push_body(q, r->count, r->b, j->b, impulse);
+    }
 }
 //<
 
@@ -233,12 +265,13 @@ static real speed_of_row(const linkage_pass *q, const joint *j,
 // slowly.
 static const real AT_ONCE = 1, SLOWLY = 0.3;
 
-static void want_together(const linkage_pass *q, const joint *j,
-                          const joint_rows *r, real want[JOINT_ROWS])
+static void want_together(const linkage *l, const linkage_pass *q, int number,
+                          real want[JOINT_ROWS])
 {
+    const joint *j = &l->joint[number];
+    const joint_rows *r = &l->rows[number];
     real h = q->f->h, then[JOINT_ROWS];
-    joint_side a = side_ahead(q, j->a), b = side_ahead(q, j->b);
-    joint_errors(j, r, &a.frame, &b.frame, then);
+    joint_errors(j, r, end_of(l, q, j->a), end_of(l, q, j->b), then);
     for (int k = 0; k <= r->held && k < JOINT_ROWS; k++) {
         bool is_open = k == r->held && r->error[k] > 0;
         real left = is_open ? 0 : (1 - r->share) * r->error[k];
@@ -246,9 +279,11 @@ static void want_together(const linkage_pass *q, const joint *j,
     }
 }
 
-static void want_rest(const linkage_pass *q, const joint *j,
-                      const joint_rows *r, real want[JOINT_ROWS])
+static void want_rest(const linkage *l, const linkage_pass *q, int number,
+                      real want[JOINT_ROWS])
 {
+    const joint *j = &l->joint[number];
+    const joint_rows *r = &l->rows[number];
     for (int k = 0; k <= r->held && k < JOINT_ROWS; k++) {
         bool is_open = k == r->held && r->error[k] > 0;
         want[k] = (is_open ? -r->error[k] / q->f->h : 0)
@@ -256,8 +291,8 @@ static void want_rest(const linkage_pass *q, const joint *j,
     }
 }
 
-typedef void wanting(const linkage_pass *q, const joint *j,
-                     const joint_rows *r, real want[JOINT_ROWS]);
+typedef void wanting(const linkage *l, const linkage_pass *q, int number,
+                     real want[JOINT_ROWS]);
 //<
 
 //> linkage-alone
@@ -290,25 +325,13 @@ static void factor_alone(linkage *l, const linkage_pass *q, int number)
 {
     const joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
-    if (l->role[number] != JOINT_ALONE) return;
     for (int k = 0; k < r->count; k++) {
-        for (int i = 0; i <= k; i++) r->factor[k][i] = coupling(q, j, r, k, i);
-        r->give[k] = GIVE_ALONE * r->factor[k][k];
-        r->factor[k][k] += r->give[k];
+        for (int i = 0; i < r->count; i++)
+            r->inverse[k][i] = coupling(q, j, r, k, i);
+        r->give[k] = GIVE_ALONE * r->inverse[k][k];
+        r->inverse[k][k] += r->give[k];
     }
-    small_factor(r->count, r->factor);
-}
-
-static void solve_alone(const linkage_pass *q, joint *j, joint_rows *r,
-                        wanting *what)
-{
-    real want[JOINT_ROWS];
-    what(q, j, r, want);
-    small_solve(r->count, r->factor, want);
-    for (int k = 0; k < r->count; k++) {
-        j->impulse[k] += want[k];
-        push_row(q, j, r, k, want[k]);
-    }
+    small_invert(r->count, r->inverse);
 }
 //<
 
@@ -318,23 +341,45 @@ static void solve_alone(const linkage_pass *q, joint *j, joint_rows *r,
 // A limit only pushes, as a contact does.  While it does it is one row more;
 // where it would pull, or is not reached, it is none.  Returns whether that has
 // changed.
-static bool switch_limit(const linkage_pass *q, joint *j, joint_rows *r,
+static bool switch_limit(linkage *l, const linkage_pass *q, int number,
                          wanting *what)
 {
-    real want[JOINT_ROWS];
+    joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
+    real want[JOINT_ROWS], back[JOINT_ROWS] = { 0 };
     int k = r->held;
     bool pushes = r->count > k;
     if (!j->is_limited) return false;
     if (pushes && !(j->impulse[k] < 0)) return false;
     if (pushes) {
-        push_row(q, j, r, k, -j->impulse[k]);
+        back[k] = -j->impulse[k];
+        push_both(q, j, r, back);
         j->impulse[k] = 0;
+        find_end(l, q, j->a);
+        find_end(l, q, j->b);
     } else {
-        what(q, j, r, want);
+        what(l, q, number, want);
         if (!(want[k] > 0)) return false;
     }
     r->count = k + !pushes;
     return true;
+}
+
+static void solve_alone(linkage *l, const linkage_pass *q, int number,
+                        wanting *what)
+{
+    joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
+    find_end(l, q, j->a);
+    find_end(l, q, j->b);
+    for (int n = 0; n < 2; n++) {
+        what(l, q, number, r->want);
+        small_times(r->count, r->inverse, r->want);
+        for (int k = 0; k < r->count; k++) j->impulse[k] += r->want[k];
+        push_both(q, j, r, r->want);
+        if (!switch_limit(l, q, number, what)) return;
+        factor_alone(l, q, number);
+    }
 }
 //<
 
@@ -359,6 +404,7 @@ static void reset_body(linkage *l, int b)
     if (b < 0) return;
     linkage_body *x = &l->body[b];
     x->group = b;
+    x->first = -1;
     x->branches = x->one = 0;
     x->is_done = false;
     x->seen = l->frames;
@@ -401,12 +447,29 @@ static void follow(linkage *l, const linkage_pass *q, int b)
     while (moves(q->f, b) && !l->body[b].is_done && l->body[b].branches <= 1) {
         linkage_body *x = &l->body[b];
         int k = x->branches ? x->one : -1;
-        l->step[l->steps++] = (linkage_step){ b, k };
+        int on = k < 0 ? -1 : other_end(&l->joint[k], b);
+        l->step[l->steps++] = (linkage_step){ b, k, on };
         x->is_done = true;
         if (k < 0) return;
-        b = other_end(&l->joint[k], b);
+        b = on;
         l->body[b].branches--;
         l->body[b].one ^= k;
+    }
+}
+
+// The steps of a tree with this first joint stand together, its root last.  An
+// anchor's tip is the world.
+static void lay_tree(linkage *l, const linkage_pass *q, int first)
+{
+    for (int k = first; k >= 0; k = l->rows[k].next) {
+        const joint *j = &l->joint[k];
+        if (l->role[k] == JOINT_ANCHOR)
+            l->step[l->steps++] = (linkage_step){
+                -1, k, moves(q->f, j->a) ? j->a : j->b };
+    }
+    for (int k = first; k >= 0; k = l->rows[k].next) {
+        follow(l, q, l->joint[k].a);
+        follow(l, q, l->joint[k].b);
     }
 }
 
@@ -420,10 +483,18 @@ static void choose_roles(linkage *l, const linkage_pass *q)
     for (int k = 0; k < l->count; k++) l->role[k] = choose_role(l, q, k);
     l->steps = 0;
     l->is_stale = false;
-    for (int k = 0; k < l->count; k++) {
+    for (int k = l->count - 1; k >= 0; k--) {
+        const joint *j = &l->joint[k];
         if (l->role[k] < JOINT_ANCHOR) continue;
-        follow(l, q, l->joint[k].a);
-        follow(l, q, l->joint[k].b);
+        int tree = tree_of(l, moves(q->f, j->a) ? j->a : j->b);
+        l->rows[k].next = l->body[tree].first;
+        l->body[tree].first = k;
+    }
+    for (int k = 0; k < l->count; k++) {
+        const joint *j = &l->joint[k];
+        if (l->role[k] < JOINT_ANCHOR) continue;
+        int tree = tree_of(l, moves(q->f, j->a) ? j->a : j->b);
+        if (l->body[tree].first == k) lay_tree(l, q, k);
     }
 }
 //<
@@ -434,74 +505,74 @@ static real (*rows_at(joint_rows *r, const joint *j, int b))[MOTIONS]
     return j->a == b ? r->a : r->b;
 }
 
-static void reset_mass(linkage *l, const linkage_pass *q)
+static void reset_answers(linkage_body *x, const linkage_pass *q, int b)
 {
-    for (int s = 0; s < l->steps; s++) {
-        int b = l->step[s].body;
-        real (*m)[MOTIONS] = l->body[b].mass;
-        memset(m, 0, sizeof l->body[b].mass);
-        for (int i = 0; i < MOTIONS; i++)
-            m[i][i] = i < MOTION_TURN ? 1 / basis_of(q->f, b)->inverse_mass : 1;
-    }
+    memset(x->answer, 0, sizeof x->answer);
+    for (int i = 0; i < MOTIONS; i++)
+        x->answer[i][i] = i < MOTION_TURN ? basis_of(q->f, b)->inverse_mass : 1;
 }
 
-// What hangs on a joint makes the body heavier, along its rows.
-static void hang_on(linkage_body *x, joint_rows *r, real (*row)[MOTIONS])
+// How a body answers impulses along rows: as the rows' own motions, and K.
+ALWAYS_INLINE void find_answers(int n, linkage_body *x,
+                                real (*row)[MOTIONS],
+                                real answer[JOINT_ROWS][MOTIONS],
+                                real k[JOINT_ROWS][JOINT_ROWS])
 {
-    real column[MOTIONS][JOINT_ROWS];
-    for (int i = 0; i < MOTIONS; i++) {
-        for (int k = 0; k < r->count; k++) column[i][k] = row[k][i];
-        small_half(r->count, r->factor, column[i]);
-        for (int l = 0; l <= i; l++)
-            for (int k = 0; k < r->count; k++)
-                x->mass[i][l] += column[i][k] * column[l][k];
-    }
-}
-
-static void yield(const linkage_pass *q, const joint *j, joint_rows *r)
-{
-    memset(r->factor, 0, sizeof r->factor);
-    for (int k = 0; k < r->count; k++)
-        r->factor[k][k] = r->give[k] = GIVE * coupling(q, j, r, k, k);
-}
-
-// How the tree beyond a joint answers an impulse along it.
-static void factor_branch(const linkage_pass *q, linkage_body *x,
-                          const joint *j, joint_rows *r, real (*row)[MOTIONS])
-{
-    real half[JOINT_ROWS][MOTIONS];
-    yield(q, j, r);
-    for (int k = 0; k < r->count; k++) {
-        memcpy(half[k], row[k], sizeof half[k]);
-        small_half(MOTIONS, x->mass, half[k]);
-        for (int l = 0; l <= k; l++)
+    memset(answer, 0, (size_t)n * sizeof *answer);
+    for (int a = 0; a < n; a++) {
+        drive_by(answer[a], MOTIONS, x->answer, row[a]);
+        for (int b = 0; b <= a; b++) {
             for (int i = 0; i < MOTIONS; i++)
-                r->factor[k][l] += half[k][i] * half[l][i];
+                k[a][b] += row[b][i] * answer[a][i];
+            k[b][a] = k[a][b];
+        }
     }
-    small_factor(r->count, r->factor);
 }
 
-static void factor_trees(linkage *l, const linkage_pass *q)
+// K of a joint: what it gives, what the tree beyond it does, and what the body
+// does that leads on.  This one answers less by what the joint holds back.
+ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
+                          linkage_body *on, const joint *j, joint_rows *r,
+                          real (*row)[MOTIONS], real (*row_on)[MOTIONS])
 {
-    reset_mass(l, q);
-    for (int k = 0; k < l->count; k++) {
-        if (l->role[k] != JOINT_ANCHOR) continue;
-        joint *j = &l->joint[k];
-        joint_rows *r = &l->rows[k];
-        int b = moves(q->f, j->a) ? j->a : j->b;
-        yield(q, j, r);
-        small_factor(r->count, r->factor);
-        hang_on(&l->body[b], r, rows_at(r, j, b));
+    memset(r->beyond, 0, sizeof r->beyond);
+    for (int k = 0; k < n; k++)
+        r->beyond[k][k] = r->give[k] = GIVE * coupling(q, j, r, k, k);
+    if (tip) find_answers(n, tip, row, r->answer, r->beyond);
+    memcpy(r->inverse, r->beyond, sizeof r->inverse);
+    find_answers(n, on, row_on, r->answer_on, r->inverse);
+    small_invert(n, r->beyond);
+    small_invert(n, r->inverse);
+    for (int k = 0; k < n; k++) {
+        real back[MOTIONS] = { 0 };
+        drive_by(back, n, r->answer_on, r->inverse[k]);
+        for (int i = 0; i < MOTIONS; i++)
+            for (int m = 0; m < MOTIONS; m++)
+                on->answer[i][m] -= r->answer_on[k][i] * back[m];
     }
-    for (int s = 0; s < l->steps; s++) {
-        int b = l->step[s].body, k = l->step[s].joint;
-        small_factor(MOTIONS, l->body[b].mass);
-        if (k < 0) continue;
-        joint *j = &l->joint[k];
+}
+
+// The steps from `first` on that are of one tree end before this one.
+static int tree_end(const linkage *l, int first)
+{
+    while (l->step[first].joint >= 0) first++;
+    return first + 1;
+}
+
+static void factor_tree(linkage *l, const linkage_pass *q, int first, int end)
+{
+    for (int s = first; s < end; s++)
+        if (l->step[s].body >= 0)
+            reset_answers(&l->body[l->step[s].body], q, l->step[s].body);
+    for (int s = first; s < end - 1; s++) {
+        int b = l->step[s].body, k = l->step[s].joint, on = l->step[s].on;
+        linkage_body *tip = b < 0 ? NULL : &l->body[b], *x = &l->body[on];
+        const joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
-        int on = other_end(j, b);
-        factor_branch(q, &l->body[b], j, r, rows_at(r, j, b));
-        hang_on(&l->body[on], r, rows_at(r, j, on));
+        real (*row)[MOTIONS] = rows_at(r, j, b);
+        real (*row_on)[MOTIONS] = rows_at(r, j, on);
+        if (r->count == 3)  factor(3, q, tip, x, j, r, row, row_on);
+        else                factor(r->count, q, tip, x, j, r, row, row_on);
     }
 }
 //<
@@ -510,106 +581,142 @@ static void factor_trees(linkage *l, const linkage_pass *q)
 //>   And here are the two walks. The velocities that they find are not given to
 //>   the bodies. Only the impulses are, each to A and its opposite to B, so
 //>   momentum stays to rounding, however inexact the matrices are.
-// drive += rows^T impulse; and speed -= rows velocity.
-static void drive_by(real drive[MOTIONS], const joint_rows *r,
-                     real (*row)[MOTIONS], const real *impulse)
+// What a joint wants, and the bodies beyond it do not do by themselves.  If the
+// body that leads on had no other joint, it would go by the impulse for that.
+ALWAYS_INLINE void solve_inward(int n, linkage *l, const linkage_step *s)
 {
-    for (int k = 0; k < r->count; k++)
-        for (int i = 0; i < MOTIONS; i++) drive[i] += row[k][i] * impulse[k];
-}
-
-static void take_speed(real *speed, const joint_rows *r, real (*row)[MOTIONS],
-                       const real velocity[MOTIONS])
-{
-    for (int k = 0; k < r->count; k++)
-        for (int i = 0; i < MOTIONS; i++) speed[k] -= row[k][i] * velocity[i];
-}
-
-// What a joint wants, and the bodies beyond it do not do by themselves.
-static void solve_inward(linkage *l, int b, int number)
-{
-    joint *j = &l->joint[number];
-    joint_rows *r = &l->rows[number];
-    real go[MOTIONS], impulse[JOINT_ROWS];
-    int on = other_end(j, b);
-    memcpy(go, l->body[b].drive, sizeof go);
-    small_solve(MOTIONS, l->body[b].mass, go);
-    take_speed(r->want, r, rows_at(r, j, b), go);
+    const joint *j = &l->joint[s->joint];
+    joint_rows *r = &l->rows[s->joint];
+    linkage_body *on = &l->body[s->on];
+    real impulse[JOINT_ROWS];
+    if (s->body >= 0)
+        take_speed(r->want, n, rows_at(r, j, s->body), l->body[s->body].speed);
     memcpy(impulse, r->want, sizeof impulse);
-    small_solve(r->count, r->factor, impulse);
-    drive_by(l->body[on].drive, r, rows_at(r, j, on), impulse);
+    take_speed(impulse, n, rows_at(r, j, s->on), on->speed);
+    small_times(n, r->inverse, impulse);
+    drive_by(on->speed, n, r->answer_on, impulse);
 }
 
-static void solve_outward(linkage *l, int b, int number)
+// Now it is known how that body goes.
+ALWAYS_INLINE void solve_outward(int n, linkage *l, const linkage_step *s)
 {
-    linkage_body *x = &l->body[b];
-    if (number >= 0) {
-        joint *j = &l->joint[number];
-        joint_rows *r = &l->rows[number];
-        int on = other_end(j, b);
-        take_speed(r->want, r, rows_at(r, j, on), l->body[on].drive);
-        small_solve(r->count, r->factor, r->want);
-        drive_by(x->drive, r, rows_at(r, j, b), r->want);
+    const joint *j = &l->joint[s->joint];
+    joint_rows *r = &l->rows[s->joint];
+    take_speed(r->want, n, rows_at(r, j, s->on), l->body[s->on].speed);
+    small_times(n, r->beyond, r->want);
+    if (s->body >= 0)
+        drive_by(l->body[s->body].speed, n, r->answer, r->want);
+}
+
+static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
+{
+    for (int s = first; s < end; s++)
+        if (l->step[s].body >= 0)
+            memset(l->body[l->step[s].body].speed, 0, sizeof l->body->speed);
+    for (int s = first; s < end - 1; s++) {
+        int n = l->rows[l->step[s].joint].count;
+        if (n == 3) solve_inward(3, l, &l->step[s]);
+        else        solve_inward(n, l, &l->step[s]);
     }
-    small_solve(MOTIONS, x->mass, x->drive);
-}
-
-static void begin_trees(linkage *l, const linkage_pass *q, wanting *what)
-{
-    for (int s = 0; s < l->steps; s++)
-        memset(l->body[l->step[s].body].drive, 0, sizeof l->body->drive);
-    for (int k = 0; k < l->count; k++) {
-        real want[JOINT_ROWS] = { 0 }, impulse[JOINT_ROWS];
-        joint *j = &l->joint[k];
-        joint_rows *r = &l->rows[k];
-        if (l->role[k] < JOINT_ANCHOR) continue;
-        what(q, j, r, want);
-        memcpy(r->want, want, sizeof r->want);
-        for (int i = 0; i < r->count; i++)
-            l->asked = real_max(l->asked, fabs(want[i]));
-        if (l->role[k] == JOINT_BRANCH) continue;
-        int b = moves(q->f, j->a) ? j->a : j->b;
-        memcpy(impulse, want, sizeof impulse);
-        small_solve(r->count, r->factor, impulse);
-        drive_by(l->body[b].drive, r, rows_at(r, j, b), impulse);
+    for (int s = end - 2; s >= first; s--) {
+        joint_rows *r = &l->rows[l->step[s].joint];
+        joint *j = &l->joint[l->step[s].joint];
+        if (r->count == 3)  solve_outward(3, l, &l->step[s]);
+        else                solve_outward(r->count, l, &l->step[s]);
+        for (int i = 0; i < r->count; i++) j->impulse[i] += r->want[i];
+        push_both(q, j, r, r->want);
     }
-}
-
-static void end_trees(linkage *l, const linkage_pass *q)
-{
-    for (int k = 0; k < l->count; k++) {
-        joint *j = &l->joint[k];
-        joint_rows *r = &l->rows[k];
-        if (l->role[k] < JOINT_ANCHOR) continue;
-        if (l->role[k] == JOINT_ANCHOR) {
-            int b = moves(q->f, j->a) ? j->a : j->b;
-            take_speed(r->want, r, rows_at(r, j, b), l->body[b].drive);
-            small_solve(r->count, r->factor, r->want);
-        }
-        for (int i = 0; i < r->count; i++) {
-            j->impulse[i] += r->want[i];
-            push_row(q, j, r, i, r->want[i]);
-        }
-    }
-}
-
-static void solve_trees(linkage *l, const linkage_pass *q, wanting *what)
-{
-    if (l->steps == 0) return;
-    begin_trees(l, q, what);
-    for (int s = 0; s < l->steps; s++)
-        if (l->step[s].joint >= 0)
-            solve_inward(l, l->step[s].body, l->step[s].joint);
-    for (int s = l->steps - 1; s >= 0; s--)
-        solve_outward(l, l->step[s].body, l->step[s].joint);
-    end_trees(l, q);
 }
 //<
 
-//> linkage-pass
-//>   The parts come together in four functions, one for each moment of a
-//>   substep. Joints that stand alone go first, in an order that turns round
-//>   every time; then come the trees, which hold best.
+//> linkage-settle
+//>   A tree is solved until nothing is left of what its joints want. Often that
+//>   is once, and where the warm start was right it is not at all.
+// Of a body's size: by less a joint may miss what it wants, at the end of a
+// substep.
+static const real MISS = 1e-6;
+
+// Solved without a limit that is reached, or with one that pulls, a tree is
+// solved again.
+enum { LIMIT_ROUNDS = 4 };
+
+static bool switch_limits(linkage *l, const linkage_pass *q, int first, int end,
+                          wanting *what)
+{
+    bool has_changed = false;
+    for (int s = first; s < end; s++)
+        if (l->step[s].joint >= 0)
+            has_changed |= switch_limit(l, q, l->step[s].joint, what);
+    return has_changed;
+}
+
+// Returns by how much of its size the worst joint will miss it.
+static real find_wants(linkage *l, const linkage_pass *q, int first, int end,
+                       wanting *what)
+{
+    real worst = 0;
+    for (int s = first; s < end; s++) {
+        int k = l->step[s].joint;
+        if (k < 0) continue;
+        joint_rows *r = &l->rows[k];
+        bool is_length = l->joint[k].kind == JOINT_DISTANCE;
+        what(l, q, k, r->want);
+        for (int i = 0; i < r->count; i++) {
+            real size = i < 3 || is_length ? r->size : 1;
+            worst = real_max(fabs(r->want[i]) / size, worst);
+        }
+    }
+    return q->f->h * worst;
+}
+
+// Are all where they were when this was last asked?
+static bool find_ends(linkage *l, const linkage_pass *q, int first, int end)
+{
+    bool are_known = true;
+    for (int s = first; s < end; s++)
+        if (l->step[s].body >= 0) are_known &= find_end(l, q, l->step[s].body);
+    return are_known;
+}
+
+// Solved once, and again while the joints will miss it by too much.
+static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
+                        wanting *what, int rounds)
+{
+    linkage_body *root = &l->body[l->step[end - 1].body];
+    for (int n = 0; n < rounds + LIMIT_ROUNDS; n++) {
+        if (n >= rounds && !root->is_limited) return;
+        bool is_known = what == want_together && find_ends(l, q, first, end);
+        if (is_known && root->is_settled) return;
+        bool has_changed = root->is_limited
+                        && switch_limits(l, q, first, end, what);
+        real missed = find_wants(l, q, first, end, what);
+        bool is_settled = (n > 0 || root->is_settled) && missed <= MISS;
+        root->is_settled = is_settled && what == want_together;
+        if (!has_changed && (is_settled || n >= rounds)) return;
+        if (has_changed || !root->is_ready) factor_tree(l, q, first, end);
+        root->is_ready = true;
+        solve_tree(l, q, first, end);
+    }
+}
+
+// What stands alone first, every other time last to first; then the trees.
+static void settle(linkage *l, const linkage_pass *q, wanting *what, int rounds)
+{
+    l->is_backward = !l->is_backward;
+    for (int i = 0; i < l->count; i++) {
+        int k = l->is_backward ? l->count - 1 - i : i;
+        if (l->role[k] == JOINT_ALONE) solve_alone(l, q, k, what);
+    }
+    for (int first = 0, end; first < l->steps; first = end) {
+        end = tree_end(l, first);
+        settle_tree(l, q, first, end, what, rounds);
+    }
+}
+//<
+
+//> linkage-find
+//>   The rows are found where the bodies stand. Matrices are made of them when
+//>   they are first needed.
 // By how much (m) the points are not where they should be.
 static real apart(const joint *j, const joint_rows *r)
 {
@@ -630,78 +737,83 @@ static real share_of(const linkage *l, int k, const solver_frame *f)
     return share * share * sum > most * most ? most / sqrt(sum) : share;
 }
 
-// A body that a force holds at the end of its arm swings about its centre: the
-// square of that angular frequency is the moment that a small turn brings,
-// force times arm, beside the moment of inertia.  Here for 1 N.
-static real swing_of(const joint_side *s, vec3 local)
-{
-    vec3 arm = vec3_sub(frame_point(&s->frame, local), s->frame.center);
-    real sum = 0, length = vec3_length(arm);
-    for (int t = 0; t < TURNS; t++)
-        sum += vec3_length_squared(vec3_cross(s->basis->turn[t], arm));
-    return length > 0 ? sum / length : 0;
-}
-
 static void find_rows_of(linkage *l, const linkage_pass *q, int k)
 {
     joint *j = &l->joint[k];
     joint_rows *r = &l->rows[k];
-    joint_side a = side_of(q, j->a), b = side_of(q, j->b);
+    joint_side a = { basis_of(q->f, j->a), *frame_of(q, j->a) };
+    joint_side b = { basis_of(q->f, j->b), *frame_of(q, j->b) };
     bool was_upper = r->is_upper;
     joint_find_rows(r, j, &a, &b);
     if (j->is_limited && r->is_upper != was_upper) j->impulse[r->held] = 0;
     r->count = r->held + (j->is_limited && j->impulse[r->held] > 0);
     r->share = share_of(l, k, q->f);
-    r->swing = real_max(swing_of(&a, j->local_a), swing_of(&b, j->local_b));
     l->worst = real_max(l->worst, apart(j, r));
+    if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
 }
 
 static void find_rows(linkage *l, const linkage_pass *q)
 {
     l->worst = 0;
-    for (int k = 0; k < l->count; k++) {
-        if (l->role[k] == JOINT_IDLE) continue;
-        find_rows_of(l, q, k);
-        factor_alone(l, q, k);
-    }
-    factor_trees(l, q);
+    for (int k = 0; k < l->count; k++)
+        if (l->role[k] != JOINT_IDLE) find_rows_of(l, q, k);
+    for (int s = 0; s < l->steps; s++)
+        if (l->step[s].joint < 0) {
+            linkage_body *root = &l->body[l->step[s].body];
+            root->is_ready = root->is_settled = false;
+        }
 }
 
-// Solved without a limit that is reached, or with one that pulls, a tree is
-// solved again.
-enum { LIMIT_ROUNDS = 4 };
-
-static bool switch_limits(linkage *l, const linkage_pass *q, wanting *what)
+// A body that a force holds at the end of its arm swings about its centre: the
+// square of that angular frequency is the moment that a small turn brings,
+// force times arm, beside the moment of inertia.  Here for 1 N.  However the
+// body turns, this stays.
+static real swing_of(const linkage_pass *q, int b, vec3 local)
 {
-    bool has_changed = false;
-    for (int k = 0; k < l->count; k++) {
-        if (l->role[k] == JOINT_IDLE) continue;
-        if (!switch_limit(q, &l->joint[k], &l->rows[k], what)) continue;
-        factor_alone(l, q, k);
-        has_changed = true;
-    }
-    return has_changed;
+    const rigid_frame *f = frame_of(q, b);
+    vec3 arm = vec3_sub(frame_point(f, local), f->center);
+    real sum = 0, length = vec3_length(arm);
+    for (int t = 0; t < TURNS; t++)
+        sum += vec3_length_squared(vec3_cross(basis_of(q->f, b)->turn[t], arm));
+    return length > 0 ? sum / length : 0;
 }
 
-// What stands alone first, every other time last to first; then the trees.
-static void solve_all(linkage *l, const linkage_pass *q, wanting *what)
+static real size_of(const linkage_pass *q, int b)
 {
-    l->is_backward = !l->is_backward;
-    for (int i = 0; i < l->count; i++) {
-        int k = l->is_backward ? l->count - 1 - i : i;
-        if (l->role[k] == JOINT_ALONE)
-            solve_alone(q, &l->joint[k], &l->rows[k], what);
-    }
-    solve_trees(l, q, what);
-    for (int n = 0; n < LIMIT_ROUNDS && switch_limits(l, q, what); n++) {
-        factor_trees(l, q);
-        solve_trees(l, q, what);
-    }
+    return moves(q->f, b) ? q->f->body[b].radius : HUGE_VAL;
 }
 
+// What stays for a frame.
+static void find_sizes(linkage *l, const linkage_pass *q)
+{
+    for (int s = 0; s < l->steps; s++)
+        if (l->step[s].joint < 0)
+            l->body[l->step[s].body].is_limited = false;
+    for (int k = 0; k < l->count; k++) {
+        const joint *j = &l->joint[k];
+        joint_rows *r = &l->rows[k];
+        if (l->role[k] == JOINT_IDLE) continue;
+        r->swing = real_max(swing_of(q, j->a, j->local_a),
+                            swing_of(q, j->b, j->local_b));
+        r->size = real_min(size_of(q, j->a), size_of(q, j->b));
+    }
+    for (int first = 0, end; first < l->steps; first = end) {
+        end = tree_end(l, first);
+        bool *is_limited = &l->body[l->step[end - 1].body].is_limited;
+        for (int s = first; s < end - 1; s++)
+            *is_limited |= l->joint[l->step[s].joint].is_limited;
+    }
+}
+//<
+
+//> linkage-pass
+//>   The parts come together in four functions, one for each moment of a
+//>   substep. Joints that stand alone go first, in an order that turns round
+//>   every time; then come the trees, which hold best.
 static void remember(const joint *j, joint_rows *r)
 {
-    memcpy(r->begun, j->impulse, sizeof r->begun);
+    memcpy(r->begun[0], j->impulse, sizeof r->begun[0]);
+    memcpy(r->begun[1], r->given, sizeof r->begun[1]);
     r->was_upper = r->is_upper;
     r->was_broken = j->is_broken;
 }
@@ -711,6 +823,7 @@ void linkage_forget_impulses(linkage *l)
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         memset(j->impulse, 0, sizeof j->impulse);
+        memset(l->rows[k].given, 0, sizeof l->rows[k].given);
         if (!(j->force < HUGE_VAL)) j->force = 0;
     }
 }
@@ -723,7 +836,17 @@ void linkage_mark(linkage *l)
 void linkage_scale(linkage *l, real times)
 {
     for (int k = 0; k < l->count; k++)
-        for (int i = 0; i < JOINT_ROWS; i++) l->joint[k].impulse[i] *= times;
+        for (int i = 0; i < JOINT_ROWS; i++) {
+            l->joint[k].impulse[i] *= times;
+            l->rows[k].given[i] *= times;
+        }
+}
+
+static void begin_roles(linkage *l, const linkage_pass *q)
+{
+    choose_roles(l, q);
+    find_sizes(l, q);
+    find_rows(l, q);
 }
 
 void linkage_rewind(linkage *l, const linkage_pass *q)
@@ -731,13 +854,13 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
-        memcpy(j->impulse, r->begun, sizeof r->begun);
+        memcpy(j->impulse, r->begun[0], sizeof j->impulse);
+        memcpy(r->given, r->begun[1], sizeof r->given);
         r->is_upper = r->was_upper;
         l->broken -= j->is_broken && !r->was_broken;
         j->is_broken = r->was_broken;
     }
-    choose_roles(l, q);
-    find_rows(l, q);
+    begin_roles(l, q);
 }
 
 void linkage_prepare(linkage *l, const linkage_pass *q)
@@ -745,33 +868,33 @@ void linkage_prepare(linkage *l, const linkage_pass *q)
     l->pace = l->worst = 0;
     if (l->count == 0) return;
     l->frames++;
-    choose_roles(l, q);
     linkage_scale(l, q->f->warm);
-    find_rows(l, q);
+    begin_roles(l, q);
 }
 
+// What the end of the last substep has given already is not given twice.
 void linkage_begin(linkage *l, const linkage_pass *q)
 {
     for (int k = 0; k < l->count; k++) {
-        const joint_rows *r = &l->rows[k];
+        joint_rows *r = &l->rows[k];
+        const joint *j = &l->joint[k];
+        real more[JOINT_ROWS];
+        if (j->kind == JOINT_NONE) continue;
+        if (j->a >= 0) l->body[j->a].has_end = false;
+        if (j->b >= 0) l->body[j->b].has_end = false;
         if (l->role[k] == JOINT_IDLE) continue;
-        for (int i = 0; i < r->count; i++)
-            push_row(q, &l->joint[k], r, i, l->joint[k].impulse[i]);
+        for (int i = 0; i < r->count; i++) more[i] = j->impulse[i] - r->given[i];
+        push_both(q, j, r, more);
     }
 }
 
 // Rows are straight, and points go along arcs: a large impact is solved more
 // than once, as Newton does.
-static const real LARGE = 1e-3;         // m, in a substep
 enum { IMPACT_STEPS = 3 };
 
 void linkage_push(linkage *l, const linkage_pass *q)
 {
-    for (int n = 0; n < IMPACT_STEPS; n++) {
-        l->asked = 0;
-        solve_all(l, q, want_together);
-        if (!(l->asked * q->f->h > LARGE)) return;
-    }
+    settle(l, q, want_together, IMPACT_STEPS);
 }
 //<
 
@@ -817,15 +940,32 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
     }
 }
 
+// Half of what turns a swinging body is given at the end of one substep, the
+// rest when the next begins: the impulse of a substep is what both give.
+static void part_impulses(linkage *l)
+{
+    for (int k = 0; k < l->count; k++) {
+        joint_rows *r = &l->rows[k];
+        real *impulse = l->joint[k].impulse;
+        if (l->role[k] == JOINT_IDLE) continue;
+        for (int i = 0; i < JOINT_ROWS; i++) {
+            r->given[i] = i < r->held ? impulse[i] - r->given[i] : 0;
+            impulse[i] -= r->given[i];
+        }
+    }
+}
+
 void linkage_relax(linkage *l, const linkage_pass *q)
 {
     if (l->count == 0) return;
     find_rows(l, q);
-    solve_all(l, q, want_rest);
+    for (int k = 0; k < l->count; k++)
+        memcpy(l->rows[k].given, l->joint[k].impulse,
+               sizeof l->joint[k].impulse);
+    settle(l, q, want_rest, 1);
+    part_impulses(l);
     break_overloaded(l, q);
     l->pace = real_max(l->pace, l->swing);
-    if (!l->is_stale) return;
-    choose_roles(l, q);
-    find_rows(l, q);
+    if (l->is_stale) begin_roles(l, q);
 }
 //<

@@ -22,17 +22,26 @@ typedef enum { JOINT_IDLE, JOINT_ALONE, JOINT_ANCHOR, JOINT_BRANCH } joint_role;
 
 // A body as the joints see it.
 typedef struct {
-    real mass[MOTIONS][MOTIONS];    // of itself and all that hangs on it; L
-    real drive[MOTIONS];    // impulse; then the change of velocity
+    real answer[MOTIONS][MOTIONS];  // to impulses, with all that hangs on it:
+                                    // one over its mass, in all directions
+    real speed[MOTIONS];    // the change of its velocity
+    rigid_frame end;        // where it will be at the end of the substep, by
+    motion more;            // so much further than it would freely be, if
+    bool has_end;           // that was asked in this substep
     int  group;             // union-find: a body of its tree
+    int  first;             // of that body: the first joint of the tree
+    bool is_ready;          // of the root: matrices are made;
+    bool is_settled;        // nothing is left to be solved;
+    bool is_limited;        // some joint has a limit
     int  branches, one;     // not yet followed; the last, if there is one
     bool is_done;
     long seen;              // the last frame in which it was joined
 } linkage_body;
 
-// From the tips of a tree to its root: a body, and the joint that leads on.
+// From the tips of a tree to its root: a body, -1 if it cannot move, and the
+// joint that leads on to the next one.
 typedef struct {
-    int body, joint;        // -1: it is the root
+    int body, joint, on;    // joint = -1: it is the root
 } linkage_step;
 
 typedef struct {
@@ -54,7 +63,6 @@ typedef struct {
     real swing;             // rad/s, of the fastest swing about a joint in the
                             // last substep, which must follow it
     real pace;              // rad/s, the most of the frame
-    real asked;             // m/s, rad/s, the most that a tree was to change
     real worst;             // m, by which a joint's points are apart
 } linkage;
 //<
@@ -93,7 +101,7 @@ static inline bool linkage_has(const linkage *l, int b)
 int linkage_drop_pairs(linkage *l, int (*pair)[2], int n);
 
 // The impulses of the joints in a frame, and in each of its substeps.
-// velocity and moved are as solver.h has them.
+// velocity is as solver.h has it.
 //
 // Where will a body be at the end of the substep?  With its velocity `free` it
 // comes to where `ahead` says; what it has more than that moves it further, as a
@@ -101,7 +109,7 @@ int linkage_drop_pairs(linkage *l, int (*pair)[2], int n);
 typedef struct {
     const solver_frame *f;
     motion *velocity;
-    const motion *moved, *free;         // [bodies]
+    const motion *free;                 // [bodies]
     const rigid_frame *ahead;           // [bodies] those that are joined
 } linkage_pass;
 
@@ -128,6 +136,9 @@ void linkage_begin(linkage *l, const linkage_pass *q);
 // brings the joints together by its end; before the contacts push, and once
 // more after them, so that an impact does not pull a joint apart;
 void linkage_push(linkage *l, const linkage_pass *q);
+
+// says where a joined body goes;
+const rigid_frame *linkage_end(linkage *l, const linkage_pass *q, int b);
 
 // after the bodies have moved: the rows for where they stand now; takes back
 // the speed by which errors went; and breaks what had to bear too much.

@@ -65,10 +65,10 @@ static void meet(const soft_frame *f, joint *j)
     for (int t = 0; t < TURNS; t++) {
         const real c[3] = { x.column[t].x, x.column[t].y, x.column[t].z };
         for (int i = 0; i < 3; i++)
-            for (int l = 0; l <= i; l++) k[i][l] += c[i] * c[l];
+            for (int l = 0; l < 3; l++) k[i][l] += c[i] * c[l];
     }
-    small_factor(3, k);
-    small_solve(3, k, push);
+    small_invert(3, k);
+    small_times(3, k, push);
     push_both(f, j, &x, vec3_make(push[0], push[1], push[2]));
 }
 //<

@@ -1,6 +1,7 @@
 //> advance-kinds
 #include "advance.h"
 #include "drive.h"
+#include "join.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -65,14 +66,19 @@ static bool is_within(const solver_body *now, const motion *d, real margin)
         && vec3_length_squared(turn) <= margin * margin;
 }
 
+static bool is_displaced(const motion *d)
+{
+    bool some = false;
+    for (int i = 0; i < MOTIONS; i++) some |= d->of[i] != 0;
+    return some;
+}
+
 // A body that is displaced, too, gets a frame for it.  Was it?
 static bool displace(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
     solver_body *now = &t->now[b];
-    bool some = false;
-    for (int i = 0; i < MOTIONS; i++) some |= t->moved[b].of[i] != 0;
-    if (!some) return false;
+    if (!is_displaced(&t->moved[b])) return false;
     motion_displace(&now->frame, &now->basis, &t->velocity[b], &t->moved[b]);
     t->moved[b] = (motion){ { 0 } };
     return true;
@@ -94,17 +100,23 @@ void advance_struck(world *w)
 //> advance-joined
 //>   What is joined is sent ahead as it would freely go. Joints correct that
 //>   place (chapter 17), and there it is put.
+static rigid_frame moved_by(const solver_body *now, const motion *u, real h)
+{
+    motion d;
+    for (int i = 0; i < MOTIONS; i++) d.of[i] = h * u->of[i];
+    return motion_frame(&now->frame, &now->basis, &d);
+}
+
 // Where a body that is displaced, and goes as it goes, comes in h (s).
 static void predict(world *w, int b, real h)
 {
     rigid_tables *t = &w->rigid;
     solver_body to = t->now[b];
-    motion u = t->free[b] = t->velocity[b], d;
-    for (int i = 0; i < MOTIONS; i++) d.of[i] = h * u.of[i];
-    t->free_end[b] = motion_frame(&to.frame, &to.basis, &d);
-    if (to.is_driven) return;
-    motion_displace(&to.frame, &to.basis, &u, &t->moved[b]);
-    motion_advance(&to.frame, &to.basis, &u, h);
+    motion u = t->free[b] = t->velocity[b];
+    if (is_displaced(&t->moved[b]))
+        motion_displace(&to.frame, &to.basis, &u, &t->moved[b]);
+    if (to.is_driven)   to.frame = moved_by(&to, &u, h);
+    else                motion_advance(&to.frame, &to.basis, &u, h);
     t->free_end[b] = to.frame;
 }
 
@@ -114,24 +126,17 @@ void advance_predict(world *w, real h)
         if (w->rigid.moves[b] && linkage_has(&w->joints, b)) predict(w, b, h);
 }
 
-static rigid_frame halfway(const solver_body *now, const motion *u, real h)
-{
-    motion d;
-    for (int i = 0; i < MOTIONS; i++) d.of[i] = h / 2 * u->of[i];
-    return motion_frame(&now->frame, &now->basis, &d);
-}
-
 // Where it was predicted to come, and further by what it has been given since.
 static void advance_joined(world *w, int b, real h)
 {
     rigid_tables *t = &w->rigid;
     solver_body *now = &t->now[b];
-    motion *u = &t->velocity[b], more;
-    for (int i = 0; i < MOTIONS; i++)
-        more.of[i] = h * (u->of[i] - t->free[b].of[i]);
+    motion *u = &t->velocity[b];
     vec3 angular = motion_angular(&now->basis, u);
-    if (t->going[b] == GOES_BY_HALVES) t->middle[b] = halfway(now, u, h);
-    now->frame = motion_frame(&t->free_end[b], &now->basis, &more);
+    if (t->going[b] == GOES_BY_HALVES) t->middle[b] = moved_by(now, u, h / 2);
+    solver_frame f = { .body = t->now, .h = h };
+    linkage_pass q = join_pass(w, &f);
+    now->frame = *linkage_end(&w->joints, &q, b);
     now->basis = basis_find(w->body[b].rigid, &now->frame);
     for (int i = 0; i < TURNS; i++)
         u->of[MOTION_TURN + i] = vec3_dot(now->basis.turn[i], angular);

@@ -118,7 +118,7 @@ real world_joint_angle(const world *w, int number)
 linkage_pass join_pass(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
-    return (linkage_pass){ f, t->velocity, t->moved, t->free, t->free_end };
+    return (linkage_pass){ f, t->velocity, t->free, t->free_end };
 }
 
 void join_begin(world *w, const solver_frame *f)

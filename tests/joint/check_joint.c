@@ -144,14 +144,14 @@ START_TEST(small_systems_are_solved)
         }
         for (int i = 0; i < n; i++)
             for (int k = 0; k < n; k++) y[i] += m[i][k] * x[k];
-        small_factor(n, m);
-        small_solve(n, m, y);
+        small_invert(n, m);
+        small_times(n, m, y);
         for (int i = 0; i < n; i++) near(y[i], x[i], 1e-10, "a solution");
     }
     // What nothing answers stays as it is.
     real none[JOINT_ROWS][JOINT_ROWS] = { { 0 } }, x[JOINT_ROWS] = { 1, 2, 3 };
-    small_factor(3, none);
-    small_solve(3, none, x);
+    small_invert(3, none);
+    small_times(3, none, x);
     for (int i = 0; i < 3; i++) near(x[i], 0, 0, "an answer of what is fixed");
 }
 END_TEST

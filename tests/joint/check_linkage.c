@@ -15,7 +15,7 @@ static unsigned long long seed = 11;
 
 static linkage l;
 static solver_body solid[BODIES];
-static motion velocity[BODIES], moved[BODIES], free_speed[BODIES];
+static motion velocity[BODIES], free_speed[BODIES];
 static rigid_frame ahead[BODIES];
 static solver_frame frame;
 
@@ -28,7 +28,7 @@ static linkage_pass pass(void)
 {
     frame = (solver_frame){ .body = solid, .bodies = BODIES, .h = 1 / 480.0,
                             .substeps = 8, .warm = 1, .max_speed = 3 };
-    return (linkage_pass){ &frame, velocity, moved, free_speed, ahead };
+    return (linkage_pass){ &frame, velocity, free_speed, ahead };
 }
 
 // Where the bodies come in a substep, as fast as they are.
@@ -54,7 +54,6 @@ static void throw_bodies(void)
         for (int t = 0; t < TURNS; t++)
             solid[b].basis.turn[t] = vec3_scale((2 + t) * sqrt(10 * heavy),
                                                JOINT_WORLD.axis[t]);
-        memset(&moved[b], 0, sizeof moved[b]);
         for (int i = 0; i < MOTIONS; i++)
             velocity[b].of[i] = random_real(&seed);
     }

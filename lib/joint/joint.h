@@ -75,10 +75,8 @@ typedef struct {
     real a[JOINT_ROWS][MOTIONS], b[JOINT_ROWS][MOTIONS];
     real error[JOINT_ROWS];         // m, rad; of the limit: what is left
     bool is_upper;              // the limit is the greater of the two
-    real given[JOINT_ROWS];     // N s, N m s: of the next substep's impulse,
-                                // what the bodies have got already
-    real begun[2][JOINT_ROWS];  // the joint's impulse, and given, when the
-    bool was_upper, was_broken; // substep began, and the rest: to begin again
+    real begun[JOINT_ROWS];     // the joint's impulse when the substep began,
+    bool was_upper, was_broken; // and the rest, to begin it again
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K
     real beyond[JOINT_ROWS][JOINT_ROWS];    // of K, if only the tree beyond the
                                             // joint moved

@@ -216,12 +216,16 @@ static real speed_of_row(const linkage_pass *q, const joint *j,
     return speed_of(q, r->a[k], j->a) + speed_of(q, r->b[k], j->b);
 }
 
-// drive += rows^T impulse; and speed -= rows velocity.
+// drive += rows^T impulse; and speed -= rows velocity.  A compiler that sees a
+// sum of its own takes two of its numbers at a time.
 ALWAYS_INLINE void drive_by(real drive[MOTIONS], int rows, real (*row)[MOTIONS],
                      const real *impulse)
 {
+    real sum[MOTIONS];
+    memcpy(sum, drive, sizeof sum);
     for (int k = 0; k < rows; k++)
-        for (int i = 0; i < MOTIONS; i++) drive[i] += row[k][i] * impulse[k];
+        for (int i = 0; i < MOTIONS; i++) sum[i] += row[k][i] * impulse[k];
+    memcpy(drive, sum, sizeof sum);
 }
 
 ALWAYS_INLINE void take_speed(real *speed, int rows, real (*row)[MOTIONS],
@@ -543,12 +547,13 @@ ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
     find_answers(n, on, row_on, r->answer_on, r->inverse);
     small_invert(n, r->beyond);
     small_invert(n, r->inverse);
-    for (int k = 0; k < n; k++) {
-        real back[MOTIONS] = { 0 };
-        drive_by(back, n, r->answer_on, r->inverse[k]);
-        for (int i = 0; i < MOTIONS; i++)
-            for (int m = 0; m < MOTIONS; m++)
-                on->answer[i][m] -= r->answer_on[k][i] * back[m];
+    real back[JOINT_ROWS][MOTIONS] = { { 0 } };
+    for (int k = 0; k < n; k++)
+        drive_by(back[k], n, r->answer_on, r->inverse[k]);
+    for (int i = 0; i < MOTIONS; i++) {
+        real held[JOINT_ROWS];
+        for (int k = 0; k < n; k++) held[k] = -r->answer_on[k][i];
+        drive_by(on->answer[i], n, back, held);
     }
 }
 
@@ -812,8 +817,7 @@ static void find_sizes(linkage *l, const linkage_pass *q)
 //>   every time; then come the trees, which hold best.
 static void remember(const joint *j, joint_rows *r)
 {
-    memcpy(r->begun[0], j->impulse, sizeof r->begun[0]);
-    memcpy(r->begun[1], r->given, sizeof r->begun[1]);
+    memcpy(r->begun, j->impulse, sizeof r->begun);
     r->was_upper = r->is_upper;
     r->was_broken = j->is_broken;
 }
@@ -823,7 +827,6 @@ void linkage_forget_impulses(linkage *l)
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         memset(j->impulse, 0, sizeof j->impulse);
-        memset(l->rows[k].given, 0, sizeof l->rows[k].given);
         if (!(j->force < HUGE_VAL)) j->force = 0;
     }
 }
@@ -836,10 +839,7 @@ void linkage_mark(linkage *l)
 void linkage_scale(linkage *l, real times)
 {
     for (int k = 0; k < l->count; k++)
-        for (int i = 0; i < JOINT_ROWS; i++) {
-            l->joint[k].impulse[i] *= times;
-            l->rows[k].given[i] *= times;
-        }
+        for (int i = 0; i < JOINT_ROWS; i++) l->joint[k].impulse[i] *= times;
 }
 
 static void begin_roles(linkage *l, const linkage_pass *q)
@@ -854,8 +854,7 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
-        memcpy(j->impulse, r->begun[0], sizeof j->impulse);
-        memcpy(r->given, r->begun[1], sizeof r->given);
+        memcpy(j->impulse, r->begun, sizeof j->impulse);
         r->is_upper = r->was_upper;
         l->broken -= j->is_broken && !r->was_broken;
         j->is_broken = r->was_broken;
@@ -872,19 +871,16 @@ void linkage_prepare(linkage *l, const linkage_pass *q)
     begin_roles(l, q);
 }
 
-// What the end of the last substep has given already is not given twice.
 void linkage_begin(linkage *l, const linkage_pass *q)
 {
     for (int k = 0; k < l->count; k++) {
         joint_rows *r = &l->rows[k];
         const joint *j = &l->joint[k];
-        real more[JOINT_ROWS];
         if (j->kind == JOINT_NONE) continue;
         if (j->a >= 0) l->body[j->a].has_end = false;
         if (j->b >= 0) l->body[j->b].has_end = false;
         if (l->role[k] == JOINT_IDLE) continue;
-        for (int i = 0; i < r->count; i++) more[i] = j->impulse[i] - r->given[i];
-        push_both(q, j, r, more);
+        push_both(q, j, r, j->impulse);
     }
 }
 
@@ -940,30 +936,11 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
     }
 }
 
-// Half of what turns a swinging body is given at the end of one substep, the
-// rest when the next begins: the impulse of a substep is what both give.
-static void part_impulses(linkage *l)
-{
-    for (int k = 0; k < l->count; k++) {
-        joint_rows *r = &l->rows[k];
-        real *impulse = l->joint[k].impulse;
-        if (l->role[k] == JOINT_IDLE) continue;
-        for (int i = 0; i < JOINT_ROWS; i++) {
-            r->given[i] = i < r->held ? impulse[i] - r->given[i] : 0;
-            impulse[i] -= r->given[i];
-        }
-    }
-}
-
 void linkage_relax(linkage *l, const linkage_pass *q)
 {
     if (l->count == 0) return;
     find_rows(l, q);
-    for (int k = 0; k < l->count; k++)
-        memcpy(l->rows[k].given, l->joint[k].impulse,
-               sizeof l->joint[k].impulse);
     settle(l, q, want_rest, 1);
-    part_impulses(l);
     break_overloaded(l, q);
     l->pace = real_max(l->pace, l->swing);
     if (l->is_stale) begin_roles(l, q);

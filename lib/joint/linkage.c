@@ -171,18 +171,16 @@ static bool find_end(linkage *l, const linkage_pass *q, int b)
 {
     if (!moves(q->f, b)) return true;
     linkage_body *x = &l->body[b];
-    bool is_known = x->has_end, is_free = true;
-    motion more;
-    for (int i = 0; i < MOTIONS; i++) {
-        more.of[i] = q->f->h * (q->velocity[b].of[i] - q->free[b].of[i]);
-        is_known &= more.of[i] == x->more.of[i];
-        is_free &= more.of[i] == 0;
-    }
-    if (is_known) return true;
+    const real *now = q->velocity[b].of, *then = q->free[b].of;
+    if (x->has_end && memcmp(x->last, now, sizeof x->last) == 0) return true;
     x->has_end = true;
-    x->more = more;
-    x->end = is_free ? q->ahead[b]
-           : motion_frame(&q->ahead[b], basis_of(q->f, b), &more);
+    memcpy(x->last, now, sizeof x->last);
+    x->end = q->ahead[b];
+    if (memcmp(then, now, sizeof x->last) == 0) return false;
+    motion more;
+    for (int i = 0; i < MOTIONS; i++)
+        more.of[i] = q->f->h * (now[i] - then[i]);
+    x->end = motion_frame(&q->ahead[b], basis_of(q->f, b), &more);
     return false;
 }
 
@@ -304,8 +302,8 @@ typedef void wanting(const linkage *l, const linkage_pass *q, int number,
 //>   the plain form. Joints that close a ring are solved like this, and with
 //>   `is_plain` all are, to measure what the trees are worth.
 // A unit impulse along row k moves the bodies along row l by K_kl.
-static real coupling(const linkage_pass *q, const joint *j,
-                     const joint_rows *r, int k, int l)
+ALWAYS_INLINE real coupling(const linkage_pass *q, const joint *j,
+                            const joint_rows *r, int k, int l)
 {
     real straight_a = 0, straight_b = 0, turning = 0;
     for (int i = 0; i < MOTION_TURN; i++) {
@@ -516,18 +514,24 @@ static void reset_answers(linkage_body *x, const linkage_pass *q, int b)
         x->answer[i][i] = i < MOTION_TURN ? basis_of(q->f, b)->inverse_mass : 1;
 }
 
-// How a body answers impulses along rows: as the rows' own motions, and K.
+// How a body answers impulses along rows, and K.  Three rows are those of a ball
+// joint, each of which goes along one axis.
 ALWAYS_INLINE void find_answers(int n, linkage_body *x,
                                 real (*row)[MOTIONS],
                                 real answer[JOINT_ROWS][MOTIONS],
                                 real k[JOINT_ROWS][JOINT_ROWS])
 {
-    memset(answer, 0, (size_t)n * sizeof *answer);
     for (int a = 0; a < n; a++) {
-        drive_by(answer[a], MOTIONS, x->answer, row[a]);
+        real sum[MOTIONS] = { 0 };
+        for (int i = 0; i < MOTIONS; i++)
+            for (int m = 0; m < MOTIONS; m++)
+                if (n != 3 || i == a || i >= MOTION_TURN)
+                    sum[m] += row[a][i] * x->answer[i][m];
+        memcpy(answer[a], sum, sizeof sum);
         for (int b = 0; b <= a; b++) {
             for (int i = 0; i < MOTIONS; i++)
-                k[a][b] += row[b][i] * answer[a][i];
+                if (n != 3 || i == b || i >= MOTION_TURN)
+                    k[a][b] += row[b][i] * sum[i];
             k[b][a] = k[a][b];
         }
     }

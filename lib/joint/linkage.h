@@ -25,8 +25,8 @@ typedef struct {
     real answer[MOTIONS][MOTIONS];  // to impulses, with all that hangs on it:
                                     // one over its mass, in all directions
     real speed[MOTIONS];    // the change of its velocity
-    rigid_frame end;        // where it will be at the end of the substep, by
-    motion more;            // so much further than it would freely be, if
+    rigid_frame end;        // where it will be at the end of the substep, if
+    real last[MOTIONS];     // it goes like this, and
     bool has_end;           // that was asked in this substep
     int  group;             // union-find: a body of its tree
     int  first;             // of that body: the first joint of the tree

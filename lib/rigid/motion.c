@@ -172,12 +172,13 @@ typedef struct {
     vec3 angular;           // kg m^2/s
 } turning;
 
-// It turns by t, a small part of a turn.
-static void turn_by(turning *x, vec3 t)
+// It turns by t, a small part of a turn: all its axes but one, about which it
+// turns; -1: all.
+static void turn_by(turning *x, vec3 t, int but)
 {
     vec3 half = half_tangent(t);
     for (int i = 0; i < FOUR_AXES; i++)
-        x->frame.axis[i] = turned(half, x->frame.axis[i]);
+        if (i != but) x->frame.axis[i] = turned(half, x->frame.axis[i]);
 }
 
 static const real ALIKE = 1e-12;        // moments, to rounding
@@ -188,7 +189,7 @@ static void turn_about(turning *x, int k, real inverse, real h)
     vec3 axis = x->frame.axis[k];
     real share = vec3_dot(axis, x->angular) / vec3_length_squared(axis);
     if (fabs(inverse) > ALIKE * x->inverse[k])
-        turn_by(x, vec3_scale(h * inverse * share, axis));
+        turn_by(x, vec3_scale(h * inverse * share, axis), k);
 }
 //<
 
@@ -224,7 +225,7 @@ static void turn_freely(turning *x, real h)
 {
     moments m = compare_moments(x);
     real ball = x->inverse[m.ball];
-    turn_by(x, vec3_scale(h * ball, x->angular));
+    turn_by(x, vec3_scale(h * ball, x->angular), -1);
     turn_about(x, m.like, x->inverse[m.like] - ball, h / 2);
     turn_about(x, m.odd, x->inverse[m.odd] - ball, h);
     turn_about(x, m.like, x->inverse[m.like] - ball, h / 2);

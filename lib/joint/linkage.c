@@ -514,8 +514,8 @@ static void reset_answers(linkage_body *x, const linkage_pass *q, int b)
         x->answer[i][i] = i < MOTION_TURN ? basis_of(q->f, b)->inverse_mass : 1;
 }
 
-// How a body answers impulses along rows, and K.  Three rows are those of a ball
-// joint, each of which goes along one axis.
+// How a body answers impulses along rows, and K.  Three rows are those of a
+// ball joint, each of which goes along one axis.
 ALWAYS_INLINE void find_answers(int n, linkage_body *x,
                                 real (*row)[MOTIONS],
                                 real answer[JOINT_ROWS][MOTIONS],

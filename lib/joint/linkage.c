@@ -592,7 +592,7 @@ static void factor_tree(linkage *l, const linkage_pass *q, int first, int end)
 //>   momentum stays to rounding, however inexact the matrices are.
 // What a joint wants, and the bodies beyond it do not do by themselves.  If the
 // body that leads on had no other joint, it would go by the impulse for that.
-ALWAYS_INLINE void solve_inward(int n, linkage *l, const linkage_step *s)
+static inline void solve_inward(int n, linkage *l, const linkage_step *s)
 {
     const joint *j = &l->joint[s->joint];
     joint_rows *r = &l->rows[s->joint];
@@ -607,7 +607,7 @@ ALWAYS_INLINE void solve_inward(int n, linkage *l, const linkage_step *s)
 }
 
 // Now it is known how that body goes.
-ALWAYS_INLINE void solve_outward(int n, linkage *l, const linkage_step *s)
+static inline void solve_outward(int n, linkage *l, const linkage_step *s)
 {
     const joint *j = &l->joint[s->joint];
     joint_rows *r = &l->rows[s->joint];

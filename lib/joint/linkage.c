@@ -642,7 +642,10 @@ static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
 //>   A tree is solved until nothing is left of what its joints want. Often that
 //>   is once, and where the warm start was right it is not at all.
 // Of a body's size: by less a joint may miss what it wants, at the end of a
-// substep.
+// substep.  That is a hundredth of what gaps may be.  With ten times as much
+// two double pendulums more (chapter 20, case 164) change their energy by more
+// than a thousandth, and a heap of dolls costs 4 % less; with a tenth all tops
+// and double pendulums do as they do.
 static const real MISS = 1e-6;
 
 // Solved without a limit that is reached, or with one that pulls, a tree is

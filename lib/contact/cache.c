@@ -29,7 +29,8 @@ void cache_update(contact_cache *c, const cache_frame *f)
     if (f->is_new_list || c->pairs.count != f->list->count
         || c->walls.count != f->list->walls) follow_lists(c, f);
     int items = task_chunks(c->walls.count) + task_chunks(c->pairs.count);
-    tasks_run(f->run, place_chunk, &u, task_chunks(f->bodies));
+    tasks_run(f->run, place_chunk, &u, task_chunks(f->awakes));
+    c->updates++;
     tasks_run(f->run, decide_chunk, &u, items);
     make_entries(c);
     tasks_run(f->run, query_chunk, &u, items);
@@ -207,7 +208,8 @@ static void place_body(contact_cache *c, const cache_frame *f, int b)
     const rigid_frame *now = &f->middle[b];
     const cache_body *body = &f->body[b];
     if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
-    if (p->number > 0 && far_from(&c->placed[b], now, p->is_on_corners)
+    if (p->number > 0 && far_from(&c->placed[b], now,
+                                     p->corners == c->updates)
                          <= f->stay * f->now[b].radius) return;
     c->placed[b] = *now;
     p->number++;
@@ -220,8 +222,9 @@ static void place_body(contact_cache *c, const cache_frame *f, int b)
 static void place_chunk(void *data, int item)
 {
     const update *u = data;
-    int end = task_end(item, u->f->bodies);
-    for (int b = item * TASK_CHUNK; b < end; b++) place_body(u->c, u->f, b);
+    int end = task_end(item, u->f->awakes);
+    for (int k = item * TASK_CHUNK; k < end; k++)
+        place_body(u->c, u->f, u->f->awake[k]);
 }
 //<
 
@@ -542,8 +545,8 @@ static void gather(contact_cache *c, cache_pair *p)
     if (!p->is_active) return;
     contact *now = &c->entry[p->entry].contact;
     if (p->count < CONTACT_POINTS && contact_load(now) > 0) {
-        c->placing[now->a].is_on_corners = true;
-        if (now->b >= 0) c->placing[now->b].is_on_corners = true;
+        c->placing[now->a].corners = c->updates;
+        if (now->b >= 0) c->placing[now->b].corners = c->updates;
     }
     c->fast += p->seen[0] < 0;
     c->active[c->actives] = now;
@@ -582,7 +585,6 @@ static void gather_active(contact_cache *c, const cache_frame *f)
         c->lost += c->entries;
         return;
     }
-    for (int b = 0; b < f->bodies; b++) c->placing[b].is_on_corners = false;
     for (int k = 0; k < c->pairs.count; k++) gather(c, &c->pairs.pair[k]);
     for (int k = 0; k < c->walls.count; k++) gather(c, &c->walls.pair[k]);
     update u = { c, f };
@@ -620,7 +622,8 @@ static bool make_room(contact_cache *c, int bodies, int vertices)
     if (room > c->room) {
         TABLE_GROW(ok, c->placed, c->room, room);
         TABLE_GROW(ok, c->placing, c->room, room);
-        ok = ok && table_grow(&c->first, 0, room + 2, sizeof *c->first);
+        TABLE_GROW(ok, c->first, 0, room);
+        TABLE_GROW(ok, c->last, 0, room);
         if (ok) c->room = room;
     }
     if (ok && vertex_room > c->vertex_room) {
@@ -657,6 +660,7 @@ void cache_free(contact_cache *c)
     free(c->entry);
     free(c->was);
     free(c->first);
+    free(c->last);
     free(c->met);
     free(c->placed);
     free(c->placing);

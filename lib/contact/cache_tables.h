@@ -27,7 +27,8 @@ typedef struct {
                                 // as it will be in the middle of the frame
     const prediction *ahead;    // [bodies]
     const char *moves;          // [bodies]
-    int bodies;
+    const int *awake;           // [awakes] what moves, or has come, by number
+    int awakes;
     const pair_list *list;
     bool is_new_list;
     const plane *plane;         // those that walls of the list name
@@ -92,16 +93,16 @@ typedef struct {
         int  number;    // how often they were placed
         int  first;     // in vertex,
         int  vertices;  // where so many have room
+        unsigned corners;       // the update in which a contact of fewer than
+                        // four points carried something
         real path;      // m, how far any of its points has gone at most
         bool in_range;          // its vertices, for queries
-        bool is_on_corners;     // a contact of fewer than four points
-                        // carried something in the last frame
     } *placing;         // [room]
     vec3 *vertex;       // m
     int vertices, vertex_room;
 
     // Whose contacts are which, see seams.h.
-    int *first;                 // [room + 2] in met
+    int *first, *last;          // [room] in met, of what is awake
     int *met;                   // [met_capacity] pair k, or ~k: wall k
     int met_capacity;
 
@@ -110,6 +111,7 @@ typedef struct {
     cache_pair **of;    // [actives] where they are kept
     real *reach;        // [actives] m
     int actives, active_capacity;
+    unsigned updates;
     long queries;       // asked in this frame
     long found;         // contacts, ever
     int  lost;          // contacts that found no memory

@@ -600,26 +600,32 @@ static bool make_lists(contact_cache *c)
 }
 
 // Calls with `do_write` false count; then places are known.
-static void list_met(contact_cache *c, bool do_write)
+static void list_met(contact_cache *c, const cache_frame *f, bool do_write)
 {
     const cache_list *list[2] = { &c->pairs, &c->walls };
     for (int l = 0; l < 2; l++)
         for (int k = 0; k < list[l]->count; k++) {
             if (!is_met(&list[l]->pair[k])) continue;
             for (int i = 0; i < 2 - l; i++) {
-                int *next = &c->first[list[l]->key[k][i] + (do_write ? 1 : 2)];
-                if (do_write) c->met[*next] = l ? ~k : k;
-                ++*next;
+                int b = list[l]->key[k][i];
+                if (!f->moves[b]) continue;
+                if (do_write) c->met[c->last[b]] = l ? ~k : k;
+                c->last[b]++;
             }
         }
 }
 
-static void find_lists(contact_cache *c, int bodies)
+static void find_lists(contact_cache *c, const cache_frame *f)
 {
-    memset(c->first, 0, ((size_t)bodies + 2) * sizeof *c->first);
-    list_met(c, false);
-    for (int b = 0; b <= bodies; b++) c->first[b + 1] += c->first[b];
-    list_met(c, true);
+    int sum = 0;
+    for (int k = 0; k < f->awakes; k++) c->last[f->awake[k]] = 0;
+    list_met(c, f, false);
+    for (int k = 0; k < f->awakes; k++) {
+        int b = f->awake[k], count = c->last[b];
+        c->first[b] = c->last[b] = sum;
+        sum += count;
+    }
+    list_met(c, f, true);
 }
 //<
 
@@ -645,7 +651,7 @@ static void add_side(slider *s, int k)
 
 static void mend_body(contact_cache *c, const cache_frame *f, int a)
 {
-    int end = c->first[a + 1], is_new = 0;
+    int end = c->last[a], is_new = 0;
     if (end == c->first[a] || !f->moves[a]) return;
     slider s;
     s.c = c, s.f = f, s.a = a, s.sides = 0;
@@ -669,8 +675,9 @@ typedef struct {
 static void mend_chunk(void *data, int item)
 {
     const mending *m = data;
-    int end = task_end(item, m->f->bodies);
-    for (int b = task_first(item); b < end; b++) mend_body(m->c, m->f, b);
+    int end = task_end(item, m->f->awakes);
+    for (int k = task_first(item); k < end; k++)
+        mend_body(m->c, m->f, m->f->awake[k]);
 }
 
 void seams_mend(contact_cache *c, const cache_frame *f)
@@ -684,7 +691,7 @@ void seams_mend(contact_cache *c, const cache_frame *f)
         c->lost++;
         return;
     }
-    find_lists(c, f->bodies);
-    tasks_run(f->run, mend_chunk, &m, task_chunks(f->bodies));
+    find_lists(c, f);
+    tasks_run(f->run, mend_chunk, &m, task_chunks(f->awakes));
 }
 //<

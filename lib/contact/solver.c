@@ -71,6 +71,15 @@ static bool is_same(const active_contact *x, const active_contact *y)
 //> solver-color
 //>   The 64 colours of a body are 64 bits. Contacts that find none free, on a
 //>   table with a hundred cups, stand one in a block.
+static void clear_colors(contact_solver *s, const active_contact *x)
+{
+    if (x->count == 0) return;
+    for (int side = 0; side < SIDES; side++) {
+        s->taken[x->a][side] = 0;
+        if (x->sides == TWO_SIDED) s->taken[x->b][side] = 0;
+    }
+}
+
 // The lowest colour that neither body has yet; the last is for all that find
 // none.
 static void choose_color(contact_solver *s, active_contact *x)
@@ -711,8 +720,7 @@ static bool make_block_room(contact_solver *s)
 static bool make_blocks(contact_solver *s, preparation *p)
 {
     int end[BINS];
-    if (s->contacts > 0)
-        memset(s->taken, 0, (size_t)p->f->bodies * sizeof *s->taken);
+    for (int k = 0; k < s->contacts; k++) clear_colors(s, &s->active[k]);
     for (int k = 0; k < s->contacts; k++)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
     sort_contacts(s, end);

@@ -4,7 +4,6 @@
 #include "join.h"
 
 #include <stddef.h>
-#include <string.h>
 
 // What moves freely has a new frame in every substep, and its rows are made
 // there.  What touches a driven body goes by halves: its rows are made in the
@@ -32,16 +31,20 @@ static void touch_driven(world *w, int a, int b)
 {
     const solver_body *now = w->rigid.now;
     if (b < 0 || !(now[a].is_driven || now[b].is_driven)) return;
-    w->rigid.going[a] = w->rigid.going[b] = GOES_BY_HALVES;
-    w->rigid.middle[a] = now[a].frame;
-    w->rigid.middle[b] = now[b].frame;
+    int side[2] = { a, b };
+    for (int i = 0; i < 2; i++) {
+        if (!w->rigid.moves[side[i]]) continue;
+        w->rigid.going[side[i]] = GOES_BY_HALVES;
+        w->rigid.middle[side[i]] = now[side[i]].frame;
+    }
 }
 
 void advance_begin(world *w)
 {
     rigid_tables *t = &w->rigid;
     t->elapsed = 0;
-    for (int b = 0; b < w->bodies; b++) {
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
         t->going[b] = GOES_EXACTLY;
         t->began[b] = t->now[b].frame;
     }
@@ -88,7 +91,8 @@ static bool displace(world *w, int b)
 void advance_struck(world *w)
 {
     rigid_tables *t = &w->rigid;
-    for (int b = 0; b < w->bodies; b++) {
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
         bool is_free = t->moves[b] && t->going[b] == GOES_EXACTLY
                     && !t->now[b].is_driven && !linkage_has(&w->joints, b);
         t->fresh[b] = is_free && displace(w, b);
@@ -122,8 +126,11 @@ static void predict(world *w, int b, real h)
 
 void advance_predict(world *w, real h)
 {
-    for (int b = 0; b < w->bodies && w->joints.count > 0; b++)
-        if (w->rigid.moves[b] && linkage_has(&w->joints, b)) predict(w, b, h);
+    const rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->awakes && w->joints.count > 0; k++) {
+        int b = t->awake[k];
+        if (t->moves[b] && linkage_has(&w->joints, b)) predict(w, b, h);
+    }
 }
 
 // Where it was predicted to come, and further by what it has been given since.
@@ -194,15 +201,17 @@ typedef struct {
 static void advance_chunk(void *data, int item)
 {
     const advance *a = data;
-    int end = task_end(item, a->w->bodies);
-    for (int b = task_first(item); b < end; b++)
-        if (a->w->rigid.moves[b]) advance_body(a->w, b, a->h);
+    const rigid_tables *t = &a->w->rigid;
+    int end = task_end(item, t->awakes);
+    for (int k = task_first(item); k < end; k++)
+        if (t->moves[t->awake[k]]) advance_body(a->w, t->awake[k], a->h);
 }
 
 void advance_bodies(world *w, real h)
 {
     advance a = { w, h };
-    tasks_run(w->options.host.run, advance_chunk, &a, task_chunks(w->bodies));
+    tasks_run(w->options.host.run, advance_chunk, &a,
+              task_chunks(w->rigid.awakes));
     w->rigid.elapsed += h;
 }
 //<
@@ -212,10 +221,12 @@ void advance_bodies(world *w, real h)
 void advance_mark(world *w)
 {
     rigid_tables *t = &w->rigid;
-    size_t bodies = (size_t)w->bodies;
-    memcpy(t->now_then, t->now, bodies * sizeof *t->now);
-    memcpy(t->velocity_then, t->velocity, bodies * sizeof *t->velocity);
-    memcpy(t->moved_then, t->moved, bodies * sizeof *t->moved);
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
+        t->now_then[b] = t->now[b];
+        t->velocity_then[b] = t->velocity[b];
+        t->moved_then[b] = t->moved[b];
+    }
     t->elapsed_then = t->elapsed;
     solver_mark(&t->solver);
     linkage_mark(&w->joints);
@@ -224,13 +235,14 @@ void advance_mark(world *w)
 void advance_back(world *w)
 {
     rigid_tables *t = &w->rigid;
-    size_t bodies = (size_t)w->bodies;
-    memcpy(t->now, t->now_then, bodies * sizeof *t->now);
-    memcpy(t->velocity, t->velocity_then, bodies * sizeof *t->velocity);
-    memcpy(t->moved, t->moved_then, bodies * sizeof *t->moved);
     t->elapsed = t->elapsed_then;
-    for (int b = 0; b < w->bodies; b++)
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
+        t->now[b] = t->now_then[b];
+        t->velocity[b] = t->velocity_then[b];
+        t->moved[b] = t->moved_then[b];
         if (t->going[b] == GOES_BY_HALVES) t->middle[b] = t->now[b].frame;
+    }
     solver_rewind(&t->solver);
 }
 //<
@@ -252,7 +264,8 @@ int advance_end(world *w)
 {
     rigid_tables *t = &w->rigid;
     int lost = 0;
-    for (int b = 0; b < w->bodies; b++) {
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
         if (!t->moves[b]) continue;
         displace(w, b);
         motion_straighten(w->body[b].rigid, &t->now[b].frame);
@@ -287,8 +300,9 @@ static void put_chunk(void *data, int item)
 {
     world *w = data;
     rigid_tables *t = &w->rigid;
-    int end = task_end(item, w->bodies);
-    for (int b = task_first(item); b < end; b++) {
+    int end = task_end(item, t->awakes);
+    for (int k = task_first(item); k < end; k++) {
+        int b = t->awake[k];
         if (!t->moves[b]) continue;
         motion_put(w->pool.at + w->body[b].first, &t->now[b].frame,
                    &t->now[b].basis, &t->velocity[b], w->age);
@@ -298,6 +312,6 @@ static void put_chunk(void *data, int item)
 
 void advance_put(world *w)
 {
-    tasks_run(w->options.host.run, put_chunk, w, task_chunks(w->bodies));
+    tasks_run(w->options.host.run, put_chunk, w, task_chunks(w->rigid.awakes));
 }
 //<

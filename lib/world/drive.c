@@ -25,8 +25,9 @@ void drive_begin(world *w, int b)
 
 void drive_hold(world *w)
 {
-    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++)
-        if (w->rigid.now[b].is_driven) set_velocity(w, b);
+    const rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->awakes && w->kinematic_bodies > 0; k++)
+        if (t->now[t->awake[k]].is_driven) set_velocity(w, t->awake[k]);
 }
 
 void drive_go(world *w, int b, real seconds)
@@ -45,7 +46,8 @@ void drive_go(world *w, int b, real seconds)
 real drive_fastest(const world *w)
 {
     real most = 0;
-    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++) {
+    for (int k = 0; k < w->rigid.awakes && w->kinematic_bodies > 0; k++) {
+        int b = w->rigid.awake[k];
         const solver_body *now = &w->rigid.now[b];
         if (w->rigid.moves[b] && now->is_driven)
             most = real_max(motion_fastest(&now->basis, &w->rigid.velocity[b],
@@ -57,8 +59,8 @@ real drive_fastest(const world *w)
 bool drive_any(const world *w)
 {
     bool any = false;
-    for (int b = 0; b < w->bodies && w->kinematic_bodies > 0; b++)
-        any |= body_is_driven(w, b);
+    for (int k = 0; k < w->rigid.awakes && w->kinematic_bodies > 0; k++)
+        any |= body_is_driven(w, w->rigid.awake[k]);
     return any;
 }
 

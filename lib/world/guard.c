@@ -25,7 +25,8 @@ static void add_motion(motion_sum *s, real energy, real inverse_mass)
 static motion_sum rigid_motion(const world *w)
 {
     motion_sum s = { 0, 0 };
-    for (int b = 0; b < w->bodies; b++) {
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
         const motion_basis *basis = &w->rigid.now[b].basis;
         if (w->rigid.moves[b] && !w->rigid.now[b].is_driven)
             add_motion(&s, motion_energy(basis, &w->rigid.velocity[b]),
@@ -49,7 +50,8 @@ static void add_soft_motion(motion_sum *s, const world *w, const body *x)
 static real load_energy(const world *w)
 {
     real sum = 0;
-    for (int b = 0; b < w->bodies && w->rigid.is_loaded; b++) {
+    for (int k = 0; k < w->rigid.awakes && w->rigid.is_loaded; k++) {
+        int b = w->rigid.awake[k];
         motion u = world_load(w, b, w->frame);
         sum += motion_energy(&w->rigid.now[b].basis, &u);
     }
@@ -65,9 +67,11 @@ real guard_most(const world *w, const solver_frame *f)
 {
     motion_sum s = rigid_motion(w);
     if (s.mass == 0) return 0;      // nothing that could be braked
-    for (int b = 0; b < w->bodies && w->softs > 0; b++)
+    for (int k = 0; k < w->rigid.awakes && w->softs > 0; k++) {
+        int b = w->rigid.awake[k];
         if (body_is_soft(&w->body[b]) && body_moves(w, b))
             add_soft_motion(&s, w, &w->body[b]);
+    }
     real more = w->frame * vec3_length(w->options.gravity) + f->max_speed
               + (1 + f->restitution) * drive_fastest(w);
     real most = sqrt(s.energy) + sqrt(load_energy(w))
@@ -97,7 +101,8 @@ static void report_lost(world *w, int lost, bool is_wild)
     if (lost == 0 && !is_wild) return;
     linkage_forget_impulses(&w->joints);
     solver_forget(&w->rigid.solver, w->rigid.cache.active);
-    for (int b = 0; b < w->bodies; b++) {
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
         if (!w->rigid.moves[b]) continue;
         sleep_forget(&w->sleep, b);
         all++;
@@ -109,7 +114,8 @@ void guard_brake(world *w, real most, int lost)
 {
     real now = rigid_motion(w).energy, share = sqrt(most / now);
     report_lost(w, lost, now > WILD * most);
-    for (int b = 0; b < w->bodies && now > most; b++) slow_down(w, b, share);
+    for (int k = 0; k < w->rigid.awakes && now > most; k++)
+        slow_down(w, w->rigid.awake[k], share);
 }
 //<
 
@@ -131,7 +137,8 @@ static bool is_lost(const body *x, const particle *p)
 void guard_soft(world *w)
 {
     int lost = 0;
-    for (int b = 0; b < w->bodies; b++) {
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
         const body *x = &w->body[b];
         particle *p = w->pool.at + x->first;
         if (!body_is_soft(x) || !body_moves(w, b) || !is_lost(x, p)) continue;
@@ -164,15 +171,17 @@ static void stop_at_plane(world *w, int b, plane p)
 static void stop_chunk(void *data, int item)
 {
     world *w = data;
-    int end = task_end(item, w->bodies);
-    for (int b = task_first(item); b < end; b++)
+    int end = task_end(item, w->rigid.awakes);
+    for (int i = task_first(item); i < end; i++) {
+        int b = w->rigid.awake[i];
         for (int k = 0; k < w->planes && w->rigid.moves[b]; k++)
             stop_at_plane(w, b, w->plane[k]);
+    }
 }
 
 void guard_planes(world *w)
 {
-    tasks_run(w->options.host.run, stop_chunk, w, task_chunks(w->bodies));
+    tasks_run(w->options.host.run, stop_chunk, w, task_chunks(w->rigid.awakes));
 }
 //<
 
@@ -313,8 +322,10 @@ void guard_bodies(world *w)
 {
     rigid_tables *t = &w->rigid;
     bool some = false;
-    for (int b = 0; b < w->bodies; b++)
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
         some |= t->moves[b] && 2 * t->reach[b] > t->body[b].inner;
+    }
     for (int k = 0; k < t->cache.actives && some; k++) {
         int a = t->cache.active[k]->a, b = t->cache.active[k]->b;
         if (b < 0) continue;

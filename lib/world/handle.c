@@ -125,6 +125,7 @@ static bool wake_rigid(world *w, int b)
 static void drive(world *w, int b, vec3 velocity, vec3 spin)
 {
     w->rigid.drive[b] = (body_drive){ velocity, spin };
+    world_notice(w, b);
     w->is_still = false;
 }
 
@@ -192,8 +193,8 @@ motion world_load(const world *w, int b, real seconds)
 
 void world_forget_loads(world *w)
 {
-    for (int b = 0; b < w->bodies && w->rigid.is_loaded; b++)
-        w->rigid.load[b] = (body_load){ .force = { 0, 0, 0 } };
+    for (int k = 0; k < w->rigid.awakes && w->rigid.is_loaded; k++)
+        w->rigid.load[w->rigid.awake[k]] = (body_load){ .force = { 0, 0, 0 } };
     w->rigid.is_loaded = false;
 }
 //<
@@ -212,6 +213,7 @@ static status take_material(world *w, material *own, material m)
                            m.restitution);
     *own = m;
     w->has_materials = true;
+    w->rigid.is_weighed = false;
     return status_ok();
 }
 
@@ -289,6 +291,7 @@ void world_sleep(world *w, int b)
     assert(b >= 0 && b < w->bodies);
     if (!body_moves(w, b)) return;
     sleep_put(&w->sleep, b);
+    w->rigid.load[b] = (body_load){ .force = { 0, 0, 0 } };
     world_pin_sleeper(w, b);
 }
 //<

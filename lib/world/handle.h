@@ -76,8 +76,8 @@ void world_set_filter(world *w, int b, unsigned group, unsigned mask);
 // of them is one floor.  A new one has 0, and is alone.
 void world_set_family(world *w, int b, int family);
 
-// Puts body b to sleep where it is; anything may wake it.  Nothing happens to a
-// static one.
+// Puts body b to sleep where it is, without the forces that were set; anything
+// may wake it.  Nothing happens to a static one.
 void world_sleep(world *w, int b);
 
 #endif

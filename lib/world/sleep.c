@@ -19,10 +19,14 @@ static bool make_room(sleep_state *s, int room, int particles)
     bool ok = true;
     if (room > s->room || !s->parent) {
         TABLE_GROW(ok, s->parent, s->room, room);
+        TABLE_GROW(ok, s->member, s->room, room);
+        TABLE_GROW(ok, s->takes_part, s->room, room);
         TABLE_GROW(ok, s->island, s->room, room);
+        TABLE_GROW(ok, s->next, s->room, room);
         TABLE_GROW(ok, s->asleep, s->room, room);
         TABLE_GROW(ok, s->is_restless, s->room, room);
         TABLE_GROW(ok, s->watch, s->room, room);
+        for (int b = s->room; b < room && ok; b++) s->parent[b] = s->next[b] = b;
         if (ok) s->room = room;
     }
     if (particles > s->particle_room || !s->start[0]) {
@@ -47,7 +51,10 @@ status sleep_grow(sleep_state *s, int bodies, int particles)
 void sleep_free(sleep_state *s)
 {
     free(s->parent);
+    free(s->member);
+    free(s->takes_part);
     free(s->island);
+    free(s->next);
     free(s->asleep);
     free(s->is_restless);
     free(s->watch);
@@ -70,20 +77,31 @@ static int island_of(sleep_state *s, int b)
     return b;
 }
 
+// Body b takes part in this frame; for a sleeper, the one that stands for all
+// that it fell asleep with: contacts between them are not looked for.
+static int take_part(sleep_state *s, int b)
+{
+    if (s->asleep[b]) b = s->island[b];
+    if (!s->takes_part[b]) s->member[s->members++] = b;
+    s->takes_part[b] = true;
+    return b;
+}
+
 void sleep_touch(sleep_state *s, int a, int b)
 {
     assert(a >= 0 && a < s->bodies && b >= 0 && b < s->bodies);
-    int i = island_of(s, a), j = island_of(s, b);
+    int i = island_of(s, take_part(s, a)), j = island_of(s, take_part(s, b));
     s->parent[j] = i;
 }
 
-// Bodies that fell asleep together stay one island until they wake, for
-// contacts between sleepers are not looked for.
 void sleep_begin(sleep_state *s)
 {
-    for (int b = 0; b < s->bodies; b++) s->parent[b] = b;
-    for (int b = 0; b < s->bodies; b++)
-        if (s->asleep[b]) sleep_touch(s, s->island[b], b);
+    for (int k = 0; k < s->members; k++) {
+        int b = s->member[k];
+        s->takes_part[b] = false;
+        s->parent[b] = b;
+    }
+    s->members = 0;
 }
 //<
 
@@ -192,6 +210,7 @@ void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
     assert(first >= 0 && n >= 0 && n <= s->particles - first);
     sleep_watch *watch = &s->watch[b];
     sleep_limits l = limits_of(rule, radius);
+    take_part(s, b);
     if (!(rule->speed > 0)) {
         sleep_forget(s, b);
         return;
@@ -210,22 +229,37 @@ bool sleep_is_moving(const sleep_state *s, int b)
 //<
 
 //> sleep-end
-//>   An island in which any body is not still stays awake as a whole.
+//>   An island in which any body is not still stays awake as a whole. What
+//>   sleeps together is a ring, and two rings are one when two of their `next`
+//>   change places.
+// Body b falls asleep with `root`; if it sleeps, with all of its ring.
+static void join_ring(sleep_state *s, int b, int root)
+{
+    int k = b, next = s->next[root];
+    do {
+        s->island[k] = root;
+        k = s->next[k];
+    } while (k != b);
+    if (b == root) return;
+    s->next[root] = s->next[b];
+    s->next[b] = next;
+}
+
 int sleep_end(sleep_state *s)
 {
     int fallen = 0;
-    s->may_sleep = false;
-    for (int b = 0; b < s->bodies; b++) s->is_restless[b] = false;
-    for (int b = 0; b < s->bodies; b++)
-        if (s->watch[b].still < HALVES_TO_SLEEP)
-            s->is_restless[island_of(s, b)] = true;
-    for (int b = 0; b < s->bodies; b++) {
-        int root = island_of(s, b);
-        if (s->is_restless[root]) continue;
+    for (int k = 0; k < s->members; k++) s->is_restless[s->member[k]] = false;
+    for (int k = 0; k < s->members; k++)
+        if (s->watch[s->member[k]].still < HALVES_TO_SLEEP)
+            s->is_restless[island_of(s, s->member[k])] = true;
+    for (int k = 0; k < s->members; k++) {
+        int b = s->member[k], root = island_of(s, b);
+        if (s->is_restless[root] || (b == root && s->asleep[b])) continue;
         fallen += !s->asleep[b];
-        s->asleep[b] = s->may_sleep = true;
-        s->island[b] = root;
+        s->asleep[b] = true;
+        join_ring(s, b, root);
     }
+    s->sleepers += fallen;
     return fallen;
 }
 
@@ -237,8 +271,9 @@ void sleep_forget(sleep_state *s, int b)
 
 void sleep_put(sleep_state *s, int b)
 {
-    assert(b >= 0 && b < s->bodies);
-    s->asleep[b] = s->may_sleep = true;
+    assert(b >= 0 && b < s->bodies && !s->asleep[b]);
+    s->asleep[b] = true;
+    s->sleepers++;
     s->island[b] = b;
     s->watch[b].still = HALVES_TO_SLEEP;
 }
@@ -246,12 +281,13 @@ void sleep_put(sleep_state *s, int b)
 void sleep_wake(sleep_state *s, int b)
 {
     assert(b >= 0 && b < s->bodies);
-    if (!s->asleep[b]) return;
-    int island = s->island[b];
-    for (int i = 0; i < s->bodies; i++) {
-        if (!s->asleep[i] || s->island[i] != island) continue;
-        s->asleep[i] = false;
-        sleep_forget(s, i);
+    while (s->asleep[b]) {
+        int next = s->next[b];
+        s->asleep[b] = false;
+        s->next[b] = b;
+        s->sleepers--;
+        sleep_forget(s, b);
+        b = next;
     }
 }
 //<

@@ -47,11 +47,17 @@ typedef struct {
 typedef struct {
     int  bodies, particles;
     int  room, particle_room;
-    int  *parent;       // [bodies] union-find over the contacts of a frame
+    int  *parent;       // [bodies] union-find over the contacts of a frame; of
+                        // one that takes no part in it: itself
+    int  *member;       // [members] what takes part: what was touched or
+    int  members;       // observed; of sleepers the one that stands for them
+    bool *takes_part;   // [bodies]
     int  *island;       // [bodies] the island it fell asleep with, by the body
                         // that stood for it; means nothing while awake
+    int  *next;         // [bodies] what sleeps together is a ring; of one that
+                        // is awake: itself
     bool *asleep;       // [bodies]
-    bool may_sleep;     // false: none of them does
+    int  sleepers;
     bool *is_restless;  // [bodies] of the body that stands for an island: one
                         // in it has not been still for long enough
     sleep_watch *watch; // [bodies]
@@ -70,7 +76,8 @@ status sleep_grow(sleep_state *s, int bodies, int particles);
 void   sleep_free(sleep_state *s);      // an empty or zeroed one is fine
 
 // A new frame: every body is an island of its own, but sleepers stay with those
-// that they fell asleep with.
+// that they fell asleep with.  Takes as long as the last frame had members: what
+// sleeps costs nothing.
 void sleep_begin(sleep_state *s);
 
 // Bodies a and b hold each other.  Both must be movable.

@@ -67,7 +67,8 @@ static void cache_store(contact_cache *c, store *s)
     cache_list_store(&c->walls, s);
     STORE_TABLE(s, c->entry, c->entries, c->entry_capacity);
     STORE_ROOM(s, c->was, c->entry_capacity);
-    STORE_ROOM(s, c->first, c->room + 2);
+    STORE_ROOM(s, c->first, c->room);
+    STORE_ROOM(s, c->last, c->room);
     STORE_ROOM(s, c->met, c->met_capacity);
     STORE_TABLE(s, c->placed, c->room, c->room);
     STORE_TABLE(s, c->placing, c->room, c->room);
@@ -127,12 +128,20 @@ static void linkage_store(linkage *l, store *s)
 static void sleep_store(sleep_state *x, store *s)
 {
     STORE_ROOM(s, x->parent, x->room);
+    STORE_ROOM(s, x->member, x->room);
+    STORE_ZEROS(s, x->takes_part, x->room);
+    STORE_FORGET(s, x->members);
     STORE_TABLE(s, x->island, x->bodies, x->room);
+    STORE_TABLE(s, x->next, x->bodies, x->room);
     STORE_TABLE(s, x->asleep, x->bodies, x->room);
     STORE_ROOM(s, x->is_restless, x->room);
     STORE_TABLE(s, x->watch, x->bodies, x->room);
     for (int k = 0; k < WINDOWS; k++)
         STORE_TABLE(s, x->start[k], x->particles, x->particle_room);
+    for (int b = 0; b < x->room && s->is_reading && s->done.ok; b++) {
+        x->parent[b] = b;
+        if (b >= x->bodies) x->next[b] = b;
+    }
 }
 //<
 
@@ -291,6 +300,10 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     STORE_ZEROS(s, t->velocity, t->motions);
     STORE_ZEROS(s, t->moved, t->motions);
     STORE_ROOM(s, t->began, room);
+    STORE_ROOM(s, t->awake, room);
+    STORE_ZEROS(s, t->is_awake, room);
+    STORE_FORGET(s, t->awakes);
+    STORE_FORGET(s, t->has_noticed);
     STORE_ROOM(s, t->fresh, room);
     STORE_ROOM(s, t->going, room);
     STORE_ROOM(s, t->now_then, room);
@@ -311,8 +324,10 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
 // As if it had moved: the next frame looks where it is.
 static void look_again(world *w)
 {
-    for (int b = 0; b < w->bodies; b++)
+    for (int b = 0; b < w->bodies; b++) {
         w->rigid.moves[b] = !body_is_soft(&w->body[b]);
+        world_notice(w, b);
+    }
 }
 
 void world_store(world *w, store *s)

@@ -16,6 +16,7 @@
 
 static void lap(world *w, int phase, real *since);
 static void look_at_bodies(world *w);
+static void drop_sleepers(world *w);
 static void find_pairs(world *w);
 static void find_contacts(world *w);
 static solver_frame prepare(world *w);
@@ -35,6 +36,7 @@ static void find(world *w, real seconds, real *since)
     ledger_book(w, LEDGER_SLEEP);
     lap(w, PHASE_PAIRS, since);
     find_contacts(w);
+    drop_sleepers(w);
     lap(w, PHASE_CONTACTS, since);
 }
 
@@ -194,6 +196,36 @@ static rigid_frame find_middle(const world *w, int b)
 }
 //<
 
+//> step-awake
+//>   What sleeps costs nothing: every loop over bodies in a step is one over a
+//>   list of those that are awake. It is in their order by number, as are all
+//>   sums over bodies.
+static void list_awake(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    const char *at = t->is_awake, *end = at + w->bodies;
+    if (!t->has_noticed) return;
+    t->has_noticed = false;
+    t->awakes = 0;
+    while (at < end && (at = memchr(at, true, (size_t)(end - at))))
+        t->awake[t->awakes++] = (int)(at++ - t->is_awake);
+}
+
+// What was looked at, and does not move, is left out.
+static void drop_sleepers(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    int kept = 0;
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
+        t->is_awake[b] = t->moves[b] || body_moves(w, b);
+        t->awake[kept] = b;
+        kept += t->is_awake[b];
+    }
+    t->awakes = kept;
+}
+//<
+
 //> step-look-at
 //>   Bodies are shared among threads, 32 at a time.
 static void look_at_body(world *w, int b)
@@ -220,7 +252,8 @@ static void look_at_body(world *w, int b)
         now->basis = (motion_basis){ .inverse_mass = 0 };
         memset(&t->velocity[b], 0, sizeof t->velocity[b]);
         t->ahead[b] = (prediction){ .reach = 0 };
-        t->middle[b] = now->frame;
+        t->middle[b] = t->began[b] = now->frame;
+        t->going[b] = 0;
     }
     t->reach[b] = t->ahead[b].reach;
 }
@@ -228,13 +261,16 @@ static void look_at_body(world *w, int b)
 static void look_at_chunk(void *data, int item)
 {
     world *w = data;
-    int end = task_end(item, w->bodies);
-    for (int b = task_first(item); b < end; b++) look_at_body(w, b);
+    int end = task_end(item, w->rigid.awakes);
+    for (int k = task_first(item); k < end; k++)
+        look_at_body(w, w->rigid.awake[k]);
 }
 
 static void look_at_bodies(world *w)
 {
-    tasks_run(w->options.host.run, look_at_chunk, w, task_chunks(w->bodies));
+    list_awake(w);
+    tasks_run(w->options.host.run, look_at_chunk, w,
+              task_chunks(w->rigid.awakes));
 }
 //<
 
@@ -302,7 +338,8 @@ static cache_frame what_to_ask(const world *w)
     const rigid_tables *t = &w->rigid;
     return (cache_frame){
         .body = t->body, .now = t->now, .middle = t->middle,
-        .ahead = t->ahead, .moves = t->moves, .bodies = w->bodies,
+        .ahead = t->ahead, .moves = t->moves,
+        .awake = t->awake, .awakes = t->awakes,
         .list = &t->pairs, .is_new_list = t->is_new_list,
         .plane = w->plane, .stay = w->options.stay,
         .run = w->options.host.run };
@@ -321,17 +358,6 @@ static void find_contacts(world *w)
 
 //> step-prepare
 //>   Before the substeps, blocks are made of the contacts (chapter 13).
-// The largest of the world, its bodies and its planes.
-static real most_restitution(const world *w)
-{
-    real most = w->options.restitution;
-    for (int b = 0; b < w->bodies && w->has_materials; b++)
-        most = real_max(w->rigid.material[b].restitution, most);
-    for (int k = 0; k < w->planes && w->has_materials; k++)
-        most = real_max(w->wall[k].restitution, most);
-    return most;
-}
-
 // Contacts are damped ten times as much as would just not swing, and push out
 // at 3 m/s at most.  In smaller substeps their springs may be stiffer.
 static solver_frame frame_of(const world *w, int substeps)
@@ -346,7 +372,7 @@ static solver_frame frame_of(const world *w, int substeps)
         .material = w->has_materials ? w->rigid.material : NULL,
         .wall = w->wall,
         .hertz = o->hertz, .damping = 10, .max_speed = 3,
-        .restitution = most_restitution(w), .gravity = o->gravity,
+        .restitution = w->rigid.restitution, .gravity = o->gravity,
         .run = o->host.run };
 }
 
@@ -390,7 +416,8 @@ static void damp(const body *b, real h, real u[MOTIONS])
 static void fall(world *w, real h)
 {
     vec3 g = vec3_scale((w->age + h) / 2, w->options.gravity);
-    for (int b = 0; b < w->bodies; b++) {
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
         if (!w->rigid.moves[b]) continue;
         real *u = w->rigid.velocity[b].of;
         u[0] += g.x;
@@ -470,20 +497,15 @@ static void redo(world *w, solver_frame *f, real times, const ledger_page *page)
 //>   In the step, a contact that pushes joins two bodies to an island. To the
 //>   other phases a sleeping body is immovable. Where all sleep, a step does
 //>   nothing at all.
-// Does body b lie pinned?  Particles that were pinned from the start do not show.
-static bool is_put_to_sleep(const world *w, const body *b)
-{
-    int i = b->first, last = i + body_particles(b) - 1;
-    while (i < last && !(w->inverse_mass[i] > 0)) i++;
-    return w->pool.at[i].inverse_mass == 0;
-}
-
 // Islands are held together by what the contacts carried last.
 static void join_islands(world *w)
 {
     const contact_solver *s = &w->rigid.solver;
     w->report.pushing = 0;
-    for (int b = 0; b < w->bodies; b++) w->rigid.held[b] &= !w->rigid.moves[b];
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
+        w->rigid.held[b] &= !w->rigid.moves[b];
+    }
     for (int k = 0; k < s->contacts; k++) {
         const active_contact *x = &s->active[k];
         if (!(x->load > 0)) continue;
@@ -502,7 +524,8 @@ static void observe(world *w)
     const world_options *o = &w->options;
     sleep_rule rule = { o->sleep_speed, o->time_to_sleep,
                         vec3_length(o->gravity), o->dt, w->age };
-    for (int b = 0; b < w->bodies; b++) {
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
         const body *x = &w->body[b];
         if (!body_moves(w, b)) continue;
         real radius = x->rigid ? x->rigid->radius : x->shape->radius;
@@ -518,12 +541,11 @@ static void fall_asleep(world *w)
         observe(w);
         sleep_end(&w->sleep);
     }
-    for (int b = 0; b < w->bodies; b++) {
-        const body *x = &w->body[b];
-        if (!w->sleep.asleep[b] || body_is_static(x)) continue;
-        if (!is_put_to_sleep(w, x)) world_pin_sleeper(w, b);
-        w->report.asleep++;
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
+        if (w->sleep.asleep[b]) world_pin_sleeper(w, b);
     }
+    w->report.asleep = w->sleep.sleepers;
     w->is_still = w->report.asleep > 0
                && w->report.asleep == w->dynamic_bodies && !drive_any(w);
 }

@@ -58,7 +58,8 @@ static real substeps_for_stack(const world *w)
 
 static bool is_calm(const world *w)
 {
-    for (int b = 0; b < w->bodies; b++) {
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
         vec3 way = w->rigid.ahead[b].way;
         real far = w->rigid.now[b].radius / 16;
         if (vec3_length_squared(way) > far * far) return false;

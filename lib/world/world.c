@@ -108,6 +108,7 @@ static void set_plane(world *w, int k, plane p)
 {
     w->plane[k] = p;
     w->wall[k] = material_of(w);
+    w->rigid.is_weighed = false;
     pair_list_renew(&w->rigid.pairs, -1);
     for (int b = 0; b < w->bodies; b++) world_wake(w, b);
 }
@@ -235,17 +236,25 @@ static void place_particles(world *w, const body *b, const placement *where)
 //> world-wake
 //>   A body that does not move wakes nothing, or two piles that lean on each
 //>   other would wake each other for ever.
+void world_notice(world *w, int b)
+{
+    w->rigid.is_awake[b] = true;
+    w->rigid.has_noticed = true;
+}
+
 void world_wake(world *w, int b)
 {
     assert(b >= 0 && b < w->bodies);
     if (!w->sleep.asleep[b]) return;
-    sleep_wake(&w->sleep, b);
-    for (int k = 0; k < w->bodies; k++) {
+    int k = b;
+    do {
         const body *x = &w->body[k];
-        if (w->sleep.asleep[k] || x->is_kinematic) continue;
         for (int i = x->first; i < x->first + body_particles(x); i++)
             w->pool.at[i].inverse_mass = w->inverse_mass[i];
-    }
+        world_notice(w, k);
+        k = w->sleep.next[k];
+    } while (k != b);
+    sleep_wake(&w->sleep, b);
     w->soft.near.trusted = -1;
     w->is_still = false;
 }
@@ -292,7 +301,7 @@ static sphere ball_of(const world *w, int b)
 void world_wake_around(world *w, int b)
 {
     sphere own = ball_of(w, b);
-    for (int k = 0; k < w->bodies && w->sleep.may_sleep; k++) {
+    for (int k = 0; k < w->bodies && w->sleep.sleepers > 0; k++) {
         if (!w->sleep.asleep[k]) continue;
         sphere other = ball_of(w, k);
         if (vec3_distance(own.center, other.center)
@@ -367,6 +376,8 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
     TABLE_GROW(ok, t->middle, old, room);
     TABLE_GROW(ok, t->reach, old, room);
     TABLE_GROW(ok, t->began, old, room);
+    TABLE_GROW(ok, t->awake, old, room);
+    TABLE_GROW(ok, t->is_awake, old, room);
     TABLE_GROW(ok, t->fresh, old, room);
     TABLE_GROW(ok, t->going, old, room);
     TABLE_GROW(ok, t->now_then, old, room);
@@ -443,16 +454,18 @@ static void start_body(world *w, int b)
     t->reach[b] = 0;
     t->moves[b] = t->dynamic[b] = 0;
     t->velocity[b] = t->moved[b] = (motion){ { 0 } };
-    t->held[b] = false;
+    t->held[b] = t->going[b] = false;
     t->load[b] = (body_load){ .force = { 0, 0, 0 } };
     pair_list_renew(&t->pairs, b);
     sleep_forget(&w->sleep, b);
-    w->sleep.asleep[b] = false;
+    assert(!w->sleep.asleep[b]);
+    world_notice(w, b);
     w->is_still = t->is_weighed = false;
     if (body_is_soft(x)) return;
     t->dynamic[b] = !body_is_static(x);
     t->body[b] = (cache_body){ x->shape, x->rigid, x->inner, family };
-    t->now[b].frame = t->middle[b] = rigid4_frame(w->pool.at + x->first);
+    t->now[b].frame = rigid4_frame(w->pool.at + x->first);
+    t->middle[b] = t->began[b] = t->now[b].frame;
     t->now[b].radius = 1.02 * x->rigid->reach;
     t->ball[b] = (sphere){ t->now[b].frame.center, t->now[b].radius };
 }
@@ -476,7 +489,13 @@ void world_weigh(world *w)
     t->is_weighed = true;
     t->lightest = HUGE_VAL;
     t->heaviest = 0;
+    t->restitution = w->options.restitution;
+    for (int k = 0; k < w->planes && w->has_materials; k++)
+        t->restitution = real_max(w->wall[k].restitution, t->restitution);
     for (int b = 0; b < w->bodies; b++) {
+        if (w->has_materials)
+            t->restitution = real_max(t->material[b].restitution,
+                                      t->restitution);
         if (!t->dynamic[b] || w->body[b].is_kinematic) continue;
         t->lightest = real_min(w->body[b].mass, t->lightest);
         t->heaviest = real_max(w->body[b].mass, t->heaviest);
@@ -631,7 +650,7 @@ void world_free(world *w)
         w->owner,
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
         r->reach, r->velocity, r->moved, r->load, r->material, r->drive,
-        r->began, r->fresh, r->going, r->now_then, r->velocity_then,
+        r->began, r->awake, r->is_awake, r->fresh, r->going, r->now_then, r->velocity_then,
         r->moved_then, r->held, r->free, r->free_end };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);

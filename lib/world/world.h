@@ -144,6 +144,10 @@ typedef struct {
     rigid_frame *middle;    // [bodies] see cache_frame; in the substeps, where
                             // its rows are made, see advance.c
     rigid_frame *began;     // [bodies] when they began
+    int         *awake;     // [awakes] all that every step goes over, by number:
+    int          awakes;    // what moves, and what may since it was looked at
+    char        *is_awake;  // [bodies]
+    bool         has_noticed;           // some are not in the list yet
     motion      *velocity;  // [motions], see solver.h
     motion      *moved;     // [motions] since it got its frame and basis
     char        *fresh;     // [bodies] it got them in the last substep
@@ -159,8 +163,9 @@ typedef struct {
     bool is_loaded;         // some are not 0
     material    *material;  // [bodies] deformable ones, too
     body_drive  *drive;     // [bodies]
-    bool is_weighed;        // the next two are those of the bodies there are
+    bool is_weighed;        // the next three are those of the bodies there are
     real lightest, heaviest;            // kg, of those that are not static
+    real restitution;       // the largest, also of the planes
     substep_choice substeps;
     pair_list      pairs;
     bool           is_new_list;         // of pairs
@@ -281,6 +286,9 @@ void world_wake(world *w, int b);
 // Wakes what sleeps near body b: it may lie on it.
 void world_wake_around(world *w, int b);
 
+// The steps look at body b again.  It wakes, comes or changes.
+void world_notice(world *w, int b);
+
 // Pins a sleeper where it lies: the other phases only look at what moves.
 void world_pin_sleeper(world *w, int b);
 
@@ -290,8 +298,9 @@ void world_place(world *w, int b, const placement *where);
 // A body is another than it was: it counts as new.
 void world_renew(world *w, int b);
 
-// Finds the lightest and the heaviest body again, if one has come, gone or
-// changed since.  A step does so as it begins: n bodies are added in O(n).
+// Finds the lightest, the heaviest and the most elastic body again, if one has
+// come, gone or changed since.  A step does so as it begins: n bodies are added
+// in O(n).
 void world_weigh(world *w);
 
 // Body a comes near body b: if one of them sleeps and the other did not lie

@@ -31,6 +31,7 @@ static solver_body now[BODIES];
 static rigid_frame middle[BODIES];
 static prediction ahead[BODIES];
 static char moves[BODIES];
+static int number[BODIES];
 static int pair[BODIES * BODIES][2];
 static int body_wall[6 * BODIES][2];
 static pair_list list;
@@ -69,7 +70,8 @@ static void set_up(void)
                                                            &kind[k]).ok);
     bodies = pairs = 0;
     frame = (cache_frame){ .body = body, .now = now, .middle = middle,
-        .ahead = ahead, .moves = moves, .list = &list, .plane = wall, .stay = 0.03 };
+        .ahead = ahead, .moves = moves, .awake = number, .list = &list,
+        .plane = wall, .stay = 0.03 };
 }
 
 static void tear_down(void)
@@ -100,6 +102,7 @@ static int add(int k, vec3 at, real reach)
     stand(b, at);
     ahead[b] = (prediction){ .turn = reach, .reach = reach };
     moves[b] = 1;
+    number[b] = b;
     return b;
 }
 
@@ -139,7 +142,7 @@ static void list_walls(void)
 static void begin(void)
 {
     cache_free(&cache);
-    frame.bodies = bodies;
+    frame.awakes = bodies;
     ck_assert(cache_init(&cache, body, bodies).ok);
 }
 

@@ -27,6 +27,7 @@ static cache_body body[BODIES];
 static solver_body now[BODIES];
 static prediction ahead[BODIES];
 static char moves[BODIES];
+static int number[BODIES];
 static plane ground;
 static cache_frame frame;
 static contact_cache cache;
@@ -37,7 +38,7 @@ static cache_load was[PAIRS + 1];
 static rigid_frame placed[BODIES];
 static struct placing placing[BODIES];
 static vec3 vertex[8 * BODIES];
-static int first[BODIES + 2];
+static int first[BODIES], end_of[BODIES];
 
 static int add(bool is_tile, vec3 at)
 {
@@ -51,6 +52,7 @@ static int add(bool is_tile, vec3 at)
     now[b] = (solver_body){ .radius = r->reach, .frame = placed[b] };
     ahead[b] = (prediction){ .reach = is_tile ? 0 : 0.02 };
     moves[b] = !is_tile;
+    number[b] = b;
     placing[b] = (struct placing){ .number = 1, .first = 8 * b, .vertices = 8,
                                    .in_range = true };
     rigid4_ride(r, &placed[b], vertex + 8 * b, 8);
@@ -67,9 +69,11 @@ static void set_up(void)
         .pairs = { .pair = pair, .key = key },
         .walls = { .pair = wall, .key = wall_key },
         .entry = entry, .was = was, .placed = placed, .placing = placing,
-        .vertex = vertex, .first = first, .room = BODIES };
+        .vertex = vertex, .first = first, .last = end_of,
+        .room = BODIES };
     frame = (cache_frame){ .body = body, .now = now, .ahead = ahead,
-                           .moves = moves, .plane = &ground, .stay = 0.03 };
+                           .moves = moves, .awake = number,
+                           .plane = &ground, .stay = 0.03 };
     memset(was, 0, sizeof was);
     add(false, vec3_make(0, 0.5, 0));
 }
@@ -132,7 +136,7 @@ static contact *found_ahead(int b)
 
 static void mend(void)
 {
-    frame.bodies = bodies;
+    frame.awakes = bodies;
     seams_mend(&cache, &frame);
 }
 

@@ -680,9 +680,12 @@ static void follow(bytes b)
         compare(w, &sum, k);
         go_on(w, k, k < 4 ? 1 : 8, false);
     }
+    tumble_wake(w, (tumble_body){ 3, 1 });      // and its island
+    go_on(w, 0, 8, false);
+    compare(w, &sum, 12);
     use_ids(w, &sum);
     go_on(w, 0, 20, false);
-    compare(w, &sum, 12);
+    compare(w, &sum, 13);
     tumble_free(w);
 }
 
@@ -739,6 +742,10 @@ START_TEST(what_reads_garbage_for_a_table_goes_elsewhere)
         tumble_world *w = world_of(k % ALL_WORLDS, 0.3);
         go_on(w, 0, moment[when], when == 1);
         if (when != 1 && when < 4) touch(w, 8);
+        if (when == 4) {        // one sleeps among others that lie still
+            tumble_wake(w, (tumble_body){ 3, 1 });
+            tumble_sleep(w, (tumble_body){ 0, 1 });
+        }
         look_for_needed(w);
         tumble_free(w);
     }

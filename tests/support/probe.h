@@ -27,7 +27,8 @@ static inline bool probe_sleeps(const world *w, int b)
 // Marks body b as asleep, and nothing else.
 static inline void probe_lay(world *w, int b)
 {
-    w->sleep.asleep[b] = w->sleep.may_sleep = true;
+    w->sleep.sleepers += !w->sleep.asleep[b];
+    w->sleep.asleep[b] = true;
     w->sleep.island[b] = b;
 }
 
@@ -134,7 +135,9 @@ static inline void probe_begin_substeps(world *w)
         w->rigid.moves[b] = !body_is_soft(x) && !body_is_static(x);
         w->rigid.now[b].is_driven = x->is_kinematic;
         if (x->is_kinematic) drive_begin(w, b);
+        w->rigid.awake[b] = b;
     }
+    w->rigid.awakes = w->bodies;
 }
 
 // --- Contacts of rigid bodies -------------------------------------------------

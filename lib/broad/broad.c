@@ -17,6 +17,17 @@ status broad_init(broad *s, int bodies)
     return done;
 }
 
+// In a leaf of the tree of what stands still.  The fewer, the fewer balls are
+// compared, and the more memory do the boxes take.
+enum { FEW_STILL = 4 };
+
+int broad_boxes(int stills)
+{
+    int leaves = 1;
+    while (leaves < 1 << 28 && leaves * FEW_STILL < stills) leaves *= 2;
+    return 2 * leaves;
+}
+
 // Nothing is kept but the order: the rest is made by every call.
 static bool grow(broad *s, int bodies)
 {
@@ -24,6 +35,9 @@ static bool grow(broad *s, int bodies)
     bool ok = true;
     if (s->order && bodies <= s->room) return true;
     TABLE_GROW(ok, s->order, s->bodies, n);
+    TABLE_GROW(ok, s->some, s->bodies, n);
+    TABLE_GROW(ok, s->still, s->stills, n);
+    TABLE_GROW(ok, s->box, 2 * s->leaves, broad_boxes(n));
     TABLE_GROW(ok, s->low, 0, n);
     TABLE_GROW(ok, s->high, 0, n);
     TABLE_GROW(ok, s->first, 0, n + 1);
@@ -48,6 +62,9 @@ status broad_grow(broad *s, int bodies)
 void broad_free(broad *s)
 {
     free(s->order);
+    free(s->some);
+    free(s->still);
+    free(s->box);
     free(s->low);
     free(s->high);
     free(s->first);
@@ -91,10 +108,6 @@ static int ball_is_empty(sphere ball)
 // operation rounds, balls that pass it overlap along x but for 3 u (ra + rb).
 // Each end here is wrong by at most 2.1 u (|x| + r).  So each is set further
 // out, by 8 u (|x| + r), which is more than both.
-typedef struct {
-    real low, high;         // m
-} shadow;
-
 static int ball_is_finite(sphere ball)
 {
     return vec3_is_finite(ball.center) && ball.radius - ball.radius == 0;
@@ -108,14 +121,20 @@ static shadow shadow_of(sphere ball, int axis)
     return (shadow){ x - r - wider, x + r + wider };
 }
 
+// A ball that is not finite may be anywhere.  An empty one is nowhere, and waits
+// at the end of the line.
+static shadow whole_shadow(sphere ball, int axis)
+{
+    if (ball_is_empty(ball))   return (shadow){ HUGE_VAL, -HUGE_VAL };
+    if (!ball_is_finite(ball)) return (shadow){ -HUGE_VAL, HUGE_VAL };
+    return shadow_of(ball, axis);
+}
+
 static void find_ends(broad *s, const sphere *ball)
 {
-    for (int b = 0; b < s->bodies; b++) {
-        shadow x = shadow_of(ball[b], 0);
-        // A ball that is not finite may be anywhere.
-        if (!ball_is_finite(ball[b])) x = (shadow){ -HUGE_VAL, HUGE_VAL };
-        // An empty one is nowhere, and waits at the end of the line.
-        if (ball_is_empty(ball[b]))   x = (shadow){ HUGE_VAL, -HUGE_VAL };
+    for (int k = 0; k < s->bodies; k++) {
+        int b = s->order[k];
+        shadow x = whole_shadow(ball[b], 0);
         s->low[b]  = x.low;
         s->high[b] = x.high;
     }
@@ -171,7 +190,8 @@ static void measure(const broad *s, const sphere *ball, spread along[2])
 {
     for (int k = 0; k < 2; k++)
         along[k] = (spread){ { HUGE_VAL, -HUGE_VAL }, 0 };
-    for (int b = 0; b < s->bodies; b++) {
+    for (int i = 0; i < s->bodies; i++) {
+        int b = s->order[i];
         if (ball_is_empty(ball[b]) || !ball_is_finite(ball[b])) continue;
         for (int k = 0; k < 2; k++) {
             shadow x = shadow_of(ball[b], 1 + k), *all = &along[k].all;
@@ -214,7 +234,8 @@ static real find_reach(broad *s, const sphere *ball, const spread along[2])
     real per_metre[2], places = 0;
     for (int k = 0; k < 2; k++)
         per_metre[k] = s->lanes[k] / (along[k].all.high - along[k].all.low);
-    for (int b = 0; b < s->bodies; b++) {
+    for (int i = 0; i < s->bodies; i++) {
+        int b = s->order[i];
         lane_range *r = s->reach[b];
         for (int k = 0; k < 2; k++) {
             r[k] = (lane_range){ 0, s->lanes[k] - 1 };
@@ -261,8 +282,8 @@ static void make_room(broad *s)
 {
     int lanes = s->lanes[0] * s->lanes[1];
     memset(s->lane, 0, ((size_t)lanes + 2) * sizeof *s->lane);
-    for (int b = 0; b < s->bodies; b++) {
-        const lane_range *r = s->reach[b];
+    for (int k = 0; k < s->bodies; k++) {
+        const lane_range *r = s->reach[s->order[k]];
         for (int y = r[0].first; y <= r[0].last; y++)
             for (int z = r[1].first; z <= r[1].last; z++)
                 s->lane[y * s->lanes[1] + z + 2]++;
@@ -350,7 +371,7 @@ static void sweep_lane(broad *s, int lane, pair_list *out)
 
 static void sweep(broad *s, pair_list *out)
 {
-    memset(s->first, 0, ((size_t)s->bodies + 1) * sizeof *s->first);
+    for (int k = 0; k < s->bodies; k++) s->first[s->order[k]] = 0;
     for (int l = 0; l < s->lanes[0] * s->lanes[1]; l++)
         sweep_lane(s, l, out);
 }
@@ -372,19 +393,27 @@ static void sort_by_b(int (*pair)[2], int n)
         }
 }
 
+// The k-th of those that are asked, by number.
+static int number_of(const broad *s, int k)
+{
+    return s->number ? s->number[k] : k;
+}
+
 // Sorts the pairs by a, then by b, where they lie.  The counts in first tell
 // where each a's pairs begin.  A pair that lies among another's is exchanged
 // with the first there that may be out of place, and is then home for good.
 static void sort_pairs(broad *s, int (*pair)[2])
 {
     int n = s->bodies, sum = 0;
-    for (int a = 0; a <= n; a++) {
-        int count = s->first[a];
+    for (int k = 0; k < n; k++) {
+        int a = number_of(s, k), count = s->first[a];
         s->first[a] = s->mover[a] = sum;
         sum += count;
     }
-    for (int a = 0; a < n; a++) {
-        while (s->mover[a] < s->first[a + 1]) {
+    for (int k = 0; k < n; k++) {
+        int a = number_of(s, k);
+        int end = k + 1 < n ? s->first[number_of(s, k + 1)] : sum;
+        while (s->mover[a] < end) {
             int *here = pair[s->mover[a]];
             int *home = pair[s->mover[here[0]]++];
             int a_there = home[0], b_there = home[1];
@@ -393,27 +422,55 @@ static void sort_pairs(broad *s, int (*pair)[2])
             here[0] = a_there;
             here[1] = b_there;
         }
-        sort_by_b(pair + s->first[a], s->first[a + 1] - s->first[a]);
+        sort_by_b(pair + s->first[a], end - s->first[a]);
     }
+}
+
+static int is_before(const int x[2], const int y[2])
+{
+    return x[0] < y[0] || (x[0] == y[0] && x[1] < y[1]);
+}
+
+void broad_order(int (*pair)[2], int n)
+{
+    int gap = 1;
+    while (gap < n / 9) gap = 3 * gap + 1;
+    for (; gap > 0; gap /= 3)
+        for (int k = gap; k < n; k++) {
+            int here[2] = { pair[k][0], pair[k][1] }, at = k;
+            for (; at >= gap && is_before(here, pair[at - gap]); at -= gap)
+                memcpy(pair[at], pair[at - gap], sizeof here);
+            memcpy(pair[at], here, sizeof here);
+        }
 }
 //<
 
 //> broad-all
 //>   The paper's way is short, and hard to get wrong. It is the oracle of the
 //>   tests.
-int broad_pairs_all(const sphere *ball, const char *moves, int bodies,
-                    int (*out)[2], int capacity)
+static int all_pairs(const broad *s, const sphere *ball, const char *moves,
+                     int (*out)[2], int capacity)
 {
-    assert(bodies >= 0 && capacity >= 0);
+    assert(s->bodies >= 0 && capacity >= 0);
     pair_list list = { out, capacity, 0 };
-    for (int a = 0; a < bodies; a++) {
+    for (int i = 0; i < s->bodies; i++) {
+        int a = number_of(s, i);
         if (ball_is_empty(ball[a])) continue;
-        for (int b = a + 1; b < bodies; b++)
+        for (int j = i + 1; j < s->bodies; j++) {
+            int b = number_of(s, j);
             if (balls_meet(ball[a], ball[b]) && !ball_is_empty(ball[b])
                 && (moves[a] || moves[b]))
                 add_pair(&list, a, b);
+        }
     }
     return list.found;
+}
+
+int broad_pairs_all(const sphere *ball, const char *moves, int bodies,
+                    int (*out)[2], int capacity)
+{
+    broad all = { .bodies = bodies };
+    return all_pairs(&all, ball, moves, out, capacity);
 }
 //<
 
@@ -426,13 +483,14 @@ int broad_pairs(broad *s, const sphere *ball, const char *moves,
                 int (*out)[2], int capacity)
 {
     assert(capacity >= 0);
-    int n = s->bodies, b = 0;
+    int n = s->bodies, k = 0;
     real most = 0.5 * n * (n - 1.0) / LOOKS_A_PAIR;
     pair_list list = { out, capacity < most ? capacity : (int)most, 0 };
 
     // Where no body moves, none needs to be sorted.
-    while (b < n && !moves[b]) b++;
-    if (b == n) return 0;
+    while (k < n && !moves[number_of(s, k)]) k++;
+    s->places = 0;
+    if (k == n) return 0;
 
     find_ends(s, ball);
     sort_line(s);
@@ -442,8 +500,130 @@ int broad_pairs(broad *s, const sphere *ball, const char *moves,
     // Too many to be worth sorting, or to be kept: looking at every pair finds
     // them in order, so that it keeps the first.
     if (list.found > list.capacity)
-        return broad_pairs_all(ball, moves, n, out, capacity);
+        return all_pairs(s, ball, moves, out, capacity);
     if (list.found > 0) sort_pairs(s, out);
     return list.found;
+}
+
+int broad_some(broad *s, const int *number, int n, bool is_new,
+               const sphere *ball, const char *moves, int (*out)[2],
+               int capacity)
+{
+    int all = s->bodies, *order = s->order;
+    if (is_new) memcpy(s->some, number, (size_t)n * sizeof *number);
+    s->bodies = n;
+    s->order = s->some;
+    s->number = number;
+    int found = broad_pairs(s, ball, moves, out, capacity);
+    s->bodies = all;
+    s->order = order;
+    s->number = NULL;
+    return found;
+}
+//<
+
+//> broad-still
+//>   What stands still is put into a tree, once: its leaves are a few neighbours
+//>   in a lane. What moves asks the tree, from the top down, and goes into a box
+//>   only if it may touch it. So a ball among ten thousand that sleep looks at a
+//>   few dozen boxes, and at none that is far.
+static const shadow NOTHING = { HUGE_VAL, -HUGE_VAL };
+
+static shadow around(shadow x, shadow y)
+{
+    return (shadow){ x.low < y.low ? x.low : y.low,
+                     x.high > y.high ? x.high : y.high };
+}
+
+static int least(int a, int b) { return a < b ? a : b; }
+
+static void box_leaf(broad *s, const sphere *ball, int leaf)
+{
+    int end = least((leaf + 1) * FEW_STILL, s->stills);
+    for (int axis = 0; axis < 3; axis++) {
+        shadow *box = &s->box[s->leaves + leaf][axis];
+        *box = NOTHING;
+        for (int k = leaf * FEW_STILL; k < end; k++)
+            *box = around(*box, whole_shadow(ball[s->still[k]], axis));
+    }
+}
+
+// (Each body once: it stands in several lanes.  Where all were compared with all,
+// or nothing moved, there are no lanes.)
+void broad_settle(broad *s, const sphere *ball, const char *is_still)
+{
+    s->stills = 0;
+    for (int l = 0; l < s->lanes[0] * s->lanes[1] && s->places > 0; l++)
+        for (int k = s->lane[l]; k < s->lane[l + 1]; k++) {
+            int b = s->who[k];
+            const lane_range *r = s->reach[b];
+            int home = r[0].first * s->lanes[1] + r[1].first;
+            if (is_still[b] && home == l) s->still[s->stills++] = b;
+        }
+    for (int b = 0; b < s->bodies && s->places == 0; b++)
+        if (is_still[b] && !ball_is_empty(ball[b])) s->still[s->stills++] = b;
+    s->leaves = broad_boxes(s->stills) / 2;
+    for (int k = 0; k < s->leaves; k++) box_leaf(s, ball, k);
+    for (int k = s->leaves - 1; k > 0; k--)
+        for (int axis = 0; axis < 3; axis++)
+            s->box[k][axis] = around(s->box[2 * k][axis],
+                                     s->box[2 * k + 1][axis]);
+}
+
+static bool overlaps(const shadow x[3], const shadow y[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+        if (x[axis].low > y[axis].high || x[axis].high < y[axis].low)
+            return false;
+    return true;
+}
+
+//<
+
+//> broad-ask
+// What a body asks of the tree.
+typedef struct {
+    const broad *s;
+    const sphere *ball;
+    const char *moves;
+    int b;
+    shadow box[3];
+    pair_list out;
+} still_query;
+
+static void ask_leaf(still_query *q, int leaf)
+{
+    int end = least((leaf + 1) * FEW_STILL, q->s->stills), b = q->b;
+    for (int k = leaf * FEW_STILL; k < end; k++) {
+        int c = q->s->still[k];
+        if ((q->moves[b] || q->moves[c]) && balls_meet(q->ball[b], q->ball[c]))
+            add_pair(&q->out, least(b, c), b < c ? c : b);
+    }
+}
+
+// Not deeper than an int has bits.
+static void ask_box(still_query *q, int k)
+{
+    if (!overlaps(q->s->box[k], q->box)) return;
+    if (k >= q->s->leaves) {
+        ask_leaf(q, k - q->s->leaves);
+        return;
+    }
+    ask_box(q, 2 * k);
+    ask_box(q, 2 * k + 1);
+}
+//<
+
+//> broad-near
+//>   What is found is added to the pairs of those that move.
+int broad_near(const broad *s, const sphere *ball, const char *moves, int b,
+               int (*out)[2], int capacity, int found)
+{
+    still_query q = { s, ball, moves, b, { { 0, 0 } },
+                      { out, capacity, found } };
+    for (int axis = 0; axis < 3; axis++)
+        q.box[axis] = whole_shadow(ball[b], axis);
+    if (s->stills > 0 && !ball_is_empty(ball[b])) ask_box(&q, 1);
+    return q.out.found;
 }
 //<

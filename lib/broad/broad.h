@@ -22,9 +22,16 @@ typedef struct {
     int first, last;
 } lane_range;
 
+// The ends of a box's shadow on an axis (0: x).
+typedef struct {
+    real low, high;     // m
+} shadow;
+
 typedef struct broad {
     int   bodies, room; // so many there are, and for so many there is room
     int  *order;        // [bodies] by low, equal ones by number
+    int  *some;         // [bodies] the same of a part of them, see broad_some
+    const int *number;  // [bodies] those of that part; NULL: all are asked
     real *low, *high;   // [bodies] m, ends of each ball along x
     int  *first;        // [bodies + 1] scratch of the sorting of pairs
 
@@ -40,6 +47,12 @@ typedef struct broad {
                         // moves; then scratch, like first
 
     long shifts;        // places that bodies moved up in the last sorting
+
+    // A tree of boxes around what stands still: around a few neighbours in the
+    // line each, then around two boxes each.
+    int   *still;       // [stills] in the order of lanes
+    int    stills, leaves;      // leaves: a power of two
+    shadow (*box)[3];   // [2 * leaves] 1: around all; 2k and 2k + 1 are in k
 } broad;
 //<
 
@@ -59,6 +72,26 @@ void   broad_free(broad *s);            // an empty or zeroed one is fine
 // there are (INT_MAX if there are more).
 int broad_pairs(broad *s, const sphere *ball, const char *moves,
                 int (*out)[2], int capacity);
+
+// The same among some bodies: n numbers, ascending.  is_new: these are others
+// than in the last call.
+int broad_some(broad *s, const int *number, int n, bool is_new,
+               const sphere *ball, const char *moves, int (*out)[2],
+               int capacity);
+
+// So many boxes has a tree of so many bodies.
+int broad_boxes(int stills);
+
+// After broad_pairs: those that is_still says will stay where they are.
+void broad_settle(broad *s, const sphere *ball, const char *is_still);
+
+// Adds to out, where there are `found` pairs already, those of body b and what
+// stands still, in any order.  Returns how many there are then.
+int broad_near(const broad *s, const sphere *ball, const char *moves, int b,
+               int (*out)[2], int capacity, int found);
+
+// Sorts n pairs by a, then by b, where they lie: Shell's passes again.
+void broad_order(int (*pair)[2], int n);
 
 // The same answer by looking at every pair (the paper's way).
 int broad_pairs_all(const sphere *ball, const char *moves, int bodies,

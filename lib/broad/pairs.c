@@ -10,7 +10,8 @@
 static bool holds(const pair_list *l, const pair_query *q)
 {
     if (l->lists == 0 || l->is_cut) return false;
-    for (int b = 0; b < l->bodies; b++) {
+    for (int k = 0; k < q->awakes; k++) {
+        int b = q->awake[k];
         const sphere *was = &l->listed[b];
         if (!q->moves[b] || l->is_new[b]) continue;
         real room = was->radius - q->ball[b].radius - q->reach[b];
@@ -24,17 +25,82 @@ static bool holds(const pair_list *l, const pair_query *q)
 //<
 
 //> pairs-update
+// What has come is loose, too.
+static void loosen(pair_list *l, const pair_query *q)
+{
+    int was = l->looses, both = was, at = 0;
+    for (int k = 0; k < q->awakes; k++) {
+        while (at < was && l->loose[at] < q->awake[k]) at++;
+        both += at == was || l->loose[at] != q->awake[k];
+    }
+    if (both == was) return;
+    l->looses = both;
+    l->is_new_loose = true;
+    for (int k = q->awakes - 1, i = was - 1; both > 0;) {
+        int a = k >= 0 ? q->awake[k] : -1, b = i >= 0 ? l->loose[i] : -1;
+        l->loose[--both] = int_max(a, b);
+        k -= a >= b;
+        i -= b >= a;
+    }
+}
+
 // A tenth of its radius, and once more what it may move: wide enough that the
 // list holds for some frames, narrow enough that it is short.
 static void enlarge(pair_list *l, const pair_query *q, bool all)
 {
-    for (int b = 0; b < l->bodies; b++) {
+    if (!l->is_whole) loosen(l, q);
+    int bodies = l->is_whole ? l->bodies : l->looses;
+    for (int k = 0; k < bodies; k++) {
+        int b = l->is_whole ? k : l->loose[k];
         if (!all && !l->is_new[b]) continue;
         l->is_new[b] = false;
         l->listed[b] = q->ball[b];
         if (q->ball[b].radius < 0) continue;
         l->listed[b].radius += 0.1 * q->ball[b].radius + 2 * q->reach[b];
     }
+}
+
+// Are all pairs to be found again?  Where more than half of what is loose has
+// come to lie still, that pays, however many bodies there are.
+static bool is_unsettled(const pair_list *l, const pair_query *q)
+{
+    bool is = l->is_due || l->lists == 0 || l->is_cut
+           || 2 * (long)q->awakes < l->looses;
+    for (int k = 0; k < q->awakes && !is; k++) is = l->is_settled[q->awake[k]];
+    return is;
+}
+
+// What is awake is loose.
+static void settle(pair_list *l, const pair_query *q)
+{
+    for (int b = 0; b < l->bodies; b++) l->is_settled[b] = true;
+    for (int k = 0; k < q->awakes; k++) {
+        l->loose[k] = q->awake[k];
+        l->is_settled[q->awake[k]] = false;
+    }
+    l->looses = q->awakes;
+    l->is_new_loose = true;
+    if (l->bodies > 0) broad_settle(&l->broad, l->listed, l->is_settled);
+}
+
+// Among what is loose, and of that with what is settled.
+static int find_loose(pair_list *l, const pair_query *q)
+{
+    int n = broad_some(&l->broad, l->loose, l->looses, l->is_new_loose,
+                       l->listed, q->moves, l->pair, l->capacity);
+    l->is_new_loose = false;
+    for (int k = 0; k < l->looses; k++)
+        n = broad_near(&l->broad, l->listed, q->moves, l->loose[k], l->pair,
+                       l->capacity, n);
+    if (n <= l->capacity) broad_order(l->pair, n);
+    return n;
+}
+
+static int find_pairs(pair_list *l, const pair_query *q)
+{
+    return l->is_whole ? broad_pairs(&l->broad, l->listed, q->moves, l->pair,
+                                     l->capacity)
+                       : find_loose(l, q);
 }
 
 // Room for half as many again; the list is made again, so nothing is kept.
@@ -54,8 +120,9 @@ static bool grow(int (**list)[2], int *capacity, int need)
 // Which planes is each ball near?  Returns how many, stored or not.
 static int find_walls(pair_list *l, const pair_query *q)
 {
-    int n = 0;
-    for (int b = 0; b < l->bodies; b++) {
+    int n = 0, bodies = l->is_whole ? l->bodies : l->looses;
+    for (int i = 0; i < bodies; i++) {
+        int b = l->is_whole ? i : l->loose[i];
         sphere ball = l->listed[b];
         if (!q->moves[b] || ball.radius < 0) continue;
         for (int k = 0; k < q->planes; k++) {
@@ -72,15 +139,11 @@ static int find_walls(pair_list *l, const pair_query *q)
     return n;
 }
 
-bool pair_list_update(pair_list *l, const pair_query *q, int *lost)
+static void list(pair_list *l, const pair_query *q, int *lost)
 {
-    bool is_good = holds(l, q);
-    *lost = 0;
-    if (is_good && !l->has_new) return false;
-    enlarge(l, q, !is_good);
-    int n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
+    int n = find_pairs(l, q);
     if (n > l->capacity && grow(&l->pair, &l->capacity, n))
-        n = broad_pairs(&l->broad, l->listed, q->moves, l->pair, l->capacity);
+        n = find_pairs(l, q);
     int walls = find_walls(l, q);
     if (walls > l->wall_capacity && grow(&l->wall, &l->wall_capacity, walls))
         walls = find_walls(l, q);
@@ -89,14 +152,56 @@ bool pair_list_update(pair_list *l, const pair_query *q, int *lost)
     *lost = n - l->count + walls - l->walls;
     l->is_cut = *lost > 0;
     l->has_new = false;
+    if (l->is_whole) settle(l, q);
+    l->is_due &= !l->is_whole;
     l->lists++;
+}
+
+bool pair_list_update(pair_list *l, const pair_query *q, int *lost)
+{
+    bool is_good = holds(l, q);
+    *lost = 0;
+    l->is_whole = is_unsettled(l, q);
+    if (is_good && !l->has_new && !l->is_whole) return false;
+    enlarge(l, q, !is_good);
+    list(l, q, lost);
     return true;
+}
+
+bool pair_list_wake(pair_list *l, const pair_query *q, int *lost)
+{
+    *lost = 0;
+    if (!is_unsettled(l, q)) return false;
+    l->is_whole = true;
+    list(l, q, lost);
+    return true;
+}
+
+void pair_list_part(pair_list *l)
+{
+    int n = 0, walls = 0, all = l->count;
+    if (!l->is_whole) return;
+    for (int k = 0; k < all; k++) {
+        if (pair_is_settled(l, l->pair[k])) continue;
+        l->pair[n][0] = l->pair[k][0];
+        l->pair[n++][1] = l->pair[k][1];
+    }
+    for (int k = 0; k < l->walls; k++) {
+        if (l->is_settled[l->wall[k][0]]) continue;
+        l->wall[walls][0] = l->wall[k][0];
+        l->wall[walls++][1] = l->wall[k][1];
+    }
+    l->count = n;
+    l->parted = all - n;
+    l->walls = walls;
+    l->is_whole = false;
 }
 
 void pair_list_renew(pair_list *l, int b)
 {
     l->has_new = true;
     if (b >= 0) l->is_new[b] = true;
+    l->is_due |= b < 0 || l->is_settled[b];
 }
 //<
 
@@ -118,6 +223,8 @@ static bool make_room(pair_list *l, int bodies)
     if (l->pair && bodies <= l->room) return true;
     TABLE_GROW(ok, l->listed, l->bodies, n);
     TABLE_GROW(ok, l->is_new, l->bodies, n);
+    TABLE_GROW(ok, l->is_settled, l->bodies, n);
+    TABLE_GROW(ok, l->loose, l->bodies, n);
     if (!l->pair) ok = ok && grow(&l->pair, &l->capacity, 8 * n);
     if (ok) l->room = room;
     return ok;
@@ -139,6 +246,8 @@ void pair_list_free(pair_list *l)
     free(l->wall);
     free(l->listed);
     free(l->is_new);
+    free(l->is_settled);
+    free(l->loose);
     *l = (pair_list){ .bodies = 0 };
 }
 //<

@@ -18,6 +18,8 @@ typedef struct {
     const sphere *ball; // [bodies] radius < 0: meets nothing
     const real *reach;  // [bodies] m
     const char *moves;  // [bodies] 0: never, so that two such do not meet
+    const int *awake;   // [awakes] all that is elsewhere than in the last frame,
+    int awakes;         // may go further in this one, or has come; by number
     int bodies;
     const plane *plane;
     int planes;
@@ -25,6 +27,10 @@ typedef struct {
 
 // The pairs are found for balls that are a little larger.  While no body leaves
 // its larger ball they are a superset of those that may meet.
+//
+// What lies still is *settled*: pairs of two such are found once, when they
+// settle, and are in no list after that.  The list is of the others, which are
+// *loose*.  When one that is settled wakes, all pairs are found again.
 typedef struct {
     int  (*pair)[2];    // a < b, sorted by a, then by b
     int  count, capacity;
@@ -38,6 +44,13 @@ typedef struct {
     bool   *is_new;     // [bodies] it has come, or gone elsewhere, since then
     int    bodies, room;
     bool   has_new;     // there is one, or there is a plane more
+    char   *is_settled; // [bodies]
+    int    *loose;      // [looses] by number
+    int    looses;
+    bool   is_whole;    // the list has all pairs, see pair_list_part
+    bool   is_new_loose;        // since the last list of those that are
+    bool   is_due;      // all must be found, whatever is awake
+    int    parted;      // pairs that pair_list_part has left out
 } pair_list;
 //<
 
@@ -59,6 +72,19 @@ void pair_list_renew(pair_list *l, int b);
 // those of the last frame still hold.  Allocates if there are more pairs than
 // ever before; where memory is refused, *lost is how many were left out.
 bool pair_list_update(pair_list *l, const pair_query *q, int *lost);
+
+// The same later in the frame, when some have woken: their balls stay.
+bool pair_list_wake(pair_list *l, const pair_query *q, int *lost);
+
+// Is nothing of a pair loose?
+static inline bool pair_is_settled(const pair_list *l, const int pair[2])
+{
+    return l->is_settled[pair[0]] && l->is_settled[pair[1]];
+}
+
+// Leaves those out of a whole list of which nothing is loose.  Until then it is
+// good for what goes along with all pairs.
+void pair_list_part(pair_list *l);
 
 #endif
 //<

@@ -94,10 +94,91 @@ static void follow_list(contact_cache *c, cache_list *l, int (*list)[2],
     swap_spare(l, n);
 }
 
+static void set_key(int to[2], const int from[2])
+{
+    to[0] = from[0];
+    to[1] = from[1];
+}
+
+static bool is_of_other(const cache_list *l, int k, const cache_list *other,
+                        int j)
+{
+    return k == l->count || (j < other->count
+                             && compare(other->key[j], l->key[k]) < 0);
+}
+
+const cache_pair *cache_next(const cache_list *l, int *k,
+                             const cache_list *other, int *j)
+{
+    return is_of_other(l, *k, other, *j) ? &other->pair[(*j)++]
+                                         : &l->pair[(*k)++];
+}
+
+// Two sorted lists become one: what was kept of bodies that lie still is there
+// for those that have woken.
+static void take_back(contact_cache *c, cache_list *l, cache_list *still)
+{
+    int all = l->count + still->count;
+    if (still->count == 0) return;
+    if (!grow_spare(l, all)) {
+        c->lost += still->count;
+        for (int k = 0; k < still->count; k++) release(c, &still->pair[k]);
+        still->count = 0;
+        return;
+    }
+    for (int k = 0, i = 0, j = 0; k < all; k++) {
+        bool is_still = is_of_other(l, i, still, j);
+        set_key(l->spare_key[k], is_still ? still->key[j] : l->key[i]);
+        l->spare[k] = *cache_next(l, &i, still, &j);
+    }
+    swap_spare(l, all);
+    still->count = 0;
+}
+
+// Of a wall's key only the first is a body.
+static bool is_settled(const cache_list *l, int k, const pair_list *list,
+                       int bodies)
+{
+    const int both[2] = { l->key[k][0], l->key[k][bodies - 1] };
+    return pair_is_settled(list, both);
+}
+
+static int count_settled(const cache_list *l, const pair_list *list, int bodies)
+{
+    int n = 0;
+    for (int k = 0; k < l->count; k++) n += is_settled(l, k, list, bodies);
+    return n;
+}
+
+// And pairs of which nothing is loose leave the list, with what is kept of them.
+static void put_aside(contact_cache *c, cache_list *l, cache_list *still,
+                      const pair_list *list, int bodies)
+{
+    int left = 0, aside = count_settled(l, list, bodies);
+    if (!grow_spare(still, aside)) {
+        c->lost += aside;
+        return;
+    }
+    aside = 0;
+    for (int k = 0; k < l->count; k++) {
+        bool is_still = is_settled(l, k, list, bodies);
+        l->pair[k].is_active &= !is_still;
+        set_key(is_still ? still->spare_key[aside] : l->key[left], l->key[k]);
+        *(is_still ? &still->spare[aside++] : &l->pair[left++]) = l->pair[k];
+    }
+    l->count = left;
+    swap_spare(still, aside);
+}
+
 static void follow_lists(contact_cache *c, const cache_frame *f)
 {
+    bool is_whole = f->list->is_whole;
+    if (is_whole) take_back(c, &c->pairs, &c->still_pairs);
+    if (is_whole) take_back(c, &c->walls, &c->still_walls);
     follow_list(c, &c->pairs, f->list->pair, f->list->count);
     follow_list(c, &c->walls, f->list->wall, f->list->walls);
+    if (is_whole) put_aside(c, &c->pairs, &c->still_pairs, f->list, 2);
+    if (is_whole) put_aside(c, &c->walls, &c->still_walls, f->list, 1);
 }
 //<
 
@@ -650,8 +731,9 @@ status cache_add(contact_cache *c, int b, int vertices)
 
 void cache_free(contact_cache *c)
 {
-    cache_list *list[] = { &c->pairs, &c->walls };
-    for (int k = 0; k < 2; k++) {
+    cache_list *list[] = { &c->pairs, &c->walls, &c->still_pairs,
+                           &c->still_walls };
+    for (int k = 0; k < 4; k++) {
         free(list[k]->pair);
         free(list[k]->key);
         free(list[k]->spare);
@@ -691,18 +773,23 @@ void cache_forget(contact_cache *c, int b)
 {
     clear_list(c, &c->pairs, b, b);
     clear_list(c, &c->walls, b, NONE);
+    clear_list(c, &c->still_pairs, b, b);
+    clear_list(c, &c->still_walls, b, NONE);
     c->placing[b].number = 0;
 }
 
 void cache_forget_plane(contact_cache *c, int k)
 {
     clear_list(c, &c->walls, NONE, k);
+    clear_list(c, &c->still_walls, NONE, k);
 }
 
 void cache_clear(contact_cache *c)
 {
     clear_list(c, &c->pairs, ALL, ALL);
     clear_list(c, &c->walls, ALL, ALL);
+    clear_list(c, &c->still_pairs, ALL, ALL);
+    clear_list(c, &c->still_walls, ALL, ALL);
     for (int b = 0; b < c->room; b++) c->placing[b].number = 0;
 }
 //<

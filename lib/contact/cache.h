@@ -40,6 +40,11 @@ void cache_forget(contact_cache *c, int b);
 // Likewise of plane k.
 void cache_forget_plane(contact_cache *c, int k);
 
+// The next pair of two sorted lists that have no pair in common: the k-th of the
+// one, or the j-th of the other.  One of them has more.
+const cache_pair *cache_next(const cache_list *l, int *k,
+                             const cache_list *other, int *j);
+
 // Everything that is kept is forgotten: the next frame asks all.  (With this
 // before every frame contacts know no past: the oracle.)
 void cache_clear(contact_cache *c);

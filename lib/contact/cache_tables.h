@@ -81,7 +81,8 @@ typedef struct {
 } cache_list;
 
 typedef struct {
-    cache_list pairs, walls;
+    cache_list pairs, walls;    // of the pairs that are listed
+    cache_list still_pairs, still_walls;        // of which nothing is loose
     cache_entry *entry;
     cache_load  *was;           // [entries] of those on a floor, see seams.h
     int entries, entry_capacity, free_entry;

@@ -41,10 +41,12 @@ int tumble_contacts(const tumble_world *w, tumble_contact *out, int most)
     if (!w) return 0;
     const contact_cache *cache = &w->world.rigid.cache;
     const cache_list *list[] = { &cache->pairs, &cache->walls };
+    const cache_list *still[] = { &cache->still_pairs, &cache->still_walls };
     int n = 0;
     for (int i = 0; i < 2; i++)
-        for (int k = 0; k < list[i]->count; k++) {
-            const contact *c = pushing(&w->world, &list[i]->pair[k]);
+        for (int k = 0, j = 0; k < list[i]->count || j < still[i]->count;) {
+            const cache_pair *p = cache_next(list[i], &k, still[i], &j);
+            const contact *c = pushing(&w->world, p);
             if (!c) continue;
             if (out && n < most) out[n] = told(w, c);
             n++;

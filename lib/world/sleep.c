@@ -240,7 +240,6 @@ static void join_ring(sleep_state *s, int b, int root)
         s->island[k] = root;
         k = s->next[k];
     } while (k != b);
-    if (b == root) return;
     s->next[root] = s->next[b];
     s->next[b] = next;
 }

@@ -29,6 +29,11 @@ static void broad_store(broad *x, store *s)
 {
     int n = x->room, places = LANES_A_BODY * n;
     STORE_TABLE(s, x->order, x->bodies, n);
+    STORE_ROOM(s, x->some, n);
+    STORE_ROOM(s, x->still, n);
+    STORE_ROOM(s, x->box, broad_boxes(n));
+    STORE_FORGET(s, x->stills);
+    STORE_FORGET(s, x->leaves);
     STORE_ROOM(s, x->low, n);
     STORE_ROOM(s, x->high, n);
     STORE_ROOM(s, x->first, n + 1);
@@ -46,6 +51,12 @@ static void pair_list_store(pair_list *l, store *s)
     STORE_ROOM(s, l->wall, l->wall_capacity);
     STORE_TABLE(s, l->listed, l->bodies, l->room);
     STORE_TABLE(s, l->is_new, l->bodies, l->room);
+    STORE_ZEROS(s, l->is_settled, l->room);
+    STORE_ROOM(s, l->loose, l->room);
+    STORE_FORGET(s, l->looses);
+    STORE_FORGET(s, l->is_new_loose);
+    STORE_FORGET(s, l->is_due);
+    l->is_due |= s->is_reading;
     broad_store(&l->broad, s);
 }
 //<
@@ -65,6 +76,8 @@ static void cache_store(contact_cache *c, store *s)
 {
     cache_list_store(&c->pairs, s);
     cache_list_store(&c->walls, s);
+    cache_list_store(&c->still_pairs, s);
+    cache_list_store(&c->still_walls, s);
     STORE_TABLE(s, c->entry, c->entries, c->entry_capacity);
     STORE_ROOM(s, c->was, c->entry_capacity);
     STORE_ROOM(s, c->first, c->room);

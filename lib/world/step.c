@@ -286,7 +286,7 @@ static bool may_meet(const rigid_tables *t, int a, int b)
     return vec3_length_squared(d) <= near * near;
 }
 
-static void wake_sleepers(world *w)
+static bool wake_sleepers(world *w)
 {
     const rigid_tables *t = &w->rigid;
     bool woke = false;
@@ -296,6 +296,7 @@ static void wake_sleepers(world *w)
             woke |= world_wake_near(w, a, b);
     }
     if (woke) look_at_bodies(w);
+    return woke;
 }
 //<
 
@@ -315,19 +316,27 @@ static void drop_pairs(world *w)
     l->count = kept;
 }
 
-static void find_pairs(world *w)
+typedef bool pair_finding(pair_list *l, const pair_query *q, int *lost);
+
+static bool list_pairs(world *w, pair_finding *ask)
 {
     rigid_tables *t = &w->rigid;
-    pair_query q = { t->ball, t->reach, t->dynamic, w->bodies, w->plane,
-                     w->planes };
+    pair_query q = { t->ball, t->reach, t->dynamic, t->awake, t->awakes,
+                     w->bodies, w->plane, w->planes };
     int lost;
-    t->is_new_list = pair_list_update(&t->pairs, &q, &lost);
+    bool is_new = ask(&t->pairs, &q, &lost);
     w->report.dropped += lost;
-    if (t->is_new_list) join_drop_pairs(w);
-    if (t->is_new_list && w->is_choosy) drop_pairs(w);
-    if (t->is_new_list) drive_drop_walls(w);
-    w->report.pairs = t->pairs.count;
-    wake_sleepers(w);
+    if (is_new) join_drop_pairs(w);
+    if (is_new && w->is_choosy) drop_pairs(w);
+    if (is_new) drive_drop_walls(w);
+    return is_new;
+}
+
+static void find_pairs(world *w)
+{
+    w->rigid.is_new_list = list_pairs(w, pair_list_update);
+    if (wake_sleepers(w))
+        w->rigid.is_new_list |= list_pairs(w, pair_list_wake);
 }
 //<
 
@@ -350,6 +359,8 @@ static void find_contacts(world *w)
     rigid_tables *t = &w->rigid;
     cache_frame f = what_to_ask(w);
     cache_update(&t->cache, &f);
+    pair_list_part(&t->pairs);
+    w->report.pairs = t->pairs.count + t->pairs.parted;
     w->report.queries = (int)t->cache.queries;
     w->report.contacts = t->cache.actives;
     w->report.dropped += t->cache.lost;

@@ -632,7 +632,7 @@ START_TEST(refused_memory_leaves_nothing)
         ck_assert(!t.start && !t.line && !t.mover);
         ck_assert(!t.reach && !t.lane && !t.who);
     }
-    ck_assert_int_eq(n, 11);
+    ck_assert_int_eq(n, 14);
     broad_free(&t);
 }
 END_TEST

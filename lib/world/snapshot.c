@@ -22,8 +22,8 @@ void shape_store(shape *x, store *s)
 //<
 
 //> snapshot-pairs
-//>   The list of pairs keeps its order, because the order of impulses follows
-//>   from it.
+//>   The list of pairs is found again for the same balls. It is sorted, so it is
+//>   the same list: the order of impulses follows from it.
 // Of its tables only the order outlives a call.
 static void broad_store(broad *x, store *s)
 {
@@ -47,7 +47,7 @@ static void broad_store(broad *x, store *s)
 
 static void pair_list_store(pair_list *l, store *s)
 {
-    STORE_TABLE(s, l->pair, l->count, l->capacity);
+    STORE_ROOM(s, l->pair, l->capacity);
     STORE_ROOM(s, l->wall, l->wall_capacity);
     STORE_TABLE(s, l->listed, l->bodies, l->room);
     STORE_TABLE(s, l->is_new, l->bodies, l->room);

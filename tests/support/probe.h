@@ -24,6 +24,12 @@ static inline bool probe_sleeps(const world *w, int b)
     return w->sleep.asleep[b];
 }
 
+// So many bodies does a step go over.
+static inline int probe_awake(const world *w)
+{
+    return w->rigid.awakes;
+}
+
 // Marks body b as asleep, and nothing else.
 static inline void probe_lay(world *w, int b)
 {

@@ -388,9 +388,46 @@ START_TEST(time_to_sleep_is_the_time_to_sleep)
 }
 END_TEST
 
+// --- what sleeps costs nothing -----------------------------------------------
+
+// A stack of four sleeps while a cube slides by, far away, for two seconds, and
+// its pairs are in no list.  It wakes with what it knew.
+// Rejects: contacts that are asked for again, or that have lost their impulses:
+// the stack would sink; a stack that is no more one island; steps that go over
+// what sleeps.
+START_TEST(what_wakes_has_the_contacts_with_which_it_fell_asleep)
+{
+    make_box(1);
+    begin(1.0 / 60, 0);
+    add_floor();
+    for (int k = 0; k < 4; k++) add(placement_at(vec3_make(0, k + 0.5, 0)));
+    ck_assert(run(5, 4) < 5);
+    int contacts = w.report.contacts;
+    placement far = placement_at(vec3_make(30, 0.5, 0));
+    far.velocity = vec3_make(4, 0, 0);
+    int slider = add(far);
+    run(2, 5);
+    ck_assert_int_eq(w.report.asleep, 4);
+    ck_assert_int_eq(w.report.contacts, 1);
+    ck_assert_int_eq(w.report.pairs, 3);
+    ck_assert_int_eq(probe_awake(&w), 1);
+    world_remove(&w, slider);
+    real high = center(3).y;
+    world_wake(&w, 0);
+    world_step(&w);
+    ck_assert_int_eq(w.report.asleep, 0);
+    ck_assert_int_eq(w.report.queries, 0);
+    ck_assert_int_eq(w.report.contacts, contacts);
+    run(0.2, 4);
+    real sunk = high - center(3).y;
+    ck_assert_msg(fabs(sunk) < 1e-3, "sunk by %g m", sunk);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
+        what_wakes_has_the_contacts_with_which_it_fell_asleep,
         slope_beyond_the_cone_is_slid_down,
         slopes_are_the_same_for_a_pebble_and_a_mountain,
         cube_on_its_edge_falls,

@@ -84,8 +84,5 @@ static inline vec3 vec3_unit(vec3 a)
 //<
 
 //> little_real_min 13e
-static real real_min(real a, real b)
-{
-    return a < b ? a : b;
-}
+static real real_min(real a, real b) { return a < b ? a : b; }
 //<

@@ -228,11 +228,11 @@ typedef struct {
 //> little_body_material 13c
     real friction;
 //<
+//> little_body_first 13e
+    int  first;                 // contact before: 1 + its index; 0: none
+//<
 //> little_body_path 13g
     real path;                  // m, what no point has gone further than
-//<
-//> little_body_box 14b
-    vec3 low, high;             // m, the box around it and around its motion
 //<
 //> little_body_restitution 15c
     real restitution;
@@ -240,7 +240,6 @@ typedef struct {
 //> little_body_sleep 18a
     real moved, still;          // m, in this step; s, since it was last fast
     bool awake;
-    int  island;
 //<
 //> little_rigid_end 11a
 } body;

@@ -40,6 +40,9 @@ typedef struct {
 //> little_contact_until 14c
     real until;                 // m, of both paths: then it is asked again
 //<
+//> little_contact_next 13e
+    int  next;                  // of the same a, in the step before
+//<
 //> little_contact_fresh 13g
     real fresh;                 // m, of both paths: then it is renewed
 //<

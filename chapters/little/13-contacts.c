@@ -108,16 +108,18 @@ static vec3 point_velocity(const contact *c, const contact_point *p)
                     body_velocity_at(c->b, p->rb));
 }
 
-static void point_give(const contact *c, const contact_point *p, vec3 impulse)
+// An impulse on a, and the opposite one on b.
+static void bodies_push(body *a, vec3 ra, body *b, vec3 rb, vec3 impulse)
 {
-    body_push(c->a, p->ra, 1, impulse);
-    body_push(c->b, p->rb, -1, impulse);
+    body_push(a, ra, 1, impulse);
+    body_push(b, rb, -1, impulse);
 }
 
 // Gives what is missing to an impulse in sum.
 static void point_push_to(const contact *c, contact_point *p, real impulse)
 {
-    point_give(c, p, vec3_scale(impulse - p->push, c->normal));
+    vec3 more = vec3_scale(impulse - p->push, c->normal);
+    bodies_push(c->a, p->ra, c->b, p->rb, more);
     p->push = impulse;
 }
 //<
@@ -141,7 +143,7 @@ static void point_rub(const contact *c, contact_point *p)
     p->rub = vec3_across(p->rub, c->normal);
     real all = vec3_length(p->rub);
     if (all > most) p->rub = vec3_scale(most / all, p->rub);
-    point_give(c, p, vec3_sub(p->rub, old));
+    bodies_push(c->a, p->ra, c->b, p->rb, vec3_sub(p->rub, old));
 }
 //<
 
@@ -208,13 +210,13 @@ static void contact_press(contact *c, real h, softness s)
 // --- Contacts that remember --------------------------------------------------
 
 static contact *before = contact_pool[1];
-static int      before_count;
 
 // Begins with the impulses of the step before.
 static void contact_warm(const contact *c)
 {
     for (const contact_point *p = c->point; p < c->point + c->count; p++)
-        point_give(c, p, vec3_add_scaled(p->rub, p->push, c->normal));
+        bodies_push(c->a, p->ra, c->b, p->rb,
+                    vec3_add_scaled(p->rub, p->push, c->normal));
 }
 //<
 
@@ -237,32 +239,26 @@ static void contact_inherit(contact *c, const contact *old)
 }
 //<
 
-//> little_table 13e
-// The contacts of the step before, by their pair; what is taken gives the next
-// place.
-enum { TABLE = 4 * CONTACTS };
-static int table[TABLE];        // 1 + the index; 0: none
-
-static int *table_place(const body *a, const body *b)
+//> little_remember 13e
+// The contact of the step before of these two, or NULL.
+static const contact *contact_before(const body *a, const body *b)
 {
-    unsigned i = (unsigned)(a - bodies), j = (unsigned)(b - bodies);
-    unsigned k = (i * 7919u + j * 104729u) % TABLE;
-    while (table[k] && (before[table[k] - 1].a != a
-                     || before[table[k] - 1].b != b)) k = (k + 1) % TABLE;
-    return &table[k];
+    for (int i = a->first; i > 0; i = before[i - 1].next)
+        if (before[i - 1].b == b) return &before[i - 1];
+    return NULL;
 }
 
+// The contacts of this step become those before, in a list for each body a.
 static void contacts_remember(void)
 {
     contact *swap = before;
-    // The last goes first, so that none loses its way to the rest.
-    for (int i = before_count - 1; i >= 0; i--)
-        *table_place(before[i].a, before[i].b) = 0;
     before = contacts;
-    before_count = contact_count;
     contacts = swap;
-    for (int i = 0; i < before_count; i++)
-        *table_place(before[i].a, before[i].b) = i + 1;
+    for (body *b = bodies; b < bodies + body_count; b++) b->first = 0;
+    for (int i = 0; i < contact_count; i++) {
+        before[i].next = before[i].a->first;
+        before[i].a->first = i + 1;
+    }
     contact_count = 0;
 }
 //<

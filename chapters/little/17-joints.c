@@ -4,7 +4,7 @@
 typedef struct {
     body *a, *b;
     vec3 local_a, local_b;      // m, in the axes of each
-    vec3 ra, rb;                // m, arms, in the world
+    vec3 ra, rb, gap;           // m, arms and from b's point to a's
     vec3 impulse;               // kg m/s
 //<
 //> little_joint_chain 17b
@@ -48,19 +48,13 @@ static bool bodies_joined(const body *a, const body *b)
 //<
 
 //> little_joint_gap 17a
-// m, from b's point to a's.
-static vec3 joint_gap(const joint *j)
-{
-    return vec3_add(vec3_sub(j->a->position, j->b->position),
-                    vec3_sub(mat3_apply(j->a->axes, j->local_a),
-                             mat3_apply(j->b->axes, j->local_b)));
-}
-
 static void joints_renew(void)
 {
     for (joint *j = joints; j < joints + joint_count; j++) {
         j->ra = mat3_apply(j->a->axes, j->local_a);
         j->rb = mat3_apply(j->b->axes, j->local_b);
+        j->gap = vec3_sub(vec3_add(j->a->position, j->ra),
+                          vec3_add(j->b->position, j->rb));
     }
 }
 //<
@@ -92,33 +86,17 @@ static vec3 joint_lack(const joint *j, real rate)
 {
     vec3 v = vec3_sub(body_velocity_at(j->a, j->ra),
                       body_velocity_at(j->b, j->rb));
-    return vec3_add_scaled(v, rate, joint_gap(j));
+    return vec3_add_scaled(v, rate, j->gap);
 }
 
-static void joint_give(const joint *j, vec3 impulse)
-{
-    body_push(j->a, j->ra, 1, impulse);
-    body_push(j->b, j->rb, -1, impulse);
-}
-
-//<
-//> little_joint_awake_all 17a 17z
-static bool joint_is_awake(const joint *j) { return j->a && j->b; }
-//<
-//> little_joint_awake 18a
-static bool joint_is_awake(const joint *j)
-{
-    return j->a->awake || j->b->awake;
-}
 //<
 //> little_joints_one_by_one 17a 17a
 static void joints_hold(real rate)
 {
     for (joint *j = joints; j < joints + joint_count; j++) {
-        if (!joint_is_awake(j)) continue;
         vec3 p = mat3_apply(mat3_inverse(joint_answer(j)), joint_lack(j, rate));
         j->impulse = vec3_sub(j->impulse, p);
-        joint_give(j, vec3_scale(-1, p));
+        bodies_push(j->a, j->ra, j->b, j->rb, vec3_scale(-1, p));
     }
 }
 //<
@@ -154,7 +132,8 @@ static void chain_hold(joint *first, int count, real rate)
             j->part = vec3_add(j->part, mat3_apply(j->factor, j[1].part));
         j->impulse = vec3_add(j->impulse, j->part);
     }
-    for (joint *j = first; j < first + count; j++) joint_give(j, j->part);
+    for (joint *j = first; j < first + count; j++)
+        bodies_push(j->a, j->ra, j->b, j->rb, j->part);
 }
 //<
 
@@ -198,7 +177,9 @@ static void joints_hold(real rate)
 {
     for (int i = 0, n; i < joint_count; i += n) {
         for (n = 1; i + n < joint_count && joints[i + n].follows;) n++;
-        if (!joint_is_awake(&joints[i])) continue;
+//<
+//> little_chains_awake 18a
+        if (!joints[i].a->awake && !joints[i].b->awake) continue;
 //<
 //> little_chains_hinges 17c
         for (int k = i; k < i + n; k++)
@@ -214,8 +195,12 @@ static void joints_hold(real rate)
 static void joints_warm(void)
 {
     for (joint *j = joints; j < joints + joint_count; j++) {
-        if (!joint_is_awake(j)) continue;
-        joint_give(j, j->impulse);
+//<
+//> little_joints_awake 18a
+        if (!j->a->awake && !j->b->awake) continue;
+//<
+//> little_joints_warm_push 17a
+        bodies_push(j->a, j->ra, j->b, j->rb, j->impulse);
 //<
 //> little_joints_warm_twist 17c
         joint_twist(j, j->twist);

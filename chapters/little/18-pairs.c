@@ -47,8 +47,7 @@ static void contact_meet_ahead(contact *c, real dt)
 {
     body *a = c->a, was = *a;
     vec3 way = vec3_scale(dt, vec3_sub(a->velocity, c->b->velocity));
-    real thick = real_min(a->shape->inner, c->b->shape->inner);
-    if (vec3_length(way) < 0.5 * thick) return;
+    if (vec3_length(way) < c->reach) return;
     real t = time_of_impact(a, c->b, way);
     if (t >= 1) return;
     a->position = vec3_add_scaled(a->position, t, way);
@@ -81,8 +80,7 @@ static void pair_ask(body *a, body *b, real dt)
     contact *c = &contacts[contact_count];
 //<
 //> little_pair_old 13e
-    int k = *table_place(a, b);
-    const contact *old = k ? &before[k - 1] : NULL;
+    const contact *old = contact_before(a, b);
 //<
 //> little_pair_kept 14c 17z
     // What was asked with a margin is asked again when that is used up.
@@ -153,6 +151,11 @@ static void contacts_find(real dt)
 //<
 
 //> little_boxes 14b
+// --- Boxes: sort and sweep ---------------------------------------------------
+
+typedef struct { vec3 low, high; int of; } box;     // m; number `of` is in it
+typedef struct { int a, b; } pair;                  // a > b
+
 static vec3 vec3_min(vec3 a, vec3 b)
 {
     return vec3_make(real_min(a.x, b.x), real_min(a.y, b.y),
@@ -165,132 +168,128 @@ static vec3 vec3_max(vec3 a, vec3 b)
                      real_max(a.z, b.z));
 }
 
-static bool boxes_apart(vec3 low, vec3 high, vec3 low2, vec3 high2)
+static box box_around(const vec3 *at, int n, int of)
 {
-    return low.x > high2.x || low2.x > high.x || low.y > high2.y
-        || low2.y > high.y || low.z > high2.z || low2.z > high.z;
-}
-//<
-
-//> little_box_of_body 14b
-// The box around a body, around its motion, and half the margin more.
-static void body_bound(body *b, real dt)
-{
-    vec3 none = { 0, 0, 0 }, way = vec3_scale(dt, b->velocity);
-    vec3 margin = vec3_make(MARGIN / 2, MARGIN / 2, MARGIN / 2);
-    b->low = b->high = b->vertex[0];
-    for (int i = 1; i < b->shape->count; i++) {
-        b->low = vec3_min(b->low, b->vertex[i]);
-        b->high = vec3_max(b->high, b->vertex[i]);
+    box b = { at[0], at[0], of };
+    for (int i = 1; i < n; i++) {
+        b.low = vec3_min(b.low, at[i]);
+        b.high = vec3_max(b.high, at[i]);
     }
-    b->low = vec3_add(vec3_sub(b->low, margin), vec3_min(way, none));
-    b->high = vec3_add(vec3_add(b->high, margin), vec3_max(way, none));
+    return b;
+}
+
+// By so much (m) on every side.
+static box box_grown(box b, real more)
+{
+    vec3 m = { more, more, more };
+    return (box){ vec3_sub(b.low, m), vec3_add(b.high, m), b.of };
+}
+
+static bool boxes_apart(const box *a, const box *b)
+{
+    return a->low.z > b->high.z || b->low.z > a->high.z
+        || a->low.y > b->high.y || b->low.y > a->high.y
+        || a->low.x > b->high.x || b->low.x > a->high.x;
 }
 //<
 
-//> little_boxes_order 14b
-static body *order[BODIES];     // by the left ends of their boxes
-static int   ordered;
-
-// Sorted by insertion: the order of the last step is nearly right.
-static void bodies_order(void)
+//> little_boxes_sort 14b
+// By their left ends, by insertion: the order of the last time is nearly right.
+static void boxes_sort(box *list, int n)
 {
-    if (ordered > body_count) ordered = 0;
-    for (; ordered < body_count; ordered++) order[ordered] = &bodies[ordered];
-    for (int i = 1; i < body_count; i++)
-        for (int j = i; j > 0 && order[j]->low.x < order[j - 1]->low.x; j--) {
-            body *swap = order[j];
-            order[j] = order[j - 1];
-            order[j - 1] = swap;
-        }
+    for (int i = 1; i < n; i++) {
+        box b = list[i];
+        int j = i;
+        for (; j > 0 && list[j - 1].low.x > b.low.x; j--) list[j] = list[j - 1];
+        list[j] = b;
+    }
 }
 //<
 
 //> little_boxes_sweep 14b
-// Sort and sweep: a box can only meet those that begin before it ends.
+enum { PAIRS = 400000 };
+static pair pairs[PAIRS];
+
+// Which boxes overlap?  One can only meet those that begin before it ends.
+static int boxes_sweep(box *list, int n)
+{
+    int count = 0;
+    boxes_sort(list, n);
+    for (const box *a = list; a < list + n; a++) {
+        const box *b = a + 1;
+        for (; b < list + n && b->low.x <= a->high.x; b++)
+            if (!boxes_apart(a, b) && count < PAIRS)
+                pairs[count++] = a->of > b->of ? (pair){ a->of, b->of }
+                                               : (pair){ b->of, a->of };
+        compared += b - a - 1;
+    }
+    return count;
+}
+//<
+
+//> little_box_of_body 14b
+static box boxes[BODIES];       // of all bodies, sorted
+static int boxed;               // how many they are
+
+// Around a body and its motion, and half the margin more.
+static box body_box(int i, real dt)
+{
+    const body *b = &bodies[i];
+    vec3 none = { 0, 0, 0 }, way = vec3_scale(dt, b->velocity);
+    box x = box_around(b->vertex, b->shape->count, i);
+    x = box_grown(x, MARGIN / 2);
+    x.low = vec3_add(x.low, vec3_min(way, none));
+    x.high = vec3_add(x.high, vec3_max(way, none));
+    return x;
+}
+
 static void contacts_find(real dt)
 {
     contacts_remember();
-    for (body *b = bodies; b < bodies + body_count; b++) body_bound(b, dt);
-    bodies_order();
-    for (int i = 0; i < body_count; i++)
-        for (int j = i + 1; j < body_count; j++) {
-            body *a = order[i], *b = order[j];
-            if (b->low.x > a->high.x) break;
-            compared++;
-            if (boxes_apart(a->low, a->high, b->low, b->high)) continue;
-            if (a > b) pair_ask(a, b, dt);
-            else pair_ask(b, a, dt);
-        }
+    if (boxed > body_count) boxed = 0;
+    for (; boxed < body_count; boxed++) boxes[boxed].of = boxed;
+    for (int i = 0; i < boxed; i++) boxes[i] = body_box(boxes[i].of, dt);
+    int n = boxes_sweep(boxes, boxed);
+    for (int i = 0; i < n; i++)
+        pair_ask(&bodies[pairs[i].a], &bodies[pairs[i].b], dt);
 }
 //<
 
-//> little_islands 18a
+//> little_sleep_clock 18a
 // --- Sleep: what touches or is joined falls asleep together ------------------
 
-static int island_root(int i)
-{
-    while (bodies[i].island != i) {
-        bodies[i].island = bodies[bodies[i].island].island;
-        i = bodies[i].island;
-    }
-    return i;
-}
-
-static void islands_unite(const body *a, const body *b)
-{
-    if (a->inverse_mass == 0 || b->inverse_mass == 0) return;
-    int i = island_root((int)(a - bodies)), j = island_root((int)(b - bodies));
-    bodies[i].island = j;
-}
-//<
-
-//> little_islands_wake 18a
-// An island is awake if one of its bodies is.
-static void islands_wake(void)
-{
-    static bool awake[BODIES];
-    for (int i = 0; i < body_count; i++) {
-        bodies[i].island = i;
-        awake[i] = false;
-    }
-    for (contact *c = contacts; c < contacts + contact_count; c++)
-        if (c->count > 0) islands_unite(c->a, c->b);
-    for (joint *j = joints; j < joints + joint_count; j++)
-        islands_unite(j->a, j->b);
-    for (int i = 0; i < body_count; i++)
-        if (bodies[i].awake) awake[island_root(i)] = true;
-    for (int i = 0; i < body_count; i++) {
-        body *b = &bodies[i];
-        if (b->awake || b->inverse_mass == 0 || !awake[island_root(i)])
-            continue;
-        b->awake = true;
-        b->still = 0;
-    }
-}
-//<
-
-//> little_islands_sleep 18a
 static const real SLEEP_SPEED = 0.02;   // m/s
 static real time_to_sleep = 0.5;        // s
 
-static void islands_sleep(real dt)
+// Of two that touch, neither has been still for longer than the other.  Is that
+// news?
+static bool still_share(body *a, body *b)
 {
-    static real still[BODIES];
-    for (int i = 0; i < body_count; i++) {
-        body *b = &bodies[i];
-        still[i] = HUGE_VAL;
+    if (a->inverse_mass == 0 || b->inverse_mass == 0 || a->still == b->still)
+        return false;
+    a->still = b->still = real_min(a->still, b->still);
+    return true;
+}
+//<
+
+//> little_bodies_sleep 18a
+// An island has been still for as long as the most restless of its bodies.
+static void bodies_sleep(real dt)
+{
+    for (body *b = bodies; b < bodies + body_count; b++) {
         b->still = b->moved < SLEEP_SPEED * dt ? b->still + dt : 0;
+        b->moved = 0;
     }
-    for (int i = 0; i < body_count; i++) {
-        real *s = &still[island_root(i)];
-        if (bodies[i].awake) *s = real_min(*s, bodies[i].still);
+    for (bool news = true; news;) {
+        news = false;
+        for (contact *c = contacts; c < contacts + contact_count; c++)
+            if (c->count > 0 && still_share(c->a, c->b)) news = true;
+        for (joint *j = joints; j < joints + joint_count; j++)
+            if (still_share(j->a, j->b)) news = true;
     }
-    for (int i = 0; i < body_count; i++) {
-        body *b = &bodies[i];
-        if (!b->awake || still[island_root(i)] <= time_to_sleep) continue;
-        b->awake = false;
-        b->velocity = b->spin = vec3_make(0, 0, 0);
+    for (body *b = bodies; b < bodies + body_count; b++) {
+        b->awake = b->inverse_mass > 0 && b->still <= time_to_sleep;
+        if (!b->awake) b->velocity = b->spin = vec3_make(0, 0, 0);
     }
 }
 //<

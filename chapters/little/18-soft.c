@@ -7,24 +7,22 @@ static void bodies_place(void)
 //<
 
 //> little_soft_piece 16a
-// --- Rope and cloth that touch -----------------------------------------------
+// --- Cloth that touches ------------------------------------------------------
 
-// A link of rope (2 vertices) or a triangle of cloth (3); the first vertex
-// stands at the end again.  Of pieces that share a corner or an edge, one owns
-// it: bit k.
+// A triangle of cloth; its first vertex stands at the end again.  Of triangles
+// that share a corner or an edge, one owns it: bit k.
 typedef struct {
-    int  count, vertex[4], corners;
-    real margin;                // m, it is kept that far from others
-    vec3 low, high;             // m, the box around it
+    int  vertex[4], corners;
 //<
 //> little_soft_edges 16c
     int  edges;
 //<
 //> little_soft_feature 16a
+    real margin;                // m, it is kept that far from others
 } soft_piece;
 
-// A mean of up to three particles.
-typedef struct { int count, at[3]; real weight[3]; } feature;
+// A mean of three particles.
+typedef struct { int at[3]; real weight[3]; } feature;
 //<
 
 //> little_touch 16a
@@ -52,21 +50,24 @@ static int        touch_count;
 static real space[PARTICLES];           // m
 static vec3 asked_at[PARTICLES];        // m
 static real bodies_way;                 // m, that bodies have gone since
+
+static void space_limit(int i, real most)
+{
+    space[i] = real_min(space[i], most);
+}
 //<
 
 //> little_soft_corner 16a
-static vec3 piece_corner(const soft_piece *p, int k)
+static void piece_at(const soft_piece *p, vec3 at[4])
 {
-    return particles[p->vertex[k]].position;
+    for (int k = 0; k < 4; k++) at[k] = particles[p->vertex[k]].position;
 }
 
 static vec3 feature_position(const feature *f)
 {
     vec3 sum = { 0, 0, 0 };
-    for (int i = 0; i < f->count; i++) {
-        vec3 x = particles[f->at[i]].position;
-        sum = vec3_add_scaled(sum, f->weight[i], x);
-    }
+    for (int i = 0; i < 3; i++)
+        sum = vec3_add_scaled(sum, f->weight[i], particles[f->at[i]].position);
     return sum;
 }
 
@@ -74,10 +75,8 @@ static vec3 feature_position(const feature *f)
 static vec3 feature_moved(const feature *f)
 {
     vec3 sum = feature_position(f);
-    for (int i = 0; i < f->count; i++) {
-        vec3 x = particles[f->at[i]].previous;
-        sum = vec3_add_scaled(sum, -f->weight[i], x);
-    }
+    for (int i = 0; i < 3; i++)
+        sum = vec3_add_scaled(sum, -f->weight[i], particles[f->at[i]].previous);
     return sum;
 }
 //<
@@ -86,194 +85,143 @@ static vec3 feature_moved(const feature *f)
 static real feature_answer(const feature *f)
 {
     real sum = 0;
-    for (int i = 0; i < f->count; i++)
+    for (int i = 0; i < 3; i++)
         sum += particles[f->at[i]].inverse_mass * f->weight[i] * f->weight[i];
     return sum;
 }
 
 static void feature_shift(const feature *f, real s, vec3 by)
 {
-    for (int i = 0; i < f->count; i++) {
+    for (int i = 0; i < 3; i++) {
         particle *p = &particles[f->at[i]];
         real share = s * f->weight[i] * p->inverse_mass;
         p->position = vec3_add_scaled(p->position, share, by);
     }
 }
-//<
 
-//> little_feature_add 16a
-static void feature_add(feature *f, int at, real weight)
-{
-    int i = 0;
-    while (i < f->count && f->at[i] != at) i++;
-    if (i == f->count) {
-        f->at[f->count++] = at;
-        f->weight[i] = 0;
-    }
-    f->weight[i] += weight;
-}
-
-static touch *touch_add(vec3 normal, real apart)
+static touch *touch_add(feature a, vec3 way, real apart)
 {
     touch *t = &touches[touch_count < TOUCHES ? touch_count++ : TOUCHES - 1];
-    *t = (touch){ .normal = normal, .apart = apart };
+    *t = (touch){ .a = a, .normal = vec3_unit(way), .apart = apart };
     return t;
 }
 //<
 
 //> little_touch_body 16a
-// Is a side of the body further than `reach` below all corners?
-static bool corners_off(const vec3 *at, int n, const body *b, real reach)
+// Where n corners of a piece, from the k-th on, are nearest to a body; false if
+// they are further than `reach`.
+static bool body_touch(const soft_piece *p, int k, int n, body *b, real reach)
 {
-    for (int f = 0; f < b->shape->sides; f++) {
-        vec3 normal = mat3_apply(b->axes, b->shape->normal[f]);
-        vec3 foot = b->vertex[b->shape->side[f][0]];
-        real least = HUGE_VAL;
-        for (int i = 0; i < n; i++)
-            least = real_min(least, vec3_dot(normal, vec3_sub(at[i], foot)));
-        if (least > reach) return true;
-    }
-    return false;
-}
-
-// Where n corners of a piece, from the k-th on, are nearest to a body.
-static void body_touch(const soft_piece *p, int k, int n, body *b, real reach)
-{
-    vec3 at[3];
+    vec3 at[4];
     simplex s = { .count = 0 };
-    for (int i = 0; i < n; i++) at[i] = piece_corner(p, k + i);
-    if (corners_off(at, n, b, reach)) return;
-    hull a = { at, n };
-    real d = gjk(a, body_hull(b), &s, reach);
-    if (d > reach) return;
+    piece_at(p, at);
+    real d = gjk((hull){ at + k, n }, body_hull(b), &s, reach);
+    if (d > reach) return false;
 //<
 //> little_touch_body_space 16d
     // It would cross the body after d; a twentieth of its margin it always has.
-    for (int i = 0; i < n; i++) {
-        real *room = &space[p->vertex[k + i]];
-        *room = real_min(*room, real_max(0.9 * d, 0.05 * p->margin));
-    }
+    for (int i = k; i < k + n; i++)
+        space_limit(p->vertex[i], real_max(0.9 * d, 0.05 * p->margin));
 //<
 //> little_touch_body_epa 16a
-    if (d < 1e-7) epa(a, body_hull(b), &s);
-    if (vec3_dot(s.v, s.v) < 1e-20 || (n > 1 && s.count > 0
-        && s.weight[0] > 0.999)) return;        // a corner asks for itself
-    touch *t = touch_add(vec3_unit(s.v), p->margin);
-    t->body = b;
-    for (int i = 0; i < s.count; i++)
-        feature_add(&t->a, p->vertex[k + s.of[i].a], s.weight[i]);
+    if (d < 1e-7) epa((hull){ at + k, n }, body_hull(b), &s);
+    bool is_corner = s.count > 0 && s.weight[0] > 0.999;
+    if (vec3_dot(s.v, s.v) < 1e-20 || (n > 1 && is_corner)) return true;
+    feature f = { { p->vertex[0], p->vertex[1], p->vertex[2] }, { 0 } };
+    for (int i = 0; i < s.count; i++) f.weight[k + s.of[i].a] += s.weight[i];
+    touch *t = touch_add(f, s.v, p->margin);
     vec3 on_b = simplex_on(&s, b->vertex, true);
+    t->body = b;
     t->local = mat3_back(b->axes, vec3_sub(on_b, b->position));
 //<
 //> little_touch_wakes 18a
-    if (b->inverse_mass > 0) {
-        b->awake = true;
-        b->still = 0;
-    }
+    b->still = 0;
 //<
 //> little_touch_body_end 16a
+    return true;
 }
 
 //<
 //> little_reach_bodies 16a
 static const real REACH = 1.1;  // of what is kept apart, to be asked
 
-static void piece_bound(soft_piece *p)
+static box piece_boxes[SOFT_PIECES];    // sorted
+
+static box piece_box(int i)
 {
-    real far = REACH * p->margin;
-    vec3 margin = vec3_make(far, far, far);
-    p->low = p->high = piece_corner(p, 0);
-    for (int i = 1; i < p->count; i++) {
-        p->low = vec3_min(p->low, piece_corner(p, i));
-        p->high = vec3_max(p->high, piece_corner(p, i));
-    }
-    p->low = vec3_sub(p->low, margin);
-    p->high = vec3_add(p->high, margin);
+    vec3 at[4];
+    piece_at(&soft_pieces[i], at);
+    return box_grown(box_around(at, 3, i), REACH * soft_pieces[i].margin);
 }
 
-static void bodies_touch(void)
+static void body_touch_cloth(body *b)
 {
-    for (body *b = bodies; b < bodies + body_count; b++)
-        for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++) {
-            real reach = 2 * REACH * p->margin;
-            vec3 more = vec3_make(reach, reach, reach);
-            vec3 low = vec3_sub(b->low, more), high = vec3_add(b->high, more);
-            if (boxes_apart(p->low, p->high, low, high)) continue;
+    box around = box_around(b->vertex, b->shape->count, 0);
+    for (int i = 0; i < soft_count; i++) {
+        soft_piece *p = &soft_pieces[piece_boxes[i].of];
+        real reach = 2 * REACH * p->margin;
+        box near = box_grown(around, reach);
+        if (boxes_apart(&near, &piece_boxes[i])) continue;
 //<
 //> little_touch_whole 16b
-            body_touch(p, 0, p->count, b, reach);
+        if (!body_touch(p, 0, 3, b, reach)) continue;
 //<
 //> little_touch_corners 16a
-            for (int k = 0; k < p->count; k++)
-                if (p->corners >> k & 1) body_touch(p, k, 1, b, reach);
-        }
+        for (int k = 0; k < 3; k++)
+            if (p->corners >> k & 1) body_touch(p, k, 1, b, reach);
+    }
 }
 //<
 
 //> little_touch_pieces 16c
-// --- Rope and cloth that touch themselves ------------------------------------
+// --- Cloth that touches itself -----------------------------------------------
 
-// Two features at a distance d, `way` from b to a.
+// Two features, `way` (m) from b to a.
 static void features_touch(feature a, feature b, vec3 way, real apart)
 {
-    real d = vec3_length(way);
 //<
 //> little_touch_space 16d
     // Neither goes further than nearly half of the way to the other.
     for (int i = 0; i < 3; i++) {
-        if (i < a.count)
-            space[a.at[i]] = real_min(space[a.at[i]], 0.45 * d);
-        if (i < b.count)
-            space[b.at[i]] = real_min(space[b.at[i]], 0.45 * d);
+        space_limit(a.at[i], 0.45 * vec3_length(way));
+        space_limit(b.at[i], 0.45 * vec3_length(way));
     }
 //<
 //> little_touch_pieces_end 16c
-    if (d == 0) return;
-    touch *t = touch_add(vec3_scale(1 / d, way), apart);
-    t->a = a;
-    t->b = b;
+    if (vec3_dot(way, way) > 0) touch_add(a, way, apart)->b = b;
 }
 //<
 
 //> little_corner_touch 16c
-// Corner k of a, over the inside of triangle b.
-static void corner_touch(const soft_piece *a, int k, const soft_piece *b,
-                         real reach, real apart)
+// A corner, over the inside of a triangle whose corners `at` are at y.
+static void corner_touch(int corner, const int *at, const vec3 *y, real apart)
 {
-    const int *at = b->vertex;
-    for (int i = 0; i < 3; i++)
-        if (at[i] == a->vertex[k]) return;
-    vec3 o = piece_corner(b, 0), x = vec3_sub(piece_corner(a, k), o);
-    vec3 u = vec3_sub(piece_corner(b, 1), o);
-    vec3 v = vec3_sub(piece_corner(b, 2), o), n = vec3_cross(u, v);
-    real nn = vec3_dot(n, n), height = vec3_dot(x, n);
+    if (at[0] == corner || at[1] == corner || at[2] == corner) return;
+    real reach = REACH * apart;
+    vec3 r = vec3_sub(particles[corner].position, y[0]);
+    vec3 u = vec3_sub(y[1], y[0]), v = vec3_sub(y[2], y[0]);
+    vec3 n = vec3_cross(u, v);
+    real nn = vec3_dot(n, n), height = vec3_dot(r, n);
     if (height * height > reach * reach * nn) return;
-    real s = vec3_dot(vec3_cross(x, v), n) / nn;
-    real t = vec3_dot(vec3_cross(u, x), n) / nn;
+    real s = vec3_dot(vec3_cross(r, v), n) / nn;
+    real t = vec3_dot(vec3_cross(u, r), n) / nn;
     if (s < 0 || t < 0 || s + t > 1) return;
-    feature f = { 1, { a->vertex[k] }, { 1 } };
-    feature g = { 3, { at[0], at[1], at[2] }, { 1 - s - t, s, t } };
+    feature f = { { corner, corner, corner }, { 1 } };
+    feature g = { { at[0], at[1], at[2] }, { 1 - s - t, s, t } };
     features_touch(f, g, vec3_scale(height / nn, n), apart);
 }
 //<
 
 //> little_edge_touch 16c
-static real clamped(real t)
-{
-    return real_max(0, real_min(1, t));
-}
+static real clamped(real t) { return real_max(0, real_min(1, t)); }
 
-// The nearest points of edge i of a and edge j of b (Ericson): p + s u and
-// q + t v.
-static void edge_touch(const soft_piece *a, int i, const soft_piece *b, int j,
-                       real reach, real apart)
+// The nearest points of two edges (Ericson): x[0] + s u and y[0] + t v.
+static void edge_touch(const int *a, const vec3 *x, const int *b,
+                       const vec3 *y, real apart)
 {
-    int a0 = a->vertex[i], a1 = a->vertex[i + 1];
-    int b0 = b->vertex[j], b1 = b->vertex[j + 1];
-    if (a0 == b0 || a0 == b1 || a1 == b0 || a1 == b1) return;
-    vec3 p = piece_corner(a, i), q = piece_corner(b, j), r = vec3_sub(p, q);
-    vec3 u = vec3_sub(piece_corner(a, i + 1), p);
-    vec3 v = vec3_sub(piece_corner(b, j + 1), q);
+    if (a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1]) return;
+    vec3 r = vec3_sub(x[0], y[0]);
+    vec3 u = vec3_sub(x[1], x[0]), v = vec3_sub(y[1], y[0]);
     real uu = vec3_dot(u, u), vv = vec3_dot(v, v), uv = vec3_dot(u, v);
     real ur = vec3_dot(u, r), vr = vec3_dot(v, r), det = uu * vv - uv * uv;
     real s = 0.5, t;
@@ -281,9 +229,9 @@ static void edge_touch(const soft_piece *a, int i, const soft_piece *b, int j,
     t = clamped((uv * s + vr) / vv);
     s = clamped((uv * t - ur) / uu);
     vec3 way = vec3_add_scaled(vec3_add_scaled(r, s, u), -t, v);
-    if (vec3_dot(way, way) > reach * reach) return;
-    feature f = { 2, { a0, a1 }, { 1 - s, s } };
-    feature g = { 2, { b0, b1 }, { 1 - t, t } };
+    if (vec3_length(way) > REACH * apart) return;
+    feature f = { { a[0], a[1], a[1] }, { 1 - s, s } };
+    feature g = { { b[0], b[1], b[1] }, { 1 - t, t } };
     features_touch(f, g, way, apart);
 }
 //<
@@ -291,56 +239,18 @@ static void edge_touch(const soft_piece *a, int i, const soft_piece *b, int j,
 //> little_pieces_touch 16c
 static void pieces_touch(const soft_piece *a, const soft_piece *b)
 {
-    real apart = a->margin + b->margin, reach = REACH * apart;
-    for (int k = 0; k < 3; k++) {
-        if (a->corners >> k & 1 && b->count == 3)
-            corner_touch(a, k, b, reach, apart);
-        if (b->corners >> k & 1 && a->count == 3)
-            corner_touch(b, k, a, reach, apart);
-    }
-    for (int i = 0; i < 3; i++)
+    vec3 x[4], y[4];
+    const int *p = a->vertex, *q = b->vertex;
+    real apart = a->margin + b->margin;
+    if (!a->edges && !b->edges) return;
+    piece_at(a, x), piece_at(b, y);
+    for (int i = 0; i < 3; i++) {
+        if (a->corners >> i & 1) corner_touch(p[i], q, y, apart);
+        if (b->corners >> i & 1) corner_touch(q[i], p, x, apart);
         for (int j = 0; j < 3; j++)
             if (a->edges >> i & 1 && b->edges >> j & 1)
-                edge_touch(a, i, b, j, reach, apart);
-}
-//<
-
-//> little_touch_cells 16c
-// A grid of cells as large as the largest box, hashed: each piece looks around
-// for those that came before it.
-enum { CELLS = 1 << 15 };
-static int cell_first[CELLS], cell_next[SOFT_PIECES];
-
-static int *cell_at(int x, int y, int z)
-{
-    unsigned k = (unsigned)x * 73856093u ^ (unsigned)y * 19349663u
-               ^ (unsigned)z * 83492791u;
-    return &cell_first[k % CELLS];
-}
-
-// Cells are numbered from -1000 on: a cast to int cuts towards zero.
-static int cell_number(real x)
-{
-    return (int)(x + 1000);
-}
-
-static void piece_touch_around(int i, real size)
-{
-    const soft_piece *p = &soft_pieces[i];
-    vec3 m = vec3_scale(0.5 / size, vec3_add(p->low, p->high));
-    int x = cell_number(m.x), y = cell_number(m.y), z = cell_number(m.z);
-    for (int k = 0; k < 27; k++) {
-        int *c = cell_at(x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1);
-        for (int j = *c; j; j = cell_next[j - 1]) {
-            const soft_piece *q = &soft_pieces[j - 1];
-            if ((p->edges || q->edges)
-                && !boxes_apart(p->low, p->high, q->low, q->high))
-                pieces_touch(p, q);
-        }
+                edge_touch(p + i, x + i, q + j, y + j, apart);
     }
-    int *c = cell_at(x, y, z);
-    cell_next[i] = *c;
-    *c = i + 1;
 }
 //<
 
@@ -352,34 +262,26 @@ static void touches_find(void)
     touch_count = 0;
     sought++;
     bodies_place();
-//<
-//> little_find_touches_cells 16c
-    real size = 0;
-    for (int i = 0; i < CELLS; i++) cell_first[i] = 0;
-//<
-//> little_find_touches_loop 16a
-    for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++) {
-        piece_bound(p);
-//<
-//> little_find_touches_size 16c
-        vec3 e = vec3_sub(p->high, p->low);
-        size = real_max(size, real_max(e.x, real_max(e.y, e.z)));
+    for (int i = 0; i < soft_count; i++) {
+        piece_boxes[i] = piece_box(piece_boxes[i].of);
 //<
 //> little_find_touches_space 16d
-        for (int k = 0; k < p->count; k++)
-            if (p->corners >> k & 1) {
-                space[p->vertex[k]] = 0.9 * REACH * p->margin;
-                asked_at[p->vertex[k]] = piece_corner(p, k);
-            }
+        const int *at = soft_pieces[i].vertex;
+        for (int k = 0; k < 3; k++) {
+            space[at[k]] = 0.9 * REACH * soft_pieces[i].margin;
+            asked_at[at[k]] = particles[at[k]].position;
+        }
 //<
 //> little_find_touches_ask 16a
     }
 //<
 //> little_find_touches_self 16c
-    for (int i = 0; i < soft_count; i++) piece_touch_around(i, size);
+    int n = boxes_sweep(piece_boxes, soft_count);
+    for (int i = 0; i < n; i++)
+        pieces_touch(&soft_pieces[pairs[i].a], &soft_pieces[pairs[i].b]);
 //<
 //> little_find_touches_end 16a
-    bodies_touch();
+    for (int i = 0; i < body_count; i++) body_touch_cloth(&bodies[i]);
 //<
 //> little_find_touches_way 16d
     bodies_way = 0;
@@ -389,58 +291,29 @@ static void touches_find(void)
 //<
 
 //> little_touch_part 16a
-// The body or feature that it touches gives way, too.  Returns the share.
-static real touch_answer(const touch *t, vec3 arm)
-{
-    if (t->body) return body_answer(t->body, arm, t->normal);
-//<
-//> little_touch_part_b 16c
-    return feature_answer(&t->b);
-//<
-//> little_touch_part_no_b 16a 16b
-    return 0;
-//<
-//> little_touch_move 16a
-}
-
-// m, a's move in this substep, as seen from what it touches.
-static vec3 touch_slide(const touch *t, vec3 arm, real h)
-{
-    vec3 moved = feature_moved(&t->a);
-    if (t->body) {
-        vec3 v = body_velocity_at(t->body, arm);
-        return vec3_across(vec3_add_scaled(moved, -h, v), t->normal);
-    }
-//<
-//> little_touch_move_b 16c
-    moved = vec3_sub(moved, feature_moved(&t->b));
-//<
-//> little_touch_solve 16a
-    return vec3_across(moved, t->normal);
-}
-
-// m, from what it touches to a.
-static vec3 touch_way(const touch *t, vec3 arm)
-{
-    vec3 a = feature_position(&t->a);
-    if (t->body) return vec3_sub(a, vec3_add(t->body->position, arm));
-//<
-//> little_touch_way_b 16c
-    a = vec3_sub(a, feature_position(&t->b));
-//<
-//> little_touch_way_end 16a
-    return a;
-}
-
 // Apart again, by the least move, less what friction holds.
 static void touch_part(touch *t, real h)
 {
-    vec3 arm = { 0, 0, 0 };
-    if (t->body) arm = mat3_apply(t->body->axes, t->local);
-    t->gap = vec3_dot(touch_way(t, arm), t->normal) - t->apart;
-    real answer = feature_answer(&t->a) + touch_answer(t, arm);
+    vec3 way = feature_position(&t->a), gone, arm;
+    real answer = feature_answer(&t->a);
+    if (t->body) {
+        arm = mat3_apply(t->body->axes, t->local);
+        way = vec3_sub(way, vec3_add(t->body->position, arm));
+        gone = vec3_scale(h, body_velocity_at(t->body, arm));
+        answer += body_answer(t->body, arm, t->normal);
+    }
+//<
+//> little_touch_part_b 16c
+    else {
+        way = vec3_sub(way, feature_position(&t->b));
+        gone = feature_moved(&t->b);
+        answer += feature_answer(&t->b);
+    }
+//<
+//> little_touch_solve 16a
+    t->gap = vec3_dot(way, t->normal) - t->apart;
     if (t->gap >= 0 || answer == 0) return;
-    vec3 slide = touch_slide(t, arm, h);
+    vec3 slide = vec3_across(vec3_sub(feature_moved(&t->a), gone), t->normal);
     real length = vec3_length(slide), most = 0.5 * -t->gap;
     if (length > most) slide = vec3_scale(most / length, slide);
     vec3 by = vec3_sub(vec3_scale(-t->gap, t->normal), slide);
@@ -451,7 +324,7 @@ static void touch_part(touch *t, real h)
     else feature_shift(&t->b, -1 / answer, by);
 //<
 //> little_touch_hold 16e
-    for (int i = 0; t->body && i < t->a.count; i++)
+    for (int i = 0; t->body && i < 3; i++)
         if (t->a.weight[i] > 0.3) {
             real w = particles[t->a.at[i]].inverse_mass;
             held[t->a.at[i]] = vec3_scale(sqrt(0.4 * w), t->normal);
@@ -528,11 +401,11 @@ static void soft_move(real h)
 //<
 
 //> little_piece_add 16a
-static soft_piece *soft_piece_add(int count, int a, int b, int c, real margin)
+static soft_piece *soft_piece_add(int a, int b, int c, real margin)
 {
     int k = soft_count < SOFT_PIECES ? soft_count++ : SOFT_PIECES - 1;
-    soft_pieces[k] = (soft_piece){ .count = count, .margin = margin,
-                                   .vertex = { a, b, count < 3 ? a : c, a } };
+    soft_pieces[k] = (soft_piece){ { a, b, c, a }, .margin = margin };
+    piece_boxes[k].of = k;
     return &soft_pieces[k];
 }
 //<
@@ -542,8 +415,8 @@ static soft_piece *soft_piece_add(int count, int a, int b, int c, real margin)
 // row and column there is more to own.
 static void cell_add(int k, int n, real margin, bool right, bool below)
 {
-    soft_piece *p = soft_piece_add(3, k, k + n, k + 1, margin);
-    soft_piece *q = soft_piece_add(3, k + 1, k + n, k + n + 1, margin);
+    soft_piece *p = soft_piece_add(k, k + n, k + 1, margin);
+    soft_piece *q = soft_piece_add(k + 1, k + n, k + n + 1, margin);
     p->corners = 1 | below << 1 | right << 2;
     q->corners = (right && below) << 2;
 //<

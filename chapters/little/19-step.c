@@ -177,12 +177,9 @@ static int substeps_wanted(real h)
     int least = particle_count > 0 ? 4 : 2, most = 64;
     for (int i = 0; i < active_count; i++) {
         const contact *c = active[i];
-        real a = c->a->inverse_mass > 0 ? c->a->shape->radius : HUGE_VAL;
-        real b = c->b->inverse_mass > 0 ? c->b->shape->radius : HUGE_VAL;
-        for (int k = 0; k < c->count; k++) {
-            real sag = point_sag(c, &c->point[k], h);
-            worst = real_max(worst, sag / real_min(a, b));
-        }
+        real size = real_min(c->a->shape->radius, c->b->shape->radius);
+        for (int k = 0; k < c->count; k++)
+            worst = real_max(worst, point_sag(c, &c->point[k], h) / size);
     }
     real wanted = substeps * sqrt(worst / 0.01);
     if (wanted > substeps) return (int)real_min(wanted + 1, most);
@@ -224,9 +221,8 @@ static void half_step(real dt)
 //> little_half_find 13g
     contacts_find(dt);
 //<
-//> little_half_wake 18a
-    islands_wake();
-    for (int i = 0; i < body_count; i++) bodies[i].moved = 0;
+//> little_half_sleep 18a
+    bodies_sleep(dt);
 //<
 //> little_half_begin 13g
     contacts_begin();
@@ -248,9 +244,6 @@ static void half_step(real dt)
 //<
 //> little_half_place 13g
     bodies_place();
-//<
-//> little_half_sleep 18a
-    islands_sleep(dt);
 //<
 //> little_half_end 13g
 }

@@ -146,7 +146,7 @@ static void floor_add(void)
 }
 
 //<
-//> little_rigid_overlap 13c 15z 18a
+//> little_rigid_overlap 13c
 // m, the deepest overlap of two bodies.
 static real overlap(void)
 {
@@ -158,14 +158,185 @@ static real overlap(void)
             if (a->inverse_mass + b->inverse_mass == 0
                 || vec3_distance(a->position, b->position) > near) continue;
 //<
-//> little_overlap_joined 18a
+//> little_overlap_joined 17a
             if (bodies_joined(a, b)) continue;
 //<
-//> little_overlap_end 13c 15z 18a
+//> little_overlap_end 13c
             if (gjk(body_hull(a), body_hull(b), &s, 0) > 0) continue;
             deepest = real_max(deepest, epa(body_hull(a), body_hull(b), &s));
         }
     return deepest;
+}
+
+//<
+//> little_draw_engine 18c
+// --- Drawing -----------------------------------------------------------------
+
+static bool drawing;            // as the argument draw wants it
+
+static void print_face(vec3 a, vec3 b, vec3 c)
+{
+    printf("face %.4f %.4f %.4f %.4f %.4f %.4f %.4f %.4f %.4f\n",
+           a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
+}
+
+static void draw_body(const body *b)
+{
+    const shape *s = b->shape;
+    const vec3 *at = body_hull(b).at;
+    printf("body\n");
+    for (int f = 0; f < s->sides; f++)
+        for (int k = 2; k < s->corners[f]; k++)
+            print_face(at[s->side[f][0]], at[s->side[f][k - 1]],
+                       at[s->side[f][k]]);
+}
+
+// All bodies but the floor, and the cloth.
+static void draw(void)
+{
+    printf("frame\n");
+    for (body *b = bodies; b < bodies + body_count; b++)
+        if (b->shape->radius < 5) draw_body(b);
+    printf("body\n");
+    for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++) {
+        vec3 at[4];
+        piece_at(p, at);
+        print_face(at[0], at[1], at[2]);
+    }
+}
+//<
+
+//> little_cuts 16a 16z
+// How many pieces of cloth cut a body?
+static int cuts(void)
+{
+    int count = 0;
+    for (body *b = bodies; b < bodies + body_count; b++)
+        for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++) {
+            vec3 at[4];
+            simplex s = { .count = 0 };
+            piece_at(p, at);
+            count += gjk((hull){ at, 3 }, body_hull(b), &s, 0) == 0;
+        }
+    return count;
+}
+
+// Does the edge from p to q go through a triangle?
+static bool edge_crosses(vec3 p, vec3 q, const vec3 *t)
+{
+    vec3 n = vec3_cross(vec3_sub(t[1], t[0]), vec3_sub(t[2], t[0]));
+    real a = vec3_dot(n, vec3_sub(p, t[0])), b = vec3_dot(n, vec3_sub(q, t[0]));
+    if (a * b >= 0) return false;
+    vec3 x = vec3_add_scaled(p, a / (a - b), vec3_sub(q, p));
+    for (int k = 0; k < 3; k++) {
+        vec3 edge = vec3_sub(t[(k + 1) % 3], t[k]);
+        if (vec3_dot(n, vec3_cross(edge, vec3_sub(x, t[k]))) <= 0) return false;
+    }
+    return true;
+}
+
+// How many threads cross a triangle that they are no corner of?
+static int crossings(void)
+{
+    int count = 0;
+    for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++)
+        for (strand *s = strands; s < strands + strand_count; s++)
+            for (int i = 0; i < s->links; i++) {
+                vec3 t[4];
+                bool shared = false;
+                piece_at(p, t);
+                for (int k = 0; k < 3; k++)
+                    if (p->vertex[k] == s->at[i]
+                        || p->vertex[k] == s->at[i + 1]) shared = true;
+                if (!shared)
+                    count += edge_crosses(particles[s->at[i]].position,
+                                          particles[s->at[i + 1]].position, t);
+            }
+    return count;
+}
+
+//<
+//> little_joint_gaps 17a
+static real joint_gaps(void)
+{
+    real worst = 0;
+    for (joint *j = joints; j < joints + joint_count; j++)
+        worst = real_max(worst, vec3_length(j->gap));
+    return worst;
+}
+
+//<
+//> little_show 13c
+// Runs what is there for so many frames, and measures it.
+static void show(const char *name, int frames)
+{
+    real deepest = 0;
+//<
+//> little_show_asked 13f
+    asked = 0;
+//<
+//> little_show_compared 14a 15z
+    compared = 0;
+//<
+//> little_show_strained 16a
+    real strained = 0;
+//<
+//> little_show_cuts 16a 16z
+    int cut = 0, crossed = 0;
+//<
+//> little_show_gap 17a
+    real widest = 0;
+//<
+//> little_show_run 13c
+    for (int i = 1; i <= frames; i++) {
+        step(1 / 60.0);
+//<
+//> little_show_draw 18c
+        if (drawing && i % 4 == 1) draw();
+//<
+//> little_show_strain 16a
+        strained = real_max(strained, strain());
+//<
+//> little_show_gaps 17a
+        widest = real_max(widest, joint_gaps());
+//<
+//> little_show_measure 13c
+        if (i % 10 == 0) deepest = real_max(deepest, overlap());
+//<
+//> little_show_cuts_count 16a 16z
+        if (i % 20 > 0) continue;
+        int now = cuts(), crossing = crossings();
+        cut = now > cut ? now : cut;
+        crossed = crossing > crossed ? crossing : crossed;
+//<
+//> little_show_print 13c
+    }
+    printf("%s: overlap %.2f mm\n", name, 1000 * deepest);
+    printf("%s: overlap at the end %.2f mm\n", name, 1000 * overlap());
+//<
+//> little_show_asked_print 13f
+    printf("%s: asked %ld pairs/frame\n", name, asked / frames);
+//<
+//> little_show_compared_print 14a 15z
+    printf("%s: compared %ld pairs/frame\n", name, compared / frames);
+//<
+//> little_show_cuts_print 16a 16z
+    printf("%s: cut %d triangles\n", name, cut);
+    printf("%s: crossed %d edges\n", name, crossed);
+//<
+//> little_show_strain_print 16a
+    printf("%s: strain %.2f %%\n", name, 100 * strained);
+    printf("%s: strain at the end %.2f %%\n", name, 100 * strain());
+//<
+//> little_show_gap_print 17a
+    printf("%s: gap %.4f mm\n", name, 1000 * widest);
+//<
+//> little_show_awake 18a
+    int awake = 0;
+    for (int i = 0; i < body_count; i++) awake += bodies[i].awake;
+    printf("%s: awake %d bodies\n", name, awake);
+//<
+//> little_show_end 13c
 }
 
 //<
@@ -180,28 +351,13 @@ static void pile_add(int count, real top)
         body_add(s, vec3_make(0, i + 0.5, 0), i + 1 < count ? 1 : top);
 }
 
-// m, how far is a body from the y axis?
-static real drift(void)
-{
-    real worst = 0;
-    for (int i = 1; i < body_count; i++) {
-        vec3 x = bodies[i].position;
-        worst = real_max(worst, sqrt(x.x * x.x + x.z * x.z));
-    }
-    return worst;
-}
-
 static void show_pile(const char *name, int count, real top, int frames)
 {
-    real deepest = 0;
     pile_add(count, top);
-    for (int i = 0; i < frames; i++) {
-        step(1 / 60.0);
-        if (i % 10 == 9) deepest = real_max(deepest, overlap());
-    }
-    printf("%s: moved %.2f mm\n", name, 1000 * drift());
-    printf("%s: overlap %.2f mm\n", name, 1000 * deepest);
-    printf("%s: the top is at %.2f m\n", name, bodies[count].position.y);
+    show(name, frames);
+    vec3 x = bodies[count].position;
+    printf("%s: moved %.2f mm\n", name, 1000 * sqrt(x.x * x.x + x.z * x.z));
+    printf("%s: the top is at %.2f m\n", name, x.y);
 }
 //<
 
@@ -247,35 +403,6 @@ static void room_add(int cells, real side)
         body_turn(b, random_vec3(2));
     }
 }
-
-static void show_room(const char *name, int cells, real side, int frames)
-{
-    real deepest = 0;
-    room_add(cells, side);
-    asked = 0;
-//<
-//> little_room_compared 14a 15z
-    compared = 0;
-//<
-//> little_room_run 13f 15z 18a 18b
-    for (int i = 0; i < frames; i++) {
-        step(1 / 60.0);
-        if (i % 10 == 9) deepest = real_max(deepest, overlap());
-    }
-    printf("%s: overlap %.2f mm\n", name, 1000 * deepest);
-    printf("%s: overlap at the end %.2f mm\n", name, 1000 * overlap());
-    printf("%s: asked %ld pairs/frame\n", name, asked / frames);
-//<
-//> little_room_print 14a 15z
-    printf("%s: compared %ld pairs/frame\n", name, compared / frames);
-//<
-//> little_room_asleep 18a 18b
-    int awake = 0;
-    for (int i = 0; i < body_count; i++) awake += bodies[i].awake;
-    printf("%s: awake %d bodies\n", name, awake);
-//<
-//> little_room_end 13f 15z 18a 18b
-}
 //<
 
 //> little_main_13f 13f 13g
@@ -283,7 +410,8 @@ int main(void)
 {
     show_pile("ten boxes", 10, 1, 600);
     show_pile("ten boxes, 20 kg", 10, 20, 600);
-    show_room("room of 64", 4, 4.8, 120);
+    room_add(4, 4.8);
+    show("room of 64", 120);
 }
 //<
 
@@ -291,8 +419,10 @@ int main(void)
 int main(void)
 {
     show_pile("ten boxes, 20 kg", 10, 20, 600);
-    show_room("room of 64", 4, 4.8, 120);
-    show_room("room of 216", 6, 7.8, 60);
+    room_add(4, 4.8);
+    show("room of 64", 120);
+    room_add(6, 7.8);
+    show("room of 216", 60);
 }
 //<
 
@@ -345,7 +475,8 @@ static void show_drop(real restitution)
 //> little_main_15 15a 15z
 int main(void)
 {
-    show_room("room of 64", 4, 4.8, 120);
+    room_add(4, 4.8);
+    show("room of 64", 120);
     show_bullets();
 //<
 //> little_main_15c 15c 15c
@@ -353,91 +484,6 @@ int main(void)
     show_drop(0.8);
 //<
 //> little_main_15_end 15a 15z
-}
-//<
-
-//> little_cuts 16a 16z
-// How many pieces of cloth cut a body?
-static int cuts(void)
-{
-    int count = 0;
-    for (body *b = bodies; b < bodies + body_count; b++)
-        for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++) {
-            vec3 at[3];
-            simplex s = { .count = 0 };
-            for (int k = 0; k < p->count; k++) at[k] = piece_corner(p, k);
-            count += gjk((hull){ at, p->count }, body_hull(b), &s, 0) == 0;
-        }
-    return count;
-}
-
-// Does the edge from p to q go through a triangle?
-static bool edge_crosses(vec3 p, vec3 q, const vec3 *t)
-{
-    vec3 n = vec3_cross(vec3_sub(t[1], t[0]), vec3_sub(t[2], t[0]));
-    real a = vec3_dot(n, vec3_sub(p, t[0])), b = vec3_dot(n, vec3_sub(q, t[0]));
-    if (a * b >= 0) return false;
-    vec3 x = vec3_add_scaled(p, a / (a - b), vec3_sub(q, p));
-    for (int k = 0; k < 3; k++) {
-        vec3 edge = vec3_sub(t[(k + 1) % 3], t[k]);
-        if (vec3_dot(n, vec3_cross(edge, vec3_sub(x, t[k]))) <= 0) return false;
-    }
-    return true;
-}
-
-// How many threads cross a triangle that they are no corner of?
-static int crossings(void)
-{
-    int count = 0;
-    for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++)
-        for (strand *s = strands; p->count == 3 && s < strands + strand_count;
-             s++)
-            for (int i = 0; i < s->links; i++) {
-                vec3 t[3];
-                bool shared = false;
-                for (int k = 0; k < 3; k++) {
-                    t[k] = piece_corner(p, k);
-                    if (p->vertex[k] == s->at[i]
-                        || p->vertex[k] == s->at[i + 1]) shared = true;
-                }
-                if (!shared)
-                    count += edge_crosses(particles[s->at[i]].position,
-                                          particles[s->at[i + 1]].position, t);
-            }
-    return count;
-}
-
-//<
-//> little_show_cloth 16a 18b
-// Runs what is there, and counts every 20 frames.
-static void show_cloth(const char *name, int frames)
-{
-    real worst = 0;
-//<
-//> little_show_cuts 16a 16z
-    int cut = 0, crossed = 0;
-//<
-//> little_show_cloth_run 16a 18b
-    for (int i = 1; i <= frames; i++) {
-        step(1 / 60.0);
-        worst = real_max(worst, strain());
-//<
-//> little_show_cuts_count 16a 16z
-        if (i % 20 > 0) continue;
-        int now = cuts(), crossing = crossings();
-        cut = now > cut ? now : cut;
-        crossed = crossing > crossed ? crossing : crossed;
-//<
-//> little_show_cloth_end 16a 18b
-    }
-//<
-//> little_show_cuts_print 16a 16z
-    printf("%s: cut %d triangles\n", name, cut);
-    printf("%s: crossed %d edges\n", name, crossed);
-//<
-//> little_show_strain 16a 18b
-    printf("%s: strain %.2f %%\n", name, 100 * worst);
-    printf("%s: strain at the end %.2f %%\n", name, 100 * strain());
 }
 //<
 
@@ -454,22 +500,12 @@ static void cloth_on_cube(int n, vec3 at)
 int main(void)
 {
     cloth_on_cube(20, vec3_make(0, 0.9, 0));
-    show_cloth("cloth on a cube", 120);
+    show("cloth on a cube", 120);
     cloth_on_cube(16, vec3_make(0.3, 1.5, 0.2));
     for (int i = 0; i < particle_count; i++)
         particles[i].previous.y += 40 / 480.0;
-    show_cloth("thrown at 40 m/s", 60);
+    show("thrown at 40 m/s", 60);
     printf("sought %ld times\n", sought);
-}
-//<
-
-//> little_joint_gaps 17a
-static real joint_gaps(void)
-{
-    real worst = 0;
-    for (joint *j = joints; j < joints + joint_count; j++)
-        worst = real_max(worst, vec3_length(joint_gap(j)));
-    return worst;
 }
 //<
 
@@ -490,45 +526,31 @@ static void chain_add(int links, real load)
     joint_add(last, b, vec3_make(0, -0.2 * links, 0));
     b->velocity.x = 1;
 }
-
-static void show_chain(int links, real load)
-{
-    real worst = 0;
-    chain_add(links, load);
-    for (int i = 0; i < 300; i++) {
-        step(1 / 60.0);
-        worst = real_max(worst, joint_gaps());
-    }
-    printf("chain of %d, %g kg: gap %.4f mm\n", links, load, 1000 * worst);
-}
 //<
 //> little_door 17c 18b
 // A door is struck, also across its hinge, for 10 s.
 static void show_door(void)
 {
-    real worst = 0, tilt = 0;
     clear();
     body *post = body_add(box_make(0.1, 0.1, 0.1), vec3_make(0, 2, 0), 0);
     body *door = body_add(box_make(1, 2, 0.1), vec3_make(0.6, 2, 0), 10);
     joint *j = joint_add(post, door, vec3_make(0.05, 2, 0));
     joint_make_hinge(j, vec3_make(0, 1, 0));
     door->spin = vec3_make(3, 3, 0);
-    for (int i = 0; i < 600; i++) {
-        step(1 / 60.0);
-        worst = real_max(worst, joint_gaps());
-        tilt = real_max(tilt, 1 - door->axes.y.y);
-    }
-    printf("the door: gap %.4f mm\n", 1000 * worst);
-    printf("the door: tilted %.2g rad\n", sqrt(2 * tilt));
+    show("the door", 600);
+    real tilt = sqrt(2 * real_max(0, 1 - door->axes.y.y));
+    printf("the door: tilted %.2g rad\n", tilt);
 }
 //<
 //> little_main_17 17a 17z
 int main(void)
 {
     cloth_on_cube(12, vec3_make(0, 0.9, 0));
-    show_cloth("cloth on a cube", 100);
-    show_chain(5, 1);
-    show_chain(50, 100);
+    show("cloth on a cube", 100);
+    chain_add(5, 1);
+    show("chain of 5, 1 kg", 300);
+    chain_add(50, 100);
+    show("chain of 50, 100 kg", 300);
 //<
 //> little_main_17c 17c 17c
     show_door();
@@ -542,10 +564,12 @@ int main(void)
 {
     show_pile("ten boxes, 20 kg", 10, 20, 600);
     show_pile("1000 kg on 1 kg", 2, 1000, 300);
-    show_room("room of 64", 4, 4.8, 600);
+    room_add(4, 4.8);
+    show("room of 64", 600);
     cloth_on_cube(12, vec3_make(0, 0.9, 0));
-    show_cloth("cloth on a cube", 100);
-    show_chain(50, 100);
+    show("cloth on a cube", 100);
+    chain_add(50, 100);
+    show("chain of 50, 100 kg", 300);
     show_door();
 }
 //<
@@ -556,10 +580,12 @@ int main(void)
     show_pile("ten boxes, 20 kg", 10, 20, 600);
     show_pile("1000 kg on 1 kg", 2, 1000, 300);
     time_to_sleep = 0.5;
-    show_room("room of 64", 4, 4.8, 600);
+    room_add(4, 4.8);
+    show("room of 64", 600);
     cloth_on_cube(20, vec3_make(0, 0.9, 0));
-    show_cloth("cloth on a cube", 120);
-    show_chain(50, 100);
+    show("cloth on a cube", 120);
+    chain_add(50, 100);
+    show("chain of 50, 100 kg", 300);
     show_door();
 }
 //<

@@ -1,35 +1,3 @@
-//> little_draw_engine 18c
-// --- Drawing ----------------------------------------------------------------
-
-static void print_face(vec3 a, vec3 b, vec3 c)
-{
-    printf("face %.4f %.4f %.4f %.4f %.4f %.4f %.4f %.4f %.4f\n",
-           a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
-}
-
-static void draw_body(const body *b)
-{
-    const shape *s = b->shape;
-    const vec3 *at = body_hull(b).at;
-    printf("body\n");
-    for (int f = 0; f < s->sides; f++)
-        for (int k = 2; k < s->corners[f]; k++)
-            print_face(at[s->side[f][0]], at[s->side[f][k - 1]],
-                       at[s->side[f][k]]);
-}
-
-// All bodies but the floor, and the cloth.
-static void draw(void)
-{
-    printf("frame\n");
-    for (body *b = bodies; b < bodies + body_count; b++)
-        if (b->shape->radius < 5) draw_body(b);
-    printf("body\n");
-    for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++)
-        print_face(piece_corner(p, 0), piece_corner(p, 1), piece_corner(p, 2));
-}
-//<
-
 //> little_wrecker 18c
 // A load of 40 kg on a level chain, which falls and swings towards +x.
 static void wrecker_add(vec3 top, int links)
@@ -73,7 +41,7 @@ static void gate_add(vec3 at)
 //<
 //> little_main_18c 18c
 // A wall and what breaks it, a cloth over a cube and what falls on it, a gate.
-static void show_engine(bool drawing)
+static void show_engine(void)
 {
     cloth_on_cube(20, vec3_make(0, 0.9, 0));
     wall_add(-1.6);
@@ -84,18 +52,12 @@ static void show_engine(bool drawing)
         vec3 at = { 0.2 * i - 0.2, 2 + i, 0.1 * i };
         body_turn(body_add(ball, at, 0.3), vec3_make(0, 0.5 * i, 0));
     }
-    for (int i = 0; i < 300; i++) {
-        if (drawing && i % 4 == 0) draw();
-        step(1 / 60.0);
-    }
-    if (drawing) return;
-    printf("your engine: overlap %.2f mm\n", 1000 * overlap());
-    printf("your engine: gap %.4f mm\n", 1000 * joint_gaps());
-    printf("your engine: strain %.2f %%\n", 100 * strain());
+    show("your engine", 300);
 }
 
 int main(int count, char **arguments)
 {
-    show_engine(count > 1 && arguments[1][0] == 'd');
+    drawing = count > 1 && arguments[1][0] == 'd';
+    show_engine();
 }
 //<

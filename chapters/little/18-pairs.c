@@ -273,7 +273,7 @@ static bool still_share(body *a, body *b)
 //<
 
 //> little_bodies_sleep 18a
-// An island has been still for as long as the most restless of its bodies.
+// An island has been still for as long as the body in it that moved last.
 static void bodies_sleep(real dt)
 {
     for (body *b = bodies; b < bodies + body_count; b++) {

@@ -335,9 +335,10 @@ public: $(BUILD)/seen.a $(BUILD)/seen.so
 #:   make little-films    those of the book, renewed: figures/little/*.webp
 #:   make little-measured   what all stages print, renewed: the book's numbers
 #:   make little-beside    its last stage beside the library: figures/little/beside.csv
+#:   make little-rows      which hard cases that stage holds: figures/little/rows.csv
 STAGES := $(shell sed -n 's/^\([0-9][0-9][a-z]\) .*/\1/p' chapters/little/stages.txt)
 STAGE  := $(filter-out little little-film little-films little-page,$(MAKECMDGOALS))
-.PHONY: little little-film little-films little-page little-measured $(filter-out $(CHAPTERS),$(STAGES))
+.PHONY: little little-film little-films little-page little-measured little-beside little-rows $(filter-out $(CHAPTERS),$(STAGES))
 little-measured:
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' sh chapters/little/little.sh measured > $(BUILD)/measured.csv && mv $(BUILD)/measured.csv chapters/little/measured.csv
 	$(Q)BUILD='$(BUILD)' sh chapters/little/little.sh table > $(BUILD)/stages.csv && mv $(BUILD)/stages.csv figures/tables/stages.csv
@@ -345,6 +346,8 @@ little-film little-films little-page:
 	$(Q)MINE='$(if $(filter %films,$@),,$(LITTLE))' CC='$(CC)' BUILD='$(BUILD)' AGAIN='$(AGAIN)' sh chapters/little/little.sh $(@:little-%=%) $(firstword $(STAGE))
 little-beside: $(BUILD)/libtumble.a
 	$(Q)CC='$(CC)' BUILD='$(BUILD)' sh figures/little/beside.sh > $(BUILD)/beside.csv && mv $(BUILD)/beside.csv figures/little/beside.csv
+little-rows:
+	$(Q)mkdir -p $(BUILD) && CC='$(CC)' sh figures/little/rows.sh > $(BUILD)/rows.csv && mv $(BUILD)/rows.csv figures/little/rows.csv
 little:
 	$(Q)MINE='$(LITTLE)' CC='$(CC)' BUILD='$(BUILD)' AGAIN='$(AGAIN)' sh chapters/little/little.sh $(if $(STAGE),run $(firstword $(STAGE)),list)
 # After `little` a stage, or a chapter, says of what: it is no goal of its own.

@@ -246,7 +246,6 @@ static box body_box(int i, real dt)
 static void contacts_find(real dt)
 {
     contacts_remember();
-    if (boxed > body_count) boxed = 0;
     for (; boxed < body_count; boxed++) boxes[boxed].of = boxed;
     for (int i = 0; i < boxed; i++) boxes[i] = body_box(boxes[i].of, dt);
     int n = boxes_sweep(boxes, boxed);

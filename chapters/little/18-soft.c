@@ -262,15 +262,21 @@ static void touches_find(void)
     touch_count = 0;
     sought++;
     bodies_place();
+//<
+//> little_find_touches_asked 16d
+    for (int i = 0; i < particle_count; i++) {
+        space[i] = HUGE_VAL;
+        asked_at[i] = particles[i].position;
+    }
+//<
+//> little_find_touches_boxes 16a
     for (int i = 0; i < soft_count; i++) {
         piece_boxes[i] = piece_box(piece_boxes[i].of);
 //<
 //> little_find_touches_space 16d
-        const int *at = soft_pieces[i].vertex;
-        for (int k = 0; k < 3; k++) {
-            space[at[k]] = 0.9 * REACH * soft_pieces[i].margin;
-            asked_at[at[k]] = particles[at[k]].position;
-        }
+        const soft_piece *p = &soft_pieces[i];
+        for (int k = 0; k < 3; k++)
+            space_limit(p->vertex[k], 0.9 * REACH * p->margin);
 //<
 //> little_find_touches_ask 16a
     }

@@ -126,6 +126,9 @@ static void clear(void)
 {
     body_count = contact_count = 0;
 //<
+//> little_clear_boxes 14b
+    boxed = 0;
+//<
 //> little_clear_substeps 18b
     substeps = 4;
 //<

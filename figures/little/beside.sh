@@ -6,7 +6,7 @@
 
 export LC_ALL=C
 if [ "$1" = of ]; then
-    cat chapters/little/*.c figures/little/beside.inc figures/little/beside.sh lib/tumble.h lib/*/*.[ch] |
+    cat chapters/little/*.c figures/little/scenes.inc figures/little/beside.inc figures/little/beside.sh lib/tumble.h lib/*/*.[ch] |
         sed '/^# of /d; /^ *\/\//d' | cksum | sed 's/ .*//'
     exit
 fi
@@ -16,6 +16,6 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 last=18b
 awk -v stage=$last -f chapters/little/cut.awk chapters/little/*.c | sed 's/^int main(void)/int show_all(void)/' > "$work/beside.c"
-cat figures/little/beside.inc >> "$work/beside.c"
+cat figures/little/scenes.inc figures/little/beside.inc >> "$work/beside.c"
 ${CC:-cc} -std=c11 -ffp-contract=off -fno-math-errno -fno-trapping-math ${CFLAGS:--O3} -Ilib \
     "$work/beside.c" "$build/libtumble.a" -o "$work/beside" -lm && "$work/beside"

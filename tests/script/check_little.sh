@@ -52,5 +52,7 @@ sh $here/little.sh films-of | cmp -s - figures/little/films.txt \
 [ "$n" -gt 0 ] || { echo "FAILED: there are no stages"; exit 1; }
 [ "$(sed -n 's/^# of //p' figures/little/beside.csv)" = "$(sh figures/little/beside.sh of)" ] || {
     echo "figures/little/beside.csv is older than the little program or lib/: make little-beside"; failed="$failed beside"; }
+[ "$(sed -n 's/^# of //p' figures/little/rows.csv)" = "$(sh figures/little/rows.sh of)" ] || {
+    echo "figures/little/rows.csv is older than the little program or the lists: make little-rows"; failed="$failed rows"; }
 [ ! "$failed" ] || { echo "FAILED:$failed of the little program"; exit 1; }
 echo "100%: $n stages of the little program do as they say"

@@ -118,6 +118,7 @@ static void bodies_push(body *a, vec3 ra, body *b, vec3 rb, vec3 impulse)
 // Gives what is missing to an impulse in sum.
 static void point_push_to(const contact *c, contact_point *p, real impulse)
 {
+    if (impulse == p->push) return;
     vec3 more = vec3_scale(impulse - p->push, c->normal);
     bodies_push(c->a, p->ra, c->b, p->rb, more);
     p->push = impulse;
@@ -135,6 +136,7 @@ static void point_rub(const contact *c, contact_point *p)
 {
     vec3 slide = vec3_across(point_velocity(c, p), c->normal), old = p->rub;
     real speed = vec3_length(slide), most = c->friction * p->push;
+    if (most == 0 && vec3_dot(old, old) == 0) return;
     if (speed > 0) {
         vec3 d = vec3_scale(1 / speed, slide);
         real answer = body_answer(c->a, p->ra, d) + body_answer(c->b, p->rb, d);

@@ -83,18 +83,16 @@ static void pair_ask(body *a, body *b, real dt)
     const contact *old = contact_before(a, b);
 //<
 //> little_pair_kept 14c 17z
-    // What was asked with a margin is asked again when that is used up.
     if (old && a->path + b->path < old->until) {
-        *c = *old;
+        *c = *old;              // its margin is not used up
         contact_count++;
         return;
     }
 //<
 //> little_pair_asleep 18a
-    // What was asked with a margin is asked again when that is used up.
     bool asleep = !a->awake && !b->awake;
     if (old && (asleep || a->path + b->path < old->until)) {
-        *c = *old;
+        *c = *old;              // its margin is not used up
         contact_count++;
         return;
     }

@@ -160,7 +160,7 @@ static void body_touch_cloth(body *b)
     for (int i = 0; i < soft_count; i++) {
         soft_piece *p = &soft_pieces[piece_boxes[i].of];
         real reach = 2 * REACH * p->margin;
-        box near = box_grown(around, reach);
+        box near = box_grown(around, reach / 2);    // the rest is in its own
         if (boxes_apart(&near, &piece_boxes[i])) continue;
 //<
 //> little_touch_whole 16b
@@ -247,7 +247,7 @@ static void pieces_touch(const soft_piece *a, const soft_piece *b)
     for (int i = 0; i < 3; i++) {
         if (a->corners >> i & 1) corner_touch(p[i], q, y, apart);
         if (b->corners >> i & 1) corner_touch(q[i], p, x, apart);
-        for (int j = 0; j < 3; j++)
+        for (int j = 0; j < 3 && a->edges && b->edges; j++)
             if (a->edges >> i & 1 && b->edges >> j & 1)
                 edge_touch(p + i, x + i, q + j, y + j, apart);
     }

@@ -229,7 +229,7 @@ static void edge_touch(const int *a, const vec3 *x, const int *b,
     t = clamped((uv * s + vr) / vv);
     s = clamped((uv * t - ur) / uu);
     vec3 way = vec3_add_scaled(vec3_add_scaled(r, s, u), -t, v);
-    if (vec3_length(way) > REACH * apart) return;
+    if (vec3_dot(way, way) > REACH * REACH * apart * apart) return;
     feature f = { { a[0], a[1], a[1] }, { 1 - s, s } };
     feature g = { { b[0], b[1], b[1] }, { 1 - t, t } };
     features_touch(f, g, way, apart);

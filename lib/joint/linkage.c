@@ -834,6 +834,7 @@ void linkage_forget_impulses(linkage *l)
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         memset(j->impulse, 0, sizeof j->impulse);
+        memset(l->rows[k].give, 0, sizeof l->rows[k].give);
         if (!(j->force < HUGE_VAL)) j->force = 0;
     }
 }

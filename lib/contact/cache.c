@@ -451,6 +451,31 @@ static swept_status query_swept(contact *c, const cache_frame *f,
 }
 //<
 
+//> cache-closing
+// m, by how much the gap along the normal may close in this frame: as far as both
+// go along it, and whatever they do beside that.
+static real closing_of(const cache_frame *f, const contact *c, vec3 normal)
+{
+    const prediction *a = &f->ahead[c->a], *b = &f->ahead[c->b];
+    real closing = -vec3_dot(vec3_sub(a->way, b->way), normal);
+    return real_max(closing, 0) + a->turn + b->turn;
+}
+
+// The manifold of two bodies that may come to touch; what has `margin` (m) more
+// between it than closes has none.  *closes becomes what they were asked for.
+static manifold find_touch(const cache_frame *f, const contact *c,
+                           const collider *a, const collider *b, real margin,
+                           query_cache *carried, real *closes)
+{
+    real turn = f->ahead[c->a].angle + f->ahead[c->b].angle;
+    query_result r = query_nearest(a, b, *closes + margin, carried);
+    if (!r.near) return (manifold){ .count = 0 };
+    *closes = real_min(closing_of(f, c, r.normal), *closes);
+    if (r.at.gap > *closes + margin) return (manifold){ .count = 0 };
+    return manifold_find(a, b, &r, *closes + margin, turn);
+}
+//<
+
 //> cache-ahead
 // The normal of round bodies turns as they pass each other.  So they are asked
 // as they will stand when they touch: the one that is round is shifted, as seen
@@ -460,7 +485,7 @@ static const real GLIDES = 0.02;        // of the radius: less does not count
 
 static bool query_ahead(const cache_frame *f, const contact *c, collider a,
                         collider b, real margin, query_cache *carried,
-                        manifold *m)
+                        real *closes, manifold *m)
 {
     enum { ROUNDS = 4, CORE = 2 };
     bool is_a = a.shape->round > 0;
@@ -469,7 +494,7 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
     real gone = 0, turn = f->ahead[c->a].angle + f->ahead[c->b].angle;
     const vec3 *now = round->at;
     if (!(query_round(&a, &b) > 0)) {
-        *m = collide_rigid(&a, &b, margin, turn, carried);
+        *m = find_touch(f, c, &a, &b, margin, carried, closes);
         return false;
     }
     round->at = at;
@@ -484,7 +509,7 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
         if (!(r.at.gap > 0) || !(r.at.gap < closing * (1 - gone))) break;
         gone += r.at.gap / closing;
     }
-    *m = collide_rigid(&a, &b, margin, turn, carried);
+    *m = collide_rigid(&a, &b, *closes + margin, turn, carried);
     return gone > 0;
 }
 //<
@@ -526,8 +551,8 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     if (swept != SWEPT_TOUCHES && swept != SWEPT_PASSES) {
         real slack = slack_of(f, a, b), reach = reach_of(f, a, b);
         manifold m;
-        bool is_ahead = query_ahead(f, now, x, y, reach + 2 * slack,
-                                    &e->carried, &m);
+        bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried,
+                                    &reach, &m);
         take_manifold(now, &m, f, is_ahead);
         if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
         p->seen[0] = c->placing[a].number;

@@ -75,9 +75,11 @@ tumble_quat tumble_from_matrix(const double m[9]);
 // --- The world ---------------------------------------------------------------
 typedef struct {
     double dt;              // s, a step; 1e-9 to 1, 1/60
-    int    substeps;        // of a step, 1 to 10000, 8; a calm one takes fewer:
-                            // turn up if stacks are high, or heavy things lie
-                            // on light ones
+    int    substeps;        // of a step, at least, 1 to 10000; 0, as it comes:
+                            // four (eight with joints, rope or cloth), or so
+                            // many that none is longer than 1/240 s.  A step
+                            // takes more where high stacks, heavy loads, joints
+                            // or cloth need it
     int    most_substeps;   // a hard step takes more of them, up to this, 200;
                             // what is done again, and shorter, is on top; none
                             // takes more than 10000 in all: one that would have

@@ -118,7 +118,7 @@ static void ladder(void)
            "joules left after 6 s,ms a step\n");
     for (int n = 2, k = 0; k < 5; n *= 2, k++) {
         how.engine = world_options_default();
-        how.engine.substeps = n;
+        how.engine.substeps = how.engine.most_substeps = n;
         engine[k] = rung(n, how);
         printf("#engine| %d,%.2g,%.2g,%.2f\n", n, engine[k].overlap,
                engine[k].left, engine[k].ms);
@@ -187,7 +187,7 @@ static void stacks(void)
         for (int warm = 0; warm < 2; warm++) {
             world_options how = world_options_default();
             how.warm_start = warm;
-            how.substeps = n;
+            how.substeps = how.most_substeps = n;
             stand(how, &sag[warm], &drift[warm]);
         }
         printf("%d %.4g %.4g %.4g %.4g\n", n, sag[1], drift[1], sag[0],

@@ -42,7 +42,7 @@ static status begin_system(runner_kind by, scene_options what)
 static status begin_engine(scene_options what)
 {
     world_options how = world_scene_options(kind(), what.cloth);
-    how.substeps = substeps(how.substeps);
+    how.substeps = substeps(world_substeps(&how));
     return runner_begin_world(&run, kind(), what, how);
 }
 

@@ -56,7 +56,7 @@ static void begin(void)
     }
     static const real TIMES[] = { 0.5, 1, 2, 4 };
     world_options how = world_scene_options(SCENE_CLOTH_ON_CUBE, (int)live_dial(SIDE));
-    how.substeps = int_max(1, (int)(how.substeps * TIMES[live_choice(SUBSTEPS)]));
+    how.substeps = int_max(1, (int)(world_substeps(&how) * TIMES[live_choice(SUBSTEPS)]));
     how.friction = 0.8;
     aim = vec3_make(-0.05, 0.23, 0);
     aim_velocity = vec3_make(0, 0, 0.12);

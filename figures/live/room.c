@@ -26,7 +26,7 @@ static status begin_system(scene_options what, real times)
 static status begin_engine(scene_options what, real times)
 {
     world_options how = world_scene_options(SCENE_ROOM, 0);
-    how.substeps = int_max(1, (int)(how.substeps * times));
+    how.substeps = int_max(1, (int)(world_substeps(&how) * times));
     how.friction = live_dial(FRICTION);
     return runner_begin_world(&run, SCENE_ROOM, what, how);
 }

@@ -84,7 +84,7 @@ static void our_begin(world *w, const room *r, bool may_sleep)
 {
     world_options o = world_options_default();
     if (!may_sleep) o.sleep_speed = 0;
-    o.substeps = substeps;
+    o.substeps = o.most_substeps = substeps;
     status done = world_init(w, o);
     if (done.ok) done = add_walls(w, r->side);
     for (int k = 0; k < r->bodies && done.ok; k++)

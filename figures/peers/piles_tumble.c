@@ -30,7 +30,7 @@ static void *begin(const pile *p, int substeps, bool may_sleep)
     if (!r) give_up("there is no memory for a world");
     o.dt = p->dt;
     o.friction = p->friction;
-    o.substeps = substeps;
+    o.substeps = o.most_substeps = substeps;
     if (!may_sleep) o.sleep_speed = 0;
     status done = make_shape(&r->shape, p);
     if (done.ok) done = world_init(&r->world, o);

@@ -19,11 +19,24 @@ static real radius_of(const active_contact *x, const solver_frame *f)
                                  : real_min(radius, f->body[x->b].radius);
 }
 
-static real pace_of(const active_contact *x, const solver_frame *f, real radius)
+// N: the weight of the body that lies on the other, if they touch.
+static real weight_of(const active_contact *x, const contact *c,
+                      const solver_frame *f)
+{
+    real up = vec3_dot(c->normal, f->gravity);      // > 0: B lies on A
+    int above = up > 0 ? c->b : c->a;
+    if (!(x->load > 0) || !moves(f, above) || f->body[above].is_driven)
+        return 0;
+    return fabs(up) / f->body[above].basis.inverse_mass;
+}
+
+static void find_loads(active_contact *x, const contact *c,
+                       const solver_frame *f, real radius)
 {
     real inverse = f->body[x->a].basis.inverse_mass;
     if (x->sides == TWO_SIDED) inverse += f->body[x->b].basis.inverse_mass;
-    return x->load * inverse / radius;
+    x->weight = weight_of(x, c, f) * inverse / radius;
+    x->borne = x->load * inverse / radius;
 }
 
 // Contact c, and which of its points come within reach.
@@ -42,7 +55,7 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     x->load = contact_load(c);
     x->least = HUGE_VAL;
     x->count = 0;
-    x->pace = 0;
+    x->weight = x->borne = 0;
     x->is_deep = false;
     if (!moves_a && !moves_b) return;
     contact_gaps(c, &f->body[c->a].frame, b, height, gap);
@@ -53,7 +66,7 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
         x->gap[x->count++] = gap[k];
     }
     real radius = radius_of(x, f);
-    x->pace = pace_of(x, f, radius);
+    find_loads(x, c, f, radius);
     x->is_deep = x->count > 0 && x->least < -0.1 * radius;
 }
 
@@ -265,20 +278,18 @@ typedef struct {
 static const solver_body LIGHT = { .basis = { .inverse_mass = 1 } };
 static const solver_body NOWHERE = { .basis = { .inverse_mass = 0 } };
 
-static const solver_body *body_at(const solver_frame *f, int b)
+static inline const solver_body *a_of(const contact_solver *s, const block *k,
+                                      const solver_frame *f, int lane)
 {
-    return b < 0 ? &NOWHERE : &f->body[b];
+    (void)s;
+    return k->contact[lane] < 0 ? &LIGHT : &f->body[k->a[lane]];
 }
 
-static void find_sides(const contact_solver *s, const block *k,
-                       const solver_frame *f, const solver_body *a[REAL4],
-                       const solver_body *b[REAL4])
+static inline const solver_body *b_of(const contact_solver *s, const block *k,
+                                      const solver_frame *f, int lane)
 {
-    for (int l = 0; l < REAL4; l++) {
-        bool is_left = k->contact[l] < 0;
-        a[l] = is_left ? &LIGHT : &f->body[k->a[l]];
-        b[l] = is_left ? &NOWHERE : body_at(f, s->active[k->contact[l]].b);
-    }
+    int n = k->contact[lane], b = n < 0 ? -1 : s->active[n].b;
+    return b < 0 ? &NOWHERE : &f->body[b];
 }
 
 #define LANES_AT(q, number) \
@@ -297,14 +308,10 @@ static void take_frames(bodies4 *to, const rigid_frame *const from[REAL4])
     for (int i = 0; i < FOUR_AXES; i++) LANES3_AT(to->axis[i], from, axis[i]);
 }
 
-static void take_bodies(bodies4 *to, const solver_body *const from[REAL4])
+static void take_turns(bodies4 *to, const motion_basis *const from[REAL4])
 {
-    const rigid_frame *const frame[REAL4] = {
-        &from[0]->frame, &from[1]->frame, &from[2]->frame, &from[3]->frame };
-    take_frames(to, frame);
-    for (int t = 0; t < TURNS; t++)
-        LANES3_AT(to->turn[t], from, basis.turn[t]);
-    to->inverse = LANES_AT(from, basis.inverse_mass);
+    for (int t = 0; t < TURNS; t++) LANES3_AT(to->turn[t], from, turn[t]);
+    to->inverse = LANES_AT(from, inverse_mass);
 }
 
 // m, from the centres.
@@ -407,17 +414,64 @@ static bool stand_elsewhere(const contact_solver *s, const block *k,
     return true;
 }
 
+// The gaps, and the arms at which they are.
+static void see_gaps_of(const contact_solver *s, block *k,
+                        const solver_frame *f, raw_block *raw)
+{
+    const rigid_frame *a[REAL4], *b[REAL4];
+    for (int l = 0; l < REAL4; l++) {
+        a[l] = &a_of(s, k, f, l)->frame;
+        b[l] = &b_of(s, k, f, l)->frame;
+    }
+    take_frames(&raw->a, a);
+    take_frames(&raw->b, b);
+    find_arms(k, raw);
+    find_gaps(k, raw);
+}
+
+static bool lies(const solver_frame *f, const contact_solver *s, const block *k,
+                 int lane, int b)
+{
+    return f->lying && k->contact[lane] >= 0 && b != s->room
+        && f->is_elsewhere[b] == LIES;
+}
+
+// Do all bodies lie, with all gaps closed?  Then rows are made of nothing that
+// changes in this frame or the next.
+static bool all_lies(const contact_solver *s, const block *k,
+                     const solver_frame *f)
+{
+    const real4 one = real4_all(1), zero = real4_all(0);
+    real4 open = zero;
+    if (!f->lying) return false;
+    for (int l = 0; l < REAL4; l++) {
+        if (k->contact[l] < 0) continue;
+        if (!lies(f, s, k, l, k->a[l])) return false;
+        if (k->two && !lies(f, s, k, l, k->b[l])) return false;
+    }
+    for (int j = 0; j < k->points; j++) {
+        real4 gap = real4_mul(k->point[j].gap, k->per_near);
+        gap = real4_mul(k->place[j].has, real4_sub(gap, one));
+        open = real4_max(open, gap);
+    }
+    return !real4_any(open);
+}
+
 static void stand(const contact_solver *s, block *k, const solver_frame *f,
                   raw_block *raw)
 {
-    const solver_body *a[REAL4], *b[REAL4];
-    find_sides(s, k, f, a, b);
-    take_bodies(&raw->a, a);
-    take_bodies(&raw->b, b);
+    const motion_basis *a[REAL4], *b[REAL4];
+    see_gaps_of(s, k, f, raw);
+    for (int l = 0; l < REAL4; l++) {
+        a[l] = &a_of(s, k, f, l)->basis;
+        b[l] = &b_of(s, k, f, l)->basis;
+        if (lies(f, s, k, l, k->a[l])) a[l] = &f->lying[k->a[l]];
+        if (lies(f, s, k, l, k->b[l])) b[l] = &f->lying[k->b[l]];
+    }
+    take_turns(&raw->a, a);
+    if (k->two) take_turns(&raw->b, b);
     k->inverse_a = raw->a.inverse;
-    k->inverse_b = raw->b.inverse;
-    find_arms(k, raw);
-    find_gaps(k, raw);
+    k->inverse_b = k->two ? raw->b.inverse : real4_all(0);
     if (f->is_elsewhere && stand_elsewhere(s, k, f, raw)) find_arms(k, raw);
     for (int j = 0; j < k->points; j++) share_arms(raw, k, j);
 }
@@ -433,13 +487,16 @@ static inline real4 make_row(real4 row[TURNS], real4 turn[TURNS][3],
     return real4_dot(row, row);
 }
 
-static inline real4 make_rows(real4 row_a[TURNS], real4 row_b[TURNS],
+// Of a body that does not move no row is read.
+ALWAYS_INLINE real4 make_rows(real4 row_a[TURNS], real4 row_b[TURNS],
                               raw_block *raw, const real4 arm_a[3],
-                              const real4 arm_b[3], const real4 along[3])
+                              const real4 arm_b[3], const real4 along[3],
+                              bool two)
 {
     real4 moment[3];
     real4_cross(arm_a, along, moment);
     real4 square = make_row(row_a, raw->a.turn, moment);
+    if (!two) return square;
     real4_cross(arm_b, along, moment);
     return real4_add(square, make_row(row_b, raw->b.turn, moment));
 }
@@ -468,14 +525,14 @@ static inline void find_center(const block *k, const raw_block *raw,
 }
 
 // The effective mass is 1 / K, K = how far a unit impulse parts the points.
-static inline void make_points(block *k, raw_block *raw, real4 inverse,
-                               const real4 center_a[3])
+ALWAYS_INLINE void make_points(block *k, raw_block *raw, real4 inverse,
+                               const real4 center_a[3], bool two)
 {
     for (int j = 0; j < k->points; j++) {
         block_point *p = &k->point[j];
         real4 d[3], square = make_rows(p->turn_a, p->turn_b, raw,
                                        raw->arm_a[j], raw->arm_b[j],
-                                       k->normal);
+                                       k->normal, two);
         for (int i = 0; i < 3; i++)
             d[i] = real4_sub(raw->arm_a[j][i], center_a[i]);
         p->lever = real4_sqrt(real4_dot(d, d));
@@ -486,25 +543,28 @@ static inline void make_points(block *k, raw_block *raw, real4 inverse,
 // Both directions are solved at once, with the inverse of
 //     | K00 K01 |        K_ij = how far a unit impulse along j moves the points
 //     | K01 K11 |        along i.
-static inline void make_friction(block *k, raw_block *raw, real4 inverse,
+ALWAYS_INLINE void make_friction(block *k, raw_block *raw, real4 inverse,
                                  const real4 center_a[3],
-                                 const real4 center_b[3])
+                                 const real4 center_b[3], bool two)
 {
     real4 own[2], twist, *mass = k->across_mass;
     for (int i = 0; i < 2; i++)
         own[i] = real4_add(inverse, make_rows(k->across_a[i], k->across_b[i],
                                               raw, center_a, center_b,
-                                              k->across[i]));
-    real4 cross = real4_add(real4_dot(k->across_a[0], k->across_a[1]),
-                            real4_dot(k->across_b[0], k->across_b[1]));
+                                              k->across[i], two));
+    real4 cross = real4_dot(k->across_a[0], k->across_a[1]);
+    if (two) cross = real4_add(cross, real4_dot(k->across_b[0],
+                                                k->across_b[1]));
     real4 volume = real4_sub(real4_mul(own[0], own[1]),
                              real4_mul(cross, cross));
     real4 per_volume = real4_div(real4_all(1), volume);
     mass[0] = real4_mul(own[1], per_volume);
     mass[1] = real4_sub(real4_all(0), real4_mul(cross, per_volume));
     mass[2] = real4_mul(own[0], per_volume);
-    twist = real4_add(make_row(k->twist_a, raw->a.turn, k->normal),
-                      make_row(k->twist_b, raw->b.turn, k->normal));
+    if (k->points == 1) return;         // one point alone does not twist
+    twist = make_row(k->twist_a, raw->a.turn, k->normal);
+    if (two) twist = real4_add(twist, make_row(k->twist_b, raw->b.turn,
+                                               k->normal));
     twist = real4_if_positive(twist, twist, real4_all(1));
     k->twist_mass = real4_div(real4_all(1), twist);
 }
@@ -557,17 +617,25 @@ static int lanes_of(const contact_solver *s, int number, int *first)
     return int_min(each, s->color[color].contacts - each * in);
 }
 
+ALWAYS_INLINE void make_rows_at(block *k, raw_block *raw, bool two)
+{
+    real4 center_a[3], center_b[3];
+    real4 inverse = real4_add(k->inverse_a, k->inverse_b);
+    find_center(k, raw, center_a, center_b);
+    make_points(k, raw, inverse, center_a, two);
+    make_friction(k, raw, inverse, center_a, center_b, two);
+}
+
 // The rows of a block, for bodies that stand as they do now.
 static void make_rows_of(const contact_solver *s, block *k,
                          const solver_frame *f)
 {
     raw_block raw;
-    real4 center_a[3], center_b[3];
     stand(s, k, f, &raw);
-    real4 inverse = real4_add(k->inverse_a, k->inverse_b);
-    find_center(k, &raw, center_a, center_b);
-    make_points(k, &raw, inverse, center_a);
-    make_friction(k, &raw, inverse, center_a, center_b);
+    if (k->two) make_rows_at(k, &raw, true);
+    else make_rows_at(k, &raw, false);
+    k->is_stale = false;
+    k->lies = all_lies(s, k, f);
 }
 
 static void fill_block(const preparation *p, int number)
@@ -578,6 +646,7 @@ static void fill_block(const preparation *p, int number)
     int first, lanes = lanes_of(s, number, &first);
     const int *list = s->order + first;
     k->rubs = true;
+    k->two = s->active[list[0]].sides == TWO_SIDED;
     k->points = s->start[number + 1] - s->start[number];
     k->point = s->point + s->start[number];
     k->place = s->place + s->start[number];
@@ -624,13 +693,28 @@ static void keep_chunk(void *data, int item)
     int end = task_end(item, p->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
         block *k = &p->s->block[n];
+        raw_block raw;
         set_material(p, k);
+        if (k->lies) {
+            see_gaps_of(p->s, k, p->f, &raw);
+            if (all_lies(p->s, k, p->f)) continue;
+        }
         make_rows_of(p->s, k, p->f);
     }
 }
 //<
 
 //> solver-renew
+// Did it push or rub when it was last solved?  What did not gets no rows, but its
+// gaps: most of them stay open.  See solver-lazy.
+static bool acts(const block *k)
+{
+    bool some = k->rubs;
+    for (int j = 0; j < k->points && !some; j++)
+        some = real4_any(k->point[j].impulse);
+    return some;
+}
+
 static bool is_fresh(const block *k, const solver_frame *f, int spare)
 {
     bool some = !f->fresh;
@@ -645,9 +729,18 @@ static void renew_chunk(void *data, int item)
     const preparation *p = data;
     contact_solver *s = p->s;
     int end = task_last(item, s->blocks, FEW_BLOCKS);
-    for (int n = item * FEW_BLOCKS; n < end; n++)
-        if (is_fresh(&s->block[n], p->f, s->room))
-            make_rows_of(s, &s->block[n], p->f);
+    for (int n = item * FEW_BLOCKS; n < end; n++) {
+        block *k = &s->block[n];
+        raw_block raw;
+        if (!is_fresh(k, p->f, s->room)) continue;
+        if (acts(k)) {
+            make_rows_of(s, k, p->f);
+            continue;
+        }
+        see_gaps_of(s, k, p->f, &raw);
+        k->is_stale = true;
+        k->lies = false;
+    }
 }
 
 void solver_renew(contact_solver *s, const solver_frame *f)
@@ -869,6 +962,7 @@ typedef struct {
     real slowest;           // m/s, what closes more slowly does not strike
     softness soft[SIDES];
     int first, count, sides;    // the blocks of a colour
+    const solver_frame *f;
 } pass;
 
 // An open point that closes fast, and has not pushed, is left to an impact: it is
@@ -883,6 +977,47 @@ static inline real4 leave_impacts(const block *k, const pass *q, real4 speed,
     return real4_if_positive(k->strikes, left, speed);
 }
 
+//<
+
+//> solver-see
+//>   What a caller may look at.
+ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
+{
+    sides4 d = take_sides(k, q->moved, two);
+    real4 parted = part_centers(k->normal, &d, two);
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
+        p->now = real4_add(real4_add(parted, p->gap), turned);
+    }
+}
+//<
+
+//> solver-lazy
+//>   What did not push in the last substep has no rows of this one yet. Might
+//>   one of its gaps close in this substep? The rows of an older one tell that
+//>   to a quarter of a radian. Then, and only then, it gets its own.
+ALWAYS_INLINE bool wakes(block *k, const pass *q, const sides4 *u, bool two)
+{
+    const real4 per_h = real4_all(q->per_h), zero = real4_all(0);
+    real4 parting = part_centers(k->normal, u, two), closing = zero;
+    for (int j = 0; j < k->points; j++) {
+        const block_point *p = &k->point[j];
+        real4 turns = part_turns(p->turn_a, p->turn_b, u, two);
+        real4 other = real4_sub(zero, turns);
+        real4 off = real4_mul(real4_all(0.25), real4_max(turns, other));
+        real4 then = real4_mad(p->now, per_h, real4_add(parting, turns));
+        then = real4_mul(k->place[j].has, real4_sub(then, off));
+        closing = real4_min(closing, then);
+    }
+    if (!real4_any(closing)) return false;
+    make_rows_of(q->s, k, q->f);
+    see_block(k, q, two);
+    return true;
+}
+//<
+
+//> solver-push
 // An open gap may close, but no further; an overlap is pushed out as a spring
 // and a damper would.
 ALWAYS_INLINE void push(block *k, const pass *q, bool two, bool has_impacts)
@@ -894,6 +1029,7 @@ ALWAYS_INLINE void push(block *k, const pass *q, bool two, bool has_impacts)
     const real4 soft_mass = real4_all(soft->mass);
     const real4 soft_impulse = real4_all(soft->impulse);
     sides4 u = take_sides(k, q->velocity, two);
+    if (k->is_stale && !wakes(k, q, &u, two)) return;
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
     real4 inverse = inverse_mass(k, two);
     for (int j = 0; j < k->points; j++) {
@@ -961,20 +1097,6 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
 }
 //<
 
-//> solver-see
-//>   What a caller may look at.
-ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
-{
-    sides4 d = take_sides(k, q->moved, two);
-    real4 parted = part_centers(k->normal, &d, two);
-    for (int j = 0; j < k->points; j++) {
-        block_point *p = &k->point[j];
-        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
-        p->now = real4_add(real4_add(parted, p->gap), turned);
-    }
-}
-//<
-
 //> solver-relax
 //>   As the push does, the relax pass leaves a point alone that is open and
 //>   closes fast, if it will have an impact (chapter 15).
@@ -984,6 +1106,7 @@ ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
     const real4 friction = k->friction;
     see_block(k, q, two);
     sides4 u = take_sides(k, q->velocity, two);
+    if (k->is_stale && !wakes(k, q, &u, two)) return;
     real4 parting = part_centers(k->normal, &u, two), sum = zero;
     real4 inverse = inverse_mass(k, two), along = zero, moment = zero;
     for (int j = 0; j < k->points; j++) {
@@ -1032,6 +1155,7 @@ ALWAYS_INLINE void relax_to_impacts(block *k, const pass *q, bool two)
 //>   Warm start: the impulses of the last substep act again.
 ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
 {
+    if (!acts(k)) return;
     sides4 u = take_sides(k, q->velocity, two);
     real4 sum = real4_all(0);
     for (int j = 0; j < k->points; j++) {
@@ -1045,7 +1169,8 @@ ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
         push_turns(k->across_a[i], k->across_b[i], k->across_impulse[i], &u,
                    two);
     }
-    push_turns(k->twist_a, k->twist_b, k->twist_impulse, &u, two);
+    if (k->points > 1)
+        push_turns(k->twist_a, k->twist_b, k->twist_impulse, &u, two);
     give_sides(k, q->velocity, &u, two);
 }
 //<
@@ -1089,7 +1214,7 @@ static void run_pass(contact_solver *s, const solver_frame *f,
                      motion *velocity, const motion *moved,
                      void (*work)(void *data, int item))
 {
-    pass q = { .s = s, .velocity = velocity, .moved = moved, .per_h = 1 / f->h,
+    pass q = { .s = s, .f = f, .velocity = velocity, .moved = moved, .per_h = 1 / f->h,
                .max_speed = f->max_speed,
                .slowest = 2 * vec3_length(f->gravity) * f->h };
     for (int i = 0; i < SIDES; i++) q.soft[i] = softness_of(f, i);

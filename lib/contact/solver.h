@@ -38,6 +38,11 @@ typedef struct {
                         // that of a body so heavy that no push shows
 } solver_body;
 
+// Where are the rows of a body made?  Where it stands when a substep ends;
+// halfway, if it touches a driven body; or, if it lies, where its contacts were
+// found.
+enum { GOES_EXACTLY, GOES_BY_HALVES, LIES };
+
 // What the solver is told about a frame.
 typedef struct {
     const solver_body *body;    // [bodies]
@@ -45,7 +50,10 @@ typedef struct {
     const char *fresh;          // [bodies] has it a new frame and basis since
                                 // rows were made?  NULL: all have
     const rigid_frame *rows_at; // [bodies] where rows are made, if not where
-    const char *is_elsewhere;   // [bodies] it stands; NULL: none is elsewhere
+    const char *is_elsewhere;   // [bodies] it stands; NULL: none is elsewhere;
+                                // or GOES_EXACTLY, ...
+    const motion_basis *lying;  // [bodies] the basis there, of those that lie;
+                                // NULL: of none.  While they lie, both stay
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
     int  substeps;              // of this frame, or part of it
@@ -123,7 +131,11 @@ typedef struct {
     int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
     int   contact[REAL4];               // -1: left over
     int   points;                       // of the contact that has most
+    bool  two;                          // both sides move
     bool  rubs;                         // friction's impulses may not be 0
+    bool  is_stale;                     // rows are those of an older substep
+    bool  lies;                         // all that it has lies, with its gaps
+                                        // closed: rows stay good
     bool  is_round;                     // some are
     real4 round_a, round_b;             // m, see contact
     real4 per_near;                     // 1/m, of a gap that is all but closed
@@ -158,8 +170,9 @@ typedef struct {
     real gap[CONTACT_POINTS];           // m
     real least;                         // m, of all points
     real load;          // N s, along the normal, when last solved
-    real pace;          // 1/s, by which that alone would part the bodies,
-                        // beside the smaller radius
+    real weight;        // 1/s^2, how the weight of the body that lies on the
+                        // other would part them, beside the smaller radius;
+    real borne;         // 1/s, how the load would
 } active_contact;
 
 typedef struct {

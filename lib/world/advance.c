@@ -9,8 +9,6 @@
 // there.  What touches a driven body goes by halves: its rows are made in the
 // middle, whose velocities they have.  What lies has its rows where its contacts
 // were found: it is displaced, until it leaves the margin that they have.
-typedef enum { GOES_EXACTLY, GOES_BY_HALVES, LIES } going;
-
 static bool lies(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
@@ -25,6 +23,7 @@ static void lie(world *w, int b)
     if (b < 0 || t->going[b] != GOES_EXACTLY || !lies(w, b)) return;
     t->going[b] = LIES;
     t->middle[b] = t->cache.placed[b];
+    t->lying[b] = basis_find(w->body[b].rigid, &t->middle[b]);
 }
 
 static void touch_driven(world *w, int a, int b)
@@ -46,11 +45,14 @@ void advance_begin(world *w)
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k];
         t->going[b] = GOES_EXACTLY;
+        t->touches[b] = (char)(t->moves[b] && linkage_has(&w->joints, b));
         t->began[b] = t->now[b].frame;
     }
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
         if (x->count == 0) continue;
+        t->touches[x->a] = t->moves[x->a];
+        if (x->b >= 0) t->touches[x->b] = t->moves[x->b];
         lie(w, x->a);
         lie(w, x->b);
         if (w->kinematic_bodies > 0) touch_driven(w, x->a, x->b);

@@ -9,8 +9,8 @@
 #include <stddef.h>
 #include <string.h>
 
-// What moves: its kinetic energy (J), and its mass (kg).  A body whose numbers
-// are lost does not count.
+// What moves, and may touch something: its kinetic energy (J), and its mass (kg).
+// A body whose numbers are lost does not count.
 typedef struct {
     real energy, mass;
 } motion_sum;
@@ -28,7 +28,7 @@ static motion_sum rigid_motion(const world *w)
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         const motion_basis *basis = &w->rigid.now[b].basis;
-        if (w->rigid.moves[b] && !w->rigid.now[b].is_driven)
+        if (w->rigid.touches[b] && !w->rigid.now[b].is_driven)
             add_motion(&s, motion_energy(basis, &w->rigid.velocity[b]),
                        basis->inverse_mass);
     }
@@ -52,6 +52,7 @@ static real load_energy(const world *w)
     real sum = 0;
     for (int k = 0; k < w->rigid.awakes && w->rigid.is_loaded; k++) {
         int b = w->rigid.awake[k];
+        if (!w->rigid.touches[b]) continue;
         motion u = world_load(w, b, w->frame);
         sum += motion_energy(&w->rigid.now[b].basis, &u);
     }
@@ -84,7 +85,7 @@ real guard_most(const world *w, const solver_frame *f)
 //>   If there is more than that, all are slowed by the same share.
 static void slow_down(world *w, int b, real share)
 {
-    if (w->rigid.now[b].is_driven) return;
+    if (w->rigid.now[b].is_driven || !w->rigid.touches[b]) return;
     for (int i = 0; i < MOTIONS; i++) w->rigid.velocity[b].of[i] *= share;
 }
 
@@ -105,7 +106,7 @@ static void report_lost(world *w, int lost, bool is_wild)
         int b = w->rigid.awake[k];
         if (!w->rigid.moves[b]) continue;
         sleep_forget(&w->sleep, b);
-        all++;
+        all += w->rigid.touches[b];
     }
     w->report.lost = int_max(w->report.lost, is_wild ? all : lost);
 }

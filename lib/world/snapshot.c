@@ -310,6 +310,7 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     STORE_ZEROS(s, t->ahead, room);
     STORE_ZEROS(s, t->reach, room);
     STORE_ROOM(s, t->middle, room);
+    STORE_ROOM(s, t->lying, room);
     STORE_ZEROS(s, t->velocity, t->motions);
     STORE_ZEROS(s, t->moved, t->motions);
     STORE_ROOM(s, t->began, room);
@@ -319,6 +320,7 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     STORE_FORGET(s, t->has_noticed);
     STORE_ROOM(s, t->fresh, room);
     STORE_ROOM(s, t->going, room);
+    STORE_ROOM(s, t->touches, room);
     STORE_ROOM(s, t->now_then, room);
     STORE_ROOM(s, t->velocity_then, room);
     STORE_ROOM(s, t->moved_then, room);

@@ -378,6 +378,7 @@ static solver_frame frame_of(const world *w, int substeps)
     return (solver_frame){
         .body = w->rigid.now, .bodies = w->bodies, .plane = w->plane, .h = h,
         .rows_at = w->rigid.middle, .is_elsewhere = w->rigid.going,
+        .lying = w->rigid.lying,
         .substeps = substeps,
         .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
         .material = w->has_materials ? w->rigid.material : NULL,

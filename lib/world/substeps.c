@@ -1,61 +1,22 @@
-//> substeps-heavy
+//> substeps-contacts
 #include "substeps.h"
 #include "soft_step.h"
 
 #include <stddef.h>
 
-// A contact that carries a force F gives way by about F h^2 / m, with m the
-// effective mass of its two bodies.  A frame takes so many substeps that this
-// is no more than SAG of the smaller radius where a body lies on one that is
-// EVEN times lighter, or more: that many for its own weight, whatever it pushes
-// in this frame.
-static const real SAG = 0.0025, EVEN = 30;
-enum { MOST_TIMES = 8 };
+// A contact that bears a force F gives way by F / (m w^2), with m the effective
+// mass of its two bodies and w the angular frequency of its spring, which is an
+// eighth of a whole turn in a substep (solver-pass).  A frame takes so many
+// substeps that this is at most GIVES, as a share of the smaller radius.
+static const real GIVES = 0.002, EIGHTH = 0.7853981633974483;
 
-// 1/s^2: what the contact has to bear, F / m, beside the smaller radius.
-static real uneven_pace(const world *w, const contact *c)
+// For F / m beside the smaller radius, 1/s^2.
+static real substeps_to_bear(const world *w, real pace)
 {
-    const solver_body *a = &w->rigid.now[c->a], *b = &w->rigid.now[c->b];
-    real x = a->basis.inverse_mass, y = b->basis.inverse_mass;
-    if (a->is_driven || b->is_driven) return 0;
-    if (!(x > 0 && y > 0) || (x < EVEN * y && y < EVEN * x)) return 0;
-    real ratio = x > y ? x / y : y / x, up = x > y ? 1 : -1;
-    real bears = up * vec3_dot(c->normal, w->options.gravity);
-    return real_max(bears, 0) * ratio / real_min(a->radius, b->radius);
+    return w->options.dt * sqrt(pace / GIVES) / EIGHTH;
 }
 
-static int substeps_for_heavy(const world *w)
-{
-    const contact_solver *s = &w->rigid.solver;
-    const world_options *o = &w->options;
-    real most = 0;
-    if (w->rigid.heaviest < EVEN * w->rigid.lightest) return 0;
-    for (int k = 0; k < s->contacts; k++)
-        if (s->active[k].sides == TWO_SIDED && s->active[k].load > 0)
-            most = real_max(most, uneven_pace(w, w->rigid.cache.active[k]));
-    return (int)real_min(o->dt * sqrt(most / SAG),
-                         (real)MOST_TIMES * o->substeps);
-}
-//<
-
-//> substeps-stack
-//>   A stack is judged by the impulses of the last frame.
-// Where nothing goes further than a sixteenth of its radius in a frame, three
-// quarters of the usual substeps do, unless a stack needs all of them; or more
-// than twice as many, as small bodies do, which gravity takes further beside
-// their radius.  (For less than that it is not worth the jolt.)
-static const real STACK_SAG = 0.0065;
-
-static real substeps_for_stack(const world *w)
-{
-    const contact_solver *s = &w->rigid.solver;
-    real most = 0;
-    for (int k = 0; k < s->contacts; k++)
-        most = real_max(most, s->active[k].pace);
-    return real_min(w->frame * sqrt(most / w->age / STACK_SAG),
-                    (real)MOST_TIMES * w->options.substeps);
-}
-
+// What flies does not sag.
 static bool is_calm(const world *w)
 {
     for (int k = 0; k < w->rigid.awakes; k++) {
@@ -66,6 +27,27 @@ static bool is_calm(const world *w)
     }
     return true;
 }
+
+// The weight of what lies on something lighter counts before it is felt, and what
+// contacts bear when all is calm.  Of that the mean square: where bodies are
+// jammed, some contact is always pressed by a hundred times what lies on it.
+// That grows by one substep a frame, or a tower would be thrown up.
+static real substeps_for_contacts(const world *w)
+{
+    const contact_solver *s = &w->rigid.solver;
+    real weight = 0, squares = 0, count = 0;
+    for (int k = 0; k < s->contacts; k++) {
+        const active_contact *x = &s->active[k];
+        weight = real_max(weight, x->weight);
+        squares += x->borne * x->borne;
+        count += x->borne > 0;
+    }
+    real first = substeps_to_bear(w, weight);
+    if (!(squares < HUGE_VAL && count > 0 && is_calm(w))) return first;
+    real pace = sqrt(squares / count) / w->age;
+    real more = real_min(substeps_to_bear(w, pace), w->rigid.substeps.now);
+    return real_max(first, more);
+}
 //<
 
 //> substeps-joints
@@ -74,10 +56,9 @@ static bool is_calm(const world *w)
 // body make it four times as stiff as one joint alone.
 static const real FOLLOWED = 0.6;
 
-static int substeps_for_joints(const world *w)
+static real substeps_for_joints(const world *w)
 {
-    real need = w->options.dt * w->joints.pace / FOLLOWED;
-    return (int)real_min(need, (real)MOST_TIMES * w->options.substeps);
+    return w->options.dt * w->joints.pace / FOLLOWED;
 }
 //<
 
@@ -107,13 +88,14 @@ int substeps_again(const world *w, real h, int left)
 //> substeps-choose
 //>   The largest demand counts. It is obeyed at once, and released after half a
 //>   second.
-// Every change of their number jolts what rests: it rises at once, and falls
-// when it has been too high for PATIENCE frames.
+// Every change of their number moves what rests, for in shorter ones it sags less:
+// it rises at once, and falls when it has been too high by a third for PATIENCE
+// frames.
 enum { PATIENCE = 30 };
 
 static int hold(substep_choice *c, int need)
 {
-    c->frames = need < c->now ? c->frames + 1 : 0;
+    c->frames = 4 * need < 3 * c->now ? c->frames + 1 : 0;
     if (need > c->now || c->frames > PATIENCE) c->now = need;
     return c->now;
 }
@@ -122,17 +104,13 @@ static int hold(substep_choice *c, int need)
 // have more than usual.
 int substeps_choose(world *w)
 {
-    int usual = w->options.substeps;
+    int usual = world_usual(w);
     int most = int_max(w->options.most_substeps, usual);
     real share = w->frame / w->options.dt;
-    int n = usual;
-    if (w->softs == 0 && w->joints.count == 0 && is_calm(w)) {
-        real need = substeps_for_stack(w);
-        if (need <= 0.75 * usual) n = (3 * usual + 3) / 4;
-        if (need > 2 * usual) n = (int)need + 1;
-    }
-    n = int_max(n, substeps_for_joints(w));
-    n = hold(&w->rigid.substeps, int_max(n, substeps_for_heavy(w)));
+    real stiff = real_min(substeps_for_contacts(w), most);
+    real swing = real_min(substeps_for_joints(w), most);
+    int n = hold(&w->rigid.substeps, int_max(usual, (int)stiff + 1));
+    n = int_max(n, (int)swing + 1);
     if (share < 1) n = int_max(usual, (int)(share * n));
     if (w->softs > 0) n = int_max(n, soft_need(w));
     n = int_min(n, int_max((int)(share * most), usual));

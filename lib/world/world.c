@@ -12,7 +12,7 @@
 world_options world_options_default(void)
 {
     return (world_options){
-        .dt = 1.0 / 60, .substeps = 8, .most_substeps = 200,
+        .dt = 1.0 / 60, .most_substeps = 200,
         .gravity = { 0, -9.81, 0 },
         .friction = 0.5, .restitution = 0,
         .hertz = 1000, .stay = 0.03, .warm_start = true,
@@ -20,6 +20,23 @@ world_options world_options_default(void)
         .iterations = 6,
         .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 },
     };
+}
+
+int world_substeps(const world_options *o)
+{
+    enum { FEWEST = 4 };
+    const real rate = 240, rounding = 1e-9;     // 1/s
+    if (o->substeps > 0 || !(o->dt > 0 && o->dt <= 1)) return o->substeps;
+    return int_max(FEWEST, (int)(rate * o->dt - rounding) + 1);
+}
+
+int world_usual(const world *w)
+{
+    enum { HANGING = 8 };
+    int n = w->options.substeps;
+    bool hangs = w->softs > 0 || w->joints.count > 0;
+    bool is_part = w->frame < w->options.dt;
+    return (hangs || is_part) && !w->has_substeps ? int_max(HANGING, n) : n;
 }
 //<
 
@@ -37,7 +54,7 @@ static status check_options(const world_options *o)
 {
     struct { const char *name; real value, least, most; } rule[] = {
         { "dt",            o->dt,              1e-9, 1 },
-        { "substeps",      o->substeps,        1, ALL_SUBSTEPS },
+        { "substeps",      o->substeps,        0, ALL_SUBSTEPS },
         { "most_substeps", o->most_substeps,   1, ALL_SUBSTEPS },
         { "friction",      o->friction,        0, 1000 },
         { "restitution",   o->restitution,     0, 1 },
@@ -75,10 +92,12 @@ static void *grown(void *old, int count, size_t size)
 
 status world_init(world *w, world_options options)
 {
-    *w = (world){ .options = options,
-                  .age = options.dt / options.substeps };
+    *w = (world){ .options = options };
     pool_init(&w->pool);
     w->rigid.cache.free_entry = -1;
+    w->has_substeps = options.substeps > 0;
+    w->options.substeps = world_substeps(&options);
+    w->age = options.dt / w->options.substeps;
     return check_options(&options);
 }
 
@@ -374,12 +393,14 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
     TABLE_GROW(ok, t->ball, old, room);
     TABLE_GROW(ok, t->ahead, old, room);
     TABLE_GROW(ok, t->middle, old, room);
+    TABLE_GROW(ok, t->lying, old, room);
     TABLE_GROW(ok, t->reach, old, room);
     TABLE_GROW(ok, t->began, old, room);
     TABLE_GROW(ok, t->awake, old, room);
     TABLE_GROW(ok, t->is_awake, old, room);
     TABLE_GROW(ok, t->fresh, old, room);
     TABLE_GROW(ok, t->going, old, room);
+    TABLE_GROW(ok, t->touches, old, room);
     TABLE_GROW(ok, t->now_then, old, room);
     TABLE_GROW(ok, t->velocity_then, old, room);
     TABLE_GROW(ok, t->moved_then, old, room);
@@ -487,18 +508,13 @@ void world_weigh(world *w)
     rigid_tables *t = &w->rigid;
     if (t->is_weighed) return;
     t->is_weighed = true;
-    t->lightest = HUGE_VAL;
-    t->heaviest = 0;
     t->restitution = w->options.restitution;
     for (int k = 0; k < w->planes && w->has_materials; k++)
         t->restitution = real_max(w->wall[k].restitution, t->restitution);
     for (int b = 0; b < w->bodies; b++) {
-        if (w->has_materials)
+        if (w->has_materials && !body_is_gone(&w->body[b]))
             t->restitution = real_max(t->material[b].restitution,
                                       t->restitution);
-        if (!t->dynamic[b] || w->body[b].is_kinematic) continue;
-        t->lightest = real_min(w->body[b].mass, t->lightest);
-        t->heaviest = real_max(w->body[b].mass, t->heaviest);
     }
 }
 
@@ -649,8 +665,10 @@ void world_free(world *w)
     void *owned[] = { w->body, w->plane, w->wall, w->shape, w->inverse_mass,
         w->owner,
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
+        r->lying,
         r->reach, r->velocity, r->moved, r->load, r->material, r->drive,
-        r->began, r->awake, r->is_awake, r->fresh, r->going, r->now_then, r->velocity_then,
+        r->began, r->awake, r->is_awake, r->fresh, r->going, r->touches,
+        r->now_then, r->velocity_then,
         r->moved_then, r->held, r->free, r->free_end };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);

@@ -25,13 +25,12 @@ enum { ALL_SUBSTEPS = 10000 };
 
 typedef struct {
     real dt;            // s, a frame: one call of world_step; to 1
-    int  substeps;      // of a frame: the more, the stiffer are contacts, and
-                        // the higher may stacks be, the heavier what rests on
-                        // light; 1 to ALL_SUBSTEPS
+    int  substeps;      // of a frame, at least, 1 to ALL_SUBSTEPS; 0: as
+                        // world_substeps says, when the world is made
     int  most_substeps; // a frame takes more, up to this, for a cloth that
-                        // something fast comes near, and for a load that is
-                        // great beside what carries it; no more in its
-                        // four parts together, if something is fast
+                        // something fast comes near, and for what bears much
+                        // beside its mass; no more in its four parts
+                        // together, if something is fast
     vec3 gravity;       // m/s^2
     real friction;      // Coulomb's coefficient, >= 0
     real restitution;   // of rigid bodies, and of cloth and rope at what does
@@ -141,6 +140,7 @@ typedef struct {
     sphere      *ball;      // [bodies]
     prediction  *ahead;     // [bodies]
     real        *reach;     // [bodies] of ahead
+    motion_basis *lying;    // [bodies] see solver_frame
     rigid_frame *middle;    // [bodies] see cache_frame; in the substeps, where
                             // its rows are made, see advance.c
     rigid_frame *began;     // [bodies] when they began
@@ -152,6 +152,7 @@ typedef struct {
     motion      *moved;     // [motions] since it got its frame and basis
     char        *fresh;     // [bodies] it got them in the last substep
     char        *going;     // [bodies] see advance.c
+    char        *touches;   // [bodies] it moves, and has contacts or joints
     real elapsed, elapsed_then;         // s, since the substeps began
     int          motions;
     solver_body *now_then;  // [bodies] before this substep, which may have to be
@@ -163,8 +164,7 @@ typedef struct {
     bool is_loaded;         // some are not 0
     material    *material;  // [bodies] deformable ones, too
     body_drive  *drive;     // [bodies]
-    bool is_weighed;        // the next three are those of the bodies there are
-    real lightest, heaviest;            // kg, of those that are not static
+    bool is_weighed;        // the next is that of the bodies there are
     real restitution;       // the largest, also of the planes
     substep_choice substeps;
     pair_list      pairs;
@@ -200,6 +200,7 @@ typedef struct world {
     int  dynamic_bodies;    // neither static nor kinematic
     int  kinematic_bodies;
     bool is_choosy;         // some bodies do not meet all others
+    bool has_substeps;      // options said how many
     rigid_tables rigid;
     linkage      joints;
     soft_solver  soft;
@@ -216,8 +217,17 @@ typedef struct world {
 //> world-declare
 //>   A program makes a world, adds bodies, and steps. The rest is for the
 //>   modules of the step.
-// 8 substeps of 1/480 s, friction 0.5, restitution 0.
+// Steps of 1/60 s, friction 0.5, restitution 0.
 world_options world_options_default(void);
+
+// The substeps of a frame in which nothing asks for more: options.substeps, or
+// else four, or so many that none is longer than 1/240 s.
+int world_substeps(const world_options *o);
+
+// The same in this world and frame.  Where options did not say, it is at least
+// eight where something may hang, by joints or threads, for the errors of a swing
+// go as h^2; and in each part of a divided frame.
+int world_usual(const world *w);
 
 // An empty world.  Fails, with the option's name, if one is out of range: *w is
 // empty then, too, and owns nothing.
@@ -298,9 +308,8 @@ void world_place(world *w, int b, const placement *where);
 // A body is another than it was: it counts as new.
 void world_renew(world *w, int b);
 
-// Finds the lightest, the heaviest and the most elastic body again, if one has
-// come, gone or changed since.  A step does so as it begins: n bodies are added
-// in O(n).
+// Finds the most elastic body again, if one has come, gone or changed since.  A
+// step does so as it begins: n bodies are added in O(n).
 void world_weigh(world *w);
 
 // Body a comes near body b: if one of them sleeps and the other did not lie

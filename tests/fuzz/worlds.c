@@ -363,8 +363,8 @@ static world_options any_options(trial *t)
 {
     world_options o = world_options_default();
     set_options(t, &o);
-    if (o.most_substeps > MOST_TIMES * o.substeps)
-        o.most_substeps = MOST_TIMES * o.substeps;
+    if (o.most_substeps > MOST_TIMES * world_substeps(&o))
+        o.most_substeps = MOST_TIMES * world_substeps(&o);
     int pull = any_int(t, 0, 7);
     if (pull == 0) o.gravity = vec3_make(0, 0, 0);
     if (pull == 1) o.gravity = vec3_make(0, -1e3, 0);

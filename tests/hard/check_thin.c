@@ -99,8 +99,8 @@ START_TEST(bullet_at_a_plate_takes_few_more_substeps)
     int divided = 0;
     for (int f = 0; f < 6; f++) {
         world_step(&w);
-        ck_assert_int_le(w.report.substeps, 4 * o.substeps);
-        divided += w.report.substeps > o.substeps;
+        ck_assert_int_le(w.report.substeps, 4 * 8);
+        divided += w.report.substeps > w.options.substeps;
     }
     ck_assert_int_le(divided, 2);
 }

@@ -63,7 +63,7 @@ static void sag_law(hard_report *r, int fast)
     int most = fast ? 5 : 10;
     for (int i = 0; i < 3; i++) {
         tumble_options o = tumble_options_default();
-        o.substeps = substeps[i];
+        o.substeps = o.most_substeps = substeps[i];
         o.sleep_speed = 0;
         step[i] = o.dt / o.substeps;
         stand(r, most, 1, o, &at[i], &aside);
@@ -78,6 +78,8 @@ static void sag_law(hard_report *r, int fast)
         stand(r, n[i], 1, o, &at[i], &aside);
         hard_note(r, "%d cubes of 1 m at the defaults: sag / height %.4f", n[i],
                   at[i]);
+        o.substeps = o.most_substeps = substeps[0];
+        stand(r, n[i], 1, o, &at[i], &aside);
     }
     double c = 2 * at[1] / (step[0] * step[0] * FAMILY_G * n[1]);
     hard_note(r, "sag / height = c h^2 g n / (2 side) with c = %.2f", c);
@@ -86,6 +88,7 @@ static void sag_law(hard_report *r, int fast)
     for (int i = 0; i < 3; i++) {
         tumble_options o = tumble_options_default();
         o.sleep_speed = 0;
+        o.substeps = o.most_substeps = substeps[0];
         wide[i] = side[i];
         stand(r, most, side[i], o, &at[i], &aside);
     }

@@ -1085,7 +1085,7 @@ START_TEST(a_paddle_does_not_go_through_what_it_hits)
         }
         for (int k = 0; k < 30; k++) {
             tumble_step(w);
-            ck_assert(tumble_measure(w).penetration < 0.05);
+            ck_assert_msg(tumble_measure(w).penetration < 0.05, "spin %g step %d: %g", spin, k, tumble_measure(w).penetration);
         }
         tumble_free(w);
     }

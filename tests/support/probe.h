@@ -10,11 +10,11 @@
 #include "drive.h"
 #include "world.h"
 
-// The lightest body's mass; NAN while it has not been asked for since the last
+// The largest restitution; NAN while it has not been asked for since the last
 // body came or went.
-static inline real probe_lightest(const world *w)
+static inline real probe_restitution(const world *w)
 {
-    return w->rigid.is_weighed ? w->rigid.lightest : (real)NAN;
+    return w->rigid.is_weighed ? w->rigid.restitution : (real)NAN;
 }
 
 // --- Sleep -------------------------------------------------------------------

@@ -123,7 +123,7 @@ START_TEST(books_balance_whatever_happens)
             substeps = int_max(substeps, w.report.substeps);
         }
         ck_assert(most > 1);
-        if (k == 4) ck_assert_int_gt(substeps, 2 * o.substeps);
+        if (k == 4) ck_assert_int_gt(substeps, 2 * w.options.substeps);
         books_balance(was, BOOKS * most);
         // Sticks hold to 1e-9 when a frame begins.
         near(w.ledger[LEDGER_INTEGRATE].energy, 0, 1e-8 * most);

@@ -9,9 +9,10 @@
 #include "world.h"
 
 // For the frame, or the part of it, whose contacts the solver has looked at:
-// the usual number, fewer where all is calm, more under heavy loads, for small
-// things, and for cloth.  At most options.most_substeps in a frame, and never
-// more than ALL_SUBSTEPS: what has fewer for that is counted in report.cut.
+// the usual number, or more where contacts bear much beside their masses, where
+// joints swing fast, and for cloth.  At most options.most_substeps in a frame,
+// and never more than ALL_SUBSTEPS: what has fewer for that is counted in
+// report.cut.
 int substeps_choose(world *w);
 
 // After a substep of h (s), when `left` of them were to go, it among them: into

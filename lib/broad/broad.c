@@ -18,7 +18,7 @@ status broad_init(broad *s, int bodies)
 }
 
 // In a leaf of the tree of what stands still.  The fewer, the fewer balls are
-// compared, and the more memory do the boxes take.
+// compared, and the more memory the boxes take.
 enum { FEW_STILL = 4 };
 
 int broad_boxes(int stills)
@@ -601,7 +601,7 @@ static void ask_leaf(still_query *q, int leaf)
     }
 }
 
-// Not deeper than an int has bits.
+// It calls itself no deeper than an int has bits.
 static void ask_box(still_query *q, int k)
 {
     if (!overlaps(q->s->box[k], q->box)) return;

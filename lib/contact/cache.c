@@ -452,8 +452,8 @@ static swept_status query_swept(contact *c, const cache_frame *f,
 //<
 
 //> cache-closing
-// m, by how much the gap along the normal may close in this frame: as far as both
-// go along it, and whatever they do beside that.
+// m, by how much the gap along the normal may close in this frame: as far as
+// the centres approach along it, and as far as vertices go beside that.
 static real closing_of(const cache_frame *f, const contact *c, vec3 normal)
 {
     const prediction *a = &f->ahead[c->a], *b = &f->ahead[c->b];

@@ -436,8 +436,8 @@ static bool lies(const solver_frame *f, const contact_solver *s, const block *k,
         && f->is_elsewhere[b] == LIES;
 }
 
-// Do all bodies lie, with all gaps closed?  Then rows are made of nothing that
-// changes in this frame or the next.
+// Do all bodies lie, with all gaps closed?  Then nothing that rows are made of
+// changes, in this frame or the next.
 static bool all_lies(const contact_solver *s, const block *k,
                      const solver_frame *f)
 {
@@ -705,8 +705,8 @@ static void keep_chunk(void *data, int item)
 //<
 
 //> solver-renew
-// Did it push or rub when it was last solved?  What did not gets no rows, but its
-// gaps: most of them stay open.  See solver-lazy.
+// Did it push or rub when it was last solved?  If not, only its gaps are
+// measured, because most of them stay open: see solver-lazy.
 static bool acts(const block *k)
 {
     bool some = k->rubs;
@@ -995,8 +995,8 @@ ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 
 //> solver-lazy
 //>   What did not push in the last substep has no rows of this one yet. Might
-//>   one of its gaps close in this substep? The rows of an older one tell that
-//>   to a quarter of a radian. Then, and only then, it gets its own.
+//>   one of its gaps close in this substep? The rows of an older one say so,
+//>   if what turning does is doubted by a quarter. Only then are rows made.
 ALWAYS_INLINE bool wakes(block *k, const pass *q, const sides4 *u, bool two)
 {
     const real4 per_h = real4_all(q->per_h), zero = real4_all(0);

@@ -170,9 +170,9 @@ typedef struct {
     real gap[CONTACT_POINTS];           // m
     real least;                         // m, of all points
     real load;          // N s, along the normal, when last solved
-    real weight;        // 1/s^2, how the weight of the body that lies on the
-                        // other would part them, beside the smaller radius;
-    real borne;         // 1/s, how the load would
+    real weight;        // 1/s^2, the weight of the body that lies on the other,
+                        // over effective mass and smaller radius;
+    real borne;         // 1/s, the load, over the same
 } active_contact;
 
 typedef struct {

@@ -515,7 +515,7 @@ static void reset_answers(linkage_body *x, const linkage_pass *q, int b)
 }
 
 // How a body answers impulses along rows, and K.  Three rows are those of a
-// ball joint, each of which goes along one axis.
+// ball joint: each moves the centre along one axis only.
 ALWAYS_INLINE void find_answers(int n, linkage_body *x,
                                 real (*row)[MOTIONS],
                                 real answer[JOINT_ROWS][MOTIONS],
@@ -537,8 +537,8 @@ ALWAYS_INLINE void find_answers(int n, linkage_body *x,
     }
 }
 
-// K of a joint: what it gives, what the tree beyond it does, and what the body
-// does that leads on.  This one answers less by what the joint holds back.
+// K of a joint: its own give, the answer of the tree beyond it, and that of the
+// body that leads on, which then answers less, by what the joint holds back.
 ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
                           linkage_body *on, const joint *j, joint_rows *r,
                           real (*row)[MOTIONS], real (*row_on)[MOTIONS])
@@ -590,8 +590,8 @@ static void factor_tree(linkage *l, const linkage_pass *q, int first, int end)
 //>   And here are the two walks. The velocities that they find are not given to
 //>   the bodies. Only the impulses are, each to A and its opposite to B, so
 //>   momentum stays to rounding, however inexact the matrices are.
-// What a joint wants, and the bodies beyond it do not do by themselves.  If the
-// body that leads on had no other joint, it would go by the impulse for that.
+// What a joint wants, and the bodies beyond it do not do already.  The body
+// that leads on gets the impulse for that, as if no other joint held it.
 static inline void solve_inward(int n, linkage *l, const linkage_step *s)
 {
     const joint *j = &l->joint[s->joint];
@@ -606,7 +606,7 @@ static inline void solve_inward(int n, linkage *l, const linkage_step *s)
     drive_by(on->speed, n, r->answer_on, impulse);
 }
 
-// Now it is known how that body goes.
+// Now it is known how the body that leads on moves.
 static inline void solve_outward(int n, linkage *l, const linkage_step *s)
 {
     const joint *j = &l->joint[s->joint];
@@ -639,17 +639,17 @@ static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
 //<
 
 //> linkage-settle
-//>   A tree is solved until nothing is left of what its joints want. Often that
-//>   is once, and where the warm start was right it is not at all.
-// Of a body's size: by less a joint may miss what it wants, at the end of a
-// substep.  That is a hundredth of what gaps may be.  With ten times as much
-// two double pendulums more (chapter 20, case 164) change their energy by more
-// than a thousandth, and a heap of dolls costs 4 % less; with a tenth all tops
-// and double pendulums do as they do.
+//>   A tree is solved once, and again as long as its joints will miss what they
+//>   want by too much. Mostly once is enough.
+// As a share of a body's size: by so much a joint may miss what it wants, at
+// the end of a substep: a hundredth of what gaps may be.  With ten times
+// as much two more double pendulums (chapter 20, case 164) change their energy
+// by more than a thousandth, and a heap of dolls costs 4 % less; with a tenth,
+// tops and double pendulums do as before.
 static const real MISS = 1e-6;
 
-// Solved without a limit that is reached, or with one that pulls, a tree is
-// solved again.
+// A tree that was solved without a limit that is reached, or with one that
+// pulls, is solved again.
 enum { LIMIT_ROUNDS = 4 };
 
 static bool switch_limits(linkage *l, const linkage_pass *q, int first, int end,
@@ -662,7 +662,7 @@ static bool switch_limits(linkage *l, const linkage_pass *q, int first, int end,
     return has_changed;
 }
 
-// Returns by how much of its size the worst joint will miss it.
+// Returns by how much the worst joint will miss it, as a share of its size.
 static real find_wants(linkage *l, const linkage_pass *q, int first, int end,
                        wanting *what)
 {
@@ -690,7 +690,7 @@ static bool find_ends(linkage *l, const linkage_pass *q, int first, int end)
     return are_known;
 }
 
-// Solved once, and again while the joints will miss it by too much.
+// Solved once, and again while a joint will miss what it wants by too much.
 static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
                         wanting *what, int rounds)
 {

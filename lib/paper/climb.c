@@ -13,7 +13,7 @@ int hull_scan(hull h, vec3 d)
     return best;
 }
 
-// To the highest neighbour, from there to the highest of its own.
+// Goes to the highest neighbour, and on from there, until none is higher.
 int hull_climb(const hull_mesh *b, vec3 d, int from)
 {
     if (!hull_climbs(b)) return hull_scan(b->hull, d);

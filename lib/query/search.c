@@ -371,15 +371,15 @@ hull_mesh hull_bare(hull h)
     return (hull_mesh){ .hull = h, .size = 2 * most };
 }
 
-// By how much a vertex of b may stand higher along d than v, where a climb ended.
+// By how much a vertex of b may be higher along d than v, where a climb ended.
 // A mesh is convex to 1e-9 of its size, and its place is rounded: no vertex is
 // further above the plane of a face than `uneven`.  Let c, a point of b, lie below
 // v and at least r below all planes of the faces at v.  If x is a vertex, the
 // point p = c + s (x - c) with s = r / (r + uneven) is above none of the planes.
 // So it is no higher than v, because the edges from v lead down, and c is below.
 // Then x is higher than v by no more than uneven / r of what c is lower.  The
-// sine of an angle of a face makes r less where edges lead down by rounding, and
-// what is itself rounding, r or how much c is lower, proves nothing.
+// sine of a face's angle makes r less if edges lead down by rounding.  Where
+// r, or what c is lower, is no more than rounding, nothing is proved.
 static real dent(const hull_mesh *b, vec3 d, int v)
 {
     const mesh *m = b->mesh;

@@ -198,8 +198,8 @@ static rigid_frame find_middle(const world *w, int b)
 
 //> step-awake
 //>   What sleeps costs nothing: every loop over bodies in a step is one over a
-//>   list of those that are awake. It is in their order by number, as are all
-//>   sums over bodies.
+//>   list of those that are awake. The list is in the order of their numbers,
+//>   and so is every sum over bodies.
 static void list_awake(world *w)
 {
     rigid_tables *t = &w->rigid;

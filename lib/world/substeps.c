@@ -28,10 +28,10 @@ static bool is_calm(const world *w)
     return true;
 }
 
-// The weight of what lies on something lighter counts before it is felt, and what
-// contacts bear when all is calm.  Of that the mean square: where bodies are
+// The weight of what lies on another counts before it is felt, and when all is
+// calm also what contacts bear.  Of that the root mean square: where bodies are
 // jammed, some contact is always pressed by a hundred times what lies on it.
-// That grows by one substep a frame, or a tower would be thrown up.
+// This demand grows by one substep a frame, or a tower would be thrown up.
 static real substeps_for_contacts(const world *w)
 {
     const contact_solver *s = &w->rigid.solver;
@@ -88,9 +88,9 @@ int substeps_again(const world *w, real h, int left)
 //> substeps-choose
 //>   The largest demand counts. It is obeyed at once, and released after half a
 //>   second.
-// Every change of their number moves what rests, for in shorter ones it sags less:
-// it rises at once, and falls when it has been too high by a third for PATIENCE
-// frames.
+// Every change of the number moves what rests, for in shorter substeps it sags
+// less.  So it rises at once, and falls only when it has been too high by a
+// third for PATIENCE frames.
 enum { PATIENCE = 30 };
 
 static int hold(substep_choice *c, int need)

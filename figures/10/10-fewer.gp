@@ -23,7 +23,7 @@ do for [k = 0:1] {
   plot csv index k using 2:(shown($3)) with linespoints pt 7 ps 1.04 lc rgb cold lw 1.5, \
        csv index k using 4:(shown($5)) with linespoints pt 7 ps 1.04 lc rgb warm lw 2, \
        csv index k using 2:(shown($3)):1 with labels font small textcolor rgb cold offset 1.6,0.6, \
-       csv index k using 4:(shown($5)):1 with labels font small textcolor rgb warm offset 1.6,0.6
+       csv index k using 4:(shown($5)):1 with labels font small textcolor rgb warm offset -1.4,-0.6
   unset label
 }
 unset multiplot

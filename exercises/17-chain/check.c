@@ -1,6 +1,6 @@
 // check.c - tests of the exercise 17/chain.
 
-#include "bodies.h"
+#include "links.h"
 #include "expect.h"
 #include "random.h"
 #include "suite.h"

@@ -1,6 +1,6 @@
 // solution.c - Thomas's walk down a chain of bodies, and up again.
 
-#include "bodies.h"
+#include "links.h"
 
 block answer_between(const limb *b, vec3 at, vec3 r)
 {

@@ -1,4 +1,4 @@
-// bodies.h - bodies in a row, held together by ball joints; and 3 x 3 matrices.
+// links.h - bodies in a row, held together by ball joints; and 3 x 3 matrices.
 //
 // Units: metres, kilograms, seconds.
 

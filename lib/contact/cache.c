@@ -185,22 +185,39 @@ static void follow_lists(contact_cache *c, const cache_frame *f)
 //> cache-decide
 //>   A pair is asked again when one of its bodies has been placed again, or may
 //>   get further than the answer looked ahead.
-// m, how far a body may be from where it was placed, while it counts as there.
-// One that goes further than that in this frame is placed again in each.
-static real slack_of_body(const cache_frame *f, int b)
+// m, how far a body may get from where it was placed, while it counts as there.
+static real stay_of(const cache_frame *f, int b)
 {
-    real slack = f->stay * f->now[b].radius;
-    return f->ahead[b].reach > slack ? 0 : slack;
+    return f->stay * f->now[b].radius;
 }
 
-static real slack_of(const cache_frame *f, int a, int b)
+// m, how far from there it may be now.  One that was placed in this very frame
+// is exactly there; if it will not stay, nothing of the answer outlives the
+// frame, and it need not look further than that.
+static real slack_of_body(const contact_cache *c, const cache_frame *f, int b)
 {
-    return slack_of_body(f, a) + (b < 0 ? 0 : slack_of_body(f, b));
+    bool is_there = c->placing[b].since == c->updates;
+    return is_there && f->ahead[b].reach > stay_of(f, b) ? 0 : stay_of(f, b);
+}
+
+static real slack_of(const contact_cache *c, const cache_frame *f, int a, int b)
+{
+    return slack_of_body(c, f, a) + (b < 0 ? 0 : slack_of_body(c, f, b));
 }
 
 static real reach_of(const cache_frame *f, int a, int b)
 {
     return f->ahead[a].reach + (b < 0 ? 0 : f->ahead[b].reach);
+}
+
+// m, for which ways an answer that looked `reach` ahead holds later, too: for
+// none if it does not outlive the frame.
+static real margin_of(const contact_cache *c, const cache_frame *f, int a, int b,
+                      real reach)
+{
+    bool lasts = slack_of_body(c, f, a) > 0
+                 && (b < 0 || slack_of_body(c, f, b) > 0);
+    return lasts ? reach + slack_of(c, f, a, b) : -1;
 }
 
 static void forget(cache_pair *p)
@@ -291,9 +308,10 @@ static void place_body(contact_cache *c, const cache_frame *f, int b)
     if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
     if (p->number > 0 && far_from(&c->placed[b], now,
                                      p->corners == c->updates)
-                         <= f->stay * f->now[b].radius) return;
+                         <= stay_of(f, b)) return;
     c->placed[b] = *now;
     p->number++;
+    p->since = c->updates + 1;
     rigid4_ride(body->rigid, now, c->vertex + p->first,
                 body->shape->particles);
     p->in_range = hull_in_range((hull){ c->vertex + p->first,
@@ -549,7 +567,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     p->seen[0] = p->seen[1] = -1;
     if (is_fast(f, a, b)) swept = query_swept(now, f, &x, &y);
     if (swept != SWEPT_TOUCHES && swept != SWEPT_PASSES) {
-        real slack = slack_of(f, a, b), reach = reach_of(f, a, b);
+        real slack = slack_of(c, f, a, b), reach = reach_of(f, a, b);
         manifold m;
         bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried,
                                     &reach, &m);
@@ -557,7 +575,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
         if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
         p->seen[0] = c->placing[a].number;
         p->seen[1] = c->placing[b].number;
-        p->margin = reach + slack;
+        p->margin = margin_of(c, f, a, b, reach);
     }
     p->count = (signed char)now->count;
     p->near = -HUGE_VAL;
@@ -577,7 +595,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     plane wall = f->plane[-1 - now->b];
     collider body = placed_body(c, f, a);
     if (p->count == 0) was.count = 0;       // bequeaths nothing
-    real slack = slack_of(f, a, -1), reach = reach_of(f, a, -1);
+    real slack = slack_of(c, f, a, -1), reach = reach_of(f, a, -1);
     manifold m = manifold_on_plane(&body, wall.normal, wall.offset,
                                    reach + 2 * slack, f->ahead[a].angle);
     now->normal = wall.normal;
@@ -592,7 +610,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     p->count = (signed char)now->count;
     p->seen[0] = c->placing[a].number;
     p->seen[1] = 0;
-    p->margin = reach + slack;
+    p->margin = margin_of(c, f, a, -1, reach);
     p->near = -HUGE_VAL;
     contact_inherit(now, &was);
 }

@@ -91,7 +91,8 @@ typedef struct {
     rigid_frame *placed;        // [room] where it was when its vertices were
                                 // last placed
     struct placing {
-        int  number;    // how often they were placed
+        int  number;    // how often they were placed,
+        unsigned since; // at last in this update
         int  first;     // in vertex,
         int  vertices;  // where so many have room
         unsigned corners;       // the update in which a contact of fewer than

@@ -109,8 +109,8 @@ int substeps_choose(world *w)
     real share = w->frame / w->options.dt;
     real stiff = real_min(substeps_for_contacts(w), most);
     real swing = real_min(substeps_for_joints(w), most);
-    int n = hold(&w->rigid.substeps, int_max(usual, (int)stiff + 1));
-    n = int_max(n, (int)swing + 1);
+    int n = hold(&w->rigid.substeps,
+                 int_max(usual, (int)real_max(stiff, swing) + 1));
     if (share < 1) n = int_max(usual, (int)(share * n));
     if (w->softs > 0) n = int_max(n, soft_need(w));
     n = int_min(n, int_max((int)(share * most), usual));

@@ -71,6 +71,7 @@ define ORDER
 18/drive
 18/advance
 18/substeps
+18/rungs
 18/guard
 18/rolling
 18/step

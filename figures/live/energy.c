@@ -97,10 +97,12 @@ static real kinetic(void)
     real sum = 0;
     for (int i = 0; i < room.pool.count; i++) {
         const particle *p = &room.pool.at[i];
+        real h = body_age(&room, room.owner[i]);
         if (room.inverse_mass[i] > 0)
-            sum += vec3_length_squared(vec3_sub(p->position, p->previous)) / room.inverse_mass[i];
+            sum += vec3_length_squared(vec3_sub(p->position, p->previous))
+                   / (2 * h * h * room.inverse_mass[i]);
     }
-    return sum / (2 * room.age * room.age);
+    return sum;
 }
 
 // What all accounts but that of gravity and motion have taken.

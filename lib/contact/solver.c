@@ -30,13 +30,19 @@ static real weight_of(const active_contact *x, const contact *c,
     return fabs(up) / f->body[above].basis.inverse_mass;
 }
 
+// s: the substep that its impulses are of.  (Its A moves.)
+static real age_of(const active_contact *x, const solver_frame *f)
+{
+    return f->age ? f->age[x->a] : f->h;
+}
+
 static void find_loads(active_contact *x, const contact *c,
                        const solver_frame *f, real radius)
 {
     real inverse = f->body[x->a].basis.inverse_mass;
     if (x->sides == TWO_SIDED) inverse += f->body[x->b].basis.inverse_mass;
     x->weight = weight_of(x, c, f) * inverse / radius;
-    x->borne = x->load * inverse / radius;
+    x->borne = x->load * inverse / (age_of(x, f) * radius);
 }
 
 // Contact c, and which of its points come within reach.
@@ -123,13 +129,13 @@ static int bin_of(const active_contact *x)
 static void sort_contacts(contact_solver *s, int end[BINS])
 {
     int at[BINS] = { 0 }, sum = 0;
-    for (int k = 0; k < s->contacts; k++)
+    for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) at[bin_of(&s->active[k])]++;
     for (int bin = 0; bin < BINS; bin++) {
         sum += at[bin];
         at[bin] = sum - at[bin];
     }
-    for (int k = 0; k < s->contacts; k++)
+    for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) s->order[at[bin_of(&s->active[k])]++] = k;
     for (int bin = 0; bin < BINS; bin++) end[bin] = at[bin];
     s->touching = sum;
@@ -180,7 +186,8 @@ static void choose_across(lane_source *q, vec3 friction)
 
 // A contact that has fewer points than its block has none there.
 static void choose_points(lane_source *q, const contact *c,
-                          const active_contact *x, const solver_frame *f)
+                          const active_contact *x, const solver_frame *f,
+                          real warm)
 {
     real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
     for (int j = 0; j < x->count; j++) {
@@ -192,7 +199,7 @@ static void choose_points(lane_source *q, const contact *c,
         q->has[j] = 1;
         q->shared[j] = k < c->shared;
         q->offset[j] = p->offset + height;
-        q->impulse[j] = f->warm * c->impulse[k];
+        q->impulse[j] = warm * c->impulse[k];
     }
 }
 
@@ -203,16 +210,16 @@ static void choose_lane(lane_source *q, const contact *c,
                         const active_contact *x, const solver_frame *f,
                         int spare)
 {
-    real sign = x->is_swapped ? -1 : 1;
+    real sign = x->is_swapped ? -1 : 1, warm = f->warm * f->h / age_of(x, f);
     *q = (lane_source){ .a = x->a, .b = spare };
     if (x->sides == TWO_SIDED) q->b = x->b;
     q->normal = vec3_scale(sign, c->normal);
     q->per_near = 25 / radius_of(x, f);
     q->round_a = x->is_swapped ? c->round_b : c->round_a;
     q->round_b = x->is_swapped ? c->round_a : c->round_b;
-    q->twist = x->count > 1 ? f->warm * c->twist : 0;
-    choose_across(q, vec3_scale(sign * f->warm, c->friction));
-    choose_points(q, c, x, f);
+    q->twist = x->count > 1 ? warm * c->twist : 0;
+    choose_across(q, vec3_scale(sign * warm, c->friction));
+    choose_points(q, c, x, f, warm);
 }
 
 // A lane that is left over has no points: it pushes nothing.
@@ -680,10 +687,11 @@ static void fill_chunk(void *data, int item)
 // blocks are good still: only the rows are made again.
 static bool may_keep_blocks(const contact_solver *s, const solver_frame *f)
 {
-    if (s->known != s->contacts || f->h != s->h || !(f->warm == 1))
-        return false;
+    if (s->known != s->contacts || s->end - s->first < s->contacts
+        || f->h != s->h || !(f->warm == 1)) return false;
     for (int k = 0; k < s->contacts; k++)
-        if (s->active[k].is_new) return false;
+        if (s->active[k].is_new || age_of(&s->active[k], f) != f->h)
+            return false;
     return true;
 }
 
@@ -776,6 +784,7 @@ static bool make_room(contact_solver *s, int n)
 static void forget_blocks(contact_solver *s)
 {
     s->contacts = s->blocks = s->colors = s->touching = 0;
+    s->first = s->end = 0;
 }
 
 // A block has as many points as the contact in it that has most.
@@ -813,15 +822,16 @@ static bool make_block_room(contact_solver *s)
 static bool make_blocks(contact_solver *s, preparation *p)
 {
     int end[BINS];
-    for (int k = 0; k < s->contacts; k++) clear_colors(s, &s->active[k]);
-    for (int k = 0; k < s->contacts; k++)
+    for (int k = s->first; k < s->end; k++) clear_colors(s, &s->active[k]);
+    for (int k = s->first; k < s->end; k++)
         if (s->active[k].count > 0) choose_color(s, &s->active[k]);
     sort_contacts(s, end);
     list_colors(s, end);
     if (!make_block_room(s)) return false;
     tasks_run(p->f->run, fill_chunk, p,
               task_items(s->blocks, FEW_BLOCKS));
-    s->h = p->f->h;
+    // Blocks of some of the contacts are not those of the next frame.
+    s->h = s->end - s->first < s->contacts ? 0 : p->f->h;
     return true;
 }
 
@@ -836,14 +846,21 @@ bool solver_look(contact_solver *s, const solver_frame *f,
     s->known = s->contacts;
     s->contacts = n;
     tasks_run(f->run, activate_chunk, &p, task_chunks(n));
+    solver_take(s, 0, n);
     return true;
+}
+
+void solver_take(contact_solver *s, int first, int end)
+{
+    s->first = first;
+    s->end = end;
 }
 
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table)
 {
     s->strikes = false;
-    for (int k = 0; k < s->contacts && !s->strikes; k++)
+    for (int k = s->first; k < s->end && !s->strikes; k++)
         s->strikes = s->active[k].count > 0 && solver_strikes(f, table[k]);
     preparation p = { .s = s, .f = f, .table = table };
     if (may_keep_blocks(s, f)) {
@@ -1329,8 +1346,8 @@ typedef struct {
 static void clear_chunk(void *data, int item)
 {
     const storing *q = data;
-    int end = task_end(item, q->s->contacts);
-    for (int k = item * TASK_CHUNK; k < end; k++) {
+    int end = q->s->first + task_end(item, q->s->end - q->s->first);
+    for (int k = q->s->first + task_first(item); k < end; k++) {
         if (q->s->active[k].count > 0) continue;
         clear_impulses(q->table[k]);
         q->s->active[k].load = 0;
@@ -1357,7 +1374,7 @@ static void store_chunk(void *data, int item)
 void solver_store(contact_solver *s, tasks run, contact *const *table)
 {
     storing q = { s, table };
-    tasks_run(run, clear_chunk, &q, task_chunks(s->contacts));
+    tasks_run(run, clear_chunk, &q, task_chunks(s->end - s->first));
     tasks_run(run, store_chunk, &q, task_chunks(s->blocks));
 }
 
@@ -1368,7 +1385,7 @@ void solver_forget(contact_solver *s, contact *const *table)
         clear_impulses(table[k]);
         s->active[k].load = 0;
     }
-    s->known = -1;
+    s->h = 0;
 }
 //<
 

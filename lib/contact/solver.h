@@ -57,8 +57,10 @@ typedef struct {
     const plane *plane;         // those that contacts with planes name
     real h;                     // s, a substep
     int  substeps;              // of this frame, or part of it
-    real warm;                  // times the impulses that contacts bring along,
-                                // each of a substep of the last frame: 0: none
+    real warm;                  // times the impulses that contacts bring along;
+                                // 0: none
+    const real *age;            // [bodies] s, the substep that they are of;
+                                // NULL: one of h
     real friction;              // Coulomb's coefficient, and
     real restitution;           // of impacts, 0 to 1; 0: there are none.  Of
                                 // all bodies, or
@@ -172,7 +174,7 @@ typedef struct {
     real load;          // N s, along the normal, when last solved
     real weight;        // 1/s^2, the weight of the body that lies on the other,
                         // over effective mass and smaller radius;
-    real borne;         // 1/s, the load, over the same
+    real borne;         // 1/s^2, the force that was borne, over the same
 } active_contact;
 
 typedef struct {
@@ -188,6 +190,8 @@ typedef struct {
     int  *order;                        // [capacity] by colour and points
     int  contacts, capacity;
     int  known;                         // contacts of the frame before
+    int  first, end;                    // blocks are of active[first] to before
+                                        // active[end]
     block *block;
     int  blocks, block_capacity;
     block_point *point;                 // of block after block
@@ -220,6 +224,10 @@ void   solver_free(contact_solver *s);      // an empty or zeroed one is fine
 // refused it takes none, and returns false.
 bool solver_look(contact_solver *s, const solver_frame *f,
                  const contact *const *table, const real *reach, int n);
+
+// From now on only contacts `first` to before `end` of the table are solved: no
+// body that moves has contacts among them and among the others.
+void solver_take(contact_solver *s, int first, int end);
 
 // Makes their blocks.  Allocates, and fails, as solver_look does.
 bool solver_prepare(contact_solver *s, const solver_frame *f,

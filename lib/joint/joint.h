@@ -89,6 +89,8 @@ typedef struct {
     real swing;                 // 1/(kg m), see linkage.c
     real size;                  // m, the smaller radius of the two bodies
     real want[JOINT_ROWS];      // m/s, rad/s: what the impulses are to change
+    real pace;                  // rad/s, of the fastest swing about it in the
+                                // last frame
     int  next;                  // joint of the same tree; -1: none
 } joint_rows;
 

@@ -424,6 +424,12 @@ static bool yields(const solver_frame *f, int b)
     return moves(f, b) && !f->body[b].is_driven;
 }
 
+// Is one of its bodies, of which one moves, among those that are solved now?
+static bool is_in(const linkage_pass *q, const joint *j)
+{
+    return !q->rung || q->rung[moves(q->f, j->a) ? j->a : j->b] == q->of;
+}
+
 // A joint that would close a ring stands alone.  One of which neither end yields
 // has nothing to move: its impulses would grow in every substep.
 static joint_role choose_role(linkage *l, const linkage_pass *q, int k)
@@ -431,7 +437,7 @@ static joint_role choose_role(linkage *l, const linkage_pass *q, int k)
     const joint *j = &l->joint[k];
     bool moves_a = moves(q->f, j->a), moves_b = moves(q->f, j->b);
     if (!holds(j) || j->kind == JOINT_PIN
-        || (!yields(q->f, j->a) && !yields(q->f, j->b)))
+        || (!yields(q->f, j->a) && !yields(q->f, j->b)) || !is_in(q, j))
         return JOINT_IDLE;
     if (l->is_plain) return JOINT_ALONE;
     if (!moves_a || !moves_b) return JOINT_ANCHOR;
@@ -847,7 +853,23 @@ void linkage_mark(linkage *l)
 void linkage_scale(linkage *l, real times)
 {
     for (int k = 0; k < l->count; k++)
-        for (int i = 0; i < JOINT_ROWS; i++) l->joint[k].impulse[i] *= times;
+        for (int i = 0; i < JOINT_ROWS && l->role[k] != JOINT_IDLE; i++)
+            l->joint[k].impulse[i] *= times;
+}
+
+// Impulses of a substep of another length become those of this one.
+static void warm(linkage *l, const linkage_pass *q)
+{
+    const solver_frame *f = q->f;
+    for (int k = 0; k < l->count; k++) {
+        joint *j = &l->joint[k];
+        int b = moves(f, j->a) ? j->a : j->b;
+        bool is_pin = j->kind == JOINT_PIN;
+        if (is_pin || l->role[k] != JOINT_IDLE) l->rows[k].pace = 0;
+        if (l->role[k] == JOINT_IDLE) continue;
+        real times = f->age ? f->warm * f->h / f->age[b] : f->warm;
+        for (int i = 0; i < JOINT_ROWS; i++) j->impulse[i] *= times;
+    }
 }
 
 static void begin_roles(linkage *l, const linkage_pass *q)
@@ -872,11 +894,13 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
 
 void linkage_prepare(linkage *l, const linkage_pass *q)
 {
-    l->pace = l->worst = 0;
+    l->worst = 0;
     if (l->count == 0) return;
     l->frames++;
-    linkage_scale(l, q->f->warm);
-    begin_roles(l, q);
+    choose_roles(l, q);
+    warm(l, q);
+    find_sizes(l, q);
+    find_rows(l, q);
 }
 
 void linkage_begin(linkage *l, const linkage_pass *q)
@@ -934,9 +958,11 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
         joint *j = &l->joint[k];
         if (l->role[k] == JOINT_IDLE) continue;
         j->force = force_of(j, h);
-        l->swing = real_max(l->swing, sqrt(j->force * l->rows[k].swing));
-        l->swing = real_max(l->swing, SPINS * real_max(spin_of(q, j->a),
-                                                       spin_of(q, j->b)));
+        real swing = sqrt(j->force * l->rows[k].swing);
+        swing = real_max(swing, SPINS * real_max(spin_of(q, j->a),
+                                                 spin_of(q, j->b)));
+        l->rows[k].pace = real_max(l->rows[k].pace, swing);
+        l->swing = real_max(l->swing, swing);
         if (!(j->force > j->strength)) continue;
         j->is_broken = l->is_stale = true;
         l->role[k] = JOINT_IDLE;
@@ -950,7 +976,6 @@ void linkage_relax(linkage *l, const linkage_pass *q)
     find_rows(l, q);
     settle(l, q, want_rest, 1);
     break_overloaded(l, q);
-    l->pace = real_max(l->pace, l->swing);
     if (l->is_stale) begin_roles(l, q);
 }
 //<

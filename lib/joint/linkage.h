@@ -62,7 +62,6 @@ typedef struct {
     int  broken;            // so many, since this was set to 0
     real swing;             // rad/s, of the fastest swing about a joint in the
                             // last substep, which must follow it
-    real pace;              // rad/s, the most of the frame
     real worst;             // m, by which a joint's points are apart
 } linkage;
 //<
@@ -111,6 +110,8 @@ typedef struct {
     motion *velocity;
     const motion *free;                 // [bodies]
     const rigid_frame *ahead;           // [bodies] those that are joined
+    const char *rung;                   // [bodies] the joints of those with
+    char of;                            // rung[b] == of; NULL: all
 } linkage_pass;
 
 // A frame begins: bodies stand as f says, and have not been moved.

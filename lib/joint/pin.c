@@ -122,7 +122,8 @@ void pins_end(linkage *l, const soft_frame *f)
                                          j->impulse[2])) / f->h;
         // So fast do the particles of a strand swing that such a pull tightens.
         real spacing = f->body[j->a].shape->spacing;
-        l->pace = real_max(l->pace, sqrt(j->force * j->own / spacing));
+        real swing = sqrt(j->force * j->own / spacing);
+        l->rows[k].pace = real_max(l->rows[k].pace, swing);
         if (!(j->force > j->strength)) continue;
         j->is_broken = true;
         l->broken++;

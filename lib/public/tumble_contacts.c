@@ -21,6 +21,12 @@ static const contact *pushing(const world *w, const cache_pair *p)
     return is_known && contact_load(c) > 0 ? c : NULL;
 }
 
+// s: the substep that its impulses are of.
+static real contact_age(const world *w, const contact *c)
+{
+    return body_age(w, body_is_dynamic(&w->body[c->a]) ? c->a : c->b);
+}
+
 static tumble_contact told(const tumble_world *w, const contact *c)
 {
     tumble_contact t = { .a = inside_owner(w, c->a),
@@ -31,7 +37,7 @@ static tumble_contact told(const tumble_world *w, const contact *c)
         if (!(c->impulse[k] > 0)) continue;
         contact_arms arm = contact_arms_of(c, k, &a, c->b < 0 ? NULL : &b);
         t.point[t.points] = to_user(vec3_add(a.center, arm.a));
-        t.force[t.points++] = c->impulse[k] / w->world.age;
+        t.force[t.points++] = c->impulse[k] / contact_age(&w->world, c);
     }
     return t;
 }

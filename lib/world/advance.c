@@ -307,7 +307,7 @@ static void put_chunk(void *data, int item)
         int b = t->awake[k];
         if (!t->moves[b]) continue;
         motion_put(w->pool.at + w->body[b].first, &t->now[b].frame,
-                   &t->now[b].basis, &t->velocity[b], w->age);
+                   &t->now[b].basis, &t->velocity[b], t->age[b]);
         cache_moved(&t->cache, b, gone(w, b));
     }
 }

@@ -30,7 +30,7 @@ static vec3 direction(const rigid_frame *now, const rigid_frame *rest, vec3 d)
 // Gravity has gone on since then, where nothing held the body.
 static vec3 since_then(const world *w, int b)
 {
-    return vec3_scale(w->rigid.held[b] ? 0 : w->age / 2, w->options.gravity);
+    return vec3_scale(w->rigid.held[b] ? 0 : body_age(w, b) / 2, w->options.gravity);
 }
 
 static placement where_rigid(const world *w, int b)
@@ -51,7 +51,7 @@ static placement where_rigid(const world *w, int b)
     }
     if (!body_moves(w, b)) return at;
     motion_basis basis = basis_find(x->rigid, &now);
-    motion u = motion_of(p, &now, &basis, w->age);
+    motion u = motion_of(p, &now, &basis, body_age(w, b));
     at.velocity = vec3_add(vec3_make(u.of[0], u.of[1], u.of[2]),
                            since_then(w, b));
     at.spin = motion_rotation(&basis, &u);
@@ -109,7 +109,7 @@ static void add_velocity(world *w, int b, vec3 velocity, vec3 spin)
     rigid_frame now = rigid4_frame(p);
     for (int k = 0; k < FOUR; k++) {
         vec3 v = vec3_add(velocity, vec3_cross(spin, frame_arm(&now, k)));
-        p[k].previous = vec3_add_scaled(p[k].previous, -w->age, v);
+        p[k].previous = vec3_add_scaled(p[k].previous, -body_age(w, b), v);
     }
 }
 
@@ -137,7 +137,8 @@ void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin)
     particle *p = w->pool.at + w->body[b].first;
     for (int k = 0; k < FOUR; k++) p[k].previous = p[k].position;
     w->rigid.held[b] = false;
-    velocity = vec3_add_scaled(velocity, -w->age / 2, w->options.gravity);
+    velocity = vec3_add_scaled(velocity, -body_age(w, b) / 2,
+                               w->options.gravity);
     add_velocity(w, b, velocity, spin);
 }
 

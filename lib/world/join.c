@@ -118,7 +118,8 @@ real world_joint_angle(const world *w, int number)
 linkage_pass join_pass(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
-    return (linkage_pass){ f, t->velocity, t->free, t->free_end };
+    return (linkage_pass){ f, t->velocity, t->free, t->free_end, t->rung,
+                           t->on_rung };
 }
 
 void join_begin(world *w, const solver_frame *f)
@@ -146,7 +147,6 @@ static void renew_pairs(world *w, const joint *j)
 void join_islands_of_joints(world *w)
 {
     linkage *l = &w->joints;
-    w->report.parted = l->worst;
     w->report.broken = l->broken;
     for (int k = 0; k < l->count; k++) {
         const joint *j = &l->joint[k];

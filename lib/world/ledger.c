@@ -24,7 +24,7 @@ static void add_mass(ledger_entry *sum, real mass, vec3 middle, vec3 v,
 static void add_particles(ledger_entry *sum, const world *w, const body *b,
                           bool is_asleep)
 {
-    real h = w->age, apart = is_asleep ? 0 : h;
+    real h = body_age(w, w->owner[b->first]), apart = is_asleep ? 0 : h;
     for (int i = b->first; i < b->first + body_particles(b); i++) {
         const particle *p = &w->pool.at[i];
         if (w->inverse_mass[i] == 0) continue;
@@ -42,7 +42,7 @@ static void add_rigid(ledger_entry *sum, const world *w, int b)
 {
     const solver_body *now = &w->rigid.now[b];
     const real *u = w->rigid.velocity[b].of, *d = w->rigid.moved[b].of;
-    real ahead = w->ledger_ahead;
+    real ahead = w->rigid.halfway[b];
     vec3 v = { u[0], u[1], u[2] }, moved = { d[0], d[1], d[2] };
     vec3 middle = vec3_add_scaled(vec3_add(now->frame.center, moved), ahead, v);
     add_mass(sum, w->body[b].mass, middle, v, w->options.gravity, 2 * ahead);
@@ -60,7 +60,7 @@ ledger_entry ledger_total(const world *w)
         if (!body_is_dynamic(x)) continue;
         if (body_is_soft(x))
             sum.energy += soft_energy(x, w->pool.at);
-        if (body_is_soft(x) || is_asleep || w->ledger_ahead == 0)
+        if (body_is_soft(x) || is_asleep || w->rigid.halfway[b] == 0)
             add_particles(&sum, w, x, is_asleep);
         else
             add_rigid(&sum, w, b);
@@ -90,6 +90,12 @@ void ledger_book(world *w, int account)
     *was = now;
 }
 
+void ledger_halfway(world *w, real seconds)
+{
+    for (int k = 0; k < w->rigid.awakes && w->options.ledger; k++)
+        w->rigid.halfway[w->rigid.awake[k]] = seconds;
+}
+
 ledger_page ledger_mark(const world *w)
 {
     ledger_page page = { .now = w->ledger_now };
@@ -101,7 +107,6 @@ void ledger_go_back(world *w, const ledger_page *to)
 {
     memcpy(w->ledger, to->account, sizeof w->ledger);
     w->ledger_now = to->now;
-    w->ledger_ahead = 0;
 }
 
 void ledger_clear(world *w)

@@ -34,10 +34,10 @@ static void measure_strain(const world *w, measures *m)
 // ago; its angular momentum is taken about the place that it had then.
 static void measure_motion(const world *w, measures *m)
 {
-    real h = w->age;
     for (int i = 0; i < w->pool.count; i++) {
         const particle *p = &w->pool.at[i];
         if (w->inverse_mass[i] == 0) continue;
+        real h = body_age(w, w->owner[i]);
         real mass = 1 / w->inverse_mass[i];
         vec3 v = vec3_scale(1 / h, vec3_sub(p->position, p->previous));
         vec3 x = vec3_scale(0.5, vec3_add(p->position, p->previous));

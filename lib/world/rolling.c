@@ -67,13 +67,14 @@ static bool has_round(const world *w)
     return false;
 }
 
-void rolling_brake(world *w, int substeps)
+void rolling_brake(world *w)
 {
-    const contact_solver *s = &w->rigid.solver;
+    const rigid_tables *t = &w->rigid;
+    const contact_solver *s = &t->solver;
     if (!(w->options.sleep_speed > 0) || !has_round(w)) return;
     for (int k = 0; k < s->contacts; k++) {
-        const contact *c = w->rigid.cache.active[k];
-        real load = s->active[k].load * substeps;
+        const contact *c = t->cache.active[k];
+        real load = s->active[k].load * w->frame / t->age[s->active[k].a];
         if (load > 0 && radius_of(c) > 0) brake(w, c, load);
     }
 }

@@ -14,8 +14,8 @@
 // does that gives way a little: with a torque of a hundredth of the load times
 // the radius, and no more than stops it.  Slow is up to 30 times the speed at
 // which bodies fall asleep; in a world without sleep nothing is.  After the
-// substeps of a frame, of which there were so many.
-void rolling_brake(world *w, int substeps);
+// substeps of a frame.
+void rolling_brake(world *w);
 
 #endif
 //<

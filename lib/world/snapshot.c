@@ -309,6 +309,12 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     STORE_TABLE(s, t->ball, bodies, room);
     STORE_ZEROS(s, t->ahead, room);
     STORE_ZEROS(s, t->reach, room);
+    STORE_TABLE(s, t->age, bodies, room);
+    STORE_ZEROS(s, t->halfway, room);
+    STORE_TABLE(s, t->choice, bodies, room);
+    STORE_ROOM(s, t->island, room);
+    STORE_ZEROS(s, t->rung, room);
+    STORE_ROOM(s, t->by_rung, room);
     STORE_ROOM(s, t->middle, room);
     STORE_ROOM(s, t->lying, room);
     STORE_ZEROS(s, t->velocity, t->motions);

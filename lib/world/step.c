@@ -8,6 +8,7 @@
 #include "ledger.h"
 #include "restitution.h"
 #include "rolling.h"
+#include "rungs.h"
 #include "soft_step.h"
 #include "substeps.h"
 
@@ -19,8 +20,9 @@ static void look_at_bodies(world *w);
 static void drop_sleepers(world *w);
 static void find_pairs(world *w);
 static void find_contacts(world *w);
-static solver_frame prepare(world *w);
+static int look_at_contacts(world *w, const solver_frame *f);
 static solver_frame frame_of(const world *w, int substeps);
+static solver_frame prepare(world *w, const rung *r);
 static void substep(world *w, const solver_frame *f, real *since);
 static void redo(world *w, solver_frame *f, real times, const ledger_page *p);
 static void fall_asleep(world *w);
@@ -40,6 +42,13 @@ static void find(world *w, real seconds, real *since)
     lap(w, PHASE_CONTACTS, since);
 }
 
+// The particles of what has moved are a substep apart now.
+static void grow_old(world *w, real h)
+{
+    for (int k = 0; k < w->rigid.awakes; k++)
+        w->rigid.age[w->rigid.awake[k]] = h;
+}
+
 // The substeps: so many of equal length, or more and shorter ones where joints
 // ask for them.
 static void go(world *w, solver_frame f, real *since)
@@ -54,28 +63,56 @@ static void go(world *w, solver_frame f, real *since)
         int more = substeps_again(w, f.h, left);
         if (more > 0) redo(w, &f, (real)left / more, &page);
         left = more > 0 ? more : left - 1;
-        if (more == 0) w->age = f.h;
+        if (more == 0) grow_old(w, f.h);
     }
+}
+
+// The bodies of a rung, as if there were no others.
+static void solve_rung(world *w, int k, real *since)
+{
+    rigid_tables *t = &w->rigid;
+    const rung *r = &t->rungs[k];
+    int *awake = t->awake, awakes = t->awakes;
+    t->on_rung = (char)k;
+    t->awake = t->by_rung + r->first;
+    t->awakes = r->end - r->first;
+    solver_frame f = prepare(w, r);
+    lap(w, PHASE_PREPARE, since);
+    go(w, f, since);
+    solver_store(&t->solver, w->options.host.run, t->cache.active);
+    w->report.parted = real_max(w->report.parted, w->joints.worst);
+    t->awake = awake;
+    t->awakes = awakes;
+}
+
+// One rung after the other; a frame took as many substeps as the highest.
+static void climb(world *w, int rungs, real *since)
+{
+    int before = w->report.substeps, most = before;
+    for (int k = 0; k < rungs; k++) {
+        w->report.substeps = before;
+        solve_rung(w, k, since);
+        most = int_max(most, w->report.substeps);
+    }
+    w->report.substeps = most;
+    solver_take(&w->rigid.solver, 0, w->rigid.solver.contacts);
 }
 
 // The impulses that part it, and where they take everything.
 static void solve(world *w, real *since)
 {
-    solver_frame f = prepare(w);
+    solver_frame f = frame_of(w, 1);
+    int rungs = look_at_contacts(w, &f);
     real most = guard_most(w, &f);
-    lap(w, PHASE_PREPARE, since);
-    go(w, f, since);
-    solver_store(&w->rigid.solver, w->options.host.run,
-                 w->rigid.cache.active);
-    rolling_brake(w, f.substeps);
+    climb(w, rungs, since);
+    rolling_brake(w);
     guard_brake(w, most, advance_end(w));
     guard_bodies(w);
     guard_planes(w);
     drive_hold(w);
-    w->ledger_ahead = -w->age / 2;
     ledger_book(w, LEDGER_CONTACTS);
     advance_put(w);
-    w->ledger_ahead = 0;
+    ledger_halfway(w, 0);
     ledger_book(w, LEDGER_STICKS);
     if (w->softs > 0) soft_report(w);
     lap(w, PHASE_MOVE, since);
@@ -244,7 +281,7 @@ static void look_at_body(world *w, int b)
     now->is_driven = t->moves[b] && x->is_kinematic;
     if (t->moves[b]) {
         now->basis = basis_find(x->rigid, &now->frame);
-        t->velocity[b] = motion_of(p, &now->frame, &now->basis, w->age);
+        t->velocity[b] = motion_of(p, &now->frame, &now->basis, t->age[b]);
         if (now->is_driven) drive_begin(w, b);
         t->ahead[b] = predict(w, b);
         t->middle[b] = find_middle(w, b);
@@ -380,12 +417,18 @@ static solver_frame frame_of(const world *w, int substeps)
         .rows_at = w->rigid.middle, .is_elsewhere = w->rigid.going,
         .lying = w->rigid.lying,
         .substeps = substeps,
-        .warm = o->warm_start ? h / w->age : 0, .friction = o->friction,
+        .warm = o->warm_start ? 1 : 0, .age = w->rigid.age,
+        .friction = o->friction,
         .material = w->has_materials ? w->rigid.material : NULL,
         .wall = w->wall,
         .hertz = o->hertz, .damping = 10, .max_speed = 3,
         .restitution = w->rigid.restitution, .gravity = o->gravity,
         .run = o->host.run };
+}
+
+static const contact *const *contact_table(const world *w)
+{
+    return (const contact *const *)w->rigid.cache.active;
 }
 
 static void count_deep(world *w)
@@ -395,19 +438,27 @@ static void count_deep(world *w)
         w->report.unconverged += s->active[k].is_deep;
 }
 
-static solver_frame prepare(world *w)
+// Which points may touch, what is asked for substeps, and how everything goes.
+static int look_at_contacts(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
-    solver_frame f = frame_of(w, 1);
-    const contact *const *table = (const contact *const *)t->cache.active;
-    bool done = solver_look(&t->solver, &f, table, t->cache.reach,
-                            t->cache.actives);
-    advance_begin(w);
-    f = frame_of(w, substeps_choose(w));
-    done = done && solver_prepare(&t->solver, &f, table);
-    if (!done) w->report.dropped += t->cache.actives;
+    if (!solver_look(&t->solver, f, contact_table(w), t->cache.reach,
+                     t->cache.actives))
+        w->report.dropped += t->cache.actives;
     cache_note(&t->cache, &t->solver);
     count_deep(w);
+    advance_begin(w);
+    return rungs_find(w);
+}
+
+static solver_frame prepare(world *w, const rung *r)
+{
+    contact_solver *s = &w->rigid.solver;
+    solver_frame f = frame_of(w, r->substeps);
+    w->rigid.elapsed = 0;
+    solver_take(s, r->first_contact, r->end_contact);
+    if (!solver_prepare(s, &f, contact_table(w)))
+        w->report.dropped += r->end_contact - r->first_contact;
     return f;
 }
 //<
@@ -427,10 +478,10 @@ static void damp(const body *b, real h, real u[MOTIONS])
 // another length.
 static void fall(world *w, real h)
 {
-    vec3 g = vec3_scale((w->age + h) / 2, w->options.gravity);
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         if (!w->rigid.moves[b]) continue;
+        vec3 g = vec3_scale((w->rigid.age[b] + h) / 2, w->options.gravity);
         real *u = w->rigid.velocity[b].of;
         u[0] += g.x;
         u[1] += g.y;
@@ -452,10 +503,10 @@ static void renew(world *w, solver_frame f)
 static void bounce(world *w, const solver_frame *f)
 {
     rigid_tables *t = &w->rigid;
-    const contact *const *table = (const contact *const *)t->cache.active;
-    if (!t->solver.strikes) return;
-    if (!restitution_solve(table, t->cache.actives, f, t->velocity, t->moved))
-        return;
+    const contact_solver *s = &t->solver;
+    if (!s->strikes) return;
+    if (!restitution_solve(contact_table(w) + s->first, s->end - s->first, f,
+                           t->velocity, t->moved)) return;
     advance_struck(w);
     renew(w, *f);
     solver_see_gaps(&t->solver, f, t->moved);
@@ -467,7 +518,7 @@ static void substep(world *w, const solver_frame *f, real *since)
     linkage_pass joints = join_pass(w, f);
     fall(w, f->h);
     drive_hold(w);
-    w->ledger_ahead = f->h / 2;
+    ledger_halfway(w, f->h / 2);
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
     solver_warm(&t->solver, f, t->velocity);
@@ -479,7 +530,7 @@ static void substep(world *w, const solver_frame *f, real *since)
     drive_hold(w);
     advance_bodies(w, f->h);
     renew(w, *f);
-    w->ledger_ahead = -f->h / 2;
+    ledger_halfway(w, -f->h / 2);
     linkage_relax(&w->joints, &joints);
     solver_relax(&t->solver, f, t->velocity, t->moved);
     ledger_book(w, LEDGER_CONTACTS);
@@ -535,12 +586,13 @@ static void observe(world *w)
 {
     const world_options *o = &w->options;
     sleep_rule rule = { o->sleep_speed, o->time_to_sleep,
-                        vec3_length(o->gravity), o->dt, w->age };
+                        vec3_length(o->gravity), o->dt, 0 };
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         const body *x = &w->body[b];
         if (!body_moves(w, b)) continue;
         real radius = x->rigid ? x->rigid->radius : x->shape->radius;
+        rule.h = body_age(w, b);
         sleep_observe(&w->sleep, b, w->pool.at, x->first, body_particles(x),
                       radius, &rule);
     }

@@ -16,37 +16,16 @@ static real substeps_to_bear(const world *w, real pace)
     return w->options.dt * sqrt(pace / GIVES) / EIGHTH;
 }
 
-// What flies does not sag.
-static bool is_calm(const world *w)
-{
-    for (int k = 0; k < w->rigid.awakes; k++) {
-        int b = w->rigid.awake[k];
-        vec3 way = w->rigid.ahead[b].way;
-        real far = w->rigid.now[b].radius / 16;
-        if (vec3_length_squared(way) > far * far) return false;
-    }
-    return true;
-}
-
 // The weight of what lies on another counts before it is felt, and when all is
 // calm also what contacts bear.  Of that the root mean square: where bodies are
 // jammed, some contact is always pressed by a hundred times what lies on it.
 // This demand grows by one substep a frame, or a tower would be thrown up.
-static real substeps_for_contacts(const world *w)
+static real substeps_for_contacts(const world *w, const island *i, int now)
 {
-    const contact_solver *s = &w->rigid.solver;
-    real weight = 0, squares = 0, count = 0;
-    for (int k = 0; k < s->contacts; k++) {
-        const active_contact *x = &s->active[k];
-        weight = real_max(weight, x->weight);
-        squares += x->borne * x->borne;
-        count += x->borne > 0;
-    }
-    real first = substeps_to_bear(w, weight);
-    if (!(squares < HUGE_VAL && count > 0 && is_calm(w))) return first;
-    real pace = sqrt(squares / count) / w->age;
-    real more = real_min(substeps_to_bear(w, pace), w->rigid.substeps.now);
-    return real_max(first, more);
+    real first = substeps_to_bear(w, i->weight);
+    if (!(i->squares < HUGE_VAL && i->bears > 0 && i->is_calm)) return first;
+    real pace = sqrt(i->squares / i->bears);
+    return real_max(first, real_min(substeps_to_bear(w, pace), now));
 }
 //<
 
@@ -56,16 +35,16 @@ static real substeps_for_contacts(const world *w)
 // body make it four times as stiff as one joint alone.
 static const real FOLLOWED = 0.6;
 
-static real substeps_for_joints(const world *w)
+static real substeps_for_joints(const world *w, const island *i)
 {
-    return w->options.dt * w->joints.pace / FOLLOWED;
+    return w->options.dt * i->pace / FOLLOWED;
 }
 //<
 
 //> substeps-again
 // What a program may ask for is all that a frame has.  A part of a divided one
 // has its share.
-static int all_of_part(const world *w)
+int substeps_all(const world *w)
 {
     return int_max((int)(w->frame / w->options.dt * ALL_SUBSTEPS), 1);
 }
@@ -79,7 +58,7 @@ int substeps_again(const world *w, real h, int left)
     real need = left * h * w->joints.swing / FOLLOWED;
     real shortest = w->options.dt / w->options.most_substeps;
     int most = int_min((int)(left * h / shortest),
-                       all_of_part(w) - w->report.substeps);
+                       substeps_all(w) - w->report.substeps);
     if (w->softs > 0 || left >= most || !(need > TOO_FAST * left)) return 0;
     return need < most ? (int)need + 1 : most;
 }
@@ -102,19 +81,17 @@ static int hold(substep_choice *c, int need)
 
 // A part of a divided frame takes its share of the substeps that a frame may
 // have more than usual.
-int substeps_choose(world *w)
+int substeps_choose(world *w, const island *i, substep_choice *c)
 {
-    int usual = world_usual(w);
+    int usual = world_usual(w, i->hangs);
     int most = int_max(w->options.most_substeps, usual);
     real share = w->frame / w->options.dt;
-    real stiff = real_min(substeps_for_contacts(w), most);
-    real swing = real_min(substeps_for_joints(w), most);
-    int n = hold(&w->rigid.substeps,
-                 int_max(usual, (int)real_max(stiff, swing) + 1));
+    real stiff = real_min(substeps_for_contacts(w, i, c->now), most);
+    real swing = real_min(substeps_for_joints(w, i), most);
+    int n = hold(c, int_max(usual, (int)real_max(stiff, swing) + 1));
     if (share < 1) n = int_max(usual, (int)(share * n));
     if (w->softs > 0) n = int_max(n, soft_need(w));
-    n = int_min(n, int_max((int)(share * most), usual));
-    w->report.cut += n > all_of_part(w);
-    return int_min(n, all_of_part(w));
+    return int_min(n, int_max((int)(share * most), usual));
 }
+
 //<

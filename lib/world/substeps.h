@@ -8,12 +8,14 @@
 
 #include "world.h"
 
-// For the frame, or the part of it, whose contacts the solver has looked at:
-// the usual number, or more where contacts bear much beside their masses, where
-// joints swing fast, and for cloth.  At most options.most_substeps in a frame,
-// and never more than ALL_SUBSTEPS: what has fewer for that is counted in
-// report.cut.
-int substeps_choose(world *w);
+// Of island i, for the frame or the part of it whose contacts the solver has
+// looked at: the usual number, or more where contacts bear much beside their
+// masses, where joints swing fast, and for cloth.  *c is what it has taken so
+// far, and becomes what it asks for.  At most options.most_substeps in a frame.
+int substeps_choose(world *w, const island *i, substep_choice *c);
+
+// And never more than this: what has fewer for that is counted in report.cut.
+int substeps_all(const world *w);
 
 // After a substep of h (s), when `left` of them were to go, it among them: into
 // how many must that time be divided instead, because its joints swung faster

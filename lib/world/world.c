@@ -30,11 +30,10 @@ int world_substeps(const world_options *o)
     return int_max(FEWEST, (int)(rate * o->dt - rounding) + 1);
 }
 
-int world_usual(const world *w)
+int world_usual(const world *w, bool hangs)
 {
     enum { HANGING = 8 };
     int n = w->options.substeps;
-    bool hangs = w->softs > 0 || w->joints.count > 0;
     bool is_part = w->frame < w->options.dt;
     return (hangs || is_part) && !w->has_substeps ? int_max(HANGING, n) : n;
 }
@@ -244,6 +243,7 @@ static void place_particles(world *w, const body *b, const placement *where)
     const vec3 origin = { 0, 0, 0 };
     const shape *s = b->shape;
     const rigid4 *f = b->rigid;
+    w->rigid.age[b - w->body] = w->age;
     for (int i = 0; i < body_particles(b); i++) {
         particle *p = &w->pool.at[b->first + i];
         if (f) *p = placed_particle(w, where, f->at[i], f->center, f->mass);
@@ -395,6 +395,12 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
     TABLE_GROW(ok, t->middle, old, room);
     TABLE_GROW(ok, t->lying, old, room);
     TABLE_GROW(ok, t->reach, old, room);
+    TABLE_GROW(ok, t->age, old, room);
+    TABLE_GROW(ok, t->halfway, old, room);
+    TABLE_GROW(ok, t->choice, old, room);
+    TABLE_GROW(ok, t->island, old, room);
+    TABLE_GROW(ok, t->rung, old, room);
+    TABLE_GROW(ok, t->by_rung, old, room);
     TABLE_GROW(ok, t->began, old, room);
     TABLE_GROW(ok, t->awake, old, room);
     TABLE_GROW(ok, t->is_awake, old, room);
@@ -665,7 +671,7 @@ void world_free(world *w)
     void *owned[] = { w->body, w->plane, w->wall, w->shape, w->inverse_mass,
         w->owner,
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
-        r->lying,
+        r->lying, r->age, r->halfway, r->choice, r->island, r->rung, r->by_rung,
         r->reach, r->velocity, r->moved, r->load, r->material, r->drive,
         r->began, r->awake, r->is_awake, r->fresh, r->going, r->touches,
         r->now_then, r->velocity_then,

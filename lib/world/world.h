@@ -122,10 +122,33 @@ typedef struct {
     vec3 velocity, spin;        // m/s, rad/s
 } body_drive;
 
+// How many substeps an island takes.
 typedef struct {
-    int now;            // substeps a frame
+    int now;            // a frame
     int frames;         // for which fewer would have done
 } substep_choice;
+
+// What pushes or is joined to another, and what asks it for substeps.  An island
+// is told by one of its bodies.
+typedef struct {
+    int  parent;        // union-find: a body of the same island
+    real weight;        // 1/s^2, the largest of its contacts, see solver.h, and
+    real squares;       // the sum of the squares of what they bear,
+    int  bears;         // which are so many
+    real pace;          // rad/s, of the fastest swing about its joints
+    bool hangs;         // it has joints
+    bool is_calm;       // none of it flies
+    int  substeps;
+} island;
+
+// Islands that take about as many substeps go together: by_rung[first] to before
+// by_rung[end], and their contacts likewise.
+typedef struct {
+    int substeps;
+    int first, end, first_contact, end_contact;
+} rung;
+
+enum { RUNGS = 8 };
 
 // Rigid bodies in a frame, each phase with its own table: where they are ->
 // which may meet -> where they touch -> what impulses part them -> how far they
@@ -140,6 +163,8 @@ typedef struct {
     sphere      *ball;      // [bodies]
     prediction  *ahead;     // [bodies]
     real        *reach;     // [bodies] of ahead
+    real        *age;       // [bodies] s, see body_age
+    real        *halfway;   // [bodies] s, see ledger_halfway
     motion_basis *lying;    // [bodies] see solver_frame
     rigid_frame *middle;    // [bodies] see cache_frame; in the substeps, where
                             // its rows are made, see advance.c
@@ -166,7 +191,12 @@ typedef struct {
     body_drive  *drive;     // [bodies]
     bool is_weighed;        // the next is that of the bodies there are
     real restitution;       // the largest, also of the planes
-    substep_choice substeps;
+    substep_choice *choice; // [bodies] of the island that it was in last
+    island      *island;    // [bodies]
+    char        *rung;      // [bodies]
+    int         *by_rung;   // [awakes] what is awake, one rung after the other
+    rung         rungs[RUNGS];
+    char         on_rung;   // the one that goes now
     pair_list      pairs;
     bool           is_new_list;         // of pairs
     contact_cache  cache;
@@ -193,7 +223,8 @@ typedef struct world {
     bool is_damped;         // some rigid bodies are
     shape_entry *shape;     // [shapes]
     real time;              // s
-    real age;               // s, a particle was at `previous` so long ago
+    real age;               // s, a particle of a rope or cloth, and of what
+                            // has come, was at `previous` so long ago
     real frame;             // s, or the part of it that is computed
     bool is_still;          // all slept when the last step ended, and nothing
                             // has been done to the world since then
@@ -208,9 +239,6 @@ typedef struct world {
     step_report  report;
     ledger_entry ledger[LEDGERS];   // since the start, or ledger_clear
     ledger_entry ledger_now;        // what there is, as of the last entry
-    real ledger_ahead;      // s, from where rigid bodies have been moved to
-                            // the middle of the move that their velocities
-                            // are of; 0: their particles say
 } world;
 //<
 
@@ -224,10 +252,10 @@ world_options world_options_default(void);
 // else four, or so many that none is longer than 1/240 s.
 int world_substeps(const world_options *o);
 
-// The same in this world and frame.  Where options did not say, it is at least
-// eight where something may hang, by joints or threads, for the errors of a swing
-// go as h^2; and in each part of a divided frame.
-int world_usual(const world *w);
+// The same in this frame, of what hangs by joints or threads, or does not.  Where
+// options did not say, it is at least eight for what hangs, for the errors of a
+// swing go as h^2; and in each part of a divided frame.
+int world_usual(const world *w, bool hangs);
 
 // An empty world.  Fails, with the option's name, if one is out of range: *w is
 // empty then, too, and owns nothing.
@@ -279,6 +307,12 @@ status world_stretch(world *w, int b, real compliance);
 static inline bool body_moves(const world *w, int b)
 {
     return body_is_dynamic(&w->body[b]) && !w->sleep.asleep[b];
+}
+
+// s: the particles of body b were at `previous` so long ago, a substep.
+static inline real body_age(const world *w, int b)
+{
+    return body_is_soft(&w->body[b]) ? w->age : w->rigid.age[b];
 }
 
 // Kinematic, and not at rest.

@@ -67,7 +67,7 @@ static vec3 speed(int b)
     vec3 sum = ZERO;
     for (int i = 0; i < FOUR; i++) {
         const particle *p = &w.pool.at[x->first + i];
-        sum = vec3_add_scaled(sum, 0.25 / w.age,
+        sum = vec3_add_scaled(sum, 0.25 / body_age(&w, b),
                               vec3_sub(p->position, p->previous));
     }
     return sum;
@@ -335,7 +335,7 @@ static void meet_a_free_cloth(const shape *heavy, real v, real share)
     for (int i = 0; i < 21 * 21; i++) {
         const particle *p = &w.pool.at[i];
         vec3 step = vec3_sub(p->position, p->previous);
-        sum = vec3_add_scaled(sum, 1 / (p->inverse_mass * w.age), step);
+        sum = vec3_add_scaled(sum, 1 / (p->inverse_mass * body_age(&w, 0)), step);
     }
     ck_assert(vec3_distance(sum, before) < ROUNDING);
 }

@@ -126,7 +126,7 @@ static inline void probe_look(world *w)
         if (body_is_soft(x) || body_is_static(x)) continue;
         now->frame = rigid4_frame(p);
         now->basis = basis_find(x->rigid, &now->frame);
-        w->rigid.velocity[b] = motion_of(p, &now->frame, &now->basis, w->age);
+        w->rigid.velocity[b] = motion_of(p, &now->frame, &now->basis, body_age(w, b));
         w->rigid.moved[b] = (motion){ { 0 } };
         w->rigid.ball[b].center = now->frame.center;
     }

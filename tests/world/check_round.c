@@ -320,7 +320,7 @@ static vec3 velocity(int b)
     vec3 sum = ZERO;
     for (int k = 0; k < FOUR; k++) {
         const particle *p = particle_of(b, k);
-        sum = vec3_add_scaled(sum, 1 / (FOUR * w.age),
+        sum = vec3_add_scaled(sum, 1 / (FOUR * body_age(&w, b)),
                               vec3_sub(p->position, p->previous));
     }
     return sum;

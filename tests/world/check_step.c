@@ -84,7 +84,7 @@ static vec3 momentum(void)
     for (int i = 0; i < w.pool.count; i++) {
         const particle *p = &w.pool.at[i];
         if (p->inverse_mass == 0) continue;
-        sum = vec3_add_scaled(sum, 1 / (w.age * p->inverse_mass),
+        sum = vec3_add_scaled(sum, 1 / (body_age(&w, w.owner[i]) * p->inverse_mass),
                               vec3_sub(p->position, p->previous));
     }
     return sum;
@@ -96,7 +96,8 @@ static real kinetic(void)
     for (int i = 0; i < w.pool.count; i++) {
         const particle *p = &w.pool.at[i];
         if (p->inverse_mass == 0) continue;
-        vec3 v = vec3_scale(1 / w.age, vec3_sub(p->position, p->previous));
+        real h = body_age(&w, w.owner[i]);
+        vec3 v = vec3_scale(1 / h, vec3_sub(p->position, p->previous));
         sum += vec3_length_squared(v) / (2 * p->inverse_mass);
     }
     return sum;
@@ -108,7 +109,7 @@ static vec3 angular_momentum(void)
     for (int i = 0; i < w.pool.count; i++) {
         const particle *p = &w.pool.at[i];
         vec3 way = vec3_sub(p->position, p->previous);
-        sum = vec3_add_scaled(sum, 1 / (w.age * p->inverse_mass),
+        sum = vec3_add_scaled(sum, 1 / (body_age(&w, w.owner[i]) * p->inverse_mass),
                               vec3_cross(p->position, way));
     }
     return sum;

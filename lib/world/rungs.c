@@ -1,0 +1,224 @@
+//> rungs-islands
+#include "rungs.h"
+#include "substeps.h"
+
+#include <stddef.h>
+#include <string.h>
+
+// The body that tells of b's island, with path halving.
+static int island_of(island *i, int b)
+{
+    while (i[b].parent != b) {
+        i[b].parent = i[i[b].parent].parent;
+        b = i[b].parent;
+    }
+    return b;
+}
+
+static void unite(rigid_tables *t, int a, int b)
+{
+    t->island[island_of(t->island, b)].parent = island_of(t->island, a);
+}
+
+static bool are_joined(const world *w, const joint *j)
+{
+    return j->kind != JOINT_NONE && !j->is_broken && j->a >= 0 && j->b >= 0
+        && w->rigid.moves[j->a] && w->rigid.moves[j->b];
+}
+
+// What is driven belongs to the island that it touches; and where there is cloth,
+// all are one: it has one time.
+static void find_islands(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
+        t->island[b] = (island){ .parent = w->softs > 0 ? t->awake[0] : b,
+                                 .is_calm = true };
+    }
+    for (int k = 0; k < t->solver.contacts; k++) {
+        const active_contact *x = &t->solver.active[k];
+        if (x->count > 0 && x->sides == TWO_SIDED) unite(t, x->a, x->b);
+    }
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        if (are_joined(w, j)) unite(t, j->a, j->b);
+    }
+}
+//<
+
+//> rungs-demands
+// What flies does not sag.
+static bool is_calm(const rigid_tables *t, int b)
+{
+    vec3 way = t->ahead[b].way;
+    real far = t->now[b].radius / 16;
+    return vec3_length_squared(way) <= far * far;
+}
+
+// The island of the one of both that moves; NULL: neither does.
+static island *that_moves(world *w, int a, int b)
+{
+    rigid_tables *t = &w->rigid;
+    int moves = a >= 0 && t->moves[a] ? a : b;
+    if (t->awakes == 0) return NULL;
+    if (w->softs > 0) return &t->island[t->awake[0]];
+    return moves >= 0 && t->moves[moves]
+         ? &t->island[island_of(t->island, moves)] : NULL;
+}
+
+// An island that takes in another has what asks for more of both.
+static void add_choice(const rigid_tables *t, int b, substep_choice *to)
+{
+    to->now = int_max(to->now, t->choice[b].now);
+    to->frames = int_min(to->frames, t->choice[b].frames);
+}
+
+static void find_demands(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k], of = island_of(t->island, b);
+        t->island[of].is_calm &= is_calm(t, b);
+        if (b != of) add_choice(t, b, &t->choice[of]);
+    }
+    for (int k = 0; k < t->solver.contacts; k++) {
+        const active_contact *x = &t->solver.active[k];
+        island *i = x->count > 0 ? that_moves(w, x->a, -1) : NULL;
+        if (!i) continue;
+        i->weight = real_max(i->weight, x->weight);
+        i->squares += x->borne * x->borne;
+        i->bears += x->borne > 0;
+    }
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        island *i = that_moves(w, j->a, j->b);
+        if (!i || j->kind == JOINT_NONE || j->is_broken) continue;
+        i->pace = real_max(i->pace, w->joints.rows[k].pace);
+        i->hangs = true;
+    }
+}
+//<
+
+//> rungs-choose
+// The lowest is of those that need half as many more than usual, at most; each
+// other of twice as many as the one below.
+static int rung_of(int usual, int substeps)
+{
+    int k = 0;
+    for (int top = usual + usual / 2; top < substeps && k < RUNGS - 1; k++)
+        top *= 2;
+    return k;
+}
+
+// Each island takes what it asks for, at most what a frame may have.
+static void choose(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    int all = substeps_all(w);
+    bool is_cut = false;
+    memset(t->rungs, 0, sizeof t->rungs);
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
+        island *i = &t->island[b];
+        if (i->parent != b || !(t->moves[b] || w->softs > 0)) continue;
+        int need = substeps_choose(w, i, &t->choice[b]);
+        is_cut |= need > all;
+        i->substeps = int_min(need, all);
+    }
+    w->report.cut += is_cut;
+}
+
+// Returns the highest that is taken.
+static int climb(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    int highest = 0;
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k], of = island_of(t->island, b);
+        int n = t->island[of].substeps, r = rung_of(w->options.substeps, n);
+        t->rung[b] = (char)r;
+        t->choice[b] = t->choice[of];
+        t->rungs[r].substeps = int_max(t->rungs[r].substeps, n);
+        highest = int_max(highest, r);
+    }
+    return highest;
+}
+//<
+
+//> rungs-sort
+static rung *of_body(rigid_tables *t, int b, int highest)
+{
+    return &t->rungs[t->moves[b] ? (int)t->rung[b] : highest];
+}
+
+// From how many there are on each rung to where they begin; `end` follows as they
+// are put there.
+static void begin_at(rigid_tables *t)
+{
+    int first = 0, first_contact = 0;
+    for (rung *r = t->rungs; r < t->rungs + RUNGS; r++) {
+        int bodies = r->end, contacts = r->end_contact;
+        r->first = r->end = first;
+        r->first_contact = r->end_contact = first_contact;
+        first += bodies;
+        first_contact += contacts;
+    }
+}
+
+static void swap_contacts(rigid_tables *t, int a, int b)
+{
+    active_contact x = t->solver.active[a];
+    contact *c = t->cache.active[a];
+    int to = t->solver.order[a];
+    t->solver.active[a] = t->solver.active[b];
+    t->cache.active[a] = t->cache.active[b];
+    t->solver.order[a] = t->solver.order[b];
+    t->solver.active[b] = x;
+    t->cache.active[b] = c;
+    t->solver.order[b] = to;
+}
+
+// Bodies and contacts keep their order on a rung.  What does not move is nowhere
+// in the way: it goes with the highest.
+static void sort(rigid_tables *t, int highest)
+{
+    contact_solver *s = &t->solver;
+    for (int k = 0; k < t->awakes; k++) of_body(t, t->awake[k], highest)->end++;
+    for (int k = 0; k < s->contacts; k++)
+        of_body(t, s->active[k].a, highest)->end_contact++;
+    begin_at(t);
+    for (int k = 0; k < t->awakes; k++)
+        t->by_rung[of_body(t, t->awake[k], highest)->end++] = t->awake[k];
+    for (int k = 0; k < s->contacts; k++)
+        s->order[k] = of_body(t, s->active[k].a, highest)->end_contact++;
+    for (int k = 0; k < s->contacts; k++)
+        while (s->order[k] != k) swap_contacts(t, k, s->order[k]);
+}
+
+// Rungs that have someone on them, from the lowest; or one where nothing goes.
+static int close_up(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    int count = 0, to[RUNGS];
+    for (int k = 0; k < RUNGS; k++) {
+        rung r = t->rungs[k];
+        to[k] = count;
+        if (r.substeps > 0) t->rungs[count++] = r;
+    }
+    for (int k = 0; k < t->awakes; k++)
+        t->rung[t->awake[k]] = (char)to[(int)t->rung[t->awake[k]]];
+    if (count > 0) return count;
+    t->rungs[0].substeps = w->options.substeps;
+    return 1;
+}
+
+int rungs_find(world *w)
+{
+    find_islands(w);
+    find_demands(w);
+    choose(w);
+    sort(&w->rigid, climb(w));
+    return close_up(w);
+}
+//<

@@ -1,0 +1,21 @@
+//> rungs-head
+// rungs.h - islands take the substeps that they need, and no other does.
+//
+// Paper: not asked.  Book: chapter 18.
+// Bodies that push each other, or are joined, are an island, and what is in two
+// islands does not meet in this frame.  So each may have substeps of its own.
+// Those that take about as many go together, on one rung, as stars do in models
+// of galaxies (Aarseth 1963; Hayli 1967: block time steps).
+
+#ifndef TUMBLE_RUNGS_H
+#define TUMBLE_RUNGS_H
+
+#include "world.h"
+
+// Sorts what is awake into rungs, and the contacts of the frame with it: the
+// solver has looked at them, and no one holds their numbers.  Returns how many
+// rungs there are, at least one; they stand in rigid.rungs, w->rigid.by_rung.
+int rungs_find(world *w);
+
+#endif
+//<

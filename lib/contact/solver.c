@@ -1379,12 +1379,10 @@ void solver_store(contact_solver *s, tasks run, contact *const *table)
 }
 
 // Blocks are not good for the next frame, either.
-void solver_forget(contact_solver *s, contact *const *table)
+void solver_forget(contact_solver *s, contact *const *table, int k)
 {
-    for (int k = 0; k < s->contacts; k++) {
-        clear_impulses(table[k]);
-        s->active[k].load = 0;
-    }
+    clear_impulses(table[k]);
+    s->active[k].load = 0;
     s->h = 0;
 }
 //<

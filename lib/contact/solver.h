@@ -264,8 +264,8 @@ void solver_scale(contact_solver *s, real times);
 // and their loads to s->active.
 void solver_store(contact_solver *s, tasks run, contact *const *table);
 
-// After it: these impulses did not solve the frame, and are not kept.
-void solver_forget(contact_solver *s, contact *const *table);
+// After it: the impulses of contact k did not solve the frame, and are not kept.
+void solver_forget(contact_solver *s, contact *const *table, int k);
 //<
 
 //> solver-end

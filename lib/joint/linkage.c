@@ -835,14 +835,12 @@ static void remember(const joint *j, joint_rows *r)
     r->was_broken = j->is_broken;
 }
 
-void linkage_forget_impulses(linkage *l)
+void linkage_forget_impulses(linkage *l, int k)
 {
-    for (int k = 0; k < l->count; k++) {
-        joint *j = &l->joint[k];
-        memset(j->impulse, 0, sizeof j->impulse);
-        memset(l->rows[k].give, 0, sizeof l->rows[k].give);
-        if (!(j->force < HUGE_VAL)) j->force = 0;
-    }
+    joint *j = &l->joint[k];
+    memset(j->impulse, 0, sizeof j->impulse);
+    memset(l->rows[k].give, 0, sizeof l->rows[k].give);
+    if (!(j->force < HUGE_VAL)) j->force = 0;
 }
 
 void linkage_mark(linkage *l)

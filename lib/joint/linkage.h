@@ -117,10 +117,10 @@ typedef struct {
 // A frame begins: bodies stand as f says, and have not been moved.
 void linkage_prepare(linkage *l, const linkage_pass *q);
 
-// The next frame starts cold: after one in which numbers were lost.  Impulses
-// that are none would stop the bodies again, in every frame to come.  A force
-// that is no number is 0.
-void linkage_forget_impulses(linkage *l);
+// Joint k starts cold in the next frame: after one in which numbers were lost.
+// Impulses that are none would stop its bodies again, in every frame to come.  A
+// force that is no number is 0.
+void linkage_forget_impulses(linkage *l, int k);
 
 // Before a substep that may have to be done again; and to do it again, when the
 // bodies stand where they did.

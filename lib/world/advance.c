@@ -275,6 +275,7 @@ int advance_end(world *w)
         t->now[b].frame = t->began[b];
         t->now[b].basis = basis_find(w->body[b].rigid, &t->began[b]);
         t->velocity[b] = t->moved[b] = (motion){ { 0 } };
+        t->island[t->island[b].parent].is_lost = true;
         lost++;
     }
     return lost;

@@ -4,119 +4,141 @@
 #include "guard.h"
 #include "drive.h"
 #include "handle.h"
+#include "rungs.h"
 
 #include <float.h>
 #include <stddef.h>
 #include <string.h>
 
-// What moves, and may touch something: its kinetic energy (J), and its mass (kg).
 // A body whose numbers are lost does not count.
-typedef struct {
-    real energy, mass;
-} motion_sum;
-
-static void add_motion(motion_sum *s, real energy, real inverse_mass)
+static void add_motion(island *i, real energy, real inverse_mass)
 {
     if (!(energy < HUGE_VAL) || !(inverse_mass > 0)) return;
-    s->energy += energy;
-    s->mass += 1 / inverse_mass;
+    i->energy += energy;
+    i->mass += 1 / inverse_mass;
 }
 
-static motion_sum rigid_motion(const world *w)
+static island *island_of(const world *w, int b)
 {
-    motion_sum s = { 0, 0 };
-    for (int k = 0; k < w->rigid.awakes; k++) {
-        int b = w->rigid.awake[k];
-        const motion_basis *basis = &w->rigid.now[b].basis;
-        if (w->rigid.touches[b] && !w->rigid.now[b].is_driven)
-            add_motion(&s, motion_energy(basis, &w->rigid.velocity[b]),
+    return &w->rigid.island[w->rigid.island[b].parent];
+}
+
+// Of each island: what moves, and may touch something.
+static void sum_motion(world *w)
+{
+    const rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->awakes; k++)
+        t->island[t->awake[k]].energy = t->island[t->awake[k]].mass = 0;
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
+        const motion_basis *basis = &t->now[b].basis;
+        if (t->touches[b] && !t->now[b].is_driven)
+            add_motion(island_of(w, b), motion_energy(basis, &t->velocity[b]),
                        basis->inverse_mass);
     }
-    return s;
 }
 
-static void add_soft_motion(motion_sum *s, const world *w, const body *x)
+static void add_soft_motion(island *of, const world *w, const body *x)
 {
-    s->energy += soft_energy(x, w->pool.at);
+    of->energy += soft_energy(x, w->pool.at);
     for (int i = x->first; i < x->first + body_particles(x); i++) {
         const particle *p = &w->pool.at[i];
         vec3 way = vec3_sub(p->position, p->previous);
         real square = vec3_length_squared(way) / (w->age * w->age);
-        add_motion(s, square / (2 * p->inverse_mass), p->inverse_mass);
+        add_motion(of, square / (2 * p->inverse_mass), p->inverse_mass);
     }
 }
 
 // J: the kinetic energy that loads would give to bodies at rest.
-static real load_energy(const world *w)
+static void sum_loads(world *w)
 {
-    real sum = 0;
     for (int k = 0; k < w->rigid.awakes && w->rigid.is_loaded; k++) {
         int b = w->rigid.awake[k];
         if (!w->rigid.touches[b]) continue;
         motion u = world_load(w, b, w->frame);
-        sum += motion_energy(&w->rigid.now[b].basis, &u);
+        island_of(w, b)->loads += motion_energy(&w->rigid.now[b].basis, &u);
     }
-    return sum;
 }
 
-// Contacts create no motion: beside what there is, and what bends and links
-// have stored, only gravity does, what pushes from outside, the speed at which
-// overlaps are pushed out, and what is driven: it gives others its own speed,
-// and as much again if they bounce off it.  sqrt(2 energy / mass) is a length
-// in the space of all velocities: these add up to no more than their sum.
-real guard_most(const world *w, const solver_frame *f)
+// Contacts create no motion: beside what there is in an island, and what bends and
+// links have stored, only gravity does, what pushes from outside, the speed at
+// which overlaps are pushed out, and what is driven: it gives others its own
+// speed, and as much again if they bounce off it.  sqrt(2 energy / mass) is a
+// length in the space of all velocities: these add up to no more than their sum.
+void guard_begin(world *w, const solver_frame *f)
 {
-    motion_sum s = rigid_motion(w);
-    if (s.mass == 0) return 0;      // nothing that could be braked
-    for (int k = 0; k < w->rigid.awakes && w->softs > 0; k++) {
-        int b = w->rigid.awake[k];
+    const rigid_tables *t = &w->rigid;
+    sum_motion(w);
+    sum_loads(w);
+    for (int k = 0; k < t->awakes && w->softs > 0; k++) {
+        int b = t->awake[k];
         if (body_is_soft(&w->body[b]) && body_moves(w, b))
-            add_soft_motion(&s, w, &w->body[b]);
+            add_soft_motion(island_of(w, b), w, &w->body[b]);
     }
     real more = w->frame * vec3_length(w->options.gravity) + f->max_speed
               + (1 + f->restitution) * drive_fastest(w);
-    real most = sqrt(s.energy) + sqrt(load_energy(w))
-              + sqrt(s.mass / 2) * more;
-    return most * most;
+    for (int k = 0; k < t->awakes; k++) {
+        island *i = &t->island[t->awake[k]];
+        real most = sqrt(i->energy) + sqrt(i->loads) + sqrt(i->mass / 2) * more;
+        i->most = most * most;
+    }
 }
 //<
 
 //> guard-brake
-//>   If there is more than that, all are slowed by the same share.
+//>   If an island has more than that, all of it is slowed by the same share.
 static void slow_down(world *w, int b, real share)
 {
     if (w->rigid.now[b].is_driven || !w->rigid.touches[b]) return;
     for (int i = 0; i < MOTIONS; i++) w->rigid.velocity[b].of[i] *= share;
 }
 
-// With more than so many times the energy that is right, no body of the frame
+// With more than so many times the energy that is right, no body of an island
 // was solved: speeds are ten times too high.  With half or twice as many the
 // same worlds are reported; what friction gives is far less.
 static const real WILD = 100;
 
-// The impulses that gave it would give it again.  And what was stopped does not
-// rest: it must not fall asleep in mid-air.
-static void report_lost(world *w, int lost, bool is_wild)
+// The impulses that gave it would give it again.
+static void forget_impulses(world *w)
 {
-    int all = 0;
-    if (lost == 0 && !is_wild) return;
-    linkage_forget_impulses(&w->joints);
-    solver_forget(&w->rigid.solver, w->rigid.cache.active);
-    for (int k = 0; k < w->rigid.awakes; k++) {
-        int b = w->rigid.awake[k];
-        if (!w->rigid.moves[b]) continue;
-        sleep_forget(&w->sleep, b);
-        all += w->rigid.touches[b];
+    rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->solver.contacts; k++) {
+        const island *i = rungs_island(w, t->solver.active[k].a, -1);
+        if (i && i->is_lost) solver_forget(&t->solver, t->cache.active, k);
     }
-    w->report.lost = int_max(w->report.lost, is_wild ? all : lost);
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        const island *i = rungs_island(w, j->a, j->b);
+        if (i && i->is_lost) linkage_forget_impulses(&w->joints, k);
+    }
 }
 
-void guard_brake(world *w, real most, int lost)
+// And what was stopped does not rest: it must not fall asleep in mid-air.
+static void report_lost(world *w, int lost)
 {
-    real now = rigid_motion(w).energy, share = sqrt(most / now);
-    report_lost(w, lost, now > WILD * most);
-    for (int k = 0; k < w->rigid.awakes && now > most; k++)
-        slow_down(w, w->rigid.awake[k], share);
+    bool is_any = lost > 0;
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
+        island *i = island_of(w, b);
+        bool is_wild = i->energy > WILD * i->most;
+        if (!w->rigid.moves[b] || !(i->is_lost || is_wild)) continue;
+        i->is_lost = is_any = true;
+        lost += is_wild && w->rigid.touches[b];
+        sleep_forget(&w->sleep, b);
+    }
+    if (is_any) forget_impulses(w);
+    w->report.lost = int_max(w->report.lost, lost);
+}
+
+void guard_brake(world *w, int lost)
+{
+    sum_motion(w);
+    report_lost(w, lost);
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
+        const island *i = island_of(w, b);
+        if (i->energy > i->most) slow_down(w, b, sqrt(i->most / i->energy));
+    }
 }
 //<
 

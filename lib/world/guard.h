@@ -8,13 +8,13 @@
 
 #include "world.h"
 
-// J, before the substeps of a frame: how much kinetic energy rigid bodies may
-// have after them.  0 where none moves by itself.
-real guard_most(const world *w, const solver_frame *f);
+// Before the substeps of a frame: how much kinetic energy may the rigid bodies of
+// each island have after them?
+void guard_begin(world *w, const solver_frame *f);
 
-// After them, when so many have lost their numbers and were stopped: slows rigid
-// bodies, all by the same share, if they have more.
-void guard_brake(world *w, real most, int lost);
+// After them, when so many have lost their numbers and were stopped: slows those
+// of an island, all by the same share, if they have more.
+void guard_brake(world *w, int lost);
 
 // After the substep of rope and cloth: what has lost its numbers in it stands
 // again where the substep began, at rest, and is reported.

@@ -56,10 +56,9 @@ static bool is_calm(const rigid_tables *t, int b)
     return vec3_length_squared(way) <= far * far;
 }
 
-// The island of the one of both that moves; NULL: neither does.
-static island *that_moves(world *w, int a, int b)
+island *rungs_island(const world *w, int a, int b)
 {
-    rigid_tables *t = &w->rigid;
+    const rigid_tables *t = &w->rigid;
     int moves = a >= 0 && t->moves[a] ? a : b;
     if (t->awakes == 0) return NULL;
     if (w->softs > 0) return &t->island[t->awake[0]];
@@ -84,7 +83,7 @@ static void find_demands(world *w)
     }
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
-        island *i = x->count > 0 ? that_moves(w, x->a, -1) : NULL;
+        island *i = x->count > 0 ? rungs_island(w, x->a, -1) : NULL;
         if (!i) continue;
         i->weight = real_max(i->weight, x->weight);
         i->squares += x->borne * x->borne;
@@ -92,7 +91,7 @@ static void find_demands(world *w)
     }
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
-        island *i = that_moves(w, j->a, j->b);
+        island *i = rungs_island(w, j->a, j->b);
         if (!i || j->kind == JOINT_NONE || j->is_broken) continue;
         i->pace = real_max(i->pace, w->joints.rows[k].pace);
         i->hangs = true;
@@ -138,6 +137,7 @@ static int climb(world *w)
         int b = t->awake[k], of = island_of(t->island, b);
         int n = t->island[of].substeps, r = rung_of(w->options.substeps, n);
         t->rung[b] = (char)r;
+        t->island[b].parent = of;
         t->choice[b] = t->choice[of];
         t->rungs[r].substeps = int_max(t->rungs[r].substeps, n);
         highest = int_max(highest, r);

@@ -17,5 +17,8 @@
 // rungs there are, at least one; they stand in rigid.rungs, w->rigid.by_rung.
 int rungs_find(world *w);
 
+// The island of the one of a and b that moves; NULL: neither does.
+island *rungs_island(const world *w, int a, int b);
+
 #endif
 //<

@@ -103,10 +103,10 @@ static void solve(world *w, real *since)
 {
     solver_frame f = frame_of(w, 1);
     int rungs = look_at_contacts(w, &f);
-    real most = guard_most(w, &f);
+    guard_begin(w, &f);
     climb(w, rungs, since);
     rolling_brake(w);
-    guard_brake(w, most, advance_end(w));
+    guard_brake(w, advance_end(w));
     guard_bodies(w);
     guard_planes(w);
     drive_hold(w);

@@ -139,6 +139,10 @@ typedef struct {
     bool hangs;         // it has joints
     bool is_calm;       // none of it flies
     int  substeps;
+    real energy, mass;  // J, kg, of what touches something
+    real loads;         // J, that forces from outside would give
+    real most;          // J, that it may have when the frame ends, see guard.h
+    bool is_lost;       // it has other numbers than it should, or none
 } island;
 
 // Islands that take about as many substeps go together: by_rung[first] to before

@@ -28,7 +28,7 @@ static linkage_pass pass(void)
 {
     frame = (solver_frame){ .body = solid, .bodies = BODIES, .h = 1 / 480.0,
                             .substeps = 8, .warm = 1, .max_speed = 3 };
-    return (linkage_pass){ &frame, velocity, free_speed, ahead };
+    return (linkage_pass){ &frame, velocity, free_speed, ahead, NULL, 0 };
 }
 
 // Where the bodies come in a substep, as fast as they are.

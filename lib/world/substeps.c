@@ -8,7 +8,7 @@
 // mass of its two bodies and w the angular frequency of its spring, which is an
 // eighth of a whole turn in a substep (solver-pass).  A frame takes so many
 // substeps that this is at most GIVES, as a share of the smaller radius.
-static const real GIVES = 0.002, EIGHTH = 0.7853981633974483;
+static const real GIVES = 0.0035, EIGHTH = 0.7853981633974483;
 
 // For F / m beside the smaller radius, 1/s^2.
 static real substeps_to_bear(const world *w, real pace)
@@ -17,14 +17,15 @@ static real substeps_to_bear(const world *w, real pace)
 }
 
 // The weight of what lies on another counts before it is felt, and when all is
-// calm also what contacts bear.  Of that the root mean square: where bodies are
-// jammed, some contact is always pressed by a hundred times what lies on it.
-// This demand grows by one substep a frame, or a tower would be thrown up.
+// calm also what contacts bear: by their root mean square, as if loads grew evenly
+// from nothing to the largest, as they do in a tower.  (Where bodies are jammed,
+// some contact is always pressed by a hundred times what lies on it.)  This demand
+// grows by one substep a frame, or a tower would be thrown up.
 static real substeps_for_contacts(const world *w, const island *i, int now)
 {
     real first = substeps_to_bear(w, i->weight);
     if (!(i->squares < HUGE_VAL && i->bears > 0 && i->is_calm)) return first;
-    real pace = sqrt(i->squares / i->bears);
+    real pace = sqrt(3 * i->squares / i->bears);
     return real_max(first, real_min(substeps_to_bear(w, pace), now));
 }
 //<

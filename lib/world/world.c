@@ -35,7 +35,7 @@ int world_usual(const world *w, bool hangs)
     enum { HANGING = 8 };
     int n = w->options.substeps;
     bool is_part = w->frame < w->options.dt;
-    return (hangs || is_part) && !w->has_substeps ? int_max(HANGING, n) : n;
+    return hangs && !is_part && !w->has_substeps ? int_max(HANGING, n) : n;
 }
 //<
 

@@ -1,0 +1,201 @@
+// check_islands.c - does each island take its own substeps, and nothing else?
+// Book: chapter 18.
+//
+// Through tumble.h: a heavy box on a light one asks for ten times as many
+// substeps as a box that falls beside them.
+
+#include "tumble.h"
+#include "suite.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static tumble_world *with_floor(void)
+{
+    tumble_world *w = tumble_make(NULL);
+    ck_assert_ptr_nonnull(w);
+    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    return w;
+}
+
+static tumble_body add_cube(tumble_world *w, double mass, double x, double y)
+{
+    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), mass);
+    return tumble_add(w, s, tumble_at(x, y, 0));
+}
+
+// 1,000 kg on 1 kg.
+static tumble_body add_hard_pair(tumble_world *w, tumble_body *light)
+{
+    tumble_body below = add_cube(w, 1, 10, 0.5);
+    if (light) *light = below;
+    return add_cube(w, 1000, 10, 1.5);
+}
+
+static void near(double got, double wanted, double tolerance)
+{
+    ck_assert_msg(fabs(got - wanted) <= tolerance, "got %.17g, wanted %.17g",
+                  got, wanted);
+}
+
+static double apart(tumble_vec3 a, tumble_vec3 b)
+{
+    double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return sqrt(x * x + y * y + z * z);
+}
+
+// Rejects: one number of substeps for all; a frame that takes its contacts or its
+// velocities from the substeps of another island.
+START_TEST(box_beside_a_hard_pair_goes_as_it_goes_alone)
+{
+    tumble_world *w[2] = { with_floor(), with_floor() };
+    tumble_body box[2];
+    int most = 0;
+    for (int i = 0; i < 2; i++) {
+        tumble_body_options o = tumble_at(0, 2, 0);
+        o.velocity = tumble_v(1, 0, 0.3);
+        o.spin = tumble_v(2, 1, 3);
+        box[i] = tumble_add(w[i], tumble_box(w[i], tumble_v(1, 1, 1), 1), o);
+    }
+    add_hard_pair(w[1], NULL);
+    for (int k = 0; k < 120; k++) {
+        for (int i = 0; i < 2; i++) tumble_step(w[i]);
+        tumble_pose a = tumble_get_pose(w[0], box[0]);
+        tumble_pose b = tumble_get_pose(w[1], box[1]);
+        ck_assert_msg(memcmp(&a, &b, sizeof a) == 0, "frame %d", k);
+        tumble_vec3 u = tumble_velocity(w[0], box[0]);
+        tumble_vec3 v = tumble_velocity(w[1], box[1]);
+        ck_assert(memcmp(&u, &v, sizeof u) == 0);
+        ck_assert_int_le(tumble_last_step(w[0]).substeps, 6);
+        int substeps = tumble_last_step(w[1]).substeps;
+        most = substeps > most ? substeps : most;
+    }
+    ck_assert_int_gt(most, 24);
+    for (int i = 0; i < 2; i++) tumble_free(w[i]);
+}
+END_TEST
+
+// N: all that pushes b from below.
+static double load_on(const tumble_world *w, tumble_body b)
+{
+    tumble_contact c[16];
+    int n = tumble_contacts(w, c, 16);
+    double sum = 0;
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i < c[k].points; i++) {
+            bool is_a = memcmp(&c[k].a, &b, sizeof b) == 0;
+            bool is_b = memcmp(&c[k].b, &b, sizeof b) == 0;
+            double up = (is_a - is_b) * c[k].normal.y;
+            sum += up > 0 ? up * c[k].force[i] : 0;
+        }
+    return sum;
+}
+
+// Rejects: impulses that are divided by another island's substep.
+START_TEST(contacts_of_both_carry_their_weight)
+{
+    tumble_options o = tumble_options_default();
+    o.sleep_speed = 0;
+    tumble_world *w = tumble_make(&o);
+    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_body light = add_cube(w, 2, 0, 0.5), heavy = add_hard_pair(w, NULL);
+    for (int k = 0; k < 60; k++) tumble_step(w);
+    ck_assert_int_gt(tumble_last_step(w).substeps, 24);
+    near(load_on(w, light), 2 * 9.81, 0.01);
+    near(load_on(w, heavy), 1000 * 9.81, 5);
+    tumble_free(w);
+}
+END_TEST
+
+// A rod turns at 40 rad/s about a joint in its middle, whose two halves ask for
+// many substeps, and flies at a cube.
+// Rejects: momentum that is lost where velocities of two substeps meet.
+START_TEST(islands_that_meet_keep_their_momentum)
+{
+    tumble_options o = tumble_options_default();
+    o.gravity = tumble_v(0, 0, 0);
+    tumble_world *w = tumble_make(&o);
+    tumble_shape half = tumble_box(w, tumble_v(0.5, 0.1, 0.1), 1);
+    tumble_body part[2];
+    for (int i = 0; i < 2; i++) {
+        double x = i ? 0.25 : -0.25;
+        tumble_body_options p = tumble_at(x, 0, 0);
+        p.spin = tumble_v(0, 0, 40);
+        p.velocity = tumble_v(3, 40 * x, 0);
+        part[i] = tumble_add(w, half, p);
+    }
+    tumble_ball(w, part[0], part[1], tumble_v(0, 0, 0));
+    tumble_shape cube = tumble_box(w, tumble_v(1, 1, 1), 5);
+    tumble_body hit = tumble_add(w, cube, tumble_at(3, 0.3, 0));
+    tumble_vec3 before = tumble_measure(w).momentum;
+    int most = 0;
+    for (int k = 0; k < 90; k++) {
+        tumble_step(w);
+        int substeps = tumble_last_step(w).substeps;
+        most = substeps > most ? substeps : most;
+        near(apart(tumble_measure(w).momentum, before), 0, 1e-11);
+    }
+    ck_assert_double_gt(tumble_velocity(w, hit).x, 0.1);
+    ck_assert_int_gt(most, 6);
+    tumble_free(w);
+}
+END_TEST
+
+// Rejects: a state without the ages of the islands.
+START_TEST(saved_world_goes_on_with_the_same_bits)
+{
+    tumble_world *w = with_floor();
+    add_cube(w, 1, 0, 0.9);
+    add_hard_pair(w, NULL);
+    for (int k = 0; k < 7; k++) tumble_step(w);
+    size_t size = tumble_save(w, NULL, 0);
+    void *bytes = malloc(size);
+    ck_assert_ptr_nonnull(bytes);
+    ck_assert_uint_eq(tumble_save(w, bytes, size), size);
+    tumble_world *again = tumble_load(bytes, size);
+    ck_assert_ptr_nonnull(again);
+    for (int k = 0; k < 30; k++) {
+        tumble_step(w);
+        tumble_step(again);
+        ck_assert(tumble_hash(w) == tumble_hash(again));
+    }
+    free(bytes);
+    tumble_free(w);
+    tumble_free(again);
+}
+END_TEST
+
+// One of a hard pair is taken away.
+// Rejects: a number of substeps that outlives what asked for it, or is dropped at
+// once, or that only one body of an island remembers: each change moves what rests.
+START_TEST(island_lets_go_after_half_a_second)
+{
+    for (int i = 0; i < 2; i++) {
+        tumble_world *w = with_floor();
+        tumble_body body[2];
+        body[1] = add_hard_pair(w, &body[0]);
+        for (int k = 0; k < 20; k++) tumble_step(w);
+        tumble_remove(w, body[i]);
+        tumble_step(w);
+        ck_assert_int_gt(tumble_last_step(w).substeps, 24);
+        for (int k = 0; k < 31; k++) tumble_step(w);
+        ck_assert_int_le(tumble_last_step(w).substeps, 6);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {
+        box_beside_a_hard_pair_goes_as_it_goes_alone,
+        contacts_of_both_carry_their_weight,
+        islands_that_meet_keep_their_momentum,
+        saved_world_goes_on_with_the_same_bits,
+        island_lets_go_after_half_a_second,
+        NULL
+    };
+    return suite_run((suite){ .name = "islands", .tests = tests, .seconds = 20 });
+}

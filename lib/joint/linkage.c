@@ -959,7 +959,7 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
         real swing = sqrt(j->force * l->rows[k].swing);
         swing = real_max(swing, SPINS * real_max(spin_of(q, j->a),
                                                  spin_of(q, j->b)));
-        l->rows[k].pace += swing * swing * h;
+        l->rows[k].pace = real_max(l->rows[k].pace, swing);
         l->swing = real_max(l->swing, swing);
         if (!(j->force > j->strength)) continue;
         j->is_broken = l->is_stale = true;

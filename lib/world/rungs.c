@@ -93,7 +93,7 @@ static void find_demands(world *w)
         const joint *j = &w->joints.joint[k];
         island *i = rungs_island(w, j->a, j->b);
         if (!i || j->kind == JOINT_NONE || j->is_broken) continue;
-        i->pace = real_max(i->pace, sqrt(w->joints.rows[k].pace / w->frame));
+        i->pace = real_max(i->pace, w->joints.rows[k].pace);
         i->hangs = true;
     }
 }

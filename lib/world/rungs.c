@@ -20,30 +20,54 @@ static void unite(rigid_tables *t, int a, int b)
     t->island[island_of(t->island, b)].parent = island_of(t->island, a);
 }
 
-static bool are_joined(const world *w, const joint *j)
+// Rope and cloth that is awake.
+static bool is_soft(const world *w, int b)
 {
-    return j->kind != JOINT_NONE && !j->is_broken && j->a >= 0 && j->b >= 0
-        && w->rigid.moves[j->a] && w->rigid.moves[j->b];
+    return body_is_soft(&w->body[b]) && body_moves(w, b);
 }
 
-// What is driven belongs to the island that it touches; and where there is cloth,
-// all are one: it has one time.
+static bool goes(const world *w, int b)
+{
+    return b >= 0 && (w->rigid.moves[b] || is_soft(w, b));
+}
+
+// All that is soft is one island, with what it may touch in this frame: it has one
+// time.
+static void unite_softs(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    int first = -1;
+    for (int k = 0; k < t->awakes; k++) {
+        int a = t->awake[k];
+        if (!is_soft(w, a)) continue;
+        if (first < 0) first = a;
+        unite(t, first, a);
+        for (int i = 0; i < t->awakes; i++) {
+            int b = t->awake[i];
+            if (t->moves[b] && body_meets(&w->body[a], &w->body[b])
+                && soft_may_touch(&w->soft, a, b)) unite(t, first, b);
+        }
+    }
+    if (first >= 0) t->island[island_of(t->island, first)].is_soft = true;
+}
+
+// What is driven belongs to the island that it touches.
 static void find_islands(world *w)
 {
     rigid_tables *t = &w->rigid;
-    for (int k = 0; k < t->awakes; k++) {
-        int b = t->awake[k];
-        t->island[b] = (island){ .parent = w->softs > 0 ? t->awake[0] : b,
-                                 .is_calm = true };
-    }
+    for (int k = 0; k < t->awakes; k++)
+        t->island[t->awake[k]] = (island){ .parent = t->awake[k],
+                                           .is_calm = true };
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
         if (x->count > 0 && x->sides == TWO_SIDED) unite(t, x->a, x->b);
     }
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
-        if (are_joined(w, j)) unite(t, j->a, j->b);
+        if (j->kind != JOINT_NONE && !j->is_broken && goes(w, j->a)
+            && goes(w, j->b)) unite(t, j->a, j->b);
     }
+    if (w->softs > 0) unite_softs(w);
 }
 //<
 
@@ -58,12 +82,9 @@ static bool is_calm(const rigid_tables *t, int b)
 
 island *rungs_island(const world *w, int a, int b)
 {
-    const rigid_tables *t = &w->rigid;
-    int moves = a >= 0 && t->moves[a] ? a : b;
-    if (t->awakes == 0) return NULL;
-    if (w->softs > 0) return &t->island[t->awake[0]];
-    return moves >= 0 && t->moves[moves]
-         ? &t->island[island_of(t->island, moves)] : NULL;
+    island *i = w->rigid.island;
+    if (goes(w, a)) return &i[island_of(i, a)];
+    return goes(w, b) ? &i[island_of(i, b)] : NULL;
 }
 
 // An island that takes in another has what asks for more of both.
@@ -120,7 +141,8 @@ static void choose(world *w)
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k];
         island *i = &t->island[b];
-        if (i->parent != b || !(t->moves[b] || w->softs > 0)) continue;
+        if (i->parent != b || !goes(w, b)) continue;
+        i->hangs |= i->is_soft;
         int need = substeps_choose(w, i, &t->choice[b]);
         is_cut |= need > all;
         i->substeps = int_min(need, all);
@@ -140,6 +162,7 @@ static int climb(world *w)
         t->island[b].parent = of;
         t->choice[b] = t->choice[of];
         t->rungs[r].substeps = int_max(t->rungs[r].substeps, n);
+        t->rungs[r].is_soft |= t->island[of].is_soft;
         highest = int_max(highest, r);
     }
     return highest;
@@ -147,9 +170,9 @@ static int climb(world *w)
 //<
 
 //> rungs-sort
-static rung *of_body(rigid_tables *t, int b, int highest)
+static rung *of_body(world *w, int b, int highest)
 {
-    return &t->rungs[t->moves[b] ? (int)t->rung[b] : highest];
+    return &w->rigid.rungs[goes(w, b) ? (int)w->rigid.rung[b] : highest];
 }
 
 // From how many there are on each rung to where they begin; `end` follows as they
@@ -181,17 +204,18 @@ static void swap_contacts(rigid_tables *t, int a, int b)
 
 // Bodies and contacts keep their order on a rung.  What does not move is nowhere
 // in the way: it goes with the highest.
-static void sort(rigid_tables *t, int highest)
+static void sort(world *w, int highest)
 {
+    rigid_tables *t = &w->rigid;
     contact_solver *s = &t->solver;
-    for (int k = 0; k < t->awakes; k++) of_body(t, t->awake[k], highest)->end++;
+    for (int k = 0; k < t->awakes; k++) of_body(w, t->awake[k], highest)->end++;
     for (int k = 0; k < s->contacts; k++)
-        of_body(t, s->active[k].a, highest)->end_contact++;
+        of_body(w, s->active[k].a, highest)->end_contact++;
     begin_at(t);
     for (int k = 0; k < t->awakes; k++)
-        t->by_rung[of_body(t, t->awake[k], highest)->end++] = t->awake[k];
+        t->by_rung[of_body(w, t->awake[k], highest)->end++] = t->awake[k];
     for (int k = 0; k < s->contacts; k++)
-        s->order[k] = of_body(t, s->active[k].a, highest)->end_contact++;
+        s->order[k] = of_body(w, s->active[k].a, highest)->end_contact++;
     for (int k = 0; k < s->contacts; k++)
         while (s->order[k] != k) swap_contacts(t, k, s->order[k]);
 }
@@ -218,7 +242,7 @@ int rungs_find(world *w)
     find_islands(w);
     find_demands(w);
     choose(w);
-    sort(&w->rigid, climb(w));
+    sort(w, climb(w));
     return close_up(w);
 }
 //<

@@ -535,7 +535,7 @@ static void substep(world *w, const solver_frame *f, real *since)
     solver_relax(&t->solver, f, t->velocity, t->moved);
     ledger_book(w, LEDGER_CONTACTS);
     lap(w, PHASE_SOLVE, since);
-    if (w->softs > 0) {
+    if (t->rungs[(int)t->on_rung].is_soft) {
         soft_step(w, f->h);
         guard_soft(w);
     }

@@ -60,7 +60,8 @@ int substeps_again(const world *w, real h, int left)
     real shortest = w->options.dt / w->options.most_substeps;
     int most = int_min((int)(left * h / shortest),
                        substeps_all(w) - w->report.substeps);
-    if (w->softs > 0 || left >= most || !(need > TOO_FAST * left)) return 0;
+    bool is_soft = w->rigid.rungs[(int)w->rigid.on_rung].is_soft;
+    if (is_soft || left >= most || !(need > TOO_FAST * left)) return 0;
     return need < most ? (int)need + 1 : most;
 }
 //<
@@ -91,7 +92,7 @@ int substeps_choose(world *w, const island *i, substep_choice *c)
     real swing = real_min(substeps_for_joints(w, i), most);
     int n = hold(c, int_max(usual, (int)real_max(stiff, swing) + 1));
     if (share < 1) n = int_max(usual, (int)(share * n));
-    if (w->softs > 0) n = int_max(n, soft_need(w));
+    if (i->is_soft) n = int_max(n, soft_need(w));
     return int_min(n, int_max((int)(share * most), usual));
 }
 

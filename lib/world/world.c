@@ -34,7 +34,8 @@ int world_usual(const world *w, bool hangs)
 {
     enum { HANGING = 8 };
     int n = w->options.substeps;
-    return hangs && !w->has_substeps ? int_max(HANGING, n) : n;
+    bool is_part = w->frame < w->options.dt;
+    return (hangs || is_part) && !w->has_substeps ? int_max(HANGING, n) : n;
 }
 //<
 

@@ -136,7 +136,8 @@ typedef struct {
     real squares;       // the sum of the squares of what they bear,
     int  bears;         // which are so many
     real pace;          // rad/s, of the fastest swing about its joints
-    bool hangs;         // it has joints
+    bool hangs;         // it has joints, or is soft:
+    bool is_soft;       // it has ropes or cloths
     bool is_calm;       // none of it flies
     int  substeps;
     real energy, mass;  // J, kg, of what touches something
@@ -150,6 +151,7 @@ typedef struct {
 typedef struct {
     int substeps;
     int first, end, first_contact, end_contact;
+    bool is_soft;       // all ropes and cloths are here: they have one time
 } rung;
 
 enum { RUNGS = 8 };

@@ -187,6 +187,30 @@ START_TEST(island_lets_go_after_half_a_second)
 }
 END_TEST
 
+// A cloth of 30 x 30 hangs by a corner ten metres away.
+// Rejects: substeps of cloth that everybody takes.
+START_TEST(box_beside_a_cloth_goes_as_it_goes_alone)
+{
+    tumble_world *w[2] = { with_floor(), with_floor() };
+    tumble_body box[2];
+    int most = 0;
+    for (int i = 0; i < 2; i++) box[i] = add_cube(w[i], 1, 0, 2);
+    tumble_shape s = tumble_cloth(w[1], 30, 30, 1, 1, 0.2);
+    tumble_body cloth = tumble_add(w[1], s, tumble_at(10, 3, 0));
+    tumble_pin(w[1], cloth, 0);
+    for (int k = 0; k < 120; k++) {
+        for (int i = 0; i < 2; i++) tumble_step(w[i]);
+        tumble_pose a = tumble_get_pose(w[0], box[0]);
+        tumble_pose b = tumble_get_pose(w[1], box[1]);
+        ck_assert_msg(memcmp(&a, &b, sizeof a) == 0, "frame %d", k);
+        int substeps = tumble_last_step(w[1]).substeps;
+        most = substeps > most ? substeps : most;
+    }
+    ck_assert_int_gt(most, 7);
+    for (int i = 0; i < 2; i++) tumble_free(w[i]);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -195,6 +219,7 @@ int main(void)
         islands_that_meet_keep_their_momentum,
         saved_world_goes_on_with_the_same_bits,
         island_lets_go_after_half_a_second,
+        box_beside_a_cloth_goes_as_it_goes_alone,
         NULL
     };
     return suite_run((suite){ .name = "islands", .tests = tests, .seconds = 20 });

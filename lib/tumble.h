@@ -77,9 +77,9 @@ typedef struct {
     double dt;              // s, a step; 1e-9 to 1, 1/60
     int    substeps;        // of a step, at least, 1 to 10000; 0, as it comes:
                             // four (eight with joints, rope or cloth), or so
-                            // many that none is longer than 1/240 s.  A step
-                            // takes more where high stacks, heavy loads, joints
-                            // or cloth need it
+                            // many that none is longer than 1/240 s.  High
+                            // stacks, heavy loads, joints and cloth take more,
+                            // and what does not touch them does not
     int    most_substeps;   // a hard step takes more of them, up to this, 200;
                             // what is done again, and shorter, is on top; none
                             // takes more than 10000 in all: one that would have
@@ -131,7 +131,7 @@ bool tumble_remove_plane(tumble_world *w, tumble_plane p);
 
 // What the last step did, and what it could not do.
 typedef struct {
-    int substeps;
+    int substeps;           // of what took most
     int bodies, asleep;
     int pairs, contacts;    // of rigid bodies: that may meet; that touch, or
                             // will soon

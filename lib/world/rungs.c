@@ -72,6 +72,8 @@ static void find_islands(world *w)
 //<
 
 //> rungs-demands
+//>   Each island is asked how calm it is, and what its contacts bear; its choice
+//>   is that of all its bodies.
 // What flies does not sag.
 static bool is_calm(const rigid_tables *t, int b)
 {
@@ -121,6 +123,7 @@ static void find_demands(world *w)
 //<
 
 //> rungs-choose
+//>   So many substeps as it wants, and the rung that has as many.
 // The lowest is of those that need half as many more than usual, at most; each
 // other of twice as many as the one below.
 static int rung_of(int usual, int substeps)
@@ -170,6 +173,8 @@ static int climb(world *w)
 //<
 
 //> rungs-sort
+//>   Bodies and contacts of a rung stand side by side (counting sort), so that
+//>   the solver takes them as a piece of its table.
 static rung *of_body(world *w, int b, int highest)
 {
     return &w->rigid.rungs[goes(w, b) ? (int)w->rigid.rung[b] : highest];

@@ -1,11 +1,12 @@
 //> rungs-head
+//>   Between the look at the contacts and the substeps stands one function.
 // rungs.h - islands take the substeps that they need, and no other does.
 //
 // Paper: not asked.  Book: chapter 18.
 // Bodies that push each other, or are joined, are an island, and what is in two
 // islands does not meet in this frame.  So each may have substeps of its own.
-// Those that take about as many go together, on one rung, as stars do in models
-// of galaxies (Aarseth 1963; Hayli 1967: block time steps).
+// Those that take about as many go together, on one rung.  Models of stars have
+// such block time steps (Aarseth 1963, McMillan 1986).
 
 #ifndef TUMBLE_RUNGS_H
 #define TUMBLE_RUNGS_H

@@ -62,7 +62,8 @@ enum { PHASE_PAIRS, PHASE_CONTACTS, PHASE_PREPARE, PHASE_SOLVE, PHASE_SOFT,
 // What the last step did.
 typedef struct {
     real time[PHASES];  // s
-    int  substeps;      // 0: all sleep, and nothing was done
+    int  substeps;      // of the island that took most; 0: all sleep, and
+                        // nothing was done
     int  pairs;         // of rigid bodies that may meet
     int  queries;       // of them and of planes, asked where they touch
     int  contacts;      // of rigid bodies: pairs, and bodies and planes

@@ -151,7 +151,8 @@ typedef struct {
     double penetration;     // m, the deepest overlap; that of joined bodies
                             // counts, too, though they may overlap
     double strain;          // the largest |length - rest| / rest of a stick
-    double kinetic, potential;          // J; potential: 0 at the origin
+    double kinetic, potential;          // J, of half a substep ago, as
+                                        // momenta; potential: 0 at the origin
     tumble_vec3 momentum, angular;      // kg m/s; kg m^2/s, about the origin
 } tumble_measures;
 

@@ -21,7 +21,7 @@ typedef struct {
     real shear;         // largest over the soft sticks (a cloth's diagonals)
     real penetration;   // m, deepest: rigid bodies in each other, in planes,
                         // particles of deformable bodies in rigid ones
-    real kinetic;       // J, by the velocities half a step ago
+    real kinetic;       // J, half a substep ago, as all that follows:
     real potential;     // J, 0 at the origin's height
     vec3 momentum;      // kg m/s
     vec3 angular;       // kg m^2/s, about the origin

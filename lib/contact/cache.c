@@ -212,8 +212,8 @@ static real reach_of(const cache_frame *f, int a, int b)
 
 // m, for which ways an answer that looked `reach` ahead holds later, too: for
 // none if it does not outlive the frame.
-static real margin_of(const contact_cache *c, const cache_frame *f, int a, int b,
-                      real reach)
+static real lasting_margin(const contact_cache *c, const cache_frame *f, int a,
+                           int b, real reach)
 {
     bool lasts = slack_of_body(c, f, a) > 0
                  && (b < 0 || slack_of_body(c, f, b) > 0);
@@ -575,7 +575,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
         if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
         p->seen[0] = c->placing[a].number;
         p->seen[1] = c->placing[b].number;
-        p->margin = margin_of(c, f, a, b, reach);
+        p->margin = lasting_margin(c, f, a, b, reach);
     }
     p->count = (signed char)now->count;
     p->near = -HUGE_VAL;
@@ -610,7 +610,7 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
     p->count = (signed char)now->count;
     p->seen[0] = c->placing[a].number;
     p->seen[1] = 0;
-    p->margin = margin_of(c, f, a, -1, reach);
+    p->margin = lasting_margin(c, f, a, -1, reach);
     p->near = -HUGE_VAL;
     contact_inherit(now, &was);
 }

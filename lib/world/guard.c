@@ -18,7 +18,7 @@ static void add_motion(island *i, real energy, real inverse_mass)
     i->mass += 1 / inverse_mass;
 }
 
-static island *island_of(const world *w, int b)
+static island *budget_of(const world *w, int b)
 {
     return &w->rigid.island[w->rigid.island[b].parent];
 }
@@ -33,7 +33,7 @@ static void sum_motion(world *w)
         int b = t->awake[k];
         const motion_basis *basis = &t->now[b].basis;
         if (t->touches[b] && !t->now[b].is_driven)
-            add_motion(island_of(w, b), motion_energy(basis, &t->velocity[b]),
+            add_motion(budget_of(w, b), motion_energy(basis, &t->velocity[b]),
                        basis->inverse_mass);
     }
 }
@@ -56,7 +56,7 @@ static void sum_loads(world *w)
         int b = w->rigid.awake[k];
         if (!w->rigid.touches[b]) continue;
         motion u = world_load(w, b, w->frame);
-        island_of(w, b)->loads += motion_energy(&w->rigid.now[b].basis, &u);
+        budget_of(w, b)->loads += motion_energy(&w->rigid.now[b].basis, &u);
     }
 }
 
@@ -73,7 +73,7 @@ void guard_begin(world *w, const solver_frame *f)
     for (int k = 0; k < t->awakes && w->softs > 0; k++) {
         int b = t->awake[k];
         if (body_is_soft(&w->body[b]) && body_moves(w, b))
-            add_soft_motion(island_of(w, b), w, &w->body[b]);
+            add_soft_motion(budget_of(w, b), w, &w->body[b]);
     }
     real more = w->frame * vec3_length(w->options.gravity) + f->max_speed
               + (1 + f->restitution) * drive_fastest(w);
@@ -119,7 +119,7 @@ static void report_lost(world *w, int lost)
     bool is_any = lost > 0;
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
-        island *i = island_of(w, b);
+        island *i = budget_of(w, b);
         bool is_wild = i->energy > WILD * i->most;
         if (!w->rigid.moves[b] || !(i->is_lost || is_wild)) continue;
         i->is_lost = is_any = true;
@@ -136,7 +136,7 @@ void guard_brake(world *w, int lost)
     report_lost(w, lost);
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
-        const island *i = island_of(w, b);
+        const island *i = budget_of(w, b);
         if (i->energy > i->most) slow_down(w, b, sqrt(i->most / i->energy));
     }
 }

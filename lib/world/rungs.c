@@ -6,7 +6,7 @@
 #include <string.h>
 
 // The body that tells of b's island, with path halving.
-static int island_of(island *i, int b)
+static int island_root(island *i, int b)
 {
     while (i[b].parent != b) {
         i[b].parent = i[i[b].parent].parent;
@@ -17,18 +17,18 @@ static int island_of(island *i, int b)
 
 static void unite(rigid_tables *t, int a, int b)
 {
-    t->island[island_of(t->island, b)].parent = island_of(t->island, a);
+    t->island[island_root(t->island, b)].parent = island_root(t->island, a);
 }
 
 // Rope and cloth that is awake.
-static bool is_soft(const world *w, int b)
+static bool is_awake_cloth(const world *w, int b)
 {
     return body_is_soft(&w->body[b]) && body_moves(w, b);
 }
 
 static bool goes(const world *w, int b)
 {
-    return b >= 0 && (w->rigid.moves[b] || is_soft(w, b));
+    return b >= 0 && (w->rigid.moves[b] || is_awake_cloth(w, b));
 }
 
 // All that is soft is one island, with what it may touch in this frame: it has one
@@ -39,7 +39,7 @@ static void unite_softs(world *w)
     int first = -1;
     for (int k = 0; k < t->awakes; k++) {
         int a = t->awake[k];
-        if (!is_soft(w, a)) continue;
+        if (!is_awake_cloth(w, a)) continue;
         if (first < 0) first = a;
         unite(t, first, a);
         for (int i = 0; i < t->awakes; i++) {
@@ -48,7 +48,7 @@ static void unite_softs(world *w)
                 && soft_may_touch(&w->soft, a, b)) unite(t, first, b);
         }
     }
-    if (first >= 0) t->island[island_of(t->island, first)].is_soft = true;
+    if (first >= 0) t->island[island_root(t->island, first)].is_soft = true;
 }
 
 // What is driven belongs to the island that it touches.
@@ -85,8 +85,8 @@ static bool is_calm(const rigid_tables *t, int b)
 island *rungs_island(const world *w, int a, int b)
 {
     island *i = w->rigid.island;
-    if (goes(w, a)) return &i[island_of(i, a)];
-    return goes(w, b) ? &i[island_of(i, b)] : NULL;
+    if (goes(w, a)) return &i[island_root(i, a)];
+    return goes(w, b) ? &i[island_root(i, b)] : NULL;
 }
 
 // An island that takes in another has what asks for more of both.
@@ -100,7 +100,7 @@ static void find_demands(world *w)
 {
     rigid_tables *t = &w->rigid;
     for (int k = 0; k < t->awakes; k++) {
-        int b = t->awake[k], of = island_of(t->island, b);
+        int b = t->awake[k], of = island_root(t->island, b);
         t->island[of].is_calm &= is_calm(t, b);
         if (b != of) add_choice(t, b, &t->choice[of]);
     }
@@ -135,7 +135,7 @@ static int rung_of(int usual, int substeps)
 }
 
 // Each island takes what it asks for, at most what a frame may have.
-static void choose(world *w)
+static void choose_all(world *w)
 {
     rigid_tables *t = &w->rigid;
     int all = substeps_all(w);
@@ -154,18 +154,19 @@ static void choose(world *w)
 }
 
 // Returns the highest that is taken.
-static int climb(world *w)
+static int take_rungs(world *w)
 {
     rigid_tables *t = &w->rigid;
     int highest = 0;
     for (int k = 0; k < t->awakes; k++) {
-        int b = t->awake[k], of = island_of(t->island, b);
+        int b = t->awake[k], of = island_root(t->island, b);
         int n = t->island[of].substeps, r = rung_of(w->options.substeps, n);
         t->rung[b] = (char)r;
         t->island[b].parent = of;
         t->choice[b] = t->choice[of];
         t->rungs[r].substeps = int_max(t->rungs[r].substeps, n);
         t->rungs[r].is_soft |= t->island[of].is_soft;
+        t->rungs[r].hangs |= t->island[of].hangs;
         highest = int_max(highest, r);
     }
     return highest;
@@ -209,7 +210,7 @@ static void swap_contacts(rigid_tables *t, int a, int b)
 
 // Bodies and contacts keep their order on a rung.  What does not move is nowhere
 // in the way: it goes with the highest.
-static void sort(world *w, int highest)
+static void sort_by_rung(world *w, int highest)
 {
     rigid_tables *t = &w->rigid;
     contact_solver *s = &t->solver;
@@ -246,8 +247,8 @@ int rungs_find(world *w)
 {
     find_islands(w);
     find_demands(w);
-    choose(w);
-    sort(w, climb(w));
+    choose_all(w);
+    sort_by_rung(w, take_rungs(w));
     return close_up(w);
 }
 //<

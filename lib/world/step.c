@@ -54,10 +54,11 @@ static void grow_old(world *w, real h)
 static void go(world *w, solver_frame f, real *since)
 {
     int left = f.substeps;
-    join_begin(w, &f);
+    const rung *r = &w->rigid.rungs[(int)w->rigid.on_rung];
+    if (r->hangs) join_begin(w, &f);
     while (left > 0) {
         ledger_page page = ledger_mark(w);
-        if (w->joints.count > 0) advance_mark(w);
+        if (r->hangs && !r->is_soft) advance_mark(w);
         substep(w, &f, since);
         w->report.substeps++;
         int more = substeps_again(w, f.h, left);
@@ -80,13 +81,14 @@ static void solve_rung(world *w, int k, real *since)
     lap(w, PHASE_PREPARE, since);
     go(w, f, since);
     solver_store(&t->solver, w->options.host.run, t->cache.active);
-    w->report.parted = real_max(w->report.parted, w->joints.worst);
+    if (r->hangs)
+        w->report.parted = real_max(w->report.parted, w->joints.worst);
     t->awake = awake;
     t->awakes = awakes;
 }
 
 // One rung after the other; a frame took as many substeps as the highest.
-static void climb(world *w, int rungs, real *since)
+static void climb_rungs(world *w, int rungs, real *since)
 {
     int before = w->report.substeps, most = before;
     for (int k = 0; k < rungs; k++) {
@@ -104,7 +106,7 @@ static void solve(world *w, real *since)
     solver_frame f = frame_of(w, 1);
     int rungs = look_at_contacts(w, &f);
     guard_begin(w, &f);
-    climb(w, rungs, since);
+    climb_rungs(w, rungs, since);
     rolling_brake(w);
     guard_brake(w, advance_end(w));
     guard_bodies(w);
@@ -515,6 +517,7 @@ static void bounce(world *w, const solver_frame *f)
 static void substep(world *w, const solver_frame *f, real *since)
 {
     rigid_tables *t = &w->rigid;
+    const rung *r = &t->rungs[(int)t->on_rung];
     linkage_pass joints = join_pass(w, f);
     fall(w, f->h);
     drive_hold(w);
@@ -522,20 +525,20 @@ static void substep(world *w, const solver_frame *f, real *since)
     ledger_book(w, LEDGER_INTEGRATE);
     bounce(w, f);
     solver_warm(&t->solver, f, t->velocity);
-    linkage_begin(&w->joints, &joints);
+    if (r->hangs) linkage_begin(&w->joints, &joints);
     advance_predict(w, f->h);
-    linkage_push(&w->joints, &joints);
+    if (r->hangs) linkage_push(&w->joints, &joints);
     solver_push(&t->solver, f, t->velocity, t->moved);
-    linkage_push(&w->joints, &joints);
+    if (r->hangs) linkage_push(&w->joints, &joints);
     drive_hold(w);
     advance_bodies(w, f->h);
     renew(w, *f);
     ledger_halfway(w, -f->h / 2);
-    linkage_relax(&w->joints, &joints);
+    if (r->hangs) linkage_relax(&w->joints, &joints);
     solver_relax(&t->solver, f, t->velocity, t->moved);
     ledger_book(w, LEDGER_CONTACTS);
     lap(w, PHASE_SOLVE, since);
-    if (t->rungs[(int)t->on_rung].is_soft) {
+    if (r->is_soft) {
         soft_step(w, f->h);
         guard_soft(w);
     }

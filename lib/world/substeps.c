@@ -60,8 +60,8 @@ int substeps_again(const world *w, real h, int left)
     real shortest = w->options.dt / w->options.most_substeps;
     int most = int_min((int)(left * h / shortest),
                        substeps_all(w) - w->report.substeps);
-    bool is_soft = w->rigid.rungs[(int)w->rigid.on_rung].is_soft;
-    if (is_soft || left >= most || !(need > TOO_FAST * left)) return 0;
+    const rung *r = &w->rigid.rungs[(int)w->rigid.on_rung];
+    if (!r->hangs || r->is_soft || left >= most || !(need > TOO_FAST * left)) return 0;
     return need < most ? (int)need + 1 : most;
 }
 //<

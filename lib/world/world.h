@@ -153,6 +153,7 @@ typedef struct {
     int substeps;
     int first, end, first_contact, end_contact;
     bool is_soft;       // all ropes and cloths are here: they have one time
+    bool hangs;         // there are joints
 } rung;
 
 enum { RUNGS = 8 };

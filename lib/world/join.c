@@ -143,6 +143,16 @@ static void renew_pairs(world *w, const joint *j)
     if (j->b >= 0) pair_list_renew(&w->rigid.pairs, j->b);
 }
 
+// What is slower than a fall from rest is in a substep, its joints hold.
+static void hold_slow(world *w, int b)
+{
+    if (b < 0 || !w->rigid.moves[b]) return;
+    const real *u = w->rigid.velocity[b].of;
+    real fall = w->rigid.age[b] * vec3_length(w->options.gravity);
+    vec3 v = { u[0], u[1], u[2] };
+    w->rigid.held[b] |= vec3_length_squared(v) < fall * fall;
+}
+
 // What is joined sleeps and wakes together.
 void join_islands_of_joints(world *w)
 {
@@ -152,6 +162,8 @@ void join_islands_of_joints(world *w)
         const joint *j = &l->joint[k];
         if (j->is_broken && l->broken > 0) renew_pairs(w, j);
         if (j->kind == JOINT_NONE || j->is_broken) continue;
+        hold_slow(w, j->a);
+        hold_slow(w, j->b);
         if (is_dynamic(w, j->a) && is_dynamic(w, j->b))
             sleep_touch(&w->sleep, j->a, j->b);
     }

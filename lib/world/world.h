@@ -190,7 +190,7 @@ typedef struct {
     int          motions;
     solver_body *now_then;  // [bodies] before this substep, which may have to be
     motion *velocity_then, *moved_then;         // done again
-    char        *held;      // [bodies] by contacts, in the last substep
+    char        *held;      // [bodies] by contacts or joints, in the last substep
     motion      *free;      // [bodies] of what is joined: see linkage_pass
     rigid_frame *free_end;
     body_load   *load;      // [bodies]

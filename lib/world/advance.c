@@ -155,6 +155,9 @@ static void advance_joined(world *w, int b, real h)
 //<
 
 //> advance-body
+//>   A body moves by the kind that it is of. What is displaced gets no new frame,
+//>   and `fresh` says so to the solver. What is driven goes by the clock, so that
+//>   no error adds up.
 // For h (s) from `seconds` after the substeps began.
 static void advance_exactly(world *w, int b, real seconds, real h)
 {

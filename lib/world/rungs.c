@@ -1,4 +1,6 @@
 //> rungs-islands
+//>   What pushes each other, or is joined, is an island. Bodies are united pair by
+//>   pair (union-find), and one of them tells of all.
 #include "rungs.h"
 #include "substeps.h"
 

@@ -1,4 +1,5 @@
-//> step
+//> step-declares
+//>   What a step calls, in the order of its phases.
 #include "step.h"
 #include "advance.h"
 #include "drive.h"
@@ -26,7 +27,9 @@ static solver_frame prepare(world *w, const rung *r);
 static void substep(world *w, const solver_frame *f, real *since);
 static void redo(world *w, solver_frame *f, real times, const ledger_page *p);
 static void fall_asleep(world *w);
+//<
 
+//> step
 // What may touch in the next `seconds`.  Paper: bodies move, then overlaps are
 // looked for; here: what may touch is found before anything moves.
 static void find(world *w, real seconds, real *since)
@@ -119,7 +122,9 @@ static void solve(world *w, real *since)
     if (w->softs > 0) soft_report(w);
     lap(w, PHASE_MOVE, since);
 }
+//<
 
+//> step-swept
 // Where something flies by more than its own size in a frame, and may hit, the
 // frame is divided: after the impact everything goes elsewhere than was found.
 // So it is where what is driven turns its far end by more than the size of what
@@ -152,7 +157,9 @@ static bool sleeps_on(world *w)
     w->time += w->options.dt;
     return true;
 }
+//<
 
+//> step-frame
 void world_step(world *w)
 {
     if (sleeps_on(w)) return;
@@ -175,7 +182,9 @@ void world_step(world *w)
     w->time += dt;
     lap(w, PHASE_SLEEP, &since);
 }
+//<
 
+//> step-lap
 // Books the time since *since to a phase, and starts the next.
 static void lap(world *w, int phase, real *since)
 {
@@ -465,7 +474,7 @@ static solver_frame prepare(world *w, const rung *r)
 }
 //<
 
-//> step-substep
+//> step-damp
 // v' = -d v, by an implicit step: v (1 + h d) is what it was.  No d is too
 // large for it.
 static void damp(const body *b, real h, real u[MOTIONS])
@@ -475,7 +484,9 @@ static void damp(const body *b, real h, real u[MOTIONS])
     for (int i = 0; i < MOTIONS; i++)
         u[i] *= i < MOTION_TURN ? straight : turning;
 }
+//<
 
+//> step-substep
 // A velocity is that in the middle of a substep.  The last one may have been of
 // another length.
 static void fall(world *w, real h)
@@ -544,7 +555,9 @@ static void substep(world *w, const solver_frame *f, real *since)
     }
     lap(w, PHASE_SOFT, since);
 }
+//<
 
+//> step-redo
 // Back to where the substep began, for one that is so many times as long.
 static void redo(world *w, solver_frame *f, real times, const ledger_page *page)
 {

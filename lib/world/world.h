@@ -1,6 +1,13 @@
 //> world-head
-//>   What can be chosen is an option. The section *Options* says when to turn
-//>   it.
+//>   What can be chosen is an option; most scenes set none. Turn `dt` down for
+//>   bodies that are small and fast for the screen's rate, and `substeps` up for
+//>   finer cloth, swings and tops. Turn `most_substeps` down where no frame may
+//>   take fifty times the usual four, and up for a bullet and a cloth. A lower
+//>   `hertz` gives soft landings, with more overlap. `stay` at 0 shows what the
+//>   cache does; it costs a factor. `sleep_speed` at 0 lets nothing sleep; turn it
+//>   up for scenes that must be quiet soon. More `iterations` are for cloth that
+//>   must not stretch. The `ledger` is for a scene that you do not believe, and
+//>   changes no bit.
 // world.h - the system: bodies in one pool of particles, and the step.
 //
 // Paper: sections 5 to 7.  Book: chapter 18.

@@ -475,6 +475,7 @@ static solver_frame prepare(world *w, const rung *r)
 //<
 
 //> step-damp
+//>   A body may have a damping (1/s): of its velocity, and of its turning.
 // v' = -d v, by an implicit step: v (1 + h d) is what it was.  No d is too
 // large for it.
 static void damp(const body *b, real h, real u[MOTIONS])

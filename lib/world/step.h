@@ -1,5 +1,5 @@
 //> step-head
-//>   The function to read is `world_step`, with the two above it: `find` is the
+//>   The function to read is `world_step`, with the two that it calls: `find` is the
 //>   first three phases of the picture, `solve` the last two.
 // step.h - one frame: integrate, find, separate, relax.
 //

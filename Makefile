@@ -79,6 +79,7 @@ define ORDER
 18/world_scene
 19/store
 19/snapshot
+19/surface
 19/tumble
 19/slots
 19/inside
@@ -86,6 +87,7 @@ define ORDER
 19/tumble_world
 19/tumble_shapes
 19/tumble_bodies
+19/tumble_mesh
 19/tumble_state
 19/tumble_joints
 19/tumble_ask

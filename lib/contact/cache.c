@@ -821,6 +821,28 @@ void cache_forget(contact_cache *c, int b)
     c->placing[b].number = 0;
 }
 
+// Of what was not placed; of the key of a wall only the first is a body.
+static void clear_unplaced(contact_cache *c, cache_list *l, int bodies)
+{
+    for (int k = 0; k < l->count; k++) {
+        int a = l->key[k][0], b = l->key[k][bodies - 1];
+        if (c->placing[a].number > 0 && c->placing[b].number > 0) continue;
+        if (l->pair[k].entry >= 0)
+            c->entry[l->pair[k].entry].contact.count = 0;
+        release(c, &l->pair[k]);
+        forget(&l->pair[k]);
+    }
+}
+
+void cache_forget_some(contact_cache *c, const int *b, int n)
+{
+    for (int k = 0; k < n; k++) c->placing[b[k]].number = 0;
+    clear_unplaced(c, &c->pairs, 2);
+    clear_unplaced(c, &c->walls, 1);
+    clear_unplaced(c, &c->still_pairs, 2);
+    clear_unplaced(c, &c->still_walls, 1);
+}
+
 void cache_forget_plane(contact_cache *c, int k)
 {
     clear_list(c, &c->walls, NONE, k);

@@ -37,6 +37,8 @@ void cache_moved(contact_cache *c, int b, real way);
 // What is kept of body b is forgotten: it goes, or is put elsewhere.  In the
 // next frame the list of pairs must be a new one.
 void cache_forget(contact_cache *c, int b);
+// The same for n of them at once.
+void cache_forget_some(contact_cache *c, const int *b, int n);
 // Likewise of plane k.
 void cache_forget_plane(contact_cache *c, int k);
 

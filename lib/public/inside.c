@@ -93,6 +93,48 @@ body_place *inside_body(tumble_world *w, tumble_body b)
     return found;
 }
 
+bool inside_reserve_owner(tumble_world *w)
+{
+    int need = w->world.bodies + 1;
+    if (need <= w->owners) return true;
+    int *more = realloc(w->owner, 2 * (size_t)need * sizeof *more);
+    if (!more) return inside_is_ok(w, status_out_of_memory());
+    w->owner = more;
+    w->owners = 2 * need;
+    return true;
+}
+
+void inside_drop(tumble_world *w, int place)
+{
+    shape_place *x = slots_at(&w->shapes, place);
+    shape_free(x->shape);
+    free(x->shape);
+    slots_give(&w->shapes, place);
+}
+
+body_mesh *inside_mesh(const tumble_world *w, int b)
+{
+    if (w->first_mesh == 0 || body_is_gone(&w->world.body[b])) return NULL;
+    const body_place *x = slots_at(&w->bodies, w->owner[b]);
+    return x ? x->mesh : NULL;
+}
+
+int inside_next_mesh(const tumble_world *w, int k)
+{
+    const body_place *x = slots_at(&w->bodies, k - 1);
+    return x->mesh->next;
+}
+
+void inside_free_mesh(body_mesh *m)
+{
+    if (!m) return;
+    surface_free(&m->surface);
+    free(m->piece);
+    free(m->of);
+    free(m->seen);
+    free(m);
+}
+
 tumble_body tumble_ground(void)
 {
     return (tumble_body){ UINT_MAX, UINT_MAX };

@@ -12,6 +12,7 @@
 
 #include "slots.h"
 #include "step.h"
+#include "surface.h"
 #include "tumble.h"
 
 typedef struct {
@@ -24,9 +25,29 @@ typedef struct {
     int shape;              // place of its shape
 } body_piece;
 
+// Of a surface, those triangles are pieces that something has come near.
+typedef struct {
+    int triangle;
+    unsigned used;          // the clearing up to which it was needed
+} mesh_piece;
+
+typedef struct {
+    surface surface;        // in the world
+    tumble_pose pose;
+    int *piece;             // [triangles] the number of its piece; -1: none
+    mesh_piece *of;         // [room] of each piece; the first always stays
+    int  room;
+    int  kept;              // pieces, after the last clearing
+    unsigned clearings;
+    int  next;              // 1 + the place of the next such body; 0: none
+    sphere *seen;           // [seens] of each body of the engine: within this
+    int  seens;             // ball all triangles are pieces; radius < 0: nowhere
+} body_mesh;
+
 typedef struct {
     body_piece *piece;      // [pieces]
     int  pieces;
+    body_mesh *mesh;        // NULL: it has no surface
     tumble_kind kind;
     void *user;
 } body_place;
@@ -45,6 +66,7 @@ struct tumble_world {
     slots bodies;           // of body_place
     slots joints;           // of joint_place
     slots planes;           // of plane_place
+    int  first_mesh;        // 1 + the place of a body with a surface; 0: none
     int  *owner;            // [world.bodies] place of the body it belongs to
     int   owners;           // room
     vec3 *scratch;          // [4 * most_vertices] for questions and pictures
@@ -73,6 +95,22 @@ bool inside_refuse(tumble_world *w, const char *what, unsigned place,
 // Makes the world's scratch large enough for shapes of so many vertices.  False
 // if memory is refused.
 bool inside_reserve(tumble_world *w, int vertices);
+
+// The same for the owner of one body more.  False, with a failure, if not.
+bool inside_reserve_owner(tumble_world *w);
+
+// The shape is w's from now on: in a place of its own, if it was made at all.
+tumble_shape inside_keep(tumble_world *w, shape *made, status done);
+// And gives it back.
+void inside_drop(tumble_world *w, int place);
+
+// The surface that body b of the engine is a piece of; NULL: of none.
+body_mesh *inside_mesh(const tumble_world *w, int b);
+// Of one of them, the next, each as first_mesh has it.
+int  inside_next_mesh(const tumble_world *w, int k);
+void inside_free_mesh(body_mesh *m);    // NULL is fine
+// From now on, what comes near a surface finds pieces there.
+void inside_watch_meshes(tumble_world *w);
 
 // The thing with this id; NULL, with a failure, if it is gone.
 shape_place *inside_shape(tumble_world *w, tumble_shape s);

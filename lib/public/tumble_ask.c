@@ -38,7 +38,8 @@ static real way_to(const question *q, vec3 x)
 static bool is_asked(const tumble_world *w, int b, const question *q)
 {
     const body *x = &w->world.body[b];
-    if (body_is_soft(x) || !(x->group & q->mask)) return false;
+    if (body_is_soft(x) || !(x->group & q->mask) || inside_mesh(w, b))
+        return false;
     vec3 center = rigid4_frame(w->world.pool.at + x->first).center;
     real near = q->around.radius + x->rigid->reach;
     // Written so that what is not finite is asked.
@@ -61,6 +62,72 @@ static void take(tumble_hit *best, const cast_result *r, tumble_body b)
     if (!r->hits || !(r->fraction < best->fraction)) return;
     *best = (tumble_hit){ b, to_user(r->point), to_user(r->normal),
                           r->fraction };
+}
+//<
+
+//> face-ask-mesh
+//>   A surface is asked through its tree. A triangle is met where its prism is,
+//>   which is a convex body as any other.
+typedef struct {
+    const tumble_world *w;
+    const surface *surface;
+    const question *q;
+    tumble_body body;
+    tumble_hit *best;
+    real most;          // m, of what is nearest
+    bool overlaps;
+} mesh_question;
+
+static rounded prism_hull(const mesh_question *m, int triangle)
+{
+    surface_prism(m->surface, triangle, m->w->scratch);
+    return (rounded){ { m->w->scratch, PRISM_CORNERS }, 0 };
+}
+
+static real meet_prism(void *context, int triangle)
+{
+    mesh_question *m = context;
+    vec3 *room = m->w->scratch + m->w->most_vertices;
+    cast_result r = cast_first(m->q->thing, m->q->way, prism_hull(m, triangle),
+                               room);
+    take(m->best, &r, m->body);
+    return real_min(m->best->fraction, 1);
+}
+
+static real near_prism(void *context, int triangle)
+{
+    mesh_question *m = context;
+    cast_result r = cast_nearest(m->q->around.center, prism_hull(m, triangle),
+                                 m->most);
+    take(m->best, &r, m->body);
+    return real_min(m->best->fraction, m->most);
+}
+
+static real overlap_prism(void *context, int triangle)
+{
+    mesh_question *m = context;
+    m->overlaps = m->overlaps
+               || cast_overlaps(m->q->thing, prism_hull(m, triangle));
+    return m->overlaps ? -1 : 1;
+}
+
+// Asks body place k, which has a surface; most: of the way, or m.
+static void ask_mesh(mesh_question *m, int k, real most, bool by_distance,
+                     real (*meets)(void *context, int triangle))
+{
+    const body_place *x = slots_at(&m->w->bodies, k);
+    sphere s = m->q->around;
+    real r = by_distance ? 0 : s.radius * (1 + 1e-9);
+    int b = x->piece[0].number;
+    if (!(m->w->world.body[b].group & m->q->mask)) return;
+    m->surface = &x->mesh->surface;
+    m->body = inside_owner(m->w, b);
+    surface_query ask = {
+        .thing = { vec3_sub(s.center, (vec3){ r, r, r }),
+                   vec3_add(s.center, (vec3){ r, r, r }) },
+        .way = m->q->way, .by_distance = by_distance, .most = most,
+        .meets = meets, .context = m };
+    surface_ask(m->surface, &ask);
 }
 //<
 
@@ -88,6 +155,9 @@ static bool first_met(const tumble_world *w, const question *q,
         cast_result r = cast_first_plane(q->thing, q->way, all->plane[k]);
         take(&best, &r, tumble_ground());
     }
+    mesh_question m = { .w = w, .q = q, .best = &best };
+    for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k))
+        ask_mesh(&m, k - 1, real_min(best.fraction, 1), false, meet_prism);
     if (hit && best.fraction <= 1) *hit = best;
     return best.fraction <= 1;
 }
@@ -152,13 +222,19 @@ bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
         cast_result r = cast_nearest_plane(at, w->world.plane[k], most);
         take(&best, &r, tumble_ground());
     }
+    mesh_question m = { .w = w, .q = &q, .best = &best, .most = most };
+    for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k))
+        ask_mesh(&m, k - 1, real_min(best.fraction, most), true, near_prism);
     if (hit && best.fraction < HUGE_VAL) *hit = best;
     return best.fraction < HUGE_VAL;
 }
 
-static bool overlaps(const tumble_world *w, const body_place *x,
-                     const question *q)
+static bool overlaps(const tumble_world *w, int place, const question *q)
 {
+    const body_place *x = slots_at(&w->bodies, place);
+    mesh_question m = { .w = w, .q = q };
+    if (x->mesh) ask_mesh(&m, place, 1, false, overlap_prism);
+    if (m.overlaps) return true;
     for (int k = 0; k < x->pieces; k++) {
         int b = x->piece[k].number;
         if (is_asked(w, b, q)
@@ -175,7 +251,7 @@ int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
     if (!stand(w, s, pose, &q)) return 0;
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
-        if (!x || !overlaps(w, x, &q)) continue;
+        if (!x || !overlaps(w, k, &q)) continue;
         if (out && n < most) out[n] = inside_owner(w, x->piece[0].number);
         n++;
     }

@@ -35,17 +35,6 @@ static placement placement_of(tumble_pose pose, const tumble_body_options *o)
     return p;
 }
 
-static bool reserve_owners(tumble_world *w)
-{
-    int need = w->world.bodies + 1;
-    if (need <= w->owners) return true;
-    int *more = realloc(w->owner, 2 * (size_t)need * sizeof *more);
-    if (!more) return inside_is_ok(w, status_out_of_memory());
-    w->owner = more;
-    w->owners = 2 * need;
-    return true;
-}
-
 // What a new piece has beside its place.
 static bool set_up(tumble_world *w, int number, const tumble_body_options *o)
 {
@@ -67,7 +56,7 @@ static bool add_piece(tumble_world *w, int place, tumble_shape s,
     shape_place *made_of = inside_shape(w, s);
     body_place *x = slots_at(&w->bodies, place);
     int number;
-    if (!made_of || !reserve_owners(w)) return false;
+    if (!made_of || !inside_reserve_owner(w)) return false;
     if (made_of->shape->kind != SHAPE_RIGID && o->kind == TUMBLE_KINEMATIC)
         return inside_fail(w, "a rope or a cloth cannot be kinematic: pin it");
     if (!inside_is_ok(w, world_add(&w->world, made_of->shape,
@@ -88,6 +77,18 @@ static bool check_options(tumble_world *w, const tumble_body_options *o)
     return inside_is_speed(w, o->velocity) && inside_is_speed(w, o->spin);
 }
 
+static void forget_mesh(tumble_world *w, int place)
+{
+    body_place *x = slots_at(&w->bodies, place);
+    int *k = &w->first_mesh;
+    while (*k != place + 1) {
+        body_place *y = slots_at(&w->bodies, *k - 1);
+        k = &y->mesh->next;
+    }
+    *k = x->mesh->next;
+    inside_free_mesh(x->mesh);
+}
+
 static void take_away(tumble_world *w, int place)
 {
     body_place *x = slots_at(&w->bodies, place);
@@ -95,7 +96,9 @@ static void take_away(tumble_world *w, int place)
         shape_place *s = slots_at(&w->shapes, x->piece[k].shape);
         world_remove(&w->world, x->piece[k].number);
         s->bodies--;
+        if (x->mesh) inside_drop(w, x->piece[k].shape);
     }
+    if (x->mesh) forget_mesh(w, place);
     free(x->piece);
     slots_give(&w->bodies, place);
     inside_forget_joints(w);

@@ -15,11 +15,19 @@ static struct skin place_skin(const tumble_world *w, int b)
     return shape_skin(x->shape);
 }
 
+static int mesh_vertices(const surface *s, tumble_vec3 *out, int most)
+{
+    for (int k = 0; out && k < s->points && k < most; k++)
+        out[k] = to_user(s->point[k]);
+    return s->points;
+}
+
 int tumble_vertices(const tumble_world *w, tumble_body b, tumble_vec3 *out,
                     int most)
 {
     const body_place *x = inside_look(w, b);
     int n = 0;
+    if (x && x->mesh) return mesh_vertices(&x->mesh->surface, out, most);
     for (int k = 0; x && k < x->pieces; k++) {
         struct skin s = place_skin(w, x->piece[k].number);
         for (int i = 0; i < s.points; i++, n++)
@@ -32,6 +40,10 @@ const int *tumble_triangles(const tumble_world *w, tumble_body b, int *count)
 {
     const body_place *x = inside_look(w, b);
     if (count) *count = 0;
+    if (x && x->mesh) {
+        if (count) *count = x->mesh->surface.triangles;
+        return x->mesh->surface.triangle[0];
+    }
     if (!x || x->pieces != 1) return NULL;
     struct skin s = shape_skin(w->world.body[x->piece[0].number].shape);
     if (count) *count = s.faces;
@@ -75,6 +87,15 @@ static void draw_body(const tumble_world *w, int b, const tumble_pen *pen)
     }
 }
 
+static void draw_mesh(const surface *s, tumble_body id, const tumble_pen *pen)
+{
+    for (int k = 0; k < s->triangles && pen->triangle; k++) {
+        tumble_vec3 at[3];
+        for (int i = 0; i < 3; i++) at[i] = to_user(s->point[s->triangle[k][i]]);
+        pen->triangle(pen->context, id, at);
+    }
+}
+
 // A joint is where its two points are: one, or, of a distance, two.
 static void draw_joint(const tumble_world *w, const joint *j,
                        const tumble_pen *pen)
@@ -105,6 +126,11 @@ void tumble_draw(const tumble_world *w, const tumble_pen *pen)
     if (!w || !pen) return;
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
+        if (x && x->mesh) {
+            draw_mesh(&x->mesh->surface, inside_owner(w, x->piece[0].number),
+                      pen);
+            continue;
+        }
         for (int i = 0; x && i < x->pieces; i++)
             draw_body(w, x->piece[i].number, pen);
     }

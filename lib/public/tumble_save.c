@@ -40,16 +40,38 @@ static void shapes_store(tumble_world *w, store *s)
     store_leave(s);
 }
 
+static void mesh_store(body_place *x, store *s)
+{
+    STORE_TABLE(s, x->mesh, 1, 1);
+    body_mesh *m = x->mesh;
+    if (!m) return;
+    store_enter(s);
+    STORE_TABLE(s, m->surface.point, m->surface.points, m->surface.points);
+    STORE_TABLE(s, m->surface.triangle, m->surface.triangles,
+                m->surface.triangles);
+    STORE_TABLE(s, m->surface.order, m->surface.prisms, m->surface.prisms);
+    STORE_TABLE(s, m->surface.box, 2 * m->surface.leaves,
+                2 * m->surface.leaves);
+    STORE_TABLE(s, m->piece, m->surface.triangles, m->surface.triangles);
+    STORE_TABLE(s, m->of, x->pieces, m->room);
+    STORE_TABLE(s, m->seen, m->seens, m->seens);
+    store_leave(s);
+}
+
 static void bodies_store(tumble_world *w, store *s)
 {
     slots_store(&w->bodies, s);
     store_enter(s);
     for (int k = 0; k < w->bodies.count; k++) {
         body_place *x = (body_place *)(void *)w->bodies.thing + k;
-        if (slots_is_taken(&w->bodies, k))
-            STORE_TABLE(s, x->piece, x->pieces, x->pieces);
-        else
+        if (slots_is_taken(&w->bodies, k)) {
+            mesh_store(x, s);
+            STORE_TABLE(s, x->piece, x->pieces,
+                        x->mesh ? x->mesh->room : x->pieces);
+        } else {
             STORE_FORGET(s, x->piece);
+            STORE_FORGET(s, x->mesh);
+        }
     }
     store_leave(s);
 }
@@ -90,6 +112,7 @@ tumble_world *tumble_load(const void *from, size_t size)
     if (w) all_store(w, &s);
     tumble_forget_failure(NULL);
     inside_not_made(s.done);
+    if (s.done.ok && w->first_mesh > 0) inside_watch_meshes(w);
     if (s.done.ok) return w;
     tumble_free(w);
     return NULL;

@@ -9,8 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The shape is w's from now on: in a place of its own, if it was made at all.
-static tumble_shape keep(tumble_world *w, shape *made, status done)
+tumble_shape inside_keep(tumble_world *w, shape *made, status done)
 {
     const tumble_shape none = { 0, 0 };
     if (!inside_is_ok(w, done)) return none;
@@ -37,21 +36,21 @@ tumble_shape tumble_box(tumble_world *w, tumble_vec3 sides, double mass)
 {
     shape s;
     status done = shape_box(&s, from_user(sides), mass);
-    return keep(w, &s, done);
+    return inside_keep(w, &s, done);
 }
 
 tumble_shape tumble_icosahedron(tumble_world *w, double radius, double mass)
 {
     shape s;
     status done = shape_icosahedron(&s, radius, mass);
-    return keep(w, &s, done);
+    return inside_keep(w, &s, done);
 }
 
 tumble_shape tumble_sphere(tumble_world *w, double radius, double mass)
 {
     shape s;
     status done = shape_sphere(&s, radius, mass);
-    return keep(w, &s, done);
+    return inside_keep(w, &s, done);
 }
 
 tumble_shape tumble_capsule(tumble_world *w, double length, double radius,
@@ -59,7 +58,7 @@ tumble_shape tumble_capsule(tumble_world *w, double length, double radius,
 {
     shape s;
     status done = shape_capsule(&s, length, radius, mass);
-    return keep(w, &s, done);
+    return inside_keep(w, &s, done);
 }
 
 tumble_shape tumble_hull(tumble_world *w, const tumble_vec3 *point, int n,
@@ -71,7 +70,7 @@ tumble_shape tumble_hull(tumble_world *w, const tumble_vec3 *point, int n,
     for (int k = 0; at && k < n; k++) at[k] = from_user(point[k]);
     status done = at ? shape_hull(&s, at, n, mass) : status_out_of_memory();
     free(at);
-    return keep(w, &s, done);
+    return inside_keep(w, &s, done);
 }
 
 tumble_shape tumble_obj(tumble_world *w, const char *path, double radius,
@@ -80,14 +79,14 @@ tumble_shape tumble_obj(tumble_world *w, const char *path, double radius,
     shape s;
     status done = path ? obj_read(path, radius, mass, &s)
                        : status_fail("a mesh without the name of a file");
-    return keep(w, &s, done);
+    return inside_keep(w, &s, done);
 }
 
 tumble_shape tumble_rope(tumble_world *w, int n, double length, double mass)
 {
     shape s;
     status done = shape_rope(&s, n, length, mass);
-    return keep(w, &s, done);
+    return inside_keep(w, &s, done);
 }
 
 // A cloth's diagonals are so much softer than its threads.
@@ -98,7 +97,7 @@ tumble_shape tumble_cloth(tumble_world *w, int columns, int rows, double width,
 {
     shape s;
     status done = shape_cloth(&s, columns, rows, width, depth, mass, DIAGONAL);
-    return keep(w, &s, done);
+    return inside_keep(w, &s, done);
 }
 
 bool tumble_drop_shape(tumble_world *w, tumble_shape s)
@@ -108,9 +107,7 @@ bool tumble_drop_shape(tumble_world *w, tumble_shape s)
     if (gone->bodies > 0)
         return inside_fail(w, "shape %u cannot be dropped: %d bodies are made of "
                            "it", s.place, gone->bodies);
-    shape_free(gone->shape);
-    free(gone->shape);
-    slots_give(&w->shapes, (int)s.place);
+    inside_drop(w, (int)s.place);
     return true;
 }
 //<

@@ -10,8 +10,10 @@
 static placement where_is(const tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_look(w, b);
-    return x ? world_where(&w->world, x->piece[0].number)
-             : (placement){ .is_static = true };
+    placement p = { .is_static = true };
+    if (x && x->mesh) inside_place(&p, x->mesh->pose);
+    else if (x)       p = world_where(&w->world, x->piece[0].number);
+    return p;
 }
 
 tumble_pose tumble_get_pose(const tumble_world *w, tumble_body b)
@@ -71,6 +73,8 @@ static int find_rigid(tumble_world *w, tumble_body b, tumble_vec3 p,
     if (body_is_soft(&w->world.body[number]))
         inside_fail(w, "body %u is a rope or a cloth, and is moved by its "
                     "vertices", b.place);
+    else if (x->mesh)
+        inside_fail(w, "body %u is a surface, and stays where it is", b.place);
     else if (x->pieces > 1)
         inside_fail(w, "body %u has %d pieces, and stays where it is", b.place,
                     x->pieces);
@@ -230,6 +234,9 @@ tumble_vec3 tumble_vertex(const tumble_world *w, tumble_body b, int i)
     const body_place *x = inside_look(w, b);
     const tumble_vec3 none = { 0, 0, 0 };
     if (!x || i < 0) return none;
+    if (x->mesh)
+        return i < x->mesh->surface.points ? to_user(x->mesh->surface.point[i])
+                                           : none;
     const body *all = &w->world.body[x->piece[0].number];
     if (i >= all->shape->particles) return none;
     world_vertices(&w->world, all, w->scratch);

@@ -73,7 +73,9 @@ void tumble_free(tumble_world *w)
     world_free(&w->world);
     for (int k = 0; k < w->bodies.count; k++) {
         body_place *b = slots_at(&w->bodies, k);
-        if (b) free(b->piece);
+        if (!b) continue;
+        free(b->piece);
+        inside_free_mesh(b->mesh);
     }
     for (int k = 0; k < w->shapes.count; k++) {
         shape_place *s = slots_at(&w->shapes, k);

@@ -24,6 +24,7 @@ typedef struct body {
     const rigid4 *rigid;    // its four particles; NULL: it is deformable, with
                             // a particle at every vertex
     line_scratch *line;     // of a deformable one; shared, as the shape is
+    int  entry;         // of its shape, see world.h
     int  first;         // its particles: first .. first + body_particles - 1
     int  room;          // so many of the pool are kept for it
     real mass;          // kg; HUGE_VAL: static, as a whole

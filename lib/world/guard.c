@@ -208,6 +208,42 @@ void guard_planes(world *w)
 }
 //<
 
+//> guard-faces
+//>   Of a surface of many triangles a contact may know one, and the body be
+//>   thrown at the next. So the way of each centre is asked for at last: what
+//>   goes in through a face is put before it, and once more, if it came through
+//>   another by that; where that does not end, back to where the frame began.
+static void stop_at_faces(world *w, int b)
+{
+    enum { ROUNDS = 4 };
+    const world_host *host = &w->options.host;
+    vec3 from = w->rigid.began[b].center;
+    vec3 *center = &w->rigid.now[b].frame.center;
+    real *u = w->rigid.velocity[b].of;
+    plane side;
+    for (int k = 0; k <= ROUNDS
+         && host->enters(host->surroundings, b, from, *center, &side); k++) {
+        vec3 n = side.normal;
+        real high = real_min(plane_height(side, from), w->rigid.body[b].inner);
+        real speed = vec3_dot(n, vec3_make(u[0], u[1], u[2]));
+        *center = vec3_add_scaled(*center, high - plane_height(side, *center), n);
+        if (k == ROUNDS) *center = from;
+        u[0] -= real_min(speed, 0) * n.x;
+        u[1] -= real_min(speed, 0) * n.y;
+        u[2] -= real_min(speed, 0) * n.z;
+    }
+}
+
+void guard_faces(world *w)
+{
+    if (!w->options.host.enters) return;
+    for (int k = 0; k < w->rigid.awakes; k++) {
+        int b = w->rigid.awake[k];
+        if (w->rigid.moves[b] && w->rigid.dynamic[b]) stop_at_faces(w, b);
+    }
+}
+//<
+
 //> guard-through
 //>   Seen from the larger body, the centre of the smaller one has gone along a
 //>   line. If the line has entered through a face, the centre comes back over

@@ -26,5 +26,8 @@ void guard_bodies(world *w);
 // No centre of mass goes behind a plane, or further behind than it was.
 void guard_planes(world *w);
 
+// And none goes in through a face of what surrounds bodies.
+void guard_faces(world *w);
+
 #endif
 //<

@@ -19,6 +19,7 @@
 static void lap(world *w, int phase, real *since);
 static void look_at_bodies(world *w);
 static void drop_sleepers(world *w);
+static void look_around(world *w);
 static void find_pairs(world *w);
 static void find_contacts(world *w);
 static int look_at_contacts(world *w, const solver_frame *f);
@@ -37,6 +38,7 @@ static void find(world *w, real seconds, real *since)
     w->frame = seconds;
     look_at_bodies(w);
     if (w->softs > 0 && soft_wake(w)) look_at_bodies(w);
+    look_around(w);
     find_pairs(w);
     ledger_book(w, LEDGER_SLEEP);
     lap(w, PHASE_PAIRS, since);
@@ -114,6 +116,7 @@ static void solve(world *w, real *since)
     guard_brake(w, advance_end(w));
     guard_bodies(w);
     guard_planes(w);
+    guard_faces(w);
     drive_hold(w);
     ledger_book(w, LEDGER_CONTACTS);
     advance_put(w);
@@ -319,6 +322,16 @@ static void look_at_bodies(world *w)
     list_awake(w);
     tasks_run(w->options.host.run, look_at_chunk, w,
               task_chunks(w->rigid.awakes));
+}
+//<
+
+//> step-around
+//>   Of a mesh of many triangles, those come among the bodies that something
+//>   comes near ([`tumble_mesh`](lib-tumble_mesh.md)).
+static void look_around(world *w)
+{
+    const world_host *host = &w->options.host;
+    if (host->surround && host->surround(host->surroundings)) list_awake(w);
 }
 //<
 

@@ -344,15 +344,34 @@ static status make_rigid(const shape *s, rigid4 **f)
     return done;
 }
 
-// Enters shape s among those in use, if it is new; its number in *number.
-static status enter_shape(world *w, const shape *s, int *number)
+// Its number; or -1, and the first place that is free.
+static int find_shape(const world *w, const shape *s, int *place)
 {
-    int place = w->shapes;
-    for (*number = w->shapes - 1; *number >= 0; (*number)--) {
-        const shape_entry *e = &w->shape[*number];
-        if (e->bodies == 0) place = *number;
-        else if (e->shape == s) return status_ok();
+    *place = w->shapes;
+    for (int k = w->shapes - 1; k >= 0; k--) {
+        const shape_entry *e = &w->shape[k];
+        if (e->bodies == 0) *place = k;
+        else if (e->shape == s) return k;
     }
+    return -1;
+}
+
+// That of a part is always new, and there may be many.
+static int free_entry(world *w)
+{
+    while (w->part_entry < w->shapes && w->shape[w->part_entry].bodies > 0)
+        w->part_entry++;
+    return w->part_entry;
+}
+
+// Enters shape s among those in use, if it is new; its number in *number.
+static status enter_shape(world *w, const shape *s, bool is_part, int *number)
+{
+    int place = 0;
+    *number = -1;
+    if (is_part) place = free_entry(w);
+    else         *number = find_shape(w, s, &place);
+    if (*number >= 0) return status_ok();
     shape_entry *more = w->shape;
     if (place == w->shapes) more = grown(more, w->shapes, sizeof *more);
     if (!more) return status_out_of_memory();
@@ -546,11 +565,22 @@ static int find_place(const world *w, int particles)
     return best;
 }
 
-static body body_of(const shape_entry *e, const placement *where)
+// The same for a part: the first that has four particles.
+static int find_part_place(world *w)
 {
+    int *b = &w->part_place;
+    if (w->gone == 0) return w->bodies;
+    while (*b < w->bodies
+           && !(body_is_gone(&w->body[*b]) && w->body[*b].room == FOUR)) ++*b;
+    return *b;
+}
+
+static body body_of(const world *w, int entry, const placement *where)
+{
+    const shape_entry *e = &w->shape[entry];
     const shape *s = e->shape;
     body b = { .shape = s, .rigid = e->rigid, .line = e->line,
-               .inner = e->inner, .mass = HUGE_VAL,
+               .entry = entry, .inner = e->inner, .mass = HUGE_VAL,
                .thickness = particle_radius(s),
                .group = 1, .mask = ~0u };
     real mass = 0;
@@ -578,15 +608,17 @@ static status take_place(world *w, int b, body x)
     return done;
 }
 
-status world_add(world *w, const shape *s, placement where, int *number)
+static status add_body(world *w, const shape *s, placement where, bool is_part,
+                       int *number)
 {
     assert(s->particles > 0);
     int entry = 0;
     status done = placement_check(&where, s, w->bodies);
-    if (done.ok) done = enter_shape(w, s, &entry);
+    if (done.ok) done = enter_shape(w, s, is_part, &entry);
     if (!done.ok) return done;
-    body x = body_of(&w->shape[entry], &where);
-    int n = body_particles(&x), b = find_place(w, n);
+    body x = body_of(w, entry, &where);
+    int n = body_particles(&x);
+    int b = is_part ? find_part_place(w) : find_place(w, n);
     done = take_place(w, b, x);
     if (!done.ok) {
         if (w->shape[entry].bodies == 0) free_shape(&w->shape[entry]);
@@ -608,9 +640,31 @@ status world_add(world *w, const shape *s, placement where, int *number)
     w->softs += body_is_soft(&x);
     w->dynamic_bodies += !body_is_static(&x);
     start_body(w, b);
+    *number = b;
+    return status_ok();
+}
+
+status world_add(world *w, const shape *s, placement where, int *number)
+{
+    int b;
+    status done = add_body(w, s, where, false, &b);
+    if (!done.ok) return done;
     if (where.is_static) world_wake_around(w, b);
     if (number) *number = b;
-    return status_ok();
+    return done;
+}
+
+status world_add_part(world *w, const shape *s, vec3 x, int of, int *number)
+{
+    placement where = placement_at(x);
+    where.is_static = true;
+    status done = add_body(w, s, where, true, number);
+    if (!done.ok) return done;
+    w->rigid.material[*number] = w->rigid.material[of];
+    w->rigid.body[*number].family = w->rigid.body[of].family;
+    w->body[*number].group = w->body[of].group;
+    w->body[*number].mask = w->body[of].mask;
+    return done;
 }
 //<
 
@@ -618,11 +672,11 @@ status world_add(world *w, const shape *s, placement where, int *number)
 //>   A body goes, and all that names it.
 const shape WORLD_NOTHING = { .kind = SHAPE_ROPE };
 
-static void leave_shape(world *w, const shape *s)
+static void leave_shape(world *w, int entry)
 {
-    int k = 0;
-    while (w->shape[k].shape != s) k++;
-    if (--w->shape[k].bodies == 0) free_shape(&w->shape[k]);
+    if (--w->shape[entry].bodies > 0) return;
+    free_shape(&w->shape[entry]);
+    w->part_entry = int_min(w->part_entry, entry);
 }
 
 // What hung on b wakes.
@@ -638,16 +692,12 @@ static void leave_joints(world *w, int b)
     linkage_untie_body(&w->joints, b);
 }
 
-void world_remove(world *w, int b)
+// Its place is free now.
+static void leave(world *w, int b)
 {
-    assert(b >= 0 && b < w->bodies && !body_is_gone(&w->body[b]));
     body x = w->body[b];
-    leave_joints(w, b);
-    world_wake(w, b);
-    world_wake_around(w, b);
-    cache_forget(&w->rigid.cache, b);
     soft_remove(&w->soft, w->body, b, w->bodies);
-    leave_shape(w, x.shape);
+    leave_shape(w, x.entry);
     w->softs -= body_is_soft(&x);
     w->dynamic_bodies -= body_is_dynamic(&x);
     w->kinematic_bodies -= x.is_kinematic;
@@ -658,7 +708,24 @@ void world_remove(world *w, int b)
         w->inverse_mass[i] = 0;
     }
     w->gone++;
+    w->part_place = int_min(w->part_place, b);
     start_body(w, b);
+}
+
+void world_remove(world *w, int b)
+{
+    assert(b >= 0 && b < w->bodies && !body_is_gone(&w->body[b]));
+    leave_joints(w, b);
+    world_wake(w, b);
+    world_wake_around(w, b);
+    cache_forget(&w->rigid.cache, b);
+    leave(w, b);
+}
+
+void world_remove_parts(world *w, const int *part, int n)
+{
+    cache_forget_some(&w->rigid.cache, part, n);
+    for (int k = 0; k < n; k++) leave(w, part[k]);
 }
 //<
 

@@ -25,6 +25,14 @@
 typedef struct {
     real (*clock)(void);    // s; times the phases; NULL: nothing is timed
     tasks run;              // threads; see task.h
+    // Called in each part of a frame, when `ahead` says how far bodies get in it:
+    // adds parts and removes parts (world_add_part), and says whether it added
+    // some.  NULL: there is nothing of which parts come and go.
+    bool (*surround)(void *surroundings);
+    // Called after that part: does the way of the centre of body b go in through
+    // one of their faces?  The first such face goes to *side.
+    bool (*enters)(void *surroundings, int b, vec3 from, vec3 to, plane *side);
+    void *surroundings;
 } world_host;
 
 // In all parts of a frame, with those that are done again, together.
@@ -229,6 +237,8 @@ typedef struct world {
     int  bodies;            // places of bodies,
     int  gone;              // and how many of them are free
     int  room;              // for so many there are tables
+    int  part_place, part_entry;    // none before that place is free for a part,
+                            // and none before that one for its shape
     int  planes, shapes, softs;     // places of planes; softs: deformable bodies
     struct body *body;
     struct plane *plane;
@@ -286,6 +296,14 @@ status world_add(world *w, const shape *s, placement where, int *number);
 // to a body that is added later; until then it is that of a static body without
 // particles (body_is_gone).
 void   world_remove(world *w, int b);
+
+// Adds a static body to shape s, with its origin at x, as a part of body `of`:
+// it has that one's material, family and filter.  The part was there before, if
+// not among the bodies: it wakes nothing, and nothing when it is removed.  No
+// other body has the shape.  Fails as world_add does.
+status world_add_part(world *w, const shape *s, vec3 x, int of, int *number);
+// Removes n of them.
+void   world_remove_parts(world *w, const int *part, int n);
 
 // The shape of such a place.
 extern const shape WORLD_NOTHING;

@@ -1,0 +1,388 @@
+//> surface-box
+//>   A box is asked in one of two ways: when does a box that moves meet it, or
+//>   how far is it?
+#include "surface.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const surface_box NOTHING = { { HUGE_VAL, HUGE_VAL, HUGE_VAL },
+                                     { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
+
+static real least(real a, real b) { return a < b ? a : b; }
+static real most(real a, real b) { return a > b ? a : b; }
+
+static surface_box around(surface_box a, surface_box b)
+{
+    return (surface_box){
+        { least(a.low.x, b.low.x), least(a.low.y, b.low.y),
+          least(a.low.z, b.low.z) },
+        { most(a.high.x, b.high.x), most(a.high.y, b.high.y),
+          most(a.high.z, b.high.z) } };
+}
+
+// On one axis, from when to when do they overlap, of a way of that length?
+static void overlap(real low, real high, real way, real from, real to,
+                    real *begin, real *end)
+{
+    real in = low - to, out = high - from;
+    if (way == 0) {
+        if (in > 0 || out < 0) *end = -HUGE_VAL;
+        return;
+    }
+    real first = (way > 0 ? in : out) / way, last = (way > 0 ? out : in) / way;
+    *begin = most(*begin, first);
+    *end = least(*end, last);
+}
+
+// The share of the way after which q's box meets b; HUGE_VAL: never.
+static real way_to(const surface_query *q, const surface_box *b)
+{
+    const surface_box *t = &q->thing;
+    real begin = 0, end = 1;
+    overlap(b->low.x, b->high.x, q->way.x, t->low.x, t->high.x, &begin, &end);
+    overlap(b->low.y, b->high.y, q->way.y, t->low.y, t->high.y, &begin, &end);
+    overlap(b->low.z, b->high.z, q->way.z, t->low.z, t->high.z, &begin, &end);
+    return begin <= end ? begin : HUGE_VAL;
+}
+
+// m
+static real apart(real low, real high, real from, real to)
+{
+    return most(most(low - to, from - high), 0);
+}
+
+static real distance_to(const surface_query *q, const surface_box *b)
+{
+    const surface_box *t = &q->thing;
+    return vec3_length((vec3){
+        apart(b->low.x, b->high.x, t->low.x, t->high.x),
+        apart(b->low.y, b->high.y, t->low.y, t->high.y),
+        apart(b->low.z, b->high.z, t->low.z, t->high.z) });
+}
+
+static real reaches(const surface_query *q, const surface_box *b)
+{
+    return q->by_distance ? distance_to(q, b) : way_to(q, b);
+}
+//<
+
+//> surface-prism
+//>   Each triangle is the top of a prism.
+static vec3 normal_of(const surface *s, const int v[3])
+{
+    return vec3_cross(vec3_sub(s->point[v[1]], s->point[v[0]]),
+                      vec3_sub(s->point[v[2]], s->point[v[0]]));
+}
+
+void surface_prism(const surface *s, int triangle, vec3 at[PRISM_CORNERS])
+{
+    const int *v = s->triangle[triangle];
+    vec3 down = s->down;
+    if (s->thickness > 0)
+        down = vec3_scale(-s->thickness, vec3_unit(normal_of(s, v)));
+    for (int k = 0; k < 3; k++) {
+        at[k] = s->point[v[k]];
+        at[k + 3] = vec3_add(at[k], down);
+    }
+}
+
+// A little larger, by what rounding may take away.
+static surface_box box_of(const surface *s, int triangle)
+{
+    vec3 at[PRISM_CORNERS];
+    surface_box b = NOTHING;
+    real size = 0;
+    surface_prism(s, triangle, at);
+    for (int k = 0; k < PRISM_CORNERS; k++) {
+        b = around(b, (surface_box){ at[k], at[k] });
+        size = most(size, vec3_length_squared(at[k]));
+    }
+    real wider = 0x1p-40 * sqrt(size);
+    vec3 more = { wider, wider, wider };
+    return (surface_box){ vec3_sub(b.low, more), vec3_add(b.high, more) };
+}
+
+static const int PRISM[8][3] = {
+    { 0, 1, 2 }, { 3, 5, 4 }, { 0, 3, 4 }, { 0, 4, 1 },
+    { 1, 4, 5 }, { 1, 5, 2 }, { 2, 5, 3 }, { 2, 3, 0 } };
+
+status surface_shape(const surface *s, int triangle, shape *made, vec3 *center)
+{
+    vec3 at[PRISM_CORNERS], sum = { 0, 0, 0 };
+    status done = shape_begin(made, SHAPE_RIGID, PRISM_CORNERS, 12, 1);
+    if (done.ok) done = shape_span(made, PRISM, 8);
+    if (!done.ok) return shape_finish(made, done);
+    surface_prism(s, triangle, at);
+    for (int k = 0; k < PRISM_CORNERS; k++) sum = vec3_add(sum, at[k]);
+    *center = vec3_scale(1.0 / PRISM_CORNERS, sum);
+    for (int k = 0; k < PRISM_CORNERS; k++)
+        made->at[k] = vec3_sub(at[k], *center);
+    shape_add_edges(made);
+    return shape_finish(made, done);
+}
+//<
+
+//> surface-entry
+//>   Where a way crosses a triangle, three volumes have one sign: those that the
+//>   way spans with each side. The volume of a side that two triangles share is
+//>   the same in both, to the last bit, but for its sign: no way gets between.
+vec3 surface_normal(const surface *s, int triangle)
+{
+    return vec3_unit(normal_of(s, s->triangle[triangle]));
+}
+
+real surface_entry(const surface *s, int triangle, vec3 from, vec3 to)
+{
+    const int *v = s->triangle[triangle];
+    vec3 n = normal_of(s, v), way = vec3_sub(to, from);
+    real over = vec3_dot(n, vec3_sub(from, s->point[v[0]]));
+    real under = -vec3_dot(n, vec3_sub(to, s->point[v[0]]));
+    if (!(over >= 0 && under > 0)) return HUGE_VAL;
+    for (int i = 0; i < 3; i++) {
+        vec3 a = vec3_sub(s->point[v[i]], from);
+        vec3 b = vec3_sub(s->point[v[(i + 1) % 3]], from);
+        if (vec3_dot(way, vec3_cross(a, b)) > 0) return HUGE_VAL;
+    }
+    return over / (over + under);
+}
+//<
+
+//> surface-order
+//>   Triangles are sorted along a curve that visits what is near soon: Morton's,
+//>   whose place is that of three coordinates with their bits shuffled.
+typedef struct {
+    uint64_t along;
+    int triangle;
+} place;
+
+enum { BITS = 21 };     // of each coordinate
+
+static uint64_t shuffled(real x, surface_box all, real low)
+{
+    vec3 size = vec3_sub(all.high, all.low);
+    real cells = 1 << BITS, widest = most(size.x, most(size.y, size.z));
+    real in = cells * ((x - low) / widest);
+    uint64_t n = in >= cells ? (1 << BITS) - 1 : in > 0 ? (uint64_t)in : 0;
+    n = (n | n << 32) & 0x1f00000000ffff;
+    n = (n | n << 16) & 0x1f0000ff0000ff;
+    n = (n | n << 8)  & 0x100f00f00f00f00f;
+    n = (n | n << 4)  & 0x10c30c30c30c30c3;
+    return (n | n << 2) & 0x1249249249249249;
+}
+
+static uint64_t along_curve(vec3 x, surface_box all)
+{
+    return shuffled(x.x, all, all.low.x) | shuffled(x.y, all, all.low.y) << 1
+         | shuffled(x.z, all, all.low.z) << 2;
+}
+
+static int by_place(const void *p, const void *q)
+{
+    const place *a = p, *b = q;
+    if (a->along != b->along) return a->along < b->along ? -1 : 1;
+    return a->triangle < b->triangle ? -1 : 1;
+}
+
+static vec3 middle_of(const surface *s, const int v[3])
+{
+    return vec3_scale(1.0 / 3, vec3_add(s->point[v[0]],
+                      vec3_add(s->point[v[1]], s->point[v[2]])));
+}
+
+static bool sort_prisms(surface *s)
+{
+    place *all = malloc((size_t)s->prisms * sizeof *all);
+    surface_box whole = NOTHING;
+    if (!all) return false;
+    for (int k = 0; k < s->points; k++)
+        whole = around(whole, (surface_box){ s->point[k], s->point[k] });
+    for (int k = 0; k < s->prisms; k++) {
+        int t = s->order[k];
+        all[k] = (place){ along_curve(middle_of(s, s->triangle[t]), whole), t };
+    }
+    qsort(all, (size_t)s->prisms, sizeof *all, by_place);
+    for (int k = 0; k < s->prisms; k++) s->order[k] = all[k].triangle;
+    free(all);
+    return true;
+}
+//<
+
+//> surface-tree
+//>   A few neighbours along the curve are a leaf, and two boxes are in each box
+//>   above.
+enum { FEW = 4 };       // in a leaf
+
+static int leaf_end(const surface *s, int leaf)
+{
+    int end = (leaf + 1) * FEW;
+    return end < s->prisms ? end : s->prisms;
+}
+
+static bool make_tree(surface *s)
+{
+    s->leaves = 1;
+    while (s->leaves < 1 << 28 && s->leaves * FEW < s->prisms) s->leaves *= 2;
+    s->box = malloc(2 * (size_t)s->leaves * sizeof *s->box);
+    if (!s->box) return false;
+    s->box[0] = NOTHING;
+    for (int leaf = 0; leaf < s->leaves; leaf++) {
+        surface_box *b = &s->box[s->leaves + leaf];
+        *b = NOTHING;
+        for (int k = leaf * FEW; k < leaf_end(s, leaf); k++)
+            *b = around(*b, box_of(s, s->order[k]));
+    }
+    for (int k = s->leaves - 1; k > 0; k--)
+        s->box[k] = around(s->box[2 * k], s->box[2 * k + 1]);
+    return true;
+}
+
+surface_box surface_around(const surface *s)
+{
+    return s->box[1];
+}
+//<
+
+//> surface-ask
+//>   The nearer of two boxes is asked first, so that what it holds may leave out
+//>   the other.
+static void ask_leaf(const surface *s, surface_query *q, int leaf)
+{
+    for (int k = leaf * FEW; k < leaf_end(s, leaf); k++) {
+        surface_box b = box_of(s, s->order[k]);
+        if (reaches(q, &b) <= q->most)
+            q->most = q->meets(q->context, s->order[k]);
+    }
+}
+
+// Box k, which begins there.  It calls itself no deeper than an int has bits.
+static void ask_box(const surface *s, surface_query *q, int k, real begins)
+{
+    if (!(begins <= q->most)) return;
+    if (k >= s->leaves) {
+        ask_leaf(s, q, k - s->leaves);
+        return;
+    }
+    real one = reaches(q, &s->box[2 * k]), other = reaches(q, &s->box[2 * k + 1]);
+    bool is_one_first = one <= other;
+    ask_box(s, q, 2 * k + !is_one_first, is_one_first ? one : other);
+    ask_box(s, q, 2 * k + is_one_first, is_one_first ? other : one);
+}
+
+void surface_ask(const surface *s, surface_query *q)
+{
+    ask_box(s, q, 1, reaches(q, &s->box[1]));
+}
+//<
+
+//> surface-check
+//>   Bad input is refused when a surface is made.
+static const real THIN = 1e-6;
+
+static status check_counts(int points, int triangles)
+{
+    enum { MOST = 1 << 28 };
+    if (points < 3 || points > MOST)
+        return status_fail("a surface of %d points is none: it has from 3 to "
+                           "%d", points, MOST);
+    if (triangles < 1 || triangles > MOST)
+        return status_fail("a surface of %d triangles is none: it has from 1 "
+                           "to %d", triangles, MOST);
+    return status_ok();
+}
+
+static status check_numbers(const vec3 *point, int points,
+                            const int (*triangle)[3], int triangles)
+{
+    const real far = 1e60;      // m, as corners of bodies
+    for (int k = 0; k < points; k++)
+        if (!(vec3_length(point[k]) <= far))
+            return status_fail("point %d of a surface is (%g, %g, %g): it must "
+                               "be finite, and no further away than 1e60 m", k,
+                               point[k].x, point[k].y, point[k].z);
+    for (int k = 0; k < triangles; k++)
+        for (int i = 0; i < 3; i++)
+            if (triangle[k][i] < 0 || triangle[k][i] >= points)
+                return status_fail("triangle %d of a surface names point %d, "
+                                   "and there are %d", k, triangle[k][i],
+                                   points);
+    return status_ok();
+}
+
+static real longest_squared(const surface *s, const int v[3])
+{
+    real square = 0;
+    for (int i = 0; i < 3; i++) {
+        vec3 side = vec3_sub(s->point[v[(i + 1) % 3]], s->point[v[i]]);
+        square = most(square, vec3_length_squared(side));
+    }
+    return square;
+}
+
+// m, the prism of a triangle at right angles to it; 0: it has no area.
+static real height_of(const surface *s, int k, real longest)
+{
+    vec3 n = normal_of(s, s->triangle[k]);
+    real area = vec3_length(n);
+    if (!(area > THIN * longest * longest)) return 0;
+    return s->thickness > 0 ? s->thickness : -vec3_dot(n, s->down) / area;
+}
+
+static status list_prisms(surface *s)
+{
+    for (int k = 0; k < s->triangles; k++) {
+        real longest = sqrt(longest_squared(s, s->triangle[k]));
+        real height = height_of(s, k, longest);
+        if (height == 0) continue;
+        if (!(height > THIN * longest))
+            return status_fail("triangle %d of a surface is %g m thick, and %g "
+                               "m long: that is too thin", k, height, longest);
+        s->order[s->prisms++] = k;
+    }
+    if (s->prisms > 0) return status_ok();
+    return status_fail("no triangle of a surface has an area");
+}
+//<
+
+//> surface-make
+//>   So what is there is good.
+static bool copy(surface *s, const vec3 *point, const int (*triangle)[3])
+{
+    size_t points = (size_t)s->points, triangles = (size_t)s->triangles;
+    s->point = malloc(points * sizeof *s->point);
+    s->triangle = malloc(triangles * sizeof *s->triangle);
+    s->order = malloc(triangles * sizeof *s->order);
+    if (!s->point || !s->triangle || !s->order) return false;
+    memcpy(s->point, point, points * sizeof *point);
+    memcpy(s->triangle, triangle, triangles * sizeof *triangle);
+    return true;
+}
+
+status surface_make(surface *s, const vec3 *point, int points,
+                    const int (*triangle)[3], int triangles, vec3 down,
+                    real thickness)
+{
+    *s = (surface){ .points = points, .triangles = triangles, .down = down,
+                    .thickness = thickness };
+    status done = check_counts(points, triangles);
+    if (done.ok) done = check_numbers(point, points, triangle, triangles);
+    if (done.ok && !copy(s, point, triangle)) done = status_out_of_memory();
+    if (done.ok) done = list_prisms(s);
+    if (done.ok && (!sort_prisms(s) || !make_tree(s)))
+        done = status_out_of_memory();
+    if (!done.ok) surface_free(s);
+    return done;
+}
+
+void surface_free(surface *s)
+{
+    free(s->point);
+    free(s->triangle);
+    free(s->order);
+    free(s->box);
+    *s = (surface){ .points = 0 };
+}
+//<

@@ -1,0 +1,85 @@
+//> surface-head
+//>   A surface keeps its triangles as they were given, and a tree of boxes
+//>   around them.
+// surface.h - a surface of many triangles, solid below, and which of them are
+// where.
+//
+// Paper: a body there is one convex solid.  Book: chapter 19.
+// Units: metres, in the frame of the points.
+
+#ifndef TUMBLE_SURFACE_H
+#define TUMBLE_SURFACE_H
+
+#include "body.h"
+
+typedef struct {
+    vec3 low, high;     // m
+} surface_box;
+
+// Each triangle is the top of a prism: from each of its corners an edge goes
+// down, by `down`, or, if that is zero, by the thickness against its normal.
+typedef struct {
+    vec3 *point;        // [points] m
+    int  (*triangle)[3];        // [triangles] counter-clockwise seen from
+                                // outside
+    int  points, triangles;
+    vec3 down;          // m
+    real thickness;     // m
+    int *order;         // [prisms] triangles that have an area, as they lie
+    int  prisms;        // along a curve through space
+    int  leaves;        // a power of two; each has a few of them
+    surface_box *box;   // [2 leaves] 1: around all; 2k and 2k + 1 are in k
+} surface;
+//<
+
+//> surface-query
+// What is asked: which prisms may a box meet that goes straight by way?  Or, if
+// by_distance, which are no further from it than most (m)?
+typedef struct {
+    surface_box thing;
+    vec3 way;           // m
+    bool by_distance;
+    real most;          // of the way (0 to 1), or m
+    // Called with a triangle whose prism may be met; returns what `most` is from
+    // now on.
+    real (*meets)(void *context, int triangle);
+    void *context;
+} surface_query;
+//<
+
+//> surface-declare
+// Copies points and triangles.  Of down and thickness (m) one is not zero.
+// Triangles without an area (lower than a millionth of their longest side) are
+// left out.  Fails, leaving *s empty: no triangle is left, a number of a point
+// is not finite, a triangle names a point that is not there, a prism is no more
+// than a millionth as high as a side is long, or memory is refused.
+status surface_make(surface *s, const vec3 *point, int points,
+                    const int (*triangle)[3], int triangles, vec3 down,
+                    real thickness);
+void   surface_free(surface *s);    // an empty or zeroed one is fine
+
+// The corners (m) of a triangle's prism: its own three, and those below them.
+enum { PRISM_CORNERS = 6 };
+void   surface_prism(const surface *s, int triangle, vec3 at[PRISM_CORNERS]);
+
+// Does the way from one point to another go in through a triangle, from its
+// front?  Then the share of the way, or HUGE_VAL.  A way that meets an edge of
+// two triangles meets both.
+real   surface_entry(const surface *s, int triangle, vec3 from, vec3 to);
+
+// The unit normal of a triangle, out of what is solid.
+vec3   surface_normal(const surface *s, int triangle);
+
+// The prism as a shape about its centre, which goes to *center (m).  Fails as
+// shape_begin does.
+status surface_shape(const surface *s, int triangle, shape *made,
+                     vec3 *center);
+
+// Calls q->meets for all triangles asked for, the nearer boxes first.
+void   surface_ask(const surface *s, surface_query *q);
+
+// Around all of it.
+surface_box surface_around(const surface *s);
+
+#endif
+//<

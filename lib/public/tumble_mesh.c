@@ -1,0 +1,464 @@
+//> mesh-pieces
+//>   The engine knows convex bodies only. So a triangle becomes one, a prism
+//>   below it, when something comes near, and stays one until many have been
+//>   left behind. All prisms of a surface are pieces of one body, whose seams
+//>   chapter 11 closes.
+#include "inside.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Room for one piece more.
+static bool reserve_piece(body_place *x)
+{
+    body_mesh *m = x->mesh;
+    if (x->pieces < m->room) return true;
+    size_t room = 2 * (size_t)m->room + 16;
+    body_piece *piece = realloc(x->piece, room * sizeof *piece);
+    if (piece) x->piece = piece;
+    mesh_piece *of = realloc(m->of, room * sizeof *of);
+    if (of) m->of = of;
+    if (piece && of) m->room = (int)room;
+    return piece && of;
+}
+
+// Adds a triangle's prism to the bodies.  It stays away where memory is refused:
+// that is a failure, and has a sentence.
+static bool add_prism(tumble_world *w, int place, int triangle)
+{
+    body_place *x = slots_at(&w->bodies, place);
+    shape made;
+    vec3 center;
+    int number;
+    if (!reserve_piece(x) || !inside_reserve_owner(w)) return false;
+    status done = surface_shape(&x->mesh->surface, triangle, &made, &center);
+    tumble_shape s = inside_keep(w, &made, done);
+    shape_place *of = slots_find(&w->shapes, s.place, s.generation);
+    if (!of) return false;
+    if (!inside_is_ok(w, world_add_part(&w->world, of->shape, center,
+                                        x->piece[0].number, &number))) {
+        inside_drop(w, (int)s.place);
+        return false;
+    }
+    of->bodies = 1;
+    w->owner[number] = place;
+    x->mesh->piece[triangle] = x->pieces;
+    x->mesh->of[x->pieces] = (mesh_piece){ triangle, x->mesh->clearings };
+    x->piece[x->pieces++] = (body_piece){ number, (int)s.place };
+    return true;
+}
+
+// Takes the last pieces away, all but so many.
+static void remove_prisms(tumble_world *w, body_place *x, int kept)
+{
+    int n = x->pieces - kept;
+    int *number = malloc(((size_t)n + 1) * sizeof *number);
+    if (!number) return;        // they may stay
+    for (int k = 0; k < n; k++) number[k] = x->piece[kept + k].number;
+    world_remove_parts(&w->world, number, n);
+    for (int k = kept; k < x->pieces; k++) {
+        x->mesh->piece[x->mesh->of[k].triangle] = -1;
+        inside_drop(w, x->piece[k].shape);
+    }
+    x->pieces = kept;
+    free(number);
+}
+//<
+
+//> mesh-near
+//>   Where a body is, and where it may get in this part of a frame.
+typedef struct {
+    sphere ball;
+    vec3 way;           // m
+    real beside;        // m, how far beyond the ball any of it gets, beside that
+} presence;
+
+static presence soft_presence(const world *w, const body *x)
+{
+    const particle *p = w->pool.at + x->first;
+    int n = body_particles(x);
+    real g = vec3_length(w->options.gravity), most = 0;
+    presence it = { { { 0, 0, 0 }, 0 }, { 0, 0, 0 }, 0 };
+    for (int i = 0; i < n; i++)
+        it.ball.center = vec3_add_scaled(it.ball.center, 1.0 / n,
+                                         p[i].position);
+    for (int i = 0; i < n; i++) {
+        real far = vec3_distance(it.ball.center, p[i].position);
+        it.ball.radius = real_max(it.ball.radius, far);
+        most = real_max(most, vec3_distance(p[i].position, p[i].previous));
+    }
+    it.ball.radius += 2 * x->thickness;
+    it.beside = most * w->frame / w->age + g * w->frame * w->frame;
+    return it;
+}
+
+static presence presence_of(const world *w, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    if (body_is_soft(&w->body[b])) return soft_presence(w, &w->body[b]);
+    return (presence){ t->ball[b], t->ahead[b].way, t->ahead[b].turn };
+}
+
+static bool is_within(vec3 x, real radius, sphere ball)
+{
+    real room = ball.radius - radius;
+    return room >= 0 && vec3_distance(x, ball.center) <= room;
+}
+
+// Of a ball, of which body x of the engine is a part.
+static surface_box box_around(vec3 x, real radius)
+{
+    vec3 r = { radius, radius, radius };
+    return (surface_box){ vec3_sub(x, r), vec3_add(x, r) };
+}
+//<
+
+//> mesh-surround
+//>   Most bodies are where they were, or near it: all of them has pieces in a
+//>   ball that is a little larger.
+typedef struct {
+    tumble_world *w;
+    int place;
+    bool some;          // came
+} surrounding;
+
+static real surround_prism(void *context, int triangle)
+{
+    surrounding *s = context;
+    const body_place *x = slots_at(&s->w->bodies, s->place);
+    const body_mesh *m = x->mesh;
+    if (m->piece[triangle] < 0)
+        s->some |= add_prism(s->w, s->place, triangle);
+    if (m->piece[triangle] >= 0)
+        m->of[m->piece[triangle]].used = m->clearings;
+    return 1;
+}
+
+// What flies further than its own size is surrounded along its way, and each
+// time again.
+static void surround_body(surrounding *s, body_mesh *m, int b)
+{
+    presence it = presence_of(&s->w->world, b);
+    real far = vec3_length(it.way), reach = far + it.beside;
+    real radius = it.ball.radius;
+    bool is_fast = far > radius;
+    if (is_within(it.ball.center, radius + reach, m->seen[b])) return;
+    radius = 1.2 * radius + 2 * (is_fast ? it.beside : reach);
+    surface_query q = { .thing = box_around(it.ball.center, radius),
+                        .most = 1, .meets = surround_prism, .context = s };
+    if (is_fast) q.way = it.way;
+    surface_ask(&m->surface, &q);
+    m->seen[b] = (sphere){ it.ball.center, is_fast ? -1 : radius };
+}
+
+// Is body b, which the step looks at, one that the surface must be there for?
+static bool is_awaited(const world *w, int b, int piece)
+{
+    const body *x = &w->body[b];
+    if (body_is_gone(x) || !body_meets(x, &w->body[piece])) return false;
+    return body_is_soft(x) ? !body_is_static(x) : body_is_dynamic(x);
+}
+//<
+
+//> mesh-clear
+//>   When there are twice as many pieces as were needed once, those that are not
+//>   needed go. What is asleep needs those that it lies on.
+// The pieces that are needed come first, and the first stays.  Returns how many.
+static int sort_needed(body_place *x)
+{
+    body_mesh *m = x->mesh;
+    int kept = 1;
+    for (int k = 1; k < x->pieces; k++) {
+        if (m->of[k].used != m->clearings) continue;
+        body_piece piece = x->piece[k];
+        mesh_piece of = m->of[k];
+        x->piece[k] = x->piece[kept];
+        m->of[k] = m->of[kept];
+        x->piece[kept] = piece;
+        m->of[kept] = of;
+        m->piece[of.triangle] = kept++;
+    }
+    for (int k = kept; k < x->pieces; k++) m->piece[m->of[k].triangle] = k;
+    return kept;
+}
+
+static void clear(surrounding *s)
+{
+    enum { SPARE = 64 };
+    tumble_world *w = s->w;
+    body_place *x = slots_at(&w->bodies, s->place);
+    body_mesh *m = x->mesh;
+    if (x->pieces < 2 * m->kept + SPARE) return;
+    m->clearings++;
+    for (int b = 0; b < m->seens; b++) {
+        m->seen[b].radius = -1;
+        if (b < w->world.bodies && is_awaited(&w->world, b, x->piece[0].number))
+            surround_body(s, m, b);
+    }
+    remove_prisms(w, x, sort_needed(x));
+    m->kept = x->pieces;
+    s->some = true;
+}
+
+static bool reserve_seen(tumble_world *w, body_mesh *m)
+{
+    int need = w->world.bodies;
+    if (need <= m->seens) return true;
+    sphere *more = realloc(m->seen, 2 * (size_t)need * sizeof *more);
+    if (!more) return inside_is_ok(w, status_out_of_memory());
+    m->seen = more;
+    for (; m->seens < 2 * need; m->seens++)
+        more[m->seens] = (sphere){ { 0, 0, 0 }, -1 };
+    return true;
+}
+
+static bool surround_with(tumble_world *w, int place)
+{
+    const rigid_tables *t = &w->world.rigid;
+    const body_place *x = slots_at(&w->bodies, place);
+    surrounding s = { w, place, false };
+    if (!reserve_seen(w, x->mesh)) return false;
+    for (int k = 0; k < t->awakes; k++)
+        if (is_awaited(&w->world, t->awake[k], x->piece[0].number))
+            surround_body(&s, x->mesh, t->awake[k]);
+    clear(&s);
+    return s.some;
+}
+
+static bool surround(void *surroundings)
+{
+    tumble_world *w = surroundings;
+    bool some = false;
+    for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k))
+        some |= surround_with(w, k - 1);
+    return some;
+}
+
+typedef struct {
+    const surface *surface;
+    vec3 from, to;          // m
+    real first;             // share of the way
+    int triangle;           // through which it goes; -1: through none
+} passage;
+
+static real enter_triangle(void *context, int triangle)
+{
+    passage *p = context;
+    real share = surface_entry(p->surface, triangle, p->from, p->to);
+    if (share < p->first || (share == p->first && triangle < p->triangle)) {
+        p->first = share;
+        p->triangle = triangle;
+    }
+    return real_min(p->first, 1);
+}
+
+static bool enters(void *surroundings, int b, vec3 from, vec3 to, plane *side)
+{
+    const tumble_world *w = surroundings;
+    passage p = { .from = from, .to = to, .first = HUGE_VAL, .triangle = -1 };
+    for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k)) {
+        const body_place *x = slots_at(&w->bodies, k - 1);
+        if (!is_awaited(&w->world, b, x->piece[0].number)) continue;
+        surface_query q = { .thing = { from, from }, .way = vec3_sub(to, from),
+                            .most = real_min(p.first, 1),
+                            .meets = enter_triangle, .context = &p };
+        real before = p.first;
+        p.surface = &x->mesh->surface;
+        surface_ask(p.surface, &q);
+        if (!(p.first < before)) continue;
+        side->normal = surface_normal(p.surface, p.triangle);
+        side->offset = vec3_dot(side->normal, p.surface->point[
+                                p.surface->triangle[p.triangle][0]]);
+    }
+    return p.triangle >= 0;
+}
+
+void inside_watch_meshes(tumble_world *w)
+{
+    w->world.options.host.surround = surround;
+    w->world.options.host.enters = enters;
+    w->world.options.host.surroundings = w;
+}
+//<
+
+//> face-mesh
+//>   A surface is a body with one piece, and then more.
+// What goes to the body, if there is one: *m.  All of it goes back if not.
+static tumble_body add(tumble_world *w, body_mesh *m, tumble_body_options o)
+{
+    shape made;
+    vec3 center;
+    int first = m->surface.order[0];
+    status done = surface_shape(&m->surface, first, &made, &center);
+    tumble_shape s = inside_keep(w, &made, done);
+    o.kind = TUMBLE_STATIC;
+    o.pose = (tumble_pose){ to_user(center), { 0, 0, 0, 1 } };
+    tumble_body b = tumble_add(w, s, o);
+    const shape_place *of = slots_find(&w->shapes, s.place, s.generation);
+    body_place *x = slots_find(&w->bodies, b.place, b.generation);
+    if (!x) {
+        inside_free_mesh(m);
+        if (of) inside_drop(w, (int)s.place);
+        return b;
+    }
+    x->mesh = m;
+    m->room = m->kept = 1;
+    m->piece[first] = 0;
+    m->of[0].triangle = first;
+    m->next = w->first_mesh;
+    w->first_mesh = 1 + (int)b.place;
+    inside_watch_meshes(w);
+    return b;
+}
+
+static status make(body_mesh *m, const vec3 *point, int points,
+                   const int (*triangle)[3], int triangles, vec3 down,
+                   real thickness)
+{
+    status done = surface_make(&m->surface, point, points, triangle, triangles,
+                               down, thickness);
+    if (!done.ok) return done;
+    m->piece = malloc((size_t)triangles * sizeof *m->piece);
+    m->of = calloc(1, sizeof *m->of);
+    if (!m->piece || !m->of) return status_out_of_memory();
+    for (int k = 0; k < triangles; k++) m->piece[k] = -1;
+    return done;
+}
+
+// A surface whose points are those in the frame of the pose, which become the
+// world's.
+static tumble_body add_surface(tumble_world *w, vec3 *point, int points,
+                               const int (*triangle)[3], int triangles,
+                               vec3 down, real thickness, tumble_body_options o)
+{
+    const tumble_body none = { 0, 0 };
+    placement at = { .is_static = true };
+    body_mesh *m = calloc(1, sizeof *m);
+    if (!m) return inside_is_ok(w, status_out_of_memory()), none;
+    inside_place(&at, o.pose);
+    for (int k = 0; k < points; k++)
+        point[k] = vec3_add(at.position, vec3_add(vec3_scale(point[k].x, at.x),
+                            vec3_add(vec3_scale(point[k].y, at.y),
+                                     vec3_scale(point[k].z, at.z))));
+    m->pose = o.pose;
+    status done = make(m, point, points, triangle, triangles,
+                       vec3_scale(down.y, at.y), thickness);
+    if (inside_is_ok(w, done)) return add(w, m, o);
+    inside_free_mesh(m);
+    return none;
+}
+
+static bool is_thickness(tumble_world *w, double thickness)
+{
+    if (thickness >= 0 && thickness < HUGE_VAL) return true;
+    return inside_fail(w, "the thickness of a surface is %g: it must be finite, "
+                       "and 0 or more", thickness);
+}
+
+// m, of the sides of all triangles.
+static real mean_side(const vec3 *point, int points, const int *v, int n)
+{
+    real sum = 0;
+    for (int k = 0; k < 3 * n; k++) {
+        int a = v[k], b = v[k % 3 == 2 ? k - 2 : k + 1];
+        if (a >= 0 && a < points && b >= 0 && b < points)
+            sum += vec3_distance(point[a], point[b]) / (3.0 * n);
+    }
+    return sum;
+}
+
+tumble_body tumble_add_mesh(tumble_world *w, const tumble_vec3 *point,
+                            int points, const int *triangle, int triangles,
+                            double thickness, tumble_body_options o)
+{
+    const vec3 down = { 0, 0, 0 };
+    tumble_body b = { 0, 0 };
+    if (!inside_is_world(w) || !is_thickness(w, thickness)) return b;
+    if (!point || !triangle || points < 1 || triangles < 1)
+        return inside_fail(w, "a surface of %d points and %d triangles is none",
+                           points, triangles), b;
+    vec3 *at = malloc((size_t)points * sizeof *at);
+    int (*of)[3] = malloc((size_t)triangles * sizeof *of);
+    if (!at || !of) inside_is_ok(w, status_out_of_memory());
+    if (at && of) {
+        for (int k = 0; k < points; k++) at[k] = from_user(point[k]);
+        memcpy(of, triangle, (size_t)triangles * sizeof *of);
+        if (thickness == 0)
+            thickness = mean_side(at, points, triangle, triangles);
+        b = add_surface(w, at, points, (const int (*)[3])of, triangles,
+                        down, thickness, o);
+    }
+    free(at);
+    free(of);
+    return b;
+}
+//<
+
+//> face-heights
+//>   A terrain is a surface over a grid, cut as a cloth is.
+enum { MOST_CELLS = 1 << 13 };      // along a side
+
+static void place_heights(vec3 *at, const double *height, int columns, int rows,
+                          real width, real depth)
+{
+    int across = columns - 1, along = rows - 1;
+    for (int j = 0; j < rows; j++)
+        for (int i = 0; i < columns; i++)
+            at[j * columns + i] =
+                vec3_make(width * (2 * i - across) / (2 * across),
+                          height[j * columns + i],
+                          depth * (2 * j - along) / (2 * along));
+}
+
+static void cut_cells(int (*triangle)[3], int columns, int rows)
+{
+    int f = 0;
+    for (int j = 0; j + 1 < rows; j++)
+        for (int i = 0; i + 1 < columns; i++, f += 2) {
+            int a = j * columns + i, b = a + 1;
+            int c = a + columns, d = c + 1;
+            int even[2][3] = { { a, c, d }, { a, d, b } };
+            int odd[2][3]  = { { a, c, b }, { b, c, d } };
+            memcpy(triangle[f], (i + j) % 2 ? odd : even, sizeof even);
+        }
+}
+
+static bool is_grid(tumble_world *w, const double *height, int columns,
+                    int rows, double width, double depth)
+{
+    if (!height || columns < 2 || rows < 2 || columns > MOST_CELLS
+        || rows > MOST_CELLS)
+        return inside_fail(w, "a terrain of %d x %d points is none: it has from "
+                           "2 to %d along each side", columns, rows, MOST_CELLS);
+    if (width > 0 && width < HUGE_VAL && depth > 0 && depth < HUGE_VAL)
+        return true;
+    return inside_fail(w, "a terrain is %g m wide and %g m deep: both must be "
+                       "finite, and more than 0", width, depth);
+}
+
+tumble_body tumble_add_heights(tumble_world *w, const double *height,
+                               int columns, int rows, double width,
+                               double depth, double thickness,
+                               tumble_body_options o)
+{
+    tumble_body b = { 0, 0 };
+    if (!inside_is_world(w) || !is_thickness(w, thickness)
+        || !is_grid(w, height, columns, rows, width, depth)) return b;
+    int points = columns * rows, triangles = 2 * (columns - 1) * (rows - 1);
+    vec3 *at = malloc((size_t)points * sizeof *at);
+    int (*cell)[3] = malloc((size_t)triangles * sizeof *cell);
+    real side = real_max(width / (columns - 1), depth / (rows - 1));
+    vec3 down = { 0, thickness > 0 ? -thickness : -2 * side, 0 };
+    if (!at || !cell) inside_is_ok(w, status_out_of_memory());
+    if (at && cell) {
+        place_heights(at, height, columns, rows, width, depth);
+        cut_cells(cell, columns, rows);
+        b = add_surface(w, at, points, (const int (*)[3])cell, triangles, down,
+                        0, o);
+    }
+    free(at);
+    free(cell);
+    return b;
+}
+//<

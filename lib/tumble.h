@@ -256,21 +256,21 @@ tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
                               const tumble_pose *pose, int n,
                               tumble_body_options o);
 
-// Adds one static body of many triangles: three numbers of points each, counter-
-// clockwise seen from outside.  It is solid behind them, as deep as `thickness`
-// (m; 0: as a side is long on average), and is met from both sides.  Points are
-// in the frame of the pose, and are copied; kind is not asked.  Triangles without
-// an area (lower than a millionth of their longest side) are left out.  It costs
-// a step as much as what lies near bodies, however large it is.
+// Adds one static body of triangles: three numbers of points each, counter-
+// clockwise seen from outside.  Behind them it is solid, as deep as `thickness`
+// (m; 0: as a side is long on average): from neither side does a centre of mass
+// get in.  Points are in the frame of the pose, and are copied; kind is not
+// asked.  Triangles without an area, lower than a millionth of their longest
+// side, are left out.  A step costs as much as what of it lies near bodies.
 // Fails if a number is not finite or names no point, or no triangle is left.
 tumble_body tumble_add_mesh(tumble_world *w, const tumble_vec3 *point,
                             int points, const int *triangle, int triangles,
                             double thickness, tumble_body_options o);
 
-// The same for a terrain of columns x rows points (at least 2 each), around the
-// pose: width along x, depth along z; point (i, j) is number j columns + i, and
-// height[that] (m) above it along y.  It is solid as deep as `thickness` below (m;
-// 0: two of the longer sides of its cells): what is less than half as deep in it
+// The same for a terrain of columns x rows points, 2 to 8192 each, around the
+// pose: width along x, depth along z (m).  Point (i, j) is number j columns + i,
+// and so high along y (m).  Below it is solid, as deep as `thickness` (m; 0: two
+// of the longer sides of its cells): what begins in it by less than half of that
 // is pushed out upwards.
 tumble_body tumble_add_heights(tumble_world *w, const double *height,
                                int columns, int rows, double width,

@@ -127,12 +127,33 @@ status surface_shape(const surface *s, int triangle, shape *made, vec3 *center)
 //<
 
 //> surface-entry
-//>   Where a way crosses a triangle, three volumes have one sign: those that the
-//>   way spans with each side. The volume of a side that two triangles share is
-//>   the same in both, to the last bit, but for its sign: no way gets between.
-vec3 surface_normal(const surface *s, int triangle)
+//>   Seen along the way, a triangle is one of a plane, and the way is its origin.
+//>   Has it that inside? Of a x b - c d, where each product is rounded once, the
+//>   sign is right, or the result is 0. And two triangles see a corner that they
+//>   share at the same place. So where an edge is met as inside, no way gets
+//>   between triangles (after Woop, Benthin and Wald 2013).
+static plane plane_of(vec3 normal, vec3 x)
 {
-    return vec3_unit(normal_of(s, s->triangle[triangle]));
+    vec3 n = vec3_unit(normal);
+    return (plane){ n, vec3_dot(n, x) };
+}
+
+plane surface_plane(const surface *s, int triangle)
+{
+    const int *v = s->triangle[triangle];
+    return plane_of(normal_of(s, v), s->point[v[0]]);
+}
+
+// Point p, from where the way begins, seen along it.
+static void see_along(vec3 way, vec3 p, real seen[2])
+{
+    const real d[3] = { way.x, way.y, way.z }, at[3] = { p.x, p.y, p.z };
+    int k = fabs(d[0]) > fabs(d[1]) ? 0 : 1;
+    if (fabs(d[2]) > fabs(d[k])) k = 2;
+    for (int i = 0; i < 2; i++) {
+        int axis = (k + 1 + i) % 3;
+        seen[i] = at[axis] - d[axis] / d[k] * at[k];
+    }
 }
 
 real surface_entry(const surface *s, int triangle, vec3 from, vec3 to)
@@ -141,13 +162,48 @@ real surface_entry(const surface *s, int triangle, vec3 from, vec3 to)
     vec3 n = normal_of(s, v), way = vec3_sub(to, from);
     real over = vec3_dot(n, vec3_sub(from, s->point[v[0]]));
     real under = -vec3_dot(n, vec3_sub(to, s->point[v[0]]));
+    real seen[3][2];
+    bool is_left = true, is_right = true;
     if (!(over >= 0 && under > 0)) return HUGE_VAL;
+    for (int i = 0; i < 3; i++)
+        see_along(way, vec3_sub(s->point[v[i]], from), seen[i]);
     for (int i = 0; i < 3; i++) {
-        vec3 a = vec3_sub(s->point[v[i]], from);
-        vec3 b = vec3_sub(s->point[v[(i + 1) % 3]], from);
-        if (vec3_dot(way, vec3_cross(a, b)) > 0) return HUGE_VAL;
+        const real *a = seen[i], *b = seen[(i + 1) % 3];
+        real side = a[0] * b[1] - a[1] * b[0];
+        is_left &= side >= 0;
+        is_right &= side <= 0;
     }
-    return over / (over + under);
+    return is_left || is_right ? over / (over + under) : HUGE_VAL;
+}
+//<
+
+//> surface-below
+//>   From behind, a way is in a prism when it is behind all of its five planes.
+real surface_entry_below(const surface *s, int triangle, vec3 from, vec3 to,
+                         plane *side)
+{
+    static const int face[] = { 0, 1, 2, 4, 6 };    // of PRISM
+    vec3 at[PRISM_CORNERS];
+    real in = -1, out = 1;
+    int through = -1;
+    surface_prism(s, triangle, at);
+    for (int i = 0; i < 5; i++) {
+        const int *v = PRISM[face[i]];
+        vec3 n = vec3_cross(vec3_sub(at[v[1]], at[v[0]]),
+                            vec3_sub(at[v[2]], at[v[0]]));
+        real start = vec3_dot(n, vec3_sub(from, at[v[0]]));
+        real end = vec3_dot(n, vec3_sub(to, at[v[0]]));
+        real share = start / (start - end);
+        if (start > 0 && !(end < 0)) return HUGE_VAL;
+        if (start > 0 && share > in) {
+            in = share;
+            through = i;
+            *side = plane_of(n, at[v[0]]);
+        }
+        if (!(start > 0) && end > 0) out = least(out, share);
+    }
+    if (through < 0) return -1;
+    return through > 0 && in <= out ? in : HUGE_VAL;
 }
 //<
 
@@ -266,7 +322,8 @@ static void ask_box(const surface *s, surface_query *q, int k, real begins)
         ask_leaf(s, q, k - s->leaves);
         return;
     }
-    real one = reaches(q, &s->box[2 * k]), other = reaches(q, &s->box[2 * k + 1]);
+    real one = reaches(q, &s->box[2 * k]);
+    real other = reaches(q, &s->box[2 * k + 1]);
     bool is_one_first = one <= other;
     ask_box(s, q, 2 * k + !is_one_first, is_one_first ? one : other);
     ask_box(s, q, 2 * k + is_one_first, is_one_first ? other : one);

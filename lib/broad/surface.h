@@ -10,7 +10,7 @@
 #ifndef TUMBLE_SURFACE_H
 #define TUMBLE_SURFACE_H
 
-#include "body.h"
+#include "scene.h"
 
 typedef struct {
     vec3 low, high;     // m
@@ -67,8 +67,13 @@ void   surface_prism(const surface *s, int triangle, vec3 at[PRISM_CORNERS]);
 // two triangles meets both.
 real   surface_entry(const surface *s, int triangle, vec3 from, vec3 to);
 
-// The unit normal of a triangle, out of what is solid.
-vec3   surface_normal(const surface *s, int triangle);
+// Does it go in through another face of the prism?  Then the share, and that
+// face goes to *side.  HUGE_VAL: it does not; -1: it begins in the prism.
+real   surface_entry_below(const surface *s, int triangle, vec3 from, vec3 to,
+                           plane *side);
+
+// The plane of a triangle, with what is solid behind it.
+plane  surface_plane(const surface *s, int triangle);
 
 // The prism as a shape about its centre, which goes to *center (m).  Fails as
 // shape_begin does.

@@ -23,7 +23,7 @@ static bool reserve_piece(body_place *x)
     return piece && of;
 }
 
-// Adds a triangle's prism to the bodies.  It stays away where memory is refused:
+// Adds a triangle's prism to the bodies.  Where memory is refused it stays away;
 // that is a failure, and has a sentence.
 static bool add_prism(tumble_world *w, int place, int triangle)
 {
@@ -31,7 +31,8 @@ static bool add_prism(tumble_world *w, int place, int triangle)
     shape made;
     vec3 center;
     int number;
-    if (!reserve_piece(x) || !inside_reserve_owner(w)) return false;
+    if (!inside_reserve_owner(w)) return false;
+    if (!reserve_piece(x)) return inside_is_ok(w, status_out_of_memory());
     status done = surface_shape(&x->mesh->surface, triangle, &made, &center);
     tumble_shape s = inside_keep(w, &made, done);
     shape_place *of = slots_find(&w->shapes, s.place, s.generation);
@@ -71,7 +72,7 @@ static void remove_prisms(tumble_world *w, body_place *x, int kept)
 typedef struct {
     sphere ball;
     vec3 way;           // m
-    real beside;        // m, how far beyond the ball any of it gets, beside that
+    real beside;        // m, how far any of it gets out of the ball beside that
 } presence;
 
 static presence soft_presence(const world *w, const body *x)
@@ -106,7 +107,6 @@ static bool is_within(vec3 x, real radius, sphere ball)
     return room >= 0 && vec3_distance(x, ball.center) <= room;
 }
 
-// Of a ball, of which body x of the engine is a part.
 static surface_box box_around(vec3 x, real radius)
 {
     vec3 r = { radius, radius, radius };
@@ -164,7 +164,7 @@ static bool is_awaited(const world *w, int b, int piece)
 //> mesh-clear
 //>   When there are twice as many pieces as were needed once, those that are not
 //>   needed go. What is asleep needs those that it lies on.
-// The pieces that are needed come first, and the first stays.  Returns how many.
+// Puts the pieces that are needed first; the first stays.  Returns how many.
 static int sort_needed(body_place *x)
 {
     body_mesh *m = x->mesh;
@@ -234,44 +234,55 @@ static bool surround(void *surroundings)
         some |= surround_with(w, k - 1);
     return some;
 }
+//<
 
+//> mesh-enters
+//>   The way of a centre goes in through a triangle; or, if through none and if it
+//>   began in no prism, through another face of one.
 typedef struct {
     const surface *surface;
     vec3 from, to;          // m
-    real first;             // share of the way
-    int triangle;           // through which it goes; -1: through none
+    real first, below;      // shares of the way; HUGE_VAL: it does not go in
+    int  triangle;          // through which it goes in first
+    plane side, side_below;
+    bool is_inside;
 } passage;
 
-static real enter_triangle(void *context, int triangle)
+static real enter_prism(void *context, int triangle)
 {
     passage *p = context;
+    plane side;
     real share = surface_entry(p->surface, triangle, p->from, p->to);
     if (share < p->first || (share == p->first && triangle < p->triangle)) {
         p->first = share;
         p->triangle = triangle;
+        p->side = surface_plane(p->surface, triangle);
     }
-    return real_min(p->first, 1);
+    share = surface_entry_below(p->surface, triangle, p->from, p->to, &side);
+    p->is_inside |= share < 0;
+    if (share >= 0 && share < p->below) {
+        p->below = share;
+        p->side_below = side;
+    }
+    return 1;
 }
 
 static bool enters(void *surroundings, int b, vec3 from, vec3 to, plane *side)
 {
     const tumble_world *w = surroundings;
-    passage p = { .from = from, .to = to, .first = HUGE_VAL, .triangle = -1 };
+    passage p = { .from = from, .to = to, .first = HUGE_VAL,
+                  .below = HUGE_VAL };
     for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k)) {
         const body_place *x = slots_at(&w->bodies, k - 1);
-        if (!is_awaited(&w->world, b, x->piece[0].number)) continue;
         surface_query q = { .thing = { from, from }, .way = vec3_sub(to, from),
-                            .most = real_min(p.first, 1),
-                            .meets = enter_triangle, .context = &p };
-        real before = p.first;
+                            .most = 1, .meets = enter_prism, .context = &p };
+        if (!is_awaited(&w->world, b, x->piece[0].number)) continue;
         p.surface = &x->mesh->surface;
         surface_ask(p.surface, &q);
-        if (!(p.first < before)) continue;
-        side->normal = surface_normal(p.surface, p.triangle);
-        side->offset = vec3_dot(side->normal, p.surface->point[
-                                p.surface->triangle[p.triangle][0]]);
     }
-    return p.triangle >= 0;
+    bool is_below = !(p.first <= 1) && !p.is_inside;
+    *side = is_below ? p.side_below : p.side;
+    return (is_below ? p.below : p.first) <= 1;
 }
 
 void inside_watch_meshes(tumble_world *w)
@@ -397,7 +408,7 @@ tumble_body tumble_add_mesh(tumble_world *w, const tumble_vec3 *point,
 
 //> face-heights
 //>   A terrain is a surface over a grid, cut as a cloth is.
-enum { MOST_CELLS = 1 << 13 };      // along a side
+enum { MOST_ROWS = 1 << 13 };     // points along a side
 
 static void place_heights(vec3 *at, const double *height, int columns, int rows,
                           real width, real depth)
@@ -427,10 +438,10 @@ static void cut_cells(int (*triangle)[3], int columns, int rows)
 static bool is_grid(tumble_world *w, const double *height, int columns,
                     int rows, double width, double depth)
 {
-    if (!height || columns < 2 || rows < 2 || columns > MOST_CELLS
-        || rows > MOST_CELLS)
+    if (!height || columns < 2 || rows < 2 || columns > MOST_ROWS
+        || rows > MOST_ROWS)
         return inside_fail(w, "a terrain of %d x %d points is none: it has from "
-                           "2 to %d along each side", columns, rows, MOST_CELLS);
+                           "2 to %d along each side", columns, rows, MOST_ROWS);
     if (width > 0 && width < HUGE_VAL && depth > 0 && depth < HUGE_VAL)
         return true;
     return inside_fail(w, "a terrain is %g m wide and %g m deep: both must be "

@@ -1,0 +1,613 @@
+// check_terrain.c - surfaces of many triangles, and what lies, rolls and flies
+// over them, through tumble.h.  Book: chapter 19.
+
+#include "tumble.h"
+#include "random.h"
+#include "suite.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double G = 9.81;
+static const unsigned ALL = ~0u;
+
+typedef double height_of(double x, double z);
+
+static double flat(double x, double z)
+{
+    return 0 * (x + z);
+}
+
+static double wavy(double x, double z)
+{
+    return 0.4 * sin(1.1 * x) * cos(0.9 * z);
+}
+
+static double bowl(double x, double z)
+{
+    return 0.05 * (x * x + z * z) + 0.1 * sin(2 * x) * cos(2 * z);
+}
+
+typedef enum { HEIGHTS, MESH } form;
+
+static double thickness = 0;        // m; 0: as it comes
+
+// n x n points on a square of that side, turned about z.
+static tumble_body lay(tumble_world *w, form as, height_of *f, int n,
+                       double side, double turn)
+{
+    double *height = malloc((size_t)(n * n) * sizeof *height);
+    tumble_vec3 *point = malloc((size_t)(n * n) * sizeof *point);
+    int *v = malloc(6 * (size_t)(n * n) * sizeof *v), count = 0;
+    for (int k = 0; k < n * n; k++) {
+        double x = side * (2 * (k % n) - (n - 1)) / (2 * (n - 1));
+        double z = side * (2 * (k / n) - (n - 1)) / (2 * (n - 1));
+        height[k] = f(x, z);
+        point[k] = tumble_v(x, height[k], z);
+        int cell[6] = { k, k + n, k + n + 1, k, k + n + 1, k + 1 };
+        if (k % n == n - 1 || k / n == n - 1) continue;
+        memcpy(v + count, cell, sizeof cell);
+        count += 6;
+    }
+    tumble_body_options o = tumble_at(0, 0, 0);
+    o.pose.rotation = tumble_turn(tumble_v(0, 0, 1), turn);
+    tumble_body b = as == MESH
+        ? tumble_add_mesh(w, point, n * n, v, count / 3, thickness, o)
+        : tumble_add_heights(w, height, n, n, side, side, thickness,
+                             o);
+    ck_assert_ptr_null(tumble_failure(w));
+    free(height);
+    free(point);
+    free(v);
+    return b;
+}
+
+static tumble_world *empty(void)
+{
+    tumble_world *w = tumble_make(NULL);
+    ck_assert_ptr_nonnull(w);
+    return w;
+}
+
+static void go(tumble_world *w, int steps)
+{
+    for (int k = 0; k < steps; k++) tumble_step(w);
+}
+
+static bool is_same(tumble_body a, tumble_body b)
+{
+    return a.place == b.place && a.generation == b.generation;
+}
+
+// --- laws --------------------------------------------------------------------
+
+// A ball that rolls down a slope without sliding gains 5/7 g sin(slope).
+// Rejects: a seam that is met, a piece that comes too late.
+START_TEST(a_ball_rolls_down_a_slope_over_two_hundred_edges)
+{
+    const double slope = 0.2, r = 0.2, seconds = 5;
+    for (int as = 0; as < 2; as++) {
+        tumble_world *w = empty();
+        lay(w, (form)as, flat, 251, 40, -slope);
+        double x = -15 * cos(slope) + r * sin(slope);
+        double y = 15 * sin(slope) + r * cos(slope);
+        tumble_body b = tumble_add(w, tumble_sphere(w, r, 1),
+                                   tumble_at(x, y, 0.03));
+        double hop = 0;
+        for (int k = 0; k < 60 * seconds; k++) {
+            tumble_step(w);
+            tumble_vec3 p = tumble_position(w, b);
+            hop = fmax(hop, fabs(p.x * sin(slope) + p.y * cos(slope) - r));
+        }
+        tumble_vec3 p = tumble_position(w, b);
+        double way = p.x * cos(slope) - p.y * sin(slope) + 15;
+        double wanted = 5.0 / 7 * G * sin(slope) * seconds * seconds / 2;
+        ck_assert_msg(fabs(way / wanted - 1) < 0.01 && way > 100 * 0.16,
+                      "%g m of %g", way, wanted);
+        ck_assert_msg(hop < 1e-3 && fabs(p.z - 0.03) < 1e-3,
+                      "%g m off, %g m aside", hop, p.z - 0.03);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// What slides stops after v^2 / (2 mu g).
+// Rejects: hidden sides that stop, lift or turn a box.
+START_TEST(a_box_slides_over_a_floor_of_cells_as_friction_says)
+{
+    for (int k = 0; k < 12; k++) {
+        double v = 2 << k % 3, turn = 0.4 * (k / 3 % 2), hop = 0, mu = 0.3;
+        tumble_options options = tumble_options_default();
+        options.friction = mu;
+        tumble_world *w = tumble_make(&options);
+        lay(w, (form)(k / 6), flat, 21, 40, 0);
+        tumble_body_options o = tumble_at(-15, 0.1, 0.13);
+        o.velocity = tumble_v(v, 0, 0);
+        o.pose.rotation = tumble_turn(tumble_v(0, 1, 0), turn);
+        tumble_body b = tumble_add(w, tumble_box(w, tumble_v(0.4, 0.2, 0.4), 1),
+                                   o);
+        for (int i = 0; i < 240; i++) {
+            tumble_step(w);
+            hop = fmax(hop, fabs(tumble_position(w, b).y - 0.1));
+        }
+        tumble_vec3 p = tumble_position(w, b);
+        double wanted = v * v / (2 * mu * G);
+        ck_assert_msg(fabs((p.x + 15) / wanted - 1) < 0.002,
+                      "%g m of %g", p.x + 15, wanted);
+        ck_assert_msg(hop < 1e-3 && fabs(p.z - 0.13) < 0.005,
+                      "%g m up, %g aside", hop, p.z - 0.13);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// --- piles -------------------------------------------------------------------
+
+static tumble_shape shape_of(tumble_world *w, int kind)
+{
+    return kind == 0 ? tumble_box(w, tumble_v(0.5, 0.4, 0.6), 1)
+         : kind == 1 ? tumble_icosahedron(w, 0.3, 1)
+                     : tumble_capsule(w, 0.4, 0.2, 1);
+}
+
+enum { PILE = 50 };
+
+static void pour(tumble_world *w, tumble_body *b)
+{
+    tumble_shape s[3];
+    for (int k = 0; k < 3; k++) s[k] = shape_of(w, k);
+    for (int k = 0; k < PILE; k++)
+        b[k] = tumble_add(w, s[k % 3],
+                          tumble_at(0.5 * (k % 4) - 0.7, 2 + 0.5 * (k / 4),
+                                    0.5 * (k % 5) - 1));
+}
+
+// Rejects: a piece that goes from under a sleeper, or shakes what lies on it.
+START_TEST(a_pile_on_a_wavy_ground_falls_asleep_and_none_falls_through)
+{
+    for (int as = 0; as < 2; as++) {
+        tumble_world *w = empty();
+        tumble_body b[PILE];
+        lay(w, (form)as, bowl, 81, 20, 0);
+        pour(w, b);
+        go(w, 900);
+        for (int k = 0; k < PILE; k++) {
+            tumble_vec3 p = tumble_position(w, b[k]);
+            ck_assert_msg(p.y - bowl(p.x, p.z) > 0.15, "body %d is %g m above",
+                          k, p.y - bowl(p.x, p.z));
+        }
+        ck_assert_int_eq(tumble_last_step(w).asleep, PILE);
+        ck_assert(tumble_measure(w).penetration < 0.005);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// Rejects: a piece that comes for one body, and wakes another.
+START_TEST(what_rolls_by_wakes_no_sleeper)
+{
+    tumble_world *w = empty();
+    lay(w, HEIGHTS, flat, 11, 10, 0);
+    tumble_body b = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1),
+                               tumble_at(0, 0.5, 0));
+    go(w, 120);
+    ck_assert(!tumble_is_awake(w, b));
+    tumble_body_options o = tumble_at(-3, 0.2, 1.5);
+    o.velocity = tumble_v(4, 0, 0);
+    tumble_body rolls = tumble_add(w, tumble_sphere(w, 0.2, 1), o);
+    for (int k = 0; k < 80; k++) {
+        tumble_step(w);
+        ck_assert(!tumble_is_awake(w, b));
+    }
+    ck_assert(tumble_position(w, rolls).x > 0.5);
+    tumble_free(w);
+}
+END_TEST
+
+// Rejects: cloth and ropes that know no surface.
+START_TEST(a_cloth_lies_on_a_wavy_ground)
+{
+    tumble_world *w = empty();
+    tumble_vec3 at[400];
+    lay(w, HEIGHTS, wavy, 41, 20, 0);
+    tumble_body b = tumble_add(w, tumble_cloth(w, 20, 20, 2, 2, 1),
+                               tumble_at(0.3, 1, 0.2));
+    go(w, 180);
+    tumble_vertices(w, b, at, 400);
+    for (int i = 0; i < 400; i++)
+        ck_assert_msg(at[i].y > wavy(at[i].x, at[i].z), "vertex %d", i);
+    tumble_free(w);
+}
+END_TEST
+
+// --- what is fast, and what is below -------------------------------------------
+
+static tumble_body shoot(tumble_world *w, unsigned long long *r, int k,
+                         double from, double speed)
+{
+    tumble_body_options o = tumble_at(4 * random_real(r), from,
+                                      4 * random_real(r));
+    o.velocity = tumble_v(50 * random_real(r), speed, 0);
+    return tumble_add(w, k % 2 ? tumble_sphere(w, 0.02, 0.01)
+                               : tumble_box(w, tumble_v(0.03, 0.02, 0.04), 0.01),
+                      o);
+}
+
+// From above and from below, at a surface that is 5 cm thick.
+// Rejects: a way that ends between two frames; one that a contact with a
+// neighbour turns into the next triangle; an edge that lets something through.
+START_TEST(a_bullet_of_three_hundred_metres_a_second_stops)
+{
+    unsigned long long r = 7;
+    thickness = 0.05;
+    for (int k = 0; k < 400; k++) {
+        tumble_world *w = empty();
+        double up = k / 4 % 2 ? -1 : 1;
+        lay(w, (form)(k / 2 % 2), wavy, 81, 20, 0);
+        tumble_body b = shoot(w, &r, k, up * 20, up * -300);
+        for (int i = 0; i < 30; i++) {
+            tumble_step(w);
+            tumble_vec3 p = tumble_position(w, b);
+            if (fabs(p.x) > 9.5 || fabs(p.z) > 9.5) break;
+            // (In a cell the wave is up to 4 mm off its triangles.)
+            double above = up * (p.y - wavy(p.x, p.z)) + (up < 0 ? 0 : 0.004);
+            ck_assert_msg(above > 0, "shot %d: %g m behind", k, -above);
+        }
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// Rejects: a surface that is met from its front only.
+START_TEST(from_behind_a_ball_is_stopped)
+{
+    for (int as = 0; as < 2; as++) {
+        tumble_world *w = empty();
+        lay(w, (form)as, wavy, 41, 20, 0);
+        tumble_body_options o = tumble_at(0.3, -5, 0.2);
+        o.velocity = tumble_v(0, 20, 0);
+        tumble_body b = tumble_add(w, tumble_sphere(w, 0.2, 1), o);
+        for (int k = 0; k < 60; k++) {
+            tumble_step(w);
+            ck_assert(tumble_position(w, b).y < -0.5);
+        }
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// Rejects: the way out through a hidden side, or through the bottom.
+START_TEST(what_begins_half_below_is_pushed_up)
+{
+    for (int k = 0; k < 4; k++) {
+        tumble_world *w = empty();
+        lay(w, (form)(k / 2), flat, 41, 10, 0);
+        tumble_shape s = k % 2 ? tumble_sphere(w, 0.25, 1)
+                               : tumble_box(w, tumble_v(0.5, 0.5, 0.5), 1);
+        tumble_body b = tumble_add(w, s, tumble_at(0.11, 0, 0.07));
+        go(w, 240);
+        ck_assert_msg(fabs(tumble_position(w, b).y - 0.25) < 1e-3, "%g m up",
+                      tumble_position(w, b).y);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// --- questions ---------------------------------------------------------------
+
+static double slope(double x, double z)
+{
+    return 0.3 * x - 0.2 * z + 1;
+}
+
+// A surface whose points lie in a plane is that plane.
+// Rejects: a box of the tree that leaves out what it holds.
+START_TEST(rays_meet_a_surface_where_it_is)
+{
+    tumble_world *w = empty();
+    tumble_body ground = lay(w, MESH, slope, 61, 20, 0);
+    unsigned long long r = 3;
+    double length = sqrt(0.3 * 0.3 + 0.2 * 0.2 + 1);
+    for (int k = 0; k < 500; k++) {
+        double x = 9 * random_real(&r), z = 9 * random_real(&r);
+        double to_x = x + random_real(&r), to_z = z + random_real(&r);
+        tumble_vec3 from = tumble_v(x, 9, z), to = tumble_v(to_x, -9, to_z);
+        double above = 9 - slope(x, z), below = slope(to_x, to_z) + 9;
+        tumble_hit hit;
+        ck_assert(tumble_ray(w, from, to, ALL, &hit));
+        ck_assert(fabs(hit.fraction - above / (above + below)) < 1e-9);
+        ck_assert(is_same(hit.body, ground));
+        ck_assert(fabs(hit.normal.y - 1 / length) < 1e-9);
+        ck_assert(tumble_nearest(w, from, 100, ALL, &hit));
+        if (fabs(x) < 6 && fabs(z) < 6)
+            ck_assert(fabs(hit.fraction - above / length) < 1e-9);
+    }
+    ck_assert(!tumble_ray(w, tumble_v(11, 9, 0), tumble_v(11, -9, 0), ALL, NULL));
+    ck_assert(!tumble_ray(w, tumble_v(0, 9, 0), tumble_v(0, -9, 0), 2, NULL));
+    ck_assert(!tumble_nearest(w, tumble_v(0, 9, 0), 1, ALL, NULL));
+    tumble_free(w);
+}
+END_TEST
+
+// Rejects: pieces that are asked beside the surface, or in its place.
+START_TEST(shapes_meet_a_surface_whether_or_not_something_is_near)
+{
+    for (int k = 0; k < 2; k++) {
+        tumble_world *w = empty();
+        tumble_body ground = lay(w, HEIGHTS, flat, 61, 20, 0), out[4];
+        tumble_shape s = tumble_sphere(w, 0.25, 1);
+        if (k) tumble_add(w, s, tumble_at(3.3, 0.25, 0));
+        go(w, 3);
+        tumble_pose at = { { 3, 2, 0.1 }, { 0, 0, 0, 1 } };
+        tumble_hit hit;
+        ck_assert(tumble_sweep(w, s, at, tumble_v(0, -4, 0), ALL, &hit));
+        ck_assert(k || fabs(hit.fraction - 1.75 / 4) < 1e-9);
+        ck_assert(k || is_same(hit.body, ground));
+        at.position.y = 0.2;
+        at.position.x = -3;
+        ck_assert_int_eq(tumble_overlap(w, s, at, ALL, out, 4), 1);
+        ck_assert(is_same(out[0], ground));
+        at.position.y = 0.26;
+        ck_assert_int_eq(tumble_overlap(w, s, at, ALL, out, 4), 0);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// Rejects: a contact that names a piece, an event for each piece.
+START_TEST(contacts_and_events_name_the_surface_once)
+{
+    tumble_world *w = empty();
+    tumble_event e[8];
+    tumble_contact c[8];
+    int begins = 0;
+    tumble_body ground = lay(w, MESH, flat, 101, 20, 0);
+    tumble_body_options o = tumble_at(-5, 0.1, 0.03);
+    o.velocity = tumble_v(5, 0, 0);
+    tumble_body b = tumble_add(w, tumble_box(w, tumble_v(0.4, 0.2, 0.4), 1), o);
+    for (int k = 0; k < 60; k++) {
+        tumble_step(w);
+        int n = tumble_events(w, e, 8);
+        for (int i = 0; i < n; i++) begins += e[i].begins;
+        n = tumble_contacts(w, c, 8);
+        for (int i = 0; i < n; i++)
+            ck_assert((is_same(c[i].a, ground) || is_same(c[i].a, b))
+                      && (is_same(c[i].b, ground) || is_same(c[i].b, b)));
+    }
+    ck_assert_int_eq(begins, 1);
+    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 2);
+    tumble_free(w);
+}
+END_TEST
+
+// --- coming, going, keeping ----------------------------------------------------
+
+static void backwards(void *context, void (*work)(void *data, int item),
+                      void *data, int items)
+{
+    (void)context;
+    for (int k = items - 1; k >= 0; k--) work(data, k);
+}
+
+// Rejects: a piece that a copy of the world has not, or finds later.
+START_TEST(any_order_and_a_copy_give_the_same_bits)
+{
+    tumble_body b[PILE];
+    tumble_world *w = empty(), *other = empty();
+    lay(w, MESH, bowl, 81, 20, 0);
+    pour(w, b);
+    lay(other, MESH, bowl, 81, 20, 0);
+    pour(other, b);
+    tumble_run_on(other, backwards, NULL);
+    go(w, 80);
+    go(other, 80);
+    size_t size = tumble_save(w, NULL, 0);
+    void *bytes = malloc(size);
+    tumble_save(w, bytes, size);
+    tumble_world *copy = tumble_load(bytes, size);
+    ck_assert_ptr_nonnull(copy);
+    free(bytes);
+    for (int k = 0; k < 200; k++) {
+        tumble_step(w);
+        tumble_step(other);
+        tumble_step(copy);
+        ck_assert_uint_eq(tumble_hash(w), tumble_hash(copy));
+    }
+    ck_assert_uint_eq(tumble_hash(w), tumble_hash(other));
+    tumble_free(w);
+    tumble_free(other);
+    tumble_free(copy);
+}
+END_TEST
+
+// Rejects: pieces, or their shapes, that outlive the surface.
+START_TEST(a_surface_that_is_removed_lets_its_load_fall)
+{
+    tumble_world *w = empty();
+    tumble_shape s = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body b = tumble_add(w, s, tumble_at(0, 0.5, 0));
+    size_t size = 0;
+    for (int k = 0; k < 20; k++) {
+        tumble_body ground = lay(w, (form)(k % 2), flat, 21, 20, 0);
+        tumble_body second = lay(w, MESH, flat, 5, 2, 0);
+        tumble_pose at = { { 0, 0.5, 0 }, { 0, 0, 0, 1 } };
+        tumble_set_pose(w, b, at);
+        go(w, 120);
+        ck_assert(!tumble_is_awake(w, b));
+        ck_assert(tumble_remove(w, ground) && tumble_remove(w, second));
+        ck_assert(!tumble_has(w, ground) && !tumble_remove(w, ground));
+        tumble_forget_failure(w);
+        go(w, 30);
+        ck_assert(tumble_position(w, b).y < 0);
+        if (k == 4) size = tumble_save(w, NULL, 0);
+        if (k > 4) ck_assert_uint_le(tumble_save(w, NULL, 0), size);
+    }
+    ck_assert(tumble_remove(w, b) && tumble_drop_shape(w, s));
+    tumble_free(w);
+}
+END_TEST
+
+// Rejects: pieces of what was left behind, for ever; a step that costs more the
+// larger the surface is.
+START_TEST(a_step_knows_only_what_is_near)
+{
+    tumble_world *w = empty();
+    lay(w, HEIGHTS, flat, 224, 223, 0);
+    tumble_body_options o = tumble_at(-100, 0.3, 0.2);
+    o.velocity = tumble_v(30, 0, 0);
+    tumble_body b = tumble_add(w, tumble_sphere(w, 0.3, 1), o);
+    size_t size = 0;
+    for (int k = 0; k < 360; k++) {
+        tumble_step(w);
+        ck_assert_int_le(tumble_last_step(w).pairs, 40);
+        if (k == 120) size = tumble_save(w, NULL, 0);
+    }
+    ck_assert(tumble_position(w, b).x > 20);
+    ck_assert(tumble_save(w, NULL, 0) < 1.1 * (double)size);
+    tumble_free(w);
+}
+END_TEST
+
+// Rejects: a surface of which only the pieces are drawn.
+START_TEST(a_surface_is_drawn_as_it_was_given)
+{
+    tumble_world *w = empty();
+    tumble_body b = lay(w, MESH, wavy, 11, 10, 0.5);
+    tumble_vec3 at[121];
+    int triangles;
+    ck_assert_int_eq(tumble_vertices(w, b, at, 121), 121);
+    const int *v = tumble_triangles(w, b, &triangles);
+    ck_assert_int_eq(triangles, 200);
+    ck_assert(v[0] == 0 && v[1] == 11 && v[2] == 12);
+    double x = at[0].x * cos(0.5) + at[0].y * sin(0.5);
+    double y = at[0].y * cos(0.5) - at[0].x * sin(0.5);
+    ck_assert(fabs(x + 5) < 1e-12 && fabs(y - wavy(-5, -5)) < 1e-12);
+    tumble_vec3 p = tumble_vertex(w, b, 0);
+    ck_assert(p.x == at[0].x && p.y == at[0].y && p.z == at[0].z);
+    ck_assert(tumble_position(w, b).x == 0 && tumble_position(w, b).y == 0);
+    tumble_free(w);
+}
+END_TEST
+
+// Rejects: a filter that pieces which come later do not have.
+START_TEST(a_surface_meets_only_what_its_mask_says)
+{
+    tumble_world *w = empty();
+    tumble_body ground = lay(w, HEIGHTS, flat, 21, 20, 0);
+    ck_assert(tumble_set_filter(w, ground, 2, ALL));
+    tumble_shape s = tumble_sphere(w, 0.5, 1);
+    tumble_body_options o = tumble_at(-5, 0.5, 0);
+    tumble_body lies = tumble_add(w, s, o);
+    o = tumble_at(5, 0.5, 0);
+    o.mask = 1;
+    tumble_body falls = tumble_add(w, s, o);
+    go(w, 60);
+    ck_assert(fabs(tumble_position(w, lies).y - 0.5) < 1e-3);
+    ck_assert(tumble_position(w, falls).y < -3);
+    tumble_free(w);
+}
+END_TEST
+
+// --- bad input ---------------------------------------------------------------
+
+static void is_refused(tumble_world *w, tumble_body b, const char *why)
+{
+    ck_assert_uint_eq(b.generation, 0);
+    ck_assert_ptr_nonnull(tumble_failure(w));
+    ck_assert_msg(strstr(tumble_failure(w), why) != NULL, "\"%s\" is not \"%s\"",
+                  tumble_failure(w), why);
+    tumble_forget_failure(w);
+    ck_assert_int_eq(tumble_bodies(w, NULL, 0), 0);
+}
+
+// Rejects: a surface of which nothing is known, or half of which is there.
+START_TEST(a_bad_surface_is_refused_in_a_sentence)
+{
+    tumble_world *w = empty();
+    tumble_body_options o = tumble_at(0, 0, 0), none = o;
+    tumble_vec3 p[4] = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 0, 2 } };
+    tumble_vec3 lost[3] = { { 0, 0, 0 }, { 0, 0, 1 }, { NAN, 0, 0 } };
+    int v[3] = { 0, 1, 2 }, far[3] = { 0, 1, 4 }, line[3] = { 0, 1, 3 };
+    none.group = 0;
+    is_refused(w, tumble_add_mesh(w, p, 4, far, 1, 0, o), "names point 4");
+    is_refused(w, tumble_add_mesh(w, lost, 3, v, 1, 0, o), "point 2");
+    is_refused(w, tumble_add_mesh(w, p, 4, line, 1, 0, o), "no triangle");
+    is_refused(w, tumble_add_mesh(w, p, 4, v, 0, 0, o), "0 triangles is none");
+    is_refused(w, tumble_add_mesh(w, NULL, 4, v, 1, 0, o), "is none");
+    is_refused(w, tumble_add_mesh(w, p, 4, v, 1, -1, o), "thickness");
+    is_refused(w, tumble_add_mesh(w, p, 4, v, 1, 1e-9, o), "too thin");
+    is_refused(w, tumble_add_mesh(w, p, 4, v, 1, 0, none), "group 0");
+    double height[4] = { 0, 0, 0, NAN };
+    is_refused(w, tumble_add_heights(w, height, 2, 2, 1, 1, 0, o), "point 3");
+    is_refused(w, tumble_add_heights(w, height, 1, 2, 1, 1, 0, o), "1 x 2");
+    is_refused(w, tumble_add_heights(w, height, 2, 2, 0, 1, 0, o), "0 m wide");
+    is_refused(w, tumble_add_heights(w, NULL, 2, 2, 1, 1, 0, o), "is none");
+    tumble_free(w);
+    ck_assert_uint_eq(tumble_add_mesh(NULL, p, 4, v, 1, 0, o).generation, 0);
+}
+END_TEST
+
+// Rejects: a piece without a volume.
+START_TEST(a_triangle_without_an_area_is_left_out)
+{
+    tumble_world *w = empty();
+    tumble_vec3 p[4] = { { -2, 0, -2 }, { -2, 0, 2 }, { 2, 0, 2 }, { 2, 0, -2 } };
+    int v[12] = { 0, 1, 2, 0, 0, 2, 0, 2, 0, 0, 2, 3 };
+    tumble_add_mesh(w, p, 4, v, 4, 0, tumble_at(0, 0, 0));
+    tumble_body b = tumble_add(w, tumble_sphere(w, 0.5, 1),
+                               tumble_at(0.01, 0.6, 0));
+    go(w, 90);
+    ck_assert_ptr_null(tumble_failure(w));
+    ck_assert(fabs(tumble_position(w, b).y - 0.5) < 1e-3);
+    tumble_free(w);
+}
+END_TEST
+
+// Rejects: a surface of which one piece is moved; a joint that holds nothing.
+START_TEST(a_surface_stays_where_it_is)
+{
+    tumble_world *w = empty();
+    tumble_body ground = lay(w, HEIGHTS, flat, 21, 20, 0);
+    tumble_pose at = { { 0, 5, 0 }, { 0, 0, 0, 1 } };
+    ck_assert(!tumble_set_pose(w, ground, at));
+    ck_assert(strstr(tumble_failure(w), "is a surface") != NULL);
+    tumble_forget_failure(w);
+    ck_assert(!tumble_push(w, ground, tumble_v(1, 0, 0), tumble_v(0, 0, 0)));
+    tumble_forget_failure(w);
+    tumble_body sign = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1),
+                                  tumble_at(0, 5, 0));
+    tumble_hinge(w, ground, sign, tumble_v(0, 6, 0), tumble_v(0, 0, 1));
+    go(w, 120);
+    ck_assert(fabs(tumble_position(w, sign).y - 5) < 1e-3);
+    tumble_free(w);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {
+        a_ball_rolls_down_a_slope_over_two_hundred_edges,
+        a_box_slides_over_a_floor_of_cells_as_friction_says,
+        a_pile_on_a_wavy_ground_falls_asleep_and_none_falls_through,
+        what_rolls_by_wakes_no_sleeper,
+        a_cloth_lies_on_a_wavy_ground,
+        a_bullet_of_three_hundred_metres_a_second_stops,
+        from_behind_a_ball_is_stopped,
+        what_begins_half_below_is_pushed_up,
+        rays_meet_a_surface_where_it_is,
+        shapes_meet_a_surface_whether_or_not_something_is_near,
+        contacts_and_events_name_the_surface_once,
+        any_order_and_a_copy_give_the_same_bits,
+        a_surface_that_is_removed_lets_its_load_fall,
+        a_step_knows_only_what_is_near,
+        a_surface_is_drawn_as_it_was_given,
+        a_surface_meets_only_what_its_mask_says,
+        a_bad_surface_is_refused_in_a_sentence,
+        a_triangle_without_an_area_is_left_out,
+        a_surface_stays_where_it_is,
+        NULL
+    };
+    return suite_run((suite){ .name = "terrain", .tests = tests, .seconds = 60 });
+}

@@ -713,7 +713,7 @@ draw = $(if $(wildcard figures/*/$1.gp),echo "  draw  $2/$1.svg" && \
 SCARCE := $(addprefix $(BUILD)/tests/check_,status verlet mesh body \
   rigidity convex hull capsule obj sphere sphere_tree grid ordering \
   line rigid4 solver broad pairs cache sleep world come_and_go step measure world_scene scene system \
-  thread tumble_save given)
+  thread tumble_save given terrain)
 $(SCARCE): LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free
 $(SCARCE): $(BUILD)/tests/scarce.o
 

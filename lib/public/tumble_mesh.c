@@ -120,7 +120,8 @@ static surface_box box_around(vec3 x, real radius)
 typedef struct {
     tumble_world *w;
     int place;
-    bool some;          // came
+    bool some;          // came,
+    bool lost;          // and some found no memory
 } surrounding;
 
 static real surround_prism(void *context, int triangle)
@@ -128,8 +129,11 @@ static real surround_prism(void *context, int triangle)
     surrounding *s = context;
     const body_place *x = slots_at(&s->w->bodies, s->place);
     const body_mesh *m = x->mesh;
-    if (m->piece[triangle] < 0)
-        s->some |= add_prism(s->w, s->place, triangle);
+    if (m->piece[triangle] < 0) {
+        bool is_there = add_prism(s->w, s->place, triangle);
+        s->some |= is_there;
+        s->lost |= !is_there;
+    }
     if (m->piece[triangle] >= 0)
         m->of[m->piece[triangle]].used = m->clearings;
     return 1;
@@ -148,8 +152,9 @@ static void surround_body(surrounding *s, body_mesh *m, int b)
     surface_query q = { .thing = box_around(it.ball.center, radius),
                         .most = 1, .meets = surround_prism, .context = s };
     if (is_fast) q.way = it.way;
+    s->lost = false;
     surface_ask(&m->surface, &q);
-    m->seen[b] = (sphere){ it.ball.center, is_fast ? -1 : radius };
+    m->seen[b] = (sphere){ it.ball.center, is_fast || s->lost ? -1 : radius };
 }
 
 // Is body b, which the step looks at, one that the surface must be there for?
@@ -217,7 +222,7 @@ static bool surround_with(tumble_world *w, int place)
 {
     const rigid_tables *t = &w->world.rigid;
     const body_place *x = slots_at(&w->bodies, place);
-    surrounding s = { w, place, false };
+    surrounding s = { w, place, false, false };
     if (!reserve_seen(w, x->mesh)) return false;
     for (int k = 0; k < t->awakes; k++)
         if (is_awaited(&w->world, t->awake[k], x->piece[0].number))

@@ -3,6 +3,7 @@
 
 #include "tumble.h"
 #include "random.h"
+#include "scarce.h"
 #include "suite.h"
 
 #include <check.h>
@@ -189,12 +190,13 @@ END_TEST
 START_TEST(what_rolls_by_wakes_no_sleeper)
 {
     tumble_world *w = empty();
+    thickness = 0.5;
     lay(w, HEIGHTS, flat, 11, 10, 0);
     tumble_body b = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1),
-                               tumble_at(0, 0.5, 0));
+                               tumble_at(0, 0.5, -0.1));
     go(w, 120);
     ck_assert(!tumble_is_awake(w, b));
-    tumble_body_options o = tumble_at(-3, 0.2, 1.5);
+    tumble_body_options o = tumble_at(-3, 0.2, 1.3);
     o.velocity = tumble_v(4, 0, 0);
     tumble_body rolls = tumble_add(w, tumble_sphere(w, 0.2, 1), o);
     for (int k = 0; k < 80; k++) {
@@ -255,6 +257,27 @@ START_TEST(a_bullet_of_three_hundred_metres_a_second_stops)
             double above = up * (p.y - wavy(p.x, p.z)) + (up < 0 ? 0 : 0.004);
             ck_assert_msg(above > 0, "shot %d: %g m behind", k, -above);
         }
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// Of restitution 0.8, from 100 m/s.
+// Rejects: pieces that come only where a body is, and not where it gets; what is
+// stopped by the last question alone, and loses its speed.
+START_TEST(what_is_thrown_down_bounces)
+{
+    for (int as = 0; as < 2; as++) {
+        tumble_options options = tumble_options_default();
+        options.restitution = 0.8;
+        tumble_world *w = tumble_make(&options);
+        lay(w, (form)as, flat, 81, 20, 0);
+        tumble_body_options o = tumble_at(0.1, 10.4, 0.2);
+        o.velocity = tumble_v(0, -100, 0);
+        tumble_body b = tumble_add(w, tumble_sphere(w, 0.05, 1), o);
+        go(w, 8);
+        double v = tumble_velocity(w, b).y;
+        ck_assert_msg(fabs(v / 80 - 1) < 0.02, "%g m/s up", v);
         tumble_free(w);
     }
 }
@@ -470,6 +493,29 @@ START_TEST(a_step_knows_only_what_is_near)
 }
 END_TEST
 
+// Rejects: pieces that go from under a sleeper.
+START_TEST(a_sleeper_goes_on_touching_what_it_lies_on)
+{
+    tumble_world *w = empty();
+    tumble_event e[8];
+    lay(w, HEIGHTS, flat, 224, 223, 0);
+    tumble_body b = tumble_add(w, tumble_box(w, tumble_v(1, 1, 1), 1),
+                               tumble_at(0.2, 0.5, 5));
+    go(w, 120);
+    ck_assert(!tumble_is_awake(w, b));
+    ck_assert_int_eq(tumble_events(w, e, 8), 1);
+    tumble_body_options o = tumble_at(-100, 0.3, 0.2);
+    o.velocity = tumble_v(30, 0, 0);
+    tumble_body far = tumble_add(w, tumble_sphere(w, 0.3, 1), o);
+    go(w, 360);
+    ck_assert(!tumble_is_awake(w, b));
+    int n = tumble_events(w, e, 8);
+    for (int k = 0; k < n; k++)
+        ck_assert(is_same(e[k].a, far) || is_same(e[k].b, far));
+    tumble_free(w);
+}
+END_TEST
+
 // Rejects: a surface of which only the pieces are drawn.
 START_TEST(a_surface_is_drawn_as_it_was_given)
 {
@@ -500,7 +546,7 @@ START_TEST(a_surface_meets_only_what_its_mask_says)
     tumble_shape s = tumble_sphere(w, 0.5, 1);
     tumble_body_options o = tumble_at(-5, 0.5, 0);
     tumble_body lies = tumble_add(w, s, o);
-    o = tumble_at(5, 0.5, 0);
+    o = tumble_at(-5, 0.5, 1.2);
     o.mask = 1;
     tumble_body falls = tumble_add(w, s, o);
     go(w, 60);
@@ -549,6 +595,54 @@ START_TEST(a_bad_surface_is_refused_in_a_sentence)
 }
 END_TEST
 
+// Rejects: half a surface that stays, or its memory.
+START_TEST(without_memory_there_is_no_surface)
+{
+    double height[9] = { 0 };
+    long before = blocks_held;
+    bool is_said = true, is_nothing = true;
+    tumble_world *w = tumble_make(NULL);
+    tumble_body b = { 0, 0 };
+    int tries = 0;
+    for (; tries < 200 && b.generation == 0; tries++) {
+        mallocs_left = tries;
+        b = tumble_add_heights(w, height, 3, 3, 4, 4, 0, tumble_at(0, 0, 0));
+        mallocs_left = INT_MAX;
+        const char *why = tumble_failure(w);
+        if (b.generation != 0) break;
+        is_said &= why && strstr(why, "memory") != NULL;
+        is_nothing &= tumble_bodies(w, NULL, 0) == 0;
+        tumble_forget_failure(w);
+    }
+    bool is_gone = tumble_remove(w, b);
+    tumble_free(w);
+    long after = blocks_held;
+    ck_assert(is_said && is_nothing && is_gone && tries > 20);
+    ck_assert(after == before);
+}
+END_TEST
+
+// Rejects: pieces that are counted as there, and have found no memory.
+START_TEST(pieces_that_found_no_memory_come_later)
+{
+    int pairs = 0;
+    for (int k = 0; k < 150; k++) {
+        tumble_world *w = empty();
+        lay(w, HEIGHTS, flat, 21, 20, 0);
+        tumble_body b = tumble_add(w, tumble_sphere(w, 0.5, 1),
+                                   tumble_at(4.1, 0.52, 3.3));
+        if (k > 0) mallocs_left = 2 * k;
+        tumble_step(w);
+        mallocs_left = INT_MAX;
+        go(w, 10);
+        if (k == 0) pairs = tumble_last_step(w).pairs;
+        ck_assert_int_eq(tumble_last_step(w).pairs, pairs);
+        ck_assert(fabs(tumble_position(w, b).y - 0.5) < 5e-3);
+        tumble_free(w);
+    }
+}
+END_TEST
+
 // Rejects: a piece without a volume.
 START_TEST(a_triangle_without_an_area_is_left_out)
 {
@@ -594,6 +688,7 @@ int main(void)
         what_rolls_by_wakes_no_sleeper,
         a_cloth_lies_on_a_wavy_ground,
         a_bullet_of_three_hundred_metres_a_second_stops,
+        what_is_thrown_down_bounces,
         from_behind_a_ball_is_stopped,
         what_begins_half_below_is_pushed_up,
         rays_meet_a_surface_where_it_is,
@@ -602,9 +697,12 @@ int main(void)
         any_order_and_a_copy_give_the_same_bits,
         a_surface_that_is_removed_lets_its_load_fall,
         a_step_knows_only_what_is_near,
+        a_sleeper_goes_on_touching_what_it_lies_on,
         a_surface_is_drawn_as_it_was_given,
         a_surface_meets_only_what_its_mask_says,
         a_bad_surface_is_refused_in_a_sentence,
+        without_memory_there_is_no_surface,
+        pieces_that_found_no_memory_come_later,
         a_triangle_without_an_area_is_left_out,
         a_surface_stays_where_it_is,
         NULL

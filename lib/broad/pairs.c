@@ -201,6 +201,8 @@ void pair_list_renew(pair_list *l, int b)
 {
     l->has_new = true;
     if (b >= 0) l->is_new[b] = true;
+    // (What was nowhere when all were found had no pairs to be found again.)
+    if (b >= 0 && l->listed[b].radius < 0) l->is_settled[b] = false;
     l->is_due |= b < 0 || l->is_settled[b];
 }
 //<

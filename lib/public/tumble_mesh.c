@@ -272,6 +272,14 @@ static real enter_prism(void *context, int triangle)
     return 1;
 }
 
+static surface_box box_along(vec3 x, vec3 y)
+{
+    return (surface_box){ { real_min(x.x, y.x), real_min(x.y, y.y),
+                            real_min(x.z, y.z) },
+                          { real_max(x.x, y.x), real_max(x.y, y.y),
+                            real_max(x.z, y.z) } };
+}
+
 static bool enters(void *surroundings, int b, vec3 from, vec3 to, plane *side)
 {
     const tumble_world *w = surroundings;
@@ -279,8 +287,8 @@ static bool enters(void *surroundings, int b, vec3 from, vec3 to, plane *side)
                   .below = HUGE_VAL };
     for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k)) {
         const body_place *x = slots_at(&w->bodies, k - 1);
-        surface_query q = { .thing = { from, from }, .way = vec3_sub(to, from),
-                            .most = 1, .meets = enter_prism, .context = &p };
+        surface_query q = { .thing = box_along(from, to), .most = 1,
+                            .meets = enter_prism, .context = &p };
         if (!is_awaited(&w->world, b, x->piece[0].number)) continue;
         p.surface = &x->mesh->surface;
         surface_ask(p.surface, &q);

@@ -361,6 +361,49 @@ static bool wake_sleepers(world *w)
 }
 //<
 
+//> step-parts
+//>   The ball around a part of a mesh is much larger than the part, and most
+//>   bodies that reach into it come nowhere near. The axes of a part are those of
+//>   the world, so it has a box.
+static real beyond(real x, real low, real high)
+{
+    return x < low ? low - x : x > high ? x - high : 0;
+}
+
+// Does part b of something lie outside of that ball?
+static bool is_past(const world *w, int b, sphere ball)
+{
+    const shape *s = w->body[b].shape;
+    vec3 x = vec3_sub(ball.center, w->rigid.now[b].frame.center);
+    vec3 low = s->at[0], high = s->at[0];
+    for (int i = 1; i < s->particles; i++) {
+        vec3 p = s->at[i];
+        low = vec3_make(real_min(low.x, p.x), real_min(low.y, p.y),
+                        real_min(low.z, p.z));
+        high = vec3_make(real_max(high.x, p.x), real_max(high.y, p.y),
+                         real_max(high.z, p.z));
+    }
+    vec3 d = { beyond(x.x, low.x, high.x), beyond(x.y, low.y, high.y),
+               beyond(x.z, low.z, high.z) };
+    return vec3_length_squared(d) > ball.radius * ball.radius;
+}
+
+// A list without parts that bodies do not reach.
+static void drop_parts(world *w)
+{
+    pair_list *l = &w->rigid.pairs;
+    int kept = 0;
+    for (int k = 0; k < l->count; k++) {
+        int a = l->pair[k][0], b = l->pair[k][1];
+        if (w->body[a].is_part && is_past(w, a, l->listed[b])) continue;
+        if (w->body[b].is_part && is_past(w, b, l->listed[a])) continue;
+        l->pair[kept][0] = a;
+        l->pair[kept++][1] = b;
+    }
+    l->count = kept;
+}
+//<
+
 //> step-pairs
 //>   Chapter 14 finds the pairs, and keeps them while the balls hold.
 // A list without bodies that must not meet.
@@ -389,6 +432,7 @@ static bool list_pairs(world *w, pair_finding *ask)
     w->report.dropped += lost;
     if (is_new) join_drop_pairs(w);
     if (is_new && w->is_choosy) drop_pairs(w);
+    if (is_new && w->options.host.surround) drop_parts(w);
     if (is_new) drive_drop_walls(w);
     return is_new;
 }

@@ -664,6 +664,7 @@ status world_add_part(world *w, const shape *s, vec3 x, int of, int *number)
     w->rigid.body[*number].family = w->rigid.body[of].family;
     w->body[*number].group = w->body[of].group;
     w->body[*number].mask = w->body[of].mask;
+    w->body[*number].is_part = true;
     return done;
 }
 //<

@@ -369,14 +369,20 @@ static status check_numbers(const vec3 *point, int points,
     return status_ok();
 }
 
-static real longest_squared(const surface *s, const int v[3])
+// m, of the sides of a triangle.
+typedef struct {
+    real least, most;
+} side_range;
+
+static side_range sides_of(const surface *s, const int v[3])
 {
-    real square = 0;
+    side_range r = { HUGE_VAL, 0 };
     for (int i = 0; i < 3; i++) {
         vec3 side = vec3_sub(s->point[v[(i + 1) % 3]], s->point[v[i]]);
-        square = most(square, vec3_length_squared(side));
+        r.least = least(r.least, vec3_length(side));
+        r.most = most(r.most, vec3_length(side));
     }
-    return square;
+    return r;
 }
 
 // m, the prism of a triangle at right angles to it; 0: it has no area.
@@ -388,15 +394,27 @@ static real height_of(const surface *s, int k, real longest)
     return s->thickness > 0 ? s->thickness : -vec3_dot(n, s->down) / area;
 }
 
+// Can bodies be where it is, as placement_check has it?
+static status check_place(const surface *s, int k, side_range sides, real height)
+{
+    real away = vec3_length(s->point[s->triangle[k][0]]);
+    if (!(height > THIN * sides.most))
+        return status_fail("triangle %d of a surface is %g m thick, and %g m "
+                           "long: that is too thin", k, height, sides.most);
+    if (!(away + sides.most <= MOST_AWAY * least(sides.least, height)))
+        return status_fail("triangle %d of a surface is too small to be %g m "
+                           "away", k, away);
+    return status_ok();
+}
+
 static status list_prisms(surface *s)
 {
     for (int k = 0; k < s->triangles; k++) {
-        real longest = sqrt(longest_squared(s, s->triangle[k]));
-        real height = height_of(s, k, longest);
+        side_range sides = sides_of(s, s->triangle[k]);
+        real height = height_of(s, k, sides.most);
         if (height == 0) continue;
-        if (!(height > THIN * longest))
-            return status_fail("triangle %d of a surface is %g m thick, and %g "
-                               "m long: that is too thin", k, height, longest);
+        status done = check_place(s, k, sides, height);
+        if (!done.ok) return done;
         s->order[s->prisms++] = k;
     }
     if (s->prisms > 0) return status_ok();

@@ -52,7 +52,8 @@ typedef struct {
 // Triangles without an area (lower than a millionth of their longest side) are
 // left out.  Fails, leaving *s empty: no triangle is left, a number of a point
 // is not finite, a triangle names a point that is not there, a prism is no more
-// than a millionth as high as a side is long, or memory is refused.
+// than a millionth as high as a side is long, or further from the origin than
+// MOST_AWAY of its shortest side; or memory is refused.
 status surface_make(surface *s, const vec3 *point, int points,
                     const int (*triangle)[3], int triangles, vec3 down,
                     real thickness);

@@ -244,6 +244,8 @@ START_TEST(bad_surfaces_are_refused)
     is_refused(N, triangles, none, 1, "names point");
     is_refused(POINTS, triangles, none, 1e-9, "too thin");
     is_refused(POINTS, triangles, up, 0, "too thin");
+    for (int k = 0; k < POINTS; k++) point[k].x += 1e9;
+    is_refused(POINTS, triangles, none, 1, "too small to be");
     point[3].y = HUGE_VAL;
     is_refused(POINTS, triangles, none, 1, "point 3");
 }

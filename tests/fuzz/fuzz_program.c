@@ -104,6 +104,32 @@ static void make_body(void)
     if (b.generation != 0) body[bodies++] = b;
 }
 
+// A few triangles, or a small terrain.
+static void make_surface(void)
+{
+    tumble_vec3 point[8];
+    double height[64];
+    int corner[18];
+    tumble_body_options o = tumble_at(number(), number(), number());
+    tumble_body b;
+    if (bodies == MOST_IDS) return;
+    if (byte() % 4 == 0) o.mask = byte();
+    o.pose.rotation = tumble_turn(triple(), number());
+    for (int k = 0; k < 8; k++) point[k] = triple();
+    for (int k = 0; k < 18; k++) corner[k] = byte() % 256 == 255 ? 8 : byte() % 8;
+    for (int k = 0; k < 64; k++) height[k] = byte() % 8 ? 0 : number();
+    int n = few(), m = few();
+    double deep = byte() % 4 ? 0 : number();
+    if (byte() % 2) b = tumble_add_mesh(w, point, 8, corner, n % 7, deep, o);
+    else {
+        double wide = number();
+        b = tumble_add_heights(w, height, n < 8 ? n : 8, m < 8 ? m : 8, wide,
+                               number(), deep, o);
+    }
+    MUST(b.generation != 0 || tumble_failure(w), "refused in silence");
+    if (b.generation != 0) body[bodies++] = b;
+}
+
 static void make_joint(void)
 {
     tumble_body a = any_body(), b = any_body();
@@ -238,7 +264,9 @@ static void call(void)
 {
     switch (byte() % 10) {
     case 0: make_shape(); break;
-    case 1: case 2: make_body(); break;
+    case 1: case 2: if (byte() % 4 == 0) make_surface();
+                    else make_body();
+                    break;
     case 3: make_joint(); break;
     case 4: touch(); break;
     case 5: hold(); break;

@@ -806,6 +806,10 @@ START_TEST(what_makes_makes_nothing_in_no_world)
     NO_ID(tumble_add_plane(NONE, UP, 0, -1));
     NO_ID(tumble_add(NONE, s, tumble_at(0, 0, 0)));
     NO_ID(tumble_add_pieces(NONE, &s, &POSE, 1, tumble_at(0, 0, 0)));
+    NO_ID(tumble_add_mesh(NONE, corner, 4, (int[]){ 0, 1, 2 }, 1, 0,
+                          tumble_at(0, 0, 0)));
+    NO_ID(tumble_add_heights(NONE, (double[]){ 0, 0, 0, 0 }, 2, 2, 1, 1, 0,
+                             tumble_at(0, 0, 0)));
     NO_ID(tumble_ball(NONE, b, ground, ZERO));
     NO_ID(tumble_hinge(NONE, b, ground, ZERO, UP));
     NO_ID(tumble_fix(NONE, b, ground, ZERO));

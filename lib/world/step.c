@@ -254,8 +254,8 @@ static rigid_frame find_middle(const world *w, int b)
 static void list_awake(world *w)
 {
     rigid_tables *t = &w->rigid;
-    const char *at = t->is_awake, *end = at + w->bodies;
     if (!t->has_noticed) return;
+    const char *at = t->is_awake, *end = at + w->bodies;
     t->has_noticed = false;
     t->awakes = 0;
     while (at < end && (at = memchr(at, true, (size_t)(end - at))))

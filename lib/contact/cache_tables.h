@@ -33,6 +33,7 @@ typedef struct {
     bool is_new_list;
     const plane *plane;         // those that walls of the list name
     real stay;          // of a body's radius; see world_options
+    bool has_parts;     // of surfaces: a body may lie on very many
     tasks run;
 } cache_frame;
 //<

@@ -15,7 +15,7 @@ static const real FLUSH = 0.002;
 // The cosine of 0.8 degrees: normals nearer to each other are those of one side.
 static const real ALIKE = 0.9999;
 
-enum { MOST_SIDES = 64, MOST_VERTICES = 256 };
+enum { FEW_SIDES = 64, MOST_SIDES = 2048, MOST_VERTICES = 256 };
 
 // Body A touches B, which is a body or a plane (< 0), along n.
 typedef struct {
@@ -27,15 +27,17 @@ typedef struct {
     int  points;
     vec3 at[CONTACT_POINTS];    // m, on B's surface
     bool is_new;        // found in this frame, and B is a floor for A
-    bool is_hidden;
+    bool is_covered, is_hidden;
+    bool is_merged;     // a floor was sought for it
 } side;
 
 // Body A, and all that it touches.
 typedef struct {
     contact_cache *c;
     const cache_frame *f;
-    int  a, sides;
-    side side[MOST_SIDES];
+    int  a, sides, room;
+    side *side;         // [room]
+    int  *of;           // [room] those of one floor
 } slider;
 
 static vec3 normal_to(const slider *s, const contact *t)
@@ -420,12 +422,12 @@ static void drop(side *x)
     x->pair->is_active = false;
 }
 
-static void mend_side(const slider *s, side *x, bool is_covered_side)
+static void mend_side(const slider *s, side *x)
 {
     vec3 n;
     if (find_holder(s, x, &n)) {
         if (!aim(s, x, n)) drop(x);
-    } else if (is_covered_side) {
+    } else if (x->is_covered) {
         if (!aim_at_face(s, x)) drop(x);
     }
     x->pair->count = (signed char)x->contact->count;
@@ -435,15 +437,14 @@ static void mend_side(const slider *s, side *x, bool is_covered_side)
 // hidden itself, whatever their order.
 static void mend_sides(slider *s)
 {
-    bool is_covered_side[MOST_SIDES];
     for (int i = 0; i < s->sides; i++) {
         side *x = &s->side[i];
-        is_covered_side[i] = x->is_new && is_covered_by_any(s, x);
-        x->is_hidden = is_covered_side[i] || (x->is_new && is_behind_any(s, x));
+        x->is_covered = x->is_new && is_covered_by_any(s, x);
+        x->is_hidden = x->is_covered || (x->is_new && is_behind_any(s, x));
     }
     for (int i = 0; i < s->sides; i++)
         if (s->side[i].is_hidden)
-            mend_side(s, &s->side[i], is_covered_side[i]);
+            mend_side(s, &s->side[i]);
 }
 //<
 
@@ -551,12 +552,11 @@ static void merge_floor(slider *s, const int *of, int n)
 
 static void merge_floors(slider *s)
 {
-    bool is_done[MOST_SIDES] = { false };
-    int of[MOST_SIDES];
+    int *of = s->of;
     for (int i = 0; i < s->sides; i++) {
-        if (is_done[i] || !is_floor(s, &s->side[i])) continue;
+        if (s->side[i].is_merged || !is_floor(s, &s->side[i])) continue;
         int n = find_floor(s, i, of);
-        for (int k = 0; k < n; k++) is_done[of[k]] = true;
+        for (int k = 0; k < n; k++) s->side[of[k]].is_merged = true;
         if (n > 1) merge_floor(s, of, n);
     }
 }
@@ -649,22 +649,47 @@ static void add_side(slider *s, int k)
                  .n = normal_to(s, t) };
 }
 
+static void mend_slider(slider *s)
+{
+    contact_cache *c = s->c;
+    int is_new = 0;
+    for (int i = c->first[s->a]; i < c->last[s->a] && s->sides < s->room; i++)
+        add_side(s, c->met[i]);
+    for (int i = 0; i < s->sides; i++) {
+        is_new |= s->side[i].is_new;
+        if (s->side[i].is_new) straighten(s, &s->side[i]);
+    }
+    if (!is_new || s->sides < 2) return;
+    for (int i = 0; i < s->sides; i++) see_side(s, &s->side[i]);
+    mend_sides(s);
+    merge_floors(s);
+}
+
+// What lies on many parts of a surface has more sides than others have room for.
+// Where memory is refused, it has as many as they.
+static void mend_large(slider *s, int sides)
+{
+    int room = int_min(sides, MOST_SIDES);
+    side *more = malloc((size_t)room * sizeof *more);
+    int *of = malloc((size_t)room * sizeof *of);
+    if (more && of) {
+        s->side = more;
+        s->of = of;
+        s->room = room;
+    }
+    mend_slider(s);
+    free(more);
+    free(of);
+}
+
 static void mend_body(contact_cache *c, const cache_frame *f, int a)
 {
-    int end = c->last[a], is_new = 0;
-    if (end == c->first[a] || !f->moves[a]) return;
-    slider s;
-    s.c = c, s.f = f, s.a = a, s.sides = 0;
-    for (int i = c->first[a]; i < end && s.sides < MOST_SIDES; i++)
-        add_side(&s, c->met[i]);
-    for (int i = 0; i < s.sides; i++) {
-        is_new |= s.side[i].is_new;
-        if (s.side[i].is_new) straighten(&s, &s.side[i]);
-    }
-    if (!is_new || s.sides < 2) return;
-    for (int i = 0; i < s.sides; i++) see_side(&s, &s.side[i]);
-    mend_sides(&s);
-    merge_floors(&s);
+    side few[FEW_SIDES];
+    int of[FEW_SIDES], sides = c->last[a] - c->first[a];
+    slider s = { c, f, a, 0, FEW_SIDES, few, of };
+    if (sides == 0 || !f->moves[a]) return;
+    if (f->has_parts && sides > FEW_SIDES) mend_large(&s, sides);
+    else mend_slider(&s);
 }
 
 typedef struct {

@@ -20,9 +20,10 @@ int seams_slider(const cache_frame *f, int a, int b);
 // along the side that A does reach, or emptied.  And those with pieces of one
 // body that lie in one plane under A become one.
 // Asks only about bodies on a floor, and no further than their first 64
-// contacts.  What is mended depends on where bodies are, and how they move, in
-// this frame: not on an order, and not on the past.  For want of memory nothing
-// is mended, and c->lost counts one more.
+// contacts, or 2,048 where there are parts of surfaces.  What is mended depends
+// on where bodies are, and how they move, in this frame: not on an order, and not
+// on the past.  For want of memory nothing is mended, and c->lost counts one
+// more.
 void seams_mend(contact_cache *c, const cache_frame *f);
 
 #endif

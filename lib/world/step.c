@@ -456,6 +456,7 @@ static cache_frame what_to_ask(const world *w)
         .awake = t->awake, .awakes = t->awakes,
         .list = &t->pairs, .is_new_list = t->is_new_list,
         .plane = w->plane, .stay = w->options.stay,
+        .has_parts = w->options.host.surround,
         .run = w->options.host.run };
 }
 

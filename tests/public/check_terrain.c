@@ -144,6 +144,26 @@ START_TEST(a_box_slides_over_a_floor_of_cells_as_friction_says)
 }
 END_TEST
 
+// On four hundred triangles at once.
+// Rejects: a floor of which only the first pieces are seen.
+START_TEST(a_box_slides_over_cells_that_are_much_smaller_than_it)
+{
+    for (int as = 0; as < 2; as++) {
+        double mu = 0.5, wanted = 9 / (2 * mu * G);
+        tumble_world *w = empty();
+        lay(w, (form)as, flat, 101, 10, 0);
+        tumble_body_options o = tumble_at(-1, 0.25, 0.1);
+        o.velocity = tumble_v(3, 0, 0);
+        tumble_body b = tumble_add(w, tumble_box(w, tumble_v(1, 0.5, 1), 1), o);
+        go(w, 60);
+        tumble_vec3 p = tumble_position(w, b);
+        ck_assert_msg(fabs((p.x + 1) / wanted - 1) < 0.01 && fabs(p.z - 0.1) < 0.01,
+                      "%g m of %g, %g aside", p.x + 1, wanted, p.z - 0.1);
+        tumble_free(w);
+    }
+}
+END_TEST
+
 // --- piles -------------------------------------------------------------------
 
 static tumble_shape shape_of(tumble_world *w, int kind)
@@ -684,6 +704,7 @@ int main(void)
     const TTest *const tests[] = {
         a_ball_rolls_down_a_slope_over_two_hundred_edges,
         a_box_slides_over_a_floor_of_cells_as_friction_says,
+        a_box_slides_over_cells_that_are_much_smaller_than_it,
         a_pile_on_a_wavy_ground_falls_asleep_and_none_falls_through,
         what_rolls_by_wakes_no_sleeper,
         a_cloth_lies_on_a_wavy_ground,

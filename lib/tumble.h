@@ -258,8 +258,8 @@ tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
 
 // Adds one static body of triangles: three numbers of points each, counter-
 // clockwise seen from outside.  Behind them it is solid, as deep as `thickness`
-// (m; 0: as a side is long on average): from neither side does a centre of mass
-// get in.  Points are in the frame of the pose, and are copied; kind is not
+// (m; 0: as a side is long on average), and no deeper than halfway to what is
+// behind: from neither side does a centre of mass get in.  Points are in the frame of the pose, and are copied; kind is not
 // asked.  Triangles without an area, lower than a millionth of their longest
 // side, are left out.  A step costs as much as what of it lies near bodies; one
 // that lies on more than 2,000 triangles rubs too much.

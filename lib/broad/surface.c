@@ -78,15 +78,23 @@ static vec3 normal_of(const surface *s, const int v[3])
                       vec3_sub(s->point[v[2]], s->point[v[0]]));
 }
 
+static vec3 middle_of(const surface *s, const int v[3])
+{
+    return vec3_scale(1.0 / 3, vec3_add(s->point[v[0]],
+                      vec3_add(s->point[v[1]], s->point[v[2]])));
+}
+
 void surface_prism(const surface *s, int triangle, vec3 at[PRISM_CORNERS])
 {
     const int *v = s->triangle[triangle];
-    vec3 down = s->down;
+    vec3 down = s->down, middle = middle_of(s, v);
+    real size = s->thickness > 0 ? 0.5 : 1;     // of the lower triangle
     if (s->thickness > 0)
-        down = vec3_scale(-s->thickness, vec3_unit(normal_of(s, v)));
+        down = vec3_scale(-s->deep[triangle], vec3_unit(normal_of(s, v)));
     for (int k = 0; k < 3; k++) {
         at[k] = s->point[v[k]];
-        at[k + 3] = vec3_add(at[k], down);
+        vec3 in = vec3_scale(1 - size, vec3_sub(middle, at[k]));
+        at[k + 3] = vec3_add(vec3_add(at[k], in), down);
     }
 }
 
@@ -104,6 +112,24 @@ static surface_box box_of(const surface *s, int triangle)
     real wider = 0x1p-40 * sqrt(size);
     vec3 more = { wider, wider, wider };
     return (surface_box){ vec3_sub(b.low, more), vec3_add(b.high, more) };
+}
+
+static const real THIN = 1e-6;
+
+// m, of the sides of a triangle.
+typedef struct {
+    real least, most;
+} side_range;
+
+static side_range sides_of(const surface *s, const int v[3])
+{
+    side_range r = { HUGE_VAL, 0 };
+    for (int i = 0; i < 3; i++) {
+        vec3 side = vec3_sub(s->point[v[(i + 1) % 3]], s->point[v[i]]);
+        r.least = least(r.least, vec3_length(side));
+        r.most = most(r.most, vec3_length(side));
+    }
+    return r;
 }
 
 static const int PRISM[8][3] = {
@@ -243,12 +269,6 @@ static int by_place(const void *p, const void *q)
     return a->triangle < b->triangle ? -1 : 1;
 }
 
-static vec3 middle_of(const surface *s, const int v[3])
-{
-    return vec3_scale(1.0 / 3, vec3_add(s->point[v[0]],
-                      vec3_add(s->point[v[1]], s->point[v[2]])));
-}
-
 static bool sort_prisms(surface *s)
 {
     place *all = malloc((size_t)s->prisms * sizeof *all);
@@ -308,8 +328,8 @@ surface_box surface_around(const surface *s)
 static void ask_leaf(const surface *s, surface_query *q, int leaf)
 {
     for (int k = leaf * FEW; k < leaf_end(s, leaf); k++) {
-        surface_box b = box_of(s, s->order[k]);
-        if (reaches(q, &b) <= q->most)
+        surface_box b = q->is_rough ? NOTHING : box_of(s, s->order[k]);
+        if (q->is_rough || reaches(q, &b) <= q->most)
             q->most = q->meets(q->context, s->order[k]);
     }
 }
@@ -335,10 +355,81 @@ void surface_ask(const surface *s, surface_query *q)
 }
 //<
 
+//> surface-deep
+//>   Behind the face of a thin wall is its other face. What is solid there ends
+//>   halfway: no prism sticks out of another face. It is asked at four places,
+//>   behind the middle and behind the corners of the lower triangle.
+enum { LOOKS = 4 };
+
+typedef struct {
+    const surface *s;
+    int  triangle;          // whose
+    vec3 from[LOOKS], way;  // m
+    real share;             // of the way to what is behind
+} look_behind;
+
+static real see_behind(void *context, int triangle)
+{
+    look_behind *l = context;
+    const int *v = l->s->triangle[triangle];
+    surface_box b = NOTHING;
+    for (int i = 0; i < 3; i++) {
+        vec3 x = l->s->point[v[i]];
+        b = around(b, (surface_box){ x, x });
+    }
+    for (int k = 0; k < LOOKS && triangle != l->triangle; k++) {
+        vec3 from = l->from[k], to = vec3_add(from, l->way);
+        surface_box w = around((surface_box){ from, from },
+                               (surface_box){ to, to });
+        if (w.low.x > b.high.x || w.high.x < b.low.x || w.low.y > b.high.y
+            || w.high.y < b.low.y || w.low.z > b.high.z || w.high.z < b.low.z)
+            continue;
+        real in = surface_entry(l->s, triangle, from, to);
+        real out = 1 - surface_entry(l->s, triangle, to, from);
+        if (in <= 1) l->share = least(l->share, in);
+        if (out >= 0) l->share = least(l->share, out);
+    }
+    return 1;
+}
+
+// (It begins a little before the triangle, at whose place may be another.)
+static real depth_of(const surface *s, int triangle)
+{
+    const int *v = s->triangle[triangle];
+    vec3 middle = middle_of(s, v), n = vec3_unit(normal_of(s, v));
+    look_behind l = { s, triangle, { { 0, 0, 0 } },
+                      vec3_scale(-2 * s->thickness, n), 1 };
+    surface_query q = { .thing = NOTHING, .is_rough = true, .most = 1,
+                        .meets = see_behind, .context = &l };
+    for (int k = 0; k < LOOKS; k++) {
+        vec3 x = middle;
+        if (k < 3) x = vec3_scale(0.5, vec3_add(x, s->point[v[k]]));
+        l.from[k] = vec3_add_scaled(x, -1e-6, l.way);
+        vec3 to = vec3_add(l.from[k], l.way);
+        q.thing = around(q.thing, (surface_box){ l.from[k], l.from[k] });
+        q.thing = around(q.thing, (surface_box){ to, to });
+    }
+    surface_ask(s, &q);
+    real thinnest = most(0.01 * s->thickness, 2 * THIN * sides_of(s, v).most);
+    return least(most(s->thickness * l.share, thinnest), s->thickness);
+}
+
+// (All are as deep as can be while the tree is made, and while it is asked.)
+static bool find_depths(surface *s)
+{
+    real *deep = malloc((size_t)s->triangles * sizeof *deep);
+    if (!deep) return false;
+    memcpy(deep, s->deep, (size_t)s->triangles * sizeof *deep);
+    for (int k = 0; k < s->prisms; k++)
+        deep[s->order[k]] = depth_of(s, s->order[k]);
+    free(s->deep);
+    s->deep = deep;
+    return true;
+}
+//<
+
 //> surface-check
 //>   Bad input is refused when a surface is made.
-static const real THIN = 1e-6;
-
 static status check_counts(int points, int triangles)
 {
     enum { MOST = 1 << 28 };
@@ -367,22 +458,6 @@ static status check_numbers(const vec3 *point, int points,
                                    "and there are %d", k, triangle[k][i],
                                    points);
     return status_ok();
-}
-
-// m, of the sides of a triangle.
-typedef struct {
-    real least, most;
-} side_range;
-
-static side_range sides_of(const surface *s, const int v[3])
-{
-    side_range r = { HUGE_VAL, 0 };
-    for (int i = 0; i < 3; i++) {
-        vec3 side = vec3_sub(s->point[v[(i + 1) % 3]], s->point[v[i]]);
-        r.least = least(r.least, vec3_length(side));
-        r.most = most(r.most, vec3_length(side));
-    }
-    return r;
 }
 
 // m, the prism of a triangle at right angles to it; 0: it has no area.
@@ -430,7 +505,9 @@ static bool copy(surface *s, const vec3 *point, const int (*triangle)[3])
     s->point = malloc(points * sizeof *s->point);
     s->triangle = malloc(triangles * sizeof *s->triangle);
     s->order = malloc(triangles * sizeof *s->order);
-    if (!s->point || !s->triangle || !s->order) return false;
+    s->deep = malloc(triangles * sizeof *s->deep);
+    if (!s->point || !s->triangle || !s->order || !s->deep) return false;
+    for (size_t k = 0; k < triangles; k++) s->deep[k] = s->thickness;
     memcpy(s->point, point, points * sizeof *point);
     memcpy(s->triangle, triangle, triangles * sizeof *triangle);
     return true;
@@ -446,7 +523,8 @@ status surface_make(surface *s, const vec3 *point, int points,
     if (done.ok) done = check_numbers(point, points, triangle, triangles);
     if (done.ok && !copy(s, point, triangle)) done = status_out_of_memory();
     if (done.ok) done = list_prisms(s);
-    if (done.ok && (!sort_prisms(s) || !make_tree(s)))
+    if (done.ok && (!sort_prisms(s) || !make_tree(s)
+                    || (thickness > 0 && !find_depths(s))))
         done = status_out_of_memory();
     if (!done.ok) surface_free(s);
     return done;
@@ -457,6 +535,7 @@ void surface_free(surface *s)
     free(s->point);
     free(s->triangle);
     free(s->order);
+    free(s->deep);
     free(s->box);
     *s = (surface){ .points = 0 };
 }

@@ -16,15 +16,18 @@ typedef struct {
     vec3 low, high;     // m
 } surface_box;
 
-// Each triangle is the top of a prism: from each of its corners an edge goes
-// down, by `down`, or, if that is zero, by the thickness against its normal.
+// Each triangle is the top of a prism.  From each of its corners an edge goes
+// down, by `down`; or, if that is zero, it ends in a triangle half as large, which
+// lies behind its middle, against its normal.
 typedef struct {
     vec3 *point;        // [points] m
     int  (*triangle)[3];        // [triangles] counter-clockwise seen from
                                 // outside
     int  points, triangles;
     vec3 down;          // m
-    real thickness;     // m
+    real thickness;     // m, at most, if `down` is zero
+    real *deep;         // [triangles] m, then: no more than half of the way to
+                        // what is behind, but at least a hundredth of that
     int *order;         // [prisms] triangles that have an area, as they lie
     int  prisms;        // along a curve through space
     int  leaves;        // a power of two; each has a few of them
@@ -39,6 +42,7 @@ typedef struct {
     surface_box thing;
     vec3 way;           // m
     bool by_distance;
+    bool is_rough;      // neighbours of those may be called for, too
     real most;          // of the way (0 to 1), or m
     // Called with a triangle whose prism may be met; returns what `most` is from
     // now on.

@@ -49,6 +49,8 @@ static void mesh_store(body_place *x, store *s)
     STORE_TABLE(s, m->surface.point, m->surface.points, m->surface.points);
     STORE_TABLE(s, m->surface.triangle, m->surface.triangles,
                 m->surface.triangles);
+    STORE_TABLE(s, m->surface.deep, m->surface.triangles,
+                m->surface.triangles);
     STORE_TABLE(s, m->surface.order, m->surface.prisms, m->surface.prisms);
     STORE_TABLE(s, m->surface.box, 2 * m->surface.leaves,
                 2 * m->surface.leaves);

@@ -374,7 +374,9 @@ static real beyond(real x, real low, real high)
 static bool is_past(const world *w, int b, sphere ball)
 {
     const shape *s = w->body[b].shape;
-    vec3 x = vec3_sub(ball.center, w->rigid.now[b].frame.center);
+    vec3 origin = vec3_sub(w->rigid.now[b].frame.center,
+                           w->body[b].rigid->center);
+    vec3 x = vec3_sub(ball.center, origin);
     vec3 low = s->at[0], high = s->at[0];
     for (int i = 1; i < s->particles; i++) {
         vec3 p = s->at[i];

@@ -170,8 +170,10 @@ START_TEST(the_share_of_the_way_is_where_it_enters)
     to = vec3_make(0.2, -0.05, 0.2);
     ck_assert(surface_entry_below(&one, 0, to, from, &side) == -1);
     from = vec3_make(-0.3, -0.05, 0.2);
-    ck_assert(fabs(surface_entry_below(&one, 0, from, to, &side) - 0.6) < 1e-12);
-    ck_assert(side.normal.x == -1 && side.offset == 0);
+    // Its sides lean in: this one is 1/6 m in where it is 0.1 m deep.
+    real in = (0.3 + 1.0 / 12) / 0.5;
+    ck_assert(fabs(surface_entry_below(&one, 0, from, to, &side) - in) < 1e-12);
+    ck_assert(fabs(side.normal.y / side.normal.x - 1 / 0.6) < 1e-12);
     surface_box all = surface_around(&one);
     ck_assert(fabs(all.low.y + 0.1) < 1e-9 && fabs(all.high.x - 1) < 1e-9);
     surface_free(&one);
@@ -180,7 +182,7 @@ END_TEST
 
 // --- prisms --------------------------------------------------------------------
 
-// Area times height, about its middle.
+// That of a pyramid without its tip, about the mean of its corners.
 // Rejects: a face that looks inside; a height that is not across the face.
 START_TEST(the_prism_of_a_triangle_has_its_volume)
 {
@@ -199,11 +201,35 @@ START_TEST(the_prism_of_a_triangle_has_its_volume)
                                                          made.at[v[2]])) / 6;
         }
         for (int i = 0; i < PRISM_CORNERS; i++) sum = vec3_add(sum, made.at[i]);
-        ck_assert(fabs(volume / (0.05 * area) - 1) < 1e-9);
+        // A third of the depth, by the areas of both ends and their mean.
+        real wanted = 0.05 / 3 * (1 + 0.25 + 0.5) * area;
+        ck_assert(fabs(volume / wanted - 1) < 1e-9);
         ck_assert(vec3_length(sum) < 1e-12);
         ck_assert(rigid4_build(&body, &made).ok);
         rigid4_free(&body);
         shape_free(&made);
+    }
+}
+END_TEST
+
+// Two squares that look away from each other, 4 cm apart; one that nothing is
+// behind; and two at one place.
+// Rejects: a wall that is thicker on its other side than it is.
+START_TEST(what_is_solid_ends_halfway_to_what_is_behind)
+{
+    const real wall[3] = { 0.04, 9, 0 }, wanted[3] = { 0.02, 0.3, 0.003 };
+    for (int k = 0; k < 3; k++) {
+        vec3 p[8];
+        int v[4][3] = { { 0, 1, 2 }, { 1, 3, 2 }, { 4, 6, 5 }, { 5, 6, 7 } };
+        surface two;
+        for (int i = 0; i < 8; i++)
+            p[i] = vec3_make(i & 2 ? 1 : 0, i & 4 ? -wall[k] : 0, i & 1 ? 1 : 0);
+        ck_assert(surface_make(&two, p, 8, (const int (*)[3])v, 4,
+                               vec3_make(0, 0, 0), 0.3).ok);
+        for (int i = 0; i < 4; i++)
+            ck_assert_msg(fabs(two.deep[i] - wanted[k]) < 1e-6, "%g, not %g",
+                          two.deep[i], wanted[k]);
+        surface_free(&two);
     }
 }
 END_TEST
@@ -273,6 +299,7 @@ int main(void)
         no_way_goes_through_an_edge,
         the_share_of_the_way_is_where_it_enters,
         the_prism_of_a_triangle_has_its_volume,
+        what_is_solid_ends_halfway_to_what_is_behind,
         with_a_way_down_the_prisms_stand_side_by_side,
         bad_surfaces_are_refused,
         triangles_without_an_area_are_left_out,

@@ -193,7 +193,7 @@ START_TEST(a_pile_on_a_wavy_ground_falls_asleep_and_none_falls_through)
         tumble_body b[PILE];
         lay(w, (form)as, bowl, 81, 20, 0);
         pour(w, b);
-        go(w, 900);
+        go(w, 1500);
         for (int k = 0; k < PILE; k++) {
             tumble_vec3 p = tumble_position(w, b[k]);
             ck_assert_msg(p.y - bowl(p.x, p.z) > 0.15, "body %d is %g m above",
@@ -421,6 +421,45 @@ START_TEST(contacts_and_events_name_the_surface_once)
     }
     ck_assert_int_eq(begins, 1);
     ck_assert_int_eq(tumble_bodies(w, NULL, 0), 2);
+    tumble_free(w);
+}
+END_TEST
+
+// A wall of 0.2 m, of twelve triangles, 5 m wide.
+// Rejects: what is solid behind one side, and stands out of the other.
+START_TEST(a_thin_wall_is_met_where_it_is_from_both_sides)
+{
+    static const int face[36] = {
+        0, 4, 6, 0, 6, 2, 3, 7, 5, 3, 5, 1, 0, 1, 5, 0, 5, 4,
+        3, 2, 6, 3, 6, 7, 0, 2, 3, 0, 3, 1, 5, 7, 6, 5, 6, 4 };
+    tumble_world *w = empty();
+    tumble_vec3 p[8];
+    tumble_body b[2];
+    for (int k = 0; k < 8; k++)
+        p[k] = tumble_v(k & 1 ? 2.5 : -2.5, k & 2 ? 2 : 0, k & 4 ? 0.1 : -0.1);
+    tumble_add_mesh(w, p, 8, face, 12, 0, tumble_at(0, 0, 0));
+    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape s = tumble_box(w, tumble_v(0.5, 0.5, 0.5), 1);
+    for (int k = 0; k < 2; k++) {
+        tumble_body_options o = tumble_at(0.3, 0.25, k ? 1 : -1);
+        o.velocity = tumble_v(0, 0, k ? -4 : 4);
+        b[k] = tumble_add(w, s, o);
+        tumble_hit hit;
+        ck_assert(tumble_ray(w, tumble_v(1, 1, k ? 3 : -3), tumble_v(1, 1, 0),
+                             ALL, &hit));
+        ck_assert(fabs(fabs(hit.point.z) - 0.1) < 1e-9);
+    }
+    tumble_body top = tumble_add(w, tumble_sphere(w, 0.2, 1),
+                                 tumble_at(-1, 2.2, 0));
+    double nearest[2] = { 9, 9 };
+    for (int i = 0; i < 120; i++) {
+        tumble_step(w);
+        for (int k = 0; k < 2; k++)
+            nearest[k] = fmin(nearest[k], fabs(tumble_position(w, b[k]).z));
+    }
+    for (int k = 0; k < 2; k++)
+        ck_assert_msg(fabs(nearest[k] - 0.35) < 0.005, "%g m", nearest[k]);
+    ck_assert(fabs(tumble_position(w, top).y - 2.2) < 1e-3);
     tumble_free(w);
 }
 END_TEST
@@ -715,6 +754,7 @@ int main(void)
         rays_meet_a_surface_where_it_is,
         shapes_meet_a_surface_whether_or_not_something_is_near,
         contacts_and_events_name_the_surface_once,
+        a_thin_wall_is_met_where_it_is_from_both_sides,
         any_order_and_a_copy_give_the_same_bits,
         a_surface_that_is_removed_lets_its_load_fall,
         a_step_knows_only_what_is_near,

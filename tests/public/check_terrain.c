@@ -282,6 +282,36 @@ START_TEST(a_bullet_of_three_hundred_metres_a_second_stops)
 }
 END_TEST
 
+static double groove(double x, double z)
+{
+    return 8 * fabs(x) + 0 * z;
+}
+
+// What is put before one side of a narrow groove may be behind the other.
+// Rejects: one that is put before a side once, and not looked for again.
+START_TEST(what_is_shot_into_a_groove_stays_in_it)
+{
+    unsigned long long r = 3;
+    for (int k = 0; k < 100; k++) {
+        tumble_world *w = empty();
+        lay(w, (form)(k / 2 % 2), groove, 41, 8, 0);
+        tumble_body_options o = tumble_at(random_real(&r), 33, random_real(&r));
+        o.velocity = tumble_v(20 * random_real(&r), -300, 40 * random_real(&r));
+        tumble_shape s = k % 2 ? tumble_sphere(w, 0.05, 1)
+                               : tumble_box(w, tumble_v(0.1, 0.05, 0.08), 1);
+        tumble_body b = tumble_add(w, s, o);
+        for (int i = 0; i < 30; i++) {
+            tumble_step(w);
+            tumble_vec3 p = tumble_position(w, b);
+            if (fabs(p.x) > 3.9 || fabs(p.z) > 3.9) break;
+            ck_assert_msg(p.y > groove(p.x, p.z) - 1e-9, "shot %d: %g m below",
+                          k, groove(p.x, p.z) - p.y);
+        }
+        tumble_free(w);
+    }
+}
+END_TEST
+
 // Of restitution 0.8, from 100 m/s.
 // Rejects: pieces that come only where a body is, and not where it gets; what is
 // stopped by the last question alone, and loses its speed.
@@ -748,6 +778,7 @@ int main(void)
         what_rolls_by_wakes_no_sleeper,
         a_cloth_lies_on_a_wavy_ground,
         a_bullet_of_three_hundred_metres_a_second_stops,
+        what_is_shot_into_a_groove_stays_in_it,
         what_is_thrown_down_bounces,
         from_behind_a_ball_is_stopped,
         what_begins_half_below_is_pushed_up,

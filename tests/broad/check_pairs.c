@@ -322,6 +322,39 @@ START_TEST(body_that_comes_changes_no_pair_of_the_others)
 }
 END_TEST
 
+// Of six in a row the last was nowhere when the others lay down; the first moves.
+// Rejects: all pairs found again for what had none; a settled one whose old place
+// goes on being met.
+START_TEST(what_was_nowhere_comes_without_a_list_of_all)
+{
+    begin(6);
+    for (int b = 0; b < 6; b++) put(b, 1.5 * b, b == 5 ? -1 : 1, 0.1);
+    ck_assert(update());
+    query.awakes = 1;
+    for (int f = 0; f < 3; f++) {
+        pair_list_renew(&list, 0);
+        update();
+        pair_list_part(&list);
+    }
+    put(5, -1.3, 1, 0.1);
+    pair_list_renew(&list, 5);
+    query.awakes = 2;
+    awake[1] = 5;
+    ck_assert(update() && !list.is_whole);
+    ck_assert_int_eq(list.count, 2);
+    ck_assert(is_listed(0, 1) && is_listed(0, 5));
+    // One that has lain still is put elsewhere: that does need one.
+    pair_list_part(&list);
+    put(3, -2, 1, 0.1);
+    pair_list_renew(&list, 3);
+    query.awakes = 3;
+    awake[1] = 3;
+    awake[2] = 5;
+    ck_assert(update() && list.is_whole);
+    ck_assert(is_listed(0, 3) && is_listed(3, 5) && !is_listed(2, 3));
+}
+END_TEST
+
 // Rejects: a plane that only the nearest is listed for; one that lies far.
 START_TEST(planes_are_listed_for_what_is_near_them)
 {
@@ -382,6 +415,7 @@ int main(void)
         pairs_without_memory_are_counted_until_there_is_some,
         refused_memory_leaves_nothing,
         body_that_comes_changes_no_pair_of_the_others,
+        what_was_nowhere_comes_without_a_list_of_all,
         planes_are_listed_for_what_is_near_them,
         no_bodies_have_no_pairs,
         NULL

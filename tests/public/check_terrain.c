@@ -577,7 +577,7 @@ START_TEST(a_step_knows_only_what_is_near)
         if (k == 120) size = tumble_save(w, NULL, 0);
     }
     ck_assert(tumble_position(w, b).x > 20);
-    ck_assert(tumble_save(w, NULL, 0) < 1.1 * (double)size);
+    ck_assert((double)tumble_save(w, NULL, 0) < 1.1 * (double)size);
     tumble_free(w);
 }
 END_TEST

@@ -31,6 +31,13 @@ typedef struct {
     unsigned used;          // the clearing up to which it was needed
 } mesh_piece;
 
+// Within this ball all triangles are pieces, for a body of the engine that came
+// near; radius < 0: nowhere.
+typedef struct {
+    int body;
+    sphere ball;
+} mesh_seen;
+
 typedef struct {
     surface surface;        // in the world
     tumble_pose pose;
@@ -40,8 +47,8 @@ typedef struct {
     int  kept;              // pieces, after the last clearing
     unsigned clearings;
     int  next;              // 1 + the place of the next such body; 0: none
-    sphere *seen;           // [seens] of each body of the engine: within this
-    int  seens;             // ball all triangles are pieces; radius < 0: nowhere
+    mesh_seen *seen;        // [seens] by body
+    int  seens, seen_room;
 } body_mesh;
 
 typedef struct {

@@ -139,6 +139,42 @@ static real surround_prism(void *context, int triangle)
     return 1;
 }
 
+static bool is_apart(surface_box a, surface_box b)
+{
+    return a.low.x > b.high.x || a.high.x < b.low.x || a.low.y > b.high.y
+        || a.high.y < b.low.y || a.low.z > b.high.z || a.high.z < b.low.z;
+}
+
+// The place of body b among those that were seen; if it is not, where it belongs.
+static int find_seen(const body_mesh *m, int b)
+{
+    int low = 0, high = m->seens;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (m->seen[middle].body < b) low = middle + 1;
+        else                          high = middle;
+    }
+    return low;
+}
+
+// NULL, with a failure, if memory is refused.
+static sphere *seen_of(tumble_world *w, body_mesh *m, int b)
+{
+    int k = find_seen(m, b);
+    if (k < m->seens && m->seen[k].body == b) return &m->seen[k].ball;
+    if (m->seens == m->seen_room) {
+        int room = 2 * m->seen_room + 16;
+        mesh_seen *more = realloc(m->seen, (size_t)room * sizeof *more);
+        if (!more) return inside_is_ok(w, status_out_of_memory()), NULL;
+        m->seen = more;
+        m->seen_room = room;
+    }
+    memmove(m->seen + k + 1, m->seen + k,
+            (size_t)(m->seens++ - k) * sizeof *m->seen);
+    m->seen[k] = (mesh_seen){ b, { { 0, 0, 0 }, -1 } };
+    return &m->seen[k].ball;
+}
+
 // What flies further than its own size is surrounded along its way, and each
 // time again.
 static void surround_body(surrounding *s, body_mesh *m, int b)
@@ -147,14 +183,17 @@ static void surround_body(surrounding *s, body_mesh *m, int b)
     real far = vec3_length(it.way), reach = far + it.beside;
     real radius = it.ball.radius;
     bool is_fast = far > radius;
-    if (is_within(it.ball.center, radius + reach, m->seen[b])) return;
+    surface_box all = surface_around(&m->surface);
+    if (is_apart(all, box_around(it.ball.center, radius + reach))) return;
+    sphere *seen = seen_of(s->w, m, b);
+    if (!seen || is_within(it.ball.center, radius + reach, *seen)) return;
     radius = 1.2 * radius + 2 * (is_fast ? it.beside : reach);
     surface_query q = { .thing = box_around(it.ball.center, radius),
                         .most = 1, .meets = surround_prism, .context = s };
     if (is_fast) q.way = it.way;
     s->lost = false;
     surface_ask(&m->surface, &q);
-    m->seen[b] = (sphere){ it.ball.center, is_fast || s->lost ? -1 : radius };
+    *seen = (sphere){ it.ball.center, is_fast || s->lost ? -1 : radius };
 }
 
 // Is body b, which the step looks at, one that the surface must be there for?
@@ -196,26 +235,18 @@ static void clear(surrounding *s)
     body_mesh *m = x->mesh;
     if (x->pieces < 2 * m->kept + SPARE) return;
     m->clearings++;
-    for (int b = 0; b < m->seens; b++) {
-        m->seen[b].radius = -1;
-        if (b < w->world.bodies && is_awaited(&w->world, b, x->piece[0].number))
+    int seens = 0;
+    for (int k = 0; k < m->seens; k++) {
+        int b = m->seen[k].body;
+        m->seen[k].ball.radius = -1;
+        if (is_awaited(&w->world, b, x->piece[0].number))
             surround_body(s, m, b);
+        if (m->seen[k].ball.radius >= 0) m->seen[seens++] = m->seen[k];
     }
+    m->seens = seens;
     remove_prisms(w, x, sort_needed(x));
     m->kept = x->pieces;
     s->some = true;
-}
-
-static bool reserve_seen(tumble_world *w, body_mesh *m)
-{
-    int need = w->world.bodies;
-    if (need <= m->seens) return true;
-    sphere *more = realloc(m->seen, 2 * (size_t)need * sizeof *more);
-    if (!more) return inside_is_ok(w, status_out_of_memory());
-    m->seen = more;
-    for (; m->seens < 2 * need; m->seens++)
-        more[m->seens] = (sphere){ { 0, 0, 0 }, -1 };
-    return true;
 }
 
 static bool surround_with(tumble_world *w, int place)
@@ -223,7 +254,6 @@ static bool surround_with(tumble_world *w, int place)
     const rigid_tables *t = &w->world.rigid;
     const body_place *x = slots_at(&w->bodies, place);
     surrounding s = { w, place, false, false };
-    if (!reserve_seen(w, x->mesh)) return false;
     for (int k = 0; k < t->awakes; k++)
         if (is_awaited(&w->world, t->awake[k], x->piece[0].number))
             surround_body(&s, x->mesh, t->awake[k]);

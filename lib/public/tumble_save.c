@@ -56,7 +56,7 @@ static void mesh_store(body_place *x, store *s)
                 2 * m->surface.leaves);
     STORE_TABLE(s, m->piece, m->surface.triangles, m->surface.triangles);
     STORE_TABLE(s, m->of, x->pieces, m->room);
-    STORE_TABLE(s, m->seen, m->seens, m->seens);
+    STORE_TABLE(s, m->seen, m->seens, m->seen_room);
     store_leave(s);
 }
 

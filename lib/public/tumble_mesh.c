@@ -70,17 +70,25 @@ static void remove_prisms(tumble_world *w, body_place *x, int kept)
 //> mesh-near
 //>   Where a body is, and where it may get in this part of a frame.
 typedef struct {
+    int body;
     sphere ball;
     vec3 way;           // m
     real beside;        // m, how far any of it gets out of the ball beside that
+    surface_box reach;  // around all that
 } presence;
+
+static surface_box box_around(vec3 x, real radius)
+{
+    vec3 r = { radius, radius, radius };
+    return (surface_box){ vec3_sub(x, r), vec3_add(x, r) };
+}
 
 static presence soft_presence(const world *w, const body *x)
 {
     const particle *p = w->pool.at + x->first;
     int n = body_particles(x);
     real g = vec3_length(w->options.gravity), most = 0;
-    presence it = { { { 0, 0, 0 }, 0 }, { 0, 0, 0 }, 0 };
+    presence it = { .beside = 0 };
     for (int i = 0; i < n; i++)
         it.ball.center = vec3_add_scaled(it.ball.center, 1.0 / n,
                                          p[i].position);
@@ -97,8 +105,13 @@ static presence soft_presence(const world *w, const body *x)
 static presence presence_of(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
-    if (body_is_soft(&w->body[b])) return soft_presence(w, &w->body[b]);
-    return (presence){ t->ball[b], t->ahead[b].way, t->ahead[b].turn };
+    presence it = { .ball = t->ball[b], .way = t->ahead[b].way,
+                    .beside = t->ahead[b].turn };
+    if (body_is_soft(&w->body[b])) it = soft_presence(w, &w->body[b]);
+    it.body = b;
+    it.reach = box_around(it.ball.center, it.ball.radius + it.beside
+                                          + vec3_length(it.way));
+    return it;
 }
 
 static bool is_within(vec3 x, real radius, sphere ball)
@@ -106,17 +119,11 @@ static bool is_within(vec3 x, real radius, sphere ball)
     real room = ball.radius - radius;
     return room >= 0 && vec3_distance(x, ball.center) <= room;
 }
-
-static surface_box box_around(vec3 x, real radius)
-{
-    vec3 r = { radius, radius, radius };
-    return (surface_box){ vec3_sub(x, r), vec3_add(x, r) };
-}
 //<
 
 //> mesh-surround
-//>   Most bodies are where they were, or near it: all of them has pieces in a
-//>   ball that is a little larger.
+//>   Most bodies are where they were, or near it. So for each there is a ball, a
+//>   little larger than it, in which all triangles are pieces already.
 typedef struct {
     tumble_world *w;
     int place;
@@ -175,33 +182,33 @@ static sphere *seen_of(tumble_world *w, body_mesh *m, int b)
     return &m->seen[k].ball;
 }
 
-// What flies further than its own size is surrounded along its way, and each
-// time again.
-static void surround_body(surrounding *s, body_mesh *m, int b)
-{
-    presence it = presence_of(&s->w->world, b);
-    real far = vec3_length(it.way), reach = far + it.beside;
-    real radius = it.ball.radius;
-    bool is_fast = far > radius;
-    surface_box all = surface_around(&m->surface);
-    if (is_apart(all, box_around(it.ball.center, radius + reach))) return;
-    sphere *seen = seen_of(s->w, m, b);
-    if (!seen || is_within(it.ball.center, radius + reach, *seen)) return;
-    radius = 1.2 * radius + 2 * (is_fast ? it.beside : reach);
-    surface_query q = { .thing = box_around(it.ball.center, radius),
-                        .most = 1, .meets = surround_prism, .context = s };
-    if (is_fast) q.way = it.way;
-    s->lost = false;
-    surface_ask(&m->surface, &q);
-    *seen = (sphere){ it.ball.center, is_fast || s->lost ? -1 : radius };
-}
-
 // Is body b, which the step looks at, one that the surface must be there for?
 static bool is_awaited(const world *w, int b, int piece)
 {
     const body *x = &w->body[b];
     if (body_is_gone(x) || !body_meets(x, &w->body[piece])) return false;
     return body_is_soft(x) ? !body_is_static(x) : body_is_dynamic(x);
+}
+// What flies further than its own size is surrounded along its way, and each
+// time again.
+static void surround_body(surrounding *s, const presence *it)
+{
+    const body_place *x = slots_at(&s->w->bodies, s->place);
+    body_mesh *m = x->mesh;
+    real far = vec3_length(it->way), radius = it->ball.radius;
+    real reach = far + it->beside;
+    bool is_fast = far > radius;
+    if (is_apart(surface_around(&m->surface), it->reach)
+        || !is_awaited(&s->w->world, it->body, x->piece[0].number)) return;
+    sphere *seen = seen_of(s->w, m, it->body);
+    if (!seen || is_within(it->ball.center, radius + reach, *seen)) return;
+    radius = 1.2 * radius + 2 * (is_fast ? it->beside : reach);
+    surface_query q = { .thing = box_around(it->ball.center, radius),
+                        .most = 1, .meets = surround_prism, .context = s };
+    if (is_fast) q.way = it->way;
+    s->lost = false;
+    surface_ask(&m->surface, &q);
+    *seen = (sphere){ it->ball.center, is_fast || s->lost ? -1 : radius };
 }
 //<
 
@@ -237,10 +244,9 @@ static void clear(surrounding *s)
     m->clearings++;
     int seens = 0;
     for (int k = 0; k < m->seens; k++) {
-        int b = m->seen[k].body;
+        presence it = presence_of(&w->world, m->seen[k].body);
         m->seen[k].ball.radius = -1;
-        if (is_awaited(&w->world, b, x->piece[0].number))
-            surround_body(s, m, b);
+        surround_body(s, &it);
         if (m->seen[k].ball.radius >= 0) m->seen[seens++] = m->seen[k];
     }
     m->seens = seens;
@@ -249,25 +255,33 @@ static void clear(surrounding *s)
     s->some = true;
 }
 
-static bool surround_with(tumble_world *w, int place)
+// Some bodies at once are asked of each surface: where they are is found once.
+enum { AT_ONCE = 64 };
+
+static void surround_some(surrounding *s, int first)
 {
-    const rigid_tables *t = &w->world.rigid;
-    const body_place *x = slots_at(&w->bodies, place);
-    surrounding s = { w, place, false, false };
-    for (int k = 0; k < t->awakes; k++)
-        if (is_awaited(&w->world, t->awake[k], x->piece[0].number))
-            surround_body(&s, x->mesh, t->awake[k]);
-    clear(&s);
-    return s.some;
+    const rigid_tables *t = &s->w->world.rigid;
+    presence it[AT_ONCE];
+    int n = int_min(t->awakes - first, AT_ONCE);
+    for (int k = 0; k < n; k++)
+        it[k] = presence_of(&s->w->world, t->awake[first + k]);
+    for (int m = s->w->first_mesh; m > 0; m = inside_next_mesh(s->w, m)) {
+        s->place = m - 1;
+        for (int k = 0; k < n; k++) surround_body(s, &it[k]);
+    }
 }
 
 static bool surround(void *surroundings)
 {
     tumble_world *w = surroundings;
-    bool some = false;
-    for (int k = w->first_mesh; k > 0; k = inside_next_mesh(w, k))
-        some |= surround_with(w, k - 1);
-    return some;
+    surrounding s = { w, 0, false, false };
+    for (int k = 0; k < w->world.rigid.awakes; k += AT_ONCE)
+        surround_some(&s, k);
+    for (int m = w->first_mesh; m > 0; m = inside_next_mesh(w, m)) {
+        s.place = m - 1;
+        clear(&s);
+    }
+    return s.some;
 }
 //<
 
@@ -319,8 +333,9 @@ static bool enters(void *surroundings, int b, vec3 from, vec3 to, plane *side)
         const body_place *x = slots_at(&w->bodies, k - 1);
         surface_query q = { .thing = box_along(from, to), .most = 1,
                             .meets = enter_prism, .context = &p };
-        if (!is_awaited(&w->world, b, x->piece[0].number)) continue;
         p.surface = &x->mesh->surface;
+        if (is_apart(surface_around(p.surface), q.thing)
+            || !is_awaited(&w->world, b, x->piece[0].number)) continue;
         surface_ask(p.surface, &q);
     }
     bool is_below = !(p.first <= 1) && !p.is_inside;

@@ -719,7 +719,7 @@ START_TEST(pieces_that_found_no_memory_come_later)
         tumble_world *w = empty();
         lay(w, HEIGHTS, flat, 21, 20, 0);
         tumble_body b = tumble_add(w, tumble_sphere(w, 0.5, 1),
-                                   tumble_at(4.1, 0.52, 3.3));
+                                   tumble_at(4.1, 0.5, 3.3));
         if (k > 0) mallocs_left = 2 * k;
         tumble_step(w);
         mallocs_left = INT_MAX;

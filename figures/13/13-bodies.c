@@ -64,7 +64,7 @@ static outcome room(way how, unsigned long long seed)
 }
 
 // The median of five throws.
-static outcome rung(int number, way how)
+static outcome line_of(int number, way how)
 {
     real ms[SEEDS], overlap[SEEDS], left[SEEDS], strain[SEEDS];
     for (int k = 0; k < SEEDS; k++) {
@@ -95,14 +95,14 @@ static void print_plain(outcome mended[5])
 {
     way how = { .kind = AS_PRINTED, .plain = runner_options(AS_PRINTED) };
     printf("\n\n# chapter 09, as printed: substeps, ...\n");
-    rung(how.plain.substeps, how);
+    line_of(how.plain.substeps, how);
     how = (way){ .kind = BY_PLAIN, .plain = runner_options(BY_PLAIN) };
     printf("\n\n# chapter 09, as mended: substeps, ...\n"
            "#substeps| substeps,\"deepest overlap, %% of a radius\","
            "joules left after 6 s,ms a step\n");
     for (int n = 2, k = 0; k < 5; n *= 2, k++) {
         how.plain.substeps = n;
-        mended[k] = rung(n, how);
+        mended[k] = line_of(n, how);
         printf("#substeps| %d,%.2g,%.2g,%.2f\n", n, mended[k].overlap,
                mended[k].left, mended[k].ms);
     }
@@ -119,7 +119,7 @@ static void ladder(void)
     for (int n = 2, k = 0; k < 5; n *= 2, k++) {
         how.engine = world_options_default();
         how.engine.substeps = how.engine.most_substeps = n;
-        engine[k] = rung(n, how);
+        engine[k] = line_of(n, how);
         printf("#engine| %d,%.2g,%.2g,%.2f\n", n, engine[k].overlap,
                engine[k].left, engine[k].ms);
     }

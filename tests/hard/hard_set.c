@@ -63,7 +63,7 @@ vec3 velocity(const world *w, int b)
         const particle *p = &w->pool.at[x->first + i];
         sum = vec3_add(sum, vec3_sub(p->position, p->previous));
     }
-    return vec3_scale(1 / (n * w->age), sum);
+    return vec3_scale(1 / (n * body_age(w, b)), sum);
 }
 
 status setting_begin(setting *s)

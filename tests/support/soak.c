@@ -80,7 +80,8 @@ static real kinetic(const world *w)
     real sum = 0;
     for (int i = 0; i < w->pool.count; i++) {
         const particle *p = &w->pool.at[i];
-        vec3 v = vec3_scale(1 / w->age, vec3_sub(p->position, p->previous));
+        real h = body_age(w, w->owner[i]);
+        vec3 v = vec3_scale(1 / h, vec3_sub(p->position, p->previous));
         sum += vec3_length_squared(v) / (2 * p->inverse_mass);
     }
     return sum;
@@ -160,7 +161,7 @@ static void throw_one(soak *k)
     vec3 way = { random_fraction(&k->seed) - 0.5,
                  random_fraction(&k->seed) - 0.5,
                  random_fraction(&k->seed) - 0.5 };
-    way = vec3_scale(10 * w->age, vec3_unit(way));
+    way = vec3_scale(10 * body_age(w, (int)(b - w->body)), vec3_unit(way));
     for (int i = b->first; i < b->first + FOUR; i++)
         w->pool.at[i].previous = vec3_sub(w->pool.at[i].previous, way);
 }

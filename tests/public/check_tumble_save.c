@@ -713,13 +713,26 @@ static bool goes_elsewhere(bytes b, double seconds)
     return ended != 0;
 }
 
-// Garbage of three kinds: zeros, large numbers, and none at all; for each table
-// that this world has.
+// Is there a table in these bytes that no world has needed so far?
+static bool has_unneeded(bytes b)
+{
+    bool has = false;
+    memset(is_used, 0, sizeof is_used);
+    tumble_free(loaded(b));
+    for (int k = 0; k < places; k++) has = has || (is_used[k] && !is_needed[k]);
+    return has;
+}
+
+// Garbage of three kinds: none at all, zeros, and large numbers; for each table
+// that this world has.  The first is seen soonest, and the last may turn longest.
 static void look_for_needed(const tumble_world *w)
 {
-    const int kind[] = { 0, 0x5a, 0xff };
+    const int kind[] = { 0xff, 0, 0x5a };
     bytes b = saved(w);
-    memset(is_used, 0, sizeof is_used);
+    if (!has_unneeded(b)) {
+        free(b.at);
+        return;
+    }
     clock_t began = clock();
     follow(b);
     double seconds = (double)(clock() - began) / CLOCKS_PER_SEC;
@@ -737,10 +750,14 @@ static void look_for_needed(const tumble_world *w)
 START_TEST(what_reads_garbage_for_a_table_goes_elsewhere)
 {
     const int moment[] = { 37, 98, 400, 160, 220, 340, 200 };
+    // A table that shows early need not be followed later: so the worlds that step
+    // fast come first, and those that have most tables; so do the moments.
+    const int world[ALL_WORLDS] = { 1, 7, 5, 3, 2, 8, 0, 4, 6 };
+    const int in_turn[] = { 0, 4, 1, 2, 3, 5, 6 };
     int needed = 0;
     for (int k = 0; k < 7 * ALL_WORLDS; k++) {
-        int when = k / ALL_WORLDS;
-        tumble_world *w = world_of(k % ALL_WORLDS, 0.3);
+        int when = in_turn[k / ALL_WORLDS];
+        tumble_world *w = world_of(world[k % ALL_WORLDS], 0.3);
         go_on(w, 0, moment[when], when == 1);
         if (when != 1 && when < 4) touch(w, 8);
         if (when == 4) {        // one sleeps among others that lie still

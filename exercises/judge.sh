@@ -125,7 +125,7 @@ prepare() {
     until alone "$build"; do sleep 0.2; done
     # shellcheck disable=SC2086
     { [ -z "$plain" ] || MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="${BUILD:-build}" $plain > /dev/null; } &&
-    MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="$build" CFLAGS="-Og -g $sanitize" \
+    MAKEFLAGS='' make -s -j$cores CC="$cc" BUILD="$build" CFLAGS="-Og -g1 $sanitize" \
         CPPFLAGS='-D_XOPEN_SOURCE=700 -include exercises/judge.h' \
         $(echo "$1" | grep "^$build/") > /dev/null
     prepared=$?
@@ -136,7 +136,7 @@ prepare() {
 # compile FILE: to $out/mine.o.  Not optimised: the optimiser would take away a
 # write that nobody reads before the sanitizers see where it goes.
 # shellcheck disable=SC2086
-compile() { $cc $exact -O0 -g $sanitize $warnings $rooms -I"$dir" -c "$1" -o "$out/mine.o"; }
+compile() { $cc $exact -O0 -g1 $sanitize $warnings $rooms -I"$dir" -c "$1" -o "$out/mine.o"; }
 
 # show: what the reader has built, moving: runs the exercise's show.c, if it has
 # one, with what was compiled last.

@@ -333,6 +333,11 @@ bool soft_may_touch(const soft_solver *s, int a, int b)
     const near_lists *l = &s->near;
     return balls_meet(l->ball[a], l->ball[b], 2 * l->margin);
 }
+
+bool soft_may_meet(const soft_solver *s, int b)
+{
+    return s->near.is_near[b];
+}
 //<
 
 //> soft-substeps

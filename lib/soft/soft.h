@@ -57,6 +57,10 @@ bool soft_is_clear(soft_solver *s, const soft_frame *f, int a, int b);
 // Is the deformable body a so near b that they may touch in this frame?
 bool soft_may_touch(const soft_solver *s, int a, int b);
 
+// After soft_begin: is rigid body b one that anything deformable may meet in this
+// frame, if nothing gets faster than twice the fastest?
+bool soft_may_meet(const soft_solver *s, int b);
+
 // How many substeps this frame needs for deformable bodies, and for what they
 // may meet.
 int soft_substeps(const soft_solver *s, const soft_frame *f);

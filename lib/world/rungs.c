@@ -44,11 +44,10 @@ static void unite_softs(world *w)
         if (!is_awake_cloth(w, a)) continue;
         if (first < 0) first = a;
         unite(t, first, a);
-        for (int i = 0; i < t->awakes; i++) {
-            int b = t->awake[i];
-            if (t->moves[b] && body_meets(&w->body[a], &w->body[b])
-                && soft_may_touch(&w->soft, a, b)) unite(t, first, b);
-        }
+    }
+    for (int k = 0; k < t->awakes && first >= 0; k++) {
+        int b = t->awake[k];
+        if (t->moves[b] && soft_may_meet(&w->soft, b)) unite(t, first, b);
     }
     if (first >= 0) t->island[island_root(t->island, first)].is_soft = true;
 }

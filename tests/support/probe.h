@@ -115,6 +115,19 @@ static inline real *probe_reach(world *w, int b)
     return &w->rigid.ahead[b].reach;
 }
 
+// As if the last substep had been of h (s).
+static inline void probe_set_age(world *w, real h)
+{
+    w->age = h;
+    for (int b = 0; b < w->bodies; b++) w->rigid.age[b] = h;
+}
+
+// See ledger_halfway: of all bodies.
+static inline void probe_set_halfway(world *w, real seconds)
+{
+    for (int b = 0; b < w->bodies; b++) w->rigid.halfway[b] = seconds;
+}
+
 // As a frame begins: bodies that move stand where their particles are, with the
 // velocity that these have.
 static inline void probe_look(world *w)

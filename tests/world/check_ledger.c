@@ -62,17 +62,6 @@ static void add(const shape *s, placement where)
     ck_assert(world_add(&w, s, where, NULL).ok);
 }
 
-static void set_age(real h)
-{
-    w.age = h;
-    for (int b = 0; b < w.bodies; b++) w.rigid.age[b] = h;
-}
-
-static void set_halfway(real seconds)
-{
-    for (int b = 0; b < w.bodies; b++) w.rigid.halfway[b] = seconds;
-}
-
 // J/kg, what a particle under gravity has above the middle of its two places,
 // which lies (g h^2)/8 under the parabola of its fall.
 static real above_middle(void)
@@ -90,7 +79,7 @@ START_TEST(total_is_the_sum_over_particles)
     add(&rope, placement_at(ZERO));
     add(&rope, placement_at(ZERO));
     real h = 0.01;
-    set_age(h);
+    probe_set_age(&w, h);
     const vec3 x[4] = { { 1, 2, 3 }, { -4, 5, 6 }, { 7, 1, -2 }, { 0, 3, 1 } };
     const vec3 v[4] = { { 0.5, -1, 2 }, { 3, 1, -2 }, { 1, 1, 0 }, { 0, -2, 4 } };
     vec3 linear = ZERO, angular = ZERO;
@@ -194,7 +183,7 @@ START_TEST(fall_in_substeps_of_changing_length_books_no_energy)
     for (int n = 0; n < 60; n++) {
         real next = h * share[n % 6];
         step_changed(w.pool.at, w.pool.count, w.options.gravity, w.age, next);
-        set_age(next);
+        probe_set_age(&w, next);
         ledger_book(&w, LEDGER_INTEGRATE);
         near(w.ledger[LEDGER_INTEGRATE].energy, 0, CHANGING);
     }
@@ -220,7 +209,7 @@ START_TEST(bodies_have_in_a_frame_what_their_particles_have)
     ledger_entry was = ledger_total(&w);
     probe_look(&w);
     for (int i = 0; i < 8; i++) w.pool.at[i].position = ZERO;
-    set_halfway(-w.age / 2);
+    probe_set_halfway(&w, -w.age / 2);
     ledger_entry now = ledger_total(&w);
     near(now.energy, was.energy, ROUNDING);
     near_vec3(now.momentum, was.momentum, ROUNDING);
@@ -247,7 +236,7 @@ START_TEST(fall_within_a_frame_books_no_energy)
             real seconds = k == 0 ? (w.age + h) / 2 : h;
             for (int b = 0; b < 2; b++)
                 probe_velocity(&w, b)->of[1] += seconds * g.y;
-            set_halfway(h / 2);
+            probe_set_halfway(&w, h / 2);
             ledger_book(&w, LEDGER_INTEGRATE);
             near(w.ledger[LEDGER_INTEGRATE].energy, 0, CHANGING);
             for (int b = 0; b < 2; b++) {
@@ -255,7 +244,7 @@ START_TEST(fall_within_a_frame_books_no_energy)
                 real *d = probe_move(&w, b)->of;
                 for (int i = 0; i < MOTIONS; i++) d[i] += h * u[i];
             }
-            set_halfway(-h / 2);
+            probe_set_halfway(&w, -h / 2);
             ledger_book(&w, LEDGER_CONTACTS);
             near(w.ledger[LEDGER_CONTACTS].energy, 0, CHANGING);
         }
@@ -279,7 +268,7 @@ START_TEST(impulses_within_a_frame_are_booked)
     add_some();
     ledger_open(&w);
     probe_look(&w);
-    set_halfway(w.age / 2);
+    probe_set_halfway(&w, w.age / 2);
     motion *u = probe_velocity(&w, 0);
     const motion_basis *basis = &probe_start(&w, 0)->basis;
     vec3 before = motion_at(basis, u, arm);

@@ -943,6 +943,7 @@ lib/%.c tests/%.c figures/%.c: ;
 -include $(wildcard $(OURS)/*/*.d $(OURS)/*/*/*.d)
 
 include figures/live/live.mk
+include figures/workshop/workshop.mk
 include chapters/site/site.mk
 
 # Changes when the compiler or its flags do, and then everything is rebuilt.

@@ -1,0 +1,3 @@
+// begin.js - the place where all scripts of the workshop leave what they bring.
+
+(window.tumble ||= {}).workshop ||= {};

@@ -1,0 +1,102 @@
+// desk.js - an editor with its buttons, and what was said: what an exercise and a
+// stage of the little program have in common.
+
+import { script, isHere, megabytes, stop } from './tools.js';
+
+export function make(tag, holds = {}, ...inside) {
+  const node = Object.assign(document.createElement(tag), holds);
+  node.append(...inside);
+  return node;
+}
+export const button = (text, act, holds = {}) => make('button', { type: 'button', textContent: text, onclick: act, ...holds });
+
+// What was written stays in this browser, if it lets us.
+export const kept = {
+  get(key) { try { return localStorage.getItem(`tumble:${key}`); } catch { return null; } },
+  set(key, value) { try { localStorage.setItem(`tumble:${key}`, value); } catch { /* not kept */ } },
+  drop(key) { try { localStorage.removeItem(`tumble:${key}`); } catch { /* nor dropped */ } },
+};
+
+// plan: { key, label, file, start() the text to begin with, act() what the first
+// button does, verb its name, more: buttons }.
+export async function makeDesk(place, plan) {
+  const desk = { plan };
+  const said = make('div', { className: 'workshop-said', role: 'status' });
+  const bar = make('progress', { max: 1, hidden: true });
+  const state = make('span', { className: 'workshop-state' });
+  const act = button(plan.verb, run, { className: 'workshop-act' });
+  const end = button('Stop', () => stop('Stopped.'), { hidden: true });
+  const file = make('input', { type: 'file', accept: '.c,text/x-c,text/plain', hidden: true });
+  file.onchange = async () => {
+    if (file.files[0]) { desk.text = await file.files[0].text(); state.textContent = `${file.files[0].name} is open here.`; }
+    file.value = '';
+  };
+  const more = make('div', { className: 'workshop-more' }, ...plan.more,
+    button('Begin again', again), button('Save as a file', save), button('Open a file', () => file.click()), file);
+  const room = make('div', { className: 'workshop-editor' });
+  place.replaceChildren(make('div', { className: 'workshop-bar' }, act, end, state, bar), room, more, said);
+  if (!isHere()) state.textContent = `The first time brings a compiler, ${megabytes()} MB; Ctrl-Enter does the same.`;
+
+  await script('editor');
+  const editor = window.tumble.workshop.makeEditor(room, plan.label, () => kept.set(plan.key, editor.text), run);
+  Object.assign(desk, {
+    editor,
+    get text() { return editor.text; },
+    set text(text) { editor.text = text; kept.set(plan.key, text); },
+    say(...nodes) { said.replaceChildren(...nodes); },
+    tell(text, part) {
+      state.textContent = text;
+      bar.hidden = part === undefined;
+      if (part !== undefined) bar.value = part;
+    },
+  });
+
+  async function run() {
+    if (act.disabled) return;
+    act.disabled = true;
+    end.hidden = false;
+    desk.say();
+    editor.mark([]);
+    try {
+      await plan.act(desk);
+      desk.tell('');
+    } catch (error) {
+      desk.tell('');
+      desk.say(make('p', { className: 'workshop-bad' }, sentence(error)));
+    }
+    act.disabled = false;
+    end.hidden = true;
+  }
+
+  // What is taken away can be had back once.
+  function again() {
+    const old = editor.text;
+    desk.text = plan.start();
+    desk.say(make('p', {}, 'As at the beginning. ', button('Take that back', () => { desk.text = old; desk.say(); })));
+  }
+
+  function save() {
+    const link = make('a', { href: URL.createObjectURL(new Blob([editor.text], { type: 'text/x-c' })), download: plan.file });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1e3);
+  }
+
+  desk.text = kept.get(plan.key) ?? plan.start();
+  return desk;
+}
+
+function sentence({ message }) {
+  if (/memory|allocat|Array buffer/i.test(message)) return `There is too little memory for the compiler here (${message}).`;
+  return message;
+}
+
+// What the compiler says of the reader's file: the lines are marked, and named.
+export function showMessages(desk, messages) {
+  const own = messages.filter(({ file }) => file === 'mine.c');
+  desk.editor.mark(own);
+  if (!messages.length) return [];
+  return [make('ul', { className: 'workshop-messages' }, ...messages.filter(({ kind }) => kind !== 'note').slice(0, 20).map(one =>
+    make('li', { className: one.kind }, one.file === 'mine.c'
+      ? button(`line ${one.line}`, () => desk.editor.show(one.line), { className: 'workshop-line' }) : `${one.file}, line ${one.line}`, `: ${one.kind}: ${one.text}`,
+      ...(one.more.length ? [make('pre', {}, one.more.slice(0, 3).join('\n').trimEnd())] : []))))];
+}

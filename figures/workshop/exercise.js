@@ -1,0 +1,72 @@
+// exercise.js - an exercise of the page: its file, its judge, its hints, and what was
+// written moving in the chapter's live figure.
+
+import { ask, script } from './tools.js';
+import { button, kept, make, makeDesk, showMessages } from './desk.js';
+
+const workshop = window.tumble.workshop;
+
+export async function openExercise(place) {
+  const id = place.dataset.exercise;
+  await script(id);
+  const facts = workshop[id], { name } = facts;
+  const hint = button('Hint', showHint), answer = button('The book’s answer', () => showAnswer());
+  const figure = document.querySelector('figure[data-live]');
+  const desk = await makeDesk(place, { key: name, label: `Your file for ${name}`, file: 'mine.c', verb: 'Compile and judge', start: () => facts.stub, act: judge, more: [hint, answer] });
+  place.desk = desk;
+  labelHint();
+  const hole = desk.text.split('\n').findIndex(line => line.includes('Yours to write.'));
+  if (hole >= 0) desk.editor.show(hole + 1);
+
+  const shown = () => +(kept.get(`${name}:hints`) ?? 0);
+  function labelHint() { hint.textContent = shown() < facts.hints.length ? `Hint ${shown() + 1} of ${facts.hints.length}` : 'The hints again'; }
+  function showHint() {
+    const next = shown() < facts.hints.length ? [shown()] : facts.hints.keys();
+    desk.say(...[...next].map(k => make('p', {}, make('b', {}, `Hint ${k + 1} of ${facts.hints.length}. `), facts.hints[k])));
+    kept.set(`${name}:hints`, Math.min(shown() + 1, facts.hints.length));
+    labelHint();
+  }
+  function showAnswer(isSure) {
+    if (isSure || kept.get(`${name}:passed`)) { desk.say(make('pre', { className: 'workshop-answer', tabIndex: 0 }, facts.solution)); return; }
+    desk.say(make('p', {}, `You have read ${shown()} of ${facts.hints.length} hints. `, button('Show it', () => showAnswer(true))));
+  }
+
+  async function judge() {
+    await script('headers');
+    const source = desk.text, out = await ask('judge', { source, headers: workshop.headers, facts }, desk.tell);
+    const messages = showMessages(desk, out.messages);
+    desk.out = out;
+    if (!out.told) { desk.say(make('p', { className: 'workshop-bad' }, `${name}: this does not compile: begin with the first error.`), ...messages); return; }
+    const { told } = out;
+    if (told.pass) showPassed(told, messages); else showFailed(told, messages);
+  }
+
+  function showPassed(told, messages) {
+    kept.set(`${name}:passed`, new Date().toISOString().slice(0, 10));
+    const move = figure && facts.module && facts.figure && button('See it move', () => moveFigure().catch(error => desk.say(make('p', { className: 'workshop-bad' }, error.message))));
+    desk.say(make('p', { className: 'workshop-good' }, `${name}: all ${told.ran} tests pass.`), ...(move ? [make('p', {}, move)] : []), ...messages);
+  }
+
+  function showFailed(told, messages) {
+    const { place: at } = told;
+    if (at) desk.editor.mark([...desk.out.messages.filter(one => one.file === 'mine.c'), { line: at.line, kind: 'error', text: told.sentence }]);
+    const lines = [make('p', {}, make('b', {}, `${name}: ${told.good} of ${told.ran} tests pass.`), ' The first that does not:'),
+      make('p', {}, make('code', {}, told.first), ` (${told.source}, line ${told.line})`),
+      make('p', { className: 'workshop-bad' }, told.sentence, ...(at ? [' ', button(`line ${at.line}`, () => desk.editor.show(at.line), { className: 'workshop-line' })] : []))];
+    if (told.printed) lines.push(make('p', {}, 'Your code printed:'), make('pre', {}, told.printed));
+    if (told.comment) lines.push(make('p', {}, 'The test’s own comment:'), make('blockquote', {}, told.comment));
+    if (told.others.length) lines.push(make('p', {}, `The others: ${told.others.join(', ')}.`));
+    if (told.left) lines.push(make('p', {}, `${told.left} more were not tried.`));
+    desk.say(...lines, ...messages);
+  }
+
+  async function moveFigure() {
+    desk.tell('Compiling …');
+    await Promise.all([script('headers'), script(`figure-${id}`)]);
+    const { wasm, text } = await ask('figure', { source: desk.text, headers: { ...workshop.headers, ...facts.headers }, objects: workshop.figure.objects }, desk.tell);
+    desk.tell('');
+    if (!wasm) throw Error(text);
+    figure.scrollIntoView({ block: 'center' });
+    await figure.live.swap(wasm);
+  }
+}

@@ -1,0 +1,59 @@
+// worker.js - compiles, links, judges and runs, beside the page.  It is asked by
+// { id, ask, ... }, tells of its work by { id, step, ... }, and answers by
+// { id, done } or { id, failed }.
+
+import { give } from './tool.js';
+import { compile, link } from './compiler.js';
+import { judge } from './judge.js';
+import { perform } from './perform.js';
+import { unpack, unpackAll } from './unpack.js';
+
+const JUDGE = ['page_list', 'page_run', 'page_room'], STAGE = ['page_begin'];
+const must = ({ wasm, text }) => {
+  if (!wasm) throw Error(text.trim().split('\n').slice(0, 3).map(line => line.replace(/^wasm-ld: error: |mine\.o: /g, '')).join('; '));
+  return wasm;
+};
+
+const asks = {
+  compiler: ({ bytes, files }) => give(bytes, files),
+
+  // An exercise, by its own tests.
+  async judge({ source, headers, facts }, tell) {
+    tell('Compiling …');
+    const made = await compile(source, { ...headers, ...facts.headers });
+    if (!made.object) return { messages: made.messages, text: made.text };
+    tell('Linking …');
+    const judged = await unpack(facts.judge), options = { exported: JUDGE, wraps: facts.wraps };
+    const wasm = must(await link({ 'mine.o': made.object, 'judge.o': judged }, options));
+    const answer = async () => must(await link({ 'answer.o': await unpack(facts.answer), 'judge.o': judged }, options));
+    const told = await judge(facts, await unpackAll(facts.files), wasm, answer,
+      (count, all, name) => tell(`Test ${count} of ${all}: ${name}`));
+    return { messages: made.messages, told };
+  },
+
+  // A live figure with the reader's module in it.
+  async figure({ source, headers, objects }, tell) {
+    tell('Compiling …');
+    const made = await compile(source, headers, false);
+    if (!made.object) return { messages: made.messages, text: made.text };
+    return { wasm: must(await link({ 'mine.o': made.object, ...await unpackAll(objects) }, { slim: true })) };
+  },
+
+  // A program of the reader's own, run from its main to its end.
+  async run({ source, runner, seconds, argument }, tell) {
+    tell('Compiling …');
+    const made = await compile(source, {}, 'counted');
+    if (!made.object) return { messages: made.messages, text: made.text };
+    tell('Running …');
+    const wasm = must(await link({ 'mine.o': made.object, 'runner.o': await unpack(runner) }, { exported: STAGE, wraps: 'printf' }));
+    return { messages: made.messages, ran: await perform(wasm, seconds, argument) };
+  },
+};
+
+self.onmessage = async ({ data: { id, ask, ...rest } }) => {
+  try {
+    self.postMessage({ id, done: await asks[ask](rest, step => self.postMessage({ id, step })) });
+  } catch (error) {
+    self.postMessage({ id, failed: String(error.message ?? error) });
+  }
+};

@@ -14,6 +14,7 @@ local anchor = dofile(here .. 'headings.lua')
 local FOLD = 32             -- lines of code that lie open; more are unfolded by the reader
 local page, whole           -- the page's name; are all pages one?
 local exercises = {}        -- NN/name
+local written               -- the exercise that is written in this page
 local taken                 -- the anchors that stand already
 for folder in io.popen('ls exercises'):lines() do
   local number, name = folder:match('^(%d%d%l?)%-(.*)')
@@ -38,8 +39,13 @@ local function place_of_chapter(number)
   local chapter = names.chapter[number]
   if chapter and chapter.page ~= page then return place(chapter.page) end
 end
+-- One that can be written in the page has a page of its own (workshop.mk).
+local workshop = io.open((os.getenv('BUILD') or 'build') .. '/workshop/node/.done')
 local function place_of_exercise(name)
-  if exercises[name] and not whole then return 'exercises.html#' .. name:gsub('/', '-') end
+  if not exercises[name] or whole then return nil end
+  local id = name:gsub('/', '-')
+  if id == written then return nil end
+  return workshop and id:match('^0') and 'write-' .. id .. '.html' or 'exercises.html#' .. id
 end
 -- A word such as `build` may be a helper of one file, and plain English in another
 -- chapter: without an underscore it leads away only if a header declares it.
@@ -346,7 +352,7 @@ local function chapter(blocks, meta)
   if whole then page = names.page[pandoc.utils.stringify(blocks[1].content)] end
   taken = anchor(blocks, whole and (page:match('^%d%d%l?%-') or page .. '-') or '')
   if whole then blocks[1].identifier = page end
-  if not meta.home then meta.side = pandoc.MetaBlocks({ block(side_of(blocks)) }) end
+  if not meta.home and not meta.write then meta.side = pandoc.MetaBlocks({ block(side_of(blocks)) }) end
   meta.live = #blocks:filter(is_live) > 0
   title_of(blocks[1])
   return pandoc.walk_block(pandoc.Div(blocks), filter).content
@@ -354,6 +360,7 @@ end
 
 function Pandoc(doc)
   whole = doc.meta.whole
+  written = doc.meta.write and pandoc.utils.stringify(doc.meta.write)
   page = doc.meta.page and pandoc.utils.stringify(doc.meta.page)
   local out, blocks = pandoc.List(), pandoc.List()
   for i, one in ipairs(doc.blocks) do

@@ -2,6 +2,7 @@
 #   sh page.sh page FILE NN-name       a chapter's page of the site
 #   sh page.sh index FILE              the first page, from index.md and README
 #   sh page.sh exercises FILE          the tasks of all exercises
+#   sh page.sh write FILE NN-name      an exercise, to be written in the page
 #   sh page.sh search FILE             what a search looks through
 #   sh page.sh html|pdf|epub FILE      the whole book
 
@@ -49,8 +50,29 @@ tasks() {
     for one in $(pages); do
         ls exercises/"${one%%-*}"-*/README.md > "$part/of" 2> /dev/null || continue
         printf '\n## %s\n\nThey belong to [chapter %s](%s.md).\n' "$(title "$one")" "${one%%-*}" "$one"
-        while read -r task; do echo; sed 's/^#/###/' "$task"; done < "$part/of"
+        while read -r task; do
+            id=${task#exercises/}
+            echo; sed 's/^#/###/' "$task"; where_written "${id%/README.md}"
+        done < "$part/of"
     done
+}
+
+# The link to where an exercise is written in the page, if it is (workshop.mk).
+where_written() {
+    [ ! -e "${BUILD:-build}/workshop/node/.done" ] || case $1 in
+    0*) printf '\n[Write it here](write-%s.html){.write}\n' "$1" ;;
+    esac
+}
+
+# The task of an exercise; if it builds a module, with what that moves in; and the
+# exercises before and after.
+write() {
+    chapter=$(pages | grep -m 1 "^${page%%-*}-")
+    cat "exercises/$page/README.md"
+    printf '\nAt the desk this is `make exercise %s`, and [all exercises](exercises.html#%s) are on one page. It belongs to [chapter %s](%s.md).\n' \
+        "$(echo "$page" | sed 's/-/\//')" "$page" "${page%%-*}" "$chapter"
+    figure=$(sed -n "s|^FIGURE_$page := \([^ ]*\) .*|\1|p" "${BUILD:-build}/workshop/parts.mk")
+    [ -z "$figure" ] || { echo; grep -m 1 "^!\[.*figures/live/$figure\.webp)" "chapters/woven/$chapter.md"; }
 }
 
 book() { for one in $(pages); do awk -f $here/page.awk "chapters/woven/$one.md"; echo; done; }
@@ -99,6 +121,7 @@ page) awk -f $here/page.awk "chapters/woven/$page.md" | turn --metadata pagetitl
 index) awk -f $here/index.awk $here/index.md README.md | site --metadata home=true --metadata pagetitle="a world of particles and sticks" ;;
 search) { book; tasks | awk -f $here/page.awk; } |
         pandoc -f "$reader" -t plain --wrap=none --lua-filter $here/search.lua -o "$file" ;;
+write) write | awk -f $here/page.awk | site --metadata write="$page" --metadata pagetitle="$(sed -n '1s/^# //p' "exercises/$page/README.md")" ;;
 exercises) tasks | awk -f $here/page.awk | site --metadata pagetitle=Exercises ;;
 html) embedded "$file" ;;
 pdf)  wants chromium chromium-browser google-chrome

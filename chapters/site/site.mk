@@ -15,14 +15,18 @@ SITE_CODE  := $(patsubst %,$(SITE)/source/%.html,$(subst /,-,$(SOURCES)))
 # The first frames of what moves.
 STILLS     := $(patsubst %.webp,%-still.webp,$(wildcard figures/moving/*.webp))
 SITE_STYLE := $(patsubst %,$(SITE)/%,style.css site.js icon.svg math.woff2 pagella-regular.woff2 pagella-italic.woff2 pagella-bold.woff2 minisearch.js $(STILLS))
+# The workshop, where its compiler could be fetched: a page for each exercise.
+WITH_WORK  := $(wildcard $(WORK)/.done)
+SITE_WORK  := $(if $(WITH_WORK),$(WORKSHOP_FILES:$(WORKSHOP)/%=$(SITE)/workshop/%) $(SITE)/workshop/.done)
+SITE_PAGES += $(if $(WITH_WORK),$(EXERCISES:%=$(SITE)/write-%.html))
 SITE_LIVE  := $(LIVE_FILES:$(BUILD)/live/%=$(SITE)/live/%)
 
 .PHONY: site
-site: need-site book
+site: need-site book workshop-tools
 	+$(Q)$(AGAIN) $(if $(findstring j,$(firstword -$(MAKEFLAGS))),,-j2) site-files
 	@echo "$(SITE)/index.html: $(words $(SITE_PAGES)) pages"
 .PHONY: site-files
-site-files: $(SITE_PAGES) $(SITE_FILES) $(SITE_CODE) $(SITE_STYLE) $(SITE_LIVE) $(SITE)/search.js
+site-files: $(SITE_PAGES) $(SITE_FILES) $(SITE_CODE) $(SITE_STYLE) $(SITE_LIVE) $(SITE_WORK) $(SITE)/search.js
 
 # Charts, laid out for a narrow page.
 CHARTS_SITE := $(filter %.svg,$(PICTURES))
@@ -31,7 +35,7 @@ $(BUILD)/phone.done: $(CHARTS_SITE) chapters/site/phone.mjs
 	$(Q)node chapters/site/phone.mjs $(foreach f,$(CHARTS_SITE),$f $(SITE)/$(f:.svg=-phone.svg)) && touch $@
 $(SITE_PAGES): | $(BUILD)/phone.done
 
-PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html)
+PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html) $(WORKSHOP)/with
 define page
 	@mkdir -p $(@D)
 	@echo "  page  $@"
@@ -41,6 +45,8 @@ $(SITE)/index.html: chapters/site/index.md chapters/site/index.awk README.md $(P
 	$(call page,index $@)
 $(SITE)/exercises.html: $(wildcard exercises/*/README.md) $(PAGE_TOOLS)
 	$(call page,exercises $@)
+$(SITE)/write-%.html: exercises/%/README.md $(PAGE_TOOLS)
+	$(call page,write $@ $*)
 $(SITE)/%.html: chapters/woven/%.md $(PAGE_TOOLS)
 	$(call page,page $@ $*)
 
@@ -57,6 +63,13 @@ $(SITE)/figures/moving/%-still.webp: figures/moving/%.webp
 	$(Q)webpmux -get frame 1 $< -o $@ 2> /dev/null
 $(SITE)/minisearch.js: $(BUILD)/node/.done
 	$(Q)cp $(BUILD)/node/node_modules/minisearch/dist/umd/index.js $@
+$(SITE)/workshop/%: $(WORKSHOP)/%
+	@mkdir -p $(@D)
+	$(Q)cp $< $@
+# The compiler's pieces.
+$(SITE)/workshop/.done: $(WORKSHOP)/workshop.js
+	@mkdir -p $(@D)
+	$(Q)rm -f $(@D)/clang-*.js && cp $(WORKSHOP)/clang-*.js $(@D) && touch $@
 $(SITE)/live/%: $(BUILD)/live/%
 	@mkdir -p $(@D)
 	$(Q)cp $< $@

@@ -20,7 +20,8 @@ async function unpack(base64) {
 // Files and clocks are not there: every call of the system answers "no".
 const system = new Proxy({}, { get: () => () => 8 });
 
-export async function makeCore(base64) {
+// Of gzip in base64, or of the bytes themselves.
+export async function makeCore(wasm) {
   const core = { said: '' };
   const page = {
     failed(what, file, line, where) {
@@ -30,7 +31,7 @@ export async function makeCore(base64) {
     },
     endless() { core.endless = true; },
   };
-  const { instance } = await WebAssembly.instantiate(await unpack(base64),
+  const { instance } = await WebAssembly.instantiate(typeof wasm === 'string' ? await unpack(wasm) : wasm,
     { page, wasi_snapshot_preview1: system });
   core.x = instance.exports;
   core.call = (name, ...values) => {

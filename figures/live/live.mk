@@ -121,9 +121,9 @@ $(OURS)/live/main.js $(OURS)/live/space.js: $(OURS)/live/%.js: $(wildcard figure
 	$(Q)mkdir -p $(@D)
 	$(Q)$(BUNDLE) figures/live/$*.js --outfile=$@
 # What the panels of all figures hold, and the bundle.
-$(BUILD)/live/live.js: $(LIVE:%=$(BUILD)/live/%.json) $(BUILD)/live/main.js
-	$(Q){ echo 'window.tumble={wasm:{},panels:{'; \
-	  for f in $(LIVE); do printf '%s:' $$f; cat $(BUILD)/live/$$f.json; echo ','; done; echo '}};'; \
+$(BUILD)/live/live.js: $(LIVE:%=$(BUILD)/live/%.json) $(BUILD)/live/main.js figures/live/live.mk
+	$(Q){ echo '(window.tumble||={}).panels={'; \
+	  for f in $(LIVE); do printf '%s:' $$f; cat $(BUILD)/live/$$f.json; echo ','; done; echo '};'; \
 	  cat $(BUILD)/live/main.js; } > $@
 
 # All that a page needs, to be copied beside it into live/.

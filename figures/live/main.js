@@ -70,7 +70,7 @@ class Figure {
 
   // A new memory, which has the page's colours, and nothing of what stopped.
   async fill() {
-    this.core = await makeCore(tumble.wasm[this.panel.name]);
+    this.core = await makeCore(this.own ?? tumble.wasm[this.panel.name]);
     this.stopped = undefined;
     delete this.node.dataset.trapped;
     this.node.querySelectorAll('.live-trap').forEach(node => node.remove());
@@ -145,6 +145,21 @@ class Figure {
     this.loop.play(!still());
   }
 
+  // The reader's own in the place of the book's: WebAssembly that the workshop has
+  // made, as it is.
+  async swap(wasm) {
+    this.own = wasm;
+    this.touched = false;
+    delete this.node.dataset.hash;
+    if (this.core) {
+      await this.fill();
+      this.turned.forEach((value, dial) => this.guard(() => this.core.call('turn', dial, value)));
+      this.act('begin');
+      this.loop.play(!still());
+    }
+    await this.prove();
+  }
+
   act(name, ...values) {
     if (this.core && this.stopped && name === 'begin') {
       this.renew().catch(error => console.error(error));
@@ -182,6 +197,7 @@ class Figure {
     const wants = isUsual && this.node.dataset.wants || this.panel.wants[this.variant];
     const short = hash.slice(0, 8) + '…';
     if (this.touched) this.tell(`${short} with your settings`, hash);
+    else if (hash === wants && this.own) this.tell(`${short}: yours, bit for bit`, hash);
     else if (hash === wants) this.tell(`${short} to the last bit as on your machine`, hash);
     else this.tell(`${short}; the book's own modules give ${wants.slice(0, 8)}… (sums in another order are enough for that)`, hash);
   }
@@ -190,7 +206,7 @@ class Figure {
   // hash depends neither on how fast this machine draws nor on what is in view.
   async prove() {
     await script(this.panel.name);
-    const core = await makeCore(tumble.wasm[this.panel.name]);
+    const core = await makeCore(this.own ?? tumble.wasm[this.panel.name]);
     core.call('start');
     for (let frame = 0, from = performance.now(); frame < FRAMES; frame++) {
       core.call('step');

@@ -9,9 +9,9 @@ shift 4
 mkdir -p "$folder"
 
 panels() {
-    echo 'window.tumble={wasm:{},panels:{'
+    echo '(window.tumble||={}).panels={'
     for figure in "$@"; do printf '%s:%s,' "$figure" "$(cat "$common/$figure.json")"; done
-    echo '}};'
+    echo '};'
 }
 if [ "$common" != film ]; then
     { panels "$@"; cat "$common/main.js"; } > "$folder/live.js"

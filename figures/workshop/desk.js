@@ -20,7 +20,6 @@ export const kept = {
 // plan: { key, label, file, start() the text to begin with, act() what the first
 // button does, verb its name, more: buttons }.
 export async function makeDesk(place, plan) {
-  const desk = { plan };
   const said = make('div', { className: 'workshop-said', role: 'status' });
   const bar = make('progress', { max: 1, hidden: true });
   const state = make('span', { className: 'workshop-state' });
@@ -39,17 +38,18 @@ export async function makeDesk(place, plan) {
 
   await script('editor');
   const editor = window.tumble.workshop.makeEditor(room, plan.label, () => kept.set(plan.key, editor.text), run);
-  Object.assign(desk, {
+  const desk = {
     editor,
     get text() { return editor.text; },
-    set text(text) { editor.text = text; kept.set(plan.key, text); },
+    set text(text) { editor.text = text; },
     say(...nodes) { said.replaceChildren(...nodes); },
     tell(text, part) {
       state.textContent = text;
       bar.hidden = part === undefined;
       if (part !== undefined) bar.value = part;
     },
-  });
+  };
+  editor.text = kept.get(plan.key) ?? plan.start();
 
   async function run() {
     if (act.disabled) return;
@@ -81,7 +81,6 @@ export async function makeDesk(place, plan) {
     setTimeout(() => URL.revokeObjectURL(link.href), 1e3);
   }
 
-  desk.text = kept.get(plan.key) ?? plan.start();
   return desk;
 }
 

@@ -10,15 +10,16 @@ export async function openExercise(place) {
   const id = place.dataset.exercise;
   await script(id);
   const facts = workshop[id], { name } = facts;
+  facts.files = {};
   const hint = button('Hint', showHint), answer = button('The book’s answer', () => showAnswer());
   const figure = document.querySelector('figure[data-live]');
   const desk = await makeDesk(place, { key: name, label: `Your file for ${name}`, file: 'mine.c', verb: 'Compile and judge', start: () => facts.stub, act: judge, more: [hint, answer] });
+  const shown = () => +(kept.get(`${name}:hints`) ?? 0);
   place.desk = desk;
   labelHint();
   const hole = desk.text.split('\n').findIndex(line => line.includes('Yours to write.'));
   if (hole >= 0) desk.editor.show(hole + 1);
 
-  const shown = () => +(kept.get(`${name}:hints`) ?? 0);
   function labelHint() { hint.textContent = shown() < facts.hints.length ? `Hint ${shown() + 1} of ${facts.hints.length}` : 'The hints again'; }
   function showHint() {
     const next = shown() < facts.hints.length ? [shown()] : facts.hints.keys();
@@ -33,6 +34,10 @@ export async function openExercise(place) {
 
   async function judge() {
     await script('headers');
+    for (const file of facts.data) {
+      await script(file.replace(/.*\/|\.txt$/g, ''));
+      facts.files[file] = workshop[file];
+    }
     const source = desk.text, out = await ask('judge', { source, headers: workshop.headers, facts }, desk.tell);
     const messages = showMessages(desk, out.messages);
     desk.out = out;
@@ -43,7 +48,7 @@ export async function openExercise(place) {
 
   function showPassed(told, messages) {
     kept.set(`${name}:passed`, new Date().toISOString().slice(0, 10));
-    const move = figure && facts.module && facts.figure && button('See it move', () => moveFigure().catch(error => desk.say(make('p', { className: 'workshop-bad' }, error.message))));
+    const move = figure && facts.module && button('See it move', () => moveFigure().catch(error => desk.say(make('p', { className: 'workshop-bad' }, error.message))));
     desk.say(make('p', { className: 'workshop-good' }, `${name}: all ${told.ran} tests pass.`), ...(move ? [make('p', {}, move)] : []), ...messages);
   }
 

@@ -1,7 +1,6 @@
 // main.js - the workshop of a page: the reader's own C, written, compiled, judged and
 // run where it is read.  <div data-exercise="01-step"> becomes a desk.
 
-import './begin.js';
 import style from './workshop.css';
 import { openExercise } from './exercise.js';
 import { make } from './desk.js';

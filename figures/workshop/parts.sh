@@ -28,4 +28,7 @@ for name in "$@"; do
     echo "$folder/$id.js: $folder/$id.o $answer $tests $solution $(ls "$dir"/* | grep -v '/mine\.\|/README' | tr '\n' ' ')"
     echo "ANSWER_$id := $answer"
     echo "SOURCE_$id := $solution $tests"
+    # What a module that the reader writes moves in: the first figure of its chapter.
+    figure=$(sed -n "s|^${name%%/*}/||p" figures/live/live.mk | head -n 1)
+    [ -z "$module" ] || [ -z "$figure" ] || echo "FIGURE_$id := $figure $module"
 done

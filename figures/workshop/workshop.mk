@@ -1,4 +1,5 @@
 # workshop.mk - the workshop: the reader's own C, compiled and judged in the page.
+# The compiler comes from npm, into build/; where it cannot, the site is made without.
 
 WORKSHOP := $(BUILD)/workshop
 # The chapters whose exercises are judged in the page.
@@ -59,5 +60,52 @@ $(EXERCISES:%=$(WORKSHOP)/%.js): $(WORKSHOP)/%.js: figures/workshop/pack.mjs exe
 	@echo "  pack  $@"
 	$(Q)node figures/workshop/pack.mjs exercise $* $(WORKSHOP)/$*.o $(ANSWER_$*) $(SOURCE_$*) > $@
 
+# --- What a reader's module moves in ------------------------------------------------
+FIGURED := $(foreach e,$(EXERCISES),$(if $(FIGURE_$e),$e))
+figured = $(firstword $(FIGURE_$1))
+define figured_rule
+$(WORKSHOP)/figure-$1.js: $(addprefix $(OURS)/wasm/,live/$(call figured,$1).o live/live.o live/live_wasm.o $(WITH_$(call figured,$1))) \
+  $(filter-out $(OURS)/wasm/lib/$(lastword $(FIGURE_$1)).o,$(subst $(OURS)/lib/,$(OURS)/wasm/lib/,$(call live_floor,$(call figured,$1))))
+	@echo "  pack  $$@"
+	$$(Q)node figures/workshop/pack.mjs figure $(call figured,$1) $$^ > $$@
+endef
+$(foreach e,$(FIGURED),$(eval $(call figured_rule,$e)))
+
+# --- The page's side ----------------------------------------------------------------
+WORK := $(WORKSHOP)/node
+$(WORK)/.done: figures/workshop/package.json figures/workshop/package-lock.json
+	$(Q)mkdir -p $(@D) && cp $^ figures/workshop/.npmrc $(@D)
+	$(Q)cd $(@D) && npm ci --no-fund --no-audit --silent && touch .done
+.PHONY: workshop-tools
+workshop-tools:
+	@$(AGAIN) -s $(WORK)/.done > /dev/null 2>&1 || echo "The compiler for the page could not be fetched from npm:\
+	 is there a network?  The site is made without the workshop: its exercises are read there, and written at the desk." >&2
+	$(Q)mkdir -p $(WORKSHOP) && ls $(WORK)/.done 2> /dev/null | cmp -s - $(WORKSHOP)/with || ls $(WORK)/.done > $(WORKSHOP)/with 2> /dev/null || :
+$(WORKSHOP)/with: ;
+
+WORK_BUNDLE = NODE_PATH=$(WORK)/node_modules $(NODE)/node_modules/.bin/esbuild \
+  --bundle --minify --format=iife --loader:.css=text --legal-comments=none --log-level=error
+WORK_JS := $(wildcard figures/workshop/*.js figures/workshop/*.css) $(WORK)/.done $(NODE)/.done
+$(WORKSHOP)/editor.js: figures/workshop/editor.js $(WORK)/.done $(NODE)/.done
+	$(Q)$(WORK_BUNDLE) $< --outfile=$@
+$(WORKSHOP)/worker-plain.js: $(WORK_JS)
+	$(Q)$(WORK_BUNDLE) --external:node:fs/promises --define:import.meta.url='"https://workshop/"' figures/workshop/worker.js --outfile=$@
+$(WORKSHOP)/worker.js: $(WORKSHOP)/worker-plain.js figures/workshop/pack.mjs
+	$(Q)node figures/workshop/pack.mjs worker $< > $@
+# The compiler in pieces, and where each of its files is in them.
+$(WORKSHOP)/compiler.js: figures/workshop/pack.mjs $(WORK)/.done
+	@echo "  pack  $@"
+	$(Q)rm -f $(WORKSHOP)/clang-*.js && node figures/workshop/pack.mjs compiler $(WORK)/node_modules/@yowasp/clang/gen $(WORKSHOP) > $@
+$(WORKSHOP)/workshop.js: $(WORK_JS) $(WORKSHOP)/compiler.js
+	$(Q)$(WORK_BUNDLE) figures/workshop/main.js --outfile=$(WORKSHOP)/main.js
+	$(Q){ echo '(window.tumble||={}).workshop||={};'; cat $(WORKSHOP)/compiler.js $(WORKSHOP)/main.js; } > $@
+$(WORKSHOP)/headers.js: $(wildcard lib/*.h lib/*/*.h) figures/workshop/pack.mjs
+	$(Q)node figures/workshop/pack.mjs headers $(filter %.h,$^) > $@
+$(WORKSHOP)/pairs-all.js: tests/data/pairs-all.txt figures/workshop/pack.mjs
+	$(Q)node figures/workshop/pack.mjs data $< > $@
+
+# All that a page needs, to be copied beside it into workshop/; the compiler's pieces
+# are counted when they are there.
+WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js headers.js pairs-all.js $(EXERCISES:%=%.js) $(FIGURED:%=figure-%.js))
 .PHONY: workshop-files
-workshop-files: $(EXERCISES:%=$(WORKSHOP)/%.js)
+workshop-files: $(WORKSHOP_FILES)

@@ -33,12 +33,13 @@ export async function openExercise(place) {
   }
 
   async function judge() {
-    await script('headers');
+    await Promise.all([script('headers'), script('judge')]);
     for (const file of facts.data) {
-      await script(file.replace(/.*\/|\.txt$/g, ''));
-      facts.files[file] = workshop[file];
+      const [name] = file.split('/').slice(-1);
+      await script(name.replace('.txt', ''));
+      facts.files[file] = workshop[name];
     }
-    const source = desk.text, out = await ask('judge', { source, headers: workshop.headers, facts }, desk.tell);
+    const source = desk.text, out = await ask('judge', { source, headers: workshop.headers, facts, judge: workshop['judge_page.o'] }, desk.tell);
     const messages = showMessages(desk, out.messages);
     desk.out = out;
     if (!out.told) { desk.say(make('p', { className: 'workshop-bad' }, `${name}: this does not compile: begin with the first error.`), ...messages); return; }

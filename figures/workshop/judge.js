@@ -4,6 +4,7 @@
 import { linesOf } from './lines.js';
 
 const PRINTED = 20, DEEP = 50;      // lines of what is printed; calls that are looked at
+const DEEPER = 'calls itself without end, until the stack is full';
 const WORDS = {                     // what C leaves undefined
   add_overflow_abort: 'signed integer overflow', sub_overflow_abort: 'signed integer overflow',
   mul_overflow_abort: 'signed integer overflow', negate_overflow_abort: 'signed integer overflow',
@@ -26,7 +27,7 @@ function memoryFault(kind) {
   if (access === 'leak') return `does not free all that it allocates (a leak of ${what} bytes)`;
   if (what === 'outside') return `${access} outside an array`;
   if (what === 'after-free') return `${access} memory that it has given back`;
-  return { null: 'follows a null pointer (a segmentation fault)', wild: 'follows a pointer that leads nowhere (a segmentation fault)',
+  return { stack: DEEPER, null: 'follows a null pointer (a segmentation fault)', wild: 'follows a pointer that leads nowhere (a segmentation fault)',
     out_of_bounds_abort: 'reaches outside an array', 'double-free': 'frees the same memory twice', 'bad-free': 'frees what malloc did not give' }[kind]
     ?? `does what C leaves undefined: ${WORDS[kind] ?? kind}`;
 }
@@ -123,7 +124,9 @@ function what(error, seconds) {
   if (kind === 'exit') return { message: 'Your code ends the whole program (exit): a function has to return.' };
   if (kind === 'prints') return { message: 'Your code prints without end.' };
   if (kind === 'endless') return { endless: seconds, fault: 'does not end' };
-  if (error instanceof RangeError || /call stack|too much recursion/.test(error.message)) return { fault: 'calls itself without end, until the stack is full', isDeep: true };
+  if (error instanceof RangeError || /call stack|too much recursion/.test(error.message)) return { fault: DEEPER };
+  // So many calls that the stack has come to its end.
+  if (/out of bounds/.test(error.message) && error.stack.split('wasm-function').length > DEEP - 5) return { fault: DEEPER };
   if (/out of bounds/.test(error.message)) return { fault: 'follows a pointer that leads nowhere (a segmentation fault)' };
   if (/divide by zero/.test(error.message)) return { fault: 'does what C leaves undefined: division by zero' };
   return { fault: `stops the program: ${error.message}` };

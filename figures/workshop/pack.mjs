@@ -54,7 +54,7 @@ function exercise(id, object, answer, source, tests) {
   const judged = readFileSync(object);
   const data = ['tests/data/pairs-all.txt'].filter(file => judged.includes(file));
   const facts = { name: id.replace('-', '/'), module: task.module?.[0], stub: cut(task, source), solution: cut(task, source, true), hints: hintsOf(`${dir}/hints`),
-    headers, data, first: task.first ?? [], leave: task.leave ?? [], tests: testsOf(text(tests)), source: tests, wraps: judged.includes('__wrap_malloc'),
+    headers, data, first: task.first ?? [], leave: task.leave ?? [], tests: testsOf(text(tests)), source: tests,
     judge: packed(judged), answer: packed(readFileSync(answer)) };
   return `tumble.workshop[${JSON.stringify(id)}]=${JSON.stringify(facts)};`;
 }
@@ -62,8 +62,8 @@ function exercise(id, object, answer, source, tests) {
 const objects = files => Object.fromEntries(files.map(file => [basename(file), packed(readFileSync(file))]));
 const figure = (name, ...files) => `tumble.workshop.figure=${JSON.stringify({ name, objects: objects(files) })};`;
 const headers = (...files) => `tumble.workshop.headers=${JSON.stringify(Object.fromEntries(files.map(file => [basename(file), text(file)])))};`;
-// What tests read.
-const data = (...files) => files.map(file => `tumble.workshop[${JSON.stringify(file)}]=${JSON.stringify(packed(readFileSync(file)))};`).join('\n');
+// What tests read, or are linked with.
+const data = (...files) => files.map(file => `tumble.workshop[${JSON.stringify(basename(file))}]=${JSON.stringify(packed(readFileSync(file)))};`).join('\n');
 const worker = file => `tumble.workshop.worker=${JSON.stringify(text(file))};`;
 
 // --- The compiler -------------------------------------------------------------------

@@ -4,7 +4,7 @@
 
 import { give } from './tool.js';
 import { compile, link } from './compiler.js';
-import { judge } from './judge.js';
+import { asText, judge } from './judge.js';
 import { perform } from './perform.js';
 import { unpack, unpackAll } from './unpack.js';
 
@@ -18,17 +18,17 @@ const asks = {
   compiler: ({ bytes, files }) => give(bytes, files),
 
   // An exercise, by its own tests.
-  async judge({ source, headers, facts }, tell) {
+  async judge({ source, headers, facts, judge: judgePage }, tell) {
     tell('Compiling …');
     const made = await compile(source, { ...headers, ...facts.headers });
     if (!made.object) return { messages: made.messages, text: made.text };
     tell('Linking …');
-    const judged = await unpack(facts.judge), options = { exported: JUDGE, wraps: facts.wraps };
-    const wasm = must(await link({ 'mine.o': made.object, 'judge.o': judged }, options));
-    const answer = async () => must(await link({ 'answer.o': await unpack(facts.answer), 'judge.o': judged }, options));
+    const judged = { 'tests.o': await unpack(facts.judge), 'judge.o': await unpack(judgePage) }, options = { exported: JUDGE };
+    const wasm = must(await link({ 'mine.o': made.object, ...judged }, options));
+    const answer = async () => must(await link({ 'answer.o': await unpack(facts.answer), ...judged }, options));
     const told = await judge(facts, await unpackAll(facts.files), wasm, answer,
       (count, all, name) => tell(`Test ${count} of ${all}: ${name}`));
-    return { messages: made.messages, told };
+    return { messages: made.messages, told, text: asText(told) };
   },
 
   // A live figure with the reader's module in it.
@@ -45,7 +45,7 @@ const asks = {
     const made = await compile(source, {}, 'counted');
     if (!made.object) return { messages: made.messages, text: made.text };
     tell('Running …');
-    const wasm = must(await link({ 'mine.o': made.object, 'runner.o': await unpack(runner) }, { exported: STAGE, wraps: 'printf' }));
+    const wasm = must(await link({ 'mine.o': made.object, 'runner.o': await unpack(runner) }, { exported: STAGE }));
     return { messages: made.messages, ran: await perform(wasm, seconds, argument) };
   },
 };

@@ -53,9 +53,9 @@ ifneq ($(filter site% test-site workshop%,$(MAKECMDGOALS)),)
 include $(WORKSHOP)/parts.mk
 endif
 
-$(EXERCISES:%=$(WORKSHOP)/%.o): $(WORKSHOP)/%.o: $(WORKSHOP)/judge_page.o
+$(EXERCISES:%=$(WORKSHOP)/%.o): $(WORKSHOP)/%.o: figures/workshop/workshop.mk
 	@echo "  link  $@"
-	$(Q)wasm-ld -r $^ -o $@
+	$(Q)wasm-ld -r $(filter %.o,$^) -o $@
 $(EXERCISES:%=$(WORKSHOP)/%.js): $(WORKSHOP)/%.js: figures/workshop/pack.mjs exercises/cut.awk
 	@echo "  pack  $@"
 	$(Q)node figures/workshop/pack.mjs exercise $* $(WORKSHOP)/$*.o $(ANSWER_$*) $(SOURCE_$*) > $@
@@ -99,6 +99,8 @@ $(WORKSHOP)/compiler.js: figures/workshop/pack.mjs $(WORK)/.done
 $(WORKSHOP)/workshop.js: $(WORK_JS) $(WORKSHOP)/compiler.js
 	$(Q)$(WORK_BUNDLE) figures/workshop/main.js --outfile=$(WORKSHOP)/main.js
 	$(Q){ echo '(window.tumble||={}).workshop||={};'; cat $(WORKSHOP)/compiler.js $(WORKSHOP)/main.js; } > $@
+$(WORKSHOP)/judge.js: $(WORKSHOP)/judge_page.o figures/workshop/pack.mjs
+	$(Q)node figures/workshop/pack.mjs data $< > $@
 $(WORKSHOP)/headers.js: $(wildcard lib/*.h lib/*/*.h) figures/workshop/pack.mjs
 	$(Q)node figures/workshop/pack.mjs headers $(filter %.h,$^) > $@
 $(WORKSHOP)/pairs-all.js: tests/data/pairs-all.txt figures/workshop/pack.mjs
@@ -106,6 +108,6 @@ $(WORKSHOP)/pairs-all.js: tests/data/pairs-all.txt figures/workshop/pack.mjs
 
 # All that a page needs, to be copied beside it into workshop/; the compiler's pieces
 # are counted when they are there.
-WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js headers.js pairs-all.js $(EXERCISES:%=%.js) $(FIGURED:%=figure-%.js))
+WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js headers.js judge.js pairs-all.js $(EXERCISES:%=%.js) $(FIGURED:%=figure-%.js))
 .PHONY: workshop-files
 workshop-files: $(WORKSHOP_FILES)

@@ -1,0 +1,167 @@
+// check_workshop.mjs - is an exercise judged in the page as it is at the desk?  Of one
+// of each chapter the book's answer passes, and wrong answers are told in the desk's
+// sentence; and the page does what a reader expects of it:
+//   node check_workshop.mjs BUILD [WRONGS [NN-name...]]      (reader: what a reader does)
+// WRONGS: so many wrong answers of each, from the first to the last (0: all).
+
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { launch } from './browser.mjs';
+import { serve } from './server.mjs';
+
+const build = resolve(process.argv[2]), most = +(process.argv[3] ?? 2);
+const ids = process.argv.length > 4 ? process.argv.slice(4)
+  : ['01-step', '02-stick', '03-rank', '04-nearest', '05-features', '06-ball', '07-separate', '08-lists', '09-scene', 'reader'];
+const site = `${build}/site`, WAIT = { timeout: 300e3 };
+if (!existsSync(`${site}/write-01-step.html`)) { console.log('workshop: the site was made without it'); process.exit(0); }
+
+let checks = 0, faults = 0;
+function check(holds, sentence) {
+  checks++;
+  if (!holds) { faults++; console.log(`not so: ${sentence}`); }
+}
+const awk = (...rest) => execFileSync('awk', rest, { encoding: 'utf8' });
+
+// --- What an exercise has: its answer, and wrong ones -----------------------------
+function answersTo(id) {
+  const module = readFileSync(`exercises/${id}/exercise`, 'utf8').match(/^module +(\w+)/m)?.[1];
+  const right = module ? execFileSync('sh', ['-c', `ls lib/*/${module}.c`], { encoding: 'utf8' }).trim() : `exercises/${id}/solution.c`;
+  const told = awk('-f', 'exercises/wrong.awk', `exercises/${id}/wrong`).trim().split('\n').map(line => line.replace(/^\d+ \S+ /, ''));
+  const apart = !most || most >= told.length ? 1 : (told.length - 1) / Math.max(most - 1, 1), tried = !most ? told.length : Math.min(most, told.length);
+  const numbers = Array.from({ length: tried }, (_, k) => Math.floor(k * apart));
+  return { right: readFileSync(right, 'utf8'),
+    wrong: numbers.map(k => ({ number: k + 1, what: told[k], source: awk('-v', `want=${k + 1}`, '-f', 'exercises/wrong.awk', `exercises/${id}/wrong`, right) })) };
+}
+
+// What the desk says of the wrong ones.
+function deskOf(id, wrong) {
+  const folder = `${build}/workshop/desk/${id}`;
+  for (const { number, source } of wrong) {
+    mkdirSync(`${folder}/${number}`, { recursive: true });
+    writeFileSync(`${folder}/${number}/mine.c`, source);
+  }
+  execFileSync('sh', ['tests/site/desk.sh', id.replace('-', '/'), folder, ...wrong.map(one => String(one.number))], { stdio: 'ignore', env: { ...process.env, BUILD: process.argv[2] } });
+  return wrong.map(({ number }) => readFileSync(`${folder}/${number}/told`, 'utf8'));
+}
+
+// What both must say alike: how many pass, which test comes first, and what is wrong.
+// Times are of the machine; a place in the reader's file is of how far the compiler
+// has moved it; what is undefined is told in the compiler's own words.
+function gist(text) {
+  const [, counted] = text.match(/^(.* tests pass)/m) ?? [];
+  const [, test, sentence] = text.match(/does not:\s+(\w+) {2}\(.*\n {2}(.*)$/m) ?? [];
+  return { counted, test, sentence: (sentence ?? '').replace(/(undefined:).*/, '$1').replace(/\((stopped after|[\d.]+ seconds)[^)]*\)/, '')
+    .replace(/exercises\/[\w-]+\//g, '').replace(/: (mine\.c, line|\S+, line).*/, '').replace(/, tests\/.*| {2}.*/, '').trim() };
+}
+
+// --- The page -------------------------------------------------------------------------
+const browser = await launch(process.argv[2]);
+const host = await serve(site);
+async function open(address, options = {}) {
+  const page = await (await browser.newContext({ viewport: { width: 1300, height: 900 }, acceptDownloads: true, ...options })).newPage();
+  page.errors = [];
+  page.asked = [];
+  page.on('console', said => said.type() === 'error' && page.errors.push(said.text()));
+  page.on('pageerror', error => page.errors.push(error.message));
+  page.on('request', request => page.asked.push(request.url()));
+  await page.goto(address);
+  await page.waitForFunction(() => document.querySelector('[data-exercise]').desk, null, WAIT);
+  return page;
+}
+const put = (page, text) => page.evaluate(text => { document.querySelector('[data-exercise]').desk.text = text; }, text);
+const said = page => page.textContent('.workshop-said');
+// Presses the button, and waits for what is said; with the time that it took.
+async function judged(page) {
+  const from = Date.now();
+  await page.click('.workshop-act');
+  await page.waitForFunction(() => !document.querySelector('.workshop-act').disabled, null, WAIT);
+  const out = await page.evaluate(() => document.querySelector('[data-exercise]').desk.out);
+  return { ...out, ms: Date.now() - from, said: await said(page) };
+}
+const disk = id => pathToFileURL(`${site}/write-${id}.html`).href;
+
+async function checkExercise(id, address) {
+  const { right, wrong } = answersTo(id), desk = deskOf(id, wrong);
+  const page = await open(address);
+  check(!page.asked.some(url => /clang-\d/.test(url)), `${id}: the compiler is not fetched before it is asked for`);
+  await put(page, right);
+  const first = await judged(page), second = await judged(page);
+  check(second.told?.pass, `${id}: the book's answer passes: ${second.said.slice(0, 300)}`);
+  const times = [];
+  for (const [k, { number, what, source }] of wrong.entries()) {
+    await put(page, source);
+    const out = await judged(page), here = gist(out.text ?? ''), there = gist(desk[k]);
+    times.push(out.ms);
+    check(JSON.stringify(here) === JSON.stringify(there), `${id}, wrong ${number} (${what}): the page says ${JSON.stringify(here)}, the desk ${JSON.stringify(there)}`);
+  }
+  check(page.errors.length === 0, `${id}: no error in the console: ${page.errors[0]}`);
+  console.log(`${id}: first ${first.ms} ms, then ${second.ms} ms; ${wrong.length} wrong answers, median ${times.sort((a, b) => a - b)[times.length >> 1]} ms; ${address.replace(/:.*/, '')}`);
+  await page.context().close();
+}
+
+// --- What a reader does ----------------------------------------------------------------
+async function checkReader() {
+  const page = await open(disk('01-step')), { right } = answersTo('01-step');
+  const text = () => page.evaluate(() => document.querySelector('[data-exercise]').desk.text);
+  const stub = await text();
+  check(/Yours to write/.test(stub), 'the file begins with its holes');
+
+  // Faults that no test names are told in a sentence, with the line.
+  const faulty = async (from, to, wanted) => {
+    check(right.includes(from), `verlet.c still has the line ${from}`);
+    await put(page, right.replace(from, to));
+    const { said } = await judged(page);
+    check(wanted.test(said), `"${to}" is told: ${said.slice(0, 300)}`);
+  };
+  const here = 'vec3 here = p[i].position;';
+  await faulty('return status_ok();', 'retrun status_ok();', /line 22.*error: .*retrun/s);
+  check(await page.locator('.cm-lint-marker-error').count() === 1, 'and its line is marked');
+  await faulty(here, `${here} while (dt > 0) i = i;`, /does not end .*mine\.c, line \d+/s);
+  await faulty(here, `${here} *(volatile int *)0xfffffff0 = 1;`, /follows a pointer that leads nowhere .*mine\.c, line \d+/s);
+  await faulty(here, `${here} *(volatile int *)dt_none() = 1;`, /does not compile.*dt_none/s);
+  await faulty(here, `${here} verlet_step(p, n, gravity, force, dt);`, /calls itself without end, until the stack is full.*mine\.c, line \d+/s);
+  await faulty(here, `${here} malloc(24);`, /does not free all that it allocates \(a leak of \d+ bytes\)/);
+  await faulty(here, `${here} exit(0);`, /ends the whole program \(exit\)/);
+  await faulty(here, `${here} for (;;) printf("on and on\\n");`.replace('for (;;)', 'while (1)'), /prints without end|undeclared|does not compile/);
+
+  // What was written stays, goes to a file, and comes from one.
+  await put(page, right);
+  await page.reload();
+  await page.waitForFunction(() => document.querySelector('[data-exercise]').desk, null, WAIT);
+  check(await text() === right, 'what was written is there again');
+  const [file] = await Promise.all([page.waitForEvent('download'), page.click('text=Save as a file')]);
+  const saved = `${build}/workshop/saved.c`;
+  copyFileSync(await file.path(), saved);
+  check(file.suggestedFilename() === 'mine.c' && readFileSync(saved, 'utf8') === right, 'it is saved as mine.c');
+  await page.click('text=Begin again');
+  check(await text() === stub, 'it begins again');
+  await page.click('text=Take that back');
+  check(await text() === right, 'and that is taken back');
+  await put(page, stub);
+  await page.setInputFiles('.workshop input[type=file]', saved);
+  await page.waitForFunction(text => document.querySelector('[data-exercise]').desk.text === text, right);
+  await page.click('text=Hint 1 of 3');
+  check(/Write the step first/.test(await said(page)), 'the first hint is told');
+
+  // By keys alone: Ctrl-Enter in the editor judges; and it moves, with the same bits.
+  await page.focus('.cm-content');
+  await page.keyboard.press('Control+Enter');
+  await page.waitForFunction(() => !document.querySelector('.workshop-act').disabled, null, WAIT);
+  await page.getByRole('button', { name: 'See it move' }).press('Enter');
+  await page.waitForFunction(() => /yours, bit for bit/.test(document.querySelector('.live-foot').textContent), null, { timeout: 60e3 })
+    .catch(async () => check(false, `what passed moves with the book's bits: ${await page.textContent('.live-foot')}`));
+  checks++;
+  check(page.errors.length === 0, `no error in the console: ${page.errors[0]}`);
+  await page.context().close();
+}
+
+for (const [k, id] of ids.entries()) {
+  if (id === 'reader') await checkReader();
+  else await checkExercise(id, k % 2 ? `${host.address}write-${id}.html` : disk(id));
+}
+await browser.close();
+host.end();
+console.log(`workshop: ${checks} checks, ${faults} faults`);
+process.exit(faults ? 1 : 0);

@@ -3,6 +3,7 @@
 #   sh page.sh index FILE              the first page, from index.md and README
 #   sh page.sh exercises FILE          the tasks of all exercises
 #   sh page.sh write FILE NN-name      an exercise, to be written in the page
+#   sh page.sh little FILE             the stages of the little program
 #   sh page.sh search FILE             what a search looks through
 #   sh page.sh html|pdf|epub FILE      the whole book
 
@@ -75,6 +76,17 @@ write() {
     [ -z "$figure" ] || { echo; grep -m 1 "^!\[.*figures/live/$figure\.webp)" "chapters/woven/$chapter.md"; }
 }
 
+# The stages, chapter by chapter; a script makes of each name what chooses it.
+stages() {
+    cat $here/little.md
+    awk -F ' *[|] *' '/^[0-9]/ {
+        chapter = substr($1, 1, 2)
+        if (chapter != before) print "\n**Chapter " chapter "**\n"
+        before = chapter
+        printf "- [%s]{.number} <a href=\"#%s\" data-stage=\"%s\">%s</a>\n", $1, $1, $1, $2
+    }' chapters/little/stages.txt
+}
+
 book() { for one in $(pages); do awk -f $here/page.awk "chapters/woven/$one.md"; echo; done; }
 whole() {
     book | convert "$@" --toc --toc-depth=2 --metadata whole=true --resource-path="${BUILD:-build}/site:." \
@@ -122,6 +134,7 @@ index) awk -f $here/index.awk $here/index.md README.md | site --metadata home=tr
 search) { book; tasks | awk -f $here/page.awk; } |
         pandoc -f "$reader" -t plain --wrap=none --lua-filter $here/search.lua -o "$file" ;;
 write) write | awk -f $here/page.awk | site --metadata write="$page" --metadata pagetitle="$(sed -n '1s/^# //p' "exercises/$page/README.md")" ;;
+little) stages | site --metadata write=little --metadata little=true --metadata pagetitle="The little program" ;;
 exercises) tasks | awk -f $here/page.awk | site --metadata pagetitle=Exercises ;;
 html) embedded "$file" ;;
 pdf)  wants chromium chromium-browser google-chrome

@@ -18,7 +18,7 @@ SITE_STYLE := $(patsubst %,$(SITE)/%,style.css site.js icon.svg math.woff2 pagel
 # The workshop, where its compiler could be fetched: a page for each exercise.
 WITH_WORK  := $(wildcard $(WORK)/.done)
 SITE_WORK  := $(if $(WITH_WORK),$(WORKSHOP_FILES:$(WORKSHOP)/%=$(SITE)/workshop/%) $(SITE)/workshop/.done)
-SITE_PAGES += $(if $(WITH_WORK),$(EXERCISES:%=$(SITE)/write-%.html))
+SITE_PAGES += $(if $(WITH_WORK),$(EXERCISES:%=$(SITE)/write-%.html) $(SITE)/little.html)
 SITE_LIVE  := $(LIVE_FILES:$(BUILD)/live/%=$(SITE)/live/%)
 
 .PHONY: site
@@ -45,6 +45,8 @@ $(SITE)/index.html: chapters/site/index.md chapters/site/index.awk README.md $(P
 	$(call page,index $@)
 $(SITE)/exercises.html: $(wildcard exercises/*/README.md) $(PAGE_TOOLS)
 	$(call page,exercises $@)
+$(SITE)/little.html: chapters/little/stages.txt $(PAGE_TOOLS)
+	$(call page,little $@)
 $(SITE)/write-%.html: exercises/%/README.md $(PAGE_TOOLS)
 	$(call page,write $@ $*)
 $(SITE)/%.html: chapters/woven/%.md $(PAGE_TOOLS)
@@ -104,5 +106,6 @@ test-site: need-browser site $(BUILD)/node/.done
 	$(Q)sh tests/script/check_charts.sh $(CHARTS_SITE:%.svg=$(SITE)/%-phone.svg)
 	$(Q)bad=; \
 	  $(if $(PAGES),,node tests/site/check_live.mjs $(BUILD) || bad=1; \
-	    node tests/site/check_dials.mjs $(BUILD) $(SEED) || bad=1;) \
+	    node tests/site/check_dials.mjs $(BUILD) $(SEED) || bad=1; \
+    node tests/site/check_workshop.mjs $(BUILD) $(or $(WRONGS),2) || bad=1;) \
 	  node tests/site/check_site.mjs $(SITE) $(PAGES) || bad=1; [ -z "$$bad" ]

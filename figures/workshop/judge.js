@@ -40,7 +40,7 @@ export async function load(wasm) {
 }
 
 // The lines of C that an error came through, from the inside out.
-const places = (program, error) => [...String(error.stack).matchAll(/wasm-function\[\d+\]:(0x[0-9a-f]+)/g)]
+export const places = (program, error) => [...String(error.stack).matchAll(/wasm-function\[\d+\]:(0x[0-9a-f]+)/g)]
   .map(found => program.lineAt(parseInt(found[1], 16))).filter(Boolean);
 
 // All that a program of the page imports.  What it prints goes to `print`.
@@ -80,12 +80,12 @@ function imports(host) {
   return { page, wasi_snapshot_preview1: new Proxy(system, { get: (has, name) => has[name] ?? (() => 8) }) };
 }
 
-const makeHost = files => ({ files, until: Infinity, printed: '', lines: 0, test() {}, print(text) {
+const makeHost = files => ({ files, until: Infinity, printed: '', most: 1e6, test() {}, print(text) {
   this.printed += text;
-  if (this.printed.length > 1e6) throw new Stop('prints', '');
+  if (this.printed.length > this.most) throw new Stop('prints', '');
 } });
 
-async function start(program, files) {
+export async function start(program, files) {
   const host = makeHost(files);
   host.x = (await WebAssembly.instantiate(program.module, imports(host))).exports;
   return host;
@@ -107,7 +107,7 @@ export async function run(program, files, { name, from, to }, seconds) {
     new Uint8Array(host.x.memory.buffer).set(new TextEncoder().encode(name + '\0'), host.x.page_room());
     host.until = began + 1e3 * seconds;
     out = { seconds: 0 };
-    try { host.x.page_run(i); } catch (error) { out = { ...what(error, seconds), places: places(program, error) }; }
+    try { host.x.page_run(i); } catch (error) { out = { ...whatStopped(error, seconds), places: places(program, error) }; }
     out.seconds = (performance.now() - began) / 1e3;
     out.printed = host.printed;
     if (out.message !== undefined || out.fault) break;
@@ -116,7 +116,7 @@ export async function run(program, files, { name, from, to }, seconds) {
 }
 
 // What stopped it?
-function what(error, seconds) {
+export function whatStopped(error, seconds) {
   const { kind, text, place } = error;
   if (kind === 'failed') return { message: text };
   if (kind === 'asserted') return { fault: `breaks a rule that is asserted, ${text}`, place };
@@ -138,7 +138,7 @@ const isMine = place => place.file.endsWith('mine.c');
 
 // Where it stood: the first line of the reader's own; of a test without end also
 // from where that was called.
-function placed(out, source) {
+export function placed(out, source) {
   if (out.place) return `${out.place.file.replace(/.*\/(?=mine\.c)/, '')}, line ${out.place.line}`;
   const own = (out.places ?? []).filter(isMine);
   if (!out.endless) return own.length ? `mine.c, line ${own[0].line}` : '';

@@ -292,18 +292,30 @@ FILE *fopen(const char *restrict name, const char *restrict mode)
 }
 
 // --- What the compiler asks before the reader's code reads or writes -----------------
-static void touch(size_t at, size_t size, int is_write)
+__attribute__((noinline)) static void touch_slowly(size_t at, size_t size, int is_write)
 {
     size_t top = at + size, base = (size_t)&__heap_base;
     bool is_deep = (size_t)__builtin_frame_address(0) < FILLED;
     if (at < 1024) page_undefined(is_deep ? "stack" : "null", NULL, 0);
-    if (top < at || top > (end > base ? end : base)) page_undefined("wild", NULL, 0);
+    size_t last = end > base ? end : base;
+    if (at >= base && top > last && at < last + FILLED)
+        page_undefined(is_write ? "writes outside" : "reads outside", NULL, 0);
+    if (top < at || top > last) page_undefined("wild", NULL, 0);
     for (size_t k = at / 8; k <= (top - 1) / 8; k++) {
         unsigned char may = shadow[k];
         if (may == 0 || (may < 8 && top <= 8 * k + may)) continue;
         page_undefined(may == FREED ? is_write ? "writes after-free" : "reads after-free"
                        : is_write ? "writes outside" : "reads outside", NULL, 0);
     }
+}
+
+// Most are whole words in the stack or in a block.
+static inline void touch(size_t at, size_t size, int is_write)
+{
+    bool is_word = size <= 8 && (at & 7) + size <= 8;
+    size_t top = end ? end : (size_t)&__heap_base;
+    if (is_word && at >= FILLED && at < top && shadow[at / 8] == 0) return;
+    touch_slowly(at, size, is_write);
 }
 
 #define ASKED(size)                                                              \

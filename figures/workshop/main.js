@@ -1,10 +1,14 @@
 // main.js - the workshop of a page: the reader's own C, written, compiled, judged and
-// run where it is read.  <div data-exercise="01-step"> becomes a desk.
+// run where it is read.  <div data-exercise="01-step"> becomes a
+// desk, and so does <div data-little>.
 
 import style from './workshop.css';
 import { openExercise } from './exercise.js';
+import { openLittle } from './little.js';
 import { make } from './desk.js';
 
 document.head.append(make('style', {}, style));
-for (const place of document.querySelectorAll('[data-exercise]'))
-  openExercise(place).catch(error => { place.dataset.failed = error.message; place.append(make('p', {}, error.message)); });
+const open = (where, how) => document.querySelectorAll(where).forEach(place =>
+  how(place).catch(error => { place.dataset.failed = error.message; place.append(make('p', {}, error.message)); }));
+open('[data-exercise]', openExercise);
+open('[data-little]', openLittle);

@@ -1,7 +1,7 @@
 // pack.mjs - what the workshop of the page is sent, as plain scripts:
 //   node pack.mjs exercise NN-name TESTS.o ANSWER.o SOURCE TESTS
 //   node pack.mjs figure NAME MODULE.c OBJECT...    what a live figure is linked of
-//   node pack.mjs stage NN FILE.c OUTPUT BITS       a stage of the little program
+//   node pack.mjs stage NNa FILE.c PRINTED HASH     a stage of the little program
 //   node pack.mjs headers HEADER...
 //   node pack.mjs worker FILE                       a script as a string
 //   node pack.mjs compiler FOLDER OUT               the compiler in pieces: OUT/clang-NN.js
@@ -62,6 +62,12 @@ function exercise(id, object, answer, source, tests) {
 const objects = files => Object.fromEntries(files.map(file => [basename(file), packed(readFileSync(file))]));
 const figure = (name, ...files) => `tumble.workshop.figure=${JSON.stringify({ name, objects: objects(files) })};`;
 const headers = (...files) => `tumble.workshop.headers=${JSON.stringify(Object.fromEntries(files.map(file => [basename(file), text(file)])))};`;
+// Its program, what that prints, the hash of it, and what the stage claims.
+function stage(name, source, printed, hash) {
+  const [, , ...claims] = text('chapters/little/stages.txt').split('\n').find(line => line.startsWith(`${name} `)).split('|').map(part => part.trim());
+  return `(tumble.workshop.stages||={})[${JSON.stringify(name)}]=${JSON.stringify({ source: text(source), printed: text(printed), hash: text(hash).trim(), claims })};`;
+}
+
 // What tests read, or are linked with.
 const data = (...files) => files.map(file => `tumble.workshop[${JSON.stringify(basename(file))}]=${JSON.stringify(packed(readFileSync(file)))};`).join('\n');
 const worker = file => `tumble.workshop.worker=${JSON.stringify(text(file))};`;
@@ -101,4 +107,4 @@ function compiler(folder, out) {
 }
 
 const [form, ...rest] = process.argv.slice(2);
-process.stdout.write({ exercise, figure, headers, data, worker, compiler }[form](...rest) + '\n');
+process.stdout.write({ exercise, figure, stage, headers, data, worker, compiler }[form](...rest) + '\n');

@@ -8,7 +8,7 @@ import { asText, judge } from './judge.js';
 import { perform } from './perform.js';
 import { unpack, unpackAll } from './unpack.js';
 
-const JUDGE = ['page_list', 'page_run', 'page_room'], STAGE = ['page_begin'];
+const JUDGE = ['page_list', 'page_run', 'page_room'], STAGE = ['page_begin', 'page_hash'];
 const must = ({ wasm, text }) => {
   if (!wasm) throw Error(text.trim().split('\n').slice(0, 3).map(line => line.replace(/^wasm-ld: error: |mine\.o: /g, '')).join('; '));
   return wasm;
@@ -23,7 +23,7 @@ const asks = {
     const made = await compile(source, { ...headers, ...facts.headers });
     if (!made.object) return { messages: made.messages, text: made.text };
     tell('Linking …');
-    const judged = { 'tests.o': await unpack(facts.judge), 'judge.o': await unpack(judgePage) }, options = { exported: JUDGE };
+    const judged = { 'tests.o': await unpack(facts.judge), 'judge.o': await unpack(judgePage) }, options = { exported: JUDGE, isShaded: true };
     const wasm = must(await link({ 'mine.o': made.object, ...judged }, options));
     const answer = async () => must(await link({ 'answer.o': await unpack(facts.answer), ...judged }, options));
     const told = await judge(facts, await unpackAll(facts.files), wasm, answer,
@@ -40,13 +40,13 @@ const asks = {
   },
 
   // A program of the reader's own, run from its main to its end.
-  async run({ source, runner, seconds, argument }, tell) {
+  async run({ source, runner, seconds, draws }, tell) {
     tell('Compiling …');
-    const made = await compile(source, {}, 'counted');
+    const made = await compile(source, {}, false, ['-Dprintf=printf_noted']);
     if (!made.object) return { messages: made.messages, text: made.text };
     tell('Running …');
     const wasm = must(await link({ 'mine.o': made.object, 'runner.o': await unpack(runner) }, { exported: STAGE }));
-    return { messages: made.messages, ran: await perform(wasm, seconds, argument) };
+    return { messages: made.messages, ran: await perform(wasm, seconds, draws) };
   },
 };
 

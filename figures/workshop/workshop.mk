@@ -13,11 +13,11 @@ $(WORKSHOP)/include/check.h:
 	@mkdir -p $(@D)
 	$(Q)cp $(CHECK_HEADER)check.h $(CHECK_HEADER)check_stdint.h $(@D)
 
-JUDGED := $(WASM) $(EXACT) -O2 -gline-tables-only -gdwarf-4 -msimd128 -fno-inline -w -Iexercises -I$(WORKSHOP)/include $(ROOMS) -MMD -MP
+JUDGED := $(WASM) $(EXACT) -O2 -gline-tables-only -gdwarf-4 -msimd128 -w -Iexercises -I$(WORKSHOP)/include $(ROOMS) -MMD -MP
 # The sanitizers of the desk.
 WATCHED := -Xclang -fsanitize=address -Xclang -fsanitize-address-use-after-return=never \
   -mllvm -asan-instrumentation-with-call-threshold=0 -mllvm -asan-mapping-offset=268435456
-TESTED := -include exercises/judge.h -Dmain=judge_main \
+TESTED := -fno-inline -include exercises/judge.h -Dmain=judge_main \
   -fsanitize-coverage=trace-pc,edge,no-prune -fno-finite-loops
 $(WORKSHOP)/flags: FORCE
 	$(Q)mkdir -p $(@D)
@@ -42,7 +42,7 @@ $(WORKSHOP)/exercises/%/check.o: exercises/%/check.c $(WORKSHOP)/flags $(WORKSHO
 $(WORKSHOP)/exercises/%/solution.o: exercises/%/solution.c $(WORKSHOP)/flags
 	$(call judged)
 $(WORKSHOP)/judge_page.o: figures/workshop/judge_page.c $(WORKSHOP)/flags $(WORKSHOP)/include/check.h
-	$(call judged,-fno-builtin)
+	$(call judged,-fno-builtin -O3 -finline-functions)
 -include $(wildcard $(WORKSHOP)/*.d $(WORKSHOP)/*/*.d $(WORKSHOP)/exercises/*/*.d)
 
 # What each is linked of.
@@ -71,6 +71,22 @@ $(WORKSHOP)/figure-$1.js: $(addprefix $(OURS)/wasm/,live/$(call figured,$1).o li
 endef
 $(foreach e,$(FIGURED),$(eval $(call figured_rule,$e)))
 
+# --- The little program ---------------------------------------------------------------
+# What each stage prints, and the hash of its bits, are this machine's.
+STAGED := $(STAGES:%=$(WORKSHOP)/stage-%.js)
+$(WORKSHOP)/little/%.c: $(wildcard chapters/little/*.c) chapters/little/cut.awk
+	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh chapters/little/little.sh cut $* $@
+$(STAGED): $(WORKSHOP)/stage-%.js: $(WORKSHOP)/little/%.c figures/workshop/printed.c figures/workshop/pack.mjs chapters/little/stages.txt
+	@echo "  run   $<"
+	$(Q)$(CC) -std=c11 -ffp-contract=off -O2 -w -fno-builtin-printf -Dprintf=printf_noted -c $< -o $(<:.c=.o)
+	$(Q)$(CC) -std=c11 -O2 -w $(<:.c=.o) figures/workshop/printed.c -lm -o $(<:.c=)
+	$(Q)$(<:.c=) > $(<:.c=.txt) 2> $(<:.c=.hash)
+	$(Q)node figures/workshop/pack.mjs stage $* $< $(<:.c=.txt) $(<:.c=.hash) > $@
+$(WORKSHOP)/printed.o: figures/workshop/printed.c $(WORKSHOP)/flags
+	$(Q)$(WASM) $(EXACT) -O2 -c $< -o $@
+$(WORKSHOP)/runner.js: $(WORKSHOP)/printed.o figures/workshop/pack.mjs
+	$(Q)node figures/workshop/pack.mjs data $< > $@
+
 # --- The page's side ----------------------------------------------------------------
 WORK := $(WORKSHOP)/node
 $(WORK)/.done: figures/workshop/package.json figures/workshop/package-lock.json
@@ -88,8 +104,10 @@ WORK_BUNDLE = NODE_PATH=$(WORK)/node_modules $(NODE)/node_modules/.bin/esbuild \
 WORK_JS := $(wildcard figures/workshop/*.js figures/workshop/*.css) $(WORK)/.done $(NODE)/.done
 $(WORKSHOP)/editor.js: figures/workshop/editor.js $(WORK)/.done $(NODE)/.done
 	$(Q)$(WORK_BUNDLE) $< --outfile=$@
-$(WORKSHOP)/worker-plain.js: $(WORK_JS)
-	$(Q)$(WORK_BUNDLE) --external:node:fs/promises --define:import.meta.url='"https://workshop/"' figures/workshop/worker.js --outfile=$@
+$(WORKSHOP)/clang.js: figures/workshop/faster.awk $(WORK)/.done
+	$(Q)awk -f $< $(WORK)/node_modules/@yowasp/clang/gen/bundle.js > $@
+$(WORKSHOP)/worker-plain.js: $(WORK_JS) $(WORKSHOP)/clang.js
+	$(Q)$(WORK_BUNDLE) --alias:@yowasp/clang=$(abspath $(WORKSHOP)/clang.js) --external:node:fs/promises --define:import.meta.url='"https://workshop/"' figures/workshop/worker.js --outfile=$@
 $(WORKSHOP)/worker.js: $(WORKSHOP)/worker-plain.js figures/workshop/pack.mjs
 	$(Q)node figures/workshop/pack.mjs worker $< > $@
 # The compiler in pieces, and where each of its files is in them.
@@ -108,6 +126,6 @@ $(WORKSHOP)/pairs-all.js: tests/data/pairs-all.txt figures/workshop/pack.mjs
 
 # All that a page needs, to be copied beside it into workshop/; the compiler's pieces
 # are counted when they are there.
-WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js headers.js judge.js pairs-all.js $(EXERCISES:%=%.js) $(FIGURED:%=figure-%.js))
+WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js headers.js judge.js runner.js pairs-all.js $(STAGES:%=stage-%.js) $(EXERCISES:%=%.js) $(FIGURED:%=figure-%.js))
 .PHONY: workshop-files
 workshop-files: $(WORKSHOP_FILES)

@@ -648,8 +648,9 @@ bits: need-clang
 #:   make sanitize   the tests under the address and undefined sanitizers
 #:   make valgrind   the tests under valgrind
 #:   make test-site  live figures in a real browser: bits, dials at all corners, a
-#:                   walk at random (SEED=N repeats it); and each page, as on a
-#:                   slow phone: errors, links, keys, contrast, width, load
+#:                   walk at random (SEED=N repeats it); exercises written in
+#:                   the page, two wrong answers of each (WRONGS=0: all); and each
+#:                   page, as on a slow phone: errors, links, keys, contrast, load
 #:   make fuzz       any bytes for obj, the queries and the options, and random
 #:                   worlds of any seed, 60 s each
 #:   make strict     every warning of gcc and of clang is an error

@@ -82,6 +82,8 @@ local function place_of_words(text)
   if figure then return place_of_figure(figure) end
   local exercise = text:match('^make exercise (%d%d%l?/[%w-]+)$') or text:match('^%d%d%l?/[%w-]+$')
   if exercise then return place_of_exercise(exercise) end
+  local stage = text:match('^make little$') and '' or text:match('^make little (%d%d%l)$')
+  if stage and workshop and not whole and written ~= 'little' then return 'little.html' .. (stage ~= '' and '#' .. stage or '') end
   if text:match('^%w+%.h$') then return place_of_header(text) end
   local name = text:match('^([%a_][%w_]*)%(?%)?$')
   if name and #name > 2 then return place_of_code(name) end

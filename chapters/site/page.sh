@@ -83,7 +83,7 @@ stages() {
         chapter = substr($1, 1, 2)
         if (chapter != before) print "\n**Chapter " chapter "**\n"
         before = chapter
-        printf "- [%s]{.number} <a href=\"#%s\" data-stage=\"%s\">%s</a>\n", $1, $1, $1, $2
+        printf "- [%s]{.number} <a id=\"%s\" href=\"#%s\" data-stage=\"%s\">%s</a>\n", $1, $1, $1, $1, $2
     }' chapters/little/stages.txt
 }
 

@@ -39,7 +39,7 @@ function table(yours, ours) {
 }
 
 export async function openLittle(place) {
-  let stage = kept.get('stage') ?? '00a';
+  let stage = location.hash.slice(1) || kept.get('stage');
   const links = [...document.querySelectorAll('[data-stage]')];
   const title = make('h2', { className: 'workshop-stage' });
   await script(`stage-${links[0].dataset.stage}`);
@@ -62,7 +62,9 @@ export async function openLittle(place) {
     if (isNew) { desk.say(); film.clear(); }
   }
   links.forEach(link => { link.onclick = event => { event.preventDefault(); choose(link.dataset.stage, true); }; });
-  choose(links.some(link => link.dataset.stage === stage) ? stage : '00a');
+  const isOne = name => links.some(link => link.dataset.stage === name);
+  addEventListener('hashchange', () => { if (isOne(location.hash.slice(1))) choose(location.hash.slice(1), true); });
+  choose(isOne(stage) ? stage : '00a');
 
   // The book's program of the stage in the place of the reader's, which can be had back.
   async function bring() {

@@ -93,7 +93,7 @@ async function checkCharts(page, name) {
 // Tab has to come to each control, and to what scrolls, and to nothing else.
 async function checkTab(page, name) {
   const wanted = await page.evaluate(() => {
-    const control = 'a[href], button, input, select, textarea, summary, [tabindex="0"]';
+    const control = 'a[href], button, input, select, textarea, summary, [tabindex="0"], [contenteditable="true"]';
     const scrolls = node => node.scrollWidth > node.clientWidth && /auto|scroll/.test(getComputedStyle(node).overflowX) && !node.querySelector(control);
     const stops = [...document.querySelectorAll('body *')].filter(node =>
       (node.matches(control) || scrolls(node)) && !node.disabled && node.tabIndex >= -1 && node.checkVisibility({ visibilityProperty: true })
@@ -175,7 +175,8 @@ console.log(`${pages} pages, ${count} links`);
 
 const browser = await launch(build);
 const host = await serve(resolve(folder));
-const names = named.length ? named : readdirSync(folder).filter(file => file.endsWith('.html'));
+// The pages of exercises are made alike: one stands for all.
+const names = named.length ? named : readdirSync(folder).filter(file => file.endsWith('.html') && !/^write-(?!01-step)/.test(file));
 for (const name of names) {
   const { page, seconds, times, bytes } = await load(browser, name, host.address);
   const figures = await checkLive(page, name);

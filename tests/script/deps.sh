@@ -49,6 +49,7 @@ deps-book)
     need qpdf command -v qpdf
     need webp command -v img2webp ;;
 deps-site)
+    need check header check.h
     need pandoc command -v pandoc
     need clang command -v clang
     need lld command -v wasm-ld

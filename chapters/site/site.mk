@@ -18,7 +18,7 @@ SITE_STYLE := $(patsubst %,$(SITE)/%,style.css site.js icon.svg math.woff2 pagel
 # The workshop, where its compiler could be fetched: a page for each exercise.
 WITH_WORK  := $(wildcard $(WORK)/.done)
 SITE_WORK  := $(if $(WITH_WORK),$(WORKSHOP_FILES:$(WORKSHOP)/%=$(SITE)/workshop/%) $(SITE)/workshop/.done)
-SITE_PAGES += $(if $(WITH_WORK),$(EXERCISES:%=$(SITE)/write-%.html) $(SITE)/little.html)
+SITE_PAGES += $(if $(WITH_WORK),$(WORKED:%=$(SITE)/write-%.html) $(SITE)/little.html)
 SITE_LIVE  := $(LIVE_FILES:$(BUILD)/live/%=$(SITE)/live/%)
 
 .PHONY: site

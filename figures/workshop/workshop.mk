@@ -4,11 +4,11 @@
 WORKSHOP := $(BUILD)/workshop
 # The chapters whose exercises are judged in the page.
 WRITTEN := $(filter 0%,$(CHAPTERS))
-EXERCISES := $(sort $(foreach c,$(WRITTEN),$(patsubst exercises/%/exercise,%,$(wildcard exercises/$c-*/exercise))))
+WORKED := $(sort $(foreach c,$(WRITTEN),$(patsubst exercises/%/exercise,%,$(wildcard exercises/$c-*/exercise))))
 exercise_name = $(subst $() $(),/,$(wordlist 1,2,$(subst -, ,$1)))
 
 # Check's own header says what is asserted, and in which words.
-CHECK_HEADER = $(shell echo '\#include <check.h>' | $(CC) -E - 2> /dev/null | sed -n 's/^\# 1 "\(.*\)check\.h".*/\1/p')
+CHECK_HEADER = $(shell $(CC) -E -include check.h -x c /dev/null 2> /dev/null | sed -n 's/^. 1 "\(.*\)check\.h".*/\1/p')
 $(WORKSHOP)/include/check.h:
 	@mkdir -p $(@D)
 	$(Q)cp $(CHECK_HEADER)check.h $(CHECK_HEADER)check_stdint.h $(@D)
@@ -46,22 +46,22 @@ $(WORKSHOP)/judge_page.o: figures/workshop/judge_page.c $(WORKSHOP)/flags $(WORK
 -include $(wildcard $(WORKSHOP)/*.d $(WORKSHOP)/*/*.d $(WORKSHOP)/exercises/*/*.d)
 
 # What each is linked of.
-$(WORKSHOP)/parts.mk: figures/workshop/parts.sh exercises/judge.sh Makefile $(EXERCISES:%=exercises/%/exercise)
+$(WORKSHOP)/parts.mk: figures/workshop/parts.sh exercises/judge.sh Makefile $(WORKED:%=exercises/%/exercise)
 	@mkdir -p $(@D)
-	$(Q)BUILD='$(BUILD)' sh figures/workshop/parts.sh $(WORKSHOP) $(OURS) $(foreach e,$(EXERCISES),$(call exercise_name,$e)) > $@.new && mv $@.new $@
+	$(Q)BUILD='$(BUILD)' sh figures/workshop/parts.sh $(WORKSHOP) $(OURS) $(foreach e,$(WORKED),$(call exercise_name,$e)) > $@.new && mv $@.new $@
 ifneq ($(filter site% test-site workshop%,$(MAKECMDGOALS)),)
 include $(WORKSHOP)/parts.mk
 endif
 
-$(EXERCISES:%=$(WORKSHOP)/%.o): $(WORKSHOP)/%.o: figures/workshop/workshop.mk
+$(WORKED:%=$(WORKSHOP)/%.o): $(WORKSHOP)/%.o: figures/workshop/workshop.mk
 	@echo "  link  $@"
 	$(Q)wasm-ld -r $(filter %.o,$^) -o $@
-$(EXERCISES:%=$(WORKSHOP)/%.js): $(WORKSHOP)/%.js: figures/workshop/pack.mjs exercises/cut.awk
+$(WORKED:%=$(WORKSHOP)/%.js): $(WORKSHOP)/%.js: figures/workshop/pack.mjs exercises/cut.awk
 	@echo "  pack  $@"
 	$(Q)node figures/workshop/pack.mjs exercise $* $(WORKSHOP)/$*.o $(ANSWER_$*) $(SOURCE_$*) > $@
 
 # --- What a reader's module moves in ------------------------------------------------
-FIGURED := $(foreach e,$(EXERCISES),$(if $(FIGURE_$e),$e))
+FIGURED := $(foreach e,$(WORKED),$(if $(FIGURE_$e),$e))
 figured = $(firstword $(FIGURE_$1))
 define figured_rule
 $(WORKSHOP)/figure-$1.js: $(addprefix $(OURS)/wasm/,live/$(call figured,$1).o live/live.o live/live_wasm.o $(WITH_$(call figured,$1))) \
@@ -126,6 +126,6 @@ $(WORKSHOP)/pairs-all.js: tests/data/pairs-all.txt figures/workshop/pack.mjs
 
 # All that a page needs, to be copied beside it into workshop/; the compiler's pieces
 # are counted when they are there.
-WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js headers.js judge.js runner.js pairs-all.js $(STAGES:%=stage-%.js) $(EXERCISES:%=%.js) $(FIGURED:%=figure-%.js))
+WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js headers.js judge.js runner.js pairs-all.js $(STAGES:%=stage-%.js) $(WORKED:%=%.js) $(FIGURED:%=figure-%.js))
 .PHONY: workshop-files
 workshop-files: $(WORKSHOP_FILES)

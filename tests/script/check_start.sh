@@ -6,9 +6,10 @@ unset MAKEFLAGS MFLAGS      # a make that called us must not hand down its own
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 build=${BUILD:-build} build=${build%/swapped}
-mkdir -p "$tree/figures/live" "$tree/chapters/site" "$tree/build" &&
+mkdir -p "$tree/figures/live" "$tree/figures/workshop" "$tree/chapters/site" "$tree/build" &&
 cp -Rp Makefile lib "$tree" && make -s library BUILD="$build" > "$tree/said" 2>&1 &&
 cp -Rp "$build/lib" "$build/flags" "$tree/build" && cp figures/live/live.mk "$tree/figures/live" &&
+cp figures/workshop/workshop.mk "$tree/figures/workshop" &&
 cp chapters/site/site.mk "$tree/chapters/site" && cd "$tree" || exit 1
 
 # block LANGUAGE: the first block in it under "Your first program".

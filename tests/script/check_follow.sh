@@ -152,7 +152,8 @@ interrupt() {   # NAME
     wait $watcher
     tries=0     # make does not always wait for its own
     while kill -s 0 -- -$watcher 2> /dev/null && [ $tries -lt 50 ]; do tries=$((tries + 1)); sleep 0.1; done
-    if [ $tries -eq 50 ] || grep -q '\*\*\*' "$tree/said" || [ -n "$(ls "$TMPDIR")" ]
+    # (Ctrl-C reaches make and its children at once; one that lost them says so.)
+    if [ $tries -eq 50 ] || grep '\*\*\*' "$tree/said" | grep -qv 'No child processes\|Waiting for unfinished' || [ -n "$(ls "$TMPDIR")" ]
     then verdict "$1" no; else verdict "$1" yes; fi
 }
 if command -v setsid > /dev/null && env --default-signal=INT true 2> /dev/null; then

@@ -693,7 +693,7 @@ checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits $$(LIVE_PROGRAMS)
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 objects: $(ALL) \
   $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/*/*.c))) \
-  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) box3d_mover.c queries_gjk.c queries_box3d.c $(notdir $(wildcard figures/live/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
+  $(patsubst %.c,$(BUILD)/figures/%.o,$(filter-out $(THEIRS) box3d_mover.c queries_gjk.c queries_box3d.c $(notdir $(wildcard figures/live/*.c figures/workshop/*.c)),$(notdir $(wildcard figures/*/*.c)))) \
   $(patsubst figures/live/%.c,$(BUILD)/live/%.o,$(filter-out %_wasm.c,$(wildcard figures/live/*.c)))
 theirs: $(THEIRS:%.c=$(BUILD)/figures/%.o) $(BUILD)/figures/piles_bullet.o
 

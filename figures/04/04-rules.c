@@ -61,10 +61,10 @@ static void ask_all(const body *a, const body *b, real truth, tally *t)
                                       NULL);
         real wanted = real_max(truth, 0), error = fabs(r.distance - wanted);
         int apart = r.status == GJK_APART;
-        int status = fabs(truth) > 1e-12 * size && apart != (truth > 0);
+        int is_false = fabs(truth) > 1e-12 * size && apart != (truth > 0);
         t->pairs++;
-        t->status += status;
-        t->wrong += status || !(error <= 1e-6 * wanted || error <= 1e-14 * size);
+        t->status += is_false;
+        t->wrong += is_false || !(error <= 1e-6 * wanted || error <= 1e-14 * size);
     }
 }
 

@@ -663,7 +663,7 @@ START_TEST(a_bad_surface_is_refused_in_a_sentence)
     tumble_world *w = empty();
     tumble_body_options o = tumble_at(0, 0, 0), none = o;
     tumble_vec3 p[4] = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 0, 2 } };
-    tumble_vec3 lost[3] = { { 0, 0, 0 }, { 0, 0, 1 }, { NAN, 0, 0 } };
+    tumble_vec3 lost[3] = { { 0, 0, 0 }, { 0, 0, 1 }, { (double)NAN, 0, 0 } };
     int v[3] = { 0, 1, 2 }, far[3] = { 0, 1, 4 }, line[3] = { 0, 1, 3 };
     none.group = 0;
     is_refused(w, tumble_add_mesh(w, p, 4, far, 1, 0, o), "names point 4");

@@ -674,7 +674,7 @@ START_TEST(a_bad_surface_is_refused_in_a_sentence)
     is_refused(w, tumble_add_mesh(w, p, 4, v, 1, -1, o), "thickness");
     is_refused(w, tumble_add_mesh(w, p, 4, v, 1, 1e-9, o), "too thin");
     is_refused(w, tumble_add_mesh(w, p, 4, v, 1, 0, none), "group 0");
-    double height[4] = { 0, 0, 0, NAN };
+    double height[4] = { 0, 0, 0, (double)NAN };
     is_refused(w, tumble_add_heights(w, height, 2, 2, 1, 1, 0, o), "point 3");
     is_refused(w, tumble_add_heights(w, height, 1, 2, 1, 1, 0, o), "1 x 2");
     is_refused(w, tumble_add_heights(w, height, 2, 2, 0, 1, 0, o), "0 m wide");

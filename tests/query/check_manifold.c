@@ -850,10 +850,10 @@ START_TEST(body_that_is_not_finite_touches_no_plane)
     standing a = stand(&cube, UPRIGHT, vec3_make(0, 0.5, 0));
     collider body = { a.plan, a.at, false };
     vec3 up = { 0, 1, 0 };
-    for (int v = 0; v < 8; v++) a.at[v].y = NAN;
+    for (int v = 0; v < 8; v++) a.at[v].y = (real)NAN;
     ck_assert_int_eq(manifold_on_plane(&body, up, 0, 1, 0).count, 0);
     a = stand(&cube, UPRIGHT, vec3_make(0, 0.5, 0));
-    ck_assert_int_eq(manifold_on_plane(&body, up, NAN, 1, 0).count, 0);
+    ck_assert_int_eq(manifold_on_plane(&body, up, (real)NAN, 1, 0).count, 0);
     ck_assert_int_eq(manifold_on_plane(&body, up, 0, NAN, 0).count, 0);
 }
 END_TEST

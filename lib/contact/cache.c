@@ -403,7 +403,7 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
             .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
             .local_b = local_of(f->body[c->b].rigid, &m->point[k].b),
             .offset = c->round_a + c->round_b,
-            .own = contact_own(&m->point[k]) };
+            .own = contact_own(&m->point[k], c) };
 }
 //<
 

@@ -124,9 +124,11 @@ typedef struct {
 
 //> cache-own
 // Where do both push that touch so?  A vertex takes its place along, while the
-// face under it slides: see contact_point.
-static inline real contact_own(const touch *p)
+// face under it slides: see contact_point.  What is rounder rolls over a vertex,
+// and touches below its own core.
+static inline real contact_own(const touch *p, const contact *c)
 {
+    if (c->round_a != c->round_b) return c->round_a > c->round_b;
     return p->a.count == 1 ? 1 : p->b.count == 1 ? 0 : 0.5;
 }
 //<

@@ -353,7 +353,7 @@ static void take(const slider *s, side *x, const manifold *m)
         t->point[k] = (contact_point){
             local_at(s->f->body[t->a].rigid, &m->point[k].a),
             local_at(s->f->body[t->b].rigid, &m->point[k].b),
-            t->round_a + t->round_b, contact_own(&m->point[k]) };
+            t->round_a + t->round_b, contact_own(&m->point[k], t) };
     see_side(s, x);
     carry_nothing(t);
     carry(s, x, &s->c->was[x->pair->entry], 0.7);

@@ -1,5 +1,6 @@
 //> rolling
-//>   It acts only on what turns slowly
+//>   It acts only on what turns slowly, and would come to rest: not on what slides
+//>   still, nor on what a slope pulls along
 //>   (`ball_rolls_down_a_slope_with_five_sevenths`).
 #include "rolling.h"
 
@@ -39,6 +40,38 @@ static void turn(motion *m, const motion_basis *basis, vec3 impulse)
         m->of[MOTION_TURN + t] += vec3_dot(basis->turn[t], impulse);
 }
 
+static real speed_across(vec3 u, vec3 normal)
+{
+    return vec3_length(vec3_add_scaled(u, -vec3_dot(u, normal), normal));
+}
+
+// m/s: how fast the two surfaces pass each other where they touch.
+static real slip_of(const rigid_tables *t, const contact *c)
+{
+    const solver_body *a = &t->now[c->a], *b = c->b < 0 ? NULL : &t->now[c->b];
+    contact_arms arm = contact_arms_of(c, 0, &a->frame, b ? &b->frame : NULL);
+    vec3 u = motion_at(&a->basis, &t->velocity[c->a], arm.a);
+    if (b) u = vec3_sub(u, motion_at(&b->basis, &t->velocity[c->b], arm.b));
+    return speed_across(u, c->normal);
+}
+
+// Has it gained speed in this frame, by more than that resistance takes?  Then
+// something pulls it along, as on a slope, and it will not rest.
+static bool gains_speed(const world *w, const contact *c)
+{
+    const rigid_tables *t = &w->rigid;
+    vec3 none = { 0, 0, 0 }, was = t->ahead[c->a].way;
+    vec3 now = motion_at(&t->now[c->a].basis, &t->velocity[c->a], none);
+    if (c->b >= 0) {
+        const solver_body *b = &t->now[c->b];
+        was = vec3_sub(was, t->ahead[c->b].way);
+        now = vec3_sub(now, motion_at(&b->basis, &t->velocity[c->b], none));
+    }
+    real most = RESISTANCE * vec3_length(w->options.gravity) * w->frame;
+    return speed_across(now, c->normal)
+           > speed_across(was, c->normal) / w->frame + most;
+}
+
 static void brake(world *w, const contact *c, real load)
 {
     static const motion_basis immovable = { .inverse_mass = 0 };
@@ -52,7 +85,9 @@ static void brake(world *w, const contact *c, real load)
     }
     real speed = vec3_length(spin);
     if (!(speed > 0)
-        || !(speed * radius < slow_speed(&w->options, radius))) return;
+        || !(speed * radius < slow_speed(&w->options, radius))
+        || slip_of(t, c) > RESISTANCE * speed * radius
+        || gains_speed(w, c)) return;
     vec3 about = vec3_scale(1 / speed, spin);
     real stops = speed / (answer(a, about) + answer(b, about));
     vec3 impulse = vec3_scale(real_min(stops, most), about);

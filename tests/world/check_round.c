@@ -352,12 +352,12 @@ static world_options elastic(void)
     return o;
 }
 
-// The torque of friction turns the ball, so a = g sin / (1 + 2/5).
+// The torque of friction turns the ball, so a = g sin / (1 + 2/5), from rest.
 // Rejects: friction that acts at the middle, or at a point that turns away; a
-// shell's inertia (3/5).
-START_TEST(ball_rolls_down_a_slope_with_five_sevenths)
+// shell's inertia (3/5); a brake for what rolls slowly that acts on a slope.
+static void roll_down(real slope)
 {
-    real slope = .35;
+    begin(world_options_default());
     vec3 n = { sin(slope), cos(slope), 0 };
     expect_ok(world_add_plane(&w, n, 0));
     int b = add(&ball, placement_at(vec3_scale(.1, n)));
@@ -367,6 +367,28 @@ START_TEST(ball_rolls_down_a_slope_with_five_sevenths)
     printf("rolled %.6f m in 2 s, formula %.6f\n", far, wanted);
     near(far, wanted, 1e-3 * wanted);
     near(vec3_dot(middle(b), n), .1, 1e-4);
+}
+
+START_TEST(ball_rolls_down_a_slope_with_five_sevenths)
+{
+    roll_down(.35);
+    roll_down(.035);
+}
+END_TEST
+
+// Friction stops its slip when 5/7 of its speed are left: mu g t = 2/7 v.
+// Rejects: a brake for what rolls slowly that acts on what slides still.
+START_TEST(ball_that_slides_ends_by_rolling_with_five_sevenths)
+{
+    world_options o = world_options_default();
+    o.friction = .05;
+    begin(o);
+    expect_ok(world_add_plane(&w, vec3_make(0, 1, 0), 0));
+    placement at = placement_at(vec3_make(0, .1, 0));
+    at.velocity = vec3_make(.5, 0, 0);
+    int b = add(&ball, at);
+    frames(30);
+    near_vec3(velocity(b), vec3_make(.5 * 5 / 7, 0, 0), 1e-6);
 }
 END_TEST
 
@@ -713,6 +735,7 @@ int main(void)
         ball_that_bounces_begins_to_roll,
         ball_that_spins_reaches_nothing_by_it,
         ball_rolls_down_a_slope_with_five_sevenths,
+        ball_that_slides_ends_by_rolling_with_five_sevenths,
         ball_without_friction_slides,
         marble_rests_on_a_floor_in_a_corner_and_on_two_edges,
         elastic_impact_changes_speeds_along_the_line_of_centres,

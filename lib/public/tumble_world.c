@@ -180,8 +180,7 @@ bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity)
     if (!inside_is_world(w)) return false;
     if (!vec3_is_finite(from_user(gravity)))
         return inside_fail(w, "gravity is not finite");
-    w->world.options.gravity = from_user(gravity);
-    for (int b = 0; b < w->world.bodies; b++) world_wake(&w->world, b);
+    world_set_gravity(&w->world, from_user(gravity));
     return true;
 }
 

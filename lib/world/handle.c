@@ -26,11 +26,28 @@ static vec3 direction(const rigid_frame *now, const rigid_frame *rest, vec3 d)
     return sum;
 }
 
+// Does something hold a rope or a cloth: a nail, a pin, or what does not move?
+static bool is_soft_held(const world *w, int b)
+{
+    const body *x = &w->body[b];
+    bool is_held = false;
+    for (int i = x->first; i < x->first + body_particles(x); i++)
+        is_held |= !(w->pool.at[i].inverse_mass > 0)
+                || w->soft.hold[i].state != LINE_FREE;
+    for (int k = 0; k < w->joints.count && !is_held; k++) {
+        const joint *j = &w->joints.joint[k];
+        is_held = j->kind == JOINT_PIN && !j->is_broken && j->a == b;
+    }
+    return is_held;
+}
+
 // The velocity of the particles is that in the middle of the last substep.
 // Gravity has gone on since then, where nothing held the body.
 static vec3 since_then(const world *w, int b)
 {
-    return vec3_scale(w->rigid.held[b] ? 0 : body_age(w, b) / 2, w->options.gravity);
+    bool is_held = body_is_soft(&w->body[b]) ? is_soft_held(w, b)
+                                             : w->rigid.held[b];
+    return vec3_scale(is_held ? 0 : body_age(w, b) / 2, w->options.gravity);
 }
 
 static placement where_rigid(const world *w, int b)
@@ -72,6 +89,7 @@ placement world_where(const world *w, int b)
         at.velocity = vec3_add_scaled(at.velocity, 1 / (n * w->age), way);
     }
     at.is_static = body_is_static(x);
+    if (body_moves(w, b)) at.velocity = vec3_add(at.velocity, since_then(w, b));
     return at;
 }
 //<
@@ -165,6 +183,36 @@ void world_push_particle(world *w, int b, int i, vec3 impulse)
     particle *p = &w->pool.at[w->body[b].first + i];
     p->previous = vec3_add_scaled(p->previous, -w->age * p->inverse_mass,
                                   impulse);
+}
+//<
+
+//> handle-gravity
+//>   The velocities that particles have are half a substep old, and go on with the
+//>   gravity of the world. Where another takes its place, they go on from what they
+//>   are *now*.
+// Adds to the velocity of all particles of a deformable body.
+static void add_soft_velocity(world *w, const body *x, vec3 velocity)
+{
+    for (int i = x->first; i < x->first + body_particles(x); i++) {
+        particle *p = &w->pool.at[i];
+        if (p->inverse_mass > 0)
+            p->previous = vec3_add_scaled(p->previous, -w->age, velocity);
+    }
+}
+
+void world_set_gravity(world *w, vec3 gravity)
+{
+    assert(vec3_is_finite(gravity));
+    vec3 less = vec3_sub(w->options.gravity, gravity), none = { 0, 0, 0 };
+    for (int b = 0; b < w->bodies; b++) {
+        const body *x = &w->body[b];
+        world_wake(w, b);
+        if (!body_moves(w, b)) continue;
+        vec3 change = vec3_scale(body_age(w, b) / 2, less);
+        if (body_is_soft(x)) add_soft_velocity(w, x, change);
+        else if (!w->rigid.held[b]) add_velocity(w, b, change, none);
+    }
+    w->options.gravity = gravity;
 }
 //<
 

@@ -39,6 +39,10 @@ void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin);
 // it, and goes through what does not move.
 void world_set_kinematic(world *w, int b, bool is_kinematic);
 
+// Another gravity (m/s^2) from now on: everything wakes, and has the velocity that
+// it had.
+void world_set_gravity(world *w, vec3 gravity);
+
 // An impulse (N s) on a rigid body, now, at a point of the world.  A static or
 // kinematic one does not feel it.
 void world_push(world *w, int b, vec3 impulse, vec3 at);

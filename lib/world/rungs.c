@@ -75,10 +75,12 @@ static void find_islands(world *w)
 //> rungs-demands
 //>   Each island is asked how calm it is, and what its contacts bear; its choice
 //>   is that of all its bodies.
-// What flies does not sag.
-static bool is_calm(const rigid_tables *t, int b)
+// What flies does not sag.  (Velocities are half a substep old: see handle-where.)
+static bool is_calm(const world *w, int b)
 {
-    vec3 way = t->ahead[b].way;
+    const rigid_tables *t = &w->rigid;
+    real since = t->held[b] ? 0 : w->frame * t->age[b] / 2;
+    vec3 way = vec3_add_scaled(t->ahead[b].way, since, w->options.gravity);
     real far = t->now[b].radius / 16;
     return vec3_length_squared(way) <= far * far;
 }
@@ -97,12 +99,27 @@ static void add_choice(const rigid_tables *t, int b, substep_choice *to)
     to->frames = int_min(to->frames, t->choice[b].frames);
 }
 
+// How far the balls inside of an island's bodies reach along gravity, and how large
+// its bodies are.
+static void add_layer(const rigid_tables *t, int b, vec3 down, island *i)
+{
+    real at = vec3_dot(t->now[b].frame.center, down), inner = t->body[b].inner;
+    bool is_first = i->bodies == 0;
+    i->low = is_first ? at - inner : real_min(i->low, at - inner);
+    i->high = is_first ? at + inner : real_max(i->high, at + inner);
+    i->inner += inner;
+    i->radius += t->now[b].radius;
+    i->bodies++;
+}
+
 static void find_demands(world *w)
 {
     rigid_tables *t = &w->rigid;
+    vec3 down = vec3_unit(w->options.gravity);
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k], of = island_root(t->island, b);
-        t->island[of].is_calm &= is_calm(t, b);
+        t->island[of].is_calm &= is_calm(w, b);
+        if (t->moves[b]) add_layer(t, b, down, &t->island[of]);
         if (b != of) add_choice(t, b, &t->choice[of]);
     }
     for (int k = 0; k < t->solver.contacts; k++) {

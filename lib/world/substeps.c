@@ -16,6 +16,16 @@ static real substeps_to_bear(const world *w, real pace)
     return w->options.dt * sqrt(pace / GIVES) / EIGHTH;
 }
 
+// In a pile that is calm, what lies lowest bears one body for each layer above it.
+// So a tower has the substeps that it needs before it has begun to lean.
+static real substeps_for_layers(const world *w, const island *i)
+{
+    if (!i->is_calm || i->hangs || i->bodies < 2) return 0;
+    real layers = (i->high - i->low) * i->bodies / (2 * i->inner) - 1;
+    real g = vec3_length(w->options.gravity);
+    return substeps_to_bear(w, g * layers * i->bodies / i->radius);
+}
+
 // The weight of what lies on another counts before it is felt, and when all is
 // calm also what contacts bear: by their root mean square, as if loads grew evenly
 // from nothing to the largest, as they do in a tower.  (Where bodies are jammed,
@@ -23,7 +33,8 @@ static real substeps_to_bear(const world *w, real pace)
 // grows by one substep a frame, or a tower would be thrown up.
 static real substeps_for_contacts(const world *w, const island *i, int now)
 {
-    real first = substeps_to_bear(w, i->weight);
+    real first = real_max(substeps_to_bear(w, i->weight),
+                          substeps_for_layers(w, i));
     if (!(i->squares < HUGE_VAL && i->bears > 0 && i->is_calm)) return first;
     real pace = sqrt(3 * i->squares / i->bears);
     return real_max(first, real_min(substeps_to_bear(w, pace), now));

@@ -151,6 +151,9 @@ typedef struct {
     real weight;        // 1/s^2, the largest of its contacts, see solver.h, and
     real squares;       // the sum of the squares of what they bear,
     int  bears;         // which are so many
+    real low, high;     // m, along gravity, how far its bodies reach,
+    real inner, radius; // m, the sums of their radii,
+    int  bodies;        // of which there are so many
     real pace;          // rad/s, of the fastest swing about its joints
     bool hangs;         // it has joints, or is soft:
     bool is_soft;       // it has ropes or cloths

@@ -353,7 +353,7 @@ bool tumble_set_bending(tumble_world *w, tumble_body b, double stiffness);
 
 // By how much threads give: a newton stretches a metre of a rope by so many
 // metres (1/N), or a cloth, for every metre of its width (m/N).  Denim: 1e-4.
-// 0: not at all.
+// 0: not at all; but a pinned cloth becomes longer by 4e-6 under its own weight.
 bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance);
 //<
 

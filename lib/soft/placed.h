@@ -31,7 +31,8 @@ typedef struct body {
     real thickness;     // m, the radius of a deformable body's particles; 0 of
                         // a rigid one
     real bending;       // N m^2, or N m, of a deformable one: see bend.h
-    real compliance;    // 1/N, or m/N, of a deformable one: see line.h
+    real compliance;    // 1/N, or m/N, of a deformable one: see line.h; and, m/N,
+    real taut;          // what the threads of a cloth give by where it is pinned
     real inner;         // m, the inner radius of a rigid one
     real damping;       // 1/s, the share of its velocity that it loses,
     real spin_damping;  // 1/s, and of its spin, if it is rigid

@@ -199,6 +199,21 @@ static void calm(particle *p, const line_hold *h)
         p->previous = vec3_add_scaled(p->previous, up, h->normal);
 }
 
+// A pin, a nail, or what it hangs on.
+static bool is_pinned(const shape *plan, const particle *p)
+{
+    bool some = false;
+    for (int i = 0; i < plan->particles; i++) some |= !(p[i].inverse_mass > 0);
+    return some;
+}
+
+// Between pins a sheet may be taut, and threads that give by nothing would pull
+// without a bound, and never rest.  Those of cloth give a little.
+static real compliance_of(const body *b, const particle *p)
+{
+    return b->compliance > 0 || !is_pinned(b->shape, p) ? b->compliance : b->taut;
+}
+
 static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
 {
     const shape *plan = b->shape;
@@ -209,17 +224,13 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
     if (shape_directions(plan) > 1)
         o.tolerance = real_max(o.tolerance, CLOTH_TOLERANCE);
     line_result l = lines_relax(plan, p, f->iterations, o, hold,
-                                b->compliance / (f->h * f->h), b->line);
-    bool is_pinned = false;
-    for (int i = 0; i < plan->particles; i++) {
-        calm(&p[i], &hold[i]);
-        is_pinned |= !(p[i].inverse_mass > 0);
-    }
+                                compliance_of(b, p) / (f->h * f->h), b->line);
+    for (int i = 0; i < plan->particles; i++) calm(&p[i], &hold[i]);
     s->tested += l.steps * links;
     s->relaxed += l.steps * links;
     s->fell_back += l.fell_back;
     bool is_strained = l.worst > 0.01 && l.worst < HUGE_VAL;
-    if (is_strained || (is_pinned && shape_directions(plan) > 1))
+    if (is_strained || (shape_directions(plan) > 1 && is_pinned(plan, p)))
         s->pressed = HUGE_VAL;
 }
 

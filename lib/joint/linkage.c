@@ -648,11 +648,8 @@ static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
 //>   A tree is solved once, and again as long as its joints will miss what they
 //>   want by too much. Mostly once is enough.
 // As a share of a body's size: by so much a joint may miss what it wants, at
-// the end of a substep: a hundredth of what gaps may be.  With ten times
-// as much two more double pendulums (chapter 20, case 164) change their energy
-// by more than a thousandth, and a heap of dolls costs 4 % less; with a tenth,
-// tops and double pendulums do as before.
-static const real MISS = 1e-6;
+// the end of a substep: a tenth of what gaps may be.
+static const real MISS = 1e-5;
 
 // A tree that was solved without a limit that is reached, or with one that
 // pulls, is solved again.
@@ -796,6 +793,13 @@ static real swing_of(const linkage_pass *q, int b, vec3 local)
     return length > 0 ? sum / length : 0;
 }
 
+// rad/s, that of a body which hangs there with its own weight alone.
+static real hung_swing(const linkage_pass *q, int b, real swing)
+{
+    real inverse = basis_of(q->f, b)->inverse_mass;
+    return inverse > 0 ? sqrt(vec3_length(q->f->gravity) / inverse * swing) : 0;
+}
+
 static real size_of(const linkage_pass *q, int b)
 {
     return moves(q->f, b) ? q->f->body[b].radius : HUGE_VAL;
@@ -811,8 +815,10 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         const joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
         if (l->role[k] == JOINT_IDLE) continue;
-        r->swing = real_max(swing_of(q, j->a, j->local_a),
-                            swing_of(q, j->b, j->local_b));
+        real a = swing_of(q, j->a, j->local_a);
+        real b = swing_of(q, j->b, j->local_b);
+        r->swing = real_max(a, b);
+        r->hung = real_max(hung_swing(q, j->a, a), hung_swing(q, j->b, b));
         r->size = real_min(size_of(q, j->a), size_of(q, j->b));
     }
     for (int first = 0, end; first < l->steps; first = end) {
@@ -935,11 +941,12 @@ static real force_of(const joint *j, real h)
     return sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / h;
 }
 
-// A spin counts twice: within a substep the joints see a body's inertia where it
-// stands as it begins.  With one 30 of 84 tops (chapter 20, case 160)
-// changed their energy by more than a thousandth, with two 25, with four 17;
-// the substeps of a fast spin are half, or twice, as many.
-static const real SPINS = 2;
+// A substep turns a body by a tenth of a radian (FOLLOWED / TURNED, substeps.c): how
+// fast it turns, and would swing under its own weight, decides how exact its orbit
+// is.  With half as much 24 of 84 tops and 16 of 27 thrown linkages (chapter 20,
+// cases 160 and 169) change their energy by more than a thousandth, with this 10
+// and 9, with twice as much 5 and 3, in up to twice as many substeps.
+static const real TURNED = 6;
 
 // rad/s
 static real spin_of(const linkage_pass *q, int b)
@@ -957,8 +964,8 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
         if (l->role[k] == JOINT_IDLE) continue;
         j->force = force_of(j, h);
         real swing = sqrt(j->force * l->rows[k].swing);
-        swing = real_max(swing, SPINS * real_max(spin_of(q, j->a),
-                                                 spin_of(q, j->b)));
+        real turns = real_max(spin_of(q, j->a), spin_of(q, j->b));
+        swing = real_max(swing, TURNED * real_max(turns, l->rows[k].hung));
         l->rows[k].pace = real_max(l->rows[k].pace, swing);
         l->swing = real_max(l->swing, swing);
         if (!(j->force > j->strength)) continue;
@@ -968,12 +975,33 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
     }
 }
 
+// What a tree's joints do before the bodies move is nearly what they did in the
+// substep before.  What they do after it, to stop what then still goes, is found
+// exactly, and is nothing to begin the next substep with.
+static void keep_pushes(linkage *l)
+{
+    for (int k = 0; k < l->count; k++)
+        memcpy(l->rows[k].pushed, l->joint[k].impulse, sizeof l->rows->pushed);
+}
+
+static void take_pushes(linkage *l)
+{
+    for (int k = 0; k < l->count; k++) {
+        joint *j = &l->joint[k];
+        const joint_rows *r = &l->rows[k];
+        for (int i = 0; i < r->count && l->role[k] >= JOINT_ANCHOR; i++)
+            j->impulse[i] = r->pushed[i];
+    }
+}
+
 void linkage_relax(linkage *l, const linkage_pass *q)
 {
     if (l->count == 0) return;
     find_rows(l, q);
+    keep_pushes(l);
     settle(l, q, want_rest, 1);
     break_overloaded(l, q);
+    take_pushes(l);
     if (l->is_stale) begin_roles(l, q);
 }
 //<

@@ -85,7 +85,7 @@ static int hold(substep_choice *c, int need)
 // have more than usual.
 int substeps_choose(world *w, const island *i, substep_choice *c)
 {
-    int usual = world_usual(w, i->hangs);
+    int usual = world_usual(w, i->is_soft);
     int most = int_max(w->options.most_substeps, usual);
     real share = w->frame / w->options.dt;
     real stiff = real_min(substeps_for_contacts(w, i, c->now), most);

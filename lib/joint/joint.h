@@ -78,11 +78,10 @@ typedef struct {
     real begun[JOINT_ROWS];     // the joint's impulse when the substep began,
     bool was_upper, was_broken; // and the rest, to begin it again
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K
-    real beyond[JOINT_ROWS][JOINT_ROWS];    // of K, if only the tree beyond the
-                                            // joint moved
-    real answer[JOINT_ROWS][MOTIONS];       // how a unit impulse along a row
-    real answer_on[JOINT_ROWS][MOTIONS];    // moves the body beyond, and the
-                                            // one that leads on
+    real answer[JOINT_ROWS][MOTIONS];   // how a unit impulse along a row moves
+                                        // the body that leads on,
+    real back[JOINT_ROWS][MOTIONS];     // and how much of a unit impulse on that
+                                        // body the joint holds back
     real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), what a unit impulse leaves
                                 // of what it should change
     real share;                 // of an error that a substep takes back

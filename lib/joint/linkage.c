@@ -214,6 +214,28 @@ static real speed_of_row(const linkage_pass *q, const joint *j,
     return speed_of(q, r->a[k], j->a) + speed_of(q, r->b[k], j->b);
 }
 
+// Three rows are those of a ball joint: each moves the centre along one axis only.
+// So a row begins there, ends there, and goes on with the turns.
+ALWAYS_INLINE int straight_first(int rows, int row)
+{
+    return rows == 3 ? row : 0;
+}
+
+ALWAYS_INLINE int straight_end(int rows, int row)
+{
+    return rows == 3 ? row + 1 : MOTION_TURN;
+}
+
+ALWAYS_INLINE real row_dot(int rows, int k, const real row[MOTIONS],
+                           const real motion[MOTIONS])
+{
+    real sum = 0;
+    for (int i = straight_first(rows, k); i < straight_end(rows, k); i++)
+        sum += row[i] * motion[i];
+    for (int i = MOTION_TURN; i < MOTIONS; i++) sum += row[i] * motion[i];
+    return sum;
+}
+
 // drive += rows^T impulse; and speed -= rows velocity.  A compiler that sees a
 // sum of its own takes two of its numbers at a time.
 ALWAYS_INLINE void drive_by(real drive[MOTIONS], int rows, real (*row)[MOTIONS],
@@ -230,17 +252,24 @@ ALWAYS_INLINE void take_speed(real *speed, int rows, real (*row)[MOTIONS],
                        const real velocity[MOTIONS])
 {
     for (int k = 0; k < rows; k++)
-        for (int i = 0; i < MOTIONS; i++) speed[k] -= row[k][i] * velocity[i];
+        speed[k] -= row_dot(rows, k, row[k], velocity);
+}
+
+// An impulse, in the coordinates of a body's motion.
+static void give(const linkage_pass *q, int b, const real impulse[MOTIONS])
+{
+    real inverse = basis_of(q->f, b)->inverse_mass;
+    for (int i = 0; i < MOTIONS; i++)
+        q->velocity[b].of[i] += (i < MOTION_TURN ? inverse : 1) * impulse[i];
 }
 
 ALWAYS_INLINE void push_body(const linkage_pass *q, int rows,
                              real (*row)[MOTIONS], int b, const real *impulse)
 {
-    real inverse = basis_of(q->f, b)->inverse_mass, sum[MOTIONS] = { 0 };
-    if (!(inverse > 0)) return;
+    real sum[MOTIONS] = { 0 };
+    if (!moves(q->f, b)) return;
     drive_by(sum, rows, row, impulse);
-    for (int i = 0; i < MOTIONS; i++)
-        q->velocity[b].of[i] += (i < MOTION_TURN ? inverse : 1) * sum[i];
+    give(q, b, sum);
 }
 
 static void push_both(const linkage_pass *q, const joint *j, joint_rows *r,
@@ -515,31 +544,29 @@ static real (*rows_at(joint_rows *r, const joint *j, int b))[MOTIONS]
 
 static void reset_answers(linkage_body *x, const linkage_pass *q, int b)
 {
-    memset(x->answer, 0, sizeof x->answer);
+    real inverse = basis_of(q->f, b)->inverse_mass;
     for (int i = 0; i < MOTIONS; i++)
-        x->answer[i][i] = i < MOTION_TURN ? basis_of(q->f, b)->inverse_mass : 1;
+        for (int m = 0; m < MOTIONS; m++)
+            x->answer[i][m] = i != m ? 0 : i < MOTION_TURN ? inverse : 1;
 }
 
-// How a body answers impulses along rows, and K.  Three rows are those of a
-// ball joint: each moves the centre along one axis only.
-ALWAYS_INLINE void find_answers(int n, linkage_body *x,
+// How a body answers impulses along rows, and what that adds to K.
+ALWAYS_INLINE void find_answers(int n, const linkage_body *x,
                                 real (*row)[MOTIONS],
                                 real answer[JOINT_ROWS][MOTIONS],
                                 real k[JOINT_ROWS][JOINT_ROWS])
 {
     for (int a = 0; a < n; a++) {
         real sum[MOTIONS] = { 0 };
-        for (int i = 0; i < MOTIONS; i++)
+        for (int i = straight_first(n, a); i < straight_end(n, a); i++)
             for (int m = 0; m < MOTIONS; m++)
-                if (n != 3 || i == a || i >= MOTION_TURN)
-                    sum[m] += row[a][i] * x->answer[i][m];
+                sum[m] += row[a][i] * x->answer[i][m];
+        for (int i = MOTION_TURN; i < MOTIONS; i++)
+            for (int m = 0; m < MOTIONS; m++)
+                sum[m] += row[a][i] * x->answer[i][m];
         memcpy(answer[a], sum, sizeof sum);
-        for (int b = 0; b <= a; b++) {
-            for (int i = 0; i < MOTIONS; i++)
-                if (n != 3 || i == b || i >= MOTION_TURN)
-                    k[a][b] += row[b][i] * sum[i];
-            k[b][a] = k[a][b];
-        }
+        for (int b = 0; b <= a; b++)
+            k[b][a] = k[a][b] += row_dot(n, b, row[b], sum);
     }
 }
 
@@ -549,21 +576,23 @@ ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
                           linkage_body *on, const joint *j, joint_rows *r,
                           real (*row)[MOTIONS], real (*row_on)[MOTIONS])
 {
-    memset(r->beyond, 0, sizeof r->beyond);
-    for (int k = 0; k < n; k++)
-        r->beyond[k][k] = r->give[k] = GIVE * coupling(q, j, r, k, k);
-    if (tip) find_answers(n, tip, row, r->answer, r->beyond);
-    memcpy(r->inverse, r->beyond, sizeof r->inverse);
-    find_answers(n, on, row_on, r->answer_on, r->inverse);
-    small_invert(n, r->beyond);
+    real beyond[JOINT_ROWS][MOTIONS];
+    for (int k = 0; k < n; k++) {
+        for (int i = 0; i < n; i++) r->inverse[k][i] = 0;
+        r->inverse[k][k] = r->give[k] = GIVE * coupling(q, j, r, k, k);
+    }
+    if (tip) find_answers(n, tip, row, beyond, r->inverse);
+    find_answers(n, on, row_on, r->answer, r->inverse);
     small_invert(n, r->inverse);
-    real back[JOINT_ROWS][MOTIONS] = { { 0 } };
-    for (int k = 0; k < n; k++)
-        drive_by(back[k], n, r->answer_on, r->inverse[k]);
+    for (int k = 0; k < n; k++) {
+        real back[MOTIONS] = { 0 };
+        drive_by(back, n, r->answer, r->inverse[k]);
+        memcpy(r->back[k], back, sizeof back);
+    }
     for (int i = 0; i < MOTIONS; i++) {
         real held[JOINT_ROWS];
-        for (int k = 0; k < n; k++) held[k] = -r->answer_on[k][i];
-        drive_by(on->answer[i], n, back, held);
+        for (int k = 0; k < n; k++) held[k] = -r->answer[k][i];
+        drive_by(on->answer[i], n, r->back, held);
     }
 }
 
@@ -596,51 +625,56 @@ static void factor_tree(linkage *l, const linkage_pass *q, int first, int end)
 //>   And here are the two walks. The velocities that they find are not given to
 //>   the bodies. Only the impulses are, each to A and its opposite to B, so
 //>   momentum stays to rounding, however inexact the matrices are.
-// What a joint wants, and the bodies beyond it do not do already.  The body
-// that leads on gets the impulse for that, as if no other joint held it.
+// What a joint wants, and the bodies on both sides do not do already.  The body
+// that leads on gets the impulse for that, as if no joint that comes later held it.
 static inline void solve_inward(int n, linkage *l, const linkage_step *s)
 {
     const joint *j = &l->joint[s->joint];
     joint_rows *r = &l->rows[s->joint];
     linkage_body *on = &l->body[s->on];
-    real impulse[JOINT_ROWS];
     if (s->body >= 0)
         take_speed(r->want, n, rows_at(r, j, s->body), l->body[s->body].speed);
-    memcpy(impulse, r->want, sizeof impulse);
-    take_speed(impulse, n, rows_at(r, j, s->on), on->speed);
-    small_times(n, r->inverse, impulse);
-    drive_by(on->speed, n, r->answer_on, impulse);
+    take_speed(r->want, n, rows_at(r, j, s->on), on->speed);
+    small_times(n, r->inverse, r->want);
+    drive_by(on->speed, n, r->answer, r->want);
 }
 
-// Now it is known how the body that leads on moves.
+// Now it is known what the later joints give the body that leads on: of that the
+// joint holds its part.
 static inline void solve_outward(int n, linkage *l, const linkage_step *s)
 {
-    const joint *j = &l->joint[s->joint];
+    joint *j = &l->joint[s->joint];
     joint_rows *r = &l->rows[s->joint];
-    take_speed(r->want, n, rows_at(r, j, s->on), l->body[s->on].speed);
-    small_times(n, r->beyond, r->want);
+    linkage_body *on = &l->body[s->on];
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i < MOTIONS; i++)
+            r->want[k] -= r->back[k][i] * on->impulse[i];
+    drive_by(on->impulse, n, rows_at(r, j, s->on), r->want);
     if (s->body >= 0)
-        drive_by(l->body[s->body].speed, n, r->answer, r->want);
+        drive_by(l->body[s->body].impulse, n, rows_at(r, j, s->body), r->want);
+    for (int i = 0; i < n; i++) j->impulse[i] += r->want[i];
 }
 
 static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
 {
-    for (int s = first; s < end; s++)
-        if (l->step[s].body >= 0)
-            memset(l->body[l->step[s].body].speed, 0, sizeof l->body->speed);
-    for (int s = first; s < end - 1; s++) {
-        int n = l->rows[l->step[s].joint].count;
-        if (n == 3) solve_inward(3, l, &l->step[s]);
-        else        solve_inward(n, l, &l->step[s]);
+    const linkage_step *s = l->step;
+    for (int k = first; k < end; k++) {
+        if (s[k].body < 0) continue;
+        memset(l->body[s[k].body].speed, 0, sizeof l->body->speed);
+        memset(l->body[s[k].body].impulse, 0, sizeof l->body->impulse);
     }
-    for (int s = end - 2; s >= first; s--) {
-        joint_rows *r = &l->rows[l->step[s].joint];
-        joint *j = &l->joint[l->step[s].joint];
-        if (r->count == 3)  solve_outward(3, l, &l->step[s]);
-        else                solve_outward(r->count, l, &l->step[s]);
-        for (int i = 0; i < r->count; i++) j->impulse[i] += r->want[i];
-        push_both(q, j, r, r->want);
+    for (int k = first; k < end - 1; k++) {
+        int n = l->rows[s[k].joint].count;
+        if (n == 3) solve_inward(3, l, &s[k]);
+        else        solve_inward(n, l, &s[k]);
     }
+    for (int k = end - 2; k >= first; k--) {
+        int n = l->rows[s[k].joint].count;
+        if (n == 3) solve_outward(3, l, &s[k]);
+        else        solve_outward(n, l, &s[k]);
+    }
+    for (int k = first; k < end; k++)
+        if (s[k].body >= 0) give(q, s[k].body, l->body[s[k].body].impulse);
 }
 //<
 

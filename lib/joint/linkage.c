@@ -227,12 +227,12 @@ ALWAYS_INLINE int straight_end(int rows, int row)
 }
 
 ALWAYS_INLINE real row_dot(int rows, int k, const real row[MOTIONS],
-                           const real motion[MOTIONS])
+                           const real speed[MOTIONS])
 {
     real sum = 0;
     for (int i = straight_first(rows, k); i < straight_end(rows, k); i++)
-        sum += row[i] * motion[i];
-    for (int i = MOTION_TURN; i < MOTIONS; i++) sum += row[i] * motion[i];
+        sum += row[i] * speed[i];
+    for (int i = MOTION_TURN; i < MOTIONS; i++) sum += row[i] * speed[i];
     return sum;
 }
 

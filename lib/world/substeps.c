@@ -71,13 +71,15 @@ int substeps_again(const world *w, real h, int left)
 //>   second.
 // Every change of the number moves what rests, for in shorter substeps it sags
 // less.  So it rises at once, and falls only when it has been too high by a
-// third for PATIENCE frames.
+// third for PATIENCE frames; of joined bodies that move it falls at once, for an
+// impact asks for thirty substeps, and is over.
 enum { PATIENCE = 30 };
 
-static int hold(substep_choice *c, int need)
+static int hold(substep_choice *c, const island *i, int need)
 {
+    int patience = i->hangs && !i->is_soft && !i->is_calm ? 0 : PATIENCE;
     c->frames = 4 * need < 3 * c->now ? c->frames + 1 : 0;
-    if (need > c->now || c->frames > PATIENCE) c->now = need;
+    if (need > c->now || c->frames > patience) c->now = need;
     return c->now;
 }
 
@@ -90,7 +92,7 @@ int substeps_choose(world *w, const island *i, substep_choice *c)
     real share = w->frame / w->options.dt;
     real stiff = real_min(substeps_for_contacts(w, i, c->now), most);
     real swing = real_min(substeps_for_joints(w, i), most);
-    int n = hold(c, int_max(usual, (int)real_max(stiff, swing) + 1));
+    int n = hold(c, i, int_max(usual, (int)real_max(stiff, swing) + 1));
     if (share < 1) n = int_max(usual, (int)(share * n));
     if (i->is_soft) n = int_max(n, soft_need(w));
     return int_min(n, int_max((int)(share * most), usual));

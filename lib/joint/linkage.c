@@ -200,20 +200,6 @@ static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
 //> linkage-apply
 //>   A row gives a speed, and takes an impulse. Both walk over the six numbers
 //>   of each body's motion.
-static real speed_of(const linkage_pass *q, const real row[MOTIONS], int b)
-{
-    real sum = 0;
-    if (!moves(q->f, b)) return 0;
-    for (int i = 0; i < MOTIONS; i++) sum += row[i] * q->velocity[b].of[i];
-    return sum;
-}
-
-static real speed_of_row(const linkage_pass *q, const joint *j,
-                         const joint_rows *r, int k)
-{
-    return speed_of(q, r->a[k], j->a) + speed_of(q, r->b[k], j->b);
-}
-
 // Three rows are those of a ball joint: each moves the centre along one axis only.
 // So a row begins there, ends there, and goes on with the turns.
 ALWAYS_INLINE int straight_first(int rows, int row)
@@ -310,16 +296,24 @@ static void want_together(const linkage *l, const linkage_pass *q, int number,
     }
 }
 
+ALWAYS_INLINE void stop(int n, const linkage_pass *q, const joint *j,
+                        joint_rows *r, real want[JOINT_ROWS])
+{
+    if (moves(q->f, j->a)) take_speed(want, n, r->a, q->velocity[j->a].of);
+    if (moves(q->f, j->b)) take_speed(want, n, r->b, q->velocity[j->b].of);
+}
+
 static void want_rest(const linkage *l, const linkage_pass *q, int number,
                       real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
-    const joint_rows *r = &l->rows[number];
-    for (int k = 0; k <= r->held && k < JOINT_ROWS; k++) {
-        bool is_open = k == r->held && r->error[k] > 0;
-        want[k] = (is_open ? -r->error[k] / q->f->h : 0)
-                - speed_of_row(q, j, r, k);
-    }
+    joint_rows *r = &l->rows[number];
+    int rows = int_min(r->held + 1, JOINT_ROWS);
+    for (int k = 0; k < rows; k++) want[k] = 0;
+    if (r->held < rows && r->error[r->held] > 0)
+        want[r->held] = -r->error[r->held] / q->f->h;
+    if (j->kind == JOINT_BALL)  stop(3, q, j, r, want);
+    else                        stop(rows, q, j, r, want);
 }
 
 typedef void wanting(const linkage *l, const linkage_pass *q, int number,
@@ -330,12 +324,12 @@ typedef void wanting(const linkage *l, const linkage_pass *q, int number,
 //>   A joint can be solved by itself, as in the exercise of chapter 13. This is
 //>   the plain form. Joints that close a ring are solved like this, and with
 //>   `is_plain` all are, to measure what the trees are worth.
-// A unit impulse along row k moves the bodies along row l by K_kl.
-ALWAYS_INLINE real coupling(const linkage_pass *q, const joint *j,
+// A unit impulse along row k moves the bodies along row l by K_kl; of n rows.
+ALWAYS_INLINE real coupling(int n, const linkage_pass *q, const joint *j,
                             const joint_rows *r, int k, int l)
 {
     real straight_a = 0, straight_b = 0, turning = 0;
-    for (int i = 0; i < MOTION_TURN; i++) {
+    for (int i = straight_first(n, k); i < straight_end(n, k); i++) {
         straight_a += r->a[k][i] * r->a[l][i];
         straight_b += r->b[k][i] * r->b[l][i];
     }
@@ -358,7 +352,7 @@ static void factor_alone(linkage *l, const linkage_pass *q, int number)
     joint_rows *r = &l->rows[number];
     for (int k = 0; k < r->count; k++) {
         for (int i = 0; i < r->count; i++)
-            r->inverse[k][i] = coupling(q, j, r, k, i);
+            r->inverse[k][i] = coupling(r->count, q, j, r, k, i);
         r->give[k] = GIVE_ALONE * r->inverse[k][k];
         r->inverse[k][k] += r->give[k];
     }
@@ -579,20 +573,21 @@ ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
     real beyond[JOINT_ROWS][MOTIONS];
     for (int k = 0; k < n; k++) {
         for (int i = 0; i < n; i++) r->inverse[k][i] = 0;
-        r->inverse[k][k] = r->give[k] = GIVE * coupling(q, j, r, k, k);
+        r->inverse[k][k] = r->give[k] = GIVE * coupling(n, q, j, r, k, k);
     }
     if (tip) find_answers(n, tip, row, beyond, r->inverse);
     find_answers(n, on, row_on, r->answer, r->inverse);
     small_invert(n, r->inverse);
     for (int k = 0; k < n; k++) {
-        real back[MOTIONS] = { 0 };
-        drive_by(back, n, r->answer, r->inverse[k]);
+        real back[MOTIONS] = { 0 }, less[JOINT_ROWS];
+        for (int i = 0; i < n; i++) less[i] = -r->inverse[k][i];
+        drive_by(back, n, r->answer, less);
         memcpy(r->back[k], back, sizeof back);
     }
     for (int i = 0; i < MOTIONS; i++) {
-        real held[JOINT_ROWS];
-        for (int k = 0; k < n; k++) held[k] = -r->answer[k][i];
-        drive_by(on->answer[i], n, r->back, held);
+        real moved[JOINT_ROWS];
+        for (int k = 0; k < n; k++) moved[k] = r->answer[k][i];
+        drive_by(on->answer[i], n, r->back, moved);
     }
 }
 
@@ -648,7 +643,7 @@ static inline void solve_outward(int n, linkage *l, const linkage_step *s)
     linkage_body *on = &l->body[s->on];
     for (int k = 0; k < n; k++)
         for (int i = 0; i < MOTIONS; i++)
-            r->want[k] -= r->back[k][i] * on->impulse[i];
+            r->want[k] += r->back[k][i] * on->impulse[i];
     drive_by(on->impulse, n, rows_at(r, j, s->on), r->want);
     if (s->body >= 0)
         drive_by(l->body[s->body].impulse, n, rows_at(r, j, s->body), r->want);

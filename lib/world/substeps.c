@@ -75,19 +75,25 @@ int substeps_again(const world *w, real h, int left)
 // impact asks for thirty substeps, and is over.
 enum { PATIENCE = 30 };
 
+static bool is_joined(const island *i)
+{
+    return i->hangs && !i->is_soft;
+}
+
 static int hold(substep_choice *c, const island *i, int need)
 {
-    int patience = i->hangs && !i->is_soft && !i->is_calm ? 0 : PATIENCE;
+    int patience = is_joined(i) && !i->is_calm ? 0 : PATIENCE;
     c->frames = 4 * need < 3 * c->now ? c->frames + 1 : 0;
     if (need > c->now || c->frames > patience) c->now = need;
     return c->now;
 }
 
 // A part of a divided frame takes its share of the substeps that a frame may
-// have more than usual.
+// have more than usual.  What is joined asks by how it turns, and needs no more in a
+// part.
 int substeps_choose(world *w, const island *i, substep_choice *c)
 {
-    int usual = world_usual(w, i->is_soft);
+    int usual = is_joined(i) ? w->options.substeps : world_usual(w, i->is_soft);
     int most = int_max(w->options.most_substeps, usual);
     real share = w->frame / w->options.dt;
     real stiff = real_min(substeps_for_contacts(w, i, c->now), most);

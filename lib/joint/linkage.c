@@ -289,7 +289,7 @@ static void want_together(const linkage *l, const linkage_pass *q, int number,
     const joint_rows *r = &l->rows[number];
     real h = q->f->h, then[JOINT_ROWS];
     joint_errors(j, r, end_of(l, q, j->a), end_of(l, q, j->b), then);
-    for (int k = 0; k <= r->held && k < JOINT_ROWS; k++) {
+    for (int k = 0; k < r->held + j->is_limited; k++) {
         bool is_open = k == r->held && r->error[k] > 0;
         real left = is_open ? 0 : (1 - r->share) * r->error[k];
         want[k] = (left - then[k]) / h - r->give[k] * j->impulse[k];
@@ -308,9 +308,9 @@ static void want_rest(const linkage *l, const linkage_pass *q, int number,
 {
     const joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
-    int rows = int_min(r->held + 1, JOINT_ROWS);
+    int rows = r->held + j->is_limited;
     for (int k = 0; k < rows; k++) want[k] = 0;
-    if (r->held < rows && r->error[r->held] > 0)
+    if (j->is_limited && r->error[r->held] > 0)
         want[r->held] = -r->error[r->held] / q->f->h;
     if (j->kind == JOINT_BALL)  stop(3, q, j, r, want);
     else                        stop(rows, q, j, r, want);
@@ -977,11 +977,12 @@ static real force_of(const joint *j, real h)
 // and 9, with twice as much 5 and 3, in up to twice as many substeps.
 static const real TURNED = 6;
 
-// rad/s
-static real spin_of(const linkage_pass *q, int b)
+// rad^2/s^2
+static real spin_squared(const linkage_pass *q, int b)
 {
-    return moves(q->f, b) ? vec3_length(motion_rotation(basis_of(q->f, b),
-                                                        &q->velocity[b])) : 0;
+    if (!moves(q->f, b)) return 0;
+    return vec3_length_squared(motion_rotation(basis_of(q->f, b),
+                                               &q->velocity[b]));
 }
 
 static void break_overloaded(linkage *l, const linkage_pass *q)
@@ -993,7 +994,7 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
         if (l->role[k] == JOINT_IDLE) continue;
         j->force = force_of(j, h);
         real swing = sqrt(j->force * l->rows[k].swing);
-        real turns = real_max(spin_of(q, j->a), spin_of(q, j->b));
+        real turns = sqrt(real_max(spin_squared(q, j->a), spin_squared(q, j->b)));
         swing = real_max(swing, TURNED * real_max(turns, l->rows[k].hung));
         l->rows[k].pace = real_max(l->rows[k].pace, swing);
         l->swing = real_max(l->swing, swing);

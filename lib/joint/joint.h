@@ -85,7 +85,6 @@ typedef struct {
     real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), what a unit impulse leaves
                                 // of what it should change
     real share;                 // of an error that a substep takes back
-    real pushed[JOINT_ROWS];    // its impulses before the bodies moved
     real swing;                 // 1/(kg m), see linkage.c
     real hung;                  // rad/s, of a swing under a body's own weight
     real size;                  // m, the smaller radius of the two bodies

@@ -677,8 +677,10 @@ static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
 //>   A tree is solved once, and again as long as its joints will miss what they
 //>   want by too much. Mostly once is enough.
 // As a share of a body's size: by so much a joint may miss what it wants, at
-// the end of a substep: a tenth of what gaps may be.
-static const real MISS = 1e-5;
+// the end of a substep: a hundredth of what gaps may be.  With ten times
+// as much three more double pendulums (chapter 20, case 164) change their energy
+// by more than a thousandth, and a chain costs a tenth less.
+static const real MISS = 1e-6;
 
 // A tree that was solved without a limit that is reached, or with one that
 // pulls, is solved again.
@@ -970,12 +972,12 @@ static real force_of(const joint *j, real h)
     return sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / h;
 }
 
-// A substep turns a body by a tenth of a radian (FOLLOWED / TURNED, substeps.c): how
-// fast it turns, and would swing under its own weight, decides how exact its orbit
-// is.  With half as much 24 of 84 tops and 16 of 27 thrown linkages (chapter 20,
-// cases 160 and 169) change their energy by more than a thousandth, with this 10
-// and 9, with twice as much 5 and 3, in up to twice as many substeps.
-static const real TURNED = 6;
+// A substep turns a body by 0.075 rad (FOLLOWED / TURNED, substeps.c): how fast it
+// turns, and would swing under its own weight, decides how exact its orbit is.  With
+// this 10 of 84 tops and 13 of 27 thrown linkages (chapter 20, cases 160 and 169)
+// change their energy by more than a thousandth, with three quarters of it 13 and
+// 16.
+static const real TURNED = 8;
 
 // rad^2/s^2
 static real spin_squared(const linkage_pass *q, int b)
@@ -1005,33 +1007,12 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
     }
 }
 
-// What a tree's joints do before the bodies move is nearly what they did in the
-// substep before.  What they do after it, to stop what then still goes, is found
-// exactly, and is nothing to begin the next substep with.
-static void keep_pushes(linkage *l)
-{
-    for (int k = 0; k < l->count; k++)
-        memcpy(l->rows[k].pushed, l->joint[k].impulse, sizeof l->rows->pushed);
-}
-
-static void take_pushes(linkage *l)
-{
-    for (int k = 0; k < l->count; k++) {
-        joint *j = &l->joint[k];
-        const joint_rows *r = &l->rows[k];
-        for (int i = 0; i < r->count && l->role[k] >= JOINT_ANCHOR; i++)
-            j->impulse[i] = r->pushed[i];
-    }
-}
-
 void linkage_relax(linkage *l, const linkage_pass *q)
 {
     if (l->count == 0) return;
     find_rows(l, q);
-    keep_pushes(l);
     settle(l, q, want_rest, 1);
     break_overloaded(l, q);
-    take_pushes(l);
     if (l->is_stale) begin_roles(l, q);
 }
 //<

@@ -80,8 +80,8 @@ typedef struct {
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K
     real answer[JOINT_ROWS][MOTIONS];   // how a unit impulse along a row moves
                                         // the body that leads on,
-    real back[JOINT_ROWS][MOTIONS];     // and how much of a unit impulse on that
-                                        // body the joint holds back
+    real back[JOINT_ROWS][MOTIONS];     // and what the joint gives more for a
+                                        // unit impulse on that body
     real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), what a unit impulse leaves
                                 // of what it should change
     real share;                 // of an error that a substep takes back

@@ -147,12 +147,10 @@ static real room(const joint *j, const joint_rows *r, real value)
     return r->is_upper ? j->most - value : value - j->least;
 }
 
-void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
-                  const rigid_frame *b, real e[JOINT_ROWS])
+static void errors(const joint *j, const joint_rows *r, const rigid_frame *a,
+                   const rigid_frame *b, vec3 gap, real e[JOINT_ROWS])
 {
-    vec3 on_a, on_b, tilt = { 0, 0, 0 };
-    joint_points(j, a, b, &on_a, &on_b);
-    vec3 gap = vec3_sub(on_a, on_b);
+    vec3 tilt = { 0, 0, 0 };
     if (j->kind == JOINT_DISTANCE) {
         real length = vec3_length(gap);
         e[0] = j->is_limited ? room(j, r, length) : length - j->most;
@@ -173,6 +171,14 @@ void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
     e[3] = tilt.x;
     e[4] = tilt.y;
     e[5] = tilt.z;
+}
+
+void joint_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
+                  const rigid_frame *b, real e[JOINT_ROWS])
+{
+    vec3 on_a, on_b;
+    joint_points(j, a, b, &on_a, &on_b);
+    errors(j, r, a, b, vec3_sub(on_a, on_b), e);
 }
 //<
 
@@ -266,7 +272,7 @@ void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
         for (int k = 0; k < 3 && j->kind == JOINT_FIXED; k++)
             turn_apart(r, r->held++, a, b, AXIS[k]);
     }
-    joint_errors(j, r, &a->frame, &b->frame, r->error);
+    errors(j, r, &a->frame, &b->frame, vec3_sub(on_a, on_b), r->error);
 }
 //<
 

@@ -78,15 +78,15 @@ typedef struct {
     real begun[JOINT_ROWS];     // the joint's impulse when the substep began,
     bool was_upper, was_broken; // and the rest, to begin it again
     real inverse[JOINT_ROWS][JOINT_ROWS];   // of K
-    real beyond[JOINT_ROWS][JOINT_ROWS];    // of K, if only the tree beyond the
-                                            // joint moved
-    real answer[JOINT_ROWS][MOTIONS];       // how a unit impulse along a row
-    real answer_on[JOINT_ROWS][MOTIONS];    // moves the body beyond, and the
-                                            // one that leads on
+    real answer[JOINT_ROWS][MOTIONS];   // how a unit impulse along a row moves
+                                        // the body that leads on,
+    real back[JOINT_ROWS][MOTIONS];     // and what the joint gives more for a
+                                        // unit impulse on that body
     real give[JOINT_ROWS];      // 1/kg, 1/(kg m^2), what a unit impulse leaves
                                 // of what it should change
     real share;                 // of an error that a substep takes back
     real swing;                 // 1/(kg m), see linkage.c
+    real hung;                  // rad/s, of a swing under a body's own weight
     real size;                  // m, the smaller radius of the two bodies
     real want[JOINT_ROWS];      // m/s, rad/s: what the impulses are to change
     real pace;                  // rad/s, of the fastest swing about it in the

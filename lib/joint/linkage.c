@@ -200,18 +200,26 @@ static const rigid_frame *end_of(const linkage *l, const linkage_pass *q, int b)
 //> linkage-apply
 //>   A row gives a speed, and takes an impulse. Both walk over the six numbers
 //>   of each body's motion.
-static real speed_of(const linkage_pass *q, const real row[MOTIONS], int b)
+// Three rows are those of a ball joint: each moves the centre along one axis only.
+// So a row begins there, ends there, and goes on with the turns.
+ALWAYS_INLINE int straight_first(int rows, int row)
 {
-    real sum = 0;
-    if (!moves(q->f, b)) return 0;
-    for (int i = 0; i < MOTIONS; i++) sum += row[i] * q->velocity[b].of[i];
-    return sum;
+    return rows == 3 ? row : 0;
 }
 
-static real speed_of_row(const linkage_pass *q, const joint *j,
-                         const joint_rows *r, int k)
+ALWAYS_INLINE int straight_end(int rows, int row)
 {
-    return speed_of(q, r->a[k], j->a) + speed_of(q, r->b[k], j->b);
+    return rows == 3 ? row + 1 : MOTION_TURN;
+}
+
+ALWAYS_INLINE real row_dot(int rows, int k, const real row[MOTIONS],
+                           const real speed[MOTIONS])
+{
+    real sum = 0;
+    for (int i = straight_first(rows, k); i < straight_end(rows, k); i++)
+        sum += row[i] * speed[i];
+    for (int i = MOTION_TURN; i < MOTIONS; i++) sum += row[i] * speed[i];
+    return sum;
 }
 
 // drive += rows^T impulse; and speed -= rows velocity.  A compiler that sees a
@@ -230,17 +238,24 @@ ALWAYS_INLINE void take_speed(real *speed, int rows, real (*row)[MOTIONS],
                        const real velocity[MOTIONS])
 {
     for (int k = 0; k < rows; k++)
-        for (int i = 0; i < MOTIONS; i++) speed[k] -= row[k][i] * velocity[i];
+        speed[k] -= row_dot(rows, k, row[k], velocity);
+}
+
+// An impulse, in the coordinates of a body's motion.
+static void give(const linkage_pass *q, int b, const real impulse[MOTIONS])
+{
+    real inverse = basis_of(q->f, b)->inverse_mass;
+    for (int i = 0; i < MOTIONS; i++)
+        q->velocity[b].of[i] += (i < MOTION_TURN ? inverse : 1) * impulse[i];
 }
 
 ALWAYS_INLINE void push_body(const linkage_pass *q, int rows,
                              real (*row)[MOTIONS], int b, const real *impulse)
 {
-    real inverse = basis_of(q->f, b)->inverse_mass, sum[MOTIONS] = { 0 };
-    if (!(inverse > 0)) return;
+    real sum[MOTIONS] = { 0 };
+    if (!moves(q->f, b)) return;
     drive_by(sum, rows, row, impulse);
-    for (int i = 0; i < MOTIONS; i++)
-        q->velocity[b].of[i] += (i < MOTION_TURN ? inverse : 1) * sum[i];
+    give(q, b, sum);
 }
 
 static void push_both(const linkage_pass *q, const joint *j, joint_rows *r,
@@ -274,23 +289,31 @@ static void want_together(const linkage *l, const linkage_pass *q, int number,
     const joint_rows *r = &l->rows[number];
     real h = q->f->h, then[JOINT_ROWS];
     joint_errors(j, r, end_of(l, q, j->a), end_of(l, q, j->b), then);
-    for (int k = 0; k <= r->held && k < JOINT_ROWS; k++) {
+    for (int k = 0; k < r->held + j->is_limited; k++) {
         bool is_open = k == r->held && r->error[k] > 0;
         real left = is_open ? 0 : (1 - r->share) * r->error[k];
         want[k] = (left - then[k]) / h - r->give[k] * j->impulse[k];
     }
 }
 
+ALWAYS_INLINE void stop(int n, const linkage_pass *q, const joint *j,
+                        joint_rows *r, real want[JOINT_ROWS])
+{
+    if (moves(q->f, j->a)) take_speed(want, n, r->a, q->velocity[j->a].of);
+    if (moves(q->f, j->b)) take_speed(want, n, r->b, q->velocity[j->b].of);
+}
+
 static void want_rest(const linkage *l, const linkage_pass *q, int number,
                       real want[JOINT_ROWS])
 {
     const joint *j = &l->joint[number];
-    const joint_rows *r = &l->rows[number];
-    for (int k = 0; k <= r->held && k < JOINT_ROWS; k++) {
-        bool is_open = k == r->held && r->error[k] > 0;
-        want[k] = (is_open ? -r->error[k] / q->f->h : 0)
-                - speed_of_row(q, j, r, k);
-    }
+    joint_rows *r = &l->rows[number];
+    int rows = r->held + j->is_limited;
+    for (int k = 0; k < rows; k++) want[k] = 0;
+    if (j->is_limited && r->error[r->held] > 0)
+        want[r->held] = -r->error[r->held] / q->f->h;
+    if (j->kind == JOINT_BALL)  stop(3, q, j, r, want);
+    else                        stop(rows, q, j, r, want);
 }
 
 typedef void wanting(const linkage *l, const linkage_pass *q, int number,
@@ -301,12 +324,12 @@ typedef void wanting(const linkage *l, const linkage_pass *q, int number,
 //>   A joint can be solved by itself, as in the exercise of chapter 13. This is
 //>   the plain form. Joints that close a ring are solved like this, and with
 //>   `is_plain` all are, to measure what the trees are worth.
-// A unit impulse along row k moves the bodies along row l by K_kl.
-ALWAYS_INLINE real coupling(const linkage_pass *q, const joint *j,
+// A unit impulse along row k moves the bodies along row l by K_kl; of n rows.
+ALWAYS_INLINE real coupling(int n, const linkage_pass *q, const joint *j,
                             const joint_rows *r, int k, int l)
 {
     real straight_a = 0, straight_b = 0, turning = 0;
-    for (int i = 0; i < MOTION_TURN; i++) {
+    for (int i = straight_first(n, k); i < straight_end(n, k); i++) {
         straight_a += r->a[k][i] * r->a[l][i];
         straight_b += r->b[k][i] * r->b[l][i];
     }
@@ -329,7 +352,7 @@ static void factor_alone(linkage *l, const linkage_pass *q, int number)
     joint_rows *r = &l->rows[number];
     for (int k = 0; k < r->count; k++) {
         for (int i = 0; i < r->count; i++)
-            r->inverse[k][i] = coupling(q, j, r, k, i);
+            r->inverse[k][i] = coupling(r->count, q, j, r, k, i);
         r->give[k] = GIVE_ALONE * r->inverse[k][k];
         r->inverse[k][k] += r->give[k];
     }
@@ -515,31 +538,29 @@ static real (*rows_at(joint_rows *r, const joint *j, int b))[MOTIONS]
 
 static void reset_answers(linkage_body *x, const linkage_pass *q, int b)
 {
-    memset(x->answer, 0, sizeof x->answer);
+    real inverse = basis_of(q->f, b)->inverse_mass;
     for (int i = 0; i < MOTIONS; i++)
-        x->answer[i][i] = i < MOTION_TURN ? basis_of(q->f, b)->inverse_mass : 1;
+        for (int m = 0; m < MOTIONS; m++)
+            x->answer[i][m] = i != m ? 0 : i < MOTION_TURN ? inverse : 1;
 }
 
-// How a body answers impulses along rows, and K.  Three rows are those of a
-// ball joint: each moves the centre along one axis only.
-ALWAYS_INLINE void find_answers(int n, linkage_body *x,
+// How a body answers impulses along rows, and what that adds to K.
+ALWAYS_INLINE void find_answers(int n, const linkage_body *x,
                                 real (*row)[MOTIONS],
                                 real answer[JOINT_ROWS][MOTIONS],
                                 real k[JOINT_ROWS][JOINT_ROWS])
 {
     for (int a = 0; a < n; a++) {
         real sum[MOTIONS] = { 0 };
-        for (int i = 0; i < MOTIONS; i++)
+        for (int i = straight_first(n, a); i < straight_end(n, a); i++)
             for (int m = 0; m < MOTIONS; m++)
-                if (n != 3 || i == a || i >= MOTION_TURN)
-                    sum[m] += row[a][i] * x->answer[i][m];
+                sum[m] += row[a][i] * x->answer[i][m];
+        for (int i = MOTION_TURN; i < MOTIONS; i++)
+            for (int m = 0; m < MOTIONS; m++)
+                sum[m] += row[a][i] * x->answer[i][m];
         memcpy(answer[a], sum, sizeof sum);
-        for (int b = 0; b <= a; b++) {
-            for (int i = 0; i < MOTIONS; i++)
-                if (n != 3 || i == b || i >= MOTION_TURN)
-                    k[a][b] += row[b][i] * sum[i];
-            k[b][a] = k[a][b];
-        }
+        for (int b = 0; b <= a; b++)
+            k[b][a] = k[a][b] += row_dot(n, b, row[b], sum);
     }
 }
 
@@ -549,21 +570,24 @@ ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
                           linkage_body *on, const joint *j, joint_rows *r,
                           real (*row)[MOTIONS], real (*row_on)[MOTIONS])
 {
-    memset(r->beyond, 0, sizeof r->beyond);
-    for (int k = 0; k < n; k++)
-        r->beyond[k][k] = r->give[k] = GIVE * coupling(q, j, r, k, k);
-    if (tip) find_answers(n, tip, row, r->answer, r->beyond);
-    memcpy(r->inverse, r->beyond, sizeof r->inverse);
-    find_answers(n, on, row_on, r->answer_on, r->inverse);
-    small_invert(n, r->beyond);
+    real beyond[JOINT_ROWS][MOTIONS];
+    for (int k = 0; k < n; k++) {
+        for (int i = 0; i < n; i++) r->inverse[k][i] = 0;
+        r->inverse[k][k] = r->give[k] = GIVE * coupling(n, q, j, r, k, k);
+    }
+    if (tip) find_answers(n, tip, row, beyond, r->inverse);
+    find_answers(n, on, row_on, r->answer, r->inverse);
     small_invert(n, r->inverse);
-    real back[JOINT_ROWS][MOTIONS] = { { 0 } };
-    for (int k = 0; k < n; k++)
-        drive_by(back[k], n, r->answer_on, r->inverse[k]);
+    for (int k = 0; k < n; k++) {
+        real back[MOTIONS] = { 0 }, less[JOINT_ROWS];
+        for (int i = 0; i < n; i++) less[i] = -r->inverse[k][i];
+        drive_by(back, n, r->answer, less);
+        memcpy(r->back[k], back, sizeof back);
+    }
     for (int i = 0; i < MOTIONS; i++) {
-        real held[JOINT_ROWS];
-        for (int k = 0; k < n; k++) held[k] = -r->answer_on[k][i];
-        drive_by(on->answer[i], n, back, held);
+        real moved[JOINT_ROWS];
+        for (int k = 0; k < n; k++) moved[k] = r->answer[k][i];
+        drive_by(on->answer[i], n, r->back, moved);
     }
 }
 
@@ -596,51 +620,56 @@ static void factor_tree(linkage *l, const linkage_pass *q, int first, int end)
 //>   And here are the two walks. The velocities that they find are not given to
 //>   the bodies. Only the impulses are, each to A and its opposite to B, so
 //>   momentum stays to rounding, however inexact the matrices are.
-// What a joint wants, and the bodies beyond it do not do already.  The body
-// that leads on gets the impulse for that, as if no other joint held it.
+// What a joint wants, and the bodies on both sides do not do already.  The body
+// that leads on gets the impulse for that, as if no joint that comes later held it.
 static inline void solve_inward(int n, linkage *l, const linkage_step *s)
 {
     const joint *j = &l->joint[s->joint];
     joint_rows *r = &l->rows[s->joint];
     linkage_body *on = &l->body[s->on];
-    real impulse[JOINT_ROWS];
     if (s->body >= 0)
         take_speed(r->want, n, rows_at(r, j, s->body), l->body[s->body].speed);
-    memcpy(impulse, r->want, sizeof impulse);
-    take_speed(impulse, n, rows_at(r, j, s->on), on->speed);
-    small_times(n, r->inverse, impulse);
-    drive_by(on->speed, n, r->answer_on, impulse);
+    take_speed(r->want, n, rows_at(r, j, s->on), on->speed);
+    small_times(n, r->inverse, r->want);
+    drive_by(on->speed, n, r->answer, r->want);
 }
 
-// Now it is known how the body that leads on moves.
+// Now it is known what the later joints give the body that leads on: of that the
+// joint holds its part.
 static inline void solve_outward(int n, linkage *l, const linkage_step *s)
 {
-    const joint *j = &l->joint[s->joint];
+    joint *j = &l->joint[s->joint];
     joint_rows *r = &l->rows[s->joint];
-    take_speed(r->want, n, rows_at(r, j, s->on), l->body[s->on].speed);
-    small_times(n, r->beyond, r->want);
+    linkage_body *on = &l->body[s->on];
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i < MOTIONS; i++)
+            r->want[k] += r->back[k][i] * on->impulse[i];
+    drive_by(on->impulse, n, rows_at(r, j, s->on), r->want);
     if (s->body >= 0)
-        drive_by(l->body[s->body].speed, n, r->answer, r->want);
+        drive_by(l->body[s->body].impulse, n, rows_at(r, j, s->body), r->want);
+    for (int i = 0; i < n; i++) j->impulse[i] += r->want[i];
 }
 
 static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
 {
-    for (int s = first; s < end; s++)
-        if (l->step[s].body >= 0)
-            memset(l->body[l->step[s].body].speed, 0, sizeof l->body->speed);
-    for (int s = first; s < end - 1; s++) {
-        int n = l->rows[l->step[s].joint].count;
-        if (n == 3) solve_inward(3, l, &l->step[s]);
-        else        solve_inward(n, l, &l->step[s]);
+    const linkage_step *s = l->step;
+    for (int k = first; k < end; k++) {
+        if (s[k].body < 0) continue;
+        memset(l->body[s[k].body].speed, 0, sizeof l->body->speed);
+        memset(l->body[s[k].body].impulse, 0, sizeof l->body->impulse);
     }
-    for (int s = end - 2; s >= first; s--) {
-        joint_rows *r = &l->rows[l->step[s].joint];
-        joint *j = &l->joint[l->step[s].joint];
-        if (r->count == 3)  solve_outward(3, l, &l->step[s]);
-        else                solve_outward(r->count, l, &l->step[s]);
-        for (int i = 0; i < r->count; i++) j->impulse[i] += r->want[i];
-        push_both(q, j, r, r->want);
+    for (int k = first; k < end - 1; k++) {
+        int n = l->rows[s[k].joint].count;
+        if (n == 3) solve_inward(3, l, &s[k]);
+        else        solve_inward(n, l, &s[k]);
     }
+    for (int k = end - 2; k >= first; k--) {
+        int n = l->rows[s[k].joint].count;
+        if (n == 3) solve_outward(3, l, &s[k]);
+        else        solve_outward(n, l, &s[k]);
+    }
+    for (int k = first; k < end; k++)
+        if (s[k].body >= 0) give(q, s[k].body, l->body[s[k].body].impulse);
 }
 //<
 
@@ -649,9 +678,8 @@ static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
 //>   want by too much. Mostly once is enough.
 // As a share of a body's size: by so much a joint may miss what it wants, at
 // the end of a substep: a hundredth of what gaps may be.  With ten times
-// as much two more double pendulums (chapter 20, case 164) change their energy
-// by more than a thousandth, and a heap of dolls costs 4 % less; with a tenth,
-// tops and double pendulums do as before.
+// as much three more double pendulums (chapter 20, case 164) change their energy
+// by more than a thousandth, and a chain costs a tenth less.
 static const real MISS = 1e-6;
 
 // A tree that was solved without a limit that is reached, or with one that
@@ -796,6 +824,13 @@ static real swing_of(const linkage_pass *q, int b, vec3 local)
     return length > 0 ? sum / length : 0;
 }
 
+// rad/s, that of a body which hangs there with its own weight alone.
+static real hung_swing(const linkage_pass *q, int b, real swing)
+{
+    real inverse = basis_of(q->f, b)->inverse_mass;
+    return inverse > 0 ? sqrt(vec3_length(q->f->gravity) / inverse * swing) : 0;
+}
+
 static real size_of(const linkage_pass *q, int b)
 {
     return moves(q->f, b) ? q->f->body[b].radius : HUGE_VAL;
@@ -811,8 +846,10 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         const joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
         if (l->role[k] == JOINT_IDLE) continue;
-        r->swing = real_max(swing_of(q, j->a, j->local_a),
-                            swing_of(q, j->b, j->local_b));
+        real a = swing_of(q, j->a, j->local_a);
+        real b = swing_of(q, j->b, j->local_b);
+        r->swing = real_max(a, b);
+        r->hung = real_max(hung_swing(q, j->a, a), hung_swing(q, j->b, b));
         r->size = real_min(size_of(q, j->a), size_of(q, j->b));
     }
     for (int first = 0, end; first < l->steps; first = end) {
@@ -935,17 +972,19 @@ static real force_of(const joint *j, real h)
     return sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / h;
 }
 
-// A spin counts twice: within a substep the joints see a body's inertia where it
-// stands as it begins.  With one 30 of 84 tops (chapter 20, case 160)
-// changed their energy by more than a thousandth, with two 25, with four 17;
-// the substeps of a fast spin are half, or twice, as many.
-static const real SPINS = 2;
+// A substep turns a body by 0.075 rad (FOLLOWED / TURNED, substeps.c): how fast it
+// turns, and would swing under its own weight, decides how exact its orbit is.  With
+// this 10 of 84 tops and 13 of 27 thrown linkages (chapter 20, cases 160 and 169)
+// change their energy by more than a thousandth, with three quarters of it 13 and
+// 16.
+static const real TURNED = 8;
 
-// rad/s
-static real spin_of(const linkage_pass *q, int b)
+// rad^2/s^2
+static real spin_squared(const linkage_pass *q, int b)
 {
-    return moves(q->f, b) ? vec3_length(motion_rotation(basis_of(q->f, b),
-                                                        &q->velocity[b])) : 0;
+    if (!moves(q->f, b)) return 0;
+    return vec3_length_squared(motion_rotation(basis_of(q->f, b),
+                                               &q->velocity[b]));
 }
 
 static void break_overloaded(linkage *l, const linkage_pass *q)
@@ -957,8 +996,8 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
         if (l->role[k] == JOINT_IDLE) continue;
         j->force = force_of(j, h);
         real swing = sqrt(j->force * l->rows[k].swing);
-        swing = real_max(swing, SPINS * real_max(spin_of(q, j->a),
-                                                 spin_of(q, j->b)));
+        real turns = sqrt(real_max(spin_squared(q, j->a), spin_squared(q, j->b)));
+        swing = real_max(swing, TURNED * real_max(turns, l->rows[k].hung));
         l->rows[k].pace = real_max(l->rows[k].pace, swing);
         l->swing = real_max(l->swing, swing);
         if (!(j->force > j->strength)) continue;

@@ -24,7 +24,8 @@ typedef enum { JOINT_IDLE, JOINT_ALONE, JOINT_ANCHOR, JOINT_BRANCH } joint_role;
 typedef struct {
     real answer[MOTIONS][MOTIONS];  // to impulses, with all that hangs on it:
                                     // one over its mass, in all directions
-    real speed[MOTIONS];    // the change of its velocity
+    real speed[MOTIONS];    // the change of its velocity, and the impulses,
+    real impulse[MOTIONS];  // while its tree is solved
     rigid_frame end;        // where it will be at the end of the substep, if
     real last[MOTIONS];     // it goes like this, and
     bool has_end;           // that was asked in this substep

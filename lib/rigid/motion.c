@@ -94,7 +94,9 @@ enum { TURN_MOVES = 1000 };                  // at most
 // So many equal moves are a turn by d.
 static int moves_of(const motion_basis *basis, const motion *d)
 {
-    real moves = vec3_length(motion_rotation(basis, d)) / FURTHEST;
+    real square = vec3_length_squared(motion_rotation(basis, d));
+    if (square < FURTHEST * FURTHEST) return 1;     // mostly
+    real moves = sqrt(square) / FURTHEST;
     if (moves < TURN_MOVES - 1) return 1 + (int)moves;
     return moves - moves == 0 ? TURN_MOVES : 1;     // one for NaN and infinity
 }
@@ -112,12 +114,16 @@ static vec3 half_tangent(vec3 t)
                       / 2, t);
 }
 
-// x, turned by the angle 2 arctan |t| about t (Cayley).
-static vec3 turned(vec3 t, vec3 x)
+// All axes but one (-1: all) are turned by the angle 2 arctan |t| about t (Cayley).
+static void turn_axes(rigid_frame *f, vec3 t, int but)
 {
-    vec3 once = vec3_cross(t, x);
-    return vec3_add_scaled(x, 2 / (1 + vec3_length_squared(t)),
-                           vec3_add(once, vec3_cross(t, once)));
+    real twice = 2 / (1 + vec3_length_squared(t));
+    for (int i = 0; i < FOUR_AXES; i++) {
+        vec3 once = vec3_cross(t, f->axis[i]);
+        if (i == but) continue;
+        f->axis[i] = vec3_add_scaled(f->axis[i], twice,
+                                     vec3_add(once, vec3_cross(t, once)));
+    }
 }
 
 // The same so many times, from powers of two: the cosine and the sine of the
@@ -152,12 +158,9 @@ rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
     vec3 half = half_tangent(turn);
     rigid_frame now = *frame;
     now.center = vec3_add(frame->center, straight);
-    for (int i = 0; i < FOUR_AXES; i++) {
-        if (moves > A_FEW)
-            now.axis[i] = turned_often(half, moves, now.axis[i]);
-        for (int k = 0; k < moves && moves <= A_FEW; k++)
-            now.axis[i] = turned(half, now.axis[i]);
-    }
+    for (int i = 0; i < FOUR_AXES && moves > A_FEW; i++)
+        now.axis[i] = turned_often(half, moves, now.axis[i]);
+    for (int k = 0; k < moves && moves <= A_FEW; k++) turn_axes(&now, half, -1);
     return now;
 }
 //<
@@ -176,9 +179,7 @@ typedef struct {
 // turns; -1: all.
 static void turn_by(turning *x, vec3 t, int but)
 {
-    vec3 half = half_tangent(t);
-    for (int i = 0; i < FOUR_AXES; i++)
-        if (i != but) x->frame.axis[i] = turned(half, x->frame.axis[i]);
+    turn_axes(&x->frame, half_tangent(t), but);
 }
 
 static const real ALIKE = 1e-12;        // moments, to rounding

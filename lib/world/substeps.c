@@ -82,26 +82,34 @@ int substeps_again(const world *w, real h, int left)
 //>   second.
 // Every change of the number moves what rests, for in shorter substeps it sags
 // less.  So it rises at once, and falls only when it has been too high by a
-// third for PATIENCE frames.
+// third for PATIENCE frames; of joined bodies that move it falls at once, for an
+// impact asks for thirty substeps, and is over.
 enum { PATIENCE = 30 };
 
-static int hold(substep_choice *c, int need)
+static bool is_joined(const island *i)
 {
+    return i->hangs && !i->is_soft;
+}
+
+static int hold(substep_choice *c, const island *i, int need)
+{
+    int patience = is_joined(i) && !i->is_calm ? 0 : PATIENCE;
     c->frames = 4 * need < 3 * c->now ? c->frames + 1 : 0;
-    if (need > c->now || c->frames > PATIENCE) c->now = need;
+    if (need > c->now || c->frames > patience) c->now = need;
     return c->now;
 }
 
 // A part of a divided frame takes its share of the substeps that a frame may
-// have more than usual.
+// have more than usual.  What is joined asks by how it turns, and needs no more in a
+// part.
 int substeps_choose(world *w, const island *i, substep_choice *c)
 {
-    int usual = world_usual(w, i->hangs);
+    int usual = is_joined(i) ? w->options.substeps : world_usual(w, i->is_soft);
     int most = int_max(w->options.most_substeps, usual);
     real share = w->frame / w->options.dt;
     real stiff = real_min(substeps_for_contacts(w, i, c->now), most);
     real swing = real_min(substeps_for_joints(w, i), most);
-    int n = hold(c, int_max(usual, (int)real_max(stiff, swing) + 1));
+    int n = hold(c, i, int_max(usual, (int)real_max(stiff, swing) + 1));
     if (share < 1) n = int_max(usual, (int)(share * n));
     if (i->is_soft) n = int_max(n, soft_need(w));
     return int_min(n, int_max((int)(share * most), usual));

@@ -30,12 +30,12 @@ int world_substeps(const world_options *o)
     return int_max(FEWEST, (int)(rate * o->dt - rounding) + 1);
 }
 
-int world_usual(const world *w, bool hangs)
+int world_usual(const world *w, bool is_soft)
 {
-    enum { HANGING = 8 };
+    enum { SOFT = 8 };
     int n = w->options.substeps;
     bool is_part = w->frame < w->options.dt;
-    return (hangs || is_part) && !w->has_substeps ? int_max(HANGING, n) : n;
+    return (is_soft || is_part) && !w->has_substeps ? int_max(SOFT, n) : n;
 }
 //<
 

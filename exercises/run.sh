@@ -38,7 +38,7 @@ begin() {
 # A module that the reader has built moves in its chapter's live figures.
 say_live() {
     module=$(sed -n 's/^module //p' "$dir/exercise")
-    [ "$module" ] && grep -q "^${name%%/*}/" figures/live/live.mk || return 0
+    [ "$module" ] && [ "$module" != status ] && grep -q "^${name%%/*}/" figures/live/live.mk || return 0
     echo "See it move in a page:           make live $name"
 }
 

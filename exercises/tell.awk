@@ -172,7 +172,7 @@ function sentence(test,    m)
         if (m ~ /^Received signal 25/) return "Your code prints without end."
         if (m ~ /^Received signal/) return "Your code stops the program: " m "."
         gsub(/\n/, "\n  ", m)
-        return m ((m ~ /[^a-z]-?nan[^a-z(]/) ? "\n  (nan is no number: 0 was divided by 0, or a root taken of less than 0.)" : "")
+        return m ((m ~ /[^a-z]-?nan[^a-z(]/ && m !~ /wanted[^.]*nan/) ? "\n  (nan is no number: 0 was divided by 0, or a root taken of less than 0.)" : "")
     }
     if (!(test in place) && test in waits) return "The test " fault[test] ": what your code gives keeps it waiting, " waits[test] "."
     return "Your code " fault[test] (test in place ? ": " (test in file_of ? file_of[test] : mine) ", line " place[test] : "") "."

@@ -89,7 +89,8 @@ END_TEST
 
 START_TEST(lost_energy_is_the_difference)
 {
-    // Rejects: (1 - e)^2 for 1 - e^2, a half that is missing, the wrong masses.
+    // Rejects: (1 - e)^2 or 1 - e for 1 - e^2, a half that is missing, the wrong
+    // masses.
     unsigned long long seed = 3;
     for (int k = 0; k < TRIALS; k++) {
         cart a, b;

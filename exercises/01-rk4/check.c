@@ -59,7 +59,8 @@ END_TEST
 
 START_TEST(parabola_is_exact)
 {
-    // Rejects: weights that do not add up to 1, an acceleration left out.
+    // Rejects: weights that do not add up to 1, an acceleration left out, a
+    // stage that goes on for the wrong time.
     vec3 g = { 0, -9.8125, 2 };
     motion m = { { 1, 2, 3 }, { 4, 5, -6 } };
     for (int k = 0; k < 64; k++)

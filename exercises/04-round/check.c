@@ -55,7 +55,7 @@ END_TEST
 
 START_TEST(balls_are_apart_by_their_centres_less_their_radii)
 {
-    // Rejects: one radius alone, a normal from A to B.
+    // Rejects: one radius alone, a normal from A to B, points on the far sides.
     vec3 p = { 0, 0, 0 }, q = { 3, 4, 0 };
     round_result r = round_distance(around(&p, 1, 1), around(&q, 1, 2));
     near(r.gap, 2, ROUNDING, "gap");

@@ -54,7 +54,7 @@ END_TEST
 START_TEST(centre_inside_leaves_by_the_nearest_face)
 {
     // Half edges 1, 2, 3.  Rejects: the way inwards, the far side, the axis of
-    // the largest coordinate.
+    // the largest coordinate, a gap that grows as the centre sinks in.
     expect((vec3){ 0.75, 1, -1 }, 0.5, -0.75, (vec3){ 1, 0, 0 },
            (vec3){ 1, 1, -1 });
     expect((vec3){ -0.75, 1, -1 }, 0, -0.25, (vec3){ -1, 0, 0 },

@@ -52,7 +52,8 @@ static real bounce_height(real restitution)
     return highest;
 }
 
-// Rejects: a bounce by e in height instead of speed; dt forgotten.
+// Rejects: a bounce by e in height instead of speed; dt forgotten; an impulse
+// of the wrong sign.
 START_TEST(ball_bounces_to_e_squared_of_its_height)
 {
     for (int k = 0; k < 3; k++) {

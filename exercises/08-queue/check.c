@@ -102,7 +102,8 @@ START_TEST(blow_travels_along_a_rope)
 {
     // The end is pulled by one stick's length, and pinned there.  Each stick
     // passes half of its error on, and the blow arrives at the other end.
-    // Rejects: neighbours of one end alone, marks that were there before.
+    // Rejects: neighbours of one end alone, marks that were there before, a
+    // mark that stays when its stick has left the line.
     stick s[ROPE];
     particle p[ROPE + 1];
     rope(s, p);

@@ -140,6 +140,15 @@ static body turned_to_stand_on_a_corner(void)
     return c;
 }
 
+static void check_kind(touch_kind got, touch_kind wanted)
+{
+    static const char *name[] = { "a vertex of A and a face of B",
+                                  "a face of A and a vertex of B",
+                                  "edge and edge" };
+    ck_assert_msg(got == wanted, "the kind: got %s, wanted %s", name[got],
+                  name[wanted]);
+}
+
 // Rejects: A's features given to B; vertices that are not merged; the label the
 // other way round.
 START_TEST(a_vertex_and_a_face_are_named)
@@ -147,7 +156,7 @@ START_TEST(a_vertex_and_a_face_are_named)
     body c = turned_to_stand_on_a_corner(), floor;
     body_box(&floor, (vec3){ -2, -2, -1 }, (vec3){ 2, 2, 0 });
     hit_result r = hit(&c, &floor);
-    ck_assert_int_eq(r.kind, TOUCH_VERTEX_FACE);
+    check_kind(r.kind, TOUCH_VERTEX_FACE);
     ck_assert_int_eq(r.a.count, 1);
     ck_assert_int_eq(r.a.vertex[0], 0);
     near(r.a.weight[0], 1, ROUNDING);
@@ -155,7 +164,7 @@ START_TEST(a_vertex_and_a_face_are_named)
     near(r.normal.z, 1, ROUNDING);
     check_answer(&c, &floor, r);
     r = hit(&floor, &c);
-    ck_assert_int_eq(r.kind, TOUCH_FACE_VERTEX);
+    check_kind(r.kind, TOUCH_FACE_VERTEX);
     ck_assert_int_eq(r.b.count, 1);
     ck_assert_int_eq(r.b.vertex[0], 0);
     near(r.normal.z, -1, ROUNDING);
@@ -173,7 +182,7 @@ START_TEST(two_edges_are_named)
         up.at[i] = (vec3){ 2 * p.y, (p.x - p.z) / 2, (p.x + p.z) / 2 - 0.875 };
     }
     hit_result r = hit(&down, &up);
-    ck_assert_int_eq(r.kind, TOUCH_EDGE_EDGE);
+    check_kind(r.kind, TOUCH_EDGE_EDGE);
     ck_assert_int_eq(r.a.count, 2);
     ck_assert_int_eq(r.b.count, 2);
     near(r.depth, 0.125, ROUNDING);
@@ -191,7 +200,7 @@ START_TEST(a_point_inside_a_cube)
     hit_result r = hit(&p, &c);
     near(r.depth, 0.125, ROUNDING);
     near(r.normal.x, 1, ROUNDING);
-    ck_assert_int_eq(r.kind, TOUCH_VERTEX_FACE);
+    check_kind(r.kind, TOUCH_VERTEX_FACE);
     near(vec3_distance(r.on_b, (vec3){ 0.5, -0.25, 0.125 }), 0, ROUNDING);
     check_answer(&p, &c, r);
 }

@@ -28,6 +28,11 @@ grep -rohwF -f "$fresh/names" lib tests/*/*.[ch] figures/*/*.[ch] chapters/littl
 # A table goes on from row to row: what a blank line cuts off is no table.
 awk '!/^\|/ { rows = 0 } /^\|/ && ++rows == 2 && !/^\|[-:| ]*$/ { print FILENAME ": a table without a head, at line " FNR; bad = 1 }
      END { exit bad }' chapters/[0-9]*.md README.md || failed=1
+# A heading opens its line, and something is below it.
+awk 'FNR == 1 { open = fence = 0 } /^```/ { fence = !fence }
+     !fence && /^[^#`].* ##+ / { print FILENAME ":" FNR ": a heading inside a line"; bad = 1 }
+     !fence && /^##+ / { depth = index($0, " ") - 1; if (open && depth <= open) { print FILENAME ":" FNR ": nothing is below the heading before this one"; bad = 1 } open = depth; next }
+     NF { open = 0 } END { exit bad }' chapters/[0-9]*.md || failed=1
 sh figures/draw/stamp.sh > "$fresh/older" || {
     echo "$(wc -l < "$fresh/older") figures or tables are not as their programs would make them now; make stale lists them, make figures renews most:"
     head -n 3 "$fresh/older"; failed=1

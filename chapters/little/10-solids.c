@@ -111,35 +111,23 @@ static void side_order(const shape *s, int *c, int n, vec3 normal)
         }
 }
 
-// The corners in the plane of three vertices, if none is above it; else 0.  A
+// Adds the side in the plane of three vertices, if no vertex is above it.  A
 // side is found once, by its first three.
-static int side_through(const shape *s, int i, int j, int k, int *c, vec3 *up)
+static void side_add(shape *s, int i, int j, int k)
 {
     vec3 at = s->vertex[i];
     vec3 n = vec3_cross(vec3_sub(s->vertex[j], at), vec3_sub(s->vertex[k], at));
-    int count = 0;
-    *up = vec3_unit(vec3_dot(n, at) < 0 ? vec3_scale(-1, n) : n);
+    vec3 up = vec3_unit(vec3_dot(n, at) < 0 ? vec3_scale(-1, n) : n);
+    int *c = s->side[s->sides], count = 0;
     for (int l = 0; l < s->count; l++) {
-        real height = vec3_dot(*up, vec3_sub(s->vertex[l], at));
-        if (height > 1e-9 * s->radius) return 0;
+        real height = vec3_dot(up, vec3_sub(s->vertex[l], at));
+        if (height > 1e-9 * s->radius) return;
         if (height > -1e-9 * s->radius && count < SIDE_CORNERS) c[count++] = l;
     }
-    return c[0] == i && c[1] == j && c[2] == k ? count : 0;
-}
-
-// Asks all planes through three vertices, n^4 questions.
-static void shape_find_sides(shape *s)
-{
-    for (int i = 0; i < s->count; i++)
-        for (int j = i + 1; j < s->count; j++)
-            for (int k = j + 1; k < s->count && s->sides < SIDES; k++) {
-                int *c = s->side[s->sides];
-                vec3 *up = &s->normal[s->sides];
-                int n = side_through(s, i, j, k, c, up);
-                if (n == 0) continue;
-                side_order(s, c, n, *up);
-                s->corners[s->sides++] = n;
-            }
+    if (c[0] != i || c[1] != j || c[2] != k) return;
+    side_order(s, c, count, up);
+    s->normal[s->sides] = up;
+    s->corners[s->sides++] = count;
 }
 //<
 
@@ -177,7 +165,10 @@ static const shape *shape_make(const vec3 *at, int count)
         s->vertex[i] = at[i];
         s->radius = real_max(s->radius, vec3_length(at[i]));
     }
-    shape_find_sides(s);
+    for (int i = 0; i < count; i++)         // all planes of three: n^4 steps
+        for (int j = i + 1; j < count; j++)
+            for (int k = j + 1; k < count && s->sides < SIDES; k++)
+                side_add(s, i, j, k);
 //<
 //> little_shape_weighed 10b
     shape_weigh(s);
@@ -187,10 +178,9 @@ static const shape *shape_make(const vec3 *at, int count)
 //<
 //> little_shape_find_inner 15b
     s->inner = s->radius;
-    for (int f = 0; f < s->sides; f++) {
-        real d = vec3_dot(s->normal[f], s->vertex[s->side[f][0]]);
-        s->inner = real_min(s->inner, d);
-    }
+    for (int f = 0; f < s->sides; f++)
+        s->inner = real_min(s->inner, vec3_dot(s->normal[f],
+                                               s->vertex[s->side[f][0]]));
 //<
 //> little_shape_made 10a
     return s;
@@ -239,7 +229,6 @@ typedef struct {
 //<
 //> little_body_sleep 18a
     real moved, still;          // m, in this step; s, since it was last fast
-    bool awake;
 //<
 //> little_rigid_end 11a
 } body;
@@ -284,9 +273,6 @@ static body *body_add(const shape *s, vec3 position, real mass)
 //<
 //> little_body_add_friction 13c
     b->friction = 0.5;
-//<
-//> little_body_add_awake 18a
-    b->awake = mass > 0;
 //<
 //> little_body_added 11a
     body_place(b);

@@ -106,68 +106,38 @@ static int polygon_clip(vec3 *p, int n, vec3 at, vec3 out)
 //<
 
 //> little_four_points 11c
-// Moves the point with the highest score to place `from`.
-static void points_choose(vec3 *p, const real *score, int from, int n)
+// Which point shall be the k-th?  The deepest, the one furthest from it, the
+// one furthest from their line, and the one furthest on its other side.
+static real point_score(const vec3 *p, int k, int i, vec3 up)
 {
-    int best = from;
-    for (int i = from; i < n; i++)
-        if (score[i] > score[best]) best = i;
-    vec3 swap = p[from];
-    p[from] = p[best];
-    p[best] = swap;
+    vec3 from = vec3_sub(p[i], p[0]);
+    vec3 across = vec3_cross(up, vec3_sub(p[1], p[0]));
+    if (k == 0) return -vec3_dot(up, p[i]);
+    if (k == 1) return vec3_length(from);
+    if (k == 2) return fabs(vec3_dot(across, from));
+    bool left = vec3_dot(across, vec3_sub(p[2], p[0])) > 0;
+    return left ? -vec3_dot(across, from) : vec3_dot(across, from);
 }
 
-// The deepest point, the one furthest from it, the one furthest from their
-// line, and the one furthest on its other side: at most four.
 static int points_four(vec3 *p, int n, vec3 up)
 {
-    real score[CLIPPED];
-    if (n <= 4) return n;
-    for (int i = 0; i < n; i++) score[i] = -vec3_dot(up, p[i]);
-    points_choose(p, score, 0, n);
-    for (int i = 1; i < n; i++) score[i] = vec3_distance(p[i], p[0]);
-    points_choose(p, score, 1, n);
-    vec3 across = vec3_cross(up, vec3_sub(p[1], p[0]));
-    for (int i = 2; i < n; i++)
-        score[i] = fabs(vec3_dot(across, vec3_sub(p[i], p[0])));
-    points_choose(p, score, 2, n);
-    if (vec3_dot(across, vec3_sub(p[2], p[0])) > 0)
-        across = vec3_scale(-1, across);
-    for (int i = 3; i < n; i++)
-        score[i] = vec3_dot(across, vec3_sub(p[i], p[0]));
-    points_choose(p, score, 3, n);
-    return 4;
-}
-//<
-
-//> little_clip_sides 11b
-// The side of `other` that looks against `up`, clipped by the edges of a side
-// with that normal; what is left, no further than `reach` above it.
-static int clip_side(const body *other, const vec3 *side, int corners, vec3 up,
-                     real reach, vec3 *p)
-{
-    real any;
-    int m = 0, n = side_polygon(other,
-                       body_side(other, vec3_scale(-1, up), &any), p);
-    for (int i = 0; i < corners; i++) {
-        vec3 edge = vec3_sub(side[(i + 1) % corners], side[i]);
-        n = polygon_clip(p, n, side[i], vec3_cross(edge, up));
+    for (int k = 0; k < 4 && n > 4; k++) {
+        int best = k;
+        for (int i = k; i < n; i++) {
+            real score = point_score(p, k, i, up);
+            if (score > point_score(p, k, best, up)) best = i;
+        }
+        vec3 swap = p[k];
+        p[k] = p[best];
+        p[best] = swap;
     }
-    for (int i = 0; i < n; i++)
-        if (vec3_dot(up, vec3_sub(p[i], side[0])) <= reach) p[m++] = p[i];
-//<
-//> little_clip_all 11b 11b
-    return m;
+    return n < 4 ? n : 4;
 }
 //<
-//> little_clip_four 11c
-    return points_four(p, m, up);
-}
-//<
-//> little_clip_contact 11b
 
-// Two sides that look at each other, within 6 degrees: the points of one over
-// the other, the reference side.
+//> little_clip_contact 11b
+// Two sides that look at each other, within 6 degrees: the corners of one,
+// clipped by the edges of the other, the reference side.
 static bool contact_clip(contact *c)
 {
     real cos_a, cos_b;
@@ -178,16 +148,30 @@ static bool contact_clip(contact *c)
     bool by_b = cos_b > cos_a - 0.001;
     const body *reference = by_b ? c->b : c->a, *other = by_b ? c->a : c->b;
     int f = by_b ? fb : fa, corners = side_polygon(reference, f, side);
+    int n = side_polygon(other, by_b ? fa : fb, p);
     vec3 up = mat3_apply(reference->axes, reference->shape->normal[f]);
-    int n = clip_side(other, side, corners, up, c->reach, p);
-    if (n == 0) return false;
-    c->normal = vec3_scale(by_b ? 1 : -1, up);
+    for (int i = 0; i < corners; i++) {
+        vec3 edge = vec3_sub(side[(i + 1) % corners], side[i]);
+        n = polygon_clip(p, n, side[i], vec3_cross(edge, up));
+    }
+    int m = 0;
+    for (int i = 0; i < n; i++)
+        if (vec3_dot(up, vec3_sub(p[i], side[0])) <= c->reach) p[m++] = p[i];
+//<
+//> little_clip_all 11b 11b
+    n = m;
+//<
+//> little_clip_four 11c
+    n = points_four(p, m, up);
+//<
+//> little_clip_points 11b
     for (int i = 0; i < n; i++) {
         real gap = vec3_dot(up, vec3_sub(p[i], side[0]));
         vec3 q = vec3_add_scaled(p[i], -gap, up);
         point_add(c, by_b ? p[i] : q, by_b ? q : p[i]);
     }
-    return true;
+    if (n > 0) c->normal = vec3_scale(by_b ? 1 : -1, up);
+    return n > 0;
 }
 //<
 

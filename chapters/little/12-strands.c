@@ -10,7 +10,7 @@ typedef struct {
 //> little_strand_over 16a
     real over;                  // asks for so much of the error
 //<
-//> little_strand_pull 12c 12z 16a
+//> little_strand_pull 12c 12z
     real pull[LINKS];           // kg m, of the last step, along each link
 //<
 //> little_strand_end 12a 12z 16a
@@ -148,7 +148,7 @@ static void strand_solve(strand *s)
         vec3 on = { 0, 0, 0 };
         if (i < s->links) {
 //<
-//> little_strand_keep_pull 12c 12z 16a
+//> little_strand_keep_pull 12c 12z
             s->pull[i] += g[i];
 //<
 //> little_strand_pull_plain 12b 12z
@@ -165,7 +165,7 @@ static void strand_solve(strand *s)
 }
 //<
 
-//> little_string 12c 12z 16a
+//> little_string 12c 12z
 // A taut strand is a string: pulls as strong as in the last step act along the
 // links as they lie afterwards.  Three diagonals again.
 static void strand_string(strand *s)

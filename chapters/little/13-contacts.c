@@ -21,6 +21,14 @@ static vec3 body_angular_momentum(const body *b)
 }
 //<
 
+//> little_body_speed 13g
+// m/s, what no point of a body is faster than.
+static real body_speed(const body *b)
+{
+    return vec3_length(b->velocity) + b->shape->radius * vec3_length(b->spin);
+}
+//<
+
 //> little_body_move 13b
 // Moves and turns; its angular momentum stays, so that its spin may change.
 static void body_move(body *b, real h)
@@ -30,16 +38,28 @@ static void body_move(body *b, real h)
     b->axes = mat3_turned(b->axes, vec3_scale(h, b->spin));
 //<
 //> little_body_move_path 13g
-    real turning = b->shape->radius * vec3_length(b->spin);
-    real way = h * (vec3_length(b->velocity) + turning);
-    b->path += way;
+    b->path += h * body_speed(b);
 //<
 //> little_body_move_moved 18a
-    b->moved += way;
+    b->moved += h * body_speed(b);
 //<
 //> little_body_move_end 13b
     body_turn_inverse(b);
     b->spin = mat3_apply(b->inverse, momentum);
+    body_place(b);
+}
+//<
+
+//> little_awake_all 13c 17z
+static bool body_is_awake(const body *b) { return b->inverse_mass > 0; }
+//<
+//> little_awake 18a
+static const real SLEEP_SPEED = 0.02;   // m/s
+static real time_to_sleep = 0.5;        // s
+
+static bool body_is_awake(const body *b)
+{
+    return b->inverse_mass > 0 && b->still <= time_to_sleep;
 }
 //<
 
@@ -131,20 +151,23 @@ static vec3 vec3_across(vec3 a, vec3 normal)
     return vec3_add_scaled(a, -vec3_dot(a, normal), normal);
 }
 
+// a, but no longer than so much.
+static vec3 vec3_limit(vec3 a, real most)
+{
+    real length = vec3_length(a);
+    return length > most ? vec3_scale(most / length, a) : a;
+}
+
 // Coulomb's law: friction stops sliding, by at most friction times the push.
 static void point_rub(const contact *c, contact_point *p)
 {
     vec3 slide = vec3_across(point_velocity(c, p), c->normal), old = p->rub;
-    real speed = vec3_length(slide), most = c->friction * p->push;
+    vec3 d = vec3_unit(slide);
+    real most = c->friction * p->push;
     if (most == 0 && vec3_dot(old, old) == 0) return;
-    if (speed > 0) {
-        vec3 d = vec3_scale(1 / speed, slide);
-        real answer = body_answer(c->a, p->ra, d) + body_answer(c->b, p->rb, d);
-        p->rub = vec3_add_scaled(p->rub, -1 / answer, slide);
-    }
-    p->rub = vec3_across(p->rub, c->normal);
-    real all = vec3_length(p->rub);
-    if (all > most) p->rub = vec3_scale(most / all, p->rub);
+    real answer = body_answer(c->a, p->ra, d) + body_answer(c->b, p->rb, d);
+    vec3 sum = vec3_add_scaled(old, -1 / answer, slide);
+    p->rub = vec3_limit(vec3_across(sum, c->normal), most);
     bodies_push(c->a, p->ra, c->b, p->rb, vec3_sub(p->rub, old));
 }
 //<
@@ -177,34 +200,31 @@ static softness soft_spring(real h, real stiffer)
     return (softness){ omega / a, b / (1 + b), 1 / (1 + b) };
 }
 
-// Was one of the points still wrong by half a millimetre?
-static bool contact_press_once(contact *c, real h, softness s)
-{
-    bool is_wrong = false;
-    for (contact_point *p = c->point; p < c->point + c->count; p++) {
-        real lack = vec3_dot(point_velocity(c, p), c->normal), leak = 0;
-        real before = p->push;
-        if (p->gap > 0) lack += p->gap / h;
-        else if (s.rate > 0) {
-            lack = s.mass * (lack + real_max(s.rate * p->gap, -3));
-            leak = s.leak * p->push;
-        }
-        point_push_to(c, p, real_max(0, p->push - p->mass * lack - leak));
-        if (fabs(p->push - before) * h > 0.0005 * p->mass) is_wrong = true;
-//<
-//> little_press_pushed 15c
-        if (p->push > 0) p->was_pushed = true;
-//<
-//> little_soft_end 13f
-    }
-    return is_wrong;
-}
-
-// The points of a hard impact disturb each other: again, until they agree.
+// The points of a hard impact disturb each other: again, until none was wrong
+// by half a millimetre.
 static void contact_press(contact *c, real h, softness s)
 {
-    for (int i = 0; i < 10; i++)
-        if (!contact_press_once(c, h, s)) break;
+    real worst = 1;             // m
+    for (int i = 0; i < 10 && worst > 0.0005; i++) {
+        worst = 0;
+        for (contact_point *p = c->point; p < c->point + c->count; p++) {
+            real lack = vec3_dot(point_velocity(c, p), c->normal), leak = 0;
+            real before = p->push;
+            if (p->gap > 0) lack += p->gap / h;
+            else if (s.rate > 0) {
+                lack = s.mass * (lack + real_max(s.rate * p->gap, -3));
+                leak = s.leak * p->push;
+            }
+            lack = p->mass * lack + leak;
+            point_push_to(c, p, real_max(0, before - lack));
+            worst = real_max(worst, h * fabs(p->push - before) / p->mass);
+//<
+//> little_press_pushed 15c
+            if (p->push > 0) p->was_pushed = true;
+//<
+//> little_soft_end 13f
+        }
+    }
 }
 //<
 

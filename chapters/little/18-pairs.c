@@ -1,60 +1,30 @@
-//> little_awake_all 13c 17z
-static bool body_is_awake(const body *b) { return b->inverse_mass > 0; }
-//<
-//> little_awake 18a
-static bool body_is_awake(const body *b) { return b->awake; }
-//<
-
-//> little_impact 15b
+//> little_meet_ahead 15b
 // --- Fast bodies: when will they touch? --------------------------------------
 
-// As far as two come nearer in a step, but not as far as they are thick.
-static real pair_reach(const body *a, const body *b, real dt)
-{
-    real turning = a->shape->radius * vec3_length(a->spin)
-                 + b->shape->radius * vec3_length(b->spin);
-    real way = dt * (vec3_distance(a->velocity, b->velocity) + turning);
-    real thick = real_min(a->shape->inner, b->shape->inner);
-    return MARGIN + real_min(way, 0.5 * thick);
-}
-//<
-
-//> little_time_of_impact 15b
-// The share of the step until a is nearer to b than half the margin, if it
-// goes on by `way`; 1: it does not come so near.  Conservative advancement: as
-// far as the distance allows, and asks again.
-static real time_of_impact(const body *a, const body *b, vec3 way)
-{
-    vec3 at[VERTICES];
-    real t = 0;
-    simplex s = { .count = 0 };
-    for (int i = 0; i < 40; i++) {
-        for (int k = 0; k < a->shape->count; k++)
-            at[k] = vec3_add_scaled(a->vertex[k], t, way);
-        real d = gjk((hull){ at, a->shape->count }, body_hull(b), &s, HUGE_VAL);
-        if (d < MARGIN / 2) return t;
-        real closing = -vec3_dot(way, s.v) / d;
-        if (closing * (1 - t) <= d - MARGIN / 2) return 1;
-        t += (d - MARGIN / 4) / closing;
-    }
-    return t;
-}
-//<
-
-//> little_meet_ahead 15b
 // A contact as it will be at the moment of touch, with the gap until then.
+// Conservative advancement: a goes on as far as the distance allows, and asks
+// again, until it is nearer than half the margin.
 static void contact_meet_ahead(contact *c, real dt)
 {
     body *a = c->a, was = *a;
     vec3 way = vec3_scale(dt, vec3_sub(a->velocity, c->b->velocity));
-    if (vec3_length(way) < c->reach) return;
-    real t = time_of_impact(a, c->b, way);
-    if (t >= 1) return;
-    a->position = vec3_add_scaled(a->position, t, way);
-    body_place(a);
-    contact_meet(c);
+    real left = 1;              // of the way
+    simplex s = { .count = 0 };
+    for (int i = 0; i < 40 && vec3_length(way) > c->reach; i++) {
+        real d = gjk(body_hull(a), body_hull(c->b), &s, HUGE_VAL);
+        if (d < MARGIN / 2) {
+            contact_meet(c);
+            c->until = 0;
+            break;
+        }
+        real closing = -vec3_dot(way, s.v) / d;
+        if (closing * left <= d - MARGIN / 2) break;
+        real t = (d - MARGIN / 4) / closing;
+        left -= t;
+        a->position = vec3_add_scaled(a->position, t, way);
+        body_place(a);
+    }
     *a = was;
-    c->until = 0;
 }
 //<
 
@@ -90,7 +60,7 @@ static void pair_ask(body *a, body *b, real dt)
     }
 //<
 //> little_pair_asleep 18a
-    bool asleep = !a->awake && !b->awake;
+    bool asleep = !body_is_awake(a) && !body_is_awake(b);
     if (old && (asleep || a->path + b->path < old->until)) {
         *c = *old;              // its margin is not used up
         contact_count++;
@@ -108,7 +78,9 @@ static void pair_ask(body *a, body *b, real dt)
     contact_meet(c);            // also kept if they do not touch
 //<
 //> little_pair_meet_ahead 15b
-    c->reach = pair_reach(a, b, dt);
+    real way = dt * (body_speed(a) + body_speed(b));
+    real thick = real_min(a->shape->inner, b->shape->inner);
+    c->reach = MARGIN + real_min(way, 0.5 * thick);
     if (!contact_meet(c)) contact_meet_ahead(c, dt);
 //<
 //> little_pair_inherit 13e
@@ -166,28 +138,24 @@ static vec3 vec3_max(vec3 a, vec3 b)
                      real_max(a.z, b.z));
 }
 
-static box box_around(const vec3 *at, int n, int of)
+// Around n points, and `margin` (m) more on every side.
+static box box_around(const vec3 *at, int n, real margin, int of)
 {
+    vec3 more = { margin, margin, margin };
     box b = { at[0], at[0], of };
     for (int i = 1; i < n; i++) {
         b.low = vec3_min(b.low, at[i]);
         b.high = vec3_max(b.high, at[i]);
     }
-    return b;
+    return (box){ vec3_sub(b.low, more), vec3_add(b.high, more), of };
 }
 
-// By so much (m) on every side.
-static box box_grown(box b, real more)
+// Are they further apart than so much (m)?
+static bool boxes_apart(const box *a, const box *b, real by)
 {
-    vec3 m = { more, more, more };
-    return (box){ vec3_sub(b.low, m), vec3_add(b.high, m), b.of };
-}
-
-static bool boxes_apart(const box *a, const box *b)
-{
-    return a->low.z > b->high.z || b->low.z > a->high.z
-        || a->low.y > b->high.y || b->low.y > a->high.y
-        || a->low.x > b->high.x || b->low.x > a->high.x;
+    return a->low.z > b->high.z + by || b->low.z > a->high.z + by
+        || a->low.y > b->high.y + by || b->low.y > a->high.y + by
+        || a->low.x > b->high.x + by || b->low.x > a->high.x + by;
 }
 //<
 
@@ -216,7 +184,7 @@ static int boxes_sweep(box *list, int n)
     for (const box *a = list; a < list + n; a++) {
         const box *b = a + 1;
         for (; b < list + n && b->low.x <= a->high.x; b++)
-            if (!boxes_apart(a, b) && count < PAIRS)
+            if (!boxes_apart(a, b, 0) && count < PAIRS)
                 pairs[count++] = a->of > b->of ? (pair){ a->of, b->of }
                                                : (pair){ b->of, a->of };
         compared += b - a - 1;
@@ -229,16 +197,12 @@ static int boxes_sweep(box *list, int n)
 static box boxes[BODIES];       // of all bodies, sorted
 static int boxed;               // how many they are
 
-// Around a body and its motion, and half the margin more.
+// Around a body, as far as it gets in dt, and half the margin more.
 static box body_box(int i, real dt)
 {
     const body *b = &bodies[i];
-    vec3 none = { 0, 0, 0 }, way = vec3_scale(dt, b->velocity);
-    box x = box_around(b->vertex, b->shape->count, i);
-    x = box_grown(x, MARGIN / 2);
-    x.low = vec3_add(x.low, vec3_min(way, none));
-    x.high = vec3_add(x.high, vec3_max(way, none));
-    return x;
+    real more = MARGIN / 2 + dt * vec3_length(b->velocity);
+    return box_around(b->vertex, b->shape->count, more, i);
 }
 
 static void contacts_find(real dt)
@@ -255,17 +219,11 @@ static void contacts_find(real dt)
 //> little_sleep_clock 18a
 // --- Sleep: what touches or is joined falls asleep together ------------------
 
-static const real SLEEP_SPEED = 0.02;   // m/s
-static real time_to_sleep = 0.5;        // s
-
-// Of two that touch, neither has been still for longer than the other.  Is that
-// news?
-static bool still_share(body *a, body *b)
+// Of two that touch, neither has been still for longer than the other.
+static void still_share(body *a, body *b)
 {
-    if (a->inverse_mass == 0 || b->inverse_mass == 0 || a->still == b->still)
-        return false;
-    a->still = b->still = real_min(a->still, b->still);
-    return true;
+    if (a->inverse_mass > 0 && b->inverse_mass > 0)
+        a->still = b->still = real_min(a->still, b->still);
 }
 //<
 
@@ -277,16 +235,11 @@ static void bodies_sleep(real dt)
         b->still = b->moved < SLEEP_SPEED * dt ? b->still + dt : 0;
         b->moved = 0;
     }
-    for (bool news = true; news;) {
-        news = false;
-        for (contact *c = contacts; c < contacts + contact_count; c++)
-            if (c->count > 0 && still_share(c->a, c->b)) news = true;
-        for (joint *j = joints; j < joints + joint_count; j++)
-            if (still_share(j->a, j->b)) news = true;
-    }
-    for (body *b = bodies; b < bodies + body_count; b++) {
-        b->awake = b->inverse_mass > 0 && b->still <= time_to_sleep;
-        if (!b->awake) b->velocity = b->spin = vec3_make(0, 0, 0);
-    }
+    for (contact *c = contacts; c < contacts + contact_count; c++)
+        if (c->count > 0) still_share(c->a, c->b);
+    for (joint *j = joints; j < joints + joint_count; j++)
+        still_share(j->a, j->b);
+    for (body *b = bodies; b < bodies + body_count; b++)
+        if (!body_is_awake(b)) b->velocity = b->spin = vec3_make(0, 0, 0);
 }
 //<

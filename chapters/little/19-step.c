@@ -14,14 +14,6 @@ static void bodies_move(real h)
         if (body_is_awake(b)) body_move(b, h);
 }
 //<
-//> little_bodies_place 13c 15z
-
-static void bodies_place(void)
-{
-    for (body *b = bodies; b < bodies + body_count; b++)
-        if (body_is_awake(b)) body_place(b);
-}
-//<
 
 //> little_step_rounds 13c 13e
 static void step(real dt)
@@ -41,7 +33,6 @@ static void step(real dt)
             for (int k = 0; k < c->count; k++) point_rub(c, &c->point[k]);
         }
     bodies_move(dt);
-    bodies_place();
 }
 //<
 
@@ -68,25 +59,18 @@ static void contacts_begin(void)
     }
 }
 
-static void contacts_press(real h)
+// Before the move as springs.  After it hard, without what the springs have
+// added, and with friction.
+static void contacts_press(real h, bool moved)
 {
+    softness hard = { 0, 1, 0 };
     softness soft = soft_spring(h, 1), stiffer = soft_spring(h, 2);
     for (int i = 0; i < active_count; i++) {
         contact *c = active[i];
         bool both = c->a->inverse_mass > 0 && c->b->inverse_mass > 0;
-        contact_press(c, h, both ? soft : stiffer);
-    }
-}
-
-// After the move: what the springs have added goes, and friction.
-static void contacts_relax(real h)
-{
-    softness hard = { 0, 1, 0 };
-    for (int i = 0; i < active_count; i++) {
-        contact *c = active[i];
         contact_renew(c);
-        contact_press(c, h, hard);
-        for (int k = 0; k < c->count; k++) point_rub(c, &c->point[k]);
+        contact_press(c, h, moved ? hard : both ? soft : stiffer);
+        for (int k = 0; k < c->count && moved; k++) point_rub(c, &c->point[k]);
     }
 }
 
@@ -94,12 +78,12 @@ static void substep(real h)
 {
     bodies_fall(h);
 //<
-//> little_substep_joints_warm 17a
+//> little_substep_joints_warm 17a 17a
     joints_warm();
 //<
 //> little_substep_warm 13f
     for (int i = 0; i < active_count; i++) contact_warm(active[i]);
-    contacts_press(h);
+    contacts_press(h, false);
 //<
 //> little_substep_joints 17a
     joints_hold(1 / h);
@@ -111,7 +95,7 @@ static void substep(real h)
     joints_renew();
 //<
 //> little_substep_relax 13f
-    contacts_relax(h);
+    contacts_press(h, true);
 //<
 //> little_substep_joints_relax 17a
     joints_hold(0);
@@ -129,7 +113,6 @@ static void step(real dt)
     contacts_find(dt);
     contacts_begin();
     substep(dt);
-    bodies_place();
 }
 //<
 
@@ -155,16 +138,18 @@ static int substeps = 4;        // of half a step
 //<
 
 //> little_wanted 18b
-// m, by how much the spring of a point sags under the push that it has, or
-// under the weight of the heavier body, where that may lie on a light one.
-static real point_sag(const contact *c, const contact_point *p, real h)
+// By how much the deepest spring of a contact sags, as a share of the smaller
+// body: under the push that it has, or under the weight of the heavier body.
+static real contact_sag(const contact *c, real h)
 {
-    softness s = soft_spring(h, 1);
-    real per_push = s.leak / (p->mass * s.mass * s.rate);
-    real light = real_max(c->a->inverse_mass, c->b->inverse_mass);
-    real heavy = real_min(c->a->inverse_mass, c->b->inverse_mass);
-    real weight = heavy > 0 && light > 2 * heavy ? 9.81 * h / heavy : 0;
-    return per_push * real_max(weight, real_min(p->push, -p->gap / per_push));
+    real heavy = real_min(c->a->inverse_mass, c->b->inverse_mass), sag = 0;
+    for (const contact_point *p = c->point; p < c->point + c->count; p++) {
+        real per_push = 1.62 * h / p->mass;     // 1 / (m omega^2 h)
+        real weight = heavy > 0 ? 9.81 * h / heavy : 0;
+        sag = real_max(sag, real_min(per_push * p->push, -p->gap));
+        sag = real_max(sag, per_push * weight);
+    }
+    return sag / real_min(c->a->shape->radius, c->b->shape->radius);
 }
 //<
 
@@ -175,12 +160,8 @@ static int substeps_wanted(real h)
 {
     real worst = 0;
     int least = particle_count > 0 ? 4 : 2, most = 64;
-    for (int i = 0; i < active_count; i++) {
-        const contact *c = active[i];
-        real size = real_min(c->a->shape->radius, c->b->shape->radius);
-        for (int k = 0; k < c->count; k++)
-            worst = real_max(worst, point_sag(c, &c->point[k], h) / size);
-    }
+    for (int i = 0; i < active_count; i++)
+        worst = real_max(worst, contact_sag(active[i], h));
     real wanted = substeps * sqrt(worst / 0.01);
     if (wanted > substeps) return (int)real_min(wanted + 1, most);
     return wanted < substeps - 2 && substeps > least ? substeps - 1 : substeps;
@@ -191,19 +172,13 @@ static int substeps_wanted(real h)
 // What was given in a substep of another length is given in proportion.
 static void impulses_scale(real s)
 {
-    for (int i = 0; i < active_count; i++) {
-        contact *c = active[i];
-        for (contact_point *p = c->point; p < c->point + c->count; p++) {
+    for (int i = 0; i < active_count; i++)
+        for (int k = 0; k < active[i]->count; k++) {
+            contact_point *p = &active[i]->point[k];
             p->push *= s;
             p->rub = vec3_scale(s, p->rub);
         }
-    }
-    for (joint *j = joints; j < joints + joint_count; j++) {
-        j->impulse = vec3_scale(s, j->impulse);
-        j->twist = vec3_scale(s, j->twist);
-    }
-    for (int i = 0; i < particle_count; i++) {
-        particle *p = &particles[i];
+    for (particle *p = particles; p < particles + particle_count; p++) {
         vec3 moved = vec3_sub(p->position, p->previous);
         p->previous = vec3_add_scaled(p->position, -s, moved);
     }
@@ -233,17 +208,14 @@ static void half_step(real dt)
 //> little_half_wanted 18b
     int had = substeps;
     substeps = substeps_wanted(dt / had);
-    impulses_scale(had / (real)substeps);
     real h = dt / substeps;
+    impulses_scale(had / (real)substeps);
 //<
 //> little_half_run 13g
     for (int s = 0; s < substeps; s++) substep(h);
 //<
 //> little_half_bounce 15c
     contacts_bounce();
-//<
-//> little_half_place 13g
-    bodies_place();
 //<
 //> little_half_end 13g
 }

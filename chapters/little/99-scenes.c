@@ -202,7 +202,7 @@ static void draw(void)
         if (b->shape->radius < 5) draw_body(b);
     printf("body\n");
     for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++) {
-        vec3 at[4];
+        vec3 at[3];
         piece_at(p, at);
         print_face(at[0], at[1], at[2]);
     }
@@ -216,7 +216,7 @@ static int cuts(void)
     int count = 0;
     for (body *b = bodies; b < bodies + body_count; b++)
         for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++) {
-            vec3 at[4];
+            vec3 at[3];
             simplex s = { .count = 0 };
             piece_at(p, at);
             count += gjk((hull){ at, 3 }, body_hull(b), &s, 0) == 0;
@@ -245,7 +245,7 @@ static int crossings(void)
     for (soft_piece *p = soft_pieces; p < soft_pieces + soft_count; p++)
         for (strand *s = strands; s < strands + strand_count; s++)
             for (int i = 0; i < s->links; i++) {
-                vec3 t[4];
+                vec3 t[3];
                 bool shared = false;
                 piece_at(p, t);
                 for (int k = 0; k < 3; k++)
@@ -336,7 +336,7 @@ static void show(const char *name, int frames)
 //<
 //> little_show_awake 18a
     int awake = 0;
-    for (int i = 0; i < body_count; i++) awake += bodies[i].awake;
+    for (int i = 0; i < body_count; i++) awake += body_is_awake(&bodies[i]);
     printf("%s: awake %d bodies\n", name, awake);
 //<
 //> little_show_end 13c
@@ -517,17 +517,16 @@ int main(void)
 static void chain_add(int links, real load)
 {
     clear();
-    const shape *s = box_make(0.05, 0.2, 0.05);
+    const shape *s = box_make(0.05, 0.2, 0.05), *box = box_make(0.5, 0.5, 0.5);
     body *last = body_add(s, vec3_make(0, 0.1, 0), 0);
-    for (int i = 0; i < links; i++) {
-        body *b = body_add(s, vec3_make(0, -0.1 - 0.2 * i, 0), 1);
+    for (int i = 0; i <= links; i++) {
+        bool is_load = i == links;
+        vec3 at = { 0, -0.2 * i - (is_load ? 0.25 : 0.1), 0 };
+        body *b = body_add(is_load ? box : s, at, is_load ? load : 1);
         joint_add(last, b, vec3_make(0, -0.2 * i, 0));
         last = b;
     }
-    vec3 low = vec3_make(0, -0.2 * links - 0.25, 0);
-    body *b = body_add(box_make(0.5, 0.5, 0.5), low, load);
-    joint_add(last, b, vec3_make(0, -0.2 * links, 0));
-    b->velocity.x = 1;
+    last->velocity.x = 1;
 }
 //<
 //> little_door 17c 18b
@@ -537,8 +536,7 @@ static void show_door(void)
     clear();
     body *post = body_add(box_make(0.1, 0.1, 0.1), vec3_make(0, 2, 0), 0);
     body *door = body_add(box_make(1, 2, 0.1), vec3_make(0.6, 2, 0), 10);
-    joint *j = joint_add(post, door, vec3_make(0.05, 2, 0));
-    joint_make_hinge(j, vec3_make(0, 1, 0));
+    hinge_add(post, door, vec3_make(0.05, 1, 0), vec3_make(0.05, 3, 0));
     door->spin = vec3_make(3, 3, 0);
     show("the door", 600);
     real tilt = sqrt(2 * real_max(0, 1 - door->axes.y.y));

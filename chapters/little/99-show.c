@@ -2,17 +2,16 @@
 // A load of 40 kg on a level chain, which falls and swings towards +x.
 static void wrecker_add(vec3 top, int links)
 {
-    const shape *s = box_make(0.2, 0.05, 0.05), *load = icosahedron_make(0.3);
-    body *last = body_add(s, vec3_add(top, vec3_make(0.1, 0, 0)), 0);
-    for (int i = 0; i < links; i++) {
+    const shape *link = box_make(0.2, 0.05, 0.05);
+    const shape *load = icosahedron_make(0.3);
+    body *last = body_add(link, vec3_add(top, vec3_make(0.1, 0, 0)), 0);
+    for (int i = 0; i <= links; i++) {
         vec3 end = vec3_add(top, vec3_make(-0.2 * i, 0, 0));
-        body *b = body_add(s, vec3_add(end, vec3_make(-0.1, 0, 0)), 1);
+        vec3 at = vec3_add(end, vec3_make(i < links ? -0.1 : -0.3, 0, 0));
+        body *b = body_add(i < links ? link : load, at, i < links ? 1 : 40);
         joint_add(last, b, end);
         last = b;
     }
-    vec3 end = vec3_add(top, vec3_make(-0.2 * links, 0, 0));
-    body *b = body_add(load, vec3_add(end, vec3_make(-0.3, 0, 0)), 40);
-    joint_add(last, b, end);
 }
 //<
 //> little_wall 18c
@@ -20,23 +19,22 @@ static void wrecker_add(vec3 top, int links)
 static void wall_add(real x)
 {
     const shape *brick = box_make(0.3, 0.3, 0.5);
-    for (int row = 0; row < 6; row++) {
-        int n = 6 - row % 2;
-        for (int i = 0; i < n; i++)
-            body_add(brick, vec3_make(x, 0.15 + 0.3 * row,
-                                      0.51 * (i - (n - 1) / 2.0)), 2);
-    }
+    for (int row = 0; row < 6; row++)
+        for (int i = row % 2; i < 6; i++) {
+            real z = 0.51 * (i - 2.5 - row % 2 / 2.0);
+            body_add(brick, vec3_make(x, 0.15 + 0.3 * row, z), 2);
+        }
 }
 //<
 //> little_gate 18c
 // A gate on a post, 1 m wide and ajar.
 static void gate_add(vec3 at)
 {
-    body *post = body_add(box_make(0.1, 1, 0.1), at, 0);
     vec3 middle = vec3_add(at, vec3_make(0, 0, 0.55));
+    vec3 low = vec3_add(at, vec3_make(0, -0.4, 0.05));
+    body *post = body_add(box_make(0.1, 1, 0.1), at, 0);
     body *gate = body_add(box_make(0.06, 0.8, 1), middle, 5);
-    joint *j = joint_add(post, gate, vec3_add(at, vec3_make(0, 0, 0.05)));
-    joint_make_hinge(j, vec3_make(0, 1, 0));
+    hinge_add(post, gate, low, vec3_add(low, vec3_make(0, 0.8, 0)));
 }
 //<
 //> little_main_18c 18c

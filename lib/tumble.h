@@ -88,7 +88,9 @@ typedef struct {
     double friction;        // of bodies and planes that have none of their own
     double restitution;     // likewise; 0 to 1: speed after an impact / before
     double sleep_speed;     // m/s, slower bodies fall asleep, 0.005: turn up if
-                            // they keep awake too long; 0: none sleeps
+                            // they keep awake too long; 0: none sleeps.  (What
+                            // rolls at less than 30 times that, and is not
+                            // pulled along, is braked by 1/100 of its weight.)
     double time_to_sleep;   // s, 0.5
 
     // Runs work(data, 0) to work(data, items - 1) in any order, or at once on

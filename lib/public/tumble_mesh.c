@@ -189,6 +189,7 @@ static bool is_awaited(const world *w, int b, int piece)
     if (body_is_gone(x) || !body_meets(x, &w->body[piece])) return false;
     return body_is_soft(x) ? !body_is_static(x) : body_is_dynamic(x);
 }
+
 // What flies further than its own size is surrounded along its way, and each
 // time again.
 static void surround_body(surrounding *s, const presence *it)

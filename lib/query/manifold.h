@@ -29,10 +29,9 @@ typedef struct {
 // in which the patch of A (a face, an edge or a vertex that looks against the
 // normal) and that of B (which looks along it) overlap, seen along the normal.
 // Each is a vertex of A over a face of B, a face of A over a vertex of B, or an
-// edge over an edge.  To run alike is to lean by no more than 8 degrees; the
-// faces of a patch are off the one that leans least by no more than 3.  Both by
-// turn (rad, >= 0) more: so far the bodies may turn against each other before
-// they are asked again.
+// edge over an edge.  To run alike is to lean by no more than 8 degrees and turn
+// (rad, >= 0): so far the bodies may turn against each other before they are asked
+// again.  The faces of a patch are off the one that leans least by no more than 3.
 // nearest is the pair of nearest (or deepest) points that a query found, and
 // its normal the manifold's.  The pair is the only touch where fewer than two
 // corners are near.  Else point[0] is the deepest corner, and the others span

@@ -78,12 +78,12 @@ int substeps_again(const world *w, real h, int left)
 //<
 
 //> substeps-choose
-//>   The largest demand counts. It is obeyed at once, and released after half a
-//>   second.
+//>   The largest demand counts. It is obeyed at once. What rests releases it after
+//>   half a second, what is joined and moves at once.
 // Every change of the number moves what rests, for in shorter substeps it sags
 // less.  So it rises at once, and falls only when it has been too high by a
-// third for PATIENCE frames; of joined bodies that move it falls at once, for an
-// impact asks for thirty substeps, and is over.
+// third for PATIENCE frames.  Joined bodies that move give it back at once: their
+// impacts ask for thirty substeps, and are over.
 enum { PATIENCE = 30 };
 
 static bool is_joined(const island *i)

@@ -145,7 +145,7 @@ typedef struct {
 } substep_choice;
 
 // What pushes or is joined to another, and what asks it for substeps.  An island
-// is told by one of its bodies.
+// is named by one of its bodies.
 typedef struct {
     int  parent;        // union-find: a body of the same island
     real weight;        // 1/s^2, the largest of its contacts, see solver.h, and

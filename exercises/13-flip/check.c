@@ -3,6 +3,7 @@
 #include "flip.h"
 #include "expect.h"
 #include "random.h"
+#include "shake.h"
 #include "suite.h"
 
 #include <check.h>
@@ -150,7 +151,7 @@ static void step(real h)
     relax_options o = relax_options_default();
     o.tolerance = 1e-12;
     verlet_step(p, FOUR, NONE, NULL, h);
-    rigid4_relax(&plan, p, 6, o);
+    shake(&plan, p, 6, o);
 }
 
 // The body's own axis: 0 x, 1 y, 2 z, from how its corners ride.

@@ -3,6 +3,7 @@
 #include "shared.h"
 #include "expect.h"
 #include "random.h"
+#include "shake.h"
 #include "suite.h"
 
 #include <check.h>
@@ -188,7 +189,7 @@ static void step(const joint *j, int joints, int bodies, int rounds, real h)
     o.tolerance = 1e-12;
     verlet_step(p, FOUR * bodies, GRAVITY, NULL, h);
     for (int r = 0; r < rounds; r++) {
-        for (int b = 0; b < bodies; b++) rigid4_relax(&plan, p + FOUR * b, 6, o);
+        for (int b = 0; b < bodies; b++) shake(&plan, p + FOUR * b, 6, o);
         for (int i = 0; i < joints; i++) joint_close(&j[i], &plan, p);
     }
 }

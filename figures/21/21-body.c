@@ -12,6 +12,7 @@
 #include "convex.h"
 #include "random.h"
 #include "rigid4.h"
+#include "shake.h"
 #include "interleave.h"
 
 #include <stdio.h>
@@ -176,7 +177,7 @@ static void strike_four(body_of *b, int steps, relax_options o)
         b->p[i].position = vec3_add_scaled(x, w * share_of(&b->four, v, i)
                                               * BLOW, b->push[b->blow]);
     }
-    rigid4_relax(&b->four, b->p, steps, o);
+    shake(&b->four, b->p, steps, o);
 }
 
 static void work(int way, void *with)

@@ -8,6 +8,7 @@
 
 #include "clock.h"
 #include "rigid4.h"
+#include "shake.h"
 #include "line.h"
 
 #include <stdio.h>
@@ -76,7 +77,7 @@ static void hold(thing *t, int way, relax_options o)
     } else if (t->is_rope) {
         line_solve(shape_strands(&t->plan, 0), t->p, 1, o, t->scratch);
     } else {
-        rigid4_relax(&t->four, t->p, 1, o);
+        shake(&t->four, t->p, 1, o);
     }
 }
 

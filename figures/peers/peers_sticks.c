@@ -1,9 +1,7 @@
-// peers_sticks.c - what needs no peer: the sticks of bodies of four, a rope; and
-// the cloth, which no other C library has, beside what was measured elsewhere.
+// peers_sticks.c - what needs no peer: a rope; and the cloth, which no other C
+// library has, beside what was measured elsewhere.
 
 #include "peers.h"
-#include "random.h"
-#include "rigid4.h"
 #include "hard_set.h"
 #include "line.h"
 #include "world_scene.h"
@@ -14,87 +12,6 @@
 #include <stdlib.h>
 
 enum { ROUNDS = 15 };
-
-// ---- The sticks of a room ----------------------------------------------------
-
-// As many icosahedra as a full room has, each of four particles, relaxed as a
-// room relaxes them: along the old sticks, all six of a body at once, and
-// several bodies side by side.  Beside it the same sticks one after the other.
-enum { BODIES = 1000 };
-
-static shape icosahedron;
-static rigid4 body_of_four;
-static particle pool[BODIES * FOUR];
-static int first_of[BODIES];    // in the pool
-
-static vec3 shaken(vec3 at, real most, unsigned long long *seed)
-{
-    vec3 d = random_direction(seed);
-    return vec3_add_scaled(at, most * random_fraction(seed), d);
-}
-
-// Each of the four has gone its own way in a substep, as much as when a body
-// turns by a degree and has been pushed.
-static void place_fours(int piece)
-{
-    unsigned long long seed = 7;
-    (void)piece;
-    for (int i = 0; i < BODIES * FOUR; i++) {
-        vec3 x = body_of_four.at[i % FOUR];
-        pool[i] = (particle){ shaken(x, 0.004, &seed), x, FOUR };
-    }
-}
-
-static void relax_fours(int piece)
-{
-    relax_options o = world_options_default().relax;
-    (void)piece;
-    rigid4_relax_all(&body_of_four, pool, first_of, BODIES, 1, o);
-}
-
-static void sweep_fours(int piece)
-{
-    relax_options o = world_options_default().relax;
-    (void)piece;
-    for (int b = 0; b < BODIES; b++)
-        sticks_iterate(body_of_four.stick, FOUR_STICKS, pool + b * FOUR, o);
-}
-
-static real strain_left(void (*relax)(int))
-{
-    real worst = 0;
-    place_fours(0);
-    relax(0);
-    for (int b = 0; b < BODIES; b++)
-        for (int k = 0; k < FOUR_STICKS; k++)
-            worst = fmax(worst, stick_strain(body_of_four.stick[k],
-                                             pool + b * FOUR));
-    return worst;
-}
-
-static void measure_fours(void)
-{
-    const way ways[2] = { { place_fours, relax_fours },
-                          { place_fours, sweep_fours } };
-    if (!rigid4_build(&body_of_four, &icosahedron).ok)
-        give_up("there is no memory for four particles");
-    for (int b = 0; b < BODIES; b++) first_of[b] = b * FOUR;
-    real *time = time_in_turn(ways, 2, 1, ROUNDS);
-    real solved = strain_left(relax_fours), swept = strain_left(sweep_fours);
-    row r = { .what = "one stick of the room, solved with its body",
-              .unit = "ns", .most = 2, .against = "ours, one by one",
-              .ours = 1e9 * time[0] / (BODIES * FOUR_STICKS),
-              .theirs = 1e9 * time[1] / (BODIES * FOUR_STICKS) };
-    snprintf(r.our_error, TEXT, "strain %.0e after one step", solved);
-    snprintf(r.their_error, TEXT, "strain %.0e after one sweep", swept);
-    table_add(r);
-    r = (row){ .what = "a body of four, its six sticks solved", .unit = "ns",
-               .against = "", .ours = 1e9 * time[0] / BODIES, .most = 15 };
-    snprintf(r.our_error, TEXT, "strain %.0e after one step", solved);
-    table_add(r);
-    free(time);
-    rigid4_free(&body_of_four);
-}
 
 // ---- A rope ----------------------------------------------------------------
 
@@ -235,10 +152,6 @@ static void measure_cloth(void)
 
 void peers_sticks(void)
 {
-    if (!shape_icosahedron(&icosahedron, 0.5, 1).ok)
-        give_up("there is no memory for an icosahedron");
-    measure_fours();
     measure_rope();
     measure_cloth();
-    shape_free(&icosahedron);
 }

@@ -33,7 +33,6 @@ typedef struct rigid4 {
     real  reach;            // m, the body's largest distance from it
     struct stick stick[FOUR_STICKS];        // every pair
     real  square[FOUR_AXES];        // m^2, of the frame's vectors
-    real  per_sum[FOUR_STICKS];     // 1/m^2, of two of them: 00 11 22 01 02 12
     int   turns_right;      // 1, 2 and 3 at rest, as seen from 0
     vec3 *local;            // [shape->particles] vertex v stands at the centre
                             // and local.x times axis 0 of the frame, ...
@@ -77,34 +76,6 @@ static inline vec3 frame_point(const rigid_frame *f, vec3 local)
 
 // Where the n vertices stand, when the particles stand as the frame says.
 void rigid4_ride(const rigid4 *f, const rigid_frame *frame, vec3 *at, int n);
-
-// What one solve did, or several: as a relax_result, and how many bodies were
-// put back.
-typedef struct {
-    real worst;
-    int  tested, relaxed, iterations;
-    int  fell_back;
-} rigid4_result;
-
-// Brings the six sticks to their lengths at once: Newton's step for all of
-// them, until none is off by more than options.tolerance, at most `steps` times
-// (at least 1).  Written as a frame of three vectors along the solid's axes,
-// the six can be solved one by one: there is no matrix to be inverted.
-// Gradients as options.gradient says.  A tolerance that would let an axis be
-// off by more than a tenth is taken for one that does not: a sixtieth for a
-// cube, 5e-8 for a needle a thousand times as long as thick.  Where this fails
-// (violent turning), the body is put back to how it lay at `previous`,
-// straightened, and moved on without turning (fell_back = 1); if that is not
-// finite either, it stays as it is (worst = HUGE_VAL).  Pinned bodies stay.
-rigid4_result rigid4_relax(const rigid4 *f, particle *p, int steps,
-                        relax_options options);
-
-// The same for several bodies, whose particles begin at p + first[0] and so on:
-// the same bits, in less time, for it takes some at once.  Counts are sums,
-// `worst` and `iterations` the largest.
-rigid4_result rigid4_relax_all(const rigid4 *f, particle *p, const int *first,
-                            int bodies, int steps, relax_options options);
-
 //<
 
 //> rigid4-mirror-declare

@@ -41,13 +41,16 @@ static bool is_soft_held(const world *w, int b)
     return is_held;
 }
 
-// The velocity of the particles is that in the middle of the last substep.
-// Gravity has gone on since then, where nothing held the body.
+// s, as rigid_since.
+static real since_of(const world *w, int b)
+{
+    if (!body_is_soft(&w->body[b])) return rigid_since(w, b);
+    return is_soft_held(w, b) ? 0 : w->age / 2;
+}
+
 static vec3 since_then(const world *w, int b)
 {
-    bool is_held = body_is_soft(&w->body[b]) ? is_soft_held(w, b)
-                                             : w->rigid.held[b];
-    return vec3_scale(is_held ? 0 : body_age(w, b) / 2, w->options.gravity);
+    return vec3_scale(since_of(w, b), w->options.gravity);
 }
 
 static placement where_rigid(const world *w, int b)
@@ -155,8 +158,7 @@ void world_set_velocity(world *w, int b, vec3 velocity, vec3 spin)
     particle *p = w->pool.at + w->body[b].first;
     for (int k = 0; k < FOUR; k++) p[k].previous = p[k].position;
     w->rigid.held[b] = false;
-    velocity = vec3_add_scaled(velocity, -body_age(w, b) / 2,
-                               w->options.gravity);
+    velocity = vec3_sub(velocity, since_then(w, b));
     add_velocity(w, b, velocity, spin);
 }
 
@@ -208,11 +210,13 @@ void world_set_gravity(world *w, vec3 gravity)
         const body *x = &w->body[b];
         world_wake(w, b);
         if (!body_moves(w, b)) continue;
-        vec3 change = vec3_scale(body_age(w, b) / 2, less);
+        vec3 change = vec3_scale(since_of(w, b), less);
         if (body_is_soft(x)) add_soft_velocity(w, x, change);
-        else if (!w->rigid.held[b]) add_velocity(w, b, change, none);
+        else add_velocity(w, b, change, none);
     }
     w->options.gravity = gravity;
+    for (int b = 0; b < w->bodies; b++)
+        w->body[b].taut = world_taut(w, &w->body[b]);
 }
 //<
 

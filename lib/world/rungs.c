@@ -79,7 +79,7 @@ static void find_islands(world *w)
 static bool is_calm(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
-    real since = t->held[b] ? 0 : w->frame * t->age[b] / 2;
+    real since = w->frame * rigid_since(w, b);
     vec3 way = vec3_add_scaled(t->ahead[b].way, since, w->options.gravity);
     real far = t->now[b].radius / 16;
     return vec3_length_squared(way) <= far * far;

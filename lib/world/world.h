@@ -339,6 +339,10 @@ status world_bend(world *w, int b, real stiffness);
 // changing nothing, if that is negative or not finite.
 status world_stretch(world *w, int b, real compliance);
 
+// m/N: what the links of a cloth give by while it is pinned, if nothing else is
+// said.  (Without gravity there is no weight; a rope carries more than itself.)
+real world_taut(const world *w, const body *b);
+
 // Neither static nor kinematic nor asleep.
 static inline bool body_moves(const world *w, int b)
 {
@@ -349,6 +353,13 @@ static inline bool body_moves(const world *w, int b)
 static inline real body_age(const world *w, int b)
 {
     return body_is_soft(&w->body[b]) ? w->age : w->rigid.age[b];
+}
+
+// s: the velocity of rigid body b is that of a moment so long ago, the middle of its
+// last substep.  Gravity has gone on since then, unless contacts or joints held it.
+static inline real rigid_since(const world *w, int b)
+{
+    return w->rigid.held[b] ? 0 : w->rigid.age[b] / 2;
 }
 
 // Kinematic, and not at rest.

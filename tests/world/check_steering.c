@@ -118,6 +118,49 @@ START_TEST(body_that_falls_has_the_velocity_of_the_textbook)
 }
 END_TEST
 
+// A third of a second up and down, then sideways for a second.
+static void expect_two_parabolas(const shape *s)
+{
+    const vec3 up = { 1, 2, 0 }, aside = { 5, 0, -3 };
+    begin(world_options_default());
+    add_thrown(s, ZERO, up, ZERO);
+    steps(20);
+    world_set_gravity(&w, aside);
+    vec3 v = vec3_make(1, 2 - 9.81 / 3, 0);
+    vec3 x = vec3_make(1.0 / 3, 2.0 / 3 - 9.81 / 18, 0);
+    near_vec3(world_where(&w, 0).velocity, v, 1e-11);
+    steps(60);
+    near_vec3(world_where(&w, 0).velocity, vec3_add(v, aside), 1e-11);
+    near_vec3(vec3_sub(world_where(&w, 0).position, x),
+              vec3_add_scaled(v, 0.5, aside), 1e-11);
+}
+
+// Rejects: a new gravity that begins half a substep ago, in a body or a rope.
+START_TEST(gravity_changes_from_one_parabola_to_the_next)
+{
+    expect_two_parabolas(&box);
+    expect_two_parabolas(&rope);
+}
+END_TEST
+
+static real taut(real g)
+{
+    world_options o = world_options_default();
+    o.gravity = ZERO;
+    begin(o);
+    int b = add_at(&cloth, 0, 0, 0);
+    world_set_gravity(&w, vec3_make(0, -g, 0));
+    return w.body[b].taut * g;
+}
+
+// Rejects: a sheet that was added without gravity, and does not give.
+START_TEST(taut_cloth_gives_by_its_weight_of_now)
+{
+    ck_assert(taut(0) == 0 && taut(1) > 0);
+    near(taut(20), taut(1), 1e-15 * taut(1), "give times weight");
+}
+END_TEST
+
 // Rejects: gravity in the velocity of what lies.
 START_TEST(body_that_lies_stands_still)
 {
@@ -788,6 +831,8 @@ int main(void)
     const TTest *const tests[] = {
         body_is_where_it_was_put,
         body_that_falls_has_the_velocity_of_the_textbook,
+        gravity_changes_from_one_parabola_to_the_next,
+        taut_cloth_gives_by_its_weight_of_now,
         body_that_lies_stands_still,
         body_that_is_put_elsewhere_is_met_there,
         cloth_is_put_as_its_shape_is,

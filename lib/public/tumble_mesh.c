@@ -481,19 +481,6 @@ static void place_heights(vec3 *at, const double *height, int columns, int rows,
                           depth * (2 * j - along) / (2 * along));
 }
 
-static void cut_cells(int (*triangle)[3], int columns, int rows)
-{
-    int f = 0;
-    for (int j = 0; j + 1 < rows; j++)
-        for (int i = 0; i + 1 < columns; i++, f += 2) {
-            int a = j * columns + i, b = a + 1;
-            int c = a + columns, d = c + 1;
-            int even[2][3] = { { a, c, d }, { a, d, b } };
-            int odd[2][3]  = { { a, c, b }, { b, c, d } };
-            memcpy(triangle[f], (i + j) % 2 ? odd : even, sizeof even);
-        }
-}
-
 static bool is_grid(tumble_world *w, const double *height, int columns,
                     int rows, double width, double depth)
 {
@@ -523,7 +510,7 @@ tumble_body tumble_add_heights(tumble_world *w, const double *height,
     if (!at || !cell) inside_is_ok(w, status_out_of_memory());
     if (at && cell) {
         place_heights(at, height, columns, rows, width, depth);
-        cut_cells(cell, columns, rows);
+        shape_cut_cells(cell, columns, rows);
         b = add_surface(w, at, points, (const int (*)[3])cell, triangles, down,
                         0, o);
     }

@@ -277,8 +277,7 @@ static void add_cloth_sticks(shape *s, real dx, real dz, real diagonal)
 //<
 
 //> body-cloth-faces
-// Two triangles a cell, cut as its diagonal does, turned so that they look up.
-static void fill_cloth_faces(int (*triangle)[3], int columns, int rows)
+void shape_cut_cells(int (*triangle)[3], int columns, int rows)
 {
     int f = 0;
     for (int j = 0; j + 1 < rows; j++)
@@ -296,7 +295,7 @@ static status span_cloth(shape *s, int columns, int rows)
     int faces = 2 * (columns - 1) * (rows - 1);
     int (*triangle)[3] = calloc((size_t)faces, sizeof *triangle);
     if (!triangle) return status_out_of_memory();
-    fill_cloth_faces(triangle, columns, rows);
+    shape_cut_cells(triangle, columns, rows);
     status r = shape_span(s, (const int (*)[3])triangle, faces);
     free(triangle);
     return r;

@@ -88,6 +88,10 @@ status shape_begin(shape *s, shape_kind kind, int particles, int most_sticks,
 // Spans triangles over the particles.  Fails as mesh_build.
 status shape_span(shape *s, const int (*triangle)[3], int faces);
 
+// Two triangles [2 (columns - 1) (rows - 1)] a cell of a cloth or a terrain, cut as
+// the cloth's diagonal does, turned so that they look up.
+void shape_cut_cells(int (*triangle)[3], int columns, int rows);
+
 // Adds a stick of the length that its ends are apart; one along every edge.
 void shape_add_stick(shape *s, int a, int b);
 void shape_add_edges(shape *s);

@@ -722,7 +722,7 @@ $(SCARCE): $(BUILD)/tests/scarce.o
 $(BUILD)/tests/check_tumble_save: LDFLAGS += -Wl,--wrap=store_table
 
 # This one has the plain form of four numbers beside the other.
-$(BUILD)/tests/check_real4: $(BUILD)/tests/real4_plain.o
+$(BUILD)/tests/check_real4: $(BUILD)/tests/real4_plain.o $(BUILD)/tests/real4_wide.o
 # The plain contact solver, which judges the fast one and draws figures.
 $(BUILD)/tests/check_solver $(patsubst %,$(BUILD)/figures/%,$(filter 13-%,$(FIGURES))): \
   $(BUILD)/tests/plain_solver.o

@@ -64,16 +64,6 @@ static inline bool real4_any(real4 a)
     return a.x[0] != 0 || a.x[1] != 0 || a.x[2] != 0 || a.x[3] != 0;
 }
 
-static inline void real4_set(real4 *a, int l, real value)
-{
-    a->x[l] = value;
-}
-
-static inline real real4_get(const real4 *a, int l)
-{
-    return a->x[l];
-}
-
 // Numbers 2 k and 2 k + 1 of four bodies become two lanes of bodies.
 static inline void real4_gather2(const real *const from[REAL4], int k,
                                  real4 *even, real4 *odd)
@@ -94,9 +84,94 @@ static inline void real4_scatter2(real *const to[REAL4], int k, real4 even,
 }
 //<
 
+//> real4-wide
+//>   The same as one register, where the compiler may use AVX (`NATIVE=1`).
+#elif defined(__AVX__)
+// One register of 32 bytes, wherever it lies.
+typedef real real2 __attribute__((vector_size(16)));
+typedef real real4 __attribute__((vector_size(32), aligned(16)));
+typedef long long mask4 __attribute__((vector_size(32), aligned(16)));
+
+static inline real4 real4_add(real4 a, real4 b)
+{
+    return a + b;
+}
+
+static inline real4 real4_sub(real4 a, real4 b)
+{
+    return a - b;
+}
+
+static inline real4 real4_mul(real4 a, real4 b)
+{
+    return a * b;
+}
+
+static inline real4 real4_div(real4 a, real4 b)
+{
+    return a / b;
+}
+
+static inline real4 real4_select(mask4 m, real4 a, real4 b)
+{
+    return (real4)(((mask4)a & m) | ((mask4)b & ~m));
+}
+
+static inline real4 real4_max(real4 a, real4 b)
+{
+    return real4_select((mask4)(a > b), a, b);
+}
+
+static inline real4 real4_min(real4 a, real4 b)
+{
+    return real4_select((mask4)(a < b), a, b);
+}
+
+static inline real4 real4_make(real a, real b, real c, real d)
+{
+    return (real4){ a, b, c, d };
+}
+
+// Lane by lane: a where s > 0, else b.
+static inline real4 real4_if_positive(real4 s, real4 a, real4 b)
+{
+    const real4 zero = { 0, 0, 0, 0 };
+    return real4_select((mask4)(s > zero), a, b);
+}
+
+static inline real4 real4_sqrt(real4 a)
+{
+    return (real4){ sqrt(a[0]), sqrt(a[1]), sqrt(a[2]), sqrt(a[3]) };
+}
+
+// Is any of the four not zero?
+static inline bool real4_any(real4 a)
+{
+    return a[0] != 0 || a[1] != 0 || a[2] != 0 || a[3] != 0;
+}
+
+// Numbers 2 k and 2 k + 1 of four bodies become two lanes of bodies.  What they
+// come from is aligned to 16 bytes.
+static inline void real4_gather2(const real *const from[REAL4], int k,
+                                 real4 *even, real4 *odd)
+{
+    real2 a = ((const real2 *)from[0])[k], b = ((const real2 *)from[1])[k];
+    real2 c = ((const real2 *)from[2])[k], d = ((const real2 *)from[3])[k];
+    *even = (real4){ a[0], b[0], c[0], d[0] };
+    *odd = (real4){ a[1], b[1], c[1], d[1] };
+}
+
+static inline void real4_scatter2(real *const to[REAL4], int k, real4 even,
+                                  real4 odd)
+{
+    for (int l = 0; l < REAL4; l++)
+        ((real2 *)to[l])[k] = (real2){ even[l], odd[l] };
+}
+//<
+
 //> real4-vectors
 //>   The same as two registers, with the same bits
-//>   (`four_at_once_are_the_bits_of_each_alone_in_both_forms`).
+//>   (`four_at_once_are_the_bits_of_each_alone_in_every_form`).
 #else
 // Two registers of 16 bytes, which every x86-64 and every 64-bit ARM has.
 typedef real real2 __attribute__((vector_size(16)));
@@ -170,18 +245,6 @@ static inline bool real4_any(real4 a)
     return (m[0] | m[1]) != 0;
 }
 
-static inline void real4_set(real4 *a, int l, real value)
-{
-    memcpy((char *)a + (size_t)l * sizeof value, &value, sizeof value);
-}
-
-static inline real real4_get(const real4 *a, int l)
-{
-    real value;
-    memcpy(&value, (const char *)a + (size_t)l * sizeof value, sizeof value);
-    return value;
-}
-
 // Numbers 2 k and 2 k + 1 of four bodies become two lanes of bodies.  What they
 // come from is aligned to 16 bytes.
 static inline void real4_gather2(const real *const from[REAL4], int k,
@@ -205,7 +268,20 @@ static inline void real4_scatter2(real *const to[REAL4], int k, real4 even,
 //<
 
 //> real4-sums
-//>   Sums and dot products of them.
+//>   Sums and dot products of them, in every form.
+// One of the four.
+static inline void real4_set(real4 *a, int l, real value)
+{
+    memcpy((char *)a + (size_t)l * sizeof value, &value, sizeof value);
+}
+
+static inline real real4_get(const real4 *a, int l)
+{
+    real value;
+    memcpy(&value, (const char *)a + (size_t)l * sizeof value, sizeof value);
+    return value;
+}
+
 static inline real4 real4_all(real s)
 {
     return real4_make(s, s, s, s);

@@ -1,4 +1,4 @@
-// check_real4.c - do both forms of four numbers give the bits of one at a time?
+// check_real4.c - do all forms of four numbers give the bits of one at a time?
 // Book: chapter 13.
 
 #include <check.h>
@@ -69,8 +69,9 @@ static real alone(int operation, const real_lanes *in, int l)
 
 // Rejects: a minimum that keeps NaN, a maximum of -0 and 0 that depends on the
 // form; lanes in another order; a sum of products in another order.
-START_TEST(four_at_once_are_the_bits_of_each_alone_in_both_forms)
+START_TEST(four_at_once_are_the_bits_of_each_alone_in_every_form)
 {
+    bool has_wide = real4_has_wide();
     for (int n = 0; n < 10000; n++) {
         real_lanes in;
         for (int l = 0; l < REAL4; l++) {
@@ -79,16 +80,20 @@ START_TEST(four_at_once_are_the_bits_of_each_alone_in_both_forms)
             in.c[l] = any_number(n / 3 + l);
         }
         for (int k = 0; k < OPERATIONS; k++) {
-            real plain[2 * REAL4], vectors[2 * REAL4];
+            real plain[2 * REAL4], vectors[2 * REAL4], wide[2 * REAL4];
             real4_run_plain(k, &in, plain);
             real4_run_vectors(k, &in, vectors);
+            if (has_wide) real4_run_wide(k, &in, wide);
+            else memcpy(wide, plain, sizeof wide);
             bool alike = true;
             for (int l = 0; l < REAL4; l++) {
                 alike &= same(plain[l], alone(k, &in, l));
                 alike &= same(vectors[l], alone(k, &in, l));
+                alike &= same(wide[l], alone(k, &in, l));
                 if (k != GATHER) continue;
                 alike &= same(plain[REAL4 + l], in.b[l]);
                 alike &= same(vectors[REAL4 + l], in.b[l]);
+                alike &= same(wide[REAL4 + l], in.b[l]);
             }
             ck_assert_msg(alike, "operation %d: %g and %g", k, plain[0],
                           vectors[0]);
@@ -110,7 +115,7 @@ END_TEST
 int main(void)
 {
     const TTest *const tests[] = {
-        four_at_once_are_the_bits_of_each_alone_in_both_forms,
+        four_at_once_are_the_bits_of_each_alone_in_every_form,
         three_lanes_take_a_vector,
         NULL
     };

@@ -1,7 +1,7 @@
 // real4_forms.h - every operation of real4.h, one number in, one out, so that
-// its two forms can be compared.
+// its forms can be compared.
 //
-// Included by real4_plain.c, which asks for the plain form first, and by
+// Included by real4_plain.c and real4_wide.c, which ask for a form first, and by
 // check_real4.c: NAME is what the function is called there.
 
 #include "real4.h"

@@ -5,6 +5,8 @@
 
 #include "vec3.h"
 
+#include <stdbool.h>
+
 enum { ADD, SUB, MUL, DIV, MAX, MIN, CHOOSE, SQRT, MAD, SUMS, CROSS_X,
        CROSS_Y, CROSS_Z, MAKE, ALL, ANY, GATHER, OPERATIONS };
 
@@ -14,5 +16,7 @@ typedef struct {
 
 void real4_run_plain(int operation, const real_lanes *in, real out[8]);
 void real4_run_vectors(int operation, const real_lanes *in, real out[8]);
+void real4_run_wide(int operation, const real_lanes *in, real out[8]);
+bool real4_has_wide(void);      // else it must not be run
 
 #endif

@@ -41,6 +41,7 @@ define ORDER
 13/motion
 13/material
 13/contact
+13/passes
 13/solver
 14/broad
 14/pairs

@@ -1,0 +1,895 @@
+//> passes-lane
+//>   First the blocks are made. A contact whose A does not move is turned round,
+//>   so that A always moves.
+#include "passes.h"
+
+// A contact on its way into a lane of a block, turned so that A moves.
+typedef struct {
+    int  a, b;
+    vec3 normal, across, aside;
+    real across_impulse, aside_impulse, twist;
+    real per_near, round_a, round_b;
+    real has[CONTACT_POINTS], own[CONTACT_POINTS], shared[CONTACT_POINTS];
+    real offset[CONTACT_POINTS], impulse[CONTACT_POINTS];
+    vec3 local_a[CONTACT_POINTS], local_b[CONTACT_POINTS];
+} lane_source;
+
+// Two unit vectors across n, fixed by n alone.
+static void choose_across(lane_source *q, vec3 friction)
+{
+    vec3 n = q->normal;
+    real x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
+    vec3 least = { x <= y && x <= z, y < x && y <= z, z < x && z < y };
+    q->across = vec3_unit(vec3_cross(n, least));
+    q->aside = vec3_cross(n, q->across);
+    q->across_impulse = vec3_dot(friction, q->across);
+    q->aside_impulse = vec3_dot(friction, q->aside);
+}
+
+// A contact that has fewer points than its block has none there.
+static void choose_points(lane_source *q, const contact *c,
+                          const active_contact *x, const solver_frame *f,
+                          real warm)
+{
+    real height = c->b < 0 ? f->plane[-1 - c->b].offset : 0;
+    for (int j = 0; j < x->count; j++) {
+        int k = x->point[j];
+        const contact_point *p = &c->point[k];
+        q->local_a[j] = x->is_swapped ? p->local_b : p->local_a;
+        q->local_b[j] = x->is_swapped ? p->local_a : p->local_b;
+        q->own[j] = x->is_swapped ? 1 - p->own : p->own;
+        q->has[j] = 1;
+        q->shared[j] = k < c->shared;
+        q->offset[j] = p->offset + height;
+        q->impulse[j] = warm * c->impulse[k];
+    }
+}
+
+// A contact whose A does not move is solved the other way round: its normal,
+// and what acts along it, change sign; a twist does not, for both its axis and
+// the bodies change places.
+static void choose_lane(lane_source *q, const contact *c,
+                        const active_contact *x, const solver_frame *f,
+                        int spare)
+{
+    real sign = x->is_swapped ? -1 : 1, warm = f->warm * f->h / active_age(x, f);
+    *q = (lane_source){ .a = x->a, .b = spare };
+    if (x->sides == TWO_SIDED) q->b = x->b;
+    q->normal = vec3_scale(sign, c->normal);
+    q->per_near = 25 / active_radius(x, f);
+    q->round_a = x->is_swapped ? c->round_b : c->round_a;
+    q->round_b = x->is_swapped ? c->round_a : c->round_b;
+    q->twist = x->count > 1 ? warm * c->twist : 0;
+    choose_across(q, vec3_scale(sign * warm, c->friction));
+    choose_points(q, c, x, f, warm);
+}
+
+// A lane that is left over has no points: it pushes nothing.
+static void leave_lane(lane_source *q, int spare)
+{
+    *q = (lane_source){ .a = spare, .b = spare };
+}
+//<
+
+//> passes-transpose
+// One number of each of four lanes, side by side.  (Not stored one by one: a
+// processor waits long for what it has stored in parts and loads as a whole.)
+#define LANES_OF(q, number) \
+    real4_make((q)[0].number, (q)[1].number, (q)[2].number, (q)[3].number)
+
+#define LANES3_OF(to, q, vector)                \
+    do {                                        \
+        (to)[0] = LANES_OF(q, vector.x);        \
+        (to)[1] = LANES_OF(q, vector.y);        \
+        (to)[2] = LANES_OF(q, vector.z);        \
+    } while (0)
+
+static void transpose_place(block_place *p, const lane_source q[REAL4], int j)
+{
+    LANES3_OF(p->local_a, q, local_a[j]);
+    LANES3_OF(p->local_b, q, local_b[j]);
+    p->offset = LANES_OF(q, offset[j]);
+    p->own = LANES_OF(q, own[j]);
+    p->shared = LANES_OF(q, shared[j]);
+    p->has = LANES_OF(q, has[j]);
+}
+
+static void transpose(block *k, const lane_source q[REAL4])
+{
+    LANES3_OF(k->normal, q, normal);
+    LANES3_OF(k->across[0], q, across);
+    LANES3_OF(k->across[1], q, aside);
+    k->across_impulse[0] = LANES_OF(q, across_impulse);
+    k->across_impulse[1] = LANES_OF(q, aside_impulse);
+    k->twist_impulse = LANES_OF(q, twist);
+    k->per_near = LANES_OF(q, per_near);
+    k->round_a = LANES_OF(q, round_a);
+    k->round_b = LANES_OF(q, round_b);
+    k->is_round = real4_any(real4_add(k->round_a, k->round_b));
+    for (int j = 0; j < k->points; j++) {
+        transpose_place(&k->place[j], q, j);
+        k->point[j].impulse = LANES_OF(q, impulse[j]);
+    }
+}
+//<
+
+//> passes-stand
+//>   Where do the bodies of a block stand now? Arms and gaps follow from it. Of
+//>   what lies, and of what touches a driven body, arms are taken elsewhere
+//>   (chapter 18).
+// The frames and the turns of four bodies.
+typedef struct {
+    real4 center[3], axis[FOUR_AXES][3], turn[TURNS][3], inverse;
+} bodies4;
+
+// A lane that is left over is of a body that weighs a kilogram; a plane does
+// not move, and its height is in the offsets of its points.
+static const solver_body LIGHT = { .basis = { .inverse_mass = 1 } };
+static const solver_body NOWHERE = { .basis = { .inverse_mass = 0 } };
+
+static inline const solver_body *a_of(const contact_solver *s, const block *k,
+                                      const solver_frame *f, int lane)
+{
+    (void)s;
+    return k->contact[lane] < 0 ? &LIGHT : &f->body[k->a[lane]];
+}
+
+static inline const solver_body *b_of(const contact_solver *s, const block *k,
+                                      const solver_frame *f, int lane)
+{
+    int n = k->contact[lane], b = n < 0 ? -1 : s->active[n].b;
+    return b < 0 ? &NOWHERE : &f->body[b];
+}
+
+#define LANES_AT(q, number) \
+    real4_make((q)[0]->number, (q)[1]->number, (q)[2]->number, (q)[3]->number)
+
+#define LANES3_AT(to, q, vector)                \
+    do {                                        \
+        (to)[0] = LANES_AT(q, vector.x);        \
+        (to)[1] = LANES_AT(q, vector.y);        \
+        (to)[2] = LANES_AT(q, vector.z);        \
+    } while (0)
+
+static void take_frames(bodies4 *to, const rigid_frame *const from[REAL4])
+{
+    LANES3_AT(to->center, from, center);
+    for (int i = 0; i < FOUR_AXES; i++) LANES3_AT(to->axis[i], from, axis[i]);
+}
+
+static void take_turns(bodies4 *to, const motion_basis *const from[REAL4])
+{
+    for (int t = 0; t < TURNS; t++) LANES3_AT(to->turn[t], from, turn[t]);
+    to->inverse = LANES_AT(from, inverse_mass);
+}
+
+// m, from the centres.
+static inline void find_arm(real4 arm[3], const bodies4 *b,
+                            const real4 local[3])
+{
+    for (int i = 0; i < 3; i++) {
+        arm[i] = real4_mul(local[0], b->axis[0][i]);
+        for (int k = 1; k < FOUR_AXES; k++)
+            arm[i] = real4_mad(local[k], b->axis[k][i], arm[i]);
+    }
+}
+
+// What the rows of a block are made of.
+typedef struct {
+    bodies4 a, b;
+    real4 way[3];               // m, from B's centre to A's
+    real4 arm_a[CONTACT_POINTS][3], arm_b[CONTACT_POINTS][3];   // m
+} raw_block;
+
+// As contact_arms_of has them: one place for both, or each its own.  Two that have
+// met have one place, however they were found: their gap is all but closed, and
+// they are beside each other, to the smaller radius.  (A ball over a floor has a
+// corner of the next tile in one plane with it, ten radii away.)
+enum { BESIDE = 25 };                   // in units of 1 / per_near
+
+static inline void share_arms(raw_block *raw, const block *k, int j)
+{
+    const block_place *p = &k->place[j];
+    real4 one = real4_all(1), seen[3], off[3];
+    for (int i = 0; i < 3; i++) {
+        seen[i] = real4_sub(raw->arm_b[j][i], raw->way[i]);
+        off[i] = real4_sub(raw->arm_a[j][i], seen[i]);
+    }
+    real4 open = real4_mul(k->point[j].gap, k->per_near);
+    real4 square = real4_mul(k->per_near, k->per_near);
+    real4 apart = real4_mul(real4_dot(off, off), square);
+    real4 met = real4_min(real4_sub(one, open),
+                          real4_sub(real4_all(BESIDE * BESIDE), apart));
+    real4 shared = real4_if_positive(met, one, p->shared);
+    for (int i = 0; i < 3; i++) {
+        real4 at = real4_mad(p->own, off[i], seen[i]);
+        raw->arm_a[j][i] = real4_if_positive(shared, at, raw->arm_a[j][i]);
+        raw->arm_b[j][i] = real4_if_positive(shared,
+                                             real4_add(at, raw->way[i]),
+                                             raw->arm_b[j][i]);
+    }
+}
+
+static void find_arms(const block *k, raw_block *raw)
+{
+    real4 minus_a = real4_sub(real4_all(0), k->round_a);
+    for (int i = 0; i < 3; i++)
+        raw->way[i] = real4_sub(raw->a.center[i], raw->b.center[i]);
+    for (int j = 0; j < k->points; j++) {
+        find_arm(raw->arm_a[j], &raw->a, k->place[j].local_a);
+        find_arm(raw->arm_b[j], &raw->b, k->place[j].local_b);
+        if (k->is_round) {
+            real4_add3(raw->arm_a[j], k->normal, minus_a);
+            real4_add3(raw->arm_b[j], k->normal, k->round_b);
+        }
+    }
+}
+
+// The arms are of both sides still.  From the cores of what is round its
+// surfaces are a radius away, which the offsets hold.
+static void find_gaps(block *k, const raw_block *raw)
+{
+    real4 out = real4_add(k->round_a, k->round_b);
+    for (int j = 0; j < k->points; j++) {
+        real4 d[3];
+        for (int i = 0; i < 3; i++)
+            d[i] = real4_add(raw->way[i], real4_sub(raw->arm_a[j][i],
+                                                    raw->arm_b[j][i]));
+        real4 gap = real4_add(real4_dot(k->normal, d), out);
+        k->point[j].gap = real4_sub(gap, k->place[j].offset);
+        k->point[j].now = k->point[j].gap;
+    }
+}
+
+// Rows are made elsewhere for what lies, and for what touches a driven body.
+static bool stand_elsewhere(const contact_solver *s, const block *k,
+                            const solver_frame *f, raw_block *raw)
+{
+    const rigid_frame *at_a[REAL4], *at_b[REAL4];
+    bool some = false;
+    for (int l = 0; l < REAL4; l++) {
+        int n = k->contact[l], a = k->a[l], b = n < 0 ? -1 : s->active[n].b;
+        bool from_a = n >= 0 && f->is_elsewhere[a];
+        bool from_b = b >= 0 && f->is_elsewhere[b];
+        some |= from_a || from_b;
+        at_a[l] = n < 0 ? &LIGHT.frame : from_a ? &f->rows_at[a]
+                                                : &f->body[a].frame;
+        at_b[l] = b < 0 ? &NOWHERE.frame : from_b ? &f->rows_at[b]
+                                                  : &f->body[b].frame;
+    }
+    if (!some) return false;
+    take_frames(&raw->a, at_a);
+    take_frames(&raw->b, at_b);
+    return true;
+}
+
+// The gaps, and the arms at which they are.
+static void see_gaps_of(const contact_solver *s, block *k,
+                        const solver_frame *f, raw_block *raw)
+{
+    const rigid_frame *a[REAL4], *b[REAL4];
+    for (int l = 0; l < REAL4; l++) {
+        a[l] = &a_of(s, k, f, l)->frame;
+        b[l] = &b_of(s, k, f, l)->frame;
+    }
+    take_frames(&raw->a, a);
+    take_frames(&raw->b, b);
+    find_arms(k, raw);
+    find_gaps(k, raw);
+}
+
+static bool lies(const solver_frame *f, const contact_solver *s, const block *k,
+                 int lane, int b)
+{
+    return f->lying && k->contact[lane] >= 0 && b != s->room
+        && f->is_elsewhere[b] == LIES;
+}
+
+// Do all bodies lie, with all gaps closed?  Then nothing that rows are made of
+// changes, in this frame or the next.
+static bool all_lies(const contact_solver *s, const block *k,
+                     const solver_frame *f)
+{
+    const real4 one = real4_all(1), zero = real4_all(0);
+    real4 open = zero;
+    if (!f->lying) return false;
+    for (int l = 0; l < REAL4; l++) {
+        if (k->contact[l] < 0) continue;
+        if (!lies(f, s, k, l, k->a[l])) return false;
+        if (k->two && !lies(f, s, k, l, k->b[l])) return false;
+    }
+    for (int j = 0; j < k->points; j++) {
+        real4 gap = real4_mul(k->point[j].gap, k->per_near);
+        gap = real4_mul(k->place[j].has, real4_sub(gap, one));
+        open = real4_max(open, gap);
+    }
+    return !real4_any(open);
+}
+
+static void stand(const contact_solver *s, block *k, const solver_frame *f,
+                  raw_block *raw)
+{
+    const motion_basis *a[REAL4], *b[REAL4];
+    see_gaps_of(s, k, f, raw);
+    for (int l = 0; l < REAL4; l++) {
+        a[l] = &a_of(s, k, f, l)->basis;
+        b[l] = &b_of(s, k, f, l)->basis;
+        if (lies(f, s, k, l, k->a[l])) a[l] = &f->lying[k->a[l]];
+        if (lies(f, s, k, l, k->b[l])) b[l] = &f->lying[k->b[l]];
+    }
+    take_turns(&raw->a, a);
+    if (k->two) take_turns(&raw->b, b);
+    k->inverse_a = raw->a.inverse;
+    k->inverse_b = k->two ? raw->b.inverse : real4_all(0);
+    if (f->is_elsewhere && stand_elsewhere(s, k, f, raw)) find_arms(k, raw);
+    for (int j = 0; j < k->points; j++) share_arms(raw, k, j);
+}
+//<
+
+//> passes-rows
+// Returns the square of the row, in 1/kg: what a unit impulse with this moment
+// (m) does along itself by turning the body.
+static inline real4 make_row(real4 row[TURNS], real4 turn[TURNS][3],
+                             const real4 moment[3])
+{
+    for (int t = 0; t < TURNS; t++) row[t] = real4_dot(turn[t], moment);
+    return real4_dot(row, row);
+}
+
+// Of a body that does not move no row is read.
+ALWAYS_INLINE real4 make_rows(real4 row_a[TURNS], real4 row_b[TURNS],
+                              raw_block *raw, const real4 arm_a[3],
+                              const real4 arm_b[3], const real4 along[3],
+                              bool two)
+{
+    real4 moment[3];
+    real4_cross(arm_a, along, moment);
+    real4 square = make_row(row_a, raw->a.turn, moment);
+    if (!two) return square;
+    real4_cross(arm_b, along, moment);
+    return real4_add(square, make_row(row_b, raw->b.turn, moment));
+}
+
+// Friction acts where the points are that touch, of both bodies at one place; one
+// that is wide open counts for a hundredth.
+static inline void find_center(const block *k, const raw_block *raw,
+                               real4 center_a[3], real4 center_b[3])
+{
+    const real4 zero = real4_all(0), one = real4_all(1);
+    real4 sum = zero;
+    for (int i = 0; i < 3; i++) center_a[i] = zero;
+    for (int j = 0; j < k->points; j++) {
+        real4 open = real4_mul(k->point[j].gap, k->per_near);
+        real4 share = real4_sub(real4_all(2), open);
+        share = real4_min(one, real4_max(share, real4_all(0.01)));
+        share = real4_mul(share, k->place[j].has);
+        sum = real4_add(sum, share);
+        real4_add3(center_a, raw->arm_a[j], share);
+    }
+    real4 per_sum = real4_div(one, real4_if_positive(sum, sum, one));
+    for (int i = 0; i < 3; i++) {
+        center_a[i] = real4_mul(center_a[i], per_sum);
+        center_b[i] = real4_add(center_a[i], raw->way[i]);
+    }
+}
+
+// The effective mass is 1 / K, K = how far a unit impulse parts the points.
+ALWAYS_INLINE void make_points(block *k, raw_block *raw, real4 inverse,
+                               const real4 center_a[3], bool two)
+{
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 d[3], square = make_rows(p->turn_a, p->turn_b, raw,
+                                       raw->arm_a[j], raw->arm_b[j],
+                                       k->normal, two);
+        for (int i = 0; i < 3; i++)
+            d[i] = real4_sub(raw->arm_a[j][i], center_a[i]);
+        p->lever = real4_sqrt(real4_dot(d, d));
+        p->mass = real4_div(k->place[j].has, real4_add(inverse, square));
+    }
+}
+
+// Both directions are solved at once, with the inverse of
+//     | K00 K01 |        K_ij = how far a unit impulse along j moves the points
+//     | K01 K11 |        along i.
+ALWAYS_INLINE void make_friction(block *k, raw_block *raw, real4 inverse,
+                                 const real4 center_a[3],
+                                 const real4 center_b[3], bool two)
+{
+    real4 own[2], twist, *mass = k->across_mass;
+    for (int i = 0; i < 2; i++)
+        own[i] = real4_add(inverse, make_rows(k->across_a[i], k->across_b[i],
+                                              raw, center_a, center_b,
+                                              k->across[i], two));
+    real4 cross = real4_dot(k->across_a[0], k->across_a[1]);
+    if (two) cross = real4_add(cross, real4_dot(k->across_b[0],
+                                                k->across_b[1]));
+    real4 volume = real4_sub(real4_mul(own[0], own[1]),
+                             real4_mul(cross, cross));
+    real4 per_volume = real4_div(real4_all(1), volume);
+    mass[0] = real4_mul(own[1], per_volume);
+    mass[1] = real4_sub(real4_all(0), real4_mul(cross, per_volume));
+    mass[2] = real4_mul(own[0], per_volume);
+    if (k->points == 1) return;         // one point alone does not twist
+    twist = make_row(k->twist_a, raw->a.turn, k->normal);
+    if (two) twist = real4_add(twist, make_row(k->twist_b, raw->b.turn,
+                                               k->normal));
+    twist = real4_if_positive(twist, twist, real4_all(1));
+    k->twist_mass = real4_div(real4_all(1), twist);
+}
+//<
+
+//> passes-blocks
+static void set_material(const preparation *p, block *k)
+{
+    k->friction = k->strikes = real4_all(0);
+    for (int l = 0; l < REAL4; l++) {
+        if (k->contact[l] < 0) continue;
+        const contact *c = p->table[k->contact[l]];
+        real4_set(&k->friction, l, solver_material(p->f, c->a, c->b).friction);
+        real4_set(&k->strikes, l, solver_strikes(p->f, c));
+    }
+}
+
+// The first contact in s->order of block `number`, and how many it has.
+static int lanes_of(const contact_solver *s, int number, int *first)
+{
+    int color = 0, before = 0;
+    while (number >= s->color[color].first + s->color[color].count) color++;
+    for (int c = 0; c < color; c++) before += s->color[c].contacts;
+    int in = number - s->color[color].first;
+    int each = s->color[color].is_crowded ? 1 : REAL4;
+    *first = before + each * in;
+    return int_min(each, s->color[color].contacts - each * in);
+}
+
+ALWAYS_INLINE void make_rows_at(block *k, raw_block *raw, bool two)
+{
+    real4 center_a[3], center_b[3];
+    real4 inverse = real4_add(k->inverse_a, k->inverse_b);
+    find_center(k, raw, center_a, center_b);
+    make_points(k, raw, inverse, center_a, two);
+    make_friction(k, raw, inverse, center_a, center_b, two);
+}
+
+// The rows of a block, for bodies that stand as they do now.
+static void make_rows_of(const contact_solver *s, block *k,
+                         const solver_frame *f)
+{
+    raw_block raw;
+    stand(s, k, f, &raw);
+    if (k->two) make_rows_at(k, &raw, true);
+    else make_rows_at(k, &raw, false);
+    k->is_stale = false;
+    k->lies = all_lies(s, k, f);
+}
+
+static void fill_block(const preparation *p, int number)
+{
+    contact_solver *s = p->s;
+    block *k = &s->block[number];
+    lane_source q[REAL4];
+    int first, lanes = lanes_of(s, number, &first);
+    const int *list = s->order + first;
+    k->rubs = true;
+    k->two = s->active[list[0]].sides == TWO_SIDED;
+    k->points = s->start[number + 1] - s->start[number];
+    k->point = s->point + s->start[number];
+    k->place = s->place + s->start[number];
+    for (int l = 0; l < REAL4; l++) {
+        if (l < lanes)
+            choose_lane(&q[l], p->table[list[l]], &s->active[list[l]], p->f,
+                        s->room);
+        else
+            leave_lane(&q[l], s->room);
+        k->contact[l] = l < lanes ? list[l] : -1;
+        k->a[l] = q[l].a;
+        k->b[l] = q[l].b;
+    }
+    transpose(k, q);
+    set_material(p, k);
+    make_rows_of(s, k, p->f);
+}
+
+static void fill_chunk(void *data, int item)
+{
+    const preparation *p = data;
+    int end = task_last(item, p->s->blocks, FEW_BLOCKS);
+    for (int k = item * FEW_BLOCKS; k < end; k++) fill_block(p, k);
+}
+//<
+
+//> passes-keep
+//>   While a heap lies still its contacts are kept (chapter 18), and so are
+//>   their blocks. Only rows and gaps are made again.
+static void keep_chunk(void *data, int item)
+{
+    const preparation *p = data;
+    int end = task_end(item, p->s->blocks);
+    for (int n = item * TASK_CHUNK; n < end; n++) {
+        block *k = &p->s->block[n];
+        raw_block raw;
+        set_material(p, k);
+        if (k->lies) {
+            see_gaps_of(p->s, k, p->f, &raw);
+            if (all_lies(p->s, k, p->f)) continue;
+        }
+        make_rows_of(p->s, k, p->f);
+    }
+}
+//<
+
+//> passes-renew
+// Did it push or rub when it was last solved?  If not, only its gaps are
+// measured, because most of them stay open: see solver-lazy.
+static bool acts(const block *k)
+{
+    bool some = k->rubs;
+    for (int j = 0; j < k->points && !some; j++)
+        some = real4_any(k->point[j].impulse);
+    return some;
+}
+
+static bool is_fresh(const block *k, const solver_frame *f, int spare)
+{
+    bool some = !f->fresh;
+    for (int l = 0; l < REAL4 && !some; l++)
+        some = (k->a[l] != spare && f->fresh[k->a[l]])
+            || (k->b[l] != spare && f->fresh[k->b[l]]);
+    return some;
+}
+
+static void renew_chunk(void *data, int item)
+{
+    const preparation *p = data;
+    contact_solver *s = p->s;
+    int end = task_last(item, s->blocks, FEW_BLOCKS);
+    for (int n = item * FEW_BLOCKS; n < end; n++) {
+        block *k = &s->block[n];
+        raw_block raw;
+        if (!is_fresh(k, p->f, s->room)) continue;
+        if (acts(k)) {
+            make_rows_of(s, k, p->f);
+            continue;
+        }
+        see_gaps_of(s, k, p->f, &raw);
+        k->is_stale = true;
+        k->lies = false;
+    }
+}
+//<
+
+//> passes-sides
+//>   Compare the passes with the plain solver, line by line.
+// Six numbers of four bodies: three of the centre, three turns.
+ALWAYS_INLINE void gather(const motion *m, const int body[REAL4],
+                          real4 to[MOTIONS])
+{
+    const real *const from[REAL4] = { m[body[0]].of, m[body[1]].of,
+                                      m[body[2]].of, m[body[3]].of };
+    for (int k = 0; k < MOTIONS / 2; k++)
+        real4_gather2(from, k, &to[2 * k], &to[2 * k + 1]);
+}
+
+ALWAYS_INLINE void scatter(motion *m, const int body[REAL4],
+                           const real4 from[MOTIONS])
+{
+    real *const to[REAL4] = { m[body[0]].of, m[body[1]].of, m[body[2]].of,
+                              m[body[3]].of };
+    for (int k = 0; k < MOTIONS / 2; k++)
+        real4_scatter2(to, k, from[2 * k], from[2 * k + 1]);
+}
+
+// How A and B move: a body that does not move takes no part.
+typedef struct {
+    real4 a[MOTIONS], b[MOTIONS];
+} sides4;
+
+ALWAYS_INLINE sides4 take_sides(const block *k, const motion *m, bool two)
+{
+    sides4 s;
+    gather(m, k->a, s.a);
+    if (two) gather(m, k->b, s.b);
+    return s;
+}
+
+ALWAYS_INLINE void give_sides(const block *k, motion *m, const sides4 *s,
+                              bool two)
+{
+    scatter(m, k->a, s->a);
+    if (two) scatter(m, k->b, s->b);
+}
+
+// How fast, or how far, the centres part along a direction.
+ALWAYS_INLINE real4 part_centers(const real4 along[3], const sides4 *s,
+                                 bool two)
+{
+    real4 d[3];
+    if (!two) return real4_dot(along, s->a);
+    for (int i = 0; i < 3; i++) d[i] = real4_sub(s->a[i], s->b[i]);
+    return real4_dot(along, d);
+}
+
+// And what turning adds to that.
+ALWAYS_INLINE real4 part_turns(const real4 row_a[TURNS],
+                               const real4 row_b[TURNS], const sides4 *s,
+                               bool two)
+{
+    real4 a = real4_dot(row_a, s->a + MOTION_TURN);
+    return two ? real4_sub(a, real4_dot(row_b, s->b + MOTION_TURN)) : a;
+}
+
+ALWAYS_INLINE void push_turns(const real4 row_a[TURNS],
+                              const real4 row_b[TURNS], real4 impulse,
+                              sides4 *s, bool two)
+{
+    real4_add3(s->a + MOTION_TURN, row_a, impulse);
+    if (two) real4_sub3(s->b + MOTION_TURN, row_b, impulse);
+}
+
+ALWAYS_INLINE void push_centers(const block *k, const real4 along[3],
+                                real4 impulse, sides4 *s, bool two)
+{
+    real4_add3(s->a, along, real4_mul(k->inverse_a, impulse));
+    if (two) real4_sub3(s->b, along, real4_mul(k->inverse_b, impulse));
+}
+//<
+
+//> passes-normal
+// One point takes its part of the impulse: at least so much that its points do
+// not pull.  The centres' speed of parting is one number for all points of a
+// contact; it is kept up to date here, and the centres are pushed at the end.
+ALWAYS_INLINE void push_point(block_point *p, real4 impulse, real4 inverse,
+                              real4 *parting, real4 *sum, sides4 *s, bool two)
+{
+    impulse = real4_max(impulse, real4_all(0));
+    real4 change = real4_sub(impulse, p->impulse);
+    p->impulse = impulse;
+    *sum = real4_add(*sum, change);
+    *parting = real4_mad(inverse, change, *parting);
+    push_turns(p->turn_a, p->turn_b, change, s, two);
+}
+
+ALWAYS_INLINE real4 inverse_mass(const block *k, bool two)
+{
+    return two ? real4_add(k->inverse_a, k->inverse_b) : k->inverse_a;
+}
+
+// An open point that closes fast, and has not pushed, is left to an impact: it is
+// as if its gap would just close.
+static inline real4 leave_impacts(const block *k, const pass *q, real4 speed,
+                                  real4 impulse)
+{
+    const real4 zero = real4_all(0);
+    real4 slow = real4_add(speed, real4_all(q->slowest));
+    real4 left = real4_if_positive(impulse, speed,
+                                   real4_if_positive(slow, speed, zero));
+    return real4_if_positive(k->strikes, left, speed);
+}
+//<
+
+//> passes-see
+//>   What a caller may look at.
+ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
+{
+    sides4 d = take_sides(k, q->moved, two);
+    real4 parted = part_centers(k->normal, &d, two);
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 turned = part_turns(p->turn_a, p->turn_b, &d, two);
+        p->now = real4_add(real4_add(parted, p->gap), turned);
+    }
+}
+//<
+
+//> passes-lazy
+//>   What did not push in the last substep has no rows of this one yet. Might
+//>   one of its gaps close in this substep? The rows of an older one say so,
+//>   if what turning does is doubted by a quarter. Only then are rows made.
+ALWAYS_INLINE bool wakes(block *k, const pass *q, const sides4 *u, bool two)
+{
+    const real4 per_h = real4_all(q->per_h), zero = real4_all(0);
+    real4 parting = part_centers(k->normal, u, two), closing = zero;
+    for (int j = 0; j < k->points; j++) {
+        const block_point *p = &k->point[j];
+        real4 turns = part_turns(p->turn_a, p->turn_b, u, two);
+        real4 other = real4_sub(zero, turns);
+        real4 off = real4_mul(real4_all(0.25), real4_max(turns, other));
+        real4 then = real4_mad(p->now, per_h, real4_add(parting, turns));
+        then = real4_mul(k->place[j].has, real4_sub(then, off));
+        closing = real4_min(closing, then);
+    }
+    if (!real4_any(closing)) return false;
+    make_rows_of(q->s, k, q->f);
+    see_block(k, q, two);
+    return true;
+}
+//<
+
+//> passes-push
+// An open gap may close, but no further; an overlap is pushed out as a spring
+// and a damper would.
+ALWAYS_INLINE void push(block *k, const pass *q, bool two, bool has_impacts)
+{
+    const softness *soft = &q->soft[two ? TWO_SIDED : ONE_SIDED];
+    const real4 one = real4_all(1), zero = real4_all(0);
+    const real4 per_h = real4_all(q->per_h), most = real4_all(-q->max_speed);
+    const real4 rate = real4_all(soft->rate * soft->mass);
+    const real4 soft_mass = real4_all(soft->mass);
+    const real4 soft_impulse = real4_all(soft->impulse);
+    sides4 u = take_sides(k, q->velocity, two);
+    if (k->is_stale && !wakes(k, q, &u, two)) return;
+    real4 parting = part_centers(k->normal, &u, two), sum = zero;
+    real4 inverse = inverse_mass(k, two);
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 gap = p->now;
+        real4 speed = real4_add(parting,
+                                part_turns(p->turn_a, p->turn_b, &u, two));
+        if (has_impacts)
+            speed = real4_if_positive(gap, leave_impacts(k, q, speed, p->impulse),
+                                      speed);
+        real4 bias = real4_if_positive(gap, real4_mul(gap, per_h),
+                                       real4_max(real4_mul(rate, gap), most));
+        real4 mass = real4_if_positive(gap, one, soft_mass);
+        real4 leak = real4_if_positive(gap, zero, soft_impulse);
+        real4 step = real4_mad(p->mass, real4_mad(mass, speed, bias),
+                               real4_mul(leak, p->impulse));
+        push_point(p, real4_sub(p->impulse, step), inverse, &parting, &sum, &u,
+                   two);
+    }
+    push_centers(k, k->normal, sum, &u, two);
+    give_sides(k, q->velocity, &u, two);
+}
+//<
+
+//> passes-friction
+// Coulomb: what acts across is at most friction times what acts along, and the
+// twist at most that with the lever of each point.
+ALWAYS_INLINE void twist_block(block *k, real4 most, sides4 *u, bool two)
+{
+    real4 speed = part_turns(k->twist_a, k->twist_b, u, two);
+    real4 twist = real4_sub(k->twist_impulse,
+                            real4_mul(k->twist_mass, speed));
+    twist = real4_max(real4_min(twist, most),
+                      real4_sub(real4_all(0), most));
+    real4 change = real4_sub(twist, k->twist_impulse);
+    k->twist_impulse = twist;
+    push_turns(k->twist_a, k->twist_b, change, u, two);
+}
+
+ALWAYS_INLINE real4 slide(const block *k, int i, const sides4 *u, bool two)
+{
+    return real4_add(part_centers(k->across[i], u, two),
+                     part_turns(k->across_a[i], k->across_b[i], u, two));
+}
+
+ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
+{
+    const real4 *mass = k->across_mass, one = real4_all(1);
+    const real4 least = real4_all(1e-300);      // no length is 0 below
+    real4 x = slide(k, 0, u, two), y = slide(k, 1, u, two), impulse[2];
+    impulse[0] = real4_sub(k->across_impulse[0],
+                           real4_mad(mass[0], x, real4_mul(mass[1], y)));
+    impulse[1] = real4_sub(k->across_impulse[1],
+                           real4_mad(mass[1], x, real4_mul(mass[2], y)));
+    real4 length = real4_sqrt(real4_mad(impulse[0], impulse[0],
+                                        real4_mul(impulse[1], impulse[1])));
+    real4 share = real4_min(real4_div(most, real4_max(length, least)), one);
+    for (int i = 0; i < 2; i++) {
+        impulse[i] = real4_mul(share, impulse[i]);
+        real4 change = real4_sub(impulse[i], k->across_impulse[i]);
+        k->across_impulse[i] = impulse[i];
+        push_centers(k, k->across[i], change, u, two);
+        push_turns(k->across_a[i], k->across_b[i], change, u, two);
+    }
+}
+//<
+
+//> passes-relax
+//>   As the push does, the relax pass leaves a point alone that is open and
+//>   closes fast, if it will have an impact (chapter 15).
+ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
+{
+    const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
+    const real4 friction = k->friction;
+    see_block(k, q, two);
+    sides4 u = take_sides(k, q->velocity, two);
+    if (k->is_stale && !wakes(k, q, &u, two)) return;
+    real4 parting = part_centers(k->normal, &u, two), sum = zero;
+    real4 inverse = inverse_mass(k, two), along = zero, moment = zero;
+    for (int j = 0; j < k->points; j++) {
+        block_point *p = &k->point[j];
+        real4 gap = p->now;
+        real4 speed = real4_add(parting,
+                                part_turns(p->turn_a, p->turn_b, &u, two));
+        if (has_impacts) speed = leave_impacts(k, q, speed, p->impulse);
+        speed = real4_mad(real4_max(gap, zero), per_h, speed);
+        push_point(p, real4_sub(p->impulse, real4_mul(p->mass, speed)),
+                   inverse, &parting, &sum, &u, two);
+        along = real4_add(along, p->impulse);
+        moment = real4_mad(p->lever, p->impulse, moment);
+    }
+    push_centers(k, k->normal, sum, &u, two);
+    if (k->rubs || real4_any(along)) {
+        if (k->points > 1) twist_block(k, real4_mul(friction, moment), &u, two);
+        brake_block(k, real4_mul(friction, along), &u, two);
+        k->rubs = real4_any(along);
+    }
+    give_sides(k, q->velocity, &u, two);
+}
+
+ALWAYS_INLINE void push_block(block *k, const pass *q, bool two)
+{
+    push(k, q, two, false);
+}
+
+ALWAYS_INLINE void push_to_impacts(block *k, const pass *q, bool two)
+{
+    push(k, q, two, true);
+}
+
+ALWAYS_INLINE void relax_block(block *k, const pass *q, bool two)
+{
+    relax(k, q, two, false);
+}
+
+ALWAYS_INLINE void relax_to_impacts(block *k, const pass *q, bool two)
+{
+    relax(k, q, two, true);
+}
+//<
+
+//> passes-warm
+//>   Warm start: the impulses of the last substep act again.
+ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
+{
+    if (!acts(k)) return;
+    sides4 u = take_sides(k, q->velocity, two);
+    real4 sum = real4_all(0);
+    for (int j = 0; j < k->points; j++) {
+        const block_point *p = &k->point[j];
+        sum = real4_add(sum, p->impulse);
+        push_turns(p->turn_a, p->turn_b, p->impulse, &u, two);
+    }
+    push_centers(k, k->normal, sum, &u, two);
+    for (int i = 0; i < 2; i++) {
+        push_centers(k, k->across[i], k->across_impulse[i], &u, two);
+        push_turns(k->across_a[i], k->across_b[i], k->across_impulse[i], &u,
+                   two);
+    }
+    if (k->points > 1)
+        push_turns(k->twist_a, k->twist_b, k->twist_impulse, &u, two);
+    give_sides(k, q->velocity, &u, two);
+}
+//<
+
+//> passes-table
+// A loop for each kind of pass and of side, so that none asks inside.
+#define PASS(name, solve)                                             \
+    static void name(void *data, int item)                            \
+    {                                                                 \
+        const pass *q = data;                                         \
+        block *k = q->s->block + q->first;                            \
+        int i = item * FEW_BLOCKS;                                    \
+        int end = task_last(item, q->count, FEW_BLOCKS);              \
+        if (q->sides == TWO_SIDED)                                    \
+            for (; i < end; i++) solve(&k[i], q, true);               \
+        else                                                          \
+            for (; i < end; i++) solve(&k[i], q, false);              \
+    }
+
+PASS(see_chunk, see_block)
+PASS(warm_chunk, warm_block)
+PASS(push_chunk, push_block)
+PASS(push_to_impacts_chunk, push_to_impacts)
+PASS(relax_chunk, relax_block)
+PASS(relax_to_impacts_chunk, relax_to_impacts)
+
+const solver_passes PASSES = {
+    .fill = fill_chunk, .keep = keep_chunk, .renew = renew_chunk,
+    .see = see_chunk, .warm = warm_chunk,
+    .push = { push_chunk, push_to_impacts_chunk },
+    .relax = { relax_chunk, relax_to_impacts_chunk }
+};
+//<

@@ -1,0 +1,266 @@
+//> passes-head
+//>   A **block** holds four contacts that share no body: otherwise two lanes
+//>   would read the same velocity, and the second would overwrite what the
+//>   first has written.
+// passes.h - blocks of four contacts side by side, and what goes over them.
+//
+// Paper: section 6.1 parts one pair after the other, once a step.  Here:
+// projected Gauss-Seidel with soft contacts (Catto 2011, 2024), four contacts
+// side by side.  Book: chapter 13.
+// Units: metres, kilograms, seconds.  Normals point from B to A.
+
+#ifndef TUMBLE_PASSES_H
+#define TUMBLE_PASSES_H
+
+#include "contact.h"
+#include "material.h"
+#include "real4.h"
+#include "scene.h"
+#include "task.h"
+
+#include <stddef.h>
+
+// How an overlap is pushed out: as a spring and a damper would, so strongly
+// that the substep can follow.
+typedef struct {
+    real rate;          // 1/s, at which an overlap goes
+    real mass;          // share of the effective mass that answers
+    real impulse;       // share of the old impulse that is given up
+} softness;
+
+// A rigid body as the solver reads it.
+typedef struct {
+    motion_basis basis; // zero: immovable
+    rigid_frame frame;  // where it stood when its basis was made: it has been
+                        // moved since then, see solver_push
+    real radius;        // m, around its centre
+    bool is_driven;     // its velocity is set, whatever pushes it: its basis is
+                        // that of a body so heavy that no push shows
+} solver_body;
+
+// Where are the rows of a body made?  Where it stands when a substep ends;
+// halfway, if it touches a driven body; or, if it lies, where its contacts were
+// found.
+enum { GOES_EXACTLY, GOES_BY_HALVES, LIES };
+
+// What the solver is told about a frame.
+typedef struct {
+    const solver_body *body;    // [bodies]
+    int  bodies;
+    const char *fresh;          // [bodies] has it a new frame and basis since
+                                // rows were made?  NULL: all have
+    const rigid_frame *rows_at; // [bodies] where rows are made, if not where
+    const char *is_elsewhere;   // [bodies] it stands; NULL: none is elsewhere;
+                                // or GOES_EXACTLY, ...
+    const motion_basis *lying;  // [bodies] the basis there, of those that lie;
+                                // NULL: of none.  While they lie, both stay
+    const plane *plane;         // those that contacts with planes name
+    real h;                     // s, a substep
+    int  substeps;              // of this frame, or part of it
+    real warm;                  // times the impulses that contacts bring along;
+                                // 0: none
+    const real *age;            // [bodies] s, the substep that they are of;
+                                // NULL: one of h
+    real friction;              // Coulomb's coefficient, and
+    real restitution;           // of impacts, 0 to 1; 0: there are none.  Of
+                                // all bodies, or
+    const material *material;   // [bodies] each has its own; NULL: these; then
+                                // restitution is the largest,
+    const material *wall;       // and so has each plane
+    real hertz;                 // 1/s, of the contacts' springs, at most
+    real damping;               // ratio, of their dampers
+    real max_speed;             // m/s, at which overlaps are pushed out, at most
+    vec3 gravity;               // m/s^2, for impacts
+    tasks run;
+} solver_frame;
+//<
+
+//> passes-material
+// Where bodies a and b meet, or a and a plane (b < 0).
+static inline material solver_material(const solver_frame *f, int a, int b)
+{
+    if (!f->material) return (material){ f->friction, f->restitution };
+    return material_meet(f->material[a],
+                         b < 0 ? f->wall[-1 - b] : f->material[b]);
+}
+//<
+
+//> passes-strikes
+// Is contact c one of impacts in time: do its bodies bounce, or meet later in the
+// frame than where they are now?
+static inline bool solver_strikes(const solver_frame *f, const contact *c)
+{
+    return (c->b >= 0 && c->shared < c->count)
+        || solver_material(f, c->a, c->b).restitution > 0;
+}
+//<
+
+//> passes-place
+// Where a point of each of four contacts rides on its bodies.  Rows are made of
+// it, and no pass reads it.
+typedef struct {
+    real4 local_a[3], local_b[3];   // coordinates in the frames of the bodies
+    real4 offset;       // m, of the gap
+    real4 own;          // 1: they push where A's point is; 0: where B's is
+    real4 shared;       // 1: both push at one place; 0: each at its own
+    real4 has;          // 1: there is such a point; 0: not
+    real4 began;        // N s, its impulse before this substep
+} block_place;
+//<
+
+//> passes-block
+// Four contacts side by side: each number of each kind stands in a lane of its
+// own.  The contacts of a block share no body.
+typedef struct {
+    real4 turn_a[TURNS], turn_b[TURNS]; // kg^(-1/2), Jacobian row of the turns
+    real4 gap, now;     // m, when the row was made; when last relaxed
+    real4 mass;         // kg, effective, along the normal
+    real4 impulse;      // N s
+    real4 lever;        // m, from the point where friction acts
+} block_point;
+
+typedef struct {
+    real4 normal[3];
+    real4 across[2][3];                 // two unit vectors across it
+    real4 inverse_a, inverse_b;         // 1/kg
+    real4 across_a[2][TURNS], across_b[2][TURNS];   // rows of friction
+    real4 twist_a[TURNS], twist_b[TURNS];
+    real4 across_mass[3];               // kg: inverse of the 2 x 2 matrix K
+    real4 twist_mass;                   // kg m^2
+    real4 across_impulse[2], twist_impulse;
+    real4 friction;
+    real4 strikes;                      // 1: see solver_strikes; 0: it does not
+    int   a[REAL4], b[REAL4];           // bodies; lanes left over: the spare
+    int   contact[REAL4];               // -1: left over
+    int   points;                       // of the contact that has most
+    bool  two;                          // both sides move
+    bool  rubs;                         // friction's impulses may not be 0
+    bool  is_stale;                     // rows are those of an older substep
+    bool  lies;                         // all that it has lies, with its gaps
+                                        // closed: rows stay good
+    bool  is_round;                     // some are
+    real4 round_a, round_b;             // m, see contact
+    real4 per_near;                     // 1/m, of a gap that is all but closed
+    real4 began[3];                     // N s, N m s, friction's impulses before
+                                        // this substep
+    block_point *point;                 // [points] of the solver's
+    block_place *place;                 // [points]
+} block;
+//<
+
+//> passes-struct
+//>   So the contacts are *coloured*. Each takes the lowest colour that neither
+//>   of its bodies has yet, and any four of one colour make a block. What does
+//>   not move cannot be overwritten; contacts with it have colours of their
+//>   own, and come last.
+// Blocks of one colour share no body, so that they may be solved in any order,
+// or at once.  Contacts with what does not move have colours of their own, and
+// come last: what is immovable has the last word.
+enum { COLORS = 64 };
+enum { TWO_SIDED, ONE_SIDED, SIDES };
+
+typedef struct {
+    long found;         // the contact's
+    int  a, b;          // bodies, or b < 0: a plane; ONE_SIDED: only a moves
+    int  color;
+    signed char count;  // points that may touch in this frame
+    signed char sides;
+    bool is_swapped;    // A does not move: the block's A is the contact's B
+    bool is_new;        // it, or one of its points, was not in the last frame
+    bool is_deep;       // overlaps by more than a tenth of the smaller radius
+    signed char point[CONTACT_POINTS];  // which of the contact's
+    real gap[CONTACT_POINTS];           // m
+    real least;                         // m, of all points
+    real load;          // N s, along the normal, when last solved
+    real weight;        // 1/s^2, the weight of the body that lies on the other,
+                        // over effective mass and smaller radius;
+    real borne;         // 1/s^2, the force that was borne, over the same
+} active_contact;
+
+// The smaller radius of the bodies of x; of the one that moves, if it is alone.
+static inline real active_radius(const active_contact *x,
+                                 const solver_frame *f)
+{
+    real radius = f->body[x->a].radius;
+    return x->sides == ONE_SIDED ? radius
+                                 : real_min(radius, f->body[x->b].radius);
+}
+
+// s: the substep that its impulses are of.  (Its A moves.)
+static inline real active_age(const active_contact *x, const solver_frame *f)
+{
+    return f->age ? f->age[x->a] : f->h;
+}
+
+typedef struct {
+    int  first, count;  // blocks
+    int  contacts;
+    int  sides;
+    bool is_crowded;    // more contacts met in one body than there are colours:
+                        // these share bodies, one in a block
+} block_color;
+
+typedef struct {
+    active_contact *active;             // [capacity] of every contact
+    int  *order;                        // [capacity] by colour and points
+    int  contacts, capacity;
+    int  known;                         // contacts of the frame before
+    int  first, end;                    // blocks are of active[first] to before
+                                        // active[end]
+    block *block;
+    int  blocks, block_capacity;
+    block_point *point;                 // of block after block
+    block_place *place;
+    int  point_capacity, place_capacity;
+    int  *start;                        // [blocks + 1] where they begin
+    int  start_capacity;
+    block_color color[SIDES * COLORS];
+    int  colors;
+    unsigned long long (*taken)[SIDES]; // [bodies] colours of each
+    int  room;                          // for so many there is room
+    int  touching;                      // contacts that may touch in this frame
+    bool strikes;                       // some of these strike
+    real h;                             // s, the substeps that blocks are for
+} contact_solver;
+//<
+
+//> passes-declare
+// An item has few blocks: a colour may have no more than 30.
+enum { FEW_BLOCKS = 8 };
+
+// What the making of blocks is given.
+typedef struct {
+    contact_solver *s;
+    const solver_frame *f;
+    const contact *const *table;
+    const real *reach;
+} preparation;
+
+// What a pass over the blocks is given.
+typedef struct {
+    contact_solver *s;
+    motion *velocity;
+    const motion *moved;
+    real per_h;             // 1/s
+    real max_speed;
+    real slowest;           // m/s, what closes more slowly does not strike
+    softness soft[SIDES];
+    int first, count, sides;    // the blocks of a colour
+    const solver_frame *f;
+} pass;
+
+// Each does item `item` of its work: FEW_BLOCKS blocks, but `keep` TASK_CHUNK.
+// `push` and `relax` of contacts that have no impacts; and that may have some.
+typedef void solver_work(void *data, int item);
+typedef struct {
+    solver_work *fill, *keep, *renew;               // data: a preparation
+    solver_work *see, *warm, *push[2], *relax[2];   // data: a pass
+} solver_passes;
+
+extern const solver_passes PASSES;
+//<
+
+//> passes-end
+//>   The header ends.
+#endif
+//<

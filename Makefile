@@ -42,6 +42,7 @@ define ORDER
 13/material
 13/contact
 13/passes
+13/passes_wide
 13/solver
 14/broad
 14/pairs

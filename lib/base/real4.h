@@ -85,8 +85,8 @@ static inline void real4_scatter2(real *const to[REAL4], int k, real4 even,
 //<
 
 //> real4-wide
-//>   The same as one register, where the compiler may use AVX (`NATIVE=1`).
-#elif defined(__AVX__)
+//>   The same as one register, where AVX may be used.
+#elif defined(__AVX__) || defined(TUMBLE_WIDE_REAL4)
 // One register of 32 bytes, wherever it lies.
 typedef real real2 __attribute__((vector_size(16)));
 typedef real real4 __attribute__((vector_size(32), aligned(16)));

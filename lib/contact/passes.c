@@ -3,6 +3,10 @@
 //>   so that A always moves.
 #include "passes.h"
 
+#ifndef PASSES
+#define PASSES passes_narrow    // see passes_wide.c
+#endif
+
 // A contact on its way into a lane of a block, turned so that A moves.
 typedef struct {
     int  a, b;

@@ -257,7 +257,16 @@ typedef struct {
     solver_work *see, *warm, *push[2], *relax[2];   // data: a pass
 } solver_passes;
 
-extern const solver_passes PASSES;
+extern const solver_passes passes_narrow, passes_wide;
+
+// Those that this processor is quickest with.  All give the same bits.
+static inline const solver_passes *passes_best(void)
+{
+#if defined(__x86_64__) && defined(__GNUC__)
+    if (__builtin_cpu_supports("avx")) return &passes_wide;
+#endif
+    return &passes_narrow;
+}
 //<
 
 //> passes-end

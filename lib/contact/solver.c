@@ -239,7 +239,7 @@ static bool make_blocks(contact_solver *s, preparation *p)
     sort_contacts(s, end);
     list_colors(s, end);
     if (!make_block_room(s)) return false;
-    tasks_run(p->f->run, PASSES.fill, p,
+    tasks_run(p->f->run, passes_best()->fill, p,
               task_items(s->blocks, FEW_BLOCKS));
     // Blocks of some of the contacts are not those of the next frame.
     s->h = s->end - s->first < s->contacts ? 0 : p->f->h;
@@ -275,7 +275,7 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
         s->strikes = s->active[k].count > 0 && solver_strikes(f, table[k]);
     preparation p = { .s = s, .f = f, .table = table };
     if (may_keep_blocks(s, f)) {
-        tasks_run(f->run, PASSES.keep, &p, task_chunks(s->blocks));
+        tasks_run(f->run, passes_best()->keep, &p, task_chunks(s->blocks));
         return true;
     }
     bool done = make_blocks(s, &p);
@@ -302,8 +302,8 @@ static void run_pass(contact_solver *s, const solver_frame *f,
                      motion *velocity, const motion *moved,
                      solver_work *work)
 {
-    pass q = { .s = s, .f = f, .velocity = velocity, .moved = moved, .per_h = 1 / f->h,
-               .max_speed = f->max_speed,
+    pass q = { .s = s, .f = f, .velocity = velocity, .moved = moved,
+               .per_h = 1 / f->h, .max_speed = f->max_speed,
                .slowest = 2 * vec3_length(f->gravity) * f->h };
     for (int i = 0; i < SIDES; i++) q.soft[i] = softness_of(f, i);
     for (int c = 0; c < s->colors; c++) {
@@ -319,27 +319,28 @@ static void run_pass(contact_solver *s, const solver_frame *f,
 void solver_renew(contact_solver *s, const solver_frame *f)
 {
     preparation p = { .s = s, .f = f };
-    tasks_run(f->run, PASSES.renew, &p, task_items(s->blocks, FEW_BLOCKS));
+    tasks_run(f->run, passes_best()->renew, &p,
+              task_items(s->blocks, FEW_BLOCKS));
 }
 
 void solver_see_gaps(contact_solver *s, const solver_frame *f,
                      const motion *moved)
 {
-    run_pass(s, f, NULL, moved, PASSES.see);
+    run_pass(s, f, NULL, moved, passes_best()->see);
 }
 
 void solver_push(contact_solver *s, const solver_frame *f, motion *velocity,
                  const motion *moved)
 {
     run_pass(s, f, velocity, moved,
-             PASSES.push[s->strikes]);
+             passes_best()->push[s->strikes]);
 }
 
 void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
                   const motion *moved)
 {
     run_pass(s, f, velocity, moved,
-             PASSES.relax[s->strikes]);
+             passes_best()->relax[s->strikes]);
 }
 //<
 
@@ -347,7 +348,7 @@ void solver_relax(contact_solver *s, const solver_frame *f, motion *velocity,
 //>   Every contact starts a substep with the impulses of the last.
 void solver_warm(contact_solver *s, const solver_frame *f, motion *velocity)
 {
-    run_pass(s, f, velocity, NULL, PASSES.warm);
+    run_pass(s, f, velocity, NULL, passes_best()->warm);
 }
 
 void solver_mark(contact_solver *s)

@@ -3,10 +3,19 @@
 
 #include "real4_run.h"
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx"))), apply_to = function)
+#else
 #pragma GCC target("avx")
+#endif
+#define TUMBLE_WIDE_REAL4
 #define NAME real4_run_wide
 #include "real4_forms.h"
+
+#if defined(__clang__)
+#pragma clang attribute pop
+#endif
 
 bool real4_has_wide(void)
 {

@@ -338,13 +338,33 @@ static void look_around(world *w)
 //> step-wake
 //>   A sleeper that a moving body may reach in this frame is woken *before* the
 //>   impact, or it would be a rock for one frame.
-// Are two bodies so near that they may meet in this frame?
-static bool may_meet(const rigid_tables *t, int a, int b)
+// m, how far body b reaches from its centre along the unit vector d.
+static real extent_of(const world *w, int b, vec3 d)
 {
-    real near = t->ball[a].radius + t->ball[b].radius + t->reach[a]
-              + t->reach[b];
+    const vec3 *axis = w->rigid.now[b].frame.axis;
+    const shape *s = w->body[b].shape;
+    vec3 along = { vec3_dot(d, axis[0]), vec3_dot(d, axis[1]),
+                   vec3_dot(d, axis[2]) };
+    real most = 0;
+    for (int v = 0; v < s->particles; v++)
+        most = real_max(vec3_dot(w->body[b].rigid->local[v], along), most);
+    return most + s->round;
+}
+
+// May two bodies meet in this frame?  Not if their balls do not, nor if the line
+// through their centres shows a gap that they do not close.
+static bool may_meet(const world *w, int a, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    real ways = t->reach[a] + t->reach[b];
+    real near = t->ball[a].radius + t->ball[b].radius + ways;
     vec3 d = vec3_sub(t->ball[a].center, t->ball[b].center);
-    return vec3_length_squared(d) <= near * near;
+    real far = vec3_length(d);
+    if (!(far <= near)) return false;
+    if (!(far > 0)) return true;
+    vec3 along = vec3_scale(1 / far, d);
+    return far <= extent_of(w, a, vec3_scale(-1, along))
+                + extent_of(w, b, along) + ways;
 }
 
 static bool wake_sleepers(world *w)
@@ -353,7 +373,7 @@ static bool wake_sleepers(world *w)
     bool woke = false;
     for (int k = 0; k < t->pairs.count; k++) {
         int a = t->pairs.pair[k][0], b = t->pairs.pair[k][1];
-        if (w->sleep.asleep[a] != w->sleep.asleep[b] && may_meet(t, a, b))
+        if (w->sleep.asleep[a] != w->sleep.asleep[b] && may_meet(w, a, b))
             woke |= world_wake_near(w, a, b);
     }
     if (woke) look_at_bodies(w);

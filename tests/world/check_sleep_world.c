@@ -360,6 +360,36 @@ START_TEST(what_is_hit_wakes_and_its_island_with_it)
 }
 END_TEST
 
+// On ice, a cube slides by a sleeper at 4 m/s: their balls meet, and they do not.
+// How far the sleeper has gone then.
+static real pass_by(real beside)
+{
+    make_box(1);
+    begin(1.0 / 60, 0);
+    add_floor();
+    add(placement_at(vec3_make(0, 0.5, 0)));
+    ck_assert(run(2, 1) < 2);
+    placement p = placement_at(vec3_make(beside, 0.5, -4));
+    p.velocity = vec3_make(0, 0, 4);
+    add(p);
+    for (int k = 0; k < 120; k++) {
+        world_step(&w);
+        ck_assert(beside < 1 || w.report.asleep == 1);
+    }
+    ck_assert(center(1).z > 2 || beside < 1);
+    return vec3_length(vec3_sub(center(0), vec3_make(0, 0.5, 0)));
+}
+
+// Rejects: a sleeper that wakes because a ball around it is touched; one that
+// sleeps on as it is hit.
+START_TEST(what_passes_by_wakes_nothing_and_what_hits_does)
+{
+    ck_assert(pass_by(1.3) < 0.01);
+    ck_assert(pass_by(1.5) < 0.01);
+    ck_assert(pass_by(0.9) > 1);
+}
+END_TEST
+
 // Rejects: an option that nothing reads.
 START_TEST(without_sleep_speed_no_body_sleeps)
 {
@@ -438,6 +468,7 @@ int main(void)
         pyramid_is_asleep_within_a_second,
         cubes_in_a_room_fall_asleep,
         what_is_hit_wakes_and_its_island_with_it,
+        what_passes_by_wakes_nothing_and_what_hits_does,
         without_sleep_speed_no_body_sleeps,
         time_to_sleep_is_the_time_to_sleep,
         NULL

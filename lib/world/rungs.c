@@ -112,6 +112,22 @@ static void add_layer(const rigid_tables *t, int b, vec3 down, island *i)
     i->bodies++;
 }
 
+// A body's weight is shared by the contacts below it, as they bore it last.
+static void find_lifts(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->solver.contacts; k++) {
+        const active_contact *x = &t->solver.active[k];
+        if (x->above >= 0) t->island[x->above].lift += x->lift;
+    }
+}
+
+static real weight_on(const rigid_tables *t, const active_contact *x)
+{
+    if (!(x->lift > 0)) return 0;
+    return x->weight * x->lift / t->island[x->above].lift;
+}
+
 static void find_demands(world *w)
 {
     rigid_tables *t = &w->rigid;
@@ -122,11 +138,12 @@ static void find_demands(world *w)
         if (t->moves[b]) add_layer(t, b, down, &t->island[of]);
         if (b != of) add_choice(t, b, &t->choice[of]);
     }
+    find_lifts(w);
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
         island *i = x->count > 0 ? rungs_island(w, x->a, -1) : NULL;
         if (!i) continue;
-        i->weight = real_max(i->weight, x->weight);
+        i->weight = real_max(i->weight, weight_on(t, x));
         i->squares += x->borne * x->borne;
         i->bears += x->borne > 0;
     }

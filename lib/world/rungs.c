@@ -85,6 +85,12 @@ static bool is_calm(const world *w, int b)
     return vec3_length_squared(way) <= far * far;
 }
 
+static bool is_fast(const rigid_tables *t, int b)
+{
+    return t->moves[b]
+        && vec3_length(t->ahead[b].way) > t->body[b].inner;
+}
+
 island *rungs_island(const world *w, int a, int b)
 {
     island *i = w->rigid.island;
@@ -135,6 +141,7 @@ static void find_demands(world *w)
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k], of = island_root(t->island, b);
         t->island[of].is_calm &= is_calm(w, b);
+        t->island[of].is_fast |= is_fast(t, b);
         if (t->moves[b]) add_layer(t, b, down, &t->island[of]);
         if (b != of) add_choice(t, b, &t->choice[of]);
     }

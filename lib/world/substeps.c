@@ -80,11 +80,12 @@ int substeps_again(const world *w, real h, int left)
 
 //> substeps-choose
 //>   The largest demand counts. It is obeyed at once. What rests releases it after
-//>   half a second, what moves at once.
+//>   half a second, what moves and is not fast at once.
 // Every change of the number moves what rests, for in shorter substeps it sags
 // less.  So it rises at once, and falls only when it has been too high by a
 // third for PATIENCE frames.  Bodies that move give it back at once: their impacts
-// ask for thirty substeps, and are over.
+// ask for thirty substeps, and are over.  Not so what flies by its own size in a
+// frame, and is not joined: its next impact may be as hard as the last.
 enum { PATIENCE = 30 };
 
 static bool is_joined(const island *i)
@@ -94,7 +95,8 @@ static bool is_joined(const island *i)
 
 static int hold(substep_choice *c, const island *i, int need)
 {
-    int patience = i->is_calm || i->is_soft ? PATIENCE : 0;
+    bool stays = i->is_calm || i->is_soft || (i->is_fast && !i->hangs);
+    int patience = stays ? PATIENCE : 0;
     c->frames = 4 * need < 3 * c->now ? c->frames + 1 : 0;
     if (need > c->now || c->frames > patience) c->now = need;
     return c->now;

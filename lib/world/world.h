@@ -159,6 +159,7 @@ typedef struct {
     bool hangs;         // it has joints, or is soft:
     bool is_soft;       // it has ropes or cloths
     bool is_calm;       // none of it flies
+    bool is_fast;       // some of it goes by its inner radius in a frame
     int  substeps;
     real energy, mass;  // J, kg, of what touches something
     real loads;         // J, that forces from outside would give

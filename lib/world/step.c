@@ -657,6 +657,38 @@ static void redo(world *w, solver_frame *f, real times, const ledger_page *page)
 //>   In the step, a contact that pushes joins two bodies to an island. To the
 //>   other phases a sleeping body is immovable. Where all sleep, a step does
 //>   nothing at all.
+// Does the body above stand on the other?  Three points or more press, each with
+// FIRM of the load at least: so the middle of the load is well within them, and the
+// body does not tip.  Its friction holds, with some to spare: so it does not slide.
+// (Half of FIRM, or double: as well.)  What is joined may be held elsewhere, and
+// what is driven takes along what stands on it.
+static const real FIRM = 0.05, HOLDS = 0.9;
+
+static bool stands(const world *w, const active_contact *x, const contact *c,
+                   const solver_frame *f)
+{
+    const island *i = &w->rigid.island[x->above];
+    int below = c->a + c->b - x->above, points = 0;
+    if (w->rigid.island[i->parent].hangs) return false;
+    if (below >= 0 && w->body[below].is_kinematic) return false;
+    for (int k = 0; k < c->count; k++)
+        points += c->impulse[k] >= FIRM * x->load;
+    real most = HOLDS * solver_material(f, c->a, c->b).friction * x->load;
+    return points >= 3 && vec3_length_squared(c->friction) < most * most;
+}
+
+static void find_standing(world *w)
+{
+    const contact_solver *s = &w->rigid.solver;
+    solver_frame f = frame_of(w, 1);
+    for (int k = 0; k < s->contacts; k++) {
+        const active_contact *x = &s->active[k];
+        if (x->load > 0 && x->lift > 0
+            && stands(w, x, w->rigid.cache.active[k], &f))
+            sleep_stand(&w->sleep, x->above);
+    }
+}
+
 // Islands are held together by what the contacts carried last.
 static void join_islands(world *w)
 {
@@ -699,6 +731,7 @@ static void fall_asleep(world *w)
 {
     join_islands(w);
     if (w->options.sleep_speed > 0) {
+        find_standing(w);
         observe(w);
         sleep_end(&w->sleep);
     }

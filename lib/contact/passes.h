@@ -172,8 +172,11 @@ typedef struct {
     real gap[CONTACT_POINTS];           // m
     real least;                         // m, of all points
     real load;          // N s, along the normal, when last solved
-    real weight;        // 1/s^2, the weight of the body that lies on the other,
-                        // over effective mass and smaller radius;
+    int  above;         // the body that lies on the other, if they touch, and
+                        // it is not driven; or -1
+    real lift;          // N m/s, the load along gravity, times gravity
+    real weight;        // 1/s^2, the weight of that body, over effective mass
+                        // and smaller radius, as if nothing else bore it;
     real borne;         // 1/s^2, the force that was borne, over the same
 } active_contact;
 

@@ -11,14 +11,17 @@ static bool moves(const solver_frame *f, int body)
     return body >= 0 && f->body[body].basis.inverse_mass > 0;
 }
 
-// N: the weight of the body that lies on the other, if they touch.
-static real weight_of(const active_contact *x, const contact *c,
-                      const solver_frame *f)
+// N: the weight of the body that lies on the other, if they touch.  Notes which
+// that is, and how much of the load bears it.
+static real find_above(active_contact *x, const contact *c,
+                       const solver_frame *f)
 {
     real up = vec3_dot(c->normal, f->gravity);      // > 0: B lies on A
     int above = up > 0 ? c->b : c->a;
     if (!(x->load > 0) || !moves(f, above) || f->body[above].is_driven)
         return 0;
+    x->above = above;
+    x->lift = x->load * fabs(up);
     return fabs(up) / f->body[above].basis.inverse_mass;
 }
 
@@ -27,7 +30,7 @@ static void find_loads(active_contact *x, const contact *c,
 {
     real inverse = f->body[x->a].basis.inverse_mass;
     if (x->sides == TWO_SIDED) inverse += f->body[x->b].basis.inverse_mass;
-    x->weight = weight_of(x, c, f) * inverse / radius;
+    x->weight = find_above(x, c, f) * inverse / radius;
     x->borne = x->load * inverse / (active_age(x, f) * radius);
 }
 
@@ -47,7 +50,8 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     x->load = contact_load(c);
     x->least = HUGE_VAL;
     x->count = 0;
-    x->weight = x->borne = 0;
+    x->weight = x->borne = x->lift = 0;
+    x->above = -1;
     x->is_deep = false;
     if (!moves_a && !moves_b) return;
     contact_gaps(c, &f->body[c->a].frame, b, height, gap);

@@ -85,6 +85,12 @@ static bool is_calm(const world *w, int b)
     return vec3_length_squared(way) <= far * far;
 }
 
+static bool is_fast(const rigid_tables *t, int b)
+{
+    return t->moves[b]
+        && vec3_length(t->ahead[b].way) > t->body[b].inner;
+}
+
 island *rungs_island(const world *w, int a, int b)
 {
     island *i = w->rigid.island;
@@ -112,6 +118,22 @@ static void add_layer(const rigid_tables *t, int b, vec3 down, island *i)
     i->bodies++;
 }
 
+// A body's weight is shared by the contacts below it, as they bore it last.
+static void find_lifts(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    for (int k = 0; k < t->solver.contacts; k++) {
+        const active_contact *x = &t->solver.active[k];
+        if (x->above >= 0) t->island[x->above].lift += x->lift;
+    }
+}
+
+static real weight_on(const rigid_tables *t, const active_contact *x)
+{
+    if (!(x->lift > 0)) return 0;
+    return x->weight * x->lift / t->island[x->above].lift;
+}
+
 static void find_demands(world *w)
 {
     rigid_tables *t = &w->rigid;
@@ -119,14 +141,16 @@ static void find_demands(world *w)
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k], of = island_root(t->island, b);
         t->island[of].is_calm &= is_calm(w, b);
+        t->island[of].is_fast |= is_fast(t, b);
         if (t->moves[b]) add_layer(t, b, down, &t->island[of]);
         if (b != of) add_choice(t, b, &t->choice[of]);
     }
+    find_lifts(w);
     for (int k = 0; k < t->solver.contacts; k++) {
         const active_contact *x = &t->solver.active[k];
         island *i = x->count > 0 ? rungs_island(w, x->a, -1) : NULL;
         if (!i) continue;
-        i->weight = real_max(i->weight, x->weight);
+        i->weight = real_max(i->weight, weight_on(t, x));
         i->squares += x->borne * x->borne;
         i->bears += x->borne > 0;
     }

@@ -117,7 +117,8 @@ typedef struct {
 static const real EARTH = 9.81, USUAL = 0.5;    // m/s^2, m: see sleep_rule
 static const real MOTIONLESS = 1e-6;        // of a radius, in a window
 static const real NOISE = 2e-4;             // of a radius
-static const real JITTER = 5;               // times the speed, at one moment
+static const real JITTER = 5;               // times the speed, at one moment, and
+                                            // in a window of what stands
 enum { HALVES_TO_SLEEP = 4, MOST_FRAMES = 1000000 };
 
 // Froude's scaling: lengths go as R, times as sqrt(R / g), speeds as
@@ -160,13 +161,13 @@ static bool are_slow(const particle *p, int n, real far)
     return true;
 }
 
-// The window that ends now is no longer than the one before, or the body is not
-// still.  The first such window counts for two halves, each one after that for
-// another half.
-static void judge(sleep_watch *watch, const sleep_window *w,
-                  const sleep_limits *l)
+// In the window that ends now it stood, or went no further than in the one before;
+// or the body is not still.  The first such window counts for two halves, each one
+// after that for another half.
+static void judge(sleep_watch *watch, int k, const sleep_limits *l)
 {
-    bool is_still = w->way <= w->before + l->noise;
+    const sleep_window *w = &watch->window[k];
+    bool is_still = watch->stood[k] || w->way <= w->before + l->noise;
     if (!is_still)              watch->still = 0;
     else if (watch->still == 0) watch->still = 2;
     else                        watch->still++;
@@ -179,9 +180,10 @@ static void next_half(sleep_state *s, int b, const particle *pool, int first,
     sleep_watch *watch = &s->watch[b];
     int k = watch->halves % WINDOWS;
     sleep_window *w = &watch->window[k];
-    if (watch->halves >= WINDOWS) judge(watch, w, l);
+    if (watch->halves >= WINDOWS) judge(watch, k, l);
     w->before = watch->halves >= WINDOWS ? w->way : -HUGE_VAL;
     w->way = 0;
+    watch->stood[k] = true;
     for (int i = first; i < first + n; i++) s->start[k][i] = pool[i].position;
     watch->halves++;
     if (watch->halves == 2 * WINDOWS) watch->halves = WINDOWS;
@@ -189,17 +191,20 @@ static void next_half(sleep_state *s, int b, const particle *pool, int first,
 }
 
 // Notes how far each window has seen it go.  A window in which it has gone too
-// far already needs no more looks.
+// far already needs no more looks.  What stands may go as far as jitter takes it:
+// it sways, and comes back.
 static void look(sleep_state *s, int b, const particle *pool, int first, int n,
                  const sleep_limits *l)
 {
     sleep_watch *watch = &s->watch[b];
     for (int k = 0; k < int_min(watch->halves, WINDOWS); k++) {
         sleep_window *w = &watch->window[k];
-        if (w->way <= l->way)
+        watch->stood[k] &= watch->stands;
+        real most = watch->stood[k] ? JITTER * l->way : l->way;
+        if (w->way <= most)
             w->way = real_max(furthest(pool + first, s->start[k] + first, n),
                               w->way);
-        if (w->way > l->way) watch->is_moving = true;
+        if (w->way > most) watch->is_moving = true;
     }
 }
 
@@ -220,6 +225,13 @@ void sleep_observe(sleep_state *s, int b, const particle *pool, int first,
     if (watch->halves == 0 || ++watch->frames >= l.frames)
         next_half(s, b, pool, first, n, &l);
     if (watch->is_moving) watch->still = 0;
+    watch->stands = false;
+}
+
+void sleep_stand(sleep_state *s, int b)
+{
+    assert(b >= 0 && b < s->bodies);
+    s->watch[b].stands = true;
 }
 
 bool sleep_is_moving(const sleep_state *s, int b)

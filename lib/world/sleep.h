@@ -41,6 +41,8 @@ typedef struct {
     int halves;     // half windows since the body was first observed
     int still;      // half windows for which it has been still
     bool is_moving; // too far in a window that is not over, or too fast now
+    bool stands;    // see sleep_stand: in this frame
+    bool stood[WINDOWS];    // in all frames of that window
 } sleep_watch;
 
 // An island is a set of movable bodies that touch, directly or through others.
@@ -83,13 +85,18 @@ void sleep_begin(sleep_state *s);
 // Bodies a and b hold each other.  Both must be movable.
 void sleep_touch(sleep_state *s, int a, int b);
 
+// Body b stands: what it lies on holds it at three points or more, and it does not
+// slide there.  Such a body may sway, further now than before, and will not fall.
+// To be said in each frame, before it is observed.
+void sleep_stand(sleep_state *s, int b);
+
 // At the end of a frame, once for every movable body that is awake: its
 // particles are pool[first] and the n - 1 after it, none further than radius
 // (m) from their middle.  A body that is not observed does not fall asleep.
 //
 // A body is still while it goes no further than sleep_speed would take it, and
-// no further than in the window before: what slides, rolls or tips over from
-// rest goes further and further, however slowly it begins.  Without gravity,
+// stands, or goes no further than in the window before: what slides, rolls or tips
+// over from rest goes further and further, however slowly it begins.  Without gravity,
 // only what does not move at all is still.  Coordinates that are not finite
 // are not still.
 void sleep_observe(sleep_state *s, int b, const particle *pool, int first,

@@ -26,11 +26,12 @@ static real substeps_for_layers(const world *w, const island *i)
     return substeps_to_bear(w, g * layers * i->bodies / i->radius);
 }
 
-// The weight of what lies on another counts before it is felt, and when all is
-// calm also what contacts bear: by their root mean square, as if loads grew evenly
-// from nothing to the largest, as they do in a tower.  (Where bodies are jammed,
-// some contact is always pressed by a hundred times what lies on it.)  This demand
-// grows by one substep a frame, or a tower would be thrown up.
+// The weight of what lies on others counts before it is felt, shared by all that it
+// lies on, and when all is calm also what contacts bear: by their root mean square,
+// as if loads grew evenly from nothing to the largest, as they do in a tower.
+// (Where bodies are jammed, some contact is always pressed by a hundred times what
+// lies on it.)  This demand grows by one substep a frame, or a tower would be thrown
+// up.
 static real substeps_for_contacts(const world *w, const island *i, int now)
 {
     real first = real_max(substeps_to_bear(w, i->weight),
@@ -79,11 +80,12 @@ int substeps_again(const world *w, real h, int left)
 
 //> substeps-choose
 //>   The largest demand counts. It is obeyed at once. What rests releases it after
-//>   half a second, what is joined and moves at once.
+//>   half a second, what moves and is not fast at once.
 // Every change of the number moves what rests, for in shorter substeps it sags
 // less.  So it rises at once, and falls only when it has been too high by a
-// third for PATIENCE frames.  Joined bodies that move give it back at once: their
-// impacts ask for thirty substeps, and are over.
+// third for PATIENCE frames.  Bodies that move give it back at once: their impacts
+// ask for thirty substeps, and are over.  Not so what flies by its own size in a
+// frame, and is not joined: its next impact may be as hard as the last.
 enum { PATIENCE = 30 };
 
 static bool is_joined(const island *i)
@@ -93,7 +95,8 @@ static bool is_joined(const island *i)
 
 static int hold(substep_choice *c, const island *i, int need)
 {
-    int patience = is_joined(i) && !i->is_calm ? 0 : PATIENCE;
+    bool stays = i->is_calm || i->is_soft || (i->is_fast && !i->hangs);
+    int patience = stays ? PATIENCE : 0;
     c->frames = 4 * need < 3 * c->now ? c->frames + 1 : 0;
     if (need > c->now || c->frames > patience) c->now = need;
     return c->now;

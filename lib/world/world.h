@@ -148,6 +148,7 @@ typedef struct {
 // is named by one of its bodies.
 typedef struct {
     int  parent;        // union-find: a body of the same island
+    real lift;          // N m/s, of all contacts that bear this one body
     real weight;        // 1/s^2, the largest of its contacts, see solver.h, and
     real squares;       // the sum of the squares of what they bear,
     int  bears;         // which are so many
@@ -158,6 +159,7 @@ typedef struct {
     bool hangs;         // it has joints, or is soft:
     bool is_soft;       // it has ropes or cloths
     bool is_calm;       // none of it flies
+    bool is_fast;       // some of it goes by its inner radius in a frame
     int  substeps;
     real energy, mass;  // J, kg, of what touches something
     real loads;         // J, that forces from outside would give

@@ -109,6 +109,36 @@ START_TEST(contacts_of_both_carry_their_weight)
 }
 END_TEST
 
+// 1,000 kg on so many cubes of 1 kg in a square: the substeps of a frame, at rest.
+static int substeps_on(int legs)
+{
+    tumble_options o = tumble_options_default();
+    o.sleep_speed = 0;
+    tumble_world *w = tumble_make(&o);
+    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape leg = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_shape slab = tumble_box(w, tumble_v(4, 1, 4), 1000);
+    for (int k = 0; k < legs; k++)
+        tumble_add(w, leg, tumble_at(legs == 1 ? 0 : k % 2 ? 1 : -1, 0.5,
+                                     legs == 1 ? 0 : k / 2 ? 1 : -1));
+    tumble_add(w, slab, tumble_at(0, 1.5, 0));
+    for (int k = 0; k < 60; k++) tumble_step(w);
+    int substeps = tumble_last_step(w).substeps;
+    tumble_free(w);
+    return substeps;
+}
+
+// Each of four bears a quarter, and the substeps go with the root of that.
+// Rejects: contacts each of which is said to bear the whole body.
+START_TEST(what_four_bear_asks_for_half_of_what_one_asks_for)
+{
+    int one = substeps_on(1), four = substeps_on(4);
+    ck_assert_int_gt(one, 24);
+    ck_assert_int_ge(2 * four, one - 2);
+    ck_assert_int_le(2 * four, one + 4);
+}
+END_TEST
+
 // A rod turns at 40 rad/s about a joint in its middle, whose two halves ask for
 // many substeps, and flies at a cube.
 // Rejects: momentum that is lost where velocities of two substeps meet.
@@ -216,6 +246,7 @@ int main(void)
     const TTest *const tests[] = {
         box_beside_a_hard_pair_goes_as_it_goes_alone,
         contacts_of_both_carry_their_weight,
+        what_four_bear_asks_for_half_of_what_one_asks_for,
         islands_that_meet_keep_their_momentum,
         saved_world_goes_on_with_the_same_bits,
         island_lets_go_after_half_a_second,

@@ -387,6 +387,12 @@ tumble_joint tumble_slider(tumble_world *w, tumble_body a, tumble_body b,
 bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
                        double most);
 
+// A ball joint: an axis, which a and b have in common as they stand now, leans by
+// `swing` (rad) at most, and b turns about it from least to most (rad, from -pi to
+// pi).  Beyond pi there is no limit.
+bool tumble_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
+                     double swing, double least, double most);
+
 // Along the free way of a hinge (rad, N m), a slider or a distance (m, N) there may
 // be a motor and a spring.  Both act together, and within the limits; whoever is
 // asleep wakes.
@@ -432,9 +438,12 @@ bool tumble_is_joined(const tumble_world *w, tumble_joint j);
 // m, how far apart are the points that it holds; N, what it bore in the last
 // substep; rad, how far a hinge is turned.  Along a free way: where b is (rad or
 // m), how fast (rad/s or m/s), and what motor, spring and limits together gave in
-// the last substep (N m or N; 0 if there is no motor or spring).
+// the last substep (N m or N; 0 if there is no motor or spring).  How far a cone's
+// axis leans and b has turned about it (rad; 0 without a cone).
 double tumble_joint_place(const tumble_world *w, tumble_joint j);
 double tumble_joint_speed(const tumble_world *w, tumble_joint j);
+double tumble_joint_swing(const tumble_world *w, tumble_joint j);
+double tumble_joint_twist(const tumble_world *w, tumble_joint j);
 double tumble_joint_drive(const tumble_world *w, tumble_joint j);
 double tumble_joint_gap(const tumble_world *w, tumble_joint j);
 double tumble_joint_force(const tumble_world *w, tumble_joint j);

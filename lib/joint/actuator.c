@@ -282,3 +282,43 @@ bool actuator_switch(joint *j, const joint_rows *r, real *more)
     return true;
 }
 //<
+
+//> actuator-cone
+//>   Swing and twist of a ball joint are two limits, and each may hold without the
+//>   other. Both rows are always there, and what does not hold is none.
+void actuator_open_cone(const joint *j, joint_rows *r, int n,
+                        real k[JOINT_ROWS][JOINT_ROWS])
+{
+    for (int i = 0; i < 2; i++) {
+        int own = r->held + i;
+        if (j->cone_holds[i]) continue;
+        for (int m = 0; m < n; m++) k[own][m] = k[m][own] = 0;
+    }
+}
+
+real actuator_want_cone(const joint *j, joint_rows *r, int i, real h,
+                        real max_speed, const real *end, real speed)
+{
+    int k = r->held + i;
+    real room = r->error[k], back = real_min(-r->share * room / h, max_speed);
+    if (!end)           r->cone_want[i] = -real_max(room, 0) / h - speed;
+    else if (room > 0)  r->cone_want[i] = -*end / h;
+    else                r->cone_want[i] = (room - *end) / h + back;
+    if (end && j->cone_holds[i]) r->cone_want[i] -= r->give[k] * j->impulse[k];
+    return j->cone_holds[i] ? r->cone_want[i] : 0;
+}
+
+bool actuator_switch_cone(joint *j, const joint_rows *r, real more[JOINT_ROWS])
+{
+    bool has_changed = false;
+    for (int i = 0; i < 2; i++) {
+        int k = r->held + i;
+        bool pulls = j->cone_holds[i] && j->impulse[k] < 0;
+        bool is_passed = !j->cone_holds[i] && r->cone_want[i] > 0;
+        if (pulls) more[k] = -j->impulse[k];
+        if (pulls || is_passed) j->cone_holds[i] = is_passed;
+        has_changed |= pulls || is_passed;
+    }
+    return has_changed;
+}
+//<

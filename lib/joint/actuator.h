@@ -52,6 +52,21 @@ void actuator_soften(const joint *j, joint_rows *r, int n, real hard,
 real actuator_want(const joint *j, joint_rows *r, real h, real max_speed,
                    const real *end, real speed);
 
+// Those rows of a cone's swing and twist that do not hold now are none.
+void actuator_open_cone(const joint *j, joint_rows *r, int n,
+                        real k[JOINT_ROWS][JOINT_ROWS]);
+
+// Keeps what row i of a cone wants, and returns it, or 0 if it does not hold.  With
+// the room at the end of the substep (rad), or, if that is NULL, for what it grows
+// by at `speed`.
+real actuator_want_cone(const joint *j, joint_rows *r, int i, real h,
+                        real max_speed, const real *end, real speed);
+
+// After that: a limit that pulls lets go, one that is passed holds.  The impulses
+// that are to be given at once are added to `more`.  Returns whether that has
+// changed.
+bool actuator_switch_cone(joint *j, const joint_rows *r, real more[JOINT_ROWS]);
+
 // After actuator_want: what gave more than it may gives its most, what gave its
 // most and need not holds again, a limit that pulls lets go, and one that is
 // passed holds.  Returns whether that has changed; the impulse that is to be

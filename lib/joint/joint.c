@@ -63,6 +63,23 @@ static void choose_across(vec3 n, vec3 *x, vec3 *y)
     *y = vec3_cross(n, *x);
 }
 
+static void set_axes(joint *j, const rigid_frame *a, const rigid_frame *b,
+                     const vec3 axis[JOINT_AXES])
+{
+    for (int i = 0; i < JOINT_AXES; i++) {
+        j->axis_a[i] = local_of(a, axis[i]);
+        j->axis_b[i] = local_of(b, axis[i]);
+    }
+}
+
+void joint_set_cone(joint *j, const rigid_frame *a, const rigid_frame *b,
+                    vec3 along)
+{
+    vec3 axis[JOINT_AXES] = { vec3_unit(along) };
+    choose_across(axis[0], &axis[1], &axis[2]);
+    set_axes(j, a, b, axis);
+}
+
 joint joint_make(const joint_plan *p, const rigid_frame *a,
                  const rigid_frame *b)
 {
@@ -81,10 +98,7 @@ joint joint_make(const joint_plan *p, const rigid_frame *a,
     j.local_a = local_of(a, vec3_sub(p->point, a->center));
     j.local_b = local_of(b, vec3_sub(has_two ? p->point_b : p->point,
                                      b->center));
-    for (int i = 0; i < JOINT_AXES; i++) {
-        j.axis_a[i] = local_of(a, axis[i]);
-        j.axis_b[i] = local_of(b, axis[i]);
-    }
+    set_axes(&j, a, b, axis);
     return j;
 }
 //<
@@ -118,6 +132,38 @@ real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b)
     vec3 arrow = direction(b, j->axis_b[1]);
     return angle_of(vec3_dot(arrow, direction(a, j->axis_a[1])),
                     vec3_dot(arrow, direction(a, j->axis_a[2])));
+}
+//<
+
+//> joint-cone
+//>   A ball joint is free to lean and to turn. *Swing* is the angle between an
+//>   axis of A and the same axis of B. *Twist* is what B has turned about it, when
+//>   the swing is taken back by the shortest way.
+real joint_swing(const joint *j, const rigid_frame *a, const rigid_frame *b)
+{
+    vec3 x = direction(a, j->axis_a[0]), y = direction(b, j->axis_b[0]);
+    return angle_of(vec3_dot(x, y), vec3_length(vec3_cross(x, y)));
+}
+
+real joint_twist(const joint *j, const rigid_frame *a, const rigid_frame *b)
+{
+    vec3 x = direction(a, j->axis_a[0]), y = direction(b, j->axis_b[0]);
+    vec3 arrow = direction(b, j->axis_b[1]), turn = vec3_cross(y, x);
+    real more = 1 + vec3_dot(x, y);
+    vec3 once = vec3_cross(turn, arrow), twice = vec3_cross(turn, once);
+    arrow = vec3_add(arrow, once);
+    if (more > 0) arrow = vec3_add_scaled(arrow, 1 / more, twice);
+    return angle_of(vec3_dot(arrow, direction(a, j->axis_a[1])),
+                    vec3_dot(arrow, direction(a, j->axis_a[2])));
+}
+
+// What is left until the limits of swing and twist.
+static void cone_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
+                        const rigid_frame *b, real e[JOINT_ROWS])
+{
+    real twist = joint_twist(j, a, b);
+    e[3] = j->cone - joint_swing(j, a, b);
+    e[4] = r->is_upper ? j->most - twist : twist - j->least;
 }
 //<
 
@@ -190,7 +236,10 @@ static void errors(const joint *j, const joint_rows *r, const rigid_frame *a,
     e[0] = gap.x;
     e[1] = gap.y;
     e[2] = gap.z;
-    if (j->kind == JOINT_BALL) return;
+    if (j->kind == JOINT_BALL) {
+        if (j->is_coned) cone_errors(j, r, a, b, e);
+        return;
+    }
     if (j->kind == JOINT_DISTANCE) {
         real length = vec3_length(gap);
         bool is_held = !j->is_limited && !j->is_driven;
@@ -290,6 +339,22 @@ static void find_hinge_rows(joint_rows *r, const joint *j, const joint_side *a,
     turn_apart(r, 5, a, b, vec3_scale(-sign, axis));
 }
 
+// A turn d changes the swing by d along the axis of both, y x x, and the twist by d
+// along (x + y) / (1 + x y).
+static void find_cone_rows(joint_rows *r, const joint *j, const joint_side *a,
+                           const joint_side *b)
+{
+    const rigid_frame *f = &a->frame, *g = &b->frame;
+    vec3 x = direction(f, j->axis_a[0]), y = direction(g, j->axis_b[0]);
+    vec3 lean = vec3_cross(y, x), sum = vec3_add(x, y);
+    real length = vec3_length(lean), twist = joint_twist(j, f, g);
+    real more = 1 + vec3_dot(x, y);
+    r->is_upper = j->most - twist < twist - j->least;
+    real sign = r->is_upper ? 1 : -1;
+    turn_apart(r, 3, a, b, vec3_scale(length > 0 ? -1 / length : 0, lean));
+    turn_apart(r, 4, a, b, vec3_scale(more > 0 ? sign / more : 0, sum));
+}
+
 // Both impulses act at one point, so angular momentum stays.
 static void go_apart(joint_rows *r, int k, const joint_side *a,
                      const joint_side *b, vec3 at, vec3 d)
@@ -340,6 +405,7 @@ void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
     } else {
         find_point_rows(r, a, b, on_a, on_b);
         if (j->kind == JOINT_HINGE) find_hinge_rows(r, j, a, b);
+        if (j->is_coned)            find_cone_rows(r, j, a, b);
         for (int k = 0; k < 3 && j->kind == JOINT_FIXED; k++)
             turn_apart(r, r->held++, a, b, AXIS[k]);
     }

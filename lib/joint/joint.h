@@ -77,6 +77,9 @@ typedef struct {
                                 // there while the limit pushes
     bool is_driven;             // there is a motor or a spring: its row is always
     bool has_limits;            // there, and does what the limits do as well
+    bool is_coned;              // a ball joint: axis [0] of B leans from that of A
+    real cone;                  // by so much at most, rad, and B has turned about
+    bool cone_holds[2];         // it from least to most; swing and twist hold now
     joint_drive drive;
     real strength;              // N; HUGE_VAL: it never breaks
     bool may_touch;
@@ -125,6 +128,8 @@ typedef struct {
     real hard, kept;            // the give of a row that holds, and N s, what it
                                 // gave when the substep began
     joint_drive drive_begun;
+    bool cone_begun[2];         // which of swing and twist held, and
+    real cone_want[2];          // what they want, rad/s, held or not
     real pace;                  // rad/s, of the fastest swing about it in the
                                 // last frame
     int  next;                  // joint of the same tree; -1: none
@@ -159,6 +164,16 @@ real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b);
 // Where B is along the free way: that angle, or m, how far a slider has gone, how
 // long a distance is; of other joints 0.
 real joint_where(const joint *j, const rigid_frame *a, const rigid_frame *b);
+
+// A ball joint gets a cone, from an axis in the world as the bodies stand; its
+// fields cone, least and most are to be set.
+void joint_set_cone(joint *j, const rigid_frame *a, const rigid_frame *b,
+                    vec3 axis);
+
+// rad, from 0 to pi, by how much the axis leans; rad, from -pi to pi, by how much
+// B has turned about it.
+real joint_swing(const joint *j, const rigid_frame *a, const rigid_frame *b);
+real joint_twist(const joint *j, const rigid_frame *a, const rigid_frame *b);
 
 // The free way of such a joint in the world: of a hinge or a slider its axis, of a
 // distance the direction from A to B.

@@ -323,15 +323,28 @@ typedef void wanting(const linkage *l, const linkage_pass *q, int number,
 
 //> linkage-driven
 //>   Where joints are driven, the row of a drive wants something of its own.
-// How fast the bodies of a joint go along the row of its drive.
-static real speed_along(const linkage_pass *q, const joint *j, joint_rows *r)
+// How fast the bodies of a joint go along row k.
+static real speed_along(const linkage_pass *q, const joint *j, joint_rows *r,
+                        int k)
 {
     real less = 0;
     if (moves(q->f, j->a))
-        take_speed(&less, 1, &r->a[r->held], q->velocity[j->a].of);
+        take_speed(&less, 1, &r->a[k], q->velocity[j->a].of);
     if (moves(q->f, j->b))
-        take_speed(&less, 1, &r->b[r->held], q->velocity[j->b].of);
+        take_speed(&less, 1, &r->b[k], q->velocity[j->b].of);
     return -less;
+}
+
+static void want_cone_together(const linkage *l, const linkage_pass *q,
+                               int number, real want[JOINT_ROWS])
+{
+    const joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
+    real then[JOINT_ROWS];
+    joint_errors(j, r, end_of(l, q, j->a), end_of(l, q, j->b), then);
+    for (int i = 0; i < 2; i++)
+        want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->max_speed,
+                                               &then[r->held + i], 0);
 }
 
 static void want_driven_together(const linkage *l, const linkage_pass *q,
@@ -340,6 +353,7 @@ static void want_driven_together(const linkage *l, const linkage_pass *q,
     const joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
     want_together(l, q, number, want);
+    if (j->is_coned) want_cone_together(l, q, number, want);
     if (!j->is_driven) return;
     real end = joint_where(j, end_of(l, q, j->a), end_of(l, q, j->b));
     want[r->held] = actuator_want(j, r, q->f->h, q->f->max_speed, &end, 0);
@@ -351,9 +365,13 @@ static void want_driven_rest(const linkage *l, const linkage_pass *q,
     const joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
     want_rest(l, q, number, want);
+    for (int i = 0; i < 2 && j->is_coned; i++)
+        want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->max_speed,
+                                               NULL, speed_along(q, j, r,
+                                                                 r->held + i));
     if (!j->is_driven) return;
     want[r->held] = actuator_want(j, r, q->f->h, q->f->max_speed, NULL,
-                                  speed_along(q, j, r));
+                                  speed_along(q, j, r, r->held));
 }
 
 // How fast driven joints go when a substep begins.
@@ -362,7 +380,7 @@ static void find_speeds(linkage *l, const linkage_pass *q)
     for (int k = 0; k < l->count && l->is_driven; k++) {
         joint_rows *r = &l->rows[k];
         if (l->joint[k].is_driven && l->role[k] != JOINT_IDLE)
-            r->before = speed_along(q, &l->joint[k], r);
+            r->before = speed_along(q, &l->joint[k], r, r->held);
     }
 }
 
@@ -424,6 +442,7 @@ static void factor_alone(linkage *l, const linkage_pass *q, int number)
     }
     if (j->is_driven)
         actuator_soften(j, r, r->count, r->give[r->held], r->inverse);
+    if (j->is_coned) actuator_open_cone(j, r, r->count, r->inverse);
     small_invert(r->count, r->inverse);
 }
 //<
@@ -434,14 +453,12 @@ static void factor_alone(linkage *l, const linkage_pass *q, int number)
 // A limit only pushes, as a contact does.  While it does it is one row more;
 // where it would pull, or is not reached, it is none.  Returns whether that has
 // changed.
-static void push_row(linkage *l, const linkage_pass *q, int number, real more)
+static void push_more(linkage *l, const linkage_pass *q, int number,
+                      const real more[JOINT_ROWS])
 {
     joint *j = &l->joint[number];
-    joint_rows *r = &l->rows[number];
-    real impulse[JOINT_ROWS] = { 0 };
-    impulse[r->held] = more;
-    push_both(q, j, r, impulse);
-    j->impulse[r->held] += more;
+    push_both(q, j, &l->rows[number], more);
+    for (int k = 0; k < JOINT_ROWS; k++) j->impulse[k] += more[k];
     if (j->a >= 0) find_end(l, q, j->a);
     if (j->b >= 0) find_end(l, q, j->b);
 }
@@ -451,11 +468,12 @@ static bool switch_drive(linkage *l, const linkage_pass *q, int number,
 {
     joint *j = &l->joint[number];
     joint_rows *r = &l->rows[number];
-    real want[JOINT_ROWS], more;
+    real want[JOINT_ROWS], more[JOINT_ROWS] = { 0 };
     what(l, q, number, want);
-    if (!actuator_switch(j, r, &more)) return false;
-    if (more != 0) push_row(l, q, number, more);
-    return true;
+    bool has_changed = j->is_coned ? actuator_switch_cone(j, r, more)
+                                   : actuator_switch(j, r, &more[r->held]);
+    if (has_changed) push_more(l, q, number, more);
+    return has_changed;
 }
 
 static bool switch_limit(linkage *l, const linkage_pass *q, int number,
@@ -466,7 +484,7 @@ static bool switch_limit(linkage *l, const linkage_pass *q, int number,
     real want[JOINT_ROWS], back[JOINT_ROWS] = { 0 };
     int k = r->held;
     bool pushes = r->count > k;
-    if (j->is_driven) return switch_drive(l, q, number, what);
+    if (j->is_driven || j->is_coned) return switch_drive(l, q, number, what);
     if (!j->is_limited) return false;
     if (pushes && !(j->impulse[k] < 0)) return false;
     if (pushes) {
@@ -672,6 +690,7 @@ ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
     find_answers(n, on, row_on, r->answer, r->inverse);
     if (j->is_driven)
         actuator_soften(j, r, n, r->give[r->held], r->inverse);
+    if (j->is_coned) actuator_open_cone(j, r, n, r->inverse);
     small_invert(n, r->inverse);
     for (int k = 0; k < n; k++) {
         real back[MOTIONS] = { 0 }, less[JOINT_ROWS];
@@ -889,8 +908,10 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
     bool was_upper = r->is_upper;
     joint_find_rows(r, j, &a, &b);
     if (j->is_limited && r->is_upper != was_upper) j->impulse[r->held] = 0;
+    if (j->is_coned && r->is_upper != was_upper)
+        j->impulse[4] = j->cone_holds[1] = 0;
     r->count = r->held + (j->is_limited && j->impulse[r->held] > 0)
-             + j->is_driven;
+             + j->is_driven + 2 * j->is_coned;
     r->share = share_of(l, k, q->f);
     l->worst = real_max(l->worst, apart(j, r));
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
@@ -945,7 +966,7 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         const joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
         if (l->role[k] == JOINT_IDLE) continue;
-        l->is_driven |= j->is_driven;
+        l->is_driven |= j->is_driven || j->is_coned;
         real a = swing_of(q, j->a, j->local_a);
         real b = swing_of(q, j->b, j->local_b);
         r->swing = real_max(a, b);
@@ -957,7 +978,8 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         bool *is_limited = &l->body[l->step[end - 1].body].is_limited;
         for (int s = first; s < end - 1; s++)
             *is_limited |= l->joint[l->step[s].joint].is_limited
-                        || l->joint[l->step[s].joint].is_driven;
+                        || l->joint[l->step[s].joint].is_driven
+                        || l->joint[l->step[s].joint].is_coned;
     }
 }
 //<
@@ -972,6 +994,7 @@ static void remember(const joint *j, joint_rows *r)
     r->was_upper = r->is_upper;
     r->was_broken = j->is_broken;
     if (j->is_driven) r->drive_begun = j->drive;
+    memcpy(r->cone_begun, j->cone_holds, sizeof r->cone_begun);
 }
 
 void linkage_forget_impulses(linkage *l, int k)
@@ -1025,6 +1048,7 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
         memcpy(j->impulse, r->begun, sizeof j->impulse);
         r->is_upper = r->was_upper;
         if (j->is_driven) j->drive = r->drive_begun;
+        memcpy(j->cone_holds, r->cone_begun, sizeof j->cone_holds);
         l->broken -= j->is_broken && !r->was_broken;
         j->is_broken = r->was_broken;
     }

@@ -132,6 +132,18 @@ bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
                                              most));
 }
 
+bool tumble_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
+                     double swing, double least, double most)
+{
+    const joint_place *x = inside_joint(w, j);
+    if (!x) return false;
+    if (w->world.joints.joint[x->number].kind != JOINT_BALL)
+        return inside_fail(w, "joint %u is no ball joint: it has no cone",
+                           j.place);
+    return inside_is_ok(w, world_cone_joint(&w->world, x->number,
+                                            from_user(axis), swing, least, most));
+}
+
 bool tumble_set_motor(tumble_world *w, tumble_joint j, double speed,
                       double force)
 {
@@ -218,6 +230,18 @@ double tumble_joint_speed(const tumble_world *w, tumble_joint j)
 {
     const joint_place *x = look(w, j);
     return x ? world_joint_speed(&w->world, x->number) : 0;
+}
+
+double tumble_joint_swing(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x ? world_joint_swing(&w->world, x->number) : 0;
+}
+
+double tumble_joint_twist(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x ? world_joint_twist(&w->world, x->number) : 0;
 }
 
 double tumble_joint_drive(const tumble_world *w, tumble_joint j)

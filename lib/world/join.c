@@ -95,6 +95,44 @@ status world_limit_joint(world *w, int number, real least, real most)
     return status_ok();
 }
 
+status world_cone_joint(world *w, int number, vec3 axis, real swing, real least,
+                        real most)
+{
+    const real turn = 3.141592653589794;    // pi, rounded up
+    joint *j = joint_at(w, number);
+    real length = vec3_length(axis);
+    assert(j->kind == JOINT_BALL);
+    if (!(length > 0 && length < HUGE_VAL))
+        return status_fail("the axis of a cone has no direction");
+    if (!(swing >= 0 && least <= most && least <= turn && most >= -turn))
+        return status_fail("a swing of %g and a twist of %g to %g rad are no cone",
+                           swing, least, most);
+    rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
+    joint_set_cone(j, &a, &b, axis);
+    j->cone = real_min(swing, 2 * turn);
+    j->least = real_max(least, -2 * turn);
+    j->most = real_min(most, 2 * turn);
+    j->is_coned = swing < turn || least > -turn || most < turn;
+    j->cone_holds[0] = j->cone_holds[1] = false;
+    for (int k = 3; k < JOINT_ROWS; k++) j->impulse[k] = 0;
+    wake_both(w, j);
+    return status_ok();
+}
+
+real world_joint_swing(const world *w, int number)
+{
+    const joint *j = joint_at(w, number);
+    rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
+    return j->is_coned ? joint_swing(j, &a, &b) : 0;
+}
+
+real world_joint_twist(const world *w, int number)
+{
+    const joint *j = joint_at(w, number);
+    rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
+    return j->is_coned ? joint_twist(j, &a, &b) : 0;
+}
+
 real world_joint_inertia(const world *w, int number)
 {
     joint j = *joint_at(w, number);

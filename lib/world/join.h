@@ -27,6 +27,17 @@ void world_unjoin(world *w, int number);
 // these are none.
 status world_limit_joint(world *w, int number, real least, real most);
 
+// The axis of a ball joint, in the world as its bodies stand, leans by `swing` (rad)
+// at most, and B turns about it from least to most (rad).  A swing of pi or more and
+// a twist from -pi to pi or more are no limits.  Fails, changing nothing, if
+// these are none.
+status world_cone_joint(world *w, int number, vec3 axis, real swing, real least,
+                        real most);
+
+// rad; 0 if the joint has no cone.
+real world_joint_swing(const world *w, int number);
+real world_joint_twist(const world *w, int number);
+
 // A motor or a spring along the free way of a joint (actuator.h).  Its bodies
 // wake.  Fail, changing nothing, as those do.
 status world_set_motor(world *w, int number, real speed, real force);

@@ -449,6 +449,135 @@ START_TEST(driven_bodies_in_flight_keep_their_momenta)
 }
 END_TEST
 
+static void expect_refusal(bool is_done, const char *why)
+{
+    ck_assert(!is_done);
+    ck_assert_ptr_nonnull(tumble_failure(w));
+    ck_assert_msg(strstr(tumble_failure(w), why), "\"%s\", not \"%s\"",
+                  tumble_failure(w), why);
+    tumble_forget_failure(w);
+}
+
+static double swing(void)   { return tumble_joint_swing(w, joint_now); }
+static double twist(void)   { return tumble_joint_twist(w, joint_now); }
+
+START_TEST(cone_holds_what_leans_on_it)
+{
+    // A rod stands on a ball joint, is tipped, and lies on its cone, wherever it
+    // falls: its moment is m g l sin(swing), and its lean is that of its pose.
+    // Rejects: a swing that is measured about one axis, a limit that pulls.
+    for (int i = 0; i < COUNT(STEPS); i++)
+        for (int k = 0; k < COUNT(SIZES); k++)
+            for (double way = 0; way < 6; way += 1.3) {
+                double l = SIZES[k], pace = 0.3 * sqrt(EARTH / l);
+                begin_world(STEPS[i], EARTH);
+                body = box_at(0, l, 0, tumble_v(0.2 * l, 2 * l, 0.2 * l), 3);
+                joint_now = tumble_ball(w, tumble_ground(), body,
+                                        tumble_v(0, 0, 0));
+                ck_assert(tumble_set_cone(w, joint_now, tumble_v(0, 2, 0), 0.6,
+                                          -HUGE_VAL, HUGE_VAL));
+                tumble_set_velocity(w, body, tumble_v(0, 0, 0),
+                                    tumble_v(pace * cos(way), 0, pace * sin(way)));
+                double most = 0;
+                for (int n = 0; n < 6 / STEPS[i]; n++) {
+                    tumble_step(w);
+                    most = fmax(most, swing());
+                }
+                near(most, 0.6, 2e-3, "at the impact");
+                near(swing(), 0.6, 1e-5, "at rest");
+                near(acos(tumble_position(w, body).y / l), 0.6, 1e-5);
+                near(tumble_joint_gap(w, joint_now), 0, 1e-4 * l);
+            }
+}
+END_TEST
+
+START_TEST(cone_stops_a_twist_at_each_of_its_ends)
+{
+    // The swing is kept at 0.4 rad by its own limit while B turns about its axis.
+    // Rejects: an end taken for the other, a twist that the swing changes.
+    for (int sign = -1; sign <= 1; sign += 2) {
+        begin_world(1 / 60.0, 0);
+        body = box_at(0, 1, 0, tumble_v(0.3, 0.3, 0.3), 3);
+        joint_now = tumble_ball(w, tumble_ground(), body, tumble_v(0, 1, 0));
+        tumble_set_cone(w, joint_now, tumble_v(0, 1, 0), 0.4, -0.5, 0.8);
+        tumble_set_velocity(w, body, tumble_v(0, 0, 0),
+                            tumble_v(0.3, sign * 2, 0.1));
+        double most = 0, least = 0;
+        for (int k = 0; k < 300; k++) {
+            tumble_step(w);
+            most = fmax(most, twist());
+            least = fmin(least, twist());
+            ck_assert(swing() < 0.4 + 1e-3);
+        }
+        if (sign > 0)   near(most, 0.8, 1e-3);
+        else            near(least, -0.5, 1e-3);
+        ck_assert(most < 0.801 && least > -0.501);
+    }
+}
+END_TEST
+
+START_TEST(cone_in_flight_keeps_momenta_and_gains_no_energy)
+{
+    // Two boxes that tumble, thrown against their limits again and again.
+    // Rejects: rows that turn one body only.
+    begin_world(1 / 60.0, 0);
+    tumble_body a = box_at(0, 0, 0, tumble_v(0.3, 0.2, 0.1), 1);
+    tumble_body b = box_at(0.5, 0.1, 0, tumble_v(0.2, 0.4, 0.1), 2);
+    joint_now = tumble_ball(w, a, b, tumble_v(0.25, 0, 0));
+    tumble_set_cone(w, joint_now, tumble_v(1, 0, 0), 0.5, -0.3, 0.3);
+    tumble_set_velocity(w, a, tumble_v(0, 1, 0), tumble_v(3, 1, 2));
+    tumble_measures m = tumble_measure(w);
+    double before = m.kinetic;
+    for (int k = 0; k < 1200; k++) {
+        tumble_step(w);
+        tumble_measures now = tumble_measure(w);
+        near(worst(now.momentum, m.momentum), 0, 1e-10);
+        near(worst(now.angular, m.angular), 0, 1e-10);
+        ck_assert(now.kinetic < 1.001 * before);
+        ck_assert(swing() < 0.5 + 2e-3 && fabs(twist()) < 0.3 + 2e-3);
+    }
+}
+END_TEST
+
+START_TEST(cone_is_refused_saved_and_taken_off)
+{
+    begin_world(1 / 60.0, EARTH);
+    body = box_at(0, 1, 0, tumble_v(0.2, 2, 0.2), 3);
+    joint_now = tumble_ball(w, tumble_ground(), body, tumble_v(0, 0, 0));
+    tumble_vec3 up = tumble_v(0, 1, 0);
+    tumble_joint j = joint_now;
+    expect_refusal(tumble_set_cone(w, j, tumble_v(0, 0, 0), 1, -1, 1), "the axis");
+    expect_refusal(tumble_set_cone(w, j, tumble_v(NAN, 0, 0), 1, -1, 1), "the axis");
+    expect_refusal(tumble_set_cone(w, j, up, -1, -1, 1), "a swing of -1");
+    expect_refusal(tumble_set_cone(w, j, up, NAN, -1, 1), "a swing of");
+    expect_refusal(tumble_set_cone(w, j, up, 1, 1, -1), "a twist of 1 to -1");
+    expect_refusal(tumble_set_cone(w, j, up, 1, 4, 5), "a twist of 4 to 5");
+    ck_assert(swing() == 0 && twist() == 0);
+    ck_assert(tumble_set_cone(w, j, up, 0.5, -0.1, 0.1));
+    tumble_set_velocity(w, body, tumble_v(1, 0, 0), tumble_v(0, 1, -1));
+    for (int n = 0; n < 20; n++) {
+        size_t size = tumble_save(w, NULL, 0);
+        void *bytes = malloc(size);
+        tumble_save(w, bytes, size);
+        tumble_world *copy = tumble_load(bytes, size);
+        for (int k = 0; k < 7; k++) {
+            tumble_step(w);
+            tumble_step(copy);
+        }
+        ck_assert(tumble_hash(w) == tumble_hash(copy));
+        tumble_free(copy);
+        free(bytes);
+    }
+    ck_assert(tumble_set_cone(w, j, up, HUGE_VAL, -HUGE_VAL, HUGE_VAL));
+    go(1, 1 / 60.0);
+    ck_assert(tumble_position(w, body).y < 0);
+    tumble_vec3 sides = tumble_v(1, 1, 1);
+    tumble_joint h = tumble_hinge(w, tumble_ground(), box_at(9, 0, 0, sides, 1),
+                                  tumble_v(9, 0, 0), up);
+    expect_refusal(tumble_set_cone(w, h, up, 1, -1, 1), "is no ball joint");
+}
+END_TEST
+
 START_TEST(joint_says_where_it_is_and_how_fast_without_a_drive)
 {
     begin_world(1 / 60.0, 0);
@@ -461,15 +590,6 @@ START_TEST(joint_says_where_it_is_and_how_fast_without_a_drive)
     near(driven(), 0, 0);
 }
 END_TEST
-
-static void expect_refusal(bool is_done, const char *why)
-{
-    ck_assert(!is_done);
-    ck_assert_ptr_nonnull(tumble_failure(w));
-    ck_assert_msg(strstr(tumble_failure(w), why), "\"%s\", not \"%s\"",
-                  tumble_failure(w), why);
-    tumble_forget_failure(w);
-}
 
 START_TEST(what_makes_no_drive_is_refused_with_a_sentence)
 {
@@ -609,6 +729,10 @@ int main(void)
         motor_pushes_at_a_limit_and_comes_away_from_it,
         arm_of_seven_motors_holds_itself_level,
         driven_bodies_in_flight_keep_their_momenta,
+        cone_holds_what_leans_on_it,
+        cone_stops_a_twist_at_each_of_its_ends,
+        cone_in_flight_keeps_momenta_and_gains_no_energy,
+        cone_is_refused_saved_and_taken_off,
         joint_says_where_it_is_and_how_fast_without_a_drive,
         what_makes_no_drive_is_refused_with_a_sentence,
         saved_drives_go_on_with_the_same_bits,

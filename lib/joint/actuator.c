@@ -35,6 +35,7 @@ static void arrange(joint *j)
         for (int k = 0; k < JOINT_ROWS; k++) j->impulse[k] = 0;
     j->drive.is_new |= is_driven && !j->is_driven;
     j->is_driven = is_driven;
+    j->extra = is_driven;
     j->given = 0;
     j->drive.limit = j->drive.motor = j->drive.spring = 0;
     actuator_set_limits(j, j->least, j->most, j->has_limits);
@@ -195,10 +196,11 @@ void actuator_begin(joint *j, joint_rows *r, real h, real kick)
     r->kept = j->impulse[r->held];
 }
 
-void actuator_soften(const joint *j, joint_rows *r, int n, real hard,
-                     real k[JOINT_ROWS][JOINT_ROWS])
+static void soften(const joint *j, joint_rows *r, int n,
+                   real k[JOINT_ROWS][JOINT_ROWS])
 {
     int own = r->held;
+    real hard = r->give[own];
     real give = is_soft(&j->drive, r) ? 1 / r->slope : hard;
     k[own][own] += give - hard;
     r->hard = hard;
@@ -286,14 +288,21 @@ bool actuator_switch(joint *j, const joint_rows *r, real *more)
 //> actuator-cone
 //>   Swing and twist of a ball joint are two limits, and each may hold without the
 //>   other. Both rows are always there, and what does not hold is none.
-void actuator_open_cone(const joint *j, joint_rows *r, int n,
-                        real k[JOINT_ROWS][JOINT_ROWS])
+static void open_cone(const joint *j, const joint_rows *r, int n,
+                      real k[JOINT_ROWS][JOINT_ROWS])
 {
     for (int i = 0; i < 2; i++) {
         int own = r->held + i;
         if (j->cone_holds[i]) continue;
         for (int m = 0; m < n; m++) k[own][m] = k[m][own] = 0;
     }
+}
+
+void actuator_weigh(const joint *j, joint_rows *r, int n,
+                    real k[JOINT_ROWS][JOINT_ROWS])
+{
+    if (j->is_coned)    open_cone(j, r, n, k);
+    else                soften(j, r, n, k);
 }
 
 real actuator_want_cone(const joint *j, joint_rows *r, int i, real h,

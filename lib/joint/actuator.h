@@ -41,20 +41,16 @@ real actuator_inverse(const joint_rows *r, real mass_a, real mass_b);
 // before.
 void actuator_begin(joint *j, joint_rows *r, real h, real kick);
 
-// When the row's own K is known: what it gives way, or that it is none now.  k is
-// the matrix of all n rows; `hard` is the give of what does not yield.
-void actuator_soften(const joint *j, joint_rows *r, int n, real hard,
-                     real k[JOINT_ROWS][JOINT_ROWS]);
+// When K, the matrix k of all n rows, and what hard rows give way by are known: a
+// soft row gives way by more, and one that is none now has none.
+void actuator_weigh(const joint *j, joint_rows *r, int n,
+                    real k[JOINT_ROWS][JOINT_ROWS]);
 
 // How fast does it go, and how fast may it, between its limits?  With the place
 // at the end of the substep, or, if that is NULL, for what goes on at `speed`.
 // Returns what the row wants.
 real actuator_want(const joint *j, joint_rows *r, real h, real max_speed,
                    const real *end, real speed);
-
-// Those rows of a cone's swing and twist that do not hold now are none.
-void actuator_open_cone(const joint *j, joint_rows *r, int n,
-                        real k[JOINT_ROWS][JOINT_ROWS]);
 
 // Keeps what row i of a cone wants, and returns it, or 0 if it does not hold.  With
 // the room at the end of the substep (rad), or, if that is NULL, for what it grows

@@ -370,6 +370,7 @@ static void find_slider_rows(joint_rows *r, const joint *j, const joint_side *a,
         go_apart(r, k, a, b, on_b, direction(&a->frame, j->axis_a[1 + k]));
     for (int k = 0; k < 3; k++) turn_apart(r, 2 + k, a, b, AXIS[k]);
     r->held = 5;
+    r->lengths = 2;
     if (!j->is_limited && !j->is_driven) return;
     real sign = choose_limit(r, j, joint_where(j, &a->frame, &b->frame));
     vec3 axis = direction(&a->frame, j->axis_a[0]);
@@ -386,6 +387,7 @@ static void find_distance_row(joint_rows *r, const joint *j,
     real length = vec3_length(gap);
     vec3 along = length > 0 ? vec3_scale(1 / length, gap) : AXIS[1];
     r->held = !j->is_limited && !j->is_driven;
+    r->lengths = 1;
     real sign = choose_limit(r, j, length);
     go_along(r->a[0], a, vec3_sub(on_a, a->frame.center), along, sign);
     go_along(r->b[0], b, vec3_sub(on_b, b->frame.center), along, -sign);
@@ -397,7 +399,7 @@ void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
     vec3 on_a, on_b;
     joint_points(j, &a->frame, &b->frame, &on_a, &on_b);
     r->is_upper = false;
-    r->lengths = j->kind == JOINT_DISTANCE ? 1 : j->kind == JOINT_SLIDER ? 2 : 3;
+    r->lengths = 3;
     if (j->kind == JOINT_DISTANCE) {
         find_distance_row(r, j, a, b, on_a, on_b);
     } else if (j->kind == JOINT_SLIDER) {

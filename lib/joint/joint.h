@@ -77,6 +77,7 @@ typedef struct {
                                 // there while the limit pushes
     bool is_driven;             // there is a motor or a spring: its row is always
     bool has_limits;            // there, and does what the limits do as well
+    int  extra;                 // such rows: 1 of a drive, 2 of a cone
     bool is_coned;              // a ball joint: axis [0] of B leans from that of A
     real cone;                  // by so much at most, rad, and B has turned about
     bool cone_holds[2];         // it from least to most; swing and twist hold now

@@ -402,6 +402,15 @@ static real kick_of(const linkage_pass *q, const joint *j)
     const solver_frame *f = q->f;
     return f->age ? (f->age[moves(f, j->a) ? j->a : j->b] + f->h) / 2 : f->h;
 }
+
+static void begin_drives(linkage *l, const linkage_pass *q)
+{
+    for (int k = 0; k < l->count; k++) {
+        joint *j = &l->joint[k];
+        if (j->is_driven && l->role[k] != JOINT_IDLE)
+            actuator_begin(j, &l->rows[k], q->f->h, kick_of(q, j));
+    }
+}
 //<
 
 //> linkage-alone
@@ -440,9 +449,7 @@ static void factor_alone(linkage *l, const linkage_pass *q, int number)
         r->give[k] = GIVE_ALONE * r->inverse[k][k];
         r->inverse[k][k] += r->give[k];
     }
-    if (j->is_driven)
-        actuator_soften(j, r, r->count, r->give[r->held], r->inverse);
-    if (j->is_coned) actuator_open_cone(j, r, r->count, r->inverse);
+    if (j->extra > 0) actuator_weigh(j, r, r->count, r->inverse);
     small_invert(r->count, r->inverse);
 }
 //<
@@ -484,7 +491,7 @@ static bool switch_limit(linkage *l, const linkage_pass *q, int number,
     real want[JOINT_ROWS], back[JOINT_ROWS] = { 0 };
     int k = r->held;
     bool pushes = r->count > k;
-    if (j->is_driven || j->is_coned) return switch_drive(l, q, number, what);
+    if (j->extra > 0) return switch_drive(l, q, number, what);
     if (!j->is_limited) return false;
     if (pushes && !(j->impulse[k] < 0)) return false;
     if (pushes) {
@@ -688,9 +695,7 @@ ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
     }
     if (tip) find_answers(n, tip, row, beyond, r->inverse);
     find_answers(n, on, row_on, r->answer, r->inverse);
-    if (j->is_driven)
-        actuator_soften(j, r, n, r->give[r->held], r->inverse);
-    if (j->is_coned) actuator_open_cone(j, r, n, r->inverse);
+    if (j->extra > 0) actuator_weigh(j, r, n, r->inverse);
     small_invert(n, r->inverse);
     for (int k = 0; k < n; k++) {
         real back[MOTIONS] = { 0 }, less[JOINT_ROWS];
@@ -908,10 +913,10 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
     bool was_upper = r->is_upper;
     joint_find_rows(r, j, &a, &b);
     if (j->is_limited && r->is_upper != was_upper) j->impulse[r->held] = 0;
-    if (j->is_coned && r->is_upper != was_upper)
+    if (j->extra == 2 && r->is_upper != was_upper)
         j->impulse[4] = j->cone_holds[1] = 0;
     r->count = r->held + (j->is_limited && j->impulse[r->held] > 0)
-             + j->is_driven + 2 * j->is_coned;
+             + j->extra;
     r->share = share_of(l, k, q->f);
     l->worst = real_max(l->worst, apart(j, r));
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
@@ -966,7 +971,7 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         const joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
         if (l->role[k] == JOINT_IDLE) continue;
-        l->is_driven |= j->is_driven || j->is_coned;
+        l->is_driven |= j->extra > 0;
         real a = swing_of(q, j->a, j->local_a);
         real b = swing_of(q, j->b, j->local_b);
         r->swing = real_max(a, b);
@@ -978,8 +983,7 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         bool *is_limited = &l->body[l->step[end - 1].body].is_limited;
         for (int s = first; s < end - 1; s++)
             *is_limited |= l->joint[l->step[s].joint].is_limited
-                        || l->joint[l->step[s].joint].is_driven
-                        || l->joint[l->step[s].joint].is_coned;
+                        || l->joint[l->step[s].joint].extra > 0;
     }
 }
 //<
@@ -988,13 +992,18 @@ static void find_sizes(linkage *l, const linkage_pass *q)
 //>   The parts come together in four functions, one for each moment of a
 //>   substep. Joints that stand alone go first, in an order that turns round
 //>   every time; then come the trees, which hold best.
+static void remember_drive(const joint *j, joint_rows *r)
+{
+    r->drive_begun = j->drive;
+    memcpy(r->cone_begun, j->cone_holds, sizeof r->cone_begun);
+}
+
 static void remember(const joint *j, joint_rows *r)
 {
     memcpy(r->begun, j->impulse, sizeof r->begun);
     r->was_upper = r->is_upper;
     r->was_broken = j->is_broken;
-    if (j->is_driven) r->drive_begun = j->drive;
-    memcpy(r->cone_begun, j->cone_holds, sizeof r->cone_begun);
+    if (j->extra > 0) remember_drive(j, r);
 }
 
 void linkage_forget_impulses(linkage *l, int k)
@@ -1047,8 +1056,10 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
         joint_rows *r = &l->rows[k];
         memcpy(j->impulse, r->begun, sizeof j->impulse);
         r->is_upper = r->was_upper;
-        if (j->is_driven) j->drive = r->drive_begun;
-        memcpy(j->cone_holds, r->cone_begun, sizeof j->cone_holds);
+        if (j->extra > 0) {
+            j->drive = r->drive_begun;
+            memcpy(j->cone_holds, r->cone_begun, sizeof j->cone_holds);
+        }
         l->broken -= j->is_broken && !r->was_broken;
         j->is_broken = r->was_broken;
     }
@@ -1070,14 +1081,14 @@ void linkage_prepare(linkage *l, const linkage_pass *q)
 
 void linkage_begin(linkage *l, const linkage_pass *q)
 {
+    if (l->is_driven) begin_drives(l, q);
     for (int k = 0; k < l->count; k++) {
         joint_rows *r = &l->rows[k];
-        joint *j = &l->joint[k];
+        const joint *j = &l->joint[k];
         if (j->kind == JOINT_NONE) continue;
         if (j->a >= 0) l->body[j->a].has_end = false;
         if (j->b >= 0) l->body[j->b].has_end = false;
         if (l->role[k] == JOINT_IDLE) continue;
-        if (j->is_driven) actuator_begin(j, r, q->f->h, kick_of(q, j));
         push_both(q, j, r, j->impulse);
     }
 }

@@ -113,6 +113,7 @@ status world_cone_joint(world *w, int number, vec3 axis, real swing, real least,
     j->least = real_max(least, -2 * turn);
     j->most = real_min(most, 2 * turn);
     j->is_coned = swing < turn || least > -turn || most < turn;
+    j->extra = 2 * j->is_coned;
     j->cone_holds[0] = j->cone_holds[1] = false;
     for (int k = 3; k < JOINT_ROWS; k++) j->impulse[k] = 0;
     wake_both(w, j);

@@ -118,7 +118,7 @@ static real arctan(real x)
 }
 
 // The angle of the vector (x, y), from -pi to pi.
-static real angle_of(real x, real y)
+ALWAYS_INLINE real angle_of(real x, real y)
 {
     const real quarter = 1.5707963267948966;
     real a = fabs(x), b = fabs(y);

@@ -334,9 +334,9 @@ static void find_hinge_rows(joint_rows *r, const joint *j, const joint_side *a,
     }
     r->held = 5;
     if (!j->is_limited && !j->is_driven) return;
-    real sign = choose_limit(r, j, joint_angle(j, &a->frame, &b->frame));
+    choose_limit(r, j, joint_angle(j, &a->frame, &b->frame));
     vec3 axis = direction(&a->frame, j->axis_a[0]);
-    turn_apart(r, 5, a, b, vec3_scale(-sign, axis));
+    turn_apart(r, 5, a, b, vec3_scale(r->is_upper ? 1 : -1, axis));
 }
 
 // A turn d changes the swing by d along the axis of both, y x x, and the twist by d

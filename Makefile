@@ -59,6 +59,7 @@ define ORDER
 16/touch
 16/soft
 17/joint
+17/actuator
 17/linkage
 17/pin
 18/cache_tables

@@ -376,12 +376,45 @@ tumble_joint tumble_ball(tumble_world *w, tumble_body a, tumble_body b,
 tumble_joint tumble_hinge(tumble_world *w, tumble_body a, tumble_body b,
                           tumble_vec3 at, tumble_vec3 axis);
 
+// And b moves along an axis of a without turning against it.
+tumble_joint tumble_slider(tumble_world *w, tumble_body a, tumble_body b,
+                           tumble_vec3 at, tumble_vec3 axis);
+
 // rad, from -pi to pi, of b against a; 0: as they stood when they were joined.  Of
-// a distance: m.  Beyond -pi, beyond pi and below 0 m there is no limit: -HUGE_VAL
+// a slider and a distance: m.  Beyond -pi, beyond pi and below 0 m there is no limit: -HUGE_VAL
 // and HUGE_VAL take both off.  Equal limits hold it there: moved a little in
 // every step, they drive it.
 bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
                        double most);
+
+// A ball joint: an axis, which a and b have in common as they stand now, leans by
+// `swing` (rad) at most, and b turns about it from least to most (rad, from -pi to
+// pi).  Beyond pi there is no limit.
+bool tumble_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
+                     double swing, double least, double most);
+
+// Along the free way of a hinge (rad, N m), a slider or a distance (m, N) there may
+// be a motor and a spring.  Both act together, and within the limits; whoever is
+// asleep wakes.
+//
+// The motor keeps a speed (of b against a, forwards) with `force` at most.  A speed
+// of 0 is friction, or a brake; a force of 0 takes the motor off.
+bool tumble_set_motor(tumble_world *w, tumble_joint j, double speed,
+                      double force);
+
+// The spring pulls to `rest`, of a hinge the shorter way round, with `stiffness`
+// (N/m, N m/rad), and brakes with `damping` (N s/m, N m s/rad).  Any stiffness is
+// safe at any dt.  A distance whose least and most are equal is no rod while it is
+// driven.  Both 0: the spring is taken off.
+bool tumble_set_spring(tumble_world *w, tumble_joint j, double rest,
+                       double stiffness, double damping);
+
+// A spring that brings the two bodies to a place, with `force` at most: without
+// others, as they stand now, they would swing at `hertz`, braked by `ratio`: 0 not
+// at all, 1 so that they just do not swing.  It takes the place of a spring that
+// was set; a force of 0 takes it off.
+bool tumble_set_servo(tumble_world *w, tumble_joint j, double place,
+                      double hertz, double ratio, double force);
 
 // They move as one.
 tumble_joint tumble_fix(tumble_world *w, tumble_body a, tumble_body b,
@@ -403,7 +436,15 @@ bool tumble_unjoin(tumble_world *w, tumble_joint j);
 bool tumble_is_joined(const tumble_world *w, tumble_joint j);
 
 // m, how far apart are the points that it holds; N, what it bore in the last
-// substep; rad, how far a hinge is turned.
+// substep; rad, how far a hinge is turned.  Along a free way: where b is (rad or
+// m), how fast (rad/s or m/s), and what motor, spring and limits together gave in
+// the last substep (N m or N; 0 if there is no motor or spring).  How far a cone's
+// axis leans and b has turned about it (rad; 0 without a cone).
+double tumble_joint_place(const tumble_world *w, tumble_joint j);
+double tumble_joint_speed(const tumble_world *w, tumble_joint j);
+double tumble_joint_swing(const tumble_world *w, tumble_joint j);
+double tumble_joint_twist(const tumble_world *w, tumble_joint j);
+double tumble_joint_drive(const tumble_world *w, tumble_joint j);
 double tumble_joint_gap(const tumble_world *w, tumble_joint j);
 double tumble_joint_force(const tumble_world *w, tumble_joint j);
 double tumble_hinge_angle(const tumble_world *w, tumble_joint j);

@@ -25,8 +25,10 @@ status joint_check(const joint_plan *p)
         return status_fail("the strength of a joint is %g; it must be 0 or "
                            "more", p->strength);
     real axis = vec3_length(p->axis);
-    if (p->kind == JOINT_HINGE && !(axis > 0 && axis < HUGE_VAL))
-        return status_fail("the axis of a hinge has no direction");
+    bool has_axis = p->kind == JOINT_HINGE || p->kind == JOINT_SLIDER;
+    if (has_axis && !(axis > 0 && axis < HUGE_VAL))
+        return status_fail("the axis of a %s has no direction",
+                           p->kind == JOINT_HINGE ? "hinge" : "slider");
     return p->kind == JOINT_DISTANCE ? check_distance(p) : status_ok();
 }
 //<
@@ -61,6 +63,23 @@ static void choose_across(vec3 n, vec3 *x, vec3 *y)
     *y = vec3_cross(n, *x);
 }
 
+static void set_axes(joint *j, const rigid_frame *a, const rigid_frame *b,
+                     const vec3 axis[JOINT_AXES])
+{
+    for (int i = 0; i < JOINT_AXES; i++) {
+        j->axis_a[i] = local_of(a, axis[i]);
+        j->axis_b[i] = local_of(b, axis[i]);
+    }
+}
+
+void joint_set_cone(joint *j, const rigid_frame *a, const rigid_frame *b,
+                    vec3 along)
+{
+    vec3 axis[JOINT_AXES] = { vec3_unit(along) };
+    choose_across(axis[0], &axis[1], &axis[2]);
+    set_axes(j, a, b, axis);
+}
+
 joint joint_make(const joint_plan *p, const rigid_frame *a,
                  const rigid_frame *b)
 {
@@ -70,18 +89,16 @@ joint joint_make(const joint_plan *p, const rigid_frame *a,
                 .most = p->most, .particle = p->particle,
                 .may_touch = p->may_touch };
     j.strength = p->strength > 0 ? p->strength : HUGE_VAL;
-    j.is_limited = has_two && p->least < p->most;
-    if (p->kind == JOINT_HINGE) {
+    j.has_limits = j.is_limited = has_two && p->least < p->most;
+    j.drive.bound = HUGE_VAL;
+    if (p->kind == JOINT_HINGE || p->kind == JOINT_SLIDER) {
         axis[0] = vec3_unit(p->axis);
         choose_across(axis[0], &axis[1], &axis[2]);
     }
     j.local_a = local_of(a, vec3_sub(p->point, a->center));
     j.local_b = local_of(b, vec3_sub(has_two ? p->point_b : p->point,
                                      b->center));
-    for (int i = 0; i < JOINT_AXES; i++) {
-        j.axis_a[i] = local_of(a, axis[i]);
-        j.axis_b[i] = local_of(b, axis[i]);
-    }
+    set_axes(&j, a, b, axis);
     return j;
 }
 //<
@@ -101,7 +118,7 @@ static real arctan(real x)
 }
 
 // The angle of the vector (x, y), from -pi to pi.
-static real angle_of(real x, real y)
+ALWAYS_INLINE real angle_of(real x, real y)
 {
     const real quarter = 1.5707963267948966;
     real a = fabs(x), b = fabs(y);
@@ -118,6 +135,38 @@ real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b)
 }
 //<
 
+//> joint-cone
+//>   A ball joint is free to lean and to turn. *Swing* is the angle between an
+//>   axis of A and the same axis of B. *Twist* is what B has turned about it, when
+//>   the swing is taken back by the shortest way.
+real joint_swing(const joint *j, const rigid_frame *a, const rigid_frame *b)
+{
+    vec3 x = direction(a, j->axis_a[0]), y = direction(b, j->axis_b[0]);
+    return angle_of(vec3_dot(x, y), vec3_length(vec3_cross(x, y)));
+}
+
+real joint_twist(const joint *j, const rigid_frame *a, const rigid_frame *b)
+{
+    vec3 x = direction(a, j->axis_a[0]), y = direction(b, j->axis_b[0]);
+    vec3 arrow = direction(b, j->axis_b[1]), turn = vec3_cross(y, x);
+    real more = 1 + vec3_dot(x, y);
+    vec3 once = vec3_cross(turn, arrow), twice = vec3_cross(turn, once);
+    arrow = vec3_add(arrow, once);
+    if (more > 0) arrow = vec3_add_scaled(arrow, 1 / more, twice);
+    return angle_of(vec3_dot(arrow, direction(a, j->axis_a[1])),
+                    vec3_dot(arrow, direction(a, j->axis_a[2])));
+}
+
+// What is left until the limits of swing and twist.
+static void cone_errors(const joint *j, const joint_rows *r, const rigid_frame *a,
+                        const rigid_frame *b, real e[JOINT_ROWS])
+{
+    real twist = joint_twist(j, a, b);
+    e[3] = j->cone - joint_swing(j, a, b);
+    e[4] = r->is_upper ? j->most - twist : twist - j->least;
+}
+//<
+
 //> joint-errors
 //>   Here are the errors, in a few lines each. They are the formulas of the
 //>   idea, for bodies that stand anywhere.
@@ -126,6 +175,24 @@ void joint_points(const joint *j, const rigid_frame *a, const rigid_frame *b,
 {
     *on_a = frame_point(a, j->local_a);
     *on_b = frame_point(b, j->local_b);
+}
+
+real joint_where(const joint *j, const rigid_frame *a, const rigid_frame *b)
+{
+    vec3 on_a, on_b;
+    if (j->kind == JOINT_HINGE) return joint_angle(j, a, b);
+    joint_points(j, a, b, &on_a, &on_b);
+    if (j->kind == JOINT_DISTANCE) return vec3_distance(on_a, on_b);
+    if (j->kind != JOINT_SLIDER) return 0;
+    return vec3_dot(vec3_sub(on_b, on_a), direction(a, j->axis_a[0]));
+}
+
+vec3 joint_way(const joint *j, const rigid_frame *a, const rigid_frame *b)
+{
+    vec3 on_a, on_b;
+    if (j->kind != JOINT_DISTANCE) return direction(a, j->axis_a[0]);
+    joint_points(j, a, b, &on_a, &on_b);
+    return vec3_unit(vec3_sub(on_b, on_a));
 }
 
 // By which small rotation A is ahead of B.  An axis x that has turned by d has
@@ -141,31 +208,56 @@ static vec3 twist_between(const joint *j, const rigid_frame *a,
     return vec3_scale(0.5, sum);
 }
 
-// What is left until the limit, of an angle or a length.
+// What is left until the limit, of an angle or a length; of a drive its place.
 static real room(const joint *j, const joint_rows *r, real value)
 {
+    if (j->is_driven) return value;
     return r->is_upper ? j->most - value : value - j->least;
+}
+
+// A slider is long, so its directions are those of A as A stands.
+static void slider_errors(const joint *j, const joint_rows *r,
+                          const rigid_frame *a, const rigid_frame *b, vec3 gap,
+                          real e[JOINT_ROWS])
+{
+    vec3 tilt = twist_between(j, a, b);
+    e[0] = vec3_dot(gap, direction(a, j->axis_a[1]));
+    e[1] = vec3_dot(gap, direction(a, j->axis_a[2]));
+    e[2] = tilt.x;
+    e[3] = tilt.y;
+    e[4] = tilt.z;
+    e[5] = room(j, r, -vec3_dot(gap, direction(a, j->axis_a[0])));
 }
 
 static void errors(const joint *j, const joint_rows *r, const rigid_frame *a,
                    const rigid_frame *b, vec3 gap, real e[JOINT_ROWS])
 {
     vec3 tilt = { 0, 0, 0 };
-    if (j->kind == JOINT_DISTANCE) {
-        real length = vec3_length(gap);
-        e[0] = j->is_limited ? room(j, r, length) : length - j->most;
-        return;
-    }
     e[0] = gap.x;
     e[1] = gap.y;
     e[2] = gap.z;
+    if (j->kind == JOINT_BALL) {
+        if (j->is_coned) cone_errors(j, r, a, b, e);
+        return;
+    }
+    if (j->kind == JOINT_DISTANCE) {
+        real length = vec3_length(gap);
+        bool is_held = !j->is_limited && !j->is_driven;
+        e[0] = is_held ? length - j->most : room(j, r, length);
+        return;
+    }
+    if (j->kind == JOINT_SLIDER) {
+        slider_errors(j, r, a, b, gap, e);
+        return;
+    }
     if (j->kind == JOINT_FIXED) tilt = twist_between(j, a, b);
     if (j->kind == JOINT_HINGE)
         tilt = vec3_cross(direction(b, j->axis_b[0]),
                           direction(a, j->axis_a[0]));
     if (j->kind == JOINT_HINGE) {
         for (int k = 0; k < 2; k++) e[3 + k] = vec3_dot(tilt, r->across[k]);
-        if (j->is_limited) e[5] = room(j, r, joint_angle(j, a, b));
+        if (j->is_limited || j->is_driven)
+            e[5] = room(j, r, joint_angle(j, a, b));
         return;
     }
     e[3] = tilt.x;
@@ -205,11 +297,19 @@ static void turn_about(real row[MOTIONS], const joint_side *s, vec3 d,
         row[MOTION_TURN + t] = sign * vec3_dot(s->basis->turn[t], d);
 }
 
-static void turn_apart(joint_rows *r, int k, const joint_side *a,
-                       const joint_side *b, vec3 d)
+ALWAYS_INLINE void turn_apart(joint_rows *r, int k, const joint_side *a,
+                              const joint_side *b, vec3 d)
 {
     turn_about(r->a[k], a, d, 1);
     turn_about(r->b[k], b, d, -1);
+}
+
+// The row of a limit leads away from it, that of a drive along its way; returns
+// which way that is.
+static real choose_limit(joint_rows *r, const joint *j, real place)
+{
+    r->is_upper = j->is_limited && j->most - place < place - j->least;
+    return r->is_upper ? -1 : 1;
 }
 
 // Both impulses act in the middle between the two points: what one body gains
@@ -233,11 +333,48 @@ static void find_hinge_rows(joint_rows *r, const joint *j, const joint_side *a,
         turn_apart(r, 3 + k, a, b, r->across[k]);
     }
     r->held = 5;
-    if (!j->is_limited) return;
-    real turned = joint_angle(j, &a->frame, &b->frame);
-    r->is_upper = j->most - turned < turned - j->least;
+    if (!j->is_limited && !j->is_driven) return;
+    choose_limit(r, j, joint_angle(j, &a->frame, &b->frame));
     vec3 axis = direction(&a->frame, j->axis_a[0]);
     turn_apart(r, 5, a, b, vec3_scale(r->is_upper ? 1 : -1, axis));
+}
+
+// A turn d changes the swing by d along the axis of both, y x x, and the twist by d
+// along (x + y) / (1 + x y).
+static void find_cone_rows(joint_rows *r, const joint *j, const joint_side *a,
+                           const joint_side *b)
+{
+    const rigid_frame *f = &a->frame, *g = &b->frame;
+    vec3 x = direction(f, j->axis_a[0]), y = direction(g, j->axis_b[0]);
+    vec3 lean = vec3_cross(y, x), sum = vec3_add(x, y);
+    real length = vec3_length(lean), twist = joint_twist(j, f, g);
+    real more = 1 + vec3_dot(x, y);
+    r->is_upper = j->most - twist < twist - j->least;
+    real sign = r->is_upper ? 1 : -1;
+    turn_apart(r, 3, a, b, vec3_scale(length > 0 ? -1 / length : 0, lean));
+    turn_apart(r, 4, a, b, vec3_scale(more > 0 ? sign / more : 0, sum));
+}
+
+// Both impulses act at one point, so angular momentum stays.
+static void go_apart(joint_rows *r, int k, const joint_side *a,
+                     const joint_side *b, vec3 at, vec3 d)
+{
+    go_along(r->a[k], a, vec3_sub(at, a->frame.center), d, 1);
+    go_along(r->b[k], b, vec3_sub(at, b->frame.center), d, -1);
+}
+
+static void find_slider_rows(joint_rows *r, const joint *j, const joint_side *a,
+                             const joint_side *b, vec3 on_b)
+{
+    for (int k = 0; k < 2; k++)
+        go_apart(r, k, a, b, on_b, direction(&a->frame, j->axis_a[1 + k]));
+    for (int k = 0; k < 3; k++) turn_apart(r, 2 + k, a, b, AXIS[k]);
+    r->held = 5;
+    r->lengths = 2;
+    if (!j->is_limited && !j->is_driven) return;
+    real sign = choose_limit(r, j, joint_where(j, &a->frame, &b->frame));
+    vec3 axis = direction(&a->frame, j->axis_a[0]);
+    go_apart(r, 5, a, b, on_b, vec3_scale(-sign, axis));
 }
 
 // A length that must not change is one row; a least and a most are a limit, the
@@ -247,13 +384,11 @@ static void find_distance_row(joint_rows *r, const joint *j,
                               vec3 on_a, vec3 on_b)
 {
     vec3 gap = vec3_sub(on_a, on_b);
-    real length = vec3_length(gap), sign = 1;
+    real length = vec3_length(gap);
     vec3 along = length > 0 ? vec3_scale(1 / length, gap) : AXIS[1];
-    r->held = !j->is_limited;
-    if (j->is_limited) {
-        r->is_upper = j->most - length < length - j->least;
-        sign = r->is_upper ? -1 : 1;
-    }
+    r->held = !j->is_limited && !j->is_driven;
+    r->lengths = 1;
+    real sign = choose_limit(r, j, length);
     go_along(r->a[0], a, vec3_sub(on_a, a->frame.center), along, sign);
     go_along(r->b[0], b, vec3_sub(on_b, b->frame.center), along, -sign);
 }
@@ -264,11 +399,15 @@ void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
     vec3 on_a, on_b;
     joint_points(j, &a->frame, &b->frame, &on_a, &on_b);
     r->is_upper = false;
+    r->lengths = 3;
     if (j->kind == JOINT_DISTANCE) {
         find_distance_row(r, j, a, b, on_a, on_b);
+    } else if (j->kind == JOINT_SLIDER) {
+        find_slider_rows(r, j, a, b, on_b);
     } else {
         find_point_rows(r, a, b, on_a, on_b);
         if (j->kind == JOINT_HINGE) find_hinge_rows(r, j, a, b);
+        if (j->is_coned)            find_cone_rows(r, j, a, b);
         for (int k = 0; k < 3 && j->kind == JOINT_FIXED; k++)
             turn_apart(r, r->held++, a, b, AXIS[k]);
     }

@@ -14,10 +14,11 @@
 // A ball joint: a point of A and a point of B stay together.  A hinge: an axis
 // of each as well.  A fixed joint: they move as one.  A distance: two points
 // are at least and at most so far apart.  A pin: a particle of a rope or cloth
-// stays at a place on a rigid body (pin.h).
+// stays at a place on a rigid body (pin.h).  A slider: B moves along an axis of A,
+// and does not turn against it.
 typedef enum {
     JOINT_NONE, JOINT_BALL, JOINT_HINGE, JOINT_FIXED, JOINT_DISTANCE,
-    JOINT_PIN, JOINT_KINDS
+    JOINT_PIN, JOINT_SLIDER, JOINT_KINDS
 } joint_kind;
 
 // A joint to be made, told as the bodies stand now.
@@ -28,11 +29,31 @@ typedef struct {
     int  particle;      // of a pin: of A
     vec3 point;         // m, in the world; of a distance: the point of A
     vec3 point_b;       // m, of a distance: the point of B
-    vec3 axis;          // of a hinge, in the world; of any length > 0
+    vec3 axis;          // of a hinge or slider, in the world; of any length > 0
     real least, most;   // m, of a distance
     real strength;      // N: under a greater force it breaks; 0: under none
     bool may_touch;     // the two bodies may touch each other
 } joint_plan;
+//<
+
+//> joint-free
+//>   A hinge may turn, a slider and a distance may grow longer: that is the one
+//>   way in which they are free. A motor and a spring act along it. Each gives at
+//>   most so much, and says whether it does.
+// What acts along the free way of a joint.  A place, a speed and an impulse along
+// it are those of B against A: rad and N m of a hinge, m and N of the others.
+typedef struct {
+    real speed, force;          // what the motor wants, and gives at most; no
+                                // force: there is no motor
+    real rest;                  // where the spring pulls to
+    real stiffness, damping;    // N/m, N s/m or N m/rad, N m s/rad; both 0: there
+                                // is no spring
+    real bound;                 // what it gives at most; HUGE_VAL: anything
+    real inverse;               // 1/kg, 1/(kg m^2), what answers along the way
+    int  limit;                 // -1, 1: the least or the greatest place holds
+    int  motor, spring;         // -1, 1: it gives its most, backwards or forwards
+    bool is_new;                // it has not acted yet
+} joint_drive;
 //<
 
 //> joint-struct
@@ -50,15 +71,24 @@ typedef struct {
     vec3 local_a, local_b;      // the points
     vec3 axis_a[JOINT_AXES];    // the same three directions, perpendicular, as
     vec3 axis_b[JOINT_AXES];    // A and as B have them; a hinge turns about [0]
-    real least, most;           // m, of a distance; rad, of a hinge: how far B
-                                // may have turned against A
-    bool is_limited;            // there is a least and a most
+    real least, most;           // m, of a distance, or a slider; rad, of a
+                                // hinge: how far B may have turned against A
+    bool is_limited;            // there is a least and a most, in a row that is
+                                // there while the limit pushes
+    bool is_driven;             // there is a motor or a spring: its row is always
+    bool has_limits;            // there, and does what the limits do as well
+    int  extra;                 // such rows: 1 of a drive, 2 of a cone
+    bool is_coned;              // a ball joint: axis [0] of B leans from that of A
+    real cone;                  // by so much at most, rad, and B has turned about
+    bool cone_holds[2];         // it from least to most; swing and twist hold now
+    joint_drive drive;
     real strength;              // N; HUGE_VAL: it never breaks
     bool may_touch;
     bool is_broken;             // it holds no more
     real impulse[JOINT_ROWS];   // N s, N m s, of each row, in the last
                                 // substep
     real force;                 // N, in that substep
+    real given;                 // N, N m, of a drive, in that substep
     real own;                   // 1/kg, the pinned particle's, while strands
     vec3 start;                 // pull, and m, where it was before
 } joint;
@@ -70,7 +100,8 @@ typedef struct {
 typedef struct {
     int  count;                 // rows that hold now
     int  held;                  // of these, rows that hold always; the next one
-                                // is the limit's, which only pushes
+                                // is the limit's, which only pushes, or a drive's
+    int  lengths;               // the first rows are lengths, the others angles
     vec3 across[2];             // of a hinge: those axes must not turn
     real a[JOINT_ROWS][MOTIONS], b[JOINT_ROWS][MOTIONS];
     real error[JOINT_ROWS];         // m, rad; of the limit: what is left
@@ -89,6 +120,17 @@ typedef struct {
     real hung;                  // rad/s, of a swing under a body's own weight
     real size;                  // m, the smaller radius of the two bodies
     real want[JOINT_ROWS];      // m/s, rad/s: what the impulses are to change
+    real before;                // rad/s, m/s, along the way of a drive when the
+                                // substep begins, and
+    real speed;                 // as it is now;
+    real room[2];               // between the limits' speeds;
+    real pull, slope;           // N s, kg, the spring gives pull - slope speed;
+    real kick;                  // s, for which forces act;
+    real hard, kept;            // the give of a row that holds, and N s, what it
+                                // gave when the substep began
+    joint_drive drive_begun;
+    bool cone_begun[2];         // which of swing and twist held, and
+    real cone_want[2];          // what they want, rad/s, held or not
     real pace;                  // rad/s, of the fastest swing about it in the
                                 // last frame
     int  next;                  // joint of the same tree; -1: none
@@ -120,11 +162,37 @@ extern const rigid_frame JOINT_WORLD;
 // made.
 real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b);
 
+// Where B is along the free way: that angle, or m, how far a slider has gone, how
+// long a distance is; of other joints 0.
+real joint_where(const joint *j, const rigid_frame *a, const rigid_frame *b);
+
+// A ball joint gets a cone, from an axis in the world as the bodies stand; its
+// fields cone, least and most are to be set.
+void joint_set_cone(joint *j, const rigid_frame *a, const rigid_frame *b,
+                    vec3 axis);
+
+// rad, from 0 to pi, by how much the axis leans; rad, from -pi to pi, by how much
+// B has turned about it.
+real joint_swing(const joint *j, const rigid_frame *a, const rigid_frame *b);
+real joint_twist(const joint *j, const rigid_frame *a, const rigid_frame *b);
+
+// The free way of such a joint in the world: of a hinge or a slider its axis, of a
+// distance the direction from A to B.
+vec3 joint_way(const joint *j, const rigid_frame *a, const rigid_frame *b);
+
 // Where the points are: m, of A and of B.
 void joint_points(const joint *j, const rigid_frame *a, const rigid_frame *b,
                   vec3 *on_a, vec3 *on_b);
 
-// The errors, and the rows by which they change, when the bodies stand so.
+// Can it be driven?
+static inline bool joint_is_free(const joint *j)
+{
+    return j->kind == JOINT_HINGE || j->kind == JOINT_SLIDER
+        || j->kind == JOINT_DISTANCE;
+}
+
+// The errors, and the rows by which they change, when the bodies stand so.  Of a
+// drive it is no error, but the place.
 void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
                      const joint_side *b);
 

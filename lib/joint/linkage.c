@@ -3,6 +3,7 @@
 //>   again: a program may add and remove joints for hours, and needs no more
 //>   memory. Joined bodies are taken out of the list of pairs that may meet.
 #include "linkage.h"
+#include "actuator.h"
 #include "inline.h"
 #include "table.h"
 
@@ -320,6 +321,98 @@ typedef void wanting(const linkage *l, const linkage_pass *q, int number,
                      real want[JOINT_ROWS]);
 //<
 
+//> linkage-driven
+//>   Where joints are driven, the row of a drive wants something of its own.
+// How fast the bodies of a joint go along row k.
+static real speed_along(const linkage_pass *q, const joint *j, joint_rows *r,
+                        int k)
+{
+    real less = 0;
+    if (moves(q->f, j->a))
+        take_speed(&less, 1, &r->a[k], q->velocity[j->a].of);
+    if (moves(q->f, j->b))
+        take_speed(&less, 1, &r->b[k], q->velocity[j->b].of);
+    return -less;
+}
+
+static void want_cone_together(const linkage *l, const linkage_pass *q,
+                               int number, real want[JOINT_ROWS])
+{
+    const joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
+    real then[JOINT_ROWS];
+    joint_errors(j, r, end_of(l, q, j->a), end_of(l, q, j->b), then);
+    for (int i = 0; i < 2; i++)
+        want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->max_speed,
+                                               &then[r->held + i], 0);
+}
+
+static void want_driven_together(const linkage *l, const linkage_pass *q,
+                                 int number, real want[JOINT_ROWS])
+{
+    const joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
+    want_together(l, q, number, want);
+    if (j->is_coned) want_cone_together(l, q, number, want);
+    if (!j->is_driven) return;
+    real end = joint_where(j, end_of(l, q, j->a), end_of(l, q, j->b));
+    want[r->held] = actuator_want(j, r, q->f->h, q->f->max_speed, &end, 0);
+}
+
+static void want_driven_rest(const linkage *l, const linkage_pass *q,
+                             int number, real want[JOINT_ROWS])
+{
+    const joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
+    want_rest(l, q, number, want);
+    for (int i = 0; i < 2 && j->is_coned; i++)
+        want[r->held + i] = actuator_want_cone(j, r, i, q->f->h, q->f->max_speed,
+                                               NULL, speed_along(q, j, r,
+                                                                 r->held + i));
+    if (!j->is_driven) return;
+    want[r->held] = actuator_want(j, r, q->f->h, q->f->max_speed, NULL,
+                                  speed_along(q, j, r, r->held));
+}
+
+// How fast driven joints go when a substep begins.
+static void find_speeds(linkage *l, const linkage_pass *q)
+{
+    for (int k = 0; k < l->count && l->is_driven; k++) {
+        joint_rows *r = &l->rows[k];
+        if (l->joint[k].is_driven && l->role[k] != JOINT_IDLE)
+            r->before = speed_along(q, &l->joint[k], r, r->held);
+    }
+}
+
+// How hard springs and motors find it to move, for a frame.
+static void find_inverses(linkage *l, const linkage_pass *q)
+{
+    for (int k = 0; k < l->count && l->is_driven; k++) {
+        joint *j = &l->joint[k];
+        if (!j->is_driven || l->role[k] == JOINT_IDLE) continue;
+        j->drive.inverse = actuator_inverse(&l->rows[k],
+                                            basis_of(q->f, j->a)->inverse_mass,
+                                            basis_of(q->f, j->b)->inverse_mass);
+    }
+}
+
+// s, for which a force acts on a joint in this substep, as gravity does.
+static real kick_of(const linkage_pass *q, const joint *j)
+{
+    const solver_frame *f = q->f;
+    return f->age ? (f->age[moves(f, j->a) ? j->a : j->b] + f->h) / 2 : f->h;
+}
+
+static void begin_drives(linkage *l, const linkage_pass *q)
+{
+    for (int k = 0; k < l->count; k++) {
+        joint *j = &l->joint[k];
+        if (j->is_driven && l->role[k] != JOINT_IDLE)
+            actuator_begin(j, &l->rows[k], q->f->h, kick_of(q, j));
+    }
+}
+//<
+
 //> linkage-alone
 //>   A joint can be solved by itself, as in the exercise of chapter 13. This is
 //>   the plain form. Joints that close a ring are solved like this, and with
@@ -356,6 +449,7 @@ static void factor_alone(linkage *l, const linkage_pass *q, int number)
         r->give[k] = GIVE_ALONE * r->inverse[k][k];
         r->inverse[k][k] += r->give[k];
     }
+    if (j->extra > 0) actuator_weigh(j, r, r->count, r->inverse);
     small_invert(r->count, r->inverse);
 }
 //<
@@ -366,6 +460,29 @@ static void factor_alone(linkage *l, const linkage_pass *q, int number)
 // A limit only pushes, as a contact does.  While it does it is one row more;
 // where it would pull, or is not reached, it is none.  Returns whether that has
 // changed.
+static void push_more(linkage *l, const linkage_pass *q, int number,
+                      const real more[JOINT_ROWS])
+{
+    joint *j = &l->joint[number];
+    push_both(q, j, &l->rows[number], more);
+    for (int k = 0; k < JOINT_ROWS; k++) j->impulse[k] += more[k];
+    if (j->a >= 0) find_end(l, q, j->a);
+    if (j->b >= 0) find_end(l, q, j->b);
+}
+
+static bool switch_drive(linkage *l, const linkage_pass *q, int number,
+                         wanting *what)
+{
+    joint *j = &l->joint[number];
+    joint_rows *r = &l->rows[number];
+    real want[JOINT_ROWS], more[JOINT_ROWS] = { 0 };
+    what(l, q, number, want);
+    bool has_changed = j->is_coned ? actuator_switch_cone(j, r, more)
+                                   : actuator_switch(j, r, &more[r->held]);
+    if (has_changed) push_more(l, q, number, more);
+    return has_changed;
+}
+
 static bool switch_limit(linkage *l, const linkage_pass *q, int number,
                          wanting *what)
 {
@@ -374,6 +491,7 @@ static bool switch_limit(linkage *l, const linkage_pass *q, int number,
     real want[JOINT_ROWS], back[JOINT_ROWS] = { 0 };
     int k = r->held;
     bool pushes = r->count > k;
+    if (j->extra > 0) return switch_drive(l, q, number, what);
     if (!j->is_limited) return false;
     if (pushes && !(j->impulse[k] < 0)) return false;
     if (pushes) {
@@ -577,6 +695,7 @@ ALWAYS_INLINE void factor(int n, const linkage_pass *q, linkage_body *tip,
     }
     if (tip) find_answers(n, tip, row, beyond, r->inverse);
     find_answers(n, on, row_on, r->answer, r->inverse);
+    if (j->extra > 0) actuator_weigh(j, r, n, r->inverse);
     small_invert(n, r->inverse);
     for (int k = 0; k < n; k++) {
         real back[MOTIONS] = { 0 }, less[JOINT_ROWS];
@@ -705,10 +824,9 @@ static real find_wants(linkage *l, const linkage_pass *q, int first, int end,
         int k = l->step[s].joint;
         if (k < 0) continue;
         joint_rows *r = &l->rows[k];
-        bool is_length = l->joint[k].kind == JOINT_DISTANCE;
         what(l, q, k, r->want);
         for (int i = 0; i < r->count; i++) {
-            real size = i < 3 || is_length ? r->size : 1;
+            real size = i < r->lengths ? r->size : 1;
             worst = real_max(fabs(r->want[i]) / size, worst);
         }
     }
@@ -729,15 +847,16 @@ static void settle_tree(linkage *l, const linkage_pass *q, int first, int end,
                         wanting *what, int rounds)
 {
     linkage_body *root = &l->body[l->step[end - 1].body];
+    bool is_last = what == want_together || what == want_driven_together;
     for (int n = 0; n < rounds + LIMIT_ROUNDS; n++) {
         if (n >= rounds && !root->is_limited) return;
-        bool is_known = what == want_together && find_ends(l, q, first, end);
+        bool is_known = is_last && find_ends(l, q, first, end);
         if (is_known && root->is_settled) return;
         bool has_changed = root->is_limited
                         && switch_limits(l, q, first, end, what);
         real missed = find_wants(l, q, first, end, what);
         bool is_settled = (n > 0 || root->is_settled) && missed <= MISS;
-        root->is_settled = is_settled && what == want_together;
+        root->is_settled = is_settled && is_last;
         if (!has_changed && (is_settled || n >= rounds)) return;
         if (has_changed || !root->is_ready) factor_tree(l, q, first, end);
         root->is_ready = true;
@@ -767,8 +886,10 @@ static void settle(linkage *l, const linkage_pass *q, wanting *what, int rounds)
 static real apart(const joint *j, const joint_rows *r)
 {
     const real *e = r->error;
+    if (j->kind == JOINT_DISTANCE && j->is_driven) return 0;
     if (j->kind == JOINT_DISTANCE)
         return j->is_limited ? real_max(-e[0], 0) : fabs(e[0]);
+    if (j->kind == JOINT_SLIDER) return sqrt(e[0] * e[0] + e[1] * e[1]);
     return sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
 }
 
@@ -792,7 +913,10 @@ static void find_rows_of(linkage *l, const linkage_pass *q, int k)
     bool was_upper = r->is_upper;
     joint_find_rows(r, j, &a, &b);
     if (j->is_limited && r->is_upper != was_upper) j->impulse[r->held] = 0;
-    r->count = r->held + (j->is_limited && j->impulse[r->held] > 0);
+    if (j->extra == 2 && r->is_upper != was_upper)
+        j->impulse[4] = j->cone_holds[1] = 0;
+    r->count = r->held + (j->is_limited && j->impulse[r->held] > 0)
+             + j->extra;
     r->share = share_of(l, k, q->f);
     l->worst = real_max(l->worst, apart(j, r));
     if (l->role[k] == JOINT_ALONE) factor_alone(l, q, k);
@@ -839,6 +963,7 @@ static real size_of(const linkage_pass *q, int b)
 // What stays for a frame.
 static void find_sizes(linkage *l, const linkage_pass *q)
 {
+    l->is_driven = false;
     for (int s = 0; s < l->steps; s++)
         if (l->step[s].joint < 0)
             l->body[l->step[s].body].is_limited = false;
@@ -846,6 +971,7 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         const joint *j = &l->joint[k];
         joint_rows *r = &l->rows[k];
         if (l->role[k] == JOINT_IDLE) continue;
+        l->is_driven |= j->extra > 0;
         real a = swing_of(q, j->a, j->local_a);
         real b = swing_of(q, j->b, j->local_b);
         r->swing = real_max(a, b);
@@ -856,7 +982,8 @@ static void find_sizes(linkage *l, const linkage_pass *q)
         end = tree_end(l, first);
         bool *is_limited = &l->body[l->step[end - 1].body].is_limited;
         for (int s = first; s < end - 1; s++)
-            *is_limited |= l->joint[l->step[s].joint].is_limited;
+            *is_limited |= l->joint[l->step[s].joint].is_limited
+                        || l->joint[l->step[s].joint].extra > 0;
     }
 }
 //<
@@ -865,11 +992,18 @@ static void find_sizes(linkage *l, const linkage_pass *q)
 //>   The parts come together in four functions, one for each moment of a
 //>   substep. Joints that stand alone go first, in an order that turns round
 //>   every time; then come the trees, which hold best.
+static void remember_drive(const joint *j, joint_rows *r)
+{
+    r->drive_begun = j->drive;
+    memcpy(r->cone_begun, j->cone_holds, sizeof r->cone_begun);
+}
+
 static void remember(const joint *j, joint_rows *r)
 {
     memcpy(r->begun, j->impulse, sizeof r->begun);
     r->was_upper = r->is_upper;
     r->was_broken = j->is_broken;
+    if (j->extra > 0) remember_drive(j, r);
 }
 
 void linkage_forget_impulses(linkage *l, int k)
@@ -912,6 +1046,7 @@ static void begin_roles(linkage *l, const linkage_pass *q)
     choose_roles(l, q);
     find_sizes(l, q);
     find_rows(l, q);
+    find_speeds(l, q);
 }
 
 void linkage_rewind(linkage *l, const linkage_pass *q)
@@ -921,6 +1056,10 @@ void linkage_rewind(linkage *l, const linkage_pass *q)
         joint_rows *r = &l->rows[k];
         memcpy(j->impulse, r->begun, sizeof j->impulse);
         r->is_upper = r->was_upper;
+        if (j->extra > 0) {
+            j->drive = r->drive_begun;
+            memcpy(j->cone_holds, r->cone_begun, sizeof j->cone_holds);
+        }
         l->broken -= j->is_broken && !r->was_broken;
         j->is_broken = r->was_broken;
     }
@@ -936,10 +1075,13 @@ void linkage_prepare(linkage *l, const linkage_pass *q)
     warm(l, q);
     find_sizes(l, q);
     find_rows(l, q);
+    find_speeds(l, q);
+    find_inverses(l, q);
 }
 
 void linkage_begin(linkage *l, const linkage_pass *q)
 {
+    if (l->is_driven) begin_drives(l, q);
     for (int k = 0; k < l->count; k++) {
         joint_rows *r = &l->rows[k];
         const joint *j = &l->joint[k];
@@ -957,7 +1099,8 @@ enum { IMPACT_STEPS = 3 };
 
 void linkage_push(linkage *l, const linkage_pass *q)
 {
-    settle(l, q, want_together, IMPACT_STEPS);
+    if (l->is_driven)   settle(l, q, want_driven_together, IMPACT_STEPS);
+    else                settle(l, q, want_together, IMPACT_STEPS);
 }
 //<
 
@@ -969,6 +1112,8 @@ static real force_of(const joint *j, real h)
     const real *p = j->impulse;
     if (j->kind == JOINT_DISTANCE)
         return fabs(p[0]) / h;
+    if (j->kind == JOINT_SLIDER)
+        return sqrt(p[0] * p[0] + p[1] * p[1] + p[5] * p[5]) / h;
     return sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / h;
 }
 
@@ -995,6 +1140,7 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
         joint *j = &l->joint[k];
         if (l->role[k] == JOINT_IDLE) continue;
         j->force = force_of(j, h);
+        if (j->is_driven) j->given = j->impulse[l->rows[k].held] / l->rows[k].kick;
         real swing = sqrt(j->force * l->rows[k].swing);
         real turns = sqrt(real_max(spin_squared(q, j->a), spin_squared(q, j->b)));
         swing = real_max(swing, TURNED * real_max(turns, l->rows[k].hung));
@@ -1011,7 +1157,9 @@ void linkage_relax(linkage *l, const linkage_pass *q)
 {
     if (l->count == 0) return;
     find_rows(l, q);
-    settle(l, q, want_rest, 1);
+    if (l->is_driven)   settle(l, q, want_driven_rest, 1);
+    else                settle(l, q, want_rest, 1);
+    find_speeds(l, q);
     break_overloaded(l, q);
     if (l->is_stale) begin_roles(l, q);
 }

@@ -58,6 +58,7 @@ typedef struct {
     int  bodies;
     bool is_plain;          // trees, too, are solved joint by joint: to measure
     long frames;            // so many began
+    bool is_driven;         // one of those that are solved now is driven
     bool is_stale;          // one broke in this frame
     bool is_backward;       // joints that stand alone come last to first
     int  broken;            // so many, since this was set to 0

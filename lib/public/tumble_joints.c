@@ -68,6 +68,14 @@ tumble_joint tumble_fix(tumble_world *w, tumble_body a, tumble_body b,
                                        .point = from_user(at) });
 }
 
+tumble_joint tumble_slider(tumble_world *w, tumble_body a, tumble_body b,
+                           tumble_vec3 at, tumble_vec3 axis)
+{
+    return join(w, a, b, (joint_plan){ .kind = JOINT_SLIDER,
+                                       .point = from_user(at),
+                                       .axis = from_user(axis) });
+}
+
 tumble_joint tumble_distance(tumble_world *w, tumble_body a, tumble_vec3 at_a,
                              tumble_body b, tumble_vec3 at_b, double least,
                              double most)
@@ -117,12 +125,59 @@ bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
 {
     const joint_place *x = inside_joint(w, j);
     if (!x) return false;
-    joint_kind kind = w->world.joints.joint[x->number].kind;
-    if (kind != JOINT_HINGE && kind != JOINT_DISTANCE)
-        return inside_fail(w, "joint %u is no hinge and no distance: it has no "
-                           "limits", j.place);
+    if (!joint_is_free(&w->world.joints.joint[x->number]))
+        return inside_fail(w, "joint %u is no hinge, no slider and no distance: "
+                           "it has no limits", j.place);
     return inside_is_ok(w, world_limit_joint(&w->world, x->number, least,
                                              most));
+}
+
+bool tumble_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
+                     double swing, double least, double most)
+{
+    const joint_place *x = inside_joint(w, j);
+    if (!x) return false;
+    if (w->world.joints.joint[x->number].kind != JOINT_BALL)
+        return inside_fail(w, "joint %u is no ball joint: it has no cone",
+                           j.place);
+    return inside_is_ok(w, world_cone_joint(&w->world, x->number,
+                                            from_user(axis), swing, least, most));
+}
+
+bool tumble_set_motor(tumble_world *w, tumble_joint j, double speed,
+                      double force)
+{
+    const joint_place *x = inside_joint(w, j);
+    return x && inside_is_ok(w, world_set_motor(&w->world, x->number, speed,
+                                                force));
+}
+
+bool tumble_set_spring(tumble_world *w, tumble_joint j, double rest,
+                       double stiffness, double damping)
+{
+    const joint_place *x = inside_joint(w, j);
+    return x && inside_is_ok(w, world_set_spring(&w->world, x->number, rest,
+                                                 stiffness, damping, HUGE_VAL));
+}
+
+// Stiffness and damping of a spring that swings the two bodies of a joint so often
+// in a second.
+bool tumble_set_servo(tumble_world *w, tumble_joint j, double place,
+                      double hertz, double ratio, double force)
+{
+    const joint_place *x = inside_joint(w, j);
+    if (!x) return false;
+    if (!(hertz > 0 && hertz < HUGE_VAL && ratio >= 0 && ratio < HUGE_VAL
+          && force >= 0))
+        return inside_fail(w, "a servo of %g Hz, ratio %g and force %g is none: "
+                           "they must be above 0, the ratio and the force may "
+                           "be 0", hertz, ratio, force);
+    real omega = 2 * 3.141592653589793 * hertz;
+    real inertia = world_joint_inertia(&w->world, x->number);
+    real stiffness = force > 0 ? inertia * omega * omega : 0;
+    real damping = force > 0 ? 2 * ratio * inertia * omega : 0;
+    return inside_is_ok(w, world_set_spring(&w->world, x->number, place,
+                                            stiffness, damping, force));
 }
 
 bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)
@@ -141,7 +196,8 @@ bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)
 //<
 
 //> face-joint-look
-//>   A joint can be asked for its force, its gap and its angle.
+//>   A joint can be asked for its force and its gap, and where it is along its free
+//>   way, how fast, and what drives it there.
 static const joint_place *look(const tumble_world *w, tumble_joint j)
 {
     return w ? slots_find(&w->joints, j.place, j.generation) : NULL;
@@ -164,9 +220,38 @@ double tumble_joint_gap(const tumble_world *w, tumble_joint j)
     return x ? world_joint_gap(&w->world, x->number) : 0;
 }
 
-double tumble_hinge_angle(const tumble_world *w, tumble_joint j)
+double tumble_joint_place(const tumble_world *w, tumble_joint j)
 {
     const joint_place *x = look(w, j);
-    return x ? world_joint_angle(&w->world, x->number) : 0;
+    return x ? world_joint_place(&w->world, x->number) : 0;
+}
+
+double tumble_joint_speed(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x ? world_joint_speed(&w->world, x->number) : 0;
+}
+
+double tumble_joint_swing(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x ? world_joint_swing(&w->world, x->number) : 0;
+}
+
+double tumble_joint_twist(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x ? world_joint_twist(&w->world, x->number) : 0;
+}
+
+double tumble_joint_drive(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x ? world_joint_drive(&w->world, x->number) : 0;
+}
+
+double tumble_hinge_angle(const tumble_world *w, tumble_joint j)
+{
+    return tumble_joint_place(w, j);
 }
 //<

@@ -2,6 +2,7 @@
 //>   How much energy may there be? What there was, and what gravity, motors and
 //>   forces may add.
 #include "guard.h"
+#include "actuator.h"
 #include "drive.h"
 #include "handle.h"
 #include "rungs.h"
@@ -49,6 +50,11 @@ static void add_soft_motion(island *of, const world *w, const body *x)
     }
 }
 
+static const rigid_frame *frame_of(const world *w, int b)
+{
+    return b < 0 ? &JOINT_WORLD : &w->rigid.now[b].frame;
+}
+
 // J: the kinetic energy that loads would give to bodies at rest.
 static void sum_loads(world *w)
 {
@@ -60,8 +66,20 @@ static void sum_loads(world *w)
     }
 }
 
+static void sum_drives(world *w)
+{
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        island *i = j->is_driven ? rungs_island(w, j->a, j->b) : NULL;
+        if (!i || j->is_broken) continue;
+        real place = joint_where(j, frame_of(w, j->a), frame_of(w, j->b));
+        i->drives += sqrt(actuator_energy(j, place, w->frame));
+    }
+}
+
 // Contacts create no motion: beside what there is in an island, and what bends and
-// links have stored, only gravity does, what pushes from outside, the speed at
+// links have stored, only gravity does, what pushes from outside, motors and
+// springs, the speed at
 // which overlaps are pushed out, and what is driven: it gives others its own
 // speed, and as much again if they bounce off it.  sqrt(2 energy / mass) is a
 // length in the space of all velocities: these add up to no more than their sum.
@@ -70,6 +88,7 @@ void guard_begin(world *w, const solver_frame *f)
     const rigid_tables *t = &w->rigid;
     sum_motion(w);
     sum_loads(w);
+    sum_drives(w);
     for (int k = 0; k < t->awakes && w->softs > 0; k++) {
         int b = t->awake[k];
         if (body_is_soft(&w->body[b]) && body_moves(w, b))
@@ -79,7 +98,8 @@ void guard_begin(world *w, const solver_frame *f)
               + (1 + f->restitution) * drive_fastest(w);
     for (int k = 0; k < t->awakes; k++) {
         island *i = &t->island[t->awake[k]];
-        real most = sqrt(i->energy) + sqrt(i->loads) + sqrt(i->mass / 2) * more;
+        real most = sqrt(i->energy) + sqrt(i->loads) + i->drives
+                  + sqrt(i->mass / 2) * more;
         i->most = most * most;
     }
 }

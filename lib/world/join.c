@@ -81,16 +81,103 @@ status world_limit_joint(world *w, int number, real least, real most)
 {
     const real turn = 3.141592653589794;    // pi, rounded up
     joint *j = joint_at(w, number);
-    bool is_hinge = j->kind == JOINT_HINGE;
-    assert(is_hinge || j->kind == JOINT_DISTANCE);
-    real lowest = is_hinge ? -turn : 0, highest = is_hinge ? turn : 1e300;
+    bool is_hinge = j->kind == JOINT_HINGE, is_slider = j->kind == JOINT_SLIDER;
+    assert(is_hinge || is_slider || j->kind == JOINT_DISTANCE);
+    real highest = is_hinge ? turn : 1e300;
+    real lowest = is_hinge || is_slider ? -highest : 0;
     if (!(least <= most && least <= highest && most >= lowest))
         return status_fail("%g to %g are no limits of a joint", least, most);
-    j->least = real_max(least, lowest);
-    j->most = real_min(most, highest);
-    j->is_limited = is_hinge ? least > lowest || most < highest : least < most;
+    bool has_limits = is_hinge || is_slider ? least > lowest || most < highest
+                                            : least < most;
+    actuator_set_limits(j, real_max(least, lowest), real_min(most, highest),
+                        has_limits);
     wake_both(w, j);
     return status_ok();
+}
+
+status world_cone_joint(world *w, int number, vec3 axis, real swing, real least,
+                        real most)
+{
+    const real turn = 3.141592653589794;    // pi, rounded up
+    joint *j = joint_at(w, number);
+    real length = vec3_length(axis);
+    assert(j->kind == JOINT_BALL);
+    if (!(length > 0 && length < HUGE_VAL))
+        return status_fail("the axis of a cone has no direction");
+    if (!(swing >= 0 && least <= most && least <= turn && most >= -turn))
+        return status_fail("a swing of %g and a twist of %g to %g rad are no cone",
+                           swing, least, most);
+    rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
+    joint_set_cone(j, &a, &b, axis);
+    j->cone = real_min(swing, 2 * turn);
+    j->least = real_max(least, -2 * turn);
+    j->most = real_min(most, 2 * turn);
+    j->is_coned = swing < turn || least > -turn || most < turn;
+    j->extra = 2 * j->is_coned;
+    j->cone_holds[0] = j->cone_holds[1] = false;
+    for (int k = 3; k < JOINT_ROWS; k++) j->impulse[k] = 0;
+    wake_both(w, j);
+    return status_ok();
+}
+
+real world_joint_swing(const world *w, int number)
+{
+    const joint *j = joint_at(w, number);
+    rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
+    return j->is_coned ? joint_swing(j, &a, &b) : 0;
+}
+
+real world_joint_twist(const world *w, int number)
+{
+    const joint *j = joint_at(w, number);
+    rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
+    return j->is_coned ? joint_twist(j, &a, &b) : 0;
+}
+
+real world_joint_inertia(const world *w, int number)
+{
+    joint j = *joint_at(w, number);
+    joint_rows r = { .count = 0 };
+    if (!joint_is_free(&j)) return 0;
+    motion_basis basis[2] = { { .inverse_mass = 0 }, { .inverse_mass = 0 } };
+    joint_side side[2];
+    const int of[2] = { j.a, j.b };
+    for (int k = 0; k < 2; k++) {
+        int b = of[k];
+        side[k] = (joint_side){ &basis[k], frame_now(w, b) };
+        if (is_dynamic(w, b))
+            basis[k] = basis_find(w->body[b].rigid, &side[k].frame);
+    }
+    j.is_driven = true;
+    joint_find_rows(&r, &j, &side[0], &side[1]);
+    real inverse = actuator_inverse(&r, basis[0].inverse_mass,
+                                    basis[1].inverse_mass);
+    return inverse > 0 ? 1 / inverse : 0;
+}
+
+static void begin_drive(world *w, int number)
+{
+    joint *j = joint_at(w, number);
+    real inertia = world_joint_inertia(w, number);
+    j->drive.inverse = inertia > 0 ? 1 / inertia : 0;
+    wake_both(w, j);
+}
+
+status world_set_motor(world *w, int number, real speed, real force)
+{
+    joint *j = joint_at(w, number);
+    status done = actuator_set_motor(j, speed, force);
+    if (done.ok) begin_drive(w, number);
+    return done;
+}
+
+status world_set_spring(world *w, int number, real rest, real stiffness,
+                        real damping, real bound)
+{
+    joint *j = joint_at(w, number);
+    status done = actuator_set_spring(j, rest, stiffness, damping, bound);
+    if (done.ok) begin_drive(w, number);
+    return done;
 }
 
 real world_joint_gap(const world *w, int number)
@@ -101,15 +188,53 @@ real world_joint_gap(const world *w, int number)
     joint_points(j, &a, &b, &on_a, &on_b);
     if (j->kind == JOINT_PIN)
         on_a = w->pool.at[w->body[j->a].first + j->particle].position;
+    if (j->kind == JOINT_SLIDER)
+        on_a = vec3_add_scaled(on_a, joint_where(j, &a, &b),
+                               joint_way(j, &a, &b));
     return vec3_distance(on_a, on_b);
 }
 
-real world_joint_angle(const world *w, int number)
+// The velocity of a point of body b, and its spin.
+static vec3 velocity_at(const world *w, int b, vec3 at, vec3 *spin)
+{
+    *spin = (vec3){ 0, 0, 0 };
+    if (!can_move(w, b)) return *spin;
+    rigid_frame now = frame_now(w, b);
+    motion_basis basis = basis_find(w->body[b].rigid, &now);
+    motion u = motion_of(w->pool.at + w->body[b].first, &now, &basis,
+                         body_age(w, b));
+    *spin = motion_rotation(&basis, &u);
+    return motion_at(&basis, &u, vec3_sub(at, now.center));
+}
+
+// A body that is driven from outside goes as it is told.
+real world_joint_speed(const world *w, int number)
 {
     const joint *j = joint_at(w, number);
+    if (!joint_is_free(j)) return 0;
     rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
-    return joint_angle(j, &a, &b);
+    vec3 on_a, on_b, spin_a, spin_b, way = joint_way(j, &a, &b);
+    joint_points(j, &a, &b, &on_a, &on_b);
+    if (j->kind == JOINT_SLIDER) on_a = on_b;
+    vec3 u = velocity_at(w, j->a, on_a, &spin_a);
+    vec3 v = velocity_at(w, j->b, on_b, &spin_b);
+    if (j->kind == JOINT_HINGE) return vec3_dot(way, vec3_sub(spin_b, spin_a));
+    return vec3_dot(way, vec3_sub(v, u));
 }
+
+real world_joint_drive(const world *w, int number)
+{
+    return joint_at(w, number)->given;
+}
+
+real world_joint_place(const world *w, int number)
+{
+    const joint *j = joint_at(w, number);
+    if (j->kind == JOINT_PIN) return 0;
+    rigid_frame a = frame_now(w, j->a), b = frame_now(w, j->b);
+    return joint_where(j, &a, &b);
+}
+
 //<
 
 //> join-inside
@@ -153,6 +278,20 @@ static void hold_slow(world *w, int b)
     w->rigid.held[b] |= vec3_length_squared(v) < fall * fall;
 }
 
+// A motor that turns as it should is at work, however slow it is.
+static bool is_running(const joint *j)
+{
+    const joint_drive *d = &j->drive;
+    return j->is_driven && d->force > 0 && d->speed != 0 && d->motor == 0
+        && d->limit == 0;
+}
+
+static void keep_awake(world *w, const joint *j)
+{
+    if (is_dynamic(w, j->a)) sleep_forget(&w->sleep, j->a);
+    if (is_dynamic(w, j->b)) sleep_forget(&w->sleep, j->b);
+}
+
 // What is joined sleeps and wakes together.
 void join_islands_of_joints(world *w)
 {
@@ -166,6 +305,7 @@ void join_islands_of_joints(world *w)
         hold_slow(w, j->b);
         if (is_dynamic(w, j->a) && is_dynamic(w, j->b))
             sleep_touch(&w->sleep, j->a, j->b);
+        if (is_running(j)) keep_awake(w, j);
     }
     if (l->broken > 0) {
         linkage_count_pins(l);

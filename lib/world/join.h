@@ -1,6 +1,6 @@
 //> join-head
-//>   To the world a joint is a number. Five functions make it, take it away and
-//>   look at it.
+//>   To the world a joint is a number. A few functions make it, drive it, take it
+//>   away and look at it.
 // join.h - the joints of a world.
 //
 // Book: chapter 17.
@@ -8,6 +8,7 @@
 #ifndef TUMBLE_JOIN_H
 #define TUMBLE_JOIN_H
 
+#include "actuator.h"
 #include "world.h"
 
 // Joins two rigid bodies, or one and the world, or pins a particle, as they
@@ -26,9 +27,36 @@ void world_unjoin(world *w, int number);
 // these are none.
 status world_limit_joint(world *w, int number, real least, real most);
 
-// How far the points of a joint are apart: m.  How far a hinge has turned: rad.
+// The axis of a ball joint, in the world as its bodies stand, leans by `swing` (rad)
+// at most, and B turns about it from least to most (rad).  A swing of pi or more and
+// a twist from -pi to pi or more are no limits.  Fails, changing nothing, if
+// these are none.
+status world_cone_joint(world *w, int number, vec3 axis, real swing, real least,
+                        real most);
+
+// rad; 0 if the joint has no cone.
+real world_joint_swing(const world *w, int number);
+real world_joint_twist(const world *w, int number);
+
+// A motor or a spring along the free way of a joint (actuator.h).  Its bodies
+// wake.  Fail, changing nothing, as those do.
+status world_set_motor(world *w, int number, real speed, real force);
+status world_set_spring(world *w, int number, real rest, real stiffness,
+                        real damping, real bound);
+
+// How hard are its two bodies to move along its free way, as they stand, and as
+// if all others were not there?  kg, kg m^2; 0 if it has none.
+real world_joint_inertia(const world *w, int number);
+
+// How far the points of a joint are apart that should not be: m.  Where it is
+// along its free way, and how fast: rad or m; 0 if it has none.
 real world_joint_gap(const world *w, int number);
-real world_joint_angle(const world *w, int number);
+real world_joint_place(const world *w, int number);
+real world_joint_speed(const world *w, int number);
+
+// What motor, spring and limits together gave along that way in the last substep:
+// N m or N; 0 if the joint is not driven.
+real world_joint_drive(const world *w, int number);
 //<
 
 //> join-declare-inside

@@ -162,7 +162,8 @@ typedef struct {
     bool is_fast;       // some of it goes by its inner radius in a frame
     int  substeps;
     real energy, mass;  // J, kg, of what touches something
-    real loads;         // J, that forces from outside would give
+    real loads;         // J, that forces from outside would give, and the sum of
+    real drives;        // the roots (J^(1/2)) of what motors and springs would
     real most;          // J, that it may have when the frame ends, see guard.h
     bool is_lost;       // it has other numbers than it should, or none
 } island;

@@ -136,13 +136,14 @@ static void make_joint(void)
     tumble_vec3 p = triple(), q = triple();
     tumble_joint j = { 0, 0 };
     if (joints == MOST_IDS) return;
-    switch (byte() % 5) {
+    switch (byte() % 6) {
     case 0: j = tumble_ball(w, a, b, p); break;
     case 1: j = tumble_hinge(w, a, b, p, q); break;
     case 2: j = tumble_fix(w, a, b, p); break;
     case 3: { double least = number();
               j = tumble_distance(w, a, p, b, q, least, number()); break; }
     case 4: j = tumble_hang(w, a, few(), b); break;
+    case 5: j = tumble_slider(w, a, b, p, q); break;
     }
     MUST(j.generation != 0 || tumble_failure(w), "refused in silence");
     if (j.generation != 0) joint[joints++] = j;
@@ -173,19 +174,33 @@ static void touch(void)
     MUST(done || tumble_failure(w), "refused in silence");
 }
 
+static bool drive(tumble_joint j)
+{
+    double speed = number(), force = number(), more = number();
+    switch (byte() % 4) {
+    case 0:  return tumble_set_motor(w, j, speed, force);
+    case 1:  return tumble_set_spring(w, j, speed, force, more);
+    case 2:  return tumble_set_servo(w, j, speed, force, more, number());
+    default: return tumble_set_cone(w, j, triple(), speed, force, more);
+    }
+}
+
 static void hold(void)
 {
     tumble_joint j = any_joint();
     bool done = false;
-    switch (byte() % 3) {
+    switch (byte() % 4) {
     case 0: { double least = number();
               done = tumble_set_limits(w, j, least, number()); break; }
     case 1: done = tumble_set_strength(w, j, number()); break;
     case 2: done = tumble_unjoin(w, j); break;
+    case 3: done = drive(j); break;
     }
     MUST(done || tumble_failure(w), "refused in silence");
     (void)(tumble_joint_force(w, j) + tumble_joint_gap(w, j)
-           + tumble_hinge_angle(w, j));
+           + tumble_hinge_angle(w, j) + tumble_joint_speed(w, j)
+           + tumble_joint_drive(w, j) + tumble_joint_swing(w, j)
+           + tumble_joint_twist(w, j));
 }
 
 static void look(void)

@@ -259,7 +259,7 @@ START_TEST(hinge_stops_at_its_limits)
         expect_ok(world_limit_joint(&w, j, -0.4, 1.2));
         for (int k = 0; k < 120; k++) {
             world_step(&w);
-            real now = world_joint_angle(&w, j);
+            real now = world_joint_place(&w, j);
             least = real_min(now, least);
             most = real_max(now, most);
         }
@@ -305,7 +305,7 @@ START_TEST(limit_pushes_and_never_pulls)
     expect_ok(world_limit_joint(&w, j, -3, 1.5));
     for (int k = 0; k < 600; k++) {
         world_step(&w);
-        real now = world_joint_angle(&w, j);
+        real now = world_joint_place(&w, j);
         most = real_max(most, now);
         if (k > 300) least = real_min(least, now);
     }
@@ -331,7 +331,7 @@ START_TEST(hinge_turns_about_its_axis_alone)
         near(fabs(vec3_dot(z, DEPTH)) - fabs(vec3_dot(now, DEPTH)), 0, 1e-8,
              "lean of the axis");
     }
-    real turns = (world_joint_angle(&w, j) - 35) / (2 * PI);
+    real turns = (world_joint_place(&w, j) - 35) / (2 * PI);
     near(turns, floor(turns + 0.5), 1e-3, "turns");
 }
 END_TEST

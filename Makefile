@@ -72,6 +72,7 @@ define ORDER
 18/advance
 18/substeps
 18/rungs
+18/ahead
 18/guard
 18/rolling
 18/step

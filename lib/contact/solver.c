@@ -1387,6 +1387,66 @@ void solver_forget(contact_solver *s, contact *const *table, int k)
 }
 //<
 
+//> solver-new
+//>   Within a frame some contacts are found again. Only their blocks are filled
+//>   again.
+static bool has_new(const contact_solver *s, const block *k)
+{
+    bool some = false;
+    for (int l = 0; l < REAL4; l++)
+        some |= k->contact[l] >= 0 && s->active[k->contact[l]].is_new;
+    return some;
+}
+
+static void give_blocks(contact_solver *s, contact *const *table, bool are_new)
+{
+    for (int n = 0; n < s->blocks; n++) {
+        const block *x = &s->block[n];
+        if (has_new(s, x) != are_new) continue;
+        for (int l = 0; l < REAL4; l++) {
+            int k = x->contact[l];
+            if (k >= 0) store_lane(x, l, &s->active[k], table[k]);
+        }
+    }
+}
+
+void solver_give_new(contact_solver *s, contact *const *table)
+{
+    give_blocks(s, table, true);
+}
+
+// Has each of its contacts points enough in it?
+static bool has_room(const contact_solver *s, const block *k)
+{
+    bool has = true;
+    for (int l = 0; l < REAL4; l++)
+        has &= k->contact[l] < 0
+            || s->active[k->contact[l]].count <= k->points;
+    return has;
+}
+
+bool solver_take_new(contact_solver *s, const solver_frame *f,
+                     contact *const *table, const real *reach)
+{
+    preparation p = { .s = s, .f = f,
+                      .table = (const contact *const *)table };
+    bool fits = true;
+    for (int k = s->first; k < s->end; k++) {
+        if (!s->active[k].is_new) continue;
+        activate(&s->active[k], table[k], f, reach[k]);
+        s->strikes |= solver_strikes(f, table[k]);
+    }
+    for (int n = 0; n < s->blocks; n++) fits &= has_room(s, &s->block[n]);
+    if (!fits) {
+        give_blocks(s, table, false);
+        return solver_prepare(s, f, p.table);
+    }
+    for (int n = 0; n < s->blocks; n++)
+        if (has_new(s, &s->block[n])) fill_block(&p, n);
+    return true;
+}
+//<
+
 //> solver-init
 //>   Memory: made once, grown between frames, given back.
 status solver_init(contact_solver *s, int bodies)

@@ -112,6 +112,14 @@ static void add_layer(const rigid_tables *t, int b, vec3 down, island *i)
     i->bodies++;
 }
 
+// rad, in this frame.  A ball counts as if it did not turn.
+static real turn_of(const world *w, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    real out = t->now[b].radius - w->body[b].shape->round;
+    return t->ahead[b].angle * out / t->now[b].radius;
+}
+
 static void find_demands(world *w)
 {
     rigid_tables *t = &w->rigid;
@@ -129,6 +137,8 @@ static void find_demands(world *w)
         i->weight = real_max(i->weight, x->weight);
         i->squares += x->borne * x->borne;
         i->bears += x->borne > 0;
+        i->turn = real_max(i->turn, turn_of(w, x->a));
+        if (x->sides == TWO_SIDED) i->turn = real_max(i->turn, turn_of(w, x->b));
     }
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
@@ -217,12 +227,15 @@ static void swap_contacts(rigid_tables *t, int a, int b)
 {
     active_contact x = t->solver.active[a];
     contact *c = t->cache.active[a];
+    cache_pair *of = t->cache.of[a];
     int to = t->solver.order[a];
     t->solver.active[a] = t->solver.active[b];
     t->cache.active[a] = t->cache.active[b];
+    t->cache.of[a] = t->cache.of[b];
     t->solver.order[a] = t->solver.order[b];
     t->solver.active[b] = x;
     t->cache.active[b] = c;
+    t->cache.of[b] = of;
     t->solver.order[b] = to;
 }
 

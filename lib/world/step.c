@@ -2,6 +2,7 @@
 //>   What a step calls, in the order of its phases.
 #include "step.h"
 #include "advance.h"
+#include "ahead.h"
 #include "drive.h"
 #include "guard.h"
 #include "handle.h"
@@ -69,7 +70,9 @@ static void go(world *w, solver_frame f, real *since)
         int more = substeps_again(w, f.h, left);
         if (more > 0) redo(w, &f, (real)left / more, &page);
         left = more > 0 ? more : left - 1;
-        if (more == 0) grow_old(w, f.h);
+        if (more > 0) continue;
+        grow_old(w, f.h);
+        if (left > 0) ahead_again(w, &f, left * f.h);
     }
 }
 
@@ -130,27 +133,7 @@ static void solve(world *w, real *since)
 //> step-swept
 // Where something flies by more than its own size in a frame, and may hit, the
 // frame is divided: after the impact everything goes elsewhere than was found.
-// So it is where what is driven turns its far end by more than the size of what
-// it may hit: the side that was found is another one by then.
 enum { FAST_PARTS = 4 };
-
-static bool is_swept(const world *w)
-{
-    const rigid_tables *t = &w->rigid;
-    for (int k = 0; k < t->cache.actives && w->kinematic_bodies > 0; k++) {
-        int a = t->cache.active[k]->a, b = t->cache.active[k]->b;
-        if (b < 0 || t->now[a].is_driven == t->now[b].is_driven) continue;
-        int driven = t->now[a].is_driven ? a : b, other = a + b - driven;
-        real far = t->ahead[driven].angle * t->now[driven].radius;
-        if (far > t->body[other].inner) return true;
-    }
-    return false;
-}
-
-static int parts_of(const world *w)
-{
-    return w->rigid.cache.fast > 0 || is_swept(w) ? FAST_PARTS : 1;
-}
 
 // A world in which everything sleeps has nothing to do: nothing in it can wake.
 static bool sleeps_on(world *w)
@@ -173,7 +156,7 @@ void world_step(world *w)
     ledger_open(w);
     sleep_begin(&w->sleep);
     find(w, dt, &since);
-    int parts = parts_of(w);
+    int parts = w->rigid.cache.fast > 0 ? FAST_PARTS : 1;
     for (int k = 0; k < parts; k++) {
         if (parts > 1) find(w, dt / parts, &since);
         solve(w, &since);
@@ -194,56 +177,6 @@ static void lap(world *w, int phase, real *since)
     real now = w->options.host.clock ? w->options.host.clock() : 0;
     w->report.time[phase] += now - *since;
     *since = now;
-}
-//<
-
-//> step-look
-//>   A body that does not move gets a motion basis of zeros: it answers no
-//>   impulse, and no other phase needs to ask why.
-// How far a body may get in this frame: as fast as it is now, with what gravity
-// adds and what else pushes it, and a hundredth of its radius for what impacts
-// add.  However far it turns, no vertex gets further than across; and a ball
-// gets nowhere by turning.
-static prediction predict(const world *w, int b)
-{
-    const solver_body *now = &w->rigid.now[b];
-    const motion *u = &w->rigid.velocity[b];
-    real dt = w->frame;
-    vec3 straight = { u->of[0], u->of[1], u->of[2] };
-    vec3 spin = motion_rotation(&now->basis, u);
-    real beside = vec3_length(w->options.gravity) * dt * dt / 2
-                + now->radius / 100;
-    if (w->rigid.is_loaded) {
-        motion more = world_load(w, b, dt);
-        beside += dt * motion_fastest(&now->basis, &more, now->radius);
-    }
-    prediction p = { .way = vec3_scale(dt, straight),
-                     .angle = dt * vec3_length(spin) };
-    real out = now->radius - w->body[b].shape->round;
-    p.turn = out * real_min(p.angle, 2) + beside;
-    p.reach = vec3_length(p.way) + p.turn;
-    return p;
-}
-//<
-
-//> step-middle
-// A body that turns comes to touch with other corners than those that are near
-// when the frame begins.  So it is asked as it will stand in the middle of it:
-// where it is, but turned by half of what it turns in the frame; by less, if
-// that is more than HALF_TURN (rad), for there is an impact in between; not at
-// all, if it is less than NO_TURN, as of what lies.
-static const real HALF_TURN = 0.25, NO_TURN = 0.01;
-
-static rigid_frame find_middle(const world *w, int b)
-{
-    const solver_body *now = &w->rigid.now[b];
-    real turn = w->rigid.ahead[b].angle, seconds = w->frame / 2;
-    motion half = { { 0 } };
-    if (turn < NO_TURN) return now->frame;
-    if (turn > 2 * HALF_TURN) seconds *= 2 * HALF_TURN / turn;
-    for (int i = MOTION_TURN; i < MOTIONS; i++)
-        half.of[i] = seconds * w->rigid.velocity[b].of[i];
-    return motion_frame(&now->frame, &now->basis, &half);
 }
 //<
 
@@ -278,7 +211,9 @@ static void drop_sleepers(world *w)
 //<
 
 //> step-look-at
-//>   Bodies are shared among threads, 32 at a time.
+//>   Bodies are shared among threads, 32 at a time. One that does not move gets
+//>   a motion basis of zeros: it answers no impulse, and no other phase needs to
+//>   ask why.
 static void look_at_body(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
@@ -297,13 +232,12 @@ static void look_at_body(world *w, int b)
         now->basis = basis_find(x->rigid, &now->frame);
         t->velocity[b] = motion_of(p, &now->frame, &now->basis, t->age[b]);
         if (now->is_driven) drive_begin(w, b);
-        t->ahead[b] = predict(w, b);
-        t->middle[b] = find_middle(w, b);
+        ahead_look(w, b, w->frame);
     } else {
         now->basis = (motion_basis){ .inverse_mass = 0 };
         memset(&t->velocity[b], 0, sizeof t->velocity[b]);
         t->ahead[b] = (prediction){ .reach = 0 };
-        t->middle[b] = t->began[b] = now->frame;
+        t->asked[b] = t->began[b] = now->frame;
         t->going[b] = 0;
     }
     t->reach[b] = t->ahead[b].reach;
@@ -448,24 +382,11 @@ static void find_pairs(world *w)
 //<
 
 //> step-contacts
-//>   The step lends it the bodies, and gets back the contacts of the frame.
-static cache_frame what_to_ask(const world *w)
-{
-    const rigid_tables *t = &w->rigid;
-    return (cache_frame){
-        .body = t->body, .now = t->now, .middle = t->middle,
-        .ahead = t->ahead, .moves = t->moves,
-        .awake = t->awake, .awakes = t->awakes,
-        .list = &t->pairs, .is_new_list = t->is_new_list,
-        .plane = w->plane, .stay = w->options.stay,
-        .has_parts = w->options.host.surround,
-        .run = w->options.host.run };
-}
-
+//>   The cache is lent the bodies, and gives back the contacts of the frame.
 static void find_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
-    cache_frame f = what_to_ask(w);
+    cache_frame f = ahead_frame(w);
     cache_update(&t->cache, &f);
     pair_list_part(&t->pairs);
     w->report.pairs = t->pairs.count + t->pairs.parted;

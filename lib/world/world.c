@@ -434,6 +434,8 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
     TABLE_GROW(ok, t->rung, old, room);
     TABLE_GROW(ok, t->by_rung, old, room);
     TABLE_GROW(ok, t->began, old, room);
+    TABLE_GROW(ok, t->asked, old, room);
+    TABLE_GROW(ok, t->turned, old, room);
     TABLE_GROW(ok, t->awake, old, room);
     TABLE_GROW(ok, t->is_awake, old, room);
     TABLE_GROW(ok, t->fresh, old, room);
@@ -524,7 +526,7 @@ static void start_body(world *w, int b)
     t->dynamic[b] = !body_is_static(x);
     t->body[b] = (cache_body){ x->shape, x->rigid, x->inner, family };
     t->now[b].frame = rigid4_frame(w->pool.at + x->first);
-    t->middle[b] = t->began[b] = t->now[b].frame;
+    t->asked[b] = t->began[b] = t->now[b].frame;
     t->now[b].radius = 1.02 * x->rigid->reach;
     t->ball[b] = (sphere){ t->now[b].frame.center, t->now[b].radius };
 }
@@ -755,7 +757,7 @@ void world_free(world *w)
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
         r->lying, r->age, r->halfway, r->choice, r->island, r->rung, r->by_rung,
         r->reach, r->velocity, r->moved, r->load, r->material, r->drive,
-        r->began, r->awake, r->is_awake, r->fresh, r->going, r->touches,
+        r->began, r->asked, r->turned, r->awake, r->is_awake, r->fresh, r->going, r->touches,
         r->now_then, r->velocity_then,
         r->moved_then, r->held, r->free, r->free_end };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);

@@ -112,7 +112,8 @@ static bool is_used_up(const world *w, const active_contact *x,
     real turned = t->turned[c->a] + (c->b < 0 ? 0 : t->turned[c->b]);
     real gap[CONTACT_POINTS], least = HUGE_VAL;
     if (x->count == 0 || !(turned > 0)) return false;
-    contact_gaps(c, &t->now[c->a].frame, c->b < 0 ? NULL : &t->now[c->b].frame,
+    const rigid_frame *at_b = c->b < 0 ? NULL : &t->now[c->b].frame;
+    contact_gaps(c, &t->now[c->a].frame, at_b,
                  c->b < 0 ? w->plane[-1 - c->b].offset : 0, gap);
     for (int k = 0; k < c->count; k++) least = real_min(least, gap[k]);
     return least < turned;

@@ -138,7 +138,8 @@ static void find_demands(world *w)
         i->squares += x->borne * x->borne;
         i->bears += x->borne > 0;
         i->turn = real_max(i->turn, turn_of(w, x->a));
-        if (x->sides == TWO_SIDED) i->turn = real_max(i->turn, turn_of(w, x->b));
+        if (x->sides == TWO_SIDED)
+            i->turn = real_max(i->turn, turn_of(w, x->b));
     }
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];

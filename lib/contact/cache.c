@@ -287,11 +287,13 @@ static void decide_chunk(void *data, int item)
 // m, how far a corner, which has coordinates of up to two, may be from where it
 // was when the vertices were placed.  As long as bodies only move, all gaps of a
 // contact change alike, and its points stay the deepest.  When a body turns that
-// stands on fewer than four, others become so: there a turn counts six times.
+// stands on fewer than four, others become so: there a turn counts more.
+static const real ON_CORNERS = 6;           // tuned, times
+
 static real far_from(const rigid_frame *was, const rigid_frame *now,
                      bool is_on_corners)
 {
-    real times = is_on_corners ? 12 : 2, turned = 0;
+    real times = is_on_corners ? 2 * ON_CORNERS : 2, turned = 0;
     for (int i = 0; i < FOUR_AXES; i++) {
         vec3 turn = vec3_sub(now->axis[i], was->axis[i]);
         turned += vec3_length_squared(turn);
@@ -434,7 +436,7 @@ static void add_guard(contact *c, const cache_frame *f)
 
 // In a frame in which bodies turn by more than this (rad) other vertices come
 // to touch than were found.
-static const real SPINS = 0.5;
+static const real SPINS = 0.5;              // tuned, rad
 //<
 
 //> cache-query
@@ -499,13 +501,14 @@ static manifold find_touch(const cache_frame *f, const contact *c,
 // as they will stand when they touch: the one that is round is shifted, as seen
 // from the other, by the part of the way that closes the gap along the normal,
 // and again, for there the normal is another.  Returns whether they were.
-static const real GLIDES = 0.02;        // of the radius: less does not count
+static const real GLIDES = 0.02;            // tuned, radii: less does not count
+enum { ROUNDS = 4 };                        // tuned, rounds
 
 static bool query_ahead(const cache_frame *f, const contact *c, collider a,
                         collider b, real margin, query_cache *carried,
                         real *closes, manifold *m)
 {
-    enum { ROUNDS = 4, CORE = 2 };
+    enum { CORE = 2 };
     bool is_a = a.shape->round > 0;
     collider *round = is_a ? &a : &b;
     vec3 way = vec3_sub(f->ahead[c->a].way, f->ahead[c->b].way), at[CORE];

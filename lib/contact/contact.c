@@ -91,7 +91,7 @@ static int nearest_point(const contact *c, vec3 local)
 // what it has carried: it is not for this contact.
 void contact_inherit(contact *now, const contact *was)
 {
-    const real least = 0.7;     // the cosine of 45 degrees
+    const real least = 0.7;     // tuned, 1: the cosine of 45 degrees
     vec3 none = { 0, 0, 0 };
     bool is_same = now->count > 0
                 && vec3_dot(now->normal, was->normal) >= least;

@@ -45,7 +45,10 @@ static void find_loads(active_contact *x, const contact *c,
     x->borne = x->load * inverse / (age_of(x, f) * radius);
 }
 
-// Contact c, and which of its points come within reach.
+// Contact c, and which of its points come within reach.  One that overlaps by more
+// than this is reported.
+static const real DEEP = 0.1;               // tuned, radii
+
 static void activate(active_contact *x, const contact *c, const solver_frame *f,
                      real reach)
 {
@@ -73,7 +76,7 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     }
     real radius = radius_of(x, f);
     find_loads(x, c, f, radius);
-    x->is_deep = x->count > 0 && x->least < -0.1 * radius;
+    x->is_deep = x->count > 0 && x->least < -DEEP * radius;
 }
 
 // Is x the contact y of the frame before, with the same points?
@@ -205,7 +208,9 @@ static void choose_points(lane_source *q, const contact *c,
 
 // A contact whose A does not move is solved the other way round: its normal,
 // and what acts along it, change sign; a twist does not, for both its axis and
-// the bodies change places.
+// the bodies change places.  A gap of one part of the radius in NEAR is near.
+static const real NEAR = 25;                // tuned, 1
+
 static void choose_lane(lane_source *q, const contact *c,
                         const active_contact *x, const solver_frame *f,
                         int spare)
@@ -214,7 +219,7 @@ static void choose_lane(lane_source *q, const contact *c,
     *q = (lane_source){ .a = x->a, .b = spare };
     if (x->sides == TWO_SIDED) q->b = x->b;
     q->normal = vec3_scale(sign, c->normal);
-    q->per_near = 25 / radius_of(x, f);
+    q->per_near = NEAR / radius_of(x, f);
     q->round_a = x->is_swapped ? c->round_b : c->round_a;
     q->round_b = x->is_swapped ? c->round_a : c->round_b;
     q->twist = x->count > 1 ? warm * c->twist : 0;
@@ -509,7 +514,9 @@ ALWAYS_INLINE real4 make_rows(real4 row_a[TURNS], real4 row_b[TURNS],
 }
 
 // Friction acts where the points are that touch, of both bodies at one place; one
-// that is wide open counts for a hundredth.
+// that is wide open counts for little.
+static const real OPEN = 0.01;              // tuned, 1
+
 static inline void find_center(const block *k, const raw_block *raw,
                                real4 center_a[3], real4 center_b[3])
 {
@@ -519,7 +526,7 @@ static inline void find_center(const block *k, const raw_block *raw,
     for (int j = 0; j < k->points; j++) {
         real4 open = real4_mul(k->point[j].gap, k->per_near);
         real4 share = real4_sub(real4_all(2), open);
-        share = real4_min(one, real4_max(share, real4_all(0.01)));
+        share = real4_min(one, real4_max(share, real4_all(OPEN)));
         share = real4_mul(share, k->place[j].has);
         sum = real4_add(sum, share);
         real4_add3(center_a, raw->arm_a[j], share);
@@ -579,7 +586,7 @@ ALWAYS_INLINE void make_friction(block *k, raw_block *raw, real4 inverse,
 
 //> solver-blocks
 // An item has few blocks: a colour may have no more than 30.
-enum { FEW_BLOCKS = 8 };
+enum { FEW_BLOCKS = 8 };                    // tuned, blocks
 
 typedef struct {
     contact_solver *s;
@@ -599,9 +606,11 @@ static void set_material(const preparation *p, block *k)
     }
 }
 
+// Asked of memory so many before it is needed.
+enum { AHEAD = 4 };                         // tuned, contacts
+
 static void activate_chunk(void *data, int item)
 {
-    enum { AHEAD = 4 };
     const preparation *p = data;
     int end = task_end(item, p->s->contacts);
     for (int k = item * TASK_CHUNK; k < end; k++) {
@@ -1014,6 +1023,8 @@ ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 //>   What did not push in the last substep has no rows of this one yet. Might
 //>   one of its gaps close in this substep? The rows of an older one say so,
 //>   if what turning does is doubted by a quarter. Only then are rows made.
+static const real DOUBTED = 0.25;           // tuned, 1
+
 ALWAYS_INLINE bool wakes(block *k, const pass *q, const sides4 *u, bool two)
 {
     const real4 per_h = real4_all(q->per_h), zero = real4_all(0);
@@ -1022,7 +1033,7 @@ ALWAYS_INLINE bool wakes(block *k, const pass *q, const sides4 *u, bool two)
         const block_point *p = &k->point[j];
         real4 turns = part_turns(p->turn_a, p->turn_b, u, two);
         real4 other = real4_sub(zero, turns);
-        real4 off = real4_mul(real4_all(0.25), real4_max(turns, other));
+        real4 off = real4_mul(real4_all(DOUBTED), real4_max(turns, other));
         real4 then = real4_mad(p->now, per_h, real4_add(parting, turns));
         then = real4_mul(k->place[j].has, real4_sub(then, off));
         closing = real4_min(closing, then);
@@ -1215,12 +1226,15 @@ PASS(relax_chunk, relax_block)
 PASS(relax_to_impacts_chunk, relax_to_impacts)
 
 // Springs of a contact as Catto has them: a1, a2, a3 of an implicit step of h.
-// Against what does not move they are twice as stiff and half as damped.
+// Against what does not move they are twice as stiff and half as damped.  None turns
+// by more than this in a substep.
+static const real EIGHTH = 0.125;           // tuned, turns
+
 static softness softness_of(const solver_frame *f, int sides)
 {
     const real two_pi = 6.283185307179586;
     real per_side = sides == ONE_SIDED ? 2 : 1;
-    real omega = two_pi * per_side * real_min(f->hertz, 0.125 / f->h);
+    real omega = two_pi * per_side * real_min(f->hertz, EIGHTH / f->h);
     real zeta = f->damping / per_side;
     real a1 = 2 * zeta + f->h * omega, a2 = f->h * omega * a1;
     real a3 = 1 / (1 + a2);
@@ -1357,12 +1371,12 @@ static void clear_chunk(void *data, int item)
 // No contact is in two blocks.
 static void store_chunk(void *data, int item)
 {
-    enum { AHEAD = 2 };
+    enum { BLOCKS_AHEAD = 2 };              // tuned, blocks: asked of memory
     const storing *q = data;
     int end = task_end(item, q->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
         const block *x = &q->s->block[n];
-        const block *next = &q->s->block[int_min(n + AHEAD, end - 1)];
+        const block *next = &q->s->block[int_min(n + BLOCKS_AHEAD, end - 1)];
         for (int l = 0; l < REAL4; l++) {
             int k = x->contact[l], then = next->contact[l];
             if (then >= 0) contact_expect(q->table[then]);

@@ -428,7 +428,7 @@ static inline void batch_end(const int lanes, batch *restrict t)
 //> rigid4-bent
 // Sticks off by more, relative to their lengths, make a body bent: Newton may
 // lose its way, or find the mirror image.
-static const real BENT = 0.05;
+static const real BENT = 0.05;              // tuned, 1
 
 // Four sticks of a needle are as long as it is, and say little of how thick it
 // is in either direction.  Its axes tell.

@@ -76,12 +76,14 @@ static void find_islands(world *w)
 //>   Each island is asked how calm it is, and what its contacts bear; its choice
 //>   is that of all its bodies.
 // What flies does not sag.  (Velocities are half a substep old: see handle-where.)
+static const real SIXTEENTH = 16;           // tuned, per radius
+
 static bool is_calm(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     real since = t->held[b] ? 0 : w->frame * t->age[b] / 2;
     vec3 way = vec3_add_scaled(t->ahead[b].way, since, w->options.gravity);
-    real far = t->now[b].radius / 16;
+    real far = t->now[b].radius / SIXTEENTH;
     return vec3_length_squared(way) <= far * far;
 }
 

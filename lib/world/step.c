@@ -132,7 +132,7 @@ static void solve(world *w, real *since)
 // frame is divided: after the impact everything goes elsewhere than was found.
 // So it is where what is driven turns its far end by more than the size of what
 // it may hit: the side that was found is another one by then.
-enum { FAST_PARTS = 4 };
+enum { FAST_PARTS = 4 };                    // tuned, parts
 
 static bool is_swept(const world *w)
 {
@@ -204,6 +204,8 @@ static void lap(world *w, int phase, real *since)
 // adds and what else pushes it, and a hundredth of its radius for what impacts
 // add.  However far it turns, no vertex gets further than across; and a ball
 // gets nowhere by turning.
+static const real HUNDREDTH = 100;          // tuned, per radius
+
 static prediction predict(const world *w, int b)
 {
     const solver_body *now = &w->rigid.now[b];
@@ -212,7 +214,7 @@ static prediction predict(const world *w, int b)
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     vec3 spin = motion_rotation(&now->basis, u);
     real beside = vec3_length(w->options.gravity) * dt * dt / 2
-                + now->radius / 100;
+                + now->radius / HUNDREDTH;
     if (w->rigid.is_loaded) {
         motion more = world_load(w, b, dt);
         beside += dt * motion_fastest(&now->basis, &more, now->radius);
@@ -232,7 +234,8 @@ static prediction predict(const world *w, int b)
 // where it is, but turned by half of what it turns in the frame; by less, if
 // that is more than HALF_TURN (rad), for there is an impact in between; not at
 // all, if it is less than NO_TURN, as of what lies.
-static const real HALF_TURN = 0.25, NO_TURN = 0.01;
+static const real HALF_TURN = 0.25;         // tuned, rad
+static const real NO_TURN = 0.01;           // tuned, rad
 
 static rigid_frame find_middle(const world *w, int b)
 {
@@ -479,6 +482,11 @@ static void find_contacts(world *w)
 //>   Before the substeps, blocks are made of the contacts (chapter 13).
 // Contacts are damped ten times as much as would just not swing, and push out
 // at 3 m/s at most.  In smaller substeps their springs may be stiffer.
+// Overlaps are pushed out with ten times the damping that would just not swing
+// back, and no faster than this: so that nothing jumps out of one.
+static const real DAMPING = 10;             // tuned, 1
+static const real MAX_SPEED = 3;            // tuned, m/s
+
 static solver_frame frame_of(const world *w, int substeps)
 {
     const world_options *o = &w->options;
@@ -492,7 +500,7 @@ static solver_frame frame_of(const world *w, int substeps)
         .friction = o->friction,
         .material = w->has_materials ? w->rigid.material : NULL,
         .wall = w->wall,
-        .hertz = o->hertz, .damping = 10, .max_speed = 3,
+        .hertz = o->hertz, .damping = DAMPING, .max_speed = MAX_SPEED,
         .restitution = w->rigid.restitution, .gravity = o->gravity,
         .run = o->host.run };
 }

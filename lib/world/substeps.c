@@ -8,7 +8,8 @@
 // mass of its two bodies and w the angular frequency of its spring, which is an
 // eighth of a whole turn in a substep (solver-pass).  A frame takes so many
 // substeps that this is at most GIVES, as a share of the smaller radius.
-static const real GIVES = 0.0035, EIGHTH = 0.7853981633974483;
+static const real GIVES = 0.0035;           // tuned, radii
+static const real EIGHTH = 0.7853981633974483;
 
 // For F / m beside the smaller radius, 1/s^2.
 static real substeps_to_bear(const world *w, real pace)
@@ -45,7 +46,7 @@ static real substeps_for_contacts(const world *w, const island *i, int now)
 // A body that is pulled at a joint swings about it.  A substep follows a swing
 // of angular frequency w if h w is at most 2 (Verlet); two joints and the next
 // body make it four times as stiff as one joint alone.
-static const real FOLLOWED = 0.6;
+static const real FOLLOWED = 0.6;           // tuned, rad
 
 static real substeps_for_joints(const world *w, const island *i)
 {
@@ -63,7 +64,7 @@ int substeps_all(const world *w)
 
 // A chain that comes taut pulls a hundred times as hard as in the substep before.
 // Where joints swung so much faster than it could follow, it is done again.
-static const real TOO_FAST = 1.3;
+static const real TOO_FAST = 1.3;           // tuned, 1
 
 int substeps_again(const world *w, real h, int left)
 {
@@ -84,7 +85,8 @@ int substeps_again(const world *w, real h, int left)
 // less.  So it rises at once, and falls only when it has been too high by a
 // third for PATIENCE frames.  Joined bodies that move give it back at once: their
 // impacts ask for thirty substeps, and are over.
-enum { PATIENCE = 30 };
+enum { PATIENCE = 30 };                     // tuned, frames
+static const real FEWER = 0.75;             // tuned, 1
 
 static bool is_joined(const island *i)
 {
@@ -94,7 +96,7 @@ static bool is_joined(const island *i)
 static int hold(substep_choice *c, const island *i, int need)
 {
     int patience = is_joined(i) && !i->is_calm ? 0 : PATIENCE;
-    c->frames = 4 * need < 3 * c->now ? c->frames + 1 : 0;
+    c->frames = need < FEWER * c->now ? c->frames + 1 : 0;
     if (need > c->now || c->frames > patience) c->now = need;
     return c->now;
 }

@@ -174,7 +174,8 @@ typedef struct {
     bool hangs;         // there are joints
 } rung;
 
-enum { RUNGS = 8 };
+// Each has twice the substeps of the one below.
+enum { RUNGS = 8 };     // tuned, rungs
 
 // Rigid bodies in a frame, each phase with its own table: where they are ->
 // which may meet -> where they touch -> what impulses part them -> how far they

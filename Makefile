@@ -527,7 +527,7 @@ COUNTED := -O1 -fsanitize-coverage=trace-pc
 .PHONY: ledger
 ledger:
 	$(Q)$(AGAIN) BUILD=$(BUILD)/ledger CFLAGS='$(COUNTED)' $(BUILD)/ledger/battery
-	$(Q)CC='$(CC)' SETTINGS='$(EXACT) $(COUNTED)' sh tests/ledger/ledger.sh $(BUILD)/ledger > $(BUILD)/ledger.csv
+	$(Q)CC='$(CC)' SETTINGS='$(EXACT) $(COUNTED) $(SHARED)' sh tests/ledger/ledger.sh $(BUILD)/ledger > $(BUILD)/ledger.csv
 	$(Q)cp $(BUILD)/ledger.csv figures/tables/ledger.csv && $(STAMP) ledger
 
 .PHONY: drape apart strings

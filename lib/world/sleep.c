@@ -115,7 +115,7 @@ typedef struct {
 } sleep_limits;
 
 static const real EARTH = 9.81, USUAL = 0.5;    // m/s^2, m: see sleep_rule
-// What moves by no more than rounding is still, whatever came before.
+// Without gravity no speed is slow, and what moves only by rounding still sleeps.
 static const real MOTIONLESS = 1e-6;        // tuned, radii: in a window
 // By so much more than in the window before may it move, which is no growth.
 static const real NOISE = 2e-4;             // tuned, radii

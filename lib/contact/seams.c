@@ -15,9 +15,6 @@ static const real FLUSH = 0.002;            // tuned, radii
 // The cosine of 0.8 degrees: normals nearer to each other are those of one side.
 static const real ALIKE = 0.9999;           // tuned, 1
 
-// The cosine of 45 degrees: a contact that has turned by more is another one.
-static const real TURNED = 0.7;             // tuned, 1
-
 enum { FEW_SIDES = 64, MOST_SIDES = 2048, MOST_VERTICES = 256 };
 
 // Body A touches B, which is a body or a plane (< 0), along n.
@@ -359,7 +356,7 @@ static void take(const slider *s, side *x, const manifold *m)
             t->round_a + t->round_b, contact_own(&m->point[k], t) };
     see_side(s, x);
     carry_nothing(t);
-    carry(s, x, &s->c->was[x->pair->entry], TURNED);
+    carry(s, x, &s->c->was[x->pair->entry], CONTACT_SAME);
 }
 
 static bool aim(const slider *s, side *x, vec3 m)

@@ -434,9 +434,6 @@ static void add_guard(contact *c, const cache_frame *f)
     c->count++;
 }
 
-// In a frame in which bodies turn by more than this (rad) other vertices come
-// to touch than were found.
-static const real SPINS = 0.5;              // tuned, rad
 //<
 
 //> cache-query
@@ -575,7 +572,6 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
         bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried,
                                     &reach, &m);
         take_manifold(now, &m, f, is_ahead);
-        if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
         p->seen[0] = c->placing[a].number;
         p->seen[1] = c->placing[b].number;
         p->margin = lasting_margin(c, f, a, b, reach);
@@ -609,7 +605,6 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
         now->point[k] = (contact_point){
             .local_a = local_of(f->body[a].rigid, &m.point[k].a),
             .offset = now->round_a, .own = 1 };
-    if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
     p->seen[0] = c->placing[a].number;
     p->seen[1] = 0;

@@ -12,7 +12,6 @@ BEGIN {
 }
 
 function larger(a, b) { return a > b ? a : b }
-function log_of(x) { return x == "inf" || x == "nan" ? 99 : log(x) }
 
 # What scenes say of a number at half or double: sets said and work, and adds to
 # differs how many scenes have other bits.
@@ -31,7 +30,8 @@ function read_row(path,    line, part, was, now, most, s, q, scene, got, stopped
     if (!got && !stopped) { said = work = "not run"; open++; return }
     if (stopped) { said = "stops"; work = "-"; differs++; return }
     if (most * most > log(LEAST) * log(LEAST)) said = scene (most > 90 ? " fails" : sprintf(" x %.2g", exp(most)))
-    work = now == was ? "0" : sprintf("%+.1f %%", 100 * (now / was - 1))
+    work = sprintf("%+.0f %%", 100 * (now / was - 1))
+    if (work ~ /^[-+]0 /) work = "0"
 }
 
 FILENAME ~ /list$/ { fine[$1] = $3; next }

@@ -18,7 +18,7 @@ typedef struct {
 // Steps for so many seconds, and gathers the bits.
 void battery_step(battery_run *r, double seconds);
 
-// An error that was seen: the largest counts, and no number is the worst of all.
+// An error that was seen: the largest counts; what is no number is the worst.
 void battery_see(battery_run *r, double error);
 
 // Each builds itself in r->w, steps, and says how wrong it is.

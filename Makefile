@@ -75,6 +75,7 @@ define ORDER
 18/advance
 18/substeps
 18/rungs
+18/ahead
 18/guard
 18/rolling
 18/step
@@ -468,6 +469,10 @@ endif
 #:                   the families (figures/tables/families.csv): properties
 #:                   through tumble.h; fails if one is worse than committed.  On
 #:                   all cores (JOBS=1: one at a time); stopped, it goes on
+#:   make ledger     each tuned number of lib/, its unit and its reason; and what
+#:                   half and double of it do to the errors and the work of
+#:                   short scenes: figures/tables/ledger.csv.  Half an hour;
+#:                   stopped, it goes on
 #:   make drape      cloth and rope on all kinds of things, a line of numbers each
 #:   make apart      cloth with and without chapter 12's rules of contact
 #:   make strings    what hangs by pins, with and without chapter 12's strings
@@ -520,6 +525,14 @@ $(CHARTS:%=chart-%): chart-%: need-charts
 hard: $(BUILD)/hard $(BUILD)/hard-plain $(BUILD)/families $(BUILD)/tumble-sweep
 	$(Q)sh tests/hard/hard.sh $(BUILD) figures/tables $(JOBS); short=$$?; [ $$short -gt 1 ] || \
 	  $(STAMP) $(notdir $(basename $(wildcard figures/tables/hard*.csv figures/tables/families.csv))) && exit $$short
+
+# Compiled to count the blocks of code that it runs, which is the work of a scene.
+COUNTED := -O1 -fsanitize-coverage=trace-pc
+.PHONY: ledger
+ledger:
+	$(Q)$(AGAIN) BUILD=$(BUILD)/ledger CFLAGS='$(COUNTED)' $(BUILD)/ledger/battery
+	$(Q)CC='$(CC)' SETTINGS='$(EXACT) $(COUNTED) $(SHARED)' sh tests/ledger/ledger.sh $(BUILD)/ledger > $(BUILD)/ledger.csv
+	$(Q)cp $(BUILD)/ledger.csv figures/tables/ledger.csv && $(STAMP) ledger
 
 .PHONY: drape apart strings
 drape: $(BUILD)/drape
@@ -787,6 +800,10 @@ FAMILY := $(patsubst %.c,$(BUILD)/tests/%.o,families.c $(notdir $(wildcard tests
 $(BUILD)/families: $(BUILD)/tests/hard.o $(FAMILY) $(BUILD)/seen.a
 	$(call link,-lm)
 $(BUILD)/tests/check_families: $(FAMILY)
+# What the ledger runs.
+$(BUILD)/battery: $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/ledger/*.c))) \
+  $(SCENES:%.c=$(BUILD)/figures/%.o) $(ALL)
+	$(call link,-lm)
 $(BUILD)/drape-apart: LDFLAGS += -Wl,--wrap=lines_relax,--wrap=soft_relax,--wrap=soft_hold
 $(BUILD)/drape-apart: $(BUILD)/tests/apart.o
 $(BUILD)/drape-links: LDFLAGS += -Wl,--wrap=taut_most
@@ -921,7 +938,7 @@ define compile
 endef
 $(BUILD)/figures/%.o: CPPFLAGS += -DFLAGS='"$(EXACT) $(CFLAGS)"'
 # Folders show what belongs together; what is built of them lies side by side.
-ROOMS := -Ilib $(patsubst %/,-I%,$(wildcard lib/*/ tests/support/ tests/contact/ tests/soft/ tests/hard/ tests/fuzz/ \
+ROOMS := -Ilib $(patsubst %/,-I%,$(wildcard lib/*/ tests/support/ tests/contact/ tests/soft/ tests/hard/ tests/fuzz/ tests/ledger/ \
   figures/draw/ figures/measure/ figures/command/ figures/scenes/ figures/peers/ figures/live/))
 # What a program is linked with may be an archive or a shared library: one form of an
 # object does for both, and is the same code as without.

@@ -31,7 +31,7 @@ function print_line(name, folder,    own, program, data, drawn, from, picture, c
         if (program == "-") command = "chart-" name
     } else if (folder ~ /\/[0-9]/) picture = own ".png"
     if (name == "moving") { picture = own ".webp"; command = "moving" }
-    if (folder == "figures/tables") { program = (name == "hard-plain" ? test["plain"] : test[name]); command = "hard" }
+    if (folder == "figures/tables") { program = (name == "hard-plain" ? test["plain"] : name == "ledger" ? test["battery"] : test[name]); command = name == "ledger" ? name : "hard" }
     if (folder == "figures/peers") command = name == "piles" ? "peers" : name == "box3d" ? "box3d~BOX3D=FOLDER" : name == "jolt" ? "jolt~JOLT=FOLDER" : name == "queries" ? "queries-race~GJK=FOLDER~JOLT=FOLDER~BOX3D=FOLDER" : name
     if (name == "speed" || name == "profile") {
         m = split(name == "speed" ? speed : "21-profile", part, " "); list = ""

@@ -19,7 +19,7 @@ status broad_init(broad *s, int bodies)
 
 // In a leaf of the tree of what stands still.  The fewer, the fewer balls are
 // compared, and the more memory the boxes take.
-enum { FEW_STILL = 4 };
+enum { FEW_STILL = 4 };                     // tuned, balls
 
 int broad_boxes(int stills)
 {
@@ -167,7 +167,7 @@ static int insert_all(broad *s, int gap, long most)
 // that is far from right would cost n / 4 of them; after PATIENCE it is sorted
 // after Shell (1959), in passes of gaps 1, 4, 13, 40, ... from the largest
 // down: not more than about n^1.5 moves whatever the order (Pratt 1972).
-enum { PATIENCE = 32 };
+enum { PATIENCE = 32 };                     // tuned, moves of a body
 
 static void sort_line(broad *s)
 {
@@ -206,7 +206,7 @@ static void measure(const broad *s, const sphere *ball, spread along[2])
 // stands in 1.5 of them then.
 static int lanes_along(const spread *along, int bodies)
 {
-    enum { BODIES_A_LANE = 8 };
+    enum { BODIES_A_LANE = 8 };             // tuned, bodies
     real most = bodies / BODIES_A_LANE;
     real lanes = (along->all.high - along->all.low) * bodies
                / (2 * along->widths);
@@ -257,7 +257,7 @@ static real find_reach(broad *s, const sphere *ball, const spread along[2])
 // everybody.  (Few bodies walk down one line before lanes are laid out.)
 static void divide(broad *s, const sphere *ball)
 {
-    enum { FEW = 400 };
+    enum { FEW = 400 };                     // tuned, bodies
     spread along[2] = { { { 0, 0 }, 0 } };
     int n = s->bodies;
     for (int k = 0; k < 2; k++) s->lanes[k] = 1;
@@ -477,7 +477,7 @@ int broad_pairs_all(const sphere *ball, const char *moves, int bodies,
 //> broad-pairs
 // To bring one pair into its place takes as long as to look at this many, or
 // longer.
-enum { LOOKS_A_PAIR = 16 };
+enum { LOOKS_A_PAIR = 16 };                 // tuned, looks
 
 int broad_pairs(broad *s, const sphere *ball, const char *moves,
                 int (*out)[2], int capacity)

@@ -16,7 +16,7 @@
 // bodies move little in a frame, and an order that was right is nearly right.
 // This line is divided in lanes that lie side by side along y and z: a body
 // that reaches into several stands in each of them.
-enum { LANES_A_BODY = 4 };      // on average, at most
+enum { LANES_A_BODY = 4 };      // tuned, lanes: on average, at most
 
 typedef struct {
     int first, last;

@@ -46,6 +46,9 @@ static void loosen(pair_list *l, const pair_query *q)
 
 // A tenth of its radius, and once more what it may move: wide enough that the
 // list holds for some frames, narrow enough that it is short.
+static const real WIDER = 0.1;              // tuned, radii
+static const real MOVES = 2;                // tuned, moves
+
 static void enlarge(pair_list *l, const pair_query *q, bool all)
 {
     if (!l->is_whole) loosen(l, q);
@@ -56,7 +59,7 @@ static void enlarge(pair_list *l, const pair_query *q, bool all)
         l->is_new[b] = false;
         l->listed[b] = q->ball[b];
         if (q->ball[b].radius < 0) continue;
-        l->listed[b].radius += 0.1 * q->ball[b].radius + 2 * q->reach[b];
+        l->listed[b].radius += WIDER * q->ball[b].radius + MOVES * q->reach[b];
     }
 }
 

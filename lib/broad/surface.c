@@ -290,7 +290,7 @@ static bool sort_prisms(surface *s)
 //> surface-tree
 //>   A few neighbours along the curve are a leaf, and two boxes are in each box
 //>   above.
-enum { FEW = 4 };       // in a leaf
+enum { FEW = 4 };       // tuned, prisms: in a leaf
 
 static int leaf_end(const surface *s, int leaf)
 {

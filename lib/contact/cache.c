@@ -287,11 +287,13 @@ static void decide_chunk(void *data, int item)
 // m, how far a corner, which has coordinates of up to two, may be from where it
 // was when the vertices were placed.  As long as bodies only move, all gaps of a
 // contact change alike, and its points stay the deepest.  When a body turns that
-// stands on fewer than four, others become so: there a turn counts six times.
+// stands on fewer than four, others become so: there a turn counts more.
+static const real ON_CORNERS = 6;           // tuned, times
+
 static real far_from(const rigid_frame *was, const rigid_frame *now,
                      bool is_on_corners)
 {
-    real times = is_on_corners ? 12 : 2, turned = 0;
+    real times = is_on_corners ? 2 * ON_CORNERS : 2, turned = 0;
     for (int i = 0; i < FOUR_AXES; i++) {
         vec3 turn = vec3_sub(now->axis[i], was->axis[i]);
         turned += vec3_length_squared(turn);
@@ -300,10 +302,12 @@ static real far_from(const rigid_frame *was, const rigid_frame *now,
     return sqrt(vec3_length_squared(way) + times * times * turned);
 }
 
-static void place_body(contact_cache *c, const cache_frame *f, int b)
+// In that update, or after it.
+static void place_body(contact_cache *c, const cache_frame *f, int b,
+                       unsigned in)
 {
     struct placing *p = &c->placing[b];
-    const rigid_frame *now = &f->middle[b];
+    const rigid_frame *now = &f->asked[b];
     const cache_body *body = &f->body[b];
     if (!body->rigid || (!f->moves[b] && p->number > 0)) return;
     if (p->number > 0 && far_from(&c->placed[b], now,
@@ -311,7 +315,7 @@ static void place_body(contact_cache *c, const cache_frame *f, int b)
                          <= stay_of(f, b)) return;
     c->placed[b] = *now;
     p->number++;
-    p->since = c->updates + 1;
+    p->since = in;
     rigid4_ride(body->rigid, now, c->vertex + p->first,
                 body->shape->particles);
     p->in_range = hull_in_range((hull){ c->vertex + p->first,
@@ -323,7 +327,7 @@ static void place_chunk(void *data, int item)
     const update *u = data;
     int end = task_end(item, u->f->awakes);
     for (int k = item * TASK_CHUNK; k < end; k++)
-        place_body(u->c, u->f, u->f->awake[k]);
+        place_body(u->c, u->f, u->f->awake[k], u->c->updates + 1);
 }
 //<
 
@@ -408,7 +412,7 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
 //<
 
 //> cache-guard
-//>   What is fast or spins gets one point more, the *guard* of chapter 15, at
+//>   What is fast gets one point more, the *guard* of chapter 15, at
 //>   the centre of the smaller body.
 // A bullet is stopped at one point.  The rest of it would turn about that, and
 // be through before the next frame asks.  So the ball inside the smaller body
@@ -431,10 +435,6 @@ static void add_guard(contact *c, const cache_frame *f)
     p->offset = f->body[small].inner + (is_a ? c->round_b : c->round_a);
     c->count++;
 }
-
-// In a frame in which bodies turn by more than this (rad) other vertices come
-// to touch than were found.
-static const real SPINS = 0.5;
 //<
 
 //> cache-query
@@ -499,13 +499,14 @@ static manifold find_touch(const cache_frame *f, const contact *c,
 // as they will stand when they touch: the one that is round is shifted, as seen
 // from the other, by the part of the way that closes the gap along the normal,
 // and again, for there the normal is another.  Returns whether they were.
-static const real GLIDES = 0.02;        // of the radius: less does not count
+static const real GLIDES = 0.02;            // tuned, radii: less does not count
+enum { ROUNDS = 4 };                        // tuned, rounds
 
 static bool query_ahead(const cache_frame *f, const contact *c, collider a,
                         collider b, real margin, query_cache *carried,
                         real *closes, manifold *m)
 {
-    enum { ROUNDS = 4, CORE = 2 };
+    enum { CORE = 2 };
     bool is_a = a.shape->round > 0;
     collider *round = is_a ? &a : &b;
     vec3 way = vec3_sub(f->ahead[c->a].way, f->ahead[c->b].way), at[CORE];
@@ -572,7 +573,6 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
         bool is_ahead = query_ahead(f, now, x, y, 2 * slack, &e->carried,
                                     &reach, &m);
         take_manifold(now, &m, f, is_ahead);
-        if (f->ahead[a].angle + f->ahead[b].angle > SPINS) add_guard(now, f);
         p->seen[0] = c->placing[a].number;
         p->seen[1] = c->placing[b].number;
         p->margin = lasting_margin(c, f, a, b, reach);
@@ -606,7 +606,6 @@ static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
         now->point[k] = (contact_point){
             .local_a = local_of(f->body[a].rigid, &m.point[k].a),
             .offset = now->round_a, .own = 1 };
-    if (f->ahead[a].angle > SPINS) add_guard(now, f);
     p->count = (signed char)now->count;
     p->seen[0] = c->placing[a].number;
     p->seen[1] = 0;
@@ -713,6 +712,19 @@ static void gather_active(contact_cache *c, const cache_frame *f)
     for (int k = 0; k < c->walls.count; k++) gather(c, &c->walls.pair[k]);
     update u = { c, f };
     tasks_run(f->run, reach_chunk, &u, task_chunks(c->actives));
+}
+
+void cache_again(contact_cache *c, const cache_frame *f, int k)
+{
+    cache_pair *p = c->of[k];
+    int a = c->active[k]->a, b = c->active[k]->b;
+    place_body(c, f, a, c->updates);
+    if (b >= 0) place_body(c, f, b, c->updates);
+    p->is_asked = true;
+    make_entry(c, p, a, b);
+    if (b < 0) query_wall(c, f, p);
+    else       query_pair(c, f, p);
+    c->reach[k] = reach_of(f, a, b);
 }
 
 void cache_note(contact_cache *c, const contact_solver *s)

@@ -28,6 +28,10 @@ void   cache_free(contact_cache *c);    // an empty or zeroed one is fine
 // those with planes.
 void cache_update(contact_cache *c, const cache_frame *f);
 
+// Asks again for contact k of this frame, of bodies where they are now and for
+// what is ahead of them.  It keeps its place.
+void cache_again(contact_cache *c, const cache_frame *f, int k);
+
 // After the solver has taken them: what each contact's least gap is.
 void cache_note(contact_cache *c, const contact_solver *s);
 

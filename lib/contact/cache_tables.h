@@ -23,8 +23,8 @@ typedef struct {
 typedef struct {
     const cache_body *body;     // [bodies]
     const solver_body *now;     // [bodies]
-    const rigid_frame *middle;  // [bodies] where it is asked: there, but turned
-                                // as it will be in the middle of the frame
+    const rigid_frame *asked;   // [bodies] where it is asked: there, but turned
+                                // as it will be in the middle of the time
     const prediction *ahead;    // [bodies]
     const char *moves;          // [bodies]
     const int *awake;           // [awakes] what moves, or has come, by number

@@ -91,10 +91,9 @@ static int nearest_point(const contact *c, vec3 local)
 // what it has carried: it is not for this contact.
 void contact_inherit(contact *now, const contact *was)
 {
-    const real least = 0.7;     // the cosine of 45 degrees
     vec3 none = { 0, 0, 0 };
     bool is_same = now->count > 0
-                && vec3_dot(now->normal, was->normal) >= least;
+                && vec3_dot(now->normal, was->normal) >= CONTACT_SAME;
     for (int k = 0; k < now->count; k++) now->impulse[k] = 0;
     now->friction = is_same ? was->friction : none;
     now->twist = is_same ? was->twist : 0;

@@ -70,7 +70,9 @@ real contact_load(const contact *c);
 
 // Contact `now` of the same bodies, found again, takes over the impulses of
 // `was`: each old point hands its own to the new point nearest to it (warm
-// starting).  None, if the normal has turned by more than 45 degrees.
+// starting).  None, if the normal has turned by more: by 45 degrees, whose cosine
+// this is.
+static const real CONTACT_SAME = 0.7;       // tuned, 1
 void contact_inherit(contact *now, const contact *was);
 
 // Contact c will be read soon: a processor may fetch it already.

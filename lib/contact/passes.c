@@ -51,7 +51,9 @@ static void choose_points(lane_source *q, const contact *c,
 
 // A contact whose A does not move is solved the other way round: its normal,
 // and what acts along it, change sign; a twist does not, for both its axis and
-// the bodies change places.
+// the bodies change places.  A gap of one part of the radius in NEAR is near.
+static const real NEAR = 25;                // tuned, 1
+
 static void choose_lane(lane_source *q, const contact *c,
                         const active_contact *x, const solver_frame *f,
                         int spare)
@@ -60,7 +62,7 @@ static void choose_lane(lane_source *q, const contact *c,
     *q = (lane_source){ .a = x->a, .b = spare };
     if (x->sides == TWO_SIDED) q->b = x->b;
     q->normal = vec3_scale(sign, c->normal);
-    q->per_near = 25 / active_radius(x, f);
+    q->per_near = NEAR / active_radius(x, f);
     q->round_a = x->is_swapped ? c->round_b : c->round_a;
     q->round_b = x->is_swapped ? c->round_a : c->round_b;
     q->twist = x->count > 1 ? warm * c->twist : 0;
@@ -355,7 +357,9 @@ ALWAYS_INLINE real4 make_rows(real4 row_a[TURNS], real4 row_b[TURNS],
 }
 
 // Friction acts where the points are that touch, of both bodies at one place; one
-// that is wide open counts for a hundredth.
+// that is wide open counts for little.
+static const real OPEN = 0.01;              // tuned, 1
+
 static inline void find_center(const block *k, const raw_block *raw,
                                real4 center_a[3], real4 center_b[3])
 {
@@ -365,7 +369,7 @@ static inline void find_center(const block *k, const raw_block *raw,
     for (int j = 0; j < k->points; j++) {
         real4 open = real4_mul(k->point[j].gap, k->per_near);
         real4 share = real4_sub(real4_all(2), open);
-        share = real4_min(one, real4_max(share, real4_all(0.01)));
+        share = real4_min(one, real4_max(share, real4_all(OPEN)));
         share = real4_mul(share, k->place[j].has);
         sum = real4_add(sum, share);
         real4_add3(center_a, raw->arm_a[j], share);
@@ -493,6 +497,11 @@ static void fill_block(const preparation *p, int number)
     transpose(k, q);
     set_material(p, k);
     make_rows_of(s, k, p->f);
+}
+
+static void fill_one(void *data, int number)
+{
+    fill_block(data, number);
 }
 
 static void fill_chunk(void *data, int item)
@@ -661,7 +670,7 @@ ALWAYS_INLINE real4 inverse_mass(const block *k, bool two)
 
 // An open point that closes fast, and has not pushed, is left to an impact: it is
 // as if its gap would just close.
-static inline real4 leave_impacts(const block *k, const pass *q, real4 speed,
+static inline real4 leave_impacts(const block *k, const solver_pass *q, real4 speed,
                                   real4 impulse)
 {
     const real4 zero = real4_all(0);
@@ -674,7 +683,7 @@ static inline real4 leave_impacts(const block *k, const pass *q, real4 speed,
 
 //> passes-see
 //>   What a caller may look at.
-ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
+ALWAYS_INLINE void see_block(block *k, const solver_pass *q, bool two)
 {
     sides4 d = take_sides(k, q->moved, two);
     real4 parted = part_centers(k->normal, &d, two);
@@ -690,7 +699,9 @@ ALWAYS_INLINE void see_block(block *k, const pass *q, bool two)
 //>   What did not push in the last substep has no rows of this one yet. Might
 //>   one of its gaps close in this substep? The rows of an older one say so,
 //>   if what turning does is doubted by a quarter. Only then are rows made.
-ALWAYS_INLINE bool wakes(block *k, const pass *q, const sides4 *u, bool two)
+static const real DOUBTED = 0.25;           // tuned, 1
+
+ALWAYS_INLINE bool wakes(block *k, const solver_pass *q, const sides4 *u, bool two)
 {
     const real4 per_h = real4_all(q->per_h), zero = real4_all(0);
     real4 parting = part_centers(k->normal, u, two), closing = zero;
@@ -698,7 +709,7 @@ ALWAYS_INLINE bool wakes(block *k, const pass *q, const sides4 *u, bool two)
         const block_point *p = &k->point[j];
         real4 turns = part_turns(p->turn_a, p->turn_b, u, two);
         real4 other = real4_sub(zero, turns);
-        real4 off = real4_mul(real4_all(0.25), real4_max(turns, other));
+        real4 off = real4_mul(real4_all(DOUBTED), real4_max(turns, other));
         real4 then = real4_mad(p->now, per_h, real4_add(parting, turns));
         then = real4_mul(k->place[j].has, real4_sub(then, off));
         closing = real4_min(closing, then);
@@ -713,7 +724,7 @@ ALWAYS_INLINE bool wakes(block *k, const pass *q, const sides4 *u, bool two)
 //> passes-push
 // An open gap may close, but no further; an overlap is pushed out as a spring
 // and a damper would.
-ALWAYS_INLINE void push(block *k, const pass *q, bool two, bool has_impacts)
+ALWAYS_INLINE void push(block *k, const solver_pass *q, bool two, bool has_impacts)
 {
     const softness *soft = &q->soft[two ? TWO_SIDED : ONE_SIDED];
     const real4 one = real4_all(1), zero = real4_all(0);
@@ -793,7 +804,7 @@ ALWAYS_INLINE void brake_block(block *k, real4 most, sides4 *u, bool two)
 //> passes-relax
 //>   As the push does, the relax pass leaves a point alone that is open and
 //>   closes fast, if it will have an impact (chapter 15).
-ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
+ALWAYS_INLINE void relax(block *k, const solver_pass *q, bool two, bool has_impacts)
 {
     const real4 zero = real4_all(0), per_h = real4_all(q->per_h);
     const real4 friction = k->friction;
@@ -823,22 +834,22 @@ ALWAYS_INLINE void relax(block *k, const pass *q, bool two, bool has_impacts)
     give_sides(k, q->velocity, &u, two);
 }
 
-ALWAYS_INLINE void push_block(block *k, const pass *q, bool two)
+ALWAYS_INLINE void push_block(block *k, const solver_pass *q, bool two)
 {
     push(k, q, two, false);
 }
 
-ALWAYS_INLINE void push_to_impacts(block *k, const pass *q, bool two)
+ALWAYS_INLINE void push_to_impacts(block *k, const solver_pass *q, bool two)
 {
     push(k, q, two, true);
 }
 
-ALWAYS_INLINE void relax_block(block *k, const pass *q, bool two)
+ALWAYS_INLINE void relax_block(block *k, const solver_pass *q, bool two)
 {
     relax(k, q, two, false);
 }
 
-ALWAYS_INLINE void relax_to_impacts(block *k, const pass *q, bool two)
+ALWAYS_INLINE void relax_to_impacts(block *k, const solver_pass *q, bool two)
 {
     relax(k, q, two, true);
 }
@@ -846,7 +857,7 @@ ALWAYS_INLINE void relax_to_impacts(block *k, const pass *q, bool two)
 
 //> passes-warm
 //>   Warm start: the impulses of the last substep act again.
-ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
+ALWAYS_INLINE void warm_block(block *k, const solver_pass *q, bool two)
 {
     if (!acts(k)) return;
     sides4 u = take_sides(k, q->velocity, two);
@@ -873,7 +884,7 @@ ALWAYS_INLINE void warm_block(block *k, const pass *q, bool two)
 #define PASS(name, solve)                                             \
     static void name(void *data, int item)                            \
     {                                                                 \
-        const pass *q = data;                                         \
+        const solver_pass *q = data;                                         \
         block *k = q->s->block + q->first;                            \
         int i = item * FEW_BLOCKS;                                    \
         int end = task_last(item, q->count, FEW_BLOCKS);              \
@@ -891,7 +902,7 @@ PASS(relax_chunk, relax_block)
 PASS(relax_to_impacts_chunk, relax_to_impacts)
 
 const solver_passes PASSES = {
-    .fill = fill_chunk, .keep = keep_chunk, .renew = renew_chunk,
+    .fill = fill_chunk, .refill = fill_one, .keep = keep_chunk, .renew = renew_chunk,
     .see = see_chunk, .warm = warm_chunk,
     .push = { push_chunk, push_to_impacts_chunk },
     .relax = { relax_chunk, relax_to_impacts_chunk }

@@ -229,7 +229,7 @@ typedef struct {
 
 //> passes-declare
 // An item has few blocks: a colour may have no more than 30.
-enum { FEW_BLOCKS = 8 };
+enum { FEW_BLOCKS = 8 };                    // tuned, blocks
 
 // What the making of blocks is given.
 typedef struct {
@@ -250,14 +250,15 @@ typedef struct {
     softness soft[SIDES];
     int first, count, sides;    // the blocks of a colour
     const solver_frame *f;
-} pass;
+} solver_pass;
 
 // Each does item `item` of its work: FEW_BLOCKS blocks, but `keep` TASK_CHUNK.
 // `push` and `relax` of contacts that have no impacts; and that may have some.
 typedef void solver_work(void *data, int item);
 typedef struct {
     solver_work *fill, *keep, *renew;               // data: a preparation
-    solver_work *see, *warm, *push[2], *relax[2];   // data: a pass
+    solver_work *refill;                            // item: one block
+    solver_work *see, *warm, *push[2], *relax[2];   // data: a solver_pass
 } solver_passes;
 
 extern const solver_passes passes_narrow, passes_wide;

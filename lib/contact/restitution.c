@@ -18,7 +18,7 @@ static real strike(const impact_solver *s, const contact *c);
 
 // Of the fastest blow of a substep: bodies that are wedged pass on ever less of
 // it, in rounds without end.
-static const real PASSED_ON = 0.1;
+static const real PASSED_ON = 0.1;          // tuned, 1
 
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       motion *velocity, motion *moved)
@@ -39,15 +39,22 @@ int restitution_solve(const contact *const *table, int n, const solver_frame *f,
     return impacts;
 }
 
+// What falls from a ninth of a radius, or for two substeps, is not heard to bounce.
+static const real NINTH = 3;                // tuned, 1: a ninth's root
+static const real FALLS = 2;                // tuned, substeps
+
 real restitution_slowest(real radius, real gravity, real h)
 {
-    return real_max(sqrt(2 * gravity * radius) / 3, 2 * gravity * h);
+    return real_max(sqrt(2 * gravity * radius) / NINTH, FALLS * gravity * h);
 }
 //<
 
 //> restitution-strike
 // The two bodies of a contact, A and B; a plane is a body that does not move.
 enum { A, B, BODIES };
+
+// What touches so much of a substep too late takes part as well.
+static const real LATER = 0.001;            // tuned, substeps
 
 typedef struct {
     const motion_basis *basis[BODIES];
@@ -325,7 +332,7 @@ static real first_touch(impact *x, const impact_solver *s,
         impact_row row = row_along(p, x->c.normal, arm);
         real closing = -h * row_apart(&row, x->u);
         real began = gap[k] + x->time * closing;
-        if (!(closing > 0 && began < 1.001 * closing)) continue;
+        if (!(closing > 0 && began < (1 + LATER) * closing)) continue;
         least = real_min(least, time_of_touch(began, closing, acceleration));
     }
     return least;
@@ -344,7 +351,7 @@ static void take_touching(impact *x, const impact_solver *s,
         const vec3 arm[BODIES] = { x->arm[k].a, x->arm[k].b };
         impact_row row = row_along(&x->pair, x->c.normal, arm);
         real closing = -h * row_apart(&row, x->u);
-        if (!(closing > 0 && gap[k] < 0.001 * closing)) continue;
+        if (!(closing > 0 && gap[k] < LATER * closing)) continue;
         x->point[x->points] = k;
         x->row[x->points++] = row;
     }
@@ -352,7 +359,7 @@ static void take_touching(impact *x, const impact_solver *s,
 
 // The time of the impact: Newton's steps to where the first gap is closed, each
 // with the bodies as they stand at the time that was found last.
-enum { TOUCH_STEPS = 4 };
+enum { TOUCH_STEPS = 4 };                   // tuned, steps
 
 static void find_touching(impact *x, const impact_solver *s)
 {

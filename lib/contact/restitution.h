@@ -32,7 +32,7 @@
 //
 // To be called before solver_warm; and if there were any, solver_see_gaps must
 // follow: bodies that part after an impact are not held by the solver.
-enum { IMPACT_ROUNDS = 8 };
+enum { IMPACT_ROUNDS = 8 };     // tuned, rounds
 int restitution_solve(const contact *const *table, int n, const solver_frame *f,
                       motion *velocity, motion *moved);
 

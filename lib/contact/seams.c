@@ -10,10 +10,10 @@
 // Pieces whose faces are off by less, of the smaller radius, lie flush: half a
 // millimetre for a box of 0.4 m.  A step of that height is not met.  (Half and
 // twice as much show in no scene that was tried.)
-static const real FLUSH = 0.002;
+static const real FLUSH = 0.002;            // tuned, radii
 
 // The cosine of 0.8 degrees: normals nearer to each other are those of one side.
-static const real ALIKE = 0.9999;
+static const real ALIKE = 0.9999;           // tuned, 1
 
 enum { FEW_SIDES = 64, MOST_SIDES = 2048, MOST_VERTICES = 256 };
 
@@ -143,7 +143,7 @@ static real flush_of(const slider *s, int b)
 
 // Of A's radius: what moves by no more in a frame stays as it lies.  (Half and
 // twice as much show in no scene that was tried.)
-static const real STAYS = 0.01;
+static const real STAYS = 0.01;             // tuned, radii
 
 // m, what a corner of B goes as B turns in the frame.
 static real turns_of(const slider *s, int b)
@@ -356,7 +356,7 @@ static void take(const slider *s, side *x, const manifold *m)
             t->round_a + t->round_b, contact_own(&m->point[k], t) };
     see_side(s, x);
     carry_nothing(t);
-    carry(s, x, &s->c->was[x->pair->entry], 0.7);
+    carry(s, x, &s->c->was[x->pair->entry], CONTACT_SAME);
 }
 
 static bool aim(const slider *s, side *x, vec3 m)
@@ -390,11 +390,13 @@ static real best_face(const slider *s, const side *x, vec3 *best)
     return most;
 }
 
-// A tenth of its radius inside of a face, A came by another.
+// Deeper inside of a face A came by another.
+static const real INSIDE = 0.1;             // tuned, radii
+
 static bool aim_at_face(const slider *s, side *x)
 {
     vec3 m;
-    return best_face(s, x, &m) > -0.1 * s->f->now[s->a].radius
+    return best_face(s, x, &m) > -INSIDE * s->f->now[s->a].radius
         && aim(s, x, m) && !is_covered_by_any(s, x);
 }
 //<

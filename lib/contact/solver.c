@@ -34,7 +34,10 @@ static void find_loads(active_contact *x, const contact *c,
     x->borne = x->load * inverse / (active_age(x, f) * radius);
 }
 
-// Contact c, and which of its points come within reach.
+// Contact c, and which of its points come within reach.  One that overlaps by more
+// than this is reported.
+static const real DEEP = 0.1;               // tuned, radii
+
 static void activate(active_contact *x, const contact *c, const solver_frame *f,
                      real reach)
 {
@@ -63,7 +66,7 @@ static void activate(active_contact *x, const contact *c, const solver_frame *f,
     }
     real radius = active_radius(x, f);
     find_loads(x, c, f, radius);
-    x->is_deep = x->count > 0 && x->least < -0.1 * radius;
+    x->is_deep = x->count > 0 && x->least < -DEEP * radius;
 }
 
 // Is x the contact y of the frame before, with the same points?
@@ -149,9 +152,11 @@ static void list_colors(contact_solver *s, const int end[BINS])
 //<
 
 //> solver-prepare
+// Asked of memory so many before it is needed.
+enum { AHEAD = 4 };                         // tuned, contacts
+
 static void activate_chunk(void *data, int item)
 {
-    enum { AHEAD = 4 };
     const preparation *p = data;
     int end = task_end(item, p->s->contacts);
     for (int k = item * TASK_CHUNK; k < end; k++) {
@@ -290,12 +295,15 @@ bool solver_prepare(contact_solver *s, const solver_frame *f,
 
 //> solver-pass
 // Springs of a contact as Catto has them: a1, a2, a3 of an implicit step of h.
-// Against what does not move they are twice as stiff and half as damped.
+// Against what does not move they are twice as stiff and half as damped.  None turns
+// by more than this in a substep.
+static const real EIGHTH = 0.125;           // tuned, turns
+
 static softness softness_of(const solver_frame *f, int sides)
 {
     const real two_pi = 6.283185307179586;
     real per_side = sides == ONE_SIDED ? 2 : 1;
-    real omega = two_pi * per_side * real_min(f->hertz, 0.125 / f->h);
+    real omega = two_pi * per_side * real_min(f->hertz, EIGHTH / f->h);
     real zeta = f->damping / per_side;
     real a1 = 2 * zeta + f->h * omega, a2 = f->h * omega * a1;
     real a3 = 1 / (1 + a2);
@@ -306,7 +314,7 @@ static void run_pass(contact_solver *s, const solver_frame *f,
                      motion *velocity, const motion *moved,
                      solver_work *work)
 {
-    pass q = { .s = s, .f = f, .velocity = velocity, .moved = moved,
+    solver_pass q = { .s = s, .f = f, .velocity = velocity, .moved = moved,
                .per_h = 1 / f->h, .max_speed = f->max_speed,
                .slowest = 2 * vec3_length(f->gravity) * f->h };
     for (int i = 0; i < SIDES; i++) q.soft[i] = softness_of(f, i);
@@ -439,12 +447,12 @@ static void clear_chunk(void *data, int item)
 // No contact is in two blocks.
 static void store_chunk(void *data, int item)
 {
-    enum { AHEAD = 2 };
+    enum { BLOCKS_AHEAD = 2 };              // tuned, blocks: asked of memory
     const storing *q = data;
     int end = task_end(item, q->s->blocks);
     for (int n = item * TASK_CHUNK; n < end; n++) {
         const block *x = &q->s->block[n];
-        const block *next = &q->s->block[int_min(n + AHEAD, end - 1)];
+        const block *next = &q->s->block[int_min(n + BLOCKS_AHEAD, end - 1)];
         for (int l = 0; l < REAL4; l++) {
             int k = x->contact[l], then = next->contact[l];
             if (then >= 0) contact_expect(q->table[then]);
@@ -466,6 +474,66 @@ void solver_forget(contact_solver *s, contact *const *table, int k)
     clear_impulses(table[k]);
     s->active[k].load = 0;
     s->h = 0;
+}
+//<
+
+//> solver-new
+//>   Within a frame some contacts are found again. Only their blocks are filled
+//>   again.
+static bool has_new(const contact_solver *s, const block *k)
+{
+    bool some = false;
+    for (int l = 0; l < REAL4; l++)
+        some |= k->contact[l] >= 0 && s->active[k->contact[l]].is_new;
+    return some;
+}
+
+static void give_blocks(contact_solver *s, contact *const *table, bool are_new)
+{
+    for (int n = 0; n < s->blocks; n++) {
+        const block *x = &s->block[n];
+        if (has_new(s, x) != are_new) continue;
+        for (int l = 0; l < REAL4; l++) {
+            int k = x->contact[l];
+            if (k >= 0) store_lane(x, l, &s->active[k], table[k]);
+        }
+    }
+}
+
+void solver_give_new(contact_solver *s, contact *const *table)
+{
+    give_blocks(s, table, true);
+}
+
+// Has each of its contacts points enough in it?
+static bool has_room(const contact_solver *s, const block *k)
+{
+    bool has = true;
+    for (int l = 0; l < REAL4; l++)
+        has &= k->contact[l] < 0
+            || s->active[k->contact[l]].count <= k->points;
+    return has;
+}
+
+bool solver_take_new(contact_solver *s, const solver_frame *f,
+                     contact *const *table, const real *reach)
+{
+    preparation p = { .s = s, .f = f,
+                      .table = (const contact *const *)table };
+    bool fits = true;
+    for (int k = s->first; k < s->end; k++) {
+        if (!s->active[k].is_new) continue;
+        activate(&s->active[k], table[k], f, reach[k]);
+        s->strikes |= solver_strikes(f, table[k]);
+    }
+    for (int n = 0; n < s->blocks; n++) fits &= has_room(s, &s->block[n]);
+    if (!fits) {
+        give_blocks(s, table, false);
+        return solver_prepare(s, f, p.table);
+    }
+    for (int n = 0; n < s->blocks; n++)
+        if (has_new(s, &s->block[n])) passes_best()->refill(&p, n);
+    return true;
 }
 //<
 

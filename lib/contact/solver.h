@@ -34,6 +34,15 @@ void solver_take(contact_solver *s, int first, int end);
 bool solver_prepare(contact_solver *s, const solver_frame *f,
                     const contact *const *table);
 
+// Between two substeps, for contacts that are found again: active[k].is_new says
+// which.  First their blocks give the impulses back to the contacts.
+void solver_give_new(contact_solver *s, contact *const *table);
+// Then they are looked at, and their blocks filled again; all blocks are made
+// again where one has no room for more points.  Allocates, and fails, as
+// solver_look does.
+bool solver_take_new(contact_solver *s, const solver_frame *f,
+                     contact *const *table, const real *reach);
+
 // One substep, in this order.  velocity and moved are [s->room + 1]: the last is
 // spare, for lanes that are left over.  moved: since a body got its frame and
 // basis; no further than rows stay good.

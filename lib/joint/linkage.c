@@ -281,7 +281,8 @@ static void push_both(const linkage_pass *q, const joint *j, joint_rows *r,
 //
 // What is solved exactly may go home at once; what others have a say in goes
 // slowly.
-static const real AT_ONCE = 1, SLOWLY = 0.3;
+static const real AT_ONCE = 1;
+static const real SLOWLY = 0.3;             // tuned, 1
 
 static void want_together(const linkage *l, const linkage_pass *q, int number,
                           real want[JOINT_ROWS])
@@ -437,7 +438,8 @@ ALWAYS_INLINE real coupling(int n, const linkage_pass *q, const joint *j,
 // same twice, and a joint without any give would bear whatever rounding says.
 // Those that stand alone are softer, for passes to be able to bring them to
 // terms.
-static const real GIVE = 1e-4, GIVE_ALONE = 0.3;
+static const real GIVE = 1e-4;              // tuned, of K
+static const real GIVE_ALONE = 0.3;         // tuned, of K
 
 static void factor_alone(linkage *l, const linkage_pass *q, int number)
 {
@@ -799,11 +801,11 @@ static void solve_tree(linkage *l, const linkage_pass *q, int first, int end)
 // the end of a substep: a hundredth of what gaps may be.  With ten times
 // as much three more double pendulums (chapter 20, case 164) change their energy
 // by more than a thousandth, and a chain costs a tenth less.
-static const real MISS = 1e-6;
+static const real MISS = 1e-6;              // tuned, sizes
 
 // A tree that was solved without a limit that is reached, or with one that
 // pulls, is solved again.
-enum { LIMIT_ROUNDS = 4 };
+enum { LIMIT_ROUNDS = 4 };                  // tuned, rounds
 
 static bool switch_limits(linkage *l, const linkage_pass *q, int first, int end,
                           wanting *what)
@@ -1095,7 +1097,7 @@ void linkage_begin(linkage *l, const linkage_pass *q)
 
 // Rows are straight, and points go along arcs: a large impact is solved more
 // than once, as Newton does.
-enum { IMPACT_STEPS = 3 };
+enum { IMPACT_STEPS = 3 };                  // tuned, steps
 
 void linkage_push(linkage *l, const linkage_pass *q)
 {
@@ -1122,7 +1124,7 @@ static real force_of(const joint *j, real h)
 // this 10 of 84 tops and 13 of 27 thrown linkages (chapter 20, cases 160 and 169)
 // change their energy by more than a thousandth, with three quarters of it 13 and
 // 16.
-static const real TURNED = 8;
+static const real TURNED = 8;               // tuned, 1
 
 // rad^2/s^2
 static real spin_squared(const linkage_pass *q, int b)

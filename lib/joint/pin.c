@@ -80,6 +80,8 @@ static void meet(const soft_frame *f, joint *j)
 // Together a particle and a body are as hard to move as the sum of what they
 // weigh.  A point of a body weighs least along some direction; at least so much
 // it weighs along all.  What cannot be moved is taken for a million particles.
+static const real LIGHTEST = 1e-6;          // tuned, 1
+
 static real inverse_of_both(const soft_frame *f, const joint *j, real own)
 {
     pin_place x = place_of(f, j);
@@ -87,7 +89,7 @@ static real inverse_of_both(const soft_frame *f, const joint *j, real own)
     for (int t = 0; t < TURNS; t++)
         most += vec3_length_squared(x.column[t]);
     real both = own * most / (own + most);
-    return real_max(both, 1e-6 * own);
+    return real_max(both, LIGHTEST * own);
 }
 
 void pins_begin(linkage *l, const soft_frame *f)

@@ -192,6 +192,9 @@ static bool is_awaited(const world *w, int b, int piece)
 
 // What flies further than its own size is surrounded along its way, and each
 // time again.
+// Prisms are placed that far around a body, for the next frames.
+static const real WIDER = 1.2;              // tuned, radii
+
 static void surround_body(surrounding *s, const presence *it)
 {
     const body_place *x = slots_at(&s->w->bodies, s->place);
@@ -203,7 +206,7 @@ static void surround_body(surrounding *s, const presence *it)
         || !is_awaited(&s->w->world, it->body, x->piece[0].number)) return;
     sphere *seen = seen_of(s->w, m, it->body);
     if (!seen || is_within(it->ball.center, radius + reach, *seen)) return;
-    radius = 1.2 * radius + 2 * (is_fast ? it->beside : reach);
+    radius = WIDER * radius + 2 * (is_fast ? it->beside : reach);
     surface_query q = { .thing = box_around(it->ball.center, radius),
                         .most = 1, .meets = surround_prism, .context = s };
     if (is_fast) q.way = it->way;

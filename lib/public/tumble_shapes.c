@@ -90,7 +90,7 @@ tumble_shape tumble_rope(tumble_world *w, int n, double length, double mass)
 }
 
 // A cloth's diagonals are so much softer than its threads.
-static const real DIAGONAL = 0.2;
+static const real DIAGONAL = 0.2;           // tuned, 1
 
 tumble_shape tumble_cloth(tumble_world *w, int columns, int rows, double width,
                           double depth, double mass)

@@ -38,10 +38,13 @@ static manifold touch_ahead(const collider *a, const collider *b, vec3 way,
     return m;
 }
 
+// So near is touching, of the smaller radius.
+static const real FINE = 0.001;             // tuned, radii
+
 swept_status collide_swept(const collider *a, const collider *b, vec3 way,
                            real apart, vec3 *scratch, manifold *m)
 {
-    real fine = 0.001 * real_min(a->shape->radius, b->shape->radius);
+    real fine = FINE * real_min(a->shape->radius, b->shape->radius);
     swept_result s = swept_first_touch(query_hull(a), way, query_hull(b),
                                        apart + query_round(a, b), fine,
                                        scratch);

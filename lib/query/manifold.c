@@ -77,7 +77,7 @@ static real dot2(vec3 v, vec3 w)
 //>   squares.
 // A body that rests on its face, strained or rocking a little, still stands on
 // all of its corners; one that leans more stands on an edge.
-static const real LEAN_SINE = 0.14142135623730951;     // 8 degrees
+static const real LEAN_SINE = 0.14142135623730951;     // tuned, 1: 8 degrees
 
 // A side may be of many triangles, which lie in one plane up to what its points
 // are off.  But a rim of flat sides is no side: of a drum on three of them the
@@ -85,7 +85,7 @@ static const real LEAN_SINE = 0.14142135623730951;     // 8 degrees
 // of this angle times its radius: a quarter of a per cent.  (Twice the angle: a
 // whole one.  A quarter of it: sides that are off by half a per cent are taken
 // for several.)
-static const real BEND_SINE = 0.05;                    // 3 degrees
+static const real BEND_SINE = 0.05;                    // tuned, 1: 3 degrees
 
 // The sine, squared, of 8 degrees and what the bodies turn against each other
 // (rad) while the touches are to be used: a face that will lie flat by then may
@@ -736,7 +736,7 @@ static spread spread_across(const meetings *m, vec3 first, int across)
 // as the one across.  Returns how many there are.
 static int choose_widest(const meetings *m, vec3 first, touch *out)
 {
-    enum { TRIES = 16 };
+    enum { TRIES = 16 };                    // tuned, corners
     int n = 1, k = furthest_from(m, first), step = 1 + m->count / TRIES;
     if (k < 0) return n;
     spread best = spread_across(m, first, k);
@@ -752,7 +752,7 @@ static int choose_widest(const meetings *m, vec3 first, touch *out)
 
 // Bodies that turn by more than this (rad) come to touch where they are nearest,
 // or will be: corners that stay open by more than that give way to the others.
-static const real TURNING = 0.05;
+static const real TURNING = 0.05;           // tuned, rad
 
 static void drop_open(meetings *m, real turn)
 {

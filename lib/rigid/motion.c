@@ -87,7 +87,7 @@ vec3 motion_angular(const motion_basis *basis, const motion *m)
 
 //> motion-moves
 //>   One that turns far goes in several moves.
-static const real FURTHEST = 1.0 / 3;       // rad, in one move
+static const real FURTHEST = 1.0 / 3;       // tuned, rad: in one move
 
 enum { TURN_MOVES = 1000 };                  // at most
 
@@ -151,7 +151,7 @@ static vec3 turned_often(vec3 t, int times, vec3 x)
 rigid_frame motion_frame(const rigid_frame *frame, const motion_basis *basis,
                          const motion *d)
 {
-    enum { A_FEW = 8 };     // are quicker one by one
+    enum { A_FEW = 8 };     // tuned, moves: are quicker one by one
     vec3 straight = { d->of[0], d->of[1], d->of[2] };
     int moves = moves_of(basis, d);
     vec3 turn = vec3_scale(1.0 / moves, motion_rotation(basis, d));

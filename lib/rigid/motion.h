@@ -115,7 +115,7 @@ vec3 motion_angular(const motion_basis *basis, const motion *m);
 // One that would turn by more than FREE_MOVES thirds of a radian, 5,000 rad/s in
 // a substep of 1/480 s, turns less exactly: a wild spin must not make a frame
 // last seconds.
-enum { FREE_MOVES = 32 };
+enum { FREE_MOVES = 32 };                   // tuned, moves
 void motion_advance(rigid_frame *frame, motion_basis *basis, motion *u, real h);
 
 // The same body, displaced by d, as an impact or a cloth displaces it: its

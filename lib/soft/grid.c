@@ -9,7 +9,7 @@
 
 // Cells for a point.  In a box around a cloth most cells are empty, and the
 // more so the finer it is.
-enum { CELLS_A_POINT = 16 };
+enum { CELLS_A_POINT = 16 };                // tuned, cells
 
 status grid_init(grid *g, int points)
 {

@@ -256,7 +256,7 @@ static const real NOTHING = 1e-9;
 
 // A link that lies along the normals of what holds its ends asks for what they
 // hardly give.  It gets a little less than it asks for.
-static const real LESS = 0.005;
+static const real LESS = 0.005;             // tuned, 1
 
 static inline vec3 row_link(const real *at, int apart, int pitch, int l)
 {
@@ -741,14 +741,16 @@ static void remember_pulls(const block *b, const int *done)
 //>   of all squared moves, each divided by its inverse mass. Elimination has that
 //>   sum at hand: what stood over each pivot, times its g. If it is small, no
 //>   particle has gone too far; and a NaN never leaves a sum.
-// Where all moves together are short, each is.
+// Where all moves together are short, each is: so much of a link, squared.
+static const real TOO_FAR = 0.25;           // tuned, 1
+
 static void block_step(block *b, int old)
 {
     real rest = b->s.rest_length;
     block_eliminate(b, old);
     block_substitute(b, old);
     for (int l = 0; l < b->lanes; l++)
-        if (b->t.far[l] > rest * rest / 4) hold_back(b, l, old);
+        if (b->t.far[l] > rest * rest * TOO_FAR) hold_back(b, l, old);
 }
 
 // Newton steps for all lanes, from where the particles are.  Returns how many.
@@ -778,6 +780,7 @@ static int is_lost(const block *b, int l)
 //>   The judge of the old gradient.
 // Newton's step squares a small error.  One that leaves more than an eighth of
 // it did not work, unless what it leaves is rounding: in strain,
+static const real WORKED = 0.125;           // tuned, 1
 static const real ROUNDING = 1e-9;
 
 static void block_judge(const block *b, real tolerance, int *solved)
@@ -786,7 +789,7 @@ static void block_judge(const block *b, real tolerance, int *solved)
                                             * b->s.rest_length;
     for (int l = 0; l < b->lanes; l++)
         solved[l] = b->open[l] && !is_lost(b, l)
-                 && b->t.worst[l] <= fmax(enough, b->first[l] / 8);
+                 && b->t.worst[l] <= fmax(enough, WORKED * b->first[l]);
 }
 
 // Closes the lanes that are solved, and stores them.  Returns how many are
@@ -831,7 +834,7 @@ static inline real largest(const real of[LANES])
 }
 
 // One look in so many asks whether what was seen is too much already.
-enum { PEEK = 4 };
+enum { PEEK = 4 };                          // tuned, links
 
 // m^2, the largest |now - rest^2| of a block of lines; HUGE_VAL for NaN,
 // and where it is more than enough.  Columns or rows, one of the two lies side by
@@ -959,7 +962,7 @@ real shape_width(const shape *s, int direction)
 //>   and whose neighbours all touch the same plane, is left free, because no
 //>   link draws it down. Afterwards the pulls are read off the moves.
 // What is held gives way by this share of what it would.
-static const real GIVE = 0.3;
+static const real GIVE = 0.3;               // tuned, 1
 
 // Marks particle i in its blocks.  The last one may share lines with the one
 // before it.
@@ -1183,7 +1186,7 @@ line_result line_solve(strands s, particle *p, int steps,
 // All but the last ask for more than what is wrong.  (Along the old links it
 // would be taken for failure.)  A rope has only one direction, and no need; it
 // takes more than a step only where it touches something.
-static const real MORE = 1.2;
+static const real MORE = 1.2;               // tuned, 1
 
 line_result lines_relax(const shape *s, particle *p, int sweeps,
                         relax_options options, line_hold *hold, real give,

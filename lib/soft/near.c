@@ -70,6 +70,8 @@ static void add_rigid_moves(moves *m, const near_lists *l, const soft_frame *f,
 // lists are good; and for as many substeps more as it would take if any two
 // went against each other, at twice the speed of the fastest, but at most 8,
 // for speeds change.
+static const real FASTER = 2;               // tuned, 1
+
 static bool lists_are_good(near_lists *l, const soft_frame *f)
 {
     if (l->trusted < 0) return false;
@@ -90,7 +92,7 @@ static bool lists_are_good(near_lists *l, const soft_frame *f)
     }
     real apart = vec3_distance(m.least, m.most), both = 2 * sqrt(m.longest);
     real left = l->margin - (apart < both ? apart : both);
-    real pace = 4 * sqrt(m.fastest);
+    real pace = 2 * FASTER * sqrt(m.fastest);
     if (!(left > 0)) return false;
     l->trusted = left >= TRUST_MOST * pace ? TRUST_MOST
                : left > pace ? (int)(left / pace) : 0;
@@ -127,7 +129,7 @@ static void add_near(near_lists *l, const body *a, const body *b,
 // grid they stand at 0.91 diameters.  Nor do, here, those of a cell's diagonals,
 // at 1.29: they are looked after in every substep.  The next stand at 1.82.
 // The grid knows the neighbours by their places, the tree by this distance.
-static const real LINKED = 1.5;
+static const real LINKED = 1.5;             // tuned, diameters
 
 // A body against itself: equal balls, which a grid sorts fastest.  Where one is
 // thrown far out of the others, the tree is asked.
@@ -186,10 +188,14 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
 // right-angled edge 0.05: that much, and some more, facets keep from all.  What
 // is about as thin as a cell may be sharp, too, and be through in a substep: it
 // is stopped earlier.
+static const real THIN = 1.5;               // tuned, spacings
+static const real GAP = 0.3;                // tuned, thicknesses
+static const real GAP_THIN = 0.7;           // tuned, thicknesses
+
 real facet_gap(const body *soft, const body *rigid)
 {
-    bool is_thin = rigid->inner < 1.5 * soft->shape->spacing;
-    return (is_thin ? 0.7 : 0.3) * soft->thickness;
+    bool is_thin = rigid->inner < THIN * soft->shape->spacing;
+    return (is_thin ? GAP_THIN : GAP) * soft->thickness;
 }
 
 // How far from a body may all corners of a facet be that comes within reach?  Its
@@ -295,7 +301,7 @@ static void list_facets(near_lists *l, const rigid_view *v, const soft_frame *f,
 // The longest, the diagonal of a cell, would do with half a spacing, and we
 // have 0.55.  But the sticks come last, and pull them nearer: so a third more
 // of what is static.  What is not makes way.
-static const real SPARE = 1.35;
+static const real SPARE = 1.35;             // tuned, 1
 
 real soft_gap(const body *soft, const body *rigid)
 {
@@ -443,7 +449,7 @@ static real frame_reach(const near_lists *l, const soft_frame *f,
         real reach = ahead[b].reach;
         if (reach > fastest || reach != reach) fastest = reach;
     }
-    return 4 * fastest + 2 * l->margin;
+    return 2 * FASTER * fastest + 2 * l->margin;
 }
 
 static void mark_near(near_lists *l, const soft_frame *f, int a, real reach)
@@ -585,9 +591,11 @@ static status grow_grid(grid *g, int points)
 // A wide margin makes long lists, a narrow one makes them often.  With 0.75 of
 // a spacing a flat cloth has the diagonals of its cells, and no more: what
 // stands at two spacings is further than the 1.1 of touching and the margin.
+static const real MARGIN = 0.75;            // tuned, spacings
+
 static real margin_of(const body *b)
 {
-    return 0.75 * b->shape->spacing;
+    return MARGIN * b->shape->spacing;
 }
 
 status near_add(near_lists *l, const body *all, int b, int bodies,

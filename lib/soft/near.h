@@ -51,7 +51,7 @@ typedef struct {
 } soft_frame;
 
 // For so many substeps, at most, what is clear is trusted to stay so.
-enum { TRUST_MOST = 8 };
+enum { TRUST_MOST = 8 };                    // tuned, substeps
 
 // Neither static nor asleep.
 static inline bool soft_moves(const soft_frame *f, int b)

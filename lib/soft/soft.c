@@ -86,16 +86,18 @@ static void spread_cells(const soft_frame *f, int number)
 // 1.41 times what it is at rest.  One that has been torn further would be drawn
 // past its other end along what it was a substep ago, and end longer still: see
 // chapter 2.  Along what it is now it cannot be.
+static const real TORN = 1.5;               // tuned, rest lengths
+
 static void draw(stick s, particle *p, relax_options o)
 {
     vec3 along = vec3_sub(p[s.b].position, p[s.a].position);
-    real most = 1.5 * s.rest_length;
+    real most = TORN * s.rest_length;
     if (!(vec3_length_squared(along) <= most * most)) o.gradient = GRADIENT_NEW;
     stick_relax(s, p, o);
 }
 
 // A cloth takes up to so many substeps more than usual for itself.
-enum { MORE_WHEN_PRESSED = 9 };
+enum { MORE_WHEN_PRESSED = 9 };             // tuned, substeps
 
 // A stick that corrects a share of its error in each substep is a spring that
 // is four times as stiff in half the substep.  Where something else asks for
@@ -157,7 +159,7 @@ void soft_draw(soft_solver *s, const soft_frame *f)
 // length that grows with the square of the substep.  So a frame takes so many
 // substeps that no pair of particles overlaps by more than this share of their
 // distance: at a third they would pass between each other.
-static const real DEEP = 0.12;
+static const real DEEP = 0.12;              // tuned, diameters
 
 void soft_separate(soft_solver *s, const soft_frame *f)
 {
@@ -175,17 +177,22 @@ void soft_separate(soft_solver *s, const soft_frame *f)
 // In a cloth that lies on a static body this finds nothing.  But particles that
 // a bullet drives before it are pulled back by their sticks, and through it:
 // they are light, and make way.  What stops it is all that the sticks hold
-// together.
+// together: by so much of its distance.
+static const real WHOLE = 0.5;              // tuned, 1
+
 void soft_hold(soft_solver *s, const soft_frame *f)
 {
-    touch_bodies(&s->near, &s->view, f, 0.5, BY_WHOLE, s->is_backward);
+    touch_bodies(&s->near, &s->view, f, WHOLE, BY_WHOLE, s->is_backward);
     hold_facets(&s->near, &s->view, f);
 }
 //<
 
 //> soft-relax
+// One that is strained by more takes more substeps.
+static const real STRAINED = 0.01;          // tuned, 1
+
 // Sticks of a cloth may be off by as much.
-static const real CLOTH_TOLERANCE = 0.0025;
+static const real CLOTH_TOLERANCE = 0.0025; // tuned, 1
 
 // What lies on something that does not move must not leave it by what the
 // substep before has pulled it in.
@@ -229,7 +236,7 @@ static void relax_body(soft_solver *s, const soft_frame *f, const body *b)
     s->tested += l.steps * links;
     s->relaxed += l.steps * links;
     s->fell_back += l.fell_back;
-    bool is_strained = l.worst > 0.01 && l.worst < HUGE_VAL;
+    bool is_strained = l.worst > STRAINED && l.worst < HUGE_VAL;
     if (is_strained || (shape_directions(plan) > 1 && is_pinned(plan, p)))
         s->pressed = HUGE_VAL;
 }
@@ -284,6 +291,8 @@ int soft_stretched(const soft_frame *f)
 //>   only together with it.
 // Its particles' middle goes straight on; beside that each goes as far as the
 // fastest, and as gravity adds, and a quarter of a spacing for impacts.
+static const real QUARTER = 4;              // tuned, per spacing
+
 static prediction predict(const soft_frame *f, int b)
 {
     const body *x = &f->body[b];
@@ -301,7 +310,7 @@ static prediction predict(const soft_frame *f, int b)
         fastest = real_max(beside, fastest);
     }
     prediction a = { .way = vec3_scale(ages, mean) };
-    a.turn = ages * sqrt(fastest) + x->shape->spacing / 4
+    a.turn = ages * sqrt(fastest) + x->shape->spacing / QUARTER
            + vec3_length(f->gravity) * dt * dt / 2;
     a.reach = vec3_length(a.way) + a.turn;
     return a;
@@ -309,7 +318,7 @@ static prediction predict(const soft_frame *f, int b)
 
 // Every change of their number jolts a cloth: it rises at once, and falls when
 // it has been too high for PATIENCE frames.
-enum { PATIENCE = 3 };
+enum { PATIENCE = 3 };                      // tuned, frames
 
 static void choose_pace(soft_solver *s)
 {
@@ -375,6 +384,9 @@ static int substeps_for(const soft_frame *f, int b, real far, real share)
 // particles of a cloth before it, their sticks pull them back, and it must not
 // be past them before their whole weight has stopped it: a quarter of its
 // radius.
+static const real INTO_THICK = 2;           // tuned, spacings / 2
+static const real BY_RIGID = 0.25;          // tuned, radii
+
 static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
                             int b)
 {
@@ -385,18 +397,18 @@ static int substeps_to_meet(const soft_solver *s, const soft_frame *f, int a,
     if (!balls_meet(ball[a], ball[b], x->reach + y->reach)) return 0;
     if (body_is_soft(&f->body[b])) return substeps_for(f, a, x->reach, 1);
     bool is_thick = f->body[b].inner > f->body[a].shape->spacing;
-    int n = substeps_for(f, a, x->reach, is_thick ? 2 : 1);
-    return int_max(n, substeps_for(f, b, y->reach, 0.25));
+    int n = substeps_for(f, a, x->reach, is_thick ? INTO_THICK : 1);
+    return int_max(n, substeps_for(f, b, y->reach, BY_RIGID));
 }
 
 // What weight alone does in a substep, g h^2, is no more than this share of a
 // spacing: else the first contacts of a small cloth come too late.
-static const real SAG = 0.02;
+static const real SAG = 0.02;               // tuned, spacings
 
 // A taut link swings sideways with its ends, and longer substeps than a limit
 // make it swing ever wider: chapter 12.  So the weight of all of a rope, which
 // may hang on its lightest link, moves that by this share of its length at most.
-static const real TAUT = 0.25;
+static const real TAUT = 0.25;              // tuned, lengths
 
 static real lightest_of(const shape *s)
 {

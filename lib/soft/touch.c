@@ -226,7 +226,7 @@ static vec3 at_most(vec3 way, real most)
 
 // What sticks goes back to where it stuck, or it would creep: in a substep by
 // this share of the distance kept, at most, for its strands must follow.
-static const real RETURN = 0.1;
+static const real RETURN = 0.1;             // tuned, 1
 
 static vec3 go_back(line_hold *hold, real apart)
 {

@@ -287,19 +287,26 @@ int advance_end(world *w)
 
 //> advance-put
 //>   The particles follow, and the cache learns how far each body has gone.
-// m: no vertex has gone further.  Three unit axes that turn by an angle go by
-// sqrt(8) sin(angle / 2) together, a vertex by twice its radius times that sine.
-static real gone(const world *w, int b)
+real advance_turned(const world *w, int b, const rigid_frame *was)
 {
-    const rigid_tables *t = &w->rigid;
-    const rigid_frame *was = &t->began[b], *now = &t->now[b].frame;
+    const rigid_frame *now = &w->rigid.now[b].frame;
     const real *square = w->body[b].rigid->square;
-    real turned = 0, out = t->now[b].radius - w->body[b].shape->round;
+    real turned = 0;
     for (int i = 0; i < FOUR_AXES; i++) {
         vec3 d = vec3_sub(now->axis[i], was->axis[i]);
         turned += vec3_length_squared(d) / square[i];
     }
-    return vec3_distance(now->center, was->center) + out * sqrt(turned / 2);
+    return sqrt(turned / 2);
+}
+
+// m: no vertex has gone further.
+static real gone(const world *w, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    const rigid_frame *was = &t->began[b];
+    real out = t->now[b].radius - w->body[b].shape->round;
+    return vec3_distance(t->now[b].frame.center, was->center)
+         + out * advance_turned(w, b, was);
 }
 
 static void put_chunk(void *data, int item)

@@ -30,6 +30,11 @@ void advance_predict(world *w, real h);
 // which have a new frame and basis, and rigid.middle where all were halfway.
 void advance_bodies(world *w, real h);
 
+// How far body b has turned since it stood so: twice the sine of half the angle.
+// (Three unit axes that turn by an angle go by sqrt(8) times that sine together,
+// a vertex by twice its radius times the sine.)
+real advance_turned(const world *w, int b, const rigid_frame *was);
+
 // Before a substep that may have to be done again; and to do it again.
 void advance_mark(world *w);
 void advance_back(world *w);

@@ -116,7 +116,7 @@ static void slow_down(world *w, int b, real share)
 // With more than so many times the energy that is right, no body of an island
 // was solved: speeds are ten times too high.  With half or twice as many the
 // same worlds are reported; what friction gives is far less.
-static const real WILD = 100;
+static const real WILD = 100;               // tuned, times
 
 // The impulses that gave it would give it again.
 static void forget_impulses(world *w)
@@ -235,7 +235,7 @@ void guard_planes(world *w)
 //>   another by that; where that does not end, back to where the frame began.
 static void stop_at_faces(world *w, int b)
 {
-    enum { ROUNDS = 4 };
+    enum { ROUNDS = 4 };                    // tuned, rounds
     const world_host *host = &w->options.host;
     vec3 from = w->rigid.began[b].center;
     vec3 *center = &w->rigid.now[b].frame.center;
@@ -323,13 +323,15 @@ static passage find_passage(const cache_body *b, vec3 from, vec3 to)
 // A line that goes out beside where it came in has cut a corner.  In coordinates
 // of a frame the normals of two sides of a prism of three stand at 120 degrees,
 // however flat it is: what goes through it has cut none.
+static const real CUTS = 0.45;              // tuned, 1
+
 static bool cuts_corner(const cache_body *b, const passage *x)
 {
     const int *face = b->shape->face;
     if (x->exit < 0) return false;
     vec3 in = out_of_face(b->rigid->local, &face[3 * x->face]);
     vec3 out = out_of_face(b->rigid->local, &face[3 * x->exit]);
-    return vec3_dot(in, out) > -0.45 * vec3_length(in) * vec3_length(out);
+    return vec3_dot(in, out) > -CUTS * vec3_length(in) * vec3_length(out);
 }
 
 // Where the smaller body comes, beside a face of the larger.

@@ -6,8 +6,11 @@
 
 #include <stddef.h>
 
-static const real RESISTANCE = 0.01;        // of the radius
-static const real SLOW = 30;                // times the speed of falling asleep
+// What is round turns against a lever of this, as on hard rubber; without it a ball
+// on a floor never rests.
+static const real RESISTANCE = 0.01;        // tuned, radii
+// Faster ones roll freely: the law of rolling holds for them.
+static const real SLOW = 30;                // tuned, times sleep_speed
 static const real EARTH = 9.81, USUAL = 0.5;    // m/s^2, m: see sleep_rule
 
 // m, of the smaller of the two that is round; 0: neither is.

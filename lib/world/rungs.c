@@ -76,12 +76,14 @@ static void find_islands(world *w)
 //>   Each island is asked how calm it is, and what its contacts bear; its choice
 //>   is that of all its bodies.
 // What flies does not sag.  (Velocities are half a substep old: see handle-where.)
+static const real SIXTEENTH = 16;           // tuned, per radius
+
 static bool is_calm(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     real since = w->frame * rigid_since(w, b);
     vec3 way = vec3_add_scaled(t->ahead[b].way, since, w->options.gravity);
-    real far = t->now[b].radius / 16;
+    real far = t->now[b].radius / SIXTEENTH;
     return vec3_length_squared(way) <= far * far;
 }
 
@@ -134,6 +136,14 @@ static real weight_on(const rigid_tables *t, const active_contact *x)
     return x->weight * x->lift / t->island[x->above].lift;
 }
 
+// rad, in this frame.  A ball counts as if it did not turn.
+static real turn_of(const world *w, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    real out = t->now[b].radius - w->body[b].shape->round;
+    return t->ahead[b].angle * out / t->now[b].radius;
+}
+
 static void find_demands(world *w)
 {
     rigid_tables *t = &w->rigid;
@@ -153,6 +163,9 @@ static void find_demands(world *w)
         i->weight = real_max(i->weight, weight_on(t, x));
         i->squares += x->borne * x->borne;
         i->bears += x->borne > 0;
+        i->turn = real_max(i->turn, turn_of(w, x->a));
+        if (x->sides == TWO_SIDED)
+            i->turn = real_max(i->turn, turn_of(w, x->b));
     }
     for (int k = 0; k < w->joints.count; k++) {
         const joint *j = &w->joints.joint[k];
@@ -241,12 +254,15 @@ static void swap_contacts(rigid_tables *t, int a, int b)
 {
     active_contact x = t->solver.active[a];
     contact *c = t->cache.active[a];
+    cache_pair *of = t->cache.of[a];
     int to = t->solver.order[a];
     t->solver.active[a] = t->solver.active[b];
     t->cache.active[a] = t->cache.active[b];
+    t->cache.of[a] = t->cache.of[b];
     t->solver.order[a] = t->solver.order[b];
     t->solver.active[b] = x;
     t->cache.active[b] = c;
+    t->cache.of[b] = of;
     t->solver.order[b] = to;
 }
 

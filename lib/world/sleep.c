@@ -115,11 +115,16 @@ typedef struct {
 } sleep_limits;
 
 static const real EARTH = 9.81, USUAL = 0.5;    // m/s^2, m: see sleep_rule
-static const real MOTIONLESS = 1e-6;        // of a radius, in a window
-static const real NOISE = 2e-4;             // of a radius
-static const real JITTER = 5;               // times the speed, at one moment, and
-                                            // in a window of what stands
-enum { HALVES_TO_SLEEP = 4, MOST_FRAMES = 1000000 };
+// Without gravity no speed is slow, and what moves only by rounding still sleeps.
+static const real MOTIONLESS = 1e-6;        // tuned, radii: in a window
+// By so much more than in the window before may it move, which is no growth.
+static const real NOISE = 2e-4;             // tuned, radii
+// A mean speed is low while a body rings: at no moment may it be so much higher, nor
+// in a window of what stands.
+static const real JITTER = 5;               // tuned, times the speed
+// So long is it still before it sleeps: time_to_sleep, in halves of its windows.
+enum { HALVES_TO_SLEEP = 4 };       // tuned, half windows
+enum { MOST_FRAMES = 1000000 };
 
 // Froude's scaling: lengths go as R, times as sqrt(R / g), speeds as
 // sqrt(g R), and accelerations as g.

@@ -315,7 +315,9 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     STORE_ROOM(s, t->island, room);
     STORE_ZEROS(s, t->rung, room);
     STORE_ROOM(s, t->by_rung, room);
+    STORE_ROOM(s, t->asked, room);
     STORE_ROOM(s, t->middle, room);
+    STORE_ROOM(s, t->turned, room);
     STORE_ROOM(s, t->lying, room);
     STORE_ZEROS(s, t->velocity, t->motions);
     STORE_ZEROS(s, t->moved, t->motions);

@@ -2,6 +2,7 @@
 //>   What a step calls, in the order of its phases.
 #include "step.h"
 #include "advance.h"
+#include "ahead.h"
 #include "drive.h"
 #include "guard.h"
 #include "handle.h"
@@ -69,7 +70,9 @@ static void go(world *w, solver_frame f, real *since)
         int more = substeps_again(w, f.h, left);
         if (more > 0) redo(w, &f, (real)left / more, &page);
         left = more > 0 ? more : left - 1;
-        if (more == 0) grow_old(w, f.h);
+        if (more > 0) continue;
+        grow_old(w, f.h);
+        if (left > 0) ahead_again(w, &f, left * f.h);
     }
 }
 
@@ -132,7 +135,7 @@ static void solve(world *w, real *since)
 // frame is divided: after the impact everything goes elsewhere than was found.
 // So it is where what is driven turns its far end by more than the size of what
 // it may hit: the side that was found is another one by then.
-enum { FAST_PARTS = 4 };
+enum { FAST_PARTS = 4 };                    // tuned, parts
 
 static bool is_swept(const world *w)
 {
@@ -197,56 +200,6 @@ static void lap(world *w, int phase, real *since)
 }
 //<
 
-//> step-look
-//>   A body that does not move gets a motion basis of zeros: it answers no
-//>   impulse, and no other phase needs to ask why.
-// How far a body may get in this frame: as fast as it is now, with what gravity
-// adds and what else pushes it, and a hundredth of its radius for what impacts
-// add.  However far it turns, no vertex gets further than across; and a ball
-// gets nowhere by turning.
-static prediction predict(const world *w, int b)
-{
-    const solver_body *now = &w->rigid.now[b];
-    const motion *u = &w->rigid.velocity[b];
-    real dt = w->frame;
-    vec3 straight = { u->of[0], u->of[1], u->of[2] };
-    vec3 spin = motion_rotation(&now->basis, u);
-    real beside = vec3_length(w->options.gravity) * dt * dt / 2
-                + now->radius / 100;
-    if (w->rigid.is_loaded) {
-        motion more = world_load(w, b, dt);
-        beside += dt * motion_fastest(&now->basis, &more, now->radius);
-    }
-    prediction p = { .way = vec3_scale(dt, straight),
-                     .angle = dt * vec3_length(spin) };
-    real out = now->radius - w->body[b].shape->round;
-    p.turn = out * real_min(p.angle, 2) + beside;
-    p.reach = vec3_length(p.way) + p.turn;
-    return p;
-}
-//<
-
-//> step-middle
-// A body that turns comes to touch with other corners than those that are near
-// when the frame begins.  So it is asked as it will stand in the middle of it:
-// where it is, but turned by half of what it turns in the frame; by less, if
-// that is more than HALF_TURN (rad), for there is an impact in between; not at
-// all, if it is less than NO_TURN, as of what lies.
-static const real HALF_TURN = 0.25, NO_TURN = 0.01;
-
-static rigid_frame find_middle(const world *w, int b)
-{
-    const solver_body *now = &w->rigid.now[b];
-    real turn = w->rigid.ahead[b].angle, seconds = w->frame / 2;
-    motion half = { { 0 } };
-    if (turn < NO_TURN) return now->frame;
-    if (turn > 2 * HALF_TURN) seconds *= 2 * HALF_TURN / turn;
-    for (int i = MOTION_TURN; i < MOTIONS; i++)
-        half.of[i] = seconds * w->rigid.velocity[b].of[i];
-    return motion_frame(&now->frame, &now->basis, &half);
-}
-//<
-
 //> step-awake
 //>   What sleeps costs nothing: every loop over bodies in a step is one over a
 //>   list of those that are awake. The list is in the order of their numbers,
@@ -278,7 +231,9 @@ static void drop_sleepers(world *w)
 //<
 
 //> step-look-at
-//>   Bodies are shared among threads, 32 at a time.
+//>   Bodies are shared among threads, 32 at a time. One that does not move gets
+//>   a motion basis of zeros: it answers no impulse, and no other phase needs to
+//>   ask why.
 static void look_at_body(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
@@ -297,13 +252,12 @@ static void look_at_body(world *w, int b)
         now->basis = basis_find(x->rigid, &now->frame);
         t->velocity[b] = motion_of(p, &now->frame, &now->basis, t->age[b]);
         if (now->is_driven) drive_begin(w, b);
-        t->ahead[b] = predict(w, b);
-        t->middle[b] = find_middle(w, b);
+        ahead_look(w, b, w->frame);
     } else {
         now->basis = (motion_basis){ .inverse_mass = 0 };
         memset(&t->velocity[b], 0, sizeof t->velocity[b]);
         t->ahead[b] = (prediction){ .reach = 0 };
-        t->middle[b] = t->began[b] = now->frame;
+        t->asked[b] = t->began[b] = now->frame;
         t->going[b] = 0;
     }
     t->reach[b] = t->ahead[b].reach;
@@ -468,24 +422,11 @@ static void find_pairs(world *w)
 //<
 
 //> step-contacts
-//>   The step lends it the bodies, and gets back the contacts of the frame.
-static cache_frame what_to_ask(const world *w)
-{
-    const rigid_tables *t = &w->rigid;
-    return (cache_frame){
-        .body = t->body, .now = t->now, .middle = t->middle,
-        .ahead = t->ahead, .moves = t->moves,
-        .awake = t->awake, .awakes = t->awakes,
-        .list = &t->pairs, .is_new_list = t->is_new_list,
-        .plane = w->plane, .stay = w->options.stay,
-        .has_parts = w->options.host.surround,
-        .run = w->options.host.run };
-}
-
+//>   The cache is lent the bodies, and gives back the contacts of the frame.
 static void find_contacts(world *w)
 {
     rigid_tables *t = &w->rigid;
-    cache_frame f = what_to_ask(w);
+    cache_frame f = ahead_frame(w);
     cache_update(&t->cache, &f);
     pair_list_part(&t->pairs);
     w->report.pairs = t->pairs.count + t->pairs.parted;
@@ -499,6 +440,11 @@ static void find_contacts(world *w)
 //>   Before the substeps, blocks are made of the contacts (chapter 13).
 // Contacts are damped ten times as much as would just not swing, and push out
 // at 3 m/s at most.  In smaller substeps their springs may be stiffer.
+// Overlaps are pushed out with ten times the damping that would just not swing
+// back, and no faster than this: so that nothing jumps out of one.
+static const real DAMPING = 10;             // tuned, 1
+static const real MAX_SPEED = 3;            // tuned, m/s
+
 static solver_frame frame_of(const world *w, int substeps)
 {
     const world_options *o = &w->options;
@@ -512,7 +458,7 @@ static solver_frame frame_of(const world *w, int substeps)
         .friction = o->friction,
         .material = w->has_materials ? w->rigid.material : NULL,
         .wall = w->wall,
-        .hertz = o->hertz, .damping = 10, .max_speed = 3,
+        .hertz = o->hertz, .damping = DAMPING, .max_speed = MAX_SPEED,
         .restitution = w->rigid.restitution, .gravity = o->gravity,
         .run = o->host.run };
 }
@@ -657,12 +603,15 @@ static void redo(world *w, solver_frame *f, real times, const ledger_page *page)
 //>   In the step, a contact that pushes joins two bodies to an island. To the
 //>   other phases a sleeping body is immovable. Where all sleep, a step does
 //>   nothing at all.
-// Does the body above stand on the other?  Three points or more press, each with
-// FIRM of the load at least: so the middle of the load is well within them, and the
-// body does not tip.  Its friction holds, with some to spare: so it does not slide.
-// (HOLDS at .8 or .95 changes no race.)  What is joined may be held elsewhere, and
+// Three points or more of what stands press, each with this share of the load at
+// least: so the middle of the load is well within them, and the body does not tip.
+static const real FIRM = 0.05;              // tuned, 1
+// Its friction holds, with some to spare: so it does not slide.  (.8 or .95 changes
+// no race.)
+static const real HOLDS = 0.9;              // tuned, 1
+
+// Does the body above stand on the other?  What is joined may be held elsewhere, and
 // what is driven takes along what stands on it.
-static const real FIRM = 0.05, HOLDS = 0.9;
 
 static bool stands(const world *w, const active_contact *x, const contact *c,
                    const solver_frame *f)

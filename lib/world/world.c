@@ -15,24 +15,34 @@ world_options world_options_default(void)
         .dt = 1.0 / 60, .most_substeps = 200,
         .gravity = { 0, -9.81, 0 },
         .friction = 0.5, .restitution = 0,
-        .hertz = 1000, .stay = 0.03, .warm_start = true,
-        .sleep_speed = 0.005, .time_to_sleep = 0.5,
-        .iterations = 6,
+        // A substep of 1/8000 s bears more; longer ones have less (solver-pass).
+        .hertz = 1000,              // tuned, 1/s
+        // Vertices move by so much before they are placed again.
+        .stay = 0.03,               // tuned, radii
+        .warm_start = true,
+        // What an eye does not see move, and for so long.
+        .sleep_speed = 0.005,       // tuned, m/s
+        .time_to_sleep = 0.5,       // tuned, s
+        // Columns and rows of a cloth are solved in turn.
+        .iterations = 6,            // tuned, iterations
         .relax = { ROOT_EXACT, GRADIENT_OLD, 1e-9, 0 },
     };
 }
 
 int world_substeps(const world_options *o)
 {
-    enum { FEWEST = 4 };
-    const real rate = 240, rounding = 1e-9;     // 1/s
+    // At 60 frames a second a heap stands on four, and they are no longer than that.
+    enum { FEWEST = 4 };                    // tuned, substeps
+    const real rate = 240;                  // tuned, 1/s
+    const real rounding = 1e-9;
     if (o->substeps > 0 || !(o->dt > 0 && o->dt <= 1)) return o->substeps;
     return int_max(FEWEST, (int)(rate * o->dt - rounding) + 1);
 }
 
 int world_usual(const world *w, bool is_soft)
 {
-    enum { SOFT = 8 };
+    // Rope, cloth and joints are stiffer than contacts.
+    enum { SOFT = 8 };                      // tuned, substeps
     int n = w->options.substeps;
     bool is_part = w->frame < w->options.dt;
     return (is_soft || is_part) && !w->has_substeps ? int_max(SOFT, n) : n;
@@ -206,7 +216,7 @@ status world_stretch(world *w, int b, real compliance)
 // A pinned cloth becomes longer by this share under its own weight, if nothing else
 // is said.  (Threads that give by nothing never rest.  With five times as much a
 // spike thrown at 10 m/s cuts a cell.)
-static const real TAUT = 4e-6;
+static const real TAUT = 4e-6;              // tuned, 1
 
 real world_taut(const world *w, const body *b)
 {
@@ -221,9 +231,11 @@ real world_taut(const world *w, const body *b)
 // Particles of deformable bodies are balls of 0.55 of its spacing: where two
 // sheets lie on each other, no diagonal of one can then pass between the
 // particles of the other, which are 1.1 spacings away.
+static const real BALL = 0.55;              // tuned, spacings
+
 static real particle_radius(const shape *s)
 {
-    return s->kind == SHAPE_RIGID ? 0 : 0.55 * s->spacing;
+    return s->kind == SHAPE_RIGID ? 0 : BALL * s->spacing;
 }
 //<
 
@@ -433,6 +445,8 @@ static bool grow_rigid(rigid_tables *t, int old, int room)
     TABLE_GROW(ok, t->rung, old, room);
     TABLE_GROW(ok, t->by_rung, old, room);
     TABLE_GROW(ok, t->began, old, room);
+    TABLE_GROW(ok, t->asked, old, room);
+    TABLE_GROW(ok, t->turned, old, room);
     TABLE_GROW(ok, t->awake, old, room);
     TABLE_GROW(ok, t->is_awake, old, room);
     TABLE_GROW(ok, t->fresh, old, room);
@@ -499,7 +513,9 @@ static status make_room(world *w, int bodies, int particles)
 
 //> world-start
 // What the tables say of body b, which is new there.  Where a static body stands
-// never changes; neither does what kind a body is.
+// never changes; neither does what kind a body is.  Its ball has some room.
+static const real SWELLS = 1.02;            // tuned, radii
+
 static void start_body(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
@@ -523,8 +539,8 @@ static void start_body(world *w, int b)
     t->dynamic[b] = !body_is_static(x);
     t->body[b] = (cache_body){ x->shape, x->rigid, x->inner, family };
     t->now[b].frame = rigid4_frame(w->pool.at + x->first);
-    t->middle[b] = t->began[b] = t->now[b].frame;
-    t->now[b].radius = 1.02 * x->rigid->reach;
+    t->asked[b] = t->began[b] = t->now[b].frame;
+    t->now[b].radius = SWELLS * x->rigid->reach;
     t->ball[b] = (sphere){ t->now[b].frame.center, t->now[b].radius };
 }
 
@@ -754,7 +770,7 @@ void world_free(world *w)
         r->body, r->moves, r->dynamic, r->now, r->ball, r->ahead, r->middle,
         r->lying, r->age, r->halfway, r->choice, r->island, r->rung, r->by_rung,
         r->reach, r->velocity, r->moved, r->load, r->material, r->drive,
-        r->began, r->awake, r->is_awake, r->fresh, r->going, r->touches,
+        r->began, r->asked, r->turned, r->awake, r->is_awake, r->fresh, r->going, r->touches,
         r->now_then, r->velocity_then,
         r->moved_then, r->held, r->free, r->free_end };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);

@@ -160,6 +160,7 @@ typedef struct {
     bool is_soft;       // it has ropes or cloths
     bool is_calm;       // none of it flies
     bool is_fast;       // some of it goes by its inner radius in a frame
+    real turn;          // rad, in the frame, of what turns furthest
     int  substeps;
     real energy, mass;  // J, kg, of what touches something
     real loads;         // J, that forces from outside would give, and the sum of
@@ -177,7 +178,8 @@ typedef struct {
     bool hangs;         // there are joints
 } rung;
 
-enum { RUNGS = 8 };
+// Each has twice the substeps of the one below.
+enum { RUNGS = 8 };     // tuned, rungs
 
 // Rigid bodies in a frame, each phase with its own table: where they are ->
 // which may meet -> where they touch -> what impulses part them -> how far they
@@ -195,8 +197,9 @@ typedef struct {
     real        *age;       // [bodies] s, see body_age
     real        *halfway;   // [bodies] s, see ledger_halfway
     motion_basis *lying;    // [bodies] see solver_frame
-    rigid_frame *middle;    // [bodies] see cache_frame; in the substeps, where
-                            // its rows are made, see advance.c
+    rigid_frame *asked;     // [bodies] see cache_frame
+    rigid_frame *middle;    // [bodies] where its rows are made, see advance.c
+    real        *turned;    // [bodies] m, see ahead.c
     rigid_frame *began;     // [bodies] when they began
     int         *awake;     // [awakes] all that every step goes over, by number:
     int          awakes;    // what moves, and what may since it was looked at

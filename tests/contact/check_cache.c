@@ -69,7 +69,7 @@ static void set_up(void)
     for (int k = 0; k < KINDS; k++) ck_assert(rigid4_build(&rigid[k],
                                                            &kind[k]).ok);
     bodies = pairs = 0;
-    frame = (cache_frame){ .body = body, .now = now, .middle = middle,
+    frame = (cache_frame){ .body = body, .now = now, .asked = middle,
         .ahead = ahead, .moves = moves, .awake = number, .list = &list,
         .plane = wall, .stay = 0.03 };
 }

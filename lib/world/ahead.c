@@ -1,0 +1,163 @@
+//> ahead-look
+//>   What is found in a frame must hold until it ends.
+#include "ahead.h"
+#include "advance.h"
+#include "handle.h"
+
+#include <stddef.h>
+
+// How far a body may get in so many seconds: as fast as it is now, with what
+// gravity adds and what else pushes it, and a hundredth of its radius for what
+// impacts add.  However far it turns, no vertex gets further than across; and a
+// ball gets nowhere by turning.
+static const real HUNDREDTH = 100;          // tuned, per radius
+
+static prediction predict(const world *w, int b, real dt)
+{
+    const solver_body *now = &w->rigid.now[b];
+    const motion *u = &w->rigid.velocity[b];
+    vec3 straight = { u->of[0], u->of[1], u->of[2] };
+    vec3 spin = motion_rotation(&now->basis, u);
+    real beside = vec3_length(w->options.gravity) * dt * dt / 2
+                + now->radius / HUNDREDTH;
+    if (w->rigid.is_loaded) {
+        motion more = world_load(w, b, dt);
+        beside += dt * motion_fastest(&now->basis, &more, now->radius);
+    }
+    prediction p = { .way = vec3_scale(dt, straight),
+                     .angle = dt * vec3_length(spin) };
+    real out = now->radius - w->body[b].shape->round;
+    p.turn = out * real_min(p.angle, 2) + beside;
+    p.reach = vec3_length(p.way) + p.turn;
+    return p;
+}
+//<
+
+//> ahead-middle
+// A body that turns comes to touch with other corners than those that are near
+// when it is asked.  So it is asked as it will stand in the middle of the time:
+// where it is, but turned by half of what it turns; by less, if that is more
+// than TURNED (rad), for it is asked again then; not at all, if it is less than
+// NO_TURN, as of what lies.
+static const real NO_TURN = 0.01;           // tuned, rad
+// A rim of many corners holds four of them: between those it sinks by a third of
+// its radius times how far it turned, at most.  (Coins sink twice as deep with
+// twice as much, and no less with half.)
+static const real TURNED = 0.05;            // tuned, rad
+
+static rigid_frame find_middle(const world *w, int b, real seconds)
+{
+    const solver_body *now = &w->rigid.now[b];
+    real turn = w->rigid.ahead[b].angle;
+    motion half = { { 0 } };
+    seconds /= 2;
+    if (turn < NO_TURN) return now->frame;
+    if (turn > 2 * TURNED) seconds *= 2 * TURNED / turn;
+    for (int i = MOTION_TURN; i < MOTIONS; i++)
+        half.of[i] = seconds * w->rigid.velocity[b].of[i];
+    return motion_frame(&now->frame, &now->basis, &half);
+}
+
+void ahead_look(world *w, int b, real seconds)
+{
+    w->rigid.ahead[b] = predict(w, b, seconds);
+    w->rigid.asked[b] = find_middle(w, b, seconds);
+}
+//<
+
+//> ahead-frame
+//>   The step lends the cache its bodies.
+cache_frame ahead_frame(const world *w)
+{
+    const rigid_tables *t = &w->rigid;
+    return (cache_frame){
+        .body = t->body, .now = t->now, .asked = t->asked,
+        .ahead = t->ahead, .moves = t->moves,
+        .awake = t->awake, .awakes = t->awakes,
+        .list = &t->pairs, .is_new_list = t->is_new_list,
+        .plane = w->plane, .stay = w->options.stay,
+        .has_parts = w->options.host.surround,
+        .run = w->options.host.run };
+}
+//<
+
+//> ahead-used
+//>   Has a pair used up what its answer was good for?
+// m: by how much the gap of any point of a body may differ from those of points
+// that were found, for it has turned since; 0 if by no more than what TURNED
+// allows.  What is round touches on its rim however it turned.
+static real find_turned(const world *w, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    real out = t->now[b].radius - w->body[b].shape->round;
+    if (!t->moves[b] || t->going[b] == LIES || !(out > 0)) return 0;
+    real gone = out * advance_turned(w, b, &t->cache.placed[b]);
+    return gone > TURNED * t->now[b].radius ? gone : 0;
+}
+
+static bool find_all_turned(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    bool some = false;
+    for (int k = 0; k < t->awakes; k++) {
+        int b = t->awake[k];
+        t->turned[b] = find_turned(w, b);
+        some |= t->turned[b] > 0;
+    }
+    return some;
+}
+
+static real turned_of(const rigid_tables *t, int b)
+{
+    return b >= 0 && t->moves[b] ? t->turned[b] : 0;
+}
+
+// Where the points that were found are further open than that, no other touches.
+static bool is_used_up(const world *w, const active_contact *x,
+                       const contact *c)
+{
+    const rigid_tables *t = &w->rigid;
+    real turned = turned_of(t, c->a) + turned_of(t, c->b);
+    real gap[CONTACT_POINTS], least = HUGE_VAL;
+    if (x->count == 0 || !(turned > 0)) return false;
+    const rigid_frame *at_b = c->b < 0 ? NULL : &t->now[c->b].frame;
+    contact_gaps(c, &t->now[c->a].frame, at_b,
+                 c->b < 0 ? w->plane[-1 - c->b].offset : 0, gap);
+    for (int k = 0; k < c->count; k++) least = real_min(least, gap[k]);
+    return least < turned;
+}
+//<
+
+//> ahead-again
+//>   Such a pair is asked again, and its block is filled again. No other pays.
+static void look_at_side(world *w, int b, real left)
+{
+    if (b < 0) return;
+    if (w->rigid.moves[b]) ahead_look(w, b, left);
+    else w->rigid.asked[b] = w->rigid.now[b].frame;
+}
+
+void ahead_again(world *w, const solver_frame *f, real left)
+{
+    rigid_tables *t = &w->rigid;
+    contact_solver *s = &t->solver;
+    bool some = false;
+    if (!find_all_turned(w)) return;
+    for (int k = s->first; k < s->end; k++) {
+        active_contact *x = &s->active[k];
+        x->is_new = is_used_up(w, x, t->cache.active[k]);
+        some |= x->is_new;
+    }
+    if (!some) return;
+    solver_give_new(s, t->cache.active);
+    cache_frame ask = ahead_frame(w);
+    for (int k = s->first; k < s->end; k++) {
+        if (!s->active[k].is_new) continue;
+        look_at_side(w, t->cache.active[k]->a, left);
+        look_at_side(w, t->cache.active[k]->b, left);
+        cache_again(&t->cache, &ask, k);
+    }
+    if (!solver_take_new(s, f, t->cache.active, t->cache.reach))
+        w->report.dropped += s->end - s->first;
+}
+//<

@@ -1,0 +1,108 @@
+// check_turning.c - what turns is asked again within a frame, through tumble.h.
+// Book: chapter 18.
+
+#include "tumble.h"
+#include "random.h"
+#include "suite.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+static const double PI = 3.14159265358979323846;
+enum { RIM = 24 };
+
+// Its faces look along y.
+static tumble_shape coin(tumble_world *w, double radius, double height)
+{
+    tumble_vec3 p[2 * RIM];
+    for (int k = 0; k < 2 * RIM; k++) {
+        double a = 2 * PI * (k % RIM) / RIM;
+        p[k] = tumble_v(radius * cos(a), k < RIM ? -height / 2 : height / 2,
+                        radius * sin(a));
+    }
+    return tumble_hull(w, p, 2 * RIM, 1);
+}
+
+static double lowest(const tumble_world *w, tumble_body b)
+{
+    double y = HUGE_VAL;
+    for (int k = 0; k < 2 * RIM; k++) y = fmin(y, tumble_vertex(w, b, k).y);
+    return y;
+}
+
+// A coin that lands on its rim and falls over: how deep any vertex comes in two
+// seconds, in its diameters.
+static double deepest(double radius, double tilt)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_body_options o = tumble_at(0, 2 * radius, 0);
+    o.pose.rotation = tumble_turn(tumble_v(1, 0, 0.3), tilt);
+    tumble_body b = tumble_add(w, coin(w, radius, radius / 4), o);
+    double deep = 0;
+    for (int k = 0; k < 120; k++) {
+        tumble_step(w);
+        deep = fmax(deep, -lowest(w, b) / (2 * radius));
+    }
+    tumble_free(w);
+    return deep;
+}
+
+// Rejects: four points of a rim that are asked once a frame, while it slaps.
+START_TEST(coin_that_slaps_a_plane_sinks_by_less_than_a_fiftieth)
+{
+    double deep = 0;
+    for (double radius = 0.01; radius < 1; radius *= 3)
+        for (double tilt = 0.4; tilt < 1.5; tilt += 0.1)
+            deep = fmax(deep, deepest(radius, tilt));
+    printf("coins that slap sink by %.2g of their diameter\n", deep);
+    ck_assert_msg(deep < 1.0 / 50, "%g", deep);
+}
+END_TEST
+
+// A blade of 2 m spins about its middle, in space; a ball at rest is in its way.
+static bool is_hit(double spin, double thick, double radius, double away,
+                   double angle)
+{
+    tumble_options o = tumble_options_default();
+    o.gravity = tumble_v(0, 0, 0);
+    tumble_world *w = tumble_make(&o);
+    tumble_body_options spun = tumble_at(0, 0, 0);
+    spun.spin = tumble_v(0, spin, 0);
+    tumble_add(w, tumble_box(w, tumble_v(2, 0.2, thick), 1000), spun);
+    tumble_body ball = tumble_add(w, tumble_sphere(w, radius, 0.01),
+        tumble_at(away * cos(angle), 0, away * sin(angle)));
+    for (int k = 0; k < (int)(60 * PI / spin) + 2; k++) tumble_step(w);
+    tumble_vec3 v = tumble_velocity(w, ball);
+    tumble_free(w);
+    return v.x * v.x + v.y * v.y + v.z * v.z > 0;
+}
+
+// Rejects: a blade that has come past a ball between two looks.
+START_TEST(blade_misses_no_ball)
+{
+    unsigned long long seed = 3;
+    int missed = 0;
+    for (int k = 0; k < 400; k++) {
+        double spin = 5 * pow(200, random_fraction(&seed));
+        double thick = 0.005 * pow(20, random_fraction(&seed));
+        double radius = 0.02 * pow(5, random_fraction(&seed));
+        double away = 0.4 + 0.55 * random_fraction(&seed);
+        double angle = PI * (0.15 + 0.7 * random_fraction(&seed));
+        missed += !is_hit(spin, thick, radius, away, angle);
+    }
+    ck_assert_int_eq(missed, 0);
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *const tests[] = {
+        coin_that_slaps_a_plane_sinks_by_less_than_a_fiftieth,
+        blade_misses_no_ball,
+        NULL
+    };
+    return suite_run((suite){ .name = "turning", .tests = tests });
+}

@@ -114,6 +114,10 @@ endif
 endif
 OURS := $(BUILD:%/swapped=%)
 CFLAGS ?= -O3 -g
+# It knows the archiver of what it compiles for.
+ifeq ($(origin AR),default)
+AR = $(shell $(CC) -print-prog-name=ar)
+endif
 ifdef NATIVE
 CFLAGS += -march=native
 endif
@@ -265,8 +269,11 @@ test: need-check
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make live 01    the live figures of chapter 01, in a page (make deps-site)
 #:   make library    build/libtumble.a
-#:   make install    tumble.h, the library and tumble.pc (PREFIX=/usr/local,
-#:                   LIBDIR=PREFIX/lib, DESTDIR=); make uninstall removes them
+#:   make install    tumble.h, the library, and what pkg-config and CMake ask for
+#:                   (PREFIX=/usr/local, LIBDIR=PREFIX/lib, DESTDIR=); make
+#:                   uninstall removes them.  lib/CMakeLists.txt is for CMake
+#:   make single     the library as one file: build/tumble.c and build/tumble.h
+#:   make python     a wheel of it for Python: build/tumble-*.whl
 $(CHAPTERS:%=test-%): test-%: need-check
 	$(BUILT) tests-of-$*
 	$(Q)$(if $(TESTS_$*),MINE= YOURS='$(MINE)' JOBS=$(CORES) sh tests/script/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
@@ -293,8 +300,12 @@ INCLUDEDIR ?= $(PREFIX)/include
 LICENCE     = $(PREFIX)/share/licenses/tumble
 VERSION := $(shell sed -n 's/^\#define TUMBLE_VERSION "\(.*\)"/\1/p' lib/tumble.h)
 MAJOR   := $(firstword $(subst ., ,$(VERSION)))
-INSTALLED = $(LIBDIR)/libtumble.a $(LIBDIR)/libtumble.so.$(VERSION) $(LIBDIR)/libtumble.so.$(MAJOR) \
-  $(LIBDIR)/libtumble.so $(LIBDIR)/pkgconfig/tumble.pc $(INCLUDEDIR)/tumble.h $(LICENCE)/LICENSE
+# Only where objects are ELF is there a shared library; elsewhere CMake makes one.
+ELF     = $(filter linux% %bsd freebsd%,$(subst -, ,$(shell $(CC) -dumpmachine)))
+SHARES  = libtumble.so.$(VERSION) libtumble.so.$(MAJOR) libtumble.so
+CONFIG  = $(LIBDIR)/cmake/tumble
+INSTALLED = $(patsubst %,$(LIBDIR)/%,libtumble.a $(if $(ELF),$(SHARES)) pkgconfig/tumble.pc) \
+  $(CONFIG)/tumbleConfig.cmake $(CONFIG)/tumbleConfigVersion.cmake $(INCLUDEDIR)/tumble.h $(LICENCE)/LICENSE
 # A program is told where the library stands, unless the loader looks there anyway.
 LOADED = $(filter /usr/lib% /lib%,$(LIBDIR)) $(filter $(LIBDIR),$(shell \
   /sbin/ldconfig -vN 2> /dev/null | sed -n 's|^\(/[^:]*\):.*|\1|p'))
@@ -305,14 +316,16 @@ $(foreach v,PREFIX LIBDIR INCLUDEDIR,$(if $(filter-out 1,$(words $($v)))$(filter
   $(error $v=$($v): this must begin with / and have no blank)))
 endif
 install:
-	$(Q)for d in $(LIBDIR)/pkgconfig $(LIBDIR) $(INCLUDEDIR) $(LICENCE); do \
+	$(Q)for d in $(LIBDIR)/pkgconfig $(CONFIG) $(LIBDIR) $(INCLUDEDIR) $(LICENCE); do \
 	  install -d '$(DESTDIR)'$$d 2> /dev/null && [ -w '$(DESTDIR)'$$d ] || { echo "make install:\
 	  $(DESTDIR)$$d cannot be written; PREFIX=FOLDER installs elsewhere" >&2; exit 1; }; done
 	$(BUILT) public
 	$(Q)install -m 644 $(BUILD)/seen.a '$(DESTDIR)$(LIBDIR)/libtumble.a'
-	$(Q)install $(BUILD)/seen.so '$(DESTDIR)$(LIBDIR)/libtumble.so.$(VERSION)'
-	$(Q)ln -sf libtumble.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libtumble.so.$(MAJOR)'
-	$(Q)ln -sf libtumble.so.$(MAJOR) '$(DESTDIR)$(LIBDIR)/libtumble.so'
+	$(Q)$(if $(ELF),install $(BUILD)/seen.so '$(DESTDIR)$(LIBDIR)/libtumble.so.$(VERSION)')
+	$(Q)$(if $(ELF),ln -sf libtumble.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libtumble.so.$(MAJOR)')
+	$(Q)$(if $(ELF),ln -sf libtumble.so.$(MAJOR) '$(DESTDIR)$(LIBDIR)/libtumble.so')
+	$(Q)for f in Config ConfigVersion; do sed 's|@VERSION@|$(VERSION)|; s|@MAJOR@|$(MAJOR)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|' \
+	  lib/tumble$$f.cmake.in > '$(DESTDIR)$(CONFIG)'/tumble$$f.cmake || exit 1; done
 	$(Q)install -m 644 lib/tumble.h '$(DESTDIR)$(INCLUDEDIR)'
 	$(Q)install -m 644 LICENSE '$(DESTDIR)$(LICENCE)'
 	$(Q)printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR:$(PREFIX)/%=$${prefix}/%)' \
@@ -324,9 +337,22 @@ install:
 	@$(if $(DESTDIR)$(RPATH),:,/sbin/ldconfig 2> /dev/null || echo "The loader has to be told: ldconfig, as root.")
 uninstall:
 	$(Q)for f in $(INSTALLED); do rm -f '$(DESTDIR)'$$f || exit 1; done
-	$(Q)[ ! -d '$(DESTDIR)$(LICENCE)' ] || rmdir '$(DESTDIR)$(LICENCE)'
+	$(Q)for d in $(LICENCE) $(CONFIG); do [ ! -d '$(DESTDIR)'$$d ] || rmdir '$(DESTDIR)'$$d; done
 	@echo "removed:" $(INSTALLED)
-public: $(BUILD)/seen.a $(BUILD)/seen.so
+public: $(BUILD)/seen.a $$(if $$(ELF),$(BUILD)/seen.so)
+
+# One file, made by a script, for those who want no other; and Python's.
+.PHONY: single python
+single: $(BUILD)/tumble.c $(BUILD)/tumble.h
+	@echo "$^: cc -O2 -c tumble.c"
+$(BUILD)/tumble.c: lib/single.awk LICENSE lib/tumble.h $(wildcard lib/*/*.[ch])
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v order='$(MODULES)' -f $^ > $@.part && mv $@.part $@
+$(BUILD)/tumble.h: lib/tumble.h
+	$(Q)mkdir -p $(@D)
+	$(Q)sed '/^\/\/[<>]/d' $< > $@
+python: $(BUILD)/seen.so
+	$(Q)TUMBLE_LIBRARY='$(BUILD)/seen.so' python3 lib/python/wheel.py $(BUILD)
 
 #:
 #: The little program
@@ -900,11 +926,13 @@ $(BUILD)/lib%.a:
 # All modules as one object in which only tumble_* is seen from outside.  The
 # compiler knows the linker, and the objcopy, of what it compiles for; asked to
 # sanitize, clang would put all of its library in.  32 bits share their thunks.
+# Where objects are not ELF, the one file is compiled, in which all else is static.
 OBJCOPY ?= $(shell $(CC) -print-prog-name=objcopy)
-$(BUILD)/seen.o: $(ALL)
+hide = $(CC) $(filter-out -fsanitize%,$(CFLAGS)) -r -nostdlib $1 -o $2 && $(OBJCOPY) --wildcard \
+  --keep-global-symbol='tumble_*' --keep-global-symbol='__x86.*' $2
+$(BUILD)/seen.o: $$(if $$(ELF),$$(ALL),$(BUILD)/tumble.c $(BUILD)/tumble.h $(BUILD)/flags)
 	@echo "  pack  $@"
-	$(Q)$(CC) $(filter-out -fsanitize%,$(CFLAGS)) -r -nostdlib $^ -o $@ && $(OBJCOPY) --wildcard --keep-global-symbol='tumble_*' \
-	  --keep-global-symbol='__x86.*' $@
+	$(Q)$(if $(ELF),$(call hide,$(filter %.o,$^),$@),$(CC) $(EXACT) $(CFLAGS) -c $< -o $@)
 $(BUILD)/seen.a: $(BUILD)/seen.o
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 $(BUILD)/seen.so: $(BUILD)/seen.o

@@ -250,7 +250,7 @@ demo: need-charts
 
 # Every test runs, even if another one fails or does not build.
 test: need-check
-	$(BUILT) -k checks || touch $(BUILD)/unbuilt
+	$(BUILT) -k checks public single || touch $(BUILD)/unbuilt
 	@unbuilt=; ! rm $(BUILD)/unbuilt 2> /dev/null || unbuilt=1; \
 	MINE= YOURS='$(MINE)' BUILD='$(BUILD)' JOBS=$(CORES) UNBUILT=$$unbuilt \
 	  sh tests/script/run.sh $(CHECKS) $(wildcard tests/script/check_*.sh)
@@ -345,14 +345,14 @@ public: $(BUILD)/seen.a $$(if $$(ELF),$(BUILD)/seen.so)
 .PHONY: single python
 single: $(BUILD)/tumble.c $(BUILD)/tumble.h
 	@echo "$^: cc -O2 -c tumble.c"
-$(BUILD)/tumble.c: lib/single.awk LICENSE lib/tumble.h $(wildcard lib/*/*.[ch])
+$(BUILD)/tumble.c: lib/single.awk LICENSE $(wildcard lib/*.h lib/*/*.[ch])
 	$(Q)mkdir -p $(@D)
 	$(Q)awk -v order='$(MODULES)' -f $^ > $@.part && mv $@.part $@
 $(BUILD)/tumble.h: lib/tumble.h
 	$(Q)mkdir -p $(@D)
 	$(Q)sed '/^\/\/[<>]/d' $< > $@
-python: $(BUILD)/seen.so
-	$(Q)TUMBLE_LIBRARY='$(BUILD)/seen.so' python3 lib/python/wheel.py $(BUILD)
+python: $(BUILD)/seen.o
+	$(Q)CC='$(CC)' TUMBLE_OBJECT='$(BUILD)/seen.o' python3 lib/python/build_wheel.py $(BUILD)
 
 #:
 #: The little program

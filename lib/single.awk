@@ -1,6 +1,6 @@
 # single.awk - writes the library as one file, tumble.c, that needs only tumble.h.
 #
-#   awk -v order="vec3 status ..." -f lib/single.awk LICENSE lib/tumble.h lib/*/*.[ch]
+#   awk -v order="vec3 status ..." -f lib/single.awk LICENSE lib/*.h lib/*/*.[ch]
 #
 # All headers come first and then all sources, both in the order of the modules;
 # of modules that nothing behind tumble.h includes there is nothing.  Only what
@@ -117,6 +117,8 @@ function open_file(    i, on) {
     print "#if defined(__GNUC__)\n#pragma GCC diagnostic ignored \"-Wunused-function\"\n#endif"
     print "#if defined(_M_FP_FAST)\n#error \"compile without /fp:fast: it rounds otherwise\"\n#endif"
     print "#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0\n#error \"for 32 bits of an x86: -msse2 -mfpmath=sse, or a result is rounded twice\"\n#endif"
+    print ""
+    for (i = 1; i <= length_of["sqrt_mingw.h"]; i++) print text["sqrt_mingw.h", i]
     print "\n#include \"tumble.h\""
 }
 

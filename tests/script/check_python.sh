@@ -8,7 +8,7 @@ unset MAKEFLAGS MFLAGS
 BUILD=${BUILD:-build} BUILD=${BUILD%/swapped}; export BUILD
 fail() { [ ! -s "$place/said" ] || tail -n 20 "$place/said"; echo "check_python: $1"; exit 1; }
 
-make -s python > "$place/said" 2>&1 || fail "make python fails"
+"${MAKE:-make}" -s python > "$place/said" 2>&1 || fail "make python fails"
 wheel=$(tail -n 1 "$place/said")
 # numpy is looked at if the system has it.
 python3 -m venv --without-pip --system-site-packages "$place/fresh" > "$place/said" 2>&1 || fail "there is no fresh environment"

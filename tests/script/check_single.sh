@@ -8,7 +8,7 @@ unset MAKEFLAGS MFLAGS
 BUILD=${BUILD:-build} BUILD=${BUILD%/swapped}; export BUILD
 fail() { echo "check_single: $1"; exit 1; }
 
-make -s "$BUILD/seen.a" single > "$place/said" 2>&1 || { cat "$place/said"; fail "make single fails"; }
+"${MAKE:-make}" -s "$BUILD/seen.a" single > "$place/said" 2>&1 || { cat "$place/said"; fail "make single fails"; }
 cp "$BUILD/tumble.c" "$BUILD/tumble.h" tests/public/hashes.c "$place"
 # Not optimized: to the bits that is the same, and it takes a tenth of the time.
 cc=$(command -v clang || echo "${CC:-cc}")

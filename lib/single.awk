@@ -118,7 +118,7 @@ function open_file(    i, on) {
     print "#if defined(_M_FP_FAST)\n#error \"compile without /fp:fast: it rounds otherwise\"\n#endif"
     print "#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0\n#error \"for 32 bits of an x86: -msse2 -mfpmath=sse, or a result is rounded twice\"\n#endif"
     print ""
-    for (i = 1; i <= length_of["sqrt_mingw.h"]; i++) print text["sqrt_mingw.h", i]
+    for (i = 1; i <= length_of["mended.h"]; i++) print text["mended.h", i]
     print "\n#include \"tumble.h\""
 }
 

@@ -21,7 +21,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 LIB = os.path.dirname(HERE)
 # The same bits everywhere, and no name seen but those of tumble.h.
 FLAGS = ["-std=c11", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math", "-fvisibility=hidden",
-         "-include", os.path.join(LIB, "sqrt_mingw.h")]
+         "-include", os.path.join(LIB, "mended.h")]
 
 
 def version():

@@ -14,7 +14,7 @@ try() {
     for tool in "$1" ${runner%% *}; do
         command -v "$tool" > /dev/null || { echo "$name: skipped, for there is no $tool"; return; }
     done
-    if "$@" "$level" -c tumble.c -o tumble.o 2> said && "$@" hashes.c tumble.o -lm -o hashes.exe 2>> said && $runner ./hashes.exe > printed 2>> said
+    if "$@" "$level" -c tumble.c -o tumble.o 2> said && "$@" -I. hashes.c tumble.o -lm -o hashes.exe 2>> said && $runner ./hashes.exe > printed 2>> said
     then
         tr -d '\r' < printed > got
         [ -s wanted ] || cp got wanted

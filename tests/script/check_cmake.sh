@@ -31,7 +31,7 @@ program fetched -DFETCH="$root"
 cmake --install "$place/fetched" --prefix "$place/in a folder" > "$place/said" 2>&1 || fail "cmake --install fails"
 program plain -Dtumble_DIR="$(ls -d "$place"/in*/lib*/cmake/tumble)"
 other=$(nm -g --defined-only "$place"/in*/lib*/libtumble.a | awk 'NF == 3 && $3 !~ /^_?tumble_/ { print $3 }')
-[ -z "$other" ] || fail "CMake's library also shows $(echo $other)"
+[ -z "$other" ] || fail "CMake's library also shows $(echo $other | cut -c 1-200)"
 [ -s "$place/in a folder/share/licenses/tumble/LICENSE" ] || fail "CMake installs no licence"
 sed -i.old 's/tumble 2 /tumble 1 /' "$place/a place/program/CMakeLists.txt"
 for by in "$place/made" "$place/in a folder"; do

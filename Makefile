@@ -309,7 +309,7 @@ INSTALLED = $(patsubst %,$(LIBDIR)/%,libtumble.a $(if $(ELF),$(SHARES)) pkgconfi
 # A program is told where the library stands, unless the loader looks there anyway.
 LOADED = $(filter /usr/lib% /lib%,$(LIBDIR)) $(filter $(LIBDIR),$(shell \
   /sbin/ldconfig -vN 2> /dev/null | sed -n 's|^\(/[^:]*\):.*|\1|p'))
-RPATH  = $(if $(strip $(LOADED)),,-Wl,-rpath,$${libdir} )
+RPATH  = $(if $(strip $(LOADED))$(if $(ELF),,x),,-Wl,-rpath,$${libdir} )
 .PHONY: install uninstall public
 ifneq ($(filter install uninstall,$(MAKECMDGOALS)),)
 $(foreach v,PREFIX LIBDIR INCLUDEDIR,$(if $(filter-out 1,$(words $($v)))$(filter-out /%,$($v)),\
@@ -334,7 +334,7 @@ install:
 	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} $(RPATH)-ltumble -lm' \
 	  > '$(DESTDIR)$(LIBDIR)/pkgconfig/tumble.pc'
 	@echo "installed:" $(INSTALLED)
-	@$(if $(DESTDIR)$(RPATH),:,/sbin/ldconfig 2> /dev/null || echo "The loader has to be told: ldconfig, as root.")
+	@$(if $(DESTDIR)$(RPATH)$(if $(ELF),,x),:,/sbin/ldconfig 2> /dev/null || echo "The loader has to be told: ldconfig, as root.")
 uninstall:
 	$(Q)for f in $(INSTALLED); do rm -f '$(DESTDIR)'$$f || exit 1; done
 	$(Q)for d in $(LICENCE) $(CONFIG); do [ ! -d '$(DESTDIR)'$$d ] || rmdir '$(DESTDIR)'$$d; done
@@ -684,7 +684,7 @@ bits: need-clang
 #:
 #: make deps-book adds pandoc and img2webp; make deps-site adds what makes and
 #: tests the live figures: clang for WebAssembly, node, npm and chromium; make
-#: deps-dev adds clang, its fuzzer, valgrind, and GNU Parallel, which
+#: deps-dev adds clang, its fuzzer, valgrind, cmake, and GNU Parallel, which
 #: build/tumble --sweep and make hard need.
 #: NATIVE=1 builds for this very machine.  V=1 shows the commands.
 #: FUZZ_SECONDS=600 fuzzes for longer.

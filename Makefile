@@ -118,6 +118,10 @@ endif
 endif
 OURS := $(BUILD:%/swapped=%)
 CFLAGS ?= -O3 -g
+# It knows the archiver of what it compiles for.
+ifeq ($(origin AR),default)
+AR = $(shell $(CC) -print-prog-name=ar)
+endif
 ifdef NATIVE
 CFLAGS += -march=native
 endif
@@ -250,7 +254,7 @@ demo: need-charts
 
 # Every test runs, even if another one fails or does not build.
 test: need-check
-	$(BUILT) -k checks || touch $(BUILD)/unbuilt
+	$(BUILT) -k checks public single || touch $(BUILD)/unbuilt
 	@unbuilt=; ! rm $(BUILD)/unbuilt 2> /dev/null || unbuilt=1; \
 	MINE= YOURS='$(MINE)' BUILD='$(BUILD)' JOBS=$(CORES) UNBUILT=$$unbuilt \
 	  sh tests/script/run.sh $(CHECKS) $(wildcard tests/script/check_*.sh)
@@ -269,8 +273,11 @@ test: need-check
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make live 01    the live figures of chapter 01, in a page (make deps-site)
 #:   make library    build/libtumble.a
-#:   make install    tumble.h, the library and tumble.pc (PREFIX=/usr/local,
-#:                   LIBDIR=PREFIX/lib, DESTDIR=); make uninstall removes them
+#:   make install    tumble.h, the library, and what pkg-config and CMake ask for
+#:                   (PREFIX=/usr/local, LIBDIR=PREFIX/lib, DESTDIR=); make
+#:                   uninstall removes them.  lib/CMakeLists.txt is for CMake
+#:   make single     the library as one file: build/tumble.c and build/tumble.h
+#:   make python     a wheel of it for Python: build/tumble-*.whl
 $(CHAPTERS:%=test-%): test-%: need-check
 	$(BUILT) tests-of-$*
 	$(Q)$(if $(TESTS_$*),MINE= YOURS='$(MINE)' JOBS=$(CORES) sh tests/script/run.sh $(TESTS_$*:%=$(BUILD)/tests/%),:)
@@ -297,26 +304,32 @@ INCLUDEDIR ?= $(PREFIX)/include
 LICENCE     = $(PREFIX)/share/licenses/tumble
 VERSION := $(shell sed -n 's/^\#define TUMBLE_VERSION "\(.*\)"/\1/p' lib/tumble.h)
 MAJOR   := $(firstword $(subst ., ,$(VERSION)))
-INSTALLED = $(LIBDIR)/libtumble.a $(LIBDIR)/libtumble.so.$(VERSION) $(LIBDIR)/libtumble.so.$(MAJOR) \
-  $(LIBDIR)/libtumble.so $(LIBDIR)/pkgconfig/tumble.pc $(INCLUDEDIR)/tumble.h $(LICENCE)/LICENSE
+# Only where objects are ELF is there a shared library; elsewhere CMake makes one.
+ELF     = $(filter linux% %bsd freebsd%,$(subst -, ,$(shell $(CC) -dumpmachine)))
+SHARES  = libtumble.so.$(VERSION) libtumble.so.$(MAJOR) libtumble.so
+CONFIG  = $(LIBDIR)/cmake/tumble
+INSTALLED = $(patsubst %,$(LIBDIR)/%,libtumble.a $(if $(ELF),$(SHARES)) pkgconfig/tumble.pc) \
+  $(CONFIG)/tumbleConfig.cmake $(CONFIG)/tumbleConfigVersion.cmake $(INCLUDEDIR)/tumble.h $(LICENCE)/LICENSE
 # A program is told where the library stands, unless the loader looks there anyway.
 LOADED = $(filter /usr/lib% /lib%,$(LIBDIR)) $(filter $(LIBDIR),$(shell \
   /sbin/ldconfig -vN 2> /dev/null | sed -n 's|^\(/[^:]*\):.*|\1|p'))
-RPATH  = $(if $(strip $(LOADED)),,-Wl,-rpath,$${libdir} )
+RPATH  = $(if $(strip $(LOADED))$(if $(ELF),,x),,-Wl,-rpath,$${libdir} )
 .PHONY: install uninstall public
 ifneq ($(filter install uninstall,$(MAKECMDGOALS)),)
 $(foreach v,PREFIX LIBDIR INCLUDEDIR,$(if $(filter-out 1,$(words $($v)))$(filter-out /%,$($v)),\
   $(error $v=$($v): this must begin with / and have no blank)))
 endif
 install:
-	$(Q)for d in $(LIBDIR)/pkgconfig $(LIBDIR) $(INCLUDEDIR) $(LICENCE); do \
+	$(Q)for d in $(LIBDIR)/pkgconfig $(CONFIG) $(LIBDIR) $(INCLUDEDIR) $(LICENCE); do \
 	  install -d '$(DESTDIR)'$$d 2> /dev/null && [ -w '$(DESTDIR)'$$d ] || { echo "make install:\
 	  $(DESTDIR)$$d cannot be written; PREFIX=FOLDER installs elsewhere" >&2; exit 1; }; done
 	$(BUILT) public
 	$(Q)install -m 644 $(BUILD)/seen.a '$(DESTDIR)$(LIBDIR)/libtumble.a'
-	$(Q)install $(BUILD)/seen.so '$(DESTDIR)$(LIBDIR)/libtumble.so.$(VERSION)'
-	$(Q)ln -sf libtumble.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libtumble.so.$(MAJOR)'
-	$(Q)ln -sf libtumble.so.$(MAJOR) '$(DESTDIR)$(LIBDIR)/libtumble.so'
+	$(Q)$(if $(ELF),install $(BUILD)/seen.so '$(DESTDIR)$(LIBDIR)/libtumble.so.$(VERSION)')
+	$(Q)$(if $(ELF),ln -sf libtumble.so.$(VERSION) '$(DESTDIR)$(LIBDIR)/libtumble.so.$(MAJOR)')
+	$(Q)$(if $(ELF),ln -sf libtumble.so.$(MAJOR) '$(DESTDIR)$(LIBDIR)/libtumble.so')
+	$(Q)for f in Config ConfigVersion; do sed 's|@VERSION@|$(VERSION)|; s|@MAJOR@|$(MAJOR)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCLUDEDIR)|' \
+	  lib/tumble$$f.cmake.in > '$(DESTDIR)$(CONFIG)'/tumble$$f.cmake || exit 1; done
 	$(Q)install -m 644 lib/tumble.h '$(DESTDIR)$(INCLUDEDIR)'
 	$(Q)install -m 644 LICENSE '$(DESTDIR)$(LICENCE)'
 	$(Q)printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR:$(PREFIX)/%=$${prefix}/%)' \
@@ -325,12 +338,25 @@ install:
 	  'Cflags: -I$${includedir}' 'Libs: -L$${libdir} $(RPATH)-ltumble -lm' \
 	  > '$(DESTDIR)$(LIBDIR)/pkgconfig/tumble.pc'
 	@echo "installed:" $(INSTALLED)
-	@$(if $(DESTDIR)$(RPATH),:,/sbin/ldconfig 2> /dev/null || echo "The loader has to be told: ldconfig, as root.")
+	@$(if $(DESTDIR)$(RPATH)$(if $(ELF),,x),:,/sbin/ldconfig 2> /dev/null || echo "The loader has to be told: ldconfig, as root.")
 uninstall:
 	$(Q)for f in $(INSTALLED); do rm -f '$(DESTDIR)'$$f || exit 1; done
-	$(Q)[ ! -d '$(DESTDIR)$(LICENCE)' ] || rmdir '$(DESTDIR)$(LICENCE)'
+	$(Q)for d in $(LICENCE) $(CONFIG); do [ ! -d '$(DESTDIR)'$$d ] || rmdir '$(DESTDIR)'$$d; done
 	@echo "removed:" $(INSTALLED)
-public: $(BUILD)/seen.a $(BUILD)/seen.so
+public: $(BUILD)/seen.a $$(if $$(ELF),$(BUILD)/seen.so)
+
+# One file, made by a script, for those who want no other; and Python's.
+.PHONY: single python
+single: $(BUILD)/tumble.c $(BUILD)/tumble.h
+	@echo "$^: cc -O2 -c tumble.c"
+$(BUILD)/tumble.c: lib/single.awk LICENSE $(wildcard lib/*.h lib/*/*.[ch])
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v order='$(MODULES)' -f $^ > $@.part && mv $@.part $@
+$(BUILD)/tumble.h: lib/tumble.h
+	$(Q)mkdir -p $(@D)
+	$(Q)sed '/^\/\/[<>]/d' $< > $@
+python: $(BUILD)/seen.o
+	$(Q)CC='$(CC)' TUMBLE_OBJECT='$(BUILD)/seen.o' python3 lib/python/build_wheel.py $(BUILD)
 
 #:
 #: The little program
@@ -674,7 +700,7 @@ bits: need-clang
 #:
 #: make deps-book adds pandoc and img2webp; make deps-site adds what makes and
 #: tests the live figures: clang for WebAssembly, node, npm and chromium; make
-#: deps-dev adds clang, its fuzzer, valgrind, and GNU Parallel, which
+#: deps-dev adds clang, its fuzzer, valgrind, cmake, and GNU Parallel, which
 #: build/tumble --sweep and make hard need.
 #: NATIVE=1 builds for this very machine.  V=1 shows the commands.
 #: FUZZ_SECONDS=600 fuzzes for longer.
@@ -920,11 +946,13 @@ $(BUILD)/lib%.a:
 # All modules as one object in which only tumble_* is seen from outside.  The
 # compiler knows the linker, and the objcopy, of what it compiles for; asked to
 # sanitize, clang would put all of its library in.  32 bits share their thunks.
+# Where objects are not ELF, the one file is compiled, in which all else is static.
 OBJCOPY ?= $(shell $(CC) -print-prog-name=objcopy)
-$(BUILD)/seen.o: $(ALL)
+hide = $(CC) $(filter-out -fsanitize%,$(CFLAGS)) -r -nostdlib $1 -o $2 && $(OBJCOPY) --wildcard \
+  --keep-global-symbol='tumble_*' --keep-global-symbol='__x86.*' $2
+$(BUILD)/seen.o: $$(if $$(ELF),$$(ALL),$(BUILD)/tumble.c $(BUILD)/tumble.h $(BUILD)/flags)
 	@echo "  pack  $@"
-	$(Q)$(CC) $(filter-out -fsanitize%,$(CFLAGS)) -r -nostdlib $^ -o $@ && $(OBJCOPY) --wildcard --keep-global-symbol='tumble_*' \
-	  --keep-global-symbol='__x86.*' $@
+	$(Q)$(if $(ELF),$(call hide,$(filter %.o,$^),$@),$(CC) $(EXACT) $(CFLAGS) -c $< -o $@)
 $(BUILD)/seen.a: $(BUILD)/seen.o
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 $(BUILD)/seen.so: $(BUILD)/seen.o

@@ -63,6 +63,7 @@ deps-dev)
     need clang command -v clang
     need libclang-rt-dev fuzzer
     need valgrind command -v valgrind
+    need cmake command -v cmake
     need parallel gnu_parallel ;;
 deps-peers)
     need libccd-dev header ccd/ccd.h

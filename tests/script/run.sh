@@ -28,7 +28,7 @@ trap 'rm -rf "$folder"' EXIT
 jobs=${JOBS:-$(nproc 2> /dev/null || echo 2)}
 
 # The longest begin first: what is short then fills the other cores at the end.
-long="check_exercises check_little check_page check_command check_install check_swap \
+long="check_exercises check_little check_page check_command check_install check_cmake check_swap \
       check_hard_rows check_start check_program check_tumble_save"
 n=0
 for test in "$@"; do

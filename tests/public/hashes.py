@@ -1,0 +1,102 @@
+"""The worlds of hashes.c in Python, which must print the same lines; then what
+Python alone has."""
+
+import tumble
+
+
+def run(world, name, steps):
+    for _ in range(steps):
+        world.step()
+    print(f"{name} {world.hash():016x}")
+    return world
+
+
+def on_ground():
+    world = tumble.World()
+    world.add_plane((0, 1, 0), 0, -1)
+    return world
+
+
+def readme():
+    w = on_ground()
+    box = w.box((1, 1, 1), 2)
+    falling = w.add(box, tumble.at(0, 3, 0))
+    sign = w.add(box, tumble.at(4, 2, 0))
+    w.hinge(tumble.ground(), sign, (4, 2.5, 0), (0, 0, 1))
+    w.push(falling, (4, 0, 0), (0, 3, 0))
+    run(w, "readme", 300)
+
+
+def heap():
+    w = on_ground()
+    shapes = [w.box((0.4, 0.5, 0.6), 1), w.sphere(0.3, 2), w.icosahedron(0.3, 1), w.capsule(0.5, 0.2, 3)]
+    for k in range(16):
+        o = tumble.at(0.1 * (k % 3), 0.5 + 0.7 * k, 0.05 * k)
+        o.pose.rotation = tumble.turn((1, k, 2), 0.3 * k)
+        w.add(shapes[k % 4], o)
+    return run(w, "heap", 120)
+
+
+def cloth():
+    w = on_ground()
+    w.add(w.sphere(0.5, 1), tumble.at(0, 1, 0, kind=tumble.STATIC))
+    w.add(w.cloth(12, 12, 1.6, 1.6, 0.5), tumble.at(0.1, 1.6, 0))
+    rope = w.add(w.rope(12, 1.5, 0.3), tumble.at(2, 1, 0))
+    w.pin(rope, 0)
+    run(w, "cloth", 40)
+
+
+def hills():
+    side = 9
+    w = tumble.World()
+    heights = [0.1 * (k * 7 % 5) for k in range(side * side)]
+    w.add_heights(heights, side, side, 4, 4, 0, tumble.at(0, 0, 0))
+    box = w.box((0.4, 0.3, 0.4), 1)
+    for k in range(6):
+        w.add(box, tumble.at(0.5 * (k % 3) - 0.4, 1 + 0.4 * k, 0.2 * k - 0.5))
+    run(w, "hills", 120)
+
+
+def alone(w):
+    """Many at once is what one by one is; failures; a saved world; numpy."""
+    bodies = w.bodies()
+    rows = w.poses().tolist()
+    assert len(rows) == len(bodies) == 16
+    for body, row in zip(bodies, rows):
+        pose = w.get_pose(body)
+        assert row == [*pose.position, *pose.rotation]
+    rows = w.velocities(bodies).tolist()
+    assert rows == [[*w.velocity(b), *w.spin(b)] for b in bodies]
+    saved = w.save()
+    other = tumble.World.load(saved)
+    w.step()
+    other.step()
+    assert w.hash() == other.hash()
+    assert w.ray((0, 50, 0), (0, -5, 0), ~0 & 0xFFFFFFFF) and w.ray((90, 50, 0), (90, 40, 0), 1) is None
+    w.remove(bodies[3])
+    assert not w.has(bodies[3]) and w.poses(bodies).tolist()[3] == [0, 0, 0, 0, 0, 0, 0]
+    for wrong, why in [(lambda: w.remove(bodies[3]), "gone"), (lambda: w.box((-1, 1, 1), 1), "side"),
+                       (lambda: tumble.World(dt=-1), "dt"), (lambda: tumble.World.load(saved[:-1]), "")]:
+        try:
+            wrong()
+        except tumble.Failure as failure:
+            assert why in str(failure), failure
+        else:
+            assert False, "what fails did not say so"
+    try:
+        import numpy
+    except ImportError:
+        return
+    memory = w.poses()
+    array = numpy.asarray(memory)
+    array[0, 0] = 7
+    assert array.shape == (15, 7) and memory[0, 0] == 7         # a view, no copy
+    grid = numpy.zeros((3, 3))
+    assert w.has(w.add_heights(grid, 3, 3, 1, 1, 0, tumble.at(0, -9, 0)))
+
+
+readme()
+w = heap()
+cloth()
+hills()
+alone(w)

@@ -106,6 +106,7 @@ test-site: need-browser site $(BUILD)/node/.done
 	$(Q)sh tests/script/check_charts.sh $(CHARTS_SITE:%.svg=$(SITE)/%-phone.svg)
 	$(Q)bad=; \
 	  $(if $(PAGES),,node tests/site/check_live.mjs $(BUILD) || bad=1; \
-	    node tests/site/check_dials.mjs $(BUILD) $(SEED) || bad=1; \
+	    node tests/site/check_look.mjs $(BUILD) || bad=1; \
+    node tests/site/check_dials.mjs $(BUILD) $(SEED) || bad=1; \
     node tests/site/check_workshop.mjs $(BUILD) $(or $(WRONGS),2) || bad=1;) \
 	  node tests/site/check_site.mjs $(SITE) $(PAGES) || bad=1; [ -z "$$bad" ]

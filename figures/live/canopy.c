@@ -124,12 +124,6 @@ static void tap(int number, vec3 along)
     else live_world_hurry(&room, number, vec3_add(vec3_scale(3, along), vec3_make(0, 5, 0)));
 }
 
-static void press(int button)
-{
-    (void)button;
-    for (int k = 0; k < CORNERS && is_ready; k++) set_pin(k, true);
-}
-
 // --- Frames -----------------------------------------------------------------------
 // One after the other what lies on the floor falls once more.
 static void lift(void)
@@ -175,7 +169,6 @@ const live_figure figure = {
     .name = "canopy",
     .says = "Boxes, stones and balls fall on an awning of cloth, and roll off it",
     .camera = { .distance = 4.9, .turn = 0.5, .rise = 0.27, .target = { 0, 0.95, 0 }, .has_floor = true },
-    .button = { "Hang it up again" },
     .begin = begin, .step = step, .draw = draw, .hash = hash,
-    .press = press, .tap = tap, .move = move, .release = release,
+    .tap = tap, .move = move, .release = release,
 };

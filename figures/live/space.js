@@ -196,9 +196,9 @@ export class Space {
     this.renderer.setClearColor(colour(this.figure, 'stage'), 1);
     this.sky.groundColor.set(dark.matches ? 0x2a2622 : 0xb9b2a6);
     this.sky.color.set(dark.matches ? 0xb8c4d8 : 0xffffff);
-    this.sky.intensity = dark.matches ? 0.9 : 1.35;
+    this.sky.intensity = dark.matches ? 1.0 : 1.6;
     this.above.intensity = dark.matches ? 0.5 : 0.75;
-    this.sun.intensity = dark.matches ? 1.9 : 1.75;
+    this.sun.intensity = dark.matches ? 1.9 : 1.7;
     this.shade.opacity = dark.matches ? 0.42 : 0.24;
   }
 

@@ -3,7 +3,7 @@
 // phone a stage stays in view while a dial turns, and a page says what it is about to
 // whoever passes it on:   node check_look.mjs BUILD
 
-import { readdirSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
 import { launch } from './browser.mjs';
@@ -36,12 +36,11 @@ const chapters = names.filter(name => /^\d\d/.test(name) && +name.slice(0, 2) <=
 
 // --- Each page says what it is about ------------------------------------------------
 for (const name of names) {
-  const page = await open(name, { viewport: WIDE, javaScriptEnabled: false });
-  const said = await page.evaluate(() => ({ title: document.title, ...Object.fromEntries([...document.querySelectorAll('meta[name], meta[property]')].map(node => [node.getAttribute('name') ?? node.getAttribute('property'), node.content])) }));
-  check(said.title.length > 8, `${name} has a title: ${said.title}`);
+  const html = readFileSync(`${site}/${name}`, 'utf8'), title = html.match(/<title>(.*)<\/title>/)?.[1] ?? '';
+  const said = Object.fromEntries([...html.matchAll(/<meta (?:name|property)="([^"]*)" content="([^"]*)">/g)].map(found => found.slice(1)));
+  check(title.length > 8, `${name} has a title: ${title}`);
   check(said.description?.length > 40, `${name} says what it is about: ${said.description}`);
   check(said['og:title'] && said['og:description'] === said.description, `${name} says so to whoever passes it on`);
-  await page.close();
 }
 
 // --- Chapters -----------------------------------------------------------------------

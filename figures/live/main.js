@@ -113,9 +113,9 @@ class Figure {
 
   // A new memory, which has the page's colours, and nothing of what stopped.
   async fill() {
-    this.core = await makeCore(this.own ?? tumble.wasm[this.name]);
-    this.ghost = this.own && await makeCore(tumble.wasm[this.name]);
-    this.parted = 0;
+    const core = await makeCore(this.own ?? tumble.wasm[this.name]), ghost = this.own && await makeCore(tumble.wasm[this.name]);
+    // Both at once: nothing may step what has not begun.
+    Object.assign(this, { core, ghost, parted: 0 });
     this.stopped = undefined;
     delete this.node.dataset.trapped;
     this.node.querySelectorAll('.live-trap').forEach(node => node.remove());
@@ -161,11 +161,12 @@ class Figure {
 
   step() {
     const from = performance.now();
-    this.both('step');
+    this.guard(() => this.core.call('step'));
     const took = performance.now() - from;
+    this.ghost?.call('step');
     this.frames++;
     this.slow = this.frames < 6 ? took : 0.9 * this.slow + 0.1 * took;
-    this.guard(() => this.core.call('measure'));
+    this.both('measure');
     if (this.stopped) return;
     this.note();
     this.compare();

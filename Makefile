@@ -268,7 +268,8 @@ test: need-check
 #:   make book       weave chapters/, lib/ and the judges into book.md, and into
 #:                   a page a chapter: chapters/woven
 #:   make site       the book as pages for a browser, with live figures:
-#:                   build/site/index.html (make deps-site)
+#:                   build/site/index.html (make deps-site); SITE_URL=ADDRESS says
+#:                   in each page where it will stand, for those who pass it on
 #:   make html       build/book.html, one page with all in it; make pdf and make
 #:                   epub: for paper and for e-readers (make deps-book)
 #:   make live 01    the live figures of chapter 01, in a page (make deps-site)

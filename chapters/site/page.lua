@@ -98,7 +98,7 @@ local function Link(link)
   elseif other then target = place(other, id) end
   if not path then link.content = { raw(html_of(link.content)) } end
   if not target then return pandoc.Span(link.content) end
-  return pandoc.Link(link.content, target)
+  return pandoc.Link(link.content, target, link.title, link.attr)
 end
 
 -- --- words ------------------------------------------------------------------------
@@ -245,8 +245,8 @@ local function is_live(para)
 end
 
 -- A picture that stands alone becomes a figure, its text the caption; one of
--- figures/live is what a script sets in motion, one of figures/moving stands still
--- until a script plays it.
+-- figures/live is what a script sets in motion, with .small its stage alone, with
+-- .first at once; one of figures/moving stands still until a script plays it.
 local function figure_of(image)
   local path = image.src:gsub('^%.%./%.%./', '')
   local folder, name = path:match('figures/([^/]*)/([^/]*)%.%a+$')
@@ -254,17 +254,21 @@ local function figure_of(image)
   local shown = path:gsub('%.png$', '.webp')
   local still = folder == 'moving' and path:gsub('%.webp$', '-still.webp')
   if still then shown = still end
-  local data = still and ' class="moving" data-moving="' .. path .. '"' or folder == 'live' and ' class="live" data-live="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' or ''
+  local is_first = image.classes:includes('first')
+  local small = folder == 'live' and (is_first or image.classes:includes('small')) and not whole
+  local data = small and ' class="live small" data-small="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' ..
+      (image.attributes.dial and ' data-dial="' .. image.attributes.dial .. '"' or '') .. (is_first and ' data-first' or '') or
+    still and ' class="moving" data-moving="' .. path .. '"' or folder == 'live' and ' class="live" data-live="' .. name .. '" data-wants="' .. (hash_of(name) or '') .. '"' or ''
   local caption = html_of(image.caption)
   local source = path:gsub('%.%a+$', '.c')
   local program = io.open(source) and place_of_file(source)
-  if program then
+  if program and not small then
     caption = caption .. ' <a class="program" href="' .. program .. '">' .. name .. '.c</a>'
   end
   local picture = pandoc.Image({ pandoc.Str(pandoc.utils.stringify(image.caption)) },
     FORMAT:match('^epub') and not still and path or shown, '',
     { width = wide and string.format('%.0f', wide), height = high and string.format('%.0f', high),
-      loading = not whole and 'lazy' or nil })
+      loading = not whole and not is_first and 'lazy' or nil })
   -- On dark paper a painting has another light.
   local dark = path:gsub('%.%a+$', '-dark.webp')
   local shade = not whole and io.open(dark)
@@ -287,7 +291,7 @@ local function figure_of(image)
   -- By itself it can be looked at as large as it is.
   if not whole and folder ~= 'live' and not still then picture = pandoc.Link({ picture }, shown) end
   return {
-    block('<figure id="figure-' .. name .. '"' .. data .. '>'), pandoc.Plain({ picture }),
+    block('<figure id="' .. (small and 'see-' or 'figure-') .. name .. '"' .. data .. '>'), pandoc.Plain({ picture }),
     block('<figcaption>' .. caption .. '</figcaption></figure>'),
   }
 end
@@ -355,7 +359,10 @@ local function chapter(blocks, meta)
   taken = anchor(blocks, whole and (page:match('^%d%d%l?%-') or page .. '-') or '')
   if whole then blocks[1].identifier = page end
   if not meta.home and not meta.write then meta.side = pandoc.MetaBlocks({ block(side_of(blocks)) }) end
-  meta.live = #blocks:filter(is_live) > 0
+  local live = blocks:filter(is_live)
+  meta.live = #live > 0 or meta.home
+  -- The picture of a card that is passed on.
+  meta.card = (live[1] and picture_in(live[1]).src or 'figures/live/canopy.webp'):gsub('^%.%./%.%./', '')
   title_of(blocks[1])
   return pandoc.walk_block(pandoc.Div(blocks), filter).content
 end

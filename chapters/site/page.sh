@@ -30,7 +30,16 @@ convert() {
         -t "$format" --standalone --mathml --section-divs --wrap=none \
         --highlight-style=kate --lua-filter $here/page.lua "$@"
 }
-site() { convert html5 --template $here/page.html --metadata page="$page" "$@" -o "$file"; }
+# SITE_URL, if the site has an address: what is passed on says it.
+site() {
+    [ -z "$SITE_URL" ] || set -- "$@" --metadata url="${SITE_URL%/}/" --metadata self="$(basename "$file" | sed 's/^index.html$//')"
+    [ ! -e "${BUILD:-build}/workshop/node/.done" ] || set -- "$@" --metadata workshop=true
+    convert html5 --template $here/page.html --metadata page="$page" "$@" -o "$file"
+}
+# What a page is about: the question that README says it asks, or its title.
+about() {
+    { sed -n "s/^| .*chapters\/woven\/$1\.md) | \(.*\) |\$/\1/p" README.md | sed 's/`//g; s/\[\([^]]*\)\]([^)]*)/\1/g'; echo "$(title "$1")."; } | head -n 1
+}
 title() { sed -n 's/^# //p; /^# /q' "chapters/woven/$1.md"; }
 pages() { ls chapters/woven | sed 's/\.md$//'; }
 
@@ -41,7 +50,19 @@ turn() {
     after=$(pages | grep -A 1 -x "$page" | grep -vx "$page")
     [ -z "$before" ] || set -- "$@" --metadata before="$before" --metadata before-title="$(title "$before")"
     [ -z "$after" ] || set -- "$@" --metadata after="$after" --metadata after-title="$(title "$after")"
-    site "$@"
+    site --metadata description="$(about "$page") From a course and a C library of rigid bodies, cloth, rope and joints." "$@"
+}
+
+# The chapter, and where its first live figure comes late, a small one after the
+# first paragraph of its question (openings.txt: page, figure, dial, caption).
+opened() {
+    awk -v page="$page" -F ' *[|] *' '
+        FILENAME ~ /openings/ { if ($1 == page) { figure = $2; dial = $3; says = $4 } next }
+        { print }
+        /^## / && figure { near = 1; next }
+        near == 1 && /./ { near = 2; next }
+        near == 2 { print "![" says "](../../figures/live/" figure ".webp){.small" (dial == "" ? "" : " dial=" dial) "}\n"; near = 0; figure = "" }
+    ' $here/openings.txt "chapters/woven/$page.md"
 }
 
 # The tasks under their chapters, each a heading lower.
@@ -129,13 +150,16 @@ number_contents() {
 }
 
 case $form in
-page) awk -f $here/page.awk "chapters/woven/$page.md" | turn --metadata pagetitle="$(title "$page")" ;;
-index) awk -f $here/index.awk $here/index.md README.md | site --metadata home=true --metadata pagetitle="a world of particles and sticks" ;;
+page) opened | awk -f $here/page.awk | turn --metadata pagetitle="$(title "$page")" ;;
+index) awk -f $here/index.awk $here/index.md README.md | site --metadata home=true --metadata pagetitle="a world of particles and sticks" \
+        --metadata description="A course and a C library in one tree: rigid bodies, cloth, rope and joints, made of nothing but particles and sticks, and running in the page." ;;
 search) { book; tasks | awk -f $here/page.awk; } |
         pandoc -f "$reader" -t plain --wrap=none --lua-filter $here/search.lua -o "$file" ;;
-write) write | awk -f $here/page.awk | site --metadata write="$page" --metadata pagetitle="$(sed -n '1s/^# //p' "exercises/$page/README.md")" ;;
-little) stages | site --metadata write=little --metadata little=true --metadata pagetitle="The little program" ;;
-exercises) tasks | awk -f $here/page.awk | site --metadata pagetitle=Exercises ;;
+write) write | awk -f $here/page.awk | site --metadata write="$page" \
+        --metadata description="An exercise in C, written, compiled and judged in the page." --metadata pagetitle="$(sed -n '1s/^# //p' "exercises/$page/README.md")" ;;
+little) stages | site --metadata write=little --metadata little=true --metadata pagetitle="Your engine" \
+        --metadata description="A program in C that grows from a falling ball to an engine, written and run in the page, and saved as a page of its own." ;;
+exercises) tasks | awk -f $here/page.awk | site --metadata pagetitle=Exercises --metadata description="All exercises of the course: a file with a hole in it, and tests that judge what you write there." ;;
 html) embedded "$file" ;;
 pdf)  wants chromium chromium-browser google-chrome
       heads > "$part/heads" && embedded "$part/book.html" --include-in-header "$part/heads" &&

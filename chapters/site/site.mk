@@ -35,11 +35,11 @@ $(BUILD)/phone.done: $(CHARTS_SITE) chapters/site/phone.mjs
 	$(Q)node chapters/site/phone.mjs $(foreach f,$(CHARTS_SITE),$f $(SITE)/$(f:.svg=-phone.svg)) && touch $@
 $(SITE_PAGES): | $(BUILD)/phone.done
 
-PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html) $(WORKSHOP)/with
+PAGE_TOOLS := $(wildcard chapters/site/*.lua) $(addprefix chapters/site/,page.awk page.sh page.html openings.txt) $(WORKSHOP)/with
 define page
 	@mkdir -p $(@D)
 	@echo "  page  $@"
-	$(Q)BUILD='$(BUILD)' sh chapters/site/page.sh $1
+	$(Q)BUILD='$(BUILD)' SITE_URL='$(SITE_URL)' sh chapters/site/page.sh $1
 endef
 $(SITE)/index.html: chapters/site/index.md chapters/site/index.awk README.md $(PAGE_TOOLS)
 	$(call page,index $@)
@@ -106,6 +106,7 @@ test-site: need-browser site $(BUILD)/node/.done
 	$(Q)sh tests/script/check_charts.sh $(CHARTS_SITE:%.svg=$(SITE)/%-phone.svg)
 	$(Q)bad=; \
 	  $(if $(PAGES),,node tests/site/check_live.mjs $(BUILD) || bad=1; \
-	    node tests/site/check_dials.mjs $(BUILD) $(SEED) || bad=1; \
+	    node tests/site/check_look.mjs $(BUILD) || bad=1; \
+    node tests/site/check_dials.mjs $(BUILD) $(SEED) || bad=1; \
     node tests/site/check_workshop.mjs $(BUILD) $(or $(WRONGS),2) || bad=1;) \
 	  node tests/site/check_site.mjs $(SITE) $(PAGES) || bad=1; [ -z "$$bad" ]

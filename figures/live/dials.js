@@ -26,3 +26,21 @@ function choice(dial, turned) {
 export const makeDial = (dial, turned) => (dial.choices ? choice : slider)(dial, turned);
 
 export const button = (name, pressed) => make('button', { type: 'button', onclick: pressed }, name);
+
+// --- Small buttons on the stage: pictures with a name ---
+const PICTURES = {
+  Pause: 'M8 5v14M16 5v14', Play: 'M8 5l11 7-11 7z', 'Start again': 'M5 12a7 7 0 1 0 2.5-5.4M5 4v4h4',
+  'One frame': 'M6 5l9 7-9 7zM19 5v14', Slow: 'M12 7v5l3 2M12 4a8 8 0 1 0 .01 0',
+  'Full screen': 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5',
+};
+const picture = name => `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${PICTURES[name]}"/></svg>`;
+export function tool(name, pressed) {
+  const node = make('button', { type: 'button', class: 'live-tool', onclick: pressed });
+  node.rename = to => {
+    node.setAttribute('aria-label', to);
+    node.title = to;
+    node.innerHTML = picture(to);
+  };
+  node.rename(name);
+  return node;
+}

@@ -26,6 +26,7 @@ define LIVES
 16/fabric
 17/chain
 18/energy
+18/canopy
 19/topple
 endef
 # What a figure takes from other folders, beside the library.
@@ -33,7 +34,7 @@ WITH_gjk := rules/04-distance-1.o live/plane.o
 $(foreach f,epa shares nearest slab,$(eval WITH_$f := live/plane.o))
 WITH_drape := figures/runner.o tests/poses.o
 WITH_room := figures/runner.o tests/poses.o
-$(foreach f,pile fabric chain energy,$(eval WITH_$f := live/live_world.o))
+$(foreach f,pile fabric chain energy canopy,$(eval WITH_$f := live/live_world.o))
 # The first program of the book runs on a module of the next chapter.
 FLOOR_bounce := 01
 

@@ -6,14 +6,15 @@ const unwanted = matchMedia('(prefers-reduced-motion: reduce)');
 
 export const still = () => unwanted.matches;
 
-// step(n) is called with 0, 1 or 2; changed(isPlaying) when that changes.
+// step(n) is called with 0, 1 or 2; changed(isPlaying) when that changes.  At rate
+// 1/4 a second of the figure takes four of the clock.
 export function makeLoop(figure, step, changed) {
-  const loop = { playing: !still(), seen: false };
+  const loop = { playing: !still(), seen: false, rate: 1 };
   let id = 0, last = 0, owed = 0;
 
   function tick(now) {
     id = requestAnimationFrame(tick);
-    owed += last ? (now - last) * 60 / 1000 : 1;
+    owed += last ? loop.rate * (now - last) * 60 / 1000 : 1;
     last = now;
     const due = Math.min(Math.floor(owed + 0.05), MOST);
     owed = due === MOST ? 0 : owed - due;

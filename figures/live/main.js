@@ -1,11 +1,13 @@
 // main.js - makes the live figures of a page: <figure data-live="orbit"> gets a
-// stage, dials, charts and a foot line; its WebAssembly comes when it is near.
+// stage, dials, charts and a foot line; its WebAssembly comes when it is near.  Of
+// <figure data-small="orbit" data-dial="0"> there is the stage, its buttons, and at
+// most that dial; with data-first it moves as soon as it can.
 
 import style from './live.css';
 import { make, dark } from './node.js';
 import { makeCore, sentence } from './core.js';
 import { makeLoop, still } from './loop.js';
-import { makeDial, button } from './dials.js';
+import { makeDial, button, tool } from './dials.js';
 import { Chart } from './chart.js';
 import { Flat } from './flat.js';
 
@@ -21,6 +23,9 @@ tumble.wasm ||= {};
 const script = name => scripts[name] ||= new Promise((done, failed) => document.head.append(
   make('script', { src: `${folder}${name}.js`, onload: done, onerror: () => failed(Error(`${name}.js is not there`)) })));
 
+const SOON = 400;               // ms
+const SLOW = 1 / 4;             // of the clock
+
 const pause = ms => new Promise(done => setTimeout(done, ms));
 
 class Figure {
@@ -28,6 +33,9 @@ class Figure {
     Object.assign(this, { node, panel, frames: 0, touched: false, turned: [] });
     this.usual = this.variant = panel.dials[0]?.choices ? panel.dials[0].value : 0;
     node.classList.add('live-figure');
+    this.name = panel.name;
+    this.isSmall = 'small' in node.dataset;
+    node.classList.toggle('live-small', this.isSmall);
     this.stage = make('div', { class: 'live-stage' });
     const picture = node.querySelector('img');
     node.prepend(this.stage);
@@ -35,50 +43,102 @@ class Figure {
     this.isFlat = panel.panes.length > 0;
     if (this.isFlat) this.stage.style.setProperty('--live-aspect', panel.panes.reduce((sum, box) => sum + box[2] / box[3], 0));
     this.furnish();
-    this.loop = makeLoop(node, due => this.tick(due), playing => this.play.textContent = playing ? 'Pause' : 'Play');
+    this.loop = makeLoop(node, due => this.tick(due), playing => this.play.rename(playing ? 'Pause' : 'Play'));
   }
 
   // All but the stage stands from the start, so that no text jumps later.
   furnish() {
     const { panel } = this;
-    this.play = button('Pause', () => this.loop.play(!this.loop.playing));
-    const again = button('Start again', () => this.act('begin'));
+    const again = () => this.act('begin');
     const more = panel.buttons.map((name, k) => button(name, () => this.act('press', k)));
-    this.charts = panel.charts.map(plan => new Chart(this.node, plan));
     const dials = panel.dials.map((dial, k) => makeDial(dial, value => this.turn(k, value)));
+    this.charts = this.isSmall ? [] : panel.charts.map(plan => new Chart(this.node, plan));
     this.said = make('p', { class: 'live-said' });
     this.foot = make('p', { class: 'live-foot' });
-    this.stage.after(
-      make('div', { class: 'live-panel' },
-        make('div', { class: 'live-dials' }, make('div', { class: 'live-buttons' }, this.play, again, ...more), ...dials, this.said),
-        make('div', { class: 'live-charts' }, ...this.charts.map(chart => chart.node))),
-      this.foot);
+    this.tools = this.makeTools(again);
+    this.stage.append(this.tools);
+    if (this.isSmall) {
+      const dial = dials[this.node.dataset.dial];
+      this.play = this.tools.firstChild;
+      if (dial || more.length) this.stage.after(make('div', { class: 'live-one' }, ...(dial ? [dial] : []), ...more));
+    } else {
+      this.play = button('Pause', () => this.loop.play(!this.loop.playing));
+      this.play.rename = name => { this.play.textContent = name; };
+      this.stage.after(
+        make('div', { class: 'live-panel' },
+          make('div', { class: 'live-dials' }, make('div', { class: 'live-buttons' }, this.play, button('Start again', again), ...more), ...dials, this.said),
+          make('div', { class: 'live-charts' }, ...this.charts.map(chart => chart.node))),
+        this.foot);
+    }
     this.tell('');
   }
 
+  // What every stage has at its corner.
+  makeTools(again) {
+    const slow = tool('Slow', () => {
+      this.loop.rate = this.loop.rate === 1 ? SLOW : 1;
+      slow.setAttribute('aria-pressed', this.loop.rate !== 1);
+    });
+    slow.setAttribute('aria-pressed', false);
+    const all = [slow, tool('One frame', () => { this.loop.play(false); this.tick(1); })];
+    if (this.isSmall) all.unshift(tool('Pause', () => this.loop.play(!this.loop.playing)), tool('Start again', again));
+    if (document.fullscreenEnabled) all.push(tool('Full screen', () => document.fullscreenElement ? document.exitFullscreen() : this.node.requestFullscreen()));
+    return make('div', { class: 'live-tools' }, ...all);
+  }
+
   async wake() {
-    await script(this.panel.name);
-    if (!this.isFlat) await script('space');
+    await Promise.all([script(this.name), this.isFlat || script('space')]);
     await this.fill();
     this.drawing.acted = (...what) => this.act(...what);
-    this.drawing.lists = () => this.core.draw();
+    this.drawing.again = () => this.draw();
     dark.addEventListener('change', () => { this.drawing.restyle(); this.draw(); });
     if (still()) this.tick(FRAMES);
+    else if ('first' in this.node.dataset) await this.reach(FRAMES);
     this.node.dataset.ready = '1';
     this.loop.update();
   }
 
+  // What begins under the reader's eyes goes on from its picture, which is of frame 60,
+  // if that is near.
+  async reach(frame) {
+    const late = performance.now() + SOON;
+    for (let from = performance.now(); this.frames < frame && from < late && !this.stopped;) {
+      this.step();
+      if (performance.now() - from < PIECE) continue;
+      await pause(0);
+      from = performance.now();
+    }
+    this.draw();
+  }
+
   // A new memory, which has the page's colours, and nothing of what stopped.
   async fill() {
-    this.core = await makeCore(this.own ?? tumble.wasm[this.panel.name]);
+    const core = await makeCore(this.own ?? tumble.wasm[this.name]), ghost = this.own && await makeCore(tumble.wasm[this.name]);
+    // Both at once: nothing may step what has not begun.
+    Object.assign(this, { core, ghost, parted: 0 });
     this.stopped = undefined;
     delete this.node.dataset.trapped;
     this.node.querySelectorAll('.live-trap').forEach(node => node.remove());
     this.drawing ||= this.makeDrawing();
     this.drawing.core = this.core;
+    this.drawing.ghost = this.ghost;
     this.drawing.restyle();
-    this.guard(() => this.core.call('start'));
+    this.both('start');
     this.draw();                // the core's lists have a place from now on
+  }
+
+  // What is done to the reader's own is done to the book's beside it, which is drawn
+  // pale.  The answer of the reader's, if it came back.
+  both(name, ...values) {
+    this.ghost?.call(name, ...values);
+    return this.guard(() => this.core.call(name, ...values));
+  }
+
+  // The first frame in which a bit of the reader's is another than the book's.
+  compare() {
+    if (!this.ghost || this.parted || this.stopped || this.core.hash() === this.ghost.hash()) return;
+    this.parted = this.frames;
+    this.node.dataset.parted = this.frames;
   }
 
   // Without WebGL the picture stays; charts and hash go on.
@@ -103,11 +163,13 @@ class Figure {
     const from = performance.now();
     this.guard(() => this.core.call('step'));
     const took = performance.now() - from;
+    this.ghost?.call('step');
     this.frames++;
     this.slow = this.frames < 6 ? took : 0.9 * this.slow + 0.1 * took;
-    this.guard(() => this.core.call('measure'));
+    this.both('measure');
     if (this.stopped) return;
     this.note();
+    this.compare();
     if (this.frames === FRAMES) this.showHash(this.core);
   }
 
@@ -123,7 +185,7 @@ class Figure {
     if (this.stopped) return;
     const lists = this.guard(() => this.core.draw());
     if (!lists) return;
-    this.drawing.draw(lists);
+    this.drawing.draw(lists, this.ghost?.draw());
     if (this.said.textContent !== lists.said) this.said.textContent = lists.said;
     for (const chart of this.charts) chart.draw();
   }
@@ -131,7 +193,8 @@ class Figure {
   // --- What the reader does -------------------------------------------------------
   restart() {
     this.frames = 0;
-    this.slow = 0;
+    this.slow = this.parted = 0;
+    delete this.node.dataset.parted;
     this.charts.forEach(chart => chart.clear());
     this.tell('');
   }
@@ -140,7 +203,7 @@ class Figure {
   // begins, with the dials as they stand.
   async renew() {
     await this.fill();
-    this.turned.forEach((value, dial) => this.guard(() => this.core.call('turn', dial, value)));
+    this.turned.forEach((value, dial) => this.both('turn', dial, value));
     this.act('begin');
     this.loop.play(!still());
   }
@@ -153,7 +216,7 @@ class Figure {
     delete this.node.dataset.hash;
     if (this.core) {
       await this.fill();
-      this.turned.forEach((value, dial) => this.guard(() => this.core.call('turn', dial, value)));
+      this.turned.forEach((value, dial) => this.both('turn', dial, value));
       this.act('begin');
       this.loop.play(!still());
     }
@@ -168,7 +231,7 @@ class Figure {
     if (!this.core || this.stopped) return;
     if (name === 'begin') this.restart();
     else if (this.frames < FRAMES || name === 'move') this.touched = true;
-    this.guard(() => this.core.call(name, ...values));
+    this.both(name, ...values);
     this.redraw();
   }
 
@@ -176,7 +239,7 @@ class Figure {
     this.turned[dial] = value;
     if (!this.core || this.stopped) return;
     if (dial === 0 && this.panel.dials[0].choices) this.variant = value; else this.touched = true;
-    if (this.guard(() => this.core.call('turn', dial, value))) this.restart();
+    if (this.both('turn', dial, value)) this.restart();
     this.redraw();
   }
 
@@ -197,6 +260,7 @@ class Figure {
     const wants = isUsual && this.node.dataset.wants || this.panel.wants[this.variant];
     const short = hash.slice(0, 8) + '…';
     if (this.touched) this.tell(`${short} with your settings`, hash);
+    else if (this.parted && !isBeside) this.tell(`${short}; the first bits are other than the book’s in frame ${this.parted}. The pale one is the book’s.`, hash);
     else if (hash === wants && this.own) this.tell(`${short}: yours, bit for bit`, hash);
     else if (hash === wants) this.tell(`${short} to the last bit as on your machine`, hash);
     else this.tell(`${short}; the book's own modules give ${wants.slice(0, 8)}… (sums in another order are enough for that)`, hash);
@@ -205,8 +269,8 @@ class Figure {
   // The first 60 frames once more, beside what is seen and in short pieces: so the
   // hash depends neither on how fast this machine draws nor on what is in view.
   async prove() {
-    await script(this.panel.name);
-    const core = await makeCore(this.own ?? tumble.wasm[this.panel.name]);
+    await script(this.name);
+    const core = await makeCore(this.own ?? tumble.wasm[this.name]);
     core.call('start');
     for (let frame = 0, from = performance.now(); frame < FRAMES; frame++) {
       core.call('step');
@@ -249,14 +313,19 @@ function begin() {
     near.unobserve(target);
     target.live.wake().catch(fail(target));
   }), { rootMargin: NEAR });
-  const figures = [...document.querySelectorAll('[data-live]')].filter(node => tumble.panels?.[node.dataset.live]);
-  for (const node of figures) node.live = new Figure(node, tumble.panels[node.dataset.live]);
+  const nameOf = node => node.dataset.live ?? node.dataset.small;
+  const figures = [...document.querySelectorAll('[data-live], [data-small]')].filter(node => tumble.panels?.[nameOf(node)]);
+  for (const node of figures) node.live = new Figure(node, tumble.panels[nameOf(node)]);
   // What moves comes after all that is read.
   const watch = async () => {
-    figures.forEach(node => { layOut(node); near.observe(node); });
+    for (const node of figures) {
+      if ('first' in node.dataset) { node.live.wake().catch(fail(node)); continue; }
+      layOut(node);
+      near.observe(node);
+    }
     await pause(CALM);
     // A module that does not return says so where it is seen.
-    for (const node of figures) await node.live.prove().catch(() => {});
+    for (const node of figures) if (!node.live.isSmall) await node.live.prove().catch(() => {});
   };
   if (document.readyState === 'complete') watch(); else addEventListener('load', watch);
 }

@@ -12,6 +12,26 @@ function material(options) {
   return new THREE.MeshStandardMaterial({ roughness: 0.62, metalness: 0, side: THREE.DoubleSide, ...options });
 }
 
+// The floor: a faint grid of metres (or tenths of one), that fades before its edge, so
+// that there is a horizon, and no end.
+function groundLook(far) {
+  const every = far > 2.5 ? 1 : far > 0.8 ? 0.25 : 0.05;
+  return new THREE.ShaderMaterial({
+    transparent: true, depthWrite: false, extensions: { derivatives: true },
+    uniforms: { far: { value: far }, every: { value: every }, ink: { value: new THREE.Color() }, light: { value: new THREE.Color() } },
+    vertexShader: `varying vec3 at; varying vec2 flat_at; void main() {
+      vec4 w = modelMatrix * vec4(position, 1.0); at = w.xyz; flat_at = position.xy; gl_Position = projectionMatrix * viewMatrix * w; }`,
+    fragmentShader: `varying vec3 at; varying vec2 flat_at; uniform float far, every; uniform vec3 ink, light;
+      void main() {
+        vec2 x = at.xz / every, wide = fwidth(x), line = 1.0 - smoothstep(vec2(0.5), vec2(1.4), abs(fract(x - 0.5) - 0.5) / wide);
+        float fade = 1.0 - smoothstep(0.35 * far, 1.6 * far, length(flat_at)), fine = 1.0 - smoothstep(0.25, 0.7, max(wide.x, wide.y));
+        float grid = 0.16 * max(line.x, line.y) * fine;
+        gl_FragColor = vec4(mix(light, ink, grid), fade);
+        #include <colorspace_fragment>
+      }`,
+  });
+}
+
 // One mesh of all triangles, whose lists are copied at every drawing.
 class Growing {
   constructor(scene, kind, look, sizes) {
@@ -51,16 +71,16 @@ class Growing {
 
 // Many balls or tubes, each `size` numbers of a list.
 class Many {
-  constructor(scene, geometry, size, place) {
-    Object.assign(this, { scene, geometry, size, place, room: 0 });
+  constructor(scene, geometry, size, place, look = {}) {
+    Object.assign(this, { scene, geometry, size, place, look, room: 0 });
   }
   show(list) {
     const count = list.length / this.size;
     if (count > this.room) {
       if (this.node) { this.scene.remove(this.node); this.node.dispose(); }
       this.room = 2 * count;
-      this.node = new THREE.InstancedMesh(this.geometry, material({}), this.room);
-      this.node.castShadow = this.node.receiveShadow = true;
+      this.node = new THREE.InstancedMesh(this.geometry, material(this.look), this.room);
+      this.node.castShadow = this.node.receiveShadow = !this.look.transparent;
       this.node.frustumCulled = false;
       this.scene.add(this.node);
     }
@@ -77,6 +97,26 @@ class Many {
   }
 }
 
+// All that a figure draws, or the pale twin of it, which throws no shadow.
+class Drawing {
+  constructor(scene, look = {}) {
+    const pale = look.transparent;
+    this.mesh = new Growing(scene, THREE.Mesh, material({ vertexColors: true, ...look }), {});
+    this.mesh.node.castShadow = this.mesh.node.receiveShadow = !pale;
+    this.edges = new Growing(scene, THREE.LineSegments, new THREE.LineBasicMaterial({ vertexColors: true, transparent: true, opacity: pale ? 0.3 : 0.7, toneMapped: false }), {});
+    this.balls = new Many(scene, BALL, 8, ballPose, look);
+    this.tubes = new Many(scene, TUBE, 11, tubePose, look);
+  }
+  show(lists) {
+    this.mesh.show({ position: lists.place, normal: lists.normal, color: lists.tint, index: lists.corner });
+    this.edges.show({ position: lists.edge, color: lists.edgeTint });
+    this.balls.show(lists.ball);
+    this.tubes.show(lists.tube);
+  }
+}
+
+const BALL = new THREE.SphereGeometry(1, 32, 20), TUBE = new THREE.CylinderGeometry(1, 1, 1, 20);
+const PALE = { transparent: true, opacity: 0.3, depthWrite: false };
 const UP = new THREE.Vector3(0, 1, 0), NO_TURN = new THREE.Quaternion();
 const ballPose = ([x, y, z, r], pose) => pose.compose(new THREE.Vector3(x, y, z), NO_TURN, new THREE.Vector3(r, r, r));
 function tubePose([ax, ay, az, bx, by, bz, r], pose) {
@@ -89,20 +129,16 @@ export class Space {
   // core is made later: it is set when it is there.
   constructor(figure, stage, panel) {
     const [distance, turn, rise, x, y, z, floor] = panel.camera;
-    Object.assign(this, { figure, stage, distance, turn, rise, target: new THREE.Vector3(x, y, z), hasFloor: floor });
-    this.canvas = make('canvas', { tabindex: 0, role: 'img', 'aria-label': panel.says + '. Arrow keys turn the view.' });
-    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
+    Object.assign(this, { figure, stage, distance, turn, rise, target: new THREE.Vector3(x, y, z), hasFloor: floor, zoom: 1, fingers: new Map() });
+    this.canvas = make('canvas', { tabindex: 0, role: 'img', 'aria-label': panel.says + '. Arrow keys turn the view, + and - change its size.' });
+    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.renderer.toneMapping = THREE.NeutralToneMapping;
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(34, 1, distance / 50, distance * 20);
     this.light();
-    this.mesh = new Growing(this.scene, THREE.Mesh, material({ vertexColors: true }), {});
-    this.mesh.node.castShadow = this.mesh.node.receiveShadow = true;
-    this.edges = new Growing(this.scene, THREE.LineSegments, new THREE.LineBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.7, toneMapped: false }), {});
-    this.balls = new Many(this.scene, new THREE.SphereGeometry(1, 28, 18), 8, ballPose);
-    this.tubes = new Many(this.scene, new THREE.CylinderGeometry(1, 1, 1, 18), 11, tubePose);
+    this.all = new Drawing(this.scene);
     stage.append(this.canvas);
     this.listen();
     new ResizeObserver(() => this.size()).observe(stage);
@@ -121,39 +157,61 @@ export class Space {
     this.sun.shadow.radius = 5;
     this.sun.shadow.bias = -0.0008;
     this.sun.shadow.normalBias = far * 0.004;
+    this.overhead();
     this.shade = new THREE.ShadowMaterial({ toneMapped: false });
     const floor = new THREE.Mesh(new THREE.PlaneGeometry(40 * far, 40 * far), this.shade);
-    floor.rotation.x = -Math.PI / 2;
+    this.ground = new THREE.Mesh(new THREE.CircleGeometry(1.6 * far, 96), groundLook(far));
+    for (const node of [floor, this.ground]) {
+      node.rotation.x = -Math.PI / 2;
+      node.visible = !!this.hasFloor;
+    }
+    this.ground.renderOrder = -1;
+    this.ground.position.set(this.target.x, 0, this.target.z);
     floor.receiveShadow = true;
-    floor.visible = !!this.hasFloor;
-    this.scene.add(this.sky, this.sun, this.sun.target, floor);
+    this.scene.add(this.sky, this.sun, this.sun.target, floor, this.ground);
+  }
+
+  // The sky straight above throws the soft shadow by which one sees what touches.
+  overhead() {
+    const far = this.distance, box = (this.above = new THREE.DirectionalLight(0xffffff, 1)).shadow.camera;
+    this.above.position.copy(this.target).addScaledVector(UP, 2 * far);
+    this.above.target.position.copy(this.target);
+    this.above.castShadow = !!this.hasFloor;
+    [box.left, box.right, box.bottom, box.top, box.near, box.far] = [-far / 2, far / 2, -far / 2, far / 2, far / 2, 4 * far];
+    this.above.shadow.mapSize.set(512, 512);
+    this.above.shadow.radius = 9;
+    this.above.shadow.bias = -0.001;
+    this.above.shadow.normalBias = far * 0.006;
+    this.scene.add(this.above, this.above.target);
   }
 
   // Colours of bodies and light, for light or dark pages.
   restyle() {
     COLOURS.forEach((name, k) => {
       const c = new THREE.Color(colour(this.figure, 'solid-' + name) || colour(this.figure, name));
-      this.core.call('paint', k, c.r, c.g, c.b);
+      for (const core of [this.core, this.ghost]) core?.call('paint', k, c.r, c.g, c.b);
     });
+    this.ground.material.uniforms.ink.value.set(colour(this.figure, 'quiet'));
+    this.ground.material.uniforms.light.value.set(colour(this.figure, 'floor'));
+    this.renderer.setClearColor(colour(this.figure, 'stage'), 1);
     this.sky.groundColor.set(dark.matches ? 0x2a2622 : 0xb9b2a6);
     this.sky.color.set(dark.matches ? 0xb8c4d8 : 0xffffff);
-    this.sky.intensity = dark.matches ? 1.1 : 1.7;
-    this.sun.intensity = dark.matches ? 2.1 : 2.0;
-    this.shade.opacity = dark.matches ? 0.5 : 0.2;
+    this.sky.intensity = dark.matches ? 1.0 : 1.6;
+    this.above.intensity = dark.matches ? 0.5 : 0.75;
+    this.sun.intensity = dark.matches ? 1.9 : 1.7;
+    this.shade.opacity = dark.matches ? 0.42 : 0.24;
   }
 
-  draw(lists) {
-    this.mesh.show({ position: lists.place, normal: lists.normal, color: lists.tint, index: lists.corner });
-    this.edges.show({ position: lists.edge, color: lists.edgeTint });
-    this.balls.show(lists.ball);
-    this.tubes.show(lists.tube);
+  draw(lists, ghost) {
+    this.all.show(lists);
+    if (ghost) (this.pale ||= new Drawing(this.scene, PALE)).show(ghost);
     this.look();
   }
 
   look() {
     const { clientWidth: wide, clientHeight: high } = this.canvas;
     if (!wide || !high) return;
-    const far = this.distance * (wide / high < NARROW ? 1.25 : 1), flat = Math.cos(this.rise);
+    const far = this.distance / this.zoom * (wide / high < NARROW ? 1.25 : 1), flat = Math.cos(this.rise);
     this.camera.aspect = wide / high;
     this.camera.updateProjectionMatrix();
     this.camera.position.set(Math.sin(this.turn) * flat, Math.sin(this.rise), Math.cos(this.turn) * flat)
@@ -188,6 +246,19 @@ export class Space {
     this.look();
   }
 
+  zoomBy(times) {
+    this.zoom = Math.min(4, Math.max(0.5, this.zoom * times));
+    this.look();
+  }
+
+  // Two fingers: their distance is the zoom.
+  pinch(event) {
+    const apart = () => { const [a, b] = this.fingers.values(); return Math.hypot(a[0] - b[0], a[1] - b[1]); };
+    const before = apart();
+    this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    this.zoomBy(apart() / (before || 1));
+  }
+
   // What is under the finger is dragged in the plane that faces the eye.
   grab(event) {
     const number = this.pick(event);
@@ -218,13 +289,29 @@ export class Space {
 
   listen() {
     const canvas = this.canvas;
-    canvas.addEventListener('pointerdown', event => { canvas.setPointerCapture(event.pointerId); this.grab(event); });
-    canvas.addEventListener('pointermove', event => { if (this.held) this.drag(event); });
-    canvas.addEventListener('pointerup', event => this.let(event));
-    canvas.addEventListener('pointercancel', () => this.let(null));
+    canvas.addEventListener('pointerdown', event => {
+      canvas.setPointerCapture(event.pointerId);
+      this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
+      if (this.fingers.size === 1) this.grab(event); else this.let(null);
+    });
+    canvas.addEventListener('pointermove', event => {
+      if (this.fingers.size === 2 && this.fingers.has(event.pointerId)) this.pinch(event);
+      else if (this.held) this.drag(event);
+    });
+    const up = event => { this.fingers.delete(event.pointerId); this.let(event.type === 'pointerup' ? event : null); };
+    canvas.addEventListener('pointerup', up);
+    canvas.addEventListener('pointercancel', up);
+    // The wheel turns pages; with Ctrl, or where nothing else is to be seen, it zooms.
+    canvas.addEventListener('wheel', event => {
+      if (!event.ctrlKey && !document.fullscreenElement) return;
+      event.preventDefault();
+      this.zoomBy(Math.exp(-event.deltaY * 0.002));
+    }, { passive: false });
     // A finger on nothing scrolls the page; on a body it holds it.
-    canvas.addEventListener('touchstart', event => { if (this.pick(event.touches[0]) >= 0) event.preventDefault(); }, { passive: false });
+    canvas.addEventListener('touchstart', event => { if (event.touches.length > 1 || this.pick(event.touches[0]) >= 0) event.preventDefault(); }, { passive: false });
     canvas.addEventListener('keydown', event => {
+      const times = { '+': 1.15, '=': 1.15, '-': 1 / 1.15 }[event.key];
+      if (times) { this.zoomBy(times); return; }
       const way = { ArrowLeft: [0.1, 0], ArrowRight: [-0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[event.key];
       if (!way) return;
       event.preventDefault();

@@ -2,13 +2,7 @@
 // stage of the little program have in common.
 
 import { script, isHere, megabytes, stop } from './tools.js';
-
-export function make(tag, holds = {}, ...inside) {
-  const node = Object.assign(document.createElement(tag), holds);
-  node.append(...inside);
-  return node;
-}
-export const button = (text, act, holds = {}) => make('button', { type: 'button', textContent: text, onclick: act, ...holds });
+import { button, make } from './node.js';
 
 // What was written stays in this browser, if it lets us.
 export const kept = {

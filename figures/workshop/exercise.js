@@ -2,9 +2,11 @@
 // written moving in the chapter's live figure.
 
 import { ask, script } from './tools.js';
-import { button, kept, make, makeDesk, showMessages } from './desk.js';
+import { kept, makeDesk, showMessages } from './desk.js';
+import { button, make } from './node.js';
 
 const workshop = window.tumble.workshop;
+const bad = sentence => make('p', { className: 'workshop-bad' }, sentence);
 
 export async function openExercise(place) {
   const id = place.dataset.exercise;
@@ -13,7 +15,8 @@ export async function openExercise(place) {
   facts.files = {};
   const hint = button('Hint', showHint), answer = button('The book’s answer', () => showAnswer());
   const figure = document.querySelector('figure[data-live]');
-  const desk = await makeDesk(place, { key: name, label: `Your file for ${name}`, file: 'mine.c', verb: 'Compile and judge', start: () => facts.stub, act: judge, more: [hint, answer] });
+  const move = figure && facts.module && button('See it move', () => moveFigure().catch(error => { desk.tell(''); desk.say(bad(error.message)); }));
+  const desk = await makeDesk(place, { key: name, label: `Your file for ${name}`, file: 'mine.c', verb: 'Compile and judge', start: () => facts.stub, act: judge, more: [hint, answer, ...(move ? [move] : [])] });
   const shown = () => +(kept.get(`${name}:hints`) ?? 0);
   place.desk = desk;
   labelHint();
@@ -42,15 +45,14 @@ export async function openExercise(place) {
     const source = desk.text, out = await ask('judge', { source, headers: workshop.headers, facts, judge: workshop['judge_page.o'] }, desk.tell);
     const messages = showMessages(desk, out.messages);
     desk.out = out;
-    if (!out.told) { desk.say(make('p', { className: 'workshop-bad' }, `${name}: this does not compile: begin with the first error.`), ...messages); return; }
+    if (!out.told) { desk.say(bad(`${name}: this does not compile: begin with the first error.`), ...messages); return; }
     const { told } = out;
     if (told.pass) showPassed(told, messages); else showFailed(told, messages);
   }
 
   function showPassed(told, messages) {
     kept.set(`${name}:passed`, new Date().toISOString().slice(0, 10));
-    const move = figure && facts.module && button('See it move', () => moveFigure().catch(error => desk.say(make('p', { className: 'workshop-bad' }, error.message))));
-    desk.say(make('p', { className: 'workshop-good' }, `${name}: all ${told.ran} tests pass.`), ...(move ? [make('p', {}, move)] : []), ...messages);
+    desk.say(make('p', { className: 'workshop-good' }, `${name}: all ${told.ran} tests pass.`), ...(move ? [make('p', {}, 'Now see it move.')] : []), ...messages);
   }
 
   function showFailed(told, messages) {
@@ -66,13 +68,16 @@ export async function openExercise(place) {
     desk.say(...lines, ...messages);
   }
 
+  // Right or wrong, it moves beside the book's, which is pale.
   async function moveFigure() {
+    desk.say();
     desk.tell('Compiling …');
     await Promise.all([script('headers'), script(`figure-${id}`)]);
-    const { wasm, text } = await ask('figure', { source: desk.text, headers: { ...workshop.headers, ...facts.headers }, objects: workshop.figure.objects }, desk.tell);
+    const { wasm, messages } = await ask('figure', { source: desk.text, headers: { ...workshop.headers, ...facts.headers }, objects: workshop.figure.objects }, desk.tell);
     desk.tell('');
-    if (!wasm) throw Error(text);
+    if (!wasm) { desk.say(bad(`${name}: this does not compile: begin with the first error.`), ...showMessages(desk, messages)); return; }
     figure.scrollIntoView({ block: 'center' });
     await figure.live.swap(wasm);
+    desk.say(make('p', {}, 'It moves in the figure, beside the book’s, which is pale: ', make('b', {}, figure.querySelector('.live-foot').textContent)));
   }
 }

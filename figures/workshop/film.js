@@ -1,10 +1,12 @@
 // film.js - what the little program draws (figures/draw/paint_little.c says how it is
-// told), as a film on a canvas: faces and lines, the far ones first.
+// told), as a film on a canvas: faces and lines, the far ones first, over the shadow
+// that they throw straight down.  The book's, if it is there, is a pale twin.
 
-import { button, make } from './desk.js';
+import { button, make } from './node.js';
 
-const TONES = [[230, 159, 0], [86, 180, 233], [0, 158, 115], [239, 220, 74], [0, 114, 178], [213, 94, 0], [204, 121, 167]];
-const EYE = [0.62, -0.32, 0.72], LAMP = [0.35, 0.85, 0.4], RATE = 15;    // frames a second
+const TONES = [[221, 138, 77], [91, 149, 201], [107, 166, 119], [157, 127, 191], [207, 90, 94], [183, 180, 173], [92, 160, 168]];
+const LAMP = [0.35, 0.85, 0.4], RATE = 15;      // frames a second
+const TURN = 0.71, RISE = 0.33;                 // rad, of the eye at first
 
 // Frames of bodies of faces and lines, and the box that holds them all.
 function read(text) {
@@ -29,45 +31,100 @@ const unit = a => { const l = Math.sqrt(dot(a, a)) || 1; return a.map(x => x / l
 const minus = (a, b) => a.map((x, k) => x - b[k]);
 
 export function makeFilm() {
-  const canvas = make('canvas', { width: 1120, height: 700 });
+  const canvas = make('canvas', { width: 1120, height: 700, tabIndex: 0 }), shade = make('canvas', { width: 1120, height: 700 });
   const play = button('Pause', () => { playing = !playing; play.textContent = playing ? 'Pause' : 'Play'; });
-  const node = make('figure', { className: 'workshop-film', hidden: true }, canvas, make('p', {}, play));
+  const slow = button('Slow', () => { pace = pace === 1 ? 4 : 1; slow.setAttribute('aria-pressed', pace > 1); });
+  const step = button('One frame', () => { if (playing) play.click(); go(); });
+  const node = make('figure', { className: 'workshop-film', hidden: true }, canvas, make('p', {}, play, slow, step));
   canvas.setAttribute('role', 'img');
-  canvas.setAttribute('aria-label', 'What your program draws, moving');
-  let film, frame = 0, playing = !matchMedia('(prefers-reduced-motion: reduce)').matches, timer;
+  canvas.setAttribute('aria-label', 'What your program draws, moving. Arrow keys turn the view.');
+  slow.setAttribute('aria-pressed', false);
+  let film, twin, frame = 0, ticks = 0, pace = 1, timer, turn = TURN, rise = RISE;
+  let playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+  if (!playing) play.textContent = 'Play';
 
-  const ahead = unit(EYE.map(x => -x)), right = unit(cross(ahead, [0, 1, 0])), up = cross(right, ahead);
-  function paint() {
-    const { frames, low, high } = film, pen = canvas.getContext('2d');
-    const middle = low.map((x, k) => (x + high[k]) / 2), size = Math.max(.5, ...low.map((x, k) => high[k] - x));
-    const seen = point => { const d = minus(point, middle), s = canvas.height / size / 1.25; return [canvas.width / 2 + s * dot(d, right), canvas.height / 2 - s * dot(d, up), dot(d, ahead)]; };
-    pen.clearRect(0, 0, canvas.width, canvas.height);
-    pen.lineWidth = 3;
-    pen.lineJoin = pen.lineCap = 'round';
-    const all = frames[frame].map(({ points, body }) => {
+  // How a point of space is seen: x, y, and how far off.
+  function eye() {
+    const { low, high } = film, middle = low.map((x, k) => (x + high[k]) / 2), size = Math.max(.5, ...low.map((x, k) => high[k] - x));
+    const ahead = [-Math.sin(turn) * Math.cos(rise), -Math.sin(rise), -Math.cos(turn) * Math.cos(rise)];
+    const right = unit(cross(ahead, [0, 1, 0])), up = cross(right, ahead), s = canvas.height / size / 1.35;
+    return point => { const d = minus(point, middle); return [canvas.width / 2 + s * dot(d, right), canvas.height / 2 - s * dot(d, up), dot(d, ahead)]; };
+  }
+
+  function trace(pen, at) {
+    pen.beginPath();
+    at.forEach(([x, y], k) => { if (k) pen.lineTo(x, y); else pen.moveTo(x, y); });
+    if (at.length > 2) pen.closePath();
+  }
+
+  // Each piece from the far to the near.
+  function pieces(pen, all, seen) {
+    const far = all.map(({ points, body }) => {
       const at = points.map(seen);
       return { at, points, body, far: at.reduce((sum, one) => sum + one[2], 0) / at.length };
     }).sort((a, b) => b.far - a.far);
-    for (const { at, points, body } of all) {
-      const tone = TONES[body % TONES.length];
-      const light = points.length === 3 ? .55 + .45 * Math.abs(dot(unit(cross(minus(points[1], points[0]), minus(points[2], points[0]))), unit(LAMP))) : 1;
-      const colour = `rgb(${tone.map(x => Math.round(x * light)).join()})`;
-      pen.beginPath();
-      at.forEach(([x, y], k) => { if (k) pen.lineTo(x, y); else pen.moveTo(x, y); });
-      pen.strokeStyle = pen.fillStyle = colour;
-      if (at.length === 3) { pen.closePath(); pen.lineWidth = 1; pen.fill(); } else pen.lineWidth = 4;
+    for (const { at, points, body } of far) {
+      const normal = points.length > 2 && unit(cross(minus(points[1], points[0]), minus(points[2], points[0])));
+      const light = normal ? .62 + .38 * Math.abs(dot(normal, unit(LAMP))) : 1;
+      pen.strokeStyle = pen.fillStyle = `rgb(${TONES[body % TONES.length].map(x => Math.round(x * light)).join()})`;
+      pen.lineWidth = normal ? 1 : 4;
+      trace(pen, at);
+      if (normal) pen.fill();
       pen.stroke();
     }
   }
-  function tick() {
-    if (playing && !document.hidden) { frame = (frame + 1) % film.frames.length; paint(); }
+
+  function paint() {
+    const pen = canvas.getContext('2d'), dim = shade.getContext('2d'), seen = eye(), now = film.frames[frame];
+    for (const one of [pen, dim]) {
+      one.clearRect(0, 0, canvas.width, canvas.height);
+      one.lineJoin = one.lineCap = 'round';
+    }
+    dim.fillStyle = dim.strokeStyle = '#000';
+    for (const { points } of now) {
+      trace(dim, points.map(([x, , z]) => seen([x, film.low[1], z])));
+      if (points.length > 2) dim.fill(); else { dim.lineWidth = 4; dim.stroke(); }
+    }
+    pen.filter = 'blur(5px)';
+    pen.globalAlpha = .16;
+    pen.drawImage(shade, 0, 0);
+    pen.filter = 'none';
+    pen.globalAlpha = .28;
+    if (twin) pieces(pen, twin.frames[Math.min(frame, twin.frames.length - 1)], seen);
+    pen.globalAlpha = 1;
+    pieces(pen, now, seen);
   }
+  function go() { frame = (frame + 1) % film.frames.length; paint(); }
+  function tick() { if (playing && !document.hidden && ++ticks % pace === 0) go(); }
+
+  function turnBy(across, up) {
+    turn -= across;
+    rise = Math.min(1.5, Math.max(0, rise + up));
+    if (film) paint();
+  }
+  let held;
+  canvas.addEventListener('pointerdown', event => { canvas.setPointerCapture(event.pointerId); held = event; });
+  canvas.addEventListener('pointermove', event => {
+    if (!held) return;
+    turnBy((event.clientX - held.clientX) * .008, event.pointerType === 'touch' ? 0 : (event.clientY - held.clientY) * .008);
+    held = event;
+  });
+  for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => { held = null; });
+  canvas.addEventListener('keydown', event => {
+    const way = { ArrowLeft: [-.1, 0], ArrowRight: [.1, 0], ArrowUp: [0, .1], ArrowDown: [0, -.1] }[event.key];
+    if (!way) return;
+    event.preventDefault();
+    turnBy(...way);
+  });
+
   return {
     node,
     clear() { clearInterval(timer); node.hidden = true; },
     // False if there is no frame.
     show(text) {
       film = read(text);
+      twin = null;
+      delete node.dataset.twin;
       clearInterval(timer);
       if (!film.frames.length) return false;
       frame = playing ? 0 : film.frames.length - 1;
@@ -77,6 +134,14 @@ export function makeFilm() {
       timer = setInterval(tick, 1e3 / RATE);
       node.scrollIntoView({ block: 'nearest' });
       return true;
+    },
+    // The book's beside it.
+    beside(text) {
+      const other = read(text);
+      if (!other.frames.length) return;
+      twin = other;
+      node.dataset.twin = other.frames.length;
+      paint();
     },
   };
 }

@@ -1,7 +1,9 @@
-// little.js - the little program: the reader's, run beside the book's of a stage.
+// little.js - the little program, which becomes the reader's own engine: run beside
+// the book's of a stage, seen moving, and saved as a page that runs by itself.
 
 import { ask, script } from './tools.js';
-import { button, kept, make, makeDesk, showMessages } from './desk.js';
+import { kept, makeDesk, showMessages } from './desk.js';
+import { button, make } from './node.js';
 import { makeFilm } from './film.js';
 
 const workshop = window.tumble.workshop;
@@ -46,7 +48,7 @@ export async function openLittle(place) {
   const first = workshop.stages[links[0].dataset.stage];
   const film = makeFilm();
   const desk = await makeDesk(place, { key: 'little', label: 'Your little program', file: 'little.c', verb: 'Compile and run', start: () => first.source, act: run,
-    more: [button('The book’s program here', bring), button('See it move', () => draw().catch(fail))] });
+    more: [button('The book’s program here', bring), button('See it move', () => draw().catch(fail)), button('Save as a page', () => savePage().catch(fail))] });
   place.desk = desk;
   place.prepend(title);
   place.append(film.node);
@@ -98,11 +100,63 @@ export async function openLittle(place) {
       table(yours, ours), ...(ran.printed && !yours.size ? [make('pre', {}, ran.printed.slice(0, 4000))] : []), ...messages);
   }
 
+  // What the reader's draws; and when that moves, the book's beside it, pale.
   async function draw() {
+    desk.say();
     const { ran } = await made(true);
     desk.tell('');
     if (!ran) return;
     if (ran.fault) throw Error(ran.fault);
-    if (!film.show(ran.printed)) desk.say(make('p', {}, 'This program draws nothing: from stage 03a on the book’s does, with the argument draw.'));
+    if (!film.show(ran.printed)) { desk.say(nothing()); return; }
+    const { source } = await facts();
+    if (source === desk.text) { desk.say(make('p', {}, 'Yours is the book’s, to the letter.')); return; }
+    const book = await ask('run', { source, runner: workshop['printed.o'], seconds: SECONDS, draws: true }, desk.tell);
+    desk.tell('');
+    if (!book.ran.printed) return;
+    const alike = book.ran.hash === ran.hash;
+    if (!alike) film.beside(book.ran.printed);
+    desk.say(alike ? make('p', { className: 'workshop-good' }, 'It moves as the book’s does: yours, bit for bit.') : make('p', {}, `The pale one is the book’s of stage ${stage}.`));
+  }
+  const nothing = () => make('p', {}, 'This program draws nothing: from stage 03a on the book’s does, with the argument draw.');
+
+  // One file that runs anywhere: the program, what runs it, and what it draws.
+  async function savePage() {
+    desk.say();
+    const { ran, wasm } = await made(true);
+    desk.tell('');
+    if (!ran) return;
+    if (ran.fault) throw Error(ran.fault);
+    if (!film.show(ran.printed)) { desk.say(nothing()); return; }
+    await script('player');
+    const page = pageOf(await pack(wasm), desk.text), url = URL.createObjectURL(new Blob([page], { type: 'text/html' }));
+    make('a', { href: url, download: 'my-engine.html' }).click();
+    setTimeout(() => URL.revokeObjectURL(url), 1e3);
+    desk.say(make('p', {}, `my-engine.html, ${Math.round(page.length / 1e3)} kB: it needs nothing but a browser. Keep it, or send it to a friend.`));
   }
 }
+
+async function pack(bytes) {
+  const all = new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer());
+  let letters = '';
+  for (let k = 0; k < all.length; k += 0x8000) letters += String.fromCharCode(...all.subarray(k, k + 0x8000));
+  return btoa(letters);
+}
+
+const written = text => text.replace(/[&<>]/g, sign => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[sign]);
+const pageOf = (program, source) => `<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><meta name="color-scheme" content="light dark"><title>My engine</title>
+<style>
+:root { --page: #fffefb; --ink: #22252a; --quiet: #5d636d; --rule: #d9d6cd; }
+@media (prefers-color-scheme: dark) { :root { --page: #16181c; --ink: #e4e2dc; --quiet: #a3a8b0; --rule: #3a3f47; } }
+body { margin: 0 auto; max-width: 56rem; padding: 1.5rem 1rem 4rem; background: var(--page); color: var(--ink); font: 1.125rem/1.5 Palatino, "Palatino Linotype", Georgia, serif; }
+h1 { font-size: 2rem; margin: 0; } p { color: var(--quiet); margin: .4rem 0; } figure { margin: 1rem 0; }
+canvas { display: block; width: 100%; height: auto; cursor: grab; touch-action: pan-y; }
+button { font: inherit; font-size: .9rem; color: inherit; background: none; border: 1px solid var(--rule); border-radius: 6px; min-height: 44px; padding: 0 1rem; margin-right: .5rem; }
+button[aria-pressed=true] { border-color: var(--ink); } pre { overflow-x: auto; font-size: .8rem; line-height: 1.45; }
+</style></head><body>
+<h1>My engine</h1><p id="said">This needs a browser that runs scripts.</p><main></main>
+<details><summary>The whole program: ${source.split('\n').length} lines of C</summary><pre>${written(source)}</pre></details>
+<script type="text/plain" id="program">${program}</script>
+<script>${workshop.player}</script>
+</body></html>
+`;

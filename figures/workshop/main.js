@@ -5,7 +5,7 @@
 import style from './workshop.css';
 import { openExercise } from './exercise.js';
 import { openLittle } from './little.js';
-import { make } from './desk.js';
+import { make } from './node.js';
 
 document.head.append(make('style', {}, style));
 const open = (where, how) => document.querySelectorAll(where).forEach(place =>

@@ -46,7 +46,7 @@ const asks = {
     if (!made.object) return { messages: made.messages, text: made.text };
     tell('Running …');
     const wasm = must(await link({ 'mine.o': made.object, 'runner.o': await unpack(runner) }, { exported: STAGE }));
-    return { messages: made.messages, ran: await perform(wasm, seconds, draws) };
+    return { messages: made.messages, ran: await perform(wasm, seconds, draws), wasm };
   },
 };
 

@@ -110,6 +110,9 @@ $(WORKSHOP)/worker-plain.js: $(WORK_JS) $(WORKSHOP)/clang.js
 	$(Q)$(WORK_BUNDLE) --alias:@yowasp/clang=$(abspath $(WORKSHOP)/clang.js) --external:node:fs/promises --define:import.meta.url='"https://workshop/"' figures/workshop/worker.js --outfile=$@
 $(WORKSHOP)/worker.js: $(WORKSHOP)/worker-plain.js figures/workshop/pack.mjs
 	$(Q)node figures/workshop/pack.mjs worker $< > $@
+$(WORKSHOP)/player.js: $(WORK_JS)
+	$(Q)$(WORK_BUNDLE) figures/workshop/player.js --outfile=$(WORKSHOP)/player-plain.js
+	$(Q)node -p '"tumble.workshop.player=" + JSON.stringify(require("fs").readFileSync("$(WORKSHOP)/player-plain.js", "utf8")) + ";"' > $@
 # The compiler in pieces, and where each of its files is in them.
 $(WORKSHOP)/compiler.js: figures/workshop/pack.mjs $(WORK)/.done
 	@echo "  pack  $@"
@@ -126,6 +129,6 @@ $(WORKSHOP)/pairs-all.js: tests/data/pairs-all.txt figures/workshop/pack.mjs
 
 # All that a page needs, to be copied beside it into workshop/; the compiler's pieces
 # are counted when they are there.
-WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js headers.js judge.js runner.js pairs-all.js $(STAGES:%=stage-%.js) $(WORKED:%=%.js) $(FIGURED:%=figure-%.js))
+WORKSHOP_FILES := $(addprefix $(WORKSHOP)/,workshop.js editor.js worker.js player.js headers.js judge.js runner.js pairs-all.js $(STAGES:%=stage-%.js) $(WORKED:%=%.js) $(FIGURED:%=figure-%.js))
 .PHONY: workshop-files
 workshop-files: $(WORKSHOP_FILES)

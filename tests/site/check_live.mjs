@@ -172,7 +172,7 @@ async function checkRelease(file) {
   const figure = page.locator('[data-live="bounce"]'), ball = figure.locator('.live-handle');
   await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
   await settled(page, 'bounce');
-  const stage = await figure.locator('svg').boundingBox();
+  const stage = await figure.locator('.live-stage > svg').boundingBox();
   // It flies, so the finger may come too late: then once more.
   for (let k = 0; k < 20; k++) {
     const box = await ball.boundingBox();

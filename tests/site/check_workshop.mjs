@@ -84,11 +84,22 @@ async function judged(page) {
 }
 const disk = id => pathToFileURL(`${site}/write-${id}.html`).href;
 
-// What passed moves in the chapter's figure.
+// What passed moves in the chapter's figure with the book's bits.
 async function checkMotion(page, id) {
   await page.getByRole('button', { name: 'See it move' }).press('Enter');
   await page.waitForFunction(() => /yours, bit for bit/.test(document.querySelector('.live-foot').textContent), null, WAIT)
     .catch(async () => check(false, `${id}: the book's answer moves with the book's bits: ${await page.textContent('.live-foot')}`));
+  checks++;
+}
+
+// What is wrong moves as well, away from the book's.
+async function checkGhost(page, right) {
+  const law = 'last_move, dt * dt, a';
+  check(right.includes(law), `verlet.c still has ${law}`);
+  await put(page, right.replace(law, 'last_move, 0.9 * dt * dt, a'));
+  await page.getByRole('button', { name: 'See it move' }).press('Enter');
+  await page.waitForSelector('[data-live][data-parted]', WAIT).catch(() => check(false, 'a wrong step parts from the book’s'));
+  check(await page.locator('.live-ghost').first().evaluate(node => node.childNodes.length) > 0, 'and the book’s is drawn beside it');
   checks++;
 }
 
@@ -99,7 +110,8 @@ async function checkExercise(id, address) {
   await put(page, right);
   const first = await judged(page), second = await judged(page);
   check(second.told?.pass, `${id}: the book's answer passes: ${second.said.slice(0, 300)}`);
-  if (id === '01-step') await checkMotion(page, id);
+  if (await page.getByRole('button', { name: 'See it move' }).count()) await checkMotion(page, id);
+  if (id === '01-step') await checkGhost(page, right);
   const times = [];
   for (const [k, { number, what, source }] of wrong.entries()) {
     await put(page, source);
@@ -202,6 +214,22 @@ async function checkLittle(stages) {
   await page.getByRole('button', { name: 'See it move' }).click();
   await page.waitForSelector('.workshop-film[data-frames]', WAIT);
   check(+await page.getAttribute('.workshop-film', 'data-frames') > 10, 'what stage 03b draws moves');
+  await put(book.replace('9.81', '6'));
+  await page.getByRole('button', { name: 'See it move' }).click();
+  await page.waitForSelector('.workshop-film[data-twin]', WAIT).catch(() => check(false, 'the book’s moves beside another'));
+
+  // A page of it runs by itself, with the same bits.
+  await put(book);
+  const [file] = await Promise.all([page.waitForEvent('download', WAIT), page.getByRole('button', { name: 'Save as a page' }).click()]);
+  const saved = resolve(build, 'workshop', 'my-engine.html');
+  copyFileSync(await file.path(), saved);
+  const alone = await page.context().newPage();
+  alone.on('pageerror', error => page.errors.push(error.message));
+  alone.on('request', request => check(/^(file|blob|data):/.test(request.url()), `the saved page asks for nothing: ${request.url()}`));
+  await alone.goto(pathToFileURL(saved).href);
+  await alone.waitForSelector('.workshop-film[data-frames]', WAIT).catch(async () => check(false, `the saved page moves: ${await alone.textContent('#said')}`));
+  check(+await alone.getAttribute('.workshop-film', 'data-frames') > 10, 'the saved page has its frames');
+  console.log(`the saved page: ${readFileSync(saved).length} bytes`);
   check(page.errors.length === 0, `no error in the console: ${page.errors[0]}`);
   await page.context().close();
 }

@@ -1,0 +1,128 @@
+// check_look.mjs - what a reader meets first: the first page moves, each chapter has a
+// live figure within two screens, what is touched is large enough for a finger, on a
+// phone a stage stays in view while a dial turns, and a page says what it is about to
+// whoever passes it on:   node check_look.mjs BUILD
+
+import { readFileSync, readdirSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { resolve } from 'node:path';
+import { launch } from './browser.mjs';
+
+const build = resolve(process.argv[2]), site = `${build}/site`;
+const WIDE = { width: 1300, height: 900 }, PHONE = { width: 390, height: 844 };
+const SCREENS = 2;              // within so many stands the first live figure
+const FINGER = 44;              // px, each way
+const LAST = 21;                // chapters after it are lists and appendices
+const WAIT = { timeout: 120e3 };
+
+let checks = 0, faults = 0;
+function check(holds, sentence) {
+  checks++;
+  if (!holds) { faults++; console.log(`not so: ${sentence}`); }
+}
+
+const browser = await launch(build);
+async function open(name, options) {
+  const page = await browser.newPage(options);
+  page.errors = [];
+  page.on('console', said => said.type() === 'error' && page.errors.push(said.text()));
+  page.on('pageerror', error => page.errors.push(error.message));
+  await page.goto(pathToFileURL(`${site}/${name}`).href);
+  await page.addStyleTag({ content: '* { content-visibility: visible !important }' });
+  return page;
+}
+const names = readdirSync(site).filter(name => name.endsWith('.html'));
+const chapters = names.filter(name => /^\d\d/.test(name) && +name.slice(0, 2) <= LAST);
+
+// --- Each page says what it is about ------------------------------------------------
+for (const name of names) {
+  const html = readFileSync(`${site}/${name}`, 'utf8'), title = html.match(/<title>(.*)<\/title>/)?.[1] ?? '';
+  const said = Object.fromEntries([...html.matchAll(/<meta (?:name|property)="([^"]*)" content="([^"]*)">/g)].map(found => found.slice(1)));
+  check(title.length > 8, `${name} has a title: ${title}`);
+  check(said.description?.length > 40, `${name} says what it is about: ${said.description}`);
+  check(said['og:title'] && said['og:description'] === said.description, `${name} says so to whoever passes it on`);
+}
+
+// --- Chapters -----------------------------------------------------------------------
+// From the top of the page to the top of the first figure, in screens.
+for (const name of chapters) {
+  const page = await open(name, { viewport: WIDE, reducedMotion: 'reduce' });
+  const at = await page.evaluate(() => {
+    const first = document.querySelector('[data-live], [data-small]');
+    return first ? (first.getBoundingClientRect().top + scrollY) / innerHeight : Infinity;
+  });
+  check(at < SCREENS, `${name} has a live figure within ${SCREENS} screens: it is at ${at.toFixed(1)}`);
+  console.log(`${name.padEnd(22)} ${at.toFixed(1)} screens`);
+  await page.close();
+}
+
+// What a finger touches; and the last dial of each figure turns beside its stage.
+for (const name of chapters) {
+  const page = await open(name, { viewport: PHONE, hasTouch: true, reducedMotion: 'reduce' });
+  const small = await page.evaluate(least => [...document.querySelectorAll('.live-figure :is(button, input[type=range], .live-choice span)')]
+    .map(node => ({ node, box: node.getBoundingClientRect() })).filter(({ box }) => box.height < least)
+    .map(({ node, box }) => `${node.closest('figure').id} ${node.ariaLabel ?? node.textContent} ${box.height.toFixed(0)}`), FINGER);
+  check(!small.length, `${name}: ${FINGER} px for a finger: ${small.slice(0, 4)}`);
+  const gone = await page.evaluate(() => [...document.querySelectorAll('.live-figure')].filter(figure => {
+    const dial = [...figure.querySelectorAll('.live-dial, .live-choice')].at(-1), stage = figure.querySelector('.live-stage');
+    if (!dial) return false;
+    dial.scrollIntoView({ block: 'end' });
+    const box = stage.getBoundingClientRect();
+    return Math.min(box.bottom, innerHeight) - Math.max(box.top, 0) < 0.9 * box.height;
+  }).map(figure => figure.id));
+  check(!gone.length, `${name}: the stage is seen while the last dial turns: ${gone}`);
+  await page.close();
+}
+
+// --- Small figures --------------------------------------------------------------------
+const settled = (page, where) => page.waitForSelector(`${where}:is([data-ready][data-hash], [data-trapped], [data-failed])`, WAIT);
+for (const name of ['index.html', ...chapters]) {
+  const page = await open(name, { viewport: WIDE, reducedMotion: 'reduce' });
+  const figure = page.locator('[data-small]');
+  if (await figure.count()) {
+    await figure.evaluate(node => node.scrollIntoView({ block: 'center' }));
+    await settled(page, '[data-small]');
+    const { hash, wants, small } = await figure.evaluate(node => ({ ...node.dataset }));
+    check(hash === wants, `${name}: ${small} has the native hash ${wants}, not ${hash}`);
+    check(await figure.locator('.live-dial, .live-choice').count() <= 1, `${name}: ${small} has one dial at most`);
+    check(page.errors.length === 0, `${name} has no error in its console: ${page.errors[0]}`);
+  }
+  await page.close();
+}
+
+// --- The first page -------------------------------------------------------------------
+{
+  const page = await open('index.html', { viewport: WIDE });
+  const figure = page.locator('[data-small]'), frames = () => figure.evaluate(node => node.live.frames);
+  check(await figure.evaluate(node => node.getBoundingClientRect().top) < 200, 'the first page begins with what moves');
+  check(await page.locator('.begin').evaluate(node => node.getBoundingClientRect().bottom < innerHeight), 'and its button is in the first screen');
+  await page.waitForSelector('[data-small][data-ready]', WAIT);
+  const before = await frames();
+  await page.waitForFunction(before => document.querySelector('[data-small]').live.frames > before + 2, before, WAIT).catch(() => check(false, 'the first page moves by itself'));
+  await figure.getByRole('button', { name: 'Pause' }).press('Enter');
+  const stands = await frames();
+  await figure.getByRole('button', { name: 'One frame' }).press('Enter');
+  check(await frames() === stands + 1, 'and goes on by one frame when it is asked to');
+  // A body is dragged: where it was held it is no more.
+  const hash = () => figure.evaluate(({ live }) => live.core.hash());
+  const spot = await figure.evaluate(({ live }) => {
+    const { left, top, width, height } = live.drawing.canvas.getBoundingClientRect();
+    for (let y = top; y < top + height; y += 6)
+      for (let x = left; x < left + width; x += 6) if (live.drawing.pick({ clientX: x, clientY: y }) >= 0) return { x, y };
+    return null;
+  });
+  check(spot, 'there is something to take hold of');
+  const still = await hash();
+  await page.mouse.move(spot.x, spot.y);
+  await page.mouse.down();
+  await page.mouse.move(spot.x + 80, spot.y - 40, { steps: 4 });
+  await figure.getByRole('button', { name: 'One frame' }).evaluate(node => node.click());
+  await page.mouse.up();
+  check(await hash() !== still, 'and it follows the hand');
+  check(page.errors.length === 0, `the first page has no error in its console: ${page.errors[0]}`);
+  await page.close();
+}
+
+await browser.close();
+console.log(`look: ${checks} checks, ${faults} faults`);
+process.exit(faults ? 1 : 0);

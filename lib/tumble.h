@@ -380,39 +380,42 @@ tumble_joint tumble_hinge(tumble_world *w, tumble_body a, tumble_body b,
 tumble_joint tumble_slider(tumble_world *w, tumble_body a, tumble_body b,
                            tumble_vec3 at, tumble_vec3 axis);
 
-// rad, from -pi to pi, of b against a; 0: as they stood when they were joined.  Of
-// a slider and a distance: m.  Beyond -pi, beyond pi and below 0 m there is no limit: -HUGE_VAL
-// and HUGE_VAL take both off.  Equal limits hold it there: moved a little in
-// every step, they drive it.
+// How far b may turn against a hinge's axis (rad; beyond -pi and pi there is no
+// limit) or go along a slider's (m, of either sign), 0 being how they stood when
+// they were joined; or how far apart the points of a distance are (m; below 0 there
+// is no limit).  -HUGE_VAL and HUGE_VAL take both off.  Equal limits hold it there:
+// moved a little in every step, they drive it.
 bool tumble_set_limits(tumble_world *w, tumble_joint j, double least,
                        double most);
 
 // A ball joint: an axis, which a and b have in common as they stand now, leans by
-// `swing` (rad) at most, and b turns about it from least to most (rad, from -pi to
-// pi).  Beyond pi there is no limit.
+// `swing` (rad) at most, and b turns about it from least to most (rad).  Beyond pi
+// there is no limit; near pi the turn is not defined, so a cone is narrower.  Another
+// call begins from how they stand then.
 bool tumble_set_cone(tumble_world *w, tumble_joint j, tumble_vec3 axis,
                      double swing, double least, double most);
 
 // Along the free way of a hinge (rad, N m), a slider or a distance (m, N) there may
-// be a motor and a spring.  Both act together, and within the limits; whoever is
-// asleep wakes.
+// be a motor and a spring.  Both act together, and within the limits, but equal
+// limits of a distance do not count.  To set one wakes both bodies.
 //
-// The motor keeps a speed (of b against a, forwards) with `force` at most.  A speed
-// of 0 is friction, or a brake; a force of 0 takes the motor off.
+// The motor keeps b at `speed` against a (rad/s, right-handed about the axis; m/s
+// along it, or apart) with `force` (N m or N, not negative) at most.  A speed of 0 is
+// friction, or a brake; a force of 0 takes the motor off.
 bool tumble_set_motor(tumble_world *w, tumble_joint j, double speed,
                       double force);
 
-// The spring pulls to `rest`, of a hinge the shorter way round, with `stiffness`
-// (N/m, N m/rad), and brakes with `damping` (N s/m, N m s/rad).  Any stiffness is
-// safe at any dt.  A distance whose least and most are equal is no rod while it is
-// driven.  Both 0: the spring is taken off.
+// The spring pulls to `rest` (rad or m) with `stiffness` (N m/rad, N/m), and brakes
+// with `damping` (N m s/rad, N s/m).  That of a hinge takes the shorter way round,
+// whatever limits there are.  Any stiffness is safe at any dt.  Both 0: the spring is
+// taken off.
 bool tumble_set_spring(tumble_world *w, tumble_joint j, double rest,
                        double stiffness, double damping);
 
-// A spring that brings the two bodies to a place, with `force` at most: without
-// others, as they stand now, they would swing at `hertz`, braked by `ratio`: 0 not
-// at all, 1 so that they just do not swing.  It takes the place of a spring that
-// was set; a force of 0 takes it off.
+// A spring to `place` (rad or m) that gives `force` (N m or N) at most.  The two
+// bodies alone, as they stand now, would swing about it at `hertz` (1/s), with a
+// damping ratio of `ratio` (0: undamped; 1: critical).  It takes the place of a spring
+// that was set; a force of 0 takes it off.
 bool tumble_set_servo(tumble_world *w, tumble_joint j, double place,
                       double hertz, double ratio, double force);
 
@@ -436,18 +439,19 @@ bool tumble_unjoin(tumble_world *w, tumble_joint j);
 bool tumble_is_joined(const tumble_world *w, tumble_joint j);
 
 // m, how far apart are the points that it holds; N, what it bore in the last
-// substep; rad, how far a hinge is turned.  Along a free way: where b is (rad or
-// m), how fast (rad/s or m/s), and what motor, spring and limits together gave in
-// the last substep (N m or N; 0 if there is no motor or spring).  How far a cone's
-// axis leans and b has turned about it (rad; 0 without a cone).
-double tumble_joint_place(const tumble_world *w, tumble_joint j);
-double tumble_joint_speed(const tumble_world *w, tumble_joint j);
-double tumble_joint_swing(const tumble_world *w, tumble_joint j);
-double tumble_joint_twist(const tumble_world *w, tumble_joint j);
-double tumble_joint_drive(const tumble_world *w, tumble_joint j);
+// substep.
 double tumble_joint_gap(const tumble_world *w, tumble_joint j);
 double tumble_joint_force(const tumble_world *w, tumble_joint j);
-double tumble_hinge_angle(const tumble_world *w, tumble_joint j);
+// Along its free way: where b is against a (rad, from -pi to pi, or m), how fast it
+// moves (rad/s or m/s), and what motor, spring and limits together gave in the last
+// substep (N m or N; 0 without motor and spring).
+double tumble_joint_place(const tumble_world *w, tumble_joint j);
+double tumble_joint_speed(const tumble_world *w, tumble_joint j);
+double tumble_joint_drive(const tumble_world *w, tumble_joint j);
+double tumble_hinge_angle(const tumble_world *w, tumble_joint j);   // its place
+// rad, how far a cone's axis leans, and b has turned about it; 0 without a cone.
+double tumble_joint_swing(const tumble_world *w, tumble_joint j);
+double tumble_joint_twist(const tumble_world *w, tumble_joint j);
 //<
 
 //> tumble-ask

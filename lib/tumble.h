@@ -438,20 +438,21 @@ bool tumble_set_strength(tumble_world *w, tumble_joint j, double force);
 bool tumble_unjoin(tumble_world *w, tumble_joint j);
 bool tumble_is_joined(const tumble_world *w, tumble_joint j);
 
-// m, how far apart are the points that it holds; N, what it bore in the last
-// substep.
-double tumble_joint_gap(const tumble_world *w, tumble_joint j);
-double tumble_joint_force(const tumble_world *w, tumble_joint j);
-// Along its free way: where b is against a (rad, from -pi to pi, or m), how fast it
-// moves (rad/s or m/s), and what motor, spring and limits together gave in the last
-// substep (N m or N; 0 without motor and spring).
+// Along its free way: where b is against a (rad, from -pi to pi, or m), and how fast
+// it moves (rad/s or m/s).
 double tumble_joint_place(const tumble_world *w, tumble_joint j);
 double tumble_joint_speed(const tumble_world *w, tumble_joint j);
-double tumble_joint_drive(const tumble_world *w, tumble_joint j);
-double tumble_hinge_angle(const tumble_world *w, tumble_joint j);   // its place
 // rad, how far a cone's axis leans, and b has turned about it; 0 without a cone.
 double tumble_joint_swing(const tumble_world *w, tumble_joint j);
 double tumble_joint_twist(const tumble_world *w, tumble_joint j);
+// What motor, spring and limits together gave in the last substep (N m or N; 0
+// without motor and spring).
+double tumble_joint_drive(const tumble_world *w, tumble_joint j);
+// m, how far apart are the points that it holds; N, what it bore in the last
+// substep; a hinge's place, by another name.
+double tumble_joint_gap(const tumble_world *w, tumble_joint j);
+double tumble_joint_force(const tumble_world *w, tumble_joint j);
+double tumble_hinge_angle(const tumble_world *w, tumble_joint j);
 //<
 
 //> tumble-ask

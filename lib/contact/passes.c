@@ -428,6 +428,7 @@ ALWAYS_INLINE void make_friction(block *k, raw_block *raw, real4 inverse,
 //<
 
 //> passes-blocks
+//>   A block is filled, and its rows are made.
 static void set_material(const preparation *p, block *k)
 {
     k->friction = k->strikes = real4_all(0);

@@ -277,6 +277,7 @@ static void add_cloth_sticks(shape *s, real dx, real dz, real diagonal)
 //<
 
 //> body-cloth-faces
+//>   A cell is two triangles. So is one of a terrain (chapter 19).
 void shape_cut_cells(int (*triangle)[3], int columns, int rows)
 {
     int f = 0;

@@ -19,7 +19,7 @@ FNR == 1 {
     if (!(name in place)) { print FILENAME ": this module is not in the line of the Makefile"; bad = 1 }
 }
 /^[ \t]*#[ \t]*include[ \t]*"/ {
-    split($0, quoted, "\""); used = quoted[2]; sub(/\.h$/, "", used)
+    split($0, quoted, "\""); used = quoted[2]; sub(/\.[ch]$/, "", used)
     if (!(used in place)) { print FILENAME ":" FNR ": " used " is not in the line"; bad = 1 }
     else if (name in place && place[used] > place[name]) { print FILENAME ":" FNR ": " name " includes " used ", which stands to its right"; bad = 1 }
     arrows++

@@ -554,11 +554,11 @@ hard: $(BUILD)/hard $(BUILD)/hard-plain $(BUILD)/families $(BUILD)/tumble-sweep
 	  $(STAMP) $(notdir $(basename $(wildcard figures/tables/hard*.csv figures/tables/families.csv))) && exit $$short
 
 # Compiled to count the blocks of code that it runs, which is the work of a scene.
-COUNTED := -O1 -fsanitize-coverage=trace-pc
+IN_BLOCKS := -O1 -fsanitize-coverage=trace-pc
 .PHONY: ledger
 ledger:
-	$(Q)$(AGAIN) BUILD=$(BUILD)/ledger CFLAGS='$(COUNTED)' $(BUILD)/ledger/battery
-	$(Q)CC='$(CC)' SETTINGS='$(EXACT) $(COUNTED) $(SHARED)' sh tests/ledger/ledger.sh $(BUILD)/ledger > $(BUILD)/ledger.csv
+	$(Q)$(AGAIN) BUILD=$(BUILD)/ledger CFLAGS='$(IN_BLOCKS)' $(BUILD)/ledger/battery
+	$(Q)CC='$(CC)' SETTINGS='$(EXACT) $(IN_BLOCKS) $(SHARED)' sh tests/ledger/ledger.sh $(BUILD)/ledger > $(BUILD)/ledger.csv
 	$(Q)cp $(BUILD)/ledger.csv figures/tables/ledger.csv && $(STAMP) ledger
 
 .PHONY: drape apart strings

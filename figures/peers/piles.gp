@@ -43,7 +43,7 @@ set xtics ("1 ms" 1, "3 ms" 3, "10 ms" 10, "30 ms" 30, "100 ms" 100)
 set yrange [8:1800]
 set ytics ("1 cm" 10, "3 cm" 30, "10 cm" 100, "30 cm" 300, "1 m" 1e3)
 plot for [m = 1:4] csv index m + 7 using 2:3 with linespoints pt mark[m] ps 0.85 lc rgb color[m] lw thick[m], \
-     for [m = 2:4] csv index m + 7 using (m == 4 && $1 == 10 ? NaN : $2):3:1 with labels font small textcolor rgb color[m] offset 0.9,up[m], \
+     for [m = 2:4] csv index m + 7 using (m == 4 && ($1 == 10 || $1 == 20) ? NaN : $2):3:1 with labels font small textcolor rgb color[m] offset 0.9,up[m], \
      csv index 1 + 7 using ($1 == 16 ? NaN : $2):3:1 with labels font small textcolor rgb color[1] offset -1.6,0, \
      csv index 1 + 7 using ($1 == 16 ? $2 : NaN):3:1 with labels font small textcolor rgb color[1] offset 1.7,0
 

@@ -22,7 +22,7 @@ check_files() {
         solution.c|check.c|*.h) [ -n "$after" ] || fault "$file is a stray file: the module is in lib/" ;;
         *) fault "$file is a stray file" ;;
         esac
-        ! ls lib/*/"${file##*/}" > /dev/null 2>&1 || fault "$file has the name of a file of lib/"
+        ! ls lib/*/"${file##*/}" 2> /dev/null | grep -q '[.][ch]$' || fault "$file has the name of a file of lib/"
     done
     for test in $first; do
         grep -q "^START_TEST($test)" "$tests" || fault "first names the test $test, which is not in $tests"

@@ -193,6 +193,43 @@ START_TEST(damper_brakes_by_its_exponential)
 }
 END_TEST
 
+START_TEST(strong_damper_stops_what_turns_and_throws_nothing_back)
+{
+    // Rejects: the mean of the speeds before and after, which turns a wheel round in
+    // every substep once c h / I is large, for ever.
+    for (int i = 0; i < COUNT(STEPS); i++)
+        for (double rate = 1e4; rate < 1e9; rate *= 100) {
+            begin_world(STEPS[i], 0);
+            double inertia = hang_cube(0.5, 0, 3);
+            tumble_set_velocity(w, body, tumble_v(0, 0, 0), tumble_v(0, 0, 2));
+            tumble_set_spring(w, joint_now, 0, 0, rate * inertia);
+            tumble_step(w);
+            ck_assert_msg(speed() > -1e-9 && speed() < 0.02,
+                          "dt %g, c / I %g: %g rad/s", STEPS[i], rate, speed());
+        }
+}
+END_TEST
+
+START_TEST(spring_of_a_hinge_takes_the_shorter_way_round)
+{
+    // From 2.5 to -2.5 rad it is 1.28 rad by way of pi, and 5 by way of 0.
+    // Rejects: a difference of angles that is taken as it is.
+    begin_world(1 / 60.0, 0);
+    double inertia = hang_cube(0.5, 0, 3), nearest = PI;
+    tumble_set_servo(w, joint_now, 2.5, 2, 1, 100 * inertia);
+    go(3, 1 / 60.0);
+    for (int side = -1; side <= 1; side += 2) {
+        tumble_set_servo(w, joint_now, side * 2.5, 2, 1, 100 * inertia);
+        for (int k = 0; k < 180; k++) {
+            tumble_step(w);
+            nearest = fmin(nearest, fabs(place()));
+        }
+        near(place(), side * 2.5, 1e-6, "there");
+    }
+    ck_assert_msg(nearest > 2.4, "it came by %g rad", nearest);
+}
+END_TEST
+
 START_TEST(spring_of_any_stiffness_is_safe_at_any_step)
 {
     // From where it is unloaded a weight sinks by twice m g / k at most.  What a
@@ -718,6 +755,8 @@ int main(void)
         motor_holds_what_its_torque_bears_and_no_more,
         spring_of_a_hinge_swings_in_the_time_of_its_inertia,
         damper_brakes_by_its_exponential,
+        strong_damper_stops_what_turns_and_throws_nothing_back,
+        spring_of_a_hinge_takes_the_shorter_way_round,
         spring_of_any_stiffness_is_safe_at_any_step,
         servo_of_one_hertz_comes_as_a_damped_spring_does,
         servo_gives_its_most_and_arrives,

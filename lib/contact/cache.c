@@ -727,6 +727,11 @@ void cache_again(contact_cache *c, const cache_frame *f, int k)
     c->reach[k] = reach_of(f, a, b);
 }
 
+bool cache_is_swept(const contact_cache *c, int k)
+{
+    return c->of[k]->seen[0] < 0;
+}
+
 void cache_note(contact_cache *c, const contact_solver *s)
 {
     for (int k = 0; k < s->contacts; k++) c->of[k]->near += s->active[k].least;

@@ -55,8 +55,6 @@ status actuator_set_motor(joint *j, real speed, real force)
 }
 
 // A hinge's place is one of a turn, and its spring pulls the shorter way.
-static const real HALF_TURN = 3.141592653589794;     // pi, rounded up
-
 status actuator_set_spring(joint *j, real rest, real stiffness, real damping,
                            real bound)
 {
@@ -68,7 +66,7 @@ status actuator_set_spring(joint *j, real rest, real stiffness, real damping,
                            "%g at most is none: they must be finite and, but "
                            "for the place, 0 or more", stiffness, damping, rest,
                            bound);
-    if (j->kind == JOINT_HINGE && fabs(rest) > HALF_TURN)
+    if (j->kind == JOINT_HINGE && fabs(rest) > JOINT_HALF_TURN)
         return status_fail("a hinge is never at %g rad: its angles go from -pi "
                            "to pi", rest);
     j->drive.rest = rest;
@@ -123,8 +121,8 @@ static real way(const joint *j, real from, real to)
 {
     real d = to - from;
     if (j->kind != JOINT_HINGE) return d;
-    if (d > HALF_TURN)  return d - 2 * HALF_TURN;
-    return d < -HALF_TURN ? d + 2 * HALF_TURN : d;
+    if (d > JOINT_HALF_TURN)  return d - 2 * JOINT_HALF_TURN;
+    return d < -JOINT_HALF_TURN ? d + 2 * JOINT_HALF_TURN : d;
 }
 
 // In a substep the spring gives pull - slope v, with v the speed at its end.

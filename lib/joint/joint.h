@@ -158,6 +158,9 @@ joint joint_make(const joint_plan *plan, const rigid_frame *a,
 // The frame of the world: coordinates in it are metres.
 extern const rigid_frame JOINT_WORLD;
 
+// pi, rounded up: no hinge is further than that from how it was made.
+#define JOINT_HALF_TURN 3.141592653589794
+
 // How far a hinge has turned: rad, of B against A, from -pi to pi; 0 as it was
 // made.
 real joint_angle(const joint *j, const rigid_frame *a, const rigid_frame *b);

@@ -172,7 +172,7 @@ bool tumble_set_servo(tumble_world *w, tumble_joint j, double place,
         return inside_fail(w, "a servo of %g Hz, ratio %g and force %g is none: "
                            "they must be above 0, the ratio and the force may "
                            "be 0", hertz, ratio, force);
-    real omega = 2 * 3.141592653589793 * hertz;
+    real omega = 2 * JOINT_HALF_TURN * hertz;
     real inertia = world_joint_inertia(&w->world, x->number);
     real stiffness = force > 0 ? inertia * omega * omega : 0;
     real damping = force > 0 ? 2 * ratio * inertia * omega : 0;

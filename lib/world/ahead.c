@@ -137,6 +137,8 @@ static void look_at_side(world *w, int b, real left)
     else w->rigid.asked[b] = w->rigid.now[b].frame;
 }
 
+// What was found where its bodies first touch holds as long as they are sent
+// there: asked again, what is through already would be kept behind.
 void ahead_again(world *w, const solver_frame *f, real left)
 {
     rigid_tables *t = &w->rigid;
@@ -145,7 +147,8 @@ void ahead_again(world *w, const solver_frame *f, real left)
     if (!find_all_turned(w)) return;
     for (int k = s->first; k < s->end; k++) {
         active_contact *x = &s->active[k];
-        x->is_new = is_used_up(w, x, t->cache.active[k]);
+        x->is_new = !cache_is_swept(&t->cache, k)
+                 && is_used_up(w, x, t->cache.active[k]);
         some |= x->is_new;
     }
     if (!some) return;

@@ -79,7 +79,7 @@ void world_unjoin(world *w, int number)
 
 status world_limit_joint(world *w, int number, real least, real most)
 {
-    const real turn = 3.141592653589794;    // pi, rounded up
+    const real turn = JOINT_HALF_TURN;
     joint *j = joint_at(w, number);
     bool is_hinge = j->kind == JOINT_HINGE, is_slider = j->kind == JOINT_SLIDER;
     assert(is_hinge || is_slider || j->kind == JOINT_DISTANCE);
@@ -98,7 +98,7 @@ status world_limit_joint(world *w, int number, real least, real most)
 status world_cone_joint(world *w, int number, vec3 axis, real swing, real least,
                         real most)
 {
-    const real turn = 3.141592653589794;    // pi, rounded up
+    const real turn = JOINT_HALF_TURN;
     joint *j = joint_at(w, number);
     real length = vec3_length(axis);
     assert(j->kind == JOINT_BALL);

@@ -298,22 +298,9 @@ static void bodies_store(world *w, store *s)
 //> snapshot-world
 //>   At last the world, which goes whole and then names its tables in the order
 //>   of its parts.
-// Of what moves the next frame finds ahead, reach, velocity and moved; of all
-// else they are zeros.  Planes are read from a new list, or where the cache found
-// no memory for the last one.
-static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
+// What a step fills before it reads it.
+static void step_store(rigid_tables *t, int room, store *s)
 {
-    STORE_TABLE(s, t->dynamic, bodies, room);
-    STORE_ROOM(s, t->moves, room);
-    STORE_TABLE(s, t->now, bodies, room);
-    STORE_TABLE(s, t->ball, bodies, room);
-    STORE_ZEROS(s, t->ahead, room);
-    STORE_ZEROS(s, t->reach, room);
-    STORE_TABLE(s, t->age, bodies, room);
-    STORE_ZEROS(s, t->halfway, room);
-    STORE_TABLE(s, t->choice, bodies, room);
-    STORE_ROOM(s, t->island, room);
-    STORE_ZEROS(s, t->rung, room);
     STORE_ROOM(s, t->by_rung, room);
     STORE_ROOM(s, t->asked, room);
     STORE_ROOM(s, t->middle, room);
@@ -332,6 +319,25 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     STORE_ROOM(s, t->now_then, room);
     STORE_ROOM(s, t->velocity_then, room);
     STORE_ROOM(s, t->moved_then, room);
+}
+
+// Of what moves the next frame finds ahead, reach, velocity and moved; of all
+// else they are zeros.  Planes are read from a new list, or where the cache found
+// no memory for the last one.
+static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
+{
+    STORE_TABLE(s, t->dynamic, bodies, room);
+    STORE_ROOM(s, t->moves, room);
+    STORE_TABLE(s, t->now, bodies, room);
+    STORE_TABLE(s, t->ball, bodies, room);
+    STORE_ZEROS(s, t->ahead, room);
+    STORE_ZEROS(s, t->reach, room);
+    STORE_TABLE(s, t->age, bodies, room);
+    STORE_ZEROS(s, t->halfway, room);
+    STORE_TABLE(s, t->choice, bodies, room);
+    STORE_ROOM(s, t->island, room);
+    STORE_ZEROS(s, t->rung, room);
+    step_store(t, room, s);
     STORE_TABLE(s, t->held, bodies, room);
     STORE_ROOM(s, t->free, room);
     STORE_ROOM(s, t->free_end, room);

@@ -76,7 +76,7 @@ tumble_quat tumble_from_matrix(const double m[9]);
 typedef struct {
     double dt;              // s, a step; 1e-9 to 1, 1/60
     int    substeps;        // of a step, at least, 1 to 10000; 0, as it comes:
-                            // four (eight with joints, rope or cloth), or so
+                            // four (rope and cloth eight), or so
                             // many that none is longer than 1/240 s.  High
                             // stacks, heavy loads, joints and cloth take more,
                             // and what does not touch them does not

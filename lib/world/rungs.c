@@ -87,10 +87,23 @@ static bool is_calm(const world *w, int b)
     return vec3_length_squared(way) <= far * far;
 }
 
-static bool is_fast(const rigid_tables *t, int b)
+// By its inner radius in a whole frame.
+static bool is_fast(const world *w, int b)
 {
-    return t->moves[b]
-        && vec3_length(t->ahead[b].way) > t->body[b].inner;
+    const rigid_tables *t = &w->rigid;
+    real way = vec3_length(t->ahead[b].way) * w->options.dt / w->frame;
+    return t->moves[b] && way > t->body[b].inner;
+}
+
+// Does what is driven turn its far end, in a whole frame, by more than the size of
+// what it may hit?  The side that was found is another one by then.
+bool rungs_sweeps(const world *w, int a, int b)
+{
+    const rigid_tables *t = &w->rigid;
+    if (b < 0 || t->now[a].is_driven == t->now[b].is_driven) return false;
+    int driven = t->now[a].is_driven ? a : b, other = a + b - driven;
+    real far = t->ahead[driven].angle * t->now[driven].radius;
+    return far * w->options.dt > t->body[other].inner * w->frame;
 }
 
 island *rungs_island(const world *w, int a, int b)
@@ -151,7 +164,7 @@ static void find_demands(world *w)
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k], of = island_root(t->island, b);
         t->island[of].is_calm &= is_calm(w, b);
-        t->island[of].is_fast |= is_fast(t, b);
+        t->island[of].is_fast |= is_fast(w, b);
         if (t->moves[b]) add_layer(t, b, down, &t->island[of]);
         if (b != of) add_choice(t, b, &t->choice[of]);
     }
@@ -163,6 +176,7 @@ static void find_demands(world *w)
         i->weight = real_max(i->weight, weight_on(t, x));
         i->squares += x->borne * x->borne;
         i->bears += x->borne > 0;
+        if (w->kinematic_bodies > 0) i->is_fast |= rungs_sweeps(w, x->a, x->b);
         i->turn = real_max(i->turn, turn_of(w, x->a));
         if (x->sides == TWO_SIDED)
             i->turn = real_max(i->turn, turn_of(w, x->b));

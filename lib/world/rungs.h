@@ -18,6 +18,10 @@
 // rungs there are, at least one; they stand in rigid.rungs, w->rigid.by_rung.
 int rungs_find(world *w);
 
+// Does one of a and b, which is driven, turn past the other within a frame?  (b < 0:
+// a plane, which nothing passes.)
+bool rungs_sweeps(const world *w, int a, int b);
+
 // The island of the one of a and b that moves; NULL: neither does.
 island *rungs_island(const world *w, int a, int b);
 

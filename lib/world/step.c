@@ -133,20 +133,14 @@ static void solve(world *w, real *since)
 //> step-swept
 // Where something flies by more than its own size in a frame, and may hit, the
 // frame is divided: after the impact everything goes elsewhere than was found.
-// So it is where what is driven turns its far end by more than the size of what
-// it may hit: the side that was found is another one by then.
+// So it is where what is driven turns past what it may hit.
 enum { FAST_PARTS = 4 };                    // tuned, parts
 
 static bool is_swept(const world *w)
 {
-    const rigid_tables *t = &w->rigid;
-    for (int k = 0; k < t->cache.actives && w->kinematic_bodies > 0; k++) {
-        int a = t->cache.active[k]->a, b = t->cache.active[k]->b;
-        if (b < 0 || t->now[a].is_driven == t->now[b].is_driven) continue;
-        int driven = t->now[a].is_driven ? a : b, other = a + b - driven;
-        real far = t->ahead[driven].angle * t->now[driven].radius;
-        if (far > t->body[other].inner) return true;
-    }
+    const contact_cache *c = &w->rigid.cache;
+    for (int k = 0; k < c->actives && w->kinematic_bodies > 0; k++)
+        if (rungs_sweeps(w, c->active[k]->a, c->active[k]->b)) return true;
     return false;
 }
 

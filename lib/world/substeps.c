@@ -118,21 +118,29 @@ static int hold(substep_choice *c, const island *i, int need)
     return c->now;
 }
 
-// A part of a divided frame takes its share of the substeps that a frame may
-// have more than usual.  What is joined asks by how it turns, and needs no more in a
-// part.
+// A part of a divided frame takes its share of the substeps.  But what is fast
+// takes in each as many as are usual in a frame; and no fewer than SOFT, if it is
+// not joined: that asks by how it turns.
+static int usual_of(const world *w, const island *i)
+{
+    if (i->is_soft || (i->is_fast && !is_joined(i)))
+        return world_usual(w, i->is_soft);
+    return w->options.substeps;
+}
+
 int substeps_choose(world *w, const island *i, substep_choice *c)
 {
-    int usual = is_joined(i) ? w->options.substeps : world_usual(w, i->is_soft);
-    int most = int_max(w->options.most_substeps, usual);
     real share = w->frame / w->options.dt;
+    int usual = usual_of(w, i), fewest = usual;
+    int most = int_max(w->options.most_substeps, usual);
     real stiff = real_min(substeps_for_contacts(w, i, c->now), most);
     real swing = real_min(substeps_for_joints(w, i), most);
     int n = hold(c, i, int_max(usual, (int)real_max(stiff, swing) + 1));
-    if (share < 1) n = int_max(usual, (int)(share * n));
+    if (!i->is_fast && !i->is_soft) fewest = (int)(share * (usual - 1)) + 1;
+    if (share < 1) n = int_max(fewest, (int)(share * (n - 1)) + 1);
     n = int_max(n, substeps_for_turns(i, most));
     if (i->is_soft) n = int_max(n, soft_need(w));
-    return int_min(n, int_max((int)(share * most), usual));
+    return int_min(n, int_max((int)(share * most), fewest));
 }
 
 //<

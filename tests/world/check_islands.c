@@ -128,6 +128,39 @@ static int substeps_on(int legs)
     return substeps;
 }
 
+// A ball that flies to and fro between two walls, by ten of its radii in a frame.
+static void add_bullet(tumble_world *w)
+{
+    tumble_shape wall = tumble_box(w, tumble_v(1, 20, 20), 1);
+    for (int side = -1; side < 2; side += 2) {
+        tumble_body_options o = tumble_at(100 + 2 * side, 10, 0);
+        o.kind = TUMBLE_STATIC;
+        o.friction = 0;
+        tumble_add(w, wall, o);
+    }
+    tumble_body_options o = tumble_at(100, 0.1, 0);
+    o.velocity = tumble_v(60, 0, 0);
+    o.friction = 0;
+    o.restitution = 1;
+    tumble_add(w, tumble_sphere(w, 0.1, 0.1), o);
+}
+
+// Where a bullet strikes the frame is divided.  A tower beside it must not feel that:
+// it takes its own substeps in the parts, and falls asleep.
+// Rejects: parts in which all take the substeps of what is fast, so that a tower sags
+// less in each of them, sways, and never rests.
+START_TEST(tower_falls_asleep_beside_a_bullet)
+{
+    tumble_world *w = with_floor();
+    tumble_body top = { 0 };
+    for (int k = 0; k < 10; k++) top = add_cube(w, 1, 0, k + 0.5);
+    add_bullet(w);
+    for (int k = 0; k < 120; k++) tumble_step(w);
+    ck_assert(!tumble_is_awake(w, top));
+    tumble_free(w);
+}
+END_TEST
+
 // Each of four bears a quarter, and the substeps go with the root of that.
 // Rejects: contacts each of which is said to bear the whole body.
 START_TEST(what_four_bear_asks_for_half_of_what_one_asks_for)
@@ -246,6 +279,7 @@ int main(void)
     const TTest *const tests[] = {
         box_beside_a_hard_pair_goes_as_it_goes_alone,
         contacts_of_both_carry_their_weight,
+        tower_falls_asleep_beside_a_bullet,
         what_four_bear_asks_for_half_of_what_one_asks_for,
         islands_that_meet_keep_their_momentum,
         saved_world_goes_on_with_the_same_bits,

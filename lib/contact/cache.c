@@ -185,10 +185,12 @@ static void follow_lists(contact_cache *c, const cache_frame *f)
 //> cache-decide
 //>   A pair is asked again when one of its bodies has been placed again, or may
 //>   get further than the answer looked ahead.
-// m, how far a body may get from where it was placed, while it counts as there.
+// m, how far a body may get from where it was placed, while it counts as there: of
+// what is thin, no more than of something twice as thick as it is.
 static real stay_of(const cache_frame *f, int b)
 {
-    return f->stay * f->now[b].radius;
+    real wide = f->now[b].radius;
+    return f->stay * (f->moves[b] ? real_min(wide, 4 * f->body[b].inner) : wide);
 }
 
 // m, how far from there it may be now.  One that was placed in this very frame
@@ -411,60 +413,70 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
 }
 //<
 
-//> cache-guard
-//>   What is fast gets one point more, the *guard* of chapter 15, at
-//>   the centre of the smaller body.
-// A bullet is stopped at one point.  The rest of it would turn about that, and
-// be through before the next frame asks.  So the ball inside the smaller body
-// is kept in front of the plane of touch as well: a second point, its middle.
-static void add_guard(contact *c, const cache_frame *f)
-{
-    int a = c->a, b = c->b;
-    bool is_a = b < 0 || f->now[a].radius < f->now[b].radius;
-    int small = is_a ? a : b;
-    if (!f->moves[small] || c->count == 0) return;
-    // A ball touches with its middle already.
-    if (f->body[small].shape->particles == 1) return;
-    if (c->count == CONTACT_POINTS) c->count--;
-    c->shared = (signed char)int_min(c->shared, c->count);
-    contact_point *p = &c->point[c->count];
-    *p = c->point[0];
-    p->own = is_a;
-    if (is_a) p->local_a = f->body[a].rigid->middle;
-    else      p->local_b = f->body[b].rigid->middle;
-    p->offset = f->body[small].inner + (is_a ? c->round_b : c->round_a);
-    c->count++;
-}
-//<
-
 //> cache-query
 //>   Slow bodies are asked where they touch (chapters 10 and 11), fast ones
 //>   when they first touch (chapter 15).
 // Bodies that pass each other by more than the smaller one's inner radius in a
-// frame may be lost to each other: they are asked when they first touch.
-static bool is_fast(const cache_frame *f, int a, int b)
+// frame, by flying or by turning, may be lost to each other: they are asked when they
+// first touch.
+static bool passes(const cache_frame *f, int a, int b, real arcs)
 {
-    real far = vec3_distance(f->ahead[a].way, f->ahead[b].way);
+    real far = vec3_distance(f->ahead[a].way, f->ahead[b].way) + arcs;
     return far > fmin(f->body[a].inner, f->body[b].inner);
 }
 
-static swept_status query_swept(contact *c, const cache_frame *f,
-                                const collider *a, const collider *b)
+// (What turns by half a turn and more is asked where it is.)
+static const real HALF = 3;                 // rad
+
+static real turned_arc(const cache_frame *f, int b)
+{
+    return f->ahead[b].angle < HALF ? f->ahead[b].arc : 0;
+}
+
+static bool is_fast(const cache_frame *f, int a, int b)
+{
+    return passes(f, a, b, turned_arc(f, a) + turned_arc(f, b));
+}
+
+// How it goes, and what it may go beside that (m), which is added to *apart.  What
+// turns by half a turn and more is asked as if it went straight.
+static swept_motion motion_ahead(const cache_frame *f, int b, real *apart)
+{
+    const prediction *p = &f->ahead[b];
+    bool turns = p->angle > 0 && p->angle < HALF;
+    *apart += turns ? p->turn - p->arc : p->turn;
+    return (swept_motion){
+        .center = f->now[b].frame.center, .way = p->way,
+        .turn = turns ? p->spin : (vec3){ 0, 0, 0 },
+        .out = turns ? p->arc / real_min(p->angle, 2) : 0 };
+}
+
+// As it stands now, in room of its own.
+static collider standing_body(const cache_frame *f, int b, vec3 *at)
+{
+    const cache_body *x = &f->body[b];
+    rigid4_ride(x->rigid, &f->now[b].frame, at, x->shape->particles);
+    return (collider){ x->shape, at, false };
+}
+
+static swept_status query_swept(contact *c, const cache_frame *f)
 {
     enum { ROOM = 256 };
     vec3 room[ROOM], *scratch = room;
-    int need = a->shape->particles + b->shape->particles;
+    int first = f->body[c->a].shape->particles;
+    int both = first + f->body[c->b].shape->particles;
     manifold m;
-    if (need > ROOM) scratch = malloc((size_t)need * sizeof *scratch);
+    if (2 * both > ROOM) scratch = malloc(2 * (size_t)both * sizeof *scratch);
     if (!scratch) return SWEPT_CAPPED;
-    vec3 way = vec3_sub(f->ahead[c->a].way, f->ahead[c->b].way);
-    real turn = f->ahead[c->a].turn + f->ahead[c->b].turn;
-    swept_status s = collide_swept(a, b, way, turn, scratch, &m);
+    collider a = standing_body(f, c->a, scratch);
+    collider b = standing_body(f, c->b, scratch + first);
+    real apart = 0;
+    swept_motion of_a = motion_ahead(f, c->a, &apart);
+    swept_motion of_b = motion_ahead(f, c->b, &apart);
+    swept_status s = collide_swept(&a, &of_a, &b, &of_b, apart, scratch + both,
+                                   &m);
     if (scratch != room) free(scratch);
-    if (s == SWEPT_TOUCHES) {
-        take_manifold(c, &m, f, true);
-        add_guard(c, f);
-    }
+    if (s == SWEPT_TOUCHES) take_manifold(c, &m, f, true);
     return s;
 }
 //<
@@ -566,7 +578,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
     p->seen[0] = p->seen[1] = -1;
-    if (is_fast(f, a, b)) swept = query_swept(now, f, &x, &y);
+    if (is_fast(f, a, b)) swept = query_swept(now, f);
     if (swept != SWEPT_TOUCHES && swept != SWEPT_PASSES) {
         real slack = slack_of(c, f, a, b), reach = reach_of(f, a, b);
         manifold m;
@@ -663,7 +675,7 @@ static void query_chunk(void *data, int item)
 
 //> cache-active
 //>   The others are gathered in the order of the pairs.
-static void gather(contact_cache *c, cache_pair *p)
+static void gather(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     if (!p->is_active) return;
     contact *now = &c->entry[p->entry].contact;
@@ -671,7 +683,7 @@ static void gather(contact_cache *c, cache_pair *p)
         c->placing[now->a].corners = c->updates;
         if (now->b >= 0) c->placing[now->b].corners = c->updates;
     }
-    c->fast += p->seen[0] < 0;
+    c->fast += p->seen[0] < 0 && now->b >= 0 && passes(f, now->a, now->b, 0);
     c->active[c->actives] = now;
     c->of[c->actives++] = p;
 }
@@ -708,8 +720,8 @@ static void gather_active(contact_cache *c, const cache_frame *f)
         c->lost += c->entries;
         return;
     }
-    for (int k = 0; k < c->pairs.count; k++) gather(c, &c->pairs.pair[k]);
-    for (int k = 0; k < c->walls.count; k++) gather(c, &c->walls.pair[k]);
+    for (int k = 0; k < c->pairs.count; k++) gather(c, f, &c->pairs.pair[k]);
+    for (int k = 0; k < c->walls.count; k++) gather(c, f, &c->walls.pair[k]);
     update u = { c, f };
     tasks_run(f->run, reach_chunk, &u, task_chunks(c->actives));
 }
@@ -725,11 +737,6 @@ void cache_again(contact_cache *c, const cache_frame *f, int k)
     if (b < 0) query_wall(c, f, p);
     else       query_pair(c, f, p);
     c->reach[k] = reach_of(f, a, b);
-}
-
-bool cache_is_swept(const contact_cache *c, int k)
-{
-    return c->of[k]->seen[0] < 0;
 }
 
 void cache_note(contact_cache *c, const contact_solver *s)

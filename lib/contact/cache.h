@@ -32,9 +32,6 @@ void cache_update(contact_cache *c, const cache_frame *f);
 // what is ahead of them.  It keeps its place.
 void cache_again(contact_cache *c, const cache_frame *f, int k);
 
-// Was contact k found where its bodies first touch (chapter 15)?
-bool cache_is_swept(const contact_cache *c, int k);
-
 // After the solver has taken them: what each contact's least gap is.
 void cache_note(contact_cache *c, const contact_solver *s);
 

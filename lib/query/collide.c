@@ -15,17 +15,15 @@ manifold collide_rigid(const collider *a, const collider *b, real margin,
 //<
 
 //> collide-swept
-// The manifold of a as it will be when it has gone a share of the way, with the
-// gaps of now.  One touch if faces do not lie along each other there.
-static manifold touch_ahead(const collider *a, const collider *b, vec3 way,
-                            real near, const swept_result *s, vec3 *scratch)
+// The manifold of both where they stand when they touch, with the gaps of now.
+// One touch if faces do not lie along each other there.
+static manifold touch_ahead(const collider *a, const collider *b, real near,
+                            const swept_result *s, const vec3 *there)
 {
     query_cache none = { .count = 0 };
-    vec3 gone = vec3_scale(s->time, way);
-    for (int v = 0; v < a->shape->particles; v++)
-        scratch[v] = vec3_add(a->at[v], gone);
-    const collider ahead = { a->shape, scratch, false };
-    manifold m = collide_rigid(&ahead, b, near, 0, &none);
+    const collider x = { a->shape, there, false };
+    const collider y = { b->shape, there + a->shape->particles, false };
+    manifold m = collide_rigid(&x, &y, near, 0, &none);
     if (m.count == 0) {
         m = (manifold){ 1, s->normal, { { .gap = near } } };
         query_features(&s->last, &m.point[0].a, &m.point[0].b);
@@ -39,17 +37,25 @@ static manifold touch_ahead(const collider *a, const collider *b, vec3 way,
 }
 
 // So near is touching, of the smaller radius.
-static const real FINE = 0.001;             // tuned, radii
+static const real FINE = 0.0001;             // tuned, radii
 
-swept_status collide_swept(const collider *a, const collider *b, vec3 way,
+swept_status collide_swept(const collider *a, const swept_motion *of_a,
+                           const collider *b, const swept_motion *of_b,
                            real apart, vec3 *scratch, manifold *m)
 {
     real fine = FINE * real_min(a->shape->radius, b->shape->radius);
-    swept_result s = swept_first_touch(query_hull(a), way, query_hull(b),
-                                       apart + query_round(a, b), fine,
-                                       scratch);
-    if (s.status == SWEPT_TOUCHES)
-        *m = touch_ahead(a, b, way, apart + 2 * fine, &s, scratch);
+    hull x = query_hull(a), y = query_hull(b);
+    bool turns = vec3_length_squared(of_a->turn) > 0
+              || vec3_length_squared(of_b->turn) > 0;
+    vec3 way = vec3_sub(of_a->way, of_b->way);
+    real near = apart + query_round(a, b);
+    swept_result s = turns
+        ? swept_turning(x, of_a, y, of_b, near, fine, scratch)
+        : swept_first_touch(x, way, y, near, fine, scratch);
+    if (s.status != SWEPT_TOUCHES) return s.status;
+    swept_place(x, of_a, s.time, scratch);
+    swept_place(y, of_b, s.time, scratch + a->shape->particles);
+    *m = touch_ahead(a, b, apart + 2 * fine, &s, scratch);
     return s.status;
 }
 //<

@@ -23,12 +23,13 @@ manifold collide_rigid(const collider *a, const collider *b, real margin,
                        real turn, query_cache *carried);
 
 // The touches of bodies a and b where they first come as near as `apart` (m,
-// >= 0), while a goes straight by `way` (m) as seen from b.  *m holds it if the
-// result is SWEPT_TOUCHES, with the normal of that moment and the gap of now,
-// along this normal; else the result says what became of them, and *m is as it
-// was.  The time is known to a thousandth of the smaller body.  scratch: room
-// for the vertices of both.
-swept_status collide_swept(const collider *a, const collider *b, vec3 way,
+// >= 0), while they go as of_a and of_b say.  *m holds it if the result is
+// SWEPT_TOUCHES, with the normal of that moment and the gap of now, along this
+// normal; else the result says what became of them, and *m is as it was.  The time
+// is known to a thousandth of the smaller body.  scratch: room for the vertices of
+// both.
+swept_status collide_swept(const collider *a, const swept_motion *of_a,
+                           const collider *b, const swept_motion *of_b,
                            real apart, vec3 *scratch, manifold *m);
 
 #endif

@@ -53,7 +53,31 @@ enum { SWEPT_CAP = 64 };        // distances, at most
 // scratch: room for a.count + b.count points.
 swept_result swept_first_touch(hull a, vec3 way, hull b, real apart,
                                real tolerance, vec3 *scratch);
+//<
 
+//> swept-turning-declare
+//>   And it is the arc of a whole frame: a needle that tumbles is thinner than that,
+//>   and what comes by would touch all that it might sweep. So the second query turns
+//>   the bodies as well.
+// How a hull goes in a frame: its centre straight, and all of it about that.
+typedef struct {
+    vec3 center;        // m, at the start
+    vec3 way;           // m, in the frame
+    vec3 turn;          // rad, in the frame, by the right-hand rule; at most 3
+    real out;           // m, its furthest point from the centre
+} swept_motion;
+
+// Where the points of h come to after a share t of the frame.
+void swept_place(hull h, const swept_motion *m, real t, vec3 *out);
+
+// When hulls that go so first come as near as apart, as swept_first_touch says.
+swept_result swept_turning(hull a, const swept_motion *of_a, hull b,
+                           const swept_motion *of_b, real apart, real tolerance,
+                           vec3 *scratch);
+//<
+
+//> swept-inner-declare
+//>   The header ends.
 // The radius (m) of the largest sphere about the origin of a rigid shape that
 // lies inside it; 0 for a shape that has no inside.
 real shape_inner(const shape *s);

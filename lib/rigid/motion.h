@@ -41,7 +41,9 @@ typedef struct {
     vec3 way;           // m, its centre's, as fast as it is now
     real turn;          // m, what its vertices may go beside that
     real reach;         // m, both together
-    real angle;         // rad, by which it turns
+    vec3 spin;          // rad, by which it turns, as fast as it does now
+    real angle;         // rad, the length of that
+    real arc;           // m, no vertex goes further by turning
 } prediction;
 //<
 

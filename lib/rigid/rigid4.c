@@ -215,6 +215,9 @@ status rigid4_build(rigid4 *f, const shape *s)
         vec3 r = vec3_sub(s->at[v], f->center);
         f->local[v] = local_of(axis, r);
         f->middle = vec3_add_scaled(f->middle, 1.0 / s->particles, f->local[v]);
+        f->span = vec3_make(real_max(f->span.x, fabs(f->local[v].x)),
+                            real_max(f->span.y, fabs(f->local[v].y)),
+                            real_max(f->span.z, fabs(f->local[v].z)));
         f->reach = fmax(f->reach, vec3_length(r) + s->round);
     }
     return status_ok();

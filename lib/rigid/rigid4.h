@@ -37,6 +37,7 @@ typedef struct rigid4 {
     vec3 *local;            // [shape->particles] vertex v stands at the centre
                             // and local.x times axis 0 of the frame, ...
     vec3 middle;            // the same, of the mean of all vertices
+    vec3 span;              // of all vertices, the largest of each coordinate
     real turn[FOUR_AXES];   // kg^(-1/2) m^(-2), see motion_basis
 } rigid4;
 //<

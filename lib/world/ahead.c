@@ -12,6 +12,25 @@
 // ball gets nowhere by turning.
 static const real HUNDREDTH = 100;          // tuned, per radius
 
+// m: a vertex is as far from the axis of the turn as it is across.  What is long
+// and turns about that length goes nowhere by it.
+static real arc_of(const world *w, int b, vec3 spin, real turn)
+{
+    const solver_body *now = &w->rigid.now[b];
+    const vec3 *axis = now->frame.axis, span = w->body[b].rigid->span;
+    real out = now->radius - w->body[b].shape->round;
+    real most = span.x * vec3_length(vec3_cross(spin, axis[0]))
+              + span.y * vec3_length(vec3_cross(spin, axis[1]))
+              + span.z * vec3_length(vec3_cross(spin, axis[2]));
+    return turn > 2 ? 2 * out : real_min(most, out * turn);
+}
+
+// m, its radius; of what is thin, twice as much as it is thick.
+static real width_of(const world *w, int b)
+{
+    return real_min(w->rigid.now[b].radius, 4 * w->rigid.body[b].inner);
+}
+
 static prediction predict(const world *w, int b, real dt)
 {
     const solver_body *now = &w->rigid.now[b];
@@ -19,15 +38,16 @@ static prediction predict(const world *w, int b, real dt)
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     vec3 spin = motion_rotation(&now->basis, u);
     real beside = vec3_length(w->options.gravity) * dt * dt / 2
-                + now->radius / HUNDREDTH;
+                + width_of(w, b) / HUNDREDTH;
     if (w->rigid.is_loaded) {
         motion more = world_load(w, b, dt);
         beside += dt * motion_fastest(&now->basis, &more, now->radius);
     }
     prediction p = { .way = vec3_scale(dt, straight),
-                     .angle = dt * vec3_length(spin) };
-    real out = now->radius - w->body[b].shape->round;
-    p.turn = out * real_min(p.angle, 2) + beside;
+                     .spin = vec3_scale(dt, spin) };
+    p.angle = vec3_length(p.spin);
+    p.arc = arc_of(w, b, p.spin, p.angle);
+    p.turn = p.arc + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
 }
@@ -48,7 +68,8 @@ static const real TURNED = 0.05;            // tuned, rad
 static rigid_frame find_middle(const world *w, int b, real seconds)
 {
     const solver_body *now = &w->rigid.now[b];
-    real turn = w->rigid.ahead[b].angle;
+    const prediction *p = &w->rigid.ahead[b];
+    real turn = p->arc / width_of(w, b) * real_max(p->angle / 2, 1);
     motion half = { { 0 } };
     seconds /= 2;
     if (turn < NO_TURN) return now->frame;
@@ -92,7 +113,7 @@ static real find_turned(const world *w, int b)
     real out = t->now[b].radius - w->body[b].shape->round;
     if (!t->moves[b] || t->going[b] == LIES || !(out > 0)) return 0;
     real gone = out * advance_turned(w, b, &t->cache.placed[b]);
-    return gone > TURNED * t->now[b].radius ? gone : 0;
+    return gone > TURNED * width_of(w, b) ? gone : 0;
 }
 
 static bool find_all_turned(world *w)
@@ -137,8 +158,6 @@ static void look_at_side(world *w, int b, real left)
     else w->rigid.asked[b] = w->rigid.now[b].frame;
 }
 
-// What was found where its bodies first touch holds as long as they are sent
-// there: asked again, what is through already would be kept behind.
 void ahead_again(world *w, const solver_frame *f, real left)
 {
     rigid_tables *t = &w->rigid;
@@ -147,8 +166,7 @@ void ahead_again(world *w, const solver_frame *f, real left)
     if (!find_all_turned(w)) return;
     for (int k = s->first; k < s->end; k++) {
         active_contact *x = &s->active[k];
-        x->is_new = !cache_is_swept(&t->cache, k)
-                 && is_used_up(w, x, t->cache.active[k]);
+        x->is_new = is_used_up(w, x, t->cache.active[k]);
         some |= x->is_new;
     }
     if (!some) return;

@@ -389,7 +389,8 @@ static swept_status sweep(collider a, collider b, vec3 way, real apart,
                           manifold *m)
 {
     static vec3 room[ROOM];
-    return collide_swept(&a, &b, way, apart, room, m);
+    const swept_motion goes = { .way = way }, stays = { .out = 0 };
+    return collide_swept(&a, &goes, &b, &stays, apart, room, m);
 }
 
 // A cube comes corner down from above, and will be far below; or the slab comes

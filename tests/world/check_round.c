@@ -251,15 +251,16 @@ END_TEST
 // Thrown at a ball, past it and beside: when do they touch?
 START_TEST(swept_ball_touches_when_the_radii_say)
 {
-    vec3 from = { -2, .1, 0 }, to = ZERO, scratch[2], way = { 4, 0, 0 };
+    vec3 from = { -2, .1, 0 }, to = ZERO, scratch[2];
+    const swept_motion goes = { .way = { 4, 0, 0 } }, stays = { .out = 0 };
     collider a = { &ball, &from, false }, b = { &ball, &to, false };
     manifold m;
-    ck_assert_int_eq(collide_swept(&a, &b, way, 0, scratch, &m),
+    ck_assert_int_eq(collide_swept(&a, &goes, &b, &stays, 0, scratch, &m),
                      SWEPT_TOUCHES);
     near_vec3(m.normal, vec3_make(-sqrt(.75), .5, 0), 2e-3);
     near(m.point[0].gap, vec3_dot(from, m.normal) - .2, 1e-12);
     from.y = .21;
-    ck_assert_int_eq(collide_swept(&a, &b, way, 0, scratch, &m), SWEPT_PASSES);
+    ck_assert_int_eq(collide_swept(&a, &goes, &b, &stays, 0, scratch, &m), SWEPT_PASSES);
 }
 END_TEST
 

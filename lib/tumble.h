@@ -219,6 +219,15 @@ tumble_shape tumble_cloth(tumble_world *w, int columns, int rows, double width,
 
 // Fails while a body is made of it.
 bool tumble_drop_shape(tumble_world *w, tumble_shape s);
+
+// A rigid shape as s is, with another mass (kg), another centre of mass (m, in
+// the frame of s, and inside it) and other moments of inertia about that centre
+// (kg m^2): of the tensor along the axes of s, in the order xx, yy, zz, xy, xz,
+// yz.  The last three are -(sum of m x y), and so on.
+// Fails if no body can have them: a tensor that is not positive definite, or one
+// of whose principal moments is not less than the sum of the two others.
+tumble_shape tumble_weigh(tumble_world *w, tumble_shape s, double mass,
+                          tumble_vec3 center, const double inertia[6]);
 //<
 
 //> tumble-bodies

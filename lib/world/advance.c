@@ -8,11 +8,14 @@
 // What moves freely has a new frame in every substep, and its rows are made
 // there.  What touches a driven body goes by halves: its rows are made in the
 // middle, whose velocities they have.  What lies has its rows where its contacts
-// were found: it is displaced, until it leaves the margin that they have.
+// were found: it is displaced, until it leaves the margin that they have.  (Not what
+// has a weight of its own: where a ball's is off its middle, its arm changes with
+// every turn, and with it the period at which it rocks.)
 static bool lies(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     return t->moves[b] && !linkage_has(&w->joints, b)
+        && !(w->body[b].shape->own.mass > 0)
         && vec3_length_squared(w->options.gravity) > 0
         && t->ahead[b].reach <= w->options.stay * t->now[b].radius;
 }

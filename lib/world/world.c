@@ -611,9 +611,7 @@ static body body_of(const world *w, int entry, const placement *where)
                .entry = entry, .inner = e->inner, .mass = HUGE_VAL,
                .thickness = particle_radius(s),
                .group = 1, .mask = ~0u };
-    real mass = 0;
-    for (int i = 0; i < s->particles; i++) mass += s->mass[i];
-    if (!where->is_static) b.mass = mass;
+    if (!where->is_static) b.mass = rigid4_mass(s);
     b.taut = world_taut(w, &b);
     return b;
 }

@@ -267,6 +267,14 @@ tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
                               const tumble_pose *pose, int n,
                               tumble_body_options o);
 
+// Adds one dynamic body of n rigid pieces that move as one, each with its own
+// pose in the frame of the body; o.pose says where that frame is.  Mass, centre
+// of mass and inertia are those of all pieces together; what two of them share
+// counts twice.  The body has copies of the shapes.
+tumble_body tumble_add_compound(tumble_world *w, const tumble_shape *piece,
+                                const tumble_pose *pose, int n,
+                                tumble_body_options o);
+
 // Adds one static body of triangles: three numbers of points each, counter-
 // clockwise seen from outside.  Behind them it is solid, as deep as `thickness`
 // (m; 0: as a side is long on average), and no deeper than halfway to what is

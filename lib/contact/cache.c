@@ -11,7 +11,7 @@
 static void follow_lists(contact_cache *c, const cache_frame *f);
 static void place_chunk(void *data, int item);
 static void decide_chunk(void *data, int item);
-static void make_entries(contact_cache *c);
+static void make_entries(contact_cache *c, const cache_frame *f);
 static void query_chunk(void *data, int item);
 static void gather_active(contact_cache *c, const cache_frame *f);
 
@@ -32,7 +32,7 @@ void cache_update(contact_cache *c, const cache_frame *f)
     tasks_run(f->run, place_chunk, &u, task_chunks(f->awakes));
     c->updates++;
     tasks_run(f->run, decide_chunk, &u, items);
-    make_entries(c);
+    make_entries(c, f);
     tasks_run(f->run, query_chunk, &u, items);
     seams_mend(c, f);
     gather_active(c, f);
@@ -354,28 +354,38 @@ static int new_entry(contact_cache *c)
     return k;
 }
 
-static void make_entry(contact_cache *c, cache_pair *p, int a, int b)
+// The one whose motion it has, of body or plane b.
+static int whole_of(const cache_frame *f, int b)
+{
+    return b >= 0 && f->body[b].rides > 0 ? f->body[b].rides - 1 : b;
+}
+
+static void make_entry(contact_cache *c, const cache_frame *f, cache_pair *p,
+                       int a, int b)
 {
     if (!p->is_asked) return;
     c->queries++;
     if (p->entry < 0) p->entry = new_entry(c);
     if (p->entry >= 0) {
-        c->entry[p->entry].contact.found = ++c->found;
-        c->entry[p->entry].contact.a = a;
-        c->entry[p->entry].contact.b = b;
+        contact *now = &c->entry[p->entry].contact;
+        now->found = ++c->found;
+        now->piece_a = a;
+        now->piece_b = b;
+        now->a = f->has_pieces ? whole_of(f, a) : a;
+        now->b = f->has_pieces ? whole_of(f, b) : b;
     } else {
         p->is_asked = false;
         c->lost++;
     }
 }
 
-static void make_entries(contact_cache *c)
+static void make_entries(contact_cache *c, const cache_frame *f)
 {
     const cache_list *l = &c->pairs, *m = &c->walls;
     for (int k = 0; k < l->count; k++)
-        make_entry(c, &l->pair[k], l->key[k][0], l->key[k][1]);
+        make_entry(c, f, &l->pair[k], l->key[k][0], l->key[k][1]);
     for (int k = 0; k < m->count; k++)
-        make_entry(c, &m->pair[k], m->key[k][0],
+        make_entry(c, f, &m->pair[k], m->key[k][0],
                    contact_with_plane(m->key[k][1]));
 }
 //<
@@ -400,12 +410,12 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
     c->count = m->count;
     c->shared = (signed char)(is_apart ? 0 : m->count);
     c->normal = m->normal;
-    c->round_a = f->body[c->a].shape->round;
-    c->round_b = f->body[c->b].shape->round;
+    c->round_a = f->body[c->piece_a].shape->round;
+    c->round_b = f->body[c->piece_b].shape->round;
     for (int k = 0; k < m->count; k++)
         c->point[k] = (contact_point){
-            .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
-            .local_b = local_of(f->body[c->b].rigid, &m->point[k].b),
+            .local_a = local_of(f->body[c->piece_a].rigid, &m->point[k].a),
+            .local_b = local_of(f->body[c->piece_b].rigid, &m->point[k].b),
             .offset = c->round_a + c->round_b,
             .own = contact_own(&m->point[k], c) };
 }
@@ -419,7 +429,7 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
 // is kept in front of the plane of touch as well: a second point, its middle.
 static void add_guard(contact *c, const cache_frame *f)
 {
-    int a = c->a, b = c->b;
+    int a = c->piece_a, b = c->piece_b;
     bool is_a = b < 0 || f->now[a].radius < f->now[b].radius;
     int small = is_a ? a : b;
     if (!f->moves[small] || c->count == 0) return;
@@ -457,8 +467,8 @@ static swept_status query_swept(contact *c, const cache_frame *f,
     manifold m;
     if (need > ROOM) scratch = malloc((size_t)need * sizeof *scratch);
     if (!scratch) return SWEPT_CAPPED;
-    vec3 way = vec3_sub(f->ahead[c->a].way, f->ahead[c->b].way);
-    real turn = f->ahead[c->a].turn + f->ahead[c->b].turn;
+    vec3 way = vec3_sub(f->ahead[c->piece_a].way, f->ahead[c->piece_b].way);
+    real turn = f->ahead[c->piece_a].turn + f->ahead[c->piece_b].turn;
     swept_status s = collide_swept(a, b, way, turn, scratch, &m);
     if (scratch != room) free(scratch);
     if (s == SWEPT_TOUCHES) {
@@ -474,7 +484,7 @@ static swept_status query_swept(contact *c, const cache_frame *f,
 // the centres approach along it, and as far as vertices go beside that.
 static real closing_of(const cache_frame *f, const contact *c, vec3 normal)
 {
-    const prediction *a = &f->ahead[c->a], *b = &f->ahead[c->b];
+    const prediction *a = &f->ahead[c->piece_a], *b = &f->ahead[c->piece_b];
     real closing = -vec3_dot(vec3_sub(a->way, b->way), normal);
     return real_max(closing, 0) + a->turn + b->turn;
 }
@@ -485,7 +495,7 @@ static manifold find_touch(const cache_frame *f, const contact *c,
                            const collider *a, const collider *b, real margin,
                            query_cache *carried, real *closes)
 {
-    real turn = f->ahead[c->a].angle + f->ahead[c->b].angle;
+    real turn = f->ahead[c->piece_a].angle + f->ahead[c->piece_b].angle;
     query_result r = query_nearest(a, b, *closes + margin, carried);
     if (!r.near) return (manifold){ .count = 0 };
     *closes = real_min(closing_of(f, c, r.normal), *closes);
@@ -509,8 +519,8 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
     enum { CORE = 2 };
     bool is_a = a.shape->round > 0;
     collider *round = is_a ? &a : &b;
-    vec3 way = vec3_sub(f->ahead[c->a].way, f->ahead[c->b].way), at[CORE];
-    real gone = 0, turn = f->ahead[c->a].angle + f->ahead[c->b].angle;
+    vec3 way = vec3_sub(f->ahead[c->piece_a].way, f->ahead[c->piece_b].way), at[CORE];
+    real gone = 0, turn = f->ahead[c->piece_a].angle + f->ahead[c->piece_b].angle;
     const vec3 *now = round->at;
     if (!(query_round(&a, &b) > 0)) {
         *m = find_touch(f, c, &a, &b, margin, carried, closes);
@@ -561,7 +571,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     contact was, *now = &e->contact;
     if (p->count > 0) was = *now;
     else was = (contact){ .count = 0 };     // bequeaths nothing
-    int a = now->a, b = now->b;
+    int a = now->piece_a, b = now->piece_b;
     collider x = placed_body(c, f, a), y = placed_body(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
@@ -591,8 +601,8 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     contact *now = &c->entry[p->entry].contact, was = *now;
-    int a = now->a;
-    plane wall = f->plane[-1 - now->b];
+    int a = now->piece_a;
+    plane wall = f->plane[-1 - now->piece_b];
     collider body = placed_body(c, f, a);
     if (p->count == 0) was.count = 0;       // bequeaths nothing
     real slack = slack_of(c, f, a, -1), reach = reach_of(f, a, -1);
@@ -668,8 +678,8 @@ static void gather(contact_cache *c, cache_pair *p)
     if (!p->is_active) return;
     contact *now = &c->entry[p->entry].contact;
     if (p->count < CONTACT_POINTS && contact_load(now) > 0) {
-        c->placing[now->a].corners = c->updates;
-        if (now->b >= 0) c->placing[now->b].corners = c->updates;
+        c->placing[now->piece_a].corners = c->updates;
+        if (now->piece_b >= 0) c->placing[now->piece_b].corners = c->updates;
     }
     c->fast += p->seen[0] < 0;
     c->active[c->actives] = now;
@@ -683,7 +693,7 @@ static void reach_chunk(void *data, int item)
     int end = task_end(item, c->actives);
     for (int k = item * TASK_CHUNK; k < end; k++) {
         const contact *x = c->active[k];
-        c->reach[k] = reach_of(u->f, x->a, x->b);
+        c->reach[k] = reach_of(u->f, x->piece_a, x->piece_b);
     }
 }
 
@@ -717,11 +727,11 @@ static void gather_active(contact_cache *c, const cache_frame *f)
 void cache_again(contact_cache *c, const cache_frame *f, int k)
 {
     cache_pair *p = c->of[k];
-    int a = c->active[k]->a, b = c->active[k]->b;
+    int a = c->active[k]->piece_a, b = c->active[k]->piece_b;
     place_body(c, f, a, c->updates);
     if (b >= 0) place_body(c, f, b, c->updates);
     p->is_asked = true;
-    make_entry(c, p, a, b);
+    make_entry(c, f, p, a, b);
     if (b < 0) query_wall(c, f, p);
     else       query_pair(c, f, p);
     c->reach[k] = reach_of(f, a, b);

@@ -229,6 +229,7 @@ status rigid4_build(rigid4 *f, const shape *s)
         f->middle = vec3_add_scaled(f->middle, 1.0 / s->particles, f->local[v]);
         f->reach = fmax(f->reach, vec3_length(r) + s->round);
     }
+    f->reach = fmax(f->reach, s->own.reach);
     return status_ok();
 }
 //<

@@ -126,3 +126,84 @@ status weight_give(shape *s, const shape *of, real mass, vec3 center,
     return done;
 }
 //<
+
+//> weight-pieces
+//>   Several pieces that are one body have one weight: the sum of their masses,
+//>   the mean of their centres, and their spreads about it (the parallel axes of
+//>   Huygens and Steiner).
+static vec3 placed_at(const placement *at, vec3 r)
+{
+    return vec3_add(vec3_scale(r.x, at->x),
+           vec3_add(vec3_scale(r.y, at->y), vec3_scale(r.z, at->z)));
+}
+
+static real number_of(vec3 v, int i)
+{
+    return i == 0 ? v.x : i == 1 ? v.y : v.z;
+}
+
+// sum_pq spread_pq x_p x_q^T, of the axes x of the placement.
+static void add_turned(real to[3][3], real mass, real spread[3][3],
+                       const placement *at)
+{
+    const vec3 axis[3] = { at->x, at->y, at->z };
+    for (int p = 0; p < 3; p++)
+        for (int q = 0; q < 3; q++)
+            for (int i = 0; i < 3; i++)
+                for (int j = 0; j < 3; j++)
+                    to[i][j] += mass * spread[p][q] * number_of(axis[p], i)
+                              * number_of(axis[q], j);
+}
+
+static void add_square(real to[3][3], real mass, vec3 c)
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            to[i][j] += mass * number_of(c, i) * number_of(c, j);
+}
+
+// About the origin of the body, as yet.
+void weight_add(struct weight *sum, const shape *piece, const placement *at)
+{
+    rigid_solid q = rigid4_solid(piece);
+    real mass = rigid4_mass(piece);
+    vec3 c = vec3_add(at->position, placed_at(at, q.center));
+    sum->mass += mass;
+    sum->center = vec3_add_scaled(sum->center, mass, c);
+    add_turned(sum->spread, mass, q.spread, at);
+    add_square(sum->spread, mass, c);
+}
+
+void weight_mean(struct weight *sum)
+{
+    sum->center = vec3_scale(1 / sum->mass, sum->center);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) sum->spread[i][j] /= sum->mass;
+    add_square(sum->spread, -1, sum->center);
+}
+
+void weight_reach(struct weight *whole, const shape *piece, const placement *at)
+{
+    for (int v = 0; v < piece->particles; v++) {
+        vec3 x = vec3_add(at->position, placed_at(at, piece->at[v]));
+        real far = vec3_distance(x, whole->center) + piece->round;
+        whole->reach = real_max(whole->reach, far);
+    }
+}
+
+status weight_piece(shape *s, const shape *piece, const placement *at,
+                    const struct weight *whole)
+{
+    status done = weight_copy(s, piece);
+    if (!done.ok) return done;
+    s->own = *whole;
+    s->middle = vec3_add(at->position, placed_at(at, piece->middle));
+    for (int v = 0; v < s->particles; v++) {
+        s->at[v] = vec3_add(at->position, placed_at(at, piece->at[v]));
+        s->mass[v] = whole->mass / s->particles;
+    }
+    for (int k = 0; k < s->skin.points; k++)
+        s->skin.at[k] = vec3_add(at->position, placed_at(at, piece->skin.at[k]));
+    return done;
+}
+//<

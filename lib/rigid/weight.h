@@ -10,6 +10,7 @@
 #define TUMBLE_WEIGHT_H
 
 #include "rigid4.h"
+#include "scene.h"
 
 // A shape with copies of all that `of` has.  Fails, and leaves *s empty, if
 // memory is refused.
@@ -22,6 +23,18 @@ status weight_copy(shape *s, const shape *of);
 // principal one is less than the sum of the two others), no memory.
 status weight_give(shape *s, const shape *of, real mass, vec3 center,
                    const real inertia[6]);
+
+// A body of several pieces.  First their weights are added, each with its place
+// in the body, to one of zeros; then the mean is taken; and then it is asked how
+// far each piece reaches from the centre.
+void weight_add(struct weight *sum, const shape *piece, const placement *at);
+void weight_mean(struct weight *sum);
+void weight_reach(struct weight *whole, const shape *piece, const placement *at);
+
+// The piece as a shape in the frame of the body, with the weight of the whole.
+// Fails as weight_copy does.
+status weight_piece(shape *s, const shape *piece, const placement *at,
+                    const struct weight *whole);
 
 #endif
 //<

@@ -31,6 +31,7 @@ struct weight {
     real mass;          // kg; 0: it has none of its own
     vec3 center;        // m, of mass, in the frame of the shape
     real spread[3][3];  // m^2, the mean of x x^T about it
+    real reach;         // m, from it, of a body of which this is a piece; or 0
 };
 
 // The particles of a shape are the vertices of its mesh.
@@ -52,6 +53,7 @@ typedef struct shape {
     real   radius;      // m, largest distance of the body from the origin
     real   spacing;     // m, the shortest stick
     struct weight own;
+    vec3   middle;      // m, in its frame, of the ball inside it; of most: 0
 } shape;
 //<
 

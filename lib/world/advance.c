@@ -15,9 +15,9 @@ static bool lies(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     return t->moves[b] && !linkage_has(&w->joints, b)
-        && !(w->body[b].shape->own.mass > 0)
         && vec3_length_squared(w->options.gravity) > 0
-        && t->ahead[b].reach <= w->options.stay * t->now[b].radius;
+        && t->ahead[b].reach <= w->options.stay * t->now[b].radius
+        && !w->body[b].is_weighed;
 }
 
 static void lie(world *w, int b)
@@ -307,7 +307,7 @@ static real gone(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     const rigid_frame *was = &t->began[b];
-    real out = t->now[b].radius - w->body[b].shape->round;
+    real out = t->now[b].radius - w->body[b].round;
     return vec3_distance(t->now[b].frame.center, was->center)
          + out * advance_turned(w, b, was);
 }
@@ -326,8 +326,19 @@ static void put_chunk(void *data, int item)
     }
 }
 
+// Pieces have gone as far as the body that they ride on.
+static void put_pieces(world *w, int b)
+{
+    struct placing *at = w->rigid.cache.placing;
+    for (int k = w->body[b].next; k > 0; k = w->body[k - 1].next)
+        cache_moved(&w->rigid.cache, k - 1, at[b].path - at[k - 1].path);
+}
+
 void advance_put(world *w)
 {
-    tasks_run(w->options.host.run, put_chunk, w, task_chunks(w->rigid.awakes));
+    const rigid_tables *t = &w->rigid;
+    tasks_run(w->options.host.run, put_chunk, w, task_chunks(t->awakes));
+    for (int k = 0; k < t->awakes && w->has_pieces; k++)
+        if (t->moves[t->awake[k]]) put_pieces(w, t->awake[k]);
 }
 //<

@@ -26,7 +26,7 @@ static prediction predict(const world *w, int b, real dt)
     }
     prediction p = { .way = vec3_scale(dt, straight),
                      .angle = dt * vec3_length(spin) };
-    real out = now->radius - w->body[b].shape->round;
+    real out = now->radius - w->body[b].round;
     p.turn = out * real_min(p.angle, 2) + beside;
     p.reach = vec3_length(p.way) + p.turn;
     return p;
@@ -76,7 +76,7 @@ cache_frame ahead_frame(const world *w)
         .awake = t->awake, .awakes = t->awakes,
         .list = &t->pairs, .is_new_list = t->is_new_list,
         .plane = w->plane, .stay = w->options.stay,
-        .has_parts = w->options.host.surround,
+        .has_parts = w->options.host.surround, .has_pieces = w->has_pieces,
         .run = w->options.host.run };
 }
 //<
@@ -89,7 +89,7 @@ cache_frame ahead_frame(const world *w)
 static real find_turned(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
-    real out = t->now[b].radius - w->body[b].shape->round;
+    real out = t->now[b].radius - w->body[b].round;
     if (!t->moves[b] || t->going[b] == LIES || !(out > 0)) return 0;
     real gone = out * advance_turned(w, b, &t->cache.placed[b]);
     return gone > TURNED * t->now[b].radius ? gone : 0;
@@ -130,9 +130,17 @@ static bool is_used_up(const world *w, const active_contact *x,
 
 //> ahead-again
 //>   Such a pair is asked again, and its block is filled again. No other pays.
+// A piece goes as the body that it rides on.
 static void look_at_side(world *w, int b, real left)
 {
+    rigid_tables *t = &w->rigid;
     if (b < 0) return;
+    int of = body_whole(&w->body[b], b);
+    if (b != of) {
+        t->now[b].frame = t->now[of].frame;
+        t->now[b].basis = t->now[of].basis;
+        t->velocity[b] = t->velocity[of];
+    }
     if (w->rigid.moves[b]) ahead_look(w, b, left);
     else w->rigid.asked[b] = w->rigid.now[b].frame;
 }
@@ -153,8 +161,8 @@ void ahead_again(world *w, const solver_frame *f, real left)
     cache_frame ask = ahead_frame(w);
     for (int k = s->first; k < s->end; k++) {
         if (!s->active[k].is_new) continue;
-        look_at_side(w, t->cache.active[k]->a, left);
-        look_at_side(w, t->cache.active[k]->b, left);
+        look_at_side(w, t->cache.active[k]->piece_a, left);
+        look_at_side(w, t->cache.active[k]->piece_b, left);
         cache_again(&t->cache, &ask, k);
     }
     if (!solver_take_new(s, f, t->cache.active, t->cache.reach))

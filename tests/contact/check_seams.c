@@ -47,7 +47,7 @@ static int add(bool is_tile, vec3 at)
     const shape *s = is_tile ? &tile : &cube;
     particle p[FOUR];
     for (int k = 0; k < FOUR; k++) p[k].position = vec3_add(at, r->at[k]);
-    body[b] = (cache_body){ s, r, shape_inner(s), 0 };
+    body[b] = (cache_body){ s, r, shape_inner(s), 0, 0 };
     placed[b] = rigid4_frame(p);
     now[b] = (solver_body){ .radius = r->reach, .frame = placed[b] };
     ahead[b] = (prediction){ .reach = is_tile ? 0 : 0.02 };

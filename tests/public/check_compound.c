@@ -231,6 +231,11 @@ START_TEST(each_piece_touches_and_holds)
     tumble_shape ball = tumble_box(w, tumble_v(0.3, 0.3, 0.3), 1);
     tumble_body on = tumble_add(w, ball, tumble_at(0.1, 1.4, 0));
     tumble_body under = tumble_add(w, ball, tumble_at(0, 0.2, 0));
+    // Steps go on while all of them sleep.
+    tumble_body_options o = tumble_at(50, 5, 0);
+    o.kind = TUMBLE_KINEMATIC;
+    o.spin = tumble_v(0, 1, 0);
+    tumble_add(w, ball, o);
     run(w, 4);
     near(tumble_position(w, table).y, 0.05, 0.003);
     near(tumble_position(w, on).y, 1.25, 0.005);
@@ -238,11 +243,14 @@ START_TEST(each_piece_touches_and_holds)
     near(tumble_measure(w).penetration, 0, 0.003);
     ck_assert(!tumble_is_awake(w, table) && !tumble_is_awake(w, on));
     ck_assert_int_eq(tumble_last_step(w).asleep, 3);
-    // A push at a leg wakes the table and what lies on it.
-    tumble_push(w, table, tumble_v(40, 0, 0), tumble_v(0, 0.5, 0));
+    // A push wakes the table and what lies on it, and it slides.
+    tumble_push(w, table, tumble_v(8, 0, 0), tumble_v(0, 0.775, 0));
     run(w, 0.1);
     ck_assert(tumble_is_awake(w, table) && tumble_is_awake(w, on));
-    ck_assert(tumble_position(w, table).x > 0.05);
+    ck_assert(tumble_position(w, table).x > 0.03);
+    // And its legs still stand on the floor.
+    run(w, 2);
+    near(tumble_position(w, table).y, 0.05, 0.003);
     fine(w);
     tumble_free(w);
 }
@@ -312,6 +320,50 @@ START_TEST(questions_drawing_and_removal_are_of_all_pieces)
 }
 END_TEST
 
+// A leg that comes down slowly, within what was found once, is stopped.
+// Rejects: pieces of which nobody knows how far they have gone.
+START_TEST(what_comes_slowly_is_stopped_at_its_piece)
+{
+    tumble_world *w = made(0, false);
+    tumble_add_plane(w, tumble_v(0, 1, 0), 0, -1);
+    tumble_shape s[2] = { tumble_box(w, tumble_v(2, 0.1, 0.1), 1),
+                          tumble_box(w, tumble_v(0.1, 1, 0.1), 1) };
+    tumble_pose p[2] = { at(0, 1.05, 0), at(0, 0.5, 0) };
+    double deepest = 0;
+    for (int k = 0; k < 10; k++) {
+        tumble_body_options o = tumble_at(3 * k, 0.01 + 0.003 * k, 0);
+        o.velocity = tumble_v(0, -0.06, 0);
+        tumble_add_compound(w, s, p, 2, o);
+    }
+    for (int k = 0; k < 90; k++) {
+        tumble_step(w);
+        deepest = fmax(deepest, tumble_measure(w).penetration);
+    }
+    near(deepest, 0, 0.0005);
+    fine(w);
+    tumble_free(w);
+}
+END_TEST
+
+// A sheet that flies at one of the pieces gives the body what it loses.
+START_TEST(cloth_pushes_the_body_of_a_piece)
+{
+    tumble_world *w = made(0, false);
+    tumble_shape s[2] = { tumble_box(w, tumble_v(0.4, 0.4, 0.4), 1),
+                          tumble_box(w, tumble_v(0.5, 0.4, 0.5), 1) };
+    tumble_pose p[2] = { at(-1.5, 0, 0), at(0, 0, 0) };
+    tumble_body b = tumble_add_compound(w, s, p, 2, tumble_at(0, 0, 0));
+    tumble_body_options o = tumble_at(0, 0.5, 0);
+    o.velocity = tumble_v(0, -2, 0);
+    tumble_add(w, tumble_cloth(w, 12, 12, 1, 1, 1), o);
+    run(w, 1);
+    ck_assert(tumble_velocity(w, b).y < -0.2);
+    near(tumble_measure(w).momentum.y, -2, 0.02);
+    fine(w);
+    tumble_free(w);
+}
+END_TEST
+
 // A sheet that falls on a cross of two bars hangs over both, and presses on it as
 // it weighs.
 START_TEST(cloth_lies_on_all_pieces)
@@ -370,10 +422,10 @@ START_TEST(joined_bodies_do_not_meet_with_any_piece)
     tumble_world *w = made(0, false);
     tumble_shape s[2] = { tumble_box(w, tumble_v(1, 0.2, 0.2), 1),
                           tumble_box(w, tumble_v(0.2, 1, 0.2), 1) };
-    tumble_pose p[2] = { at(0, 0, 0), at(0.4, 0, 0) };
+    tumble_pose p[2] = { at(0, 0, 0), at(0.4, 0.55, 0) };
     tumble_body a = tumble_add_compound(w, s, p, 2, tumble_at(0, 0, 0));
     tumble_body b = tumble_add_compound(w, s, p, 2, tumble_at(0.3, 0, 0));
-    tumble_hinge(w, a, b, tumble_v(0.4, 0, 0), tumble_v(0, 0, 1));
+    tumble_hinge(w, a, b, tumble_v(0, 0, 0), tumble_v(0, 0, 1));
     run(w, 1);
     near(tumble_measure(w).kinetic, 0, 1e-20);
     fine(w);
@@ -451,6 +503,8 @@ int main(void)
         each_piece_touches_and_holds,
         what_strikes_a_piece_wakes_the_body,
         questions_drawing_and_removal_are_of_all_pieces,
+        what_comes_slowly_is_stopped_at_its_piece,
+        cloth_pushes_the_body_of_a_piece,
         cloth_lies_on_all_pieces,
         joined_bodies_do_not_meet_with_any_piece,
         pieces_lie_on_triangles,

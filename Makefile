@@ -35,6 +35,7 @@ define ORDER
 12/line
 12/bend
 13/rigid4
+13/weight
 13/real4
 13/task
 13/table

@@ -219,6 +219,15 @@ tumble_shape tumble_cloth(tumble_world *w, int columns, int rows, double width,
 
 // Fails while a body is made of it.
 bool tumble_drop_shape(tumble_world *w, tumble_shape s);
+
+// A rigid shape as s is, with another mass (kg), another centre of mass (m, in
+// the frame of s, and inside it) and other moments of inertia about that centre
+// (kg m^2): of the tensor along the axes of s, in the order xx, yy, zz, xy, xz,
+// yz.  The last three are -(sum of m x y), and so on.
+// Fails if no body can have them: a tensor that is not positive definite, or one
+// of whose principal moments is not less than the sum of the two others.
+tumble_shape tumble_weigh(tumble_world *w, tumble_shape s, double mass,
+                          tumble_vec3 center, const double inertia[6]);
 //<
 
 //> tumble-bodies
@@ -257,6 +266,14 @@ tumble_body tumble_add(tumble_world *w, tumble_shape s, tumble_body_options o);
 tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
                               const tumble_pose *pose, int n,
                               tumble_body_options o);
+
+// Adds one dynamic body of n rigid pieces that move as one, each with its own
+// pose in the frame of the body; o.pose says where that frame is.  Mass, centre
+// of mass and inertia are those of all pieces together; what two of them share
+// counts twice.  The body has copies of the shapes.
+tumble_body tumble_add_compound(tumble_world *w, const tumble_shape *piece,
+                                const tumble_pose *pose, int n,
+                                tumble_body_options o);
 
 // Adds one static body of triangles: three numbers of points each, counter-
 // clockwise seen from outside.  Behind them it is solid, as deep as `thickness`

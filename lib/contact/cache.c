@@ -11,7 +11,7 @@
 static void follow_lists(contact_cache *c, const cache_frame *f);
 static void place_chunk(void *data, int item);
 static void decide_chunk(void *data, int item);
-static void make_entries(contact_cache *c);
+static void make_entries(contact_cache *c, const cache_frame *f);
 static void query_chunk(void *data, int item);
 static void gather_active(contact_cache *c, const cache_frame *f);
 
@@ -32,7 +32,7 @@ void cache_update(contact_cache *c, const cache_frame *f)
     tasks_run(f->run, place_chunk, &u, task_chunks(f->awakes));
     c->updates++;
     tasks_run(f->run, decide_chunk, &u, items);
-    make_entries(c);
+    make_entries(c, f);
     tasks_run(f->run, query_chunk, &u, items);
     seams_mend(c, f);
     gather_active(c, f);
@@ -189,8 +189,8 @@ static void follow_lists(contact_cache *c, const cache_frame *f)
 // what is thin, no more than of something twice as thick as it is.
 static real stay_of(const cache_frame *f, int b)
 {
-    real wide = f->now[b].radius;
-    return f->stay * (f->moves[b] ? real_min(wide, 4 * f->body[b].inner) : wide);
+    real wide = f->now[b].radius, thin = 4 * f->body[b].inner;
+    return f->stay * (f->moves[b] && thin > 0 ? real_min(wide, thin) : wide);
 }
 
 // m, how far from there it may be now.  One that was placed in this very frame
@@ -356,28 +356,38 @@ static int new_entry(contact_cache *c)
     return k;
 }
 
-static void make_entry(contact_cache *c, cache_pair *p, int a, int b)
+// The one whose motion it has, of body or plane b.
+static int whole_of(const cache_frame *f, int b)
+{
+    return b >= 0 && f->body[b].rides > 0 ? f->body[b].rides - 1 : b;
+}
+
+static void make_entry(contact_cache *c, const cache_frame *f, cache_pair *p,
+                       int a, int b)
 {
     if (!p->is_asked) return;
     c->queries++;
     if (p->entry < 0) p->entry = new_entry(c);
     if (p->entry >= 0) {
-        c->entry[p->entry].contact.found = ++c->found;
-        c->entry[p->entry].contact.a = a;
-        c->entry[p->entry].contact.b = b;
+        contact *now = &c->entry[p->entry].contact;
+        now->found = ++c->found;
+        now->piece_a = a;
+        now->piece_b = b;
+        now->a = f->has_pieces ? whole_of(f, a) : a;
+        now->b = f->has_pieces ? whole_of(f, b) : b;
     } else {
         p->is_asked = false;
         c->lost++;
     }
 }
 
-static void make_entries(contact_cache *c)
+static void make_entries(contact_cache *c, const cache_frame *f)
 {
     const cache_list *l = &c->pairs, *m = &c->walls;
     for (int k = 0; k < l->count; k++)
-        make_entry(c, &l->pair[k], l->key[k][0], l->key[k][1]);
+        make_entry(c, f, &l->pair[k], l->key[k][0], l->key[k][1]);
     for (int k = 0; k < m->count; k++)
-        make_entry(c, &m->pair[k], m->key[k][0],
+        make_entry(c, f, &m->pair[k], m->key[k][0],
                    contact_with_plane(m->key[k][1]));
 }
 //<
@@ -402,12 +412,12 @@ static void take_manifold(contact *c, const manifold *m, const cache_frame *f,
     c->count = m->count;
     c->shared = (signed char)(is_apart ? 0 : m->count);
     c->normal = m->normal;
-    c->round_a = f->body[c->a].shape->round;
-    c->round_b = f->body[c->b].shape->round;
+    c->round_a = f->body[c->piece_a].shape->round;
+    c->round_b = f->body[c->piece_b].shape->round;
     for (int k = 0; k < m->count; k++)
         c->point[k] = (contact_point){
-            .local_a = local_of(f->body[c->a].rigid, &m->point[k].a),
-            .local_b = local_of(f->body[c->b].rigid, &m->point[k].b),
+            .local_a = local_of(f->body[c->piece_a].rigid, &m->point[k].a),
+            .local_b = local_of(f->body[c->piece_b].rigid, &m->point[k].b),
             .offset = c->round_a + c->round_b,
             .own = contact_own(&m->point[k], c) };
 }
@@ -463,16 +473,16 @@ static swept_status query_swept(contact *c, const cache_frame *f)
 {
     enum { ROOM = 256 };
     vec3 room[ROOM], *scratch = room;
-    int first = f->body[c->a].shape->particles;
-    int both = first + f->body[c->b].shape->particles;
+    int first = f->body[c->piece_a].shape->particles;
+    int both = first + f->body[c->piece_b].shape->particles;
     manifold m;
     if (2 * both > ROOM) scratch = malloc(2 * (size_t)both * sizeof *scratch);
     if (!scratch) return SWEPT_CAPPED;
-    collider a = standing_body(f, c->a, scratch);
-    collider b = standing_body(f, c->b, scratch + first);
+    collider a = standing_body(f, c->piece_a, scratch);
+    collider b = standing_body(f, c->piece_b, scratch + first);
     real apart = 0;
-    swept_motion of_a = motion_ahead(f, c->a, &apart);
-    swept_motion of_b = motion_ahead(f, c->b, &apart);
+    swept_motion of_a = motion_ahead(f, c->piece_a, &apart);
+    swept_motion of_b = motion_ahead(f, c->piece_b, &apart);
     swept_status s = collide_swept(&a, &of_a, &b, &of_b, apart, scratch + both,
                                    &m);
     if (scratch != room) free(scratch);
@@ -486,7 +496,7 @@ static swept_status query_swept(contact *c, const cache_frame *f)
 // the centres approach along it, and as far as vertices go beside that.
 static real closing_of(const cache_frame *f, const contact *c, vec3 normal)
 {
-    const prediction *a = &f->ahead[c->a], *b = &f->ahead[c->b];
+    const prediction *a = &f->ahead[c->piece_a], *b = &f->ahead[c->piece_b];
     real closing = -vec3_dot(vec3_sub(a->way, b->way), normal);
     return real_max(closing, 0) + a->turn + b->turn;
 }
@@ -497,7 +507,7 @@ static manifold find_touch(const cache_frame *f, const contact *c,
                            const collider *a, const collider *b, real margin,
                            query_cache *carried, real *closes)
 {
-    real turn = f->ahead[c->a].angle + f->ahead[c->b].angle;
+    real turn = f->ahead[c->piece_a].angle + f->ahead[c->piece_b].angle;
     query_result r = query_nearest(a, b, *closes + margin, carried);
     if (!r.near) return (manifold){ .count = 0 };
     *closes = real_min(closing_of(f, c, r.normal), *closes);
@@ -521,8 +531,8 @@ static bool query_ahead(const cache_frame *f, const contact *c, collider a,
     enum { CORE = 2 };
     bool is_a = a.shape->round > 0;
     collider *round = is_a ? &a : &b;
-    vec3 way = vec3_sub(f->ahead[c->a].way, f->ahead[c->b].way), at[CORE];
-    real gone = 0, turn = f->ahead[c->a].angle + f->ahead[c->b].angle;
+    vec3 way = vec3_sub(f->ahead[c->piece_a].way, f->ahead[c->piece_b].way), at[CORE];
+    real gone = 0, turn = f->ahead[c->piece_a].angle + f->ahead[c->piece_b].angle;
     const vec3 *now = round->at;
     if (!(query_round(&a, &b) > 0)) {
         *m = find_touch(f, c, &a, &b, margin, carried, closes);
@@ -573,7 +583,7 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
     contact was, *now = &e->contact;
     if (p->count > 0) was = *now;
     else was = (contact){ .count = 0 };     // bequeaths nothing
-    int a = now->a, b = now->b;
+    int a = now->piece_a, b = now->piece_b;
     collider x = placed_body(c, f, a), y = placed_body(c, f, b);
     swept_status swept = SWEPT_OVERLAP;
     now->count = 0;
@@ -603,8 +613,8 @@ static void query_pair(contact_cache *c, const cache_frame *f, cache_pair *p)
 static void query_wall(contact_cache *c, const cache_frame *f, cache_pair *p)
 {
     contact *now = &c->entry[p->entry].contact, was = *now;
-    int a = now->a;
-    plane wall = f->plane[-1 - now->b];
+    int a = now->piece_a;
+    plane wall = f->plane[-1 - now->piece_b];
     collider body = placed_body(c, f, a);
     if (p->count == 0) was.count = 0;       // bequeaths nothing
     real slack = slack_of(c, f, a, -1), reach = reach_of(f, a, -1);
@@ -680,10 +690,11 @@ static void gather(contact_cache *c, const cache_frame *f, cache_pair *p)
     if (!p->is_active) return;
     contact *now = &c->entry[p->entry].contact;
     if (p->count < CONTACT_POINTS && contact_load(now) > 0) {
-        c->placing[now->a].corners = c->updates;
-        if (now->b >= 0) c->placing[now->b].corners = c->updates;
+        c->placing[now->piece_a].corners = c->updates;
+        if (now->piece_b >= 0) c->placing[now->piece_b].corners = c->updates;
     }
-    c->fast += p->seen[0] < 0 && now->b >= 0 && passes(f, now->a, now->b, 0);
+    c->fast += p->seen[0] < 0 && now->b >= 0
+             && passes(f, now->piece_a, now->piece_b, 0);
     c->active[c->actives] = now;
     c->of[c->actives++] = p;
 }
@@ -695,7 +706,7 @@ static void reach_chunk(void *data, int item)
     int end = task_end(item, c->actives);
     for (int k = item * TASK_CHUNK; k < end; k++) {
         const contact *x = c->active[k];
-        c->reach[k] = reach_of(u->f, x->a, x->b);
+        c->reach[k] = reach_of(u->f, x->piece_a, x->piece_b);
     }
 }
 
@@ -729,11 +740,11 @@ static void gather_active(contact_cache *c, const cache_frame *f)
 void cache_again(contact_cache *c, const cache_frame *f, int k)
 {
     cache_pair *p = c->of[k];
-    int a = c->active[k]->a, b = c->active[k]->b;
+    int a = c->active[k]->piece_a, b = c->active[k]->piece_b;
     place_body(c, f, a, c->updates);
     if (b >= 0) place_body(c, f, b, c->updates);
     p->is_asked = true;
-    make_entry(c, p, a, b);
+    make_entry(c, f, p, a, b);
     if (b < 0) query_wall(c, f, p);
     else       query_pair(c, f, p);
     c->reach[k] = reach_of(f, a, b);

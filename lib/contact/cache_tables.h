@@ -18,6 +18,7 @@ typedef struct {
     const rigid4 *rigid;
     real inner;         // m, its inner radius
     int family;         // pieces of one body have one number; 0: it is alone
+    int rides;          // 1 + the body that it moves with; 0: it moves alone
 } cache_body;
 
 typedef struct {
@@ -34,6 +35,7 @@ typedef struct {
     const plane *plane;         // those that walls of the list name
     real stay;          // of a body's radius; see world_options
     bool has_parts;     // of surfaces: a body may lie on very many
+    bool has_pieces;    // some bodies ride on others
     tasks run;
 } cache_frame;
 //<

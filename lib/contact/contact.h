@@ -25,6 +25,7 @@ typedef struct {
 // friction for all of them.
 typedef struct {
     int  a, b;              // bodies; b < 0: plane -1 - b
+    int  piece_a, piece_b;  // those that touch: the bodies, or pieces of them
     int  count;             // points; 0: none as near as they were asked for
     signed char shared;     // of these so many, the first, push both bodies at
                             // one place; the others, of bodies that meet later

@@ -42,14 +42,14 @@ typedef struct {
 
 static vec3 normal_to(const slider *s, const contact *t)
 {
-    return t->a == s->a ? t->normal : vec3_scale(-1, t->normal);
+    return t->piece_a == s->a ? t->normal : vec3_scale(-1, t->normal);
 }
 
 // Its contact seen from A.  (A guard is no point of touch.)
 static void see_side(const slider *s, side *x)
 {
     const contact *t = x->contact;
-    bool is_a = t->a == s->a;
+    bool is_a = t->piece_a == s->a;
     x->n = normal_to(s, t);
     x->height = x->b < 0 ? s->f->plane[-1 - x->b].offset : -HUGE_VAL;
     x->points = 0;
@@ -227,7 +227,7 @@ static void straighten(const slider *s, side *x)
         n = m;
     }
     x->n = vec3_unit(n);
-    t->normal = t->a == s->a ? x->n : vec3_scale(-1, x->n);
+    t->normal = t->piece_a == s->a ? x->n : vec3_scale(-1, x->n);
 }
 //<
 
@@ -278,8 +278,8 @@ static manifold touches_along(const collider *a, const collider *b, vec3 m,
 static real reach_of(const slider *s, const contact *x)
 {
     const cache_frame *f = s->f;
-    real slack = f->stay * (f->now[x->a].radius + f->now[x->b].radius);
-    return f->ahead[x->a].reach + f->ahead[x->b].reach + 2 * slack;
+    real slack = f->stay * (f->now[x->piece_a].radius + f->now[x->piece_b].radius);
+    return f->ahead[x->piece_a].reach + f->ahead[x->piece_b].reach + 2 * slack;
 }
 
 // The same for the bodies of contact x, when its a has gone its way of the frame
@@ -287,16 +287,16 @@ static real reach_of(const slider *s, const contact *x)
 static manifold find_along(const slider *s, const contact *x, vec3 m)
 {
     const cache_frame *f = s->f;
-    collider a = asked_body(s, x->a), b = asked_body(s, x->b);
+    collider a = asked_body(s, x->piece_a), b = asked_body(s, x->piece_b);
     vec3 moved[MOST_VERTICES];
     if (a.shape->particles > MOST_VERTICES) return (manifold){ .count = 0 };
-    vec3 way = vec3_sub(f->ahead[x->a].way, f->ahead[x->b].way);
+    vec3 way = vec3_sub(f->ahead[x->piece_a].way, f->ahead[x->piece_b].way);
     way = vec3_add_scaled(way, -vec3_dot(way, m), m);
     for (int v = 0; v < a.shape->particles; v++)
         moved[v] = vec3_add(a.at[v], way);
     a.at = moved;
     return touches_along(&a, &b, m, reach_of(s, x),
-                         f->ahead[x->a].angle + f->ahead[x->b].angle);
+                         f->ahead[x->piece_a].angle + f->ahead[x->piece_b].angle);
 }
 //<
 
@@ -335,7 +335,7 @@ static void carry(const slider *s, const side *x, const cache_load *was,
                   real alike)
 {
     contact *t = x->contact;
-    bool is_a = t->a == s->a;
+    bool is_a = t->piece_a == s->a;
     if (!(vec3_dot(x->n, was->normal) >= alike) || t->count == 0) return;
     for (int k = 0; k < was->count; k++)
         t->impulse[nearest_own(t, is_a, was->local[k])] += was->impulse[k];
@@ -351,8 +351,8 @@ static void take(const slider *s, side *x, const manifold *m)
     t->normal = m->normal;
     for (int k = 0; k < m->count; k++)
         t->point[k] = (contact_point){
-            local_at(s->f->body[t->a].rigid, &m->point[k].a),
-            local_at(s->f->body[t->b].rigid, &m->point[k].b),
+            local_at(s->f->body[t->piece_a].rigid, &m->point[k].a),
+            local_at(s->f->body[t->piece_b].rigid, &m->point[k].b),
             t->round_a + t->round_b, contact_own(&m->point[k], t) };
     see_side(s, x);
     carry_nothing(t);
@@ -514,7 +514,7 @@ static void take_plane(const slider *s, side *x, const manifold *m)
         vec3 own = s->f->body[s->a].rigid->local[v];
         vec3 foot = local_in(&s->c->placed[x->b],
                              vec3_add_scaled(a.at[v], -down, x->n));
-        bool is_a = t->a == s->a;
+        bool is_a = t->piece_a == s->a;
         t->point[k] = (contact_point){ is_a ? own : foot, is_a ? foot : own,
                                        t->round_a + t->round_b, is_a };
     }
@@ -641,8 +641,8 @@ static void add_side(slider *s, int k)
     cache_list *l = k < 0 ? &c->walls : &c->pairs;
     cache_pair *p = &l->pair[k < 0 ? ~k : k];
     contact *t = &c->entry[p->entry].contact;
-    int b = t->b < 0 ? t->b : t->a == s->a ? t->b : t->a;
-    int owner = seams_slider(s->f, t->a, t->b);
+    int b = t->piece_b < 0 ? t->piece_b : t->piece_a == s->a ? t->piece_b : t->piece_a;
+    int owner = seams_slider(s->f, t->piece_a, t->piece_b);
     if (owner >= 0 && owner != s->a) return;
     side *x = &s->side[s->sides++];
     *x = (side){ .pair = p, .contact = t, .b = b,

@@ -56,6 +56,7 @@ typedef struct {
     int  pieces;
     body_mesh *mesh;        // NULL: it has no surface
     tumble_kind kind;
+    bool is_whole;          // of pieces that move as one: it owns their shapes
     void *user;
 } body_place;
 

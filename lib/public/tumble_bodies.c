@@ -4,6 +4,7 @@
 //>   a body is there whole or not at all.
 #include "handle.h"
 #include "inside.h"
+#include "weight.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -59,9 +60,11 @@ static bool add_piece(tumble_world *w, int place, tumble_shape s,
     if (!made_of || !inside_reserve_owner(w)) return false;
     if (made_of->shape->kind != SHAPE_RIGID && o->kind == TUMBLE_KINEMATIC)
         return inside_fail(w, "a rope or a cloth cannot be kinematic: pin it");
-    if (!inside_is_ok(w, world_add(&w->world, made_of->shape,
-                                   placement_of(pose, o), &number)))
-        return false;
+    bool rides = x->is_whole && x->pieces > 0;
+    status done = rides
+        ? world_add_piece(&w->world, made_of->shape, x->piece[0].number, &number)
+        : world_add(&w->world, made_of->shape, placement_of(pose, o), &number);
+    if (!inside_is_ok(w, done)) return false;
     w->owner[number] = place;
     world_set_family(&w->world, number, place + 1);
     x->piece[x->pieces++] = (body_piece){ number, (int)s.place };
@@ -92,11 +95,11 @@ static void forget_mesh(tumble_world *w, int place)
 static void take_away(tumble_world *w, int place)
 {
     body_place *x = slots_at(&w->bodies, place);
-    for (int k = 0; k < x->pieces; k++) {
+    for (int k = x->pieces - 1; k >= 0; k--) {
         shape_place *s = slots_at(&w->shapes, x->piece[k].shape);
         world_remove(&w->world, x->piece[k].number);
         s->bodies--;
-        if (x->mesh) inside_drop(w, x->piece[k].shape);
+        if (x->mesh || x->is_whole) inside_drop(w, x->piece[k].shape);
     }
     if (x->mesh) forget_mesh(w, place);
     free(x->piece);
@@ -104,21 +107,28 @@ static void take_away(tumble_world *w, int place)
     inside_forget_joints(w);
 }
 
-static tumble_body add(tumble_world *w, const tumble_shape *s,
-                       const tumble_pose *pose, int n,
-                       const tumble_body_options *o)
+// A place for a body of n pieces; -1, with a failure, where memory is refused.
+static int take_body_place(tumble_world *w, int n, const tumble_body_options *o)
 {
-    const tumble_body none = { 0, 0 };
-    if (!check_options(w, o)) return none;
     body_piece *piece = malloc((size_t)n * sizeof *piece);
     int place = piece ? slots_take(&w->bodies) : -1;
     if (place < 0) {
         free(piece);
         inside_is_ok(w, status_out_of_memory());
-        return none;
+        return -1;
     }
     body_place *x = slots_at(&w->bodies, place);
     *x = (body_place){ .piece = piece, .kind = o->kind, .user = o->user };
+    return place;
+}
+
+static tumble_body add(tumble_world *w, const tumble_shape *s,
+                       const tumble_pose *pose, int n,
+                       const tumble_body_options *o)
+{
+    const tumble_body none = { 0, 0 };
+    int place = check_options(w, o) ? take_body_place(w, n, o) : -1;
+    if (place < 0) return none;
     for (int k = 0; k < n; k++) {
         if (add_piece(w, place, s[k], pose[k], o)) continue;
         take_away(w, place);
@@ -140,6 +150,70 @@ tumble_body tumble_add_pieces(tumble_world *w, const tumble_shape *piece,
     if (n > 0 && piece && pose) return add(w, piece, pose, n, &o);
     inside_fail(w, "a body of %d pieces is none", n);
     return (tumble_body){ 0, 0 };
+}
+
+// What all pieces weigh together.
+static bool weigh_pieces(tumble_world *w, const tumble_shape *s,
+                         const tumble_pose *pose, int n, struct weight *whole)
+{
+    *whole = (struct weight){ .mass = 0 };
+    for (int pass = 0; pass < 2; pass++) {
+        for (int k = 0; k < n; k++) {
+            placement at = { .is_static = true };
+            const shape_place *x = inside_shape(w, s[k]);
+            inside_place(&at, pose[k]);
+            if (!x) return false;
+            if (x->shape->kind != SHAPE_RIGID)
+                return inside_fail(w, "piece %d is a rope or a cloth", k);
+            if (!inside_is_ok(w, placement_check(&at, x->shape, k))) return false;
+            if (pass == 0) weight_add(whole, x->shape, &at);
+            else           weight_reach(whole, x->shape, &at);
+        }
+        if (pass == 0) weight_mean(whole);
+    }
+    return true;
+}
+
+// One more piece, which the body has as a shape of its own.
+static bool add_own_piece(tumble_world *w, int place, tumble_shape s,
+                          tumble_pose pose, const struct weight *whole,
+                          const tumble_body_options *o)
+{
+    shape made;
+    placement at = { .is_static = true };
+    inside_place(&at, pose);
+    status done = weight_piece(&made, inside_shape(w, s)->shape, &at, whole);
+    tumble_shape own = inside_keep(w, &made, done);
+    if (own.generation == 0) return false;
+    const body_place *x = slots_at(&w->bodies, place);
+    int before = x->pieces;
+    if (add_piece(w, place, own, o->pose, o)) return true;
+    if (x->pieces == before) inside_drop(w, (int)own.place);
+    return false;
+}
+
+tumble_body tumble_add_compound(tumble_world *w, const tumble_shape *piece,
+                                const tumble_pose *pose, int n,
+                                tumble_body_options o)
+{
+    const tumble_body none = { 0, 0 };
+    struct weight whole;
+    if (!check_options(w, &o)) return none;
+    if (!(n > 0 && piece && pose))
+        return inside_fail(w, "a body of %d pieces is none", n), none;
+    if (o.kind != TUMBLE_DYNAMIC)
+        return inside_fail(w, "a body whose pieces move as one is dynamic"), none;
+    if (!weigh_pieces(w, piece, pose, n, &whole)) return none;
+    int place = take_body_place(w, n, &o);
+    if (place < 0) return none;
+    ((body_place *)slots_at(&w->bodies, place))->is_whole = true;
+    for (int k = 0; k < n; k++) {
+        if (k == 1) whole.reach = 0;
+        if (add_own_piece(w, place, piece[k], pose[k], &whole, &o)) continue;
+        take_away(w, place);
+        return none;
+    }
+    return (tumble_body){ (unsigned)place, slots_generation(&w->bodies, place) };
 }
 
 bool tumble_remove(tumble_world *w, tumble_body b)

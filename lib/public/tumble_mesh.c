@@ -187,7 +187,7 @@ static bool is_awaited(const world *w, int b, int piece)
 {
     const body *x = &w->body[b];
     if (body_is_gone(x) || !body_meets(x, &w->body[piece])) return false;
-    return body_is_soft(x) ? !body_is_static(x) : body_is_dynamic(x);
+    return body_is_soft(x) ? !body_is_static(x) : body_yields(x);
 }
 
 // What flies further than its own size is surrounded along its way, and each

@@ -5,6 +5,7 @@
 #include "hull.h"
 #include "inside.h"
 #include "obj.h"
+#include "weight.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -98,6 +99,18 @@ tumble_shape tumble_cloth(tumble_world *w, int columns, int rows, double width,
     shape s;
     status done = shape_cloth(&s, columns, rows, width, depth, mass, DIAGONAL);
     return inside_keep(w, &s, done);
+}
+
+tumble_shape tumble_weigh(tumble_world *w, tumble_shape s, double mass,
+                          tumble_vec3 center, const double inertia[6])
+{
+    const shape_place *of = inside_shape(w, s);
+    shape made;
+    if (!of) return (tumble_shape){ 0, 0 };
+    status done = inertia
+                ? weight_give(&made, of->shape, mass, from_user(center), inertia)
+                : status_fail("a weight without moments of inertia");
+    return inside_keep(w, &made, done);
 }
 
 bool tumble_drop_shape(tumble_world *w, tumble_shape s)

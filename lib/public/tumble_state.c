@@ -75,7 +75,7 @@ static int find_rigid(tumble_world *w, tumble_body b, tumble_vec3 p,
                     "vertices", b.place);
     else if (x->mesh)
         inside_fail(w, "body %u is a surface, and stays where it is", b.place);
-    else if (x->pieces > 1)
+    else if (x->pieces > 1 && !x->is_whole)
         inside_fail(w, "body %u has %d pieces, and stays where it is", b.place,
                     x->pieces);
     else if (!vec3_is_finite(from_user(p)) || !vec3_is_finite(from_user(q)))

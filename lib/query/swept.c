@@ -226,7 +226,8 @@ real shape_inner(const shape *s)
         const int *v = &s->face[3 * f];
         vec3 m = vec3_unit(triangle_normal(s->at[v[0]], s->at[v[1]],
                                            s->at[v[2]]));
-        inner = real_max(real_min(inner, vec3_dot(m, s->at[v[0]])), 0);
+        vec3 at = vec3_sub(s->at[v[0]], s->middle);
+        inner = real_max(real_min(inner, vec3_dot(m, at)), 0);
     }
     return inner;
 }

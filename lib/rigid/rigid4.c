@@ -4,6 +4,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 // The alternate corners of a cube: sum t = 0, sum t t^T = 4 times the unit
 // matrix.
@@ -11,13 +12,6 @@ enum { AXES = FOUR_AXES };
 const real FOUR_SIGN[FOUR][AXES] = {
     { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }
 };
-
-// What a solid has: volume (m^3), and the means of x and of x x^T over it.
-typedef struct {
-    real volume;
-    vec3 center;
-    real spread[3][3];      // m^2, about the centre
-} solid;
 
 static void add_outer(real m[3][3], real s, vec3 a)
 {
@@ -30,9 +24,9 @@ static void add_outer(real m[3][3], real s, vec3 a)
 // the sign of the side that it looks to.  Over a tetrahedron (0, a, b, c) of
 // volume v the mean of x is S / 4, S = a + b + c, and the mean of x x^T is
 // (S S^T + a a^T + b b^T + c c^T) / 20.
-static solid solid_of(const shape *s)
+static rigid_solid solid_of(const shape *s)
 {
-    solid q = { .volume = 0 };
+    rigid_solid q = { .volume = 0 };
     for (int f = 0; f < s->mesh.faces; f++) {
         const int *v = &s->face[3 * f];
         vec3 a = s->at[v[0]], b = s->at[v[1]], c = s->at[v[2]];
@@ -58,18 +52,38 @@ static solid solid_of(const shape *s)
 // Of a round one, with a core along y: a cylinder of the length 2 half, and two
 // half balls.  Over the cylinder the mean of y^2 is half^2 / 3, over a half ball
 // half^2 + 2 half (3/8 r) + r^2 / 5.  Across it means are r^2 / 4 and r^2 / 5.
-static solid solid_of_round(const shape *s)
+static rigid_solid solid_of_round(const shape *s)
 {
     real r = s->round, half = s->at[s->particles - 1].y;
     real cylinder = 2 * half, balls = 4 * r / 3;    // volumes / (pi r^2)
     real whole = cylinder + balls;
-    solid q = { .volume = whole * r * r };
+    rigid_solid q = { .volume = whole * r * r };
     q.spread[0][0] = q.spread[2][2] = (cylinder * (r * r / 4)
                                        + balls * (r * r / 5)) / whole;
     q.spread[1][1] = (cylinder * (half * half / 3)
                       + balls * (half * half + 0.75 * half * r + r * r / 5))
                    / whole;
     return q;
+}
+//<
+
+//> rigid4-own
+//>   What has a weight of its own is taken at its word.
+rigid_solid rigid4_solid(const shape *s)
+{
+    if (!(s->own.mass > 0))
+        return s->round > 0 ? solid_of_round(s) : solid_of(s);
+    rigid_solid q = { .volume = 1, .center = s->own.center };
+    memcpy(q.spread, s->own.spread, sizeof q.spread);
+    return q;
+}
+
+real rigid4_mass(const shape *s)
+{
+    real mass = 0;
+    if (s->own.mass > 0) return s->own.mass;
+    for (int i = 0; i < s->particles; i++) mass += s->mass[i];
+    return mass;
 }
 //<
 
@@ -142,13 +156,11 @@ static int turns_right(vec3 x0, vec3 x1, vec3 x2, vec3 x3)
     return vec3_dot(a, vec3_cross(b, c)) > 0;
 }
 
-static void place_four(rigid4 *f, const shape *s, const solid *q,
+static void place_four(rigid4 *f, const shape *s, const rigid_solid *q,
                        const vec3 axis[AXES])
 {
-    real mass = 0;
     int stick_count = 0;
-    for (int i = 0; i < s->particles; i++) mass += s->mass[i];
-    f->mass = mass / FOUR;
+    f->mass = rigid4_mass(s) / FOUR;
     f->center = q->center;
     for (int k = 0; k < FOUR; k++) {
         vec3 r = { 0, 0, 0 };
@@ -197,7 +209,7 @@ status rigid4_build(rigid4 *f, const shape *s)
 {
     assert(s->kind == SHAPE_RIGID && s->particles > 0);
     *f = (rigid4){ .local = NULL };
-    solid q = s->round > 0 ? solid_of_round(s) : solid_of(s);
+    rigid_solid q = rigid4_solid(s);
     real root[3][3] = { { 0 } };
     if (!(q.volume > 0) || !root_of(q.spread, root))
         return status_fail("a body of %d vertices is too thin to be solid",
@@ -220,6 +232,7 @@ status rigid4_build(rigid4 *f, const shape *s)
                             real_max(f->span.z, fabs(f->local[v].z)));
         f->reach = fmax(f->reach, vec3_length(r) + s->round);
     }
+    f->reach = fmax(f->reach, s->own.reach);
     return status_ok();
 }
 //<

@@ -49,6 +49,18 @@ typedef struct rigid4 {
 status rigid4_build(rigid4 *f, const shape *s);
 void   rigid4_free(rigid4 *f);      // an empty or zeroed one is fine
 
+// What a solid has: volume (m^3), and the means of x and of x x^T over it.
+typedef struct {
+    real volume;
+    vec3 center;
+    real spread[3][3];      // m^2, about the centre
+} rigid_solid;
+
+// Those of s, or of the weight that it has in place of them (its volume is then
+// 1); and its mass (kg).  A mesh that encloses nothing has a volume of 0.
+rigid_solid rigid4_solid(const shape *s);
+real  rigid4_mass(const shape *s);
+
 // The signs T of a frame: particle k stands at center + sum_i T[k][i] axis_i.
 extern const real FOUR_SIGN[FOUR][FOUR_AXES];
 

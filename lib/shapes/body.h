@@ -26,6 +26,14 @@ struct skin {
     int  *face;         // [faces * 3] counter-clockwise seen from outside
 };
 
+// What a shape weighs that is not evenly filled: see weight.h.
+struct weight {
+    real mass;          // kg; 0: it has none of its own
+    vec3 center;        // m, of mass, in the frame of the shape
+    real spread[3][3];  // m^2, the mean of x x^T about it
+    real reach;         // m, from it, of a body of which this is a piece; or 0
+};
+
 // The particles of a shape are the vertices of its mesh.
 typedef struct shape {
     shape_kind kind;
@@ -44,6 +52,8 @@ typedef struct shape {
     struct skin skin;   // of one that is round; else empty
     real   radius;      // m, largest distance of the body from the origin
     real   spacing;     // m, the shortest stick
+    struct weight own;
+    vec3   middle;      // m, in its frame, of the ball inside it; of most: 0
 } shape;
 //<
 

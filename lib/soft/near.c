@@ -9,6 +9,7 @@
 
 rigid_frame soft_rigid_frame(const soft_frame *f, int b)
 {
+    b = body_whole(&f->body[b], b);
     return motion_frame(&f->now[b].frame, &f->now[b].basis, &f->moved[b]);
 }
 
@@ -58,10 +59,11 @@ static void add_rigid_moves(moves *m, const near_lists *l, const soft_frame *f,
                             int b)
 {
     rigid_frame frame = soft_rigid_frame(f, b);
+    int of = body_whole(&f->body[b], b);
     for (int k = 0; k < FOUR; k++) {
         vec3 arm = frame_arm(&frame, k), at = vec3_add(frame.center, arm);
         vec3 d = vec3_sub(at, l->listed[f->body[b].first + k]);
-        vec3 u = motion_at(&f->now[b].basis, &f->velocity[b], arm);
+        vec3 u = motion_at(&f->now[of].basis, &f->velocity[of], arm);
         add_move(m, vec3_scale(2, d), vec3_scale(2 * f->h, u));
     }
 }
@@ -167,14 +169,14 @@ void rigid_view_look(rigid_view *v, const soft_frame *f, int b)
 {
     const body *rigid = &f->body[b];
     const shape *s = rigid->shape;
-    if (v->of == b && body_is_static(rigid)) return;
+    if (v->of == b && body_is_fixed(rigid)) return;
     rigid_frame frame = soft_rigid_frame(f, b);
     rigid4_ride(rigid->rigid, &frame, v->corner, s->particles);
     v->hull = (obstacle){ { v->corner, s->particles }, v->plane,
                           hull_planes(s, v->corner, v->plane), s->radius,
                           s->round };
     v->frame = frame;
-    v->moved = f->moved[b];
+    v->moved = f->moved[body_whole(rigid, b)];
     v->of = b;
 }
 //<
@@ -305,7 +307,7 @@ static const real SPARE = 1.35;             // tuned, 1
 
 real soft_gap(const body *soft, const body *rigid)
 {
-    return body_is_dynamic(rigid) ? soft->thickness : SPARE * soft->thickness;
+    return body_yields(rigid) ? soft->thickness : SPARE * soft->thickness;
 }
 
 // The particles of a that are near the rigid body b: inside its ball, or not

@@ -56,7 +56,8 @@ enum { TRUST_MOST = 8 };                    // tuned, substeps
 // Neither static nor asleep.
 static inline bool soft_moves(const soft_frame *f, int b)
 {
-    return !body_is_static(&f->body[b]) && !f->asleep[b];
+    return !body_is_fixed(&f->body[b])
+        && !f->asleep[body_whole(&f->body[b], b)];
 }
 // Where bodies a and b meet, or a and a plane (b < 0).
 static inline material soft_material(const soft_frame *f, int a, int b)

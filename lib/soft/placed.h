@@ -33,11 +33,16 @@ typedef struct body {
     real bending;       // N m^2, or N m, of a deformable one: see bend.h
     real compliance;    // 1/N, or m/N, of a deformable one: see line.h; and, m/N,
     real taut;          // what the threads of a cloth give by where it is pinned
-    real inner;         // m, the inner radius of a rigid one
+    real inner;         // m, the inner radius of a rigid one,
+    real round;         // and from its core to its surface; of pieces: 0
     real damping;       // 1/s, the share of its velocity that it loses,
     real spin_damping;  // 1/s, and of its spin, if it is rigid
+    bool is_weighed;    // its shape has a weight of its own
     bool is_kinematic;  // rigid, and moves as a program says
     bool is_part;       // of something that is larger, see world_add_part
+    int  rides;         // 1 + the body that has all of its pieces' motion, for a
+                        // piece and for that body itself; 0: it is all of one
+    int  next;          // 1 + the next piece that rides with it; 0: none
     unsigned group, mask;   // bits: two meet if the mask of each has a bit of
                         // the other's group
 } body;
@@ -64,10 +69,31 @@ static inline bool body_is_dynamic(const body *b)
 {
     return b->mass < HUGE_VAL && !b->is_kinematic;
 }
+// The body that has the motion of body b, at number k.
+static inline int body_whole(const body *b, int k)
+{
+    return b->rides > 0 ? b->rides - 1 : k;
+}
+// It has the particles of another one.
+static inline bool body_rides(const body *b)
+{
+    return b->rides > 0 && body_is_static(b);
+}
+// It never moves.
+static inline bool body_is_fixed(const body *b)
+{
+    return body_is_static(b) && !b->rides;
+}
+// It may be pushed, or what it rides on.
+static inline bool body_yields(const body *b)
+{
+    return body_is_dynamic(b) || body_rides(b);
+}
 static inline bool body_meets(const body *a, const body *b)
 {
     return (a->mask & b->group) && (b->mask & a->group)
-        && (body_is_dynamic(a) || body_is_dynamic(b));
+        && (body_yields(a) || body_yields(b))
+        && !(a->rides && a->rides == b->rides);
 }
 
 // A deformable body and a rigid one that do not meet: particles are pinned to

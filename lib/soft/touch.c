@@ -335,13 +335,14 @@ static bool touch_body(const rigid_view *v, const soft_frame *f,
 {
     particle *p = &f->particle[pair.particle];
     surface_point at;
-    bool is_fixed = body_is_static(&f->body[pair.rigid]);
+    const body *rigid = &f->body[pair.rigid];
+    bool is_fixed = body_is_fixed(rigid);
     real reach = apart;
     if (is_fixed) reach += vec3_length(f->hold[pair.particle].pull);
     if (!nearest(&v->hull, p->position, &pair, reach, &at)) return false;
     if (is_fixed) return touch_fixed(f, pair.particle, at, apart, m);
-    touch x = { f, v, &f->body[pair.soft], pair.rigid, 1, { pair.particle },
-                { 1 }, at, apart, m.friction };
+    touch x = { f, v, &f->body[pair.soft], body_whole(rigid, pair.rigid), 1,
+                { pair.particle }, { 1 }, at, apart, m.friction };
     if (!(held_against(&x, pair.particle) > 0))
         f->hold[pair.particle].state = LINE_FREE;
     return part(&x, who);
@@ -359,7 +360,7 @@ int touch_bodies(const near_lists *l, rigid_view *v, const soft_frame *f,
     material m = { 0 };
     for (int k = 0; k < n; k++) {
         point_pair pair = l->point[is_backward ? n - 1 - k : k];
-        if (who == BY_WHOLE && body_is_static(&f->body[pair.rigid])) continue;
+        if (who == BY_WHOLE && body_is_fixed(&f->body[pair.rigid])) continue;
         if (pair.soft != last.soft || pair.rigid != last.rigid) {
             rigid_view_look(v, f, pair.rigid);
             apart = share * soft_gap(&f->body[pair.soft],
@@ -405,8 +406,9 @@ typedef struct {
 static int substeps_clear(const soft_frame *f, const facet_view *x, int b,
                           real room)
 {
+    bool is_static = body_is_fixed(&f->body[b]);
+    b = body_whole(&f->body[b], b);
     const motion_basis *basis = &f->now[b].basis;
-    bool is_static = body_is_static(&f->body[b]);
     real pace = 0;
     for (int k = 0; k < FACET; k++) {
         vec3 arm = vec3_sub(x->end[k], x->frame.center);
@@ -427,7 +429,8 @@ static bool part_facet(const rigid_view *v, const soft_frame *f,
                        const facet_pair *pair, const facet_view *seen,
                        const facet_touch *t, real apart, answering who)
 {
-    touch x = { f, v, &f->body[pair->soft], pair->rigid, FACET,
+    touch x = { f, v, &f->body[pair->soft],
+                body_whole(&f->body[pair->rigid], pair->rigid), FACET,
                 .apart = apart,
                 .friction = soft_material(f, pair->soft,
                                           pair->rigid).friction };
@@ -494,7 +497,7 @@ void hold_facets(const near_lists *l, rigid_view *v, const soft_frame *f)
     int of = -1;
     for (int k = 0; k < l->mets; k++) {
         facet_pair *pair = &l->facet.at[l->met[k]];
-        if (pair->rigid != of || !body_is_static(&f->body[pair->rigid]))
+        if (pair->rigid != of || !body_is_fixed(&f->body[pair->rigid]))
             x.frame = soft_rigid_frame(f, pair->rigid);
         of = pair->rigid;
         touch_facet(l, v, f, pair, &x, BY_WHOLE);

@@ -8,13 +8,16 @@
 // What moves freely has a new frame in every substep, and its rows are made
 // there.  What touches a driven body goes by halves: its rows are made in the
 // middle, whose velocities they have.  What lies has its rows where its contacts
-// were found: it is displaced, until it leaves the margin that they have.
+// were found: it is displaced, until it leaves the margin that they have.  (Not what
+// has a weight of its own: where a ball's is off its middle, its arm changes with
+// every turn, and with it the period at which it rocks.)
 static bool lies(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     return t->moves[b] && !linkage_has(&w->joints, b)
         && vec3_length_squared(w->options.gravity) > 0
-        && t->ahead[b].reach <= w->options.stay * t->now[b].radius;
+        && t->ahead[b].reach <= w->options.stay * t->now[b].radius
+        && !w->body[b].is_weighed;
 }
 
 static void lie(world *w, int b)
@@ -304,7 +307,7 @@ static real gone(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     const rigid_frame *was = &t->began[b];
-    real out = t->now[b].radius - w->body[b].shape->round;
+    real out = t->now[b].radius - w->body[b].round;
     return vec3_distance(t->now[b].frame.center, was->center)
          + out * advance_turned(w, b, was);
 }
@@ -323,8 +326,19 @@ static void put_chunk(void *data, int item)
     }
 }
 
+// Pieces have gone as far as the body that they ride on.
+static void put_pieces(world *w, int b)
+{
+    struct placing *at = w->rigid.cache.placing;
+    for (int k = w->body[b].next; k > 0; k = w->body[k - 1].next)
+        cache_moved(&w->rigid.cache, k - 1, at[b].path - at[k - 1].path);
+}
+
 void advance_put(world *w)
 {
-    tasks_run(w->options.host.run, put_chunk, w, task_chunks(w->rigid.awakes));
+    const rigid_tables *t = &w->rigid;
+    tasks_run(w->options.host.run, put_chunk, w, task_chunks(t->awakes));
+    for (int k = 0; k < t->awakes && w->has_pieces; k++)
+        if (t->moves[t->awake[k]]) put_pieces(w, t->awake[k]);
 }
 //<

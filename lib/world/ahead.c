@@ -18,7 +18,7 @@ static real arc_of(const world *w, int b, vec3 spin, real turn)
 {
     const solver_body *now = &w->rigid.now[b];
     const vec3 *axis = now->frame.axis, span = w->body[b].rigid->span;
-    real out = now->radius - w->body[b].shape->round;
+    real out = now->radius - w->body[b].round;
     real most = span.x * vec3_length(vec3_cross(spin, axis[0]))
               + span.y * vec3_length(vec3_cross(spin, axis[1]))
               + span.z * vec3_length(vec3_cross(spin, axis[2]));
@@ -28,7 +28,8 @@ static real arc_of(const world *w, int b, vec3 spin, real turn)
 // m, its radius; of what is thin, twice as much as it is thick.
 static real width_of(const world *w, int b)
 {
-    return real_min(w->rigid.now[b].radius, 4 * w->rigid.body[b].inner);
+    real radius = w->rigid.now[b].radius, thin = 4 * w->rigid.body[b].inner;
+    return thin > 0 ? real_min(radius, thin) : radius;
 }
 
 static prediction predict(const world *w, int b, real dt)
@@ -97,7 +98,7 @@ cache_frame ahead_frame(const world *w)
         .awake = t->awake, .awakes = t->awakes,
         .list = &t->pairs, .is_new_list = t->is_new_list,
         .plane = w->plane, .stay = w->options.stay,
-        .has_parts = w->options.host.surround,
+        .has_parts = w->options.host.surround, .has_pieces = w->has_pieces,
         .run = w->options.host.run };
 }
 //<
@@ -110,7 +111,7 @@ cache_frame ahead_frame(const world *w)
 static real find_turned(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
-    real out = t->now[b].radius - w->body[b].shape->round;
+    real out = t->now[b].radius - w->body[b].round;
     if (!t->moves[b] || t->going[b] == LIES || !(out > 0)) return 0;
     real gone = out * advance_turned(w, b, &t->cache.placed[b]);
     return gone > TURNED * width_of(w, b) ? gone : 0;
@@ -151,9 +152,17 @@ static bool is_used_up(const world *w, const active_contact *x,
 
 //> ahead-again
 //>   Such a pair is asked again, and its block is filled again. No other pays.
+// A piece goes as the body that it rides on.
 static void look_at_side(world *w, int b, real left)
 {
+    rigid_tables *t = &w->rigid;
     if (b < 0) return;
+    int of = body_whole(&w->body[b], b);
+    if (b != of) {
+        t->now[b].frame = t->now[of].frame;
+        t->now[b].basis = t->now[of].basis;
+        t->velocity[b] = t->velocity[of];
+    }
     if (w->rigid.moves[b]) ahead_look(w, b, left);
     else w->rigid.asked[b] = w->rigid.now[b].frame;
 }
@@ -174,8 +183,8 @@ void ahead_again(world *w, const solver_frame *f, real left)
     cache_frame ask = ahead_frame(w);
     for (int k = s->first; k < s->end; k++) {
         if (!s->active[k].is_new) continue;
-        look_at_side(w, t->cache.active[k]->a, left);
-        look_at_side(w, t->cache.active[k]->b, left);
+        look_at_side(w, t->cache.active[k]->piece_a, left);
+        look_at_side(w, t->cache.active[k]->piece_b, left);
         cache_again(&t->cache, &ask, k);
     }
     if (!solver_take_new(s, f, t->cache.active, t->cache.reach))

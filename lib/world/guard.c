@@ -254,12 +254,14 @@ static void stop_at_faces(world *w, int b)
     }
 }
 
+// (The centre of several pieces may be in none of them: a ring falls over a pole.)
 void guard_faces(world *w)
 {
     if (!w->options.host.enters) return;
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
-        if (w->rigid.moves[b] && w->rigid.dynamic[b]) stop_at_faces(w, b);
+        if (w->rigid.moves[b] && w->rigid.dynamic[b] && !w->body[b].rides)
+            stop_at_faces(w, b);
     }
 }
 //<
@@ -413,7 +415,8 @@ void guard_bodies(world *w)
         bool is_a = t->now[a].radius < t->now[b].radius;
         int small = is_a ? a : b, large = is_a ? b : a;
         bool may = t->reach[a] + t->reach[b] > t->body[small].inner;
-        if (may) stop_passing(t, small, large);
+        if (may && !w->body[a].rides && !w->body[b].rides)
+            stop_passing(t, small, large);
     }
 }
 //<

@@ -236,7 +236,7 @@ void world_force(world *w, int b, vec3 force, vec3 torque)
 motion world_load(const world *w, int b, real seconds)
 {
     const motion_basis *basis = &w->rigid.now[b].basis;
-    const body_load *load = &w->rigid.load[b];
+    const body_load *load = &w->rigid.load[body_whole(&w->body[b], b)];
     const vec3 center = { 0, 0, 0 };
     motion u = { { 0 } };
     motion_push(&u, basis, center, vec3_scale(seconds, load->force));

@@ -107,7 +107,8 @@ static void measure_pair(const world *w, const sight *s, int a, int b,
     const body *x = &w->body[a], *y = &w->body[b];
     sphere p = s->ball[a], q = s->ball[b];
     real near = p.radius + q.radius;
-    if (body_is_static(x) && body_is_static(y)) return;
+    if (body_is_fixed(x) && body_is_fixed(y)) return;
+    if (x->rides && x->rides == y->rides) return;
     if (vec3_length_squared(vec3_sub(p.center, q.center)) > near * near) return;
     if (!body_is_soft(x) && !body_is_soft(y)) measure_rigid_pair(w, s, a, b, m);
     if (body_is_soft(x) && !body_is_soft(y))  measure_points(w, s, a, b, m);
@@ -168,7 +169,7 @@ static void measure_penetration(const world *w, measures *m)
     if (!sight_make(w, &s)) deepen(m, (real)NAN);
     else for (int a = 0; a < w->bodies; a++) {
         if (!vec3_is_finite(s.ball[a].center)) deepen(m, (real)NAN);
-        if (!body_is_static(&w->body[a])) measure_planes(w, &s, a, m);
+        if (!body_is_fixed(&w->body[a])) measure_planes(w, &s, a, m);
         for (int b = a + 1; b < w->bodies; b++) measure_pair(w, &s, a, b, m);
     }
     sight_free(&s);

@@ -33,6 +33,14 @@ static bool goes(const world *w, int b)
     return b >= 0 && (w->rigid.moves[b] || is_awake_cloth(w, b));
 }
 
+// A body, with all pieces that ride on it.
+static bool may_meet_soft(const world *w, int b)
+{
+    for (int k = b + 1; k > 0; k = w->body[k - 1].next)
+        if (soft_may_meet(&w->soft, k - 1)) return true;
+    return false;
+}
+
 // All that is soft is one island, with what it may touch in this frame: it has one
 // time.
 static void unite_softs(world *w)
@@ -47,7 +55,7 @@ static void unite_softs(world *w)
     }
     for (int k = 0; k < t->awakes && first >= 0; k++) {
         int b = t->awake[k];
-        if (t->moves[b] && soft_may_meet(&w->soft, b)) unite(t, first, b);
+        if (t->moves[b] && may_meet_soft(w, b)) unite(t, first, b);
     }
     if (first >= 0) t->island[island_root(t->island, first)].is_soft = true;
 }
@@ -153,7 +161,7 @@ static real weight_on(const rigid_tables *t, const active_contact *x)
 static real turn_of(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
-    real out = t->now[b].radius - w->body[b].shape->round;
+    real out = t->now[b].radius - w->body[b].round;
     return t->ahead[b].angle * out / t->now[b].radius;
 }
 

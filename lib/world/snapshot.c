@@ -290,7 +290,8 @@ static void bodies_store(world *w, store *s)
         STORE_FORGET(s, x->shape);
         STORE_FORGET(s, x->rigid);
         if (s->is_reading && of->rigid)
-            *x = (cache_body){ of->shape, of->rigid, x->inner, x->family };
+            *x = (cache_body){ of->shape, of->rigid, x->inner, x->family,
+                                 x->rides };
     }
 }
 //<

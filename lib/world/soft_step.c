@@ -50,11 +50,12 @@ bool soft_wake(world *w)
     for (int a = 0; a < w->bodies; a++) {
         if (!body_is_soft(&w->body[a]) || body_is_static(&w->body[a])) continue;
         for (int b = 0; b < w->bodies; b++) {
-            if (b == a || body_is_static(&w->body[b])
+            int of = body_whole(&w->body[b], b);
+            if (b == a || body_is_fixed(&w->body[b])
                 || !body_meets(&w->body[a], &w->body[b])) continue;
             if (!soft_may_touch(&w->soft, a, b)) continue;
-            woke |= world_wake_near(w, a, b);
-            if (body_is_dynamic(&w->body[b])) sleep_touch(&w->sleep, a, b);
+            woke |= world_wake_near(w, a, of);
+            if (body_is_dynamic(&w->body[of])) sleep_touch(&w->sleep, a, of);
         }
     }
     return woke;

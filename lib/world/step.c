@@ -209,17 +209,22 @@ static void list_awake(world *w)
         t->awake[t->awakes++] = (int)(at++ - t->is_awake);
 }
 
-// What was looked at, and does not move, is left out.
+// What was looked at, and does not move, is left out; and pieces that ride on a
+// body, until contacts are found again.
 static void drop_sleepers(world *w)
 {
     rigid_tables *t = &w->rigid;
     int kept = 0;
+    bool has_pieces = w->has_pieces, has_noticed = t->has_noticed;
     for (int k = 0; k < t->awakes; k++) {
         int b = t->awake[k];
+        bool rides = has_pieces && body_rides(&w->body[b]);
         t->is_awake[b] = t->moves[b] || body_moves(w, b);
+        has_noticed |= rides && t->is_awake[b];
         t->awake[kept] = b;
-        kept += t->is_awake[b];
+        kept += t->is_awake[b] && !rides;
     }
+    t->has_noticed = has_noticed;
     t->awakes = kept;
 }
 //<
@@ -228,6 +233,14 @@ static void drop_sleepers(world *w)
 //>   Bodies are shared among threads, 32 at a time. One that does not move gets
 //>   a motion basis of zeros: it answers no impulse, and no other phase needs to
 //>   ask why.
+// (A piece is as old as the body that it rides on.)
+static bool rides_on(world *w, int b)
+{
+    int of = body_whole(&w->body[b], b);
+    w->rigid.age[b] = w->rigid.age[of];
+    return body_moves(w, of);
+}
+
 static void look_at_body(world *w, int b)
 {
     rigid_tables *t = &w->rigid;
@@ -235,7 +248,8 @@ static void look_at_body(world *w, int b)
     const particle *p = w->pool.at + x->first;
     bool moved = t->moves[b];
     t->moves[b] = (char)(!body_is_soft(x)
-                         && (body_moves(w, b) || body_is_driven(w, b)));
+                         && (body_moves(w, b) || body_is_driven(w, b)
+                             || (x->rides > 0 && rides_on(w, b))));
     if (!t->moves[b] && !moved) return;
     solver_body *now = &t->now[b];
     now->frame = rigid4_frame(p);
@@ -315,14 +329,22 @@ static bool may_meet(const world *w, int a, int b)
                 + extent_of(w, b, along) + ways;
 }
 
+static bool wake_pair(world *w, int a, int b)
+{
+    int x = body_whole(&w->body[a], a), y = body_whole(&w->body[b], b);
+    return w->sleep.asleep[x] != w->sleep.asleep[y] && may_meet(w, a, b)
+        && world_wake_near(w, x, y);
+}
+
 static bool wake_sleepers(world *w)
 {
     const rigid_tables *t = &w->rigid;
-    bool woke = false;
+    const bool *asleep = w->sleep.asleep;
+    bool woke = false, has_pieces = w->has_pieces;
     for (int k = 0; k < t->pairs.count; k++) {
         int a = t->pairs.pair[k][0], b = t->pairs.pair[k][1];
-        if (w->sleep.asleep[a] != w->sleep.asleep[b] && may_meet(w, a, b))
-            woke |= world_wake_near(w, a, b);
+        if (asleep[a] != asleep[b] || has_pieces)
+            woke |= wake_pair(w, a, b);
     }
     if (woke) look_at_bodies(w);
     return woke;

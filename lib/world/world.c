@@ -283,6 +283,8 @@ void world_notice(world *w, int b)
 {
     w->rigid.is_awake[b] = true;
     w->rigid.has_noticed = true;
+    for (int k = w->body[b].next; k > 0; k = w->body[k - 1].next)
+        w->rigid.is_awake[k - 1] = true;
 }
 
 void world_wake(world *w, int b)
@@ -523,7 +525,7 @@ static void start_body(world *w, int b)
     t->now[b] = (solver_body){ .radius = -1 };
     t->ball[b] = (sphere){ { 0, 0, 0 }, -1 };
     int family = t->body[b].family;
-    t->body[b] = (cache_body){ NULL, NULL, 0, family };
+    t->body[b] = (cache_body){ NULL, NULL, 0, family, 0 };
     t->ahead[b] = (prediction){ .reach = 0 };
     t->reach[b] = 0;
     t->moves[b] = t->dynamic[b] = 0;
@@ -536,8 +538,8 @@ static void start_body(world *w, int b)
     world_notice(w, b);
     w->is_still = t->is_weighed = false;
     if (body_is_soft(x)) return;
-    t->dynamic[b] = !body_is_static(x);
-    t->body[b] = (cache_body){ x->shape, x->rigid, x->inner, family };
+    t->dynamic[b] = !body_is_fixed(x);
+    t->body[b] = (cache_body){ x->shape, x->rigid, x->inner, family, x->rides };
     t->now[b].frame = rigid4_frame(w->pool.at + x->first);
     t->asked[b] = t->began[b] = t->now[b].frame;
     t->now[b].radius = SWELLS * x->rigid->reach;
@@ -554,6 +556,7 @@ void world_place(world *w, int b, const placement *where)
         if (!(p->inverse_mass > 0)) p->previous = p->position;
     }
     start_body(w, b);
+    for (int k = x->next; k > 0; k = w->body[k - 1].next) world_renew(w, k - 1);
 }
 
 void world_weigh(world *w)
@@ -603,17 +606,24 @@ static int find_part_place(world *w)
     return *b;
 }
 
+// And for a piece: the first that has none.
+static int find_piece_place(const world *w)
+{
+    for (int b = 0; b < w->bodies && w->gone > 0; b++)
+        if (body_is_gone(&w->body[b]) && w->body[b].room == 0) return b;
+    return w->bodies;
+}
+
 static body body_of(const world *w, int entry, const placement *where)
 {
     const shape_entry *e = &w->shape[entry];
     const shape *s = e->shape;
     body b = { .shape = s, .rigid = e->rigid, .line = e->line,
                .entry = entry, .inner = e->inner, .mass = HUGE_VAL,
+               .round = s->round, .is_weighed = s->own.mass > 0,
                .thickness = particle_radius(s),
                .group = 1, .mask = ~0u };
-    real mass = 0;
-    for (int i = 0; i < s->particles; i++) mass += s->mass[i];
-    if (!where->is_static) b.mass = mass;
+    if (!where->is_static) b.mass = rigid4_mass(s);
     b.taut = world_taut(w, &b);
     return b;
 }
@@ -621,7 +631,7 @@ static body body_of(const world *w, int entry, const placement *where)
 // Body x takes the place b.
 static status take_place(world *w, int b, body x)
 {
-    int n = body_particles(&x);
+    int n = body_rides(&x) ? 0 : body_particles(&x);
     bool is_new = b == w->bodies;
     status done = make_room(w, w->bodies + is_new,
                             w->pool.count + (is_new ? n : 0));
@@ -629,11 +639,31 @@ static status take_place(world *w, int b, body x)
     body was = w->body[b];
     x.first = is_new ? w->pool.count : was.first;
     x.room = is_new ? n : was.room;
+    if (body_rides(&x)) x.first = w->body[x.rides - 1].first;
     w->body[b] = x;
     done = cache_add(&w->rigid.cache, b, x.rigid ? x.shape->particles : 0);
     if (done.ok) done = soft_add(&w->soft, w->body, b, w->bodies + is_new,
                                  w->pool.capacity);
     w->body[b] = done.ok || is_new ? x : was;
+    return done;
+}
+
+// Body x, of a shape that was entered, comes at place b.
+static status enter_body(world *w, body x, int b)
+{
+    status done = take_place(w, b, x);
+    if (!done.ok) {
+        if (w->shape[x.entry].bodies == 0) free_shape(&w->shape[x.entry]);
+        return done;
+    }
+    if (b < w->bodies) w->gone--;
+    else               w->bodies++;
+    w->shape[x.entry].bodies++;
+    w->rigid.material[b] = material_of(w);
+    w->rigid.body[b].family = 0;
+    w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
+    w->softs += body_is_soft(&x);
+    w->dynamic_bodies += !body_is_static(&x);
     return done;
 }
 
@@ -648,14 +678,8 @@ static status add_body(world *w, const shape *s, placement where, bool is_part,
     body x = body_of(w, entry, &where);
     int n = body_particles(&x);
     int b = is_part ? find_part_place(w) : find_place(w, n);
-    done = take_place(w, b, x);
-    if (!done.ok) {
-        if (w->shape[entry].bodies == 0) free_shape(&w->shape[entry]);
-        return done;
-    }
-    if (b < w->bodies) w->gone--;
-    else               w->bodies++;
-    w->shape[entry].bodies++;
+    done = enter_body(w, x, b);
+    if (!done.ok) return done;
     while (w->pool.count < w->body[b].first + n)
         pool_add(&w->pool, (particle){ .inverse_mass = 0 });
     place_particles(w, &w->body[b], &where);
@@ -663,11 +687,6 @@ static status add_body(world *w, const shape *s, placement where, bool is_part,
         w->inverse_mass[i] = w->pool.at[i].inverse_mass;
         w->owner[i] = b;
     }
-    w->rigid.material[b] = material_of(w);
-    w->rigid.body[b].family = 0;
-    w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
-    w->softs += body_is_soft(&x);
-    w->dynamic_bodies += !body_is_static(&x);
     start_body(w, b);
     *number = b;
     return status_ok();
@@ -698,6 +717,35 @@ status world_add_part(world *w, const shape *s, vec3 x, int of, int *number)
 }
 //<
 
+//> world-add-piece
+//>   A body of several pieces is a body of the first, on whose four particles the
+//>   others ride.
+status world_add_piece(world *w, const shape *s, int of, int *number)
+{
+    assert(of >= 0 && of < w->bodies && body_is_dynamic(&w->body[of]));
+    placement where = placement_at(w->rigid.now[of].frame.center);
+    where.is_static = true;
+    int entry = 0;
+    status done = enter_shape(w, s, true, &entry);
+    if (!done.ok) return done;
+    body x = body_of(w, entry, &where), *whole = &w->body[of];
+    int b = find_piece_place(w), next = whole->next;
+    x.rides = of + 1;
+    x.round = 0;
+    x.next = next;
+    done = enter_body(w, x, b);
+    if (!done.ok) return done;
+    whole = &w->body[of];
+    whole->rides = of + 1;
+    whole->round = 0;
+    whole->next = b + 1;
+    w->is_choosy = w->has_pieces = true;
+    start_body(w, b);
+    *number = b;
+    return done;
+}
+//<
+
 //> world-remove
 //>   A body goes, and all that names it.
 const shape WORLD_NOTHING = { .kind = SHAPE_ROPE };
@@ -722,10 +770,18 @@ static void leave_joints(world *w, int b)
     linkage_untie_body(&w->joints, b);
 }
 
+static void leave_whole(world *w, int b)
+{
+    int *k = &w->body[w->body[b].rides - 1].next;
+    while (*k > 0 && *k != b + 1) k = &w->body[*k - 1].next;
+    *k = w->body[b].next;
+}
+
 // Its place is free now.
 static void leave(world *w, int b)
 {
     body x = w->body[b];
+    if (body_rides(&x)) leave_whole(w, b);
     soft_remove(&w->soft, w->body, b, w->bodies);
     leave_shape(w, x.entry);
     w->softs -= body_is_soft(&x);

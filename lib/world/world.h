@@ -265,6 +265,7 @@ typedef struct world {
     int  dynamic_bodies;    // neither static nor kinematic
     int  kinematic_bodies;
     bool is_choosy;         // some bodies do not meet all others
+    bool has_pieces;        // some bodies have had several
     bool has_substeps;      // options said how many
     rigid_tables rigid;
     linkage      joints;
@@ -313,6 +314,11 @@ void   world_remove(world *w, int b);
 status world_add_part(world *w, const shape *s, vec3 x, int of, int *number);
 // Removes n of them.
 void   world_remove_parts(world *w, const int *part, int n);
+
+// Adds a piece of shape s to body `of`, which is dynamic: it has that one's
+// frame, moves with it, and is removed before it.  Both shapes have one weight, and
+// no other body has either.  Fails, adding nothing, for want of memory.
+status world_add_piece(world *w, const shape *s, int of, int *number);
 
 // The shape of such a place.
 extern const shape WORLD_NOTHING;

@@ -97,7 +97,7 @@ static int add(int k, vec3 at, real reach)
 {
     int b = bodies++;
     ck_assert_int_lt(b, BODIES);
-    body[b] = (cache_body){ &kind[k], &rigid[k], shape_inner(&kind[k]), 0 };
+    body[b] = (cache_body){ &kind[k], &rigid[k], shape_inner(&kind[k]), 0, 0 };
     now[b] = (solver_body){ .radius = rigid[k].reach };
     stand(b, at);
     ahead[b] = (prediction){ .turn = reach, .reach = reach };

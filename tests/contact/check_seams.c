@@ -47,7 +47,7 @@ static int add(bool is_tile, vec3 at)
     const shape *s = is_tile ? &tile : &cube;
     particle p[FOUR];
     for (int k = 0; k < FOUR; k++) p[k].position = vec3_add(at, r->at[k]);
-    body[b] = (cache_body){ s, r, shape_inner(s), 0 };
+    body[b] = (cache_body){ s, r, shape_inner(s), 0, 0 };
     placed[b] = rigid4_frame(p);
     now[b] = (solver_body){ .radius = r->reach, .frame = placed[b] };
     ahead[b] = (prediction){ .reach = is_tile ? 0 : 0.02 };
@@ -102,7 +102,8 @@ static contact *found(int b, vec3 n, int count, const int *va, const int *vb)
     key[k][0] = A, key[k][1] = b;
     pair[k] = (cache_pair){ .entry = k, .seen = { 1, 1 }, .is_asked = true,
                             .is_active = true, .count = (signed char)count };
-    *c = (contact){ .a = A, .b = b, .count = count, .normal = n };
+    *c = (contact){ .a = A, .b = b, .piece_a = A, .piece_b = b, .count = count,
+                    .normal = n };
     for (int i = 0; i < count; i++) c->point[i] = touch_of(A, va[i], b, vb[i]);
     return c;
 }
@@ -280,7 +281,8 @@ START_TEST(side_behind_a_plane_is_met_from_above)
     int next = add(true, vec3_make(1.5, -0.5, 0));
     ground = (plane){ UP, 0 };
     contact *c = found_ahead(next), *on = &entry[PAIRS].contact;
-    *on = (contact){ .a = A, .b = contact_with_plane(0), .count = 1,
+    *on = (contact){ .a = A, .b = contact_with_plane(0), .piece_a = A,
+                     .piece_b = contact_with_plane(0), .count = 1,
                      .normal = UP };
     wall[0] = (cache_pair){ .entry = PAIRS, .is_asked = true, .count = 1 };
     wall_key[0][0] = A, wall_key[0][1] = 0;

@@ -240,10 +240,36 @@ static void make_slope(tumble_world *w)
     }
 }
 
+// Bodies that are not evenly filled: balls, capsules and boxes that rock; and
+// bodies of two and three pieces, of which one has gone.
+static void make_weighed(tumble_world *w)
+{
+    const double inertia[6] = { 0.2, 0.3, 0.25, 0.02, -0.01, 0.03 };
+    add_walls(w, 2);
+    for (int k = 0; k < 12; k++) {
+        tumble_shape s = tumble_weigh(w, any_solid(w, k % 4), 2,
+                                      tumble_v(0, -0.2, 0.1), inertia);
+        tumble_body_options o = tumble_at(k % 3 - 1.2, 1 + k / 9 * 1.3,
+                                          k / 3 % 3 - 1.1);
+        o.spin = any_vec3(5);
+        tumble_add(w, s, o);
+    }
+    tumble_shape piece[3] = { any_solid(w, 0), any_solid(w, 2), any_solid(w, 3) };
+    tumble_pose pose[3] = { { { 0, 0, 0 }, { 0, 0, 0, 1 } },
+                            { { 0.7, 0.1, 0 }, { 0, 0, 0, 1 } },
+                            { { 0, -0.2, 0.6 }, { 0.6, 0, 0, 0.8 } } };
+    for (int k = 0; k < 6; k++) {
+        tumble_body_options o = tumble_at(k % 3 - 1, 4 + k / 3 * 1.5, 0);
+        o.spin = any_vec3(3);
+        tumble_body b = tumble_add_compound(w, piece, pose, 2 + k % 2, o);
+        if (k == 2) tumble_remove(w, b);
+    }
+}
+
 typedef void making(tumble_world *w);
 static making *const MAKE[] = { make_room, make_pile, make_cloth, make_joints,
                                 make_driven, make_hard, make_spinning,
-                                make_slope, make_spread };
+                                make_slope, make_weighed, make_spread };
 enum { ALL_WORLDS = sizeof MAKE / sizeof *MAKE, WORLDS = ALL_WORLDS - 1 };
 
 static tumble_world *world_of(int which, double restitution)

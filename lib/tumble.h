@@ -326,6 +326,19 @@ bool tumble_set_damping(tumble_world *w, tumble_body b, double damping,
 bool tumble_set_filter(tumble_world *w, tumble_body b, unsigned group,
                        unsigned mask);
 bool tumble_set_user(tumble_world *w, tumble_body b, void *user);
+
+// Many bodies at once: what tumble_get_pose, or tumble_velocity and tumble_spin,
+// say of b[0] to b[n - 1], in that order; zeros of one that is not there.
+void tumble_get_poses(const tumble_world *w, const tumble_body *b, int n,
+                      tumble_pose *out);
+void tumble_get_velocities(const tumble_world *w, const tumble_body *b, int n,
+                           tumble_vec3 *velocity, tumble_vec3 *spin);
+
+// Those that the last step moved, or may have moved, by an amount however small:
+// writes `most` of them, and returns how many there are.  All others stand where
+// they stood before it, to the bit, unless the program has put them elsewhere.  Of
+// a world that was loaded: none, until its first step.
+int tumble_moved(const tumble_world *w, tumble_body *out, int most);
 //<
 
 //> tumble-vertices

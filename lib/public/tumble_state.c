@@ -59,6 +59,47 @@ bool tumble_set_user(tumble_world *w, tumble_body b, void *user)
 }
 //<
 
+//> face-bulk
+//>   A game draws all of them in every frame, so it may ask for all at once, or
+//>   only for those that moved. The engine has a list of those that are awake.
+void tumble_get_poses(const tumble_world *w, const tumble_body *b, int n,
+                      tumble_pose *out)
+{
+    for (int k = 0; k < n; k++) out[k] = tumble_get_pose(w, b[k]);
+}
+
+void tumble_get_velocities(const tumble_world *w, const tumble_body *b, int n,
+                           tumble_vec3 *velocity, tumble_vec3 *spin)
+{
+    for (int k = 0; k < n; k++) {
+        placement p = where_is(w, b[k]);
+        if (velocity) velocity[k] = to_user(p.velocity);
+        if (spin)     spin[k] = to_user(p.spin);
+    }
+}
+
+// Is body b of the engine there, and the first piece of its own?
+static bool is_first(const tumble_world *w, int b)
+{
+    if (body_is_gone(&w->world.body[b]) || inside_mesh(w, b)) return false;
+    const body_place *x = slots_at(&w->bodies, w->owner[b]);
+    return x->piece[0].number == b;
+}
+
+int tumble_moved(const tumble_world *w, tumble_body *out, int most)
+{
+    int n = 0;
+    if (!w || w->world.report.substeps == 0) return 0;
+    const rigid_tables *t = &w->world.rigid;
+    for (int k = 0; k < t->awakes; k++) {
+        if (!is_first(w, t->awake[k])) continue;
+        if (out && n < most) out[n] = inside_owner(w, t->awake[k]);
+        n++;
+    }
+    return n;
+}
+//<
+
 //> face-touch
 //>   Pushing looks at its numbers first. An impulse that would give a body a
 //>   speed beyond counting is refused, because one such body can spoil a world.

@@ -377,7 +377,8 @@ bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance);
 //>   function of its own, because each needs other arguments.
 // --- Joints ------------------------------------------------------------------
 // Between two rigid bodies, or a body and the world, which is the id
-// tumble_ground().  Bodies that are joined do not collide with each other.
+// tumble_ground().  Bodies that are joined do not collide with each other,
+// unless tumble_set_touching says so.
 // Points and axes are where they are in the world when the joint is made.
 tumble_body tumble_ground(void);
 
@@ -466,6 +467,12 @@ double tumble_joint_drive(const tumble_world *w, tumble_joint j);
 double tumble_joint_gap(const tumble_world *w, tumble_joint j);
 double tumble_joint_force(const tumble_world *w, tumble_joint j);
 double tumble_hinge_angle(const tumble_world *w, tumble_joint j);
+
+// May the two bodies of a joint push each other, as if they were not joined?  A new
+// joint says no, and of several between two bodies one that says no is enough.
+// Begin where they do not overlap.
+bool tumble_set_touching(tumble_world *w, tumble_joint j, bool may_touch);
+bool tumble_may_touch(const tumble_world *w, tumble_joint j);
 //<
 
 //> tumble-ask

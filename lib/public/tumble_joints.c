@@ -180,6 +180,17 @@ bool tumble_set_servo(tumble_world *w, tumble_joint j, double place,
                                             stiffness, damping, force));
 }
 
+bool tumble_set_touching(tumble_world *w, tumble_joint j, bool may_touch)
+{
+    const joint_place *x = inside_joint(w, j);
+    if (!x) return false;
+    if (w->world.joints.joint[x->number].kind == JOINT_PIN)
+        return inside_fail(w, "joint %u hangs a rope or a cloth on a body, which "
+                           "the vertices beside it would push", j.place);
+    world_touch_joint(&w->world, x->number, may_touch);
+    return true;
+}
+
 bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)
 {
     const joint_place *x = inside_joint(w, j);
@@ -248,6 +259,12 @@ double tumble_joint_drive(const tumble_world *w, tumble_joint j)
 {
     const joint_place *x = look(w, j);
     return x ? world_joint_drive(&w->world, x->number) : 0;
+}
+
+bool tumble_may_touch(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x && w->world.joints.joint[x->number].may_touch;
 }
 
 double tumble_hinge_angle(const tumble_world *w, tumble_joint j)

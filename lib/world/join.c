@@ -77,6 +77,13 @@ void world_unjoin(world *w, int number)
     linkage_remove(&w->joints, number);
 }
 
+void world_touch_joint(world *w, int number, bool may_touch)
+{
+    joint *j = joint_at(w, number);
+    j->may_touch = may_touch;
+    wake_both(w, j);
+}
+
 status world_limit_joint(world *w, int number, real least, real most)
 {
     const real turn = 3.141592653589794;    // pi, rounded up

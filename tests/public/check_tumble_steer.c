@@ -184,11 +184,60 @@ START_TEST(what_is_not_said_to_have_moved_has_not)
 }
 END_TEST
 
+// --- Joined bodies that meet ---------------------------------------------------
+// A door before a wall, hinged a tenth of a metre away from its own side and from
+// the wall's.  When it has swung down it leans on the wall with its lower corner,
+// as far behind the hinge's line as it was before it: so it has turned by a
+// quarter, and twice the angle under which the hinge sees that tenth.
+static double place_after(bool asked, bool given_back, tumble_world **left)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body_options o = tumble_at(0, -1, 0);
+    o.kind = TUMBLE_STATIC;
+    tumble_body wall = tumble_add(w, tumble_box(w, tumble_v(1, 3, 1), 1), o);
+    tumble_body door = add_box(w, 1.2, 1.2, 0);
+    tumble_joint j = tumble_hinge(w, wall, door, tumble_v(0.6, 0.6, 0),
+                                  tumble_v(0, 0, 1));
+    ck_assert(!tumble_may_touch(w, j));
+    if (asked) ck_assert(tumble_set_touching(w, j, true));
+    ck_assert_int_eq(tumble_may_touch(w, j), asked);
+    tumble_push(w, door, tumble_v(0.5, 0, 0), tumble_v(1.2, 1.7, 0));
+    run(w, 1);
+    if (given_back) ck_assert(tumble_set_touching(w, j, false));
+    double least = 0;
+    for (int k = 0; k < 240; k++) {
+        tumble_step(w);
+        double place = tumble_joint_place(w, j);
+        least = place < least ? place : least;
+    }
+    expect_fine(w);
+    *left = w;
+    return least;
+}
+
+START_TEST(a_door_stops_at_its_wall_if_it_may_touch_it)
+{
+    const double tenth = asin(0.1 / sqrt(1.22)), quarter = acos(0);
+    tumble_world *w;
+    near(place_after(true, false, &w), -quarter - 2 * tenth, 2e-3);
+    goes_on_alike(w, 30);
+    tumble_free(w);
+    ck_assert(place_after(false, false, &w) < -2.2);
+    tumble_free(w);
+    ck_assert(place_after(true, true, &w) < -2.2);
+    ck_assert(!tumble_set_touching(w, (tumble_joint){ 9, 1 }, true));
+    expect_failure(w, "joint 9 is gone");
+    ck_assert(!tumble_may_touch(w, (tumble_joint){ 9, 1 }));
+    tumble_free(w);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
         many_poses_are_those_of_each,
         what_is_not_said_to_have_moved_has_not,
+        a_door_stops_at_its_wall_if_it_may_touch_it,
         NULL
     };
     return suite_run((suite){ .name = "steer", .tests = tests, .seconds = 60 });

@@ -23,6 +23,7 @@
 #include <stddef.h>
 
 #define TUMBLE_VERSION "2.0.0"
+#define TUMBLE_VERSION_NUMBER 20000     // 10000 major + 100 minor + patch
 
 #ifdef __cplusplus
 extern "C" {
@@ -67,6 +68,19 @@ void tumble_matrix(tumble_quat q, double m[9]);
 
 // The rotation that has this matrix.
 tumble_quat tumble_from_matrix(const double m[9]);
+
+// A vector, turned by q: as the axes of the shape have it -> as the world does.
+tumble_vec3 tumble_rotate(tumble_quat q, tumble_vec3 v);
+
+// A point as a body at this pose has it (m, from its centre of mass, along the axes
+// of its shape) -> as the world does, and back.
+tumble_vec3 tumble_to_world(tumble_pose at, tumble_vec3 local);
+tumble_vec3 tumble_to_local(tumble_pose at, tumble_vec3 point);
+
+// TUMBLE_VERSION and TUMBLE_VERSION_NUMBER of the library that runs, which may be
+// another one than this header's.
+const char *tumble_version(void);
+int tumble_version_number(void);
 //<
 
 //> tumble-world
@@ -182,6 +196,10 @@ void tumble_run_on(tumble_world *w,
                                void (*work)(void *data, int item), void *data,
                                int items),
                    void *context);
+
+// The options of a world as they are now: substeps as they were chosen, gravity as
+// it was set last.  NULL has those that tumble_make(NULL) takes.
+tumble_options tumble_get_world_options(const tumble_world *w);
 //<
 
 //> tumble-shapes
@@ -339,6 +357,18 @@ void tumble_get_velocities(const tumble_world *w, const tumble_body *b, int n,
 // they stood before it, to the bit, unless the program has put them elsewhere.  Of
 // a world that was loaded: none, until its first step.
 int tumble_moved(const tumble_world *w, tumble_body *out, int most);
+
+// All that was set, as it is now: with these options tumble_add makes another body
+// of this kind there.  Of one that is not there: zeros, which tumble_add refuses.
+tumble_body_options tumble_get_options(const tumble_world *w, tumble_body b);
+
+// The shape that it was made of: of several pieces, the first; of a surface, zeros.
+tumble_shape tumble_shape_of(const tumble_world *w, tumble_body b);
+
+// A force (N) at a point of the world, as it is now, in the next step; with
+// tumble_force it adds up.
+bool tumble_force_at(tumble_world *w, tumble_body b, tumble_vec3 force,
+                     tumble_vec3 at);
 //<
 
 //> tumble-vertices
@@ -473,6 +503,12 @@ double tumble_hinge_angle(const tumble_world *w, tumble_joint j);
 // Begin where they do not overlap.
 bool tumble_set_touching(tumble_world *w, tumble_joint j, bool may_touch);
 bool tumble_may_touch(const tumble_world *w, tumble_joint j);
+
+// All joints: writes `most` of them, and returns how many there are.
+int tumble_joints(const tumble_world *w, tumble_joint *out, int most);
+
+// Which bodies it joins: side 0 is a, and side 1 is b; of one that is gone, zeros.
+tumble_body tumble_joint_body(const tumble_world *w, tumble_joint j, int side);
 //<
 
 //> tumble-ask

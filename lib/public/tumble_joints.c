@@ -219,6 +219,27 @@ bool tumble_is_joined(const tumble_world *w, tumble_joint j)
     return look(w, j) != NULL;
 }
 
+int tumble_joints(const tumble_world *w, tumble_joint *out, int most)
+{
+    int n = 0;
+    for (int k = 0; w && k < w->joints.count; k++) {
+        if (!slots_is_taken(&w->joints, k)) continue;
+        if (out && n < most)
+            out[n] = (tumble_joint){ (unsigned)k,
+                                     slots_generation(&w->joints, k) };
+        n++;
+    }
+    return n;
+}
+
+tumble_body tumble_joint_body(const tumble_world *w, tumble_joint j, int side)
+{
+    const joint_place *x = look(w, j);
+    if (!x || side < 0 || side > 1) return (tumble_body){ 0, 0 };
+    const joint *held = &w->world.joints.joint[x->number];
+    return inside_owner(w, side == 0 ? held->a : held->b);
+}
+
 double tumble_joint_force(const tumble_world *w, tumble_joint j)
 {
     const joint_place *x = look(w, j);

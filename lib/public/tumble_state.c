@@ -59,6 +59,34 @@ bool tumble_set_user(tumble_world *w, tumble_body b, void *user)
 }
 //<
 
+//> face-options
+//>   What was set can be asked for: the options with which another such body would
+//>   be added.
+tumble_body_options tumble_get_options(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    if (!x) return (tumble_body_options){ .group = 0 };
+    int number = x->piece[0].number;
+    const body *all = &w->world.body[number];
+    material m = w->world.rigid.material[number];
+    placement p = where_is(w, b);
+    return (tumble_body_options){
+        .kind = x->kind, .pose = tumble_get_pose(w, b),
+        .velocity = to_user(p.velocity), .spin = to_user(p.spin),
+        .friction = m.friction, .restitution = m.restitution,
+        .damping = all->damping, .spin_damping = all->spin_damping,
+        .group = all->group, .mask = all->mask, .user = x->user };
+}
+
+tumble_shape tumble_shape_of(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    if (!x || x->mesh) return (tumble_shape){ 0, 0 };
+    int k = x->piece[0].shape;
+    return (tumble_shape){ (unsigned)k, slots_generation(&w->shapes, k) };
+}
+//<
+
 //> face-bulk
 //>   A game draws all of them in every frame, so it may ask for all at once, or
 //>   only for those that moved. The engine has a list of those that are awake.
@@ -182,6 +210,20 @@ bool tumble_force(tumble_world *w, tumble_body b, tumble_vec3 force,
     int number = find_dynamic(w, b, force, torque);
     if (number < 0 || !is_bearable(w, number, force)) return false;
     world_force(&w->world, number, from_user(force), from_user(torque));
+    return true;
+}
+//<
+
+//> face-force-at
+//>   A force at a point is that force at the centre, and a torque.
+bool tumble_force_at(tumble_world *w, tumble_body b, tumble_vec3 force,
+                     tumble_vec3 at)
+{
+    int number = find_dynamic(w, b, force, at);
+    if (number < 0 || !is_bearable(w, number, force)) return false;
+    vec3 f = from_user(force);
+    vec3 arm = vec3_sub(from_user(at), inside_frame(w, number).center);
+    world_force(&w->world, number, f, vec3_cross(arm, f));
     return true;
 }
 //<

@@ -872,6 +872,12 @@ START_TEST(a_question_about_no_world_has_the_answer_zero)
     ck_assert_ptr_null(tumble_load(NULL, 0));
     tumble_forget_failure(NULL);
     NOTHING(tumble_has(NONE, b));
+    NOTHING(tumble_moved(NONE, NULL, 0));
+    NOTHING(tumble_get_options(NONE, b).group);
+    NOTHING(tumble_shape_of(NONE, b).generation);
+    NOTHING(tumble_joints(NONE, NULL, 0));
+    NOTHING(tumble_joint_body(NONE, j, 0).generation);
+    NOTHING(tumble_may_touch(NONE, j));
     NOTHING(tumble_bodies(NONE, NULL, 0));
     NOTHING(tumble_get_pose(NONE, b).rotation.w != 0);
     NOTHING(!is_zero(tumble_position(NONE, b)));

@@ -7,6 +7,7 @@
 
 #include <check.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -232,12 +233,166 @@ START_TEST(a_door_stops_at_its_wall_if_it_may_touch_it)
 }
 END_TEST
 
+// --- What is set is told -------------------------------------------------------
+START_TEST(a_body_made_of_anothers_options_is_its_twin)
+{
+    tumble_world *w = weightless(), *other = weightless();
+    int mine = 7;
+    tumble_body_options o = tumble_at(1, 2, 3);
+    o.pose.rotation = tumble_turn(tumble_v(1, 2, 3), 0.7);
+    o.velocity = tumble_v(0.1, 0.2, 0.3);
+    o.spin = tumble_v(-1, 0.5, 0.25);
+    o.friction = 0.3;
+    o.restitution = 0.4;
+    o.damping = 0.01;
+    o.spin_damping = 0.02;
+    o.group = 6;
+    o.mask = 9;
+    o.user = &mine;
+    tumble_shape s = tumble_box(w, tumble_v(1, 2, 3), 4);
+    tumble_body b = tumble_add(w, s, o);
+    tumble_body_options got = tumble_get_options(w, b);
+    ck_assert_int_eq(got.kind, TUMBLE_DYNAMIC);
+    near_vec3(got.pose.position, 1, 2, 3, fine);
+    near(got.pose.rotation.w, o.pose.rotation.w, fine);
+    near_vec3(got.velocity, 0.1, 0.2, 0.3, fine);
+    near_vec3(got.spin, -1, 0.5, 0.25, fine);
+    ck_assert(got.friction == 0.3 && got.restitution == 0.4);
+    ck_assert(got.damping == 0.01 && got.spin_damping == 0.02);
+    ck_assert(got.group == 6 && got.mask == 9 && got.user == &mine);
+    tumble_shape of = tumble_shape_of(w, b);
+    ck_assert(of.place == s.place && of.generation == s.generation);
+    tumble_body twin = tumble_add(other, tumble_box(other, tumble_v(1, 2, 3), 4),
+                                  got);
+    run(w, 1);
+    run(other, 1);
+    tumble_vec3 x = tumble_vertex(w, b, 3), y = tumble_vertex(other, twin, 3);
+    near_vec3(y, x.x, x.y, x.z, 1e-12);
+    tumble_set_material(w, b, 0.6, 0.1);
+    tumble_set_damping(w, b, 1, 2);
+    tumble_set_filter(w, b, 2, 5);
+    got = tumble_get_options(w, b);
+    ck_assert(got.friction == 0.6 && got.restitution == 0.1);
+    ck_assert(got.damping == 1 && got.spin_damping == 2);
+    ck_assert(got.group == 2 && got.mask == 5);
+    tumble_remove(w, b);
+    expect_fine(w);
+    ck_assert_uint_eq(tumble_shape_of(w, b).generation, 0);
+    tumble_add(w, s, tumble_get_options(w, b));
+    expect_failure(w, "group 0");
+    tumble_free(w);
+    tumble_free(other);
+}
+END_TEST
+
+START_TEST(a_world_tells_its_options)
+{
+    tumble_options o = tumble_options_default();
+    o.dt = 0.01;
+    o.substeps = 7;
+    o.friction = 0.2;
+    tumble_world *w = tumble_make(&o);
+    tumble_set_gravity(w, tumble_v(0, 0, -2));
+    tumble_options got = tumble_get_world_options(w);
+    ck_assert(got.dt == 0.01 && got.substeps == 7 && got.friction == 0.2);
+    ck_assert(got.gravity.z == -2 && got.gravity.y == 0 && !got.run);
+    ck_assert(tumble_get_world_options(NULL).dt == tumble_options_default().dt);
+    tumble_free(w);
+    tumble_options none = { 0 };
+    ck_assert_ptr_null(tumble_make(&none));
+    expect_failure(NULL, "dt is 0");
+}
+END_TEST
+
+START_TEST(joints_are_listed_with_what_they_join)
+{
+    tumble_world *w = weightless();
+    tumble_body a = add_box(w, 0, 0, 0), b = add_box(w, 3, 0, 0);
+    tumble_joint j[2], got[2];
+    j[0] = tumble_ball(w, a, b, tumble_v(1.5, 0, 0));
+    j[1] = tumble_fix(w, b, tumble_ground(), tumble_v(3, 0, 0));
+    ck_assert_int_eq(tumble_joints(w, got, 2), 2);
+    for (int k = 0; k < 2; k++)
+        ck_assert(got[k].place == j[k].place
+                  && got[k].generation == j[k].generation);
+    ck_assert(is_same(tumble_joint_body(w, j[0], 0), a));
+    ck_assert(is_same(tumble_joint_body(w, j[0], 1), b));
+    ck_assert(is_same(tumble_joint_body(w, j[1], 1), tumble_ground()));
+    tumble_unjoin(w, j[0]);
+    ck_assert_int_eq(tumble_joints(w, NULL, 0), 1);
+    ck_assert_uint_eq(tumble_joint_body(w, j[0], 0).generation, 0);
+    ck_assert_uint_eq(tumble_joint_body(w, j[1], 2).generation, 0);
+    tumble_free(w);
+}
+END_TEST
+
+// A point on a body goes with it, and comes back as the same point.
+START_TEST(a_point_of_a_body_is_where_the_body_is)
+{
+    tumble_world *w = weightless();
+    tumble_body b = add_box(w, 1, 2, 3);
+    const tumble_vec3 corner = tumble_v(0.5, -0.5, 0.5);
+    tumble_set_velocity(w, b, tumble_v(1, 0, 0), tumble_v(0.3, 2, -1));
+    run(w, 1);
+    tumble_pose p = tumble_get_pose(w, b);
+    tumble_vec3 at = tumble_to_world(p, corner), back = tumble_to_local(p, at);
+    near_vec3(back, 0.5, -0.5, 0.5, fine);
+    tumble_vec3 v = tumble_vertex(w, b, 5);     // bits 0 and 2: +x, +z
+    near_vec3(v, at.x, at.y, at.z, fine);
+    tumble_quat quarter = tumble_turn(tumble_v(0, 0, 2), acos(0));
+    near_vec3(tumble_rotate(quarter, tumble_v(1, 2, 3)), -2, 1, 3, fine);
+    const tumble_pose none = { { 1, 1, 1 }, { 0, 0, 0, 0 } };
+    near_vec3(tumble_to_world(none, corner), 1.5, 0.5, 1.5, fine);
+    tumble_free(w);
+}
+END_TEST
+
+START_TEST(the_version_is_told_as_words_and_as_a_number)
+{
+    int major, minor, patch;
+    ck_assert_str_eq(tumble_version(), TUMBLE_VERSION);
+    ck_assert_int_eq(sscanf(tumble_version(), "%d.%d.%d", &major, &minor,
+                            &patch), 3);
+    ck_assert_int_eq(tumble_version_number(),
+                     10000 * major + 100 * minor + patch);
+    ck_assert_int_eq(tumble_version_number(), TUMBLE_VERSION_NUMBER);
+}
+END_TEST
+
+// A force F beside the centre of a cube of side 1 and mass m: v = F t / m, and its
+// spin is that of the torque r F, with the inertia m / 6.
+START_TEST(a_force_at_a_point_pushes_and_turns)
+{
+    tumble_world *w = weightless();
+    tumble_body b = add_box(w, 4, 0, 0);
+    ck_assert(tumble_force_at(w, b, tumble_v(0, 6, 0), tumble_v(4.3, 0, 0)));
+    ck_assert(tumble_force_at(w, b, tumble_v(0, 6, 0), tumble_v(4.3, 0, 0)));
+    tumble_step(w);
+    near_vec3(tumble_velocity(w, b), 0, 12.0 / 60 / 2, 0, fine);
+    near_vec3(tumble_spin(w, b), 0, 0, 0.3 * 12 / 60 / (2.0 / 6), 1e-6);
+    tumble_step(w);
+    near_vec3(tumble_velocity(w, b), 0, 12.0 / 60 / 2, 0, fine);
+    tumble_body still = add_kind(w, TUMBLE_STATIC, 0, 9, 0);
+    ck_assert(!tumble_force_at(w, still, tumble_v(1, 0, 0), tumble_v(0, 9, 0)));
+    expect_failure(w, "static");
+    ck_assert(!tumble_force_at(w, b, tumble_v(NAN, 0, 0), tumble_v(0, 9, 0)));
+    expect_failure(w, "not finite");
+    tumble_free(w);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
         many_poses_are_those_of_each,
         what_is_not_said_to_have_moved_has_not,
         a_door_stops_at_its_wall_if_it_may_touch_it,
+        a_body_made_of_anothers_options_is_its_twin,
+        a_world_tells_its_options,
+        joints_are_listed_with_what_they_join,
+        a_point_of_a_body_is_where_the_body_is,
+        the_version_is_told_as_words_and_as_a_number,
+        a_force_at_a_point_pushes_and_turns,
         NULL
     };
     return suite_run((suite){ .name = "steer", .tests = tests, .seconds = 60 });

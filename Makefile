@@ -94,6 +94,7 @@ define ORDER
 19/tumble_mesh
 19/tumble_state
 19/tumble_joints
+19/tumble_steer
 19/tumble_ask
 19/tumble_contacts
 19/tumble_draw

@@ -369,6 +369,31 @@ tumble_shape tumble_shape_of(const tumble_world *w, tumble_body b);
 // tumble_force it adds up.
 bool tumble_force_at(tumble_world *w, tumble_body b, tumble_vec3 force,
                      tumble_vec3 at);
+
+// Another kind for a body that is there, rigid and of one piece: it stays where it
+// is.  What becomes dynamic goes on as it went, what becomes kinematic stands until
+// it is given a velocity; its axes are locked no more.  What lay on it, or is joined
+// to it, wakes.
+bool tumble_set_kind(tumble_world *w, tumble_body b, tumble_kind kind);
+
+// So many times the world's gravity acts on a rigid body of one piece, -1000 to 1000;
+// 1: as on all others; 0: none; below: it rises.  It wakes, and keeps its velocity.
+bool tumble_set_gravity_scale(tumble_world *w, tumble_body b, double scale);
+double tumble_gravity_scale(const tumble_world *w, tumble_body b);
+
+// Axes of the world along which a dynamic body does not go, and about which it does
+// not turn, from where it stands now; 0: none are locked.  They hold as a joint to
+// the ground does, against whatever pushes, and from a pose that is set, from there.
+// Of one turn that is locked alone the speed is held, and of two or three the angles.
+enum {
+    TUMBLE_LOCK_X = 1, TUMBLE_LOCK_Y = 2, TUMBLE_LOCK_Z = 4,
+    TUMBLE_LOCK_TURN_X = 8, TUMBLE_LOCK_TURN_Y = 16, TUMBLE_LOCK_TURN_Z = 32,
+    TUMBLE_LOCK_TURNS = 56,     // it stays upright
+    TUMBLE_LOCK_FLAT = 28       // it stays in a plane z = constant, as in a game in
+                                // two dimensions
+};
+bool tumble_set_locked(tumble_world *w, tumble_body b, unsigned axes);
+unsigned tumble_locked(const tumble_world *w, tumble_body b);
 //<
 
 //> tumble-vertices

@@ -56,6 +56,7 @@ typedef struct {
     int  pieces;
     body_mesh *mesh;        // NULL: it has no surface
     tumble_kind kind;
+    int  lock;              // 1 + the engine's number of a joint that locks axes; 0
     void *user;
 } body_place;
 
@@ -139,6 +140,16 @@ bool inside_is_group(tumble_world *w, unsigned group);
 
 // The body with this id, without a failure.
 const body_place *inside_look(const tumble_world *w, tumble_body b);
+
+// The engine's number of a body that can be moved by hand: rigid, of one piece.
+// -1, with a failure, if it is none, or its numbers are not finite.
+int inside_rigid(tumble_world *w, tumble_body b, tumble_vec3 p, tumble_vec3 q);
+
+// Locks those axes of a body, from where it stands; 0: none.  False, with a failure,
+// if memory is refused: none are locked then.
+bool inside_lock(tumble_world *w, body_place *x, unsigned axes);
+// Which are.
+unsigned inside_locked(const tumble_world *w, const body_place *x);
 
 // Where rigid body b of the engine stands; b < 0: the frame of the world.
 rigid_frame inside_frame(const tumble_world *w, int b);

@@ -131,10 +131,7 @@ int tumble_moved(const tumble_world *w, tumble_body *out, int most)
 //> face-touch
 //>   Pushing looks at its numbers first. An impulse that would give a body a
 //>   speed beyond counting is refused, because one such body can spoil a world.
-// The engine's number of a body that can be moved by hand: rigid, of one piece.
-// -1, with a failure, if it is none, or its numbers are not finite.
-static int find_rigid(tumble_world *w, tumble_body b, tumble_vec3 p,
-                      tumble_vec3 q)
+int inside_rigid(tumble_world *w, tumble_body b, tumble_vec3 p, tumble_vec3 q)
 {
     const body_place *x = inside_body(w, b);
     if (!x) return -1;
@@ -158,7 +155,7 @@ static int find_rigid(tumble_world *w, tumble_body b, tumble_vec3 p,
 static int find_dynamic(tumble_world *w, tumble_body b, tumble_vec3 p,
                         tumble_vec3 q)
 {
-    int number = find_rigid(w, b, p, q);
+    int number = inside_rigid(w, b, p, q);
     if (number < 0) return -1;
     const body_place *x = inside_body(w, b);
     if (x->kind == TUMBLE_DYNAMIC) return number;
@@ -169,17 +166,19 @@ static int find_dynamic(tumble_world *w, tumble_body b, tumble_vec3 p,
 
 bool tumble_set_pose(tumble_world *w, tumble_body b, tumble_pose pose)
 {
-    int number = find_rigid(w, b, pose.position, pose.position);
+    int number = inside_rigid(w, b, pose.position, pose.position);
     if (number < 0) return false;
     placement p = world_where(&w->world, number);
     inside_place(&p, pose);
-    return inside_is_ok(w, world_put(&w->world, number, p));
+    if (!inside_is_ok(w, world_put(&w->world, number, p))) return false;
+    body_place *x = inside_body(w, b);
+    return x->lock == 0 || inside_lock(w, x, inside_locked(w, x));
 }
 
 bool tumble_set_velocity(tumble_world *w, tumble_body b, tumble_vec3 velocity,
                          tumble_vec3 spin)
 {
-    int number = find_rigid(w, b, velocity, spin);
+    int number = inside_rigid(w, b, velocity, spin);
     if (number < 0 || !inside_is_speed(w, velocity)
         || !inside_is_speed(w, spin)) return false;
     if (body_is_static(&w->world.body[number]))

@@ -36,6 +36,7 @@ typedef struct body {
     real inner;         // m, the inner radius of a rigid one
     real damping;       // 1/s, the share of its velocity that it loses,
     real spin_damping;  // 1/s, and of its spin, if it is rigid
+    real gravity;       // 1, so many times the world's acts on it, if it is rigid
     bool is_kinematic;  // rigid, and moves as a program says
     bool is_part;       // of something that is larger, see world_add_part
     unsigned group, mask;   // bits: two meet if the mask of each has a bit of

@@ -521,7 +521,7 @@ static void fall(world *w, real h)
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         if (!w->rigid.moves[b]) continue;
-        vec3 g = vec3_scale((w->rigid.age[b] + h) / 2, w->options.gravity);
+        vec3 g = vec3_scale((w->rigid.age[b] + h) / 2, body_gravity(w, b));
         real *u = w->rigid.velocity[b].of;
         u[0] += g.x;
         u[1] += g.y;
@@ -671,6 +671,7 @@ static void observe(world *w)
         if (!body_moves(w, b)) continue;
         real radius = x->rigid ? x->rigid->radius : x->shape->radius;
         rule.h = body_age(w, b);
+        if (w->is_uneven) rule.gravity = vec3_length(body_gravity(w, b));
         sleep_observe(&w->sleep, b, w->pool.at, x->first, body_particles(x),
                       radius, &rule);
     }

@@ -265,6 +265,8 @@ typedef struct world {
     int  dynamic_bodies;    // neither static nor kinematic
     int  kinematic_bodies;
     bool is_choosy;         // some bodies do not meet all others
+    real most_gravity;      // 1, the largest share of the world's gravity that
+    bool is_uneven;         // acts on a body; it is not the same for all
     bool has_substeps;      // options said how many
     rigid_tables rigid;
     linkage      joints;
@@ -366,6 +368,13 @@ static inline real body_age(const world *w, int b)
 static inline real rigid_since(const world *w, int b)
 {
     return w->rigid.held[b] ? 0 : w->rigid.age[b] / 2;
+}
+
+// m/s^2, on rigid body b.
+static inline vec3 body_gravity(const world *w, int b)
+{
+    return w->is_uneven ? vec3_scale(w->body[b].gravity, w->options.gravity)
+                        : w->options.gravity;
 }
 
 // Kinematic, and not at rest.

@@ -1,4 +1,4 @@
-// check_tumble_steer.c - tests of lib/tumble.h: what a program asks of many
+// check_tumble_steering.c - tests of lib/tumble.h: what a program asks of many
 // bodies, and how it steers them.
 
 #include "random.h"
@@ -381,6 +381,289 @@ START_TEST(a_force_at_a_point_pushes_and_turns)
 }
 END_TEST
 
+// --- Kinds -----------------------------------------------------------------------
+// What is let go has been held, and begins to fall half a substep early.
+static const double let_go = 9.81 / 475;
+
+// A box lies on a shelf that falls away from under it: both fall g t^2 / 2.
+START_TEST(a_static_body_that_becomes_dynamic_falls_with_what_lies_on_it)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body shelf = add_kind(w, TUMBLE_STATIC, 0, 0, 0);
+    tumble_body box = add_box(w, 0, 1, 0);
+    run(w, 4);
+    ck_assert(!tumble_is_awake(w, box));
+    double height = tumble_position(w, box).y;
+    ck_assert(tumble_mass(w, shelf) == 0);
+    ck_assert(tumble_set_kind(w, shelf, TUMBLE_DYNAMIC));
+    ck_assert(tumble_mass(w, shelf) == 2);
+    near_vec3(tumble_velocity(w, shelf), 0, 0, 0, fine);
+    run(w, 1);
+    near(tumble_position(w, shelf).y, -9.81 / 2, let_go);
+    near(tumble_position(w, box).y, height - 9.81 / 2, let_go);
+    expect_fine(w);
+    goes_on_alike(w, 30);
+    tumble_free(w);
+}
+END_TEST
+
+// What is made static stops in the air, bears what falls on it, and no push moves it.
+START_TEST(a_body_that_becomes_static_stops_and_bears)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body b = add_box(w, 0, 0, 0), above = add_box(w, 0.3, 1.5, 0);
+    run(w, 0.5);
+    tumble_vec3 at = tumble_position(w, b);
+    near(at.y, -9.81 / 8, 1e-9);
+    ck_assert(tumble_set_kind(w, b, TUMBLE_STATIC));
+    ck_assert(!tumble_push(w, b, tumble_v(1, 0, 0), at));
+    expect_failure(w, "static");
+    run(w, 4);
+    tumble_vec3 still = tumble_position(w, b);
+    ck_assert(memcmp(&at, &still, sizeof at) == 0);
+    near(tumble_position(w, above).y, at.y + 1, 2e-3);
+    goes_on_alike(w, 30);
+    ck_assert(tumble_set_kind(w, b, TUMBLE_DYNAMIC));
+    ck_assert(tumble_push(w, b, tumble_v(2, 0, 0), still));
+    near_vec3(tumble_velocity(w, b), 1, 0, 0, fine);
+    tumble_free(w);
+}
+END_TEST
+
+// A body that moves, made kinematic, stands until it is told to go, and as a dynamic
+// one again it goes on with that.
+START_TEST(a_kind_comes_and_goes_with_its_velocity)
+{
+    tumble_world *w = weightless();
+    tumble_body b = add_box(w, 0, 0, 0);
+    const tumble_vec3 v = tumble_v(3, 0, 0), none = tumble_v(0, 0, 0);
+    tumble_set_velocity(w, b, v, tumble_v(0, 1, 0));
+    ck_assert(tumble_set_kind(w, b, TUMBLE_KINEMATIC));
+    run(w, 0.5);
+    near_vec3(tumble_position(w, b), 0, 0, 0, fine);
+    tumble_set_velocity(w, b, v, none);
+    run(w, 0.5);
+    near_vec3(tumble_position(w, b), 1.5, 0, 0, fine);
+    ck_assert(tumble_set_kind(w, b, TUMBLE_DYNAMIC));
+    near_vec3(tumble_velocity(w, b), 3, 0, 0, fine);
+    run(w, 0.5);
+    near_vec3(tumble_position(w, b), 3, 0, 0, fine);
+    ck_assert(tumble_set_kind(w, b, TUMBLE_KINEMATIC));
+    ck_assert(tumble_set_kind(w, b, TUMBLE_STATIC));
+    ck_assert_int_eq(tumble_get_options(w, b).kind, TUMBLE_STATIC);
+    ck_assert(!tumble_set_kind(w, b, (tumble_kind)3));
+    expect_failure(w, "3 is no kind");
+    tumble_body rope = tumble_add(w, tumble_rope(w, 4, 1, 1), tumble_at(9, 0, 0));
+    ck_assert(!tumble_set_kind(w, rope, TUMBLE_STATIC));
+    expect_failure(w, "rope or a cloth");
+    ck_assert(!tumble_set_kind(w, (tumble_body){ 9, 1 }, TUMBLE_STATIC));
+    expect_failure(w, "gone");
+    tumble_free(w);
+}
+END_TEST
+
+// What hangs on a nail falls when the nail does.
+START_TEST(what_is_joined_to_a_body_of_another_kind_wakes)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body nail = add_kind(w, TUMBLE_STATIC, 0, 0, 0);
+    tumble_body b = add_box(w, 0, -2, 0);
+    tumble_ball(w, nail, b, tumble_v(0, -0.75, 0));
+    run(w, 3);
+    ck_assert(!tumble_is_awake(w, b));
+    double was = tumble_position(w, b).y;
+    ck_assert(tumble_set_kind(w, nail, TUMBLE_DYNAMIC));
+    run(w, 1);
+    near(tumble_position(w, b).y, was - 9.81 / 2, let_go);
+    tumble_free(w);
+}
+END_TEST
+
+// --- Gravity of its own ------------------------------------------------------------
+START_TEST(each_body_falls_as_its_share_of_gravity_says)
+{
+    const double share[] = { 0, 0.5, 1, 2, -1, 40 };
+    enum { N = sizeof share / sizeof *share };
+    tumble_world *w = tumble_make(NULL);
+    tumble_body b[N];
+    for (int k = 0; k < N; k++) {
+        b[k] = add_box(w, 3 * k, 0, 0);
+        ck_assert(tumble_gravity_scale(w, b[k]) == 1);
+        ck_assert(tumble_set_gravity_scale(w, b[k], share[k]));
+        tumble_set_velocity(w, b[k], tumble_v(0, 2, 0), tumble_v(0, 0, 0));
+        near(tumble_velocity(w, b[k]).y, 2, fine);
+    }
+    for (int half = 1; half <= 2; half++) {
+        double t = half / 2.0;
+        run(w, 0.5);
+        for (int k = 0; k < N; k++) {
+            double g = 9.81 * share[k];
+            near(tumble_position(w, b[k]).y, 2 * t - g * t * t / 2, 1e-7);
+            near(tumble_velocity(w, b[k]).y, 2 - g * t, 1e-7);
+            ck_assert(tumble_gravity_scale(w, b[k]) == share[k]);
+        }
+        tumble_world *then = copied(w);
+        goes_on_alike(then, 20);
+        tumble_free(then);
+    }
+    expect_fine(w);
+    tumble_free(w);
+}
+END_TEST
+
+// Changed in flight, it goes on from the velocity that it has: 0.5 s with g, and
+// 0.5 s with g / 4.
+START_TEST(a_change_of_its_gravity_keeps_the_velocity)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body b = add_box(w, 0, 0, 0);
+    run(w, 0.5);
+    ck_assert(tumble_set_gravity_scale(w, b, 0.25));
+    near(tumble_velocity(w, b).y, -9.81 / 2, fine);
+    run(w, 0.5);
+    near(tumble_position(w, b).y, -9.81 * (1.0 / 8 + 1.0 / 4 + 1.0 / 32), fine);
+    tumble_measures m = tumble_measure(w);
+    near(m.momentum.y, 2 * -9.81 * (0.5 + 0.125), 0.03);
+    ck_assert(!tumble_set_gravity_scale(w, b, NAN));
+    expect_failure(w, "nan times");
+    ck_assert(!tumble_set_gravity_scale(w, b, 2000));
+    expect_failure(w, "2000 times");
+    tumble_free(w);
+}
+END_TEST
+
+// With three times the gravity a box presses three times as hard; with none, it does
+// not press, and what is thrown up goes on for ever.
+START_TEST(a_box_presses_with_its_own_gravity)
+{
+    tumble_world *w = with_floor();
+    tumble_body b = add_box(w, 0, 0.5, 0), up = add_box(w, 5, 0.6, 0);
+    tumble_set_gravity_scale(w, b, 3);
+    tumble_set_gravity_scale(w, up, 0);
+    tumble_set_velocity(w, up, tumble_v(0, 10, 0), tumble_v(0, 0, 0));
+    run(w, 2);
+    tumble_contact c[4];
+    ck_assert_int_eq(tumble_contacts(w, c, 4), 1);
+    double sum = 0;
+    for (int k = 0; k < c[0].points; k++) sum += c[0].force[k];
+    near(sum, 3 * 2 * 9.81, 0.05);
+    near(tumble_position(w, up).y, 20.6, 1e-6);
+    tumble_set_gravity_scale(w, b, -1);
+    run(w, 1);
+    near(tumble_position(w, b).y, 0.5 + 9.81 / 2, 1.01 * let_go);
+    tumble_free(w);
+}
+END_TEST
+
+// --- Locked axes -------------------------------------------------------------------
+// Thrown in all directions, it goes along those that are free, as if alone, and stays
+// where it was along the others.
+START_TEST(a_body_goes_along_no_axis_that_is_locked)
+{
+    for (unsigned axes = 1; axes < 8; axes++) {
+        tumble_world *w = tumble_make(NULL);
+        tumble_body b = add_box(w, 1, 2, 3);
+        ck_assert(tumble_set_locked(w, b, axes));
+        ck_assert_uint_eq(tumble_locked(w, b), axes);
+        tumble_set_velocity(w, b, tumble_v(1, 2, 3), tumble_v(0.1, 0.2, 0.3));
+        run(w, 1);
+        near_vec3(tumble_position(w, b), axes & 1 ? 1 : 2,
+                  axes & 2 ? 2 : 4 - 9.81 / 2, axes & 4 ? 3 : 6, 1e-6);
+        near(tumble_spin(w, b).y, 0.2, 1e-6);
+        goes_on_alike(w, 20);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// Struck on a corner, it turns about those that are free only.  One whose moments are
+// alike, of which two turns are locked, turns as the moment about the third says.
+START_TEST(a_body_turns_about_no_axis_that_is_locked)
+{
+    for (unsigned turns = 1; turns < 8; turns++) {
+        tumble_world *w = weightless();
+        tumble_body b = add_box(w, 0, 0, 0);
+        ck_assert(tumble_set_locked(w, b, turns * TUMBLE_LOCK_TURN_X));
+        tumble_push(w, b, tumble_v(0.4, 0.2, -0.6), tumble_v(0.5, 0.5, 0.5));
+        run(w, 1);
+        tumble_vec3 s = tumble_spin(w, b);
+        near_vec3(tumble_velocity(w, b), 0.2, 0.1, -0.3, 1e-6);
+        if (turns & 1) near(s.x, 0, 1e-6);
+        if (turns & 2) near(s.y, 0, 1e-6);
+        if (turns & 4) near(s.z, 0, 1e-6);
+        double moment[3] = { 0.5 * (-0.6 - 0.2), 0.5 * (0.4 + 0.6),
+                             0.5 * (0.2 - 0.4) };
+        if (turns == 6) near(s.x, moment[0] * 3, 1e-4);
+        if (turns == 5) near(s.y, moment[1] * 3, 1e-4);
+        if (turns == 3) near(s.z, moment[2] * 3, 1e-4);
+        if (turns == 7) near(tumble_get_pose(w, b).rotation.w, 1, 1e-9);
+        tumble_free(w);
+    }
+}
+END_TEST
+
+// A tower of ten in a plane falls, and all stay in it, upright to its sides.
+START_TEST(a_game_in_two_dimensions_stays_flat)
+{
+    tumble_world *w = with_floor();
+    tumble_body b[10];
+    for (int k = 0; k < 10; k++) {
+        b[k] = add_box(w, 0.3 * (k % 3), 0.6 + 1.05 * k, 0.02 * k);
+        ck_assert(tumble_set_locked(w, b[k], TUMBLE_LOCK_FLAT));
+    }
+    run(w, 5);
+    for (int k = 0; k < 10; k++) {
+        tumble_pose p = tumble_get_pose(w, b[k]);
+        near(p.position.z, 0.02 * k, 1e-4);
+        near(p.rotation.x, 0, 1e-4);
+        near(p.rotation.y, 0, 1e-4);
+        ck_assert(p.position.y > 0.45);
+    }
+    expect_fine(w);
+    goes_on_alike(w, 30);
+    tumble_free(w);
+}
+END_TEST
+
+// It is held from where it is put, sleeps, and is free again when it is asked.
+START_TEST(a_lock_goes_with_the_pose_that_is_set_and_can_be_taken_off)
+{
+    tumble_world *w = tumble_make(NULL);
+    tumble_body b = add_box(w, 0, 0, 0);
+    ck_assert(tumble_set_locked(w, b, TUMBLE_LOCK_Y | TUMBLE_LOCK_TURNS));
+    ck_assert_int_eq(tumble_joints(w, NULL, 0), 0);
+    tumble_pose p = { { 4, 5, 6 }, { 0, 0, 0, 1 } };
+    p.rotation = tumble_turn(tumble_v(0, 0, 1), 0.5);
+    ck_assert(tumble_set_pose(w, b, p));
+    run(w, 2);
+    near_vec3(tumble_position(w, b), 4, 5, 6, 1e-6);
+    near(tumble_get_pose(w, b).rotation.z, p.rotation.z, 1e-6);
+    ck_assert(!tumble_is_awake(w, b));
+    ck_assert(tumble_set_locked(w, b, 0));
+    ck_assert_uint_eq(tumble_locked(w, b), 0);
+    run(w, 1);
+    near(tumble_position(w, b).y, 5 - 9.81 / 2, let_go);
+    ck_assert(tumble_set_locked(w, b, 1));
+    ck_assert(tumble_set_kind(w, b, TUMBLE_STATIC));
+    ck_assert_uint_eq(tumble_locked(w, b), 0);
+    expect_fine(w);
+    ck_assert(!tumble_set_locked(w, b, 1));
+    expect_failure(w, "not dynamic");
+    ck_assert(!tumble_set_locked(w, b, 64));
+    expect_failure(w, "0x40");
+    ck_assert(tumble_set_kind(w, b, TUMBLE_DYNAMIC));
+    ck_assert(tumble_set_locked(w, b, 1));
+    ck_assert(tumble_remove(w, b));
+    run(w, 0.1);
+    b = add_box(w, 0, 0, 0);
+    ck_assert_uint_eq(tumble_locked(w, b), 0);
+    tumble_push(w, b, tumble_v(2, 0, 0), tumble_v(0, 0, 0));
+    run(w, 1);
+    near(tumble_position(w, b).x, 1, 1e-6);
+    tumble_free(w);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -393,6 +676,17 @@ int main(void)
         a_point_of_a_body_is_where_the_body_is,
         the_version_is_told_as_words_and_as_a_number,
         a_force_at_a_point_pushes_and_turns,
+        a_static_body_that_becomes_dynamic_falls_with_what_lies_on_it,
+        a_body_that_becomes_static_stops_and_bears,
+        a_kind_comes_and_goes_with_its_velocity,
+        what_is_joined_to_a_body_of_another_kind_wakes,
+        each_body_falls_as_its_share_of_gravity_says,
+        a_change_of_its_gravity_keeps_the_velocity,
+        a_box_presses_with_its_own_gravity,
+        a_body_goes_along_no_axis_that_is_locked,
+        a_body_turns_about_no_axis_that_is_locked,
+        a_game_in_two_dimensions_stays_flat,
+        a_lock_goes_with_the_pose_that_is_set_and_can_be_taken_off,
         NULL
     };
     return suite_run((suite){ .name = "steer", .tests = tests, .seconds = 60 });

@@ -593,11 +593,33 @@ int tumble_contacts(const tumble_world *w, tumble_contact *out, int most);
 typedef struct {
     tumble_body a, b;
     bool begins;
+    tumble_vec3 point;      // m, where the pair pushed most, and
+    tumble_vec3 normal;     // unit, from b to a, now, or, if it ends, when it was
+    double force;           // last asked; N, with which all its points pushed; how
+                            // hard a blow was: tumble_impulses.  Of sensors: zeros
 } tumble_event;
 
 // Writes `most` of them, and returns how many there are; those that found no
 // room are lost.
 int tumble_events(tumble_world *w, tumble_event *out, int most);
+
+// A sensor: a static or kinematic body, of one piece or several, that pushes nothing,
+// and that no ray, sweep or other question meets.  It costs nothing until it is asked
+// for what is in it.  That are dynamic and kinematic bodies, rope and cloth whose
+// groups and masks would let the two meet, but no other sensor and no surface.
+bool tumble_set_sensor(tumble_world *w, tumble_body b, bool is_sensor);
+bool tumble_is_sensor(const tumble_world *w, tumble_body b);
+
+// What overlaps a sensor now: writes `most` of them, and returns how many there are;
+// -1 for rope and cloth, of which one vertex with its ball is enough, and all others
+// as they are.  It looks at all bodies.  Of what is no sensor: 0.
+int tumble_sensed(const tumble_world *w, tumble_body sensor, tumble_body *out,
+                  int most);
+
+// Which came into a sensor, or left it, since this was last asked?  a is the sensor;
+// what is gone has left it.  Writes `most` of them, and returns how many there are;
+// those that found no room are lost.
+int tumble_sensor_events(tumble_world *w, tumble_event *out, int most);
 //<
 
 //> tumble-draw

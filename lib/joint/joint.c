@@ -283,14 +283,9 @@ static void errors(const joint *j, const joint_rows *r, const rigid_frame *a,
         e[0] = is_held ? length - j->most : room(j, r, length);
         return;
     }
-    if (j->kind == JOINT_SLIDER) {
-        slider_errors(j, r, a, b, gap, e);
-        return;
-    }
-    if (j->kind == JOINT_LOCK) {
-        lock_errors(j, a, b, gap, e);
-        return;
-    }
+    if (j->kind == JOINT_SLIDER) slider_errors(j, r, a, b, gap, e);
+    if (j->kind == JOINT_LOCK) lock_errors(j, a, b, gap, e);
+    if (j->kind == JOINT_SLIDER || j->kind == JOINT_LOCK) return;
     if (j->kind == JOINT_FIXED) tilt = twist_between(j, a, b);
     if (j->kind == JOINT_HINGE)
         tilt = vec3_cross(direction(b, j->axis_b[0]),

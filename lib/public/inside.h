@@ -56,6 +56,8 @@ typedef struct {
     int  pieces;
     body_mesh *mesh;        // NULL: it has no surface
     tumble_kind kind;
+    bool is_sensor;         // the engine's group and mask of it are 0; its own:
+    unsigned group, mask;
     int  lock;              // 1 + the engine's number of a joint that locks axes; 0
     void *user;
 } body_place;
@@ -81,6 +83,8 @@ struct tumble_world {
     int   most_vertices;    // of a shape
     tumble_contact *touching;   // those that tumble_events saw
     int   touchings;
+    tumble_contact *sensed;     // likewise, tumble_sensor_events: a is the sensor
+    int   senses;
     status failure;         // the first one
 };
 

@@ -258,3 +258,61 @@ int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
     return n;
 }
 //<
+
+//> face-ask-sensor
+//>   What is in a sensor is asked as what overlaps a shape, of each of its pieces.
+// Is a vertex of a rope or cloth, with its ball, in there?
+static bool soft_overlaps(const world *w, const body *x, const question *q)
+{
+    for (int i = x->first; i < x->first + body_particles(x); i++) {
+        vec3 p = w->pool.at[i].position;
+        rounded ball = { { &p, 1 }, x->thickness };
+        real near = q->around.radius + x->thickness;
+        if (!(way_to(q, p) > near * near) && cast_overlaps(q->thing, ball))
+            return true;
+    }
+    return false;
+}
+
+static bool is_sensed(const tumble_world *w, const body_place *sensor,
+                      const body_place *x, const question *q)
+{
+    int b = x->piece[0].number;
+    const body *all = &w->world.body[b];
+    if (x->kind == TUMBLE_STATIC || !(all->mask & sensor->group)) return false;
+    if (!body_is_soft(all)) {
+        return is_asked(w, b, q)
+            && cast_overlaps(q->thing, body_hull(w, b, w->scratch));
+    }
+    return (all->group & q->mask) && soft_overlaps(&w->world, all, q);
+}
+
+// Does a piece of the sensor overlap it?
+static bool some_piece_senses(const tumble_world *w, const body_place *sensor,
+                              const body_place *x)
+{
+    vec3 *at = w->scratch + 3 * w->most_vertices;
+    for (int k = 0; k < sensor->pieces; k++) {
+        question q = { .mask = sensor->mask };
+        q.thing = body_hull(w, sensor->piece[k].number, at);
+        q.around = ball_around(q.thing);
+        if (is_sensed(w, sensor, x, &q)) return true;
+    }
+    return false;
+}
+
+int tumble_sensed(const tumble_world *w, tumble_body sensor, tumble_body *out,
+                  int most)
+{
+    const body_place *s = inside_look(w, sensor);
+    int n = 0;
+    if (!s || !s->is_sensor) return 0;
+    for (int k = 0; k < w->bodies.count; k++) {
+        const body_place *x = slots_at(&w->bodies, k);
+        if (!x || !some_piece_senses(w, s, x)) continue;
+        if (out && n < most) out[n] = inside_owner(w, x->piece[0].number);
+        n++;
+    }
+    return n;
+}
+//<

@@ -75,7 +75,8 @@ tumble_body_options tumble_get_options(const tumble_world *w, tumble_body b)
         .velocity = to_user(p.velocity), .spin = to_user(p.spin),
         .friction = m.friction, .restitution = m.restitution,
         .damping = all->damping, .spin_damping = all->spin_damping,
-        .group = all->group, .mask = all->mask, .user = x->user };
+        .group = x->is_sensor ? x->group : all->group,
+        .mask = x->is_sensor ? x->mask : all->mask, .user = x->user };
 }
 
 tumble_shape tumble_shape_of(const tumble_world *w, tumble_body b)
@@ -351,8 +352,13 @@ bool tumble_set_damping(tumble_world *w, tumble_body b, double damping,
 bool tumble_set_filter(tumble_world *w, tumble_body b, unsigned group,
                        unsigned mask)
 {
-    const body_place *x = inside_body(w, b);
+    body_place *x = inside_body(w, b);
     if (x && !inside_is_group(w, group)) return false;
+    if (x && x->is_sensor) {
+        x->group = group;
+        x->mask = mask;
+        return true;
+    }
     for (int k = 0; x && k < x->pieces; k++)
         world_set_filter(&w->world, x->piece[k].number, group, mask);
     return x != NULL;

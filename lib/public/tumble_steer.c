@@ -14,6 +14,9 @@ bool tumble_set_kind(tumble_world *w, tumble_body b, tumble_kind kind)
         return inside_fail(w, "%d is no kind of body", (int)kind);
     body_place *x = inside_body(w, b);
     if (kind == x->kind) return true;
+    if (x->is_sensor && kind == TUMBLE_DYNAMIC)
+        return inside_fail(w, "body %u is a sensor: it would fall through all",
+                           b.place);
     inside_lock(w, x, 0);
     world_set_kinematic(&w->world, number, false);
     world_set_static(&w->world, number, kind == TUMBLE_STATIC);
@@ -58,5 +61,34 @@ unsigned tumble_locked(const tumble_world *w, tumble_body b)
 {
     const body_place *x = inside_look(w, b);
     return x ? inside_locked(w, x) : 0;
+}
+//<
+
+//> face-sensor
+//>   A sensor is a body in no group. So no pair, no ray and no piece of cloth finds
+//>   it, and nothing in the engine needs to know of it.
+bool tumble_set_sensor(tumble_world *w, tumble_body b, bool is_sensor)
+{
+    body_place *x = inside_body(w, b);
+    if (!x || x->is_sensor == is_sensor) return x != NULL;
+    const body *first = &w->world.body[x->piece[0].number];
+    if (x->kind == TUMBLE_DYNAMIC || x->mesh || body_is_soft(first))
+        return inside_fail(w, "body %u is dynamic, a surface, a rope or a cloth: no "
+                           "sensor", b.place);
+    if (is_sensor) {
+        x->group = first->group;
+        x->mask = first->mask;
+    }
+    x->is_sensor = is_sensor;
+    for (int k = 0; k < x->pieces; k++)
+        world_set_filter(&w->world, x->piece[k].number,
+                         is_sensor ? 0 : x->group, is_sensor ? 0 : x->mask);
+    return true;
+}
+
+bool tumble_is_sensor(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    return x && x->is_sensor;
 }
 //<

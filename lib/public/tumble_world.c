@@ -97,6 +97,7 @@ void tumble_free(tumble_world *w)
     free(w->owner);
     free(w->scratch);
     free(w->touching);
+    free(w->sensed);
     free(w);
 }
 

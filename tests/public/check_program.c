@@ -843,6 +843,8 @@ START_TEST(what_changes_changes_nothing_in_no_world)
     REFUSED(tumble_set_kind(NONE, b, TUMBLE_STATIC));
     REFUSED(tumble_set_gravity_scale(NONE, b, 1));
     REFUSED(tumble_set_locked(NONE, b, 1));
+    REFUSED(tumble_set_sensor(NONE, b, true));
+    REFUSED(tumble_sensor_events(NONE, NULL, 0));
     REFUSED(tumble_set_touching(NONE, j, true));
     REFUSED(tumble_pin(NONE, b, 0));
     REFUSED(tumble_unpin(NONE, b, 0));
@@ -882,6 +884,8 @@ START_TEST(a_question_about_no_world_has_the_answer_zero)
     NOTHING(tumble_shape_of(NONE, b).generation);
     NOTHING(tumble_gravity_scale(NONE, b) != 0);
     NOTHING(tumble_locked(NONE, b));
+    NOTHING(tumble_is_sensor(NONE, b));
+    NOTHING(tumble_sensed(NONE, b, NULL, 0));
     NOTHING(tumble_joints(NONE, NULL, 0));
     NOTHING(tumble_joint_body(NONE, j, 0).generation);
     NOTHING(tumble_may_touch(NONE, j));

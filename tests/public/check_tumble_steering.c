@@ -664,6 +664,124 @@ START_TEST(a_lock_goes_with_the_pose_that_is_set_and_can_be_taken_off)
 }
 END_TEST
 
+// --- Sensors -----------------------------------------------------------------------
+static tumble_body add_gate(tumble_world *w, double x, double y, double z)
+{
+    tumble_body gate = add_kind(w, TUMBLE_STATIC, x, y, z);
+    ck_assert(tumble_set_sensor(w, gate, true));
+    ck_assert(tumble_is_sensor(w, gate));
+    return gate;
+}
+
+// A box that flies through a sensor is as fast behind it, comes in when its front
+// reaches the near side, and leaves when its back passes the far one: after 1 m and
+// 3 m of way.
+START_TEST(a_sensor_sees_what_goes_through_it_and_stops_nothing)
+{
+    tumble_world *w = weightless();
+    tumble_body gate = add_gate(w, 2, 0, 0), b = add_box(w, 0, 0, 0);
+    tumble_set_velocity(w, b, tumble_v(1, 0, 0), tumble_v(0, 0, 0));
+    double came = 0, left = 0;
+    for (int k = 1; k <= 240; k++) {
+        tumble_event e[2];
+        tumble_body in[2];
+        tumble_step(w);
+        int n = tumble_sensor_events(w, e, 2);
+        ck_assert_int_le(n, 1);
+        if (n == 1) {
+            ck_assert(is_same(e[0].a, gate) && is_same(e[0].b, b));
+            if (e[0].begins) came = k / 60.0;
+            else             left = k / 60.0;
+        }
+        ck_assert_int_eq(tumble_sensed(w, gate, in, 2), came > 0 && left == 0);
+        if (came > 0 && left == 0) ck_assert(is_same(in[0], b));
+        if (k == 120) goes_on_alike(w, 1);
+        k += k == 120;
+    }
+    near(came, 1, 1.01 / 60);
+    near(left, 3, 1.01 / 60);
+    near_vec3(tumble_velocity(w, b), 1, 0, 0, fine);
+    ck_assert_int_eq(tumble_events(w, NULL, 0), 0);
+    expect_fine(w);
+    tumble_free(w);
+}
+END_TEST
+
+// Only what its filter lets in; rope, cloth and what a program drives, too; and
+// nothing that asks for a body finds it.
+START_TEST(a_sensor_sees_what_its_filter_lets_in)
+{
+    tumble_world *w = weightless();
+    tumble_body gate = add_gate(w, 0, 0, 0);
+    tumble_body in[8];
+    tumble_hit hit;
+    tumble_shape box = tumble_box(w, tumble_v(1, 1, 1), 1);
+    tumble_body_options o = tumble_at(0.2, 0, 0);
+    o.group = 4;
+    tumble_body b = tumble_add(w, box, o);
+    add_kind(w, TUMBLE_STATIC, 0, 0.3, 0);
+    tumble_body lift = add_kind(w, TUMBLE_KINEMATIC, 0.4, 0.4, 0.4);
+    tumble_body rope = tumble_add(w, tumble_rope(w, 10, 4, 1),
+                                  tumble_at(2.3, 0, 0));
+    tumble_body far = tumble_add(w, tumble_rope(w, 10, 4, 1),
+                                 tumble_at(2.8, 0, 0));
+    add_gate(w, 0, 0, 0.5);
+    ck_assert_int_eq(tumble_sensed(w, gate, in, 8), 3);
+    ck_assert(is_same(in[0], b) && is_same(in[1], lift) && is_same(in[2], rope));
+    ck_assert_int_eq(tumble_sensed(w, far, in, 8), 0);
+    ck_assert(tumble_set_filter(w, gate, 2, ~4u));
+    ck_assert_int_eq(tumble_sensed(w, gate, in, 8), 2);
+    ck_assert(tumble_set_filter(w, b, 1, ~2u));
+    ck_assert_int_eq(tumble_sensed(w, gate, in, 8), 2);
+    ck_assert(tumble_set_filter(w, b, 1, 2));
+    ck_assert_int_eq(tumble_sensed(w, gate, in, 8), 3);
+    tumble_body_options got = tumble_get_options(w, gate);
+    ck_assert(got.group == 2 && got.mask == ~4u);
+    ck_assert(!tumble_ray(w, tumble_v(-0.4, -3, -0.4), tumble_v(-0.4, -0.3, -0.4),
+                          ~0u, &hit));
+    ck_assert(tumble_set_sensor(w, gate, false));
+    ck_assert_int_eq(tumble_sensed(w, gate, in, 8), 0);
+    ck_assert(tumble_ray(w, tumble_v(-0.4, -3, -0.4), tumble_v(-0.4, -0.3, -0.4), ~0u,
+                         &hit));
+    expect_fine(w);
+    ck_assert(!tumble_set_sensor(w, b, true));
+    expect_failure(w, "no sensor");
+    ck_assert(tumble_set_sensor(w, gate, true));
+    ck_assert(!tumble_set_kind(w, gate, TUMBLE_DYNAMIC));
+    expect_failure(w, "is a sensor");
+    tumble_sensor_events(w, NULL, 0);
+    tumble_remove(w, rope);
+    tumble_remove(w, gate);
+    tumble_event e[8];
+    int ends = 0, n = tumble_sensor_events(w, e, 8);
+    for (int k = 0; k < n; k++) ends += !e[k].begins && is_same(e[k].a, gate);
+    ck_assert_int_eq(ends, 3);
+    tumble_free(w);
+}
+END_TEST
+
+// A box of 2 kg begins to lie: with its weight, upwards, at a corner of it.
+START_TEST(an_event_says_where_and_how_hard)
+{
+    tumble_world *w = with_floor();
+    tumble_body b = add_box(w, 0, 0.5, 0);
+    tumble_event e[2];
+    run(w, 0.5);
+    ck_assert_int_eq(tumble_events(w, e, 2), 1);
+    ck_assert(e[0].begins && is_same(e[0].a, b));
+    near_vec3(e[0].normal, 0, 1, 0, 1e-6);
+    near(e[0].force, 2 * 9.81, 1e-3);
+    near(fabs(e[0].point.x), 0.5, 1e-3);
+    near(fabs(e[0].point.z), 0.5, 1e-3);
+    tumble_set_pose(w, b, (tumble_pose){ { 0, 9, 0 }, { 0, 0, 0, 1 } });
+    tumble_step(w);
+    ck_assert_int_eq(tumble_events(w, e, 2), 1);
+    ck_assert(!e[0].begins);
+    near(e[0].force, 2 * 9.81, 1e-3);
+    tumble_free(w);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -687,6 +805,9 @@ int main(void)
         a_body_turns_about_no_axis_that_is_locked,
         a_game_in_two_dimensions_stays_flat,
         a_lock_goes_with_the_pose_that_is_set_and_can_be_taken_off,
+        a_sensor_sees_what_goes_through_it_and_stops_nothing,
+        a_sensor_sees_what_its_filter_lets_in,
+        an_event_says_where_and_how_hard,
         NULL
     };
     return suite_run((suite){ .name = "steer", .tests = tests, .seconds = 60 });

@@ -78,6 +78,7 @@ define ORDER
 18/ahead
 18/guard
 18/rolling
+18/hear
 18/step
 18/measure
 18/world_scene
@@ -97,6 +98,7 @@ define ORDER
 19/tumble_steer
 19/tumble_ask
 19/tumble_contacts
+19/tumble_hear
 19/tumble_draw
 19/tumble_save
 endef

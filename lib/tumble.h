@@ -603,6 +603,33 @@ typedef struct {
 // room are lost.
 int tumble_events(tumble_world *w, tumble_event *out, int most);
 
+// What one rigid body gave another in the whole of the last step, impacts with it: of
+// a bounce that began and ended in it as well, which no list of contacts has.
+typedef struct {
+    tumble_body a, b;       // b may be tumble_ground(), for a plane
+    tumble_vec3 point;      // m, the mean of all that pushed, by its share
+    tumble_vec3 normal;     // unit, from b to a, likewise
+    double impulse;         // N s, along the normals
+} tumble_impulse;
+
+// Steps write it down from now on, or no more.  It changes no bit of them, and costs a
+// few hundredths.  A world that was loaded does as the saved one did.
+bool tumble_listen(tumble_world *w, bool on);
+
+// Of the last step, sorted by bodies: writes `most` of them, and returns how many there
+// are; 0 if it was not written down, or nothing moved.
+int tumble_impulses(const tumble_world *w, tumble_impulse *out, int most);
+
+// Asks `meets` for each contact that a step is about to begin with, in their order:
+// shall the two push each other in this step?  It has the ids, the normal and the
+// points, without forces, and may ask the world, but not change it.  NULL: all do.  A
+// loaded world has none.  Of bodies that fly by their own size in a step it may be
+// asked several times, and again for the rest of the step.
+bool tumble_choose_contacts(tumble_world *w,
+                            bool (*meets)(void *context,
+                                          const tumble_contact *c),
+                            void *context);
+
 // A sensor: a static or kinematic body, of one piece or several, that pushes nothing,
 // and that no ray, sweep or other question meets.  It costs nothing until it is asked
 // for what is in it.  That are dynamic and kinematic bodies, rope and cloth whose

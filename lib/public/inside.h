@@ -85,6 +85,8 @@ struct tumble_world {
     int   touchings;
     tumble_contact *sensed;     // likewise, tumble_sensor_events: a is the sensor
     int   senses;
+    bool (*meets)(void *context, const tumble_contact *c);
+    void *meets_context;    // of tumble_choose_contacts
     status failure;         // the first one
 };
 

@@ -90,6 +90,8 @@ static void all_store(tumble_world *w, store *s)
     STORE_TABLE(s, w->owner, w->world.bodies, w->owners);
     STORE_ROOM(s, w->scratch, 4 * w->most_vertices);
     STORE_TABLE(s, w->touching, w->touchings, w->touchings);
+    STORE_FORGET(s, w->meets);
+    STORE_FORGET(s, w->meets_context);
     STORE_TABLE(s, w->sensed, w->senses, w->senses);
     s->owner = w;
     s->thing = shape_at;

@@ -338,6 +338,7 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     STORE_TABLE(s, t->load, bodies, room);
     STORE_TABLE(s, t->material, bodies, room);
     STORE_TABLE(s, t->drive, bodies, room);
+    STORE_TABLE(s, t->heard, t->hears, t->heard_room);
     pair_list_store(&t->pairs, s);
     cache_store(&t->cache, s);
     contact_solver_store(&t->solver, s);

@@ -774,7 +774,7 @@ void world_free(world *w)
         r->reach, r->velocity, r->moved, r->load, r->material, r->drive,
         r->began, r->asked, r->turned, r->awake, r->is_awake, r->fresh, r->going, r->touches,
         r->now_then, r->velocity_then,
-        r->moved_then, r->held, r->free, r->free_end };
+        r->moved_then, r->held, r->free, r->free_end, r->heard };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);

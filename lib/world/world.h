@@ -33,6 +33,10 @@ typedef struct {
     // one of their faces?  The first such face goes to *side.
     bool (*enters)(void *surroundings, int b, vec3 from, vec3 to, plane *side);
     void *surroundings;
+    // Shall the bodies of this contact push each other in this part of a frame?
+    // NULL: all do.
+    bool (*meets)(void *chooser, const contact *c);
+    void *chooser;
 } world_host;
 
 // In all parts of a frame, with those that are done again, together.
@@ -132,6 +136,13 @@ typedef struct {
 typedef struct {
     vec3 force, torque; // N, N m
 } body_load;
+
+// What a contact gave at once, or in a substep.
+typedef struct {
+    int  a, b;          // as a contact has them
+    vec3 point, normal;
+    real impulse;       // N s
+} heard_impulse;
 
 // How a kinematic body moves.
 typedef struct {
@@ -233,6 +244,9 @@ typedef struct {
     bool           is_new_list;         // of pairs
     contact_cache  cache;
     contact_solver solver;
+    bool         listens;   // what contacts give is written down:
+    heard_impulse *heard;   // [hears] in the last frame
+    int          hears, heard_room;
 } rigid_tables;
 //<
 

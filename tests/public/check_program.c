@@ -844,6 +844,8 @@ START_TEST(what_changes_changes_nothing_in_no_world)
     REFUSED(tumble_set_gravity_scale(NONE, b, 1));
     REFUSED(tumble_set_locked(NONE, b, 1));
     REFUSED(tumble_set_sensor(NONE, b, true));
+    REFUSED(tumble_listen(NONE, true));
+    REFUSED(tumble_choose_contacts(NONE, NULL, NULL));
     REFUSED(tumble_sensor_events(NONE, NULL, 0));
     REFUSED(tumble_set_touching(NONE, j, true));
     REFUSED(tumble_pin(NONE, b, 0));
@@ -885,6 +887,7 @@ START_TEST(a_question_about_no_world_has_the_answer_zero)
     NOTHING(tumble_gravity_scale(NONE, b) != 0);
     NOTHING(tumble_locked(NONE, b));
     NOTHING(tumble_is_sensor(NONE, b));
+    NOTHING(tumble_impulses(NONE, NULL, 0));
     NOTHING(tumble_sensed(NONE, b, NULL, 0));
     NOTHING(tumble_joints(NONE, NULL, 0));
     NOTHING(tumble_joint_body(NONE, j, 0).generation);

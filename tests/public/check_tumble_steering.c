@@ -782,6 +782,126 @@ START_TEST(an_event_says_where_and_how_hard)
 }
 END_TEST
 
+// --- Blows -------------------------------------------------------------------------
+// A ball of 2 kg that bounces off a wall at 5 m/s with a restitution of a half has had
+// 2 * 5 * 1.5 N s, in the one step in which it did.
+START_TEST(a_bounce_is_told_with_its_impulse)
+{
+    tumble_world *w = weightless(), *deaf = weightless();
+    tumble_world *both[] = { w, deaf };
+    tumble_body b;
+    int blows = 0;
+    for (int k = 0; k < 2; k++) {
+        tumble_body_options o = tumble_at(0, 3, 0);
+        o.velocity = tumble_v(0, -5, 0);
+        o.restitution = 0.5;
+        tumble_add_plane(both[k], tumble_v(0, 1, 0), 0, 0);
+        b = tumble_add(both[k], tumble_sphere(both[k], 0.5, 2), o);
+    }
+    ck_assert(tumble_listen(w, true));
+    for (int k = 0; k < 60; k++) {
+        tumble_impulse i[2];
+        tumble_step(w);
+        tumble_step(deaf);
+        ck_assert_uint_eq(tumble_hash(w), tumble_hash(deaf));
+        ck_assert_int_eq(tumble_impulses(deaf, i, 2), 0);
+        int n = tumble_impulses(w, i, 2);
+        if (n == 0) continue;
+        blows++;
+        ck_assert_int_eq(n, 1);
+        near(i[0].impulse, 15, 1e-9);
+        near_vec3(i[0].normal, 0, 1, 0, fine);
+        near(i[0].point.x, 0, fine);
+        near(i[0].point.y, 0, 0.1);
+        ck_assert(is_same(i[0].a, b) && is_same(i[0].b, tumble_ground()));
+    }
+    ck_assert_int_eq(blows, 1);
+    near(tumble_velocity(w, b).y, 2.5, 1e-9);
+    tumble_free(w);
+    tumble_free(deaf);
+}
+END_TEST
+
+// What a heap has had from its floor in 2 s is its weight for so long, and what it goes
+// slower than at first.  (A momentum is that of half a substep ago.)
+START_TEST(what_a_floor_gives_is_what_the_momentum_changes_by)
+{
+    enum { N = 12, MOST = 64 };
+    tumble_world *w = with_floor();
+    for (int k = 0; k < N; k++) add_box(w, 0.2 * (k % 3), 0.7 + 1.1 * k, 0);
+    tumble_listen(w, true);
+    const double weight = N * 2 * 9.81 / 60;
+    double sum = 0;
+    for (int k = 0; k < 120; k++) {
+        tumble_impulse i[MOST];
+        if (k == 50) goes_on_alike(w, 0);
+        tumble_step(w);
+        tumble_body all[N];
+        int n = tumble_impulses(w, i, MOST);
+        ck_assert_int_le(n, MOST);
+        for (int j = 0; j < n; j++)
+            if (is_same(i[j].b, tumble_ground())) sum += i[j].impulse;
+        ck_assert_int_eq(tumble_bodies(w, all, N), N);
+        tumble_measures m = tumble_measure(w);
+        near(sum, m.momentum.y + (k + 1) * weight, weight / 8 + 1e-6);
+    }
+    tumble_impulse i[MOST];
+    run(w, 3);
+    tumble_listen(w, false);
+    ck_assert_int_eq(tumble_impulses(w, i, MOST), 0);
+    tumble_free(w);
+}
+END_TEST
+
+// A platform that a box may come through from below: it holds what is above it.
+typedef struct {
+    const tumble_world *w;
+    tumble_body platform;
+    int asked;
+} one_way;
+
+static bool from_above(void *context, const tumble_contact *c)
+{
+    one_way *p = context;
+    p->asked++;
+    bool is_a = is_same(c->a, p->platform);
+    if (!is_a && !is_same(c->b, p->platform)) return true;
+    tumble_body other = is_a ? c->b : c->a;
+    return tumble_position(p->w, other).y - 0.5 > 3.1 - 0.02;
+}
+
+START_TEST(a_platform_of_one_way_lets_through_from_below_and_holds_above)
+{
+    tumble_world *w = with_floor();
+    tumble_body_options o = tumble_at(0, 3, 0);
+    o.kind = TUMBLE_STATIC;
+    tumble_body platform = tumble_add(w, tumble_box(w, tumble_v(4, 0.2, 4), 1), o);
+    tumble_body b = add_box(w, 0, 1, 0), under = add_box(w, 1.5, 0.5, 0);
+    one_way p = { w, platform, 0 };
+    ck_assert(tumble_choose_contacts(w, from_above, &p));
+    tumble_set_velocity(w, b, tumble_v(0, 9, 0), tumble_v(0, 0, 0));
+    double highest = 0;
+    for (int k = 0; k < 240; k++) {
+        tumble_step(w);
+        double y = tumble_position(w, b).y;
+        highest = y > highest ? y : highest;
+    }
+    near(highest, 1 + 81 / (2 * 9.81), 0.01);
+    near(tumble_position(w, b).y, 3.6, 2e-3);
+    near(tumble_position(w, under).y, 0.5, 2e-3);
+    ck_assert_int_gt(p.asked, 0);
+    int asked = p.asked;
+    ck_assert(tumble_choose_contacts(w, NULL, NULL));
+    tumble_set_velocity(w, under, tumble_v(0, 9, 0), tumble_v(0, 0, 0));
+    for (int k = 0; k < 120; k++) {
+        tumble_step(w);
+        ck_assert(tumble_position(w, under).y < 2.45);
+    }
+    ck_assert_int_eq(p.asked, asked);
+    tumble_free(w);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -808,6 +928,9 @@ int main(void)
         a_sensor_sees_what_goes_through_it_and_stops_nothing,
         a_sensor_sees_what_its_filter_lets_in,
         an_event_says_where_and_how_hard,
+        a_bounce_is_told_with_its_impulse,
+        what_a_floor_gives_is_what_the_momentum_changes_by,
+        a_platform_of_one_way_lets_through_from_below_and_holds_above,
         NULL
     };
     return suite_run((suite){ .name = "steer", .tests = tests, .seconds = 60 });

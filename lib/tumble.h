@@ -550,6 +550,7 @@ typedef struct {
     tumble_vec3 normal;     // unit, out of it
     double fraction;        // of the way, 0 to 1; of the nearest point: the
                             // distance (m)
+    int vertex;             // of rope and cloth, the nearest one; else 0
 } tumble_hit;
 
 // What does the way from one point to another meet first?  False: nothing.
@@ -569,6 +570,27 @@ int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
 // What does a rigid shape meet first that moves by `way` without turning?
 bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
                   tumble_vec3 way, unsigned mask, tumble_hit *hit);
+
+// The same of one that turns as steadily as it goes: by the angle |turn| (rad) about
+// the axis `turn`, through its centre of mass.  To a millionth of the way and the
+// sizes, and never too late.
+bool tumble_sweep_turning(const tumble_world *w, tumble_shape s,
+                          tumble_pose pose, tumble_vec3 way, tumble_vec3 turn,
+                          unsigned mask, tumble_hit *hit);
+
+// All bodies that the way from one point to another meets, each once, where it does
+// first, and planes: the `most` nearest of them, the nearest first.  Returns how many
+// there are.
+int tumble_ray_all(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
+                   unsigned mask, tumble_hit *out, int most);
+
+// Likewise of rope and cloth alone: what does the way meet first, and which point of
+// them is nearest to x, no further away than `most` (m)?  A cloth is its triangles, and
+// a rope as thick as it is to others.
+bool tumble_ray_soft(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
+                     unsigned mask, tumble_hit *hit);
+bool tumble_nearest_soft(const tumble_world *w, tumble_vec3 x, double most,
+                         unsigned mask, tumble_hit *hit);
 //<
 
 //> tumble-contacts

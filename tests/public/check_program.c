@@ -911,6 +911,10 @@ START_TEST(a_question_about_no_world_has_the_answer_zero)
     NOTHING(tumble_nearest(NONE, ZERO, 1, ~0u, NULL));
     NOTHING(tumble_overlap(NONE, s, POSE, ~0u, NULL, 0));
     NOTHING(tumble_sweep(NONE, s, POSE, UP, ~0u, NULL));
+    NOTHING(tumble_ray_all(NONE, ZERO, UP, ~0u, NULL, 0));
+    NOTHING(tumble_ray_soft(NONE, ZERO, UP, ~0u, NULL));
+    NOTHING(tumble_nearest_soft(NONE, ZERO, 1, ~0u, NULL));
+    NOTHING(tumble_sweep_turning(NONE, s, POSE, UP, UP, ~0u, NULL));
     NOTHING(tumble_contacts(NONE, NULL, 0));
     NOTHING((tumble_draw(NONE, &pen), false));
 }

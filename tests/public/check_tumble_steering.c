@@ -902,6 +902,122 @@ START_TEST(a_platform_of_one_way_lets_through_from_below_and_holds_above)
 }
 END_TEST
 
+// --- What is where -----------------------------------------------------------------
+START_TEST(a_ray_finds_all_that_it_meets_in_order)
+{
+    enum { N = 7 };
+    tumble_world *w = with_floor();
+    tumble_hit h[N + 2];
+    tumble_body b[N];
+    const tumble_vec3 from = { 0, 10, 0 }, to = { 0, -10, 0 };
+    for (int k = 0; k < N; k++) b[k] = add_box(w, 0, 1 + (k * 3 % N), 0);
+    tumble_shape piece[2] = { tumble_box(w, tumble_v(1, 0.2, 1), 1) };
+    tumble_pose pose[2] = { { { 0, 8.1, 0 }, { 0, 0, 0, 1 } },
+                            { { 0, 8.5, 0 }, { 0, 0, 0, 1 } } };
+    piece[1] = piece[0];
+    tumble_body two = tumble_add_pieces(w, piece, pose, 2, tumble_at(0, 0, 0));
+    ck_assert_int_eq(tumble_ray_all(w, from, to, ~0u, h, N + 2), N + 2);
+    ck_assert(is_same(h[0].body, two));
+    near(h[0].fraction, (10 - 8.6) / 20, 1e-9);
+    for (int k = 0; k < N; k++) {
+        double top = 1.5 + (k * 3 % N);
+        int at = N - k * 3 % N;
+        ck_assert(is_same(h[at].body, b[k]));
+        near(h[at].fraction, (10 - top) / 20, 1e-9);
+        near_vec3(h[at].normal, 0, 1, 0, 1e-9);
+    }
+    ck_assert(is_same(h[N + 1].body, tumble_ground()));
+    near(h[N + 1].fraction, 0.5, 1e-9);
+    tumble_hit few[3];
+    ck_assert_int_eq(tumble_ray_all(w, from, to, ~0u, few, 3), N + 2);
+    for (int k = 0; k < 3; k++) ck_assert(is_same(few[k].body, h[k].body));
+    ck_assert_int_eq(tumble_ray_all(w, from, to, 2, h, 9), 1);
+    ck_assert_int_eq(tumble_ray_all(w, from, tumble_v(0, 9, 0), ~0u, h, 9), 0);
+    tumble_hit first;
+    ck_assert(tumble_ray(w, from, to, ~0u, &first));
+    ck_assert(is_same(first.body, two) && first.fraction == few[0].fraction);
+    tumble_free(w);
+}
+END_TEST
+
+// A cloth is a plane, a rope a cylinder with round ends.
+START_TEST(rope_and_cloth_are_met_where_they_are)
+{
+    tumble_world *w = weightless();
+    tumble_body cloth = tumble_add(w, tumble_cloth(w, 11, 6, 10, 5, 1),
+                                   tumble_at(0, 2, 0));
+    tumble_body rope = tumble_add(w, tumble_rope(w, 10, 5, 1),
+                                  tumble_at(0, -2, 0));
+    tumble_hit h;
+    ck_assert(tumble_ray_soft(w, tumble_v(3.1, 4, 1.6), tumble_v(3.1, 0, 1.6),
+                              ~0u, &h));
+    ck_assert(is_same(h.body, cloth));
+    near(h.fraction, 0.5, 1e-9);
+    near_vec3(h.point, 3.1, 2, 1.6, 1e-9);
+    near_vec3(h.normal, 0, 1, 0, 1e-9);
+    tumble_vec3 v = tumble_vertex(w, cloth, h.vertex);
+    near_vec3(v, 3, 2, 1.5, 1e-9);
+    const double thick = 0.55 * 0.5;
+    ck_assert(tumble_ray_soft(w, tumble_v(0.9, -4, 0), tumble_v(0.9, 0, 0), ~0u,
+                              &h));
+    ck_assert(is_same(h.body, rope));
+    near(h.point.y, -2 - thick, 1e-9);
+    near(h.fraction, (2 - thick) / 4, 1e-9);
+    near_vec3(tumble_vertex(w, rope, h.vertex), 1, -2, 0, 1e-9);
+    ck_assert(!tumble_ray_soft(w, tumble_v(6, 4, 0), tumble_v(6, -4, 0), ~0u, &h));
+    ck_assert(!tumble_ray_soft(w, tumble_v(0, 4, 0), tumble_v(0, -4, 0), 2, &h));
+    ck_assert(tumble_nearest_soft(w, tumble_v(3.5, -2, 0), 1, ~0u, &h));
+    ck_assert(is_same(h.body, rope));
+    near(h.fraction, 1 - thick, 1e-9);
+    ck_assert(tumble_nearest_soft(w, tumble_v(0.2, 1.4, 0.1), 1, ~0u, &h));
+    ck_assert(is_same(h.body, cloth));
+    near(h.fraction, 0.6, 1e-9);
+    near_vec3(h.point, 0.2, 2, 0.1, 1e-9);
+    ck_assert(!tumble_nearest_soft(w, tumble_v(0, 0, 0), 1, ~0u, &h));
+    ck_assert(!tumble_nearest_soft(NULL, tumble_v(0, 0, 0), 1, ~0u, &h));
+    tumble_free(w);
+}
+END_TEST
+
+// A rod of 4 m that turns in its place, by a right angle towards a ball at a distance d,
+// meets it when its line is as far from the ball's centre as both are thick: at
+// asin(2 r / d) before the end.
+START_TEST(a_rod_that_turns_meets_what_is_beside_it)
+{
+    tumble_world *w = weightless();
+    const double r = 0.1, d = 1.5, quarter = acos(0);
+    tumble_shape rod = tumble_capsule(w, 4, r, 1);      // along y
+    tumble_body_options o = tumble_at(-d, 0, 0);
+    o.kind = TUMBLE_STATIC;
+    tumble_body ball = tumble_add(w, tumble_sphere(w, r, 1), o);
+    tumble_pose p = { { 0, 0, 0 }, { 0, 0, 0, 1 } };
+    tumble_vec3 turn = tumble_v(0, 0, quarter), none = tumble_v(0, 0, 0);
+    tumble_hit h;
+    ck_assert(tumble_sweep_turning(w, rod, p, none, turn, ~0u, &h));
+    ck_assert(is_same(h.body, ball));
+    near(h.fraction, 1 - asin(2 * r / d) / quarter, 1e-5);
+    turn.z = quarter - 1.01 * asin(2 * r / d);
+    ck_assert(!tumble_sweep_turning(w, rod, p, none, turn, ~0u, &h));
+    turn.z = quarter;
+    ck_assert(!tumble_sweep_turning(w, rod, (tumble_pose){ { 0, 0, 0.3 },
+                                    { 0, 0, 0, 1 } }, none, turn, ~0u, &h));
+    // Without a turn it is tumble_sweep.
+    tumble_hit straight;
+    ck_assert(tumble_sweep(w, rod, p, tumble_v(-3, 0, 0), ~0u, &straight));
+    ck_assert(tumble_sweep_turning(w, rod, p, tumble_v(-3, 0, 0), none, ~0u, &h));
+    ck_assert(h.fraction == straight.fraction);
+    tumble_remove(w, ball);
+    // Upright it falls, and turns flat: its end meets the floor below.
+    tumble_add_plane(w, tumble_v(0, 1, 0), -0.4, -1);
+    p.position.y = 2;
+    ck_assert(tumble_sweep_turning(w, rod, p, tumble_v(0, -2, 0), turn, ~0u, &h));
+    double t = h.fraction;
+    near(2 - 2 * t - 2 * cos(quarter * t) - r, -0.4, 1e-5);
+    ck_assert(!tumble_sweep_turning(w, rod, p, none, tumble_v(NAN, 0, 0), ~0u, &h));
+    tumble_free(w);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -929,6 +1045,9 @@ int main(void)
         a_sensor_sees_what_its_filter_lets_in,
         an_event_says_where_and_how_hard,
         a_bounce_is_told_with_its_impulse,
+        a_ray_finds_all_that_it_meets_in_order,
+        rope_and_cloth_are_met_where_they_are,
+        a_rod_that_turns_meets_what_is_beside_it,
         what_a_floor_gives_is_what_the_momentum_changes_by,
         a_platform_of_one_way_lets_through_from_below_and_holds_above,
         NULL

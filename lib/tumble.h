@@ -200,6 +200,12 @@ void tumble_run_on(tumble_world *w,
 // The options of a world as they are now: substeps as they were chosen, gravity as
 // it was set last.  NULL has those that tumble_make(NULL) takes.
 tumble_options tumble_get_world_options(const tumble_world *w);
+
+// The same as tumble_load, put in the place of a world that is there: w is a pointer to
+// what was saved, and keeps its threads and its choice of contacts.  Ids that the saved
+// world gave are good, those that w gave since are gone.  Costs as much memory and time
+// as a load.  Fails, changing nothing, as that does.
+bool tumble_restore(tumble_world *w, const void *from, size_t size);
 //<
 
 //> tumble-shapes

@@ -1018,6 +1018,55 @@ START_TEST(a_rod_that_turns_meets_what_is_beside_it)
 }
 END_TEST
 
+// --- Put back ----------------------------------------------------------------------
+// A world that is put back goes on as it did the first time, as often as one likes, on
+// a ground of triangles, too; bytes that are none change nothing.
+START_TEST(a_world_that_is_put_back_does_the_same_again)
+{
+    const double heights[9] = { 0, 0.1, 0, 0.1, 0.2, 0.1, 0, 0.1, 0 };
+    tumble_world *w = tumble_make(NULL);
+    tumble_add_heights(w, heights, 3, 3, 20, 20, 0, tumble_at(0, 0, 0));
+    tumble_body b[8];
+    for (int k = 0; k < 8; k++) b[k] = add_box(w, 0.1 * k, 1 + 1.1 * k, 0);
+    one_way p = { w, b[0], 0 };
+    run(w, 0.5);
+    size_t size = tumble_save(w, NULL, 0);
+    char *bytes = malloc(size);
+    ck_assert_ptr_nonnull(bytes);
+    tumble_save(w, bytes, size);
+    unsigned long long hash[30];
+    for (int round = 0; round < 3; round++) {
+        for (int k = 0; k < 30; k++) {
+            tumble_step(w);
+            if (round == 0) hash[k] = tumble_hash(w);
+            ck_assert_uint_eq(tumble_hash(w), hash[k]);
+        }
+        tumble_body more = add_box(w, 9, 30, 0);
+        tumble_remove(w, b[3]);
+        tumble_step(w);
+        ck_assert(tumble_restore(w, bytes, size));
+        ck_assert(tumble_has(w, b[3]));
+        ck_assert_int_eq(tumble_has(w, more), false);
+    }
+    unsigned long long now = tumble_hash(w);
+    bytes[size / 2] ^= 1;
+    ck_assert(!tumble_restore(w, bytes, size));
+    ck_assert_ptr_nonnull(tumble_failure(w));
+    tumble_forget_failure(w);
+    ck_assert_uint_eq(tumble_hash(w), now);
+    bytes[size / 2] ^= 1;
+    ck_assert(tumble_choose_contacts(w, from_above, &p));
+    ck_assert(tumble_restore(w, bytes, size));
+    run(w, 0.5);
+    ck_assert_int_gt(p.asked, 0);
+    expect_fine(w);
+    ck_assert(!tumble_restore(NULL, bytes, size));
+    expect_failure(NULL, "no world");
+    free(bytes);
+    tumble_free(w);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -1045,6 +1094,7 @@ int main(void)
         a_sensor_sees_what_its_filter_lets_in,
         an_event_says_where_and_how_hard,
         a_bounce_is_told_with_its_impulse,
+        a_world_that_is_put_back_does_the_same_again,
         a_ray_finds_all_that_it_meets_in_order,
         rope_and_cloth_are_met_where_they_are,
         a_rod_that_turns_meets_what_is_beside_it,

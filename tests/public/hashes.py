@@ -74,6 +74,9 @@ def alone(w):
     w.step()
     other.step()
     assert w.hash() == other.hash()
+    w.restore(saved)
+    w.step()
+    assert w.hash() == other.hash()
     assert w.ray((0, 50, 0), (0, -5, 0), ~0 & 0xFFFFFFFF) and w.ray((90, 50, 0), (90, 40, 0), 1) is None
     w.remove(bodies[3])
     assert not w.has(bodies[3]) and w.poses(bodies).tolist()[3] == [0, 0, 0, 0, 0, 0, 0]

@@ -152,6 +152,11 @@ class World:
         self._begin(_library.tumble_load(saved, len(saved)))
         return self
 
+    def restore(self, saved):
+        """Puts what was saved in the place of this world."""
+        if not _library.tumble_restore(self._world, saved, len(saved)):
+            self._check()
+
     def _in_bulk(self, function, kinds, bodies):
         bodies = self.bodies() if bodies is None else _array(body, bodies)
         out = [(kind * len(bodies))() for kind in kinds]
@@ -169,7 +174,7 @@ class World:
 
 
 _hidden = {"make", "free", "failure", "forget_failure", "save", "load", "run_on", "draw",
-           "get_poses", "get_velocities"}
+           "get_poses", "get_velocities", "restore", "choose_contacts"}
 for _key, _value in _header.constants.items():
     globals()[_key.replace("TUMBLE_", "")] = _value
 for _key, _value in _header.types.items():

@@ -27,6 +27,7 @@ bool tumble_set_kind(tumble_world *w, tumble_body b, tumble_kind kind)
 //<
 
 //> face-gravity
+//>   Gravity is a number of the body; velocities go on from what they are.
 bool tumble_set_gravity_scale(tumble_world *w, tumble_body b, double scale)
 {
     int number = inside_rigid(w, b, NONE, NONE);

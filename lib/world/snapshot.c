@@ -338,7 +338,6 @@ static void rigid_store(rigid_tables *t, int bodies, int room, store *s)
     STORE_TABLE(s, t->load, bodies, room);
     STORE_TABLE(s, t->material, bodies, room);
     STORE_TABLE(s, t->drive, bodies, room);
-    STORE_TABLE(s, t->heard, t->hears, t->heard_room);
     pair_list_store(&t->pairs, s);
     cache_store(&t->cache, s);
     contact_solver_store(&t->solver, s);
@@ -366,6 +365,7 @@ void world_store(world *w, store *s)
     shapes_store(w, s);
     bodies_store(w, s);
     rigid_store(&w->rigid, w->bodies, w->room, s);
+    STORE_TABLE(s, w->rigid.heard, w->rigid.hears, w->rigid.heard_room);
     linkage_store(&w->joints, s);
     soft_store(&w->soft, s);
     sleep_store(&w->sleep, s);

@@ -79,6 +79,7 @@ define ORDER
 18/ahead
 18/guard
 18/rolling
+18/hear
 18/step
 18/measure
 18/world_scene
@@ -95,8 +96,10 @@ define ORDER
 19/tumble_mesh
 19/tumble_state
 19/tumble_joints
+19/tumble_steer
 19/tumble_ask
 19/tumble_contacts
+19/tumble_hear
 19/tumble_draw
 19/tumble_save
 endef

@@ -136,7 +136,7 @@ END {
     for (m in wanted) start[m] = 1
     for (m in start) want(m)
     for (i = 1; i <= length_of["tumble.h"]; i++) {
-        if (text["tumble.h", i] ~ /^#define TUMBLE_VERSION/) { split(text["tumble.h", i], quoted, "\""); version = quoted[2] }
+        if (text["tumble.h", i] ~ /^#define TUMBLE_VERSION "/) { split(text["tumble.h", i], quoted, "\""); version = quoted[2] }
         s = bare(text["tumble.h", i])
         if (match(s, /^[a-z].*tumble_[a-z0-9_]+\(/)) { s = substr(s, 1, RLENGTH - 1); shown[last_word(s)] = 1 }
     }

@@ -23,6 +23,7 @@
 #include <stddef.h>
 
 #define TUMBLE_VERSION "2.0.0"
+#define TUMBLE_VERSION_NUMBER 20000     // 10000 major + 100 minor + patch
 
 #ifdef __cplusplus
 extern "C" {
@@ -67,6 +68,19 @@ void tumble_matrix(tumble_quat q, double m[9]);
 
 // The rotation that has this matrix.
 tumble_quat tumble_from_matrix(const double m[9]);
+
+// A vector, turned by q: as the axes of the shape have it -> as the world does.
+tumble_vec3 tumble_rotate(tumble_quat q, tumble_vec3 v);
+
+// A point as a body at this pose has it (m, from its centre of mass, along the axes
+// of its shape) -> as the world does, and back.
+tumble_vec3 tumble_to_world(tumble_pose at, tumble_vec3 local);
+tumble_vec3 tumble_to_local(tumble_pose at, tumble_vec3 point);
+
+// TUMBLE_VERSION and TUMBLE_VERSION_NUMBER of the library that runs, which may be
+// another one than this header's.
+const char *tumble_version(void);
+int tumble_version_number(void);
 //<
 
 //> tumble-world
@@ -182,6 +196,16 @@ void tumble_run_on(tumble_world *w,
                                void (*work)(void *data, int item), void *data,
                                int items),
                    void *context);
+
+// The options of a world as they are now: substeps as they were chosen, gravity as
+// it was set last.  NULL has those that tumble_make(NULL) takes.
+tumble_options tumble_get_world_options(const tumble_world *w);
+
+// The same as tumble_load, put in the place of a world that is there: w is a pointer to
+// what was saved, and keeps its threads and its choice of contacts.  Ids that the saved
+// world gave are good, those that w gave since are gone.  Costs as much memory and time
+// as a load.  Fails, changing nothing, as that does.
+bool tumble_restore(tumble_world *w, const void *from, size_t size);
 //<
 
 //> tumble-shapes
@@ -343,6 +367,56 @@ bool tumble_set_damping(tumble_world *w, tumble_body b, double damping,
 bool tumble_set_filter(tumble_world *w, tumble_body b, unsigned group,
                        unsigned mask);
 bool tumble_set_user(tumble_world *w, tumble_body b, void *user);
+
+// Many bodies at once: what tumble_get_pose, or tumble_velocity and tumble_spin,
+// say of b[0] to b[n - 1], in that order; zeros of one that is not there.
+void tumble_get_poses(const tumble_world *w, const tumble_body *b, int n,
+                      tumble_pose *out);
+void tumble_get_velocities(const tumble_world *w, const tumble_body *b, int n,
+                           tumble_vec3 *velocity, tumble_vec3 *spin);
+
+// Those that the last step moved, or may have moved, by an amount however small:
+// writes `most` of them, and returns how many there are.  All others stand where
+// they stood before it, to the bit, unless the program has put them elsewhere.  Of
+// a world that was loaded: none, until its first step.
+int tumble_moved(const tumble_world *w, tumble_body *out, int most);
+
+// All that was set, as it is now: with these options tumble_add makes another body
+// of this kind there.  Of one that is not there: zeros, which tumble_add refuses.
+tumble_body_options tumble_get_options(const tumble_world *w, tumble_body b);
+
+// The shape that it was made of: of several pieces, the first; of a surface, zeros.
+tumble_shape tumble_shape_of(const tumble_world *w, tumble_body b);
+
+// A force (N) at a point of the world, as it is now, in the next step; with
+// tumble_force it adds up.
+bool tumble_force_at(tumble_world *w, tumble_body b, tumble_vec3 force,
+                     tumble_vec3 at);
+
+// Another kind for a body that is there, rigid and of one piece: it stays where it
+// is.  What becomes dynamic goes on as it went, what becomes kinematic stands until
+// it is given a velocity; its axes are locked no more.  What lay on it, or is joined
+// to it, wakes.
+bool tumble_set_kind(tumble_world *w, tumble_body b, tumble_kind kind);
+
+// So many times the world's gravity acts on a rigid body of one piece, -1000 to 1000;
+// 1: as on all others; 0: none; below: it rises.  It wakes, and keeps its velocity.
+bool tumble_set_gravity_scale(tumble_world *w, tumble_body b, double scale);
+double tumble_gravity_scale(const tumble_world *w, tumble_body b);
+
+// Axes of the world along which a dynamic body does not go, and about which it does
+// not turn, from where it stands now; 0: none are locked.  They hold as a joint to
+// the ground does, against whatever pushes, and from a pose that is set, from there.
+// Of one turn that is locked alone the speed is held, and of two or three the angles.
+enum {
+    TUMBLE_LOCK_X = 1, TUMBLE_LOCK_Y = 2, TUMBLE_LOCK_Z = 4,
+    TUMBLE_LOCK_TURN_X = 8, TUMBLE_LOCK_TURN_Y = 16, TUMBLE_LOCK_TURN_Z = 32,
+    TUMBLE_LOCK_TURNS = 56,     // it stays upright
+    TUMBLE_LOCK_FLAT = 28       // it stays in a plane z = constant, as in a game in
+                                // two dimensions
+};
+bool tumble_set_locked(tumble_world *w, tumble_body b, unsigned axes);
+unsigned tumble_locked(const tumble_world *w, tumble_body b);
 //<
 
 //> tumble-vertices
@@ -381,7 +455,8 @@ bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance);
 //>   function of its own, because each needs other arguments.
 // --- Joints ------------------------------------------------------------------
 // Between two rigid bodies, or a body and the world, which is the id
-// tumble_ground().  Bodies that are joined do not collide with each other.
+// tumble_ground().  Bodies that are joined do not collide with each other,
+// unless tumble_set_touching says so.
 // Points and axes are where they are in the world when the joint is made.
 tumble_body tumble_ground(void);
 
@@ -470,6 +545,18 @@ double tumble_joint_drive(const tumble_world *w, tumble_joint j);
 double tumble_joint_gap(const tumble_world *w, tumble_joint j);
 double tumble_joint_force(const tumble_world *w, tumble_joint j);
 double tumble_hinge_angle(const tumble_world *w, tumble_joint j);
+
+// May the two bodies of a joint push each other, as if they were not joined?  A new
+// joint says no, and of several between two bodies one that says no is enough.
+// Begin where they do not overlap.
+bool tumble_set_touching(tumble_world *w, tumble_joint j, bool may_touch);
+bool tumble_may_touch(const tumble_world *w, tumble_joint j);
+
+// All joints: writes `most` of them, and returns how many there are.
+int tumble_joints(const tumble_world *w, tumble_joint *out, int most);
+
+// Which bodies it joins: side 0 is a, and side 1 is b; of one that is gone, zeros.
+tumble_body tumble_joint_body(const tumble_world *w, tumble_joint j, int side);
 //<
 
 //> tumble-ask
@@ -486,6 +573,7 @@ typedef struct {
     tumble_vec3 normal;     // unit, out of it
     double fraction;        // of the way, 0 to 1; of the nearest point: the
                             // distance (m)
+    int vertex;             // of rope and cloth, the nearest one; else 0
 } tumble_hit;
 
 // What does the way from one point to another meet first?  False: nothing.
@@ -505,6 +593,27 @@ int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
 // What does a rigid shape meet first that moves by `way` without turning?
 bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
                   tumble_vec3 way, unsigned mask, tumble_hit *hit);
+
+// The same of one that turns as steadily as it goes: by the angle |turn| (rad) about
+// the axis `turn`, through its centre of mass.  To a millionth of the way and the
+// sizes, and never too late.
+bool tumble_sweep_turning(const tumble_world *w, tumble_shape s,
+                          tumble_pose pose, tumble_vec3 way, tumble_vec3 turn,
+                          unsigned mask, tumble_hit *hit);
+
+// All bodies that the way from one point to another meets, each once, where it does
+// first, and planes: the `most` nearest of them, the nearest first.  Returns how many
+// there are.
+int tumble_ray_all(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
+                   unsigned mask, tumble_hit *out, int most);
+
+// Likewise of rope and cloth alone: what does the way meet first, and which point of
+// them is nearest to x, no further away than `most` (m)?  A cloth is its triangles, and
+// a rope as thick as it is to others.
+bool tumble_ray_soft(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
+                     unsigned mask, tumble_hit *hit);
+bool tumble_nearest_soft(const tumble_world *w, tumble_vec3 x, double most,
+                         unsigned mask, tumble_hit *hit);
 //<
 
 //> tumble-contacts
@@ -529,11 +638,60 @@ int tumble_contacts(const tumble_world *w, tumble_contact *out, int most);
 typedef struct {
     tumble_body a, b;
     bool begins;
+    tumble_vec3 point;      // m, where the pair pushed most, and
+    tumble_vec3 normal;     // unit, from b to a, now, or, if it ends, when it was
+    double force;           // last asked; N, with which all its points pushed; how
+                            // hard a blow was: tumble_impulses.  Of sensors: zeros
 } tumble_event;
 
 // Writes `most` of them, and returns how many there are; those that found no
 // room are lost.
 int tumble_events(tumble_world *w, tumble_event *out, int most);
+
+// What one rigid body gave another in the whole of the last step, impacts with it: of
+// a bounce that began and ended in it as well, which no list of contacts has.
+typedef struct {
+    tumble_body a, b;       // b may be tumble_ground(), for a plane
+    tumble_vec3 point;      // m, the mean of all that pushed, by its share
+    tumble_vec3 normal;     // unit, from b to a, likewise
+    double impulse;         // N s, along the normals
+} tumble_impulse;
+
+// Steps write it down from now on, or no more.  It changes no bit of them, and costs a
+// few hundredths.  A world that was loaded does as the saved one did.
+bool tumble_listen(tumble_world *w, bool on);
+
+// Of the last step, sorted by bodies: writes `most` of them, and returns how many there
+// are; 0 if it was not written down, or nothing moved.
+int tumble_impulses(const tumble_world *w, tumble_impulse *out, int most);
+
+// Asks `meets` for each contact that a step is about to begin with, in their order:
+// shall the two push each other in this step?  It has the ids, the normal and the
+// points, without forces, and may ask the world, but not change it.  NULL: all do.  A
+// loaded world has none.  Of bodies that fly by their own size in a step it may be
+// asked several times, and again for the rest of the step.
+bool tumble_choose_contacts(tumble_world *w,
+                            bool (*meets)(void *context,
+                                          const tumble_contact *c),
+                            void *context);
+
+// A sensor: a static or kinematic body, of one piece or several, that pushes nothing,
+// and that no ray, sweep or other question meets.  It costs nothing until it is asked
+// for what is in it.  That are dynamic and kinematic bodies, rope and cloth whose
+// groups and masks would let the two meet, but no other sensor and no surface.
+bool tumble_set_sensor(tumble_world *w, tumble_body b, bool is_sensor);
+bool tumble_is_sensor(const tumble_world *w, tumble_body b);
+
+// What overlaps a sensor now: writes `most` of them, and returns how many there are;
+// -1 for rope and cloth, of which one vertex with its ball is enough, and all others
+// as they are.  It looks at all bodies.  Of what is no sensor: 0.
+int tumble_sensed(const tumble_world *w, tumble_body sensor, tumble_body *out,
+                  int most);
+
+// Which came into a sensor, or left it, since this was last asked?  a is the sensor;
+// what is gone has left it.  Writes `most` of them, and returns how many there are;
+// those that found no room are lost.
+int tumble_sensor_events(tumble_world *w, tumble_event *out, int most);
 //<
 
 //> tumble-draw

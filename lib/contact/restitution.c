@@ -115,6 +115,13 @@ static void settle(const impact_solver *s, int body, const motion *u, real time)
     }
 }
 
+static real impact_sum(const impact *x)
+{
+    real sum = 0;
+    for (int i = 0; i < x->points; i++) sum += x->impulse[i];
+    return sum;
+}
+
 // How fast they met (m/s); 0: they did not.
 static real strike(const impact_solver *s, const contact *c)
 {
@@ -131,6 +138,7 @@ static real strike(const impact_solver *s, const contact *c)
     real speed = closing_speed(&x);
     if (!(speed > slowest)) return 0;
     push_apart(&x, m.restitution);
+    if (f->hear) f->hear(f->listener, c, impact_sum(&x));
     rub(&x, m.friction);
     fall(&x.pair, fallen, 0.5 - x.time, x.u);
     if (x.pair.falls[A]) settle(s, c->a, &x.u[A], x.time);

@@ -25,6 +25,9 @@ status joint_check(const joint_plan *p)
         return status_fail("the strength of a joint is %g; it must be 0 or "
                            "more", p->strength);
     real axis = vec3_length(p->axis);
+    bool has_lock = p->a < 0 && p->locked > 0 && p->locked < 1u << JOINT_ROWS;
+    if (p->kind == JOINT_LOCK && !has_lock)
+        return status_fail("axes 0x%x are none that can be locked", p->locked);
     bool has_axis = p->kind == JOINT_HINGE || p->kind == JOINT_SLIDER;
     if (has_axis && !(axis > 0 && axis < HUGE_VAL))
         return status_fail("the axis of a %s has no direction",
@@ -87,7 +90,7 @@ joint joint_make(const joint_plan *p, const rigid_frame *a,
     bool has_two = p->kind == JOINT_DISTANCE;
     joint j = { .kind = p->kind, .a = p->a, .b = p->b, .least = p->least,
                 .most = p->most, .particle = p->particle,
-                .may_touch = p->may_touch };
+                .locked = p->locked, .may_touch = p->may_touch };
     j.strength = p->strength > 0 ? p->strength : HUGE_VAL;
     j.has_limits = j.is_limited = has_two && p->least < p->most;
     j.drive.bound = HUGE_VAL;
@@ -208,6 +211,40 @@ static vec3 twist_between(const joint *j, const rigid_frame *a,
     return vec3_scale(0.5, sum);
 }
 
+static bool is_locked(const joint *j, int k)
+{
+    return j->locked >> k & 1;
+}
+
+// With all three turns locked a body keeps its axes; with two, the third; with one
+// it may come to stand anywhere, and has no error, if it does not turn about that.
+static vec3 locked_tilt(const joint *j, const rigid_frame *a,
+                        const rigid_frame *b)
+{
+    int turns = 0, free = 0;
+    vec3 none = { 0, 0, 0 };
+    for (int k = 0; k < TURNS; k++) {
+        turns += is_locked(j, 3 + k);
+        if (!is_locked(j, 3 + k)) free = k;
+    }
+    if (turns == TURNS) return twist_between(j, a, b);
+    if (turns < 2) return none;
+    return vec3_cross(direction(b, j->axis_b[free]),
+                      direction(a, j->axis_a[free]));
+}
+
+static void lock_errors(const joint *j, const rigid_frame *a,
+                        const rigid_frame *b, vec3 gap, real e[JOINT_ROWS])
+{
+    vec3 tilt = locked_tilt(j, a, b);
+    const real all[JOINT_ROWS] = { gap.x, gap.y, gap.z,
+                                   tilt.x, tilt.y, tilt.z };
+    int n = 0;
+    for (int k = 0; k < JOINT_ROWS; k++)
+        if (is_locked(j, k)) e[n++] = all[k];
+    if (n == 3) e[n] = 0;
+}
+
 // What is left until the limit, of an angle or a length; of a drive its place.
 static real room(const joint *j, const joint_rows *r, real value)
 {
@@ -246,10 +283,9 @@ static void errors(const joint *j, const joint_rows *r, const rigid_frame *a,
         e[0] = is_held ? length - j->most : room(j, r, length);
         return;
     }
-    if (j->kind == JOINT_SLIDER) {
-        slider_errors(j, r, a, b, gap, e);
-        return;
-    }
+    if (j->kind == JOINT_SLIDER) slider_errors(j, r, a, b, gap, e);
+    if (j->kind == JOINT_LOCK) lock_errors(j, a, b, gap, e);
+    if (j->kind == JOINT_SLIDER || j->kind == JOINT_LOCK) return;
     if (j->kind == JOINT_FIXED) tilt = twist_between(j, a, b);
     if (j->kind == JOINT_HINGE)
         tilt = vec3_cross(direction(b, j->axis_b[0]),
@@ -377,6 +413,23 @@ static void find_slider_rows(joint_rows *r, const joint *j, const joint_side *a,
     go_apart(r, 5, a, b, on_b, vec3_scale(-sign, axis));
 }
 
+// It pulls at the centre of mass, so ways and turns have nothing to do with each
+// other.
+static void find_lock_rows(joint_rows *r, const joint *j, const joint_side *a,
+                           const joint_side *b)
+{
+    r->held = r->lengths = 0;
+    for (int k = 0; k < 3; k++)
+        if (is_locked(j, k))
+            go_apart(r, r->held++, a, b, b->frame.center, AXIS[k]);
+    r->lengths = r->held;
+    for (int k = 0; k < 3; k++)
+        if (is_locked(j, 3 + k)) turn_apart(r, r->held++, a, b, AXIS[k]);
+    if (r->held != 3) return;
+    // Three rows are taken for those of a ball joint (linkage.c).
+    turn_apart(r, r->held++, a, b, vec3_make(0, 0, 0));
+}
+
 // A length that must not change is one row; a least and a most are a limit, the
 // nearer of the two.
 static void find_distance_row(joint_rows *r, const joint *j,
@@ -404,6 +457,8 @@ void joint_find_rows(joint_rows *r, const joint *j, const joint_side *a,
         find_distance_row(r, j, a, b, on_a, on_b);
     } else if (j->kind == JOINT_SLIDER) {
         find_slider_rows(r, j, a, b, on_b);
+    } else if (j->kind == JOINT_LOCK) {
+        find_lock_rows(r, j, a, b);
     } else {
         find_point_rows(r, a, b, on_a, on_b);
         if (j->kind == JOINT_HINGE) find_hinge_rows(r, j, a, b);

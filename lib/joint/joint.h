@@ -15,10 +15,11 @@
 // of each as well.  A fixed joint: they move as one.  A distance: two points
 // are at least and at most so far apart.  A pin: a particle of a rope or cloth
 // stays at a place on a rigid body (pin.h).  A slider: B moves along an axis of A,
-// and does not turn against it.
+// and does not turn against it.  A lock: B, joined to the world, does not go along
+// some of the world's axes, nor turn about some.
 typedef enum {
     JOINT_NONE, JOINT_BALL, JOINT_HINGE, JOINT_FIXED, JOINT_DISTANCE,
-    JOINT_PIN, JOINT_SLIDER, JOINT_KINDS
+    JOINT_PIN, JOINT_SLIDER, JOINT_LOCK, JOINT_KINDS
 } joint_kind;
 
 // A joint to be made, told as the bodies stand now.
@@ -32,6 +33,8 @@ typedef struct {
     vec3 axis;          // of a hinge or slider, in the world; of any length > 0
     real least, most;   // m, of a distance
     real strength;      // N: under a greater force it breaks; 0: under none
+    unsigned locked;    // of a lock: bits 0 to 2, ways along x, y and z; 3 to 5,
+                        // turns about them
     bool may_touch;     // the two bodies may touch each other
 } joint_plan;
 //<
@@ -83,6 +86,7 @@ typedef struct {
     bool cone_holds[2];         // it from least to most; swing and twist hold now
     joint_drive drive;
     real strength;              // N; HUGE_VAL: it never breaks
+    unsigned locked;            // of a lock
     bool may_touch;
     bool is_broken;             // it holds no more
     real impulse[JOINT_ROWS];   // N s, N m s, of each row, in the last

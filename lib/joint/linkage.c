@@ -884,6 +884,13 @@ static void settle(linkage *l, const linkage_pass *q, wanting *what, int rounds)
 //> linkage-find
 //>   The rows are found where the bodies stand. Matrices are made of them when
 //>   they are first needed.
+static real length_of(const real *x, int n)
+{
+    real sum = 0;
+    for (int k = 0; k < n; k++) sum += x[k] * x[k];
+    return sqrt(sum);
+}
+
 // By how much (m) the points are not where they should be.
 static real apart(const joint *j, const joint_rows *r)
 {
@@ -892,6 +899,7 @@ static real apart(const joint *j, const joint_rows *r)
     if (j->kind == JOINT_DISTANCE)
         return j->is_limited ? real_max(-e[0], 0) : fabs(e[0]);
     if (j->kind == JOINT_SLIDER) return sqrt(e[0] * e[0] + e[1] * e[1]);
+    if (j->kind == JOINT_LOCK) return length_of(e, r->lengths);
     return sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
 }
 
@@ -1109,9 +1117,10 @@ void linkage_push(linkage *l, const linkage_pass *q)
 //> linkage-break
 //>   After the substep each joint knows its force. It says how fast its bodies
 //>   swing, and breaks if the force is too great.
-static real force_of(const joint *j, real h)
+static real force_of(const joint *j, const joint_rows *r, real h)
 {
     const real *p = j->impulse;
+    if (j->kind == JOINT_LOCK) return length_of(p, r->lengths) / h;
     if (j->kind == JOINT_DISTANCE)
         return fabs(p[0]) / h;
     if (j->kind == JOINT_SLIDER)
@@ -1141,7 +1150,7 @@ static void break_overloaded(linkage *l, const linkage_pass *q)
     for (int k = 0; k < l->count; k++) {
         joint *j = &l->joint[k];
         if (l->role[k] == JOINT_IDLE) continue;
-        j->force = force_of(j, h);
+        j->force = force_of(j, &l->rows[k], h);
         if (j->is_driven) j->given = j->impulse[l->rows[k].held] / l->rows[k].kick;
         real swing = sqrt(j->force * l->rows[k].swing);
         real turns = sqrt(real_max(spin_squared(q, j->a), spin_squared(q, j->b)));

@@ -2,6 +2,7 @@
 //>   Every function of the library begins with one of these: look up an id, or
 //>   keep a sentence and return nothing.
 #include "inside.h"
+#include "join.h"
 
 #include <limits.h>
 #include <stdarg.h>
@@ -101,6 +102,24 @@ bool inside_reserve_owner(tumble_world *w)
     if (!more) return inside_is_ok(w, status_out_of_memory());
     w->owner = more;
     w->owners = 2 * need;
+    return true;
+}
+
+unsigned inside_locked(const tumble_world *w, const body_place *x)
+{
+    return x->lock > 0 ? w->world.joints.joint[x->lock - 1].locked : 0;
+}
+
+bool inside_lock(tumble_world *w, body_place *x, unsigned axes)
+{
+    int number = x->piece[0].number, lock;
+    if (x->lock > 0) world_unjoin(&w->world, x->lock - 1);
+    x->lock = 0;
+    if (axes == 0) return true;
+    joint_plan plan = { .kind = JOINT_LOCK, .a = -1, .b = number, .locked = axes,
+                        .point = inside_frame(w, number).center };
+    if (!inside_is_ok(w, world_join(&w->world, plan, &lock))) return false;
+    x->lock = 1 + lock;
     return true;
 }
 

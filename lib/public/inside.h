@@ -57,6 +57,9 @@ typedef struct {
     body_mesh *mesh;        // NULL: it has no surface
     tumble_kind kind;
     bool is_whole;          // of pieces that move as one: it owns their shapes
+    bool is_sensor;         // the engine's group and mask of it are 0; its own:
+    unsigned group, mask;
+    int  lock;              // 1 + the engine's number of a joint that locks axes; 0
     void *user;
 } body_place;
 
@@ -81,6 +84,10 @@ struct tumble_world {
     int   most_vertices;    // of a shape
     tumble_contact *touching;   // those that tumble_events saw
     int   touchings;
+    tumble_contact *sensed;     // likewise, tumble_sensor_events: a is the sensor
+    int   senses;
+    bool (*meets)(void *context, const tumble_contact *c);
+    void *meets_context;    // of tumble_choose_contacts
     status failure;         // the first one
 };
 
@@ -140,6 +147,16 @@ bool inside_is_group(tumble_world *w, unsigned group);
 
 // The body with this id, without a failure.
 const body_place *inside_look(const tumble_world *w, tumble_body b);
+
+// The engine's number of a body that can be moved by hand: rigid, of one piece.
+// -1, with a failure, if it is none, or its numbers are not finite.
+int inside_rigid(tumble_world *w, tumble_body b, tumble_vec3 p, tumble_vec3 q);
+
+// Locks those axes of a body, from where it stands; 0: none.  False, with a failure,
+// if memory is refused: none are locked then.
+bool inside_lock(tumble_world *w, body_place *x, unsigned axes);
+// Which are.
+unsigned inside_locked(const tumble_world *w, const body_place *x);
 
 // Where rigid body b of the engine stands; b < 0: the frame of the world.
 rigid_frame inside_frame(const tumble_world *w, int b);

@@ -12,8 +12,9 @@
 typedef struct {
     rounded thing;
     vec3 way;           // m
-    sphere around;      // the thing, before it goes
-    unsigned mask;
+    sphere around;      // the thing, before it goes; of one that turns, about its
+    unsigned mask;      // centre of mass
+    tumble_vec3 turn;   // rad; zero: it does not
 } question;
 
 // The hull of body b of the engine where it stands; its vertices go to at.
@@ -61,7 +62,84 @@ static void take(tumble_hit *best, const cast_result *r, tumble_body b)
 {
     if (!r->hits || !(r->fraction < best->fraction)) return;
     *best = (tumble_hit){ b, to_user(r->point), to_user(r->normal),
-                          r->fraction };
+                          r->fraction, 0 };
+}
+//<
+
+//> face-ask-turning
+//>   What turns is asked where it is, again and again. However it turns, no point of
+//>   it comes nearer to what it meets, along the line that parts them, than the way
+//>   and the arc of its outermost point bring it. So it may go on by that much
+//>   (Mirtich 1996).
+static const real TURNING_FINE = 1e-6;  // of the way and the sizes
+enum { TURNING_CAP = 512 };             // distances, at most
+
+// Where the thing is after a share t of its way.
+static rounded thing_at(const question *q, real t, vec3 *at)
+{
+    rounded a = q->thing;
+    real whole = vec3_length(from_user(q->turn));
+    tumble_quat turn = tumble_turn(q->turn, t * whole);
+    vec3 center = vec3_add_scaled(q->around.center, t, q->way);
+    for (int k = 0; k < a.core.count; k++) {
+        vec3 arm = vec3_sub(a.core.at[k], q->around.center);
+        at[k] = vec3_add(center, from_user(tumble_rotate(turn, to_user(arm))));
+    }
+    return (rounded){ { at, a.core.count }, a.round };
+}
+
+// The way out of what is met, or of a plane, if there is one.
+static cast_result gap_between(rounded a, rounded b, const plane *p)
+{
+    real away = HUGE_VAL;
+    if (!p) {
+        gjk_result g = gjk_distance(a.core, b.core, HUGE_VAL, NULL);
+        real length = vec3_length(g.axis);
+        vec3 out = vec3_scale(length > 0 ? 1 / length : 0, g.axis);
+        bool is_in = g.status == GJK_OVERLAP;
+        return (cast_result){ g.status != GJK_NOT_FINITE,
+                              is_in ? -1 : g.distance - a.round - b.round,
+                              vec3_add_scaled(g.on_b, b.round, out), out };
+    }
+    cast_result r = { .hits = true, .normal = p->normal };
+    for (int k = 0; k < a.core.count; k++) {
+        real height = vec3_dot(a.core.at[k], p->normal) - p->offset - a.round;
+        if (!(height < away)) continue;
+        away = height;
+        r.point = vec3_add_scaled(a.core.at[k], -a.round - height, p->normal);
+    }
+    r.fraction = away;
+    return r;
+}
+
+static cast_result cast_turning(const question *q, rounded b, const plane *p,
+                                vec3 *scratch)
+{
+    real arc = vec3_length(from_user(q->turn)) * q->around.radius;
+    real size = q->around.radius + (p ? 0 : ball_around(b).radius), t = 0;
+    real fine = TURNING_FINE * (vec3_length(q->way) + size);
+    cast_result r = { .hits = false };
+    for (int k = 0; k < TURNING_CAP; k++) {
+        r = gap_between(thing_at(q, t, scratch), b, p);
+        real closing = arc - vec3_dot(q->way, r.normal);
+        if (!r.hits) return r;
+        if (!(r.fraction > fine)) break;
+        r.hits = closing > 0 && t + r.fraction / closing <= 1;
+        if (!r.hits) return r;
+        t += r.fraction / closing;
+    }
+    r.fraction = t;
+    return r;
+}
+
+// Where it first meets b, or the plane.
+static cast_result first_of(const question *q, rounded b, const plane *p,
+                            vec3 *scratch)
+{
+    bool turns = vec3_length(from_user(q->turn)) > 0;
+    if (turns) return cast_turning(q, b, p, scratch);
+    return p ? cast_first_plane(q->thing, q->way, *p)
+             : cast_first(q->thing, q->way, b, scratch);
 }
 //<
 
@@ -88,8 +166,7 @@ static real meet_prism(void *context, int triangle)
 {
     mesh_question *m = context;
     vec3 *room = m->w->scratch + m->w->most_vertices;
-    cast_result r = cast_first(m->q->thing, m->q->way, prism_hull(m, triangle),
-                               room);
+    cast_result r = first_of(m->q, prism_hull(m, triangle), NULL, room);
     take(m->best, &r, m->body);
     return real_min(m->best->fraction, 1);
 }
@@ -146,13 +223,12 @@ static bool first_met(const tumble_world *w, const question *q,
     vec3 *at = w->scratch, *scratch = w->scratch + w->most_vertices;
     for (int b = 0; b < all->bodies; b++) {
         if (!is_asked(w, b, q)) continue;
-        cast_result r = cast_first(q->thing, q->way, body_hull(w, b, at),
-                                   scratch);
+        cast_result r = first_of(q, body_hull(w, b, at), NULL, scratch);
         take(&best, &r, inside_owner(w, b));
     }
     for (int k = 0; k < all->planes; k++) {
         if (!world_has_plane(all, k)) continue;
-        cast_result r = cast_first_plane(q->thing, q->way, all->plane[k]);
+        cast_result r = first_of(q, q->thing, &all->plane[k], scratch);
         take(&best, &r, tumble_ground());
     }
     mesh_question m = { .w = w, .q = q, .best = &best };
@@ -199,6 +275,157 @@ bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
 {
     question q = { .way = from_user(way), .mask = mask };
     return stand(w, s, pose, &q) && first_met(w, &q, hit);
+}
+
+bool tumble_sweep_turning(const tumble_world *w, tumble_shape s,
+                          tumble_pose pose, tumble_vec3 way, tumble_vec3 turn,
+                          unsigned mask, tumble_hit *hit)
+{
+    question q = { .way = from_user(way), .mask = mask, .turn = turn };
+    if (!stand(w, s, pose, &q) || !vec3_is_finite(from_user(turn))) return false;
+    vec3 center = from_user(pose.position);
+    q.around.radius += vec3_distance(q.around.center, center);
+    q.around.center = center;
+    return first_met(w, &q, hit);
+}
+//<
+
+//> face-ask-all
+//>   All that a ray meets are asked one by one, and put where they belong among the
+//>   nearest.
+static void put(tumble_hit *out, int most, int n, const tumble_hit *hit)
+{
+    int k = n < most ? n : most;
+    if (!out || most <= 0) return;
+    if (k == most && !(hit->fraction < out[k - 1].fraction)) return;
+    if (k == most) k--;
+    for (; k > 0 && hit->fraction < out[k - 1].fraction; k--) out[k] = out[k - 1];
+    out[k] = *hit;
+}
+
+static void ask_body(const tumble_world *w, int place, const question *q,
+                     tumble_hit *best)
+{
+    const body_place *x = slots_at(&w->bodies, place);
+    mesh_question m = { .w = w, .q = q, .best = best };
+    if (x && x->mesh) ask_mesh(&m, place, 1, false, meet_prism);
+    for (int k = 0; x && !x->mesh && k < x->pieces; k++) {
+        int b = x->piece[k].number;
+        if (!is_asked(w, b, q)) continue;
+        cast_result r = first_of(q, body_hull(w, b, w->scratch), NULL,
+                                 w->scratch + w->most_vertices);
+        take(best, &r, inside_owner(w, b));
+    }
+}
+
+int tumble_ray_all(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
+                   unsigned mask, tumble_hit *out, int most)
+{
+    vec3 tip = from_user(from);
+    question q = { { { &tip, 1 }, 0 }, vec3_sub(from_user(to), tip),
+                   .mask = mask };
+    int n = 0, bodies = w ? w->bodies.count : 0;
+    q.around = ball_around(q.thing);
+    if (!vec3_is_finite(q.way) || !vec3_is_finite(tip)) return 0;
+    for (int k = 0; w && k < bodies + w->world.planes; k++) {
+        tumble_hit best = { .fraction = HUGE_VAL };
+        if (k < bodies) {
+            ask_body(w, k, &q, &best);
+        } else if (world_has_plane(&w->world, k - bodies)) {
+            cast_result r = cast_first_plane(q.thing, q.way,
+                                             w->world.plane[k - bodies]);
+            take(&best, &r, tumble_ground());
+        }
+        if (best.fraction <= 1) put(out, most, n++, &best);
+    }
+    return n;
+}
+//<
+
+//> face-ask-soft
+//>   A rope is asked link by link, a cloth triangle by triangle.
+typedef cast_result asking(const question *q, rounded b, real most,
+                           vec3 *scratch);
+
+static cast_result ask_way(const question *q, rounded b, real most,
+                           vec3 *scratch)
+{
+    (void)most;
+    return cast_first(q->thing, q->way, b, scratch);
+}
+
+static cast_result ask_near(const question *q, rounded b, real most,
+                            vec3 *scratch)
+{
+    (void)scratch;
+    return cast_nearest(q->around.center, b, most);
+}
+
+// The vertices of facet k of a rope or cloth: two, or three; returns how many.
+static int facet_of(const shape *s, int k, int vertex[3])
+{
+    bool is_cloth = s->kind == SHAPE_CLOTH;
+    for (int i = 0; i < 3; i++) vertex[i] = is_cloth ? s->face[3 * k + i] : k + i;
+    return is_cloth ? 3 : 2;
+}
+
+static void ask_facets(const tumble_world *w, int b, const question *q,
+                       real most, asking *ask, tumble_hit *best)
+{
+    const body *x = &w->world.body[b];
+    const particle *p = w->world.pool.at + x->first;
+    bool is_cloth = x->shape->kind == SHAPE_CLOTH;
+    int facets = is_cloth ? x->shape->mesh.faces : x->shape->particles - 1;
+    vec3 at[3], scratch[4];
+    for (int k = 0; k < facets; k++) {
+        int vertex[3], n = facet_of(x->shape, k, vertex);
+        for (int i = 0; i < n; i++) at[i] = p[vertex[i]].position;
+        rounded facet = { { at, n }, is_cloth ? 0 : x->thickness };
+        sphere ball = ball_around(facet);
+        real near = ball.radius + q->around.radius;
+        if (way_to(q, ball.center) > near * near * (1 + 1e-9)) continue;
+        cast_result r = ask(q, facet, most, scratch);
+        if (!r.hits || !(r.fraction < best->fraction)) continue;
+        take(best, &r, inside_owner(w, b));
+        real least = HUGE_VAL;
+        for (int i = 0; i < n; i++) {
+            real far = vec3_distance(at[i], r.point);
+            if (far < least) best->vertex = vertex[i];
+            least = real_min(far, least);
+        }
+    }
+}
+
+static bool ask_soft(const tumble_world *w, const question *q, real most,
+                     asking *ask, tumble_hit *hit)
+{
+    tumble_hit best = { .fraction = HUGE_VAL };
+    if (!w || !vec3_is_finite(q->way) || !vec3_is_finite(q->around.center))
+        return false;
+    for (int b = 0; b < w->world.bodies; b++) {
+        const body *x = &w->world.body[b];
+        if (body_is_gone(x) || !body_is_soft(x) || !(x->group & q->mask)) continue;
+        ask_facets(w, b, q, most, ask, &best);
+    }
+    if (hit && best.fraction < HUGE_VAL) *hit = best;
+    return best.fraction < HUGE_VAL;
+}
+
+bool tumble_ray_soft(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
+                     unsigned mask, tumble_hit *hit)
+{
+    vec3 tip = from_user(from);
+    question q = { { { &tip, 1 }, 0 }, vec3_sub(from_user(to), tip),
+                   .mask = mask };
+    q.around = ball_around(q.thing);
+    return ask_soft(w, &q, 1, ask_way, hit);
+}
+
+bool tumble_nearest_soft(const tumble_world *w, tumble_vec3 x, double most,
+                         unsigned mask, tumble_hit *hit)
+{
+    question q = { .around = { from_user(x), most }, .mask = mask };
+    return ask_soft(w, &q, most, ask_near, hit);
 }
 //<
 
@@ -252,6 +479,64 @@ int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
     for (int k = 0; k < w->bodies.count; k++) {
         const body_place *x = slots_at(&w->bodies, k);
         if (!x || !overlaps(w, k, &q)) continue;
+        if (out && n < most) out[n] = inside_owner(w, x->piece[0].number);
+        n++;
+    }
+    return n;
+}
+//<
+
+//> face-ask-sensor
+//>   What is in a sensor is asked as what overlaps a shape, of each of its pieces.
+// Is a vertex of a rope or cloth, with its ball, in there?
+static bool soft_overlaps(const world *w, const body *x, const question *q)
+{
+    for (int i = x->first; i < x->first + body_particles(x); i++) {
+        vec3 p = w->pool.at[i].position;
+        rounded ball = { { &p, 1 }, x->thickness };
+        real near = q->around.radius + x->thickness;
+        if (!(way_to(q, p) > near * near) && cast_overlaps(q->thing, ball))
+            return true;
+    }
+    return false;
+}
+
+static bool is_sensed(const tumble_world *w, const body_place *sensor,
+                      const body_place *x, const question *q)
+{
+    int b = x->piece[0].number;
+    const body *all = &w->world.body[b];
+    if (x->kind == TUMBLE_STATIC || !(all->mask & sensor->group)) return false;
+    if (!body_is_soft(all)) {
+        return is_asked(w, b, q)
+            && cast_overlaps(q->thing, body_hull(w, b, w->scratch));
+    }
+    return (all->group & q->mask) && soft_overlaps(&w->world, all, q);
+}
+
+// Does a piece of the sensor overlap it?
+static bool some_piece_senses(const tumble_world *w, const body_place *sensor,
+                              const body_place *x)
+{
+    vec3 *at = w->scratch + 3 * w->most_vertices;
+    for (int k = 0; k < sensor->pieces; k++) {
+        question q = { .mask = sensor->mask };
+        q.thing = body_hull(w, sensor->piece[k].number, at);
+        q.around = ball_around(q.thing);
+        if (is_sensed(w, sensor, x, &q)) return true;
+    }
+    return false;
+}
+
+int tumble_sensed(const tumble_world *w, tumble_body sensor, tumble_body *out,
+                  int most)
+{
+    const body_place *s = inside_look(w, sensor);
+    int n = 0;
+    if (!s || !s->is_sensor) return 0;
+    for (int k = 0; k < w->bodies.count; k++) {
+        const body_place *x = slots_at(&w->bodies, k);
+        if (!x || !some_piece_senses(w, s, x)) continue;
         if (out && n < most) out[n] = inside_owner(w, x->piece[0].number);
         n++;
     }

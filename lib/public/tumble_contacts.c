@@ -91,34 +91,104 @@ static tumble_contact *touching_now(const tumble_world *w, int *n)
     return list;
 }
 
-// Which comes first of pair i of those that touched, and pair k of those that
-// touch now?  < 0: the old one, which has ended; 0: they are one pair.
-static int order(const tumble_world *w, int i, const tumble_contact *now, int n,
-                 int k)
+// The point that bears most, and what all bear together.
+static tumble_event event_of(const tumble_contact *c, bool begins)
 {
-    if (i == w->touchings) return 1;
-    return k == n ? -1 : by_bodies(&w->touching[i], &now[k]);
+    tumble_event e = { .a = c->a, .b = c->b, .begins = begins,
+                       .normal = c->normal };
+    double most = 0;
+    for (int k = 0; k < c->points; k++) {
+        if (c->force[k] > most) e.point = c->point[k];
+        most = c->force[k] > most ? c->force[k] : most;
+        e.force += c->force[k];
+    }
+    return e;
 }
 
-int tumble_events(tumble_world *w, tumble_event *out, int most)
+// Pairs, each once, sorted.
+typedef struct {
+    tumble_contact *at;
+    int count;
+} pairs_told;
+
+// Which comes first of pair i of those that were, and pair k of those that are now?
+// < 0: the old one, which has ended; 0: they are one pair.
+static int order(pairs_told was, int i, pairs_told now, int k)
 {
-    int now, n = 0, i = 0, k = 0;
-    if (!inside_is_world(w)) return 0;
-    tumble_contact *list = touching_now(w, &now);
-    if (!list) return inside_is_ok(w, status_out_of_memory()), 0;
-    while (i < w->touchings || k < now) {
-        int first = order(w, i, list, now, k);
-        if (first != 0 && out && n < most) {
-            const tumble_contact *c = first < 0 ? &w->touching[i] : &list[k];
-            out[n] = (tumble_event){ c->a, c->b, first > 0 };
-        }
+    if (i == was.count) return 1;
+    return k == now.count ? -1 : by_bodies(&was.at[i], &now.at[k]);
+}
+
+static int differences(pairs_told was, pairs_told now, tumble_event *out,
+                       int most)
+{
+    int n = 0, i = 0, k = 0;
+    while (i < was.count || k < now.count) {
+        int first = order(was, i, now, k);
+        if (first != 0 && out && n < most)
+            out[n] = event_of(first < 0 ? &was.at[i] : &now.at[k], first > 0);
         n += first != 0;
         i += first <= 0;
         k += first >= 0;
     }
+    return n;
+}
+
+int tumble_events(tumble_world *w, tumble_event *out, int most)
+{
+    int now;
+    if (!inside_is_world(w)) return 0;
+    tumble_contact *list = touching_now(w, &now);
+    if (!list) return inside_is_ok(w, status_out_of_memory()), 0;
+    int n = differences((pairs_told){ w->touching, w->touchings },
+                        (pairs_told){ list, now }, out, most);
     free(w->touching);
     w->touching = list;
     w->touchings = now;
+    return n;
+}
+//<
+
+//> face-sensor-events
+//>   The same for sensors and what is in them.
+static bool add_sensed(tumble_world *w, tumble_body sensor, pairs_told *all)
+{
+    int n = tumble_sensed(w, sensor, NULL, 0), count = all->count;
+    if (n == 0) return true;
+    tumble_contact *more = realloc(all->at, (size_t)(count + n) * sizeof *more);
+    tumble_body *in = malloc((size_t)n * sizeof *in);
+    if (more) all->at = more;
+    if (more && in) {
+        tumble_sensed(w, sensor, in, n);
+        for (int k = 0; k < n; k++)
+            more[count + k] = (tumble_contact){ .a = sensor, .b = in[k] };
+        all->count += n;
+    }
+    free(in);
+    return more && in;
+}
+
+int tumble_sensor_events(tumble_world *w, tumble_event *out, int most)
+{
+    pairs_told now = { NULL, 0 };
+    bool is_done = inside_is_world(w);
+    if (!is_done) return 0;
+    for (int k = 0; k < w->bodies.count && is_done; k++) {
+        const body_place *x = slots_at(&w->bodies, k);
+        if (x && x->is_sensor)
+            is_done = add_sensed(w, inside_owner(w, x->piece[0].number), &now);
+    }
+    if (!is_done) {
+        free(now.at);
+        inside_is_ok(w, status_out_of_memory());
+        return 0;
+    }
+    if (now.count > 0)
+        qsort(now.at, (size_t)now.count, sizeof *now.at, by_bodies);
+    int n = differences((pairs_told){ w->sensed, w->senses }, now, out, most);
+    free(w->sensed);
+    w->sensed = now.at;
+    w->senses = now.count;
     return n;
 }
 //<

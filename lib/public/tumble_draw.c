@@ -136,7 +136,8 @@ void tumble_draw(const tumble_world *w, const tumble_pen *pen)
     }
     const linkage *l = &w->world.joints;
     for (int k = 0; k < l->count; k++)
-        if (l->joint[k].kind != JOINT_NONE) draw_joint(w, &l->joint[k], pen);
+        if (l->joint[k].kind != JOINT_NONE && l->joint[k].kind != JOINT_LOCK)
+            draw_joint(w, &l->joint[k], pen);
     if (pen->point) draw_contacts(w, pen);
 }
 //<

@@ -180,6 +180,17 @@ bool tumble_set_servo(tumble_world *w, tumble_joint j, double place,
                                             stiffness, damping, force));
 }
 
+bool tumble_set_touching(tumble_world *w, tumble_joint j, bool may_touch)
+{
+    const joint_place *x = inside_joint(w, j);
+    if (!x) return false;
+    if (w->world.joints.joint[x->number].kind == JOINT_PIN)
+        return inside_fail(w, "joint %u hangs a rope or a cloth on a body, which "
+                           "the vertices beside it would push", j.place);
+    world_touch_joint(&w->world, x->number, may_touch);
+    return true;
+}
+
 bool tumble_set_strength(tumble_world *w, tumble_joint j, double force)
 {
     const joint_place *x = inside_joint(w, j);
@@ -206,6 +217,27 @@ static const joint_place *look(const tumble_world *w, tumble_joint j)
 bool tumble_is_joined(const tumble_world *w, tumble_joint j)
 {
     return look(w, j) != NULL;
+}
+
+int tumble_joints(const tumble_world *w, tumble_joint *out, int most)
+{
+    int n = 0;
+    for (int k = 0; w && k < w->joints.count; k++) {
+        if (!slots_is_taken(&w->joints, k)) continue;
+        if (out && n < most)
+            out[n] = (tumble_joint){ (unsigned)k,
+                                     slots_generation(&w->joints, k) };
+        n++;
+    }
+    return n;
+}
+
+tumble_body tumble_joint_body(const tumble_world *w, tumble_joint j, int side)
+{
+    const joint_place *x = look(w, j);
+    if (!x || side < 0 || side > 1) return (tumble_body){ 0, 0 };
+    const joint *held = &w->world.joints.joint[x->number];
+    return inside_owner(w, side == 0 ? held->a : held->b);
 }
 
 double tumble_joint_force(const tumble_world *w, tumble_joint j)
@@ -248,6 +280,12 @@ double tumble_joint_drive(const tumble_world *w, tumble_joint j)
 {
     const joint_place *x = look(w, j);
     return x ? world_joint_drive(&w->world, x->number) : 0;
+}
+
+bool tumble_may_touch(const tumble_world *w, tumble_joint j)
+{
+    const joint_place *x = look(w, j);
+    return x && w->world.joints.joint[x->number].may_touch;
 }
 
 double tumble_hinge_angle(const tumble_world *w, tumble_joint j)

@@ -90,6 +90,9 @@ static void all_store(tumble_world *w, store *s)
     STORE_TABLE(s, w->owner, w->world.bodies, w->owners);
     STORE_ROOM(s, w->scratch, 4 * w->most_vertices);
     STORE_TABLE(s, w->touching, w->touchings, w->touchings);
+    STORE_FORGET(s, w->meets);
+    STORE_FORGET(s, w->meets_context);
+    STORE_TABLE(s, w->sensed, w->senses, w->senses);
     s->owner = w;
     s->thing = shape_at;
     s->things = w->shapes.count;
@@ -106,17 +109,49 @@ size_t tumble_save(const tumble_world *w, void *into, size_t room)
     return store_end(&s);
 }
 
-tumble_world *tumble_load(const void *from, size_t size)
+static tumble_world *read_world(const void *from, size_t size, status *done)
 {
     store s = store_from(from, size, TUMBLE_VERSION);
     tumble_world *w = s.done.ok ? calloc(1, sizeof *w) : NULL;
     if (!w) store_fail(&s, status_out_of_memory());
     if (w) all_store(w, &s);
-    tumble_forget_failure(NULL);
-    inside_not_made(s.done);
+    *done = s.done;
     if (s.done.ok && w->first_mesh > 0) inside_watch_meshes(w);
     if (s.done.ok) return w;
     tumble_free(w);
     return NULL;
+}
+
+tumble_world *tumble_load(const void *from, size_t size)
+{
+    status done;
+    tumble_world *w = read_world(from, size, &done);
+    tumble_forget_failure(NULL);
+    inside_not_made(done);
+    return w;
+}
+//<
+
+//> face-restore
+//>   To take a move back, or to begin an episode again, a program wants the saved state
+//>   where its world is. The two change places, and the old one goes.
+bool tumble_restore(tumble_world *w, const void *from, size_t size)
+{
+    status done;
+    if (!inside_is_world(w)) return false;
+    tumble_world *saved = read_world(from, size, &done);
+    if (!inside_is_ok(w, done)) return false;
+    tumble_world old = *w;
+    world_host *host = &saved->world.options.host;
+    host->run = old.world.options.host.run;
+    host->meets = old.world.options.host.meets;
+    host->chooser = w;
+    saved->meets = old.meets;
+    saved->meets_context = old.meets_context;
+    *w = *saved;
+    *saved = old;
+    tumble_free(saved);
+    if (w->first_mesh > 0) inside_watch_meshes(w);
+    return true;
 }
 //<

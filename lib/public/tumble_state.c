@@ -59,13 +59,80 @@ bool tumble_set_user(tumble_world *w, tumble_body b, void *user)
 }
 //<
 
+//> face-options
+//>   What was set can be asked for: the options with which another such body would
+//>   be added.
+tumble_body_options tumble_get_options(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    if (!x) return (tumble_body_options){ .group = 0 };
+    int number = x->piece[0].number;
+    const body *all = &w->world.body[number];
+    material m = w->world.rigid.material[number];
+    placement p = where_is(w, b);
+    return (tumble_body_options){
+        .kind = x->kind, .pose = tumble_get_pose(w, b),
+        .velocity = to_user(p.velocity), .spin = to_user(p.spin),
+        .friction = m.friction, .restitution = m.restitution,
+        .damping = all->damping, .spin_damping = all->spin_damping,
+        .group = x->is_sensor ? x->group : all->group,
+        .mask = x->is_sensor ? x->mask : all->mask, .user = x->user };
+}
+
+tumble_shape tumble_shape_of(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    if (!x || x->mesh) return (tumble_shape){ 0, 0 };
+    int k = x->piece[0].shape;
+    return (tumble_shape){ (unsigned)k, slots_generation(&w->shapes, k) };
+}
+//<
+
+//> face-bulk
+//>   A game draws all of them in every frame, so it may ask for all at once, or
+//>   only for those that moved. The engine has a list of those that are awake.
+void tumble_get_poses(const tumble_world *w, const tumble_body *b, int n,
+                      tumble_pose *out)
+{
+    for (int k = 0; k < n; k++) out[k] = tumble_get_pose(w, b[k]);
+}
+
+void tumble_get_velocities(const tumble_world *w, const tumble_body *b, int n,
+                           tumble_vec3 *velocity, tumble_vec3 *spin)
+{
+    for (int k = 0; k < n; k++) {
+        placement p = where_is(w, b[k]);
+        if (velocity) velocity[k] = to_user(p.velocity);
+        if (spin)     spin[k] = to_user(p.spin);
+    }
+}
+
+// Is body b of the engine there, and the first piece of its own?
+static bool is_first(const tumble_world *w, int b)
+{
+    if (body_is_gone(&w->world.body[b]) || inside_mesh(w, b)) return false;
+    const body_place *x = slots_at(&w->bodies, w->owner[b]);
+    return x->piece[0].number == b;
+}
+
+int tumble_moved(const tumble_world *w, tumble_body *out, int most)
+{
+    int n = 0;
+    if (!w || w->world.report.substeps == 0) return 0;
+    const rigid_tables *t = &w->world.rigid;
+    for (int k = 0; k < t->awakes; k++) {
+        if (!is_first(w, t->awake[k])) continue;
+        if (out && n < most) out[n] = inside_owner(w, t->awake[k]);
+        n++;
+    }
+    return n;
+}
+//<
+
 //> face-touch
 //>   Pushing looks at its numbers first. An impulse that would give a body a
 //>   speed beyond counting is refused, because one such body can spoil a world.
-// The engine's number of a body that can be moved by hand: rigid, of one piece.
-// -1, with a failure, if it is none, or its numbers are not finite.
-static int find_rigid(tumble_world *w, tumble_body b, tumble_vec3 p,
-                      tumble_vec3 q)
+int inside_rigid(tumble_world *w, tumble_body b, tumble_vec3 p, tumble_vec3 q)
 {
     const body_place *x = inside_body(w, b);
     if (!x) return -1;
@@ -89,7 +156,7 @@ static int find_rigid(tumble_world *w, tumble_body b, tumble_vec3 p,
 static int find_dynamic(tumble_world *w, tumble_body b, tumble_vec3 p,
                         tumble_vec3 q)
 {
-    int number = find_rigid(w, b, p, q);
+    int number = inside_rigid(w, b, p, q);
     if (number < 0) return -1;
     const body_place *x = inside_body(w, b);
     if (x->kind == TUMBLE_DYNAMIC) return number;
@@ -100,17 +167,19 @@ static int find_dynamic(tumble_world *w, tumble_body b, tumble_vec3 p,
 
 bool tumble_set_pose(tumble_world *w, tumble_body b, tumble_pose pose)
 {
-    int number = find_rigid(w, b, pose.position, pose.position);
+    int number = inside_rigid(w, b, pose.position, pose.position);
     if (number < 0) return false;
     placement p = world_where(&w->world, number);
     inside_place(&p, pose);
-    return inside_is_ok(w, world_put(&w->world, number, p));
+    if (!inside_is_ok(w, world_put(&w->world, number, p))) return false;
+    body_place *x = inside_body(w, b);
+    return x->lock == 0 || inside_lock(w, x, inside_locked(w, x));
 }
 
 bool tumble_set_velocity(tumble_world *w, tumble_body b, tumble_vec3 velocity,
                          tumble_vec3 spin)
 {
-    int number = find_rigid(w, b, velocity, spin);
+    int number = inside_rigid(w, b, velocity, spin);
     if (number < 0 || !inside_is_speed(w, velocity)
         || !inside_is_speed(w, spin)) return false;
     if (body_is_static(&w->world.body[number]))
@@ -141,6 +210,20 @@ bool tumble_force(tumble_world *w, tumble_body b, tumble_vec3 force,
     int number = find_dynamic(w, b, force, torque);
     if (number < 0 || !is_bearable(w, number, force)) return false;
     world_force(&w->world, number, from_user(force), from_user(torque));
+    return true;
+}
+//<
+
+//> face-force-at
+//>   A force at a point is that force at the centre, and a torque.
+bool tumble_force_at(tumble_world *w, tumble_body b, tumble_vec3 force,
+                     tumble_vec3 at)
+{
+    int number = find_dynamic(w, b, force, at);
+    if (number < 0 || !is_bearable(w, number, force)) return false;
+    vec3 f = from_user(force);
+    vec3 arm = vec3_sub(from_user(at), inside_frame(w, number).center);
+    world_force(&w->world, number, f, vec3_cross(arm, f));
     return true;
 }
 //<
@@ -269,8 +352,13 @@ bool tumble_set_damping(tumble_world *w, tumble_body b, double damping,
 bool tumble_set_filter(tumble_world *w, tumble_body b, unsigned group,
                        unsigned mask)
 {
-    const body_place *x = inside_body(w, b);
+    body_place *x = inside_body(w, b);
     if (x && !inside_is_group(w, group)) return false;
+    if (x && x->is_sensor) {
+        x->group = group;
+        x->mask = mask;
+        return true;
+    }
     for (int k = 0; x && k < x->pieces; k++)
         world_set_filter(&w->world, x->piece[k].number, group, mask);
     return x != NULL;

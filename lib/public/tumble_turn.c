@@ -91,3 +91,39 @@ tumble_quat tumble_from_matrix(const double m[9])
                        (vec3){ m[2], m[5], m[8] });
 }
 //<
+
+//> face-turn-helpers
+//>   A pose takes points from the frame of a body to that of the world, and back.
+//>   A program asks for that again and again.
+tumble_vec3 tumble_rotate(tumble_quat q, tumble_vec3 v)
+{
+    real m[9];
+    tumble_matrix(q, m);
+    return tumble_v(m[0] * v.x + m[1] * v.y + m[2] * v.z,
+                    m[3] * v.x + m[4] * v.y + m[5] * v.z,
+                    m[6] * v.x + m[7] * v.y + m[8] * v.z);
+}
+
+tumble_vec3 tumble_to_world(tumble_pose at, tumble_vec3 local)
+{
+    vec3 r = from_user(tumble_rotate(at.rotation, local));
+    return to_user(vec3_add(from_user(at.position), r));
+}
+
+tumble_vec3 tumble_to_local(tumble_pose at, tumble_vec3 point)
+{
+    tumble_quat q = at.rotation, back = { -q.x, -q.y, -q.z, q.w };
+    vec3 r = vec3_sub(from_user(point), from_user(at.position));
+    return tumble_rotate(back, to_user(r));
+}
+
+const char *tumble_version(void)
+{
+    return TUMBLE_VERSION;
+}
+
+int tumble_version_number(void)
+{
+    return TUMBLE_VERSION_NUMBER;
+}
+//<

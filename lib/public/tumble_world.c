@@ -21,14 +21,21 @@ void inside_not_made(status s)
     if (unmade.ok) unmade = s;
 }
 
+static tumble_options options_to(const world_options *o)
+{
+    return (tumble_options){
+        .dt = o->dt, .substeps = o->substeps,
+        .most_substeps = o->most_substeps,
+        .gravity = to_user(o->gravity), .friction = o->friction,
+        .restitution = o->restitution, .sleep_speed = o->sleep_speed,
+        .time_to_sleep = o->time_to_sleep,
+        .run = o->host.run.run, .context = o->host.run.context };
+}
+
 tumble_options tumble_options_default(void)
 {
     world_options o = world_options_default();
-    return (tumble_options){
-        .dt = o.dt, .substeps = o.substeps, .most_substeps = o.most_substeps,
-        .gravity = to_user(o.gravity), .friction = o.friction,
-        .restitution = o.restitution, .sleep_speed = o.sleep_speed,
-        .time_to_sleep = o.time_to_sleep };
+    return options_to(&o);
 }
 
 static world_options options_of(const tumble_options *o)
@@ -90,6 +97,7 @@ void tumble_free(tumble_world *w)
     free(w->owner);
     free(w->scratch);
     free(w->touching);
+    free(w->sensed);
     free(w);
 }
 
@@ -130,6 +138,11 @@ void tumble_step(tumble_world *w)
                     "it, and has no more than %d substeps in all: its parts "
                     "had fewer than the options say", time, ALL_SUBSTEPS);
     if (w->world.report.broken > 0) inside_forget_joints(w);
+}
+
+tumble_options tumble_get_world_options(const tumble_world *w)
+{
+    return w ? options_to(&w->world.options) : tumble_options_default();
 }
 
 double tumble_time(const tumble_world *w)

@@ -30,13 +30,13 @@ def version():
 
 
 def compile_library(path):
-    """Compiles the library, and what only Python asks of it, to a shared one."""
+    """Compiles the library to a shared one."""
     built = os.environ.get("TUMBLE_OBJECT")
     rooms = glob.glob(os.path.join(LIB, "*", ""))
     parts = [os.path.abspath(built)] if built else sorted(glob.glob(os.path.join(LIB, "*", "*.c")))
     pic = [] if os.name == "nt" else ["-fPIC"]
     command = [*os.environ.get("CC", "cc").split(), "-shared", "-s", *pic, *FLAGS, "-I" + LIB, *("-I" + r for r in rooms),
-               os.path.join(HERE, "tumble", "bulk.c"), *parts, "-lm", "-o", path]
+               *parts, "-lm", "-o", path]
     subprocess.run(command, check=True)
 
 

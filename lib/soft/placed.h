@@ -38,6 +38,7 @@ typedef struct body {
     real damping;       // 1/s, the share of its velocity that it loses,
     real spin_damping;  // 1/s, and of its spin, if it is rigid
     bool is_weighed;    // its shape has a weight of its own
+    real gravity;       // 1, so many times the world's acts on it, if it is rigid
     bool is_kinematic;  // rigid, and moves as a program says
     bool is_part;       // of something that is larger, see world_add_part
     int  rides;         // 1 + the body that has all of its pieces' motion, for a

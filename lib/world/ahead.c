@@ -38,7 +38,7 @@ static prediction predict(const world *w, int b, real dt)
     const motion *u = &w->rigid.velocity[b];
     vec3 straight = { u->of[0], u->of[1], u->of[2] };
     vec3 spin = motion_rotation(&now->basis, u);
-    real beside = vec3_length(w->options.gravity) * dt * dt / 2
+    real beside = vec3_length(body_gravity(w, b)) * dt * dt / 2
                 + width_of(w, b) / HUNDREDTH;
     if (w->rigid.is_loaded) {
         motion more = world_load(w, b, dt);

@@ -94,7 +94,8 @@ void guard_begin(world *w, const solver_frame *f)
         if (body_is_soft(&w->body[b]) && body_moves(w, b))
             add_soft_motion(budget_of(w, b), w, &w->body[b]);
     }
-    real more = w->frame * vec3_length(w->options.gravity) + f->max_speed
+    real gravity = w->most_gravity * vec3_length(w->options.gravity);
+    real more = w->frame * gravity + f->max_speed
               + (1 + f->restitution) * drive_fastest(w);
     for (int k = 0; k < t->awakes; k++) {
         island *i = &t->island[t->awake[k]];

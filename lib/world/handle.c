@@ -50,7 +50,7 @@ static real since_of(const world *w, int b)
 
 static vec3 since_then(const world *w, int b)
 {
-    return vec3_scale(since_of(w, b), w->options.gravity);
+    return vec3_scale(since_of(w, b), body_gravity(w, b));
 }
 
 static placement where_rigid(const world *w, int b)
@@ -210,13 +210,31 @@ void world_set_gravity(world *w, vec3 gravity)
         const body *x = &w->body[b];
         world_wake(w, b);
         if (!body_moves(w, b)) continue;
-        vec3 change = vec3_scale(since_of(w, b), less);
+        real share = w->is_uneven ? x->gravity : 1;
+        vec3 change = vec3_scale(share * since_of(w, b), less);
         if (body_is_soft(x)) add_soft_velocity(w, x, change);
         else add_velocity(w, b, change, none);
     }
     w->options.gravity = gravity;
     for (int b = 0; b < w->bodies; b++)
         w->body[b].taut = world_taut(w, &w->body[b]);
+}
+
+status world_set_gravity_scale(world *w, int b, real scale)
+{
+    assert(b >= 0 && b < w->bodies && !body_is_soft(&w->body[b]));
+    if (!(fabs(scale) <= 1000))
+        return status_fail("%g times the world's gravity on a body; it must lie "
+                           "between -1000 and 1000", scale);
+    vec3 was = since_then(w, b), none = { 0, 0, 0 };
+    world_wake(w, b);
+    world_wake_around(w, b);
+    w->body[b].gravity = scale;
+    w->is_uneven |= scale != 1;
+    w->most_gravity = real_max(fabs(scale), w->most_gravity);
+    w->is_still = false;
+    if (body_moves(w, b)) add_velocity(w, b, vec3_sub(was, since_then(w, b)), none);
+    return status_ok();
 }
 //<
 
@@ -317,6 +335,41 @@ void world_set_kinematic(world *w, int b, bool is_kinematic)
     world_renew(w, b);
     w->rigid.drive[b] = (body_drive){ .velocity = { 0, 0, 0 } };
     if (!is_kinematic) world_set_velocity(w, b, at.velocity, at.spin);
+}
+
+// What hangs on b wakes.
+static void wake_joined(world *w, int b)
+{
+    for (int k = 0; k < w->joints.count; k++) {
+        const joint *j = &w->joints.joint[k];
+        if (j->kind == JOINT_NONE || (j->a != b && j->b != b)) continue;
+        int other = j->a + j->b - b;
+        if (other >= 0) world_wake(w, other);
+    }
+}
+
+void world_set_static(world *w, int b, bool is_static)
+{
+    assert(b >= 0 && b < w->bodies && !body_is_soft(&w->body[b]));
+    body *x = &w->body[b];
+    vec3 none = { 0, 0, 0 };
+    assert(!x->is_kinematic);
+    if (body_is_static(x) == is_static) return;
+    world_wake(w, b);
+    world_wake_around(w, b);
+    wake_joined(w, b);
+    real inverse = is_static ? 0 : 1 / x->rigid->mass;
+    x->mass = is_static ? HUGE_VAL : FOUR * x->rigid->mass;
+    w->dynamic_bodies += is_static ? -1 : 1;
+    w->is_choosy = true;
+    for (int i = x->first; i < x->first + FOUR; i++) {
+        particle *p = &w->pool.at[i];
+        p->inverse_mass = w->inverse_mass[i] = inverse;
+        p->previous = p->position;
+    }
+    w->rigid.age[b] = w->age;
+    world_renew(w, b);
+    world_set_velocity(w, b, none, none);
 }
 
 void world_set_filter(world *w, int b, unsigned group, unsigned mask)

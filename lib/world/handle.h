@@ -43,6 +43,16 @@ void world_set_kinematic(world *w, int b, bool is_kinematic);
 // it had.
 void world_set_gravity(world *w, vec3 gravity);
 
+// So many times the world's gravity acts on a rigid body from now on: it wakes, and
+// has the velocity that it had.  A new one has 1.  Fails, changing nothing, if it is
+// not finite, or beyond -1000 and 1000.
+status world_set_gravity_scale(world *w, int b, real scale);
+
+// Makes a rigid body static, as it stands; or static no more: it is dynamic, at
+// rest.  A kinematic one is to be made dynamic first.  What lay on it wakes, and what
+// is joined to it.
+void world_set_static(world *w, int b, bool is_static);
+
 // An impulse (N s) on a rigid body, now, at a point of the world.  A static or
 // kinematic one does not feel it.
 void world_push(world *w, int b, vec3 impulse, vec3 at);

@@ -77,6 +77,13 @@ void world_unjoin(world *w, int number)
     linkage_remove(&w->joints, number);
 }
 
+void world_touch_joint(world *w, int number, bool may_touch)
+{
+    joint *j = joint_at(w, number);
+    j->may_touch = may_touch;
+    wake_both(w, j);
+}
+
 status world_limit_joint(world *w, int number, real least, real most)
 {
     const real turn = JOINT_HALF_TURN;
@@ -294,7 +301,7 @@ static void hold_slow(world *w, int b)
 {
     if (b < 0 || !w->rigid.moves[b]) return;
     const real *u = w->rigid.velocity[b].of;
-    real fall = w->rigid.age[b] * vec3_length(w->options.gravity);
+    real fall = w->rigid.age[b] * vec3_length(body_gravity(w, b));
     vec3 v = { u[0], u[1], u[2] };
     w->rigid.held[b] |= vec3_length_squared(v) < fall * fall;
 }

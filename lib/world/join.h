@@ -21,6 +21,9 @@ status world_join(world *w, joint_plan plan, int *number);
 // Takes a joint away; what it held wakes.
 void world_unjoin(world *w, int number);
 
+// May the two bodies touch, as if they were not joined?  From the next frame on.
+void world_touch_joint(world *w, int number, bool may_touch);
+
 // Limits to a hinge: rad, of B against A, from how they stood when they were
 // joined, from -pi to pi.  Or to a distance: m, from 0.  What lies beyond that is
 // no limit, so -HUGE_VAL and HUGE_VAL take both off.  Fails, changing nothing, if

@@ -25,13 +25,14 @@ static void add_particles(ledger_entry *sum, const world *w, const body *b,
                           bool is_asleep)
 {
     real h = body_age(w, w->owner[b->first]), apart = is_asleep ? 0 : h;
+    vec3 gravity = body_gravity(w, w->owner[b->first]);
     for (int i = b->first; i < b->first + body_particles(b); i++) {
         const particle *p = &w->pool.at[i];
         if (w->inverse_mass[i] == 0) continue;
         real mass = 1 / w->inverse_mass[i];
         vec3 v = vec3_scale(1 / h, vec3_sub(p->position, p->previous));
         vec3 middle = vec3_scale(0.5, vec3_add(p->position, p->previous));
-        add_mass(sum, mass, middle, v, w->options.gravity, apart);
+        add_mass(sum, mass, middle, v, gravity, apart);
         sum->energy += mass * vec3_length_squared(v) / 2;
     }
 }
@@ -45,7 +46,7 @@ static void add_rigid(ledger_entry *sum, const world *w, int b)
     real ahead = w->rigid.halfway[b];
     vec3 v = { u[0], u[1], u[2] }, moved = { d[0], d[1], d[2] };
     vec3 middle = vec3_add_scaled(vec3_add(now->frame.center, moved), ahead, v);
-    add_mass(sum, w->body[b].mass, middle, v, w->options.gravity, 2 * ahead);
+    add_mass(sum, w->body[b].mass, middle, v, body_gravity(w, b), 2 * ahead);
     sum->energy += motion_energy(&now->basis, &w->rigid.velocity[b]);
     sum->angular = vec3_add(sum->angular, motion_angular(&now->basis,
                                                 &w->rigid.velocity[b]));

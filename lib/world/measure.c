@@ -42,7 +42,7 @@ static void measure_motion(const world *w, measures *m)
         vec3 v = vec3_scale(1 / h, vec3_sub(p->position, p->previous));
         vec3 x = vec3_scale(0.5, vec3_add(p->position, p->previous));
         m->kinetic += mass / 2 * vec3_length_squared(v);
-        m->potential -= mass * vec3_dot(w->options.gravity, x);
+        m->potential -= mass * vec3_dot(body_gravity(w, w->owner[i]), x);
         m->momentum = vec3_add_scaled(m->momentum, mass, v);
         m->angular = vec3_add_scaled(m->angular, mass, vec3_cross(x, v));
     }

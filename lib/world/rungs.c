@@ -90,7 +90,7 @@ static bool is_calm(const world *w, int b)
 {
     const rigid_tables *t = &w->rigid;
     real since = w->frame * rigid_since(w, b);
-    vec3 way = vec3_add_scaled(t->ahead[b].way, since, w->options.gravity);
+    vec3 way = vec3_add_scaled(t->ahead[b].way, since, body_gravity(w, b));
     real far = t->now[b].radius / SIXTEENTH;
     return vec3_length_squared(way) <= far * far;
 }

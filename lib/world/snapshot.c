@@ -372,6 +372,7 @@ void world_store(world *w, store *s)
     shapes_store(w, s);
     bodies_store(w, s);
     rigid_store(&w->rigid, w->bodies, w->room, s);
+    STORE_TABLE(s, w->rigid.heard, w->rigid.hears, w->rigid.heard_room);
     linkage_store(&w->joints, s);
     soft_store(&w->soft, s);
     sleep_store(&w->sleep, s);

@@ -5,6 +5,7 @@
 #include "ahead.h"
 #include "drive.h"
 #include "guard.h"
+#include "hear.h"
 #include "handle.h"
 #include "join.h"
 #include "ledger.h"
@@ -64,14 +65,17 @@ static void go(world *w, solver_frame f, real *since)
     if (r->hangs) join_begin(w, &f);
     while (left > 0) {
         ledger_page page = ledger_mark(w);
+        int hears = w->rigid.hears;
         if (r->hangs && !r->is_soft) advance_mark(w);
         substep(w, &f, since);
         w->report.substeps++;
         int more = substeps_again(w, f.h, left);
         if (more > 0) redo(w, &f, (real)left / more, &page);
         left = more > 0 ? more : left - 1;
+        if (more > 0) w->rigid.hears = hears;
         if (more > 0) continue;
         grow_old(w, f.h);
+        if (w->rigid.listens) hear_contacts(w);
         if (left > 0) ahead_again(w, &f, left * f.h);
     }
 }
@@ -86,6 +90,7 @@ static void solve_rung(world *w, int k, real *since)
     t->awake = t->by_rung + r->first;
     t->awakes = r->end - r->first;
     solver_frame f = prepare(w, r);
+    if (t->listens) hear_impacts(w, &f);
     lap(w, PHASE_PREPARE, since);
     go(w, f, since);
     solver_store(&t->solver, w->options.host.run, t->cache.active);
@@ -154,6 +159,7 @@ static bool sleeps_on(world *w)
 {
     if (!w->is_still) return false;
     w->report = (step_report){ .asleep = w->report.asleep };
+    w->rigid.hears = 0;
     w->time += w->options.dt;
     return true;
 }
@@ -166,6 +172,7 @@ void world_step(world *w)
     real dt = w->options.dt;
     real since = w->options.host.clock ? w->options.host.clock() : 0;
     w->report = (step_report){ .substeps = 0 };
+    w->rigid.hears = 0;
     world_weigh(w);
     ledger_open(w);
     sleep_begin(&w->sleep);
@@ -444,6 +451,7 @@ static void find_contacts(world *w)
     rigid_tables *t = &w->rigid;
     cache_frame f = ahead_frame(w);
     cache_update(&t->cache, &f);
+    if (w->options.host.meets) hear_choose(w);
     pair_list_part(&t->pairs);
     w->report.pairs = t->pairs.count + t->pairs.parted;
     w->report.queries = (int)t->cache.queries;
@@ -537,7 +545,7 @@ static void fall(world *w, real h)
     for (int k = 0; k < w->rigid.awakes; k++) {
         int b = w->rigid.awake[k];
         if (!w->rigid.moves[b]) continue;
-        vec3 g = vec3_scale((w->rigid.age[b] + h) / 2, w->options.gravity);
+        vec3 g = vec3_scale((w->rigid.age[b] + h) / 2, body_gravity(w, b));
         real *u = w->rigid.velocity[b].of;
         u[0] += g.x;
         u[1] += g.y;
@@ -687,6 +695,7 @@ static void observe(world *w)
         if (!body_moves(w, b)) continue;
         real radius = x->rigid ? x->rigid->radius : x->shape->radius;
         rule.h = body_age(w, b);
+        if (w->is_uneven) rule.gravity = vec3_length(body_gravity(w, b));
         sleep_observe(&w->sleep, b, w->pool.at, x->first, body_particles(x),
                       radius, &rule);
     }

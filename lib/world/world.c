@@ -107,6 +107,7 @@ status world_init(world *w, world_options options)
     w->has_substeps = options.substeps > 0;
     w->options.substeps = world_substeps(&options);
     w->age = options.dt / w->options.substeps;
+    w->most_gravity = 1;
     return check_options(&options);
 }
 
@@ -251,7 +252,7 @@ static vec3 placed(const placement *where, vec3 r)
 // A particle of a body, at `at` in the body's frame, with the velocity of one
 // that turns about its centre of mass.
 static particle placed_particle(const world *w, const placement *where,
-                                vec3 at, vec3 center, real mass)
+                                vec3 at, vec3 center, real mass, vec3 gravity)
 {
     const vec3 still = { 0, 0, 0 };
     real h = w->age;
@@ -259,7 +260,7 @@ static particle placed_particle(const world *w, const placement *where,
     vec3 r = placed(where, vec3_sub(at, center));
     vec3 v = vec3_add(where->velocity, vec3_cross(where->spin, r));
     if (where->is_static) return particle_start(x, still, still, 0, h);
-    return particle_start(x, v, w->options.gravity, 1 / mass, h);
+    return particle_start(x, v, gravity, 1 / mass, h);
 }
 
 static void place_particles(world *w, const body *b, const placement *where)
@@ -267,11 +268,12 @@ static void place_particles(world *w, const body *b, const placement *where)
     const vec3 origin = { 0, 0, 0 };
     const shape *s = b->shape;
     const rigid4 *f = b->rigid;
+    vec3 g = body_gravity(w, (int)(b - w->body));
     w->rigid.age[b - w->body] = w->age;
     for (int i = 0; i < body_particles(b); i++) {
         particle *p = &w->pool.at[b->first + i];
-        if (f) *p = placed_particle(w, where, f->at[i], f->center, f->mass);
-        else   *p = placed_particle(w, where, s->at[i], origin, s->mass[i]);
+        if (f) *p = placed_particle(w, where, f->at[i], f->center, f->mass, g);
+        else   *p = placed_particle(w, where, s->at[i], origin, s->mass[i], g);
     }
 }
 //<
@@ -622,7 +624,7 @@ static body body_of(const world *w, int entry, const placement *where)
                .entry = entry, .inner = e->inner, .mass = HUGE_VAL,
                .round = s->round, .is_weighed = s->own.mass > 0,
                .thickness = particle_radius(s),
-               .group = 1, .mask = ~0u };
+               .gravity = 1, .group = 1, .mask = ~0u };
     if (!where->is_static) b.mass = rigid4_mass(s);
     b.taut = world_taut(w, &b);
     return b;
@@ -828,7 +830,7 @@ void world_free(world *w)
         r->reach, r->velocity, r->moved, r->load, r->material, r->drive,
         r->began, r->asked, r->turned, r->awake, r->is_awake, r->fresh, r->going, r->touches,
         r->now_then, r->velocity_then,
-        r->moved_then, r->held, r->free, r->free_end };
+        r->moved_then, r->held, r->free, r->free_end, r->heard };
     for (size_t i = 0; i < sizeof owned / sizeof *owned; i++) free(owned[i]);
     pair_list_free(&r->pairs);
     cache_free(&r->cache);

@@ -33,6 +33,10 @@ typedef struct {
     // one of their faces?  The first such face goes to *side.
     bool (*enters)(void *surroundings, int b, vec3 from, vec3 to, plane *side);
     void *surroundings;
+    // Shall the bodies of this contact push each other in this part of a frame?
+    // NULL: all do.
+    bool (*meets)(void *chooser, const contact *c);
+    void *chooser;
 } world_host;
 
 // In all parts of a frame, with those that are done again, together.
@@ -132,6 +136,13 @@ typedef struct {
 typedef struct {
     vec3 force, torque; // N, N m
 } body_load;
+
+// What a contact gave at once, or in a substep.
+typedef struct {
+    int  a, b;          // as a contact has them
+    vec3 point, normal;
+    real impulse;       // N s
+} heard_impulse;
 
 // How a kinematic body moves.
 typedef struct {
@@ -233,6 +244,9 @@ typedef struct {
     bool           is_new_list;         // of pairs
     contact_cache  cache;
     contact_solver solver;
+    bool         listens;   // what contacts give is written down:
+    heard_impulse *heard;   // [hears] in the last frame
+    int          hears, heard_room;
 } rigid_tables;
 //<
 
@@ -266,6 +280,8 @@ typedef struct world {
     int  kinematic_bodies;
     bool is_choosy;         // some bodies do not meet all others
     bool has_pieces;        // some bodies have had several
+    real most_gravity;      // 1, the largest share of the world's gravity that
+    bool is_uneven;         // acts on a body; it is not the same for all
     bool has_substeps;      // options said how many
     rigid_tables rigid;
     linkage      joints;
@@ -372,6 +388,13 @@ static inline real body_age(const world *w, int b)
 static inline real rigid_since(const world *w, int b)
 {
     return w->rigid.held[b] ? 0 : w->rigid.age[b] / 2;
+}
+
+// m/s^2, on rigid body b.
+static inline vec3 body_gravity(const world *w, int b)
+{
+    return w->is_uneven ? vec3_scale(w->body[b].gravity, w->options.gravity)
+                        : w->options.gravity;
 }
 
 // Kinematic, and not at rest.

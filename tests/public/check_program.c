@@ -839,6 +839,15 @@ START_TEST(what_changes_changes_nothing_in_no_world)
     REFUSED(tumble_set_damping(NONE, b, 0, 0));
     REFUSED(tumble_set_filter(NONE, b, 1, 1));
     REFUSED(tumble_set_user(NONE, b, NULL));
+    REFUSED(tumble_force_at(NONE, b, UP, ZERO));
+    REFUSED(tumble_set_kind(NONE, b, TUMBLE_STATIC));
+    REFUSED(tumble_set_gravity_scale(NONE, b, 1));
+    REFUSED(tumble_set_locked(NONE, b, 1));
+    REFUSED(tumble_set_sensor(NONE, b, true));
+    REFUSED(tumble_listen(NONE, true));
+    REFUSED(tumble_choose_contacts(NONE, NULL, NULL));
+    REFUSED(tumble_sensor_events(NONE, NULL, 0));
+    REFUSED(tumble_set_touching(NONE, j, true));
     REFUSED(tumble_pin(NONE, b, 0));
     REFUSED(tumble_unpin(NONE, b, 0));
     REFUSED(tumble_push_vertex(NONE, b, 0, UP));
@@ -872,6 +881,17 @@ START_TEST(a_question_about_no_world_has_the_answer_zero)
     ck_assert_ptr_null(tumble_load(NULL, 0));
     tumble_forget_failure(NULL);
     NOTHING(tumble_has(NONE, b));
+    NOTHING(tumble_moved(NONE, NULL, 0));
+    NOTHING(tumble_get_options(NONE, b).group);
+    NOTHING(tumble_shape_of(NONE, b).generation);
+    NOTHING(tumble_gravity_scale(NONE, b) != 0);
+    NOTHING(tumble_locked(NONE, b));
+    NOTHING(tumble_is_sensor(NONE, b));
+    NOTHING(tumble_impulses(NONE, NULL, 0));
+    NOTHING(tumble_sensed(NONE, b, NULL, 0));
+    NOTHING(tumble_joints(NONE, NULL, 0));
+    NOTHING(tumble_joint_body(NONE, j, 0).generation);
+    NOTHING(tumble_may_touch(NONE, j));
     NOTHING(tumble_bodies(NONE, NULL, 0));
     NOTHING(tumble_get_pose(NONE, b).rotation.w != 0);
     NOTHING(!is_zero(tumble_position(NONE, b)));
@@ -891,6 +911,10 @@ START_TEST(a_question_about_no_world_has_the_answer_zero)
     NOTHING(tumble_nearest(NONE, ZERO, 1, ~0u, NULL));
     NOTHING(tumble_overlap(NONE, s, POSE, ~0u, NULL, 0));
     NOTHING(tumble_sweep(NONE, s, POSE, UP, ~0u, NULL));
+    NOTHING(tumble_ray_all(NONE, ZERO, UP, ~0u, NULL, 0));
+    NOTHING(tumble_ray_soft(NONE, ZERO, UP, ~0u, NULL));
+    NOTHING(tumble_nearest_soft(NONE, ZERO, 1, ~0u, NULL));
+    NOTHING(tumble_sweep_turning(NONE, s, POSE, UP, UP, ~0u, NULL));
     NOTHING(tumble_contacts(NONE, NULL, 0));
     NOTHING((tumble_draw(NONE, &pen), false));
 }

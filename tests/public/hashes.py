@@ -65,12 +65,17 @@ def alone(w):
     for body, row in zip(bodies, rows):
         pose = w.get_pose(body)
         assert row == [*pose.position, *pose.rotation]
-    rows = w.velocities(bodies).tolist()
-    assert rows == [[*w.velocity(b), *w.spin(b)] for b in bodies]
+    velocity, spin = w.velocities(bodies)
+    assert velocity.tolist() == [[*w.velocity(b)] for b in bodies]
+    assert spin.tolist() == [[*w.spin(b)] for b in bodies]
+    assert w.poses([]).tolist() == [] and list(w.moved()) == [b for b in bodies if w.is_awake(b)]
     saved = w.save()
     other = tumble.World.load(saved)
     w.step()
     other.step()
+    assert w.hash() == other.hash()
+    w.restore(saved)
+    w.step()
     assert w.hash() == other.hash()
     assert w.ray((0, 50, 0), (0, -5, 0), ~0 & 0xFFFFFFFF) and w.ray((90, 50, 0), (90, 40, 0), 1) is None
     w.remove(bodies[3])

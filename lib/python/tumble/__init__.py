@@ -152,25 +152,29 @@ class World:
         self._begin(_library.tumble_load(saved, len(saved)))
         return self
 
-    def _in_bulk(self, function, kind, each, bodies):
+    def restore(self, saved):
+        """Puts what was saved in the place of this world."""
+        if not _library.tumble_restore(self._world, saved, len(saved)):
+            self._check()
+
+    def _in_bulk(self, function, kinds, bodies):
         bodies = self.bodies() if bodies is None else _array(body, bodies)
-        out = (kind * (each * len(bodies)))()
-        function(ctypes.c_void_p(self._world), bodies, len(bodies), out)
-        return out
+        out = [(kind * len(bodies))() for kind in kinds]
+        function(self._world, bodies, len(bodies), *out)
+        return [numbers(array) for array in out]
 
     def poses(self, bodies=None):
         """Of many bodies at once (None: of all), a row each: x y z, and the
         quaternion's x y z w.  numpy.asarray(world.poses())[:, :3] is where they are."""
-        return numbers(self._in_bulk(_library.bulk_poses, pose, 1, bodies))
+        return self._in_bulk(_library.tumble_get_poses, [pose], bodies)[0]
 
     def velocities(self, bodies=None):
-        """Likewise: the velocity, and the spin, of three numbers each."""
-        return numbers((pose_rate * 0)() if bodies is not None and not len(bodies) else
-                       (pose_rate * len(bodies if bodies is not None else self.bodies())).from_buffer(
-                           self._in_bulk(_library.bulk_velocities, vec3, 2, bodies)))
+        """Likewise: rows of velocities, and rows of spins, of three numbers each."""
+        return self._in_bulk(_library.tumble_get_velocities, [vec3, vec3], bodies)
 
 
-_hidden = {"make", "free", "failure", "forget_failure", "save", "load", "run_on", "draw"}
+_hidden = {"make", "free", "failure", "forget_failure", "save", "load", "run_on", "draw",
+           "get_poses", "get_velocities", "restore", "choose_contacts"}
 for _key, _value in _header.constants.items():
     globals()[_key.replace("TUMBLE_", "")] = _value
 for _key, _value in _header.types.items():
@@ -184,12 +188,6 @@ for _key, (_result, _parameters, _) in _header.functions.items():
         setattr(World, _key[7:], _function)
     else:
         globals()[_key[7:]] = _function
-
-
-class pose_rate(Value):
-    """A velocity (m/s) and a spin (rad/s)."""
-
-    _fields_ = [("velocity", vec3), ("spin", vec3)]
 
 
 _at = at

@@ -1,0 +1,95 @@
+//> face-kind
+//>   A body may change its kind, feel another gravity than the rest, and be held
+//>   along some axes: a lift that stops, a balloon, a game in two dimensions.
+#include "handle.h"
+#include "inside.h"
+
+static const tumble_vec3 NONE = { 0, 0, 0 };
+
+bool tumble_set_kind(tumble_world *w, tumble_body b, tumble_kind kind)
+{
+    int number = inside_rigid(w, b, NONE, NONE);
+    if (number < 0) return false;
+    if ((unsigned)kind > TUMBLE_KINEMATIC)
+        return inside_fail(w, "%d is no kind of body", (int)kind);
+    body_place *x = inside_body(w, b);
+    if (kind == x->kind) return true;
+    if (x->is_sensor && kind == TUMBLE_DYNAMIC)
+        return inside_fail(w, "body %u is a sensor: it would fall through all",
+                           b.place);
+    inside_lock(w, x, 0);
+    world_set_kinematic(&w->world, number, false);
+    world_set_static(&w->world, number, kind == TUMBLE_STATIC);
+    world_set_kinematic(&w->world, number, kind == TUMBLE_KINEMATIC);
+    x->kind = kind;
+    return true;
+}
+//<
+
+//> face-gravity
+//>   Gravity is a number of the body; velocities go on from what they are.
+bool tumble_set_gravity_scale(tumble_world *w, tumble_body b, double scale)
+{
+    int number = inside_rigid(w, b, NONE, NONE);
+    return number >= 0
+        && inside_is_ok(w, world_set_gravity_scale(&w->world, number, scale));
+}
+
+double tumble_gravity_scale(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    return x ? w->world.body[x->piece[0].number].gravity : 0;
+}
+//<
+
+//> face-lock
+//>   Locked axes are a joint to the ground with a row for each of them, which no id
+//>   stands for.
+bool tumble_set_locked(tumble_world *w, tumble_body b, unsigned axes)
+{
+    int number = inside_rigid(w, b, NONE, NONE);
+    if (number < 0) return false;
+    body_place *x = inside_body(w, b);
+    if (axes >= 2 * TUMBLE_LOCK_TURN_Z)
+        return inside_fail(w, "axes 0x%x are none that can be locked", axes);
+    if (axes > 0 && x->kind != TUMBLE_DYNAMIC)
+        return inside_fail(w, "body %u is not dynamic: it goes nowhere by itself, "
+                           "and no axis of it is locked", b.place);
+    return inside_lock(w, x, axes);
+}
+
+unsigned tumble_locked(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    return x ? inside_locked(w, x) : 0;
+}
+//<
+
+//> face-sensor
+//>   A sensor is a body in no group. So no pair, no ray and no piece of cloth finds
+//>   it, and nothing in the engine needs to know of it.
+bool tumble_set_sensor(tumble_world *w, tumble_body b, bool is_sensor)
+{
+    body_place *x = inside_body(w, b);
+    if (!x || x->is_sensor == is_sensor) return x != NULL;
+    const body *first = &w->world.body[x->piece[0].number];
+    if (x->kind == TUMBLE_DYNAMIC || x->mesh || body_is_soft(first))
+        return inside_fail(w, "body %u is dynamic, a surface, a rope or a cloth: no "
+                           "sensor", b.place);
+    if (is_sensor) {
+        x->group = first->group;
+        x->mask = first->mask;
+    }
+    x->is_sensor = is_sensor;
+    for (int k = 0; k < x->pieces; k++)
+        world_set_filter(&w->world, x->piece[k].number,
+                         is_sensor ? 0 : x->group, is_sensor ? 0 : x->mask);
+    return true;
+}
+
+bool tumble_is_sensor(const tumble_world *w, tumble_body b)
+{
+    const body_place *x = inside_look(w, b);
+    return x && x->is_sensor;
+}
+//<

@@ -1,0 +1,94 @@
+//> hear-write
+//>   Every blow is one more line of a table. A substep's is what its contacts gave in
+//>   it; those that were done again are not there.
+#include "hear.h"
+#include "table.h"
+
+#include <stdlib.h>
+
+static bool reserve_heard(rigid_tables *t)
+{
+    int room = t->heard_room;
+    if (t->hears < room) return true;
+    room = 2 * room + 64;
+    heard_impulse *more = realloc(t->heard, (size_t)room * sizeof *more);
+    if (!more) return false;
+    t->heard = more;
+    t->heard_room = room;
+    return true;
+}
+
+// The points of c, each with its share; of an impact all alike.
+static vec3 heard_at(const world *w, const contact *c)
+{
+    const solver_body *now = w->rigid.now;
+    vec3 sum = { 0, 0, 0 };
+    real load = contact_load(c), even = load > 0 ? 0 : 1.0 / c->count;
+    for (int k = 0; k < c->count; k++) {
+        contact_arms arm = contact_arms_of(c, k, &now[c->a].frame,
+                                           c->b < 0 ? NULL : &now[c->b].frame);
+        real share = load > 0 ? c->impulse[k] / load : even;
+        sum = vec3_add_scaled(sum, share, arm.a);
+    }
+    return vec3_add(now[c->a].frame.center, sum);
+}
+
+// If there is no memory, it is not written.
+static void write(world *w, const contact *c, real impulse)
+{
+    rigid_tables *t = &w->rigid;
+    if (!(impulse > 0) || c->count == 0 || !reserve_heard(t)) return;
+    t->heard[t->hears++] = (heard_impulse){ c->a, c->b, heard_at(w, c),
+                                            c->normal, impulse };
+}
+
+void hear_contacts(world *w)
+{
+    rigid_tables *t = &w->rigid;
+    solver_store(&t->solver, w->options.host.run, t->cache.active);
+    for (int k = t->solver.first; k < t->solver.end; k++) {
+        const contact *c = t->cache.active[k];
+        write(w, c, contact_load(c));
+    }
+}
+
+static void hear_impact(void *listener, const contact *c, real impulse)
+{
+    write(listener, c, impulse);
+}
+
+void hear_impacts(world *w, solver_frame *f)
+{
+    f->hear = hear_impact;
+    f->listener = w;
+}
+//<
+
+//> hear-choose
+//>   What a program does not want in this part of a frame is left out, and carries
+//>   nothing over to the next.
+static void forget_load(contact *c)
+{
+    for (int k = 0; k < CONTACT_POINTS; k++) c->impulse[k] = 0;
+    c->friction = (vec3){ 0, 0, 0 };
+    c->twist = 0;
+}
+
+void hear_choose(world *w)
+{
+    contact_cache *cache = &w->rigid.cache;
+    const world_host *host = &w->options.host;
+    int kept = 0;
+    for (int k = 0; k < cache->actives; k++) {
+        contact *c = cache->active[k];
+        if (c->count > 0 && !host->meets(host->chooser, c)) {
+            forget_load(c);
+            continue;
+        }
+        cache->active[kept] = c;
+        cache->of[kept] = cache->of[k];
+        cache->reach[kept++] = cache->reach[k];
+    }
+    cache->actives = kept;
+}
+//<

@@ -1,0 +1,23 @@
+//> hear
+//>   A game plays a sound as loud as the blow was, and lets a player jump through a
+//>   platform from below. Both look at the contacts while a frame goes on.
+// hear.h - what contacts give in a frame is written down, and which of them count.
+//
+// Book: chapter 18.  Units: newtons, seconds, metres.
+
+#ifndef TUMBLE_HEAR_H
+#define TUMBLE_HEAR_H
+
+#include "world.h"
+
+// The impacts of a rung are written, too, from now on.
+void hear_impacts(world *w, solver_frame *f);
+
+// A substep is over: what the contacts of its rung gave in it.
+void hear_contacts(world *w);
+
+// Of the contacts of this part of a frame, those stay that options.host.meets says.
+void hear_choose(world *w);
+
+#endif
+//<

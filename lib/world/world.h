@@ -189,8 +189,8 @@ typedef struct {
     bool hangs;         // there are joints
 } rung;
 
-// Each has twice the substeps of the one below.
-enum { RUNGS = 8 };     // tuned, rungs
+// Each has a quarter more substeps than the one below.
+enum { RUNGS = 16 };    // tuned, rungs
 
 // Rigid bodies in a frame, each phase with its own table: where they are ->
 // which may meet -> where they touch -> what impulses part them -> how far they

@@ -358,7 +358,8 @@ static lost_side side_of(const rigid_tables *t, int large, int face,
     return (lost_side){ n, vec3_sub(to, end->center), real_min(was, high) - is };
 }
 
-// Both make way, by their masses.
+// Both make way, by their masses.  A shift across the way that they go changes
+// their angular momentum: the larger one's spin gives it back.
 static void put_back(rigid_tables *t, int small, int large, const lost_side *s)
 {
     solver_body *a = &t->now[small], *b = &t->now[large];
@@ -367,6 +368,10 @@ static void put_back(rigid_tables *t, int small, int large, const lost_side *s)
                                       s->normal);
     b->frame.center = vec3_add_scaled(b->frame.center, -s->need * y / (x + y),
                                       s->normal);
+    const real *u = t->velocity[small].of, *v = t->velocity[large].of;
+    vec3 apart = { u[0] - v[0], u[1] - v[1], u[2] - v[2] };
+    vec3 moment = vec3_scale(s->need / (x + y), vec3_cross(apart, s->normal));
+    if (x > 0 && y > 0) motion_twist(&t->velocity[large], &b->basis, moment);
 }
 
 // The impulse after which the smaller one's centre goes no further in.

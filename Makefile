@@ -57,6 +57,7 @@ define ORDER
 16/facet
 16/near
 16/touch
+16/certificate
 16/soft
 17/joint
 17/actuator

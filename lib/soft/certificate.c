@@ -20,19 +20,19 @@ typedef struct {
     certificate *c;
     const soft_frame *f;
     bool tells;
-} look;
+} frame_look;
 
-static int columns_of(const look *l, int b)
+static int columns_of(const frame_look *l, int b)
 {
     return l->f->body[b].shape->columns - 1;
 }
 
-static int rows_of(const look *l, int b)
+static int rows_of(const frame_look *l, int b)
 {
     return l->f->body[b].shape->rows - 1;
 }
 
-static cell_range cells_of(const look *l, tile t)
+static cell_range cells_of(const frame_look *l, tile t)
 {
     int n = 1 << t.level;
     return (cell_range){
@@ -46,7 +46,7 @@ static int tiles_in(int cells, int level)
     return ((cells - 1) >> level) + 1;
 }
 
-static int index_of(const look *l, tile t)
+static int index_of(const frame_look *l, tile t)
 {
     int columns = columns_of(l, t.body), rows = rows_of(l, t.body);
     int at = l->f->body[t.body].first;
@@ -55,7 +55,7 @@ static int index_of(const look *l, tile t)
     return at + t.row * tiles_in(columns, t.level) + t.column;
 }
 
-static tile top_of(const look *l, int b)
+static tile top_of(const frame_look *l, int b)
 {
     tile t = { b, TILE, 0, 0 };
     int most = int_max(columns_of(l, b), rows_of(l, b));
@@ -64,7 +64,7 @@ static tile top_of(const look *l, int b)
 }
 
 // Its four, of which some may be none.  Returns how many there are.
-static int split(const look *l, tile t, tile part[4])
+static int split(const frame_look *l, tile t, tile part[4])
 {
     int count = 0, level = t.level - 1;
     for (int k = 0; k < 4; k++) {
@@ -75,7 +75,7 @@ static int split(const look *l, tile t, tile part[4])
     return count;
 }
 
-static int vertex_at(const look *l, int b, int column, int row)
+static int vertex_at(const frame_look *l, int b, int column, int row)
 {
     const body *x = &l->f->body[b];
     return x->first + row * x->shape->columns + column;
@@ -83,17 +83,19 @@ static int vertex_at(const look *l, int b, int column, int row)
 //<
 
 //> certificate-boxes
-static vec3 lower(vec3 a, vec3 b)
+static vec3 low_corner(vec3 a, vec3 b)
 {
-    return vec3_make(real_min(a.x, b.x), real_min(a.y, b.y), real_min(a.z, b.z));
+    return vec3_make(real_min(a.x, b.x), real_min(a.y, b.y),
+                     real_min(a.z, b.z));
 }
 
-static vec3 higher(vec3 a, vec3 b)
+static vec3 high_corner(vec3 a, vec3 b)
 {
-    return vec3_make(real_max(a.x, b.x), real_max(a.y, b.y), real_max(a.z, b.z));
+    return vec3_make(real_max(a.x, b.x), real_max(a.y, b.y),
+                     real_max(a.z, b.z));
 }
 
-static void box_cells(const look *l, cell_range r, swept_box *box)
+static void box_cells(const frame_look *l, cell_range r, swept_box *box)
 {
     for (int e = 0; e < ENDS; e++) {
         const vec3 *at = l->c->at[e];
@@ -101,8 +103,8 @@ static void box_cells(const look *l, cell_range r, swept_box *box)
         for (int j = r.top; j <= r.bottom; j++) {
             const vec3 *x = &at[vertex_at(l, r.body, 0, j)];
             for (int i = r.left; i <= r.right; i++) {
-                low = lower(low, x[i]);
-                high = higher(high, x[i]);
+                low = low_corner(low, x[i]);
+                high = high_corner(high, x[i]);
             }
         }
         box->low[e] = low;
@@ -110,7 +112,7 @@ static void box_cells(const look *l, cell_range r, swept_box *box)
     }
 }
 
-static void box_parts(const look *l, tile t, swept_box *box)
+static void box_parts(const frame_look *l, tile t, swept_box *box)
 {
     tile part[4];
     int parts = split(l, t, part);
@@ -118,12 +120,12 @@ static void box_parts(const look *l, tile t, swept_box *box)
     for (int k = 1; k < parts; k++)
         for (int e = 0; e < ENDS; e++) {
             const swept_box *x = &l->c->box[index_of(l, part[k])];
-            box->low[e] = lower(box->low[e], x->low[e]);
-            box->high[e] = higher(box->high[e], x->high[e]);
+            box->low[e] = low_corner(box->low[e], x->low[e]);
+            box->high[e] = high_corner(box->high[e], x->high[e]);
         }
 }
 
-static void box_all(const look *l, int b)
+static void box_all(const frame_look *l, int b)
 {
     int columns = columns_of(l, b), rows = rows_of(l, b);
     for (tile t = { b, TILE, 0, 0 }; t.level <= top_of(l, b).level; t.level++)
@@ -143,7 +145,7 @@ static void box_all(const look *l, int b)
 //>   out, it gives every pair one.
 // The projection (x, y) is the one that makes the mean cell a square, at the
 // middle of the frame: times a number > 0.
-static bool projection_of(const look *l, cell_range r, vec3 normal[2])
+static bool projection_of(const frame_look *l, cell_range r, vec3 normal[2])
 {
     vec3 along = { 0, 0, 0 }, down = along;
     for (int e = 0; e < ENDS; e++) {
@@ -176,8 +178,8 @@ static flat_point flat_less(flat_point a, flat_point b)
     return (flat_point){ a.x - b.x, a.y - b.y };
 }
 
-// A side along a row, one along a column.  What is surely over 0 is over that by
-// this share of what the mean cell has: rounding is far less.
+// What is surely over 0 is over it by this share of what the mean cell has:
+// rounding is far less.
 static const real SURELY = 0x1p-20;
 
 static bool is_spread(flat_point e, flat_point f)
@@ -212,12 +214,12 @@ static bool is_row_spread(const vec3 *upper, const vec3 *under, int left,
     return true;
 }
 
-static void tell(const look *l, witness w)
+static void tell(const frame_look *l, witness w)
 {
     if (l->tells) l->c->read(l->c->to, &w);
 }
 
-static bool is_range_spread(const look *l, cell_range r)
+static bool is_range_spread(const frame_look *l, cell_range r)
 {
     witness w = { .kind = WITNESS_SPREAD, .set[0].cells = r };
     if (!projection_of(l, r, w.normal)) return false;
@@ -240,7 +242,8 @@ static bool is_range_spread(const look *l, cell_range r)
 //>   one of level n has 2^n + 1 of them a side, and begins at a multiple of 2^n.
 enum { NOT_SPREAD = -1 };
 
-static void mark_windows(const look *l, int b, int level, int column, int row)
+static void mark_windows(const frame_look *l, int b, int level, int column,
+                         int row)
 {
     int columns = columns_of(l, b), rows = rows_of(l, b), n = 1 << level;
     int across = tiles_in(columns, TILE), down = tiles_in(rows, TILE);
@@ -269,7 +272,7 @@ static cell_range both_of(cell_range a, cell_range b)
 }
 
 // Is there a window that has all of it?
-static bool is_in_window(const look *l, cell_range r)
+static bool is_in_window(const frame_look *l, cell_range r)
 {
     tile t = { r.body, TILE, r.left >> TILE, r.top >> TILE };
     int n = l->c->spread[index_of(l, t)];
@@ -284,14 +287,14 @@ static bool is_in_window(const look *l, cell_range r)
 //>   Tiles that are not together in a patch are parted by a plane: along an
 //>   axis, if their boxes say so; or the search for the point of their
 //>   differences that is nearest to the origin (Gilbert 1966) finds one.
-static bool are_boxes_apart(const look *l, tile a, tile b, vec3 *normal)
+static bool are_boxes_apart(const frame_look *l, tile a, tile b, vec3 *normal)
 {
     const swept_box *x = &l->c->box[index_of(l, a)];
     const swept_box *y = &l->c->box[index_of(l, b)];
     vec3 over = vec3_sub(x->low[0], y->high[0]);
     vec3 under = vec3_sub(y->low[0], x->high[0]);
-    over = lower(over, vec3_sub(x->low[1], y->high[1]));
-    under = lower(under, vec3_sub(y->low[1], x->high[1]));
+    over = low_corner(over, vec3_sub(x->low[1], y->high[1]));
+    under = low_corner(under, vec3_sub(y->low[1], x->high[1]));
     real most = l->c->rounding;
     normal->x = (real)(over.x > most) - (real)(under.x > most);
     normal->y = (real)(over.y > most) - (real)(under.y > most);
@@ -302,7 +305,7 @@ static bool are_boxes_apart(const look *l, tile a, tile b, vec3 *normal)
 }
 
 // The vertex of a range that is furthest against n.
-static vec3 furthest(const look *l, cell_range r, int end, vec3 n)
+static vec3 lowest_in(const frame_look *l, cell_range r, int end, vec3 n)
 {
     vec3 best = { 0, 0, 0 };
     real least = HUGE_VAL;
@@ -318,7 +321,7 @@ static vec3 furthest(const look *l, cell_range r, int end, vec3 n)
     return best;
 }
 
-static vec3 middle_of(const look *l, cell_range r)
+static vec3 middle_of_cells(const frame_look *l, cell_range r)
 {
     vec3 sum = { 0, 0, 0 };
     for (int e = 0; e < ENDS; e++) {
@@ -332,23 +335,23 @@ static vec3 middle_of(const look *l, cell_range r)
 // After so many steps a tile is better split.
 enum { STEPS = 8 };
 
-static bool is_plane_between(const look *l, cell_range a, cell_range b)
+static bool is_plane_between(const frame_look *l, cell_range a, cell_range b)
 {
-    vec3 n = vec3_sub(middle_of(l, a), middle_of(l, b));
+    vec3 n = vec3_sub(middle_of_cells(l, a), middle_of_cells(l, b));
     for (int k = 0; k < STEPS; k++) {
         vec3 least = n;
         real gap = HUGE_VAL, length = vec3_length(n);
         for (int e = 0; e < ENDS; e++) {
-            vec3 d = vec3_sub(furthest(l, a, e, n),
-                              furthest(l, b, e, vec3_scale(-1, n)));
+            vec3 d = vec3_sub(lowest_in(l, a, e, n),
+                              lowest_in(l, b, e, vec3_scale(-1, n)));
             real height = vec3_dot(n, d);
             if (!(height < gap)) continue;
             gap = height;
             least = d;
         }
         if (gap > l->c->rounding * length && gap < HUGE_VAL) {
-            tell(l, (witness){ WITNESS_PLANE, { { a, 0, { 0 } }, { b, 0, { 0 } } },
-                               { n } });
+            tell(l, (witness){ WITNESS_PLANE,
+                               { { a, 0, { 0 } }, { b, 0, { 0 } } }, { n } });
             return true;
         }
         vec3 back = vec3_sub(n, least);
@@ -373,7 +376,7 @@ static real gap_of(const vec3 *at, const certified_set set[2], vec3 n)
     return low - high;
 }
 
-static vec3 nearest_difference(const look *l, const certified_set set[2],
+static vec3 nearest_difference(const frame_look *l, const certified_set set[2],
                                int ends)
 {
     vec3 d[ENDS * FACET * FACET], origin = { 0, 0, 0 };
@@ -388,7 +391,7 @@ static vec3 nearest_difference(const look *l, const certified_set set[2],
     return vec3_unit(g.axis);
 }
 
-static void leave_out(const look *l, const certified_set set[2])
+static void leave_out(const frame_look *l, const certified_set set[2])
 {
     l->c->left_out++;
     tell(l, (witness){ WITNESS_NONE, { set[0], set[1] }, { { 0, 0, 0 } } });
@@ -398,18 +401,19 @@ static void leave_out(const look *l, const certified_set set[2])
     }
 }
 
-static bool is_beside_crossed(const look *l, const certified_set *s)
+static bool is_beside_crossed(const frame_look *l, const certified_set *s)
 {
     bool some = false;
     for (int i = 0; i < s->count; i++) some |= l->c->crossed[s->vertex[i]];
     return some;
 }
 
-static bool has_plane(const look *l, certified_set a, certified_set b)
+static bool has_plane(const frame_look *l, certified_set a, certified_set b)
 {
     certified_set set[2] = { a, b };
     vec3 n = nearest_difference(l, set, ENDS);
-    real gap = real_min(gap_of(l->c->at[0], set, n), gap_of(l->c->at[1], set, n));
+    real gap = real_min(gap_of(l->c->at[0], set, n),
+                        gap_of(l->c->at[1], set, n));
     if (!(gap > l->c->rounding)) return false;
     tell(l, (witness){ WITNESS_PLANE, { a, b }, { n } });
     return true;
@@ -425,7 +429,8 @@ static certified_set feature_of(const certified_set *s, int k, int count)
 
 // Two that do not cross only begin to where a corner of one meets the other, or
 // two edges meet.
-static bool have_features_planes(const look *l, const certified_set set[2])
+static bool have_features_planes(const frame_look *l,
+                                 const certified_set set[2])
 {
     const certified_set *a = &set[0], *b = &set[1];
     if (a->count == 1 || b->count == 1) return false;
@@ -440,7 +445,7 @@ static bool have_features_planes(const look *l, const certified_set set[2])
     return true;
 }
 
-static void part_facets(const look *l, certified_set a, certified_set b)
+static void part_facets(const frame_look *l, certified_set a, certified_set b)
 {
     certificate *c = l->c;
     certified_set set[2] = { a, b };
@@ -461,7 +466,7 @@ static void part_facets(const look *l, certified_set a, certified_set b)
     c->clashes++;
 }
 
-static certified_set triangle_of(const look *l, cell_range r, int k)
+static certified_set triangle_of(const frame_look *l, cell_range r, int k)
 {
     const body *b = &l->f->body[r.body];
     int cell = r.top * columns_of(l, r.body) + r.left;
@@ -484,10 +489,11 @@ static certified_set without(certified_set a, const certified_set *b)
     return rest;
 }
 
-// Triangles that share a vertex meet there: the other edge of one must not meet the
-// other.  Two that share an edge meet nowhere else, but where they lie flat on each
-// other.
-static void part_triangles(const look *l, certified_set a, certified_set b)
+// Triangles that share a vertex meet there: the other edge of one must not meet
+// the other.  Two that share an edge meet nowhere else, but where they lie flat
+// on each other.
+static void part_triangles(const frame_look *l, certified_set a,
+                           certified_set b)
 {
     certified_set x = without(a, &b), y = without(b, &a);
     if (x.count == 1) return;
@@ -495,7 +501,7 @@ static void part_triangles(const look *l, certified_set a, certified_set b)
     if (x.count < FACET) part_facets(l, a, y);
 }
 
-static void part_cells(const look *l, cell_range a, cell_range b)
+static void part_cells(const frame_look *l, cell_range a, cell_range b)
 {
     bool is_one = a.body == b.body && a.left == b.left && a.top == b.top;
     for (int i = 0; i < 2; i++)
@@ -512,7 +518,7 @@ static bool do_touch(cell_range a, cell_range b)
         && a.top <= b.bottom && b.top <= a.bottom;
 }
 
-static bool are_parted(const look *l, tile a, tile b)
+static bool are_parted(const frame_look *l, tile a, tile b)
 {
     cell_range x = cells_of(l, a), y = cells_of(l, b);
     vec3 n;
@@ -527,7 +533,7 @@ static bool are_parted(const look *l, tile a, tile b)
                           : is_plane_between(l, x, y);
 }
 
-static void look_between(const look *l, tile a, tile b)
+static void look_between(const frame_look *l, tile a, tile b)
 {
     tile part[4];
     if (are_parted(l, a, b)) return;
@@ -541,7 +547,7 @@ static void look_between(const look *l, tile a, tile b)
         look_between(l, is_a ? part[k] : a, is_a ? b : part[k]);
 }
 
-static void look_within(const look *l, tile t)
+static void look_within(const frame_look *l, tile t)
 {
     tile part[4];
     cell_range r = cells_of(l, t);
@@ -564,7 +570,7 @@ static bool is_certified(const soft_frame *f, int b)
 }
 
 // Pairs that no plane parts are in `clash` afterwards.
-static void look_at_all(const look *l)
+static void look_at_all(const frame_look *l)
 {
     const soft_frame *f = l->f;
     l->c->clashes = l->c->left_out = 0;
@@ -585,20 +591,20 @@ static void look_at_all(const look *l)
 //> certificate-part
 //>   Two facets that have no plane are parted along the one that they had when
 //>   the frame began. What is nailed stays.
-static bool is_fixed(const look *l, int v)
+static bool is_fixed(const frame_look *l, int v)
 {
     return !(l->f->particle[v].inverse_mass > 0);
 }
 
 // Is any of it?
-static bool holds_still(const look *l, const certified_set *s)
+static bool holds_still(const frame_look *l, const certified_set *s)
 {
     bool some = false;
     for (int i = 0; i < s->count; i++) some |= is_fixed(l, s->vertex[i]);
     return some;
 }
 
-static real height_of(const look *l, const certified_set *s, vec3 n)
+static real height_of_set(const frame_look *l, const certified_set *s, vec3 n)
 {
     real least = HUGE_VAL;
     for (int i = 0; i < s->count; i++)
@@ -606,7 +612,7 @@ static real height_of(const look *l, const certified_set *s, vec3 n)
     return least;
 }
 
-static void lift(const look *l, const certified_set *s, vec3 n, real to)
+static void lift(const frame_look *l, const certified_set *s, vec3 n, real to)
 {
     for (int i = 0; i < s->count; i++) {
         vec3 *x = &l->c->at[1][s->vertex[i]];
@@ -616,17 +622,17 @@ static void lift(const look *l, const certified_set *s, vec3 n, real to)
     }
 }
 
-// They keep so much of their gap, as a share of the thickness of cloth: less than
-// can be seen, and far more than rounding takes.
+// They keep so much of their gap, as a share of the thickness of cloth: less
+// than can be seen, and far more than rounding takes.
 static const real KEEPS = 0x1p-16;
 
-static void part(const look *l, const facet_clash *x)
+static void part_clash(const frame_look *l, const facet_clash *x)
 {
     const certified_set *a = &x->set[0], *b = &x->set[1];
     real thick = l->f->body[a->cells.body].thickness;
     real need = real_min(x->gap, KEEPS * thick);
     vec3 n = x->normal, down = vec3_scale(-1, n);
-    real low = height_of(l, a, n), high = -height_of(l, b, down);
+    real low = height_of_set(l, a, n), high = -height_of_set(l, b, down);
     if (!(low - high < need)) return;
     real middle = (low + high) / 2;
     if (holds_still(l, a)) middle = low - need / 2;
@@ -639,7 +645,7 @@ static void part(const look *l, const facet_clash *x)
 //> certificate-shorten
 //>   Where that does not help, the ways of all that clashes are halved, and then
 //>   taken away, but for one translation of all.
-static void shorten(const look *l, const certified_set *s, vec3 together)
+static void shorten(const frame_look *l, const certified_set *s, vec3 together)
 {
     certificate *c = l->c;
     for (int i = 0; i < s->count; i++) {
@@ -654,7 +660,7 @@ static void shorten(const look *l, const certified_set *s, vec3 together)
 }
 
 // What all that clashes goes in the mean; nothing, if some of it is nailed.
-static vec3 go_together(const look *l)
+static vec3 go_together(const frame_look *l)
 {
     const certificate *c = l->c;
     vec3 sum = { 0, 0, 0 };
@@ -671,14 +677,14 @@ static vec3 go_together(const look *l)
 }
 
 // Before all of it stands still for a frame.
-enum { PARTINGS = 4, PASSES = 4, SHORTENINGS = 60 };
+enum { PARTINGS = 4, ATTEMPTS = 4, SHORTENINGS = 60 };
 
-static void mend(const look *l, int round, vec3 together)
+static void mend(const frame_look *l, int round, vec3 together)
 {
     certificate *c = l->c;
     int n = int_min(c->clashes, c->particles);
-    for (int k = 0; k < PASSES * n && round < PARTINGS; k++)
-        part(l, &c->clash[k % n]);
+    for (int k = 0; k < ATTEMPTS * n && round < PARTINGS; k++)
+        part_clash(l, &c->clash[k % n]);
     if (round < PARTINGS) return;
     for (int v = 0; v < c->particles; v++) {
         c->is_done[v] = false;
@@ -690,7 +696,7 @@ static void mend(const look *l, int round, vec3 together)
         shorten(l, &c->clash[k / 2].set[k % 2], together);
 }
 
-static void certify(const look *l)
+static void certify(const frame_look *l)
 {
     certificate *c = l->c;
     look_at_all(l);
@@ -710,7 +716,7 @@ static void certify(const look *l)
 
 //> certificate-frame
 //>   What it has taken of a way, it takes of the velocity.
-static void take(const look *l, int v)
+static void take_back(const frame_look *l, int v)
 {
     const soft_frame *f = l->f;
     particle *p = &f->particle[v];
@@ -742,7 +748,7 @@ void certificate_begin(certificate *c, const soft_frame *f)
 
 void certificate_end(certificate *c, const soft_frame *f)
 {
-    look l = { .c = c, .f = f };
+    frame_look l = { .c = c, .f = f };
     copy_positions(c, f, 1);
     if (c->particles > 0)
         memset(c->crossed, 0, (size_t)c->particles * sizeof *c->crossed);
@@ -752,7 +758,7 @@ void certificate_end(certificate *c, const soft_frame *f)
     for (int b = 0; b < f->bodies && c->prevented > 0; b++) {
         if (!is_certified(f, b)) continue;
         int n = f->body[b].first + body_particles(&f->body[b]);
-        for (int v = f->body[b].first; v < n; v++) take(&l, v);
+        for (int v = f->body[b].first; v < n; v++) take_back(&l, v);
     }
 }
 //<

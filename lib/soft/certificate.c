@@ -1,5 +1,5 @@
 //> certificate-tiles
-//>   A cloth is cut into tiles of four by four cells, these four and four, and so
+//>   A cloth is cut into tiles of two by two cells, these four and four, and so
 //>   on: a pyramid. Each tile has a box at both ends.
 #include "certificate.h"
 #include "gjk.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 // Level 0 is a cell; level n, 2^n by 2^n of them.
-enum { TILE = 2 };      // the lowest with a box
+enum { TILE = 1 };      // the lowest with a box
 
 typedef struct {
     int body, level, column, row;
@@ -529,8 +529,8 @@ static bool are_parted(const frame_look *l, tile a, tile b)
         return true;
     }
     if (int_max(a.level, b.level) > TILE) return false;
-    return do_touch(x, y) ? is_range_spread(l, both_of(x, y))
-                          : is_plane_between(l, x, y);
+    if (!do_touch(x, y)) return is_plane_between(l, x, y);
+    return a.level == b.level && is_range_spread(l, both_of(x, y));
 }
 
 static void look_between(const frame_look *l, tile a, tile b)

@@ -2,13 +2,13 @@
 //>   Balls keep layers apart as long as they are not pressed too hard. This
 //>   module has the last word: a frame in which cloth would cross cloth does not
 //>   end so.
-// certificate.h - cloth never crosses cloth: a proof for every frame, and what is
-// done where there is none.
+// certificate.h - cloth never crosses cloth: a proof for every frame, and what
+// is done where there is none.
 //
 // Paper: not asked.  Book: chapter 16.
-// Two convex sets that a plane parts at the start and at the end of a frame, the
-// same plane but for its height, do not meet on the straight way between.  And a
-// patch that a projection spreads out at both ends does not meet itself.
+// Two convex sets that a plane parts at the start and at the end of a frame,
+// the same plane but for its height, do not meet on the straight way between.
+// And a patch that a projection spreads out at both ends does not meet itself.
 // Units: metres, seconds, in the world's frame.
 
 #ifndef TUMBLE_CERTIFICATE_H
@@ -34,9 +34,9 @@ typedef struct {
     int vertex[FACET];
 } certified_set;
 
-// WITNESS_PLANE: normal[0] . (a - b) > 0 for every vertex a of the first set and b
-// of the second, at both ends.  WITNESS_SPREAD, of the first set alone: of every
-// triangle, with its side e along a row and f along a column, x = normal[0] and
+// WITNESS_PLANE: normal[0] . (a - b) > 0 for every vertex a of the first set
+// and b of the second, at both ends.  WITNESS_SPREAD, of the first set alone: of
+// every triangle, with its side e along a row and f along a column, x = normal[0] and
 // y = normal[1], at both ends
 //     x . e > 0,  y . f > 0,  4 (x . e) (y . f) > (x . f + y . e)^2.
 // WITNESS_NONE: the two crossed, or touched, when the frame began.
@@ -95,8 +95,8 @@ void   certificate_free(certificate *c);        // a zeroed one is fine
 // A frame begins: all cloth is where it is.
 void certificate_begin(certificate *c, const soft_frame *f);
 
-// It ends: if no triangle of cloth crossed another of that cloth, or of one that it
-// meets, none does now.  Where the end cannot be proved to be so, particles are
+// It ends: if no triangle of cloth crossed another of that cloth, or of one that
+// it meets, none does now.  Where the end cannot be proved to be so, particles are
 // put nearer to where they were, and lose that part of their speed.  Pairs that
 // crossed when the frame began are left out, and those beside them.
 void certificate_end(certificate *c, const soft_frame *f);

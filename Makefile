@@ -58,6 +58,7 @@ define ORDER
 16/facet
 16/near
 16/touch
+16/certificate
 16/soft
 17/joint
 17/actuator
@@ -841,6 +842,7 @@ $(BUILD)/drape-links: LDFLAGS += -Wl,--wrap=taut_most
 $(BUILD)/drape-links: $(BUILD)/tests/no_strings.o
 $(BUILD)/drape $(BUILD)/drape-apart $(BUILD)/drape-links: $(BUILD)/tests/drape.o $(HARD) $(ALL)
 	$(call link,-lm)
+$(BUILD)/tests/check_certificate: $(BUILD)/tests/crossings.o
 # Pairs of hard families against exact truth: many, and a few as a test.
 EXACTLY := $(addprefix $(BUILD)/tests/,exact_judge.o made_pairs.o truth.o)
 $(BUILD)/tests/check_exact_pairs: $(EXACTLY)

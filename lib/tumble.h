@@ -156,6 +156,10 @@ typedef struct {
                             // stretched by a hundredth, and bodies that were
                             // stopped, for their numbers were lost: that is a
                             // failure, too, and has a sentence
+    int prevented;          // pairs of triangles of cloth that were kept from
+                            // crossing each other: what was asked for could not
+                            // be; and that cross, as they did before
+    int crossed;
     int dropped;            // contacts that found no memory
     int broken;             // joints that broke
 } tumble_report;

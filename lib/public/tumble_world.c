@@ -204,7 +204,8 @@ tumble_report tumble_last_step(const tumble_world *w)
     return (tumble_report){
         .substeps = r->substeps, .bodies = tumble_bodies(w, NULL, 0),
         .asleep = r->asleep, .pairs = r->pairs, .contacts = r->contacts,
-        .unconverged = r->unconverged, .dropped = r->dropped,
+        .unconverged = r->unconverged, .prevented = r->prevented,
+        .crossed = r->crossed, .dropped = r->dropped,
         .broken = r->broken };
 }
 

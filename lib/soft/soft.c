@@ -275,6 +275,11 @@ static bool is_stretched(const shape *s, const particle *p)
     return false;
 }
 
+void soft_certify(soft_solver *s, const soft_frame *f)
+{
+    certificate_end(&s->proof, f);
+}
+
 int soft_stretched(const soft_frame *f)
 {
     int n = 0;
@@ -335,6 +340,7 @@ void soft_begin(soft_solver *s, const soft_frame *f)
     for (int b = 0; b < f->bodies; b++)
         s->ahead[b] = body_is_soft(&f->body[b]) ? predict(f, b) : f->ahead[b];
     near_begin(&s->near, f, s->ahead);
+    certificate_begin(&s->proof, f);
 }
 
 static bool balls_meet(sphere a, sphere b, real margin)
@@ -469,6 +475,8 @@ static bool make_room(soft_solver *s, const body *b, int bodies, int particles)
     if (ok) s->bodies = room;
     if (particle_room > s->particles)
         TABLE_GROW(ok, s->hold, s->particles, particle_room);
+    if (ok && particle_room > s->particles)
+        ok = certificate_grow(&s->proof, s->particles, particle_room).ok;
     if (ok) s->particles = particle_room;
     if (rows > s->rows) TABLE_GROW(ok, s->bends, 0, rows);
     if (ok) s->rows = rows;
@@ -514,6 +522,7 @@ void soft_remove(soft_solver *s, const body *all, int b, int bodies)
 void soft_free(soft_solver *s)
 {
     near_free(&s->near);
+    certificate_free(&s->proof);
     rigid_view_free(&s->view);
     free(s->ahead);
     free(s->hold);

@@ -7,6 +7,7 @@
 #define TUMBLE_SOFT_H
 
 #include "bend.h"
+#include "certificate.h"
 #include "touch.h"
 //<
 
@@ -15,6 +16,7 @@
 // What cloth and rope keep from frame to frame, and what a frame counts.
 typedef struct {
     near_lists near;
+    certificate proof;
     rigid_view view;
     prediction *ahead;  // [bodies] how each may move in this frame
     line_hold *hold;    // [particles] what each touches that does not move
@@ -85,6 +87,9 @@ void soft_hold(soft_solver *s, const soft_frame *f);
 
 // J, what is stored in the bends and links of a deformable body.
 real soft_energy(const body *b, const particle *all);
+
+// When all substeps are over: what crosses does not.
+void soft_certify(soft_solver *s, const soft_frame *f);
 
 // How many deformable bodies that must not give have strands off by more than
 // a hundredth.

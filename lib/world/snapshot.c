@@ -213,8 +213,24 @@ static void rigid_view_store(rigid_view *v, store *s)
     if (s->is_reading) v->of = -1;
 }
 
+// Of a certificate nothing outlives a frame.
+static void certificate_store(certificate *c, store *s)
+{
+    for (int e = 0; e < ENDS; e++) STORE_ROOM(s, c->at[e], c->particles);
+    STORE_ROOM(s, c->goal, c->particles);
+    STORE_ROOM(s, c->share, c->particles);
+    STORE_ROOM(s, c->is_done, c->particles);
+    STORE_ROOM(s, c->box, c->particles);
+    STORE_ROOM(s, c->spread, c->particles);
+    STORE_ROOM(s, c->crossed, c->particles);
+    STORE_ROOM(s, c->clash, c->particles);
+    STORE_FORGET(s, c->read);
+    STORE_FORGET(s, c->to);
+}
+
 static void soft_store(soft_solver *x, store *s)
 {
+    certificate_store(&x->proof, s);
     near_store(&x->near, s);
     rigid_view_store(&x->view, s);
     STORE_ROOM(s, x->ahead, x->bodies);

@@ -88,6 +88,14 @@ void soft_step(world *w, real h)
     ledger_book(w, LEDGER_CONTACTS);
 }
 
+void soft_prove(world *w)
+{
+    soft_frame f = soft_frame_of(w, w->age);
+    soft_certify(&w->soft, &f);
+    w->report.prevented += w->soft.proof.prevented;
+    w->report.crossed = int_max(w->report.crossed, w->soft.proof.left_out);
+}
+
 void soft_report(world *w)
 {
     const soft_solver *s = &w->soft;

@@ -25,6 +25,9 @@ int  soft_need(world *w);
 // A substep of h (s).
 void soft_step(world *w, real h);
 
+// After the substeps: no cloth crosses cloth; see certificate.h.
+void soft_prove(world *w);
+
 // After the substeps: what they did goes into the report.
 void soft_report(world *w);
 

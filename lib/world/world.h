@@ -102,6 +102,8 @@ typedef struct {
                         // part of the frame, and were stopped: should be 0
     int  cut;           // parts of the frame that had fewer substeps than
                         // options ask for, for ALL_SUBSTEPS are all: should be 0
+    int  prevented;     // pairs of facets of cloth that were kept from crossing,
+    int  crossed;       // and that cross, as they did when the frame began
     int  dropped;       // contacts or pairs that found no room: should be 0
     int  broken;        // joints that had to bear more than their strength
     real parted;        // m, the most by which the points of a joint are apart

@@ -1,0 +1,105 @@
+//> certificate-head
+//>   Balls keep layers apart as long as they are not pressed too hard. This
+//>   module has the last word: a frame in which cloth would cross cloth does not
+//>   end so.
+// certificate.h - cloth never crosses cloth: a proof for every frame, and what
+// is done where there is none.
+//
+// Paper: not asked.  Book: chapter 16.
+// Two convex sets that a plane parts at the start and at the end of a frame,
+// the same plane but for its height, do not meet on the straight way between.
+// And a patch that a projection spreads out at both ends does not meet itself.
+// Units: metres, seconds, in the world's frame.
+
+#ifndef TUMBLE_CERTIFICATE_H
+#define TUMBLE_CERTIFICATE_H
+
+#include "near.h"
+//<
+
+//> certificate-witness
+//>   What has been proved, anybody can prove again with dot products.
+enum { ENDS = 2 };      // a frame begins, and ends
+
+// Cells of a cloth: from here to before there, in columns and rows.
+typedef struct {
+    int body, left, top, right, bottom;
+} cell_range;
+
+// What a witness speaks of: all cells of a range, or up to three vertices of
+// the pool.
+typedef struct {
+    cell_range cells;
+    int count;          // of vertices; 0: the range
+    int vertex[FACET];
+} certified_set;
+
+// WITNESS_PLANE: normal[0] . (a - b) > 0 for every vertex a of the first set
+// and b of the second, at both ends.  WITNESS_SPREAD, of the first set alone: of
+// every triangle, with its side e along a row and f along a column, x = normal[0] and
+// y = normal[1], at both ends
+//     x . e > 0,  y . f > 0,  4 (x . e) (y . f) > (x . f + y . e)^2.
+// WITNESS_NONE: the two crossed, or touched, when the frame began.
+typedef enum { WITNESS_PLANE, WITNESS_SPREAD, WITNESS_NONE } witness_kind;
+
+typedef struct {
+    witness_kind kind;
+    certified_set set[2];
+    vec3 normal[2];
+} witness;
+
+typedef void witness_reader(void *to, const witness *w);
+//<
+
+//> certificate-struct
+// The box around a tile of a cloth, at both ends.
+typedef struct {
+    vec3 low[ENDS], high[ENDS];
+} swept_box;
+
+// Two facets without a common vertex that no plane parts at both ends.
+typedef struct {
+    certified_set set[2];
+    vec3 normal;        // unit: that parted them when the frame began,
+    real gap;           // m, by so much
+} facet_clash;
+
+// All but what was prevented is room for one frame.
+typedef struct {
+    vec3 *at[ENDS];             // [particles] of the pool
+    vec3 *goal;                 // [particles] where all would have ended
+    real *share;                // [particles] of that way that it goes
+    bool *is_done;              // [particles] shortened in this round
+    swept_box *box;             // [particles] of tiles, and of tiles of these
+    signed char *spread;        // [particles] of tiles, see mark_windows
+    bool *crossed;              // [particles] of a pair that crossed at first
+    facet_clash *clash;         // [particles]
+    int particles;              // for so many there is room
+    int clashes;                // in this look, that found room or not
+    real rounding;              // m, no gap is wrong by as much
+    witness_reader *read;       // NULL, or is told of every witness of the
+    void *to;                   // frame that was accepted
+
+    int prevented;              // clashes of the last frame, before they were
+                                // parted,
+    int left_out;               // and pairs that crossed when it began
+} certificate;
+//<
+
+//> certificate-declare
+// There is room for so many particles.  Fails, changing nothing, for want of
+// memory.
+status certificate_grow(certificate *c, int kept, int particles);
+void   certificate_free(certificate *c);        // a zeroed one is fine
+
+// A frame begins: all cloth is where it is.
+void certificate_begin(certificate *c, const soft_frame *f);
+
+// It ends: if no triangle of cloth crossed another of that cloth, or of one that
+// it meets, none does now.  Where the end cannot be proved to be so, particles are
+// put nearer to where they were, and lose that part of their speed.  Pairs that
+// crossed when the frame began are left out, and those beside them.
+void certificate_end(certificate *c, const soft_frame *f);
+
+#endif
+//<

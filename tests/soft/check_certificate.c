@@ -1,0 +1,351 @@
+// check_certificate.c - cloth never crosses cloth, whatever is asked of it.
+// Book: chapter 16.
+
+#include <check.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "certificate.h"
+#include "crossings.h"
+#include "random.h"
+#include "suite.h"
+
+enum { SIDE = 6, SHEETS = 2, EACH = SIDE * SIDE, ALL = SHEETS * EACH,
+       FACES = SHEETS * 2 * (SIDE - 1) * (SIDE - 1) };
+
+static const real SPACING = 0.1, FRAME = 1.0 / 60, AGE = 1.0 / 240;
+
+static shape cloth;
+static body sheet[SHEETS];
+static bool asleep[SHEETS];
+static particle at[ALL];
+static certificate proof;
+static soft_frame frame;
+
+static void set_up(void)
+{
+    real side = SPACING * (SIDE - 1);
+    ck_assert(shape_cloth(&cloth, SIDE, SIDE, side, side, 1, 0.2).ok);
+    for (int b = 0; b < SHEETS; b++)
+        sheet[b] = (body){ .shape = &cloth, .first = b * EACH, .mass = 1,
+                           .thickness = 0.55 * SPACING, .group = 1, .mask = 1 };
+    proof = (certificate){ .particles = 0 };
+    ck_assert(certificate_grow(&proof, 0, ALL).ok);
+    frame = (soft_frame){ .body = sheet, .asleep = asleep, .bodies = SHEETS,
+                          .particle = at, .frame = FRAME, .whole = FRAME,
+                          .age = AGE, .h = AGE };
+}
+
+static void tear_down(void)
+{
+    certificate_free(&proof);
+    shape_free(&cloth);
+}
+
+// Two sheets that lie on each other in waves, at rest; apart < 0: the second under
+// the first.
+static void lay(unsigned long long *seed, real apart)
+{
+    real wave = random_between(seed, 0, 0.3 * fabs(apart));
+    for (int v = 0; v < ALL; v++) {
+        vec3 x = cloth.at[v % EACH];
+        real up = v / EACH * apart + wave * sin(20 * x.x) * cos(15 * x.z);
+        at[v].position = at[v].previous = vec3_make(x.x, up, x.z);
+        at[v].inverse_mass = EACH;
+    }
+}
+
+static vec3 any(unsigned long long *seed)
+{
+    real x = random_real(seed), y = random_real(seed);
+    return vec3_make(x, y, random_real(seed));
+}
+
+static void move(int v, vec3 by)
+{
+    at[v].position = vec3_add(at[v].position, by);
+    at[v].previous = vec3_add_scaled(at[v].position, -AGE / FRAME, by);
+}
+
+// Every vertex for itself, or a sheet through the other, or a sheet crumpled
+// towards a point.
+static void demand(unsigned long long *seed)
+{
+    int kind = random_below(seed, 4);
+    real far = SPACING * random_between(seed, 0.1, 3);
+    vec3 way = vec3_scale(3 * far, any(seed)), to = vec3_scale(0.5, any(seed));
+    for (int v = 0; v < ALL; v++) {
+        vec3 by = vec3_scale(kind == 3 ? 0 : far, any(seed));
+        if (kind == 1 && v < EACH) by = vec3_add(by, way);
+        if (kind >= 2)
+            by = vec3_add_scaled(by, 0.7, vec3_sub(to, at[v].position));
+        move(v, by);
+    }
+}
+
+static long crossing_now(void)
+{
+    static patch x[FACES];
+    static vec3 place[ALL];
+    int n = 0;
+    for (int v = 0; v < ALL; v++) place[v] = at[v].position;
+    for (int b = 0; b < SHEETS; b++)
+        for (int k = 0; k < cloth.mesh.faces; k++)
+            x[n++] = patch_make(place + b * EACH, &cloth.face[3 * k], b * EACH);
+    // The numbers of a patch are those of the pool.
+    return crossings_count_slowly(x, n);
+}
+
+START_TEST(whoever_starts_uncrossed_never_crosses)
+{
+    unsigned long long seed = (unsigned long long)_i + 1;
+    lay(&seed, SPACING * random_between(&seed, 0.05, 1) * (_i % 2 ? 1 : -1));
+    ck_assert_int_eq(crossing_now(), 0);
+    long without = 0;
+    for (int f = 0; f < 6; f++) {
+        certificate_begin(&proof, &frame);
+        demand(&seed);
+        without += crossing_now();
+        certificate_end(&proof, &frame);
+        ck_assert_int_eq(crossing_now(), 0);
+        ck_assert_int_eq(proof.left_out, 0);
+    }
+    // So it was asked to.
+    ck_assert_int_gt(without, 0);
+}
+END_TEST
+
+// --- the checker -------------------------------------------------------------
+
+enum { MOST = 100000 };
+static witness told[MOST];
+static int count;
+static vec3 start[ALL];
+
+static void listen(void *to, const witness *w)
+{
+    ck_assert(to == &count && count < MOST);
+    told[count++] = *w;
+}
+
+static bool has(const certified_set *s, int v)
+{
+    if (s->count > 0) {
+        for (int i = 0; i < s->count; i++)
+            if (s->vertex[i] == v) return true;
+        return false;
+    }
+    int column = v % EACH % SIDE, row = v % EACH / SIDE;
+    return s->cells.body == v / EACH
+        && column >= s->cells.left && column <= s->cells.right
+        && row >= s->cells.top && row <= s->cells.bottom;
+}
+
+static bool has_all(const certified_set *s, const int *v, int n)
+{
+    bool all = true;
+    for (int i = 0; i < n; i++) all &= has(s, v[i]);
+    return all;
+}
+
+static void replay_plane(const witness *w, const vec3 *x)
+{
+    real low = HUGE_VAL, high = -HUGE_VAL;
+    for (int v = 0; v < ALL; v++) {
+        if (has(&w->set[0], v)) low = fmin(low, vec3_dot(w->normal[0], x[v]));
+        if (has(&w->set[1], v)) high = fmax(high, vec3_dot(w->normal[0], x[v]));
+    }
+    ck_assert(low < HUGE_VAL && high > -HUGE_VAL && low > high);
+}
+
+static void replay_spread(const witness *w, const vec3 *x)
+{
+    for (int k = 0; k < cloth.mesh.faces; k++) {
+        int v[3], first = w->set[0].cells.body * EACH;
+        for (int i = 0; i < 3; i++) v[i] = first + cloth.face[3 * k + i];
+        if (!has_all(&w->set[0], v, 3)) continue;
+        vec3 e = { 0, 0, 0 }, f = e;
+        for (int i = 0; i < 9; i++) {
+            int a = v[i / 3], b = v[i % 3];
+            if (b == a + 1) e = vec3_sub(x[b], x[a]);
+            if (b == a + SIDE) f = vec3_sub(x[b], x[a]);
+        }
+        real ee = vec3_dot(w->normal[0], e), ef = vec3_dot(w->normal[0], f);
+        real fe = vec3_dot(w->normal[1], e), ff = vec3_dot(w->normal[1], f);
+        ck_assert(ee > 0 && ff > 0 && 4 * ee * ff > (ef + fe) * (ef + fe));
+    }
+}
+
+static bool is_told(const int *a, int m, const int *b, int n)
+{
+    for (int k = 0; k < count; k++) {
+        const witness *w = &told[k];
+        if (w->kind == WITNESS_SPREAD && has_all(&w->set[0], a, m)
+            && has_all(&w->set[0], b, n)) return true;
+        if (w->kind != WITNESS_PLANE) continue;
+        if (has_all(&w->set[0], a, m) && has_all(&w->set[1], b, n)) return true;
+        if (has_all(&w->set[1], a, m) && has_all(&w->set[0], b, n)) return true;
+    }
+    return false;
+}
+
+// As wholes, or every corner and edge.
+static bool is_pair_told(const int a[3], const int b[3])
+{
+    bool all = true;
+    if (is_told(a, 3, b, 3)) return true;
+    for (int k = 0; k < 3; k++)
+        all = all && is_told(&a[k], 1, b, 3) && is_told(a, 3, &b[k], 1);
+    for (int k = 0; k < 9 && all; k++) {
+        int e[2] = { a[k / 3], a[(k / 3 + 1) % 3] };
+        int f[2] = { b[k % 3], b[(k % 3 + 1) % 3] };
+        all = is_told(e, 2, f, 2);
+    }
+    return all;
+}
+
+static void corners_of(int k, int v[3])
+{
+    int faces = cloth.mesh.faces;
+    for (int i = 0; i < 3; i++)
+        v[i] = k / faces * EACH + cloth.face[3 * (k % faces) + i];
+}
+
+START_TEST(its_witnesses_are_replayed_by_dot_products)
+{
+    unsigned long long seed = (unsigned long long)_i + 77;
+    static vec3 end[ALL];
+    lay(&seed, SPACING * random_between(&seed, 0.05, 1));
+    proof.read = listen;
+    proof.to = &count;
+    for (int f = 0; f < 2; f++) {
+        count = 0;
+        for (int v = 0; v < ALL; v++) start[v] = at[v].position;
+        certificate_begin(&proof, &frame);
+        demand(&seed);
+        certificate_end(&proof, &frame);
+        for (int v = 0; v < ALL; v++) end[v] = at[v].position;
+        for (int k = 0; k < count; k++) {
+            ck_assert_int_ne(told[k].kind, WITNESS_NONE);
+            for (int e = 0; e < ENDS; e++)
+                (told[k].kind == WITNESS_PLANE ? replay_plane : replay_spread)(
+                    &told[k], e ? end : start);
+        }
+    }
+    // No two triangles without a common vertex were forgotten.
+    for (int i = 0; i < FACES; i++)
+        for (int k = 0; k < i; k++) {
+            int a[3], b[3];
+            corners_of(i, a);
+            corners_of(k, b);
+            bool meet = false;
+            for (int n = 0; n < 9; n++) meet |= a[n / 3] == b[n % 3];
+            ck_assert(meet || is_pair_told(a, b));
+        }
+}
+END_TEST
+
+// --- what it does, and does not ----------------------------------------------
+
+START_TEST(what_does_not_cross_keeps_its_bits)
+{
+    unsigned long long seed = 5;
+    static particle before[ALL];
+    lay(&seed, SPACING);
+    certificate_begin(&proof, &frame);
+    for (int v = 0; v < ALL; v++) {
+        vec3 x = at[v].position;
+        move(v, vec3_make(x.z * x.z, 3 + x.x * x.x, 0.1 * x.y));
+    }
+    memcpy(before, at, sizeof at);
+    certificate_end(&proof, &frame);
+    ck_assert_int_eq(proof.prevented, 0);
+    ck_assert(memcmp(before, at, sizeof at) == 0);
+}
+END_TEST
+
+// It falls by five gaps on one that is nailed.
+START_TEST(what_is_stopped_loses_its_speed_and_what_is_nailed_stays)
+{
+    unsigned long long seed = 3;
+    real gap = 0.5 * SPACING;
+    lay(&seed, gap);
+    real lowest = HUGE_VAL;
+    for (int v = 0; v < EACH; v++) {
+        at[v].inverse_mass = 0;
+        lowest = fmin(lowest, at[v].position.y);
+    }
+    // The upper one reaches over no rim.
+    for (int v = EACH; v < ALL; v++)
+        at[v].position = vec3_make(0.5 * at[v].position.x, gap,
+                                   0.5 * at[v].position.z);
+    certificate_begin(&proof, &frame);
+    for (int v = 0; v < ALL; v++) start[v] = at[v].position;
+    for (int v = EACH; v < ALL; v++) move(v, vec3_make(0, -5 * gap, 0));
+    certificate_end(&proof, &frame);
+    ck_assert_int_gt(proof.prevented, 0);
+    ck_assert_int_eq(crossing_now(), 0);
+    for (int v = 0; v < ALL; v++) {
+        vec3 way = vec3_sub(at[v].position, start[v]);
+        vec3 speed = vec3_scale(1 / AGE, vec3_sub(at[v].position,
+                                                  at[v].previous));
+        if (v < EACH) ck_assert(vec3_length(way) == 0);
+        else ck_assert(at[v].position.y > lowest);
+        vec3 off = vec3_sub(vec3_scale(1 / FRAME, way), speed);
+        if (v >= EACH) ck_assert(vec3_length(off) < 1e-9);
+    }
+}
+END_TEST
+
+// An upright sheet stands through a lying one, and is drawn up and out.
+START_TEST(what_crosses_already_is_left_out_and_goes_its_way)
+{
+    unsigned long long seed = 4;
+    lay(&seed, SPACING);
+    for (int v = EACH; v < ALL; v++) {
+        vec3 x = cloth.at[v - EACH];
+        at[v].position = vec3_make(0.6 * x.x, 0.013 + x.z, 0.03);
+    }
+    ck_assert_int_gt(crossing_now(), 0);
+    real low = at[EACH].position.y;
+    for (int f = 0; f < 60; f++) {
+        certificate_begin(&proof, &frame);
+        for (int v = EACH; v < ALL; v++) move(v, vec3_make(0, 0.1 * SPACING, 0));
+        certificate_end(&proof, &frame);
+        if (f == 0) ck_assert_int_gt(proof.left_out, 0);
+    }
+    ck_assert_int_eq(crossing_now(), 0);
+    ck_assert_int_eq(proof.left_out, 0);
+    ck_assert(fabs(at[EACH].position.y - low - 6 * SPACING) < 0.01 * SPACING);
+}
+END_TEST
+
+// The numbers of one vertex are lost.
+START_TEST(lost_numbers_end_and_harm_no_other_sheet)
+{
+    unsigned long long seed = 6;
+    lay(&seed, SPACING);
+    certificate_begin(&proof, &frame);
+    for (int v = 0; v < EACH; v++) move(v, vec3_make(0, -1, 0));
+    at[EACH].position.x = NAN;
+    certificate_end(&proof, &frame);
+    for (int v = 0; v < EACH; v++)
+        ck_assert(vec3_is_finite(at[v].position));
+}
+END_TEST
+
+int main(void)
+{
+    const TTest *tests[] = {
+        what_does_not_cross_keeps_its_bits,
+        what_is_stopped_loses_its_speed_and_what_is_nailed_stays,
+        what_crosses_already_is_left_out_and_goes_its_way,
+        lost_numbers_end_and_harm_no_other_sheet,
+        NULL
+    };
+    return suite_run((suite){
+        .name = "certificate", .tests = tests, .set_up = set_up,
+        .tear_down = tear_down, .seconds = 60,
+        .repeated = { { whoever_starts_uncrossed_never_crosses, 0, 24 },
+                      { its_witnesses_are_replayed_by_dot_products, 0, 6 } } });
+}

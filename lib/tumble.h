@@ -106,6 +106,10 @@ typedef struct {
                             // rolls at less than 30 times that, and is not
                             // pulled along, is braked by 1/100 of its weight.)
     double time_to_sleep;   // s, 0.5
+    bool   certified;       // cloth never crosses cloth, whatever is demanded:
+                            // where it must, it is stopped, stretches for it and
+                            // loses momentum, and the report says so; false.  A
+                            // frame of cloth costs up to a third more
 
     // Runs work(data, 0) to work(data, items - 1) in any order, or at once on
     // several threads, and returns when all are done; NULL: one by one.  The
@@ -156,10 +160,10 @@ typedef struct {
                             // stretched by a hundredth, and bodies that were
                             // stopped, for their numbers were lost: that is a
                             // failure, too, and has a sentence
-    int prevented;          // pairs of triangles of cloth that were kept from
-                            // crossing each other: what was asked for could not
-                            // be; and that cross, as they did before
-    int crossed;
+    int prevented;          // if options say certified: pairs of triangles of
+                            // cloth that were kept from crossing each other, for
+                            // what was asked for could not be;
+    int crossed;            // and that cross, as they did before
     int dropped;            // contacts that found no memory
     int broken;             // joints that broke
 } tumble_report;

@@ -28,7 +28,7 @@ static tumble_options options_to(const world_options *o)
         .most_substeps = o->most_substeps,
         .gravity = to_user(o->gravity), .friction = o->friction,
         .restitution = o->restitution, .sleep_speed = o->sleep_speed,
-        .time_to_sleep = o->time_to_sleep,
+        .time_to_sleep = o->time_to_sleep, .certified = o->certified,
         .run = o->host.run.run, .context = o->host.run.context };
 }
 
@@ -47,6 +47,7 @@ static world_options options_of(const tumble_options *o)
     how.most_substeps = o->most_substeps;
     how.gravity = from_user(o->gravity);
     how.friction = o->friction;
+    how.certified = o->certified;
     how.restitution = o->restitution;
     how.sleep_speed = o->sleep_speed;
     how.time_to_sleep = o->time_to_sleep;

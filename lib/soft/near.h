@@ -43,6 +43,7 @@ typedef struct {
     const material *wall;       // [planes]
     const int *owner;           // [particles] of the pool: whose they are
     int  iterations;            // over strands, at most
+    bool certified;             // no cloth crosses cloth, see certificate.h
     relax_options relax;
     int  substeps, most_substeps;   // of a frame: usual, and at most
     real frame, whole;          // s; it may be a part of a divided one

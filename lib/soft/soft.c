@@ -340,7 +340,7 @@ void soft_begin(soft_solver *s, const soft_frame *f)
     for (int b = 0; b < f->bodies; b++)
         s->ahead[b] = body_is_soft(&f->body[b]) ? predict(f, b) : f->ahead[b];
     near_begin(&s->near, f, s->ahead);
-    certificate_begin(&s->proof, f);
+    if (f->certified) certificate_begin(&s->proof, f);
 }
 
 static bool balls_meet(sphere a, sphere b, real margin)

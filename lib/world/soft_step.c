@@ -20,6 +20,7 @@ soft_frame soft_frame_of(world *w, real h)
         .friction = o->friction, .restitution = o->restitution,
         .material = w->has_materials ? t->material : NULL,
         .wall = w->wall, .owner = w->owner, .iterations = o->iterations,
+        .certified = o->certified,
         .relax = o->relax, .substeps = world_usual(w, true),
         .most_substeps = o->most_substeps, .frame = w->frame,
         .whole = o->dt, .age = w->age,

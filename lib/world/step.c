@@ -126,7 +126,7 @@ static void solve(world *w, real *since)
     guard_planes(w);
     guard_faces(w);
     drive_hold(w);
-    if (w->softs > 0) soft_prove(w);
+    if (w->softs > 0 && w->options.certified) soft_prove(w);
     ledger_book(w, LEDGER_CONTACTS);
     advance_put(w);
     ledger_halfway(w, 0);

@@ -65,6 +65,7 @@ typedef struct {
     real sleep_speed;   // m/s, of a body half a metre in radius under 9.81
                         // m/s^2, see sleep.h: slower ones fall asleep; 0: none
     real time_to_sleep; // s, so long all of an island must have been slow
+    bool certified;     // cloth never crosses cloth, see certificate.h
     int  iterations;    // over a cloth's columns and rows in a substep, at
                         // most; 1 to 10000
     relax_options relax;    // of a cloth's links

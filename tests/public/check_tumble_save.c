@@ -463,7 +463,9 @@ END_TEST
 static tumble_world *twisted(int steps)
 {
     enum { SIDE = 8 };
-    tumble_world *w = tumble_make(NULL);
+    tumble_options how = tumble_options_default();
+    how.certified = true;
+    tumble_world *w = tumble_make(&how);
     tumble_body cloth = tumble_add(w, tumble_cloth(w, SIDE, SIDE, 1, 1, 0.2),
                                    tumble_at(0, 0, 0));
     for (int side = 0; side < 2; side++) {
@@ -821,7 +823,7 @@ START_TEST(what_reads_garbage_for_a_table_goes_elsewhere)
     const int moment[] = { 37, 98, 400, 160, 220, 340, 200 };
     // A table that shows early need not be followed later: so the worlds that step
     // fast come first, and those that have most tables; so do the moments.
-    const int world[ALL_WORLDS] = { 1, 7, 5, 3, 2, 8, 0, 4, 6 };
+    const int world[ALL_WORLDS] = { 1, 7, 5, 3, 2, 9, 8, 0, 4, 6 };
     const int in_turn[] = { 0, 4, 1, 2, 3, 5, 6 };
     int needed = 0;
     for (int k = 0; k < 7 * ALL_WORLDS; k++) {

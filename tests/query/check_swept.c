@@ -771,6 +771,92 @@ START_TEST(the_same_bits_everywhere)
 }
 END_TEST
 
+// Half a rod of 1 m, .5 m above a plate: its end is down after sin = .5, 30 degrees
+// of 90.  Either way round, and when the plate turns with the rod.
+// Rejects: bodies that go straight; a turn by the other hand; a bound on the speed
+// that leaves turning out.
+START_TEST(end_of_a_rod_that_turns_meets_the_plate)
+{
+    vec3 rod[2], plate[8], scratch[10];
+    rod[0] = vec3_make(-1, .5, 0);
+    rod[1] = vec3_make(1, .5, 0);
+    for (int i = 0; i < 8; i++)
+        plate[i] = vec3_make(i & 1 ? 5 : -5, i & 2 ? 0 : -1, i & 4 ? 5 : -5);
+    const swept_motion stays = { .out = 0 };
+    for (int sign = -1; sign < 2; sign += 2) {
+        swept_motion turns = { .center = { 0, .5, 0 }, .out = 1,
+                               .turn = { 0, 0, sign * acos(0) } };
+        swept_result r = swept_turning((hull){ rod, 2 }, &turns,
+                                       (hull){ plate, 8 }, &stays, 0, 1e-9,
+                                       scratch);
+        ck_assert_int_eq(r.status, SWEPT_TOUCHES);
+        near(r.time, 1 / 3., 1e-8, "30 of 90 degrees");
+        near(r.normal.y, 1, 1e-9, "normal");
+        turns.turn.z = sign * acos(0) * 29 / 90;
+        r = swept_turning((hull){ rod, 2 }, &turns, (hull){ plate, 8 }, &stays, 0,
+                          1e-9, scratch);
+        ck_assert_int_eq(r.status, SWEPT_PASSES);
+    }
+}
+END_TEST
+
+// Points of a hull keep their distances and come where sine and cosine say, for as
+// much as three radians.
+START_TEST(hull_turns_about_its_centre_as_a_sine_says)
+{
+    const vec3 at[2] = { { 6, 5, 7 }, { 5, 5, 7 } };
+    vec3 out[2];
+    for (real by = -3; by < 3.1; by += .5) {
+        swept_motion m = { .center = { 5, 5, 5 }, .way = { 8, 0, 0 },
+                           .turn = { 0, 0, by } };
+        swept_place((hull){ at, 2 }, &m, .5, out);
+        near(out[0].x, 9 + cos(by / 2), 1e-9, "along x");
+        near(out[0].y, 5 + sin(by / 2), 1e-9, "along y");
+        near(out[1].x, 9, 1e-12, "what lies on the axis stays on it");
+        swept_place((hull){ at, 2 }, &m, 1, out);
+        near(out[0].y, 5 + sin(by), 1e-8, "at the end");
+    }
+}
+END_TEST
+
+// Rods that fly and turn at random: at 40 moments before they are said to touch, and
+// at all moments if they pass, there is a gap.
+START_TEST(nobody_who_turns_has_touched_before)
+{
+    unsigned long long seed = 5;
+    int touches = 0;
+    for (int n = 0; n < 400; n++) {
+        vec3 at[2][3], scratch[6];
+        swept_motion m[2];
+        for (int k = 0; k < 2; k++) {
+            m[k] = (swept_motion){ .center = vec3_make(1.5 * k, 0, 0), .out = 0,
+                                   .way = vec3_make(1 - 2 * k, 0, 0),
+                                   .turn = random_vec3(&seed, 1.5) };
+            for (int i = 0; i < 3; i++) {
+                vec3 r = random_vec3(&seed, .7);
+                at[k][i] = vec3_add(m[k].center, r);
+                m[k].out = real_max(m[k].out, vec3_length(r));
+            }
+        }
+        const hull a = { at[0], 3 }, b = { at[1], 3 };
+        swept_result r = swept_turning(a, &m[0], b, &m[1], 0, 1e-6, scratch);
+        if (r.status == SWEPT_OVERLAP || r.status == SWEPT_CAPPED) continue;
+        touches += r.status == SWEPT_TOUCHES;
+        real end = r.status == SWEPT_TOUCHES ? r.time : 1;
+        for (int k = 0; k < 40; k++) {
+            vec3 x[3], y[3];
+            simplex last = { .count = 0 };
+            swept_place(a, &m[0], end * k / 40, x);
+            swept_place(b, &m[1], end * k / 40, y);
+            gjk_result g = gjk_distance((hull){ x, 3 }, (hull){ y, 3 }, HUGE_VAL,
+                                        &last);
+            ck_assert_msg(g.distance > 0, "%d: they overlap at %g", n, end * k / 40);
+        }
+    }
+    ck_assert_int_gt(touches, 100);
+}
+END_TEST
+
 int main(void)
 {
     const TTest *const tests[] = {
@@ -795,6 +881,9 @@ int main(void)
         what_is_beyond_measure_gets_a_status,
         smallest_numbers_give_no_nan,
         few_distances_are_asked_for,
+        end_of_a_rod_that_turns_meets_the_plate,
+        hull_turns_about_its_centre_as_a_sine_says,
+        nobody_who_turns_has_touched_before,
         bits_are_ours() ? the_same_bits_everywhere : NULL,
         NULL
     };

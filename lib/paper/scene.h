@@ -137,8 +137,7 @@ scene_options scene_options_default(void);
 //   spacing, if that is more).
 // cloth-on-rope: the same cloth, 0.1 m over the ends of a rope that hangs, at
 //   rest, from two pins 2.6 m apart and 1.5 m high: 50 links, 3 m, 0.5 kg.
-// Fails with a sentence (option out of range, memory), leaving *s
-// empty.
+// Fails with a sentence (option out of range, memory), leaving *s empty.
 status scene_build(scene *s, scene_kind kind, scene_options what);
 
 #endif

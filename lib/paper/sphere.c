@@ -23,11 +23,10 @@ static bool weigh_triangle(vec3 a, vec3 b, vec3 c, real weight[3])
     return true;
 }
 
-// The centre of the sphere through four points.  With a, b and c the points
-// seen from the first and d = a . (b x c), it stands at
-// x = (|a|^2 b x c + |b|^2 c x a + |c|^2 a x b) / 2 d,
-// and the weight of a is x . (b x c) / d.  False if a weight is negative, that
-// is, the centre lies outside, or if the points lie in a plane.
+// The centre of the sphere through four points.  With a, b and c the points seen
+// from the first and d = a . (b x c), it stands at x = (|a|^2 b x c + |b|^2 c x a +
+// |c|^2 a x b) / 2 d, and the weight of a is x . (b x c) / d.  False if a weight is
+// negative, that is, the centre lies outside, or if the points lie in a plane.
 static bool weigh_tetrahedron(const vec3 *q, real weight[4])
 {
     vec3 a = vec3_sub(q[1], q[0]), b = vec3_sub(q[2], q[0]);
@@ -180,9 +179,8 @@ sphere sphere_of_points(const vec3 *at, const int *index, int n,
 
 //> sphere-of-spheres
 // Two spheres, their centres d apart.  If d <= |a - b|, with radii a and b, the
-// larger holds the other (equal centres are such a case).  Otherwise the
-// smallest sphere reaches from the far side of one to the far side of the
-// other.
+// larger holds the other (equal centres are such a case).  Otherwise the smallest
+// sphere reaches from the far side of one to the far side of the other.
 sphere sphere_of_spheres(sphere a, sphere b)
 {
     if (a.radius < 0) return b;

@@ -89,9 +89,8 @@ static void wrap(const builder *b, tree_node *node, const place *p, int n)
     enclose(b->t, node, b->at, b->member, members);
 }
 
-// Builds the nodes above the leaves of places first .. first + n - 1, and
-// returns the topmost.  n halves to 1 in at most LEVELS_MAX levels, which
-// bounds the recursion.
+// Builds the nodes above the leaves of places first .. first + n - 1, and returns the
+// topmost.  n halves to 1 in at most LEVELS_MAX levels, which bounds the recursion.
 static int build_above(builder *b, int first, int n)
 {
     place *p = b->place + first;

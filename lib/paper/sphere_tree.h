@@ -65,10 +65,9 @@ typedef struct {
 // leaves below a node are halved across the longest side of the box around
 // their centres, ties by number (Quinlan).  slack, a fraction such as 0.01,
 // widens the spheres of a wrapped tree: they still enclose a body that is
-// stretched by no more than this.
-// Requires: 1 <= n <= 2^30, 1 to 3 vertices a leaf, thickness (m) and slack
-// finite and >= 0.  Fails, leaving *t empty, if a vertex is not at a finite
-// place or memory is refused.
+// stretched by no more than this. Requires: 1 <= n <= 2^30, 1 to 3 vertices a
+// leaf, thickness (m) and slack finite and >= 0.  Fails, leaving *t empty, if a
+// vertex is not at a finite place or memory is refused.
 status sphere_tree_build(sphere_tree *t, tree_kind kind, const vec3 *at,
                          const leaf_feature *leaf, int n, real thickness,
                          real slack);

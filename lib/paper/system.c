@@ -68,8 +68,7 @@ static bool spheres_meet(sphere a, sphere b, real reach)
     return vec3_length_squared(vec3_sub(a.center, b.center)) < reach * reach;
 }
 
-// Section 5: every body against every other; a deformable one also against
-// itself.
+// Section 5: every body against every other; a deformable one also against itself.
 static void find_pair(particle_system *s, int i, int j)
 {
     system_body *a = &s->body[i], *b = &s->body[j];

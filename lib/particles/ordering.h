@@ -25,11 +25,10 @@ typedef struct {
 // equal distance in the order of the body.  A stick with an end at v has
 // distance 1, its neighbours 2, and so on; one that no path reaches stands
 // last.  repeated: a stick of distance d stands max(1, n / 2^(d - 1)) times
-// (rounded down), n being the largest distance.
-// Requires: every stick joins two particles from 0 to particles - 1.
-// Fails, leaving *l empty, if memory is refused or the lists would hold more
-// numbers than an int can count.  They hold particles * sticks numbers, or
-// more: meant for rigid bodies.
+// (rounded down), n being the largest distance. Requires: every stick joins two
+// particles from 0 to particles - 1. Fails, leaving *l empty, if memory is
+// refused or the lists would hold more numbers than an int can count.  They
+// hold particles * sticks numbers, or more: meant for rigid bodies.
 status stick_lists_build(stick_lists *l, const stick *s, int sticks,
                          int particles, bool repeated);
 void   stick_lists_free(stick_lists *l);

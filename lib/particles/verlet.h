@@ -42,10 +42,9 @@ void   pool_free(particle_pool *pool);
 // particle (0) gets previous = x0.
 particle particle_start(vec3 x0, vec3 v0, vec3 a0, real inverse_mass, real dt);
 
-// One step of dt for n particles: x' = 2 x - x_previous + a dt^2, with
-// a = gravity (m/s^2) + inverse_mass * force (N).  force holds n vectors, or is
-// NULL for none.  Pinned particles stay, with previous = position.
-// Paper: Eq. 1.
+// One step of dt for n particles: x' = 2 x - x_previous + a dt^2, with a = gravity
+// (m/s^2) + inverse_mass * force (N).  force holds n vectors, or is NULL for none.
+// Pinned particles stay, with previous = position. Paper: Eq. 1.
 void verlet_step(particle *p, int n, vec3 gravity, const vec3 *force, real dt);
 
 // The velocity (m/s) at time t, of order 2.  The mean over the last step,

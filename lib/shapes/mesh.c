@@ -55,8 +55,7 @@ real mesh_volume(const mesh *m, const vec3 *at)
 //<
 
 //> mesh-find-half
-// While a mesh is built, the half-edges that leave a vertex form a linked
-// list.
+// While a mesh is built, the half-edges that leave a vertex form a linked list.
 typedef struct {
     int *first;         // [vertices] the newest half-edge of the list, or -1
     int *after;         // [6 * faces] the one after a half-edge, or -1

@@ -53,11 +53,10 @@ real mesh_volume(const mesh *m, const vec3 *at);
 //> mesh-declare-build
 // Builds the mesh of `faces` triangles over `vertices` vertices.  The vertices
 // of a triangle run counter-clockwise seen from outside, and its face begins at
-// the first of them.
-// Fails, and leaves *m empty, with a sentence that names the triangle or the
-// vertex: an index out of range, a vertex twice in a triangle, an edge with
-// three triangles, neighbours that turn opposite ways, a pinched vertex, sizes
-// that overflow, no memory.
+// the first of them. Fails, and leaves *m empty, with a sentence that names the
+// triangle or the vertex: an index out of range, a vertex twice in a triangle,
+// an edge with three triangles, neighbours that turn opposite ways, a pinched
+// vertex, sizes that overflow, no memory.
 status mesh_build(mesh *m, int vertices, const int (*triangle)[3], int faces);
 void   mesh_free(mesh *m);      // an empty or zeroed mesh is fine
 

@@ -702,7 +702,10 @@ static void add_sight(const tumble_world *w, unsigned long long *sum)
     tumble_report r = tumble_last_step(w);
     tumble_pen pen = { .triangle = add_triangle, .context = sum };
     int n = tumble_bodies(w, all, MOST);
-    int touches = tumble_contacts(w, NULL, 0);
+    tumble_contact c[MOST];
+    int touches = tumble_contacts(w, c, MOST);
+    for (int k = 0; k < touches && k < MOST; k++)
+        add_to(sum, c[k].force, (size_t)c[k].points * sizeof *c[k].force);
     for (int k = 0; k < n; k++) {
         tumble_vec3 v = tumble_velocity(w, all[k]);
         add_to(sum, &v, sizeof v);

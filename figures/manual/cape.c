@@ -62,7 +62,7 @@ static int laws(tumble_world *w, example_law *is)
 
 const example cape_scene = {
     .name = "cape", .about = "on the back of a runner", .seconds = 15,
-    .has_floor = true, .eye = { 3.2, 1.8, 2.2 }, .target = { 0, 0.9, 2.5 },
+    .has_floor = true, .eye = { 6, 2.2, 1 }, .target = { 0, 0.8, 2 },
     .build = build, .act = act,
     .claim = "the runner is never in it, and at rest it bears m g, to 0.1 %",
     .laws = laws, .most = 1e-3 };

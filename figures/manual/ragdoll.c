@@ -49,7 +49,7 @@ static void build(tumble_world *w)
         }
     }
     gap = beyond = 0;
-    tumble_push(w, part[0], tumble_v(60, 0, 0), tumble_v(0, 1.4 + up, 0));
+    tumble_push(w, part[0], tumble_v(150, 0, 0), tumble_v(0, 1.4 + up, 0));
 }
 static void act(tumble_world *w)
 {

@@ -3,7 +3,8 @@
 # prints which files are the book's code; each of their lines is in it once.
 
 code="lib/tumble.h lib/*/*.h lib/*/*.c tests/support/oracle.[hc] tests/support/poses.[hc]
-      chapters/little/*.c tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc]"
+      chapters/little/*.c tests/contact/plain_solver.[hc] tests/soft/plain_strand.[hc]
+      figures/manual/*.c figures/manual/*.py"
 [ "$1" ] || { echo $code; exit; }
 
 export LC_ALL=C

@@ -1,3 +1,4 @@
+#> rollouts-py
 # rollouts.py - two thousand futures of one world, in Python: rollouts.c again.
 
 import math
@@ -27,3 +28,4 @@ reached = [roll_out(a) for a in angle]
 best = max(range(ROLLOUTS), key=lambda k: reached[k])
 print(f"the best of {ROLLOUTS}: {angle[best]:.3f} rad, {reached[best]:.4f} m far; "
       f"v^2 / g is {SPEED * SPEED / GRAVITY:.4f} m")
+#<

@@ -26,7 +26,7 @@ make -s $own > "$place/said" 2>&1 && ! grep -q rpath "$place/root/usr/lib64/pkgc
 make -s un$own > "$place/said" 2>&1 && [ -z "$(find "$place/root" ! -type d)" ] ||
     { find "$place/root" ! -type d; echo "check_install: make uninstall leaves these"; exit 1; }
 scenes=$(pwd)/figures/scenes manual=$(pwd)/figures/manual
-alone='loop replay rollouts'
+alone='loop replay rollouts' reference=$(pwd)/chapters/reference.awk
 cd "$place" || exit 1
 
 for library in libtumble.a libtumble.so; do
@@ -34,6 +34,11 @@ for library in libtumble.a libtumble.so; do
     other=$(nm -g $dynamic --defined-only "tumble/lib/$library" | awk 'NF == 3 && $3 !~ /^tumble_/ { print $3 }')
     [ -z "$other" ] || { echo "check_install: $library also shows" $other; exit 1; }
 done
+# Each name that it shows has a section in the reference.
+awk -f "$reference" tumble/include/tumble.h > told
+nm -g --defined-only tumble/lib/libtumble.a | awk 'NF == 3 { print $3 }' | sort -u > names
+untold=$(sed -n 's/^### //p' told | sort | comm -23 names -)
+[ -s names ] && [ -z "$untold" ] || { echo "check_install: chapters/reference.awk has no section for" $untold; exit 1; }
 
 awk '/^## / { here = /^## Use/ } /^```/ { if (inside) exit
      if (here && $0 == "```c") { inside = 1; next } } inside' "$page" > my.c

@@ -22,8 +22,10 @@ static void build(tumble_world *w)
     for (int k = 0; k < WHEELS; k++) {
         tumble_body_options at = tumble_at(k < 2 ? -1.3 : 1.3, RADIUS,
                                            k % 2 ? 0.9 : -0.9);
+        tumble_body_options hidden = at;
         at.friction = GRIP;
-        tumble_body leg = tumble_add(w, hub, at);
+        hidden.mask = 0;                                    // meets nothing
+        tumble_body leg = tumble_add(w, hub, hidden);
         tumble_body tyre = tumble_add(w, wheel, at);
         tumble_joint s = tumble_slider(w, car, leg, at.pose.position, up);
         tumble_set_limits(w, s, -0.1, 0.1);                 // m

@@ -157,7 +157,9 @@ PILES    := $(basename $(notdir $(wildcard figures/peers/piles*.c figures/peers/
 # These, and piles_bullet.cpp, need libccd, ODE and Bullet; box3d_mover.c needs Box3D and
 # jolt_mover.cpp Jolt.
 THEIRS   := peers_ccd.c peers_ode.c piles_ode.c
-SCENES   := $(filter-out example_main.c,$(notdir $(wildcard figures/scenes/*.c)))
+# Those of chapter 19b that have a main of their own are no scenes.
+ALONE    := loop replay rollouts
+SCENES   := $(filter-out example_main.c $(ALONE:%=%.c),$(notdir $(wildcard figures/scenes/*.c figures/manual/*.c)))
 PAINTER  := $(filter-out shrink.c paint_little.c tumble.c,$(notdir $(wildcard figures/draw/*.c figures/measure/*.c figures/command/*.c))) $(SCENES)
 CHECKS   := $(TESTS:%=$(BUILD)/tests/%)
 FUZZERS  := $(basename $(notdir $(wildcard tests/fuzz/fuzz_*.c)))
@@ -737,7 +739,7 @@ clean:
 	$(Q)rm -rf build
 
 # --- How things are made --------------------------------------------------------
-checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits $$(LIVE_PROGRAMS)
+checks: $(CHECKS) $(BUILD)/tumble $(BUILD)/bits $(BUILD)/scenes $(ALONE:%=$(BUILD)/%) $$(LIVE_PROGRAMS)
 fuzzers: $(FUZZERS:%=$(BUILD)/tests/%)
 objects: $(ALL) \
   $(patsubst %.c,$(BUILD)/tests/%.o,$(notdir $(wildcard tests/*/*.c))) \
@@ -874,6 +876,12 @@ $(BUILD)/tests/fuzz_world: $(addprefix $(BUILD)/tests/,fuzz_world.o worlds.o) $(
 $(patsubst %,$(BUILD)/figures/%,$(filter 20-%,$(FIGURES))): $(BUILD)/tests/hard_set.o
 $(BUILD)/figures/%: $(BUILD)/figures/%.o $$(call FLOOR,$$(firstword $$(subst -, ,$$*))) $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)
+
+# What sees of the library what a program sees.
+$(BUILD)/scenes: $(BUILD)/figures/example_main.o $(SCENES:%.c=$(BUILD)/figures/%.o) $(BUILD)/seen.a
+	$(call link,-lm)
+$(ALONE:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/figures/%.o $(BUILD)/seen.a
+	$(call link,-lm -lpthread)
 
 $(BUILD)/shrink: $(BUILD)/figures/shrink.o $(BUILD)/lib/status.o $(BUILD)/libpainter.a
 	$(call link,-lpng -lm)

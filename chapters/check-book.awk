@@ -73,7 +73,7 @@ FILENAME != "book.md" && FILENAME !~ /\/book\.md$/ {
     claimed[claims] = name; begins[claims] = at; ends[claims] = end
     caption = FNR; next
 }
-caption && FNR == caption + 2 { if ($0 != "```c") fail(book, FNR, "here a block of code should open"); inside = 1; open_claim(1); next }
+caption && FNR == caption + 2 { if ($0 != "```" (claimed[1] ~ /\.py$/ ? "python" : "c")) fail(book, FNR, "here a block of code should open"); inside = 1; open_claim(1); next }
 # Between the pieces of a block there may be a blank line.
 caption && inside && $0 == "" && which > 1 && at <= begins[which] + (lib[name, begins[which]] == "") && lib[name, at] != "" { next }
 caption && inside && at <= end {
@@ -120,7 +120,7 @@ END {
     if (csv) end_table()
     for (f = 1; f <= file_count; f++) for (i = 1; i <= length_of[files[f]]; i++) {
         line = lib[files[f], i]
-        if (line ~ /[^ \t]/ && line !~ /^\/\/[<>]/) {
+        if (line ~ /[^ \t]/ && line !~ (files[f] ~ /\.py$/ ? "^#[<>]" : "^//[<>]")) {
             if (!((files[f], i) in shown)) fail(files[f], i, "this line is not in the book")
             code_lines++
         }

@@ -5,8 +5,8 @@
 # Each chapter becomes a page of its own as well, in the folder `pages`, if one is
 # named (weave.sh says what is CODE, and calls this).
 #
-# In the code a region lies between a line "//> name" and a line "//<"; in a
-# chapter the line "@@ name" stands for it.  What no chapter pulls in is shown by
+# In the code a region lies between a line "//> name" and a line "//<", in Python
+# "#> name" and "#<"; in a chapter the line "@@ name" stands for it.  What no chapter pulls in is shown by
 # the reference, "The library, line by line": a page a module, written here, in
 # the order that `order` names.  There a region's text is that of the lines
 # "//>   A sentence." below its marker, or the comment that it begins with.
@@ -57,7 +57,7 @@ function weave_all(n, names, name,    k) {
     if (name != "") names[1] = name
     if (names[1] in comes) print_later(where_it_goes(n, names) "\n")
     for (k = 1; k <= n; k++) print_later(caption_of(names[k]))
-    print_later("\n```c")
+    print_later("\n```" (home[names[1]] ~ /\.py$/ ? "python" : "c"))
     for (k = 1; k <= n; k++) {
         if (k > 1 && text[home[names[k]], from[names[k]] - 1] == "" && text[home[names[k]], from[names[k]] + 1] != "") print_later("")
         print_lines(names[k])
@@ -212,10 +212,11 @@ function end_of_file() {
     open = ""; fence = 0
 }
 
-FNR == 1 { end_of_file(); file = FILENAME; is_code = file ~ /\.[ch]$/ }
+FNR == 1 { end_of_file(); file = FILENAME; is_code = file ~ /\.([ch]|py)$/ }
 FNR == 1 { page = substr(file, 10) }        # after "chapters/"
 
 # --- code: remember every line, and where each region lies ---
+is_code && file ~ /\.py$/ { sub(/^#[<>]/, "//&"); sub(/^\/\/#/, "//") }
 is_code { text[file, FNR] = $0 }
 is_code && /^\/\/> ([a-z0-9-]+|little_[a-z0-9_]+( [0-9][0-9][a-z])+)$/ {
     if (open != "") fail(file, FNR, "region " $2 " opens inside region " open)

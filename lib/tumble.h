@@ -99,8 +99,10 @@ typedef struct {
                             // takes more than 10000 in all: one that would have
                             // more, for it is divided, is a failure
     tumble_vec3 gravity;    // m/s^2, (0, -9.81, 0)
-    double friction;        // of bodies and planes that have none of their own
-    double restitution;     // likewise; 0 to 1: speed after an impact / before
+    double friction;        // of bodies and planes that have none of their own,
+                            // 0.5
+    double restitution;     // likewise, 0; 0 to 1: speed after an impact / that
+                            // before
     double sleep_speed;     // m/s, slower bodies fall asleep, 0.005: turn up if
                             // they keep awake too long; 0: none sleeps.  (What
                             // rolls at less than 30 times that, and is not
@@ -138,7 +140,8 @@ void tumble_forget_failure(tumble_world *w);
 // One step of options.dt.  Forces that were set act in it, and are gone.
 void tumble_step(tumble_world *w);
 
-// s, that steps have taken in sum.
+// s, that steps have taken in sum; rounded, so 60 steps of 1/60 s may be a
+// little less than 1 s.
 double tumble_time(const tumble_world *w);
 
 bool tumble_set_gravity(tumble_world *w, tumble_vec3 gravity);
@@ -346,7 +349,9 @@ tumble_vec3 tumble_spin(const tumble_world *w, tumble_body b);
 double tumble_mass(const tumble_world *w, tumble_body b);   // static: 0
 void  *tumble_user(const tumble_world *w, tumble_body b);
 
-// Puts a rigid body somewhere else, at once; it keeps its velocity.
+// Puts a rigid body somewhere else, at once; it keeps its velocity.  (A
+// kinematic body that is put back before every step is a conveyor: what lies on
+// it is carried along.)
 bool tumble_set_pose(tumble_world *w, tumble_body b, tumble_pose pose);
 
 // Gives a rigid body a velocity and a spin: a kinematic one keeps them.
@@ -464,7 +469,9 @@ bool tumble_set_stretch(tumble_world *w, tumble_body b, double compliance);
 // --- Joints ------------------------------------------------------------------
 // Between two rigid bodies, or a body and the world, which is the id
 // tumble_ground().  Bodies that are joined do not collide with each other,
-// unless tumble_set_touching says so.
+// unless tumble_set_touching says so, nor does a rope or cloth with a body that
+// it hangs on; what is joined by way of another body does, unless their groups
+// or their places keep them apart.
 // Points and axes are where they are in the world when the joint is made.
 tumble_body tumble_ground(void);
 
@@ -538,15 +545,16 @@ bool tumble_set_strength(tumble_world *w, tumble_joint j, double force);
 bool tumble_unjoin(tumble_world *w, tumble_joint j);
 bool tumble_is_joined(const tumble_world *w, tumble_joint j);
 
-// Along its free way: where b is against a (rad, from -pi to pi, or m), and how fast
-// it moves (rad/s or m/s).
+// Along its free way: where b is against a (rad, from -pi to pi, or m; of a
+// distance: how far apart the points are), and how fast it moves (rad/s, m/s).
 double tumble_joint_place(const tumble_world *w, tumble_joint j);
 double tumble_joint_speed(const tumble_world *w, tumble_joint j);
 // rad, how far a cone's axis leans, and b has turned about it; 0 without a cone.
 double tumble_joint_swing(const tumble_world *w, tumble_joint j);
 double tumble_joint_twist(const tumble_world *w, tumble_joint j);
-// What motor, spring and limits together gave in the last substep (N m or N; 0
-// without motor and spring).
+// What motor, spring and limits together gave in the last substep (N m or N,
+// the way that the place grows: a winch that pulls gives less than 0; 0 without
+// motor and spring).
 double tumble_joint_drive(const tumble_world *w, tumble_joint j);
 // m, how far apart are the points that it holds; N, what it bore in the last
 // substep; a hinge's place, by another name.
@@ -584,7 +592,8 @@ typedef struct {
     int vertex;             // of rope and cloth, the nearest one; else 0
 } tumble_hit;
 
-// What does the way from one point to another meet first?  False: nothing.
+// What does the way from one point to another meet first?  False: nothing.  A
+// way that begins in a body meets that at once.
 bool tumble_ray(const tumble_world *w, tumble_vec3 from, tumble_vec3 to,
                 unsigned mask, tumble_hit *hit);
 
@@ -598,7 +607,10 @@ bool tumble_nearest(const tumble_world *w, tumble_vec3 x, double most,
 int tumble_overlap(const tumble_world *w, tumble_shape s, tumble_pose pose,
                    unsigned mask, tumble_body *out, int most);
 
-// What does a rigid shape meet first that moves by `way` without turning?
+// What does a rigid shape meet first that moves by `way` without turning?  If
+// it touches something where it begins, or is in it, that is met at once, with
+// a normal against the way, even if the way leads out.  So what slides along
+// walls should keep a little away from them.
 bool tumble_sweep(const tumble_world *w, tumble_shape s, tumble_pose pose,
                   tumble_vec3 way, unsigned mask, tumble_hit *hit);
 

@@ -94,6 +94,9 @@ local function Link(link)
   local target = link.target
   local path, line = target:match('^%.%./%.%./([^#]*)#?L?(%d*)')
   local other, id = target:match('^([%w_-]+)%.md#?(.*)$')
+  -- In the whole book the headings of a page that is no chapter have its name before theirs.
+  local near = whole and not page:match('^%d%d%l?%-') and target:match('^#(.*)')
+  if near then target = '#' .. page .. '-' .. near end
   if path then target = place_of_file(path, line ~= '' and line)
   elseif other then target = place(other, id) end
   if not path then link.content = { raw(html_of(link.content)) } end
@@ -184,7 +187,7 @@ end
 local function piece_of(caption, piece)
   local file, lines = caption.text:match('^(%S*), lines? ([%d to]*)')
   local ids, files = {}, {}
-  for where, line in caption.text:gmatch('(%S+%.[ch]), lines? (%d+)') do
+  for where, line in caption.text:gmatch('(%S+%.%a+), lines? (%d+)') do
     ids[#ids + 1] = where:match('[^/]*$') .. '-L' .. line
     files[where] = true
   end

@@ -106,7 +106,7 @@ static void tell_frames(const frames *f)
 
 static bool tell(const example *e, const wishes *to, tumble_world *w)
 {
-    double error = e->error(w);
+    double error = example_error(e, w);
     bool is_whole = to->seconds >= e->seconds, holds = error <= e->most;
     tumble_report r = tumble_last_step(w);
     printf("%s: %s\n", e->name, e->about);

@@ -22,7 +22,7 @@ mkdir "$work/bare"
 
 # What is there; the products and their programs; what each is made of.
 ls lib/*.h lib/*/*.[ch] tests/*/*.[ch] figures/[0-9]*/* figures/draw/* figures/measure/*.[ch] \
-    figures/command/*.[ch] figures/scenes/*.[ch] figures/moving/* figures/peers/* figures/tables/*.csv 2> /dev/null > "$work/files"
+    figures/command/*.[ch] figures/scenes/*.[ch] figures/manual/*.[ch] figures/moving/* figures/peers/* figures/tables/*.csv 2> /dev/null > "$work/files"
 awk -v speed="$(sed -n '/^SPEED :=/,/[^\\]$/p' Makefile | sed 's/.*:=//; s/\\$//' | tr '\n' ' ')" \
     -f figures/draw/products.awk "$work/files" > "$work/products" || exit 1
 awk -v into="$work/bare" -f figures/draw/stamp.awk \

@@ -13,6 +13,15 @@ static bool is_wanted(const example *s, int count, char **name)
     return count == 1;
 }
 
+static void tell_laws(const example *s, tumble_world *w)
+{
+    example_law is[EXAMPLE_LAWS];
+    int n = s->laws(w, is);
+    for (int k = 0; k < n; k++)
+        printf("  %s: %.5g, by the law %.5g\n", is[k].what, is[k].measured,
+               is[k].law);
+}
+
 static bool run(const example *s)
 {
     tumble_options o = s->options ? s->options() : tumble_options_default();
@@ -23,11 +32,12 @@ static bool run(const example *s)
         tumble_step(w);
     }
     const char *why = tumble_failure(w);
-    double error = why ? 0 : s->error(w);
+    double error = why ? 0 : example_error(s, w);
     bool holds = !why && error <= s->most;
     if (why) printf("%s: %s\n", s->name, why);
     else printf("%s: %s: %s (%.3g, at most %.3g)\n", s->name,
                 holds ? "holds" : "FAILS", s->claim, error, s->most);
+    if (!why && s->laws) tell_laws(s, w);
     tumble_free(w);
     return holds;
 }

@@ -56,10 +56,10 @@ accepts() {
 }
 
 # --- The command line is wrong: 2 ---------------------------------------------
-refuses 2 'no scene is named; there are room.* cloth-on-rope.* pyramid.* and blanket'
+refuses 2 'no scene is named; there are room.* cloth-on-rope.* pyramid.* blanket.* and cape'
 refuses 2 'no scene is named'               --bodies 3
 refuses 2 'did you mean room'               rom
-refuses 2 'there is no scene "beach" (see'  beach
+refuses 2 'there is no scene "waterfall" (see'  waterfall
 refuses 2 'did you mean pyramid'            piramid
 refuses 2 'pyramid stands first'            --seconds 2 pyramid
 refuses 2 'there is no scene ""'            ''

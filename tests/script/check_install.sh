@@ -1,6 +1,6 @@
 # check_install.sh - is an installed library what others need: does it show no
-# name but its own, do README's program and the scenes build against it, in C and
-# in C++, and do they say what they should?
+# name but its own, do README's program, the scenes and the programs of chapter 19b
+# build against it, in C and in C++, and do they say what they should?
 
 page=$(pwd)/README.md
 place=$(mktemp -d)
@@ -25,7 +25,8 @@ make -s $own > "$place/said" 2>&1 && ! grep -q rpath "$place/root/usr/lib64/pkgc
 # shellcheck disable=SC2086
 make -s un$own > "$place/said" 2>&1 && [ -z "$(find "$place/root" ! -type d)" ] ||
     { find "$place/root" ! -type d; echo "check_install: make uninstall leaves these"; exit 1; }
-scenes=$(pwd)/figures/scenes
+scenes=$(pwd)/figures/scenes manual=$(pwd)/figures/manual
+alone='loop replay rollouts' reference=$(pwd)/chapters/reference.awk
 cd "$place" || exit 1
 
 for library in libtumble.a libtumble.so; do
@@ -33,6 +34,11 @@ for library in libtumble.a libtumble.so; do
     other=$(nm -g $dynamic --defined-only "tumble/lib/$library" | awk 'NF == 3 && $3 !~ /^tumble_/ { print $3 }')
     [ -z "$other" ] || { echo "check_install: $library also shows" $other; exit 1; }
 done
+# Each name that it shows has a section in the reference.
+awk -f "$reference" tumble/include/tumble.h > told
+nm -g --defined-only tumble/lib/libtumble.a | awk 'NF == 3 { print $3 }' | sort -u > names
+untold=$(sed -n 's/^### //p' told | sort | comm -23 names -)
+[ -s names ] && [ -z "$untold" ] || { echo "check_install: chapters/reference.awk has no section for" $untold; exit 1; }
 
 awk '/^## / { here = /^## Use/ } /^```/ { if (inside) exit
      if (here && $0 == "```c") { inside = 1; next } } inside' "$page" > my.c
@@ -77,15 +83,23 @@ END
 "${CC:-cc}" -std=c11 -I"$place/tumble/include" own.c tumble/lib/libtumble.a -lm -o own && said=$(./own) &&
     [ "$said" = '3 1 1' ] || { echo "check_install: a program with names of its own says '$said'"; exit 1; }
 
-# The scenes, each with what it claims, and no longer than a page.
-long=$(awk 'FNR == 61 { print FILENAME }' "$scenes"/*.c)
-[ -z "$long" ] || { echo "check_install: more than 60 lines: $long"; exit 1; }
-"${CC:-cc}" -std=c11 -O1 -I"$scenes" "$scenes"/*.c $flags -o scenes && ./scenes ||
+# The scenes, each with what it claims, and no longer than a page; the programs of
+# chapter 19b, which explains them, are no longer than one and a half.  Those that
+# are alone fail if what they print is not so.
+long=$(awk 'FNR == 61 { print FILENAME }' "$scenes"/*.c; awk 'FNR == 91 { print FILENAME }' "$manual"/*.c)
+[ -z "$long" ] || { echo "check_install: more than 60 lines, or 90: $long"; exit 1; }
+mkdir c alone cxx
+cp "$scenes"/*.[ch] "$manual"/*.c c
+for f in $alone; do mv c/$f.c alone; done
+"${CC:-cc}" -std=c11 -O1 c/*.c $flags -o scenes && ./scenes ||
     { echo "check_install: a scene does not hold what it claims"; exit 1; }
-mkdir cxx
-for f in "$scenes"/*.c; do cp "$f" "cxx/$(basename "$f" .c).cpp"; done
+for f in $alone; do
+    "${CC:-cc}" -std=c11 -O1 alone/$f.c $flags -lpthread -o $f && ./$f ||
+        { echo "check_install: $f.c does not build, or hold what it claims"; exit 1; }
+done
+for f in c/*.c; do cp "$f" "cxx/$(basename "$f" .c).cpp"; done
 for c in $cxx; do
-    $c -std=c++20 -w -I"$scenes" cxx/*.cpp $flags -o scenes && ./scenes pyramid curtain > /dev/null ||
+    $c -std=c++20 -w -Ic cxx/*.cpp $flags -o scenes && ./scenes pyramid curtain crane > /dev/null ||
         { echo "check_install: the scenes do not build with $c"; exit 1; }
 done
-echo "installed: README's program and the scenes, in C and C++; no name but tumble_*"
+echo "installed: README's program, the scenes and chapter 19b's programs, in C and C++; no name but tumble_*"

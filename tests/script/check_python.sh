@@ -26,5 +26,8 @@ got=$(cd "$place" && "$python" my.py 2>&1)
     fail "hashes.c fails"
 cp tests/public/hashes.py "$place" && (cd "$place" && "$python" hashes.py) > "$place/got" 2>&1 || { cat "$place/got"; fail "hashes.py fails"; }
 diff "$place/wanted" "$place/got" || fail "Python has other bits than C"
+# The throws of chapter 19b, as the program in C prints them.
+"$BUILD/rollouts" > "$place/wanted" && (cd "$place" && "$python" "$OLDPWD/figures/manual/rollouts.py") > "$place/got" 2>&1 &&
+    diff "$place/wanted" "$place/got" || fail "figures/manual/rollouts.py fails, or prints something else than rollouts.c"
 "$python" -c 'import numpy' 2> /dev/null && with=', numpy sees its memory' || with=
 echo "python: the wheel installs into a fresh environment; the same bits as in C$with"

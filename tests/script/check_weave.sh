@@ -66,6 +66,19 @@ all() {
     [ "$(tail -n 1 pages/01b-c.md)" = '[01. A](01-a.md) · [Contents](../../README.md#read) · [02. B](02-b.md)' ] &&
     verdict "a chapter may have a letter" yes || verdict "a chapter may have a letter" no
 
+    # A program in Python has markers of its own.
+    sound; mkdir -p figures/manual; printf '#> py-a\n# a.py - one.\n\n\ndef a(x):\n    return 1  #< no marker\n#<\n' > figures/manual/a.py
+    printf '\n@@ py-a\n' >> chapters/01-a.md
+    python() { $awk -v pages="$pages" -f "$root/chapters/numbers.awk" -f "$root/chapters/pieces.awk" -f "$root/chapters/weave.awk" lib/*.h lib/*.c tests/oracle.[hc] figures/manual/a.py chapters/[0-9]*.md; }
+    check_python() { $awk -f "$root/chapters/check-book.awk" lib/*.h lib/*.c tests/oracle.[hc] figures/manual/a.py book.md; }
+    pages=; python > book.md 2> said
+    printf '%s\n' '[figures/manual/a.py, lines 2 to 6: a](figures/manual/a.py#L2-L6)' '' '```python' '# a.py - one.' '' '' 'def a(x):' '    return 1  #< no marker' '```' > wanted
+    sed -n '/^.figures.manual.a.py/,/^```$/p' book.md | cmp -s - wanted && [ ! -s said ] &&
+    check_python > /dev/null 2>> said &&
+    verdict "Python is shown as Python" yes || verdict "Python is shown as Python" no
+    sed -i.old 's/return 1/return 2/' figures/manual/a.py
+    refuses "changed Python" check_python 'this is not line 6 of figures/manual/a.py'
+
     # The little program's pieces say where they go.
     little() {
         sound; mkdir -p chapters/little
